@@ -28,6 +28,13 @@ Hdf5Object link_options() {
   return {list, H5Pclose, "make link options"};
 }
 
+/// Datasets without the time at which they were made: the same result is the same bytes.
+Hdf5Object dataset_options() {
+  const hid_t list = H5Pcreate(H5P_DATASET_CREATE);
+  H5Pset_obj_track_times(list, false);
+  return {list, H5Pclose, "make dataset options"};
+}
+
 void write_attribute(hid_t object, const char* name, const std::string& text) {
   const Hdf5Object type = string_type();
   const Hdf5Object space(H5Screate(H5S_SCALAR), H5Sclose, "make a scalar space");
@@ -93,9 +100,9 @@ void attach_scale(hid_t file, hid_t dataset, const std::string& group, const std
     std::iota(index.begin(), index.end(), 0.0);
     const Hdf5Object space(H5Screate_simple(1, &length, nullptr), H5Sclose, "make a space");
     const Hdf5Object links = link_options();
-    const Hdf5Object scale(
-        H5Dcreate2(file, name.c_str(), H5T_NATIVE_DOUBLE, space, links, H5P_DEFAULT, H5P_DEFAULT),
-        H5Dclose, "add dimension " + name);
+    const Hdf5Object scale(H5Dcreate2(file, name.c_str(), H5T_NATIVE_DOUBLE, space, links,
+                                      dataset_options(), H5P_DEFAULT),
+                           H5Dclose, "add dimension " + name);
     require(H5Dwrite(scale, H5T_NATIVE_DOUBLE, H5S_ALL, H5S_ALL, H5P_DEFAULT, index.data()) >= 0 &&
                 H5DSset_scale(scale, label.c_str()) >= 0,
             "HDF5 could not write dimension {}", name);
@@ -112,9 +119,9 @@ void write_array(hid_t file, const std::string& key, const ResultArray& array) {
                     : H5Screate_simple(static_cast<int>(shape.size()), shape.data(), nullptr),
       H5Sclose, "make a space");
   const Hdf5Object links = link_options();
-  const Hdf5Object dataset(
-      H5Dcreate2(file, key.c_str(), H5T_NATIVE_DOUBLE, space, links, H5P_DEFAULT, H5P_DEFAULT),
-      H5Dclose, "add " + key);
+  const Hdf5Object dataset(H5Dcreate2(file, key.c_str(), H5T_NATIVE_DOUBLE, space, links,
+                                      dataset_options(), H5P_DEFAULT),
+                           H5Dclose, "add " + key);
   // Values, unit and labels.
   require(
       H5Dwrite(dataset, H5T_NATIVE_DOUBLE, H5S_ALL, H5S_ALL, H5P_DEFAULT, array.values.data()) >= 0,
@@ -134,7 +141,7 @@ void write_texts(hid_t file, const std::string& key, const std::vector<std::stri
   const Hdf5Object space(H5Screate_simple(1, &length, nullptr), H5Sclose, "make a space");
   const Hdf5Object links = link_options();
   const Hdf5Object dataset(
-      H5Dcreate2(file, key.c_str(), type, space, links, H5P_DEFAULT, H5P_DEFAULT), H5Dclose,
+      H5Dcreate2(file, key.c_str(), type, space, links, dataset_options(), H5P_DEFAULT), H5Dclose,
       "add " + key);
   require(length == 0 || H5Dwrite(dataset, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, chars.data()) >= 0,
           "HDF5 could not write {}", key);

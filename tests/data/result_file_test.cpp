@@ -2,10 +2,12 @@
 
 #include "data/io/result_file.h"
 
+#include <chrono>
 #include <csignal>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
+#include <thread>
 
 #include <gtest/gtest.h>
 #include <hdf5.h>
@@ -125,6 +127,18 @@ TEST_F(ResultFileTest, KeepsTheOldFileOnAFullDisk) {
   EXPECT_EXIT(exit_refused_on_a_full_disk(large, path("a.h5")), testing::ExitedWithCode(0), "");
   EXPECT_EQ(read_result(path("a.h5")).number("number"), 1.0 / 3);
   EXPECT_EQ(std::distance(fs::directory_iterator(folder_), {}), 1) << "no temporary is left";
+}
+
+// HDF5 would note when every array was made, to the second.
+TEST_F(ResultFileTest, IsTheSameBytesASecondLater) {
+  write_result(example_result(), path("a.h5"));
+  std::this_thread::sleep_for(std::chrono::milliseconds(1100));
+  write_result(example_result(), path("b.h5"));
+  const auto bytes = [&](const char* name) {
+    std::ifstream file(path(name), std::ios::binary);
+    return std::string(std::istreambuf_iterator<char>(file), {});
+  };
+  EXPECT_EQ(bytes("a.h5"), bytes("b.h5"));
 }
 
 TEST(ResultFileAccess, NamesWhatIsMissing) {
