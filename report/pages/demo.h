@@ -10,7 +10,8 @@
 
 namespace thenar {
 
-/// All sections in one page; `more` sections stand at its end.
+/// All sections in one page: accuracy, forces, solvers, parameters, the finger, its population, the
+/// hood, thumbs, posteriors and the study of a thumb; `more` sections stand at its end.
 /// @param seconds  that the whole took [s]
 [[nodiscard]] Json demo_page(const DemoResult& demo, const Json& more, double seconds);
 

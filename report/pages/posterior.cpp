@@ -45,6 +45,7 @@ Json convergence_blocks(const PosteriorPicture& picture) {
   Json blocks = Json::array({convergence_banner(picture.convergence, picture.run)});
   for (const std::string& advice : picture.advice) blocks.push_back(text_block(advice));
   add_doubts("Before trusting the predictions", picture.warnings, blocks);
+  if (!picture.warnings.empty()) blocks.back()["caution"] = true;
   if (picture.quantities.empty()) return blocks;
   blocks.push_back(chains_block(
       picture.quantities,
