@@ -1,11 +1,11 @@
 #pragma once
 
-/// What a grasp says in words: what touches what, what stopped a coordinate, where a wrench points.
+/// What a grasp says in words: what touches what, what stopped a coordinate.
 
 #include <string>
 #include <vector>
 
-#include "grasp/closing/grasp.h"
+#include "grasp/closing/describe_grasp.h"
 
 namespace thenar {
 
@@ -28,30 +28,10 @@ struct Touching {
                                                   const ClosedHand& closed,
                                                   const std::vector<Touching>& touching);
 
-/// Whether a coordinate slides rather than turns. @param q  where it is looked at (coordinates)
-[[nodiscard]] bool slides(const Hand& hand, const Eigen::VectorXd& q, int coordinate);
-
 /// A coordinate in degrees or millimetres: "31.5 deg", "12.00 mm".
 [[nodiscard]] std::string value_words(double value, bool slides);
 
-/// The large parts of a direction: "force along -z, torque about +x". Parts below a third of the
-/// largest are left out.
-[[nodiscard]] std::string direction_words(const ScaledWrench& wrench);
-
-/// The same of a motion: "along -z, turning about +x".
-[[nodiscard]] std::string motion_words(const ScaledWrench& motion);
-
 /// An epsilon as it is shown: 0 where it is within 1e-9, to which epsilon() is exact, and never -0.
 [[nodiscard]] double without_rounding(double epsilon);
-
-/// "grasped: 12 contacts, force closure", "overlaps: DP2 is 3.2 mm in table"...
-[[nodiscard]] std::string outcome_words(const Grasp& grasp);
-
-/// "DP2 is 3.2 mm in table, ..."
-[[nodiscard]] std::string overlap_words(const std::vector<Overlap>& overlaps);
-
-/// A warning about links of the hand that begin in each other, so that they do not stop each other;
-/// empty where none do.
-[[nodiscard]] std::string own_overlap_words(const ClosedHand& closed);
 
 }  // namespace thenar

@@ -5,38 +5,56 @@
 
 #include <fmt/format.h>
 
-#include "base/units.h"
+#include "base/provenance.h"
+#include "data/io/toml_node.h"
+#include "grasp/closing/describe_grasp.h"
+#include "report/answers/grasp.h"
+#include "report/answers/grasp_measures.h"
+#include "report/blocks.h"
 #include "report/pages/wrench_blocks.h"
+#include "report/scene/grasp_view.h"
+#include "report/table.h"
 
 namespace thenar {
 namespace {
 
 constexpr double kRounding = 5e-4;  // of a coordinate [mm], or of a unit vector [1]
-constexpr double kTouches = 2e-4;   // gap up to which a stop is told with what it touches [m]
 
-Json outcome_banner(const GraspStory& story) {
-  const Grasp& grasp = story.grasp;
+Json outcome_banner(const GraspResult& result) {
+  const Grasp& grasp = result.grasp;
   const bool ok = grasp.outcome == GraspOutcome::kGrasped && grasp.quality.force_closure;
   return {{"type", "banner"}, {"ok", ok}, {"title", outcome_words(grasp)}};
 }
 
-Json picture_section(const GraspStory& story, MeshTable& meshes) {
-  return section("picture", "The grasp", "",
-                 Json::array({outcome_banner(story),
-                              picture_block("The hand where it ended. Arrows are normals of "
-                                            "contacts, into the object; cones hold the forces "
-                                            "that do not slip.",
-                                            story.eye,
-                                            grasp_layers(story.picture, story.scene,
-                                                         story.grasp.contacts, meshes))}));
+HandPicture picture_of(const GraspResult& result) {
+  const WorldHand& hand = result.setting.hand;
+  return {*hand.named.hand, result.grasp.closed.q, result.grasp.approached.X_WH, hand.named.patches,
+          hand.carrier_surfaces};
 }
 
-Json warning_section(const GraspStory& story) {
-  Json rows = Json::array();
-  for (const std::string& warning : story.warnings) rows.push_back(Json::array({warning}));
+Json picture_section(const GraspResult& result, MeshTable& meshes) {
+  const HandPicture picture = picture_of(result);
+  const Scene& scene = result.setting.scene;
+  const Camera& camera = result.setting.world.camera;
+  const Eigen::Vector3d eye =
+      view_of_contacts(picture, scene, result.grasp.contacts,
+                       {camera.eye - camera.target, Eigen::Vector3d::UnitZ()});
   return section(
-      "warnings", "What to know of the hand", "",
-      Json::array({table_block("Assumptions and omissions.", {{"what", "", -1}}, rows)}));
+      "picture", "The grasp", "",
+      Json::array(
+          {outcome_banner(result),
+           picture_block("The hand where it ended. Arrows are normals of contacts, into the "
+                         "object; cones hold the forces that do not slip.",
+                         eye, grasp_layers(picture, scene, result.grasp.contacts, meshes))}));
+}
+
+Json warning_section(const GraspResult& result) {
+  Json rows = Json::array();
+  for (const std::string& warning : result.warnings) rows.push_back(Json::array({warning}));
+  return section(
+      "warnings", "Assumptions", "",
+      Json::array({table_block("What was assumed of the hand and its object, or left out.",
+                               {{"assumption", "", -1}}, rows)}));
 }
 
 /// A table, and what is to be said of its rows below it: notes are too long for columns.
@@ -50,68 +68,90 @@ Json measure_blocks(const std::string& caption, const std::vector<MeasureRow>& m
                 notes);
 }
 
-Json measure_section(const GraspStory& story) {
-  Json blocks =
-      measure_blocks("Loads and motions of the object, in its frame and about its centre of mass.",
-                     story.measures);
-  if (!story.robustness.empty())
-    blocks = joined(blocks, measure_blocks("Monte Carlo: how sure it is.", story.robustness));
-  return section("measures", "What the hand can do with it",
-                 "Squeeze is the sum of normal forces. As driven: within what motors or tendons "
-                 "can make at this posture.",
+Json measure_section(const GraspResult& result) {
+  Json blocks = measure_blocks(
+      "Loads and motions of the object, in its own frame and about its centre of mass.",
+      measure_rows(*result.measures));
+  if (result.robustness)
+    blocks = joined(blocks, measure_blocks("Robustness (Monte Carlo): how often contacts or a pose "
+                                           "that are a little off still close by force.",
+                                           robustness_rows(result)));
+  return section("measures", "Loads and motions",
+                 "Grasp force is the sum of normal forces. Efforts are the torques of motors, or "
+                 "tensions of tendons, that the hand can make in this posture.",
                  blocks);
 }
 
 /// Rounding is no number to read.
 double tidy(double x) { return std::abs(x) < kRounding ? 0 : x; }
 
-Json contact_section(const GraspStory& story) {
+/// What the last column of the contacts means.
+std::string torsion_words(const GraspResult& result) {
+  return contact_model_of(result) == "hard point"
+             ? "The contacts are hard points: torsion, a torque about the normal, is not modelled."
+             : "The contacts are soft fingers: torsion is the largest torque about the normal per "
+               "normal force.";
+}
+
+Json contact_section(const GraspResult& result) {
+  const bool soft = contact_model_of(result) != "hard point";
   Json rows = Json::array();
-  for (const HandContact& found : story.grasp.contacts) {
+  for (const HandContact& found : result.grasp.contacts) {
     const Contact& c = found.contact;
     const LinkSurface& surface =
-        story.hand.hand->surfaces()[static_cast<std::size_t>(found.surface)];
+        result.touching.hand->surfaces()[static_cast<std::size_t>(found.surface)];
     rows.push_back({surface.name, surface.digit, tidy(1000 * c.p.x()), tidy(1000 * c.p.y()),
                     tidy(1000 * c.p.z()), tidy(c.n.x()), tidy(c.n.y()), tidy(c.n.z()), c.friction,
-                    1000 * c.torsion});
+                    soft ? Json(1000 * c.torsion) : Json("-")});
   }
   return section(
       "contacts", "Contacts",
       "Positions and normals (into the object) in the object's frame; a region of contact is the "
-      "few points that span it. Torsion is the torque about the normal per normal force.",
-      Json::array({table_block(
-          fmt::format("{} with {}.",
-                      rows.size() == 1 ? "One contact" : fmt::format("{} contacts", rows.size()),
-                      story.scene.object.name),
-          {{"surface", "", -1},
-           {"digit", "", -1},
-           {"x", "mm", 2},
-           {"y", "mm", 2},
-           {"z", "mm", 2},
-           {"n x", "", 3},
-           {"n y", "", 3},
-           {"n z", "", 3},
-           {"friction", "", 2},
-           {"torsion", "mm", 2}},
-          rows)}));
+      "few points that span it. " +
+          torsion_words(result),
+      Json::array({table_block(fmt::format("{} with {}.", counted(rows.size(), "contact"),
+                                           result.setting.scene.object.name),
+                               {{"surface", "", -1},
+                                {"digit", "", -1},
+                                {"x", "mm", 2},
+                                {"y", "mm", 2},
+                                {"z", "mm", 2},
+                                {"n x", "", 3},
+                                {"n y", "", 3},
+                                {"n z", "", 3},
+                                {"friction", "", 2},
+                                {"torsion", "mm", 2}},
+                               rows)}));
 }
 
-Json joint_section(const GraspStory& story) {
-  const Hand& hand = *story.hand.hand;
-  const ClosedHand& closed = story.grasp.closed;
-  const PosedCollisionHand posed{story.hand, story.grasp.approached.X_WH, hand.pose(closed.q)};
-  const std::vector<std::string> words =
-      stop_words(story.hand, closed, find_touching(posed, story.scene, kTouches));
+Json joint_section(const GraspResult& result) {
   Json rows = Json::array();
-  for (std::size_t c = 0; c < words.size(); ++c) {
-    const auto i = static_cast<int>(c);
-    rows.push_back({hand.layout().coordinates[c],
-                    value_words(closed.q[i], slides(hand, closed.q, i)), words[c]});
-  }
+  for (const JointRow& row : joint_rows(result)) rows.push_back({row.name, row.shown, row.why});
   return section("joints", "What stopped every joint", "",
                  Json::array({table_block(
                      "Coordinates of the hand when it came to rest.",
                      {{"coordinate", "", -1}, {"value", "", -1}, {"stopped by", "", -1}}, rows)}));
+}
+
+Json provenance_of(const GraspResult& result) {
+  Json json = Json::object();
+  json[result.setting.path] = "sha256 " + sha256(read_text_file(result.setting.path));
+  for (const auto& [name, version] : versions()) json[name] = version;
+  if (result.request.starts > 0 || result.robustness)
+    json["seed"] = std::to_string(result.request.seed);
+  return json;
+}
+
+Json sections_of(const GraspResult& result, MeshTable& meshes) {
+  Json sections = Json::array({picture_section(result, meshes)});
+  const bool grasped = result.grasp.outcome == GraspOutcome::kGrasped;
+  if (grasped) sections.push_back(quality_section(result));
+  if (result.measures) sections.push_back(measure_section(result));
+  if (grasped) sections.push_back(wrench_section(result, meshes));
+  if (grasped) sections.push_back(contact_section(result));
+  if (!result.grasp.closed.stopped.empty()) sections.push_back(joint_section(result));
+  if (!result.warnings.empty()) sections.push_back(warning_section(result));
+  return sections;
 }
 
 }  // namespace
@@ -122,16 +162,17 @@ Json grasp_layers(const HandPicture& picture, const Scene& scene,
                 contact_layers(contacts, scene.object.X_WB, scene.object.reach));
 }
 
-Json grasp_page(const GraspStory& story, MeshTable& meshes) {
-  Json sections = Json::array({picture_section(story, meshes)});
-  const bool grasped = story.grasp.outcome == GraspOutcome::kGrasped;
-  if (grasped) sections.push_back(quality_section(story));
-  if (!story.measures.empty()) sections.push_back(measure_section(story));
-  if (grasped) sections.push_back(wrench_section(story, meshes));
-  if (grasped) sections.push_back(contact_section(story));
-  if (!story.grasp.closed.stopped.empty()) sections.push_back(joint_section(story));
-  if (!story.warnings.empty()) sections.push_back(warning_section(story));
-  return sections;
+Json page_of(const GraspResult& result) {
+  MeshTable meshes;
+  const Json sections = sections_of(result, meshes);
+  return {{"title", fmt::format("{} and {}", result.setting.hand.named.name,
+                                result.setting.scene.object.name)},
+          {"subtitle", result.setting.world.description},
+          {"provenance", provenance_of(result)},
+          {"meshes", meshes.json()},
+          {"sections", sections}};
 }
+
+Json page_of(const CloseResult& result) { return page_of(result.grasp); }
 
 }  // namespace thenar

@@ -4,8 +4,11 @@
 
 #include <fmt/format.h>
 
+#include "grasp/closing/describe_grasp.h"
 #include "grasp/limits/force_set.h"
 #include "grasp/quality/wrench_set_mesh.h"
+#include "report/blocks.h"
+#include "report/scene/hand_picture.h"
 
 namespace thenar {
 namespace {
@@ -21,20 +24,21 @@ std::string enclosed(const Epsilon& e) {
   return fmt::format("between {:.5g} and {:.5g}", e.lower, e.upper);
 }
 
-Json number_table(const GraspStory& story) {
-  const Epsilon& e = story.grasp.quality;
+Json number_table(const GraspResult& result) {
+  const Epsilon& e = result.grasp.quality;
   Json rows = Json::array();
   rows.push_back({"signed epsilon", enclosed(e)});
   rows.push_back({"force closure", e.force_closure ? "yes" : "no"});
   rows.push_back({"rank of the wrenches", fmt::format("{} of 6", e.rank)});
-  rows.push_back({"limit of forces", story.limit == ForceNorm::kL1
+  rows.push_back({"limit of forces", result.request.limit == ForceNorm::kL1
                                          ? "normal forces sum up to 1 (L1)"
                                          : "each normal force is at most 1 (L-infinity)"});
   rows.push_back({"torques divided by",
-                  fmt::format("{:.1f} mm, the object's reach", 1000 * story.scene.object.reach)});
+                  fmt::format("{:.1f} mm, the reach of the object from its centre of mass",
+                              1000 * result.setting.scene.object.reach)});
   if (e.has_missing_direction)
-    rows.push_back({"cannot make", direction_words(e.missing_direction)});
-  rows.push_back({e.has_missing_direction ? "not withstood" : "withstood least",
+    rows.push_back({"no wrench along", direction_words(e.missing_direction)});
+  rows.push_back({e.has_missing_direction ? "does not withstand" : "weakest against",
                   direction_words(e.worst_wrench)});
   return table_block("Directions in the object's frame, torques about its centre of mass.",
                      {{"measure", "", -1}, {"value", "", -1}}, rows);
@@ -47,13 +51,13 @@ WrenchSet with_friction(const WrenchSet& set, double factor) {
   return scaled;
 }
 
-Json friction_chart(const GraspStory& story) {
+Json friction_chart(const GraspResult& result) {
   EpsilonOptions options;
-  options.limit = story.limit;
+  options.limit = result.request.limit;
   Json x = Json::array(), y = Json::array(), low = Json::array(), high = Json::array();
   for (int i = 0; i <= kFrictions; ++i) {
     const double factor = kMostFriction * i / kFrictions;
-    const Epsilon e = epsilon(with_friction(story.wrenches, factor), options);
+    const Epsilon e = epsilon(with_friction(result.wrenches, factor), options);
     x.push_back(factor);
     y.push_back((e.lower + e.upper) / 2);
     low.push_back(e.lower);
@@ -96,8 +100,9 @@ Json axes_layer() {
 }
 
 /// Three coordinates of the set: those of all wrenches, and of those without the other three.
-Json set_scene(const GraspStory& story, int first, const std::string& caption, MeshTable& meshes) {
-  const ForceSet forces = unit_forces(story.wrenches, story.limit);
+Json set_scene(const GraspResult& result, int first, const std::string& caption,
+               MeshTable& meshes) {
+  const ForceSet forces = unit_forces(result.wrenches, result.request.limit);
   const std::array<int, 3> coordinates{first, first + 1, first + 2};
   const auto draw = [&](PictureKind kind) {
     return wrench_set_mesh(forces, coordinates, kind, kPieces);
@@ -106,7 +111,7 @@ Json set_scene(const GraspStory& story, int first, const std::string& caption, M
   layers.push_back(
       mesh_layer("all wrenches", kShadow, 0.25, draw(PictureKind::kProjection), meshes));
   const WrenchSetMesh slice = draw(PictureKind::kSlice);
-  if (story.grasp.quality.force_closure && slice.failed == 0)
+  if (result.grasp.quality.force_closure && slice.failed == 0)
     layers.push_back(
         mesh_layer(first == 0 ? "without torque" : "without force", kSlice, 0.75, slice, meshes));
   Json block = picture_block(caption, kSlanted, std::move(layers));
@@ -117,23 +122,24 @@ Json set_scene(const GraspStory& story, int first, const std::string& caption, M
 
 }  // namespace
 
-Json quality_section(const GraspStory& story) {
+Json quality_section(const GraspResult& result) {
   return section(
       "quality", "Quality",
       "Epsilon is the largest wrench that the grasp withstands from whatever direction, in units "
-      "of its own contact forces; below zero it is how far the grasp is from force closure. The "
+      "of its own contact forces (the measure of Ferrari and Canny); below zero it is how far the "
+      "grasp is from force closure. The "
       "true value is certified to lie between the bounds.",
-      Json::array({number_table(story), friction_chart(story)}));
+      Json::array({number_table(result), friction_chart(result)}));
 }
 
-Json wrench_section(const GraspStory& story, MeshTable& meshes) {
+Json wrench_section(const GraspResult& result, MeshTable& meshes) {
   return section(
-      "wrenches", "What the contacts can make",
+      "wrenches", "Wrenches that the contacts can make",
       "Pale: forces (left) and torques over the object's reach (right) of all wrenches within the "
       "limit of forces. Blue: those that come without torque, or without force.",
       Json::array({row_block(Json::array(
-          {set_scene(story, 0, "Forces on the object, for unit contact forces.", meshes),
-           set_scene(story, 3, "Torques on the object over its reach.", meshes)}))}));
+          {set_scene(result, 0, "Forces on the object, for unit contact forces.", meshes),
+           set_scene(result, 3, "Torques on the object over its reach.", meshes)}))}));
 }
 
 }  // namespace thenar

@@ -2,15 +2,16 @@
 
 /// The wrenches of a grasp: how good, drawn, and with other friction.
 
-#include "report/pages/grasp.h"
+#include "api/grasp.h"
+#include "report/scene/mesh_table.h"
 
 namespace thenar {
 
 /// Signed epsilon with its bounds, the wrench withstood least or the direction that is missing, and
 /// epsilon with less and more friction.
-[[nodiscard]] Json quality_section(const GraspStory& story);
+[[nodiscard]] Json quality_section(const GraspResult& result);
 
 /// Forces and torques of the wrench set in 3D.
-[[nodiscard]] Json wrench_section(const GraspStory& story, MeshTable& meshes);
+[[nodiscard]] Json wrench_section(const GraspResult& result, MeshTable& meshes);
 
 }  // namespace thenar

@@ -1,12 +1,11 @@
-#include "apps/grasp_motion.h"
+#include "grasp/compare/object_motion.h"
 
-#include <fmt/format.h>
+#include <vector>
+
 #include <Eigen/SVD>
 
+#include "grasp/closing/describe_grasp.h"
 #include "grasp/quality/grasp_matrix.h"
-#include "grasp/quality/manipulability.h"
-#include "report/answers/grasp_words.h"
-#include "report/json.h"
 
 namespace thenar {
 namespace {
@@ -25,7 +24,7 @@ Eigen::MatrixXd unit_velocities(const std::vector<Contact>& contacts, const Scen
   return J;
 }
 
-/// Of a drive by the first coordinate that it moves.
+/// The unit of drives, each told by the first coordinate that it moves.
 std::string unit_of(const Hand& hand, const Eigen::VectorXd& q, const Eigen::MatrixXd& ratios) {
   bool turning = false, sliding = false;
   for (Eigen::Index d = 0; d < ratios.cols(); ++d) {
@@ -72,26 +71,6 @@ ObjectMotion object_motion(const Hand& hand, const Eigen::VectorXd& q,
   const Manipulability found = manipulability(motion.object);
   speeds.tail(speeds.size() - found.rank).setZero();  // rounding
   return {found, speeds, static_cast<int>(ratios.cols()), unit_of(hand, q, ratios)};
-}
-
-nlohmann::ordered_json object_motion_json(const ObjectMotion& motion) {
-  const Manipulability& m = motion.manipulability;
-  return {{"unit", motion.unit},   {"drives", motion.drives},
-          {"rank", m.rank},        {"singular_values", to_json(motion.speeds)},
-          {"volume", m.volume},    {"least", m.min_singular_value},
-          {"isotropy", m.isotropy}};
-}
-
-std::string object_motion_words(const ObjectMotion& motion) {
-  const Manipulability& m = motion.manipulability;
-  const std::string drives =
-      fmt::format("by {} drive{}", motion.drives, motion.drives == 1 ? "" : "s");
-  if (m.rank == 0) return fmt::format("not at all {} without slip", drives);
-  if (m.rank < 6)
-    return fmt::format("in {} of 6 directions {} without slip, at most {:.3g} {}", m.rank, drives,
-                       motion.speeds[0], motion.unit);
-  return fmt::format("at least {:.3g} {} in each direction, isotropy {:.3g}", m.min_singular_value,
-                     motion.unit, m.isotropy);
 }
 
 }  // namespace thenar

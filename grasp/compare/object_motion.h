@@ -1,13 +1,15 @@
 #pragma once
 
-/// How the drives of a hand move what it holds.
+/// How the drives of a hand move the object that it holds, while no contact slips.
 
 #include <string>
 
-#include <nlohmann/json.hpp>
+#include <Eigen/Core>
 
-#include "apps/grasp_answer.h"
+#include "grasp/closing/scene.h"
+#include "grasp/contact/contact.h"
 #include "grasp/quality/manipulability.h"
+#include "hand/hand.h"
 
 namespace thenar {
 
@@ -21,7 +23,9 @@ struct ObjectMotion {
 
 /// Velocities of coordinates per drive speed: a column of ratios for each of HandLayout::drives,
 /// and one for each coordinate that no drive moves and an actuator does. Clutches and springs are
-/// taken for rigid.  (coordinates, drives)
+/// taken for rigid.
+/// @param q  (coordinates) [rad] or [m]
+/// @return (coordinates, drives)
 [[nodiscard]] Eigen::MatrixXd drive_ratios(const Hand& hand, const Eigen::VectorXd& q);
 
 /// Unit components of all contacts: normal, both tangents where there is friction, and the turn
@@ -31,8 +35,5 @@ struct ObjectMotion {
 [[nodiscard]] ObjectMotion object_motion(const Hand& hand, const Eigen::VectorXd& q,
                                          const std::vector<Contact>& contacts,
                                          const SceneBody& object, const Eigen::MatrixXd& T);
-
-[[nodiscard]] nlohmann::ordered_json object_motion_json(const ObjectMotion& motion);
-[[nodiscard]] std::string object_motion_words(const ObjectMotion& motion);
 
 }  // namespace thenar

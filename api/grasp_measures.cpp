@@ -1,15 +1,17 @@
-#include "apps/grasp_measures.h"
+#include "api/grasp_measures.h"
 
 #include <cmath>
 
 #include <fmt/format.h>
 
+#include "api/grasp.h"
 #include "base/error.h"
 #include "base/progress_parts.h"
 #include "data/io/world/world.h"
+#include "grasp/closing/describe_grasp.h"
+#include "grasp/compare/grasp_loads.h"
+#include "grasp/limits/grasp_force.h"
 #include "grasp/quality/task_margin.h"
-#include "report/answers/grasp_words.h"
-#include "report/table.h"
 
 namespace thenar {
 namespace {
@@ -23,19 +25,17 @@ Measured<Value> none(const std::string& reason) {
 
 /// Everything that loads are asked of.
 struct Asked {
-  const GraspQuestion& question;
-  const CollisionHand& touching;
-  const Grasp& grasp;
+  const GraspResult& result;
   HeldObject hand;
   HandForceInputs held;
   ForceSet forces;  // within what drives the hand
 };
 
-Measured<double> weight_of(const GraspQuestion& question) {
-  for (const PlacedBody& placed : question.world.bodies) {
-    if (placed.body.name != question.scene.object.name) continue;
+Measured<double> weight_of(const WorldCase& setting) {
+  for (const PlacedBody& placed : setting.world.bodies) {
+    if (placed.body.name != setting.scene.object.name) continue;
     try {
-      return {kGravity * body_mass(placed.body, question.world.materials).mass, ""};
+      return {kGravity * body_mass(placed.body, setting.world.materials).mass, ""};
     } catch (const InputError& unknown) {
       return none<double>(unknown.what());
     }
@@ -51,7 +51,7 @@ Measured<InscribedBall> zero_ball(const Asked& asked, InscribedBall ball) {
   if (!load && !(ball.upper < kNegligibleLoad))
     return none<InscribedBall>("the search gave up early" +
                                (std::isfinite(ball.upper)
-                                    ? fmt::format("; at most {} N", shown(ball.upper))
+                                    ? fmt::format("; at most {:.4g} N", ball.upper)
                                     : std::string()));
   ball.status = Status::kSolved;
   ball.lower = ball.upper = 0;
@@ -98,7 +98,7 @@ void add_holds(const Asked& asked, GraspMeasures& measures) {
     measures.hold = measures.hold_actuated = none<double>(measures.weight.reason);
     return;
   }
-  const ScaledWrench load = weight_load(asked.question.scene.object, *measures.weight.value);
+  const ScaledWrench load = weight_load(asked.result.setting.scene.object, *measures.weight.value);
   measures.hold = hold_of(free_forces(asked.held.set), load,
                           "no forces within friction hold the weight as the object stands");
   if (!measures.hold.value) {
@@ -112,56 +112,56 @@ void add_holds(const Asked& asked, GraspMeasures& measures) {
     measures.hold_actuated.reason = why_not_held(asked, load);
 }
 
-Measured<double> margin_of(const GraspLoads& loads, GraspTask task) {
-  const auto found = loads.margin.find(name_of(task));
-  if (found == loads.margin.end()) return none<double>("not asked");
-  const auto why = loads.reasons.find(name_of(task));
-  const std::string reason = why == loads.reasons.end() ? "" : why->second;
-  if (!std::isfinite(found->second)) return none<double>(reason);
-  return {found->second, reason};
+/// The part of a load that efforts and friction support by themselves.
+std::optional<double> active_part(const Asked& asked, GraspTask task, double weight, double whole) {
+  if (whole == 0 || asked.forces.passive_contacts.empty()) return whole;
+  const TaskMargin pressed = margin_of_loads(
+      active_only(asked.forces), task_loads(task, weight, asked.result.setting.scene.object.reach));
+  if (pressed.status != Status::kSolved) return std::nullopt;
+  return std::min(pressed.lower, whole);
 }
 
-/// Says how much of a load efforts hold by themselves, where that is less than half of it.
-void tell_efforts(const Asked& asked, GraspTask task, double weight, Measured<double>& margin) {
-  if (margin.value.value_or(0) == 0 || asked.forces.passive_contacts.empty()) return;
-  const TaskMargin pressed = margin_of_loads(
-      active_only(asked.forces), task_loads(task, weight, asked.question.scene.object.reach));
-  if (pressed.status == Status::kSolved && pressed.lower < *margin.value / 2)
-    margin.reason = fmt::format("{:.4g} by efforts and friction, the rest is borne by structure",
-                                pressed.lower);
+Measured<SupportedLoad> load_of(const Asked& asked, const GraspLoads& loads, GraspTask task,
+                                double weight) {
+  const auto found = loads.margin.find(name_of(task));
+  if (found == loads.margin.end()) return none<SupportedLoad>("not asked");
+  const auto why = loads.reasons.find(name_of(task));
+  const std::string reason = why == loads.reasons.end() ? "" : why->second;
+  if (!std::isfinite(found->second)) return none<SupportedLoad>(reason);
+  return {SupportedLoad{active_part(asked, task, weight, found->second), found->second}, reason};
 }
 
 void add_margins(const Asked& asked, GraspMeasures& measures) {
-  const double mass = measures.weight.value.value_or(kGravity) / kGravity;
+  const double mass = measures.weight.value.value_or(kGravity) / kGravity, weight = kGravity * mass;
   const GraspLoads loads =
-      grasp_loads(asked.hand, asked.question.scene.object, mass,
+      grasp_loads(asked.hand, asked.result.setting.scene.object, mass,
                   {GraspTask::kHoldWeight, GraspTask::kPull, GraspTask::kTurn});
-  measures.times_weight = measures.weight.value ? margin_of(loads, GraspTask::kHoldWeight)
-                                                : none<double>(measures.weight.reason);
-  if (measures.times_weight.value == 0.0) {  // along one axis, maybe not along z
+  measures.times_weight = measures.weight.value
+                              ? load_of(asked, loads, GraspTask::kHoldWeight, weight)
+                              : none<SupportedLoad>(measures.weight.reason);
+  // A zero is along one axis, maybe not along z.
+  if (measures.times_weight.value && measures.times_weight.value->with_structure == 0) {
     const std::optional<ScaledWrench> load = unsupported_load(asked.forces);
     if (load && !load->head<3>().isZero(0))
       measures.times_weight.reason += ": nothing withstands " + direction_words(*load);
   }
-  measures.pull = margin_of(loads, GraspTask::kPull);
-  measures.turn = margin_of(loads, GraspTask::kTurn);
-  tell_efforts(asked, GraspTask::kHoldWeight, kGravity * mass, measures.times_weight);
-  tell_efforts(asked, GraspTask::kPull, kGravity * mass, measures.pull);
-  tell_efforts(asked, GraspTask::kTurn, kGravity * mass, measures.turn);
+  measures.pull = load_of(asked, loads, GraspTask::kPull, weight);
+  measures.turn = load_of(asked, loads, GraspTask::kTurn, weight);
 }
 
 Measured<GraspStiffness> stiffness_of(const Asked& asked) {
-  const SceneBody& object = asked.question.scene.object;
-  const Materials& materials = asked.question.scene.materials;
-  const PosedCollisionHand posed{asked.touching, asked.grasp.approached.X_WH,
-                                 asked.touching.hand->pose(asked.grasp.closed.q)};
+  const SceneBody& object = asked.result.setting.scene.object;
+  const Materials& materials = asked.result.setting.scene.materials;
+  const PosedCollisionHand posed{asked.result.touching, asked.result.grasp.approached.X_WH,
+                                 asked.result.touching.hand->pose(asked.result.grasp.closed.q)};
   const PadBody held{object.solid, materials.at(object.material), {}};
   PadOptions options;
   options.force = kPadForce;
   std::vector<PadStiffness> pads;
-  for (const ContactPatch& patch : patches_of(asked.grasp.contacts)) {
+  for (const ContactPatch& patch : patches_of(asked.result.grasp.contacts)) {
     const int surface = patch.contacts[0].surface;
-    const LinkSurface& link = asked.touching.hand->surfaces()[static_cast<std::size_t>(surface)];
+    const LinkSurface& link =
+        asked.result.touching.hand->surfaces()[static_cast<std::size_t>(surface)];
     const PadBody pad{*link.solid, materials.at(link.material),
                       object.X_WB.inverse() * posed.of_surface(surface)};
     const auto springs = pad_stiffness(patch, pad, held, options);
@@ -171,16 +171,16 @@ Measured<GraspStiffness> stiffness_of(const Asked& asked) {
                       object.material, link.name));
     pads.insert(pads.end(), patch.contacts.size(), *springs);
   }
-  return {
-      grasp_stiffness(contacts_without_hand(asked.grasp.contacts), object.com, object.reach, pads),
-      ""};
+  return {grasp_stiffness(contacts_without_hand(asked.result.grasp.contacts), object.com,
+                          object.reach, pads),
+          ""};
 }
 
 Measured<ObjectMotion> manipulability_of(const Asked& asked) {
   try {
-    return {object_motion(*asked.touching.hand, asked.grasp.closed.q,
-                          contacts_without_hand(asked.grasp.contacts), asked.question.scene.object,
-                          asked.held.T),
+    return {object_motion(*asked.result.touching.hand, asked.result.grasp.closed.q,
+                          contacts_without_hand(asked.result.grasp.contacts),
+                          asked.result.setting.scene.object, asked.held.T),
             ""};
   } catch (const InputError& free) {
     return none<ObjectMotion>(free.what());
@@ -189,26 +189,25 @@ Measured<ObjectMotion> manipulability_of(const Asked& asked) {
 
 }  // namespace
 
-GraspMeasures measure(const GraspQuestion& question, const CollisionHand& touching,
-                      const GraspAnswer& answer, const Progress& progress) {
-  const Grasp& grasp = answer.grasp;
-  const SceneBody& object = question.scene.object;
-  const HeldObject hand{*touching.hand, grasp.closed.q, grasp.contacts,
+GraspMeasures measure_grasp(const GraspResult& result, const Progress& progress) {
+  const Grasp& grasp = result.grasp;
+  const SceneBody& object = result.setting.scene.object;
+  const HeldObject hand{*result.touching.hand, grasp.closed.q, grasp.contacts,
                         grasp.approached.X_WH.inverse() * object.X_WB};
   HandForceInputs held = hand_force_inputs(hand, object);
   ForceSet forces = hand_forces(held.set, held.T, held.actuation);
-  const Asked asked{question, touching, grasp, hand, std::move(held), std::move(forces)};
+  const Asked asked{result, hand, std::move(held), std::move(forces)};
   VolumeOptions of_volume;
-  of_volume.limit = question.limit;
+  of_volume.limit = result.request.limit;
   of_volume.progress.stop_requested = progress.stop_requested;
   GraspMeasures measures;
-  measures.edges = question.edges;
-  report_or_stop(progress, 0, "volume of wrenches");
-  measures.volume = volume(answer.wrenches, of_volume);
-  report_or_stop(progress, 0.3, "epsilon of the driven hand");
+  measures.edges = result.request.edges;
+  report_or_stop(progress, 0, "volume of the wrench set");
+  measures.volume = volume(result.wrenches, of_volume);
+  report_or_stop(progress, 0.3, "epsilon within the hand's efforts");
   measures.actuated = ball_of(asked);
   report_or_stop(progress, 0.7, "loads");
-  measures.weight = weight_of(question);
+  measures.weight = weight_of(result.setting);
   add_holds(asked, measures);
   add_margins(asked, measures);
   measures.stiffness = stiffness_of(asked);

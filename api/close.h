@@ -1,0 +1,25 @@
+#pragma once
+
+/// The closing of a hand where it stands in a world: what stops every joint, and what it holds.
+
+#include "api/grasp.h"
+
+namespace thenar {
+
+/// Which hand closes, and which object may be in it.
+struct CloseRequest {
+  WorldRequest world;
+};
+
+/// The hand where it came to rest.
+struct CloseResult {
+  GraspResult grasp;  // without an approach; its grasp.closed has what stopped every coordinate
+};
+
+/// Closes the hand of a world without approaching the object, and measures the grasp if the object
+/// is touched: grasp_in_world() with GraspRequest::approach false.
+/// @throws InputError, DataError, Stopped as grasp_in_world()
+[[nodiscard]] CloseResult close_in_world(const CloseRequest& request,
+                                         const Progress& progress = {});
+
+}  // namespace thenar

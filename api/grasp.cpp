@@ -1,0 +1,279 @@
+#include "api/grasp.h"
+
+#include <algorithm>
+#include <cmath>
+#include <ctime>
+#include <numeric>
+#include <random>
+
+#include <fmt/format.h>
+
+#include "base/error.h"
+#include "base/progress_parts.h"
+#include "base/units.h"
+#include "grasp/closing/approach_sampling.h"
+#include "grasp/closing/closing_drives.h"
+#include "grasp/closing/describe_grasp.h"
+#include "grasp/contact/friction_pyramid.h"
+
+namespace thenar {
+namespace {
+
+/// What parts take of a human hand, roughly [s]: of others they end sooner.
+constexpr double kHand = 3, kStart = 0.3, kMeasures = 0.6, kDraw = 0.2;
+constexpr int kMaxEdges = 100;  // finer ones change nothing and take seconds that no signal ends
+
+double seconds_of(const GraspRequest& request) {
+  return kHand + kStart * std::max(1, request.starts) + kMeasures +
+         kDraw * request.robustness.draws;
+}
+
+void check_request(const GraspRequest& request) {
+  require(request.tolerance > 0, "wanted a tolerance of epsilon above 0, got {}",
+          request.tolerance);
+  require(request.approach_distance > 0, "wanted an approach distance above 0 m, got {}",
+          request.approach_distance);
+  require(request.starts >= 0, "wanted 0 or more random starts, got {}", request.starts);
+  require(request.robustness.draws >= 0, "wanted 0 or more draws of robustness, got {}",
+          request.robustness.draws);
+  require(request.edges == 0 || (request.edges >= 3 && request.edges <= kMaxEdges),
+          "wanted 0 edges of friction pyramids (cones), or 3 to {}, got {}", kMaxEdges,
+          request.edges);
+  require(request.approach || request.starts == 0,
+          "random starts are clear of the object: they want the approach");
+}
+
+/// The world and its hand, which of random starts may be any hand.
+WorldCase open_setting(const GraspRequest& request, const Progress& progress) {
+  const bool from_elsewhere =
+      !request.world.hand.empty() && request.starts > 0 && !has_hand(request.world);
+  WorldCase setting = open_world(request.world, from_elsewhere, progress);
+  const NamedHand& hand = setting.hand.named;
+  require(!hand.hand->surfaces().empty(), "hand '{}' has no surface that could touch", hand.name);
+  require(setting.hand.parts.size() <= 1 || request.starts == 0,
+          "hand '{}' is mounted: it cannot start anywhere", hand.name);
+  return setting;
+}
+
+GraspOptions options_of(const GraspResult& result) {
+  GraspOptions options;
+  options.pads.contact = result.setting.hand.named.contact;
+  options.epsilon.limit = result.request.limit;
+  options.epsilon.gap = result.request.tolerance;
+  options.close.rates = result.setting.hand.named.rates;
+  return options;
+}
+
+/// Wrenches of contacts, with cones or pyramids.
+WrenchSet wrenches_of(const GraspResult& result, const std::vector<HandContact>& contacts) {
+  const SceneBody& object = result.setting.scene.object;
+  const WrenchSet set = wrench_set(contacts_without_hand(contacts), object.com, object.reach);
+  return result.request.edges > 0 ? pyramids(set, result.request.edges) : set;
+}
+
+// ---- starts
+
+/// Closed grasps before others, and of these the larger epsilon first.
+bool is_better(const Grasp& a, const Grasp& b) {
+  const bool has = a.outcome == GraspOutcome::kGrasped, had = b.outcome == GraspOutcome::kGrasped;
+  return has != had ? has : has && a.quality.lower > b.quality.lower;
+}
+
+Grasp grasp_from(const GraspResult& result, const Pregrasp& start) {
+  const GraspOptions options = options_of(result);
+  const Scene& scene = result.setting.scene;
+  GraspOptions here = options;
+  here.way = 0;
+  Grasp found = start.way > 0 ? attempt_grasp(result.touching, start, scene, options)
+                              : grasp(result.touching, start.X_WH, start.q, scene, here);
+  if (result.request.edges > 0 && found.outcome == GraspOutcome::kGrasped)
+    found.quality = epsilon(wrenches_of(result, found.contacts), options.epsilon);
+  return found;
+}
+
+/// Counts a start, and keeps its grasp if it is the best so far.
+void note(GraspResult& result, Grasp grasp, int number, const Pregrasp& start) {
+  ++result.outcomes[static_cast<std::size_t>(grasp.outcome)];
+  result.closures += grasp.outcome == GraspOutcome::kGrasped && grasp.quality.force_closure ? 1 : 0;
+  if (number > 0 && !is_better(grasp, result.grasp)) return;
+  result.grasp = std::move(grasp);
+  result.best = number;
+  result.start = start;
+}
+
+void add_grasps(GraspResult& result, const Progress& progress) {
+  const GraspRequest& request = result.request;
+  const WorldHand& hand = result.setting.hand;
+  if (request.starts == 0) {
+    report_or_stop(progress, 0, "closing the hand");
+    const bool goes = request.approach && hand.parts.size() <= 1;  // an arm's foot does not fly
+    const Pregrasp own{hand.X_WH, hand.q, goes ? request.approach_distance : 0};
+    note(result, grasp_from(result, own), -1, own);
+  }
+  for (int i = 0; i < request.starts && (i == 0 || !progress.stop()); ++i) {
+    report_or_stop(progress, static_cast<double>(i) / request.starts,
+                   fmt::format("start {} of {}", i + 1, request.starts));
+    const Pregrasp drawn =
+        sample_pregrasp(result.touching, result.setting.scene.object, request.seed, i);
+    note(result, grasp_from(result, drawn), i, drawn);
+  }
+  result.wrenches = wrenches_of(result, result.grasp.contacts);
+}
+
+// ---- robustness
+
+/// Three normal numbers of standard deviation 1, by Box and Muller.
+Eigen::Vector3d draw_normal(std::mt19937& random) {
+  Eigen::Vector3d normal;
+  for (double& each : normal) {
+    const double radius = std::sqrt(-2 * std::log(1 - sample_uniform(random)));
+    each = radius * std::cos(2 * kPi * sample_uniform(random));
+  }
+  return normal;
+}
+
+/// The object turned about its centre of mass, and moved. @param turn  axis times angle [rad]
+Pose<double> moved(const SceneBody& object, const Eigen::Vector3d& by,
+                   const Eigen::Vector3d& turn) {
+  const double angle = turn.norm();
+  const Eigen::Matrix3d R = angle > 0 ? Eigen::Matrix3d(Eigen::AngleAxisd(angle, turn / angle))
+                                      : Eigen::Matrix3d(Eigen::Matrix3d::Identity());
+  const Pose<double> in_body{R, object.com + by - R * object.com};
+  return object.X_WB * in_body;
+}
+
+RobustnessOptions robustness_options(const GraspResult& result) {
+  const SceneBody& object = result.setting.scene.object;
+  RobustnessOptions options;
+  options.draws = result.request.robustness.draws;
+  options.centre = object.com;
+  options.torque_scale = object.reach;
+  options.limit = result.request.limit;
+  options.gap = result.request.tolerance;
+  options.edges = result.request.edges;
+  return options;
+}
+
+/// Both parts, each from a generator of the seed. @throws Stopped where progress says stop
+GraspRobustness robustness_of(const GraspResult& result, const Progress& progress) {
+  const RobustnessRequest& asked = result.request.robustness;
+  const RobustnessOptions options = robustness_options(result);
+  int done = 0;
+  const auto tick = [&] { report_or_stop(progress, ++done / (2.0 * asked.draws), "robustness"); };
+  // The same contacts with other friction, places and normals.
+  const std::vector<Contact> contacts = contacts_without_hand(result.grasp.contacts);
+  std::mt19937 random(result.request.seed);
+  Robustness of_contacts = robustness(
+      [&](std::mt19937& rng) {
+        tick();
+        return disturbed(contacts, asked.contacts, rng);
+      },
+      random, options);
+  // The object elsewhere: grasped anew from the same start, also where the hand stays.
+  Scene scene = result.setting.scene;
+  random.seed(result.request.seed);
+  Robustness of_pose = robustness(
+      [&](std::mt19937& rng) {
+        tick();
+        const Eigen::Vector3d by = asked.place * draw_normal(rng);
+        scene.object.X_WB = moved(result.setting.scene.object, by, asked.turn * draw_normal(rng));
+        const Grasp again = attempt_grasp(result.touching, result.start, scene, options_of(result));
+        return again.outcome == GraspOutcome::kGrasped ? contacts_without_hand(again.contacts)
+                                                       : std::vector<Contact>{};
+      },
+      random, options);
+  return {std::move(of_contacts), std::move(of_pose)};
+}
+
+// ---- warnings
+
+/// Whether a hand with a thumb holds the object without it.
+bool thumb_is_idle(const Hand& hand, const Grasp& grasp) {
+  const std::vector<std::string>& tips = hand.layout().tips;
+  if (grasp.outcome != GraspOutcome::kGrasped ||
+      std::find(tips.begin(), tips.end(), "thumb") == tips.end())
+    return false;
+  return std::none_of(
+      grasp.contacts.begin(), grasp.contacts.end(), [&](const HandContact& contact) {
+        return hand.surfaces()[static_cast<std::size_t>(contact.surface)].digit == "thumb";
+      });
+}
+
+/// Loads and efforts are no better than what the hand says of its torques; empty if that is good.
+std::string torque_warning(const Hand& hand, const Grasp& grasp) {
+  if (grasp.outcome != GraspOutcome::kGrasped) return "";
+  const Actuation here = hand.actuation(grasp.closed.q);
+  if (here.status < ActuationStatus::kDoubtful) return "";
+  return fmt::format(
+      "the joint torques of this posture, and the loads and efforts that follow from them, {}: {}",
+      here.status == ActuationStatus::kDoubtful ? "are doubtful" : "must not be used",
+      here.warning);
+}
+
+std::vector<std::string> warnings_of(const GraspResult& result) {
+  const NamedHand& hand = result.setting.hand.named;
+  std::vector<std::string> warnings = hand.warnings;
+  if (const std::string torques = torque_warning(*hand.hand, result.grasp); !torques.empty())
+    warnings.push_back(torques);
+  if (const std::string own = own_overlap_words(result.grasp.closed); !own.empty())
+    warnings.insert(warnings.begin(), own);
+  if (thumb_is_idle(*hand.hand, result.grasp))
+    warnings.emplace_back("the thumb touches nothing: fingers hold the object against the palm");
+  return warnings;
+}
+
+void add_measures(GraspResult& result, ProgressParts& schedule) {
+  if (result.grasp.outcome != GraspOutcome::kGrasped) return;
+  result.measures = measure_grasp(result, schedule.next(kMeasures));
+  const int draws = result.request.robustness.draws;
+  if (draws > 0) result.robustness = robustness_of(result, schedule.next(kDraw * draws));
+}
+
+}  // namespace
+
+int GraspResult::started() const { return std::accumulate(outcomes.begin(), outcomes.end(), 0); }
+
+GraspResult grasp_in_world(const GraspRequest& request, const Progress& progress) {
+  check_request(request);
+  ProgressParts schedule(progress, seconds_of(request));
+  GraspResult result{};
+  result.request = request;
+  result.setting = open_setting(request, schedule.next(kHand));
+  result.touching =
+      collision_hand(*result.setting.hand.named.hand, result.setting.scene.materials);
+  const std::clock_t start = std::clock();
+  // The grasp itself: without one there is nothing to return.
+  add_grasps(result, schedule.next(kStart * std::max(1, request.starts)));
+  require(result.grasp.outcome != GraspOutcome::kOverlaps, "{}: {}", result.setting.path,
+          outcome_words(result.grasp));
+  // Its measures, as far as they get.
+  try {
+    add_measures(result, schedule);
+  } catch (const Stopped&) {
+    result.complete = false;
+  }
+  if (request.starts > 0 && result.started() < request.starts) result.complete = false;
+  result.cpu = static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC;
+  result.warnings = warnings_of(result);
+  return result;
+}
+
+WorldSpec grasped_world(const GraspResult& result) {
+  require(result.grasp.outcome == GraspOutcome::kGrasped, "{}; there is no grasp to save",
+          outcome_words(result.grasp));
+  const WorldHand& hand = result.setting.hand;
+  const Pose<double>& X_WH = result.grasp.approached.X_WH;
+  const Eigen::VectorXd& q = result.grasp.closed.q;
+  WorldSpec world = result.setting.world;
+  // A hand from elsewhere takes the place of those of the world.
+  if (hand.parts.empty()) {
+    PlacedHand placed{hand.named.name, "", X_WH, {}, "", ""};
+    const std::vector<std::string>& names = hand.named.hand->layout().coordinates;
+    for (std::size_t c = 0; c < names.size(); ++c)
+      placed.posture[names[c]] = q[static_cast<Eigen::Index>(c)];
+    world.hands = {placed};
+  }
+  return with_hand_at(std::move(world), hand, X_WH, q);
+}
+
+}  // namespace thenar

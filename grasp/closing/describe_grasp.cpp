@@ -1,0 +1,81 @@
+#include "grasp/closing/describe_grasp.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+namespace thenar {
+namespace {
+
+constexpr double kNamedShare = 1.0 / 3;  // of the largest part that is still named [1]
+constexpr double kNoTurn = 1e-12;        // [1]
+
+/// The large parts, those of the first three named `along`, the others `about`.
+std::string large_parts(const ScaledWrench& vector, const char* along, const char* about) {
+  const double largest = vector.cwiseAbs().maxCoeff();
+  if (!(largest > 0)) return "none";
+  std::vector<std::string> parts;
+  for (int k = 0; k < 6; ++k)
+    if (std::abs(vector[k]) >= kNamedShare * largest)
+      parts.push_back(
+          fmt::format("{} {}{}", k < 3 ? along : about, vector[k] > 0 ? "+" : "-", "xyz"[k % 3]));
+  return fmt::format("{}", fmt::join(parts, ", "));
+}
+
+}  // namespace
+
+std::string direction_words(const ScaledWrench& wrench) {
+  return large_parts(wrench, "force along", "torque about");
+}
+
+std::string motion_words(const ScaledWrench& motion) {
+  return large_parts(motion, "along", "turning about");
+}
+
+std::string overlap_words(const std::vector<Overlap>& overlaps) {
+  std::vector<std::string> parts;
+  for (const Overlap& each : overlaps)
+    parts.push_back(
+        fmt::format("{} is {:.2f} mm in {}", each.surface, 1000 * each.depth, each.other));
+  return fmt::format("{}", fmt::join(parts, ", "));
+}
+
+std::string own_overlap_words(const ClosedHand& closed) {
+  if (closed.self_overlaps.empty()) return "";
+  return "links of the hand begin in each other, and do not stop each other: " +
+         overlap_words(closed.self_overlaps);
+}
+
+std::string outcome_words(const Grasp& grasp) {
+  const ApproachResult& way = grasp.approached;
+  switch (grasp.outcome) {
+    case GraspOutcome::kGrasped:
+      return fmt::format("{}: {} contact{}, {}",
+                         grasp.quality.force_closure ? "grasped" : "touched, not grasped",
+                         grasp.contacts.size(), grasp.contacts.size() == 1 ? "" : "s",
+                         grasp.quality.force_closure ? "force closure" : "no force closure");
+    case GraspOutcome::kOverlaps:
+      return "the hand begins in something: " +
+             overlap_words(way.overlaps.empty() ? grasp.closed.overlaps : way.overlaps);
+    case GraspOutcome::kMissed:
+      return "missed: the approach met nothing";
+    case GraspOutcome::kBlocked:
+      return fmt::format("blocked: {} met {} before the object", way.surface, way.body);
+    case GraspOutcome::kTooLong:
+      return fmt::format("closing did not end within {} steps", grasp.closed.steps);
+    case GraspOutcome::kEmpty:
+      break;
+  }
+  return "empty: the hand closed, and the object is not touched";
+}
+
+bool slides(const Hand& hand, const Eigen::VectorXd& q, int coordinate) {
+  for (const LinkSurface& surface : hand.surfaces()) {
+    if (surface.link < 0) continue;
+    const Eigen::Vector3d p = surface.solid->shape->bounds().center();
+    const Eigen::Matrix<double, 6, 1> column = hand.jacobian(q, surface.link, p).col(coordinate);
+    if (column.norm() > kNoTurn) return column.head<3>().norm() <= kNoTurn;
+  }
+  return false;
+}
+
+}  // namespace thenar

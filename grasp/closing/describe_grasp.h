@@ -1,0 +1,32 @@
+#pragma once
+
+/// Short descriptions of a grasp: how far it got, what overlaps, where a wrench or a motion points.
+
+#include <string>
+#include <vector>
+
+#include "grasp/closing/grasp.h"
+
+namespace thenar {
+
+/// The large parts of a wrench: "force along -z, torque about +x". Parts below a third of the
+/// largest are left out; "none" of a zero wrench.
+[[nodiscard]] std::string direction_words(const ScaledWrench& wrench);
+
+/// The same of a motion: "along -z, turning about +x".
+[[nodiscard]] std::string motion_words(const ScaledWrench& motion);
+
+/// "grasped: 12 contacts, force closure", "the hand begins in something: DP2 is 3.2 mm in table"..
+[[nodiscard]] std::string outcome_words(const Grasp& grasp);
+
+/// "DP2 is 3.2 mm in table, ..."
+[[nodiscard]] std::string overlap_words(const std::vector<Overlap>& overlaps);
+
+/// A warning about links of the hand that begin in each other, so that they do not stop each other;
+/// empty where none do.
+[[nodiscard]] std::string own_overlap_words(const ClosedHand& closed);
+
+/// Whether a coordinate slides rather than turns. @param q  where it is looked at (coordinates)
+[[nodiscard]] bool slides(const Hand& hand, const Eigen::VectorXd& q, int coordinate);
+
+}  // namespace thenar

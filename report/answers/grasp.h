@@ -1,0 +1,54 @@
+#pragma once
+
+/// A grasp, or a hand that closed, as text, JSON and a table.
+
+#include <string>
+#include <vector>
+
+#include "api/close.h"
+#include "report/json.h"
+#include "report/table.h"
+
+namespace thenar {
+
+/// Where a coordinate came to, and why no farther.
+struct JointRow {
+  std::string name;
+  bool slides;             // rather than turns
+  double value;            // [rad] or [m]
+  std::string shown;       // in degrees or millimetres
+  std::string stopped_by;  // name_of(StoppedBy)
+  std::string why;         // in words
+};
+
+/// Every coordinate; none where nothing was closed.
+[[nodiscard]] std::vector<JointRow> joint_rows(const GraspResult& result);
+
+/// outcome_words(), and what to do where a hand closed on nothing because it stayed where it is.
+[[nodiscard]] std::string explanation(const GraspResult& result);
+
+/// "hard point" or "soft finger".
+[[nodiscard]] std::string contact_model_of(const GraspResult& result);
+
+/// One line for all warnings of a kind, those that begin alike up to the first comma or colon: the
+/// first of them, with how many more there are.
+[[nodiscard]] std::vector<std::string> folded(const std::vector<std::string>& warnings);
+
+/// Quality, measures, robustness, joints, contacts, warnings.
+[[nodiscard]] std::string text_of(const GraspResult& result);
+[[nodiscard]] std::string text_of(const CloseResult& result);
+
+/// The same with units in the names of keys.
+[[nodiscard]] OrderedJson json_of(const GraspResult& result);
+[[nodiscard]] OrderedJson json_of(const CloseResult& result);
+
+/// The contacts: surface, digit, position, normal and friction, in the object's frame.
+[[nodiscard]] Table table_of(const GraspResult& result);
+/// The coordinates: value, and what stopped each.
+[[nodiscard]] Table table_of(const CloseResult& result);
+
+/// The wrench set as meshes, for json_of()'s member "wrench_set": projections onto forces and onto
+/// torques, and the slices where the others are zero; null where one is not bounded.
+[[nodiscard]] OrderedJson wrench_set_json(const GraspResult& result);
+
+}  // namespace thenar

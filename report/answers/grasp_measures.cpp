@@ -1,0 +1,217 @@
+#include "report/answers/grasp_measures.h"
+
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "base/units.h"
+#include "grasp/closing/describe_grasp.h"
+#include "report/answers/grasp_words.h"
+#include "report/table.h"
+
+namespace thenar {
+namespace {
+
+template <typename Value, typename ToJson>
+void put(OrderedJson& json, OrderedJson& reasons, const char* key, const Measured<Value>& measured,
+         const ToJson& to) {
+  json[key] = measured.value ? OrderedJson(to(*measured.value)) : OrderedJson(nullptr);
+  if (!measured.reason.empty()) reasons[key] = measured.reason;
+}
+
+OrderedJson ball_json(const InscribedBall& ball) {
+  return {{"lower", ball.lower},
+          {"upper", ball.upper},
+          {"residual", ball.residual},
+          {"worst_load", to_json(ball.worst_load)},
+          {"worst_load_words", direction_words(ball.worst_load)}};
+}
+
+OrderedJson stiffness_json(const GraspStiffness& stiffness) {
+  return {{"least", stiffness.min_eigenvalue},
+          {"softest", to_json(stiffness.softest)},
+          {"softest_words", direction_words(stiffness.softest)},
+          {"pad_force_N", kPadForce},
+          {"matrix", to_json(stiffness.K)}};
+}
+
+template <typename Value, typename Words>
+void add_row(std::vector<MeasureRow>& rows, const std::string& name,
+             const Measured<Value>& measured, const Words& words) {
+  rows.push_back({name, measured.value ? words(*measured.value) : "no value", measured.reason});
+}
+
+std::string short_volume_words(const Volume& v) {
+  if (!v.complete) return fmt::format("at least {:.4g}", v.lower);
+  return v.lower == v.upper
+             ? fmt::format("{:.4g}", v.lower)
+             : fmt::format("about {:.4g}, {:.4g} to {:.4g}", v.estimate, v.lower, v.upper);
+}
+
+constexpr double kSameLoad = 1e-3;  // relative difference below which two loads are told as one [1]
+
+/// What efforts support goes first: no source states the strength of structure.
+std::string load_words(const SupportedLoad& load, const std::string& unit) {
+  return fmt::format("{} {}", shown(load.active.value_or(load.with_structure)), unit);
+}
+
+/// What the first number leaves out; "" if there is no more to it.
+std::string load_note(const SupportedLoad& load, const std::string& unit) {
+  if (!load.active) return "with what structure bears; by efforts alone it is not known";
+  if (load.with_structure - *load.active <= kSameLoad * load.with_structure) return "";
+  return fmt::format(
+      "by efforts and friction; {} {} if rigid structure (palm, joint limits, locks, drives that "
+      "cannot be driven back) bears the rest, whose strength is unknown",
+      shown(load.with_structure), unit);
+}
+
+void add_load_row(std::vector<MeasureRow>& rows, const std::string& name,
+                  const Measured<SupportedLoad>& load, const std::string& unit,
+                  const std::string& directions = "") {
+  MeasureRow row{name, "no value", load.reason};
+  if (load.value) {
+    row.value = load_words(*load.value, unit) + directions;
+    const std::string note = load_note(*load.value, unit);
+    row.note += (row.note.empty() || note.empty() ? "" : "; ") + note;
+  }
+  rows.push_back(row);
+}
+
+/// Both numbers of a load.
+void put_load(OrderedJson& json, OrderedJson& reasons, const std::string& key,
+              const std::string& unit, const Measured<SupportedLoad>& load) {
+  put(json, reasons, (key + unit).c_str(), load,
+      [](const SupportedLoad& found) { return found.with_structure; });
+  const bool known = load.value && load.value->active;
+  json[key + "_by_efforts" + unit] = known ? OrderedJson(*load.value->active) : OrderedJson();
+}
+
+OrderedJson motion_json(const ObjectMotion& motion) {
+  const Manipulability& m = motion.manipulability;
+  return {{"unit", motion.unit},   {"drives", motion.drives},
+          {"rank", m.rank},        {"singular_values", to_json(motion.speeds)},
+          {"volume", m.volume},    {"least", m.min_singular_value},
+          {"isotropy", m.isotropy}};
+}
+
+std::string mobility_words(const ObjectMotion& motion) {
+  const Manipulability& m = motion.manipulability;
+  const std::string drives = counted(static_cast<std::size_t>(motion.drives), "drive");
+  if (m.rank == 0) return fmt::format("none: {} cannot move it unless a contact slips", drives);
+  if (m.rank < 6)
+    return fmt::format("in {} of 6 directions by {}, at most {:.3g} {}", m.rank, drives,
+                       motion.speeds[0], motion.unit);
+  return fmt::format("in every direction, at least {:.3g} {}, isotropy {:.3g}",
+                     m.min_singular_value, motion.unit, m.isotropy);
+}
+
+/// Null where a miss has part in a quantile.
+OrderedJson share_json(const Robustness& found) {
+  const auto quantile = [&](double p) {
+    const double value = found.quantile(p);
+    return std::isfinite(value) ? OrderedJson(value) : OrderedJson(nullptr);
+  };
+  return {{"closure", found.closure},
+          {"closure_lower", found.closure_lower},
+          {"closure_upper", found.closure_upper},
+          {"misses", found.misses},
+          {"epsilon_5_percent", quantile(0.05)},
+          {"epsilon_median", quantile(0.5)},
+          {"epsilon_95_percent", quantile(0.95)}};
+}
+
+std::string share_words(const Robustness& found) {
+  const double median = found.quantile(0.5);
+  std::string words =
+      fmt::format("force closure in {:.0f} % ({:.0f} to {:.0f} %), median epsilon {}",
+                  100 * found.closure, 100 * found.closure_lower, 100 * found.closure_upper,
+                  std::isfinite(median) ? fmt::format("{:.3g}", without_rounding(median))
+                                        : "none: the hand misses");
+  if (found.misses > 0)
+    words += fmt::format(", {} of {} draws miss", found.misses, found.epsilon.size());
+  return words;
+}
+
+}  // namespace
+
+OrderedJson measures_json(const GraspMeasures& m) {
+  const auto same = [](double value) { return value; };
+  OrderedJson json, reasons = OrderedJson::object();
+  json["volume"] = m.volume.complete ? OrderedJson(m.volume.estimate) : OrderedJson(nullptr);
+  json["volume_bounds"] = {{"lower", m.volume.lower},
+                           {"upper", std::isfinite(m.volume.upper) ? OrderedJson(m.volume.upper)
+                                                                   : OrderedJson(nullptr)}};
+  json["volume_complete"] = m.volume.complete;
+  put(json, reasons, "actuated_epsilon_N", m.actuated, ball_json);
+  put(json, reasons, "weight_N", m.weight, same);
+  put(json, reasons, "hold_N", m.hold, same);
+  put(json, reasons, "hold_actuated_N", m.hold_actuated, same);
+  put_load(json, reasons, "times_weight", "", m.times_weight);
+  put_load(json, reasons, "pull", "_N", m.pull);
+  put_load(json, reasons, "turn", "_Nm", m.turn);
+  put(json, reasons, "stiffness_N_per_m", m.stiffness, stiffness_json);
+  put(json, reasons, "manipulability", m.manipulability, motion_json);
+  if (!m.volume.complete) reasons["volume"] = "too many facets or faces";
+  json["friction_edges"] = m.edges;
+  json["true_cones"] = m.edges > 0 ? "all but epsilon, volume, robustness, wrench_set" : "all";
+  json["reasons"] = reasons;
+  return json;
+}
+
+std::vector<MeasureRow> measure_rows(const GraspMeasures& m) {
+  const auto newton = [](double value) { return fmt::format("{} N", shown(value)); };
+  std::vector<MeasureRow> rows;
+  rows.push_back({"volume of the wrench set", short_volume_words(m.volume) + " unit forces^6", ""});
+  add_row(rows, "epsilon within efforts", m.actuated, [](const InscribedBall& ball) {
+    const std::string worst = direction_words(ball.worst_load);
+    return ball.upper == 0
+               ? fmt::format("0 N, nothing withstands {}", worst)
+               : fmt::format("{:.4g} to {:.4g} N, least against {}", ball.lower, ball.upper, worst);
+  });
+  add_row(rows, "weight of the object", m.weight, newton);
+  add_row(rows, "minimum grasp force to hold it", m.hold, newton);
+  add_row(rows, "the same, within efforts", m.hold_actuated, newton);
+  add_load_row(rows, "supports its weight", m.times_weight, "times", " along its weakest axis");
+  add_load_row(rows, "supports a pull along z", m.pull, "N");
+  add_load_row(rows, "supports a torque about z", m.turn, "N m");
+  add_row(rows, "least stiffness of contacts", m.stiffness, [](const GraspStiffness& stiffness) {
+    return fmt::format("{:.4g} N/m, {}", stiffness.min_eigenvalue, motion_words(stiffness.softest));
+  });
+  add_row(rows, "in-hand motion without slip", m.manipulability, mobility_words);
+  if (m.edges > 0)
+    rows.push_back({"friction", fmt::format("pyramids of {} edges", m.edges),
+                    "in epsilon, volume and robustness; all other measures have true cones"});
+  return rows;
+}
+
+OrderedJson robustness_json(const GraspResult& result) {
+  const RobustnessRequest& asked = result.request.robustness;
+  OrderedJson contacts = share_json(result.robustness->contacts),
+              pose = share_json(result.robustness->pose);
+  contacts["friction_sd_of_log"] = asked.contacts.friction;
+  contacts["place_sd_m"] = asked.contacts.place;
+  contacts["tilt_sd_rad"] = asked.contacts.tilt;
+  pose["place_sd_m"] = asked.place;
+  pose["turn_sd_rad"] = asked.turn;
+  return {{"draws", asked.draws},
+          {"seed", result.request.seed},
+          {"contacts", contacts},
+          {"pose", pose}};
+}
+
+std::vector<MeasureRow> robustness_rows(const GraspResult& result) {
+  const RobustnessRequest& asked = result.request.robustness;
+  return {
+      {"robustness to contacts", share_words(result.robustness->contacts),
+       fmt::format("{} draws of seed {}; standard deviations: friction {:.0f} %, positions {:.1f} "
+                   "mm, normals {:.1f} deg",
+                   asked.draws, result.request.seed, 100 * asked.contacts.friction,
+                   1000 * asked.contacts.place, asked.contacts.tilt / kDegree)},
+      {"robustness to the object's pose", share_words(result.robustness->pose),
+       fmt::format("{} draws of seed {}; standard deviations: {:.1f} mm and {:.1f} deg an axis; "
+                   "grasped anew. Jaws centre the object, but do not turn it flush, so that "
+                   "flat faces meet along edges or at corners",
+                   asked.draws, result.request.seed, 1000 * asked.place, asked.turn / kDegree)}};
+}
+
+}  // namespace thenar

@@ -1,0 +1,30 @@
+#pragma once
+
+/// Measures of a grasp, and its robustness, as rows of words and as JSON.
+
+#include <string>
+#include <vector>
+
+#include "api/grasp.h"
+#include "report/json.h"
+
+namespace thenar {
+
+/// A measure in words.
+struct MeasureRow {
+  std::string name, value;
+  std::string note;  // why there is none, or how it was found; may be empty
+};
+
+/// With units in the names of keys; null where there is no value, `reasons` says why.
+[[nodiscard]] OrderedJson measures_json(const GraspMeasures& measures);
+
+/// The same in words. Of loads the first number is what efforts and friction support.
+[[nodiscard]] std::vector<MeasureRow> measure_rows(const GraspMeasures& measures);
+
+/// Shares of force closure with their intervals, and quantiles of epsilon.
+/// @param result  that has GraspResult::robustness
+[[nodiscard]] OrderedJson robustness_json(const GraspResult& result);
+[[nodiscard]] std::vector<MeasureRow> robustness_rows(const GraspResult& result);
+
+}  // namespace thenar
