@@ -204,7 +204,7 @@ GraspMeasures measure_grasp(const GraspResult& result, const Progress& progress)
   measures.edges = result.request.edges;
   report_or_stop(progress, 0, "volume of the wrench set");
   measures.volume = volume(result.wrenches, of_volume);
-  report_or_stop(progress, 0.3, "epsilon within the hand's efforts");
+  report_or_stop(progress, 0.3, "epsilon within the hand's limits");
   measures.actuated = ball_of(asked);
   report_or_stop(progress, 0.7, "loads");
   measures.weight = weight_of(result.setting);

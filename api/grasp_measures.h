@@ -32,7 +32,7 @@ struct SupportedLoad {
 /// Torques in wrenches are about the object's centre of mass and over its reach; its own frame.
 struct GraspMeasures {
   Volume volume{};                        // of the wrench set [unit forces^6]
-  Measured<InscribedBall> actuated;       // epsilon within the hand's efforts [N]
+  Measured<InscribedBall> actuated;       // epsilon within the hand's limits [N]
   Measured<double> weight;                // of the object [N]
   Measured<double> hold;                  // least sum of normal forces that holds it as it
                                           // stands, by friction alone [N]

@@ -264,11 +264,14 @@
 #include "grasp/compare/pregrasp.h"
 
 // api: hands, subjects, objects, worlds by name, and the questions that people ask.
+#include "api/close.h"
 #include "api/data_folders.h"
 #include "api/demo.h"
 #include "api/digits.h"
 #include "api/files.h"
 #include "api/fit.h"
+#include "api/grasp.h"
+#include "api/grasp_measures.h"
 #include "api/hands.h"
 #include "api/posterior.h"
 #include "api/posture.h"

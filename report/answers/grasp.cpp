@@ -30,7 +30,7 @@ std::string bounds_text(const Epsilon& e) {
 }
 
 std::string line(const std::string& name, const std::string& words) {
-  return fmt::format("  {:<32}{}\n", name, words);
+  return fmt::format("  {:<34}{}\n", name, words);
 }
 
 std::string quality_text(const Epsilon& e) {

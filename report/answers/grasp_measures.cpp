@@ -59,10 +59,8 @@ std::string load_words(const SupportedLoad& load, const std::string& unit) {
 std::string load_note(const SupportedLoad& load, const std::string& unit) {
   if (!load.active) return "with what structure bears; by efforts alone it is not known";
   if (load.with_structure - *load.active <= kSameLoad * load.with_structure) return "";
-  return fmt::format(
-      "by efforts and friction; {} {} if rigid structure (palm, joint limits, locks, drives that "
-      "cannot be driven back) bears the rest, whose strength is unknown",
-      shown(load.with_structure), unit);
+  return fmt::format("by efforts and friction; {} {} with rigid structure of unknown strength",
+                     shown(load.with_structure), unit);
 }
 
 void add_load_row(std::vector<MeasureRow>& rows, const std::string& name,
@@ -162,7 +160,7 @@ std::vector<MeasureRow> measure_rows(const GraspMeasures& m) {
   const auto newton = [](double value) { return fmt::format("{} N", shown(value)); };
   std::vector<MeasureRow> rows;
   rows.push_back({"volume of the wrench set", short_volume_words(m.volume) + " unit forces^6", ""});
-  add_row(rows, "epsilon within efforts", m.actuated, [](const InscribedBall& ball) {
+  add_row(rows, "epsilon within the hand's limits", m.actuated, [](const InscribedBall& ball) {
     const std::string worst = direction_words(ball.worst_load);
     return ball.upper == 0
                ? fmt::format("0 N, nothing withstands {}", worst)
@@ -170,7 +168,7 @@ std::vector<MeasureRow> measure_rows(const GraspMeasures& m) {
   });
   add_row(rows, "weight of the object", m.weight, newton);
   add_row(rows, "minimum grasp force to hold it", m.hold, newton);
-  add_row(rows, "the same, within efforts", m.hold_actuated, newton);
+  add_row(rows, "the same, within these limits", m.hold_actuated, newton);
   add_load_row(rows, "supports its weight", m.times_weight, "times", " along its weakest axis");
   add_load_row(rows, "supports a pull along z", m.pull, "N");
   add_load_row(rows, "supports a torque about z", m.turn, "N m");

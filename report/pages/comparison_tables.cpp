@@ -127,16 +127,17 @@ Json all_cells(const Comparison& comparison) {
                                    {"95 % interval", "%", -1},
                                    {"epsilon, median", "", 3},
                                    {"epsilon, best", "", 3},
-                                   {"of the hand, best", "N", 2},
-                                   {"squeeze to hold", "N", 2}};
+                                   {"epsilon within hand limits, best", "N", 2},
+                                   {"minimum grasp force", "N", 2}};
   const std::vector<BlockColumn> loads = load_columns(comparison);
   columns.insert(columns.end(), loads.begin(), loads.end());
   Json rows = Json::array();
   for (const HandOnObject& cell : comparison.cells) rows.push_back(success_row(cell, loads));
   Json table = table_block(
-      "Every hand on every object. Closed: share of approaches that end in force closure. Of the "
-      "hand: epsilon with its own efforts. Squeeze: sum of normal forces by which friction alone "
-      "holds the weight. Loads after it: withstood by the hand's own efforts. " +
+      "Every hand on every object. Closed: share of approaches that end in force closure. Epsilon "
+      "within hand limits: with the efforts of motors or tendons and the hand's rigid structure. "
+      "Minimum grasp force: sum of normal forces by which friction alone holds the weight. Loads "
+      "after it: supported within the same limits. " +
           load_rule(),
       columns, rows);
   table["search"] = true;
@@ -227,13 +228,13 @@ Json glance_section(const Comparison& comparison) {
   Json rows = Json::array();
   for (const std::string& hand : comparison.hands) rows.push_back(glance_row(comparison, hand));
   Json table = table_block(
-      "Over all objects. Best epsilon: of each object, and the median of these; "
-      "of the hand: with its own efforts.",
+      "Over all objects: the median, over the objects, of the best grasp of each. Epsilon within "
+      "hand limits: with the efforts of its motors or tendons and its rigid structure.",
       {{"hand", "", -1},
        {"force closure", "%", 1},
        {"objects held", "", 0},
-       {"best epsilon, median", "", 3},
-       {"of the hand, best, median", "N", 2},
+       {"epsilon, median of best", "", 3},
+       {"epsilon within hand limits, median of best", "N", 2},
        {"types of grasp", "", 0}},
       rows);
   table["highlight_best"] = 1;

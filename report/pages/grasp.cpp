@@ -76,10 +76,13 @@ Json measure_section(const GraspResult& result) {
     blocks = joined(blocks, measure_blocks("Robustness (Monte Carlo): how often contacts or a pose "
                                            "that are a little off still close by force.",
                                            robustness_rows(result)));
-  return section("measures", "Loads and motions",
-                 "Grasp force is the sum of normal forces. Efforts are the torques of motors, or "
-                 "tensions of tendons, that the hand can make in this posture.",
-                 blocks);
+  return section(
+      "measures", "Loads and motions",
+      "Grasp force is the sum of normal forces. Efforts are the torques of motors, or "
+      "tensions of tendons, that the hand can make in this posture; its limits are these "
+      "and rigid structure: palm, joint limits, locks and drives that cannot be driven "
+      "back.",
+      blocks);
 }
 
 /// Rounding is no number to read.

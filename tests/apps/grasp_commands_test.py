@@ -122,7 +122,19 @@ class DataFromAnywhere(unittest.TestCase):
 
     def test_tells_what_structure_bears_of_a_load(self):
         self.assertRegex(self.run_in("grasp", "barrett_bobbin").stdout,
-                         "pull along z .* by efforts and friction, the rest is borne by structure")
+                         "pull along z +46.* N .by efforts and friction; 714.* N with rigid structure")
+
+    def test_contacts_are_rows_and_pages_have_the_run(self):
+        text = self.run_in("grasp", "barrett_bobbin", "--csv").stdout
+        contacts = json.loads(self.run_in("grasp", "barrett_bobbin", "--json").stdout)["contacts"]
+        header, *rows = text.splitlines()
+        self.assertEqual(header, "surface,digit,x_mm,y_mm,z_mm,nx,ny,nz,friction,torsion_mm,patch")
+        self.assertEqual([row.split(",")[0] for row in rows], [c["surface"] for c in contacts])
+        result = self.run_in("grasp", "barrett_bobbin", "-o", "out/g.html", "-o", "out/g.csv",
+                             "--approach-distance", "1")
+        self.assertEqual(result.returncode, 0, result.stderr)
+        self.assertEqual((self.folder / "out" / "g.csv").read_text(), text)
+        self.assertIn("thenar grasp barrett_bobbin", (self.folder / "out" / "g.html").read_text())
 
     def test_a_complaint_names_all_places(self):
         result = self.run_in("grasp", "jaw_boy", THENAR_DATA="/tmp/nowhere")
@@ -263,10 +275,10 @@ class GraspOfJaws(unittest.TestCase):
         # Without friction no force across the line of closing is borne: a zero is told as one.
         text = self.run_it("close", world).stdout
         self.assertNotRegex(text, r"[0-9]e-[0-9]|inf|-0 ")
-        self.assertRegex(text, "epsilon of the driven hand  0 N, nothing withstands force along -[yz]")
+        self.assertRegex(text, "epsilon within the hand.s limits +0 N, nothing withstands force along -[yz]")
         ball = self.ask("close", world)["actuated_epsilon_N"]
         self.assertEqual((ball["lower"], ball["upper"]), (0, 0))
-        self.assertRegex(text, "holds its weight  .*nothing withstands force along -[yz]")
+        self.assertRegex(text, "supports its weight  .*nothing withstands force along -[yz]")
 
     # Two faces of the cube are pressed, nothing below it: each of the two sides bears half the
     # weight m g by friction, so the squeeze is m g / mu; wood on the jaws' rubber has mu = 1.

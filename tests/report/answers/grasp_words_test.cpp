@@ -13,28 +13,12 @@ namespace {
 
 constexpr const char* kJaws = THENAR_DATA_DIR "/robots/parallel_jaw.toml";
 
-TEST(GraspWords, NamesTheLargePartsOfADirection) {
-  ScaledWrench w = ScaledWrench::Zero();
-  EXPECT_EQ(direction_words(w), "none");
-  w << 0, 0, -1, 0.2, 0.5, 0;  // 0.2 is below a third of the largest
-  EXPECT_EQ(direction_words(w), "force along -z, torque about +y");
-}
-
 TEST(GraspWords, SaysMillimetresOfJointsThatSlide) {
   const RobotHand jaws(read_robot(kJaws));
   const Eigen::VectorXd q = open_posture(jaws.layout());
   EXPECT_TRUE(slides(jaws, q, 0));
   EXPECT_EQ(value_words(0.0125, true), "12.50 mm");
   EXPECT_EQ(value_words(0.5235987755982988, false), "30.0 deg");
-}
-
-TEST(GraspWords, SaysHowDeepOverlapsAre) {
-  EXPECT_EQ(overlap_words({{"DP2", "table", 0.0032}, {"palm", "can", 0.001}}),
-            "DP2 is 3.20 mm in table, palm is 1.00 mm in can");
-  Grasp grasp{};
-  grasp.outcome = GraspOutcome::kOverlaps;
-  grasp.closed.overlaps = {{"DP2", "table", 0.0032}};
-  EXPECT_EQ(outcome_words(grasp), "the hand begins in something: DP2 is 3.20 mm in table");
 }
 
 // A ball of 10 mm between jaws that close: both touch it, and the coordinate says so.
