@@ -22,6 +22,17 @@ std::string component_in_words(const Eigen::RowVector3i& signs) {
   return "";
 }
 
+/// "1 proximal, 2 dorsal, 3 radial"
+std::string components_in_words(const Experiment& experiment) {
+  std::string words;
+  for (int i = 0; i < experiment.components; ++i)
+    words += fmt::format("{}{} {}", i > 0 ? ", " : "", i + 1,
+                         component_in_words(experiment.axes_of_digit.row(i)));
+  return experiment.components == 3
+             ? words
+             : words + "; the force across the plane of flexion is not fitted";
+}
+
 Section explain_protocol(const Experiment& experiment) {
   Section section{"protocol", "Protocol", {}, {}};
   section.lines = {
@@ -31,10 +42,8 @@ Section explain_protocol(const Experiment& experiment) {
       experiment.hold == TipConstraint::kRigid
           ? "hold rigid: the tip was clamped to the load cell, which took forces and moments"
           : "hold pinned: the tip touched the load cell at a point, which took forces only",
-      fmt::format("forces are of the tip on the world, in axes fixed in {}: 1 {}, 2 {}, 3 {}",
-                  experiment.force_segment, component_in_words(experiment.axes_of_digit.row(0)),
-                  component_in_words(experiment.axes_of_digit.row(1)),
-                  component_in_words(experiment.axes_of_digit.row(2)))};
+      fmt::format("forces are of the tip on the world, in axes fixed in {}: {}",
+                  experiment.force_segment, components_in_words(experiment))};
   section.lines.push_back(
       experiment.sd_floor > 0
           ? fmt::format("noise of each component: sd^2 = ({:.3g} N)^2 + ({:.3g} % of |force|)^2",

@@ -92,6 +92,28 @@ std::vector<std::string> experiment_warnings(const TendonDigit& digit, const Exp
 namespace {
 
 constexpr double kSingular = 1e12;  // condition beyond which no digit of a force is right [1]
+constexpr double kParallel = 15 * kDegree;  // of axes with the normal of their plane [rad]
+constexpr double kNoAngle = 1e-6;           // the same, of parallel axes up to rounding [rad]
+
+/// Do all axes between the tip and the base stand on the plane of flexion, to within `angle` [rad]?
+bool all_flex(const TendonModel<double>& digit, double angle) {
+  bool all = true;
+  for_each_hinge_to_base(digit.tree, digit.tip_link, [&](int i) {
+    const Eigen::Vector3d d = digit.tree[i].direction.normalized();
+    all = all && std::abs(d.dot(digit.tip_axes.col(2))) >= std::cos(angle);
+  });
+  return all;
+}
+
+/// Why no force follows in a singular posture, and what to do.
+std::string singular_in_words(const TendonDigit& digit, const ExperimentPlan& plan) {
+  if (plan.known == TipForces::kInPlane)
+    return "the held tip carries forces in the plane of flexion that no joint feels; leave it out";
+  if (all_flex(digit.model, kNoAngle))
+    return "all axes are parallel, so that no joint feels a force across their plane; fit the two "
+           "components in the plane: not_modelled = \"radial\" in [force]";
+  return "the held tip carries loads that no joint feels; leave it out";
+}
 
 Eigen::VectorXd tensions(const TendonDigit& digit, const Trial& trial) {
   // Muscles that a trial does not name are slack.
@@ -126,7 +148,7 @@ std::vector<double> conditions(const TendonDigit& digit, const FitParameters& pa
     const Eigen::VectorXd sigma =
         tip_constraint_loads(model.digit,
                              pose_tree(model.digit.tree, Eigen::VectorXd(q + model.angle_error)),
-                             plan.hold, model.out_of_plane)
+                             plan.hold, plan.known, model.out_of_plane)
             .jacobiSvd()
             .singularValues();
     conditions.push_back(sigma[0] / sigma[sigma.size() - 1]);
@@ -151,7 +173,9 @@ ExperimentPlan plan_experiment(const TendonDigit& digit, const FitParameters& pa
   ExperimentPlan plan;
   plan.hold = experiment.hold;
   plan.force_link = link->second;
+  plan.measured = experiment.components;
   plan.components = experiment.axes_of_digit.cast<double>();
+  if (plan.measured == 2 && all_flex(digit.model, kParallel)) plan.known = TipForces::kInPlane;
 
   // Postures, and the angle errors that belong to them.
   for (const PostureRecord& record : experiment.postures) {
@@ -165,10 +189,8 @@ ExperimentPlan plan_experiment(const TendonDigit& digit, const FitParameters& pa
   // No force follows from the tendons' torques in a singular posture.
   plan.condition = conditions(digit, parameters, plan);
   for (std::size_t k = 0; k < plan.postures.size(); ++k)
-    require(plan.condition[k] < kSingular,
-            "posture '{}' of experiment '{}' is singular: the held tip carries loads that no joint "
-            "feels; leave it out",
-            plan.posture_names[k], experiment.name);
+    require(plan.condition[k] < kSingular, "posture '{}' of experiment '{}' is singular: {}",
+            plan.posture_names[k], experiment.name, singular_in_words(digit, plan));
 
   // Trials: posture, tensions, measured force and its sd.
   plan.force.resize(3, static_cast<Eigen::Index>(experiment.trials.size()));

@@ -18,21 +18,26 @@ namespace thenar {
 struct ExperimentPlan {
   TipConstraint hold;
   int force_link;                         // link whose axes the forces use; -1: the base
-  Eigen::Matrix3d components;             // experiment components from (proximal, dorsal, radial)
+  int measured = 3;                       // components of a force that are fitted, 2 or 3 [1]
+  TipForces known = TipForces::kInSpace;  // forces of the tip that the tendons' torques decide
+  Eigen::Matrix3d components;             // experiment components from (proximal, dorsal, radial);
+                                          // rows of those not fitted are zero
   std::vector<Eigen::VectorXd> postures;  // [rad] (coordinates)
   std::vector<std::string> posture_names;
   std::vector<int> posture_key;   // column of posture_error of each posture; -1: none
   std::vector<double> condition;  // of each posture's tip_constraint_loads() before the fit [1]
   std::vector<int> posture_of_trial;
   std::vector<Eigen::VectorXd> tension;  // of each trial [N] (muscles)
-  Eigen::Matrix3Xd force;                // measured [N] (3, trials)
-  Eigen::Matrix3Xd sd;                   // [N] (3, trials)
+  Eigen::Matrix3Xd force;                // measured; 0 where not fitted [N] (3, trials)
+  Eigen::Matrix3Xd sd;                   // infinite where not fitted [N] (3, trials)
 };
 
 /// Resolves the names of an experiment.
 /// @param parameters  name the postures that may be in error one by one
 /// @throws InputError if the experiment names a joint, muscle or segment the digit has not, or a
 /// posture in which the held tip is singular: no force there follows from the tendons' torques.
+/// Where two components in the plane of flexion are fitted, and all axes are within 15 degrees of
+/// that plane's normal, only forces in the plane count.
 [[nodiscard]] ExperimentPlan plan_experiment(const TendonDigit& digit,
                                              const FitParameters& parameters,
                                              const Experiment& experiment);

@@ -31,6 +31,13 @@ int data_rows(const FitProblem& problem) {
   return rows;
 }
 
+int measured_numbers(const FitProblem& problem) {
+  int count = 0;
+  for (const ExperimentPlan& plan : problem.plans())
+    count += plan.measured * static_cast<int>(plan.force.cols());
+  return count;
+}
+
 Residuals data_residuals(const FitProblem& problem, const Eigen::VectorXd& z, int e,
                          WithJacobian want) {
   // Forces and their slopes by the coordinates of the specimen.

@@ -6,11 +6,14 @@
 
 namespace thenar {
 
-/// Number of residuals that are data; the others are priors.
+/// Number of residuals that are data, three a trial; the others are priors.
 [[nodiscard]] int data_rows(const FitProblem& problem);
+/// Number of force components that are fitted, two or three a trial.
+[[nodiscard]] int measured_numbers(const FitProblem& problem);
 
 /// Data residuals of experiment `e`, (predicted - measured) / sd; with a robust scale c, r of each
-/// trial is shrunk so that |r|^2 becomes c^2 log(1 + |r|^2 / c^2) (Cauchy's loss).
+/// trial is shrunk so that |r|^2 becomes c^2 log(1 + |r|^2 / c^2) (Cauchy's loss). A component that
+/// is not fitted has residual 0.
 /// @param z  (size)
 /// @return   r (3 trials), and with kYes its Jacobian by the entries of z that move the specimen:
 ///           population_entries(), then deviations() of that specimen (3 trials, both)

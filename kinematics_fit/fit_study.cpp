@@ -150,7 +150,7 @@ Prediction mean_of_other_postures(const Experiment& experiment) {
       }
     if (count > 0)
       out.trials.push_back({trial.posture, describe_loads(trial), trial.force, sum / count,
-                            Eigen::Vector3d::Zero()});
+                            Eigen::Vector3d::Zero(), experiment.components});
   }
   if (!out.trials.empty()) out.error = force_error(out.trials);
   return out;

@@ -35,7 +35,7 @@ TendonTest test_of(const NetTendons& tendons, const ExperimentPlan& plan, int po
   test.tau_own = tendons.torque(test.q, t, rest) - net_torque(tendons.net().net, model.tree,
                                                               pose_tree(model.tree, test.q), rest,
                                                               model.coordinates);
-  test.map = cell_map(model, plan, test.q);
+  test.map = cell_map(model, plan, test.q).topRows(plan.measured);
   return test;
 }
 
@@ -54,17 +54,18 @@ VectorXd largest_loads(const NetTendons& tendons, const ExperimentPlan& plan) {
 MatrixXd cell_map(const TendonModel<double>& model, const ExperimentPlan& plan, const VectorXd& q) {
   // Loads of the hold for a unit torque about each joint.
   const TreeState<double> state = pose_tree(model.tree, q);
-  const MatrixXd L = tip_constraint_loads(model, state, plan.hold, 0.0);
+  const MatrixXd L = tip_constraint_loads(model, state, plan.hold, plan.known, 0.0);
   const MatrixX<double> each = MatrixX<double>::Identity(model.coordinates, model.coordinates);
   const MatrixX<double> loads =
       L.rows() < L.cols() ? solve_least_norm(L, each) : solve_least_squares(L, each);
 
-  // Forces, turned from the tip's axes to the stated ones.
+  // Forces, turned from the tip's axes to the stated ones; none across a plane of flexion.
+  Eigen::Matrix3Xd forces = loads.topRows(3);
+  if (plan.known == TipForces::kInPlane) forces.row(2).setZero();
   const auto axes = [&](int link) -> Eigen::Matrix3d {
     return link < 0 ? model.tip_axes : Eigen::Matrix3d(state[link].X.R * model.tip_axes);
   };
-  return plan.components * axes(plan.force_link).transpose() * axes(model.tip_link) *
-         loads.topRows<3>();
+  return plan.components * axes(plan.force_link).transpose() * axes(model.tip_link) * forces;
 }
 
 CandidateNet candidate_of(const NetTendons& tendons) {
@@ -82,7 +83,7 @@ std::vector<TendonRecord> net_records(const NetTendons& tendons, const Experimen
     if (tendons.drive(t).isZero(0)) continue;
     records.push_back(
         {test_of(tendons, plan, plan.posture_of_trial[static_cast<std::size_t>(i)], t),
-         plan.force.col(i), plan.sd.col(i)});
+         plan.force.col(i).head(plan.measured), plan.sd.col(i).head(plan.measured)});
   }
   require(!records.empty(), "experiment {}: no muscle of net {} is loaded", experiment.name,
           tendons.net().net.name);

@@ -30,7 +30,7 @@ template <typename T>
 }
 
 /// Map from stated tensions to the force components that the load cell reads in one posture [1]
-/// (3, muscles).
+/// (3, muscles); rows of components that the experiment does not fit are zero.
 template <typename T>
 [[nodiscard]] MatrixX<T> cell_force_map(const SpecimenModel<T>& model, const ExperimentPlan& plan,
                                         std::size_t posture) {
@@ -39,8 +39,9 @@ template <typename T>
   if (plan.posture_key[posture] >= 0) angles += model.posture_error.col(plan.posture_key[posture]);
   const TreeState<T> state = pose_tree(model.digit.tree, angles);
   // Tip force of a unit of stated tension, in the tip's axes.
-  MatrixX<T> map = tip_force_map(model.digit, state, angles, plan.hold, model.out_of_plane) *
-                   model.gain.asDiagonal();
+  MatrixX<T> map =
+      tip_force_map(model.digit, state, angles, plan.hold, plan.known, model.out_of_plane) *
+      model.gain.asDiagonal();
   // Turned to the axes of the link in which forces are stated.
   if (plan.force_link != model.digit.tip_link) {
     const auto axes = [&](int link) -> Mat3<T> {

@@ -105,8 +105,8 @@ Prediction compare_forces(const Experiment& experiment, const Eigen::Matrix3Xd& 
   for (Eigen::Index i = 0; i < predicted.cols(); ++i) {
     // Predicted and measured, trial by trial.
     const Trial& trial = experiment.trials[i];
-    out.trials.push_back(
-        {trial.posture, describe_loads(trial), trial.force, predicted.col(i), sd.col(i)});
+    out.trials.push_back({trial.posture, describe_loads(trial), trial.force, predicted.col(i),
+                          sd.col(i), experiment.components});
   }
   out.error = force_error(out.trials);
   return out;
@@ -128,8 +128,9 @@ ForceError force_error(const std::vector<PredictedTrial>& trials) {
     if (trial.predicted.squaredNorm() > 0 && trial.measured.squaredNorm() > 0)
       angles.push_back(direction_error(trial));
     if (trial.sd.minCoeff() <= 0) continue;
-    covered += static_cast<int>((r.array().abs() <= 1.96 * trial.sd.array()).count());
-    counted += 3;
+    const auto inside = r.array().abs() <= 1.96 * trial.sd.array();
+    covered += static_cast<int>(inside.head(trial.components).count());
+    counted += trial.components;
   }
   require(total > 0, "all {} measured forces are zero: an error relative to them is not defined",
           trials.size());

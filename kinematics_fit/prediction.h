@@ -28,6 +28,7 @@ struct PredictedTrial {
   Eigen::Vector3d measured;   // [N] (3)
   Eigen::Vector3d predicted;  // [N] (3)
   Eigen::Vector3d sd;         // predictive, of each component; zero if not asked for [N] (3)
+  int components = 3;         // that are fitted, 2 or 3; the others are 0, of infinite sd [1]
 };
 
 /// Angle between the predicted and the measured force, 0 where either is zero [rad].
@@ -37,7 +38,7 @@ struct PredictedTrial {
 struct ForceError {
   double rms = 0;                 // root of the mean squared |predicted - measured| [N]
   double relative = 0;            // rms / root of the mean squared |measured| [1]
-  double relative_flexion = 0;    // relative error of the proximal and dorsal components [1]
+  double relative_flexion = 0;    // relative error of the first two components [1]
   double direction = 0;           // median angle between them where neither is zero [rad]
   std::optional<double> covered;  // share of components within 1.96 predictive sds; empty: no sds
   int trials = 0;                 // number of trials [1]

@@ -12,49 +12,63 @@ namespace thenar {
 /// phalanx [m]. It matters only where the hold carries more loads than there are joints.
 inline constexpr double kHoldLength = 0.0236;
 
+/// Forces of a held tip that its model knows. Joints of parallel axes feel no force across their
+/// plane, so that none follows from their torques: it is then taken to be zero.
+enum class TipForces {
+  kInSpace,  // proximal, dorsal and radial
+  kInPlane   // of flexion: proximal and dorsal
+};
+
 /// Torque about each joint per load that the hold can carry: forces of the tip on the world along
-/// the tip's proximal, dorsal and radial directions and, if rigid, moments about the radial,
-/// proximal and dorsal directions. Moments are divided by a length, so that all loads are in [N]:
-/// `out_of_plane` for the last two, which are left out where it is zero [Synek2019].
-/// @return (coordinates, 3, 4 or 6) [m/rad]
+/// the tip's proximal, dorsal and (in space) radial directions and, if rigid, moments about the
+/// radial and (in space) proximal and dorsal directions. Moments are divided by a length, so that
+/// all loads are in [N]: `out_of_plane` for the last two, which are left out where it is zero
+/// [Synek2019].
+/// @return (coordinates, 2 or 3 in the plane, 3, 4 or 6 in space) [m/rad]
 template <typename T>
 [[nodiscard]] MatrixX<T> tip_constraint_loads(const TendonModel<T>& digit,
                                               const TreeState<T>& state, TipConstraint hold,
-                                              const T& out_of_plane) {
-  // Three forces, one moment, or all three moments.
-  const int columns = hold == TipConstraint::kPinned ? 3 : out_of_plane == T(0) ? 4 : 6;
+                                              TipForces known, const T& out_of_plane) {
+  // Two or three forces; no moment, one, or all three.
+  const int forces = known == TipForces::kInPlane ? 2 : 3;
+  const bool all_moments = known == TipForces::kInSpace && out_of_plane != T(0);
+  const int moments = hold == TipConstraint::kPinned ? 0 : all_moments ? 3 : 1;
   // The tip's place and directions.
   const Mat3<T> axes =
       digit.tip_link < 0 ? digit.tip_axes : Mat3<T>(state[digit.tip_link].X.R * digit.tip_axes);
   const Vec3<T> tip = moved(state, digit.tip_link, digit.tip);
   // Torques of unit forces.
-  MatrixX<T> loads(digit.coordinates, columns);
-  loads.template leftCols<3>() =
+  const Eigen::Matrix<T, Eigen::Dynamic, 3> all =
       position_jacobian(digit.tree, state, digit.tip_link, tip, digit.coordinates).transpose() *
       axes;
-  if (columns == 3) return loads;
+  MatrixX<T> loads(digit.coordinates, forces + moments);
+  loads.leftCols(forces) = all.leftCols(forces);
+  if (moments == 0) return loads;
   // Torques of unit moments, each in units of a length.
-  const MatrixX<T> moments =
+  const MatrixX<T> turning =
       rotation_jacobian(digit.tree, state, digit.tip_link, digit.coordinates).transpose() * axes;
-  loads.col(3) = moments.col(2) * T(kHoldLength);
-  if (columns == 6) loads.template rightCols<2>() = moments.template leftCols<2>() * out_of_plane;
+  loads.col(forces) = turning.col(2) * T(kHoldLength);
+  if (moments == 3) loads.template rightCols<2>() = turning.template leftCols<2>() * out_of_plane;
   return loads;
 }
 
 /// Tip force in the tip's own directions (proximal, dorsal, radial) per unit tension (3, muscles).
 ///
 /// Solves  loads c = R' t : in least norm where the hold carries more loads than there are joints,
-/// exactly where as many, in least squares where fewer.
+/// exactly where as many, in least squares where fewer. In the plane the radial force is zero.
 template <typename T>
 [[nodiscard]] MatrixX<T> tip_force_map(const TendonModel<T>& digit, const TreeState<T>& state,
-                                       const VectorX<T>& q, TipConstraint hold,
+                                       const VectorX<T>& q, TipConstraint hold, TipForces known,
                                        const T& out_of_plane) {
   // Torques of the muscles, balanced by the loads of the hold.
-  const MatrixX<T> L = tip_constraint_loads(digit, state, hold, out_of_plane);
+  const MatrixX<T> L = tip_constraint_loads(digit, state, hold, known, out_of_plane);
   const MatrixX<T> torque = muscle_arms(digit, state, q).transpose();
   const MatrixX<T> loads =
       L.rows() < L.cols() ? solve_least_norm(L, torque) : solve_least_squares(L, torque);
-  return loads.template topRows<3>();
+  if (known == TipForces::kInSpace) return loads.template topRows<3>();
+  MatrixX<T> in_plane = MatrixX<T>::Zero(3, loads.cols());
+  in_plane.template topRows<2>() = loads.template topRows<2>();
+  return in_plane;
 }
 
 }  // namespace thenar

@@ -78,9 +78,10 @@ DataDensity normal_density(const ObservedForces& data, const double* forces, dou
                            double* by_force) {
   // Weighted residuals of all trials.
   const double scale = std::exp(-2 * log_noise);
-  const int count = 3 * data.trials;
-  const double m = scale * internal::weigh_residuals(count, data.plan.force.data(), forces,
-                                                     data.precision.data(), scale, by_force);
+  const int count = data.plan.measured * data.trials;
+  const double m =
+      scale * internal::weigh_residuals(3 * data.trials, data.plan.force.data(), forces,
+                                        data.precision.data(), scale, by_force);
   return {data.log_peak - count * log_noise - 0.5 * m, m - count};
 }
 
@@ -102,10 +103,11 @@ DataDensity trials_density(const ForceNoise& model, const ObservedForces& data,
     // The tail weighs it, for the density and for both derivatives.
     const ForceNoise::Tail tail = model.tail(m);
     for (int k = 0; k < 3; ++k) by[k] *= tail.weight;
-    const double log_density = data.log_scale[i] - 3 * log_noise + tail.log_density;
+    const double log_density =
+        data.log_scale[i] - data.plan.measured * log_noise + tail.log_density;
     if (pointwise != nullptr) pointwise[i] = log_density;
     sum.log_density += log_density;
-    sum.by_log_noise += tail.weight * m - 3;
+    sum.by_log_noise += tail.weight * m - data.plan.measured;
   }
   return sum;
 }
@@ -117,7 +119,10 @@ ObservedForces observed_forces(const TendonDigit& digit, const ExperimentPlan& p
   // Constants of the trials, then the unit pulls of the tasks.
   ObservedForces out{plan, static_cast<int>(plan.force.cols()), {}, {}, {}, 0};
   out.precision = plan.sd.cwiseAbs2().cwiseInverse();
-  out.log_scale = model.log_constant - plan.sd.array().log().colwise().sum().transpose();
+  Eigen::Matrix3Xd known = plan.sd;  // log 1 = 0: components that are not fitted add nothing
+  known.bottomRows(3 - plan.measured).setOnes();
+  out.log_scale =
+      model.log_constant(plan.measured) - known.array().log().colwise().sum().transpose();
   out.log_peak = out.log_scale.sum();
   TaskPlanner planner(digit, experiment, out);
   for (const ActivationRow& row : experiment.activations) out.tasks.push_back(planner.plan(row));

@@ -18,7 +18,7 @@ struct ObservedForces {
   ExperimentPlan plan;  // with the unit tensions as further trials
   int trials = 0;       // measured trials, the first of the plan [1]
   std::vector<ObservedTask> tasks;
-  Eigen::Matrix3Xd precision;  // 1 / sd^2 of the trials [1/N^2] (3, trials)
+  Eigen::Matrix3Xd precision;  // 1 / sd^2 of the trials, 0 if not fitted [1/N^2] (3, trials)
   Eigen::VectorXd log_scale;   // log density of each trial at its measured force (trials)
   double log_peak = 0;         // their sum [1]
 };

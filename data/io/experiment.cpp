@@ -1,6 +1,7 @@
 #include "data/io/experiment.h"
 
 #include <cmath>
+#include <limits>
 
 #include <Eigen/LU>
 
@@ -12,6 +13,8 @@ namespace {
 
 using Eigen::Vector3d;
 
+constexpr double kNotFitted = std::numeric_limits<double>::infinity();  // sd: says nothing [N]
+
 /// Conversion of a hung weight to a tendon tension.
 struct Pulley {
   double gravity = 9.80665;  // standard gravity [m/s^2]
@@ -19,31 +22,76 @@ struct Pulley {
 };
 
 /// Direction of the digit in words, as signed (proximal, dorsal, radial).
-Eigen::RowVector3i signed_axis(TomlTable& table, const std::string& word) {
+Eigen::RowVector3i signed_axis(TomlTable& table, const std::string& word, const std::string& key) {
   static const std::map<std::string, Eigen::RowVector3i> words{
       {"proximal", {1, 0, 0}}, {"distal", {-1, 0, 0}}, {"dorsal", {0, 1, 0}},
       {"palmar", {0, -1, 0}},  {"radial", {0, 0, 1}},  {"ulnar", {0, 0, -1}}};
   const bool negative = !word.empty() && word[0] == '-';
   const auto found = words.find(negative ? word.substr(1) : word);
   if (found == words.end())
-    table.fail(fmt::format("wanted each of 'components' to be one of proximal, distal, dorsal, "
-                           "palmar, radial, ulnar or its negative, got '{}'",
-                           word),
-               "components");
+    table.fail(fmt::format("wanted {}'{}' to be one of proximal, distal, dorsal, palmar, radial, "
+                           "ulnar or its negative, got '{}'",
+                           key == "components" ? "each of " : "", key, word),
+               key);
   return negative ? Eigen::RowVector3i(-found->second) : found->second;
 }
 
-void read_force_axes(TomlTable& table, Experiment& experiment) {
+/// Which numbers of a row are components of a fitted force.
+struct ReadComponents {
+  int stated = 3;           // numbers in a row [1]
+  std::vector<int> fitted;  // their places in it, in order
+};
+
+/// The component that [force] states as not modelled; -1: none.
+int read_not_modelled(TomlTable& table, const Experiment& experiment) {
+  if (!table.has("not_modelled")) return -1;
+  const Eigen::RowVector3i across = signed_axis(table, table.text("not_modelled"), "not_modelled");
+  if (across.z() == 0)
+    table.fail(
+        "wanted 'not_modelled' to be the component across the plane of flexion, radial or "
+        "ulnar",
+        "not_modelled");
+  for (int i = 0; i < experiment.components; ++i)
+    if (experiment.axes_of_digit.row(i) == across || experiment.axes_of_digit.row(i) == -across)
+      return i;
+  table.fail("'not_modelled' names none of 'components'", "not_modelled");
+}
+
+/// Axes of the components, of which two or three are fitted.
+ReadComponents read_force_axes(TomlTable& table, Experiment& experiment) {
   experiment.force_segment = table.text("segment");
   const std::vector<std::string> words = table.texts("components");
-  // Three independent components.
-  if (words.size() != 3)
-    table.fail(fmt::format("wanted 3 'components', got {}", words.size()), "components");
-  for (int i = 0; i < 3; ++i)
-    experiment.axes_of_digit.row(i) = signed_axis(table, words[static_cast<std::size_t>(i)]);
-  if (experiment.axes_of_digit.cast<double>().determinant() == 0)
-    table.fail("wanted 'components' along three different directions", "components");
+  if (words.size() != 2 && words.size() != 3)
+    table.fail(
+        fmt::format("wanted 3 'components', or 2 in the plane of flexion, got {}", words.size()),
+        "components");
+  // Independent components, of two none across the plane of flexion.
+  experiment.components = static_cast<int>(words.size());
+  Eigen::Matrix3i axes = Eigen::Matrix3i::Zero();
+  for (int i = 0; i < experiment.components; ++i)
+    axes.row(i) = signed_axis(table, words[static_cast<std::size_t>(i)], "components");
+  if (experiment.components == 2 && axes.col(2).any())
+    table.fail(
+        "wanted 2 'components' in the plane of flexion: one proximal or distal, one dorsal "
+        "or palmar",
+        "components");
+  if (Eigen::FullPivLU<Eigen::Matrix3d>(axes.cast<double>()).rank() != experiment.components)
+    table.fail(fmt::format("wanted 'components' along {} different directions",
+                           experiment.components == 2 ? "two" : "three"),
+               "components");
+  experiment.axes_of_digit = axes;
+
+  // Those that are fitted come first, without the one that is not modelled.
+  const int left_out = read_not_modelled(table, experiment);
+  ReadComponents read{experiment.components, {}};
+  for (int i = 0; i < read.stated; ++i)
+    if (i != left_out) read.fitted.push_back(i);
+  experiment.components = static_cast<int>(read.fitted.size());
+  experiment.axes_of_digit.setZero();
+  for (int i = 0; i < experiment.components; ++i)
+    experiment.axes_of_digit.row(i) = axes.row(read.fitted[static_cast<std::size_t>(i)]);
   table.done();
+  return read;
 }
 
 Pulley read_protocol(TomlTable& table, Experiment& experiment) {
@@ -103,22 +151,36 @@ std::string read_known_posture(TomlTable& table, const Experiment& experiment) {
   table.fail(fmt::format("posture '{}' is not defined{}", name, did_you_mean(name, names)));
 }
 
-Vector3d read_sd(TomlTable& table) {
-  const std::vector<double> sd = table.numbers(Dimension::kForce, "sd", 3, Range::kPositive);
-  return {sd[0], sd[1], sd[2]};
+/// The fitted components of a row's vector, `others` in place of the rest [N].
+Vector3d read_components(TomlTable& table, const std::string& key, const ReadComponents& read,
+                         Range range, double others) {
+  const std::vector<double> stated = table.numbers(Dimension::kForce, key, read.stated, range);
+  Vector3d v = Vector3d::Constant(others);
+  for (std::size_t i = 0; i < read.fitted.size(); ++i)
+    v[static_cast<Eigen::Index>(i)] = stated[static_cast<std::size_t>(read.fitted[i])];
+  return v;
 }
 
-Trial read_trial(TomlTable& table, const Experiment& experiment, const Pulley& pulley) {
+Vector3d read_force(TomlTable& table, const ReadComponents& read) {
+  return read_components(table, "force", read, Range::kAny, 0);
+}
+
+Vector3d read_sd(TomlTable& table, const ReadComponents& read) {
+  return read_components(table, "sd", read, Range::kPositive, kNotFitted);
+}
+
+Trial read_trial(TomlTable& table, const Experiment& experiment, const ReadComponents& read,
+                 const Pulley& pulley) {
   Trial trial;
   // What was done: posture and loads.
   trial.posture = read_known_posture(table, experiment);
   trial.tension = read_tensions(table, pulley);
   // What was measured; its uncertainty is stated here or for the whole file.
-  trial.force = table.vector(Dimension::kForce, "force");
+  trial.force = read_force(table, read);
   if (table.has(Dimension::kMoment, "moment"))
     trial.moment = table.vector(Dimension::kMoment, "moment");
   if (table.has(Dimension::kForce, "sd"))
-    trial.sd = read_sd(table);
+    trial.sd = read_sd(table, read);
   else if (experiment.sd_floor == 0)
     table.fail("a trial needs 'sd_N', or the file a [noise] table");
   table.done();
@@ -141,7 +203,8 @@ std::map<std::string, double> read_activation_sd(TomlTable& table, const Activat
   return sd;
 }
 
-ActivationRow read_activation(TomlTable& table, const Experiment& experiment) {
+ActivationRow read_activation(TomlTable& table, const Experiment& experiment,
+                              const ReadComponents& read) {
   ActivationRow row;
   // Task: posture and activations.
   row.posture = read_known_posture(table, experiment);
@@ -149,9 +212,9 @@ ActivationRow read_activation(TomlTable& table, const Experiment& experiment) {
   if (row.activation.empty()) table.fail("wanted 'activation' of at least one muscle: {FPL = 0.3}");
   row.sd = read_activation_sd(table, row);
   // Measured force, with its uncertainty.
-  row.force = table.vector(Dimension::kForce, "force");
+  row.force = read_force(table, read);
   if (table.has(Dimension::kForce, "sd"))
-    row.force_sd = read_sd(table);
+    row.force_sd = read_sd(table, read);
   else if (experiment.sd_floor == 0)
     table.fail("an activation row needs 'sd_N', or the file a [noise] table");
   table.done();
@@ -163,10 +226,11 @@ TomlTable need_table(TomlTable& top, const std::string& key, const std::string& 
   top.fail(fmt::format("the file needs [{}]: {}", key, why));
 }
 
-void read_trials(TomlTable& top, const Pulley& pulley, Experiment& experiment) {
+void read_trials(TomlTable& top, const Pulley& pulley, const ReadComponents& read,
+                 Experiment& experiment) {
   TomlTable trials = need_table(top, "trials", "its 'rows' are the loads and forces");
   for (TomlTable& row : trials.tables("rows"))
-    experiment.trials.push_back(read_trial(row, experiment, pulley));
+    experiment.trials.push_back(read_trial(row, experiment, read, pulley));
   if (experiment.trials.empty())
     trials.fail("wanted at least one trial in 'rows', got none", "rows");
   trials.done();
@@ -184,7 +248,9 @@ void read_header(TomlTable& top, Experiment& experiment) {
 
 Vector3d noise_sd(const Experiment& experiment, const Vector3d& force) {
   const double relative = experiment.sd_relative * force.norm();
-  return Vector3d::Constant(std::hypot(experiment.sd_floor, relative));
+  Vector3d sd = Vector3d::Constant(std::hypot(experiment.sd_floor, relative));
+  sd.tail(3 - experiment.components).setConstant(kNotFitted);
+  return sd;
 }
 
 }  // namespace
@@ -199,15 +265,16 @@ Experiment parse_experiment(const std::string& text, const std::string& path) {
   TomlTable protocol = need_table(top, "protocol", "how the fingertip was held");
   const Pulley pulley = read_protocol(protocol, experiment);
   TomlTable force = need_table(top, "force", "the segment and the axes of the forces");
-  read_force_axes(force, experiment);
+  const ReadComponents read = read_force_axes(force, experiment);
   if (std::optional<TomlTable> noise = top.table("noise")) read_noise(*noise, experiment);
 
   // Postures and trials, or activations in place of trials.
   for (TomlTable& table : top.tables("posture"))
     experiment.postures.push_back(read_posture(table, experiment));
   for (TomlTable& row : top.tables("activation"))
-    experiment.activations.push_back(read_activation(row, experiment));
-  if (experiment.activations.empty() || top.has("trials")) read_trials(top, pulley, experiment);
+    experiment.activations.push_back(read_activation(row, experiment, read));
+  if (experiment.activations.empty() || top.has("trials"))
+    read_trials(top, pulley, read, experiment);
   top.done();
   return experiment;
 }

@@ -23,7 +23,7 @@ struct PostureRecord {
   std::map<std::string, double> angles;  // joint name -> angle; joints not named are 0 [rad]
 };
 
-/// One loading, and the reading of the load cell.
+/// One loading, and the reading of the load cell. Components beyond Experiment::components are 0.
 struct Trial {
   std::string posture;
   std::map<std::string, double> tension;  // muscle -> tendon tension, after pulley losses [N]
@@ -51,8 +51,9 @@ struct Experiment {
   std::string digit;   // "middle"
   TipConstraint hold = TipConstraint::kPinned;
   std::string force_segment;  // segment whose axes the force components use: "DP3"
+  int components = 3;         // of a force that are fitted; 2: those in the plane of flexion [1]
   Eigen::Matrix3i axes_of_digit = Eigen::Matrix3i::Identity();
-  // row i: component i as signed (proximal, dorsal, radial) of the digit (3, 3)
+  // row i: component i as signed (proximal, dorsal, radial) of the digit, 0 if not fitted (3, 3)
   double sd_relative = 0;  // force noise: sd^2 = sd_floor^2 + (sd_relative |F|)^2 [1]
   double sd_floor = 0;     // [N]
   std::vector<PostureRecord> postures;
@@ -67,7 +68,8 @@ struct Experiment {
 /// The same from text already in memory; `path` only names it in messages.
 [[nodiscard]] Experiment parse_experiment(const std::string& text, const std::string& path);
 
-/// Standard deviation of the force components of a trial: its own, or the stated noise [N] (3)
+/// Standard deviation of the force components of a trial: its own, or the stated noise; infinite
+/// for a component that is not fitted [N] (3)
 [[nodiscard]] Eigen::Vector3d force_sd(const Experiment& experiment, const Trial& trial);
 /// The same for an activation row [N] (3)
 [[nodiscard]] Eigen::Vector3d force_sd(const Experiment& experiment, const ActivationRow& row);

@@ -341,7 +341,12 @@ class Compiler {
   void set_hold() {
     // Loads that the hold carries.
     const bool out_of_plane = mean_.out_of_plane != 0 || moves(layout_.out_of_plane, 1);
-    to_.loads = plan_.hold == TipConstraint::kPinned ? 3 : out_of_plane ? 6 : 4;
+    const bool in_plane = plan_.known == TipForces::kInPlane;
+    to_.tip_forces = in_plane ? 2 : 3;
+    const int moments = plan_.hold == TipConstraint::kPinned ? 0
+                        : out_of_plane && !in_plane          ? 3
+                                                             : 1;
+    to_.loads = to_.tip_forces + moments;
     to_.hold_length = kHoldLength;
     to_.out_of_plane = layout_.out_of_plane;
     to_.tip_link = model_.tip_link;

@@ -98,7 +98,13 @@ inline V torque_of(const Program& program, const PostureStep& posture, const Pos
                            : splat(program.still_torque[trial * program.coordinates + j]);
 }
 
-/// map = cell (first three rows of P);  force = map torque
+/// Tip force per torque about joint j: rows of P; in the plane of flexion the radial one is zero.
+inline Vec tip_force_of(const Program& program, const V* P, int j) {
+  const int n = program.coordinates;
+  return {P[j], P[n + j], program.tip_forces == 3 ? P[2 * n + j] : V{}};
+}
+
+/// map = cell (rows of P that are forces);  force = map torque
 inline void set_forces(const Program& program, int k, Posed& posed, V* force) {
   // Force components per torque.
   const int n = program.coordinates;
@@ -106,7 +112,7 @@ inline void set_forces(const Program& program, int k, Posed& posed, V* force) {
   const V* P = posed.inverse;
   V* map = posed.map;
   for (int j = 0; j < n; ++j) {
-    const Vec f = cell * Vec{P[j], P[n + j], P[2 * n + j]};
+    const Vec f = cell * tip_force_of(program, P, j);
     map[j] = f.x, map[n + j] = f.y, map[2 * n + j] = f.z;
   }
   // Forces of each trial of the posture.
@@ -148,12 +154,13 @@ inline Mat adjoint_forces(const Program& program, int k, const Posed& posed, con
   for (int j = 0; j < n; ++j) {
     const Vec map_bar = {adjoint.map[j], adjoint.map[n + j], adjoint.map[2 * n + j]};
     const Vec push = turned_back(*posed.cell, map_bar);
-    adjoint.inverse[j] = push.x, adjoint.inverse[n + j] = push.y,
-    adjoint.inverse[2 * n + j] = push.z;
+    adjoint.inverse[j] = push.x, adjoint.inverse[n + j] = push.y;
+    if (program.tip_forces == 3) adjoint.inverse[2 * n + j] = push.z;
     if (!program.cell_moves) continue;
-    cell_bar.x += P[j] * map_bar;
-    cell_bar.y += P[n + j] * map_bar;
-    cell_bar.z += P[2 * n + j] * map_bar;
+    const Vec f = tip_force_of(program, P, j);
+    cell_bar.x += f.x * map_bar;
+    cell_bar.y += f.y * map_bar;
+    cell_bar.z += f.z * map_bar;
   }
   return cell_bar;
 }

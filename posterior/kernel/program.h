@@ -134,7 +134,8 @@ struct Program {
   int coordinates = 0;      // entries of q
   int fit_coordinates = 0;  // entries of u
   int trials = 0;
-  int loads = 0;  // columns of tip_constraint_loads()
+  int loads = 0;       // columns of tip_constraint_loads()
+  int tip_forces = 3;  // of them forces: 3, or 2 in the plane of flexion
 
   Array<double> start;  // the numbers at u = 0
   Array<LinearTerm> moves;

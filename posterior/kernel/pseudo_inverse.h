@@ -63,31 +63,34 @@ inline void invert_loads(const V* L, int n, int c, V* P, V* work) {
   }
 }
 
-/// Z = P P_bar' (c, 3); its other columns are zero.
+/// Z = P P_bar' (c, F), F the rows of P that are forces; its other columns are zero.
+template <int F>
 inline void product_with(const V* P, const V* P_bar, int n, int c, V* Z) {
   for (int a = 0; a < c; ++a)
-    for (int b = 0; b < 3; ++b) {
+    for (int b = 0; b < F; ++b) {
       V sum = P[a * n] * P_bar[b * n];
       for (int j = 1; j < n; ++j) sum += P[a * n + j] * P_bar[b * n + j];
-      Z[a * 3 + b] = sum;
+      Z[a * F + b] = sum;
     }
 }
 
 /// L_bar = -P' Z'
+template <int F>
 inline void adjoint_square(const V* P, const V* Z, int n, int c, V* L_bar) {
   for (int j = 0; j < n; ++j)
     for (int k = 0; k < c; ++k) {
-      V sum = -(P[j] * Z[k * 3]);
-      for (int b = 1; b < 3; ++b) sum -= P[b * n + j] * Z[k * 3 + b];
+      V sum = -(P[j] * Z[k * F]);
+      for (int b = 1; b < F; ++b) sum -= P[b * n + j] * Z[k * F + b];
       L_bar[j * c + k] = sum;
     }
 }
 
 /// L_bar += (P_bar' - L Z) P P'
+template <int F>
 inline void adjoint_residual(const V* L, const V* P, const V* P_bar, const V* Z, int n, int c,
                              V* L_bar, V* G) {
-  // First three rows of P P'.
-  for (int b = 0; b < 3; ++b)
+  // First rows of P P'.
+  for (int b = 0; b < F; ++b)
     for (int k = 0; k < c; ++k) {
       V sum = P[b * n] * P[k * n];
       for (int j = 1; j < n; ++j) sum += P[b * n + j] * P[k * n + j];
@@ -95,32 +98,36 @@ inline void adjoint_residual(const V* L, const V* P, const V* P_bar, const V* Z,
     }
   // Row j of the bracket, times those rows.
   for (int j = 0; j < n; ++j) {
-    V left[3];
-    for (int b = 0; b < 3; ++b) {
+    V left[F];
+    for (int b = 0; b < F; ++b) {
       left[b] = P_bar[b * n + j];
-      for (int a = 0; a < c; ++a) left[b] -= L[j * c + a] * Z[a * 3 + b];
+      for (int a = 0; a < c; ++a) left[b] -= L[j * c + a] * Z[a * F + b];
     }
-    for (int k = 0; k < c; ++k)
-      L_bar[j * c + k] += left[0] * G[k] + left[1] * G[c + k] + left[2] * G[2 * c + k];
+    for (int k = 0; k < c; ++k) {
+      V sum = left[0] * G[k];
+      for (int b = 1; b < F; ++b) sum += left[b] * G[b * c + k];
+      L_bar[j * c + k] += sum;
+    }
   }
 }
 
 /// L_bar = P' (Z (I - P L) - Z')
+template <int F>
 inline void adjoint_least_norm(const V* L, const V* P, const V* Z, int n, int c, V* L_bar,
                                V* work) {
-  V *N = work, *W = N + 3 * c;
-  // First three rows of I - P L.
-  for (int b = 0; b < 3; ++b)
+  V *N = work, *W = N + F * c;
+  // First rows of I - P L.
+  for (int b = 0; b < F; ++b)
     for (int k = 0; k < c; ++k) {
       V sum = splat(b == k ? 1 : 0);
       for (int j = 0; j < n; ++j) sum -= P[b * n + j] * L[j * c + k];
       N[b * c + k] = sum;
     }
-  // W = Z (I - P L) - Z', where only three columns of Z are not zero.
+  // W = Z (I - P L) - Z', where only F columns of Z are not zero.
   for (int a = 0; a < c; ++a)
     for (int k = 0; k < c; ++k) {
-      V sum = a < 3 ? -Z[k * 3 + a] : V{};
-      for (int b = 0; b < 3; ++b) sum += Z[a * 3 + b] * N[b * c + k];
+      V sum = a < F ? -Z[k * F + a] : V{};
+      for (int b = 0; b < F; ++b) sum += Z[a * F + b] * N[b * c + k];
       W[a * c + k] = sum;
     }
   // L_bar = P' W
@@ -132,21 +139,31 @@ inline void adjoint_least_norm(const V* L, const V* P, const V* Z, int n, int c,
     }
 }
 
-/// Adjoint, of which only the first three rows of P matter: those of the force. With Z = P P_bar',
+/// Adjoint, of which only the first F rows of P matter: those of the force. With Z = P P_bar',
 ///   n >= c:  L_bar = (P_bar' - L Z) P P' - P' Z'      (nothing in brackets where n = c)
 ///   n < c:   L_bar = P' (Z (I - P L) - Z').
-/// @param P_bar  (3, n) row-major     @param work  (6 c + c c)
+/// @param P_bar  (F, n) row-major     @param work  (6 c + c c)
 /// Source: [Golub1973] for the derivative, dP = -P dL P + P P' dL' (I - L P) + (I - P L) dL' P' P.
-inline void adjoint_pseudo_inverse(const V* L, const V* P, const V* P_bar, int n, int c, V* L_bar,
-                                   V* work) {
+template <int F>
+inline void adjoint_inverse_of(const V* L, const V* P, const V* P_bar, int n, int c, V* L_bar,
+                               V* work) {
   V* Z = work;
-  product_with(P, P_bar, n, c, Z);
+  product_with<F>(P, P_bar, n, c, Z);
   if (n < c) {
-    adjoint_least_norm(L, P, Z, n, c, L_bar, Z + 3 * c);
+    adjoint_least_norm<F>(L, P, Z, n, c, L_bar, Z + F * c);
   } else {
-    adjoint_square(P, Z, n, c, L_bar);
-    if (n > c) adjoint_residual(L, P, P_bar, Z, n, c, L_bar, Z + 3 * c);
+    adjoint_square<F>(P, Z, n, c, L_bar);
+    if (n > c) adjoint_residual<F>(L, P, P_bar, Z, n, c, L_bar, Z + F * c);
   }
+}
+
+/// The same for two or three rows of forces.
+inline void adjoint_pseudo_inverse(const V* L, const V* P, const V* P_bar, int n, int c, int forces,
+                                   V* L_bar, V* work) {
+  if (forces == 3)
+    adjoint_inverse_of<3>(L, P, P_bar, n, c, L_bar, work);
+  else
+    adjoint_inverse_of<2>(L, P, P_bar, n, c, L_bar, work);
 }
 
 }  // namespace

@@ -44,7 +44,7 @@ inline void adjoint_posture(const Program& program, int k, const DigitParameters
   const Mat cell_bar = adjoint_forces(program, k, posed, force_bar, adjoint);
   adjoint_load_cell(program, digit, posed, cell_bar, on, adjoint_digit);
   adjoint_pseudo_inverse(posed.load, posed.inverse, adjoint.inverse, program.coordinates,
-                         program.loads, adjoint.load, work);
+                         program.loads, program.tip_forces, adjoint.load, work);
   adjoint_loads(program, digit, posed, adjoint.load, adjoint, on, adjoint_digit);
   // Step 3, where arms move at all, and step 2.
   if (program.arms_move) {

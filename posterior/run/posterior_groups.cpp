@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <functional>
+#include <limits>
 
 #include <fmt/format.h>
 
@@ -15,7 +16,32 @@ namespace {
 constexpr long kPredictedDraws = 1000;  // replicated for each chain, at most
 constexpr long kAllPredicted = 20000;   // of all chains together, but one of each
 
-std::vector<std::string> component_names() { return {"first", "second", "third"}; }
+/// Components of a force that any experiment fits.
+int most_components(const FitProblem& problem) {
+  int most = 0;
+  for (const ExperimentPlan& plan : problem.plans()) most = std::max(most, plan.measured);
+  return most;
+}
+
+std::vector<std::string> component_names(const FitProblem& problem) {
+  const std::vector<std::string> names{"first", "second", "third"};
+  return {names.begin(), names.begin() + most_components(problem)};
+}
+
+/// The components that any experiment fits, NaN where the trial's own does not.
+/// @param all  three numbers of every trial of every experiment in turn (3 trials, columns)
+Eigen::MatrixXd fitted_components(const FitProblem& problem, const Eigen::MatrixXd& all) {
+  const int components = most_components(problem);
+  Eigen::MatrixXd kept(all.rows() / 3 * components, all.cols());
+  Eigen::Index from = 0, to = 0;
+  for (const ExperimentPlan& plan : problem.plans())
+    for (Eigen::Index i = 0; i < plan.force.cols(); ++i, from += 3, to += components) {
+      kept.middleRows(to, components) = all.middleRows(from, components);
+      kept.middleRows(to + plan.measured, components - plan.measured)
+          .setConstant(std::numeric_limits<double>::quiet_NaN());
+    }
+  return kept;
+}
 
 /// One array over chains, draws and the rows of `values`, which come chain by chain.
 /// @param values  (rows, chains * draws)
@@ -89,19 +115,21 @@ void add_factors(InferenceGroup& group, const std::string& name, const std::stri
   group.arrays[name] = {by_draw(factors), {"chain", "draw", dimension}, "1", description};
 }
 
-/// Three numbers of every trial, as the plans of the experiments have them.
+/// A number of every component of every trial, as the plans of the experiments have them.
 void add_readings(const FitProblem& problem, const std::string& name,
                   Eigen::Matrix3Xd ExperimentPlan::*readings, const std::string& description,
                   InferenceGroup& group) {
   // Dimensions, then all experiments behind each other.
   add_names(group, "trial", observation_names(problem, Observed::kForces));
-  add_names(group, "component", component_names());
-  std::vector<double> values;
+  add_names(group, "component", component_names(problem));
+  Eigen::VectorXd all(0);
   for (const ExperimentPlan& plan : problem.plans()) {
-    const Eigen::Matrix3Xd& of_plan = plan.*readings;
-    values.insert(values.end(), of_plan.data(), of_plan.data() + of_plan.size());
+    const Eigen::VectorXd own = (plan.*readings).reshaped();
+    all.conservativeResize(all.size() + own.size());
+    all.tail(own.size()) = own;
   }
-  group.arrays[name] = {std::move(values), {"trial", "component"}, "N", description};
+  group.arrays[name] = {
+      by_draw(fitted_components(problem, all)), {"trial", "component"}, "N", description};
 }
 
 /// Draws of every chain, evenly thinned to at most `most`. (size, chains * draws)
@@ -204,7 +232,7 @@ InferenceGroup likelihood_group(const PosteriorRun& run) {
   group.arrays["force"] = {by_draw(pointwise.topRows(count)),
                            {"chain", "draw", "trial"},
                            "1",
-                           "log likelihood of the three components together"};
+                           "log likelihood of the components of a trial together"};
   if (pointwise.rows() == count) return group;
   // Rows of muscle activations come behind the trials.
   const std::vector<std::string> all = observation_names(run.posterior->problem());
@@ -224,9 +252,11 @@ InferenceGroup predictive_group(const PosteriorRun& run) {
   const long draws = x.cols() / run.draws.chains();
   add_draws(group, run.draws.chains(), draws);
   add_names(group, "trial", observation_names(run.posterior->problem(), Observed::kForces));
-  add_names(group, "component", component_names());
+  const FitProblem& problem = run.posterior->problem();
+  add_names(group, "component", component_names(problem));
   group.arrays["force"] = {
-      by_draw(replicated_forces(*run.posterior, x, run.settings.run.sampler.seed)),
+      by_draw(fitted_components(
+          problem, replicated_forces(*run.posterior, x, run.settings.run.sampler.seed))),
       {"chain", "draw", "trial", "component"},
       "N",
       "what a repeated measurement would read; draws evenly thinned"};

@@ -18,11 +18,20 @@ LearntDirections directions_of(const PosteriorRun& run) {
 ExperimentCheck check_of(const PosteriorRun& run, const Experiment& experiment) {
   const int specimen = find_specimen(run.posterior->problem(), experiment.specimen);
   const PredictedDraws predicted = predict_draws(run, experiment, specimen, kCheckedDraws);
-  Eigen::VectorXd measured(predicted.expected.rows());
+  // The components that are fitted, trial by trial.
+  std::vector<Eigen::Index> rows;
+  std::vector<double> measured;
   for (std::size_t i = 0; i < experiment.trials.size(); ++i)
-    measured.segment<3>(3 * static_cast<Eigen::Index>(i)) = experiment.trials[i].force;
+    for (int c = 0; c < experiment.components; ++c) {
+      rows.push_back(3 * static_cast<Eigen::Index>(i) + c);
+      measured.push_back(experiment.trials[i].force[c]);
+    }
   return {summarise(predicted),
-          check_predictive(measured, {predicted.expected, predicted.replicated, predicted.sd})};
+          check_predictive(Eigen::Map<const Eigen::VectorXd>(
+                               measured.data(), static_cast<Eigen::Index>(measured.size())),
+                           {predicted.expected(rows, Eigen::all),
+                            predicted.replicated(rows, Eigen::all), predicted.sd(rows, Eigen::all)},
+                           experiment.components)};
 }
 
 }  // namespace

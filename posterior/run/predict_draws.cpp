@@ -88,13 +88,14 @@ double noise_factor(const PosteriorRun& run, const PosteriorValues& values,
 }
 
 /// One measurement about the expected forces of each trial: normal, or where the noise is robust
-/// Student's t, whose three components share one chi-square.
-void add_noise(const ForceNoise& noise, const Eigen::VectorXd& sd, RandomStream& random,
-               Eigen::Ref<Eigen::VectorXd> forces) {
+/// Student's t, whose components share one chi-square. Those that are not fitted stay 0.
+void add_noise(const ForceNoise& noise, int components, const Eigen::VectorXd& sd,
+               RandomStream& random, Eigen::Ref<Eigen::VectorXd> forces) {
   for (Eigen::Index trial = 0; trial < forces.size(); trial += 3) {
     const double scale =
-        std::isinf(noise.c2) ? 1 : std::sqrt(noise.c2 / random.chi_square(noise.c2 - 3));
-    for (Eigen::Index i = trial; i < trial + 3; ++i) forces[i] += scale * sd[i] * random.normal();
+        std::isinf(noise.c2) ? 1 : std::sqrt(noise.c2 / random.chi_square(noise.c2 - components));
+    for (Eigen::Index i = trial; i < trial + components; ++i)
+      forces[i] += scale * sd[i] * random.normal();
   }
 }
 
@@ -141,7 +142,7 @@ PredictedDraws predict_draws(const PosteriorRun& run, const Experiment& experime
     RandomStream random(run.settings.run.sampler.seed, static_cast<std::uint32_t>(k), 0, kMeasure);
     out.sd.col(k) =
         noise_factor(run, values, experiment.name, specimen, k, random) * plan.sd.reshaped();
-    add_noise(noise, out.sd.col(k), random, out.replicated.col(k));
+    add_noise(noise, plan.measured, out.sd.col(k), random, out.replicated.col(k));
   }
   return out;
 }
@@ -150,7 +151,9 @@ Prediction summarise(const PredictedDraws& predicted) {
   // Means without noise, intervals with it.
   const Eigen::VectorXd mean = predicted.expected.rowwise().mean();
   Eigen::VectorXd sd(mean.size());
-  for (Eigen::Index i = 0; i < sd.size(); ++i) sd[i] = robust_sd(predicted.replicated.row(i));
+  for (Eigen::Index i = 0; i < sd.size(); ++i)
+    sd[i] = std::isinf(predicted.sd(i, 0)) ? predicted.sd(i, 0)
+                                           : robust_sd(predicted.replicated.row(i));
   const Eigen::Index trials = mean.size() / 3;
   return compare_forces(
       predicted.experiment, Eigen::Map<const Eigen::Matrix3Xd>(mean.data(), 3, trials),
@@ -171,8 +174,9 @@ Eigen::MatrixXd replicated_forces(const HandPosterior& posterior, const Eigen::M
     for (Eigen::Index k = 0; k < x.cols(); ++k) {
       RandomStream random(seed, static_cast<std::uint32_t>(k), static_cast<std::uint32_t>(e),
                           kReplicate);
-      add_noise(noise, values.noise(static_cast<Eigen::Index>(e), k) * plans[e].sd.reshaped(),
-                random, forces.col(k).segment(first, count));
+      add_noise(noise, plans[e].measured,
+                values.noise(static_cast<Eigen::Index>(e), k) * plans[e].sd.reshaped(), random,
+                forces.col(k).segment(first, count));
     }
     first += count;
   }

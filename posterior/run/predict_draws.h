@@ -13,9 +13,9 @@ namespace thenar {
 struct PredictedDraws {
   Experiment experiment;
   std::string specimen;         // of the parameters; empty: a new specimen of the population
-  Eigen::MatrixXd expected;     // forces without noise [N] (3 trials, draws)
+  Eigen::MatrixXd expected;     // forces without noise; 0 if not fitted [N] (3 trials, draws)
   Eigen::MatrixXd replicated;   // what a repeated measurement would read [N] (3 trials, draws)
-  Eigen::MatrixXd sd;           // of the noise [N] (3 trials, draws)
+  Eigen::MatrixXd sd;           // of the noise; infinite if not fitted [N] (3 trials, draws)
   bool calibrated_on_specimen;  // the subject of the prior was calibrated on this specimen
 };
 

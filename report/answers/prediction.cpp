@@ -7,6 +7,22 @@
 namespace thenar {
 namespace {
 
+/// Components side by side, "-" for one that is not fitted.
+std::string in_columns(const Eigen::Vector3d& v, int components, int width, int digits) {
+  std::string text;
+  for (int i = 0; i < 3; ++i)
+    text += i < components ? fmt::format("{:{}.{}f}", v[i], width, digits)
+                           : fmt::format("{:>{}}", "-", width);
+  return text;
+}
+
+/// The same as cells of a table, empty for one that is not fitted.
+std::vector<std::string> component_cells(const Eigen::Vector3d& v, int components) {
+  std::vector<std::string> list = cells(v.head(components), 6);
+  list.resize(3);
+  return list;
+}
+
 std::string experiment_text(const PredictedExperiment& one) {
   const Prediction& prediction = one.prediction;
   std::string text = fmt::format("{}: specimen {} {}\n", prediction.experiment,
@@ -18,12 +34,11 @@ std::string experiment_text(const PredictedExperiment& one) {
   text += fmt::format("  {:<12} {:<10} {:>24} {:>24} {:>20} {:>7} {:>6}\n", "posture", "loads",
                       "measured [N]", "predicted [N]", "sd [N]", "err [N]", "deg");
   for (const PredictedTrial& t : prediction.trials)
-    text += fmt::format(
-        "  {:<12} {:<10} {:8.3f}{:8.3f}{:8.3f} {:8.3f}{:8.3f}{:8.3f}   {:6.2f}{:6.2f}{:6.2f} "
-        "{:7.3f} {:6.1f}\n",
-        t.posture, t.loads, t.measured.x(), t.measured.y(), t.measured.z(), t.predicted.x(),
-        t.predicted.y(), t.predicted.z(), t.sd.x(), t.sd.y(), t.sd.z(),
-        (t.predicted - t.measured).norm(), degrees(direction_error(t)));
+    text += fmt::format("  {:<12} {:<10} {} {}   {} {:7.3f} {:6.1f}\n", t.posture, t.loads,
+                        in_columns(t.measured, t.components, 8, 3),
+                        in_columns(t.predicted, t.components, 8, 3),
+                        in_columns(t.sd, t.components, 6, 2), (t.predicted - t.measured).norm(),
+                        degrees(direction_error(t)));
   text += fmt::format(
       "  RMS error {:.3f} N, relative error {:.3f}, median direction error "
       "{:.1f} deg\n",
@@ -40,9 +55,9 @@ Json experiment_json(const PredictedExperiment& one) {
   for (const PredictedTrial& trial : prediction.trials)
     vectors.push_back({{"posture", trial.posture},
                        {"loads", trial.loads},
-                       {"measured_N", to_json(trial.measured)},
-                       {"predicted_N", to_json(trial.predicted)},
-                       {"sd_N", to_json(trial.sd)},
+                       {"measured_N", to_json(trial.measured.head(trial.components))},
+                       {"predicted_N", to_json(trial.predicted.head(trial.components))},
+                       {"sd_N", to_json(trial.sd.head(trial.components))},
                        {"error_N", (trial.predicted - trial.measured).norm()},
                        {"direction_error_deg", degrees(direction_error(trial))}});
   return {{"experiment", prediction.experiment},
@@ -99,9 +114,9 @@ Table table_of(const PredictResult& result) {
     for (const PredictedTrial& trial : one.prediction.trials)
       table.rows.push_back(row({{one.prediction.experiment, one.experiment.specimen, trial.posture,
                                  trial.loads, component_names(one.experiment)},
-                                cells(trial.measured, 6),
-                                cells(trial.predicted, 6),
-                                cells(trial.sd, 6),
+                                component_cells(trial.measured, trial.components),
+                                component_cells(trial.predicted, trial.components),
+                                component_cells(trial.sd, trial.components),
                                 {shown((trial.predicted - trial.measured).norm(), 6),
                                  shown(degrees(direction_error(trial)), 3)}}));
   return table;

@@ -70,13 +70,14 @@ Json predictive_block(const PredictedForces& predicted) {
   for (Eigen::Index i = 0; i < trials; ++i) {
     const Trial& trial = experiment.trials[static_cast<std::size_t>(i)];
     Json values = Json::array();
-    for (int c = 0; c < 3; ++c)
+    for (int c = 0; c < experiment.components; ++c)
       values.push_back(value_of(trial.force[c], predicted.replicated.row(3 * i + c), coverage));
     group_of(trial.posture, groups)["rows"].push_back(
         {{"name", loads_of(trial)}, {"values", values}});
   }
   Json components = Json::array();
-  for (int c = 0; c < 3; ++c) components.push_back(component_name(experiment, c));
+  for (int c = 0; c < experiment.components; ++c)
+    components.push_back(component_name(experiment, c));
   return {
       {"type", "predictive"},
       {"caption",

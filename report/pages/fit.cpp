@@ -181,7 +181,7 @@ std::string introduction(const FitResult& result) {
       "The {} of {} was fitted to {} measured force components of {}. A fit moves the "
       "parameters of the digit within their priors until the predicted forces agree with the "
       "measured ones.",
-      digit_words(fit), fit.inputs.subject.path, data_rows(fit.problem), names_of(result));
+      digit_words(fit), fit.inputs.subject.path, measured_numbers(fit.problem), names_of(result));
   return text + (result.left_out.empty()
                      ? " All errors are in sample: of forces that the fit has seen. "
                        "--cross-validate posture, tendon or specimen asks for errors of forces "
@@ -236,7 +236,7 @@ Json open_directions(const Fit& fit, const std::string& whose) {
   return table_block(
       fmt::format("{}: along {} of {} directions no measured force changes, and the prior alone "
                   "decides them ({} force components were measured)",
-                  whose, rows.size(), fit.problem.size(), data_rows(fit.problem)),
+                  whose, rows.size(), fit.problem.size(), measured_numbers(fit.problem)),
       {{"direction, in prior sds", ""}}, rows);
 }
 

@@ -1,5 +1,7 @@
 #include "report/pages/prediction.h"
 
+#include <algorithm>
+
 #include <fmt/format.h>
 
 #include "base/units.h"
@@ -25,7 +27,7 @@ Json arrow(const PredictedTrial& trial, const Plane& plane) {
   Json out{{"group", trial.loads},
            {"measured", pick(trial.measured)},
            {"predicted", pick(trial.predicted)}};
-  if (trial.sd.minCoeff() > 0) out["predicted_sd"] = pick(trial.sd);
+  if (trial.sd.head(trial.components).minCoeff() > 0) out["predicted_sd"] = pick(trial.sd);
   return out;
 }
 
@@ -66,7 +68,7 @@ Json trial_table(const PredictedExperiment& one) {
   for (const PredictedTrial& t : one.prediction.trials) {
     Json cells = Json::array({t.posture, t.loads});
     for (const Eigen::Vector3d& v : {t.measured, t.predicted, t.sd})
-      for (const double value : v) cells.push_back(value);
+      for (int i = 0; i < 3; ++i) cells.push_back(i < t.components ? Json(v[i]) : Json(nullptr));
     cells.push_back((t.predicted - t.measured).norm());
     cells.push_back(degrees(direction_error(t)));
     rows.push_back(std::move(cells));
@@ -78,7 +80,7 @@ Json trial_table(const PredictedExperiment& one) {
   columns.push_back({"error", "N", 3});
   columns.push_back({"angle", "deg", 1});
   Json table =
-      table_block(fmt::format("Every trial; components 1, 2 and 3 are ({}) of {}",
+      table_block(fmt::format("Every trial; its components are ({}) of {}",
                               component_names(one.experiment), one.experiment.force_segment),
                   columns, rows);
   table["search"] = true;
@@ -88,12 +90,16 @@ Json trial_table(const PredictedExperiment& one) {
 }  // namespace
 
 Json force_panels(const Prediction& prediction, const std::string& caption) {
+  // The lateral plane needs the component across the plane of flexion.
+  const bool in_space = std::all_of(prediction.trials.begin(), prediction.trials.end(),
+                                    [](const PredictedTrial& t) { return t.components == 3; });
   Json planes = Json::array();
   for (const Plane& plane : kPlanes)
-    planes.push_back({{"name", plane.name},
-                      {"x_label", plane.x_label},
-                      {"y_label", plane.y_label},
-                      {"panels", panels(prediction, plane)}});
+    if (in_space || plane.x < 2)
+      planes.push_back({{"name", plane.name},
+                        {"x_label", plane.x_label},
+                        {"y_label", plane.y_label},
+                        {"panels", panels(prediction, plane)}});
   return {{"type", "vectors"}, {"caption", caption}, {"planes", planes}};
 }
 
@@ -102,6 +108,7 @@ Prediction in_digit_axes(Prediction prediction, const Experiment& experiment) {
   for (PredictedTrial& trial : prediction.trials) {
     trial.measured = to_digit * trial.measured;
     trial.predicted = to_digit * trial.predicted;
+    trial.sd.tail(3 - trial.components).setZero();  // infinite: nothing is known of them
     trial.sd = to_digit.cwiseAbs() * trial.sd;
   }
   return prediction;

@@ -87,7 +87,7 @@ TEST(ForceNoise, IsAProperDensity) {
     for (int i = 0; i < kSteps; ++i) {
       const double a = (i + 0.5) / kSteps * kPi / 2, r = std::tan(a);
       const double shell = 4 * kPi * r * r / std::pow(std::cos(a), 2) * (kPi / 2 / kSteps);
-      sum += shell * std::exp(model.log_constant + model.tail(r * r).log_density);
+      sum += shell * std::exp(model.log_constant(3) + model.tail(r * r).log_density);
     }
     EXPECT_NEAR(sum, 1, 1e-6) << robust;
   }
