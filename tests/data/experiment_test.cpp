@@ -7,6 +7,7 @@
 #include <gtest/gtest.h>
 
 #include "base/error.h"
+#include "base/numbers.h"
 #include "tests/matrix_near.h"
 
 namespace thenar {
@@ -113,6 +114,46 @@ TEST(ExperimentErrors, UnknownComponent) {
 TEST(ExperimentErrors, ComponentsAlongOneDirection) {
   EXPECT_EQ(experiment_refusal("palmar", "distal"),
             "e.toml:11: wanted 'components' along three different directions");
+}
+
+const std::string kThree = "components = [\"-proximal\", \"palmar\", \"radial\"]";
+
+TEST(ExperimentErrors, TwoComponentsAcrossThePlaneOfFlexion) {
+  EXPECT_EQ(experiment_refusal(kThree, "components = [\"proximal\", \"radial\"]"),
+            "e.toml:11: wanted 2 'components' in the plane of flexion: one proximal or distal, one "
+            "dorsal or palmar");
+}
+
+TEST(ExperimentErrors, NotModelledInThePlane) {
+  EXPECT_EQ(experiment_refusal(kThree, kThree + "\nnot_modelled = \"dorsal\""),
+            "e.toml:12: wanted 'not_modelled' to be the component across the plane of flexion, "
+            "radial or ulnar");
+}
+
+TEST(ExperimentErrors, NotModelledAndNotMeasured) {
+  EXPECT_EQ(experiment_refusal(kThree,
+                               "components = [\"proximal\", \"dorsal\"]\n"
+                               "not_modelled = \"radial\""),
+            "e.toml:12: 'not_modelled' names none of 'components'");
+}
+
+TEST(ExperimentErrors, ThreeForcesForTwoComponents) {
+  EXPECT_EQ(experiment_refusal(kThree, "components = [\"proximal\", \"dorsal\"]").substr(0, 10),
+            "e.toml:20:");
+}
+
+// The second of three is not fitted: of the others the order stays, and nothing is known of it.
+TEST(ExperimentFileComponents, LeaveOutWhatIsNotModelled) {
+  const Experiment experiment = parse_experiment(
+      broken(kThree,
+             "components = [\"palmar\", \"ulnar\", \"proximal\"]\nnot_modelled = \"radial\""),
+      "e.toml");
+  EXPECT_EQ(experiment.components, 2);
+  EXPECT_EQ(experiment.axes_of_digit.row(0), Eigen::RowVector3i(0, -1, 0));
+  EXPECT_EQ(experiment.axes_of_digit.row(1), Eigen::RowVector3i(1, 0, 0));
+  EXPECT_EQ(experiment.trials[0].force, Vector3d(1, 0, 0));
+  const Vector3d sd = force_sd(experiment, experiment.trials[1]);
+  EXPECT_EQ(sd, Vector3d(0.1, 0.3, kInfinity));
 }
 
 TEST(ExperimentErrors, UndefinedPosture) {

@@ -113,6 +113,111 @@ range_mm = 30
 )");
 }
 
+/// A finger of three parallel axes with two flexors and one extensor; x proximal, y dorsal.
+inline const std::string kPlanarFinger = R"(name = "planar"
+side = "right"
+base = "MC2"
+source = "Mine"
+[sources]
+Mine = "made up"
+[[segment]]
+name = "MC2"
+[[segment]]
+name = "PP2"
+[[segment]]
+name = "MP2"
+[[segment]]
+name = "DP2"
+[[joint]]
+name = "MCP2_FE"
+parent = "MC2"
+child = "PP2"
+direction = [0, 0, 1]
+point_mm = [90, 0, 0]
+[[joint]]
+name = "PIP2"
+parent = "PP2"
+child = "MP2"
+direction = [0, 0, 1]
+point_mm = [45, 0, 0]
+[[joint]]
+name = "DIP2"
+parent = "MP2"
+child = "DP2"
+direction = [0, 0, 1]
+point_mm = [20, 0, 0]
+[[strand]]
+name = "FDP"
+path = [{segment = "DP2", point_mm = [14, -4, 0]}, {segment = "MP2", point_mm = [28, -5, 0]},
+        {segment = "MP2", point_mm = [40, -6, 0]}, {segment = "PP2", point_mm = [54, -7, 0]},
+        {segment = "PP2", point_mm = [80, -9, 0]}, {segment = "MC2", point_mm = [98, -10, 0]}]
+[[strand]]
+name = "FDS"
+path = [{segment = "MP2", point_mm = [38, -6, 0]}, {segment = "PP2", point_mm = [55, -8, 0]},
+        {segment = "PP2", point_mm = [80, -10, 0]}, {segment = "MC2", point_mm = [98, -12, 0]}]
+[[muscle]]
+name = "FDP"
+[[muscle]]
+name = "FDS"
+[[digit]]
+name = "index"
+tip_segment = "DP2"
+tip_mm = [0, -4, 0]
+proximal = [1, 0, 0]
+dorsal = [0, 1, 0]
+)";
+
+/// Forces of that finger in its plane.
+/// @param force  the table [force] without its segment;  @param first  forces of the first row;
+/// @param second  and of the second
+inline std::string planar_trials(const std::string& force, const std::string& first,
+                                 const std::string& second) {
+  return R"(name = "planar_forces"
+digit = "index"
+source = "Mine"
+[sources]
+Mine = "made up"
+[protocol]
+hold = "pinned"
+[noise]
+floor_N = 0.05
+[force]
+segment = "DP2"
+)" + force +
+         R"(
+[[posture]]
+name = "bent"
+angles_deg = {MCP2_FE = 30, PIP2 = 45, DIP2 = 20}
+[[posture]]
+name = "hook"
+angles_deg = {MCP2_FE = 10, PIP2 = 70, DIP2 = 40}
+[trials]
+rows = [
+  {posture = "bent", tension_N = {FDP = 10}, force_N = )" +
+         first + R"(},
+  {posture = "hook", tension_N = {FDS = 8, FDP = 3}, force_N = )" +
+         second + R"(},
+]
+)";
+}
+
+/// The planar finger on two components, its tendon paths free.
+inline FitSetup planar_finger(
+    const std::string& trials = planar_trials("components = ['proximal', 'dorsal']", "[-0.6, -1.2]",
+                                              "[-0.9, -1]")) {
+  FitSetup setup{build_tendon_digit(parse_subject(kPlanarFinger, "planar.toml"), "index"), {}, {}};
+  setup.experiments = {parse_experiment(trials, "trials.toml")};
+  setup.parameters =
+      choose_parameters(setup.digit, postures_of(setup.experiments.front()), settings(R"(
+[[parameter]]
+match = "path/FD?/*/dorsal"
+state = "free"
+sd_mm = 0.7
+between_sd_mm = 0.9
+)"));
+  return setup;
+}
+
 /// Standard normal numbers.
 inline Eigen::VectorXd normal(Eigen::Index size, std::mt19937& rng) {
   std::normal_distribution<double> one;

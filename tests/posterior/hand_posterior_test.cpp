@@ -128,7 +128,8 @@ state = "free"
 range_mm = 2
 )");
   for (const double robust : {0.0, 2.5}) {
-    for (const FitProblem& problem : {setup.problem(robust), sample::thumb_problem()}) {
+    for (const FitProblem& problem : {setup.problem(robust), sample::thumb_problem(),
+                                      sample::planar_finger().problem(robust)}) {
       const HandPosterior posterior(problem, plain());
       ASSERT_EQ(posterior.size(), problem.size());
       for (const unsigned seed : {1U, 2U}) {
