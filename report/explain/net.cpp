@@ -2,11 +2,9 @@
 
 #include <fmt/format.h>
 
-#include "apps/explanation.h"
-#include "apps/file_summary.h"
 #include "base/nearest_name.h"
 #include "base/units.h"
-#include "report/table.h"
+#include "report/explain/explanation.h"
 
 namespace thenar {
 namespace {
@@ -131,7 +129,7 @@ Section explain_slips(const NetDescription& net) {
 
 /// What is assumed by a hood that is a net, and on the rungs below of which it is an alternative.
 Section explain_tiers(const NetDescription& net) {
-  Section section{"assumes", "Assumed, by the rung of the hood", {}, {{"rung", "assumes"}, {}}};
+  Section section{"assumes", "Assumptions, by the rung of the hood", {}, {{"rung", "assumes"}, {}}};
   for (const Hood hood : {Hood::kSeparate, Hood::kFractions, Hood::kFloatingNet})
     for (const RungWords& words : explain(Fidelity(hood)))
       if (words.ladder == "hood") section.table.rows.push_back({words.rung, words.assumes});

@@ -2,11 +2,10 @@
 
 #include <fmt/format.h>
 
-#include "api/posture.h"
-#include "apps/explanation.h"
 #include "base/nearest_name.h"
 #include "base/provenance.h"
-#include "kinematics_fit/prediction.h"
+#include "base/units.h"
+#include "report/explain/explanation.h"
 
 namespace thenar {
 namespace {
@@ -24,27 +23,25 @@ Section explain_status(const Fit& fit) {
           {}};
 }
 
-Section explain_error(const Fit& fit) {
+Section explain_error(const FitExplained& found) {
   Section section{"error",
                   "Error of the trials that were fitted",
                   {},
                   {{"experiment", "trials", "rms_N", "relative_percent", "flexion_plane_percent",
                     "direction_deg"},
                    {}}};
-  for (std::size_t e = 0; e < fit.problem.experiments().size(); ++e) {
-    const Prediction at = predict_fitted(fit.problem, fit.solution.z, static_cast<int>(e));
+  for (const Prediction& at : found.predictions)
     section.table.rows.push_back({at.experiment, std::to_string(at.trials.size()),
                                   shown(at.error.rms, 4), shown(100 * at.error.relative, 1),
                                   shown(100 * at.error.relative_flexion, 1),
                                   shown(at.error.direction / kDegree, 1)});
-  }
   return section;
 }
 
 /// Best known coordinates first.
 Section explain_learnt(const Fit& fit) {
   Section section{"learnt",
-                  "What the data taught, in prior sds; sd 1: nothing",
+                  "What the data taught, in units of the prior's sd; sd_after 1: nothing",
                   {},
                   {{"coordinate", "estimate", "sd_after", "not_identifiable_share"}, {}}};
   for (const int i : sorted_by_sd(fit.covariance)) {
@@ -58,7 +55,7 @@ Section explain_learnt(const Fit& fit) {
 }
 
 /// Free parameters of the population, or of one specimen, in their own units.
-Section explain_values(const Fit& fit, int specimen) {
+Section explain_values(const Fit& fit, const FittedValues& fitted, int specimen) {
   const std::string of =
       specimen < 0 ? "population" : fit.problem.specimens()[static_cast<std::size_t>(specimen)];
   Section section{
@@ -67,7 +64,6 @@ Section explain_values(const Fit& fit, int specimen) {
       {},
       {{"parameter", "unit", "before", "after", "sd_after"}, {}}};
   const FitParameters& parameters = fit.problem.parameters();
-  const FittedValues fitted = fitted_values(fit, specimen);
   for (std::size_t p = 0; p < parameters.all.size(); ++p) {
     const Parameter& parameter = parameters.all[p];
     const auto at = static_cast<Eigen::Index>(p);
@@ -92,14 +88,21 @@ Section explain_provenance(const Fit& fit) {
   return section;
 }
 
+Section explain_writers(const FitExplained& found) {
+  Section section{"versions", "Written by", {}, {{"program", "version"}, {}}};
+  for (const auto& [program, version] : found.written_by)
+    section.table.rows.push_back({program, version});
+  return section;
+}
+
 }  // namespace
 
-Explanation explain(const Fit& fit) {
-  Explanation sections{explain_status(fit), explain_error(fit), explain_provenance(fit),
-                       explain_values(fit, -1)};
-  for (std::size_t s = 0; s < fit.problem.specimens().size(); ++s)
-    sections.push_back(explain_values(fit, static_cast<int>(s)));
+Explanation explain(const Fit& fit, const FitExplained& found) {
+  Explanation sections{explain_status(fit), explain_error(found), explain_provenance(fit)};
+  for (std::size_t v = 0; v < found.values.size(); ++v)  // the population is the first
+    sections.push_back(explain_values(fit, found.values[v], static_cast<int>(v) - 1));
   sections.push_back(explain_learnt(fit));
+  sections.push_back(explain_writers(found));
   return sections;
 }
 

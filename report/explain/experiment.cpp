@@ -6,9 +6,8 @@
 
 #include <fmt/format.h>
 
-#include "api/posture.h"
-#include "apps/explanation.h"
-#include "apps/file_summary.h"
+#include "base/units.h"
+#include "report/explain/explanation.h"
 
 namespace thenar {
 namespace {

@@ -1,34 +1,18 @@
-#include "apps/file_summary.h"
+#include "report/summary.h"
 
-#include <algorithm>
 #include <set>
 
 #include <fmt/format.h>
 
-#include "api/files.h"
 #include "base/nearest_name.h"
-#include "data/io/anthropometry.h"
-#include "data/io/experiment.h"
-#include "data/io/file_kind.h"
-#include "data/io/fit_settings.h"
-#include "data/io/mesh/repair_shape.h"
-#include "data/io/net_description.h"
-#include "data/io/robot/robot.h"
-#include "data/io/world/world.h"
-#include "geometry/solid.h"
-#include "kinematics_fit/fit.h"
 #include "report/table.h"
-#include "tendons/tendon_model.h"
 
 namespace thenar {
 namespace {
 
 std::string summary(const Subject& subject) {
   std::vector<std::string> digits;
-  for (const Digit& digit : subject.digits) {
-    (void)build_tendon_digit(subject, digit.name);  // throws if tendons and bones do not fit
-    digits.push_back(digit.name);
-  }
+  for (const Digit& digit : subject.digits) digits.push_back(digit.name);
   std::string text = fmt::format(
       "subject '{}': {}, {}, {}, {}", subject.name, counted(subject.segments.size(), "segment"),
       counted(subject.joints.size(), "joint"), counted(subject.muscles.size(), "muscle"),
@@ -82,24 +66,15 @@ std::string summary(const Fit& fit) {
 }
 
 std::string summary(const BodySpec& body) {
-  (void)build_solid(body.shapes);  // throws if a mesh has holes
   std::vector<std::string> kinds;
   for (const ShapeSpec& shape : body.shapes) kinds.push_back(name_of(shape.kind));
-  std::vector<std::string> warnings;
-  note_turned(body.shapes, fmt::format("object '{}'", body.name), warnings);
-  std::string text =
-      fmt::format("object '{}': {} ({}), material {}", body.name, counted(kinds.size(), "shape"),
-                  listed(kinds), body.material.empty() ? "unknown" : body.material);
-  for (const std::string& warning : warnings) text += "; warning: " + warning;
-  return text;
+  return fmt::format("object '{}': {} ({}), material {}", body.name, counted(kinds.size(), "shape"),
+                     listed(kinds), body.material.empty() ? "unknown" : body.material);
 }
 
 std::string summary(const WorldSpec& world) {
   std::size_t objects = 0;
-  for (const PlacedBody& placed : world.bodies) {
-    (void)build_solid(placed.body.shapes);
-    objects += placed.dynamic ? 1 : 0;
-  }
+  for (const PlacedBody& placed : world.bodies) objects += placed.dynamic ? 1 : 0;
   std::vector<std::string> hands;
   for (const PlacedHand& hand : world.hands) hands.push_back(hand.name);
   return fmt::format("world '{}': {} ({}), {}, {}", world.name, counted(hands.size(), "hand"),
@@ -114,41 +89,29 @@ std::string summary(const Materials& materials) {
 }
 
 std::string summary(const RobotSpec& robot) {
-  for (const RobotLink& link : robot.links)
-    for (const ShapeSpec& shape : link.shapes)
-      require_solid(shape, fmt::format("link '{}'", link.name));
   return fmt::format("robot '{}': {}, {}, {}", robot.name, counted(robot.links.size(), "link"),
                      counted(robot.joints.size(), "joint"), counted(robot.dofs.size(), "motor"));
 }
 
+std::string summary(const PosteriorRun& run) {
+  const FitProblem& problem = run.posterior->problem();
+  return fmt::format(
+      "posterior of {} from {}: {}, {}", listed(problem.specimens()), run.inputs.subject.path,
+      counted(static_cast<std::size_t>(problem.size()), "coordinate"), describe_run(run));
+}
+
+std::string summary(const ResultFile& motion) {
+  return fmt::format("motion of the {} of '{}': {}, {}, {}", motion.text("digit"),
+                     motion.text("subject"),
+                     counted(motion.arrays.at("time").values.size(), "instant"),
+                     counted(motion.list("name/joint").size(), "joint"),
+                     counted(motion.list("name/muscle").size(), "muscle"));
+}
+
 }  // namespace
 
-std::string summarise_file(const std::string& path) {
-  for (const std::string& warning : checksum_warnings(path))
-    fmt::print(stderr, "thenar: warning: {}\n", warning);
-  switch (find_file_kind(path)) {
-    case FileKind::kSubject:
-      return summary(read_subject(path));
-    case FileKind::kExperiment:
-      return summary(read_experiment(path));
-    case FileKind::kFitSettings:
-      return summary(read_fit_settings(path));
-    case FileKind::kProportions:
-      return summary(read_proportions(path));
-    case FileKind::kNet:
-      return summary(read_net(path));
-    case FileKind::kResult:
-      return summary(read_fit(path));
-    case FileKind::kObject:
-      return summary(read_object(path));
-    case FileKind::kWorld:
-      return summary(read_world(path));
-    case FileKind::kMaterials:
-      return summary(read_materials(path, built_in_materials()));
-    case FileKind::kRobot:
-      return summary(read_robot(path));
-  }
-  return "";
+std::string summary_of(const Thing& thing) {
+  return std::visit([](const auto& each) { return summary(each); }, thing);
 }
 
 }  // namespace thenar

@@ -4,11 +4,8 @@
 
 #include <fmt/format.h>
 
-#include "apps/explanation.h"
-#include "apps/file_summary.h"
 #include "base/nearest_name.h"
-#include "tendons/explain_digit.h"
-#include "tendons/linear_tendons.h"
+#include "report/explain/explanation.h"
 
 namespace thenar {
 namespace {
@@ -46,8 +43,10 @@ Section explain_dropped(const DigitExplanation& says) {
 }
 
 Section explain_rungs(const Fidelity& fidelity) {
-  Section section{
-      "fidelity", "Built with, and so assumed", {}, {{"ladder", "rung", "assumes"}, {}}};
+  Section section{"fidelity",
+                  "Assumptions of the model that is built",
+                  {},
+                  {{"ladder", "rung", "assumes"}, {}}};
   for (const RungWords& words : explain(fidelity))
     section.table.rows.push_back({words.ladder, words.rung, words.assumes});
   return section;
@@ -89,6 +88,56 @@ Section explain_muscles(const Subject& subject, const std::vector<std::string>& 
   return section;
 }
 
+Section explain_costs(const std::vector<QuestionCost>& costs) {
+  Section section{"cost",
+                  "Cost of one evaluation: medians, one thread, this machine, now",
+                  {},
+                  {{"question", "rung", "median_us", "per_second"}, {}}};
+  for (const QuestionCost& cost : costs)
+    section.table.rows.push_back(
+        {cost.question, cost.rung, shown(1e6 * cost.seconds), shown(1 / cost.seconds)});
+  return section;
+}
+
+/// "free", "fixed", or "tied to 0.5 friction/FDP".
+std::string state_of(const FitParameters& fit, std::size_t p) {
+  const int coordinate = fit.coordinate[p];
+  if (coordinate < 0) return "fixed";
+  const int leader = fit.leader[static_cast<std::size_t>(coordinate)];
+  if (leader == static_cast<int>(p)) return "free";
+  const std::string ratio = fit.ratio[p] == 1 ? "" : shown(fit.ratio[p]) + " ";
+  return fmt::format("tied to {}{}", ratio, fit.all[static_cast<std::size_t>(leader)].name);
+}
+
+/// Every number that a fit may move, and what is believed of it beforehand.
+Section explain_parameters(const DigitExplained& digit) {
+  Section section{"parameters", "Parameters of a fit, under settings " + digit.settings, {}, {}};
+  const FitParameters& fit = digit.parameters;
+  if (!digit.settings_trouble.empty())
+    section.lines = {
+        fmt::format("these settings do not suit this digit: {}", digit.settings_trouble),
+        "without them, all are fixed and have these priors:"};
+  section.lines.push_back(
+      fmt::format("{} parameters, {} coordinates; '{}' stands for each posture of an "
+                  "experiment",
+                  fit.all.size(), fit.coordinates(), kEachPosture));
+  section.lines.push_back(
+      "sd: of the population's mean; between_sd: from one specimen to the next");
+  section.table.header = {"parameter",  "unit",  "prior_mean", "sd",
+                          "between_sd", "lower", "upper",      "state"};
+  for (std::size_t p = 0; p < fit.all.size(); ++p) {
+    const Parameter& parameter = fit.all[p];
+    const double scale = display_scale(parameter);
+    std::vector<std::string> cells{parameter.name, display_unit(parameter)};
+    for (const double value :
+         {parameter.mean, parameter.sd, parameter.between_sd, parameter.lower, parameter.upper})
+      cells.push_back(shown(value * scale));
+    cells.push_back(state_of(fit, p));
+    section.table.rows.push_back(cells);
+  }
+  return section;
+}
+
 /// A digit of which nothing but published maps is known.
 Explanation explain_maps(const Subject& subject, const std::string& digit) {
   Section maps{"tip_maps", "Published maps from tendon tensions to the tip's wrench", {}, {}};
@@ -106,32 +155,25 @@ Explanation explain_maps(const Subject& subject, const std::string& digit) {
 
 }  // namespace
 
-Explanation explain(const Subject& subject, const std::string& digit, const SourceText& settings,
-                    Path path) {
-  Section header{"subject", fmt::format("{} of subject '{}'", digit, subject.name), {}, {}};
+Explanation explain(const Subject& subject, const DigitExplained& says) {
+  Section header{"subject", fmt::format("{} of subject '{}'", says.digit, subject.name), {}, {}};
   header.lines = {subject.description,
                   fmt::format("{} hand; the base, {}, does not move", subject.side, subject.base)};
   if (subject.base.empty()) header.lines.back() = subject.side + " hand";
-  bool bones = false;
-  for (const Digit& d : subject.digits) bones = bones || d.name == digit;
   Explanation explanation{header};
-  if (!bones) {
-    for (Section& section : explain_maps(subject, digit)) explanation.push_back(section);
+  if (says.tendons == nullptr) {
+    for (Section& section : explain_maps(subject, says.digit)) explanation.push_back(section);
     return explanation;
   }
 
-  TendonOptions options;
-  options.path = path;
-  const auto tendons = build_linear_tendons(subject, digit, options);
-  const TendonDigit& built = tendons->digit();
-  const DigitExplanation says = explain_digit(subject, digit, options, built);
-  explanation.push_back(explain_kept(says));
-  explanation.push_back(explain_dropped(says));
-  explanation.push_back(explain_muscles(subject, says.muscles));
+  const TendonDigit& built = says.tendons->digit();
+  explanation.push_back(explain_kept(says.parts));
+  explanation.push_back(explain_dropped(says.parts));
+  explanation.push_back(explain_muscles(subject, says.parts.muscles));
   explanation.push_back(explain_rungs(built.fidelity));
   explanation.push_back(explain_questions(built));
-  explanation.push_back(explain_cost(subject, digit, built));
-  explanation.push_back(explain_parameters(built, settings));
+  explanation.push_back(explain_costs(says.costs));
+  explanation.push_back(explain_parameters(says));
   return explanation;
 }
 

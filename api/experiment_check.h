@@ -1,0 +1,29 @@
+#pragma once
+
+/// Whether an experiment suits a subject, before anything is fitted.
+
+#include <string>
+#include <vector>
+
+#include "data/io/experiment.h"
+#include "data/io/subject.h"
+#include "kinematics_fit/fit.h"
+
+namespace thenar {
+
+/// Sentences, each with its line in the experiment's file: "H01.toml:31: posture 'Hook' ..".
+struct SubjectMatch {
+  std::vector<std::string> misfits;  // why no fit can be made
+  std::vector<std::string> doubts;   // what may be right, but is worth a look
+};
+
+/// Compares names of digit, joints, muscles and segment; then whether the subject has been
+/// calibrated on the specimen, and in every posture joint limits and how straight the finger is; in
+/// every trial whether tensions and forces are plausible:
+///   |force| <= sum of tensions + 2 sds  levers of a finger are shorter for tendons than for forces
+///   median angle to the subject's own prediction < 90 deg
+/// @param experiment  its text and path
+/// @throws DataError if the experiment cannot be read.
+[[nodiscard]] SubjectMatch check_experiment(const SourceText& experiment, const Subject& subject);
+
+}  // namespace thenar

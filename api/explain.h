@@ -1,0 +1,70 @@
+#pragma once
+
+/// What a file makes thenar do: what is built and dropped, assumed and spent, fitted and found.
+
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "api/things.h"
+#include "base/fidelity.h"
+#include "kinematics_fit/fit_parameters.h"
+#include "kinematics_fit/prediction.h"
+#include "tendons/explain_digit.h"
+#include "tendons/linear_tendons.h"
+
+namespace thenar {
+
+/// Which thing, and what of it.
+struct ExplainRequest {
+  std::string thing;         // a file, or the name of something that comes with thenar
+  std::string digit;         // of a subject; empty: the only one that it has
+  std::string settings;      // file of fit settings for a subject; empty: the built-in ones
+  std::optional<Path> path;  // of a subject's tendons; absent: via points
+  std::string data;          // folder with subjects/ ..; empty: the usual ones
+};
+
+/// What one question about a digit costs on this machine, in the middle of the joints' ranges.
+struct QuestionCost {
+  std::string question;
+  std::string rung;
+  double seconds;  // median wall time of a call, one thread [s]
+};
+
+/// One digit of a subject, built and measured.
+struct DigitExplained {
+  std::string digit;
+  std::shared_ptr<const DigitTendons> tendons;  // null where nothing but tip maps are known
+  DigitExplanation parts;                       // kept and dropped
+  std::vector<QuestionCost> costs;
+  std::string settings;          // path of the fit settings
+  std::string settings_trouble;  // why they do not suit the digit; empty: they do
+  FitParameters parameters;      // under these settings, or with all fixed
+};
+
+/// What a fit found, recomputed.
+struct FitExplained {
+  std::vector<Prediction> predictions;            // of the experiments that were fitted
+  std::vector<FittedValues> values;               // of the population, then of each specimen
+  std::map<std::string, std::string> written_by;  // program -> version
+};
+
+/// A thing, with what asking it takes.
+struct ThingExplained {
+  std::string path;
+  Thing thing;
+  std::optional<DigitExplained> digit;  // of a subject
+  std::optional<FitExplained> fit;      // of a fit
+  std::vector<std::string> warnings;
+};
+
+/// Name of the posture that stands for all postures of an experiment among parameters.
+inline constexpr const char* kEachPosture = "<posture>";
+
+/// Reads a thing; builds the digit of a subject and times what can be asked of it.
+/// @throws InputError or DataError where something is not to be found or wrong.
+[[nodiscard]] ThingExplained explain_thing(const ExplainRequest& request);
+
+}  // namespace thenar

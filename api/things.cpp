@@ -1,0 +1,89 @@
+#include "api/things.h"
+
+#include <algorithm>
+#include <filesystem>
+
+#include <fmt/format.h>
+
+#include "api/data_folders.h"
+#include "base/error.h"
+#include "base/file_io.h"
+#include "base/nearest_name.h"
+#include "base/run_record.h"
+#include "data/io/robot/import_robot.h"
+#include "posterior/run/posterior_file.h"
+
+namespace thenar {
+namespace {
+
+/// Names of things of all kinds.
+std::vector<std::string> all_names(const std::vector<std::string>& places) {
+  std::vector<std::string> names;
+  for (const ThingKind& kind : thing_kinds())
+    for (std::string& name : names_in(places, kind.folder, kind.ending))
+      names.push_back(std::move(name));
+  return names;
+}
+
+Thing read_robot_of(const std::string& path, const std::string& format) {
+  return format == "TOML" ? read_robot(path) : import_robot(path);
+}
+
+}  // namespace
+
+const std::vector<ThingKind>& thing_kinds() {
+  static const std::vector<ThingKind> kinds{
+      {"subjects", "subject", "subjects", ".toml"},
+      {"experiments", "experiment", "experiments", ".toml"},
+      {"worlds", "world", "worlds", ".toml"},
+      {"hands", "robot", "robots", ".toml"},
+      {"objects", "object", "objects", ".toml"},
+      {"nets", "net", "nets", ".toml"},
+      {"contacts", "contacts", "contacts", ".json"},
+      {"settings", "fit settings", "fits", ".toml"},
+      {"proportions", "proportions", "anthropometry", ".toml"}};
+  return kinds;
+}
+
+std::string named_thing(const std::string& name_or_path, const std::string& data) {
+  std::error_code none;
+  if (std::filesystem::exists(name_or_path, none)) return name_or_path;
+  const std::vector<std::string> places = data_folders(data);
+  for (const ThingKind& kind : thing_kinds()) {
+    std::string found = find_in(places, kind.folder + "/" + name_or_path + kind.ending);
+    if (!found.empty()) return found;
+  }
+  const std::filesystem::path path = name_or_path;
+  if (path.has_parent_path() || path.has_extension()) (void)contents_of(name_or_path);
+  const std::string meant = did_you_mean(name_or_path, all_names(places));
+  throw InputError(
+      fmt::format("there is no file '{0}', nor a subject, experiment, world, hand, "
+                  "object or net of that name{1} `thenar list` shows all names",
+                  name_or_path, meant.empty() ? ";" : meant));
+}
+
+Thing read_thing(const std::string& path) {
+  const FileContents file = contents_of(path);
+  if (file.kind == "subject") return read_subject(path);
+  if (file.kind == "experiment") return read_experiment(path);
+  if (file.kind == "fit settings") return read_fit_settings(path);
+  if (file.kind == "proportions") return read_proportions(path);
+  if (file.kind == "net") return read_net(path);
+  if (file.kind == "materials") return read_materials(path, built_in_materials());
+  if (file.kind == "robot") return read_robot_of(path, file.format);
+  if (file.kind == "object" && file.format == "TOML") return read_object(path);
+  if (file.kind == "world" && file.format == "TOML") return read_world(path);
+  if (file.kind == "fit") return read_fit(path);
+  if (file.kind == "posterior") return read_posterior(path);
+  if (file.kind == "motion") return read_result(path);
+  if (file.format == "HDF5") return read_fit(path);  // damaged: its reader says how
+  if (file.format.find("XML") != std::string::npos && !file.kind.empty())
+    throw InputError(fmt::format("'{}' is a {} of another format: thenar import {} reads it", path,
+                                 file.kind, shell_word(path)));
+  require_kind(path, {"data file (TOML, HDF5, netCDF)"});
+  throw DataError(path, 1,
+                  "wanted TOML or HDF5; robots, objects, worlds and meshes of other formats are "
+                  "told by `thenar import`, lists of contacts (JSON) by `thenar quality`");
+}
+
+}  // namespace thenar

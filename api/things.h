@@ -1,0 +1,48 @@
+#pragma once
+
+/// Things that files hold, by file or by name, read: subjects, experiments, nets, worlds ..
+
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "api/files.h"
+#include "data/io/anthropometry.h"
+#include "data/io/experiment.h"
+#include "data/io/fit_settings.h"
+#include "data/io/net_description.h"
+#include "data/io/result_file.h"
+#include "data/io/robot/robot.h"
+#include "data/io/subject.h"
+#include "data/io/world/world.h"
+#include "kinematics_fit/fit.h"
+#include "posterior/run/sample_posterior.h"
+
+namespace thenar {
+
+/// The content of a file; a ResultFile is a motion, as `thenar simulate` writes it.
+using Thing =
+    std::variant<Subject, Experiment, FitSettings, HandProportions, NetDescription, Materials,
+                 RobotSpec, BodySpec, WorldSpec, Fit, PosteriorRun, ResultFile>;
+
+/// What a name that commands take stands for.
+struct ThingKind {
+  std::string plural;  // as `thenar list` takes it: "hands"
+  std::string kind;    // as FileContents has it: "robot"
+  std::string folder;  // of data, where its files are: "robots"
+  std::string ending;  // ".toml"
+};
+
+/// Subjects, experiments, worlds, hands, objects, nets, contacts, settings and proportions.
+[[nodiscard]] const std::vector<ThingKind>& thing_kinds();
+
+/// A file as it is; else the file of that name among all kinds, in the order of thing_kinds().
+/// @param data  folder with subjects/ ..; empty: the usual ones
+/// @throws InputError with the nearest name if there is neither.
+[[nodiscard]] std::string named_thing(const std::string& name_or_path, const std::string& data);
+
+/// Reads a file of any kind in which Thing can hold it.
+/// @throws Error with what is wrong, or which command takes a file of its kind.
+[[nodiscard]] Thing read_thing(const std::string& path);
+
+}  // namespace thenar

@@ -1,0 +1,81 @@
+#include "api/validate.h"
+
+#include <algorithm>
+
+#include <fmt/format.h>
+
+#include "api/digits.h"
+#include "base/error.h"
+#include "data/io/mesh/repair_shape.h"
+#include "geometry/solid.h"
+#include "tendons/tendon_model.h"
+
+namespace thenar {
+namespace {
+
+/// Builds what a thing says; throws where its parts do not fit together.
+void build_thing(const Subject& subject, FileVerdict& /*verdict*/) {
+  for (const Digit& digit : subject.digits) (void)build_tendon_digit(subject, digit.name);
+}
+void build_thing(const BodySpec& body, FileVerdict& verdict) {
+  (void)build_solid(body.shapes);  // throws if a mesh has holes
+  note_turned(body.shapes, fmt::format("object '{}'", body.name), verdict.warnings);
+}
+void build_thing(const WorldSpec& world, FileVerdict& /*verdict*/) {
+  for (const PlacedBody& placed : world.bodies) (void)build_solid(placed.body.shapes);
+}
+void build_thing(const RobotSpec& robot, FileVerdict& /*verdict*/) {
+  for (const RobotLink& link : robot.links)
+    for (const ShapeSpec& shape : link.shapes)
+      require_solid(shape, fmt::format("link '{}'", link.name));
+}
+template <typename Other>
+void build_thing(const Other& /*read whole already*/, FileVerdict& /*verdict*/) {}
+
+FileVerdict verdict_of(const std::string& name, const std::string& data) {
+  FileVerdict verdict;
+  verdict.path = name;
+  try {
+    verdict.path = named_thing(name, data);
+    Thing thing = read_thing(verdict.path);
+    verdict.warnings = checksum_warnings(verdict.path);
+    std::visit([&](const auto& each) { build_thing(each, verdict); }, thing);
+    verdict.thing = std::move(thing);
+  } catch (const Error& error) {
+    verdict.error = error.what();
+  }
+  return verdict;
+}
+
+}  // namespace
+
+bool Validation::valid() const {
+  return std::all_of(files.begin(), files.end(),
+                     [](const FileVerdict& file) { return file.valid(); });
+}
+
+Validation validate(const ValidateRequest& request) {
+  Validation out;
+  Subject subject;
+  if (!request.subject.empty()) {
+    const SourceText source = subject_source(request.subject, request.data);
+    subject = parse_subject(source.text, source.path);
+    out.subject = source.path;
+  }
+  bool held = false;
+  for (const std::string& name : request.things) {
+    out.files.push_back(verdict_of(name, request.data));
+    FileVerdict& file = out.files.back();
+    if (out.subject.empty() || !file.thing || !std::holds_alternative<Experiment>(*file.thing))
+      continue;
+    file.check = check_experiment(read_source(file.path), subject);
+    held = true;
+  }
+  const bool broken = std::any_of(out.files.begin(), out.files.end(),
+                                  [](const FileVerdict& file) { return !file.thing; });
+  require(out.subject.empty() || held || broken,
+          "--subject is what experiments are held to; none of the files is an experiment");
+  return out;
+}
+
+}  // namespace thenar

@@ -1,0 +1,45 @@
+#pragma once
+
+/// What files are, or what is wrong with them and where.
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "api/experiment_check.h"
+#include "api/things.h"
+
+namespace thenar {
+
+/// Which things, and against what.
+struct ValidateRequest {
+  std::vector<std::string> things;  // files, or names of what comes with thenar
+  std::string subject;              // name or file that experiments are to suit; empty: none
+  std::string data;                 // folder with subjects/ ..; empty: the usual ones
+};
+
+/// One thing, read whole: subjects are built digit by digit, bodies as solids, fits are set up
+/// again from their own inputs.
+struct FileVerdict {
+  std::string path;            // of the file that was found, or the name that was asked for
+  std::optional<Thing> thing;  // absent: see `error`
+  std::string error;           // what is wrong; empty: nothing
+  SubjectMatch check;          // of an experiment, where a subject was given
+  std::vector<std::string> warnings;
+
+  [[nodiscard]] bool valid() const { return error.empty() && check.misfits.empty(); }
+};
+
+struct Validation {
+  std::vector<FileVerdict> files;  // in the order of the request
+  std::string subject;             // path of the subject that experiments were held to; empty: none
+
+  [[nodiscard]] bool valid() const;
+};
+
+/// Reads and builds each thing; what is wrong with one does not hinder the others.
+/// @throws InputError or DataError if the subject cannot be read, or no experiment is to be held to
+/// it.
+[[nodiscard]] Validation validate(const ValidateRequest& request);
+
+}  // namespace thenar

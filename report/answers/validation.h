@@ -1,0 +1,18 @@
+#pragma once
+
+/// What files are, or what is wrong with them, a line a file.
+
+#include "api/validate.h"
+#include "report/json.h"
+#include "report/table.h"
+
+namespace thenar {
+
+/// "FILE: what it holds", or its error, which starts with the path; doubts and misfits below.
+[[nodiscard]] std::string text_of(const Validation& validation);
+/// [{"file", "valid", "holds" or "error", ..}].
+[[nodiscard]] OrderedJson json_of(const Validation& validation);
+/// A row a file.
+[[nodiscard]] Table table_of(const Validation& validation);
+
+}  // namespace thenar

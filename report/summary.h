@@ -1,0 +1,14 @@
+#pragma once
+
+/// What a thing is and holds, in a line.
+
+#include <string>
+
+#include "api/things.h"
+
+namespace thenar {
+
+/// "subject 'an_chao_middle': 5 segments, 4 joints, 6 muscles, 1 digit (middle)".
+[[nodiscard]] std::string summary_of(const Thing& thing);
+
+}  // namespace thenar

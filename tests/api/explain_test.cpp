@@ -1,0 +1,43 @@
+// Tests for api/explain.cpp.
+
+#include "api/explain.h"
+
+#include <gtest/gtest.h>
+
+#include "tests/data_folder.h"
+#include "tests/message_of.h"
+
+namespace thenar {
+namespace {
+
+ExplainRequest request_for(const std::string& thing, const std::string& digit = "") {
+  ExplainRequest request;
+  request.thing = thing;
+  request.digit = digit;
+  request.data = kData;
+  return request;
+}
+
+TEST(ExplainThing, BuildsAndTimesTheDigitOfASubject) {
+  const ThingExplained found = explain_thing(request_for("an_chao_index"));
+  ASSERT_TRUE(found.digit.has_value());
+  EXPECT_EQ(found.digit->digit, "index");
+  EXPECT_EQ(found.digit->parts.joints.size(), 4U);  // MCP has two axes, PIP and DIP one each
+  for (const QuestionCost& cost : found.digit->costs) EXPECT_GT(cost.seconds, 0) << cost.question;
+  EXPECT_GT(found.digit->parameters.coordinates(), 0);
+  EXPECT_TRUE(found.digit->settings_trouble.empty());
+}
+
+TEST(ExplainThing, LeavesMapsWithoutBones) {
+  const ThingExplained found = explain_thing(request_for("valero_cuevas_index"));
+  EXPECT_EQ(found.digit->tendons, nullptr);
+}
+
+TEST(ExplainThing, TakesADigitOfSubjectsOnly) {
+  const std::string path = kData + "/nets/winslow.toml";
+  EXPECT_EQ(message_of([] { (void)explain_thing(request_for("winslow", "index")); }),
+            "--digit, --settings and --path explain subjects; '" + path + "' is of kind: net");
+}
+
+}  // namespace
+}  // namespace thenar
