@@ -6,6 +6,7 @@
 #include "base/provenance.h"
 #include "base/units.h"
 #include "report/explain/explanation.h"
+#include "report/parameter_words.h"
 
 namespace thenar {
 namespace {
@@ -43,11 +44,12 @@ Section explain_learnt(const Fit& fit) {
   Section section{"learnt",
                   "What the data taught, in units of the prior's sd; sd_after 1: nothing",
                   {},
-                  {{"coordinate", "estimate", "sd_after", "not_identifiable_share"}, {}}};
+                  {{"coordinate", "estimate", "sd_after", "not_identifiable_share", "means"}, {}}};
   for (const int i : sorted_by_sd(fit.covariance)) {
     const CoordinateEstimate& learnt = fit.covariance.learnt[static_cast<std::size_t>(i)];
-    section.table.rows.push_back(
-        {learnt.name, shown(learnt.z, 3), shown(learnt.sd, 3), shown(learnt.null_share, 3)});
+    section.table.rows.push_back({learnt.name, shown(learnt.z, 3), shown(learnt.sd, 3),
+                                  shown(learnt.null_share, 3),
+                                  or_dash(meaning_of(learnt.name, fit.problem.digit()))});
   }
   for (const NullDirection& null : fit.covariance.null_directions)
     section.lines.push_back(null.text);
@@ -62,7 +64,7 @@ Section explain_values(const Fit& fit, const FittedValues& fitted, int specimen)
       "values_" + of,
       specimen < 0 ? "Free parameters of the population" : "Free parameters of specimen " + of,
       {},
-      {{"parameter", "unit", "before", "after", "sd_after"}, {}}};
+      {{"parameter", "unit", "before", "after", "sd_after", "means"}, {}}};
   const FitParameters& parameters = fit.problem.parameters();
   for (std::size_t p = 0; p < parameters.all.size(); ++p) {
     const Parameter& parameter = parameters.all[p];
@@ -70,7 +72,8 @@ Section explain_values(const Fit& fit, const FittedValues& fitted, int specimen)
     if (parameters.coordinate[p] < 0 || (specimen < 0 && parameter.sd == 0)) continue;
     section.table.rows.push_back({parameter.name, display_unit(parameter),
                                   shown(display_scale(parameter) * parameter.mean),
-                                  shown(fitted.value[at]), shown(fitted.sd[at])});
+                                  shown(fitted.value[at]), shown(fitted.sd[at]),
+                                  or_dash(meaning_of(parameter.name, fit.problem.digit()))});
   }
   return section;
 }
@@ -83,6 +86,10 @@ Section explain_provenance(const Fit& fit) {
   add(fit.inputs.subject);
   add(fit.inputs.settings);
   for (const SourceText& experiment : fit.inputs.experiments) add(experiment);
+  if (!fit.run.arguments.empty())
+    section.lines.push_back(fmt::format("written by: {}, in {}, on {}, by commit {}",
+                                        command_line(fit.run), fit.run.folder, fit.run.date,
+                                        or_dash(fit.run.commit)));
   if (!fit.inputs.also_free.empty())
     section.lines.push_back("also freed: " + listed(fit.inputs.also_free));
   return section;

@@ -6,6 +6,7 @@
 
 #include "base/nearest_name.h"
 #include "report/explain/explanation.h"
+#include "report/parameter_words.h"
 
 namespace thenar {
 namespace {
@@ -123,8 +124,8 @@ Section explain_parameters(const DigitExplained& digit) {
                   fit.all.size(), fit.coordinates(), kEachPosture));
   section.lines.push_back(
       "sd: of the population's mean; between_sd: from one specimen to the next");
-  section.table.header = {"parameter",  "unit",  "prior_mean", "sd",
-                          "between_sd", "lower", "upper",      "state"};
+  section.table.header = {"parameter", "unit",  "prior_mean", "sd",   "between_sd",
+                          "lower",     "upper", "state",      "means"};
   for (std::size_t p = 0; p < fit.all.size(); ++p) {
     const Parameter& parameter = fit.all[p];
     const double scale = display_scale(parameter);
@@ -133,6 +134,7 @@ Section explain_parameters(const DigitExplained& digit) {
          {parameter.mean, parameter.sd, parameter.between_sd, parameter.lower, parameter.upper})
       cells.push_back(shown(value * scale));
     cells.push_back(state_of(fit, p));
+    cells.push_back(or_dash(meaning_of(parameter.name, digit.tendons->digit())));
     section.table.rows.push_back(cells);
   }
   return section;
