@@ -46,7 +46,9 @@ const std::vector<KindCommands>& commands_by_kind() {
       {"posterior",
        {"thenar posterior summary @", "thenar posterior predict @ EXPERIMENT",
         "thenar posterior plot @ -o PAGE.html"}},
-      {"motion", {"thenar validate @"}},
+      {"motion", {"thenar validate @", "thenar rerun @"}},
+      {"page", {"thenar rerun @"}},
+      {"answer", {"thenar rerun @"}},
       {"contacts", {"thenar quality @"}},
       {"comparison", {"thenar compare --hands .. --objects .. -o @"}},
   };

@@ -75,6 +75,7 @@ int run_command(int argc, char** argv) {
   app.option_defaults()->always_capture_default();
   app.require_subcommand(1);
   app.set_version_flag("--version", THENAR_VERSION);
+  add_list(app);
   add_validate(app);
   add_explain(app);
   add_pose(app);
@@ -92,6 +93,7 @@ int run_command(int argc, char** argv) {
   add_compare(app);
   add_import(app);
   add_demo(app);
+  add_rerun(app);
   try {
     begin_run(argc, argv);
     require_command(app, argc, argv);

@@ -162,4 +162,25 @@ int line_of(const std::string& text, const JsonPath& value) {
   return line_at(text, innermost);
 }
 
+std::map<std::string, std::vector<std::string>> text_members(const std::string& path,
+                                                             const std::string& text,
+                                                             const JsonPath& value) {
+  const PlainJson parsed = parse_json(path, text);
+  const PlainJson* object = &parsed;
+  for (const std::string& step : value) {
+    if (!object->is_object() || !object->contains(step)) return {};
+    object = &(*object)[step];
+  }
+  std::map<std::string, std::vector<std::string>> members;
+  if (!object->is_object()) return members;
+  for (const auto& [name, member] : object->items()) {
+    const bool texts = member.is_array() &&
+                       std::all_of(member.begin(), member.end(),
+                                   [](const PlainJson& entry) { return entry.is_string(); });
+    if (member.is_string()) members[name] = {member.get<std::string>()};
+    if (texts) members[name] = member.get<std::vector<std::string>>();
+  }
+  return members;
+}
+
 }  // namespace thenar

@@ -2,6 +2,7 @@
 
 /// JSON texts, parsed strictly, and the lines on which their values stand, for messages about them.
 
+#include <map>
 #include <string>
 #include <vector>
 
@@ -23,5 +24,11 @@ using JsonPath = std::vector<std::string>;
 /// innermost one around it that is.
 /// @param text  that parse_json() accepts
 [[nodiscard]] int line_of(const std::string& text, const JsonPath& value);
+
+/// Members of the object at `value` that are a text, or a list of nothing but texts; none where no
+/// object stands. @throws DataError as parse_json()
+[[nodiscard]] std::map<std::string, std::vector<std::string>> text_members(const std::string& path,
+                                                                           const std::string& text,
+                                                                           const JsonPath& value);
 
 }  // namespace thenar

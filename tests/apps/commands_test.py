@@ -607,10 +607,16 @@ class Validate(Near):
             self.assertRegex(complaint(*words), f"^thenar: .*{name}", words)
             self.assertNotIn("filesystem", complaint(*words))
 
+    def test_holds_an_experiment_to_a_subject(self):
+        self.assertIn("suits", run("validate", "synek2019_H01", "--subject", MIDDLE).stdout)
+        result = run("validate", H01, "--subject", INDEX)
+        self.assertEqual(result.returncode, 1)
+        self.assertIn(f"{H01}:15: subject 'an_chao_index' has no bones of the middle", result.stdout)
+
     def test_absent_file_is_an_error(self):
         result = run("validate", "/nowhere.toml")
         self.assertEqual((result.returncode, result.stdout),
-                         (1, "/nowhere.toml:1: cannot be read: No such file or directory\n"))
+                         (1, "there is no file '/nowhere.toml'\n"))
 
 
 class Explain(Near):
@@ -633,7 +639,8 @@ class Explain(Near):
         self.assertEqual(rows["friction/FDS"]["state"], "tied to friction/FDP")
         self.assertEqual(rows["friction/FDP"], {
             "parameter": "friction/FDP", "unit": "1", "prior_mean": 0.1, "sd": 0.05,
-            "between_sd": 0, "lower": 0, "upper": 0.5, "state": "free"})
+            "between_sd": 0, "lower": 0, "upper": 0.5, "state": "free",
+            "means": "friction of FDP in its sheath"})
 
     def test_names_the_rung_that_was_built(self):
         rung = lambda subject, *digit: {row["ladder"]: row["rung"] for row in
@@ -652,6 +659,32 @@ class Explain(Near):
         self.assertEqual([row["trials"] for row in said["postures"]["rows"]], [6] * 4)
         loads = {row["loaded"]: row for row in said["trials"]["rows"]}
         self.assertAlmostEqual(loads["FDS"]["tension_to_N"], 0.950 * 9.81 * 0.835, delta=1e-3)
+
+
+class Rerun(unittest.TestCase):
+    def test_writes_the_same_answer_again(self):
+        with tempfile.TemporaryDirectory() as folder:
+            file = pathlib.Path(folder) / "a.json"
+            subprocess.run([PROGRAM, "explain", H01, "-o", "a.json"], cwd=folder, check=True,
+                           capture_output=True)
+            told = ask("rerun", file)
+            self.assertEqual(told["arguments"], ["explain", H01, "-o", "a.json"])
+            self.assertEqual(told["folder"], str(pathlib.Path(folder).resolve()))
+            first = json.loads(file.read_text())
+            os.rename(file, pathlib.Path(folder) / "b.json")
+            again = run("rerun", pathlib.Path(folder) / "b.json")
+            self.assertEqual(again.returncode, 0, again.stderr)
+            self.assertEqual(json.loads(file.read_text())["trials"], first["trials"])
+
+    def test_refuses_what_records_no_command(self):
+        self.assertIn("records no command", complaint("rerun", H01))
+
+
+class List(unittest.TestCase):
+    def test_has_every_subject(self):
+        names = {row["name"] for row in ask("list", "subjects")}
+        self.assertLessEqual({path.stem for path in SUBJECTS.glob("*.toml")}, names)
+        self.assertIn("MCP3_FE", run("list", "joints", MIDDLE, "--csv").stdout)
 
 
 class EverySubject(Near):

@@ -1,0 +1,134 @@
+#include "api/recorded_run.h"
+
+#include <algorithm>
+#include <filesystem>
+
+#include <fmt/format.h>
+
+#include "api/files.h"
+#include "base/error.h"
+#include "base/file_io.h"
+#include "base/provenance.h"
+#include "data/io/inference_file.h"
+#include "data/io/json_text.h"
+#include "data/io/result_file.h"
+
+namespace thenar {
+namespace {
+
+namespace fs = std::filesystem;
+
+using TextMembers = std::map<std::string, std::vector<std::string>>;
+
+std::string first_text(const TextMembers& members, const std::string& name) {
+  const auto found = members.find(name);
+  return found == members.end() || found->second.empty() ? "" : found->second.front();
+}
+
+/// The JSON of a page, between the tags of its script.
+std::string page_data(const std::string& path) {
+  const std::string text = read_source(path).text;
+  const std::string begin = "id=\"thenar-report\">", end = "</script>";
+  const std::size_t from = text.find(begin);
+  if (from == std::string::npos) throw DataError(path, 1, "wanted a page of thenar");
+  const std::size_t to = text.find(end, from);
+  if (to == std::string::npos) throw DataError(path, 1, "the page is cut short");
+  return text.substr(from + begin.size(), to - from - begin.size());
+}
+
+/// Provenance as pages and JSON answers have it: inputs by path, "sha256 0123..".
+void add_json_record(const std::string& path, const std::string& text, RecordedRun& out) {
+  const TextMembers members = text_members(path, text, {"provenance"});
+  out.run.arguments = arguments_of(first_text(members, "command"));
+  out.run.folder = first_text(members, "folder");
+  out.run.date = first_text(members, "date");
+  out.run.commit = first_text(members, "commit");
+  const std::string start = "sha256 ";
+  for (const auto& [name, texts] : members)
+    if (texts.size() == 1 && texts.front().compare(0, start.size(), start) == 0)
+      out.inputs[name] = texts.front().substr(start.size());
+}
+
+/// Of results whose texts have keys: inputs stand whole beside their paths.
+/// @param ending  of keys: "/path" of HDF5, "_path" of netCDF
+void add_inputs(const std::map<std::string, std::string>& texts, const std::string& slash,
+                RecordedRun& out) {
+  const std::string path = slash + "path", text = slash + "text";
+  for (const auto& [key, value] : texts) {
+    if (key.size() < path.size() || key.compare(key.size() - path.size(), path.size(), path) != 0)
+      continue;
+    const auto content = texts.find(key.substr(0, key.size() - path.size()) + text);
+    if (content != texts.end()) out.inputs[value] = sha256(content->second);
+  }
+}
+
+void add_result_record(const std::string& path, RecordedRun& out) {
+  std::map<std::string, std::string> texts;
+  for (const auto& [key, list] : read_result(path).texts)
+    if (list.size() == 1) texts[key] = list.front();
+  add_inputs(texts, "/", out);
+  out.run = {arguments_of(texts["provenance/command"]), texts["provenance/folder"],
+             texts["provenance/commit"], texts["provenance/date"]};
+}
+
+void add_posterior_record(const std::string& path, RecordedRun& out) {
+  std::map<std::string, std::string> texts = read_inference(path).attributes;
+  add_inputs(texts, "_", out);
+  out.run = {arguments_of(texts["run_command"]), texts["run_folder"], texts["run_commit"],
+             texts["run_date"]};
+}
+
+/// A sentence for each input that is another file today; names that are no files are left out.
+void compare_inputs_of(RecordedRun& out) {
+  for (const auto& [name, digest] : out.inputs) {
+    const std::string path = (fs::path(out.run.folder) / name).string();
+    if (!is_file(path)) {
+      if (name.find('/') != std::string::npos)
+        out.warnings.push_back(fmt::format("input '{}' is gone", name));
+      continue;
+    }
+    if (sha256(read_source(path).text) != digest)
+      out.warnings.push_back(fmt::format("input '{}' has changed since", name));
+  }
+}
+
+void compare_commits(RecordedRun& out) {
+  constexpr std::size_t kShown = 10;  // digits of a commit
+  const std::string now = source_commit();
+  if (out.run.commit.empty() || now.empty() || out.run.commit == now) return;
+  out.warnings.push_back(fmt::format("it was written by commit {}, this program is of commit {}",
+                                     out.run.commit.substr(0, kShown), now.substr(0, kShown)));
+}
+
+}  // namespace
+
+RecordedRun read_recorded_run(const std::string& path) {
+  const FileContents file = contents_of(path);
+  RecordedRun out;
+  out.file = path;
+  if (file.format == "HTML") add_json_record(path, page_data(path), out);
+  if (file.format == "JSON") add_json_record(path, read_source(path).text, out);
+  if (file.kind == "fit" || file.kind == "motion") add_result_record(path, out);
+  if (file.kind == "posterior") add_posterior_record(path, out);
+  require(
+      !out.run.arguments.empty(),
+      "'{}' records no command: wanted a page, a JSON file of -o, a fit, a posterior or a motion "
+      "that a command of thenar wrote",
+      path);
+  compare_inputs_of(out);
+  compare_commits(out);
+  return out;
+}
+
+void require_repeatable(const RecordedRun& recorded, const std::vector<std::string>& commands) {
+  const std::string& name = recorded.run.arguments.front();
+  const bool known = std::find(commands.begin(), commands.end(), name) != commands.end();
+  require(known && name != "rerun", "'{}' records '{}', which is no command to run again",
+          recorded.file, command_line(recorded.run));
+  std::error_code none;
+  require(fs::is_directory(recorded.run.folder, none),
+          "the folder of the run, '{}', is gone; the command was: {}", recorded.run.folder,
+          command_line(recorded.run));
+}
+
+}  // namespace thenar

@@ -1,0 +1,31 @@
+#pragma once
+
+/// Which command wrote a result, and what has changed since.
+
+#include <map>
+#include <string>
+#include <vector>
+
+#include "base/run_record.h"
+
+namespace thenar {
+
+/// The run that a page, a JSON answer, a fit, a posterior or a motion records.
+struct RecordedRun {
+  std::string file;                           // that records it
+  RunRecord run;                              // arguments, folder, commit and date
+  std::map<std::string, std::string> inputs;  // path, as the run saw it -> SHA-256
+  std::vector<std::string> warnings;          // inputs and sources that are others now
+};
+
+/// Reads the record of the run that wrote a file, and compares the inputs with today's files and
+/// the commit with that of this program.
+/// @throws InputError if the file records no run; DataError if it cannot be read.
+[[nodiscard]] RecordedRun read_recorded_run(const std::string& path);
+
+/// Refuses what is no plain command of thenar, and `rerun` itself.
+/// @param commands  names of the subcommands: "fit", "pose" ..
+/// @throws InputError so, or if the folder of the run is gone.
+void require_repeatable(const RecordedRun& recorded, const std::vector<std::string>& commands);
+
+}  // namespace thenar

@@ -1,0 +1,72 @@
+// thenar rerun FILE [--print] [--json]
+//
+// Runs the command again that wrote a page, a JSON file, a fit, a posterior or a motion, in its
+// folder.
+
+#include <unistd.h>
+#include <cerrno>
+#include <cstdio>
+#include <cstring>
+#include <memory>
+
+#include <fmt/format.h>
+
+#include "api/recorded_run.h"
+#include "apps/commands.h"
+#include "apps/options.h"
+#include "apps/outputs.h"
+#include "base/error.h"
+#include "report/answers/recorded_run.h"
+
+namespace thenar {
+namespace {
+
+struct RerunArguments {
+  std::string file;
+  bool print = false;
+  Outputs outputs;
+};
+
+/// Becomes this program with the arguments, in the folder; no shell reads them.
+[[noreturn]] void become(const RunRecord& run) {
+  require(chdir(run.folder.c_str()) == 0, "cannot go to '{}': {}", run.folder,
+          std::strerror(errno));
+  std::vector<std::string> words{"thenar"};
+  words.insert(words.end(), run.arguments.begin(), run.arguments.end());
+  std::vector<char*> pointers;
+  for (std::string& word : words) pointers.push_back(word.data());
+  pointers.push_back(nullptr);
+  std::fflush(nullptr);
+  execv("/proc/self/exe", pointers.data());
+  throw InputError(fmt::format("cannot start thenar again: {}", std::strerror(errno)));
+}
+
+void run_rerun(const RerunArguments& options, const std::vector<std::string>& commands) {
+  const RecordedRun recorded = read_recorded_run(options.file);
+  require_repeatable(recorded, commands);
+  if (options.print || options.outputs.json) return deliver(options.outputs, recorded);
+  fmt::print(stderr, "{}", text_of(recorded));
+  become(recorded.run);
+}
+
+}  // namespace
+
+void add_rerun(CLI::App& app) {
+  auto options = std::make_shared<RerunArguments>();
+  CLI::App* command = app.add_subcommand(
+      "rerun",
+      "Run the command again that wrote a page, an answer, a fit, a posterior or a motion");
+  command->add_option("file", options->file, "Page (.html), JSON, fit (.h5), posterior (.nc) ..")
+      ->required();
+  command->add_flag("--print", options->print,
+                    "Only print the command, its folder, date and commit, and what has changed");
+  add_output_options(*command, options->outputs, {});
+  add_examples(*command, {"explain barrett -o out/barrett.json", "rerun out/barrett.json --print"});
+  command->callback([options, &app] {
+    std::vector<std::string> commands;
+    for (const CLI::App* each : app.get_subcommands({})) commands.push_back(each->get_name());
+    run_rerun(*options, commands);
+  });
+}
+
+}  // namespace thenar

@@ -1,0 +1,19 @@
+#pragma once
+
+/// Names that commands take, as lines, a table and JSON.
+
+#include <string>
+
+#include "api/catalogue.h"
+#include "report/json.h"
+#include "report/table.h"
+
+namespace thenar {
+
+/// A table of names and titles under each kind.
+[[nodiscard]] std::string text_of(const Catalogue& catalogue);
+/// [{"kind", "name", "about", "source", "file"}].
+[[nodiscard]] OrderedJson json_of(const Catalogue& catalogue);
+[[nodiscard]] Table table_of(const Catalogue& catalogue);
+
+}  // namespace thenar

@@ -1,0 +1,30 @@
+#include "report/answers/recorded_run.h"
+
+#include <fmt/format.h>
+
+#include "report/table.h"
+
+namespace thenar {
+
+std::string text_of(const RecordedRun& recorded) {
+  const RunRecord& run = recorded.run;
+  std::string text = fmt::format("{}\n  in {}\n  on {}, by commit {}\n", command_line(run),
+                                 or_dash(run.folder), or_dash(run.date), or_dash(run.commit));
+  for (const std::string& warning : recorded.warnings) text += "  warning: " + warning + "\n";
+  return text;
+}
+
+OrderedJson json_of(const RecordedRun& recorded) {
+  OrderedJson inputs = OrderedJson::object();
+  for (const auto& [path, digest] : recorded.inputs) inputs[path] = digest;
+  return {{"file", recorded.file},
+          {"command", command_line(recorded.run)},
+          {"arguments", recorded.run.arguments},
+          {"folder", recorded.run.folder},
+          {"date", recorded.run.date},
+          {"commit", recorded.run.commit},
+          {"inputs_sha256", inputs},
+          {"warnings", recorded.warnings}};
+}
+
+}  // namespace thenar

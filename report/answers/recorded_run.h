@@ -1,0 +1,16 @@
+#pragma once
+
+/// Which command wrote a result, in words.
+
+#include <string>
+
+#include "api/recorded_run.h"
+#include "report/json.h"
+
+namespace thenar {
+
+/// The command line, then folder, date, commit and what has changed.
+[[nodiscard]] std::string text_of(const RecordedRun& recorded);
+[[nodiscard]] OrderedJson json_of(const RecordedRun& recorded);
+
+}  // namespace thenar
