@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include "api/digits.h"
+#include "api/mesh_facts.h"
 #include "base/error.h"
 #include "data/io/mesh/repair_shape.h"
 #include "geometry/solid.h"
@@ -19,7 +20,10 @@ void build_thing(const Subject& subject, FileVerdict& /*verdict*/) {
 }
 void build_thing(const BodySpec& body, FileVerdict& verdict) {
   (void)build_solid(body.shapes);  // throws if a mesh has holes
-  note_turned(body.shapes, fmt::format("object '{}'", body.name), verdict.warnings);
+  const std::string owner = fmt::format("object '{}'", body.name);
+  note_turned(body.shapes, owner, verdict.warnings);
+  for (std::string& warning : size_warnings(body.shapes, owner))
+    verdict.warnings.push_back(std::move(warning));
 }
 void build_thing(const WorldSpec& world, FileVerdict& /*verdict*/) {
   for (const PlacedBody& placed : world.bodies) (void)build_solid(placed.body.shapes);

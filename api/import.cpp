@@ -1,0 +1,348 @@
+#include "api/import.h"
+
+#include <filesystem>
+#include <map>
+#include <set>
+
+#include <fmt/format.h>
+
+#include "api/files.h"
+#include "base/error.h"
+#include "base/file_io.h"
+#include "base/nearest_name.h"
+#include "base/run_record.h"
+#include "data/io/file_kind.h"
+#include "data/io/graspit/xml_file.h"
+#include "data/io/mesh/repair_shape.h"
+#include "data/io/robot/urdf.h"
+#include "data/io/toml_node.h"
+#include "data/io/world/graspit_body.h"
+#include "data/io/world/graspit_world.h"
+#include "geometry/repair_to_solid.h"
+#include "grasp/robot/infer_hand.h"
+
+namespace thenar {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// A body whose meshes bound solids: mended where it stands still anyway, or if asked to.
+/// @throws DataError naming the holes
+void settle_meshes(BodySpec& body, const std::string& file, bool mend,
+                   std::vector<std::string>& warnings, bool dynamic) {
+  const std::string owner = fmt::format("{} '{}'", dynamic ? "body" : "obstacle", body.name);
+  if (dynamic && !mend) {
+    try {
+      for (const ShapeSpec& shape : body.shapes) require_solid(shape, owner);
+    } catch (const InputError& error) {
+      throw DataError(file, 1, fmt::format("{}; --repair mends it", error.what()));
+    }
+    note_turned(body.shapes, owner, warnings);
+    return;
+  }
+  repair_shapes(body.shapes, owner, warnings);
+  if (body.shapes.empty())
+    throw DataError(file, 1, fmt::format("{} is left without a shape", owner));
+}
+
+bool states_mass(const ImportRequest& request) {
+  return request.mass || request.density || !request.material.empty();
+}
+
+void check_statements(const ImportRequest& request) {
+  require(!request.mass || !request.density, "wanted one of --mass and --density");
+  require(!request.mass || *request.mass > 0, "wanted --mass above 0 kg, got {}",
+          request.mass.value_or(0));
+  require(!request.density || *request.density > 0, "wanted --density above 0 kg/m3, got {}",
+          request.density.value_or(0));
+  std::vector<std::string> names;
+  for (const Material& material : built_in_materials().materials) names.push_back(material.name);
+  if (!request.material.empty()) (void)index_of_name(request.material, names, "material");
+}
+
+/// Puts the stated mass and material into a body, with centre and inertia of its volume. A material
+/// of unknown density, as the surface alone is known, leaves the mass as it was.
+void state_mass(const ImportRequest& request, BodySpec& body) {
+  if (!states_mass(request)) return;
+  if (!request.material.empty()) body.material = request.material;
+  if (request.mass || request.density) {
+    body.mass.reset();
+    body.uniform_mass = request.mass.value_or(0);
+    body.density = request.density.value_or(0);
+  }
+  const bool known = body.uniform_mass > 0 || body.density > 0 ||
+                     (!body.material.empty() && built_in_materials().at(body.material).density > 0);
+  if (body.mass || !known) return;
+  body.mass = body_mass(body);
+  Eigen::Matrix3d& inertia = body.mass->inertia;
+  inertia = ((inertia + inertia.transpose()) / 2).eval();  // rounding leaves it not quite so
+}
+
+Imported import_robot_file(const ImportRequest& request) {
+  RobotSpec robot = import_robot(request.file);
+  const std::vector<std::string> warnings = robot.warnings;
+  return {request, name_of(find_robot_kind(request.file)), std::move(robot), {}, {}, warnings};
+}
+
+Imported import_body(BodySpec body, const std::string& kind, const ImportRequest& request,
+                     std::vector<std::string> warnings) {
+  settle_meshes(body, request.file, request.repair, warnings, true);
+  for (std::string& warning : size_warnings(body.shapes, fmt::format("object '{}'", body.name)))
+    warnings.push_back(std::move(warning));
+  state_mass(request, body);
+  return {request, kind, std::move(body), {}, {}, std::move(warnings)};
+}
+
+Imported import_world(WorldSpec world, const std::string& kind, const ImportRequest& request,
+                      std::vector<std::string> warnings) {
+  for (PlacedBody& placed : world.bodies) {
+    const std::size_t before = warnings.size();
+    settle_meshes(placed.body, request.file, request.repair, warnings, placed.dynamic);
+    if (warnings.size() > before) placed.file.clear();  // it holds another surface now
+  }
+  for (const PlacedBody& placed : world.bodies) {
+    if (!placed.dynamic) continue;  // floors are large
+    const std::string owner = fmt::format("object '{}'", placed.body.name);
+    for (std::string& warning : size_warnings(placed.body.shapes, owner))
+      warnings.push_back(std::move(warning));
+  }
+  return {request, kind, std::move(world), {}, {}, std::move(warnings)};
+}
+
+/// [m] in one unit of a mesh file.
+double scale_of(const ImportRequest& request) {
+  static const std::map<std::string, double> units{
+      {"", 1}, {"m", 1}, {"cm", 1e-2}, {"mm", 1e-3}, {"in", 0.0254}};
+  const auto found = units.find(request.units);
+  require(found != units.end(), "wanted --units m, cm, mm or in, got '{}'", request.units);
+  require(request.units.empty() || request.scale == 1, "wanted one of --units and --scale");
+  return found->second * request.scale;
+}
+
+/// A mesh as an object: its exact shapes if there are some.
+/// @param as_in_file  triangles are named, not written out
+BodySpec object_of(const MeshContent& content, const ImportRequest& request, bool as_in_file) {
+  BodySpec body;
+  body.name = fs::path(request.file).stem().string();
+  body.shapes = content.exact;
+  if (!body.shapes.empty()) return body;
+  ShapeSpec shape;
+  shape.kind = ShapeKind::kMesh;
+  shape.mesh = content.mesh;
+  if (as_in_file) {
+    shape.mesh_file = request.file;
+    shape.mesh_scale = scale_of(request);
+  }
+  body.shapes = {shape};
+  std::vector<std::string> ignored;
+  settle_meshes(body, request.file, false, ignored, true);  // it was mended before, if asked to
+  return body;
+}
+
+/// @throws InputError where there is no volume that a mass could fill
+void require_volume(const ImportRequest& request, const MeshFacts& facts) {
+  if (facts.solid) return;
+  const std::size_t holes = facts.surface.holes.size();
+  throw InputError(fmt::format(
+      "'{}' has no volume that a mass could fill: its surface is {}", request.file,
+      holes > 0
+          ? fmt::format("open in {} place{}; --repair closes it", holes, holes == 1 ? "" : "s")
+          : "flat, or turned; --repair turns it"));
+}
+
+Imported import_mesh(const ImportRequest& request) {
+  MeshContent content = read_mesh_content(request.file, scale_of(request));
+  const std::size_t holes = check_mesh(content.mesh).holes.size();
+  std::string repaired;
+  if (request.repair) {
+    RepairedSolid mended = watertight_mesh(content.mesh);
+    content.mesh = std::move(mended.mesh);
+    repaired = mended.done;
+  }
+  MeshFacts facts = look_at_mesh(content);
+  facts.closed = holes - facts.surface.holes.size();
+  facts.repaired = repaired;
+  std::optional<BodySpec> body;
+  if (states_mass(request)) {
+    require_volume(request, facts);
+    body = object_of(content, request, facts.repaired.empty());
+    state_mass(request, *body);
+  }
+  const std::vector<std::string> warnings = facts.warnings;
+  return {request, "mesh", std::move(content), std::move(facts), std::move(body), warnings};
+}
+
+Imported import_xml(const ImportRequest& request) {
+  const std::string root = XmlFile(request.file).root_name();
+  if (root == "world") {
+    const GraspitWorld read = read_graspit_world(request.file);
+    return import_world(read.world, "GraspIt! world", request, read.warnings);
+  }
+  if (root == "robot" || root == "mujoco" || root == "mujocoinclude" || root == "sdf")
+    return import_robot_file(request);
+  const GraspitBody read = read_graspit_body(request.file);
+  return import_body(read.body, "GraspIt! body", request, read.warnings);
+}
+
+FileKind kind_of_toml(const std::string& path) {
+  if (fs::path(path).extension() == ".toml") return find_file_kind(path);
+  try {
+    return find_file_kind(path);
+  } catch (const DataError&) {
+    throw DataError(path, 1,
+                    "wanted a robot (URDF, MJCF, GraspIt! XML, TOML), an object or a world "
+                    "(GraspIt! XML, TOML), or a mesh (.obj, .stl, .ply, .off, .gltf, .glb, .dae, "
+                    ".wrl, .vrml, .iv)");
+  }
+}
+
+Imported import_toml(const ImportRequest& request) {
+  const std::string& path = request.file;
+  const FileKind kind = kind_of_toml(path);
+  if (kind == FileKind::kRobot) return import_robot_file(request);
+  if (kind == FileKind::kObject) return import_body(read_object(path), "object", request, {});
+  if (kind == FileKind::kWorld) return import_world(read_world(path), "world", request, {});
+  throw DataError(path, 1,
+                  fmt::format("wanted a robot, an object, a world or a mesh, got a file "
+                              "of kind '{}'",
+                              name_of(kind)));
+}
+
+Imported import_any(const ImportRequest& request) {
+  const std::string& path = request.file;
+  require_kind(path, {"robot", "object", "world", "mesh"});
+  if (is_mesh_file(path)) return import_mesh(request);
+  require(request.scale == 1 && request.units.empty(),
+          "--scale and --units are for meshes, '{}' is none", path);
+  const std::string text = read_text_file(path);
+  const std::size_t first = text.find_first_not_of(" \t\r\n\xEF\xBB\xBF");
+  if (first != std::string::npos && text[first] == '<') return import_xml(request);
+  const std::string ending = fs::path(path).extension();
+  if (ending == ".cfg" || ending == ".wld") return import_robot_file(request);  // refused by name
+  return import_toml(request);
+}
+
+}  // namespace
+
+Imported import_file(const ImportRequest& request) {
+  check_statements(request);
+  Imported imported = import_any(request);
+  const bool body = std::holds_alternative<BodySpec>(imported.thing) ||
+                    std::holds_alternative<MeshContent>(imported.thing);
+  require(body || !states_mass(request),
+          "--mass, --density and --material are for objects and meshes, '{}' is a {}", request.file,
+          std::holds_alternative<WorldSpec>(imported.thing) ? "world" : "robot");
+  return imported;
+}
+
+// Writing in another format.
+namespace {
+
+/// A file as seen from the folder of `out`. @param from  folder that it is relative to
+void point_to(std::string& file, const fs::path& from, const std::string& out) {
+  if (file.empty()) return;
+  file = fs::absolute(from / file)
+             .lexically_normal()
+             .lexically_relative(fs::absolute(out).parent_path().lexically_normal())
+             .string();
+}
+
+void point_to(std::vector<ShapeSpec>& shapes, const fs::path& from, const std::string& out) {
+  for (ShapeSpec& shape : shapes) point_to(shape.mesh_file, from, out);
+}
+
+bool is_hand(const RobotSpec& robot) {
+  std::set<std::string> digits;
+  for (const RobotLink& link : robot.links)
+    if (!link.digit.empty()) digits.insert(link.digit);
+  return digits.size() > 1;
+}
+
+/// How a hand grasps, guessed where its format leaves it unsaid; another robot as it is.
+RobotSpec with_guesses(const RobotSpec& robot) {
+  try {
+    RobotSpec guessed = graspable(robot);
+    return is_hand(guessed) ? guessed : robot;
+  } catch (const InputError& error) {
+    RobotSpec kept = robot;  // it can be told and written, but not grasp
+    kept.warnings.push_back(fmt::format("how it grasps is not guessed: {}", error.what()));
+    return kept;
+  }
+}
+
+using Sentences = std::vector<std::string>;
+
+/// The robot as TOML, with what was guessed marked, and told.
+Sentences write_thing(RobotSpec robot, const Imported& imported, const std::string& out) {
+  for (RobotLink& link : robot.links)
+    point_to(link.shapes, fs::path(imported.request.file).parent_path(), out);
+  if (fs::path(out).extension() != ".toml") {
+    (void)write_urdf(out, robot);  // lost_in() has its warnings
+    return {};
+  }
+  const bool guess = imported.kind != name_of(RobotFileKind::kToml);
+  RobotSpec written = guess ? with_guesses(robot) : robot;
+  Sentences guessed;
+  for (std::size_t i = robot.warnings.size(); i < written.warnings.size(); ++i)
+    guessed.push_back(written.warnings[i]);
+  written.warnings = robot.warnings;  // guesses are comments of the file
+  write_file(out, robot_toml(written, &robot));
+  return guessed;
+}
+
+Sentences write_thing(BodySpec body, const Imported& imported, const std::string& out) {
+  point_to(body.shapes, fs::path(imported.request.file).parent_path(), out);
+  write_file(out, object_toml(body));
+  return {};
+}
+
+Sentences write_thing(WorldSpec world, const Imported& imported, const std::string& out) {
+  const fs::path folder = fs::path(imported.request.file).parent_path();
+  for (PlacedBody& body : world.bodies) {
+    point_to(body.file, folder, out);
+    point_to(body.body.shapes, folder, out);
+  }
+  for (PlacedHand& hand : world.hands) point_to(hand.file, folder, out);
+  point_to(world.materials_file, folder, out);
+  write_file(out, world_toml(world));
+  return {};
+}
+
+Sentences write_thing(const MeshContent& content, const Imported& imported,
+                      const std::string& out) {
+  if (fs::path(out).extension() != ".toml") {
+    write_mesh(out, content.mesh);
+    return {};
+  }
+  BodySpec body = imported.body
+                      ? *imported.body
+                      : object_of(content, imported.request, imported.mesh->repaired.empty());
+  point_to(body.shapes, "", out);
+  write_file(out, object_toml(body));
+  return {};
+}
+
+}  // namespace
+
+std::vector<std::string> endings_for(const Imported& imported) {
+  if (std::holds_alternative<RobotSpec>(imported.thing)) return {".toml", ".urdf"};
+  if (std::holds_alternative<MeshContent>(imported.thing))
+    return {".obj", ".stl", ".ply", ".off", ".toml"};
+  return {".toml"};
+}
+
+std::vector<std::string> lost_in(const Imported& imported, const std::string& out) {
+  const std::string ending = fs::path(out).extension();
+  if (const auto* robot = std::get_if<RobotSpec>(&imported.thing); robot && ending == ".urdf")
+    return robot_urdf(*robot, "").warnings;
+  if (imported.body && !ending.empty() && ending != ".toml")
+    return {fmt::format("a mesh ({}) has neither mass nor material: write .toml", ending)};
+  return {};
+}
+
+std::vector<std::string> write_imported(const Imported& imported, const std::string& out) {
+  return std::visit([&](const auto& thing) { return write_thing(thing, imported, out); },
+                    imported.thing);
+}
+
+}  // namespace thenar

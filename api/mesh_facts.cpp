@@ -1,0 +1,153 @@
+#include "api/mesh_facts.h"
+
+#include <algorithm>
+
+#include <fmt/format.h>
+
+#include "base/error.h"
+#include "geometry/mesh_parts.h"
+#include "geometry/shape_mass.h"
+
+namespace thenar {
+namespace {
+
+constexpr double kLargestThing = 10;  // a larger one is in another unit [m]
+
+/// Longest edge of the box of a mesh [m].
+double extent_of(const TriangleMesh& mesh) {
+  return (mesh.vertices.rowwise().maxCoeff() - mesh.vertices.rowwise().minCoeff()).maxCoeff();
+}
+
+/// Longest edge of the box of a shape in its own frame [m].
+double extent_of(const ShapeSpec& shape) {
+  const Eigen::Vector3d& size = shape.size;
+  switch (shape.kind) {
+    case ShapeKind::kMesh:
+      return shape.mesh.vertices.cols() == 0 ? 0 : extent_of(shape.mesh);
+    case ShapeKind::kBox:
+      return size.maxCoeff();
+    case ShapeKind::kCylinder:
+      return std::max(2 * size[0], size[1]);
+    case ShapeKind::kCapsule:
+      return 2 * size[0] + size[1];
+    case ShapeKind::kTaperedCapsule:
+      return size[0] + size[1] + size[2];
+    case ShapeKind::kSphere:
+      return 2 * size[0];
+    default:
+      return 2 * size.maxCoeff();
+  }
+}
+
+/// Empty if there is none.
+std::string mesh_size_warning(const TriangleMesh& mesh) {
+  const double across = extent_of(mesh);
+  if (!(across > kLargestThing)) return "";
+  return fmt::format("{:.4g} m across: are its numbers millimetres? --units mm", across);
+}
+
+std::vector<std::string> surface_warnings(const MeshReport& found) {
+  std::vector<std::string> warnings;
+  if (!found.holes.empty())
+    warnings.push_back(
+        fmt::format("the surface is open in {} place{}: it has no volume; --repair "
+                    "closes it",
+                    found.holes.size(), found.holes.size() == 1 ? "" : "s"));
+  if (found.reversed_edges > 0)
+    warnings.push_back(
+        fmt::format("{} edges lie between triangles that face opposite ways; --repair turns them",
+                    found.reversed_edges));
+  if (found.nonmanifold_edges > 0)
+    warnings.push_back(
+        fmt::format("{} edges have more than two triangles", found.nonmanifold_edges));
+  if (found.degenerate > 0)
+    warnings.push_back(fmt::format("{} triangles have no area", found.degenerate));
+  return warnings;
+}
+
+/// Of the union of its parts; nothing where they do not agree on what is inside.
+struct MeshMass {
+  bool closed = false;
+  double enclosed = 0;  // signed, each part counted [m^3]
+  UnionMass all;
+};
+
+MeshMass mass_of_parts(const TriangleMesh& mesh, const std::vector<TriangleMesh>& parts) {
+  MeshMass found;
+  for (const TriangleMesh& part : parts) {
+    const MeshReport report = check_mesh(part);
+    if (!report.holes.empty() || report.nonmanifold_edges > 0 || report.reversed_edges > 0)
+      return {};
+    found.enclosed += report.volume;
+  }
+  found.closed = true;
+  if (!(found.enclosed > 0)) return found;
+  ShapeSpec shape;
+  shape.kind = ShapeKind::kMesh;
+  shape.mesh = mesh;
+  try {
+    found.all = union_mass({shape});
+  } catch (const InputError&) {
+    found.closed = false;  // as one of its parts is flat
+  }
+  return found;
+}
+
+/// Volume, centre and inertia of triangles, with what is doubtful of them.
+void weigh_triangles(const TriangleMesh& mesh, MeshFacts& facts) {
+  const std::vector<TriangleMesh> parts = connected_parts(mesh);
+  facts.parts = parts.size();
+  const MeshMass found = mass_of_parts(mesh, parts);
+  facts.unit_mass = found.all.mass;
+  facts.solid = facts.unit_mass.mass > 0;
+  if (found.closed && !facts.solid)
+    facts.warnings.emplace_back(found.enclosed < 0
+                                    ? "inside out: the surface faces inwards, --repair turns it"
+                                    : "no volume: the surface is flat");
+  constexpr double kOverlap = 1e-6;  // of the volume, that parts may share by rounding [1]
+  if (facts.solid && found.enclosed > (1 + kOverlap) * facts.unit_mass.mass)
+    facts.warnings.push_back(fmt::format(
+        "parts overlap: volume, centre and inertia are of their union{}; their volumes add up to "
+        "{:.3g} % more",
+        found.all.error > 0 ? fmt::format(", to about {:.1g}", found.all.error) : "",
+        100 * (found.enclosed / facts.unit_mass.mass - 1)));
+}
+
+/// What the triangles are warned of does not hold for exact solids.
+void weigh_exact(const MeshContent& content, MeshFacts& facts) {
+  const UnionMass all = union_mass(content.exact);
+  facts.unit_mass = all.mass;
+  facts.solid = all.mass.mass > 0;
+  facts.warnings.clear();
+  if (const std::string size = mesh_size_warning(content.mesh); !size.empty())
+    facts.warnings.push_back(size);
+  if (all.error > 0)
+    facts.warnings.push_back(
+        fmt::format("parts overlap: volume, centre and inertia are of their union, to about {:.1g}",
+                    all.error));
+}
+
+}  // namespace
+
+MeshFacts look_at_mesh(const MeshContent& content) {
+  MeshFacts facts;
+  facts.surface = check_mesh(content.mesh);
+  facts.warnings = surface_warnings(facts.surface);
+  if (const std::string size = mesh_size_warning(content.mesh); !size.empty())
+    facts.warnings.push_back(size);
+  weigh_triangles(content.mesh, facts);
+  if (!content.exact.empty()) weigh_exact(content, facts);
+  return facts;
+}
+
+std::vector<std::string> size_warnings(const std::vector<ShapeSpec>& shapes,
+                                       const std::string& owner) {
+  std::vector<std::string> warnings;
+  for (const ShapeSpec& shape : shapes)
+    if (const double across = extent_of(shape); across > kLargestThing)
+      warnings.push_back(fmt::format("{}: a {} of {:.4g} m: are its numbers millimetres?", owner,
+                                     name_of(shape.kind), across));
+  return warnings;
+}
+
+}  // namespace thenar

@@ -1,0 +1,92 @@
+// Tests for api/import.cpp and api/mesh_facts.cpp.
+
+#include "api/import.h"
+
+#include <gtest/gtest.h>
+
+#include "base/file_io.h"
+#include "tests/message_of.h"
+#include "tests/temporary_folder.h"
+
+namespace thenar {
+namespace {
+
+/// The corner of a unit cube cut off: volume 1/6, centroid (1/4, 1/4, 1/4). Without its slanted
+/// face it is open.
+class ImportMesh : public TemporaryFolder {
+ protected:
+  ImportRequest corner(bool open) {
+    ImportRequest request;
+    request.file = path(open ? "open.off" : "corner.off");
+    write_file(request.file, std::string("OFF\n4 ") + (open ? "3" : "4") +
+                                 " 0\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n3 0 2 1\n3 0 1 3\n3 0 3 2\n" +
+                                 (open ? "" : "3 1 2 3\n"));
+    return request;
+  }
+};
+
+TEST_F(ImportMesh, SpreadsAMassOverTheVolume) {
+  ImportRequest request = corner(false);
+  request.mass = 3;
+  request.material = "rubber";
+  const Imported found = import_file(request);
+  ASSERT_TRUE(found.body && found.body->mass);
+  EXPECT_DOUBLE_EQ(found.body->mass->mass, 3);
+  EXPECT_NEAR((found.body->mass->com - Eigen::Vector3d::Constant(0.25)).norm(), 0, 1e-12);
+  // About the centroid of this corner  I_xx = m (3/40),  I_xy = m / 80.
+  EXPECT_NEAR(found.body->mass->inertia(0, 0), 3 * 3.0 / 40, 1e-12);
+  EXPECT_NEAR(found.body->mass->inertia(0, 1), 3 * 1.0 / 80, 1e-12);
+  EXPECT_EQ(found.body->material, "rubber");
+}
+
+TEST_F(ImportMesh, WeighsByDensity) {
+  ImportRequest request = corner(false);
+  request.density = 600;
+  EXPECT_NEAR(import_file(request).body->mass->mass, 100, 1e-9);  // 600 kg/m^3 of 1/6 m^3
+}
+
+TEST_F(ImportMesh, WritesWhatWasStated) {
+  ImportRequest request = corner(false);
+  request.mass = 3;
+  const Imported found = import_file(request);
+  EXPECT_TRUE(write_imported(found, path("corner.toml")).empty());
+  const BodySpec back = read_object(path("corner.toml"));
+  ASSERT_TRUE(back.mass.has_value());
+  EXPECT_DOUBLE_EQ(back.mass->mass, 3);
+  EXPECT_EQ(lost_in(found, path("corner.stl")).size(), 1U);
+}
+
+TEST_F(ImportMesh, RefusesAMassWithoutAVolume) {
+  ImportRequest request = corner(true);
+  EXPECT_FALSE(import_file(request).mesh->solid);
+  request.mass = 3;
+  EXPECT_EQ(message_of([&] { (void)import_file(request); }),
+            "'" + request.file +
+                "' has no volume that a mass could fill: its surface is open in 1 place; --repair "
+                "closes it");
+  request.repair = true;
+  EXPECT_DOUBLE_EQ(import_file(request).body->mass->mass, 3);
+}
+
+TEST_F(ImportMesh, RefusesUnknownMaterialsAndTwoMasses) {
+  ImportRequest request = corner(false);
+  request.material = "ruber";
+  EXPECT_NE(message_of([&] { (void)import_file(request); }).find("did you mean 'rubber'?"),
+            std::string::npos);
+  request.material.clear();
+  request.mass = request.density = 1;
+  EXPECT_EQ(message_of([&] { (void)import_file(request); }), "wanted one of --mass and --density");
+}
+
+TEST(SizeWarnings, DoubtsABoxOfHouses) {
+  ShapeSpec box;
+  box.kind = ShapeKind::kBox;
+  box.size = {120, 60, 40};
+  EXPECT_EQ(size_warnings({box}, "object 'tea'"),
+            std::vector<std::string>{"object 'tea': a box of 120 m: are its numbers millimetres?"});
+  box.size /= 1000;
+  EXPECT_TRUE(size_warnings({box}, "object 'tea'").empty());
+}
+
+}  // namespace
+}  // namespace thenar
