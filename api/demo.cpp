@@ -40,7 +40,7 @@ std::vector<DemoThumb> thumbs_of(const std::string& data) {
   const auto read = [&](const char* file) { return read_subject(data + "/subjects/" + file); };
   return {{"Orthogonal axes", read("graspit_orthogonal_thumb.toml"), pinch},
           {"Skewed axes", read("graspit_skewed_thumb.toml"), pinch},
-          {"Measured axes and tendons", read("mirakhorlo2016.toml"), {}}};
+          {"Measured axes and tendons", read("mirakhorlo2016.toml"), {}, {0, 0, 1}}};
 }
 
 DemoHood bend_hood(const StudyInputs& inputs) {
@@ -51,23 +51,28 @@ DemoHood bend_hood(const StudyInputs& inputs) {
   TendonOptions options;
   options.hood = Hood::kFloatingNet;
   DemoHood hood;
-  hood.tendons = build_digit_tendons(subject, "middle", options, &net);
-  const TendonNames& names = hood.tendons->digit().names;
+  LoadedDigit& loaded = hood.sweep.loaded;
+  loaded.subject = subject.name;
+  loaded.digit = "middle";
+  loaded.tendons = build_digit_tendons(subject, loaded.digit, options, &net);
+  const TendonNames& names = loaded.bones().names;
   const auto index = [](const std::vector<std::string>& list, const char* name) {
     return std::find(list.begin(), list.end(), name) - list.begin();
   };
 
   // Bent at PIP and DIP under constant tensions.
   const Eigen::Index pip = index(names.coordinates, "PIP3"), dip = index(names.coordinates, "DIP3");
-  Eigen::VectorXd q = Eigen::VectorXd::Zero(hood.tendons->digit().model.coordinates), bent = q;
+  Eigen::VectorXd q = Eigen::VectorXd::Zero(loaded.bones().model.coordinates), bent = q;
   bent[pip] = radians(60);
   bent[dip] = radians(40);
-  hood.t = Eigen::VectorXd::Zero(hood.tendons->digit().max_tension.size());
-  hood.t[index(names.muscles, "EDC")] = 2.9;
-  hood.t[index(names.muscles, "LU")] = 0.4;
-  hood.t[index(names.muscles, "UI")] = 0.4;
-  hood.varied = static_cast<int>(pip);
-  hood.points = sweep_digit(*hood.tendons, postures_between(q, bent, 24), hood.t);
+  loaded.t = Eigen::VectorXd::Zero(loaded.bones().max_tension.size());
+  loaded.t[index(names.muscles, "EDC")] = 2.9;
+  loaded.t[index(names.muscles, "LU")] = 0.4;
+  loaded.t[index(names.muscles, "UI")] = 0.4;
+  loaded.grid.postures = postures_between(q, bent, 24);
+  loaded.grid.varied = {static_cast<int>(pip)};
+  loaded.grid.row = loaded.grid.postures.size();
+  hood.sweep.points = sweep_digit(*loaded.tendons, loaded.grid.postures, loaded.t);
 
   // All rungs of hood beside the measured forces.
   for (const SourceText& source : inputs.specimen.experiments)

@@ -6,13 +6,12 @@
 #include <utility>
 #include <vector>
 
-#include "api/digits.h"
 #include "api/study.h"
+#include "api/tendon_solve.h"
 #include "base/progress.h"
 #include "kinematics_fit/fit_study.h"
 #include "kinematics_fit/hood_comparison.h"
 #include "posterior/run/posterior_summary.h"
-#include "tendons/net/posture_sweep.h"
 
 namespace thenar {
 
@@ -32,10 +31,7 @@ struct DemoPosterior {
 
 /// The extensor hood of the middle finger while it bends, DIP by two thirds of PIP.
 struct DemoHood {
-  std::shared_ptr<const DigitTendons> tendons;
-  Eigen::VectorXd t;                  // tension of each muscle [N] (muscles)
-  std::vector<DigitPoint> points;     // of the sweep
-  int varied = 0;                     // coordinate that varies
+  TendonSweep sweep;
   std::vector<HoodComparison> rungs;  // every rung of hood beside each experiment
 };
 
@@ -44,6 +40,7 @@ struct DemoThumb {
   std::string title;
   Subject subject;
   std::map<std::string, double> posture;  // joint -> angle [rad]
+  Eigen::Vector3d dorsal{0, 1, 0};        // of the palm, subject's frame (3)
 };
 
 struct DemoResult {

@@ -277,4 +277,6 @@
 #include "api/posture.h"
 #include "api/predict.h"
 #include "api/study.h"
+#include "api/tendon_infer.h"
+#include "api/tendon_solve.h"
 #include "api/worlds.h"

@@ -5,8 +5,8 @@
 #include <fmt/format.h>
 
 #include "report/pages/fit_study.h"
-#include "report/pages/hood.h"
 #include "report/pages/posterior.h"
+#include "report/pages/tendons.h"
 #include "report/pages/thumb_study.h"
 #include "report/provenance.h"
 #include "report/scene/digit_layers.h"
@@ -43,7 +43,9 @@ Json thumb_scene(const ShownThumb& thumb) {
       {"type", "scene"},
       {"caption", fmt::format("{}: joint axes and feasible thumbtip forces, {} mm per newton",
                               thumb.of.title, kMmPerNewton)},
-      {"link", "thumbs"},
+      // Scenes of one frame turn together.
+      {"link", fmt::format("thumbs-{}", thumb.of.dorsal.z() > thumb.of.dorsal.y() ? "z" : "y")},
+      {"up", numbers3(thumb.of.dorsal)},
       {"layers",
        Json::array({bone_layer(thumb.digit, thumb.q, "#b8a48a"),
                     axis_layer(thumb.digit, thumb.q, "joint axes", "#0072b2", 0.03, true),
@@ -105,11 +107,6 @@ Json provenance_of(const DemoResult& demo, double seconds) {
   return out;
 }
 
-Json hood_section(const DemoHood& hood) {
-  return hood_page({*hood.tendons, hood.t, hood.points, {hood.varied}, hood.points.size()},
-                   hood.rungs);
-}
-
 }  // namespace
 
 Json thumb_page(const std::vector<DemoThumb>& thumbs) {
@@ -132,7 +129,8 @@ Json thumb_page(const std::vector<DemoThumb>& thumbs) {
       "neither [GraspIt]. The arms are borrowed from yet another thumb, so compare shapes, not "
       "newtons. The third has measured axes and straight tendon runs [Mirakhorlo2016], in the "
       "posture in which it was digitised.\n\nThe more axes must be balanced at once by the same "
-      "tendons, the smaller the set: a fifth axis costs force. The scenes turn together.",
+      "tendons, the smaller the set: a fifth axis costs force. Scenes of one frame turn together; "
+      "the back of the hand is up.",
       Json::array(
           {row_block(scenes),
            table_block("Feasible thumbtip forces: the set, and the largest pure force along "
@@ -178,11 +176,12 @@ Json posteriors_at_a_glance(const std::vector<DemoPosterior>& posteriors) {
 }
 
 Json demo_page(const DemoResult& demo, const Json& more, double seconds) {
-  Json sections = Json::array(
-      {accuracy_page(demo.specimens), force_page(demo.specimens), solver_page(demo.specimens),
-       parameter_page(demo.specimens), finger_page(demo.specimens),
-       population_page(demo.population, demo.specimens), hood_section(demo.hood),
-       thumb_page(demo.thumbs), posteriors_at_a_glance(demo.posteriors)});
+  Json sections =
+      Json::array({accuracy_page(demo.specimens), force_page(demo.specimens),
+                   solver_page(demo.specimens), parameter_page(demo.specimens),
+                   finger_page(demo.specimens), population_page(demo.population, demo.specimens),
+                   hood_page(demo.hood.sweep, demo.hood.rungs), thumb_page(demo.thumbs),
+                   posteriors_at_a_glance(demo.posteriors)});
   for (const DemoPosterior& posterior : demo.posteriors) {
     PictureOptions options;
     options.title = "Posterior of " + posterior.name;

@@ -1,4 +1,4 @@
-#include "report/pages/hood.h"
+#include "report/pages/tendons.h"
 
 namespace thenar {
 namespace {

@@ -6,13 +6,15 @@
 #include <fmt/format.h>
 
 #include "base/units.h"
+#include "report/answers/tendon_solve.h"
+#include "report/provenance.h"
 #include "report/scene/digit_layers.h"
 #include "report/scene/net_layers.h"
 
 namespace thenar {
 namespace {
 
-const TendonNames& names_of(const TendonSweep& sweep) { return sweep.tendons.digit().names; }
+const TendonNames& names_of(const TendonSweep& sweep) { return sweep.loaded.bones().names; }
 
 std::string coordinate_name(const TendonSweep& sweep, int coordinate) {
   return names_of(sweep).coordinates[static_cast<std::size_t>(coordinate)];
@@ -38,7 +40,8 @@ std::string posture(const TendonSweep& sweep, const DigitPoint& point) {
 
 /// What sets a point apart from the others.
 std::string title(const TendonSweep& sweep, const DigitPoint& point) {
-  return sweep.points.size() > 1 ? angles(sweep, point, sweep.varied) : posture(sweep, point);
+  return sweep.points.size() > 1 ? angles(sweep, point, sweep.loaded.grid.varied)
+                                 : posture(sweep, point);
 }
 
 /// One line for every row of the sweep, its name that of the row if there are several; null is a
@@ -46,10 +49,11 @@ std::string title(const TendonSweep& sweep, const DigitPoint& point) {
 template <typename Value>
 void add_series(const TendonSweep& sweep, const std::string& name, const Value& value,
                 Json& series) {
-  const int along = sweep.varied.back();
-  const std::vector<int> others(sweep.varied.begin(), sweep.varied.end() - 1);
-  for (std::size_t begin = 0; begin < sweep.points.size(); begin += sweep.row) {
-    const std::size_t end = std::min(begin + sweep.row, sweep.points.size());
+  const int along = sweep.loaded.grid.varied.back();
+  const std::vector<int> others(sweep.loaded.grid.varied.begin(),
+                                sweep.loaded.grid.varied.end() - 1);
+  for (std::size_t begin = 0; begin < sweep.points.size(); begin += sweep.loaded.grid.row) {
+    const std::size_t end = std::min(begin + sweep.loaded.grid.row, sweep.points.size());
     Json x = Json::array(), y = Json::array();
     for (std::size_t i = begin; i < end; ++i) {
       x.push_back(sweep.points[i].q[along] / kDegree);
@@ -67,7 +71,7 @@ Json chart(const TendonSweep& sweep, const std::string& caption, const std::stri
            Json series) {
   return {{"type", "lines"},
           {"caption", caption},
-          {"x_label", coordinate_name(sweep, sweep.varied.back()) + " [deg]"},
+          {"x_label", coordinate_name(sweep, sweep.loaded.grid.varied.back()) + " [deg]"},
           {"y_label", y_label},
           {"series", std::move(series)}};
 }
@@ -95,7 +99,7 @@ Json scene_of(const TendonSweep& sweep, const NetTendons& net, const DigitPoint&
   const TreeState<double> state = pose_tree(net.digit().model.tree, point.q);
   Json layers = Json::array({finger_layer(net, state), surface_layer(net, state)});
   for (const Json& bands : band_layers(net, state, point.rest)) layers.push_back(bands);
-  layers.push_back(muscle_layer(net, state, sweep.t));
+  layers.push_back(muscle_layer(net, state, sweep.loaded.t));
   const FingerBone& palm = net.net().frame.bone(BoneRole::kMetacarpal);
   const Eigen::Vector3d view = 0.75 * palm.dorsal + palm.radial - 0.2 * palm.along;
   return {{"type", "scene"},
@@ -109,25 +113,35 @@ Json scene_of(const TendonSweep& sweep, const NetTendons& net, const DigitPoint&
           {"layers", layers}};
 }
 
+/// Which sense of a coordinate is positive. Joints of ab-adduction are named "MCP3_AA".
+std::string positive_sense(const std::string& coordinate) {
+  const std::string ending = "_AA";
+  const bool abducts =
+      coordinate.size() > ending.size() &&
+      coordinate.compare(coordinate.size() - ending.size(), ending.size(), ending) == 0;
+  return abducts ? "abduction towards radial" : "flexion";
+}
+
 Json arm_charts(const TendonSweep& sweep) {
   Json charts = Json::array();
   const std::vector<std::string>& muscles = names_of(sweep).muscles;
   for (int c = 0; c < sweep.points.front().q.size(); ++c) {
     Json series = Json::array();
-    for (Eigen::Index m = 0; m < sweep.t.size(); ++m) {
-      if (sweep.t[m] == 0) continue;
+    for (Eigen::Index m = 0; m < sweep.loaded.t.size(); ++m) {
+      if (sweep.loaded.t[m] == 0) continue;
       add_series(
           sweep, muscles[static_cast<std::size_t>(m)],
           [&](const DigitPoint& point) { return 1e3 * point.pull.R(m, c); }, series);
     }
-    charts.push_back(chart(sweep, "Moment arms about " + coordinate_name(sweep, c),
-                           "arm, flexion positive [mm]", series));
+    const std::string name = coordinate_name(sweep, c);
+    charts.push_back(chart(sweep, "Moment arms about " + name,
+                           fmt::format("arm, {} positive [mm]", positive_sense(name)), series));
   }
   return charts;
 }
 
 Json tip_chart(const TendonSweep& sweep) {
-  const TendonModel<double>& model = sweep.tendons.digit().model;
+  const TendonModel<double>& model = sweep.loaded.bones().model;
   const char* const names[] = {"proximal", "dorsal", "radial"};
   Json series = Json::array();
   for (int k = 0; k < 3; ++k)
@@ -178,7 +192,7 @@ std::string trouble_line(const TendonSweep& sweep) {
 
 Json net_section(const TendonSweep& sweep, const NetTendons& net) {
   Json blocks = net_scenes(sweep);
-  if (sweep.row > 1)
+  if (sweep.loaded.grid.row > 1)
     for (const Json& block : slip_charts(sweep)) blocks.push_back(block);
   blocks.push_back(band_table(sweep, net.net().net, shown_points(sweep.points.size(), 4)));
   return section(
@@ -191,10 +205,32 @@ Json net_section(const TendonSweep& sweep, const NetTendons& net) {
       blocks);
 }
 
+Json sections_of(const TendonSweep& sweep) {
+  Json sections = Json::array();
+  const std::string warning = trouble_line(sweep);
+  if (!warning.empty())
+    sections.push_back(
+        section("trouble", "Not to be trusted", "", Json::array({text_block(warning)})));
+  const NetTendons* net = sweep.loaded.net();
+  if (net != nullptr) sections.push_back(net_section(sweep, *net));
+  if (sweep.loaded.grid.row < 2) return sections;
+  if (net == nullptr && sweep.loaded.bones().model.hood)
+    sections.push_back(section("slips", "Slips of the hood", "", slip_charts(sweep)));
+  sections.push_back(section(
+      "arms", "Moment arms",
+      net == nullptr ? ""
+                     : "Of a net, an arm is the change of joint torque with a muscle's tension at "
+                       "these tensions: it depends on what the others pull. Muscles that do not "
+                       "pull are left out.",
+      arm_charts(sweep)));
+  sections.push_back(section("tip", "Tip force", "", Json::array({tip_chart(sweep)})));
+  return sections;
+}
+
 }  // namespace
 
 Json net_scenes(const TendonSweep& sweep, std::size_t most) {
-  const auto* net = dynamic_cast<const NetTendons*>(&sweep.tendons);
+  const NetTendons* net = sweep.loaded.net();
   if (net == nullptr) return Json::array();
   const std::vector<std::size_t> shown = shown_points(sweep.points.size(), most);
   double highest = 0;
@@ -234,26 +270,19 @@ Json slip_charts(const TendonSweep& sweep) {
                    chart(sweep, "Tension of the slips", "tension [N]", slips)}))});
 }
 
-Json tendon_page(const TendonSweep& sweep) {
-  Json sections = Json::array();
-  const std::string warning = trouble_line(sweep);
-  if (!warning.empty())
-    sections.push_back(
-        section("trouble", "Not to be trusted", "", Json::array({text_block(warning)})));
-  const auto* net = dynamic_cast<const NetTendons*>(&sweep.tendons);
-  if (net != nullptr) sections.push_back(net_section(sweep, *net));
-  if (sweep.row < 2) return sections;
-  if (net == nullptr && sweep.tendons.digit().model.hood)
-    sections.push_back(section("slips", "Slips of the hood", "", slip_charts(sweep)));
-  sections.push_back(section(
-      "arms", "Moment arms",
-      net == nullptr ? ""
-                     : "Of a net, an arm is the change of joint torque with a muscle's tension at "
-                       "these tensions: it depends on what the others pull. Muscles that do not "
-                       "pull are left out.",
-      arm_charts(sweep)));
-  sections.push_back(section("tip", "Tip force", "", Json::array({tip_chart(sweep)})));
-  return sections;
+Json page_of(const TendonSweep& sweep) {
+  const LoadedDigit& loaded = sweep.loaded;
+  Json provenance = provenance_json(loaded.sources, loaded.bones().fidelity);
+  provenance["tensions"] = tensions_in_words(loaded) + " N";
+  if (loaded.net() != nullptr) provenance["net"] = loaded.net()->net().net.name;
+  return {{"title", fmt::format("Tendons of the {} of {}", loaded.digit, loaded.subject)},
+          {"subtitle", fmt::format("under {} N", tensions_in_words(loaded))},
+          {"provenance", provenance},
+          {"sections", sections_of(sweep)}};
+}
+
+Json page_of(const TendonSolution& solution) {
+  return page_of(TendonSweep{solution.loaded, {solution.point}});
 }
 
 }  // namespace thenar

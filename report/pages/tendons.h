@@ -1,22 +1,15 @@
 #pragma once
 
-/// The tendons of a digit over its postures: the net in space, its slips, moment arms, tip force.
+/// Pages of one digit: its tendons over postures, the bands of its hood, its motion.
 
-#include <string>
+#include <vector>
 
+#include "api/tendon_infer.h"
+#include "api/tendon_solve.h"
+#include "kinematics_fit/hood_comparison.h"
 #include "report/blocks.h"
-#include "tendons/net/posture_sweep.h"
 
 namespace thenar {
-
-/// A sweep to show.
-struct TendonSweep {
-  const DigitTendons& tendons;
-  Eigen::VectorXd t;               // tension of each muscle [N] (muscles)
-  std::vector<DigitPoint> points;  // in order, row after row
-  std::vector<int> varied;         // coordinates; the last one varies along a row
-  std::size_t row = 1;             // points a row
-};
 
 /// Scenes of the net at some of the postures, linked, bands coloured by tension.
 [[nodiscard]] Json net_scenes(const TendonSweep& sweep, std::size_t most = 4);
@@ -25,7 +18,17 @@ struct TendonSweep {
 /// the tension of every slip.
 [[nodiscard]] Json slip_charts(const TendonSweep& sweep);
 
-/// Sections of a report.
-[[nodiscard]] Json tendon_page(const TendonSweep& sweep);
+/// The net in space, its slips, moment arms and tip force over a sweep, or at one posture.
+[[nodiscard]] Json page_of(const TendonSweep& sweep);
+[[nodiscard]] Json page_of(const TendonSolution& solution);
+
+/// The verdict on every band, and what to measure next: tendon_infer.cpp.
+[[nodiscard]] Json page_of(const NetInference& inference);
+
+/// A section with the extensor mechanism on every rung: the net in space and its slips over a
+/// sweep, and the errors of predicted tip forces of every specimen beside the time that a posture
+/// takes: hood.cpp.
+[[nodiscard]] Json hood_page(const TendonSweep& sweep,
+                             const std::vector<HoodComparison>& comparisons);
 
 }  // namespace thenar

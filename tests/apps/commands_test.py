@@ -506,7 +506,7 @@ class Tendon(Near):
                       complaint("tendon", "solve", SYNEK, "--net", "winslo", *self.EDC))
         self.assertIn("wanted from:to:step [deg], got '5'",
                       complaint("tendon", "sweep", SYNEK, *self.EDC, "--vary", "PIP3=5"))
-        self.assertIn("ends in .csv or .html, got 'net.txt'",
+        self.assertIn("ends in .html or .csv or .json, got 'net.txt'",
                       complaint("tendon", "sweep", SYNEK, *self.EDC, "--vary", "PIP3=0:20:10",
                                 "-o", "net.txt"))
         self.assertIn("steps of -5 deg do not lead from 0 to 90 deg",

@@ -1,0 +1,162 @@
+#include "api/tendon_infer.h"
+
+#include <algorithm>
+#include <filesystem>
+#include <random>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "api/data_folders.h"
+#include "api/digits.h"
+#include "api/files.h"
+#include "base/error.h"
+#include "base/nearest_name.h"
+#include "kinematics_fit/net_records.h"
+#include "tendons/net/build_tendons.h"
+#include "tendons/net/net_tendons.h"
+#include "tendons/topology/select_bands.h"
+
+namespace thenar {
+namespace {
+
+/// An experiment by the path of its file or by its name, with its text.
+SourceText experiment_source(const std::string& name_or_path, const std::string& data) {
+  std::error_code none;
+  if (std::filesystem::exists(name_or_path, none)) return read_source(name_or_path);
+  return read_source(
+      named_file("experiment", name_or_path, "experiments", ".toml", data_folders(data)));
+}
+
+/// Everything that the inference starts from.
+struct InferenceCase {
+  CandidateNet candidate;
+  std::vector<TendonRecord> records;
+  std::vector<TendonTest> pool;
+  MeasurementNoise noise;
+};
+
+std::vector<BandEnds> ends_of(const CandidateNet& candidate) {
+  std::vector<BandEnds> ends;
+  const std::vector<NetNode>& nodes = candidate.net.nodes;
+  for (const CandidateBand& each : candidate.candidates) {
+    const NetBand& band = candidate.net.bands[static_cast<std::size_t>(each.band)];
+    ends.push_back({nodes[static_cast<std::size_t>(band.a)].name,
+                    nodes[static_cast<std::size_t>(band.b)].name});
+  }
+  return ends;
+}
+
+/// Reads the three files, and puts what they are into the answer.
+InferenceCase read_case(const InferNetRequest& request, NetInference& answer) {
+  // Files.
+  const SourceText forces = experiment_source(request.experiment, request.data),
+                   person = subject_source(request.subject, request.data),
+                   bands = net_source(request.net);
+  const Experiment experiment = parse_experiment(forces.text, forces.path);
+  const Subject subject = parse_subject(person.text, person.path);
+  const NetDescription net = parse_net(bands.text, bands.path);
+  // The digit with all candidate bands.
+  TendonOptions tendons;
+  tendons.hood = Hood::kFloatingNet;
+  tendons.path = request.path.value_or(Path::kViaPoint);
+  const auto built = build_digit_tendons(subject, experiment.digit, tendons, &net);
+  const auto& netted = dynamic_cast<const NetTendons&>(*built);
+  InferenceCase at{candidate_of(netted),
+                   net_records(netted, experiment),
+                   possible_tests(netted, experiment),
+                   {experiment.sd_relative, experiment.sd_floor}};
+  // What the answer is of.
+  answer.experiment = experiment.name;
+  answer.subject = subject.name;
+  answer.net = at.candidate.net.name;
+  answer.fidelity = netted.digit().fidelity;
+  answer.ends = ends_of(at.candidate);
+  answer.sources = {forces, person, bands};
+  return at;
+}
+
+/// Tests of the pool, in the order of their rank.
+std::vector<ProposedTest> proposed(const std::vector<RankedTest>& ranked,
+                                   const std::vector<TendonTest>& pool, int most) {
+  std::vector<ProposedTest> tests;
+  for (const RankedTest& rank : ranked) {
+    if (static_cast<int>(tests.size()) >= most) break;
+    tests.push_back({pool[static_cast<std::size_t>(rank.test)].name, rank.disagreement});
+  }
+  return tests;
+}
+
+void infer_by_selection(const InferenceCase& at, int propose, const Progress& progress,
+                        NetInference& answer) {
+  BandFitter fitter(at.candidate, at.records);
+  FittedNets tried(fitter);
+  (void)select_bands(tried, {}, progress);
+  answer.inferred = assess_bands(tried, {}, progress);
+  if (!answer.inferred.found) return;
+  // Models weigh, and readings differ, by the noise that the best of them leaves.
+  const double inflation = answer.inferred.inflation;
+  std::vector<FittedNet> nets = answer.inferred.alike;
+  for (FittedNet& net : nets) net.fit.misfit /= inflation * inflation;
+  MeasurementNoise noise = at.noise;
+  noise.floor *= inflation;
+  noise.relative *= inflation;
+  NetForwardModel forecast(at.candidate, at.pool);
+  answer.next =
+      proposed(rank_tests(forecast, at.pool, nets, fitter.typical(), noise), at.pool, propose);
+}
+
+void infer_by_search(const InferenceCase& at, const InferNetRequest& request,
+                     const Progress& progress, NetInference& answer) {
+  std::mt19937 random(request.seed);
+  NetSearchOptions options;
+  options.noise = at.noise;
+  NetSearchResult found =
+      search_nets(at.candidate, at.records, at.pool, {}, random, options, progress);
+  answer.inferred = std::move(found.net);
+  answer.next = proposed(found.next, at.pool, request.propose);
+  answer.stop = found.stop;
+}
+
+/// What not to trust of the fits behind the verdicts, a sentence each.
+std::vector<std::string> doubts_of(const InferredNet& inferred) {
+  std::vector<std::string> doubts, open;
+  for (const BandVerdict& band : inferred.verdicts)
+    if (!band.converged) open.push_back(band.name);
+  if (!inferred.converged) doubts.emplace_back("the fit of the best net did not converge");
+  if (!open.empty())
+    doubts.push_back(fmt::format("verdicts rest on fits that did not converge: {}", listed(open)));
+  if (inferred.residual > NetSolverOptions().tolerance)
+    doubts.push_back(
+        fmt::format("nets were brought to balance to {:.1g} N only", inferred.residual));
+  return doubts;
+}
+
+}  // namespace
+
+InferMethod infer_method_named(const std::string& name) {
+  require(name == "sparse" || name == "explore", "method must be sparse or explore, got '{}'",
+          name);
+  return name == "sparse" ? InferMethod::kSparse : InferMethod::kExplore;
+}
+
+std::string name_of(InferMethod method) {
+  return method == InferMethod::kSparse ? "sparse" : "explore";
+}
+
+NetInference infer_net(const InferNetRequest& request, const Progress& progress) {
+  NetInference answer;
+  answer.method = request.method;
+  answer.seed = request.seed;
+  progress(0, "tests");
+  const InferenceCase at = read_case(request, answer);
+  if (request.method == InferMethod::kSparse)
+    infer_by_selection(at, request.propose, progress, answer);
+  else
+    infer_by_search(at, request, progress, answer);
+  answer.stopped = progress.stop();
+  if (answer.inferred.found) answer.warnings = doubts_of(answer.inferred);
+  return answer;
+}
+
+}  // namespace thenar

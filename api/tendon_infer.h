@@ -1,0 +1,70 @@
+#pragma once
+
+/// Which bands of an extensor net measured fingertip forces ask for, which they deny, which they
+/// leave open, and what to measure next.
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "base/fidelity.h"
+#include "base/progress.h"
+#include "kinematics_fit/fit.h"
+#include "tendons/topology/search_nets.h"
+
+namespace thenar {
+
+/// How topologies are looked for.
+enum class InferMethod {
+  kSparse,  // all candidate bands at once, at a price: select_bands()
+  kExplore  // a population of nets that change by single bands: search_nets()
+};
+
+/// @throws InputError unless the name is "sparse" or "explore".
+[[nodiscard]] InferMethod infer_method_named(const std::string& name);
+[[nodiscard]] std::string name_of(InferMethod method);
+
+/// Which forces, of which subject, and which bands there may be.
+struct InferNetRequest {
+  std::string experiment;       // a file, or the name of one of experiments/
+  std::string subject;          // a file, or the name of one of subjects/
+  std::string data;             // folder with subjects/ ..; empty: the usual ones
+  std::string net = "winslow";  // all candidate bands: name or file
+  std::optional<Path> path;     // of tendons outside of the net; absent: via points
+  InferMethod method = InferMethod::kSparse;
+  unsigned seed = 1;  // of kExplore
+  int propose = 3;    // tests to propose, at most
+};
+
+/// Where a candidate band runs.
+struct BandEnds {
+  std::string from, to;  // names of nodes
+};
+
+/// A measurement that would tell the remaining nets apart.
+struct ProposedTest {
+  std::string name;         // posture and tensions [N]: "MinorFlex EDC=3.28 RI=5.32"
+  double disagreement = 0;  // of nets that fit alike, mean squared, in sds of a reading [1]
+};
+
+/// What was inferred.
+struct [[nodiscard]] NetInference {
+  std::string experiment, subject, net;  // names
+  InferMethod method = InferMethod::kSparse;
+  unsigned seed = 1;
+  Fidelity fidelity;                  // of the digit
+  InferredNet inferred;               // read inferred.found first
+  std::vector<BandEnds> ends;         // of each of inferred.verdicts
+  std::vector<ProposedTest> next;     // the most telling first
+  std::optional<NetSearchStop> stop;  // why the search ended; absent: kSparse does not search
+  bool stopped = false;               // on request: verdicts of what was tried up to then
+  std::vector<SourceText> sources;    // experiment, subject, net
+  std::vector<std::string> warnings;  // what not to trust of the fits behind the verdicts
+};
+
+/// Fits the nets that candidate bands can form to all trials in which a muscle pulls the net, and
+/// judges every band by how much worse the forces are explained without it.
+/// @throws InputError or DataError saying what is unknown, missing or wrong.
+[[nodiscard]] NetInference infer_net(const InferNetRequest& request, const Progress& progress = {});
+
+}  // namespace thenar

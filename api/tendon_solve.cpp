@@ -1,0 +1,60 @@
+#include "api/tendon_solve.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "base/error.h"
+
+namespace thenar {
+namespace {
+
+LoadedDigit loaded_digit(const TendonRequest& request) {
+  DigitCase at = build_digit(request.digit, Hood::kFloatingNet);
+  require(at.map.empty(), "digit '{}' of '{}' has no bones, only tip map '{}': ask tip-force",
+          at.digit, at.subject.name, at.map);
+  const Eigen::VectorXd t = tensions(at, request.tension);
+  return {at.subject.name,       at.digit, at.tendons, t, std::move(at.grid), std::move(at.sources),
+          std::move(at.warnings)};
+}
+
+}  // namespace
+
+TendonSolution solve_tendons(const TendonRequest& request, const Progress& progress) {
+  require(request.digit.vary.empty(), "wanted one posture, got {} joints that vary",
+          request.digit.vary.size());
+  LoadedDigit loaded = loaded_digit(request);
+  progress(0, "one posture");
+  std::vector<DigitPoint> points =
+      sweep_digit(*loaded.tendons, {loaded.grid.postures.front()}, loaded.t);
+  return {std::move(loaded), std::move(points.front())};
+}
+
+TendonSweep sweep_tendons(const TendonRequest& request, const Progress& progress) {
+  TendonSweep sweep{loaded_digit(request), {}};
+  const PostureGrid& grid = sweep.loaded.grid;
+  const double count = static_cast<double>(grid.postures.size());
+  for (std::size_t begin = 0; begin < grid.postures.size() && !progress.stop(); begin += grid.row) {
+    // One row, with its share of the progress.
+    const auto from = grid.postures.begin() + static_cast<std::ptrdiff_t>(begin);
+    const std::vector<Eigen::VectorXd> postures{from, from + static_cast<std::ptrdiff_t>(grid.row)};
+    Progress row = progress;
+    row.report = [&](double fraction, const std::string& what) {
+      progress((static_cast<double>(begin) + fraction * static_cast<double>(grid.row)) / count,
+               what);
+    };
+    for (DigitPoint& point : sweep_digit(*sweep.loaded.tendons, postures, sweep.loaded.t, row))
+      sweep.points.push_back(std::move(point));
+  }
+  sweep.stopped = sweep.points.size() < grid.postures.size();
+  return sweep;
+}
+
+Eigen::Vector3d force_in_tip_axes(const LoadedDigit& loaded, const DigitPoint& point) {
+  const TendonModel<double>& model = loaded.bones().model;
+  Eigen::Matrix3d axes = model.tip_axes;
+  if (model.tip_link >= 0)
+    axes = pose_tree(model.tree, point.q)[static_cast<std::size_t>(model.tip_link)].X.R * axes;
+  return axes.transpose() * point.tip.f_W;
+}
+
+}  // namespace thenar

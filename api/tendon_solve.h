@@ -1,0 +1,66 @@
+#pragma once
+
+/// What given tendon tensions do to one digit: every band of its extensor hood, joint torques, and
+/// the force of its tip; at one posture, or over a grid of postures.
+
+#include <map>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "api/digits.h"
+#include "base/progress.h"
+#include "tendons/net/posture_sweep.h"
+
+namespace thenar {
+
+/// Which tendons are pulled, in which postures.
+struct TendonRequest {
+  DigitRequest digit;                     // hood absent: a net
+  std::map<std::string, double> tension;  // muscle -> tension [N]; others are slack
+};
+
+/// A digit under tensions, with its postures.
+struct LoadedDigit {
+  std::string subject, digit;
+  std::shared_ptr<const DigitTendons> tendons;  // never null
+  Eigen::VectorXd t;                            // tension of each muscle [N] (muscles)
+  PostureGrid grid;                             // the postures asked for
+  std::vector<SourceText> sources;              // of the subject, and of a net
+  std::vector<std::string> warnings;            // of limits, and of tendons too close to a joint
+
+  [[nodiscard]] const TendonDigit& bones() const { return tendons->digit(); }
+  /// The same tendons if their hood is a net, else null.
+  [[nodiscard]] const NetTendons* net() const {
+    return dynamic_cast<const NetTendons*>(tendons.get());
+  }
+};
+
+/// The answer at one posture.
+struct [[nodiscard]] TendonSolution {
+  LoadedDigit loaded;
+  DigitPoint point;  // read point.pull.status first: trusted()
+};
+
+/// The answers at a grid of postures; each net comes from its neighbour in the same row.
+struct [[nodiscard]] TendonSweep {
+  LoadedDigit loaded;
+  std::vector<DigitPoint> points;  // in the order of loaded.grid.postures; fewer if stopped
+  bool stopped = false;            // on request; holds all up to then
+};
+
+/// Solves the digit at request.digit.posture; `vary` must be empty.
+/// @throws InputError or DataError saying what is unknown or missing.
+[[nodiscard]] TendonSolution solve_tendons(const TendonRequest& request,
+                                           const Progress& progress = {});
+
+/// Solves the digit over the postures of request.digit.vary, row by row; each row starts from the
+/// straight finger.
+/// @throws InputError or DataError saying what is unknown or missing.
+[[nodiscard]] TendonSweep sweep_tendons(const TendonRequest& request,
+                                        const Progress& progress = {});
+
+/// Force of the tip along its own proximal, dorsal and radial directions [N] (3).
+[[nodiscard]] Eigen::Vector3d force_in_tip_axes(const LoadedDigit& loaded, const DigitPoint& point);
+
+}  // namespace thenar

@@ -1,0 +1,37 @@
+#pragma once
+
+/// Words, JSON and tables of which bands of an extensor net measured forces ask for.
+///
+/// A band is decided by its evidence: by how much chi-square is worse without it than with it, in
+/// units of the errors that the best net leaves. Above 6 it exists, below -6 it does not, between
+/// the data leave it open.
+
+#include <string>
+#include <vector>
+
+#include "api/tendon_infer.h"
+#include "report/json.h"
+#include "report/table.h"
+
+namespace thenar {
+
+/// How well the best net explains the forces, the verdict on every band, what cannot be told apart,
+/// and what to measure next.
+[[nodiscard]] std::string text_of(const NetInference& inference);
+/// The same; evidence and sd_of_log_EA are null where they are infinite, EA_N where the data do not
+/// decide it.
+[[nodiscard]] OrderedJson json_of(const NetInference& inference);
+/// A row for each candidate band.
+[[nodiscard]] Table table_of(const NetInference& inference);
+
+/// How well the best net explains the forces, a sentence each.
+[[nodiscard]] std::vector<std::string> fit_in_words(const NetInference& inference);
+/// What the tests that are proposed would tell, in one sentence.
+[[nodiscard]] std::string next_in_words(const NetInference& inference);
+/// Bands that the data want some of, but not which, a sentence each.
+[[nodiscard]] std::vector<std::string> groups_in_words(const InferredNet& inferred);
+
+/// Why there is no answer; empty if there is one.
+[[nodiscard]] std::string refusal_of(const NetInference& inference);
+
+}  // namespace thenar

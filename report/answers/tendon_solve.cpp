@@ -1,0 +1,484 @@
+#include "report/answers/tendon_solve.h"
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+
+#include <fmt/format.h>
+
+#include "base/units.h"
+#include "report/words.h"
+#include "tendons/forces/posture_sensitivity.h"
+#include "tendons/net/band_course.h"
+
+namespace thenar {
+namespace {
+
+const char* const kTipDirections[] = {"proximal", "dorsal", "radial"};
+
+/// A band of the answer.
+struct BandRow {
+  std::string name, from, to, state;
+  double length, slack;  // [mm]; slack length NaN of a muscle
+  double tension;        // [N]
+};
+
+std::vector<BandRow> band_rows(const LoadedDigit& loaded, const DigitPoint& point) {
+  const Net& net = loaded.net()->net().net;
+  const TreeState<double> state = pose_tree(loaded.bones().model.tree, point.q);
+  std::vector<BandRow> rows;
+  for (std::size_t k = 0; k < net.bands.size(); ++k) {
+    const NetBand& band = net.bands[k];
+    const double tension = point.rest.tension[static_cast<Eigen::Index>(k)];
+    const bool bent = band_course(net, state, point.rest, static_cast<int>(k)).bent;
+    rows.push_back({band.name, net.nodes[static_cast<std::size_t>(band.a)].name,
+                    net.nodes[static_cast<std::size_t>(band.b)].name,
+                    std::string(tension > kTaut ? "taut" : "slack") + (bent ? ", on bone" : ""),
+                    point.rest.length[static_cast<Eigen::Index>(k)] / kMm,
+                    band.muscle < 0 ? band.slack / kMm : std::nan(""), tension});
+  }
+  return rows;
+}
+
+/// Terminal per central slip; NaN if the central one is slack.
+double slip_ratio(const SlipTension& slips) {
+  return slips.central > kTaut ? slips.terminal / slips.central : std::nan("");
+}
+
+/// A tension with four decimals; "0" of what is slack.
+std::string shown_tension(double tension) {
+  return std::abs(tension) > kTaut ? shown(tension, 4) : "0";
+}
+
+/// Subject, digit, fidelity, net and tensions, as they open every answer in JSON.
+OrderedJson tendon_header(const LoadedDigit& loaded) {
+  OrderedJson json{{"subject", loaded.subject},
+                   {"digit", loaded.digit},
+                   {"fidelity", describe(loaded.bones().fidelity)}};
+  if (loaded.net() != nullptr) json["net"] = loaded.net()->net().net.name;
+  json["tension_N"] = to_json(loaded.bones().names.muscles, loaded.t);
+  return json;
+}
+
+/// The same as two lines of text.
+std::string tendon_title(const LoadedDigit& loaded) {
+  const std::string pulled = tensions_in_words(loaded);
+  return fmt::format("{} of {} {} N\nmodel: {}{}\n", loaded.digit, loaded.subject,
+                     pulled.empty() ? "at 0" : "under " + pulled, describe(loaded.bones().fidelity),
+                     loaded.net() == nullptr ? "" : ", net " + loaded.net()->net().net.name);
+}
+
+void add_net(const LoadedDigit& loaded, const DigitPoint& point, OrderedJson& json) {
+  const Net& net = loaded.net()->net().net;
+  json["status"] = name_of(point.rest.status);
+  json["residual_N"] = point.rest.residual;
+  json["iterations"] = point.rest.iterations;
+  // Bands.
+  json["bands"] = Json::array();
+  for (const BandRow& row : band_rows(loaded, point))
+    json["bands"].push_back(OrderedJson{{"name", row.name},
+                                        {"from", row.from},
+                                        {"to", row.to},
+                                        {"length_mm", row.length},
+                                        {"slack_mm", number_or_null(row.slack)},
+                                        {"tension_N", row.tension},
+                                        {"state", row.state}});
+  // Nodes.
+  json["nodes"] = Json::array();
+  for (std::size_t i = 0; i < net.nodes.size(); ++i)
+    json["nodes"].push_back(
+        OrderedJson{{"name", net.nodes[i].name},
+                    {"floating", net.nodes[i].free},
+                    {"place_mm", to_json(point.rest.x.col(static_cast<Eigen::Index>(i)) / kMm)}});
+  // Contacts of nodes with bone.
+  json["contacts"] = Json::array();
+  for (const NetContact& contact : point.rest.contacts)
+    json["contacts"].push_back(
+        OrderedJson{{"node", net.nodes[static_cast<std::size_t>(contact.node)].name},
+                    {"surface", net.surfaces[static_cast<std::size_t>(contact.surface)].name},
+                    {"force_N", contact.force}});
+}
+
+std::string net_text(const LoadedDigit& loaded, const DigitPoint& point) {
+  const Net& net = loaded.net()->net().net;
+  Table bands{{"band", "from", "to", "length_mm", "slack_length_mm", "tension_N", "state"}, {}};
+  for (const BandRow& row : band_rows(loaded, point))
+    bands.rows.push_back({row.name, row.from, row.to, shown(row.length, 3),
+                          std::isfinite(row.slack) ? shown(row.slack, 3) : "-",
+                          shown_tension(row.tension), row.state});
+
+  Table nodes{{"node", "x_mm", "y_mm", "z_mm"}, {}};
+  for (std::size_t i = 0; i < net.nodes.size(); ++i)
+    if (net.nodes[i].free)
+      nodes.rows.push_back(
+          row({{net.nodes[i].name},
+               cells((point.rest.x.col(static_cast<Eigen::Index>(i)) / kMm).eval(), 3)}));
+
+  Table contacts{{"node", "surface", "force_N"}, {}};
+  for (const NetContact& contact : point.rest.contacts)
+    contacts.rows.push_back({net.nodes[static_cast<std::size_t>(contact.node)].name,
+                             net.surfaces[static_cast<std::size_t>(contact.surface)].name,
+                             shown(contact.force, 4)});
+  return titled("Bands of the extensor hood", bands) +
+         titled("Knots of the hood that float, in the subject's frame", nodes) +
+         titled("Knots pressed on bone", contacts);
+}
+
+std::string slip_text(const SlipTension& slips) {
+  const double ratio = slip_ratio(slips);
+  return titled(
+      "Slips of the extensor hood (radial and ulnar: the lateral bands)",
+      {{"central_N", "radial_N", "ulnar_N", "terminal_N", "terminal/central"},
+       {{shown_tension(slips.central), shown_tension(slips.radial), shown_tension(slips.ulnar),
+         shown_tension(slips.terminal), std::isfinite(ratio) ? shown(ratio, 4) : "-"}}});
+}
+
+std::string tip_text(const LoadedDigit& loaded, const DigitPoint& point) {
+  Table force{{"direction", "force_N"}, {}};
+  const Eigen::Vector3d along = force_in_tip_axes(loaded, point);
+  for (int k = 0; k < 3; ++k) force.rows.push_back({kTipDirections[k], shown(along[k], 4)});
+  const char* const world[] = {"x of the subject", "y of the subject", "z of the subject"};
+  for (int k = 0; k < 3; ++k) force.rows.push_back({world[k], shown(point.tip.f_W[k], 4)});
+  force.rows.push_back({"magnitude", shown(point.tip.f_W.norm(), 4)});
+  std::string text = titled("Force of the pinned fingertip on the world", force);
+  text += fmt::format("condition number of the tip's Jacobian: {:.4g}\n", point.tip.condition);
+  const std::string note = tip_note(point.tip);
+  return note.empty() ? text : text + fmt::format("note: {}\n", note);
+}
+
+/// A column of numbers: its name with the unit, and its value at a posture.
+struct SweepColumn {
+  std::string name;
+  std::function<double(const DigitPoint&)> value;
+};
+
+std::vector<SweepColumn> angle_columns(const TendonNames& names) {
+  std::vector<SweepColumn> columns;
+  for (std::size_t i = 0; i < names.coordinates.size(); ++i)
+    columns.push_back({names.coordinates[i] + "_deg", [i](const DigitPoint& point) {
+                         return point.q[static_cast<Eigen::Index>(i)] / kDegree;
+                       }});
+  return columns;
+}
+
+std::vector<SweepColumn> slip_columns(const LoadedDigit& loaded) {
+  if (loaded.net() == nullptr && !loaded.bones().model.hood) return {};
+  return {{"central_N", [](const DigitPoint& p) { return p.pull.slips.central; }},
+          {"radial_N", [](const DigitPoint& p) { return p.pull.slips.radial; }},
+          {"ulnar_N", [](const DigitPoint& p) { return p.pull.slips.ulnar; }},
+          {"terminal_N", [](const DigitPoint& p) { return p.pull.slips.terminal; }}};
+}
+
+std::vector<SweepColumn> band_columns(const LoadedDigit& loaded) {
+  if (loaded.net() == nullptr) return {};
+  std::vector<SweepColumn> columns{
+      {"residual_N", [](const DigitPoint& p) { return p.rest.residual; }}};
+  const Net& net = loaded.net()->net().net;
+  for (std::size_t k = 0; k < net.bands.size(); ++k)
+    columns.push_back({"tension_" + net.bands[k].name + "_N", [k](const DigitPoint& p) {
+                         return p.rest.tension[static_cast<Eigen::Index>(k)];
+                       }});
+  return columns;
+}
+
+std::vector<SweepColumn> force_columns(const LoadedDigit& loaded) {
+  std::vector<SweepColumn> columns;
+  for (int k = 0; k < 3; ++k)
+    columns.push_back(
+        {fmt::format("force_{}_N", kTipDirections[k]),
+         [&loaded, k](const DigitPoint& p) { return force_in_tip_axes(loaded, p)[k]; }});
+  return columns;
+}
+
+std::vector<SweepColumn> torque_columns(const TendonNames& names) {
+  std::vector<SweepColumn> columns;
+  for (std::size_t j = 0; j < names.coordinates.size(); ++j)
+    columns.push_back({"torque_" + names.coordinates[j] + "_N_mm", [j](const DigitPoint& p) {
+                         return 1e3 * p.pull.tau[static_cast<Eigen::Index>(j)];
+                       }});
+  return columns;
+}
+
+std::vector<SweepColumn> arm_columns(const TendonNames& names) {
+  std::vector<SweepColumn> columns;
+  for (std::size_t m = 0; m < names.muscles.size(); ++m)
+    for (std::size_t j = 0; j < names.coordinates.size(); ++j)
+      columns.push_back({fmt::format("arm_{}_{}_mm", names.muscles[m], names.coordinates[j]),
+                         [m, j](const DigitPoint& p) {
+                           return 1e3 * p.pull.R(static_cast<Eigen::Index>(m),
+                                                 static_cast<Eigen::Index>(j));
+                         }});
+  return columns;
+}
+
+std::vector<SweepColumn> joined_columns(std::vector<std::vector<SweepColumn>> parts) {
+  std::vector<SweepColumn> all;
+  for (std::vector<SweepColumn>& part : parts)
+    for (SweepColumn& column : part) all.push_back(std::move(column));
+  return all;
+}
+
+/// Columns of numbers behind angles and status.
+std::vector<SweepColumn> number_columns(const LoadedDigit& loaded) {
+  const TendonNames& names = loaded.bones().names;
+  return joined_columns({slip_columns(loaded),
+                         band_columns(loaded),
+                         force_columns(loaded),
+                         {{"condition", [](const DigitPoint& p) { return p.tip.condition; }}},
+                         torque_columns(names),
+                         arm_columns(names)});
+}
+
+/// How the search of a net ended; where it ended well, or there is none, how far to believe the
+/// rest.
+std::string status_of(const LoadedDigit& loaded, const DigitPoint& point) {
+  const bool net = loaded.net() != nullptr && (point.rest.status != NetStatus::kBalanced ||
+                                               point.pull.status == TendonStatus::kValid);
+  return net ? name_of(point.rest.status) : name_of(point.pull.status);
+}
+
+Table rows_of(const LoadedDigit& loaded, const std::vector<const DigitPoint*>& points) {
+  const std::vector<SweepColumn> angles = angle_columns(loaded.bones().names),
+                                 numbers = number_columns(loaded);
+  const bool net = loaded.net() != nullptr;
+  // Header.
+  Table table;
+  for (const SweepColumn& column : angles) table.header.push_back(column.name);
+  table.header.emplace_back("status");
+  if (net) table.header.emplace_back("snapped");
+  table.header.emplace_back("trouble");
+  for (const SweepColumn& column : numbers) table.header.push_back(column.name);
+  // Rows.
+  for (const DigitPoint* point : points) {
+    std::vector<std::string> cells;
+    for (const SweepColumn& column : angles)
+      cells.push_back(fmt::format("{:.10g}", column.value(*point)));
+    cells.push_back(status_of(loaded, *point));
+    if (net) cells.emplace_back(point->snapped ? "1" : "0");
+    cells.push_back(point->pull.warning);
+    for (const SweepColumn& column : numbers)
+      cells.push_back(fmt::format("{:.10g}", column.value(*point)));
+    table.rows.push_back(std::move(cells));
+  }
+  return table;
+}
+
+/// "PIP3=30 deg", of the joints that vary.
+std::string place_of(const LoadedDigit& loaded, const DigitPoint& point) {
+  return angles_in_words(loaded.bones().names.coordinates, loaded.grid.varied, point.q);
+}
+
+}  // namespace
+
+std::string tensions_in_words(const LoadedDigit& loaded) {
+  std::string pulled;
+  for (Eigen::Index i = 0; i < loaded.t.size(); ++i)
+    if (loaded.t[i] > 0)
+      pulled += fmt::format("{}{}={:.4g}", pulled.empty() ? "" : " ",
+                            loaded.bones().names.muscles[static_cast<std::size_t>(i)], loaded.t[i]);
+  return pulled;
+}
+
+std::string tip_note(const TipForce& tip) {
+  constexpr double kNone = 1e-9;  // torque [N m]
+  if (tip.rank < std::min<Eigen::Index>(3, tip.tau_residual.size()))
+    return tip.tau_residual.cwiseAbs().maxCoeff() < kNone
+               ? "singular posture: along some direction a force of the tip needs no joint torque; "
+                 "the smallest force in balance is given"
+               : "singular posture: no force of the tip balances all joint torques; given is the "
+                 "smallest of the forces that leave the least torque unbalanced";
+  if (tip.rank < 3)
+    return "too few joints: along some direction a force of the tip needs no joint torque; the "
+           "smallest force in balance is given";
+  if (tip.condition < kNearlyStraight) return "";
+  return fmt::format(
+      "nearly singular posture (condition {:.3g}): the force changes much within a degree",
+      tip.condition);
+}
+
+std::string text_of(const TendonSolution& solution) {
+  const LoadedDigit& loaded = solution.loaded;
+  const DigitPoint& point = solution.point;
+  const TendonNames& names = loaded.bones().names;
+  std::string text = tendon_title(loaded) + "\n";
+  text += titled("Posture [deg]", {names.coordinates, {cells((point.q / kDegree).eval(), 2)}});
+  if (loaded.net() != nullptr) text += net_text(loaded, point);
+  if (loaded.net() != nullptr || loaded.bones().model.hood) text += slip_text(point.pull.slips);
+  // Torques.
+  Table torque{{"joint", "torque_N_mm", "unbalanced_N_mm"}, {}};
+  for (std::size_t i = 0; i < names.coordinates.size(); ++i)
+    torque.rows.push_back({names.coordinates[i],
+                           shown(point.pull.tau[static_cast<Eigen::Index>(i)] / kNmm, 4),
+                           shown(point.tip.tau_residual[static_cast<Eigen::Index>(i)] / kNmm, 4)});
+  text += titled(
+      "Joint torque of all tendons, flexion positive, and the part that no tip force can balance",
+      torque);
+  text += tip_text(loaded, point);
+  if (loaded.net() != nullptr)
+    text += fmt::format(
+        "equilibrium of the hood: {}, largest force out of balance {:.2g} N, {} steps\n",
+        name_of(point.rest.status), point.rest.residual, point.rest.iterations);
+  return text;
+}
+
+OrderedJson json_of(const TendonSolution& solution) {
+  const LoadedDigit& loaded = solution.loaded;
+  const DigitPoint& point = solution.point;
+  const TendonNames& names = loaded.bones().names;
+  OrderedJson json = tendon_header(loaded);
+  json["posture_deg"] = to_json(names.coordinates, point.q / kDegree);
+  if (loaded.net() != nullptr) add_net(loaded, point, json);
+  if (!point.pull.warning.empty())
+    for (const char* member : {"trouble", "warning"}) json[member] = point.pull.warning;
+  // Slips.
+  const SlipTension& slips = point.pull.slips;
+  json["slips_N"] = {{"central", slips.central},
+                     {"radial", slips.radial},
+                     {"ulnar", slips.ulnar},
+                     {"terminal", slips.terminal}};
+  json["terminal_to_central"] = number_or_null(slip_ratio(slips));
+  // Torques and moment arms.
+  json["torque_N_mm"] = to_json(names.coordinates, point.pull.tau / kNmm);
+  for (std::size_t m = 0; m < names.muscles.size(); ++m)
+    json["moment_arm_mm"][names.muscles[m]] = to_json(
+        names.coordinates, point.pull.R.row(static_cast<Eigen::Index>(m)).transpose() / kMm);
+  // Force of the tip.
+  json["force_N"] = to_json(point.tip.f_W);
+  json["force_tip_axes_N"] =
+      to_json({"proximal", "dorsal", "radial"}, force_in_tip_axes(loaded, point));
+  json["leftover_torque_N_mm"] = to_json(names.coordinates, point.tip.tau_residual / kNmm);
+  json["condition"] = number_or_null(point.tip.condition);
+  if (const std::string note = tip_note(point.tip); !note.empty()) json["note"] = note;
+  return json;
+}
+
+Table table_of(const TendonSolution& solution) {
+  return rows_of(solution.loaded, {&solution.point});
+}
+
+std::string text_of(const TendonSweep& sweep) {
+  const LoadedDigit& loaded = sweep.loaded;
+  const std::vector<SweepColumn> columns = joined_columns(
+      {slip_columns(loaded), force_columns(loaded), torque_columns(loaded.bones().names)});
+  Table table{{"quantity", "first", "last", "min", "max"}, {}};
+  for (const SweepColumn& column : columns) {
+    std::vector<double> values;
+    for (const DigitPoint& point : sweep.points) values.push_back(column.value(point));
+    if (values.empty()) continue;
+    const auto [low, high] = std::minmax_element(values.begin(), values.end());
+    table.rows.push_back({column.name, shown(values.front(), 4), shown(values.back(), 4),
+                          shown(*low, 4), shown(*high, 4)});
+  }
+  std::string text = tendon_title(loaded);
+  if (!sweep.points.empty())
+    text +=
+        fmt::format("{}, from {} to {}\n", counted(sweep.points.size(), "posture"),
+                    place_of(loaded, sweep.points.front()), place_of(loaded, sweep.points.back()));
+  return text + "\n" + titled("Over the sweep", table);
+}
+
+OrderedJson json_of(const TendonSweep& sweep) {
+  const LoadedDigit& loaded = sweep.loaded;
+  OrderedJson json = tendon_header(loaded);
+  const std::vector<SweepColumn> columns =
+      joined_columns({angle_columns(loaded.bones().names), number_columns(loaded)});
+  for (const DigitPoint& point : sweep.points) {
+    json["status"].push_back(status_of(loaded, point));
+    if (loaded.net() != nullptr) json["snapped"].push_back(point.snapped);
+    json["trouble"].push_back(point.pull.warning);
+    for (const SweepColumn& column : columns) json[column.name].push_back(column.value(point));
+  }
+  return json;
+}
+
+Table table_of(const TendonSweep& sweep) {
+  std::vector<const DigitPoint*> points;
+  for (const DigitPoint& point : sweep.points) points.push_back(&point);
+  return rows_of(sweep.loaded, points);
+}
+
+std::vector<std::string> warnings_of(const TendonSolution& solution) {
+  std::vector<std::string> warnings = solution.loaded.warnings;
+  const TendonTorque& pull = solution.point.pull;
+  if (!pull.warning.empty() && trusted(pull.status)) warnings.push_back(pull.warning);
+  return warnings;
+}
+
+std::vector<std::string> warnings_of(const TendonSweep& sweep) {
+  const LoadedDigit& loaded = sweep.loaded;
+  std::vector<std::string> warnings = loaded.warnings;
+  // Singular postures: how many, and the first.
+  const auto doubtful = [](const DigitPoint& point) { return !tip_note(point.tip).empty(); };
+  const auto first = std::find_if(sweep.points.begin(), sweep.points.end(), doubtful);
+  if (first != sweep.points.end())
+    warnings.push_back(fmt::format("the force of the tip at {} of {} postures, first at {}: {}",
+                                   std::count_if(first, sweep.points.end(), doubtful),
+                                   sweep.points.size(), place_of(loaded, *first),
+                                   tip_note(first->tip)));
+  // Snaps and doubts, posture by posture.
+  for (const DigitPoint& point : sweep.points) {
+    if (point.snapped)
+      warnings.push_back(fmt::format("the hood snaps to another equilibrium on the way to {}",
+                                     place_of(loaded, point)));
+    if (!point.pull.warning.empty())
+      warnings.push_back(fmt::format("at {}: {}", place_of(loaded, point), point.pull.warning));
+  }
+  return warnings;
+}
+
+std::string refusal_of(const TendonSolution& solution) {
+  const TendonTorque& pull = solution.point.pull;
+  if (trusted(pull.status)) return "";
+  return fmt::format("the tendons are not to be trusted here ({}): {}", name_of(pull.status),
+                     pull.warning);
+}
+
+std::string refusal_of(const TendonSweep& sweep) {
+  const auto refused = [](const DigitPoint& p) { return !trusted(p.pull.status); };
+  const auto first = std::find_if(sweep.points.begin(), sweep.points.end(), refused);
+  if (first == sweep.points.end()) return "";
+  return fmt::format("the tendons are not to be trusted at {} of {} postures, first at {} ({}): {}",
+                     std::count_if(first, sweep.points.end(), refused), sweep.points.size(),
+                     place_of(sweep.loaded, *first), name_of(first->pull.status),
+                     first->pull.warning);
+}
+
+std::string name_of(TendonStatus status) {
+  switch (status) {
+    case TendonStatus::kValid:
+      return "sound";
+    case TendonStatus::kApproximate:
+      return "rough";
+    case TendonStatus::kBandInsideBone:
+      return "buried";
+    case TendonStatus::kNodeCollapsed:
+      return "drawn in";
+    case TendonStatus::kOutOfRange:
+      return "out of range";
+    case TendonStatus::kInvalidPath:
+      return "astray";
+    case TendonStatus::kUnstable:
+      return "unstable";
+    case TendonStatus::kUnbalanced:
+      return "unbalanced";
+  }
+  return "";
+}
+
+std::string name_of(NetStatus status) {
+  switch (status) {
+    case NetStatus::kBalanced:
+      return "balanced";
+    case NetStatus::kUnstable:
+      return "unstable";
+    case NetStatus::kNodeCollapsed:
+      return "drawn in";
+    case NetStatus::kStalled:
+      return "stalled";
+    case NetStatus::kFarSideWrap:
+      return "wound round";
+  }
+  return "";
+}
+
+}  // namespace thenar

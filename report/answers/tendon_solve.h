@@ -1,0 +1,47 @@
+#pragma once
+
+/// Words, JSON and tables of what tendon tensions do to a digit.
+
+#include <string>
+#include <vector>
+
+#include "api/tendon_solve.h"
+#include "report/json.h"
+#include "report/table.h"
+
+namespace thenar {
+
+/// Header, bands, nodes and contacts of a net, slips, joint torques, force of the tip.
+[[nodiscard]] std::string text_of(const TendonSolution& solution);
+/// The same as members with units in their names.
+[[nodiscard]] OrderedJson json_of(const TendonSolution& solution);
+/// The row that a sweep has for this posture.
+[[nodiscard]] Table table_of(const TendonSolution& solution);
+
+/// First, last, least and largest slip tension, tip force and joint torque of the sweep.
+[[nodiscard]] std::string text_of(const TendonSweep& sweep);
+/// A list for each column of table_of().
+[[nodiscard]] OrderedJson json_of(const TendonSweep& sweep);
+/// A row for each posture: angles, status, slips, bands, tip force, torques, moment arms.
+[[nodiscard]] Table table_of(const TendonSweep& sweep);
+
+/// What to beware of, one sentence each: also of the way the digit was built.
+[[nodiscard]] std::vector<std::string> warnings_of(const TendonSolution& solution);
+[[nodiscard]] std::vector<std::string> warnings_of(const TendonSweep& sweep);
+
+/// Why the answer must not be used: where tendons are not to be trusted; empty where they are.
+[[nodiscard]] std::string refusal_of(const TendonSolution& solution);
+[[nodiscard]] std::string refusal_of(const TendonSweep& sweep);
+
+/// What to beware of in the force of a pinned tip; empty: nothing.
+[[nodiscard]] std::string tip_note(const TipForce& tip);
+
+/// "EDC=2.9 LU=0.4": the tendons that pull [N].
+[[nodiscard]] std::string tensions_in_words(const LoadedDigit& loaded);
+
+/// "balanced", "unstable", "drawn in", "stalled" or "wound round".
+[[nodiscard]] std::string name_of(NetStatus status);
+/// "sound", "rough", .. "unbalanced".
+[[nodiscard]] std::string name_of(TendonStatus status);
+
+}  // namespace thenar

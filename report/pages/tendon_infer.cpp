@@ -1,0 +1,83 @@
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "report/answers/tendon_infer.h"
+#include "report/pages/tendons.h"
+#include "report/provenance.h"
+
+namespace thenar {
+namespace {
+
+Json verdict_block(const NetInference& inference) {
+  Json rows = Json::array();
+  for (std::size_t k = 0; k < inference.inferred.verdicts.size(); ++k) {
+    const BandVerdict& band = inference.inferred.verdicts[k];
+    const Json EA = band.EA == 0   ? Json("-")
+                    : band.EA_told ? Json(band.EA)
+                                   : Json("not decided by the data");
+    const bool known = band.EA != 0 && std::isfinite(band.EA_sd);
+    rows.push_back({band.name, inference.ends[k].from, inference.ends[k].to,
+                    to_string(band.verdict),
+                    std::isfinite(band.evidence) ? Json(band.evidence)
+                    : band.evidence > 0          ? Json("no net without it")
+                                                 : Json("no net with it"),
+                    EA, known ? Json(band.EA_sd) : Json("-")});
+  }
+  Json table = table_block(
+      "Every band that may exist. Evidence: by how much the forces are explained worse without the "
+      "band (chi-square, in units of the errors that the best net leaves); above 6 it exists, "
+      "below "
+      "-6 it does not, between the forces leave it open. \"No net without it\": without the band "
+      "no "
+      "net carries the loads. EA: stiffness, tension per unit strain.",
+      {{"band", ""},
+       {"from", ""},
+       {"to", ""},
+       {"exists", ""},
+       {"evidence", "", 1},
+       {"stiffness EA", "N", 1},
+       {"sd of log EA", "", 2}},
+      rows);
+  table["search"] = true;
+  return table;
+}
+
+Json next_block(const NetInference& inference) {
+  Json rows = Json::array();
+  for (const ProposedTest& test : inference.next) rows.push_back({test.name, test.disagreement});
+  return table_block("What to measure next. " + next_in_words(inference),
+                     {{"posture and tensions", "N"}, {"disagreement", "", 2}}, rows);
+}
+
+Json doubts_block(const std::vector<std::string>& warnings) {
+  return {{"type", "banner"},
+          {"ok", false},
+          {"title", "Some verdicts are not to be relied on"},
+          {"reasons", warnings}};
+}
+
+}  // namespace
+
+Json page_of(const NetInference& inference) {
+  Json provenance = provenance_json(inference.sources, inference.fidelity);
+  provenance["method"] =
+      inference.method == InferMethod::kSparse
+          ? name_of(inference.method)
+          : fmt::format("{}, seed {}", name_of(inference.method), inference.seed);
+  std::string text;
+  for (const std::string& line : fit_in_words(inference)) text += line + " ";
+  for (const std::string& line : groups_in_words(inference.inferred)) text += line + " ";
+  Json blocks = Json::array();
+  if (!inference.warnings.empty()) blocks.push_back(doubts_block(inference.warnings));
+  blocks.push_back(verdict_block(inference));
+  blocks.push_back(next_block(inference));
+  return {
+      {"title", fmt::format("Bands of the extensor hood: net {}", inference.net)},
+      {"subtitle", fmt::format("from the fingertip forces of {}, subject {}", inference.experiment,
+                               inference.subject)},
+      {"provenance", provenance},
+      {"sections", Json::array({section("bands", "Which bands the forces need", text, blocks)})}};
+}
+
+}  // namespace thenar
