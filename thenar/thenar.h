@@ -276,6 +276,7 @@
 #include "api/posterior.h"
 #include "api/posture.h"
 #include "api/predict.h"
+#include "api/simulate.h"
 #include "api/study.h"
 #include "api/tendon_infer.h"
 #include "api/tendon_solve.h"

@@ -1,10 +1,10 @@
-#include "report/pages/motion.h"
-
 #include <algorithm>
 
 #include <fmt/format.h>
 
 #include "base/units.h"
+#include "report/pages/tendons.h"
+#include "report/provenance.h"
 #include "report/scene/digit_layers.h"
 
 namespace thenar {
@@ -33,40 +33,53 @@ Json lines(const std::string& caption, const std::string& label, const Trajector
           {"series", series}};
 }
 
-/// Instants at equal ways of the tip, the first and the last among them.
-std::vector<Index> instants_along(const Eigen::MatrixX3d& tip, int count) {
-  Eigen::VectorXd way = Eigen::VectorXd::Zero(tip.rows());
-  for (Index i = 1; i < tip.rows(); ++i) way[i] = way[i - 1] + (tip.row(i) - tip.row(i - 1)).norm();
-  std::vector<Index> instants{0};
-  for (int k = 1; k < count; ++k) {
-    const double wanted = way[way.size() - 1] * k / (count - 1) * (1 - 1e-9);
-    const Index i = std::lower_bound(way.data(), way.data() + way.size(), wanted) - way.data();
-    if (i > instants.back()) instants.push_back(std::min(i, tip.rows() - 1));
-  }
+/// Instants evenly spread over the time, the first and the last among them: they play smoothly.
+std::vector<Index> shown_instants(Index count, Index most) {
+  std::vector<Index> instants;
+  const Index wanted = std::min(count, most);
+  for (Index k = 0; k < wanted; ++k)
+    instants.push_back(wanted == 1 ? 0 : (k * (count - 1) + (wanted - 1) / 2) / (wanted - 1));
   return instants;
 }
 
+/// The coordinate axis of the subject's frame that is nearest to the back of the digit: away from
+/// where its first bone goes when its first joint flexes.
+Eigen::Vector3d dorsal_axis(const TendonDigit& digit) {
+  const TendonModel<double>& model = digit.model;
+  const TreeState<double> state =
+      pose_tree(model.tree, Eigen::VectorXd::Zero(model.coordinates).eval());
+  if (state.empty()) return Eigen::Vector3d::UnitY();
+  const Eigen::Vector3d tip = moved(state, model.tip_link, model.tip);
+  const Eigen::Vector3d dorsal = (tip - state.front().point).cross(state.front().axis);
+  Index most = 1;
+  dorsal.cwiseAbs().maxCoeff(&most);
+  Eigen::Vector3d up = Eigen::Vector3d::Zero();
+  up[most] = dorsal[most] < 0 ? -1 : 1;
+  return up;
+}
+
 Json scene(const TendonDigit& digit, const Trajectory& trajectory) {
-  constexpr int kShown = 6;
-  const std::vector<Index> instants = instants_along(trajectory.tip, kShown);
+  constexpr Index kInstants = 48;
   Json layers = Json::array();
-  for (std::size_t k = 0; k < instants.size(); ++k) {
-    const Eigen::VectorXd q = trajectory.angle.row(instants[k]);
-    const bool last = k + 1 == instants.size();
-    Json bones = bone_layer(digit, q, last ? "#b8a48a" : "#d9cfc0");
-    bones["name"] = fmt::format("{:.3g} s", trajectory.time[instants[k]]);
-    layers.push_back(bones);
-    if (last) layers.push_back(tendon_layer(digit, q, "tendons at the end", "#cc79a7", false));
+  for (const Index i : shown_instants(trajectory.time.size(), kInstants)) {
+    const Eigen::VectorXd q = trajectory.angle.row(i);
+    Json bones = bone_layer(digit, q, "#b8a48a");
+    bones["name"] = fmt::format("bones at {:.3g} s", trajectory.time[i]);
+    Json tendons = tendon_layer(digit, q, fmt::format("tendons at {:.3g} s", trajectory.time[i]),
+                                "#cc79a7", false);
+    for (Json* instant : {&bones, &tendons}) {
+      (*instant)["time"] = trajectory.time[i];
+      layers.push_back(std::move(*instant));
+    }
   }
-  Json way = Json::array();
+  Json path = Json::array();
   for (Index i = 0; i < trajectory.tip.rows(); ++i)
-    way.push_back(in_mm(trajectory.tip.row(i).transpose()));
-  layers.push_back(
-      {{"name", "way of the tip"},
-       {"color", "#0072b2"},
-       {"items", Json::array({{{"kind", "line"}, {"positions", way}, {"width", 2}}})}});
+    path.push_back(in_mm(trajectory.tip.row(i).transpose()));
+  layers.push_back(layer("path of the tip", "#0072b2",
+                         Json::array({{{"kind", "line"}, {"positions", path}, {"width", 2}}})));
   return {{"type", "scene"},
-          {"caption", "The digit at instants that part the way of its tip equally"},
+          {"caption", "The digit over time: bones, tendons, and the path of its tip"},
+          {"up", numbers3(dorsal_axis(digit))},
           {"layers", layers}};
 }
 
@@ -74,10 +87,10 @@ Json motion_section(const DigitTendons& tendons, const Trajectory& t) {
   Json blocks =
       Json::array({scene(tendons.digit(), t),
                    lines("Angles of the joints", "angle [deg]", t, t.joints, t.angle / kDegree),
-                   lines("Place of the tip in the subject's frame", "tip [mm]", t, {"x", "y", "z"},
-                         1e3 * t.tip)});
+                   lines("Position of the fingertip in the subject's frame", "position [mm]", t,
+                         {"x", "y", "z"}, 1e3 * t.tip)});
   std::string text = "Fidelity: " + describe(t.fidelity) + ".";
-  if (!t.warning.empty()) text += "\n\nTrouble: " + t.warning + ".";
+  if (!t.warning.empty()) text += "\n\nWarning: " + t.warning + ".";
   return section("motion", "Motion", text, blocks);
 }
 
@@ -101,20 +114,26 @@ Json energy_section(const Trajectory& t) {
   energy << (t.energy.array() - t.energy[0]).matrix(), t.work, t.dissipated;
   return section(
       "energy", "Energy",
-      fmt::format("Energy of motion, weights, springs and stops is what tendons put in less what "
-                  "joints take out; the integration made {:.2g} mJ of nothing, of {:.4g} mJ turned "
-                  "over, in {} steps to a tolerance of {:.2g}.{}",
+      fmt::format("The energy gained (of motion, weights, springs and joint stops) is the work of "
+                  "the tendons less what the joints dissipate. Energy error of the integration: "
+                  "{:.2g} mJ of {:.4g} mJ turned over, in {} steps to a tolerance of {:.2g}. "
+                  "Largest drift of an excursion from the length of its tendon: {}.{}",
                   1e3 * t.balance.error, 1e3 * t.balance.turned_over, t.counts.steps, t.tolerance,
-                  t.balance.holds() ? "" : " That is too much: do not believe this motion."),
+                  t.drift ? fmt::format("{:.2g} mm", 1e3 * *t.drift) : "not measured",
+                  t.balance.holds() ? "" : " The error is too large: do not use this motion."),
       Json::array({lines("Energy gained, work of the tendons, and loss in the joints",
                          "energy [mJ]", t, {"gained", "work", "lost"}, 1e3 * energy)}));
 }
 
 }  // namespace
 
-Json motion_page(const DigitTendons& tendons, const Trajectory& trajectory) {
-  return Json::array({motion_section(tendons, trajectory), muscle_section(trajectory),
-                      energy_section(trajectory)});
+Json page_of(const SimulatedMotion& motion) {
+  const Trajectory& t = motion.trajectory;
+  return {{"title", fmt::format("The {} of {} in motion", motion.digit, motion.subject)},
+          {"subtitle", describe(t.fidelity)},
+          {"provenance", provenance_json(motion.sources, t.fidelity)},
+          {"sections", Json::array({motion_section(*motion.tendons, t), muscle_section(t),
+                                    energy_section(t)})}};
 }
 
 }  // namespace thenar

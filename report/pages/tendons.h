@@ -4,6 +4,7 @@
 
 #include <vector>
 
+#include "api/simulate.h"
 #include "api/tendon_infer.h"
 #include "api/tendon_solve.h"
 #include "kinematics_fit/hood_comparison.h"
@@ -24,6 +25,9 @@ namespace thenar {
 
 /// The verdict on every band, and what to measure next: tendon_infer.cpp.
 [[nodiscard]] Json page_of(const NetInference& inference);
+
+/// The digit in space, to be played; angles, tensions and energy over time: motion.cpp.
+[[nodiscard]] Json page_of(const SimulatedMotion& motion);
 
 /// A section with the extensor mechanism on every rung: the net in space and its slips over a
 /// sweep, and the errors of predicted tip forces of every specimen beside the time that a posture

@@ -188,6 +188,7 @@ MotionState FingerMotion::slope(const MotionState& state, const VectorXd& excita
 FingerMotion::Accepted FingerMotion::accept(const MotionState& state) {
   const MotionInstant now = at(state);
   last_nodes_ = now.pull.nodes;
+  if (slack_length_.size() == 0) return {now.pull.warning, {}};
   const VectorXd drift = this->drift(state, now);
   return {now.pull.warning, (now.tension.array() <= tonus_ + kPulls).select(0, drift)};
 }

@@ -106,7 +106,8 @@ class FingerMotion {
   /// Tendons in an accepted state.
   struct Accepted {
     std::string warning;    // why they may be wrong; may be empty
-    Eigen::VectorXd drift;  // of muscles that pull; 0 of slack ones [m] (muscles)
+    Eigen::VectorXd drift;  // of muscles that pull; 0 of slack ones [m] (muscles); empty without a
+                            // net, and where friction in sheaths takes part of R: not measured
   };
 
   /// Accepts a state: later searches for the net's equilibrium start from here.

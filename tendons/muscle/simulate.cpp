@@ -17,6 +17,9 @@ constexpr double kJump = 1e-4;    // of a line, beyond what integration leaves [
 constexpr double kFiner = 0.01;   // tolerance of the second integration over that of the first
 constexpr double kMoreSteps = 5;  // of the second over the first, which a smooth motion needs
 
+/// Whether a net went to another equilibrium, as far as its lines tell.
+bool has_jumped(const Trajectory& path) { return !(path.drift.value_or(0) <= kJump); }
+
 /// Instants that are kept, in a trajectory with room for all.
 class Recorder {
  public:
@@ -87,9 +90,10 @@ class Recorder {
     // Muscle of the largest drift.
     Index most = 0;
     const double drift = accepted.drift.cwiseAbs().maxCoeff<Eigen::PropagateNaN>(&most);
-    if (drift <= kept_.drift || std::isnan(kept_.drift)) return;
+    const double before = kept_.drift.value_or(0);
+    if (kept_.drift && (drift <= before || std::isnan(before))) return;
     // First instant at which the drift shows a jump.
-    if (kept_.drift <= kJump) jumped_ = time;
+    if (before <= kJump) jumped_ = time;
     kept_.drift = drift;
     strays_ = kept_.muscles[static_cast<std::size_t>(most)];
   }
@@ -105,11 +109,11 @@ class Recorder {
   Trajectory take(MotionStatus status, const std::string& why, const StiffOde& ode,
                   const EnergyBalance& balance) {
     // A jump of the net is part of the ending's story.
-    if (!(kept_.drift <= kJump))
+    if (has_jumped(kept_))
       note_end(fmt::format("the net jumped to another rest, the line of '{}' by up to {:.2g} mm: "
                            "what that sets free is in no balance, and the motion after it may "
                            "hang on the tolerance",
-                           strays_, 1e3 * kept_.drift),
+                           strays_, 1e3 * *kept_.drift),
                jumped_);
     note_end(why, ode.time());
     kept_.status = status;
@@ -290,7 +294,7 @@ Trajectory simulate(const MotionModel& model, const Excitation& excitation,
   // First integration.
   Trajectory path = integrate(model, pieces, start, options);
   const bool balanced = path.balance.holds();
-  if (path.status != MotionStatus::kCompleted || (balanced && path.drift <= kJump)) return path;
+  if (path.status != MotionStatus::kCompleted || (balanced && !has_jumped(path))) return path;
   // Energy does not balance, or the net jumped: once more with a smaller tolerance.
   SimulateOptions finer = options;
   finer.tolerance *= kFiner;
@@ -302,7 +306,7 @@ Trajectory simulate(const MotionModel& model, const Excitation& excitation,
   if (again.status == MotionStatus::kStopped) return again;
   // Keep the better one.
   const bool better = again.status == MotionStatus::kCompleted && again.balance.holds() &&
-                      (!balanced || !(again.drift >= path.drift));
+                      (!balanced || !(again.drift.value_or(0) >= path.drift.value_or(0)));
   if (better) path = std::move(again);
   if (!path.balance.holds()) path.status = MotionStatus::kUnbalanced;
   return path;

@@ -2,6 +2,8 @@
 
 /// Simulation of a digit moved by its muscles' excitations.
 
+#include <optional>
+
 #include "base/progress.h"
 #include "solvers/stiff_ode.h"
 #include "tendons/muscle/excitation.h"
@@ -55,24 +57,25 @@ struct [[nodiscard]] Trajectory {
   std::string warning;                                    // why not to trust it; may be empty
   Fidelity fidelity;                                      // what was simulated
   std::vector<std::string> joints, muscles;
-  Eigen::VectorXd time;        // [s] (instants)
-  Eigen::MatrixXd angle;       // posture [rad] (instants, joints)
-  Eigen::MatrixXd speed;       // [rad/s] (instants, joints)
-  Eigen::MatrixXd excitation;  // [1] (instants, muscles)
-  Eigen::MatrixXd activation;  // [1] (instants, muscles)
-  Eigen::MatrixXd tension;     // [N] (instants, muscles)
-  Eigen::MatrixXd excursion;   // lengthening since the reference posture [m] (instants, muscles)
-  Eigen::MatrixXd fibre;       // length over optimal length [1] (instants, muscles); empty: bounds
-  Eigen::MatrixX4d slips;      // central, radial, ulnar, terminal [N] (instants, 4)
-  Eigen::MatrixX3d tip;        // world [m] (instants, 3)
-  Eigen::VectorXd energy;      // of motion, weights, springs and stops [J] (instants)
-  Eigen::VectorXd work;        // of the tendons on the joints [J] (instants)
-  Eigen::VectorXd dissipated;  // in the dampers of the joints [J] (instants)
-  EnergyBalance balance;       // of the whole integration
-  double drift = 0;            // largest of an excursion from the length of its line, over all
-                               // steps: FingerMotion::Accepted [m]
-  double tolerance = 0;        // that it was integrated to [1]
-  OdeCounts counts;            // work of the integrator
+  Eigen::VectorXd time;         // [s] (instants)
+  Eigen::MatrixXd angle;        // posture [rad] (instants, joints)
+  Eigen::MatrixXd speed;        // [rad/s] (instants, joints)
+  Eigen::MatrixXd excitation;   // [1] (instants, muscles)
+  Eigen::MatrixXd activation;   // [1] (instants, muscles)
+  Eigen::MatrixXd tension;      // [N] (instants, muscles)
+  Eigen::MatrixXd excursion;    // lengthening since the reference posture [m] (instants, muscles)
+  Eigen::MatrixXd fibre;        // length over optimal length [1] (instants, muscles); empty: bounds
+  Eigen::MatrixX4d slips;       // central, radial, ulnar, terminal [N] (instants, 4)
+  Eigen::MatrixX3d tip;         // world [m] (instants, 3)
+  Eigen::VectorXd energy;       // of motion, weights, springs and stops [J] (instants)
+  Eigen::VectorXd work;         // of the tendons on the joints [J] (instants)
+  Eigen::VectorXd dissipated;   // in the dampers of the joints [J] (instants)
+  EnergyBalance balance;        // of the whole integration
+  std::optional<double> drift;  // largest of an excursion from the length of its line, over all
+                                // steps; absent where nothing measures it:
+                                // FingerMotion::Accepted [m]
+  double tolerance = 0;         // that it was integrated to [1]
+  OdeCounts counts;             // work of the integrator
 };
 
 /// Integrates to the tolerance. If energy then does not balance, or a net has jumped to another

@@ -372,7 +372,7 @@ class Simulate(Near):
                       complaint("simulate", INDEX, "--excitation", "FDP=1", "--net", "winslow",
                                 "--hood", "fractions"))
         self.assertIn("must be in 0..1", complaint("simulate", INDEX, "--excitation", "FDP=2"))
-        self.assertIn(".csv, .h5 or .html",
+        self.assertIn("ends in .h5 or .html or .csv or .json, got 'motion.txt'",
                       complaint("simulate", INDEX, "--excitation", "FDP=1", "-o", "motion.txt"))
 
 

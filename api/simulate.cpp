@@ -1,0 +1,149 @@
+#include "api/simulate.h"
+
+#include <cmath>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "api/files.h"
+#include "base/error.h"
+#include "base/provenance.h"
+#include "base/units.h"
+#include "data/io/result_file.h"
+#include "tendons/muscle/contraction.h"
+#include "tendons/muscle/excitation.h"
+
+namespace thenar {
+namespace {
+
+/// Slack lengths of tendons that the subject does not state, or others.
+void set_slack(const std::map<std::string, double>& slack, Subject& subject) {
+  std::vector<std::string> names;
+  for (const MuscleUnit& muscle : subject.muscles) names.push_back(muscle.name);
+  (void)in_order(slack, names, "muscle");  // refuses unknown names
+  for (MuscleUnit& muscle : subject.muscles) {
+    const auto found = slack.find(muscle.name);
+    if (found == slack.end()) continue;
+    require(found->second > 0, "wanted a slack length > 0 of '{}', got {} mm", muscle.name,
+            found->second / kMm);
+    muscle.tendon_slack = found->second;
+  }
+}
+
+/// The excitation asked for; adds its file to the sources.
+Excitation excitation_of(const MotionRequest& request, const std::vector<std::string>& muscles,
+                         std::vector<SourceText>& sources) {
+  require(request.excitation.empty() != request.excitation_file.empty(),
+          "wanted either --excitation MUSCLE=0..1 ... or --excitation-file");
+  if (request.excitation_file.empty())
+    return constant_excitation(in_order(request.excitation, muscles, "muscle"));
+  sources.push_back(read_source(request.excitation_file));
+  return parse_excitation(sources.back().text, request.excitation_file, muscles);
+}
+
+/// Numbers of every instant.
+void add_instants(const Trajectory& t, ResultFile& file) {
+  file.add("time", t.time, "s", {"instant"});
+  file.add("angle", t.angle, "rad", {"instant", "joint"});
+  file.add("speed", t.speed, "rad/s", {"instant", "joint"});
+  file.add("excitation", t.excitation, "1", {"instant", "muscle"});
+  file.add("activation", t.activation, "1", {"instant", "muscle"});
+  file.add("tension", t.tension, "N", {"instant", "muscle"});
+  file.add("excursion", t.excursion, "m", {"instant", "muscle"});
+  if (t.fibre.size() > 0) file.add("fibre", t.fibre, "1", {"instant", "muscle"});
+  file.add("slips", t.slips, "N", {"instant", "slip"});
+  file.add("name/slip", std::vector<std::string>{"central", "radial", "ulnar", "terminal"});
+  file.add("tip", t.tip, "m", {"instant", "axis"});
+  file.add("energy", t.energy, "J", {"instant"});
+  file.add("work", t.work, "J", {"instant"});
+  file.add("lost", t.dissipated, "J", {"instant"});
+}
+
+/// Texts of all sources, versions of all that computed, and the run.
+void add_origin(const SimulatedMotion& motion, const RunRecord& run, ResultFile& file) {
+  int k = 0;
+  for (const SourceText& source : motion.sources) {
+    const std::string key = fmt::format("inputs/{}", ++k);
+    file.add(key + "/path", source.path);
+    file.add(key + "/text", source.text);
+    file.add(key + "/sha256", sha256(source.text));
+  }
+  for (const auto& [name, version] : versions()) file.add("provenance/versions/" + name, version);
+  file.add("provenance/fidelity", describe(motion.trajectory.fidelity));
+  if (run.arguments.empty()) return;
+  file.add("provenance/command", command_line(run));
+  file.add("provenance/folder", run.folder);
+  file.add("provenance/date", run.date);
+  file.add("provenance/commit", run.commit);
+}
+
+}  // namespace
+
+SimulatedMotion simulate_digit(const MotionRequest& request, const Progress& progress) {
+  // The digit at its start.
+  DigitCase at = build_digit(request.digit, Hood::kFractions);
+  require(at.map.empty(), "digit '{}' of '{}' has no bones, only tip map '{}'; it cannot move",
+          at.digit, at.subject.name, at.map);
+  set_slack(request.tendon_slack, at.subject);
+  SimulatedMotion motion{at.subject.name, at.digit, at.tendons, {}, at.sources, at.warnings};
+  const TendonDigit& digit = at.bones();
+  const std::vector<std::string>& muscles = digit.names.muscles;
+  require(!muscles.empty(), "no muscle of subject '{}' crosses a free joint of this digit",
+          motion.subject);
+  const MotionStart start{at.grid.postures.front(),
+                          {},
+                          Eigen::VectorXd::Zero(static_cast<Eigen::Index>(muscles.size()))};
+  // The physics.
+  const auto contraction =
+      build_contraction(musculotendons(at.subject, digit, request.muscle), request.muscle);
+  MotionModel model{*motion.tendons, *contraction};
+  model.gravity = request.gravity;
+  model.resistance.damping = request.damping;
+  model.blend = request.blend;
+  SimulateOptions options;
+  options.seconds = request.seconds;
+  options.sample = request.sample;
+  options.tolerance = request.tolerance;
+  options.progress = progress;
+  const Excitation excitation = excitation_of(request, muscles, motion.sources);
+  motion.trajectory = simulate(model, excitation, start, options);
+  return motion;
+}
+
+void write_motion(const SimulatedMotion& motion, const std::string& path, const RunRecord& run) {
+  const Trajectory& t = motion.trajectory;
+  ResultFile file;
+  file.add("format", "thenar motion 1");
+  file.add("status", name_of(t.status));
+  file.add("trouble", t.warning);
+  file.add("subject", motion.subject);
+  file.add("digit", motion.digit);
+  file.add("name/joint", t.joints);
+  file.add("name/muscle", t.muscles);
+  add_instants(t, file);
+  file.add("energy_error", t.balance.error, "J");
+  file.add("turned_over", t.balance.turned_over, "J");
+  file.add("stray", t.drift.value_or(std::nan("")), "m");
+  file.add("tolerance", t.tolerance, "1");
+  add_origin(motion, run, file);
+  write_result(file, path);
+}
+
+std::string name_of(MotionStatus status) {
+  switch (status) {
+    case MotionStatus::kCompleted:
+      return "done";
+    case MotionStatus::kStopped:
+      return "stopped";
+    case MotionStatus::kLimit:
+    case MotionStatus::kIntegratorFailed:
+      return "stuck";
+    case MotionStatus::kNoProgress:
+      return "no progress";
+    case MotionStatus::kUnbalanced:
+      return "energy does not balance";
+  }
+  return "";
+}
+
+}  // namespace thenar

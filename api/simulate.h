@@ -1,0 +1,58 @@
+#pragma once
+
+/// How one digit moves when its muscles are excited.
+
+#include <map>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "api/digits.h"
+#include "base/progress.h"
+#include "base/run_record.h"
+#include "tendons/muscle/simulate.h"
+
+namespace thenar {
+
+/// Which digit, which excitations, which physics.
+struct MotionRequest {
+  DigitRequest digit;                          // hood absent: fixed force fractions
+  std::map<std::string, double> excitation;    // muscle -> 0..1 from the start on; others are 0
+  std::string excitation_file;                 // CSV time_s,MUSCLE,.. instead of `excitation`
+  Muscle muscle = Muscle::kRigidTendon;        // how muscles pull
+  std::map<std::string, double> tendon_slack;  // muscle -> slack length of its tendon [m]; others
+                                               // as the subject says
+  Eigen::Vector3d gravity{0, 0, 0};            // of free fall, subject's frame [m/s^2] (3)
+  double damping = JointResistance().damping;  // of joints whose subject gives none [N m s/rad]
+  double blend = kBlend;    // strain over which bands of a net go from slack to taut [1]
+  double seconds = 1;       // how long [s]
+  double sample = 5e-3;     // between the instants that are kept [s]
+  double tolerance = 1e-6;  // relative error of one step [1]
+};
+
+/// A digit in motion.
+struct [[nodiscard]] SimulatedMotion {
+  std::string subject, digit;                   // names
+  std::shared_ptr<const DigitTendons> tendons;  // what moved; never null
+  Trajectory trajectory;                        // read trajectory.status first
+  std::vector<SourceText> sources;              // subject, net, excitation file
+  std::vector<std::string> warnings;  // of the start: limits, tendons too close to a joint
+};
+
+/// Simulates the digit from rest at request.digit.posture; all activations start at 0.
+/// @throws InputError or DataError saying what is unknown or missing.
+[[nodiscard]] SimulatedMotion simulate_digit(const MotionRequest& request,
+                                             const Progress& progress = {});
+
+/// Writes all instants as HDF5, dimensions labelled as xarray expects, with the texts and hashes of
+/// all sources and the record of the run.
+/// @throws InputError if the file cannot be written.
+void write_motion(const SimulatedMotion& motion, const std::string& path,
+                  const RunRecord& run = {});
+
+/// "done", "stopped", "stuck", "no progress" or "energy does not balance".
+[[nodiscard]] std::string name_of(MotionStatus status);
+
+}  // namespace thenar

@@ -1,0 +1,135 @@
+#include "report/answers/simulate.h"
+
+#include <fmt/format.h>
+
+#include "base/units.h"
+#include "tendons/muscle/trajectory_table.h"
+
+namespace thenar {
+namespace {
+
+/// Angles and speeds at the start and the end.
+Table joint_summary(const Trajectory& t) {
+  const Eigen::Index last = t.time.size() - 1;
+  Table table{{"joint", "start_deg", "end_deg", "min_deg", "max_deg", "end_speed_deg_s"}, {}};
+  for (Eigen::Index j = 0; j < t.angle.cols(); ++j) {
+    const Eigen::VectorXd angle = t.angle.col(j) / kDegree;
+    table.rows.push_back({t.joints[static_cast<std::size_t>(j)], shown(angle[0], 2),
+                          shown(angle[last], 2), shown(angle.minCoeff(), 2),
+                          shown(angle.maxCoeff(), 2), shown(t.speed(last, j) / kDegree, 2)});
+  }
+  return table;
+}
+
+/// Activations, tensions and lengths at the end.
+Table muscle_summary(const Trajectory& t) {
+  const Eigen::Index last = t.time.size() - 1;
+  Table table{{"muscle", "end_activation", "end_tension_N", "max_tension_N", "end_excursion_mm",
+               "end_fibre_per_optimal"},
+              {}};
+  for (Eigen::Index m = 0; m < t.tension.cols(); ++m)
+    table.rows.push_back({t.muscles[static_cast<std::size_t>(m)], shown(t.activation(last, m), 4),
+                          shown(t.tension(last, m), 3), shown(t.tension.col(m).maxCoeff(), 3),
+                          shown(t.excursion(last, m) / kMm, 3),
+                          t.fibre.size() > 0 ? shown(t.fibre(last, m), 3) : "-"});
+  return table;
+}
+
+/// The state at the last instant.
+OrderedJson end_state(const Trajectory& t) {
+  const Eigen::Index last = t.time.size() - 1;
+  return {{"time_s", t.time[last]},
+          {"posture_deg", to_json(t.joints, t.angle.row(last).transpose() / kDegree)},
+          {"speed_deg_s", to_json(t.joints, t.speed.row(last).transpose() / kDegree)},
+          {"activation", to_json(t.muscles, t.activation.row(last).transpose())},
+          {"tension_N", to_json(t.muscles, t.tension.row(last).transpose())},
+          {"excursion_mm", to_json(t.muscles, t.excursion.row(last).transpose() / kMm)},
+          {"slips_N",
+           to_json({"central", "radial", "ulnar", "terminal"}, t.slips.row(last).transpose())},
+          {"tip_mm", to_json(t.tip.row(last).transpose() / kMm)}};
+}
+
+}  // namespace
+
+std::string text_of(const SimulatedMotion& motion) {
+  const Trajectory& t = motion.trajectory;
+  const Eigen::Index last = t.time.size() - 1;
+  std::string text =
+      fmt::format("{} of {}: {} after {:.4g} s\nmodel: {}\n\n", motion.digit, motion.subject,
+                  name_of(t.status), t.time[last], describe(t.fidelity));
+  text += titled("Joints", joint_summary(t));
+  text += titled("Muscles (excursion: lengthening since the reference posture)", muscle_summary(t));
+  // The tip, the energy account, the integration.
+  text +=
+      fmt::format("tip at the end, subject's frame: ({}) mm\n",
+                  fmt::join(cells(Eigen::Vector3d(t.tip.row(last).transpose() / kMm), 2), ", "));
+  text += fmt::format(
+      "work of the tendons {:.4g} mJ, lost in the joints {:.4g} mJ; energy error {:.2g} mJ of "
+      "{:.4g} mJ turned over\n",
+      1e3 * t.work[last], 1e3 * t.dissipated[last], 1e3 * t.balance.error,
+      1e3 * t.balance.turned_over);
+  text += fmt::format("largest drift of an excursion from the length of its tendon: {}\n",
+                      t.drift ? fmt::format("{:.2g} mm", *t.drift / kMm) : "-");
+  return text + fmt::format("{} steps to a tolerance of {:.2g}\n", t.counts.steps, t.tolerance);
+}
+
+OrderedJson json_of(const SimulatedMotion& motion) {
+  const Trajectory& t = motion.trajectory;
+  const Eigen::Index last = t.time.size() - 1;
+  OrderedJson json{
+      {"subject", motion.subject},   {"digit", motion.digit}, {"fidelity", describe(t.fidelity)},
+      {"status", name_of(t.status)}, {"trouble", t.warning},  {"warning", t.warning},
+      {"instants", t.time.size()}};
+  json["last"] = end_state(t);
+  json["work_J"] = t.work[last];
+  json["lost_J"] = t.dissipated[last];
+  json["energy_error_J"] = t.balance.error;
+  json["turned_over_J"] = t.balance.turned_over;
+  const Json drift = t.drift ? number_or_null(*t.drift / kMm) : Json();
+  json["stray_mm"] = drift;
+  json["drift_mm"] = drift;
+  json["tolerance"] = t.tolerance;
+  json["steps"] = t.counts.steps;
+  json["slopes"] = t.counts.slopes;
+  return json;
+}
+
+Table table_of(const SimulatedMotion& motion) {
+  const TrajectoryTable numbers = trajectory_table(motion.trajectory);
+  Table table{numbers.columns, {}};
+  for (Eigen::Index i = 0; i < numbers.values.rows(); ++i) {
+    std::vector<std::string> cells;
+    for (Eigen::Index j = 0; j < numbers.values.cols(); ++j)
+      cells.push_back(fmt::format("{:.9g}", numbers.values(i, j) + 0.0));
+    table.rows.push_back(std::move(cells));
+  }
+  return table;
+}
+
+std::vector<std::string> warnings_of(const SimulatedMotion& motion) {
+  std::vector<std::string> warnings = motion.warnings;
+  const Trajectory& t = motion.trajectory;
+  const bool told = !refusal_of(motion).empty() && t.status != MotionStatus::kUnbalanced;
+  if (!t.warning.empty() && !told) warnings.push_back(t.warning);
+  return warnings;
+}
+
+std::string refusal_of(const SimulatedMotion& motion) {
+  const Trajectory& t = motion.trajectory;
+  switch (t.status) {
+    case MotionStatus::kCompleted:
+    case MotionStatus::kStopped:
+      return "";
+    case MotionStatus::kLimit:
+    case MotionStatus::kIntegratorFailed:
+      return "the motion is stuck: " + t.warning;
+    case MotionStatus::kNoProgress:
+      return "the motion does not get on: " + t.warning;
+    case MotionStatus::kUnbalanced:
+      break;
+  }
+  return fmt::format("energy does not balance: error {:.2g} mJ of {:.4g} mJ turned over",
+                     1e3 * t.balance.error, 1e3 * t.balance.turned_over);
+}
+
+}  // namespace thenar

@@ -1,0 +1,28 @@
+#pragma once
+
+/// Words, JSON and tables of a digit in motion.
+
+#include <string>
+#include <vector>
+
+#include "api/simulate.h"
+#include "report/json.h"
+#include "report/table.h"
+
+namespace thenar {
+
+/// Joints and muscles at the start, the end and their extremes, the tip, and the energy account.
+[[nodiscard]] std::string text_of(const SimulatedMotion& motion);
+/// The state at the end, and the energy account; `drift_mm` is null where it is not known.
+[[nodiscard]] OrderedJson json_of(const SimulatedMotion& motion);
+/// A row for each instant: angles, speeds, excitations, activations, tensions, excursions, slips,
+/// tip, energies. Columns: trajectory_table().
+[[nodiscard]] Table table_of(const SimulatedMotion& motion);
+
+/// What to beware of, one sentence each: also of the start.
+[[nodiscard]] std::vector<std::string> warnings_of(const SimulatedMotion& motion);
+/// Why the motion must not be used: it did not get to its end, or its energy does not balance;
+/// empty if it may. A motion that was stopped on request may be used.
+[[nodiscard]] std::string refusal_of(const SimulatedMotion& motion);
+
+}  // namespace thenar

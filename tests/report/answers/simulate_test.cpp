@@ -1,0 +1,75 @@
+// Tests for report/answers/simulate.cpp.
+
+#include "report/answers/simulate.h"
+
+#include <cmath>
+
+#include <gtest/gtest.h>
+
+namespace thenar {
+namespace {
+
+/// One joint that turns by a right angle in 0.5 s, pulled by one muscle.
+SimulatedMotion quarter_turn() {
+  SimulatedMotion motion;
+  motion.subject = "rod";
+  motion.digit = "index";
+  Trajectory& t = motion.trajectory;
+  t.status = MotionStatus::kCompleted;
+  t.joints = {"PIP2"};
+  t.muscles = {"FDP"};
+  t.time = Eigen::Vector2d(0, 0.5);
+  t.angle = t.speed = Eigen::Vector2d(0, M_PI / 2);
+  t.excitation = t.activation = t.tension = Eigen::Vector2d(0, 1);
+  t.excursion = Eigen::Vector2d(0, -0.01);
+  t.slips = Eigen::MatrixX4d::Zero(2, 4);
+  t.tip = Eigen::MatrixX3d::Constant(2, 3, 0.02);
+  t.energy = t.work = t.dissipated = Eigen::Vector2d(0, 1e-3);
+  t.balance = {2e-6, 1e-3};
+  return motion;
+}
+
+TEST(MotionAnswer, HasDegreesAndMillimetres) {
+  const OrderedJson json = json_of(quarter_turn());
+  EXPECT_NEAR(json["last"]["posture_deg"]["PIP2"].get<double>(), 90, 1e-12);
+  EXPECT_NEAR(json["last"]["excursion_mm"]["FDP"].get<double>(), -10, 1e-12);
+  EXPECT_NEAR(json["last"]["tip_mm"][0].get<double>(), 20, 1e-12);
+  EXPECT_EQ(json["energy_error_J"], 2e-6);
+}
+
+TEST(MotionAnswer, DoesNotKnowADriftThatNothingMeasures) {
+  SimulatedMotion motion = quarter_turn();
+  EXPECT_TRUE(json_of(motion)["drift_mm"].is_null());
+  EXPECT_NE(text_of(motion).find("from the length of its tendon: -\n"), std::string::npos);
+  motion.trajectory.drift = 2e-5;
+  EXPECT_NEAR(json_of(motion)["drift_mm"].get<double>(), 0.02, 1e-15);
+  EXPECT_NE(text_of(motion).find("from the length of its tendon: 0.02 mm\n"), std::string::npos);
+}
+
+TEST(MotionAnswer, CallsTheEnergyErrorByItsName) {
+  EXPECT_NE(text_of(quarter_turn()).find("energy error 0.002 mJ of 1 mJ turned over"),
+            std::string::npos)
+      << text_of(quarter_turn());
+}
+
+TEST(MotionAnswer, HasARowAnInstant) {
+  const Table table = table_of(quarter_turn());
+  ASSERT_EQ(table.rows.size(), 2U);
+  EXPECT_EQ(table.header.front(), "time_s");
+  EXPECT_EQ(table.rows[1].front(), "0.5");
+}
+
+TEST(MotionAnswer, RefusesMotionsThatDidNotGetToTheirEnd) {
+  SimulatedMotion motion = quarter_turn();
+  motion.trajectory.warning = "why";
+  EXPECT_EQ(refusal_of(motion), "");
+  EXPECT_EQ(warnings_of(motion), std::vector<std::string>{"why"});
+  motion.trajectory.status = MotionStatus::kIntegratorFailed;
+  EXPECT_EQ(refusal_of(motion), "the motion is stuck: why");
+  EXPECT_TRUE(warnings_of(motion).empty());  // said once
+  motion.trajectory.status = MotionStatus::kUnbalanced;
+  EXPECT_EQ(refusal_of(motion), "energy does not balance: error 0.002 mJ of 1 mJ turned over");
+}
+
+}  // namespace
+}  // namespace thenar
