@@ -148,6 +148,7 @@ DigitAtPosture digit_at(const DigitCase& at, const Eigen::VectorXd& q) {
                        tip_manipulability(statics.J).condition,
                        {}};
   if (!pull.warning.empty()) found.warnings.push_back(pull.warning);
+  found.tip = moved(state, link, digit.model.tip);
   return found;
 }
 
@@ -155,9 +156,13 @@ Eigen::VectorXd tensions(const DigitCase& at, const std::map<std::string, double
   const std::vector<std::string> muscles =
       at.map.empty() ? at.bones().names.muscles : digit_at(at, {}).statics.muscles;
   Eigen::VectorXd t = in_order(named, muscles, "muscle");
-  for (Eigen::Index i = 0; i < t.size(); ++i)
-    require(t[i] >= 0, "wanted a tension >= 0 of '{}', got {} N",
-            muscles[static_cast<std::size_t>(i)], t[i]);
+  for (Eigen::Index i = 0; i < t.size(); ++i) {
+    const std::string& muscle = muscles[static_cast<std::size_t>(i)];
+    require(t[i] >= 0, "wanted a tension >= 0 of '{}', got {} N", muscle, t[i]);
+    require(t[i] <= kMaxTension,
+            "wanted a tension of '{}' up to {} N, got {} N: no tendon bears it", muscle,
+            kMaxTension, t[i]);
+  }
   return t;
 }
 

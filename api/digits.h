@@ -63,6 +63,7 @@ struct DigitAtPosture {
   std::vector<StaticsDerivative> slopes;  // by each joint; empty for a map
   double condition;                       // of the tip's Jacobian [1]
   std::vector<std::string> warnings;      // of its tendons
+  Eigen::Vector3d tip{0, 0, 0};           // where it is, world frame [m] (3); 0 for a map
 };
 
 /// Reads the subject and builds the digit; a digit without bones is one of the subject's tip maps.
@@ -75,8 +76,12 @@ struct DigitAtPosture {
 /// @throws InputError if tendon paths are not to be trusted there, or if the hood is a net.
 [[nodiscard]] DigitAtPosture digit_at(const DigitCase& at, const Eigen::VectorXd& q);
 
+/// The largest tension that a question may state: a tonne hangs on it. No tendon of a hand bears
+/// that, so that more is a slip of units.
+inline constexpr double kMaxTension = 1e4;  // [N]
+
 /// Tension of each muscle [N] (muscles), zero where it is not named.
-/// @throws InputError for an unknown muscle or a negative tension.
+/// @throws InputError for an unknown muscle, a negative tension, or one above kMaxTension.
 [[nodiscard]] Eigen::VectorXd tensions(const DigitCase& at,
                                        const std::map<std::string, double>& named);
 

@@ -13,7 +13,7 @@
 namespace thenar {
 namespace {
 
-constexpr std::size_t kMaxPostures = 1000000;
+constexpr double kMaxAngle = 360;  // [deg]
 
 /// [rad] in one unit of the request.
 double unit_of(const PostureRequest& request) {
@@ -36,20 +36,37 @@ AngleRange range_of(const Skeleton& skeleton, const Vary& vary, const PostureReq
   const auto joint =
       static_cast<int>(index_of_name(vary.joint, skeleton.coordinate_names, "free joint"));
   const double unit = degrees_of(request);
-  const double from = unit * vary.from, to = unit * vary.to, step = unit * vary.step;  // [deg]
-  require(step != 0 && (to - from) / step >= 0, "steps of {} deg do not lead from {} to {} deg",
-          step, from, to);
-
-  // The end is met where rounding alone would miss it.
-  const double count = std::floor((to - from) / step * (1 + 1e-12) + 1e-9);
-  require(count < kMaxPostures, "{} deg is too small a step from {} to {} deg", step, from, to);
   AngleRange range{joint, {}};
-  for (int k = 0; k <= static_cast<int>(count); ++k)
-    range.angles.push_back(unit_of(request) * (vary.from + k * vary.step));
+  for (const double angle :
+       steps_of({vary.joint, unit * vary.from, unit * vary.to, unit * vary.step}, " deg"))
+    range.angles.push_back(kDegree * angle);
   return range;
 }
 
+/// Refuses angles that no joint has: a slip of units.
+const Eigen::VectorXd& checked_angles(const Eigen::VectorXd& q,
+                                      const std::vector<std::string>& joints) {
+  for (Eigen::Index i = 0; i < q.size(); ++i)
+    require(std::abs(q[i]) <= (kMaxAngle + 1e-9) * kDegree,
+            "wanted an angle of '{}' between -{} and {} deg, got {:.6g} deg",
+            joints[static_cast<std::size_t>(i)], kMaxAngle, kMaxAngle, q[i] / kDegree);
+  return q;
+}
+
 }  // namespace
+
+std::vector<double> steps_of(const Vary& vary, const std::string& unit) {
+  const auto& [joint, from, to, step] = vary;
+  require(step != 0 && (to - from) / step >= 0, "steps of {}{} do not lead from {} to {}{}", step,
+          unit, from, to, unit);
+  // The end is met where rounding alone would miss it.
+  const double count = std::floor((to - from) / step * (1 + 1e-12) + 1e-9);
+  require(count < kMaxPostures, "{}{} is too small a step from {} to {}{}", step, unit, from, to,
+          unit);
+  std::vector<double> values;
+  for (int k = 0; k <= static_cast<int>(count); ++k) values.push_back(from + k * step);
+  return values;
+}
 
 Eigen::VectorXd in_order(const std::map<std::string, double>& named,
                          const std::vector<std::string>& names, const std::string& kind) {
@@ -64,14 +81,14 @@ Eigen::VectorXd posture_of(const Skeleton& skeleton, const PostureRequest& reque
   require(request.named.empty() || request.in_order.empty(),
           "wanted angles by name or in the order of the joints, got both");
   if (request.in_order.empty())
-    return unit_of(request) * in_order(request.named, joints, "free joint");
+    return checked_angles(unit_of(request) * in_order(request.named, joints, "free joint"), joints);
   require(request.in_order.size() == joints.size(), "wanted {} angles [{}], of {}, got {}",
           joints.size(), request.unit == PostureUnit::kTyped ? "deg" : "rad", listed(joints),
           request.in_order.size());
   Eigen::VectorXd q(static_cast<Eigen::Index>(joints.size()));
   for (Eigen::Index i = 0; i < q.size(); ++i)
     q[i] = unit_of(request) * request.in_order[static_cast<std::size_t>(i)];
-  return q;
+  return checked_angles(q, joints);
 }
 
 PostureGrid posture_grid(const Skeleton& skeleton, const PostureRequest& request,
@@ -98,6 +115,8 @@ PostureGrid posture_grid(const Skeleton& skeleton, const PostureRequest& request
   }
 
   // All others lie between the first and the last.
+  (void)checked_angles(grid.postures.front(), skeleton.coordinate_names);
+  (void)checked_angles(grid.postures.back(), skeleton.coordinate_names);
   grid.warnings = limit_warnings(skeleton, grid.postures.front());
   if (grid.postures.size() > 1)
     for (const std::string& warning : limit_warnings(skeleton, grid.postures.back()))

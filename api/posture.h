@@ -44,6 +44,15 @@ struct PostureGrid {
   std::vector<std::string> warnings;      // of angles outside their limits
 };
 
+/// Most postures of one question.
+inline constexpr std::size_t kMaxPostures = 1000000;
+
+/// The values of one that varies, in its own unit: the end is met where rounding alone would miss
+/// it.
+/// @param unit  how messages call the unit: " deg"
+/// @throws InputError if steps do not lead from one end to the other, or are more than kMaxPostures
+[[nodiscard]] std::vector<double> steps_of(const Vary& vary, const std::string& unit);
+
 /// Numbers in the order of `names`, zero where not given (names).
 /// @param kind  how messages call a name: "muscle"
 /// @throws InputError for a name that is not among `names`, with the nearest one and all others.

@@ -8,6 +8,7 @@
 #include "base/numbers.h"
 #include "base/spatial.h"
 #include "base/units.h"
+#include "solvers/bound_prices.h"
 #include "solvers/linear_program.h"
 #include "tendons/forces/tip_balance.h"
 
@@ -22,6 +23,8 @@ using Eigen::VectorXd;
 constexpr double kConeViolation = 1e-10;  // of the force's component along the direction
 constexpr double kRounding = 1e-11;       // of the forces that tendons make: a vertex's own error
 constexpr int kMostCuts = 200;            // about 20 are needed
+constexpr double kPricesHold = 1e-7;      // of max(1 N, force): checks of prices
+constexpr double kSamePrice = 1e-4;       // of the largest price
 
 /// Loads c_1..c_k (columns, scaled like `balance`) whose amounts s join the tensions:
 ///   maximise s_1  subject to  loads s + tension_part a = constant,  s_1 >= 0.
@@ -74,9 +77,15 @@ bool cut_off(const VectorXd& x, LoadProblem& problem) {
   return true;
 }
 
+/// The optimum, and the program with the cuts that it is one of.
+struct CutOptimum {
+  LinearProgram program;
+  LinearResult best;
+};
+
 /// Kelley's method: solve, cut the vertex off if it is outside the cone, and again. While cuts are
 /// few the program may be unbounded although the cone is not: then a ray is cut off instead.
-LinearResult maximise(LoadProblem problem) {
+CutOptimum maximise(LoadProblem problem) {
   // Four tangent planes to begin with.
   if (problem.loads.cols() == 3) problem.cuts = {0, kPi / 2, kPi, -kPi / 2};
   while (problem.cuts.size() < kMostCuts) {
@@ -85,18 +94,73 @@ LinearResult maximise(LoadProblem problem) {
     if (result.status == Status::kUnbounded) {
       // Unbounded for want of planes: cut the ray off.
       const LinearResult ray = solve(recession(program));
-      if (ray.status != Status::kSolved || !cut_off(ray.x, problem)) return result;
+      if (ray.status != Status::kSolved || !cut_off(ray.x, problem)) return {program, result};
     } else if (result.status != Status::kSolved || !cut_off(result.x, problem)) {
-      return result;
+      return {program, result};
     }
   }
-  return {Status::kLimit, VectorXd(), kInfinity, VectorXd(), {}};
+  return {{}, {Status::kLimit, VectorXd(), kInfinity, VectorXd(), {}}};
+}
+
+/// A cone of forces about d: |f - d d'f| <= slope d'f.
+struct ForceCone {
+  Vector3d d;
+  double slope;
+};
+
+/// How far prices p of joint torque are from optimal duals of
+///   maximise d' f  subject to  J' f - R' t = tau_0,  0 <= t <= F0,  f in the cone,
+/// by J and R themselves.
+ForceLimitPrices check_prices(const TipStatics& statics, const ForceCone& cone,
+                              const MaxTipForce& largest) {
+  const VectorXd& p = largest.torque_shadow_price;
+  const VectorXd reward = statics.R * p;      // of a newton more of each tension [N/N]
+  const Vector3d w = cone.d - statics.J * p;  // reward of a newton more of force [1]
+  const Vector3d across = w - cone.d * cone.d.dot(w);
+  ForceLimitPrices checked;
+  // No force of the cone may have a reward, and no tension without a limit.
+  checked.dual_violation = std::max(0.0, cone.d.dot(w) + cone.slope * across.norm());
+  checked.slackness = std::abs(w.dot(largest.force));
+  double paid = p.dot(statics.tau_0);
+  for (Index i = 0; i < reward.size(); ++i) {
+    const double F0 = statics.max_tension(i), price = std::max(0.0, reward(i));
+    checked.slackness += std::max(0.0, -reward(i)) * largest.tension(i);
+    if (std::isinf(F0)) {
+      checked.dual_violation = std::max(checked.dual_violation, price);
+    } else {
+      checked.slackness += price * (F0 - largest.tension(i));
+      paid += price * F0;
+    }
+  }
+  checked.gap = std::abs(largest.magnitude - paid);
+  return checked;
+}
+
+/// Prices of F0 from those of the program's bounds; empty if they do not pass the checks.
+ForceLimitPrices prices_of(const TipStatics& statics, const internal::TipBalance& balance,
+                           const ForceCone& cone, const CutOptimum& optimum,
+                           const MaxTipForce& largest) {
+  ForceLimitPrices prices = check_prices(statics, cone, largest);
+  const double size = kPricesHold * std::max(1.0, std::abs(largest.magnitude));
+  if (!(prices.dual_violation <= kPricesHold && prices.slackness <= size && prices.gap <= size))
+    return prices;
+  const BoundPrices bounds = upper_bound_prices(optimum.program, optimum.best);
+  const VectorXd per_newton = balance.force_unit * balance.unit.cwiseInverse();
+  prices.increase = per_newton.cwiseProduct(bounds.increase.tail(per_newton.size()));
+  prices.decrease = per_newton.cwiseProduct(bounds.decrease.tail(per_newton.size()));
+  return prices;
 }
 
 /// What a result says before, or instead of, an answer.
 double amount_without_answer(Status status) { return status == Status::kUnbounded ? kInfinity : 0; }
 
 }  // namespace
+
+bool ForceLimitPrices::degenerate() const {
+  if (increase.size() == 0) return false;
+  const double same = kSamePrice * increase.cwiseAbs().maxCoeff();
+  return !((decrease - increase).array() <= same + kRounding).all();
+}
 
 MaxTipForce max_tip_force(const TipStatics& statics, const Vector3d& direction,
                           const MaxTipForceOptions& options) {
@@ -115,7 +179,8 @@ MaxTipForce max_tip_force(const TipStatics& statics, const Vector3d& direction,
   axes.rightCols(axes.cols() - 1) *= slope;
   turned.rightCols(axes.cols() - 1) *= slope;
 
-  const LinearResult best = maximise({balance, balance.force_part * turned, {}});
+  const CutOptimum optimum = maximise({balance, balance.force_part * turned, {}});
+  const LinearResult& best = optimum.best;
   const Status status = best.status;
   MaxTipForce result{status,
                      Vector3d::Zero(),
@@ -135,6 +200,7 @@ MaxTipForce max_tip_force(const TipStatics& statics, const Vector3d& direction,
   result.check = {balance.force_unit * best.certificate.gap,
                   std::max(0.0, across.norm() - slope * result.magnitude),
                   internal::imbalance(statics, result.force, result.tension)};
+  if (options.prices) result.prices = prices_of(statics, balance, {d, slope}, optimum, result);
   return result;
 }
 
@@ -158,7 +224,7 @@ MaxTipWrench max_tip_wrench(const TipStatics& statics, const Wrench& wrench) {
   const double unit = load.norm() > 0 ? 1 / load.norm() : 1;
   load *= unit;
 
-  const LinearResult best = maximise({balance, load, {}});
+  const LinearResult best = maximise({balance, load, {}}).best;
   const Status status = best.status;
   MaxTipWrench result{status, amount_without_answer(status), VectorXd::Zero(balance.most.size()),
                       VectorXd::Zero(balance.most.size()), MaxTipForceCheck::kUnknown};

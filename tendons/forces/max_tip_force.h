@@ -20,6 +20,21 @@ struct MaxTipForceCheck {
   static constexpr double kUnknown = kNaN;
 };
 
+/// Shadow prices: how much more force one newton more of a muscle's F0 gives.
+struct ForceLimitPrices {
+  Eigen::VectorXd increase;  // d magnitude / d F0 as it grows, 0: does not limit; empty: not asked
+                             // for, or not verified                                  [N/N] (m)
+  Eigen::VectorXd
+      decrease;             // the same as it shrinks; larger where several limits meet (degenerate)
+                            // infinite: no such force is left; NaN: not found       [N/N] (m)
+  double gap = kNaN;        // |magnitude - sum price F0 - p' tau_0|, p the prices of torque [N]
+  double slackness = kNaN;  // sum of each price times the room to its limit         [N]
+  double dual_violation = kNaN;  // of p: force that no limit pays for                [1]
+
+  /// Whether prices of an increase and of a decrease differ.
+  [[nodiscard]] bool degenerate() const;
+};
+
 struct MaxTipForce {
   Status status;               // read this first
   Eigen::Vector3d force;       // of the tip on the world, world frame           [N] (3)
@@ -28,10 +43,12 @@ struct MaxTipForce {
   Eigen::VectorXd activation;  // tension / F0, 0 where F0 is infinite or zero   [1] (m)
   Eigen::VectorXd torque_shadow_price;  // d magnitude / d tau_0; zero unless solved      [1/m] (n)
   MaxTipForceCheck check;               // by weak duality and from J, R themselves
+  ForceLimitPrices prices{};            // where they were asked for
 };
 
 struct MaxTipForceOptions {
   double tolerance = 0;  // half angle of the cone about the direction, in [0, pi/2)  [rad]
+  bool prices = false;   // also find the prices of F0
 };
 
 /// The largest force of a pinned tip along a direction:
@@ -43,6 +60,13 @@ struct MaxTipForceOptions {
 /// straight finger carries any force along itself: that is `kUnbounded`, not a large number.
 /// The planes hold the whole cone, so the dual bound of the last program bounds every force in it:
 /// that is `check.gap`.
+///
+/// Prices of F0 are those of the linear program's upper bounds, the least and the largest of all
+/// optimal duals (upper_bound_prices()). They are returned only if p, the prices of joint torque,
+/// pass three checks from J and R themselves, to 1e-7 of the force: no force of the cone and no
+/// tension has a better price than its limit pays (dual feasibility), what has room to its limit
+/// has no price (complementary slackness), and magnitude = sum price F0 + p' tau_0 (strong
+/// duality).
 ///
 /// @param statics    one posture; W is not looked at
 /// @param direction  wanted direction of the force, any length but zero   3   [1]

@@ -1,0 +1,89 @@
+#include "api/feasible_force.h"
+
+#include "base/error.h"
+#include "base/nearest_name.h"
+#include "base/units.h"
+
+namespace thenar {
+namespace {
+
+ForceAxes force_axes(const DigitAtPosture& at, DirectionFrame frame) {
+  if (!at.map.empty()) {
+    require(frame == DirectionFrame::kWorld,
+            "tip map '{}' knows only its own x, y, z; leave out --axes tip", at.map);
+    return {"map", {"x", "y", "z"}, Eigen::Matrix3d::Identity()};
+  }
+  if (frame == DirectionFrame::kWorld) return {};
+  return {"tip", {"proximal", "dorsal", "radial"}, *at.tip_axes};
+}
+
+void require_limits(const TipStatics& statics, const std::string& subject) {
+  const std::vector<std::string> unknown = unlimited_muscles(statics);
+  require(
+      unknown.empty(),
+      "feasible forces need the largest force of every muscle; unknown: {}. Give each [[muscle]] "
+      "max_force_N, or pcsa_cm2 and specific_tension_N_cm2, in {}",
+      listed(unknown), subject);
+}
+
+/// Derivative of the largest force by each joint; empty unless there is such a force of bones.
+Eigen::VectorXd change_of(const DigitAtPosture& at, const MaxTipForce& largest,
+                          DirectionFrame frame) {
+  if (largest.status != Status::kSolved || largest.magnitude < kNoTipForce || !at.map.empty())
+    return {};
+  return max_tip_force_gradient(at.statics, at.slopes, largest, frame);
+}
+
+WholeForceSet whole_set(const TipStatics& statics, const ForceAxes& axes) {
+  WholeForceSet whole{feasible_force_set(statics), {}};
+  for (int k = 0; k < 6; ++k)
+    whole.along.push_back(max_tip_force(statics, (k % 2 == 0 ? 1 : -1) * axes.to_world.col(k / 2)));
+  return whole;
+}
+
+FeasibleForcePoint point_at(const FeasibleForceRequest& request, const DigitAtPosture& at) {
+  FeasibleForcePoint point;
+  point.q = at.q;
+  point.axes = force_axes(at, request.frame);
+  point.tip = at.tip;
+  point.condition = at.condition;
+  if (request.direction) {
+    point.largest = max_tip_force(at.statics, point.axes.to_world * *request.direction,
+                                  {request.tolerance, true});
+    point.change = change_of(at, *point.largest, request.frame);
+  }
+  if (!request.direction || request.whole_set) point.whole = whole_set(at.statics, point.axes);
+  return point;
+}
+
+}  // namespace
+
+FeasibleForceAnswer ask_feasible_force(const FeasibleForceRequest& request,
+                                       const Progress& progress) {
+  require(request.tolerance >= 0 && request.tolerance < kPi / 2,
+          "wanted a tolerance of 0 deg to below 90 deg, got {:.6g} deg",
+          request.tolerance / kDegree);
+  const DigitCase digit = build_digit(request.digit, TendonOptions().hood);
+  FeasibleForceAnswer answer;
+  answer.about = sweep_of(digit);
+  answer.direction = request.direction;
+  answer.tolerance = request.tolerance;
+
+  const auto ask = [&](const Eigen::VectorXd& q) {
+    const DigitAtPosture at = digit_at(digit, q);
+    require_limits(at.statics, request.digit.subject);
+    answer.max_tension = at.statics.max_tension;
+    answer.points.push_back(point_at(request, at));
+    return at.warnings;
+  };
+  const auto fail = [&](const Eigen::VectorXd& q, const std::string& why) {
+    FeasibleForcePoint point;
+    point.q = q;
+    point.failure = why;
+    answer.points.push_back(std::move(point));
+  };
+  ask_postures(answer.about, ask, fail, progress);
+  return answer;
+}
+
+}  // namespace thenar

@@ -1,0 +1,72 @@
+#pragma once
+
+/// The largest force of a fingertip along a direction, which muscles limit it, and all forces that
+/// the tip can make.
+
+#include <array>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "api/digit_sweep.h"
+#include "tendons/forces/feasible_force_set.h"
+#include "tendons/forces/max_tip_force.h"
+
+namespace thenar {
+
+/// Which digit; a direction, the whole set, or both.
+struct FeasibleForceRequest {
+  DigitRequest digit;
+  std::optional<Eigen::Vector3d> direction;       // of the force, of any length; absent: the set
+  double tolerance = 0;                           // half angle of the cone about it [rad]
+  DirectionFrame frame = DirectionFrame::kWorld;  // of the direction and of answers
+  bool whole_set = false;                         // also beside a direction
+};
+
+/// Axes in which forces are asked for and shown.
+struct ForceAxes {
+  std::string name = "world";                              // "world", "tip" or "map"
+  std::array<std::string, 3> names{"x", "y", "z"};         // of each axis
+  Eigen::Matrix3d to_world = Eigen::Matrix3d::Identity();  // columns: the axes, world frame (3, 3)
+};
+
+/// All forces, and the largest pure force along each axis.
+struct WholeForceSet {
+  FeasibleForceSet set;
+  std::vector<MaxTipForce> along;  // +1, -1, +2, -2, +3, -3 (6)
+};
+
+/// The answer at one posture.
+struct FeasibleForcePoint {
+  Eigen::VectorXd q;                   // [rad] (joints); empty for a map
+  std::string failure;                 // why there is no answer; else empty
+  ForceAxes axes;                      //
+  Eigen::Vector3d tip{0, 0, 0};        // where it is, world frame [m] (3); 0 for a map
+  double condition = 0;                // of the tip's Jacobian [1]
+  std::optional<MaxTipForce> largest;  // along the direction, if there is one; with prices of F0
+  Eigen::VectorXd change;              // of its magnitude by each joint, the direction fixed in its
+                                       // axes [N/rad] (joints); empty: no such force, or a map
+  std::optional<WholeForceSet> whole;  // if it was asked for
+};
+
+/// Answers posture by posture, in the order of the grid; as many as were done.
+struct FeasibleForceAnswer {
+  DigitSweep about;
+  Eigen::VectorXd max_tension;  // F0 [N] (muscles)
+  std::optional<Eigen::Vector3d> direction;
+  double tolerance = 0;  // [rad]
+  std::vector<FeasibleForcePoint> points;
+};
+
+/// A force below the rounding of what tendons make is none [N].
+inline constexpr double kNoTipForce = 1e-6;
+
+/// max_tip_force() with prices and feasible_force_set() at every posture.
+/// @throws InputError for what is unknown, a direction of no length, a tolerance outside of [0, 90)
+/// deg, muscles of unknown strength, or axes of the tip of a map; DataError for a wrong file.
+[[nodiscard]] FeasibleForceAnswer ask_feasible_force(const FeasibleForceRequest& request,
+                                                     const Progress& progress = {});
+
+}  // namespace thenar

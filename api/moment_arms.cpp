@@ -1,0 +1,76 @@
+#include "api/moment_arms.h"
+
+#include "base/error.h"
+
+namespace thenar {
+namespace {
+
+constexpr double kNoArm = 1e-9;  // below the rounding of paths of hand size [m/rad]
+
+/// A pull of nothing: arms of linear tendons are there without tension.
+TendonTorque arms_at(const DigitTendons& tendons, const Eigen::VectorXd& q) {
+  const auto muscles = static_cast<Eigen::Index>(tendons.digit().names.muscles.size());
+  return tendons.pull(q, Eigen::VectorXd::Zero(muscles));
+}
+
+Eigen::VectorXd lengths_at(const DigitTendons& tendons, const Eigen::VectorXd& q,
+                           const TendonTorque& pull) {
+  return tendons.lengths(q, Eigen::VectorXd::Zero(pull.R.rows()), pull);
+}
+
+/// The straight digit, or the first posture if the paths are not to be trusted there.
+Eigen::VectorXd reference_posture(const DigitTendons& tendons, DigitSweep& sweep) {
+  const Eigen::VectorXd straight = Eigen::VectorXd::Zero(tendons.digit().model.coordinates);
+  const TendonTorque pull = arms_at(tendons, straight);
+  if (trusted(pull.status)) return straight;
+  sweep.warnings.push_back("tendon paths are not to be trusted with all joints at 0 (" +
+                           pull.warning + "): length changes are those since the first posture");
+  return sweep.grid.postures.front();
+}
+
+MomentArmPoint point_at(const DigitTendons& tendons, const Eigen::VectorXd& q,
+                        const TendonTorque& pull) {
+  const TendonModel<double>& model = tendons.digit().model;
+  MomentArmPoint point;
+  point.q = q;
+  point.arms = pull.R;
+  point.length_change = lengths_at(tendons, q, pull);
+  point.tip = moved(pose_tree(model.tree, q), model.tip_link, model.tip);
+  return point;
+}
+
+}  // namespace
+
+MomentArmAnswer ask_moment_arms(const DigitRequest& request, const Progress& progress) {
+  const DigitCase digit = build_digit(request, TendonOptions().hood);
+  require(digit.map.empty(), "digit '{}' of '{}' has no bones, only tip map '{}': no moment arms",
+          digit.digit, digit.subject.name, digit.map);
+  require(digit.net == nullptr,
+          "moment arms of a net depend on tensions: ask tendon solve or tendon sweep");
+  MomentArmAnswer answer{sweep_of(digit), {}, {}, {}};
+  const DigitTendons& tendons = *digit.tendons;
+  answer.reference = reference_posture(tendons, answer.about);
+  const Eigen::VectorXd start =
+      lengths_at(tendons, answer.reference, arms_at(tendons, answer.reference));
+
+  const auto ask = [&](const Eigen::VectorXd& q) -> std::vector<std::string> {
+    const TendonTorque pull = arms_at(tendons, q);
+    require(trusted(pull.status), "tendon paths are not to be trusted here: {}", pull.warning);
+    answer.points.push_back(point_at(tendons, q, pull));
+    answer.points.back().length_change -= start;
+    return pull.warning.empty() ? std::vector<std::string>{} : std::vector{pull.warning};
+  };
+  const auto fail = [&](const Eigen::VectorXd& q, const std::string& why) {
+    answer.points.push_back({q, why, {}, {}});
+  };
+  ask_postures(answer.about, ask, fail, progress);
+
+  // An arm at any posture shows that the muscle crosses the joint.
+  answer.crosses.setConstant(start.size(), answer.reference.size(), false);
+  for (const MomentArmPoint& point : answer.points)
+    if (point.failure.empty())
+      answer.crosses = answer.crosses.array() || (point.arms.array().abs() > kNoArm);
+  return answer;
+}
+
+}  // namespace thenar

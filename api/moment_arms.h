@@ -1,0 +1,42 @@
+#pragma once
+
+/// Moment arms and length changes of the tendons of a digit, without any tension.
+
+#include <string>
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "api/digit_sweep.h"
+
+namespace thenar {
+
+/// The answer at one posture.
+struct MomentArmPoint {
+  Eigen::VectorXd q;              // [rad] (joints)
+  std::string failure;            // why there is no answer; else empty
+  Eigen::MatrixXd arms;           // -d length / dq; flexion, abduction + [m/rad] (muscles, joints)
+  Eigen::VectorXd length_change;  // since MomentArmAnswer::reference; longer + [m] (muscles)
+  Eigen::Vector3d tip{0, 0, 0};   // world frame [m] (3)
+};
+
+/// Answers posture by posture, in the order of the grid; as many as were done.
+struct MomentArmAnswer {
+  DigitSweep about;
+  Eigen::VectorXd reference;  // posture of no length change [rad] (joints)
+  Eigen::Matrix<bool, Eigen::Dynamic, Eigen::Dynamic> crosses;  // whether a muscle has an arm about
+                                                                // a joint (muscles, joints)
+  std::vector<MomentArmPoint> points;
+};
+
+/// Moment arms  -d length / dq  of every muscle about every joint that it crosses, and how much
+/// longer it is than with all joints at 0 (or, if the paths are not to be trusted there, than at
+/// the first posture). A muscle that pulls several strands of a hood has the arm and the length of
+/// all, each weighted with its share of the tension; differences of lengths are the arms where
+/// shares are constant and sheaths smooth.
+/// @throws InputError for what is unknown, a tip map, or a net, whose arms depend on tensions;
+/// DataError for a wrong file.
+[[nodiscard]] MomentArmAnswer ask_moment_arms(const DigitRequest& request,
+                                              const Progress& progress = {});
+
+}  // namespace thenar

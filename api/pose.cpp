@@ -1,0 +1,120 @@
+#include "api/pose.h"
+
+#include <filesystem>
+#include <set>
+
+#include <fmt/format.h>
+
+#include "api/data_folders.h"
+#include "api/digits.h"
+#include "api/hands.h"
+#include "base/error.h"
+#include "base/file_io.h"
+#include "data/io/file_kind.h"
+#include "data/io/robot/import_robot.h"
+
+namespace thenar {
+namespace {
+
+/// The file of the robot that a name or a file stands for; empty: it is no robot, but a subject.
+std::string robot_meant(const PoseRequest& request) {
+  if (!is_file(request.model)) return robot_file(request.model, data_folders(request.data));
+  if (std::filesystem::path(request.model).extension() != ".toml") return request.model;
+  return find_file_kind(request.model) == FileKind::kRobot ? request.model : "";
+}
+
+std::vector<JointNow> joints_now(const Skeleton& skeleton, const TreeState<double>& state,
+                                 const Eigen::VectorXd& q) {
+  std::vector<JointNow> joints;
+  for (std::size_t i = 0; i < skeleton.tree.size(); ++i) {
+    const Hinge<double>& hinge = skeleton.tree[i];
+    const std::string& name = skeleton.hinge_names[i];
+    const std::string& leader =
+        skeleton.coordinate_names[static_cast<std::size_t>(hinge.coordinate)];
+    joints.push_back({name, hinge.ratio * q[hinge.coordinate] + hinge.offset, state[i].axis,
+                      state[i].point, leader == name ? "" : leader});
+  }
+  return joints;
+}
+
+std::vector<SegmentNow> segments_now(const Subject& subject, const Skeleton& skeleton,
+                                     const TreeState<double>& state) {
+  std::vector<SegmentNow> segments;
+  for (const Segment& segment : subject.segments) {
+    const auto link = skeleton.link_of_segment.find(segment.name);
+    if (link == skeleton.link_of_segment.end()) continue;
+    // Frozen joints displace a segment before any hinge of its link turns.
+    const Pose<double>& at = skeleton.segment_at.at(segment.name);
+    const Pose<double> X =
+        link->second < 0 ? at : state[static_cast<std::size_t>(link->second)].X * at;
+    segments.push_back({segment.name, X, X * segment.proximal, X * segment.distal});
+  }
+  return segments;
+}
+
+/// The coordinates between the tip and the base, in order.
+std::set<int> coordinates_of(const Skeleton& skeleton, const SkeletonTip& tip) {
+  std::set<int> coordinates;
+  for_each_hinge_to_base(skeleton.tree, tip.link, [&](int i) {
+    coordinates.insert(skeleton.tree[static_cast<std::size_t>(i)].coordinate);
+  });
+  return coordinates;
+}
+
+TipNow tip_now(const Skeleton& skeleton, const TreeState<double>& state, const SkeletonTip& tip) {
+  TipNow now{tip.digit, moved(state, tip.link, tip.p), tip.axes, {}, {}, {}};
+  if (tip.link >= 0) now.axes = state[static_cast<std::size_t>(tip.link)].X.R * tip.axes;
+  const Eigen::Matrix3Xd J =
+      position_jacobian(skeleton.tree, state, tip.link, now.p, skeleton.coordinates());
+  const std::set<int> coordinates = coordinates_of(skeleton, tip);
+  now.J.resize(3, static_cast<Eigen::Index>(coordinates.size()));
+  for (const int c : coordinates) {
+    now.J.col(static_cast<Eigen::Index>(now.joints.size())) = J.col(c);
+    now.joints.push_back(skeleton.coordinate_names[static_cast<std::size_t>(c)]);
+  }
+  if (!now.joints.empty()) now.mobility = tip_manipulability(now.J);
+  return now;
+}
+
+SubjectPoses pose_subject(const PoseRequest& request, const Progress& progress) {
+  const SourceText source = subject_source(request.model, request.data);
+  const Subject subject = parse_subject(source.text, source.path);
+  require(!subject.joints.empty(),
+          "subject '{}' has no joints to pose, only maps from tendon tensions to tip forces; ask "
+          "tip-force or feasible-force",
+          subject.name);
+  const Skeleton skeleton =
+      build_skeleton(subject, {request.digits, frozen_joints(subject, request.frozen)});
+  SubjectPoses poses;
+  poses.subject = subject.name;
+  poses.coordinates = skeleton.coordinate_names;
+  poses.grid = posture_grid(skeleton, request.posture, request.vary);
+  poses.sources = {source};
+  poses.warnings = poses.grid.warnings;
+  const std::size_t count = poses.grid.postures.size();
+  for (std::size_t i = 0; i < count && !progress.stop(); ++i) {
+    poses.points.push_back(pose_of(subject, skeleton, poses.grid.postures[i]));
+    progress(static_cast<double>(i + 1) / static_cast<double>(count),
+             fmt::format("posture {} of {}", i + 1, count));
+  }
+  return poses;
+}
+
+}  // namespace
+
+SubjectPose pose_of(const Subject& subject, const Skeleton& skeleton, const Eigen::VectorXd& q) {
+  const TreeState<double> state = pose_tree(skeleton.tree, q);
+  SubjectPose pose{q, joints_now(skeleton, state, q), segments_now(subject, skeleton, state), {}};
+  for (const SkeletonTip& tip : skeleton.tips) pose.tips.push_back(tip_now(skeleton, state, tip));
+  return pose;
+}
+
+PoseAnswer ask_pose(const PoseRequest& request, const Progress& progress) {
+  const std::string robot = robot_meant(request);
+  if (robot.empty()) return pose_subject(request, progress);
+  require(request.digits.empty() && request.frozen.empty(),
+          "--digit and --frozen are for subjects, '{}' is a robot", robot);
+  return pose_robot(import_robot(robot), request.posture, request.vary, progress);
+}
+
+}  // namespace thenar

@@ -1,0 +1,75 @@
+#pragma once
+
+/// Where the joints, links and tips of a robot are.
+
+#include <map>
+#include <string>
+#include <vector>
+
+#include "api/posture.h"
+#include "base/progress.h"
+#include "data/io/robot/robot.h"
+
+namespace thenar {
+
+/// A joint that moves, at one posture.
+struct RobotJointNow {
+  std::string name;
+  std::string dof;  // that drives it; empty: none
+  bool slides = false;
+  double value = 0;       // [rad] or [m]
+  Eigen::Vector3d axis;   // unit, in the base link (3)
+  Eigen::Vector3d point;  // of the axis, in the base link [m] (3)
+};
+
+/// A link at one posture.
+struct RobotLinkNow {
+  std::string name;
+  int parent;         // link that carries it, as an index; -1: none
+  Pose<double> X_BL;  // its frame in the base link
+};
+
+/// A tip at one posture.
+struct RobotTipNow {
+  std::string digit;
+  std::string link;
+  Eigen::Vector3d p;  // in the base link [m] (3)
+};
+
+/// A robot at one posture.
+struct RobotPose {
+  std::vector<double> varied;         // values of what varies [rad] or [m]
+  std::vector<RobotJointNow> joints;  // that move
+  std::vector<RobotLinkNow> links;
+  std::vector<RobotTipNow> tips;
+  std::vector<std::string> warnings;  // values outside limits
+};
+
+/// A degree of freedom or a joint that varies.
+struct VariedDrive {
+  std::string name;
+  bool slides = false;
+};
+
+/// A robot posture by posture; as many as were done.
+struct RobotPoses {
+  std::string robot;
+  std::vector<VariedDrive> varied;  // the last one varies fastest; empty: one posture
+  std::size_t row = 1;              // postures that differ in the last one only
+  std::size_t asked = 1;            // postures asked for
+  std::vector<RobotPose> points;
+  std::vector<std::string> warnings;  // values outside limits, of all postures
+};
+
+/// Where joints, links and tips of a robot are. Tips are those of find_tips(); digits that no file
+/// states are those of infer_digits().
+/// @param posture  of degrees of freedom or joints by name, or of all degrees of freedom in order
+///                 [rad], of slides [m], or as typed [deg], [mm]; what is left out stands at 0
+/// @param vary     in the same unit, by the same names
+/// @throws InputError for an unknown name, a wrong count, a joint that nothing drives, one that
+/// stands in two ways, or steps that do not lead to their end
+[[nodiscard]] RobotPoses pose_robot(const RobotSpec& robot, const PostureRequest& posture,
+                                    const std::vector<Vary>& vary = {},
+                                    const Progress& progress = {});
+
+}  // namespace thenar

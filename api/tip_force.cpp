@@ -1,0 +1,68 @@
+#include "api/tip_force.h"
+
+#include "base/error.h"
+#include "tendons/forces/posture_sensitivity.h"
+#include "tendons/forces/tip_force.h"
+
+namespace thenar {
+namespace {
+
+constexpr double kMaxHoldLength = 1;  // [m]
+
+/// A tip on a point; also a tip map, whose residual are moments.
+void pin(const DigitAtPosture& at, const Eigen::VectorXd& t, TipForcePoint& point) {
+  const TipForce result = tip_force(at.statics, t);
+  point.force = result.f_W;
+  point.residual = result.tau_residual;
+  point.condition = result.condition;
+  point.singular = result.rank < 3;
+  if (at.map.empty()) point.change = tip_force_jacobian(at.statics, at.slopes, t).colwise().norm();
+}
+
+/// A tip in a clamp.
+void clamp_tip(const DigitAtPosture& at, const Eigen::VectorXd& t, double length,
+               TipForcePoint& point) {
+  const TipWrench result = tip_wrench(at.statics, t, {length});
+  point.force = result.f_W;
+  point.moment = result.m_W;
+  point.residual = result.tau_residual;
+  point.condition = result.condition;
+  point.minimum_norm = result.minimum_norm;
+  point.change =
+      tip_wrench_jacobian(at.statics, at.slopes, t, {length}).bottomRows<3>().colwise().norm();
+}
+
+}  // namespace
+
+TipForceAnswer ask_tip_force(const TipForceRequest& request, const Progress& progress) {
+  require(request.hold_length > 0 && request.hold_length <= kMaxHoldLength,
+          "wanted a hold length above 0, up to {:.4g} mm, got {:.6g} mm", 1e3 * kMaxHoldLength,
+          1e3 * request.hold_length);
+  const DigitCase digit = build_digit(request.digit, TendonOptions().hood);
+  require(digit.map.empty() || request.hold == TipHold::kPinned,
+          "tip map '{}' gives forces whatever the hold; leave out --hold rigid", digit.map);
+  TipForceAnswer answer{
+      sweep_of(digit), request.hold, request.hold_length, tensions(digit, request.tension), {}};
+
+  const auto ask = [&](const Eigen::VectorXd& q) {
+    const DigitAtPosture at = digit_at(digit, q);
+    TipForcePoint point;
+    point.q = q;
+    point.tip_axes = at.tip_axes;
+    point.tip = at.tip;
+    request.hold == TipHold::kRigid ? clamp_tip(at, answer.tension, request.hold_length, point)
+                                    : pin(at, answer.tension, point);
+    answer.points.push_back(std::move(point));
+    return at.warnings;
+  };
+  const auto fail = [&](const Eigen::VectorXd& q, const std::string& why) {
+    TipForcePoint point;
+    point.q = q;
+    point.failure = why;
+    answer.points.push_back(std::move(point));
+  };
+  ask_postures(answer.about, ask, fail, progress);
+  return answer;
+}
+
+}  // namespace thenar

@@ -1,0 +1,61 @@
+#pragma once
+
+/// The force of a fingertip under given tendon tensions.
+
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "api/digit_sweep.h"
+#include "tendons/forces/tip_wrench.h"
+
+namespace thenar {
+
+/// What the tip presses on.
+enum class TipHold {
+  kPinned,  // a point: it takes a force and no moment
+  kRigid    // a clamp: it takes a force and a moment
+};
+
+/// Which digit, under which tensions.
+struct TipForceRequest {
+  DigitRequest digit;
+  std::map<std::string, double> tension;           // of each muscle [N]; others are slack
+  TipHold hold = TipHold::kPinned;                 //
+  double hold_length = TipWrenchOptions().length;  // weighs moments of a rigid hold [m]
+};
+
+/// The answer at one posture.
+struct TipForcePoint {
+  Eigen::VectorXd q;                        // [rad] (joints); empty for a map
+  std::string failure;                      // why there is no answer; else empty
+  std::optional<Eigen::Matrix3d> tip_axes;  // proximal, dorsal, radial now, in world axes (3, 3)
+  Eigen::Vector3d tip{0, 0, 0};             // where it is, world frame [m] (3); 0 for a map
+  Eigen::Vector3d force{0, 0, 0};           // of the tip on the world, world frame [N] (3)
+  Eigen::Vector3d moment{0, 0, 0};          // the same, about the tip [N m] (3); 0 if pinned
+  Eigen::VectorXd residual;                 // torque that no load of the tip balances [N m] (rows)
+  Eigen::VectorXd change;                   // of the force's size by each joint [N/rad] (joints)
+  double condition = 0;                     // of the balance [1]
+  bool singular = false;                    // a pinned tip: some force meets no torque
+  bool minimum_norm = false;                // a rigid hold: many wrenches balance
+};
+
+/// Answers posture by posture, in the order of the grid; as many as were done.
+struct TipForceAnswer {
+  DigitSweep about;
+  TipHold hold = TipHold::kPinned;
+  double hold_length = 0;   // [m]
+  Eigen::VectorXd tension;  // of each muscle [N] (muscles)
+  std::vector<TipForcePoint> points;
+};
+
+/// The static force of a fingertip: tip_force() or tip_wrench() at every posture.
+/// @throws InputError for what is unknown, a tension that no tendon bears, a rigid hold of a map,
+/// or a hold length outside of 0 .. 1 m; DataError for a wrong file.
+[[nodiscard]] TipForceAnswer ask_tip_force(const TipForceRequest& request,
+                                           const Progress& progress = {});
+
+}  // namespace thenar

@@ -1,0 +1,124 @@
+#include "solvers/bound_prices.h"
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "base/error.h"
+#include "base/numbers.h"
+
+namespace thenar {
+namespace {
+
+using Eigen::Index;
+using Eigen::VectorXd;
+
+constexpr double kAtBound = 1e-11;  // of max(1, |bound|): a vertex's own error is less
+
+/// Which of its bounds a variable or a row stands at.
+struct Standing {
+  bool at_lower, at_upper;
+
+  [[nodiscard]] bool inside() const { return !at_lower && !at_upper; }
+};
+
+Standing standing(double value, double lower, double upper) {
+  const auto meets = [value](double bound) {
+    return std::isfinite(bound) &&
+           std::abs(value - bound) <= kAtBound * std::max(1.0, std::abs(bound));
+  };
+  return {meets(lower), meets(upper)};
+}
+
+/// A program's optimum, with where everything stands.
+struct Vertex {
+  const LinearProgram& program;
+  std::vector<Standing> columns, rows;
+  std::vector<Index> binding;  // rows that stand at a bound
+
+  /// Every strictly inner variable is basic: if they are as many as rows, no basic one is at a
+  /// bound, and the duals are unique.
+  [[nodiscard]] bool degenerate() const {
+    const auto inner = std::count_if(columns.begin(), columns.end(),
+                                     [](const Standing& each) { return each.inside(); });
+    return inner < static_cast<std::ptrdiff_t>(binding.size());
+  }
+};
+
+Vertex stand(const LinearProgram& program, const VectorXd& x) {
+  Vertex vertex{program, {}, {}, {}};
+  for (Index j = 0; j < x.size(); ++j)
+    vertex.columns.push_back(standing(x(j), program.lower(j), program.upper(j)));
+  const VectorXd activity = program.A * x;
+  for (Index i = 0; i < activity.size(); ++i) {
+    vertex.rows.push_back(standing(activity(i), program.row_lower(i), program.row_upper(i)));
+    // A row without slack binds, also where it is met to 1e-9 only.
+    if (program.row_lower(i) == program.row_upper(i)) vertex.rows.back() = {true, true};
+    if (!vertex.rows.back().inside()) vertex.binding.push_back(i);
+  }
+  return vertex;
+}
+
+/// All optimal duals of the binding rows y: columns that stand inside leave no price, those at a
+/// bound one that pushes to it. The objective is left open.
+LinearProgram optimal_duals(const Vertex& vertex) {
+  const LinearProgram& program = vertex.program;
+  const Index n = program.A.cols(), rows = static_cast<Index>(vertex.binding.size());
+  LinearProgram duals;
+  duals.objective = VectorXd::Zero(rows);
+  duals.A.resize(n, rows);
+  duals.lower = VectorXd::Zero(rows);
+  duals.upper = VectorXd::Zero(rows);
+  // A row pulls towards the bound that it stands at.
+  for (Index k = 0; k < rows; ++k) {
+    const Index i = vertex.binding[static_cast<std::size_t>(k)];
+    const Standing& at = vertex.rows[static_cast<std::size_t>(i)];
+    duals.A.col(k) = program.A.row(i).transpose();
+    if (at.at_upper) duals.upper(k) = kInfinity;
+    if (at.at_lower) duals.lower(k) = -kInfinity;
+  }
+  // What is left of a column's objective, objective - A' y, is >= 0 at its upper bound.
+  duals.row_lower = program.objective;
+  duals.row_upper = program.objective;
+  for (Index j = 0; j < n; ++j) {
+    const Standing& at = vertex.columns[static_cast<std::size_t>(j)];
+    if (at.at_upper) duals.row_lower(j) = -kInfinity;
+    if (at.at_lower) duals.row_upper(j) = kInfinity;
+  }
+  return duals;
+}
+
+/// The largest of  sign (objective_j - A_j' y)  over all optimal duals.
+double largest_price(LinearProgram duals, const LinearProgram& program, Index j, double sign) {
+  duals.objective = -sign * duals.A.row(j).transpose();
+  const LinearResult best = solve(duals);
+  if (best.status == Status::kUnbounded) return kInfinity;
+  return best.status == Status::kSolved ? sign * program.objective(j) + best.objective : kNaN;
+}
+
+}  // namespace
+
+BoundPrices upper_bound_prices(const LinearProgram& program, const LinearResult& best) {
+  require(best.status == Status::kSolved && best.x.size() == program.A.cols() &&
+              best.duals.size() == program.A.rows(),
+          "prices need a solved program of {} variables and {} rows", program.A.cols(),
+          program.A.rows());
+  const Index n = program.A.cols();
+  const Vertex vertex = stand(program, best.x);
+  const VectorXd left = program.objective - program.A.transpose() * best.duals;
+  BoundPrices prices{VectorXd::Zero(n), VectorXd::Zero(n)};
+  const bool unique = !vertex.degenerate();
+  const LinearProgram duals = unique ? LinearProgram{} : optimal_duals(vertex);
+
+  // Only a bound that a variable stands at has a price.
+  for (Index j = 0; j < n; ++j) {
+    if (!vertex.columns[static_cast<std::size_t>(j)].at_upper) continue;
+    const double least = unique ? left(j) : -largest_price(duals, program, j, -1);
+    const double most = unique ? left(j) : largest_price(duals, program, j, 1);
+    prices.increase(j) = std::isnan(least) ? kNaN : std::max(0.0, least);
+    prices.decrease(j) = std::isnan(most) ? kNaN : std::max(0.0, most);
+  }
+  return prices;
+}
+
+}  // namespace thenar
