@@ -1,91 +1,53 @@
 // thenar feasible-force SUBJECT --digit D --posture ... [--direction x y z] [--tolerance-deg a]
+// [--vary JOINT=from:to:step ...]
 //
-// The largest force of a fingertip along a direction, or all the forces it can make.
+// The largest force of a fingertip along a direction and what limits it, or all the forces it can
+// make.
 
-#include "tendons/forces/max_tip_force.h"
+#include "api/feasible_force.h"
 
 #include <memory>
 
-#include "api/posture.h"
 #include "apps/commands.h"
-#include "apps/feasible_report.h"
 #include "apps/options.h"
-#include "base/error.h"
-#include "base/nearest_name.h"
-#include "report/json.h"
-#include "report/table.h"
+#include "apps/outputs.h"
+#include "apps/terminal.h"
+#include "base/units.h"
+#include "report/answers/feasible_force.h"
+#include "report/pages/feasible_force.h"
 
 namespace thenar {
 namespace {
 
 struct FeasibleForceArguments {
-  DigitRequest question;
+  FeasibleForceRequest request;
   std::vector<double> direction;
   double tolerance_deg = 0;
   std::string axes = "world";
-  bool set = false;
-  bool json = false;
+  Outputs outputs;
 };
 
-/// Axes that directions are given in and forces shown in.
-ForceAxes force_axes(const DigitAtPosture& at, const std::string& asked) {
-  if (!at.map.empty()) {
-    require(asked == "world", "tip map '{}' knows only its own x, y, z; leave out --axes tip",
-            at.map);
-    return {"map", {"x", "y", "z"}, Eigen::Matrix3d::Identity()};
-  }
-  if (asked == "world") return {"world", {"x", "y", "z"}, Eigen::Matrix3d::Identity()};
-  return {"tip", {"proximal", "dorsal", "radial"}, *at.tip_axes};
-}
-
-void require_limits(const DigitAtPosture& at, const std::string& path) {
-  const std::vector<std::string> unknown = unlimited_muscles(at.statics);
-  require(
-      unknown.empty(),
-      "feasible forces need the largest force of every muscle; unknown: {}. Give each [[muscle]] "
-      "max_force_N, or pcsa_cm2 and specific_tension_N_cm2, in {}",
-      listed(unknown), path);
-}
-
 void run_feasible_force(const FeasibleForceArguments& options) {
-  require(options.direction.empty() || options.direction.size() == 3,
-          "wanted --direction x y z, got {} numbers", options.direction.size());
-  const DigitAtPosture at = find_digit(options.question);
-  const ForceAxes axes = force_axes(at, options.axes);
-  require_limits(at, options.question.subject);
-
-  nlohmann::ordered_json json = json_header(at);
-  if (at.map.empty()) json["condition"] = at.condition;
-  std::string text = text_header(at) + "\n";
-  if (!options.direction.empty()) {
-    const Eigen::Vector3d d(options.direction.data());
-    const MaxTipForce largest =
-        max_tip_force(at.statics, axes.to_world * d, {options.tolerance_deg * kDegree});
-    json.update(json_of(at, axes, largest));
-    text += text_of(at, axes, largest);
-  }
-  if (options.direction.empty() || options.set) {
-    const WholeSet whole = whole_set(at, axes);
-    json.update(json_of(axes, whole));
-    text += text_of(axes, whole);
-    if (at.map.empty() && at.condition >= kNearlyStraight) {
-      const std::string note = fmt::format(
-          "nearly singular posture (condition {:.3g}): the set changes much within a degree",
-          at.condition);
-      if (!json.contains("note")) json["note"] = note;
-      text += "note: " + note + "\n";
-    }
-  }
-  fmt::print("{}\n", options.json ? json_text(json) : text);
+  FeasibleForceRequest request = options.request;
+  if (!options.direction.empty()) request.direction = Eigen::Vector3d(options.direction.data());
+  request.tolerance = options.tolerance_deg * kDegree;
+  request.frame = options.axes == "tip" ? DirectionFrame::kTip : DirectionFrame::kWorld;
+  const FeasibleForceAnswer answer =
+      ask_feasible_force(request, terminal_progress("postures that are done are kept"));
+  const DigitSweep& about = answer.about;
+  if (about.done == 0) tell_if_stopped(0, about.asked(), "posture");
+  print_warnings(about.warnings);
+  deliver(options.outputs, answer);
+  tell_if_stopped(about.done, about.asked(), "posture");
 }
 
 }  // namespace
 
 void add_feasible_force(CLI::App& app) {
-  auto options = std::make_shared<FeasibleForceArguments>();
+  auto options = std::make_shared<FeasibleForceArguments>();  // lives as long as the callback
   CLI::App* command =
       app.add_subcommand("feasible-force", "The largest force of a fingertip, or all of them");
-  add_digit_options(*command, options->question);
+  add_digit_options(*command, options->request.digit);
   command->add_option("--direction", options->direction, "x y z of the wanted force")->expected(3);
   command->add_option("--tolerance-deg", options->tolerance_deg,
                       "Half angle of the cone the force may lie in [deg]");
@@ -93,8 +55,14 @@ void add_feasible_force(CLI::App& app) {
       ->add_option("--axes", options->axes,
                    "world: the subject's frame; tip: proximal, dorsal, radial")
       ->check(CLI::IsMember({"world", "tip"}));
-  command->add_flag("--set", options->set, "The whole set, also beside a direction");
-  command->add_flag("--json", options->json, "Print JSON");
+  command->add_flag("--set", options->request.whole_set, "The whole set, also beside a direction");
+  add_vary_option(*command, options->request.digit.vary);
+  add_output_options(*command, options->outputs, {true, true, true});
+  add_examples(*command,
+               {"feasible-force an_chao_index --posture MCP2_FE=45 PIP2=45 DIP2=10 --axes tip "
+                "--direction 0 -1 0",
+                "feasible-force synek2019_middle --posture MCP3_FE=20 DIP3=15 --axes tip "
+                "--direction 0 -1 0 --vary PIP3=10:80:5 --report out/feasible.html"});
   command->callback([options] { run_feasible_force(*options); });
 }
 

@@ -79,6 +79,7 @@ int run_command(int argc, char** argv) {
   add_validate(app);
   add_explain(app);
   add_pose(app);
+  add_moment_arms(app);
   add_tip_force(app);
   add_feasible_force(app);
   add_tendon(app);

@@ -80,12 +80,11 @@ void add_path_option(CLI::App& command, std::optional<Path>& path) {
           listed(path_names()));
 }
 
-void add_posture_option(CLI::App& command, PostureRequest& posture) {
+void add_posture_option(CLI::App& command, PostureRequest& posture, const std::string& help) {
   posture.unit = PostureUnit::kTyped;  // also of --vary, where no posture is given
   command.add_option_function<std::vector<std::string>>(
       "--posture",
-      [&posture](const std::vector<std::string>& texts) { posture = parse_posture(texts); },
-      "JOINT=degrees ..., or degrees in joint order; others stay at 0");
+      [&posture](const std::vector<std::string>& texts) { posture = parse_posture(texts); }, help);
 }
 
 void add_frozen_option(CLI::App& command, PostureRequest& frozen) {

@@ -38,7 +38,9 @@ void add_data_option(CLI::App& command, std::string& data);
 /// --path via|fitted|wrapped
 void add_path_option(CLI::App& command, std::optional<Path>& path);
 /// --posture JOINT=degrees ..
-void add_posture_option(CLI::App& command, PostureRequest& posture);
+void add_posture_option(
+    CLI::App& command, PostureRequest& posture,
+    const std::string& help = "JOINT=degrees ..., or degrees in joint order; others stay at 0");
 /// --frozen JOINT=degrees ..
 void add_frozen_option(CLI::App& command, PostureRequest& frozen);
 /// --vary JOINT=from:to:step ..

@@ -12,6 +12,7 @@
 #include <unistd.h>
 
 #include "base/interrupt.h"
+#include "base/progress_parts.h"
 
 namespace thenar {
 namespace {
@@ -83,6 +84,12 @@ Progress terminal_progress(const std::string& kept) {
 
 void print_warnings(const std::vector<std::string>& warnings) {
   for (const std::string& warning : warnings) fmt::print(stderr, "thenar: warning: {}\n", warning);
+}
+
+void tell_if_stopped(std::size_t done, std::size_t asked, const std::string& what) {
+  if (done >= asked) return;
+  if (done == 0) throw Stopped(fmt::format("stopped before the first {} was done", what));
+  throw Stopped(fmt::format("stopped after {} of {} {}s; they are kept", done, asked, what));
 }
 
 int after_output(int code) {

@@ -2,6 +2,7 @@
 
 /// What the command says beside its answer: a progress bar, warnings, the end of its output.
 
+#include <cstddef>
 #include <string>
 #include <vector>
 
@@ -17,6 +18,10 @@ namespace thenar {
 
 /// A line "thenar: warning: .." on stderr for each; to be called before the answer is printed.
 void print_warnings(const std::vector<std::string>& warnings);
+
+/// Says how much of the work was done where it was stopped, after its answer was delivered.
+/// @param what  "posture"  @throws Stopped if less was done than was asked for
+void tell_if_stopped(std::size_t done, std::size_t asked, const std::string& what);
 
 /// What was printed must have arrived: a full disk may show only now.
 /// @param code  the exit code so far  @return the exit code

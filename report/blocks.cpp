@@ -2,11 +2,22 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
 #include <utility>
 
 #include <fmt/format.h>
 
 namespace thenar {
+namespace {
+
+Json number_or_text(const std::string& cell) {
+  if (cell == "-" || cell == "inf" || cell == "-inf" || cell == "nan") return nullptr;
+  char* end = nullptr;
+  const double value = std::strtod(cell.c_str(), &end);
+  return !cell.empty() && *end == '\0' ? Json(value) : Json(cell);
+}
+
+}  // namespace
 
 Json section(const std::string& id, const std::string& title, const std::string& text,
              Json blocks) {
@@ -26,6 +37,18 @@ Json table_block(const std::string& caption, const std::vector<BlockColumn>& col
     heads.push_back(std::move(head));
   }
   return {{"type", "table"}, {"caption", caption}, {"columns", heads}, {"rows", std::move(rows)}};
+}
+
+Json table_block(const std::string& caption, const Table& table) {
+  std::vector<BlockColumn> columns;
+  for (const std::string& name : table.header) columns.push_back({name, ""});
+  Json rows = Json::array();
+  for (const std::vector<std::string>& cells : table.rows) {
+    Json line = Json::array();
+    for (const std::string& cell : cells) line.push_back(number_or_text(cell));
+    rows.push_back(std::move(line));
+  }
+  return table_block(caption, columns, rows);
 }
 
 Json layer(const std::string& name, const std::string& color, Json items) {

@@ -8,6 +8,7 @@
 #include <Eigen/Core>
 
 #include "report/json.h"
+#include "report/table.h"
 
 namespace thenar {
 
@@ -24,6 +25,9 @@ struct BlockColumn {
 [[nodiscard]] Json row_block(Json blocks);
 [[nodiscard]] Json table_block(const std::string& caption, const std::vector<BlockColumn>& columns,
                                Json rows);
+
+/// Rows that are also printed: cells that are numbers become numbers, "-" becomes null.
+[[nodiscard]] Json table_block(const std::string& caption, const Table& table);
 
 /// A layer of a scene: what is drawn in one colour, and shown and hidden as one.
 [[nodiscard]] Json layer(const std::string& name, const std::string& color, Json items);

@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include "base/units.h"
+#include "tendons/name_conventions.h"
 
 namespace thenar {
 
@@ -20,6 +21,11 @@ std::string angles_in_words(const std::vector<std::string>& names, const Eigen::
   std::vector<int> all(names.size());
   std::iota(all.begin(), all.end(), 0);
   return angles_in_words(names, all, q);
+}
+
+std::string positive_sense(const std::string& joint) {
+  if (is_flexion_joint(joint)) return "flexion";
+  return ends_with(joint, "_AA") ? "abduction" : "pronation";
 }
 
 }  // namespace thenar

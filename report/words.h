@@ -20,4 +20,8 @@ namespace thenar {
 [[nodiscard]] std::string angles_in_words(const std::vector<std::string>& names,
                                           const Eigen::VectorXd& q);
 
+/// "flexion", "abduction" or "pronation": what a positive angle of a joint does, and a positive
+/// moment arm, by the joint's name (docs/conventions.md).
+[[nodiscard]] std::string positive_sense(const std::string& joint);
+
 }  // namespace thenar

@@ -15,5 +15,11 @@ TEST(Words, GiveAnglesInDegrees) {
   EXPECT_EQ(angles_in_words({"a", "b", "c"}, q), "a=10 b=0 c=45.5 deg");
 }
 
+TEST(Words, CallAnArmByWhatItsJointDoes) {
+  EXPECT_EQ(positive_sense("PIP3"), "flexion");
+  EXPECT_EQ(positive_sense("MCP2_FE"), "flexion");
+  EXPECT_EQ(positive_sense("MCP2_AA"), "abduction");
+}
+
 }  // namespace
 }  // namespace thenar

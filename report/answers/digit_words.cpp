@@ -1,0 +1,120 @@
+#include "report/answers/digit_words.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "base/units.h"
+#include "report/table.h"
+#include "tendons/forces/posture_sensitivity.h"
+
+namespace thenar {
+namespace {
+
+constexpr double kNoChange = 1e-9;  // of the largest change: rounding
+
+/// " MCP3_FE=10 PIP3=45" of the joints that stay as they are.
+std::string standing_angles(const DigitSweep& about) {
+  std::string text;
+  if (about.grid.postures.empty()) return text;
+  const Eigen::VectorXd& q = about.grid.postures.front();
+  const std::vector<int>& varied = about.grid.varied;
+  for (int i = 0; i < static_cast<int>(q.size()); ++i)
+    if (std::count(varied.begin(), varied.end(), i) == 0)
+      text += fmt::format(" {}={:.4g}", about.rows[static_cast<std::size_t>(i)], q[i] / kDegree);
+  return text;
+}
+
+OrderedJson posture_json(const DigitSweep& about, const Eigen::VectorXd& q) {
+  return to_json(about.rows, q / kDegree);
+}
+
+}  // namespace
+
+std::string posture_note(const std::vector<std::string>& joints, double condition,
+                         const Eigen::VectorXd& change) {
+  if (condition < kNearlyStraight || change.size() == 0) return "";
+  Eigen::Index most = 0;
+  change.cwiseAbs().maxCoeff(&most);
+  if (!std::isfinite(condition) || !std::isfinite(change[most]))
+    return "singular posture: forces along the bones have no limit, and change without limit as a "
+           "joint leaves it";
+  return fmt::format(
+      "nearly singular posture (condition {:.3g}): one degree of {} changes the force by {:.3g} N, "
+      "to first order; goniometers err by several",
+      condition, joints[static_cast<std::size_t>(most)], std::abs(change[most]) * kDegree);
+}
+
+std::string change_line(const std::vector<std::string>& joints, const Eigen::VectorXd& change) {
+  std::vector<Eigen::Index> order(static_cast<std::size_t>(change.size()));
+  std::iota(order.begin(), order.end(), 0);
+  std::sort(order.begin(), order.end(), [&](Eigen::Index a, Eigen::Index b) {
+    return std::abs(change[a]) > std::abs(change[b]);
+  });
+  std::string line = "N per degree of posture:";
+  const double nothing = order.empty() ? 0 : kNoChange * std::abs(change[order.front()]);
+  for (const Eigen::Index i : order)
+    line += fmt::format("{} {} {:.3g}", i == order.front() ? "" : ",",
+                        joints[static_cast<std::size_t>(i)],
+                        std::abs(change[i]) <= nothing ? 0 : change[i] * kDegree);
+  return line;
+}
+
+std::string text_header(const DigitSweep& about) {
+  const std::string standing = standing_angles(about);
+  const std::string at = standing.empty() ? "" : standing + " deg";
+  if (about.single())
+    return fmt::format("{} of {}{}{}\nmodel: {}\n", about.digit, about.subject,
+                       at.empty() ? "" : " at", at, about.built);
+  return fmt::format("{} of {}, {}{}{}\nmodel: {}\n", about.digit, about.subject,
+                     counted(about.done, "posture"), at.empty() ? "" : "; others at", at,
+                     about.built);
+}
+
+OrderedJson digit_json(const DigitSweep& about,
+                       const std::function<void(std::size_t point, OrderedJson& json)>& add) {
+  OrderedJson json{{"subject", about.subject}, {"digit", about.digit}};
+  if (about.single()) {
+    if (about.map.empty())
+      json["posture_deg"] = posture_json(about, about.grid.postures.front());
+    else
+      json["map"] = about.map;
+    json["fidelity"] = about.built;
+    add(0, json);
+    return json;
+  }
+  json["fidelity"] = about.built;
+  json["varied"] = axes_of(about).names;
+  json["postures"] = OrderedJson::array();
+  for (std::size_t i = 0; i < about.done; ++i) {
+    OrderedJson point{{"posture_deg", posture_json(about, about.grid.postures[i])}};
+    add(i, point);
+    json["postures"].push_back(std::move(point));
+  }
+  if (about.done < about.asked()) json["stopped_before"] = about.asked();
+  json["warnings"] = about.warnings;
+  return json;
+}
+
+SweepAxes axes_of(const DigitSweep& about) { return axes_of(about.grid, about.rows, about.done); }
+
+std::vector<std::string> joint_header(const DigitSweep& about) {
+  std::vector<std::string> header;
+  if (!about.map.empty()) return header;
+  for (const std::string& joint : about.rows) header.push_back(joint + "_deg");
+  return header;
+}
+
+std::vector<std::string> joint_cells(const Eigen::VectorXd& q) {
+  std::vector<std::string> cells;
+  for (const double angle : q) {
+    const double degrees_now = angle / kDegree;
+    cells.push_back(fmt::format("{:.10g}", std::abs(degrees_now) < 1e-9 ? 0 : degrees_now));
+  }
+  return cells;
+}
+
+}  // namespace thenar

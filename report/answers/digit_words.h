@@ -1,0 +1,40 @@
+#pragma once
+
+/// Phrases of every answer about a fingertip.
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "api/digit_sweep.h"
+#include "report/json.h"
+#include "report/sweep_axes.h"
+
+namespace thenar {
+
+/// What to beware of where the finger is nearly straight: its condition, and the joint on which the
+/// force hangs most. Empty below kNearlyStraight.
+/// @param change  of the force by each joint [N/rad] (joints)
+[[nodiscard]] std::string posture_note(const std::vector<std::string>& joints, double condition,
+                                       const Eigen::VectorXd& change);
+
+/// "N per degree of posture: PIP2 0.31, DIP2 0.12", the most first.
+[[nodiscard]] std::string change_line(const std::vector<std::string>& joints,
+                                      const Eigen::VectorXd& change);
+
+/// Digit, posture or how many of them, and fidelity: the first lines of a text.
+[[nodiscard]] std::string text_header(const DigitSweep& about);
+
+/// Subject, digit, posture and fidelity, and what `add` adds of the one posture; of several
+/// postures, what varies and a list "postures" with a member for each.
+[[nodiscard]] OrderedJson digit_json(
+    const DigitSweep& about, const std::function<void(std::size_t point, OrderedJson& json)>& add);
+
+/// The joints that vary, over the postures that are done.
+[[nodiscard]] SweepAxes axes_of(const DigitSweep& about);
+
+/// "PIP3_deg" of all joints, and their angles at a posture.
+[[nodiscard]] std::vector<std::string> joint_header(const DigitSweep& about);
+[[nodiscard]] std::vector<std::string> joint_cells(const Eigen::VectorXd& q);
+
+}  // namespace thenar

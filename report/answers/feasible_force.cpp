@@ -1,0 +1,370 @@
+#include "report/answers/feasible_force.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "base/units.h"
+#include "report/answers/digit_words.h"
+#include "tendons/forces/posture_sensitivity.h"
+
+namespace thenar {
+namespace {
+
+using Eigen::Index;
+
+constexpr double kNoPrice = 1e-9;       // rounding [N/N]
+constexpr double kPriceDiffers = 1e-4;  // of the larger price
+constexpr std::size_t kMostNamed = 3;   // muscles in a sentence
+
+std::string status_line(Status status) {
+  const std::string words = force_status_words(status);
+  return words.empty() ? "" : fmt::format("{}: {}\n", name_of(status), words);
+}
+
+bool makes_force(const FeasibleForcePoint& point) {
+  return point.largest && point.largest->status == Status::kSolved &&
+         point.largest->magnitude >= kNoTipForce;
+}
+
+bool priced(const FeasibleForcePoint& point) {
+  return makes_force(point) && point.largest->prices.increase.size() > 0;
+}
+
+bool differs(const ForceLimitPrices& prices, Index i) {
+  return !(prices.decrease(i) - prices.increase(i) <=
+           kNoPrice + kPriceDiffers * std::abs(prices.decrease(i)));
+}
+
+/// "0.1206", "0 .. 0.2" where the price of an increase and of a decrease differ; "-" if unknown.
+std::string price_cell(const FeasibleForcePoint& point, Index i) {
+  if (!priced(point)) return "-";
+  const ForceLimitPrices& prices = point.largest->prices;
+  if (std::isnan(prices.increase(i)) || std::isnan(prices.decrease(i))) return "-";
+  if (!differs(prices, i)) return shown(prices.increase(i), 4);
+  return shown(prices.increase(i), 4) + " .. " + shown(prices.decrease(i), 4);
+}
+
+Table vertex_table(const ForceAxes& axes, const FeasibleForceSet& set) {
+  Table table{{"vertex", axes.names[0] + "_N", axes.names[1] + "_N", axes.names[2] + "_N"}, {}};
+  const Eigen::MatrixX3d vertices = set.vertices * axes.to_world;
+  for (Index k = 0; k < vertices.rows(); ++k)
+    table.rows.push_back(row({{std::to_string(k + 1)}, cells(vertices.row(k), 3)}));
+  return table;
+}
+
+OrderedJson limits_json(const FeasibleForceAnswer& answer, const FeasibleForcePoint& point) {
+  OrderedJson list = OrderedJson::array();
+  const ForceLimitPrices& prices = point.largest->prices;
+  for (const Index i : limiting_muscles(point)) {
+    OrderedJson entry{{"muscle", answer.about.muscles[static_cast<std::size_t>(i)]},
+                      {"N_per_N_of_F0", number_or_null(prices.increase(i))}};
+    if (differs(prices, i)) entry["N_per_N_of_F0_lost"] = number_or_null(prices.decrease(i));
+    list.push_back(std::move(entry));
+  }
+  return list;
+}
+
+void add_largest(const FeasibleForceAnswer& answer, const FeasibleForcePoint& point,
+                 OrderedJson& json) {
+  const MaxTipForce& largest = *point.largest;
+  json["status"] = name_of(largest.status);
+  json["axes"] = point.axes.name;
+  json["force_N"] = to_json(point.axes.to_world.transpose() * largest.force);
+  json["magnitude_N"] = largest.magnitude;
+  json["certificate"] = {{"gap_N", largest.check.gap},
+                         {"outside_cone_N", largest.check.outside},
+                         {"imbalance_N_mm", 1e3 * largest.check.imbalance}};
+  json["activation"] = to_json(answer.about.muscles, largest.activation);
+  json["tension_N"] = to_json(answer.about.muscles, largest.tension);
+  if (priced(point)) {
+    json["limited_by"] = limits_json(answer, point);
+    json["degenerate"] = largest.prices.degenerate();
+    json["certificate"]["price_gap_N"] = largest.prices.gap;
+  }
+  if (point.change.size() > 0)
+    json["magnitude_change_N_per_deg"] = to_json(answer.about.rows, point.change * kDegree);
+}
+
+void add_whole(const FeasibleForcePoint& point, OrderedJson& json) {
+  const FeasibleForceSet& set = point.whole->set;
+  const ForceAxes& axes = point.axes;
+  OrderedJson largest;
+  for (std::size_t k = 0; k < point.whole->along.size(); ++k)
+    largest[axis_direction(axes, k)] = point.whole->along[k].magnitude;
+  json["set"] = {{"status", name_of(set.status)},
+                 {"axes", axes.name},
+                 {"dimension", set.dimension},
+                 {"volume", set.volume},
+                 {"vertices_N", to_json(set.vertices * axes.to_world)},
+                 {"triangles", to_json(set.triangles)},
+                 {"excess", set.excess},
+                 {"imbalance_N_mm", 1e3 * set.imbalance},
+                 {"carried_by_bones", to_json(set.carried.transpose() * axes.to_world)},
+                 {"largest_N", largest}};
+}
+
+void add_point(const FeasibleForceAnswer& answer, const FeasibleForcePoint& point,
+               OrderedJson& json) {
+  if (!point.failure.empty()) {
+    json["failure"] = point.failure;
+    return;
+  }
+  if (answer.about.map.empty()) json["condition"] = point.condition;
+  if (point.largest) add_largest(answer, point, json);
+  const std::string note = note_of(answer, point);
+  if (!note.empty()) json["note"] = note;
+  if (point.whole) add_whole(point, json);
+}
+
+/// The largest force at one posture.
+std::string largest_text(const FeasibleForceAnswer& answer, const FeasibleForcePoint& point) {
+  const MaxTipForce& largest = *point.largest;
+  if (largest.status != Status::kSolved) return status_line(largest.status) + "\n";
+  if (!makes_force(point))
+    return "Largest force: none; " + force_status_words(Status::kInfeasible) + "\n\n";
+  const Eigen::Vector3d force = point.axes.to_world.transpose() * largest.force;
+  std::string text =
+      fmt::format("Largest force: {} N along the direction\nas ({}) = ({}) N in {} axes\n",
+                  shown(largest.magnitude, 3), fmt::join(point.axes.names, ", "),
+                  fmt::join(cells(force, 3), ", "), point.axes.name);
+  const std::string limits = limit_words(answer, point);
+  if (!limits.empty()) text += limits + "\n";
+  if (point.change.size() > 0) text += change_line(answer.about.rows, point.change) + "\n";
+  const std::string note = posture_note(answer.about.rows, point.condition, point.change);
+  if (!note.empty()) text += "note: " + note + "\n";
+  return text + "\n" + aligned(limit_table(answer, point)) + "\n";
+}
+
+/// All forces at one posture.
+std::string whole_text(const FeasibleForceAnswer& answer, const FeasibleForcePoint& point) {
+  const FeasibleForceSet& set = point.whole->set;
+  const ForceAxes& axes = point.axes;
+  Table along{{"direction", "largest_N", "status"}, {}};
+  for (std::size_t k = 0; k < point.whole->along.size(); ++k)
+    along.rows.push_back({axis_direction(axes, k), shown(point.whole->along[k].magnitude, 3),
+                          name_of(point.whole->along[k].status)});
+  std::string text =
+      fmt::format("All forces the tip can make: dimension {}, volume {:.5g} {}, {} vertices\n",
+                  set.dimension, set.volume,
+                  set.dimension > 0 ? fmt::format("N^{}", set.dimension) : "(a point)",
+                  set.vertices.rows()) +
+      status_line(set.status);
+  for (Index c = 0; c < set.carried.cols(); ++c)
+    text += fmt::format(
+        "plus any force along ({}), which the bones carry alone; vertices are across it\n",
+        fmt::join(cells(axes.to_world.transpose() * set.carried.col(c), 3), ", "));
+  text += fmt::format("\nLargest pure force along each of the {} axes\n{}\n", axes.name,
+                      aligned(along));
+  if (set.vertices.rows() > 0) text += "Vertices\n" + aligned(vertex_table(axes, set)) + "\n";
+  if (answer.about.map.empty() && point.condition >= kNearlyStraight)
+    text += fmt::format(
+        "note: nearly singular posture (condition {:.3g}): the set changes much within a degree\n",
+        point.condition);
+  return text;
+}
+
+/// Cells of the largest force at a posture, for a row.
+std::vector<std::string> largest_cells(const FeasibleForcePoint& point, int decimals) {
+  const MaxTipForce& largest = *point.largest;
+  return row({{name_of(largest.status), shown(largest.magnitude, decimals)},
+              cells(Eigen::Vector3d(point.axes.to_world.transpose() * largest.force), decimals)});
+}
+
+std::vector<std::string> whole_cells(const FeasibleForcePoint& point, int decimals) {
+  std::vector<std::string> line{std::to_string(point.whole->set.dimension),
+                                shown(point.whole->set.volume)};
+  for (const MaxTipForce& each : point.whole->along)
+    line.push_back(shown(each.magnitude, decimals));
+  return line;
+}
+
+/// Axes of the first posture that has an answer.
+ForceAxes axes_of_answer(const FeasibleForceAnswer& answer) {
+  for (const FeasibleForcePoint& point : answer.points)
+    if (point.failure.empty()) return point.axes;
+  return {};
+}
+
+std::vector<std::string> largest_header(const ForceAxes& axes) {
+  std::vector<std::string> header{"status", "magnitude_N"};
+  for (const std::string& name : axes.names) header.push_back(name + "_N");
+  return header;
+}
+
+std::vector<std::string> whole_header(const ForceAxes& axes) {
+  std::vector<std::string> header{"dimension", "volume"};
+  for (std::size_t k = 0; k < 6; ++k) header.push_back("largest_" + axis_direction(axes, k) + "_N");
+  return header;
+}
+
+bool with_whole(const FeasibleForceAnswer& answer) {
+  return std::any_of(answer.points.begin(), answer.points.end(),
+                     [](const FeasibleForcePoint& point) { return point.whole.has_value(); });
+}
+
+/// "FDP 0.12, LU 0.03": prices of a row, the dearest first.
+std::string short_limits(const FeasibleForceAnswer& answer, const FeasibleForcePoint& point) {
+  std::string text;
+  for (const Index i : limiting_muscles(point))
+    text += fmt::format("{}{} {}", text.empty() ? "" : ", ",
+                        answer.about.muscles[static_cast<std::size_t>(i)], price_cell(point, i));
+  return or_dash(text);
+}
+
+/// A row for each posture.
+std::string many_postures(const FeasibleForceAnswer& answer) {
+  const SweepAxes axes = axes_of(answer.about);
+  const ForceAxes force = axes_of_answer(answer);
+  std::string text;
+  const auto table_with = [&](const std::vector<std::string>& header, const auto& line) {
+    Table table{row({header_of(axes), header}), {}};
+    for (std::size_t i = 0; i < answer.points.size(); ++i) {
+      const FeasibleForcePoint& point = answer.points[i];
+      table.rows.push_back(row(
+          {cells_of(axes, i),
+           point.failure.empty() ? line(point) : std::vector<std::string>(header.size(), "-")}));
+    }
+    return table;
+  };
+  if (answer.direction)
+    text +=
+        titled(fmt::format("Largest force along the direction, {} axes; limits in N per N of F0",
+                           force.name),
+               table_with(row({largest_header(force), {"limited_by"}}), [&](const auto& point) {
+                 return row({largest_cells(point, 3), {short_limits(answer, point)}});
+               }));
+  if (with_whole(answer))
+    text += titled(
+        fmt::format("All forces: the set, and the largest pure force along the {} axes",
+                    force.name),
+        table_with(whole_header(force), [](const auto& point) { return whole_cells(point, 3); }));
+  return text;
+}
+
+}  // namespace
+
+Table limit_table(const FeasibleForceAnswer& answer, const FeasibleForcePoint& point) {
+  const MaxTipForce& largest = *point.largest;
+  Table muscles{{"muscle", "activation", "tension_N", "F0_N", "N_per_N_of_F0"}, {}};
+  for (Index i = 0; i < largest.tension.size(); ++i)
+    muscles.rows.push_back({answer.about.muscles[static_cast<std::size_t>(i)],
+                            shown(largest.activation[i], 4), shown(largest.tension[i], 2),
+                            shown(answer.max_tension[i], 2), price_cell(point, i)});
+  return muscles;
+}
+
+std::string force_status_words(Status status) {
+  switch (status) {
+    case Status::kSolved:
+      return "";
+    case Status::kInfeasible:
+      return "no tensions make any force this way with every joint in balance";
+    case Status::kUnbounded:
+      return "the bones alone carry any force this way (a singular posture)";
+    case Status::kLimit:
+      return "the numerical method reached its limit of steps";
+    case Status::kStopped:
+      return "stopped";
+    case Status::kStalled:
+      return "the numerical method gave up";
+  }
+  return "";
+}
+
+std::string axis_direction(const ForceAxes& axes, std::size_t k) {
+  return (k % 2 == 0 ? "+" : "-") + axes.names[k / 2];
+}
+
+std::vector<Index> limiting_muscles(const FeasibleForcePoint& point) {
+  std::vector<Index> muscles;
+  if (!priced(point)) return muscles;
+  const ForceLimitPrices& prices = point.largest->prices;
+  for (Index i = 0; i < prices.decrease.size(); ++i)
+    if (!(prices.decrease(i) <= kNoPrice)) muscles.push_back(i);
+  std::sort(muscles.begin(), muscles.end(), [&](Index a, Index b) {
+    return std::make_pair(prices.increase(a), prices.decrease(a)) >
+           std::make_pair(prices.increase(b), prices.decrease(b));
+  });
+  return muscles;
+}
+
+std::string limit_words(const FeasibleForceAnswer& answer, const FeasibleForcePoint& point) {
+  const std::vector<Index> muscles = limiting_muscles(point);
+  if (muscles.empty()) return "";
+  const ForceLimitPrices& prices = point.largest->prices;
+  const auto name = [&](Index i) { return answer.about.muscles[static_cast<std::size_t>(i)]; };
+  const Index first = muscles.front();
+  std::string text = fmt::format("limited by {}: 1 N more of its F0 gives {:.3g} N more",
+                                 name(first), prices.increase(first));
+  if (differs(prices, first))
+    text += fmt::format(", 1 N less takes {:.3g} N", prices.decrease(first));
+  for (std::size_t k = 1; k < std::min(muscles.size(), kMostNamed); ++k)
+    text += fmt::format("{} {} {}", k == 1 ? "; then" : ",", name(muscles[k]),
+                        price_cell(point, muscles[k]));
+  if (muscles.size() > kMostNamed) text += fmt::format(" and {} more", muscles.size() - kMostNamed);
+  if (prices.degenerate())
+    text +=
+        "\nseveral limits meet here: a muscle alone gives the first number of N_per_N_of_F0 when "
+        "its F0 grows, and takes the second when it shrinks";
+  return text;
+}
+
+std::string note_of(const FeasibleForceAnswer& answer, const FeasibleForcePoint& point) {
+  if (point.largest) {
+    const std::string note = posture_note(answer.about.rows, point.condition, point.change);
+    if (!note.empty()) return note;
+  }
+  if (!point.whole || !answer.about.map.empty() || point.condition < kNearlyStraight) return "";
+  return fmt::format(
+      "nearly singular posture (condition {:.3g}): the set changes much within a degree",
+      point.condition);
+}
+
+std::string text_of(const FeasibleForceAnswer& answer) {
+  std::string text = text_header(answer.about) + "\n";
+  if (!answer.about.single()) return text + many_postures(answer);
+  const FeasibleForcePoint& point = answer.points.front();
+  if (point.largest) text += largest_text(answer, point);
+  if (point.whole) text += whole_text(answer, point);
+  return text + "\n";
+}
+
+OrderedJson json_of(const FeasibleForceAnswer& answer) {
+  return digit_json(answer.about, [&](std::size_t i, OrderedJson& json) {
+    add_point(answer, answer.points[i], json);
+  });
+}
+
+Table table_of(const FeasibleForceAnswer& answer) {
+  const ForceAxes axes = axes_of_answer(answer);
+  const bool whole = with_whole(answer), direction = answer.direction.has_value();
+  Table table{joint_header(answer.about), {}};
+  const auto add = [&](const std::vector<std::string>& names) {
+    table.header.insert(table.header.end(), names.begin(), names.end());
+  };
+  if (direction) {
+    add(largest_header(axes));
+    for (const std::string& muscle : answer.about.muscles)
+      add({muscle + "_activation", muscle + "_N_per_N_of_F0"});
+  }
+  if (whole) add(whole_header(axes));
+  add({"note"});
+  for (const FeasibleForcePoint& point : answer.points) {
+    std::vector<std::string> line = joint_cells(point.q);
+    if (point.failure.empty()) {
+      if (direction) line = row({line, largest_cells(point, 6)});
+      for (Index i = 0; direction && i < point.largest->activation.size(); ++i)
+        line = row({line, {shown(point.largest->activation(i), 6), price_cell(point, i)}});
+      if (whole) line = row({line, whole_cells(point, 6)});
+    }
+    line.resize(table.header.size() - 1);
+    line.push_back(point.failure.empty() ? note_of(answer, point) : point.failure);
+    table.rows.push_back(std::move(line));
+  }
+  return table;
+}
+
+}  // namespace thenar

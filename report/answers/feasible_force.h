@@ -1,0 +1,40 @@
+#pragma once
+
+/// The largest force of a fingertip, what limits it, and all its forces, as words, JSON and rows.
+
+#include <string>
+
+#include "api/feasible_force.h"
+#include "report/json.h"
+#include "report/table.h"
+
+namespace thenar {
+
+[[nodiscard]] std::string text_of(const FeasibleForceAnswer& answer);
+[[nodiscard]] OrderedJson json_of(const FeasibleForceAnswer& answer);
+/// A row for each posture.
+[[nodiscard]] Table table_of(const FeasibleForceAnswer& answer);
+
+/// "limited by FDP: 1 N more of its F0 gives 0.12 N more; then LU 0.03": the dearest limit first,
+/// and what degenerate limits do. "" if no muscle limits the force, or prices did not pass their
+/// checks.
+[[nodiscard]] std::string limit_words(const FeasibleForceAnswer& answer,
+                                      const FeasibleForcePoint& point);
+
+/// A row for each muscle at the largest force of a posture: activation, tension, F0, price of F0.
+[[nodiscard]] Table limit_table(const FeasibleForceAnswer& answer, const FeasibleForcePoint& point);
+
+/// Muscles that limit the force, the dearest first, as indices.
+[[nodiscard]] std::vector<Eigen::Index> limiting_muscles(const FeasibleForcePoint& point);
+
+/// What to beware of at a posture; may be empty.
+[[nodiscard]] std::string note_of(const FeasibleForceAnswer& answer,
+                                  const FeasibleForcePoint& point);
+
+/// What a status means to whoever asked for a force; "" if solved.
+[[nodiscard]] std::string force_status_words(Status status);
+
+/// "+dorsal" or "-x": the k-th of six directions along the axes.
+[[nodiscard]] std::string axis_direction(const ForceAxes& axes, std::size_t k);
+
+}  // namespace thenar

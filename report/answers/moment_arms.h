@@ -1,0 +1,24 @@
+#pragma once
+
+/// Moment arms and length changes of tendons as words, JSON and rows.
+
+#include <string>
+
+#include "api/moment_arms.h"
+#include "report/json.h"
+#include "report/table.h"
+
+namespace thenar {
+
+[[nodiscard]] std::string text_of(const MomentArmAnswer& answer);
+[[nodiscard]] OrderedJson json_of(const MomentArmAnswer& answer);
+/// A row for each muscle at each posture.
+[[nodiscard]] Table table_of(const MomentArmAnswer& answer);
+
+/// "flexion + at MCP3_FE, PIP3; abduction + at MCP3_AA": which sense is positive.
+[[nodiscard]] std::string sign_words(const std::vector<std::string>& joints);
+
+/// "with all joints at 0", or the angles of the posture of no length change.
+[[nodiscard]] std::string reference_words(const MomentArmAnswer& answer);
+
+}  // namespace thenar

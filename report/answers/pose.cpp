@@ -1,0 +1,303 @@
+#include "report/answers/pose.h"
+
+#include <fmt/format.h>
+
+#include "base/units.h"
+#include "report/answers/digit_words.h"
+
+namespace thenar {
+namespace {
+
+std::string direction(const Eigen::Vector3d& d) {
+  // A direction has no sense here: the largest component is shown positive.
+  Eigen::Index largest = 0;
+  d.cwiseAbs().maxCoeff(&largest);
+  const Eigen::Vector3d shown = (d[largest] < 0 ? Eigen::Vector3d(-d) : d).array() + 0.0;
+  const auto round = [](double x) { return std::abs(x) < 5e-4 ? 0.0 : x; };
+  return fmt::format("({:.3g}, {:.3g}, {:.3g})", round(shown.x()), round(shown.y()),
+                     round(shown.z()));
+}
+
+std::string joint_text(const SubjectPose& pose) {
+  Table table{{"joint", "angle_deg", "axis_x", "axis_y", "axis_z", "point_x_mm", "point_y_mm",
+               "point_z_mm"},
+              {}};
+  for (const JointNow& joint : pose.joints) {
+    const std::string name =
+        joint.led_by.empty() ? joint.name : fmt::format("{} (led by {})", joint.name, joint.led_by);
+    table.rows.push_back(row({{name, shown(joint.angle / kDegree, 2)},
+                              cells(joint.axis, 4),
+                              cells(joint.point / kMm, 2)}));
+  }
+  return titled("Joints, axes in world directions", table);
+}
+
+std::string segment_text(const SubjectPose& pose) {
+  Table table{{"segment", "turned_deg", "proximal_x_mm", "proximal_y_mm", "proximal_z_mm",
+               "distal_x_mm", "distal_y_mm", "distal_z_mm"},
+              {}};
+  for (const SegmentNow& segment : pose.segments)
+    table.rows.push_back(
+        row({{segment.name, shown(Eigen::AngleAxisd(segment.X.R).angle() / kDegree, 2)},
+             cells(segment.proximal / kMm, 2),
+             cells(segment.distal / kMm, 2)}));
+  return titled("Segments, turned from the reference posture", table);
+}
+
+std::string jacobian_text(const TipNow& tip) {
+  Table table{{"joint", "x_mm_per_rad", "y_mm_per_rad", "z_mm_per_rad"}, {}};
+  for (std::size_t j = 0; j < tip.joints.size(); ++j)
+    table.rows.push_back(
+        row({{tip.joints[j]}, cells(tip.J.col(static_cast<Eigen::Index>(j)) / kMm, 2)}));
+  return titled(fmt::format("How the {} tip moves: {}", tip.digit, mobility_in_words(tip)), table);
+}
+
+OrderedJson tip_json(const TipNow& tip) {
+  OrderedJson json{{"digit", tip.digit},
+                   {"position_mm", to_json(tip.p / kMm)},
+                   {"proximal", to_json(tip.axes.col(0))},
+                   {"dorsal", to_json(tip.axes.col(1))},
+                   {"radial", to_json(tip.axes.col(2))},
+                   {"joints", tip.joints},
+                   {"jacobian_mm_per_rad", to_json(tip.J / kMm)},
+                   {"mobility", mobility_in_words(tip)}};
+  if (tip.joints.empty()) return json;
+  json["condition"] = tip.mobility.condition;
+  json["rank"] = tip.mobility.rank;
+  return json;
+}
+
+void add_pose(const SubjectPose& pose, OrderedJson& json) {
+  json["joints"] = json["segments"] = json["tips"] = OrderedJson::array();
+  for (const JointNow& joint : pose.joints)
+    json["joints"].push_back({{"name", joint.name},
+                              {"angle_deg", joint.angle / kDegree},
+                              {"axis", to_json(joint.axis)},
+                              {"point_mm", to_json(joint.point / kMm)},
+                              {"led_by", joint.led_by}});
+  for (const SegmentNow& segment : pose.segments)
+    json["segments"].push_back({{"name", segment.name},
+                                {"rotation", to_json(segment.X.R)},
+                                {"translation_mm", to_json(segment.X.p / kMm)},
+                                {"proximal_mm", to_json(segment.proximal / kMm)},
+                                {"distal_mm", to_json(segment.distal / kMm)}});
+  for (const TipNow& tip : pose.tips) json["tips"].push_back(tip_json(tip));
+}
+
+std::string subject_text(const SubjectPose& pose) {
+  std::string text = joint_text(pose) + segment_text(pose);
+  Table tips{{"digit", "tip_x_mm", "tip_y_mm", "tip_z_mm"}, {}};
+  for (const TipNow& tip : pose.tips)
+    tips.rows.push_back(row({{tip.digit}, cells(tip.p / kMm, 2)}));
+  text += titled("Tips", tips);
+  for (const TipNow& tip : pose.tips) text += jacobian_text(tip);
+  return text;
+}
+
+/// [rad] or [m] in what people read.
+double display_unit(bool sliding) { return sliding ? kMm : kDegree; }
+
+std::string value_text(const RobotJointNow& joint) {
+  return fmt::format("{} {}", shown(joint.value / display_unit(joint.slides), 2),
+                     joint.slides ? "mm" : "deg");
+}
+
+std::string robot_text(const RobotPose& pose) {
+  Table joints{
+      {"joint", "value", "axis_x", "axis_y", "axis_z", "point_x_mm", "point_y_mm", "point_z_mm"},
+      {}};
+  for (const RobotJointNow& joint : pose.joints) {
+    const std::string name = joint.dof.empty() || joint.dof == joint.name
+                                 ? joint.name
+                                 : fmt::format("{} (driven by {})", joint.name, joint.dof);
+    joints.rows.push_back(
+        row({{name, value_text(joint)}, cells(joint.axis, 4), cells(joint.point / kMm, 2)}));
+  }
+  std::string text = titled("Joints, axes in directions of the base link", joints);
+  Table links{{"link", "x_mm", "y_mm", "z_mm", "qw", "qx", "qy", "qz"}, {}};
+  for (const RobotLinkNow& link : pose.links) {
+    const Eigen::Quaterniond q(link.X_BL.R);
+    links.rows.push_back(row({{link.name},
+                              cells(link.X_BL.p / kMm, 2),
+                              {shown(q.w(), 5)},
+                              cells(Eigen::Vector3d(q.vec()), 5)}));
+  }
+  text += titled("Links, frames in the base link", links);
+  Table tips{{"digit", "link", "tip_x_mm", "tip_y_mm", "tip_z_mm"}, {}};
+  for (const RobotTipNow& tip : pose.tips)
+    tips.rows.push_back(row({{tip.digit, tip.link}, cells(tip.p / kMm, 2)}));
+  return text + titled("Tips", tips);
+}
+
+void add_pose(const RobotPose& pose, OrderedJson& json) {
+  json["joints"] = json["links"] = json["tips"] = OrderedJson::array();
+  for (const RobotJointNow& joint : pose.joints) {
+    OrderedJson entry{{"name", joint.name}, {"dof", joint.dof}};
+    entry[joint.slides ? "value_mm" : "value_deg"] = joint.value / display_unit(joint.slides);
+    entry["axis"] = to_json(joint.axis);
+    entry["point_mm"] = to_json(joint.point / kMm);
+    json["joints"].push_back(std::move(entry));
+  }
+  for (const RobotLinkNow& link : pose.links)
+    json["links"].push_back({{"name", link.name},
+                             {"rotation", to_json(link.X_BL.R)},
+                             {"position_mm", to_json(link.X_BL.p / kMm)}});
+  for (const RobotTipNow& tip : pose.tips)
+    json["tips"].push_back(
+        {{"digit", tip.digit}, {"link", tip.link}, {"position_mm", to_json(tip.p / kMm)}});
+}
+
+/// "index_x_mm", "index_y_mm", "index_z_mm" of every place.
+std::vector<std::string> place_header(const std::vector<NamedPlace>& places) {
+  std::vector<std::string> header;
+  for (const NamedPlace& place : places)
+    for (const char* axis : {"_x_mm", "_y_mm", "_z_mm"}) header.push_back(place.name + axis);
+  return header;
+}
+
+std::vector<std::string> place_cells(const std::vector<NamedPlace>& places, int decimals) {
+  std::vector<std::string> line;
+  for (const NamedPlace& place : places)
+    line = row({line, cells(Eigen::Vector3d(place.p / kMm), decimals)});
+  return line;
+}
+
+/// A row of places for each posture, under what varies.
+template <typename Poses>
+std::string place_text(const Poses& poses, const std::string& whose) {
+  const SweepAxes axes = axes_of(poses);
+  Table table{row({header_of(axes), place_header(places_of(poses.points.front()))}), {}};
+  for (std::size_t i = 0; i < poses.points.size(); ++i)
+    table.rows.push_back(row({cells_of(axes, i), place_cells(places_of(poses.points[i]), 2)}));
+  return titled(fmt::format("{}, {}", whose, counted(poses.points.size(), "posture")), table);
+}
+
+/// Members of one posture, or a list "postures".
+template <typename Poses, typename Add>
+void add_poses(const Poses& poses, const SweepAxes& axes, std::size_t asked, const Add& add,
+               OrderedJson& json) {
+  if (axes.single()) {
+    add(poses.points.front(), json);
+    return;
+  }
+  json["varied"] = axes.names;
+  json["postures"] = OrderedJson::array();
+  for (const auto& pose : poses.points) {
+    OrderedJson entry;
+    add(pose, entry);
+    json["postures"].push_back(std::move(entry));
+  }
+  if (poses.points.size() < asked) json["stopped_before"] = asked;
+}
+
+}  // namespace
+
+std::string mobility_in_words(const TipNow& tip) {
+  constexpr double kNearlySingular = 100;  // of the condition number
+  if (tip.joints.empty()) return "fixed: every joint between wrist and tip is frozen";
+  const TipManipulability& can = tip.mobility;
+  if (can.rank == 3 && can.condition < kNearlySingular)
+    return fmt::format("regular: condition {:.3g}; moves least along {}", can.condition,
+                       direction(can.directions.col(2)));
+  if (can.rank == 3)
+    return fmt::format("nearly singular: condition {:.3g}; hardly moves along {}", can.condition,
+                       direction(can.directions.col(2)));
+  std::string blocked;
+  for (int k = can.rank; k < 3; ++k)
+    blocked += (blocked.empty() ? "" : " nor ") + direction(can.directions.col(k));
+  return fmt::format("singular: cannot move along {}, and carries any force there without tendons",
+                     blocked);
+}
+
+SweepAxes axes_of(const SubjectPoses& poses) {
+  return axes_of(poses.grid, poses.coordinates, poses.points.size());
+}
+
+SweepAxes axes_of(const RobotPoses& poses) {
+  SweepAxes axes;
+  axes.row = poses.row;
+  axes.values.resize(static_cast<Eigen::Index>(poses.points.size()),
+                     static_cast<Eigen::Index>(poses.varied.size()));
+  for (std::size_t k = 0; k < poses.varied.size(); ++k) {
+    const bool slides = poses.varied[k].slides;
+    axes.names.push_back(poses.varied[k].name);
+    axes.units.emplace_back(slides ? "mm" : "deg");
+    for (std::size_t i = 0; i < poses.points.size(); ++i)
+      axes.values(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(k)) =
+          poses.points[i].varied[k] / display_unit(slides);
+  }
+  return axes;
+}
+
+std::vector<NamedPlace> places_of(const SubjectPose& pose) {
+  std::vector<NamedPlace> places;
+  for (const TipNow& tip : pose.tips) places.push_back({tip.digit, tip.p});
+  return places;
+}
+
+std::vector<NamedPlace> places_of(const RobotPose& pose) {
+  std::vector<NamedPlace> places;
+  for (const RobotTipNow& tip : pose.tips) places.push_back({tip.digit, tip.p});
+  if (!places.empty()) return places;
+  for (const RobotLinkNow& link : pose.links) places.push_back({link.name, link.X_BL.p});
+  return places;
+}
+
+std::string text_of(const SubjectPoses& poses) {
+  if (poses.grid.varied.empty()) return subject_text(poses.points.front());
+  return place_text(poses, "Tips of " + poses.subject);
+}
+
+OrderedJson json_of(const SubjectPoses& poses) {
+  OrderedJson json{{"subject", poses.subject}};
+  add_poses(
+      poses, axes_of(poses), poses.grid.postures.size(),
+      [](const SubjectPose& pose, OrderedJson& to) { add_pose(pose, to); }, json);
+  return json;
+}
+
+Table table_of(const SubjectPoses& poses) {
+  std::vector<std::string> angles, conditions;
+  for (const std::string& joint : poses.coordinates) angles.push_back(joint + "_deg");
+  for (const TipNow& tip : poses.points.front().tips)
+    conditions.push_back(tip.digit + "_condition");
+  Table table{row({angles, place_header(places_of(poses.points.front())), conditions}), {}};
+  for (const SubjectPose& pose : poses.points) {
+    std::vector<std::string> line = row({joint_cells(pose.q), place_cells(places_of(pose), 6)});
+    for (const TipNow& tip : pose.tips)
+      line.push_back(tip.joints.empty() ? "" : shown(tip.mobility.condition));
+    table.rows.push_back(std::move(line));
+  }
+  return table;
+}
+
+std::string text_of(const RobotPoses& poses) {
+  if (poses.varied.empty()) return robot_text(poses.points.front());
+  return place_text(poses, (poses.points.front().tips.empty() ? "Links of " : "Tips of ") +
+                               poses.robot + ", in the base link");
+}
+
+OrderedJson json_of(const RobotPoses& poses) {
+  OrderedJson json{{"robot", poses.robot}};
+  add_poses(
+      poses, axes_of(poses), poses.asked,
+      [](const RobotPose& pose, OrderedJson& to) { add_pose(pose, to); }, json);
+  json["warnings"] = poses.warnings;
+  return json;
+}
+
+Table table_of(const RobotPoses& poses) {
+  Table table;
+  for (const RobotJointNow& joint : poses.points.front().joints)
+    table.header.push_back(joint.name + (joint.slides ? "_mm" : "_deg"));
+  table.header = row({table.header, place_header(places_of(poses.points.front()))});
+  for (const RobotPose& pose : poses.points) {
+    std::vector<std::string> line;
+    for (const RobotJointNow& joint : pose.joints)
+      line.push_back(shown(joint.value / display_unit(joint.slides)));
+    table.rows.push_back(row({line, place_cells(places_of(pose), 6)}));
+  }
+  return table;
+}
+
+}  // namespace thenar

@@ -1,0 +1,38 @@
+#pragma once
+
+/// Poses of subjects and robots as words, JSON and rows.
+
+#include <string>
+
+#include "api/pose.h"
+#include "report/json.h"
+#include "report/sweep_axes.h"
+#include "report/table.h"
+
+namespace thenar {
+
+[[nodiscard]] std::string text_of(const SubjectPoses& poses);
+[[nodiscard]] OrderedJson json_of(const SubjectPoses& poses);
+/// A row for each posture: joints, places of tips, conditions.
+[[nodiscard]] Table table_of(const SubjectPoses& poses);
+
+[[nodiscard]] std::string text_of(const RobotPoses& poses);
+[[nodiscard]] OrderedJson json_of(const RobotPoses& poses);
+/// A row for each posture: joints, places of tips, or of links where there are no tips.
+[[nodiscard]] Table table_of(const RobotPoses& poses);
+
+/// How a tip can move: "regular: condition 3.2; moves least along (0, 1, 0)".
+[[nodiscard]] std::string mobility_in_words(const TipNow& tip);
+
+[[nodiscard]] SweepAxes axes_of(const SubjectPoses& poses);
+[[nodiscard]] SweepAxes axes_of(const RobotPoses& poses);
+
+/// A place that a pose tells of: a tip, or a link of a robot without tips.
+struct NamedPlace {
+  std::string name;
+  Eigen::Vector3d p;  // [m] (3)
+};
+[[nodiscard]] std::vector<NamedPlace> places_of(const SubjectPose& pose);
+[[nodiscard]] std::vector<NamedPlace> places_of(const RobotPose& pose);
+
+}  // namespace thenar

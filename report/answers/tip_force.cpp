@@ -1,0 +1,164 @@
+#include "report/answers/tip_force.h"
+
+#include <fmt/format.h>
+
+#include "base/units.h"
+#include "report/answers/digit_words.h"
+
+namespace thenar {
+namespace {
+
+std::string hold_name(TipHold hold) { return hold == TipHold::kRigid ? "rigid" : "pinned"; }
+
+void add_point(const TipForceAnswer& answer, const TipForcePoint& point, OrderedJson& json) {
+  const DigitSweep& about = answer.about;
+  if (!point.failure.empty()) {
+    json["failure"] = point.failure;
+    return;
+  }
+  json["hold"] = hold_name(answer.hold);
+  json["tension_N"] = to_json(about.muscles, answer.tension);
+  json["force_N"] = to_json(point.force);
+  if (point.tip_axes)
+    json["force_tip_axes_N"] = to_json({"proximal", "dorsal", "radial"}, force_along_tip(point));
+  json["magnitude_N"] = point.force.norm();
+  if (answer.hold == TipHold::kRigid) json["moment_N_mm"] = to_json(point.moment / kNmm);
+  if (about.map.empty()) {
+    json["leftover_torque_N_mm"] = to_json(about.rows, point.residual / kNmm);
+    json["condition"] = point.condition;
+    json["force_change_N_per_deg"] = to_json(about.rows, point.change * kDegree);
+  } else {
+    const std::vector<std::string> moments(about.rows.begin() + 3, about.rows.end());
+    json["tip_moment_N_mm"] =
+        to_json(moments, point.residual.tail(point.residual.size() - 3) / kNmm);
+  }
+  const std::string note = note_of(answer, point);
+  if (!note.empty()) json["note"] = note;
+}
+
+/// Force, moment and what is left over, of one posture or a map.
+std::string one_posture(const TipForceAnswer& answer, const TipForcePoint& point) {
+  const DigitSweep& about = answer.about;
+  const bool bones = about.map.empty();
+  Table force{{"axes", "1_N", "2_N", "3_N", "magnitude_N"}, {}};
+  const auto add = [&](const std::string& axes, const Eigen::Vector3d& f) {
+    force.rows.push_back(row({{axes}, cells(f, 4), {shown(f.norm(), 4)}}));
+  };
+  add(bones ? "world x y z" : "map x y z", point.force);
+  if (point.tip_axes) add("proximal dorsal radial", force_along_tip(point));
+  std::string text =
+      titled(bones ? fmt::format("Force of the tip on the world, hold {}", hold_name(answer.hold))
+                   : "Force of the tip on the world",
+             force);
+  if (answer.hold == TipHold::kRigid)
+    text += titled("Moment of the tip on the world, about the tip, world axes",
+                   {{"x_N_mm", "y_N_mm", "z_N_mm"}, {cells(point.moment / kNmm, 3)}});
+  // A map's first rows are forces, balanced exactly; the rest are moments the tip must pass on.
+  Table left{{bones ? "joint" : "moment", "N_mm"}, {}};
+  for (std::size_t i = bones ? 0 : 3; i < about.rows.size(); ++i)
+    left.rows.push_back(
+        {about.rows[i], shown(point.residual[static_cast<Eigen::Index>(i)] / kNmm, 4)});
+  text += titled(bones ? "Joint torque left over, that no tip load balances"
+                       : "Moment at the tip, that the hold must carry",
+                 left);
+  if (bones)
+    text += fmt::format("condition: {:.4g}\nsize of the force's change, {}\n", point.condition,
+                        change_line(about.rows, point.change));
+  const std::string note = note_of(answer, point);
+  return note.empty() ? text : text + "note: " + note + "\n";
+}
+
+/// A row for each posture: what varies, the force along the tip's axes, its size.
+std::string many_postures(const TipForceAnswer& answer) {
+  const SweepAxes axes = axes_of(answer.about);
+  Table table{
+      row({header_of(axes),
+           {"proximal_N", "dorsal_N", "radial_N", "magnitude_N", "left_over_N_mm", "condition"}}),
+      {}};
+  for (std::size_t i = 0; i < answer.points.size(); ++i) {
+    const TipForcePoint& point = answer.points[i];
+    if (!point.failure.empty()) {
+      table.rows.push_back(row({cells_of(axes, i), std::vector<std::string>(6, "-")}));
+      continue;
+    }
+    table.rows.push_back(
+        row({cells_of(axes, i),
+             cells(force_along_tip(point), 4),
+             {shown(point.force.norm(), 4), shown(point.residual.cwiseAbs().maxCoeff() / kNmm, 4),
+              shown(point.condition)}}));
+  }
+  return titled(fmt::format("Force of the tip on the world, hold {}, and the largest joint torque "
+                            "that it leaves over",
+                            hold_name(answer.hold)),
+                table);
+}
+
+}  // namespace
+
+Eigen::Vector3d force_along_tip(const TipForcePoint& point) {
+  return point.tip_axes ? Eigen::Vector3d(point.tip_axes->transpose() * point.force) : point.force;
+}
+
+std::string note_of(const TipForceAnswer& answer, const TipForcePoint& point) {
+  std::string note;
+  if (point.singular)
+    note = "singular posture: of the forces that leave the least torque, this is the least";
+  if (point.minimum_norm)
+    note = fmt::format(
+        "minimum norm: {} joints leave the wrench of a held tip open, and of those that balance "
+        "this one has the least |force|^2 + |moment / {:.4g} mm|^2 (--hold-length)",
+        point.q.size(), answer.hold_length / kMm);
+  if (!answer.about.map.empty() || point.singular) return note;
+  const std::string posture = posture_note(answer.about.rows, point.condition, point.change);
+  return note + (note.empty() || posture.empty() ? "" : "; ") + posture;
+}
+
+std::string text_of(const TipForceAnswer& answer) {
+  return text_header(answer.about) + "\n" +
+         (answer.about.single() ? one_posture(answer, answer.points.front())
+                                : many_postures(answer));
+}
+
+OrderedJson json_of(const TipForceAnswer& answer) {
+  return digit_json(answer.about, [&](std::size_t i, OrderedJson& json) {
+    add_point(answer, answer.points[i], json);
+  });
+}
+
+Table table_of(const TipForceAnswer& answer) {
+  const DigitSweep& about = answer.about;
+  const bool bones = about.map.empty(), rigid = answer.hold == TipHold::kRigid;
+  Table table{joint_header(about), {}};
+  const auto add = [&](const std::vector<std::string>& names) {
+    table.header.insert(table.header.end(), names.begin(), names.end());
+  };
+  add({"fx_N", "fy_N", "fz_N", "magnitude_N"});
+  if (bones) add({"proximal_N", "dorsal_N", "radial_N"});
+  if (rigid) add({"mx_N_mm", "my_N_mm", "mz_N_mm"});
+  for (std::size_t i = bones ? 0 : 3; i < about.rows.size(); ++i)
+    add({(bones ? "left_over_" : "moment_") + about.rows[i] + "_N_mm"});
+  if (bones) add({"condition"});
+  add({"note"});
+  for (const TipForcePoint& point : answer.points) {
+    std::vector<std::string> line = joint_cells(point.q);
+    if (!point.failure.empty()) {
+      line.resize(table.header.size() - 1);
+      line.push_back(point.failure);
+      table.rows.push_back(line);
+      continue;
+    }
+    const Eigen::Index left = bones ? point.residual.size() : point.residual.size() - 3;
+    table.rows.push_back(
+        row({line,
+             cells(point.force, 6),
+             {shown(point.force.norm(), 6)},
+             bones ? cells(force_along_tip(point), 6) : std::vector<std::string>{},
+             rigid ? cells(Eigen::Vector3d(point.moment / kNmm), 4) : std::vector<std::string>{},
+             cells(Eigen::VectorXd(point.residual.tail(left) / kNmm), 4),
+             bones ? std::vector<std::string>{shown(point.condition)} : std::vector<std::string>{},
+             {note_of(answer, point)}}));
+  }
+  return table;
+}
+
+}  // namespace thenar

@@ -1,0 +1,24 @@
+#pragma once
+
+/// The force of a fingertip as words, JSON and rows.
+
+#include <string>
+
+#include "api/tip_force.h"
+#include "report/json.h"
+#include "report/table.h"
+
+namespace thenar {
+
+[[nodiscard]] std::string text_of(const TipForceAnswer& answer);
+[[nodiscard]] OrderedJson json_of(const TipForceAnswer& answer);
+/// A row for each posture.
+[[nodiscard]] Table table_of(const TipForceAnswer& answer);
+
+/// What to beware of at a posture; may be empty.
+[[nodiscard]] std::string note_of(const TipForceAnswer& answer, const TipForcePoint& point);
+
+/// The force along proximal, dorsal and radial of the tip, where it has bones [N] (3).
+[[nodiscard]] Eigen::Vector3d force_along_tip(const TipForcePoint& point);
+
+}  // namespace thenar

@@ -1,0 +1,86 @@
+#include "report/pages/digit_page.h"
+
+#include <algorithm>
+#include <array>
+
+#include <fmt/format.h>
+
+#include "report/answers/digit_words.h"
+#include "report/provenance.h"
+#include "report/scene/digit_layers.h"
+
+namespace thenar {
+namespace {
+
+constexpr std::size_t kDrawnPostures = 5;
+// From the first posture to the last.
+constexpr std::array<const char*, kDrawnPostures> kTints{"#b8a48a", "#7fa8c9", "#5fa38c", "#c98f5f",
+                                                         "#9a7fb8"};
+
+}  // namespace
+
+Json digit_page(const DigitSweep& about, const std::string& what, Json sections) {
+  const Fidelity fidelity = about.tendons ? about.tendons->digit().fidelity : Fidelity{};
+  Json provenance = provenance_json(about.sources, fidelity);
+  provenance["fidelity"] = about.built;
+  return {{"title", fmt::format("thenar: {} of {}, {}", what, about.subject, about.digit)},
+          {"subtitle", about.built},
+          {"provenance", provenance},
+          {"sections", std::move(sections)}};
+}
+
+std::string digit_introduction(const DigitSweep& about, const std::string& words) {
+  std::string text = text_header(about);
+  text = text.substr(0, text.find('\n')) + ".\n\n" + words;
+  for (const std::string& warning : about.warnings) text += "\n\nWarning: " + warning + ".";
+  return text;
+}
+
+Json digit_scene(const DigitSweep& about, const std::string& caption, const AddLayers& add) {
+  if (!about.tendons) return nullptr;
+  const TendonDigit& digit = about.tendons->digit();
+  const SweepAxes axes = axes_of(about);
+  Json layers = Json::array();
+  std::size_t tint = 0;
+  for (const std::size_t i : drawn_rows(about.done, kDrawnPostures)) {
+    const Eigen::VectorXd& q = about.grid.postures[i];
+    const std::string color = kTints[tint++];
+    Json bones = bone_layer(digit, q, color);
+    if (!about.single()) bones["name"] = title_of(axes, i);
+    layers.push_back(bones);
+    // Wrapped and fitted tendons do not run from point to point.
+    Json tendons = tendon_layer(digit, q, "tendons", "#cc79a7", about.single());
+    if (tint == 1 && digit.fidelity.path == Path::kViaPoint && !tendons["items"].empty())
+      layers.push_back(tendons);
+    add(i, color, layers);
+  }
+  const Eigen::Matrix3d& tip = digit.model.tip_axes;
+  return {{"type", "scene"},
+          {"caption", caption},
+          {"up", numbers3(tip.col(1))},
+          {"view", numbers3(tip.col(2) + 0.35 * tip.col(1))},
+          {"layers", layers}};
+}
+
+double arrow_scale(double largest) { return largest > 0 ? 40 / largest : 1; }
+
+Json arrow_layer(const std::string& name, const std::string& color, const Eigen::Vector3d& from,
+                 const Eigen::Vector3d& vector) {
+  return layer(
+      name, color,
+      Json::array({{{"kind", "arrow"}, {"from", in_mm(from)}, {"vector", numbers3(vector)}}}));
+}
+
+Json paired(const Json& charts) {
+  Json rows = Json::array(), pair = Json::array();
+  for (const Json& chart : charts) {
+    pair.push_back(chart);
+    if (pair.size() < 2) continue;
+    rows.push_back(row_block(pair));
+    pair = Json::array();
+  }
+  if (!pair.empty()) rows.push_back(pair.front());
+  return rows;
+}
+
+}  // namespace thenar

@@ -1,0 +1,157 @@
+#include "report/pages/feasible_force.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "base/numbers.h"
+#include "base/units.h"
+#include "report/answers/digit_words.h"
+#include "report/answers/feasible_force.h"
+#include "report/pages/digit_page.h"
+#include "report/scene/digit_layers.h"
+
+namespace thenar {
+namespace {
+
+using Eigen::Index;
+
+/// A quantity of every posture; NaN where there is no answer.
+template <typename Value>
+Curve force_curve(const FeasibleForceAnswer& answer, const std::string& name, const Value& value) {
+  Curve curve{name, Eigen::VectorXd(static_cast<Index>(answer.points.size()))};
+  for (std::size_t i = 0; i < answer.points.size(); ++i)
+    curve.y(static_cast<Index>(i)) =
+        answer.points[i].failure.empty() ? value(answer.points[i]) : kNaN;
+  return curve;
+}
+
+/// Largest force along the direction, what limits it, and who pulls.
+void add_direction_charts(const FeasibleForceAnswer& answer, const SweepAxes& axes, Json& charts) {
+  std::vector<Curve> prices, activations;
+  for (std::size_t m = 0; m < answer.about.muscles.size(); ++m) {
+    const auto i = static_cast<Index>(m);
+    prices.push_back(
+        force_curve(answer, answer.about.muscles[m], [i](const FeasibleForcePoint& point) {
+          const Eigen::VectorXd& price = point.largest->prices.increase;
+          return price.size() > 0 ? price(i) : kNaN;
+        }));
+    activations.push_back(
+        force_curve(answer, answer.about.muscles[m], [i](const FeasibleForcePoint& point) {
+          return point.largest->status == Status::kSolved ? point.largest->activation(i) : kNaN;
+        }));
+  }
+  charts.push_back(curve_chart(axes, "Largest force along the direction", "force [N]",
+                               {force_curve(answer, "largest force", [](const auto& point) {
+                                 return point.largest->magnitude;
+                               })}));
+  charts.push_back(curve_chart(axes,
+                               "What limits it: more force for one newton more of each muscle's F0",
+                               "N of force per N of F0 [1]", prices));
+  charts.push_back(
+      curve_chart(axes, "Activation of each muscle that makes it", "activation [1]", activations));
+}
+
+/// Largest pure force along each axis, and the size of the set.
+void add_set_charts(const FeasibleForceAnswer& answer, const SweepAxes& axes, Json& charts) {
+  const auto with_axes = std::find_if(answer.points.begin(), answer.points.end(),
+                                      [](const auto& point) { return point.failure.empty(); });
+  std::vector<Curve> along;
+  for (std::size_t k = 0; k < 6; ++k)
+    along.push_back(force_curve(answer, axis_direction(with_axes->axes, k), [k](const auto& point) {
+      return point.whole->along[k].magnitude;
+    }));
+  charts.push_back(
+      curve_chart(axes, "Largest pure force along each axis, the others 0", "force [N]", along));
+  charts.push_back(curve_chart(axes, "Volume of all forces", "volume [N^3]",
+                               {force_curve(answer, "volume", [](const auto& point) {
+                                 return point.whole->set.dimension == 3 ? point.whole->set.volume
+                                                                        : kNaN;
+                               })}));
+}
+
+/// The largest length of anything to draw [N].
+double drawn_force(const FeasibleForceAnswer& answer) {
+  double largest = 0;
+  for (const FeasibleForcePoint& point : answer.points) {
+    if (point.largest && point.largest->status == Status::kSolved)
+      largest = std::max(largest, point.largest->force.norm());
+    if (point.whole && point.whole->set.vertices.rows() > 0)
+      largest = std::max(largest, point.whole->set.vertices.rowwise().norm().maxCoeff());
+  }
+  return largest;
+}
+
+Json force_scene(const FeasibleForceAnswer& answer) {
+  const double scale = arrow_scale(drawn_force(answer));
+  const SweepAxes axes = axes_of(answer.about);
+  bool first = true;
+  const std::string what =
+      answer.direction ? "its largest force" : "all forces that its tip can make";
+  return digit_scene(
+      answer.about, fmt::format("The digit, and {}: 10 mm are {:.3g} N.", what, 10 / scale),
+      [&](std::size_t i, const std::string& tint, Json& layers) {
+        const FeasibleForcePoint& point = answer.points[i];
+        if (!point.failure.empty()) return;
+        if (point.largest && point.largest->status == Status::kSolved)
+          layers.push_back(
+              arrow_layer("largest force", "#d55e00", point.tip, scale * point.largest->force));
+        if (!point.whole || point.whole->set.vertices.rows() == 0) return;
+        Json hull =
+            force_set_layer(answer.about.tendons->digit(), point.q, point.whole->set, scale, tint);
+        if (!axes.single()) hull["name"] = "forces at " + title_of(axes, i);
+        hull["visible"] = first;
+        first = false;
+        layers.push_back(hull);
+      });
+}
+
+std::string question_words(const FeasibleForceAnswer& answer) {
+  const std::string axes = answer.points.empty() ? "world" : answer.points.front().axes.name;
+  if (!answer.direction)
+    return fmt::format(
+        "All static forces of the tip with every muscle between 0 and its largest "
+        "force F0, in {} axes.",
+        axes);
+  std::string words = fmt::format(
+      "The largest static force along ({:.4g}, {:.4g}, {:.4g}) in {} axes{}, every joint in "
+      "balance "
+      "and every muscle between 0 and its largest force F0.",
+      answer.direction->x(), answer.direction->y(), answer.direction->z(), axes,
+      answer.tolerance > 0
+          ? fmt::format(", or up to {:.4g} degrees off it", answer.tolerance / kDegree)
+          : "");
+  if (answer.about.single() && !answer.points.empty()) {
+    const std::string limits = limit_words(answer, answer.points.front());
+    if (!limits.empty()) words += "\n\nIt is " + limits + ".";
+  }
+  return words;
+}
+
+}  // namespace
+
+Json page_of(const FeasibleForceAnswer& answer) {
+  Json blocks = Json::array();
+  if (const Json scene = force_scene(answer); !scene.is_null()) blocks.push_back(scene);
+  if (answer.about.single() && answer.points.front().largest)
+    blocks.push_back(
+        table_block("Muscles at the largest force, and what a newton more of their F0 "
+                    "gives.",
+                    limit_table(answer, answer.points.front())));
+  blocks.push_back(table_block("The answer at every posture.", table_of(answer)));
+  Json sections =
+      Json::array({section("forces", answer.direction ? "The largest force" : "All forces",
+                           digit_introduction(answer.about, question_words(answer)), blocks)});
+  if (!answer.about.single() && !answer.points.empty()) {
+    const SweepAxes axes = axes_of(answer.about);
+    Json charts = Json::array();
+    if (answer.direction) add_direction_charts(answer, axes, charts);
+    if (answer.points.front().whole) add_set_charts(answer, axes, charts);
+    sections.push_back(section("curves", "Over the posture", "", paired(charts)));
+  }
+  return digit_page(answer.about, "feasible forces", sections);
+}
+
+}  // namespace thenar

@@ -1,0 +1,70 @@
+#include "report/pages/moment_arms.h"
+
+#include "base/numbers.h"
+#include "base/units.h"
+#include "report/answers/digit_words.h"
+#include "report/answers/moment_arms.h"
+#include "report/pages/digit_page.h"
+#include "report/words.h"
+
+namespace thenar {
+namespace {
+
+using Eigen::Index;
+
+/// A quantity of every posture; NaN where there is no answer.
+template <typename Value>
+Curve arm_curve(const MomentArmAnswer& answer, const std::string& name, const Value& value) {
+  Curve curve{name, Eigen::VectorXd(static_cast<Index>(answer.points.size()))};
+  for (std::size_t i = 0; i < answer.points.size(); ++i)
+    curve.y(static_cast<Index>(i)) =
+        answer.points[i].failure.empty() ? value(answer.points[i]) / kMm : kNaN;
+  return curve;
+}
+
+/// A chart for each joint, and one of lengths.
+Json arm_charts_of(const MomentArmAnswer& answer) {
+  const DigitSweep& about = answer.about;
+  const SweepAxes axes = axes_of(about);
+  Json charts = Json::array();
+  for (Index j = 0; j < answer.crosses.cols(); ++j) {
+    const std::string& joint = about.rows[static_cast<std::size_t>(j)];
+    std::vector<Curve> curves;
+    for (Index m = 0; m < answer.crosses.rows(); ++m)
+      if (answer.crosses(m, j))
+        curves.push_back(arm_curve(answer, about.muscles[static_cast<std::size_t>(m)],
+                                   [m, j](const MomentArmPoint& p) { return p.arms(m, j); }));
+    charts.push_back(curve_chart(axes, "Moment arms about " + joint,
+                                 "arm, " + positive_sense(joint) + " positive [mm]", curves));
+  }
+  std::vector<Curve> lengths;
+  for (Index m = 0; m < answer.crosses.rows(); ++m)
+    lengths.push_back(arm_curve(answer, about.muscles[static_cast<std::size_t>(m)],
+                                [m](const MomentArmPoint& p) { return p.length_change(m); }));
+  charts.push_back(curve_chart(axes, "Length change since the posture " + reference_words(answer),
+                               "change, longer positive [mm]", lengths));
+  return paired(charts);
+}
+
+}  // namespace
+
+Json page_of(const MomentArmAnswer& answer) {
+  Json blocks = Json::array();
+  const Json scene = digit_scene(answer.about, "The digit and its tendons.",
+                                 [](std::size_t, const std::string&, Json&) {});
+  if (!scene.is_null()) blocks.push_back(scene);
+  blocks.push_back(table_block("Arms and length changes.", table_of(answer)));
+  const std::string words = "An arm is what a tendon shortens by as its joint turns by a radian: " +
+                            sign_words(answer.about.rows) +
+                            ". Lengths are counted from the posture " + reference_words(answer) +
+                            ".";
+  Json sections = Json::array();
+  if (!answer.about.single() && !answer.points.empty())
+    sections.push_back(
+        section("curves", "Moment arms over the posture", "", arm_charts_of(answer)));
+  sections.insert(sections.begin(),
+                  section("arms", "Moment arms", digit_introduction(answer.about, words), blocks));
+  return digit_page(answer.about, "moment arms", sections);
+}
+
+}  // namespace thenar

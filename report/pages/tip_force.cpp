@@ -1,0 +1,103 @@
+#include "report/pages/tip_force.h"
+
+#include <algorithm>
+
+#include <fmt/format.h>
+
+#include "base/numbers.h"
+#include "base/units.h"
+#include "report/answers/digit_words.h"
+#include "report/answers/tip_force.h"
+#include "report/pages/digit_page.h"
+
+namespace thenar {
+namespace {
+
+/// A quantity of every posture; NaN where there is no answer.
+template <typename Value>
+Curve tip_curve(const TipForceAnswer& answer, const std::string& name, const Value& value) {
+  Curve curve{name, Eigen::VectorXd(static_cast<Eigen::Index>(answer.points.size()))};
+  for (std::size_t i = 0; i < answer.points.size(); ++i) {
+    const TipForcePoint& point = answer.points[i];
+    curve.y(static_cast<Eigen::Index>(i)) = point.failure.empty() ? value(point) : kNaN;
+  }
+  return curve;
+}
+
+Json tip_charts(const TipForceAnswer& answer) {
+  const SweepAxes axes = axes_of(answer.about);
+  std::vector<Curve> force, torque, moment;
+  const char* const names[] = {"proximal", "dorsal", "radial"};
+  const char* const world[] = {"x", "y", "z"};
+  for (int k = 0; k < 3; ++k) {
+    force.push_back(tip_curve(answer, names[k], [k](const TipForcePoint& point) {
+      return point.singular ? kNaN : force_along_tip(point)(k);
+    }));
+    moment.push_back(tip_curve(answer, world[k],
+                               [k](const TipForcePoint& point) { return point.moment(k) / kNmm; }));
+  }
+  for (std::size_t j = 0; j < answer.about.rows.size(); ++j)
+    torque.push_back(tip_curve(answer, answer.about.rows[j], [j](const TipForcePoint& point) {
+      return point.residual(static_cast<Eigen::Index>(j)) / kNmm;
+    }));
+  Json charts =
+      Json::array({curve_chart(axes,
+                               "Force of the tip on the world along its own axes; none at singular "
+                               "postures",
+                               "force [N]", force),
+                   curve_chart(axes, "Size of the force", "force [N]",
+                               {tip_curve(answer, "size",
+                                          [](const TipForcePoint& point) {
+                                            return point.singular ? kNaN : point.force.norm();
+                                          })}),
+                   curve_chart(axes, "Joint torque left over, that no load of the tip balances",
+                               "torque [N mm]", torque)});
+  if (answer.hold == TipHold::kRigid)
+    charts.push_back(
+        curve_chart(axes, "Moment of the tip on the world, world axes", "moment [N mm]", moment));
+  return paired(charts);
+}
+
+Json tip_scene(const TipForceAnswer& answer) {
+  double largest = 0;
+  for (const TipForcePoint& point : answer.points)
+    if (!point.singular) largest = std::max(largest, point.force.norm());
+  const double scale = arrow_scale(largest);
+  return digit_scene(
+      answer.about,
+      fmt::format("The digit, and the force of its tip on the world: 10 mm are {:.3g} N.",
+                  10 / scale),
+      [&](std::size_t i, const std::string&, Json& layers) {
+        const TipForcePoint& point = answer.points[i];
+        if (point.failure.empty() && !point.singular)
+          layers.push_back(arrow_layer("force", "#d55e00", point.tip, scale * point.force));
+      });
+}
+
+std::string tension_words(const TipForceAnswer& answer) {
+  std::string text;
+  for (std::size_t m = 0; m < answer.about.muscles.size(); ++m)
+    if (const double t = answer.tension(static_cast<Eigen::Index>(m)); t > 0)
+      text += fmt::format("{}{} {:.4g} N", text.empty() ? "" : ", ", answer.about.muscles[m], t);
+  return text.empty() ? "no muscle pulls" : text;
+}
+
+}  // namespace
+
+Json page_of(const TipForceAnswer& answer) {
+  const std::string words =
+      fmt::format("Tensions: {}. The tip is {}; the force is what the tip does to the world.",
+                  tension_words(answer),
+                  answer.hold == TipHold::kRigid ? "clamped, so that it also bears a moment"
+                                                 : "pinned by a point, which bears no moment");
+  Json blocks = Json::array();
+  if (const Json scene = tip_scene(answer); !scene.is_null()) blocks.push_back(scene);
+  blocks.push_back(table_block("The force at every posture.", table_of(answer)));
+  Json sections = Json::array({section("force", "Force of the fingertip",
+                                       digit_introduction(answer.about, words), blocks)});
+  if (!answer.about.single() && !answer.points.empty())
+    sections.push_back(section("curves", "Over the posture", "", tip_charts(answer)));
+  return digit_page(answer.about, "tip force", sections);
+}
+
+}  // namespace thenar
