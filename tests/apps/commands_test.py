@@ -262,6 +262,49 @@ class FeasibleForce(Near):
         self.assertAlmostEqual(tip["magnitude_N"], world["magnitude_N"], delta=1e-9)
         self.near(tip["force_N"], [0, tip["magnitude_N"], 0], 1e-9)
 
+    def test_force_is_what_its_limits_are_worth(self):
+        # Strong duality, with F0 from the table of the text.
+        words = ("feasible-force", INDEX, "--posture", "MCP2_FE=45", "PIP2=45", "DIP2=10", "--axes",
+                 "tip", "--direction", 0, -1, 0)
+        answer = ask(*words)
+        text = run(*words).stdout
+        F0 = {line.split()[0]: float(line.split()[3]) for line in text.splitlines()
+              if line.split()[:1] and line.split()[0] in answer["activation"]}
+        worth = sum(limit["N_per_N_of_F0"] * F0[limit["muscle"]] for limit in answer["limited_by"])
+        self.assertAlmostEqual(worth, answer["magnitude_N"], delta=0.01 * len(F0))
+        self.assertIn(f"limited by {answer['limited_by'][0]['muscle']}: 1 N more of its F0", text)
+
+    def test_postures_of_a_grid_are_those_asked_alone(self):
+        for words in (("pose", MIDDLE), ("pose", "barrett"), ("moment-arms", MIDDLE),
+                      ("tip-force", MIDDLE, "--tension", "FDP=10"),
+                      ("feasible-force", MIDDLE, "--axes", "tip", "--direction", 0, -1, 0)):
+            names = ("finger1", "finger2") if "barrett" in words else ("MCP3_FE", "PIP3")
+            rows = ask(*words, "--vary", f"{names[0]}=20:30:10", f"{names[1]}=10:50:20")["postures"]
+            self.assertEqual(len(rows), 6)
+            alone = ask(*words, "--posture", f"{names[0]}=30", f"{names[1]}=30")
+            for name, value in rows[4].items():
+                self.assertEqual(value, alone[name], (words, name))
+            printed = run(*words, "--vary", f"{names[1]}=10:50:20", "--csv").stdout
+            count = len(ask("moment-arms", MIDDLE)["arms_mm"]) if words[0] == "moment-arms" else 1
+            self.assertEqual(len(list(csv.DictReader(printed.splitlines()))), 3 * count)
+
+    def test_moment_arms_are_slopes_of_lengths(self):
+        rows = ask("moment-arms", MIDDLE, "--vary", "PIP3=29.9:30.1:0.1")["postures"]
+        step = math.radians(0.2)
+        for muscle, arms in rows[1]["arms_mm"].items():
+            change = rows[2]["length_change_mm"][muscle] - rows[0]["length_change_mm"][muscle]
+            self.assertAlmostEqual(arms.get("PIP3", 0), -change / step, delta=1e-4)
+
+    def test_pages_of_a_digit(self):
+        with tempfile.TemporaryDirectory() as folder:
+            for words in (("pose", MIDDLE), ("pose", "barrett"), ("moment-arms", MIDDLE),
+                          ("tip-force", MIDDLE, "--tension", "FDP=10"), ("feasible-force", MIDDLE)):
+                page = pathlib.Path(folder) / "page.html"
+                vary = "finger1=0:20:10" if "barrett" in words else "PIP3=20:40:10"
+                result = run(*words, "--vary", vary, "--report", page)
+                self.assertEqual(result.returncode, 0, result.stderr)
+                self.assertIn('"lines"', page.read_text())
+
     def test_set_holds_its_own_largest_forces(self):
         whole = ask("feasible-force", INDEX_MAPS)["set"]
         self.assertEqual((whole["status"], whole["dimension"]), ("solved", 3))

@@ -232,5 +232,49 @@ TEST(LargestForceStability, NearlyParallelAxes) {
   EXPECT_NEAR(max_tip_force(statics, kAlongX).magnitude, exact, 1e-9 * exact);
 }
 
+MaxTipForceOptions with_prices(double tolerance) {
+  MaxTipForceOptions options;
+  options.tolerance = tolerance;
+  options.prices = true;
+  return options;
+}
+
+// Along the diagonal of the cross both pulls must be alike, and +x is at its 2 N: a newton more of
+// it gives sqrt(2) N, a newton more of any other nothing.
+TEST(MaxTipForce, PricesTheMuscleThatLimits) {
+  const ForceLimitPrices prices = max_tip_force(cross(), Vector3d(1, 1, 0), with_prices(0)).prices;
+  EXPECT_TRUE(matrix_near(prices.increase, Eigen::Vector4d(std::sqrt(2.0), 0, 0, 0), 1e-12));
+  EXPECT_FALSE(prices.degenerate());
+}
+
+// Where +x and +y have 2 N each they limit together: one alone gives nothing more.
+TEST(MaxTipForce, PricesLimitsThatMeet) {
+  TipStatics statics = cross();
+  statics.max_tension = Eigen::Vector4d(2, 2, 5, 7);
+  const ForceLimitPrices prices = max_tip_force(statics, Vector3d(1, 1, 0), with_prices(0)).prices;
+  EXPECT_TRUE(matrix_near(prices.increase, Eigen::Vector4d::Zero(), 1e-12));
+  EXPECT_TRUE(
+      matrix_near(prices.decrease.head<2>(), Eigen::Vector2d::Constant(std::sqrt(2.0)), 1e-12));
+  EXPECT_TRUE(prices.degenerate());
+}
+
+// Strong duality without passive torque: the force is what its limits are worth.
+TEST(MaxTipForce, IsWorthItsLimits) {
+  const TipStatics statics = published_index();
+  for (const double tolerance : {0.0, 0.1, 0.5}) {
+    const MaxTipForce largest =
+        max_tip_force(statics, Vector3d(1, -2, 0.5), with_prices(tolerance));
+    ASSERT_EQ(largest.status, Status::kSolved);
+    EXPECT_NEAR(largest.prices.increase.dot(statics.max_tension), largest.magnitude,
+                1e-7 * largest.magnitude);
+    EXPECT_LT(largest.prices.gap, 1e-7 * largest.magnitude);
+    EXPECT_LT(largest.prices.dual_violation, 1e-7);
+  }
+}
+
+TEST(MaxTipForce, IsNotPricedUnlessAsked) {
+  EXPECT_EQ(max_tip_force(cross(), Vector3d(1, 1, 0)).prices.increase.size(), 0);
+}
+
 }  // namespace
 }  // namespace thenar

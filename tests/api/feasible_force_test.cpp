@@ -1,0 +1,98 @@
+// Tests for api/feasible_force.cpp.
+
+#include "api/feasible_force.h"
+
+#include <cmath>
+
+#include <gtest/gtest.h>
+
+#include "base/units.h"
+#include "tests/data_folder.h"
+#include "tests/message_of.h"
+
+namespace thenar {
+namespace {
+
+struct Asked {
+  std::string subject, digit;
+  std::vector<double> posture_deg;
+};
+
+FeasibleForceRequest request_of(const Asked& asked) {
+  FeasibleForceRequest request;
+  request.digit.subject = asked.subject;
+  request.digit.data = kData;
+  request.digit.digit = asked.digit;
+  request.digit.posture = {{}, asked.posture_deg, PostureUnit::kTyped};
+  request.direction = Eigen::Vector3d(0, -1, 0);
+  request.frame = DirectionFrame::kTip;
+  return request;
+}
+
+class PricesOfF0 : public testing::TestWithParam<Asked> {};
+
+// A price is the one-sided slope of the largest force over a muscle's F0: a concave function, made
+// of straight pieces, so that differences over a small step are exact unless the step crosses a
+// kink.
+TEST_P(PricesOfF0, AreSlopesOfTheForce) {
+  for (const double tolerance : {0.0, 0.1}) {
+    FeasibleForceRequest request = request_of(GetParam());
+    request.tolerance = tolerance;
+    const DigitCase digit = build_digit(request.digit, TendonOptions().hood);
+    const DigitAtPosture at = digit_at(digit, digit.grid.postures.front());
+    const FeasibleForceAnswer answer = ask_feasible_force(request);
+    const FeasibleForcePoint& point = answer.points.front();
+    ASSERT_EQ(point.largest->status, Status::kSolved);
+    const ForceLimitPrices& prices = point.largest->prices;
+    ASSERT_EQ(prices.increase.size(), answer.max_tension.size());
+    const Eigen::Vector3d direction = point.axes.to_world * *request.direction;
+    const auto force_at = [&](Eigen::Index muscle, double F0) {
+      TipStatics statics = at.statics;
+      statics.max_tension(muscle) = F0;
+      return max_tip_force(statics, direction, {tolerance}).magnitude;
+    };
+    for (Eigen::Index i = 0; i < prices.increase.size(); ++i) {
+      const double F0 = answer.max_tension(i), step = 1e-4 * F0;
+      // Within a cone slopes bend: as much as the step, and the cone's own 1e-10 over the step.
+      const double close = tolerance > 0 ? 1e-3 : 1e-6;
+      EXPECT_NEAR((force_at(i, F0 + step) - force_at(i, F0)) / step, prices.increase(i), close)
+          << answer.about.muscles[static_cast<std::size_t>(i)];
+      EXPECT_NEAR((force_at(i, F0) - force_at(i, F0 - step)) / step, prices.decrease(i), close)
+          << answer.about.muscles[static_cast<std::size_t>(i)];
+    }
+    // Strong duality: there is no passive torque in these subjects' statics.
+    if (!prices.degenerate() && at.statics.tau_0.isZero(0)) {
+      EXPECT_NEAR(prices.increase.dot(answer.max_tension), point.largest->magnitude,
+                  1e-6 * point.largest->magnitude);
+    }
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Postures, PricesOfF0,
+                         testing::Values(Asked{"an_chao_index", "index", {45, 0, 45, 10}},
+                                         Asked{"an_chao_index", "index", {20, 5, 60, 30}},
+                                         Asked{"synek2019_middle", "middle", {20, 0, 30, 15}},
+                                         Asked{"synek2019_middle", "middle", {50, -5, 40, 40}},
+                                         Asked{"mirakhorlo2016", "index", {30, 0, 40, 20}},
+                                         Asked{"mirakhorlo2016", "little", {30, 0, 40, 20}},
+                                         Asked{"arms_thumb", "thumb", {10, 10, 20, 20}}));
+
+TEST(FeasibleForce, RefusesAWideToleranceInDegrees) {
+  FeasibleForceRequest request = request_of({"an_chao_index", "index", {45, 0, 45, 10}});
+  request.tolerance = 100 * kDegree;
+  EXPECT_EQ(message_of([&] { (void)ask_feasible_force(request); }),
+            "wanted a tolerance of 0 deg to below 90 deg, got 100 deg");
+}
+
+// A posture of the grid is answered as if it had been asked alone.
+TEST(FeasibleForce, AnswersAGridPostureByPosture) {
+  FeasibleForceRequest request = request_of({"synek2019_middle", "middle", {20, 0, 30, 15}});
+  const double alone = ask_feasible_force(request).points.front().largest->magnitude;
+  request.digit.vary = {{"PIP3", 20, 40, 10}};
+  const FeasibleForceAnswer answer = ask_feasible_force(request);
+  ASSERT_EQ(answer.points.size(), 3u);
+  EXPECT_NEAR(answer.points[1].largest->magnitude, alone, 1e-12 * alone);
+}
+
+}  // namespace
+}  // namespace thenar

@@ -1,0 +1,70 @@
+// Tests for api/tip_force.cpp.
+
+#include "api/tip_force.h"
+
+#include <gtest/gtest.h>
+
+#include "tests/data_folder.h"
+#include "tests/matrix_near.h"
+#include "tests/message_of.h"
+
+namespace thenar {
+namespace {
+
+TipForceRequest middle_finger() {
+  TipForceRequest request;
+  request.digit.subject = "synek2019_middle";
+  request.digit.data = kData;
+  request.digit.posture = {{{"MCP3_FE", 40}, {"PIP3", 55}, {"DIP3", 35}}, {}, PostureUnit::kTyped};
+  request.tension = {{"FDP", 10}};
+  return request;
+}
+
+// The balance is linear: twice the tension, twice the force.
+TEST(AskTipForce, DoublesWithTheTension) {
+  TipForceRequest request = middle_finger();
+  const Eigen::Vector3d once = ask_tip_force(request).points.front().force;
+  request.tension["FDP"] = 20;
+  EXPECT_TRUE(matrix_near(ask_tip_force(request).points.front().force, 2 * once, 1e-12));
+}
+
+TEST(AskTipForce, AnswersAGridPostureByPosture) {
+  TipForceRequest request = middle_finger();
+  const Eigen::Vector3d alone = ask_tip_force(request).points.front().force;
+  request.digit.vary = {{"DIP3", 30, 40, 5}};
+  const TipForceAnswer answer = ask_tip_force(request);
+  ASSERT_EQ(answer.points.size(), 3u);
+  EXPECT_TRUE(matrix_near(answer.points[1].force, alone, 1e-12));
+}
+
+TEST(AskTipForce, KeepsWhatIsDoneWhenStopped) {
+  TipForceRequest request = middle_finger();
+  request.digit.vary = {{"DIP3", 10, 40, 5}};
+  int left = 2;
+  Progress progress;
+  progress.stop_requested = [&] { return left-- == 0; };
+  const TipForceAnswer answer = ask_tip_force(request, progress);
+  EXPECT_EQ(answer.points.size(), 2u);
+  EXPECT_EQ(answer.about.done, 2u);
+  EXPECT_EQ(answer.about.asked(), 7u);
+}
+
+TEST(AskTipForce, RefusesATensionThatNoTendonBears) {
+  TipForceRequest request = middle_finger();
+  request.tension["FDP"] = 1e6;
+  EXPECT_EQ(message_of([&] { (void)ask_tip_force(request); }),
+            "wanted a tension of 'FDP' up to 10000 N, got 1000000 N: no tendon bears it");
+}
+
+TEST(AskTipForce, RefusesAHoldOfAMap) {
+  TipForceRequest request = middle_finger();
+  request.digit = {};
+  request.digit.subject = "valero_cuevas_index";
+  request.digit.data = kData;
+  request.hold = TipHold::kRigid;
+  EXPECT_NE(message_of([&] { (void)ask_tip_force(request); }).find("leave out --hold rigid"),
+            std::string::npos);
+}
+
+}  // namespace
+}  // namespace thenar
