@@ -9,7 +9,7 @@
 #include "base/error.h"
 #include "base/nearest_name.h"
 #include "base/units.h"
-#include "data/io/json_text.h"
+#include "data/io/json_node.h"
 #include "data/io/toml_node.h"
 #include "tendons/human/human_hand.h"
 
@@ -29,7 +29,7 @@ std::string words_of(const TomlNode* node) {
 void add_title(const std::string& path, CatalogueEntry& entry) {
   const SourceText file = read_source(path);
   if (entry.kind == "contacts") {
-    const auto members = text_members(path, file.text, {});
+    const auto members = text_members(parse_json(path, file.text), {});
     const auto name = members.find("name");
     if (name != members.end() && !name->second.empty()) entry.about = name->second.front();
     return;

@@ -10,7 +10,7 @@
 #include "base/file_io.h"
 #include "base/provenance.h"
 #include "data/io/inference_file.h"
-#include "data/io/json_text.h"
+#include "data/io/json_node.h"
 #include "data/io/result_file.h"
 
 namespace thenar {
@@ -38,7 +38,7 @@ std::string page_data(const std::string& path) {
 
 /// Provenance as pages and JSON answers have it: inputs by path, "sha256 0123..".
 void add_json_record(const std::string& path, const std::string& text, RecordedRun& out) {
-  const TextMembers members = text_members(path, text, {"provenance"});
+  const TextMembers members = text_members(parse_json(path, text), {"provenance"});
   out.run.arguments = arguments_of(first_text(members, "command"));
   out.run.folder = first_text(members, "folder");
   out.run.date = first_text(members, "date");

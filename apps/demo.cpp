@@ -2,7 +2,7 @@
 //
 // The main job on real data: fits the middle fingers of two hands to measured forces by every
 // solver, cross-validates, predicts what was not seen, samples their posteriors, asks
-// what forces tell of a thumb's axes, compares two thumbs, lets robot hands grasp, and writes it
+// what forces tell of a thumb's axes, compares two thumbs, lets hands grasp, and writes it
 // all as one page, the grasps as another.
 
 #include "api/demo.h"
@@ -11,16 +11,15 @@
 #include <filesystem>
 #include <memory>
 
+#include "api/compare.h"
 #include "api/data_folders.h"
 #include "apps/commands.h"
-#include "apps/compare_inputs.h"
-#include "apps/compare_report.h"
 #include "apps/options.h"
 #include "apps/outputs.h"
 #include "apps/terminal.h"
 #include "base/file_io.h"
 #include "base/progress_parts.h"
-#include "grasp/compare/compare_hands.h"
+#include "report/pages/comparison.h"
 #include "report/pages/comparison_tables.h"
 #include "report/pages/demo.h"
 
@@ -34,22 +33,19 @@ struct DemoArguments {
 
 constexpr const char* kHandsPage = "hands.html";
 
-/// Lets three hands go at two objects, a few seconds' work, and writes their comparison as a page
-/// of its own. @returns the section that tells of it and leads there
-Json compare_robot_hands(const DemoArguments& options, const Progress& progress) {
-  CompareQuestion question;
-  question.hands = {"barrett", "shadow", "parallel_jaw"};
-  question.objects = {"sphere_70", "cube_50"};
-  question.approaches = 8;
-  question.data = options.data;
-  const std::vector<BodySpec> objects = objects_of(question);
-  const std::vector<NamedHand> hands = named_hands(question);
-  const Comparison comparison =
-      compare(hands_of(question, hands), objects, options_of(question), progress);
-  write_compare_report(comparison, objects, hands, compare_provenance(compare_inputs(question)),
-                       options.output + "/" + kHandsPage);
+/// Lets a human and three robot hands go at two objects, some seconds' work, and writes their
+/// comparison as a page of its own. @returns the section that tells of it and leads there
+Json compare_some_hands(const DemoArguments& options, const Progress& progress) {
+  CompareRequest request;
+  request.hands = {"human:skewed", "barrett", "shadow", "parallel_jaw"};
+  request.objects = {"sphere_70", "cube_50"};
+  request.approaches = 8;
+  request.data = options.data;
+  const HandComparison result = compare_hands(request, progress);
+  if (!result.comparison.complete) return {};
+  write_page(page_of(result), options.output + "/" + kHandsPage);
 
-  Json section = glance_section(comparison);
+  Json section = glance_section(result.comparison);
   section["id"] = "hands";
   section["title"] = "Hands that grasp";
   section["blocks"].push_back({{"type", "text"},
@@ -65,7 +61,7 @@ void run_demo(const DemoArguments& options) {
   require_writable(path);
   const DemoResult demo = run_demo_study({options.data, options.output, this_run()}, progress);
   if (demo.stopped) throw Stopped("stopped before the report was complete");
-  const Json hands = compare_robot_hands(options, progress);
+  const Json hands = compare_some_hands(options, progress);
   if (progress.stop()) throw Stopped("stopped before the report was complete");
   const double seconds =
       std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();

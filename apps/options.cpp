@@ -161,7 +161,8 @@ void add_world_options(CLI::App& command, WorldRequest& request) {
 void add_examples(CLI::App& command, const std::vector<std::string>& lines) {
   std::string text = lines.size() == 1 ? "Example:" : "Examples:";
   for (const std::string& line : lines) text += "\n  thenar " + line;
-  command.footer(text);
+  const std::string before = command.get_footer();
+  command.footer(before.empty() ? text : before + "\n\n" + text);
 }
 
 CLI::Validator at_least(long least) {

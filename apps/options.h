@@ -66,7 +66,7 @@ void add_tendon_options(CLI::App& command, DigitRequest& request, const std::str
 /// WORLD, --hand, --object, --data.
 void add_world_options(CLI::App& command, WorldRequest& request);
 
-/// Command lines that a person can copy, at the end of --help.
+/// Command lines that a person can copy, at the end of --help, behind a footer that is there.
 /// @param lines  without the program: "pose barrett"
 void add_examples(CLI::App& command, const std::vector<std::string>& lines);
 

@@ -25,6 +25,24 @@ GraspTask grasp_task(const std::string& name) {
   return static_cast<GraspTask>(found - kTasks.begin());
 }
 
+std::string load_key(GraspTask task) {
+  switch (task) {
+    case GraspTask::kHoldWeight:
+      return "hold_weights";
+    case GraspTask::kPull:
+      return "pull_N";
+    case GraspTask::kTurn:
+      return "turn_Nm";
+    case GraspTask::kForceClosure:
+      break;
+  }
+  return "force_closure";
+}
+
+bool is_kapandji(const HandAbilities& abilities) {
+  return abilities.opposition_scale.rfind("Kapandji", 0) == 0;
+}
+
 double HandOnObject::quantile(double p) const {
   // Linear interpolation between order statistics.
   if (epsilon.size() == 0) return std::numeric_limits<double>::quiet_NaN();

@@ -52,6 +52,10 @@ enum class GraspTask {
 [[nodiscard]] std::string name_of(GraspTask task);
 [[nodiscard]] GraspTask grasp_task(const std::string& name);
 
+/// A task with the unit of its load, as columns and members are called: "hold_weights", "pull_N",
+/// "turn_Nm"; "force_closure" has none.
+[[nodiscard]] std::string load_key(GraspTask task);
+
 struct Comparison;
 
 /// Settings of compare().
@@ -143,6 +147,10 @@ struct HandAbilities {
   double overlap = 0;              // of the workspaces of the opposing digit and all others [m^3]
   std::vector<std::string> types;  // distinct grasp_type() of all closures, in alphabetic order
 };
+
+/// Whether opposition is Kapandji's score of a human thumb; otherwise it is the share of tips that a
+/// thumb meets, times 10.
+[[nodiscard]] bool is_kapandji(const HandAbilities& abilities);
 
 /// Result of compare().
 struct Comparison {

@@ -9,6 +9,7 @@
 #include <fmt/ranges.h>
 
 #include "api/hands.h"
+#include "grasp/compare/comparison_file.h"
 
 namespace thenar {
 namespace {
@@ -51,6 +52,101 @@ std::string why_unknown(const HandOnObject& cell) {
   return "";
 }
 
+/// A number, or that it is not known.
+template <typename... Digits>
+std::string number_or_dash(double value, Digits... digits) {
+  return std::isnan(value) ? "-" : shown(value, digits...);
+}
+
+std::vector<GraspTask> loads_of(const Comparison& comparison) {
+  std::vector<GraspTask> loads;
+  for (const std::string& task : comparison.tasks)
+    if (grasp_task(task) != GraspTask::kForceClosure) loads.push_back(grasp_task(task));
+  return loads;
+}
+
+std::vector<std::string> cell_row(const HandOnObject& cell, const std::vector<GraspTask>& loads) {
+  std::vector<std::string> row{cell.hand,
+                               cell.object,
+                               shown(100 * cell.success, 0),
+                               shown(100 * cell.interval.lower, 0),
+                               shown(100 * cell.interval.upper, 0),
+                               number_or_dash(cell.quantile(0.5), 3),
+                               number_or_dash(cell.quantile(1), 3),
+                               number_or_dash(cell.best_hand_epsilon().max),
+                               number_or_dash(cell.min_grasp_force())};
+  for (const GraspTask task : loads) row.push_back(number_or_dash(cell.load(task).max));
+  return row;
+}
+
+Table cell_table(const Comparison& comparison) {
+  Table table{{"hand", "object", "closed_percent", "from", "to", "epsilon_median", "epsilon_best",
+               "hand_epsilon_N", "squeeze_N"},
+              {}};
+  const std::vector<GraspTask> loads = loads_of(comparison);
+  for (const GraspTask task : loads) table.header.push_back(load_key(task));
+  for (const HandOnObject& cell : comparison.cells) table.rows.push_back(cell_row(cell, loads));
+  // Seldom needed: a column only where there is something to tell.
+  std::vector<std::string> unknown;
+  for (const HandOnObject& cell : comparison.cells)
+    unknown.push_back(unknown_words(cell, comparison.tasks));
+  if (std::all_of(unknown.begin(), unknown.end(), [](const auto& each) { return each.empty(); }))
+    return table;
+  table.header.emplace_back("not_known");
+  for (std::size_t i = 0; i < unknown.size(); ++i) table.rows[i].push_back(unknown[i]);
+  return table;
+}
+
+Table outcome_table(const Comparison& comparison) {
+  Table table{{"hand", "object", "approaches"}, {}};
+  for (const HandOnObject& cell : comparison.cells)
+    if (cell.closures == 0) table.rows.push_back({cell.hand, cell.object, outcome_words(cell)});
+  return table;
+}
+
+Table hand_table(const Comparison& comparison) {
+  // Two scales, two columns: Kapandji's places of a human thumb, and tips that any thumb meets.
+  Table table{{"hand", "kapandji_of_10", "tips_met_percent", "met", "overlap_cm3", "grasp_types",
+               "closing_force_N"},
+              {}};
+  for (const HandAbilities& hand : comparison.abilities) {
+    double force = NAN;
+    for (const DigitAbility& digit : hand.digits) force = std::fmax(force, digit.closing_force);
+    const bool places = is_kapandji(hand);
+    table.rows.push_back({hand.hand, places ? number_or_dash(hand.opposition, 1) : "-",
+                          places ? "-" : number_or_dash(10 * hand.opposition, 0),
+                          std::to_string(hand.reached.size()),
+                          shown(1e6 * in_two_digits(hand.overlap), 0),
+                          std::to_string(hand.types.size()), number_or_dash(force)});
+  }
+  return table;
+}
+
+/// The tree with members in the order of the file.
+OrderedJson ordered(const JsonNode& node) {  // NOLINT(misc-no-recursion): as deep as the tree
+  switch (node.kind) {
+    case JsonKind::kNull:
+      return {};
+    case JsonKind::kFlag:
+      return node.flag;
+    case JsonKind::kNumber:
+      return node.whole ? OrderedJson(static_cast<long>(node.number)) : OrderedJson(node.number);
+    case JsonKind::kText:
+      return node.text;
+    case JsonKind::kArray:
+    case JsonKind::kObject:
+      break;
+  }
+  const bool list = node.kind == JsonKind::kArray;
+  OrderedJson json = list ? OrderedJson::array() : OrderedJson::object();
+  for (std::size_t i = 0; i < node.items.size(); ++i)
+    if (list)
+      json.push_back(ordered(node.items[i]));
+    else
+      json[node.names[i]] = ordered(node.items[i]);
+  return json;
+}
+
 }  // namespace
 
 std::vector<std::string> version_lines(const Comparison& comparison) {
@@ -66,8 +162,9 @@ std::vector<std::string> version_lines(const Comparison& comparison) {
 
 std::string load_rule() {
   return "Each load is the best of any grasp (the largest, of squeezes the least), so two of one "
-         "row may be of different grasps. Epsilon of the hand is asked of all that closed, other "
-         "loads of those with the largest epsilon, --best of each pair.";
+         "row may be of different grasps. Epsilon within hand limits is computed for all that "
+         "closed, "
+         "other loads for those with the largest epsilon, --best of each pair.";
 }
 
 std::string unknown_words(const HandOnObject& cell, const std::vector<std::string>& tasks) {
@@ -115,7 +212,8 @@ std::string reading_words(const Comparison& comparison) {
       "direction, in units of the contacts' own forces (their normal forces sum up to 1), "
       "torques divided by the object's reach; 0 is the edge of slipping. More friction, "
       "soft pads or more contacts may raise it; the strength of the hand, and a size that "
-      "object and contacts share, do not.\n\nEpsilon of the hand: the same disturbance in newtons, with the forces that "
+      "object and contacts share, do not.\n\nEpsilon within hand limits: the same disturbance in "
+      "newtons, with the forces that "
       "the hand's own motors or tendons, stops and drives that do not run back can make at "
       "that posture. A grasp of good geometry may have none: a joint that nothing holds "
       "gives way. Stops, such drives and palms press by no force of their own: they push "
@@ -129,8 +227,25 @@ std::string reading_words(const Comparison& comparison) {
       comparison.normalise_size ? "scaled with the reach of the hand" : "in their own size");
 }
 
-bool is_kapandji(const HandAbilities& abilities) {
-  return abilities.opposition_scale.rfind("Kapandji", 0) == 0;
+std::string text_of(const HandComparison& result) {
+  const Comparison& comparison = result.comparison;
+  std::string text = titled("Grasps: share with force closure, its 95 % interval, and loads",
+                            cell_table(comparison));
+  text += load_rule() +
+          "\n-: nothing closed, or not known. 0: nothing is borne; the page and JSON say why.\n"
+          "inf: joint limits or drives that do not run back bear it.\n\n";
+  text += titled("Where nothing closed: how the approaches ended", outcome_table(comparison));
+  text +=
+      titled("Hands by themselves; closing_force: of the strongest tip", hand_table(comparison));
+  for (const std::string& warning : comparison.warnings)
+    text += fmt::format("warning: {}\n", warning);
+  return text;
 }
+
+OrderedJson json_of(const HandComparison& result) {
+  return ordered(comparison_node(result.comparison));
+}
+
+Table table_of(const HandComparison& result) { return cell_table(result.comparison); }
 
 }  // namespace thenar

@@ -1,21 +1,29 @@
 #pragma once
 
-/// Words of a comparison of hands.
+/// A comparison of hands as words, JSON and a table.
 
 #include <string>
 #include <vector>
 
-#include "grasp/compare/comparison.h"
+#include "api/compare.h"
+#include "report/json.h"
+#include "report/table.h"
 
 namespace thenar {
+
+/// What hands made of the objects, how approaches ended where nothing closed, what hands can do by
+/// themselves, and warnings. Loads by the same rule as on the page.
+[[nodiscard]] std::string text_of(const HandComparison& result);
+
+/// Members as docs/data_format.md has them; null: not known; "infinite".
+[[nodiscard]] OrderedJson json_of(const HandComparison& result);
+
+/// A row for each hand on each object.
+[[nodiscard]] Table table_of(const HandComparison& result);
 
 /// A line for each version of the human hand that is compared: what it adds to
 /// the one before.
 [[nodiscard]] std::vector<std::string> version_lines(const Comparison& comparison);
-
-/// Whether opposition is Kapandji's score of a human thumb; else it is the share of tips that a
-/// thumb meets, times 10.
-[[nodiscard]] bool is_kapandji(const HandAbilities& abilities);
 
 /// By which rule the loads of several grasps become one number.
 [[nodiscard]] std::string load_rule();

@@ -2,12 +2,125 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 
+#include <fmt/format.h>
+
+#include "base/error.h"
 #include "base/numbers.h"
 #include "sampling/diagnostics/autocovariance.h"
 #include "sampling/diagnostics/order_statistics.h"
+#include "sampling/diagnostics/split_chains.h"
 
 namespace thenar {
+namespace {
+
+constexpr Eigen::Index kTracePoints = 250, kLags = 50;
+constexpr int kBins = 20;
+constexpr std::size_t kAllShown = 8, kMostShown = 16;  // chains
+
+/// The chains whose traces are drawn, and what they are called.
+struct ShownChains {
+  std::vector<Eigen::Index> columns;
+  std::vector<std::string> names;
+  bool by_group = false;
+};
+
+ShownChains shown_chains(const Quantity& quantity) {
+  ShownChains shown;
+  shown.by_group =
+      !quantity.group.empty() && static_cast<std::size_t>(quantity.draws.cols()) > kAllShown;
+  std::set<int> seen;
+  for (Eigen::Index c = 0; c < quantity.draws.cols(); ++c) {
+    if (shown.by_group && !seen.insert(quantity.group[static_cast<std::size_t>(c)]).second)
+      continue;
+    if (shown.columns.size() == kMostShown) break;
+    shown.columns.push_back(c);
+    shown.names.push_back(
+        fmt::format("{} {}", shown.by_group ? "group" : "chain", shown.columns.size()));
+  }
+  return shown;
+}
+
+Json trace(const Eigen::Ref<const Eigen::VectorXd>& chain, const std::vector<Eigen::Index>& chosen,
+           double scale) {
+  Eigen::VectorXd points(static_cast<Eigen::Index>(chosen.size()));
+  for (std::size_t k = 0; k < chosen.size(); ++k)
+    points[static_cast<Eigen::Index>(k)] = chain[chosen[k]];
+  return rounded(points, scale);
+}
+
+/// Autocorrelations of the chains shown, and the mean time that all need to forget.
+struct Memory {
+  Json rho = Json::array();  // at every `step`-th lag
+  Eigen::Index step = 1;
+  double tau = 1;
+};
+
+Memory memory_of(const Quantity& quantity, const ShownChains& shown) {
+  Memory memory;
+  std::vector<Eigen::VectorXd> rho;
+  double sum = 0, slowest = 1;
+  for (Eigen::Index c = 0; c < quantity.draws.cols(); ++c) {
+    rho.push_back(autocorrelation(quantity.draws.col(c)));
+    const double tau = correlation_time(rho.back());
+    sum += std::isfinite(tau) ? tau : 1;
+    if (std::isfinite(tau)) slowest = std::max(slowest, tau);
+  }
+  memory.tau = sum / static_cast<double>(quantity.draws.cols());
+  // Far enough to see every chain forget.
+  const auto wanted = static_cast<Eigen::Index>(8 * slowest);
+  const Eigen::Index last = std::min(std::max<Eigen::Index>(wanted, 30), quantity.draws.rows() / 2);
+  memory.step = std::max<Eigen::Index>(1, last / kLags);
+  for (const Eigen::Index c : shown.columns) {
+    Eigen::VectorXd points(last / memory.step + 1);
+    for (Eigen::Index k = 0; k < points.size(); ++k)
+      points[k] = rho[static_cast<std::size_t>(c)][k * memory.step];
+    memory.rho.push_back(rounded(points, 1));
+  }
+  return memory;
+}
+
+/// Counts of ranks of the chains shown, and the band about them.
+Json ranks_of(const Quantity& quantity, const ShownChains& shown, double tau) {
+  const Eigen::MatrixXd pooled =
+      shown.by_group ? pool_groups(quantity.draws, quantity.group) : quantity.draws;
+  const Eigen::MatrixXd counts = rank_counts(pooled, kBins);
+  Json list = Json::array();
+  for (std::size_t k = 0; k < shown.columns.size(); ++k)
+    list.push_back(rounded(counts.col(static_cast<Eigen::Index>(k)), 1));
+  const CountBand band =
+      rank_band(static_cast<double>(pooled.rows()), static_cast<double>(pooled.cols()), kBins, tau);
+  return {{"counts", list},
+          {"mean", static_cast<double>(pooled.rows()) / kBins},
+          {"low", std::round(10 * band.low) / 10},
+          {"high", std::round(10 * band.high) / 10}};
+}
+
+Json number(double value, double scale) {
+  return rounded(Eigen::VectorXd::Constant(1, value), scale)[0];
+}
+
+Json quantity_of(const Quantity& quantity) {
+  const ShownChains shown = shown_chains(quantity);
+  const std::vector<Eigen::Index> chosen = spread(quantity.draws.rows(), kTracePoints);
+  Json traces = Json::array();
+  for (const Eigen::Index c : shown.columns)
+    traces.push_back(trace(quantity.draws.col(c), chosen, quantity.estimate.sd));
+  const Memory memory = memory_of(quantity, shown);
+  Json out{{"name", quantity.name},
+           {"r_hat", number(quantity.estimate.r_hat, 1)},
+           {"bulk_ess", number(quantity.estimate.bulk_ess, 1000)},
+           {"tail_ess", number(quantity.estimate.tail_ess, 1000)},
+           {"traces", traces},
+           {"ranks", ranks_of(quantity, shown, memory.tau)},
+           {"autocorrelation", memory.rho},
+           {"lag_step", memory.step}};
+  if (!quantity.unit.empty() && quantity.unit != "1") out["unit"] = quantity.unit;
+  return out;
+}
+
+}  // namespace
 
 Eigen::MatrixXd rank_counts(const Eigen::Ref<const Eigen::MatrixXd>& x, int bins) {
   const Eigen::MatrixXd ranks = average_ranks(x);  // 1 .. N
@@ -48,5 +161,32 @@ CountBand rank_band(double draws, double chains, int bins, double tau) {
 }
 
 bool worse(double a, double b) { return std::isnan(a) ? !std::isnan(b) : a > b; }
+
+Json chains_block(const std::vector<Quantity>& quantities, const std::string& caption) {
+  Json block{{"type", "chains"}, {"caption", caption}, {"quantities", Json::array()}};
+  if (quantities.empty()) return block;
+  std::vector<const Quantity*> order;
+  for (const Quantity& quantity : quantities) {
+    require(quantity.draws.rows() >= 4 && quantity.draws.cols() >= 1,
+            "{} has {} draws of {} chains, wanted at least 4 of 1", quantity.name,
+            quantity.draws.rows(), quantity.draws.cols());
+    require(quantity.draws.rows() == quantities.front().draws.rows() &&
+                quantity.draws.cols() == quantities.front().draws.cols(),
+            "{} has {} draws of {} chains, {} has {} of {}", quantity.name, quantity.draws.rows(),
+            quantity.draws.cols(), quantities.front().name, quantities.front().draws.rows(),
+            quantities.front().draws.cols());
+    order.push_back(&quantity);
+  }
+  std::stable_sort(order.begin(), order.end(), [](const Quantity* a, const Quantity* b) {
+    return worse(a->estimate.r_hat, b->estimate.r_hat);
+  });
+  Json draws = Json::array();
+  for (const Eigen::Index i : spread(quantities.front().draws.rows(), kTracePoints))
+    draws.push_back(i + 1);
+  block["chains"] = shown_chains(quantities.front()).names;
+  block["draws"] = draws;
+  for (const Quantity* quantity : order) block["quantities"].push_back(quantity_of(*quantity));
+  return block;
+}
 
 }  // namespace thenar

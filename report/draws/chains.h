@@ -1,14 +1,23 @@
 #pragma once
 
-/// Shapes of chains that a page draws: counts of ranks, correlations, thinned traces.
+/// Chains as a page draws them: traces, counts of ranks, autocorrelations.
 
 #include <vector>
 
 #include <Eigen/Core>
 
-#include "report/blocks.h"
+#include "report/draws/draws.h"
 
 namespace thenar {
+
+/// Traces, rank histograms and autocorrelations, the quantity with the largest R-hat first; the
+/// reader chooses. More than 8 chains are shown by one chain of each group, ranks by groups.
+///
+/// The band of ranks holds 95 % of the counts of one bin if all chains draw from one distribution,
+/// each as correlated within itself as it is: a chain of n draws is worth n / tau, tau by Geyer's
+/// initial positive sequence. Source: [Vehtari2021] for rank plots, [Geyer1992].
+[[nodiscard]] Json chains_block(const std::vector<Quantity>& quantities,
+                                const std::string& caption);
 
 /// How many draws of each chain fall into each of equal parts of all ranks  (bins, chains).
 /// @param x  (draws, chains)

@@ -25,15 +25,6 @@ struct Quantity {
   std::string meaning;          // "CMC flexion axis: tilt about the digit's length"; may be empty
 };
 
-/// Traces, rank histograms and autocorrelations, the quantity with the largest R-hat first; the
-/// reader chooses. More than 8 chains are shown by one chain of each group, ranks by groups.
-///
-/// The band of ranks holds 95 % of the counts of one bin if all chains draw from one distribution,
-/// each as correlated within itself as it is: a chain of n draws is worth n / tau, tau by Geyer's
-/// initial positive sequence. Source: [Vehtari2021] for rank plots, [Geyer1992].
-[[nodiscard]] Json chains_block(const std::vector<Quantity>& quantities,
-                                const std::string& caption);
-
 /// Densities of single quantities and of pairs, 50 and 90 % regions, the prior as a light outline.
 /// @param shown  names to start with, at most 8; empty: those most was learnt about
 [[nodiscard]] Json corner_block(const std::vector<Quantity>& quantities, const std::string& caption,

@@ -36,6 +36,17 @@ Eigen::Vector3d tips_ahead(const Hand& hand, const Eigen::VectorXd& q) {
   return ahead.norm() < kRound ? Eigen::Vector3d::Zero() : ahead;
 }
 
+/// A hand whose palm looks along x and whose fingers point along z.
+Pose<double> upright(const Hand& hand, const Eigen::VectorXd& q) {
+  const Eigen::Vector3d palm = hand.layout().approach.direction, ahead = tips_ahead(hand, q);
+  const Eigen::Vector3d up = ahead.isZero(0) ? tangents(palm).e1 : ahead.normalized();
+  Pose<double> X_WH;
+  X_WH.R.row(0) = palm.transpose();
+  X_WH.R.row(1) = up.cross(palm).transpose();
+  X_WH.R.row(2) = up.transpose();
+  return X_WH;
+}
+
 /// From the side, a little from the back of the palm and from where fingers point, so that no
 /// forearm stands in the way.
 Eigen::Vector3d eye_for(const Hand& hand, const BestGrasp& best) {
@@ -53,21 +64,20 @@ Json best_picture(const HandOnObject& cell, const Scene& scene, const ComparePic
                   MeshTable& meshes) {
   const BestGrasp& best = cell.best.front();
   const HandPicture hand{*picture.drawn, best.q, best.X_WH, picture.patches};
-  const std::string caption = fmt::format(
-      "{}: epsilon {:.3f}{}, {} contact{}, {}", cell.hand, best.epsilon,
-      std::isfinite(best.hand_epsilon) ? fmt::format(", of the hand {:.1f} N", best.hand_epsilon)
-                                       : "",
-      best.contacts.size(), best.contacts.size() == 1 ? "" : "s",
-      best.type.empty() ? "no type" : best.type);
+  const std::string caption =
+      fmt::format("{}: epsilon {:.3f}{}, {} contact{}, {}", cell.hand, best.epsilon,
+                  std::isfinite(best.hand_epsilon)
+                      ? fmt::format(", {:.1f} N within hand limits", best.hand_epsilon)
+                      : "",
+                  best.contacts.size(), best.contacts.size() == 1 ? "" : "s",
+                  best.type.empty() ? "no type" : best.type);
   Json layers = grasp_layers(hand, scene, best.contacts, meshes);
   for (Json& layer : layers)
     if (layer["name"] == "palm") layer["fit"] = false;  // it may be a forearm
-  const Eigen::Vector3d up = -(best.X_WH.R * picture.drawn->layout().approach.direction);
   const Eigen::Vector3d eye =
-      view_of_contacts(hand, scene, best.contacts, {eye_for(*picture.drawn, best), up, -kPi / 2});
-  Json block = thumbnail_block(caption, eye, std::move(layers));
-  block["up"] = numbers3(up);
-  return block;
+      view_of_contacts(hand, scene, best.contacts,
+                       {eye_for(*picture.drawn, best), Eigen::Vector3d::UnitZ(), -kPi / 2});
+  return thumbnail_block(caption, eye, std::move(layers));
 }
 
 /// The object at the origin, as the comparison had it.
@@ -115,7 +125,8 @@ Json best_section(const Comparison& comparison, const std::vector<BodySpec>& obj
   return section("best", "The best grasps",
                  "Of every hand the grasp with the largest epsilon; the numbers are of that grasp, "
                  "the eye is where most of its contacts and of the object is seen. Red points are "
-                 "contacts, cones the forces that do not slip. Drag a picture to turn it.",
+                 "contacts, cones the forces that do not slip. Objects stand upright: z is up. "
+                 "Drag a picture to turn it.",
                  blocks);
 }
 
@@ -125,20 +136,18 @@ Json hands_section(const std::vector<ComparePicture>& pictures, MeshTable& meshe
   Json blocks = Json::array();
   for (const ComparePicture& picture : pictures) {
     const Hand& hand = *picture.drawn;
-    const HandPicture shown{hand, open_posture(hand.layout()), {}, picture.patches};
-    const Eigen::Vector3d palm = hand.layout().approach.direction;
-    const Eigen::Vector3d ahead = tips_ahead(hand, shown.q);
-    const Eigen::Vector3d up = ahead.isZero(0) ? tangents(palm).e1 : ahead.normalized();
+    const Eigen::VectorXd q = open_posture(hand.layout());
+    const HandPicture shown{hand, q, upright(hand, q), picture.patches};
     Json block = thumbnail_block(
         fmt::format("{}: {} coordinates, {} actuators", picture.hand,
                     hand.layout().coordinates.size(), hand.layout().actuators.size()),
-        palm + 0.35 * up + 0.25 * palm.cross(up), hand_layers(shown, meshes));
-    block["up"] = numbers3(up);  // the side of the light: else palms that look down are dark
+        Eigen::Vector3d(1, -0.25, 0.35), hand_layers(shown, meshes));
     blocks.push_back(std::move(block));
   }
   Json row = row_block(std::move(blocks));
   row["narrow"] = true;
-  return section("hands", "The hands", "Seen at the palm, open as they begin to close.",
+  return section("hands", "The hands",
+                 "Open as they begin to close, seen at the palm; fingers point up, z.",
                  Json::array({row}));
 }
 
@@ -155,6 +164,19 @@ Json compare_page(const Comparison& comparison, const std::vector<BodySpec>& obj
   sections.push_back(abilities_section(comparison));
   sections.push_back(reading_section(comparison));
   return sections;
+}
+
+Json page_of(const HandComparison& result, const Progress& progress) {
+  std::vector<ComparePicture> pictures;
+  for (const NamedHand& hand : result.hands)
+    pictures.push_back({hand.name, hand.hand, hand.patches});
+  MeshTable meshes;
+  const Json sections = compare_page(result.comparison, result.objects, pictures, meshes, progress);
+  return {{"title", "Hands compared"},
+          {"subtitle", fmt::format("{}", fmt::join(result.comparison.hands, ", "))},
+          {"provenance", result.inputs},
+          {"meshes", meshes.json()},
+          {"sections", sections}};
 }
 
 }  // namespace thenar

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "grasp/compare/comparison.h"
+#include "api/compare.h"
 #include "report/scene/hand_picture.h"
 
 namespace thenar {
@@ -26,6 +26,10 @@ struct ComparePicture {
 [[nodiscard]] Json compare_page(const Comparison& comparison, const std::vector<BodySpec>& objects,
                                 const std::vector<ComparePicture>& pictures, MeshTable& meshes,
                                 const Progress& progress = {});
+
+/// The page of a comparison: the best grasps drawn, every number, and what the numbers depend on.
+/// @param progress  hears of pictures; what a stop leaves is no page
+[[nodiscard]] Json page_of(const HandComparison& result, const Progress& progress = {});
 
 /// Every hand by itself, with its joints where closing begins: a look at what is compared.
 [[nodiscard]] Json hands_section(const std::vector<ComparePicture>& pictures, MeshTable& meshes);

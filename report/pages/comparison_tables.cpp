@@ -123,7 +123,7 @@ Json success_row(const HandOnObject& cell, const std::vector<BlockColumn>& loads
 Json all_cells(const Comparison& comparison) {
   std::vector<BlockColumn> columns{{"hand", "", -1},
                                    {"object", "", -1},
-                                   {"closed", "%", 0},
+                                   {"force closure", "%", 0},
                                    {"95 % interval", "%", -1},
                                    {"epsilon, median", "", 3},
                                    {"epsilon, best", "", 3},
@@ -134,10 +134,11 @@ Json all_cells(const Comparison& comparison) {
   Json rows = Json::array();
   for (const HandOnObject& cell : comparison.cells) rows.push_back(success_row(cell, loads));
   Json table = table_block(
-      "Every hand on every object. Closed: share of approaches that end in force closure. Epsilon "
-      "within hand limits: with the efforts of motors or tendons and the hand's rigid structure. "
-      "Minimum grasp force: sum of normal forces by which friction alone holds the weight. Loads "
-      "after it: supported within the same limits. " +
+      "Every hand on every object. Force closure: share of approaches that end in it. Epsilon of "
+      "these grasps: by their contacts alone, and within hand limits: with the efforts of motors "
+      "or "
+      "tendons and the hand's rigid structure. Minimum grasp force: sum of normal forces by which "
+      "friction alone holds the weight. Loads after it: supported within the same limits. " +
           load_rule(),
       columns, rows);
   table["search"] = true;
@@ -170,8 +171,8 @@ Json reason_rows(const Comparison& comparison) {
       for (const BestGrasp& best : cell->best)
         for (const auto& [load, reason] : best.reasons) ++counts[{load, reason}];
     for (const auto& [why, count] : counts)
-      rows.push_back(
-          {hand, why.first == "epsilon" ? "epsilon of the hand" : why.first, why.second, count});
+      rows.push_back({hand, why.first == "epsilon" ? "epsilon within hand limits" : why.first,
+                      why.second, count});
   }
   return rows;
 }
@@ -218,6 +219,78 @@ Json type_rows(const Comparison& comparison) {
   return rows;
 }
 
+// ---- charts
+
+constexpr const char* kKey = "median, middle half (thick), all (thin)";
+
+/// What stands in place of a chart's row.
+Json empty_row(const std::string& hand, const std::string& why) {
+  return {
+      {"name", hand}, {"estimate", Json()}, {"low", Json()}, {"high", Json()}, {"display", why}};
+}
+
+/// Quantiles of ascending values. @param of  how many there could be
+Json quantile_row(const std::string& hand, const Eigen::VectorXd& values, int of) {
+  const double middle = quantile_of(values, 0.5);
+  const std::string count =
+      values.size() == of ? fmt::format("{}", of) : fmt::format("{} of {}", values.size(), of);
+  return {{"name", hand},
+          {"estimate", middle},
+          {"low", quantile_of(values, 0)},
+          {"high", quantile_of(values, 1)},
+          {"inner_low", quantile_of(values, 0.25)},
+          {"inner_high", quantile_of(values, 0.75)},
+          {"display", fmt::format("{:.3g}, n = {}", middle, count)}};
+}
+
+Json geometric_row(const HandOnObject& cell) {
+  if (cell.closures == 0)
+    return empty_row(cell.hand, fmt::format("no closure in {}", cell.approaches));
+  return quantile_row(cell.hand, cell.epsilon, cell.closures);
+}
+
+Json limited_row(const HandOnObject& cell) {
+  if (cell.closures == 0)
+    return empty_row(cell.hand, fmt::format("no closure in {}", cell.approaches));
+  if (cell.hand_epsilon.size() == 0) return empty_row(cell.hand, "efforts unknown");
+  return quantile_row(cell.hand, cell.hand_epsilon, cell.closures);
+}
+
+/// Where the axis ends, if a few rows would stretch it so that the others could not be read: rows
+/// that reach beyond thrice the median of all ends are cut; infinite: none is.
+double end_of_axis(const Json& rows) {
+  std::vector<double> ends;
+  for (const Json& row : rows)
+    if (row["high"].is_number()) ends.push_back(row["high"]);
+  if (ends.empty()) return INFINITY;
+  std::sort(ends.begin(), ends.end());
+  const double fair = 3 * ends[ends.size() / 2];
+  if (fair <= 0 || ends.back() <= fair) return INFINITY;
+  return 1.1 * *(std::upper_bound(ends.begin(), ends.end(), fair) - 1);
+}
+
+/// Cuts the axis of a chart where that is needed, and says so.
+Json readable(Json chart) {
+  const double end = end_of_axis(chart["rows"]);
+  if (std::isinf(end)) return chart;
+  chart["x_most"] = end;
+  chart["caption"] =
+      chart["caption"].get<std::string>() + " The axis is cut: arrowheads go on beyond it.";
+  return chart;
+}
+
+Json chart(const Comparison& comparison, const std::string& object, const std::string& caption,
+           const std::string& label, Json (*row)(const HandOnObject&)) {
+  Json rows = Json::array();
+  for (const HandOnObject& cell : comparison.cells)
+    if (cell.object == object) rows.push_back(row(cell));
+  return readable({{"type", "interval"},
+                   {"caption", caption},
+                   {"x_label", label},
+                   {"key", kKey},
+                   {"rows", std::move(rows)}});
+}
+
 }  // namespace
 
 double quantile_of(const Eigen::VectorXd& ascending, double p) {
@@ -228,23 +301,30 @@ Json glance_section(const Comparison& comparison) {
   Json rows = Json::array();
   for (const std::string& hand : comparison.hands) rows.push_back(glance_row(comparison, hand));
   Json table = table_block(
-      "Over all objects: the median, over the objects, of the best grasp of each. Epsilon within "
-      "hand limits: with the efforts of its motors or tendons and its rigid structure.",
+      "Over all objects. Force closure: share of approaches whose contacts balance every small "
+      "disturbance. Epsilon: the largest disturbance that they balance whatever its direction, per "
+      "unit of contact force; within hand limits: the same in newtons, with the efforts of the "
+      "hand's motors or tendons and its rigid structure. Both are of the best grasp of each "
+      "object, "
+      "and of these the median.",
       {{"hand", "", -1},
        {"force closure", "%", 1},
-       {"objects held", "", 0},
-       {"epsilon, median of best", "", 3},
-       {"epsilon within hand limits, median of best", "N", 2},
+       {"objects grasped", "", 0},
+       {"epsilon", "", 3},
+       {"epsilon within hand limits", "N", 2},
        {"types of grasp", "", 0}},
       rows);
   table["highlight_best"] = 1;
   table["best"] = "highest";
   Json blocks = Json::array({banner(comparison), table});
   for (const std::string& line : version_lines(comparison)) blocks.push_back(text_block(line));
-  return section("glance", "At a glance",
-                 "Every hand went at every object in the same drawn directions, closed until it "
-                 "could close no farther, and its contacts were measured.",
-                 std::move(blocks));
+  return section(
+      "glance", "At a glance",
+      "Every hand approaches every object from the same random directions and closes until "
+      "it can close no farther; then its contacts are measured. More force closures: the "
+      "hand need not be aimed so well. A larger epsilon: the grasp resists more before it "
+      "slips.",
+      std::move(blocks));
 }
 
 Json cells_section(const Comparison& comparison) {
@@ -253,14 +333,15 @@ Json cells_section(const Comparison& comparison) {
   const auto limited = [](const HandOnObject& cell) {
     return finite(cell.best_hand_epsilon().max);
   };
-  Json blocks =
-      Json::array({matrix(comparison, "Approaches that end in force closure [%].", 0, success),
-                   matrix(comparison, "Largest epsilon reached; n/a: no force closure.", 3, best),
-                   matrix(comparison,
-                          "Largest epsilon with the hand's own efforts [N]; n/a: no force closure, "
-                          "or efforts unknown.",
-                          2, limited),
-                   all_cells(comparison)});
+  Json blocks = Json::array(
+      {matrix(comparison, "Share of approaches that end in force closure [%].", 0, success),
+       matrix(comparison,
+              "Epsilon of the best grasp, by its contacts alone; n/a: no force closure.", 3, best),
+       matrix(comparison,
+              "Epsilon of the best grasp within hand limits [N]; n/a: no force closure, "
+              "or efforts unknown.",
+              2, limited),
+       all_cells(comparison)});
   const Json outcomes = outcome_rows(comparison);
   if (!outcomes.empty())
     blocks.push_back(table_block("Where no approach ended in force closure: how they ended.",
@@ -279,13 +360,30 @@ Json cells_section(const Comparison& comparison) {
   return section("grasps", "Hands by objects", "", std::move(blocks));
 }
 
+Json distribution_section(const Comparison& comparison) {
+  Json pairs = Json::array();
+  for (const std::string& object : comparison.objects)
+    pairs.push_back(row_block(
+        Json::array({chart(comparison, object, fmt::format("On {}: contacts alone.", object),
+                           "epsilon [1]", geometric_row),
+                     chart(comparison, object, fmt::format("On {}: within hand limits.", object),
+                           "epsilon within hand limits [N]", limited_row)})));
+  return section(
+      "quality", "How good the grasps are",
+      "Epsilon of all grasps with force closure: by geometry and friction alone (left), and "
+      "with what drives the hand (right). It is the largest disturbance that the grasp "
+      "withstands whatever its direction. n counts grasps.",
+      pairs);
+}
+
 Json abilities_section(const Comparison& comparison) {
   Json blocks = Json::array();
   blocks.push_back(table_block(
       "What each hand can do without an object. Kapandji: the highest of ten places on the hand "
-      "that the thumb's pad meets; robots have no such places, so of them only the tips count that "
-      "the thumb's (or that of the best digit) meets. Workspace shared: of the opposing tip and "
-      "all others, to two digits. Strongest tip: in its way of closing, digits half bent.",
+      "that the pad of the thumb meets. Robots have no such places: for them only the fingertips "
+      "count that the thumb meets, or the digit that meets most. Workspace shared: volume that the "
+      "opposing tip and any other tip reach, to two digits. Strongest tip: its force in the "
+      "direction of closing, digits half bent.",
       {{"hand", "", -1},
        {"reach", "mm", 0},
        {"Kapandji", "of 10", 0},

@@ -73,6 +73,13 @@ class Compare(unittest.TestCase):
         self.assertEqual(result.returncode, 0, result.stderr)
         return json.loads(self.out.read_text())
 
+    def answer(self):
+        """What the file holds, without which runs computed it."""
+        kept = json.loads(self.out.read_text())
+        self.assertIn("command", kept.pop("provenance"))
+        del kept["sha256"]
+        return kept
+
     def refusal(self, *more, **choice):
         result = self.run_it(*more, **choice)
         self.assertEqual(result.returncode, 1, result.stdout)
@@ -103,17 +110,17 @@ class Compare(unittest.TestCase):
             self.assertEqual((places == "-", share == "-"),
                              (row[0] == "parallel_jaw", row[0] != "parallel_jaw"))
 
-    def test_threads_change_no_byte(self):
+    def test_threads_change_nothing(self):
         self.keep("--threads", "1")
-        first = self.out.read_bytes()
+        first = self.answer()
         self.out.unlink()
         self.keep("--threads", "2")
-        self.assertEqual(self.out.read_bytes(), first)
+        self.assertEqual(self.answer(), first)
 
-    def test_goes_on_where_it_was_stopped_to_the_same_bytes(self):
+    def test_goes_on_where_it_was_stopped_to_the_same_answer(self):
         choice = {"hands": "parallel_jaw,barrett,allegro", "objects": "sphere_70,mug,jar_lid"}
         self.keep(**choice)
-        whole = self.out.read_bytes()
+        whole = self.answer()
         self.out.unlink()
         with subprocess.Popen(self.words(**choice), stdout=subprocess.DEVNULL,
                               stderr=subprocess.PIPE, text=True) as work:
@@ -128,13 +135,15 @@ class Compare(unittest.TestCase):
         self.assertFalse(kept["complete"])
         self.assertTrue(1 <= len(kept["cells"]) < 9, len(kept["cells"]))
         self.assertIn(f"{len(kept['cells'])} of 9 pairs are kept", words)
-        self.keep(**choice)
-        self.assertEqual(self.out.read_bytes(), whole)
+        both = self.keep(**choice)["provenance"]
+        self.assertEqual(both.pop("earlier_runs"), [kept["provenance"]])
+        self.assertEqual(set(both), set(kept["provenance"]))
+        self.assertEqual(self.answer(), whole)
 
     def test_stopped_again_it_loses_nothing(self):
         choice = {"hands": "parallel_jaw,barrett,allegro", "objects": "sphere_70,jar_lid"}
         self.keep(**choice)
-        whole = self.out.read_bytes()
+        whole = self.answer()
         with subprocess.Popen(self.words(**choice), stdout=subprocess.DEVNULL,
                               stderr=subprocess.PIPE, text=True) as work:
             begun = self.out.stat().st_mtime_ns
@@ -145,7 +154,24 @@ class Compare(unittest.TestCase):
         self.assertEqual(work.returncode, 128 + signal.SIGINT, words)
         self.assertEqual(len(json.loads(self.out.read_text())["cells"]), 6)
         self.keep(**choice)
-        self.assertEqual(self.out.read_bytes(), whole)
+        self.assertEqual(self.answer(), whole)
+
+    def test_a_run_that_computes_nothing_leaves_the_file_alone(self):
+        provenance = self.keep()["provenance"]
+        self.assertEqual(provenance["folder"], os.getcwd())
+        self.assertTrue(provenance["command"].startswith("thenar compare --hands parallel_jaw"))
+        before = self.out.read_bytes()
+        self.keep("--threads", "2")
+        self.assertEqual(self.out.read_bytes(), before)
+
+    # The same rows in a table, for spreadsheets; unknown cells are dashes.
+    def test_writes_a_table_and_a_page(self):
+        table, page = self.folder / "hands.csv", self.folder / "hands.html"
+        cells = self.keep("-o", str(table), "--report", str(page))["cells"]
+        header, row = table.read_text().splitlines()
+        self.assertEqual(header.split(",")[:3], ["hand", "object", "closed_percent"])
+        self.assertEqual(row.split(",")[:2], [cells[0]["hand"], cells[0]["object"]])
+        self.assertIn('"command":"thenar compare', page.read_text())
 
     def test_does_not_go_on_with_another_question(self):
         self.keep()
@@ -228,7 +254,8 @@ class Compare(unittest.TestCase):
 
     def test_says_which_numbers_it_wants(self):
         words = self.refusal("--best", "-1")
-        self.assertEqual(words, "thenar: --best: wanted a whole number of at least 0, got -1\n")
+        self.assertEqual(words, "thenar: --best: wanted a whole number of at least 0, got -1; "
+                         "see `thenar compare --help`\n")
 
     def test_says_how_a_mesh_becomes_an_object(self):
         mesh = self.folder / "wedge.obj"

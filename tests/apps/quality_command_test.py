@@ -143,6 +143,22 @@ class Quality(unittest.TestCase):
         self.assertEqual([line["force_closure"] for line in lines], [False, True])
         self.assertEqual(out.read_text(), result.stdout)
 
+    def test_contacts_have_names_and_answers_have_tables(self):
+        csv, whole = self.folder / "all.csv", self.folder / "all.json"
+        result = subprocess.run([PROGRAM, "quality", "two_soft_fingers", self.write(PINCH), "--csv",
+                                 "-o", str(csv), "-o", str(whole)],
+                                capture_output=True, text=True, check=False, timeout=60)
+        self.assertEqual(result.returncode, 0, result.stderr)
+        rows = [line.split(",") for line in csv.read_text().splitlines()]
+        self.assertEqual(result.stdout, csv.read_text())
+        self.assertEqual([row[rows[0].index("force_closure")] for row in rows[1:]], ["yes", "no"])
+        answers = json.loads(whole.read_text())
+        self.assertEqual([a["rank"] for a in answers["answers"]], [6, 5])
+        self.assertTrue(answers["provenance"]["command"].startswith("thenar quality"))
+        wrong = subprocess.run([PROGRAM, "quality", "two_soft_finger"], capture_output=True, text=True,
+                               check=False)
+        self.assertIn("did you mean 'two_soft_fingers'", wrong.stderr)
+
     def test_speaks_in_words_without_json(self):
         text = self.run_on(PINCH).stdout
         for words in ("force closure", "no", "epsilon", "rank", "5 of 6", "cannot make"):

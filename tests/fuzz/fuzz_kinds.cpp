@@ -5,17 +5,16 @@
 #include <fstream>
 #include <iterator>
 
-#include "apps/compare_file.h"
-#include "apps/contact_file.h"
 #include "base/error.h"
 #include "base/file_io.h"
 #include "data/io/anthropometry.h"
 #include "data/io/checked_file.h"
+#include "data/io/contact_file.h"
 #include "data/io/experiment.h"
 #include "data/io/file_kind.h"
 #include "data/io/fit_settings.h"
 #include "data/io/inference_file.h"
-#include "data/io/json_text.h"
+#include "data/io/json_node.h"
 #include "data/io/mesh/mesh_file.h"
 #include "data/io/net_description.h"
 #include "data/io/result_file.h"
@@ -27,6 +26,7 @@
 #include "data/io/world/materials.h"
 #include "data/io/world/world.h"
 #include "geometry/repair_to_solid.h"
+#include "grasp/compare/comparison_file.h"
 #include "tests/data/mesh/cube_files.h"
 #include "tests/data/robot/sample_files.h"
 
@@ -89,19 +89,20 @@ std::string comparison_text() {
   cell.best = {best};
   Comparison comparison;
   comparison.cells = {cell};
-  nlohmann::ordered_json json = comparison_json(comparison);
-  json["inputs"] = nlohmann::ordered_json::object();
-  return json.dump(1);
+  JsonNode file = comparison_node(comparison);
+  file.set("inputs", JsonNode(JsonKind::kObject));
+  return written(file, 1);
 }
 
 /// With a checksum that holds, whatever was changed: else nothing behind it is reached.
-void read_comparison(const std::string& path) {
-  nlohmann::json json = parse_json(path, bytes_in(path));
-  if (json.is_object()) {
-    json["sha256"] = comparison_checksum(json);
-    write_file(path, json.dump());
+void read_comparison_file(const std::string& path) {
+  JsonNode file = parse_json(path, bytes_in(path));
+  if (file.kind == JsonKind::kObject) {
+    file.set("sha256", comparison_checksum(file));
+    write_file(path, written(file));
   }
-  (void)read_cells(path, nlohmann::ordered_json::object());
+  (void)read_comparison(path, JsonNode(JsonKind::kObject),
+                        [](const std::string& name) { return name; });
 }
 
 std::string result_bytes(const std::string& folder) {
@@ -205,7 +206,7 @@ std::vector<FuzzKind> fuzz_kinds(const std::string& folder) {
        [](File path) { (void)world_toml(read_world(path)); }},
       {"materials", data_files({"materials.toml"}), [](File path) { (void)read_materials(path); }},
       {"contacts", {{"a.json", kContacts}}, [](File path) { (void)read_contact_file(path); }},
-      {"comparison", {{"a.json", comparison_text()}}, read_comparison},
+      {"comparison", {{"a.json", comparison_text()}}, read_comparison_file},
       {"urdf", {{"a.urdf", sample::urdf_file()}}, read_robot_file},
       {"mjcf", {{"a.xml", sample::mjcf_file()}}, read_robot_file},
       {"graspit",

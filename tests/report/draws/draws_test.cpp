@@ -1,4 +1,4 @@
-// Tests for report/draws/draws.cpp, chains_block.cpp and forest_block.cpp.
+// Tests for the blocks of report/draws/draws.cpp and chains.cpp.
 
 #include "report/draws/draws.h"
 
@@ -7,6 +7,7 @@
 #include <gtest/gtest.h>
 
 #include "base/error.h"
+#include "report/draws/chains.h"
 #include "tests/report/quantity_samples.h"
 
 namespace thenar {

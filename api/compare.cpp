@@ -1,0 +1,276 @@
+#include "api/compare.h"
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <optional>
+#include <sstream>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "api/data_folders.h"
+#include "api/files.h"
+#include "base/error.h"
+#include "base/file_io.h"
+#include "base/provenance.h"
+#include "data/io/file_kind.h"
+#include "data/io/mesh/mesh_file.h"
+#include "data/io/robot/import_robot.h"
+#include "grasp/compare/compare_hands.h"
+#include "grasp/compare/comparison_file.h"
+
+namespace thenar {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr int kFine = 2500;  // triangles of each link of a human hand: many hands share a page
+constexpr const char* kProgram = "/proc/self/exe";  // of this process, on Linux
+
+/// @throws InputError where there is no object, or a file of another kind
+std::string object_file(const std::string& name, const std::string& data) {
+  std::string file = named_file("object", name, "objects", ".toml", data_folders(data));
+  if (fs::path(file).extension() != ".toml") {
+    const std::string made = fs::path(file).stem().string() + ".toml";
+    throw InputError(
+        fmt::format("'{}' is no object file (TOML): `thenar import {}{} --out {}` makes one; state "
+                    "its mass_g and material there",
+                    file, file, is_mesh_file(file) ? " --units mm" : "", made));
+  }
+  const FileKind kind = find_file_kind(file);
+  require(kind == FileKind::kObject, "'{}' is a file of kind '{}': wanted an object", file,
+          name_of(kind));
+  return file;
+}
+
+ComparedHand to_compare(const NamedHand& named) {
+  ComparedHand hand;
+  hand.name = named.name;
+  hand.hand = named.hand;
+  hand.contact = named.contact;
+  hand.rates = named.rates;
+  hand.warnings = named.warnings;
+  if (named.targets.empty()) return hand;
+  const SkinLandmark& thumb = pad_of(named.patches, "thumb");
+  hand.thumb = {"thumb", thumb.link, thumb.p, 0};
+  for (const OppositionTarget& target : named.targets)
+    hand.places.push_back({target.name, target.mark.link, target.mark.p, target.score});
+  return hand;
+}
+
+template <typename Matrix>
+std::string bytes_of(const Matrix& matrix) {
+  return {reinterpret_cast<const char*>(matrix.data()),
+          static_cast<std::size_t>(matrix.size()) * sizeof(typename Matrix::Scalar)};
+}
+
+/// Corners and triangles of all meshes.
+std::string mesh_bytes(const std::vector<ShapeSpec>& shapes) {
+  std::string bytes;
+  for (const ShapeSpec& shape : shapes)
+    bytes += bytes_of(shape.mesh.vertices) + bytes_of(shape.mesh.triangles);
+  return bytes;
+}
+
+std::string object_hash(const BodySpec& object) {
+  return sha256(object_toml(object) + mesh_bytes(object.shapes));
+}
+
+/// Of what was read, whatever files it came from; of a subject its file; "" if it is built in.
+std::string hand_hash(const std::string& hand, const std::string& data) {
+  const HandSource source = find_hand(hand, data_folders(data));
+  if (source.human) return source.file.empty() ? "" : sha256(read_source(source.file).text);
+  const RobotSpec robot = import_robot(source.file);
+  std::string bytes = robot_toml(robot);
+  for (const RobotLink& link : robot.links) bytes += mesh_bytes(link.shapes);
+  return sha256(bytes);
+}
+
+std::string program_hash() {
+  std::ostringstream bytes;
+  bytes << std::ifstream(kProgram, std::ios::binary).rdbuf();
+  return sha256(bytes.str());
+}
+
+/// The hands by their names; fewer if it is stopped.
+std::vector<NamedHand> hands_of(const CompareRequest& request, const Progress& progress) {
+  HumanHandOptions human;
+  human.skin.drawn = kFine;
+  std::vector<NamedHand> hands;
+  for (const std::string& name : request.hands) {
+    if (progress.stop()) break;
+    hands.push_back(hand_by_name(name, data_folders(request.data), human));
+  }
+  return hands;
+}
+
+/// The objects as their files have them: some may have no material.
+std::vector<BodySpec> objects_of(const CompareRequest& request) {
+  std::vector<BodySpec> objects;
+  for (const std::string& name : request.objects)
+    objects.push_back(read_object(object_file(name, request.data)));
+  return objects;
+}
+
+/// The hands to be compared; a hand warns of what is assumed of the objects.
+std::vector<ComparedHand> compared_hands(const std::vector<NamedHand>& named,
+                                         const std::vector<std::string>& without_material) {
+  std::vector<ComparedHand> hands;
+  for (const NamedHand& each : named) hands.push_back(to_compare(each));
+  for (const std::string& object : without_material)
+    for (ComparedHand& hand : hands)
+      hand.warnings.push_back(fmt::format("no material is stated of object '{}': {} is taken",
+                                          object, kDefaultMaterial));
+  return hands;
+}
+
+CompareOptions options_of(const CompareRequest& request) {
+  CompareOptions options;
+  options.approaches = request.approaches;
+  options.best = request.best;
+  options.threads = request.threads;
+  options.seed = request.seed;
+  options.normalise_size = request.normalise_size;
+  options.tasks.clear();
+  for (const std::string& task : request.tasks) options.tasks.push_back(grasp_task(task));
+  return options;
+}
+
+template <typename Key>
+JsonNode texts_node(const std::map<Key, std::string>& texts) {
+  JsonNode node(JsonKind::kObject);
+  for (const auto& [name, text] : texts) node.set(name, text);
+  return node;
+}
+
+/// SHA-256 of all hands and objects, as "hand barrett" and "object mug".
+JsonNode content_hashes(const CompareRequest& request, const std::vector<BodySpec>& objects) {
+  JsonNode contents(JsonKind::kObject);
+  for (const std::string& hand : request.hands)
+    if (const std::string hash = hand_hash(hand, request.data); !hash.empty())
+      contents.set("hand " + current_hand_name(hand), hash);
+  for (const BodySpec& object : objects) contents.set("object " + object.name, object_hash(object));
+  return contents;
+}
+
+/// What the result depends on, by name: the request without threads, and all that it names.
+JsonNode inputs_of(const CompareRequest& request, const std::vector<BodySpec>& objects) {
+  std::vector<std::string> hands;
+  for (const std::string& hand : request.hands) hands.push_back(current_hand_name(hand));
+  JsonNode inputs;
+  inputs.set("hands", hands)
+      .set("objects", request.objects)
+      .set("tasks", request.tasks)
+      .set("approaches", request.approaches)
+      .set("best", request.best)
+      .set("seed", request.seed)
+      .set("normalise_size", request.normalise_size)
+      .set("contents", content_hashes(request, objects))
+      .set("program", program_hash())
+      .set("versions", texts_node(versions()));
+  return inputs;
+}
+
+/// The same as name -> text.
+std::map<std::string, std::string> input_texts(const JsonNode& inputs, unsigned seed) {
+  std::map<std::string, std::string> texts = versions();
+  const JsonNode& contents = *inputs.find("contents");
+  for (std::size_t i = 0; i < contents.names.size(); ++i)
+    texts[contents.names[i]] = "sha256 " + contents.items[i].text;
+  texts["program"] = "sha256 " + inputs.find("program")->text;
+  texts["seed"] = std::to_string(seed);
+  return texts;
+}
+
+/// Whether there is a cell of that hand and object.
+bool holds(const std::vector<HandOnObject>& cells, const HandOnObject& wanted) {
+  return std::any_of(cells.begin(), cells.end(), [&](const HandOnObject& cell) {
+    return cell.hand == wanted.hand && cell.object == wanted.object;
+  });
+}
+
+void require_fits(const BestGrasp& best, const NamedHand& hand, const std::string& path) {
+  const Eigen::Index angles = hand.hand->layout().lower.size();
+  if (best.q.size() != angles)
+    throw DataError(path, 1,
+                    fmt::format("a posture of '{}' has {} angles, wanted {}", hand.name,
+                                best.q.size(), angles));
+  const auto surfaces = static_cast<int>(hand.hand->surfaces().size());
+  for (const HandContact& contact : best.contacts)
+    if (contact.surface >= surfaces)
+      throw DataError(path, 1,
+                      fmt::format("a contact of '{}' is on surface {}, and it has {}", hand.name,
+                                  contact.surface, surfaces));
+}
+
+/// Postures of a file are of as many joints as the hands have, contacts on surfaces of theirs.
+void require_postures(const std::vector<HandOnObject>& cells, const std::vector<NamedHand>& named,
+                      const std::string& path) {
+  for (const HandOnObject& cell : cells)
+    for (const NamedHand& hand : named)
+      for (const BestGrasp& best : cell.best)
+        if (hand.name == cell.hand) require_fits(best, hand, path);
+}
+
+/// With what an earlier run left and this one did not come to.
+Comparison joined(Comparison comparison, const std::vector<HandOnObject>& done) {
+  for (const HandOnObject& cell : done)
+    if (!holds(comparison.cells, cell)) comparison.cells.push_back(cell);
+  return comparison;
+}
+
+/// Compares what an earlier run has not, and keeps it in the file.
+Comparison go_on(const CompareRequest& request, const JsonNode& inputs,
+                 const std::vector<NamedHand>& named, const std::vector<ComparedHand>& hands,
+                 const std::vector<BodySpec>& objects, const Progress& progress) {
+  KeptComparison kept;
+  std::optional<FileLock> lock;  // another comparison would drop our cells, and we its
+  if (!request.file.empty()) {
+    lock.emplace(request.file);
+    kept = read_comparison(request.file, inputs, current_hand_name);
+    require_postures(kept.cells, named, request.file);
+  }
+  // The file names this run only if it computed something.
+  JsonNode provenance = kept.provenance;
+  const auto save = [&](const Comparison& comparison) {
+    if (!request.file.empty())
+      write_comparison(request.file, joined(comparison, kept.cells), inputs, provenance);
+  };
+  CompareOptions options = options_of(request);
+  options.keep = [&](const Comparison& comparison) {
+    const bool all_old = std::all_of(comparison.cells.begin(), comparison.cells.end(),
+                                     [&](const auto& cell) { return holds(kept.cells, cell); });
+    if (!all_old && !request.run.arguments.empty())
+      provenance = next_provenance(kept.provenance, request.run);
+    save(comparison);
+  };
+  const Comparison comparison = compare(hands, objects, options, progress, kept.cells);
+  save(comparison);
+  return joined(comparison, kept.cells);
+}
+
+}  // namespace
+
+HandComparison compare_hands(const CompareRequest& request, const Progress& progress) {
+  HandComparison result;
+  result.file = request.file;
+  result.objects = objects_of(request);
+  std::vector<std::string> without_material;
+  for (std::size_t i = 0; i < result.objects.size(); ++i)
+    if (result.objects[i].material.empty()) {
+      without_material.push_back(request.objects[i]);
+      result.objects[i].material = kDefaultMaterial;
+    }
+  const JsonNode inputs = inputs_of(request, result.objects);
+  result.inputs = input_texts(inputs, request.seed);
+  if (!request.file.empty()) require_writable(request.file);
+  result.hands = hands_of(request, progress);
+  if (result.hands.size() < request.hands.size()) return result;  // stopped
+  result.comparison =
+      go_on(request, inputs, result.hands, compared_hands(result.hands, without_material),
+            result.objects, progress);
+  return result;
+}
+
+}  // namespace thenar

@@ -1,0 +1,139 @@
+#include "api/contact_warnings.h"
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+namespace thenar {
+namespace {
+
+constexpr double kNormalRounding = 1e-3;  // of a unit normal's length: rounded, not odd [1]
+constexpr double kFarOverScale = 20;      // from the centre, in torque scales: in another unit [1]
+constexpr double kFar = 5;                // from the centre: no object that a hand holds [m]
+constexpr double kLargestFriction = 5;    // more is an angle [1]
+
+/// Cones of the file, with their numbers.
+struct Numbered {
+  int number;
+  const FileContact* contact;
+};
+
+std::vector<Numbered> cones_of(const ContactFile& file) {
+  std::vector<Numbered> cones;
+  for (std::size_t i = 0; i < file.contacts.size(); ++i)
+    if (file.contacts[i].wrenches.empty())
+      cones.push_back({static_cast<int>(i), &file.contacts[i]});
+  return cones;
+}
+
+Contact contact_of(const FileContact& given) {
+  return {given.position, given.normal, given.friction, given.torsion, given.patch};
+}
+
+/// The first of some contacts.
+const FileContact& at(const ContactFile& file, const std::vector<int>& numbers) {
+  return file.contacts[static_cast<std::size_t>(numbers.front())];
+}
+
+/// "contacts 0, 3, 4 and 9 more".
+std::string listed_contacts(std::vector<int> numbers) {
+  constexpr std::size_t kNamed = 6;
+  const std::size_t all = numbers.size();
+  numbers.resize(std::min(all, kNamed));
+  return fmt::format("contact{} {}{}", all == 1 ? "" : "s", fmt::join(numbers, ", "),
+                     all > kNamed ? fmt::format(" and {} more", all - kNamed) : "");
+}
+
+template <typename Odd>
+std::vector<int> those(const std::vector<Numbered>& cones, Odd odd) {
+  std::vector<int> numbers;
+  for (const Numbered& cone : cones)
+    if (odd(*cone.contact)) numbers.push_back(cone.number);
+  return numbers;
+}
+
+/// Distance from the centre of mass [m] (3).
+Eigen::Vector3d arm_of(const FileContact& contact, const ContactFile& file) {
+  return contact.position - file.centre_of_mass;
+}
+
+void add_normals(const ContactFile& file, const std::vector<Numbered>& cones,
+                 std::vector<std::string>& warnings) {
+  const std::vector<int> not_unit = those(
+      cones, [](const FileContact& c) { return std::abs(c.normal_length - 1) >= kNormalRounding; });
+  if (!not_unit.empty())
+    warnings.push_back(fmt::format("a normal of length {:.6g} was made unit: {}",
+                                   at(file, not_unit).normal_length, listed_contacts(not_unit)));
+}
+
+void add_far(const ContactFile& file, const std::vector<Numbered>& cones,
+             std::vector<std::string>& warnings) {
+  const std::vector<int> far = those(cones, [&](const FileContact& c) {
+    return arm_of(c, file).norm() > std::min(kFar, kFarOverScale * file.torque_scale);
+  });
+  if (far.empty()) return;
+  const double r = arm_of(at(file, far), file).norm();
+  warnings.push_back(fmt::format(
+      "{:.4g} m, or {:.4g} torque scales, from the centre of mass: {}; lengths are in metres, "
+      "are these millimetres?",
+      r, r / file.torque_scale, listed_contacts(far)));
+}
+
+void add_outward(const ContactFile& file, const std::vector<Numbered>& cones,
+                 std::vector<std::string>& warnings) {
+  const std::vector<int> outward =
+      those(cones, [&](const FileContact& c) { return c.normal.dot(arm_of(c, file)) > 0; });
+  if (!cones.empty() && outward.size() == cones.size())
+    warnings.emplace_back(
+        "all normals point away from the centre of mass; they are to point into the object, were "
+        "these outward ones?");
+}
+
+void add_repeated(const std::vector<Numbered>& cones, std::vector<std::string>& warnings) {
+  std::vector<Contact> places;
+  for (const Numbered& cone : cones) places.push_back(contact_of(*cone.contact));
+  const std::vector<int> region = contact_regions(places);
+  std::set<int> met;
+  std::vector<int> repeated;
+  for (std::size_t i = 0; i < cones.size(); ++i)
+    if (!met.insert(region[i]).second && places[i].patch < 0) repeated.push_back(cones[i].number);
+  if (!repeated.empty())
+    warnings.push_back(
+        fmt::format("the place and normal of another contact: {}; one limit counts, "
+                    "give each a patch if there are two",
+                    listed_contacts(repeated)));
+}
+
+void add_rough(const ContactFile& file, const std::vector<Numbered>& cones,
+               std::vector<std::string>& warnings) {
+  const std::vector<int> rough =
+      those(cones, [](const FileContact& c) { return c.friction > kLargestFriction; });
+  if (!rough.empty())
+    warnings.push_back(
+        fmt::format("friction {:.4g}: {}; a coefficient is wanted, is this an angle?",
+                    at(file, rough).friction, listed_contacts(rough)));
+}
+
+}  // namespace
+
+std::vector<std::string> contact_warnings(const ContactFile& file) {
+  const std::vector<Numbered> cones = cones_of(file);
+  std::vector<std::string> warnings;
+  add_normals(file, cones, warnings);
+  add_far(file, cones, warnings);
+  add_outward(file, cones, warnings);
+  add_repeated(cones, warnings);
+  add_rough(file, cones, warnings);
+  return warnings;
+}
+
+std::vector<Contact> contacts_of(const ContactFile& file) {
+  std::vector<Contact> contacts;
+  for (const FileContact& each : file.contacts) contacts.push_back(contact_of(each));
+  return contacts;
+}
+
+}  // namespace thenar

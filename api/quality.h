@@ -1,0 +1,67 @@
+#pragma once
+
+/// How good a grasp is, told by its contacts alone: no hand, no motors.
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "grasp/contact/wrench_set.h"
+#include "grasp/quality/epsilon.h"
+#include "grasp/quality/grasp_matrix.h"
+#include "grasp/quality/volume.h"
+#include "solvers/status.h"
+
+namespace thenar {
+
+/// Which contacts, and how they are measured.
+struct QualityRequest {
+  std::string contacts;             // a file, or the name of one of contacts/
+  std::string text;                 // the contacts themselves (JSON); empty: read from the file
+  int line = 1;                     // number of the first line of `text`, for messages
+  std::string data;                 // folder with contacts/; empty: the usual ones
+  ForceNorm norm = ForceNorm::kL1;  // how the forces of all contacts are limited together
+  double gap = 1e-3;                // of epsilon, between its bounds, > 0 [1]
+  int edges = 0;                    // of friction pyramids, 3 to 1000; 0: the true cones
+  double first_edge = 0;            // about the normal, from the first tangent [rad]
+  bool volume = true;               // takes 80 to 5,000 times as long as epsilon
+};
+
+/// How much of a task contacts withstand whose normal forces are limited to 1 N.
+struct TaskQuality {
+  Status status = Status::kSolved;
+  std::optional<double> lower, upper;  // of the multiple of the task that is withstood [1]; none: a
+                                       // program did not end; infinite: there is no load
+  ScaledWrench worst_load;             // that is withstood least [N, N m] (6)
+  double residual = 0;                 // largest of the KKT conditions of the programs [1]
+  std::vector<std::optional<double>>
+      grasp_forces;  // least limit that withstands each load of a list [N];
+                     // infinite: none does; none: not known (loads)
+};
+
+/// Qualities of a contact set.
+struct ContactQuality {
+  std::string contacts;  // file that was read
+  std::size_t count = 0;
+  double torque_scale = 0;  // by which torques are divided [m]
+  bool planar = false;      // forces in a plane, torques about its normal
+  Epsilon epsilon{};
+  std::optional<Volume> volume;                     // none: not asked, or not known of a plane
+  std::optional<GraspMatrixMeasures> grasp_matrix;  // none where a contact has its own wrenches
+  std::optional<TaskQuality> task;                  // none: the file has no task
+  double epsilon_cpu = 0, volume_cpu = 0;  // processor time; the first with making the wrenches [s]
+  std::vector<std::string> warnings;  // keys ignored, normals made unit, what looks like a mistake
+};
+
+/// Checks all that does not depend on the contacts.
+/// @throws InputError for a gap that is not positive, or edges out of their range.
+void require_valid(const QualityRequest& request);
+
+/// Reads contacts and computes their epsilon, volume, grasp matrix and task margin.
+/// @throws InputError as require_valid(), or if there are no such contacts; DataError where the
+/// file is
+///         wrong.
+[[nodiscard]] ContactQuality contact_quality(const QualityRequest& request);
+
+}  // namespace thenar

@@ -1,0 +1,146 @@
+#include "data/io/contact_file.h"
+
+#include <set>
+#include <utility>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "data/io/file_guard.h"
+#include "data/io/json_node.h"
+
+namespace thenar {
+namespace {
+
+using Names = std::vector<std::string>;
+
+constexpr double kSmallest = 1e-12;          // scale or length of a normal [m], [1]
+constexpr std::size_t kMostContacts = 1000;  // a palm full of points; hulls take minutes beyond
+
+/// A place or direction; in a plane two numbers, and 0.
+Eigen::Vector3d place_of(const JsonValue& value, bool planar) {
+  const std::vector<double> p = value.numbers(planar ? 2 : 3);
+  return {p[0], p[1], planar ? 0 : p[2]};
+}
+
+/// Force and torque; in a plane f_x, f_y and the torque.
+FileWrench wrench_of(const JsonValue& value, bool planar) {
+  const std::vector<double> w = value.numbers(planar ? 3 : 6);
+  FileWrench wrench = FileWrench::Zero();
+  if (planar)
+    wrench << w[0], w[1], 0, 0, 0, w[2];
+  else
+    wrench << w[0], w[1], w[2], w[3], w[4], w[5];
+  return wrench;
+}
+
+double not_negative(const JsonValue& value) {
+  const double number = value.number("a number >= 0");
+  if (number < 0) value.fail_wanted("a number >= 0");
+  return number;
+}
+
+double positive(const JsonValue& value) {
+  const double number = value.number("a number > 0");
+  if (number <= 0) value.fail_wanted("a number > 0");
+  if (number < kSmallest) value.fail_wanted(fmt::format("at least {:g}", kSmallest));
+  return number;
+}
+
+FileContact contact_with_wrenches(const JsonValue& value, bool planar) {
+  FileContact result;
+  if (value.gives("position")) result.position = place_of(value["position"], planar);
+  if (value.gives("normal")) (void)place_of(value["normal"], planar);
+  if (value.gives("friction")) result.friction = not_negative(value["friction"]);
+  const JsonValue wrenches = value["wrenches"];
+  for (const JsonValue& wrench : wrenches.entries("a list of wrenches"))
+    result.wrenches.push_back(wrench_of(wrench, planar));
+  if (result.wrenches.empty()) wrenches.fail_wanted("at least one wrench");
+  return result;
+}
+
+FileContact contact_with_cone(const JsonValue& value, bool planar) {
+  FileContact result;
+  result.position = place_of(value["position"], planar);
+  const JsonValue normal = value["normal"];
+  result.normal = place_of(normal, planar);
+  result.normal_length = result.normal.stableNorm();
+  if (result.normal_length < kSmallest) normal.fail_wanted("a direction");
+  result.normal /= result.normal_length;
+  result.friction = not_negative(value["friction"]);
+  return result;
+}
+
+FileContact file_contact(const JsonValue& value, bool planar) {
+  FileContact result = value.gives("wrenches") ? contact_with_wrenches(value, planar)
+                                               : contact_with_cone(value, planar);
+  if (value.gives("torsion")) result.torsion = not_negative(value["torsion"]);
+  if (planar && result.torsion > 0)
+    value["torsion"].fail("torsion is about the normal, which lies in the plane: leave it out");
+  if (value.gives("patch")) result.patch = value["patch"].count();
+  return result;
+}
+
+std::vector<FileWrench> wrenches_in(const JsonValue& list, bool planar, const char* what) {
+  std::vector<FileWrench> wrenches;
+  for (const JsonValue& each : list.entries(what)) wrenches.push_back(wrench_of(each, planar));
+  if (wrenches.empty()) list.fail_wanted(what);
+  return wrenches;
+}
+
+FileTask file_task(const JsonValue& value, bool planar, std::set<std::string>& ignored) {
+  const Names others = value.others_than({"loads", "box", "ellipsoid"});
+  ignored.insert(others.begin(), others.end());
+  const int given = (value.gives("loads") ? 1 : 0) + (value.gives("box") ? 1 : 0) +
+                    (value.gives("ellipsoid") ? 1 : 0);
+  if (given != 1) value.fail_wanted("one of loads, box and ellipsoid");
+  if (value.gives("loads"))
+    return {FileTask::Kind::kLoads, wrenches_in(value["loads"], planar, "a list of loads")};
+  if (value.gives("ellipsoid"))
+    return {FileTask::Kind::kEllipsoid,
+            wrenches_in(value["ellipsoid"], planar, "a list of semi-axes")};
+  const JsonValue box = value["box"];
+  FileTask task{FileTask::Kind::kBox, wrenches_in(box, planar, "two loads")};
+  if (task.loads.size() != 2 || (task.loads[0].array() > task.loads[1].array()).any())
+    box.fail_wanted("two loads, the lower and the upper end");
+  return task;
+}
+
+}  // namespace
+
+ContactFile read_contact_file(const std::string& path) {
+  return parse_contacts(path, read_guarded(path, GuardedKind::kJson), 1);
+}
+
+ContactFile parse_contacts(const std::string& path, const std::string& text, int first_line) {
+  const JsonNode parsed = parse_json(path, text, first_line);
+  const JsonValue root(path, parsed);
+  const Names of_file =
+      root.others_than({"centre_of_mass", "torque_scale", "contacts", "task", "name", "source"});
+  std::set<std::string> ignored(of_file.begin(), of_file.end());
+  // The plane or space, and what all torques need.
+  const bool planar = root["centre_of_mass"].size() == 2;
+  ContactFile file;
+  file.path = path;
+  file.planar = planar;
+  file.centre_of_mass = place_of(root["centre_of_mass"], planar);
+  file.torque_scale = positive(root["torque_scale"]);
+  // The contacts.
+  const JsonValue contacts = root["contacts"];
+  if (contacts.size() > kMostContacts)
+    contacts.fail(
+        fmt::format("wanted at most {} contacts, got {}", kMostContacts, contacts.size()));
+  for (const JsonValue& contact : contacts.entries("a list of contacts")) {
+    const Names of_contact = contact.others_than(
+        {"position", "normal", "friction", "torsion", "wrenches", "patch", "name"});
+    ignored.insert(of_contact.begin(), of_contact.end());
+    file.contacts.push_back(file_contact(contact, planar));
+  }
+  if (root.gives("task")) file.task = file_task(root["task"], planar, ignored);
+  if (!ignored.empty())
+    file.warnings.push_back(
+        fmt::format("ignored, as it is not known: {}", fmt::join(ignored, ", ")));
+  return file;
+}
+
+}  // namespace thenar

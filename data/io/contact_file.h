@@ -1,0 +1,62 @@
+#pragma once
+
+/// Contact sets: the contacts of a grasp and what it is for, as JSON files have them.
+
+#include <string>
+#include <vector>
+
+#include <Eigen/Core>
+
+namespace thenar {
+
+using FileWrench = Eigen::Matrix<double, 6, 1>;  // force, then torque (6)
+
+/// A contact as a file gives it.
+struct FileContact {
+  Eigen::Vector3d position{0, 0, 0};  // [m] (3)
+  Eigen::Vector3d normal{0, 0, 1};    // unit, into the object (3)
+  double normal_length = 1;           // as given, before it was made unit [1]
+  double friction = 0;                // Coulomb's coefficient [1]
+  double torsion = 0;                 // torque about the normal per normal force [m]
+  int patch = -1;                     // contacts of one number are one face; -1: its own
+  std::vector<FileWrench> wrenches;   // in place of the cone, torques already divided by the scale
+                                      // [N] (6); empty: the cone counts
+};
+
+/// What a grasp is for: loads on the object, about its centre of mass.
+struct FileTask {
+  enum class Kind { kNone, kLoads, kBox, kEllipsoid };
+  Kind kind = Kind::kNone;
+  std::vector<FileWrench> loads;  // each load; or the lower and upper end of a box; or semi-axes
+                                  // [N, N m] (6)
+};
+
+/// A contact set.
+struct ContactFile {
+  std::string path;                // of the file, or what stands for it in messages
+  Eigen::Vector3d centre_of_mass;  // [m] (3)
+  double torque_scale = 0;         // by which torques are divided [m]
+  std::vector<FileContact> contacts;
+  FileTask task;
+  bool planar = false;                // in the plane z = 0, wrenches f_x, f_y and torque about z
+  std::vector<std::string> warnings;  // of keys that are ignored
+};
+
+/// Reads {"centre_of_mass": [x, y, z], "torque_scale": m, "contacts": [{"position": [x, y, z],
+/// "normal": [x, y, z], "friction": mu, "torsion": m?, "wrenches": [[fx, fy, fz, tx, ty, tz],
+/// ...]?}]}; see docs/data_format.md. Normals are made unit. A contact with wrenches needs no
+/// position, normal and friction. What may be left out may be null; no number may be beyond 1e12,
+/// no scale below 1e-12. Keys that are not known are ignored with a warning, but for those that
+/// look like a known one misspelt. With two numbers for the centre of mass everything is in a
+/// plane: places and normals of two numbers, wrenches and loads of three (f_x, f_y, torque), no
+/// torsion.
+/// @throws DataError `path:line: ...`: what was wanted, and what came.
+[[nodiscard]] ContactFile read_contact_file(const std::string& path);
+
+/// The same of a text, such as one line of a stream.
+/// @param path        what stands for the file in messages
+/// @param first_line  number of the text's first line
+[[nodiscard]] ContactFile parse_contacts(const std::string& path, const std::string& text,
+                                         int first_line = 1);
+
+}  // namespace thenar

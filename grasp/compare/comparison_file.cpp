@@ -1,0 +1,413 @@
+#include "grasp/compare/comparison_file.h"
+
+#include <cmath>
+#include <filesystem>
+
+#include <fmt/format.h>
+
+#include "base/error.h"
+#include "base/file_io.h"
+#include "base/numbers.h"
+#include "base/provenance.h"
+#include "data/io/file_guard.h"
+
+namespace thenar {
+namespace {
+
+constexpr const char* kInfinite = "infinite";
+constexpr const char* kEarlierRuns = "earlier_runs";
+
+/// JSON has no infinity; what is not known is null.
+JsonNode number_node(double value) {
+  if (std::isinf(value)) return JsonNode(kInfinite);
+  return std::isnan(value) ? JsonNode() : JsonNode(value);
+}
+
+// ---- what a cell may hold: whoever seals a file anew may write anything
+
+constexpr double kLargestScale = 1000;      // of an object, and the inverse of the smallest [1]
+constexpr double kFarthest = 1000;          // of a place [m]
+constexpr double kStrongest = 1e12;         // of loads and qualities [N], [1], [N m]
+constexpr double kUnit = 1e-6;              // by which directions may be off [1]
+constexpr int kMaxApproaches = 10'000'000;  // of approaches
+
+/// What is wrong with a cell, and where.
+struct BrokenCell {
+  int line;
+  std::string complaint;
+};
+
+[[noreturn]] void refuse(const std::string& name, const std::string& wanted, const JsonNode& got) {
+  constexpr std::size_t kQuoted = 100;
+  throw BrokenCell{got.line, fmt::format("'{}': wanted {}, got {}", name, wanted,
+                                         canonical_text(got).substr(0, kQuoted))};
+}
+
+const JsonNode& member(const JsonNode& node, const std::string& name) {
+  const JsonNode* found = node.find(name);
+  if (found == nullptr) throw BrokenCell{node.line, fmt::format("there is no '{}'", name)};
+  return *found;
+}
+
+/// A finite number between two.
+double within(const JsonNode& value, const std::string& name, double low, double high) {
+  if (value.kind == JsonKind::kNumber && value.number >= low && value.number <= high)
+    return value.number;
+  refuse(name, fmt::format("a number from {} to {}", low, high), value);
+}
+
+/// A whole number between two.
+int whole(const JsonNode& value, const std::string& name, int low, int high) {
+  if (value.kind == JsonKind::kNumber && value.whole && value.number >= low && value.number <= high)
+    return static_cast<int>(value.number);
+  refuse(name, fmt::format("a whole number from {} to {}", low, high), value);
+}
+
+const std::string& text(const JsonNode& value, const std::string& name) {
+  if (value.kind != JsonKind::kText) refuse(name, "a text", value);
+  return value.text;
+}
+
+/// A load or a quality: >= 0, may be infinite, or not known.
+double load_of(const JsonNode& value, const std::string& name) {
+  if (value.kind == JsonKind::kNull) return kNaN;
+  if (value.kind == JsonKind::kText && value.text == kInfinite) return kInfinity;
+  return within(value, name, 0, kStrongest);
+}
+
+/// Loads of at most `most` grasps, ascending.
+Eigen::VectorXd loads_of(const JsonNode& list, const std::string& name, int most) {
+  if (list.kind != JsonKind::kArray || list.items.size() > static_cast<std::size_t>(most))
+    refuse(name, fmt::format("at most {} numbers", most), list);
+  Eigen::VectorXd out(static_cast<Eigen::Index>(list.items.size()));
+  for (Eigen::Index i = 0; i < out.size(); ++i) {
+    out[i] = load_of(list.items[static_cast<std::size_t>(i)], name);
+    if (!(out[i] >= (i > 0 ? out[i - 1] : 0))) refuse(name, "numbers that do not fall", list);
+  }
+  return out;
+}
+
+/// Finite numbers, none beyond `most`.
+Eigen::VectorXd vector(const JsonNode& list, const std::string& name, double most) {
+  if (list.kind != JsonKind::kArray) refuse(name, "a list of numbers", list);
+  Eigen::VectorXd out(static_cast<Eigen::Index>(list.items.size()));
+  for (std::size_t i = 0; i < list.items.size(); ++i)
+    out[static_cast<Eigen::Index>(i)] = within(list.items[i], name, -most, most);
+  return out;
+}
+
+/// Three numbers, as every place and direction has.
+Eigen::Vector3d vector3(const JsonNode& list, const std::string& name, double most) {
+  const Eigen::VectorXd read = vector(list, name, most);
+  if (read.size() != 3) refuse(name, "3 numbers", list);
+  return read;
+}
+
+Eigen::Matrix3d rotation_of(const JsonNode& rows) {
+  Eigen::Matrix3d R;
+  if (rows.items.size() != 3) refuse("rotation", "3 rows", rows);
+  for (int i = 0; i < 3; ++i)
+    R.row(i) = vector3(rows.items[static_cast<std::size_t>(i)], "rotation", 1 + kUnit).transpose();
+  if (!(R * R.transpose()).isIdentity(kUnit) || R.determinant() < 0)
+    refuse("rotation", "the rows of a rotation", rows);
+  return R;
+}
+
+JsonNode margin_node(const std::map<std::string, double>& margins) {
+  JsonNode out(JsonKind::kObject);
+  for (const auto& [task, margin] : margins)
+    out.set(load_key(grasp_task(task)), number_node(margin));
+  return out;
+}
+
+std::map<std::string, double> margins_of(const JsonNode& json) {
+  std::map<std::string, double> margins;
+  for (const GraspTask task :
+       {GraspTask::kForceClosure, GraspTask::kHoldWeight, GraspTask::kPull, GraspTask::kTurn})
+    if (const JsonNode* found = json.find(load_key(task)))
+      margins[name_of(task)] = load_of(*found, load_key(task));
+  return margins;
+}
+
+/// Numbers, some of which may be infinite or unknown.
+template <typename Vector>
+JsonNode numbers_node(const Vector& values) {
+  JsonNode list(JsonKind::kArray);
+  for (Eigen::Index i = 0; i < values.size(); ++i) list.items.push_back(number_node(values[i]));
+  return list;
+}
+
+JsonNode rows_node(const Eigen::Matrix3d& R) {
+  JsonNode rows(JsonKind::kArray);
+  for (int i = 0; i < 3; ++i) rows.items.push_back(numbers_node(R.row(i)));
+  return rows;
+}
+
+template <typename Value>
+JsonNode map_node(const std::map<std::string, Value>& values) {
+  JsonNode out(JsonKind::kObject);
+  for (const auto& [name, value] : values) out.set(name, value);
+  return out;
+}
+
+JsonNode contact_node(const HandContact& contact) {
+  JsonNode out;
+  out.set("position_m", numbers_node(contact.contact.p))
+      .set("normal", numbers_node(contact.contact.n))
+      .set("friction", contact.contact.friction)
+      .set("torsion_m", contact.contact.torsion)
+      .set("surface", contact.surface)
+      .set("depth_m", contact.depth);
+  return out;
+}
+
+HandContact contact_of(const JsonNode& json) {
+  HandContact contact;
+  constexpr double kRoughest = 100;  // nothing real has more friction [1]
+  contact.contact.p = vector3(member(json, "position_m"), "position_m", kFarthest);
+  contact.contact.n = vector3(member(json, "normal"), "normal", 1 + kUnit);
+  if (std::abs(contact.contact.n.norm() - 1) > kUnit)
+    refuse("normal", "a direction of length 1", member(json, "normal"));
+  contact.contact.friction = within(member(json, "friction"), "friction", 0, kRoughest);
+  contact.contact.torsion = within(member(json, "torsion_m"), "torsion_m", 0, kFarthest);
+  contact.surface = whole(member(json, "surface"), "surface", -1, kMaxApproaches);
+  contact.depth = within(member(json, "depth_m"), "depth_m", -kFarthest, kFarthest);
+  return contact;
+}
+
+JsonNode best_node(const BestGrasp& best) {
+  JsonNode contacts(JsonKind::kArray);
+  for (const HandContact& contact : best.contacts) contacts.items.push_back(contact_node(contact));
+  JsonNode out;
+  out.set("approach", best.approach)
+      .set("epsilon", best.epsilon)
+      .set("type", best.type)
+      .set("hold_N", number_node(best.min_grasp_force))
+      .set("hand_epsilon_N", number_node(best.hand_epsilon))
+      .set("margin", margin_node(best.margin))
+      .set("reasons", map_node(best.reasons))
+      .set("rotation", rows_node(best.X_WH.R))
+      .set("position_m", numbers_node(best.X_WH.p))
+      .set("q", numbers_node(best.q))
+      .set("contacts", contacts);
+  return out;
+}
+
+BestGrasp best_of(const JsonNode& json, int approaches) {
+  constexpr double kLongest = 1000;  // of a posture's entries [rad] or [m]
+  BestGrasp best;
+  best.approach = whole(member(json, "approach"), "approach", 0, approaches - 1);
+  best.epsilon = within(member(json, "epsilon"), "epsilon", 0, kStrongest);
+  best.type = text(member(json, "type"), "type");
+  best.min_grasp_force = load_of(member(json, "hold_N"), "hold_N");
+  best.hand_epsilon = load_of(member(json, "hand_epsilon_N"), "hand_epsilon_N");
+  best.margin = margins_of(member(json, "margin"));
+  const JsonNode& reasons = member(json, "reasons");
+  for (std::size_t i = 0; i < reasons.names.size(); ++i)
+    best.reasons[reasons.names[i]] = text(reasons.items[i], "reasons");
+  best.X_WH.R = rotation_of(member(json, "rotation"));
+  best.X_WH.p = vector3(member(json, "position_m"), "position_m", kFarthest);
+  best.q = vector(member(json, "q"), "q", kLongest);
+  for (const JsonNode& contact : member(json, "contacts").items)
+    best.contacts.push_back(contact_of(contact));
+  return best;
+}
+
+JsonNode cell_node(const HandOnObject& cell) {
+  JsonNode outcomes(JsonKind::kObject), grasps(JsonKind::kArray);
+  for (std::size_t i = 0; i < cell.outcomes.size(); ++i)
+    outcomes.set(name_of(static_cast<GraspOutcome>(i)), cell.outcomes[i]);
+  for (const BestGrasp& best : cell.best) grasps.items.push_back(best_node(best));
+  JsonNode out;
+  out.set("hand", cell.hand)
+      .set("object", cell.object)
+      .set("scale", cell.scale)
+      .set("approaches", cell.approaches)
+      .set("outcomes", outcomes)
+      .set("closures", cell.closures)
+      .set("success", cell.success)
+      .set("success_lower", cell.interval.lower)
+      .set("success_upper", cell.interval.upper)
+      .set("epsilon", numbers_node(cell.epsilon))
+      .set("hand_epsilon_N", numbers_node(cell.hand_epsilon))
+      .set("types", map_node(cell.types))
+      .set("best", grasps);
+  return out;
+}
+
+/// Counts of a cell, which must add up.
+void read_counts(const JsonNode& json, HandOnObject& cell) {
+  cell.approaches = whole(member(json, "approaches"), "approaches", 1, kMaxApproaches);
+  int ended = 0;
+  for (std::size_t i = 0; i < cell.outcomes.size(); ++i) {
+    const std::string name = name_of(static_cast<GraspOutcome>(i));
+    cell.outcomes[i] =
+        whole(member(member(json, "outcomes"), name), name, 0, cell.approaches - ended);
+    ended += cell.outcomes[i];
+  }
+  cell.closures = whole(member(json, "closures"), "closures", 0, cell.approaches);
+  int typed = 0;
+  const JsonNode& types = member(json, "types");
+  for (std::size_t i = 0; i < types.names.size(); ++i) {
+    const int count = whole(types.items[i], "types", 1, cell.closures - typed);
+    cell.types[types.names[i]] = count;
+    typed += count;
+  }
+  const double share = static_cast<double>(cell.closures) / cell.approaches;
+  cell.success = within(member(json, "success"), "success", share - kUnit, share + kUnit);
+  cell.interval.lower = within(member(json, "success_lower"), "success_lower", 0, 1);
+  cell.interval.upper =
+      within(member(json, "success_upper"), "success_upper", cell.interval.lower, 1);
+}
+
+HandOnObject cell_of(const JsonNode& json) {
+  HandOnObject cell;
+  cell.hand = text(member(json, "hand"), "hand");
+  cell.object = text(member(json, "object"), "object");
+  cell.scale = within(member(json, "scale"), "scale", 1 / kLargestScale, kLargestScale);
+  read_counts(json, cell);
+  cell.epsilon = loads_of(member(json, "epsilon"), "epsilon", cell.closures);
+  if (cell.epsilon.size() != cell.closures)
+    refuse("epsilon", fmt::format("{} numbers", cell.closures), member(json, "epsilon"));
+  cell.hand_epsilon = loads_of(member(json, "hand_epsilon_N"), "hand_epsilon_N", cell.closures);
+  const JsonNode& best = member(json, "best");
+  if (best.kind != JsonKind::kArray || best.items.size() > static_cast<std::size_t>(cell.closures))
+    refuse("best", fmt::format("at most {} grasps", cell.closures), best);
+  for (const JsonNode& grasp : best.items) cell.best.push_back(best_of(grasp, cell.approaches));
+  return cell;
+}
+
+JsonNode digit_node(const DigitAbility& digit) {
+  JsonNode out;
+  out.set("digit", digit.digit).set("dimension", digit.dimension);
+  if (digit.dimension > 0) {
+    const std::string unit = digit.dimension == 1 ? "m" : fmt::format("m{}", digit.dimension);
+    out.set("workspace_" + unit, digit.workspace);
+    out.set("workspace_error_" + unit, digit.workspace_error);
+  }
+  out.set("closing_force_N", number_node(digit.closing_force));
+  out.set("largest_force_N", number_node(digit.max_tip_force));
+  return out;
+}
+
+JsonNode abilities_node(const HandAbilities& hand) {
+  const bool places = is_kapandji(hand);
+  JsonNode digits(JsonKind::kArray), out;
+  for (const DigitAbility& digit : hand.digits) digits.items.push_back(digit_node(digit));
+  out.set("hand", hand.hand)
+      .set("reach_m", hand.reach)
+      .set("kapandji_of_10", places ? number_node(hand.opposition) : JsonNode())
+      .set("tips_met_share", places ? JsonNode() : number_node(hand.opposition / 10))
+      .set("opposition_scale", hand.opposition_scale)
+      .set("reached", hand.reached)
+      .set("overlap_m3", hand.overlap)
+      .set("types", hand.types)
+      .set("digits", digits);
+  return out;
+}
+
+using HandName = std::function<std::string(const std::string&)>;
+
+/// Gives hands their names of today; what is broken is left as it is.
+void rename_hands(JsonNode& file, const HandName& name) {
+  const auto rename = [&](JsonNode& hand) {
+    if (hand.kind == JsonKind::kText) hand.text = name(hand.text);
+  };
+  if (JsonNode* inputs = file.find("inputs")) {
+    if (JsonNode* hands = inputs->find("hands"))
+      for (JsonNode& hand : hands->items) rename(hand);
+    if (JsonNode* contents = inputs->find("contents"))
+      for (std::string& what : contents->names)
+        if (what.rfind("hand ", 0) == 0) what = name(what);
+  }
+  if (JsonNode* cells = file.find("cells"))
+    for (JsonNode& cell : cells->items)
+      if (JsonNode* hand = cell.find("hand")) rename(*hand);
+}
+
+/// Refuses a file whose content is not what was sealed.
+void check_seal(const std::string& path, const JsonNode& file) {
+  const JsonNode* sum = file.find("sha256");
+  if (sum == nullptr)
+    throw DataError(path, 1,
+                    "its checksum (SHA-256) is missing: it was damaged, or written by an older "
+                    "version; remove it, or name another file");
+  if (*sum != JsonNode(comparison_checksum(file)))
+    throw DataError(path, 1, "its checksum (SHA-256) does not hold: it was damaged or changed");
+}
+
+}  // namespace
+
+JsonNode comparison_node(const Comparison& comparison) {
+  JsonNode abilities(JsonKind::kArray), cells(JsonKind::kArray), out;
+  for (const HandAbilities& hand : comparison.abilities)
+    abilities.items.push_back(abilities_node(hand));
+  for (const HandOnObject& cell : comparison.cells) cells.items.push_back(cell_node(cell));
+  out.set("complete", comparison.complete)
+      .set("warnings", comparison.warnings)
+      .set("abilities", abilities)
+      .set("cells", cells);
+  return out;
+}
+
+std::string comparison_checksum(const JsonNode& file) {
+  JsonNode rest = file;
+  rest.erase("sha256");
+  return sha256(canonical_text(rest));
+}
+
+std::vector<HandOnObject> parse_cells(const JsonNode& list, const std::string& path) {
+  std::vector<HandOnObject> cells;
+  try {
+    for (const JsonNode& cell : list.items) cells.push_back(cell_of(cell));
+  } catch (const BrokenCell& broken) {
+    throw DataError(path, broken.line, "a cell of the comparison is broken: " + broken.complaint);
+  }
+  return cells;
+}
+
+KeptComparison read_comparison(const std::string& path, const JsonNode& inputs,
+                               const HandName& name) {
+  std::error_code none;
+  if (!std::filesystem::exists(path, none)) return {};
+  JsonNode file = parse_json(path, read_guarded(path, GuardedKind::kJson));
+  require(file.find("inputs") != nullptr && file.find("cells") != nullptr,
+          "'{}' is no comparison of hands: name another file", path);
+  check_seal(path, file);
+  rename_hands(file, name);
+  const JsonNode *its_inputs = file.find("inputs"), *cells = file.find("cells");
+  // The same question, or its answer is not gone on with.
+  for (std::size_t i = 0; i < inputs.names.size(); ++i) {
+    const JsonNode* other = its_inputs->find(inputs.names[i]);
+    require(other != nullptr && *other == inputs.items[i],
+            "'{}' holds a comparison with another '{}': name another file, or remove it", path,
+            inputs.names[i]);
+  }
+  const JsonNode* provenance = file.find("provenance");
+  return {parse_cells(*cells, path), provenance == nullptr ? JsonNode() : *provenance};
+}
+
+JsonNode next_provenance(const JsonNode& before, const RunRecord& run) {
+  // The runs that came before, the oldest first.
+  JsonNode earlier(JsonKind::kArray), last = before;
+  if (const JsonNode* runs = before.find(kEarlierRuns)) earlier = *runs;
+  last.erase(kEarlierRuns);
+  if (last.kind == JsonKind::kObject) earlier.items.push_back(last);
+  // This one.
+  JsonNode next;
+  next.set("command", command_line(run)).set("folder", run.folder).set("date", run.date);
+  if (!run.commit.empty()) next.set("commit", run.commit);
+  if (!earlier.items.empty()) next.set(kEarlierRuns, earlier);
+  return next;
+}
+
+void write_comparison(const std::string& path, const Comparison& comparison, const JsonNode& inputs,
+                      const JsonNode& provenance) {
+  JsonNode file = comparison_node(comparison);
+  file.set("inputs", inputs);
+  if (provenance.kind == JsonKind::kObject) file.set("provenance", provenance);
+  file.set("sha256", comparison_checksum(file));
+  write_file(path, written(file, 1) + "\n");
+}
+
+}  // namespace thenar

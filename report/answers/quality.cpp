@@ -1,0 +1,171 @@
+#include "report/answers/quality.h"
+
+#include <cmath>
+#include <optional>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+namespace thenar {
+namespace {
+
+/// Without minus zeros.
+OrderedJson plain(const ScaledWrench& w) {
+  return to_json(ScaledWrench((w.array() + 0.0).matrix()));
+}
+
+/// Of a plane f_x, f_y and the torque.
+OrderedJson wrench_json(const ScaledWrench& w, bool planar) {
+  return planar ? OrderedJson{w(0) + 0.0, w(1) + 0.0, w(5) + 0.0} : plain(w);
+}
+
+/// Null where there is none.
+OrderedJson finite(std::optional<double> value) {
+  return value && std::isfinite(*value) ? OrderedJson(*value) : OrderedJson(nullptr);
+}
+
+OrderedJson task_json(const TaskQuality& task, bool planar) {
+  const bool known = task.lower.has_value();
+  OrderedJson forces = OrderedJson::array();
+  for (const std::optional<double>& force : task.grasp_forces) forces.push_back(finite(force));
+  return {{"margin", {{"lower", finite(task.lower)}, {"upper", finite(task.upper)}}},
+          {"squeeze_N", known ? finite(1 / *task.lower) : OrderedJson(nullptr)},
+          {"squeezes_N", forces},
+          {"worst_load", wrench_json(task.worst_load, planar)},
+          {"solved", known},
+          {"residual", task.residual}};
+}
+
+OrderedJson matrix_json(const GraspMatrixMeasures& m) {
+  return {{"rank", m.rank},
+          {"least_singular_value", m.min_singular_value},
+          {"isotropy", m.isotropy},
+          {"volume", m.volume},
+          {"internal_forces", m.internal_forces}};
+}
+
+std::string matrix_words(const GraspMatrixMeasures& m) {
+  return fmt::format(
+      "least singular value {:.4g}, isotropy {:.4g}, volume {:.4g}, {} internal force{}",
+      m.min_singular_value, m.isotropy, m.volume, m.internal_forces,
+      m.internal_forces == 1 ? "" : "s");
+}
+
+std::string task_words(const TaskQuality& task, bool planar) {
+  const std::string load = json_text(wrench_json(task.worst_load, planar), -1);
+  if (!task.lower) return fmt::format("not known: its program ended {}", name_of(task.status));
+  if (task.upper == 0) return fmt::format("not withstood: nothing holds {}", load);
+  if (std::isinf(*task.lower)) return "no load";
+  return fmt::format("needs normal forces of {:.6g} N, most for {}", 1 / *task.lower, load);
+}
+
+std::string wrench_words(const ScaledWrench& w, bool planar) {
+  if (planar)
+    return fmt::format("force ({}), torque / scale {}", fmt::join(cells(w.head<2>(), 4), ", "),
+                       fmt::join(cells(w.tail<1>(), 4), ", "));
+  return fmt::format("force ({}), torque / scale ({})", fmt::join(cells(w.head<3>(), 4), ", "),
+                     fmt::join(cells(w.tail<3>(), 4), ", "));
+}
+
+std::string enclosed(double lower, double upper) {
+  return fmt::format("between {:.6g} and {:.6g}", lower, upper);
+}
+
+std::string volume_words(const Volume& v) {
+  if (!v.complete) return fmt::format("at least {:.6g}: too many facets or faces", v.lower);
+  if (v.lower == v.upper) return fmt::format("{:.6g}", v.estimate);
+  return fmt::format("about {:.6g}, {}", v.estimate, enclosed(v.lower, v.upper));
+}
+
+/// "-" where there is none.
+std::string cell(std::optional<double> value) {
+  return value && std::isfinite(*value) ? fmt::format("{:.9g}", *value + 0.0) : "-";
+}
+
+std::optional<double> volume_estimate(const ContactQuality& result) {
+  if (!result.volume || !result.volume->complete) return {};
+  return result.volume->estimate;
+}
+
+std::vector<std::string> quality_row(const ContactQuality& result) {
+  const Epsilon& e = result.epsilon;
+  std::vector<std::string> row{
+      result.contacts, std::to_string(result.count),  e.force_closure ? "yes" : "no", cell(e.lower),
+      cell(e.upper),   cell(volume_estimate(result)), std::to_string(e.rank)};
+  const auto& matrix = result.grasp_matrix;
+  row.push_back(matrix ? cell(matrix->min_singular_value) : "-");
+  row.push_back(matrix ? cell(matrix->isotropy) : "-");
+  row.push_back(matrix ? std::to_string(matrix->internal_forces) : "-");
+  const bool task = result.task && result.task->lower;
+  row.push_back(task ? cell(1 / *result.task->lower) : "-");
+  return row;
+}
+
+}  // namespace
+
+std::string text_of(const ContactQuality& result) {
+  const Epsilon& e = result.epsilon;
+  std::string text = fmt::format("{}: {} contacts, torques divided by {} m\n", result.contacts,
+                                 result.count, shown(result.torque_scale));
+  const auto line = [&](const char* name, const std::string& value) {
+    text += fmt::format("  {:<18}{}\n", name, value);
+  };
+  line("force closure", e.force_closure ? "yes" : "no");
+  line("epsilon", enclosed(e.lower, e.upper) + (e.converged ? "" : " (gave up early)"));
+  if (result.volume) line("volume", volume_words(*result.volume));
+  line("rank", fmt::format("{} of {}", e.rank, result.planar ? 3 : 6));
+  if (e.has_missing_direction)
+    line("cannot make", wrench_words(e.missing_direction, result.planar));
+  line(e.has_missing_direction ? "not withstood" : "withstood least",
+       wrench_words(e.worst_wrench, result.planar));
+  if (result.grasp_matrix) line("grasp matrix", matrix_words(*result.grasp_matrix));
+  if (result.task) line("task", task_words(*result.task, result.planar));
+  for (const std::string& warning : result.warnings) line("warning", warning);
+  return text;
+}
+
+OrderedJson json_of(const ContactQuality& result) {
+  const Epsilon& e = result.epsilon;
+  OrderedJson missing, bounds, complete, volume;
+  if (e.has_missing_direction) missing = wrench_json(e.missing_direction, result.planar);
+  if (result.volume) {
+    const Volume& v = *result.volume;
+    if (v.complete) volume = v.estimate;
+    bounds = {{"lower", v.lower}, {"upper", v.upper}};
+    complete = v.complete;
+  }
+  return {{"epsilon", {{"lower", e.lower + 0.0}, {"upper", e.upper + 0.0}}},
+          {"volume", volume},
+          {"force_closure", e.force_closure},
+          {"rank", e.rank},
+          {"missing_direction", missing},
+          {"worst_wrench", wrench_json(e.worst_wrench, result.planar)},
+          {"cpu_s", result.epsilon_cpu + result.volume_cpu},
+          {"epsilon_cpu_s", result.epsilon_cpu},
+          {"volume_bounds", bounds},
+          {"volume_complete", complete},
+          {"converged", e.converged},
+          {"grasp_matrix",
+           result.grasp_matrix ? matrix_json(*result.grasp_matrix) : OrderedJson(nullptr)},
+          {"task", result.task ? task_json(*result.task, result.planar) : OrderedJson(nullptr)},
+          {"planar", result.planar},
+          {"file", result.contacts},
+          {"warnings", result.warnings}};
+}
+
+Table table_of(const std::vector<ContactQuality>& results) {
+  Table table{{"contacts", "count", "force_closure", "epsilon_lower", "epsilon_upper", "volume",
+               "rank", "least_singular_value", "isotropy", "internal_forces", "squeeze_N"},
+              {}};
+  for (const ContactQuality& result : results) table.rows.push_back(quality_row(result));
+  return table;
+}
+
+OrderedJson json_of(const std::vector<ContactQuality>& results) {
+  if (results.size() == 1) return json_of(results.front());
+  OrderedJson answers = OrderedJson::array();
+  for (const ContactQuality& result : results) answers.push_back(json_of(result));
+  return {{"answers", answers}};
+}
+
+}  // namespace thenar

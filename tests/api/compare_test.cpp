@@ -1,0 +1,53 @@
+// Tests for api/compare.cpp; tests/apps/compare_command_test.py stops it and goes on.
+
+#include "api/compare.h"
+
+#include <gtest/gtest.h>
+
+#include "base/error.h"
+#include "tests/temporary_folder.h"
+
+namespace thenar {
+namespace {
+
+CompareRequest jaws_on_ball() {
+  CompareRequest request;
+  request.hands = {"parallel_jaw"};
+  request.objects = {"sphere_70"};
+  request.tasks = {"force-closure"};
+  request.approaches = 2;
+  request.best = 0;
+  request.data = THENAR_DATA_DIR;
+  return request;
+}
+
+TEST(CompareHands, OwnsHandsAndObjectsAndSaysWhatItDependsOn) {
+  const HandComparison result = compare_hands(jaws_on_ball());
+  EXPECT_TRUE(result.comparison.complete);
+  ASSERT_EQ(result.comparison.cells.size(), 1U);
+  EXPECT_EQ(result.comparison.cells[0].approaches, 2);
+  EXPECT_EQ(result.hands.at(0).name, "parallel_jaw");
+  EXPECT_EQ(result.objects.at(0).name, "sphere_70");
+  EXPECT_EQ(result.inputs.at("object sphere_70").rfind("sha256 ", 0), 0U);
+}
+
+TEST(CompareHands, StoppedIsNotComplete) {
+  Progress progress;
+  progress.stop_requested = [] { return true; };
+  EXPECT_FALSE(compare_hands(jaws_on_ball(), progress).comparison.complete);
+}
+
+using CompareHandsFile = TemporaryFolder;
+
+TEST_F(CompareHandsFile, IsGoneOnWithByTheSameRequestOnly) {
+  CompareRequest request = jaws_on_ball();
+  request.file = path("a.json");
+  const HandComparison first = compare_hands(request);
+  const HandComparison again = compare_hands(request);
+  EXPECT_EQ(again.comparison.cells.at(0).outcomes, first.comparison.cells.at(0).outcomes);
+  request.seed = 2;
+  EXPECT_THROW((void)compare_hands(request), InputError);
+}
+
+}  // namespace
+}  // namespace thenar

@@ -1,0 +1,75 @@
+// Tests for grasp/compare/comparison_file.cpp; tests/apps/compare_command_test.py goes on with
+// files.
+
+#include "grasp/compare/comparison_file.h"
+
+#include <limits>
+
+#include <gtest/gtest.h>
+
+#include "base/error.h"
+#include "base/file_io.h"
+#include "tests/message_of.h"
+#include "tests/temporary_folder.h"
+
+namespace thenar {
+namespace {
+
+std::string same(const std::string& name) { return name; }
+
+Comparison one_cell() {
+  HandOnObject cell;
+  cell.hand = "jaw";
+  cell.object = "ball";
+  cell.approaches = 2;
+  cell.closures = 1;
+  cell.outcomes[0] = 2;
+  cell.success = 0.5;
+  cell.epsilon = Eigen::VectorXd::Constant(1, 0.1);
+  cell.hand_epsilon = Eigen::VectorXd::Constant(1, std::numeric_limits<double>::infinity());
+  cell.types = {{"pinch", 1}};
+  Comparison comparison;
+  comparison.cells = {cell};
+  return comparison;
+}
+
+RunRecord run_at(const std::string& date) { return {{"compare"}, "/here", "", date}; }
+
+using ComparisonFile = TemporaryFolder;
+
+TEST_F(ComparisonFile, IsReadAsItWasWritten) {
+  const JsonNode inputs = JsonNode().set("seed", 1);
+  write_comparison(path("a.json"), one_cell(), inputs, JsonNode());
+  const KeptComparison kept = read_comparison(path("a.json"), inputs, same);
+  ASSERT_EQ(kept.cells.size(), 1U);
+  EXPECT_EQ(kept.cells[0].hand, "jaw");
+  EXPECT_EQ(kept.cells[0].epsilon[0], 0.1);
+  EXPECT_TRUE(std::isinf(kept.cells[0].hand_epsilon[0]));
+  EXPECT_EQ(kept.provenance.kind, JsonKind::kNull);
+}
+
+TEST_F(ComparisonFile, RefusesOtherInputsAndBrokenSeals) {
+  write_comparison(path("a.json"), one_cell(), JsonNode().set("seed", 1), JsonNode());
+  EXPECT_NE(message_of<InputError>([&] {
+              (void)read_comparison(path("a.json"), JsonNode().set("seed", 2), same);
+            }).find("another 'seed'"),
+            std::string::npos);
+  std::string text = read_file(path("a.json"), 1U << 20);
+  text.replace(text.find("0.1"), 3, "0.2");
+  write_file(path("a.json"), text);
+  EXPECT_THROW((void)read_comparison(path("a.json"), JsonNode().set("seed", 1), same), DataError);
+}
+
+TEST_F(ComparisonFile, NamesTheRunsThatComputedIt) {
+  const JsonNode first = next_provenance(JsonNode(), run_at("1"));
+  EXPECT_EQ(first.find("earlier_runs"), nullptr);
+  const JsonNode third = next_provenance(next_provenance(first, run_at("2")), run_at("3"));
+  EXPECT_EQ(third.find("date")->text, "3");
+  const JsonNode& earlier = *third.find("earlier_runs");
+  ASSERT_EQ(earlier.items.size(), 2U);
+  EXPECT_EQ(earlier.items[0], first);
+  EXPECT_EQ(earlier.items[1].find("date")->text, "2");
+}
+
+}  // namespace
+}  // namespace thenar

@@ -1,0 +1,59 @@
+// Tests for report/answers/comparison.cpp.
+
+#include "report/answers/comparison.h"
+
+#include <limits>
+
+#include <gtest/gtest.h>
+
+namespace thenar {
+namespace {
+
+/// One hand on two objects: one closure of two, whose load drives bear, and none.
+HandComparison sample() {
+  HandOnObject ball;
+  ball.hand = "jaw";
+  ball.object = "ball";
+  ball.approaches = 2;
+  ball.closures = 1;
+  ball.success = 0.5;
+  ball.epsilon = Eigen::VectorXd::Constant(1, 0.25);
+  BestGrasp best;
+  best.margin = {{"pull", std::numeric_limits<double>::infinity()}};
+  ball.best = {best};
+  HandOnObject card;
+  card.hand = "jaw";
+  card.object = "card";
+  card.approaches = 2;
+  card.outcomes[static_cast<std::size_t>(GraspOutcome::kMissed)] = 2;
+  HandComparison result;
+  result.comparison.tasks = {"force-closure", "pull"};
+  result.comparison.cells = {ball, card};
+  result.comparison.warnings = {"an effort is a guess"};
+  return result;
+}
+
+TEST(ComparisonAnswer, HasARowForEachPair) {
+  const Table table = table_of(sample());
+  ASSERT_EQ(table.rows.size(), 2U);
+  EXPECT_EQ(table.rows[0][2], "50");
+  EXPECT_EQ(table.rows[0][6], "0.250");
+  EXPECT_EQ(table.rows[0][9], "inf");
+  EXPECT_EQ(table.rows[1][6], "-");
+}
+
+TEST(ComparisonAnswer, TellsHowApproachesEndedWhereNothingClosed) {
+  const std::string text = text_of(sample());
+  EXPECT_NE(text.find("2 missed the object"), std::string::npos) << text;
+  EXPECT_NE(text.find("warning: an effort is a guess"), std::string::npos);
+}
+
+TEST(ComparisonAnswer, HasNullAndInfiniteInJson) {
+  const OrderedJson json = json_of(sample());
+  EXPECT_EQ(json["cells"][0]["best"][0]["margin"]["pull_N"], "infinite");
+  EXPECT_TRUE(json["cells"][0]["best"][0]["hand_epsilon_N"].is_null());
+  EXPECT_EQ(json["cells"][1]["approaches"], 2);
+}
+
+}  // namespace
+}  // namespace thenar
