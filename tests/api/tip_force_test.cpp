@@ -11,7 +11,7 @@
 namespace thenar {
 namespace {
 
-TipForceRequest middle_finger() {
+TipForceRequest flexed_middle_finger() {
   TipForceRequest request;
   request.digit.subject = "synek2019_middle";
   request.digit.data = kData;
@@ -22,14 +22,14 @@ TipForceRequest middle_finger() {
 
 // The balance is linear: twice the tension, twice the force.
 TEST(AskTipForce, DoublesWithTheTension) {
-  TipForceRequest request = middle_finger();
+  TipForceRequest request = flexed_middle_finger();
   const Eigen::Vector3d once = ask_tip_force(request).points.front().force;
   request.tension["FDP"] = 20;
   EXPECT_TRUE(matrix_near(ask_tip_force(request).points.front().force, 2 * once, 1e-12));
 }
 
 TEST(AskTipForce, AnswersAGridPostureByPosture) {
-  TipForceRequest request = middle_finger();
+  TipForceRequest request = flexed_middle_finger();
   const Eigen::Vector3d alone = ask_tip_force(request).points.front().force;
   request.digit.vary = {{"DIP3", 30, 40, 5}};
   const TipForceAnswer answer = ask_tip_force(request);
@@ -38,7 +38,7 @@ TEST(AskTipForce, AnswersAGridPostureByPosture) {
 }
 
 TEST(AskTipForce, KeepsWhatIsDoneWhenStopped) {
-  TipForceRequest request = middle_finger();
+  TipForceRequest request = flexed_middle_finger();
   request.digit.vary = {{"DIP3", 10, 40, 5}};
   int left = 2;
   Progress progress;
@@ -50,14 +50,14 @@ TEST(AskTipForce, KeepsWhatIsDoneWhenStopped) {
 }
 
 TEST(AskTipForce, RefusesATensionThatNoTendonBears) {
-  TipForceRequest request = middle_finger();
+  TipForceRequest request = flexed_middle_finger();
   request.tension["FDP"] = 1e6;
   EXPECT_EQ(message_of([&] { (void)ask_tip_force(request); }),
             "wanted a tension of 'FDP' up to 10000 N, got 1000000 N: no tendon bears it");
 }
 
 TEST(AskTipForce, RefusesAHoldOfAMap) {
-  TipForceRequest request = middle_finger();
+  TipForceRequest request = flexed_middle_finger();
   request.digit = {};
   request.digit.subject = "valero_cuevas_index";
   request.digit.data = kData;
