@@ -107,7 +107,7 @@ bool all_flex(const TendonModel<double>& digit, double angle) {
 
 /// Why no force follows in a singular posture, and what to do.
 std::string singular_in_words(const TendonDigit& digit, const ExperimentPlan& plan) {
-  if (plan.known == TipForces::kInPlane)
+  if (plan.known == DecidedForces::kInPlane)
     return "the held tip carries forces in the plane of flexion that no joint feels; leave it out";
   if (all_flex(digit.model, kNoAngle))
     return "all axes are parallel, so that no joint feels a force across their plane; fit the two "
@@ -175,7 +175,7 @@ ExperimentPlan plan_experiment(const TendonDigit& digit, const FitParameters& pa
   plan.force_link = link->second;
   plan.measured = experiment.components;
   plan.components = experiment.axes_of_digit.cast<double>();
-  if (plan.measured == 2 && all_flex(digit.model, kParallel)) plan.known = TipForces::kInPlane;
+  if (plan.measured == 2 && all_flex(digit.model, kParallel)) plan.known = DecidedForces::kInPlane;
 
   // Postures, and the angle errors that belong to them.
   for (const PostureRecord& record : experiment.postures) {

@@ -17,9 +17,10 @@ namespace thenar {
 /// evaluation.
 struct ExperimentPlan {
   TipConstraint hold;
-  int force_link;                         // link whose axes the forces use; -1: the base
-  int measured = 3;                       // components of a force that are fitted, 2 or 3 [1]
-  TipForces known = TipForces::kInSpace;  // forces of the tip that the tendons' torques decide
+  int force_link;    // link whose axes the forces use; -1: the base
+  int measured = 3;  // components of a force that are fitted, 2 or 3 [1]
+  DecidedForces known =
+      DecidedForces::kInSpace;            // forces of the tip that the tendons' torques decide
   Eigen::Matrix3d components;             // experiment components from (proximal, dorsal, radial);
                                           // rows of those not fitted are zero
   std::vector<Eigen::VectorXd> postures;  // [rad] (coordinates)

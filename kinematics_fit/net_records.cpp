@@ -61,7 +61,7 @@ MatrixXd cell_map(const TendonModel<double>& model, const ExperimentPlan& plan, 
 
   // Forces, turned from the tip's axes to the stated ones; none across a plane of flexion.
   Eigen::Matrix3Xd forces = loads.topRows(3);
-  if (plan.known == TipForces::kInPlane) forces.row(2).setZero();
+  if (plan.known == DecidedForces::kInPlane) forces.row(2).setZero();
   const auto axes = [&](int link) -> Eigen::Matrix3d {
     return link < 0 ? model.tip_axes : Eigen::Matrix3d(state[link].X.R * model.tip_axes);
   };

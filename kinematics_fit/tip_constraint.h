@@ -12,9 +12,9 @@ namespace thenar {
 /// phalanx [m]. It matters only where the hold carries more loads than there are joints.
 inline constexpr double kHoldLength = 0.0236;
 
-/// Forces of a held tip that its model knows. Joints of parallel axes feel no force across their
-/// plane, so that none follows from their torques: it is then taken to be zero.
-enum class TipForces {
+/// Forces of a held tip that the torques of its joints decide. Joints of parallel axes feel no
+/// force across their plane, so that none follows from their torques: it is then taken to be zero.
+enum class DecidedForces {
   kInSpace,  // proximal, dorsal and radial
   kInPlane   // of flexion: proximal and dorsal
 };
@@ -28,10 +28,10 @@ enum class TipForces {
 template <typename T>
 [[nodiscard]] MatrixX<T> tip_constraint_loads(const TendonModel<T>& digit,
                                               const TreeState<T>& state, TipConstraint hold,
-                                              TipForces known, const T& out_of_plane) {
+                                              DecidedForces known, const T& out_of_plane) {
   // Two or three forces; no moment, one, or all three.
-  const int forces = known == TipForces::kInPlane ? 2 : 3;
-  const bool all_moments = known == TipForces::kInSpace && out_of_plane != T(0);
+  const int forces = known == DecidedForces::kInPlane ? 2 : 3;
+  const bool all_moments = known == DecidedForces::kInSpace && out_of_plane != T(0);
   const int moments = hold == TipConstraint::kPinned ? 0 : all_moments ? 3 : 1;
   // The tip's place and directions.
   const Mat3<T> axes =
@@ -58,14 +58,14 @@ template <typename T>
 /// exactly where as many, in least squares where fewer. In the plane the radial force is zero.
 template <typename T>
 [[nodiscard]] MatrixX<T> tip_force_map(const TendonModel<T>& digit, const TreeState<T>& state,
-                                       const VectorX<T>& q, TipConstraint hold, TipForces known,
+                                       const VectorX<T>& q, TipConstraint hold, DecidedForces known,
                                        const T& out_of_plane) {
   // Torques of the muscles, balanced by the loads of the hold.
   const MatrixX<T> L = tip_constraint_loads(digit, state, hold, known, out_of_plane);
   const MatrixX<T> torque = muscle_arms(digit, state, q).transpose();
   const MatrixX<T> loads =
       L.rows() < L.cols() ? solve_least_norm(L, torque) : solve_least_squares(L, torque);
-  if (known == TipForces::kInSpace) return loads.template topRows<3>();
+  if (known == DecidedForces::kInSpace) return loads.template topRows<3>();
   MatrixX<T> in_plane = MatrixX<T>::Zero(3, loads.cols());
   in_plane.template topRows<2>() = loads.template topRows<2>();
   return in_plane;

@@ -341,7 +341,7 @@ class Compiler {
   void set_hold() {
     // Loads that the hold carries.
     const bool out_of_plane = mean_.out_of_plane != 0 || moves(layout_.out_of_plane, 1);
-    const bool in_plane = plan_.known == TipForces::kInPlane;
+    const bool in_plane = plan_.known == DecidedForces::kInPlane;
     to_.tip_forces = in_plane ? 2 : 3;
     const int moments = plan_.hold == TipConstraint::kPinned ? 0
                         : out_of_plane && !in_plane          ? 3

@@ -58,7 +58,8 @@ MatrixX<T> force_map_at(double angle, const HeldCase& held) {
   const TendonModel<T> digit = cast_model<T>(finger.model, 0).digit;
   const VectorX<T> q =
       posture(finger.skeleton, {{"MCP3_FE", 0.3}, {"PIP3", angle}, {"DIP3", angle}}).cast<T>();
-  return tip_force_map(digit, pose_tree(digit.tree, q), q, held.hold, TipForces::kInSpace, T(held.out_of_plane));
+  return tip_force_map(digit, pose_tree(digit.tree, q), q, held.hold, DecidedForces::kInSpace,
+                       T(held.out_of_plane));
 }
 
 class NearlyStraight : public testing::TestWithParam<HeldCase> {};
