@@ -55,6 +55,13 @@ std::string unknown_argument(const CLI::App& command, const std::string& argumen
                      is_option ? did_you_mean(name, names) : "", full_name(command));
 }
 
+/// Shows no default where nothing stands by default.
+void hide_empty_defaults(CLI::App& command) {
+  for (CLI::Option* option : command.get_options())
+    if (option->get_default_str() == "[]") option->default_str("");
+  for (CLI::App* below : command.get_subcommands({})) hide_empty_defaults(*below);
+}
+
 /// What was wrong with a command line, with a way out.
 int complain(const CLI::App& app, const CLI::ParseError& error) {
   const CLI::App& command = named_command(app);
@@ -62,7 +69,7 @@ int complain(const CLI::App& app, const CLI::ParseError& error) {
   if (dynamic_cast<const CLI::ExtrasError*>(&error) != nullptr) {
     const std::vector<std::string> left = command.remaining();
     if (!left.empty()) text = unknown_argument(command, left.front());
-  } else if (command.get_parent() != nullptr) {
+  } else {
     text += fmt::format("; see `{} --help`", full_name(command));
   }
   fmt::print(stderr, "thenar: {}\n", text);
@@ -95,6 +102,7 @@ int run_command(int argc, char** argv) {
   add_import(app);
   add_demo(app);
   add_rerun(app);
+  hide_empty_defaults(app);
   try {
     begin_run(argc, argv);
     require_command(app, argc, argv);
