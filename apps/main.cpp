@@ -43,16 +43,21 @@ std::string full_name(const CLI::App& command) {
   return above.empty() ? command.get_name() : above + " " + command.get_name();
 }
 
-/// A sentence about an argument that a command does not know, with the nearest option.
-std::string unknown_argument(const CLI::App& command, const std::string& argument) {
+/// ", did you mean '--robustness'?": the nearest option of a command; "" for plain arguments.
+std::string nearest_option(const CLI::App& command, const std::string& argument) {
+  if (argument.rfind("--", 0) != 0) return "";
   std::vector<std::string> names;
   for (const CLI::Option* option : command.get_options())
-    for (const std::string& name : option->get_lnames()) names.push_back("--" + name);
-  const bool is_option = argument.size() > 1 && argument.front() == '-';
-  const std::string name = argument.substr(0, argument.find('='));
+    for (const std::string& name : option->get_lnames()) names.push_back(name);
+  const std::string nearest = nearest_name(argument.substr(2, argument.find('=') - 2), names);
+  return nearest.empty() ? "" : fmt::format(", did you mean '--{}'?", nearest);
+}
+
+/// A sentence about an argument that a command does not know.
+std::string unknown_argument(const CLI::App& command, const std::string& argument) {
   return fmt::format("{} '{}' means nothing here{}; `{} --help` lists what does",
-                     is_option ? "option" : "argument", argument,
-                     is_option ? did_you_mean(name, names) : "", full_name(command));
+                     argument.rfind('-', 0) == 0 ? "option" : "argument", argument,
+                     nearest_option(command, argument), full_name(command));
 }
 
 /// Shows no default where nothing stands by default.

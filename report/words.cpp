@@ -23,7 +23,7 @@ std::string angles_in_words(const std::vector<std::string>& names, const Eigen::
   return angles_in_words(names, all, q);
 }
 
-std::string positive_sense(const std::string& joint) {
+std::string positive_motion(const std::string& joint) {
   if (is_flexion_joint(joint)) return "flexion";
   return ends_with(joint, "_AA") ? "abduction" : "pronation";
 }

@@ -22,6 +22,6 @@ namespace thenar {
 
 /// "flexion", "abduction" or "pronation": what a positive angle of a joint does, and a positive
 /// moment arm, by the joint's name (docs/conventions.md).
-[[nodiscard]] std::string positive_sense(const std::string& joint);
+[[nodiscard]] std::string positive_motion(const std::string& joint);
 
 }  // namespace thenar

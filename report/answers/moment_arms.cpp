@@ -81,7 +81,7 @@ std::string sign_words(const std::vector<std::string>& joints) {
   for (const char* sense : {"flexion", "abduction", "pronation"}) {
     std::vector<std::string> named;
     for (const std::string& joint : joints)
-      if (positive_sense(joint) == sense) named.push_back(joint);
+      if (positive_motion(joint) == sense) named.push_back(joint);
     if (!named.empty())
       text += fmt::format("{}{} positive at {}", text.empty() ? "" : "; ", sense, listed(named));
   }

@@ -35,7 +35,7 @@ Json arm_charts_of(const MomentArmAnswer& answer) {
         curves.push_back(arm_curve(answer, about.muscles[static_cast<std::size_t>(m)],
                                    [m, j](const MomentArmPoint& p) { return p.arms(m, j); }));
     charts.push_back(curve_chart(axes, "Moment arms about " + joint,
-                                 "arm, " + positive_sense(joint) + " positive [mm]", curves));
+                                 "arm, " + positive_motion(joint) + " positive [mm]", curves));
   }
   std::vector<Curve> lengths;
   for (Index m = 0; m < answer.crosses.rows(); ++m)

@@ -51,7 +51,7 @@ TEST(AskPose, VariesARobotsDrives) {
 
 TEST(AskPose, GuessesANameOfARobot) {
   PoseRequest request = request_of("barrett");
-  request.posture.named = {{"fingr1", 10}};
+  request.posture.named = {{"fingr 1", 10}};
   EXPECT_NE(message_of([&] { (void)ask_pose(request); }).find("did you mean"), std::string::npos);
 }
 

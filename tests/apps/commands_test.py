@@ -278,7 +278,7 @@ class FeasibleForce(Near):
         for words in (("pose", MIDDLE), ("pose", "barrett"), ("moment-arms", MIDDLE),
                       ("tip-force", MIDDLE, "--tension", "FDP=10"),
                       ("feasible-force", MIDDLE, "--axes", "tip", "--direction", 0, -1, 0)):
-            names = ("finger1", "finger2") if "barrett" in words else ("MCP3_FE", "PIP3")
+            names = ("finger 1", "finger 2") if "barrett" in words else ("MCP3_FE", "PIP3")
             rows = ask(*words, "--vary", f"{names[0]}=20:30:10", f"{names[1]}=10:50:20")["postures"]
             self.assertEqual(len(rows), 6)
             alone = ask(*words, "--posture", f"{names[0]}=30", f"{names[1]}=30")
@@ -300,7 +300,7 @@ class FeasibleForce(Near):
             for words in (("pose", MIDDLE), ("pose", "barrett"), ("moment-arms", MIDDLE),
                           ("tip-force", MIDDLE, "--tension", "FDP=10"), ("feasible-force", MIDDLE)):
                 page = pathlib.Path(folder) / "page.html"
-                vary = "finger1=0:20:10" if "barrett" in words else "PIP3=20:40:10"
+                vary = "finger 1=0:20:10" if "barrett" in words else "PIP3=20:40:10"
                 result = run(*words, "--vary", vary, "--report", page)
                 self.assertEqual(result.returncode, 0, result.stderr)
                 self.assertIn('"lines"', page.read_text())

@@ -16,9 +16,9 @@ TEST(Words, GiveAnglesInDegrees) {
 }
 
 TEST(Words, CallAnArmByWhatItsJointDoes) {
-  EXPECT_EQ(positive_sense("PIP3"), "flexion");
-  EXPECT_EQ(positive_sense("MCP2_FE"), "flexion");
-  EXPECT_EQ(positive_sense("MCP2_AA"), "abduction");
+  EXPECT_EQ(positive_motion("PIP3"), "flexion");
+  EXPECT_EQ(positive_motion("MCP2_FE"), "flexion");
+  EXPECT_EQ(positive_motion("MCP2_AA"), "abduction");
 }
 
 }  // namespace
