@@ -14,7 +14,7 @@
 #include "apps/terminal.h"
 #include "base/units.h"
 #include "report/answers/feasible_force.h"
-#include "report/pages/feasible_force.h"
+#include "report/pages/digit_page.h"
 
 namespace thenar {
 namespace {

@@ -11,7 +11,7 @@
 #include "apps/outputs.h"
 #include "apps/terminal.h"
 #include "report/answers/moment_arms.h"
-#include "report/pages/moment_arms.h"
+#include "report/pages/digit_page.h"
 
 namespace thenar {
 namespace {

@@ -13,7 +13,7 @@
 #include "apps/outputs.h"
 #include "apps/terminal.h"
 #include "report/answers/pose.h"
-#include "report/pages/pose.h"
+#include "report/pages/digit_page.h"
 
 namespace thenar {
 namespace {

@@ -13,7 +13,7 @@
 #include "apps/terminal.h"
 #include "base/units.h"
 #include "report/answers/tip_force.h"
-#include "report/pages/tip_force.h"
+#include "report/pages/digit_page.h"
 
 namespace thenar {
 namespace {

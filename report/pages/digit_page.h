@@ -1,17 +1,31 @@
 #pragma once
 
-/// What every page about a fingertip has in common: its frame, the digit in space.
+/// Pages about one digit: poses, moment arms, forces of its tip; and what they have in common.
 
 #include <functional>
 #include <string>
 
 #include "api/digit_sweep.h"
+#include "api/feasible_force.h"
+#include "api/moment_arms.h"
+#include "api/pose.h"
+#include "api/tip_force.h"
 #include "report/blocks.h"
 #include "report/sweep_axes.h"
 
 namespace thenar {
 
-/// The whole page. @param what  "Tip force"
+/// Joints, bones or links, and tips in space and in rows.
+[[nodiscard]] Json page_of(const SubjectPoses& poses);
+[[nodiscard]] Json page_of(const RobotPoses& poses);
+/// The tendons in space, arms and lengths over the joints that vary.
+[[nodiscard]] Json page_of(const MomentArmAnswer& answer);
+/// The force of the tip in space, in rows, over the joints that vary.
+[[nodiscard]] Json page_of(const TipForceAnswer& answer);
+/// The largest forces in space, what limits them, over the joints that vary.
+[[nodiscard]] Json page_of(const FeasibleForceAnswer& answer);
+
+/// The frame of such a page. @param what  "Tip force"
 [[nodiscard]] Json digit_page(const DigitSweep& about, const std::string& what, Json sections);
 
 /// The text of a first section: what was asked at which postures, and every warning.

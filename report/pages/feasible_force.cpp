@@ -1,4 +1,4 @@
-#include "report/pages/feasible_force.h"
+#include "report/pages/digit_page.h"
 
 #include <algorithm>
 #include <cmath>
@@ -10,7 +10,6 @@
 #include "base/units.h"
 #include "report/answers/digit_words.h"
 #include "report/answers/feasible_force.h"
-#include "report/pages/digit_page.h"
 #include "report/scene/digit_layers.h"
 
 namespace thenar {

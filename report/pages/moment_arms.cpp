@@ -1,10 +1,9 @@
-#include "report/pages/moment_arms.h"
+#include "report/pages/digit_page.h"
 
 #include "base/numbers.h"
 #include "base/units.h"
 #include "report/answers/digit_words.h"
 #include "report/answers/moment_arms.h"
-#include "report/pages/digit_page.h"
 #include "report/words.h"
 
 namespace thenar {

@@ -1,4 +1,4 @@
-#include "report/pages/pose.h"
+#include "report/pages/digit_page.h"
 
 #include <array>
 
@@ -7,7 +7,6 @@
 #include "base/units.h"
 #include "report/answers/pose.h"
 #include "report/blocks.h"
-#include "report/pages/digit_page.h"
 #include "report/provenance.h"
 
 namespace thenar {

@@ -1,4 +1,4 @@
-#include "report/pages/tip_force.h"
+#include "report/pages/digit_page.h"
 
 #include <algorithm>
 
@@ -8,7 +8,6 @@
 #include "base/units.h"
 #include "report/answers/digit_words.h"
 #include "report/answers/tip_force.h"
-#include "report/pages/digit_page.h"
 
 namespace thenar {
 namespace {
