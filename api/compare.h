@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "api/hands.h"
+#include "api/named/hands.h"
 #include "base/progress.h"
 #include "base/run_record.h"
 #include "grasp/compare/comparison.h"

@@ -4,8 +4,8 @@
 
 #include <fmt/format.h>
 
-#include "api/data_folders.h"
-#include "api/files.h"
+#include "api/named/data_folders.h"
+#include "api/named/files.h"
 #include "base/error.h"
 #include "base/units.h"
 #include "posterior/run/posterior_file.h"

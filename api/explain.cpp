@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <chrono>
 
-#include "api/digits.h"
+#include "api/named/digits.h"
 #include "base/error.h"
 #include "base/nearest_name.h"
 #include "data/io/result_file.h"

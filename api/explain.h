@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "api/things.h"
+#include "api/named/things.h"
 #include "base/fidelity.h"
 #include "kinematics_fit/fit_parameters.h"
 #include "kinematics_fit/prediction.h"

@@ -10,7 +10,7 @@
 
 #include <Eigen/Core>
 
-#include "api/digit_sweep.h"
+#include "api/named/digit_sweep.h"
 #include "tendons/forces/feasible_force_set.h"
 #include "tendons/forces/max_tip_force.h"
 

@@ -2,9 +2,9 @@
 
 #include <fmt/format.h>
 
-#include "api/data_folders.h"
-#include "api/digits.h"
-#include "api/files.h"
+#include "api/named/data_folders.h"
+#include "api/named/digits.h"
+#include "api/named/files.h"
 #include "base/error.h"
 #include "kinematics_fit/specimen_model.h"
 #include "kinematics_fit/specimen_prior.h"

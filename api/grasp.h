@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "api/grasp_measures.h"
-#include "api/worlds.h"
+#include "api/named/worlds.h"
 #include "base/progress.h"
 #include "grasp/closing/collision_hand.h"
 #include "grasp/closing/grasp.h"

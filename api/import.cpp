@@ -6,7 +6,7 @@
 
 #include <fmt/format.h>
 
-#include "api/files.h"
+#include "api/named/files.h"
 #include "base/error.h"
 #include "base/file_io.h"
 #include "base/nearest_name.h"

@@ -7,7 +7,7 @@
 
 #include <Eigen/Core>
 
-#include "api/digit_sweep.h"
+#include "api/named/digit_sweep.h"
 
 namespace thenar {
 

@@ -5,9 +5,9 @@
 
 #include <fmt/format.h>
 
-#include "api/data_folders.h"
-#include "api/digits.h"
-#include "api/hands.h"
+#include "api/named/data_folders.h"
+#include "api/named/digits.h"
+#include "api/named/hands.h"
 #include "base/error.h"
 #include "base/file_io.h"
 #include "data/io/file_kind.h"

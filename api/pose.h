@@ -6,7 +6,7 @@
 #include <variant>
 #include <vector>
 
-#include "api/posture.h"
+#include "api/named/posture.h"
 #include "api/robot_pose.h"
 #include "base/progress.h"
 #include "hand/tip_manipulability.h"

@@ -5,7 +5,7 @@
 
 #include <fmt/format.h>
 
-#include "api/files.h"
+#include "api/named/files.h"
 #include "base/error.h"
 #include "posterior/run/posterior_file.h"
 #include "posterior/run/predict_draws.h"

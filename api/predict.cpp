@@ -2,8 +2,8 @@
 
 #include <fmt/format.h>
 
-#include "api/files.h"
 #include "api/fit.h"
+#include "api/named/files.h"
 #include "base/error.h"
 #include "kinematics_fit/experiment_plan.h"
 

@@ -7,8 +7,8 @@
 #include <utility>
 
 #include "api/contact_warnings.h"
-#include "api/data_folders.h"
-#include "api/files.h"
+#include "api/named/data_folders.h"
+#include "api/named/files.h"
 #include "base/error.h"
 #include "base/numbers.h"
 #include "data/io/contact_file.h"

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "api/posture.h"
+#include "api/named/posture.h"
 #include "base/progress.h"
 #include "data/io/robot/robot.h"
 

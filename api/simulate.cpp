@@ -5,7 +5,7 @@
 
 #include <fmt/format.h>
 
-#include "api/files.h"
+#include "api/named/files.h"
 #include "base/error.h"
 #include "base/provenance.h"
 #include "base/units.h"

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "api/data_folders.h"
+#include "api/named/data_folders.h"
 
 namespace thenar {
 namespace {

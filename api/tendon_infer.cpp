@@ -7,9 +7,9 @@
 
 #include <fmt/format.h>
 
-#include "api/data_folders.h"
-#include "api/digits.h"
-#include "api/files.h"
+#include "api/named/data_folders.h"
+#include "api/named/digits.h"
+#include "api/named/files.h"
 #include "base/error.h"
 #include "base/nearest_name.h"
 #include "kinematics_fit/net_records.h"

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "api/digits.h"
+#include "api/named/digits.h"
 #include "base/progress.h"
 #include "tendons/net/posture_sweep.h"
 

@@ -9,7 +9,7 @@
 
 #include <Eigen/Core>
 
-#include "api/digit_sweep.h"
+#include "api/named/digit_sweep.h"
 #include "tendons/forces/tip_wrench.h"
 
 namespace thenar {

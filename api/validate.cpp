@@ -4,8 +4,8 @@
 
 #include <fmt/format.h>
 
-#include "api/digits.h"
 #include "api/mesh_facts.h"
+#include "api/named/digits.h"
 #include "base/error.h"
 #include "data/io/mesh/repair_shape.h"
 #include "geometry/solid.h"

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "api/experiment_check.h"
-#include "api/things.h"
+#include "api/named/things.h"
 
 namespace thenar {
 

@@ -12,7 +12,7 @@
 #include <memory>
 
 #include "api/compare.h"
-#include "api/data_folders.h"
+#include "api/named/data_folders.h"
 #include "apps/commands.h"
 #include "apps/options.h"
 #include "apps/outputs.h"

@@ -7,7 +7,7 @@
 
 #include <fmt/format.h>
 
-#include "api/catalogue.h"
+#include "api/named/catalogue.h"
 #include "apps/commands.h"
 #include "apps/options.h"
 #include "apps/outputs.h"

@@ -9,8 +9,8 @@
 
 #include <CLI/CLI.hpp>
 
-#include "api/digits.h"
-#include "api/worlds.h"
+#include "api/named/digits.h"
+#include "api/named/worlds.h"
 
 namespace thenar {
 

@@ -11,7 +11,7 @@
 
 #include <fmt/format.h>
 
-#include "api/recorded_run.h"
+#include "api/named/recorded_run.h"
 #include "apps/commands.h"
 #include "apps/options.h"
 #include "apps/outputs.h"

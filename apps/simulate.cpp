@@ -9,7 +9,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "api/files.h"
+#include "api/named/files.h"
 #include "api/simulate.h"
 #include "apps/commands.h"
 #include "apps/options.h"

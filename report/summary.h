@@ -4,7 +4,7 @@
 
 #include <string>
 
-#include "api/things.h"
+#include "api/named/things.h"
 
 namespace thenar {
 

@@ -7,7 +7,7 @@
 
 #include <Eigen/Core>
 
-#include "api/posture.h"
+#include "api/named/posture.h"
 #include "report/json.h"
 
 namespace thenar {

@@ -58,21 +58,23 @@ MAY_SEE |= {
     "grasp/compare": GRASP + ["grasp/contact", "grasp/limits", "grasp/quality", "grasp/closing"],
 }
 LIBRARIES = list(MAY_SEE)
-MAY_SEE["thenar"] = LIBRARIES + ["api"]  # the header of all public headers
+API = ["api", "api/named"]
+MAY_SEE["thenar"] = LIBRARIES + API  # the header of all public headers
 # The questions that a person asks, and their answers as words, tables, JSON and pages.
-REPORT = LIBRARIES + ["api", "report"]
+REPORT = LIBRARIES + API + ["report"]
 PAGES = REPORT + ["report/scene", "report/draws", "report/answers"]
 MAY_SEE |= {
-    "api": LIBRARIES,
-    "report": LIBRARIES + ["api"],
+    "api/named": LIBRARIES,
+    "api": LIBRARIES + ["api/named"],
+    "report": LIBRARIES + API,
     "report/scene": REPORT,
     "report/draws": REPORT,
     "report/answers": REPORT,
     "report/explain": REPORT,
     "report/pages": PAGES,
     "apps": PAGES + ["report/explain", "report/pages"],  # of LIBRARIES only base, once all ask api
-    "python": LIBRARIES + ["api"],
-    "server": LIBRARIES + ["api"],
+    "python": LIBRARIES + API,
+    "server": LIBRARIES + API,
     "bench": PAGES + ["report/pages", "tests"],  # charts; the sample scenes
     "tests": PAGES + ["report/explain", "report/pages"],
 }

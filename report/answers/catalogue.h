@@ -4,7 +4,7 @@
 
 #include <string>
 
-#include "api/catalogue.h"
+#include "api/named/catalogue.h"
 #include "report/json.h"
 #include "report/table.h"
 

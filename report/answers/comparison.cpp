@@ -8,7 +8,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "api/hands.h"
+#include "api/named/hands.h"
 #include "grasp/compare/comparison_file.h"
 
 namespace thenar {

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "api/digit_sweep.h"
+#include "api/named/digit_sweep.h"
 #include "report/json.h"
 #include "report/sweep_axes.h"
 

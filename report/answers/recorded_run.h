@@ -4,7 +4,7 @@
 
 #include <string>
 
-#include "api/recorded_run.h"
+#include "api/named/recorded_run.h"
 #include "report/json.h"
 
 namespace thenar {

@@ -5,9 +5,9 @@
 #include <functional>
 #include <string>
 
-#include "api/digit_sweep.h"
 #include "api/feasible_force.h"
 #include "api/moment_arms.h"
+#include "api/named/digit_sweep.h"
 #include "api/pose.h"
 #include "api/tip_force.h"
 #include "report/blocks.h"

@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-#include "api/files.h"
+#include "api/named/files.h"
 #include "tests/data_folder.h"
 
 namespace thenar {

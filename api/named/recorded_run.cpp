@@ -1,11 +1,11 @@
-#include "api/recorded_run.h"
+#include "api/named/recorded_run.h"
 
 #include <algorithm>
 #include <filesystem>
 
 #include <fmt/format.h>
 
-#include "api/files.h"
+#include "api/named/files.h"
 #include "base/error.h"
 #include "base/file_io.h"
 #include "base/provenance.h"

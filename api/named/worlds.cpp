@@ -1,4 +1,4 @@
-#include "api/worlds.h"
+#include "api/named/worlds.h"
 
 #include <algorithm>
 #include <filesystem>
@@ -6,7 +6,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "api/data_folders.h"
+#include "api/named/data_folders.h"
 #include "base/error.h"
 #include "base/file_io.h"
 #include "base/nearest_name.h"

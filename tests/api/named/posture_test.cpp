@@ -1,6 +1,6 @@
-// Tests for api/posture.cpp.
+// Tests for api/named/posture.cpp.
 
-#include "api/posture.h"
+#include "api/named/posture.h"
 
 #include <gtest/gtest.h>
 

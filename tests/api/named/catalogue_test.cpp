@@ -1,6 +1,6 @@
-// Tests for api/catalogue.cpp.
+// Tests for api/named/catalogue.cpp.
 
-#include "api/catalogue.h"
+#include "api/named/catalogue.h"
 
 #include <gtest/gtest.h>
 

@@ -6,7 +6,7 @@
 #include <variant>
 #include <vector>
 
-#include "api/files.h"
+#include "api/named/files.h"
 #include "data/io/anthropometry.h"
 #include "data/io/experiment.h"
 #include "data/io/fit_settings.h"

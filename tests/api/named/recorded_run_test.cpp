@@ -1,6 +1,6 @@
-// Tests for api/recorded_run.cpp.
+// Tests for api/named/recorded_run.cpp.
 
-#include "api/recorded_run.h"
+#include "api/named/recorded_run.h"
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
-// Tests for api/files.cpp.
+// Tests for api/named/files.cpp.
 
-#include "api/files.h"
+#include "api/named/files.h"
 
 #include <filesystem>
 

@@ -1,4 +1,4 @@
-#include "api/posture.h"
+#include "api/named/posture.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,6 +1,6 @@
-// Tests for api/worlds.cpp.
+// Tests for api/named/worlds.cpp.
 
-#include "api/worlds.h"
+#include "api/named/worlds.h"
 
 #include <gtest/gtest.h>
 

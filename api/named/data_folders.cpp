@@ -1,4 +1,4 @@
-#include "api/data_folders.h"
+#include "api/named/data_folders.h"
 
 #include <algorithm>
 #include <cstdlib>

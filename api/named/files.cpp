@@ -1,4 +1,4 @@
-#include "api/files.h"
+#include "api/named/files.h"
 
 #include <algorithm>
 #include <filesystem>

@@ -1,11 +1,11 @@
-#include "api/catalogue.h"
+#include "api/named/catalogue.h"
 
 #include <algorithm>
 
 #include <fmt/format.h>
 
-#include "api/data_folders.h"
-#include "api/things.h"
+#include "api/named/data_folders.h"
+#include "api/named/things.h"
 #include "base/error.h"
 #include "base/nearest_name.h"
 #include "base/units.h"

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "api/hands.h"
+#include "api/named/hands.h"
 #include "base/progress.h"
 #include "data/io/world/world.h"
 #include "grasp/closing/grasp.h"

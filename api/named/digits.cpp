@@ -1,4 +1,4 @@
-#include "api/digits.h"
+#include "api/named/digits.h"
 
 #include <algorithm>
 #include <cmath>
@@ -9,8 +9,8 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "api/data_folders.h"
-#include "api/files.h"
+#include "api/named/data_folders.h"
+#include "api/named/files.h"
 #include "base/error.h"
 #include "base/file_io.h"
 #include "base/nearest_name.h"

@@ -9,7 +9,7 @@
 
 #include <Eigen/Core>
 
-#include "api/digits.h"
+#include "api/named/digits.h"
 #include "base/progress.h"
 
 namespace thenar {

@@ -1,11 +1,11 @@
-#include "api/things.h"
+#include "api/named/things.h"
 
 #include <algorithm>
 #include <filesystem>
 
 #include <fmt/format.h>
 
-#include "api/data_folders.h"
+#include "api/named/data_folders.h"
 #include "base/error.h"
 #include "base/file_io.h"
 #include "base/nearest_name.h"

@@ -1,6 +1,6 @@
-// Tests for api/hands.cpp.
+// Tests for api/named/hands.cpp.
 
-#include "api/hands.h"
+#include "api/named/hands.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "api/digit_sweep.h"
+#include "api/named/digit_sweep.h"
 
 #include <exception>
 

@@ -10,7 +10,7 @@
 
 #include <Eigen/Core>
 
-#include "api/posture.h"
+#include "api/named/posture.h"
 #include "base/fidelity.h"
 #include "data/io/net_description.h"
 #include "data/io/subject.h"

@@ -1,6 +1,6 @@
-// Tests for api/things.cpp.
+// Tests for api/named/things.cpp.
 
-#include "api/things.h"
+#include "api/named/things.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "api/hands.h"
+#include "api/named/hands.h"
 
 #include <filesystem>
 #include <utility>
@@ -6,7 +6,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "api/data_folders.h"
+#include "api/named/data_folders.h"
 #include "base/error.h"
 #include "base/file_io.h"
 #include "base/interrupt.h"

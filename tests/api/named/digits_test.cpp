@@ -1,6 +1,6 @@
-// Tests for api/digits.cpp.
+// Tests for api/named/digits.cpp.
 
-#include "api/digits.h"
+#include "api/named/digits.h"
 
 #include <gtest/gtest.h>
 
