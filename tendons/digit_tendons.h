@@ -85,7 +85,7 @@ class DigitTendons {
 
   /// Compliance of the tendons at this posture, -d length / d tension, symmetric, with no negative
   /// eigenvalue; 0 without a net, whose bands stretch [m/N] (muscles, muscles).
-  /// @param at  pull() of this digit at these very q and t
+  /// The last argument is pull() of this digit at these very q and t.
   [[nodiscard]] virtual Eigen::MatrixXd give(const Eigen::VectorXd& /*q*/, const Eigen::VectorXd& t,
                                              const TendonTorque& /*at*/) const {
     return Eigen::MatrixXd::Zero(t.size(), t.size());

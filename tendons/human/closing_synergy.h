@@ -35,7 +35,7 @@ namespace thenar {
 /// their torques; the fastest joint of a finger by 1 rad/s, of the thumb by 1/4. Equal stiffness is
 /// an assumption, as joints of most subjects state none. When a joint is blocked the tendon goes on
 /// to move all others. Digits without these muscles close as with motors.
-/// @param tendons  the hand's actuation at the reference posture, with its names
+/// @param actuation  of the hand at the reference posture; its actuators have these names
 [[nodiscard]] ClosingSynergy tendon_synergy(const HandAnatomy& hand, const Subject& subject,
                                             const Skeleton& skeleton,
                                             const std::vector<std::string>& actuators,
