@@ -13,25 +13,23 @@
 #include <thenar/thenar.h>
 
 int main() {
-  // The finger with Winslow's net of bands instead of fixed shares of tension.
-  thenar::DigitRequest request;
-  request.subject = "synek2019_middle";
-  request.posture.named = {{"MCP3_FE", 20}, {"PIP3", 30}, {"DIP3", 20}};
-  request.posture.unit = thenar::PostureUnit::kTyped;
-  const thenar::DigitCase finger = thenar::build_digit(request, thenar::Hood::kFloatingNet);
-  const thenar::DigitTendons& tendons = *finger.tendons;
+  // The finger with Winslow's net of bands; muscles that are not named are slack.
+  thenar::TendonRequest request;
+  request.digit.subject = "synek2019_middle";
+  request.digit.posture.named = {{"MCP3_FE", 20}, {"PIP3", 30}, {"DIP3", 20}};
+  request.digit.posture.unit = thenar::PostureUnit::kTyped;
+  request.tension = {{"EDC", 2.9}, {"LU", 0.4}};
 
   // The net comes to rest, starting from the straight finger.
-  const Eigen::VectorXd& q = finger.grid.postures.front();
-  const Eigen::VectorXd t = thenar::tensions(finger, {{"EDC", 2.9}, {"LU", 0.4}});
-  const thenar::TendonTorque rest = tendons.pull(q, t, thenar::start_from_straight(tendons, q, t));
+  const thenar::TendonSolution answer = thenar::solve_tendons(request);
+  const thenar::TendonTorque& rest = answer.point.pull;
   std::printf("trusted: %s\n", thenar::trusted(rest.status) ? "yes" : "no");
   std::printf("slips: central %.2f N, radial %.2f N, ulnar %.2f N, terminal %.2f N\n",
               rest.slips.central, rest.slips.radial, rest.slips.ulnar, rest.slips.terminal);
 
   // What that does to the joints: extension is negative.
-  for (Eigen::Index j = 0; j < rest.tau.size(); ++j)
-    std::printf("%-8s %6.2f N mm\n",
-                finger.bones().names.coordinates[static_cast<std::size_t>(j)].c_str(),
-                rest.tau[j] / thenar::kNmm);
+  const std::vector<std::string>& joints = answer.loaded.bones().names.coordinates;
+  for (std::size_t j = 0; j < joints.size(); ++j)
+    std::printf("%-8s %6.2f N mm\n", joints[j].c_str(),
+                rest.tau[static_cast<Eigen::Index>(j)] / thenar::kNmm);
 }

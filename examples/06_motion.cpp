@@ -14,22 +14,15 @@
 #include <thenar/thenar.h>
 
 int main() {
-  // The finger, and muscles that depend on length and velocity, on rigid tendons.
-  thenar::DigitRequest request;
-  request.subject = "an_chao_index";
-  const thenar::DigitCase finger = thenar::build_digit(request, thenar::Hood::kFractions);
-  const thenar::TendonDigit& bones = finger.bones();
-  const auto muscles = thenar::build_contraction(
-      thenar::musculotendons(finger.subject, bones, thenar::Muscle::kRigidTendon),
-      thenar::Muscle::kRigidTendon);
-
-  // A tenth of all motor units of FDP, a twentieth of those of EDC, from rest; half a second.
-  const Eigen::VectorXd u =
-      thenar::in_order({{"FDP", 0.1}, {"EDC", 0.05}}, bones.names.muscles, "");
-  thenar::MotionStart start{finger.grid.postures.front(), {}, Eigen::VectorXd::Zero(u.size())};
-  const thenar::MotionModel model(*finger.tendons, *muscles);
-  const thenar::Trajectory motion =
-      thenar::simulate(model, thenar::constant_excitation(u), start, {0.3, 0.05});
+  // A tenth of the motor units of FDP and a twentieth of those of EDC, from rest, for 0.3 s;
+  // muscles depend on length and velocity, tendons are rigid.
+  thenar::MotionRequest request;
+  request.digit.subject = "an_chao_index";
+  request.excitation = {{"FDP", 0.1}, {"EDC", 0.05}};
+  request.seconds = 0.3;
+  request.sample = 0.05;
+  const thenar::SimulatedMotion answer = thenar::simulate_digit(request);
+  const thenar::Trajectory& motion = answer.trajectory;
 
   std::printf("time_ms  MCP_deg  PIP_deg  DIP_deg\n");
   for (Eigen::Index i = 0; i < motion.time.size(); ++i) {
