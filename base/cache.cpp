@@ -62,14 +62,14 @@ std::string name_of_entry(const std::string& kind, const std::string& input) {
   return sha256(fmt::format("{}\n{}\n{}\n", build_id(), kind, input.size()) + input);
 }
 
-bool ends_with(const std::string& text, const std::string& ending) {
+bool has_ending(const std::string& text, const std::string& ending) {
   return text.size() >= ending.size() &&
          text.compare(text.size() - ending.size(), ending.size(), ending) == 0;
 }
 
 bool is_entry(const fs::path& path) {
   const std::string name = path.filename().string();
-  return name.size() == kHash + kEnding.size() && ends_with(name, kEnding) &&
+  return name.size() == kHash + kEnding.size() && has_ending(name, kEnding) &&
          name.find_first_not_of("0123456789abcdef") == kHash;
 }
 
@@ -93,7 +93,7 @@ std::vector<Entry> entries_in(const std::string& folder) {
     if (gone) continue;
     if (is_entry(at->path())) entries.push_back({at->path(), at->file_size(gone), used});
     const std::string name = at->path().filename().string();
-    const bool unfinished = ends_with(name, kUnfinished) && name.size() > kHash &&
+    const bool unfinished = has_ending(name, kUnfinished) && name.size() > kHash &&
                             name.find_first_not_of("0123456789abcdef") == kHash;
     if (unfinished && std::chrono::duration<double>(now - used).count() > kForgotten)
       fs::remove(at->path(), gone);

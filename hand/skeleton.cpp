@@ -5,17 +5,11 @@
 #include <set>
 
 #include "base/error.h"
+#include "base/nearest_name.h"
 #include "base/units.h"
 
 namespace thenar {
 namespace {
-
-/// "a, b, c".
-std::string listed(const std::vector<std::string>& names) {
-  std::string list;
-  for (const std::string& name : names) list += (list.empty() ? "" : ", ") + name;
-  return list;
-}
 
 bool keeps(const std::vector<std::string>& digits, const Digit& digit) {
   return digits.empty() || std::count(digits.begin(), digits.end(), digit.name) > 0;

@@ -1,7 +1,9 @@
 """Files of one folder are compiled together (unity builds): no two of them may define the same thing.
 
 Looks at what stands in unnamed namespaces, wherever CMake draws the line between two batches. Functions
-may share a name if their parameters differ; types may not have the name of a header's type. Run from the repository root; prints every offence.
+may share a name if their parameters differ, among themselves and with functions of headers, which they would hide
+from the other files; types may not have the name of a header's type. Run from the repository root; prints every
+offence.
 """
 import collections
 import pathlib
@@ -28,8 +30,8 @@ def parameters(text):
     return "(" + ", ".join(out) + ")"
 
 
-def definitions(text):
-    """(line, what) of everything in unnamed namespaces, at their top level."""
+def definitions(text, unnamed=True):
+    """(line, what) of everything in unnamed namespaces, or in named ones alone, at their top level."""
     text = TEXT.sub(lambda m: ("" if m[0][0] == "/" else '""') + "\n" * m[0].count("\n"), text)
     text = re.sub(r"^[ \t]*#(?:[^\n]*\\\n)*[^\n]*$", lambda m: "\n" * m[0].count("\n"), text, flags=re.M)
     stack, start, round_brackets = [], 0, 0
@@ -38,7 +40,8 @@ def definitions(text):
         if c not in "{};" or (c == ";" and round_brackets):
             continue
         head = text[start:i].strip()
-        inside = bool(stack) and stack[-1] == "unnamed" and all(s in ("unnamed", "named") for s in stack)
+        wanted = ("unnamed", "named") if unnamed else ("named",)
+        inside = bool(stack) and stack[-1] == wanted[0] and all(s in wanted for s in stack)
         line = text.count("\n", 0, start + len(text[start:i]) - len(text[start:i].lstrip())) + 1
         if c == "{":
             if re.fullmatch(r"(inline )?namespace", head):
@@ -81,18 +84,24 @@ def name_of(head):
     return None
 
 
-def public_types():
-    """Types that headers declare, by name."""
-    types = {}
+def public_names():
+    """Types that headers declare, by name, and functions, by name and parameters."""
+    types, functions = {}, {}
     for path in sorted(pathlib.Path(".").rglob("*.h")):
-        if path.parts[0] not in ("build", "out", "bench", "tests") and "node_modules" not in path.parts:
-            for declared in re.finditer(r"^(?:struct|class|enum class) (\w+)[^;]*?\{", path.read_text(), re.M):
-                types.setdefault(declared[1], path)
-    return types
+        if path.parts[0] in ("build", "out", "bench", "tests") or "node_modules" in path.parts:
+            continue
+        text = path.read_text()
+        for declared in re.finditer(r"^(?:struct|class|enum class) (\w+)[^;]*?\{", text, re.M):
+            types.setdefault(declared[1], path)
+        if "namespace internal" not in text and "::internal" not in text:
+            for _, head in definitions(text, unnamed=False):
+                if (found := name_of(head)) and "(" in found[0]:
+                    functions.setdefault(found[0], path)
+    return types, functions
 
 
 def offences():
-    types = public_types()
+    types, functions = public_names()
     folders = collections.defaultdict(list)
     for path in sorted(pathlib.Path(".").rglob("*.cpp")):
         if path.parts[0] not in ("build", "out", "bench") and "node_modules" not in path.parts and not path.parts[0].startswith("."):
@@ -109,6 +118,8 @@ def offences():
                 name, value = found
                 if name in types and re.match(r"(struct|class|enum)", head):
                     yield f"{path}:{line}: {name} is a type of {types[name]}, too"
+                if name in functions:
+                    yield f"{path}:{line}: {name} is a function of {functions[name]}, too"
                 if name in first and not (value and value == first[name][1]):
                     yield f"{path}:{line}: {name} is in {first[name][0]}, too"
                 first.setdefault(name, (path, value))

@@ -45,13 +45,13 @@ NamedHand human(const std::string& name, const Subject& subject, const std::stri
 }
 
 /// Reading a robot keeps nothing, and may take seconds: a signal ends it at once.
-RobotSpec read_robot(const std::string& file) {
+RobotSpec read_graspable(const std::string& file) {
   const SignalsEndAtOnce at_once;
   return graspable(import_robot(file));
 }
 
 NamedHand robot(const std::string& name, const std::string& file) {
-  const RobotSpec spec = read_robot(file);
+  const RobotSpec spec = read_graspable(file);
   NamedHand hand;
   hand.name = name;
   hand.file = file;

@@ -64,6 +64,7 @@ std::string named_thing(const std::string& name_or_path, const std::string& data
 
 Thing read_thing(const std::string& path) {
   const FileContents file = contents_of(path);
+  if (!is_file(path)) (void)read_source(path);  // a pipe or a device: refused, saying which
   if (file.kind == "subject") return read_subject(path);
   if (file.kind == "experiment") return read_experiment(path);
   if (file.kind == "fit settings") return read_fit_settings(path);

@@ -36,7 +36,7 @@ Json scores(const TaskScores& tasks) {
           100 * tasks.explained};
 }
 
-Json joined(Json a, const Json& b) {
+Json with_cells(Json a, const Json& b) {
   for (const Json& cell : b) a.push_back(cell);
   return a;
 }
@@ -57,13 +57,13 @@ const ThumbFit* rival_of(const ThumbStudy& study, const ThumbFit& fit) {
 Json fit_row(const ThumbStudy& study, const ThumbFit& fit) {
   Json row{describe_fit(fit.settings), degrees(fit.direction), degrees(fit.direction_sd),
            100 * fit.relative_error};
-  row = joined(std::move(row), scores(fit.tasks));
+  row = with_cells(std::move(row), scores(fit.tasks));
   const ThumbFit* rival = rival_of(study, fit);
   if (rival != nullptr) {
     const ElpdDifference gain = compare_elpd(fit.left_out, rival->left_out);
-    row = joined(std::move(row), {gain.elpd, gain.se});
+    row = with_cells(std::move(row), {gain.elpd, gain.se});
   } else {
-    row = joined(std::move(row), {nullptr, nullptr});
+    row = with_cells(std::move(row), {nullptr, nullptr});
   }
   row.push_back((fit.left_out.k.array() > fit.left_out.good_k).count());
   row.push_back(fit.run.convergence.worst_r_hat);
@@ -76,8 +76,8 @@ Json reference_row(const char* name, const ThumbReference& reference, const Json
   Json row{
       fmt::format("{}, {:.0f} % noise{}", name, 100 * reference.noise,
                   reference.skewness == 1 ? "" : fmt::format(", {} x skew", reference.skewness))};
-  row = joined(joined(std::move(row), pulls), scores(tasks));
-  return joined(std::move(row), {nullptr, nullptr, nullptr, nullptr, "not fitted"});
+  row = with_cells(with_cells(std::move(row), pulls), scores(tasks));
+  return with_cells(std::move(row), {nullptr, nullptr, nullptr, nullptr, "not fitted"});
 }
 
 Json convergence_block(const ThumbStudy& study) {
@@ -242,7 +242,7 @@ Json thumb_study_section(const ThumbStudy& study,
     }
     if (!charts.empty()) blocks.push_back(row_block(std::move(charts)));
   }
-  blocks = joined(std::move(blocks), clouds_block(study));
+  blocks = with_cells(std::move(blocks), clouds_block(study));
   blocks.push_back(thumb_mode_table(study));
   if (calibration && !calibration->judged.parameters.empty()) {
     if (!calibration->judged.warnings.empty())

@@ -74,7 +74,6 @@ INSTANTIATE_TEST_SUITE_P(Postures, PricesOfF0,
                                          Asked{"synek2019_middle", "middle", {20, 0, 30, 15}},
                                          Asked{"synek2019_middle", "middle", {50, -5, 40, 40}},
                                          Asked{"mirakhorlo2016", "index", {30, 0, 40, 20}},
-                                         Asked{"mirakhorlo2016", "little", {30, 0, 40, 20}},
                                          Asked{"arms_thumb", "thumb", {10, 10, 20, 20}}));
 
 TEST(FeasibleForce, RefusesAWideToleranceInDegrees) {
