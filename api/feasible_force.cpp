@@ -76,13 +76,7 @@ FeasibleForceAnswer ask_feasible_force(const FeasibleForceRequest& request,
     answer.points.push_back(point_at(request, at));
     return at.warnings;
   };
-  const auto fail = [&](const Eigen::VectorXd& q, const std::string& why) {
-    FeasibleForcePoint point;
-    point.q = q;
-    point.failure = why;
-    answer.points.push_back(std::move(point));
-  };
-  ask_postures(answer.about, ask, fail, progress);
+  ask_postures(answer.about, ask, kept_in(answer.points), progress);
   return answer;
 }
 

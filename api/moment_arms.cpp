@@ -60,10 +60,7 @@ MomentArmAnswer ask_moment_arms(const DigitRequest& request, const Progress& pro
     answer.points.back().length_change -= start;
     return pull.warning.empty() ? std::vector<std::string>{} : std::vector{pull.warning};
   };
-  const auto fail = [&](const Eigen::VectorXd& q, const std::string& why) {
-    answer.points.push_back({q, why, {}, {}});
-  };
-  ask_postures(answer.about, ask, fail, progress);
+  ask_postures(answer.about, ask, kept_in(answer.points), progress);
 
   // An arm at any posture shows that the muscle crosses the joint.
   answer.crosses.setConstant(start.size(), answer.reference.size(), false);

@@ -55,13 +55,7 @@ TipForceAnswer ask_tip_force(const TipForceRequest& request, const Progress& pro
     answer.points.push_back(std::move(point));
     return at.warnings;
   };
-  const auto fail = [&](const Eigen::VectorXd& q, const std::string& why) {
-    TipForcePoint point;
-    point.q = q;
-    point.failure = why;
-    answer.points.push_back(std::move(point));
-  };
-  ask_postures(answer.about, ask, fail, progress);
+  ask_postures(answer.about, ask, kept_in(answer.points), progress);
   return answer;
 }
 

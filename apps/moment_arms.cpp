@@ -25,10 +25,7 @@ void run_moment_arms(const MomentArmArguments& options) {
   const MomentArmAnswer answer =
       ask_moment_arms(options.request, terminal_progress("postures that are done are kept"));
   const DigitSweep& about = answer.about;
-  if (about.done == 0) tell_if_stopped(0, about.asked(), "posture");
-  print_warnings(about.warnings);
-  deliver(options.outputs, answer);
-  tell_if_stopped(about.done, about.asked(), "posture");
+  deliver_postures(options.outputs, answer, about.warnings, about.done, about.asked());
 }
 
 }  // namespace

@@ -31,10 +31,7 @@ void run_pose(const PoseArguments& options) {
       ask_pose(options.request, terminal_progress("postures that are done are kept"));
   std::visit(
       [&](const auto& poses) {
-        if (poses.points.empty()) tell_if_stopped(0, asked(poses), "posture");
-        print_warnings(poses.warnings);
-        deliver(options.outputs, poses);
-        tell_if_stopped(poses.points.size(), asked(poses), "posture");
+        deliver_postures(options.outputs, poses, poses.warnings, poses.points.size(), asked(poses));
       },
       answer);
 }

@@ -5,6 +5,7 @@
 #include <functional>
 #include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <Eigen/Core>
@@ -39,6 +40,17 @@ struct DigitSweep {
 using AskPosture = std::function<std::vector<std::string>(const Eigen::VectorXd& q)>;
 /// Hears why there is no answer at a posture.
 using NoAnswer = std::function<void(const Eigen::VectorXd& q, const std::string& why)>;
+
+/// Keeps a posture without an answer among the points of the others, with the reason.
+template <typename Point>
+[[nodiscard]] NoAnswer kept_in(std::vector<Point>& points) {
+  return [&points](const Eigen::VectorXd& q, const std::string& why) {
+    Point point;
+    point.q = q;
+    point.failure = why;
+    points.push_back(std::move(point));
+  };
+}
 
 /// Asks at every posture in order, until progress says stop, and counts those that are done. Where
 /// only some postures have no answer they are told to `fail`, and a warning says how many.

@@ -4,12 +4,14 @@
 
 #include <functional>
 #include <string>
+#include <vector>
 
 #include "api/feasible_force.h"
 #include "api/moment_arms.h"
 #include "api/named/digit_sweep.h"
 #include "api/pose.h"
 #include "api/tip_force.h"
+#include "base/numbers.h"
 #include "report/blocks.h"
 #include "report/sweep_axes.h"
 
@@ -45,6 +47,16 @@ using AddLayers = std::function<void(std::size_t point, const std::string& tint,
 /// A layer with one arrow. @param from  [m] (3);  @param vector  as drawn [mm] (3)
 [[nodiscard]] Json arrow_layer(const std::string& name, const std::string& color,
                                const Eigen::Vector3d& from, const Eigen::Vector3d& vector);
+
+/// A quantity of every posture; NaN where there is no answer. @param value  of one of the points
+template <typename Point, typename Value>
+[[nodiscard]] Curve curve_over(const std::vector<Point>& points, const std::string& name,
+                               const Value& value) {
+  Curve curve{name, Eigen::VectorXd(static_cast<Eigen::Index>(points.size()))};
+  for (std::size_t i = 0; i < points.size(); ++i)
+    curve.y(static_cast<Eigen::Index>(i)) = points[i].failure.empty() ? value(points[i]) : kNaN;
+  return curve;
+}
 
 /// Charts side by side, two a row.
 [[nodiscard]] Json paired(const Json& charts);

@@ -17,33 +17,23 @@ namespace {
 
 using Eigen::Index;
 
-/// A quantity of every posture; NaN where there is no answer.
-template <typename Value>
-Curve force_curve(const FeasibleForceAnswer& answer, const std::string& name, const Value& value) {
-  Curve curve{name, Eigen::VectorXd(static_cast<Index>(answer.points.size()))};
-  for (std::size_t i = 0; i < answer.points.size(); ++i)
-    curve.y(static_cast<Index>(i)) =
-        answer.points[i].failure.empty() ? value(answer.points[i]) : kNaN;
-  return curve;
-}
-
 /// Largest force along the direction, what limits it, and who pulls.
 void add_direction_charts(const FeasibleForceAnswer& answer, const SweepAxes& axes, Json& charts) {
   std::vector<Curve> prices, activations;
   for (std::size_t m = 0; m < answer.about.muscles.size(); ++m) {
     const auto i = static_cast<Index>(m);
     prices.push_back(
-        force_curve(answer, answer.about.muscles[m], [i](const FeasibleForcePoint& point) {
+        curve_over(answer.points, answer.about.muscles[m], [i](const FeasibleForcePoint& point) {
           const Eigen::VectorXd& price = point.largest->prices.increase;
           return price.size() > 0 ? price(i) : kNaN;
         }));
     activations.push_back(
-        force_curve(answer, answer.about.muscles[m], [i](const FeasibleForcePoint& point) {
+        curve_over(answer.points, answer.about.muscles[m], [i](const FeasibleForcePoint& point) {
           return point.largest->status == Status::kSolved ? point.largest->activation(i) : kNaN;
         }));
   }
   charts.push_back(curve_chart(axes, "Largest force along the direction", "force [N]",
-                               {force_curve(answer, "largest force", [](const auto& point) {
+                               {curve_over(answer.points, "largest force", [](const auto& point) {
                                  return point.largest->magnitude;
                                })}));
   charts.push_back(curve_chart(axes,
@@ -59,13 +49,12 @@ void add_set_charts(const FeasibleForceAnswer& answer, const SweepAxes& axes, Js
                                       [](const auto& point) { return point.failure.empty(); });
   std::vector<Curve> along;
   for (std::size_t k = 0; k < 6; ++k)
-    along.push_back(force_curve(answer, axis_direction(with_axes->axes, k), [k](const auto& point) {
-      return point.whole->along[k].magnitude;
-    }));
+    along.push_back(curve_over(answer.points, axis_direction(with_axes->axes, k),
+                               [k](const auto& point) { return point.whole->along[k].magnitude; }));
   charts.push_back(
       curve_chart(axes, "Largest pure force along each axis, the others 0", "force [N]", along));
   charts.push_back(curve_chart(axes, "Volume of all forces", "volume [N^3]",
-                               {force_curve(answer, "volume", [](const auto& point) {
+                               {curve_over(answer.points, "volume", [](const auto& point) {
                                  return point.whole->set.dimension == 3 ? point.whole->set.volume
                                                                         : kNaN;
                                })}));

@@ -11,16 +11,6 @@ namespace {
 
 using Eigen::Index;
 
-/// A quantity of every posture; NaN where there is no answer.
-template <typename Value>
-Curve arm_curve(const MomentArmAnswer& answer, const std::string& name, const Value& value) {
-  Curve curve{name, Eigen::VectorXd(static_cast<Index>(answer.points.size()))};
-  for (std::size_t i = 0; i < answer.points.size(); ++i)
-    curve.y(static_cast<Index>(i)) =
-        answer.points[i].failure.empty() ? value(answer.points[i]) / kMm : kNaN;
-  return curve;
-}
-
 /// A chart for each joint, and one of lengths.
 Json arm_charts_of(const MomentArmAnswer& answer) {
   const DigitSweep& about = answer.about;
@@ -31,15 +21,17 @@ Json arm_charts_of(const MomentArmAnswer& answer) {
     std::vector<Curve> curves;
     for (Index m = 0; m < answer.crosses.rows(); ++m)
       if (answer.crosses(m, j))
-        curves.push_back(arm_curve(answer, about.muscles[static_cast<std::size_t>(m)],
-                                   [m, j](const MomentArmPoint& p) { return p.arms(m, j); }));
+        curves.push_back(
+            curve_over(answer.points, about.muscles[static_cast<std::size_t>(m)],
+                       [m, j](const MomentArmPoint& p) { return p.arms(m, j) / kMm; }));
     charts.push_back(curve_chart(axes, "Moment arms about " + joint,
                                  "arm, " + positive_motion(joint) + " positive [mm]", curves));
   }
   std::vector<Curve> lengths;
   for (Index m = 0; m < answer.crosses.rows(); ++m)
-    lengths.push_back(arm_curve(answer, about.muscles[static_cast<std::size_t>(m)],
-                                [m](const MomentArmPoint& p) { return p.length_change(m); }));
+    lengths.push_back(
+        curve_over(answer.points, about.muscles[static_cast<std::size_t>(m)],
+                   [m](const MomentArmPoint& p) { return p.length_change(m) / kMm; }));
   charts.push_back(curve_chart(axes, "Length change since the posture " + reference_words(answer),
                                "change, longer positive [mm]", lengths));
   return paired(charts);

@@ -12,43 +12,34 @@
 namespace thenar {
 namespace {
 
-/// A quantity of every posture; NaN where there is no answer.
-template <typename Value>
-Curve tip_curve(const TipForceAnswer& answer, const std::string& name, const Value& value) {
-  Curve curve{name, Eigen::VectorXd(static_cast<Eigen::Index>(answer.points.size()))};
-  for (std::size_t i = 0; i < answer.points.size(); ++i) {
-    const TipForcePoint& point = answer.points[i];
-    curve.y(static_cast<Eigen::Index>(i)) = point.failure.empty() ? value(point) : kNaN;
-  }
-  return curve;
-}
-
 Json tip_charts(const TipForceAnswer& answer) {
   const SweepAxes axes = axes_of(answer.about);
   std::vector<Curve> force, torque, moment;
   const char* const names[] = {"proximal", "dorsal", "radial"};
   const char* const world[] = {"x", "y", "z"};
   for (int k = 0; k < 3; ++k) {
-    force.push_back(tip_curve(answer, names[k], [k](const TipForcePoint& point) {
+    force.push_back(curve_over(answer.points, names[k], [k](const TipForcePoint& point) {
       return point.singular ? kNaN : force_along_tip(point)(k);
     }));
-    moment.push_back(tip_curve(answer, world[k],
-                               [k](const TipForcePoint& point) { return point.moment(k) / kNmm; }));
+    moment.push_back(curve_over(answer.points, world[k], [k](const TipForcePoint& point) {
+      return point.moment(k) / kNmm;
+    }));
   }
   for (std::size_t j = 0; j < answer.about.rows.size(); ++j)
-    torque.push_back(tip_curve(answer, answer.about.rows[j], [j](const TipForcePoint& point) {
-      return point.residual(static_cast<Eigen::Index>(j)) / kNmm;
-    }));
+    torque.push_back(
+        curve_over(answer.points, answer.about.rows[j], [j](const TipForcePoint& point) {
+          return point.residual(static_cast<Eigen::Index>(j)) / kNmm;
+        }));
   Json charts =
       Json::array({curve_chart(axes,
                                "Force of the tip on the world along its own axes; none at singular "
                                "postures",
                                "force [N]", force),
                    curve_chart(axes, "Size of the force", "force [N]",
-                               {tip_curve(answer, "size",
-                                          [](const TipForcePoint& point) {
-                                            return point.singular ? kNaN : point.force.norm();
-                                          })}),
+                               {curve_over(answer.points, "size",
+                                           [](const TipForcePoint& point) {
+                                             return point.singular ? kNaN : point.force.norm();
+                                           })}),
                    curve_chart(axes, "Joint torque left over, that no load of the tip balances",
                                "torque [N mm]", torque)});
   if (answer.hold == TipHold::kRigid)
