@@ -30,6 +30,7 @@ PosteriorSettings settings_of(const SampleRequest& request, const FitInputs& inp
   run.sampler.max_depth = request.max_depth;
   if (run.method == SamplingMethod::kNuts || run.method == SamplingMethod::kHmc)
     run.sampler.target_acceptance = request.target_acceptance;
+  settings.retry_acceptances = request.retry_acceptances;
   run.groups = request.chains;
   run.walkers = request.walkers;
   run.temperatures = request.temperatures;
@@ -46,13 +47,21 @@ PosteriorSettings settings_of(const SampleRequest& request, const FitInputs& inp
   return settings;
 }
 
-/// Forgets a run. Its state goes first: what is left if we are killed here begins anew.
+/// Forgets a run with all its attempts. The state of the first goes first: what is left if we are
+/// killed here begins anew.
 /// @throws InputError if another process is sampling there.
 void forget_run(const std::string& folder) {
   std::error_code none;
   if (!fs::exists(folder, none)) return;
-  internal::AppendFile lock(folder + "/lock");
-  require(lock.lock(), "another process is sampling in '{}'", folder);
+  // Whoever samples holds the lock of one attempt.
+  std::vector<std::string> attempts{folder};
+  for (const fs::directory_entry& entry : fs::directory_iterator(folder))
+    if (entry.is_directory()) attempts.push_back(entry.path().string());
+  std::vector<internal::AppendFile> locks;
+  for (const std::string& attempt : attempts) {
+    locks.emplace_back(attempt + "/lock");
+    require(locks.back().lock(), "another process is sampling in '{}'", attempt);
+  }
   fs::remove(folder + "/state.bin");
   fs::remove_all(folder);
 }

@@ -24,19 +24,21 @@ struct SampleRequest {
   long draws = 0;                  // of each chain; 0: 1000 steps in all [1]
   int thin = 0;                    // steps a draw; 0: 1, of ensembles of many walkers 10 [1]
   double target_acceptance = 0.9;  // of nuts and hmc: thumbs bend more than textbook posteriors [1]
-  int max_depth = 10;              // of trees of nuts: 2^depth steps at most [1]
-  int temperatures = 1;            // of parallel tempering; 1: none [1]
-  double min_beta = 0;             // power of the likelihood on the hottest rung [1]
-  int swap_every = 1;              // steps between swaps of temperatures [1]
-  int mode_starts = 16;            // of the search for modes [1]
-  bool fixed_noise = false;        // believe the stated noise
-  int threads = 0;                 // 0: as many as there are processors
-  double checkpoint_every = 10;    // what a kill may cost [s]
-  bool fresh = false;              // forget an interrupted run of this output
-  bool keep_unconverged = true;    // keep the state of chains that have not converged: they may be
-                                   // asked for more draws
-  std::string output;              // posterior file (.nc); its chains lie in OUTPUT.chains
-  RunRecord run;                   // for the file
+  std::vector<double> retry_acceptances{0.95, 0.99};  // begin anew at the next once a trajectory
+                                                      // diverges; empty: never [1]
+  int max_depth = 10;                                 // of trees of nuts: 2^depth steps at most [1]
+  int temperatures = 1;                               // of parallel tempering; 1: none [1]
+  double min_beta = 0;           // power of the likelihood on the hottest rung [1]
+  int swap_every = 1;            // steps between swaps of temperatures [1]
+  int mode_starts = 16;          // of the search for modes [1]
+  bool fixed_noise = false;      // believe the stated noise
+  int threads = 0;               // 0: as many as there are processors
+  double checkpoint_every = 10;  // what a kill may cost [s]
+  bool fresh = false;            // forget an interrupted run of this output
+  bool keep_unconverged = true;  // keep the state of chains that have not converged: they may be
+                                 // asked for more draws
+  std::string output;            // posterior file (.nc); its chains lie in OUTPUT.chains
+  RunRecord run;                 // for the file
 };
 
 /// A posterior with everything that is said of it.

@@ -34,7 +34,7 @@ struct FitArguments {
   std::vector<std::string> leave_out;
   FitRequest fit;
   SampleRequest chains;
-  bool allow_unconverged = false;
+  bool allow_unconverged = false, no_retry = false;
   Outputs outputs;
 };
 
@@ -90,6 +90,7 @@ void sample_posterior_of(FitArguments& options) {
   request.method = sampling_method(options.sampler);
   request.seed = options.fit.seed;
   request.keep_unconverged = !options.allow_unconverged;
+  if (options.no_retry) request.retry_acceptances.clear();
   request.output = options.outputs.one(".nc");
   require(!request.output.empty(), "--method mcmc needs a file for its draws: -o P.nc");
   request.run = this_run();
@@ -157,6 +158,9 @@ void add_chain_options(CLI::App& command, FitArguments& options) {
   flag("--fixed-noise", chains.fixed_noise, "Believe the stated noise");
   flag("--allow-unconverged", options.allow_unconverged,
        "Do not fail if the chains have not converged");
+  flag("--no-retry", options.no_retry,
+       "Keep chains whose trajectories diverge, rather than begin anew with smaller steps (at "
+       "target acceptances of 0.95 and 0.99)");
   flag("--fresh", chains.fresh, "Forget an interrupted run of this output");
 }
 

@@ -1,6 +1,7 @@
 #include "posterior/run/posterior_file.h"
 
 #include <ctime>
+#include <sstream>
 #include <type_traits>
 
 #include <fmt/format.h>
@@ -167,6 +168,9 @@ InferenceFile describe_posterior(const PosteriorRun& run) {
   internal::add_inputs(run.inputs, file.attributes);
   internal::add_settings(run.settings, file.attributes);
   internal::add_record(run.run, file.attributes);
+  if (!run.abandoned.empty())
+    file.attributes["abandoned_target_acceptances"] =
+        fmt::format("{}", fmt::join(run.abandoned, " "));
 
   // Groups, by the names of ArviZ.
   using namespace internal;
@@ -297,6 +301,10 @@ PosteriorRun run_of(const InferenceFile& file) {
       std::make_shared<const HandPosterior>(build_problem(run.inputs), run.settings.posterior);
   // What was found; convergence and masses are judged again.
   run.run = internal::record_of(given);
+  if (given.has("abandoned_target_acceptances")) {
+    std::istringstream abandoned(given.text("abandoned_target_acceptances"));
+    for (double target; abandoned >> target;) run.abandoned.push_back(target);
+  }
   run.modes = modes_of(file, *run.posterior);
   run.draws = draws_of(file, given, run.posterior->size());
   assess_run(run);

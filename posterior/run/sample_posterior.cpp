@@ -125,6 +125,9 @@ std::string describe_run(const PosteriorRun& run) {
                                  run.draws.chains() == 1 ? "chain" : "chains", run.draws.draws(),
                                  run.draws.warm_up, run.draws.seconds);
   if (options.temperatures > 1) text += fmt::format(", {} temperatures", options.temperatures);
+  if (!run.abandoned.empty())
+    text += fmt::format(", at a target acceptance of {}, as trajectories diverged at {}",
+                        options.sampler.target_acceptance, fmt::join(run.abandoned, " and "));
   return text + (run.draws.complete ? "" : "; stopped early");
 }
 
@@ -162,7 +165,11 @@ PosteriorRun sample_posterior(const FitInputs& inputs, const PosteriorSettings& 
 
   // Sample, and judge the draws.
   options.fingerprint = fingerprint(inputs, settings);
-  run.draws = run_chains(*run.posterior, starts, options, ranks);
+  RetriedDraws retried =
+      retry_divergent(*run.posterior, starts, options, settings.retry_acceptances, ranks);
+  run.draws = std::move(retried.draws);
+  run.abandoned = std::move(retried.abandoned);
+  run.settings.run.sampler.target_acceptance = retried.target_acceptance;
   collective_call(ranks, [&] { assess_run(run); });
   return run;
 }

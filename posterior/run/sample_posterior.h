@@ -12,6 +12,7 @@
 #include "posterior/hand_posterior.h"
 #include "sampling/diagnostics/convergence.h"
 #include "sampling/diagnostics/modes.h"
+#include "sampling/run/retry_divergent.h"
 #include "sampling/run/run_chains.h"
 
 namespace thenar {
@@ -25,13 +26,16 @@ struct PosteriorSettings {
   RunOptions run;        // fingerprint and covariance are set by the run; walkers 0: as few as
                          // the method allows
   int mode_starts = 16;  // starts of the search for modes, before sampling [1]
+  std::vector<double>
+      retry_acceptances;  // target acceptances of retry_divergent(); empty: none [1]
   ConvergenceLimits limits;
 };
 
 /// Draws from the posterior of a digit.
 struct PosteriorRun {
   FitInputs inputs;
-  PosteriorSettings settings;
+  PosteriorSettings settings;     // with the target acceptance of the attempt that made the draws
+  std::vector<double> abandoned;  // target acceptances of attempts that ended at a divergence [1]
   std::shared_ptr<const HandPosterior> posterior;  // shared by copies of the run
   std::vector<Mode> modes;                         // found before sampling, best first
   Draws draws;

@@ -160,6 +160,8 @@ Json convergence_json(const PosteriorRun& run) {
           {"warm_up", run.draws.warm_up},
           {"complete", run.draws.complete},
           {"seconds", run.draws.seconds},
+          {"target_acceptance", run.settings.run.sampler.target_acceptance},
+          {"abandoned_target_acceptances", run.abandoned},
           {"converged", c.warnings.empty()},
           {"reasons", c.warnings},
           {"cautions", c.cautions},

@@ -44,7 +44,8 @@ struct Changes {
 
 /// Against divergent trajectories: a target halfway from here to 1.
 void against_divergence(const SamplerOptions& options, Changes& changes) {
-  const double now = options.target_acceptance > 0 ? options.target_acceptance : 0.8;
+  const double now =
+      options.target_acceptance > 0 ? options.target_acceptance : kDefaultTargetAcceptance;
   const std::string target = fmt::format("{:.4g}", 1 - (1 - now) / 2);
   changes.add(fmt::format("trajectories diverge, and smaller steps follow the density better: a "
                           "higher --target-acceptance {} (was {:.4g})",

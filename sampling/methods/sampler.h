@@ -79,6 +79,9 @@ enum class SamplingMethod {
 
 enum class Metric { kDiagonal, kDense };
 
+/// Target acceptance of HMC and NUTS where none is given [1]. Source: Stan's [Carpenter2017]
+inline constexpr double kDefaultTargetAcceptance = 0.8;
+
 struct SamplerOptions {
   unsigned seed = 1;
   int first_chain = 0;             // number of its first chain, for its random streams [1]

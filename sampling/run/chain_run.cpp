@@ -77,8 +77,8 @@ void ChainRun::agree(double seconds, long steps) {
   const Eigen::VectorXd all = ranks_.all_gather(mine);
   const Eigen::Map<const Eigen::Matrix4Xd> ranks(all.data(), 4, ranks_.size());
   // Anyone may stop the run; the clock is that of rank 0.
-  stop_ = ranks.row(0).maxCoeff() > 0;
   divergent_ = static_cast<long>(ranks.row(1).sum());
+  stop_ = ranks.row(0).maxCoeff() > 0 || (options_.end_at_divergence && divergent_ > 0);
   checkpoint_due_ = ranks(2, 0) > 0;
   next_leg_ = static_cast<long>(ranks(3, 0));
   seconds_per_step_ = seconds / double(steps);
@@ -159,6 +159,9 @@ Draws ChainRun::result() const {
       Eigen::Map<const Eigen::MatrixXd>(rates.data(), draws.beta.size() - 1, options_.groups);
   draws.warm_up = options_.sampler.warm_up;
   draws.complete = samplers_.step() >= total_;
+  const double divergent = double(samplers_.divergent());  // of this rank
+  draws.ended_at_divergence = options_.end_at_divergence &&
+                              ranks_.all_gather(Eigen::VectorXd::Constant(1, divergent)).sum() > 0;
   draws.seconds = seconds_before_ + seconds_since(start_);
   if (!first()) return draws;
   for (int g = 0; g < options_.groups; ++g) {

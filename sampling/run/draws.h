@@ -22,7 +22,8 @@ struct Draws {
   Eigen::MatrixXd swap_rate;  // accepted share of swaps of neighbours (temperatures - 1, groups)
   long warm_up = 0;           // steps before the first draw
   bool complete = false;      // the run made all draws that were requested
-  double seconds = 0;         // wall time of warm-up and sampling, summed over resumes [s]
+  bool ended_at_divergence = false;  // as RunOptions::end_at_divergence wants; on every rank
+  double seconds = 0;                // wall time of warm-up and sampling, summed over resumes [s]
 
   [[nodiscard]] int size() const { return x.empty() ? 0 : static_cast<int>(x[0].rows()); }
   [[nodiscard]] int chains() const { return static_cast<int>(x.size()); }

@@ -29,19 +29,20 @@ class CheckpointError : public InputError {
 /// Sampler, chains and temperatures of a run, and where it keeps its checkpoints.
 struct RunOptions {
   SamplingMethod method = SamplingMethod::kNuts;
-  SamplerOptions sampler;        // seed, warm-up, metric; beta and first_chain are set by the run
-  int groups = 4;                // independent chains, or ensembles [1]
-  int walkers = 1;               // chains of one ensemble; 1 for methods of single chains [1]
-  int temperatures = 1;          // 1: no tempering [1]
-  double min_beta = 0;           // power of the likelihood of the hottest; 0: the prior [1]
-  int swap_every = 1;            // steps between swaps [1]
-  long draws = 1000;             // of each chain, after thinning [1]
-  int thin = 1;                  // steps a draw [1]
-  std::string folder;            // of checkpoints and streams; empty: in memory only
-  double checkpoint_every = 10;  // [s]
-  int threads = 0;               // 0: as many as fill batches and processors; 1 if there are
-                                 // several ranks [1]
-  std::string fingerprint;       // of target and data; a checkpoint with another one is refused
+  SamplerOptions sampler;          // seed, warm-up, metric; beta and first_chain are set by the run
+  int groups = 4;                  // independent chains, or ensembles [1]
+  int walkers = 1;                 // chains of one ensemble; 1 for methods of single chains [1]
+  int temperatures = 1;            // 1: no tempering [1]
+  double min_beta = 0;             // power of the likelihood of the hottest; 0: the prior [1]
+  int swap_every = 1;              // steps between swaps [1]
+  long draws = 1000;               // of each chain, after thinning [1]
+  int thin = 1;                    // steps a draw [1]
+  std::string folder;              // of checkpoints and streams; empty: in memory only
+  double checkpoint_every = 10;    // [s]
+  bool end_at_divergence = false;  // return early, incomplete, once a step after warm-up diverges
+  int threads = 0;                 // 0: as many as fill batches and processors; 1 if there are
+                                   // several ranks [1]
+  std::string fingerprint;         // of target and data; a checkpoint with another one is refused
   Progress progress;
 };
 
