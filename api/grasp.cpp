@@ -67,7 +67,8 @@ GraspOptions options_of(const GraspResult& result) {
 /// Wrenches of contacts, with cones or pyramids.
 WrenchSet wrenches_of(const GraspResult& result, const std::vector<HandContact>& contacts) {
   const SceneBody& object = result.setting.scene.object;
-  const WrenchSet set = wrench_set(contacts_without_hand(contacts), object.com, object.reach);
+  const WrenchSet set =
+      wrench_set(contacts_without_hand(contacts), object.com, object.torque_scale);
   return result.request.edges > 0 ? pyramids(set, result.request.edges) : set;
 }
 
@@ -83,9 +84,10 @@ Grasp grasp_from(const GraspResult& result, const Pregrasp& start) {
   const GraspOptions options = options_of(result);
   const Scene& scene = result.setting.scene;
   GraspOptions here = options;
-  here.way = 0;
-  Grasp found = start.way > 0 ? attempt_grasp(result.touching, start, scene, options)
-                              : grasp(result.touching, start.X_WH, start.q, scene, here);
+  here.approach_distance = 0;
+  Grasp found = start.approach_distance > 0
+                    ? attempt_grasp(result.collision_hand, start, scene, options)
+                    : grasp(result.collision_hand, start.X_WH, start.q, scene, here);
   if (result.request.edges > 0 && found.outcome == GraspOutcome::kGrasped)
     found.quality = epsilon(wrenches_of(result, found.contacts), options.epsilon);
   return found;
@@ -114,7 +116,7 @@ void add_grasps(GraspResult& result, const Progress& progress) {
     report_or_stop(progress, static_cast<double>(i) / request.starts,
                    fmt::format("start {} of {}", i + 1, request.starts));
     const Pregrasp drawn =
-        sample_pregrasp(result.touching, result.setting.scene.object, request.seed, i);
+        sample_pregrasp(result.collision_hand, result.setting.scene.object, request.seed, i);
     note(result, grasp_from(result, drawn), i, drawn);
   }
   result.wrenches = wrenches_of(result, result.grasp.contacts);
@@ -147,7 +149,7 @@ RobustnessOptions robustness_options(const GraspResult& result) {
   RobustnessOptions options;
   options.draws = result.request.robustness.draws;
   options.centre = object.com;
-  options.torque_scale = object.reach;
+  options.torque_scale = object.torque_scale;
   options.limit = result.request.limit;
   options.gap = result.request.tolerance;
   options.edges = result.request.edges;
@@ -177,7 +179,8 @@ GraspRobustness robustness_of(const GraspResult& result, const Progress& progres
         tick();
         const Eigen::Vector3d by = asked.place * draw_normal(rng);
         scene.object.X_WB = moved(result.setting.scene.object, by, asked.turn * draw_normal(rng));
-        const Grasp again = attempt_grasp(result.touching, result.start, scene, options_of(result));
+        const Grasp again =
+            attempt_grasp(result.collision_hand, result.start, scene, options_of(result));
         return again.outcome == GraspOutcome::kGrasped ? contacts_without_hand(again.contacts)
                                                        : std::vector<Contact>{};
       },
@@ -239,7 +242,7 @@ GraspResult grasp_in_world(const GraspRequest& request, const Progress& progress
   GraspResult result{};
   result.request = request;
   result.setting = open_setting(request, schedule.next(kHand));
-  result.touching =
+  result.collision_hand =
       collision_hand(*result.setting.hand.named.hand, result.setting.scene.materials);
   const std::clock_t start = std::clock();
   // The grasp itself: without one there is nothing to return.

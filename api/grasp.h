@@ -55,7 +55,7 @@ inline constexpr std::array<GraspOutcome, 6> kOutcomes{
 struct GraspResult {
   GraspRequest request;
   WorldCase setting;                          // the world, its hand and its scene
-  CollisionHand touching;                     // collision model of the hand of `setting`
+  CollisionHand collision_hand;               // collision model of the hand of `setting`
   Grasp grasp;                                // the best of all starts
   WrenchSet wrenches;                         // of its contacts, cones or pyramids
   std::array<int, 6> outcomes{};              // of all starts, by GraspOutcome

@@ -115,8 +115,9 @@ void add_holds(const Asked& asked, GraspMeasures& measures) {
 /// The part of a load that efforts and friction support by themselves.
 std::optional<double> active_part(const Asked& asked, GraspTask task, double weight, double whole) {
   if (whole == 0 || asked.forces.passive_contacts.empty()) return whole;
-  const TaskMargin pressed = margin_of_loads(
-      active_only(asked.forces), task_loads(task, weight, asked.result.setting.scene.object.reach));
+  const TaskMargin pressed =
+      margin_of_loads(active_only(asked.forces),
+                      task_loads(task, weight, asked.result.setting.scene.object.torque_scale));
   if (pressed.status != Status::kSolved) return std::nullopt;
   return std::min(pressed.lower, whole);
 }
@@ -152,8 +153,9 @@ void add_margins(const Asked& asked, GraspMeasures& measures) {
 Measured<GraspStiffness> stiffness_of(const Asked& asked) {
   const SceneBody& object = asked.result.setting.scene.object;
   const Materials& materials = asked.result.setting.scene.materials;
-  const PosedCollisionHand posed{asked.result.touching, asked.result.grasp.approached.X_WH,
-                                 asked.result.touching.hand->pose(asked.result.grasp.closed.q)};
+  const PosedCollisionHand posed{
+      asked.result.collision_hand, asked.result.grasp.approached.X_WH,
+      asked.result.collision_hand.hand->pose(asked.result.grasp.closed.q)};
   const PadBody held{object.solid, materials.at(object.material), {}};
   PadOptions options;
   options.force = kPadForce;
@@ -161,7 +163,7 @@ Measured<GraspStiffness> stiffness_of(const Asked& asked) {
   for (const ContactPatch& patch : patches_of(asked.result.grasp.contacts)) {
     const int surface = patch.contacts[0].surface;
     const LinkSurface& link =
-        asked.result.touching.hand->surfaces()[static_cast<std::size_t>(surface)];
+        asked.result.collision_hand.hand->surfaces()[static_cast<std::size_t>(surface)];
     const PadBody pad{*link.solid, materials.at(link.material),
                       object.X_WB.inverse() * posed.of_surface(surface)};
     const auto springs = pad_stiffness(patch, pad, held, options);
@@ -172,13 +174,13 @@ Measured<GraspStiffness> stiffness_of(const Asked& asked) {
     pads.insert(pads.end(), patch.contacts.size(), *springs);
   }
   return {grasp_stiffness(contacts_without_hand(asked.result.grasp.contacts), object.com,
-                          object.reach, pads),
+                          object.torque_scale, pads),
           ""};
 }
 
 Measured<ObjectMotion> manipulability_of(const Asked& asked) {
   try {
-    return {object_motion(*asked.result.touching.hand, asked.result.grasp.closed.q,
+    return {object_motion(*asked.result.collision_hand.hand, asked.result.grasp.closed.q,
                           contacts_without_hand(asked.result.grasp.contacts),
                           asked.result.setting.scene.object, asked.held.T),
             ""};
@@ -192,7 +194,7 @@ Measured<ObjectMotion> manipulability_of(const Asked& asked) {
 GraspMeasures measure_grasp(const GraspResult& result, const Progress& progress) {
   const Grasp& grasp = result.grasp;
   const SceneBody& object = result.setting.scene.object;
-  const HeldObject hand{*result.touching.hand, grasp.closed.q, grasp.contacts,
+  const HeldObject hand{*result.collision_hand.hand, grasp.closed.q, grasp.contacts,
                         grasp.approached.X_WH.inverse() * object.X_WB};
   HandForceInputs held = hand_force_inputs(hand, object);
   ForceSet forces = hand_forces(held.set, held.T, held.actuation);

@@ -10,7 +10,7 @@ constexpr double kNoArm = 1e-9;  // below the rounding of paths of hand size [m/
 /// A pull of nothing: arms of linear tendons are there without tension.
 TendonTorque arms_at(const DigitTendons& tendons, const Eigen::VectorXd& q) {
   const auto muscles = static_cast<Eigen::Index>(tendons.digit().names.muscles.size());
-  return tendons.pull(q, Eigen::VectorXd::Zero(muscles));
+  return tendons.evaluate(q, Eigen::VectorXd::Zero(muscles));
 }
 
 Eigen::VectorXd lengths_at(const DigitTendons& tendons, const Eigen::VectorXd& q,

@@ -44,21 +44,21 @@ void time_grasp(const GraspTask& task, const Scene& scene, unsigned number, Gras
   Eigen::VectorXd q = open_posture(task.hand.layout());
   const double spread = sample_between(0, kPi, random);
   q = task.hand.posture((Eigen::Vector4d() << spread, 0, 0, 0).finished());
-  const Pose<double> X_WH = sample_approach_pose(task.touching, q, scene.object, random);
-  const double way = approach_distance(task.touching, q, scene.object);
+  const Pose<double> X_WH = sample_approach_pose(task.collision_hand, q, scene.object, random);
+  const double way = approach_distance(task.collision_hand, q, scene.object);
 
   ++times.starts;
   double lap = now();
-  const ApproachResult approached = approach(task.touching, X_WH, q, scene, way);
+  const ApproachResult approached = approach(task.collision_hand, X_WH, q, scene, way);
   add_lap(times.approach, lap);
   if (!approached.touches) return;
-  const ClosedHand closed = close_hand(task.touching, approached.X_WH, q, scene);
+  const ClosedHand closed = close_hand(task.collision_hand, approached.X_WH, q, scene);
   add_lap(times.close, lap);
   const std::vector<HandContact> contacts =
-      find_contacts({task.touching, approached.X_WH, task.hand.pose(closed.q)}, scene);
+      find_contacts({task.collision_hand, approached.X_WH, task.hand.pose(closed.q)}, scene);
   add_lap(times.contacts, lap);
-  const Epsilon quality =
-      epsilon(wrench_set(contacts_without_hand(contacts), scene.object.com, scene.object.reach));
+  const Epsilon quality = epsilon(
+      wrench_set(contacts_without_hand(contacts), scene.object.com, scene.object.torque_scale));
   add_lap(times.quality, lap);
   if (!contacts.empty()) ++times.grasped;
   if (quality.force_closure) ++times.closures;
@@ -69,7 +69,7 @@ void time_grasp(const GraspTask& task, const Scene& scene, unsigned number, Gras
 std::unique_ptr<const GraspTask> build_grasp_task() {
   auto task = std::make_unique<GraspTask>(
       GraspTask{RobotHand(read_robot(THENAR_DATA_DIR "/robots/barrett.toml")), {}, {}});
-  task->touching = collision_hand(task->hand);
+  task->collision_hand = collision_hand(task->hand);
   for (const double e1 : {0.3, 1.0, 1.7})
     for (const double e2 : {0.3, 1.0, 1.7})
       task->scenes.push_back({superellipsoid(e1, e2), {}, built_in_materials()});

@@ -14,7 +14,7 @@ namespace thenar::bench {
 /// What all threads look at and none changes.
 struct GraspTask {
   RobotHand hand;
-  CollisionHand touching;
+  CollisionHand collision_hand;
   std::vector<Scene> scenes;  // one for each object
 };
 

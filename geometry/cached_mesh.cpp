@@ -28,8 +28,8 @@ std::optional<TriangleMesh> mesh_of(const std::string& bytes) {
   Counts counts{};
   if (bytes.size() < sizeof(Counts)) return std::nullopt;
   std::memcpy(counts, bytes.data(), sizeof(Counts));
-  constexpr std::uint64_t kMost = 100'000'000;
-  if (counts[0] > kMost || counts[1] > kMost || counts[1] == 0) return std::nullopt;
+  constexpr std::uint64_t kMax = 100'000'000;
+  if (counts[0] > kMax || counts[1] > kMax || counts[1] == 0) return std::nullopt;
   const std::size_t vertices = 3 * sizeof(double) * counts[0],
                     triangles = 3 * sizeof(int) * counts[1];
   if (bytes.size() != sizeof(Counts) + vertices + triangles) return std::nullopt;

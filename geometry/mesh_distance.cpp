@@ -126,14 +126,14 @@ class Recent {
     // Hold on to this one, and let the oldest go.
     held_.push_back({shape, triangles});
     triangles_ += triangles;
-    while (triangles_ > kMost) {
+    while (triangles_ > kMax) {
       triangles_ -= held_.front().second;
       held_.pop_front();
     }
   }
 
  private:
-  static constexpr Eigen::Index kMost = 200'000;  // triangles held when nobody uses them, 0.1 GB
+  static constexpr Eigen::Index kMax = 200'000;  // triangles held when nobody uses them, 0.1 GB
 
   std::mutex mutex_;
   std::unordered_map<std::string, std::weak_ptr<const Shape>> known_;  // by content

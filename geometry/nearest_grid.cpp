@@ -14,19 +14,19 @@ using PerCorner = Eigen::Array<double, 8, 1>;
 
 namespace {
 
-constexpr double kMostCells = 1e5;
-constexpr double kAround = 1;      // cubes reach so far beyond the mesh, in its longest sides
-constexpr double kInVain = 0.7;    // of its candidates, what dividing must leave out
-constexpr std::size_t kFew = 32;   // candidates that need not be divided
-constexpr std::size_t kMost = 64;  // candidates that are not searched for by the tree
-constexpr int kSearched = 24;      // candidates looked through in the time of a search by the tree
+constexpr double kMaxCells = 1e5;
+constexpr double kAround = 1;     // cubes reach so far beyond the mesh, in its longest sides
+constexpr double kInVain = 0.7;   // of its candidates, what dividing must leave out
+constexpr std::size_t kFew = 32;  // candidates that need not be divided
+constexpr std::size_t kMax = 64;  // candidates that are not searched for by the tree
+constexpr int kSearched = 24;     // candidates looked through in the time of a search by the tree
 
 /// The edge of a smallest cube: about that of a triangle.
 double cell_of(const TriangleTree& tree) {
   double area = 0;
   for (const TriangleForm& form : tree.forms())
     area += (form.corner[1] - form.corner[0]).cross(form.corner[2] - form.corner[0]).norm() / 2;
-  const double count = std::min(static_cast<double>(tree.forms().size()), kMostCells / 4);
+  const double count = std::min(static_cast<double>(tree.forms().size()), kMaxCells / 4);
   return std::min(std::sqrt(area / count), tree.bounds().sizes().maxCoeff() / 8);
 }
 
@@ -179,7 +179,7 @@ void NearestGrid::fill(Cell& cell, const Block& block, const std::vector<int>& a
     return;
   }
   // A list, or the nearest as a guess for the tree.
-  const bool listed = here.size() <= kMost;
+  const bool listed = here.size() <= kMax;
   if (listed) std::sort(here.begin(), here.end(), nearer);
   const std::size_t count = listed ? here.size() : 1;
   candidates_.push_back(std::make_unique<Candidate[]>(count));

@@ -134,8 +134,8 @@ using Eigen::Vector3d;
 
 constexpr int kDepth = 7;           // cubes of the tree are halved so often
 constexpr double kRounding = 1e-9;  // of the extent: what parts may touch by without overlapping
-constexpr double kMostFaces = 2e7;  // of convex parts that are cut out of each other
-constexpr double kMostLooks = 1e7;  // at distances of primitives to middles of cubes
+constexpr double kMaxFaces = 2e7;   // of convex parts that are cut out of each other
+constexpr double kMaxLooks = 1e7;   // at distances of primitives to middles of cubes
 constexpr double kMeshLook = 10;    // at one of a mesh or superellipsoid, which takes longer
 constexpr int kCoarseDepth = 4;     // for what no closed form weighs, where work is too much
 
@@ -340,7 +340,7 @@ Summed upper_bound(const std::vector<const UnionPart*>& parts) {
     const Moments own =
         part->has_moments
             ? part->moments
-            : CubeSum(alone, false, kCoarseDepth, kMostLooks).over(cube_around(alone, false));
+            : CubeSum(alone, false, kCoarseDepth, kMaxLooks).over(cube_around(alone, false));
     result.moments += own;
     largest = std::max(largest, own.volume);
   }
@@ -377,12 +377,12 @@ Summed moments_of_cluster(const std::vector<const UnionPart*>& parts, double sha
   std::vector<ConvexBody> convex;
   double extent = 0;
   for (const UnionPart* part : parts) {
-    if (part->convex.empty()) return sum_cubes(parts, share * kMostLooks);
+    if (part->convex.empty()) return sum_cubes(parts, share * kMaxLooks);
     convex.push_back(part->convex);
     extent = std::max(extent, part->box.diagonal().norm());
   }
-  const UnionMoments exact = union_moments(convex, 1e-12 * extent, share * kMostFaces);
-  if (!exact.complete) return sum_cubes(parts, share * kMostLooks);
+  const UnionMoments exact = union_moments(convex, 1e-12 * extent, share * kMaxFaces);
+  if (!exact.complete) return sum_cubes(parts, share * kMaxLooks);
   return {exact.moments, 0};
 }
 

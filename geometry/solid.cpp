@@ -173,14 +173,14 @@ Solid build_solid(const std::vector<ShapeSpec>& shapes) {
   for (const ShapeSpec& given : shapes)
     for (const ShapeSpec& spec : parts_of(given)) {
       const std::shared_ptr<const Shape> shape = shape_of(spec);
-      solid.touch.push_back(touch_of(spec, *shape));
+      solid.collision.push_back(touch_of(spec, *shape));
       pictures.push_back(surface_of(spec, *shape, 4 * touch_tolerance(*shape)));
-      move(solid.touch.back().core, spec.X_BS);
+      move(solid.collision.back().core, spec.X_BS);
       move(pictures.back(), spec.X_BS);
       parts.push_back(place(shape, spec.X_BS));
     }
   // Pictures joined, distances united.
-  solid.picture = joined(pictures);
+  solid.visual = joined(pictures);
   solid.shape = join(std::move(parts));
   return solid;
 }

@@ -20,8 +20,8 @@ struct RoundedMesh {
 /// A body; constant once built, all in one frame.
 struct Solid {
   std::shared_ptr<const Shape> shape;  // asked for distances; shared: hands are copied, grids large
-  std::vector<RoundedMesh> touch;      // what searches another shape's distance for contacts
-  TriangleMesh picture;                // for drawing and inertia; rounded shapes tessellated
+  std::vector<RoundedMesh> collision;  // what searches another shape's distance for contacts
+  TriangleMesh visual;                 // for drawing and inertia; rounded shapes tessellated
 };
 
 /// The union of some shapes in the frame of their body. A mesh of several closed surfaces is the

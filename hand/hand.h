@@ -16,8 +16,8 @@ namespace thenar {
 /// Reaction torques that need no effort: joint limits, locks and clutches.
 struct Reactions {
   Eigen::MatrixXd R;                  // torque per reaction (coordinates, reactions)
-  Eigen::VectorXd least;              // of each: 0 is one-sided, -infinity both ways (reactions)
-  Eigen::VectorXd most;               // of each (reactions)
+  Eigen::VectorXd lower;              // of each: 0 is one-sided, -infinity both ways (reactions)
+  Eigen::VectorXd upper;              // of each (reactions)
   std::vector<int> non_backdrivable;  // coordinates whose drive cannot be driven back: worm gears
 };
 

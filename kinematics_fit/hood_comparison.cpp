@@ -120,7 +120,7 @@ TrialForces trial_forces(const DigitTendons& tendons, const Experiment& experime
     const VectorXd& t = plan.tension[static_cast<std::size_t>(i)];
     const Eigen::Matrix3Xd start = start_from_straight(tendons, q, t);
     const auto began = std::chrono::steady_clock::now();
-    const TendonTorque pull = tendons.pull(q, t, start);
+    const TendonTorque pull = tendons.evaluate(q, t, start);
     out.force.col(i) = cell_map(digit.model, plan, q) * pull.tau;
     seconds.push_back(
         std::chrono::duration<double>(std::chrono::steady_clock::now() - began).count());

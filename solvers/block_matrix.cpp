@@ -9,7 +9,7 @@ namespace {
 using Eigen::Matrix3d;
 using Eigen::Vector3d;
 
-constexpr double kLeastPivot = 1e-13;
+constexpr double kMinPivot = 1e-13;
 
 using Neighbours = std::vector<std::set<int>>;
 
@@ -89,7 +89,7 @@ bool BlockFactor::factorise(const BlockMatrix& A, double absolute, double relati
   for (int k = 0; k < at.size(); ++k) {
     const Matrix3d& D = A_.diagonal[k];
     const double trace = std::abs(A.diagonal[k].trace()), shift = absolute + relative * trace;
-    const double least = kLeastPivot * (trace + 3 * shift);
+    const double least = kMinPivot * (trace + 3 * shift);
     // Scalar factor of the diagonal block.
     const double d0 = D(0, 0) + shift, l10 = D(1, 0) / d0, l20 = D(2, 0) / d0;
     const double d1 = D(1, 1) + shift - l10 * D(1, 0), m21 = D(2, 1) - l20 * D(1, 0),

@@ -11,12 +11,12 @@ namespace {
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-constexpr double kFirstWeight = 1, kMostWeight = 1e15, kGrowth = 8;
+constexpr double kFirstWeight = 1, kMaxWeight = 1e15, kGrowth = 8;
 constexpr int kMaxNewtonSteps = 30;  // of Newton for one weight
 constexpr double kQuadratic = 0.06;  // decrement squared below which full steps converge [1]
 constexpr double kCentred = 1e-3;    // decrement squared at which the weight may grow [1]
 constexpr double kRegular = 1e-14;   // added to the scaled Hessian's diagonal [1]
-constexpr int kMostHalvings = 50;
+constexpr int kMaxHalvings = 50;
 
 struct Slope {
   VectorXd g;
@@ -68,7 +68,7 @@ double step(const std::vector<MatrixInequality>& inequalities, VectorXd& y, int 
   if (!(decrement > 0) || !way.allFinite()) return 0;
   // Damped, and halved until it stays inside.
   double length = decrement < kQuadratic ? 1 : 1 / (1 + std::sqrt(decrement));
-  for (int i = 0; i < kMostHalvings; ++i, length /= 2)
+  for (int i = 0; i < kMaxHalvings; ++i, length /= 2)
     if (const VectorXd next = y + length * way; holds(inequalities, next)) {
       y = next;
       return decrement;
@@ -89,7 +89,7 @@ MaximisedComponent maximise_component(const std::vector<MatrixInequality>& inequ
   // Weights grow; each centre bounds how far the unknown can still be raised.
   Eigen::Index rows = 0;
   for (const MatrixInequality& each : inequalities) rows += each.C.rows();
-  for (double weight = kFirstWeight; weight < kMostWeight; weight *= kGrowth) {
+  for (double weight = kFirstWeight; weight < kMaxWeight; weight *= kGrowth) {
     double decrement = 1;
     for (int i = 0; i < kMaxNewtonSteps && decrement > kCentred; ++i) {
       decrement = step(inequalities, y, which, weight);

@@ -8,13 +8,13 @@ namespace thenar {
 Eigen::MatrixXd DigitTendons::torque_by_posture(const Eigen::VectorXd& q, const Eigen::VectorXd& t,
                                                 const TendonTorque& at) const {
   // Closed form where it exists, otherwise central differences.
-  if (TendonDerivatives known = slopes(q, t); known.exist) return known.by_posture;
+  if (TendonDerivatives known = derivatives(q, t); known.exist) return known.by_posture;
   constexpr double kStep = 1e-5;  // [rad]
   Eigen::MatrixXd slope(q.size(), q.size());
   for (Eigen::Index j = 0; j < q.size(); ++j) {
     const Eigen::VectorXd step = kStep * Eigen::VectorXd::Unit(q.size(), j);
     slope.col(j) =
-        (pull(q + step, t, at.nodes).tau - pull(q - step, t, at.nodes).tau) / (2 * kStep);
+        (evaluate(q + step, t, at.nodes).tau - evaluate(q - step, t, at.nodes).tau) / (2 * kStep);
   }
   return slope;
 }
@@ -41,7 +41,7 @@ Excursion excursion(const DigitTendons& tendons, const Eigen::VectorXd& from,
     for (const Node& node : kGauss) {
       // Arms at the point; a net starts from the point before.
       const double s = (k + (1 + node.at) / 2) / pieces;
-      const TendonTorque pull = tendons.pull(from + s * way, t, nodes);
+      const TendonTorque pull = tendons.evaluate(from + s * way, t, nodes);
       sum.e -= node.weight / (2 * pieces) * (pull.R * way);
       if (sum.warning.empty()) sum.warning = pull.warning;
       nodes = pull.nodes;

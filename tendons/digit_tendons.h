@@ -73,48 +73,49 @@ class DigitTendons {
   /// @param t      tension of each muscle, >= 0 [N] (muscles)
   /// @param start  nodes of a net at a neighbouring posture, to start from; may be empty
   /// @throws InputError if a length is wrong, an entry not finite or a tension negative.
-  virtual TendonTorque pull(const Eigen::VectorXd& q, const Eigen::VectorXd& t,
-                            const Eigen::Matrix3Xd& start) const = 0;
+  virtual TendonTorque evaluate(const Eigen::VectorXd& q, const Eigen::VectorXd& t,
+                                const Eigen::Matrix3Xd& start) const = 0;
 
-  /// d tau / d q at these tensions: by slopes() where it exists, otherwise by central differences
-  /// of pull() [N m/rad] (coordinates, coordinates).
-  /// @param at  pull() of this digit at these very q and t
+  /// d tau / d q at these tensions: by derivatives() where it exists, otherwise by central
+  /// differences of evaluate() [N m/rad] (coordinates, coordinates).
+  /// @param at  evaluate() of this digit at these very q and t
   [[nodiscard]] virtual Eigen::MatrixXd torque_by_posture(const Eigen::VectorXd& q,
                                                           const Eigen::VectorXd& t,
                                                           const TendonTorque& at) const;
 
   /// Compliance of the tendons at this posture, -d length / d tension, symmetric, with no negative
   /// eigenvalue; 0 without a net, whose bands stretch [m/N] (muscles, muscles).
-  /// The last argument is pull() of this digit at these very q and t.
-  [[nodiscard]] virtual Eigen::MatrixXd give(const Eigen::VectorXd& /*q*/, const Eigen::VectorXd& t,
-                                             const TendonTorque& /*at*/) const {
+  /// The last argument is evaluate() of this digit at these very q and t.
+  [[nodiscard]] virtual Eigen::MatrixXd compliance(const Eigen::VectorXd& /*q*/,
+                                                   const Eigen::VectorXd& t,
+                                                   const TendonTorque& /*at*/) const {
     return Eigen::MatrixXd::Zero(t.size(), t.size());
   }
 
   /// Length of each muscle's line, up to a constant [m] (muscles). A muscle's length is that of
   /// its strands, each weighted with the share of tension that it carries. Where shares are
   /// constant and sheaths smooth,  d length/dq = -R  while tensions stay.
-  /// @param at  pull() of this digit at these very q and t
+  /// @param at  evaluate() of this digit at these very q and t
   [[nodiscard]] virtual Eigen::VectorXd lengths(const Eigen::VectorXd& q, const Eigen::VectorXd& t,
                                                 const TendonTorque& at) const = 0;
 
   /// A copy whose net bands go from slack to taut smoothly over this strain; null without a net.
   /// @throws InputError if it is negative or not finite.
-  [[nodiscard]] virtual std::unique_ptr<DigitTendons> blended(double /*strain*/) const {
+  [[nodiscard]] virtual std::unique_ptr<DigitTendons> smoothed(double /*strain*/) const {
     return nullptr;
   }
 
   /// Derivatives and lengths of tendons without a net, in closed form. A muscle's length is that of
   /// strands, each weighted with the share of tension that it carries; friction in sheaths is left
   /// out of it. Where shares are constant and sheaths smooth,  d length/dq = -R.
-  /// @throws InputError as pull().
-  [[nodiscard]] virtual TendonDerivatives slopes(const Eigen::VectorXd& /*q*/,
-                                                 const Eigen::VectorXd& /*t*/) const {
+  /// @throws InputError as evaluate().
+  [[nodiscard]] virtual TendonDerivatives derivatives(const Eigen::VectorXd& /*q*/,
+                                                      const Eigen::VectorXd& /*t*/) const {
     return {false, {}, {}};
   }
 
-  TendonTorque pull(const Eigen::VectorXd& q, const Eigen::VectorXd& t) const {
-    return pull(q, t, {});
+  TendonTorque evaluate(const Eigen::VectorXd& q, const Eigen::VectorXd& t) const {
+    return evaluate(q, t, {});
   }
 };
 

@@ -34,8 +34,8 @@ class StraightStrands : public StrandPaths {
   [[nodiscard]] StrandArms arms(const TreeState<double>& state, const VectorXd& q) const override {
     return {strand_arms(model_, state, q), "", TendonStatus::kValid};
   }
-  [[nodiscard]] StrandDerivatives slopes(const TreeState<double>& state,
-                                         const VectorXd& q) const override {
+  [[nodiscard]] StrandDerivatives derivatives(const TreeState<double>& state,
+                                              const VectorXd& q) const override {
     // Arms, lengths, and second derivatives of every path.
     StrandDerivatives slopes{true, strand_arms(model_, state, q), lengths(state, q), {}};
     for (const TendonPath<double>& path : model_.paths)
@@ -98,8 +98,8 @@ class LinearTendons : public DigitTendons {
 
   [[nodiscard]] const TendonDigit& digit() const override { return digit_; }
 
-  TendonTorque pull(const VectorXd& q, const VectorXd& t,
-                    const Eigen::Matrix3Xd& /*start*/) const override {
+  TendonTorque evaluate(const VectorXd& q, const VectorXd& t,
+                        const Eigen::Matrix3Xd& /*start*/) const override {
     // Arms of the strands, reduced by friction in the sheaths.
     check(digit_, q, t);
     const TendonModel<double>& model = digit_.model;
@@ -126,12 +126,12 @@ class LinearTendons : public DigitTendons {
   }
 
   /// tau_j = sum over strands of f_s left_sj R_sj, f = S t; each factor may change with posture.
-  [[nodiscard]] TendonDerivatives slopes(const VectorXd& q, const VectorXd& t) const override {
+  [[nodiscard]] TendonDerivatives derivatives(const VectorXd& q, const VectorXd& t) const override {
     check(digit_, q, t);
     const TendonModel<double>& model = digit_.model;
     // Shares, arms and their derivatives at this posture.
     const MatrixXd S = strand_matrix(model, q);
-    const StrandDerivatives strands = paths_->slopes(pose_tree(model.tree, q), q);
+    const StrandDerivatives strands = paths_->derivatives(pose_tree(model.tree, q), q);
     TendonDerivatives out{strands.exist, MatrixXd::Zero(q.size(), q.size()),
                           S.transpose() * strands.length};
     if (!out.exist) return out;

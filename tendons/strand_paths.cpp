@@ -65,8 +65,8 @@ class WrappedStrands : public StrandPaths {
     return arms;
   }
 
-  [[nodiscard]] StrandDerivatives slopes(const TreeState<double>& state,
-                                         const Eigen::VectorXd& q) const override {
+  [[nodiscard]] StrandDerivatives derivatives(const TreeState<double>& state,
+                                              const Eigen::VectorXd& q) const override {
     PathSolver solver(set_);
     const std::vector<PathShape>& shapes = solver.solve(state);
     // Second derivatives of all paths.
@@ -184,8 +184,8 @@ class FittedStrands : public StrandPaths {
     return arms;
   }
 
-  [[nodiscard]] StrandDerivatives slopes(const TreeState<double>& /*state*/,
-                                         const Eigen::VectorXd& q) const override {
+  [[nodiscard]] StrandDerivatives derivatives(const TreeState<double>& /*state*/,
+                                              const Eigen::VectorXd& q) const override {
     // Constant arms, then the polynomials with their derivatives.
     StrandDerivatives slopes{true, constant_, -constant_ * q, {}};
     slopes.dR.assign(static_cast<std::size_t>(constant_.rows()),

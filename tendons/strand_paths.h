@@ -34,8 +34,8 @@ class StrandPaths {
   /// As of StrandDerivatives.
   [[nodiscard]] virtual Eigen::VectorXd lengths(const TreeState<double>& state,
                                                 const Eigen::VectorXd& q) const = 0;
-  [[nodiscard]] virtual StrandDerivatives slopes(const TreeState<double>& state,
-                                                 const Eigen::VectorXd& q) const = 0;
+  [[nodiscard]] virtual StrandDerivatives derivatives(const TreeState<double>& state,
+                                                      const Eigen::VectorXd& q) const = 0;
 };
 
 /// Geodesics over the subject's surfaces; strands without a path keep their constant arms.

@@ -6,8 +6,8 @@
 namespace thenar {
 
 std::vector<VanishingArm> vanishing_arms(const DigitTendons& tendons, const Eigen::VectorXd& q) {
-  constexpr int kPlaces = 13;      // on a joint's range
-  constexpr double kLeast = 3e-3;  // arm of a flexor [m/rad]
+  constexpr int kPlaces = 13;    // on a joint's range
+  constexpr double kMin = 3e-3;  // arm of a flexor [m/rad]
   constexpr double kShare = 0.25;
   std::vector<VanishingArm> found;
   const TendonDigit& digit = tendons.digit();
@@ -15,7 +15,7 @@ std::vector<VanishingArm> vanishing_arms(const DigitTendons& tendons, const Eige
   // Arms do not depend on tension.
   const Eigen::VectorXd t =
       Eigen::VectorXd::Zero(static_cast<Eigen::Index>(digit.names.muscles.size()));
-  const Eigen::MatrixXd here = tendons.pull(q, t).R;
+  const Eigen::MatrixXd here = tendons.evaluate(q, t).R;
   for (Eigen::Index j = 0; j < q.size(); ++j) {
     // Flexion joints with a range.
     const std::string& joint = digit.names.coordinates[static_cast<std::size_t>(j)];
@@ -26,12 +26,12 @@ std::vector<VanishingArm> vanishing_arms(const DigitTendons& tendons, const Eige
     for (int k = 0; k < kPlaces; ++k) {
       Eigen::VectorXd there = q;
       there[j] = limit.lower + k * (limit.upper - limit.lower) / (kPlaces - 1);
-      most = most.cwiseMax(tendons.pull(there, t).R.col(j));
+      most = most.cwiseMax(tendons.evaluate(there, t).R.col(j));
     }
     // Long flexors whose arm is a small part of that.
     for (Eigen::Index m = 0; m < most.size(); ++m) {
       const std::string& muscle = digit.names.muscles[static_cast<std::size_t>(m)];
-      if (is_long_flexor(muscle) && most[m] > kLeast && here(m, j) < kShare * most[m])
+      if (is_long_flexor(muscle) && most[m] > kMin && here(m, j) < kShare * most[m])
         found.push_back({muscle, joint, here(m, j), most[m]});
     }
   }

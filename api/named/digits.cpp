@@ -128,7 +128,7 @@ DigitAtPosture digit_at(const DigitCase& at, const Eigen::VectorXd& q) {
   if (!at.map.empty()) return at_map(at);
   require(at.net == nullptr, "wanted tendons whose torque is linear in tensions, got a net");
   const TendonDigit& digit = at.bones();
-  const TendonTorque pull = at.tendons->pull(
+  const TendonTorque pull = at.tendons->evaluate(
       q, Eigen::VectorXd::Zero(static_cast<Eigen::Index>(digit.names.muscles.size())));
   require(trusted(pull.status), "tendon paths are not to be trusted here: {}", pull.warning);
   const TipStatics statics = tip_statics(*at.tendons, q);

@@ -14,8 +14,8 @@ namespace {
 
 using Names = std::vector<std::string>;
 
-constexpr double kSmallest = 1e-12;          // scale or length of a normal [m], [1]
-constexpr std::size_t kMostContacts = 1000;  // a palm full of points; hulls take minutes beyond
+constexpr double kSmallest = 1e-12;         // scale or length of a normal [m], [1]
+constexpr std::size_t kMaxContacts = 1000;  // a palm full of points; hulls take minutes beyond
 
 /// A place or direction; in a plane two numbers, and 0.
 Eigen::Vector3d place_of(const JsonValue& value, bool planar) {
@@ -127,9 +127,8 @@ ContactFile parse_contacts(const std::string& path, const std::string& text, int
   file.torque_scale = positive(root["torque_scale"]);
   // The contacts.
   const JsonValue contacts = root["contacts"];
-  if (contacts.size() > kMostContacts)
-    contacts.fail(
-        fmt::format("wanted at most {} contacts, got {}", kMostContacts, contacts.size()));
+  if (contacts.size() > kMaxContacts)
+    contacts.fail(fmt::format("wanted at most {} contacts, got {}", kMaxContacts, contacts.size()));
   for (const JsonValue& contact : contacts.entries("a list of contacts")) {
     const Names of_contact = contact.others_than(
         {"position", "normal", "friction", "torsion", "wrenches", "patch", "name"});

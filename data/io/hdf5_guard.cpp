@@ -24,10 +24,10 @@
 namespace thenar {
 namespace {
 
-constexpr int kDeepest = 8;                    // nesting of groups; ours need 4
-constexpr int kMostDimensions = 8;             // of an array; ours need 3
-constexpr int kMostAttributes = 1000;          // of one object; each is searched among all
-constexpr std::size_t kMostObjects = 100'000;  // groups, datasets and their attributes
+constexpr int kDeepest = 8;                   // nesting of groups; ours need 4
+constexpr int kMaxDimensions = 8;             // of an array; ours need 3
+constexpr int kMaxAttributes = 1000;          // of one object; each is searched among all
+constexpr std::size_t kMaxObjects = 100'000;  // groups, datasets and their attributes
 
 static_assert(std::is_same_v<hid_t, std::int64_t> && std::is_same_v<herr_t, int>);
 
@@ -37,7 +37,7 @@ using Names = std::vector<std::string>;
 herr_t list_link(hid_t /*group*/, const char* name, const H5L_info_t* info, void* data) {
   auto& names = *static_cast<Names*>(data);
   if (info->type == H5L_TYPE_HARD) names.emplace_back(name);
-  return names.size() > kMostObjects ? -1 : 0;
+  return names.size() > kMaxObjects ? -1 : 0;
 }
 
 /// Walk over all objects, with the number of the file's bytes that are left for them.
@@ -107,8 +107,8 @@ class Hdf5Walk {
 
   void check_attributes(hid_t object, const std::string& key) {
     const int count = H5Aget_num_attrs(object);
-    require(count >= 0 && count <= kMostAttributes, "'{}' has {} attributes, wanted at most {}",
-            key, count, kMostAttributes);
+    require(count >= 0 && count <= kMaxAttributes, "'{}' has {} attributes, wanted at most {}", key,
+            count, kMaxAttributes);
     take_objects(static_cast<std::size_t>(count));
     // Attributes may promise as much as arrays.
     for (int i = 0; i < count; ++i) {
@@ -124,16 +124,16 @@ class Hdf5Walk {
 
   void take_objects(std::size_t count) {
     objects_ += count;
-    require(objects_ <= kMostObjects, "wanted at most {} groups, arrays and attributes, got more",
-            kMostObjects);
+    require(objects_ <= kMaxObjects, "wanted at most {} groups, arrays and attributes, got more",
+            kMaxObjects);
   }
 
   /// Subtracts the bytes that an array or attribute promises from what is left of the file.
   void take(hid_t space, std::size_t entry, const std::string& what) {
     hsize_t lengths[H5S_MAX_RANK];
     const int rank = H5Sget_simple_extent_ndims(space);
-    require(rank >= 0 && rank <= kMostDimensions, "'{}' has {} dimensions, wanted at most {}", what,
-            rank, kMostDimensions);
+    require(rank >= 0 && rank <= kMaxDimensions, "'{}' has {} dimensions, wanted at most {}", what,
+            rank, kMaxDimensions);
     if (H5Sget_simple_extent_type(space) == H5S_NULL) return;
     require(H5Sget_simple_extent_dims(space, lengths, nullptr) == rank,
             "HDF5 could not tell the shape of '{}'", what);
@@ -183,8 +183,8 @@ constexpr rlim_t kMemory = 1000 * 1000 * 1000;  // in addition to this process's
 
 /// Address space of this process [bytes].
 rlim_t memory_in_use() {
-  constexpr std::size_t kMost = 1000;
-  const std::string pages = read_file("/proc/self/statm", kMost);
+  constexpr std::size_t kMax = 1000;
+  const std::string pages = read_file("/proc/self/statm", kMax);
   return std::stoull(pages) * static_cast<rlim_t>(sysconf(_SC_PAGESIZE));
 }
 

@@ -320,9 +320,9 @@ std::vector<double> JsonValue::numbers(std::size_t count) const {
 }
 
 int JsonValue::count() const {
-  constexpr int kMost = 1000000000;
-  if (node_.kind != JsonKind::kNumber || !node_.whole || node_.number < 0 || node_.number > kMost)
-    fail_wanted(fmt::format("an integer of 0 to {}", kMost));
+  constexpr int kMax = 1000000000;
+  if (node_.kind != JsonKind::kNumber || !node_.whole || node_.number < 0 || node_.number > kMax)
+    fail_wanted(fmt::format("an integer of 0 to {}", kMax));
   return static_cast<int>(node_.number);
 }
 

@@ -104,7 +104,7 @@ Ball smallest_ball(const Eigen::Matrix3d& corners) {
 CollisionTree collision_tree(const Solid& solid) {
   CollisionTree body;
   // Checked triangles of all collision surfaces.
-  for (const RoundedMesh& mesh : solid.touch) {
+  for (const RoundedMesh& mesh : solid.collision) {
     require(mesh.radius >= 0 && std::isfinite(mesh.radius),
             "the radius of a touch surface must be finite and >= 0, got {}", mesh.radius);
     for (Eigen::Index i = 0; i < mesh.core.triangles.cols(); ++i) {

@@ -8,10 +8,10 @@
 
 namespace thenar {
 ApproachResult approach(const CollisionHand& hand, const Pose<double>& X_WH,
-                        const Eigen::VectorXd& q, const Scene& scene, double way,
+                        const Eigen::VectorXd& q, const Scene& scene, double distance,
                         const CloseOptions& options) {
   require_start(*hand.hand, q);
-  require(way >= 0 && way < kInfinity, "the way of an approach is {} m", way);
+  require(distance >= 0 && distance < kInfinity, "the distance of an approach is {} m", distance);
   ApproachResult result;
   result.X_WH = X_WH;
   // A hand that starts inside something is not moved.
@@ -23,8 +23,8 @@ ApproachResult approach(const CollisionHand& hand, const Pose<double>& X_WH,
 
   // Conservative advancement of a pure translation: nothing moves faster than the hand.
   double gone = 0;
-  for (int steps = 0; gone < way && steps < options.max_steps; ++steps) {
-    double step = way - gone;
+  for (int steps = 0; gone < distance && steps < options.max_steps; ++steps) {
+    double step = distance - gone;
     // The step ends before the nearest body could be touched.
     for (Clearance& clearance : clearances) {
       if (clearance.bound - options.accuracy / 2 >= step) continue;
@@ -78,19 +78,19 @@ Eigen::Vector3d push_across(const CollisionHand& hand, const Eigen::VectorXd& q,
 }  // namespace
 
 ApproachResult yielding_approach(const CollisionHand& hand, const Pose<double>& X_WH,
-                                 const Eigen::VectorXd& q, const Scene& scene, double way,
+                                 const Eigen::VectorXd& q, const Scene& scene, double distance,
                                  double most, const CloseOptions& options) {
   require(most >= 0, "a hand gives way by 0 m or more, got {} m", most);
-  ApproachResult met = approach(hand, X_WH, q, scene, way, options);
+  ApproachResult met = approach(hand, X_WH, q, scene, distance, options);
   const Eigen::Vector3d d = X_WH.R * hand.hand->layout().approach.direction;
-  const double step = kStep * scene.object.reach;
+  const double step = kStep * scene.object.torque_scale;
   // Step aside, and approach again by the distance that is left.
   for (double given = step; given <= most; given += step) {
     const Eigen::Vector3d across = push_across(hand, q, scene, met, options.accuracy);
     if (across.isZero(0)) break;
     Pose<double> aside = met.X_WH;
     aside.p += step * across;
-    const double left = way - d.dot(aside.p - X_WH.p);
+    const double left = distance - d.dot(aside.p - X_WH.p);
     ApproachResult next = approach(hand, aside, q, scene, std::max(0.0, left), options);
     if (!next.overlaps.empty()) break;
     met = std::move(next);

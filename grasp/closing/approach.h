@@ -20,10 +20,10 @@ struct [[nodiscard]] ApproachResult {
 
 /// Moves the hand along its approach direction until a link is within `accuracy` of the object or
 /// an obstacle and would go into it, by conservative advancement as in close_hand().
-/// @param way  largest distance to move [m]
+/// @param distance  largest distance to move [m]
 /// @throws InputError as close_hand() does.
 ApproachResult approach(const CollisionHand& hand, const Pose<double>& X_WH,
-                        const Eigen::VectorXd& q, const Scene& scene, double way,
+                        const Eigen::VectorXd& q, const Scene& scene, double distance,
                         const CloseOptions& options = {});
 
 /// approach() that lets digits give way. Where a digit meets the object, the hand steps aside, by a
@@ -34,7 +34,7 @@ ApproachResult approach(const CollisionHand& hand, const Pose<double>& X_WH,
 /// @param most  largest distance of giving way [m]; 0: as approach()
 /// @throws InputError as approach(), or if `most` is negative.
 ApproachResult yielding_approach(const CollisionHand& hand, const Pose<double>& X_WH,
-                                 const Eigen::VectorXd& q, const Scene& scene, double way,
+                                 const Eigen::VectorXd& q, const Scene& scene, double distance,
                                  double most, const CloseOptions& options = {});
 
 }  // namespace thenar

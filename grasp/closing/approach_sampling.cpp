@@ -85,7 +85,7 @@ double hand_reach(const CollisionHand& hand, const Eigen::VectorXd& q) {
 
 /// Distance from the point of approach at the start to its aim [m].
 double far_off(const CollisionHand& hand, const Eigen::VectorXd& q, const SceneBody& object) {
-  return (1 + kOffAny) * object.reach + hand_reach(hand, q) + kClear;
+  return (1 + kOffAny) * object.torque_scale + hand_reach(hand, q) + kClear;
 }
 
 }  // namespace
@@ -100,7 +100,7 @@ Pose<double> sample_approach_pose(const CollisionHand& hand, const Eigen::Vector
   X_WH.R = axes ? along_axes(hand, q, object, u) : any(hand, u);
   // The palm looks at a random point near the centre, from a clear distance.
   const Eigen::Vector3d aim =
-      object.X_WB * object.com + (axes ? kOff : kOffAny) * object.reach * in_ball(u.aim);
+      object.X_WB * object.com + (axes ? kOff : kOffAny) * object.torque_scale * in_ball(u.aim);
   X_WH.p = aim - X_WH.R * (approach.point + far_off(hand, q, object) * approach.direction);
   return X_WH;
 }

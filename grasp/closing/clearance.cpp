@@ -8,7 +8,7 @@ namespace {
 constexpr double kRelative = 0.2;  // error of a clearance: far ones are measured again anyway [1]
 
 const LinkSurface& surface_of(const PosedCollisionHand& posed, int surface) {
-  return posed.touching.hand->surfaces()[surface];
+  return posed.collision_hand.hand->surfaces()[surface];
 }
 
 }  // namespace
@@ -26,7 +26,7 @@ SignedDistance measure_clearance(Clearance& clearance, const PosedCollisionHand&
   options.relative = kRelative;
   options.cutoff = cutoff;
   options.start = clearance.nearest;
-  const CollisionTree& touch = posed.touching.trees[clearance.surface];
+  const CollisionTree& touch = posed.collision_hand.trees[clearance.surface];
   const Pose<double> X = posed.of_surface(clearance.surface);
   // Against a body of the scene, or against another surface of the hand.
   const SignedDistance found =
@@ -41,11 +41,11 @@ SignedDistance measure_clearance(Clearance& clearance, const PosedCollisionHand&
 }
 
 double ball_bound(const Clearance& clearance, const PosedCollisionHand& posed) {
-  const Ball& ball = posed.touching.trees[clearance.surface].nodes[0].ball;
+  const Ball& ball = posed.collision_hand.trees[clearance.surface].nodes[0].ball;
   const Eigen::Vector3d c = posed.of_surface(clearance.surface) * ball.c;
   // Two balls, or a ball against the distance field of the body.
   if (clearance.body == nullptr) {
-    const Ball& other = posed.touching.trees[clearance.other].nodes[0].ball;
+    const Ball& other = posed.collision_hand.trees[clearance.other].nodes[0].ball;
     return (c - posed.of_surface(clearance.other) * other.c).norm() - ball.r - other.r;
   }
   const Shape& shape = *clearance.body->solid.shape;
@@ -59,7 +59,7 @@ std::vector<Clearance> scene_clearances(const PosedCollisionHand& posed, const S
     clearances.back().bound = ball_bound(clearances.back(), posed);
   };
   // Every surface against the object and every obstacle.
-  for (int s = 0; s < static_cast<int>(posed.touching.trees.size()); ++s) {
+  for (int s = 0; s < static_cast<int>(posed.collision_hand.trees.size()); ++s) {
     add(s, scene.object);
     for (const SceneBody& obstacle : scene.obstacles) add(s, obstacle);
   }
@@ -68,7 +68,7 @@ std::vector<Clearance> scene_clearances(const PosedCollisionHand& posed, const S
 
 SelfClearances self_clearances(const PosedCollisionHand& posed, double accuracy) {
   SelfClearances self;
-  for (const SurfacePair& pair : posed.touching.self) {
+  for (const SurfacePair& pair : posed.collision_hand.self) {
     // Ball bounds first, exact distances only where these are not enough.
     Clearance clearance{pair.a, pair.b};
     clearance.yield = pair.yield;

@@ -29,7 +29,7 @@ struct Clearance {
 
 /// A hand in a posture. The collision hand must outlive it.
 struct PosedCollisionHand {
-  const CollisionHand& touching;
+  const CollisionHand& collision_hand;
   Pose<double> X_WH;
   std::vector<Pose<double>> links;  // displacements from the reference posture, as Hand::pose()
 

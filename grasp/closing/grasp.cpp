@@ -23,10 +23,10 @@ ApproachResult approach_or_stay(const CollisionHand& hand, const Pose<double>& X
                                 const GraspOptions& options) {
   ApproachResult approached;
   approached.X_WH = X_WH;
-  if (options.way <= 0) return approached;
+  if (options.approach_distance <= 0) return approached;
   // Digits that meet the object give way.
-  approached = yielding_approach(hand, X_WH, q, scene, options.way,
-                                 options.side_step * scene.object.reach, options.close);
+  approached = yielding_approach(hand, X_WH, q, scene, options.approach_distance,
+                                 options.side_step * scene.object.torque_scale, options.close);
   if (options.stand_off > 0 && approached.touches && approached.body == scene.object.name)
     stand_off(approached, hand, X_WH, q, scene.object, options.stand_off);
   return approached;
@@ -53,7 +53,7 @@ GraspOutcome judge_empty(const ApproachResult& approached, const Scene& scene) {
 void soften(ContactPatch& patch, const PosedCollisionHand& posed, const Scene& scene,
             const PadOptions& pads) {
   const int surface = patch.contacts[0].surface;
-  const LinkSurface& link = posed.touching.hand->surfaces()[surface];
+  const LinkSurface& link = posed.collision_hand.hand->surfaces()[surface];
   const PadBody object{scene.object.solid, scene.materials.at(scene.object.material), {}};
   const PadBody pad{*link.solid, scene.materials.at(link.material),
                     scene.object.X_WB.inverse() * posed.of_surface(surface)};
@@ -107,7 +107,7 @@ double max_stand_off(const CollisionHand& hand, const Pose<double>& X_WH, const 
   // Extent of the object along the closing axis.
   const FingertipPaths ways = fingertip_paths(*hand.hand, q);
   const Eigen::RowVectorXd along =
-      (object.X_WB.R.transpose() * X_WH.R * ways.axis).transpose() * object.solid.picture.vertices;
+      (object.X_WB.R.transpose() * X_WH.R * ways.axis).transpose() * object.solid.visual.vertices;
   // Distance of the object's centre ahead of the palm, and of the tips when they are that near.
   const Eigen::Vector3d centre = X_WH.inverse() * (object.X_WB * object.com) - approach.point;
   const double ahead = tips_ahead(ways, approach, along.maxCoeff() - along.minCoeff());
@@ -118,17 +118,17 @@ std::vector<HandContact> find_contacts(const PosedCollisionHand& posed, const Sc
                                        const ContactPatchOptions& options, const PadOptions& pads) {
   std::vector<ContactPatch> patches;
   // Patches of every surface near the object, with the friction of both materials.
-  for (int s = 0; s < static_cast<int>(posed.touching.trees.size()); ++s) {
+  for (int s = 0; s < static_cast<int>(posed.collision_hand.trees.size()); ++s) {
     Clearance clearance{s, -1, &scene.object};
     if (ball_bound(clearance, posed) > options.tolerance) continue;
-    const LinkSurface& surface = posed.touching.hand->surfaces()[s];
+    const LinkSurface& surface = posed.collision_hand.hand->surfaces()[s];
     const double mu =
         scene.materials.between(surface.material, scene.object.material).static_coefficient;
-    ContactPatches found = contact_patches(posed.touching.trees[s], posed.of_surface(s),
+    ContactPatches found = contact_patches(posed.collision_hand.trees[s], posed.of_surface(s),
                                            scene.object.solid, scene.object.X_WB, mu, options);
     for (ContactPatch& patch : found.patches) {
       for (HandContact& contact : patch.contacts) contact.surface = s;
-      add_patch(patches, std::move(patch), posed.touching, options);
+      add_patch(patches, std::move(patch), posed.collision_hand, options);
     }
   }
   // Soft fingers have torsion.
@@ -145,7 +145,7 @@ Grasp grasp(const CollisionHand& hand, const Pose<double>& X_WH, const Eigen::Ve
   // Approach.
   done.approached = approach_or_stay(hand, X_WH, q, scene, options);
   done.closed.q = q;
-  done.outcome = judge(done.approached, options.way);
+  done.outcome = judge(done.approached, options.approach_distance);
   if (done.outcome != GraspOutcome::kGrasped) return done;
   // Close.
   done.closed = close_hand(hand, done.approached.X_WH, q, scene, options.close);
@@ -157,7 +157,7 @@ Grasp grasp(const CollisionHand& hand, const Pose<double>& X_WH, const Eigen::Ve
   done.contacts = find_contacts(posed, scene, options.patches, options.pads);
   if (done.contacts.empty()) done.outcome = judge_empty(done.approached, scene);
   done.quality = epsilon(
-      wrench_set(contacts_without_hand(done.contacts), scene.object.com, scene.object.reach),
+      wrench_set(contacts_without_hand(done.contacts), scene.object.com, scene.object.torque_scale),
       options.epsilon);
   return done;
 }

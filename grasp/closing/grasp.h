@@ -17,8 +17,8 @@ namespace thenar {
 
 /// Settings of grasp().
 struct GraspOptions {
-  double way = 1;        // largest distance of approach [m]; 0: closes where it is
-  double side_step = 1;  // largest distance of giving way, by the object's radius [1]
+  double approach_distance = 1;  // largest distance of approach [m]; 0: closes where it is
+  double side_step = 1;          // largest distance of giving way, by the object's radius [1]
   double stand_off = 0;  // share of max_stand_off() that the hand moves back before it closes [1]
   CloseOptions close;
   ContactPatchOptions patches;

@@ -59,8 +59,8 @@ SceneBody build_body(const PlacedBody& placed) {
   body.X_WB = placed.X_WB;
   // The centre of mass, or of volume if the mass is unknown.
   body.com = placed.body.mass ? placed.body.mass->com : volume_centre(placed.body);
-  body.reach = reach_of(body.solid.picture, body.com);
-  body.box = body_box(body.solid.picture);
+  body.torque_scale = reach_of(body.solid.visual, body.com);
+  body.box = body_box(body.solid.visual);
   return body;
 }
 

@@ -33,7 +33,7 @@ struct SceneBody {
   Solid solid;                   // body frame
   Pose<double> X_WB;             //
   Eigen::Vector3d com{0, 0, 0};  // centre of mass; of volume if that is unknown, body frame [m] (3)
-  double reach = 0;              // largest distance of the surface from com: torque scale [m]
+  double torque_scale = 0;       // largest distance of the surface from com [m]
   BodyBox box;                   // body frame
 };
 

@@ -35,7 +35,7 @@ struct Standing {
 /// What is computed once for a hand and an object. The references must outlive it.
 struct Setting {
   const ComparedHand& hand;
-  const CollisionHand& touching;
+  const CollisionHand& collision_hand;
   const Scene& scene;
   double scale;
   double mass;  // [kg]
@@ -66,8 +66,8 @@ Grasp make_grasp(const Setting& setting, int number, const CompareOptions& optio
   grasping.pads.contact = setting.hand.contact;
   grasping.close.rates = setting.hand.rates;
   const Pregrasp pregrasp =
-      sample_pregrasp(setting.touching, setting.scene.object, options.seed, number);
-  return attempt_grasp(setting.touching, pregrasp, setting.scene, grasping);
+      sample_pregrasp(setting.collision_hand, setting.scene.object, options.seed, number);
+  return attempt_grasp(setting.collision_hand, pregrasp, setting.scene, grasping);
 }
 
 HeldObject held_by(const Setting& setting, const Grasp& grasp) {

@@ -66,7 +66,7 @@ std::optional<ScaledWrench> unsupported_load(const ForceSet& forces) {
 
 HandForceInputs hand_force_inputs(const HeldObject& held, const SceneBody& object) {
   return {held.hand.layout(),
-          wrench_set(contacts_without_hand(held.contacts), object.com, object.reach),
+          wrench_set(contacts_without_hand(held.contacts), object.com, object.torque_scale),
           torque_map(held.hand, held.q, held.contacts, held.X_HO),
           actuation_with_joint_limits(held.hand, held.q)};
 }
@@ -85,7 +85,7 @@ GraspLoads grasp_loads(const HeldObject& held, const SceneBody& object, double m
   // Margins of the tasks within the actuation of the hand.
   const ForceSet forces = hand_forces(held_by.set, held_by.T, held_by.actuation);
   for (const GraspTask task : tasks) {
-    const std::vector<ScaledWrench> list = task_loads(task, kGravity * mass, object.reach);
+    const std::vector<ScaledWrench> list = task_loads(task, kGravity * mass, object.torque_scale);
     if (list.empty()) continue;
     const TaskMargin margin = margin_of_loads(forces, list);
     const ExplainedLoad result =

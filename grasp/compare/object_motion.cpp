@@ -19,7 +19,7 @@ Eigen::MatrixXd unit_velocities(const std::vector<Contact>& contacts, const Scen
   for (const Contact& contact : contacts) {
     ++row;
     for (int k = 0; k < 2 && contact.friction > 0; ++k) J.row(row++) /= contact.friction;
-    if (contact.torsion > 0) J.row(row++) *= object.reach / contact.torsion;
+    if (contact.torsion > 0) J.row(row++) *= object.torque_scale / contact.torsion;
   }
   return J;
 }
@@ -63,8 +63,9 @@ ObjectMotion object_motion(const Hand& hand, const Eigen::VectorXd& q,
                            const std::vector<Contact>& contacts, const SceneBody& object,
                            const Eigen::MatrixXd& T) {
   const Eigen::MatrixXd ratios = drive_ratios(hand, q);
-  const NoSlipMobility motion = no_slip_mobility(grasp_matrix(contacts, object.com, object.reach),
-                                                 unit_velocities(contacts, object, T) * ratios);
+  const NoSlipMobility motion =
+      no_slip_mobility(grasp_matrix(contacts, object.com, object.torque_scale),
+                       unit_velocities(contacts, object, T) * ratios);
   Eigen::VectorXd speeds;
   if (motion.object.cols() > 0)
     speeds = Eigen::JacobiSVD<Eigen::MatrixXd>(motion.object).singularValues();

@@ -31,7 +31,7 @@ Pregrasp sample_pregrasp(const CollisionHand& hand, const SceneBody& object, uns
   std::mt19937 start = generator(seed, object.name, number, Stream::kStart);
   Pregrasp pregrasp;
   pregrasp.q = sample_preshape(hand, number, posture);
-  pregrasp.way = approach_distance(hand, pregrasp.q, object);
+  pregrasp.approach_distance = approach_distance(hand, pregrasp.q, object);
   pregrasp.X_WH = sample_approach_pose(hand, pregrasp.q, object, start);
   pregrasp.stand_off = sample_stand_off(start);
   return pregrasp;
@@ -39,7 +39,7 @@ Pregrasp sample_pregrasp(const CollisionHand& hand, const SceneBody& object, uns
 
 Grasp attempt_grasp(const CollisionHand& hand, const Pregrasp& pregrasp, const Scene& scene,
                     GraspOptions options) {
-  options.way = pregrasp.way;
+  options.approach_distance = pregrasp.approach_distance;
   options.stand_off = pregrasp.stand_off;
   return centred_grasp(hand, pregrasp.X_WH, pregrasp.q, scene, options);
 }
@@ -105,7 +105,7 @@ Push find_push(const CollisionHand& hand, const Grasp& grasp) {
 double way_across(const CollisionHand& hand, const Grasp& grasp, const Push& push,
                   const Scene& scene, double accuracy) {
   PosedCollisionHand posed{hand, grasp.approached.X_WH, hand.hand->pose(grasp.closed.q)};
-  const double most = 4 * scene.object.reach;
+  const double most = 4 * scene.object.torque_scale;
   double way = 0;
   for (int step = 0; step < kMaxGapSteps && way < most; ++step) {
     // Half of the smallest clearance is always safe to slide.
@@ -132,11 +132,11 @@ Grasp centred_grasp(const CollisionHand& hand, const Pose<double>& X_WH, const E
   const Push push = find_push(hand, first);
   if (push.others.empty() || push.along_W.isZero(0)) return first;
   const double way = way_across(hand, first, push, scene, options.close.accuracy);
-  if (way >= 4 * scene.object.reach) return first;
+  if (way >= 4 * scene.object.torque_scale) return first;
 
   // Close again from where the hand stopped, shifted against the push.
   GraspOptions there = options;
-  there.way = 0;
+  there.approach_distance = 0;
   const std::set<std::string> pushing = digits_of(*hand.hand, first.contacts);
   // Jaws that move equally fast meet at half the distance; others are found by bisection.
   double least = 0, most = way;

@@ -8,10 +8,10 @@ namespace thenar {
 
 /// Start of a grasp: pose, posture, and distances of its approach.
 struct Pregrasp {
-  Pose<double> X_WH;     // of the hand
-  Eigen::VectorXd q;     // posture (coordinates)
-  double way = 0;        // largest distance of approach [m]; 0: closes where it is
-  double stand_off = 0;  // GraspOptions::stand_off [1]
+  Pose<double> X_WH;             // of the hand
+  Eigen::VectorXd q;             // posture (coordinates)
+  double approach_distance = 0;  // largest distance of approach [m]; 0: closes where it is
+  double stand_off = 0;          // GraspOptions::stand_off [1]
 };
 
 /// Samples approach `number`: sample_preshape(), sample_approach_pose(), approach_distance() and

@@ -84,7 +84,7 @@ Eigen::MatrixX3d load_map(const Hand& hand, const Eigen::VectorXd& q, int tip,
 /// @param L  load_map() of these joints (joints, 3) [m]
 ConeProgram balance(const Eigen::MatrixXd& J, const Eigen::MatrixXd& L, const Actuation& a,
                     const std::vector<int>& joints) {
-  const Eigen::Index n = J.cols(), m = a.B.cols(), count = a.reactions.least.size();
+  const Eigen::Index n = J.cols(), m = a.B.cols(), count = a.reactions.lower.size();
   // Balance: L J s = B u + R r + tau_0.
   ConeProgram program;
   program.A = Eigen::MatrixXd::Zero(n, n + m + count);
@@ -94,8 +94,8 @@ ConeProgram balance(const Eigen::MatrixXd& J, const Eigen::MatrixXd& L, const Ac
   program.b = a.tau_0(joints);
   // Finite limits of efforts and reactions become rows.
   Eigen::VectorXd lower(m + count), upper(m + count);
-  lower << a.lower, a.reactions.least;
-  upper << a.upper, a.reactions.most;
+  lower << a.lower, a.reactions.lower;
+  upper << a.upper, a.reactions.upper;
   std::vector<Eigen::VectorXd> rows;
   std::vector<double> limits;
   const auto add = [&](Eigen::Index i, double sign, double limit) {

@@ -185,8 +185,8 @@ class Limits {
     // Clutches are reactions with finite limits.
     clutches_ = reactions_on(actuation.reactions, joint_loads.rows);
     for (Index i = 0; i < clutches_.cols(); ++i)
-      if (!std::isfinite(actuation.reactions.least(i)) ||
-          !std::isfinite(actuation.reactions.most(i)))
+      if (!std::isfinite(actuation.reactions.lower(i)) ||
+          !std::isfinite(actuation.reactions.upper(i)))
         clutches_.col(i).setZero();
 
     // One variable s for each contact on a joint limit, if anything can push back against it.
@@ -267,8 +267,8 @@ class Limits {
     for (Index k = 0; k < actuation_.B.cols(); ++k)
       add(way * actuation_.B(j, k), actuation_.lower(k), actuation_.upper(k));
     for (Index i = 0; i < clutches_.cols(); ++i)
-      add(way * clutches_(row_of(j), i), actuation_.reactions.least(i),
-          actuation_.reactions.most(i));
+      add(way * clutches_(row_of(j), i), actuation_.reactions.lower(i),
+          actuation_.reactions.upper(i));
     return sum;
   }
 

@@ -37,14 +37,14 @@ void check(const WrenchSet& set, const MatrixXd& T, const Actuation& a) {
     require(a.lower(i) <= a.upper(i), "actuator {} has limits {} and {}", i, a.lower(i),
             a.upper(i));
   const Reactions& reactions = a.reactions;
-  const Index count = reactions.least.size();
-  require(reactions.most.size() == count && (count == 0 || reactions.R.rows() == joints) &&
+  const Index count = reactions.lower.size();
+  require(reactions.upper.size() == count && (count == 0 || reactions.R.rows() == joints) &&
               reactions.R.cols() == count && reactions.R.allFinite(),
           "wanted R of {} x {} finite numbers and as many limits, got {} x {} and {}", joints,
-          count, reactions.R.rows(), reactions.R.cols(), reactions.most.size());
+          count, reactions.R.rows(), reactions.R.cols(), reactions.upper.size());
   for (Index i = 0; i < count; ++i)
-    require(reactions.least(i) <= reactions.most(i), "reaction {} has limits {} and {}", i,
-            reactions.least(i), reactions.most(i));
+    require(reactions.lower(i) <= reactions.upper(i), "reaction {} has limits {} and {}", i,
+            reactions.lower(i), reactions.upper(i));
   for (const int coordinate : reactions.non_backdrivable)
     require(coordinate >= 0 && coordinate < joints, "held coordinate {} of {}", coordinate, joints);
 }
@@ -177,7 +177,7 @@ ForceSet hand_forces(const WrenchSet& set, const MatrixXd& T, const Actuation& a
   for (Index i = 0; i < actuators; ++i)
     limit(forces, efforts + i, actuation.lower(i), actuation.upper(i), forces.effort_unit(i));
   for (Index i = 0; i < reactions.R.cols(); ++i)
-    limit(forces, efforts + actuators + i, reactions.least(i), reactions.most(i), 1);
+    limit(forces, efforts + actuators + i, reactions.lower(i), reactions.upper(i), 1);
   return internal::limit_preload(std::move(forces), joint_loads, actuation);
 }
 

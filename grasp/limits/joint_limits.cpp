@@ -23,14 +23,14 @@ bool is_own(const Reactions& reactions, Index i, Index coordinate) {
 
 }  // namespace
 
-void add_reaction(Reactions& reactions, const Eigen::VectorXd& torque, double least, double most) {
-  const Index old = reactions.least.size();
+void add_reaction(Reactions& reactions, const Eigen::VectorXd& torque, double lower, double upper) {
+  const Index old = reactions.lower.size();
   reactions.R.conservativeResize(torque.size(), old + 1);
   reactions.R.col(old) = torque;
-  reactions.least.conservativeResize(old + 1);
-  reactions.least(old) = least;
-  reactions.most.conservativeResize(old + 1);
-  reactions.most(old) = most;
+  reactions.lower.conservativeResize(old + 1);
+  reactions.lower(old) = lower;
+  reactions.upper.conservativeResize(old + 1);
+  reactions.upper(old) = upper;
 }
 
 Actuation actuation_with_joint_limits(const Hand& hand, const Eigen::VectorXd& q) {
@@ -47,7 +47,7 @@ Actuation actuation_with_joint_limits(const Hand& hand, const Eigen::VectorXd& q
 }
 
 Eigen::MatrixXd reactions_on(const Reactions& reactions, const std::vector<int>& coordinates) {
-  const Index count = reactions.least.size();
+  const Index count = reactions.lower.size();
   if (count == 0) return Eigen::MatrixXd(coordinates.size(), 0);
   Eigen::MatrixXd rows = reactions.R(coordinates, Eigen::all);
   for (Index i = 0; i < count; ++i) {
@@ -55,7 +55,7 @@ Eigen::MatrixXd reactions_on(const Reactions& reactions, const std::vector<int>&
     int innermost = 0;
     while (innermost + 1 < reactions.R.rows() && reactions.R(innermost, i) == 0) ++innermost;
     // A non-backdrivable drive already supports what a joint limit of its coordinate would.
-    const bool stops = reactions.least(i) == 0 && reactions.most(i) == kInfinity;
+    const bool stops = reactions.lower(i) == 0 && reactions.upper(i) == kInfinity;
     const bool worm =
         stops && is_non_backdrivable(reactions, innermost) && is_own(reactions, i, innermost);
     if (worm || !std::binary_search(coordinates.begin(), coordinates.end(), innermost))
@@ -64,11 +64,11 @@ Eigen::MatrixXd reactions_on(const Reactions& reactions, const std::vector<int>&
   return rows;
 }
 
-bool bears_torque(const Reactions& reactions, Index coordinate, double way) {
-  for (Index i = 0; i < reactions.least.size(); ++i) {
+bool bears_torque(const Reactions& reactions, Index coordinate, double direction) {
+  for (Index i = 0; i < reactions.lower.size(); ++i) {
     // The end of the reaction's range in the direction asked for.
-    const bool up = (reactions.R(coordinate, i) > 0) == (way > 0);
-    const double limit = up ? reactions.most(i) : -reactions.least(i);
+    const bool up = (reactions.R(coordinate, i) > 0) == (direction > 0);
+    const double limit = up ? reactions.upper(i) : -reactions.lower(i);
     if (limit == kInfinity && is_own(reactions, i, coordinate)) return true;
   }
   return false;

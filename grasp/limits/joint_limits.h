@@ -17,8 +17,8 @@ inline constexpr double kAtLimit = 1e-4;
 
 /// Appends a reaction.
 /// @param torque      joint torques of the unit reaction (coordinates)
-/// @param least, most  limits of the reaction; infinite: none [N m]
-void add_reaction(Reactions& reactions, const Eigen::VectorXd& torque, double least, double most);
+/// @param lower, upper  limits of the reaction; infinite: none [N m]
+void add_reaction(Reactions& reactions, const Eigen::VectorXd& torque, double lower, double upper);
 
 /// Rows of R of some coordinates. A reaction that shares torque between coordinates (a clutch)
 /// counts only if the innermost of them is among these; otherwise its column is zero. Columns of
@@ -27,8 +27,9 @@ void add_reaction(Reactions& reactions, const Eigen::VectorXd& torque, double le
 [[nodiscard]] Eigen::MatrixXd reactions_on(const Reactions& reactions,
                                            const std::vector<int>& coordinates);
 
-/// Whether reactions of this coordinate alone balance any torque of the sign of `way`.
-[[nodiscard]] bool bears_torque(const Reactions& reactions, Eigen::Index coordinate, double way);
+/// Whether reactions of this coordinate alone balance any torque of the sign of `direction`.
+[[nodiscard]] bool bears_torque(const Reactions& reactions, Eigen::Index coordinate,
+                                double direction);
 
 /// Whether reactions balance any torque of both signs: a lock, or limits that leave no range.
 [[nodiscard]] bool is_locked(const Reactions& reactions, Eigen::Index coordinate);

@@ -62,8 +62,8 @@ bool reaches(ConeProgram program, double value) {
 
 /// A value of so much leverage is supported by structure except for the rounding of normals; the
 /// program is then scaled so badly that its solver may stall. Marks the solution as unbounded.
-void judge_leverage(const ConeProgram& program, double way, ConeResult& solution) {
-  const double most = kMaxLeverage * largest_limit(program) / way;
+void judge_leverage(const ConeProgram& program, double direction, ConeResult& solution) {
+  const double most = kMaxLeverage * largest_limit(program) / direction;
   if (most == 0) return;
   const bool beyond = solution.status == Status::kSolved
                           ? -solution.objective > most
@@ -102,23 +102,23 @@ WrenchSupport wrench_support(const ForceSet& forces, const ScaledWrench& u) {
 }
 
 WrenchSupport support_along(const ForceSet& forces, const MatrixXd& rows, const VectorXd& start,
-                            const VectorXd& way) {
-  require_direction(way);
-  require(rows.cols() == 6 && rows.rows() == start.size() && start.size() == way.size(),
-          "rows are {} x {}, wanted {} x 6, and the way has {}", rows.rows(), rows.cols(),
-          start.size(), way.size());
+                            const VectorXd& direction) {
+  require_direction(direction);
+  require(rows.cols() == 6 && rows.rows() == start.size() && start.size() == direction.size(),
+          "rows are {} x {}, wanted {} x 6, and the direction {}", rows.rows(), rows.cols(),
+          start.size(), direction.size());
   require(rows.allFinite() && start.allFinite(), "rows and start must be finite");
   // One more variable k, to be as large as possible.
   ConeProgram program = program_of(forces);
   add_variable(program);
   program.c(program.c.size() - 1) = -1;
-  // rows W y - k way = start.
+  // rows W y - k direction = start.
   MatrixXd equalities(rows.rows(), program.c.size());
-  equalities << rows * forces.wrench, -way;
+  equalities << rows * forces.wrench, -direction;
   add_equalities(program, equalities, start);
   ConeResult solution = solve(program);
   // Loads far above all limits are unbounded up to rounding.
-  judge_leverage(program, way.norm(), solution);
+  judge_leverage(program, direction.norm(), solution);
   return support_of(forces, solution);
 }
 

@@ -30,12 +30,12 @@ WrenchSupport wrench_support(const ForceSet& forces, const ScaledWrench& u);
 /// @throws InputError if d is zero or not finite.
 WrenchSupport load_margin(const ForceSet& forces, const ScaledWrench& d);
 
-/// Largest k for which  rows w = start + k way  for a wrench w of the set: the extent of a
+/// Largest k for which  rows w = start + k direction  for a wrench w of the set: the extent of a
 /// projection or a slice of the set, from a point in a direction.
 /// @param rows   projection of wrenches  (r, 6)
-/// @param start  r;  @param way  r, not zero
+/// @param start  r;  @param direction  r, not zero
 /// @throws InputError if shapes disagree or anything is not finite.
 WrenchSupport support_along(const ForceSet& forces, const Eigen::MatrixXd& rows,
-                            const Eigen::VectorXd& start, const Eigen::VectorXd& way);
+                            const Eigen::VectorXd& start, const Eigen::VectorXd& direction);
 
 }  // namespace thenar

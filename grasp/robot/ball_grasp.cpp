@@ -86,7 +86,7 @@ Matrix3Xd points_of(const RobotLink& link) {
       if (shape.mesh.triangles.cols() == 0) continue;
       points = (shape.X_BS.R * points_on(shape.mesh, each)).colwise() + shape.X_BS.p;
     } else {
-      points = points_on(build_solid({shape}).picture, each);
+      points = points_on(build_solid({shape}).visual, each);
     }
     count += points.cols();
     parts.push_back(std::move(points));

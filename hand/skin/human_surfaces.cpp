@@ -112,7 +112,7 @@ class SkinMaker {
     for (TriangleMesh* each : {&mesh, &picture})
       each->vertices = ((at.R * each->vertices).colwise() + at.p).eval();
     Solid solid = solid_of(std::move(mesh), segment);
-    if (!picture.empty()) solid.picture = std::move(picture);
+    if (!picture.empty()) solid.visual = std::move(picture);
     surfaces_.push_back({link->second, segment, digit, options_.material,
                          std::make_shared<const Solid>(std::move(solid))});
   }

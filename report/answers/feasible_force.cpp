@@ -17,7 +17,7 @@ using Eigen::Index;
 
 constexpr double kNoPrice = 1e-9;       // rounding [N/N]
 constexpr double kPriceDiffers = 1e-4;  // of the larger price
-constexpr std::size_t kMostNamed = 3;   // muscles in a sentence
+constexpr std::size_t kMaxNamed = 3;    // muscles in a sentence
 
 std::string status_line(Status status) {
   const std::string words = force_status_words(status);
@@ -301,10 +301,10 @@ std::string limit_words(const FeasibleForceAnswer& answer, const FeasibleForcePo
                                  name(first), prices.increase(first));
   if (differs(prices, first))
     text += fmt::format(", 1 N less takes {:.3g} N", prices.decrease(first));
-  for (std::size_t k = 1; k < std::min(muscles.size(), kMostNamed); ++k)
+  for (std::size_t k = 1; k < std::min(muscles.size(), kMaxNamed); ++k)
     text += fmt::format("{} {} {}", k == 1 ? "; then" : ",", name(muscles[k]),
                         price_cell(point, muscles[k]));
-  if (muscles.size() > kMostNamed) text += fmt::format(" and {} more", muscles.size() - kMostNamed);
+  if (muscles.size() > kMaxNamed) text += fmt::format(" and {} more", muscles.size() - kMaxNamed);
   if (prices.degenerate())
     text +=
         "\nseveral limits meet here: a muscle alone gives the first number of N_per_N_of_F0 when "

@@ -17,7 +17,7 @@ namespace {
 constexpr double kTouches = 2e-4;  // clearance up to which a stop is told with what it touches [m]
 
 const LinkSurface& surface_of(const GraspResult& result, const HandContact& contact) {
-  return result.touching.hand->surfaces()[static_cast<std::size_t>(contact.surface)];
+  return result.collision_hand.hand->surfaces()[static_cast<std::size_t>(contact.surface)];
 }
 
 // ---- text
@@ -162,11 +162,11 @@ void drop_signs_of_zeros(OrderedJson& json) {
 std::vector<JointRow> joint_rows(const GraspResult& result) {
   const ClosedHand& closed = result.grasp.closed;
   if (closed.stopped.empty()) return {};
-  const Hand& hand = *result.touching.hand;
-  const PosedCollisionHand posed{result.touching, result.grasp.approached.X_WH,
+  const Hand& hand = *result.collision_hand.hand;
+  const PosedCollisionHand posed{result.collision_hand, result.grasp.approached.X_WH,
                                  hand.pose(closed.q)};
-  const std::vector<std::string> why =
-      stop_words(result.touching, closed, find_touching(posed, result.setting.scene, kTouches));
+  const std::vector<std::string> why = stop_words(
+      result.collision_hand, closed, find_touching(posed, result.setting.scene, kTouches));
   std::vector<JointRow> rows;
   for (std::size_t c = 0; c < why.size(); ++c) {
     const auto i = static_cast<int>(c);
@@ -179,7 +179,8 @@ std::vector<JointRow> joint_rows(const GraspResult& result) {
 
 std::string explanation(const GraspResult& result) {
   const std::string words = outcome_words(result.grasp);
-  if (result.grasp.outcome != GraspOutcome::kEmpty || result.start.way > 0) return words;
+  if (result.grasp.outcome != GraspOutcome::kEmpty || result.start.approach_distance > 0)
+    return words;
   return words + (result.setting.hand.parts.size() > 1
                       ? "; it stays where what carries it stands: other angles of the arm may help"
                       : "; it closed where it stands: `thenar grasp` goes at the object first");

@@ -20,7 +20,7 @@ const std::string& name_of(const Hand& hand, int surface) {
 /// Gaps with the scene, and between all surfaces that may meet.
 std::vector<Clearance> all_gaps(const PosedCollisionHand& posed, const Scene& scene) {
   std::vector<Clearance> clearances = scene_clearances(posed, scene);
-  for (const SurfacePair& pair : posed.touching.self) {
+  for (const SurfacePair& pair : posed.collision_hand.self) {
     Clearance clearance{pair.a, pair.b};
     clearance.bound = ball_bound(clearance, posed);
     clearances.push_back(clearance);
@@ -57,8 +57,8 @@ std::vector<Touching> find_touching(const PosedCollisionHand& posed, const Scene
     if (distance > within || (self && distance < -within)) continue;  // neighbours overlap
     touching.push_back(
         {clearance.surface,
-         self ? name_of(*posed.touching.hand, clearance.other) : clearance.body->name, distance,
-         self ? clearance.other : -1});
+         self ? name_of(*posed.collision_hand.hand, clearance.other) : clearance.body->name,
+         distance, self ? clearance.other : -1});
   }
   return touching;
 }

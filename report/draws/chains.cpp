@@ -17,7 +17,7 @@ namespace {
 
 constexpr Eigen::Index kTracePoints = 250, kLags = 50;
 constexpr int kBins = 20;
-constexpr std::size_t kAllShown = 8, kMostShown = 16;  // chains
+constexpr std::size_t kAllShown = 8, kMaxShown = 16;  // chains
 
 /// The chains whose traces are drawn, and what they are called.
 struct ShownChains {
@@ -34,7 +34,7 @@ ShownChains shown_chains(const Quantity& quantity) {
   for (Eigen::Index c = 0; c < quantity.draws.cols(); ++c) {
     if (shown.by_group && !seen.insert(quantity.group[static_cast<std::size_t>(c)]).second)
       continue;
-    if (shown.columns.size() == kMostShown) break;
+    if (shown.columns.size() == kMaxShown) break;
     shown.columns.push_back(c);
     shown.names.push_back(
         fmt::format("{} {}", shown.by_group ? "group" : "chain", shown.columns.size()));

@@ -96,7 +96,7 @@ Json estimate_row(const Quantity& quantity) {
 
 // ---- posteriors beside priors
 
-constexpr std::size_t kLeastKnown = 4;  // rows kept of what nothing was learnt about
+constexpr std::size_t kMinKnown = 4;  // rows kept of what nothing was learnt about
 
 /// A quantity against its prior.
 struct Learning {
@@ -172,7 +172,7 @@ Json forest_block(const std::vector<Quantity>& quantities, const std::string& ca
                    [](const Learning& a, const Learning& b) { return a.sd < b.sd; });
   Json rows = Json::array();
   for (std::size_t k = 0; k < known.size(); ++k)
-    if (known.size() <= most || k + kLeastKnown < most || k + kLeastKnown >= known.size())
+    if (known.size() <= most || k + kMinKnown < most || k + kMinKnown >= known.size())
       rows.push_back(row_of(known[k]));
   return {{"type", "interval"},
           {"caption", caption},

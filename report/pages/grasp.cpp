@@ -102,7 +102,7 @@ Json contact_section(const GraspResult& result) {
   for (const HandContact& found : result.grasp.contacts) {
     const Contact& c = found.contact;
     const LinkSurface& surface =
-        result.touching.hand->surfaces()[static_cast<std::size_t>(found.surface)];
+        result.collision_hand.hand->surfaces()[static_cast<std::size_t>(found.surface)];
     rows.push_back({surface.name, surface.digit, tidy(1000 * c.p.x()), tidy(1000 * c.p.y()),
                     tidy(1000 * c.p.z()), tidy(c.n.x()), tidy(c.n.y()), tidy(c.n.z()), c.friction,
                     soft ? Json(1000 * c.torsion) : Json("-")});
@@ -162,7 +162,7 @@ Json sections_of(const GraspResult& result, MeshTable& meshes) {
 Json grasp_layers(const HandPicture& picture, const Scene& scene,
                   const std::vector<HandContact>& contacts, MeshTable& meshes) {
   return joined(joined(hand_layers(picture, meshes), scene_layers(scene, meshes)),
-                contact_layers(contacts, scene.object.X_WB, scene.object.reach));
+                contact_layers(contacts, scene.object.X_WB, scene.object.torque_scale));
 }
 
 Json page_of(const GraspResult& result) {

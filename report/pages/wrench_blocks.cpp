@@ -13,9 +13,9 @@
 namespace thenar {
 namespace {
 
-constexpr int kPieces = 6;           // of each edge of the octahedron of directions
-constexpr int kFrictions = 24;       // points of the curve
-constexpr double kMostFriction = 2;  // times the contacts' own
+constexpr int kPieces = 6;          // of each edge of the octahedron of directions
+constexpr int kFrictions = 24;      // points of the curve
+constexpr double kMaxFriction = 2;  // times the contacts' own
 constexpr const char* kSlice = "#0072b2";
 constexpr const char* kShadow = "#8a8f99";
 const Eigen::Vector3d kSlanted(1, -1, 0.7);  // eye on wrenches, which are in the object's frame
@@ -35,7 +35,7 @@ Json number_table(const GraspResult& result) {
                                          : "each normal force is at most 1 (L-infinity)"});
   rows.push_back({"torques divided by",
                   fmt::format("{:.1f} mm, the reach of the object from its centre of mass",
-                              1000 * result.setting.scene.object.reach)});
+                              1000 * result.setting.scene.object.torque_scale)});
   if (e.has_missing_direction)
     rows.push_back({"no wrench along", direction_words(e.missing_direction)});
   rows.push_back({e.has_missing_direction ? "does not withstand" : "weakest against",
@@ -56,7 +56,7 @@ Json friction_chart(const GraspResult& result) {
   options.limit = result.request.limit;
   Json x = Json::array(), y = Json::array(), low = Json::array(), high = Json::array();
   for (int i = 0; i <= kFrictions; ++i) {
-    const double factor = kMostFriction * i / kFrictions;
+    const double factor = kMaxFriction * i / kFrictions;
     const Epsilon e = epsilon(with_friction(result.wrenches, factor), options);
     x.push_back(factor);
     y.push_back((e.lower + e.upper) / 2);

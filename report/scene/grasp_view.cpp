@@ -13,7 +13,7 @@ using Eigen::Vector3d;
 constexpr double kAlong = 4e-3;     // from a contact to where its ray begins [m]
 constexpr double kThrough = 0.7;    // of a contact seen through the object [1]
 constexpr double kNearness = 0.15;  // of the usual direction [1]
-constexpr int kMostCorners = 48;    // of the object
+constexpr int kMaxCorners = 48;     // of the object
 constexpr int kRound = 24;          // directions at each height
 constexpr double kHeights[] = {-50, -35, -20, -5, 10, 25, 40};  // [deg]
 
@@ -38,10 +38,10 @@ std::vector<Blocker> blockers_of(const HandPicture& hand, const Scene& scene) {
   for (const LinkSurface& surface : hand.hand.surfaces()) {
     const Pose<double> X_WL =
         surface.link < 0 ? hand.X_WH : hand.X_WH * links[static_cast<std::size_t>(surface.link)];
-    if (!surface.solid->picture.empty()) blockers.push_back(blocker(surface.solid->picture, X_WL));
+    if (!surface.solid->visual.empty()) blockers.push_back(blocker(surface.solid->visual, X_WL));
   }
   for (const SceneBody& body : scene.obstacles)
-    blockers.push_back(blocker(body.solid.picture, body.X_WB));
+    blockers.push_back(blocker(body.solid.visual, body.X_WB));
   return blockers;
 }
 
@@ -92,8 +92,8 @@ std::vector<Vector3d> directions(const Eyes& eyes) {
 
 /// World frame (3, corners).
 Eigen::Matrix3Xd corners_of(const SceneBody& object) {
-  const Eigen::Matrix3Xd& all = object.solid.picture.vertices;
-  const Eigen::Index count = std::min<Eigen::Index>(kMostCorners, all.cols());
+  const Eigen::Matrix3Xd& all = object.solid.visual.vertices;
+  const Eigen::Index count = std::min<Eigen::Index>(kMaxCorners, all.cols());
   Eigen::Matrix3Xd corners(3, count);
   for (Eigen::Index i = 0; i < count; ++i)
     corners.col(i) = object.X_WB * Vector3d(all.col(i * all.cols() / count));

@@ -52,7 +52,7 @@ MeshLook look_of(const LinkSurface& surface, const std::vector<SkinPatch>& patch
     if (patch.kind != PatchKind::kNail || patch.middle.digit != surface.digit ||
         patch.middle.link != surface.link)
       continue;
-    const Eigen::Matrix3Xd& vertices = surface.solid->picture.vertices;
+    const Eigen::Matrix3Xd& vertices = surface.solid->visual.vertices;
     for (Eigen::Index i = 0; i < vertices.cols(); ++i)
       look.colors.push_back(on_patch(patch, vertices.col(i)) ? kNailColor : kSkinColor);
     return look;
@@ -75,7 +75,7 @@ Json out_of_fit(Json layer) {
 }
 
 Json body_item(const SceneBody& body, MeshTable& meshes) {
-  return mesh_item(meshes.add(body.solid.picture, {kCrease, {}}), body.X_WB);
+  return mesh_item(meshes.add(body.solid.visual, {kCrease, {}}), body.X_WB);
 }
 
 }  // namespace
@@ -90,13 +90,13 @@ Json hand_layers(const HandPicture& picture, MeshTable& meshes) {
     Json items = Json::array();
     for (std::size_t s = 0; s < hand.surfaces().size(); ++s) {
       const LinkSurface& surface = hand.surfaces()[s];
-      if (surface.digit != digits[d] || surface.solid->picture.empty()) continue;
+      if (surface.digit != digits[d] || surface.solid->visual.empty()) continue;
       const Pose<double> X = surface.link < 0
                                  ? picture.X_WH
                                  : picture.X_WH * links[static_cast<std::size_t>(surface.link)];
       const MeshLook look = look_of(surface, picture.patches);
       (s < static_cast<std::size_t>(picture.carrier_surfaces) ? carriers : items)
-          .push_back(mesh_item(meshes.add(surface.solid->picture, look), X));
+          .push_back(mesh_item(meshes.add(surface.solid->visual, look), X));
     }
     if (items.empty()) continue;
     const std::string name = digits[d].empty() ? "palm" : digits[d];

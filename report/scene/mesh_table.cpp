@@ -10,7 +10,7 @@
 namespace thenar {
 namespace {
 
-constexpr double kMostSteps = 32767;        // either way from the middle
+constexpr double kMaxSteps = 32767;         // either way from the middle
 constexpr Eigen::Index kShortMost = 65536;  // vertices that 16 bits can count
 
 void append(std::vector<unsigned char>& bytes, std::uint32_t value, int count) {
@@ -27,7 +27,7 @@ void add_vertices(const TriangleMesh& mesh, Json& json) {
   const Eigen::Vector3d highest = mesh.vertices.rowwise().maxCoeff();
   const Eigen::Vector3d middle = (lowest + highest) / 2;
   const double half = (highest - lowest).maxCoeff() / 2;
-  const double step = half > 0 ? half / kMostSteps : 1;  // [m]
+  const double step = half > 0 ? half / kMaxSteps : 1;  // [m]
   std::vector<unsigned char> bytes;
   for (Eigen::Index i = 0; i < mesh.vertices.cols(); ++i)
     for (int k = 0; k < 3; ++k) {

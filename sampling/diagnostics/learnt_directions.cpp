@@ -14,7 +14,7 @@ namespace thenar {
 namespace {
 
 constexpr double kTold = 0.05;  // entries of a smaller share are left out of the text
-constexpr int kMostTold = 5;
+constexpr int kMaxTold = 5;
 
 std::string tell(const std::vector<std::string>& names, const LearntDirection& direction) {
   // Entries by falling share.
@@ -29,7 +29,7 @@ std::string tell(const std::vector<std::string>& names, const LearntDirection& d
   std::string text;
   int told = 0;
   for (const Eigen::Index i : order) {
-    if (direction.share[i] < kTold || told++ == kMostTold) break;
+    if (direction.share[i] < kTold || told++ == kMaxTold) break;
     const char* joint = direction.v[i] * sign < 0 ? " - " : " + ";
     text += fmt::format("{}{:.2f} {}", text.empty() ? "" : joint, direction.share[i], names[i]);
   }

@@ -5,8 +5,8 @@
 namespace thenar {
 namespace {
 
-constexpr double kStep = 1e-4;       // of the differences of gradients, in prior sds [1]
-constexpr double kLeastBend = 0.05;  // curvature that counts: the prior's is 1 [1]
+constexpr double kStep = 1e-4;     // of the differences of gradients, in prior sds [1]
+constexpr double kMinBend = 0.05;  // curvature that counts: the prior's is 1 [1]
 
 }  // namespace
 
@@ -22,7 +22,7 @@ Eigen::MatrixXd laplace_covariance(const Target& target, const Eigen::VectorXd& 
   if (!bend.allFinite()) return Eigen::MatrixXd::Identity(n, n);
   // Inverse of the symmetric part, with curvatures positive and not too small.
   const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen((bend + bend.transpose()) / 2);
-  const Eigen::VectorXd positive = eigen.eigenvalues().cwiseAbs().cwiseMax(kLeastBend);
+  const Eigen::VectorXd positive = eigen.eigenvalues().cwiseAbs().cwiseMax(kMinBend);
   return eigen.eigenvectors() * positive.cwiseInverse().asDiagonal() *
          eigen.eigenvectors().transpose();
 }

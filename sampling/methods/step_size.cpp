@@ -38,10 +38,10 @@ void StepSearch::start(double step) {
 
 bool StepSearch::learn(double energy_error) {
   // 2^60 either way: a target without scale does not hold us up for ever.
-  constexpr int kMostTries = 60;
+  constexpr int kMaxTries = 60;
   const bool accepted = -energy_error > std::log(0.8);
   if (tries_++ == 0) grow_ = accepted;
-  if (accepted != grow_ || tries_ > kMostTries) return true;
+  if (accepted != grow_ || tries_ > kMaxTries) return true;
   step_ *= grow_ ? 2 : 0.5;
   return false;
 }

@@ -23,9 +23,9 @@ std::string text_of(const RunIdentity& identity) {
 }
 
 std::string content_of(const std::string& path) {
-  constexpr std::size_t kMost = 1'000'000'000;  // state of thousands of chains [bytes]
+  constexpr std::size_t kMax = 1'000'000'000;  // state of thousands of chains [bytes]
   try {
-    return read_file(path, kMost);
+    return read_file(path, kMax);
   } catch (const DataError& error) {
     throw InputError(error.what());
   }

@@ -31,7 +31,7 @@ constexpr double kNoForce = 1e-9;       // size, in force units, below which not
 constexpr double kSamePoint = 1e-10;    // of the extent: two support points are one
 constexpr double kStraightEdge = 1e-6;  // sine of an angle below which a corner is none
 constexpr double kVolume = 1e-9;        // by which volumes by x, y and z may differ
-constexpr int kMostRounds = 200;        // of hull growth; about 6 are needed
+constexpr int kMaxRounds = 200;         // of hull growth; about 6 are needed
 
 /// A point of the set, and activations that make it.
 struct Point {
@@ -186,7 +186,7 @@ ConvexHull grow(SupportOracle& oracle, const Frame& frame, std::vector<Point>& p
                 double& excess) {
   std::vector<HullFacet> certified;
   excess = 0;
-  for (int round = 0; round < kMostRounds; ++round) {
+  for (int round = 0; round < kMaxRounds; ++round) {
     // Hull of the points so far.
     ConvexHull hull = convex_hull(local_points(frame, points));
     if (!hull.failure.empty()) return hull;

@@ -22,7 +22,7 @@ using Eigen::VectorXd;
 
 constexpr double kConeViolation = 1e-10;  // of the force's component along the direction
 constexpr double kRounding = 1e-11;       // of the forces that tendons make: a vertex's own error
-constexpr int kMostCuts = 200;            // about 20 are needed
+constexpr int kMaxCuts = 200;             // about 20 are needed
 constexpr double kPricesHold = 1e-7;      // of max(1 N, force): checks of prices
 constexpr double kSamePrice = 1e-4;       // of the largest price
 
@@ -88,7 +88,7 @@ struct CutOptimum {
 CutOptimum maximise(LoadProblem problem) {
   // Four tangent planes to begin with.
   if (problem.loads.cols() == 3) problem.cuts = {0, kPi / 2, kPi, -kPi / 2};
-  while (problem.cuts.size() < kMostCuts) {
+  while (problem.cuts.size() < kMaxCuts) {
     const LinearProgram program = linear_program(problem);
     const LinearResult result = solve(program);
     if (result.status == Status::kUnbounded) {

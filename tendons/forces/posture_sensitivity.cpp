@@ -52,7 +52,7 @@ VectorXd torque_slope(const StaticsDerivative& slope, const VectorXd& t) {
 TipStatics tip_statics(const DigitTendons& tendons, const VectorXd& q) {
   TipStatics statics = tip_statics(tendons.digit(), q);
   const auto muscles = static_cast<Index>(tendons.digit().names.muscles.size());
-  statics.R = tendons.pull(q, VectorXd::Zero(muscles)).R;
+  statics.R = tendons.evaluate(q, VectorXd::Zero(muscles)).R;
   return statics;
 }
 

@@ -81,7 +81,7 @@ DigitSecant secant(const DigitTendons& tendons, const Eigen::VectorXd& q,
   // Linear tendons: their arms.
   const auto* net = dynamic_cast<const NetTendons*>(&tendons);
   if (net == nullptr) {
-    const TendonTorque pull = tendons.pull(q, t);
+    const TendonTorque pull = tendons.evaluate(q, t);
     return {pull.R.transpose(), Eigen::VectorXd::Zero(q.size()), status_of(pull.status),
             pull.warning};
   }

@@ -37,7 +37,7 @@ double weight_energy(const Skeleton& skeleton, const VectorXd& q, const Eigen::V
 
 FingerMotion::FingerMotion(const MotionModel& model)
     : model_(model),
-      blended_(model.tendons.blended(model.blend)),
+      blended_(model.tendons.smoothed(model.blend)),
       compliant_(has_net(model) ? model.contraction.with_compliant_tendon(kRigidStrain) : nullptr),
       multibody_(model.tendons.digit().skeleton, Passive::kOff),
       damping_(joint_damping(model.tendons.digit().skeleton, model.resistance)),
@@ -118,8 +118,9 @@ MotionInstant FingerMotion::at(const MotionState& state) const {
   });
   // On rigid tendons velocity comes first, from arms without tension.
   const bool feels = contraction().depends_on_velocity();
-  now.tension = tension(
-      state, feels ? VectorXd(-tendons.pull(state.q, none, last_nodes_).R * state.q_dot) : none);
+  now.tension =
+      tension(state, feels ? VectorXd(-tendons.evaluate(state.q, none, last_nodes_).R * state.q_dot)
+                           : none);
   if (!now.tension.allFinite()) {  // a trial of the integrator far off: it takes a shorter step
     const Index joints = state.q.size();
     now.pull.tau = VectorXd::Constant(joints, HUGE_VAL);
@@ -127,7 +128,7 @@ MotionInstant FingerMotion::at(const MotionState& state) const {
     return now;
   }
   // Torque and arms at these tensions.
-  now.pull = tendons.pull(state.q, now.tension, last_nodes_);
+  now.pull = tendons.evaluate(state.q, now.tension, last_nodes_);
   return now;
 }
 
@@ -150,7 +151,7 @@ FingerMotion::TensionRate FingerMotion::tension_rate(const MotionState& state,
               slopes.by_fibre * contraction().projected_fibre_rate(m, muscle);
   }
   // Compliance of the net, and the linear system for excursion'.
-  out.G = tendons().give(state.q, now.tension, now.pull);
+  out.G = tendons().compliance(state.q, now.tension, now.pull);
   out.A = out.G * by_length.asDiagonal();
   out.A.diagonal().array() += 1;
   // Correction of drift, then the solution.
@@ -259,14 +260,14 @@ struct ArmRateDerivatives {
 ArmRateDerivatives arm_derivatives(const DigitTendons& tendons, const MotionState& state,
                                    const VectorXd& t, const VectorXd& t_dot,
                                    const TendonTorque& here) {
-  constexpr double kStep = 1e-5;                 // of an angle [rad]
-  constexpr double kPart = 1e-3, kLeast = 0.01;  // of a tension and [N]
+  constexpr double kStep = 1e-5;               // of an angle [rad]
+  constexpr double kPart = 1e-3, kMin = 0.01;  // of a tension and [N]
   const Index joints = state.q.size(), muscles = t.size();
   const bool net = tendons.digit().fidelity.hood == Hood::kFloatingNet;
   // The quantity whose derivative is sought: R q' + G t'.
   const auto rate = [&](const VectorXd& q, const VectorXd& at, const TendonTorque& pull) {
     VectorXd v = pull.R * state.q_dot;
-    if (net) v += tendons.give(q, at, pull) * t_dot;
+    if (net) v += tendons.compliance(q, at, pull) * t_dot;
     return v;
   };
   const VectorXd v = rate(state.q, t, here);
@@ -275,13 +276,13 @@ ArmRateDerivatives arm_derivatives(const DigitTendons& tendons, const MotionStat
   for (Index j = 0; j < joints; ++j) {
     VectorXd q = state.q;
     q[j] += kStep;
-    out.by_q.col(j) = (rate(q, t, tendons.pull(q, t, here.nodes)) - v) / kStep;
+    out.by_q.col(j) = (rate(q, t, tendons.evaluate(q, t, here.nodes)) - v) / kStep;
   }
   // With a net, one column for each tension.
   for (Index m = 0; net && m < muscles; ++m) {
     VectorXd more = t;
-    more[m] += kPart * (t[m] + kLeast);
-    const TendonTorque pull = tendons.pull(state.q, more, here.nodes);
+    more[m] += kPart * (t[m] + kMin);
+    const TendonTorque pull = tendons.evaluate(state.q, more, here.nodes);
     out.by_t.col(m) = (rate(state.q, more, pull) - v) / (more[m] - t[m]);
   }
   return out;

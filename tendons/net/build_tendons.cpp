@@ -40,7 +40,7 @@ TipStatics tip_statics(const TendonDigit& digit, const Eigen::VectorXd& q, const
 
 TendonTip tip_force(const DigitTendons& tendons, const Eigen::VectorXd& q,
                     const Eigen::VectorXd& t) {
-  const TendonTorque pull = tendons.pull(q, t);
+  const TendonTorque pull = tendons.evaluate(q, t);
   return {tip_force(tip_statics(tendons.digit(), q, t, pull), t), pull.warning};
 }
 

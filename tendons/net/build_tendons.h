@@ -38,7 +38,7 @@ struct [[nodiscard]] TendonTip {
 };
 
 /// J' f = tau(q, t) + tau_0.
-/// @throws InputError as DigitTendons::pull() and tip_force().
+/// @throws InputError as DigitTendons::evaluate() and tip_force().
 TendonTip tip_force(const DigitTendons& tendons, const Eigen::VectorXd& q,
                     const Eigen::VectorXd& t);
 

@@ -31,7 +31,7 @@ struct [[nodiscard]] NetContinuation {
 /// @param rest   at `q` and `t`, as found before
 /// @param to_q   (coordinates) [rad]
 /// @param to_t   (muscles) [N]
-/// @throws InputError as DigitTendons::pull().
+/// @throws InputError as DigitTendons::evaluate().
 NetContinuation follow_net(const NetTendons& tendons, const NetEquilibrium& rest,
                            const Eigen::VectorXd& q, const Eigen::VectorXd& t,
                            const Eigen::VectorXd& to_q, const Eigen::VectorXd& to_t,

@@ -84,7 +84,7 @@ NetStatus NetDescent::descend(int patience) {
     }
     // Balanced: update the multipliers, then tell a minimum from a saddle.
     if (residual_ <= options_.tolerance) {
-      if (grip()) {
+      if (update_multipliers()) {
         evaluate(plan_, scene_, x_, at_);
         balance();
       } else if (is_minimum()) {
@@ -163,7 +163,7 @@ constexpr double kDigit = 1e-17;  // rounding of a lift [m]
 /// What bands that bend over a surface hold a node on it with, at the least lift that its place can
 /// tell: their slope along the normal grows as  sqrt(2 lift / radius)  times their tension S, and
 /// rounding of the lift by kDigit changes it by S kDigit / sqrt(2 lift radius).
-double NetDescent::clasp(int k, int surface) const {
+double NetDescent::wrap_slop(int k, int surface) const {
   // Tensions of the bands that bend over this surface.
   double sum = 0;
   for (int b : plan_.wrapping_bands[k]) {
@@ -212,7 +212,7 @@ void NetDescent::balance() {
     balance_node(plan_.net, scene_, x, at_.g[k], slop, c);
     // A node that lets go of a bone may be held by bands that bend over it.
     if (c.pressed < touching && !plan_.wrapping_bands[k].empty()) {
-      for (int i = 0; i < touching; ++i) slop[i] += clasp(k, c.surface[i]);
+      for (int i = 0; i < touching; ++i) slop[i] += wrap_slop(k, c.surface[i]);
       balance_node(plan_.net, scene_, x, at_.g[k], slop, c);
     }
     residual_ = std::max(residual_, c.left.norm());

@@ -41,7 +41,7 @@ class NetDescent {
   NetStatus load_continuation(const TreeState<double>& state, const NetDrive& drive);
 
   // Contact forces on nodes, and what is left out of balance.
-  double clasp(int k, int surface) const;
+  double wrap_slop(int k, int surface) const;
   double normal_rounding(int k, int surface, const Eigen::Vector3d& normal) const;
   void balance();
 
@@ -61,7 +61,7 @@ class NetDescent {
   // Nodes that a muscle pulls into its exit.
   bool collapse_to_exit(int band);
   bool release_from_exit();
-  bool grip();
+  bool update_multipliers();
 
   // A minimum or a saddle.
   bool is_minimum();

@@ -30,21 +30,22 @@ Matrix3d block(const BandState& band, int i, int j) {
 }
 
 /// The run of a is_regularised band, told by a chord whose slope is p / t.
-WrappedString grip_chord(double t, double grip, const Vector3d& multiplier, const Vector3d& a,
-                         const Vector3d& b) {
+WrappedString penalty_chord(double t, double penalty, const Vector3d& multiplier, const Vector3d& a,
+                            const Vector3d& b) {
   // Force at the present length, cut off at the pull.
   WrappedString chord = straight_string(a, b);
-  const Vector3d d = a - b, w = multiplier + grip * d;
+  const Vector3d d = a - b, w = multiplier + penalty * d;
   const double pull = w.norm();
   const bool in = pull <= t;
   const Vector3d p = in ? w : Vector3d(t / pull * w);
   // Its derivative: a spring, or a force of constant size that turns.
-  Matrix3d H = grip / t * Matrix3d::Identity();
-  if (!in) H = grip / pull * (Matrix3d::Identity() - w * w.transpose() / (pull * pull));
+  Matrix3d H = penalty / t * Matrix3d::Identity();
+  if (!in) H = penalty / pull * (Matrix3d::Identity() - w * w.transpose() / (pull * pull));
   // As a string, whose gradient times t is the force.
   chord.slope << p / t, -p / t;
   chord.curve << H, -H, -H, H;
-  chord.length = (p.dot(d) - (p - multiplier).squaredNorm() / (2 * grip)) / t + t / (2 * grip);
+  chord.length =
+      (p.dot(d) - (p - multiplier).squaredNorm() / (2 * penalty)) / t + t / (2 * penalty);
   return chord;
 }
 
@@ -57,7 +58,7 @@ BandResponse law(const Net& net, const NetScene& scene, int i, double L) {
 
 /// Stiffness that bands can set against a is_regularised node: sum EA / slack at both ends, and
 /// more.
-double grip_of(const Net& net, const NetScene& scene, int i) {
+double penalty_of(const Net& net, const NetScene& scene, int i) {
   const NetBand& band = net.bands[i];
   // Twenty times what its own bands can set against it.
   double against = scene.pull[i] / 1e-5;
@@ -74,7 +75,7 @@ double grip_of(const Net& net, const NetScene& scene, int i) {
 
 bool is_regularised(const NetScene& scene, int i, double length) {
   return scene.pull[i] > 0 &&
-         (length * scene.grip[i] < scene.pull[i] || !scene.multiplier[i].isZero(0));
+         (length * scene.penalty[i] < scene.pull[i] || !scene.multiplier[i].isZero(0));
 }
 
 NetScene pose_surfaces(const Net& net, const TreeState<double>& state) {
@@ -99,7 +100,7 @@ NetScene pose_scene(const Net& net, const TreeState<double>& state, const NetDri
   scene.multiplier.assign(net.bands.size(), Vector3d::Zero());
   scene.collapsed.assign(net.bands.size(), false);
   for (int i = 0; i < static_cast<int>(net.bands.size()); ++i)
-    scene.grip.push_back(scene.pull[i] > 0 ? grip_of(net, scene, i) : 0);
+    scene.penalty.push_back(scene.pull[i] > 0 ? penalty_of(net, scene, i) : 0);
   return scene;
 }
 
@@ -118,7 +119,7 @@ BandState band_state(const Net& net, const NetScene& scene, int i, const Vector3
                      const Vector3d& b) {
   BandState out{band_string(net, scene, i, a, b), {}};
   if (!out.chord.bent && is_regularised(scene, i, out.chord.length))
-    out.chord = grip_chord(scene.pull[i], scene.grip[i], scene.multiplier[i], a, b);
+    out.chord = penalty_chord(scene.pull[i], scene.penalty[i], scene.multiplier[i], a, b);
   out.pull = law(net, scene, i, out.chord.length);
   return out;
 }

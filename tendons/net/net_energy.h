@@ -43,8 +43,8 @@ struct NetScene {
   std::vector<double> slack;          // of each band [m]
   // A constant pull t has no derivative at length zero, where the node is collapsed into the exit.
   // Its energy  t |d|, d = a - b,  is written as an augmented Lagrangian,
-  //   max_{|p| <= t} p.d - |p - multiplier|^2 / (2 grip).
-  std::vector<double> grip;                 // [N/m]
+  //   max_{|p| <= t} p.d - |p - multiplier|^2 / (2 penalty).
+  std::vector<double> penalty;              // [N/m]
   std::vector<Eigen::Vector3d> multiplier;  // force on end a that was found; zero: not held [N]
   std::vector<bool> collapsed;  // its end lies in the exit and counts as fixed: no force, no energy
 };
@@ -52,7 +52,7 @@ struct NetScene {
 [[nodiscard]] NetScene pose_scene(const Net& net, const TreeState<double>& state,
                                   const NetDrive& drive);
 
-/// Whether a straight band of constant pull is so short that `grip` takes its place.
+/// Whether a straight band of constant pull is so short that the penalty replaces its energy.
 [[nodiscard]] bool is_regularised(const NetScene& scene, int band, double length);
 
 /// Poses the surfaces alone.

@@ -13,10 +13,10 @@ namespace {
 using Eigen::Matrix3Xd;
 using Eigen::Vector3d;
 
-constexpr double kOn = 1e-9;      // a start this near to a bone lies on it [m]
-constexpr double kNudge = 1e-7;   // by which a node that gives way starts off [m]
-constexpr double kBack = 2e-9;    // a node this near to its start is back [m]
-constexpr int kMostReturns = 10;  // of a node to its start, before rounds are given up
+constexpr double kOn = 1e-9;     // a start this near to a bone lies on it [m]
+constexpr double kNudge = 1e-7;  // by which a node that gives way starts off [m]
+constexpr double kBack = 2e-9;   // a node this near to its start is back [m]
+constexpr int kMaxReturns = 10;  // of a node to its start, before rounds are given up
 
 /// A node that may rest on a bone.
 struct Rub {
@@ -192,7 +192,7 @@ class Rounds {
       }
     // Back at its start: it sticks, unless it has returned too often.
     if (rub.pull > 0 && way.norm() < kBack) {
-      rub.sticks = ++rub.returns <= kMostReturns;
+      rub.sticks = ++rub.returns <= kMaxReturns;
       x_.col(rub.node) = rub.seat;
       return true;
     }
@@ -211,7 +211,7 @@ class Rounds {
 
   bool gives_up() const {
     return std::any_of(rubs_.begin(), rubs_.end(),
-                       [](const Rub& rub) { return rub.returns > kMostReturns; });
+                       [](const Rub& rub) { return rub.returns > kMaxReturns; });
   }
 
   /// Writes what bones do to nodes, in place of contacts that hold what friction bands pull

@@ -53,7 +53,7 @@ bool NetDescent::release_from_exit() {
 }
 
 /// Notes the force of bands of constant pull that have no length. @return whether one changed
-bool NetDescent::grip() {
+bool NetDescent::update_multipliers() {
   bool changed = false;
   for (int b = 0; b < static_cast<int>(plan_.bands.size()); ++b) {
     // Short bands of constant pull.
@@ -61,7 +61,7 @@ bool NetDescent::grip() {
     const Vector3d d = x_[band.a] - x_[band.b];
     if (scene_.collapsed[b] || !is_regularised(scene_, b, d.norm())) continue;
     // Force that the augmented Lagrangian shows there.
-    Vector3d p = scene_.multiplier[b] + scene_.grip[b] * d;
+    Vector3d p = scene_.multiplier[b] + scene_.penalty[b] * d;
     const double excess = p.norm() / scene_.pull[b];
     // Below the pull: the node belongs into the exit.
     if (excess < 1 && collapse_to_exit(b)) {
@@ -70,7 +70,7 @@ bool NetDescent::grip() {
     }
     // Above it: cut off, or a band that is no longer short.
     if (excess > 1) p /= excess;
-    if (excess > 1 && d.norm() * scene_.grip[b] > scene_.pull[b]) p.setZero();
+    if (excess > 1 && d.norm() * scene_.penalty[b] > scene_.pull[b]) p.setZero();
     // The next multiplier is that force.
     if ((p - scene_.multiplier[b]).norm() < 0.1 * options_.tolerance) continue;
     scene_.multiplier[b] = p;

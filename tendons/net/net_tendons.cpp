@@ -143,7 +143,7 @@ NetTendons::NetTendons(std::shared_ptr<const DigitTendons> linear, BuiltNet net,
     shares_(static_cast<Eigen::Index>(p), net_.pulls[p].muscle) = net_.pulls[p].share;
 }
 
-std::unique_ptr<DigitTendons> NetTendons::blended(double strain) const {
+std::unique_ptr<DigitTendons> NetTendons::smoothed(double strain) const {
   require(strain >= 0 && std::isfinite(strain), "strain must be >= 0, got {}", strain);
   BuiltNet net = net_;
   net.net.blend = strain;
@@ -167,7 +167,7 @@ TendonDerivatives NetTendons::derivatives_outside(const VectorXd& q, const Vecto
   // Whole tendons carry what does not enter the net.
   VectorXd whole = VectorXd::Ones(t.size());  // share of each muscle that runs as one tendon
   for (const NetMuscle& m : net_.muscles) whole[m.muscle] = 1 - m.to_net;
-  TendonDerivatives slopes = linear_->slopes(q, whole.cwiseProduct(t));
+  TendonDerivatives slopes = linear_->derivatives(q, whole.cwiseProduct(t));
   const TreeState<double> state = pose_tree(model.tree, q);
   // Muscles of the net add the path from their exit to their origin.
   slopes.length = whole.cwiseProduct(slopes.length);
@@ -181,7 +181,7 @@ TendonDerivatives NetTendons::derivatives_outside(const VectorXd& q, const Vecto
 
 TendonTorque NetTendons::torque_outside(const VectorXd& q, const VectorXd& t,
                                         const TreeState<double>& state) const {
-  TendonTorque pull = linear_->pull(q, t);
+  TendonTorque pull = linear_->evaluate(q, t);
   // Arms of a muscle of the net: in parts those of the whole tendon and of its own path.
   const TendonModel<double>& model = digit_.model;
   for (const NetMuscle& m : net_.muscles)
@@ -199,8 +199,8 @@ VectorXd NetTendons::torque(const VectorXd& q, const VectorXd& t,
          net_torque(net_.net, model.tree, state, rest, model.coordinates);
 }
 
-TendonTorque NetTendons::pull(const VectorXd& q, const VectorXd& t,
-                              const Eigen::Matrix3Xd& start) const {
+TendonTorque NetTendons::evaluate(const VectorXd& q, const VectorXd& t,
+                                  const Eigen::Matrix3Xd& start) const {
   return torque_at_rest(q, t, rest(q, t, start));
 }
 
@@ -222,7 +222,8 @@ MatrixXd NetTendons::torque_by_posture(const VectorXd& q, const VectorXd& t,
                                                         *rest, model.coordinates);
 }
 
-MatrixXd NetTendons::give(const VectorXd& q, const VectorXd& t, const TendonTorque& at) const {
+MatrixXd NetTendons::compliance(const VectorXd& q, const VectorXd& t,
+                                const TendonTorque& at) const {
   // Through the shares to the digit's muscles.
   const std::shared_ptr<const NetEquilibrium> rest = rest_of(at, q, t);
   if (!why_not_differentiable(net_.net, *rest).empty()) return MatrixXd::Zero(t.size(), t.size());

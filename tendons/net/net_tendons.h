@@ -46,30 +46,30 @@ class NetTendons : public DigitTendons {
   /// trusted: not balanced, unstable, collapsed into an exit, or with a band inside bone. `R` has
   /// the share of the net wherever the net is differentiable, see why_not_differentiable();
   /// elsewhere `warning` says so.
-  TendonTorque pull(const Eigen::VectorXd& q, const Eigen::VectorXd& t,
-                    const Eigen::Matrix3Xd& start) const override;
+  TendonTorque evaluate(const Eigen::VectorXd& q, const Eigen::VectorXd& t,
+                        const Eigen::Matrix3Xd& start) const override;
 
-  /// By implicit differentiation of the net and slopes() of what runs outside of it; by differences
-  /// where one of them is not differentiable.
+  /// By implicit differentiation of the net and derivatives() of what runs outside of it; by
+  /// differences where one of them is not differentiable.
   [[nodiscard]] Eigen::MatrixXd torque_by_posture(const Eigen::VectorXd& q,
                                                   const Eigen::VectorXd& t,
                                                   const TendonTorque& at) const override;
 
   /// Compliance of the net by implicit differentiation; 0 where it is not differentiable.
-  [[nodiscard]] Eigen::MatrixXd give(const Eigen::VectorXd& q, const Eigen::VectorXd& t,
-                                     const TendonTorque& at) const override;
+  [[nodiscard]] Eigen::MatrixXd compliance(const Eigen::VectorXd& q, const Eigen::VectorXd& t,
+                                           const TendonTorque& at) const override;
 
   [[nodiscard]] Eigen::VectorXd lengths(const Eigen::VectorXd& q, const Eigen::VectorXd& t,
                                         const TendonTorque& at) const override;
 
   /// A copy with Net::blend.
-  [[nodiscard]] std::unique_ptr<DigitTendons> blended(double strain) const override;
+  [[nodiscard]] std::unique_ptr<DigitTendons> smoothed(double strain) const override;
 
   /// The torque where the equilibrium of the net is known.
   [[nodiscard]] TendonTorque torque_at_rest(const Eigen::VectorXd& q, const Eigen::VectorXd& t,
                                             NetEquilibrium rest) const;
 
-  /// Equilibrium of the net, for pictures and tensions of bands. Arguments as of pull().
+  /// Equilibrium of the net, for pictures and tensions of bands. Arguments as of evaluate().
   [[nodiscard]] NetEquilibrium rest(const Eigen::VectorXd& q, const Eigen::VectorXd& t,
                                     const Eigen::Matrix3Xd& start) const;
 

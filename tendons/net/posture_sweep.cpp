@@ -123,7 +123,7 @@ std::vector<DigitPoint> sweep_digit(const DigitTendons& tendons,
       point.snapped = now.snapped;
       point.pull = net->torque_at_rest(point.q, t, now.rest);
     } else {
-      point.pull = tendons.pull(point.q, t);
+      point.pull = tendons.evaluate(point.q, t);
     }
     // Tip force at that torque.
     point.tip = tip_force(tip_statics(tendons.digit(), point.q, t, point.pull), t);

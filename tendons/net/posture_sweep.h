@@ -31,7 +31,7 @@ struct SweepPoint {
 /// the postures are.
 /// @param t      tension of each muscle [N] (muscles)
 /// @param start  nodes to start from at the first posture; empty: each with its link
-/// @throws InputError as DigitTendons::pull().
+/// @throws InputError as DigitTendons::evaluate().
 [[nodiscard]] std::vector<SweepPoint> sweep_net(const NetTendons& tendons,
                                                 const std::vector<Eigen::VectorXd>& postures,
                                                 const Eigen::VectorXd& t,
@@ -70,7 +70,7 @@ struct DigitPoint {
 /// other from the one before.
 /// @param t         tension of each muscle [N] (muscles)
 /// @param progress  may stop it: the points that are done come back
-/// @throws InputError as DigitTendons::pull().
+/// @throws InputError as DigitTendons::evaluate().
 [[nodiscard]] std::vector<DigitPoint> sweep_digit(const DigitTendons& tendons,
                                                   const std::vector<Eigen::VectorXd>& postures,
                                                   const Eigen::VectorXd& t,

@@ -49,7 +49,7 @@ void TangentNet::number_nodes() {
 /// spring that the search for rest puts in their place is none of the net's.
 void TangentNet::let_go() {
   for (std::size_t b = 0; b < collapsed.size(); ++b)
-    if (collapsed[b] < 0) scene.grip[b] = std::numeric_limits<double>::infinity();
+    if (collapsed[b] < 0) scene.penalty[b] = std::numeric_limits<double>::infinity();
 }
 
 void TangentNet::probe_contacts() {

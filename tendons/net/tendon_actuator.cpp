@@ -39,7 +39,7 @@ const TendonAction& TendonActuator::start_at(const VectorXd& q, const VectorXd& 
 
 /// All but the net.
 void TendonActuator::answer(const VectorXd& q, const VectorXd& t) {
-  TendonTorque pull = net_ == nullptr ? tendons_.pull(q, t) : net_->torque_outside(q, t);
+  TendonTorque pull = net_ == nullptr ? tendons_.evaluate(q, t) : net_->torque_outside(q, t);
   // Status of the tendons outside of the net.
   action_.paths = action_.status = pull.status;
   action_.hood = TendonStatus::kValid;
@@ -51,7 +51,7 @@ void TendonActuator::answer(const VectorXd& q, const VectorXd& t) {
   action_.warning = std::move(pull.warning);
   // Derivatives and lengths.
   TendonDerivatives slopes =
-      net_ == nullptr ? tendons_.slopes(q, t) : net_->derivatives_outside(q, t);
+      net_ == nullptr ? tendons_.derivatives(q, t) : net_->derivatives_outside(q, t);
   action_.slopes = slopes.exist;
   action_.K = std::move(slopes.by_posture);
   action_.length = std::move(slopes.length);

@@ -43,14 +43,14 @@ class TendonActuator {
   /// Moves the state to (q, t).
   /// @param q  posture [rad] (coordinates);  @param t  tensions, each >= 0 [N] (muscles)
   /// @return what the tendons do there; overwritten by the next call
-  /// @throws InputError as DigitTendons::pull()
+  /// @throws InputError as DigitTendons::evaluate()
   const TendonAction& act(const Eigen::VectorXd& q, const Eigen::VectorXd& t);
 
   /// Nodes of the net in the present state; empty: none, or no state yet [m] (3, nodes).
   [[nodiscard]] const Eigen::Matrix3Xd& nodes() const { return rest_.x; }
 
   /// Sets the state to the equilibrium that these nodes reach at (q, t), whatever it was before: to
-  /// continue from a state that was kept. @throws InputError as DigitTendons::pull()
+  /// continue from a state that was kept. @throws InputError as DigitTendons::evaluate()
   const TendonAction& start_at(const Eigen::VectorXd& q, const Eigen::VectorXd& t,
                                const Eigen::Matrix3Xd& nodes);
 

@@ -6,9 +6,8 @@
 namespace thenar {
 namespace {
 
-constexpr double kCap = 25;  // a difference of 5 sd is as good as certain [1]
-constexpr double kLeastWeight =
-    1e-3;  // of a model that fits badly, so that it is not forgotten [1]
+constexpr double kCap = 25;          // a difference of 5 sd is as good as certain [1]
+constexpr double kMinWeight = 1e-3;  // of a model that fits badly, so that it is not forgotten [1]
 
 struct Voice {
   Eigen::VectorXd value;  // readings of the whole pool
@@ -28,7 +27,7 @@ std::vector<Voice> voices(NetForwardModel& pool, const std::vector<FittedNet>& n
     const NetPrediction forecast =
         pool.predict(net.fit.s.cwiseProduct(typical), Sensitivities::kWithout);
     const double weight = std::exp(-0.5 * (net.fit.misfit - least));
-    if (forecast.holds) out.push_back({forecast.value, std::max(weight, kLeastWeight)});
+    if (forecast.holds) out.push_back({forecast.value, std::max(weight, kMinWeight)});
   }
   return out;
 }

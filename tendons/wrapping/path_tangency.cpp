@@ -14,10 +14,9 @@ namespace {
 using Eigen::Matrix3d;
 using Eigen::Vector3d;
 
-constexpr int kMostUnknowns = 4 * kMaxWraps;
-using System =
-    Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, kMostUnknowns, kMostUnknowns>;
-using Unknowns = Eigen::Matrix<double, Eigen::Dynamic, 1, 0, kMostUnknowns, 1>;
+constexpr int kMaxUnknowns = 4 * kMaxWraps;
+using System = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, kMaxUnknowns, kMaxUnknowns>;
+using Unknowns = Eigen::Matrix<double, Eigen::Dynamic, 1, 0, kMaxUnknowns, 1>;
 using Row4 = Eigen::Matrix<double, 1, 4>;
 using Map34 = Eigen::Matrix<double, 3, 4>;
 

@@ -65,8 +65,8 @@ class ChainTangent {
                                              const std::vector<BodyTwist>& on) const;
 
  private:
-  static constexpr int kMost = 4 * kMaxWraps;
-  using System = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, kMost, kMost>;
+  static constexpr int kMax = 4 * kMaxWraps;
+  using System = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, kMax, kMax>;
 
   Eigen::Vector3d a_, b_;
   std::vector<ChainArc> chain_;

@@ -16,7 +16,7 @@ TEST(CloseInWorld, HoldsTheCubeBetweenItsJaws) {
   request.world.data = kData;
   const GraspResult found = close_in_world(request).grasp;
   EXPECT_FALSE(found.request.approach);
-  EXPECT_EQ(found.start.way, 0);
+  EXPECT_EQ(found.start.approach_distance, 0);
   EXPECT_EQ(found.grasp.closed.stopped.back(), StoppedBy::kContact);
   ASSERT_TRUE(found.measures);
   EXPECT_NEAR(*found.measures->pull.value->active, 160, 1e-4);

@@ -24,8 +24,8 @@ TEST(GraspInWorld, OwnsWhatItFound) {
   EXPECT_TRUE(copy.complete);
   EXPECT_EQ(copy.started(), 1);
   EXPECT_EQ(copy.grasp.outcome, GraspOutcome::kGrasped);
-  EXPECT_EQ(copy.touching.hand, copy.setting.hand.named.hand.get());
-  EXPECT_FALSE(copy.touching.hand->surfaces().empty());
+  EXPECT_EQ(copy.collision_hand.hand, copy.setting.hand.named.hand.get());
+  EXPECT_FALSE(copy.collision_hand.hand->surfaces().empty());
   ASSERT_TRUE(copy.measures);
   EXPECT_FALSE(copy.robustness);  // not asked
 }

@@ -17,8 +17,8 @@
 namespace thenar {
 namespace {
 
-constexpr double kMostMemory = 1.5e9;  // [bytes]
-constexpr double kMostSeconds = 15;    // of the processor, for one file [s]
+constexpr double kMaxMemory = 1.5e9;  // [bytes]
+constexpr double kMaxSeconds = 15;    // of the processor, for one file [s]
 
 class Mutations : public TemporaryFolder, public testing::WithParamInterface<std::size_t> {};
 
@@ -45,11 +45,11 @@ TEST_P(Mutations, DoNoHarm) {
       write_file(kept, text);
       FAIL() << "copy " << i << ", kept as " << kept << ": " << harm.what();
     }
-    EXPECT_LT(static_cast<double>(std::clock() - begin) / CLOCKS_PER_SEC, kMostSeconds) << i;
+    EXPECT_LT(static_cast<double>(std::clock() - begin) / CLOCKS_PER_SEC, kMaxSeconds) << i;
   }
   rusage used{};
   (void)getrusage(RUSAGE_SELF, &used);
-  EXPECT_LT(1024.0 * static_cast<double>(used.ru_maxrss), kMostMemory);
+  EXPECT_LT(1024.0 * static_cast<double>(used.ru_maxrss), kMaxMemory);
 }
 
 INSTANTIATE_TEST_SUITE_P(OfEveryKind, Mutations, testing::Range<std::size_t>(0, 17));

@@ -93,7 +93,7 @@ TEST(BuildSolid, TurnsAMeshOutwards) {
   inward.triangles.row(0).swap(inward.triangles.row(1));
   const Solid solid = build_solid({spec(inward)});
   EXPECT_NEAR(solid.shape->distance({0, 0, 0}), -0.01, 1e-17);
-  EXPECT_GT(enclosed_volume(solid.picture), 0);
+  EXPECT_GT(enclosed_volume(solid.visual), 0);
 }
 
 TEST(BuildSolid, RefusesNumbersThatAreNone) {

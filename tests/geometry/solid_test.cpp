@@ -57,7 +57,7 @@ double worst(const RoundedMesh& touch, const Shape& shape, std::mt19937& rng) {
 TEST(BuildSolid, DrawsClosedOutwardSurfaces) {
   for (const ShapeSpec& shape : round_shapes()) {
     SCOPED_TRACE(name_of(shape.kind));
-    EXPECT_GT(enclosed_volume(build_solid({shape}).picture), 0);
+    EXPECT_GT(enclosed_volume(build_solid({shape}).visual), 0);
   }
 }
 
@@ -65,8 +65,8 @@ TEST(BuildSolid, TouchesWithinTwoHundredthsOfAMillimetre) {
   std::mt19937 rng(1);
   for (const ShapeSpec& shape : round_shapes()) {
     const Solid solid = build_solid({shape});
-    EXPECT_LT(worst(solid.touch[0], *solid.shape, rng), 2e-5) << name_of(shape.kind);
-    EXPECT_LT(solid.touch[0].core.triangles.cols(), 25000) << name_of(shape.kind);
+    EXPECT_LT(worst(solid.collision[0], *solid.shape, rng), 2e-5) << name_of(shape.kind);
+    EXPECT_LT(solid.collision[0].core.triangles.cols(), 25000) << name_of(shape.kind);
   }
 }
 
@@ -74,7 +74,7 @@ TEST(BuildSolid, TouchesWithinTwoHundredthsOfAMillimetre) {
 // true volume.
 TEST(BuildSolid, DrawsSurfacesOfTheRightVolume) {
   const auto volume = [](ShapeKind kind, const Vector3d& size) {
-    return enclosed_volume(build_solid({spec(kind, size)}).picture);
+    return enclosed_volume(build_solid({spec(kind, size)}).visual);
   };
   EXPECT_NEAR(volume(ShapeKind::kSphere, {0.03, 0, 0}) / (4 * kPi / 3 * 2.7e-5), 1, 2e-3);
   EXPECT_NEAR(volume(ShapeKind::kEllipsoid, {0.01, 0.02, 0.04}) / (4 * kPi / 3 * 8e-6), 1, 5e-3);
@@ -84,11 +84,11 @@ TEST(BuildSolid, DrawsSurfacesOfTheRightVolume) {
 
 TEST(BuildSolid, SweepsBallsAlongPointsAndSegments) {
   const Solid sphere = build_solid({spec(ShapeKind::kSphere, {0.03, 0, 0})});
-  EXPECT_EQ(sphere.touch[0].core.triangles.cols(), 1);
-  EXPECT_EQ(sphere.touch[0].radius, 0.03);
+  EXPECT_EQ(sphere.collision[0].core.triangles.cols(), 1);
+  EXPECT_EQ(sphere.collision[0].radius, 0.03);
   const Solid capsule = build_solid({spec(ShapeKind::kCapsule, {0.01, 0.04, 0})});
-  EXPECT_EQ(capsule.touch[0].core.triangles.cols(), 1);
-  EXPECT_EQ(capsule.touch[0].core.vertices.cols(), 2);
+  EXPECT_EQ(capsule.collision[0].core.triangles.cols(), 1);
+  EXPECT_EQ(capsule.collision[0].core.vertices.cols(), 2);
 }
 
 TEST(BuildSolid, PlacesShapesInTheirBody) {
@@ -98,10 +98,10 @@ TEST(BuildSolid, PlacesShapesInTheirBody) {
   const Solid there = build_solid({placed});
   placed.X_BS = {};
   const Solid here = build_solid({placed});
-  EXPECT_LT(worst(there.touch[0], *there.shape, rng), 2e-5);
-  for (Eigen::Index i = 0; i < there.picture.vertices.cols(); ++i)
-    EXPECT_NEAR(there.shape->distance(there.picture.vertices.col(i)),
-                here.shape->distance(here.picture.vertices.col(i)), 1e-15);
+  EXPECT_LT(worst(there.collision[0], *there.shape, rng), 2e-5);
+  for (Eigen::Index i = 0; i < there.visual.vertices.cols(); ++i)
+    EXPECT_NEAR(there.shape->distance(there.visual.vertices.col(i)),
+                here.shape->distance(here.visual.vertices.col(i)), 1e-15);
 }
 
 // Two balls of 10 mm whose centres are 10 mm apart.
@@ -112,7 +112,7 @@ TEST(BuildSolid, UnionTakesTheNearest) {
   EXPECT_NEAR(solid.shape->distance({-0.02, 0, 0}), 0.01, 1e-17);
   EXPECT_NEAR(solid.shape->distance({0.04, 0, 0}), 0.02, 1e-17);
   EXPECT_NEAR(solid.shape->nearest({0.04, 0, 0}).normal.x(), 1, 1e-15);
-  EXPECT_EQ(solid.touch.size(), 2U);
+  EXPECT_EQ(solid.collision.size(), 2U);
   // The nearest surface point, where the balls' surfaces meet, is sqrt(75) mm
   // away; the bound is 5.
   EXPECT_NEAR(solid.shape->distance({0.005, 0, 0}), -0.005, 1e-17);

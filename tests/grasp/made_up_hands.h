@@ -81,7 +81,7 @@ class HandMaker {
     spec.mesh =
         build_solid({shape(ShapeKind::kBox,
                            how_.scale * Eigen::Vector3d(2 * radius, 2 * radius, length + radius))})
-            .picture;
+            .visual;
     return spec;
   }
 

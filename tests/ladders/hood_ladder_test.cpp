@@ -103,10 +103,10 @@ TEST(HoodLadder, NetWithItsCrossBandsCutIsSeparateTendons) {
   for (int trial = 0; trial < 50; ++trial) {
     const VectorXd q = any_posture(rng, 4);
     const VectorXd t = any_tension(rng, separate->digit().names.muscles.size());
-    const TendonTorque net_pull = floating->pull(q, t);
+    const TendonTorque net_pull = floating->evaluate(q, t);
     EXPECT_EQ(net_pull.warning, "");
-    EXPECT_TRUE(matrix_near(net_pull.tau, separate->pull(q, t).tau, kTorque));
-    EXPECT_TRUE(matrix_near(net_pull.R, separate->pull(q, t).R, kTorque));
+    EXPECT_TRUE(matrix_near(net_pull.tau, separate->evaluate(q, t).tau, kTorque));
+    EXPECT_TRUE(matrix_near(net_pull.R, separate->evaluate(q, t).R, kTorque));
   }
 }
 
@@ -122,7 +122,7 @@ TEST(HoodLadder, CuttingCrossBandsLeadsToTheUncrossedNet) {
   std::mt19937 rng(2);
   const VectorXd q = any_posture(rng, 4);
   const VectorXd t = any_tension(rng, separate->digit().names.muscles.size());
-  EXPECT_TRUE(matrix_near(floating.pull(q, t, {}).tau, separate->pull(q, t).tau, kTorque));
+  EXPECT_TRUE(matrix_near(floating.evaluate(q, t, {}).tau, separate->evaluate(q, t).tau, kTorque));
 }
 
 // What the test above would not see if cross bands did nothing.
@@ -132,7 +132,7 @@ TEST(HoodLadder, CrossBandsMatter) {
   const auto separate = rung(finger, Hood::kSeparate);
   const auto floating = rung(finger, Hood::kFloatingNet, &crossed);
   const VectorXd q = VectorXd::Constant(4, 0.4), t = VectorXd::Constant(6, 3.0);
-  EXPECT_GT((floating->pull(q, t).tau - separate->pull(q, t).tau).norm(), 1e-3);
+  EXPECT_GT((floating->evaluate(q, t).tau - separate->evaluate(q, t).tau).norm(), 1e-3);
 }
 
 // -- Floating net and fixed fractions ---------------------------------------------------------
@@ -146,7 +146,7 @@ TEST(HoodLadder, NetOfFixedFractionsIsFixedFractions) {
   for (int trial = 0; trial < 50; ++trial) {
     const VectorXd q = any_posture(rng, 4);
     const VectorXd t = any_tension(rng, fractions->digit().names.muscles.size());
-    const TendonTorque net_pull = floating->pull(q, t), linear = fractions->pull(q, t);
+    const TendonTorque net_pull = floating->evaluate(q, t), linear = fractions->evaluate(q, t);
     EXPECT_EQ(net_pull.warning, "");
     // The subject states its fractions with four digits, the net their products.
     EXPECT_TRUE(matrix_near(net_pull.tau, linear.tau, 1e-4 * t.sum() * 0.01));
@@ -173,15 +173,15 @@ const VectorXd kTension = (VectorXd(6) << 3, 5, 4, 2, 1, 2.5).finished();
 
 TEST_P(EveryHood, ArmsAreTheSlopeOfTorqueByTension) {
   const auto digit = tendons(subject("an_chao_middle"));
-  const TendonTorque pull = digit->pull(kPosture, kTension);
+  const TendonTorque pull = digit->evaluate(kPosture, kTension);
   ASSERT_EQ(pull.warning, "");
   constexpr double kStep = 1e-4;  // [N]
   for (Eigen::Index m = 0; m < kTension.size(); ++m) {
     VectorXd more = kTension, less = kTension;
     more[m] += kStep;
     less[m] -= kStep;
-    const VectorXd slope = (digit->pull(kPosture, more, pull.nodes).tau -
-                            digit->pull(kPosture, less, pull.nodes).tau) /
+    const VectorXd slope = (digit->evaluate(kPosture, more, pull.nodes).tau -
+                            digit->evaluate(kPosture, less, pull.nodes).tau) /
                            (2 * kStep);
     // Residuals of 1e-9 N on a step of 1e-4 N leave 1e-5 of an arm of 1 cm.
     EXPECT_TRUE(matrix_near(pull.R.row(m).transpose(), slope, 1e-6)) << m;
@@ -191,13 +191,13 @@ TEST_P(EveryHood, ArmsAreTheSlopeOfTorqueByTension) {
 TEST_P(EveryHood, NoTensionMakesNoTorque) {
   const auto digit = tendons(subject("an_chao_middle"));
   EXPECT_TRUE(
-      matrix_near(digit->pull(kPosture, VectorXd::Zero(6)).tau, VectorXd::Zero(4), kTorque));
+      matrix_near(digit->evaluate(kPosture, VectorXd::Zero(6)).tau, VectorXd::Zero(4), kTorque));
 }
 
 // Without a hood's elasticity and with it: torque times speed is what tendons and bands give off.
 TEST_P(EveryHood, ConservesPower) {
   const auto digit = tendons(subject("an_chao_middle"));
-  const TendonTorque pull = digit->pull(kPosture, kTension);
+  const TendonTorque pull = digit->evaluate(kPosture, kTension);
   const auto* with_net = dynamic_cast<const NetTendons*>(digit.get());
   const TendonModel<double>& model = digit->digit().model;
   const auto energy = [&](const VectorXd& q) {

@@ -43,7 +43,8 @@ class Untrusted : public DigitTendons {
  public:
   explicit Untrusted(TendonDigit digit) : digit_(std::move(digit)) {}
   [[nodiscard]] const TendonDigit& digit() const override { return digit_; }
-  TendonTorque pull(const VectorXd& q, const VectorXd& t, const Eigen::Matrix3Xd&) const override {
+  TendonTorque evaluate(const VectorXd& q, const VectorXd& t,
+                        const Eigen::Matrix3Xd&) const override {
     TendonTorque pull;
     pull.R = Eigen::MatrixXd::Constant(1, 1, 0.01);
     pull.tau = pull.R.transpose() * t;

@@ -21,7 +21,7 @@ TEST(LinearTendons, PullsWithTheArmsOfTheTipStatics) {
   const auto tendons = build_linear_tendons(middle_finger(), "middle");
   const VectorXd q = VectorXd::Constant(tendons->digit().model.coordinates, 0.3);
   const VectorXd t = VectorXd::LinSpaced(tendons->digit().names.muscles.size(), 1, 7);
-  const TendonTorque pull = tendons->pull(q, t);
+  const TendonTorque pull = tendons->evaluate(q, t);
   const TipStatics statics = tip_statics(tendons->digit(), q);
   EXPECT_TRUE(matrix_near(pull.R, statics.R, 0));
   EXPECT_TRUE(matrix_near(pull.tau, VectorXd(statics.R.transpose() * t), 1e-15));
@@ -38,7 +38,7 @@ TEST(LinearTendons, SharesTensionBetweenTheSlips) {
   for (Eigen::Index m = 0; m < t.size(); ++m)
     if (tendons->digit().names.muscles[m] == "EDC") t[m] = 10;
   const SlipTension slips =
-      tendons->pull(VectorXd::Zero(tendons->digit().model.coordinates), t).slips;
+      tendons->evaluate(VectorXd::Zero(tendons->digit().model.coordinates), t).slips;
   EXPECT_NEAR(slips.central, 6, 1e-14);   // [N] 10 x 0.8 x 0.75
   EXPECT_NEAR(slips.radial, 1, 1e-14);    // [N] 10 x 0.8 x 0.25 / 2
   EXPECT_NEAR(slips.ulnar, 1, 1e-14);     // [N]
@@ -49,14 +49,15 @@ TEST(LinearTendons, HasNoSlipsWithoutAHood) {
   const auto tendons = build_linear_tendons(
       middle_finger(), "middle", {Path::kViaPoint, Hood::kSeparate, {}, WristMode::kWelded});
   const VectorXd t = VectorXd::Ones(tendons->digit().names.muscles.size());
-  EXPECT_EQ(tendons->pull(VectorXd::Zero(tendons->digit().model.coordinates), t).slips.terminal, 0);
+  EXPECT_EQ(tendons->evaluate(VectorXd::Zero(tendons->digit().model.coordinates), t).slips.terminal,
+            0);
 }
 
 TEST(LinearTendons, RefusesATendonThatPushes) {
   const auto tendons = build_linear_tendons(middle_finger(), "middle");
   VectorXd t = VectorXd::Ones(tendons->digit().names.muscles.size());
   t[2] = -1;
-  EXPECT_THROW((void)tendons->pull(VectorXd::Zero(tendons->digit().model.coordinates), t),
+  EXPECT_THROW((void)tendons->evaluate(VectorXd::Zero(tendons->digit().model.coordinates), t),
                InputError);
 }
 
@@ -80,8 +81,8 @@ TEST(LinearTendons, WrapLikeStraightRunsWhereNothingIsInTheWay) {
   const VectorXd q = VectorXd::Constant(wrapped->digit().model.coordinates, 0.3);
   const VectorXd t = VectorXd::Zero(muscles.size());
   const auto row = std::find(muscles.begin(), muscles.end(), "FDP3") - muscles.begin();
-  EXPECT_TRUE(matrix_near(VectorXd(wrapped->pull(q, t).R.row(row)),
-                          VectorXd(straight->pull(q, t).R.row(row)), 1e-16));
+  EXPECT_TRUE(matrix_near(VectorXd(wrapped->evaluate(q, t).R.row(row)),
+                          VectorXd(straight->evaluate(q, t).R.row(row)), 1e-16));
 }
 
 // Bent by 60 deg the straight run of EDC3 would cut through the knuckle's cylinder of 8.27 mm,
@@ -97,9 +98,9 @@ TEST(LinearTendons, KeepTheExtensorOnTheKnuckle) {
   const auto& muscles = digit.names.muscles;
   const auto row = std::find(muscles.begin(), muscles.end(), "EDC3") - muscles.begin();
   const VectorXd t = VectorXd::Zero(muscles.size());
-  EXPECT_EQ(wrapped->pull(q, t).warning, "");
-  EXPECT_NEAR(wrapped->pull(q, t).R(row, 0), -0.00827, 0.003);
-  EXPECT_GT(straight->pull(q, t).R(row, 0), -0.004);
+  EXPECT_EQ(wrapped->evaluate(q, t).warning, "");
+  EXPECT_NEAR(wrapped->evaluate(q, t).R(row, 0), -0.00827, 0.003);
+  EXPECT_GT(straight->evaluate(q, t).R(row, 0), -0.004);
 }
 
 // Cylinders are left and met within the ranges, where a polynomial of order 8 rounds the corner.
@@ -108,9 +109,9 @@ TEST(LinearTendons, FitsStayNearTheWrappedPaths) {
   const auto fitted = build_linear_tendons(whole_hand(), "middle", rung(Path::kFitted));
   const VectorXd t = VectorXd::Zero(wrapped->digit().names.muscles.size());
   const VectorXd q = VectorXd::Constant(wrapped->digit().model.coordinates, 0.3);
-  EXPECT_EQ(fitted->pull(q, t).warning, "");
-  EXPECT_TRUE(matrix_near(fitted->pull(q, t).R, wrapped->pull(q, t).R, 2e-4));
-  EXPECT_NE(fitted->pull(10 * q, t).warning, "");
+  EXPECT_EQ(fitted->evaluate(q, t).warning, "");
+  EXPECT_TRUE(matrix_near(fitted->evaluate(q, t).R, wrapped->evaluate(q, t).R, 2e-4));
+  EXPECT_NE(fitted->evaluate(10 * q, t).warning, "");
 }
 
 TEST(LinearTendons, SayThatTheyWrap) {

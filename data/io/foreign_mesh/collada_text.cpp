@@ -29,8 +29,8 @@ class Check {
       require_own(node);
     });
     // Nodes that stand for others must not multiply.
-    if (placed(document_, 0) > kMostNodes)
-      fail_at(0, fmt::format("nodes in nodes stand for more than {} of them", kMostNodes));
+    if (placed(document_, 0) > kMaxNodes)
+      fail_at(0, fmt::format("nodes in nodes stand for more than {} of them", kMaxNodes));
     // Accessors and lists of numbers stay within their arrays.
     each(document_, [&](const pugi::xml_node& node) {
       if (std::string(node.name()) == "accessor") check_accessor(node);
@@ -53,11 +53,11 @@ class Check {
 
   [[nodiscard]] double whole(const pugi::xml_node& node, const char* attribute,
                              double otherwise) const {
-    constexpr double kMost = 1e9;
+    constexpr double kMax = 1e9;
     const double number = node.attribute(attribute).as_double(otherwise);
-    if (!(number >= 0 && number < kMost))
+    if (!(number >= 0 && number < kMax))
       fail_at(node.offset_debug(),
-              fmt::format("wanted {} of <{}> in 0..{:.0e}, got '{}'", attribute, node.name(), kMost,
+              fmt::format("wanted {} of <{}> in 0..{:.0e}, got '{}'", attribute, node.name(), kMax,
                           node.attribute(attribute).value()));
     return number;
   }
@@ -123,7 +123,7 @@ class Check {
   const std::string& text_;
   const std::string& path_;
   pugi::xml_document document_;
-  static constexpr double kMostNodes = 1e5;
+  static constexpr double kMaxNodes = 1e5;
   std::map<std::string, double> lengths_;        // of arrays, by "#id"
   std::map<std::string, pugi::xml_node> nodes_;  // by "#id"
   std::map<std::string, double> placed_;         // nodes below each; negative: being counted

@@ -16,7 +16,7 @@ namespace {
 
 // Triangulation takes as many steps as the polygon has corners times reflex corners; a file of a
 // million quadrangles needs 4e6 steps, a crafted one could need 1e15.
-constexpr double kMostSteps = 1e8;
+constexpr double kMaxSteps = 1e8;
 
 double cross(const Eigen::Vector2d& a, const Eigen::Vector2d& b) {
   return a.x() * b.y() - a.y() * b.x();
@@ -123,7 +123,7 @@ class Cutter {
       std::size_t tried = 0;
       for (; tried < left.size() && !is_ear(at % left.size()); ++tried) ++at;
       steps_ += static_cast<double>(tried + left.size());
-      if (steps_ > kMostSteps)
+      if (steps_ > kMaxSteps)
         fail(fmt::format("wanted faces that are convex or have few corners, got one of {}",
                          face.size()));
       at %= left.size();
@@ -192,7 +192,7 @@ Polygons parse_obj(const std::string& text, const std::string& path) {
 
 namespace {
 
-constexpr int kMost = 100'000'000;  // largest count of corners or faces that is accepted
+constexpr int kMax = 100'000'000;  // largest count of corners or faces that is accepted
 
 void go_on(TextLines& lines) {
   if (!lines.next()) lines.fail("the file ends before all corners and faces are told");
@@ -211,7 +211,7 @@ Polygons parse_off(const std::string& text, const std::string& path) {
   // The counts follow on the same or the next line.
   TextLines same = lines;
   if (same.word().empty()) go_on(lines);
-  const int corners = lines.whole(0, kMost), faces = lines.whole(0, kMost);
+  const int corners = lines.whole(0, kMax), faces = lines.whole(0, kMax);
   // "0 0 0" and a line end take 6 bytes, the shortest face takes 2.
   if (6.0 * corners + 2.0 * faces > static_cast<double>(lines.bytes_left()) + 1)
     lines.fail(fmt::format("{} corners and {} faces are promised, more than {} bytes can hold",
@@ -226,7 +226,7 @@ Polygons parse_off(const std::string& text, const std::string& path) {
   }
   for (int i = 0; i < faces; ++i) {
     go_on(lines);
-    const int sides = lines.whole(1, kMost);
+    const int sides = lines.whole(1, kMax);
     for (int k = 0; k < sides; ++k) found.corners.push_back(lines.whole(0, corners - 1));
     found.sizes.push_back(sides);
     found.lines.push_back(lines.line());

@@ -20,10 +20,10 @@ namespace {
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-constexpr double kGape = 5e-5;       // largest gap of a solved loop [m]
-constexpr double kWell = 1e-7;       // gap at which no higher degree is tried [m]
-constexpr double kStill = 1e-7;      // motion of a joint that stands still [rad] or [m]
-constexpr double kLeastRange = 0.2;  // smallest share of the motor's range that must remain [1]
+constexpr double kGape = 5e-5;     // largest gap of a solved loop [m]
+constexpr double kWell = 1e-7;     // gap at which no higher degree is tried [m]
+constexpr double kStill = 1e-7;    // motion of a joint that stands still [rad] or [m]
+constexpr double kMinRange = 0.2;  // smallest share of the motor's range that must remain [1]
 constexpr int kNodes = 40, kChecks = 500, kMaxPolynomialDegree = 12;
 
 /// Names of the driven joints between a link and the base.
@@ -207,7 +207,7 @@ class LoopSolver {
     const std::optional<Track> track = find_track(linkage, motor);
     if (!track) return "no posture was found in which it closes and every joint is determined";
     const double whole = motor.upper - motor.lower, left = track->u.back() - track->u.front();
-    if (left < kLeastRange * whole)
+    if (left < kMinRange * whole)
       return fmt::format("it closes from {:.4g} to {:.4g} of '{}' only", track->u.front(),
                          track->u.back(), motor.name);
     motor.lower = track->u.front();

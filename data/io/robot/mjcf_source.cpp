@@ -290,8 +290,8 @@ Eigen::Matrix3d rotation_to(const Eigen::Vector3d& direction) {
 
 namespace {
 
-constexpr int kMostCopies = 1000;       // largest number of copies of one element
-constexpr long kMostElements = 100000;  // largest number of elements in all copies
+constexpr int kMaxCopies = 1000;       // largest number of copies of one element
+constexpr long kMaxElements = 100000;  // largest number of elements in all copies
 using Names = std::map<std::string, std::set<std::string>>;  // by kind: joint, tendon
 
 /// Kind of object that an attribute names, if it can be a copy: "joint1" names a joint.
@@ -363,16 +363,16 @@ class Replicator {
 
   [[nodiscard]] int count_of(const pugi::xml_node& node) const {
     const double count = number_or(file_, node, "count", 0);
-    if (count < 1 || count > kMostCopies || count != static_cast<int>(count))
-      file_.fail(node, fmt::format("<replicate> wants count=\"..\" in 1..{}, got '{}'", kMostCopies,
+    if (count < 1 || count > kMaxCopies || count != static_cast<int>(count))
+      file_.fail(node, fmt::format("<replicate> wants count=\"..\" in 1..{}, got '{}'", kMaxCopies,
                                    node.attribute("count").value()));
     return static_cast<int>(count);
   }
 
   void count_elements(const pugi::xml_node& node, long each, std::size_t copies) {
     elements_ += each * static_cast<long>(copies);
-    if (elements_ > kMostElements)
-      file_.fail(node, fmt::format("<replicate> makes more than {} elements", kMostElements));
+    if (elements_ > kMaxElements)
+      file_.fail(node, fmt::format("<replicate> makes more than {} elements", kMaxElements));
   }
 
   void copy(pugi::xml_node parent, pugi::xml_node node) {

@@ -245,7 +245,7 @@ class Export {
       out_.meshes[file] = shape.mesh;
     } else {
       shape.X_BS = {};
-      out_.meshes[file] = build_solid({shape}).picture;
+      out_.meshes[file] = build_solid({shape}).visual;
       out_.warnings.push_back(fmt::format("URDF has no {}: one of link '{}' is written as a mesh",
                                           name_of(shape.kind), link));
     }

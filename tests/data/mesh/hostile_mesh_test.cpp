@@ -23,7 +23,7 @@ using testing::AnyOf;
 using testing::HasSubstr;
 using testing::Not;
 
-constexpr double kMostMemory = 1.5e9;  // of us or of the program that reads [bytes]
+constexpr double kMaxMemory = 1.5e9;  // of us or of the program that reads [bytes]
 
 /// Largest resident set so far [bytes]. @param who  us or the processes that we waited for
 double largest_memory(decltype(RUSAGE_SELF) who) {
@@ -48,8 +48,8 @@ TEST_F(HostileMesh, IsRefusedForWhatItIs) {
     EXPECT_THAT(message, HasSubstr(file.refusal));
     EXPECT_LT(message.size(), 1000U);
   }
-  EXPECT_LT(largest_memory(RUSAGE_SELF), kMostMemory);
-  EXPECT_LT(largest_memory(RUSAGE_CHILDREN), kMostMemory);
+  EXPECT_LT(largest_memory(RUSAGE_SELF), kMaxMemory);
+  EXPECT_LT(largest_memory(RUSAGE_CHILDREN), kMaxMemory);
 }
 
 // Each in what a reader might take for a path to it: nothing of it comes back in a message.

@@ -77,7 +77,7 @@ TEST(Curvature, OfFacetsIsThatOfTheirBallOverAWiderStep) {
   spec.size = {0.01, 0, 0};
   ShapeSpec mesh;
   mesh.kind = ShapeKind::kMesh;
-  mesh.mesh = build_solid({spec}).picture;
+  mesh.mesh = build_solid({spec}).visual;
   double edge = 0;
   for (const auto& t : mesh.mesh.triangles.colwise())
     edge = std::max(edge, (mesh.mesh.vertices.col(t[0]) - mesh.mesh.vertices.col(t[1])).norm());

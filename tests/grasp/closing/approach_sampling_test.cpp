@@ -107,7 +107,7 @@ TEST(DrawStart, IsClearOfTheObjectAndGoesPastIt) {
     const double way = approach_distance(touching, q, scene.object);
     const Eigen::Vector3d end =
         X * hand.layout().approach.point + way * (X.R * hand.layout().approach.direction);
-    EXPECT_GT((end - scene.object.com).norm(), scene.object.reach);
+    EXPECT_GT((end - scene.object.com).norm(), scene.object.torque_scale);
   }
 }
 

@@ -18,7 +18,7 @@ const ShapeSpec kCube = sample::jaw_cube();
 Grasp squeeze(const std::vector<PlacedBody>& bodies, double way) {
   const RobotHand hand(sample::plates());
   GraspOptions options;
-  options.way = way;
+  options.approach_distance = way;
   return grasp(collision_hand(hand), {}, open_posture(hand.layout()), sample::scene(bodies),
                options);
 }
@@ -66,7 +66,7 @@ TEST(Grasp, ClosesWhereAnObstacleBlocksTheWay) {
 double stands(double stand_off) {
   const RobotHand hand(sample::jaws());
   GraspOptions options;
-  options.way = 0.5;
+  options.approach_distance = 0.5;
   options.stand_off = stand_off;
   return grasp(collision_hand(hand), {}, open_posture(hand.layout()),
                sample::scene({sample::placed("cube", kCube, {0, 0.2, 0})}), options)

@@ -14,7 +14,7 @@ TEST(Scene, CentresOneShapeExactly) {
   const SceneBody body = build_body(
       sample::placed("box", sample::shape(ShapeKind::kBox, {0.02, 0.04, 0.06}, at), {0, 0, 0}));
   EXPECT_LT((body.com - at).norm(), 1e-15);
-  EXPECT_NEAR(body.reach, 0.5 * Eigen::Vector3d(0.02, 0.04, 0.06).norm(), 1e-15);
+  EXPECT_NEAR(body.torque_scale, 0.5 * Eigen::Vector3d(0.02, 0.04, 0.06).norm(), 1e-15);
 }
 
 // Boxes over x = 0 .. 30 mm and 20 .. 40 mm: together 0 .. 40 mm. To count the overlap twice would

@@ -51,7 +51,7 @@ Scene cube_scene(const Eigen::Vector3d& at) {
 Grasp squeeze(const Eigen::Vector3d& cube_at) {
   const RobotHand hand(sample::jaws());
   GraspOptions options;
-  options.way = 0;
+  options.approach_distance = 0;
   return centred_grasp(collision_hand(hand), {}, open_posture(hand.layout()), cube_scene(cube_at),
                        options);
 }

@@ -26,7 +26,7 @@ struct SqueezedBall {
   explicit SqueezedBall(const RobotSpec& robot)
       : hand(robot), scene(sample::scene({sample::placed("cube", sample::jaw_cube(), {0, 0, 0})})) {
     GraspOptions options;
-    options.way = 0;
+    options.approach_distance = 0;
     grasp = centred_grasp(collision_hand(hand), {}, open_posture(hand.layout()), scene, options);
   }
   [[nodiscard]] HeldObject held() const {

@@ -27,7 +27,7 @@ int first_closure(const Hand& hand, ContactModel contact) {
     const Eigen::VectorXd q = sample_preshape(touching, n, posture);
     const Pose<double> X_WH = sample_approach_pose(touching, q, scene.object, start);
     options.stand_off = sample_stand_off(start);
-    options.way = approach_distance(touching, q, scene.object);
+    options.approach_distance = approach_distance(touching, q, scene.object);
     const Grasp done = centred_grasp(touching, X_WH, q, scene, options);
     if (done.outcome == GraspOutcome::kGrasped && done.quality.force_closure) return n;
   }

@@ -21,7 +21,7 @@ Grasp squeeze(const ShapeSpec& pad, const std::string& material, const ShapeSpec
               const PadOptions& options) {
   const RobotHand hand(sample::sliding_jaws(pad, pad, material));
   GraspOptions asked;
-  asked.way = 0;
+  asked.approach_distance = 0;
   asked.pads = options;
   return grasp(collision_hand(hand), {}, open_posture(hand.layout()),
                sample::scene({sample::placed("object", object, {0, 0, 0})}), asked);

@@ -103,10 +103,10 @@ TEST_F(Pincer, LockedDriveIsAReactionBothWays) {
   robot_.dofs[0].backdrivable = false;
   robot_.dofs[0].speed = 0;
   const Reactions reactions = RobotHand(robot_).actuation(Vector2d(0.1, 0.1)).reactions;
-  ASSERT_EQ(reactions.least.size(), 1);
+  ASSERT_EQ(reactions.lower.size(), 1);
   EXPECT_TRUE(matrix_near(reactions.R, Vector2d(1, 0), 0));
-  EXPECT_EQ(reactions.least(0), -kNoTorqueLimit);
-  EXPECT_EQ(reactions.most(0), kNoTorqueLimit);
+  EXPECT_EQ(reactions.lower(0), -kNoTorqueLimit);
+  EXPECT_EQ(reactions.upper(0), kNoTorqueLimit);
   EXPECT_TRUE(reactions.non_backdrivable.empty());
 }
 
@@ -191,8 +191,8 @@ WrenchSupport tendon_finger(double inwards, double passive_elsewhere) {
   tendons.upper = Vector2d::Constant(40);
   if (inwards != 0) {
     tendons.reactions.R = inwards * Vector3d::UnitY();
-    tendons.reactions.least = VectorXd::Zero(1);
-    tendons.reactions.most = VectorXd::Constant(1, kNoTorqueLimit);
+    tendons.reactions.lower = VectorXd::Zero(1);
+    tendons.reactions.upper = VectorXd::Constant(1, kNoTorqueLimit);
   }
   return wrench_support(hand_forces(set, Vector3d(0.08, 0.03, 0), tendons), ScaledWrench::Unit(1));
 }

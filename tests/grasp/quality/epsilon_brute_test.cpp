@@ -31,7 +31,7 @@ WrenchSet random_set(std::mt19937& rng, int most) {
 /// @param starts  of descents; @param slack  what a descent may stay above the
 /// least value
 void enclose(ForceNorm limit, int most_contacts, int count) {
-  constexpr int kMostDescents = 500;
+  constexpr int kMaxDescents = 500;
   constexpr double kSlack = 1e-4;  // of descents above the least value
   std::mt19937 rng(11);
   int closures = 0;
@@ -44,7 +44,7 @@ void enclose(ForceNorm limit, int most_contacts, int count) {
     // For kLinf without closure the value is that of kL1.
     const ForceNorm meant = e.force_closure ? limit : ForceNorm::kL1;
     EXPECT_LE(support(set, -e.worst_wrench, meant), e.upper + 1e-12) << i;
-    const double brute = BruteEpsilon(set, meant)(rng, kMostDescents, e.upper + kSlack);
+    const double brute = BruteEpsilon(set, meant)(rng, kMaxDescents, e.upper + kSlack);
     EXPECT_GE(brute, e.lower) << i;
     EXPECT_LE(brute, e.upper + kSlack) << i;
     closures += e.force_closure ? 1 : 0;

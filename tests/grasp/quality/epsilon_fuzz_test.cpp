@@ -16,8 +16,8 @@
 namespace thenar {
 namespace {
 
-constexpr int kMostFacets = 200000;
-constexpr double kMostTime = 1;  // processor time of one question [s]
+constexpr int kMaxFacets = 200000;
+constexpr double kMaxTime = 1;  // processor time of one question [s]
 
 int sets() {
   const char* all = std::getenv("THENAR_GRASPS");
@@ -123,10 +123,10 @@ TEST(EpsilonFuzz, BoundsHoldTheLeastSupportAndComeInTime) {
       if (limit == ForceNorm::kLinf && set.caps.size() > 12) continue;
       EpsilonOptions options;
       options.limit = limit;
-      options.max_facets = kMostFacets;
+      options.max_facets = kMaxFacets;
       const std::clock_t start = std::clock();
       const Epsilon e = epsilon(set, options);
-      EXPECT_LT(static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC, kMostTime) << i;
+      EXPECT_LT(static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC, kMaxTime) << i;
       EXPECT_LE(e.lower, e.upper) << i;
       EXPECT_NEAR(e.worst_wrench.norm(), 1, 1e-9) << i;
       const ForceNorm meant = e.force_closure ? limit : ForceNorm::kL1;
@@ -139,7 +139,7 @@ TEST(EpsilonFuzz, BoundsHoldTheLeastSupportAndComeInTime) {
       inside += e.force_closure ? 1 : 0;
       flat += e.rank < 6 ? 1 : 0;
       open += e.converged ? 0 : 1;
-      EXPECT_TRUE(e.converged || e.facets > kMostFacets) << i;
+      EXPECT_TRUE(e.converged || e.facets > kMaxFacets) << i;
     }
   }
   EXPECT_GT(inside, sets() / 5);

@@ -16,10 +16,10 @@ namespace {
 
 constexpr double kExactVolumeError = 1e-12;  // relative, in general position
 constexpr double kTurnedError = 1e-7;        // relative, where contacts are turned
-constexpr double kMost = 1e7;
+constexpr double kMax = 1e7;
 
 double sum_of(const WrenchSet& set) {
-  const std::optional<double> volume = internal::minkowski_volume(set, kMost);
+  const std::optional<double> volume = internal::minkowski_volume(set, kMax);
   return volume ? *volume : std::nan("");
 }
 
@@ -105,7 +105,7 @@ TEST(SumVolume, IsThatOfTheHull) {
 TEST(SumVolume, IsNotToBeHadOfSoftFingersOrTooManyFaces) {
   WrenchSet soft = axes(1);
   for (WrenchCap& cap : soft.caps) cap.contact = 0;  // one contact of six dimensions
-  EXPECT_FALSE(internal::minkowski_volume(soft, kMost));
+  EXPECT_FALSE(internal::minkowski_volume(soft, kMax));
   EXPECT_FALSE(internal::minkowski_volume(on_axes(6, 8), 1000));
 }
 

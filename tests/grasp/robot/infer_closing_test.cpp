@@ -35,7 +35,7 @@ Touches touches(const RobotSpec& robot) {
   const PalmApproach& approach = hand.layout().approach;
   const Eigen::Vector3d at = approach.point + 0.3 * approach.direction;
   GraspOptions options;
-  options.way = 0.6;
+  options.approach_distance = 0.6;
   const Grasp done = grasp(
       collision_hand(hand), {}, open_posture(hand.layout()),
       sample::scene(

@@ -165,8 +165,8 @@ TEST(RobotHand, DrivesTheOuterJointThroughTheClutch) {
   ASSERT_EQ(coupled.reactions.R.cols(), 4);  // the spread, three clutches
   EXPECT_EQ(coupled.reactions.R(inner, 1), 1);
   EXPECT_NEAR(coupled.reactions.R(outer, 1), -3, 1e-8);
-  EXPECT_EQ(coupled.reactions.least[1], 0);
-  EXPECT_EQ(coupled.reactions.most[1], finger.breakaway);
+  EXPECT_EQ(coupled.reactions.lower[1], 0);
+  EXPECT_EQ(coupled.reactions.upper[1], finger.breakaway);
   VectorXd parted = zero(hand);
   parted[outer] = 0.2;
   EXPECT_EQ(hand.actuation(parted).reactions.R(outer, 1), 0);

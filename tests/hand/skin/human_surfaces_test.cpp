@@ -35,8 +35,8 @@ TEST(HumanSurfaces, CoverEverySegment) {
     EXPECT_EQ(surface.material, "skin");
     EXPECT_EQ(surface.digit.empty(), surface.name == "Palm");
     ASSERT_NE(surface.solid, nullptr);
-    EXPECT_FALSE(surface.solid->picture.empty());
-    EXPECT_FALSE(surface.solid->touch.empty());
+    EXPECT_FALSE(surface.solid->visual.empty());
+    EXPECT_FALSE(surface.solid->collision.empty());
   }
   EXPECT_EQ(named(surfaces, "MC1").digit, "thumb");
 }
@@ -50,11 +50,11 @@ TEST(HumanSurfaces, AreDrawnFinerThanTheyTouch) {
   options.drawn = 2500;
   const auto fine = human_surfaces(subject, skeleton, options);
   const Solid &before = *named(plain, "PP2").solid, &after = *named(fine, "PP2").solid;
-  EXPECT_EQ(after.touch[0].core.triangles, before.touch[0].core.triangles);
-  EXPECT_EQ(after.touch[0].core.vertices, before.touch[0].core.vertices);
-  EXPECT_GT(after.picture.triangles.cols(), 1500);
-  EXPECT_LE(after.picture.triangles.cols(), 2500);
-  for (const Vector3d& p : after.picture.vertices.colwise())
+  EXPECT_EQ(after.collision[0].core.triangles, before.collision[0].core.triangles);
+  EXPECT_EQ(after.collision[0].core.vertices, before.collision[0].core.vertices);
+  EXPECT_GT(after.visual.triangles.cols(), 1500);
+  EXPECT_LE(after.visual.triangles.cols(), 2500);
+  for (const Vector3d& p : after.visual.vertices.colwise())
     EXPECT_LT(std::abs(after.shape->distance(p)), 1e-3);  // both within 0.5 mm of the skin
 }
 
@@ -100,8 +100,8 @@ TEST(HumanSurfaces, FollowFrozenJoints) {
   const auto straight = human_surfaces(subject, build_skeleton(subject, {{"index"}, {}}));
   const auto moved = human_surfaces(subject, bent);
   const Pose<double> X = bent.segment_at.at("DP2");
-  const Eigen::Matrix3Xd& a = named(straight, "DP2").solid->picture.vertices;
-  const Eigen::Matrix3Xd& b = named(moved, "DP2").solid->picture.vertices;
+  const Eigen::Matrix3Xd& a = named(straight, "DP2").solid->visual.vertices;
+  const Eigen::Matrix3Xd& b = named(moved, "DP2").solid->visual.vertices;
   ASSERT_EQ(a.cols(), b.cols());
   EXPECT_LT((((X.R * a).colwise() + X.p) - b).norm(), 1e-12);
 }
@@ -114,7 +114,7 @@ TriangleMesh box_at(const Vector3d& center, const Vector3d& edges) {
   box.kind = ShapeKind::kBox;
   box.size = edges;
   box.X_BS.p = center;
-  return build_solid({box}).picture;
+  return build_solid({box}).visual;
 }
 
 TEST(HumanSurfaces, TakeTheUsersOwn) {
@@ -156,7 +156,7 @@ TEST(BoneSurfaces, LieWithinTheSkin) {
     for (const LinkSurface& bone : bones) {
       EXPECT_EQ(bone.material, "bone");
       double highest = -1;
-      for (const Vector3d& p : bone.solid->picture.vertices.colwise()) {
+      for (const Vector3d& p : bone.solid->visual.vertices.colwise()) {
         double height = 1;
         for (const auto& [segment, body] : bodies)
           height = std::min(height, implicit_height(body, p));

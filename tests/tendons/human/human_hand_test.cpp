@@ -175,7 +175,7 @@ TEST(HumanHand, RunsTendonsOnThePathsThatWereAsked) {
     Eigen::VectorXd q_finger = Eigen::VectorXd::Zero(4);
     q_finger[index_of(names.coordinates, "PIP2")] = 0.9;
     const Eigen::MatrixXd R =
-        finger->pull(q_finger, Eigen::VectorXd::Zero(static_cast<int>(names.muscles.size()))).R;
+        finger->evaluate(q_finger, Eigen::VectorXd::Zero(static_cast<int>(names.muscles.size()))).R;
     arms.push_back(human.hand->actuation(q).B(pip, index_of(layout.actuators, "FDP2")));
     EXPECT_NEAR(arms.back(),
                 R(index_of(names.muscles, "FDP2"), index_of(names.coordinates, "PIP2")), 1e-12);

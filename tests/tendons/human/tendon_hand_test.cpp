@@ -56,7 +56,7 @@ TEST(TendonHand, PullsByMomentArms) {
   const Eigen::VectorXd q = Eigen::VectorXd::LinSpaced(8, 0.05, 0.4);
   const Actuation actuation = hand.actuation(q);
   const TendonTorque pull =
-      middle->pull(q.tail(4), Eigen::VectorXd::Zero(middle->digit().max_tension.size()));
+      middle->evaluate(q.tail(4), Eigen::VectorXd::Zero(middle->digit().max_tension.size()));
   const TendonNames& names = middle->digit().names;
   for (std::size_t m = 0; m < names.muscles.size(); ++m)
     for (std::size_t j = 0; j < names.coordinates.size(); ++j)

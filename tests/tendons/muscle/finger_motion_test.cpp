@@ -91,7 +91,7 @@ class NetMotion : public testing::TestWithParam<const char*> {
     TendonOptions rungs;
     rungs.hood = Hood::kFloatingNet;
     const NetDescription net = read_net(THENAR_DATA_DIR "/nets/" + std::string(GetParam()));
-    tendons_ = build_net_tendons(subject, "index", rungs, net)->blended(kBlend);
+    tendons_ = build_net_tendons(subject, "index", rungs, net)->smoothed(kBlend);
     contraction_ = build_contraction(musculotendons(subject, tendons_->digit(), Muscle::kBounds),
                                      Muscle::kBounds);
   }
@@ -182,7 +182,7 @@ TEST_P(NetMotion, BalancesEnergyWithTheStrainOfTheNet) {
 /// Torque of tendons, springs and stops [N m].
 VectorXd held_torque(const MotionModel& model, const VectorXd& q, const VectorXd& t,
                      Eigen::Matrix3Xd& nodes) {
-  const TendonTorque pull = model.tendons.pull(q, t, nodes);
+  const TendonTorque pull = model.tendons.evaluate(q, t, nodes);
   nodes = pull.nodes;
   return pull.tau + resistance_torque(model.tendons.digit().skeleton, model.resistance, q);
 }

@@ -138,7 +138,7 @@ VectorXd static_torque(const Mover& mover, const VectorXd& q, double a) {
         optimal_length(mover.contraction->muscles()[static_cast<std::size_t>(m)]) + e[m];
     t[m] = mover.contraction->tension(m, {a, length, 0, 0});
   }
-  return mover.tendons->pull(q, t).tau +
+  return mover.tendons->evaluate(q, t).tau +
          resistance_torque(mover.tendons->digit().skeleton, mover.model().resistance, q);
 }
 
@@ -308,13 +308,14 @@ class GivingTendon : public DigitTendons {
     digit_.fidelity.hood = Hood::kFloatingNet;
   }
   [[nodiscard]] const TendonDigit& digit() const override { return digit_; }
-  TendonTorque pull(const VectorXd&, const VectorXd& t, const Eigen::Matrix3Xd&) const override {
+  TendonTorque evaluate(const VectorXd&, const VectorXd& t,
+                        const Eigen::Matrix3Xd&) const override {
     TendonTorque pull;
     pull.R = Eigen::MatrixXd::Constant(1, 1, kArm);
     pull.tau = pull.R.transpose() * t;
     return pull;
   }
-  Eigen::MatrixXd give(const VectorXd&, const VectorXd&, const TendonTorque&) const override {
+  Eigen::MatrixXd compliance(const VectorXd&, const VectorXd&, const TendonTorque&) const override {
     return Eigen::MatrixXd::Constant(1, 1, kGive);
   }
   VectorXd lengths(const VectorXd& q, const VectorXd& t, const TendonTorque&) const override {
@@ -372,7 +373,7 @@ TEST(FingerMotion, ForcesOnBonesMoveThemAsTorquesDo) {
   }
   Multibody bones(digit.skeleton);
   const JointMotion motion{q, Eigen::Vector4d(1, -2, 3, -4)};
-  const VectorXd by_torque = bones.forward_dynamics(motion, mover.tendons->pull(q, t).tau);
+  const VectorXd by_torque = bones.forward_dynamics(motion, mover.tendons->evaluate(q, t).tau);
   const VectorXd by_force = bones.forward_dynamics(motion, VectorXd::Zero(4), loads);
   EXPECT_TRUE(matrix_near(by_force, by_torque, 1e-9 * by_torque.norm()));
 }

@@ -53,10 +53,10 @@ TEST(BuildTendons, StaticsOfANetCarryItsWholeTorque) {
   const NetDescription winslow = net_named("winslow");
   const auto tendons = build_net_tendons(finger(), "middle", {}, winslow);
   const TipStatics statics =
-      tip_statics(tendons->digit(), kPosture, kTension, tendons->pull(kPosture, kTension));
+      tip_statics(tendons->digit(), kPosture, kTension, tendons->evaluate(kPosture, kTension));
   const VectorXd passive = passive_torque(tendons->digit().skeleton, kPosture);
   EXPECT_TRUE(matrix_near(statics.R.transpose() * kTension + statics.tau_0,
-                          tendons->pull(kPosture, kTension).tau + passive, 1e-12));
+                          tendons->evaluate(kPosture, kTension).tau + passive, 1e-12));
 }
 
 // With its only band cut, nothing holds the knot that muscles pull.
@@ -64,7 +64,7 @@ TEST(NetTendons, TellsThatATornSlipIsDrawnIn) {
   auto linear = build_linear_tendons(finger(), "middle", {Path::kViaPoint, Hood::kSeparate});
   BuiltNet torn = cut(build_net(finger(), linear->digit(), net_named("chao_an")), "ulnar");
   const NetTendons tendons(std::move(linear), std::move(torn));
-  const std::string warning = tendons.pull(kPosture, kTension, {}).warning;
+  const std::string warning = tendons.evaluate(kPosture, kTension, {}).warning;
   EXPECT_NE(warning.find("has drawn in 'ulnar_knot'"), std::string::npos) << warning;
 }
 
@@ -73,7 +73,7 @@ TEST(BuildTendons, TipForceOfATornNetIsNotToBeTrusted) {
   BuiltNet torn = cut(build_net(finger(), linear->digit(), net_named("chao_an")), "ulnar");
   const NetTendons tendons(std::move(linear), std::move(torn));
   const TendonTip tip = tip_force(tendons, kPosture, kTension);
-  EXPECT_EQ(tip.warning, tendons.pull(kPosture, kTension, {}).warning);
+  EXPECT_EQ(tip.warning, tendons.evaluate(kPosture, kTension, {}).warning);
   EXPECT_NE(tip.warning, "");
 }
 
@@ -82,14 +82,14 @@ TEST(NetTendons, HasTheMomentArmsOfADrawnInNet) {
   auto linear = build_linear_tendons(finger(), "middle", {Path::kViaPoint, Hood::kSeparate});
   BuiltNet torn = cut(build_net(finger(), linear->digit(), net_named("chao_an")), "ulnar");
   const NetTendons tendons(std::move(linear), std::move(torn));
-  const TendonTorque at = tendons.pull(kPosture, kTension, {});
+  const TendonTorque at = tendons.evaluate(kPosture, kTension, {});
   constexpr double kStep = 1e-3;  // [N]
   for (Eigen::Index m = 0; m < kTension.size(); ++m) {
     VectorXd more = kTension, less = kTension;
     more(m) += kStep, less(m) -= kStep;
-    const VectorXd slope =
-        (tendons.pull(kPosture, more, at.nodes).tau - tendons.pull(kPosture, less, at.nodes).tau) /
-        (2 * kStep);
+    const VectorXd slope = (tendons.evaluate(kPosture, more, at.nodes).tau -
+                            tendons.evaluate(kPosture, less, at.nodes).tau) /
+                           (2 * kStep);
     EXPECT_TRUE(matrix_near(at.R.row(m).transpose(), slope, 1e-8));  // [m/rad]
   }
 }
@@ -100,7 +100,7 @@ TEST(NetTendons, SaysWhereTheNetHasNoMomentArms) {
   NetSolverOptions hasty;
   hasty.max_iterations = 2;
   const NetTendons tendons(std::move(linear), std::move(built), hasty);
-  const TendonTorque at = tendons.pull(kPosture, kTension, {});
+  const TendonTorque at = tendons.evaluate(kPosture, kTension, {});
   EXPECT_NE(at.warning.find("not balanced"), std::string::npos) << at.warning;
   EXPECT_NE(at.warning.find("moment arms are without the net"), std::string::npos) << at.warning;
   EXPECT_TRUE(at.R.allFinite());
@@ -110,8 +110,9 @@ TEST(NetTendons, SaysWhereTheNetHasNoMomentArms) {
 struct BadTendons : DigitTendons {
   explicit BadTendons(std::unique_ptr<DigitTendons> of) : good(std::move(of)) {}
   const TendonDigit& digit() const override { return good->digit(); }
-  TendonTorque pull(const VectorXd& q, const VectorXd& t, const Eigen::Matrix3Xd&) const override {
-    TendonTorque pull = good->pull(q, t);
+  TendonTorque evaluate(const VectorXd& q, const VectorXd& t,
+                        const Eigen::Matrix3Xd&) const override {
+    TendonTorque pull = good->evaluate(q, t);
     pull.warning = "a path is not taut";
     return pull;
   }
@@ -126,7 +127,7 @@ TEST(NetTendons, HandsOnTheTroubleOfThePathsOutside) {
       build_linear_tendons(finger(), "middle", {Path::kViaPoint, Hood::kSeparate}));
   BuiltNet built = build_net(finger(), bad->digit(), net_named("winslow"));
   const NetTendons tendons(std::move(bad), std::move(built));
-  EXPECT_EQ(tendons.pull(VectorXd::Zero(4), kTension, {}).warning, "a path is not taut");
+  EXPECT_EQ(tendons.evaluate(VectorXd::Zero(4), kTension, {}).warning, "a path is not taut");
 }
 
 // A surface that has grown over an insertion buries the band that bends over it.
@@ -137,7 +138,7 @@ TEST(NetTendons, TellsThatABandIsBuried) {
     if (surface.name == "DIP_dorsum") surface.size[0] = 0.008;
   const NetTendons tendons(std::move(linear), std::move(built));
   const VectorXd straight = VectorXd::Zero(4);
-  const std::string warning = tendons.pull(straight, kTension, {}).warning;
+  const std::string warning = tendons.evaluate(straight, kTension, {}).warning;
   EXPECT_NE(warning.find("ends inside 'DIP_dorsum'"), std::string::npos) << warning;
 }
 
@@ -145,14 +146,14 @@ TEST(NetTendons, TellsThatABandIsBuried) {
 // alone are the same.
 TEST(NetTendons, SlopesAreThoseOfTheRestThatAPullCarries) {
   const auto tendons = build_net_tendons(finger(), "middle", {}, net_named("winslow"));
-  TendonTorque pull = tendons->pull(kPosture, kTension);
+  TendonTorque pull = tendons->evaluate(kPosture, kTension);
   ASSERT_NE(pull.rest, nullptr);
   EXPECT_TRUE(matrix_near(pull.rest->x, pull.nodes, 0));
-  const Eigen::MatrixXd give = tendons->give(kPosture, kTension, pull);
+  const Eigen::MatrixXd give = tendons->compliance(kPosture, kTension, pull);
   const Eigen::MatrixXd slopes = tendons->torque_by_posture(kPosture, kTension, pull);
   pull.rest.reset();
   EXPECT_GT(give.norm(), 1e-5);  // [m/N]
-  EXPECT_TRUE(matrix_near(tendons->give(kPosture, kTension, pull), give, 1e-6 * give.norm()));
+  EXPECT_TRUE(matrix_near(tendons->compliance(kPosture, kTension, pull), give, 1e-6 * give.norm()));
   EXPECT_TRUE(matrix_near(tendons->torque_by_posture(kPosture, kTension, pull), slopes,
                           1e-6 * slopes.norm()));
 }
@@ -160,7 +161,8 @@ TEST(NetTendons, SlopesAreThoseOfTheRestThatAPullCarries) {
 TEST(NetTendons, RefusesAStartOfAnotherNet) {
   const NetDescription winslow = net_named("winslow");
   const auto tendons = build_net_tendons(finger(), "middle", {}, winslow);
-  EXPECT_THROW((void)tendons->pull(kPosture, kTension, Eigen::Matrix3Xd::Zero(3, 2)), InputError);
+  EXPECT_THROW((void)tendons->evaluate(kPosture, kTension, Eigen::Matrix3Xd::Zero(3, 2)),
+               InputError);
 }
 
 }  // namespace
