@@ -31,6 +31,12 @@ struct Candidate {
 bool farther(const Candidate& x, const Candidate& y) { return x.bound > y.bound; }
 
 /// Branch and bound in B's frame, lowest bound first.
+///
+/// A triangle is bounded twice: by the ball around it, and by the ball about a point lifted off B,
+/// through the triangle's corners, whose surface is nearly flat there. Flat faces that lie on each
+/// other are settled by the second without being divided. The core of a capsule is searched along
+/// itself: beside a convex solid between supporting planes (ConvexBracket), beside other solids
+/// between balls without a point of the solid (BallPair).
 class DistanceSearch {
  public:
   DistanceSearch(const CollisionTree& a, const Pose<double>& X_BA, const Shape& b,
