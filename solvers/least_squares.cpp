@@ -110,7 +110,7 @@ bool held(const LeastSquares& problem, const Eigen::VectorXd& z, double gradient
 }
 
 /// Length of the step that is left where coordinates meet no constraints.
-double free_step(const LeastSquares& problem, const Eigen::VectorXd& z, CostSlopes slopes) {
+double free_step(const LeastSquares& problem, const Eigen::VectorXd& z, CostDerivatives slopes) {
   for (Eigen::Index i = 0; i < z.size(); ++i)
     if (held(problem, z, slopes.gradient[i], i)) fix_coordinate(slopes, i);
   return ArrowFactor(slopes.layout, slopes.rows).whiten(slopes.gradient).norm();
@@ -158,7 +158,7 @@ Eigen::MatrixXd null_basis(const Eigen::MatrixXd& A) {
 
 /// The same where constraints are: within what the active ones leave.
 double constrained_step(const LeastSquares& problem, const Eigen::VectorXd& z,
-                        const CostSlopes& slopes) {
+                        const CostDerivatives& slopes) {
   // Directions that bounds and active constraints leave.
   std::vector<Eigen::Index> free;
   for (Eigen::Index i = 0; i < z.size(); ++i)
@@ -174,8 +174,9 @@ double constrained_step(const LeastSquares& problem, const Eigen::VectorXd& z,
 }
 
 /// Gradient and Jacobian at z; none where the residuals have no Jacobian.
-std::optional<CostSlopes> slopes_if_any(const LeastSquares& problem, const Eigen::VectorXd& z) {
-  CostSlopes out;
+std::optional<CostDerivatives> derivatives_if_any(const LeastSquares& problem,
+                                                  const Eigen::VectorXd& z) {
+  CostDerivatives out;
   out.gradient = Eigen::VectorXd::Zero(z.size());
   if (problem.parts.empty()) {
     Residuals at = problem.residuals(z, WithJacobian::kYes);
@@ -205,7 +206,7 @@ std::optional<CostSlopes> slopes_if_any(const LeastSquares& problem, const Eigen
 
 /// The same by differences of the residuals, for those without a Jacobian. No point outside the
 /// bounds is asked.
-CostSlopes slopes_by_differences(const LeastSquares& problem, const Eigen::VectorXd& z) {
+CostDerivatives derivatives_by_differences(const LeastSquares& problem, const Eigen::VectorXd& z) {
   constexpr double kPart = 6e-6;  // cube root of the rounding: the best step of central differences
   const Eigen::VectorXd r = problem.residuals(z, WithJacobian::kNo).r;
   Eigen::MatrixXd J = Eigen::MatrixXd::Zero(r.size(), z.size());
@@ -219,7 +220,7 @@ CostSlopes slopes_by_differences(const LeastSquares& problem, const Eigen::Vecto
                 problem.residuals(below, WithJacobian::kNo).r) /
                (above[i] - below[i]);
   }
-  CostSlopes out;
+  CostDerivatives out;
   out.cost = 0.5 * r.squaredNorm();
   out.gradient = J.transpose() * r;
   out.layout.shared = static_cast<int>(z.size());
@@ -230,8 +231,9 @@ CostSlopes slopes_by_differences(const LeastSquares& problem, const Eigen::Vecto
 /// Certifies z, and says so in the status.
 void certify(const LeastSquares& problem, const SolveOptions& options, Solution& solution) {
   // Newton step that is left at z; NaN where a difference is.
-  std::optional<CostSlopes> exact = slopes_if_any(problem, solution.z);
-  const CostSlopes slopes = exact ? std::move(*exact) : slopes_by_differences(problem, solution.z);
+  std::optional<CostDerivatives> exact = derivatives_if_any(problem, solution.z);
+  const CostDerivatives slopes =
+      exact ? std::move(*exact) : derivatives_by_differences(problem, solution.z);
   solution.newton_step = std::nan("");
   if (slopes.gradient.allFinite()) {
     const bool constrained = problem.constraints && options.method == LeastSquaresMethod::kIpopt;
@@ -278,6 +280,7 @@ Solution solve_free(const LeastSquares& problem, const Eigen::VectorXd& start,
 /// Sizes and bounds, before anything is computed.
 void check_shapes(const LeastSquares& problem, const Eigen::VectorXd& start) {
   const Eigen::Index n = problem.lower.size();
+  require(static_cast<bool>(problem.residuals), "least squares need residuals");
   require(problem.upper.size() == n, "there are {} lower bounds, but {} upper ones", n,
           problem.upper.size());
   require(start.size() == n && start.allFinite(), "start needs {} finite entries, got {}", n,
@@ -313,7 +316,7 @@ void check_values(const LeastSquares& problem, const Eigen::VectorXd& z,
   const Residuals whole =
       problem.residuals(z, derivatives && !blocks ? WithJacobian::kYes : WithJacobian::kNo);
   require(whole.r.allFinite(), "residuals at the start are not finite");
-  const bool has_jacobian = blocks ? slopes_if_any(problem, z).has_value()
+  const bool has_jacobian = blocks ? derivatives_if_any(problem, z).has_value()
                                    : whole.J.rows() == whole.r.size() && whole.J.cols() == z.size();
   require(has_jacobian || !derivatives, "{} needs the Jacobian of the residuals by {} coordinates",
           name_of(method), z.size());
@@ -327,7 +330,7 @@ void check_values(const LeastSquares& problem, const Eigen::VectorXd& z,
 
 }  // namespace
 
-void fix_coordinate(CostSlopes& slopes, Eigen::Index i) {
+void fix_coordinate(CostDerivatives& slopes, Eigen::Index i) {
   // Place of the coordinate in its block.
   const ArrowLayout& layout = slopes.layout;
   const int block = i < layout.shared ? -1 : static_cast<int>((i - layout.shared) / layout.own);
@@ -344,8 +347,8 @@ void fix_coordinate(CostSlopes& slopes, Eigen::Index i) {
   slopes.rows.push_back(std::move(unit));
 }
 
-CostSlopes cost_slopes(const LeastSquares& problem, const Eigen::VectorXd& z) {
-  std::optional<CostSlopes> slopes = slopes_if_any(problem, z);
+CostDerivatives cost_derivatives(const LeastSquares& problem, const Eigen::VectorXd& z) {
+  std::optional<CostDerivatives> slopes = derivatives_if_any(problem, z);
   require(slopes.has_value(), "residuals have no Jacobian");
   return std::move(*slopes);
 }

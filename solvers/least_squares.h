@@ -48,7 +48,7 @@ struct LeastSquares {
 
 /// Cost, its gradient, and the Jacobian of the residuals at z, in blocks where the problem has
 /// them.
-struct CostSlopes {
+struct CostDerivatives {
   double cost = 0;              // 1/2 |r|^2 [1]
   Eigen::VectorXd gradient;     // J'r (n)
   ArrowLayout layout;           // of the rows
@@ -56,10 +56,11 @@ struct CostSlopes {
 };
 
 /// Takes a coordinate out: its gradient and column are zero, and a unit row keeps the rank.
-void fix_coordinate(CostSlopes& slopes, Eigen::Index i);
+void fix_coordinate(CostDerivatives& slopes, Eigen::Index i);
 
 /// @throws InputError if the residuals have no Jacobian.
-[[nodiscard]] CostSlopes cost_slopes(const LeastSquares& problem, const Eigen::VectorXd& z);
+[[nodiscard]] CostDerivatives cost_derivatives(const LeastSquares& problem,
+                                               const Eigen::VectorXd& z);
 
 /// Which solver. All minimise the same function; only Ipopt keeps `constraints`. The others search
 /// without them: where their minimum breaks one, the status is not kSolved.

@@ -206,6 +206,9 @@ TEST(Solve, RefusesShapesThatDisagree) {
   };
   const LeastSquares plain = distance_to(Vector2d(0.5, 0.2), -1, 1);
   LeastSquares wrong = plain;
+  wrong.residuals = {};
+  EXPECT_EQ(refusal(wrong), "least squares need residuals");
+  wrong = plain;
   wrong.upper = VectorXd::Ones(3);
   EXPECT_EQ(refusal(wrong), "there are 2 lower bounds, but 3 upper ones");
   wrong = plain;
