@@ -5,7 +5,7 @@
 ///     #include <thenar/thenar.h>
 ///
 /// The headers below, and those that they include, are installed; all others are private. Folders
-/// are listed from the lowest floor up (docs/architecture.md).
+/// are listed from the lowest layer up (docs/architecture.md).
 
 // base: errors, units, rigid motions, files, progress, threads.
 #include "base/bounded_normal.h"
