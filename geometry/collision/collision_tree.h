@@ -42,11 +42,11 @@ struct CollisionTree {
 /// @throws InputError if it has no triangle, or one that is not finite.
 [[nodiscard]] CollisionTree collision_tree(const Solid& solid);
 
+namespace internal {
+
 /// The smallest ball around three points, which may coincide or stand in line.
 /// @param corners  columns [m] (3, 3)
 [[nodiscard]] Ball smallest_ball(const Eigen::Matrix3d& corners);
-
-// Points and halves of triangles.
 
 /// The point of a triangle nearest to p; the triangle may be a segment or a point.
 /// @param corners  columns [m] (3, 3);  @param p  [m] (3)
@@ -58,7 +58,10 @@ struct CollisionTree {
                                                  const Eigen::Vector3d& to,
                                                  const Eigen::Vector3d& p);
 
-/// The two halves of a triangle cut across its longest side. @param corners  columns [m] (3, 3)
+/// The two halves of a triangle, cut from the middle of its longest side to the corner opposite.
+/// @param corners  columns [m] (3, 3)
 [[nodiscard]] std::array<Eigen::Matrix3d, 2> halves(const Eigen::Matrix3d& corners);
+
+}  // namespace internal
 
 }  // namespace thenar
