@@ -58,7 +58,7 @@ struct SignedDistanceOptions {
                                              const SignedDistanceOptions& options = {});
 
 /// The same without a tree: builds that of A at each call, which takes longer than the search.
-/// @param tolerance, cutoff  as of SignedDistanceOptions [m]
+/// @param tolerance  as of SignedDistanceOptions [m];  @param cutoff  the same [m]
 [[nodiscard]] SignedDistance signed_distance(const Solid& a, const Pose<double>& X_WA,
                                              const Solid& b, const Pose<double>& X_WB,
                                              double tolerance = 5e-5, double cutoff = 1e30);
