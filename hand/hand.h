@@ -13,31 +13,34 @@
 
 namespace thenar {
 
-/// Reaction torques that need no effort: joint limits, locks and clutches.
+/// Reaction torques R r that need no effort: joint limits, locks and clutches.
 struct Reactions {
-  Eigen::MatrixXd R;                  // torque per reaction (coordinates, reactions)
-  Eigen::VectorXd lower;              // of each: 0 is one-sided, -infinity both ways (reactions)
-  Eigen::VectorXd upper;              // of each (reactions)
+  Eigen::MatrixXd R;      // torque [N m], of sliding joints force [N], per unit of r (coordinates,
+                          // reactions)
+  Eigen::VectorXd lower;  // lower bounds of r: 0 if it acts one way, -infinity if both (reactions)
+  Eigen::VectorXd upper;  // upper bounds of r (reactions)
   std::vector<int> non_backdrivable;  // coordinates whose drive cannot be driven back: worm gears
 };
 
 /// How far the torques of a hand can be trusted, from good to bad.
 enum class ActuationStatus {
   kExact,       // torque is linear in the efforts
-  kLinearised,  // it is not: B is exact at u = 0 and at one working effort, see the hand
+  kLinearised,  // torque is not linear in the efforts: B u is exact at u = 0 and at one effort,
+                // which the class of the hand states
   kDoubtful,    // a tendon is outside the validity of its model: see `warning`
   kUnbalanced   // a part of the torque is not in equilibrium, and not to be used: see `warning`
 };
 
 /// The joint torques a hand can make at a posture:
 ///   { B u + R r + tau_0 : lower <= u <= upper, least <= r <= most }.
-/// For tendons B is the transposed moment-arm matrix and u are tensions; for motors B is the
-/// transmission and u are motor torques. A coordinate that has a row of zeros is free.
+/// For tendons B is the transposed moment-arm matrix [m] and u are tensions [N]; for motors B is
+/// the transmission [1] and u are motor torques [N m], of sliding joints forces [N]. No actuator
+/// moves a coordinate whose row of B is zero.
 struct Actuation {
   Eigen::MatrixXd B;      // (coordinates, actuators)
   Eigen::VectorXd tau_0;  // torque at u = 0: passive joints [N m] (coordinates)
-  Eigen::VectorXd lower;  // of u (actuators)
-  Eigen::VectorXd upper;  // of u, infinite if unknown (actuators)
+  Eigen::VectorXd lower;  // bounds of u (actuators)
+  Eigen::VectorXd upper;  // bounds of u, infinite if unknown (actuators)
   Reactions reactions{};  // none if empty
   ActuationStatus status = ActuationStatus::kExact;
   std::string warning{};  // what a status beyond kLinearised stands for, in words
@@ -51,27 +54,28 @@ struct AppliedTorque {
   std::string warning{};
 };
 
-/// Motion of a drive's other coordinates when one is blocked by a contact.
+/// Motion of a drive's other coordinates when a contact blocks one of them.
 enum class DriveCoupling {
   kRigid,      // all stop
-  kBreakaway,  // more distal ones go on
-  kCompliant   // all others go on
+  kBreakaway,  // coordinates farther from the base keep moving, the others stop
+  kCompliant   // all others keep moving
 };
 
 /// A coordinate that a drive moves.
 struct DrivenCoordinate {
   int coordinate;
-  double ratio;  // coordinate speed per drive speed
+  double ratio;  // coordinate speed [rad/s], of sliding joints [m/s], per drive speed
 };
 
 /// A drive that closes a hand: a motor, a tendon or a single joint, with the coordinates that it
 /// moves, from the base outwards.
 struct Drive {
   std::string name;
-  DriveCoupling coupled = DriveCoupling::kRigid;
+  DriveCoupling coupling = DriveCoupling::kRigid;
   std::vector<DrivenCoordinate> moves;
-  double speed = 0;          // in closing; 0: it stays where it is [1/s]
-  double breakaway = 0;      // effort at which a clutch opens [N m]
+  double speed = 0;          // while closing, relative to other drives; its sign is the sense; 0:
+                             // closing does not move it [1]
+  double breakaway = 0;      // joint torque at which a clutch opens [N m], of sliding joints [N]
   bool backdrivable = true;  // false: a worm gear or brake, which holds against any load
 };
 
@@ -94,7 +98,7 @@ struct PalmApproach {
 struct HandTip {
   std::string digit;
   int link = -1;
-  Eigen::Vector3d p{0, 0, 0};  // reference posture [m] (3)
+  Eigen::Vector3d p{0, 0, 0};  // base frame, reference posture [m] (3)
 };
 
 /// Names and limits, constant for the life of a hand.
@@ -104,35 +108,45 @@ struct HandLayout {
   Eigen::VectorXd upper;                 // [rad], of sliding joints [m] (coordinates)
   std::vector<std::string> actuators;    // tendons or motors
   std::vector<std::string> tips;         // digits that end in a tip
-  std::vector<HandTip> tip_points;       // of each of `tips`
+  std::vector<HandTip> tip_points;       // of the digits of `tips`, in the same order
   std::vector<Drive> drives;             // what closes it; empty: every coordinate by itself
   std::vector<int> parents;              // of each link, -1: the base; parents before children
   PalmApproach approach;
-  Eigen::VectorXd open{};  // posture in which closing begins [rad] or [m] (coordinates); empty:
-                           // what `drives` move at the limit it comes from, the rest next to 0
+  Eigen::VectorXd open{};  // posture in which closing begins [rad], of sliding joints [m]
+                           // (coordinates); empty: each coordinate that `drives` move is at the
+                           // limit that closing leaves, any other at the value nearest to 0
 };
 
-/// A hand of any kind; every implementation obeys the laws in tests/hand/skeleton_hand_test.cpp.
+/// A hand of any kind. Laws of every implementation: shapes agree with layout(), lower <= upper,
+/// rotations of poses are orthogonal, jacobian() is the derivative of pose(). In the sources,
+/// tests/hand/hand_laws.h checks them.
 class Hand {
  public:
   virtual ~Hand() = default;
 
   [[nodiscard]] virtual const HandLayout& layout() const = 0;
 
-  /// Displacement of every link from the reference posture. @param q (coordinates) [rad]
+  /// Displacement X of every link from the reference posture, in the base frame: a point of the
+  /// link is at  p_now = X p_reference.
+  /// @param q  posture [rad], of sliding joints [m] (coordinates)
   [[nodiscard]] virtual std::vector<Pose<double>> pose(const Eigen::VectorXd& q) const = 0;
 
-  /// Spatial Jacobian, rotation above translation, of a point of a link. (6, coordinates)
-  /// @param p  the point at the reference posture [m] (3)
+  /// Geometric Jacobian of a point of a link: its angular velocity above the velocity of the
+  /// point, [omega; v] = J dq/dt, in the base frame. (6, coordinates)
+  /// @param q     posture, as of pose() (coordinates)
+  /// @param link  that carries the point; -1: the base
+  /// @param p     the point at the reference posture, base frame [m] (3)
   [[nodiscard]] virtual Eigen::Matrix<double, 6, Eigen::Dynamic> jacobian(
       const Eigen::VectorXd& q, int link, const Eigen::Vector3d& p) const = 0;
 
+  /// The joint torques that the hand can make at posture q.
   [[nodiscard]] virtual Actuation actuation(const Eigen::VectorXd& q) const = 0;
 
-  /// The torque of one effort, without the linearisation that actuation() may have.
-  /// @param u  (actuators)
-  [[nodiscard]] virtual AppliedTorque effort(const Eigen::VectorXd& q,
-                                             const Eigen::VectorXd& u) const {
+  /// The torque of the efforts u, without the linearisation that actuation() may have. A hand
+  /// whose actuation() is linearised overrides it.
+  /// @param u  efforts, as of Actuation (actuators)
+  [[nodiscard]] virtual AppliedTorque applied_torque(const Eigen::VectorXd& q,
+                                                     const Eigen::VectorXd& u) const {
     Actuation actuation = this->actuation(q);
     return {actuation.B * u + actuation.tau_0, actuation.B, actuation.status, actuation.warning};
   }

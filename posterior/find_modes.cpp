@@ -26,7 +26,7 @@ struct Curvature {
 
 /// The factor of J'J where residuals come in blocks; priors give it full rank.
 ArrowFactor block_curvature(const LeastSquares& problem, const Eigen::VectorXd& z) {
-  CostSlopes slopes = cost_slopes(problem, z);
+  CostDerivatives slopes = cost_derivatives(problem, z);
   for (Eigen::Index i = 0; i < z.size(); ++i)
     if (problem.lower[i] >= problem.upper[i]) fix_coordinate(slopes, i);
   return {slopes.layout, slopes.rows};

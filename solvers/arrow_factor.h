@@ -17,7 +17,7 @@ struct ArrowLayout {
   [[nodiscard]] int first(int block) const { return shared + own * block; }  // index of its own
 };
 
-/// Rows of a Jacobian that hang on the shared coordinates and on those of one block.
+/// Rows of a Jacobian that depend on the shared coordinates and on those of one block.
 struct ArrowRows {
   int block = -1;          // -1: shared coordinates alone
   Eigen::MatrixXd shared;  // (rows, shared)

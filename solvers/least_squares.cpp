@@ -4,6 +4,7 @@
 #include <chrono>
 #include <cmath>
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include <Eigen/QR>
@@ -35,17 +36,21 @@ Solution dispatch(const LeastSquares& problem, const Eigen::VectorXd& start,
   }
 }
 
-/// A solver that knows no constraints at least says which its answer breaks.
-void tell_broken_constraints(const LeastSquares& problem, Solution& solution) {
+/// A point that breaks constraints is no solution, whatever the solver calls it.
+void refute_if_infeasible(const LeastSquares& problem, LeastSquaresMethod method,
+                          Solution& solution) {
   if (!problem.constraints) return;
-  constexpr double kSlack = 1e-9;  // of rounding in scaled constraints [1]
+  constexpr double kSlack = 1e-6;  // of scaled constraints: what Ipopt is allowed, too [1]
   const Eigen::VectorXd c = problem.constraints(solution.z).c;
-  const auto broken = ((c.array() < problem.c_lower.array() - kSlack) ||
-                       (c.array() > problem.c_upper.array() + kSlack))
-                          .count();
-  if (broken > 0)
-    solution.message +=
-        fmt::format("; breaks {} of {} constraints, which only ipopt honours", broken, c.size());
+  // A NaN breaks its constraint.
+  const auto kept = ((c.array() >= problem.c_lower.array() - kSlack) &&
+                     (c.array() <= problem.c_upper.array() + kSlack))
+                        .count();
+  if (kept == c.size()) return;
+  if (solution.status == Status::kSolved) solution.status = Status::kStalled;
+  solution.message +=
+      fmt::format("; breaks {} of {} constraints{}", c.size() - kept, c.size(),
+                  method == LeastSquaresMethod::kIpopt ? "" : ", which only ipopt honours");
 }
 
 /// Coordinates whose bounds leave them room to move.
@@ -105,7 +110,7 @@ bool held(const LeastSquares& problem, const Eigen::VectorXd& z, double gradient
 }
 
 /// Length of the step that is left where coordinates meet no constraints.
-double free_step(const LeastSquares& problem, const Eigen::VectorXd& z, CostSlopes slopes) {
+double free_step(const LeastSquares& problem, const Eigen::VectorXd& z, CostDerivatives slopes) {
   for (Eigen::Index i = 0; i < z.size(); ++i)
     if (held(problem, z, slopes.gradient[i], i)) fix_coordinate(slopes, i);
   return ArrowFactor(slopes.layout, slopes.rows).whiten(slopes.gradient).norm();
@@ -153,7 +158,7 @@ Eigen::MatrixXd null_basis(const Eigen::MatrixXd& A) {
 
 /// The same where constraints are: within what the active ones leave.
 double constrained_step(const LeastSquares& problem, const Eigen::VectorXd& z,
-                        const CostSlopes& slopes) {
+                        const CostDerivatives& slopes) {
   // Directions that bounds and active constraints leave.
   std::vector<Eigen::Index> free;
   for (Eigen::Index i = 0; i < z.size(); ++i)
@@ -169,12 +174,13 @@ double constrained_step(const LeastSquares& problem, const Eigen::VectorXd& z,
 }
 
 /// Gradient and Jacobian at z; none where the residuals have no Jacobian.
-std::optional<CostSlopes> slopes_if_any(const LeastSquares& problem, const Eigen::VectorXd& z) {
-  CostSlopes out;
+std::optional<CostDerivatives> derivatives_if_any(const LeastSquares& problem,
+                                                  const Eigen::VectorXd& z) {
+  CostDerivatives out;
   out.gradient = Eigen::VectorXd::Zero(z.size());
   if (problem.parts.empty()) {
     Residuals at = problem.residuals(z, WithJacobian::kYes);
-    if (at.J.rows() != at.r.size()) return {};
+    if (at.J.rows() != at.r.size() || at.J.cols() != z.size()) return {};
     out.layout.shared = static_cast<int>(z.size());
     out.cost = 0.5 * at.r.squaredNorm();
     out.gradient = at.J.transpose() * at.r;
@@ -186,6 +192,7 @@ std::optional<CostSlopes> slopes_if_any(const LeastSquares& problem, const Eigen
   const int shared = out.layout.shared, own = out.layout.own;
   for (const ResidualPart& part : problem.parts) {
     const Residuals at = part.residuals(z, WithJacobian::kYes);
+    if (at.J.rows() != at.r.size() || at.J.cols() != shared + (part.block < 0 ? 0 : own)) return {};
     out.cost += 0.5 * at.r.squaredNorm();
     out.gradient.head(shared) += at.J.leftCols(shared).transpose() * at.r;
     out.rows.push_back({part.block, at.J.leftCols(shared), {}});
@@ -197,16 +204,42 @@ std::optional<CostSlopes> slopes_if_any(const LeastSquares& problem, const Eigen
   return out;
 }
 
+/// The same by differences of the residuals, for those without a Jacobian. No point outside the
+/// bounds is asked.
+CostDerivatives derivatives_by_differences(const LeastSquares& problem, const Eigen::VectorXd& z) {
+  constexpr double kPart = 6e-6;  // cube root of the rounding: the best step of central differences
+  const Eigen::VectorXd r = problem.residuals(z, WithJacobian::kNo).r;
+  Eigen::MatrixXd J = Eigen::MatrixXd::Zero(r.size(), z.size());
+  for (Eigen::Index i = 0; i < z.size(); ++i) {
+    const double step = kPart * std::max(1.0, std::abs(z[i]));
+    Eigen::VectorXd below = z, above = z;
+    below[i] = std::max(z[i] - step, problem.lower[i]);
+    above[i] = std::min(z[i] + step, problem.upper[i]);
+    if (!(above[i] > below[i])) continue;  // held by its bounds
+    J.col(i) = (problem.residuals(above, WithJacobian::kNo).r -
+                problem.residuals(below, WithJacobian::kNo).r) /
+               (above[i] - below[i]);
+  }
+  CostDerivatives out;
+  out.cost = 0.5 * r.squaredNorm();
+  out.gradient = J.transpose() * r;
+  out.layout.shared = static_cast<int>(z.size());
+  out.rows.push_back({-1, std::move(J), {}});
+  return out;
+}
+
 /// Certifies z, and says so in the status.
 void certify(const LeastSquares& problem, const SolveOptions& options, Solution& solution) {
+  // Newton step that is left at z; NaN where a difference is.
+  std::optional<CostDerivatives> exact = derivatives_if_any(problem, solution.z);
+  const CostDerivatives slopes =
+      exact ? std::move(*exact) : derivatives_by_differences(problem, solution.z);
   solution.newton_step = std::nan("");
-  // Newton step that is left at z.
-  const std::optional<CostSlopes> found = slopes_if_any(problem, solution.z);
-  if (!found) return;
-  const CostSlopes& slopes = *found;
-  const bool constrained = problem.constraints && options.method == LeastSquaresMethod::kIpopt;
-  solution.newton_step = constrained ? constrained_step(problem, solution.z, slopes)
-                                     : free_step(problem, solution.z, slopes);
+  if (slopes.gradient.allFinite()) {
+    const bool constrained = problem.constraints && options.method == LeastSquaresMethod::kIpopt;
+    solution.newton_step = constrained ? constrained_step(problem, solution.z, slopes)
+                                       : free_step(problem, solution.z, slopes);
+  }
   constexpr double kStep = 0.01;  // of an sd: nothing that a belief would notice
   // What the tolerance allows; a longer step refutes the solver.
   const double allowed = std::max(kStep, std::sqrt(20 * options.tolerance * solution.cost));
@@ -244,9 +277,60 @@ Solution solve_free(const LeastSquares& problem, const Eigen::VectorXd& start,
   return solution;
 }
 
+/// Sizes and bounds, before anything is computed.
+void check_shapes(const LeastSquares& problem, const Eigen::VectorXd& start) {
+  const Eigen::Index n = problem.lower.size();
+  require(static_cast<bool>(problem.residuals), "least squares need residuals");
+  require(problem.upper.size() == n, "there are {} lower bounds, but {} upper ones", n,
+          problem.upper.size());
+  require(start.size() == n && start.allFinite(), "start needs {} finite entries, got {}", n,
+          start.size());
+  for (Eigen::Index i = 0; i < n; ++i)
+    require(problem.lower[i] <= problem.upper[i], "bounds {} .. {} of coordinate {} are crossed",
+            problem.lower[i], problem.upper[i], i);
+  // Constraints.
+  const Eigen::Index rows = problem.c_lower.size();
+  require(problem.c_upper.size() == rows, "constraints have {} lower bounds, but {} upper ones",
+          rows, problem.c_upper.size());
+  require(rows == 0 || problem.constraints,
+          "{} constraints are bounded but no function computes them", rows);
+  for (Eigen::Index k = 0; k < rows; ++k)
+    require(problem.c_lower[k] <= problem.c_upper[k],
+            "bounds {} .. {} of constraint {} are crossed", problem.c_lower[k], problem.c_upper[k],
+            k);
+  // Blocks.
+  if (problem.parts.empty()) return;
+  const ArrowLayout& layout = problem.layout;
+  require(layout.size() == n, "the blocks have {} coordinates, the bounds {}", layout.size(), n);
+  for (const ResidualPart& part : problem.parts)
+    require(part.block >= -1 && part.block < layout.blocks, "no block {}: there are {}", part.block,
+            layout.blocks);
+}
+
+/// What the functions of a problem return at the start.
+void check_values(const LeastSquares& problem, const Eigen::VectorXd& z,
+                  LeastSquaresMethod method) {
+  const bool derivatives =
+      method == LeastSquaresMethod::kCeres || method == LeastSquaresMethod::kIpopt;
+  const bool blocks = method == LeastSquaresMethod::kCeres && !problem.parts.empty();
+  const Residuals whole =
+      problem.residuals(z, derivatives && !blocks ? WithJacobian::kYes : WithJacobian::kNo);
+  require(whole.r.allFinite(), "residuals at the start are not finite");
+  const bool has_jacobian = blocks ? derivatives_if_any(problem, z).has_value()
+                                   : whole.J.rows() == whole.r.size() && whole.J.cols() == z.size();
+  require(has_jacobian || !derivatives, "{} needs the Jacobian of the residuals by {} coordinates",
+          name_of(method), z.size());
+  if (!problem.constraints) return;
+  const ConstraintValues at = problem.constraints(z);
+  const Eigen::Index rows = problem.c_lower.size();
+  require(at.c.size() == rows && at.C.rows() == rows && (rows == 0 || at.C.cols() == z.size()),
+          "{} bounds of constraints, but {} values and a Jacobian of {} x {}", rows, at.c.size(),
+          at.C.rows(), at.C.cols());
+}
+
 }  // namespace
 
-void fix_coordinate(CostSlopes& slopes, Eigen::Index i) {
+void fix_coordinate(CostDerivatives& slopes, Eigen::Index i) {
   // Place of the coordinate in its block.
   const ArrowLayout& layout = slopes.layout;
   const int block = i < layout.shared ? -1 : static_cast<int>((i - layout.shared) / layout.own);
@@ -263,31 +347,26 @@ void fix_coordinate(CostSlopes& slopes, Eigen::Index i) {
   slopes.rows.push_back(std::move(unit));
 }
 
-CostSlopes cost_slopes(const LeastSquares& problem, const Eigen::VectorXd& z) {
-  std::optional<CostSlopes> slopes = slopes_if_any(problem, z);
+CostDerivatives cost_derivatives(const LeastSquares& problem, const Eigen::VectorXd& z) {
+  std::optional<CostDerivatives> slopes = derivatives_if_any(problem, z);
   require(slopes.has_value(), "residuals have no Jacobian");
   return std::move(*slopes);
 }
 
 Solution solve(const LeastSquares& problem, const Eigen::VectorXd& start,
                const SolveOptions& options) {
-  require(start.size() == problem.lower.size() && start.allFinite(),
-          "start needs {} finite entries, got {}", problem.lower.size(), start.size());
-  for (Eigen::Index i = 0; i < start.size(); ++i)
-    require(problem.lower[i] <= problem.upper[i], "bounds {} .. {} of coordinate {} are crossed",
-            problem.lower[i], problem.upper[i], i);
+  check_shapes(problem, start);
   require(options.tolerance > 0 && std::isfinite(options.tolerance),
           "tolerance must be > 0, got {}", options.tolerance);
   const Eigen::VectorXd inside = start.cwiseMax(problem.lower).cwiseMin(problem.upper);
-  require(problem.residuals(inside, WithJacobian::kNo).r.allFinite(),
-          "residuals at the start are not finite");
+  check_values(problem, inside, options.method);
   const auto begin = std::chrono::steady_clock::now();
   Solution solution = solve_free(problem, inside, options);
   certify(problem, options, solution);
   if (solution.status == Status::kStalled && !solution.failed &&
       options.method == LeastSquaresMethod::kCeres)
     go_on(problem, options, solution);
-  if (options.method != LeastSquaresMethod::kIpopt) tell_broken_constraints(problem, solution);
+  refute_if_infeasible(problem, options.method, solution);
   solution.seconds =
       std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
   return solution;

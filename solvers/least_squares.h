@@ -1,6 +1,6 @@
 #pragma once
 
-/// min 1/2 |r(z)|^2 within bounds, and what the solvers say of it.
+/// min 1/2 |r(z)|^2 within bounds, by one of several solvers, with a certificate.
 
 #include <functional>
 #include <string>
@@ -19,7 +19,7 @@ enum class WithJacobian { kNo, kYes };
 /// Residuals r and, when asked for, J = dr/dz.
 struct Residuals {
   Eigen::VectorXd r;  // (rows)
-  Eigen::MatrixXd J;  // (rows, n); empty if not asked for
+  Eigen::MatrixXd J;  // (rows, n); empty if not asked for, or if the residuals have no Jacobian
 };
 
 /// Smooth constraints  lower <= c(z) <= upper, with C = dc/dz.
@@ -28,26 +28,27 @@ struct ConstraintValues {
   Eigen::MatrixXd C;  // (constraints, n)
 };
 
-/// Residuals that hang on the shared coordinates of a layout and on those of one block.
+/// Residuals that depend on the shared coordinates of a layout and on those of one block.
 struct ResidualPart {
   int block = -1;  // -1: shared coordinates alone
-  /// r and J by the shared coordinates, then by the block's own; looks at no other entry of z.
+  /// r, and J by the shared coordinates, then by those of the block; reads no other entry of z.
   std::function<Residuals(const Eigen::VectorXd& z, WithJacobian want)> residuals;
 };
 
-/// A least-squares problem, however it came about.
+/// A least-squares problem. A solver calls its functions from one thread.
 struct LeastSquares {
   Eigen::VectorXd lower, upper;  // bounds, may be infinite (n)
-  std::function<Residuals(const Eigen::VectorXd& z, WithJacobian want)> residuals;
-  Eigen::VectorXd c_lower, c_upper;  // of the constraints; empty: none
-  std::function<ConstraintValues(const Eigen::VectorXd& z)> constraints;
-  ArrowLayout layout;               // of `parts`
-  std::vector<ResidualPart> parts;  // all residuals once more, where they come in blocks; may be
-                                    // empty: solvers that know blocks take them instead
+  std::function<Residuals(const Eigen::VectorXd& z, WithJacobian want)> residuals;  // required
+  Eigen::VectorXd c_lower, c_upper;  // bounds of the constraints; empty: none (constraints)
+  std::function<ConstraintValues(const Eigen::VectorXd& z)> constraints;  // empty: none
+  ArrowLayout layout;               // of `parts`; unused without them
+  std::vector<ResidualPart> parts;  // the same residuals by blocks, or empty; Ceres and the
+                                    // certificate take them in place of `residuals`
 };
 
-/// Gradient and Jacobian of the cost at z, in blocks where the problem has them.
-struct CostSlopes {
+/// Cost, its gradient, and the Jacobian of the residuals at z, in blocks where the problem has
+/// them.
+struct CostDerivatives {
   double cost = 0;              // 1/2 |r|^2 [1]
   Eigen::VectorXd gradient;     // J'r (n)
   ArrowLayout layout;           // of the rows
@@ -55,17 +56,19 @@ struct CostSlopes {
 };
 
 /// Takes a coordinate out: its gradient and column are zero, and a unit row keeps the rank.
-void fix_coordinate(CostSlopes& slopes, Eigen::Index i);
+void fix_coordinate(CostDerivatives& slopes, Eigen::Index i);
 
 /// @throws InputError if the residuals have no Jacobian.
-[[nodiscard]] CostSlopes cost_slopes(const LeastSquares& problem, const Eigen::VectorXd& z);
+[[nodiscard]] CostDerivatives cost_derivatives(const LeastSquares& problem,
+                                               const Eigen::VectorXd& z);
 
-/// Which solver. All minimise the same function; only Ipopt honours constraints.
+/// Which solver. All minimise the same function; only Ipopt keeps `constraints`. The others search
+/// without them: where their minimum breaks one, the status is not kSolved.
 enum class LeastSquaresMethod {
-  kCeres,        // Levenberg-Marquardt with exact derivatives
+  kCeres,        // Levenberg-Marquardt; needs the Jacobian
   kNloptLocal,   // BOBYQA: local, without derivatives
   kNloptGlobal,  // controlled random search, polished by BOBYQA: without derivatives
-  kIpopt         // interior point, Gauss-Newton Hessian; with constraints
+  kIpopt         // interior point, Gauss-Newton Hessian; needs the Jacobian; keeps constraints
 };
 
 struct SolveOptions {
@@ -80,25 +83,30 @@ struct SolveOptions {
 struct [[nodiscard]] Solution {
   Eigen::VectorXd z;                 // (n)
   double cost = 0;                   // 1/2 |r|^2 [1]
-  Status status = Status::kStalled;  // kSolved: as certified by `newton_step`; kStalled: the
-                                     // first-order conditions do not hold, or the solver failed
+  Status status = Status::kStalled;  // kSolved: certified by `newton_step`, and no constraint is
+                                     // broken; kStalled: one of both is not so, or the solver
+                                     // failed
   bool failed = false;     // the solver broke off with an error, or found the bounds infeasible
-  std::string message;     // the solver's own words
+  std::string message;     // of the solver; then what refutes it, and constraints that are broken
   int evaluations = 0;     // of the residuals
   double seconds = 0;      // wall time [s]
   double newton_step = 0;  // length of the Gauss-Newton step that bounds and active constraints
-                           // leave at z, in sds of exp(-cost); NaN: no Jacobian [1]
+                           // leave at z, in sds of exp(-cost) [1]; NaN: residuals next to z are
+                           // not finite
 };
 
 /// Minimises from `start` (n), which is first brought within the bounds; where a lower bound is the
 /// upper one, the coordinate is held.
 ///
 /// What a solver calls converged is certified: with F the coordinates that no bound holds against
-/// the gradient g, the step left is  sqrt(g_F' (J_F'J_F)^-1 g_F), and must be below 0.01 or
-/// sqrt(20 tolerance cost). If it is not, Ceres goes on from there, more strictly; then the status
-/// is kStalled.
-/// @throws InputError if shapes disagree, bounds are crossed, start is not finite, or the residuals
-/// at it are not.
+/// the gradient g, the step left is  sqrt(g_F' (J_F'J_F)^-1 g_F), and must not exceed the larger of
+/// 0.01 and sqrt(20 tolerance cost). J is that of the residuals; without one, it is taken by
+/// central differences within the bounds. If the step is longer, the status is kStalled; with
+/// kCeres, the search first goes on once from there, at a tolerance of 1e-15.
+/// Constraints are kept to 1e-6; a point that breaks one is kStalled with every method.
+/// @throws InputError if shapes disagree, bounds are crossed, start is not finite, the residuals at
+///         it are not, kCeres or kIpopt get no Jacobian, or the tolerance is not positive and
+///         finite.
 Solution solve(const LeastSquares& problem, const Eigen::VectorXd& start,
                const SolveOptions& options = {});
 

@@ -174,6 +174,8 @@ LinearProgram recession(LinearProgram program) {
 }
 
 /// Is there a feasible point? Where rows are missed by rounding alone, they are relaxed to meet it.
+/// @param proof  becomes the optimum of the elastic program: a point, or duals that are a Farkas
+/// ray
 Status find_feasible(LinearProgram& program, LinearResult& proof) {
   // Least sum of violations.
   proof = optimum(elastic(program));
@@ -195,6 +197,7 @@ LinearResult without_optimum(const LinearProgram& asked) {
   if (feasible != Status::kSolved) {
     LinearResult result = unsolved(program, feasible);
     result.certificate = proof.certificate;
+    if (feasible == Status::kInfeasible) result.ray = proof.duals;
     return result;
   }
   // A ray that improves the objective for ever.
@@ -202,6 +205,8 @@ LinearResult without_optimum(const LinearProgram& asked) {
   if (ray.status == Status::kSolved && ray.objective > kBarelyFeasible) {
     LinearResult result = unsolved(program, Status::kUnbounded);
     result.certificate = ray.certificate;
+    result.x = proof.x.head(program.A.cols());
+    result.ray = ray.x;
     return result;
   }
   // Optimal with rows relaxed: how far it misses those that were asked is part of the answer.

@@ -17,34 +17,52 @@ struct LinearProgram {
   Eigen::VectorXd lower, upper;          // (n)
 };
 
-/// How far x is from feasible, and by how much any feasible point can exceed its objective.
+/// How far x is from feasible, and by how much any feasible point can exceed its objective. Duals
+/// of the bounds of x are  d = objective - A' duals.
 struct LinearCertificate {
-  double violation;       // largest of a bound or row, over max(1, sum |a_ij x_j|)              [1]
-  double dual_violation;  // largest price that no finite bound pays, over max(1, its terms)     [1]
-  double gap;             // upper bound of the optimum less objective' x: sum of price x slack
+  double violation;       // largest amount by which x breaks a bound or row, over
+                          // max(1, sum |a_ij x_j|) [1]
+  double dual_violation;  // largest dual whose sign belongs to an infinite bound, over max(1, sum
+                          // of the absolute values that add up to it) [1]
+  double gap;  // (upper bound of the optimum) - objective' x = sum of |dual| x slack, in units of
+               // the objective
 };
 
+/// Answer of a linear program, with its proof. What the fields hold for each status:
+///
+/// | status | x | duals | certificate | ray |
+/// |---|---|---|---|---|
+/// | kSolved | optimal vertex | of the rows | of x and duals | empty |
+/// | kInfeasible | zero | zero | of the least sum of violations | y (r), see below |
+/// | kUnbounded | feasible to 1e-9 | zero | of the greatest growth | v (n), see below |
+/// | kStalled | zero | zero | NaN | empty |
+///
+/// Infeasible: no x between its bounds keeps all rows to a sum of violations of 1e-9. With
+/// |y_i| <= 1,  min over these x of  y' A x  exceeds  sum_i max(y_i row_lower_i, y_i row_upper_i)
+/// (Farkas); entries of y whose bound is infinite are below 1e-11 and count as zero. Where a lower
+/// bound exceeds its upper one this needs no proof: the ray is empty and the certificate NaN.
+/// Unbounded: x + s v is feasible for all s >= 0, its objective grows by objective' v > 0, and
+/// |v_j| <= 1.
 struct LinearResult {
-  Status status;      // kSolved: x is an optimal vertex; kInfeasible: a Farkas ray shows that no x
-                      // obeys all bounds to 1e-9 in the units of the rows; kUnbounded: a feasible
-                      // point, and a ray along which the objective grows; kStalled: no certificate
-  Eigen::VectorXd x;  // optimal vertex if solved, else zero                    (n)
-  double objective;   // there, else NaN
-  Eigen::VectorXd duals;          // of the rows: d objective / d row bound if solved, or 0 (r)
-  LinearCertificate certificate;  // of x and duals, or of what proves the status
+  Status status = Status::kStalled;
+  Eigen::VectorXd x;              // (n)
+  double objective = 0;           // objective' x if solved, else NaN
+  Eigen::VectorXd duals;          // d objective / d row bound (r)
+  LinearCertificate certificate;  // NaN: there is none
+  Eigen::VectorXd ray = {};       // proof of kInfeasible or kUnbounded
 };
 
-/// Solves by the simplex method and believes no solver.
+/// Solves by the simplex method, and certifies the answer whatever the solver says of it.
 ///
 /// CLP proposes a basis. Its vertex and duals are computed again from the basis, with refined
-/// residuals, and certified by weak duality: x obeys rows and bounds to 1e-12, duals have the sign
-/// of the bound that they stand at, and the gap is below 1e-11 of the larger of |objective| and its
-/// largest coefficient. If that
-/// fails, CLP's dual method, then a dense simplex method of our own are asked. Infeasible and
-/// unbounded are certified too: by the least sum of violations, and by a ray.
-/// Rows and columns should be of order one. Where rows cannot be met to 1e-12 but to 1e-9, they are
-/// relaxed by what is missing: `certificate.violation` states by how much x misses those asked, up
-/// to 1e-9, and the gap is that of the relaxed program.
+/// residuals, and certified by weak duality: x obeys rows and bounds to 1e-12, each dual has the
+/// sign that belongs to the bound at which its row or variable lies, and the gap is below 1e-11 of
+/// the larger of |objective| and its largest coefficient. If that fails, CLP's dual method is
+/// asked, then a dense simplex method of our own. Infeasible and unbounded are certified too: by
+/// the least sum of violations, and by a ray. Rows and columns should be of order one. Rows that
+/// can be met to 1e-9 but not to 1e-12 are relaxed by what is missing: then `certificate.violation`
+/// states by how much x breaks the rows of `program`, up to 1e-9, and the gap is that of the
+/// relaxed program.
 ///
 /// @throws InputError if shapes disagree, an entry of A or the objective is not finite, or a bound
 ///         is NaN.

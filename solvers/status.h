@@ -1,7 +1,8 @@
 #pragma once
 
-/// How a numerical method ended: one enumeration for every solver and every question that a solver
-/// answers.
+/// How a numerical method ended: one enumeration for optimisers, root finders and the questions
+/// that they answer. Enumerations with words of a domain stand beside what they describe, as
+/// NetStatus and OdeStatus.
 
 #include <array>
 #include <cstddef>

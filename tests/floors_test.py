@@ -1,4 +1,5 @@
-"""Who may include whom: folders stand on floors, third parties behind fences, packages in one file.
+"""Who may include whom: folders stand on floors, third parties behind fences, packages in one file;
+thenar/thenar.h reaches every question of api/.
 
 Run from the repository root. Prints every offence as path:line and fails if there is one.
 """
@@ -180,6 +181,22 @@ def packages():
                 yield f"{path}:{line}: {found[1]} belongs in cmake/dependencies.cmake"
 
 
-bad = [*includes(), *packages()]
+# Headers of api/ that only its own sources include.
+PRIVATE_API = {"api/contact_warnings.h"}
+
+
+def public():
+    """Complaints about questions of api/ that thenar/thenar.h does not reach."""
+    todo, reached = ["thenar/thenar.h"], set()
+    while todo:
+        reached.add(header := todo.pop())
+        text = pathlib.Path(header).read_text()
+        todo += [name for name in re.findall(r'^#include "([^"]+)', text, re.M) if name not in reached]
+    for path in sorted(pathlib.Path("api").glob("*.h")):
+        if str(path) not in reached | PRIVATE_API:
+            yield f"{path}:1: thenar/thenar.h does not reach it"
+
+
+bad = [*includes(), *packages(), *public()]
 print("\n".join(bad))
 sys.exit(bool(bad))

@@ -4,8 +4,8 @@
 ///
 ///     #include <thenar/thenar.h>
 ///
-/// What stands here, and what it includes, is installed; other headers are private. Rooms are
-/// listed from the lowest floor up (docs/architecture.md).
+/// The headers below, and those that they include, are installed; all others are private. Folders
+/// are listed from the lowest layer up (docs/architecture.md).
 
 // base: errors, units, rigid motions, files, progress, threads.
 #include "base/bounded_normal.h"
@@ -266,11 +266,14 @@
 
 // api: hands, subjects, objects, worlds by name, and the questions that people ask.
 #include "api/close.h"
+#include "api/compare.h"
 #include "api/demo.h"
+#include "api/explain.h"
 #include "api/feasible_force.h"
 #include "api/fit.h"
 #include "api/grasp.h"
 #include "api/grasp_measures.h"
+#include "api/import.h"
 #include "api/moment_arms.h"
 #include "api/named/data_folders.h"
 #include "api/named/digit_sweep.h"
@@ -282,9 +285,11 @@
 #include "api/pose.h"
 #include "api/posterior.h"
 #include "api/predict.h"
+#include "api/quality.h"
 #include "api/robot_pose.h"
 #include "api/simulate.h"
 #include "api/study.h"
 #include "api/tendon_infer.h"
 #include "api/tendon_solve.h"
 #include "api/tip_force.h"
+#include "api/validate.h"

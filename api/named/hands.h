@@ -12,9 +12,9 @@
 
 namespace thenar {
 
-/// A hand and what is known of it beyond Hand. Of robots there are no patches and no targets.
+/// A hand and what is known of it beyond Hand. Robots have no patches and no targets.
 struct NamedHand {
-  std::string name;  // as asked for, versions of a human hand by their names of today
+  std::string name;  // as asked for, with old names of versions replaced: current_hand_name()
   std::string file;  // that it was built from; empty: the built-in human
   std::shared_ptr<const Hand> hand;
   ContactModel contact = ContactModel::kHardPoint;
@@ -47,12 +47,12 @@ struct HandSource {
 ///         that is no hand; DataError where a file is wrong.
 [[nodiscard]] HandSource find_hand(const std::string& name, const std::vector<std::string>& places);
 
-/// find_hand(), built. @throws InputError, DataError as it
+/// Builds the hand that find_hand() finds. @throws InputError, DataError as find_hand()
 [[nodiscard]] NamedHand hand_by_name(const std::string& name,
                                      const std::vector<std::string>& places,
                                      const HumanHandOptions& human = {});
 
-/// The name of a hand with the version by its name of today: "human:tier4:wrapped" becomes
+/// The name of a hand, with an old name of its version replaced: "human:tier4:wrapped" becomes
 /// "human:tendons:wrapped". Other names stay as they are.
 [[nodiscard]] std::string current_hand_name(const std::string& name);
 

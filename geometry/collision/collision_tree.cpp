@@ -22,7 +22,7 @@ class TreeBuilder {
     if (last - first == 1) {
       CollisionNode& leaf = body_.nodes.back();
       leaf.triangle = first;
-      leaf.ball = smallest_ball(triangle(first).corners);
+      leaf.ball = internal::smallest_ball(triangle(first).corners);
       leaf.ball.r += triangle(first).radius;
       return index;
     }
@@ -77,7 +77,7 @@ SweptTriangle swept_triangle(const Eigen::Matrix3d& corners, double radius) {
 
 }  // namespace
 
-Ball smallest_ball(const Eigen::Matrix3d& corners) {
+Ball internal::smallest_ball(const Eigen::Matrix3d& corners) {
   // The ball over the longest side, if it holds the third corner.
   double longest = -1;
   Ball ball;
@@ -127,15 +127,16 @@ CollisionTree collision_tree(const Solid& solid) {
   return body;
 }
 
-Eigen::Vector3d nearest_in_segment(const Eigen::Vector3d& from, const Eigen::Vector3d& to,
-                                   const Eigen::Vector3d& p) {
+Eigen::Vector3d internal::nearest_in_segment(const Eigen::Vector3d& from, const Eigen::Vector3d& to,
+                                             const Eigen::Vector3d& p) {
   const Eigen::Vector3d way = to - from;
   const double square = way.squaredNorm();
   if (!(square > 0)) return from;
   return from + std::clamp((p - from).dot(way) / square, 0.0, 1.0) * way;
 }
 
-Eigen::Vector3d nearest_in_triangle(const Eigen::Matrix3d& corners, const Eigen::Vector3d& p) {
+Eigen::Vector3d internal::nearest_in_triangle(const Eigen::Matrix3d& corners,
+                                              const Eigen::Vector3d& p) {
   const Eigen::Vector3d a = corners.col(0), b = corners.col(1), c = corners.col(2);
   const Eigen::Vector3d n = (b - a).cross(c - a);
   // Inside the prism over the triangle: straight down.
@@ -150,7 +151,7 @@ Eigen::Vector3d nearest_in_triangle(const Eigen::Matrix3d& corners, const Eigen:
   return best;
 }
 
-std::array<Eigen::Matrix3d, 2> halves(const Eigen::Matrix3d& corners) {
+std::array<Eigen::Matrix3d, 2> internal::halves(const Eigen::Matrix3d& corners) {
   // Longest side.
   int from = 0;
   double longest = -1;

@@ -1,6 +1,6 @@
 #pragma once
 
-/// A solid's collision surface, sorted into a tree of spheres for searches.
+/// Bounding volume hierarchy of balls over a solid's collision surface (Solid::touch).
 
 #include <array>
 #include <vector>
@@ -11,7 +11,7 @@
 
 namespace thenar {
 
-/// A sphere around something.
+/// A solid sphere.
 struct Ball {
   Eigen::Vector3d c{0, 0, 0};  // centre [m] (3)
   double r = 0;                // [m]
@@ -32,21 +32,21 @@ struct CollisionNode {
   int triangle = -1;  // entry of CollisionTree::triangles; -1: it has children
 };
 
-/// Constant once built. The first node is the root.
+/// The hierarchy, constant once built. The first node is the root.
 struct CollisionTree {
   std::vector<SweptTriangle> triangles;
   std::vector<CollisionNode> nodes;
 };
 
-/// Sorts the collision surface of a solid: median splits along the longest side.
+/// Builds the hierarchy of a solid's collision surface by median splits along the longest side.
 /// @throws InputError if it has no triangle, or one that is not finite.
 [[nodiscard]] CollisionTree collision_tree(const Solid& solid);
+
+namespace internal {
 
 /// The smallest ball around three points, which may coincide or stand in line.
 /// @param corners  columns [m] (3, 3)
 [[nodiscard]] Ball smallest_ball(const Eigen::Matrix3d& corners);
-
-// Points and halves of triangles.
 
 /// The point of a triangle nearest to p; the triangle may be a segment or a point.
 /// @param corners  columns [m] (3, 3);  @param p  [m] (3)
@@ -58,7 +58,10 @@ struct CollisionTree {
                                                  const Eigen::Vector3d& to,
                                                  const Eigen::Vector3d& p);
 
-/// The two halves of a triangle cut across its longest side. @param corners  columns [m] (3, 3)
+/// The two halves of a triangle, cut from the middle of its longest side to the corner opposite.
+/// @param corners  columns [m] (3, 3)
 [[nodiscard]] std::array<Eigen::Matrix3d, 2> halves(const Eigen::Matrix3d& corners);
+
+}  // namespace internal
 
 }  // namespace thenar

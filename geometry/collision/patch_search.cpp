@@ -25,7 +25,7 @@ using Side = std::array<double, 7>;
 /// The halves of a part. They share what has been seen at their corners: those of the part, and the
 /// middle of the side that is cut, where it is the middle of the part.
 std::array<Part, 2> halves_of(const Part& part, const PatchPoint& middle) {
-  const std::array<Eigen::Matrix3d, 2> corners = halves(part.corners);
+  const std::array<Eigen::Matrix3d, 2> corners = internal::halves(part.corners);
   std::array<Part, 2> parts{Part{corners[0], part.radius, part.seen},
                             Part{corners[1], part.radius, part.seen}};
   for (Part& half : parts)
@@ -104,7 +104,7 @@ class PatchSearch {
       Part part = parts.back();
       parts.pop_back();
       // Out of reach by place, or by what its corners have seen.
-      const Ball ball = smallest_ball(part.corners);
+      const Ball ball = internal::smallest_ball(part.corners);
       if (far_by_corners(part) || far_by_place({ball.c, ball.r + part.radius})) continue;
       // Out of reach by what its middle sees.
       const NearestSurface near = b_.nearest(ball.c);
@@ -166,7 +166,7 @@ class PatchSearch {
   void add_rim(const Part& part, const std::vector<PatchPoint>& inside, const PatchPoint& point,
                PatchPiece& piece) {
     // The point of the part nearest to what lies below the outer one.
-    PatchPoint over = seen(nearest_in_triangle(part.corners, point.on_b), part.radius);
+    PatchPoint over = seen(internal::nearest_in_triangle(part.corners, point.on_b), part.radius);
     if (!counts(over)) over = down_from(part, point, over.core);
     if (counts(over)) piece.points.push_back(over);
     // Points where sides cross the rim.
@@ -204,7 +204,7 @@ class PatchSearch {
     const double square = way.squaredNorm(), d = point.distance + part.radius;
     if (!(square > 0)) return point;
     const double steps = d * (point.distance - query_.aim) / square;
-    return seen(nearest_in_triangle(part.corners, point.core + steps * way), part.radius);
+    return seen(internal::nearest_in_triangle(part.corners, point.core + steps * way), part.radius);
   }
 
   void add(PatchPiece piece) {

@@ -31,6 +31,12 @@ struct Candidate {
 bool farther(const Candidate& x, const Candidate& y) { return x.bound > y.bound; }
 
 /// Branch and bound in B's frame, lowest bound first.
+///
+/// A triangle is bounded twice: by the ball around it, and by the ball about a point lifted off B,
+/// through the triangle's corners, whose surface is nearly flat there. Flat faces that lie on each
+/// other are settled by the second without being divided. The core of a capsule is searched along
+/// itself: beside a convex solid between supporting planes (ConvexBracket), beside other solids
+/// between balls without a point of the solid (BallPair).
 class DistanceSearch {
  public:
   DistanceSearch(const CollisionTree& a, const Pose<double>& X_BA, const Shape& b,
@@ -165,7 +171,7 @@ class DistanceSearch {
 
   Piece evaluated(const Eigen::Matrix3d& corners, double radius, int triangle) {
     if (triangle == last_.triangle && corners == last_.corners) return last_;
-    Piece piece{corners, smallest_ball(corners), {}, radius, triangle};
+    Piece piece{corners, internal::smallest_ball(corners), {}, radius, triangle};
     piece.seen = see(piece.ball.c);
     offer(piece.ball.c, piece.seen, piece);
     last_ = piece;
@@ -342,7 +348,7 @@ class DistanceSearch {
     Eigen::Vector3d on_b = piece.ball.c - piece.seen.distance * piece.seen.normal;
     for (int i = 0; i < 3; ++i) {
       const double before = best_;
-      const Eigen::Vector3d p = nearest_in_triangle(piece.corners, on_b);
+      const Eigen::Vector3d p = internal::nearest_in_triangle(piece.corners, on_b);
       const NearestSurface there = see(p);
       offer(p, there, piece);
       if (!(best_ < before - options_.tolerance)) return;
@@ -351,8 +357,8 @@ class DistanceSearch {
   }
 
   void halve(const Piece& piece, double bound) {
-    for (const Eigen::Matrix3d& half : halves(piece.corners))
-      if (near(smallest_ball(half))) add_piece(half, piece.radius, piece.triangle, bound);
+    for (const Eigen::Matrix3d& half : internal::halves(piece.corners))
+      if (near(internal::smallest_ball(half))) add_piece(half, piece.radius, piece.triangle, bound);
   }
 
   /// In B's frame.

@@ -43,7 +43,7 @@ struct [[nodiscard]] ClosedHand {
 };
 
 /// Moves every drive at its speed. A coordinate stops at its limit, or when a link that it moves
-/// touches something and would go into it; Drive::coupled tells how the rest of its drive reacts.
+/// touches something and would go into it; Drive::coupling tells how the rest of its drive reacts.
 ///
 /// Conservative advancement: every clearance has a lower bound, no point moves farther in a step
 /// than the clearances allow, and only clearances that are used up are measured again. So no link

@@ -71,13 +71,13 @@ void ClosingDrives::stop(int coordinate, StoppedBy why) {
   halt(coordinate, why);
   for (const Drive& drive : drives_) {
     // A compliant coupling stops nothing; others stop what gears or clutch connect.
-    if (drive.coupled == DriveCoupling::kCompliant) continue;
+    if (drive.coupling == DriveCoupling::kCompliant) continue;
     const auto at =
         std::find_if(drive.moves.begin(), drive.moves.end(),
                      [&](const DrivenCoordinate& d) { return d.coordinate == coordinate; });
     if (at == drive.moves.end()) continue;
     // A clutch releases what is farther out; gears stop everything.
-    const auto end = drive.coupled == DriveCoupling::kRigid ? drive.moves.end() : at;
+    const auto end = drive.coupling == DriveCoupling::kRigid ? drive.moves.end() : at;
     for (auto d = drive.moves.begin(); d != end; ++d) halt(d->coordinate, StoppedBy::kCoupling);
   }
 }

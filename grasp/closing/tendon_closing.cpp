@@ -41,7 +41,7 @@ Eigen::VectorXd tendon_rates(const Hand& hand, const ClosingTensions& pull,
   const HandLayout& layout = hand.layout();
   require_pull(layout, pull, free);
   // Torques of the tendons at this posture.
-  const Eigen::MatrixXd B = hand.effort(q, pull.u).B;
+  const Eigen::MatrixXd B = hand.applied_torque(q, pull.u).B;
   const Eigen::VectorXd torque = B * pull.u;
   Eigen::VectorXd rates = Eigen::VectorXd::Zero(q.size());
   for (const Drive& drive : layout.drives) {

@@ -18,8 +18,8 @@ struct ClosingTensions {
 
 /// Rates of coordinates under rising tension at a posture. A free coordinate turns by
 ///   dq = K^-1 B u,  scaled for each drive so that its tendons run in at  u' B' dq / |u|_1 =
-///   excursion Drive::speed,  |u|_1 over the tendons that act on the drive; B of Hand::effort() at
-/// (q, u). Where torque is linear in tensions, only their ratios matter.
+///   excursion Drive::speed,  |u|_1 over the tendons that act on the drive; B of
+/// Hand::applied_torque() at (q, u). Where torque is linear in tensions, only their ratios matter.
 /// A blocked joint takes no excursion, so that the others of its drive turn faster, in the same
 /// ratio. Joints that the tendons would extend stay, as K stands for what holds them. So do drives
 /// of speed 0.

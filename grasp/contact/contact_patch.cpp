@@ -345,7 +345,7 @@ std::vector<Vector3d> normals_of(const CollisionTree& a, const Vector3d& p) {
     }
     // Leaf: keep the triangle if it is near enough.
     const SweptTriangle& t = a.triangles[static_cast<std::size_t>(node.triangle)];
-    if ((nearest_in_triangle(t.corners, p) - p).norm() <= kAround) normals.push_back(t.n);
+    if ((internal::nearest_in_triangle(t.corners, p) - p).norm() <= kAround) normals.push_back(t.n);
   }
   return normals;
 }

@@ -22,7 +22,7 @@ class OneDrive {
 
   VectorXd torque() {
     if (!drive_.backdrivable) hold();
-    return drive_.coupled == DriveCoupling::kBreakaway ? through_clutches() : shared();
+    return drive_.coupling == DriveCoupling::kBreakaway ? through_clutches() : shared();
   }
 
  private:

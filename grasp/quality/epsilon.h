@@ -9,26 +9,28 @@ namespace thenar {
 
 /// Settings of epsilon().
 struct EpsilonOptions {
-  ForceNorm limit = ForceNorm::kL1;
+  ForceNorm limit = ForceNorm::kL1;  // norm that limits the contact forces together
   double gap = 1e-3;        // certified upper - lower is at most this, for unit contact forces [1]
   int max_facets = 500000;  // of the hull; the search stops beyond (some 70 MB)
 };
 
 /// Signed epsilon quality: the signed distance of the origin from the boundary of the wrench set,
-/// positive inside. Force closure if lower > 0.
+/// positive inside, in N per N of normal force [1].
 ///
 /// `lower` and `upper` enclose the true value, with the rounding of every step. A set of less than
-/// full rank (1e-10 of its largest singular value) is first projected onto its span; its value is
-/// exactly 0 if it is below 1e-9 of the largest wrench. The search goes on beyond `gap` until the
-/// sign is settled, or the value is below 1e-9 of the largest wrench.
+/// full rank (1e-10 of its largest singular value) is first projected onto its span; if the
+/// absolute value is then below 1e-9 of the largest wrench, it is reported as exactly 0. The search
+/// goes on beyond `gap` until the sign of the value is settled, or the value is below 1e-9 of the
+/// largest wrench.
 struct [[nodiscard]] Epsilon {
   double lower;                    // certified: the true value is in [lower, upper] [1]
   double upper;                    // [1]
   int rank;                        // dimension of the affine hull of the wrenches and 0, 0..6
-  bool force_closure;              // lower > 0 in all six dimensions
+  bool force_closure;              // lower > 0 at full rank: 6, of planar_epsilon() 3
   bool has_missing_direction;      // true without force closure
-  ScaledWrench missing_direction;  // unit u: every wrench of the grasp has w'u <= upper, which is
-                                   // <= 0, or about 0 if the sign is not settled
+  ScaledWrench missing_direction;  // unit u that the grasp cannot push along: each of its wrenches
+                                   // has w'u <= upper, which is <= 0, or about 0 if the sign is
+                                   // not settled
   ScaledWrench worst_wrench;       // unit: disturbance that is resisted least, -argmin h
   bool converged;                  // upper - lower <= gap
   int supports;                    // number of support points computed

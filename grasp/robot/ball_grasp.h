@@ -52,7 +52,7 @@ class BallGrasp {
                                    double radius) const;
 
   /// Closes from a posture in equal steps, each drive at its speed. A link that meets the ball
-  /// stops the coordinates that move it, and the rest of its drive as Drive::coupled says. If
+  /// stops the coordinates that move it, and the rest of its drive as Drive::coupling says. If
   /// `self` is not empty, surfaces of these digits and all others stop each other within about a
   /// spacing of their points.
   /// @param drives  with their speeds, of RobotHand::layout()

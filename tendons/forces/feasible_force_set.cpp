@@ -60,8 +60,11 @@ class SupportOracle {
 
   Point farthest(const VectorXd& direction) {
     program_.objective.head(r_) = direction;
-    const LinearResult result = solve(program_);
-    if (result.status != Status::kSolved) worst_ = result.status;
+    LinearResult result = solve(program_);
+    if (result.status != Status::kSolved) {
+      worst_ = result.status;
+      result.x.setZero();  // no point is farthest
+    }
     return {result.x.head(r_), result.x.tail(result.x.size() - r_), result.certificate.gap};
   }
 

@@ -37,7 +37,7 @@ Drive flexion_drive(const DigitAnatomy& digit, const Subject& subject, const Ske
   Drive drive;
   // Speed by convention, slower for the thumb.
   drive.name = digit.name;
-  drive.coupled = DriveCoupling::kBreakaway;
+  drive.coupling = DriveCoupling::kBreakaway;
   const bool thumb = digit.name == "thumb";
   drive.speed = thumb ? 0.25 : 1;
   const double distal = thumb ? 1 : 2.0 / 3;
@@ -89,7 +89,7 @@ void follow_tendons(const Eigen::VectorXd& torque, Drive& drive) {
   for (const DrivenCoordinate& driven : drive.moves)
     most = std::max(most, torque[driven.coordinate]);
   if (most <= 0) return;
-  drive.coupled = DriveCoupling::kCompliant;
+  drive.coupling = DriveCoupling::kCompliant;
   // Joints that the flexors extend are left out.
   std::vector<DrivenCoordinate> moves;
   for (const DrivenCoordinate& driven : drive.moves)

@@ -127,7 +127,7 @@ Actuation TendonHand::actuation(const Eigen::VectorXd& q) const {
   return actuation;
 }
 
-AppliedTorque TendonHand::effort(const Eigen::VectorXd& q, const Eigen::VectorXd& u) const {
+AppliedTorque TendonHand::applied_torque(const Eigen::VectorXd& q, const Eigen::VectorXd& u) const {
   HandActuator actuator(*this, kHandWalk);
   // Exact torque, with the worst status of the digits.
   const HandAction& action = actuator.act(q, u);

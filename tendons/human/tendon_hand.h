@@ -26,8 +26,8 @@ struct HandTendons {
 /// working_share F0 that is nearest to the tangent R at t*:
 ///   tau_0 = tau(0) + passive,   B = R(t*)' + (tau(t*) - tau(0) - R(t*)' t*) w' / (w' t*),
 /// where w is t* for the muscles that pull the net and 0 for others: exact at both tensions.
-/// effort() is exact everywhere. Nets come from the straight finger as with TendonActuator, so both
-/// agree with `thenar tendon solve`. Where a net finds no equilibrium the status says so.
+/// applied_torque() is exact everywhere. Nets come from the straight finger as with TendonActuator,
+/// so both agree with `thenar tendon solve`. Where a net finds no equilibrium the status says so.
 /// Both are for single postures; for a sequence of postures take a HandActuator.
 /// A muscle that crosses joints of two digits is one actuator; its arms about one digit are those
 /// with the other at its reference posture.
@@ -49,8 +49,8 @@ class TendonHand final : public Hand {
   [[nodiscard]] Actuation actuation(const Eigen::VectorXd& q) const override;
   /// @param u  tensions, each >= 0 [N] (actuators)
   /// @throws InputError if a length is wrong, or a tension negative or not finite.
-  [[nodiscard]] AppliedTorque effort(const Eigen::VectorXd& q,
-                                     const Eigen::VectorXd& u) const override;
+  [[nodiscard]] AppliedTorque applied_torque(const Eigen::VectorXd& q,
+                                             const Eigen::VectorXd& u) const override;
   [[nodiscard]] const std::vector<LinkSurface>& surfaces() const override {
     return bones_.surfaces();
   }

@@ -3,10 +3,11 @@
 /// Equilibrium of a net.
 ///
 /// Minimises  E(x) = sum_bands phi(L) + sum_muscles t L  over the floating nodes, which may not be
-/// inside a bone. Without bones E is convex: every minimum is the global one, and it is found from
-/// any start. With bones it is not: the minimum found depends on where the nodes start (a band can
-/// lie on either side of a joint), so sweeps hand each solution on as the next start.
-/// Derivation: docs/theory/extensor_net.md.
+/// inside a bone; phi is the elastic energy of a band [J], L a length [m], t a tension [N]. Without
+/// bones E is convex: every minimum is the global one, and it is found from any start. With bones
+/// it is not: the minimum found depends on where the nodes start (a band can lie on either side of
+/// a joint), so sweeps hand each solution on as the next start. Derivation:
+/// docs/theory/extensor_net.md.
 
 #include <memory>
 #include <vector>
@@ -35,19 +36,19 @@ struct NetSolverOptions {
 
 /// A node pressed on a bone.
 struct NetContact {
-  int node;
-  int surface;
-  double force;  // normal, >= 0; negative where bands that bend over the bone clasp the
-                 // node to it: they hold it at a lift too small to tell. With S the sum of
-                 // their tensions and r the radius, not below
-                 // -S max(sqrt(2e-11 m / r), 4e-17 m S / (tolerance r)) [N]
+  int node;      // entry of Net::nodes
+  int surface;   // entry of Net::surfaces
+  double force;  // normal force on the node [N]; where bands that wrap over the bone hold the node
+                 // on it, it may be negative: with S the sum of their tensions and r the radius,
+                 // not below -S max(sqrt(2e-11 m / r), 4e-17 m S / (tolerance r))
   Eigen::Vector3d normal;  // out of the bone, world (3)
 };
 
 /// A band of constant pull that has collapsed its node into its exit, or two nodes together.
 struct CollapsedBand {
-  int band;
-  Eigen::Vector3d force;  // on its end a; on end b the opposite; not larger than the pull [N] (3)
+  int band;               // entry of Net::bands
+  Eigen::Vector3d force;  // of the band on its end a, opposite to that on its end b; no larger than
+                          // the pull; world [N] (3)
 };
 
 struct [[nodiscard]] NetEquilibrium {
@@ -65,8 +66,8 @@ struct [[nodiscard]] NetEquilibrium {
   double energy = 0;            // E [J]
 };
 
-/// Solves one net again and again. Holds the elimination order and the workspace of one thread,
-/// which change no answer.
+/// Solves one net, of which it keeps a copy, at any posture and load. It holds the elimination
+/// order and a workspace, which change no answer: one solver serves one thread at a time.
 class NetSolver {
  public:
   /// @throws InputError naming the node or band that is wrong: an index out of range, a passive
@@ -77,7 +78,8 @@ class NetSolver {
   NetSolver& operator=(NetSolver&&) noexcept;
 
   /// @param state  links, from pose_tree()
-  /// @param start  nodes to start from, world [m] (3, nodes); absent: each with its link
+  /// @param start  nodes to start from, world [m] (3, nodes); null: each where its link carries
+  ///               NetNode::p
   /// @throws InputError if shapes disagree, or a tension is negative or not finite.
   NetEquilibrium solve(const TreeState<double>& state, const NetDrive& drive,
                        const Eigen::Matrix3Xd* start = nullptr);
@@ -92,8 +94,8 @@ class NetSolver {
 /// Solves the net at one posture after another, each time from the last balanced equilibrium: a net
 /// on bone stays on the side of a joint on which it came.
 /// @param postures  [rad] (coordinates) each
-/// @param start     nodes to start from at the first one, world [m] (3, nodes); empty: each with
-///                  its link
+/// @param start     nodes to start from at the first one, world [m] (3, nodes); empty: each where
+///                  its link carries NetNode::p
 /// @throws InputError as NetSolver::solve(), or naming a posture of too few coordinates.
 [[nodiscard]] std::vector<NetEquilibrium> solve_postures(
     NetSolver& solver, const Tree<double>& tree, const std::vector<Eigen::VectorXd>& postures,

@@ -125,7 +125,7 @@ TEST(FitResiduals, BlocksHaveTheDenseAnswer) {
   EXPECT_NEAR(a.cost, b.cost, 1e-10 * b.cost);
   EXPECT_TRUE(matrix_near(a.z, b.z, 1e-4));
   EXPECT_LT(a.newton_step, 0.01);
-  const CostSlopes one = cost_slopes(blocks, a.z), other = cost_slopes(dense, a.z);
+  const CostDerivatives one = cost_derivatives(blocks, a.z), other = cost_derivatives(dense, a.z);
   EXPECT_NEAR(one.cost, other.cost, 1e-11 * other.cost);
   EXPECT_TRUE(matrix_near(one.gradient, other.gradient, 1e-8));
   const Eigen::MatrixXd J = fit_residuals(problem, a.z, WithJacobian::kYes).J;

@@ -11,6 +11,7 @@
 #include "base/numbers.h"
 #include "tests/kinematics_fit/fit_samples.h"
 #include "tests/matrix_near.h"
+#include "tests/message_of.h"
 
 namespace thenar {
 namespace {
@@ -127,6 +128,107 @@ TEST(Solve, CountsAConstraintOnceThatIsAskedTwice) {
     ASSERT_TRUE(matrix_near(start.z, Vector2d(1, -1), 1e-12)) << start.message;
     EXPECT_NEAR(start.newton_step, 1.2, 1e-12) << times;
   }
+}
+
+// The free minimum (3, 0.2) breaks x <= 1; (0.5, 0.2) does not.
+TEST_P(EveryMethod, SolvesNothingWhereAConstraintIsBroken) {
+  LeastSquares problem = distance_to(Vector2d(3, 0.2), -5, 5);
+  cap_first(problem, 1);
+  const Solution fit = solve(problem, VectorXd::Zero(2), options());
+  const bool keeps = GetParam() == LeastSquaresMethod::kIpopt;
+  EXPECT_EQ(fit.status, keeps ? Status::kSolved : Status::kStalled) << fit.message;
+  EXPECT_NEAR(fit.z[0], keeps ? 1 : 3, 1e-4);
+  EXPECT_EQ(fit.message.find("; breaks 1 of 1 constraints") == std::string::npos, keeps)
+      << fit.message;
+  problem = distance_to(Vector2d(0.5, 0.2), -5, 5);
+  cap_first(problem, 1);
+  const Solution within = solve(problem, VectorXd::Zero(2), options());
+  EXPECT_EQ(within.status, Status::kSolved) << within.message;
+}
+
+// Equal bounds hold everything where x <= 1 is broken.
+TEST_P(EveryMethod, SolvesNothingWhereBoundsHoldItOutsideAConstraint) {
+  LeastSquares problem = distance_to(Vector2d(3, 0.2), 2, 2);
+  cap_first(problem, 1);
+  EXPECT_EQ(solve(problem, Vector2d(2, 2), options()).status, Status::kStalled);
+}
+
+/// The same residuals, without their Jacobian.
+LeastSquares without_jacobian(LeastSquares problem) {
+  problem.residuals = [exact = problem.residuals](const VectorXd& z, WithJacobian) {
+    return Residuals{exact(z, WithJacobian::kNo).r, {}};
+  };
+  return problem;
+}
+
+TEST(Solve, CertifiesByDifferencesWithoutAJacobian) {
+  SolveOptions options;
+  options.method = LeastSquaresMethod::kNloptLocal;
+  options.tolerance = 0.03;  // stops half-way along the valley
+  const Solution half = solve(without_jacobian(valley()), Vector2d(-1.2, 1), options);
+  EXPECT_EQ(half.status, Status::kStalled) << half.message;
+  EXPECT_NEAR(half.newton_step, std::sqrt(2 * half.cost), 1e-6);
+  options.tolerance = 1e-8;
+  const LeastSquares bowl = without_jacobian(distance_to(Vector2d(0.5, 0.2), -1, 1));
+  const Solution all = solve(bowl, VectorXd::Zero(2), options);
+  EXPECT_EQ(all.status, Status::kSolved) << all.message;
+  EXPECT_LT(all.newton_step, 0.01);
+}
+
+// Residuals are asked at no point outside the bounds, where they would be NaN.
+TEST(Solve, TakesDifferencesWithinTheBounds) {
+  LeastSquares problem = without_jacobian(distance_to(Vector2d(3, 0.2), -1, 1));
+  problem.residuals = [within = problem.residuals](const VectorXd& z, WithJacobian want) {
+    Residuals out = within(z, want);
+    if (z.cwiseAbs().maxCoeff() > 1 + 1e-9) out.r.setConstant(NAN);
+    return out;
+  };
+  SolveOptions options;
+  options.method = LeastSquaresMethod::kNloptLocal;
+  const Solution fit = solve(problem, VectorXd::Zero(2), options);
+  EXPECT_EQ(fit.status, Status::kSolved) << fit.message;
+  EXPECT_TRUE(matrix_near(fit.z, Vector2d(1, 0.2), 1e-4));
+}
+
+TEST(Solve, RefusesToSearchByDerivativesThatAreMissing) {
+  SolveOptions options;
+  for (const auto method : {LeastSquaresMethod::kCeres, LeastSquaresMethod::kIpopt}) {
+    options.method = method;
+    EXPECT_EQ(message_of<InputError>(
+                  [&] { (void)solve(without_jacobian(valley()), Vector2d(-1.2, 1), options); }),
+              name_of(method) + " needs the Jacobian of the residuals by 2 coordinates");
+  }
+}
+
+TEST(Solve, RefusesShapesThatDisagree) {
+  const auto refusal = [](const LeastSquares& problem) {
+    return message_of<InputError>([&] { (void)solve(problem, VectorXd::Zero(2)); });
+  };
+  const LeastSquares plain = distance_to(Vector2d(0.5, 0.2), -1, 1);
+  LeastSquares wrong = plain;
+  wrong.residuals = {};
+  EXPECT_EQ(refusal(wrong), "least squares need residuals");
+  wrong = plain;
+  wrong.upper = VectorXd::Ones(3);
+  EXPECT_EQ(refusal(wrong), "there are 2 lower bounds, but 3 upper ones");
+  wrong = plain;
+  cap_first(wrong, 2);
+  wrong.c_upper = VectorXd::Ones(1);
+  EXPECT_EQ(refusal(wrong), "constraints have 2 lower bounds, but 1 upper ones");
+  wrong.c_lower = VectorXd::Zero(1);
+  EXPECT_EQ(refusal(wrong), "1 bounds of constraints, but 2 values and a Jacobian of 2 x 2");
+  wrong.c_lower[0] = 2;
+  EXPECT_EQ(refusal(wrong), "bounds 2 .. 1 of constraint 0 are crossed");
+  wrong.c_lower[0] = 0;
+  wrong.constraints = {};
+  EXPECT_EQ(refusal(wrong), "1 constraints are bounded but no function computes them");
+  wrong = plain;
+  wrong.layout = {1, 1, 2};
+  wrong.parts = {{-1, plain.residuals}};
+  EXPECT_EQ(refusal(wrong), "the blocks have 3 coordinates, the bounds 2");
+  wrong.layout.blocks = 1;
+  wrong.parts[0].block = 1;
+  EXPECT_EQ(refusal(wrong), "no block 1: there are 1");
 }
 
 TEST_P(EveryMethod, BringsTheStartWithinBounds) {

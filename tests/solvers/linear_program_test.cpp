@@ -2,6 +2,8 @@
 
 #include "solvers/linear_program.h"
 
+#include <algorithm>
+#include <cmath>
 #include <limits>
 
 #include <gtest/gtest.h>
@@ -39,6 +41,29 @@ TEST(LinearProgram, ReportsContradiction) {
   EXPECT_EQ(solve(program).status, Status::kInfeasible);
 }
 
+// By hand: x + y >= 5 less a third of x + 3y <= 6 is  2/3 x >= 3, but x <= 3 allows 2 only: the ray
+// is (-1, 1/3), and the least sum of violations is 1, at (3, 1).
+TEST(LinearProgram, ProvesAContradictionByAFarkasRay) {
+  LinearProgram program = textbook();
+  program.row_lower(0) = 5;
+  program.row_upper(0) = 6;
+  const LinearResult result = solve(program);
+  ASSERT_EQ(result.ray.size(), 2);
+  EXPECT_LE(result.ray.cwiseAbs().maxCoeff(), 1 + 1e-12);
+  // y' A x is least at a corner of 0 <= x <= 3, y >= 0.
+  const VectorXd slope = program.A.transpose() * result.ray;
+  ASSERT_GE(slope(1), -1e-11) << "its bound is infinite";
+  const double least = 3 * std::min(0.0, slope(0));
+  double most = 0;
+  for (int i = 0; i < 2; ++i)
+    if (result.ray(i) != 0)
+      most += result.ray(i) * (result.ray(i) > 0 ? program.row_upper(i) : program.row_lower(i));
+  EXPECT_NEAR(least - most, 1, 1e-9);
+  EXPECT_TRUE(std::isnan(result.objective));
+  EXPECT_TRUE(result.x.isZero() && result.duals.isZero());
+  EXPECT_LE(result.certificate.gap, 1e-11);
+}
+
 // x = 1 and x = 1 + 5e-10 at once: each x misses one of them by 2.5e-10 or more.
 TEST(LinearProgram, StatesByHowMuchItMissesRowsThatItRelaxed) {
   LinearProgram program = textbook();
@@ -56,6 +81,21 @@ TEST(LinearProgram, ReportsUnboundedGrowth) {
   LinearProgram program = textbook();
   program.row_upper.setConstant(kInfinity);
   EXPECT_EQ(solve(program).status, Status::kUnbounded);
+}
+
+// x + y >= 1 asks for a point that is not zero; y may grow for ever.
+TEST(LinearProgram, ProvesGrowthByAPointAndARay) {
+  LinearProgram program = textbook();
+  program.row_lower(0) = 1;
+  program.row_upper.setConstant(kInfinity);
+  const LinearResult result = solve(program);
+  ASSERT_EQ(result.status, Status::kUnbounded);
+  ASSERT_EQ(result.x.size(), 2);
+  EXPECT_GE(result.x.sum(), 1 - 1e-9);
+  EXPECT_GE(result.x.minCoeff(), -1e-12);
+  EXPECT_LE(result.x(0), 3 + 1e-12);
+  EXPECT_TRUE(matrix_near(result.ray, Vector2d(0, 1), 1e-12));
+  EXPECT_TRUE(std::isnan(result.objective));
 }
 
 // Unbounded in one variable and contradictory in another: there is no feasible point to grow from.
@@ -117,7 +157,10 @@ TEST(LinearProgram, CrossedBoundsAreInfeasible) {
   LinearProgram program = textbook();
   program.lower(1) = 8;
   program.upper(1) = 7;
-  EXPECT_EQ(solve(program).status, Status::kInfeasible);
+  const LinearResult result = solve(program);
+  EXPECT_EQ(result.status, Status::kInfeasible);
+  EXPECT_EQ(result.ray.size(), 0);
+  EXPECT_TRUE(std::isnan(result.certificate.violation));
 }
 
 TEST(LinearProgram, PrintsNothing) {

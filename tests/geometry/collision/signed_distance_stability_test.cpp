@@ -53,7 +53,8 @@ TEST(SeparationStability, OfRandomQueriesNeverHangs) {
     const SignedDistance s =
         signed_distance(touching({one_triangle(corners, 0.004)}), X_WA, ball_solid(radius), {});
     const Eigen::Vector3d centre = X_WA.inverse() * Eigen::Vector3d::Zero();
-    const double exact = (nearest_in_triangle(corners, centre) - centre).norm() - radius - 0.004;
+    const double exact =
+        (internal::nearest_in_triangle(corners, centre) - centre).norm() - radius - 0.004;
     ASSERT_NEAR(s.distance, exact, s.error + 1e-12) << "query " << i;
   }
   const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - start;

@@ -67,7 +67,8 @@ TEST(SignedDistance, OfTrianglesAndBallsMatchesClosedForm) {
     const SignedDistance s =
         signed_distance(touching({one_triangle(corners, 0.005)}), X_WA, ball_solid(radius), X_WB);
     const Eigen::Vector3d centre = X_WA.inverse() * X_WB.p;
-    const double exact = (nearest_in_triangle(corners, centre) - centre).norm() - radius - 0.005;
+    const double exact =
+        (internal::nearest_in_triangle(corners, centre) - centre).norm() - radius - 0.005;
     ASSERT_NEAR(s.distance, exact, s.error) << "triangle " << i;
     ASSERT_LE(s.error, 1.01 * kTolerance);
     // The points are as far apart as said, and each on its own surface.

@@ -138,10 +138,10 @@ TEST(RobotHand, LetsBreakawayJointsPart) {
   const HandLayout& layout = hand.layout();
   ASSERT_EQ(layout.coordinates.size(), 7U);
   ASSERT_EQ(layout.drives.size(), 4U);
-  EXPECT_EQ(layout.drives[0].coupled, DriveCoupling::kRigid);
+  EXPECT_EQ(layout.drives[0].coupling, DriveCoupling::kRigid);
   EXPECT_EQ(layout.drives[0].moves.size(), 1U);
   const Drive& finger = layout.drives[1];
-  EXPECT_EQ(finger.coupled, DriveCoupling::kBreakaway);
+  EXPECT_EQ(finger.coupling, DriveCoupling::kBreakaway);
   EXPECT_EQ(finger.breakaway, 0.5);
   ASSERT_EQ(finger.moves.size(), 2U);
   EXPECT_EQ(finger.moves[0].ratio, 1);
@@ -178,7 +178,7 @@ TEST(RobotHand, SharesTheMotorOfACompliantDrive) {
   const RobotHand hand(robot("shadow"));
   const auto& drives = hand.layout().drives;
   const auto shared = std::find_if(drives.begin(), drives.end(), [](const Drive& drive) {
-    return drive.coupled == DriveCoupling::kCompliant;
+    return drive.coupling == DriveCoupling::kCompliant;
   });
   ASSERT_NE(shared, drives.end());
   const VectorXd column = hand.actuation(zero(hand)).B.col(shared - drives.begin());

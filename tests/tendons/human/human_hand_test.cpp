@@ -289,7 +289,7 @@ TEST(ClosingSynergy, ClosesByTheTendonsTorques) {
   const HandLayout& layout = human.hand->layout();
   const Actuation actuation = human.hand->actuation(Eigen::VectorXd::Zero(20));
   const Drive& index = drive_of(*human.hand, "index");
-  EXPECT_EQ(index.coupled, DriveCoupling::kCompliant);
+  EXPECT_EQ(index.coupling, DriveCoupling::kCompliant);
   ASSERT_EQ(index.moves.size(), 3U);
   const int fds = index_of(layout.actuators, "FDS2"), fdp = index_of(layout.actuators, "FDP2");
   const auto torque = [&](const DrivenCoordinate& driven) {
@@ -303,7 +303,7 @@ TEST(ClosingSynergy, ClosesByTheTendonsTorques) {
 TEST(ClosingSynergy, CurlsMotorFingersByConvention) {
   const HumanHand human = build_human_hand(sample::scaled(), HumanVersion::kSkewedThumb, bare());
   const Drive& index = drive_of(*human.hand, "index");
-  EXPECT_EQ(index.coupled, DriveCoupling::kBreakaway);
+  EXPECT_EQ(index.coupling, DriveCoupling::kBreakaway);
   ASSERT_EQ(index.moves.size(), 3U);
   EXPECT_EQ(index.moves[0].ratio, 1);
   EXPECT_EQ(index.moves[1].ratio, 1);

@@ -122,8 +122,8 @@ TEST(TendonHand, HasTheEffortThatSolvingTellsOf) {
     const Eigen::VectorXd q = Eigen::Vector4d(draw.number(0, 1.2), draw.number(-0.2, 0.2),
                                               draw.number(0, 1.2), draw.number(0, 0.8));
     const Eigen::VectorXd t = draw.numbers(hand.max_force().size(), 0, 30);
-    const AppliedTorque effort = hand.effort(q, t);
-    EXPECT_TRUE(matrix_near(effort.tau, solved(hand, q, t), 1e-9)) << k;
+    const AppliedTorque applied = hand.applied_torque(q, t);
+    EXPECT_TRUE(matrix_near(applied.tau, solved(hand, q, t), 1e-9)) << k;
   }
 }
 
@@ -134,12 +134,12 @@ TEST(HandActuator, GoesOnFromItsState) {
   const Eigen::VectorXd u = Eigen::VectorXd::Constant(hand.max_force().size(), 5);
   for (int k = 0; k <= 10; ++k) (void)actuator.act(0.1 * k * kBent, u);
   const HandAction& action = actuator.act(kBent, u);
-  const AppliedTorque effort = hand.effort(kBent, u);
+  const AppliedTorque applied = hand.applied_torque(kBent, u);
   EXPECT_EQ(action.status, TendonStatus::kValid);
   EXPECT_TRUE(action.slopes);
   EXPECT_FALSE(action.snapped);
-  EXPECT_TRUE(matrix_near(action.tau, effort.tau, 1e-7));
-  EXPECT_TRUE(matrix_near(action.B, effort.B, 1e-6));
+  EXPECT_TRUE(matrix_near(action.tau, applied.tau, 1e-7));
+  EXPECT_TRUE(matrix_near(action.B, applied.B, 1e-6));
   EXPECT_EQ(action.length.size(), u.size());
 }
 
