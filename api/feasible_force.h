@@ -46,8 +46,8 @@ struct FeasibleForcePoint {
   Eigen::Vector3d tip{0, 0, 0};        // where it is, world frame [m] (3); 0 for a map
   double condition = 0;                // of the tip's Jacobian [1]
   std::optional<MaxTipForce> largest;  // along the direction, if there is one; with prices of F0
-  Eigen::VectorXd change;              // of its magnitude by each joint, the direction fixed in its
-                                       // axes [N/rad] (joints); empty: no such force, or a map
+  Eigen::VectorXd change;              // of largest->component by each joint, the direction fixed
+                                       // in its axes [N/rad] (joints); empty: no such force, a map
   std::optional<WholeForceSet> whole;  // if it was asked for
 };
 
