@@ -135,7 +135,7 @@ TEST(MaxTipForce, NoMuscleMakesNoForce) {
   EXPECT_EQ(result.component, 0);
 }
 
-TEST(MaxTipForce, DirectionOutOfReachHasZeroMagnitude) {
+TEST(MaxTipForce, DirectionOutOfReachHasNoComponent) {
   const MaxTipForce result = max_tip_force(cross(), kZ);
   EXPECT_EQ(result.status, Status::kSolved);
   EXPECT_EQ(result.component, 0);
