@@ -29,7 +29,7 @@ void require_limits(const TipStatics& statics, const std::string& subject) {
 /// Derivative of the largest force by each joint; empty unless there is such a force of bones.
 Eigen::VectorXd change_of(const DigitAtPosture& at, const MaxTipForce& largest,
                           DirectionFrame frame) {
-  if (largest.status != Status::kSolved || largest.magnitude < kNoTipForce || !at.map.empty())
+  if (largest.status != Status::kSolved || largest.component < kNoTipForce || !at.map.empty())
     return {};
   return max_tip_force_gradient(at.statics, at.slopes, largest, frame);
 }

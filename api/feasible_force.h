@@ -16,13 +16,13 @@
 
 namespace thenar {
 
-/// Which digit; a direction, the whole set, or both.
+/// Which digit; a direction, the whole set, or both. Forces are those of the tip on the world.
 struct FeasibleForceRequest {
   DigitRequest digit;
   std::optional<Eigen::Vector3d> direction;       // of the force, of any length; absent: the set
   double tolerance = 0;                           // half angle of the cone about it [rad]
   DirectionFrame frame = DirectionFrame::kWorld;  // of the direction and of answers
-  bool whole_set = false;                         // also beside a direction
+  bool whole_set = false;                         // the set in addition to a direction
 };
 
 /// Axes in which forces are asked for and shown.
@@ -41,13 +41,13 @@ struct WholeForceSet {
 /// The answer at one posture.
 struct FeasibleForcePoint {
   Eigen::VectorXd q;                   // [rad] (joints); empty for a map
-  std::string failure;                 // why there is no answer; else empty
-  ForceAxes axes;                      //
-  Eigen::Vector3d tip{0, 0, 0};        // where it is, world frame [m] (3); 0 for a map
+  std::string failure;                 // why there is no answer; empty: there is one
+  ForceAxes axes;                      // of the forces that are shown
+  Eigen::Vector3d tip{0, 0, 0};        // place of the tip, world frame [m] (3); 0 for a map
   double condition = 0;                // of the tip's Jacobian [1]
   std::optional<MaxTipForce> largest;  // along the direction, if there is one; with prices of F0
-  Eigen::VectorXd change;              // of its magnitude by each joint, the direction fixed in its
-                                       // axes [N/rad] (joints); empty: no such force, or a map
+  Eigen::VectorXd change;              // of largest->component by each joint, the direction fixed
+                                       // in its axes [N/rad] (joints); empty: no such force, a map
   std::optional<WholeForceSet> whole;  // if it was asked for
 };
 
@@ -60,12 +60,14 @@ struct FeasibleForceAnswer {
   std::vector<FeasibleForcePoint> points;
 };
 
-/// A force below the rounding of what tendons make is none [N].
+/// Forces below this are reported as no force: rounding of what tendons make [N].
 inline constexpr double kNoTipForce = 1e-6;
 
-/// max_tip_force() with prices and feasible_force_set() at every posture.
-/// @throws InputError for what is unknown, a direction of no length, a tolerance outside of [0, 90)
-/// deg, muscles of unknown strength, or axes of the tip of a map; DataError for a wrong file.
+/// At every posture, as requested: the largest force along `direction` with prices of F0
+/// (max_tip_force()), the whole set (feasible_force_set()), or both.
+/// @throws InputError for what is unknown, a direction of no length, a tolerance outside of
+/// [0, pi/2) rad, muscles of unknown strength, or axes of the tip of a map; DataError for a wrong
+/// file.
 [[nodiscard]] FeasibleForceAnswer ask_feasible_force(const FeasibleForceRequest& request,
                                                      const Progress& progress = {});
 

@@ -15,7 +15,7 @@ namespace thenar {
 struct MomentArmPoint {
   Eigen::VectorXd q;              // [rad] (joints)
   std::string failure;            // why there is no answer; else empty
-  Eigen::MatrixXd arms;           // -d length / dq; flexion, abduction + [m/rad] (muscles, joints)
+  Eigen::MatrixXd arms;           // -d length / dq; flexion, radial + [m/rad] (muscles, joints)
   Eigen::VectorXd length_change;  // since MomentArmAnswer::reference; longer + [m] (muscles)
   Eigen::Vector3d tip{0, 0, 0};   // world frame [m] (3)
 };

@@ -22,7 +22,7 @@ int main() {
   const thenar::MomentArmAnswer answer = thenar::ask_moment_arms(request);
   const thenar::MomentArmPoint& at = answer.points.front();
 
-  // Rows are muscles, columns are joints; flexion and abduction are positive.
+  // Rows are muscles, columns are joints; flexion and radial deviation are positive.
   std::printf("      ");
   for (const std::string& joint : answer.about.rows) std::printf("%8s", joint.c_str());
   for (Eigen::Index m = 0; m < at.arms.rows(); ++m) {

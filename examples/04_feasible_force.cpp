@@ -22,7 +22,7 @@ int main() {
 
   // The largest force, and what each muscle that pulls has to do with it.
   const thenar::MaxTipForce& largest = *answer.points.front().largest;
-  std::printf("%s: %.2f N\n", thenar::name_of(largest.status).c_str(), largest.magnitude);
+  std::printf("%s: %.2f N\n", thenar::name_of(largest.status).c_str(), largest.component);
   for (Eigen::Index m = 0; m < largest.tension.size(); ++m)
     if (largest.tension[m] > 0.01)
       std::printf("%-4s %6.2f of %6.2f N, %.2f N more for each N of strength\n",

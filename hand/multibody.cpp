@@ -138,8 +138,9 @@ struct Multibody::Parts {
   /// Weights need mass only; motion needs its spread, too.
   void require_inertia() const {
     for (const LinkMass& link : skeleton.masses)
-      require(link.no_inertia.empty(),
-              "segment '{}' has mass but neither moments of inertia nor a radius", link.no_inertia);
+      require(link.segment_without_inertia.empty(),
+              "segment '{}' has mass but neither moments of inertia nor a radius",
+              link.segment_without_inertia);
   }
 
   /// Weights and forces on every body, moved to its origin.

@@ -277,14 +277,16 @@ LinkMass combine(const LinkMass& a, const LinkMass& b) {
   const double mass = a.mass + b.mass;
   if (mass == 0) return {};
   const Eigen::Vector3d com = (a.mass * a.com + b.mass * b.com) / mass;
-  return {mass, com,
-          a.inertia + b.inertia + point_inertia(a.mass, a.com - com) +
-              point_inertia(b.mass, b.com - com),
-          a.no_inertia.empty() ? b.no_inertia : a.no_inertia};
+  return {
+      mass, com,
+      a.inertia + b.inertia + point_inertia(a.mass, a.com - com) +
+          point_inertia(b.mass, b.com - com),
+      a.segment_without_inertia.empty() ? b.segment_without_inertia : a.segment_without_inertia};
 }
 
 LinkMass displace(const Pose<double>& X, const LinkMass& body) {
-  return {body.mass, X * body.com, X.R * body.inertia * X.R.transpose(), body.no_inertia};
+  return {body.mass, X * body.com, X.R * body.inertia * X.R.transpose(),
+          body.segment_without_inertia};
 }
 
 }  // namespace thenar

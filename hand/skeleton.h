@@ -19,12 +19,12 @@ struct SkeletonOptions {
   std::map<std::string, double> frozen;  // joint -> the angle it is frozen at [rad]
 };
 
-/// What a coordinate may do and how it resists. Springs and dampers of coupled hinges are
-/// included, as their leader feels them; limits are those of the leader.
+/// Range of a coordinate and its passive resistance. Springs and dampers of coupled hinges are
+/// included, referred to the coordinate that drives them; limits are those of this coordinate.
 struct CoordinateLimits {
-  double lower;      // [rad]
-  double upper;      // [rad]
-  double rest;       // [rad]
+  double lower;      // of the range [rad]
+  double upper;      // of the range [rad]
+  double rest;       // angle at which the spring makes no torque [rad]
   double stiffness;  // passive torque = -stiffness (q - rest) [N m/rad]
   double damping;    // [N m s/rad]
 };
@@ -33,8 +33,8 @@ struct CoordinateLimits {
 struct LinkMass {
   double mass = 0;                                    // [kg]
   Eigen::Vector3d com{0, 0, 0};                       // [m] (3)
-  Eigen::Matrix3d inertia = Eigen::Matrix3d::Zero();  // about com [kg m^2] (3, 3)
-  std::string no_inertia;  // a segment of it that has mass but unknown inertia; empty: none
+  Eigen::Matrix3d inertia = Eigen::Matrix3d::Zero();  // about com, base axes [kg m^2] (3, 3)
+  std::string segment_without_inertia;  // one that has mass but unknown inertia; empty: none
 };
 
 /// The tip of a digit.
@@ -42,10 +42,11 @@ struct SkeletonTip {
   std::string digit;
   int link;              // -1: welded to the base
   Eigen::Vector3d p;     // reference posture [m] (3)
-  Eigen::Matrix3d axes;  // columns proximal, dorsal, radial; reference posture (3, 3)
+  Eigen::Matrix3d axes;  // columns proximal, dorsal, radial; reference posture; a rotation in a
+                         // right hand, in a left one a reflection (det -1) (3, 3)
 };
 
-/// A constant tree of hinges with names.
+/// A kinematic tree of hinges (revolute joints) with names, constant once built.
 struct Skeleton {
   Tree<double> tree;                               // parents before children
   std::vector<std::string> hinge_names;            // of every hinge, coupled ones too
@@ -53,13 +54,14 @@ struct Skeleton {
   std::vector<CoordinateLimits> limits;            // of each coordinate
   std::vector<LinkMass> masses;                    // of each link
   std::map<std::string, int> link_of_segment;      // -1: the base
-  std::map<std::string, Pose<double>> segment_at;  // reference displacement by frozen joints
+  std::map<std::string, Pose<double>> segment_at;  // displacement of each segment at q = 0,
+                                                   // by frozen joints
   std::vector<SkeletonTip> tips;
 
   [[nodiscard]] int coordinates() const { return static_cast<int>(coordinate_names.size()); }
 };
 
-/// Builds the least skeleton that serves `options`.
+/// Builds the smallest skeleton that holds the digits of `options`.
 /// @throws InputError for an unknown digit or joint, a frozen angle outside the joint's limits, a
 /// joint coupled to one of a digit left out.
 [[nodiscard]] Skeleton build_skeleton(const Subject& subject, const SkeletonOptions& options = {});
@@ -80,7 +82,7 @@ struct Skeleton {
 [[nodiscard]] Eigen::VectorXd passive_torque(const Skeleton& skeleton,
                                              const Eigen::Ref<const Eigen::VectorXd>& q);
 
-// Mass of a segment: measured, or a solid capsule of soft tissue about its bone.
+// Mass of a segment: measured, or a solid capsule of hand tissue, bone included.
 
 /// Mean density of a hand segment [kg/m^3]. Source: [Dempster1955] hand, 1.16 kg/l.
 inline constexpr double kHandDensity = 1160;
@@ -89,7 +91,7 @@ inline constexpr double kHandDensity = 1160;
 /// Measured values win; else a capsule from `proximal` to `distal` of `radius` and
 /// kHandDensity; all zero if the subject says neither. A measured mass without moments of inertia
 /// takes those of the capsule, scaled to the mass; without a radius they stay unknown, which
-/// LinkMass::no_inertia tells.
+/// LinkMass::segment_without_inertia tells.
 [[nodiscard]] LinkMass segment_mass(const Segment& segment);
 
 /// Mass of two bodies moving as one (parallel-axis theorem).

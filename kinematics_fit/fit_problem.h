@@ -1,6 +1,6 @@
 #pragma once
 
-/// Measured forces, a digit and its free parameters: all that a fit or a posterior is made from.
+/// What a fit solves and a posterior samples: measured forces, a digit and its free parameters.
 
 #include <functional>
 #include <string>
@@ -12,12 +12,14 @@
 
 namespace thenar {
 
-/// The data and the unknowns of a fit. fit_residuals.h has its residuals, specimen_prior.h the
-/// displacements that its coordinates stand for.
+/// The data and the unknowns of a fit; it only holds them. The unknowns are z: parameters as
+/// displacements from their prior means, in prior sds. fit_residuals.h has the residuals,
+/// specimen_prior.h the displacements that z stands for.
 class FitProblem {
  public:
   /// @param robust_scale    c of fit_residuals(), in noise sds; 0: plain squares [1]
-  /// @param axis_distances  wanted of every specimen, see axis_constraints()
+  /// @param axis_distances  bounds on distances between joint axes, for every specimen: see
+  ///                        axis_constraints(); kept by constrained solvers only
   /// @throws InputError if an experiment does not fit the digit, a posture is singular, nothing is
   /// free, or an axis distance names a joint the digit has not.
   FitProblem(TendonDigit digit, FitParameters parameters, std::vector<Experiment> experiments,
@@ -35,10 +37,12 @@ class FitProblem {
 
   [[nodiscard]] const std::vector<Experiment>& experiments() const { return experiments_; }
   [[nodiscard]] const std::vector<ExperimentPlan>& plans() const { return plans_; }
-  [[nodiscard]] int specimen_of(int e) const { return specimen_of_.at(e); }  // in specimens()
-  [[nodiscard]] double robust_scale() const { return robust_scale_; }        // [1]
+  [[nodiscard]] int specimen_of(int experiment) const {
+    return specimen_of_.at(experiment);
+  }                                                                    // in specimens()
+  [[nodiscard]] double robust_scale() const { return robust_scale_; }  // [1]
 
-  /// Wanted distances between axes, as given and by hinges of the digit.
+  /// Bounds on distances between axes, as given and by hinges of the digit.
   [[nodiscard]] const std::vector<AxisDistance>& axis_distances() const { return axis_distances_; }
   [[nodiscard]] const std::vector<AxisPair>& axis_pairs() const { return axis_pairs_; }
 

@@ -144,13 +144,13 @@ HoodComparison compare_hoods(const Subject& subject, const Experiment& experimen
 
   // A rung with each kind of path.
   const auto add = [&](const std::string& name, Hood hood, const NetDescription* net = nullptr,
-                       NetRuns runs = NetRuns::kBent) {
+                       NetPaths paths_of_net = NetPaths::kWrapped) {
     for (const auto& [path, suffix] : paths) {
       TendonOptions options;
       options.path = path;
       options.hood = hood;
       NetBuildOptions laid;
-      laid.runs = runs;
+      laid.paths = paths_of_net;
       const auto tendons = build_digit_tendons(subject, experiment.digit, options, net, laid);
       out.rungs.push_back(predict_rung(*tendons, name + suffix, experiment, out.hood_muscles));
     }
@@ -160,7 +160,7 @@ HoodComparison compare_hoods(const Subject& subject, const Experiment& experimen
   add("separate tendons", Hood::kSeparate);
   if (has_rule) add("fixed fractions", Hood::kFractions);
   for (const NetDescription& net : nets)
-    add("net " + net.name + ", straight runs", Hood::kFloatingNet, &net, NetRuns::kStraight);
+    add("net " + net.name + ", straight runs", Hood::kFloatingNet, &net, NetPaths::kStraightLines);
   for (const NetDescription& net : nets) add("net " + net.name, Hood::kFloatingNet, &net);
   for (HoodRung& rung : out.rungs)
     rung.relative_to_finest = distance(rung.prediction, out.rungs.back().prediction);

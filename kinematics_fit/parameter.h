@@ -18,14 +18,14 @@ enum class ParameterKind {
   kArm,            // arm/<strand>/<joint>: constant moment arm                         [m]
   kHoodEntry,      // hood/<muscle>/into: shift of the fraction's logit                 [1]
   kHoodCentral,    // hood/<muscle>/central: shift of the fraction's logit              [1]
-  kHoodSlope,      // hood/<muscle>/slope: of that logit by knuckle flexion             [1/rad]
+  kHoodSlope,      // hood/<muscle>/slope: of the logit of `central`, by MCP flexion    [1/rad]
   kFriction,       // friction/<strand>: Euler's belt coefficient in the sheath         [1]
-  kLength,         // length/<joint>: of the bone beyond the joint                      [m]
+  kLength,         // length/<joint>: of the bone distal to the joint                   [m]
   kTip,            // tip/<proximal|dorsal|radial>                                      [m]
   kSensorTilt,     // sensor/<proximal|dorsal|radial>: of the load cell                 [rad]
   kAngle,          // angle/<joint>: error of all postures                              [rad]
   kPostureAngle,   // angle/<joint>/<posture>: error of one posture                     [rad]
-  kOutOfPlane,     // hold/out_of_plane: length that weighs out-of-plane moments         [m]
+  kOutOfPlane,     // hold/out_of_plane: length by which out-of-plane moments are divided [m]
   kGain            // gain/<muscle>: tension at the digit per stated tension            [1]
 };
 
@@ -36,7 +36,7 @@ struct Parameter {
   int item = 0;           // hinge, strand or muscle, by kind
   int point = 0;          // point of the path, by kind
   int component = 0;      // of a direction, point or coordinate
-  double mean = 0;        // subject's value and prior mean [SI]
+  double mean = 0;        // prior mean: the subject's value of arms, gains, friction; else 0 [SI]
   double sd = 0;          // prior sd of the population mean [SI]
   double between_sd = 0;  // prior sd between specimens [SI]
   double lower = 0;       // bounds [SI]
@@ -52,8 +52,8 @@ struct Parameter {
 /// Display units per SI unit: 1000 for lengths, 180/pi for angles.
 [[nodiscard]] double display_scale(const Parameter& parameter);
 
-/// Every parameter of a digit, with default priors. Constant arms, gains and friction have the
-/// subject's value as mean; all others are shifts from the subject and have mean zero.
+/// Every parameter of a digit, with default priors. Constant arms, gains and friction are values,
+/// with the subject's as mean; all others are shifts from the subject, with mean 0.
 /// @param postures  names of the postures that may be in error one by one
 [[nodiscard]] std::vector<Parameter> list_parameters(const TendonDigit& digit,
                                                      const std::vector<std::string>& postures = {});

@@ -86,7 +86,8 @@ std::string hood_words(const Parts& parts) {
   if (parts[2] == "into") return fmt::format("share of {} that enters the hood", parts[1]);
   if (parts[2] == "central") return fmt::format("share of {} in the hood's central slip", parts[1]);
   if (parts[2] == "slope")
-    return fmt::format("how {}'s share in the central slip changes as the knuckle bends", parts[1]);
+    return fmt::format("how {}'s share in the central slip changes as the MCP joint flexes",
+                       parts[1]);
   return "";
 }
 

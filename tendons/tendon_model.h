@@ -68,7 +68,8 @@ struct TendonDigit {
   TendonModel<double> model;
   TendonNames names;
   Skeleton skeleton;            // the digit alone
-  Eigen::VectorXd max_tension;  // F0, infinite where the subject does not say [N] (muscles)
+  Eigen::VectorXd max_tension;  // F0 as the upper bound of tendon tension, pennation neglected;
+                                // infinite where the subject does not say [N] (muscles)
   Fidelity fidelity;            // what was built
   std::vector<CalibratedOn> calibrated_on{};  // forces that the subject was fitted to before
 };

@@ -18,7 +18,7 @@ struct TipStatics {
   Eigen::Matrix3Xd J;                // position Jacobian of the tip (3, n)         [m/rad]
   Eigen::Matrix3Xd W;                // rotation Jacobian of the tip (3, n)         [1]
   Eigen::MatrixXd R;                 // moment arms -d(length)/dq, flexion + (m, n) [m/rad]
-  Eigen::VectorXd tau_0;             // torque without tendons: passive (n)         [N m]
+  Eigen::VectorXd tau_0;             // passive torque: joint springs, no weights (n) [N m]
   Eigen::VectorXd max_tension;       // F0 (m); infinite if unknown                 [N]
   std::vector<std::string> muscles;  // (m)
 };

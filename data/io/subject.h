@@ -37,10 +37,10 @@ struct Coupling {
 
 /// A hinge about a general (skewed) axis. A universal joint is two hinges in a row.
 struct JointAxis {
-  std::string name;                    // ISB style: "MCP3_FE", "PIP3", "CMC1_AA"
+  std::string name;                    // in our files "MCP3_FE", "PIP3", "CMC1_AA"
   std::string parent;                  // segment that carries the axis
   std::string child;                   // segment that it moves
-  Eigen::Vector3d direction{1, 0, 0};  // unit; positive angle flexes, abducts, pronates (3)
+  Eigen::Vector3d direction{1, 0, 0};  // unit; angle + flexes, turns radially, pronates (3)
   Eigen::Vector3d point{0, 0, 0};      // any point of the axis [m] (3)
   double direction_sd = 0;             // of repeated measurements [rad]; 0 if unknown
   double point_sd = 0;                 // of repeated measurements [m]; 0 if unknown

@@ -1,7 +1,8 @@
 #pragma once
 
 /// Splits contact forces into active ones, which actuators press, and passive ones, which joints,
-/// stops and structure support.
+/// stops and structure support. Letters x, p, v, r, s as in ForceSet: active and passive forces,
+/// efforts, reactions, push of joint limits.
 
 #include <vector>
 
@@ -27,14 +28,14 @@ struct ContactSupport {
   int pressing_coordinate = -1;  // presses a non-backdrivable or joint-limit contact; or -1
   Eigen::Index first = 0;        // its normal force in x
   Eigen::Index size = 1;         // of its forces in x
-  Eigen::VectorXd levers;        // limit kEffort and kNonBackdrivable, as hand_forces(); signed
-                                 // (coordinates)
+  Eigen::VectorXd levers;        // l of hand_forces() with the sign of T_jn, about coordinates that
+                                 // press the contact; 0 elsewhere [m] (coordinates)
 };
 
 /// Joint torques of unit contact forces, and how each contact is supported.
 struct JointLoads {
-  Eigen::MatrixXd x;                     // torques of active forces (coordinates, length of x)
-  Eigen::MatrixXd p;                     // torques of passive forces (coordinates, length of p)
+  Eigen::MatrixXd x;                     // torque per active force [m] (coordinates, length of x)
+  Eigen::MatrixXd p;                     // torque per passive force [m] (coordinates, length of p)
   std::vector<int> passive_contacts;     // as ForceSet
   std::vector<int> rows;                 // coordinates that feel a contact
   std::vector<ContactSupport> contacts;  // in the order of the set
@@ -48,11 +49,9 @@ struct JointLoads {
                                               const Reactions& reactions);
 
 /// Limits the preload that joint limits and structure can give: it never exceeds what actuators
-/// press.
-///
-
-/// Adds variables s and the limits of hand_forces() on what joint limits and structure push back.
-/// @param forces  of (x, p, v, r), torques in balance
+/// press. Adds variables s and the limits of hand_forces() on what joint limits and structure push
+/// back.
+/// @param forces  set of (x, p, v, r), torques in balance
 [[nodiscard]] ForceSet limit_preload(ForceSet forces, const JointLoads& joint_loads,
                                      const Actuation& actuation);
 

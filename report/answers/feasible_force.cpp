@@ -26,7 +26,7 @@ std::string status_line(Status status) {
 
 bool makes_force(const FeasibleForcePoint& point) {
   return point.largest && point.largest->status == Status::kSolved &&
-         point.largest->magnitude >= kNoTipForce;
+         point.largest->component >= kNoTipForce;
 }
 
 bool priced(const FeasibleForcePoint& point) {
@@ -73,7 +73,7 @@ void add_largest(const FeasibleForceAnswer& answer, const FeasibleForcePoint& po
   json["status"] = name_of(largest.status);
   json["axes"] = point.axes.name;
   json["force_N"] = to_json(point.axes.to_world.transpose() * largest.force);
-  json["magnitude_N"] = largest.magnitude;
+  json["component_N"] = largest.component;
   json["certificate"] = {{"gap_N", largest.check.gap},
                          {"outside_cone_N", largest.check.outside},
                          {"imbalance_N_mm", 1e3 * largest.check.imbalance}};
@@ -85,7 +85,7 @@ void add_largest(const FeasibleForceAnswer& answer, const FeasibleForcePoint& po
     json["certificate"]["price_gap_N"] = largest.prices.gap;
   }
   if (point.change.size() > 0)
-    json["magnitude_change_N_per_deg"] = to_json(answer.about.rows, point.change * kDegree);
+    json["component_change_N_per_deg"] = to_json(answer.about.rows, point.change * kDegree);
 }
 
 void add_whole(const FeasibleForcePoint& point, OrderedJson& json) {
@@ -93,7 +93,7 @@ void add_whole(const FeasibleForcePoint& point, OrderedJson& json) {
   const ForceAxes& axes = point.axes;
   OrderedJson largest;
   for (std::size_t k = 0; k < point.whole->along.size(); ++k)
-    largest[axis_direction(axes, k)] = point.whole->along[k].magnitude;
+    largest[axis_direction(axes, k)] = point.whole->along[k].component;
   json["set"] = {{"status", name_of(set.status)},
                  {"axes", axes.name},
                  {"dimension", set.dimension},
@@ -128,7 +128,7 @@ std::string largest_text(const FeasibleForceAnswer& answer, const FeasibleForceP
   const Eigen::Vector3d force = point.axes.to_world.transpose() * largest.force;
   std::string text =
       fmt::format("Largest force: {} N along the direction\nas ({}) = ({}) N in {} axes\n",
-                  shown(largest.magnitude, 3), fmt::join(point.axes.names, ", "),
+                  shown(largest.component, 3), fmt::join(point.axes.names, ", "),
                   fmt::join(cells(force, 3), ", "), point.axes.name);
   const std::string limits = limit_words(answer, point);
   if (!limits.empty()) text += limits + "\n";
@@ -144,7 +144,7 @@ std::string whole_text(const FeasibleForceAnswer& answer, const FeasibleForcePoi
   const ForceAxes& axes = point.axes;
   Table along{{"direction", "largest_N", "status"}, {}};
   for (std::size_t k = 0; k < point.whole->along.size(); ++k)
-    along.rows.push_back({axis_direction(axes, k), shown(point.whole->along[k].magnitude, 3),
+    along.rows.push_back({axis_direction(axes, k), shown(point.whole->along[k].component, 3),
                           name_of(point.whole->along[k].status)});
   std::string text =
       fmt::format("All forces the tip can make: dimension {}, volume {:.5g} {}, {} vertices\n",
@@ -169,7 +169,7 @@ std::string whole_text(const FeasibleForceAnswer& answer, const FeasibleForcePoi
 /// Cells of the largest force at a posture, for a row.
 std::vector<std::string> largest_cells(const FeasibleForcePoint& point, int decimals) {
   const MaxTipForce& largest = *point.largest;
-  return row({{name_of(largest.status), shown(largest.magnitude, decimals)},
+  return row({{name_of(largest.status), shown(largest.component, decimals)},
               cells(Eigen::Vector3d(point.axes.to_world.transpose() * largest.force), decimals)});
 }
 
@@ -177,7 +177,7 @@ std::vector<std::string> whole_cells(const FeasibleForcePoint& point, int decima
   std::vector<std::string> line{std::to_string(point.whole->set.dimension),
                                 shown(point.whole->set.volume)};
   for (const MaxTipForce& each : point.whole->along)
-    line.push_back(shown(each.magnitude, decimals));
+    line.push_back(shown(each.component, decimals));
   return line;
 }
 
@@ -189,7 +189,7 @@ ForceAxes axes_of_answer(const FeasibleForceAnswer& answer) {
 }
 
 std::vector<std::string> largest_header(const ForceAxes& axes) {
-  std::vector<std::string> header{"status", "magnitude_N"};
+  std::vector<std::string> header{"status", "component_N"};
   for (const std::string& name : axes.names) header.push_back(name + "_N");
   return header;
 }

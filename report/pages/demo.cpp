@@ -62,7 +62,7 @@ Json thumb_row(const ShownThumb& thumb) {
   for (int k = 0; k < 6; ++k) {
     const MaxTipForce most =
         max_tip_force(thumb.statics, (k % 2 == 0 ? 1.0 : -1.0) * axes.col(k / 2));
-    cells.push_back(most.status == Status::kSolved ? Json(std::round(1e6 * most.magnitude) / 1e6)
+    cells.push_back(most.status == Status::kSolved ? Json(std::round(1e6 * most.component) / 1e6)
                                                    : Json(nullptr));
   }
   return cells;

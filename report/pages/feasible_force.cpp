@@ -34,7 +34,7 @@ void add_direction_charts(const FeasibleForceAnswer& answer, const SweepAxes& ax
   }
   charts.push_back(curve_chart(axes, "Largest force along the direction", "force [N]",
                                {curve_over(answer.points, "largest force", [](const auto& point) {
-                                 return point.largest->magnitude;
+                                 return point.largest->component;
                                })}));
   charts.push_back(curve_chart(axes,
                                "What limits it: more force for one newton more of each muscle's F0",
@@ -50,7 +50,7 @@ void add_set_charts(const FeasibleForceAnswer& answer, const SweepAxes& axes, Js
   std::vector<Curve> along;
   for (std::size_t k = 0; k < 6; ++k)
     along.push_back(curve_over(answer.points, axis_direction(with_axes->axes, k),
-                               [k](const auto& point) { return point.whole->along[k].magnitude; }));
+                               [k](const auto& point) { return point.whole->along[k].component; }));
   charts.push_back(
       curve_chart(axes, "Largest pure force along each axis, the others 0", "force [N]", along));
   charts.push_back(curve_chart(axes, "Volume of all forces", "volume [N^3]",

@@ -204,7 +204,7 @@ std::string name_rules() {
   return "Names: path/RI/2/dorsal is how far the second point of the radial interosseous, counted "
          "from its insertion, lies dorsal of where the subject file has it; axis/DIP3/direction/1 "
          "tilts a joint axis; hood/EDC/central and /slope say how much of a tension goes to the "
-         "central slip, and how that changes as the knuckle bends (both on the logit scale); "
+         "central slip, and how that changes as the MCP joint flexes (both on the logit scale); "
          "angle/DIP3/Hook is the error of one joint in one posture; sensor/ tilts the load cell.";
 }
 

@@ -138,7 +138,7 @@ ConstrainedForce constrained_force(const TipStatics& statics, const Vector3d& di
   const VectorXd z = interior.z0 + interior.Z * best.x;
   result.status = best.status;
   result.force = unknowns.force(z);
-  result.magnitude = result.status == Status::kUnbounded ? kInfinity : d.dot(result.force);
+  result.component = result.status == Status::kUnbounded ? kInfinity : d.dot(result.force);
   result.tension = internal::tension(balance, z.tail(m));
   result.activation = internal::activation(statics, result.tension);
   // How far limits are exceeded, and first-order conditions in newtons.

@@ -23,7 +23,7 @@ enum class ForceDirection {
 struct ConstrainedForce {
   Status status;               // read this first
   Eigen::Vector3d force;       // of the tip on the world, world frame          [N] (3)
-  double magnitude;            // its component along the direction             [N]
+  double component;            // of `force` along the direction, d' f          [N]
   Eigen::VectorXd tension;     // that makes it                                 [N] (m)
   Eigen::VectorXd activation;  // tension / F0, 0 where F0 is infinite or zero  [1] (m)
   double excess;               // largest g of all limits; <= 1e-8 if solved    [unit of g]

@@ -132,7 +132,7 @@ ForceLimitPrices check_prices(const TipStatics& statics, const ForceCone& cone,
       paid += price * F0;
     }
   }
-  checked.gap = std::abs(largest.magnitude - paid);
+  checked.gap = std::abs(largest.component - paid);
   return checked;
 }
 
@@ -141,7 +141,7 @@ ForceLimitPrices prices_of(const TipStatics& statics, const internal::TipBalance
                            const ForceCone& cone, const CutOptimum& optimum,
                            const MaxTipForce& largest) {
   ForceLimitPrices prices = check_prices(statics, cone, largest);
-  const double size = kPricesHold * std::max(1.0, std::abs(largest.magnitude));
+  const double size = kPricesHold * std::max(1.0, std::abs(largest.component));
   if (!(prices.dual_violation <= kPricesHold && prices.slackness <= size && prices.gap <= size))
     return prices;
   const BoundPrices bounds = upper_bound_prices(optimum.program, optimum.best);
@@ -191,14 +191,14 @@ MaxTipForce max_tip_force(const TipStatics& statics, const Vector3d& direction,
                      {}};
   if (status != Status::kSolved) return result;
   result.force = balance.force_unit * (axes * best.x.head(axes.cols()));
-  result.magnitude = balance.force_unit * best.x(0);
+  result.component = balance.force_unit * best.x(0);
   result.tension = internal::tension(balance, best.x.tail(balance.most.size()));
   result.activation = internal::activation(statics, result.tension);
   result.torque_shadow_price =
       balance.force_unit * best.duals.head(statics.J.cols()).cwiseProduct(balance.row_scale);
   const Vector3d across = result.force - d * d.dot(result.force);
   result.check = {balance.force_unit * best.certificate.gap,
-                  std::max(0.0, across.norm() - slope * result.magnitude),
+                  std::max(0.0, across.norm() - slope * result.component),
                   internal::imbalance(statics, result.force, result.tension)};
   if (options.prices) result.prices = prices_of(statics, balance, {d, slope}, optimum, result);
   return result;

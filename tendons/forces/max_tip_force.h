@@ -13,7 +13,7 @@ namespace thenar {
 
 /// What is left between an answer and the truth; not a number unless solved.
 struct MaxTipForceCheck {
-  double gap = kUnknown;        // no force in the cone exceeds magnitude by more         [N]
+  double gap = kUnknown;        // no force in the cone has a component larger by more    [N]
   double outside = kUnknown;    // of the force beyond the cone, across the direction     [N]
   double imbalance = kUnknown;  // largest of |J' f - R' t - tau_0|                       [N m]
 
@@ -22,12 +22,12 @@ struct MaxTipForceCheck {
 
 /// Shadow prices: how much more force one newton more of a muscle's F0 gives.
 struct ForceLimitPrices {
-  Eigen::VectorXd increase;  // d magnitude / d F0 as it grows, 0: does not limit; empty: not asked
+  Eigen::VectorXd increase;  // d component / d F0 as it grows, 0: does not limit; empty: not asked
                              // for, or not verified                                  [N/N] (m)
   Eigen::VectorXd
       decrease;             // the same as it shrinks; larger where several limits meet (degenerate)
                             // infinite: no such force is left; NaN: not found       [N/N] (m)
-  double gap = kNaN;        // |magnitude - sum price F0 - p' tau_0|, p the prices of torque [N]
+  double gap = kNaN;        // |component - sum price F0 - p' tau_0|, p the prices of torque [N]
   double slackness = kNaN;  // sum of each price times the room to its limit         [N]
   double dual_violation = kNaN;  // of p: force that no limit pays for                [1]
 
@@ -38,10 +38,11 @@ struct ForceLimitPrices {
 struct MaxTipForce {
   Status status;               // read this first
   Eigen::Vector3d force;       // of the tip on the world, world frame           [N] (3)
-  double magnitude;            // its component along the direction; infinite if unbounded [N]
+  double component;            // of `force` along the direction, d' f: what is maximised; with a
+                               // tolerance |force| may be larger; infinite if unbounded [N]
   Eigen::VectorXd tension;     // that makes it                                  [N] (m)
   Eigen::VectorXd activation;  // tension / F0, 0 where F0 is infinite or zero   [1] (m)
-  Eigen::VectorXd torque_shadow_price;  // d magnitude / d tau_0; zero unless solved      [1/m] (n)
+  Eigen::VectorXd torque_shadow_price;  // d component / d tau_0; zero unless solved      [1/m] (n)
   MaxTipForceCheck check;               // by weak duality and from J, R themselves
   ForceLimitPrices prices{};            // where they were asked for
 };
@@ -65,7 +66,7 @@ struct MaxTipForceOptions {
 /// optimal duals (upper_bound_prices()). They are returned only if p, the prices of joint torque,
 /// pass three checks from J and R themselves, to 1e-7 of the force: no force of the cone and no
 /// tension has a better price than its limit pays (dual feasibility), what has room to its limit
-/// has no price (complementary slackness), and magnitude = sum price F0 + p' tau_0 (strong
+/// has no price (complementary slackness), and component = sum price F0 + p' tau_0 (strong
 /// duality).
 ///
 /// @param statics    one posture; W is not looked at

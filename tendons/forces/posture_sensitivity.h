@@ -55,7 +55,7 @@ struct StaticsDerivative {
 /// What a direction is fixed to while the posture changes.
 enum class DirectionFrame { kWorld, kTip };
 
-/// Derivative of max_tip_force()'s magnitude by every coordinate: with the prices p of joint
+/// Derivative of max_tip_force()'s component by every coordinate: with the prices p of joint
 /// torque,
 ///   p' (dtau_0 + dR' t - dJ' f),  and  - p' J' (W_k x f)  if the direction turns with the tip.
 /// At a degenerate vertex prices are one choice of many and the derivative holds to one side.

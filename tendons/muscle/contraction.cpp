@@ -21,7 +21,7 @@ class Bounds : public Contraction {
     return {state.activation < 0 ? 0 : muscle(m).F0, 0, 0, 0};
   }
   double projected_fibre_rate(int, const MuscleState&) const override { return 0; }
-  double projected_fibre_at_rest(int, double, double) const override { return 0; }
+  double isometric_projected_fibre(int, double, double) const override { return 0; }
   double fibre(int, const MuscleState&) const override { return 0; }
 };
 
@@ -46,11 +46,11 @@ class ElasticTendon : public Contraction {
     return thenar::projected_fibre_rate(muscle(m), options_, state.activation, state.length,
                                         state.projected_fibre);
   }
-  double projected_fibre_at_rest(int m, double activation, double length) const override {
-    return thenar::projected_fibre_at_rest(muscle(m), options_, activation, length);
+  double isometric_projected_fibre(int m, double activation, double length) const override {
+    return thenar::isometric_projected_fibre(muscle(m), options_, activation, length);
   }
   double fibre(int m, const MuscleState& state) const override {
-    return fibre_length(muscle(m), state.projected_fibre);
+    return normalised_fibre_length(muscle(m), state.projected_fibre);
   }
 
  private:
@@ -73,14 +73,14 @@ class RigidTendon : public Contraction {
                                     state.velocity);
   }
   double projected_fibre_rate(int, const MuscleState&) const override { return 0; }
-  double projected_fibre_at_rest(int, double, double) const override { return 0; }
+  double isometric_projected_fibre(int, double, double) const override { return 0; }
   double fibre(int m, const MuscleState& state) const override {
-    return fibre_length(muscle(m), state.length - muscle(m).slack);
+    return normalised_fibre_length(muscle(m), state.length - muscle(m).slack);
   }
   std::unique_ptr<Contraction> with_compliant_tendon(double strain) const override {
     // Slack length of one optimal fibre length.
     std::vector<Musculotendon> short_ones = muscles();
-    for (Musculotendon& m : short_ones) m.slack = m.optimal;
+    for (Musculotendon& m : short_ones) m.slack = m.optimal_fibre_length;
     HillOptions options = options_;
     options.tendon_strain = strain;
     return std::make_unique<ElasticTendon>(std::move(short_ones), options);

@@ -15,7 +15,7 @@ namespace thenar {
 struct MuscleState {
   double activation = 0;       // 0..1 [1]
   double length = 0;           // of muscle and tendon [m]
-  double velocity = 0;         // rate of that [m/s]
+  double velocity = 0;         // rate of `length`, lengthening positive [m/s]
   double projected_fibre = 0;  // of the fibre along the tendon, where it is a state [m]
 };
 
@@ -41,19 +41,20 @@ class Contraction {
   /// Rate of the projected_fibre of muscle m [m/s]; 0 where it is no state.
   [[nodiscard]] virtual double projected_fibre_rate(int m, const MuscleState& state) const = 0;
 
-  /// Slopes of tension() by the state of muscle m.
+  /// Partial derivatives of tension() by the state of muscle m.
   [[nodiscard]] virtual TensionDerivatives tension_derivatives(int m,
                                                                const MuscleState& state) const = 0;
 
-  /// Slopes of projected_fibre_rate() by the state of muscle m; 0 where it is no state.
+  /// Partial derivatives of projected_fibre_rate() by the state of muscle m; 0 where it is no
+  /// state.
   [[nodiscard]] virtual FibreRateDerivatives fibre_rate_derivatives(
       int /*m*/, const MuscleState& /*state*/) const {
     return {};
   }
 
-  /// Projected fibre length of muscle m at rest [m]; 0 where it is no state.
-  [[nodiscard]] virtual double projected_fibre_at_rest(int m, double activation,
-                                                       double length) const = 0;
+  /// Projected fibre length of muscle m at zero velocity [m]; 0 where it is no state.
+  [[nodiscard]] virtual double isometric_projected_fibre(int m, double activation,
+                                                         double length) const = 0;
 
   /// The same fibres on a short tendon, as long as a fibre, that stretches by `strain` at F0, so
   /// that tension is a function of states alone; null where it does not depend on velocity.
@@ -62,7 +63,7 @@ class Contraction {
     return nullptr;
   }
 
-  /// Length of the fibre over its optimal length [1]; 0 where there are no fibres.
+  /// Fibre length over optimal fibre length [1]; 0 where there are no fibres.
   [[nodiscard]] virtual double fibre(int m, const MuscleState& state) const = 0;
 
  protected:

@@ -14,7 +14,7 @@ namespace {
 using Eigen::Index;
 using Eigen::VectorXd;
 
-constexpr double kPulls = 1e-3;  // beyond its tonus; less is slack [N]
+constexpr double kPulls = 1e-3;  // beyond its base tension; less is slack [N]
 
 Index muscles_of(const MotionModel& model) {
   return static_cast<Index>(model.tendons.digit().names.muscles.size());
@@ -41,10 +41,10 @@ FingerMotion::FingerMotion(const MotionModel& model)
       compliant_(has_net(model) ? model.contraction.with_compliant_tendon(kRigidStrain) : nullptr),
       multibody_(model.tendons.digit().skeleton, Passive::kOff),
       damping_(joint_damping(model.tendons.digit().skeleton, model.resistance)),
-      tonus_(has_net(model) ? model.tonus : 0),
+      base_tension_(has_net(model) ? model.base_tension : 0),
       muscles_(muscles_of(model)) {
-  require(model.tonus >= 0 && model.tonus < 1e3, "tonus must be >= 0, and little, got {} N",
-          model.tonus);
+  require(model.base_tension >= 0 && model.base_tension < 1e3,
+          "base tension must be >= 0, and little, got {} N", model.base_tension);
   require(model.gravity.allFinite(), "gravity has an entry that is not finite");
   // Muscles of the contraction are those of the digit, in its order.
   const std::vector<std::string>& names = model.tendons.digit().names.muscles;
@@ -77,7 +77,7 @@ MotionOnset FingerMotion::start(const VectorXd& q, const VectorXd& q_dot,
     VectorXd projected_fibre(muscles);
     for (int m = 0; m < muscles; ++m)
       projected_fibre[m] =
-          contraction().projected_fibre_at_rest(m, activation[m], muscle_state(state, m).length);
+          contraction().isometric_projected_fibre(m, activation[m], muscle_state(state, m).length);
     state.projected_fibre = projected_fibre;
   }
   // Lengths of lines where excursions are zero, for the correction of drift.
@@ -97,14 +97,15 @@ VectorXd FingerMotion::drift(const MotionState& state, const MotionInstant& now)
 MuscleState FingerMotion::muscle_state(const MotionState& state, int m) const {
   const Musculotendon& muscle = contraction().muscles()[static_cast<std::size_t>(m)];
   const double projected_fibre = state.projected_fibre.size() > 0 ? state.projected_fibre[m] : 0;
-  return {state.activation[m], optimal_length(muscle) + state.excursion[m], 0, projected_fibre};
+  return {state.activation[m], musculotendon_length_at_optimum(muscle) + state.excursion[m], 0,
+          projected_fibre};
 }
 
 VectorXd FingerMotion::tension(const MotionState& state, const VectorXd& velocity) const {
   return VectorXd::NullaryExpr(muscles_, [&](Index m) {
     MuscleState muscle = muscle_state(state, static_cast<int>(m));
     muscle.velocity = velocity[m];
-    return tonus_ + contraction().tension(static_cast<int>(m), muscle);
+    return base_tension_ + contraction().tension(static_cast<int>(m), muscle);
   });
 }
 
@@ -148,7 +149,7 @@ FingerMotion::TensionRate FingerMotion::tension_rate(const MotionState& state,
     by_length[i] = slopes.by_length;
     rest[i] = slopes.by_activation *
                   activation_rate(excitation[i], state.activation[i], model_.activation) +
-              slopes.by_fibre * contraction().projected_fibre_rate(m, muscle);
+              slopes.by_projected_fibre * contraction().projected_fibre_rate(m, muscle);
   }
   // Compliance of the net, and the linear system for excursion'.
   out.G = tendons().compliance(state.q, now.tension, now.pull);
@@ -191,7 +192,7 @@ FingerMotion::Accepted FingerMotion::accept(const MotionState& state) {
   last_nodes_ = now.pull.nodes;
   if (slack_length_.size() == 0) return {now.pull.warning, {}};
   const VectorXd drift = this->drift(state, now);
-  return {now.pull.warning, (now.tension.array() <= tonus_ + kPulls).select(0, drift)};
+  return {now.pull.warning, (now.tension.array() <= base_tension_ + kPulls).select(0, drift)};
 }
 
 double FingerMotion::energy(const MotionState& state) {
@@ -335,12 +336,12 @@ MatrixXd FingerMotion::jacobian(const MotionState& state, const VectorXd& excita
     t_y(i, a + i) = slopes.by_activation;
     t_y(i, e + i) = slopes.by_length;
     if (state.projected_fibre.size() > 0) {
-      t_y(i, r + i) = slopes.by_fibre;
+      t_y(i, r + i) = slopes.by_projected_fibre;
       const FibreRateDerivatives projected_fibre = contraction().fibre_rate_derivatives(k, muscle);
       J(r + i, a + i) = projected_fibre.by_activation;
       J(r + i, e + i) = projected_fibre.by_length;
-      J(r + i, r + i) = projected_fibre.by_fibre;
-      rest_y.row(i) = slopes.by_fibre * J.row(r + i);
+      J(r + i, r + i) = projected_fibre.by_projected_fibre;
+      rest_y.row(i) = slopes.by_projected_fibre * J.row(r + i);
       // A tendon's stiffness depends on length - projected_fibre.
       MuscleState longer = muscle;
       longer.length += kStretch;

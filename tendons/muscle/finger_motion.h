@@ -14,8 +14,9 @@ namespace thenar {
 /// docs/theory/muscles.md for what it changes.
 inline constexpr double kBlend = 1e-3;
 
-/// Tension that every muscle of a digit with a net adds to its own in motion, a choice of ours [N].
-inline constexpr double kTonus = 5e-3;
+/// Tension that is added to that of every muscle of a digit with a net in motion, so that no band
+/// goes fully slack: numerical, not the tone of a muscle; a choice of ours [N].
+inline constexpr double kBaseTension = 5e-3;
 
 /// Stretch at F0 of the tendon that stands for a rigid one under a net, over the optimal length of
 /// the fibre, a choice of ours [1]: see docs/theory/muscles.md.
@@ -38,9 +39,9 @@ struct MotionModel {
   const Contraction& contraction;
   JointResistance resistance{};
   ActivationTimes activation{};
-  Eigen::Vector3d gravity{0, 0, 0};  // acceleration of free fall, base frame [m/s^2] (3)
-  double blend = kBlend;             // of a net's bands [1]
-  double tonus = kTonus;             // of the muscles of a digit with a net [N]
+  Eigen::Vector3d gravity{0, 0, 0};    // acceleration of free fall, base frame [m/s^2] (3)
+  double blend = kBlend;               // of a net's bands [1]
+  double base_tension = kBaseTension;  // added to each muscle of a digit with a net [N]
 };
 
 /// All states of a digit in motion.
@@ -63,7 +64,7 @@ struct [[nodiscard]] MotionOnset {
 /// Quantities that follow from a state.
 struct MotionInstant {
   Eigen::VectorXd tension;  // [N] (muscles)
-  Eigen::VectorXd fibre;    // length over optimal length [1] (muscles)
+  Eigen::VectorXd fibre;    // length over optimal fibre length [1] (muscles)
   TendonTorque pull;
 };
 
@@ -71,8 +72,9 @@ struct MotionInstant {
 ///   M q'' = tau_tendons + tau_springs_and_stops - damping q' + weights and inertia,
 ///   a' by activation_rate,  excursion' = -R q' - G t' - kBaumgarteRate drift,  projected_fibre' by
 ///   the contraction, work' = tau_tendons . q',  dissipated' = q' . damping q'.
-/// A muscle and its tendon are optimal_length + excursion long: by a choice of ours every fibre is
-/// at its optimal length at the subject's reference posture, as no subject says better.
+/// A muscle and its tendon are musculotendon_length_at_optimum() + excursion long: by a choice of
+/// ours every fibre is at its optimal length at the subject's reference posture, as no subject says
+/// better.
 ///
 /// Bones move by Simbody; nets are massless and at rest at every instant, each search starting from
 /// last accepted state. On rigid tendons tension depends on velocity, and velocity, by a net's
@@ -160,7 +162,7 @@ class FingerMotion {
   std::unique_ptr<Contraction> compliant_;  // null: the model's own
   Multibody multibody_;
   Eigen::VectorXd damping_;  // [N m s/rad] (coordinates)
-  double tonus_;             // [N]
+  double base_tension_;      // [N]
   Eigen::Index muscles_;
   Eigen::Matrix3Xd last_nodes_;   // [m] (3, nodes)
   Eigen::VectorXd slack_length_;  // of lines where excursions are 0 [m] (muscles; empty: not held)

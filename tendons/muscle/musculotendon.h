@@ -2,12 +2,15 @@
 
 /// One muscle with its tendon: numbers, and Hill's model with a rigid and with an elastic tendon.
 ///
-/// The fibre lies at an angle to the tendon and keeps its height over it, optimal sin(pennation);
-/// its other leg, along the tendon, is its projected_fibre. The tendon goes on from there:
+/// The muscle has constant thickness: a fibre at an angle to the tendon keeps its height above it,
+///   fibre sin(angle) = optimal_fibre_length sin(pennation),   projected_fibre = fibre cos(angle).
+/// Muscle and tendon together, the musculotendon unit, are as long as
 ///   length = tendon + projected_fibre.
 /// Forces balance along the tendon:
-///   tension = F0 (a fl(l) fv(v) + fp(l) + beta v) cos(angle),   l = fibre / optimal,
-/// v = rate of the fibre / (max_velocity optimal). The damper beta keeps v finite where a fl = 0.
+///   tension = F0 (a fl(l) fv(v) + fp(l) + beta v) cos(angle),
+///   l = fibre / optimal_fibre_length,
+///   v = (d fibre / d time) / (max_velocity optimal_fibre_length), positive as the fibre lengthens.
+/// The damper beta keeps v finite where a fl = 0.
 /// Source: [Millard2013] for the model, [DeGroote2016] for the curves (hill_curves.h).
 
 #include <string>
@@ -19,83 +22,90 @@ namespace thenar {
 /// Constants of one muscle.
 struct Musculotendon {
   std::string name;
-  double F0 = 0;         // largest tension [N]
-  double optimal = 0;    // length of the fibre [m]
-  double slack = 0;      // length of the tendon without force [m]
-  double pennation = 0;  // angle of the fibre at its optimal length [rad]
+  double F0 = 0;  // maximum isometric force along the fibres: fully active, at optimal length [N]
+  double optimal_fibre_length = 0;  // [m]
+  double slack = 0;                 // tendon slack length: of the tendon without force [m]
+  double pennation = 0;             // angle of the fibre at its optimal length [rad]
 };
 
-/// What all muscles have in common.
+/// Constants that all muscles share.
 struct HillOptions {
-  double max_velocity = 10;              // of shortening [optimal lengths/s]; [DeGroote2016]
+  double max_velocity = 10;              // of shortening [optimal fibre lengths/s]; [DeGroote2016]
   double damping = 0.1;                  // beta [1]; [Millard2013]
-  double tendon_strain = kTendonStrain;  // at F0 [1]
+  double tendon_strain = kTendonStrain;  // of a tendon that carries F0 [1]
 };
 
-/// Length of muscle and tendon where the fibre is optimal and the tendon just slack [m].
-[[nodiscard]] double optimal_length(const Musculotendon& muscle);
+/// Length of muscle and tendon where the fibre has its optimal length and the tendon is just slack
+/// [m].
+[[nodiscard]] double musculotendon_length_at_optimum(const Musculotendon& muscle);
 
-/// Length of a fibre of this projected_fibre over its optimal length [1].
-[[nodiscard]] double fibre_length(const Musculotendon& muscle, double projected_fibre);
+/// Fibre length over optimal fibre length [1].
+/// @param projected_fibre  length of the fibre along the tendon [m]
+[[nodiscard]] double normalised_fibre_length(const Musculotendon& muscle, double projected_fibre);
 
-/// Tension with a tendon that is always `slack` long; 0 where the fibre would push, or where muscle
+/// Tension with a rigid tendon, always `slack` long; 0 where the fibre would push, or where muscle
 /// and tendon are shorter than the tendon.
 /// @param activation  0..1 [1]
 /// @param length      of muscle and tendon [m]
-/// @param velocity    its rate [m/s]
+/// @param velocity    rate of `length`, lengthening positive [m/s]
 /// @return [N]
 [[nodiscard]] double rigid_tendon_tension(const Musculotendon& muscle, const HillOptions& options,
                                           double activation, double length, double velocity);
 
-/// Slopes of a tension; 0 where it is cut off.
+/// Partial derivatives of a tension; 0 where the tension is cut off at 0.
 struct TensionDerivatives {
-  double by_activation = 0;  // [N]
-  double by_length = 0;      // [N/m]
-  double by_velocity = 0;    // [N s/m]
-  double by_fibre = 0;       // [N/m]
+  double by_activation = 0;       // [N]
+  double by_length = 0;           // [N/m]
+  double by_velocity = 0;         // [N s/m]
+  double by_projected_fibre = 0;  // [N/m]
 };
 
-/// Of rigid_tendon_tension(), whose arguments they are.
+/// Partial derivatives of rigid_tendon_tension(), with the same arguments; by_projected_fibre is 0.
 [[nodiscard]] TensionDerivatives rigid_tendon_derivatives(const Musculotendon& muscle,
                                                           const HillOptions& options,
                                                           double activation, double length,
                                                           double velocity);
 
-/// Tension of an elastic tendon beside a fibre of this projected_fibre [m].
+/// Tension of an elastic tendon of length  length - projected_fibre.
+/// @param length           of muscle and tendon [m]
+/// @param projected_fibre  length of the fibre along the tendon [m]
 /// @return [N]
 [[nodiscard]] double elastic_tendon_tension(const Musculotendon& muscle, const HillOptions& options,
                                             double length, double projected_fibre);
 
-/// Of elastic_tendon_tension(), whose arguments they are.
+/// Partial derivatives of elastic_tendon_tension(), with the same arguments.
 [[nodiscard]] TensionDerivatives elastic_tendon_derivatives(const Musculotendon& muscle,
                                                             const HillOptions& options,
                                                             double length, double projected_fibre);
 
-/// Rate of the projected_fibre at which forces balance: the root of an increasing function, so
-/// there is one. Shortening fades out where the projected_fibre falls below a tenth of the optimal
-/// length: fibres beside a slack tendon would go on to nothing, and there a fl is below 0.004.
+/// Rate of projected_fibre at which the forces of fibre and tendon balance: the root of an
+/// increasing function, so there is exactly one. Shortening fades out where projected_fibre falls
+/// below a tenth of the optimal fibre length, since fibres beside a slack tendon would shorten to
+/// nothing; without pennation the factor fl of the active force is below 0.004 there.
 /// @return [m/s]
 [[nodiscard]] double projected_fibre_rate(const Musculotendon& muscle, const HillOptions& options,
                                           double activation, double length, double projected_fibre);
 
-/// Slopes of a rate of the projected_fibre.
+/// Partial derivatives of projected_fibre_rate().
 struct FibreRateDerivatives {
-  double by_activation = 0;  // [m/s]
-  double by_length = 0;      // [1/s]
-  double by_fibre = 0;       // [1/s]
+  double by_activation = 0;       // [m/s]
+  double by_length = 0;           // [1/s]
+  double by_projected_fibre = 0;  // [1/s]
 };
 
-/// Of projected_fibre_rate(), whose arguments they are; by the implicit function theorem.
+/// Partial derivatives of projected_fibre_rate(), with the same arguments; by the implicit function
+/// theorem.
 [[nodiscard]] FibreRateDerivatives fibre_rate_derivatives(const Musculotendon& muscle,
                                                           const HillOptions& options,
                                                           double activation, double length,
                                                           double projected_fibre);
 
-/// The projected_fibre at which forces balance at rest; with a slack tendon, that at which it is
-/// just taut, or a twentieth of the optimal length if even this is too long [m].
-[[nodiscard]] double projected_fibre_at_rest(const Musculotendon& muscle,
-                                             const HillOptions& options, double activation,
-                                             double length);
+/// The projected_fibre at which the forces of fibre and tendon balance at zero velocity, at any
+/// activation. If the tendon is slack: the one at which it is just taut, or a twentieth of the
+/// optimal fibre length if even this is too long [m].
+[[nodiscard]] double isometric_projected_fibre(const Musculotendon& muscle,
+                                               const HillOptions& options, double activation,
+                                               double length);
 
 // How fast a muscle follows its excitation.
 
@@ -113,7 +123,8 @@ struct ActivationTimes {
 [[nodiscard]] double activation_rate(double excitation, double activation,
                                      const ActivationTimes& times);
 
-/// d activation_rate / d activation [1/s]; at a = e, where it has a corner, that of falling.
+/// d activation_rate / d activation [1/s]; at a = e, where the rate has a corner, the
+/// derivative of the branch of falling activation.
 [[nodiscard]] double activation_rate_derivative(double excitation, double activation,
                                                 const ActivationTimes& times);
 

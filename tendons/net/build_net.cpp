@@ -258,12 +258,12 @@ BuiltNet build_net(const Subject& subject, const TendonDigit& digit,
                    const NetDescription& description, const NetBuildOptions& options) {
   // Ranges of the options.
   require(options.taut_load > 0, "taut_load must be > 0, got {}", options.taut_load);
-  require(options.pretension >= 0 && options.pretension < 1, "pretension must be in 0..1, got {}",
-          options.pretension);
+  require(options.prestrain >= 0 && options.prestrain < 1, "prestrain must be in 0..1, got {}",
+          options.prestrain);
   // Bands straight: the description without surfaces to bend over.
-  if (options.runs == NetRuns::kStraight) {
+  if (options.paths == NetPaths::kStraightLines) {
     NetBuildOptions bent = options;
-    bent.runs = NetRuns::kBent;
+    bent.paths = NetPaths::kWrapped;
     return build_net(subject, digit, straightened(description), bent);
   }
   // Parts first, then slack lengths in the straight finger.
@@ -280,7 +280,7 @@ BuiltNet build_net(const Subject& subject, const TendonDigit& digit,
       fitted.push_back(
           {static_cast<int>(b), index_of(description.bands, description.bands[b].strains_like)});
     band.slack = stated ? description.bands[b].slack * here[b] / there[b]
-                        : here[b] / (1 + options.pretension);
+                        : here[b] / (1 + options.prestrain);
   }
   // Fit under an even load of the muscles.
   Eigen::VectorXd load(built.net.muscles.size());

@@ -11,37 +11,37 @@
 
 namespace thenar {
 
-/// Origin of slack lengths.
+/// Origin of the slack lengths of bands.
 enum class NetSlack {
-  kStated,   // the description's, scaled by how much longer the band is here than in the reference
-             // finger; fitted where it states none
-  kStraight  // all fitted: every band is just taut in the straight finger
+  kStated,  // the description's, scaled by how much longer the band is here than in the reference
+            // finger; fitted where it states none
+  kFittedStraightFinger  // all fitted: every band is just taut in the straight finger
 };
 
-/// How bands and muscles run between knots.
-enum class NetRuns {
-  kBent,     // over the surfaces that the description names
-  kStraight  // through whatever lies between, as through via points
+/// Paths of bands and muscles between knots.
+enum class NetPaths {
+  kWrapped,       // over the surfaces that the description names
+  kStraightLines  // straight from knot to knot, through whatever lies between
 };
 
 /// Options of build_net().
 struct NetBuildOptions {
-  NetRuns runs = NetRuns::kBent;
+  NetPaths paths = NetPaths::kWrapped;
   NetSlack slack = NetSlack::kStated;
-  double taut_load = 1;   // pull of every muscle at which slack lengths are fitted in the straight
-                          // finger: enough to spread a hood, too little to stretch it [N]
-  double pretension = 0;  // strain of fitted bands before that load [1]
+  double taut_load = 1;  // pull of every muscle at which slack lengths are fitted in the straight
+                         // finger, a choice of ours: spreads the net, hardly stretches it [N]
+  double prestrain = 0;  // strain of fitted bands in the straight finger without that load [1]
 };
 
 /// Pull of one muscle of the digit on the net.
 struct MuscleAttachment {
-  int muscle;    // of the digit's
+  int muscle;    // index among the digit's muscles
   double share;  // of its tension [1]
 };
 
-/// Path and share of one muscle of the digit.
+/// Path of one muscle of the digit to the net, and its share in the net.
 struct NetMuscle {
-  int muscle;              // of the digit's
+  int muscle;              // index among the digit's muscles
   double to_net;           // share of its tension that enters the net [1]
   TendonPath<double> own;  // path from where it leaves the net to its origin
 };
@@ -49,16 +49,17 @@ struct NetMuscle {
 /// A net with its relation to the digit.
 struct BuiltNet {
   Net net;                              // its `muscles` are the pulls
-  std::vector<MuscleAttachment> pulls;  // one a muscle of the net
+  std::vector<MuscleAttachment> pulls;  // one per muscle of the net, in its order
   std::vector<NetMuscle> muscles;
-  std::vector<int> central, radial, ulnar, terminal;  // bands of the slips
+  std::vector<int> central, radial, ulnar, terminal;  // bands of each slip
   FingerFrame frame;
 };
 
-/// Lays a net on a finger. Lengths along bones are parts of the bones' lengths; lengths across them
-/// are parts of the extensor's heights, so that its moment arms in the straight finger are those
-/// measured on the subject. Capsules take the smaller of the two ratios at their bone's ends, so
-/// that no shaft stands out over a head.
+/// Lays a net on a finger. Points scale along a bone with the length of the bone, and across it
+/// with the distance of the extensor tendon from the joint axes, so that the straight finger has
+/// the moment arms measured on the subject. Capsules, the wrapping surfaces of bone shafts, scale
+/// by the smaller ratio of the two ends of their bone, so that no shaft is thicker than the bone's
+/// head.
 /// @throws InputError naming what the subject lacks.
 [[nodiscard]] BuiltNet build_net(const Subject& subject, const TendonDigit& digit,
                                  const NetDescription& description,

@@ -13,23 +13,26 @@ struct [[nodiscard]] TendonAction {
   TendonStatus status = TendonStatus::kUnbalanced;  // the worst of all parts: read this first
   TendonStatus paths = TendonStatus::kValid;        // of tendons outside of a net
   TendonStatus hood = TendonStatus::kValid;         // of the net; sound where there is none
-  double residual = 0;                              // largest out-of-balance force of a knot [N]
-  bool snapped = false;                             // a knot has jumped since the state before
-  bool slopes = false;     // R, K and length are whole; else R and K lack what has no slopes, and K
-                           // and length may be empty
-  Eigen::VectorXd tau;     // joint torque of the tendons [N m] (coordinates)
-  Eigen::MatrixXd R;       // (d tau/dt)', moment arms [m/rad] (muscles, coordinates)
-  Eigen::MatrixXd K;       // d tau/dq at constant tensions [N m/rad] (coordinates, coordinates)
-  Eigen::VectorXd length;  // of each muscle's line but for a constant; its changes are excursions
-                           // [m] (muscles)
+  double residual = 0;   // largest out-of-balance force of a floating node [N]
+  bool snapped = false;  // a floating node has jumped since the state before
+  bool slopes = false;  // true: R, K and length are complete; false: some derivatives do not exist,
+                        // R may lack the net, K and length are incomplete or empty
+  Eigen::VectorXd tau;  // joint torque of the tendons [N m] (coordinates)
+  Eigen::MatrixXd R;  // moment arms, transpose of d tau / d tension [m/rad] (muscles, coordinates)
+  Eigen::MatrixXd K;  // d tau/dq at constant tensions, so MINUS the joint stiffness of the tendons
+                      // [N m/rad] (coordinates, coordinates)
+  Eigen::VectorXd length;  // length of each muscle's line, up to a constant; positive changes are
+                           // positive excursions [m] (muscles)
   SlipTension slips;       // zero without a hood
   std::string warning;     // what `status` stands for, in words
 };
 
-/// One digit's tendons, of whatever rung. Torque is exact at (q, t): at no tension it is that of
-/// the net's own bands alone. A net's muscle has the length
-///   dE*/dt = sum of its bands' lengths + its own paths,   so that   d length/dq = -R
-/// while tensions stay (envelope theorem).
+/// Tendons of one digit, at any level of detail. Here t are tendon tensions, not time, and no
+/// derivative is a rate in time. Torque is exact at (q, t): without tension it is that of the net's
+/// own bands alone. With E* the potential energy of bands and tensions where the net rests, a
+/// muscle that pulls on a net has the length
+///   dE*/d tension = sum of the lengths of its bands + those of its own paths,
+/// so that  d length/dq = -R  at constant tensions (envelope theorem).
 ///
 /// The first call, and the first after reset(), comes from the straight finger as
 /// follow_from_straight() does, and so finds what `thenar tendon solve` finds. Later calls start
@@ -41,7 +44,7 @@ class TendonActuator {
   explicit TendonActuator(const DigitTendons& tendons, const NetContinuationOptions& options = {});
 
   /// Moves the state to (q, t).
-  /// @param q  posture [rad] (coordinates);  @param t  tensions, each >= 0 [N] (muscles)
+  /// @param q  posture [rad] (coordinates);  @param t  tendon tensions, each >= 0 [N] (muscles)
   /// @return what the tendons do there; overwritten by the next call
   /// @throws InputError as DigitTendons::evaluate()
   const TendonAction& act(const Eigen::VectorXd& q, const Eigen::VectorXd& t);
@@ -57,7 +60,7 @@ class TendonActuator {
   /// Forgets the state.
   void reset() { known_ = false; }
 
-  /// Jumps of knots since the actuator was built.
+  /// Jumps of floating nodes since the actuator was built.
   [[nodiscard]] int snaps() const { return snaps_; }
 
  private:
@@ -70,7 +73,7 @@ class TendonActuator {
   NetContinuationOptions options_;
   TendonAction action_;
   bool known_ = false;          // there is a state:
-  Eigen::VectorXd q_, t_;       // [rad], [N]
+  Eigen::VectorXd q_, t_;       // posture [rad], tensions [N]
   NetEquilibrium rest_;         // of the net
   Eigen::MatrixXd by_posture_;  // of its nodes, stacked (3 nodes, coordinates) [m/rad]
   int snaps_ = 0;

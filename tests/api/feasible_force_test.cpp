@@ -49,7 +49,7 @@ TEST_P(PricesOfF0, AreSlopesOfTheForce) {
     const auto force_at = [&](Eigen::Index muscle, double F0) {
       TipStatics statics = at.statics;
       statics.max_tension(muscle) = F0;
-      return max_tip_force(statics, direction, {tolerance}).magnitude;
+      return max_tip_force(statics, direction, {tolerance}).component;
     };
     for (Eigen::Index i = 0; i < prices.increase.size(); ++i) {
       const double F0 = answer.max_tension(i), step = 1e-4 * F0;
@@ -62,8 +62,8 @@ TEST_P(PricesOfF0, AreSlopesOfTheForce) {
     }
     // Strong duality: there is no passive torque in these subjects' statics.
     if (!prices.degenerate() && at.statics.tau_0.isZero(0)) {
-      EXPECT_NEAR(prices.increase.dot(answer.max_tension), point.largest->magnitude,
-                  1e-6 * point.largest->magnitude);
+      EXPECT_NEAR(prices.increase.dot(answer.max_tension), point.largest->component,
+                  1e-6 * point.largest->component);
     }
   }
 }
@@ -86,11 +86,11 @@ TEST(FeasibleForce, RefusesAWideToleranceInDegrees) {
 // A posture of the grid is answered as if it had been asked alone.
 TEST(FeasibleForce, AnswersAGridPostureByPosture) {
   FeasibleForceRequest request = request_of({"synek2019_middle", "middle", {20, 0, 30, 15}});
-  const double alone = ask_feasible_force(request).points.front().largest->magnitude;
+  const double alone = ask_feasible_force(request).points.front().largest->component;
   request.digit.vary = {{"PIP3", 20, 40, 10}};
   const FeasibleForceAnswer answer = ask_feasible_force(request);
   ASSERT_EQ(answer.points.size(), 3u);
-  EXPECT_NEAR(answer.points[1].largest->magnitude, alone, 1e-12 * alone);
+  EXPECT_NEAR(answer.points[1].largest->component, alone, 1e-12 * alone);
 }
 
 }  // namespace

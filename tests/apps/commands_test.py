@@ -224,8 +224,8 @@ class FeasibleForce(Near):
     def test_published_largest_force(self):
         # [CohnStf]: 28.81 N along +x.
         answer = ask("feasible-force", INDEX_MAPS, "--digit", "index", "--direction", 1, 0, 0)
-        self.assertAlmostEqual(answer["magnitude_N"], 28.81, delta=0.005)
-        self.near(answer["force_N"], [answer["magnitude_N"], 0, 0], 1e-9)
+        self.assertAlmostEqual(answer["component_N"], 28.81, delta=0.005)
+        self.near(answer["force_N"], [answer["component_N"], 0, 0], 1e-9)
         self.assertEqual(list(answer["activation"]),
                          ["FDP", "FDS", "EIP", "EDC", "LUM", "DI", "PI"])
         self.assertTrue(all(0 <= a <= 1 for a in answer["activation"].values()))
@@ -240,9 +240,9 @@ class FeasibleForce(Near):
         self.assertAlmostEqual(product("tx"), 0, delta=1e-9)
 
     def test_cone_can_only_help(self):
-        narrow = ask("feasible-force", INDEX_MAPS, "--direction", 0, 1, 0)["magnitude_N"]
+        narrow = ask("feasible-force", INDEX_MAPS, "--direction", 0, 1, 0)["component_N"]
         wide = ask("feasible-force", INDEX_MAPS, "--direction", 0, 1, 0, "--tolerance-deg", 10)
-        self.assertGreater(wide["magnitude_N"], narrow)
+        self.assertGreater(wide["component_N"], narrow)
         x, y, z = wide["force_N"]
         self.assertLessEqual(math.degrees(math.atan2(math.hypot(x, z), y)), 10 + 1e-6)
 
@@ -251,7 +251,7 @@ class FeasibleForce(Near):
         for cone, certain in ((0, 30.396), (1, 30.47), (5, 30.77), (10, 31.15), (40, 31.26)):
             answer = ask("feasible-force", INDEX, "--posture", "MCP2_FE=45", "PIP2=45", "DIP2=10",
                          "--axes", "tip", "--direction", 0, -1, 0, "--tolerance-deg", cone)
-            self.assertAlmostEqual(answer["magnitude_N"], certain, delta=0.006)
+            self.assertAlmostEqual(answer["component_N"], certain, delta=0.006)
             self.assertLess(answer["certificate"]["gap_N"], 1e-9)
             self.assertLess(answer["certificate"]["imbalance_N_mm"], 1e-9)
 
@@ -259,8 +259,8 @@ class FeasibleForce(Near):
         posture = ("--posture", "MCP3_FE=40", "PIP3=50")  # 90 degrees in all: dorsal is -x
         tip = ask("feasible-force", MIDDLE, *posture, "--direction", 0, 1, 0, "--axes", "tip")
         world = ask("feasible-force", MIDDLE, *posture, "--direction", -1, 0, 0)
-        self.assertAlmostEqual(tip["magnitude_N"], world["magnitude_N"], delta=1e-9)
-        self.near(tip["force_N"], [0, tip["magnitude_N"], 0], 1e-9)
+        self.assertAlmostEqual(tip["component_N"], world["component_N"], delta=1e-9)
+        self.near(tip["force_N"], [0, tip["component_N"], 0], 1e-9)
 
     def test_force_is_what_its_limits_are_worth(self):
         # Strong duality, with F0 from the table of the text.
@@ -271,7 +271,7 @@ class FeasibleForce(Near):
         F0 = {line.split()[0]: float(line.split()[3]) for line in text.splitlines()
               if line.split()[:1] and line.split()[0] in answer["activation"]}
         worth = sum(limit["N_per_N_of_F0"] * F0[limit["muscle"]] for limit in answer["limited_by"])
-        self.assertAlmostEqual(worth, answer["magnitude_N"], delta=0.01 * len(F0))
+        self.assertAlmostEqual(worth, answer["component_N"], delta=0.01 * len(F0))
         self.assertIn(f"limited by {answer['limited_by'][0]['muscle']}: 1 N more of its F0", text)
 
     def test_postures_of_a_grid_are_those_asked_alone(self):
@@ -315,7 +315,7 @@ class FeasibleForce(Near):
     def test_straight_finger_carries_force_along_itself(self):
         answer = ask("feasible-force", MIDDLE, "--direction", 1, 0, 0)
         self.assertEqual(answer["status"], "unbounded")
-        self.assertIsNone(answer["magnitude_N"])
+        self.assertIsNone(answer["component_N"])
 
 
 class Simulate(Near):

@@ -325,7 +325,7 @@ TEST(SegmentMass, MeasuredMassTakesTheSpreadOfTheCapsule) {
   const LinkMass body = segment_mass(segment);
   EXPECT_TRUE(matrix_near(body.inertia, 3 * capsule.inertia, 1e-18));
   EXPECT_EQ(body.com, segment.com);
-  EXPECT_EQ(body.no_inertia, "");
+  EXPECT_EQ(body.segment_without_inertia, "");
 }
 
 TEST(SegmentMass, MassOfUnknownSpreadSaysSo) {
@@ -333,9 +333,9 @@ TEST(SegmentMass, MassOfUnknownSpreadSaysSo) {
   segment.mass = 0.02;
   const LinkMass body = segment_mass(segment),
                  known{0.1, {0, 0, 0}, Eigen::Matrix3d::Identity(), {}};
-  EXPECT_EQ(body.no_inertia, "x");
-  EXPECT_EQ(combine(known, displace({}, body)).no_inertia, "x");
-  EXPECT_EQ(combine(body, known).no_inertia, "x");
+  EXPECT_EQ(body.segment_without_inertia, "x");
+  EXPECT_EQ(combine(known, displace({}, body)).segment_without_inertia, "x");
+  EXPECT_EQ(combine(body, known).segment_without_inertia, "x");
 }
 
 TEST(SegmentMass, UnknownIsZero) {

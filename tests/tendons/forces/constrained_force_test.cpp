@@ -39,21 +39,21 @@ class Directions : public testing::TestWithParam<int> {
 };
 
 TEST_P(Directions, WithoutLimitsAgreesWithTheLinearProgram) {
-  const double exact = max_tip_force(published_index(), direction()).magnitude;
+  const double exact = max_tip_force(published_index(), direction()).component;
   const ConstrainedForce result =
       constrained_force(published_index(), direction(), ForceDirection::kAlong, {});
   EXPECT_EQ(result.status, Status::kSolved) << result.message;
-  EXPECT_NEAR(result.magnitude, exact, kClose * (1 + exact));
+  EXPECT_NEAR(result.component, exact, kClose * (1 + exact));
 }
 
 TEST_P(Directions, FrictionConeAgreesWithCuttingPlanes) {
   const double angle = 0.3;
-  const double exact = max_tip_force(published_index(), direction(), {angle}).magnitude;
+  const double exact = max_tip_force(published_index(), direction(), {angle}).component;
   const ConstrainedForce result =
       constrained_force(published_index(), direction(), ForceDirection::kComponent,
                         {friction_constraint(direction(), std::tan(angle))});
   EXPECT_EQ(result.status, Status::kSolved) << result.message;
-  EXPECT_NEAR(result.magnitude, exact, 10 * kClose * (1 + exact));
+  EXPECT_NEAR(result.component, exact, 10 * kClose * (1 + exact));
 }
 
 INSTANTIATE_TEST_SUITE_P(Twelve, Directions, testing::Range(0, 12));
@@ -61,7 +61,7 @@ INSTANTIATE_TEST_SUITE_P(Twelve, Directions, testing::Range(0, 12));
 TEST(ConstrainedForce, FreeComponentIsTheSupportOfTheSet) {
   const ConstrainedForce result =
       constrained_force(box(), Vector3d(1, 1, -1), ForceDirection::kComponent, {});
-  EXPECT_NEAR(result.magnitude, 5 / std::sqrt(3.0), kClose);
+  EXPECT_NEAR(result.component, 5 / std::sqrt(3.0), kClose);
   EXPECT_TRUE(matrix_near(result.force, Vector3d(2, 3, 0), 10 * kClose));
 }
 
@@ -69,7 +69,7 @@ TEST(ConstrainedForce, FreeComponentIsTheSupportOfTheSet) {
 TEST(ConstrainedForce, EffortLimitsAForce) {
   const ConstrainedForce result = constrained_force(
       box(), kX, ForceDirection::kAlong, {effort_constraint(Vector3d(2, 3, 5), 2, 0.25)});
-  EXPECT_NEAR(result.magnitude, 1, kClose);
+  EXPECT_NEAR(result.component, 1, kClose);
 }
 
 // At the greatest force along x under effort c, the least effort for that force is c.
@@ -86,7 +86,7 @@ TEST(ConstrainedForce, LoadStaysInItsEllipsoid) {
   const ConstrainedForce result = constrained_force(
       box(), Vector3d(1, 1, 1), ForceDirection::kComponent,
       {load_constraint(Eigen::Matrix3d::Identity(), MatrixXd::Zero(3, 3), Vector3d::Zero())});
-  EXPECT_NEAR(result.magnitude, 1, kClose);
+  EXPECT_NEAR(result.component, 1, kClose);
   EXPECT_TRUE(matrix_near(result.force, Vector3d::Constant(1 / std::sqrt(3.0)), 1e-4));
 }
 
@@ -94,7 +94,7 @@ TEST(ConstrainedForce, LoadStaysInItsEllipsoid) {
 TEST(ConstrainedForce, LimitThatOnlyTouchesTakesNothing) {
   const ConstrainedForce result = constrained_force(
       box(), Vector3d(2, 3, 0), ForceDirection::kAlong, {friction_constraint(kX, 1.5)});
-  EXPECT_NEAR(result.magnitude, std::sqrt(13.0), 1e-4);  // all along it |f_t| = 1.5 f_n
+  EXPECT_NEAR(result.component, std::sqrt(13.0), 1e-4);  // all along it |f_t| = 1.5 f_n
 }
 
 // A straight finger: the skeleton carries x; friction of 0.5 about y then bounds it by f_y.
@@ -108,14 +108,14 @@ TEST(ConstrainedForce, FrictionBoundsWhatTheSkeletonCarries) {
   const ConstrainedForce result =
       constrained_force(s, kX, ForceDirection::kComponent, {friction_constraint(kY, 0.5)});
   EXPECT_EQ(result.status, Status::kSolved) << result.message;
-  EXPECT_NEAR(result.magnitude, 10, 1e-4);
+  EXPECT_NEAR(result.component, 10, 1e-4);
 }
 
 TEST(ConstrainedForce, StatesWhatIsLeft) {
   const ConstrainedForce result =
       constrained_force(published_index(), Vector3d(1, 0, 0), ForceDirection::kAlong, {});
-  EXPECT_LT(result.kkt_residual.stationarity, 1e-6 * result.magnitude);
-  EXPECT_LT(result.kkt_residual.complementarity, 1e-6 * result.magnitude);
+  EXPECT_LT(result.kkt_residual.stationarity, 1e-6 * result.component);
+  EXPECT_LT(result.kkt_residual.complementarity, 1e-6 * result.component);
   EXPECT_LT(result.imbalance, 1e-12);
 }
 

@@ -69,8 +69,8 @@ INSTANTIATE_TEST_SUITE_P(
 
 TEST(MaxTipForce, MatchesPublishedIndexFinger) {
   const MaxTipForce result = max_tip_force(published_index(), kAlongX);
-  EXPECT_NEAR(result.magnitude, 28.81, 0.005);
-  EXPECT_TRUE(matrix_near(result.force, Vector3d(result.magnitude, 0, 0), 1e-12));
+  EXPECT_NEAR(result.component, 28.81, 0.005);
+  EXPECT_TRUE(matrix_near(result.force, Vector3d(result.component, 0, 0), 1e-12));
 }
 
 TEST(MaxTipForce, MatchesPublishedActivation) {
@@ -89,9 +89,9 @@ TEST(MaxTipForce, BalancesEveryJoint) {
 }
 
 TEST(MaxTipForce, IgnoresLengthOfDirection) {
-  const double one = max_tip_force(cross(), Vector3d(1, 1, 0)).magnitude;
+  const double one = max_tip_force(cross(), Vector3d(1, 1, 0)).component;
   EXPECT_NEAR(one, 2 * std::sqrt(2.0), 1e-12);
-  EXPECT_NEAR(max_tip_force(cross(), 1e-200 * Vector3d(1, 1, 0)).magnitude, one, 1e-12);
+  EXPECT_NEAR(max_tip_force(cross(), 1e-200 * Vector3d(1, 1, 0)).component, one, 1e-12);
 }
 
 // Along x the cross makes 2 N. In a cone of 30 deg about the diagonal the best corner is (2, 3):
@@ -101,7 +101,7 @@ TEST(MaxTipForce, ReachesACornerInsideTheCone) {
   options.tolerance = 0.5235987755982988;
   const MaxTipForce result = max_tip_force(cross(), Vector3d(1, 1, 0), options);
   EXPECT_TRUE(matrix_near(result.force, Vector3d(2, 3, 0), 1e-12));
-  EXPECT_NEAR(result.magnitude, 5 / std::sqrt(2.0), 1e-12);
+  EXPECT_NEAR(result.component, 5 / std::sqrt(2.0), 1e-12);
 }
 
 // f = a (1, 1, 0) + b (1, 0, 1) with a <= 1, b <= 10 N. Its angle to x is least, 35.3 deg, at a = b
@@ -115,7 +115,7 @@ TEST(MaxTipForce, MeetsTheConeExactly) {
   const double s = std::tan(options.tolerance) * std::tan(options.tolerance);
   const double b = (s + std::sqrt(2 * s - 1)) / (1 - s);  // of (1 - s) b^2 - 2 s b + (1 - s) = 0
   const MaxTipForce result = max_tip_force(map_of(A, Eigen::Vector2d(1, 10)), kAlongX, options);
-  EXPECT_NEAR(result.magnitude, 1 + b, 1e-9 * (1 + b));
+  EXPECT_NEAR(result.component, 1 + b, 1e-9 * (1 + b));
   EXPECT_LE(result.force.tail<2>().norm(),
             std::tan(options.tolerance) * result.force.x() * (1 + 1e-9));
 }
@@ -123,8 +123,8 @@ TEST(MaxTipForce, MeetsTheConeExactly) {
 TEST(MaxTipForce, ZeroToleranceIsTheLimitOfACone) {
   MaxTipForceOptions options;
   options.tolerance = 1e-7;
-  EXPECT_NEAR(max_tip_force(published_index(), kAlongX, options).magnitude,
-              max_tip_force(published_index(), kAlongX).magnitude, 1e-4);
+  EXPECT_NEAR(max_tip_force(published_index(), kAlongX, options).component,
+              max_tip_force(published_index(), kAlongX).component, 1e-4);
 }
 
 TEST(MaxTipForce, NoMuscleMakesNoForce) {
@@ -132,13 +132,13 @@ TEST(MaxTipForce, NoMuscleMakesNoForce) {
   statics.max_tension.setZero();
   const MaxTipForce result = max_tip_force(statics, kX);
   EXPECT_EQ(result.status, Status::kSolved);
-  EXPECT_EQ(result.magnitude, 0);
+  EXPECT_EQ(result.component, 0);
 }
 
-TEST(MaxTipForce, DirectionOutOfReachHasZeroMagnitude) {
+TEST(MaxTipForce, DirectionOutOfReachHasNoComponent) {
   const MaxTipForce result = max_tip_force(cross(), kZ);
   EXPECT_EQ(result.status, Status::kSolved);
-  EXPECT_EQ(result.magnitude, 0);
+  EXPECT_EQ(result.component, 0);
 }
 
 TEST(MaxTipForce, UnknownStrengthIsUnbounded) {
@@ -146,8 +146,8 @@ TEST(MaxTipForce, UnknownStrengthIsUnbounded) {
   statics.max_tension(0) = kInfinity;
   const MaxTipForce result = max_tip_force(statics, kX);
   EXPECT_EQ(result.status, Status::kUnbounded);
-  EXPECT_EQ(result.magnitude, kInfinity);
-  EXPECT_NEAR(max_tip_force(statics, kAlongY).magnitude, 3, 1e-12);
+  EXPECT_EQ(result.component, kInfinity);
+  EXPECT_NEAR(max_tip_force(statics, kAlongY).component, 3, 1e-12);
 }
 
 // An unlimited pull c along (1, 0.75, 0.75), outside the cone of 0.7 rad about x but inside its
@@ -160,7 +160,7 @@ TEST(MaxTipForce, UnlimitedPullOutsideTheConeStaysBounded) {
   options.tolerance = 0.7;
   const MaxTipForce result = max_tip_force(map_of(A, Eigen::Vector2d(kInfinity, 1)), kX, options);
   EXPECT_EQ(result.status, Status::kSolved);
-  EXPECT_NEAR(result.magnitude, 1 / (0.75 - std::tan(0.7) / std::sqrt(2.0)), 1e-8);
+  EXPECT_NEAR(result.component, 1 / (0.75 - std::tan(0.7) / std::sqrt(2.0)), 1e-8);
 }
 
 TEST(MaxTipForce, UnlimitedPullInsideTheConeIsUnbounded) {
@@ -175,7 +175,7 @@ TEST(MaxTipForce, StraightFingerCarriesAnyForceAlongItself) {
 
 // Across itself: both joints must balance, 0.07 f <= 1 N m and 0.03 f <= 1 N m.
 TEST(MaxTipForce, StraightFingerPushesAcrossItself) {
-  EXPECT_NEAR(max_tip_force(straight_finger(), kAlongY).magnitude, 1 / 0.07, 1e-12);
+  EXPECT_NEAR(max_tip_force(straight_finger(), kAlongY).component, 1 / 0.07, 1e-12);
 }
 
 TEST(MaxTipForce, PassiveTorqueNobodyBalancesIsInfeasible) {
@@ -187,7 +187,7 @@ TEST(MaxTipForce, PassiveTorqueNobodyBalancesIsInfeasible) {
 TEST(MaxTipForce, PassiveTorqueShiftsTheAnswer) {
   TipStatics statics = cross();
   statics.tau_0 = 0.5 * kAlongX;
-  EXPECT_NEAR(max_tip_force(statics, kAlongX).magnitude, 2.5, 1e-12);
+  EXPECT_NEAR(max_tip_force(statics, kAlongX).component, 2.5, 1e-12);
 }
 
 TEST(MaxTipForce, RefusesBadCalls) {
@@ -207,7 +207,7 @@ TEST(MaxTipWrench, MomentNeedsRotationJacobian) {
 
 TEST(MaxTipWrench, AgreesWithLargestForceWhereNoMomentIsAsked) {
   EXPECT_NEAR(max_tip_wrench(published_index(), {kNone, 2 * kY}).multiple,
-              max_tip_force(published_index(), kY).magnitude / 2, 1e-12);
+              max_tip_force(published_index(), kY).component / 2, 1e-12);
 }
 
 // Stability. F0 from 1e-3 to 1e3 N: the weakest tendon of each axis decides, to full precision.
@@ -216,9 +216,9 @@ TEST(LargestForceStability, TensionsOfRatioOneToAMillion) {
   A << 1, 1, 0, 0, 1, 1, 0, 0, 1e-6;  // z only from tendon 2, which pulls y far more
   const TipStatics statics = map_of(A, Vector3d(1e-3, 1e3, 1e3));
   // f = (1, 1, 0): t = (0, 1000, 0).  f along (0, 1, 1e-6): t_2 alone.
-  EXPECT_NEAR(max_tip_force(statics, Vector3d(1, 1, 0)).magnitude, std::sqrt(2.0) * 1e3, 1e-9);
-  EXPECT_NEAR(max_tip_force(statics, Vector3d(0, 1, 1e-6)).magnitude, 1e3, 1e-8);
-  EXPECT_NEAR(max_tip_force(statics, kAlongX).magnitude, 1e-3, 1e-12);
+  EXPECT_NEAR(max_tip_force(statics, Vector3d(1, 1, 0)).component, std::sqrt(2.0) * 1e3, 1e-9);
+  EXPECT_NEAR(max_tip_force(statics, Vector3d(0, 1, 1e-6)).component, 1e3, 1e-8);
+  EXPECT_NEAR(max_tip_force(statics, kAlongX).component, 1e-3, 1e-12);
 }
 
 // Two joints whose axes differ by 1e-6 rad: J has columns (0, 1, 0) L and (sin e, cos e, 0) L, so
@@ -229,7 +229,7 @@ TEST(LargestForceStability, NearlyParallelAxes) {
   statics.J.col(0) = L * kAlongY;
   statics.J.col(1) = L * Vector3d(std::sin(e), std::cos(e), 0);
   const double exact = 1 / (L * std::sin(e));
-  EXPECT_NEAR(max_tip_force(statics, kAlongX).magnitude, exact, 1e-9 * exact);
+  EXPECT_NEAR(max_tip_force(statics, kAlongX).component, exact, 1e-9 * exact);
 }
 
 MaxTipForceOptions with_prices(double tolerance) {
@@ -265,9 +265,9 @@ TEST(MaxTipForce, IsWorthItsLimits) {
     const MaxTipForce largest =
         max_tip_force(statics, Vector3d(1, -2, 0.5), with_prices(tolerance));
     ASSERT_EQ(largest.status, Status::kSolved);
-    EXPECT_NEAR(largest.prices.increase.dot(statics.max_tension), largest.magnitude,
-                1e-7 * largest.magnitude);
-    EXPECT_LT(largest.prices.gap, 1e-7 * largest.magnitude);
+    EXPECT_NEAR(largest.prices.increase.dot(statics.max_tension), largest.component,
+                1e-7 * largest.component);
+    EXPECT_LT(largest.prices.gap, 1e-7 * largest.component);
     EXPECT_LT(largest.prices.dual_violation, 1e-7);
   }
 }

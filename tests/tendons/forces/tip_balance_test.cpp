@@ -62,7 +62,7 @@ TEST_P(EverySubject, LargestForcesAreThoseOfEveryVertex) {
       const MaxTipForce largest = max_tip_force(statics, axis(k));
       const double certain = oracle.along(axis(k));
       ASSERT_EQ(largest.status, Status::kSolved) << "posture " << i << " axis " << k;
-      ASSERT_NEAR(largest.magnitude, certain, 1e-9 * std::max(1.0, certain))
+      ASSERT_NEAR(largest.component, certain, 1e-9 * std::max(1.0, certain))
           << "posture " << i << " axis " << k;
       ASSERT_LE(largest.check.gap, 1e-9 * std::max(1.0, certain));
       ASSERT_LE(largest.check.imbalance, 1e-12);
@@ -94,9 +94,9 @@ TEST_P(Fingers, ForcesNeverFallAsTheConeWidens) {
       for (const double degrees : {0, 1, 2, 5, 8, 10, 20, 30, 40}) {
         const MaxTipForce largest = max_tip_force(statics, axis(k), {radians(degrees)});
         ASSERT_EQ(largest.status, Status::kSolved);
-        ASSERT_GE(largest.magnitude, (1 - 1e-9) * narrower - 1e-9)
+        ASSERT_GE(largest.component, (1 - 1e-9) * narrower - 1e-9)
             << "posture " << i << " axis " << k << " cone " << degrees;
-        narrower = largest.magnitude;
+        narrower = largest.component;
       }
     }
   }
@@ -147,7 +147,7 @@ TEST(CertainForce, PalmarForceOfABentIndexFingerInACone) {
   const TipStatics statics = tip_statics(digit, q);
   for (const Wrong& w : {Wrong{0, 30.396}, Wrong{1, 30.47}, Wrong{5, 30.77}, Wrong{10, 31.15},
                          Wrong{20, 31.26}, Wrong{40, 31.26}})
-    EXPECT_NEAR(max_tip_force(statics, -axes.col(1), {radians(w.degrees)}).magnitude, w.certain,
+    EXPECT_NEAR(max_tip_force(statics, -axes.col(1), {radians(w.degrees)}).component, w.certain,
                 0.006)
         << w.degrees;
 }

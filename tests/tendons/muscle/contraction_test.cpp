@@ -46,7 +46,7 @@ TEST(Contraction, TakesConstantsFromTheSubject) {
       musculotendons(subject, build_tendon_digit(subject, "index"), Muscle::kRigidTendon);
   EXPECT_EQ(muscles[2].name, "FDP");
   EXPECT_NEAR(muscles[2].F0, 143.7, 1e-10);
-  EXPECT_NEAR(muscles[2].optimal, 0.066, 1e-15);
+  EXPECT_NEAR(muscles[2].optimal_fibre_length, 0.066, 1e-15);
   EXPECT_NEAR(muscles[2].pennation, 12.1 * kDegree, 1e-15);
 }
 
@@ -54,14 +54,14 @@ TEST(Contraction, TakesConstantsFromTheSubject) {
 // the elastic tendon and the pennation, which bounds know nothing of.
 TEST(Contraction, RungsAgreeAtOptimalLengthAtRest) {
   Musculotendon muscle{"M", 100, 0.06, 0.2, 0};
-  const double length = optimal_length(muscle);
+  const double length = musculotendon_length_at_optimum(muscle);
   for (const double a : {0.0, 0.3, 1.0}) {
     const auto bounds = build_contraction({muscle}, Muscle::kBounds);
     const auto rigid = build_contraction({muscle}, Muscle::kRigidTendon);
     const auto elastic = build_contraction({muscle}, Muscle::kElasticTendon, {10, 0.1, 1e-7});
     EXPECT_NEAR(bounds->tension(0, {a, length, 0, 0}), 100 * a, 1e-12);
     EXPECT_NEAR(rigid->tension(0, {a, length, 0, 0}), 100 * a, 1e-12);
-    const double projected_fibre = elastic->projected_fibre_at_rest(0, a, length);
+    const double projected_fibre = elastic->isometric_projected_fibre(0, a, length);
     EXPECT_NEAR(elastic->tension(0, {a, length, 0, projected_fibre}), 100 * a,
                 1e-4);  // of the stretch
   }

@@ -17,8 +17,8 @@ const HillOptions kHill;
 
 /// Length of muscle and tendon with the fibre at `l` optimal lengths and the tendon at `s` slacks.
 double length_at(double l, double s) {
-  const double height = kMuscle.optimal * std::sin(kMuscle.pennation);
-  const double fibre = l * kMuscle.optimal;
+  const double height = kMuscle.optimal_fibre_length * std::sin(kMuscle.pennation);
+  const double fibre = l * kMuscle.optimal_fibre_length;
   return s * kMuscle.slack + std::sqrt(fibre * fibre - height * height);
 }
 
@@ -26,10 +26,11 @@ double length_at(double l, double s) {
 double cosine_at(double l) { return std::sqrt(1 - std::pow(std::sin(0.2) / l, 2)); }
 
 TEST(RigidTendon, PullsWithF0CosineAtOptimalLength) {
-  EXPECT_NEAR(rigid_tendon_tension(kMuscle, kHill, 1, optimal_length(kMuscle), 0),
+  EXPECT_NEAR(rigid_tendon_tension(kMuscle, kHill, 1, musculotendon_length_at_optimum(kMuscle), 0),
               70 * std::cos(0.2), 1e-12);
-  EXPECT_NEAR(rigid_tendon_tension(kMuscle, kHill, 0.3, optimal_length(kMuscle), 0),
-              0.3 * 70 * std::cos(0.2), 1e-12);
+  EXPECT_NEAR(
+      rigid_tendon_tension(kMuscle, kHill, 0.3, musculotendon_length_at_optimum(kMuscle), 0),
+      0.3 * 70 * std::cos(0.2), 1e-12);
 }
 
 TEST(RigidTendon, BalancesForcesOfTheFibre) {
@@ -41,9 +42,11 @@ TEST(RigidTendon, BalancesForcesOfTheFibre) {
 }
 
 TEST(RigidTendon, NeverPushes) {
-  EXPECT_EQ(rigid_tendon_tension(kMuscle, kHill, 0, optimal_length(kMuscle), -0.1), 0);
+  EXPECT_EQ(rigid_tendon_tension(kMuscle, kHill, 0, musculotendon_length_at_optimum(kMuscle), -0.1),
+            0);
   EXPECT_EQ(rigid_tendon_tension(kMuscle, kHill, 1, 0.9 * kMuscle.slack, 0), 0);
-  EXPECT_EQ(rigid_tendon_tension(kMuscle, kHill, 1, optimal_length(kMuscle), -100), 0);
+  EXPECT_EQ(rigid_tendon_tension(kMuscle, kHill, 1, musculotendon_length_at_optimum(kMuscle), -100),
+            0);
 }
 
 TEST(ElasticTendon, RateOfReachBalancesForces) {
@@ -64,17 +67,18 @@ TEST(ElasticTendon, IsometricContractionReachesAlgebraicBalance) {
   const auto slope = [&](double, const Eigen::VectorXd& x) {
     return Eigen::VectorXd::Constant(1, projected_fibre_rate(kMuscle, kHill, a, length, x[0]));
   };
-  const double slack_start = projected_fibre_at_rest(kMuscle, kHill, 0, length);
+  const double slack_start = isometric_projected_fibre(kMuscle, kHill, 0, length);
   StiffOde ode(slope, 0, Eigen::VectorXd::Constant(1, slack_start),
                {1e-9, Eigen::VectorXd::Constant(1, 1e-12)});
   while (ode.time() < 2) ASSERT_EQ(ode.step(2), OdeStatus::kStepped);
-  const double projected_fibre = ode.state()[0], l = fibre_length(kMuscle, projected_fibre);
+  const double projected_fibre = ode.state()[0],
+               l = normalised_fibre_length(kMuscle, projected_fibre);
   const double fibre = cosine_at(l) * (a * active_force(l) + passive_force(l));
   EXPECT_LT(projected_fibre,
             slack_start - 0.003);  // the tendon has stretched by more than 1 % of 290 mm
   EXPECT_NEAR(tendon_force((length - projected_fibre) / kMuscle.slack), fibre,
               1e-7);  // of the integration
-  EXPECT_NEAR(projected_fibre_at_rest(kMuscle, kHill, a, length), projected_fibre, 1e-8);
+  EXPECT_NEAR(isometric_projected_fibre(kMuscle, kHill, a, length), projected_fibre, 1e-8);
 }
 
 // T = F0 cos (a fl + fp) at the length that a stretched tendon leaves; the stretch is of the order
@@ -85,7 +89,7 @@ TEST(ElasticTendon, BecomesRigidAsItStiffens) {
   double last = 1e9;
   for (const double strain : {1e-3, 1e-4, 1e-5}) {
     const HillOptions stiff{10, 0.1, strain};
-    const double projected_fibre = projected_fibre_at_rest(kMuscle, stiff, a, length);
+    const double projected_fibre = isometric_projected_fibre(kMuscle, stiff, a, length);
     const double error =
         std::abs(elastic_tendon_tension(kMuscle, stiff, length, projected_fibre) - rigid);
     EXPECT_LT(error, last / 8);  // tenfold in the limit
@@ -96,16 +100,16 @@ TEST(ElasticTendon, BecomesRigidAsItStiffens) {
 
 TEST(ElasticTendon, FibreBesideSlackTendonStopsShortening) {
   const double length = 0.8 * kMuscle.slack;
-  const double shortest = 0.05 * kMuscle.optimal;
-  EXPECT_LT(projected_fibre_rate(kMuscle, kHill, 1, length, 0.5 * kMuscle.optimal), 0);
+  const double shortest = 0.05 * kMuscle.optimal_fibre_length;
+  EXPECT_LT(projected_fibre_rate(kMuscle, kHill, 1, length, 0.5 * kMuscle.optimal_fibre_length), 0);
   EXPECT_EQ(projected_fibre_rate(kMuscle, kHill, 1, length, shortest), 0);
-  EXPECT_EQ(projected_fibre_at_rest(kMuscle, kHill, 1, length), shortest);
+  EXPECT_EQ(isometric_projected_fibre(kMuscle, kHill, 1, length), shortest);
 }
 
 // Relaxed and shorter than optimal, neither fibre nor tendon carries anything: nothing moves.
 TEST(ElasticTendon, RelaxedMuscleStaysWhereTendonIsJustTaut) {
   const double length = length_at(0.8, 1.0);
-  const double projected_fibre = projected_fibre_at_rest(kMuscle, kHill, 0, length);
+  const double projected_fibre = isometric_projected_fibre(kMuscle, kHill, 0, length);
   EXPECT_NEAR(length - projected_fibre, taut_tendon() * kMuscle.slack, 1e-12);
   EXPECT_NEAR(projected_fibre_rate(kMuscle, kHill, 0, length, projected_fibre), 0,
               1e-9);  // rounding times 1 / damping

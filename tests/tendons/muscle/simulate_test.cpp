@@ -135,7 +135,8 @@ VectorXd static_torque(const Mover& mover, const VectorXd& q, double a) {
   VectorXd t(e.size());
   for (int m = 0; m < t.size(); ++m) {
     const double length =
-        optimal_length(mover.contraction->muscles()[static_cast<std::size_t>(m)]) + e[m];
+        musculotendon_length_at_optimum(mover.contraction->muscles()[static_cast<std::size_t>(m)]) +
+        e[m];
     t[m] = mover.contraction->tension(m, {a, length, 0, 0});
   }
   return mover.tendons->evaluate(q, t).tau +
