@@ -2,6 +2,8 @@
 #
 # Compiles files into TARGET as `const std::map<std::string, std::string_view>& internal::NAME()`,
 # file name -> content, so that the program needs nothing beside itself at run time.
+add_custom_target(thenar_generated)
+
 function(thenar_embed target name)
   set(generated ${CMAKE_CURRENT_BINARY_DIR}/${name}.cpp)
   list(TRANSFORM ARGN PREPEND ${CMAKE_CURRENT_SOURCE_DIR}/ OUTPUT_VARIABLE files)
@@ -10,4 +12,7 @@ function(thenar_embed target name)
             -P ${PROJECT_SOURCE_DIR}/cmake/embed_files.cmake
     DEPENDS ${files} ${PROJECT_SOURCE_DIR}/cmake/embed_files.cmake VERBATIM)
   target_sources(${target} PRIVATE ${generated})
+  # By itself, for `./run tidy`, which compiles nothing.
+  add_custom_target(${target}_${name} DEPENDS ${generated})
+  add_dependencies(thenar_generated ${target}_${name})
 endfunction()

@@ -11,7 +11,6 @@ set(CMAKE_CXX_FLAGS_RELWITHDEBINFO "-O2 -g")
 
 option(THENAR_SANITIZE "Build with the address and undefined-behaviour sanitizers" OFF)
 option(THENAR_FUZZ "Build fuzzers of the readers with clang's libFuzzer" OFF)
-option(THENAR_TIDY "Run clang-tidy on every file" OFF)
 
 add_library(thenar_warnings INTERFACE)
 if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
@@ -30,10 +29,6 @@ if(THENAR_FUZZ)
   add_compile_options(-fsanitize=fuzzer-no-link,address,bounds,float-cast-overflow
                       -fno-sanitize-recover=all -O1)
   add_link_options(-fsanitize=address,bounds,float-cast-overflow)
-endif()
-if(THENAR_TIDY)
-  # It reads gcc's command lines, and does not know all of gcc's warnings.
-  set(CMAKE_CXX_CLANG_TIDY clang-tidy --quiet --extra-arg=-Wno-unknown-warning-option)
 endif()
 
 find_program(CCACHE_PROGRAM ccache)

@@ -28,7 +28,7 @@ PlacedBody wall(const Vector3d& size, const Vector3d& at) {
 Vector3d view(const Scene& scene, const Eyes& eyes) {
   const RobotHand hand(sample::plates());
   GraspOptions options;
-  options.way = 0;
+  options.approach_distance = 0;
   const Grasp held = grasp(collision_hand(hand), {}, open_posture(hand.layout()), scene, options);
   return view_of_contacts({hand, held.closed.q, {}, {}}, scene, held.contacts, eyes);
 }
