@@ -4,6 +4,9 @@ import { el } from "./dom.js";
 import { instantAt, instantsOf, speedsFor } from "../scene/frames.js";
 import { formatNumber } from "../numbers/format.js";
 
+/// From so many instants on, a view begins at the first instead of showing all.
+const kManyInstants = 10;
+
 /// Calls `tick(seconds since the last call)` every frame until it returns false.
 function everyFrame(tick) {
   let last = null;
@@ -23,7 +26,7 @@ function show(view, instant) {
 }
 
 /// Controls of a view with timed layers: play and pause, a slider, the speed, and all instants at
-/// once, as at the start. Null for a view without instants.
+/// once, as a view of few instants begins. Null for a view without instants.
 export function playerOf(view) {
   const instants = instantsOf(view.layers);
   if (!instants.length) return null;
@@ -44,7 +47,8 @@ export function playerOf(view) {
       el("option", { value, selected: value === chosen }, `${formatNumber(value)} \u00d7`),
     ),
   );
-  const all = el("input", { type: "checkbox", checked: true });
+  // A few instants are read at once; many would hide each other.
+  const all = el("input", { type: "checkbox", checked: instants.length < kManyInstants });
   const update = () => {
     const instant = instantAt(instants, now);
     button.textContent = playing ? "Pause" : "\u25b6 Play";
