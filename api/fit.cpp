@@ -28,6 +28,17 @@ std::vector<Prediction> predict_own(const Fit& fit) {
   return predictions;
 }
 
+/// "experiment 'H01': the fit misses .." of every experiment that chance cannot explain.
+std::vector<std::string> misfit_warnings(const FitResult& result) {
+  std::vector<std::string> warnings;
+  for (std::size_t e = 0; e < result.misfits.size(); ++e)
+    if (result.misfits[e].beyond_chance)
+      warnings.push_back(fmt::format("experiment '{}': {}",
+                                     result.fit.problem.experiments()[e].name,
+                                     describe(result.misfits[e])));
+  return warnings;
+}
+
 }  // namespace
 
 LeaveOut leave_out_named(const std::string& name) {
@@ -67,7 +78,11 @@ FitResult fit_forces(const FitRequest& request, const Progress& progress) {
   options.progress = progress;
   FitResult result{run_fit(read_fit_inputs(request.sources), options), {}, {}, {}};
   result.fit.run = request.run;
-  result.warnings = result.fit.problem.warnings();
+  const Fit& fit = result.fit;
+  result.misfits = misfits(fit.problem, fit.solution.z, fit.covariance);
+  result.warnings = fit.problem.warnings();
+  for (std::string& warning : misfit_warnings(result))
+    result.warnings.push_back(std::move(warning));
   if (!request.output.empty()) write_fit(result.fit, request.output);
 
   // What it predicts, and what fits predict that have not seen it.

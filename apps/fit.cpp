@@ -99,6 +99,7 @@ void sample_posterior_of(FitArguments& options) {
   if (result->run.draws.draws() > 0) deliver(options.outputs, *result);
   std::fflush(stdout);
   require_complete(*result);
+  print_warnings(noise_cautions(*result));
   print_warnings(convergence_cautions(result->run));
   const std::string complaint = convergence_complaint(result->run, options.allow_unconverged);
   if (complaint.empty()) return;

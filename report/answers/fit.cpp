@@ -19,6 +19,20 @@ Json error_json(const Prediction& prediction) {
           {"start_has_seen_specimen", prediction.calibrated_on_specimen}};
 }
 
+/// An experiment in sample, with its misfit.
+Json in_sample_json(const FitResult& result, std::size_t e) {
+  Json out = error_json(result.in_sample[e]);
+  if (e >= result.misfits.size()) return out;
+  const Misfit& misfit = result.misfits[e];
+  out["chi_square"] = misfit.chi_square;
+  out["numbers"] = misfit.numbers;
+  out["degrees_of_freedom"] = misfit.degrees_of_freedom;
+  out["times_noise"] = misfit.times_noise;
+  out["tail_probability"] = misfit.tail;
+  out["beyond_chance"] = misfit.beyond_chance;
+  return out;
+}
+
 /// Every coordinate with what it means, best known first.
 Json learnt_json(const Fit& fit) {
   Json learnt = Json::array();
@@ -58,6 +72,12 @@ std::string open_text(const Fit& fit) {
   return text;
 }
 
+/// ", 0.8 times the stated noise".
+std::string noise_words(const FitResult& result, std::size_t e) {
+  if (e >= result.misfits.size()) return "";
+  return fmt::format(", {:.1f} times the stated noise", result.misfits[e].times_noise);
+}
+
 std::string left_out_text(const CrossValidation& validation) {
   std::string text;
   for (const Prediction& p : validation.experiments)
@@ -87,8 +107,8 @@ OrderedJson json_of(const FitResult& result) {
            {"effective_parameters", fit.covariance.effective_parameters},
            {"warnings", result.warnings}};
   if (fit.solution.status == Status::kSolved) out["learnt"] = learnt_json(fit);
-  for (const Prediction& prediction : result.in_sample)
-    out["in_sample"].push_back(error_json(prediction));
+  for (std::size_t e = 0; e < result.in_sample.size(); ++e)
+    out["in_sample"].push_back(in_sample_json(result, e));
   for (const NullDirection& null : fit.covariance.null_directions)
     out["not_identifiable"].push_back(null.text);
   for (const CrossValidation& validation : result.left_out)
@@ -108,9 +128,11 @@ std::string text_of(const FitResult& result) {
       "parameters\n",
       name_of(fit.method), convergence_word(fit.solution), fit.solution.evaluations,
       fit.solution.seconds, fit.problem.size(), fit.covariance.effective_parameters);
-  for (const Prediction& p : result.in_sample)
-    text += fmt::format("  {:<20} in sample: RMS error {:.3f} N, relative {:.3f}\n", p.experiment,
-                        p.error.rms, p.error.relative);
+  for (std::size_t e = 0; e < result.in_sample.size(); ++e) {
+    const Prediction& p = result.in_sample[e];
+    text += fmt::format("  {:<20} in sample: RMS error {:.3f} N, relative {:.3f}{}\n", p.experiment,
+                        p.error.rms, p.error.relative, noise_words(result, e));
+  }
   for (const CrossValidation& validation : result.left_out) text += left_out_text(validation);
   if (fit.solution.status == Status::kSolved) text += learnt_text(fit);
   return text + open_text(fit) + "\n";

@@ -135,6 +135,8 @@ void add_quantities(const PosteriorRun& run, const PictureOptions& options,
                     PosteriorPicture& picture) {
   const std::vector<PosteriorQuantity> read = posterior_quantities(run);
   const std::vector<Estimate> estimates = estimates_of(read, run.draws.group);
+  for (std::string& warning : noise_warnings(read, estimates))
+    picture.warnings.push_back(std::move(warning));
   const TendonDigit& digit = run.posterior->problem().digit();
   for (const std::size_t i : chosen(read, estimates, options.most)) {
     picture.quantities.push_back({read[i].name,

@@ -21,6 +21,8 @@ TEST_F(FitAnswer, SaysTheSameInWordsAndNumbers) {
   EXPECT_EQ(json["learnt"].size(), static_cast<std::size_t>(result.fit.problem.size()));
   EXPECT_EQ(json["learnt"][0]["meaning"].get<std::string>().empty(), false);
   EXPECT_DOUBLE_EQ(json["in_sample"][0]["rms_error_N"], result.in_sample[0].error.rms);
+  EXPECT_DOUBLE_EQ(json["in_sample"][0]["times_noise"], result.misfits[0].times_noise);
+  EXPECT_EQ(json["in_sample"][0]["beyond_chance"], false);
   const std::string text = text_of(result);
   EXPECT_NE(text.find(fmt::format("in sample: RMS error {:.3f} N", result.in_sample[0].error.rms)),
             std::string::npos);
