@@ -47,6 +47,7 @@ FeasibleForcePoint point_at(const FeasibleForceRequest& request, const DigitAtPo
   point.axes = force_axes(at, request.frame);
   point.tip = at.tip;
   point.condition = at.condition;
+  point.plane_normal = at.plane_normal;
   if (request.direction) {
     point.largest = max_tip_force(at.statics, point.axes.to_world * *request.direction,
                                   {request.tolerance, true});

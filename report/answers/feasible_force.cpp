@@ -24,6 +24,16 @@ std::string status_line(Status status) {
   return words.empty() ? "" : fmt::format("{}: {}\n", name_of(status), words);
 }
 
+/// The same of a posture: which forces the bones carry alone.
+std::string status_line(const FeasibleForcePoint& point) {
+  const Status status = point.largest->status;
+  if (status != Status::kUnbounded || !point.plane_normal) return status_line(status);
+  return fmt::format(
+      "{}: all axes are parallel, and the bones alone carry any force across the plane of "
+      "flexion\n",
+      name_of(status));
+}
+
 bool makes_force(const FeasibleForcePoint& point) {
   return point.largest && point.largest->status == Status::kSolved &&
          point.largest->component >= kNoTipForce;
@@ -119,10 +129,18 @@ void add_point(const FeasibleForceAnswer& answer, const FeasibleForcePoint& poin
   if (point.whole) add_whole(point, json);
 }
 
+/// What bones carry alone in the plane of parallel axes, where a cone of directions may hold it.
+std::string plane_note(const FeasibleForceAnswer& answer, const FeasibleForcePoint& point) {
+  if (!point.plane_normal || !makes_force(point) || answer.tolerance <= 0) return "";
+  return "all axes are parallel: bones alone carry forces across the plane of flexion, and of "
+         "equal "
+         "answers the one with the least of them is given";
+}
+
 /// The largest force at one posture.
 std::string largest_text(const FeasibleForceAnswer& answer, const FeasibleForcePoint& point) {
   const MaxTipForce& largest = *point.largest;
-  if (largest.status != Status::kSolved) return status_line(largest.status) + "\n";
+  if (largest.status != Status::kSolved) return status_line(point) + "\n";
   if (!makes_force(point))
     return "Largest force: none; " + force_status_words(Status::kInfeasible) + "\n\n";
   const Eigen::Vector3d force = point.axes.to_world.transpose() * largest.force;
@@ -133,7 +151,7 @@ std::string largest_text(const FeasibleForceAnswer& answer, const FeasibleForceP
   const std::string limits = limit_words(answer, point);
   if (!limits.empty()) text += limits + "\n";
   if (point.change.size() > 0) text += change_line(answer.about.rows, point.change) + "\n";
-  const std::string note = posture_note(answer.about.rows, point.condition, point.change);
+  const std::string note = note_of(answer, point);
   if (!note.empty()) text += "note: " + note + "\n";
   return text + "\n" + aligned(limit_table(answer, point)) + "\n";
 }
@@ -314,7 +332,9 @@ std::string limit_words(const FeasibleForceAnswer& answer, const FeasibleForcePo
 
 std::string note_of(const FeasibleForceAnswer& answer, const FeasibleForcePoint& point) {
   if (point.largest) {
-    const std::string note = posture_note(answer.about.rows, point.condition, point.change);
+    std::string note = plane_note(answer, point);
+    const std::string posture = posture_note(answer.about.rows, point.condition, point.change);
+    if (!posture.empty()) note += (note.empty() ? "" : "; ") + posture;
     if (!note.empty()) return note;
   }
   if (!point.whole || !answer.about.map.empty() || point.condition < kNearlyStraight) return "";
