@@ -50,6 +50,8 @@ struct FeasibleForcePoint {
   Eigen::VectorXd change;              // of largest->component by each joint, the direction fixed
                                        // in its axes [N/rad] (joints); empty: no such force, a map
   std::optional<WholeForceSet> whole;  // if it was asked for
+  std::vector<std::vector<int>> alike;  // muscles of the same moment arms at all joints, so that an
+                                        // answer decides the sum of their tensions alone
 };
 
 /// Answers posture by posture, in the order of the grid; as many as were done.
