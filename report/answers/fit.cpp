@@ -1,6 +1,7 @@
 #include "report/answers/fit.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include <fmt/format.h>
 
@@ -94,6 +95,18 @@ std::string left_out_text(const CrossValidation& validation) {
 
 std::string seen_words(const Prediction& prediction) {
   return prediction.calibrated_on_specimen ? " (the subject has seen this specimen)" : "";
+}
+
+std::string fit_complaint(const FitResult& result, bool allowed) {
+  const Solution& found = result.fit.solution;
+  if (found.status == Status::kSolved && !found.failed) return "";
+  std::string text =
+      fmt::format("the fit has NOT converged: {} ({})", convergence_word(found), found.message);
+  const bool told = found.message.find("is left") != std::string::npos;
+  if (!told && std::isfinite(found.newton_step) && found.newton_step > 0)
+    text += fmt::format("; a step of {:.2g} posterior sds is left", found.newton_step);
+  text += "; the best point found is given";
+  return allowed ? text : text + " (--allow-unconverged to exit without error)";
 }
 
 OrderedJson json_of(const FitResult& result) {

@@ -34,6 +34,19 @@ TEST_F(FitAnswer, SaysTheSameInWordsAndNumbers) {
     EXPECT_LE(std::stod(table.rows[i - 1][3]), std::stod(table.rows[i][3]));
 }
 
+TEST_F(FitAnswer, ComplainsOfAFitThatHasNotConverged) {
+  FitRequest request;
+  request.sources = sources();
+  FitResult result = fit_forces(request);
+  EXPECT_EQ(fit_complaint(result, false), "");
+  result.fit.solution.status = Status::kStalled;
+  result.fit.solution.newton_step = 0.54;
+  const std::string complaint = fit_complaint(result, false);
+  EXPECT_EQ(complaint.rfind("the fit has NOT converged: not stationary", 0), 0U) << complaint;
+  EXPECT_NE(complaint.find("a step of 0.54 posterior sds is left"), std::string::npos) << complaint;
+  EXPECT_EQ(fit_complaint(result, true).find("--allow-unconverged"), std::string::npos);
+}
+
 TEST(SeenWords, MarkWhatIsNotOfAStranger) {
   Prediction prediction;
   EXPECT_EQ(seen_words(prediction), "");
