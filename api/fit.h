@@ -38,8 +38,8 @@ struct FitResult {
   std::vector<Prediction> in_sample;      // of each experiment, by its specimen's own parameters,
                                           // with predictive sds
   std::vector<CrossValidation> left_out;  // in the order of the request; fewer if stopped
-  std::vector<std::string> warnings;      // of the experiments, the subject, and misfits that are
-                                          // beyond chance
+  std::vector<std::string> warnings;      // of the experiments, the subject, misfits that are
+                                          // beyond chance, and estimates beyond 3 prior sds
   bool stopped = false;                   // by request; the fit is the best point so far
   std::vector<Misfit> misfits = {};       // of each experiment
 };

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -61,14 +62,82 @@ std::string learnt_text(const Fit& fit) {
   return text;
 }
 
+/// What a direction that the data leave open is about.
+enum class OpenKind {
+  kTendons,  // arms, points, gains: what a fit is made for
+  kOther,    // angles, shares, ..
+  kTilts     // of axes and of the load cell alone: in a planar finger nobody can know them
+};
+
+/// "arm/FDP/DIP4" of "H01: arm/FDP/DIP4".
+std::string without_specimen(const std::string& name) {
+  const std::size_t at = name.find(": ");
+  return at == std::string::npos ? name : name.substr(at + 2);
+}
+
+/// Names of the coordinates that make up a direction, each with its share.
+std::vector<std::pair<std::string, double>> shares_of(const Eigen::VectorXd& direction,
+                                                      const std::vector<std::string>& names) {
+  constexpr double kSmall = 0.1;  // [1]
+  std::vector<std::pair<std::string, double>> shares;
+  for (Eigen::Index i = 0; i < direction.size(); ++i)
+    if (std::abs(direction[i]) >= kSmall)
+      shares.emplace_back(without_specimen(names[static_cast<std::size_t>(i)]), direction[i]);
+  return shares;
+}
+
+OpenKind kind_of(const std::vector<std::pair<std::string, double>>& shares) {
+  const auto starts = [](const std::string& name, const char* with) {
+    return name.rfind(with, 0) == 0;
+  };
+  bool tilts = true;
+  for (const auto& [name, share] : shares) {
+    if (starts(name, "arm/") || starts(name, "path/") || starts(name, "gain/"))
+      return OpenKind::kTendons;
+    tilts = tilts && (starts(name, "axis/") || starts(name, "sensor/"));
+  }
+  return tilts ? OpenKind::kTilts : OpenKind::kOther;
+}
+
+/// "; the same shift of all these arms of DI4" of three or more arms of one strand.
+std::string same_arms_words(const std::vector<std::pair<std::string, double>>& shares) {
+  constexpr double kSame = 1e-3;  // [1]
+  const std::string& first = shares.front().first;
+  const std::string strand = first.substr(0, first.rfind('/') + 1);
+  if (shares.size() < 3 || strand.rfind("arm/", 0) != 0) return "";
+  for (const auto& [name, share] : shares)
+    if (name.rfind(strand, 0) != 0 || std::abs(share - shares.front().second) > kSame) return "";
+  return fmt::format(
+      "; all arms of {} shift alike, which only a moment of the tip would tell, and it is not "
+      "fitted",
+      strand.substr(4, strand.size() - 5));
+}
+
 std::string open_text(const Fit& fit) {
-  const auto& open = fit.covariance.null_directions;
-  if (open.empty()) return "";
+  const auto& all = fit.covariance.null_directions;
+  if (all.empty()) return "";
+  // Tendons first; tilts are only counted.
+  const std::vector<std::string> names = fit.problem.coordinates().names();
+  std::vector<std::string> tendons, open;
+  std::size_t tilts = 0;
+  for (const NullDirection& null : all) {
+    const auto shares = shares_of(null.direction, names);
+    const OpenKind kind = kind_of(shares);
+    if (kind == OpenKind::kTilts)
+      ++tilts;
+    else if (kind == OpenKind::kTendons)
+      tendons.push_back(null.text + same_arms_words(shares));
+    else
+      open.push_back(null.text);
+  }
+  open.insert(open.begin(), tendons.begin(), tendons.end());
   std::string text =
       fmt::format("\n{} of {} directions are not in the data: the prior alone decides them\n",
-                  open.size(), fit.problem.size());
+                  all.size(), fit.problem.size());
   for (std::size_t i = 0; i < std::min(kOpenShown, open.size()); ++i)
-    text += fmt::format("  {}\n", open[i].text);
+    text += fmt::format("  {}\n", open[i]);
+  if (tilts > 0)
+    text += fmt::format("  {} only tilt or shift joint axes or turn the load cell\n", tilts);
   if (open.size() > kOpenShown) text += "  ... all are in the result file (--json lists them)\n";
   return text;
 }

@@ -2,9 +2,13 @@
 
 #include "report/answers/fit.h"
 
+#include <algorithm>
+#include <fstream>
+
 #include <fmt/format.h>
 
 #include "tests/api/small_fit.h"
+#include "tests/kinematics_fit/fit_samples.h"
 
 namespace thenar {
 namespace {
@@ -45,6 +49,34 @@ TEST_F(FitAnswer, ComplainsOfAFitThatHasNotConverged) {
   EXPECT_EQ(complaint.rfind("the fit has NOT converged: not stationary", 0), 0U) << complaint;
   EXPECT_NE(complaint.find("a step of 0.54 posterior sds is left"), std::string::npos) << complaint;
   EXPECT_EQ(fit_complaint(result, true).find("--allow-unconverged"), std::string::npos);
+}
+
+// A clamped planar tip: one muscle alone, then both, so that forces know two differences of the
+// three arms of each; the same shift of all three makes a moment alone. Tilts of axes out of the
+// plane and two turns of the cell meet no force in it.
+TEST_F(FitAnswer, PutsArmsThatNobodyCanKnowBeforeTilts) {
+  std::ofstream(path("planar.toml")) << sample::planar_finger_of_arms();
+  std::string trials =
+      sample::planar_trials("components = ['proximal', 'dorsal']", "[-0.6, -1.2]", "[-0.9, -1]");
+  const std::string pinned = "hold = \"pinned\"";
+  trials.replace(trials.find(pinned), pinned.size(), "hold = \"rigid\"");
+  std::ofstream(path("trials.toml")) << trials;
+  std::ofstream(path("arms.toml")) << "source = 'Synek2019'\n"
+                                      "[[parameter]]\nmatch = 'axis/*/direction/*'\n"
+                                      "state = 'free'\n"
+                                      "[[parameter]]\nmatch = 'arm/*'\nstate = 'free'\n";
+  FitRequest request;
+  request.sources.subject = path("planar.toml");
+  request.sources.experiments = {path("trials.toml")};
+  request.sources.settings = path("arms.toml");
+  const std::string text = text_of(fit_forces(request));
+  const std::size_t deep = text.find("; all arms of FDP shift alike"),
+                    superficial = text.find("; all arms of FDS shift alike"),
+                    tilts = text.find("only tilt or shift joint axes");
+  EXPECT_NE(deep, std::string::npos) << text;
+  EXPECT_NE(superficial, std::string::npos) << text;
+  ASSERT_NE(tilts, std::string::npos) << text;
+  EXPECT_LT(std::max(deep, superficial), tilts);
 }
 
 TEST(SeenWords, MarkWhatIsNotOfAStranger) {
