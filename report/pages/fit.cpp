@@ -228,12 +228,39 @@ Json digit_section(const Fit& fit) {
 
 }  // namespace
 
-std::string name_rules() {
-  return "Names: path/RI/2/dorsal is how far the second point of the radial interosseous, counted "
-         "from its insertion, lies dorsal of where the subject file has it; axis/DIP3/direction/1 "
-         "tilts a joint axis; hood/EDC/central and /slope say how much of a tension goes to the "
-         "central slip, and how that changes as the MCP joint flexes (both on the logit scale); "
-         "angle/DIP3/Hook is the error of one joint in one posture; sensor/ tilts the load cell.";
+std::string name_rules(const Fit& fit) {
+  struct Rule {
+    std::vector<ParameterKind> kinds;
+    const char* text;
+  };
+  using Kind = ParameterKind;
+  static const std::vector<Rule> rules{
+      {{Kind::kPathPoint},
+       "path/RI/2/dorsal is how far the second point of the radial interosseous, counted from its "
+       "insertion, lies dorsal of where the subject file has it"},
+      {{Kind::kArm}, "arm/FDP/PIP3 is the moment arm of FDP at the PIP joint, flexion positive"},
+      {{Kind::kAxisDirection}, "axis/DIP3/direction/1 tilts a joint axis"},
+      {{Kind::kAxisPoint}, "axis/DIP3/point/1 shifts a joint axis"},
+      {{Kind::kHoodEntry, Kind::kHoodCentral, Kind::kHoodSlope},
+       "hood/EDC/central and /slope say how much of a tension goes to the central slip, and how "
+       "that "
+       "changes as the MCP joint flexes (both on the logit scale)"},
+      {{Kind::kFriction}, "friction/FDP is Euler's belt coefficient of a tendon in its sheath"},
+      {{Kind::kAngle, Kind::kPostureAngle},
+       "angle/DIP3/Hook is the error of one joint in one posture"},
+      {{Kind::kGain}, "gain/FDP multiplies the stated tension of a muscle"},
+      {{Kind::kSensorTilt}, "sensor/ tilts the load cell"}};
+  const FitParameters& parameters = fit.problem.parameters();
+  std::string text;
+  for (const Rule& rule : rules) {
+    const bool occurs =
+        std::any_of(parameters.leader.begin(), parameters.leader.end(), [&](const int p) {
+          return std::count(rule.kinds.begin(), rule.kinds.end(),
+                            parameters.all[static_cast<std::size_t>(p)].kind) > 0;
+        });
+    if (occurs) text += (text.empty() ? "Names: " : "; ") + std::string(rule.text);
+  }
+  return text.empty() ? text : text + ".";
 }
 
 Json learnt_forest(const Fit& fit, const std::string& whose, std::size_t shown) {
@@ -304,7 +331,7 @@ Json page_of(const FitResult& result) {
        section("learnt", "What the forces tell about the digit",
                "Every parameter has a prior from anatomy; its sd is the unit here, and an interval "
                "as wide as the prior means that nothing was learnt.\n\n" +
-                   name_rules(),
+                   name_rules(fit),
                Json::array({learnt_forest(fit, whose), coordinate_table(fit)}))});
   if (!fit.covariance.null_directions.empty())
     sections.push_back(section("open", "What the prior alone decides",

@@ -53,7 +53,7 @@ TEST_F(FitAnswer, ComplainsOfAFitThatHasNotConverged) {
 
 // A clamped planar tip: one muscle alone, then both, so that forces know two differences of the
 // three arms of each; the same shift of all three makes a moment alone. Tilts of axes out of the
-// plane and two turns of the cell meet no force in it.
+// plane change no force in it.
 TEST_F(FitAnswer, PutsArmsThatNobodyCanKnowBeforeTilts) {
   std::ofstream(path("planar.toml")) << sample::planar_finger_of_arms();
   std::string trials =
