@@ -62,9 +62,9 @@ void apply_rule(const ParameterRule& rule, const std::string& file, std::vector<
     apply_belief(rule, all[p]);
     if (rule.state) choices[p] = {*rule.state, rule.tie_to, rule.tie_ratio, rule.optional};
   }
+  const std::string where = rule.line > 0 ? fmt::format("{}:{}", file, rule.line) : file;
   require(matched || rule.optional,
-          "{}:{}: no parameter matches '{}'; list them with `thenar explain`", file, rule.line,
-          rule.match);
+          "{}: no parameter matches '{}'; list them with `thenar explain`", where, rule.match);
 }
 
 /// A leader must not carry those tied to it beyond their own bounds.

@@ -32,6 +32,8 @@ std::string doubts_text(const std::string& about, const std::vector<std::string>
 
 std::string banner_text(const PosteriorRun& run) {
   const Convergence& c = run.convergence;
+  if (c.warnings.empty() && c.cautions.empty())
+    return run.draws.complete ? "converged: the chains agree\n" : "";
   if (c.warnings.empty()) return doubts_text("converged, with a caution", c.cautions);
   const std::string line(78, '!');
   std::string text = line + "\n!! NOT CONVERGED: do not use these draws.\n";

@@ -174,7 +174,7 @@ TEST(ChooseParameters, NamesTheRowThatMatchesNothing) {
             "fit.toml:3: no parameter matches 'gane/*'; list them with `thenar explain`");
   EXPECT_EQ(refusal("[[parameter]]\nmatch = 'gane/*'\noptional = 'yes'\n"), "");
   EXPECT_EQ(refusal("", {"gane/*"}),
-            "--free:0: no parameter matches 'gane/*'; list them with `thenar explain`");
+            "--free: no parameter matches 'gane/*'; list them with `thenar explain`");
 }
 
 TEST(ChooseParameters, NamesTheWrongUnit) {
