@@ -41,12 +41,33 @@ WholeForceSet whole_set(const TipStatics& statics, const ForceAxes& axes) {
   return whole;
 }
 
+/// Groups of muscles, by index, whose rows of R are the same and not zero.
+std::vector<std::vector<int>> muscles_alike(const Eigen::MatrixXd& R) {
+  constexpr double kRounding = 1e-12;  // of the largest arm [1]
+  const double same = kRounding * R.cwiseAbs().maxCoeff();
+  std::vector<std::vector<int>> groups;
+  std::vector<bool> grouped(static_cast<std::size_t>(R.rows()), false);
+  for (int i = 0; i < R.rows(); ++i) {
+    if (grouped[static_cast<std::size_t>(i)] || R.row(i).cwiseAbs().maxCoeff() <= same) continue;
+    std::vector<int> group{i};
+    for (int k = i + 1; k < R.rows(); ++k)
+      if ((R.row(k) - R.row(i)).cwiseAbs().maxCoeff() <= same) {
+        group.push_back(k);
+        grouped[static_cast<std::size_t>(k)] = true;
+      }
+    if (group.size() > 1) groups.push_back(std::move(group));
+  }
+  return groups;
+}
+
 FeasibleForcePoint point_at(const FeasibleForceRequest& request, const DigitAtPosture& at) {
   FeasibleForcePoint point;
   point.q = at.q;
   point.axes = force_axes(at, request.frame);
   point.tip = at.tip;
   point.condition = at.condition;
+  point.plane_normal = at.plane_normal;
+  point.alike = muscles_alike(at.statics.R);
   if (request.direction) {
     point.largest = max_tip_force(at.statics, point.axes.to_world * *request.direction,
                                   {request.tolerance, true});

@@ -1,5 +1,8 @@
 #include "api/fit.h"
 
+#include <algorithm>
+#include <cmath>
+
 #include <fmt/format.h>
 
 #include "api/named/data_folders.h"
@@ -26,6 +29,38 @@ std::vector<Prediction> predict_own(const Fit& fit) {
     predictions.back().error.covered = sure.error.covered;
   }
   return predictions;
+}
+
+/// "experiment 'H01': the fit misses .." of every experiment that chance cannot explain.
+std::vector<std::string> misfit_warnings(const FitResult& result) {
+  std::vector<std::string> warnings;
+  for (std::size_t e = 0; e < result.misfits.size(); ++e)
+    if (result.misfits[e].beyond_chance)
+      warnings.push_back(fmt::format("experiment '{}': {}",
+                                     result.fit.problem.experiments()[e].name,
+                                     describe(result.misfits[e])));
+  return warnings;
+}
+
+/// Parameters that were moved farther than their priors believe possible, in one sentence.
+std::vector<std::string> stray_warnings(const Covariance& covariance) {
+  constexpr double kFar = 3;         // prior sds [1]
+  constexpr std::size_t kNamed = 4;  // the others are counted
+  std::vector<const CoordinateEstimate*> far;
+  for (const CoordinateEstimate& learnt : covariance.learnt)
+    if (std::abs(learnt.z) > kFar) far.push_back(&learnt);
+  if (far.empty()) return {};
+  std::sort(far.begin(), far.end(),
+            [](const auto* a, const auto* b) { return std::abs(a->z) > std::abs(b->z); });
+  std::string names;
+  for (std::size_t i = 0; i < std::min(kNamed, far.size()); ++i)
+    names += fmt::format("{}{} ({:+.1f})", i > 0 ? ", " : "", far[i]->name, far[i]->z);
+  if (far.size() > kNamed) names += fmt::format(" and {} more", far.size() - kNamed);
+  return {
+      fmt::format("moved by more than {:.0f} prior sds: {}. Is a sign or a unit of the subject or "
+                  "the experiment "
+                  "wrong, or the prior too narrow?",
+                  kFar, names)};
 }
 
 }  // namespace
@@ -67,7 +102,13 @@ FitResult fit_forces(const FitRequest& request, const Progress& progress) {
   options.progress = progress;
   FitResult result{run_fit(read_fit_inputs(request.sources), options), {}, {}, {}};
   result.fit.run = request.run;
-  result.warnings = result.fit.problem.warnings();
+  const Fit& fit = result.fit;
+  result.misfits = misfits(fit.problem, fit.solution.z, fit.covariance);
+  result.warnings = fit.problem.warnings();
+  for (std::string& warning : misfit_warnings(result))
+    result.warnings.push_back(std::move(warning));
+  for (std::string& warning : stray_warnings(fit.covariance))
+    result.warnings.push_back(std::move(warning));
   if (!request.output.empty()) write_fit(result.fit, request.output);
 
   // What it predicts, and what fits predict that have not seen it.

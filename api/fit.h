@@ -10,6 +10,7 @@
 #include "base/run_record.h"
 #include "kinematics_fit/cross_validation.h"
 #include "kinematics_fit/fit.h"
+#include "kinematics_fit/misfit.h"
 
 namespace thenar {
 
@@ -37,8 +38,10 @@ struct FitResult {
   std::vector<Prediction> in_sample;      // of each experiment, by its specimen's own parameters,
                                           // with predictive sds
   std::vector<CrossValidation> left_out;  // in the order of the request; fewer if stopped
-  std::vector<std::string> warnings;      // of the experiments and the subject
+  std::vector<std::string> warnings;      // of the experiments, the subject, misfits that are
+                                          // beyond chance, and estimates beyond 3 prior sds
   bool stopped = false;                   // by request; the fit is the best point so far
+  std::vector<Misfit> misfits = {};       // of each experiment
 };
 
 /// The texts of the inputs. Without settings those that are built in for the digit.

@@ -72,7 +72,13 @@ TipNow tip_now(const Skeleton& skeleton, const TreeState<double>& state, const S
     now.J.col(static_cast<Eigen::Index>(now.joints.size())) = J.col(c);
     now.joints.push_back(skeleton.coordinate_names[static_cast<std::size_t>(c)]);
   }
-  if (!now.joints.empty()) now.mobility = tip_manipulability(now.J);
+  if (now.joints.empty()) return now;
+  const Eigen::Matrix3Xd W =
+      rotation_jacobian(skeleton.tree, state, tip.link, skeleton.coordinates());
+  Eigen::Matrix3Xd turning(3, now.J.cols());
+  Eigen::Index column = 0;
+  for (const int c : coordinates) turning.col(column++) = W.col(c);
+  now.mobility = tip_manipulability(now.J, turning);
   return now;
 }
 

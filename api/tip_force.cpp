@@ -15,7 +15,7 @@ void pin(const DigitAtPosture& at, const Eigen::VectorXd& t, TipForcePoint& poin
   point.force = result.f_W;
   point.residual = result.tau_residual;
   point.condition = result.condition;
-  point.singular = result.rank < 3;
+  point.singular = result.singular();
   if (at.map.empty()) point.change = tip_force_jacobian(at.statics, at.slopes, t).colwise().norm();
 }
 
@@ -50,6 +50,7 @@ TipForceAnswer ask_tip_force(const TipForceRequest& request, const Progress& pro
     point.q = q;
     point.tip_axes = at.tip_axes;
     point.tip = at.tip;
+    point.planar = at.plane_normal.has_value();
     request.hold == TipHold::kRigid ? clamp_tip(at, answer.tension, request.hold_length, point)
                                     : pin(at, answer.tension, point);
     answer.points.push_back(std::move(point));

@@ -41,6 +41,8 @@ struct TipForcePoint {
   double condition = 0;                     // of the balance [1]
   bool singular = false;                    // a pinned tip: some force meets no torque
   bool minimum_norm = false;                // a rigid hold: many wrenches balance
+  bool planar = false;                      // all axes are parallel: loads across their plane meet
+                                            // no joint, and are 0 here
 };
 
 /// Answers posture by posture, in the order of the grid; as many as were done.

@@ -65,6 +65,10 @@ void fit_best(FitArguments& options) {
   require(!result.fit.solution.failed, "the fit failed: {}; the file holds the best point found",
           result.fit.solution.message);
   if (result.stopped) throw Stopped("stopped; the file holds the best point so far");
+  const std::string complaint = fit_complaint(result, options.allow_unconverged);
+  if (complaint.empty()) return;
+  if (!options.allow_unconverged) throw Error(complaint);
+  print_warnings({complaint});
 }
 
 /// Why there are no draws, or fewer than asked for.
@@ -99,6 +103,7 @@ void sample_posterior_of(FitArguments& options) {
   if (result->run.draws.draws() > 0) deliver(options.outputs, *result);
   std::fflush(stdout);
   require_complete(*result);
+  print_warnings(noise_cautions(*result));
   print_warnings(convergence_cautions(result->run));
   const std::string complaint = convergence_complaint(result->run, options.allow_unconverged);
   if (complaint.empty()) return;
@@ -156,8 +161,6 @@ void add_chain_options(CLI::App& command, FitArguments& options) {
     command.add_flag(name, value, text)->group(group);
   };
   flag("--fixed-noise", chains.fixed_noise, "Believe the stated noise");
-  flag("--allow-unconverged", options.allow_unconverged,
-       "Do not fail if the chains have not converged");
   flag("--no-retry", options.no_retry,
        "Keep chains whose trajectories diverge, rather than begin anew with smaller steps (at "
        "target acceptances of 0.95 and 0.99)");
@@ -196,6 +199,8 @@ void add_fit(CLI::App& app) {
   command
       ->add_option("--max-evaluations", options->fit.max_evaluations, "0: the method's own limit")
       ->check(CLI::NonNegativeNumber);
+  command->add_flag("--allow-unconverged", options->allow_unconverged,
+                    "Exit without error though the fit or the chains have not converged");
   add_data_option(*command, sources.data);
   add_output_options(*command, options->outputs, {true, true, true, {".h5", ".nc"}});
   add_chain_options(*command, *options);

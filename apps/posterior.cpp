@@ -36,6 +36,7 @@ void summary(const PosteriorArguments& options) {
   PosteriorResult result = open_posterior(options.request.posterior);
   result.rows = options.rows;
   print_warnings(result.warnings);
+  print_warnings(noise_cautions(result));
   deliver(options.outputs, result);
   warn_of(result.run, options.allow_unconverged);
 }
@@ -44,6 +45,7 @@ void plot(const PosteriorArguments& options) {
   require(options.outputs.page(), "wanted a page to write: -o P.html");
   const PosteriorResult result = open_posterior(options.request.posterior);
   print_warnings(result.warnings);
+  print_warnings(noise_cautions(result));
   for (const std::string& path : options.outputs.with_ending({".html"}))
     write_page(page_of(result), path);
   print_written(options.outputs);

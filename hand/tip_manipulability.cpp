@@ -2,6 +2,7 @@
 
 #include <limits>
 
+#include <Eigen/Geometry>
 #include <Eigen/SVD>
 
 #include "base/error.h"
@@ -20,6 +21,33 @@ TipManipulability tip_manipulability(const Eigen::Ref<const Eigen::Matrix3Xd>& J
   mobility.speed.head(mobility.rank) = svd.singularValues().head(mobility.rank);
   if (mobility.rank == 3) mobility.condition = mobility.speed[0] / mobility.speed[2];
   return mobility;
+}
+
+TipManipulability tip_manipulability(const Eigen::Ref<const Eigen::Matrix3Xd>& J,
+                                     const Eigen::Ref<const Eigen::Matrix3Xd>& W) {
+  TipManipulability mobility = tip_manipulability(J);
+  if (!plane_normal(J, W)) return mobility;
+  mobility.possible = 2;
+  if (mobility.rank == 2) mobility.condition = mobility.speed[0] / mobility.speed[1];
+  return mobility;
+}
+
+std::optional<Eigen::Vector3d> plane_normal(const Eigen::Ref<const Eigen::Matrix3Xd>& J,
+                                            const Eigen::Ref<const Eigen::Matrix3Xd>& W) {
+  constexpr double kRounding = 1e-12;  // of unit axes turned by a few rotations [1]
+  std::optional<Eigen::Vector3d> normal;
+  for (Eigen::Index k = 0; k < W.cols(); ++k) {
+    // A joint that moves the tip and does not turn it slides; one that does neither does not count.
+    const double turns = W.col(k).norm();
+    if (turns < kRounding) {
+      if (J.col(k).norm() > 0) return {};
+      continue;
+    }
+    const Eigen::Vector3d axis = W.col(k) / turns;
+    if (!normal) normal = axis;
+    if (normal->cross(axis).norm() > kRounding) return {};
+  }
+  return normal;
 }
 
 }  // namespace thenar

@@ -2,6 +2,8 @@
 
 /// Directions in which a fingertip can move, and how easily.
 
+#include <optional>
+
 #include <Eigen/Core>
 
 namespace thenar {
@@ -19,12 +21,26 @@ struct TipManipulability {
   Eigen::Vector3d speed;       // of the tip along each direction, largest first  [m/rad] (3)
   Eigen::Matrix3d directions;  // columns, world frame, orthonormal               [1] (3, 3)
   int rank;                    // directions in which the tip can move at all     [1]
-  double condition;            // largest speed / least; infinite if rank < 3     [1]
+  double condition;            // largest speed / least; infinite if rank < possible [1]
+  int possible = 3;            // directions in which joints can move the tip in any posture: 2 in
+                               // the plane of parallel axes                      [1]
 };
 
 /// Mobility of a tip:  J = directions diag(speed) V'.  Speeds below 1e-12 of the largest are zero.
 /// @param J  tip position Jacobian, world frame, any number of joints   3 x n  [m/rad]
 /// @throws InputError if J is empty or not finite.
 [[nodiscard]] TipManipulability tip_manipulability(const Eigen::Ref<const Eigen::Matrix3Xd>& J);
+
+/// The same of a tip that also turns. Where all axes are parallel, the tip moves in a plane, whatever
+/// the posture, and its condition is that of the two directions in the plane.
+/// @param W  tip rotation Jacobian, world frame   3 x n  [1]
+[[nodiscard]] TipManipulability tip_manipulability(const Eigen::Ref<const Eigen::Matrix3Xd>& J,
+                                                   const Eigen::Ref<const Eigen::Matrix3Xd>& W);
+
+/// Unit normal of the plane in which a tip moves because all axes that move it are parallel, to
+/// 1e-12 rad. No joint feels a force of the tip along it, and the bones carry that alone.
+/// @return nothing for axes in space, and for joints that slide   world frame (3) [1]
+[[nodiscard]] std::optional<Eigen::Vector3d> plane_normal(
+    const Eigen::Ref<const Eigen::Matrix3Xd>& J, const Eigen::Ref<const Eigen::Matrix3Xd>& W);
 
 }  // namespace thenar

@@ -52,6 +52,19 @@ void warn_of_tensions(const TendonDigit& digit, const ExperimentPlan& plan, Warn
   }
 }
 
+/// Two forces of a pinned tip cannot balance the torques of more joints in their plane.
+void warn_of_hold(const TendonDigit& digit, const ExperimentPlan& plan, Warnings& warnings) {
+  const int joints = digit.model.coordinates;
+  if (plan.hold != TipConstraint::kPinned || plan.known != DecidedForces::kInPlane || joints <= 2)
+    return;
+  warnings.push_back(fmt::format(
+      "a pinned tip of a finger with {} joints in one plane leaves torque that nothing balances, "
+      "so "
+      "that forces are those of least squares: was the tip clamped (hold = \"rigid\"), or a joint "
+      "splinted?",
+      joints));
+}
+
 void warn_of_calibration(const TendonDigit& digit, const Experiment& experiment,
                          Warnings& warnings) {
   // Calibrations that used this specimen.
@@ -70,10 +83,11 @@ void warn_of_calibration(const TendonDigit& digit, const Experiment& experiment,
 
 std::vector<std::string> experiment_warnings(const TendonDigit& digit, const ExperimentPlan& plan,
                                              const Experiment& experiment) {
-  // Postures, tensions and calibration.
+  // Postures, tensions, hold and calibration.
   Warnings warnings;
   warn_of_postures(digit, plan, warnings);
   warn_of_tensions(digit, plan, warnings);
+  warn_of_hold(digit, plan, warnings);
   warn_of_calibration(digit, experiment, warnings);
 
   // Data that no fit uses.

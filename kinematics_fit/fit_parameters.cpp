@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include <fmt/format.h>
+
 #include "base/error.h"
 
 namespace thenar {
@@ -60,9 +62,9 @@ void apply_rule(const ParameterRule& rule, const std::string& file, std::vector<
     apply_belief(rule, all[p]);
     if (rule.state) choices[p] = {*rule.state, rule.tie_to, rule.tie_ratio, rule.optional};
   }
+  const std::string where = rule.line > 0 ? fmt::format("{}:{}", file, rule.line) : file;
   require(matched || rule.optional,
-          "{}:{}: no parameter matches '{}'; list them with `thenar explain`", file, rule.line,
-          rule.match);
+          "{}: no parameter matches '{}'; list them with `thenar explain`", where, rule.match);
 }
 
 /// A leader must not carry those tied to it beyond their own bounds.
@@ -132,6 +134,33 @@ FitParameters choose_parameters(const TendonDigit& digit, const std::vector<std:
   number_coordinates(choices, fit);
   require_movable(fit);
   return fit;
+}
+
+std::vector<std::string> fixed_geometry_warnings(const FitParameters& parameters) {
+  // How many there are of each kind, and whether one of them moves.
+  int arms = 0, points = 0;
+  bool arms_move = false, points_move = false;
+  for (std::size_t p = 0; p < parameters.all.size(); ++p) {
+    const Parameter& parameter = parameters.all[p];
+    const bool moves = parameters.coordinate[p] >= 0;
+    if (parameter.kind == ParameterKind::kArm) {
+      arms += parameter.mean != 0 ? 1 : 0;
+      arms_move = arms_move || moves;
+    } else if (parameter.kind == ParameterKind::kPathPoint) {
+      points += parameter.component == 0 ? 1 : 0;  // of three coordinates
+      points_move = points_move || moves;
+    }
+  }
+  std::vector<std::string> warnings;
+  const auto warn = [&](int count, const char* what, const char* glob) {
+    warnings.push_back(
+        fmt::format("none of the {} {} of the subject may move under these settings: --free '{}' "
+                    "frees them",
+                    count, what, glob));
+  };
+  if (arms > 0 && !arms_move) warn(arms, "moment arms", "arm/*");
+  if (points > 0 && !points_move) warn(points, "tendon points", "path/*");
+  return warnings;
 }
 
 }  // namespace thenar

@@ -32,6 +32,11 @@ struct FitParameters {
                                               const FitSettings& settings,
                                               const std::vector<std::string>& also_free = {});
 
+/// A warning for moment arms, and another for points of tendons, where the digit has some (arms of
+/// zero do not count) and none of them may move: what the tendons' geometry gets wrong then goes into
+/// parameters that may.
+[[nodiscard]] std::vector<std::string> fixed_geometry_warnings(const FitParameters& parameters);
+
 /// Value of every parameter for coordinates u  [SI] (all).
 template <typename T, typename U>
 [[nodiscard]] std::vector<T> parameter_values(const FitParameters& parameters, const U& u) {

@@ -4,6 +4,7 @@
 
 #include <fmt/ranges.h>
 
+#include "base/error.h"
 #include "kinematics_fit/experiment_plan.h"
 
 namespace thenar {
@@ -70,6 +71,10 @@ std::vector<std::string> FitProblem::warnings() const {
       all.push_back(fmt::format(
           "experiment '{}': {} activation rows are not fitted, only a posterior uses them",
           experiment.name, experiment.activations.size()));
+
+  // Tendons that cannot move.
+  for (std::string& warning : fixed_geometry_warnings(parameters()))
+    all.push_back(std::move(warning));
   return all;
 }
 

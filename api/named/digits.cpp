@@ -145,10 +145,11 @@ DigitAtPosture digit_at(const DigitCase& at, const Eigen::VectorXd& q) {
                        turned * digit.model.tip_axes,
                        statics,
                        statics_derivatives(*at.tendons, q),
-                       tip_manipulability(statics.J).condition,
+                       tip_manipulability(statics.J, statics.W).condition,
                        {}};
   if (!pull.warning.empty()) found.warnings.push_back(pull.warning);
   found.tip = moved(state, link, digit.model.tip);
+  found.plane_normal = plane_normal(statics.J, statics.W);
   return found;
 }
 

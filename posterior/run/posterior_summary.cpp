@@ -1,5 +1,7 @@
 #include "posterior/run/posterior_summary.h"
 
+#include <fmt/format.h>
+
 #include "base/error.h"
 #include "posterior/run/predict_draws.h"
 
@@ -42,6 +44,25 @@ std::optional<LeftOutObservations> leave_out_observations(const PosteriorRun& ru
   if (!pointwise.allFinite()) return {};
   return LeftOutObservations{leave_one_out(pointwise, run.draws.chains(), run.draws.group),
                              observation_names(run.posterior->problem())};
+}
+
+std::vector<std::string> noise_warnings(const std::vector<PosteriorQuantity>& quantities,
+                                        const std::vector<Estimate>& estimates) {
+  constexpr double kMuch = 2;  // factor on the stated noise [1]
+  const std::string prefix = "noise/";
+  std::vector<std::string> warnings;
+  for (std::size_t i = 0; i < quantities.size(); ++i) {
+    const std::string& name = quantities[i].name;
+    if (name.compare(0, prefix.size(), prefix) != 0 || !(estimates[i].q05 > kMuch)) continue;
+    warnings.push_back(fmt::format(
+        "experiment '{}': its forces scatter by {:.1f} times the stated noise (5 to 95 %: {:.1f} "
+        "to "
+        "{:.1f}), and p and the intervals are of that larger noise. Look at the sign and order of "
+        "the force components, the hold, signs and units of moment arms and loads, the noise that "
+        "was stated, and at parameters that are fixed but in doubt (--free)",
+        name.substr(prefix.size()), estimates[i].median, estimates[i].q05, estimates[i].q95));
+  }
+  return warnings;
 }
 
 PosteriorSummary summarise_posterior(const PosteriorRun& run) {

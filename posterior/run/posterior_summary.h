@@ -39,6 +39,12 @@ struct PosteriorSummary {
   std::optional<LeftOutObservations> left_out;
 };
 
+/// A warning for every experiment whose forces scatter beyond the stated noise: the 5 % quantile of
+/// `noise/<experiment>`, the factor on the noise, is above 2.
+/// @param estimates  of the quantities, in the same order
+[[nodiscard]] std::vector<std::string> noise_warnings(
+    const std::vector<PosteriorQuantity>& quantities, const std::vector<Estimate>& estimates);
+
 /// @throws InputError if the run has fewer than 2 draws.
 [[nodiscard]] PosteriorSummary summarise_posterior(const PosteriorRun& run);
 

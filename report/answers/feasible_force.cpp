@@ -24,9 +24,25 @@ std::string status_line(Status status) {
   return words.empty() ? "" : fmt::format("{}: {}\n", name_of(status), words);
 }
 
-bool makes_force(const FeasibleForcePoint& point) {
-  return point.largest && point.largest->status == Status::kSolved &&
-         point.largest->component >= kNoTipForce;
+/// The same of a posture: which forces the bones carry alone.
+std::string status_line(const FeasibleForcePoint& point) {
+  const Status status = point.largest->status;
+  if (status != Status::kUnbounded || !point.plane_normal) return status_line(status);
+  return fmt::format(
+      "{}: all axes are parallel, and the bones alone carry any force across the plane of "
+      "flexion\n",
+      name_of(status));
+}
+
+/// Whether it is certain that no tensions make a force this way.
+bool makes_none(const FeasibleForcePoint& point) {
+  const Status status = point.largest->status;
+  return status == Status::kInfeasible || (status == Status::kSolved && !makes_force(point));
+}
+
+/// The status of a solver, or "no force" where it found that there is none.
+std::string status_name(const FeasibleForcePoint& point) {
+  return makes_none(point) ? "no force" : name_of(point.largest->status);
 }
 
 bool priced(const FeasibleForcePoint& point) {
@@ -70,8 +86,13 @@ OrderedJson limits_json(const FeasibleForceAnswer& answer, const FeasibleForcePo
 void add_largest(const FeasibleForceAnswer& answer, const FeasibleForcePoint& point,
                  OrderedJson& json) {
   const MaxTipForce& largest = *point.largest;
-  json["status"] = name_of(largest.status);
+  json["status"] = status_name(point);
   json["axes"] = point.axes.name;
+  if (makes_none(point)) {
+    for (const char* name : {"force_N", "component_N", "certificate", "activation", "tension_N"})
+      json[name] = nullptr;
+    return;
+  }
   json["force_N"] = to_json(point.axes.to_world.transpose() * largest.force);
   json["component_N"] = largest.component;
   json["certificate"] = {{"gap_N", largest.check.gap},
@@ -119,10 +140,36 @@ void add_point(const FeasibleForceAnswer& answer, const FeasibleForcePoint& poin
   if (point.whole) add_whole(point, json);
 }
 
+/// What bones carry alone in the plane of parallel axes, where a cone of directions may hold it.
+std::string plane_note(const FeasibleForceAnswer& answer, const FeasibleForcePoint& point) {
+  if (!point.plane_normal || !makes_force(point) || answer.tolerance <= 0) return "";
+  return "all axes are parallel: bones alone carry forces across the plane of flexion, and of "
+         "equal "
+         "answers the one with the least of them is given";
+}
+
+/// Muscles that pull and have the same arms: how they share is arbitrary.
+std::string shared_note(const FeasibleForceAnswer& answer, const FeasibleForcePoint& point) {
+  if (!makes_force(point)) return "";
+  std::string note;
+  for (const std::vector<int>& group : point.alike) {
+    double pulled = 0;
+    std::vector<std::string> names;
+    for (const int i : group) {
+      pulled += point.largest->tension[i];
+      names.push_back(answer.about.muscles[static_cast<std::size_t>(i)]);
+    }
+    if (pulled > kNoTipForce)
+      note += fmt::format("{}{} have the same moment arms: only the sum of their tensions is told",
+                          note.empty() ? "" : "; ", fmt::join(names, " and "));
+  }
+  return note;
+}
+
 /// The largest force at one posture.
 std::string largest_text(const FeasibleForceAnswer& answer, const FeasibleForcePoint& point) {
   const MaxTipForce& largest = *point.largest;
-  if (largest.status != Status::kSolved) return status_line(largest.status) + "\n";
+  if (largest.status != Status::kSolved) return status_line(point) + "\n";
   if (!makes_force(point))
     return "Largest force: none; " + force_status_words(Status::kInfeasible) + "\n\n";
   const Eigen::Vector3d force = point.axes.to_world.transpose() * largest.force;
@@ -133,7 +180,7 @@ std::string largest_text(const FeasibleForceAnswer& answer, const FeasibleForceP
   const std::string limits = limit_words(answer, point);
   if (!limits.empty()) text += limits + "\n";
   if (point.change.size() > 0) text += change_line(answer.about.rows, point.change) + "\n";
-  const std::string note = posture_note(answer.about.rows, point.condition, point.change);
+  const std::string note = note_of(answer, point);
   if (!note.empty()) text += "note: " + note + "\n";
   return text + "\n" + aligned(limit_table(answer, point)) + "\n";
 }
@@ -166,9 +213,11 @@ std::string whole_text(const FeasibleForceAnswer& answer, const FeasibleForcePoi
   return text;
 }
 
-/// Cells of the largest force at a posture, for a row.
-std::vector<std::string> largest_cells(const FeasibleForcePoint& point, int decimals) {
+/// Cells of the largest force at a posture, for a row. @param none  where there is no force
+std::vector<std::string> largest_cells(const FeasibleForcePoint& point, int decimals,
+                                       const std::string& none) {
   const MaxTipForce& largest = *point.largest;
+  if (makes_none(point)) return row({{status_name(point)}, std::vector<std::string>(4, none)});
   return row({{name_of(largest.status), shown(largest.component, decimals)},
               cells(Eigen::Vector3d(point.axes.to_world.transpose() * largest.force), decimals)});
 }
@@ -214,6 +263,41 @@ std::string short_limits(const FeasibleForceAnswer& answer, const FeasibleForceP
   return or_dash(text);
 }
 
+/// "FDP LU": who limits the force, the dearest first.
+std::string limiting_names(const FeasibleForceAnswer& answer, const FeasibleForcePoint& point) {
+  std::string text;
+  for (const Index i : limiting_muscles(point))
+    text += (text.empty() ? "" : " ") + answer.about.muscles[static_cast<std::size_t>(i)];
+  return text;
+}
+
+/// Activation and price of a muscle, empty where there is no force.
+std::vector<std::string> muscle_cells(const FeasibleForcePoint& point, Index i) {
+  if (makes_none(point)) return {"", ""};
+  return {shown(point.largest->activation(i), 6), price_cell(point, i)};
+}
+
+/// Notes of the postures, each once with how many have it.
+std::string notes_text(const FeasibleForceAnswer& answer) {
+  std::vector<std::pair<std::string, std::size_t>> notes;
+  for (const FeasibleForcePoint& point : answer.points) {
+    const std::string note = point.failure.empty() ? note_of(answer, point) : "";
+    if (note.empty()) continue;
+    const auto known = std::find_if(notes.begin(), notes.end(),
+                                    [&](const auto& each) { return each.first == note; });
+    if (known == notes.end())
+      notes.emplace_back(note, 1);
+    else
+      ++known->second;
+  }
+  constexpr std::size_t kMost = 4;  // lines; CSV and JSON have all
+  if (notes.size() > kMost) notes.resize(kMost);
+  std::string text;
+  for (const auto& [note, count] : notes)
+    text += fmt::format("note ({} of {} postures): {}\n", count, answer.points.size(), note);
+  return text;
+}
+
 /// A row for each posture.
 std::string many_postures(const FeasibleForceAnswer& answer) {
   const SweepAxes axes = axes_of(answer.about);
@@ -234,17 +318,23 @@ std::string many_postures(const FeasibleForceAnswer& answer) {
         titled(fmt::format("Largest force along the direction, {} axes; limits in N per N of F0",
                            force.name),
                table_with(row({largest_header(force), {"limited_by"}}), [&](const auto& point) {
-                 return row({largest_cells(point, 3), {short_limits(answer, point)}});
+                 return row({largest_cells(point, 3, "-"), {short_limits(answer, point)}});
                }));
   if (with_whole(answer))
     text += titled(
         fmt::format("All forces: the set, and the largest pure force along the {} axes",
                     force.name),
         table_with(whole_header(force), [](const auto& point) { return whole_cells(point, 3); }));
+  if (answer.direction) text += notes_text(answer);
   return text;
 }
 
 }  // namespace
+
+bool makes_force(const FeasibleForcePoint& point) {
+  return point.largest && point.largest->status == Status::kSolved &&
+         point.largest->component >= kNoTipForce;
+}
 
 Table limit_table(const FeasibleForceAnswer& answer, const FeasibleForcePoint& point) {
   const MaxTipForce& largest = *point.largest;
@@ -314,7 +404,10 @@ std::string limit_words(const FeasibleForceAnswer& answer, const FeasibleForcePo
 
 std::string note_of(const FeasibleForceAnswer& answer, const FeasibleForcePoint& point) {
   if (point.largest) {
-    const std::string note = posture_note(answer.about.rows, point.condition, point.change);
+    std::string note = makes_none(point) ? force_status_words(Status::kInfeasible) : "";
+    for (const std::string& more : {plane_note(answer, point), shared_note(answer, point),
+                                    posture_note(answer.about.rows, point.condition, point.change)})
+      if (!more.empty()) note += (note.empty() ? "" : "; ") + more;
     if (!note.empty()) return note;
   }
   if (!point.whole || !answer.about.map.empty() || point.condition < kNearlyStraight) return "";
@@ -347,6 +440,7 @@ Table table_of(const FeasibleForceAnswer& answer) {
   };
   if (direction) {
     add(largest_header(axes));
+    add({"limited_by"});
     for (const std::string& muscle : answer.about.muscles)
       add({muscle + "_activation", muscle + "_N_per_N_of_F0"});
   }
@@ -355,9 +449,10 @@ Table table_of(const FeasibleForceAnswer& answer) {
   for (const FeasibleForcePoint& point : answer.points) {
     std::vector<std::string> line = joint_cells(point.q);
     if (point.failure.empty()) {
-      if (direction) line = row({line, largest_cells(point, 6)});
+      if (direction)
+        line = row({line, largest_cells(point, 6, ""), {limiting_names(answer, point)}});
       for (Index i = 0; direction && i < point.largest->activation.size(); ++i)
-        line = row({line, {shown(point.largest->activation(i), 6), price_cell(point, i)}});
+        line = row({line, muscle_cells(point, i)});
       if (whole) line = row({line, whole_cells(point, 6)});
     }
     line.resize(table.header.size() - 1);

@@ -15,6 +15,9 @@ namespace thenar {
 /// A row for each posture.
 [[nodiscard]] Table table_of(const FeasibleForceAnswer& answer);
 
+/// Whether the posture has a largest force that is more than rounding; not where it is unbounded.
+[[nodiscard]] bool makes_force(const FeasibleForcePoint& point);
+
 /// "limited by FDP: 1 N more of its F0 gives 0.12 N more; then LU 0.03": the dearest limit first,
 /// and what degenerate limits do. "" if no muscle limits the force, or prices did not pass their
 /// checks.

@@ -1,6 +1,8 @@
 #include "report/answers/fit.h"
 
 #include <algorithm>
+#include <cmath>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -17,6 +19,20 @@ Json error_json(const Prediction& prediction) {
           {"relative_error", prediction.error.relative},
           {"relative_error_flexion_plane", prediction.error.relative_flexion},
           {"start_has_seen_specimen", prediction.calibrated_on_specimen}};
+}
+
+/// An experiment in sample, with its misfit.
+Json in_sample_json(const FitResult& result, std::size_t e) {
+  Json out = error_json(result.in_sample[e]);
+  if (e >= result.misfits.size()) return out;
+  const Misfit& misfit = result.misfits[e];
+  out["chi_square"] = misfit.chi_square;
+  out["numbers"] = misfit.numbers;
+  out["degrees_of_freedom"] = misfit.degrees_of_freedom;
+  out["times_noise"] = misfit.times_noise;
+  out["tail_probability"] = misfit.tail;
+  out["beyond_chance"] = misfit.beyond_chance;
+  return out;
 }
 
 /// Every coordinate with what it means, best known first.
@@ -46,16 +62,90 @@ std::string learnt_text(const Fit& fit) {
   return text;
 }
 
+/// What a direction that the data leave open is about.
+enum class OpenKind {
+  kTendons,  // arms, points, gains: what a fit is made for
+  kOther,    // angles, shares, ..
+  kTilts     // of axes and of the load cell alone: in a planar finger nobody can know them
+};
+
+/// "arm/FDP/DIP4" of "H01: arm/FDP/DIP4".
+std::string without_specimen(const std::string& name) {
+  const std::size_t at = name.find(": ");
+  return at == std::string::npos ? name : name.substr(at + 2);
+}
+
+/// Names of the coordinates that make up a direction, each with its share.
+std::vector<std::pair<std::string, double>> shares_of(const Eigen::VectorXd& direction,
+                                                      const std::vector<std::string>& names) {
+  constexpr double kSmall = 0.1;  // [1]
+  std::vector<std::pair<std::string, double>> shares;
+  for (Eigen::Index i = 0; i < direction.size(); ++i)
+    if (std::abs(direction[i]) >= kSmall)
+      shares.emplace_back(without_specimen(names[static_cast<std::size_t>(i)]), direction[i]);
+  return shares;
+}
+
+OpenKind kind_of(const std::vector<std::pair<std::string, double>>& shares) {
+  const auto starts = [](const std::string& name, const char* with) {
+    return name.rfind(with, 0) == 0;
+  };
+  bool tilts = true;
+  for (const auto& [name, share] : shares) {
+    if (starts(name, "arm/") || starts(name, "path/") || starts(name, "gain/"))
+      return OpenKind::kTendons;
+    tilts = tilts && (starts(name, "axis/") || starts(name, "sensor/"));
+  }
+  return tilts ? OpenKind::kTilts : OpenKind::kOther;
+}
+
+/// "; the same shift of all these arms of DI4" of three or more arms of one strand.
+std::string same_arms_words(const std::vector<std::pair<std::string, double>>& shares) {
+  constexpr double kSame = 1e-3;  // [1]
+  const std::string& first = shares.front().first;
+  const std::string strand = first.substr(0, first.rfind('/') + 1);
+  if (shares.size() < 3 || strand.rfind("arm/", 0) != 0) return "";
+  for (const auto& [name, share] : shares)
+    if (name.rfind(strand, 0) != 0 || std::abs(share - shares.front().second) > kSame) return "";
+  return fmt::format(
+      "; all arms of {} shift alike, which only a moment of the tip would tell, and it is not "
+      "fitted",
+      strand.substr(4, strand.size() - 5));
+}
+
 std::string open_text(const Fit& fit) {
-  const auto& open = fit.covariance.null_directions;
-  if (open.empty()) return "";
+  const auto& all = fit.covariance.null_directions;
+  if (all.empty()) return "";
+  // Tendons first; tilts are only counted.
+  const std::vector<std::string> names = fit.problem.coordinates().names();
+  std::vector<std::string> tendons, open;
+  std::size_t tilts = 0;
+  for (const NullDirection& null : all) {
+    const auto shares = shares_of(null.direction, names);
+    const OpenKind kind = kind_of(shares);
+    if (kind == OpenKind::kTilts)
+      ++tilts;
+    else if (kind == OpenKind::kTendons)
+      tendons.push_back(null.text + same_arms_words(shares));
+    else
+      open.push_back(null.text);
+  }
+  open.insert(open.begin(), tendons.begin(), tendons.end());
   std::string text =
       fmt::format("\n{} of {} directions are not in the data: the prior alone decides them\n",
-                  open.size(), fit.problem.size());
+                  all.size(), fit.problem.size());
   for (std::size_t i = 0; i < std::min(kOpenShown, open.size()); ++i)
-    text += fmt::format("  {}\n", open[i].text);
+    text += fmt::format("  {}\n", open[i]);
+  if (tilts > 0)
+    text += fmt::format("  {} only tilt or shift joint axes or turn the load cell\n", tilts);
   if (open.size() > kOpenShown) text += "  ... all are in the result file (--json lists them)\n";
   return text;
+}
+
+/// ", 0.8 times the stated noise".
+std::string noise_words(const FitResult& result, std::size_t e) {
+  if (e >= result.misfits.size()) return "";
+  return fmt::format(", {:.1f} times the stated noise", result.misfits[e].times_noise);
 }
 
 std::string left_out_text(const CrossValidation& validation) {
@@ -76,6 +166,18 @@ std::string seen_words(const Prediction& prediction) {
   return prediction.calibrated_on_specimen ? " (the subject has seen this specimen)" : "";
 }
 
+std::string fit_complaint(const FitResult& result, bool allowed) {
+  const Solution& found = result.fit.solution;
+  if (found.status == Status::kSolved && !found.failed) return "";
+  std::string text =
+      fmt::format("the fit has NOT converged: {} ({})", convergence_word(found), found.message);
+  const bool told = found.message.find("is left") != std::string::npos;
+  if (!told && std::isfinite(found.newton_step) && found.newton_step > 0)
+    text += fmt::format("; a step of {:.2g} posterior sds is left", found.newton_step);
+  text += "; the best point found is given";
+  return allowed ? text : text + " (--allow-unconverged to exit without error)";
+}
+
 OrderedJson json_of(const FitResult& result) {
   const Fit& fit = result.fit;
   Json out{{"status", convergence_word(fit.solution)},
@@ -87,8 +189,8 @@ OrderedJson json_of(const FitResult& result) {
            {"effective_parameters", fit.covariance.effective_parameters},
            {"warnings", result.warnings}};
   if (fit.solution.status == Status::kSolved) out["learnt"] = learnt_json(fit);
-  for (const Prediction& prediction : result.in_sample)
-    out["in_sample"].push_back(error_json(prediction));
+  for (std::size_t e = 0; e < result.in_sample.size(); ++e)
+    out["in_sample"].push_back(in_sample_json(result, e));
   for (const NullDirection& null : fit.covariance.null_directions)
     out["not_identifiable"].push_back(null.text);
   for (const CrossValidation& validation : result.left_out)
@@ -108,9 +210,11 @@ std::string text_of(const FitResult& result) {
       "parameters\n",
       name_of(fit.method), convergence_word(fit.solution), fit.solution.evaluations,
       fit.solution.seconds, fit.problem.size(), fit.covariance.effective_parameters);
-  for (const Prediction& p : result.in_sample)
-    text += fmt::format("  {:<20} in sample: RMS error {:.3f} N, relative {:.3f}\n", p.experiment,
-                        p.error.rms, p.error.relative);
+  for (std::size_t e = 0; e < result.in_sample.size(); ++e) {
+    const Prediction& p = result.in_sample[e];
+    text += fmt::format("  {:<20} in sample: RMS error {:.3f} N, relative {:.3f}{}\n", p.experiment,
+                        p.error.rms, p.error.relative, noise_words(result, e));
+  }
   for (const CrossValidation& validation : result.left_out) text += left_out_text(validation);
   if (fit.solution.status == Status::kSolved) text += learnt_text(fit);
   return text + open_text(fit) + "\n";

@@ -21,6 +21,10 @@ namespace thenar {
 /// prior sds.
 [[nodiscard]] Table table_of(const FitResult& result);
 
+/// Why the best point is not to be used; "" if it has converged.
+/// @param allowed  the person asked for it all the same
+[[nodiscard]] std::string fit_complaint(const FitResult& result, bool allowed);
+
 /// "; the subject has seen this specimen" behind an error that is not of a stranger, else "".
 [[nodiscard]] std::string seen_words(const Prediction& prediction);
 

@@ -202,6 +202,13 @@ std::string mobility_in_words(const TipNow& tip) {
   if (can.rank == 3)
     return fmt::format("nearly singular: condition {:.3g}; hardly moves along {}", can.condition,
                        direction(can.directions.col(2)));
+  if (can.possible == 2 && can.rank == 2)
+    return fmt::format(
+        "{} in the plane of flexion: condition {:.3g}; {} along {}; all axes are parallel, so it "
+        "cannot move along {}, across the plane, and carries any force there without tendons",
+        can.condition < kNearlySingular ? "regular" : "nearly singular", can.condition,
+        can.condition < kNearlySingular ? "moves least" : "hardly moves",
+        direction(can.directions.col(1)), direction(can.directions.col(2)));
   std::string blocked;
   for (int k = can.rank; k < 3; ++k)
     blocked += (blocked.empty() ? "" : " nor ") + direction(can.directions.col(k));

@@ -32,6 +32,8 @@ std::string doubts_text(const std::string& about, const std::vector<std::string>
 
 std::string banner_text(const PosteriorRun& run) {
   const Convergence& c = run.convergence;
+  if (c.warnings.empty() && c.cautions.empty())
+    return run.draws.complete ? "converged: the chains agree\n" : "";
   if (c.warnings.empty()) return doubts_text("converged, with a caution", c.cautions);
   const std::string line(78, '!');
   std::string text = line + "\n!! NOT CONVERGED: do not use these draws.\n";
@@ -152,6 +154,13 @@ Json advice_json(const PosteriorRun& run) {
   return out;
 }
 
+/// Of the inputs, and of noise that the draws found to be far larger than stated.
+std::vector<std::string> all_warnings(const PosteriorResult& result) {
+  std::vector<std::string> warnings = result.run.posterior->problem().warnings();
+  for (std::string& warning : noise_cautions(result)) warnings.push_back(std::move(warning));
+  return warnings;
+}
+
 Json convergence_json(const PosteriorRun& run) {
   const Convergence& c = run.convergence;
   return {{"sampler", name_of(run.settings.run.method)},
@@ -166,7 +175,6 @@ Json convergence_json(const PosteriorRun& run) {
           {"reasons", c.warnings},
           {"cautions", c.cautions},
           {"advice", advice_json(run)},
-          {"warnings", run.posterior->problem().warnings()},
           {"worst_r_hat", c.worst_r_hat},
           {"least_bulk_ess", c.min_bulk_ess},
           {"least_tail_ess", c.min_tail_ess},
@@ -253,8 +261,8 @@ Json left_out_json(const LeftOutObservations& of) {
 
 std::string text_of(const PosteriorResult& result) {
   const PosteriorRun& run = result.run;
-  std::string text = banner_text(run) + figures_text(run) +
-                     doubts_text("warning", run.posterior->problem().warnings()) + "\n";
+  std::string text =
+      banner_text(run) + figures_text(run) + doubts_text("warning", all_warnings(result)) + "\n";
   if (!result.summary) return text;
   const PosteriorSummary& summary = *result.summary;
   return text + checks_text(summary) + left_out_text(summary) + quantities_text(result) +
@@ -264,6 +272,7 @@ std::string text_of(const PosteriorResult& result) {
 OrderedJson json_of(const PosteriorResult& result) {
   const PosteriorRun& run = result.run;
   Json out = convergence_json(run);
+  out["warnings"] = all_warnings(result);
   out["swap_rates"] = Json::array();  // of each group, coldest pair first
   for (const auto& group : run.draws.swap_rate.colwise())
     out["swap_rates"].push_back(vector_json(group));
@@ -313,6 +322,11 @@ std::string convergence_complaint(const PosteriorRun& run, bool allowed) {
   text += ":";
   for (const std::string& reason : run.convergence.warnings) text += "\n  * " + reason;
   return text + "\nWhat may help:" + advice_text(advise(run));
+}
+
+std::vector<std::string> noise_cautions(const PosteriorResult& result) {
+  if (!result.summary) return {};
+  return noise_warnings(result.summary->quantities, result.summary->estimates);
 }
 
 std::vector<std::string> convergence_cautions(const PosteriorRun& run) {

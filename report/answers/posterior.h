@@ -32,4 +32,8 @@ namespace thenar {
 /// What a reader of converged draws should know, with ways out; often nothing.
 [[nodiscard]] std::vector<std::string> convergence_cautions(const PosteriorRun& run);
 
+/// Of experiments whose forces scatter far beyond the stated noise; see noise_warnings(). Nothing
+/// without a summary.
+[[nodiscard]] std::vector<std::string> noise_cautions(const PosteriorResult& result);
+
 }  // namespace thenar

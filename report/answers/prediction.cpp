@@ -77,12 +77,13 @@ Json experiment_json(const PredictedExperiment& one) {
 
 std::string component_names(const Experiment& experiment) {
   constexpr const char* kNames[] = {"proximal", "dorsal", "radial"};
+  constexpr const char* kOpposites[] = {"distal", "palmar", "ulnar"};
   std::string names;
   for (int i = 0; i < 3; ++i)
     for (int k = 0; k < 3; ++k)
       if (experiment.axes_of_digit(i, k) != 0)
-        names += fmt::format("{}{}{}", i > 0 ? " " : "",
-                             experiment.axes_of_digit(i, k) < 0 ? "-" : "", kNames[k]);
+        names += fmt::format("{}{}", i > 0 ? " " : "",
+                             experiment.axes_of_digit(i, k) < 0 ? kOpposites[k] : kNames[k]);
   return names;
 }
 

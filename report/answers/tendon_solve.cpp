@@ -281,13 +281,13 @@ std::string tensions_in_words(const LoadedDigit& loaded) {
 
 std::string tip_note(const TipForce& tip) {
   constexpr double kNone = 1e-9;  // torque [N m]
-  if (tip.rank < std::min<Eigen::Index>(3, tip.tau_residual.size()))
+  if (tip.rank < std::min<Eigen::Index>(tip.possible, tip.tau_residual.size()))
     return tip.tau_residual.cwiseAbs().maxCoeff() < kNone
                ? "singular posture: along some direction a force of the tip needs no joint torque; "
                  "the smallest force in balance is given"
                : "singular posture: no force of the tip balances all joint torques; given is the "
                  "smallest of the forces that leave the least torque unbalanced";
-  if (tip.rank < 3)
+  if (tip.singular())
     return "too few joints: along some direction a force of the tip needs no joint torque; the "
            "smallest force in balance is given";
   if (tip.condition < kNearlyStraight) return "";

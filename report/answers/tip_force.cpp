@@ -108,9 +108,18 @@ std::string note_of(const TipForceAnswer& answer, const TipForcePoint& point) {
         "minimum norm: {} joints leave the wrench of a held tip open, and of those that balance "
         "this one has the least |force|^2 + |moment / {:.4g} mm|^2 (--hold-length)",
         point.q.size(), answer.hold_length / kMm);
+  const auto add = [&](const std::string& more) {
+    note += (note.empty() || more.empty() ? "" : "; ") + more;
+  };
+  if (point.planar)
+    add(answer.hold == TipHold::kRigid
+            ? "all axes are parallel: forces across the plane of flexion, and moments but the one "
+              "about its normal, meet no joint and are not told (0)"
+            : "all axes are parallel: forces across the plane of flexion meet no joint and are not "
+              "told (0)");
   if (!answer.about.map.empty() || point.singular) return note;
-  const std::string posture = posture_note(answer.about.rows, point.condition, point.change);
-  return note + (note.empty() || posture.empty() ? "" : "; ") + posture;
+  add(posture_note(answer.about.rows, point.condition, point.change));
+  return note;
 }
 
 std::string text_of(const TipForceAnswer& answer) {

@@ -25,16 +25,20 @@ void add_direction_charts(const FeasibleForceAnswer& answer, const SweepAxes& ax
     prices.push_back(
         curve_over(answer.points, answer.about.muscles[m], [i](const FeasibleForcePoint& point) {
           const Eigen::VectorXd& price = point.largest->prices.increase;
-          return price.size() > 0 ? price(i) : kNaN;
+          return makes_force(point) && price.size() > 0 ? price(i) : kNaN;
         }));
     activations.push_back(
         curve_over(answer.points, answer.about.muscles[m], [i](const FeasibleForcePoint& point) {
-          return point.largest->status == Status::kSolved ? point.largest->activation(i) : kNaN;
+          return makes_force(point) ? point.largest->activation(i) : kNaN;
         }));
   }
-  charts.push_back(curve_chart(axes, "Largest force along the direction", "force [N]",
+  charts.push_back(curve_chart(axes,
+                               "Largest force along the direction; a gap where no tensions make "
+                               "any force this way with every "
+                               "joint in balance",
+                               "force along the direction [N]",
                                {curve_over(answer.points, "largest force", [](const auto& point) {
-                                 return point.largest->component;
+                                 return makes_force(point) ? point.largest->component : kNaN;
                                })}));
   charts.push_back(curve_chart(axes,
                                "What limits it: more force for one newton more of each muscle's F0",
@@ -64,8 +68,7 @@ void add_set_charts(const FeasibleForceAnswer& answer, const SweepAxes& axes, Js
 double drawn_force(const FeasibleForceAnswer& answer) {
   double largest = 0;
   for (const FeasibleForcePoint& point : answer.points) {
-    if (point.largest && point.largest->status == Status::kSolved)
-      largest = std::max(largest, point.largest->force.norm());
+    if (makes_force(point)) largest = std::max(largest, point.largest->force.norm());
     if (point.whole && point.whole->set.vertices.rows() > 0)
       largest = std::max(largest, point.whole->set.vertices.rowwise().norm().maxCoeff());
   }
@@ -83,7 +86,7 @@ Json force_scene(const FeasibleForceAnswer& answer) {
       [&](std::size_t i, const std::string& tint, Json& layers) {
         const FeasibleForcePoint& point = answer.points[i];
         if (!point.failure.empty()) return;
-        if (point.largest && point.largest->status == Status::kSolved)
+        if (makes_force(point))
           layers.push_back(
               arrow_layer("largest force", "#d55e00", point.tip, scale * point.largest->force));
         if (!point.whole || point.whole->set.vertices.rows() == 0) return;

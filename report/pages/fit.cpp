@@ -81,20 +81,41 @@ Json coordinate_table(const Fit& fit) {
   return table;
 }
 
+/// The largest misfit that chance cannot explain, in sds of the stated noise; 0 without one.
+double worst_misfit(const FitResult& result) {
+  double worst = 0;
+  for (const Misfit& misfit : result.misfits)
+    if (misfit.beyond_chance) worst = std::max(worst, misfit.times_noise);
+  return worst;
+}
+
+/// The banner of a fit: green if it has converged to what noise allows, amber if it misses the
+/// forces, red if it has not converged or misses them by far.
+Json ending_banner(const FitResult& result) {
+  constexpr double kFar = 3;  // times the stated noise: nobody misjudges their noise so much [1]
+  const Solution& found = result.fit.solution;
+  const bool converged = found.status == Status::kSolved && !found.failed;
+  const double missed = worst_misfit(result);
+  std::string title = converged ? "The fit has converged" : "The fit has NOT converged";
+  if (missed > 0)
+    title += fmt::format("{} misses the forces by {:.1f} times the stated noise",
+                         converged ? ", but" : ", and", missed);
+  Json banner{
+      {"type", "banner"},
+      {"ok", converged && missed <= kFar},
+      {"title", title},
+      {"text", fmt::format("{} by {} after {} evaluations, {:.2f} s: {}. {} coordinates move; the "
+                           "data determine as much as {:.1f} parameters",
+                           convergence_word(found), name_of(result.fit.method), found.evaluations,
+                           found.seconds, found.message, result.fit.problem.size(),
+                           result.fit.covariance.effective_parameters)}};
+  if (converged && missed > 0 && missed <= kFar) banner["caution"] = true;
+  return banner;
+}
+
 /// How the fit ended, and what to know before trusting it.
 Json ending_blocks(const FitResult& result) {
-  const Solution& found = result.fit.solution;
-  const bool ok = found.status == Status::kSolved && !found.failed;
-  Json blocks = Json::array();
-  blocks.push_back(
-      {{"type", "banner"},
-       {"ok", ok},
-       {"title", ok ? "The fit has converged" : "The fit has NOT converged"},
-       {"text", fmt::format("{} by {} after {} evaluations, {:.2f} s: {}. {} coordinates move; the "
-                            "data determine as much as {:.1f} parameters",
-                            convergence_word(found), name_of(result.fit.method), found.evaluations,
-                            found.seconds, found.message, result.fit.problem.size(),
-                            result.fit.covariance.effective_parameters)}});
+  Json blocks = Json::array({ending_banner(result)});
   if (!result.warnings.empty())
     blocks.push_back({{"type", "banner"},
                       {"ok", false},
@@ -104,7 +125,8 @@ Json ending_blocks(const FitResult& result) {
   return blocks;
 }
 
-Json error_row(const Prediction& prediction, const std::string& what) {
+/// @param noise  misfit in stated noises, or null
+Json error_row(const Prediction& prediction, const std::string& what, const Json& noise) {
   const ForceError& error = prediction.error;
   return {prediction.experiment + seen_words(prediction),
           what,
@@ -113,23 +135,28 @@ Json error_row(const Prediction& prediction, const std::string& what) {
           error.relative,
           error.relative_flexion,
           degrees(error.direction),
+          noise,
           error.covered ? Json(100 * *error.covered) : Json(nullptr)};
 }
 
 Json error_table(const FitResult& result) {
   Json rows = Json::array();
-  for (const Prediction& prediction : result.in_sample)
-    rows.push_back(error_row(prediction, "in sample"));
+  for (std::size_t e = 0; e < result.in_sample.size(); ++e)
+    rows.push_back(
+        error_row(result.in_sample[e], "in sample",
+                  e < result.misfits.size() ? Json(result.misfits[e].times_noise) : Json(nullptr)));
   for (const CrossValidation& validation : result.left_out) {
     std::string what = name_of(validation.what);
     if (validation.stopped)
       what += fmt::format(", {} of {} folds", validation.folds_done, validation.folds.size());
     for (const Prediction& prediction : validation.experiments)
-      if (!prediction.trials.empty()) rows.push_back(error_row(prediction, what));
+      if (!prediction.trials.empty()) rows.push_back(error_row(prediction, what, nullptr));
   }
   return table_block(
       "Errors of predicted forces: in space, in the flexion plane alone, and the median angle "
-      "between predicted and measured",
+      "between predicted and measured. Times the noise: root of chi-square per degree of freedom, "
+      "near "
+      "1 where model and stated noise are right",
       {{"experiment", ""},
        {"predicted", ""},
        {"trials", "", 0},
@@ -137,6 +164,7 @@ Json error_table(const FitResult& result) {
        {"relative error", "", 3},
        {"in plane", "", 3},
        {"angle", "deg", 1},
+       {"times the noise", "", 1},
        {"within 95 % band", "%", 0}},
       rows);
 }
@@ -200,12 +228,39 @@ Json digit_section(const Fit& fit) {
 
 }  // namespace
 
-std::string name_rules() {
-  return "Names: path/RI/2/dorsal is how far the second point of the radial interosseous, counted "
-         "from its insertion, lies dorsal of where the subject file has it; axis/DIP3/direction/1 "
-         "tilts a joint axis; hood/EDC/central and /slope say how much of a tension goes to the "
-         "central slip, and how that changes as the MCP joint flexes (both on the logit scale); "
-         "angle/DIP3/Hook is the error of one joint in one posture; sensor/ tilts the load cell.";
+std::string name_rules(const Fit& fit) {
+  struct Rule {
+    std::vector<ParameterKind> kinds;
+    const char* text;
+  };
+  using Kind = ParameterKind;
+  static const std::vector<Rule> rules{
+      {{Kind::kPathPoint},
+       "path/RI/2/dorsal is how far the second point of the radial interosseous, counted from its "
+       "insertion, lies dorsal of where the subject file has it"},
+      {{Kind::kArm}, "arm/FDP/PIP3 is the moment arm of FDP at the PIP joint, flexion positive"},
+      {{Kind::kAxisDirection}, "axis/DIP3/direction/1 tilts a joint axis"},
+      {{Kind::kAxisPoint}, "axis/DIP3/point/1 shifts a joint axis"},
+      {{Kind::kHoodEntry, Kind::kHoodCentral, Kind::kHoodSlope},
+       "hood/EDC/central and /slope say how much of a tension goes to the central slip, and how "
+       "that "
+       "changes as the MCP joint flexes (both on the logit scale)"},
+      {{Kind::kFriction}, "friction/FDP is Euler's belt coefficient of a tendon in its sheath"},
+      {{Kind::kAngle, Kind::kPostureAngle},
+       "angle/DIP3/Hook is the error of one joint in one posture"},
+      {{Kind::kGain}, "gain/FDP multiplies the stated tension of a muscle"},
+      {{Kind::kSensorTilt}, "sensor/ tilts the load cell"}};
+  const FitParameters& parameters = fit.problem.parameters();
+  std::string text;
+  for (const Rule& rule : rules) {
+    const bool occurs =
+        std::any_of(parameters.leader.begin(), parameters.leader.end(), [&](const int p) {
+          return std::count(rule.kinds.begin(), rule.kinds.end(),
+                            parameters.all[static_cast<std::size_t>(p)].kind) > 0;
+        });
+    if (occurs) text += (text.empty() ? "Names: " : "; ") + std::string(rule.text);
+  }
+  return text.empty() ? text : text + ".";
 }
 
 Json learnt_forest(const Fit& fit, const std::string& whose, std::size_t shown) {
@@ -276,7 +331,7 @@ Json page_of(const FitResult& result) {
        section("learnt", "What the forces tell about the digit",
                "Every parameter has a prior from anatomy; its sd is the unit here, and an interval "
                "as wide as the prior means that nothing was learnt.\n\n" +
-                   name_rules(),
+                   name_rules(fit),
                Json::array({learnt_forest(fit, whose), coordinate_table(fit)}))});
   if (!fit.covariance.null_directions.empty())
     sections.push_back(section("open", "What the prior alone decides",

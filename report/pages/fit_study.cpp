@@ -180,7 +180,7 @@ Json parameter_page(const std::vector<SpecimenStudy>& studies) {
                  "Every parameter has a prior from anatomy; its sd is the unit here, and an "
                  "interval as wide as the prior means that nothing was learnt. Directions along "
                  "which no measured force changes are named, not hidden.\n\n" +
-                     name_rules(),
+                     (studies.empty() ? "" : name_rules(studies.front().fit)),
                  blocks);
 }
 

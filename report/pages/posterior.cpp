@@ -89,7 +89,15 @@ Json forces_blocks(const PosteriorPicture& picture) {
   for (const PredictedForces& predicted : picture.predicted)
     blocks.push_back(predictive_block(predicted));
   if (picture.left_out) {
-    add_doubts("Leaving observations out is doubtful", picture.left_out->result.warnings, blocks);
+    const std::vector<std::string>& doubts = picture.left_out->result.warnings;
+    add_doubts("Leaving observations out is doubtful", doubts, blocks);
+    if (!doubts.empty()) {
+      blocks.back()["caution"] = true;
+      blocks.back()["text"] =
+          "Only this estimate of how forces would be predicted unseen is in doubt, not the draws. "
+          "A fit "
+          "with --cross-validate leaves postures, tendons or specimens out for good";
+    }
     blocks.push_back(pareto_chart(*picture.left_out));
   }
   return blocks;
@@ -135,6 +143,8 @@ void add_quantities(const PosteriorRun& run, const PictureOptions& options,
                     PosteriorPicture& picture) {
   const std::vector<PosteriorQuantity> read = posterior_quantities(run);
   const std::vector<Estimate> estimates = estimates_of(read, run.draws.group);
+  for (std::string& warning : noise_warnings(read, estimates))
+    picture.warnings.push_back(std::move(warning));
   const TendonDigit& digit = run.posterior->problem().digit();
   for (const std::size_t i : chosen(read, estimates, options.most)) {
     picture.quantities.push_back({read[i].name,

@@ -24,7 +24,8 @@ struct PosteriorPicture {
   std::string title;   // "H01 and H02"; heads the sections
   std::string prefix;  // of section ids, where a page shows several
   std::vector<Quantity> quantities;
-  std::vector<std::string> warnings;  // of the experiments and of the subject
+  std::vector<std::string> warnings;  // of the experiments, the subject, and noise
+                                      // that is far larger than stated
   std::vector<std::string> advice;    // what may help, sentences
   Convergence convergence;            // its estimates are not used: quantities have them
   std::string run;                    // one sentence: sampler, chains, draws, seconds

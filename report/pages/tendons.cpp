@@ -148,7 +148,7 @@ Json tip_chart(const TendonSweep& sweep) {
     add_series(
         sweep, names[k],
         [&](const DigitPoint& point) -> Json {
-          if (point.tip.rank < 3) return nullptr;
+          if (point.tip.singular()) return nullptr;
           const TreeState<double> state = pose_tree(model.tree, point.q);
           const auto link = static_cast<std::size_t>(model.tip_link);
           return (state[link].X.R * model.tip_axes.col(k)).dot(point.tip.f_W);

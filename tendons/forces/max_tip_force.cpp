@@ -151,6 +151,19 @@ ForceLimitPrices prices_of(const TipStatics& statics, const internal::TipBalance
   return prices;
 }
 
+/// Of the forces with the same component along d and the same joint torques, the one of which bones
+/// carry least alone: without what lies in the null space of J', across d.
+Vector3d without_bone_force(const internal::TipBalance& balance, const Vector3d& d,
+                            Vector3d force) {
+  // Directions that meet no torque, and among them those across d.
+  const Eigen::Matrix3Xd carried = balance.U.rightCols(3 - balance.rank);
+  const VectorXd along = carried.transpose() * d;
+  VectorXd amount = carried.transpose() * force;
+  if (along.norm() > internal::kUnitRounding)
+    amount -= along * (along.dot(amount) / along.squaredNorm());
+  return force - carried * amount;
+}
+
 /// What a result says before, or instead of, an answer.
 double amount_without_answer(Status status) { return status == Status::kUnbounded ? kInfinity : 0; }
 
@@ -190,7 +203,8 @@ MaxTipForce max_tip_force(const TipStatics& statics, const Vector3d& direction,
                      VectorXd::Zero(statics.J.cols()),
                      {}};
   if (status != Status::kSolved) return result;
-  result.force = balance.force_unit * (axes * best.x.head(axes.cols()));
+  result.force =
+      without_bone_force(balance, d, balance.force_unit * (axes * best.x.head(axes.cols())));
   result.component = balance.force_unit * best.x(0);
   result.tension = internal::tension(balance, best.x.tail(balance.most.size()));
   result.activation = internal::activation(statics, result.tension);

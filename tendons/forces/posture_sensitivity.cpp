@@ -22,13 +22,13 @@ constexpr double kStep = 1e-3;  // of the differences [rad]
 struct TipLeastSquares {
   MatrixXd B, inverse;  // B+
   VectorXd x, left;     // tau - B x
-  bool full;            // rank is min(rows, columns)
+  Index rank;           // of B
 
   TipLeastSquares(const MatrixXd& matrix, const VectorXd& tau) : B(matrix) {
     // Pseudo-inverse, solution and residual.
     Eigen::JacobiSVD<MatrixXd> svd(B, Eigen::ComputeThinU | Eigen::ComputeThinV);
     svd.setThreshold(internal::kRankTolerance);
-    full = svd.rank() == std::min(B.rows(), B.cols());
+    rank = svd.rank();
     inverse = svd.solve(MatrixXd::Identity(B.rows(), B.rows()));
     x = inverse * tau;
     left = tau - B * x;
@@ -80,9 +80,10 @@ Eigen::Matrix3Xd tip_force_jacobian(const TipStatics& statics,
   const TipLeastSquares force(statics.J.transpose(), statics.R.transpose() * t + statics.tau_0);
   const auto n = static_cast<Index>(slopes.size());
   Eigen::Matrix3Xd result = Eigen::Matrix3Xd::Constant(3, n, kInfinity);
-  // Without full rank the force jumps.
-  const bool rank_3 = force.full && statics.J.cols() >= 3;
-  for (Index k = 0; rank_3 && k < n; ++k) {
+  // Where the rank is less than in other postures the force jumps.
+  const bool planar = has_rotation(statics) && plane_normal(statics.J, statics.W).has_value();
+  const bool regular = force.rank == (planar ? 2 : 3);
+  for (Index k = 0; regular && k < n; ++k) {
     const StaticsDerivative& slope = slopes[static_cast<std::size_t>(k)];
     result.col(k) = force.slope(slope.J.transpose(), torque_slope(slope, t));
   }
@@ -103,7 +104,9 @@ MatrixXd tip_wrench_jacobian(const TipStatics& statics,
   const TipLeastSquares wrench(joined(statics.W, statics.J),
                                statics.R.transpose() * t + statics.tau_0);
   MatrixXd result = MatrixXd::Constant(6, n, kInfinity);
-  for (Index k = 0; wrench.full && k < n; ++k) {
+  const Index possible = plane_normal(statics.J, statics.W) ? 3 : 6;
+  const bool regular = wrench.rank == std::min(n, possible);
+  for (Index k = 0; regular && k < n; ++k) {
     const StaticsDerivative& slope = slopes[static_cast<std::size_t>(k)];
     result.col(k) = wrench.slope(joined(slope.W, slope.J), torque_slope(slope, t));
   }

@@ -11,8 +11,13 @@ namespace thenar {
 struct TipForce {
   Eigen::Vector3d f_W;           // force of the tip on the world, world frame   [N]    (3)
   Eigen::VectorXd tau_residual;  // joint torque that no tip force can balance   [N m]  (n)
-  double condition;              // of J_W; infinite if its rank is below 3      [1]
-  int rank;                      // of J_W; below 3 some force meets no torque   [1]
+  double condition;              // of J_W; infinite if rank < possible          [1]
+  int rank;                      // of J_W                                       [1]
+  int possible = 3;              // rank of a regular posture: 2 in the plane of parallel axes, where
+                                 // no joint feels the force across it, which is 0 here [1]
+
+  /// Some force meets no torque that meets one in other postures.
+  [[nodiscard]] bool singular() const { return rank < possible; }
 };
 
 /// What a model must carry before tip_force() may be asked of it.
@@ -34,7 +39,8 @@ inline constexpr Fidelity kTipForceNeeds{Motion::kStatic, Path::kConstant};
                                  const Eigen::Ref<const Eigen::MatrixXd>& R,
                                  const Eigen::Ref<const Eigen::VectorXd>& t);
 
-/// The same with the passive torques of `statics`:  J' f = R' t + tau_0.  Its W is not looked at.
+/// The same with the passive torques of `statics`:  J' f = R' t + tau_0.  Its W, if known, tells
+/// parallel axes, see plane_normal().
 [[nodiscard]] TipForce tip_force(const TipStatics& statics,
                                  const Eigen::Ref<const Eigen::VectorXd>& t);
 

@@ -1,5 +1,6 @@
 #include "tendons/forces/tip_wrench.h"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -28,11 +29,17 @@ TipWrench tip_wrench(const TipStatics& statics, const Eigen::Ref<const Eigen::Ve
 
   const Eigen::VectorXd tau = statics.R.transpose() * t + statics.tau_0;
   const Eigen::VectorXd wrench = svd.solve(tau);
-  const bool full = svd.rank() == sigma.size();
+  const int possible = plane_normal(statics.J, statics.W) ? 3 : 6;
+  const auto wanted = std::min<Eigen::Index>(n, possible);
   const double condition =
-      full ? sigma(0) / sigma(sigma.size() - 1) : std::numeric_limits<double>::infinity();
-  return {options.length * wrench.head<3>(), wrench.tail<3>(), tau - balance * wrench, condition,
-          static_cast<int>(svd.rank()),      svd.rank() < 6};
+      svd.rank() >= wanted ? sigma(0) / sigma(wanted - 1) : std::numeric_limits<double>::infinity();
+  return {options.length * wrench.head<3>(),
+          wrench.tail<3>(),
+          tau - balance * wrench,
+          condition,
+          static_cast<int>(svd.rank()),
+          svd.rank() < possible,
+          possible};
 }
 
 }  // namespace thenar

@@ -20,9 +20,12 @@ struct TipWrench {
   Eigen::Vector3d m_W;           // moment of the tip on the world, about the tip  [N m] (3)
   Eigen::Vector3d f_W;           // force of the tip on the world                  [N]   (3)
   Eigen::VectorXd tau_residual;  // joint torque that no wrench can balance        [N m] (n)
-  double condition;              // of [length W; J]; infinite if its rank is below min(n, 6) [1]
+  double condition;              // of [length W; J]; infinite if its rank is below
+                                 // min(n, possible)                               [1]
   int rank;                      // of [length W; J]                               [1]
-  bool minimum_norm;             // rank < 6: many wrenches balance, this is the least of them
+  bool minimum_norm;             // rank < possible: many wrenches balance, this is the least of them
+  int possible = 6;              // loads that some joint can feel: 3 in the plane of parallel axes,
+                                 // two forces and the moment about its normal; others are 0 [1]
 };
 
 /// Static wrench of a rigidly held tip:  J' f + W' m = R' t + tau_0.

@@ -2,7 +2,10 @@
 
 #include "api/fit.h"
 
+#include <algorithm>
+
 #include "base/error.h"
+#include "data/io/toml_node.h"
 #include "tests/api/small_fit.h"
 #include "tests/message_of.h"
 
@@ -38,6 +41,38 @@ TEST_F(FitQuestion, WritesItsFileWithTheRunAndPredictsWhatItHasSeen) {
   const Fit back = read_fit(request.output);
   EXPECT_EQ(command_line(back.run), "thenar fit synek2019_H01");
   EXPECT_EQ(back.solution.z, result.fit.solution.z);
+}
+
+// Two shares and the tilt of the cell cannot turn forces round: reversed ones are missed by far.
+TEST_F(FitQuestion, WarnsOfForcesThatItMisses) {
+  FitRequest request;
+  request.sources = sources();
+  const auto misses = [&] {
+    const FitResult result = fit_forces(request);
+    const auto told = [&](const std::string& words) {
+      return std::any_of(result.warnings.begin(), result.warnings.end(), [&](const auto& warning) {
+        return warning.find(words) != std::string::npos;
+      });
+    };
+    EXPECT_EQ(told("times the stated noise"), result.misfits.at(0).beyond_chance);
+    EXPECT_EQ(told("moved by more than 3 prior sds"),
+              result.fit.solution.z.cwiseAbs().maxCoeff() > 3);
+    return result.misfits.at(0).beyond_chance;
+  };
+  EXPECT_FALSE(misses());
+  std::string text = read_text_file(request.sources.experiments.front());
+  const std::string wanted = "components = [";
+  const std::size_t at = text.find(wanted);
+  ASSERT_NE(at, std::string::npos);
+  const std::size_t end = text.find(']', at);
+  std::string turned = text.substr(at, end - at);
+  for (const auto& [word, other] : {std::pair("proximal", "distal"), std::pair("dorsal", "palmar")})
+    if (const std::size_t found = turned.find(word); found != std::string::npos)
+      turned.replace(found, std::string(word).size(), other);
+  text.replace(at, end - at, turned);
+  std::ofstream(path("turned.toml")) << text;
+  request.sources.experiments = {path("turned.toml")};
+  EXPECT_TRUE(misses());
 }
 
 TEST_F(FitQuestion, StopsWithTheBestPointSoFar) {

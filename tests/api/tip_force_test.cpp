@@ -2,7 +2,12 @@
 
 #include "api/tip_force.h"
 
+#include <algorithm>
+#include <cmath>
+
 #include <gtest/gtest.h>
+
+#include "base/units.h"
 
 #include "tests/data_folder.h"
 #include "tests/matrix_near.h"
@@ -64,6 +69,41 @@ TEST(AskTipForce, RefusesAHoldOfAMap) {
   request.hold = TipHold::kRigid;
   EXPECT_NE(message_of([&] { (void)ask_tip_force(request); }).find("leave out --hold rigid"),
             std::string::npos);
+}
+
+/// A finger without abduction: all its axes are parallel.
+TipForceRequest planar_index_finger(TipHold hold) {
+  TipForceRequest request;
+  request.digit.subject = "an_chao_index";
+  request.digit.data = kData;
+  request.digit.posture = {{{"MCP2_FE", 35}, {"PIP2", 45}, {"DIP2", 25}}, {}, PostureUnit::kTyped};
+  request.digit.frozen = {{{"MCP2_AA", 0}}, {}, PostureUnit::kTyped};
+  request.tension = {{"FDP", 10}};
+  request.hold = hold;
+  return request;
+}
+
+// What a degree changes is what differences of the force itself say, and the plane is no
+// singularity.
+TEST(AskTipForce, KnowsThePlaneOfParallelAxes) {
+  for (const TipHold hold : {TipHold::kPinned, TipHold::kRigid}) {
+    TipForceRequest request = planar_index_finger(hold);
+    const TipForcePoint at = ask_tip_force(request).points.front();
+    EXPECT_TRUE(at.planar);
+    EXPECT_FALSE(at.singular);
+    EXPECT_FALSE(at.minimum_norm);
+    EXPECT_TRUE(std::isfinite(at.condition));
+    EXPECT_NEAR((at.tip_axes->transpose() * at.force)[2], 0, 1e-12);
+    constexpr double kStep = 0.0078125;  // [deg], exact in binary
+    request.digit.vary = {{"PIP2", 45 - kStep, 45 + kStep, 2 * kStep}};
+    const TipForceAnswer near = ask_tip_force(request);
+    ASSERT_EQ(near.points.size(), 2U);
+    const double slope =
+        (near.points[1].force - near.points[0].force).norm() / (2 * kStep * kDegree);
+    const auto& rows = near.about.rows;
+    const auto pip = std::find(rows.begin(), rows.end(), "PIP2") - rows.begin();
+    EXPECT_NEAR(at.change[pip], slope, 1e-5 * slope);  // the third derivative of a step
+  }
 }
 
 }  // namespace

@@ -197,6 +197,26 @@ class TipForce(Near):
         self.assertTrue(answer["note"].startswith("minimum norm: 4 joints leave the wrench"))
         self.near(answer["leftover_torque_N_mm"].values(), [0] * 4, 1e-9)
 
+    # Without abduction all axes are parallel: the same numbers, but regular in their plane.
+    def test_finger_without_abduction_is_regular_in_its_plane(self):
+        angles = [40, 55, 35]
+        torque = [7 * arm for arm in moment_arms(strand_points("FDP"), angles)]  # [N mm]
+        J = PlanarFinger(angles).jacobian()
+        words = ("--posture", "MCP3_FE=40", "PIP3=55", "DIP3=35", "--frozen", "MCP3_AA=0")
+        answer = ask("tip-force", MIDDLE, *words, "--tension", "FDP=7")
+        self.near(answer["force_N"], [*least_squares(J, torque), 0], 1e-6)
+        self.assertIn("across the plane of flexion", answer["note"])
+        self.assertNotIn("singular", answer["note"])
+        xx, xy, yy = (sum(a * b for a, b in zip(J[i], J[k])) for i, k in ((0, 0), (0, 1), (1, 1)))
+        spread = math.hypot((xx - yy) / 2, xy)
+        condition = math.sqrt(((xx + yy) / 2 + spread) / ((xx + yy) / 2 - spread))
+        self.assertAlmostEqual(answer["condition"] / condition, 1, delta=1e-6)
+        tip = ask("pose", MIDDLE, *words)["tips"][0]
+        self.assertAlmostEqual(tip["condition"] / condition, 1, delta=1e-6)
+        self.assertTrue(tip["mobility"].startswith("regular in the plane of flexion"))
+        rigid = ask("tip-force", MIDDLE, *words, "--tension", "FDP=7", "--hold", "rigid")
+        self.assertNotIn("minimum norm", rigid["note"])
+
     def test_nearly_straight_finger_says_what_a_degree_changes(self):
         def force(pip, posture=("DIP2=0.1", "--tension", "FDP=10")):
             return ask("tip-force", INDEX, "--posture", f"PIP2={pip}", *posture)

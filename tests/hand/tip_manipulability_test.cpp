@@ -41,5 +41,33 @@ TEST(TipManipulability, RejectsWhatIsNoJacobian) {
   EXPECT_THROW((void)tip_manipulability(nan), InputError);
 }
 
+// Links of 40 and 30 mm, the second at right angles: the tip is at (40, 30) mm of the first axis
+// and (0, 30) of the second. J J' = [1800 -1200; -1200 1600] mm^2 has the eigenvalues 1700 -+
+// sqrt(100^2 + 1200^2).
+TEST(TipManipulability, OfParallelAxesIsThatInTheirPlane) {
+  Eigen::Matrix3Xd J(3, 2), W(3, 2);
+  J << -0.03, -0.03, 0.04, 0, 0, 0;
+  W << 0, 0, 0, 0, 1, -1;
+  const TipManipulability mobility = tip_manipulability(J, W);
+  const double spread = std::hypot(100, 1200);
+  EXPECT_NEAR(mobility.condition, std::sqrt((1700 + spread) / (1700 - spread)), 1e-12);
+  EXPECT_EQ(mobility.possible, 2);
+  EXPECT_TRUE(std::isinf(tip_manipulability(J).condition));
+  J.row(0).setZero();  // straight
+  EXPECT_TRUE(std::isinf(tip_manipulability(J, W).condition));
+}
+
+TEST(PlaneNormal, IsOfParallelAxesThatTurn) {
+  Eigen::Matrix3Xd J(3, 2), W(3, 2);
+  J << -0.03, -0.03, 0.04, 0, 0, 0;
+  W << 0, 0, 0, 0, 1, -1;
+  ASSERT_TRUE(plane_normal(J, W));
+  EXPECT_EQ(*plane_normal(J, W), Eigen::Vector3d(0, 0, 1));
+  W.col(1) << 0, std::sin(1e-6), std::cos(1e-6);
+  EXPECT_FALSE(plane_normal(J, W));
+  W.col(1).setZero();  // slides
+  EXPECT_FALSE(plane_normal(J, W));
+}
+
 }  // namespace
 }  // namespace thenar

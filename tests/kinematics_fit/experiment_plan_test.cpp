@@ -17,6 +17,7 @@ namespace {
 
 using sample::FitSetup;
 using sample::kAxes;
+using sample::kAxesAndPaths;
 using sample::middle_finger;
 
 /// Angles of all joints of the digit [rad] (coordinates).
@@ -43,7 +44,7 @@ TEST(ExperimentPlan, FindsPosturesMusclesAndForces) {
 }
 
 TEST(ExperimentPlan, SaysThatMomentsAreNotFitted) {
-  FitSetup setup = middle_finger(kAxes);
+  FitSetup setup = middle_finger(kAxesAndPaths);
   setup.digit.calibrated_on.clear();
   setup.experiments.front().trials[2].moment = Eigen::Vector3d(0.1, 0, 0);
   EXPECT_EQ(setup.problem().warnings(),
@@ -52,7 +53,7 @@ TEST(ExperimentPlan, SaysThatMomentsAreNotFitted) {
 }
 
 TEST(ExperimentPlan, SaysWhichAnglesAndTensionsNoFingerHas) {
-  FitSetup setup = middle_finger(kAxes);
+  FitSetup setup = middle_finger(kAxesAndPaths);
   setup.digit.calibrated_on.clear();
   setup.experiments.front().postures[1].angles["PIP3"] = 300 * kDegree;
   setup.experiments.front().trials[0].tension = {{"FDS", 950.0}};
@@ -66,7 +67,7 @@ TEST(ExperimentPlan, SaysWhichAnglesAndTensionsNoFingerHas) {
 // A fifth of a degree from straight at both joints: far from singular to rounding, and not to a
 // goniometer.
 TEST(ExperimentPlan, SaysWhichPosturesAreNearlyStraight) {
-  FitSetup setup = middle_finger(kAxes);
+  FitSetup setup = middle_finger(kAxesAndPaths);
   setup.digit.calibrated_on.clear();
   auto& angles = setup.experiments.front().postures[1].angles;
   angles["PIP3"] = angles["DIP3"] = 0.2 * kDegree;

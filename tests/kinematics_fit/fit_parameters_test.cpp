@@ -174,7 +174,7 @@ TEST(ChooseParameters, NamesTheRowThatMatchesNothing) {
             "fit.toml:3: no parameter matches 'gane/*'; list them with `thenar explain`");
   EXPECT_EQ(refusal("[[parameter]]\nmatch = 'gane/*'\noptional = 'yes'\n"), "");
   EXPECT_EQ(refusal("", {"gane/*"}),
-            "--free:0: no parameter matches 'gane/*'; list them with `thenar explain`");
+            "--free: no parameter matches 'gane/*'; list them with `thenar explain`");
 }
 
 TEST(ChooseParameters, NamesTheWrongUnit) {
@@ -192,6 +192,48 @@ TEST(ChooseParameters, NamesTheTieToWhatIsNotFree) {
 TEST(ChooseParameters, NamesTheMeanOutsideItsBounds) {
   EXPECT_EQ(refusal("[[parameter]]\nmatch='gain/LU'\nmean=1\nlower=2\nupper=3\n"),
             "prior mean 1 of 'gain/LU' is outside 2 .. 3 [SI]");
+}
+
+FitParameters of_planar_finger(const std::string& subject, const FitSettings& settings,
+                               const std::vector<std::string>& also_free = {}) {
+  return choose_parameters(build_tendon_digit(parse_subject(subject, "planar.toml"), "index"),
+                           {"bent"}, settings, also_free);
+}
+
+FitSettings built_in_finger() {
+  const SourceText finger = built_in_settings("index");
+  return parse_fit_settings(finger.text, finger.path);
+}
+
+// FDS inserts on the middle phalanx, so five of its and FDP's six arms are no zeros and move.
+TEST(ChooseParameters, FingersThatAreKnownByTheirArmsMoveThem) {
+  const FitParameters chosen = of_planar_finger(sample::planar_finger_of_arms(), built_in_finger());
+  std::vector<std::string> arms;
+  for (const std::string& name : free_names(chosen))
+    if (matches_glob("arm/*", name)) arms.push_back(name);
+  EXPECT_EQ(arms, (std::vector<std::string>{"arm/FDP/MCP2_FE", "arm/FDP/PIP2", "arm/FDP/DIP2",
+                                            "arm/FDS/MCP2_FE", "arm/FDS/PIP2"}));
+  EXPECT_TRUE(fixed_geometry_warnings(chosen).empty());
+}
+
+// A finger of points has no arms to be known by: ten points, three coordinates each.
+TEST(ChooseParameters, FingersOfPointsMoveTheirPoints) {
+  const FitParameters chosen = of_planar_finger(sample::kPlanarFinger, built_in_finger());
+  for (const std::string& name : free_names(chosen)) EXPECT_FALSE(matches_glob("arm/*", name));
+  EXPECT_TRUE(fixed_geometry_warnings(chosen).empty());
+}
+
+TEST(FixedGeometryWarnings, CountWhatCannotMoveAndSayHowToFreeIt) {
+  const FitSettings angles = sample::settings("[[parameter]]\nmatch = 'angle/*'\nstate = 'free'\n");
+  EXPECT_EQ(
+      fixed_geometry_warnings(of_planar_finger(sample::planar_finger_of_arms(), angles)),
+      std::vector<std::string>{"none of the 5 moment arms of the subject may move under these "
+                               "settings: --free 'arm/*' frees them"});
+  EXPECT_EQ(fixed_geometry_warnings(of_planar_finger(sample::kPlanarFinger, angles)),
+            std::vector<std::string>{"none of the 10 tendon points of the subject may move under "
+                                     "these settings: --free 'path/*' frees them"});
+  const std::string arms = sample::planar_finger_of_arms();
+  EXPECT_TRUE(fixed_geometry_warnings(of_planar_finger(arms, angles, {"arm/FDP/PIP2"})).empty());
 }
 
 }  // namespace

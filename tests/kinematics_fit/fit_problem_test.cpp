@@ -16,13 +16,13 @@ namespace thenar {
 namespace {
 
 using sample::FitSetup;
-using sample::kAxes;
+using sample::kAxesAndPaths;
 using sample::middle_finger;
 
 // The published middle finger was calibrated on H01, H02 and B01, the normative one on nobody.
 TEST(FitProblem, SaysWhichSpecimensItsSubjectHasSeen) {
   for (const char* specimen : {"H01", "H02", "B01"}) {
-    const FitProblem seen = middle_finger(kAxes, specimen).problem();
+    const FitProblem seen = middle_finger(kAxesAndPaths, specimen).problem();
     const std::string name = std::string("synek2019_") + specimen;
     EXPECT_EQ(seen.warnings(),
               std::vector<std::string>{"experiment '" + name + "': the subject has seen specimen " +
@@ -32,7 +32,7 @@ TEST(FitProblem, SaysWhichSpecimensItsSubjectHasSeen) {
     const Eigen::VectorXd z = Eigen::VectorXd::Zero(seen.size());
     EXPECT_TRUE(predict_fitted(seen, z, 0).calibrated_on_specimen);
 
-    const FitProblem unseen = middle_finger(kAxes, specimen, "an_chao_middle").problem();
+    const FitProblem unseen = middle_finger(kAxesAndPaths, specimen, "an_chao_middle").problem();
     EXPECT_TRUE(unseen.warnings().empty());
     EXPECT_FALSE(predict_fitted(unseen, z, 0).calibrated_on_specimen);
   }

@@ -218,6 +218,16 @@ between_sd_mm = 0.9
   return setup;
 }
 
+/// The planar finger, known by its moment arms and not by points.
+inline std::string planar_finger_of_arms() {
+  const std::string text = kPlanarFinger;
+  const std::size_t begin = text.find("[[strand]]"), end = text.find("[[muscle]]");
+  return text.substr(0, begin) +
+         "[[strand]]\nname = 'FDP'\narms_mm = {MCP2_FE = 10, PIP2 = 8, DIP2 = 4}\n"
+         "[[strand]]\nname = 'FDS'\narms_mm = {MCP2_FE = 12, PIP2 = 7.5}\n" +
+         text.substr(end);
+}
+
 /// Standard normal numbers.
 inline Eigen::VectorXd normal(Eigen::Index size, std::mt19937& rng) {
   std::normal_distribution<double> one;

@@ -166,5 +166,20 @@ TEST(PlanarFinger, SaysWhatToDoWithAForceAcrossItsPlane) {
   }
 }
 
+// Two forces balance two torques; the third joint's is left over, as force_by_hand() has it. A
+// clamp takes a moment, too.
+TEST(PlanarFinger, WarnsOfTorqueThatAPinnedTipCannotBalance) {
+  FitSetup setup = planar_finger();
+  const std::vector<std::string> warnings = setup.problem().warnings();
+  ASSERT_EQ(warnings.size(), 1U);
+  EXPECT_EQ(
+      warnings[0].find("experiment 'planar_forces': a pinned tip of a finger with 3 joints in "
+                       "one plane leaves torque that nothing balances"),
+      0U)
+      << warnings[0];
+  setup.experiments.front().hold = TipConstraint::kRigid;
+  EXPECT_TRUE(setup.problem().warnings().empty());
+}
+
 }  // namespace
 }  // namespace thenar

@@ -30,5 +30,26 @@ TEST(PosteriorSummary, SharesItsNumbersWithTheDraws) {
   EXPECT_LT(summary.directions.directions.front().sd_ratio, 0.3);  // the noise
 }
 
+Estimate noise_of(double q05) {
+  Estimate estimate{};
+  estimate.q05 = q05;
+  estimate.median = 1.5 * q05;
+  estimate.q95 = 2 * q05;
+  return estimate;
+}
+
+TEST(NoiseWarnings, AreOfNoiseThatIsSurelyTwiceWhatWasStated) {
+  const std::vector<PosteriorQuantity> quantities{
+      {"noise/H01", "1", {}, {}}, {"noise/H02", "1", {}, {}}, {"gain/FDP", "1", {}, {}}};
+  const std::vector<std::string> warnings =
+      noise_warnings(quantities, {noise_of(1.9), noise_of(4), noise_of(4)});
+  ASSERT_EQ(warnings.size(), 1U);
+  EXPECT_EQ(
+      warnings[0].find("experiment 'H02': its forces scatter by 6.0 times the stated noise (5 "
+                       "to 95 %: 4.0 to 8.0)"),
+      0U)
+      << warnings[0];
+}
+
 }  // namespace
 }  // namespace thenar

@@ -1,5 +1,7 @@
 // Tests for report/answers/{digit_words,tip_force,moment_arms,feasible_force,pose}.cpp.
 
+#include <algorithm>
+
 #include <gtest/gtest.h>
 
 #include "base/units.h"
@@ -58,6 +60,59 @@ TEST(FeasibleForceWords, SayWhatLimits) {
   EXPECT_EQ(limit_words(answer, answer.points.front()).rfind("limited by " + dearest, 0), 0u);
   const Table table = limit_table(answer, answer.points.front());
   EXPECT_EQ(table.header.back(), "N_per_N_of_F0");
+}
+
+FeasibleForceAnswer palmar_forces_over_pip() {
+  FeasibleForceRequest request;
+  request.digit.subject = "an_chao_index";
+  request.digit.data = kData;
+  request.digit.posture = {{{"MCP2_FE", 30}, {"DIP2", 20}}, {}, PostureUnit::kTyped};
+  request.digit.vary = {{"PIP2", 0, 60, 30}};
+  request.direction = Eigen::Vector3d(0, -1, 0);
+  request.frame = DirectionFrame::kTip;
+  return ask_feasible_force(request);
+}
+
+// Straight at PIP no tensions press to the palm alone, see the tutorial; bent they do. A zero would
+// be drawn as a force.
+TEST(FeasibleForceWords, NoForceIsNoZero) {
+  const FeasibleForceAnswer answer = palmar_forces_over_pip();
+  ASSERT_EQ(answer.points.size(), 3U);
+  EXPECT_FALSE(makes_force(answer.points[0]));
+  EXPECT_TRUE(makes_force(answer.points[1]));
+  const OrderedJson json = json_of(answer)["postures"];
+  EXPECT_EQ(json[0]["status"], "no force");
+  EXPECT_TRUE(json[0]["component_N"].is_null());
+  EXPECT_TRUE(json[0]["tension_N"].is_null());
+  EXPECT_EQ(json[0]["note"], "no tensions make any force this way with every joint in balance");
+  EXPECT_EQ(json[1]["status"], "solved");
+  const Table table = table_of(answer);
+  const auto cell = [&](std::size_t row, const std::string& name) {
+    const auto at = std::find(table.header.begin(), table.header.end(), name);
+    return table.rows[row].at(static_cast<std::size_t>(at - table.header.begin()));
+  };
+  EXPECT_EQ(cell(0, "component_N"), "");
+  EXPECT_EQ(cell(0, "FDP_activation"), "");
+  EXPECT_EQ(cell(0, "limited_by"), "");
+  EXPECT_EQ(cell(1, "limited_by"), "FDP");
+  EXPECT_GT(std::stod(cell(1, "component_N")), 30);
+}
+
+// EDC and EIP of this finger pull the same strand.
+TEST(FeasibleForceWords, NameMusclesOfWhichOnlyTheSumIsTold) {
+  const FeasibleForceAnswer answer = palmar_forces_over_pip();
+  const FeasibleForcePoint& point = answer.points[1];
+  ASSERT_EQ(point.alike.size(), 1U);
+  std::vector<std::string> names;
+  double pulled = 0;
+  for (const int i : point.alike[0]) {
+    names.push_back(answer.about.muscles[static_cast<std::size_t>(i)]);
+    pulled += point.largest->tension[i];
+  }
+  std::sort(names.begin(), names.end());
+  EXPECT_EQ(names, (std::vector<std::string>{"EDC", "EIP"}));
+  EXPECT_EQ(note_of(answer, point).find("have the same moment arms") != std::string::npos,
+            pulled > kNoTipForce);
 }
 
 TEST(PoseWords, TellOfEveryTip) {

@@ -2,9 +2,13 @@
 
 #include "report/answers/fit.h"
 
+#include <algorithm>
+#include <fstream>
+
 #include <fmt/format.h>
 
 #include "tests/api/small_fit.h"
+#include "tests/kinematics_fit/fit_samples.h"
 
 namespace thenar {
 namespace {
@@ -21,6 +25,8 @@ TEST_F(FitAnswer, SaysTheSameInWordsAndNumbers) {
   EXPECT_EQ(json["learnt"].size(), static_cast<std::size_t>(result.fit.problem.size()));
   EXPECT_EQ(json["learnt"][0]["meaning"].get<std::string>().empty(), false);
   EXPECT_DOUBLE_EQ(json["in_sample"][0]["rms_error_N"], result.in_sample[0].error.rms);
+  EXPECT_DOUBLE_EQ(json["in_sample"][0]["times_noise"], result.misfits[0].times_noise);
+  EXPECT_EQ(json["in_sample"][0]["beyond_chance"], false);
   const std::string text = text_of(result);
   EXPECT_NE(text.find(fmt::format("in sample: RMS error {:.3f} N", result.in_sample[0].error.rms)),
             std::string::npos);
@@ -30,6 +36,47 @@ TEST_F(FitAnswer, SaysTheSameInWordsAndNumbers) {
   ASSERT_EQ(table.rows.size(), json["learnt"].size());
   for (std::size_t i = 1; i < table.rows.size(); ++i)
     EXPECT_LE(std::stod(table.rows[i - 1][3]), std::stod(table.rows[i][3]));
+}
+
+TEST_F(FitAnswer, ComplainsOfAFitThatHasNotConverged) {
+  FitRequest request;
+  request.sources = sources();
+  FitResult result = fit_forces(request);
+  EXPECT_EQ(fit_complaint(result, false), "");
+  result.fit.solution.status = Status::kStalled;
+  result.fit.solution.newton_step = 0.54;
+  const std::string complaint = fit_complaint(result, false);
+  EXPECT_EQ(complaint.rfind("the fit has NOT converged: not stationary", 0), 0U) << complaint;
+  EXPECT_NE(complaint.find("a step of 0.54 posterior sds is left"), std::string::npos) << complaint;
+  EXPECT_EQ(fit_complaint(result, true).find("--allow-unconverged"), std::string::npos);
+}
+
+// A clamped planar tip: one muscle alone, then both, so that forces know two differences of the
+// three arms of each; the same shift of all three makes a moment alone. Tilts of axes out of the
+// plane change no force in it.
+TEST_F(FitAnswer, PutsArmsThatNobodyCanKnowBeforeTilts) {
+  std::ofstream(path("planar.toml")) << sample::planar_finger_of_arms();
+  std::string trials =
+      sample::planar_trials("components = ['proximal', 'dorsal']", "[-0.6, -1.2]", "[-0.9, -1]");
+  const std::string pinned = "hold = \"pinned\"";
+  trials.replace(trials.find(pinned), pinned.size(), "hold = \"rigid\"");
+  std::ofstream(path("trials.toml")) << trials;
+  std::ofstream(path("arms.toml")) << "source = 'Synek2019'\n"
+                                      "[[parameter]]\nmatch = 'axis/*/direction/*'\n"
+                                      "state = 'free'\n"
+                                      "[[parameter]]\nmatch = 'arm/*'\nstate = 'free'\n";
+  FitRequest request;
+  request.sources.subject = path("planar.toml");
+  request.sources.experiments = {path("trials.toml")};
+  request.sources.settings = path("arms.toml");
+  const std::string text = text_of(fit_forces(request));
+  const std::size_t deep = text.find("; all arms of FDP shift alike"),
+                    superficial = text.find("; all arms of FDS shift alike"),
+                    tilts = text.find("only tilt or shift joint axes");
+  EXPECT_NE(deep, std::string::npos) << text;
+  EXPECT_NE(superficial, std::string::npos) << text;
+  ASSERT_NE(tilts, std::string::npos) << text;
+  EXPECT_LT(std::max(deep, superficial), tilts);
 }
 
 TEST(SeenWords, MarkWhatIsNotOfAStranger) {

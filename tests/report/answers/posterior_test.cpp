@@ -53,5 +53,15 @@ TEST(ConvergenceCautions, AreOfConvergedRunsAlone) {
   EXPECT_TRUE(convergence_cautions(run).empty());
 }
 
+TEST(PosteriorAnswer, SaysFirstThatTheChainsAgree) {
+  PosteriorResult result = small_result();
+  result.run.draws.complete = true;
+  result.run.convergence.warnings.clear();
+  result.run.convergence.cautions.clear();
+  EXPECT_EQ(text_of(result).rfind("converged: the chains agree\n", 0), 0U);
+  result.run.convergence.cautions = {"2 draws"};
+  EXPECT_EQ(text_of(result).find("the chains agree"), std::string::npos);
+}
+
 }  // namespace
 }  // namespace thenar

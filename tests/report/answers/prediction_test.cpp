@@ -36,10 +36,10 @@ TEST(PredictionAnswer, HasErrorsOfATriangle) {
             "0.000000,1.000000,2.000000,3.000000,4.000000,53.130\n");
 }
 
-TEST(PredictionAnswer, NamesComponentsWithTheirSigns) {
+TEST(PredictionAnswer, NamesComponentsByTheWordsOfTheExperiment) {
   Experiment experiment;
   experiment.axes_of_digit << 0, 1, 0, 0, 0, -1, 1, 0, 0;
-  EXPECT_EQ(component_names(experiment), "dorsal -radial proximal");
+  EXPECT_EQ(component_names(experiment), "dorsal ulnar proximal");
 }
 
 TEST(PredictionAnswer, IsAListOfSeveralExperiments) {

@@ -2,10 +2,12 @@
 
 #include "tendons/forces/max_tip_force.h"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
 #include <gtest/gtest.h>
+#include <Eigen/Geometry>
 
 #include "base/error.h"
 #include "base/numbers.h"
@@ -274,6 +276,31 @@ TEST(MaxTipForce, IsWorthItsLimits) {
 
 TEST(MaxTipForce, IsNotPricedUnlessAsked) {
   EXPECT_EQ(max_tip_force(cross(), Vector3d(1, 1, 0)).prices.increase.size(), 0);
+}
+
+// Two links at right angles whose axes are parallel: a cone is searched in the plane alone, and the
+// bones, which carry any force across it, get none. The plane is scanned direction by direction.
+TEST(MaxTipForce, LeavesOutWhatBonesCarryAlone) {
+  TipStatics statics = straight_finger();
+  statics.J.row(0) << -0.03, -0.03;
+  statics.J.row(1) << 0.04, 0;
+  statics.max_tension << 100, 40, 70, 20;
+  const double tolerance = radians(20);
+  for (const Vector3d& d : {Vector3d(1, 0, 0), Vector3d(0, -1, 0), Vector3d(0.6, 0.8, 0)}) {
+    const MaxTipForce result = max_tip_force(statics, d, {tolerance, false});
+    ASSERT_EQ(result.status, Status::kSolved);
+    EXPECT_NEAR(result.force.z(), 0, 1e-9);
+    EXPECT_LT(result.check.outside, 1e-9);
+    EXPECT_LT(result.check.imbalance, 1e-9);
+    double scanned = 0;
+    for (int k = -500; k <= 500; ++k) {
+      const double angle = tolerance * k / 500;
+      const Vector3d turned = Eigen::AngleAxisd(angle, Vector3d::UnitZ()) * d;
+      scanned = std::max(scanned, std::cos(angle) * max_tip_force(statics, turned).component);
+    }
+    EXPECT_LE(scanned, result.component + 1e-9);
+    EXPECT_GE(scanned, 0.999 * result.component);  // a thousand directions
+  }
 }
 
 }  // namespace

@@ -2,6 +2,7 @@
 
 #include "tendons/forces/tip_force.h"
 
+#include <cmath>
 #include <limits>
 
 #include <gtest/gtest.h>
@@ -82,6 +83,25 @@ TEST(TipForce, RefusesNaN) {
   const double nan = std::numeric_limits<double>::quiet_NaN();
   EXPECT_THROW((void)tip_force(nan * kJ, kFingerArms, Eigen::Vector3d::Ones()), InputError);
   EXPECT_THROW((void)tip_force(kJ, kFingerArms, Eigen::Vector3d(1, nan, 1)), InputError);
+}
+
+// Links of 40 and 30 mm, the second at right angles, both axes along z: torques are
+// -0.03 fx + 0.04 fy and -0.03 fx, and no joint feels fz.
+TEST(TipForce, OfParallelAxesIsRegularInTheirPlane) {
+  TipStatics statics;
+  statics.J = Eigen::Matrix3Xd(3, 2);
+  statics.J << -0.03, -0.03, 0.04, 0, 0, 0;
+  statics.W = Eigen::Matrix3Xd::Zero(3, 2);
+  statics.W.row(2).setOnes();
+  statics.R = 0.01 * Eigen::Matrix2d::Identity();
+  statics.tau_0 = Eigen::Vector2d::Zero();
+  statics.max_tension = Eigen::Vector2d::Constant(100);
+  const TipForce result = tip_force(statics, Eigen::Vector2d(8, 3));
+  EXPECT_TRUE(matrix_near(result.f_W, Eigen::Vector3d(-1, 1.25, 0), 1e-12));
+  EXPECT_FALSE(result.singular());
+  EXPECT_TRUE(std::isfinite(result.condition));
+  statics.J.row(0).setZero();  // straight
+  EXPECT_TRUE(tip_force(statics, Eigen::Vector2d(8, 3)).singular());
 }
 
 }  // namespace

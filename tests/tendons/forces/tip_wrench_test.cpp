@@ -2,6 +2,7 @@
 
 #include "tendons/forces/tip_wrench.h"
 
+#include <cmath>
 #include <limits>
 
 #include <gtest/gtest.h>
@@ -111,6 +112,28 @@ TEST(TipWrench, NeedsRotationJacobian) {
 
 TEST(TipWrench, RefusesLengthThatIsNotPositive) {
   EXPECT_THROW((void)tip_wrench(one_hinge(), VectorXd::Ones(1), {0.0}), InputError);
+}
+
+// Three hinges along z at 90, 45 and 20 mm from a tip that is 20, 10 and 5 mm off their line: three
+// torques fix fx, fy and the moment about z, and no joint feels the rest.
+TEST(TipWrench, OfThreeParallelAxesIsUniqueInTheirPlane) {
+  TipStatics statics;
+  statics.J = Matrix3Xd::Zero(3, 3);
+  statics.J.row(0) << -0.02, -0.01, -0.005;
+  statics.J.row(1) << 0.09, 0.045, 0.02;
+  statics.W = Matrix3Xd::Zero(3, 3);
+  statics.W.row(2).setOnes();
+  statics.R = Matrix3d::Identity();  // [m/rad]: tensions are torques
+  statics.tau_0 = VectorXd::Zero(3);
+  statics.max_tension = VectorXd::Constant(3, 100);
+  // f = (2, 3, 0) N and m = 0.04 N m about z.
+  const VectorXd t = statics.J.transpose() * Vector3d(2, 3, 0) + VectorXd::Constant(3, 0.04);
+  const TipWrench result = tip_wrench(statics, t);
+  EXPECT_TRUE(matrix_near(result.f_W, Vector3d(2, 3, 0), 1e-9));
+  EXPECT_TRUE(matrix_near(result.m_W, Vector3d(0, 0, 0.04), 1e-10));
+  EXPECT_FALSE(result.minimum_norm);
+  EXPECT_TRUE(std::isfinite(result.condition));
+  EXPECT_TRUE(tip_wrench(one_hinge(), VectorXd::Ones(1)).minimum_norm);
 }
 
 }  // namespace

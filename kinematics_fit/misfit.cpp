@@ -1,0 +1,64 @@
+#include "kinematics_fit/misfit.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "base/special_functions.h"
+#include "kinematics_fit/fit_residuals.h"
+
+namespace thenar {
+namespace {
+
+constexpr double kChance = 1e-4;        // tail probability that is no chance any more [1]
+constexpr double kNoiseStraySds = 0.5;  // prior sd of the logarithm of a factor on the noise [1]
+
+/// Force components of finite sd.
+int fitted_numbers(const ExperimentPlan& plan) {
+  return static_cast<int>((plan.sd.array() < HUGE_VAL).count());
+}
+
+}  // namespace
+
+Misfit misfit(double chi_square, int numbers, double effective) {
+  Misfit out;
+  out.chi_square = chi_square;
+  out.numbers = numbers;
+  out.degrees_of_freedom = std::max(0.0, numbers - effective);
+  // Without a degree of freedom nothing can be missed.
+  constexpr double kNone = 1e-6;
+  if (out.degrees_of_freedom < kNone) return out;
+  out.times_noise = std::sqrt(chi_square / out.degrees_of_freedom);
+  out.tail = chi_square_tail(chi_square, out.degrees_of_freedom);
+  out.beyond_chance = out.tail < kChance && out.times_noise > std::exp(kNoiseStraySds);
+  return out;
+}
+
+std::vector<Misfit> misfits(const FitProblem& problem, const Eigen::VectorXd& z,
+                            const Covariance& covariance) {
+  std::vector<Misfit> all;
+  for (int e = 0; e < static_cast<int>(problem.experiments().size()); ++e) {
+    // Residuals, and how much of them the parameters that move this specimen take up.
+    const Residuals data = data_residuals(problem, z, e, WithJacobian::kYes);
+    const std::vector<int> on = problem.coordinates().entries_of_specimen(problem.specimen_of(e));
+    const Eigen::MatrixXd C = covariance.C(on, on);
+    const double effective = (data.J * C).cwiseProduct(data.J).sum();
+    all.push_back(misfit(data.r.squaredNorm(), fitted_numbers(problem.plans()[e]), effective));
+  }
+  return all;
+}
+
+std::string describe(const Misfit& misfit) {
+  if (!misfit.beyond_chance) return "";
+  return fmt::format(
+      "the fit misses the forces by {:.1f} times the stated noise (chi-square {:.4g}, {:.1f} "
+      "degrees "
+      "of freedom), beyond chance: the model or the data are wrong. Look at the sign and order of "
+      "the "
+      "force components, the hold, signs and units of moment arms and loads, the noise that was "
+      "stated, and at parameters that are fixed but in doubt (--free)",
+      misfit.times_noise, misfit.chi_square, misfit.degrees_of_freedom);
+}
+
+}  // namespace thenar

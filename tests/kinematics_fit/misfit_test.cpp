@@ -1,0 +1,98 @@
+// Tests for kinematics_fit/misfit.cpp: a fit that misses the forces is told from chance.
+
+#include "kinematics_fit/misfit.h"
+
+#include <cmath>
+#include <random>
+
+#include <gtest/gtest.h>
+
+#include "tests/kinematics_fit/fit_samples.h"
+
+namespace thenar {
+namespace {
+
+using Eigen::VectorXd;
+using sample::FitSetup;
+using sample::kAxes;
+using sample::kAxesAndPaths;
+using sample::middle_finger;
+
+// Two degrees of freedom have the tail exp(-x / 2): 1e-4 at x = 18.42.
+TEST(Misfit, IsBeyondChanceWhereTheTailOfChiSquareIs) {
+  const Misfit far = misfit(18.5, 4, 2), near = misfit(18.3, 4, 2);
+  EXPECT_NEAR(far.tail, std::exp(-9.25), 1e-15);
+  EXPECT_NEAR(far.times_noise, std::sqrt(9.25), 1e-12);
+  EXPECT_TRUE(far.beyond_chance);
+  EXPECT_FALSE(near.beyond_chance);
+  EXPECT_EQ(describe(near), "");
+  EXPECT_NE(describe(far).find("by 3.0 times the stated noise (chi-square 18.5, 2.0 degrees"),
+            std::string::npos)
+      << describe(far);
+}
+
+// 1000 numbers tell noise of 1.1 from 1.0 (sd 0.02), and nobody minds: exp(0.5) = 1.6487 is the
+// limit, 2718.3 its square times 1000.
+TEST(Misfit, ForgivesNoiseThatWasStatedSomewhatTooSmall) {
+  EXPECT_LT(misfit(1210, 1000, 0).tail, 1e-4);
+  EXPECT_FALSE(misfit(1210, 1000, 0).beyond_chance);
+  EXPECT_FALSE(misfit(2718, 1000, 0).beyond_chance);
+  EXPECT_TRUE(misfit(2719, 1000, 0).beyond_chance);
+}
+
+TEST(Misfit, SaysNothingWithoutDegreesOfFreedom) {
+  EXPECT_FALSE(misfit(100, 4, 4).beyond_chance);
+  EXPECT_EQ(misfit(100, 4, 4).times_noise, 0);
+}
+
+TEST(Misfit, SharesEffectiveParametersAmongExperiments) {
+  FitSetup setup = middle_finger(kAxesAndPaths);
+  setup.experiments.push_back(sample::experiment("H02"));
+  setup.experiments.push_back(sample::experiment("B01"));
+  const FitProblem problem = setup.problem();
+  const VectorXd z = VectorXd::Constant(problem.size(), 0.1);
+  const Covariance covariance = posterior_covariance(problem, z);
+  double shared = 0;
+  for (const Misfit& each : misfits(problem, z, covariance)) {
+    EXPECT_EQ(each.numbers, 72);
+    shared += each.numbers - each.degrees_of_freedom;
+  }
+  EXPECT_NEAR(shared, covariance.effective_parameters, 1e-8);
+}
+
+// Truth from the prior, noise as stated: sums of chi-squares come to the sum of degrees of freedom.
+TEST(Misfit, ExpectsAsMuchAsItsDegreesOfFreedom) {
+  FitSetup setup = middle_finger(kAxes);
+  setup.experiments.front().sd_floor = 0.02;  // [N]; small, so that the model is nearly linear
+  std::mt19937 rng(12);
+  double chi_square = 0, freedom = 0;
+  for (int draw = 0; draw < 30; ++draw) {
+    const VectorXd sd = (sample::population_sds(setup.parameters).cwiseAbs2() +
+                         sample::between_sds(setup.parameters).cwiseAbs2())
+                            .cwiseSqrt();
+    const VectorXd u = sd.cwiseProduct(sample::normal(sd.size(), rng));
+    sample::simulate(setup, u, 0.02, rng, setup.experiments.front());
+    const FitProblem problem = setup.problem();
+    const Solution found = sample::fit_precisely(problem);
+    const Misfit each = misfits(problem, found.z, posterior_covariance(problem, found.z)).front();
+    EXPECT_FALSE(each.beyond_chance);
+    chi_square += each.chi_square;
+    freedom += each.degrees_of_freedom;
+  }
+  EXPECT_NEAR(chi_square / freedom, 1, 4 * std::sqrt(2 / freedom));  // four sds of a chi-square
+}
+
+// Published forces with the signs of a cell that shows its own force on the tip.
+TEST(Misfit, TellsForcesOfTheWrongSign) {
+  FitSetup setup = middle_finger(kAxesAndPaths);
+  const auto of = [](const FitProblem& problem) {
+    const Solution found = solve(least_squares(problem), VectorXd::Zero(problem.size()));
+    return misfits(problem, found.z, posterior_covariance(problem, found.z)).front();
+  };
+  EXPECT_FALSE(of(setup.problem()).beyond_chance);
+  for (Trial& trial : setup.experiments.front().trials) trial.force = -trial.force;
+  EXPECT_TRUE(of(setup.problem()).beyond_chance);
+}
+
+}  // namespace
+}  // namespace thenar
