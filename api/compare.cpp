@@ -144,6 +144,14 @@ JsonNode texts_node(const std::map<Key, std::string>& texts) {
   return node;
 }
 
+/// All files of the hands and objects.
+FileDigests files_of(const std::vector<NamedHand>& hands, const std::vector<BodySpec>& objects) {
+  FileDigests files;
+  for (const NamedHand& hand : hands) files.insert(hand.files.begin(), hand.files.end());
+  for (const BodySpec& object : objects) files.insert(object.files.begin(), object.files.end());
+  return files;
+}
+
 /// SHA-256 of all hands and objects, as "hand barrett" and "object mug".
 JsonNode content_hashes(const CompareRequest& request, const std::vector<BodySpec>& objects) {
   JsonNode contents(JsonKind::kObject);
@@ -177,8 +185,8 @@ std::map<std::string, std::string> input_texts(const JsonNode& inputs, unsigned 
   std::map<std::string, std::string> texts = versions();
   const JsonNode& contents = *inputs.find("contents");
   for (std::size_t i = 0; i < contents.names.size(); ++i)
-    texts[contents.names[i]] = "sha256 " + contents.items[i].text;
-  texts["program"] = "sha256 " + inputs.find("program")->text;
+    texts[contents.names[i]] = "read as " + contents.items[i].text;
+  texts["program"] = "build " + inputs.find("program")->text;
   texts["seed"] = std::to_string(seed);
   return texts;
 }
@@ -221,14 +229,14 @@ Comparison joined(Comparison comparison, const std::vector<HandOnObject>& done) 
 }
 
 /// Compares what an earlier run has not, and keeps it in the file.
-Comparison go_on(const CompareRequest& request, const JsonNode& inputs,
+Comparison go_on(const CompareRequest& request, const JsonNode& inputs, const FileDigests& files,
                  const std::vector<NamedHand>& named, const std::vector<ComparedHand>& hands,
                  const std::vector<BodySpec>& objects, const Progress& progress) {
   KeptComparison kept;
   std::optional<FileLock> lock;  // another comparison would drop our cells, and we its
   if (!request.file.empty()) {
     lock.emplace(request.file);
-    kept = read_comparison(request.file, inputs, current_hand_name);
+    kept = read_comparison(request.file, inputs, current_hand_name, files);
     require_postures(kept.cells, named, request.file);
   }
   // The file names this run only if it computed something.
@@ -242,7 +250,7 @@ Comparison go_on(const CompareRequest& request, const JsonNode& inputs,
     const bool all_old = std::all_of(comparison.cells.begin(), comparison.cells.end(),
                                      [&](const auto& cell) { return holds(kept.cells, cell); });
     if (!all_old && !request.run.arguments.empty())
-      provenance = next_provenance(kept.provenance, request.run);
+      provenance = next_provenance(kept.provenance, request.run, files);
     save(comparison);
   };
   const Comparison comparison = compare(hands, objects, options, progress, kept.cells);
@@ -267,9 +275,10 @@ HandComparison compare_hands(const CompareRequest& request, const Progress& prog
   if (!request.file.empty()) require_writable(request.file);
   result.hands = hands_of(request, progress);
   if (result.hands.size() < request.hands.size()) return result;  // stopped
+  result.files = files_of(result.hands, result.objects);
   result.comparison =
-      go_on(request, inputs, result.hands, compared_hands(result.hands, without_material),
-            result.objects, progress);
+      go_on(request, inputs, result.files, result.hands,
+            compared_hands(result.hands, without_material), result.objects, progress);
   return result;
 }
 

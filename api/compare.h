@@ -9,6 +9,7 @@
 
 #include "api/named/hands.h"
 #include "base/progress.h"
+#include "base/provenance.h"
 #include "base/run_record.h"
 #include "grasp/compare/comparison.h"
 
@@ -41,7 +42,9 @@ struct HandComparison {
   std::vector<NamedHand> hands;               // human ones drawn finer than they touch
   std::vector<BodySpec> objects;              // unscaled
   std::map<std::string, std::string> inputs;  // what the result depends on: "hand barrett" ->
-                                              // "sha256 ..", "fcl" -> its version
+                                              // its SHA-256 as it was read,
+                                              // "fcl" -> its version
+  FileDigests files;                          // of all hands and objects
   std::string file;                           // of the request
 };
 

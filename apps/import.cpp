@@ -45,7 +45,7 @@ void run_import(const ImportArguments& options) {
           counted(warnings, "warning"), options.request.file);
   for (const std::string& out : files) print_of(out, write_imported(imported, out));
   for (const std::string& out : options.outputs.with_ending({".json"}))
-    write_json_file(json_of(imported), out);
+    write_json_file(json_of(imported), out, files_of(imported));
   print_written(options.outputs);
 }
 
@@ -78,9 +78,10 @@ void add_import(CLI::App& app) {
   command->add_flag("--repair", request.repair,
                     "Mend meshes, also of bodies: close holes, turn triangles");
   command->add_flag("--strict", options->strict, "Fail if there are warnings");
-  add_examples(*command,
-               {"import data/robots/barrett.toml -o out/barrett.urdf",
-                "import data/objects/mug.obj --units mm --mass 0.3 --material glass -o out/mug.toml"});
+  add_examples(
+      *command,
+      {"import data/robots/barrett.toml -o out/barrett.urdf",
+       "import data/objects/mug.obj --units mm --mass 0.3 --material glass -o out/mug.toml"});
   command->callback([options] { run_import(*options); });
 }
 

@@ -45,7 +45,7 @@ void plot(const PosteriorArguments& options) {
   const PosteriorResult result = open_posterior(options.request.posterior);
   print_warnings(result.warnings);
   for (const std::string& path : options.outputs.with_ending({".html"}))
-    write_page(page_of(result), path);
+    write_page(page_of(result), path, files_of(result));
   print_written(options.outputs);
   warn_of(result.run, options.allow_unconverged);
 }

@@ -57,6 +57,7 @@ NamedHand robot(const std::string& name, const std::string& file) {
   hand.file = file;
   hand.hand = std::make_shared<RobotHand>(spec);
   hand.warnings = spec.warnings;
+  hand.files = spec.files;
   return hand;
 }
 
@@ -144,6 +145,7 @@ NamedHand hand_by_name(const std::string& name, const std::vector<std::string>& 
   if (!source.path.empty()) human_options.path = path_named(source.path);
   NamedHand hand = human(current_hand_name(name), subject, source.version, human_options);
   hand.file = source.file;
+  if (!source.file.empty()) hand.files = digests_of({source.file});
   return hand;
 }
 

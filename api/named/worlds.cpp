@@ -142,6 +142,7 @@ void mount(const WorldSpec& world, const Places& data, WorldHand& mounted) {
   robot = with_materials(std::move(robot));
   hand.hand = std::make_shared<RobotHand>(robot);
   hand.warnings = robot.warnings;
+  hand.files = robot.files;
   if (!locked.empty())
     hand.warnings.push_back(fmt::format(
         "motors of {} whose efforts are unknown are taken for locked: what they would bear is not "
@@ -255,14 +256,17 @@ WorldCase open_world(const WorldRequest& request, bool hand_from_elsewhere,
   WorldCase found;
   found.path = world_file(request);
   found.world = read_world(found.path);
+  found.files = found.world.files;
   found.data = data_for(found.world.folder, request.data);
   found.scene = build_scene(found.world, request.object);
   if (!hand_from_elsewhere) {
     found.hand = hand_of_world(found.world, request.hand, found.path, found.data,
                                human_of(request, progress));
+    found.files.insert(found.hand.named.files.begin(), found.hand.named.files.end());
     return found;
   }
   found.hand.named = hand_by_name(request.hand, found.data, human_of(request, progress));
+  found.files.insert(found.hand.named.files.begin(), found.hand.named.files.end());
   found.hand.q = open_posture(found.hand.named.hand->layout());
   return found;
 }

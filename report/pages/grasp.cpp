@@ -138,7 +138,7 @@ Json joint_section(const GraspResult& result) {
 
 Json provenance_of(const GraspResult& result) {
   Json json = Json::object();
-  json[result.setting.path] = "sha256 " + sha256(read_text_file(result.setting.path));
+  for (const auto& [path, digest] : result.setting.files) json[path] = "sha256 " + digest;
   for (const auto& [name, version] : versions()) json[name] = version;
   if (result.request.starts > 0 || result.robustness)
     json["seed"] = std::to_string(result.request.seed);

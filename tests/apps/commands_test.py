@@ -719,6 +719,41 @@ class Rerun(unittest.TestCase):
             self.assertEqual(again.returncode, 0, again.stderr)
             self.assertEqual(json.loads(file.read_text())["trials"], first["trials"])
 
+    def test_names_every_input_that_changed(self):
+        # A world names a robot and an object, and the object a mesh: four files in all.
+        jaw = (ROOT / "data/robots/parallel_jaw.toml").read_text()
+        texts = {
+            "jaw.toml": jaw,
+            "box.off": "OFF\n8 12 0\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n0 0 1\n1 0 1\n1 1 1\n0 1 1\n"
+                       "3 0 2 1\n3 0 3 2\n3 4 5 6\n3 4 6 7\n3 0 1 5\n3 0 5 4\n3 1 2 6\n3 1 6 5\n"
+                       "3 2 3 7\n3 2 7 6\n3 3 0 4\n3 3 4 7\n",
+            "box.toml": 'name = "box"\nmaterial = "wood"\nmass_g = 50\n[[shape]]\nkind = "mesh"\n'
+                        'file = "box.off"\nscale = 0.03\n',
+            "scene.toml": 'name = "scene"\nsource = "Mine"\n[sources]\nMine = "Arranged here"\n'
+                          '[[hand]]\nname = "jaws"\nfile = "jaw.toml"\nposition_m = [0, -0.2, 0]\n'
+                          '[[body]]\nrole = "object"\nfile = "box.toml"\n'
+                          'position_mm = [-15, 0, -15]\n'}
+        with tempfile.TemporaryDirectory() as name:
+            folder = pathlib.Path(name)
+            for file, text in texts.items():
+                (folder / file).write_text(text)
+            done = subprocess.run([PROGRAM, "grasp", "scene.toml", "-o", "a.json", "-o", "a.html"],
+                                  cwd=folder, capture_output=True, text=True, check=False)
+            self.assertEqual(done.returncode, 0, done.stderr)
+            record = json.loads((folder / "a.json").read_text())["provenance"]
+            for file, text in texts.items():
+                self.assertEqual(record[file], "sha256 " + hashlib.sha256(text.encode()).hexdigest())
+            for answer in (folder / "a.json", folder / "a.html"):
+                self.assertIn("inputs: 4, unchanged", run("rerun", answer, "--print").stdout)
+                for file, text in texts.items():
+                    (folder / file).write_text(text + "\n")
+                    told = run("rerun", answer, "--print").stdout
+                    self.assertIn("inputs: 4, 1 changed", told)
+                    self.assertIn(f"input '{file}' has changed since", told)
+                    (folder / file).write_text(text)
+            (folder / "box.off").unlink()
+            self.assertIn("input 'box.off' is gone", run("rerun", answer, "--print").stdout)
+
     def test_refuses_what_records_no_command(self):
         self.assertIn("records no command", complaint("rerun", H01))
 

@@ -183,7 +183,7 @@ class Compare(unittest.TestCase):
         self.keep()
         robot = self.folder / "robots" / "parallel_jaw.toml"
         robot.write_text(robot.read_text().replace("max_effort_N = 160", "max_effort_N = 161"))
-        self.assertIn("another 'contents'", self.refusal())
+        self.assertIn(f"another '{robot}' (SHA-256 ", self.refusal())
 
     def test_goes_on_where_only_a_comment_changed(self):
         self.keep()
@@ -206,7 +206,9 @@ class Compare(unittest.TestCase):
         mesh.write_text(MESH.format(x=60))
         self.keep(objects="wedge")
         mesh.write_text(MESH.format(x=61))
-        self.assertIn("another 'contents'", self.refusal(objects="wedge"))
+        now = hashlib.sha256(mesh.read_bytes()).hexdigest()[:8]
+        self.assertIn(f"another '{mesh}' (SHA-256 ", self.refusal(objects="wedge"))
+        self.assertIn(f" then, {now} now)", self.refusal(objects="wedge"))
 
     def write_sealed(self, kept):
         """Writes a comparison with the checksum that belongs to it."""

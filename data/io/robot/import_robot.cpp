@@ -139,6 +139,7 @@ RobotFileKind find_robot_kind(const std::string& path) {
 RobotSpec import_robot(const std::string& path) {
   // Read by kind, then make the robot usable.
   RobotSpec robot = read_kind(path, find_robot_kind(path));
+  robot.files.merge(digests_of({path}));
   if (robot.name.empty()) robot.name = std::filesystem::path(path).stem();
   mend_inertias(robot);
   for (RobotLink& link : robot.links)
