@@ -8,6 +8,7 @@
 #include "api/named/digits.h"
 #include "base/error.h"
 #include "data/io/mesh/repair_shape.h"
+#include "data/io/robot/import_robot.h"
 #include "geometry/solid.h"
 #include "tendons/tendon_model.h"
 
@@ -28,7 +29,14 @@ void build_thing(const BodySpec& body, FileVerdict& verdict) {
 void build_thing(const WorldSpec& world, FileVerdict& /*verdict*/) {
   for (const PlacedBody& placed : world.bodies) (void)build_solid(placed.body.shapes);
 }
-void build_thing(const RobotSpec& robot, FileVerdict& /*verdict*/) {
+void build_thing(const RobotSpec& robot, FileVerdict& verdict) {
+  std::vector<std::string> found = robot.warnings;
+  for (std::string& doubt : size_doubts(robot))
+    if (std::none_of(found.begin(), found.end(), [&](const std::string& warning) {
+          return warning.compare(0, doubt.size(), doubt) == 0;  // perhaps with its count
+        }))
+      found.push_back(std::move(doubt));
+  verdict.warnings.insert(verdict.warnings.end(), found.begin(), found.end());
   for (const RobotLink& link : robot.links)
     for (const ShapeSpec& shape : link.shapes)
       require_solid(shape, fmt::format("link '{}'", link.name));

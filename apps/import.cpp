@@ -1,10 +1,13 @@
 // thenar import FILE [-o robot.toml|robot.urdf|world.toml|object.toml|mesh.stl..] [--json]
-// [--strict] [--repair] [--units m|cm|mm|in] [--mass KG | --density D] [--material NAME]
+// [--strict] [--allow-missing] [--repair] [--units m|cm|mm|in] [--mass KG | --density D]
+// [--material NAME]
 //
 // Reads a robot, world, object or mesh of any format, says what it holds and what was not
 // understood, and writes it in another.
 
+#include <algorithm>
 #include <memory>
+#include <variant>
 
 #include <fmt/format.h>
 
@@ -22,12 +25,25 @@ namespace {
 struct ImportArguments {
   ImportRequest request;
   Outputs outputs;
-  bool strict = false;
+  bool strict = false, allow_missing = false;
 };
 
 /// Warnings on the error stream, under the file that they are of.
 void print_of(const std::string& out, const std::vector<std::string>& warnings) {
   for (const std::string& warning : warnings) fmt::print(stderr, "{}: {}\n", out, warning);
+}
+
+/// Refuses to write a robot that lacks parts which its file names: nothing would tell it from a
+/// whole one but its warnings.
+void require_whole(const Imported& imported, const std::vector<std::string>& files) {
+  if (files.empty() || !std::holds_alternative<RobotSpec>(imported.thing)) return;
+  const auto missing =
+      std::count_if(imported.warnings.begin(), imported.warnings.end(), names_missing_part);
+  require(missing == 0,
+          "'{}' names {} missing, see above: mend the name, or write the robot without it by "
+          "--allow-missing; nothing is written",
+          imported.request.file,
+          missing == 1 ? "a file that is" : fmt::format("{} files that are", missing));
 }
 
 void run_import(const ImportArguments& options) {
@@ -43,6 +59,7 @@ void run_import(const ImportArguments& options) {
   }
   require(!options.strict || warnings == 0, "--strict: {} about '{}'; nothing is written",
           counted(warnings, "warning"), options.request.file);
+  if (!options.allow_missing) require_whole(imported, files);
   for (const std::string& out : files) print_of(out, write_imported(imported, out));
   for (const std::string& out : options.outputs.with_ending({".json"}))
     write_json_file(json_of(imported), out, files_of(imported));
@@ -77,6 +94,8 @@ void add_import(CLI::App& app) {
   add_mass_options(*command, request);
   command->add_flag("--repair", request.repair,
                     "Mend meshes, also of bodies: close holes, turn triangles");
+  command->add_flag("--allow-missing", options->allow_missing,
+                    "Write a robot even if meshes or bodies that it names are missing");
   command->add_flag("--strict", options->strict, "Fail if there are warnings");
   add_examples(
       *command,

@@ -9,6 +9,7 @@
 #include <fmt/ranges.h>
 
 #include "api/named/hands.h"
+#include "data/io/robot/import_robot.h"
 #include "grasp/compare/comparison_file.h"
 
 namespace thenar {
@@ -229,8 +230,11 @@ std::string reading_words(const Comparison& comparison) {
 
 std::string text_of(const HandComparison& result) {
   const Comparison& comparison = result.comparison;
-  std::string text = titled("Grasps: share with force closure, its 95 % interval, and loads",
-                            cell_table(comparison));
+  std::string text;
+  for (const std::string& warning : comparison.warnings)
+    if (is_grave(warning)) text += fmt::format("warning: {}\n", warning);
+  text += titled("Grasps: share with force closure, its 95 % interval, and loads",
+                 cell_table(comparison));
   text += load_rule() +
           "\n-: nothing closed, or not known. 0: nothing is borne; the page and JSON say why.\n"
           "inf: joint limits or drives that do not run back bear it.\n\n";
@@ -238,7 +242,7 @@ std::string text_of(const HandComparison& result) {
   text +=
       titled("Hands by themselves; closing_force: of the strongest tip", hand_table(comparison));
   for (const std::string& warning : comparison.warnings)
-    text += fmt::format("warning: {}\n", warning);
+    if (!is_grave(warning)) text += fmt::format("warning: {}\n", warning);
   return text;
 }
 

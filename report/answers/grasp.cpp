@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "data/io/robot/import_robot.h"
 #include "grasp/closing/closing_drives.h"
 #include "grasp/limits/force_set.h"
 #include "grasp/quality/wrench_set_mesh.h"
@@ -212,14 +213,20 @@ std::vector<std::string> folded(const std::vector<std::string>& warnings) {
 std::string text_of(const GraspResult& result) {
   std::string text = fmt::format("{} and {}: {}\n", result.setting.hand.named.name,
                                  result.setting.scene.object.name, explanation(result));
+  // What makes it the answer to another question stands before the numbers.
+  std::vector<std::string> warnings = folded(result.warnings);
+  const auto light = std::stable_partition(warnings.begin(), warnings.end(), is_grave);
+  const auto add_warning = [&](const std::string& warning) {
+    text += fmt::format("warning: {}\n", warning);
+  };
+  std::for_each(warnings.begin(), light, add_warning);
   if (result.request.starts > 0) text += starts_text(result);
   if (result.grasp.outcome == GraspOutcome::kGrasped) text += quality_text(result.grasp.quality);
   if (result.measures) text += "\n" + measures_text(measure_rows(*result.measures));
   if (result.robustness) text += measures_text(robustness_rows(result));
   text += joints_text(result);
   if (!result.grasp.contacts.empty()) text += "\n" + contacts_text(result);
-  for (const std::string& warning : folded(result.warnings))
-    text += fmt::format("warning: {}\n", warning);
+  std::for_each(light, warnings.end(), add_warning);
   return text;
 }
 

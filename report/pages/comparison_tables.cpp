@@ -3,9 +3,11 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <iterator>
 
 #include <fmt/format.h>
 
+#include "data/io/robot/import_robot.h"
 #include "report/answers/comparison.h"
 #include "sampling/diagnostics/order_statistics.h"
 
@@ -77,7 +79,13 @@ Json banner(const Comparison& comparison) {
                         comparison.objects.size(), comparison.approaches)
           : fmt::format("Not finished: {} of {} cells", comparison.cells.size(),
                         comparison.hands.size() * comparison.objects.size());
-  return {{"type", "banner"}, {"ok", comparison.complete}, {"title", title}};
+  std::vector<std::string> grave;
+  std::copy_if(comparison.warnings.begin(), comparison.warnings.end(), std::back_inserter(grave),
+               is_grave);
+  return {{"type", "banner"},
+          {"ok", comparison.complete && grave.empty()},
+          {"title", title},
+          {"reasons", grave}};
 }
 
 /// Hands down, objects across.

@@ -2,11 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
 #include <fmt/format.h>
 
 #include "base/provenance.h"
-#include "data/io/toml_node.h"
+#include "data/io/robot/import_robot.h"
 #include "grasp/closing/describe_grasp.h"
 #include "report/answers/grasp.h"
 #include "report/answers/grasp_measures.h"
@@ -23,7 +24,12 @@ constexpr double kRounding = 5e-4;  // of a coordinate [mm], or of a unit vector
 Json outcome_banner(const GraspResult& result) {
   const Grasp& grasp = result.grasp;
   const bool ok = grasp.outcome == GraspOutcome::kGrasped && grasp.quality.force_closure;
-  return {{"type", "banner"}, {"ok", ok}, {"title", outcome_words(grasp)}};
+  std::vector<std::string> grave;
+  std::copy_if(result.warnings.begin(), result.warnings.end(), std::back_inserter(grave), is_grave);
+  return {{"type", "banner"},
+          {"ok", ok && grave.empty()},
+          {"title", outcome_words(grasp)},
+          {"reasons", grave}};
 }
 
 HandPicture picture_of(const GraspResult& result) {

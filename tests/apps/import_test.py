@@ -164,6 +164,33 @@ class Import(Files):
         self.assertIn("<Kp>", told["warnings"][-1])
         self.assertEqual(self.report(self.path("b.xml", hand.format("Barrett")))["name"], "Barrett")
 
+    def test_writes_no_robot_without_its_meshes_unless_told_to(self):
+        robot = self.path("m.urdf", "<robot name='m'><link name='l'><collision><geometry>"
+                                    "<mesh filename='package://m/meshes/tipp.stl'/></geometry>"
+                                    "</collision></link></robot>")
+        self.path("meshes/tip.stl", "")
+        out = self.path("m.toml")
+        refused = self.thenar(robot, "--out", out, code=1)
+        self.assertIn("did you mean 'tip.stl'?", refused.stdout)
+        self.assertIn("names a file that is missing", refused.stderr)
+        self.assertIn("--allow-missing", refused.stderr)
+        self.assertFalse(os.path.exists(out))
+        self.thenar(robot, "--out", out, "--allow-missing")
+        # The warning stays with the file, and is counted once.
+        told = subprocess.run([PROGRAM, "validate", out], capture_output=True, text=True,
+                              check=True).stdout
+        self.assertEqual(told.count("MISSING MESH"), 1)
+
+    def test_warnings_of_a_robot_in_millimetres_are_counted_once(self):
+        robot = self.path("mm.urdf", "<robot name='mm'><link name='l'><collision><geometry>"
+                                     "<box size='50 40 30'/></geometry></collision></link></robot>")
+        out = self.path("mm.toml")
+        once = self.report(robot, "--out", out)["warnings"]
+        self.assertEqual(self.report(out)["warnings"], once)
+        self.assertEqual(json.loads(subprocess.run([PROGRAM, "validate", out, "--json"],
+                                                   capture_output=True, text=True, check=True)
+                                    .stdout)[0]["warnings"], once)
+
     def test_weighs_closed_meshes_and_names_holes(self):
         told = self.report(self.path("corner.off", CORNER.format(4, "3 1 2 3\n")))
         self.assertTrue(told["watertight"])
