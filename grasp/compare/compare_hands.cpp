@@ -129,6 +129,7 @@ BestGrasp describe(const Setting& setting, const Tried& tried, int number,
   const GraspLoads loads =
       grasp_loads(held_by(setting, grasp), setting.scene.object, setting.mass, options.tasks);
   best.min_grasp_force = loads.min_grasp_force;
+  best.standing_grasp_force = loads.standing_grasp_force;
   best.margin = loads.margin;
   best.reasons = loads.reasons;
   best.hand_epsilon = tried.epsilon.value;

@@ -83,6 +83,7 @@ struct BestGrasp {
   double min_grasp_force = 0;            // smallest sum of normal forces that holds the weight,
                                          // whichever axis points down, by friction alone [N];
                                          // infinite: impossible
+  double standing_grasp_force = 0;       // the same as the object stands, z up [N]; NaN: not known
   std::map<std::string, double> margin;  // task -> largest load resisted with the actuation of the
                                          // hand; units as GraspTask; NaN: unknown
   std::map<std::string, std::string> reasons;  // task or "epsilon" -> why zero, unknown or infinite
@@ -121,6 +122,9 @@ struct HandOnObject {
   /// Least `min_grasp_force` of `best`; NaN without grasps [N].
   [[nodiscard]] double min_grasp_force() const;
 
+  /// Least `standing_grasp_force` of `best`; NaN without grasps [N].
+  [[nodiscard]] double standing_grasp_force() const;
+
   /// Quantile of epsilon by linear interpolation; NaN without closures. @param p  in [0, 1]
   [[nodiscard]] double quantile(double p) const;
 };
@@ -148,8 +152,8 @@ struct HandAbilities {
   std::vector<std::string> types;  // distinct grasp_type() of all closures, in alphabetic order
 };
 
-/// Whether opposition is Kapandji's score of a human thumb; otherwise it is the share of tips that a
-/// thumb meets, times 10.
+/// Whether opposition is Kapandji's score of a human thumb; otherwise it is the share of tips that
+/// a thumb meets, times 10.
 [[nodiscard]] bool is_kapandji(const HandAbilities& abilities);
 
 /// Result of compare().

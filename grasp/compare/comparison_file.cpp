@@ -185,6 +185,7 @@ JsonNode best_node(const BestGrasp& best) {
       .set("epsilon", best.epsilon)
       .set("type", best.type)
       .set("hold_N", number_node(best.min_grasp_force))
+      .set("hold_standing_N", number_node(best.standing_grasp_force))
       .set("hand_epsilon_N", number_node(best.hand_epsilon))
       .set("margin", margin_node(best.margin))
       .set("reasons", map_node(best.reasons))
@@ -202,6 +203,8 @@ BestGrasp best_of(const JsonNode& json, int approaches) {
   best.epsilon = within(member(json, "epsilon"), "epsilon", 0, kStrongest);
   best.type = text(member(json, "type"), "type");
   best.min_grasp_force = load_of(member(json, "hold_N"), "hold_N");
+  const JsonNode* standing = json.find("hold_standing_N");  // older files lack it
+  best.standing_grasp_force = standing == nullptr ? kNaN : load_of(*standing, "hold_standing_N");
   best.hand_epsilon = load_of(member(json, "hand_epsilon_N"), "hand_epsilon_N");
   best.margin = margins_of(member(json, "margin"));
   const JsonNode& reasons = member(json, "reasons");

@@ -82,7 +82,7 @@ std::vector<std::string> cell_row(const HandOnObject& cell, const std::vector<Gr
 
 Table cell_table(const Comparison& comparison) {
   Table table{{"hand", "object", "closed_percent", "from", "to", "epsilon_median", "epsilon_best",
-               "hand_epsilon_N", "squeeze_N"},
+               "hand_epsilon_N", "squeeze_6_ways_N"},
               {}};
   const std::vector<GraspTask> loads = loads_of(comparison);
   for (const GraspTask task : loads) table.header.push_back(load_key(task));
@@ -236,7 +236,9 @@ std::string text_of(const HandComparison& result) {
   text += titled("Grasps: share with force closure, its 95 % interval, and loads",
                  cell_table(comparison));
   text += load_rule() +
-          "\n-: nothing closed, or not known. 0: nothing is borne; the page and JSON say why.\n"
+          "\nsqueeze_6_ways_N: least grasp force for the weight in the worst of 6 directions, each "
+          "axis of the\nobject both ways; `thenar grasp` asks as the object stands.\n"
+          "-: nothing closed, or not known. 0: nothing is borne; the page and JSON say why.\n"
           "inf: joint limits or drives that do not run back bear it.\n\n";
   text += titled("Where nothing closed: how the approaches ended", outcome_table(comparison));
   text +=

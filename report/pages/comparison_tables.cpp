@@ -122,7 +122,7 @@ Json success_row(const HandOnObject& cell, const std::vector<BlockColumn>& loads
       {cell.hand, cell.object, 100 * cell.success,
        fmt::format("{:.0f} to {:.0f}", 100 * cell.interval.lower, 100 * cell.interval.upper),
        finite(cell.quantile(0.5)), finite(cell.quantile(1)), finite(cell.best_hand_epsilon().max),
-       finite(cell.min_grasp_force())});
+       finite(cell.min_grasp_force()), finite(cell.standing_grasp_force())});
   for (const BlockColumn& column : loads)
     row.push_back(load(cell.load(grasp_task(column.name)).max));
   return row;
@@ -136,7 +136,8 @@ Json all_cells(const Comparison& comparison) {
                                    {"epsilon, median", "", 3},
                                    {"epsilon, best", "", 3},
                                    {"epsilon within hand limits, best", "N", 2},
-                                   {"minimum grasp force", "N", 2}};
+                                   {"grasp force, worst of 6 directions", "N", 2},
+                                   {"grasp force, standing", "N", 2}};
   const std::vector<BlockColumn> loads = load_columns(comparison);
   columns.insert(columns.end(), loads.begin(), loads.end());
   Json rows = Json::array();
@@ -145,8 +146,10 @@ Json all_cells(const Comparison& comparison) {
       "Every hand on every object. Force closure: share of approaches that end in it. Epsilon of "
       "these grasps: by their contacts alone, and within hand limits: with the efforts of motors "
       "or "
-      "tendons and the hand's rigid structure. Minimum grasp force: sum of normal forces by which "
-      "friction alone holds the weight. Loads after it: supported within the same limits. " +
+      "tendons and the hand's rigid structure. Grasp force: least sum of normal forces by which "
+      "friction alone holds the weight, in the worst of 6 directions of gravity (each axis of the "
+      "object, both ways), and as the object stands, z up, which is what `thenar grasp` states. "
+      "Loads after it: supported within the same limits. " +
           load_rule(),
       columns, rows);
   table["search"] = true;
