@@ -90,6 +90,8 @@ Imported import_body(BodySpec body, const std::string& kind, const ImportRequest
   for (std::string& warning : size_warnings(body.shapes, fmt::format("object '{}'", body.name)))
     warnings.push_back(std::move(warning));
   state_mass(request, body);
+  for (std::string& warning : density_warnings(body, fmt::format("object '{}'", body.name)))
+    warnings.push_back(std::move(warning));
   return {request, kind, std::move(body), {}, {}, std::move(warnings)};
 }
 
@@ -150,6 +152,14 @@ void require_volume(const ImportRequest& request, const MeshFacts& facts) {
           : "flat, or turned; --repair turns it"));
 }
 
+/// What is doubtful of the mass of a mesh with a material, and whether there is none.
+std::vector<std::string> mass_warnings(const BodySpec& body) {
+  const std::string owner = fmt::format("object '{}'", body.name);
+  if (body.mass || body.uniform_mass > 0 || body.density > 0) return density_warnings(body, owner);
+  return {fmt::format("{} has no mass: '{}' has no density; state --mass or --density", owner,
+                      body.material)};
+}
+
 Imported import_mesh(const ImportRequest& request) {
   MeshContent content = read_mesh_content(request.file, scale_of(request));
   const std::size_t holes = check_mesh(content.mesh).holes.size();
@@ -168,7 +178,9 @@ Imported import_mesh(const ImportRequest& request) {
     body = object_of(content, request, facts.repaired.empty());
     state_mass(request, *body);
   }
-  const std::vector<std::string> warnings = facts.warnings;
+  std::vector<std::string> warnings = facts.warnings;
+  if (body)
+    for (std::string& warning : mass_warnings(*body)) warnings.push_back(std::move(warning));
   return {request, "mesh", std::move(content), std::move(facts), std::move(body), warnings};
 }
 

@@ -25,6 +25,8 @@ void build_thing(const BodySpec& body, FileVerdict& verdict) {
   note_turned(body.shapes, owner, verdict.warnings);
   for (std::string& warning : size_warnings(body.shapes, owner))
     verdict.warnings.push_back(std::move(warning));
+  for (std::string& warning : density_warnings(body, owner))
+    verdict.warnings.push_back(std::move(warning));
 }
 void build_thing(const WorldSpec& world, FileVerdict& /*verdict*/) {
   for (const PlacedBody& placed : world.bodies) (void)build_solid(placed.body.shapes);

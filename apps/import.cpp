@@ -26,6 +26,7 @@ struct ImportArguments {
   ImportRequest request;
   Outputs outputs;
   bool strict = false, allow_missing = false;
+  bool unit_stated = false;  // by --scale, also where that is 1
 };
 
 /// Warnings on the error stream, under the file that they are of.
@@ -46,6 +47,15 @@ void require_whole(const Imported& imported, const std::vector<std::string>& fil
           missing == 1 ? "a file that is" : fmt::format("{} files that are", missing));
 }
 
+/// Refuses to write a mesh of an implausible size as if its unit had been stated.
+void require_plausible(const Imported& imported, const ImportArguments& options) {
+  const bool stated = options.unit_stated || !options.request.units.empty();
+  require(stated || !imported.mesh || imported.mesh->across <= kLargestThing,
+          "'{}' is {:.4g} m across: are its numbers millimetres? --units mm; if it is as large as "
+          "that, --units m; nothing is written",
+          options.request.file, imported.mesh ? imported.mesh->across : 0);
+}
+
 void run_import(const ImportArguments& options) {
   const Imported imported = import_file(options.request);
   const std::vector<std::string> files =
@@ -59,6 +69,7 @@ void run_import(const ImportArguments& options) {
   }
   require(!options.strict || warnings == 0, "--strict: {} about '{}'; nothing is written",
           counted(warnings, "warning"), options.request.file);
+  if (!files.empty()) require_plausible(imported, options);
   if (!options.allow_missing) require_whole(imported, files);
   for (const std::string& out : files) print_of(out, write_imported(imported, out));
   for (const std::string& out : options.outputs.with_ending({".json"}))
@@ -71,8 +82,9 @@ void add_mass_options(CLI::App& command, ImportRequest& request) {
                      "Mass of an object or a mesh, spread evenly over its volume [kg]");
   command.add_option("--density", request.density, "Density in place of a mass [kg/m3]");
   command.add_option("--material", request.material,
-                     "Material of an object or a mesh, for friction and, without --mass and "
-                     "--density, its density; `thenar list materials` has the names");
+                     "Material of an object or a mesh, for friction; `thenar list materials` has "
+                     "the names. Its density, if it has one, stands where --mass and --density do "
+                     "not");
 }
 
 }  // namespace
@@ -89,7 +101,15 @@ void add_import(CLI::App& app) {
       ->required();
   add_output_options(*command, options->outputs,
                      {true, false, false, {".toml", ".urdf", ".obj", ".stl", ".ply", ".off"}});
-  command->add_option("--scale", request.scale, "Metres per unit of a mesh file");
+  command
+      ->add_option_function<double>(
+          "--scale",
+          [options](double scale) {
+            options->request.scale = scale;
+            options->unit_stated = true;
+          },
+          "Metres per unit of a mesh file")
+      ->default_str("1");
   command->add_option("--units", request.units, "Of a mesh file: m, cm, mm or in; m if left out");
   add_mass_options(*command, request);
   command->add_flag("--repair", request.repair,

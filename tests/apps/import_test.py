@@ -234,7 +234,7 @@ class Import(Files):
 
     def test_refuses_leaky_objects_unless_it_may_mend_them(self):
         self.path("open.off", CORNER.format(3, ""))
-        body = self.path("body.xml", "<root><material>wood</material><mass>100</mass>"
+        body = self.path("body.xml", "<root><material>wood</material><mass>0.001</mass>"
                                      "<geometryFile type='off'>open.off</geometryFile></root>")
         done = self.thenar(body, "--out", self.path("body.toml"), code=1)
         for words in ["body.xml:1: mesh 'open.off' of body 'body'", "1 hole(s): 3 edges", "--repair"]:
@@ -252,6 +252,12 @@ class Import(Files):
         self.assertEqual(self.report(huge)["warnings"],
                          ["80 m across: are its numbers millimetres? --units mm"])
         self.assertEqual(self.report(huge, "--units", "mm")["warnings"], [])
+        # It is not written as if the unit had been stated, unless it was.
+        out = self.path("huge.toml")
+        self.assertIn("--units mm", self.thenar(huge, "--out", out, code=1).stderr)
+        self.assertFalse(os.path.exists(out))
+        for stated in (("--units", "m"), ("--scale", "1"), ("--units", "mm")):
+            self.thenar(huge, "--out", out, *stated)
         arm = ARM.replace('<box size="0.1 0.1 0.3"/>', '<mesh filename="huge.off"{}/>')
         told = self.report(self.path("arm.urdf", arm.format("")))
         self.assertIn("a mesh of link 'upper' is 80 m across", told["warnings"][0])
