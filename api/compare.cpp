@@ -14,7 +14,7 @@
 #include "base/error.h"
 #include "base/file_io.h"
 #include "base/provenance.h"
-#include "data/io/file_kind.h"
+#include "base/run_record.h"
 #include "data/io/mesh/mesh_file.h"
 #include "data/io/robot/import_robot.h"
 #include "grasp/compare/compare_hands.h"
@@ -33,14 +33,12 @@ std::string object_file(const std::string& name, const std::string& data) {
   std::string file = named_file("object", name, "objects", ".toml", data_folders(data));
   if (fs::path(file).extension() != ".toml") {
     const std::string made = fs::path(file).stem().string() + ".toml";
-    throw InputError(
-        fmt::format("'{}' is no object file (TOML): `thenar import {}{} --out {}` makes one; state "
-                    "its mass_g and material there",
-                    file, file, is_mesh_file(file) ? " --units mm" : "", made));
+    throw InputError(fmt::format(
+        "'{}' is no object file (TOML): `thenar import {}{} --mass KG --material NAME "
+        "--out {}` makes one",
+        file, shell_word(file), is_mesh_file(file) ? " --units mm" : "", shell_word(made)));
   }
-  const FileKind kind = find_file_kind(file);
-  require(kind == FileKind::kObject, "'{}' is a file of kind '{}': wanted an object", file,
-          name_of(kind));
+  require_kind(file, {"object"});
   return file;
 }
 

@@ -203,8 +203,14 @@ FileContents contents_of(const std::string& path) {
   return found;
 }
 
-void require_kind(const std::string& path, const std::vector<std::string>& kinds) {
-  const FileContents found = contents_of(path);
+void require_kind(const std::string& path, const std::vector<std::string>& kinds,
+                  const std::string& hint) {
+  FileContents found;
+  try {
+    found = contents_of(path);
+  } catch (const DataError&) {
+    return;  // its reader says what it wants
+  }
   if (found.kind.empty() || std::count(kinds.begin(), kinds.end(), found.kind) > 0) return;
   std::vector<std::string> wanted;
   for (const std::string& kind : kinds) wanted.push_back(with_article(kind));
@@ -212,6 +218,8 @@ void require_kind(const std::string& path, const std::vector<std::string>& kinds
   if (!found.commands.empty())
     ways = fmt::format("; {}: {}", found.commands.size() == 1 ? "ask" : "commands that take it",
                        fmt::join(found.commands, ", "));
+  const bool part = found.kind == "robot" || found.kind == "object" || found.kind == "mesh";
+  if (part && !hint.empty()) ways += "; " + hint;
   throw InputError(fmt::format("'{}' is {}, wanted {}{}", path, with_article(found.kind),
                                fmt::join(wanted, " or "), ways));
 }

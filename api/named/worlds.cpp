@@ -7,10 +7,11 @@
 #include <fmt/ranges.h>
 
 #include "api/named/data_folders.h"
+#include "api/named/files.h"
 #include "base/error.h"
 #include "base/file_io.h"
 #include "base/nearest_name.h"
-#include "data/io/file_kind.h"
+#include "base/run_record.h"
 #include "data/io/robot/import_robot.h"
 #include "grasp/closing/closing_drives.h"
 #include "grasp/robot/infer_hand.h"
@@ -36,9 +37,13 @@ HumanHandOptions human_of(const WorldRequest& request, const Progress& progress)
 std::string world_file(const WorldRequest& request) {
   std::string file =
       named_file("world", request.world, "worlds", ".toml", data_folders(request.data));
-  const FileKind kind = find_file_kind(file);
-  require(kind == FileKind::kWorld, "'{}' is a file of kind '{}': wanted a world", file,
-          name_of(kind));
+  require_kind(file, {"world"},
+               "a world puts a hand and an object together: docs/tutorials/own_gripper.md");
+  const std::string start = read_start(file, 1);
+  require(start != "<",
+          "'{0}' is a world of GraspIt!: thenar import {1} -o world.toml makes one of "
+          "it that is read here",
+          file, shell_word(file));
   return file;
 }
 

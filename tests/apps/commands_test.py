@@ -704,6 +704,29 @@ class Explain(Near):
         self.assertAlmostEqual(loads["FDS"]["tension_to_N"], 0.950 * 9.81 * 0.835, delta=1e-3)
 
 
+class WrongKinds(unittest.TestCase):
+    """A file of another kind is named, with what takes it."""
+
+    def test_of_every_command(self):
+        mug, jaw = ROOT / "data/objects/mug.toml", ROOT / "data/robots/parallel_jaw.toml"
+        mesh = ROOT / "data/objects/mug.obj"
+        with tempfile.TemporaryDirectory() as folder:
+            urdf = pathlib.Path(folder) / "claw.urdf"
+            urdf.write_text("<robot name='claw'><link name='palm'/></robot>")
+            for words, wanted in (
+                    (("grasp", urdf), "is a robot, wanted a world"),
+                    (("grasp", urdf), "docs/tutorials/own_gripper.md"),
+                    (("grasp", mesh), "is a mesh, wanted a world; ask: thenar import"),
+                    (("pose", mug), "is an object, wanted a subject or a robot"),
+                    (("tip-force", jaw, "--tension", "FDP=1"), "is a robot, wanted a subject"),
+                    (("fit", MIDDLE, "--subject", MIDDLE), "is a subject, wanted an experiment"),
+                    (("compare", "--hands", mug, "--objects", "can"),
+                     "is an object, wanted a robot or a subject"),
+                    (("compare", "--hands", "barrett", "--objects", mesh),
+                     "--units mm --mass KG --material NAME")):
+                self.assertIn(wanted, complaint(*words))
+
+
 class Rerun(unittest.TestCase):
     def test_writes_the_same_answer_again(self):
         with tempfile.TemporaryDirectory() as folder:

@@ -145,7 +145,8 @@ class DataFromAnywhere(unittest.TestCase):
         self.assertIn("there is no command 'graps', did you mean 'grasp'?",
                       self.run_in("graps", "jaw_box").stderr)
         mug = str(ROBOTS.parent / "objects" / "mug.toml")
-        self.assertIn("is a file of kind 'object': wanted a world", self.run_in("grasp", mug).stderr)
+        self.assertIn("is an object, wanted a world; commands that take it: thenar explain",
+                      self.run_in("grasp", mug).stderr)
         self.assertIn("body 'table' is an obstacle",
                       self.run_in("grasp", "barrett_bobbin", "--object", "table").stderr)
         self.assertIn("has no body 'bobin', did you mean 'bobbin'?",
