@@ -11,6 +11,7 @@
 
 #include "api/named/data_folders.h"
 #include "api/named/files.h"
+#include "api/named/material_names.h"
 #include "base/error.h"
 #include "base/file_io.h"
 #include "base/provenance.h"
@@ -111,6 +112,17 @@ std::vector<BodySpec> objects_of(const CompareRequest& request) {
   return objects;
 }
 
+/// @throws InputError for an object of a material that the table has not
+void require_object_materials(const CompareRequest& request, const std::vector<BodySpec>& objects,
+                              const Materials& table) {
+  for (std::size_t i = 0; i < objects.size(); ++i) {
+    const std::vector<std::string> unknown = unknown_materials(
+        object_file(request.objects[i], request.data), {objects[i].material}, table);
+    require(unknown.empty(), "{}; a materials file may give others",
+            unknown.empty() ? "" : unknown.front());
+  }
+}
+
 /// The hands to be compared; a hand warns of what is assumed of the objects.
 std::vector<ComparedHand> compared_hands(const std::vector<NamedHand>& named,
                                          const std::vector<std::string>& without_material) {
@@ -130,6 +142,7 @@ CompareOptions options_of(const CompareRequest& request) {
   options.threads = request.threads;
   options.seed = request.seed;
   options.normalise_size = request.normalise_size;
+  options.materials = materials_of_file(request.materials);
   options.tasks.clear();
   for (const std::string& task : request.tasks) options.tasks.push_back(grasp_task(task));
   return options;
@@ -157,6 +170,8 @@ JsonNode content_hashes(const CompareRequest& request, const std::vector<BodySpe
     if (const std::string hash = hand_hash(hand, request.data); !hash.empty())
       contents.set("hand " + current_hand_name(hand), hash);
   for (const BodySpec& object : objects) contents.set("object " + object.name, object_hash(object));
+  if (!request.materials.empty())
+    contents.set("materials " + request.materials, sha256(read_source(request.materials).text));
   return contents;
 }
 
@@ -268,12 +283,16 @@ HandComparison compare_hands(const CompareRequest& request, const Progress& prog
       without_material.push_back(request.objects[i]);
       result.objects[i].material = kDefaultMaterial;
     }
+  const Materials materials = materials_of_file(request.materials);
+  require_object_materials(request, result.objects, materials);
   const JsonNode inputs = inputs_of(request, result.objects);
   result.inputs = input_texts(inputs, request.seed);
   if (!request.file.empty()) require_writable(request.file);
   result.hands = hands_of(request, progress);
   if (result.hands.size() < request.hands.size()) return result;  // stopped
   result.files = files_of(result.hands, result.objects);
+  if (!request.materials.empty()) result.files.merge(digests_of({request.materials}));
+  for (const NamedHand& hand : result.hands) require_materials(hand, materials);
   result.comparison =
       go_on(request, inputs, result.files, result.hands,
             compared_hands(result.hands, without_material), result.objects, progress);

@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "api/named/files.h"
+#include "api/named/material_names.h"
 #include "base/error.h"
 #include "base/file_io.h"
 #include "base/nearest_name.h"
@@ -56,7 +57,8 @@ void check_statements(const ImportRequest& request) {
   require(!request.density || *request.density > 0, "wanted --density above 0 kg/m3, got {}",
           request.density.value_or(0));
   std::vector<std::string> names;
-  for (const Material& material : built_in_materials().materials) names.push_back(material.name);
+  for (const Material& material : materials_of_file(request.materials).materials)
+    names.push_back(material.name);
   if (!request.material.empty()) (void)index_of_name(request.material, names, "material");
 }
 
@@ -70,10 +72,11 @@ void state_mass(const ImportRequest& request, BodySpec& body) {
     body.uniform_mass = request.mass.value_or(0);
     body.density = request.density.value_or(0);
   }
+  const Materials materials = materials_of_file(request.materials);
   const bool known = body.uniform_mass > 0 || body.density > 0 ||
-                     (!body.material.empty() && built_in_materials().at(body.material).density > 0);
+                     (!body.material.empty() && materials.at(body.material).density > 0);
   if (body.mass || !known) return;
-  body.mass = body_mass(body);
+  body.mass = body_mass(body, materials);
   Eigen::Matrix3d& inertia = body.mass->inertia;
   inertia = ((inertia + inertia.transpose()) / 2).eval();  // rounding leaves it not quite so
 }

@@ -6,6 +6,7 @@
 
 #include "api/mesh_facts.h"
 #include "api/named/digits.h"
+#include "api/named/material_names.h"
 #include "base/error.h"
 #include "data/io/mesh/repair_shape.h"
 #include "data/io/robot/import_robot.h"
@@ -46,7 +47,18 @@ void build_thing(const RobotSpec& robot, FileVerdict& verdict) {
 template <typename Other>
 void build_thing(const Other& /*read whole already*/, FileVerdict& /*verdict*/) {}
 
-FileVerdict verdict_of(const std::string& name, const std::string& data) {
+std::vector<std::string> materials_in(const BodySpec& body) { return {body.material}; }
+std::vector<std::string> materials_in(const RobotSpec& robot) {
+  std::vector<std::string> used;
+  for (const RobotLink& link : robot.links) used.push_back(link.material);
+  return used;
+}
+template <typename Other>
+std::vector<std::string> materials_in(const Other& /*none, or checked by its reader*/) {
+  return {};
+}
+
+FileVerdict verdict_of(const std::string& name, const std::string& data, const Materials& table) {
   FileVerdict verdict;
   verdict.path = name;
   try {
@@ -54,6 +66,10 @@ FileVerdict verdict_of(const std::string& name, const std::string& data) {
     Thing thing = read_thing(verdict.path);
     verdict.warnings = checksum_warnings(verdict.path);
     std::visit([&](const auto& each) { build_thing(each, verdict); }, thing);
+    for (std::string& unknown : unknown_materials(
+             verdict.path, std::visit([](const auto& each) { return materials_in(each); }, thing),
+             table))
+      verdict.warnings.push_back(std::move(unknown));
     verdict.thing = std::move(thing);
   } catch (const Error& error) {
     verdict.error = error.what();
@@ -76,9 +92,10 @@ Validation validate(const ValidateRequest& request) {
     subject = parse_subject(source.text, source.path);
     out.subject = source.path;
   }
+  const Materials table = materials_of_file(request.materials);
   bool held = false;
   for (const std::string& name : request.things) {
-    out.files.push_back(verdict_of(name, request.data));
+    out.files.push_back(verdict_of(name, request.data, table));
     FileVerdict& file = out.files.back();
     if (out.subject.empty() || !file.thing || !std::holds_alternative<Experiment>(*file.thing))
       continue;

@@ -81,6 +81,7 @@ void add_mass_options(CLI::App& command, ImportRequest& request) {
   command.add_option("--mass", request.mass,
                      "Mass of an object or a mesh, spread evenly over its volume [kg]");
   command.add_option("--density", request.density, "Density in place of a mass [kg/m3]");
+  add_materials_option(command, request.materials);
   command.add_option("--material", request.material,
                      "Material of an object or a mesh, for friction; `thenar list materials` has "
                      "the names. Its density, if it has one, stands where --mass and --density do "

@@ -8,6 +8,7 @@
 
 #include "api/named/data_folders.h"
 #include "api/named/files.h"
+#include "api/named/material_names.h"
 #include "base/error.h"
 #include "base/file_io.h"
 #include "base/nearest_name.h"
@@ -268,10 +269,12 @@ WorldCase open_world(const WorldRequest& request, bool hand_from_elsewhere,
     found.hand = hand_of_world(found.world, request.hand, found.path, found.data,
                                human_of(request, progress));
     found.files.insert(found.hand.named.files.begin(), found.hand.named.files.end());
+    require_materials(found.hand.named, found.scene.materials);
     return found;
   }
   found.hand.named = hand_by_name(request.hand, found.data, human_of(request, progress));
   found.files.insert(found.hand.named.files.begin(), found.hand.named.files.end());
+  require_materials(found.hand.named, found.scene.materials);
   found.hand.q = open_posture(found.hand.named.hand->layout());
   return found;
 }

@@ -70,6 +70,7 @@ struct CompareOptions {
   double workspace_voxel = 5e-3;                // [m]
   GraspOptions grasp;                           // `way` is set for each approach
   std::function<void(const Comparison&)> keep;  // called after every finished cell
+  Materials materials = built_in_materials();   // and friction of all hands and objects
 };
 
 /// One of the best grasps of a hand on an object.

@@ -191,6 +191,25 @@ class Import(Files):
                                                    capture_output=True, text=True, check=True)
                                     .stdout)[0]["warnings"], once)
 
+    def test_materials_of_links_are_checked(self):
+        robot = self.path("arm.toml")
+        self.thenar(self.path("arm.urdf", ARM), "--out", robot)
+        text = pathlib.Path(robot).read_text().replace('name = "upper"\n',
+                                                       'name = "upper"\nmaterial = "plastc"\n')
+        pathlib.Path(robot).write_text(text)
+        line = text.split("\n").index('material = "plastc"') + 1
+        told = subprocess.run([PROGRAM, "validate", robot], capture_output=True, text=True,
+                              check=True).stdout
+        self.assertIn(f"{robot}:{line}: no material 'plastc', did you mean 'plastic'?", told)
+        table = self.path("m.toml", '[[material]]\nname = "plastc"\ndensity_kg_m3 = 1200\n')
+        told = subprocess.run([PROGRAM, "validate", robot, "--materials", table],
+                              capture_output=True, text=True, check=True).stdout
+        self.assertNotIn("no material", told)
+        # A mesh of that material has its density: 1/6 m3 of 1200 kg/m3.
+        mesh = self.path("corner.off", CORNER.format(4, "3 1 2 3\n"))
+        told = self.report(mesh, "--material", "plastc", "--materials", table)
+        self.assertAlmostEqual(told["mass_kg"], 200, 9)
+
     def test_weighs_closed_meshes_and_names_holes(self):
         told = self.report(self.path("corner.off", CORNER.format(4, "3 1 2 3\n")))
         self.assertTrue(told["watertight"])
