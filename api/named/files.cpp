@@ -118,6 +118,7 @@ FileContents of_json(const std::string& start) {
   };
   if (has("contacts") && (has("torque_scale") || has("position") || has("wrenches")))
     return {"contacts", "JSON", {}};
+  if (has("torque_scale_m") && has("centre_of_mass_m")) return {"contacts", "JSON", {}};  // a grasp
   if (has("inputs") && has("approaches") && has("objects")) return {"comparison", "JSON", {}};
   if (has("provenance")) return {"answer", "JSON", {}};
   return {"", "JSON", {}};
