@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <map>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -156,12 +157,19 @@ FileContents look_into(const std::string& path) {
 /// "there is no file 'fit1.h5', did you mean 'fit.h5'?"
 std::string absent(const std::string& path) {
   const fs::path folder = fs::path(path).has_parent_path() ? fs::path(path).parent_path() : ".";
-  std::vector<std::string> beside;
+  // By the stem: an ending in common says little.
+  std::map<std::string, std::string> by_stem;
+  std::vector<std::string> stems;
   std::error_code none;
-  for (const fs::directory_entry& entry : fs::directory_iterator(folder, none))
-    beside.push_back(entry.path().filename().string());
+  for (const fs::directory_entry& entry : fs::directory_iterator(folder, none)) {
+    const fs::path name = entry.path().filename();
+    stems.push_back(name.stem().string());
+    std::string& file = by_stem[stems.back()];
+    if (file.empty() || name.extension() == fs::path(path).extension()) file = name.string();
+  }
+  const std::string stem = nearest_name(fs::path(path).stem().string(), stems);
   return fmt::format("there is no file '{}'{}", path,
-                     did_you_mean(fs::path(path).filename().string(), beside));
+                     stem.empty() ? "" : fmt::format(", did you mean '{}'?", by_stem.at(stem)));
 }
 
 std::string with_article(const std::string& kind) {

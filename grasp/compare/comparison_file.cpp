@@ -305,7 +305,7 @@ JsonNode abilities_node(const HandAbilities& hand) {
       .set("tips_met_share", places ? JsonNode() : number_node(hand.opposition / 10))
       .set("opposition_scale", hand.opposition_scale)
       .set("reached", hand.reached)
-      .set("overlap_m3", hand.overlap)
+      .set("overlap_m3", number_node(hand.overlap))
       .set("types", hand.types)
       .set("digits", digits);
   return out;

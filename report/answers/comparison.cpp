@@ -117,7 +117,7 @@ Table hand_table(const Comparison& comparison) {
     table.rows.push_back({hand.hand, places ? number_or_dash(hand.opposition, 1) : "-",
                           places ? "-" : number_or_dash(10 * hand.opposition, 0),
                           std::to_string(hand.reached.size()),
-                          shown(1e6 * in_two_digits(hand.overlap), 0),
+                          number_or_dash(1e6 * in_two_digits(hand.overlap), 0),
                           std::to_string(hand.types.size()), number_or_dash(force)});
   }
   return table;

@@ -214,7 +214,8 @@ Json ability_rows(const Comparison& comparison) {
                                 : fmt::format("{} of {} tips", hand.reached.size(),
                                               std::max<std::size_t>(hand.digits.size(), 1) - 1);
     rows.push_back({hand.hand, 1000 * hand.reach, kapandji ? finite(hand.opposition) : Json(), met,
-                    in_two_digits(1e6 * hand.overlap), finite(strongest), hand.types.size()});
+                    finite(in_two_digits(1e6 * hand.overlap)), finite(strongest),
+                    hand.types.size()});
   }
   return rows;
 }

@@ -693,6 +693,21 @@ class Explain(Near):
         self.assertEqual(rung(SUBJECTS / "arms_thumb.toml")["path"], "constant moment arms")
         self.assertEqual(rung(SKEWED, "--digit", "index")["path"], "no tendons")
 
+    # 0.3 rad are 17.2 degrees.
+    def test_tells_ratio_and_offset_of_coupled_joints(self):
+        limits = '<limit lower="0" upper="1.2" effort="1" velocity="1"/>'
+        joint = '<joint name="{}" type="revolute"><parent link="{}"/><child link="{}"/>{}{}</joint>'
+        with tempfile.TemporaryDirectory() as folder:
+            robot = pathlib.Path(folder) / "r.urdf"
+            robot.write_text("<robot name='r'><link name='a'/><link name='b'/><link name='c'/>" +
+                             joint.format("j", "a", "b", limits, "") +
+                             joint.format("k", "b", "c", limits,
+                                          '<mimic joint="j" multiplier="0.6" offset="0.3"/>') +
+                             "</robot>")
+            subprocess.run([PROGRAM, "import", robot, "-o", folder + "/r.toml"], check=True,
+                           capture_output=True)
+            self.assertIn("k x 0.600 + 17.2 deg", run("explain", folder + "/r.toml").stdout)
+
     def test_costs_are_measured(self):
         for row in ask("explain", MIDDLE)["cost"]["rows"]:
             self.assertGreater(row["median_us"], 0)

@@ -417,7 +417,8 @@ class GraspOfJaws(unittest.TestCase):
 
     def test_has_its_grasp_matrix_which_quality_reads(self):
         out = self.folder / "grasp.json"
-        done = self.run_it("grasp", self.world(hand=(0, -0.1, 0)), "-o", str(out))
+        done = self.run_it("grasp", self.world(hand=(0, -0.3, 0), ball=(0, 0, 0)),
+                           "-o", str(out))
         self.assertEqual(done.returncode, 0, done.stderr)
         answer = json.loads(out.read_text())
         G, contacts = answer["grasp_matrix"], answer["contacts"]
