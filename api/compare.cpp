@@ -11,10 +11,11 @@
 
 #include "api/named/data_folders.h"
 #include "api/named/files.h"
+#include "api/named/material_names.h"
 #include "base/error.h"
 #include "base/file_io.h"
 #include "base/provenance.h"
-#include "data/io/file_kind.h"
+#include "base/run_record.h"
 #include "data/io/mesh/mesh_file.h"
 #include "data/io/robot/import_robot.h"
 #include "grasp/compare/compare_hands.h"
@@ -33,14 +34,12 @@ std::string object_file(const std::string& name, const std::string& data) {
   std::string file = named_file("object", name, "objects", ".toml", data_folders(data));
   if (fs::path(file).extension() != ".toml") {
     const std::string made = fs::path(file).stem().string() + ".toml";
-    throw InputError(
-        fmt::format("'{}' is no object file (TOML): `thenar import {}{} --out {}` makes one; state "
-                    "its mass_g and material there",
-                    file, file, is_mesh_file(file) ? " --units mm" : "", made));
+    throw InputError(fmt::format(
+        "'{}' is no object file (TOML): `thenar import {}{} --mass KG --material NAME "
+        "--out {}` makes one",
+        file, shell_word(file), is_mesh_file(file) ? " --units mm" : "", shell_word(made)));
   }
-  const FileKind kind = find_file_kind(file);
-  require(kind == FileKind::kObject, "'{}' is a file of kind '{}': wanted an object", file,
-          name_of(kind));
+  require_kind(file, {"object"});
   return file;
 }
 
@@ -113,6 +112,17 @@ std::vector<BodySpec> objects_of(const CompareRequest& request) {
   return objects;
 }
 
+/// @throws InputError for an object of a material that the table has not
+void require_object_materials(const CompareRequest& request, const std::vector<BodySpec>& objects,
+                              const Materials& table) {
+  for (std::size_t i = 0; i < objects.size(); ++i) {
+    const std::vector<std::string> unknown = unknown_materials(
+        object_file(request.objects[i], request.data), {objects[i].material}, table);
+    require(unknown.empty(), "{}; a materials file may give others",
+            unknown.empty() ? "" : unknown.front());
+  }
+}
+
 /// The hands to be compared; a hand warns of what is assumed of the objects.
 std::vector<ComparedHand> compared_hands(const std::vector<NamedHand>& named,
                                          const std::vector<std::string>& without_material) {
@@ -132,6 +142,7 @@ CompareOptions options_of(const CompareRequest& request) {
   options.threads = request.threads;
   options.seed = request.seed;
   options.normalise_size = request.normalise_size;
+  options.materials = materials_of_file(request.materials);
   options.tasks.clear();
   for (const std::string& task : request.tasks) options.tasks.push_back(grasp_task(task));
   return options;
@@ -144,6 +155,14 @@ JsonNode texts_node(const std::map<Key, std::string>& texts) {
   return node;
 }
 
+/// All files of the hands and objects.
+FileDigests files_of(const std::vector<NamedHand>& hands, const std::vector<BodySpec>& objects) {
+  FileDigests files;
+  for (const NamedHand& hand : hands) files.insert(hand.files.begin(), hand.files.end());
+  for (const BodySpec& object : objects) files.insert(object.files.begin(), object.files.end());
+  return files;
+}
+
 /// SHA-256 of all hands and objects, as "hand barrett" and "object mug".
 JsonNode content_hashes(const CompareRequest& request, const std::vector<BodySpec>& objects) {
   JsonNode contents(JsonKind::kObject);
@@ -151,6 +170,8 @@ JsonNode content_hashes(const CompareRequest& request, const std::vector<BodySpe
     if (const std::string hash = hand_hash(hand, request.data); !hash.empty())
       contents.set("hand " + current_hand_name(hand), hash);
   for (const BodySpec& object : objects) contents.set("object " + object.name, object_hash(object));
+  if (!request.materials.empty())
+    contents.set("materials " + request.materials, sha256(read_source(request.materials).text));
   return contents;
 }
 
@@ -177,8 +198,8 @@ std::map<std::string, std::string> input_texts(const JsonNode& inputs, unsigned 
   std::map<std::string, std::string> texts = versions();
   const JsonNode& contents = *inputs.find("contents");
   for (std::size_t i = 0; i < contents.names.size(); ++i)
-    texts[contents.names[i]] = "sha256 " + contents.items[i].text;
-  texts["program"] = "sha256 " + inputs.find("program")->text;
+    texts[contents.names[i]] = "read as " + contents.items[i].text;
+  texts["program"] = "build " + inputs.find("program")->text;
   texts["seed"] = std::to_string(seed);
   return texts;
 }
@@ -221,14 +242,14 @@ Comparison joined(Comparison comparison, const std::vector<HandOnObject>& done) 
 }
 
 /// Compares what an earlier run has not, and keeps it in the file.
-Comparison go_on(const CompareRequest& request, const JsonNode& inputs,
+Comparison go_on(const CompareRequest& request, const JsonNode& inputs, const FileDigests& files,
                  const std::vector<NamedHand>& named, const std::vector<ComparedHand>& hands,
                  const std::vector<BodySpec>& objects, const Progress& progress) {
   KeptComparison kept;
   std::optional<FileLock> lock;  // another comparison would drop our cells, and we its
   if (!request.file.empty()) {
     lock.emplace(request.file);
-    kept = read_comparison(request.file, inputs, current_hand_name);
+    kept = read_comparison(request.file, inputs, current_hand_name, files);
     require_postures(kept.cells, named, request.file);
   }
   // The file names this run only if it computed something.
@@ -242,7 +263,7 @@ Comparison go_on(const CompareRequest& request, const JsonNode& inputs,
     const bool all_old = std::all_of(comparison.cells.begin(), comparison.cells.end(),
                                      [&](const auto& cell) { return holds(kept.cells, cell); });
     if (!all_old && !request.run.arguments.empty())
-      provenance = next_provenance(kept.provenance, request.run);
+      provenance = next_provenance(kept.provenance, request.run, files);
     save(comparison);
   };
   const Comparison comparison = compare(hands, objects, options, progress, kept.cells);
@@ -262,14 +283,19 @@ HandComparison compare_hands(const CompareRequest& request, const Progress& prog
       without_material.push_back(request.objects[i]);
       result.objects[i].material = kDefaultMaterial;
     }
+  const Materials materials = materials_of_file(request.materials);
+  require_object_materials(request, result.objects, materials);
   const JsonNode inputs = inputs_of(request, result.objects);
   result.inputs = input_texts(inputs, request.seed);
   if (!request.file.empty()) require_writable(request.file);
   result.hands = hands_of(request, progress);
   if (result.hands.size() < request.hands.size()) return result;  // stopped
+  result.files = files_of(result.hands, result.objects);
+  if (!request.materials.empty()) result.files.merge(digests_of({request.materials}));
+  for (const NamedHand& hand : result.hands) require_materials(hand, materials);
   result.comparison =
-      go_on(request, inputs, result.hands, compared_hands(result.hands, without_material),
-            result.objects, progress);
+      go_on(request, inputs, result.files, result.hands,
+            compared_hands(result.hands, without_material), result.objects, progress);
   return result;
 }
 

@@ -9,6 +9,7 @@
 
 #include "api/named/hands.h"
 #include "base/progress.h"
+#include "base/provenance.h"
 #include "base/run_record.h"
 #include "grasp/compare/comparison.h"
 
@@ -28,6 +29,7 @@ struct CompareRequest {
   int best = 3;                 // number of grasps of each pair whose loads are computed
   int threads = 1;              // the answer is the same with any number
   unsigned seed = 1;            // of the approaches
+  std::string materials;        // file of materials and friction, over the built-in table; or ""
   bool normalise_size = false;  // objects scaled by the reach of the digits over the first hand's
   std::string file;             // (.json) written after every pair; one that is there is gone on
                                 // with; empty: nothing is kept
@@ -41,7 +43,9 @@ struct HandComparison {
   std::vector<NamedHand> hands;               // human ones drawn finer than they touch
   std::vector<BodySpec> objects;              // unscaled
   std::map<std::string, std::string> inputs;  // what the result depends on: "hand barrett" ->
-                                              // "sha256 ..", "fcl" -> its version
+                                              // its SHA-256 as it was read,
+                                              // "fcl" -> its version
+  FileDigests files;                          // of all hands and objects
   std::string file;                           // of the request
 };
 

@@ -74,7 +74,10 @@ LeaveOut leave_out_named(const std::string& name) {
 }
 
 std::string experiment_file(const std::string& name_or_path, const std::string& data) {
-  return named_file("experiment", name_or_path, "experiments", ".toml", data_folders(data));
+  std::string file =
+      named_file("experiment", name_or_path, "experiments", ".toml", data_folders(data));
+  require_kind(file, {"experiment"});
+  return file;
 }
 
 FitInputs read_fit_inputs(const FitSources& sources) {

@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "api/named/files.h"
+#include "api/named/material_names.h"
 #include "base/error.h"
 #include "base/file_io.h"
 #include "base/nearest_name.h"
@@ -56,7 +57,8 @@ void check_statements(const ImportRequest& request) {
   require(!request.density || *request.density > 0, "wanted --density above 0 kg/m3, got {}",
           request.density.value_or(0));
   std::vector<std::string> names;
-  for (const Material& material : built_in_materials().materials) names.push_back(material.name);
+  for (const Material& material : materials_of_file(request.materials).materials)
+    names.push_back(material.name);
   if (!request.material.empty()) (void)index_of_name(request.material, names, "material");
 }
 
@@ -70,10 +72,11 @@ void state_mass(const ImportRequest& request, BodySpec& body) {
     body.uniform_mass = request.mass.value_or(0);
     body.density = request.density.value_or(0);
   }
+  const Materials materials = materials_of_file(request.materials);
   const bool known = body.uniform_mass > 0 || body.density > 0 ||
-                     (!body.material.empty() && built_in_materials().at(body.material).density > 0);
+                     (!body.material.empty() && materials.at(body.material).density > 0);
   if (body.mass || !known) return;
-  body.mass = body_mass(body);
+  body.mass = body_mass(body, materials);
   Eigen::Matrix3d& inertia = body.mass->inertia;
   inertia = ((inertia + inertia.transpose()) / 2).eval();  // rounding leaves it not quite so
 }
@@ -90,6 +93,8 @@ Imported import_body(BodySpec body, const std::string& kind, const ImportRequest
   for (std::string& warning : size_warnings(body.shapes, fmt::format("object '{}'", body.name)))
     warnings.push_back(std::move(warning));
   state_mass(request, body);
+  for (std::string& warning : density_warnings(body, fmt::format("object '{}'", body.name)))
+    warnings.push_back(std::move(warning));
   return {request, kind, std::move(body), {}, {}, std::move(warnings)};
 }
 
@@ -150,6 +155,14 @@ void require_volume(const ImportRequest& request, const MeshFacts& facts) {
           : "flat, or turned; --repair turns it"));
 }
 
+/// What is doubtful of the mass of a mesh with a material, and whether there is none.
+std::vector<std::string> mass_warnings(const BodySpec& body) {
+  const std::string owner = fmt::format("object '{}'", body.name);
+  if (body.mass || body.uniform_mass > 0 || body.density > 0) return density_warnings(body, owner);
+  return {fmt::format("{} has no mass: '{}' has no density; state --mass or --density", owner,
+                      body.material)};
+}
+
 Imported import_mesh(const ImportRequest& request) {
   MeshContent content = read_mesh_content(request.file, scale_of(request));
   const std::size_t holes = check_mesh(content.mesh).holes.size();
@@ -168,7 +181,9 @@ Imported import_mesh(const ImportRequest& request) {
     body = object_of(content, request, facts.repaired.empty());
     state_mass(request, *body);
   }
-  const std::vector<std::string> warnings = facts.warnings;
+  std::vector<std::string> warnings = facts.warnings;
+  if (body)
+    for (std::string& warning : mass_warnings(*body)) warnings.push_back(std::move(warning));
   return {request, "mesh", std::move(content), std::move(facts), std::move(body), warnings};
 }
 

@@ -23,6 +23,7 @@ struct ImportRequest {
   std::string units;              // of a mesh, in place of `scale`: "m", "cm", "mm", "in"
   std::optional<double> mass;     // of a mesh or an object, spread evenly over it [kg]
   std::optional<double> density;  // in place of a mass [kg/m^3]
+  std::string materials;          // file of materials, over the built-in table; empty: that table
   std::string material;  // of a mesh or an object, as materials.toml has it; empty: as read
 };
 

@@ -11,8 +11,6 @@
 namespace thenar {
 namespace {
 
-constexpr double kLargestThing = 10;  // a larger one is in another unit [m]
-
 /// Longest edge of the box of a mesh [m].
 double extent_of(const TriangleMesh& mesh) {
   return (mesh.vertices.rowwise().maxCoeff() - mesh.vertices.rowwise().minCoeff()).maxCoeff();
@@ -132,12 +130,29 @@ void weigh_exact(const MeshContent& content, MeshFacts& facts) {
 MeshFacts look_at_mesh(const MeshContent& content) {
   MeshFacts facts;
   facts.surface = check_mesh(content.mesh);
+  facts.across = extent_of(content.mesh);
   facts.warnings = surface_warnings(facts.surface);
   if (const std::string size = mesh_size_warning(content.mesh); !size.empty())
     facts.warnings.push_back(size);
   weigh_triangles(content.mesh, facts);
   if (!content.exact.empty()) weigh_exact(content, facts);
   return facts;
+}
+
+std::vector<std::string> density_warnings(const BodySpec& body, const std::string& owner) {
+  constexpr double kLightest = 10, kHeaviest = 25'000;  // [kg/m^3]
+  constexpr double kLitre = 1000;                       // g/cm3 in kg/m3
+  const double mass = body.mass ? body.mass->mass : body.uniform_mass;
+  double density = body.density;
+  if (mass > 0) try {
+      density = mass / union_mass(body.shapes).mass.mass;
+    } catch (const InputError&) {
+      return {};  // no volume
+    }
+  if (!(density > 0) || (density >= kLightest && density <= kHeaviest)) return {};
+  return {fmt::format("{}: {:.4g} g/cm3: is its {} or its size in another unit{}?", owner,
+                      density / kLitre, mass > 0 ? "mass" : "density",
+                      density > kHeaviest && mass > 0 ? " (grams)" : "")};
 }
 
 std::vector<std::string> size_warnings(const std::vector<ShapeSpec>& shapes,

@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "api/named/data_folders.h"
+#include "api/named/files.h"
 #include "api/named/digits.h"
 #include "api/named/hands.h"
 #include "base/error.h"
@@ -19,6 +20,7 @@ namespace {
 /// The file of the robot that a name or a file stands for; empty: it is no robot, but a subject.
 std::string robot_meant(const PoseRequest& request) {
   if (!is_file(request.model)) return robot_file(request.model, data_folders(request.data));
+  require_kind(request.model, {"subject", "robot"});
   if (std::filesystem::path(request.model).extension() != ".toml") return request.model;
   return find_file_kind(request.model) == FileKind::kRobot ? request.model : "";
 }

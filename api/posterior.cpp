@@ -99,6 +99,10 @@ PosteriorResult sample_together(const SampleRequest& request, const Progress& pr
     if (ranks.rank() == 0 && request.fresh) forget_run(settings.run.folder);
   });
   PosteriorResult result{request.output, sample(inputs, settings, ranks), {}, {}};
+  for (const SourceText& source : inputs.experiments)
+    result.files[source.path] = sha256(source.text);
+  for (const SourceText& source : {inputs.subject, inputs.settings})
+    result.files[source.path] = sha256(source.text);
   result.run.run = request.run;
   collective_call(ranks, [&] {
     if (ranks.rank() == 0) keep(result, request);
@@ -128,6 +132,7 @@ std::optional<PosteriorResult> sample_fit(const SampleRequest& request, const Pr
 PosteriorResult open_posterior(const std::string& path) {
   require_kind(path, {"posterior"});
   PosteriorResult result{path, read_posterior(path), {}, checksum_warnings(path)};
+  result.files = digests_of({path});
   result.summary = summarise_posterior(result.run);
   return result;
 }

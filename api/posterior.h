@@ -9,6 +9,7 @@
 #include "api/fit.h"
 #include "api/predict.h"
 #include "base/progress.h"
+#include "base/provenance.h"
 #include "posterior/run/posterior_summary.h"
 #include "posterior/run/sample_posterior.h"
 
@@ -48,6 +49,7 @@ struct PosteriorResult {
   std::optional<PosteriorSummary> summary;  // absent without draws
   std::vector<std::string> warnings;        // of the file
   std::size_t rows = 20;                    // parameters that words list, the best known first
+  FileDigests files = {};                   // that were sampled, or the posterior that was opened
 };
 
 /// Samples, and writes the file. Under mpirun all ranks call it together; the first alone writes.

@@ -205,6 +205,7 @@ RobotPoses pose_robot(const RobotSpec& robot, const PostureRequest& posture,
                       const std::vector<Vary>& vary, const Progress& progress) {
   RobotPoses poses;
   poses.robot = robot.name;
+  poses.files = robot.files;
   for (const Vary& each : vary) {
     for (const VariedDrive& before : poses.varied)
       require(before.name != each.joint, "'{}' varies twice", each.joint);

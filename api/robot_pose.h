@@ -59,6 +59,7 @@ struct RobotPoses {
   std::size_t asked = 1;            // postures asked for
   std::vector<RobotPose> points;
   std::vector<std::string> warnings;  // values outside limits, of all postures
+  FileDigests files = {};             // of the robot
 };
 
 /// Where joints, links and tips of a robot are. Tips are those of find_tips(); digits that no file

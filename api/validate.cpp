@@ -6,8 +6,10 @@
 
 #include "api/mesh_facts.h"
 #include "api/named/digits.h"
+#include "api/named/material_names.h"
 #include "base/error.h"
 #include "data/io/mesh/repair_shape.h"
+#include "data/io/robot/import_robot.h"
 #include "geometry/solid.h"
 #include "tendons/tendon_model.h"
 
@@ -24,11 +26,20 @@ void build_thing(const BodySpec& body, FileVerdict& verdict) {
   note_turned(body.shapes, owner, verdict.warnings);
   for (std::string& warning : size_warnings(body.shapes, owner))
     verdict.warnings.push_back(std::move(warning));
+  for (std::string& warning : density_warnings(body, owner))
+    verdict.warnings.push_back(std::move(warning));
 }
 void build_thing(const WorldSpec& world, FileVerdict& /*verdict*/) {
   for (const PlacedBody& placed : world.bodies) (void)build_solid(placed.body.shapes);
 }
-void build_thing(const RobotSpec& robot, FileVerdict& /*verdict*/) {
+void build_thing(const RobotSpec& robot, FileVerdict& verdict) {
+  std::vector<std::string> found = robot.warnings;
+  for (std::string& doubt : size_doubts(robot))
+    if (std::none_of(found.begin(), found.end(), [&](const std::string& warning) {
+          return warning.compare(0, doubt.size(), doubt) == 0;  // perhaps with its count
+        }))
+      found.push_back(std::move(doubt));
+  verdict.warnings.insert(verdict.warnings.end(), found.begin(), found.end());
   for (const RobotLink& link : robot.links)
     for (const ShapeSpec& shape : link.shapes)
       require_solid(shape, fmt::format("link '{}'", link.name));
@@ -36,7 +47,18 @@ void build_thing(const RobotSpec& robot, FileVerdict& /*verdict*/) {
 template <typename Other>
 void build_thing(const Other& /*read whole already*/, FileVerdict& /*verdict*/) {}
 
-FileVerdict verdict_of(const std::string& name, const std::string& data) {
+std::vector<std::string> materials_in(const BodySpec& body) { return {body.material}; }
+std::vector<std::string> materials_in(const RobotSpec& robot) {
+  std::vector<std::string> used;
+  for (const RobotLink& link : robot.links) used.push_back(link.material);
+  return used;
+}
+template <typename Other>
+std::vector<std::string> materials_in(const Other& /*none, or checked by its reader*/) {
+  return {};
+}
+
+FileVerdict verdict_of(const std::string& name, const std::string& data, const Materials& table) {
   FileVerdict verdict;
   verdict.path = name;
   try {
@@ -44,6 +66,10 @@ FileVerdict verdict_of(const std::string& name, const std::string& data) {
     Thing thing = read_thing(verdict.path);
     verdict.warnings = checksum_warnings(verdict.path);
     std::visit([&](const auto& each) { build_thing(each, verdict); }, thing);
+    for (std::string& unknown : unknown_materials(
+             verdict.path, std::visit([](const auto& each) { return materials_in(each); }, thing),
+             table))
+      verdict.warnings.push_back(std::move(unknown));
     verdict.thing = std::move(thing);
   } catch (const Error& error) {
     verdict.error = error.what();
@@ -66,9 +92,10 @@ Validation validate(const ValidateRequest& request) {
     subject = parse_subject(source.text, source.path);
     out.subject = source.path;
   }
+  const Materials table = materials_of_file(request.materials);
   bool held = false;
   for (const std::string& name : request.things) {
-    out.files.push_back(verdict_of(name, request.data));
+    out.files.push_back(verdict_of(name, request.data, table));
     FileVerdict& file = out.files.back();
     if (out.subject.empty() || !file.thing || !std::holds_alternative<Experiment>(*file.thing))
       continue;

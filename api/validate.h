@@ -15,6 +15,8 @@ namespace thenar {
 struct ValidateRequest {
   std::vector<std::string> things;  // files, or names of what comes with thenar
   std::string subject;              // name or file that experiments are to suit; empty: none
+  std::string materials;            // file over the built-in table that names of materials are
+                                    // held to; empty: that table
   std::string data;                 // folder with subjects/ ..; empty: the usual ones
 };
 

@@ -1,10 +1,13 @@
 // thenar import FILE [-o robot.toml|robot.urdf|world.toml|object.toml|mesh.stl..] [--json]
-// [--strict] [--repair] [--units m|cm|mm|in] [--mass KG | --density D] [--material NAME]
+// [--strict] [--allow-missing] [--repair] [--units m|cm|mm|in] [--mass KG | --density D]
+// [--material NAME]
 //
 // Reads a robot, world, object or mesh of any format, says what it holds and what was not
 // understood, and writes it in another.
 
+#include <algorithm>
 #include <memory>
+#include <variant>
 
 #include <fmt/format.h>
 
@@ -22,12 +25,35 @@ namespace {
 struct ImportArguments {
   ImportRequest request;
   Outputs outputs;
-  bool strict = false;
+  bool strict = false, allow_missing = false;
+  bool unit_stated = false;  // by --scale, also where that is 1
 };
 
 /// Warnings on the error stream, under the file that they are of.
 void print_of(const std::string& out, const std::vector<std::string>& warnings) {
   for (const std::string& warning : warnings) fmt::print(stderr, "{}: {}\n", out, warning);
+}
+
+/// Refuses to write a robot that lacks parts which its file names: nothing would tell it from a
+/// whole one but its warnings.
+void require_whole(const Imported& imported, const std::vector<std::string>& files) {
+  if (files.empty() || !std::holds_alternative<RobotSpec>(imported.thing)) return;
+  const auto missing =
+      std::count_if(imported.warnings.begin(), imported.warnings.end(), names_missing_part);
+  require(missing == 0,
+          "'{}' names {} missing, see above: mend the name, or write the robot without it by "
+          "--allow-missing; nothing is written",
+          imported.request.file,
+          missing == 1 ? "a file that is" : fmt::format("{} files that are", missing));
+}
+
+/// Refuses to write a mesh of an implausible size as if its unit had been stated.
+void require_plausible(const Imported& imported, const ImportArguments& options) {
+  const bool stated = options.unit_stated || !options.request.units.empty();
+  require(stated || !imported.mesh || imported.mesh->across <= kLargestThing,
+          "'{}' is {:.4g} m across: are its numbers millimetres? --units mm; if it is as large as "
+          "that, --units m; nothing is written",
+          options.request.file, imported.mesh ? imported.mesh->across : 0);
 }
 
 void run_import(const ImportArguments& options) {
@@ -43,9 +69,11 @@ void run_import(const ImportArguments& options) {
   }
   require(!options.strict || warnings == 0, "--strict: {} about '{}'; nothing is written",
           counted(warnings, "warning"), options.request.file);
+  if (!files.empty()) require_plausible(imported, options);
+  if (!options.allow_missing) require_whole(imported, files);
   for (const std::string& out : files) print_of(out, write_imported(imported, out));
   for (const std::string& out : options.outputs.with_ending({".json"}))
-    write_json_file(json_of(imported), out);
+    write_json_file(json_of(imported), out, files_of(imported));
   print_written(options.outputs);
 }
 
@@ -53,9 +81,11 @@ void add_mass_options(CLI::App& command, ImportRequest& request) {
   command.add_option("--mass", request.mass,
                      "Mass of an object or a mesh, spread evenly over its volume [kg]");
   command.add_option("--density", request.density, "Density in place of a mass [kg/m3]");
+  add_materials_option(command, request.materials);
   command.add_option("--material", request.material,
-                     "Material of an object or a mesh, for friction and, without --mass and "
-                     "--density, its density; `thenar list materials` has the names");
+                     "Material of an object or a mesh, for friction; `thenar list materials` has "
+                     "the names. Its density, if it has one, stands where --mass and --density do "
+                     "not");
 }
 
 }  // namespace
@@ -72,15 +102,26 @@ void add_import(CLI::App& app) {
       ->required();
   add_output_options(*command, options->outputs,
                      {true, false, false, {".toml", ".urdf", ".obj", ".stl", ".ply", ".off"}});
-  command->add_option("--scale", request.scale, "Metres per unit of a mesh file");
+  command
+      ->add_option_function<double>(
+          "--scale",
+          [options](double scale) {
+            options->request.scale = scale;
+            options->unit_stated = true;
+          },
+          "Metres per unit of a mesh file")
+      ->default_str("1");
   command->add_option("--units", request.units, "Of a mesh file: m, cm, mm or in; m if left out");
   add_mass_options(*command, request);
   command->add_flag("--repair", request.repair,
                     "Mend meshes, also of bodies: close holes, turn triangles");
+  command->add_flag("--allow-missing", options->allow_missing,
+                    "Write a robot even if meshes or bodies that it names are missing");
   command->add_flag("--strict", options->strict, "Fail if there are warnings");
-  add_examples(*command,
-               {"import data/robots/barrett.toml -o out/barrett.urdf",
-                "import data/objects/mug.obj --units mm --mass 0.3 --material glass -o out/mug.toml"});
+  add_examples(
+      *command,
+      {"import data/robots/barrett.toml -o out/barrett.urdf",
+       "import data/objects/mug.obj --units mm --mass 0.3 --material glass -o out/mug.toml"});
   command->callback([options] { run_import(*options); });
 }
 

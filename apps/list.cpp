@@ -40,6 +40,7 @@ void add_list(CLI::App& app) {
   command->add_option("of", options->request.of,
                       "Subject (name or file) whose joints, muscles or digits are listed; joints "
                       "also of a robot");
+  add_materials_option(*command, options->request.materials);
   add_data_option(*command, options->request.data);
   add_output_options(*command, options->outputs, {true, true});
   add_examples(*command, {"list", "list hands", "list muscles mirakhorlo2016 --csv"});

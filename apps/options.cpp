@@ -72,6 +72,11 @@ void add_data_option(CLI::App& command, std::string& data) {
       "Folder with robots/, objects/.., before THENAR_DATA, ./data and what came with the program");
 }
 
+void add_materials_option(CLI::App& command, std::string& file) {
+  command.add_option("--materials", file,
+                     "File of materials and friction of your own (TOML), over the built-in table");
+}
+
 void add_path_option(CLI::App& command, std::optional<Path>& path) {
   command.add_option_function<std::string>(
       "--path", [&path](const std::string& name) { path = path_named(name); },

@@ -33,6 +33,9 @@ namespace thenar {
 /// `JOINT=from:to:step` [deg]. @throws InputError if the text is none.
 [[nodiscard]] Vary parse_vary(const std::string& text);
 
+/// --materials
+void add_materials_option(CLI::App& command, std::string& file);
+
 /// --data
 void add_data_option(CLI::App& command, std::string& data);
 /// --path via|fitted|wrapped

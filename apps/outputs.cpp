@@ -45,9 +45,9 @@ RunRecord& run_of_process() {
   return run;
 }
 
-/// Adds the run to what a page or a file says of its origin.
+/// Adds the run and its files to what a page or a file says of its origin.
 template <typename AnyJson>
-void add_run(AnyJson& json) {
+void add_run(AnyJson& json, const FileDigests& files) {
   const RunRecord& run = this_run();
   if (run.arguments.empty() || !json.is_object()) return;
   AnyJson& provenance = json["provenance"];
@@ -55,6 +55,7 @@ void add_run(AnyJson& json) {
   provenance["folder"] = run.folder;
   provenance["date"] = run.date;
   if (!run.commit.empty()) provenance["commit"] = run.commit;
+  for (const auto& [path, digest] : files) provenance[path] = "sha256 " + digest;
 }
 
 }  // namespace
@@ -107,13 +108,13 @@ void print_written(const Outputs& outputs) {
   for (const std::string& path : outputs.files) fmt::print("wrote {}\n", path);
 }
 
-void write_page(Json page, const std::string& path) {
-  add_run(page);
+void write_page(Json page, const std::string& path, const FileDigests& files) {
+  add_run(page, files);
   write_report(page, path);
 }
 
-void write_json_file(OrderedJson json, const std::string& path) {
-  add_run(json);
+void write_json_file(OrderedJson json, const std::string& path, const FileDigests& files) {
+  add_run(json, files);
   write_file(path, json_text(json) + "\n");
 }
 

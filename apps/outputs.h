@@ -15,7 +15,9 @@
 #include <CLI/CLI.hpp>
 
 #include "apps/terminal.h"
+#include "base/provenance.h"
 #include "base/run_record.h"
+#include "report/answers/answer_files.h"
 #include "report/json.h"
 #include "report/table.h"
 
@@ -52,12 +54,14 @@ void begin_run(int argc, char** argv);
 void print_answer(const std::string& text);
 /// A line "wrote FILE" for each file, where people read the answer: not behind JSON or CSV.
 void print_written(const Outputs& outputs);
-/// Writes a page, with the record of this run in its provenance. @throws InputError as
-/// write_report()
-void write_page(Json page, const std::string& path);
+/// Writes a page, with the record of this run in its provenance.
+/// @param files  that it came from
+/// @throws InputError as write_report()
+void write_page(Json page, const std::string& path, const FileDigests& files = {});
 /// Writes a JSON file, with the record of this run beside its provenance.
+/// @param files  that it came from
 /// @throws InputError if the file cannot be written.
-void write_json_file(OrderedJson json, const std::string& path);
+void write_json_file(OrderedJson json, const std::string& path, const FileDigests& files = {});
 /// Writes a table as CSV. @throws InputError if the file cannot be written.
 void write_csv_file(const Table& table, const std::string& path);
 
@@ -72,20 +76,28 @@ struct HasPage : std::false_type {};
 template <typename Result>
 struct HasPage<Result, std::void_t<decltype(page_of(std::declval<const Result&>()))>>
     : std::true_type {};
+template <typename Result, typename = void>
+struct HasFiles : std::false_type {};
+template <typename Result>
+struct HasFiles<Result, std::void_t<decltype(files_of(std::declval<const Result&>()))>>
+    : std::true_type {};
 }  // namespace internal
 
 /// Prints the answer, and writes it to the files that were asked for. Words come from the overloads
 /// of report/answers and report/pages: text_of, json_of, and table_of and page_of where they exist.
 template <typename Result>
 void deliver(const Outputs& outputs, const Result& result) {
+  FileDigests files;
+  if constexpr (internal::HasFiles<Result>::value)
+    if (!outputs.files.empty()) files = files_of(result);
   for (const std::string& path : outputs.with_ending({".json"}))
-    write_json_file(OrderedJson(json_of(result)), path);
+    write_json_file(OrderedJson(json_of(result)), path, files);
   if constexpr (internal::HasTable<Result>::value)
     for (const std::string& path : outputs.with_ending({".csv"}))
       write_csv_file(table_of(result), path);
   if constexpr (internal::HasPage<Result>::value)
     for (const std::string& path : outputs.with_ending({".html"}))
-      write_page(page_of(result), path);
+      write_page(page_of(result), path, files);
   if (outputs.json) return print_answer(json_text(json_of(result)) + "\n");
   if constexpr (internal::HasTable<Result>::value)
     if (outputs.csv) return print_answer(csv(table_of(result)));

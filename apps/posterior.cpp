@@ -47,7 +47,7 @@ void plot(const PosteriorArguments& options) {
   print_warnings(result.warnings);
   print_warnings(noise_cautions(result));
   for (const std::string& path : options.outputs.with_ending({".html"}))
-    write_page(page_of(result), path);
+    write_page(page_of(result), path, files_of(result));
   print_written(options.outputs);
   warn_of(result.run, options.allow_unconverged);
 }

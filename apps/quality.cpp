@@ -52,7 +52,7 @@ void write_answers(const std::vector<ContactQuality>& answers, const Outputs& ou
   for (const ContactQuality& answer : answers) lines += json_line(json_of(answer));
   for (const std::string& path : outputs.with_ending({".jsonl"})) write_file(path, lines);
   for (const std::string& path : outputs.with_ending({".json"}))
-    write_json_file(json_of(answers), path);
+    write_json_file(json_of(answers), path, files_of(answers));
   for (const std::string& path : outputs.with_ending({".csv"}))
     write_csv_file(table_of(answers), path);
 }

@@ -37,6 +37,7 @@ void add_validate(CLI::App& app) {
   command->add_option("--subject", options->request.subject,
                       "Subject (name or file) that the experiments are to suit: digit, joints, "
                       "muscles, postures, forces");
+  add_materials_option(*command, options->request.materials);
   add_data_option(*command, options->request.data);
   add_output_options(*command, options->outputs, {true, true});
   add_examples(*command, {"validate data/subjects/*.toml data/experiments/*.toml",

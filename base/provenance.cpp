@@ -1,10 +1,14 @@
 #include "base/provenance.h"
 
+#include <cstddef>
+#include <filesystem>
+
 #include <fmt/format.h>
 #include <openssl/evp.h>
 #include <Eigen/Core>
 
 #include "base/error.h"
+#include "base/file_io.h"
 #include "base/library_versions.h"  // written by CMake
 
 namespace thenar {
@@ -17,6 +21,15 @@ std::string sha256(const std::string& text) {
   std::string hex;
   for (unsigned int i = 0; i < length; ++i) hex += fmt::format("{:02x}", digest[i]);
   return hex;
+}
+
+FileDigests digests_of(const std::vector<std::string>& paths) {
+  constexpr std::size_t kLongest = std::size_t{1} << 32;  // readers allow less [bytes]
+  FileDigests files;
+  for (const std::string& path : paths)
+    files[std::filesystem::path(path).lexically_normal().string()] =
+        sha256(read_file(path, kLongest));
+  return files;
 }
 
 std::map<std::string, std::string> versions() {

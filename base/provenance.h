@@ -4,11 +4,19 @@
 
 #include <map>
 #include <string>
+#include <vector>
 
 namespace thenar {
 
 /// SHA-256 of a text, in hexadecimal digits.
 [[nodiscard]] std::string sha256(const std::string& text);
+
+/// Files that an answer came from: path -> SHA-256 of its bytes.
+using FileDigests = std::map<std::string, std::string>;
+
+/// The files as they are now, by their paths without "." and "x/..".
+/// @throws DataError as read_file()
+[[nodiscard]] FileDigests digests_of(const std::vector<std::string>& paths);
 
 /// Versions of thenar, its compiler and the libraries that answers depend on, by name; of shared
 /// libraries the ones that the build found.

@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include "api/named/data_folders.h"
+#include "api/named/material_names.h"
 #include "api/named/things.h"
 #include "base/error.h"
 #include "base/nearest_name.h"
@@ -120,8 +121,8 @@ void add_parts(const CatalogueRequest& request, Catalogue& out) {
   if (request.what == "digits") add_digits(*subject, out);
 }
 
-void add_materials(Catalogue& out) {
-  for (const Material& material : built_in_materials().materials)
+void add_materials(const std::string& file, Catalogue& out) {
+  for (const Material& material : materials_of_file(file).materials)
     out.entries.push_back(
         {"material", material.name,
          material.density > 0 ? fmt::format("{:.4g} kg/m3", material.density) : "", "", ""});
@@ -151,7 +152,7 @@ Catalogue list_names(const CatalogueRequest& request) {
     if (kind.kind == "robot") add_human_hands(out);
     add_files(kind, places, out);
   }
-  if (request.what.empty() || request.what == "materials") add_materials(out);
+  if (request.what.empty() || request.what == "materials") add_materials(request.materials, out);
   return out;
 }
 

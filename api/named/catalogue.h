@@ -12,7 +12,8 @@ namespace thenar {
 struct CatalogueRequest {
   std::string what;  // "subjects", "hands" .., "joints", "muscles", "digits"; empty: all but parts
   std::string of;    // subject (name or file), or robot, whose joints, muscles or digits are asked
-  std::string data;  // folder with subjects/ ..; empty: the usual ones
+  std::string materials;  // file of materials, over the built-in table; empty: that table
+  std::string data;       // folder with subjects/ ..; empty: the usual ones
 };
 
 /// One name, with what it is.

@@ -100,6 +100,7 @@ DigitAtPosture at_map(const DigitCase& at) {
 SourceText subject_source(const std::string& name_or_path, const std::string& data) {
   // A folder, a pipe or a device of that name is refused by the reader, which says what it is.
   std::error_code none;
+  if (is_file(name_or_path)) require_kind(name_or_path, {"subject"});
   if (std::filesystem::exists(name_or_path, none)) return read_source(name_or_path);
   return read_source(named_file("subject", name_or_path, "subjects", ".toml", data_folders(data)));
 }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <map>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -118,6 +119,7 @@ FileContents of_json(const std::string& start) {
   };
   if (has("contacts") && (has("torque_scale") || has("position") || has("wrenches")))
     return {"contacts", "JSON", {}};
+  if (has("torque_scale_m") && has("centre_of_mass_m")) return {"contacts", "JSON", {}};  // a grasp
   if (has("inputs") && has("approaches") && has("objects")) return {"comparison", "JSON", {}};
   if (has("provenance")) return {"answer", "JSON", {}};
   return {"", "JSON", {}};
@@ -155,12 +157,19 @@ FileContents look_into(const std::string& path) {
 /// "there is no file 'fit1.h5', did you mean 'fit.h5'?"
 std::string absent(const std::string& path) {
   const fs::path folder = fs::path(path).has_parent_path() ? fs::path(path).parent_path() : ".";
-  std::vector<std::string> beside;
+  // By the stem: an ending in common says little.
+  std::map<std::string, std::string> by_stem;
+  std::vector<std::string> stems;
   std::error_code none;
-  for (const fs::directory_entry& entry : fs::directory_iterator(folder, none))
-    beside.push_back(entry.path().filename().string());
+  for (const fs::directory_entry& entry : fs::directory_iterator(folder, none)) {
+    const fs::path name = entry.path().filename();
+    stems.push_back(name.stem().string());
+    std::string& file = by_stem[stems.back()];
+    if (file.empty() || name.extension() == fs::path(path).extension()) file = name.string();
+  }
+  const std::string stem = nearest_name(fs::path(path).stem().string(), stems);
   return fmt::format("there is no file '{}'{}", path,
-                     did_you_mean(fs::path(path).filename().string(), beside));
+                     stem.empty() ? "" : fmt::format(", did you mean '{}'?", by_stem.at(stem)));
 }
 
 std::string with_article(const std::string& kind) {
@@ -203,8 +212,14 @@ FileContents contents_of(const std::string& path) {
   return found;
 }
 
-void require_kind(const std::string& path, const std::vector<std::string>& kinds) {
-  const FileContents found = contents_of(path);
+void require_kind(const std::string& path, const std::vector<std::string>& kinds,
+                  const std::string& hint) {
+  FileContents found;
+  try {
+    found = contents_of(path);
+  } catch (const DataError&) {
+    return;  // its reader says what it wants
+  }
   if (found.kind.empty() || std::count(kinds.begin(), kinds.end(), found.kind) > 0) return;
   std::vector<std::string> wanted;
   for (const std::string& kind : kinds) wanted.push_back(with_article(kind));
@@ -212,6 +227,8 @@ void require_kind(const std::string& path, const std::vector<std::string>& kinds
   if (!found.commands.empty())
     ways = fmt::format("; {}: {}", found.commands.size() == 1 ? "ask" : "commands that take it",
                        fmt::join(found.commands, ", "));
+  const bool part = found.kind == "robot" || found.kind == "object" || found.kind == "mesh";
+  if (part && !hint.empty()) ways += "; " + hint;
   throw InputError(fmt::format("'{}' is {}, wanted {}{}", path, with_article(found.kind),
                                fmt::join(wanted, " or "), ways));
 }

@@ -39,9 +39,11 @@ struct FileContents {
 
 /// Refuses a file that is known to be of another kind:
 /// "'P.nc' is a posterior, wanted a fit; commands that take it: thenar posterior summary P.nc, ..".
-/// A file of unknown kind is left to its reader.
+/// A file of unknown kind, or one that cannot be parsed, is left to its reader.
 /// @param kinds  those that are wanted, as FileContents::kind
-/// @throws InputError so; DataError as contents_of()
-void require_kind(const std::string& path, const std::vector<std::string>& kinds);
+/// @param hint   what to do with a robot, an object or a mesh instead; empty: nothing
+/// @throws InputError so, or if there is no file
+void require_kind(const std::string& path, const std::vector<std::string>& kinds,
+                  const std::string& hint = "");
 
 }  // namespace thenar

@@ -7,6 +7,7 @@
 #include <fmt/ranges.h>
 
 #include "api/named/data_folders.h"
+#include "api/named/files.h"
 #include "base/error.h"
 #include "base/file_io.h"
 #include "base/interrupt.h"
@@ -57,6 +58,7 @@ NamedHand robot(const std::string& name, const std::string& file) {
   hand.file = file;
   hand.hand = std::make_shared<RobotHand>(spec);
   hand.warnings = spec.warnings;
+  hand.files = spec.files;
   return hand;
 }
 
@@ -68,10 +70,9 @@ HandSource file_source(const std::string& file, const std::string& version,
       "'{}' is a mesh and no hand: wanted a robot (TOML, URDF, MJCF, GraspIt! XML) or a subject",
       file);
   if (fs::path(file).extension() == ".toml") {
+    require_kind(file, {"robot", "subject"});
     const FileKind kind = find_file_kind(file);
     if (kind == FileKind::kSubject) return {true, file, version.empty() ? kSkewed : version, path};
-    require(kind == FileKind::kRobot, "'{}' is a file of kind '{}': wanted a robot or a subject",
-            file, name_of(kind));
   }
   require(version.empty(), "'{}' is a robot and has no version '{}'", file, version);
   return {false, file, "", ""};
@@ -144,6 +145,7 @@ NamedHand hand_by_name(const std::string& name, const std::vector<std::string>& 
   if (!source.path.empty()) human_options.path = path_named(source.path);
   NamedHand hand = human(current_hand_name(name), subject, source.version, human_options);
   hand.file = source.file;
+  if (!source.file.empty()) hand.files = digests_of({source.file});
   return hand;
 }
 

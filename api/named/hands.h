@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "base/provenance.h"
 #include "grasp/closing/close_hand.h"
 #include "hand/hand.h"
 #include "tendons/human/human_hand.h"
@@ -22,6 +23,7 @@ struct NamedHand {
   std::vector<OppositionTarget> targets;  // of Kapandji's score, of a human hand
   ClosingRates rates;                     // of a hand that tendons close; empty: its drives do
   std::vector<std::string> warnings;      // what was assumed or left out
+  FileDigests files;                      // that were read for it
 };
 
 /// What builds a hand of a name.

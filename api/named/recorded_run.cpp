@@ -38,7 +38,12 @@ std::string page_data(const std::string& path) {
 
 /// Provenance as pages and JSON answers have it: inputs by path, "sha256 0123..".
 void add_json_record(const std::string& path, const std::string& text, RecordedRun& out) {
-  const TextMembers members = text_members(parse_json(path, text), {"provenance"});
+  const JsonNode file = parse_json(path, text);
+  TextMembers members;  // not of the runs before it, which a comparison has, too
+  if (const JsonNode* provenance = file.find("provenance"))
+    for (std::size_t i = 0; i < provenance->names.size(); ++i)
+      if (provenance->items[i].kind == JsonKind::kText)
+        members[provenance->names[i]] = {provenance->items[i].text};
   out.run.arguments = arguments_of(first_text(members, "command"));
   out.run.folder = first_text(members, "folder");
   out.run.date = first_text(members, "date");
@@ -78,17 +83,22 @@ void add_posterior_record(const std::string& path, RecordedRun& out) {
              texts["run_date"]};
 }
 
+/// Whether an input that is not there was a file, and not the name of what is built in.
+bool was_file(const std::string& name) {
+  return name.rfind("built-in ", 0) != 0 && name.find_first_of("/.") != std::string::npos;
+}
+
 /// A sentence for each input that is another file today; names that are no files are left out.
 void compare_inputs_of(RecordedRun& out) {
   for (const auto& [name, digest] : out.inputs) {
     const std::string path = (fs::path(out.run.folder) / name).string();
-    if (!is_file(path)) {
-      if (name.find('/') != std::string::npos)
-        out.warnings.push_back(fmt::format("input '{}' is gone", name));
-      continue;
-    }
-    if (sha256(read_source(path).text) != digest)
-      out.warnings.push_back(fmt::format("input '{}' has changed since", name));
+    const bool there = is_file(path);
+    if (!there && !was_file(name)) continue;
+    ++out.compared;
+    if (there && digests_of({path}).begin()->second == digest) continue;
+    ++out.changed;
+    out.warnings.push_back(there ? fmt::format("input '{}' has changed since", name)
+                                 : fmt::format("input '{}' is gone", name));
   }
 }
 

@@ -15,6 +15,8 @@ struct RecordedRun {
   std::string file;                           // that records it
   RunRecord run;                              // arguments, folder, commit and date
   std::map<std::string, std::string> inputs;  // path, as the run saw it -> SHA-256
+  int compared = 0;                           // inputs that are files, or were
+  int changed = 0;                            // of these: others now, or gone
   std::vector<std::string> warnings;          // inputs and sources that are others now
 };
 

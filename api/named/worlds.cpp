@@ -7,10 +7,12 @@
 #include <fmt/ranges.h>
 
 #include "api/named/data_folders.h"
+#include "api/named/files.h"
+#include "api/named/material_names.h"
 #include "base/error.h"
 #include "base/file_io.h"
 #include "base/nearest_name.h"
-#include "data/io/file_kind.h"
+#include "base/run_record.h"
 #include "data/io/robot/import_robot.h"
 #include "grasp/closing/closing_drives.h"
 #include "grasp/robot/infer_hand.h"
@@ -36,9 +38,13 @@ HumanHandOptions human_of(const WorldRequest& request, const Progress& progress)
 std::string world_file(const WorldRequest& request) {
   std::string file =
       named_file("world", request.world, "worlds", ".toml", data_folders(request.data));
-  const FileKind kind = find_file_kind(file);
-  require(kind == FileKind::kWorld, "'{}' is a file of kind '{}': wanted a world", file,
-          name_of(kind));
+  require_kind(file, {"world"},
+               "a world puts a hand and an object together: docs/tutorials/own_gripper.md");
+  const std::string start = read_start(file, 1);
+  require(start != "<",
+          "'{0}' is a world of GraspIt!: thenar import {1} -o world.toml makes one of "
+          "it that is read here",
+          file, shell_word(file));
   return file;
 }
 
@@ -142,6 +148,7 @@ void mount(const WorldSpec& world, const Places& data, WorldHand& mounted) {
   robot = with_materials(std::move(robot));
   hand.hand = std::make_shared<RobotHand>(robot);
   hand.warnings = robot.warnings;
+  hand.files = robot.files;
   if (!locked.empty())
     hand.warnings.push_back(fmt::format(
         "motors of {} whose efforts are unknown are taken for locked: what they would bear is not "
@@ -255,14 +262,19 @@ WorldCase open_world(const WorldRequest& request, bool hand_from_elsewhere,
   WorldCase found;
   found.path = world_file(request);
   found.world = read_world(found.path);
+  found.files = found.world.files;
   found.data = data_for(found.world.folder, request.data);
   found.scene = build_scene(found.world, request.object);
   if (!hand_from_elsewhere) {
     found.hand = hand_of_world(found.world, request.hand, found.path, found.data,
                                human_of(request, progress));
+    found.files.insert(found.hand.named.files.begin(), found.hand.named.files.end());
+    require_materials(found.hand.named, found.scene.materials);
     return found;
   }
   found.hand.named = hand_by_name(request.hand, found.data, human_of(request, progress));
+  found.files.insert(found.hand.named.files.begin(), found.hand.named.files.end());
+  require_materials(found.hand.named, found.scene.materials);
   found.hand.q = open_posture(found.hand.named.hand->layout());
   return found;
 }

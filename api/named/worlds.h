@@ -39,6 +39,7 @@ struct WorldCase {
   WorldSpec world;
   WorldHand hand;
   Scene scene;
+  FileDigests files;  // of the world, its bodies and the hand
 };
 
 /// Reads a world and builds the hand and the scene that are asked for.

@@ -17,6 +17,13 @@ using Names = std::vector<std::string>;
 constexpr double kSmallest = 1e-12;         // scale or length of a normal [m], [1]
 constexpr std::size_t kMaxContacts = 1000;  // a palm full of points; hulls take minutes beyond
 
+/// What the members are called: in a contact set, and in what `thenar grasp` answers.
+struct ContactKeys {
+  std::string centre, scale, position, torsion;
+};
+const ContactKeys kOfSet{"centre_of_mass", "torque_scale", "position", "torsion"};
+const ContactKeys kOfGrasp{"centre_of_mass_m", "torque_scale_m", "position_m", "torsion_m"};
+
 /// A place or direction; in a plane two numbers, and 0.
 Eigen::Vector3d place_of(const JsonValue& value, bool planar) {
   const std::vector<double> p = value.numbers(planar ? 2 : 3);
@@ -59,9 +66,9 @@ FileContact contact_with_wrenches(const JsonValue& value, bool planar) {
   return result;
 }
 
-FileContact contact_with_cone(const JsonValue& value, bool planar) {
+FileContact contact_with_cone(const JsonValue& value, bool planar, const ContactKeys& keys) {
   FileContact result;
-  result.position = place_of(value["position"], planar);
+  result.position = place_of(value[keys.position], planar);
   const JsonValue normal = value["normal"];
   result.normal = place_of(normal, planar);
   result.normal_length = result.normal.stableNorm();
@@ -71,13 +78,15 @@ FileContact contact_with_cone(const JsonValue& value, bool planar) {
   return result;
 }
 
-FileContact file_contact(const JsonValue& value, bool planar) {
+FileContact file_contact(const JsonValue& value, bool planar, const ContactKeys& keys) {
   FileContact result = value.gives("wrenches") ? contact_with_wrenches(value, planar)
-                                               : contact_with_cone(value, planar);
-  if (value.gives("torsion")) result.torsion = not_negative(value["torsion"]);
+                                               : contact_with_cone(value, planar, keys);
+  if (value.gives(keys.torsion)) result.torsion = not_negative(value[keys.torsion]);
   if (planar && result.torsion > 0)
     value["torsion"].fail("torsion is about the normal, which lies in the plane: leave it out");
-  if (value.gives("patch")) result.patch = value["patch"].count();
+  const bool own =
+      &keys == &kOfGrasp && value.gives("patch") && value["patch"].number("a number") < 0;
+  if (value.gives("patch") && !own) result.patch = value["patch"].count();
   return result;
 }
 
@@ -115,16 +124,18 @@ ContactFile read_contact_file(const std::string& path) {
 ContactFile parse_contacts(const std::string& path, const std::string& text, int first_line) {
   const JsonNode parsed = parse_json(path, text, first_line);
   const JsonValue root(path, parsed);
+  const bool grasp = root.gives(kOfGrasp.centre) && !root.gives(kOfSet.centre);
+  const ContactKeys& keys = grasp ? kOfGrasp : kOfSet;
   const Names of_file =
       root.others_than({"centre_of_mass", "torque_scale", "contacts", "task", "name", "source"});
   std::set<std::string> ignored(of_file.begin(), of_file.end());
   // The plane or space, and what all torques need.
-  const bool planar = root["centre_of_mass"].size() == 2;
+  const bool planar = root[keys.centre].size() == 2;
   ContactFile file;
   file.path = path;
   file.planar = planar;
-  file.centre_of_mass = place_of(root["centre_of_mass"], planar);
-  file.torque_scale = positive(root["torque_scale"]);
+  file.centre_of_mass = place_of(root[keys.centre], planar);
+  file.torque_scale = positive(root[keys.scale]);
   // The contacts.
   const JsonValue contacts = root["contacts"];
   if (contacts.size() > kMaxContacts)
@@ -133,10 +144,10 @@ ContactFile parse_contacts(const std::string& path, const std::string& text, int
     const Names of_contact = contact.others_than(
         {"position", "normal", "friction", "torsion", "wrenches", "patch", "name"});
     ignored.insert(of_contact.begin(), of_contact.end());
-    file.contacts.push_back(file_contact(contact, planar));
+    file.contacts.push_back(file_contact(contact, planar, keys));
   }
   if (root.gives("task")) file.task = file_task(root["task"], planar, ignored);
-  if (!ignored.empty())
+  if (!ignored.empty() && !grasp)  // a grasp tells more than its contacts
     file.warnings.push_back(
         fmt::format("ignored, as it is not known: {}", fmt::join(ignored, ", ")));
   return file;

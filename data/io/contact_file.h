@@ -50,6 +50,7 @@ struct ContactFile {
 /// look like a known one misspelt. With two numbers for the centre of mass everything is in a
 /// plane: places and normals of two numbers, wrenches and loads of three (f_x, f_y, torque), no
 /// torsion.
+/// JSON of `thenar grasp` is read, too: "centre_of_mass_m", "torque_scale_m", "position_m" ..
 /// @throws DataError `path:line: ...`: what was wanted, and what came.
 [[nodiscard]] ContactFile read_contact_file(const std::string& path);
 

@@ -51,13 +51,13 @@ struct Tried {
   }
 };
 
-Standing stand(const BodySpec& object, double scale) {
+Standing stand(const BodySpec& object, double scale, const Materials& materials) {
   // The object with its mass, alone in the world.
   PlacedBody placed;
   placed.body = scaled(object, scale);
-  const BodyMass mass = body_mass(placed.body);
+  const BodyMass mass = body_mass(placed.body, materials);
   placed.body.mass = mass;
-  return {{build_body(placed), {}, built_in_materials()}, scale, mass.mass};
+  return {{build_body(placed), {}, materials}, scale, mass.mass};
 }
 
 Grasp make_grasp(const Setting& setting, int number, const CompareOptions& options) {
@@ -129,6 +129,7 @@ BestGrasp describe(const Setting& setting, const Tried& tried, int number,
   const GraspLoads loads =
       grasp_loads(held_by(setting, grasp), setting.scene.object, setting.mass, options.tasks);
   best.min_grasp_force = loads.min_grasp_force;
+  best.standing_grasp_force = loads.standing_grasp_force;
   best.margin = loads.margin;
   best.reasons = loads.reasons;
   best.hand_epsilon = tried.epsilon.value;
@@ -202,8 +203,8 @@ std::vector<std::string> folded_warnings(const std::vector<ComparedHand>& hands)
 }
 
 /// Refuses at once what would fail hours later, with the hand's name.
-void require_hands(const std::vector<ComparedHand>& hands, const std::vector<BodySpec>& objects) {
-  const Materials& materials = built_in_materials();
+void require_hands(const std::vector<ComparedHand>& hands, const std::vector<BodySpec>& objects,
+                   const Materials& materials) {
   for (const ComparedHand& hand : hands) {
     require(hand.hand != nullptr, "hand '{}' is not there", hand.name);
     require(!hand.hand->surfaces().empty(), "hand '{}' has no surface that could touch", hand.name);
@@ -253,14 +254,18 @@ HandOnObject compare_cell(const Setting& setting, const CompareOptions& options,
 /// Objects, built when first asked for, once for each scale.
 class Standings {
  public:
+  explicit Standings(const Materials& materials) : materials_(materials) {}
+
   const Standing& of(const BodySpec& object, double scale) {
     const auto key = std::make_pair(object.name, scale);
     const auto known = built_.find(key);
-    return known != built_.end() ? known->second
-                                 : built_.emplace(key, stand(object, scale)).first->second;
+    return known != built_.end()
+               ? known->second
+               : built_.emplace(key, stand(object, scale, materials_)).first->second;
   }
 
  private:
+  const Materials& materials_;
   std::map<std::pair<std::string, double>, Standing> built_;
 };
 
@@ -315,9 +320,9 @@ HandAbilities hand_abilities(const ComparedHand& hand, const CompareOptions& opt
 HandOnObject compare_on(const ComparedHand& hand, const BodySpec& object, double scale,
                         const CompareOptions& options, const Progress& progress) {
   require_numbers(options);
-  require_hands({hand}, {object});
-  const Standing standing = stand(object, scale);
-  const CollisionHand touching = collision_hand(*hand.hand);
+  require_hands({hand}, {object}, options.materials);
+  const Standing standing = stand(object, scale, options.materials);
+  const CollisionHand touching = collision_hand(*hand.hand, options.materials);
   return compare_cell({hand, touching, standing.scene, scale, standing.mass}, options, progress);
 }
 
@@ -326,15 +331,15 @@ Comparison compare(const std::vector<ComparedHand>& hands, const std::vector<Bod
                    const std::vector<HandOnObject>& done) {
   require_numbers(options);
   Comparison out = heading(hands, objects, options);
-  require_hands(hands, objects);
+  require_hands(hands, objects, options.materials);
   // Sizes are relative to the first hand.
   const double first_reach = reach_of_digits(*hands.front().hand);
   const std::size_t all = hands.size() * objects.size();
-  Standings standings;
+  Standings standings(options.materials);
   for (const ComparedHand& hand : hands) {
     if (progress.stop()) return out;
     const double scale = options.normalise_size ? reach_of_digits(*hand.hand) / first_reach : 1.0;
-    const CollisionHand touching = collision_hand(*hand.hand);
+    const CollisionHand touching = collision_hand(*hand.hand, options.materials);
     std::set<std::string> types;
     for (const BodySpec& object : objects) {
       const Progress here =

@@ -80,6 +80,12 @@ double HandOnObject::min_grasp_force() const {
   return least;
 }
 
+double HandOnObject::standing_grasp_force() const {
+  double least = std::numeric_limits<double>::quiet_NaN();
+  for (const BestGrasp& grasp : best) least = std::fmin(least, grasp.standing_grasp_force);
+  return least;
+}
+
 double reach_of_digits(const Hand& hand) {
   const HandLayout& layout = hand.layout();
   const Eigen::Matrix3Xd tips = fingertip_positions(hand, open_posture(layout));

@@ -70,6 +70,7 @@ struct CompareOptions {
   double workspace_voxel = 5e-3;                // [m]
   GraspOptions grasp;                           // `way` is set for each approach
   std::function<void(const Comparison&)> keep;  // called after every finished cell
+  Materials materials = built_in_materials();   // and friction of all hands and objects
 };
 
 /// One of the best grasps of a hand on an object.
@@ -83,6 +84,7 @@ struct BestGrasp {
   double min_grasp_force = 0;            // smallest sum of normal forces that holds the weight,
                                          // whichever axis points down, by friction alone [N];
                                          // infinite: impossible
+  double standing_grasp_force = 0;       // the same as the object stands, z up [N]; NaN: not known
   std::map<std::string, double> margin;  // task -> largest load resisted with the actuation of the
                                          // hand; units as GraspTask; NaN: unknown
   std::map<std::string, std::string> reasons;  // task or "epsilon" -> why zero, unknown or infinite
@@ -121,6 +123,9 @@ struct HandOnObject {
   /// Least `min_grasp_force` of `best`; NaN without grasps [N].
   [[nodiscard]] double min_grasp_force() const;
 
+  /// Least `standing_grasp_force` of `best`; NaN without grasps [N].
+  [[nodiscard]] double standing_grasp_force() const;
+
   /// Quantile of epsilon by linear interpolation; NaN without closures. @param p  in [0, 1]
   [[nodiscard]] double quantile(double p) const;
 };
@@ -148,8 +153,8 @@ struct HandAbilities {
   std::vector<std::string> types;  // distinct grasp_type() of all closures, in alphabetic order
 };
 
-/// Whether opposition is Kapandji's score of a human thumb; otherwise it is the share of tips that a
-/// thumb meets, times 10.
+/// Whether opposition is Kapandji's score of a human thumb; otherwise it is the share of tips that
+/// a thumb meets, times 10.
 [[nodiscard]] bool is_kapandji(const HandAbilities& abilities);
 
 /// Result of compare().

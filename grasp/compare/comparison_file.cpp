@@ -4,6 +4,7 @@
 #include <filesystem>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "base/error.h"
 #include "base/file_io.h"
@@ -16,6 +17,7 @@ namespace {
 
 constexpr const char* kInfinite = "infinite";
 constexpr const char* kEarlierRuns = "earlier_runs";
+const std::string kFileMark = "sha256 ";  // before the hash of a file, as in all provenance
 
 /// JSON has no infinity; what is not known is null.
 JsonNode number_node(double value) {
@@ -183,6 +185,7 @@ JsonNode best_node(const BestGrasp& best) {
       .set("epsilon", best.epsilon)
       .set("type", best.type)
       .set("hold_N", number_node(best.min_grasp_force))
+      .set("hold_standing_N", number_node(best.standing_grasp_force))
       .set("hand_epsilon_N", number_node(best.hand_epsilon))
       .set("margin", margin_node(best.margin))
       .set("reasons", map_node(best.reasons))
@@ -200,6 +203,8 @@ BestGrasp best_of(const JsonNode& json, int approaches) {
   best.epsilon = within(member(json, "epsilon"), "epsilon", 0, kStrongest);
   best.type = text(member(json, "type"), "type");
   best.min_grasp_force = load_of(member(json, "hold_N"), "hold_N");
+  const JsonNode* standing = json.find("hold_standing_N");  // older files lack it
+  best.standing_grasp_force = standing == nullptr ? kNaN : load_of(*standing, "hold_standing_N");
   best.hand_epsilon = load_of(member(json, "hand_epsilon_N"), "hand_epsilon_N");
   best.margin = margins_of(member(json, "margin"));
   const JsonNode& reasons = member(json, "reasons");
@@ -300,7 +305,7 @@ JsonNode abilities_node(const HandAbilities& hand) {
       .set("tips_met_share", places ? JsonNode() : number_node(hand.opposition / 10))
       .set("opposition_scale", hand.opposition_scale)
       .set("reached", hand.reached)
-      .set("overlap_m3", hand.overlap)
+      .set("overlap_m3", number_node(hand.overlap))
       .set("types", hand.types)
       .set("digits", digits);
   return out;
@@ -323,6 +328,39 @@ void rename_hands(JsonNode& file, const HandName& name) {
   if (JsonNode* cells = file.find("cells"))
     for (JsonNode& cell : cells->items)
       if (JsonNode* hand = cell.find("hand")) rename(*hand);
+}
+
+/// Files that a provenance records with another hash: "'cone.stl' (SHA-256 0123abcd then, 4567ef01
+/// now)".
+std::vector<std::string> changed_files(const JsonNode* provenance, const FileDigests& files) {
+  constexpr std::size_t kShown = 8;  // digits of a hash
+  std::vector<std::string> changed;
+  for (const auto& [path, digest] : files) {
+    const JsonNode* then = provenance == nullptr ? nullptr : provenance->find(path);
+    if (then == nullptr || then->text.rfind(kFileMark, 0) != 0 || then->text == kFileMark + digest)
+      continue;
+    changed.push_back(fmt::format("'{}' (SHA-256 {} then, {} now)", path,
+                                  then->text.substr(kFileMark.size(), kShown),
+                                  digest.substr(0, kShown)));
+  }
+  return changed;
+}
+
+/// In what two comparisons differ, as people call it: "'seed'", "hand 'barrett'", a changed file.
+/// @param then  value of the file; null: it has none
+std::string difference(const std::string& name, const JsonNode& now, const JsonNode* then,
+                       const std::vector<std::string>& changed) {
+  if (name == "program") return "build of thenar ('program')";
+  if (name != "contents" || then == nullptr) return fmt::format("'{}'", name);
+  if (!changed.empty()) return fmt::format("{}", fmt::join(changed, ", "));
+  // Files that are not recorded: whose content differs.
+  for (std::size_t i = 0; i < now.names.size(); ++i) {
+    const JsonNode* other = then->find(now.names[i]);
+    const std::size_t blank = now.names[i].find(' ');
+    if (other == nullptr || *other != now.items[i])
+      return fmt::format("{} '{}'", now.names[i].substr(0, blank), now.names[i].substr(blank + 1));
+  }
+  return "set of hands and objects";
 }
 
 /// Refuses a file whose content is not what was sealed.
@@ -367,7 +405,7 @@ std::vector<HandOnObject> parse_cells(const JsonNode& list, const std::string& p
 }
 
 KeptComparison read_comparison(const std::string& path, const JsonNode& inputs,
-                               const HandName& name) {
+                               const HandName& name, const FileDigests& files) {
   std::error_code none;
   if (!std::filesystem::exists(path, none)) return {};
   JsonNode file = parse_json(path, read_guarded(path, GuardedKind::kJson));
@@ -376,18 +414,18 @@ KeptComparison read_comparison(const std::string& path, const JsonNode& inputs,
   check_seal(path, file);
   rename_hands(file, name);
   const JsonNode *its_inputs = file.find("inputs"), *cells = file.find("cells");
+  const JsonNode* provenance = file.find("provenance");
   // The same question, or its answer is not gone on with.
   for (std::size_t i = 0; i < inputs.names.size(); ++i) {
     const JsonNode* other = its_inputs->find(inputs.names[i]);
     require(other != nullptr && *other == inputs.items[i],
-            "'{}' holds a comparison with another '{}': name another file, or remove it", path,
-            inputs.names[i]);
+            "'{}' holds a comparison with another {}: name another file, or remove it", path,
+            difference(inputs.names[i], inputs.items[i], other, changed_files(provenance, files)));
   }
-  const JsonNode* provenance = file.find("provenance");
   return {parse_cells(*cells, path), provenance == nullptr ? JsonNode() : *provenance};
 }
 
-JsonNode next_provenance(const JsonNode& before, const RunRecord& run) {
+JsonNode next_provenance(const JsonNode& before, const RunRecord& run, const FileDigests& files) {
   // The runs that came before, the oldest first.
   JsonNode earlier(JsonKind::kArray), last = before;
   if (const JsonNode* runs = before.find(kEarlierRuns)) earlier = *runs;
@@ -397,6 +435,7 @@ JsonNode next_provenance(const JsonNode& before, const RunRecord& run) {
   JsonNode next;
   next.set("command", command_line(run)).set("folder", run.folder).set("date", run.date);
   if (!run.commit.empty()) next.set("commit", run.commit);
+  for (const auto& [path, digest] : files) next.set(path, kFileMark + digest);
   if (!earlier.items.empty()) next.set(kEarlierRuns, earlier);
   return next;
 }

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "base/provenance.h"
 #include "base/run_record.h"
 #include "data/io/json_node.h"
 #include "grasp/compare/comparison.h"
@@ -32,15 +33,17 @@ struct KeptComparison {
 /// Reads what an earlier run left; nothing if there is no such file.
 /// @param inputs  that it must have come from, by name: another value is refused by that name
 /// @param name    of today of a hand, for files that call hands by older names
+/// @param files   that this comparison reads: those that have changed are named
 /// @throws DataError, InputError if the file holds something else, or its checksum does not hold or
 /// is missing.
 [[nodiscard]] KeptComparison read_comparison(
     const std::string& path, const JsonNode& inputs,
-    const std::function<std::string(const std::string&)>& name);
+    const std::function<std::string(const std::string&)>& name, const FileDigests& files = {});
 
-/// Provenance of a file that `run` goes on with: that run, and those before it.
+/// Provenance of a file that `run` goes on with: that run and its files, and the runs before it.
 /// @param before  KeptComparison::provenance
-[[nodiscard]] JsonNode next_provenance(const JsonNode& before, const RunRecord& run);
+[[nodiscard]] JsonNode next_provenance(const JsonNode& before, const RunRecord& run,
+                                       const FileDigests& files = {});
 
 /// Writes a comparison with its inputs, its provenance if there is one, and its checksum.
 /// @throws InputError if the file cannot be written.

@@ -81,6 +81,10 @@ GraspLoads grasp_loads(const HeldObject& held, const SceneBody& object, double m
     loads.min_grasp_force =
         std::max(loads.min_grasp_force,
                  minimum_grasp_force(friction, load, GraspForceObjective::kSum).objective);
+  ScaledWrench standing = ScaledWrench::Zero();
+  standing.head<3>() = -kGravity * mass * object.X_WB.R.transpose().col(2);
+  loads.standing_grasp_force =
+      minimum_grasp_force(friction, standing, GraspForceObjective::kSum).objective;
 
   // Margins of the tasks within the actuation of the hand.
   const ForceSet forces = hand_forces(held_by.set, held_by.T, held_by.actuation);

@@ -46,6 +46,7 @@ struct ExplainedLoad {
 /// Result of grasp_loads().
 struct GraspLoads {
   double min_grasp_force = 0;                  // as BestGrasp
+  double standing_grasp_force = 0;             // as BestGrasp
   std::map<std::string, double> margin;        // as BestGrasp
   std::map<std::string, std::string> reasons;  // as BestGrasp
 };

@@ -65,13 +65,34 @@ Eigen::Matrix3Xd principal(const Eigen::Matrix3Xd& points) {
   return axes.eigenvectors().rowwise().reverse().transpose() * centred;
 }
 
-DigitAbility measure_space(const std::string& digit, const Eigen::Matrix3Xd& points, double voxel) {
+/// How many coordinates move each tip, from the middle of the joints' ranges: it cannot fill a
+/// space of more dimensions.
+std::vector<int> movers_of_tips(const Hand& hand) {
+  constexpr double kStill = 1e-9;  // [m]
+  const HandLayout& layout = hand.layout();
+  const Eigen::VectorXd middle = (layout.lower + layout.upper) / 2;
+  std::vector<int> movers(layout.tip_points.size(), 0);
+  for (Eigen::Index c = 0; c < middle.size(); ++c) {
+    Eigen::VectorXd q = middle;
+    q[c] = layout.lower[c];
+    const Eigen::Matrix3Xd low = fingertip_positions(hand, q);
+    const Eigen::Matrix3Xd by = fingertip_positions(hand, middle) - low;
+    for (std::size_t t = 0; t < movers.size(); ++t)
+      if (by.col(static_cast<Eigen::Index>(t)).norm() > kStill) ++movers[t];
+  }
+  return movers;
+}
+
+/// @param movers  of the tip, as movers_of_tips()
+DigitAbility measure_space(const std::string& digit, const Eigen::Matrix3Xd& points, int movers,
+                           double voxel) {
   const Eigen::Matrix3Xd along = principal(points);
   DigitAbility ability;
   ability.digit = digit;
   // Flat workspaces are measured in fewer dimensions.
   for (int i = 0; i < 3; ++i)
     if (along.row(i).maxCoeff() - along.row(i).minCoeff() > 2 * voxel) ++ability.dimension;
+  ability.dimension = std::min(ability.dimension, movers);  // a bent curve spans a plane
   if (ability.dimension == 0) return ability;
   // Large voxels have a thick rim, small ones holes between draws: take the smallest relative
   // error.
@@ -106,6 +127,7 @@ Workspaces workspaces(const Hand& hand, int draws, double voxel, std::mt19937& r
   }
   Workspaces out;
   std::set<Voxel> thumb, others;
+  const std::vector<int> movers = movers_of_tips(hand);
   // The opposing digit is the thumb, or the first digit.
   const std::string opposing = thumb_of(hand).empty() && !layout.tip_points.empty()
                                    ? layout.tip_points[0].digit
@@ -113,11 +135,13 @@ Workspaces workspaces(const Hand& hand, int draws, double voxel, std::mt19937& r
   for (std::size_t t = 0; t < points.size() && !progress.stop(); ++t) {
     const std::string& digit = layout.tip_points[t].digit;
     // Workspace of each tip; voxels of the opposing digit and of all others.
-    out.digits.push_back(measure_space(digit, points[t], voxel));
+    out.digits.push_back(measure_space(digit, points[t], movers[t], voxel));
+    if (out.digits.back().dimension < 3) continue;  // planes and curves share no volume
     const Voxels voxels = voxels_of(points[t], 3, kShared * voxel);
     (digit == opposing ? thumb : others).insert(voxels.begin(), voxels.end());
   }
   // Their common voxels are the overlap.
+  if (thumb.empty() || others.empty()) out.overlap = std::numeric_limits<double>::quiet_NaN();
   for (const Voxel& each : thumb)
     if (others.count(each) > 0) out.overlap += std::pow(kShared * voxel, 3);
   return out;

@@ -9,6 +9,7 @@
 #include <fmt/ranges.h>
 
 #include "api/named/hands.h"
+#include "data/io/robot/import_robot.h"
 #include "grasp/compare/comparison_file.h"
 
 namespace thenar {
@@ -81,7 +82,7 @@ std::vector<std::string> cell_row(const HandOnObject& cell, const std::vector<Gr
 
 Table cell_table(const Comparison& comparison) {
   Table table{{"hand", "object", "closed_percent", "from", "to", "epsilon_median", "epsilon_best",
-               "hand_epsilon_N", "squeeze_N"},
+               "hand_epsilon_N", "squeeze_6_ways_N"},
               {}};
   const std::vector<GraspTask> loads = loads_of(comparison);
   for (const GraspTask task : loads) table.header.push_back(load_key(task));
@@ -116,7 +117,7 @@ Table hand_table(const Comparison& comparison) {
     table.rows.push_back({hand.hand, places ? number_or_dash(hand.opposition, 1) : "-",
                           places ? "-" : number_or_dash(10 * hand.opposition, 0),
                           std::to_string(hand.reached.size()),
-                          shown(1e6 * in_two_digits(hand.overlap), 0),
+                          number_or_dash(1e6 * in_two_digits(hand.overlap), 0),
                           std::to_string(hand.types.size()), number_or_dash(force)});
   }
   return table;
@@ -229,16 +230,21 @@ std::string reading_words(const Comparison& comparison) {
 
 std::string text_of(const HandComparison& result) {
   const Comparison& comparison = result.comparison;
-  std::string text = titled("Grasps: share with force closure, its 95 % interval, and loads",
-                            cell_table(comparison));
+  std::string text;
+  for (const std::string& warning : comparison.warnings)
+    if (is_grave(warning)) text += fmt::format("warning: {}\n", warning);
+  text += titled("Grasps: share with force closure, its 95 % interval, and loads",
+                 cell_table(comparison));
   text += load_rule() +
-          "\n-: nothing closed, or not known. 0: nothing is borne; the page and JSON say why.\n"
+          "\nsqueeze_6_ways_N: least grasp force for the weight in the worst of 6 directions, each "
+          "axis of the\nobject both ways; `thenar grasp` asks as the object stands.\n"
+          "-: nothing closed, or not known. 0: nothing is borne; the page and JSON say why.\n"
           "inf: joint limits or drives that do not run back bear it.\n\n";
   text += titled("Where nothing closed: how the approaches ended", outcome_table(comparison));
   text +=
       titled("Hands by themselves; closing_force: of the strongest tip", hand_table(comparison));
   for (const std::string& warning : comparison.warnings)
-    text += fmt::format("warning: {}\n", warning);
+    if (!is_grave(warning)) text += fmt::format("warning: {}\n", warning);
   return text;
 }
 

@@ -5,8 +5,10 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "data/io/robot/import_robot.h"
 #include "grasp/closing/closing_drives.h"
 #include "grasp/limits/force_set.h"
+#include "grasp/quality/grasp_matrix.h"
 #include "grasp/quality/wrench_set_mesh.h"
 #include "report/answers/grasp_measures.h"
 #include "report/answers/grasp_words.h"
@@ -117,6 +119,33 @@ OrderedJson contacts_json(const GraspResult& result) {
   return list;
 }
 
+/// The grasp matrix with what its rows and columns are.
+OrderedJson matrix_json(const GraspResult& result) {
+  const SceneBody& object = result.setting.scene.object;
+  const std::vector<Contact> contacts = contacts_without_hand(result.grasp.contacts);
+  const Eigen::Matrix<double, 6, Eigen::Dynamic> G =
+      grasp_matrix(contacts, object.com, object.torque_scale);
+  OrderedJson columns = OrderedJson::array();
+  for (std::size_t i = 0; i < contacts.size(); ++i) {
+    const std::string whose = fmt::format("contact {}: ", i + 1);
+    columns.push_back(whose + "normal");
+    if (contacts[i].friction > 0) {
+      columns.push_back(whose + "first tangent");
+      columns.push_back(whose + "second tangent");
+    }
+    if (contacts[i].torsion > 0) columns.push_back(whose + "torque about the normal / scale");
+  }
+  const GraspMatrixMeasures measures = grasp_matrix_measures(G);
+  return {{"rows", {"fx", "fy", "fz", "tx / scale", "ty / scale", "tz / scale"}},
+          {"columns", columns},
+          {"matrix", to_json(Eigen::MatrixXd(G))},
+          {"rank", measures.rank},
+          {"least_singular_value", measures.min_singular_value},
+          {"isotropy", measures.isotropy},
+          {"volume", measures.volume},
+          {"internal_forces", measures.internal_forces}};
+}
+
 OrderedJson quality_json(const Epsilon& e) {
   OrderedJson missing;
   if (e.has_missing_direction) missing = to_json(e.missing_direction);
@@ -212,14 +241,20 @@ std::vector<std::string> folded(const std::vector<std::string>& warnings) {
 std::string text_of(const GraspResult& result) {
   std::string text = fmt::format("{} and {}: {}\n", result.setting.hand.named.name,
                                  result.setting.scene.object.name, explanation(result));
+  // What makes it the answer to another question stands before the numbers.
+  std::vector<std::string> warnings = folded(result.warnings);
+  const auto light = std::stable_partition(warnings.begin(), warnings.end(), is_grave);
+  const auto add_warning = [&](const std::string& warning) {
+    text += fmt::format("warning: {}\n", warning);
+  };
+  std::for_each(warnings.begin(), light, add_warning);
   if (result.request.starts > 0) text += starts_text(result);
   if (result.grasp.outcome == GraspOutcome::kGrasped) text += quality_text(result.grasp.quality);
   if (result.measures) text += "\n" + measures_text(measure_rows(*result.measures));
   if (result.robustness) text += measures_text(robustness_rows(result));
   text += joints_text(result);
   if (!result.grasp.contacts.empty()) text += "\n" + contacts_text(result);
-  for (const std::string& warning : folded(result.warnings))
-    text += fmt::format("warning: {}\n", warning);
+  std::for_each(light, warnings.end(), add_warning);
   return text;
 }
 
@@ -237,12 +272,15 @@ OrderedJson json_of(const GraspResult& result) {
                       : name_of(grasp.outcome)},
       {"explanation", explanation(result)}};
   if (grasp.outcome == GraspOutcome::kGrasped) {
+    json["centre_of_mass_m"] = to_json(result.setting.scene.object.com);
+    json["torque_scale_m"] = result.setting.scene.object.torque_scale;
     json.update(quality_json(grasp.quality));
     if (result.measures) json.update(measures_json(*result.measures));
     json["robustness"] = result.robustness ? robustness_json(result) : OrderedJson(nullptr);
     if (result.request.wrench_meshes) json["wrench_set"] = wrench_set_json(result);
     json["contact_model"] = contact_model_of(result);
     json["contacts"] = contacts_json(result);
+    json["grasp_matrix"] = matrix_json(result);
   }
   json["hand_pose"] = {{"position_m", to_json(X.p)}, {"rotation", to_json(X.R)}};
   json["coordinates"] = coordinates_json(result);

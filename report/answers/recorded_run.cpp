@@ -5,11 +5,22 @@
 #include "report/table.h"
 
 namespace thenar {
+namespace {
+
+/// "5, unchanged"
+std::string input_words(const RecordedRun& recorded) {
+  if (recorded.compared == 0) return "none recorded";
+  if (recorded.changed == 0) return fmt::format("{}, unchanged", recorded.compared);
+  return fmt::format("{}, {} changed", recorded.compared, recorded.changed);
+}
+
+}  // namespace
 
 std::string text_of(const RecordedRun& recorded) {
   const RunRecord& run = recorded.run;
   std::string text = fmt::format("{}\n  in {}\n  on {}, by commit {}\n", command_line(run),
                                  or_dash(run.folder), or_dash(run.date), or_dash(run.commit));
+  text += fmt::format("  inputs: {}\n", input_words(recorded));
   for (const std::string& warning : recorded.warnings) text += "  warning: " + warning + "\n";
   return text;
 }
@@ -24,6 +35,8 @@ OrderedJson json_of(const RecordedRun& recorded) {
           {"date", recorded.run.date},
           {"commit", recorded.run.commit},
           {"inputs_sha256", inputs},
+          {"inputs_compared", recorded.compared},
+          {"inputs_changed", recorded.changed},
           {"warnings", recorded.warnings}};
 }
 

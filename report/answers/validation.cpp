@@ -34,7 +34,7 @@ std::string text_of(const Validation& validation) {
   std::string text;
   for (const FileVerdict& file : validation.files) {
     text += file.thing ? file.path + ": " + verdict_words(file) : verdict_words(file);
-    for (const std::string& warning : file.warnings) text += "; warning: " + warning;
+    for (const std::string& warning : file.warnings) text += "\n  warning: " + warning;
     text += "\n" + check_text(file, validation.subject);
   }
   return text;

@@ -1,5 +1,7 @@
 // What objects, worlds, materials and robots hold.
 
+#include <cmath>
+
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -82,15 +84,22 @@ std::string motor_word(RobotDofKind kind) {
   return kWords[static_cast<std::size_t>(kind)];
 }
 
+/// "j2b x 0.600 + 17.2 deg": the ratio and the offset of a joint to its motor, where it has some.
+std::string driven_words(const RobotJoint& joint) {
+  std::string words = joint.name;
+  if (joint.ratio != 1) words += " x " + shown(joint.ratio, 3);
+  if (joint.offset != 0)
+    words += (joint.offset > 0 ? " + " : " - ") + in_units(std::abs(joint.offset), slides(joint));
+  return words;
+}
+
 Section explain_motors(const RobotSpec& robot) {
   Section section{"motors", "Motors", {}, {}};
   section.table.header = {"name", "kind", "from", "to", "closes_at", "effort", "drives"};
   for (const RobotDof& dof : robot.dofs) {
     std::vector<std::string> joints;
     for (const RobotJoint& joint : robot.joints)
-      if (joint.dof == dof.name)
-        joints.push_back(joint.ratio == 1 ? joint.name
-                                          : joint.name + " x " + shown(joint.ratio, 3));
+      if (joint.dof == dof.name) joints.push_back(driven_words(joint));
     const bool sliding = slides(robot, dof);
     const std::string effort = shown(dof.max_effort, 2) + (sliding ? " N" : " Nm") +
                                (dof.nominal_effort ? " (nominal)" : "");

@@ -3,9 +3,11 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <iterator>
 
 #include <fmt/format.h>
 
+#include "data/io/robot/import_robot.h"
 #include "report/answers/comparison.h"
 #include "sampling/diagnostics/order_statistics.h"
 
@@ -77,7 +79,13 @@ Json banner(const Comparison& comparison) {
                         comparison.objects.size(), comparison.approaches)
           : fmt::format("Not finished: {} of {} cells", comparison.cells.size(),
                         comparison.hands.size() * comparison.objects.size());
-  return {{"type", "banner"}, {"ok", comparison.complete}, {"title", title}};
+  std::vector<std::string> grave;
+  std::copy_if(comparison.warnings.begin(), comparison.warnings.end(), std::back_inserter(grave),
+               is_grave);
+  return {{"type", "banner"},
+          {"ok", comparison.complete && grave.empty()},
+          {"title", title},
+          {"reasons", grave}};
 }
 
 /// Hands down, objects across.
@@ -114,7 +122,7 @@ Json success_row(const HandOnObject& cell, const std::vector<BlockColumn>& loads
       {cell.hand, cell.object, 100 * cell.success,
        fmt::format("{:.0f} to {:.0f}", 100 * cell.interval.lower, 100 * cell.interval.upper),
        finite(cell.quantile(0.5)), finite(cell.quantile(1)), finite(cell.best_hand_epsilon().max),
-       finite(cell.min_grasp_force())});
+       finite(cell.min_grasp_force()), finite(cell.standing_grasp_force())});
   for (const BlockColumn& column : loads)
     row.push_back(load(cell.load(grasp_task(column.name)).max));
   return row;
@@ -128,7 +136,8 @@ Json all_cells(const Comparison& comparison) {
                                    {"epsilon, median", "", 3},
                                    {"epsilon, best", "", 3},
                                    {"epsilon within hand limits, best", "N", 2},
-                                   {"minimum grasp force", "N", 2}};
+                                   {"grasp force, worst of 6 directions", "N", 2},
+                                   {"grasp force, standing", "N", 2}};
   const std::vector<BlockColumn> loads = load_columns(comparison);
   columns.insert(columns.end(), loads.begin(), loads.end());
   Json rows = Json::array();
@@ -137,8 +146,10 @@ Json all_cells(const Comparison& comparison) {
       "Every hand on every object. Force closure: share of approaches that end in it. Epsilon of "
       "these grasps: by their contacts alone, and within hand limits: with the efforts of motors "
       "or "
-      "tendons and the hand's rigid structure. Minimum grasp force: sum of normal forces by which "
-      "friction alone holds the weight. Loads after it: supported within the same limits. " +
+      "tendons and the hand's rigid structure. Grasp force: least sum of normal forces by which "
+      "friction alone holds the weight, in the worst of 6 directions of gravity (each axis of the "
+      "object, both ways), and as the object stands, z up, which is what `thenar grasp` states. "
+      "Loads after it: supported within the same limits. " +
           load_rule(),
       columns, rows);
   table["search"] = true;
@@ -203,7 +214,8 @@ Json ability_rows(const Comparison& comparison) {
                                 : fmt::format("{} of {} tips", hand.reached.size(),
                                               std::max<std::size_t>(hand.digits.size(), 1) - 1);
     rows.push_back({hand.hand, 1000 * hand.reach, kapandji ? finite(hand.opposition) : Json(), met,
-                    in_two_digits(1e6 * hand.overlap), finite(strongest), hand.types.size()});
+                    finite(in_two_digits(1e6 * hand.overlap)), finite(strongest),
+                    hand.types.size()});
   }
   return rows;
 }

@@ -2,11 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
 #include <fmt/format.h>
 
 #include "base/provenance.h"
-#include "data/io/toml_node.h"
+#include "data/io/robot/import_robot.h"
 #include "grasp/closing/describe_grasp.h"
 #include "report/answers/grasp.h"
 #include "report/answers/grasp_measures.h"
@@ -23,7 +24,12 @@ constexpr double kRounding = 5e-4;  // of a coordinate [mm], or of a unit vector
 Json outcome_banner(const GraspResult& result) {
   const Grasp& grasp = result.grasp;
   const bool ok = grasp.outcome == GraspOutcome::kGrasped && grasp.quality.force_closure;
-  return {{"type", "banner"}, {"ok", ok}, {"title", outcome_words(grasp)}};
+  std::vector<std::string> grave;
+  std::copy_if(result.warnings.begin(), result.warnings.end(), std::back_inserter(grave), is_grave);
+  return {{"type", "banner"},
+          {"ok", ok && grave.empty()},
+          {"title", outcome_words(grasp)},
+          {"reasons", grave}};
 }
 
 HandPicture picture_of(const GraspResult& result) {
@@ -138,7 +144,7 @@ Json joint_section(const GraspResult& result) {
 
 Json provenance_of(const GraspResult& result) {
   Json json = Json::object();
-  json[result.setting.path] = "sha256 " + sha256(read_text_file(result.setting.path));
+  for (const auto& [path, digest] : result.setting.files) json[path] = "sha256 " + digest;
   for (const auto& [name, version] : versions()) json[name] = version;
   if (result.request.starts > 0 || result.robustness)
     json["seed"] = std::to_string(result.request.seed);

@@ -28,7 +28,7 @@ TEST(CompareHands, OwnsHandsAndObjectsAndSaysWhatItDependsOn) {
   EXPECT_EQ(result.comparison.cells[0].approaches, 2);
   EXPECT_EQ(result.hands.at(0).name, "parallel_jaw");
   EXPECT_EQ(result.objects.at(0).name, "sphere_70");
-  EXPECT_EQ(result.inputs.at("object sphere_70").rfind("sha256 ", 0), 0U);
+  EXPECT_EQ(result.inputs.at("object sphere_70").rfind("read as ", 0), 0U);
 }
 
 TEST(CompareHands, StoppedIsNotComplete) {

@@ -88,5 +88,33 @@ TEST(SizeWarnings, DoubtsABoxOfHouses) {
   EXPECT_TRUE(size_warnings({box}, "object 'tea'").empty());
 }
 
+// A cube of 10 mm, 1 cm3: its grams are its g/cm3.
+TEST(DensityWarnings, DoubtGramsForKilograms) {
+  BodySpec cube;
+  ShapeSpec box;
+  box.kind = ShapeKind::kBox;
+  box.size = {0.01, 0.01, 0.01};
+  cube.shapes = {box};
+  const auto words = [&](double mass) {
+    cube.uniform_mass = mass;
+    return density_warnings(cube, "object 'die'");
+  };
+  EXPECT_TRUE(words(0.0011).empty());
+  EXPECT_TRUE(words(0.0226).empty());  // osmium
+  EXPECT_EQ(words(1.1),
+            std::vector<std::string>{
+                "object 'die': 1100 g/cm3: is its mass or its size in another unit (grams)?"});
+  EXPECT_EQ(words(5e-6),
+            std::vector<std::string>{
+                "object 'die': 0.005 g/cm3: is its mass or its size in another unit?"});
+}
+
+TEST_F(ImportMesh, WarnsOfAMaterialWithoutDensity) {
+  ImportRequest request = corner(false);
+  request.material = "plastic";
+  EXPECT_EQ(import_file(request).warnings.back(),
+            "object 'corner' has no mass: 'plastic' has no density; state --mass or --density");
+}
+
 }  // namespace
 }  // namespace thenar

@@ -713,6 +713,21 @@ class Explain(Near):
         self.assertEqual(rung(SUBJECTS / "arms_thumb.toml")["path"], "constant moment arms")
         self.assertEqual(rung(SKEWED, "--digit", "index")["path"], "no tendons")
 
+    # 0.3 rad are 17.2 degrees.
+    def test_tells_ratio_and_offset_of_coupled_joints(self):
+        limits = '<limit lower="0" upper="1.2" effort="1" velocity="1"/>'
+        joint = '<joint name="{}" type="revolute"><parent link="{}"/><child link="{}"/>{}{}</joint>'
+        with tempfile.TemporaryDirectory() as folder:
+            robot = pathlib.Path(folder) / "r.urdf"
+            robot.write_text("<robot name='r'><link name='a'/><link name='b'/><link name='c'/>" +
+                             joint.format("j", "a", "b", limits, "") +
+                             joint.format("k", "b", "c", limits,
+                                          '<mimic joint="j" multiplier="0.6" offset="0.3"/>') +
+                             "</robot>")
+            subprocess.run([PROGRAM, "import", robot, "-o", folder + "/r.toml"], check=True,
+                           capture_output=True)
+            self.assertIn("k x 0.600 + 17.2 deg", run("explain", folder + "/r.toml").stdout)
+
     def test_costs_are_measured(self):
         for row in ask("explain", MIDDLE)["cost"]["rows"]:
             self.assertGreater(row["median_us"], 0)
@@ -722,6 +737,29 @@ class Explain(Near):
         self.assertEqual([row["trials"] for row in said["postures"]["rows"]], [6] * 4)
         loads = {row["loaded"]: row for row in said["trials"]["rows"]}
         self.assertAlmostEqual(loads["FDS"]["tension_to_N"], 0.950 * 9.81 * 0.835, delta=1e-3)
+
+
+class WrongKinds(unittest.TestCase):
+    """A file of another kind is named, with what takes it."""
+
+    def test_of_every_command(self):
+        mug, jaw = ROOT / "data/objects/mug.toml", ROOT / "data/robots/parallel_jaw.toml"
+        mesh = ROOT / "data/objects/mug.obj"
+        with tempfile.TemporaryDirectory() as folder:
+            urdf = pathlib.Path(folder) / "claw.urdf"
+            urdf.write_text("<robot name='claw'><link name='palm'/></robot>")
+            for words, wanted in (
+                    (("grasp", urdf), "is a robot, wanted a world"),
+                    (("grasp", urdf), "docs/tutorials/own_gripper.md"),
+                    (("grasp", mesh), "is a mesh, wanted a world; ask: thenar import"),
+                    (("pose", mug), "is an object, wanted a subject or a robot"),
+                    (("tip-force", jaw, "--tension", "FDP=1"), "is a robot, wanted a subject"),
+                    (("fit", MIDDLE, "--subject", MIDDLE), "is a subject, wanted an experiment"),
+                    (("compare", "--hands", mug, "--objects", "can"),
+                     "is an object, wanted a robot or a subject"),
+                    (("compare", "--hands", "barrett", "--objects", mesh),
+                     "--units mm --mass KG --material NAME")):
+                self.assertIn(wanted, complaint(*words))
 
 
 class Rerun(unittest.TestCase):
@@ -738,6 +776,41 @@ class Rerun(unittest.TestCase):
             again = run("rerun", pathlib.Path(folder) / "b.json")
             self.assertEqual(again.returncode, 0, again.stderr)
             self.assertEqual(json.loads(file.read_text())["trials"], first["trials"])
+
+    def test_names_every_input_that_changed(self):
+        # A world names a robot and an object, and the object a mesh: four files in all.
+        jaw = (ROOT / "data/robots/parallel_jaw.toml").read_text()
+        texts = {
+            "jaw.toml": jaw,
+            "box.off": "OFF\n8 12 0\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n0 0 1\n1 0 1\n1 1 1\n0 1 1\n"
+                       "3 0 2 1\n3 0 3 2\n3 4 5 6\n3 4 6 7\n3 0 1 5\n3 0 5 4\n3 1 2 6\n3 1 6 5\n"
+                       "3 2 3 7\n3 2 7 6\n3 3 0 4\n3 3 4 7\n",
+            "box.toml": 'name = "box"\nmaterial = "wood"\nmass_g = 50\n[[shape]]\nkind = "mesh"\n'
+                        'file = "box.off"\nscale = 0.03\n',
+            "scene.toml": 'name = "scene"\nsource = "Mine"\n[sources]\nMine = "Arranged here"\n'
+                          '[[hand]]\nname = "jaws"\nfile = "jaw.toml"\nposition_m = [0, -0.2, 0]\n'
+                          '[[body]]\nrole = "object"\nfile = "box.toml"\n'
+                          'position_mm = [-15, 0, -15]\n'}
+        with tempfile.TemporaryDirectory() as name:
+            folder = pathlib.Path(name)
+            for file, text in texts.items():
+                (folder / file).write_text(text)
+            done = subprocess.run([PROGRAM, "grasp", "scene.toml", "-o", "a.json", "-o", "a.html"],
+                                  cwd=folder, capture_output=True, text=True, check=False)
+            self.assertEqual(done.returncode, 0, done.stderr)
+            record = json.loads((folder / "a.json").read_text())["provenance"]
+            for file, text in texts.items():
+                self.assertEqual(record[file], "sha256 " + hashlib.sha256(text.encode()).hexdigest())
+            for answer in (folder / "a.json", folder / "a.html"):
+                self.assertIn("inputs: 4, unchanged", run("rerun", answer, "--print").stdout)
+                for file, text in texts.items():
+                    (folder / file).write_text(text + "\n")
+                    told = run("rerun", answer, "--print").stdout
+                    self.assertIn("inputs: 4, 1 changed", told)
+                    self.assertIn(f"input '{file}' has changed since", told)
+                    (folder / file).write_text(text)
+            (folder / "box.off").unlink()
+            self.assertIn("input 'box.off' is gone", run("rerun", answer, "--print").stdout)
 
     def test_refuses_what_records_no_command(self):
         self.assertIn("records no command", complaint("rerun", H01))

@@ -6,6 +6,7 @@ import hashlib
 import json
 import os
 import pathlib
+import re
 import shutil
 import signal
 import subprocess
@@ -183,7 +184,7 @@ class Compare(unittest.TestCase):
         self.keep()
         robot = self.folder / "robots" / "parallel_jaw.toml"
         robot.write_text(robot.read_text().replace("max_effort_N = 160", "max_effort_N = 161"))
-        self.assertIn("another 'contents'", self.refusal())
+        self.assertIn(f"another '{robot}' (SHA-256 ", self.refusal())
 
     def test_goes_on_where_only_a_comment_changed(self):
         self.keep()
@@ -206,7 +207,9 @@ class Compare(unittest.TestCase):
         mesh.write_text(MESH.format(x=60))
         self.keep(objects="wedge")
         mesh.write_text(MESH.format(x=61))
-        self.assertIn("another 'contents'", self.refusal(objects="wedge"))
+        now = hashlib.sha256(mesh.read_bytes()).hexdigest()[:8]
+        self.assertIn(f"another '{mesh}' (SHA-256 ", self.refusal(objects="wedge"))
+        self.assertIn(f" then, {now} now)", self.refusal(objects="wedge"))
 
     def write_sealed(self, kept):
         """Writes a comparison with the checksum that belongs to it."""
@@ -278,6 +281,27 @@ class Compare(unittest.TestCase):
         for digit in kept["abilities"][0]["digits"]:
             self.assertAlmostEqual(digit["closing_force_N"], 30, delta=1e-6)
         self.assertTrue(any("2 guessed" in words for words in kept["warnings"]), kept["warnings"])
+
+    # Jaws of rubber and a palm of metal on a cube of a material of one's own: the contacts have the
+    # friction that the file states.
+    def test_own_friction_by_a_file(self):
+        pla = self.folder / "objects" / "pla.toml"
+        cube = (self.folder / "objects" / "cube_50.toml").read_text()
+        pla.write_text(re.sub(r'material = "\w+"', 'material = "pla"', cube, count=1))
+        self.assertIn("pla.toml:", self.refusal(objects="pla"))
+        self.assertIn("no material 'pla'", self.refusal(objects="pla"))
+        table = self.folder / "mats.toml"
+        table.write_text('[[material]]\nname = "pla"\n')
+        self.assertIn("no friction between 'metal' and 'pla': give it in a materials file",
+                      self.refusal("--materials", str(table), objects="pla"))
+        table.write_text('[[material]]\nname = "pla"\n[[friction]]\nbetween = ["pla", "rubber"]\n'
+                         'static = 0.55\nkinetic = 0.5\n'
+                         '[[friction]]\nbetween = ["pla", "metal"]\nstatic = 0.2\nkinetic = 0.2\n')
+        kept = self.keep("--materials", str(table), objects="pla")
+        frictions = {contact["friction"] for cell in kept["cells"] for best in cell["best"]
+                     for contact in best["contacts"]}
+        self.assertIn(0.55, frictions)
+        self.assertIn(str(table), kept["provenance"])
 
     def test_says_where_the_mass_of_a_mesh_is_stated(self):
         mesh, made = self.folder / "wedge.obj", self.folder / "wedge.toml"

@@ -145,7 +145,8 @@ class DataFromAnywhere(unittest.TestCase):
         self.assertIn("there is no command 'graps', did you mean 'grasp'?",
                       self.run_in("graps", "jaw_box").stderr)
         mug = str(ROBOTS.parent / "objects" / "mug.toml")
-        self.assertIn("is a file of kind 'object': wanted a world", self.run_in("grasp", mug).stderr)
+        self.assertIn("is an object, wanted a world; commands that take it: thenar explain",
+                      self.run_in("grasp", mug).stderr)
         self.assertIn("body 'table' is an obstacle",
                       self.run_in("grasp", "barrett_bobbin", "--object", "table").stderr)
         self.assertIn("has no body 'bobin', did you mean 'bobbin'?",
@@ -413,6 +414,36 @@ class GraspOfJaws(unittest.TestCase):
         complaint = self.run_it("close", world).stderr
         for words in ("body 'ball'", "leaky.obj", "1 hole(s)", "thenar import", "--repair"):
             self.assertIn(words, complaint)
+
+    def test_has_its_grasp_matrix_which_quality_reads(self):
+        out = self.folder / "grasp.json"
+        done = self.run_it("grasp", self.world(hand=(0, -0.3, 0), ball=(0, 0, 0)),
+                           "-o", str(out))
+        self.assertEqual(done.returncode, 0, done.stderr)
+        answer = json.loads(out.read_text())
+        G, contacts = answer["grasp_matrix"], answer["contacts"]
+        # Hard points with friction: a normal and two tangents each; torques are arm x force / scale.
+        self.assertEqual(len(G["columns"]), 3 * len(contacts))
+        for row in G["matrix"]:
+            self.assertEqual(len(row), 3 * len(contacts))
+        for k, contact in enumerate(contacts):
+            arm = [(p - c) / answer["torque_scale_m"]
+                   for p, c in zip(contact["position_m"], answer["centre_of_mass_m"])]
+            for column in range(3 * k, 3 * k + 3):
+                f, t = ([row[column] for row in G["matrix"][part]]
+                        for part in (slice(0, 3), slice(3, 6)))
+                self.assertAlmostEqual(math.hypot(*f), 1, delta=1e-9)
+                moment = [arm[1] * f[2] - arm[2] * f[1], arm[2] * f[0] - arm[0] * f[2],
+                          arm[0] * f[1] - arm[1] * f[0]]
+                for one, other in zip(t, moment):
+                    self.assertAlmostEqual(one, other, delta=1e-9)
+            for one, other in zip(contact["normal"], (row[3 * k] for row in G["matrix"])):
+                self.assertAlmostEqual(one, other, delta=1e-9)
+        told = json.loads(self.run_it("quality", str(out), "--no-volume", "--json").stdout)
+        self.assertFalse([words for words in told["warnings"] if "ignored" in words])
+        self.assertAlmostEqual(told["grasp_matrix"]["isotropy"], G["isotropy"], delta=1e-9)
+        self.assertLessEqual(told["epsilon"]["lower"], answer["epsilon"]["upper"])
+        self.assertGreaterEqual(told["epsilon"]["upper"], answer["epsilon"]["lower"])
 
     def test_a_mesh_of_millimetres_is_asked_for_its_unit(self):
         (self.folder / "big.obj").write_text("v 0 0 0\nv 20 0 0\nv 0 20 0\nv 0 0 20\n"

@@ -164,6 +164,52 @@ class Import(Files):
         self.assertIn("<Kp>", told["warnings"][-1])
         self.assertEqual(self.report(self.path("b.xml", hand.format("Barrett")))["name"], "Barrett")
 
+    def test_writes_no_robot_without_its_meshes_unless_told_to(self):
+        robot = self.path("m.urdf", "<robot name='m'><link name='l'><collision><geometry>"
+                                    "<mesh filename='package://m/meshes/tipp.stl'/></geometry>"
+                                    "</collision></link></robot>")
+        self.path("meshes/tip.stl", "")
+        out = self.path("m.toml")
+        refused = self.thenar(robot, "--out", out, code=1)
+        self.assertIn("did you mean 'tip.stl'?", refused.stdout)
+        self.assertIn("names a file that is missing", refused.stderr)
+        self.assertIn("--allow-missing", refused.stderr)
+        self.assertFalse(os.path.exists(out))
+        self.thenar(robot, "--out", out, "--allow-missing")
+        # The warning stays with the file, and is counted once.
+        told = subprocess.run([PROGRAM, "validate", out], capture_output=True, text=True,
+                              check=True).stdout
+        self.assertEqual(told.count("MISSING MESH"), 1)
+
+    def test_warnings_of_a_robot_in_millimetres_are_counted_once(self):
+        robot = self.path("mm.urdf", "<robot name='mm'><link name='l'><collision><geometry>"
+                                     "<box size='50 40 30'/></geometry></collision></link></robot>")
+        out = self.path("mm.toml")
+        once = self.report(robot, "--out", out)["warnings"]
+        self.assertEqual(self.report(out)["warnings"], once)
+        self.assertEqual(json.loads(subprocess.run([PROGRAM, "validate", out, "--json"],
+                                                   capture_output=True, text=True, check=True)
+                                    .stdout)[0]["warnings"], once)
+
+    def test_materials_of_links_are_checked(self):
+        robot = self.path("arm.toml")
+        self.thenar(self.path("arm.urdf", ARM), "--out", robot)
+        text = pathlib.Path(robot).read_text().replace('name = "upper"\n',
+                                                       'name = "upper"\nmaterial = "plastc"\n')
+        pathlib.Path(robot).write_text(text)
+        line = text.split("\n").index('material = "plastc"') + 1
+        told = subprocess.run([PROGRAM, "validate", robot], capture_output=True, text=True,
+                              check=True).stdout
+        self.assertIn(f"{robot}:{line}: no material 'plastc', did you mean 'plastic'?", told)
+        table = self.path("m.toml", '[[material]]\nname = "plastc"\ndensity_kg_m3 = 1200\n')
+        told = subprocess.run([PROGRAM, "validate", robot, "--materials", table],
+                              capture_output=True, text=True, check=True).stdout
+        self.assertNotIn("no material", told)
+        # A mesh of that material has its density: 1/6 m3 of 1200 kg/m3.
+        mesh = self.path("corner.off", CORNER.format(4, "3 1 2 3\n"))
+        told = self.report(mesh, "--material", "plastc", "--materials", table)
+        self.assertAlmostEqual(told["mass_kg"], 200, 9)
+
     def test_weighs_closed_meshes_and_names_holes(self):
         told = self.report(self.path("corner.off", CORNER.format(4, "3 1 2 3\n")))
         self.assertTrue(told["watertight"])
@@ -207,7 +253,7 @@ class Import(Files):
 
     def test_refuses_leaky_objects_unless_it_may_mend_them(self):
         self.path("open.off", CORNER.format(3, ""))
-        body = self.path("body.xml", "<root><material>wood</material><mass>100</mass>"
+        body = self.path("body.xml", "<root><material>wood</material><mass>0.001</mass>"
                                      "<geometryFile type='off'>open.off</geometryFile></root>")
         done = self.thenar(body, "--out", self.path("body.toml"), code=1)
         for words in ["body.xml:1: mesh 'open.off' of body 'body'", "1 hole(s): 3 edges", "--repair"]:
@@ -225,6 +271,12 @@ class Import(Files):
         self.assertEqual(self.report(huge)["warnings"],
                          ["80 m across: are its numbers millimetres? --units mm"])
         self.assertEqual(self.report(huge, "--units", "mm")["warnings"], [])
+        # It is not written as if the unit had been stated, unless it was.
+        out = self.path("huge.toml")
+        self.assertIn("--units mm", self.thenar(huge, "--out", out, code=1).stderr)
+        self.assertFalse(os.path.exists(out))
+        for stated in (("--units", "m"), ("--scale", "1"), ("--units", "mm")):
+            self.thenar(huge, "--out", out, *stated)
         arm = ARM.replace('<box size="0.1 0.1 0.3"/>', '<mesh filename="huge.off"{}/>')
         told = self.report(self.path("arm.urdf", arm.format("")))
         self.assertIn("a mesh of link 'upper' is 80 m across", told["warnings"][0])

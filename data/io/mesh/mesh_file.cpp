@@ -112,6 +112,14 @@ const MeshContent& MeshReader::content(const std::string& path, double scale) {
   return found->second;
 }
 
+FileDigests MeshReader::files() const {
+  std::vector<std::string> paths;
+  for (const auto& [key, content] : contents_) paths.push_back(key.first);
+  for (const auto& [key, error] : failures_)
+    if (is_file(key.first)) paths.push_back(key.first);
+  return digests_of(paths);
+}
+
 namespace {
 
 using Text = std::back_insert_iterator<std::string>;

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "base/error.h"
+#include "base/provenance.h"
 #include "geometry/shape_spec.h"
 #include "geometry/triangle_mesh.h"
 
@@ -62,6 +63,9 @@ class MeshReader {
   [[nodiscard]] TriangleMesh read(const std::string& path, double scale = 1) {
     return content(path, scale).mesh;
   }
+
+  /// All files that were asked for and are there, also those that could not be read.
+  [[nodiscard]] FileDigests files() const;
 
   static constexpr Eigen::Index kMaxTogether = 4'000'000;  // triangles
 

@@ -157,6 +157,14 @@ ShapeSpec read_shape_table(TomlTable& table, const std::string& path) {
   return shape;
 }
 
+FileDigests mesh_files(const std::vector<ShapeSpec>& shapes, const std::string& path) {
+  std::vector<std::string> files;
+  for (const ShapeSpec& shape : shapes)
+    if (!shape.mesh_file.empty())
+      files.push_back((std::filesystem::path(path).parent_path() / shape.mesh_file).string());
+  return digests_of(files);
+}
+
 std::vector<std::string> toml_of(const Pose<double>& X) {
   // Defaults of the reader are left out.
   const Pose<double> none;

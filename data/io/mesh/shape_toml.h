@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "base/provenance.h"
 #include "base/spatial.h"
 #include "data/io/toml_table.h"
 #include "geometry/shape_spec.h"
@@ -19,6 +20,10 @@ namespace thenar {
 /// Reads a [[shape]]. @param path  of the file, beside which its meshes are
 /// @throws DataError if a key, a size or the mesh is wrong.
 [[nodiscard]] ShapeSpec read_shape_table(TomlTable& table, const std::string& path);
+
+/// The mesh files of shapes that read_shape_table() read. @param path  of the file that names them
+/// @throws DataError if one of them is gone.
+[[nodiscard]] FileDigests mesh_files(const std::vector<ShapeSpec>& shapes, const std::string& path);
 
 /// Lines `key = value` of a pose or shape, without loss; defaults of the readers are left out. A
 /// mesh with a file is named, others are written out.

@@ -59,6 +59,7 @@ class GraspitTranslation {
     for (const pugi::xml_node node : top.children("dof")) add_dof(node);
     for (const pugi::xml_node node : top.children("chain")) add_chain(node);
     settle_dofs();
+    robot_.files.merge(meshes_.files());
     // Approach, and elements that were not read.
     const pugi::xml_node approach = top.child("approachDirection");
     robot_.approach_stated = approach && approach.child("direction");
@@ -107,6 +108,7 @@ class GraspitTranslation {
           "MISSING BODY '{}': link '{}' goes without shape and mass", written, link.name));
     } else {
       fill(link, read_graspit_link(path));
+      robot_.files.merge(digests_of({path}));
     }
     robot_.links.push_back(link);
     return link.name;

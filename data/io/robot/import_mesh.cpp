@@ -6,6 +6,7 @@
 
 #include "base/error.h"
 #include "base/file_io.h"
+#include "base/nearest_name.h"
 
 namespace thenar::internal {
 namespace {
@@ -27,29 +28,54 @@ std::string existing(const fs::path& path) {
   return is_file(path) ? path.lexically_normal().string() : "";
 }
 
-}  // namespace
-
-std::string find_mesh(const std::string& name, const std::string& robot_file) {
+/// Paths that the name of a mesh may stand for, in the order of search.
+std::vector<fs::path> places_of_mesh(const std::string& name, const std::string& robot_file) {
   // Windows paths, too.
   std::string plain = without_scheme(name);
   for (char& letter : plain)
     if (letter == '\\') letter = '/';
   const bool in_package = starts_with(name, "package://") || starts_with(name, "model://");
-  if (fs::path(plain).is_absolute() && !in_package) return existing(plain);
+  if (fs::path(plain).is_absolute() && !in_package) return {plain};
 
   // The first folder of a package name may be the current one under another name.
   std::vector<fs::path> tails{plain};
   if (in_package && plain.find('/') != std::string::npos)
     tails.emplace_back(plain.substr(plain.find('/') + 1));
-  // Search every folder from the robot's file upwards.
+  // Every folder from the robot's file upwards.
   const fs::path start = fs::absolute(fs::path(robot_file)).parent_path();
+  std::vector<fs::path> places;
   for (const fs::path& tail : tails)
     for (fs::path folder = start;; folder = folder.parent_path()) {
-      const std::string found = existing(folder / tail);
-      if (!found.empty()) return found;
+      places.push_back(folder / tail);
       if (folder == folder.parent_path()) break;
     }
+  return places;
+}
+
+}  // namespace
+
+std::string find_mesh(const std::string& name, const std::string& robot_file) {
+  for (const fs::path& path : places_of_mesh(name, robot_file)) {
+    std::string found = existing(path);
+    if (!found.empty()) return found;
+  }
   return "";
+}
+
+std::string lost_mesh_words(const std::string& name, const std::string& robot_file) {
+  // Files that are where it should be.
+  const std::vector<fs::path> places = places_of_mesh(name, robot_file);
+  std::vector<std::string> beside;
+  std::error_code none;
+  for (const fs::path& path : places)
+    for (const fs::directory_entry& entry : fs::directory_iterator(path.parent_path(), none))
+      if (is_mesh_file(entry.path().filename().string()))
+        beside.push_back(entry.path().filename().string());
+  const std::string file = places.front().filename().string();
+  const bool above = places.size() > 1;
+  return fmt::format("looked {} '{}'{}{}", above ? "beside" : "for",
+                     above ? robot_file : places.front().string(),
+                     above ? " and in all folders above" : "", did_you_mean(file, beside));
 }
 
 ShapeSpec mesh_shape(const std::string& file, const MeshPlacement& placement, MeshReader& reader) {
@@ -80,7 +106,8 @@ bool try_mesh(ShapeSpec& shape, const std::string& name, const MeshPlacement& pl
   // A missing or unreadable mesh is a warning, not an error.
   const std::string file = find_mesh(name, from.robot_file);
   if (file.empty()) {
-    warnings.push_back(fmt::format("MISSING MESH '{}': link '{}' goes without it", name, link));
+    warnings.push_back(fmt::format("MISSING MESH '{}': link '{}' goes without it; {}", name, link,
+                                   lost_mesh_words(name, from.robot_file)));
     return false;
   }
   try {

@@ -85,13 +85,27 @@ double across(const ShapeSpec& shape) {
       .maxCoeff();
 }
 
-void doubt_units(RobotSpec& robot) {
+bool holds(const std::string& text, const char* words) {
+  return text.find(words) != std::string::npos;
+}
+
+/// Whether a robot that was written after it was read says so already, perhaps with its count.
+bool is_said(const std::vector<std::string>& warnings, const std::string& doubt) {
+  return std::any_of(warnings.begin(), warnings.end(), [&](const std::string& warning) {
+    return warning.compare(0, doubt.size(), doubt) == 0;
+  });
+}
+
+}  // namespace
+
+std::vector<std::string> size_doubts(const RobotSpec& robot) {
+  std::vector<std::string> doubts;
   // Shapes of implausible size, and joints far from their parents.
   for (const RobotLink& link : robot.links)
     for (const ShapeSpec& shape : link.shapes) {
       const double size = across(shape);
       if (!(size > kLargest)) continue;
-      robot.warnings.push_back(
+      doubts.push_back(
           shape.kind == ShapeKind::kMesh
               ? fmt::format("a mesh of link '{}' is {:.4g} m across: are its numbers millimetres, "
                             "and its scale (0.001) not given?",
@@ -102,13 +116,20 @@ void doubt_units(RobotSpec& robot) {
     }
   for (const RobotJoint& joint : robot.joints)
     if (joint.X_PJ.p.norm() > kLargest)
-      robot.warnings.push_back(fmt::format(
+      doubts.push_back(fmt::format(
           "joint '{}' lies {:.4g} m from its parent's frame: are its numbers millimetres? Lengths "
           "are read as metres",
           joint.name, joint.X_PJ.p.norm()));
+  return doubts;
 }
 
-}  // namespace
+bool is_grave(const std::string& warning) {
+  const auto has = [&](const char* words) { return holds(warning, words); };
+  return has("MISSING") || has("UNREADABLE") || has("INCOMPLETE") || has("LEFT OUT") ||
+         has("millimetres");
+}
+
+bool names_missing_part(const std::string& warning) { return holds(warning, "MISSING"); }
 
 std::string name_of(RobotFileKind kind) {
   switch (kind) {
@@ -139,11 +160,14 @@ RobotFileKind find_robot_kind(const std::string& path) {
 RobotSpec import_robot(const std::string& path) {
   // Read by kind, then make the robot usable.
   RobotSpec robot = read_kind(path, find_robot_kind(path));
+  robot.files.merge(digests_of({path}));
   if (robot.name.empty()) robot.name = std::filesystem::path(path).stem();
   mend_inertias(robot);
   for (RobotLink& link : robot.links)
     repair_shapes(link.shapes, fmt::format("link '{}'", link.name), robot.warnings);
-  doubt_units(robot);
+  const std::vector<std::string> said = robot.warnings;
+  for (std::string& doubt : size_doubts(robot))
+    if (!is_said(said, doubt)) robot.warnings.push_back(std::move(doubt));
   robot.warnings = internal::by_severity(robot.warnings);
   // What remains wrong is an error of the file.
   try {
@@ -159,15 +183,10 @@ RobotSpec import_robot(const std::string& path) {
 namespace thenar::internal {
 namespace {
 
-bool holds(const std::string& text, const char* words) {
-  return text.find(words) != std::string::npos;
-}
-
 int weight(const std::string& warning) {
-  for (const char* grave : {"MISSING", "UNREADABLE", "INCOMPLETE", "LEFT OUT"})
-    if (holds(warning, grave)) return 0;
+  if (is_grave(warning)) return 0;
   for (const char* light : {"is not read", "is not understood", "is not heeded"})
-    if (holds(warning, light)) return 2;
+    if (warning.find(light) != std::string::npos) return 2;
   return 1;
 }
 

@@ -27,6 +27,16 @@ enum class RobotFileKind { kToml, kUrdf, kMjcf, kGraspit };
 /// @throws DataError  `path:line: ..`
 [[nodiscard]] RobotSpec import_robot(const std::string& path);
 
+/// Whether a warning says that the robot is not the one that was meant: parts of it are missing
+/// or unreadable, or its lengths are in another unit.
+[[nodiscard]] bool is_grave(const std::string& warning);
+
+/// Whether a warning says that a file which the robot names is missing.
+[[nodiscard]] bool names_missing_part(const std::string& warning);
+
+/// Shapes and offsets of joints beyond 10 m, a sentence each: "a box of link 'palm' ..".
+[[nodiscard]] std::vector<std::string> size_doubts(const RobotSpec& robot);
+
 }  // namespace thenar
 
 namespace thenar::internal {

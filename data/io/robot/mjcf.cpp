@@ -332,7 +332,7 @@ RobotSpec read_mjcf(const std::string& path) {
   if (root != "mujoco" && root != "mujocoinclude")
     file.fail(file.root(), fmt::format("wanted <mujoco>, got <{}>", root));
   // Included files and copies first, then the rest of the file.
-  internal::expand_includes(file);
+  const std::vector<std::string> parts = internal::expand_includes(file);
   internal::expand_replicates(file);
   UnreadElements unread(file);
   note_sections(file, unread);
@@ -349,6 +349,8 @@ RobotSpec read_mjcf(const std::string& path) {
   tree.run();
   set_total_mass(robot, source.compiler.total_mass);
   internal::drive_mjcf(source, tree.ref(), robot);
+  robot.files = digests_of(parts);
+  robot.files.merge(meshes.files());
   // Elements that were not read.
   const std::vector<std::string> warnings = unread.warnings();
   robot.warnings.insert(robot.warnings.end(), warnings.begin(), warnings.end());

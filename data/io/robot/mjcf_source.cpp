@@ -164,13 +164,14 @@ bool lacks_joints(const pugi::xml_node& root) {
   return false;
 }
 
-void expand_includes(const XmlFile& file) {
+std::vector<std::string> expand_includes(const XmlFile& file) {
   // Included files may include others: go on at their first element.
   std::set<std::string> open{fs::path(file.path()).lexically_normal().string()};
   const pugi::xml_node root = file.root();
   for (pugi::xml_node node = root; node;)
     node = std::string(node.name()) == "include" && node != root ? expand(file, node, open)
                                                                  : next_below(root, node);
+  return {open.begin(), open.end()};
 }
 
 MjcfCompiler read_compiler(const XmlFile& file, UnreadElements& unread) {

@@ -71,10 +71,11 @@ struct MjcfSource {
 /// Whether there are such bodies under an element, or joints other than hinges and slides.
 [[nodiscard]] bool lacks_joints(const pugi::xml_node& root);
 
-/// Replaces every <include file=".."> by the content of its file.
+/// Replaces every <include file=".."> by the content of its file. @returns paths of
+/// all files, its own included
 /// @throws DataError if a file is missing, includes itself, or is outside of the model's folder,
 /// with links resolved.
-void expand_includes(const XmlFile& file);
+std::vector<std::string> expand_includes(const XmlFile& file);
 
 /// Reads all <compiler> elements; later ones override earlier ones.
 [[nodiscard]] MjcfCompiler read_compiler(const XmlFile& file, UnreadElements& unread);

@@ -151,6 +151,7 @@ RobotSpec attach(const RobotSpec& carrier, const std::string& link, const RobotS
   const Pose<double> X_BT = pose_at_zero(carrier, link) * X_LT;
   robot.approach = {X_BT * tool.approach.point, (X_BT.R * tool.approach.direction).normalized()};
   robot.approach_stated = tool.approach_stated;
+  robot.files.insert(tool.files.begin(), tool.files.end());
   robot.open_loops.insert(robot.open_loops.end(), tool.open_loops.begin(), tool.open_loops.end());
   robot.warnings.insert(robot.warnings.end(), tool.warnings.begin(), tool.warnings.end());
   check_robot(robot);

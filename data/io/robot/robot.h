@@ -9,6 +9,7 @@
 
 #include <Eigen/Core>
 
+#include "base/provenance.h"
 #include "base/spatial.h"
 #include "geometry/shape_spec.h"
 
@@ -102,6 +103,7 @@ struct RobotSpec {
   std::vector<std::pair<std::string, std::string>> joined;  // links held together by solved loops;
                                                             // not written to files
   std::vector<std::string> warnings;                        // of an importer
+  FileDigests files = {};  // that were read for it, its own first of all; not written to files
 };
 
 /// Whether a joint slides rather than turns.

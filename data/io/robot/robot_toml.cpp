@@ -284,6 +284,11 @@ RobotSpec parse_robot(const std::string& text, const std::string& path) {
   return robot;
 }
 
-RobotSpec read_robot(const std::string& path) { return parse_robot(read_text_file(path), path); }
+RobotSpec read_robot(const std::string& path) {
+  RobotSpec robot = parse_robot(read_text_file(path), path);
+  robot.files = digests_of({path});
+  for (const RobotLink& link : robot.links) robot.files.merge(mesh_files(link.shapes, path));
+  return robot;
+}
 
 }  // namespace thenar

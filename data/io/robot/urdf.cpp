@@ -93,6 +93,7 @@ class UrdfTranslation {
     if (!shown_.empty())
       robot_.warnings.push_back(fmt::format(
           "visual shapes stand for the missing collision shapes of {}", fmt::join(shown_, ", ")));
+    robot_.files.merge(meshes_.files());
   }
 
  private:

@@ -24,7 +24,8 @@ Friction Materials::between(const std::string& a, const std::string& b) const {
           "no friction between '{}' and '{}': one of these links or bodies has no 'material'", a,
           b);
   const auto found = friction.find(std::minmax(a, b));
-  require(found != friction.end(), "no friction between '{}' and '{}'", a, b);
+  require(found != friction.end(), "no friction between '{}' and '{}': give it in a materials file",
+          a, b);
   return found->second;
 }
 

@@ -23,7 +23,12 @@ BodySpec parse_object(const std::string& text, const std::string& path) {
   return body;
 }
 
-BodySpec read_object(const std::string& path) { return parse_object(read_text_file(path), path); }
+BodySpec read_object(const std::string& path) {
+  BodySpec body = parse_object(read_text_file(path), path);
+  body.files = mesh_files(body.shapes, path);
+  body.files.merge(digests_of({path}));
+  return body;
+}
 
 std::string object_toml(const BodySpec& body) {
   BodySpec sourced = body;
@@ -93,6 +98,7 @@ PlacedBody read_body(TomlTable& table, const WorldSpec& world, const std::string
   placed.file = table.text_or("file", "");
   placed.body = placed.file.empty() ? internal::read_body_keys(table, path)
                                     : read_filed_body(table, found(table, "file", world));
+  if (placed.file.empty()) placed.body.files = mesh_files(placed.body.shapes, path);
   check_material(table, placed.body, world.materials);
   placed.X_WB = read_pose_keys(table);
   table.done();
@@ -160,7 +166,16 @@ WorldSpec parse_world(const std::string& text, const std::string& path) {
   return world;
 }
 
-WorldSpec read_world(const std::string& path) { return parse_world(read_text_file(path), path); }
+WorldSpec read_world(const std::string& path) {
+  WorldSpec world = parse_world(read_text_file(path), path);
+  world.files = digests_of({path});
+  if (!world.materials_file.empty())
+    world.files.merge(
+        digests_of({(std::filesystem::path(world.folder) / world.materials_file).string()}));
+  for (const PlacedBody& placed : world.bodies)
+    world.files.insert(placed.body.files.begin(), placed.body.files.end());
+  return world;
+}
 
 namespace {
 

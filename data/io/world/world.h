@@ -9,6 +9,7 @@
 
 #include <Eigen/Core>
 
+#include "base/provenance.h"
 #include "base/spatial.h"
 #include "data/io/world/materials.h"
 #include "geometry/shape_spec.h"
@@ -32,6 +33,7 @@ struct BodySpec {
   std::optional<BodyMass> mass;   // as stated; absent: from the shapes, by the next two
   double uniform_mass = 0;        // spread evenly over the shapes [kg]; 0: unknown
   double density = 0;             // [kg/m^3]; 0: that of the material
+  FileDigests files = {};         // that were read for it; not written to files
 };
 
 /// A body at its pose. A body with a file is written to worlds as its name, its material and this
@@ -73,6 +75,7 @@ struct WorldSpec {
   std::vector<PlacedHand> hands;
   std::vector<PlacedBody> bodies;
   Camera camera;
+  FileDigests files = {};  // of the world, its materials and bodies; hands are not read yet
 };
 
 /// Reads an object (data/objects) or a world (data/worlds) from TOML; docs/data_format.md describes

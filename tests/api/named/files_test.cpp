@@ -69,6 +69,9 @@ TEST(ContentsOf, NamesTheFileThatWasMeant) {
   written("fit1.csv", "a");
   EXPECT_EQ(message_of([] { (void)contents_of(kFolder + "fir1.csv"); }),
             "there is no file '" + kFolder + "fir1.csv', did you mean 'fit1.csv'?");
+  // An ending in common is no likeness.
+  EXPECT_EQ(message_of([] { (void)contents_of(kFolder + "wxyz.csv"); }),
+            "there is no file '" + kFolder + "wxyz.csv'");
 }
 
 TEST(RequireKind, SaysWhichCommandTakesAnotherKind) {

@@ -39,6 +39,8 @@ TEST_F(Recorded, IsReadFromPagesAndJson) {
     EXPECT_EQ(found.run.date, "2026-01-31T12:00:00Z");
     EXPECT_EQ(found.inputs.size(), 1U);
     EXPECT_TRUE(found.warnings.empty());
+    EXPECT_EQ(found.compared, 1);
+    EXPECT_EQ(found.changed, 0);
     EXPECT_NO_THROW(require_repeatable(found, {"pose"}));
   }
 }
@@ -47,6 +49,7 @@ TEST_F(Recorded, NamesInputsThatHaveChanged) {
   (void)written("my hand.toml", "b");
   const RecordedRun found = read_recorded_run(written("a.json", provenance("a")));
   EXPECT_EQ(found.warnings, std::vector<std::string>{"input 'my hand.toml' has changed since"});
+  EXPECT_EQ(found.changed, 1);
 }
 
 TEST_F(Recorded, IsReadFromBinaryResults) {

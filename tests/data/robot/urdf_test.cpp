@@ -507,6 +507,12 @@ TEST_F(Urdf, FindsMeshesInPackagesAboveIt) {
   EXPECT_THAT(without.links[1].shapes, IsEmpty());
   EXPECT_THAT(without.warnings, ElementsAre(AllOf(HasSubstr("MISSING MESH"), HasSubstr("lost.stl"),
                                                   HasSubstr("tip"))));
+  // Where it was looked for, and the nearest name there.
+  write_file(path("my_robot/meshes/cap.stl"), "");
+  const RobotSpec misspelt = with("package://my_robot/meshes/cop.stl");
+  EXPECT_THAT(misspelt.warnings,
+              ElementsAre(AllOf(HasSubstr("looked beside"),
+                                HasSubstr("all folders above, did you mean 'cap.stl'?"))));
 }
 
 // A mirrored triangle keeps its outside: x -> -x with corners swapped.

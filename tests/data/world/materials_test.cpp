@@ -55,7 +55,7 @@ TEST(Materials, NameWhatIsMissing) {
   EXPECT_THAT(message_of([] { (void)built_in_materials().at("cheese"); }),
               HasSubstr("no material 'cheese'; there are frictionless, glass, metal"));
   EXPECT_EQ(message_of([] { (void)built_in_materials().between("sandpaper", "glass"); }),
-            "no friction between 'sandpaper' and 'glass'");
+            "no friction between 'sandpaper' and 'glass': give it in a materials file");
   EXPECT_EQ(message_of([] { (void)built_in_materials().between("", "glass"); }),
             "no friction between '' and 'glass': one of these links or bodies has no 'material'");
 }

@@ -48,6 +48,24 @@ TEST_F(ComparisonFile, IsReadAsItWasWritten) {
   EXPECT_EQ(kept.provenance.kind, JsonKind::kNull);
 }
 
+// A mesh changed: the object's content differs, and of its files the mesh.
+TEST_F(ComparisonFile, NamesTheFileThatChanged) {
+  const auto contents = [](const char* hash) {
+    return JsonNode().set("contents", JsonNode().set("object cone", hash));
+  };
+  const JsonNode provenance =
+      next_provenance(JsonNode(), run_at("1"), {{"cone.stl", "0123456789"}, {"cone.toml", "ab"}});
+  write_comparison(path("a.json"), one_cell(), contents("1"), provenance);
+  const auto message = [&](const FileDigests& files) {
+    return message_of<InputError>(
+        [&] { (void)read_comparison(path("a.json"), contents("2"), same, files); });
+  };
+  EXPECT_NE(message({{"cone.stl", "9876543210"}, {"cone.toml", "ab"}})
+                .find("another 'cone.stl' (SHA-256 01234567 then, 98765432 now): name"),
+            std::string::npos);
+  EXPECT_NE(message({}).find("another object 'cone': name"), std::string::npos);
+}
+
 TEST_F(ComparisonFile, RefusesOtherInputsAndBrokenSeals) {
   write_comparison(path("a.json"), one_cell(), JsonNode().set("seed", 1), JsonNode());
   EXPECT_NE(message_of<InputError>([&] {

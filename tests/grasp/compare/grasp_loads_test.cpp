@@ -44,6 +44,7 @@ struct SqueezedBall {
 TEST(GraspLoads, OfACubeBetweenJawsAreThoseOfFrictionAndMotor) {
   const GraspLoads loads = SqueezedBall(sample::jaws()).loads();
   EXPECT_NEAR(loads.min_grasp_force, kWeight, 1e-6);
+  EXPECT_NEAR(loads.standing_grasp_force, kWeight, 1e-6);
   EXPECT_NEAR(loads.margin.at("hold-weight"), 2 / kWeight, 1e-6);
   EXPECT_NEAR(loads.margin.at("pull"), 2, 1e-6);
   EXPECT_TRUE(loads.reasons.empty());
@@ -83,6 +84,16 @@ TEST(GraspLoads, NameFrictionWhereThereIsNone) {
   for (HandContact& contact : squeeze.grasp.contacts) contact.contact.friction = 0;
   EXPECT_THAT(squeeze.loads().reasons.at("pull"), HasSubstr("friction"));
   EXPECT_EQ(squeeze.loads().margin.at("pull"), 0);
+}
+
+// A cube on one smooth point below its centre: nothing holds it on its side or upside down.
+TEST(GraspLoads, OfTheStandingObjectAskForItsSupportOnly) {
+  SqueezedBall squeeze(sample::jaws());
+  const Eigen::Vector3d up = squeeze.scene.object.X_WB.R.transpose().col(2);
+  squeeze.grasp.contacts = {{{squeeze.scene.object.com - 0.015 * up, up, 0, 0}, 0, 0}};
+  const GraspLoads loads = squeeze.loads();
+  EXPECT_NEAR(loads.standing_grasp_force, kWeight, 1e-6);
+  EXPECT_EQ(loads.min_grasp_force, std::numeric_limits<double>::infinity());
 }
 
 // Loads that a worm bears along the jaws do not count for more than friction across them: 2 N.

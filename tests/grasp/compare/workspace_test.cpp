@@ -61,6 +61,16 @@ TEST(Workspace, OfAPlanarArmHasItsAreaWithinItsError) {
     }
 }
 
+// Two joints on one motor: the tip bends along a curve, which spans a plane and fills none of it.
+TEST(Workspace, OfOneMotorIsACurve) {
+  EXPECT_EQ(space_of(sample::finger(RobotDofKind::kRigid), 3000, 5e-3).dimension, 1);
+}
+
+TEST(Workspace, OfPlanarFingersShareNoVolume) {
+  std::mt19937 random(1);
+  EXPECT_TRUE(std::isnan(workspaces(RobotHand(planar_arm()), 3000, 5e-3, random).overlap));
+}
+
 // Between radii r and R: volume  (R^3 - r^3) / 3  pi/2  sin 45 deg.
 TEST(Workspace, OfATelescopeHasThatOfItsShellWithinItsError) {
   const double exact =

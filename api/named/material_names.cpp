@@ -1,0 +1,55 @@
+#include "api/named/material_names.h"
+
+#include <algorithm>
+#include <set>
+
+#include <fmt/format.h>
+
+#include "api/named/files.h"
+#include "base/error.h"
+#include "base/file_io.h"
+#include "base/nearest_name.h"
+
+namespace thenar {
+namespace {
+
+/// Number of the first line of a file that has a name in quotes; 1 if none has it.
+long line_of_name(const std::string& file, const std::string& name) {
+  if (!is_file(file)) return 1;
+  const std::string text = read_source(file).text;
+  const std::size_t at = text.find('"' + name + '"');
+  if (at == std::string::npos) return 1;
+  return 1 + std::count(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(at), '\n');
+}
+
+}  // namespace
+
+Materials materials_of_file(const std::string& file) {
+  if (file.empty()) return built_in_materials();
+  require_kind(file, {"materials"});
+  return read_materials(file, built_in_materials());
+}
+
+std::vector<std::string> unknown_materials(const std::string& file,
+                                           const std::vector<std::string>& used,
+                                           const Materials& table) {
+  std::vector<std::string> names;
+  for (const Material& material : table.materials) names.push_back(material.name);
+  std::vector<std::string> complaints;
+  for (const std::string& name : std::set<std::string>(used.begin(), used.end()))
+    if (!name.empty() && std::find(names.begin(), names.end(), name) == names.end())
+      complaints.push_back(fmt::format("{}:{}: no material '{}'{}", file, line_of_name(file, name),
+                                       name, did_you_mean(name, names)));
+  return complaints;
+}
+
+void require_materials(const NamedHand& hand, const Materials& table) {
+  std::vector<std::string> used;
+  for (const LinkSurface& surface : hand.hand->surfaces()) used.push_back(surface.material);
+  const std::vector<std::string> unknown =
+      unknown_materials(hand.file.empty() ? hand.name : hand.file, used, table);
+  require(unknown.empty(), "{}; a materials file may give others",
+          unknown.empty() ? "" : unknown.front());
+}
+
+}  // namespace thenar

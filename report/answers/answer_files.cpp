@@ -1,0 +1,91 @@
+#include "report/answers/answer_files.h"
+
+#include <variant>
+
+#include "base/file_io.h"
+
+namespace thenar {
+namespace {
+
+/// Of texts that were read, as they were then.
+FileDigests files_of(const std::vector<SourceText>& sources) {
+  FileDigests files;
+  for (const SourceText& source : sources) files[source.path] = sha256(source.text);
+  return files;
+}
+
+FileDigests joined(FileDigests files, FileDigests more) {
+  files.merge(more);
+  return files;
+}
+
+/// The file at a path, if it is one; names of what is built in are none.
+FileDigests file_at(const std::string& path) {
+  return is_file(path) ? digests_of({path}) : FileDigests();
+}
+
+/// What a thing was read from besides its own file: meshes, materials, bodies.
+FileDigests parts_of(const RobotSpec& robot) { return robot.files; }
+FileDigests parts_of(const BodySpec& body) { return body.files; }
+FileDigests parts_of(const WorldSpec& world) { return world.files; }
+template <typename Whole>
+FileDigests parts_of(const Whole& /*in one file*/) {
+  return {};
+}
+
+FileDigests files_of_thing(const std::string& path, const Thing& thing) {
+  return joined(std::visit([](const auto& each) { return parts_of(each); }, thing), file_at(path));
+}
+
+}  // namespace
+
+FileDigests files_of(const GraspResult& result) { return result.setting.files; }
+FileDigests files_of(const CloseResult& result) { return files_of(result.grasp); }
+FileDigests files_of(const HandComparison& result) { return result.files; }
+
+FileDigests files_of(const ThingExplained& explained) {
+  FileDigests files = files_of_thing(explained.path, explained.thing);
+  return explained.digit ? joined(files, file_at(explained.digit->settings)) : files;
+}
+
+FileDigests files_of(const Validation& validation) {
+  FileDigests files = file_at(validation.subject);
+  for (const FileVerdict& file : validation.files)
+    files.merge(file.thing ? files_of_thing(file.path, *file.thing) : file_at(file.path));
+  return files;
+}
+
+FileDigests files_of(const Imported& imported) {
+  return joined(std::visit([](const auto& each) { return parts_of(each); }, imported.thing),
+                file_at(imported.request.file));
+}
+
+FileDigests files_of(const std::vector<ContactQuality>& results) {
+  FileDigests files;
+  for (const ContactQuality& result : results) files.merge(file_at(result.contacts));
+  return files;
+}
+
+FileDigests files_of(const RobotPoses& poses) { return poses.files; }
+FileDigests files_of(const SubjectPoses& poses) { return files_of(poses.sources); }
+FileDigests files_of(const FeasibleForceAnswer& answer) { return files_of(answer.about.sources); }
+FileDigests files_of(const TipForceAnswer& answer) { return files_of(answer.about.sources); }
+FileDigests files_of(const MomentArmAnswer& answer) { return files_of(answer.about.sources); }
+FileDigests files_of(const SimulatedMotion& motion) { return files_of(motion.sources); }
+FileDigests files_of(const TendonSolution& solution) { return files_of(solution.loaded.sources); }
+FileDigests files_of(const TendonSweep& sweep) { return files_of(sweep.loaded.sources); }
+FileDigests files_of(const NetInference& inference) { return files_of(inference.sources); }
+
+FileDigests files_of(const FitResult& result) {
+  const FitInputs& inputs = result.fit.inputs;
+  return joined(files_of(inputs.experiments), files_of({inputs.subject, inputs.settings}));
+}
+
+FileDigests files_of(const PredictResult& result) {
+  return joined(files_of(result.sources), file_at(result.file));
+}
+
+FileDigests files_of(const PosteriorResult& result) { return result.files; }
+FileDigests files_of(const PosteriorPrediction& result) { return files_of(result.predicted); }
+
+}  // namespace thenar

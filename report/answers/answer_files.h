@@ -1,0 +1,49 @@
+#pragma once
+
+/// Files that an answer came from, for its record: `thenar rerun` names those that have changed.
+
+#include <vector>
+
+#include "api/close.h"
+#include "api/compare.h"
+#include "api/explain.h"
+#include "api/feasible_force.h"
+#include "api/grasp.h"
+#include "api/import.h"
+#include "api/moment_arms.h"
+#include "api/pose.h"
+#include "api/posterior.h"
+#include "api/quality.h"
+#include "api/simulate.h"
+#include "api/tendon_infer.h"
+#include "api/tendon_solve.h"
+#include "api/tip_force.h"
+#include "api/validate.h"
+#include "base/provenance.h"
+
+namespace thenar {
+
+/// Path -> SHA-256 of each file that was read for an answer, meshes of robots and objects included;
+/// of results (.h5, .nc) that were read the file itself.
+[[nodiscard]] FileDigests files_of(const GraspResult& result);
+[[nodiscard]] FileDigests files_of(const CloseResult& result);
+[[nodiscard]] FileDigests files_of(const HandComparison& result);
+[[nodiscard]] FileDigests files_of(const ThingExplained& explained);
+[[nodiscard]] FileDigests files_of(const Validation& validation);
+[[nodiscard]] FileDigests files_of(const Imported& imported);
+[[nodiscard]] FileDigests files_of(const std::vector<ContactQuality>& results);
+[[nodiscard]] FileDigests files_of(const RobotPoses& poses);
+[[nodiscard]] FileDigests files_of(const SubjectPoses& poses);
+[[nodiscard]] FileDigests files_of(const FeasibleForceAnswer& answer);
+[[nodiscard]] FileDigests files_of(const TipForceAnswer& answer);
+[[nodiscard]] FileDigests files_of(const MomentArmAnswer& answer);
+[[nodiscard]] FileDigests files_of(const SimulatedMotion& motion);
+[[nodiscard]] FileDigests files_of(const TendonSolution& solution);
+[[nodiscard]] FileDigests files_of(const TendonSweep& sweep);
+[[nodiscard]] FileDigests files_of(const NetInference& inference);
+[[nodiscard]] FileDigests files_of(const FitResult& result);
+[[nodiscard]] FileDigests files_of(const PredictResult& result);
+[[nodiscard]] FileDigests files_of(const PosteriorResult& result);
+[[nodiscard]] FileDigests files_of(const PosteriorPrediction& result);
+
+}  // namespace thenar
