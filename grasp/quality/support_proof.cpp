@@ -124,7 +124,7 @@ class Problem {
   }
 
   /// Weights for which F is positive definite, or its least eigenvalue as large as possible.
-  MaximisedComponent find() const {
+  [[nodiscard]] MaximisedComponent find() const {
     const int least = static_cast<int>(forms_.size());  // the unknown below all eigenvalues of F
     // Matrix inequality F(y) >= least I.
     MatrixInequality F{MatrixXd::Zero(d_, d_), {}};

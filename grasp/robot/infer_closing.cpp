@@ -80,7 +80,7 @@ class ClosingSearch {
       }
   }
 
-  std::vector<Ways> ways_of(std::size_t option, const DigitRoles& roles) const {
+  [[nodiscard]] std::vector<Ways> ways_of(std::size_t option, const DigitRoles& roles) const {
     const RobotApproach& stated = robot_.approach;
     // A stated approach is the only one.
     if (known_.approach) return {{stated.direction, {stated.point}}};
@@ -111,9 +111,9 @@ class ClosingSearch {
     return true;
   }
 
-  double score(const Candidate& candidate, const std::vector<Pose<double>>& links,
-               const DigitRoles& roles, double radius, int steps,
-               const std::vector<std::string>& self) const {
+  [[nodiscard]] double score(const Candidate& candidate, const std::vector<Pose<double>>& links,
+                             const DigitRoles& roles, double radius, int steps,
+                             const std::vector<std::string>& self) const {
     ProbeBall ball{{}, radius};
     if (!place(candidate, links, ball)) return -candidate.against;
     return facing(grip_.close(motion_.drives(candidate.option), candidate.open, ball, steps, self),
@@ -173,7 +173,7 @@ class ClosingSearch {
     return names;
   }
 
-  InferredClosing guess_of(const Candidate& best) const {
+  [[nodiscard]] InferredClosing guess_of(const Candidate& best) const {
     InferredClosing guess{robot_, ball_, {}, {}, {}, {}};
     const DigitRoles roles = motion_.roles(best.option);
     if (const std::vector<std::string> thumbs = opposed(roles); roles.row && thumbs.size() == 1)

@@ -78,7 +78,7 @@ class ExcitationTable {
   }
 
  private:
-  double number(int line, const std::string& cell) const {
+  [[nodiscard]] double number(int line, const std::string& cell) const {
     char* end = nullptr;
     const double value = std::strtod(cell.c_str(), &end);
     if (cell.empty() || *end != 0 || !std::isfinite(value))

@@ -74,7 +74,7 @@ class NetBuilder {
 
  private:
   /// The point of the first of these strands that the subject has.
-  std::optional<CarriedPoint> strand_point(const StrandPoint& at) const {
+  [[nodiscard]] std::optional<CarriedPoint> strand_point(const StrandPoint& at) const {
     const Strand* strand = find_strand(subject_, digit_, at.strands);
     if (strand == nullptr) return std::nullopt;
     const std::vector<CarriedPoint> points = carried_points(digit_.skeleton, *strand);
@@ -96,7 +96,7 @@ class NetBuilder {
   }
 
   /// Direction in the surface's frame, at `angle` about the bone that carries it.
-  Vector3d side_on(int surface, double angle) const {
+  [[nodiscard]] Vector3d side_on(int surface, double angle) const {
     if (surface < 0) return Vector3d::UnitX();
     const NetSurface& plan = plan_.surfaces[static_cast<std::size_t>(surface)];
     return built_.net.surfaces[static_cast<std::size_t>(surface)].X.R.transpose() *
@@ -125,14 +125,15 @@ class NetBuilder {
   }
 
   /// Is the link this bone's, or nearer to the base?
-  bool within(int link, const FingerBone& bone) const {
+  [[nodiscard]] bool within(int link, const FingerBone& bone) const {
     for (int i = bone.link; i >= 0; i = digit_.skeleton.tree[static_cast<std::size_t>(i)].parent)
       if (i == link) return true;
     return link < 0;
   }
 
   /// The rest of a muscle's path, from its first point on the bone or nearer to the wrist.
-  TendonPath<double> own_path(const NetMusclePlan& role, const std::string& muscle) const {
+  [[nodiscard]] TendonPath<double> own_path(const NetMusclePlan& role,
+                                            const std::string& muscle) const {
     // Where the muscle leaves the net.
     const Strand& strand = strand_of(subject_, muscle);
     const FingerBone& bone = built_.frame.bone(role.exit);
@@ -156,7 +157,8 @@ class NetBuilder {
   }
 
   /// Share of a muscle that enters the hood, as the subject says, or as the net does.
-  double share_of(const NetMusclePlan& role, const std::string& muscle, double stated) const {
+  [[nodiscard]] double share_of(const NetMusclePlan& role, const std::string& muscle,
+                                double stated) const {
     // The hood of the subject decides where the description lets it.
     for (const Digit& d : subject_.digits)
       if (role.hood_share && d.hood && d.name == digit_.skeleton.tips.front().digit)
@@ -182,7 +184,7 @@ class NetBuilder {
   }
 
   /// Where a pull leaves the net that no strand shows: its own place, or the end of its own path.
-  CarriedPoint exit_of(const NetPullPlan& plan) const {
+  [[nodiscard]] CarriedPoint exit_of(const NetPullPlan& plan) const {
     if (plan.exit_place)
       return {built_.frame.bone(plan.exit_place->bone).link,
               point_of(built_.frame, *plan.exit_place)};

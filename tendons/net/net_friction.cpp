@@ -56,8 +56,10 @@ class Rounds {
   }
 
  private:
-  Pose<double> frame(int s) const { return scene_.surface[static_cast<std::size_t>(s)]; }
-  SurfaceProbe probe_at(int s, const Vector3d& x) const {
+  [[nodiscard]] Pose<double> frame(int s) const {
+    return scene_.surface[static_cast<std::size_t>(s)];
+  }
+  [[nodiscard]] SurfaceProbe probe_at(int s, const Vector3d& x) const {
     return internal::probe_world(net_, scene_, s, x);
   }
 
@@ -133,7 +135,7 @@ class Rounds {
   }
 
   /// Force of all bands on a node.
-  Vector3d pull_on(int node) const {
+  [[nodiscard]] Vector3d pull_on(int node) const {
     Vector3d f = Vector3d::Zero();
     for (std::size_t b = 0; b < net_.bands.size(); ++b) {
       const NetBand& band = net_.bands[b];
@@ -209,7 +211,7 @@ class Rounds {
     return false;
   }
 
-  bool gives_up() const {
+  [[nodiscard]] bool gives_up() const {
     return std::any_of(rubs_.begin(), rubs_.end(),
                        [](const Rub& rub) { return rub.returns > kMaxReturns; });
   }
@@ -234,7 +236,7 @@ class Rounds {
   }
 
   /// The surface that it sticks on.
-  int surface_of(const Rub& rub) const {
+  [[nodiscard]] int surface_of(const Rub& rub) const {
     for (int s : net_.nodes[static_cast<std::size_t>(rub.node)].surfaces)
       if (probe_at(s, rub.seat).normal == rub.n) return s;
     return -1;

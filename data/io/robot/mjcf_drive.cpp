@@ -48,7 +48,7 @@ class MjcfDrive {
   }
 
  private:
-  const FixedTendon* find_tendon(const std::string& name) const {
+  [[nodiscard]] const FixedTendon* find_tendon(const std::string& name) const {
     for (const FixedTendon& tendon : tendons_)
       if (tendon.name == name) return &tendon;
     return nullptr;
