@@ -130,7 +130,7 @@ Solution search_globally(const LeastSquares& problem, const ModeSearchOptions& s
   global.method = LeastSquaresMethod::kNloptGlobal;
   global.seed = search.seed + static_cast<unsigned>(number);
   global.progress.stop_requested = search.polish.progress.stop_requested;
-  const Solution rough =
+  Solution rough =
       search_from(problem, prior_draw(problem, search, search.starts + number), global);
   if (!std::isfinite(rough.cost) || rough.status == Status::kStopped) return rough;
   Solution fine = search_from(problem, rough.z, search.polish);

@@ -233,7 +233,7 @@ class Reading {
   std::string text(const std::string& what, const Get& get) {
     char* chars = nullptr;
     check_read(get(&chars), "read " + what);
-    const std::string found = chars == nullptr ? "" : chars;
+    std::string found = chars == nullptr ? "" : chars;
     (void)nc_free_string(1, &chars);
     take(found.size(), what);
     return found;

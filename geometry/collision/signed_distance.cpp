@@ -86,7 +86,7 @@ class DistanceSearch {
   }
   NearestSurface see(const Eigen::Vector3d& p) {
     ++evaluations_;
-    const NearestSurface seen = b_.nearest(p);
+    NearestSurface seen = b_.nearest(p);
     if (seen.supports) empty_.add_plane(seen.normal, seen.normal.dot(p) - seen.distance);
     return seen;
   }

@@ -163,7 +163,7 @@ class EpsilonSearch {
   }
 
   SupportPoint look(const ScaledWrench& u) {
-    const SupportPoint reach = support_(u);
+    SupportPoint reach = support_(u);
     ++supports_;
     if (reach.h + support_.rounding() < upper_) {
       upper_ = reach.h + support_.rounding();
@@ -192,7 +192,7 @@ class EpsilonSearch {
 /// set is closed, too.
 Epsilon of_l1(const WrenchSet& set, EpsilonOptions options, Epsilon linf) {
   options.limit = ForceNorm::kL1;
-  const Epsilon l1 = epsilon(set, options);
+  Epsilon l1 = epsilon(set, options);
   if (!l1.force_closure) return l1;
   linf.lower = l1.lower;
   linf.force_closure = true;

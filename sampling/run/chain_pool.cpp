@@ -23,7 +23,7 @@ void append_chain_state(const ChainState& chain_state, std::vector<double>& to) 
 
 ChainState read_chain_state(const double*& from, Eigen::Index size, WithGradient gradient) {
   const auto take = [&](Eigen::Index count) {
-    const Eigen::VectorXd numbers = Eigen::Map<const Eigen::VectorXd>(from, count);
+    Eigen::VectorXd numbers = Eigen::Map<const Eigen::VectorXd>(from, count);
     from += count;
     return numbers;
   };
@@ -63,7 +63,7 @@ void ChainSlot::record(long warm_up, int thin) {
 
 Eigen::MatrixXd ChainSlot::take() {
   const Eigen::Index rows = sampler->chains() * rows_of_draw(sampler->positions().rows());
-  const Eigen::MatrixXd draws = Eigen::Map<const Eigen::MatrixXd>(
+  Eigen::MatrixXd draws = Eigen::Map<const Eigen::MatrixXd>(
       pending.data(), rows, static_cast<Eigen::Index>(pending.size()) / rows);
   pending.clear();
   return draws;

@@ -45,7 +45,7 @@ std::string find_mesh(const std::string& name, const std::string& robot_file) {
   const fs::path start = fs::absolute(fs::path(robot_file)).parent_path();
   for (const fs::path& tail : tails)
     for (fs::path folder = start;; folder = folder.parent_path()) {
-      const std::string found = existing(folder / tail);
+      std::string found = existing(folder / tail);
       if (!found.empty()) return found;
       if (folder == folder.parent_path()) break;
     }

@@ -240,7 +240,7 @@ Pose<double> MjcfElement::pose() const {
 Eigen::Matrix3d MjcfElement::rotation() const {
   // Numbers of an attribute, in the right count and not all zero.
   const auto of_size = [&](const char* attribute, std::size_t count) {
-    const std::vector<double> v = numbers(attribute);
+    std::vector<double> v = numbers(attribute);
     if (v.size() != count)
       fail(fmt::format("<{}> {} wants {} numbers, got {}", kind_, attribute, count, v.size()));
     if (Eigen::Map<const Eigen::VectorXd>(v.data(), static_cast<Eigen::Index>(count)).norm() == 0 &&
