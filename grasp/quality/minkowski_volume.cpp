@@ -208,7 +208,7 @@ double choices(const std::vector<ContactBody>& bodies) {
   for (const ContactBody& body : bodies) {
     std::array<double, 6> more = ways;
     for (const ContactFace& face : body.faces)
-      for (std::size_t d = static_cast<std::size_t>(face.dimension); d < 6; ++d)
+      for (auto d = static_cast<std::size_t>(face.dimension); d < 6; ++d)
         more[d] += ways[d - static_cast<std::size_t>(face.dimension)];
     ways = more;
   }

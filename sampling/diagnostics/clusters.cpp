@@ -25,7 +25,7 @@ constexpr int kCellsPerBandwidth = 4;
 constexpr int kMaxCells = 4000;
 
 double bandwidth_of(const Eigen::VectorXd& rising) {
-  const double n = double(rising.size());
+  const auto n = double(rising.size());
   const double sd = std::sqrt((rising.array() - rising.mean()).square().mean());
   const double quartiles = (quantile(rising, 0.75) - quantile(rising, 0.25)) / 1.349;
   return 0.9 * (quartiles > 0 ? std::min(sd, quartiles) : sd) * std::pow(n, -0.2);

@@ -58,7 +58,7 @@ Coverage cover(const Eigen::VectorXd& measured, const Eigen::MatrixXd& replicate
     inside += measured[i] >= quantile(rising, (1 - level) / 2) &&
               measured[i] <= quantile(rising, (1 + level) / 2);
   }
-  const double m = double(measured.size());
+  const auto m = double(measured.size());
   return {level, double(inside) / m, std::sqrt(level * (1 - level) / m)};
 }
 

@@ -159,7 +159,7 @@ Draws ChainRun::result() const {
       Eigen::Map<const Eigen::MatrixXd>(rates.data(), draws.beta.size() - 1, options_.groups);
   draws.warm_up = options_.sampler.warm_up;
   draws.complete = samplers_.step() >= total_;
-  const double divergent = double(samplers_.divergent());  // of this rank
+  const auto divergent = double(samplers_.divergent());  // of this rank
   draws.ended_at_divergence = options_.end_at_divergence &&
                               ranks_.all_gather(Eigen::VectorXd::Constant(1, divergent)).sum() > 0;
   draws.seconds = seconds_before_ + seconds_since(start_);

@@ -55,7 +55,7 @@ TriangleMesh read_triangles(TomlTable& table) {
   mesh.vertices = Eigen::Map<const Eigen::Matrix3Xd>(
       vertices.data(), 3, static_cast<Eigen::Index>(vertices.size() / 3));
   mesh.triangles.resize(3, static_cast<Eigen::Index>(corners.size() / 3));
-  const double last = static_cast<double>(mesh.vertices.cols() - 1);
+  const auto last = static_cast<double>(mesh.vertices.cols() - 1);
   for (std::size_t i = 0; i < corners.size(); ++i) {
     if (corners[i] != std::floor(corners[i]) || corners[i] < 0 || corners[i] > last)
       table.fail(fmt::format("wanted corners 0..{} in 'triangles', got {}", last, corners[i]),
