@@ -249,7 +249,8 @@ Eigen::MatrixXd dispersed_starts(const LeastSquares& problem, const std::vector<
   // Roots of the covariances, inflated.
   const std::vector<Share> shares = shares_of_starts(modes);
   std::vector<Eigen::MatrixXd> roots;
-  for (const Share& share : shares) roots.push_back(inflation * root(modes[share.mode].covariance));
+  for (const Share& share : shares)
+    roots.emplace_back(inflation * root(modes[share.mode].covariance));
   const Eigen::Index n = modes[0].z.size();
   Eigen::MatrixXd starts(n, count);
   for (int k = 0; k < count; ++k) {

@@ -98,7 +98,7 @@ class ClosingSearch {
     const Vector3d across = roles.normal.cross(roles.along);
     for (const double u : {0.1, -0.1, 0.3, -0.3, -0.5})
       for (const double w : {0.0, -0.25, 0.25, -0.5, 0.5})
-        origins.push_back(roles.root + roles.length * (u * roles.along + w * across));
+        origins.emplace_back(roles.root + roles.length * (u * roles.along + w * across));
     return origins;
   }
 

@@ -154,7 +154,7 @@ TriangleMesh closed_up(TriangleMesh mesh, double near) {
     const Vector3i t =
         old.unaryExpr([&](int v) { return stands_for[static_cast<std::size_t>(v)]; });
     if (t(0) == t(1) || t(1) == t(2) || t(2) == t(0)) continue;  // an edge shorter than `near`
-    triangles.push_back(t.unaryExpr([&](int v) { return kept.index_of(mesh.vertices.col(v)); }));
+    triangles.emplace_back(t.unaryExpr([&](int v) { return kept.index_of(mesh.vertices.col(v)); }));
   }
   if (triangles.empty()) return mesh;
   // Keep the result only if edges were closed and none crowded.
