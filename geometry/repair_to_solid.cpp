@@ -130,6 +130,7 @@ std::vector<int> vertices_on(const TriangleMesh& mesh, const Loose& loose, int a
   }
   std::sort(on.begin(), on.end());
   std::vector<int> vertices;
+  vertices.reserve(on.size());
   for (const auto& [along, vertex] : on) vertices.push_back(vertex);
   return vertices;
 }

@@ -249,6 +249,7 @@ Eigen::MatrixXd dispersed_starts(const LeastSquares& problem, const std::vector<
   // Roots of the covariances, inflated.
   const std::vector<Share> shares = shares_of_starts(modes);
   std::vector<Eigen::MatrixXd> roots;
+  roots.reserve(shares.size());
   for (const Share& share : shares)
     roots.emplace_back(inflation * root(modes[share.mode].covariance));
   const Eigen::Index n = modes[0].z.size();

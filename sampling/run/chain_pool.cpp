@@ -71,6 +71,7 @@ Eigen::MatrixXd ChainSlot::take() {
 
 std::vector<ChainState> ChainSlot::chain_states() const {
   std::vector<ChainState> all;
+  all.reserve(static_cast<std::size_t>(sampler->chains()));
   for (int c = 0; c < sampler->chains(); ++c)
     all.push_back({sampler->positions().col(c), sampler->density(c)});
   return all;

@@ -61,6 +61,7 @@ class NetBuilder {
     // Bands of the slips by name.
     const auto slip = [&](const std::vector<std::string>& names) {
       std::vector<int> bands;
+      bands.reserve(names.size());
       for (const std::string& name : names) bands.push_back(index_of(plan.bands, name));
       return bands;
     };
@@ -248,6 +249,7 @@ int needed(const std::vector<Part>& parts, const std::string& name, const std::s
            const std::string& net) {
   const int found = index_of(parts, name);
   std::vector<std::string> names;
+  names.reserve(parts.size());
   for (const Part& part : parts) names.push_back(part.name);
   require(found >= 0, "net '{}' has no {} '{}'; there are {}", net, kind, name,
           fmt::join(names, ", "));

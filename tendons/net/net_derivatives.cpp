@@ -170,6 +170,7 @@ NetDerivatives net_derivatives(const Net& net, const Tree<double>& tree,
   }
   // Joint coordinates.
   std::vector<NetPerturbation> turns;
+  turns.reserve(static_cast<std::size_t>(coordinates));
   for (int l = 0; l < coordinates; ++l)
     turns.push_back(internal::joint_perturbation(net, tree, state, l));
   const auto slopes = [&](const std::vector<NetPerturbation>& inputs) {

@@ -53,6 +53,7 @@ std::vector<SweepPoint> sweep_net(const NetTendons& tendons,
                                   const Eigen::VectorXd& t, const NetContinuationOptions& options,
                                   Eigen::Matrix3Xd start) {
   std::vector<SweepPoint> points;
+  points.reserve(postures.size());
   for (const Eigen::VectorXd& q : postures)
     points.push_back(points.empty() ? point_at(tendons, q, t, tendons.rest(q, t, start))
                                     : sweep_on(tendons, &points.back(), q, t, options));

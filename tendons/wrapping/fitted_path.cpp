@@ -319,6 +319,7 @@ MatrixXd arm_derivatives(const FittedPath& path, const VectorXd& q) {
     std::vector<PolynomialBasis> bases;
     std::vector<const VectorXd*> by;
     for (Index i = 0; i < place.x.size(); ++i) bases.push_back(basis(run.order, place.x[i]));
+    by.reserve(bases.size());
     for (const PolynomialBasis& at : bases) by.push_back(&at.T);
     // Second derivatives: two coordinates differentiated, or one of them twice.
     for (std::size_t i = 0; i < d; ++i)

@@ -79,6 +79,7 @@ class Cutter {
     // Triangles need no cutting.
     if (face.size() == 3) return append(face[0], face[1], face[2]);
     std::vector<Eigen::Vector3d> place;
+    place.reserve(face.size());
     for (const int corner : face)
       place.push_back(polygons_.vertices[static_cast<std::size_t>(corner)]);
     cut_ears(face, flattened(place));

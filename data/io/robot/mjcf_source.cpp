@@ -385,6 +385,7 @@ class Replicator {
     // Suffixes with leading zeros.
     const std::string digits = std::to_string(count), sep = node.attribute("sep").value();
     std::vector<std::string> suffixes;
+    suffixes.reserve(static_cast<std::size_t>(count));
     for (int i = 0; i < count; ++i)
       suffixes.push_back(fmt::format("{}{:0{}}", sep, i, digits.size()));
     // Copy i stands in i nested frames.
