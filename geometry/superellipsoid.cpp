@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "base/spatial.h"
 #include "geometry/nearest_grid.h"
@@ -194,7 +195,7 @@ Bound settle(const Norm& norm, const Vector3d& p, Bound best, int most, double e
 /// What the tessellation is made from: distances by the norm alone.
 class Rough final : public Shape {
  public:
-  Rough(const Norm& norm, const Vector3d& semi_axes) : norm_(norm), semi_axes_(semi_axes) {}
+  Rough(const Norm& norm, Vector3d semi_axes) : norm_(norm), semi_axes_(std::move(semi_axes)) {}
   [[nodiscard]] double distance(const Vector3d& p) const override { return nearest(p).distance; }
   /// Towards the origin, by as much as lies between p and the surface along its normal.
   [[nodiscard]] NearestSurface nearest(const Vector3d& p) const override {

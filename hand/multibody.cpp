@@ -1,5 +1,7 @@
 #include "hand/multibody.h"
 
+#include <utility>
+
 #include <Simbody.h>
 
 #include "base/error.h"
@@ -59,7 +61,7 @@ std::vector<bool> carries_mass(const Skeleton& skeleton) {
 }  // namespace
 
 struct Multibody::Parts {
-  Parts(const Skeleton& s, Passive p) : skeleton(s), passive(p), matter(system) {
+  Parts(Skeleton s, Passive p) : skeleton(std::move(s)), passive(p), matter(system) {
     // Pins first, then couplings between them.
     for (std::size_t i = 0; i < skeleton.tree.size(); ++i)
       add_pin(skeleton.tree[i], skeleton.masses[i]);

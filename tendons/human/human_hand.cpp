@@ -4,6 +4,7 @@
 #include <cmath>
 #include <string>
 #include <string_view>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -66,7 +67,7 @@ TendonOptions tendon_options(const Subject& subject, const std::string& digit,
 }
 
 std::unique_ptr<DigitTendons> net_or_less(const Subject& subject, const std::string& digit,
-                                          TendonOptions options,
+                                          const TendonOptions& options,
                                           std::vector<std::string>& warnings) {
   // The thumb has no net; a finger that cannot carry one keeps linear tendons.
   TendonOptions floating = options;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "base/error.h"
 #include "tendons/net/net.h"
@@ -32,9 +33,9 @@ struct Rub {
 
 class Rounds {
  public:
-  Rounds(const Net& net, const TreeState<double>& state, const NetDrive& drive,
-         const Matrix3Xd* start, const NetFrictionOptions& options)
-      : net_(net), state_(state), drive_(drive), options_(options), mu_(net.friction) {
+  Rounds(const Net& net, const TreeState<double>& state, NetDrive drive, const Matrix3Xd* start,
+         const NetFrictionOptions& options)
+      : net_(net), state_(state), drive_(std::move(drive)), options_(options), mu_(net.friction) {
     net_.friction = 0;
     if (drive_.length.size() == 0) drive_.length.setConstant(drive_.tension.size(), std::nan(""));
     scene_ = internal::pose_scene(net_, state_, drive_);

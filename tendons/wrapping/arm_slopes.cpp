@@ -132,7 +132,8 @@ RideRate ride_rate(const PathShape& rider, const std::vector<SpanRate>& carrier,
 }
 
 /// Rates of the terms of a riding origin; see path_arms.cpp.
-void add_riding(const Turn& turn, const SpanRate& last, const RideRate& ride, Column column) {
+void add_riding(const Turn& turn, const SpanRate& last, const RideRate& ride,
+                const Column& column) {
   const SpanRate& run = (*ride.carrier)[ride.span];
   // Part of the pull along the carrier, and the rest across it.
   const Rated &u = last.u, &v = run.u;

@@ -67,7 +67,7 @@ Ride ride_of(const PathSet& set, const std::vector<PathShape>& shapes, std::size
 /// -u . dx/dq of an origin x that stays at a fixed distance from its carrier's insertion:
 /// dx = da + v (excursion before a) + share (1 - v v') (db - da).
 void add_riding(const Tree<double>& tree, const TreeState<double>& state, const PathSet& set,
-                const std::vector<PathShape>& shapes, std::size_t path, Row row) {
+                const std::vector<PathShape>& shapes, std::size_t path, const Row& row) {
   const Ride ride = ride_of(set, shapes, path);
   // Part of the pull along the carrier, and the rest across it.
   const double along = ride.u.dot(ride.v);
@@ -81,7 +81,7 @@ void add_riding(const Tree<double>& tree, const TreeState<double>& state, const 
 }
 
 void add_path(const Tree<double>& tree, const TreeState<double>& state, const PathSet& set,
-              const std::vector<PathShape>& shapes, std::size_t path, Row row) {
+              const std::vector<PathShape>& shapes, std::size_t path, const Row& row) {
   // Spans between links, and the last one of a riding tendon.
   for (const PathSpan& span : shapes[path].spans) {
     if (span.link_b != kRiding) {

@@ -9,6 +9,7 @@
 #include <numeric>
 #include <unordered_map>
 #include <unordered_set>
+#include <utility>
 
 #include "base/error.h"
 #include "geometry/mesh_parts.h"
@@ -58,7 +59,8 @@ class Vertices {
 class NearPlaces {
  public:
   /// @param corner  origin of the cells, below all places and within 1e6 near of them [m]
-  NearPlaces(double near, const Vector3d& corner) : near_(near), cell_(4 * near), corner_(corner) {}
+  NearPlaces(double near, Vector3d corner)
+      : near_(near), cell_(4 * near), corner_(std::move(corner)) {}
 
   /// @param number  for p, if it is not near an earlier place
   int index_of(const Vector3d& p, int number) {
