@@ -170,7 +170,7 @@ class Mesher {
 
   [[nodiscard]] int inside_corners(const Vector3i& cell) const {
     int bits = 0;
-    for (int c = 0; c < 8; ++c) bits |= grid_.inside(cell + corner(c)) << c;
+    for (int c = 0; c < 8; ++c) bits |= (grid_.inside(cell + corner(c)) ? 1 : 0) << c;
     return bits;
   }
 
@@ -241,7 +241,7 @@ class Mesher {
     const auto length = [&](int a, int b) {
       return (vertices_[ring_[a]] - vertices_[ring_[b]]).norm();
     };
-    if (first < 0) first = length(1, 3) < length(0, 2);
+    if (first < 0) first = length(1, 3) < length(0, 2) ? 1 : 0;
     // A fan, facing outwards.
     std::rotate(ring_.begin(), ring_.begin() + first, ring_.end());
     if (!grid_.inside(node)) std::reverse(ring_.begin() + 1, ring_.end());

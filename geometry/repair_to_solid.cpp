@@ -238,7 +238,7 @@ RepairedSolid closed(const TriangleMesh& mesh, const TriangleMesh& given, Done d
       // A part that was whole keeps the way it faces: it may be a cavity.
       const bool was_whole = check_mesh(part).watertight();
       solids.push_back(sound && was_whole ? part : std::move(solid));
-      hulls += !sound;
+      hulls += sound ? 0 : 1;
       holes += sound ? repair.closed_holes : 0;
     } else {
       ++flat;

@@ -55,7 +55,7 @@ void cut(const Vector3i& triangle, const Halves& halves, Growing& out) {
   for (int k = 0; k < 3; ++k) {
     const auto half = halves.find(edge_of(triangle(k), triangle((k + 1) % 3)));
     middle[k] = half == halves.end() ? -1 : half->second;
-    marked += middle[k] >= 0;
+    marked += middle[k] >= 0 ? 1 : 0;
   }
   // Turn it such that a lone halved edge, or a lone whole one's successor,
   // comes first.

@@ -84,7 +84,7 @@ TaskMargin margin_of_box(const ForceSet& forces, const ScaledWrench& lower,
     ScaledWrench load = lower;
     bool repeated = false;
     for (int i = 0; i < 6; ++i) {
-      const bool high = (corner >> i) & 1;
+      const bool high = (corner >> i & 1) != 0;
       if (high) load(i) = upper(i);
       repeated = repeated || (high && lower(i) == upper(i));
     }

@@ -227,9 +227,9 @@ void judge_swaps(const Draws& draws, double least, std::vector<std::string>& war
 void count_steps(const Draws& draws, int max_depth, Convergence& result) {
   for (const auto& chain : draws.stats)
     for (const StepStats& step : chain) {
-      result.divergent += step.divergent;
+      result.divergent += step.divergent ? 1 : 0;
       result.non_finite += step.non_finite;
-      result.depth_limit += step.depth >= max_depth;
+      result.depth_limit += step.depth >= max_depth ? 1 : 0;
     }
 }
 

@@ -46,7 +46,7 @@ void ChainSlot::record(long warm_up, int thin) {
     // Counts since the last draw.
     const StepStats& step = sampler->stats()[static_cast<std::size_t>(c)];
     StepStats& sum = since[static_cast<std::size_t>(c)];
-    divergent += step.divergent;
+    divergent += step.divergent ? 1 : 0;
     sum.evaluations += step.evaluations;
     sum.non_finite += step.non_finite;
     sum.divergent |= step.divergent;

@@ -71,8 +71,8 @@ void ChainRun::agree(double seconds, long steps) {
   const double goal = std::min(kLeg, options_.checkpoint_every);
   const double next = double(steps) * goal / std::max(seconds, 1e-9);
   Eigen::Vector4d mine;
-  mine << options_.progress.stop(), double(samplers_.divergent()),
-      seconds_since(last_checkpoint_) >= options_.checkpoint_every,
+  mine << (options_.progress.stop() ? 1 : 0), double(samplers_.divergent()),
+      seconds_since(last_checkpoint_) >= options_.checkpoint_every ? 1 : 0,
       std::clamp(std::floor(next), 1.0, 2.0 * double(next_leg_));
   const Eigen::VectorXd all = ranks_.all_gather(mine);
   const Eigen::Map<const Eigen::Matrix4Xd> ranks(all.data(), 4, ranks_.size());

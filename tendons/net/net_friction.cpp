@@ -268,9 +268,9 @@ NetFrictionRest solve_net_friction(const Net& net, const TreeState<double>& stat
   check_drive(smooth, drive);
   check_state(smooth, state);
   const auto nodes = static_cast<Eigen::Index>(net.nodes.size());
-  require(!start || start->cols() == nodes, "net {} has {} nodes, start has {}", net.name, nodes,
-          start ? start->cols() : 0);
-  require(!start || start->allFinite(), "net {}: start is not finite", net.name);
+  require(start == nullptr || start->cols() == nodes, "net {} has {} nodes, start has {}", net.name,
+          nodes, start ? start->cols() : 0);
+  require(start == nullptr || start->allFinite(), "net {}: start is not finite", net.name);
   return Rounds(net, state, drive, start, options).run();
 }
 

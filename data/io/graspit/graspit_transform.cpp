@@ -73,7 +73,7 @@ Mat3<double> turn(const XmlFile& file, const pugi::xml_node& node) {
 Pose<double> graspit_transform(const XmlFile& file, const pugi::xml_node& node,
                                std::vector<std::string>& warnings) {
   // An element that contains the transform.
-  if (std::string(node.name()) != "transform" && node.child("transform"))
+  if (std::string(node.name()) != "transform" && !node.child("transform").empty())
     return graspit_transform(file, node.child("transform"), warnings);
   Pose<double> X;
   if (std::string(node.name()) != "transform") return X;

@@ -1,6 +1,7 @@
 #include "data/io/mesh/shape_toml.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstring>
 #include <filesystem>
@@ -129,7 +130,8 @@ Pose<double> read_pose_keys(TomlTable& table) {
   const bool rows = table.has("rotation"), quaternion = table.has("quaternion_wxyz");
   const bool rpy = table.has(Dimension::kAngle, "rpy");
   const bool turn = table.has(Dimension::kAngle, "angle");
-  if (rows + quaternion + rpy + turn > 1)
+  const std::array<bool, 4> stated{rows, quaternion, rpy, turn};
+  if (std::count(stated.begin(), stated.end(), true) > 1)
     table.fail("wanted one of 'rotation', 'quaternion_wxyz', 'rpy' and 'angle', got several");
   if (rows) X.R = read_rows(table);
   if (quaternion) X.R = read_quaternion(table);

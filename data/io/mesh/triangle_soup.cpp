@@ -125,8 +125,8 @@ struct Defects {
 Defects defects_of(const TriangleMesh& mesh) {
   Defects found;
   for_each_edge(sides_by_edge(mesh), [&](const MeshSide* first, const MeshSide* last) {
-    found.open += last - first == 1;
-    found.crowded += last - first > 2;
+    found.open += last - first == 1 ? 1 : 0;
+    found.crowded += last - first > 2 ? 1 : 0;
   });
   return found;
 }

@@ -61,7 +61,7 @@ class GraspitTranslation {
     settle_dofs();
     // Approach, and elements that were not read.
     const pugi::xml_node approach = top.child("approachDirection");
-    robot_.approach_stated = approach && approach.child("direction");
+    robot_.approach_stated = !approach.child("direction").empty();
     if (approach) set_approach(approach);
     const std::vector<std::string> warnings = unread_.warnings();
     robot_.warnings.insert(robot_.warnings.end(), warnings.begin(), warnings.end());

@@ -36,7 +36,7 @@ class Reader {
   std::optional<LoopClosure> read() {
     LoopClosure loop;
     loop.welded = std::string(node_.name()) == "weld";
-    const bool sites = node_.attribute("site1") || node_.attribute("site2");
+    const bool sites = !node_.attribute("site1").empty() || !node_.attribute("site2").empty();
     const bool found = sites ? at_sites(loop) : at_bodies(loop);
     if (!found) return {};
     loop.words = fmt::format("<{}> of '{}' and '{}'", node_.name(), loop.a, loop.b);

@@ -35,7 +35,7 @@ std::string default_kind(const std::string& element) {
 
 int depth_of(pugi::xml_node node) {
   int depth = 0;
-  while ((node = node.parent())) ++depth;
+  for (node = node.parent(); !node.empty(); node = node.parent()) ++depth;
   return depth;
 }
 
@@ -97,7 +97,8 @@ void read_compiler(MjcfCompiler& compiler, const XmlFile& file, UnreadElements& 
   if (text("coordinate", "local") != "local")
     file.fail(node, "coordinate=\"global\" is not read; save the model with local coordinates");
   for (const char* name : {"balanceinertia", "boundinertia", "fusestatic"})
-    if (node.attribute(name)) unread.note(node, fmt::format("<compiler {}> is not heeded", name));
+    if (!node.attribute(name).empty())
+      unread.note(node, fmt::format("<compiler {}> is not heeded", name));
 }
 
 Eigen::Matrix3d euler_rotation(const Eigen::Vector3d& angles, const std::string& sequence) {

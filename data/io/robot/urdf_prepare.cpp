@@ -164,7 +164,7 @@ void settle_limits(UnreadElements& unread, pugi::xml_node joint) {
   }
   if (!limit && type == "prismatic") {
     unread.note(joint, fmt::format("prismatic joint '{}' has no <limit>: it stays at zero", name));
-    if (joint.child("mimic"))
+    if (!joint.child("mimic").empty())
       limit = joint.append_child("limit");  // widened by its coupling
     else
       joint.attribute("type") = "fixed";
