@@ -64,6 +64,7 @@ int RandomStream::index(int n) {
   return static_cast<int>(uniform() * n);
 }
 
+// NOLINTNEXTLINE(misc-no-recursion): once, as nu + 2 > 2
 double RandomStream::chi_square(double nu) {
   // Of a shape below 1: that of a larger one, times a power of a uniform number.
   const double shape = nu / 2;

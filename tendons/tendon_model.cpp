@@ -105,6 +105,7 @@ class DigitBuilder {
   }
 
   /// The angle that a joint of the digit takes, or is frozen at.
+  // NOLINTNEXTLINE(misc-no-recursion): as deep as joints follow each other
   [[nodiscard]] PostureAngle angle_of(const JointAxis& joint) const {
     // A hinge of the model, a joint frozen by name, or a follower of a frozen one.
     const int i = find(built_.names.hinges, joint.name);

@@ -190,6 +190,7 @@ class EpsilonSearch {
 
 /// kLinf without proof of force closure: the value of kL1. If kL1 has the proof, the larger kLinf
 /// set is closed, too.
+// NOLINTNEXTLINE(misc-no-recursion): once, with the other limit
 Epsilon of_l1(const WrenchSet& set, EpsilonOptions options, Epsilon linf) {
   options.limit = ForceNorm::kL1;
   Epsilon l1 = epsilon(set, options);
@@ -202,6 +203,7 @@ Epsilon of_l1(const WrenchSet& set, EpsilonOptions options, Epsilon linf) {
 
 }  // namespace
 
+// NOLINTNEXTLINE(misc-no-recursion): once, with the other limit
 Epsilon epsilon(const WrenchSet& set, const EpsilonOptions& options) {
   require_options(set, options);
   if (set.caps.empty()) return nothing();

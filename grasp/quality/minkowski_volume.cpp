@@ -102,6 +102,7 @@ class Sum {
   /// @param f        product of the vectors along the faces chosen so far
   /// @param size     product of their sizes
   /// @param lengths  product of their vectors' lengths
+  // NOLINTNEXTLINE(misc-no-recursion): five deep, a dimension each
   void choose(std::size_t first, int left, const Form& f, double size, double lengths) {
     // With one dimension left the normal is linear in the last edge.
     const Matrix6 S = left == 1 ? normals(f) : Matrix6();

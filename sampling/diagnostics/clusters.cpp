@@ -261,6 +261,7 @@ Part gather(const std::vector<Eigen::MatrixXd>& x, long most) {
 }
 
 /// Cuts `part`, gives the draws of cluster `label` beyond the plane a new label, and goes on.
+// NOLINTNEXTLINE(misc-no-recursion): as deep as parts of min_mass can be cut
 void cut(const Part& part, double total, int label, const std::vector<Eigen::MatrixXd>& x,
          const ClusterOptions& options, Eigen::MatrixXi& labels) {
   // Too few draws, or too light, to be cut.

@@ -258,6 +258,7 @@ int needed(const std::vector<Part>& parts, const std::string& name, const std::s
 
 }  // namespace
 
+// NOLINTNEXTLINE(misc-no-recursion): once, for wrapped paths
 BuiltNet build_net(const Subject& subject, const TendonDigit& digit,
                    const NetDescription& description, const NetBuildOptions& options) {
   // Ranges of the options.

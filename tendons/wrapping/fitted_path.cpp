@@ -25,6 +25,7 @@ void add_between(const Tree<double>& tree, int a, int b, std::set<int>& crossed)
   }
 }
 
+// NOLINTNEXTLINE(misc-no-recursion): once: a carrier rides on none
 std::set<int> crossed_by(const Tree<double>& tree, const PathSet& set, const WrappedPath& path) {
   // Hinges between consecutive points and surfaces.
   std::set<int> crossed;

@@ -131,6 +131,7 @@ Spatial pressure(const BoneSurface& surface, const WrapArc& arc, double from, do
 }
 
 /// Halves the arc until the quadrature agrees with itself: a capsule's seams have a jump.
+// NOLINTNEXTLINE(misc-no-recursion): at most `depth` deep
 Spatial whole_pressure(const BoneSurface& surface, const WrapArc& arc, double from, double to,
                        const Spatial& coarse, int depth) {
   // Two halves against the whole.

@@ -70,6 +70,7 @@ Mat3<double> turn(const XmlFile& file, const pugi::xml_node& node) {
 
 }  // namespace
 
+// NOLINTNEXTLINE(misc-no-recursion): once, for a <transform> inside
 Pose<double> graspit_transform(const XmlFile& file, const pugi::xml_node& node,
                                std::vector<std::string>& warnings) {
   // An element that contains the transform.

@@ -17,6 +17,7 @@ std::vector<Pose<double>> file_posture(RobotSpec robot, const std::vector<double
   return link_poses(robot, {});
 }
 
+// NOLINTNEXTLINE(misc-no-recursion): as deep as the file
 pugi::xml_node find_site(const pugi::xml_node& under, const std::string& name) {
   for (const pugi::xml_node child : under.children()) {
     if (std::string(child.name()) == "site" && name == child.attribute("name").value())

@@ -122,6 +122,7 @@ void MjcfDefaults::read(const XmlFile& file, const pugi::xml_node& root) {
   }
 }
 
+// NOLINTNEXTLINE(misc-no-recursion): as deep as classes nest
 void MjcfDefaults::read_class(const XmlFile& file, const pugi::xml_node& node, std::size_t own) {
   // The class's own values, then nested classes.
   for (const pugi::xml_node element : node.children())
@@ -353,11 +354,12 @@ class Replicator {
 
  private:
   /// Expands the innermost elements first.
-  void expand(pugi::xml_node node) {
-    for (pugi::xml_node child = node.first_child(); child;) {
+  // NOLINTNEXTLINE(misc-no-recursion): as deep as the file
+  void expand(pugi::xml_node parent) {
+    for (pugi::xml_node child = parent.first_child(); child;) {
       const pugi::xml_node next = child.next_sibling();
       expand(child);
-      if (std::string(child.name()) == "replicate") copy(node, child);
+      if (std::string(child.name()) == "replicate") copy(parent, child);
       child = next;
     }
   }

@@ -61,6 +61,7 @@ void refuse_xacro(const XmlFile& file, const pugi::xml_node& top) {
     if (node.type() == pugi::node_element) refuse_xacro_at(file, node);
 }
 
+// NOLINTNEXTLINE(misc-no-recursion): as deep as the file
 void take_out_unread(UnreadElements& unread, pugi::xml_node node) {
   const auto read = kRead.find(node.name());
   if (read == kRead.end()) return;
