@@ -205,17 +205,17 @@ class ClosingSearch {
 
   void write_motors(InferredClosing& guess, const std::vector<Drive>& drives,
                     const VectorXd& open) const {
-    for (std::size_t d = 0; d < drives.size(); ++d)
+    for (const Drive& drive : drives)
       for (RobotDof& dof : guess.robot.dofs) {
-        if (dof.name != drives[d].name) continue;
-        dof.speed = drives[d].speed;
+        if (dof.name != drive.name) continue;
+        dof.speed = drive.speed;
         // Motors that close, with their sense.
         if (dof.speed != 0) {
           guess.closing.push_back(
               fmt::format("{} {}", dof.name, dof.speed > 0 ? "upwards" : "downwards"));
         }
         // Motors that start elsewhere than without a stated posture.
-        const DrivenCoordinate& first = drives[d].moves.front();
+        const DrivenCoordinate& first = drive.moves.front();
         const double at = open[first.coordinate] / first.ratio;
         if (std::abs(open[first.coordinate] - unsaid_open(first, dof.speed)) < 1e-9) continue;
         dof.open = std::min(std::max(at, dof.lower), dof.upper);

@@ -1,5 +1,6 @@
 #include "tendons/wrapping/arm_slopes.h"
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
@@ -184,9 +185,9 @@ bool has_slopes(const PathShape& shape, const std::vector<RunChain>& chains) {
   if (shape.status != PathStatus::kTaut) return false;
   for (const RunChain& chain : chains)
     if (!chain.tangent.regular()) return false;
-  for (const PathSpan& span : shape.spans)
-    if (!(span.length > 0) && span.link_a != span.link_b) return false;
-  return true;
+  return std::all_of(shape.spans.begin(), shape.spans.end(), [](const PathSpan& span) {
+    return span.length > 0 || span.link_a == span.link_b;
+  });
 }
 
 /// How far the carrier draws back before the run on which the origin lies: -d(length up to it).
