@@ -203,6 +203,7 @@ class Problem {
         forms_.push_back(symmetric(A.row(i).transpose() * B.row(j)));
   }
 
+  // NOLINTNEXTLINE(readability-identifier-naming): K of the inequality below
   [[nodiscard]] static MatrixXd K_of(const Product& product, const VectorXd& y) {
     MatrixXd K(product.rows, product.columns);
     for (Index i = 0; i < K.rows(); ++i)

@@ -28,6 +28,7 @@ double by_slack(const TangentNet& tangent, std::size_t b) {
 }
 
 /// d tension / d EA at fixed length [1].
+// NOLINTNEXTLINE(readability-identifier-naming): EA is the axial stiffness
 double by_EA(const TangentNet& tangent, std::size_t b) {
   if (tangent.scene.pull[b] >= 0) return 0;
   return tangent.band[b].pull.tension / tangent.net.bands[b].EA;
