@@ -22,8 +22,8 @@ struct SubjectMatch {
 /// every trial whether tensions and forces are plausible:
 ///   |force| <= sum of tensions + 2 sds  levers of a finger are shorter for tendons than for forces
 ///   median angle to the subject's own prediction < 90 deg
-/// @param experiment  its text and path
+/// @param source  text and path of the experiment
 /// @throws DataError if the experiment cannot be read.
-[[nodiscard]] SubjectMatch check_experiment(const SourceText& experiment, const Subject& subject);
+[[nodiscard]] SubjectMatch check_experiment(const SourceText& source, const Subject& subject);
 
 }  // namespace thenar

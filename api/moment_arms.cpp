@@ -20,7 +20,7 @@ Eigen::VectorXd lengths_at(const DigitTendons& tendons, const Eigen::VectorXd& q
 
 /// The straight digit, or the first posture if the paths are not to be trusted there.
 Eigen::VectorXd reference_posture(const DigitTendons& tendons, DigitSweep& sweep) {
-  const Eigen::VectorXd straight = Eigen::VectorXd::Zero(tendons.digit().model.coordinates);
+  Eigen::VectorXd straight = Eigen::VectorXd::Zero(tendons.digit().model.coordinates);
   const TendonTorque pull = arms_at(tendons, straight);
   if (trusted(pull.status)) return straight;
   sweep.warnings.push_back("tendon paths are not to be trusted with all joints at 0 (" +

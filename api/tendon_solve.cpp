@@ -32,7 +32,7 @@ TendonSolution solve_tendons(const TendonRequest& request, const Progress& progr
 TendonSweep sweep_tendons(const TendonRequest& request, const Progress& progress) {
   TendonSweep sweep{loaded_digit(request), {}};
   const PostureGrid& grid = sweep.loaded.grid;
-  const double count = static_cast<double>(grid.postures.size());
+  const auto count = static_cast<double>(grid.postures.size());
   for (std::size_t begin = 0; begin < grid.postures.size() && !progress.stop(); begin += grid.row) {
     // One row, with its share of the progress.
     const auto from = grid.postures.begin() + static_cast<std::ptrdiff_t>(begin);

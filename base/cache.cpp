@@ -48,7 +48,7 @@ CacheOptions current_options() {
 const std::string& build_id() {
   static const std::string id = [] {
     std::string text;
-    for (const auto& [name, version] : versions()) text += name + " " + version + "\n";
+    for (const auto& [name, version] : versions()) text += fmt::format("{} {}\n", name, version);
     struct stat program {};
     if (::stat("/proc/self/exe", &program) == 0)
       text += fmt::format("{} {}.{:09}\n", program.st_size, program.st_mtim.tv_sec,

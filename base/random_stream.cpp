@@ -32,8 +32,7 @@ std::array<std::uint32_t, 4> philox(std::array<std::uint32_t, 4> counter,
 RandomStream::RandomStream(std::uint64_t seed, std::uint32_t chain, std::uint32_t step,
                            std::uint32_t purpose)
     : key_{static_cast<std::uint32_t>(seed), static_cast<std::uint32_t>(seed >> 32)},
-      counter_{0, step, chain, purpose},
-      block_{} {}
+      counter_{0, step, chain, purpose} {}
 
 std::uint64_t RandomStream::bits() {
   if (left_ == 0) {
@@ -64,6 +63,7 @@ int RandomStream::index(int n) {
   return static_cast<int>(uniform() * n);
 }
 
+// NOLINTNEXTLINE(misc-no-recursion): once, as nu + 2 > 2
 double RandomStream::chi_square(double nu) {
   // Of a shape below 1: that of a larger one, times a power of a uniform number.
   const double shape = nu / 2;

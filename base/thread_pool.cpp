@@ -2,6 +2,7 @@
 
 namespace thenar::internal {
 
+// NOLINTNEXTLINE(bugprone-throw-keyword-missing): keeps exceptions, throws none
 ThreadPool::ThreadPool(int size) : failures_(static_cast<std::size_t>(size)) {
   for (int worker = 1; worker < size; ++worker)
     threads_.emplace_back([this, worker] { serve(worker); });

@@ -33,7 +33,7 @@ Polygon cut_polygon(const Polygon& polygon, const std::vector<double>& height, P
 }
 
 /// The face on a cutting plane: the points of its rim, in turn.
-Polygon cap_of(Polygon cuts, const Vector3d& n) {
+Polygon cap_of(const Polygon& cuts, const Vector3d& n) {
   if (cuts.size() < 3) return {};
   // Order the points by their angle about the middle.
   Vector3d middle = Vector3d::Zero();
@@ -175,7 +175,7 @@ void cut(ConvexBody& body, const HalfSpace& side, double tolerance) {
     if (*least < 0) kept.push_back(std::move(face));
   }
   // The cut is closed by a cap, or nothing is left.
-  Polygon cap = cap_of(std::move(cuts), side.n);
+  Polygon cap = cap_of(cuts, side.n);
   body.faces = std::move(kept);
   if (body.faces.size() < 3 || cap.size() < 3) {
     body = {};

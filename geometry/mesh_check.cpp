@@ -176,7 +176,7 @@ MeshReport check_mesh(const TriangleMesh& mesh) {
   });
   // Slivers, holes, and the volume of a closed mesh.
   for (Eigen::Index t = 0; t < mesh.triangles.cols(); ++t)
-    report.degenerate += is_degenerate(mesh, mesh.triangles.col(t));
+    report.degenerate += is_degenerate(mesh, mesh.triangles.col(t)) ? 1 : 0;
   report.holes = holes_of(mesh, sides);
   if (report.holes.empty()) report.volume = volume_of(mesh);
   return report;

@@ -124,7 +124,7 @@ class Recent {
       at = at->second.expired() ? known_.erase(at) : std::next(at);
     known_[content] = shape;
     // Hold on to this one, and let the oldest go.
-    held_.push_back({shape, triangles});
+    held_.emplace_back(shape, triangles);
     triangles_ += triangles;
     while (triangles_ > kMax) {
       triangles_ -= held_.front().second;

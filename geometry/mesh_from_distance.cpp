@@ -100,13 +100,15 @@ class Grid {
       for (low.y() = 0; low.y() < size_.y(); low.y() += kBlock)
         for (low.x() = 0; low.x() < size_.x(); low.x() += kBlock) fill_block(solid, low);
   }
-  const Vector3i& size() const { return size_; }
-  Vector3d at(const Vector3i& node) const { return origin_ + cell_ * node.cast<double>(); }
-  int index(const Vector3i& node) const {
+  [[nodiscard]] const Vector3i& size() const { return size_; }
+  [[nodiscard]] Vector3d at(const Vector3i& node) const {
+    return origin_ + cell_ * node.cast<double>();
+  }
+  [[nodiscard]] int index(const Vector3i& node) const {
     return node.x() + size_.x() * (node.y() + size_.y() * node.z());
   }
-  double value(const Vector3i& node) const { return value_[index(node)]; }
-  bool inside(const Vector3i& node) const { return value(node) < 0; }
+  [[nodiscard]] double value(const Vector3i& node) const { return value_[index(node)]; }
+  [[nodiscard]] bool inside(const Vector3i& node) const { return value(node) < 0; }
 
  private:
   static constexpr int kBlock = 6;
@@ -166,14 +168,14 @@ class Mesher {
 
   static Vector3i corner(int c) { return {c & 1, c >> 1 & 1, c >> 2 & 1}; }
 
-  int inside_corners(const Vector3i& cell) const {
+  [[nodiscard]] int inside_corners(const Vector3i& cell) const {
     int bits = 0;
-    for (int c = 0; c < 8; ++c) bits |= grid_.inside(cell + corner(c)) << c;
+    for (int c = 0; c < 8; ++c) bits |= (grid_.inside(cell + corner(c)) ? 1 : 0) << c;
     return bits;
   }
 
   /// Where the surface crosses an edge of the grid, were the distance linear.
-  Vector3d crossing(const Vector3i& a, const Vector3i& b) const {
+  [[nodiscard]] Vector3d crossing(const Vector3i& a, const Vector3i& b) const {
     const double share = grid_.value(a) / (grid_.value(a) - grid_.value(b));
     return grid_.at(a) + share * (grid_.at(b) - grid_.at(a));
   }
@@ -212,7 +214,7 @@ class Mesher {
   }
 
   /// The vertex of the patch that crosses an edge of a cell.
-  int patch(const Vector3i& cell, const Vector3i& node, int axis) const {
+  [[nodiscard]] int patch(const Vector3i& cell, const Vector3i& node, int axis) const {
     const int u = (axis + 1) % 3, v = (axis + 2) % 3;
     const int edge = 4 * axis + (node(u) - cell(u)) + 2 * (node(v) - cell(v));
     return first_patch_[grid_.index(cell)] + passages()[inside_corners(cell)].patch_of_edge[edge];
@@ -239,7 +241,7 @@ class Mesher {
     const auto length = [&](int a, int b) {
       return (vertices_[ring_[a]] - vertices_[ring_[b]]).norm();
     };
-    if (first < 0) first = length(1, 3) < length(0, 2);
+    if (first < 0) first = length(1, 3) < length(0, 2) ? 1 : 0;
     // A fan, facing outwards.
     std::rotate(ring_.begin(), ring_.begin() + first, ring_.end());
     if (!grid_.inside(node)) std::reverse(ring_.begin() + 1, ring_.end());

@@ -176,6 +176,7 @@ std::vector<TriangleMesh> solid_parts(const TriangleMesh& mesh) {
   require(!meshes.empty(), "a mesh bounds no solid: no volume");
   if (sound && meshes.size() == 1) return meshes;
   std::vector<Part> parts;
+  parts.reserve(meshes.size());
   for (TriangleMesh& part : meshes) parts.push_back(closed_part(std::move(part)));
   return outward(std::move(parts));
 }

@@ -120,7 +120,7 @@ void NearestGrid::drop_beaten(const Block& block, std::vector<Candidate>& here,
   for (FootPoint& foot : best) foot.squared = std::numeric_limits<double>::infinity();
   for (const Candidate& candidate : here) {
     const Ball& ball = balls_[candidate.triangle];
-    least.push_back(to_corners(ball.centre) - ball.radius);
+    least.emplace_back(to_corners(ball.centre) - ball.radius);
     for (int c = 0; c < 8; ++c)
       if (least.back()(c) < 0 || least.back()(c) * least.back()(c) < best[c].squared) {
         FootPoint foot;

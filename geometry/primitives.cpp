@@ -13,12 +13,14 @@ Eigen::AlignedBox3d box_of(const Vector3d& half) { return {-half, half}; }
 class Sphere final : public Shape {
  public:
   explicit Sphere(double radius) : radius_(radius) {}
-  double distance(const Vector3d& p) const override { return p.norm() - radius_; }
-  NearestSurface nearest(const Vector3d& p) const override {
+  [[nodiscard]] double distance(const Vector3d& p) const override { return p.norm() - radius_; }
+  [[nodiscard]] NearestSurface nearest(const Vector3d& p) const override {
     const double norm = p.norm();
     return {norm - radius_, norm > 0 ? Vector3d(p / norm) : Vector3d::UnitZ(), true};
   }
-  Eigen::AlignedBox3d bounds() const override { return box_of(Vector3d::Constant(radius_)); }
+  [[nodiscard]] Eigen::AlignedBox3d bounds() const override {
+    return box_of(Vector3d::Constant(radius_));
+  }
 
  private:
   double radius_;
@@ -43,16 +45,16 @@ Vector box_gradient(const Vector& excess) {
 class Box final : public Shape {
  public:
   explicit Box(const Vector3d& edges) : half_(edges / 2) {}
-  double distance(const Vector3d& p) const override {
+  [[nodiscard]] double distance(const Vector3d& p) const override {
     return box_distance(Vector3d(p.cwiseAbs() - half_));
   }
-  NearestSurface nearest(const Vector3d& p) const override {
+  [[nodiscard]] NearestSurface nearest(const Vector3d& p) const override {
     const Vector3d excess = p.cwiseAbs() - half_;
     Vector3d normal = box_gradient(excess);
     for (int i = 0; i < 3; ++i) normal(i) = std::copysign(normal(i), p(i));
     return {box_distance(excess), normal, true};
   }
-  Eigen::AlignedBox3d bounds() const override { return box_of(half_); }
+  [[nodiscard]] Eigen::AlignedBox3d bounds() const override { return box_of(half_); }
 
  private:
   Vector3d half_;
@@ -67,17 +69,21 @@ Vector3d turned_to(const Vector3d& p, double rho, const Vector2d& direction) {
 class Cylinder final : public Shape {
  public:
   Cylinder(double radius, double height) : half_(radius, height / 2) {}
-  double distance(const Vector3d& p) const override { return box_distance(excess(p)); }
-  NearestSurface nearest(const Vector3d& p) const override {
+  [[nodiscard]] double distance(const Vector3d& p) const override {
+    return box_distance(excess(p));
+  }
+  [[nodiscard]] NearestSurface nearest(const Vector3d& p) const override {
     const Vector2d e = excess(p);
     Vector2d normal = box_gradient(e);
     normal.y() = std::copysign(normal.y(), p.z());
     return {box_distance(e), turned_to(p, p.head<2>().norm(), normal), true};
   }
-  Eigen::AlignedBox3d bounds() const override { return box_of({half_.x(), half_.x(), half_.y()}); }
+  [[nodiscard]] Eigen::AlignedBox3d bounds() const override {
+    return box_of({half_.x(), half_.x(), half_.y()});
+  }
 
  private:
-  Vector2d excess(const Vector3d& p) const {
+  [[nodiscard]] Vector2d excess(const Vector3d& p) const {
     return {p.head<2>().norm() - half_.x(), std::abs(p.z()) - half_.y()};
   }
   Vector2d half_;
@@ -92,29 +98,29 @@ class TaperedCapsule final : public Shape {
     cos_ = std::sqrt((1 - sin_) * (1 + sin_));
     side_ = length * cos_;
   }
-  double distance(const Vector3d& p) const override {
+  [[nodiscard]] double distance(const Vector3d& p) const override {
     const double rho = p.head<2>().norm(), z = p.z() + half_;
     const double foot = cos_ * z - sin_ * rho;
     if (is_lower(foot)) return std::hypot(rho, z) - lower_;
     if (is_upper(foot)) return std::hypot(rho, p.z() - half_) - upper_;
     return cos_ * rho + sin_ * z - lower_;
   }
-  NearestSurface nearest(const Vector3d& p) const override {
+  [[nodiscard]] NearestSurface nearest(const Vector3d& p) const override {
     const double rho = p.head<2>().norm(), z = p.z() + half_;
     const double foot = cos_ * z - sin_ * rho;
     if (is_lower(foot)) return ball(p, -half_, lower_);
     if (is_upper(foot)) return ball(p, half_, upper_);
     return {cos_ * rho + sin_ * z - lower_, turned_to(p, rho, {cos_, sin_}), true};
   }
-  Eigen::AlignedBox3d bounds() const override {
+  [[nodiscard]] Eigen::AlignedBox3d bounds() const override {
     const double r = std::max(lower_, upper_);
     return {Vector3d(-r, -r, std::min(-half_ - lower_, half_ - upper_)),
             Vector3d(r, r, std::max(half_ + upper_, lower_ - half_))};
   }
 
  private:
-  bool is_lower(double foot) const { return sin_ >= 1 || (sin_ > -1 && foot <= 0); }
-  bool is_upper(double foot) const { return sin_ <= -1 || foot >= side_; }
+  [[nodiscard]] bool is_lower(double foot) const { return sin_ >= 1 || (sin_ > -1 && foot <= 0); }
+  [[nodiscard]] bool is_upper(double foot) const { return sin_ <= -1 || foot >= side_; }
   static NearestSurface ball(const Vector3d& p, double z, double radius) {
     const Vector3d arm(p.x(), p.y(), p.z() - z);
     const double norm = arm.norm();
@@ -130,18 +136,18 @@ class Ellipsoid final : public Shape {
  public:
   explicit Ellipsoid(const Vector3d& semi_axes)
       : e_(semi_axes), least_(semi_axes.minCoeff()), shift_(e_.cwiseAbs2().array() - sq(least_)) {}
-  double distance(const Vector3d& p) const override {
+  [[nodiscard]] double distance(const Vector3d& p) const override {
     const Foot foot = find_foot(p.cwiseAbs());
     return foot.t * foot.slope.norm();
   }
-  NearestSurface nearest(const Vector3d& p) const override {
+  [[nodiscard]] NearestSurface nearest(const Vector3d& p) const override {
     const Foot foot = find_foot(p.cwiseAbs());
     const double norm = foot.slope.norm();
     Vector3d normal = foot.slope / norm;
     for (int i = 0; i < 3; ++i) normal(i) = std::copysign(normal(i), p(i));
     return {foot.t * norm, normal, true};
   }
-  Eigen::AlignedBox3d bounds() const override { return box_of(e_); }
+  [[nodiscard]] Eigen::AlignedBox3d bounds() const override { return box_of(e_); }
 
  private:
   /// y = x + t slope  with  slope_i = x_i / e_i^2.
@@ -152,7 +158,7 @@ class Ellipsoid final : public Shape {
   static double sq(double a) { return a * a; }
 
   /// With s = t + least^2, so that nothing is lost near the root's pole.
-  Foot find_foot(const Vector3d& y) const {
+  [[nodiscard]] Foot find_foot(const Vector3d& y) const {
     // A start to the left of the root.
     const Vector3d ey = e_.cwiseProduct(y);
     const double start = (ey - shift_).maxCoeff();
@@ -178,7 +184,7 @@ class Ellipsoid final : public Shape {
   }
 
   /// @param ratio  of the foot to the semi-axes, but for the least
-  Foot inner_foot(const Vector3d& ratio) const {
+  [[nodiscard]] Foot inner_foot(const Vector3d& ratio) const {
     Eigen::Index thin;
     e_.minCoeff(&thin);
     Vector3d slope = ratio.cwiseQuotient(e_);

@@ -130,6 +130,7 @@ std::vector<int> vertices_on(const TriangleMesh& mesh, const Loose& loose, int a
   }
   std::sort(on.begin(), on.end());
   std::vector<int> vertices;
+  vertices.reserve(on.size());
   for (const auto& [along, vertex] : on) vertices.push_back(vertex);
   return vertices;
 }
@@ -236,8 +237,11 @@ RepairedSolid closed(const TriangleMesh& mesh, const TriangleMesh& given, Done d
     if (sound || (!report.watertight() && !solid.empty())) {
       // A part that was whole keeps the way it faces: it may be a cavity.
       const bool was_whole = check_mesh(part).watertight();
-      solids.push_back(sound && was_whole ? part : std::move(solid));
-      hulls += !sound;
+      if (sound && was_whole)
+        solids.push_back(part);
+      else
+        solids.push_back(std::move(solid));
+      hulls += sound ? 0 : 1;
       holes += sound ? repair.closed_holes : 0;
     } else {
       ++flat;
@@ -282,6 +286,7 @@ RepairedSolid mended(const TriangleMesh& mesh) {
     TriangleMesh now = repair.mesh;
     done.add(cut_at_corners(now), "triangle(s) cut where corners of others lie on them");
     if (is_solid(now)) return {std::move(now), done.text()};
+    // NOLINTNEXTLINE(readability-suspicious-call-argument): `now` was made from `mesh`
     tries.push_back(closed(now, mesh, done));
   }
   // Otherwise part by part, and at last the hull of the whole.

@@ -17,21 +17,21 @@ class Placed final : public Shape {
  public:
   Placed(std::shared_ptr<const Shape> shape, const Pose<double>& X_BS)
       : shape_(std::move(shape)), R_BS_(X_BS.R), R_SB_(X_BS.R.transpose()), p_BS_(X_BS.p) {}
-  double distance(const Vector3d& p) const override {
+  [[nodiscard]] double distance(const Vector3d& p) const override {
     return shape_->distance(R_SB_ * (p - p_BS_));
   }
-  NearestSurface nearest(const Vector3d& p) const override {
+  [[nodiscard]] NearestSurface nearest(const Vector3d& p) const override {
     NearestSurface found = shape_->nearest(R_SB_ * (p - p_BS_));
     found.normal = R_BS_ * found.normal;
     return found;
   }
-  Eigen::AlignedBox3d bounds() const override {
+  [[nodiscard]] Eigen::AlignedBox3d bounds() const override {
     const Eigen::AlignedBox3d box = shape_->bounds();
     const Vector3d centre = R_BS_ * box.center() + p_BS_;
     const Vector3d half = R_BS_.cwiseAbs() * (box.sizes() / 2);
     return {centre - half, centre + half};
   }
-  double accuracy() const override { return shape_->accuracy(); }
+  [[nodiscard]] double accuracy() const override { return shape_->accuracy(); }
 
  private:
   std::shared_ptr<const Shape> shape_;
@@ -49,14 +49,14 @@ class Union final : public Shape {
       accuracy_ = std::max(accuracy_, part->accuracy());
     }
   }
-  double distance(const Vector3d& p) const override { return find(p).distance; }
-  NearestSurface nearest(const Vector3d& p) const override {
+  [[nodiscard]] double distance(const Vector3d& p) const override { return find(p).distance; }
+  [[nodiscard]] NearestSurface nearest(const Vector3d& p) const override {
     NearestSurface found = parts_[find(p).part]->nearest(p);
     found.supports = false;  // but one of the parts
     return found;
   }
-  Eigen::AlignedBox3d bounds() const override { return whole_; }
-  double accuracy() const override { return accuracy_; }
+  [[nodiscard]] Eigen::AlignedBox3d bounds() const override { return whole_; }
+  [[nodiscard]] double accuracy() const override { return accuracy_; }
 
  private:
   struct Least {
@@ -64,7 +64,7 @@ class Union final : public Shape {
     std::size_t part;
   };
   /// A part whose box is farther than the best so far is not asked.
-  Least find(const Vector3d& p) const {
+  [[nodiscard]] Least find(const Vector3d& p) const {
     Least least{std::numeric_limits<double>::infinity(), 0};
     for (std::size_t i = 0; i < parts_.size(); ++i) {
       const double box = boxes_[i].squaredExteriorDistance(p);
@@ -122,7 +122,7 @@ class SmoothUnion final : public Shape {
     accuracy_ = fillet_ + of_parts;
   }
 
-  double distance(const Vector3d& p) const override {
+  [[nodiscard]] double distance(const Vector3d& p) const override {
     // Nearest part first; each overlap takes the blend's parabola off.
     const Near near = find_near(p);
     double value = near.parts[0].distance;
@@ -134,7 +134,7 @@ class SmoothUnion final : public Shape {
     return value;
   }
 
-  NearestSurface nearest(const Vector3d& p) const override {
+  [[nodiscard]] NearestSurface nearest(const Vector3d& p) const override {
     // The same for the normal, by the blend's weights.
     const Near near = find_near(p);
     NearestSurface blended = parts_[near.parts[0].index]->nearest(p);
@@ -153,8 +153,8 @@ class SmoothUnion final : public Shape {
     return blended;
   }
 
-  Eigen::AlignedBox3d bounds() const override { return whole_; }
-  double accuracy() const override { return accuracy_; }
+  [[nodiscard]] Eigen::AlignedBox3d bounds() const override { return whole_; }
+  [[nodiscard]] double accuracy() const override { return accuracy_; }
 
  private:
   struct Part {
@@ -168,7 +168,7 @@ class SmoothUnion final : public Shape {
     std::size_t count = 0;
   };
 
-  Near find_near(const Vector3d& p) const {
+  [[nodiscard]] Near find_near(const Vector3d& p) const {
     Near near;
     double least = std::numeric_limits<double>::infinity();
     // Parts within the blend of the nearest one, by their boxes first.

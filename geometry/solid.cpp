@@ -94,8 +94,8 @@ TriangleMesh tapered_capsule_mesh(const Vector3d& size, double tolerance) {
     if (to - from < 1e-9) return;
     for (int i = 0; i <= steps; ++i) {
       const double angle = from + (to - from) * i / steps;
-      profile.push_back(swell * radius * Vector2d(std::cos(angle), std::sin(angle)) +
-                        Vector2d(0, z));
+      profile.emplace_back(swell * radius * Vector2d(std::cos(angle), std::sin(angle)) +
+                           Vector2d(0, z));
     }
   };
   arc(lower, -half, -kPi / 2, slope, below);

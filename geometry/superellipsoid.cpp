@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "base/spatial.h"
 #include "geometry/nearest_grid.h"
@@ -62,7 +63,7 @@ class Norm {
 
   /// The surface point farthest along n: the gradient of the dual norm, whose exponents are
   /// p / (p - 1) and q / (q - 1).
-  Vector3d support(const Vector3d& n) const {
+  [[nodiscard]] Vector3d support(const Vector3d& n) const {
     const Vector3d w = n.cwiseQuotient(inverse_);
     const Vector2d disc = dual_shares({w.x(), w.y()}, p_);
     const Vector2d whole = dual_shares({disc.dot(w.head<2>()), w.z()}, q_);
@@ -70,7 +71,7 @@ class Norm {
   }
 
   /// With T = N^q = s^(q/p) + (z/c)^q, s = (x/a)^p + (y/b)^p.
-  Value value(const Vector3d& x) const {
+  [[nodiscard]] Value value(const Vector3d& x) const {
     // So near a plane of symmetry that powers would underflow is on it.
     Vector3d u = x.cwiseProduct(inverse_);
     u = (u.array() < 1e-12 * u.maxCoeff()).select(0.0, u);
@@ -107,7 +108,7 @@ class Norm {
   struct Powers {
     double a, b, s, disc, c;  // (x/a)^p, (y/b)^p, their sum, its power q/p, (z/c)^q
   };
-  Powers powers(const Vector3d& u) const {
+  [[nodiscard]] Powers powers(const Vector3d& u) const {
     Powers at;
     at.a = to_p_(u.x());
     at.b = to_p_(u.y());
@@ -194,15 +195,15 @@ Bound settle(const Norm& norm, const Vector3d& p, Bound best, int most, double e
 /// What the tessellation is made from: distances by the norm alone.
 class Rough final : public Shape {
  public:
-  Rough(const Norm& norm, const Vector3d& semi_axes) : norm_(norm), semi_axes_(semi_axes) {}
-  double distance(const Vector3d& p) const override { return nearest(p).distance; }
+  Rough(const Norm& norm, Vector3d semi_axes) : norm_(norm), semi_axes_(std::move(semi_axes)) {}
+  [[nodiscard]] double distance(const Vector3d& p) const override { return nearest(p).distance; }
   /// Towards the origin, by as much as lies between p and the surface along its normal.
-  NearestSurface nearest(const Vector3d& p) const override {
+  [[nodiscard]] NearestSurface nearest(const Vector3d& p) const override {
     const Norm::Value at = norm_.value(p.cwiseAbs());
     const Vector3d sign = p.unaryExpr([](double a) { return std::copysign(1.0, a); });
     return {(1 - 1 / at.norm) * at.gradient.dot(p.cwiseAbs()), sign.cwiseProduct(at.gradient)};
   }
-  Eigen::AlignedBox3d bounds() const override { return {-semi_axes_, semi_axes_}; }
+  [[nodiscard]] Eigen::AlignedBox3d bounds() const override { return {-semi_axes_, semi_axes_}; }
 
  private:
   const Norm& norm_;

@@ -22,7 +22,7 @@ struct Growing {
     vertices.push_back(vertex);
     return static_cast<int>(vertices.size()) - 1;
   }
-  TriangleMesh mesh() const {
+  [[nodiscard]] TriangleMesh mesh() const {
     TriangleMesh done{Eigen::Matrix3Xd(3, vertices.size()), Eigen::Matrix3Xi(3, triangles.size())};
     for (std::size_t i = 0; i < vertices.size(); ++i) done.vertices.col(i) = vertices[i];
     for (std::size_t i = 0; i < triangles.size(); ++i) done.triangles.col(i) = triangles[i];
@@ -55,7 +55,7 @@ void cut(const Vector3i& triangle, const Halves& halves, Growing& out) {
   for (int k = 0; k < 3; ++k) {
     const auto half = halves.find(edge_of(triangle(k), triangle((k + 1) % 3)));
     middle[k] = half == halves.end() ? -1 : half->second;
-    marked += middle[k] >= 0;
+    marked += middle[k] >= 0 ? 1 : 0;
   }
   // Turn it such that a lone halved edge, or a lone whole one's successor,
   // comes first.

@@ -64,6 +64,7 @@ TriangleTree::TriangleTree(const TriangleMesh& mesh) {
   absolute_ = std::pow(1e-14 * extent, 2) / relative_;
 }
 
+// NOLINTNEXTLINE(misc-no-recursion): as deep as triangles are halved
 int TriangleTree::build(int first, int last, const std::vector<Eigen::AlignedBox3d>& boxes) {
   constexpr int kLeaf = 3;
   // Box of the node and of its triangles' centres.

@@ -1,5 +1,7 @@
 #include "hand/multibody.h"
 
+#include <utility>
+
 #include <Simbody.h>
 
 #include "base/error.h"
@@ -59,7 +61,7 @@ std::vector<bool> carries_mass(const Skeleton& skeleton) {
 }  // namespace
 
 struct Multibody::Parts {
-  Parts(const Skeleton& s, Passive p) : skeleton(s), passive(p), matter(system) {
+  Parts(Skeleton s, Passive p) : skeleton(std::move(s)), passive(p), matter(system) {
     // Pins first, then couplings between them.
     for (std::size_t i = 0; i < skeleton.tree.size(); ++i)
       add_pin(skeleton.tree[i], skeleton.masses[i]);
@@ -75,7 +77,7 @@ struct Multibody::Parts {
     SimTK::MobilizedBody::Pin(parent, X, rigid_body(mass), X);
   }
 
-  bool leads(int i) const {
+  [[nodiscard]] bool leads(int i) const {
     return skeleton.hinge_names[i] == skeleton.coordinate_names[skeleton.tree[i].coordinate];
   }
 
@@ -144,7 +146,7 @@ struct Multibody::Parts {
   }
 
   /// Weights and forces on every body, moved to its origin.
-  SpatialVectors body_forces(const Loads& loads) const {
+  [[nodiscard]] SpatialVectors body_forces(const Loads& loads) const {
     SpatialVectors F(matter.getNumBodies(), SimTK::SpatialVec(SimTK::Vec3(0), SimTK::Vec3(0)));
     const auto add = [&](int link, const Eigen::Vector3d& p, const Eigen::Vector3d& f_W) {
       matter.getMobilizedBody(body(link))
@@ -161,7 +163,7 @@ struct Multibody::Parts {
     return F;
   }
 
-  Eigen::VectorXd passive_torque(const JointMotion& motion) const {
+  [[nodiscard]] Eigen::VectorXd passive_torque(const JointMotion& motion) const {
     Eigen::VectorXd tau = Eigen::VectorXd::Zero(skeleton.coordinates());
     if (passive == Passive::kOff) return tau;
     tau = thenar::passive_torque(skeleton, motion.q);

@@ -156,7 +156,7 @@ class Builder {
         digits.empty() ? "" : digits.front().name);
   }
 
-  int coordinate_of(const std::string& leader, const std::string& follower) const {
+  [[nodiscard]] int coordinate_of(const std::string& leader, const std::string& follower) const {
     const auto& names = skeleton_.coordinate_names;
     const auto found = std::find(names.begin(), names.end(), leader);
     if (found == names.end()) require_kept(leader, follower);

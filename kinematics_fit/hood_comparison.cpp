@@ -140,7 +140,7 @@ HoodComparison compare_hoods(const Subject& subject, const Experiment& experimen
     has_rule = has_rule || (digit.name == experiment.digit && digit.hood);
   // Whole tendons run straight, and wrapped where the subject has surfaces.
   std::vector<std::pair<Path, std::string>> paths{{Path::kViaPoint, ""}};
-  if (!subject.surfaces.empty()) paths.push_back({Path::kWrapped, ", wrapped"});
+  if (!subject.surfaces.empty()) paths.emplace_back(Path::kWrapped, ", wrapped");
 
   // A rung with each kind of path.
   const auto add = [&](const std::string& name, Hood hood, const NetDescription* net = nullptr,

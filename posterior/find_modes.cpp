@@ -130,7 +130,7 @@ Solution search_globally(const LeastSquares& problem, const ModeSearchOptions& s
   global.method = LeastSquaresMethod::kNloptGlobal;
   global.seed = search.seed + static_cast<unsigned>(number);
   global.progress.stop_requested = search.polish.progress.stop_requested;
-  const Solution rough =
+  Solution rough =
       search_from(problem, prior_draw(problem, search, search.starts + number), global);
   if (!std::isfinite(rough.cost) || rough.status == Status::kStopped) return rough;
   Solution fine = search_from(problem, rough.z, search.polish);
@@ -249,7 +249,9 @@ Eigen::MatrixXd dispersed_starts(const LeastSquares& problem, const std::vector<
   // Roots of the covariances, inflated.
   const std::vector<Share> shares = shares_of_starts(modes);
   std::vector<Eigen::MatrixXd> roots;
-  for (const Share& share : shares) roots.push_back(inflation * root(modes[share.mode].covariance));
+  roots.reserve(shares.size());
+  for (const Share& share : shares)
+    roots.emplace_back(inflation * root(modes[share.mode].covariance));
   const Eigen::Index n = modes[0].z.size();
   Eigen::MatrixXd starts(n, count);
   for (int k = 0; k < count; ++k) {

@@ -144,7 +144,7 @@ Densities HandPosterior::evaluate(const Points& x, WithGradient want) const {
   // Likelihood, experiment by experiment; slopes by coordinates become slopes by x at the end.
   std::vector<MatrixXd> by_u;
   for (const MatrixXd& u : displaced.u)
-    by_u.push_back(MatrixXd::Zero(wanted ? u.rows() : 0, wanted ? u.cols() : 0));
+    by_u.emplace_back(MatrixXd::Zero(wanted ? u.rows() : 0, wanted ? u.cols() : 0));
   for (int e = 0; e < static_cast<int>(parts_->data.size()); ++e)
     add_experiment(*parts_, e, displaced, motion, by_u, at);
   if (wanted) add_by_entries(*parts_, motion, by_u, at.likelihood_gradient);

@@ -121,7 +121,7 @@ Displaced displace(const PosteriorParts& parts, const EntryMotion& motion) {
   Displaced out;
   out.non_finite.assign(points, 0);
   for (std::size_t s = 0; s < parts.rest.size(); ++s) {
-    out.u.push_back(parts.rest[s].replicate(1, points));
+    out.u.emplace_back(parts.rest[s].replicate(1, points));
     Eigen::MatrixXd& u = out.u.back();
     for (std::size_t i = 0; i < parts.entries.coordinates.size(); ++i) {
       const CoordinateEntry& entry = parts.entries.coordinates[i];

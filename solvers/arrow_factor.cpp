@@ -160,7 +160,7 @@ ArrowNullSpace arrow_null_space(const ArrowLayout& layout, const std::vector<Arr
   for (int b = 0; b < layout.blocks; ++b) {
     const MatrixXd all = stack(layout, rows, b);
     own.push_back(split(all.leftCols(layout.own), tolerance));
-    by_shared.push_back(all.rightCols(layout.shared));
+    by_shared.emplace_back(all.rightCols(layout.shared));
     const MatrixXd& range = own.back().column_space;
     asked = below(asked, by_shared.back() - range * (range.transpose() * by_shared.back()));
   }

@@ -48,10 +48,10 @@ class BlockFactor {
  public:
   explicit BlockFactor(const BlockPattern& pattern);
 
-  /// Factorises A with `shift` and `relative` times a block's trace added to its diagonal. Pivots
-  /// below 1e-13 of their block's trace count as not positive.
+  /// Factorises A with `absolute` and `relative` times a block's trace added to its diagonal.
+  /// Pivots below 1e-13 of their block's trace count as not positive.
   /// @return whether all pivots were positive; if not, the factor serves negative_direction() only
-  bool factorise(const BlockMatrix& A, double shift, double relative = 0);
+  bool factorise(const BlockMatrix& A, double absolute, double relative = 0);
 
   /// Solves in place.
   void solve(std::vector<Eigen::Vector3d>& y) const;

@@ -65,7 +65,7 @@ double quadratic_gap(const Eigen::MatrixXd& H, const Eigen::VectorXd& g,
   return gap;
 }
 
-BoundedFitResult bounded_least_squares(const BoundedFit& fit, Eigen::VectorXd x0,
+BoundedFitResult bounded_least_squares(const BoundedFit& fit, const Eigen::VectorXd& x0,
                                        const BoundedFitOptions& options) {
   BoundedFitResult now;
   // Start within the bounds.

@@ -45,7 +45,8 @@ struct [[nodiscard]] BoundedFitResult {
 /// means that the linearised problem promises no more than the tolerance, and that its own minimum
 /// is found to that by quadratic_gap().
 /// @param x0  is moved between the bounds first (n)
-[[nodiscard]] BoundedFitResult bounded_least_squares(const BoundedFit& fit, Eigen::VectorXd x0,
+[[nodiscard]] BoundedFitResult bounded_least_squares(const BoundedFit& fit,
+                                                     const Eigen::VectorXd& x0,
                                                      const BoundedFitOptions& options = {});
 
 /// minimise  d' H d + g' d  between bounds; H symmetric positive definite.

@@ -371,6 +371,7 @@ bool settle_infeasible(const ConeProgram& p, double most, ConeResult& result) {
 
 /// Unbounded, if the objective falls along a direction, and there is a point to start from; that
 /// there is none may come out instead.
+// NOLINTNEXTLINE(misc-no-recursion): once, without objective
 bool settle_unbounded(const ConeProgram& p, const VectorXd& direction, const ConeOptions& options,
                       double most, ConeResult& result) {
   const double missing = misses_unbounded(p, direction);
@@ -388,6 +389,7 @@ bool settle_unbounded(const ConeProgram& p, const VectorXd& direction, const Con
 
 }  // namespace
 
+// NOLINTNEXTLINE(misc-no-recursion): once, without objective
 ConeResult solve(const ConeProgram& program, const ConeOptions& options) {
   check(program);
   const double most = 10 * options.acceptable;

@@ -57,7 +57,7 @@ class Qhull {
                      points_.data(), False, command, nullptr, messages_.file());
   }
   ~Qhull() {
-    qh_freeqhull(&qh_, !qh_ALL);
+    qh_freeqhull(&qh_, False);  // long blocks only; short ones follow
     int blocks = 0, bytes = 0;
     qh_memfreeshort(&qh_, &blocks, &bytes);
   }

@@ -136,6 +136,7 @@ void Hull::find_visible(const HullPoint& p, int facet) {
   };
   // Breadth-first over neighbours; hidden ones beyond a ridge make the horizon.
   look(facet);
+  // NOLINTNEXTLINE(modernize-loop-convert): visible_ grows meanwhile
   for (std::size_t k = 0; k < visible_.size(); ++k) {
     const int f = visible_[k];
     for (int i = 0; i < 6; ++i)

@@ -128,7 +128,7 @@ Eigen::MatrixXd active_rows(const LeastSquares& problem, const Eigen::VectorXd& 
       active.push_back(k);
   // Drop what pulls instead of pushing, the strongest first.
   while (!active.empty()) {
-    const Eigen::MatrixXd rows = at.C(active, Eigen::all);
+    Eigen::MatrixXd rows = at.C(active, Eigen::all);
     const Eigen::VectorXd push = rows.transpose().completeOrthogonalDecomposition().solve(gradient);
     Eigen::Index worst = -1;
     double most = 1e-9 * push.cwiseAbs().maxCoeff();

@@ -228,7 +228,7 @@ LinearResult solve_scaled(const LinearProgram& program) {
     const Proposal proposal = propose(program, method);
     if (const auto result = certified(program, proposal)) return *result;
     if (proposal.end == Status::kInfeasible || proposal.end == Status::kUnbounded) {
-      const LinearResult result = without_optimum(program);
+      LinearResult result = without_optimum(program);
       if (result.status != Status::kStalled) return result;
     }
   }

@@ -104,8 +104,8 @@ ConeScaling::ConeScaling(const std::vector<int>& cones, const VectorXd& s, const
     const double gamma = std::sqrt((1 + s_unit.dot(z_unit)) / 2);
     const VectorXd w1 = (s_unit.tail(n - 1) - z_unit.tail(n - 1)) / (2 * gamma);
     const double w0 = std::sqrt(1 + w1.squaredNorm()), eta = std::sqrt(s_norm / z_norm);
-    blocks_.push_back(eta * boost(w0, w1));
-    inverses_.push_back(boost(w0, -w1) / eta);
+    blocks_.emplace_back(eta * boost(w0, w1));
+    inverses_.emplace_back(boost(w0, -w1) / eta);
   });
 }
 

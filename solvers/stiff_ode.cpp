@@ -117,7 +117,7 @@ struct __attribute__((visibility("hidden"))) StiffOde::Parts {
     }
   }
 
-  OdeCounts counts() const {
+  [[nodiscard]] OdeCounts counts() const {
     long steps = 0, slopes = 0, by_jacobian = 0, jacobians = 0;
     CVodeGetNumSteps(cvode, &steps);
     CVodeGetNumRhsEvals(cvode, &slopes);

@@ -32,7 +32,7 @@ class Explainer {
     says_.dropped.push_back({what, name, why});
   }
 
-  bool kept_segment(const std::string& name) const {
+  [[nodiscard]] bool kept_segment(const std::string& name) const {
     return built_.skeleton.link_of_segment.count(name) > 0;
   }
 

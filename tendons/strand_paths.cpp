@@ -55,9 +55,9 @@ class WrappedStrands : public StrandPaths {
     const std::vector<PathShape>& shapes = solver.solve(state);
     StrandArms arms{rows_of(state, shapes), "", TendonStatus::kValid};
     // The worst status of all strands, with its warning.
-    for (std::size_t s = 0; s < path_of_.size(); ++s) {
-      if (path_of_[s] < 0) continue;
-      const auto path = static_cast<std::size_t>(path_of_[s]);
+    for (const int number : path_of_) {
+      if (number < 0) continue;
+      const auto path = static_cast<std::size_t>(number);
       const TendonStatus status = status_of(shapes[path].status);
       if (status > arms.status) arms.warning = warning_of(shapes[path], set_.paths[path].name);
       arms.status = worse(arms.status, status);
@@ -74,10 +74,10 @@ class WrappedStrands : public StrandPaths {
         arm_derivatives(tree_, state, set_, shapes, static_cast<int>(q.size()));
     StrandDerivatives slopes{true, rows_of(state, shapes), lengths_of(shapes, q), {}};
     // Strands without a path have constant arms.
-    for (std::size_t s = 0; s < path_of_.size(); ++s) {
+    for (const int number : path_of_) {
       slopes.dR.emplace_back(Eigen::MatrixXd::Zero(q.size(), q.size()));
-      if (path_of_[s] < 0) continue;
-      const auto path = static_cast<std::size_t>(path_of_[s]);
+      if (number < 0) continue;
+      const auto path = static_cast<std::size_t>(number);
       slopes.exist = slopes.exist && paths[path].exist;
       slopes.dR.back() = std::move(paths[path].dR);
     }

@@ -94,18 +94,19 @@ class DigitBuilder {
     built_.names.hinges = skeleton.hinge_names;
   }
 
-  bool kept(const JointAxis& joint) const {
+  [[nodiscard]] bool kept(const JointAxis& joint) const {
     return built_.skeleton.link_of_segment.count(joint.child) > 0;
   }
 
   /// Cosine between a joint's axis and the direction about which the digit flexes: the radial one
   /// of a right hand, the ulnar one of a left hand.
-  double flexion(const JointAxis& joint) const {
+  [[nodiscard]] double flexion(const JointAxis& joint) const {
     return joint.direction.dot(digit_.proximal.cross(digit_.dorsal));
   }
 
   /// The angle that a joint of the digit takes, or is frozen at.
-  PostureAngle angle_of(const JointAxis& joint) const {
+  // NOLINTNEXTLINE(misc-no-recursion): as deep as joints follow each other
+  [[nodiscard]] PostureAngle angle_of(const JointAxis& joint) const {
     // A hinge of the model, a joint frozen by name, or a follower of a frozen one.
     const int i = find(built_.names.hinges, joint.name);
     if (i >= 0) {
@@ -146,7 +147,7 @@ class DigitBuilder {
   }
 
   /// Flexion of the joint before the last one that the central slip crosses.
-  PostureAngle knuckle(const std::string& central_slip) const {
+  [[nodiscard]] PostureAngle knuckle(const std::string& central_slip) const {
     // Flexion joints from the wrist outwards, and how many of them the slip crosses.
     const auto slip = std::find_if(subject_.strands.begin(), subject_.strands.end(),
                                    [&](const Strand& s) { return s.name == central_slip; });
@@ -165,7 +166,7 @@ class DigitBuilder {
   }
 
   /// The rung that the paths are really on, which the subject's data may keep below the one asked.
-  Path built_path() const {
+  [[nodiscard]] Path built_path() const {
     const auto& paths = built_.model.paths;
     if (paths.empty()) return Path::kNone;
     const bool constant = std::all_of(paths.begin(), paths.end(),
@@ -174,7 +175,7 @@ class DigitBuilder {
   }
 
   /// Constant arms of a strand at the kept coordinates [m/rad].
-  Eigen::RowVectorXd arms_of(const Strand& strand) const {
+  [[nodiscard]] Eigen::RowVectorXd arms_of(const Strand& strand) const {
     Eigen::RowVectorXd arms = Eigen::RowVectorXd::Zero(built_.model.coordinates);
     for (const auto& [joint, arm] : strand.arms) {
       const int j = find(built_.names.coordinates, joint);
@@ -185,7 +186,7 @@ class DigitBuilder {
 
   /// A band of the hood, or what a muscle of the hood pulls, counts even where its own joint is
   /// frozen: the tension goes on to the other bands.
-  bool in_hood(const std::string& strand) const {
+  [[nodiscard]] bool in_hood(const std::string& strand) const {
     if (!digit_.hood || options_.hood != Hood::kFractions) return false;
     const HoodRule& rule = *digit_.hood;
     const auto pulls = [&](const HoodBranch& branch) {
@@ -227,7 +228,7 @@ class DigitBuilder {
     max_tension_.push_back(muscle.max_force.value_or(std::numeric_limits<double>::infinity()));
   }
 
-  int hood_row(const std::string& strand) const {
+  [[nodiscard]] int hood_row(const std::string& strand) const {
     const int row = find(built_.names.strands, strand);
     require(row >= 0, "hood of digit '{}' names strand '{}', which crosses none of its joints",
             digit_.name, strand);

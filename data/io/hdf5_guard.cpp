@@ -54,7 +54,7 @@ class Hdf5Walk {
       groups.pop_back();
       require(depth <= kDeepest, "groups nest deeper than {}", kDeepest);
       for (const std::string& name : links_of(group)) {
-        const std::string key = group == "/" ? name : group + "/" + name;
+        const std::string key = group == "/" ? name : fmt::format("{}/{}", group, name);
         const Hdf5Object object(H5Oopen(file_, key.c_str(), H5P_DEFAULT), H5Oclose, "open " + key);
         const H5I_type_t type = H5Iget_type(object);
         // Groups are visited later; datasets are checked here.

@@ -142,8 +142,9 @@ void put_group(int file, const std::string& name, const InferenceGroup& describe
   for (const auto& [dimension, length] : described.lengths) {
     const auto found = described.coordinates.find(dimension);
     const auto* labels = found == described.coordinates.end() ? nullptr : &found->second;
-    require(!labels || labels->size() == length, "dimension '{}' has {} names, its length is {}",
-            dimension, labels ? labels->size() : 0, length);
+    require(labels == nullptr || labels->size() == length,
+            "dimension '{}' has {} names, its length is {}", dimension, labels ? labels->size() : 0,
+            length);
     dimensions[dimension] = put_dimension(group, dimension, length, labels);
   }
   for (const auto& [dimension, labels] : described.coordinates)
@@ -233,7 +234,7 @@ class Reading {
   std::string text(const std::string& what, const Get& get) {
     char* chars = nullptr;
     check_read(get(&chars), "read " + what);
-    const std::string found = chars == nullptr ? "" : chars;
+    std::string found = chars == nullptr ? "" : chars;
     (void)nc_free_string(1, &chars);
     take(found.size(), what);
     return found;

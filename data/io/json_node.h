@@ -14,6 +14,7 @@ namespace thenar {
 enum class JsonKind { kNull, kFlag, kNumber, kText, kArray, kObject };
 
 /// One value, with everything below it.
+// NOLINTNEXTLINE(misc-no-recursion): as deep as the tree
 struct JsonNode {
   JsonKind kind = JsonKind::kNull;
   int line = 1;                    // on which the value starts, from 1
@@ -64,8 +65,8 @@ struct JsonNode {
 [[nodiscard]] JsonNode parse_json(const std::string& path, const std::string& text,
                                   int first_line = 1);
 
-/// Members of the object at the end of `steps` that are a text, or a list of nothing but texts; none
-/// where no object stands.
+/// Members of the object at the end of `steps` that are a text, or a list of nothing but texts;
+/// none where no object stands.
 /// @param steps  names of members from the root
 [[nodiscard]] std::map<std::string, std::vector<std::string>> text_members(
     const JsonNode& root, const std::vector<std::string>& steps);

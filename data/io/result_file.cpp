@@ -94,7 +94,7 @@ std::string group_of(const std::string& key) {
 void attach_scale(hid_t file, hid_t dataset, const std::string& group, const std::string& label,
                   unsigned axis, hsize_t length) {
   const std::string name = group + label;
-  if (H5LTpath_valid(file, name.c_str(), 1) <= 0) {
+  if (H5LTpath_valid(file, name.c_str(), true) <= 0) {
     // The first array with this label writes the scale 0, 1, ..
     std::vector<double> index(length);
     std::iota(index.begin(), index.end(), 0.0);
@@ -202,7 +202,8 @@ void read_dataset(hid_t file, const std::string& key, TextReader& texts, ResultF
 Hdf5Object memory_file(const std::string& path) {
   constexpr std::size_t kIncrement = 1 << 16;  // memory is taken in such pieces [bytes]
   const Hdf5Object options(H5Pcreate(H5P_FILE_ACCESS), H5Pclose, "make file options");
-  require(H5Pset_fapl_core(options, kIncrement, 0) >= 0, "HDF5 could not keep a file in memory");
+  require(H5Pset_fapl_core(options, kIncrement, false) >= 0,
+          "HDF5 could not keep a file in memory");
   return {H5Fcreate(path.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, options), H5Fclose,
           "make '" + path + "'"};
 }

@@ -29,7 +29,7 @@ struct ResultFile {
            const std::string& unit, const std::vector<std::string>& labels);
   void add(const std::string& key, double value, const std::string& unit);
   void add(const std::string& key, const std::string& text);
-  void add(const std::string& key, std::vector<std::string> texts);
+  void add(const std::string& key, std::vector<std::string> list);
 
   /// Values by key. @throws InputError naming the key if it is absent or has another shape.
   [[nodiscard]] Eigen::MatrixXd matrix(const std::string& key) const;

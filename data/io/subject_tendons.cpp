@@ -194,8 +194,7 @@ void check_ride(const TomlTable& table, const Strand& strand, const SubjectDraft
 }  // namespace
 
 PathPoint read_path_element(TomlTable& table, const SubjectDraft& draft) {
-  const PathPoint element =
-      table.has("surface") ? read_bend(table, draft) : read_point(table, draft);
+  PathPoint element = table.has("surface") ? read_bend(table, draft) : read_point(table, draft);
   table.done();
   return element;
 }

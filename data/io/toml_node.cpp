@@ -27,6 +27,7 @@ int line_of(const toml::source_region& region) { return static_cast<int>(region.
 
 TomlNode convert(const toml::node& from);  // NOLINT(misc-no-recursion): as deep as the text
 
+// NOLINTNEXTLINE(misc-no-recursion): as deep as the text
 TomlNode convert_array(const toml::array& array) {
   TomlNode node;
   node.kind = TomlKind::kArray;
@@ -35,6 +36,7 @@ TomlNode convert_array(const toml::array& array) {
   return node;
 }
 
+// NOLINTNEXTLINE(misc-no-recursion): as deep as the text
 TomlNode convert_table(const toml::table& table) {
   // toml++ sorts keys by name; readers need them in the order of the file.
   std::vector<std::pair<toml::source_position, std::pair<std::string, TomlNode>>> found;
@@ -78,6 +80,7 @@ TomlNode convert_value(const toml::node& from) {
   return node;
 }
 
+// NOLINTNEXTLINE(misc-no-recursion): as deep as the text
 TomlNode convert(const toml::node& from) {
   TomlNode node = from.is_table()   ? convert_table(*from.as_table())
                   : from.is_array() ? convert_array(*from.as_array())

@@ -15,6 +15,7 @@ class TreeBuilder {
  public:
   explicit TreeBuilder(CollisionTree& body) : body_(body) {}
 
+  // NOLINTNEXTLINE(misc-no-recursion): as deep as triangles are halved
   int build(int first, int last) {
     const int index = static_cast<int>(body_.nodes.size());
     body_.nodes.emplace_back();

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <map>
 #include <optional>
+#include <utility>
 
 #include "geometry/collision/collision_tree.h"
 #include "geometry/collision/empty_space.h"
@@ -40,9 +41,8 @@ std::array<Part, 2> halves_of(const Part& part, const PatchPoint& middle) {
 
 class PatchSearch {
  public:
-  PatchSearch(const CollisionTree& a, const Pose<double>& X_BA, const Shape& b,
-              const PatchQuery& query)
-      : a_(a), X_BA_(X_BA), b_(b), query_(query) {}
+  PatchSearch(const CollisionTree& a, const Pose<double>& X_BA, const Shape& b, PatchQuery query)
+      : a_(a), X_BA_(X_BA), b_(b), query_(std::move(query)) {}
 
   PatchPieces run() {
     // Depth-first through the tree; far nodes are left out.

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "base/error.h"
 #include "base/numbers.h"
@@ -40,8 +41,8 @@ bool farther(const Candidate& x, const Candidate& y) { return x.bound > y.bound;
 class DistanceSearch {
  public:
   DistanceSearch(const CollisionTree& a, const Pose<double>& X_BA, const Shape& b,
-                 const SignedDistanceOptions& options)
-      : a_(a), X_BA_(X_BA), b_(b), options_(options) {}
+                 SignedDistanceOptions options)
+      : a_(a), X_BA_(X_BA), b_(b), options_(std::move(options)) {}
 
   SignedDistance run() {
     // A triangle of a near pose is a good start.
@@ -86,7 +87,7 @@ class DistanceSearch {
   }
   NearestSurface see(const Eigen::Vector3d& p) {
     ++evaluations_;
-    const NearestSurface seen = b_.nearest(p);
+    NearestSurface seen = b_.nearest(p);
     if (seen.supports) empty_.add_plane(seen.normal, seen.normal.dot(p) - seen.distance);
     return seen;
   }

@@ -29,7 +29,7 @@ SignedDistance measure_clearance(Clearance& clearance, const PosedCollisionHand&
   const CollisionTree& touch = posed.collision_hand.trees[clearance.surface];
   const Pose<double> X = posed.of_surface(clearance.surface);
   // Against a body of the scene, or against another surface of the hand.
-  const SignedDistance found =
+  SignedDistance found =
       clearance.body != nullptr
           ? signed_distance(touch, X, clearance.body->solid, clearance.body->X_WB, options)
           : signed_distance(touch, X, *surface_of(posed, clearance.other).solid,

@@ -63,7 +63,7 @@ class Closing {
   }
 
   /// Time until rates have to be updated [s].
-  double time_to_refresh() const {
+  [[nodiscard]] double time_to_refresh() const {
     if (!options_.rates) return kInfinity;
     double time = kInfinity;
     for (Eigen::Index j = 0; j < q_.size(); ++j) {
@@ -81,7 +81,7 @@ class Closing {
   }
 
   /// Sum of the speeds of coordinates that move one of the two things and not the other.
-  RelativeSpeed relative_speed(const Clearance& clearance) const {
+  [[nodiscard]] RelativeSpeed relative_speed(const Clearance& clearance) const {
     RelativeSpeed sum;
     for (Eigen::Index j = 0; j < q_.size(); ++j) {
       const bool first = touching_.moved_by(clearance.surface, j);
@@ -117,13 +117,13 @@ class Closing {
     move(time);
   }
 
-  double safe(const RelativeSpeed& relative, const Clearance& clearance) const {
+  [[nodiscard]] double safe(const RelativeSpeed& relative, const Clearance& clearance) const {
     return safe_time(relative.speed, relative.turn,
                      std::max(0.0, clearance.margin() - options_.accuracy / 2));
   }
 
   /// Distance until two things that slide along each other are checked again [m].
-  double slide(const Clearance& clearance) const {
+  [[nodiscard]] double slide(const Clearance& clearance) const {
     return clearance.sticking_cosine > 0 ? kSoftWay : options_.accuracy / 4;
   }
 
@@ -132,7 +132,7 @@ class Closing {
     return std::min(time, safe_time(relative.speed, relative.turn, 1.0));
   }
 
-  double time_to_limits() const {
+  [[nodiscard]] double time_to_limits() const {
     double time = kInfinity;
     for (Eigen::Index j = 0; j < q_.size(); ++j) {
       const double rate = drives_.rates()[j];
@@ -141,7 +141,7 @@ class Closing {
     return time;
   }
 
-  double limit(Eigen::Index j) const {
+  [[nodiscard]] double limit(Eigen::Index j) const {
     return drives_.rates()[j] > 0 ? hand_.layout().upper[j] : hand_.layout().lower[j];
   }
 
@@ -167,7 +167,8 @@ class Closing {
 
   /// Velocity of a point of a surface by each coordinate that does not move the other surface, too.
   /// [m/s] (3, coordinates)
-  Eigen::Matrix3Xd velocities(int surface, int other, const Eigen::Vector3d& at_W) const {
+  [[nodiscard]] Eigen::Matrix3Xd velocities(int surface, int other,
+                                            const Eigen::Vector3d& at_W) const {
     const int link = hand_.surfaces()[surface].link;
     if (link < 0) return Eigen::Matrix3Xd::Zero(3, q_.size());
     const Eigen::Vector3d p = posed_.of_surface(surface).inverse() * at_W;

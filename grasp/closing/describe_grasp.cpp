@@ -33,6 +33,7 @@ std::string motion_words(const ScaledWrench& motion) {
 
 std::string overlap_words(const std::vector<Overlap>& overlaps) {
   std::vector<std::string> parts;
+  parts.reserve(overlaps.size());
   for (const Overlap& each : overlaps)
     parts.push_back(
         fmt::format("{} is {:.2f} mm in {}", each.surface, 1000 * each.depth, each.other));

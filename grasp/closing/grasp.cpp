@@ -63,6 +63,7 @@ void soften(ContactPatch& patch, const PosedCollisionHand& posed, const Scene& s
 
 /// Adds a patch, merged with all patches of its link that it meets: a link of several parts has no
 /// more force in one place than a link of one part.
+// NOLINTNEXTLINE(misc-no-recursion): a patch fewer each time
 void add_patch(std::vector<ContactPatch>& patches, ContactPatch patch, const CollisionHand& hand,
                const ContactPatchOptions& options) {
   const auto link_of = [&](const ContactPatch& each) {

@@ -9,6 +9,7 @@ namespace thenar {
 
 std::vector<Contact> contacts_without_hand(const std::vector<HandContact>& contacts) {
   std::vector<Contact> contacts_without_hand;
+  contacts_without_hand.reserve(contacts.size());
   for (const HandContact& contact : contacts) contacts_without_hand.push_back(contact.contact);
   return contacts_without_hand;
 }

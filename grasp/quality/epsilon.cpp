@@ -163,7 +163,7 @@ class EpsilonSearch {
   }
 
   SupportPoint look(const ScaledWrench& u) {
-    const SupportPoint reach = support_(u);
+    SupportPoint reach = support_(u);
     ++supports_;
     if (reach.h + support_.rounding() < upper_) {
       upper_ = reach.h + support_.rounding();
@@ -190,9 +190,10 @@ class EpsilonSearch {
 
 /// kLinf without proof of force closure: the value of kL1. If kL1 has the proof, the larger kLinf
 /// set is closed, too.
+// NOLINTNEXTLINE(misc-no-recursion): once, with the other limit
 Epsilon of_l1(const WrenchSet& set, EpsilonOptions options, Epsilon linf) {
   options.limit = ForceNorm::kL1;
-  const Epsilon l1 = epsilon(set, options);
+  Epsilon l1 = epsilon(set, options);
   if (!l1.force_closure) return l1;
   linf.lower = l1.lower;
   linf.force_closure = true;
@@ -202,6 +203,7 @@ Epsilon of_l1(const WrenchSet& set, EpsilonOptions options, Epsilon linf) {
 
 }  // namespace
 
+// NOLINTNEXTLINE(misc-no-recursion): once, with the other limit
 Epsilon epsilon(const WrenchSet& set, const EpsilonOptions& options) {
   require_options(set, options);
   if (set.caps.empty()) return nothing();

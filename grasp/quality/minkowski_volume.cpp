@@ -102,6 +102,7 @@ class Sum {
   /// @param f        product of the vectors along the faces chosen so far
   /// @param size     product of their sizes
   /// @param lengths  product of their vectors' lengths
+  // NOLINTNEXTLINE(misc-no-recursion): five deep, a dimension each
   void choose(std::size_t first, int left, const Form& f, double size, double lengths) {
     // With one dimension left the normal is linear in the last edge.
     const Matrix6 S = left == 1 ? normals(f) : Matrix6();
@@ -208,7 +209,7 @@ double choices(const std::vector<ContactBody>& bodies) {
   for (const ContactBody& body : bodies) {
     std::array<double, 6> more = ways;
     for (const ContactFace& face : body.faces)
-      for (std::size_t d = static_cast<std::size_t>(face.dimension); d < 6; ++d)
+      for (auto d = static_cast<std::size_t>(face.dimension); d < 6; ++d)
         more[d] += ways[d - static_cast<std::size_t>(face.dimension)];
     ways = more;
   }

@@ -76,6 +76,7 @@ std::vector<Contact> disturbed(const std::vector<Contact>& contacts,
   }
   // One disturbance a region, applied to all its points.
   std::vector<Disturbance> drawn;
+  drawn.reserve(normals.size());
   for (const Eigen::Vector3d& sum : normals)
     drawn.push_back(draw_disturbance(sum.normalized(), uncertainty, rng));
   std::vector<Contact> result;

@@ -124,7 +124,7 @@ class Problem {
   }
 
   /// Weights for which F is positive definite, or its least eigenvalue as large as possible.
-  MaximisedComponent find() const {
+  [[nodiscard]] MaximisedComponent find() const {
     const int least = static_cast<int>(forms_.size());  // the unknown below all eigenvalues of F
     // Matrix inequality F(y) >= least I.
     MatrixInequality F{MatrixXd::Zero(d_, d_), {}};
@@ -203,6 +203,7 @@ class Problem {
         forms_.push_back(symmetric(A.row(i).transpose() * B.row(j)));
   }
 
+  // NOLINTNEXTLINE(readability-identifier-naming): K of the inequality below
   [[nodiscard]] static MatrixXd K_of(const Product& product, const VectorXd& y) {
     MatrixXd K(product.rows, product.columns);
     for (Index i = 0; i < K.rows(); ++i)

@@ -28,6 +28,7 @@ void add_box(ForceSet& forces, Index size, double half_width) {
   forces.G.conservativeResize(rows + 2 * size, n + size);
   forces.G.rightCols(size).setZero();
   forces.G.bottomRows(2 * size).setZero();
+  // NOLINTNEXTLINE(readability-suspicious-call-argument): rows so far come first
   forces.G.block(rows, n, size, size).setIdentity();
   forces.G.bottomRightCorner(size, size) = -MatrixXd::Identity(size, size);
   forces.h.conservativeResize(rows + 2 * size);
@@ -84,7 +85,7 @@ TaskMargin margin_of_box(const ForceSet& forces, const ScaledWrench& lower,
     ScaledWrench load = lower;
     bool repeated = false;
     for (int i = 0; i < 6; ++i) {
-      const bool high = (corner >> i) & 1;
+      const bool high = (corner >> i & 1) != 0;
       if (high) load(i) = upper(i);
       repeated = repeated || (high && lower(i) == upper(i));
     }

@@ -77,6 +77,7 @@ std::vector<SenseOption> closing_options(
   const int count =
       groups.group.empty() ? 0 : *std::max_element(groups.group.begin(), groups.group.end()) + 1;
   std::vector<SenseEvidence> evidence;
+  evidence.reserve(static_cast<std::size_t>(count));
   for (int g = 0; g < count; ++g) evidence.push_back(evidence_of(g, layout, rest, groups, apart));
   // Stated speeds keep their magnitudes.
   const bool paced = std::any_of(drives.begin(), drives.end(),

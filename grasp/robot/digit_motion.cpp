@@ -64,6 +64,7 @@ void DigitMotion::find_digits() {
   const std::vector<Pose<double>> links = grip_.hand().pose(rest_);
   const std::vector<SampledSurface>& surfaces = grip_.surfaces();
   std::vector<int> depth;
+  depth.reserve(surfaces.size());
   // Innermost and outermost surface of each digit, by depth in the tree.
   for (const SampledSurface& surface : surfaces) depth.push_back(depth_of(layout, surface.link));
   for (std::size_t s = 0; s < surfaces.size(); ++s) {

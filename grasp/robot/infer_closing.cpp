@@ -80,7 +80,7 @@ class ClosingSearch {
       }
   }
 
-  std::vector<Ways> ways_of(std::size_t option, const DigitRoles& roles) const {
+  [[nodiscard]] std::vector<Ways> ways_of(std::size_t option, const DigitRoles& roles) const {
     const RobotApproach& stated = robot_.approach;
     // A stated approach is the only one.
     if (known_.approach) return {{stated.direction, {stated.point}}};
@@ -98,7 +98,7 @@ class ClosingSearch {
     const Vector3d across = roles.normal.cross(roles.along);
     for (const double u : {0.1, -0.1, 0.3, -0.3, -0.5})
       for (const double w : {0.0, -0.25, 0.25, -0.5, 0.5})
-        origins.push_back(roles.root + roles.length * (u * roles.along + w * across));
+        origins.emplace_back(roles.root + roles.length * (u * roles.along + w * across));
     return origins;
   }
 
@@ -111,9 +111,9 @@ class ClosingSearch {
     return true;
   }
 
-  double score(const Candidate& candidate, const std::vector<Pose<double>>& links,
-               const DigitRoles& roles, double radius, int steps,
-               const std::vector<std::string>& self) const {
+  [[nodiscard]] double score(const Candidate& candidate, const std::vector<Pose<double>>& links,
+                             const DigitRoles& roles, double radius, int steps,
+                             const std::vector<std::string>& self) const {
     ProbeBall ball{{}, radius};
     if (!place(candidate, links, ball)) return -candidate.against;
     return facing(grip_.close(motion_.drives(candidate.option), candidate.open, ball, steps, self),
@@ -173,7 +173,7 @@ class ClosingSearch {
     return names;
   }
 
-  InferredClosing guess_of(const Candidate& best) const {
+  [[nodiscard]] InferredClosing guess_of(const Candidate& best) const {
     InferredClosing guess{robot_, ball_, {}, {}, {}, {}};
     const DigitRoles roles = motion_.roles(best.option);
     if (const std::vector<std::string> thumbs = opposed(roles); roles.row && thumbs.size() == 1)
@@ -205,17 +205,17 @@ class ClosingSearch {
 
   void write_motors(InferredClosing& guess, const std::vector<Drive>& drives,
                     const VectorXd& open) const {
-    for (std::size_t d = 0; d < drives.size(); ++d)
+    for (const Drive& drive : drives)
       for (RobotDof& dof : guess.robot.dofs) {
-        if (dof.name != drives[d].name) continue;
-        dof.speed = drives[d].speed;
+        if (dof.name != drive.name) continue;
+        dof.speed = drive.speed;
         // Motors that close, with their sense.
         if (dof.speed != 0) {
           guess.closing.push_back(
               fmt::format("{} {}", dof.name, dof.speed > 0 ? "upwards" : "downwards"));
         }
         // Motors that start elsewhere than without a stated posture.
-        const DrivenCoordinate& first = drives[d].moves.front();
+        const DrivenCoordinate& first = drive.moves.front();
         const double at = open[first.coordinate] / first.ratio;
         if (std::abs(open[first.coordinate] - unsaid_open(first, dof.speed)) < 1e-9) continue;
         dof.open = std::min(std::max(at, dof.lower), dof.upper);

@@ -229,8 +229,7 @@ std::string name_digit(const std::vector<RobotLink*>& links, std::set<std::strin
   }
   // Without a known name: the next number.
   for (std::size_t i = 1;; ++i)
-    if (const std::string name = fmt::format("finger {}", i); taken.insert(name).second)
-      return name;
+    if (std::string name = fmt::format("finger {}", i); taken.insert(name).second) return name;
 }
 
 }  // namespace

@@ -2,6 +2,8 @@
 
 /// Step 3a: moment arms of strands along their paths, with and without friction [m].
 
+#include <algorithm>
+
 #include "posterior/kernel/pose.h"
 
 namespace thenar::kernel {
@@ -81,9 +83,8 @@ inline V size_of(const BendStep& bend, const Posed& posed) {
 
 /// Returns whether coordinate j is the first beyond some bend.
 inline bool bends_before(const Program& program, int j) {
-  for (const BendStep& bend : program.bends)
-    if (bend.first_coordinate_beyond == j) return true;
-  return false;
+  return std::any_of(program.bends.begin(), program.bends.end(),
+                     [j](const BendStep& bend) { return bend.first_coordinate_beyond == j; });
 }
 
 /// arm = frictionless_arm exp(-mu bent),  bent_j = sum of the bends nearer the muscle than

@@ -10,7 +10,7 @@ namespace thenar::kernel {
 /// Indices of the numbers of a SpecimenModel in one row, in which every parameter is a straight
 /// line.
 struct Layout {
-  explicit Layout(const TendonModel<double>& model, int postures);
+  explicit Layout(const TendonModel<double>& model, int posture_count);
 
   int hinges, coordinates, postures;
   std::vector<int> first_node;  // of each strand

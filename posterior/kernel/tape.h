@@ -15,6 +15,7 @@ class BumpAllocator {
   template <typename T>
   T* take(int count) {
     T* part = first_ == nullptr ? nullptr : reinterpret_cast<T*>(first_ + used_);
+    // NOLINTNEXTLINE(bugprone-sizeof-expression): T and V are no pointers
     used_ += count * static_cast<long>(sizeof(T) / sizeof(V));
     return part;
   }

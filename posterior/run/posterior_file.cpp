@@ -55,11 +55,11 @@ void add_settings(const PosteriorSettings& settings, Attributes& to) {
   add("draws", run.draws);
   // Modes and priors.
   add("mode_starts", settings.mode_starts);
-  add("learn_noise", int{options.learn_noise});
+  add("learn_noise", options.learn_noise ? 1 : 0);
   add("noise_sd", options.noise_sd);
-  add("learn_spread", int{options.learn_specimen_scale});
+  add("learn_spread", options.learn_specimen_scale ? 1 : 0);
   add("spread_sd", options.specimen_scale_sd);
-  add("sphere_priors", int{options.sphere_priors});
+  add("sphere_priors", options.sphere_priors ? 1 : 0);
 }
 
 void add_record(const RunRecord& run, Attributes& to) {

@@ -97,6 +97,7 @@ std::vector<std::string> observation_names(const FitProblem& problem, Observed w
 std::vector<Estimate> estimates_of(const std::vector<PosteriorQuantity>& quantities,
                                    const std::vector<int>& group) {
   std::vector<Estimate> estimates;
+  estimates.reserve(quantities.size());
   for (const PosteriorQuantity& q : quantities)
     estimates.push_back(estimate(q.name, q.draws, group));
   return estimates;

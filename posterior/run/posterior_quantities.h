@@ -19,9 +19,9 @@ struct PosteriorQuantity {
 
 /// Parameters of the population, of every specimen where there are several, and factors of noise
 /// and between specimens.
-/// @param prior_draws  of each quantity [1]
+/// @param prior_count  prior draws of each quantity [1]
 [[nodiscard]] std::vector<PosteriorQuantity> posterior_quantities(const PosteriorRun& run,
-                                                                  int prior_draws = 1000);
+                                                                  int prior_count = 1000);
 
 [[nodiscard]] double prior_sd(const PosteriorQuantity& quantity);  // in its unit
 

@@ -156,7 +156,7 @@ PosteriorRun sample_posterior(const FitInputs& inputs, const PosteriorSettings& 
   });
 
   // All ranks stop alike, or take the starts of the first.
-  const bool stopped = ranks.all_gather(Eigen::VectorXd::Constant(1, !beginning))[0] > 0;
+  const bool stopped = ranks.all_gather(Eigen::VectorXd::Constant(1, beginning ? 0 : 1))[0] > 0;
   if (stopped) return run;
   if (!beginning) beginning.emplace();
   const Eigen::Index n = run.posterior->size();

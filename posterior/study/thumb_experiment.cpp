@@ -80,6 +80,7 @@ std::string list(const Eigen::Vector3d& v) {
 
 std::string table(const std::map<std::string, double>& values) {
   std::vector<std::string> parts;
+  parts.reserve(values.size());
   for (const auto& [name, value] : values) parts.push_back(fmt::format("{} = {}", name, value));
   return fmt::format("{{{}}}", fmt::join(parts, ", "));
 }

@@ -25,7 +25,7 @@ constexpr int kCellsPerBandwidth = 4;
 constexpr int kMaxCells = 4000;
 
 double bandwidth_of(const Eigen::VectorXd& rising) {
-  const double n = double(rising.size());
+  const auto n = double(rising.size());
   const double sd = std::sqrt((rising.array() - rising.mean()).square().mean());
   const double quartiles = (quantile(rising, 0.75) - quantile(rising, 0.25)) / 1.349;
   return 0.9 * (quartiles > 0 ? std::min(sd, quartiles) : sd) * std::pow(n, -0.2);
@@ -261,6 +261,7 @@ Part gather(const std::vector<Eigen::MatrixXd>& x, long most) {
 }
 
 /// Cuts `part`, gives the draws of cluster `label` beyond the plane a new label, and goes on.
+// NOLINTNEXTLINE(misc-no-recursion): as deep as parts of min_mass can be cut
 void cut(const Part& part, double total, int label, const std::vector<Eigen::MatrixXd>& x,
          const ClusterOptions& options, Eigen::MatrixXi& labels) {
   // Too few draws, or too light, to be cut.

@@ -21,7 +21,7 @@ namespace {
 
 /// sqrt((B / W + n - 1) / n), between- and within-chain variance [Vehtari2021 eqs. 1-4].
 double r_hat(const Eigen::MatrixXd& x) {
-  const double n = double(x.rows()), m = double(x.cols());
+  const auto n = double(x.rows()), m = double(x.cols());
   const Eigen::RowVectorXd mean = x.colwise().mean();
   const double between = n * (mean.array() - mean.mean()).square().sum() / (m - 1);
   const double within = (x.rowwise() - mean).squaredNorm() / ((n - 1) * m);
@@ -71,7 +71,7 @@ double quantile_mcse(const Eigen::Ref<const Eigen::MatrixXd>& x, double share) {
   const double low = beta_quantile(kOneSigma, a, b), high = beta_quantile(1 - kOneSigma, a, b);
 
   const Eigen::VectorXd rising = sorted(x);
-  const double n = double(rising.size());
+  const auto n = double(rising.size());
   const auto first = Eigen::Index(std::floor(std::max(0.0, low * n - 1)));
   const auto last = Eigen::Index(std::ceil(std::min(n - 1, high * n - 1)));
   return (rising[last] - rising[first]) / 2;
@@ -227,9 +227,9 @@ void judge_swaps(const Draws& draws, double least, std::vector<std::string>& war
 void count_steps(const Draws& draws, int max_depth, Convergence& result) {
   for (const auto& chain : draws.stats)
     for (const StepStats& step : chain) {
-      result.divergent += step.divergent;
+      result.divergent += step.divergent ? 1 : 0;
       result.non_finite += step.non_finite;
-      result.depth_limit += step.depth >= max_depth;
+      result.depth_limit += step.depth >= max_depth ? 1 : 0;
     }
 }
 

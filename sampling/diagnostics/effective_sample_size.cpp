@@ -20,7 +20,7 @@ constexpr Eigen::Index kFewLags = 100;  // usually enough, and soon computed
 /// Autocorrelation of all chains together, at lags 0 .. lags - 1 [Vehtari2021 eq. 10].
 Eigen::VectorXd autocorrelation_of_all(const Eigen::MatrixXd& x, Eigen::Index lags) {
   // Autocovariance, mean over the chains.
-  const double n = double(x.rows()), m = double(x.cols());
+  const auto n = double(x.rows()), m = double(x.cols());
   Eigen::VectorXd covariance = Eigen::VectorXd::Zero(lags);
   for (Eigen::Index chain = 0; chain < x.cols(); ++chain)
     covariance += autocovariance(x.col(chain), lags) / m;
@@ -52,7 +52,7 @@ double time_of_all(const Eigen::MatrixXd& x) {
 /// Never above N log10 N, where the noise of rho would decide.
 double effective_size(const Eigen::MatrixXd& x) {
   if (!finite_and_varying(x)) return kNaN;
-  const double size = double(x.size());
+  const auto size = double(x.size());
   return size / std::max(time_of_all(x), 1 / std::log10(size));
 }
 
@@ -75,7 +75,7 @@ double autocorrelation_time(const Eigen::VectorXd& rho) {
 double series_ess(const Eigen::Ref<const Eigen::VectorXd>& x) {
   if (!finite_and_varying(x)) return kNaN;
   const Eigen::VectorXd covariance = autocovariance(x);
-  const double size = double(x.size());
+  const auto size = double(x.size());
   return size / std::max(autocorrelation_time(covariance / covariance[0]), 1 / std::log10(size));
 }
 

@@ -72,7 +72,7 @@ LearntDirections learnt_directions(const std::vector<std::string>& names,
     direction.v = scale.cwiseProduct(w);
     direction.share = w.cwiseAbs2() / w.squaredNorm();
     direction.text = tell(names, direction);
-    of.decided += direction.sd_ratio < decided_below;
+    of.decided += direction.sd_ratio < decided_below ? 1 : 0;
     of.effective_parameters += std::max(0.0, 1 - eigen.eigenvalues()[k]);
     of.directions.push_back(direction);
   }

@@ -96,7 +96,7 @@ namespace {
 
 /// sqrt(n var) of n terms of a sum.
 double error_of_sum(const Eigen::VectorXd& terms) {
-  const double n = double(terms.size());
+  const auto n = double(terms.size());
   return n < 2 ? std::nan("")
                : std::sqrt(n / (n - 1) * (terms.array() - terms.mean()).square().sum());
 }

@@ -80,7 +80,7 @@ std::vector<std::string> mode_warnings(const ModeTable& table, std::size_t visit
   for (std::size_t m = 0; m < table.modes.size(); ++m) {
     // Modes that were expected and not found, and those that are seldom crossed.
     const ModeMass& mode = table.modes[m];
-    const double draws = double(table.of_draw.size());
+    const auto draws = double(table.of_draw.size());
     if (m >= visited && !(known[mode.known].mass * draws < 1))
       warnings.push_back(fmt::format("mode {}, known beforehand, holds no draw", m + 1));
     if (m < visited && visited > 1 && !apart && mode.crossings < min_crossings)

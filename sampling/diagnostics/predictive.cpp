@@ -55,10 +55,11 @@ Coverage cover(const Eigen::VectorXd& measured, const Eigen::MatrixXd& replicate
   for (Eigen::Index i = 0; i < measured.size(); ++i) {
     // Central interval of the replicates.
     const Eigen::VectorXd rising = sorted(replicated.row(i));
-    inside += measured[i] >= quantile(rising, (1 - level) / 2) &&
-              measured[i] <= quantile(rising, (1 + level) / 2);
+    if (measured[i] >= quantile(rising, (1 - level) / 2) &&
+        measured[i] <= quantile(rising, (1 + level) / 2))
+      ++inside;
   }
-  const double m = double(measured.size());
+  const auto m = double(measured.size());
   return {level, double(inside) / m, std::sqrt(level * (1 - level) / m)};
 }
 

@@ -32,7 +32,7 @@ ChiSquare chi_square_of(const Eigen::VectorXi& rank, int draws, int bins) {
 /// What mean and spread of the ranks say, each beside its sd if they were uniform.
 std::string shape_of(const Eigen::VectorXi& rank, int draws) {
   const Eigen::ArrayXd u = (rank.cast<double>().array() + 0.5) / (draws + 1);
-  const double n = double(u.size());
+  const auto n = double(u.size());
   // A uniform u has mean 1/2, variance 1/12; (u - 1/2)^2 has the variance 1/180.
   const double shift = (u.mean() - 0.5) * std::sqrt(12 * n);
   const double spread = ((u - 0.5).square().mean() - 1.0 / 12) * std::sqrt(180 * n);

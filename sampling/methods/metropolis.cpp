@@ -123,7 +123,7 @@ void Metropolis::save(StateWriter& to) const {
   require(round_ == 0, "a sampler can be saved between steps only");
   // Positions and densities.
   to.put(std::int64_t{steps_});
-  to.put(std::int64_t{begun_});
+  to.put(std::int64_t{begun_ ? 1 : 0});
   to.put(x_);
   to.put(prior_);
   to.put(likelihood_);

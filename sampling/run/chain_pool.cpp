@@ -23,7 +23,7 @@ void append_chain_state(const ChainState& chain_state, std::vector<double>& to) 
 
 ChainState read_chain_state(const double*& from, Eigen::Index size, WithGradient gradient) {
   const auto take = [&](Eigen::Index count) {
-    const Eigen::VectorXd numbers = Eigen::Map<const Eigen::VectorXd>(from, count);
+    Eigen::VectorXd numbers = Eigen::Map<const Eigen::VectorXd>(from, count);
     from += count;
     return numbers;
   };
@@ -46,7 +46,7 @@ void ChainSlot::record(long warm_up, int thin) {
     // Counts since the last draw.
     const StepStats& step = sampler->stats()[static_cast<std::size_t>(c)];
     StepStats& sum = since[static_cast<std::size_t>(c)];
-    divergent += step.divergent;
+    divergent += step.divergent ? 1 : 0;
     sum.evaluations += step.evaluations;
     sum.non_finite += step.non_finite;
     sum.divergent |= step.divergent;
@@ -63,7 +63,7 @@ void ChainSlot::record(long warm_up, int thin) {
 
 Eigen::MatrixXd ChainSlot::take() {
   const Eigen::Index rows = sampler->chains() * rows_of_draw(sampler->positions().rows());
-  const Eigen::MatrixXd draws = Eigen::Map<const Eigen::MatrixXd>(
+  Eigen::MatrixXd draws = Eigen::Map<const Eigen::MatrixXd>(
       pending.data(), rows, static_cast<Eigen::Index>(pending.size()) / rows);
   pending.clear();
   return draws;
@@ -71,6 +71,7 @@ Eigen::MatrixXd ChainSlot::take() {
 
 std::vector<ChainState> ChainSlot::chain_states() const {
   std::vector<ChainState> all;
+  all.reserve(static_cast<std::size_t>(sampler->chains()));
   for (int c = 0; c < sampler->chains(); ++c)
     all.push_back({sampler->positions().col(c), sampler->density(c)});
   return all;
@@ -304,7 +305,8 @@ void ChainPool::swap(std::size_t from, std::size_t to,
   for (std::size_t k = from; k < to; ++k) {
     // Likelihoods of all walkers at all temperatures of the group.
     ChainSlot& slot = slots_[k];
-    const auto* group = &chain_states[static_cast<std::size_t>((slot.group - first_group) * T)];
+    const int first = (slot.group - first_group) * T;
+    const auto* group = &chain_states[static_cast<std::size_t>(first)];
     Eigen::MatrixXd log_likelihood(options_.walkers, T);
     for (int t = 0; t < T; ++t)
       for (int w = 0; w < options_.walkers; ++w)

@@ -1,6 +1,7 @@
 #include "sampling/run/chain_run.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "base/error.h"
 #include "sampling/run/communicator.h"
@@ -39,8 +40,9 @@ void ChainRun::resume() {
   const Eigen::MatrixXd beta = reader.matrix();
   std::vector<std::string> all;
   while (!reader.done()) all.push_back(reader.bytes());
-  require(all.size() == static_cast<std::size_t>(options_.groups * options_.temperatures),
-          "the checkpoint has {} samplers", all.size());
+  const int wanted = options_.groups * options_.temperatures;
+  require(all.size() == static_cast<std::size_t>(wanted), "the checkpoint has {} samplers",
+          all.size());
   samplers_.restore(step, beta, all);
   saved_step_ = step;
 }
@@ -71,8 +73,8 @@ void ChainRun::agree(double seconds, long steps) {
   const double goal = std::min(kLeg, options_.checkpoint_every);
   const double next = double(steps) * goal / std::max(seconds, 1e-9);
   Eigen::Vector4d mine;
-  mine << options_.progress.stop(), double(samplers_.divergent()),
-      seconds_since(last_checkpoint_) >= options_.checkpoint_every,
+  mine << (options_.progress.stop() ? 1 : 0), double(samplers_.divergent()),
+      seconds_since(last_checkpoint_) >= options_.checkpoint_every ? 1 : 0,
       std::clamp(std::floor(next), 1.0, 2.0 * double(next_leg_));
   const Eigen::VectorXd all = ranks_.all_gather(mine);
   const Eigen::Map<const Eigen::Matrix4Xd> ranks(all.data(), 4, ranks_.size());
@@ -88,7 +90,7 @@ void ChainRun::report() const {
   if (!first()) return;
   // Time left at the pace of the last leg.
   const long step = samplers_.step(), warm_up = options_.sampler.warm_up;
-  const long left = static_cast<long>(double(total_ - step) * seconds_per_step_ + 0.5);
+  const long left = std::lround(double(total_ - step) * seconds_per_step_);
   std::string what = step < warm_up ? fmt::format("warm-up, step {} of {}", step, warm_up)
                                     : fmt::format("sampling, draw {} of {}",
                                                   (step - warm_up) / options_.thin, options_.draws);
@@ -159,7 +161,7 @@ Draws ChainRun::result() const {
       Eigen::Map<const Eigen::MatrixXd>(rates.data(), draws.beta.size() - 1, options_.groups);
   draws.warm_up = options_.sampler.warm_up;
   draws.complete = samplers_.step() >= total_;
-  const double divergent = double(samplers_.divergent());  // of this rank
+  const auto divergent = double(samplers_.divergent());  // of this rank
   draws.ended_at_divergence = options_.end_at_divergence &&
                               ranks_.all_gather(Eigen::VectorXd::Constant(1, divergent)).sum() > 0;
   draws.seconds = seconds_before_ + seconds_since(start_);

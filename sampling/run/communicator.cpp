@@ -1,5 +1,7 @@
 #include "sampling/run/communicator.h"
 
+#include <algorithm>
+#include <array>
 #include <cstdlib>
 
 #include "base/error.h"
@@ -21,9 +23,9 @@ class OneRank : public Communicator {
 
 /// Set by the launchers of Open MPI, MPICH and PMIx (Slurm) in every process they start.
 bool started_by_mpirun() {
-  for (const char* name : {"OMPI_COMM_WORLD_SIZE", "PMI_SIZE", "PMIX_RANK"})
-    if (std::getenv(name) != nullptr) return true;
-  return false;
+  constexpr std::array<const char*, 3> kSet{"OMPI_COMM_WORLD_SIZE", "PMI_SIZE", "PMIX_RANK"};
+  return std::any_of(kSet.begin(), kSet.end(),
+                     [](const char* name) { return std::getenv(name) != nullptr; });
 }
 
 }  // namespace

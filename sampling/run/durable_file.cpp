@@ -82,6 +82,7 @@ std::string AppendFile::read(std::int64_t from, std::int64_t bytes) const {
   return content;
 }
 
+// NOLINTNEXTLINE(readability-make-member-function-const): it changes the file on disk
 bool AppendFile::lock() {
   // A file system without locks has to do without.
   return ::flock(file_, LOCK_EX | LOCK_NB) == 0 || errno != EWOULDBLOCK;

@@ -3,6 +3,8 @@
 #include <filesystem>
 #include <sstream>
 
+#include <fmt/format.h>
+
 #include "base/error.h"
 #include "base/file_io.h"
 #include "base/provenance.h"
@@ -18,7 +20,7 @@ constexpr std::size_t kDigestDigits = 64;  // hexadecimal digits of a SHA-256
 
 std::string text_of(const RunIdentity& identity) {
   std::string text;
-  for (const auto& [name, value] : identity) text += name + " = " + value + "\n";
+  for (const auto& [name, value] : identity) text += fmt::format("{} = {}\n", name, value);
   return text;
 }
 

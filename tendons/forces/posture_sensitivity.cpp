@@ -1,6 +1,7 @@
 #include "tendons/forces/posture_sensitivity.h"
 
 #include <algorithm>
+#include <utility>
 
 #include <Eigen/Geometry>
 #include <Eigen/SVD>
@@ -24,7 +25,7 @@ struct TipLeastSquares {
   VectorXd x, left;     // tau - B x
   Index rank;           // of B
 
-  TipLeastSquares(const MatrixXd& matrix, const VectorXd& tau) : B(matrix) {
+  TipLeastSquares(MatrixXd matrix, const VectorXd& tau) : B(std::move(matrix)) {
     // Pseudo-inverse, solution and residual.
     Eigen::JacobiSVD<MatrixXd> svd(B, Eigen::ComputeThinU | Eigen::ComputeThinV);
     svd.setThreshold(internal::kRankTolerance);

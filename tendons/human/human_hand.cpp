@@ -4,6 +4,7 @@
 #include <cmath>
 #include <string>
 #include <string_view>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -66,7 +67,7 @@ TendonOptions tendon_options(const Subject& subject, const std::string& digit,
 }
 
 std::unique_ptr<DigitTendons> net_or_less(const Subject& subject, const std::string& digit,
-                                          TendonOptions options,
+                                          const TendonOptions& options,
                                           std::vector<std::string>& warnings) {
   // The thumb has no net; a finger that cannot carry one keeps linear tendons.
   TendonOptions floating = options;
@@ -190,38 +191,38 @@ int find_version(const std::string& name) {
 
 }  // namespace
 
-HumanHand build_human_hand(const Subject& given, HumanVersion version,
+HumanHand build_human_hand(const Subject& subject, HumanVersion version,
                            const HumanHandOptions& options) {
-  const Subject subject =
-      version == HumanVersion::kOrthogonalThumb ? orthogonal_thumb(given) : given;
+  const Subject variant =
+      version == HumanVersion::kOrthogonalThumb ? orthogonal_thumb(subject) : subject;
   // Skin lies around the joints as measured, whatever becomes of the thumb's axes.
-  const HandAnatomy anatomy = find_anatomy(given);
+  const HandAnatomy anatomy = find_anatomy(subject);
   // Bones, contact model, patches and targets.
-  const auto frozen = frozen_joints(subject, options.frozen);
-  const Skeleton skeleton = build_skeleton(subject, {{}, frozen});
+  const auto frozen = frozen_joints(variant, options.frozen);
+  const Skeleton skeleton = build_skeleton(variant, {{}, frozen});
   HumanHand human;
   human.contact =
       version < HumanVersion::kSoftPads ? ContactModel::kHardPoint : ContactModel::kSoftFinger;
   human.patches = skin_patches(anatomy, skeleton);
   human.targets = kapandji_targets(anatomy, skeleton);
   human.warnings = anatomy.warnings;
-  std::vector<LinkSurface> surfaces = covered(given, skeleton, options);
+  std::vector<LinkSurface> surfaces = covered(subject, skeleton, options);
   // Tendons: digit by digit, through nets where they can be carried.
   if (version == HumanVersion::kTendonNet) {
-    require(has_tendons(subject), "subject '{}' has no tendons for the fourth version",
-            subject.name);
+    require(has_tendons(variant), "subject '{}' has no tendons for the fourth version",
+            variant.name);
     HandTendons tendons =
-        hand_tendons(subject, Extensors::kNet, frozen, options.path, human.warnings);
-    for (std::size_t i = 0; i < subject.digits.size(); ++i)
+        hand_tendons(variant, Extensors::kNet, frozen, options.path, human.warnings);
+    for (std::size_t i = 0; i < variant.digits.size(); ++i)
       require(!tendons.digits[i]->digit().names.muscles.empty(),
               "no muscle of '{}' moves its {}; the fourth version wants tendons at every digit",
-              subject.name, subject.digits[i].name);
+              variant.name, variant.digits[i].name);
     // The closing synergy follows from linear tendons.
     std::vector<std::string> unheard;
     const TendonHand straight(
-        skeleton, hand_tendons(subject, Extensors::kLinear, frozen, options.path, unheard));
+        skeleton, hand_tendons(variant, Extensors::kLinear, frozen, options.path, unheard));
     ClosingSynergy use =
-        tendon_synergy(anatomy, subject, skeleton, straight.layout().actuators,
+        tendon_synergy(anatomy, variant, skeleton, straight.layout().actuators,
                        straight.actuation(Eigen::VectorXd::Zero(skeleton.coordinates())));
     human.hand = std::make_unique<TendonHand>(skeleton, std::move(tendons), std::move(surfaces),
                                               std::move(use));
@@ -229,9 +230,9 @@ HumanHand build_human_hand(const Subject& given, HumanVersion version,
   }
   // Motors: limits from tendons.
   TorqueLimits limits =
-      motor_limits(subject, anatomy, skeleton, frozen, options.path, human.warnings);
+      motor_limits(variant, anatomy, skeleton, frozen, options.path, human.warnings);
   human.hand = std::make_unique<SkeletonHand>(skeleton, std::move(limits), std::move(surfaces),
-                                              motor_synergy(anatomy, subject, skeleton));
+                                              motor_synergy(anatomy, variant, skeleton));
   return human;
 }
 

@@ -11,45 +11,49 @@ namespace {
 class Bounds : public Contraction {
  public:
   using Contraction::Contraction;
-  Muscle rung() const override { return Muscle::kBounds; }
-  bool depends_on_velocity() const override { return false; }
-  bool has_fibre_state() const override { return false; }
-  double tension(int m, const MuscleState& state) const override {
+  [[nodiscard]] Muscle rung() const override { return Muscle::kBounds; }
+  [[nodiscard]] bool depends_on_velocity() const override { return false; }
+  [[nodiscard]] bool has_fibre_state() const override { return false; }
+  [[nodiscard]] double tension(int m, const MuscleState& state) const override {
     return std::max(0.0, state.activation) * muscle(m).F0;  // an integrator may pass below 0
   }
-  TensionDerivatives tension_derivatives(int m, const MuscleState& state) const override {
+  [[nodiscard]] TensionDerivatives tension_derivatives(int m,
+                                                       const MuscleState& state) const override {
     return {state.activation < 0 ? 0 : muscle(m).F0, 0, 0, 0};
   }
-  double projected_fibre_rate(int, const MuscleState&) const override { return 0; }
-  double isometric_projected_fibre(int, double, double) const override { return 0; }
-  double fibre(int, const MuscleState&) const override { return 0; }
+  [[nodiscard]] double projected_fibre_rate(int, const MuscleState&) const override { return 0; }
+  [[nodiscard]] double isometric_projected_fibre(int, double, double) const override { return 0; }
+  [[nodiscard]] double fibre(int, const MuscleState&) const override { return 0; }
 };
 
 class ElasticTendon : public Contraction {
  public:
   ElasticTendon(std::vector<Musculotendon> muscles, const HillOptions& options)
       : Contraction(std::move(muscles)), options_(options) {}
-  Muscle rung() const override { return Muscle::kElasticTendon; }
-  bool depends_on_velocity() const override { return false; }
-  bool has_fibre_state() const override { return true; }
-  double tension(int m, const MuscleState& state) const override {
+  [[nodiscard]] Muscle rung() const override { return Muscle::kElasticTendon; }
+  [[nodiscard]] bool depends_on_velocity() const override { return false; }
+  [[nodiscard]] bool has_fibre_state() const override { return true; }
+  [[nodiscard]] double tension(int m, const MuscleState& state) const override {
     return elastic_tendon_tension(muscle(m), options_, state.length, state.projected_fibre);
   }
-  TensionDerivatives tension_derivatives(int m, const MuscleState& state) const override {
+  [[nodiscard]] TensionDerivatives tension_derivatives(int m,
+                                                       const MuscleState& state) const override {
     return elastic_tendon_derivatives(muscle(m), options_, state.length, state.projected_fibre);
   }
-  FibreRateDerivatives fibre_rate_derivatives(int m, const MuscleState& state) const override {
+  [[nodiscard]] FibreRateDerivatives fibre_rate_derivatives(
+      int m, const MuscleState& state) const override {
     return thenar::fibre_rate_derivatives(muscle(m), options_, state.activation, state.length,
                                           state.projected_fibre);
   }
-  double projected_fibre_rate(int m, const MuscleState& state) const override {
+  [[nodiscard]] double projected_fibre_rate(int m, const MuscleState& state) const override {
     return thenar::projected_fibre_rate(muscle(m), options_, state.activation, state.length,
                                         state.projected_fibre);
   }
-  double isometric_projected_fibre(int m, double activation, double length) const override {
+  [[nodiscard]] double isometric_projected_fibre(int m, double activation,
+                                                 double length) const override {
     return thenar::isometric_projected_fibre(muscle(m), options_, activation, length);
   }
-  double fibre(int m, const MuscleState& state) const override {
+  [[nodiscard]] double fibre(int m, const MuscleState& state) const override {
     return normalised_fibre_length(muscle(m), state.projected_fibre);
   }
 
@@ -61,23 +65,24 @@ class RigidTendon : public Contraction {
  public:
   RigidTendon(std::vector<Musculotendon> muscles, const HillOptions& options)
       : Contraction(std::move(muscles)), options_(options) {}
-  Muscle rung() const override { return Muscle::kRigidTendon; }
-  bool depends_on_velocity() const override { return true; }
-  bool has_fibre_state() const override { return false; }
-  double tension(int m, const MuscleState& state) const override {
+  [[nodiscard]] Muscle rung() const override { return Muscle::kRigidTendon; }
+  [[nodiscard]] bool depends_on_velocity() const override { return true; }
+  [[nodiscard]] bool has_fibre_state() const override { return false; }
+  [[nodiscard]] double tension(int m, const MuscleState& state) const override {
     return rigid_tendon_tension(muscle(m), options_, state.activation, state.length,
                                 state.velocity);
   }
-  TensionDerivatives tension_derivatives(int m, const MuscleState& state) const override {
+  [[nodiscard]] TensionDerivatives tension_derivatives(int m,
+                                                       const MuscleState& state) const override {
     return rigid_tendon_derivatives(muscle(m), options_, state.activation, state.length,
                                     state.velocity);
   }
-  double projected_fibre_rate(int, const MuscleState&) const override { return 0; }
-  double isometric_projected_fibre(int, double, double) const override { return 0; }
-  double fibre(int m, const MuscleState& state) const override {
+  [[nodiscard]] double projected_fibre_rate(int, const MuscleState&) const override { return 0; }
+  [[nodiscard]] double isometric_projected_fibre(int, double, double) const override { return 0; }
+  [[nodiscard]] double fibre(int m, const MuscleState& state) const override {
     return normalised_fibre_length(muscle(m), state.length - muscle(m).slack);
   }
-  std::unique_ptr<Contraction> with_compliant_tendon(double strain) const override {
+  [[nodiscard]] std::unique_ptr<Contraction> with_compliant_tendon(double strain) const override {
     // Slack length of one optimal fibre length.
     std::vector<Musculotendon> short_ones = muscles();
     for (Musculotendon& m : short_ones) m.slack = m.optimal_fibre_length;

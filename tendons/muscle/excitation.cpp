@@ -51,6 +51,7 @@ class ExcitationTable {
       throw DataError(path_, line,
                       fmt::format("wanted {} cells, got {}", columns_.size() + 1, cells.size()));
     std::vector<double> row;
+    row.reserve(cells.size());
     // Numbers, in rising time and within the range of excitations.
     for (const std::string& cell : cells) row.push_back(number(line, cell));
     if (row.front() < (rows_.empty() ? 0 : rows_.back().front()))
@@ -78,7 +79,7 @@ class ExcitationTable {
   }
 
  private:
-  double number(int line, const std::string& cell) const {
+  [[nodiscard]] double number(int line, const std::string& cell) const {
     char* end = nullptr;
     const double value = std::strtod(cell.c_str(), &end);
     if (cell.empty() || *end != 0 || !std::isfinite(value))

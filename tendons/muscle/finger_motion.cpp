@@ -205,6 +205,7 @@ double FingerMotion::kinetic_energy(const MotionState& state) {
   return multibody_.kinetic_energy({state.q, state.q_dot});
 }
 
+// NOLINTNEXTLINE(readability-convert-member-functions-to-static): the inverse of unpack()
 VectorXd FingerMotion::pack(const MotionState& state) const {
   VectorXd y(2 * state.q.size() + 2 * state.activation.size() + state.projected_fibre.size() + 2);
   y << state.q, state.q_dot, state.activation, state.excursion, state.projected_fibre, state.work,

@@ -130,14 +130,15 @@ class FingerMotion {
   [[nodiscard]] Eigen::VectorXd scale() const;
 
  private:
-  MuscleState muscle_state(const MotionState& state, int m) const;
+  [[nodiscard]] MuscleState muscle_state(const MotionState& state, int m) const;
   [[nodiscard]] const DigitTendons& tendons() const {
     return blended_ ? *blended_ : model_.tendons;
   }
   [[nodiscard]] const Contraction& contraction() const {
     return compliant_ ? *compliant_ : model_.contraction;
   }
-  Eigen::VectorXd tension(const MotionState& state, const Eigen::VectorXd& velocity) const;
+  [[nodiscard]] Eigen::VectorXd tension(const MotionState& state,
+                                        const Eigen::VectorXd& velocity) const;
 
   /// Difference between excursions and lengths of lines, less that at the start: what integration
   /// has added, and what a net that jumped to another equilibrium has changed. Zero without a net,

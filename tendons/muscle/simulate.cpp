@@ -49,7 +49,7 @@ class Recorder {
   }
 
   /// Time of the next instant to keep [s]; infinite if there is none.
-  double next() const {
+  [[nodiscard]] double next() const {
     return next_ < room_ ? std::min(static_cast<double>(next_) * sample_, seconds_) : HUGE_VAL;
   }
 
@@ -181,7 +181,7 @@ class Account {
     lost_ = state.dissipated;
   }
 
-  EnergyBalance balance() const { return {error_, kinetic_ + turned_ + lost_}; }
+  [[nodiscard]] EnergyBalance balance() const { return {error_, kinetic_ + turned_ + lost_}; }
 
  private:
   FingerMotion& motion_;

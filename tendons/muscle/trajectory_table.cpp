@@ -14,7 +14,8 @@ void add(TrajectoryTable& table, const std::string& before, const std::vector<st
   const Eigen::Index columns = table.values.cols();
   table.values.conservativeResize(values.rows(), columns + values.cols());
   table.values.rightCols(values.cols()) = values;
-  for (const std::string& name : names) table.columns.push_back(before + name + after);
+  for (const std::string& name : names)
+    table.columns.push_back(fmt::format("{}{}{}", before, name, after));
 }
 
 }  // namespace

@@ -61,6 +61,7 @@ class NetBuilder {
     // Bands of the slips by name.
     const auto slip = [&](const std::vector<std::string>& names) {
       std::vector<int> bands;
+      bands.reserve(names.size());
       for (const std::string& name : names) bands.push_back(index_of(plan.bands, name));
       return bands;
     };
@@ -74,7 +75,7 @@ class NetBuilder {
 
  private:
   /// The point of the first of these strands that the subject has.
-  std::optional<CarriedPoint> strand_point(const StrandPoint& at) const {
+  [[nodiscard]] std::optional<CarriedPoint> strand_point(const StrandPoint& at) const {
     const Strand* strand = find_strand(subject_, digit_, at.strands);
     if (strand == nullptr) return std::nullopt;
     const std::vector<CarriedPoint> points = carried_points(digit_.skeleton, *strand);
@@ -96,7 +97,7 @@ class NetBuilder {
   }
 
   /// Direction in the surface's frame, at `angle` about the bone that carries it.
-  Vector3d side_on(int surface, double angle) const {
+  [[nodiscard]] Vector3d side_on(int surface, double angle) const {
     if (surface < 0) return Vector3d::UnitX();
     const NetSurface& plan = plan_.surfaces[static_cast<std::size_t>(surface)];
     return built_.net.surfaces[static_cast<std::size_t>(surface)].X.R.transpose() *
@@ -125,14 +126,15 @@ class NetBuilder {
   }
 
   /// Is the link this bone's, or nearer to the base?
-  bool within(int link, const FingerBone& bone) const {
+  [[nodiscard]] bool within(int link, const FingerBone& bone) const {
     for (int i = bone.link; i >= 0; i = digit_.skeleton.tree[static_cast<std::size_t>(i)].parent)
       if (i == link) return true;
     return link < 0;
   }
 
   /// The rest of a muscle's path, from its first point on the bone or nearer to the wrist.
-  TendonPath<double> own_path(const NetMusclePlan& role, const std::string& muscle) const {
+  [[nodiscard]] TendonPath<double> own_path(const NetMusclePlan& role,
+                                            const std::string& muscle) const {
     // Where the muscle leaves the net.
     const Strand& strand = strand_of(subject_, muscle);
     const FingerBone& bone = built_.frame.bone(role.exit);
@@ -156,7 +158,8 @@ class NetBuilder {
   }
 
   /// Share of a muscle that enters the hood, as the subject says, or as the net does.
-  double share_of(const NetMusclePlan& role, const std::string& muscle, double stated) const {
+  [[nodiscard]] double share_of(const NetMusclePlan& role, const std::string& muscle,
+                                double stated) const {
     // The hood of the subject decides where the description lets it.
     for (const Digit& d : subject_.digits)
       if (role.hood_share && d.hood && d.name == digit_.skeleton.tips.front().digit)
@@ -182,7 +185,7 @@ class NetBuilder {
   }
 
   /// Where a pull leaves the net that no strand shows: its own place, or the end of its own path.
-  CarriedPoint exit_of(const NetPullPlan& plan) const {
+  [[nodiscard]] CarriedPoint exit_of(const NetPullPlan& plan) const {
     if (plan.exit_place)
       return {built_.frame.bone(plan.exit_place->bone).link,
               point_of(built_.frame, *plan.exit_place)};
@@ -246,6 +249,7 @@ int needed(const std::vector<Part>& parts, const std::string& name, const std::s
            const std::string& net) {
   const int found = index_of(parts, name);
   std::vector<std::string> names;
+  names.reserve(parts.size());
   for (const Part& part : parts) names.push_back(part.name);
   require(found >= 0, "net '{}' has no {} '{}'; there are {}", net, kind, name,
           fmt::join(names, ", "));
@@ -254,6 +258,7 @@ int needed(const std::vector<Part>& parts, const std::string& name, const std::s
 
 }  // namespace
 
+// NOLINTNEXTLINE(misc-no-recursion): once, for wrapped paths
 BuiltNet build_net(const Subject& subject, const TendonDigit& digit,
                    const NetDescription& description, const NetBuildOptions& options) {
   // Ranges of the options.

@@ -91,13 +91,13 @@ class FrameBuilder {
     extensor_ = &strand_of(subject_, names.front());
   }
 
-  int depth(const std::string& segment) const {
+  [[nodiscard]] int depth(const std::string& segment) const {
     const auto found = std::find(chain_.begin(), chain_.end(), segment);
     return found == chain_.end() ? -1 : static_cast<int>(chain_.end() - found);
   }
 
   /// The run of a strand across joint j, if it has one.
-  std::optional<Run> run_across(const Strand& strand, std::size_t j) const {
+  [[nodiscard]] std::optional<Run> run_across(const Strand& strand, std::size_t j) const {
     // Consecutive points on both sides of the joint.
     const int child = depth(joint_[j]->child);
     const PathPoint* a = nullptr;
@@ -110,7 +110,7 @@ class FrameBuilder {
     return std::nullopt;
   }
 
-  Run extensor_run(std::size_t j) const {
+  [[nodiscard]] Run extensor_run(std::size_t j) const {
     // A strand named for this joint, otherwise the extensor's own run.
     const auto named = net_.height_strands.find(static_cast<FingerJoint>(j));
     if (named != net_.height_strands.end())
@@ -124,17 +124,17 @@ class FrameBuilder {
     return *run;
   }
 
-  CarriedPoint carried(const PathPoint& point) const {
+  [[nodiscard]] CarriedPoint carried(const PathPoint& point) const {
     return {skeleton_.link_of_segment.at(point.segment),
             skeleton_.segment_at.at(point.segment) * point.p};
   }
 
-  const Pose<double>& at_joint(std::size_t j) const {
+  [[nodiscard]] const Pose<double>& at_joint(std::size_t j) const {
     return skeleton_.segment_at.at(joint_[j]->parent);
   }
-  Vector3d axis(std::size_t j) const { return at_joint(j).R * joint_[j]->direction; }
+  [[nodiscard]] Vector3d axis(std::size_t j) const { return at_joint(j).R * joint_[j]->direction; }
 
-  Nearest nearest_at_reference(std::size_t j) const {
+  [[nodiscard]] Nearest nearest_at_reference(std::size_t j) const {
     return nearest(at_joint(j) * joint_[j]->point, axis(j), extensor_run(j));
   }
 
@@ -177,7 +177,7 @@ class FrameBuilder {
   }
 
   /// Unit, towards the wrist.
-  Vector3d metacarpal_direction() const {
+  [[nodiscard]] Vector3d metacarpal_direction() const {
     const std::string& segment = joint_[kMcp]->parent;
     // Points of the extensor on the metacarpal.
     std::vector<Vector3d> points;

@@ -28,6 +28,7 @@ double by_slack(const TangentNet& tangent, std::size_t b) {
 }
 
 /// d tension / d EA at fixed length [1].
+// NOLINTNEXTLINE(readability-identifier-naming): EA is the axial stiffness
 double by_EA(const TangentNet& tangent, std::size_t b) {
   if (tangent.scene.pull[b] >= 0) return 0;
   return tangent.band[b].pull.tension / tangent.net.bands[b].EA;
@@ -170,6 +171,7 @@ NetDerivatives net_derivatives(const Net& net, const Tree<double>& tree,
   }
   // Joint coordinates.
   std::vector<NetPerturbation> turns;
+  turns.reserve(static_cast<std::size_t>(coordinates));
   for (int l = 0; l < coordinates; ++l)
     turns.push_back(internal::joint_perturbation(net, tree, state, l));
   const auto slopes = [&](const std::vector<NetPerturbation>& inputs) {

@@ -19,7 +19,7 @@ class NetDescent {
   NetDescent(const NetDescent&) = delete;  // the factor points at the plan
   NetDescent& operator=(const NetDescent&) = delete;
 
-  const NetPlan& plan() const { return plan_; }
+  [[nodiscard]] const NetPlan& plan() const { return plan_; }
 
   /// Places the nodes, pushes those inside bones out, and descends to equilibrium.
   [[nodiscard]] NetEquilibrium run(const TreeState<double>& state, const NetDrive& drive,
@@ -29,7 +29,7 @@ class NetDescent {
   static constexpr double kLongest = 0.02;  // longest move of a node in one step [m]
   static constexpr double kSoft = 1e-4;  // a push beyond the tolerance within this is stiffness [m]
 
-  int rows() const { return plan_.pattern.size(); }
+  [[nodiscard]] int rows() const { return plan_.pattern.size(); }
 
   // From the start to equilibrium.
   void place(const TreeState<double>& state, const Eigen::Matrix3Xd* start);
@@ -41,8 +41,8 @@ class NetDescent {
   NetStatus load_continuation(const TreeState<double>& state, const NetDrive& drive);
 
   // Contact forces on nodes, and what is left out of balance.
-  double wrap_slop(int k, int surface) const;
-  double normal_rounding(int k, int surface, const Eigen::Vector3d& normal) const;
+  [[nodiscard]] double wrap_slop(int k, int surface) const;
+  [[nodiscard]] double normal_rounding(int k, int surface, const Eigen::Vector3d& normal) const;
   void balance();
 
   // Direction of descent.
@@ -54,7 +54,7 @@ class NetDescent {
   // Length of the step.
   void lift(int k, Eigen::Vector3d& there) const;
   bool try_step(double part, double& slope);
-  double step_to_exit() const;
+  [[nodiscard]] double step_to_exit() const;
   [[nodiscard]] double rounding() const;
   bool line_search();
 
@@ -69,9 +69,9 @@ class NetDescent {
   bool leave_saddle_early();
 
   // The result.
-  std::vector<int> far_side_bands() const;
+  [[nodiscard]] std::vector<int> far_side_bands() const;
   void report_band(int b, NetEquilibrium& out) const;
-  std::vector<int> undetermined(const NetEquilibrium& at) const;
+  [[nodiscard]] std::vector<int> undetermined(const NetEquilibrium& at) const;
   NetEquilibrium report(NetStatus status) const;
 
   NetPlan plan_;

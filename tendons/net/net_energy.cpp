@@ -247,7 +247,7 @@ BlockPattern pattern_of(const Net& net) {
   const std::vector<int> number = number_free(net);
   std::vector<std::pair<int, int>> edges;
   int free = 0;
-  for (int i : number) free += i >= 0;
+  for (int i : number) free += i >= 0 ? 1 : 0;
   for (const NetBand& band : net.bands)
     if (number[band.a] >= 0 && number[band.b] >= 0)
       edges.emplace_back(number[band.a], number[band.b]);

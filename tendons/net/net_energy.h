@@ -24,7 +24,7 @@ struct BandPlan {
 
 struct NetPlan {
   /// @throws InputError naming the node or band that is wrong.
-  explicit NetPlan(const Net& net);
+  explicit NetPlan(const Net& given);
 
   Net net;
   BlockPattern pattern;
@@ -52,14 +52,14 @@ struct NetScene {
 [[nodiscard]] NetScene pose_scene(const Net& net, const TreeState<double>& state,
                                   const NetDrive& drive);
 
-/// Whether a straight band of constant pull is so short that the penalty replaces its energy.
-[[nodiscard]] bool is_regularised(const NetScene& scene, int band, double length);
+/// Whether band i, straight and of constant pull, is so short that the penalty replaces its energy.
+[[nodiscard]] bool is_regularised(const NetScene& scene, int i, double length);
 
 /// Poses the surfaces alone.
 [[nodiscard]] NetScene pose_surfaces(const Net& net, const TreeState<double>& state);
 
-/// The string of one band from a to b, all in world axes.
-[[nodiscard]] WrappedString band_string(const Net& net, const NetScene& scene, int band,
+/// The string of band i from a to b, all in world axes.
+[[nodiscard]] WrappedString band_string(const Net& net, const NetScene& scene, int i,
                                         const Eigen::Vector3d& a, const Eigen::Vector3d& b);
 
 /// Geometry and response of one band at its present ends.
@@ -68,7 +68,7 @@ struct BandState {
   BandResponse pull;
 };
 
-[[nodiscard]] BandState band_state(const Net& net, const NetScene& scene, int band,
+[[nodiscard]] BandState band_state(const Net& net, const NetScene& scene, int i,
                                    const Eigen::Vector3d& a, const Eigen::Vector3d& b);
 
 /// E, its gradient and its Hessian by the free nodes, rows in elimination order.

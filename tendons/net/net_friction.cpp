@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "base/error.h"
 #include "tendons/net/net.h"
@@ -32,9 +33,9 @@ struct Rub {
 
 class Rounds {
  public:
-  Rounds(const Net& net, const TreeState<double>& state, const NetDrive& drive,
-         const Matrix3Xd* start, const NetFrictionOptions& options)
-      : net_(net), state_(state), drive_(drive), options_(options), mu_(net.friction) {
+  Rounds(const Net& net, const TreeState<double>& state, NetDrive drive, const Matrix3Xd* start,
+         const NetFrictionOptions& options)
+      : net_(net), state_(state), drive_(std::move(drive)), options_(options), mu_(net.friction) {
     net_.friction = 0;
     if (drive_.length.size() == 0) drive_.length.setConstant(drive_.tension.size(), std::nan(""));
     scene_ = internal::pose_scene(net_, state_, drive_);
@@ -56,8 +57,10 @@ class Rounds {
   }
 
  private:
-  Pose<double> frame(int s) const { return scene_.surface[static_cast<std::size_t>(s)]; }
-  SurfaceProbe probe_at(int s, const Vector3d& x) const {
+  [[nodiscard]] Pose<double> frame(int s) const {
+    return scene_.surface[static_cast<std::size_t>(s)];
+  }
+  [[nodiscard]] SurfaceProbe probe_at(int s, const Vector3d& x) const {
     return internal::probe_world(net_, scene_, s, x);
   }
 
@@ -133,7 +136,7 @@ class Rounds {
   }
 
   /// Force of all bands on a node.
-  Vector3d pull_on(int node) const {
+  [[nodiscard]] Vector3d pull_on(int node) const {
     Vector3d f = Vector3d::Zero();
     for (std::size_t b = 0; b < net_.bands.size(); ++b) {
       const NetBand& band = net_.bands[b];
@@ -209,7 +212,7 @@ class Rounds {
     return false;
   }
 
-  bool gives_up() const {
+  [[nodiscard]] bool gives_up() const {
     return std::any_of(rubs_.begin(), rubs_.end(),
                        [](const Rub& rub) { return rub.returns > kMaxReturns; });
   }
@@ -234,7 +237,7 @@ class Rounds {
   }
 
   /// The surface that it sticks on.
-  int surface_of(const Rub& rub) const {
+  [[nodiscard]] int surface_of(const Rub& rub) const {
     for (int s : net_.nodes[static_cast<std::size_t>(rub.node)].surfaces)
       if (probe_at(s, rub.seat).normal == rub.n) return s;
     return -1;
@@ -265,9 +268,9 @@ NetFrictionRest solve_net_friction(const Net& net, const TreeState<double>& stat
   check_drive(smooth, drive);
   check_state(smooth, state);
   const auto nodes = static_cast<Eigen::Index>(net.nodes.size());
-  require(!start || start->cols() == nodes, "net {} has {} nodes, start has {}", net.name, nodes,
-          start ? start->cols() : 0);
-  require(!start || start->allFinite(), "net {}: start is not finite", net.name);
+  require(start == nullptr || start->cols() == nodes, "net {} has {} nodes, start has {}", net.name,
+          nodes, start ? start->cols() : 0);
+  require(start == nullptr || start->allFinite(), "net {}: start is not finite", net.name);
   return Rounds(net, state, drive, start, options).run();
 }
 

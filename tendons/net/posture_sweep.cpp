@@ -51,8 +51,9 @@ std::vector<Eigen::VectorXd> postures_between(const Eigen::VectorXd& from,
 std::vector<SweepPoint> sweep_net(const NetTendons& tendons,
                                   const std::vector<Eigen::VectorXd>& postures,
                                   const Eigen::VectorXd& t, const NetContinuationOptions& options,
-                                  Eigen::Matrix3Xd start) {
+                                  const Eigen::Matrix3Xd& start) {
   std::vector<SweepPoint> points;
+  points.reserve(postures.size());
   for (const Eigen::VectorXd& q : postures)
     points.push_back(points.empty() ? point_at(tendons, q, t, tendons.rest(q, t, start))
                                     : sweep_on(tendons, &points.back(), q, t, options));

@@ -36,7 +36,7 @@ struct SweepPoint {
                                                 const std::vector<Eigen::VectorXd>& postures,
                                                 const Eigen::VectorXd& t,
                                                 const NetContinuationOptions& options = {},
-                                                Eigen::Matrix3Xd start = {});
+                                                const Eigen::Matrix3Xd& start = {});
 
 /// One step of such a sweep.
 /// @param before  the point before, from which the net comes; null: it comes from its links

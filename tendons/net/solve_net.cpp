@@ -25,9 +25,9 @@ NetEquilibrium NetSolver::solve(const TreeState<double>& state, const NetDrive& 
   check_drive(net, drive);
   check_state(net, state);
   const auto nodes = static_cast<Eigen::Index>(net.nodes.size());
-  require(!start || start->cols() == nodes, "net {} has {} nodes, start has {}", net.name, nodes,
-          start ? start->cols() : 0);
-  require(!start || start->allFinite(), "net {}: start is not finite", net.name);
+  require(start == nullptr || start->cols() == nodes, "net {} has {} nodes, start has {}", net.name,
+          nodes, start ? start->cols() : 0);
+  require(start == nullptr || start->allFinite(), "net {}: start is not finite", net.name);
   return work_->descent.run(state, drive, start);
 }
 

@@ -70,7 +70,7 @@ void try_combinations(FittedNets& tried, const AssessOptions& options, double be
   open.resize(std::min<std::size_t>(open.size(), static_cast<std::size_t>(options.max_open)));
   for (unsigned way = 0; way < 1u << open.size() && !progress.stop(); ++way) {
     Topology bands = here.bands;
-    for (std::size_t i = 0; i < open.size(); ++i) bands[open[i]] = (way >> i) & 1u;
+    for (std::size_t i = 0; i < open.size(); ++i) bands[open[i]] = (way >> i & 1u) != 0;
     (void)tried.fit(bands, here.fit.s);
   }
 }
@@ -141,7 +141,7 @@ bool linked(FittedNets& tried, double limit, int a, int b) {
   const FittedNet& best = *tried.best();
   for (int way = 0; way < 4; ++way) {
     Topology bands = best.bands;
-    bands[a] = way & 1, bands[b] = way & 2;
+    bands[a] = (way & 1) != 0, bands[b] = (way & 2) != 0;
     if (!tried.knows(bands)) continue;
     const BandFit& fit = tried.fit(bands, best.fit.s);
     if (!fit.holds || fit.misfit > limit) return true;

@@ -72,7 +72,7 @@ class BandFitter {
     bool strayed = false;  // a net of two places of rest is not where predict() finds it
   };
   Followed follow(BoundedFit problem, const Eigen::VectorXd& x0, Memory memory);
-  FitResiduals residuals(const NetPrediction& forecast) const;
+  [[nodiscard]] FitResiduals residuals(const NetPrediction& forecast) const;
   NetForwardModel forward_;
   BoundedFitOptions options_;
   Eigen::VectorXd typical_;        // EA [N] (candidates)

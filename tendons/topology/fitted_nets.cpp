@@ -21,6 +21,7 @@ std::vector<int> change_singly(FittedNets& tried, const FittedNet& here, double 
   }
   std::sort(changes.begin(), changes.end());
   std::vector<int> order;
+  order.reserve(changes.size());
   for (const auto& [least, c] : changes) order.push_back(c);
   return order;
 }

@@ -94,7 +94,7 @@ NetPrediction NetForwardModel::predict(const Eigen::VectorXd& EA, Sensitivities 
   // Equilibrium of each test, near the last forecast if there is one.
   for (const Posed& posed : tests_) {
     const std::size_t place = out.rest.size();
-    const bool warm = near && near->holds && place < near->rest.size();
+    const bool warm = near != nullptr && near->holds && place < near->rest.size();
     const NetEquilibrium rest =
         solver.solve(posed.state, {posed.test.tension, {}}, warm ? &near->rest[place] : &posed.x);
     ++solves_;

@@ -54,8 +54,9 @@ class NetForwardModel {
   /// By Maxwell's reciprocity, with E the energy of the net at rest and phi that of one band:
   ///   d tau / d EA = -d2 E / dq dEA = -d (phi / EA) / dq = -(T / EA) dL / dq,
   /// so one linear solve a joint stands for one by every EA.
-  Eigen::MatrixXd slope_of(const Net& net, const Posed& posed, const NetEquilibrium& rest,
-                           const Eigen::VectorXd& EA) const;
+  [[nodiscard]] Eigen::MatrixXd slope_of(const Net& net, const Posed& posed,
+                                         const NetEquilibrium& rest,
+                                         const Eigen::VectorXd& EA) const;
 
   CandidateNet candidate_;
   std::vector<Posed> tests_;

@@ -1,5 +1,6 @@
 #include "tendons/wrapping/arm_slopes.h"
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
@@ -132,7 +133,8 @@ RideRate ride_rate(const PathShape& rider, const std::vector<SpanRate>& carrier,
 }
 
 /// Rates of the terms of a riding origin; see path_arms.cpp.
-void add_riding(const Turn& turn, const SpanRate& last, const RideRate& ride, Column column) {
+void add_riding(const Turn& turn, const SpanRate& last, const RideRate& ride,
+                const Column& column) {
   const SpanRate& run = (*ride.carrier)[ride.span];
   // Part of the pull along the carrier, and the rest across it.
   const Rated &u = last.u, &v = run.u;
@@ -183,9 +185,9 @@ bool has_slopes(const PathShape& shape, const std::vector<RunChain>& chains) {
   if (shape.status != PathStatus::kTaut) return false;
   for (const RunChain& chain : chains)
     if (!chain.tangent.regular()) return false;
-  for (const PathSpan& span : shape.spans)
-    if (!(span.length > 0) && span.link_a != span.link_b) return false;
-  return true;
+  return std::all_of(shape.spans.begin(), shape.spans.end(), [](const PathSpan& span) {
+    return span.length > 0 || span.link_a == span.link_b;
+  });
 }
 
 /// How far the carrier draws back before the run on which the origin lies: -d(length up to it).

@@ -25,6 +25,7 @@ void add_between(const Tree<double>& tree, int a, int b, std::set<int>& crossed)
   }
 }
 
+// NOLINTNEXTLINE(misc-no-recursion): once: a carrier rides on none
 std::set<int> crossed_by(const Tree<double>& tree, const PathSet& set, const WrappedPath& path) {
   // Hinges between consecutive points and surfaces.
   std::set<int> crossed;
@@ -319,6 +320,7 @@ MatrixXd arm_derivatives(const FittedPath& path, const VectorXd& q) {
     std::vector<PolynomialBasis> bases;
     std::vector<const VectorXd*> by;
     for (Index i = 0; i < place.x.size(); ++i) bases.push_back(basis(run.order, place.x[i]));
+    by.reserve(bases.size());
     for (const PolynomialBasis& at : bases) by.push_back(&at.T);
     // Second derivatives: two coordinates differentiated, or one of them twice.
     for (std::size_t i = 0; i < d; ++i)

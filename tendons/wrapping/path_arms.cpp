@@ -67,7 +67,7 @@ Ride ride_of(const PathSet& set, const std::vector<PathShape>& shapes, std::size
 /// -u . dx/dq of an origin x that stays at a fixed distance from its carrier's insertion:
 /// dx = da + v (excursion before a) + share (1 - v v') (db - da).
 void add_riding(const Tree<double>& tree, const TreeState<double>& state, const PathSet& set,
-                const std::vector<PathShape>& shapes, std::size_t path, Row row) {
+                const std::vector<PathShape>& shapes, std::size_t path, const Row& row) {
   const Ride ride = ride_of(set, shapes, path);
   // Part of the pull along the carrier, and the rest across it.
   const double along = ride.u.dot(ride.v);
@@ -81,7 +81,7 @@ void add_riding(const Tree<double>& tree, const TreeState<double>& state, const 
 }
 
 void add_path(const Tree<double>& tree, const TreeState<double>& state, const PathSet& set,
-              const std::vector<PathShape>& shapes, std::size_t path, Row row) {
+              const std::vector<PathShape>& shapes, std::size_t path, const Row& row) {
   // Spans between links, and the last one of a riding tendon.
   for (const PathSpan& span : shapes[path].spans) {
     if (span.link_b != kRiding) {
@@ -131,6 +131,7 @@ Spatial pressure(const BoneSurface& surface, const WrapArc& arc, double from, do
 }
 
 /// Halves the arc until the quadrature agrees with itself: a capsule's seams have a jump.
+// NOLINTNEXTLINE(misc-no-recursion): at most `depth` deep
 Spatial whole_pressure(const BoneSurface& surface, const WrapArc& arc, double from, double to,
                        const Spatial& coarse, int depth) {
   // Two halves against the whole.

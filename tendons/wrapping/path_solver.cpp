@@ -137,13 +137,12 @@ const std::vector<PathShape>& PathSolver::solve(const TreeState<double>& state) 
 
 /// Joints turn by less than half a turn, so the reference posture tells which way a point came.
 bool PathSolver::has_crossed(std::size_t path, const TreeState<double>& state) const {
-  for (const FarSide& far : far_[path]) {
+  return std::any_of(far_[path].begin(), far_[path].end(), [&](const FarSide& far) {
     const WrapPoint& point = set_->paths[path].points[far.point];
     const Pose<double>& X = X_[static_cast<std::size_t>(far.surface)];
     const Vector3d p = X.R.transpose() * (moved(state, point.link, point.p) - X.p);
-    if (crossed_far_side(far.side, far.reference, p.head<2>())) return true;
-  }
-  return false;
+    return crossed_far_side(far.side, far.reference, p.head<2>());
+  });
 }
 
 void PathSolver::solve_path(std::size_t k, const TreeState<double>& state) {

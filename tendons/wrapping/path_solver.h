@@ -87,14 +87,14 @@ class PathSolver {
     Eigen::Vector2d reference, side;  // across the axis, at the reference posture (2)
   };
   [[nodiscard]] bool has_crossed(std::size_t path, const TreeState<double>& state) const;
-  void solve_path(std::size_t path, const TreeState<double>& state);
+  void solve_path(std::size_t k, const TreeState<double>& state);
   void add_run(const std::vector<PathWrap>& bends, const PathEnds& ends, PathShape& shape);
   bool add_round(const PathWrap& bend, const PathEnds& ends, PathShape& shape);
   void tighten(const std::vector<PathWrap>& bends, const Eigen::Vector3d& a,
                const Eigen::Vector3d& b, PathShape& shape);
   void sweep(const std::vector<PathWrap>& bends, const Eigen::Vector3d& a, const Eigen::Vector3d& b,
              PathShape& shape);
-  void wrap_one(std::size_t slot, const PathWrap& bend, const Eigen::Vector3d& a,
+  void wrap_one(std::size_t i, const PathWrap& bend, const Eigen::Vector3d& a,
                 const Eigen::Vector3d& b, PathShape& shape);
   double touch_together(const Eigen::Vector3d& a, const Eigen::Vector3d& b, PathShape& shape);
   double settle_on(const std::vector<PathWrap>& bends, const Eigen::Vector3d& a,

@@ -182,8 +182,8 @@ Eigen::Vector2d carried_rate(const ArcEnd& end, const BodyTwist& on, const Vecto
 
 }  // namespace
 
-ChainTangent::ChainTangent(const Vector3d& a, const Vector3d& b, std::vector<ChainArc> chain)
-    : a_(a), b_(b), chain_(std::move(chain)) {
+ChainTangent::ChainTangent(Vector3d a, Vector3d b, std::vector<ChainArc> chain)
+    : a_(std::move(a)), b_(std::move(b)), chain_(std::move(chain)) {
   constexpr double kSingular = 1e-12;  // reciprocal condition
   // Regular only if the Jacobian of the conditions is well conditioned.
   const System J = tangency(a_, b_, chain_).J;

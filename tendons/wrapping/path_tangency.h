@@ -52,7 +52,7 @@ class ChainTangent {
  public:
   /// @param a, b   ends of the string, world [m] (3)
   /// @param chain  tangent already, as solve_tangency() leaves it; at most kMaxWraps
-  ChainTangent(const Eigen::Vector3d& a, const Eigen::Vector3d& b, std::vector<ChainArc> chain);
+  ChainTangent(Eigen::Vector3d a, Eigen::Vector3d b, std::vector<ChainArc> chain);
 
   /// Whether the touch points are determined: not where a free run has no length, nor for a string
   /// half round a sphere.

@@ -210,7 +210,7 @@ std::optional<WrapArc> initial_arc(const BoneSurface& surface, const Vector3d& a
                                    const Vector3d& b_S, const Vector3d& side_S) {
   if (surface.shape == SurfaceShape::kTorus) return through_ring(surface, a_S, b_S, side_S);
   if (surface.shape == SurfaceShape::kCapsule)
-    if (const auto arc = over_middle(surface, a_S, b_S, side_S)) return arc;
+    if (auto arc = over_middle(surface, a_S, b_S, side_S)) return arc;
   return over_convex(surface, a_S, b_S, side_S);
 }
 

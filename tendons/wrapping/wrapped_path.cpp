@@ -190,7 +190,7 @@ PathSet build(const Subject& subject, const Skeleton& skeleton,
                other.path.back().rides_on == strand.name;
       });
     };
-    return !only || std::find(only->begin(), only->end(), strand.name) != only->end() ||
+    return only == nullptr || std::find(only->begin(), only->end(), strand.name) != only->end() ||
            std::any_of(only->begin(), only->end(), carries);
   };
   // Paths in file order; a rider stands behind its carrier.

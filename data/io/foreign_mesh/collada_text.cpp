@@ -41,6 +41,7 @@ class Check {
 
  private:
   template <typename Visit>
+  // NOLINTNEXTLINE(misc-no-recursion): as deep as nodes may stand for others
   static void each(const pugi::xml_node& top, const Visit& visit) {
     for (pugi::xml_node node = top; node; node = internal::next_below(top, node)) visit(node);
   }
@@ -75,6 +76,7 @@ class Check {
   double placed(const pugi::xml_node& top, int depth) {
     constexpr int kDeepest = 100;
     double count = 0;
+    // NOLINTNEXTLINE(misc-no-recursion): as deep as nodes may stand for others
     each(top, [&](const pugi::xml_node& node) {
       count += std::string(node.name()) == "node" ? 1 : 0;
       if (std::string(node.name()) != "instance_node") return;

@@ -84,7 +84,7 @@ bool is_clockwise(SoCallbackAction& action) {
   const SoNode* shape = action.getCurPathTail();
   const SoField* counterclockwise = shape->getField("ccw");
   if (counterclockwise != nullptr && counterclockwise->isOfType(SoSFBool::getClassTypeId()))
-    return !static_cast<const SoSFBool*>(counterclockwise)->getValue();
+    return static_cast<const SoSFBool*>(counterclockwise)->getValue() == 0;
   return action.getVertexOrdering() == SoShapeHints::CLOCKWISE;
 }
 

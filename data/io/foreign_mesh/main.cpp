@@ -21,10 +21,10 @@
 #include "data/io/mesh/reader_answer.h"
 
 // The address sanitizer reserves address space, so that memory is limited by residence instead.
-extern "C" const char* __asan_default_options();   // NOLINT(bugprone-reserved-identifier)
-extern "C" const char* __asan_default_options() {  // NOLINT(bugprone-reserved-identifier)
-  return "detect_leaks=0:hard_rss_limit_mb=1200";
-}
+// NOLINTNEXTLINE(bugprone-reserved-identifier, readability-identifier-naming): ASan asks for it
+extern "C" const char* __asan_default_options();
+// NOLINTNEXTLINE(bugprone-reserved-identifier, readability-identifier-naming): ASan asks for it
+extern "C" const char* __asan_default_options() { return "detect_leaks=0:hard_rss_limit_mb=1200"; }
 
 namespace thenar {
 namespace {

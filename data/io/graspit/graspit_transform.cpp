@@ -70,10 +70,11 @@ Mat3<double> turn(const XmlFile& file, const pugi::xml_node& node) {
 
 }  // namespace
 
+// NOLINTNEXTLINE(misc-no-recursion): once, for a <transform> inside
 Pose<double> graspit_transform(const XmlFile& file, const pugi::xml_node& node,
                                std::vector<std::string>& warnings) {
   // An element that contains the transform.
-  if (std::string(node.name()) != "transform" && node.child("transform"))
+  if (std::string(node.name()) != "transform" && !node.child("transform").empty())
     return graspit_transform(file, node.child("transform"), warnings);
   Pose<double> X;
   if (std::string(node.name()) != "transform") return X;

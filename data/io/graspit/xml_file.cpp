@@ -72,6 +72,7 @@ XmlFile::~XmlFile() = default;
 
 pugi::xml_node XmlFile::root() const { return document_->xml.document_element(); }
 
+// NOLINTNEXTLINE(readability-make-member-function-const): it renames elements
 void XmlFile::settle_case(const std::string& names) {
   std::map<std::string, std::string> by_lower_case;
   std::istringstream words(names);
@@ -93,6 +94,7 @@ void XmlFile::fail(const pugi::xml_node& node, const std::string& what) const {
                   what.size() > kLongest ? what.substr(0, kLongest) + " .." : what);
 }
 
+// NOLINTNEXTLINE(readability-convert-member-functions-to-static): asked of a file, as numbers() is
 std::string XmlFile::text(const pugi::xml_node& node) const {
   const std::string all = node.text().get();
   const char* const white = " \t\r\n";

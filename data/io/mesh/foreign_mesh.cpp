@@ -1,6 +1,7 @@
 #include "data/io/mesh/foreign_mesh.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdint>
 #include <cstdlib>
@@ -93,9 +94,9 @@ class SceneWords {
 
 /// Whether a node stands for another file.
 bool includes_file(std::string_view node) {
-  for (const std::string_view other : {"File", "SoFile", "Inline", "WWWInline", "VRMLInline"})
-    if (node == other) return true;
-  return false;
+  constexpr std::array<std::string_view, 5> kIncluding{"File", "SoFile", "Inline", "WWWInline",
+                                                       "VRMLInline"};
+  return std::find(kIncluding.begin(), kIncluding.end(), node) != kIncluding.end();
 }
 
 void refuse_inclusion(std::string_view text, const std::string& path) {

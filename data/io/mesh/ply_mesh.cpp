@@ -126,7 +126,7 @@ class HeaderReader {
     header_.elements.push_back(std::move(element));
   }
 
-  Type type(std::string_view name) const {
+  [[nodiscard]] Type type(std::string_view name) const {
     static const std::map<std::string_view, Type> types{
         {"char", Type::kInt8},     {"int8", Type::kInt8},     {"uchar", Type::kUint8},
         {"uint8", Type::kUint8},   {"short", Type::kInt16},   {"int16", Type::kInt16},

@@ -1,5 +1,6 @@
 #include "data/io/mesh/polygons.h"
 
+#include <algorithm>
 #include <array>
 #include <charconv>
 #include <cmath>
@@ -79,6 +80,7 @@ class Cutter {
     // Triangles need no cutting.
     if (face.size() == 3) return append(face[0], face[1], face[2]);
     std::vector<Eigen::Vector3d> place;
+    place.reserve(face.size());
     for (const int corner : face)
       place.push_back(polygons_.vertices[static_cast<std::size_t>(corner)]);
     cut_ears(face, flattened(place));
@@ -105,16 +107,14 @@ class Cutter {
       if (!(turn(i) > 0)) return false;
       const std::size_t a = left[(i + left.size() - 1) % left.size()], b = left[i],
                         c = left[(i + 1) % left.size()];
-      for (const std::size_t k : inward) {
+      return std::none_of(inward.begin(), inward.end(), [&](std::size_t k) {
         ++steps_;
-        if (k == a || k == b || k == c || face[k] == face[a] || face[k] == face[c]) continue;
+        if (k == a || k == b || k == c || face[k] == face[a] || face[k] == face[c]) return false;
         const Eigen::Vector2d& p = flat[k];
-        if (cross(flat[b] - flat[a], p - flat[a]) >= 0 &&
-            cross(flat[c] - flat[b], p - flat[b]) >= 0 &&
-            cross(flat[a] - flat[c], p - flat[c]) >= 0)
-          return false;
-      }
-      return true;
+        return cross(flat[b] - flat[a], p - flat[a]) >= 0 &&
+               cross(flat[c] - flat[b], p - flat[b]) >= 0 &&
+               cross(flat[a] - flat[c], p - flat[c]) >= 0;
+      });
     };
     // Clip from the second corner on, until a triangle is left.
     std::size_t at = 1;

@@ -1,6 +1,7 @@
 #include "data/io/mesh/shape_toml.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstring>
 #include <filesystem>
@@ -55,7 +56,7 @@ TriangleMesh read_triangles(TomlTable& table) {
   mesh.vertices = Eigen::Map<const Eigen::Matrix3Xd>(
       vertices.data(), 3, static_cast<Eigen::Index>(vertices.size() / 3));
   mesh.triangles.resize(3, static_cast<Eigen::Index>(corners.size() / 3));
-  const double last = static_cast<double>(mesh.vertices.cols() - 1);
+  const auto last = static_cast<double>(mesh.vertices.cols() - 1);
   for (std::size_t i = 0; i < corners.size(); ++i) {
     if (corners[i] != std::floor(corners[i]) || corners[i] < 0 || corners[i] > last)
       table.fail(fmt::format("wanted corners 0..{} in 'triangles', got {}", last, corners[i]),
@@ -129,7 +130,8 @@ Pose<double> read_pose_keys(TomlTable& table) {
   const bool rows = table.has("rotation"), quaternion = table.has("quaternion_wxyz");
   const bool rpy = table.has(Dimension::kAngle, "rpy");
   const bool turn = table.has(Dimension::kAngle, "angle");
-  if (rows + quaternion + rpy + turn > 1)
+  const std::array<bool, 4> stated{rows, quaternion, rpy, turn};
+  if (std::count(stated.begin(), stated.end(), true) > 1)
     table.fail("wanted one of 'rotation', 'quaternion_wxyz', 'rpy' and 'angle', got several");
   if (rows) X.R = read_rows(table);
   if (quaternion) X.R = read_quaternion(table);

@@ -68,9 +68,9 @@ void TextLines::fail(const std::string& what) const {
 }
 
 std::string in_quotes(std::string_view word) {
-  constexpr std::size_t kLongest = 40;
-  const std::string cut(word.substr(0, kLongest));
-  return fmt::format("'{}{}'", cut, word.size() > kLongest ? ".." : "");
+  constexpr std::size_t kLongestWord = 40;
+  const std::string cut(word.substr(0, kLongestWord));
+  return fmt::format("'{}{}'", cut, word.size() > kLongestWord ? ".." : "");
 }
 
 bool parse_decimal(std::string_view word, double& value) {

@@ -9,6 +9,7 @@
 #include <numeric>
 #include <unordered_map>
 #include <unordered_set>
+#include <utility>
 
 #include "base/error.h"
 #include "geometry/mesh_parts.h"
@@ -58,7 +59,8 @@ class Vertices {
 class NearPlaces {
  public:
   /// @param corner  origin of the cells, below all places and within 1e6 near of them [m]
-  NearPlaces(double near, const Vector3d& corner) : near_(near), cell_(4 * near), corner_(corner) {}
+  NearPlaces(double near, Vector3d corner)
+      : near_(near), cell_(4 * near), corner_(std::move(corner)) {}
 
   /// @param number  for p, if it is not near an earlier place
   int index_of(const Vector3d& p, int number) {
@@ -123,8 +125,8 @@ struct Defects {
 Defects defects_of(const TriangleMesh& mesh) {
   Defects found;
   for_each_edge(sides_by_edge(mesh), [&](const MeshSide* first, const MeshSide* last) {
-    found.open += last - first == 1;
-    found.crowded += last - first > 2;
+    found.open += last - first == 1 ? 1 : 0;
+    found.crowded += last - first > 2 ? 1 : 0;
   });
   return found;
 }
@@ -154,7 +156,7 @@ TriangleMesh closed_up(TriangleMesh mesh, double near) {
     const Vector3i t =
         old.unaryExpr([&](int v) { return stands_for[static_cast<std::size_t>(v)]; });
     if (t(0) == t(1) || t(1) == t(2) || t(2) == t(0)) continue;  // an edge shorter than `near`
-    triangles.push_back(t.unaryExpr([&](int v) { return kept.index_of(mesh.vertices.col(v)); }));
+    triangles.emplace_back(t.unaryExpr([&](int v) { return kept.index_of(mesh.vertices.col(v)); }));
   }
   if (triangles.empty()) return mesh;
   // Keep the result only if edges were closed and none crowded.

@@ -31,7 +31,7 @@ RobotFileKind kind_of_xml(const XmlFile& file) {
   if (name == "mujoco" || name == "mujocoinclude") return RobotFileKind::kMjcf;
   if (name == "robot") {
     for (const char* part : {"palm", "chain", "dof", "DOF"})
-      if (root.child(part)) return RobotFileKind::kGraspit;
+      if (!root.child(part).empty()) return RobotFileKind::kGraspit;
     return RobotFileKind::kUrdf;
   }
   if (name == "sdf")

@@ -71,7 +71,7 @@ double number_or(const XmlFile& file, const pugi::xml_node& node, const char* at
 }
 
 std::string required_text(const XmlFile& file, const pugi::xml_node& node, const char* attribute) {
-  const std::string text = node.attribute(attribute).value();
+  std::string text = node.attribute(attribute).value();
   if (text.empty()) file.fail(node, fmt::format("<{}> wants {}=\"..\"", node.name(), attribute));
   return text;
 }

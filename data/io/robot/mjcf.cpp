@@ -67,6 +67,7 @@ class BodyTree {
   }
 
   /// Collects the elements of a body, those inside a <frame> with its pose.
+  // NOLINTNEXTLINE(misc-no-recursion): as deep as frames nest
   void collect(const pugi::xml_node& body, const Pose<double>& X_BF, const std::string& childclass,
                std::vector<Part>& parts) {
     for (const pugi::xml_node node : body.children()) {
@@ -98,6 +99,7 @@ class BodyTree {
     return candidate;
   }
 
+  // NOLINTNEXTLINE(misc-no-recursion): as deep as bodies nest
   void add_body(const Part& part, const std::string& parent) {
     if (robot_.links.size() >= kMaxLinks)
       source_.file.fail(part.node, fmt::format("wanted at most {} bodies, got more", kMaxLinks));

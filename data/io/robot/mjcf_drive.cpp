@@ -48,7 +48,7 @@ class MjcfDrive {
   }
 
  private:
-  const FixedTendon* find_tendon(const std::string& name) const {
+  [[nodiscard]] const FixedTendon* find_tendon(const std::string& name) const {
     for (const FixedTendon& tendon : tendons_)
       if (tendon.name == name) return &tendon;
     return nullptr;
@@ -84,7 +84,7 @@ class MjcfDrive {
   static std::string first_of(const pugi::xml_node& node,
                               const std::vector<const char*>& attributes) {
     for (const char* attribute : attributes)
-      if (node.attribute(attribute)) return node.attribute(attribute).value();
+      if (!node.attribute(attribute).empty()) return node.attribute(attribute).value();
     return "world";
   }
 
@@ -123,7 +123,7 @@ class MjcfDrive {
   /// Coupling  c1 (q1 - ref1) + c2 (q2 - ref2) = a0.
   void couple_through_tendon(const pugi::xml_node& node, const MjcfElement& equality) {
     const FixedTendon* tendon = find_tendon(required_text(source_.file, node, "tendon1"));
-    if (tendon == nullptr || tendon->terms.size() != 2 || node.attribute("tendon2")) {
+    if (tendon == nullptr || tendon->terms.size() != 2 || !node.attribute("tendon2").empty()) {
       source_.unread.note(node,
                           "<tendon> equality of other than one fixed tendon of two joints is not "
                           "kept");

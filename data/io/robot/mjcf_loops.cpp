@@ -17,6 +17,7 @@ std::vector<Pose<double>> file_posture(RobotSpec robot, const std::vector<double
   return link_poses(robot, {});
 }
 
+// NOLINTNEXTLINE(misc-no-recursion): as deep as the file
 pugi::xml_node find_site(const pugi::xml_node& under, const std::string& name) {
   for (const pugi::xml_node child : under.children()) {
     if (std::string(child.name()) == "site" && name == child.attribute("name").value())
@@ -36,7 +37,7 @@ class Reader {
   std::optional<LoopClosure> read() {
     LoopClosure loop;
     loop.welded = std::string(node_.name()) == "weld";
-    const bool sites = node_.attribute("site1") || node_.attribute("site2");
+    const bool sites = !node_.attribute("site1").empty() || !node_.attribute("site2").empty();
     const bool found = sites ? at_sites(loop) : at_bodies(loop);
     if (!found) return {};
     loop.words = fmt::format("<{}> of '{}' and '{}'", node_.name(), loop.a, loop.b);

@@ -35,7 +35,7 @@ std::string default_kind(const std::string& element) {
 
 int depth_of(pugi::xml_node node) {
   int depth = 0;
-  while ((node = node.parent())) ++depth;
+  for (node = node.parent(); !node.empty(); node = node.parent()) ++depth;
   return depth;
 }
 
@@ -97,7 +97,8 @@ void read_compiler(MjcfCompiler& compiler, const XmlFile& file, UnreadElements& 
   if (text("coordinate", "local") != "local")
     file.fail(node, "coordinate=\"global\" is not read; save the model with local coordinates");
   for (const char* name : {"balanceinertia", "boundinertia", "fusestatic"})
-    if (node.attribute(name)) unread.note(node, fmt::format("<compiler {}> is not heeded", name));
+    if (!node.attribute(name).empty())
+      unread.note(node, fmt::format("<compiler {}> is not heeded", name));
 }
 
 Eigen::Matrix3d euler_rotation(const Eigen::Vector3d& angles, const std::string& sequence) {
@@ -121,6 +122,7 @@ void MjcfDefaults::read(const XmlFile& file, const pugi::xml_node& root) {
   }
 }
 
+// NOLINTNEXTLINE(misc-no-recursion): as deep as classes nest
 void MjcfDefaults::read_class(const XmlFile& file, const pugi::xml_node& node, std::size_t own) {
   // The class's own values, then nested classes.
   for (const pugi::xml_node element : node.children())
@@ -241,7 +243,7 @@ Pose<double> MjcfElement::pose() const {
 Eigen::Matrix3d MjcfElement::rotation() const {
   // Numbers of an attribute, in the right count and not all zero.
   const auto of_size = [&](const char* attribute, std::size_t count) {
-    const std::vector<double> v = numbers(attribute);
+    std::vector<double> v = numbers(attribute);
     if (v.size() != count)
       fail(fmt::format("<{}> {} wants {} numbers, got {}", kind_, attribute, count, v.size()));
     if (Eigen::Map<const Eigen::VectorXd>(v.data(), static_cast<Eigen::Index>(count)).norm() == 0 &&
@@ -353,11 +355,12 @@ class Replicator {
 
  private:
   /// Expands the innermost elements first.
-  void expand(pugi::xml_node node) {
-    for (pugi::xml_node child = node.first_child(); child;) {
+  // NOLINTNEXTLINE(misc-no-recursion): as deep as the file
+  void expand(pugi::xml_node parent) {
+    for (pugi::xml_node child = parent.first_child(); child;) {
       const pugi::xml_node next = child.next_sibling();
       expand(child);
-      if (std::string(child.name()) == "replicate") copy(node, child);
+      if (std::string(child.name()) == "replicate") copy(parent, child);
       child = next;
     }
   }
@@ -386,6 +389,7 @@ class Replicator {
     // Suffixes with leading zeros.
     const std::string digits = std::to_string(count), sep = node.attribute("sep").value();
     std::vector<std::string> suffixes;
+    suffixes.reserve(static_cast<std::size_t>(count));
     for (int i = 0; i < count; ++i)
       suffixes.push_back(fmt::format("{}{:0{}}", sep, i, digits.size()));
     // Copy i stands in i nested frames.

@@ -88,7 +88,7 @@ Eigen::Matrix3d read_inertia(TomlTable& table) {
 Pose<double> pose_or_none(TomlTable& table, const std::string& key) {
   std::optional<TomlTable> pose = table.table(key);
   if (!pose) return {};
-  const Pose<double> X = read_pose_keys(*pose);
+  Pose<double> X = read_pose_keys(*pose);
   pose->done();
   return X;
 }

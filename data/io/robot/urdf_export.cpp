@@ -142,6 +142,7 @@ class Export {
   }
 
   /// Pose of the link's frame in that of its URDF link.
+  // NOLINTNEXTLINE(readability-identifier-naming): a pose, with its frames
   [[nodiscard]] Pose<double> X_UL(const std::string& link) const {
     for (const RobotJoint& joint : robot_.joints)
       if (joint.child == link) return joint.X_JC;

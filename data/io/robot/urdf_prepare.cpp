@@ -61,6 +61,7 @@ void refuse_xacro(const XmlFile& file, const pugi::xml_node& top) {
     if (node.type() == pugi::node_element) refuse_xacro_at(file, node);
 }
 
+// NOLINTNEXTLINE(misc-no-recursion): as deep as the file
 void take_out_unread(UnreadElements& unread, pugi::xml_node node) {
   const auto read = kRead.find(node.name());
   if (read == kRead.end()) return;
@@ -164,7 +165,7 @@ void settle_limits(UnreadElements& unread, pugi::xml_node joint) {
   }
   if (!limit && type == "prismatic") {
     unread.note(joint, fmt::format("prismatic joint '{}' has no <limit>: it stays at zero", name));
-    if (joint.child("mimic"))
+    if (!joint.child("mimic").empty())
       limit = joint.append_child("limit");  // widened by its coupling
     else
       joint.attribute("type") = "fixed";

@@ -104,7 +104,7 @@ void read_mass(const XmlFile& file, BodySpec& body) {
 
 std::string read_material(const XmlFile& file, std::vector<std::string>& warnings) {
   const pugi::xml_node node = file.root().child("material");
-  const std::string name = file.text(node);
+  std::string name = file.text(node);
   for (const Material& material : built_in_materials().materials)
     if (material.name == name) return name;
   if (node)

@@ -43,7 +43,7 @@ namespace {
 
 /// Path of a file named in a world, relative to the working directory.
 std::string found(TomlTable& table, const std::string& key, const WorldSpec& world) {
-  const std::string path =
+  std::string path =
       (std::filesystem::path(world.folder) / table.text(key)).lexically_normal().string();
   if (!is_file(path)) table.fail(fmt::format("there is no file '{}'", path), key);
   return path;
