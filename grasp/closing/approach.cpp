@@ -78,19 +78,19 @@ Eigen::Vector3d push_across(const CollisionHand& hand, const Eigen::VectorXd& q,
 }  // namespace
 
 ApproachResult yielding_approach(const CollisionHand& hand, const Pose<double>& X_WH,
-                                 const Eigen::VectorXd& q, const Scene& scene, double distance,
-                                 double most, const CloseOptions& options) {
-  require(most >= 0, "a hand gives way by 0 m or more, got {} m", most);
-  ApproachResult met = approach(hand, X_WH, q, scene, distance, options);
+                                 const Eigen::VectorXd& q, const Scene& scene,
+                                 const ApproachReach& most, const CloseOptions& options) {
+  require(most.aside >= 0, "a hand gives way by 0 m or more, got {} m", most.aside);
+  ApproachResult met = approach(hand, X_WH, q, scene, most.distance, options);
   const Eigen::Vector3d d = X_WH.R * hand.hand->layout().approach.direction;
   const double step = kStep * scene.object.torque_scale;
   // Step aside, and approach again by the distance that is left.
-  for (double given = step; given <= most; given += step) {
+  for (double given = step; given <= most.aside; given += step) {
     const Eigen::Vector3d across = push_across(hand, q, scene, met, options.accuracy);
     if (across.isZero(0)) break;
     Pose<double> aside = met.X_WH;
     aside.p += step * across;
-    const double left = distance - d.dot(aside.p - X_WH.p);
+    const double left = most.distance - d.dot(aside.p - X_WH.p);
     ApproachResult next = approach(hand, aside, q, scene, std::max(0.0, left), options);
     if (!next.overlaps.empty()) break;
     met = std::move(next);

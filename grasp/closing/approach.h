@@ -26,15 +26,21 @@ ApproachResult approach(const CollisionHand& hand, const Pose<double>& X_WH,
                         const Eigen::VectorXd& q, const Scene& scene, double distance,
                         const CloseOptions& options = {});
 
+/// How far a hand goes in yielding_approach().
+struct ApproachReach {
+  double distance = 0;  // along the approach direction [m]
+  double aside = 0;     // across it, giving way to the object [m]; 0: as approach()
+};
+
 /// approach() that lets digits give way. Where a digit meets the object, the hand steps aside, by a
 /// twentieth of the object's radius across the approach direction d, along n - (n'd) d with the
 /// normal n of the contact, and goes on. It ends where the palm or an obstacle is met, where a
 /// digit meets the object head-on (|n - (n'd) d| < 0.2), where another step would overlap
-/// something, or after steps of `most` in all.
-/// @param most  largest distance of giving way [m]; 0: as approach()
-/// @throws InputError as approach(), or if `most` is negative.
+/// something, or after steps of `most.aside` in all.
+/// @param most  largest distances
+/// @throws InputError as approach(), or if `most.aside` is negative.
 ApproachResult yielding_approach(const CollisionHand& hand, const Pose<double>& X_WH,
-                                 const Eigen::VectorXd& q, const Scene& scene, double distance,
-                                 double most, const CloseOptions& options = {});
+                                 const Eigen::VectorXd& q, const Scene& scene,
+                                 const ApproachReach& most, const CloseOptions& options = {});
 
 }  // namespace thenar

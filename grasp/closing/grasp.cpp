@@ -25,8 +25,9 @@ ApproachResult approach_or_stay(const CollisionHand& hand, const Pose<double>& X
   approached.X_WH = X_WH;
   if (options.approach_distance <= 0) return approached;
   // Digits that meet the object give way.
-  approached = yielding_approach(hand, X_WH, q, scene, options.approach_distance,
-                                 options.side_step * scene.object.torque_scale, options.close);
+  approached = yielding_approach(
+      hand, X_WH, q, scene,
+      {options.approach_distance, options.side_step * scene.object.torque_scale}, options.close);
   if (options.stand_off > 0 && approached.touches && approached.body == scene.object.name)
     stand_off(approached, hand, X_WH, q, scene.object, options.stand_off);
   return approached;

@@ -85,31 +85,7 @@ class EpsilonSearch {
     if (!simplex.found) return false;
     Hull hull(simplex.points);
     lower_ = -support_.size();
-    int next_polish = kPolishAt;
-    int next_proof = kPolishAt;
-    while (upper_ > 0 && hull.facets() <= options_.max_facets) {
-      // The nearest facet bounds epsilon from below; facets beyond the bar cannot matter.
-      hull.set_bar(bar());
-      const int facet = hull.pop_nearest();
-      if (facet < 0) {  // all are beyond the bar
-        lower_ = std::max(lower_, bar() - hull.error());
-        break;
-      }
-      const Hull::Plane plane = hull.plane(facet);
-      lower_ = std::max(lower_, plane.d - hull.error());
-      if (settled()) break;
-      // The support in its direction bounds epsilon from above and is the hull's next vertex.
-      const SupportPoint reach = look(plane.n);
-      if (settled() || !hull.insert(reach.p, facet)) break;
-      // Now and then descend to a local minimum of the support, and try to prove it.
-      if (hull.facets() < next_polish) continue;
-      descend_support();
-      if (hull.facets() >= next_proof) {
-        if (prove(needed_gap(), linf() ? kLinfParts : kFewParts)) break;
-        next_proof *= kProveAgain;
-      }
-      next_polish *= 2;
-    }
+    grow(hull);
     // Final descent, then proofs for the gap asked for and for the sharpest one.
     facets_ = hull.facets();
     descend_support();
@@ -137,6 +113,35 @@ class EpsilonSearch {
   [[nodiscard]] const ScaledWrench& worst() const { return worst_; }
 
  private:
+  /// Adds support points to the hull until its nearest facet settles epsilon, or no more fit in.
+  void grow(Hull& hull) {
+    int next_polish = kPolishAt;
+    int next_proof = kPolishAt;
+    while (upper_ > 0 && hull.facets() <= options_.max_facets) {
+      // The nearest facet bounds epsilon from below; facets beyond the bar cannot matter.
+      hull.set_bar(bar());
+      const int facet = hull.pop_nearest();
+      if (facet < 0) {  // all are beyond the bar
+        lower_ = std::max(lower_, bar() - hull.error());
+        return;
+      }
+      const Hull::Plane plane = hull.plane(facet);
+      lower_ = std::max(lower_, plane.d - hull.error());
+      if (settled()) return;
+      // The support in its direction bounds epsilon from above and is the hull's next vertex.
+      const SupportPoint reach = look(plane.n);
+      if (settled() || !hull.insert(reach.p, facet)) return;
+      // Now and then descend to a local minimum of the support, and try to prove it.
+      if (hull.facets() < next_polish) continue;
+      descend_support();
+      if (hull.facets() >= next_proof) {
+        if (prove(needed_gap(), linf() ? kLinfParts : kFewParts)) return;
+        next_proof *= kProveAgain;
+      }
+      next_polish *= 2;
+    }
+  }
+
   /// Takes the upper bound down to the local minimum.
   void descend_support() {
     if (upper_ > kUndecided * support_.size())

@@ -80,6 +80,19 @@ Matrix6 normals(const Form& four) {
   return S;
 }
 
+/// Product of a form of `count` vectors and the vectors along a face.
+Form wedge(Form f, int count, const ContactFace& face) {
+  for (int i = 0; i < face.dimension; ++i)
+    f = wedge(f, count + i, face.span[static_cast<std::size_t>(i)]);
+  return f;
+}
+
+/// Product of a number and the lengths of the vectors along a face.
+double times_lengths(double lengths, const ContactFace& face) {
+  for (int i = 0; i < face.dimension; ++i) lengths *= face.span[static_cast<std::size_t>(i)].norm();
+  return lengths;
+}
+
 /// Volume of a Minkowski sum by its facets, found by trying all choices of faces.
 class Sum {
  public:
@@ -112,15 +125,11 @@ class Sum {
         if (face.dimension > left) continue;
         // A face either completes five dimensions or is followed by faces of later contacts.
         chosen_.push_back({c, &face});
-        double longer = lengths;
-        for (int i = 0; i < face.dimension; ++i)
-          longer *= face.span[static_cast<std::size_t>(i)].norm();
+        const double longer = times_lengths(lengths, face);
         if (left == 1) {
           finish(S * face.span[0], size * face.size, longer);
         } else {
-          Form more = f;
-          for (int i = 0; i < face.dimension; ++i)
-            more = wedge(more, 5 - left + i, face.span[static_cast<std::size_t>(i)]);
+          const Form more = wedge(f, 5 - left, face);
           if (face.dimension == left)
             finish(normal(more), size * face.size, longer);
           else

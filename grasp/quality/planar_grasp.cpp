@@ -72,19 +72,19 @@ class LeastSupport {
   ForceNorm limit_;
 };
 
-/// Looks along the normals of all possible facets.
-void look_at_facets(LeastSupport& search, const std::vector<Points>& groups, ForceNorm limit) {
+/// L1: looks along the normals of facets through three points of the set.
+void look_at_triples(LeastSupport& search, const std::vector<Points>& groups) {
   Points all;
-  // L1: facets through three points of the set.
-  if (limit == ForceNorm::kL1) {
-    for (const Points& points : groups) all.insert(all.end(), points.begin(), points.end());
-    for (std::size_t i = 0; i < all.size(); ++i)
-      for (std::size_t j = i + 1; j < all.size(); ++j)
-        for (std::size_t k = j + 1; k < all.size(); ++k)
-          search.look_across(all[j] - all[i], all[k] - all[i]);
-    return;
-  }
-  // Linf: facets spanned by two edges of the contacts' hulls with 0.
+  for (const Points& points : groups) all.insert(all.end(), points.begin(), points.end());
+  for (std::size_t i = 0; i < all.size(); ++i)
+    for (std::size_t j = i + 1; j < all.size(); ++j)
+      for (std::size_t k = j + 1; k < all.size(); ++k)
+        search.look_across(all[j] - all[i], all[k] - all[i]);
+}
+
+/// Linf: looks along the normals of facets spanned by two edges of the contacts' hulls with 0.
+void look_at_edge_pairs(LeastSupport& search, const std::vector<Points>& groups) {
+  Points all;
   for (Points points : groups) {
     points.emplace_back(0, 0, 0);
     for (std::size_t i = 0; i < points.size(); ++i)
@@ -92,6 +92,14 @@ void look_at_facets(LeastSupport& search, const std::vector<Points>& groups, For
   }
   for (std::size_t i = 0; i < all.size(); ++i)
     for (std::size_t j = 0; j < i; ++j) search.look_across(all[i], all[j]);
+}
+
+/// Looks along the normals of all possible facets.
+void look_at_facets(LeastSupport& search, const std::vector<Points>& groups, ForceNorm limit) {
+  if (limit == ForceNorm::kL1)
+    look_at_triples(search, groups);
+  else
+    look_at_edge_pairs(search, groups);
 }
 
 void require_planar(const WrenchSet& set) {

@@ -276,6 +276,12 @@ class Polish {
     return piece.cap->c + piece.cap->A * (piece.z / piece.length);
   }
 
+  /// Adds the constraint of a tight piece: its support is the value (L1), or 0 (Linf).
+  void constrain(const Piece& piece) {
+    columns_.col(count_) << slope(piece), l1_ ? -1.0 : 0.0;
+    values_(count_++) = piece.h - (l1_ ? value_ : 0) - (piece.kink ? piece.length : 0);
+  }
+
   /// Constraints, each a column, and the gradient of the objective. @returns false if there is no
   /// room
   bool build() {
@@ -293,8 +299,7 @@ class Polish {
       if (count_ + 4 > kMaxColumns) return false;
       // Tight pieces are constraints, counted ones part of the objective.
       if (piece.role == Role::kTight) {
-        columns_.col(count_) << slope(piece), l1_ ? -1.0 : 0.0;
-        values_(count_++) = piece.h - (l1_ ? value_ : 0) - (piece.kink ? piece.length : 0);
+        constrain(piece);
       } else {
         slope_.head<6>() += slope(piece);
       }

@@ -200,67 +200,112 @@ bool BallGrasp::collide(const SampledSurface& a, const SampledSurface& b,
   return false;
 }
 
+/// A closing under way. Drives close at their speeds; a contact stops the coordinates of its links.
+class BallGrasp::Closing {
+ public:
+  Closing(const BallGrasp& grasp, const std::vector<Drive>& drives, Eigen::VectorXd q, int steps)
+      : grasp_(grasp),
+        layout_(with_drives(grasp.hand_.layout(), drives)),
+        drives_(layout_),
+        q_(std::move(q)),
+        step_time_(time_to_limits(layout_, q_, drives_.rates()) / steps),
+        links_(grasp.hand_.pose(q_)),
+        gaps_(grasp.surfaces_.size(), -kInfinity),
+        met_(grasp.surfaces_.size() * grasp.surfaces_.size(), false) {}
+
+  [[nodiscard]] bool moving() const { return drives_.moving(); }
+
+  /// Moves on by one step; limits stop coordinates.
+  void advance() {
+    const Eigen::VectorXd rates = drives_.rates();
+    q_ = (q_ + step_time_ * rates).cwiseMax(layout_.lower).cwiseMin(layout_.upper);
+    for (Eigen::Index j = 0; j < q_.size(); ++j)
+      if (rates[j] != 0 && q_[j] == (rates[j] > 0 ? layout_.upper : layout_.lower)[j])
+        drives_.stop(static_cast<int>(j), StoppedBy::kLimit);
+    links_ = grasp_.hand_.pose(q_);
+  }
+
+  /// Stops links that touch the ball and still approach.
+  void stop_at(const ProbeBall& ball) {
+    for (std::size_t s = 0; s < grasp_.surfaces_.size(); ++s) {
+      const SampledSurface& surface = grasp_.surfaces_[s];
+      const Vector3d c = from(links_, surface.link, ball.centre);
+      const double gap = nearest(surface, c, ball.radius + kTouch).second - ball.radius;
+      if (gap <= kTouch && gap < gaps_[s] - kStill)
+        for (const int moved : surface.moved_by) drives_.stop(moved, StoppedBy::kContact);
+      gaps_[s] = gap;
+    }
+  }
+
+  /// Pairs of surfaces that collide for the first time, the first of a pair of one of these digits.
+  [[nodiscard]] std::vector<std::pair<std::size_t, std::size_t>> meet(
+      const std::vector<std::string>& digits) {
+    const std::vector<SampledSurface>& surfaces = grasp_.surfaces_;
+    std::vector<std::pair<std::size_t, std::size_t>> pairs;
+    for (std::size_t a = 0; a < surfaces.size(); ++a) {
+      if (std::find(digits.begin(), digits.end(), surfaces[a].digit) == digits.end()) continue;
+      for (std::size_t b = 0; b < surfaces.size(); ++b) {
+        const std::size_t pair = a * surfaces.size() + b;
+        if (grasp_.side_by_side(surfaces[a], surfaces[b]) || met_[pair] ||
+            !grasp_.collide(surfaces[a], surfaces[b], links_))
+          continue;
+        met_[pair] = true;
+        pairs.emplace_back(a, b);
+      }
+    }
+    return pairs;
+  }
+
+  /// Stops coordinates that move one surface and not the other.
+  void stop_between(std::size_t one, std::size_t other) {
+    const std::vector<int>& both = grasp_.surfaces_[other].moved_by;
+    for (const int moved : grasp_.surfaces_[one].moved_by)
+      if (std::find(both.begin(), both.end(), moved) == both.end())
+        drives_.stop(moved, StoppedBy::kContact);
+  }
+
+  /// Contacts with the ball, with a wider tolerance.
+  [[nodiscard]] std::vector<BallContact> contacts(const ProbeBall& ball) const {
+    std::vector<BallContact> contacts;
+    for (std::size_t s = 0; s < grasp_.surfaces_.size(); ++s) {
+      const SampledSurface& surface = grasp_.surfaces_[s];
+      const Vector3d c = from(links_, surface.link, ball.centre);
+      const auto [index, distance] = nearest(surface, c, ball.radius + 2 * kTouch);
+      if (index < 0 || distance > ball.radius + 2 * kTouch) continue;
+      const Vector3d normal = ball.centre - at(links_, surface.link, surface.p.col(index));
+      contacts.push_back({static_cast<int>(s), normal.normalized()});
+    }
+    return contacts;
+  }
+
+ private:
+  const BallGrasp& grasp_;
+  HandLayout layout_;
+  ClosingDrives drives_;
+  Eigen::VectorXd q_;
+  double step_time_;  // of equal steps of closing time [s]
+  std::vector<Pose<double>> links_;
+  std::vector<double> gaps_;  // of each surface to the ball, after the last step [m]
+  std::vector<bool> met_;     // pairs of surfaces that have collided
+};
+
 std::vector<BallContact> BallGrasp::close(const std::vector<Drive>& drives, Eigen::VectorXd q,
                                           const ProbeBall& ball, int steps,
                                           const std::vector<std::string>& self) const {
-  // Drives close at their speeds; a contact stops the coordinates of its links.
-  const HandLayout layout = with_drives(hand_.layout(), drives);
-  ClosingDrives closing(layout);
-  const double time = time_to_limits(layout, q, closing.rates());
-  std::vector<Pose<double>> links = hand_.pose(q);
-  std::vector<double> gaps(surfaces_.size(), -kInfinity);
-  std::vector<bool> near_at_start(surfaces_.size() * surfaces_.size(), false);
-  const auto stands = [&](const SampledSurface& surface) {
-    return std::find(self.begin(), self.end(), surface.digit) != self.end();
-  };
-  const auto halt = [&](const SampledSurface& surface, const SampledSurface* other) {
-    for (const int c : surface.moved_by)
-      if (other == nullptr ||
-          std::find(other->moved_by.begin(), other->moved_by.end(), c) == other->moved_by.end())
-        closing.stop(c, StoppedBy::kContact);
-  };
-  // Equal steps of closing time; limits stop coordinates.
-  for (int step = 0; step <= steps && (step == 0 || closing.moving()); ++step) {
-    if (step > 0) {
-      const Eigen::VectorXd rates = closing.rates();
-      q = (q + time / steps * rates).cwiseMax(layout.lower).cwiseMin(layout.upper);
-      for (Eigen::Index j = 0; j < q.size(); ++j)
-        if (rates[j] != 0 && q[j] == (rates[j] > 0 ? layout.upper : layout.lower)[j])
-          closing.stop(static_cast<int>(j), StoppedBy::kLimit);
-      links = hand_.pose(q);
-    }
-    // A link that touches the ball and still approaches is stopped.
-    for (std::size_t s = 0; s < surfaces_.size(); ++s) {
-      const SampledSurface& surface = surfaces_[s];
-      const Vector3d c = from(links, surface.link, ball.centre);
-      const double gap = nearest(surface, c, ball.radius + kTouch).second - ball.radius;
-      if (gap <= kTouch && gap < gaps[s] - kStill) halt(surface, nullptr);
-      gaps[s] = gap;
-    }
-    // Links of digits that stand are stopped by others, unless they were near at the start.
+  Closing closing(*this, drives, std::move(q), steps);
+  // Links that are near each other at the start do not stop each other.
+  closing.stop_at(ball);
+  if (!self.empty()) (void)closing.meet(self);
+  for (int step = 1; step <= steps && closing.moving(); ++step) {
+    closing.advance();
+    closing.stop_at(ball);
     if (self.empty()) continue;
-    for (std::size_t a = 0; a < surfaces_.size(); ++a)
-      for (std::size_t b = 0; stands(surfaces_[a]) && b < surfaces_.size(); ++b) {
-        if (side_by_side(surfaces_[a], surfaces_[b])) continue;
-        const std::size_t pair = a * surfaces_.size() + b;
-        if (near_at_start[pair] || !collide(surfaces_[a], surfaces_[b], links)) continue;
-        near_at_start[pair] = true;
-        if (step == 0) continue;
-        halt(surfaces_[a], &surfaces_[b]);
-        halt(surfaces_[b], &surfaces_[a]);
-      }
+    for (const auto& [a, b] : closing.meet(self)) {
+      closing.stop_between(a, b);
+      closing.stop_between(b, a);
+    }
   }
-  // Contacts at the end, with a wider tolerance.
-  std::vector<BallContact> contacts;
-  for (std::size_t s = 0; s < surfaces_.size(); ++s) {
-    const SampledSurface& surface = surfaces_[s];
-    const Vector3d c = from(links, surface.link, ball.centre);
-    const auto [index, distance] = nearest(surface, c, ball.radius + 2 * kTouch);
-    if (index < 0 || distance > ball.radius + 2 * kTouch) continue;
-    const Vector3d normal = ball.centre - at(links, surface.link, surface.p.col(index));
-    contacts.push_back({static_cast<int>(s), normal.normalized()});
-  }
-  return contacts;
+  return closing.contacts(ball);
 }
 
 }  // namespace thenar

@@ -62,6 +62,8 @@ class BallGrasp {
                                                const std::vector<std::string>& self = {}) const;
 
  private:
+  class Closing;
+
   [[nodiscard]] static bool collide(const SampledSurface& a, const SampledSurface& b,
                                     const std::vector<Pose<double>>& links);
   [[nodiscard]] bool side_by_side(const SampledSurface& a, const SampledSurface& b) const;

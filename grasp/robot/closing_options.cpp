@@ -41,6 +41,8 @@ SenseEvidence evidence_of(int group, const HandLayout& layout, const Eigen::Vect
           near + far > 0 ? (far - near) / (far + near) : 0};
 }
 
+double sense_of(double evidence) { return evidence < 0 ? -1 : 1; }
+
 /// Senses of all groups that are worth a try, some of them twice.
 std::vector<std::vector<double>> candidate_senses(const std::vector<SenseEvidence>& evidence) {
   // Decide by ranges and by nearness; evidence that says nothing yields to the other.
@@ -48,10 +50,8 @@ std::vector<std::vector<double>> candidate_senses(const std::vector<SenseEvidenc
   for (const auto& [range, nearness] : evidence) {
     const bool range_speaks = std::abs(range) > kUndecided,
                nearness_speaks = std::abs(nearness) > kHardlyNear;
-    by_range.push_back(range_speaks || !nearness_speaks ? (range < 0 ? -1 : 1)
-                                                        : (nearness < 0 ? -1 : 1));
-    by_nearness.push_back(nearness_speaks || !range_speaks ? (nearness < 0 ? -1 : 1)
-                                                           : (range < 0 ? -1 : 1));
+    by_range.push_back(sense_of(range_speaks || !nearness_speaks ? range : nearness));
+    by_nearness.push_back(sense_of(nearness_speaks || !range_speaks ? nearness : range));
   }
   // Both decisions, doubtful groups reversed, and everything reversed.
   std::vector<std::vector<double>> senses{by_range, by_nearness};

@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
+#include <utility>
+
+#include "base/numbers.h"
 
 namespace thenar {
 namespace {
@@ -126,6 +128,15 @@ bool DigitMotion::moves_alike(std::size_t drive) const {
   return std::abs(up - down) <= kSameDistance * std::max(up, down);
 }
 
+/// Axis of the last joint of a digit that turns; zero: none does. (3)
+Vector3d DigitMotion::last_axis(const Digit& digit) const {
+  Vector3d last = Vector3d::Zero();
+  for (int link = grip_.surfaces()[digit.last].link; link >= 0 && last.isZero(0);
+       link = grip_.hand().layout().parents[static_cast<std::size_t>(link)])
+    last = grip_.hand().axis(rest_, link);
+  return last;
+}
+
 void DigitMotion::sort_drives() {
   for (std::size_t d = 0; d < drives_.size(); ++d) {
     if (moves_alike(d)) continue;
@@ -139,17 +150,21 @@ void DigitMotion::sort_drives() {
       moved.push_back(&digit);
       if (v.norm() <= farthest) continue;
       farthest = v.norm();
-      Vector3d last = Vector3d::Zero();  // axis of the last joint
-      const SampledSurface& tip = grip_.surfaces()[digit.last];
-      for (int link = tip.link; link >= 0 && last.isZero(0);
-           link = grip_.hand().layout().parents[static_cast<std::size_t>(link)])
-        last = grip_.hand().axis(rest_, link);
       // Parallel to the last axis: it curls; across: it turns.
+      const Vector3d last = last_axis(digit);
       curls = w.norm() < kNothing || last.isZero(0) ||
               std::abs(w.dot(last)) >= kAlong * w.norm() * last.norm();
     }
     for (Digit* digit : moved) (curls ? digit->curls : digit->turns).push_back(static_cast<int>(d));
   }
+}
+
+/// Sign of a drive relative to the outermost of a digit, by rotation or by motion of the tip.
+double DigitMotion::sign_against(std::size_t outer, std::size_t drive, const Digit& digit) const {
+  const Vector3d w = spin(drive, digit), w_outer = spin(outer, digit);
+  const bool turn = w.norm() > kNothing && w_outer.norm() > kNothing;
+  const double along = turn ? w.dot(w_outer) : way(drive, digit).dot(way(outer, digit));
+  return along < 0 ? -1.0 : 1.0;
 }
 
 /// Finds the signs of drives that curl each digit, and which drives belong together.
@@ -160,13 +175,7 @@ void DigitMotion::orient() {
   for (const Digit& digit : digits_) {
     if (digit.curls.empty()) continue;
     const auto outer = static_cast<std::size_t>(digit.curls.back());
-    // Sign relative to the outermost joint, by rotation or by motion of the tip.
-    const auto sign = [&](std::size_t d) {
-      const Vector3d w = spin(d, digit), w_outer = spin(outer, digit);
-      const bool turn = w.norm() > kNothing && w_outer.norm() > kNothing;
-      const double along = turn ? w.dot(w_outer) : way(d, digit).dot(way(outer, digit));
-      return along < 0 ? -1.0 : 1.0;
-    };
+    const auto sign = [&](std::size_t d) { return sign_against(outer, d, digit); };
     // A drive that already has a sign sets that of the whole digit.
     double flip = 1;
     int group = -1;
@@ -270,22 +279,19 @@ bool DigitMotion::spreads(std::size_t drive, const Digit& digit) const {
   });
 }
 
-DigitRoles DigitMotion::roles(std::size_t option) const {
-  DigitRoles roles;
-  const std::size_t count = digits_.size();
-  roles.opposed.assign(count, false);
+/// The largest group of digits whose tips move the same way, without digits that turn far.
+/// @param ways   curl_way() of each digit      @param turns  turn_range() of each digit [rad]
+std::vector<std::size_t> DigitMotion::find_fingers(const std::vector<Vector3d>& ways,
+                                                   const std::vector<double>& turns) const {
   // A digit that turns much farther than the median is opposed, wherever it stands now.
-  std::vector<double> turns;
-  for (const Digit& digit : digits_) turns.push_back(turn_range(digit));
+  const std::size_t count = digits_.size();
   std::vector<double> sorted = turns;
   std::sort(sorted.begin(), sorted.end());
   std::vector<bool> turned(count, false);
   for (std::size_t i = 0; i < count; ++i)
     turned[i] =
         count > 2 && turns[i] > kOpposition && turns[i] > kFarther * sorted[(count - 1) / 2];
-  // Fingers: the largest group of digits whose tips move the same way.
-  std::vector<Vector3d> ways;
-  for (const Digit& digit : digits_) ways.push_back(curl_way(digit, option));
+  // Groups around each digit.
   std::vector<std::size_t> fingers;
   for (std::size_t i = 0; i < count; ++i) {
     std::vector<std::size_t> alike;
@@ -293,6 +299,19 @@ DigitRoles DigitMotion::roles(std::size_t option) const {
       if (!turned[i] && !turned[j] && ways[i].dot(ways[j]) > kSameWay) alike.push_back(j);
     if (alike.size() > fingers.size()) fingers = alike;
   }
+  return fingers;
+}
+
+DigitRoles DigitMotion::roles(std::size_t option) const {
+  DigitRoles roles;
+  const std::size_t count = digits_.size();
+  roles.opposed.assign(count, false);
+  // Fingers move the same way, and do not turn far.
+  std::vector<double> turns;
+  for (const Digit& digit : digits_) turns.push_back(turn_range(digit));
+  std::vector<Vector3d> ways;
+  for (const Digit& digit : digits_) ways.push_back(curl_way(digit, option));
+  std::vector<std::size_t> fingers = find_fingers(ways, turns);
   if (fingers.size() < 2) {
     // A thumb and one finger: the digit that turns farther is opposed.
     for (std::size_t i = 0; i < count && count == 2; ++i)
@@ -320,31 +339,29 @@ DigitRoles DigitMotion::roles(std::size_t option) const {
   return roles;
 }
 
-std::vector<VectorXd> DigitMotion::openings(std::size_t option, const DigitRoles& roles,
-                                            bool only_one) const {
+/// The posture in which drives that close start at the limit from which they come. (coordinates)
+VectorXd DigitMotion::open_at(std::size_t option, bool only_one) const {
   const HandLayout& layout = grip_.hand().layout();
   VectorXd open = rest_;
   if (only_one && layout.open.size() > 0) open = layout.open;
-  // Drives that close start at the limit from which they come.
-  for (std::size_t d = 0; d < drives_.size(); ++d)
+  for (std::size_t d = 0; d < drives_.size(); ++d) {
+    // Fingers that also bend backwards do not open so far that they lie behind the palm.
+    const double farthest = !only_one && turns(d) ? kBack : kInfinity;
     for (const DrivenCoordinate& driven : drives_[d].moves) {
       const double rate = options_[option].speed[d] * driven.ratio;
       if (rate == 0) continue;
       const Eigen::Index c = driven.coordinate;
-      const double from = (rate > 0 ? layout.lower : layout.upper)[c],
-                   to = (rate > 0 ? layout.upper : layout.lower)[c];
-      open[c] = from;
-      // Fingers that also bend backwards do not open so far that they lie behind the palm.
-      if (!only_one && turns(d) &&
-          std::min(std::abs(from - rest_[c]), std::abs(to - rest_[c])) > kBack)
-        open[c] = rest_[c] + (rate > 0 ? -kBack : kBack);
+      const double lower = layout.lower[c], upper = layout.upper[c];
+      open[c] = rate > 0 ? lower : upper;
+      if (std::min(std::abs(lower - rest_[c]), std::abs(upper - rest_[c])) > farthest)
+        open[c] = rest_[c] - std::copysign(farthest, rate);
     }
-  std::vector<VectorXd> openings{open};
-  if (only_one) return openings;
-  // Digits that curl at each other may start with outer joints open.
-  if (!roles.palm)
-    for (const VectorXd& inner : {open, rest_}) openings.push_back(outer_open(option, inner));
-  // Up to three motors with the largest ranges turn opposed digits.
+  }
+  return open;
+}
+
+/// Up to three motors with the largest ranges that turn opposed digits.
+std::vector<std::size_t> DigitMotion::opposing_motors(const DigitRoles& roles) const {
   std::vector<std::size_t> motors;
   for (std::size_t i = 0; i < digits_.size(); ++i)
     for (const int d : digits_[i].turns)
@@ -354,20 +371,41 @@ std::vector<VectorXd> DigitMotion::openings(std::size_t option, const DigitRoles
   std::stable_sort(motors.begin(), motors.end(),
                    [&](std::size_t a, std::size_t b) { return range(a) > range(b); });
   if (motors.size() > 3) motors.resize(3);
-  const int count = places(motors.size());
-  // Each at several positions, in all combinations.
+  return motors;
+}
+
+/// The posture with a motor at so many positions, from one end of its range to the other.
+std::vector<VectorXd> DigitMotion::motor_positions(const VectorXd& before, std::size_t motor,
+                                                   int positions) const {
+  const HandLayout& layout = grip_.hand().layout();
+  std::vector<VectorXd> postures(static_cast<std::size_t>(positions), before);
+  for (int i = 0; i < positions; ++i)
+    for (const DrivenCoordinate& driven : drives_[motor].moves) {
+      const Eigen::Index c = driven.coordinate;
+      const double share = static_cast<double>(i) / (positions - 1);
+      postures[static_cast<std::size_t>(i)][c] =
+          layout.lower[c] +
+          (driven.ratio < 0 ? 1 - share : share) * (layout.upper[c] - layout.lower[c]);
+    }
+  return postures;
+}
+
+std::vector<VectorXd> DigitMotion::openings(std::size_t option, const DigitRoles& roles,
+                                            bool only_one) const {
+  const VectorXd open = open_at(option, only_one);
+  std::vector<VectorXd> openings{open};
+  if (only_one) return openings;
+  // Digits that curl at each other may start with outer joints open.
+  if (!roles.palm)
+    for (const VectorXd& inner : {open, rest_}) openings.push_back(outer_open(option, inner));
+  // Each motor that opposes digits at several positions, in all combinations.
+  const std::vector<std::size_t> motors = opposing_motors(roles);
   for (const std::size_t motor : motors) {
     std::vector<VectorXd> next = openings;  // where it is at rest
-    for (const VectorXd& before : openings)
-      for (int i = 0; i < count; ++i) {
-        next.push_back(before);
-        for (const DrivenCoordinate& driven : drives_[motor].moves) {
-          const Eigen::Index c = driven.coordinate;
-          const double share = static_cast<double>(i) / (count - 1);
-          next.back()[c] = layout.lower[c] + (driven.ratio < 0 ? 1 - share : share) *
-                                                 (layout.upper[c] - layout.lower[c]);
-        }
-      }
+    for (const VectorXd& before : openings) {
+      const std::vector<VectorXd> all = motor_positions(before, motor, places(motors.size()));
+      next.insert(next.end(), all.begin(), all.end());
+    }
     openings = std::move(next);
   }
   return openings;
@@ -389,34 +427,36 @@ VectorXd DigitMotion::outer_open(std::size_t option, VectorXd open) const {
   return open;
 }
 
-PalmApproach DigitMotion::ahead(std::size_t option) const {
+/// Every coordinate that closing drives move at the middle of its range, the others at rest.
+VectorXd DigitMotion::half_closed(std::size_t option) const {
   const HandLayout& layout = grip_.hand().layout();
-  // Half-closed posture.
   VectorXd q = rest_;
   for (std::size_t d = 0; d < drives_.size(); ++d)
     for (const DrivenCoordinate& driven : drives_[d].moves)
       if (options_[option].speed[d] != 0)
         q[driven.coordinate] =
             (layout.lower[driven.coordinate] + layout.upper[driven.coordinate]) / 2;
-  const std::vector<Pose<double>> links = grip_.hand().pose(q);
-  // Bounding box of surfaces in this posture.
-  const auto box_of = [&](const std::vector<std::size_t>& surfaces) {
-    Eigen::AlignedBox3d box;
-    for (const std::size_t s : surfaces) {
-      const SampledSurface& surface = grip_.surfaces()[s];
-      for (Eigen::Index i = 0; i < surface.p.cols(); ++i) {
-        const Vector3d p = surface.p.col(i);
-        box.extend(surface.link < 0 ? p
-                                    : Vector3d(links[static_cast<std::size_t>(surface.link)] * p));
-      }
+  return q;
+}
+
+/// Bounding box of surfaces with the links posed. @param links  RobotHand::pose()
+Eigen::AlignedBox3d DigitMotion::box_of(const std::vector<std::size_t>& surfaces,
+                                        const std::vector<Pose<double>>& links) const {
+  Eigen::AlignedBox3d box;
+  for (const std::size_t s : surfaces) {
+    const SampledSurface& surface = grip_.surfaces()[s];
+    for (Eigen::Index i = 0; i < surface.p.cols(); ++i) {
+      const Vector3d p = surface.p.col(i);
+      box.extend(surface.link < 0 ? p
+                                  : Vector3d(links[static_cast<std::size_t>(surface.link)] * p));
     }
-    return box;
-  };
-  // Mean position of the ends.
-  Vector3d ends = Vector3d::Zero();
-  for (const Digit& digit : digits_)
-    ends += box_of({digit.last}).center() / static_cast<double>(digits_.size());
-  // The palm: links without digit on the outermost link that has such.
+  }
+  return box;
+}
+
+/// The palm: links without digit on the outermost link that has such.
+std::vector<std::size_t> DigitMotion::palm_surfaces() const {
+  const HandLayout& layout = grip_.hand().layout();
   std::vector<std::size_t> palm;
   for (std::size_t s = 0; s < grip_.surfaces().size(); ++s) {
     const SampledSurface& surface = grip_.surfaces()[s];
@@ -426,8 +466,17 @@ PalmApproach DigitMotion::ahead(std::size_t option) const {
       palm.clear();
     if (palm.empty() || surface.link == grip_.surfaces()[palm.front()].link) palm.push_back(s);
   }
+  return palm;
+}
+
+PalmApproach DigitMotion::ahead(std::size_t option) const {
+  const std::vector<Pose<double>> links = grip_.hand().pose(half_closed(option));
+  // Mean position of the ends.
+  Vector3d ends = Vector3d::Zero();
+  for (const Digit& digit : digits_)
+    ends += box_of({digit.last}, links).center() / static_cast<double>(digits_.size());
   PalmApproach approach;
-  const Eigen::AlignedBox3d box = box_of(palm);
+  const Eigen::AlignedBox3d box = box_of(palm_surfaces(), links);
   if (!box.isEmpty()) approach.point = box.center();
   // From the centre of the palm towards the ends, starting at its box.
   const Vector3d ahead = ends - approach.point;

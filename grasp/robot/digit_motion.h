@@ -6,6 +6,7 @@
 #include <vector>
 
 #include <Eigen/Core>
+#include <Eigen/Geometry>
 
 #include "grasp/robot/ball_grasp.h"
 #include "grasp/robot/closing_options.h"
@@ -59,9 +60,22 @@ class DigitMotion {
   [[nodiscard]] Eigen::Vector3d spin(std::size_t drive, const Digit& digit) const;
   [[nodiscard]] Eigen::Vector3d way(std::size_t drive, const Digit& digit) const;
   [[nodiscard]] bool moves_alike(std::size_t drive) const;
+  [[nodiscard]] Eigen::Vector3d last_axis(const Digit& digit) const;
+  [[nodiscard]] double sign_against(std::size_t outer, std::size_t drive, const Digit& digit) const;
   [[nodiscard]] Eigen::VectorXd moved(const std::vector<double>& senses, double share) const;
   [[nodiscard]] double apart(const Eigen::VectorXd& q) const;
+  [[nodiscard]] Eigen::VectorXd open_at(std::size_t option, bool only_one) const;
+  [[nodiscard]] std::vector<std::size_t> opposing_motors(const DigitRoles& roles) const;
+  [[nodiscard]] std::vector<Eigen::VectorXd> motor_positions(const Eigen::VectorXd& before,
+                                                             std::size_t motor,
+                                                             int positions) const;
   [[nodiscard]] Eigen::VectorXd outer_open(std::size_t option, Eigen::VectorXd open) const;
+  [[nodiscard]] std::vector<std::size_t> palm_surfaces() const;
+  [[nodiscard]] Eigen::AlignedBox3d box_of(const std::vector<std::size_t>& surfaces,
+                                           const std::vector<Pose<double>>& links) const;
+  [[nodiscard]] Eigen::VectorXd half_closed(std::size_t option) const;
+  [[nodiscard]] std::vector<std::size_t> find_fingers(const std::vector<Eigen::Vector3d>& ways,
+                                                      const std::vector<double>& turns) const;
   [[nodiscard]] Eigen::Vector3d curl_way(const Digit& digit, std::size_t option) const;
   [[nodiscard]] double turn_range(const Digit& digit) const;
   [[nodiscard]] double range(std::size_t drive) const;

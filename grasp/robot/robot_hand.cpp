@@ -35,6 +35,16 @@ struct AngleInterval {
     lower = std::max(lower, std::min(a, b));
     upper = std::min(upper, std::max(a, b));
   }
+
+  /// By the limits of a joint and of its motor, in units of the coordinate.
+  /// @param ratio  motion of the joint per unit of the coordinate
+  void narrow(const RobotJoint& joint, double ratio, const RobotDof* dof) {
+    if (joint.curve.empty())  // otherwise check_robot() has compared it with its motor's range
+      narrow((joint.lower - joint.offset) / ratio, (joint.upper - joint.offset) / ratio);
+    if (dof == nullptr) return;
+    const double gear = dof->kind == RobotDofKind::kRigid ? 1 : joint.ratio;
+    narrow(gear * dof->lower, gear * dof->upper);
+  }
 };
 
 DriveCoupling coupled(RobotDofKind kind) {
@@ -117,15 +127,7 @@ void RobotHand::add_coordinates(const RobotSpec& robot) {
       layout_.coordinates.push_back(rigid ? dof->name : joint.name);
       if (rigid) shared[static_cast<std::size_t>(mover.dof)] = mover.coordinate;
     }
-    // Limits of the joint and of its motor, in units of the coordinate.
-    AngleInterval& limit = limits[static_cast<std::size_t>(mover.coordinate)];
-    if (joint.curve.empty())  // otherwise check_robot() has compared it with its motor's range
-      limit.narrow((joint.lower - joint.offset) / mover.ratio,
-                   (joint.upper - joint.offset) / mover.ratio);
-    if (dof != nullptr) {
-      const double gear = rigid ? 1 : joint.ratio;
-      limit.narrow(gear * dof->lower, gear * dof->upper);
-    }
+    limits[static_cast<std::size_t>(mover.coordinate)].narrow(joint, mover.ratio, dof);
   }
   // Some value must satisfy all limits.
   layout_.lower.resize(static_cast<Eigen::Index>(limits.size()));

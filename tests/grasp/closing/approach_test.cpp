@@ -97,7 +97,7 @@ ApproachResult go(double x, double most) {
   const RobotHand hand(sample::jaws());
   const ShapeSpec ball = sample::shape(ShapeKind::kSphere, {kBallRadius, 0, 0});
   return yielding_approach(collision_hand(hand), {}, open_posture(hand.layout()),
-                           sample::scene({sample::placed("ball", ball, {x, 0.2, 0})}), 0.5, most);
+                           sample::scene({sample::placed("ball", ball, {x, 0.2, 0})}), {0.5, most});
 }
 
 // Its side, at 55 mm, meets the jaw, which begins at 50 mm; the palm's face is at y = -25 mm.
