@@ -32,8 +32,7 @@ std::array<std::uint32_t, 4> philox(std::array<std::uint32_t, 4> counter,
 RandomStream::RandomStream(std::uint64_t seed, std::uint32_t chain, std::uint32_t step,
                            std::uint32_t purpose)
     : key_{static_cast<std::uint32_t>(seed), static_cast<std::uint32_t>(seed >> 32)},
-      counter_{0, step, chain, purpose},
-      block_{} {}
+      counter_{0, step, chain, purpose} {}
 
 std::uint64_t RandomStream::bits() {
   if (left_ == 0) {

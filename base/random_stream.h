@@ -31,7 +31,7 @@ class RandomStream {
 
   std::array<std::uint32_t, 2> key_;
   std::array<std::uint32_t, 4> counter_;  // block, step, chain, purpose
-  std::array<std::uint32_t, 4> block_;
+  std::array<std::uint32_t, 4> block_{};
   int left_ = 0;      // words of block_ not used yet
   double spare_ = 0;  // second normal of a pair
   bool has_spare_ = false;

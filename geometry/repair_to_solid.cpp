@@ -237,8 +237,9 @@ RepairedSolid closed(const TriangleMesh& mesh, const TriangleMesh& given, Done d
     if (sound || (!report.watertight() && !solid.empty())) {
       // A part that was whole keeps the way it faces: it may be a cavity.
       const bool was_whole = check_mesh(part).watertight();
-      solids.push_back(sound && was_whole ? part : std::move(solid));
-      hulls += sound ? 0 : 1;
+      if (sound && was_whole) solid = part;
+      solids.push_back(std::move(solid));
+      hulls += static_cast<int>(!sound);
       holes += sound ? repair.closed_holes : 0;
     } else {
       ++flat;
@@ -283,6 +284,7 @@ RepairedSolid mended(const TriangleMesh& mesh) {
     TriangleMesh now = repair.mesh;
     done.add(cut_at_corners(now), "triangle(s) cut where corners of others lie on them");
     if (is_solid(now)) return {std::move(now), done.text()};
+    // NOLINTNEXTLINE(readability-suspicious-call-argument): `now` was made from `mesh`
     tries.push_back(closed(now, mesh, done));
   }
   // Otherwise part by part, and at last the hull of the whole.

@@ -22,7 +22,8 @@ struct TreeVelocity {
   std::vector<BodyTwist> link;               // the base first
   std::vector<Eigen::Vector3d> axis, point;  // of the hinges
   [[nodiscard]] const BodyTwist& body(int link_or_base) const {
-    return link[static_cast<std::size_t>(link_or_base + 1)];
+    const int place = link_or_base + 1;
+    return link[static_cast<std::size_t>(place)];
   }
 };
 

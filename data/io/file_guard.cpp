@@ -49,8 +49,8 @@ class Counter {
 
  private:
   [[noreturn]] void refuse(std::size_t at, const std::string& what) const {
-    const auto end = text_.begin() + static_cast<std::ptrdiff_t>(std::min(at, text_.size()));
-    const auto line = first_line_ + std::count(text_.begin(), end, '\n');
+    const std::string_view before = text_.substr(0, at);
+    const auto line = first_line_ + std::count(before.begin(), before.end(), '\n');
     throw DataError(path_, static_cast<int>(line), what);
   }
 

@@ -70,9 +70,8 @@ double largest_of(Dimension dimension) {
     case Dimension::kMass:
       return 1e4;  // a mobile robot: 300 kg
     case Dimension::kForce:
-      return 1e9;  // drives without limit, as other programs state them
     case Dimension::kMoment:
-      return 1e9;
+      return 1e9;  // drives without limit, as other programs state them
     case Dimension::kArea:
       return 1;  // physiological cross-section of a large muscle: 0.03 m2
     case Dimension::kInertia:

@@ -118,7 +118,7 @@ FirstSimplex first_simplex(const SupportFunction& support, double flat) {
     out.supports += 2;
     const double rise = u.dot(plus - out.points[0]), fall = u.dot(out.points[0] - minus);
     if (std::max(rise, fall) <= flat * support.size()) return out;
-    const auto next = static_cast<std::size_t>(k + 1);
+    const std::size_t next = static_cast<std::size_t>(k) + 1;
     out.points[next] = rise > fall ? plus : minus;
     // Extend its orthonormal basis by the new edge.
     ScaledWrench edge = out.points[next] - out.points[0];

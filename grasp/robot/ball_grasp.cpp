@@ -190,7 +190,7 @@ bool BallGrasp::side_by_side(const SampledSurface& a, const SampledSurface& b) c
 
 /// Whether points of two links come within a spacing of their points.
 bool BallGrasp::collide(const SampledSurface& a, const SampledSurface& b,
-                        const std::vector<Pose<double>>& links) const {
+                        const std::vector<Pose<double>>& links) {
   const Vector3d ca = at(links, a.link, a.centre), cb = at(links, b.link, b.centre);
   if ((ca - cb).norm() > a.radius + b.radius + kSelfTouch) return false;
   for (Eigen::Index i = 0; i < a.p.cols(); ++i) {

@@ -62,8 +62,8 @@ class BallGrasp {
                                                const std::vector<std::string>& self = {}) const;
 
  private:
-  [[nodiscard]] bool collide(const SampledSurface& a, const SampledSurface& b,
-                             const std::vector<Pose<double>>& links) const;
+  [[nodiscard]] static bool collide(const SampledSurface& a, const SampledSurface& b,
+                                    const std::vector<Pose<double>>& links);
   [[nodiscard]] bool side_by_side(const SampledSurface& a, const SampledSurface& b) const;
 
   RobotHand hand_;

@@ -305,7 +305,8 @@ void ChainPool::swap(std::size_t from, std::size_t to,
   for (std::size_t k = from; k < to; ++k) {
     // Likelihoods of all walkers at all temperatures of the group.
     ChainSlot& slot = slots_[k];
-    const auto* group = &chain_states[static_cast<std::size_t>((slot.group - first_group) * T)];
+    const int first = (slot.group - first_group) * T;
+    const auto* group = &chain_states[static_cast<std::size_t>(first)];
     Eigen::MatrixXd log_likelihood(options_.walkers, T);
     for (int t = 0; t < T; ++t)
       for (int w = 0; w < options_.walkers; ++w)

@@ -1,6 +1,7 @@
 #include "sampling/run/chain_run.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "base/error.h"
 #include "sampling/run/communicator.h"
@@ -39,8 +40,9 @@ void ChainRun::resume() {
   const Eigen::MatrixXd beta = reader.matrix();
   std::vector<std::string> all;
   while (!reader.done()) all.push_back(reader.bytes());
-  require(all.size() == static_cast<std::size_t>(options_.groups * options_.temperatures),
-          "the checkpoint has {} samplers", all.size());
+  const int wanted = options_.groups * options_.temperatures;
+  require(all.size() == static_cast<std::size_t>(wanted), "the checkpoint has {} samplers",
+          all.size());
   samplers_.restore(step, beta, all);
   saved_step_ = step;
 }
@@ -88,7 +90,7 @@ void ChainRun::report() const {
   if (!first()) return;
   // Time left at the pace of the last leg.
   const long step = samplers_.step(), warm_up = options_.sampler.warm_up;
-  const long left = static_cast<long>(double(total_ - step) * seconds_per_step_ + 0.5);
+  const long left = std::lround(double(total_ - step) * seconds_per_step_);
   std::string what = step < warm_up ? fmt::format("warm-up, step {} of {}", step, warm_up)
                                     : fmt::format("sampling, draw {} of {}",
                                                   (step - warm_up) / options_.thin, options_.draws);

@@ -7,9 +7,7 @@
 #include "hand/tip_manipulability.h"
 #include "tendons/tip_statics.h"
 
-namespace thenar {
-
-namespace internal {
+namespace thenar::internal {
 
 /// Unit-vector components below this are rounding, not geometry.
 inline constexpr double kUnitRounding = 1e-14;
@@ -57,5 +55,4 @@ struct TipBalance {
 /// `direction` at unit length; throws InputError if it is zero or not finite.
 [[nodiscard]] Eigen::Vector3d unit_direction(const Eigen::Vector3d& direction);
 
-}  // namespace internal
-}  // namespace thenar
+}  // namespace thenar::internal

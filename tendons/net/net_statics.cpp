@@ -14,8 +14,9 @@ struct LinkWrenches {
     for (LinkWrench& w : on) w.link = static_cast<int>(&w - on.data()) - 1;
   }
   void add(int link, const Vector3d& at, const Vector3d& f) {
-    on[static_cast<std::size_t>(link + 1)].wrench += wrench_of_force(at, f);
-    touched[static_cast<std::size_t>(link + 1)] = true;
+    const int place = link + 1;
+    on[static_cast<std::size_t>(place)].wrench += wrench_of_force(at, f);
+    touched[static_cast<std::size_t>(place)] = true;
   }
   std::vector<bool> touched;
   std::vector<LinkWrench> on;

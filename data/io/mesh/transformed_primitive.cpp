@@ -79,7 +79,7 @@ ShapeSpec scaled_primitive(ShapeSpec solid, double scale) {
 
 double shortest_decimal(float value) {
   std::array<char, 64> text{};
-  const auto end = std::to_chars(text.data(), text.data() + text.size(), value).ptr;
+  const char* const end = std::to_chars(text.data(), text.data() + text.size(), value).ptr;
   double decimal = value;
   std::from_chars(text.data(), end, decimal);
   return decimal;

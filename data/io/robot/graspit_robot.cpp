@@ -141,7 +141,7 @@ class GraspitTranslation {
     } else if (type == "c") {
       dof.kind = RobotDofKind::kCompliant;
     } else if (type != "r") {
-      file_.fail(node, fmt::format("wanted <dof type=\"r\", \"b\" or \"c\">, got '{}'", type));
+      file_.fail(node, fmt::format(R"(wanted <dof type="r", "b" or "c">, got '{}')", type));
     }
     // Speed and effort; limits follow from the joints.
     dof.speed = number(node, "defaultVelocity", 0);
@@ -272,7 +272,7 @@ class GraspitTranslation {
     const std::string type = node.attribute("type").as_string("Revolute");
     if (type != "Revolute" && type != "Prismatic")
       file_.fail(node,
-                 fmt::format("wanted <joint type=\"Revolute\" or \"Prismatic\">, got '{}'", type));
+                 fmt::format(R"(wanted <joint type="Revolute" or "Prismatic">, got '{}')", type));
     // Exactly one of theta and d may be driven.
     const bool turns = type == "Revolute";
     const GraspitDrive theta = drive(node, "theta"), d = drive(node, "d");

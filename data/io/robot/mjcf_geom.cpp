@@ -61,8 +61,9 @@ bool set_written_mesh(ShapeSpec& shape, const MjcfElement& mesh, const MeshPlace
   if (corners.empty() || faces.empty()) return false;
   if (corners.size() % 3 != 0 || faces.size() % 3 != 0)
     mesh.fail("vertex and face want three numbers each");
+  const std::size_t vertices = corners.size() / 3;
   const auto is_vertex = [&](double face) {
-    return face >= 0 && face < static_cast<double>(corners.size() / 3);
+    return face >= 0 && face < static_cast<double>(vertices);
   };
   // Faces refer to existing vertices.
   if (!std::all_of(faces.begin(), faces.end(), is_vertex))

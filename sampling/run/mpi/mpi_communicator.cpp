@@ -41,7 +41,7 @@ class MpiRanks : public Communicator {
   }
 
   ~MpiRanks() override {
-    if (std::uncaught_exceptions() > 0) abort("one rank failed");
+    if (std::uncaught_exceptions() > 0) MpiRanks::abort("one rank failed");
     MPI_Finalize();
   }
 
