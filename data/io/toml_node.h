@@ -12,6 +12,7 @@ namespace thenar {
 enum class TomlKind { kText, kNumber, kFlag, kDate, kArray, kTable };
 
 /// One value, with everything below it.
+// NOLINTNEXTLINE(misc-no-recursion): as deep as the text
 struct TomlNode {
   TomlKind kind = TomlKind::kTable;
   int line = 1;                                           // in the file, from 1
