@@ -143,6 +143,35 @@ ConvexBody convex_body(const TriangleMesh& mesh) {
   return body;
 }
 
+namespace {
+
+/// Keeps what lies below a plane: faces below stay, faces across are cut.
+/// @param above  height of a point above the plane [m]
+/// @return points on the plane
+template <typename Height>
+Polygon cut_faces(std::vector<Polygon>& faces, const Height& above) {
+  std::vector<Polygon> kept;
+  kept.reserve(faces.size() + 1);
+  Polygon cuts;
+  std::vector<double> height;
+  for (Polygon& face : faces) {
+    height.clear();
+    for (const Vector3d& p : face) height.push_back(above(p));
+    const auto [least, most] = std::minmax_element(height.begin(), height.end());
+    if (*least < 0 && *most > 0) {
+      kept.push_back(cut_polygon(face, height, cuts));
+      continue;
+    }
+    for (std::size_t i = 0; i < face.size(); ++i)
+      if (height[i] == 0) cuts.push_back(face[i]);
+    if (*least < 0) kept.push_back(std::move(face));
+  }
+  faces = std::move(kept);
+  return cuts;
+}
+
+}  // namespace
+
 void cut(ConvexBody& body, const HalfSpace& side, double tolerance) {
   // A box on one side of the plane needs no look at its corners.
   const double middle = side.n.dot(body.box.center()) - side.offset;
@@ -157,26 +186,8 @@ void cut(ConvexBody& body, const HalfSpace& side, double tolerance) {
     return std::any_of(face.begin(), face.end(), [&](const Vector3d& p) { return above(p) > 0; });
   });
   if (!beyond) return;
-  // Faces below stay, faces across are cut.
-  std::vector<Polygon> kept;
-  kept.reserve(body.faces.size() + 1);
-  Polygon cuts;
-  std::vector<double> height;
-  for (Polygon& face : body.faces) {
-    height.clear();
-    for (const Vector3d& p : face) height.push_back(above(p));
-    const auto [least, most] = std::minmax_element(height.begin(), height.end());
-    if (*least < 0 && *most > 0) {
-      kept.push_back(cut_polygon(face, height, cuts));
-      continue;
-    }
-    for (std::size_t i = 0; i < face.size(); ++i)
-      if (height[i] == 0) cuts.push_back(face[i]);
-    if (*least < 0) kept.push_back(std::move(face));
-  }
   // The cut is closed by a cap, or nothing is left.
-  Polygon cap = cap_of(std::move(cuts), side.n);
-  body.faces = std::move(kept);
+  Polygon cap = cap_of(cut_faces(body.faces, above), side.n);
   if (body.faces.size() < 3 || cap.size() < 3) {
     body = {};
     return;

@@ -105,17 +105,18 @@ TriangleMesh with_triangles(const TriangleMesh& mesh, const std::vector<Vector3i
   return out;
 }
 
+/// Whether a triangle walks edge k of another in the same direction as this one.
+bool same_way(const TriangleMesh& mesh, int t, int k, int other) {
+  const int from = mesh.triangles(k, t), to = mesh.triangles((k + 1) % 3, t);
+  for (int j = 0; j < 3; ++j)
+    if (mesh.triangles(j, other) == from && mesh.triangles((j + 1) % 3, other) == to) return true;
+  return false;
+}
+
 /// Turns triangles until neighbours across each edge of two agree; returns how many.
 int make_agree(TriangleMesh& mesh) {
   const Eigen::Matrix3Xi across = neighbours_across(mesh);
   const auto count = static_cast<int>(mesh.triangles.cols());
-  // Whether two that share an edge walk it in the same direction, as the mesh stands.
-  const auto same_way = [&](int t, int k, int other) {
-    const int from = mesh.triangles(k, t), to = mesh.triangles((k + 1) % 3, t);
-    for (int j = 0; j < 3; ++j)
-      if (mesh.triangles(j, other) == from && mesh.triangles((j + 1) % 3, other) == to) return true;
-    return false;
-  };
   // Breadth-first over neighbours, from every triangle not seen yet.
   std::vector<bool> seen(count, false), to_turn(count, false);
   for (int first = 0; first < count; ++first) {
@@ -129,7 +130,7 @@ int make_agree(TriangleMesh& mesh) {
         if (other < 0 || seen[other]) continue;
         seen[other] = true;
         waiting.push_back(other);
-        to_turn[other] = same_way(t, k, other) != to_turn[t];
+        to_turn[other] = same_way(mesh, t, k, other) != to_turn[t];
       }
     }
   }

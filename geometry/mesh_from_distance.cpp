@@ -33,39 +33,59 @@ struct Passage {
   std::array<int, 12> patch_of_edge;  // -1: both ends on one side
 };
 
+/// Edges that the surface crosses in a cell with these corners inside (bits), in groups. Crossed
+/// edges of a face belong to one group; of four, those around an inner corner.
+class EdgeGroups {
+ public:
+  explicit EdgeGroups(int inside) : inside_(inside) {
+    // Each in a group of its own.
+    for (int edge = 0; edge < 12; ++edge)
+      group_[edge] = is_in(low_corner(edge)) != is_in(high_corner(edge)) ? edge : -1;
+    for (int axis = 0; axis < 3; ++axis)
+      for (int side = 0; side < 2; ++side) {
+        const int u = 1 << (axis + 1) % 3, v = 1 << (axis + 2) % 3, base = side << axis;
+        join_across({base, base | u, base | u | v, base | v});
+      }
+  }
+
+  /// -1: the edge is not crossed.
+  [[nodiscard]] int of(int edge) const { return group_[edge]; }
+
+ private:
+  [[nodiscard]] bool is_in(int corner) const { return (inside_ >> corner & 1) != 0; }
+
+  void join(int a, int b) {
+    const int from = group_[a], to = group_[b];
+    for (int& g : group_) g = g == from ? to : g;
+  }
+
+  /// Joins the crossed edges of a face. @param ring  its corners, one after the other
+  void join_across(const std::array<int, 4>& ring) {
+    std::vector<int> crossed;
+    for (int k = 0; k < 4; ++k)
+      if (is_in(ring[k]) != is_in(ring[(k + 1) % 4]))
+        crossed.push_back(edge_between(ring[k], ring[(k + 1) % 4]));
+    if (crossed.size() == 2) join(crossed[0], crossed[1]);
+    if (crossed.size() != 4) return;
+    for (int k = 0; k < 4; ++k)
+      if (is_in(ring[k]))
+        join(edge_between(ring[k], ring[(k + 1) % 4]), edge_between(ring[k], ring[(k + 3) % 4]));
+  }
+
+  int inside_;
+  std::array<int, 12> group_;
+};
+
 Passage passage_of(int inside) {
-  Passage passage;
-  // Edges that the surface crosses, each in a group of its own.
-  std::array<int, 12> group;
-  const auto is_in = [&](int corner) { return inside >> corner & 1; };
-  for (int edge = 0; edge < 12; ++edge)
-    group[edge] = is_in(low_corner(edge)) != is_in(high_corner(edge)) ? edge : -1;
-  const auto join = [&](int a, int b) {
-    const int from = group[a], to = group[b];
-    for (int& g : group) g = g == from ? to : g;
-  };
-  // Crossed edges of a face belong to one patch; of four, those around an inner corner.
-  for (int axis = 0; axis < 3; ++axis)
-    for (int side = 0; side < 2; ++side) {
-      const int u = 1 << (axis + 1) % 3, v = 1 << (axis + 2) % 3, base = side << axis;
-      const std::array<int, 4> ring{base, base | u, base | u | v, base | v};
-      std::vector<int> crossed;
-      for (int k = 0; k < 4; ++k)
-        if (is_in(ring[k]) != is_in(ring[(k + 1) % 4]))
-          crossed.push_back(edge_between(ring[k], ring[(k + 1) % 4]));
-      if (crossed.size() == 2) join(crossed[0], crossed[1]);
-      if (crossed.size() != 4) continue;
-      for (int k = 0; k < 4; ++k)
-        if (is_in(ring[k]))
-          join(edge_between(ring[k], ring[(k + 1) % 4]), edge_between(ring[k], ring[(k + 3) % 4]));
-    }
+  const EdgeGroups groups(inside);
   // Number the groups.
+  Passage passage;
   std::array<int, 12> number;
   number.fill(-1);
   passage.patch_of_edge.fill(-1);
   for (int edge = 0; edge < 12; ++edge) {
-    if (group[edge] < 0) continue;
-    int& n = number[group[edge]];
+    if (groups.of(edge) < 0) continue;
+    int& n = number[groups.of(edge)];
     if (n < 0) n = passage.patches++;
     passage.patch_of_edge[edge] = n;
   }

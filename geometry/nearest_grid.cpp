@@ -36,6 +36,12 @@ FootPoint foot_on(const TriangleForm& form, const Vector3d& p) {
   return foot;
 }
 
+/// Takes the point of a triangle nearest to p if it is nearer than the best so far.
+void keep_nearer(const TriangleForm& form, const Vector3d& p, FootPoint& best) {
+  FootPoint foot;
+  if (form.find_foot(p, best.squared, foot) && foot.squared < best.squared) best = foot;
+}
+
 }  // namespace
 
 NearestGrid::Ball NearestGrid::ball_of(const TriangleForm& form) {
@@ -122,13 +128,8 @@ void NearestGrid::drop_beaten(const Block& block, std::vector<Candidate>& here,
     const Ball& ball = balls_[candidate.triangle];
     least.push_back(to_corners(ball.centre) - ball.radius);
     for (int c = 0; c < 8; ++c)
-      if (least.back()(c) < 0 || least.back()(c) * least.back()(c) < best[c].squared) {
-        FootPoint foot;
-        if (tree.forms()[candidate.triangle].find_foot(corner.row(c).transpose(), best[c].squared,
-                                                       foot) &&
-            foot.squared < best[c].squared)
-          best[c] = foot;
-      }
+      if (least.back()(c) < 0 || least.back()(c) * least.back()(c) < best[c].squared)
+        keep_nearer(tree.forms()[candidate.triangle], corner.row(c).transpose(), best[c]);
   }
   // Rivals: those eight points of the mesh.
   std::array<PerCorner, 8> rival;

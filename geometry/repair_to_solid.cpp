@@ -134,6 +134,22 @@ std::vector<int> vertices_on(const TriangleMesh& mesh, const Loose& loose, int a
   return vertices;
 }
 
+/// The number of a triangle's edge between two vertices, which it has.
+int edge_number(const TriangleMesh& mesh, int t, const std::pair<int, int>& edge) {
+  int k = 0;
+  while (std::minmax({mesh.triangles(k, t), mesh.triangles((k + 1) % 3, t)}) != edge) ++k;
+  return k;
+}
+
+/// Ends of edges, by x.
+Loose ends_of(const TriangleMesh& mesh, const std::map<std::pair<int, int>, int>& open) {
+  std::set<int> ends;
+  for (const auto& [edge, t] : open) ends.insert({edge.first, edge.second});
+  Loose loose;
+  for (const int v : ends) loose.emplace(mesh.vertices(0, v), v);
+  return loose;
+}
+
 /// Cuts triangles whose open edge others end on; returns how many.
 int cut_at_corners(TriangleMesh& mesh) {
   const double near = 2e-6 * extent_of(mesh);
@@ -141,20 +157,13 @@ int cut_at_corners(TriangleMesh& mesh) {
   // Cutting makes new edges, so it is repeated.
   for (int round = 0; round < 8; ++round) {
     const auto open = open_edges(mesh);
-    std::set<int> ends;
-    for (const auto& [edge, t] : open) ends.insert({edge.first, edge.second});
-    // Ends of open edges, sorted by x.
-    Loose loose;
-    for (const int v : ends) loose.emplace(mesh.vertices(0, v), v);
+    const Loose loose = ends_of(mesh, open);
     std::set<int> cut;
     std::vector<Vector3i> made;
     // A triangle is cut once a round, at its first edge that holds other corners.
     for (const auto& [edge, t] : open) {
       if (cut.count(t) != 0) continue;
-      int k = 0;
-      while (std::minmax({mesh.triangles(k, t), mesh.triangles((k + 1) % 3, t)}) !=
-             std::pair<int, int>(edge))
-        ++k;
+      const int k = edge_number(mesh, t, edge);
       const int a = mesh.triangles(k, t), b = mesh.triangles((k + 1) % 3, t),
                 c = mesh.triangles((k + 2) % 3, t);
       std::vector<int> on = vertices_on(mesh, loose, a, b, near);
@@ -218,6 +227,24 @@ RepairedSolid hull_of(const TriangleMesh& mesh) {
   return hull;
 }
 
+/// A part of a mesh that bounds a solid.
+struct SoundPart {
+  TriangleMesh mesh;  // empty: the part encloses nothing
+  bool hull = false;  // it is the part's convex hull
+  int holes = 0;      // that were closed
+};
+
+/// A part as it is, repaired, or its hull if it cannot be closed.
+SoundPart sound_part(const TriangleMesh& part, const MeshReport& before) {
+  MeshRepair repair = repair_mesh(part);
+  const MeshReport report = check_mesh(repair.mesh);
+  if (!report.watertight()) return {hull_mesh(part.vertices), /*hull=*/true, 0};
+  if (encloses_little(report, repair.mesh)) return {};
+  // A part that was whole keeps the way it faces: it may be a cavity.
+  if (before.watertight()) return {part, /*hull=*/false, repair.closed_holes};
+  return {std::move(repair.mesh), /*hull=*/false, repair.closed_holes};
+}
+
 /// Part for part: closed, or its hull, or left out.
 RepairedSolid closed(const TriangleMesh& mesh, const TriangleMesh& given, Done done) {
   std::vector<TriangleMesh> solids;
@@ -227,22 +254,17 @@ RepairedSolid closed(const TriangleMesh& mesh, const TriangleMesh& given, Done d
   const double all = area_of(mesh);
   // Each part by itself: repaired, replaced by its hull, or left out.
   for (const TriangleMesh& part : connected_parts(mesh)) {
-    for (const MeshHole& hole : check_mesh(part).holes) longest = std::max(longest, hole.length);
-    MeshRepair repair = repair_mesh(part);
-    const MeshReport report = check_mesh(repair.mesh);
-    TriangleMesh solid = std::move(repair.mesh);
-    const bool sound = report.watertight() && !encloses_little(report, solid);
-    if (!sound && !report.watertight()) solid = hull_mesh(part.vertices);
-    if (sound || (!report.watertight() && !solid.empty())) {
-      // A part that was whole keeps the way it faces: it may be a cavity.
-      const bool was_whole = check_mesh(part).watertight();
-      solids.push_back(sound && was_whole ? part : std::move(solid));
-      hulls += !sound;
-      holes += sound ? repair.closed_holes : 0;
-    } else {
+    const MeshReport before = check_mesh(part);
+    for (const MeshHole& hole : before.holes) longest = std::max(longest, hole.length);
+    SoundPart sound = sound_part(part, before);
+    if (sound.mesh.empty()) {
       ++flat;
       left_out += area_of(part);
+      continue;
     }
+    solids.push_back(std::move(sound.mesh));
+    hulls += static_cast<int>(sound.hull);
+    holes += sound.holes;
   }
   // Too little is left of the mesh.
   if (solids.empty() || left_out > 0.5 * all) return hull_of(given);
