@@ -1,5 +1,6 @@
 #include "data/io/mesh/polygons.h"
 
+#include <algorithm>
 #include <array>
 #include <charconv>
 #include <cmath>
@@ -84,54 +85,58 @@ class Cutter {
     cut_ears(face, flattened(place));
   }
 
-  /// Clips ears: corners whose triangle contains no reflex corner, one after the other.
+  /// Clips ears, one after the other.
   void cut_ears(const std::vector<int>& face, const std::vector<Eigen::Vector2d>& flat) {
-    std::vector<std::size_t> left(face.size());
-    for (std::size_t i = 0; i < left.size(); ++i) left[i] = i;
-    // Twice the signed area at a corner; negative: the corner is reflex.
-    const auto turn = [&](std::size_t i) {
-      const Eigen::Vector2d& here = flat[left[i]];
-      return cross(here - flat[left[(i + left.size() - 1) % left.size()]],
-                   flat[left[(i + 1) % left.size()]] - here);
-    };
+    left_.resize(face.size());
+    for (std::size_t i = 0; i < left_.size(); ++i) left_[i] = i;
     // Without reflex corners the polygon is convex.
-    std::vector<std::size_t> inward;
-    for (std::size_t i = 0; i < left.size(); ++i)
-      if (turn(i) < 0) inward.push_back(i);
-    if (inward.empty()) return fan(face);
+    reflex_.clear();
+    for (std::size_t i = 0; i < left_.size(); ++i)
+      if (turn(flat, i) < 0) reflex_.push_back(i);
+    if (reflex_.empty()) return fan(face);
 
-    // An ear is convex, and no reflex corner lies in its triangle.
-    const auto is_ear = [&](std::size_t i) {
-      if (!(turn(i) > 0)) return false;
-      const std::size_t a = left[(i + left.size() - 1) % left.size()], b = left[i],
-                        c = left[(i + 1) % left.size()];
-      for (const std::size_t k : inward) {
-        ++steps_;
-        if (k == a || k == b || k == c || face[k] == face[a] || face[k] == face[c]) continue;
-        const Eigen::Vector2d& p = flat[k];
-        if (cross(flat[b] - flat[a], p - flat[a]) >= 0 &&
-            cross(flat[c] - flat[b], p - flat[b]) >= 0 &&
-            cross(flat[a] - flat[c], p - flat[c]) >= 0)
-          return false;
-      }
-      return true;
-    };
     // Clip from the second corner on, until a triangle is left.
     std::size_t at = 1;
-    while (left.size() > 3) {
+    while (left_.size() > 3) {
       // If there is no ear, as in polygons that cross themselves, clip any corner.
       std::size_t tried = 0;
-      for (; tried < left.size() && !is_ear(at % left.size()); ++tried) ++at;
-      steps_ += static_cast<double>(tried + left.size());
+      for (; tried < left_.size() && !is_ear(face, flat, at % left_.size()); ++tried) ++at;
+      steps_ += static_cast<double>(tried + left_.size());
       if (steps_ > kMaxSteps)
         fail(fmt::format("wanted faces that are convex or have few corners, got one of {}",
                          face.size()));
-      at %= left.size();
-      append(face[left[(at + left.size() - 1) % left.size()]], face[left[at]],
-             face[left[(at + 1) % left.size()]]);
-      left.erase(left.begin() + static_cast<std::ptrdiff_t>(at));
+      at %= left_.size();
+      append(face[before(at)], face[left_[at]], face[after(at)]);
+      left_.erase(left_.begin() + static_cast<std::ptrdiff_t>(at));
     }
-    append(face[left[0]], face[left[1]], face[left[2]]);
+    append(face[left_[0]], face[left_[1]], face[left_[2]]);
+  }
+
+  // Corners that are left on either side of one.
+  [[nodiscard]] std::size_t before(std::size_t i) const {
+    return left_[(i + left_.size() - 1) % left_.size()];
+  }
+  [[nodiscard]] std::size_t after(std::size_t i) const { return left_[(i + 1) % left_.size()]; }
+
+  /// Twice the signed area at a corner; negative: the corner is reflex.
+  [[nodiscard]] double turn(const std::vector<Eigen::Vector2d>& flat, std::size_t i) const {
+    const Eigen::Vector2d& here = flat[left_[i]];
+    return cross(here - flat[before(i)], flat[after(i)] - here);
+  }
+
+  /// An ear is convex, and no reflex corner lies in its triangle.
+  bool is_ear(const std::vector<int>& face, const std::vector<Eigen::Vector2d>& flat,
+              std::size_t i) {
+    if (!(turn(flat, i) > 0)) return false;
+    const std::size_t a = before(i), b = left_[i], c = after(i);
+    return std::none_of(reflex_.begin(), reflex_.end(), [&](std::size_t k) {
+      ++steps_;
+      if (k == a || k == b || k == c || face[k] == face[a] || face[k] == face[c]) return false;
+      const Eigen::Vector2d& p = flat[k];
+      return cross(flat[b] - flat[a], p - flat[a]) >= 0 &&
+             cross(flat[c] - flat[b], p - flat[b]) >= 0 &&
+             cross(flat[a] - flat[c], p - flat[c]) >= 0;
+    });
   }
 
   void fan(const std::vector<int>& face) {
@@ -142,6 +147,8 @@ class Cutter {
   const std::string& path_;
   std::size_t face_ = 0;
   double steps_ = 0;
+  std::vector<std::size_t> left_;    // corners of the face in work that are not clipped
+  std::vector<std::size_t> reflex_;  // corners of it that were reflex at first
   TriangleSoup soup_;
 };
 

@@ -278,12 +278,9 @@ TriangleMesh in_parts(const std::vector<Corners>& soup, const std::vector<int>& 
   return parts.empty() ? TriangleMesh{} : joined(parts);
 }
 
-}  // namespace
-
-TriangleMesh weld_vertices(const TriangleSoup& soup, double scale, const std::string& path) {
+/// Triangles of scaled corners, all finite and not too far away.
+std::vector<Corners> scaled(const TriangleSoup& soup, double scale, const std::string& path) {
   std::vector<Corners> triangles;
-  Eigen::AlignedBox3d box;
-  // Scaled corners, all finite and not too far away.
   for (std::size_t i = 0; i + 2 < soup.corners.size(); i += 3) {
     Corners corners;
     for (std::size_t k = 0; k < 3; ++k) {
@@ -293,10 +290,19 @@ TriangleMesh weld_vertices(const TriangleSoup& soup, double scale, const std::st
       if (corners[k].cwiseAbs().maxCoeff() > kFarthest)
         throw DataError(path, 1,
                         fmt::format("triangle {} has a corner beyond {} m", i / 3, kFarthest));
-      box.extend(corners[k]);
     }
     triangles.push_back(corners);
   }
+  return triangles;
+}
+
+}  // namespace
+
+TriangleMesh weld_vertices(const TriangleSoup& soup, double scale, const std::string& path) {
+  const std::vector<Corners> triangles = scaled(soup, scale, path);
+  Eigen::AlignedBox3d box;
+  for (const Corners& corners : triangles)
+    for (const Vector3d& corner : corners) box.extend(corner);
   const double near = triangles.empty() ? 0 : kNear * box.diagonal().norm();
   // Three attempts: parts by exact corners, parts by near corners, and everything merged, as a
   // surface may continue from one that was closed before. The fewest open edges win.

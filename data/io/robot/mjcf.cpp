@@ -127,8 +127,8 @@ class BodyTree {
     // Geoms give shape and mass; those that do not collide serve if no others do.
     for (const Part& part : parts) {
       if (!is(part, "geom")) continue;
-      MjcfGeom geom = internal::read_geom(source, meshes_, part.node, part.childclass, part.X_BF,
-                                          link.name, robot_.warnings);
+      MjcfGeom geom = internal::read_geom(source, meshes_, {source, part.node, part.childclass},
+                                          part.X_BF, link.name, robot_.warnings);
       masses.push_back(geom.mass);
       if (geom.shape) (geom.collides ? link.shapes : shown).push_back(std::move(*geom.shape));
     }

@@ -36,6 +36,29 @@ bool has_tendon(const std::vector<FixedTendon>& tendons, const std::string& name
                      [&](const FixedTendon& tendon) { return tendon.name == name; });
 }
 
+/// Limits of a tendon's length by MuJoCo's rules, if it has any.
+std::optional<JointRange> limits_of(const MjcfSource& source, const pugi::xml_node& tendon) {
+  const MjcfElement element(source, tendon, "");
+  const std::vector<double> range = element.numbers("range");
+  const std::string limited = element.text("limited", "auto");
+  if (range.size() != 2) return {};
+  if (limited != "true" && !(limited == "auto" && source.compiler.auto_limits)) return {};
+  return JointRange{std::min(range[0], range[1]), std::max(range[0], range[1])};
+}
+
+/// Joints of a tendon with their coefficients.
+FixedTendon read_fixed_tendon(const MjcfSource& source, const RobotSpec& robot,
+                              const pugi::xml_node& node) {
+  FixedTendon tendon{node.attribute("name").value(), {}, source.file.line(node), {}};
+  tendon.limits = limits_of(source, node);
+  for (const pugi::xml_node term : node.children("joint")) {
+    const std::string name = required_text(source.file, term, "joint");
+    if (!has_joint(source, robot, term, name)) continue;
+    tendon.terms.push_back({name, number_or(source.file, term, "coef", 1)});
+  }
+  return tendon;
+}
+
 }  // namespace
 
 bool has_joint(const MjcfSource& source, const RobotSpec& robot, const pugi::xml_node& node,
@@ -61,21 +84,7 @@ std::vector<FixedTendon> read_fixed_tendons(const MjcfSource& source, const Robo
                                              node.attribute("name").value()));
         continue;
       }
-      FixedTendon tendon{node.attribute("name").value(), {}, source.file.line(node), {}};
-      // Limits by MuJoCo's rules.
-      const MjcfElement element(source, node, "");
-      const std::vector<double> range = element.numbers("range");
-      const std::string limited = element.text("limited", "auto");
-      if (range.size() == 2 &&
-          (limited == "true" || (limited == "auto" && source.compiler.auto_limits)))
-        tendon.limits = JointRange{std::min(range[0], range[1]), std::max(range[0], range[1])};
-      // Joints with their coefficients.
-      for (const pugi::xml_node term : node.children("joint")) {
-        const std::string name = required_text(source.file, term, "joint");
-        if (!has_joint(source, robot, term, name)) continue;
-        tendon.terms.push_back({name, number_or(source.file, term, "coef", 1)});
-      }
-      tendons.push_back(std::move(tendon));
+      tendons.push_back(read_fixed_tendon(source, robot, node));
     }
   return tendons;
 }

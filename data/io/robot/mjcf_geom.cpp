@@ -150,7 +150,8 @@ ShapeSpec solid(ShapeSpec shape) {
 }
 
 /// Notes contact settings of MuJoCo that a material does not have.
-void note_contact(const MjcfSource& source, const MjcfElement& geom, const pugi::xml_node& node) {
+void note_contact(const MjcfSource& source, const MjcfElement& geom) {
+  const pugi::xml_node node = geom.node();
   if (geom.has("friction"))
     source.unread.note(node,
                        "friction of a <geom> is not read: that of its link's material counts");
@@ -178,13 +179,12 @@ MjcfMeshes find_meshes(const MjcfSource& source) {
   return meshes;
 }
 
-MjcfGeom read_geom(const MjcfSource& source, const MjcfMeshes& meshes, const pugi::xml_node& node,
-                   const std::string& childclass, const Pose<double>& X_BF, const std::string& body,
+MjcfGeom read_geom(const MjcfSource& source, const MjcfMeshes& meshes, const MjcfElement& geom,
+                   const Pose<double>& X_BF, const std::string& body,
                    std::vector<std::string>& warnings) {
-  const MjcfElement geom(source, node, childclass);
   MjcfGeom result;
   // Contact settings, and whether it collides at all.
-  note_contact(source, geom, node);
+  note_contact(source, geom);
   result.collides = geom.number("contype", 1) != 0 || geom.number("conaffinity", 1) != 0;
   ShapeSpec shape;
   shape.X_BS = geom.pose();

@@ -65,9 +65,8 @@ using MjcfMeshes = std::map<std::string, pugi::xml_node>;
 /// @param warnings   gets missing meshes
 /// @throws DataError
 [[nodiscard]] MjcfGeom read_geom(const MjcfSource& source, const MjcfMeshes& meshes,
-                                 const pugi::xml_node& node, const std::string& childclass,
-                                 const Pose<double>& X_BF, const std::string& body,
-                                 std::vector<std::string>& warnings);
+                                 const MjcfElement& geom, const Pose<double>& X_BF,
+                                 const std::string& body, std::vector<std::string>& warnings);
 
 }  // namespace internal
 }  // namespace thenar

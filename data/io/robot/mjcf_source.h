@@ -96,10 +96,10 @@ class MjcfElement {
   [[nodiscard]] Pose<double> pose() const;
   [[noreturn]] void fail(const std::string& what) const;
   [[nodiscard]] int line() const;
+  [[nodiscard]] pugi::xml_node node() const;
 
  private:
   [[nodiscard]] const char* find(const char* attribute) const;
-  [[nodiscard]] pugi::xml_node node() const;
   [[nodiscard]] Eigen::Matrix3d rotation() const;
 
   const MjcfSource* source_;
