@@ -149,7 +149,7 @@ class Embedding {
     const VectorXd lambda = W.times(z);
     const Step toward_h = solve_for(kkt, -p_.c, p_.h);
     const VectorXd pure = -internal::cone_product(cones_, lambda, lambda);
-    const Step affine = direction(kkt, W, lambda, toward_h, 1, pure, -kappa * tau);
+    const Step affine = direction(kkt, W, lambda, toward_h, {1, pure, -kappa * tau});
     // Centring from the length of the affine step.
     const double length = step_length(W, lambda, affine, 1);
     const double sigma = std::pow(1 - length, 3);
@@ -157,8 +157,9 @@ class Embedding {
         pure - internal::cone_product(cones_, W.divide(affine.s), W.times(affine.z)) +
         sigma * gap_per_cone() * e_;
     // Corrected direction, and a step that stays inside.
-    const Step full = direction(kkt, W, lambda, toward_h, 1 - sigma, corrected,
-                                -kappa * tau - affine.kappa * affine.tau + sigma * gap_per_cone());
+    const Step full = direction(
+        kkt, W, lambda, toward_h,
+        {1 - sigma, corrected, -kappa * tau - affine.kappa * affine.tau + sigma * gap_per_cone()});
     advance(full, std::min(1.0, kShyOfBoundary * step_length(W, lambda, full, kInfinity)));
   }
 
@@ -171,6 +172,12 @@ class Embedding {
     VectorXd x, s, z;
     double tau = 0, kappa = 0;
   };
+  /// What a direction is to bring about.
+  struct Aim {
+    double share;      // by which it cuts the residuals [1]
+    VectorXd product;  // lambda o (...)
+    double kappa_tau;  // the same of kappa and tau
+  };
 
   static Step solve_for(const KktSolver& kkt, const VectorXd& a, const VectorXd& b) {
     Step step;
@@ -182,11 +189,12 @@ class Embedding {
     return (s.dot(z) + kappa * tau) / (static_cast<double>(cones_.size()) + 1);
   }
 
-  /// Newton's direction that cuts the residuals by `share` and makes lambda o (...) = product.
+  /// Newton's direction that cuts the residuals by `aim.share` and makes lambda o (...) =
+  /// aim.product.
   [[nodiscard]] Step direction(const KktSolver& kkt, const ConeScaling& W, const VectorXd& lambda,
-                               const Step& toward_h, double share, const VectorXd& product,
-                               double kappa_tau) const {
-    const VectorXd ratio = internal::cone_quotient(cones_, lambda, product);
+                               const Step& toward_h, const Aim& aim) const {
+    const double share = aim.share, kappa_tau = aim.kappa_tau;
+    const VectorXd ratio = internal::cone_quotient(cones_, lambda, aim.product);
     Step step =
         solve_for(kkt, -share * dual_residual(), -share * primal_residual() - W.times(ratio));
     const double left =

@@ -60,6 +60,7 @@ class DenseTnlp : public Ipopt::TNLP {
     return true;
   }
 
+  // NOLINTNEXTLINE(readability-function-size): the signature is Ipopt's
   bool get_starting_point(Index, bool, Number* x, bool, Number*, Number*, Index, bool,
                           Number*) override {
     Map(x, n_) = x_;
@@ -79,6 +80,7 @@ class DenseTnlp : public Ipopt::TNLP {
     return guarded([&] { Map(g, rows_) = program_.constraints(ConstMap(x, n_)); });
   }
 
+  // NOLINTNEXTLINE(readability-function-size): the signature is Ipopt's
   bool eval_jac_g(Index, const Number* x, bool, Index, Index, Index* row, Index* column,
                   Number* values) override {
     if (rows_ == 0) return true;
@@ -94,6 +96,7 @@ class DenseTnlp : public Ipopt::TNLP {
     });
   }
 
+  // NOLINTNEXTLINE(readability-function-size): the signature is Ipopt's
   bool eval_h(Index, const Number* x, bool, Number factor, Index, const Number* lambda, bool, Index,
               Index* row, Index* column, Number* values) override {
     if (!program_.hessian) return false;
@@ -111,12 +114,14 @@ class DenseTnlp : public Ipopt::TNLP {
   }
 
   /// Ends the search after an exception; Ipopt itself would try ever shorter steps for minutes.
+  // NOLINTNEXTLINE(readability-function-size): the signature is Ipopt's
   bool intermediate_callback(Ipopt::AlgorithmMode, Index, Number, Number, Number, Number, Number,
                              Number, Number, Number, Index, const Ipopt::IpoptData*,
                              Ipopt::IpoptCalculatedQuantities*) override {
     return !thrown_;
   }
 
+  // NOLINTNEXTLINE(readability-function-size): the signature is Ipopt's
   void finalize_solution(Ipopt::SolverReturn, Index, const Number* x, const Number* at_lower,
                          const Number* at_upper, Index, const Number*, const Number* lambda,
                          Number value, const Ipopt::IpoptData*,

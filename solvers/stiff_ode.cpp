@@ -102,6 +102,7 @@ struct __attribute__((visibility("hidden"))) StiffOde::Parts {
   }
 
   /// As call().
+  // NOLINTNEXTLINE(readability-function-size): the signature is CVODE's
   static int turn(double t, N_Vector y, N_Vector, SUNMatrix J, void* user, N_Vector, N_Vector,
                   N_Vector) {
     auto& parts = *static_cast<Parts*>(user);
