@@ -68,6 +68,30 @@ void move_about_centre(const PosteriorParts& parts, Index i, Index p, double k, 
   if (entry.specimen_scale >= 0) out.by_log_specimen_scale(i, p) = own.by_log_factor;
 }
 
+/// Factors of noise and between specimens.
+void move_scales(const PosteriorParts& parts, const Eigen::Ref<const Eigen::MatrixXd>& x,
+                 EntryMotion& out) {
+  const PosteriorEntries& entries = parts.entries;
+  const Index experiments = out.log_noise.rows(), kinds = out.specimen_scale.rows();
+  for (Index p = 0; p < x.cols(); ++p) {
+    for (Index e = 0; e < experiments && entries.noise_scales > 0; ++e)
+      out.log_noise(e, p) = sane(parts.options.noise_sd * x(entries.noise_scale_offset() + e, p));
+    for (Index k = 0; k < kinds; ++k)
+      out.specimen_scale(k, p) = std::exp(
+          sane(parts.options.specimen_scale_sd * x(entries.specimen_scale_offset() + k, p)));
+  }
+}
+
+/// An entry without a factor, in blocks of eight points.
+void move_blocks(const CoordinateEntry& entry, Index i, EntryMotion& out) {
+  for (Index b = 0; b < out.x.blocks(); ++b) {
+    if (entry.table)
+      entry.table->at_block(out.x.row(b, i), entry.sd, out.y.row(b, i), out.by_x.row(b, i));
+    else
+      scale_block(out.x.row(b, i), entry.sd, out.y.row(b, i), out.by_x.row(b, i));
+  }
+}
+
 }  // namespace
 
 EntryMotion move(const PosteriorParts& parts, const Eigen::Ref<const Eigen::MatrixXd>& x) {
@@ -83,16 +107,7 @@ EntryMotion move(const PosteriorParts& parts, const Eigen::Ref<const Eigen::Matr
                   SimdRows(parts.entries.has_centres() ? n : 0, x.cols()),
                   Eigen::MatrixXd::Zero(experiments, x.cols()),
                   Eigen::MatrixXd(kinds, x.cols())};
-
-  // Factors of noise and between specimens.
-  for (Index p = 0; p < x.cols(); ++p) {
-    for (Index e = 0; e < experiments && entries.noise_scales > 0; ++e)
-      out.log_noise(e, p) = sane(parts.options.noise_sd * x(entries.noise_scale_offset() + e, p));
-    for (Index k = 0; k < kinds; ++k)
-      out.specimen_scale(k, p) = std::exp(
-          sane(parts.options.specimen_scale_sd * x(entries.specimen_scale_offset() + k, p)));
-  }
-
+  move_scales(parts, x, out);
   // Entries: about a moving centre, in blocks of eight points, or with a factor.
   for (Index i = 0; i < n; ++i) {
     const CoordinateEntry& entry = entries.coordinates[i];
@@ -103,12 +118,7 @@ EntryMotion move(const PosteriorParts& parts, const Eigen::Ref<const Eigen::Matr
             out);
       continue;
     }
-    for (Index b = 0; b < out.x.blocks() && entry.specimen_scale < 0; ++b) {
-      if (entry.table)
-        entry.table->at_block(out.x.row(b, i), entry.sd, out.y.row(b, i), out.by_x.row(b, i));
-      else
-        scale_block(out.x.row(b, i), entry.sd, out.y.row(b, i), out.by_x.row(b, i));
-    }
+    if (entry.specimen_scale < 0) move_blocks(entry, i, out);
     for (Index p = 0; p < x.cols() && entry.specimen_scale >= 0; ++p)
       move_scaled(entry, i, p, out.specimen_scale(entry.specimen_scale, p), out);
   }

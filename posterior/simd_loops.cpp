@@ -52,6 +52,7 @@ void subtract_half_square(const double* x, double* sum) {
 }
 
 THENAR_FOR_ALL_PROCESSORS
+// NOLINTNEXTLINE(readability-function-size): columns of numbers in, columns of numbers out
 void tilt_block(const TiltPriorBlock& prior, const double* y0, const double* y1, double* sum,
                 double* product, double* by_y0, double* by_y1) {
   const double c0 = prior.mean[0], c1 = prior.mean[1], concentration = prior.concentration;

@@ -111,6 +111,7 @@ inline Vec link_point(const Program& program, const DigitParameters& digit, cons
 }
 
 /// Adjoint: a force `push` at the point's position x acts on its link.
+// NOLINTNEXTLINE(readability-function-size): an adjoint takes the arguments, results and adjoints
 inline void adjoint_link_point(const Posed& posed, int link, int place, const Vec& x,
                                const Vec& push, Wrenches& on, DigitParameters& adjoint_digit) {
   if (link < 0) {

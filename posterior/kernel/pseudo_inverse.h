@@ -12,6 +12,17 @@ namespace {
 /// column counts as dependent: no digit of a force would be right [1].
 inline constexpr double kSingularSquare = 1e-24;
 
+/// X with  U X = D^-1 Q'  by backward substitution.
+/// @param inverse  1 / |q|^2 of each column of Q (columns)
+inline void substitute_back(const V* Q, const V* U, const V* inverse, int rows, int columns, V* X) {
+  for (int k = columns - 1; k >= 0; --k)
+    for (int j = 0; j < rows; ++j) {
+      V x = inverse[k] * Q[k * rows + j];
+      for (int l = k + 1; l < columns; ++l) x -= U[k * columns + l] * X[l * rows + j];
+      X[k * rows + j] = x;
+    }
+}
+
 /// X = A^+ (columns, rows) of A (rows, columns), column-major, rows >= columns, NaN if singular.
 /// A = Q U by modified Gram-Schmidt, twice, so that Q is orthogonal to rounding;  U X = D^-1 Q'.
 /// @param work  (rows columns + columns columns + columns)
@@ -38,13 +49,7 @@ inline void pseudo_inverse(const V* A, int rows, int columns, V* X, V* work) {
     const V rest = product(k, k);
     inverse[k] = rest > kSingularSquare * whole ? 1.0 / rest : splat(kNaN);
   }
-  // Backward substitution in the triangular factor.
-  for (int k = columns - 1; k >= 0; --k)
-    for (int j = 0; j < rows; ++j) {
-      V x = inverse[k] * Q[k * rows + j];
-      for (int l = k + 1; l < columns; ++l) x -= U[k * columns + l] * X[l * rows + j];
-      X[k * rows + j] = x;
-    }
+  substitute_back(Q, U, inverse, rows, columns, X);
 }
 
 /// P (c, n) row-major of L (n, c) row-major.
@@ -85,6 +90,19 @@ inline void adjoint_square(const V* P, const V* Z, int n, int c, V* L_bar) {
     }
 }
 
+/// N = first F rows of  I - P L  (F, c).
+template <int F>
+inline void null_projector(const V* L, const V* P, int n, int c, V* N) {
+  for (int b = 0; b < F; ++b)
+    for (int k = 0; k < c; ++k) {
+      V sum = splat(b == k ? 1 : 0);
+      for (int j = 0; j < n; ++j) sum -= P[b * n + j] * L[j * c + k];
+      N[b * c + k] = sum;
+    }
+}
+
+// NOLINTBEGIN(readability-function-size): factors, adjoints and their sizes are pointers and ints
+
 /// L_bar += (P_bar' - L Z) P P'
 template <int F>
 inline void adjoint_residual(const V* L, const V* P, const V* P_bar, const V* Z, int n, int c,
@@ -116,13 +134,7 @@ template <int F>
 inline void adjoint_least_norm(const V* L, const V* P, const V* Z, int n, int c, V* L_bar,
                                V* work) {
   V *N = work, *W = N + F * c;
-  // First rows of I - P L.
-  for (int b = 0; b < F; ++b)
-    for (int k = 0; k < c; ++k) {
-      V sum = splat(b == k ? 1 : 0);
-      for (int j = 0; j < n; ++j) sum -= P[b * n + j] * L[j * c + k];
-      N[b * c + k] = sum;
-    }
+  null_projector<F>(L, P, n, c, N);
   // W = Z (I - P L) - Z', where only F columns of Z are not zero.
   for (int a = 0; a < c; ++a)
     for (int k = 0; k < c; ++k) {
@@ -165,6 +177,8 @@ inline void adjoint_pseudo_inverse(const V* L, const V* P, const V* P_bar, int n
   else
     adjoint_inverse_of<2>(L, P, P_bar, n, c, L_bar, work);
 }
+
+// NOLINTEND(readability-function-size)
 
 }  // namespace
 }  // namespace thenar::kernel

@@ -37,6 +37,7 @@ inline void run_posture(const Program& program, int k, const DigitParameters& di
 }
 
 /// One posture backwards. `adjoint` and `on` are zero beforehand.
+// NOLINTNEXTLINE(readability-function-size): an adjoint takes the arguments, results and adjoints
 inline void adjoint_posture(const Program& program, int k, const DigitParameters& digit,
                             const Posed& posed, const V* force_bar, Posed& adjoint, Wrenches& on,
                             DigitParameters& adjoint_digit, V* work) {
@@ -90,6 +91,7 @@ inline void scatter(const V* from, int rows, int count, double* const* points) {
     for (int k = 0; k < count; ++k) points[k][i] = lane(from[i], k);
 }
 
+// NOLINTNEXTLINE(readability-function-size): the signature is SimdBackend's
 inline void run(const Program& program, const double* const* u, int count, double* tape,
                 double* scratch, double* const* forces, KeepTape keep) {
   // Work space; points lie side by side in the lanes.

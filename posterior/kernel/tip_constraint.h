@@ -35,6 +35,7 @@ inline void set_loads(const Program& program, const DigitParameters& digit, Pose
 }
 
 /// Adjoint. Directions a_k turn with the tip's link; the moment on the link is  a_k x a_k_bar.
+// NOLINTNEXTLINE(readability-function-size): an adjoint takes the arguments, results and adjoints
 inline void adjoint_loads(const Program& program, const DigitParameters& digit, const Posed& posed,
                           const V* load_bar, Posed& adjoint, Wrenches& on,
                           DigitParameters& adjoint_digit) {
