@@ -112,7 +112,7 @@ void infer_by_search(const InferenceCase& at, const InferNetRequest& request,
   NetSearchOptions options;
   options.noise = at.noise;
   NetSearchResult found =
-      search_nets(at.candidate, at.records, at.pool, {}, random, options, progress);
+      search_nets(at.candidate, at.records, {at.pool, {}}, random, options, progress);
   answer.inferred = std::move(found.net);
   answer.next = proposed(found.next, at.pool, request.propose);
   answer.stop = found.stop;

@@ -7,6 +7,12 @@ namespace {
 
 using Eigen::Vector3d;
 
+/// A straight run of a tendon between two links, world.
+struct LinkRun {
+  int link_a, link_b;
+  Vector3d a, b;  // [m] (3)
+};
+
 /// Motion of a run's end by one hinge.
 struct RunMotion {
   int hinge;
@@ -15,15 +21,14 @@ struct RunMotion {
 };
 
 /// Motions by all hinges between the links of a run, climbing to their common ancestor.
-void find_motions(const Tree<double>& tree, const TreeState<double>& state,
-                  const PathNode<double>& from, const PathNode<double>& to, const Vector3d& p_a,
-                  const Vector3d& p_b, std::vector<RunMotion>& moves) {
+void find_motions(const Tree<double>& tree, const TreeState<double>& state, const LinkRun& run,
+                  std::vector<RunMotion>& moves) {
   moves.clear();
-  for (int a = from.link, b = to.link; a != b;) {
+  for (int a = run.link_a, b = run.link_b; a != b;) {
     const bool on_b = b > a;
     const int i = on_b ? b : a;
     const auto& at = state[static_cast<std::size_t>(i)];
-    const Vector3d r = at.axis.cross((on_b ? p_b : p_a) - at.point);
+    const Vector3d r = at.axis.cross((on_b ? run.b : run.a) - at.point);
     moves.push_back({i, on_b, on_b ? r : Vector3d(-r)});
     (on_b ? b : a) = tree[static_cast<std::size_t>(i)].parent;
   }
@@ -38,11 +43,11 @@ Eigen::MatrixXd arm_derivatives(const Tree<double>& tree, const TreeState<double
   for (std::size_t k = 1; k < path.size(); ++k) {
     if (path[k - 1].link == path[k].link) continue;
     // Direction of the run, and how each hinge moves its ends.
-    const Vector3d p_a = moved(state, path[k - 1].link, path[k - 1].p);
-    const Vector3d p_b = moved(state, path[k].link, path[k].p);
-    const double length = (p_b - p_a).norm();
-    const Vector3d u = (p_b - p_a) / length;
-    find_motions(tree, state, path[k - 1], path[k], p_a, p_b, moves);
+    const LinkRun run{path[k - 1].link, path[k].link, moved(state, path[k - 1].link, path[k - 1].p),
+                      moved(state, path[k].link, path[k].p)};
+    const double length = (run.b - run.a).norm();
+    const Vector3d u = (run.b - run.a) / length;
+    find_motions(tree, state, run, moves);
     // Second derivative by two hinges: across the run, and by the turn of the outer motion.
     for (const RunMotion& x : moves)
       for (const RunMotion& y : moves) {

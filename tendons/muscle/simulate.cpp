@@ -220,6 +220,11 @@ void check(const SimulateOptions& options) {
           options.stall_steps);
 }
 
+/// How a motion ends whose integrator did not step.
+MotionStatus end_of(OdeStatus status) {
+  return status == OdeStatus::kLimit ? MotionStatus::kLimit : MotionStatus::kIntegratorFailed;
+}
+
 /// One integration.
 Trajectory integrate(const MotionModel& model, const std::vector<ExcitationPiece>& pieces,
                      const MotionStart& start, const SimulateOptions& options) {
@@ -258,10 +263,7 @@ Trajectory integrate(const MotionModel& model, const std::vector<ExcitationPiece
     if (piece->jumps) ode.restart();
     while (ode.time() < piece->end) {
       const OdeStatus status = ode.step(piece->end);
-      if (status != OdeStatus::kStepped)
-        return take(
-            status == OdeStatus::kLimit ? MotionStatus::kLimit : MotionStatus::kIntegratorFailed,
-            reason(status));
+      if (status != OdeStatus::kStepped) return take(end_of(status), reason(status));
       // Instants to keep lie within the last step.
       for (; recorder.next() <= ode.time();)
         recorder.keep(motion.unpack(ode.state_at(recorder.next())), piece->at(recorder.next()));

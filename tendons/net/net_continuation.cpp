@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "tendons/net/net_derivatives.h"
 #include "tendons/net/tangent_net.h"
@@ -74,68 +75,102 @@ double largest_deviation(const Net& net, const std::vector<int>& loose_before, c
   return furthest;
 }
 
-NetContinuation follow_net(const NetTendons& tendons, const NetEquilibrium& rest, const VectorXd& q,
-                           const VectorXd& t, const VectorXd& to_q, const VectorXd& to_t,
-                           const NetContinuationOptions& options) {
-  const Net& net = tendons.net().net;
-  // Whole change of posture and tension.
-  const VectorXd turn = to_q - q, load = to_t - t;
-  const double most =
-      std::max({t.size() > 0 ? t.maxCoeff() : 0, to_t.size() > 0 ? to_t.maxCoeff() : 0, 1e-3});
-  // The least part of the way that counts as a step.
-  const double turned = turn.size() > 0 ? turn.cwiseAbs().maxCoeff() / options.min_turn : 0;
-  const double loaded =
-      load.size() > 0 ? load.cwiseAbs().maxCoeff() / (options.min_load * most) : 0;
-  const double least = 1 / std::max({turned, loaded, 1.0});
-  NetContinuation walk{rest, 0, 0};
-  double done = 0, step = 1;
-  // Predict and correct until the end is reached.
-  while (done < 1) {
-    const bool follows = settled(net, walk.rest) && pulled(tendons, t + done * load) &&
-                         pulled(tendons, to_t) && walk.solves < options.max_solves;
-    Matrix3Xd rate = Matrix3Xd::Zero(3, walk.rest.x.cols());
+namespace {
+
+double largest(const VectorXd& entries) { return entries.size() > 0 ? entries.maxCoeff() : 0; }
+
+/// A net under way. Its place is the share of the way that is done, 0 to 1.
+class NetWalk {
+ public:
+  NetWalk(const NetTendons& tendons, const NetEquilibrium& rest, const PostureAndLoad& from,
+          const PostureAndLoad& to, const NetContinuationOptions& options)
+      : tendons_(tendons),
+        from_(from),
+        to_(to),
+        turn_(to.q - from.q),
+        load_(to.t - from.t),
+        options_(options),
+        walk_{rest, 0, 0} {
+    // The least part of the way that counts as a step.
+    const double most = std::max({largest(from.t), largest(to.t), 1e-3});
+    const double turned = largest(turn_.cwiseAbs()) / options.min_turn;
+    const double loaded = largest(load_.cwiseAbs()) / (options.min_load * most);
+    least_ = 1 / std::max({turned, loaded, 1.0});
+  }
+
+  NetContinuation run() {
+    while (done_ < 1) take_step();
+    return std::move(walk_);
+  }
+
+ private:
+  /// Predicts and corrects, with a step so short that the correction is small.
+  void take_step() {
+    const Net& net = tendons_.net().net;
+    const bool follows = settled(net, walk_.rest) && pulled(tendons_, from_.t + done_ * load_) &&
+                         pulled(tendons_, to_.t) && walk_.solves < options_.max_solves;
+    Matrix3Xd rate = Matrix3Xd::Zero(3, walk_.rest.x.cols());
     if (follows)
-      rate = node_velocity(tendons, walk.rest, q + done * turn, t + done * load, turn, load);
+      rate = node_velocity(tendons_, walk_.rest, from_.q + done_ * turn_, from_.t + done_ * load_,
+                           turn_, load_);
     else
-      step = 1 - done;
-    // Shorten the step until the correction is small.
+      step_ = 1 - done_;
     for (;;) {
-      const double end = step >= 1 - done ? 1 : done + step;
-      const Matrix3Xd start = walk.rest.x + (end - done) * rate;
-      NetEquilibrium next = tendons.rest(q + end * turn, t + end * load, start);
-      ++walk.solves;
+      const double end = step_ >= 1 - done_ ? 1 : done_ + step_;
+      const Matrix3Xd start = walk_.rest.x + (end - done_) * rate;
+      NetEquilibrium next = rest_at(end, start);
       // Distance between prediction and equilibrium.
       const bool judged = follows && settled(net, next);
-      const double off = judged ? largest_deviation(net, walk.rest.undetermined, start, next) : 0;
-      const bool astray = off > options.stray || (follows && !judged);
-      if (astray && end - done > least && walk.solves < options.max_solves) {
-        step = 0.5 * (end - done);
-        continue;
+      const double off = judged ? largest_deviation(net, walk_.rest.undetermined, start, next) : 0;
+      const bool astray = off > options_.stray || (follows && !judged);
+      if (!astray || !(end - done_ > least_) || walk_.solves >= options_.max_solves) {
+        if (off > options_.stray) ++walk_.snaps;
+        return accept(std::move(next), end);
       }
-      if (off > options.stray) ++walk.snaps;
-      // No balance found from the prediction: search from scratch.
-      if (unbalanced(next)) {
-        NetEquilibrium cold = tendons.rest(q + end * turn, t + end * load, {});
-        ++walk.solves;
-        if (!unbalanced(cold)) {
-          next = std::move(cold);
-          ++walk.snaps;
-        }
-      }
-      // Accept, and try a step twice as long.
-      walk.rest = std::move(next);
-      step = 2 * (end - done);
-      done = end;
-      break;
+      step_ = 0.5 * (end - done_);
     }
   }
-  return walk;
+
+  [[nodiscard]] NetEquilibrium rest_at(double place, const Matrix3Xd& start) {
+    ++walk_.solves;
+    return tendons_.rest(from_.q + place * turn_, from_.t + place * load_, start);
+  }
+
+  /// Takes the equilibrium at the end of a step, and tries a step twice as long next.
+  void accept(NetEquilibrium next, double end) {
+    // No balance found from the prediction: search from scratch.
+    if (unbalanced(next)) {
+      NetEquilibrium cold = rest_at(end, {});
+      if (!unbalanced(cold)) {
+        next = std::move(cold);
+        ++walk_.snaps;
+      }
+    }
+    walk_.rest = std::move(next);
+    step_ = 2 * (end - done_);
+    done_ = end;
+  }
+
+  const NetTendons& tendons_;
+  const PostureAndLoad &from_, &to_;
+  VectorXd turn_, load_;  // whole change of posture [rad] and tension [N]
+  const NetContinuationOptions& options_;
+  NetContinuation walk_;
+  double least_ = 0, done_ = 0, step_ = 1;  // shares of the way [1]
+};
+
+}  // namespace
+
+NetContinuation follow_net(const NetTendons& tendons, const NetEquilibrium& rest,
+                           const PostureAndLoad& from, const PostureAndLoad& to,
+                           const NetContinuationOptions& options) {
+  return NetWalk(tendons, rest, from, to, options).run();
 }
 
 NetContinuation follow_from_straight(const NetTendons& tendons, const VectorXd& q,
                                      const VectorXd& t, const NetContinuationOptions& options) {
   const VectorXd straight = tendons.net().frame.straight;
-  return follow_net(tendons, tendons.rest(straight, t, {}), straight, t, q, t, options);
+  return follow_net(tendons, tendons.rest(straight, t, {}), {straight, t}, {q, t}, options);
 }
 
 }  // namespace thenar

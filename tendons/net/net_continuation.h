@@ -17,6 +17,12 @@ struct NetContinuationOptions {
   int max_solves = 1000;   // then the rest is gone in one step, and counts as a snap
 };
 
+/// What a net is asked to follow.
+struct PostureAndLoad {
+  Eigen::VectorXd q;  // (coordinates) [rad]
+  Eigen::VectorXd t;  // tension of each muscle (muscles) [N]
+};
+
 /// An equilibrium, and how it was reached.
 struct [[nodiscard]] NetContinuation {
   NetEquilibrium rest;
@@ -24,17 +30,14 @@ struct [[nodiscard]] NetContinuation {
   int solves = 0;  // searches for rest
 };
 
-/// Follows a net from its equilibrium at (q, t). Where no equilibrium is found near the prediction,
-/// the solver starts from scratch; that counts as a snap. Where the net is not differentiable, see
-/// why_not_differentiable(), or no muscle pulls it at either end, so that nothing determines its
-/// knots, it is moved in one step and snaps are not judged.
-/// @param rest   at `q` and `t`, as found before
-/// @param to_q   (coordinates) [rad]
-/// @param to_t   (muscles) [N]
+/// Follows a net from its equilibrium at one posture and load to another. Where no equilibrium is
+/// found near the prediction, the solver starts from scratch; that counts as a snap. Where the net
+/// is not differentiable, see why_not_differentiable(), or no muscle pulls it at either end, so
+/// that nothing determines its knots, it is moved in one step and snaps are not judged.
+/// @param rest   at `from`, as found before
 /// @throws InputError as DigitTendons::evaluate().
 NetContinuation follow_net(const NetTendons& tendons, const NetEquilibrium& rest,
-                           const Eigen::VectorXd& q, const Eigen::VectorXd& t,
-                           const Eigen::VectorXd& to_q, const Eigen::VectorXd& to_t,
+                           const PostureAndLoad& from, const PostureAndLoad& to,
                            const NetContinuationOptions& options = {});
 
 /// Equilibrium of a net at (q, t) that came there from the straight finger under these tensions:

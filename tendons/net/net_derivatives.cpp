@@ -115,9 +115,10 @@ std::string why_not_differentiable(const Net& net, const NetEquilibrium& rest, d
 }
 
 MatrixXd length_by_posture(const Net& net, const Tree<double>& tree, const TreeState<double>& state,
-                           const NetDrive& drive, const NetEquilibrium& rest, int coordinates,
-                           double settled) {
-  return length_by_posture(tangent_at(net, state, drive, rest, settled), tree, state, coordinates);
+                           const NetDrive& drive, const NetEquilibrium& rest,
+                           const LengthSlopes& wanted) {
+  return length_by_posture(tangent_at(net, state, drive, rest, wanted.settled), tree, state,
+                           wanted.coordinates);
 }
 
 MatrixXd torque_by_drive(const Net& net, const Tree<double>& tree, const TreeState<double>& state,

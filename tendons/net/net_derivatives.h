@@ -25,12 +25,18 @@ namespace thenar {
 [[nodiscard]] std::string why_not_differentiable(const Net& net, const NetEquilibrium& rest,
                                                  double settled = 0);
 
+/// How length_by_posture() differentiates.
+struct LengthSlopes {
+  int coordinates;     // of the posture
+  double settled = 0;  // residual of a stalled net below which it counts as balanced [N]
+};
+
 /// dL/dq of all bands while the net stays in equilibrium (bands, coordinates) [m/rad].
 /// @throws InputError as of why_not_differentiable().
 [[nodiscard]] Eigen::MatrixXd length_by_posture(const Net& net, const Tree<double>& tree,
                                                 const TreeState<double>& state,
                                                 const NetDrive& drive, const NetEquilibrium& rest,
-                                                int coordinates, double settled = 0);
+                                                const LengthSlopes& wanted);
 
 /// d tau/d drive: by each muscle's tension [m/rad], or length [N] (coordinates, muscles).
 /// @throws InputError as of why_not_differentiable().

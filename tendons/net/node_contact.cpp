@@ -18,13 +18,19 @@ constexpr double kOnSurface = 1e-12;  // gap that counts as none [m]
 using Normals = Eigen::Matrix<double, 3, Eigen::Dynamic, 0, 3, 3>;
 using Forces = Eigen::Matrix<double, Eigen::Dynamic, 1, 0, 3, 1>;
 
+/// Surfaces that hold a node.
+struct HeldSurfaces {
+  std::array<int, 3> number;  // in the net
+  int count;                  // of them
+};
+
 /// Places the normals of surfaces `held` into columns and their gaps into a vector.
-double gaps(const Net& net, const NetScene& scene, const std::array<int, 3>& held, int count,
-            const Vector3d& x, Normals& N, Forces& gap) {
-  N.resize(3, count);
-  gap.resize(count);
-  for (int i = 0; i < count; ++i) {
-    const SurfaceGap at = gap_world(net, scene, held[i], x);
+double gaps(const Net& net, const NetScene& scene, const HeldSurfaces& held, const Vector3d& x,
+            Normals& N, Forces& gap) {
+  N.resize(3, held.count);
+  gap.resize(held.count);
+  for (int i = 0; i < held.count; ++i) {
+    const SurfaceGap at = gap_world(net, scene, held.number[i], x);
     N.col(i) = at.normal;
     gap(i) = at.gap;
   }
@@ -32,28 +38,27 @@ double gaps(const Net& net, const NetScene& scene, const std::array<int, 3>& hel
 }
 
 /// Nearest place, to first order, on all of the surfaces held.
-bool land(const Net& net, const NetScene& scene, const std::array<int, 3>& held, int count,
-          Vector3d& x) {
-  if (count == 0) return true;
+bool land(const Net& net, const NetScene& scene, const HeldSurfaces& held, Vector3d& x) {
+  if (held.count == 0) return true;
   // One surface: along its normal.
-  if (count == 1) {  // the nearest point, twice for rounding
+  if (held.count == 1) {  // the nearest point, twice for rounding
     for (int i = 0; i < 2; ++i) {
-      const SurfaceGap at = gap_world(net, scene, held[0], x);
+      const SurfaceGap at = gap_world(net, scene, held.number[0], x);
       x -= at.gap * at.normal;
       if (std::abs(at.gap) < 1e-12) return true;
     }
-    return std::abs(gap_world(net, scene, held[0], x).gap) < kOnSurface;
+    return std::abs(gap_world(net, scene, held.number[0], x).gap) < kOnSurface;
   }
   // Several: Newton's method for all gaps at once.
   Normals N;
   Forces gap;
   for (int i = 0; i < 30; ++i) {
-    if (gaps(net, scene, held, count, x, N, gap) < 1e-16) return true;
+    if (gaps(net, scene, held, x, N, gap) < 1e-16) return true;
     const Vector3d move = N.transpose().completeOrthogonalDecomposition().solve(gap);
     x -= move;
     if (move.norm() < 1e-15) break;
   }
-  return gaps(net, scene, held, count, x, N, gap) < kOnSurface;
+  return gaps(net, scene, held, x, N, gap) < kOnSurface;
 }
 
 /// The surface that x is deepest inside of; -1: none.
@@ -148,30 +153,28 @@ bool project_node(const Net& net, const NetScene& scene, const NetNode& node, Ve
                   NodeContact& contact) {
   // Start on the surfaces that press.
   const Vector3d wanted = x;
-  std::array<int, 3> held = contact.surface;
-  int count = contact.pressed;
+  HeldSurfaces held{contact.surface, contact.pressed};
   while (true) {
-    if (!land(net, scene, held, count, x)) return false;
+    if (!land(net, scene, held, x)) return false;
     // Another surface may be entered there.
     const int next = deepest(net, scene, node, x);
     if (next < 0) break;
     // A surface just entered may alone be enough; else it joins those held.
-    if (count > contact.pressed) {
-      std::array<int, 3> alone = contact.surface;
-      alone[contact.pressed] = next;
+    if (held.count > contact.pressed) {
+      HeldSurfaces alone{contact.surface, contact.pressed + 1};
+      alone.number[contact.pressed] = next;
       Vector3d there = wanted;
-      if (land(net, scene, alone, contact.pressed + 1, there) &&
-          deepest(net, scene, node, there) < 0) {
-        held = alone, count = contact.pressed + 1, x = there;
+      if (land(net, scene, alone, there) && deepest(net, scene, node, there) < 0) {
+        held = alone, x = there;
         break;
       }
     }
     // Three surfaces fix a point: there is no place for a fourth.
-    if (count == 3) return false;
-    held[count++] = next;
+    if (held.count == 3) return false;
+    held.number[held.count++] = next;
   }
-  contact.surface = held;
-  contact.touching = contact.pressed = count;
+  contact.surface = held.number;
+  contact.touching = contact.pressed = held.count;
   return true;
 }
 

@@ -63,7 +63,7 @@ SweepPoint sweep_on(const NetTendons& tendons, const SweepPoint* before, const E
                     const Eigen::VectorXd& t, const NetContinuationOptions& options) {
   if (before == nullptr) return point_at(tendons, q, t, tendons.rest(q, t, {}));
   // From the point before, along the net's course.
-  NetContinuation walk = follow_net(tendons, before->rest, before->q, t, q, t, options);
+  NetContinuation walk = follow_net(tendons, before->rest, {before->q, t}, {q, t}, options);
   SweepPoint point = point_at(tendons, q, t, std::move(walk.rest));
   point.snapped = walk.snaps > 0;
   compare_places(tendons.net().net, *before, point);

@@ -77,7 +77,7 @@ void TendonActuator::move_net(const VectorXd& q, const VectorXd& t) {
     return;
   }
   // Otherwise follow the net in smaller steps.
-  NetContinuation walk = follow_net(*net_, rest_, q_, t_, q, t, options_);
+  NetContinuation walk = follow_net(*net_, rest_, {q_, t_}, {q, t}, options_);
   rest_ = std::move(walk.rest);
   action_.snapped = walk.snaps > 0;
   snaps_ += walk.snaps;

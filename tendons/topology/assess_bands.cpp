@@ -149,16 +149,36 @@ bool linked(FittedNets& tried, double limit, int a, int b) {
   return false;
 }
 
-std::vector<BandGroup> groups_of(FittedNets& tried, const InferredNet& found, double limit) {
-  const int n = static_cast<int>(found.verdicts.size());
-  // Undecided bands that depend on each other share a root.
+/// A root for each band: undecided bands that depend on each other share it.
+std::vector<int> roots_of(FittedNets& tried, const std::vector<BandVerdict>& verdicts,
+                          double limit) {
+  const int n = static_cast<int>(verdicts.size());
   std::vector<int> root(static_cast<std::size_t>(n));
   std::iota(root.begin(), root.end(), 0);
-  const auto open = [&](int c) { return found.verdicts[c].verdict == Verdict::kUndecided; };
+  const auto open = [&](int c) { return verdicts[c].verdict == Verdict::kUndecided; };
   for (int a = 0; a < n; ++a)
     for (int b = a + 1; b < n; ++b)
       if (open(a) && open(b) && linked(tried, limit, a, b))
         std::replace(root.begin(), root.end(), int{root[b]}, int{root[a]});
+  return root;
+}
+
+/// The sets of these bands that equally good nets have, each once.
+std::vector<std::vector<int>> ways_of(const std::vector<int>& bands,
+                                      const std::vector<FittedNet>& alike) {
+  std::vector<std::vector<int>> ways;
+  for (const FittedNet& net : alike) {
+    std::vector<int> way;
+    for (int c : bands)
+      if (net.bands[c]) way.push_back(c);
+    if (std::find(ways.begin(), ways.end(), way) == ways.end()) ways.push_back(way);
+  }
+  return ways;
+}
+
+std::vector<BandGroup> groups_of(FittedNets& tried, const InferredNet& found, double limit) {
+  const int n = static_cast<int>(found.verdicts.size());
+  const std::vector<int> root = roots_of(tried, found.verdicts, limit);
   // One group for each root with several bands.
   std::vector<BandGroup> groups;
   for (int r = 0; r < n; ++r) {
@@ -166,14 +186,7 @@ std::vector<BandGroup> groups_of(FittedNets& tried, const InferredNet& found, do
     for (int c = 0; c < n; ++c)
       if (root[c] == r) group.bands.push_back(c);
     if (group.bands.size() < 2) continue;
-    // The sets of bands that equally good nets have.
-    for (const FittedNet& net : found.alike) {
-      std::vector<int> way;
-      for (int c : group.bands)
-        if (net.bands[c]) way.push_back(c);
-      if (std::find(group.ways.begin(), group.ways.end(), way) == group.ways.end())
-        group.ways.push_back(way);
-    }
+    group.ways = ways_of(group.bands, found.alike);
     groups.push_back(group);
   }
   return groups;

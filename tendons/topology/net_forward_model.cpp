@@ -71,7 +71,7 @@ Eigen::MatrixXd NetForwardModel::slope_of(const Net& net, const Posed& posed,
   // Derivatives of band lengths by the joints.
   const Eigen::MatrixXd turn =
       length_by_posture(net, candidate_.tree, posed.state, {posed.test.tension, {}}, rest,
-                        static_cast<int>(posed.test.q.size()), kSettledNet);
+                        {static_cast<int>(posed.test.q.size()), kSettledNet});
   // Reciprocity: they give the torque's derivative by each EA.
   for (const auto& [candidate, band] : places_of(candidate_, EA))
     tau.col(candidate) = -rest.tension(band) / net.bands[band].EA * turn.row(band).transpose();

@@ -186,9 +186,10 @@ std::string to_string(NetSearchStop stop) {
 }
 
 NetSearchResult search_nets(const CandidateNet& candidate, std::vector<TendonRecord> records,
-                            const std::vector<TendonTest>& pool, const TestOracle& oracle,
-                            std::mt19937& random, const NetSearchOptions& options,
-                            const Progress& progress) {
+                            const MeasurableTests& tests, std::mt19937& random,
+                            const NetSearchOptions& options, const Progress& progress) {
+  const std::vector<TendonTest>& pool = tests.pool;
+  const TestOracle& oracle = tests.oracle;
   require(records.size() >= 2 || (oracle && pool.size() >= 2),
           "wanted two records, or an oracle and two tests, got {} and {}", records.size(),
           pool.size());

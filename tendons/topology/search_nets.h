@@ -55,18 +55,21 @@ struct [[nodiscard]] NetSearchResult {
 /// Supplies the reading of a test: an experiment, or a planted net.
 using TestOracle = std::function<TendonRecord(const TendonTest& test)>;
 
+/// What may be measured during a search.
+struct MeasurableTests {
+  std::vector<TendonTest> pool;
+  TestOracle oracle;  // empty: nothing is measured, the next tests are only named
+};
+
 /// Alternates estimation and exploration. Estimation: topologies change by single bands and by
 /// crossing, each fitted to all records; the best by  chi^2 + price * bands  survive. Exploration:
 /// the tests of the pool on which survivors disagree most are measured next. In the end the bands
 /// are assessed.
 /// @param records  what is known before; may be empty if there is an oracle
-/// @param pool     tests that could be measured
-/// @param oracle   empty: nothing is measured, the next tests are only named
 /// Source: [Bongard2005], [ValeroCuevas2007], [Saxena2012].
 [[nodiscard]] NetSearchResult search_nets(const CandidateNet& candidate,
                                           std::vector<TendonRecord> records,
-                                          const std::vector<TendonTest>& pool,
-                                          const TestOracle& oracle, std::mt19937& random,
+                                          const MeasurableTests& tests, std::mt19937& random,
                                           const NetSearchOptions& options = {},
                                           const Progress& progress = {});
 

@@ -53,32 +53,40 @@ double to_equator(const Vector3d& n, const Vector3d& t, double sign) {
   return u;
 }
 
+/// On the cylinder of a capsule: up to the seam, or to the end. @return what is left to go [m]
+double along_side(GeodesicEnd& end, const Vector3d& size, double s) {
+  const double radius = size[0], half = size[1];
+  const double sign = s > 0 ? 1 : -1, climb = sign * end.ray.t.z();
+  const double room =
+      climb == 0 ? std::abs(s) : (std::copysign(half, climb) - end.ray.p.z()) / climb;
+  const double step = sign * std::min(std::abs(s), std::max(room, 0.0));
+  along_cylinder(end, radius, step);
+  const double left = step == s ? 0 : s - step;
+  if (left != 0) end.ray.p.z() = std::copysign(half, climb);
+  return left;
+}
+
+/// On a cap of a capsule: up to its equator, or to the end. @return what is left to go [m]
+double along_cap(GeodesicEnd& end, const Vector3d& size, double s) {
+  const double radius = size[0], half = size[1], sign = s > 0 ? 1 : -1;
+  const Vector3d center(0, 0, std::copysign(half, end.ray.p.z()));
+  const double room = radius * std::abs(to_equator((end.ray.p - center) / radius, end.ray.t, sign));
+  const double step = sign * std::min(std::abs(s), room);
+  along_sphere(end, center, radius, step);
+  const double left = step == s ? 0 : s - step;
+  if (left != 0) end.ray.p.z() = center.z();
+  return left;
+}
+
 /// Cylinder and caps in turn; `s` is what is left to go.
 void along_capsule(GeodesicEnd& end, const Vector3d& size, double s) {
-  const double radius = size[0], half = size[1];
+  const double half = size[1];
   for (int piece = 0; piece < 64 && s != 0; ++piece) {
-    const double sign = s > 0 ? 1 : -1, climb = sign * end.ray.t.z();
-    const double z = end.ray.p.z();
     // On a seam, the direction says which piece comes next.
+    const double climb = (s > 0 ? 1 : -1) * end.ray.t.z(), z = end.ray.p.z();
     const bool cap =
         std::abs(z) > half * (1 + 1e-14) || (std::abs(z) >= half * (1 - 1e-14) && z * climb > 0);
-    // On the cylinder: up to the seam, or to the end.
-    if (!cap) {
-      const double room = climb == 0 ? std::abs(s) : (std::copysign(half, climb) - z) / climb;
-      const double step = sign * std::min(std::abs(s), std::max(room, 0.0));
-      along_cylinder(end, radius, step);
-      s = step == s ? 0 : s - step;
-      if (s != 0) end.ray.p.z() = std::copysign(half, climb);
-      continue;
-    }
-    // On a cap: up to its equator, or to the end.
-    const Vector3d center(0, 0, std::copysign(half, z));
-    const double room =
-        radius * std::abs(to_equator((end.ray.p - center) / radius, end.ray.t, sign));
-    const double step = sign * std::min(std::abs(s), room);
-    along_sphere(end, center, radius, step);
-    s = step == s ? 0 : s - step;
-    if (s != 0) end.ray.p.z() = center.z();
+    s = cap ? along_cap(end, size, s) : along_side(end, size, s);
   }
 }
 

@@ -156,11 +156,20 @@ void add_arc(const TreeState<double>& state, const PathSet& set, const PathArc& 
   wrenches.add(surface.link, Wrench{X.R * w.head<3>() + X.p.cross(f), f});
 }
 
-/// The first `spans` runs of a tendon under a tension; `cut`: the last of them ends in the air.
-void add_part(const TreeState<double>& state, const PathSet& set, const PathShape& shape,
-              std::size_t spans, double tension, bool cut, PathWrenches& wrenches) {
+/// The first runs of a tendon.
+struct PathPart {
+  const PathShape& shape;
+  std::size_t spans;  // runs
+  bool cut;           // the last of them ends in the air
+};
+
+/// Adds the wrenches of a part of a tendon under a tension.
+void add_part(const TreeState<double>& state, const PathSet& set, const PathPart& part,
+              double tension, PathWrenches& wrenches) {
+  const auto& [shape, spans, cut] = part;
+  const std::vector<PathArc>& arcs = shape.arcs;
   const auto touches = [&](std::size_t span, bool end) {  // an arc begins or ends there
-    return std::any_of(shape.arcs.begin(), shape.arcs.end(), [&](const PathArc& arc) {
+    return std::any_of(arcs.begin(), arcs.end(), [&](const PathArc& arc) {
       return arc.after == static_cast<int>(span) - (end ? 0 : 1);
     });
   };
@@ -173,7 +182,7 @@ void add_part(const TreeState<double>& state, const PathSet& set, const PathShap
       wrenches.add(span.link_b, span.b, -pull);
   }
   // Arcs within the part press on their surfaces.
-  for (const PathArc& arc : shape.arcs)
+  for (const PathArc& arc : arcs)
     if (arc.after + 1 < static_cast<int>(spans)) add_arc(state, set, arc, tension, wrenches);
 }
 
@@ -192,7 +201,7 @@ std::vector<LinkWrench> path_wrenches(const TreeState<double>& state, const Path
                                       const std::vector<PathShape>& shapes, std::size_t path) {
   // The tendon itself.
   PathWrenches wrenches;
-  add_part(state, set, shapes[path], shapes[path].spans.size(), 1, false, wrenches);
+  add_part(state, set, {shapes[path], shapes[path].spans.size(), /*cut=*/false}, 1, wrenches);
   if (set.paths[path].carrier < 0) return wrenches.all;
   // The carrier takes the rider's pull -u: what lies along it as less tension towards its
   // insertion, what lies across it by lever on the two ends of the run.
@@ -202,7 +211,7 @@ std::vector<LinkWrench> path_wrenches(const TreeState<double>& state, const Path
   wrenches.add(ride.span->link_a, ride.span->a, -(1 - ride.share) * across);
   wrenches.add(ride.span->link_b, ride.span->b, -ride.share * across);
   const auto spans = static_cast<std::size_t>(ride.span - ride.carrier->spans.data()) + 1;
-  add_part(state, set, *ride.carrier, spans, -along, true, wrenches);
+  add_part(state, set, {*ride.carrier, spans, /*cut=*/true}, -along, wrenches);
   return wrenches.all;
 }
 

@@ -380,28 +380,31 @@ void PathSolver::take_chain(const std::vector<PathWrap>& bends) {
   }
 }
 
+/// wrap_one() between its neighbours in contact, or a and b.
+/// @return how far its touch points move [m]; 1 if the surface comes on or lifts off
+double PathSolver::rewrap(std::size_t i, const PathWrap& bend, const Vector3d& a, const Vector3d& b,
+                          PathShape& shape) {
+  Vector3d before = a, after = b;
+  for (std::size_t k = 0; k < i; ++k)
+    if (slots_[k].on) before = slots_[k].touch_b;
+  for (std::size_t k = slots_.size(); k-- > i + 1;)
+    if (slots_[k].on) after = slots_[k].touch_a;
+  const Slot was = slots_[i];
+  wrap_one(i, bend, before, after, shape);
+  if (was.on != slots_[i].on) return 1;
+  if (!was.on) return 0;
+  return std::max(
+      {0.0, (was.touch_a - slots_[i].touch_a).norm(), (was.touch_b - slots_[i].touch_b).norm()});
+}
+
 void PathSolver::sweep(const std::vector<PathWrap>& bends, const Vector3d& a, const Vector3d& b,
                        PathShape& shape) {
   // Gauss-Seidel over the surfaces until no touch point moves.
   const std::size_t m = bends.size();
   for (int pass = 0; pass < (m == 1 ? 1 : 40); ++pass) {
     double moved_by = 0, error = 0;
-    for (std::size_t i = 0; i < m; ++i) {
-      // Neighbours in contact bound the string of this surface.
-      Vector3d before = a, after = b;
-      for (std::size_t k = 0; k < i; ++k)
-        if (slots_[k].on) before = slots_[k].touch_b;
-      for (std::size_t k = m; k-- > i + 1;)
-        if (slots_[k].on) after = slots_[k].touch_a;
-      // How far its touch points move when it is solved anew.
-      const Slot was = slots_[i];
-      wrap_one(i, bends[i], before, after, shape);
-      if (was.on != slots_[i].on)
-        moved_by = 1;
-      else if (was.on)
-        moved_by = std::max({moved_by, (was.touch_a - slots_[i].touch_a).norm(),
-                             (was.touch_b - slots_[i].touch_b).norm()});
-    }
+    for (std::size_t i = 0; i < m; ++i)
+      moved_by = std::max(moved_by, rewrap(i, bends[i], a, b, shape));
     for (const Slot& slot : slots_)
       if (slot.on) error = std::max(error, slot.error);
     if (moved_by < 1e-6 || !(error <= 1e-3)) return;

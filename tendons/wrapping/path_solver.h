@@ -94,6 +94,8 @@ class PathSolver {
                const Eigen::Vector3d& b, PathShape& shape);
   void sweep(const std::vector<PathWrap>& bends, const Eigen::Vector3d& a, const Eigen::Vector3d& b,
              PathShape& shape);
+  double rewrap(std::size_t slot, const PathWrap& bend, const Eigen::Vector3d& a,
+                const Eigen::Vector3d& b, PathShape& shape);
   void wrap_one(std::size_t slot, const PathWrap& bend, const Eigen::Vector3d& a,
                 const Eigen::Vector3d& b, PathShape& shape);
   double touch_together(const Eigen::Vector3d& a, const Eigen::Vector3d& b, PathShape& shape);

@@ -64,11 +64,18 @@ struct Tangency {
   System J;
 };
 
+/// The other end of a run: a fixed point, or the end of an arc.
+struct RunEnd {
+  Vector3d p;       // world [m] (3)
+  const Map34* dp;  // how it moves with its arc; null: it is fixed
+  int column;       // of its arc's unknowns
+};
+
 /// Two rows: a unit run e = +-(end - other) / d against n and b of `end`.
 /// @param sign  1 if the run arrives at the end, -1 if it leaves
-void add_rows(Tangency& system, int row, int own, const ArcEnd& end, const Vector3d& other,
-              int other_column, const Map34* other_dp, double sign) {
-  const Vector3d run = sign * (end.p - other);
+void add_rows(Tangency& system, int row, int own, const ArcEnd& end, const RunEnd& other,
+              double sign) {
+  const Vector3d run = sign * (end.p - other.p);
   const double d = run.norm();
   const Vector3d e = run / d;
   for (int k = 0; k < 2; ++k) {
@@ -77,7 +84,7 @@ void add_rows(Tangency& system, int row, int own, const ArcEnd& end, const Vecto
     const Vector3d slope = sign * (v - e * e.dot(v)) / d;
     system.f[row + k] = e.dot(v);
     system.J.block<1, 4>(row + k, own) += slope.transpose() * end.dp + e.transpose() * dv;
-    if (other_dp) system.J.block<1, 4>(row + k, other_column) -= slope.transpose() * *other_dp;
+    if (other.dp) system.J.block<1, 4>(row + k, other.column) -= slope.transpose() * *other.dp;
   }
 }
 
@@ -93,10 +100,12 @@ Tangency tangency(const Vector3d& a, const Vector3d& b, const std::vector<ChainA
     const ArcEnds& here = ends[static_cast<std::size_t>(i)];
     const ArcEnd* before = i > 0 ? &ends[static_cast<std::size_t>(i) - 1].off : nullptr;
     const ArcEnd* after = i + 1 < m ? &ends[static_cast<std::size_t>(i) + 1].on : nullptr;
-    add_rows(system, 4 * i, 4 * i, here.on, before ? before->p : a, 4 * (i - 1),
-             before ? &before->dp : nullptr, 1);
-    add_rows(system, 4 * i + 2, 4 * i, here.off, after ? after->p : b, 4 * (i + 1),
-             after ? &after->dp : nullptr, -1);
+    const RunEnd to_before =
+        before ? RunEnd{before->p, &before->dp, 4 * (i - 1)} : RunEnd{a, nullptr, 0};
+    const RunEnd to_after =
+        after ? RunEnd{after->p, &after->dp, 4 * (i + 1)} : RunEnd{b, nullptr, 0};
+    add_rows(system, 4 * i, 4 * i, here.on, to_before, 1);
+    add_rows(system, 4 * i + 2, 4 * i, here.off, to_after, -1);
   }
   return system;
 }

@@ -186,7 +186,7 @@ TEST_P(NetDerivativesOf, LengthByPostureMatchesDifferences) {
   for (const SampleNet& sample : held_nets(GetParam(), 4)) {
     const NetEquilibrium rest = rest_of(sample);
     const Eigen::MatrixXd slopes = length_by_posture(sample.net, sample.tree, sample.state(),
-                                                     sample.drive, rest, sample.coordinates());
+                                                     sample.drive, rest, {sample.coordinates()});
     for (int l = 0; l < sample.coordinates(); ++l) {
       const auto length = [&](double dq) {
         SampleNet moved = sample;

@@ -21,7 +21,7 @@ NetSearchResult explore(double share, const std::vector<TendonTest>& pool, const
   std::mt19937 random(1);
   NetSearchOptions options;
   options.max_tests = max_tests;
-  return search_nets(tug::candidate(2), read_twice(share), pool, oracle, random, options);
+  return search_nets(tug::candidate(2), read_twice(share), {pool, oracle}, random, options);
 }
 
 TEST(ExploreNets, SaysThatNobodyMeasures) {
@@ -57,7 +57,8 @@ TEST(ExploreNets, SaysThatItWasStopped) {
   stopped.stop_requested = [] { return true; };
   std::mt19937 random(1);
   EXPECT_EQ(
-      search_nets(tug::candidate(2), read_twice(0.5), {tug::test(4)}, {}, random, {}, stopped).stop,
+      search_nets(tug::candidate(2), read_twice(0.5), {{tug::test(4)}, {}}, random, {}, stopped)
+          .stop,
       NetSearchStop::kAsked);
 }
 

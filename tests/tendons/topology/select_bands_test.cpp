@@ -104,7 +104,7 @@ TEST(PlantedNet, SearchRecoversItsBandsFromTestsOfItsChoice) {
       records.push_back(planted::measure(candidate, EA, {test}, kNoise, random)[0]);
       return records.back();
     };
-    const InferredNet net = search_nets(candidate, {}, pool, oracle, search).net;
+    const InferredNet net = search_nets(candidate, {}, {pool, oracle}, search).net;
     BandFitter fitter(candidate, records);
     count.add(net, EA, planted_misfit(fitter, EA));
   }
