@@ -242,7 +242,8 @@ SoundPart sound_part(const TriangleMesh& part, const MeshReport& before) {
   if (!report.watertight()) return {hull_mesh(part.vertices), /*hull=*/true, 0};
   if (encloses_little(report, repair.mesh)) return {};
   // A part that was whole keeps the way it faces: it may be a cavity.
-  return {before.watertight() ? part : std::move(repair.mesh), /*hull=*/false, repair.closed_holes};
+  if (before.watertight()) return {part, /*hull=*/false, repair.closed_holes};
+  return {std::move(repair.mesh), /*hull=*/false, repair.closed_holes};
 }
 
 /// Part for part: closed, or its hull, or left out.

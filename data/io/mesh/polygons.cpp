@@ -130,15 +130,14 @@ class Cutter {
               std::size_t i) {
     if (!(turn(flat, i) > 0)) return false;
     const std::size_t a = before(i), b = left_[i], c = after(i);
-    for (const std::size_t k : reflex_) {
+    return std::none_of(reflex_.begin(), reflex_.end(), [&](std::size_t k) {
       ++steps_;
-      if (k == a || k == b || k == c || face[k] == face[a] || face[k] == face[c]) continue;
+      if (k == a || k == b || k == c || face[k] == face[a] || face[k] == face[c]) return false;
       const Eigen::Vector2d& p = flat[k];
-      if (cross(flat[b] - flat[a], p - flat[a]) >= 0 &&
-          cross(flat[c] - flat[b], p - flat[b]) >= 0 && cross(flat[a] - flat[c], p - flat[c]) >= 0)
-        return false;
-    }
-    return true;
+      return cross(flat[b] - flat[a], p - flat[a]) >= 0 &&
+             cross(flat[c] - flat[b], p - flat[b]) >= 0 &&
+             cross(flat[a] - flat[c], p - flat[c]) >= 0;
+    });
   }
 
   void fan(const std::vector<int>& face) {
