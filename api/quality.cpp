@@ -20,7 +20,7 @@
 namespace thenar {
 namespace {
 
-constexpr int kMaxEdges = 1000;         // of a pyramid: finer ones take minutes and change nothing
+constexpr int kMaxPyramidEdges = 1000;  // of a pyramid: finer ones take minutes and change nothing
 constexpr double kPolytopeGap = 1e-10;  // of the largest wrench: exact at little cost [1]
 constexpr double kNothing = 1e-9;       // a load below this part of the largest wrench is none [1]
 
@@ -216,8 +216,8 @@ ContactFile read_contacts(const QualityRequest& request) {
 
 void require_valid(const QualityRequest& request) {
   require(request.gap > 0, "wanted a gap above 0, got {}", request.gap);
-  require(request.edges == 0 || (request.edges >= 3 && request.edges <= kMaxEdges),
-          "wanted pyramids of 3 to {} edges, got {}", kMaxEdges, request.edges);
+  require(request.edges == 0 || (request.edges >= 3 && request.edges <= kMaxPyramidEdges),
+          "wanted pyramids of 3 to {} edges, got {}", kMaxPyramidEdges, request.edges);
   require(request.edges > 0 || request.first_edge == 0,
           "a first edge is of pyramids: say how many edges they have{}", "");
 }
