@@ -44,11 +44,11 @@ std::vector<std::string> misfit_warnings(const FitResult& result) {
 
 /// Parameters that were moved farther than their priors believe possible, in one sentence.
 std::vector<std::string> stray_warnings(const Covariance& covariance) {
-  constexpr double kFar = 3;         // prior sds [1]
+  constexpr double kFarMoved = 3;    // prior sds [1]
   constexpr std::size_t kNamed = 4;  // the others are counted
   std::vector<const CoordinateEstimate*> far;
   for (const CoordinateEstimate& learnt : covariance.learnt)
-    if (std::abs(learnt.z) > kFar) far.push_back(&learnt);
+    if (std::abs(learnt.z) > kFarMoved) far.push_back(&learnt);
   if (far.empty()) return {};
   std::sort(far.begin(), far.end(),
             [](const auto* a, const auto* b) { return std::abs(a->z) > std::abs(b->z); });
@@ -60,7 +60,7 @@ std::vector<std::string> stray_warnings(const Covariance& covariance) {
       fmt::format("moved by more than {:.0f} prior sds: {}. Is a sign or a unit of the subject or "
                   "the experiment "
                   "wrong, or the prior too narrow?",
-                  kFar, names)};
+                  kFarMoved, names)};
 }
 
 }  // namespace

@@ -68,7 +68,7 @@ Eigen::Matrix3Xd principal(const Eigen::Matrix3Xd& points) {
 /// How many coordinates move each tip, from the middle of the joints' ranges: it cannot fill a
 /// space of more dimensions.
 std::vector<int> movers_of_tips(const Hand& hand) {
-  constexpr double kStill = 1e-9;  // [m]
+  constexpr double kNoMotion = 1e-9;  // [m]
   const HandLayout& layout = hand.layout();
   const Eigen::VectorXd middle = (layout.lower + layout.upper) / 2;
   std::vector<int> movers(layout.tip_points.size(), 0);
@@ -78,7 +78,7 @@ std::vector<int> movers_of_tips(const Hand& hand) {
     const Eigen::Matrix3Xd low = fingertip_positions(hand, q);
     const Eigen::Matrix3Xd by = fingertip_positions(hand, middle) - low;
     for (std::size_t t = 0; t < movers.size(); ++t)
-      if (by.col(static_cast<Eigen::Index>(t)).norm() > kStill) ++movers[t];
+      if (by.col(static_cast<Eigen::Index>(t)).norm() > kNoMotion) ++movers[t];
   }
   return movers;
 }

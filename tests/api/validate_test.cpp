@@ -11,7 +11,7 @@ namespace thenar {
 namespace {
 
 ValidateRequest request_for(const std::vector<std::string>& things, const std::string& subject) {
-  return {things, subject, kData};
+  return {things, subject, "", kData};
 }
 
 TEST(Validate, JudgesEachThingByItself) {

@@ -10,7 +10,7 @@ namespace thenar {
 namespace {
 
 Validation of(const std::vector<std::string>& things, const std::string& subject = "") {
-  return validate({things, subject, kData});
+  return validate({things, subject, "", kData});
 }
 
 TEST(ValidationText, HasALineAFile) {
