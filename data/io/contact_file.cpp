@@ -126,9 +126,14 @@ ContactFile parse_contacts(const std::string& path, const std::string& text, int
   const JsonValue root(path, parsed);
   const bool grasp = root.gives(kOfGrasp.centre) && !root.gives(kOfSet.centre);
   const ContactKeys& keys = grasp ? kOfGrasp : kOfSet;
-  const Names of_file =
-      root.others_than({"centre_of_mass", "torque_scale", "contacts", "task", "name", "source"});
-  std::set<std::string> ignored(of_file.begin(), of_file.end());
+  // A grasp tells more than its contacts; of a set, what is not known is told.
+  std::set<std::string> ignored;
+  const auto ignore_others = [&](const JsonValue& value, const Names& known) {
+    if (grasp) return;
+    const Names others = value.others_than(known);
+    ignored.insert(others.begin(), others.end());
+  };
+  ignore_others(root, {"centre_of_mass", "torque_scale", "contacts", "task", "name", "source"});
   // The plane or space, and what all torques need.
   const bool planar = root[keys.centre].size() == 2;
   ContactFile file;
@@ -141,13 +146,12 @@ ContactFile parse_contacts(const std::string& path, const std::string& text, int
   if (contacts.size() > kMaxContacts)
     contacts.fail(fmt::format("wanted at most {} contacts, got {}", kMaxContacts, contacts.size()));
   for (const JsonValue& contact : contacts.entries("a list of contacts")) {
-    const Names of_contact = contact.others_than(
-        {"position", "normal", "friction", "torsion", "wrenches", "patch", "name"});
-    ignored.insert(of_contact.begin(), of_contact.end());
+    ignore_others(contact,
+                  {"position", "normal", "friction", "torsion", "wrenches", "patch", "name"});
     file.contacts.push_back(file_contact(contact, planar, keys));
   }
   if (root.gives("task")) file.task = file_task(root["task"], planar, ignored);
-  if (!ignored.empty() && !grasp)  // a grasp tells more than its contacts
+  if (!ignored.empty())
     file.warnings.push_back(
         fmt::format("ignored, as it is not known: {}", fmt::join(ignored, ", ")));
   return file;

@@ -276,11 +276,12 @@ class FeasibleForce(Near):
             self.assertLess(answer["certificate"]["imbalance_N_mm"], 1e-9)
 
     def test_directions_in_tip_axes_are_world_directions_turned(self):
-        posture = ("--posture", "MCP3_FE=40", "PIP3=50")  # 90 degrees in all: dorsal is -x
-        tip = ask("feasible-force", MIDDLE, *posture, "--direction", 0, 1, 0, "--axes", "tip")
-        world = ask("feasible-force", MIDDLE, *posture, "--direction", -1, 0, 0)
+        posture = ("--posture", "MCP3_FE=35", "PIP3=30", "DIP3=25")  # 90 degrees in all: palmar is x
+        tip = ask("feasible-force", MIDDLE, *posture, "--direction", 0, -1, 0, "--axes", "tip")
+        world = ask("feasible-force", MIDDLE, *posture, "--direction", 1, 0, 0)
+        self.assertGreater(tip["component_N"], 1)
         self.assertAlmostEqual(tip["component_N"], world["component_N"], delta=1e-9)
-        self.near(tip["force_N"], [0, tip["component_N"], 0], 1e-9)
+        self.near(tip["force_N"], [0, -tip["component_N"], 0], 1e-9)
 
     def test_force_is_what_its_limits_are_worth(self):
         # Strong duality, with F0 from the table of the text.
@@ -785,7 +786,8 @@ class Rerun(unittest.TestCase):
             "box.off": "OFF\n8 12 0\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n0 0 1\n1 0 1\n1 1 1\n0 1 1\n"
                        "3 0 2 1\n3 0 3 2\n3 4 5 6\n3 4 6 7\n3 0 1 5\n3 0 5 4\n3 1 2 6\n3 1 6 5\n"
                        "3 2 3 7\n3 2 7 6\n3 3 0 4\n3 3 4 7\n",
-            "box.toml": 'name = "box"\nmaterial = "wood"\nmass_g = 50\n[[shape]]\nkind = "mesh"\n'
+            "box.toml": 'name = "box"\nsource = "Mine"\nmaterial = "wood"\nmass_g = 50\n'
+                        '[sources]\nMine = "Weighed here"\n[[shape]]\nkind = "mesh"\n'
                         'file = "box.off"\nscale = 0.03\n',
             "scene.toml": 'name = "scene"\nsource = "Mine"\n[sources]\nMine = "Arranged here"\n'
                           '[[hand]]\nname = "jaws"\nfile = "jaw.toml"\nposition_m = [0, -0.2, 0]\n'

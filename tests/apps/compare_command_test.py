@@ -263,14 +263,14 @@ class Compare(unittest.TestCase):
     def test_says_how_a_mesh_becomes_an_object(self):
         mesh = self.folder / "wedge.obj"
         mesh.write_text(MESH.format(x=60))
-        self.assertIn(f"thenar import {mesh} --units mm --out wedge.toml",
-                      self.refusal(objects=str(mesh)))
+        self.assertIn(f"thenar import {mesh} --units mm --mass KG --material NAME --out "
+                      "wedge.toml", self.refusal(objects=str(mesh)))
         self.assertIn("is a mesh and no hand", self.refusal(hands=str(mesh)))
 
     def test_takes_robots_by_their_files_and_refuses_files_of_other_kinds(self):
         self.keep(hands=str(self.folder / "robots" / "parallel_jaw.toml"))
-        self.assertIn("kind 'object'", self.refusal(hands=str(self.folder / "objects/box.toml")))
-        self.assertIn("kind 'robot'", self.refusal(objects=str(self.folder / "robots/dlr.toml")))
+        self.assertIn("is an object, wanted a robot or a subject", self.refusal(hands=str(self.folder / "objects/box.toml")))
+        self.assertIn("is a robot, wanted an object", self.refusal(objects=str(self.folder / "robots/dlr.toml")))
 
     def test_compares_a_gripper_of_a_urdf_file(self):
         robot = self.folder / "grip.urdf"
@@ -294,9 +294,10 @@ class Compare(unittest.TestCase):
         table.write_text('[[material]]\nname = "pla"\n')
         self.assertIn("no friction between 'metal' and 'pla': give it in a materials file",
                       self.refusal("--materials", str(table), objects="pla"))
-        table.write_text('[[material]]\nname = "pla"\n[[friction]]\nbetween = ["pla", "rubber"]\n'
+        table.write_text('source = "Mine"\n[[material]]\nname = "pla"\n[[friction]]\nbetween = ["pla", "rubber"]\n'
                          'static = 0.55\nkinetic = 0.5\n'
-                         '[[friction]]\nbetween = ["pla", "metal"]\nstatic = 0.2\nkinetic = 0.2\n')
+                         '[[friction]]\nbetween = ["pla", "metal"]\nstatic = 0.2\nkinetic = 0.2\n'
+                         '[sources]\nMine = "Measured here"\n')
         kept = self.keep("--materials", str(table), objects="pla")
         frictions = {contact["friction"] for cell in kept["cells"] for best in cell["best"]
                      for contact in best["contacts"]}

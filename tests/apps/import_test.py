@@ -201,7 +201,8 @@ class Import(Files):
         told = subprocess.run([PROGRAM, "validate", robot], capture_output=True, text=True,
                               check=True).stdout
         self.assertIn(f"{robot}:{line}: no material 'plastc', did you mean 'plastic'?", told)
-        table = self.path("m.toml", '[[material]]\nname = "plastc"\ndensity_kg_m3 = 1200\n')
+        table = self.path("m.toml", 'source = "Mine"\n[[material]]\nname = "plastc"\ndensity_kg_m3 = 1200\n'
+                                   '[sources]\nMine = "Weighed here"\n')
         told = subprocess.run([PROGRAM, "validate", robot, "--materials", table],
                               capture_output=True, text=True, check=True).stdout
         self.assertNotIn("no material", told)

@@ -13,7 +13,7 @@ TEST(RecordedRunText, IsACommandLineWithItsCircumstances) {
   recorded.warnings = {"input 'my hand.toml' is gone"};
   EXPECT_EQ(text_of(recorded),
             "thenar pose 'my hand.toml'\n  in /home/ada\n  on 2026-01-31T12:00:00Z, by commit -\n"
-            "  warning: input 'my hand.toml' is gone\n");
+            "  inputs: none recorded\n  warning: input 'my hand.toml' is gone\n");
   EXPECT_EQ(json_of(recorded)["arguments"][1], "my hand.toml");
 }
 
