@@ -34,6 +34,7 @@ void limit(decltype(RLIMIT_CPU) what, rlim_t most, rlim_t beyond = 0) {
   (void)setrlimit(what, &both);
 }
 
+#ifndef __SANITIZE_ADDRESS__
 /// Address space that this process has mapped already: its libraries [bytes].
 rlim_t mapped() {
   std::ifstream pages("/proc/self/statm");
@@ -41,6 +42,7 @@ rlim_t mapped() {
   pages >> count;
   return count * static_cast<rlim_t>(sysconf(_SC_PAGESIZE));
 }
+#endif
 
 /// @param seconds  of the processor, if fewer than the limit are left [s]
 void set_limits(int seconds) {
