@@ -18,7 +18,7 @@ struct MethodName {
   LeastSquaresMethod method;
   const char* name;
 };
-constexpr std::array kMinSquaresMethods{
+constexpr std::array kLeastSquaresMethods{
     MethodName{LeastSquaresMethod::kCeres, "ceres"},
     MethodName{LeastSquaresMethod::kNloptLocal, "nlopt"},
     MethodName{LeastSquaresMethod::kNloptGlobal, "nlopt-global"},
@@ -373,14 +373,14 @@ Solution solve(const LeastSquares& problem, const Eigen::VectorXd& start,
 }
 
 LeastSquaresMethod least_squares_method(const std::string& name) {
-  for (const MethodName& known : kMinSquaresMethods)
+  for (const MethodName& known : kLeastSquaresMethods)
     if (name == known.name) return known.method;
   throw InputError(
       fmt::format("no fit method '{}'; there are ceres, nlopt, nlopt-global, ipopt", name));
 }
 
 std::string name_of(LeastSquaresMethod method) {
-  for (const MethodName& known : kMinSquaresMethods)
+  for (const MethodName& known : kLeastSquaresMethods)
     if (method == known.method) return known.name;
   return {};
 }
