@@ -59,9 +59,8 @@ void warn_of_hold(const TendonDigit& digit, const ExperimentPlan& plan, Warnings
     return;
   warnings.push_back(fmt::format(
       "a pinned tip of a finger with {} joints in one plane leaves torque that nothing balances, "
-      "so "
-      "that forces are those of least squares: was the tip clamped (hold = \"rigid\"), or a joint "
-      "splinted?",
+      "so that forces are those of least squares: was the tip clamped (hold = \"rigid\"), or a "
+      "joint splinted?",
       joints));
 }
 

@@ -144,8 +144,7 @@ void add_point(const FeasibleForceAnswer& answer, const FeasibleForcePoint& poin
 std::string plane_note(const FeasibleForceAnswer& answer, const FeasibleForcePoint& point) {
   if (!point.plane_normal || !makes_force(point) || answer.tolerance <= 0) return "";
   return "all axes are parallel: bones alone carry forces across the plane of flexion, and of "
-         "equal "
-         "answers the one with the least of them is given";
+         "equal answers the one with the least of them is given";
 }
 
 /// Muscles that pull and have the same arms: how they share is arbitrary.

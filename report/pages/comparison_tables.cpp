@@ -145,8 +145,7 @@ Json all_cells(const Comparison& comparison) {
   Json table = table_block(
       "Every hand on every object. Force closure: share of approaches that end in it. Epsilon of "
       "these grasps: by their contacts alone, and within hand limits: with the efforts of motors "
-      "or "
-      "tendons and the hand's rigid structure. Grasp force: least sum of normal forces by which "
+      "or tendons and the hand's rigid structure. Grasp force: least sum of normal forces by which "
       "friction alone holds the weight, in the worst of 6 directions of gravity (each axis of the "
       "object, both ways), and as the object stands, z up, which is what `thenar grasp` states. "
       "Loads after it: supported within the same limits. " +

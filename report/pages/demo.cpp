@@ -123,8 +123,7 @@ Json thumb_page(const std::vector<DemoThumb>& thumbs) {
       "thumbs", "The thumb: orthogonal and skewed axes",
       "Every force that the pinned thumbtip can make with tendon tensions between zero and their "
       "largest, every joint torque balanced. The first two thumbs bend 30 degrees at MCP and IP "
-      "and "
-      "have the same seven tendons, constant moment arms [Nakajima2022] and largest forces "
+      "and have the same seven tendons, constant moment arms [Nakajima2022] and largest forces "
       "[McFarland2023]; their axes differ: four that cross or run parallel, and five that do "
       "neither [GraspIt]. The arms are borrowed from yet another thumb, so compare shapes, not "
       "newtons. The third has measured axes and straight tendon runs [Mirakhorlo2016], in the "

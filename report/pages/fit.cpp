@@ -155,8 +155,7 @@ Json error_table(const FitResult& result) {
   return table_block(
       "Errors of predicted forces: in space, in the flexion plane alone, and the median angle "
       "between predicted and measured. Times the noise: root of chi-square per degree of freedom, "
-      "near "
-      "1 where model and stated noise are right",
+      "near 1 where model and stated noise are right",
       {{"experiment", ""},
        {"predicted", ""},
        {"trials", "", 0},
@@ -243,8 +242,7 @@ std::string name_rules(const Fit& fit) {
       {{Kind::kAxisPoint}, "axis/DIP3/point/1 shifts a joint axis"},
       {{Kind::kHoodEntry, Kind::kHoodCentral, Kind::kHoodSlope},
        "hood/EDC/central and /slope say how much of a tension goes to the central slip, and how "
-       "that "
-       "changes as the MCP joint flexes (both on the logit scale)"},
+       "that changes as the MCP joint flexes (both on the logit scale)"},
       {{Kind::kFriction}, "friction/FDP is Euler's belt coefficient of a tendon in its sheath"},
       {{Kind::kAngle, Kind::kPostureAngle},
        "angle/DIP3/Hook is the error of one joint in one posture"},

@@ -27,9 +27,8 @@ Json verdict_block(const NetInference& inference) {
   Json table = table_block(
       "Every band that may exist. Evidence: by how much the forces are explained worse without the "
       "band (chi-square, in units of the errors that the best net leaves); above 6 it exists, "
-      "below "
-      "-6 it does not, between the forces leave it open. \"No net without it\": without the band "
-      "no "
+      "below -6 it does not, between the forces leave it open. \"No net without it\": without the "
+      "band no "
       "net carries the loads. EA: stiffness, tension per unit strain.",
       {{"band", ""},
        {"from", ""},

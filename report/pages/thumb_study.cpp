@@ -14,22 +14,19 @@ namespace {
 
 const char* const kIntroduction =
     "The forces of a skewed thumb are made up, as a load cell would read them, and explained by "
-    "two "
-    "models that start from the same mechanic's thumb: one keeps its axes in orthogonal crossing "
-    "pairs, which move as wholes, the other lets each of the five axes tilt and shift by itself "
-    "[GraspIt]. The true thumb is that of [McFarland2023] with a fifth axis [Hollister1995]; 10 N "
-    "pull one of nine muscles at a time, tip pinned, in key and opposition pinch (two postures) "
-    "and "
+    "two models that start from the same mechanic's thumb: one keeps its axes in orthogonal "
+    "crossing pairs, which move as wholes, the other lets each of the five axes tilt and shift by "
+    "itself [GraspIt]. The true thumb is that of [McFarland2023] with a fifth axis "
+    "[Hollister1995]; 10 N pull one of nine muscles at a time, tip pinned, in key and opposition "
+    "pinch (two postures) and "
     "up to four. Arms are known to both models, or free with the same wide prior.\n\n"
     "Tasks are 80 pinches as of [ValeroCuevas2003]: eight people push in five directions in two "
     "postures, their muscles read by electromyography to 0.05 of full activation; unless a row "
-    "says "
-    "so they are predicted, not fitted. A task is explained if the measured force is within the 95 "
-    "% "
+    "says so they are predicted, not fitted. A task is explained if the measured force is within "
+    "the 95 % "
     "region of noise and activation errors. [ValeroCuevas2003] reports, of orthogonal thumbs that "
     "were not fitted to forces: misdirection 74.3 \u00b1 24.5 degrees, torque 0.64 \u00b1 0.28 N "
-    "m, "
-    "and at most half of 80 patterns.";
+    "m, and at most half of 80 patterns.";
 
 Json scores(const TaskScores& tasks) {
   return {degrees(tasks.direction), degrees(tasks.direction_sd), tasks.torque, tasks.torque_sd,
