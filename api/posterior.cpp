@@ -47,8 +47,8 @@ PosteriorSettings settings_of(const SampleRequest& request, const FitInputs& inp
   return settings;
 }
 
-/// Forgets a run with all its attempts. The state of the first goes first: what is left if we are
-/// killed here begins anew.
+/// Forgets a run with all its attempts. States go first: what is left if we are killed here begins
+/// anew.
 /// @throws InputError if another process is sampling there.
 void forget_run(const std::string& folder) {
   std::error_code none;
@@ -62,7 +62,7 @@ void forget_run(const std::string& folder) {
     locks.emplace_back(attempt + "/lock");
     require(locks.back().lock(), "another process is sampling in '{}'", attempt);
   }
-  fs::remove(folder + "/state.bin");
+  for (const std::string& attempt : attempts) fs::remove(attempt + "/state.bin");
   fs::remove_all(folder);
 }
 

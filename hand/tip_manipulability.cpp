@@ -1,5 +1,6 @@
 #include "hand/tip_manipulability.h"
 
+#include <cmath>
 #include <limits>
 
 #include <Eigen/Geometry>
@@ -37,16 +38,17 @@ std::optional<Eigen::Vector3d> plane_normal(const Eigen::Ref<const Eigen::Matrix
   constexpr double kRounding = 1e-12;  // of unit axes turned by a few rotations [1]
   std::optional<Eigen::Vector3d> normal;
   for (Eigen::Index k = 0; k < W.cols(); ++k) {
-    // A joint that moves the tip and does not turn it slides; one that does neither does not count.
     const double turns = W.col(k).norm();
-    if (turns < kRounding) {
-      if (J.col(k).norm() > 0) return {};
-      continue;
-    }
+    if (turns < kRounding) continue;
     const Eigen::Vector3d axis = W.col(k) / turns;
     if (!normal) normal = axis;
     if (normal->cross(axis).norm() > kRounding) return {};
   }
+  // Joints that move the tip without turning it must slide it in the plane.
+  for (Eigen::Index k = 0; k < W.cols() && normal; ++k)
+    if (W.col(k).norm() < kRounding &&
+        std::abs(normal->dot(J.col(k))) > kRounding * J.col(k).norm())
+      return {};
   return normal;
 }
 

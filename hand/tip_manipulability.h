@@ -31,15 +31,16 @@ struct TipManipulability {
 /// @throws InputError if J is empty or not finite.
 [[nodiscard]] TipManipulability tip_manipulability(const Eigen::Ref<const Eigen::Matrix3Xd>& J);
 
-/// The same of a tip that also turns. Where all axes are parallel, the tip moves in a plane, whatever
-/// the posture, and its condition is that of the two directions in the plane.
+/// The same of a tip that also turns. Where all axes are parallel, the tip moves in a plane,
+/// whatever the posture, and its condition is that of the two directions in the plane.
 /// @param W  tip rotation Jacobian, world frame   3 x n  [1]
 [[nodiscard]] TipManipulability tip_manipulability(const Eigen::Ref<const Eigen::Matrix3Xd>& J,
                                                    const Eigen::Ref<const Eigen::Matrix3Xd>& W);
 
 /// Unit normal of the plane in which a tip moves because all axes that move it are parallel, to
 /// 1e-12 rad. No joint feels a force of the tip along it, and the bones carry that alone.
-/// @return nothing for axes in space, and for joints that slide   world frame (3) [1]
+/// @return nothing for axes in space, for joints that slide across the plane, and where no joint
+///         turns the tip   world frame (3) [1]
 [[nodiscard]] std::optional<Eigen::Vector3d> plane_normal(
     const Eigen::Ref<const Eigen::Matrix3Xd>& J, const Eigen::Ref<const Eigen::Matrix3Xd>& W);
 

@@ -57,6 +57,7 @@ void apply_rule(const ParameterRule& rule, const std::string& file, std::vector<
   for (std::size_t p = 0; p < all.size(); ++p) {
     // Later rules override earlier ones.
     if (!matches_glob(rule.match, all[p].name)) continue;
+    if (rule.nonzero && all[p].mean == 0) continue;
     matched = true;
     require_dimension(rule, file, all[p]);
     apply_belief(rule, all[p]);

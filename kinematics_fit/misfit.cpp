@@ -14,6 +14,16 @@ namespace {
 constexpr double kChance = 1e-4;        // tail probability that is no chance any more [1]
 constexpr double kNoiseStraySds = 0.5;  // prior sd of the logarithm of a factor on the noise [1]
 
+/// Sum of squares of residuals of which a robust loss of scale c made r, trial by trial: the
+/// inverse of |r|^2 -> c^2 log(1 + |r|^2 / c^2). c = 0: plain squares.
+double plain_squares(const Eigen::VectorXd& r, double c) {
+  if (c <= 0) return r.squaredNorm();
+  double sum = 0;
+  for (Eigen::Index row = 0; row < r.size(); row += 3)
+    sum += c * c * std::expm1(r.segment<3>(row).squaredNorm() / (c * c));
+  return sum;
+}
+
 /// Force components of finite sd.
 int fitted_numbers(const ExperimentPlan& plan) {
   return static_cast<int>((plan.sd.array() < HUGE_VAL).count());
@@ -44,7 +54,8 @@ std::vector<Misfit> misfits(const FitProblem& problem, const Eigen::VectorXd& z,
     const std::vector<int> on = problem.coordinates().entries_of_specimen(problem.specimen_of(e));
     const Eigen::MatrixXd C = covariance.C(on, on);
     const double effective = (data.J * C).cwiseProduct(data.J).sum();
-    all.push_back(misfit(data.r.squaredNorm(), fitted_numbers(problem.plans()[e]), effective));
+    all.push_back(misfit(plain_squares(data.r, problem.robust_scale()),
+                         fitted_numbers(problem.plans()[e]), effective));
   }
   return all;
 }

@@ -30,7 +30,8 @@ struct Misfit {
 /// @param effective   effective parameters that the experiment determines [1]
 [[nodiscard]] Misfit misfit(double chi_square, int numbers, double effective);
 
-/// Misfit of every experiment of a fit at z; effective parameters sum to those of the covariance.
+/// Misfit of every experiment of a fit at z, by its residuals without robust loss; effective
+/// parameters sum to those of the covariance.
 /// @param z  the fitted point (size)
 [[nodiscard]] std::vector<Misfit> misfits(const FitProblem& problem, const Eigen::VectorXd& z,
                                           const Covariance& covariance);

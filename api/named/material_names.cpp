@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <set>
+#include <sstream>
 
 #include <fmt/format.h>
 
@@ -13,13 +14,19 @@
 namespace thenar {
 namespace {
 
-/// Number of the first line of a file that has a name in quotes; 1 if none has it.
+/// Number of the first line of a file that states a material of this name, or else has the name in
+/// quotes; 1 if none has it.
 long line_of_name(const std::string& file, const std::string& name) {
   if (!is_file(file)) return 1;
-  const std::string text = read_source(file).text;
-  const std::size_t at = text.find('"' + name + '"');
-  if (at == std::string::npos) return 1;
-  return 1 + std::count(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(at), '\n');
+  std::istringstream text(read_source(file).text);
+  long number = 0, quoted = 0;
+  for (std::string line; std::getline(text, line);) {
+    ++number;
+    if (line.find('"' + name + '"') == std::string::npos) continue;
+    if (line.find("material") != std::string::npos) return number;
+    if (quoted == 0) quoted = number;
+  }
+  return std::max(1L, quoted);
 }
 
 }  // namespace

@@ -40,8 +40,10 @@ std::string world_file(const WorldRequest& request) {
       named_file("world", request.world, "worlds", ".toml", data_folders(request.data));
   require_kind(file, {"world"},
                "a world puts a hand and an object together: docs/tutorials/own_gripper.md");
-  const std::string start = read_start(file, 1);
-  require(start != "<",
+  constexpr std::size_t kStart = 4096;  // of its text: a byte order mark and blank lines may lead
+  const std::string start = read_start(file, kStart);
+  const std::size_t sign = start.find_first_not_of("\xEF\xBB\xBF \t\r\n");
+  require(sign == std::string::npos || start[sign] != '<',
           "'{0}' is a world of GraspIt!: thenar import {1} -o world.toml makes one of "
           "it that is read here",
           file, shell_word(file));

@@ -83,7 +83,7 @@ FileContact file_contact(const JsonValue& value, bool planar, const ContactKeys&
                                                : contact_with_cone(value, planar, keys);
   if (value.gives(keys.torsion)) result.torsion = not_negative(value[keys.torsion]);
   if (planar && result.torsion > 0)
-    value["torsion"].fail("torsion is about the normal, which lies in the plane: leave it out");
+    value[keys.torsion].fail("torsion is about the normal, which lies in the plane: leave it out");
   const bool own =
       &keys == &kOfGrasp && value.gives("patch") && value["patch"].number("a number") < 0;
   if (value.gives("patch") && !own) result.patch = value["patch"].count();

@@ -34,6 +34,7 @@ ParameterRule read_rule(TomlTable& table) {
   ParameterRule rule;
   rule.line = table.line();
   rule.match = table.text("match");
+  rule.nonzero = table.has("nonzero") && table.choice("nonzero", {"yes", "no"}) == "yes";
   rule.optional = table.has("optional") && table.choice("optional", {"yes", "no"}) == "yes";
   // Free, fixed or tied.
   if (table.has("state")) {

@@ -18,6 +18,7 @@ enum class ParameterState { kFree, kFixed, kTied };
 struct ParameterRule {
   std::string match;                         // glob on parameter names: "path/*/dorsal"
   bool optional = false;                     // no error if nothing matches
+  bool nonzero = false;                      // matches no parameter whose mean is 0
   std::optional<ParameterState> state;       // absent: as an earlier rule says
   std::optional<double> mean;                // prior mean, replaces the subject's value [SI]
   std::optional<double> sd;                  // prior sd of the population mean [SI]

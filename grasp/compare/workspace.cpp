@@ -65,20 +65,39 @@ Eigen::Matrix3Xd principal(const Eigen::Matrix3Xd& points) {
   return axes.eigenvectors().rowwise().reverse().transpose() * centred;
 }
 
-/// How many coordinates move each tip, from the middle of the joints' ranges: it cannot fill a
-/// space of more dimensions.
+/// Postures between the limits, spread evenly but not regularly over every coordinate, the middle
+/// first (coordinates, 5).
+Eigen::MatrixXd spread_postures(const HandLayout& layout) {
+  constexpr double kGolden = 0.6180339887498949;  // multiples of it fill 0..1 evenly
+  const Eigen::VectorXd range = layout.upper - layout.lower;
+  Eigen::MatrixXd postures(range.size(), 5);
+  for (Eigen::Index k = 0; k < postures.cols(); ++k)
+    for (Eigen::Index c = 0; c < range.size(); ++c) {
+      const double turns = 0.5 + kGolden * double(k * (c + 1));
+      postures(c, k) = layout.lower[c] + (turns - std::floor(turns)) * range[c];
+    }
+  return postures;
+}
+
+/// How many coordinates move each tip, in some posture at least: it cannot fill a space of more
+/// dimensions.
 std::vector<int> movers_of_tips(const Hand& hand) {
+  constexpr double kStep = 1e-3;      // of a coordinate's range
   constexpr double kNoMotion = 1e-9;  // [m]
   const HandLayout& layout = hand.layout();
-  const Eigen::VectorXd middle = (layout.lower + layout.upper) / 2;
+  const Eigen::MatrixXd postures = spread_postures(layout);
   std::vector<int> movers(layout.tip_points.size(), 0);
-  for (Eigen::Index c = 0; c < middle.size(); ++c) {
-    Eigen::VectorXd q = middle;
-    q[c] = layout.lower[c];
-    const Eigen::Matrix3Xd low = fingertip_positions(hand, q);
-    const Eigen::Matrix3Xd by = fingertip_positions(hand, middle) - low;
+  for (Eigen::Index c = 0; c < postures.rows(); ++c) {
+    // How far a small step of this coordinate moves each tip, at most.
+    Eigen::VectorXd far = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(movers.size()));
+    for (const Eigen::VectorXd q : postures.colwise()) {
+      Eigen::VectorXd stepped = q;
+      stepped[c] += kStep * (layout.upper[c] - layout.lower[c]);
+      const Eigen::Matrix3Xd by = fingertip_positions(hand, stepped) - fingertip_positions(hand, q);
+      far = far.cwiseMax(by.colwise().norm().transpose());
+    }
     for (std::size_t t = 0; t < movers.size(); ++t)
-      if (by.col(static_cast<Eigen::Index>(t)).norm() > kNoMotion) ++movers[t];
+      if (far[static_cast<Eigen::Index>(t)] > kNoMotion) ++movers[t];
   }
   return movers;
 }

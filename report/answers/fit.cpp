@@ -29,7 +29,7 @@ Json in_sample_json(const FitResult& result, std::size_t e) {
   out["chi_square"] = misfit.chi_square;
   out["numbers"] = misfit.numbers;
   out["degrees_of_freedom"] = misfit.degrees_of_freedom;
-  out["times_noise"] = misfit.times_noise;
+  out["times_noise"] = misfit.degrees_of_freedom > 0 ? Json(misfit.times_noise) : Json(nullptr);
   out["tail_probability"] = misfit.tail;
   out["beyond_chance"] = misfit.beyond_chance;
   return out;
@@ -90,7 +90,7 @@ OpenKind kind_of(const std::vector<std::pair<std::string, double>>& shares) {
   const auto starts = [](const std::string& name, const char* with) {
     return name.rfind(with, 0) == 0;
   };
-  bool tilts = true;
+  bool tilts = !shares.empty();  // many small shares are no tilt
   for (const auto& [name, share] : shares) {
     if (starts(name, "arm/") || starts(name, "path/") || starts(name, "gain/"))
       return OpenKind::kTendons;
@@ -144,7 +144,7 @@ std::string open_text(const Fit& fit) {
 
 /// ", 0.8 times the stated noise".
 std::string noise_words(const FitResult& result, std::size_t e) {
-  if (e >= result.misfits.size()) return "";
+  if (e >= result.misfits.size() || result.misfits[e].degrees_of_freedom == 0) return "";
   return fmt::format(", {:.1f} times the stated noise", result.misfits[e].times_noise);
 }
 

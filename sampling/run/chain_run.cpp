@@ -48,6 +48,7 @@ void ChainRun::resume() {
 }
 
 void ChainRun::go() {
+  stop_ = ended_at_divergence();  // a resumed run may have ended so before
   while (samplers_.step() < total_ && !stop_) {
     leg();
     if (checkpoint_due_) checkpoint();
@@ -152,6 +153,12 @@ Eigen::MatrixXd ChainRun::draws_of(std::size_t group) const {
   return all;
 }
 
+bool ChainRun::ended_at_divergence() const {
+  if (!options_.end_at_divergence) return false;
+  const auto divergent = double(samplers_.divergent());  // of this rank
+  return ranks_.all_gather(Eigen::VectorXd::Constant(1, divergent)).sum() > 0;
+}
+
 Draws ChainRun::result() const {
   // What all ranks know.
   Draws draws;
@@ -161,9 +168,7 @@ Draws ChainRun::result() const {
       Eigen::Map<const Eigen::MatrixXd>(rates.data(), draws.beta.size() - 1, options_.groups);
   draws.warm_up = options_.sampler.warm_up;
   draws.complete = samplers_.step() >= total_;
-  const auto divergent = double(samplers_.divergent());  // of this rank
-  draws.ended_at_divergence = options_.end_at_divergence &&
-                              ranks_.all_gather(Eigen::VectorXd::Constant(1, divergent)).sum() > 0;
+  draws.ended_at_divergence = ended_at_divergence();
   draws.seconds = seconds_before_ + seconds_since(start_);
   if (!first()) return draws;
   for (int g = 0; g < options_.groups; ++g) {

@@ -36,6 +36,7 @@ class ChainRun {
   void checkpoint();
   [[nodiscard]] std::string state(const std::vector<std::string>& samplers) const;
   [[nodiscard]] Eigen::MatrixXd draws_of(std::size_t group) const;
+  [[nodiscard]] bool ended_at_divergence() const;  // on all ranks alike
   [[nodiscard]] bool first() const { return ranks_.rank() == 0; }
 
   const RunOptions& options_;

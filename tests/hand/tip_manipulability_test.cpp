@@ -65,7 +65,10 @@ TEST(PlaneNormal, IsOfParallelAxesThatTurn) {
   EXPECT_EQ(*plane_normal(J, W), Eigen::Vector3d(0, 0, 1));
   W.col(1) << 0, std::sin(1e-6), std::cos(1e-6);
   EXPECT_FALSE(plane_normal(J, W));
-  W.col(1).setZero();  // slides
+  W.col(1).setZero();  // slides in the plane, as where two hinges of one coordinate cancel
+  ASSERT_TRUE(plane_normal(J, W));
+  EXPECT_EQ(*plane_normal(J, W), Eigen::Vector3d(0, 0, 1));
+  J(2, 1) = 1e-6;  // slides across it
   EXPECT_FALSE(plane_normal(J, W));
 }
 

@@ -216,6 +216,18 @@ TEST(ChooseParameters, FingersThatAreKnownByTheirArmsMoveThem) {
   EXPECT_TRUE(fixed_geometry_warnings(chosen).empty());
 }
 
+TEST(ChooseParameters, RowsOfNonzeroParametersLeaveOutArmsAtJointsThatAreNotCrossed) {
+  const auto free_under = [](const std::string& more) {
+    return free_names(of_planar_finger(
+        sample::planar_finger_of_arms(),
+        sample::settings("[[parameter]]\nmatch = 'arm/*'\nstate = 'free'\n" + more)));
+  };
+  EXPECT_EQ(free_under("").size(), 6U);
+  const std::vector<std::string> crossed = free_under("nonzero = 'yes'\n");
+  EXPECT_EQ(crossed.size(), 5U);
+  EXPECT_EQ(std::count(crossed.begin(), crossed.end(), "arm/FDS/DIP2"), 0);
+}
+
 // A finger of points has no arms to be known by: ten points, three coordinates each.
 TEST(ChooseParameters, FingersOfPointsMoveTheirPoints) {
   const FitParameters chosen = of_planar_finger(sample::kPlanarFinger, built_in_finger());

@@ -82,6 +82,18 @@ TEST(Misfit, ExpectsAsMuchAsItsDegreesOfFreedom) {
   EXPECT_NEAR(chi_square / freedom, 1, 4 * std::sqrt(2 / freedom));  // four sds of a chi-square
 }
 
+// Bad trials weigh less in a robust fit, but are missed by no less.
+TEST(Misfit, IsThatOfTheForcesWithoutRobustLoss) {
+  FitSetup setup = middle_finger(kAxesAndPaths);
+  for (Trial& trial : setup.experiments.front().trials) trial.force = -trial.force;
+  const FitProblem plain = setup.problem(), robust = setup.problem(3);
+  const VectorXd z = VectorXd::Zero(plain.size());
+  const double by_hand = data_residuals(plain, z, 0, WithJacobian::kNo).r.squaredNorm();
+  const Misfit found = misfits(robust, z, posterior_covariance(robust, z)).front();
+  EXPECT_NEAR(found.chi_square / by_hand, 1, 1e-9);
+  EXPECT_LT(data_residuals(robust, z, 0, WithJacobian::kNo).r.squaredNorm(), 0.5 * by_hand);
+}
+
 // Published forces with the signs of a cell that shows its own force on the tip.
 TEST(Misfit, TellsForcesOfTheWrongSign) {
   FitSetup setup = middle_finger(kAxesAndPaths);

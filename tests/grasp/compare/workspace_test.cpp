@@ -66,6 +66,26 @@ TEST(Workspace, OfOneMotorIsACurve) {
   EXPECT_EQ(space_of(sample::finger(RobotDofKind::kRigid), 3000, 5e-3).dimension, 1);
 }
 
+/// A hinge at the end of a twist about the link, both symmetric about straight.
+RobotSpec twisted_arm() {
+  RobotSpec robot = planar_arm();
+  robot.joints[0].axis = {1, 0, 0};
+  for (RobotJoint& joint : robot.joints) {
+    joint.lower = -kPi / 2;
+    joint.upper = kPi / 2;
+  }
+  for (RobotDof& dof : robot.dofs) {
+    dof.lower = -kPi / 2;
+    dof.upper = kPi / 2;
+  }
+  return robot;
+}
+
+// In the middle of its range the tip lies on the axis of the twist, which moves it everywhere else.
+TEST(Workspace, CountsJointsThatDoNotMoveTheTipInTheMiddle) {
+  EXPECT_EQ(space_of(twisted_arm(), 3000, 2e-3).dimension, 2);
+}
+
 TEST(Workspace, OfPlanarFingersShareNoVolume) {
   std::mt19937 random(1);
   EXPECT_TRUE(std::isnan(workspaces(RobotHand(planar_arm()), 3000, 5e-3, random).overlap));

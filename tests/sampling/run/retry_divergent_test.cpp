@@ -79,7 +79,7 @@ TEST_F(RetryDivergent, EndsWithTheLastAttemptWhole) {
   const RunOptions options = short_nuts();
   const RetriedDraws got =
       retry_divergent(neck_.target, ones(options), options, {0.9, 0.95}, *single_process());
-  EXPECT_EQ(got.abandoned, (std::vector<double>{0, 0.9}));
+  EXPECT_EQ(got.abandoned, (std::vector<double>{0.8, 0.9}));
   EXPECT_EQ(got.target_acceptance, 0.95);
   EXPECT_TRUE(got.draws.complete);
   EXPECT_FALSE(got.draws.ended_at_divergence);
