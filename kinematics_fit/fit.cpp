@@ -35,6 +35,18 @@ SourceText built_in_settings(const std::string& digit) {
   return {"built-in " + name, std::string(internal::fit_settings().at(name))};
 }
 
+std::vector<SourceText> sources_of(const FitInputs& inputs) {
+  std::vector<SourceText> sources{inputs.subject, inputs.settings};
+  sources.insert(sources.end(), inputs.experiments.begin(), inputs.experiments.end());
+  return sources;
+}
+
+FileDigests source_digests(const std::vector<SourceText>& sources) {
+  FileDigests digests;
+  for (const SourceText& source : sources) digests[source.path] = sha256(source.text);
+  return digests;
+}
+
 FitProblem build_problem(const FitInputs& inputs) {
   // Experiments: of one digit, each once.
   require(!inputs.experiments.empty(), "a fit needs at least one experiment");

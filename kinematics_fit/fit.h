@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "base/provenance.h"
 #include "base/run_record.h"
 #include "data/io/result_file.h"
 #include "kinematics_fit/covariance.h"
@@ -25,6 +26,12 @@ struct FitInputs {
   std::vector<SourceText> experiments;
   std::vector<std::string> also_free;  // globs that free further parameters
 };
+
+/// All texts that a fit reads: subject, settings, experiments.
+[[nodiscard]] std::vector<SourceText> sources_of(const FitInputs& inputs);
+
+/// Path -> SHA-256 of texts, as they were when they were read.
+[[nodiscard]] FileDigests source_digests(const std::vector<SourceText>& sources);
 
 /// A finished fit.
 struct Fit {

@@ -7,13 +7,6 @@
 namespace thenar {
 namespace {
 
-/// Of texts that were read, as they were then.
-FileDigests files_of(const std::vector<SourceText>& sources) {
-  FileDigests files;
-  for (const SourceText& source : sources) files[source.path] = sha256(source.text);
-  return files;
-}
-
 FileDigests joined(FileDigests files, FileDigests more) {
   files.merge(more);
   return files;
@@ -67,22 +60,25 @@ FileDigests files_of(const std::vector<ContactQuality>& results) {
 }
 
 FileDigests files_of(const RobotPoses& poses) { return poses.files; }
-FileDigests files_of(const SubjectPoses& poses) { return files_of(poses.sources); }
-FileDigests files_of(const FeasibleForceAnswer& answer) { return files_of(answer.about.sources); }
-FileDigests files_of(const TipForceAnswer& answer) { return files_of(answer.about.sources); }
-FileDigests files_of(const MomentArmAnswer& answer) { return files_of(answer.about.sources); }
-FileDigests files_of(const SimulatedMotion& motion) { return files_of(motion.sources); }
-FileDigests files_of(const TendonSolution& solution) { return files_of(solution.loaded.sources); }
-FileDigests files_of(const TendonSweep& sweep) { return files_of(sweep.loaded.sources); }
-FileDigests files_of(const NetInference& inference) { return files_of(inference.sources); }
+FileDigests files_of(const SubjectPoses& poses) { return source_digests(poses.sources); }
+FileDigests files_of(const FeasibleForceAnswer& answer) {
+  return source_digests(answer.about.sources);
+}
+FileDigests files_of(const TipForceAnswer& answer) { return source_digests(answer.about.sources); }
+FileDigests files_of(const MomentArmAnswer& answer) { return source_digests(answer.about.sources); }
+FileDigests files_of(const SimulatedMotion& motion) { return source_digests(motion.sources); }
+FileDigests files_of(const TendonSolution& solution) {
+  return source_digests(solution.loaded.sources);
+}
+FileDigests files_of(const TendonSweep& sweep) { return source_digests(sweep.loaded.sources); }
+FileDigests files_of(const NetInference& inference) { return source_digests(inference.sources); }
 
 FileDigests files_of(const FitResult& result) {
-  const FitInputs& inputs = result.fit.inputs;
-  return joined(files_of(inputs.experiments), files_of({inputs.subject, inputs.settings}));
+  return source_digests(sources_of(result.fit.inputs));
 }
 
 FileDigests files_of(const PredictResult& result) {
-  return joined(files_of(result.sources), file_at(result.file));
+  return joined(source_digests(result.sources), file_at(result.file));
 }
 
 FileDigests files_of(const PosteriorResult& result) { return result.files; }

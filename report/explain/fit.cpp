@@ -80,12 +80,8 @@ Section explain_values(const Fit& fit, const FittedValues& fitted, int specimen)
 
 Section explain_provenance(const Fit& fit) {
   Section section{"provenance", "Inputs, kept whole in the file", {}, {{"input", "sha256"}, {}}};
-  const auto add = [&](const SourceText& source) {
+  for (const SourceText& source : sources_of(fit.inputs))
     section.table.rows.push_back({source.path, sha256(source.text)});
-  };
-  add(fit.inputs.subject);
-  add(fit.inputs.settings);
-  for (const SourceText& experiment : fit.inputs.experiments) add(experiment);
   if (!fit.run.arguments.empty())
     section.lines.push_back(fmt::format("written by: {}, in {}, on {}, by commit {}",
                                         command_line(fit.run), fit.run.folder, fit.run.date,

@@ -154,8 +154,7 @@ Json page_of(const PredictResult& result) {
 
 Json fit_provenance(const FitInputs& inputs, const std::vector<SourceText>& more,
                     const Fidelity& fidelity, const RunRecord& fitted_by) {
-  std::vector<SourceText> sources = inputs.experiments;
-  sources.insert(sources.end(), {inputs.subject, inputs.settings});
+  std::vector<SourceText> sources = sources_of(inputs);
   sources.insert(sources.end(), more.begin(), more.end());
   Json out = provenance_json(sources, fidelity);
   if (fitted_by.arguments.empty()) return out;
