@@ -28,8 +28,7 @@ PosteriorSettings settings_of(const SampleRequest& request, const FitInputs& inp
   run.sampler.seed = request.seed;
   run.sampler.warm_up = request.warm_up;
   run.sampler.max_depth = request.max_depth;
-  if (run.method == SamplingMethod::kNuts || run.method == SamplingMethod::kHmc)
-    run.sampler.target_acceptance = request.target_acceptance;
+  if (is_hamiltonian(run.method)) run.sampler.target_acceptance = request.target_acceptance;
   settings.retry_acceptances = request.retry_acceptances;
   run.groups = request.chains;
   run.walkers = request.walkers;
@@ -99,10 +98,7 @@ PosteriorResult sample_together(const SampleRequest& request, const Progress& pr
     if (ranks.rank() == 0 && request.fresh) forget_run(settings.run.folder);
   });
   PosteriorResult result{request.output, sample(inputs, settings, ranks), {}, {}};
-  for (const SourceText& source : inputs.experiments)
-    result.files[source.path] = sha256(source.text);
-  for (const SourceText& source : {inputs.subject, inputs.settings})
-    result.files[source.path] = sha256(source.text);
+  result.files = source_digests(sources_of(inputs));
   result.run.run = request.run;
   collective_call(ranks, [&] {
     if (ranks.rank() == 0) keep(result, request);

@@ -8,10 +8,6 @@
 namespace thenar {
 namespace {
 
-bool is_hamiltonian(SamplingMethod method) {
-  return method == SamplingMethod::kNuts || method == SamplingMethod::kHmc;
-}
-
 /// Do chains, or modes that they visit, disagree?
 bool stuck_in_modes(const PosteriorRun& run) {
   int visited = 0;
@@ -44,8 +40,7 @@ struct Changes {
 
 /// Against divergent trajectories: a target halfway from here to 1.
 void against_divergence(const SamplerOptions& options, Changes& changes) {
-  const double now =
-      options.target_acceptance > 0 ? options.target_acceptance : kDefaultTargetAcceptance;
+  const double now = target_acceptance_of(options);
   const std::string target = fmt::format("{:.4g}", 1 - (1 - now) / 2);
   changes.add(fmt::format("trajectories diverge, and smaller steps follow the density better: a "
                           "higher --target-acceptance {} (was {:.4g})",

@@ -37,6 +37,15 @@ void check_sampler(const Eigen::MatrixXd& starts, const SamplerOptions& options)
 
 }  // namespace
 
+bool is_hamiltonian(SamplingMethod method) {
+  return method == SamplingMethod::kNuts || method == SamplingMethod::kHmc;
+}
+
+double target_acceptance_of(const SamplerOptions& options) {
+  constexpr double kDefault = 0.8;  // Stan's [Carpenter2017]
+  return options.target_acceptance > 0 ? options.target_acceptance : kDefault;
+}
+
 std::unique_ptr<Sampler> build_sampler(SamplingMethod method, const Eigen::MatrixXd& starts,
                                        const SamplerOptions& options) {
   check_sampler(starts, options);

@@ -79,9 +79,6 @@ enum class SamplingMethod {
 
 enum class Metric { kDiagonal, kDense };
 
-/// Target acceptance of HMC and NUTS where none is given [1]. Source: Stan's [Carpenter2017]
-inline constexpr double kDefaultTargetAcceptance = 0.8;
-
 struct SamplerOptions {
   unsigned seed = 1;
   int first_chain = 0;             // number of its first chain, for its random streams [1]
@@ -92,6 +89,11 @@ struct SamplerOptions {
   Metric metric = Metric::kDense;  // of HMC and NUTS
   Eigen::MatrixXd covariance;      // guess of the target's, to start from; empty: identity (n, n)
 };
+
+/// Whether a method moves along trajectories, which have a target acceptance and may diverge.
+[[nodiscard]] bool is_hamiltonian(SamplingMethod method);
+/// The target acceptance that HMC and NUTS take [1].
+[[nodiscard]] double target_acceptance_of(const SamplerOptions& options);
 
 /// @param starts  one column for each chain; kStretchMove wants at least n + 2 and an even number,
 /// kDreamZs at least 3, the others one (n, chains). Their densities are not known yet: a

@@ -9,15 +9,6 @@
 namespace thenar {
 namespace {
 
-bool has_trajectories(SamplingMethod method) {
-  return method == SamplingMethod::kNuts || method == SamplingMethod::kHmc;
-}
-
-/// The target acceptance that Hamiltonian methods take.
-double acceptance_of(const SamplerOptions& options) {
-  return options.target_acceptance > 0 ? options.target_acceptance : kDefaultTargetAcceptance;
-}
-
 /// Target acceptances of all attempts, the first as the options have it.
 std::vector<double> attempts_of(const RunOptions& options, const std::vector<double>& next) {
   const bool within =
@@ -25,8 +16,8 @@ std::vector<double> attempts_of(const RunOptions& options, const std::vector<dou
   require(within && std::is_sorted(next.begin(), next.end()),
           "wanted ascending target acceptances between 0 and 1, got {}", fmt::join(next, " "));
   std::vector<double> attempts{options.sampler.target_acceptance};
-  if (!has_trajectories(options.method)) return attempts;
-  const double first = acceptance_of(options.sampler);
+  if (!is_hamiltonian(options.method)) return attempts;
+  const double first = target_acceptance_of(options.sampler);
   for (const double a : next)
     if (a > std::max(first, attempts.back())) attempts.push_back(a);
   return attempts;
@@ -57,7 +48,7 @@ RetriedDraws retry_divergent(const Target& target, const Eigen::MatrixXd& starts
     result.draws = run_chains(target, starts, attempt, ranks);
     result.target_acceptance = target_acceptance;
     if (!result.draws.ended_at_divergence) break;
-    result.abandoned.push_back(acceptance_of(attempt.sampler));
+    result.abandoned.push_back(target_acceptance_of(attempt.sampler));
   }
   return result;
 }

@@ -39,6 +39,12 @@ Eigen::MatrixXd ones(const RunOptions& options) {
   return Eigen::MatrixXd::Ones(kSize, options.groups);
 }
 
+RetriedDraws retried(const sample::KnownPosterior& posterior, const RunOptions& options,
+                     const std::vector<double>& target_acceptances) {
+  return retry_divergent(posterior.target, ones(options), options, target_acceptances,
+                         *single_process());
+}
+
 long divergent_draws(const Draws& draws) {
   long sum = 0;
   for (const auto& chain : draws.stats)
@@ -67,8 +73,7 @@ class RetryDivergent : public testing::Test {
 TEST_F(RetryDivergent, LeavesChainsThatDoNotDivergeAsTheyAre) {
   RunOptions options = short_nuts();
   options.sampler.target_acceptance = 0.9;
-  const RetriedDraws got =
-      retry_divergent(round_.target, ones(options), options, {0.95, 0.99}, *single_process());
+  const RetriedDraws got = retried(round_, options, {0.95, 0.99});
   EXPECT_TRUE(got.abandoned.empty());
   EXPECT_EQ(got.target_acceptance, 0.9);
   EXPECT_TRUE(same_positions(got.draws, run_chains(round_.target, ones(options), options)));
@@ -77,8 +82,7 @@ TEST_F(RetryDivergent, LeavesChainsThatDoNotDivergeAsTheyAre) {
 // The neck of the centred funnel is too narrow for any step: every attempt meets it.
 TEST_F(RetryDivergent, EndsWithTheLastAttemptWhole) {
   const RunOptions options = short_nuts();
-  const RetriedDraws got =
-      retry_divergent(neck_.target, ones(options), options, {0.9, 0.95}, *single_process());
+  const RetriedDraws got = retried(neck_, options, {0.9, 0.95});
   EXPECT_EQ(got.abandoned, (std::vector<double>{0.8, 0.9}));
   EXPECT_EQ(got.target_acceptance, 0.95);
   EXPECT_TRUE(got.draws.complete);
@@ -111,8 +115,7 @@ TEST_F(RetryDivergent, StopsRetryingOnceNothingDiverges) {
 
 TEST_F(RetryDivergent, GivesTheSameBitsWithAnyNumberOfRanks) {
   const RunOptions options = short_nuts();
-  const RetriedDraws one =
-      retry_divergent(neck_.target, ones(options), options, {0.95}, *single_process());
+  const RetriedDraws one = retried(neck_, options, {0.95});
   for (const int size : {2, 3}) {
     RetriedDraws first;
     sample::ThreadRanks::run(size, [&](const Communicator& ranks) {
@@ -128,8 +131,7 @@ TEST_F(RetryDivergent, GivesTheSameBitsWithAnyNumberOfRanks) {
 TEST_F(RetryDivergent, StoppedAndResumedGivesTheSameBits) {
   RunOptions options = short_nuts();
   options.checkpoint_every = 0;
-  const RetriedDraws whole =
-      retry_divergent(neck_.target, ones(options), options, {0.95}, *single_process());
+  const RetriedDraws whole = retried(neck_, options, {0.95});
   options.folder = folder_;
   int left = 0;  // polls before the next stop
   options.progress.stop_requested = [&] { return --left < 0; };
@@ -137,7 +139,7 @@ TEST_F(RetryDivergent, StoppedAndResumedGivesTheSameBits) {
   int runs = 0;
   for (; !got.draws.complete && runs < 2000; ++runs) {
     left = 40;
-    got = retry_divergent(neck_.target, ones(options), options, {0.95}, *single_process());
+    got = retried(neck_, options, {0.95});
   }
   EXPECT_GT(runs, 3);
   EXPECT_EQ(got.abandoned, whole.abandoned);
@@ -149,15 +151,14 @@ TEST_F(RetryDivergent, SaysWhichAttemptItIsIn) {
   RunOptions options = short_nuts();
   std::string last;
   options.progress.report = [&](double, const std::string& what) { last = what; };
-  (void)retry_divergent(neck_.target, ones(options), options, {0.95}, *single_process());
+  (void)retried(neck_, options, {0.95});
   EXPECT_EQ(last.find("anew at target acceptance 0.95: sampling, draw 300 of 300"), 0u) << last;
 }
 
 TEST_F(RetryDivergent, TriesOnlyHigherAcceptances) {
   RunOptions options = short_nuts();
   options.sampler.target_acceptance = 0.97;
-  const RetriedDraws got =
-      retry_divergent(neck_.target, ones(options), options, {0.9, 0.95}, *single_process());
+  const RetriedDraws got = retried(neck_, options, {0.9, 0.95});
   EXPECT_TRUE(got.abandoned.empty());
   EXPECT_TRUE(got.draws.complete);
 }
@@ -165,9 +166,7 @@ TEST_F(RetryDivergent, TriesOnlyHigherAcceptances) {
 TEST_F(RetryDivergent, RefusesAcceptancesThatDoNotAscend) {
   const RunOptions options = short_nuts();
   const auto with = [&](const std::vector<double>& next) {
-    return message_of<InputError>([&] {
-      (void)retry_divergent(round_.target, ones(options), options, next, *single_process());
-    });
+    return message_of<InputError>([&] { (void)retried(round_, options, next); });
   };
   EXPECT_NE(with({0.99, 0.95}).find("got 0.99 0.95"), std::string::npos);
   EXPECT_NE(with({1.0}).find("between 0 and 1"), std::string::npos);
