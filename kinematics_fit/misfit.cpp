@@ -31,6 +31,10 @@ int fitted_numbers(const ExperimentPlan& plan) {
 
 }  // namespace
 
+const char* const kMisfitAdvice =
+    "Look at the sign and order of the force components, the hold, signs and units of moment arms "
+    "and loads, the noise that was stated, and at parameters that are fixed but in doubt (--free)";
+
 Misfit misfit(double chi_square, int numbers, double effective) {
   Misfit out;
   out.chi_square = chi_square;
@@ -64,10 +68,8 @@ std::string describe(const Misfit& misfit) {
   if (!misfit.beyond_chance) return "";
   return fmt::format(
       "the fit misses the forces by {:.1f} times the stated noise (chi-square {:.4g}, {:.1f} "
-      "degrees of freedom), beyond chance: the model or the data are wrong. Look at the sign "
-      "and order of the force components, the hold, signs and units of moment arms and loads, "
-      "the noise that was stated, and at parameters that are fixed but in doubt (--free)",
-      misfit.times_noise, misfit.chi_square, misfit.degrees_of_freedom);
+      "degrees of freedom), beyond chance: the model or the data are wrong. {}",
+      misfit.times_noise, misfit.chi_square, misfit.degrees_of_freedom, kMisfitAdvice);
 }
 
 }  // namespace thenar

@@ -36,6 +36,9 @@ struct Misfit {
 [[nodiscard]] std::vector<Misfit> misfits(const FitProblem& problem, const Eigen::VectorXd& z,
                                           const Covariance& covariance);
 
+/// What to look at where forces are missed by far: a sentence.
+extern const char* const kMisfitAdvice;
+
 /// "the fit misses the forces by 7.0 times the stated noise ..: what to look at"; "" where chance
 /// may be the cause.
 [[nodiscard]] std::string describe(const Misfit& misfit);

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "base/error.h"
+#include "kinematics_fit/misfit.h"
 #include "posterior/run/predict_draws.h"
 
 namespace thenar {
@@ -56,10 +57,9 @@ std::vector<std::string> noise_warnings(const std::vector<PosteriorQuantity>& qu
     if (name.compare(0, prefix.size(), prefix) != 0 || !(estimates[i].q05 > kMuch)) continue;
     warnings.push_back(fmt::format(
         "experiment '{}': its forces scatter by {:.1f} times the stated noise (5 to 95 %: {:.1f} "
-        "to {:.1f}), and p and the intervals are of that larger noise. Look at the sign and order "
-        "of the force components, the hold, signs and units of moment arms and loads, the noise "
-        "that was stated, and at parameters that are fixed but in doubt (--free)",
-        name.substr(prefix.size()), estimates[i].median, estimates[i].q05, estimates[i].q95));
+        "to {:.1f}), and p and the intervals are of that larger noise. {}",
+        name.substr(prefix.size()), estimates[i].median, estimates[i].q05, estimates[i].q95,
+        kMisfitAdvice));
   }
   return warnings;
 }
