@@ -35,10 +35,7 @@ void build_thing(const WorldSpec& world, FileVerdict& /*verdict*/) {
 void build_thing(const RobotSpec& robot, FileVerdict& verdict) {
   std::vector<std::string> found = robot.warnings;
   for (std::string& doubt : size_doubts(robot))
-    if (std::none_of(found.begin(), found.end(), [&](const std::string& warning) {
-          return warning.compare(0, doubt.size(), doubt) == 0;  // perhaps with its count
-        }))
-      found.push_back(std::move(doubt));
+    if (!is_said(found, doubt)) found.push_back(std::move(doubt));
   verdict.warnings.insert(verdict.warnings.end(), found.begin(), found.end());
   for (const RobotLink& link : robot.links)
     for (const ShapeSpec& shape : link.shapes)

@@ -89,13 +89,6 @@ bool holds(const std::string& text, const char* words) {
   return text.find(words) != std::string::npos;
 }
 
-/// Whether a robot that was written after it was read says so already, perhaps with its count.
-bool is_said(const std::vector<std::string>& warnings, const std::string& doubt) {
-  return std::any_of(warnings.begin(), warnings.end(), [&](const std::string& warning) {
-    return warning.compare(0, doubt.size(), doubt) == 0;
-  });
-}
-
 }  // namespace
 
 std::vector<std::string> size_doubts(const RobotSpec& robot) {
@@ -121,6 +114,12 @@ std::vector<std::string> size_doubts(const RobotSpec& robot) {
           "are read as metres",
           joint.name, joint.X_PJ.p.norm()));
   return doubts;
+}
+
+bool is_said(const std::vector<std::string>& warnings, const std::string& doubt) {
+  return std::any_of(warnings.begin(), warnings.end(), [&](const std::string& warning) {
+    return warning.compare(0, doubt.size(), doubt) == 0;
+  });
 }
 
 bool is_grave(const std::string& warning) {

@@ -37,6 +37,10 @@ enum class RobotFileKind { kToml, kUrdf, kMjcf, kGraspit };
 /// Shapes and offsets of joints beyond 10 m, a sentence each: "a box of link 'palm' ..".
 [[nodiscard]] std::vector<std::string> size_doubts(const RobotSpec& robot);
 
+/// Whether warnings of a robot, which may have been written after it was read, say so already,
+/// perhaps with a count.
+[[nodiscard]] bool is_said(const std::vector<std::string>& warnings, const std::string& doubt);
+
 }  // namespace thenar
 
 namespace thenar::internal {
