@@ -135,14 +135,14 @@ std::vector<ComparedHand> compared_hands(const std::vector<NamedHand>& named,
   return hands;
 }
 
-CompareOptions options_of(const CompareRequest& request) {
+CompareOptions options_of(const CompareRequest& request, const Materials& materials) {
   CompareOptions options;
   options.approaches = request.approaches;
   options.best = request.best;
   options.threads = request.threads;
   options.seed = request.seed;
   options.normalise_size = request.normalise_size;
-  options.materials = materials_of_file(request.materials);
+  options.materials = materials;
   options.tasks.clear();
   for (const std::string& task : request.tasks) options.tasks.push_back(grasp_task(task));
   return options;
@@ -242,9 +242,10 @@ Comparison joined(Comparison comparison, const std::vector<HandOnObject>& done) 
 }
 
 /// Compares what an earlier run has not, and keeps it in the file.
-Comparison go_on(const CompareRequest& request, const JsonNode& inputs, const FileDigests& files,
-                 const std::vector<NamedHand>& named, const std::vector<ComparedHand>& hands,
-                 const std::vector<BodySpec>& objects, const Progress& progress) {
+Comparison go_on(const CompareRequest& request, CompareOptions options, const JsonNode& inputs,
+                 const FileDigests& files, const std::vector<NamedHand>& named,
+                 const std::vector<ComparedHand>& hands, const std::vector<BodySpec>& objects,
+                 const Progress& progress) {
   KeptComparison kept;
   std::optional<FileLock> lock;  // another comparison would drop our cells, and we its
   if (!request.file.empty()) {
@@ -258,7 +259,6 @@ Comparison go_on(const CompareRequest& request, const JsonNode& inputs, const Fi
     if (!request.file.empty())
       write_comparison(request.file, joined(comparison, kept.cells), inputs, provenance);
   };
-  CompareOptions options = options_of(request);
   options.keep = [&](const Comparison& comparison) {
     const bool all_old = std::all_of(comparison.cells.begin(), comparison.cells.end(),
                                      [&](const auto& cell) { return holds(kept.cells, cell); });
@@ -294,7 +294,7 @@ HandComparison compare_hands(const CompareRequest& request, const Progress& prog
   if (!request.materials.empty()) result.files.merge(digests_of({request.materials}));
   for (const NamedHand& hand : result.hands) require_materials(hand, materials);
   result.comparison =
-      go_on(request, inputs, result.files, result.hands,
+      go_on(request, options_of(request, materials), inputs, result.files, result.hands,
             compared_hands(result.hands, without_material), result.objects, progress);
   return result;
 }
