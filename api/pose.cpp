@@ -6,8 +6,8 @@
 #include <fmt/format.h>
 
 #include "api/named/data_folders.h"
-#include "api/named/files.h"
 #include "api/named/digits.h"
+#include "api/named/files.h"
 #include "api/named/hands.h"
 #include "base/error.h"
 #include "base/file_io.h"
@@ -69,18 +69,14 @@ TipNow tip_now(const Skeleton& skeleton, const TreeState<double>& state, const S
   const Eigen::Matrix3Xd J =
       position_jacobian(skeleton.tree, state, tip.link, now.p, skeleton.coordinates());
   const std::set<int> coordinates = coordinates_of(skeleton, tip);
-  now.J.resize(3, static_cast<Eigen::Index>(coordinates.size()));
-  for (const int c : coordinates) {
-    now.J.col(static_cast<Eigen::Index>(now.joints.size())) = J.col(c);
+  const std::vector<int> columns(coordinates.begin(), coordinates.end());
+  now.J = J(Eigen::all, columns);
+  for (const int c : columns)
     now.joints.push_back(skeleton.coordinate_names[static_cast<std::size_t>(c)]);
-  }
-  if (now.joints.empty()) return now;
+  if (columns.empty()) return now;
   const Eigen::Matrix3Xd W =
       rotation_jacobian(skeleton.tree, state, tip.link, skeleton.coordinates());
-  Eigen::Matrix3Xd turning(3, now.J.cols());
-  Eigen::Index column = 0;
-  for (const int c : coordinates) turning.col(column++) = W.col(c);
-  now.mobility = tip_manipulability(now.J, turning);
+  now.mobility = tip_manipulability(now.J, Eigen::Matrix3Xd(W(Eigen::all, columns)));
   return now;
 }
 
