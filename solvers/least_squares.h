@@ -93,6 +93,9 @@ struct [[nodiscard]] Solution {
   double newton_step = 0;  // length of the Gauss-Newton step that bounds and active constraints
                            // leave at z, in sds of exp(-cost) [1]; NaN: residuals next to z are
                            // not finite
+
+  /// Certified, and not broken off.
+  [[nodiscard]] bool converged() const { return status == Status::kSolved && !failed; }
 };
 
 /// Minimises from `start` (n), which is first brought within the bounds; where a lower bound is the

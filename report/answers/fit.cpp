@@ -168,7 +168,7 @@ std::string seen_words(const Prediction& prediction) {
 
 std::string fit_complaint(const FitResult& result, bool allowed) {
   const Solution& found = result.fit.solution;
-  if (found.status == Status::kSolved && !found.failed) return "";
+  if (found.converged()) return "";
   std::string text =
       fmt::format("the fit has NOT converged: {} ({})", convergence_word(found), found.message);
   const bool told = found.message.find("is left") != std::string::npos;

@@ -94,7 +94,7 @@ double worst_misfit(const FitResult& result) {
 Json ending_banner(const FitResult& result) {
   constexpr double kFar = 3;  // times the stated noise: nobody misjudges their noise so much [1]
   const Solution& found = result.fit.solution;
-  const bool converged = found.status == Status::kSolved && !found.failed;
+  const bool converged = found.converged();
   const double missed = worst_misfit(result);
   std::string title = converged ? "The fit has converged" : "The fit has NOT converged";
   if (missed > 0)

@@ -24,8 +24,8 @@ namespace thenar {
 /// experiments. @param specimen  index in fit.problem.specimens()
 [[nodiscard]] Json fitted_scene(const Fit& fit, int specimen);
 
-/// What the names of the parameters that move mean, for the text of a section; kinds that do not occur
-/// are left out.
+/// What the names of the parameters that move mean, for the text of a section; kinds that do not
+/// occur are left out.
 [[nodiscard]] std::string name_rules(const Fit& fit);
 
 }  // namespace thenar
