@@ -40,16 +40,17 @@ struct WholeForceSet {
 
 /// The answer at one posture.
 struct FeasibleForcePoint {
-  Eigen::VectorXd q;                   // [rad] (joints); empty for a map
-  std::string failure;                 // why there is no answer; empty: there is one
-  ForceAxes axes;                      // of the forces that are shown
-  Eigen::Vector3d tip{0, 0, 0};        // place of the tip, world frame [m] (3); 0 for a map
-  double condition = 0;                // of the tip's Jacobian, in the plane of parallel axes [1]
-  std::optional<Eigen::Vector3d> plane_normal;  // of flexion, where all axes are parallel, world (3)
-  std::optional<MaxTipForce> largest;  // along the direction, if there is one; with prices of F0
-  Eigen::VectorXd change;              // of largest->component by each joint, the direction fixed
-                                       // in its axes [N/rad] (joints); empty: no such force, a map
-  std::optional<WholeForceSet> whole;  // if it was asked for
+  Eigen::VectorXd q;             // [rad] (joints); empty for a map
+  std::string failure;           // why there is no answer; empty: there is one
+  ForceAxes axes;                // of the forces that are shown
+  Eigen::Vector3d tip{0, 0, 0};  // place of the tip, world frame [m] (3); 0 for a map
+  double condition = 0;          // of the tip's Jacobian, in the plane of parallel axes [1]
+  std::optional<Eigen::Vector3d>
+      plane_normal;                     // of flexion, where all axes are parallel, world (3)
+  std::optional<MaxTipForce> largest;   // along the direction, if there is one; with prices of F0
+  Eigen::VectorXd change;               // of largest->component by each joint, the direction fixed
+                                        // in its axes [N/rad] (joints); empty: no such force, a map
+  std::optional<WholeForceSet> whole;   // if it was asked for
   std::vector<std::vector<int>> alike;  // muscles of the same moment arms at all joints, so that an
                                         // answer decides the sum of their tensions alone
 };

@@ -56,11 +56,10 @@ std::vector<std::string> stray_warnings(const Covariance& covariance) {
   for (std::size_t i = 0; i < std::min(kNamed, far.size()); ++i)
     names += fmt::format("{}{} ({:+.1f})", i > 0 ? ", " : "", far[i]->name, far[i]->z);
   if (far.size() > kNamed) names += fmt::format(" and {} more", far.size() - kNamed);
-  return {
-      fmt::format("moved by more than {:.0f} prior sds: {}. Is a sign or a unit of the subject or "
-                  "the experiment "
-                  "wrong, or the prior too narrow?",
-                  kFarMoved, names)};
+  return {fmt::format(
+      "moved by more than {:.0f} prior sds: {}. Is a sign or a unit of the subject or the "
+      "experiment wrong, or the prior too narrow?",
+      kFarMoved, names)};
 }
 
 }  // namespace

@@ -45,7 +45,8 @@ struct ExperimentPlan {
 
 /// Warnings about an experiment on this digit: postures beyond the joint limits or in which the
 /// held tip is nearly singular, tensions far above those that the muscle can make, a pinned tip of
-/// more than two joints in one plane, a subject that was calibrated on the specimen, moments that no fit uses.
+/// more than two joints in one plane, a subject that was calibrated on the specimen, moments that
+/// no fit uses.
 [[nodiscard]] std::vector<std::string> experiment_warnings(const TendonDigit& digit,
                                                            const ExperimentPlan& plan,
                                                            const Experiment& experiment);

@@ -33,8 +33,8 @@ struct FitParameters {
                                               const std::vector<std::string>& also_free = {});
 
 /// A warning for moment arms, and another for points of tendons, where the digit has some (arms of
-/// zero do not count) and none of them may move: what the tendons' geometry gets wrong then goes into
-/// parameters that may.
+/// zero do not count) and none of them may move: what the tendons' geometry gets wrong then goes
+/// into parameters that may.
 [[nodiscard]] std::vector<std::string> fixed_geometry_warnings(const FitParameters& parameters);
 
 /// Value of every parameter for coordinates u  [SI] (all).

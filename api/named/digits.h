@@ -61,9 +61,9 @@ struct DigitAtPosture {
   std::optional<Eigen::Matrix3d> tip_axes;  // proximal, dorsal, radial now, in world axes (3, 3)
   TipStatics statics;
   std::vector<StaticsDerivative> slopes;  // by each joint; empty for a map
-  double condition;                       // of the tip's Jacobian, in the plane of parallel axes [1]
-  std::vector<std::string> warnings;      // of its tendons
-  Eigen::Vector3d tip{0, 0, 0};           // where it is, world frame [m] (3); 0 for a map
+  double condition;                   // of the tip's Jacobian, in the plane of parallel axes [1]
+  std::vector<std::string> warnings;  // of its tendons
+  Eigen::Vector3d tip{0, 0, 0};       // where it is, world frame [m] (3); 0 for a map
   std::optional<Eigen::Vector3d> plane_normal = {};  // of flexion, where all axes are parallel (3)
 };
 

@@ -289,8 +289,8 @@ std::string notes_text(const FeasibleForceAnswer& answer) {
     else
       ++known->second;
   }
-  constexpr std::size_t kMost = 4;  // lines; CSV and JSON have all
-  if (notes.size() > kMost) notes.resize(kMost);
+  constexpr std::size_t kMaxNotes = 4;  // lines; CSV and JSON have all
+  if (notes.size() > kMaxNotes) notes.resize(kMaxNotes);
   std::string text;
   for (const auto& [note, count] : notes)
     text += fmt::format("note ({} of {} postures): {}\n", count, answer.points.size(), note);

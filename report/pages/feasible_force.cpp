@@ -34,8 +34,7 @@ void add_direction_charts(const FeasibleForceAnswer& answer, const SweepAxes& ax
   }
   charts.push_back(curve_chart(axes,
                                "Largest force along the direction; a gap where no tensions make "
-                               "any force this way with every "
-                               "joint in balance",
+                               "any force this way with every joint in balance",
                                "force along the direction [N]",
                                {curve_over(answer.points, "largest force", [](const auto& point) {
                                  return makes_force(point) ? point.largest->component : kNaN;

@@ -59,9 +59,9 @@ struct MaxTipForceOptions {
 /// Every joint torque is balanced; the tip carries no moment. With a tolerance the cone is met
 /// to 1e-10 of the force (or 1e-11 of what tendons make, if that is more) by cutting planes. A
 /// straight finger carries any force along itself: that is `kUnbounded`, not a large number.
-/// Of equal optima the one is returned of which bones carry least alone: in the plane of parallel axes
-/// a cone gives no force across it. The planes hold the whole cone, so the dual bound of the last program bounds every force in it:
-/// that is `check.gap`.
+/// Of equal optima the one is returned of which bones carry least alone: in the plane of parallel
+/// axes a cone gives no force across it. The planes hold the whole cone, so the dual bound of the
+/// last program bounds every force in it: that is `check.gap`.
 ///
 /// Prices of F0 are those of the linear program's upper bounds, the least and the largest of all
 /// optimal duals (upper_bound_prices()). They are returned only if p, the prices of joint torque,

@@ -39,15 +39,16 @@ struct StaticsDerivative {
 
 /// Derivative of tip_force() by every coordinate, tensions held. With B = J', f = B+ tau and
 /// r = tau - B f:   df = B+ (dtau - dB f) + B+ B+' dB' r.
-/// @return world frame (3, n) [N/rad]; infinite where the rank of J is below 3, or below 2 in the plane
-/// of parallel axes, which W tells
+/// @return world frame (3, n) [N/rad]; infinite where the rank of J is below 3, or below 2 in the
+/// plane of parallel axes, which W tells
 /// Source: [Golub1973] for derivatives of pseudo-inverses.
 [[nodiscard]] Eigen::Matrix3Xd tip_force_jacobian(const TipStatics& statics,
                                                   const std::vector<StaticsDerivative>& slopes,
                                                   const Eigen::VectorXd& t);
 
 /// Derivative of tip_wrench(): moment [N m/rad] above force [N/rad], (6, n); infinite if the rank
-/// is below min(n, 6), or min(n, 3) where all axes are parallel. Least norm adds (1 - B+ B) dB' B+' w to the derivative.
+/// is below min(n, 6), or min(n, 3) where all axes are parallel. Least norm adds
+/// (1 - B+ B) dB' B+' w to the derivative.
 [[nodiscard]] Eigen::MatrixXd tip_wrench_jacobian(const TipStatics& statics,
                                                   const std::vector<StaticsDerivative>& slopes,
                                                   const Eigen::VectorXd& t,

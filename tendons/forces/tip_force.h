@@ -13,8 +13,8 @@ struct TipForce {
   Eigen::VectorXd tau_residual;  // joint torque that no tip force can balance   [N m]  (n)
   double condition;              // of J_W; infinite if rank < possible          [1]
   int rank;                      // of J_W                                       [1]
-  int possible = 3;              // rank of a regular posture: 2 in the plane of parallel axes, where
-                                 // no joint feels the force across it, which is 0 here [1]
+  int possible = 3;  // rank of a regular posture: 2 in the plane of parallel axes, where
+                     // no joint feels the force across it, which is 0 here [1]
 
   /// Some force meets no torque that meets one in other postures.
   [[nodiscard]] bool singular() const { return rank < possible; }

@@ -23,9 +23,9 @@ struct TipWrench {
   double condition;              // of [length W; J]; infinite if its rank is below
                                  // min(n, possible)                               [1]
   int rank;                      // of [length W; J]                               [1]
-  bool minimum_norm;             // rank < possible: many wrenches balance, this is the least of them
-  int possible = 6;              // loads that some joint can feel: 3 in the plane of parallel axes,
-                                 // two forces and the moment about its normal; others are 0 [1]
+  bool minimum_norm;  // rank < possible: many wrenches balance, this is the least of them
+  int possible = 6;   // loads that some joint can feel: 3 in the plane of parallel axes,
+                      // two forces and the moment about its normal; others are 0 [1]
 };
 
 /// Static wrench of a rigidly held tip:  J' f + W' m = R' t + tau_0.

@@ -1,4 +1,5 @@
-// Validates and reads the subject named on the command line and prints where its first fingertip is [mm].
+// Validates and reads the subject named on the command line and prints where its first fingertip
+// is [mm].
 
 #include <cstdio>
 
