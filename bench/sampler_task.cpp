@@ -7,6 +7,7 @@
 
 #include "bench/sampler_rivals/adaptive_metropolis.h"
 #include "bench/sampler_rivals/thumb_density.h"
+#include "kinematics_fit/fit_residuals.h"
 #include "sampling/diagnostics/convergence.h"
 #include "sampling/methods/laplace_covariance.h"
 #include "tests/posterior/thumb_scene.h"
