@@ -35,7 +35,8 @@ auto slope_of(const F& f, double h) {
   return ((8 * (f(h) - f(-h)) - (f(2 * h) - f(-2 * h))) / (12 * h)).eval();
 }
 
-/// Random nets that are well held: balanced, and not about to change which bands are slack.
+/// Random nets that are well held: balanced, not about to change which bands are slack, and no
+/// stiffer than 2e5 N/m.
 std::vector<SampleNet> held_nets(bool bones, int count) {
   std::vector<SampleNet> held;
   for (unsigned seed = 1; static_cast<int>(held.size()) < count; ++seed) {
@@ -48,6 +49,8 @@ std::vector<SampleNet> held_nets(bool bones, int count) {
     bool clear = rest.status == NetStatus::kBalanced && rest.undetermined.empty();
     if (bones) clear = clear && !rest.contacts.empty();
     for (const NetContact& c : rest.contacts) clear = clear && std::abs(c.force) > 1e-2;
+    // Lengths over bones are known to 1e-14 m: stiffer bands make more than rounding of it.
+    for (const NetBand& band : sample.net.bands) clear = clear && band.EA < 2e5 * band.slack;
     for (Eigen::Index b = 0; b < rest.length.size(); ++b) {
       const NetBand& band = sample.net.bands[static_cast<std::size_t>(b)];
       const double strain = rest.length(b) / band.slack - 1;
