@@ -6,6 +6,7 @@
 #include "api/named/files.h"
 #include "base/error.h"
 #include "kinematics_fit/experiment_plan.h"
+#include "kinematics_fit/trivial_prediction.h"
 
 namespace thenar {
 namespace {
@@ -18,6 +19,13 @@ PredictResult answer_of(const PredictRequest& request, const Fit& fit) {
     result.warnings.push_back(fmt::format("the fit in '{}' did not converge: {}", request.fit,
                                           convergence_word(fit.solution)));
   return result;
+}
+
+/// What the mean of the fitted specimens says of a specimen that was not fitted.
+void add_trivial(Prediction& prediction, const Experiment& experiment, const FitProblem& fitted) {
+  for (std::size_t i = 0; i < prediction.trials.size(); ++i)
+    prediction.trials[i].trivial =
+        trivial_force(experiment, experiment.trials[i], fitted.experiments());
 }
 
 }  // namespace
@@ -48,6 +56,7 @@ PredictResult predict_forces(const PredictRequest& request) {
     Prediction prediction =
         predict_experiment(fit.problem, fit.solution.z, fit.covariance.C, experiment,
                            by == PredictedBy::kOwn ? fitted : kUnfittedSpecimen);
+    if (by == PredictedBy::kStranger) add_trivial(prediction, experiment, fit.problem);
     result.sources.push_back(source);
     result.experiments.push_back({experiment, std::move(prediction), by});
   }

@@ -6,6 +6,7 @@
 #include "base/error.h"
 #include "kinematics_fit/covariance.h"
 #include "kinematics_fit/fit_residuals.h"
+#include "kinematics_fit/trivial_prediction.h"
 
 namespace thenar {
 namespace {
@@ -52,9 +53,12 @@ void predict_fold(const FitProblem& rest, const Eigen::VectorXd& z, LeaveOut wha
     const Experiment& experiment = experiments[e];
     const int specimen = find_specimen(rest, experiment.specimen);
     const Prediction all = predict_experiment(rest, z, C, experiment, specimen);
-    for (std::size_t i = 0; i < experiment.trials.size(); ++i)
-      if (in_fold(what, fold, experiment, experiment.trials[i]))
-        out[e].trials.push_back(all.trials[i]);
+    for (std::size_t i = 0; i < experiment.trials.size(); ++i) {
+      if (!in_fold(what, fold, experiment, experiment.trials[i])) continue;
+      out[e].trials.push_back(all.trials[i]);
+      out[e].trials.back().trivial =
+          trivial_force(experiment, experiment.trials[i], rest.experiments());
+    }
   }
 }
 

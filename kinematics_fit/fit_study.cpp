@@ -1,8 +1,11 @@
 #include "kinematics_fit/fit_study.h"
 
+#include <algorithm>
+
 #include "base/error.h"
 #include "kinematics_fit/fit_residuals.h"
 #include "kinematics_fit/force_jacobian.h"
+#include "kinematics_fit/trivial_prediction.h"
 
 namespace thenar {
 namespace {
@@ -140,16 +143,13 @@ Prediction predict_as_published(const SourceText& subject, const Experiment& exp
 Prediction mean_of_other_postures(const Experiment& experiment) {
   Prediction out{experiment.name, {}, {}};
   for (const Trial& trial : experiment.trials) {
-    // Mean force of the same loads in the other postures.
-    Eigen::Vector3d sum = Eigen::Vector3d::Zero();
-    int count = 0;
-    for (const Trial& other : experiment.trials)
-      if (other.posture != trial.posture && other.tension == trial.tension) {
-        sum += other.force;
-        ++count;
-      }
-    if (count > 0)
-      out.trials.push_back({trial.posture, describe_loads(trial), trial.force, sum / count,
+    Experiment others = experiment;
+    others.trials.erase(
+        std::remove_if(others.trials.begin(), others.trials.end(),
+                       [&](const Trial& other) { return other.posture == trial.posture; }),
+        others.trials.end());
+    if (const auto force = trivial_force(experiment, trial, {others}))
+      out.trials.push_back({trial.posture, describe_loads(trial), trial.force, *force,
                             Eigen::Vector3d::Zero(), experiment.components});
   }
   if (!out.trials.empty()) out.error = force_error(out.trials);

@@ -29,6 +29,8 @@ struct PredictedTrial {
   Eigen::Vector3d predicted;  // [N] (3)
   Eigen::Vector3d sd;         // predictive, of each component; zero if not asked for [N] (3)
   int components = 3;         // that are fitted, 2 or 3; the others are 0, of infinite sd [1]
+  std::optional<Eigen::Vector3d> trivial = {};  // predicted without a model, see trivial_force();
+                                                // empty: not asked for, or nobody can [N] (3)
 };
 
 /// Angle between the predicted and the measured force, 0 where either is zero [rad].

@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include "kinematics_fit/trivial_prediction.h"
 #include "report/parameter_words.h"
 
 namespace thenar {
@@ -152,8 +153,9 @@ std::string left_out_text(const CrossValidation& validation) {
   std::string text;
   for (const Prediction& p : validation.experiments)
     if (!p.trials.empty())
-      text += fmt::format("  {:<20} {}: RMS error {:.3f} N, relative {:.3f}{}\n", p.experiment,
-                          name_of(validation.what), p.error.rms, p.error.relative, seen_words(p));
+      text += fmt::format("  {:<20} {}: RMS error {:.3f} N, relative {:.3f}{}{}\n", p.experiment,
+                          name_of(validation.what), p.error.rms, p.error.relative, trivial_words(p),
+                          seen_words(p));
   if (validation.stopped)
     text += fmt::format("  {}: stopped after {} of {} folds; the errors are of those alone\n",
                         name_of(validation.what), validation.folds_done, validation.folds.size());
@@ -164,6 +166,25 @@ std::string left_out_text(const CrossValidation& validation) {
 
 std::string seen_words(const Prediction& prediction) {
   return prediction.calibrated_on_specimen ? " (the subject has seen this specimen)" : "";
+}
+
+std::string trivial_words(const Prediction& prediction) {
+  const std::optional<BesideTrivial> beside = beside_trivial(prediction);
+  if (!beside) return "";
+  const std::string share =
+      beside->model.trials == prediction.error.trials
+          ? ""
+          : fmt::format(" (over {} of {} trials, {:.3f} by the model)", beside->model.trials,
+                        prediction.error.trials, beside->model.relative);
+  return fmt::format("; the mean of others' forces {:.3f}{}", beside->trivial.relative, share);
+}
+
+Json trivial_json(const Prediction& prediction) {
+  const std::optional<BesideTrivial> beside = beside_trivial(prediction);
+  if (!beside) return nullptr;
+  return {{"trials", beside->trivial.trials},
+          {"relative_error", beside->trivial.relative},
+          {"relative_error_of_model", beside->model.relative}};
 }
 
 std::string fit_complaint(const FitResult& result, bool allowed) {
@@ -197,6 +218,7 @@ OrderedJson json_of(const FitResult& result) {
     for (const Prediction& prediction : validation.experiments) {
       out["left_out"].push_back(error_json(prediction));
       out["left_out"].back()["what"] = name_of(validation.what);
+      out["left_out"].back()["mean_of_others"] = trivial_json(prediction);
       out["left_out"].back()["folds_done"] = validation.folds_done;
       out["left_out"].back()["folds"] = validation.folds.size();
     }

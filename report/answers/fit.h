@@ -28,4 +28,10 @@ namespace thenar {
 /// "; the subject has seen this specimen" behind an error that is not of a stranger, else "".
 [[nodiscard]] std::string seen_words(const Prediction& prediction);
 
+/// "; the mean of others' forces 0.598", the error of trivial_force() on the same trials; "" where
+/// nobody else measured them.
+[[nodiscard]] std::string trivial_words(const Prediction& prediction);
+/// The same as numbers, or null.
+[[nodiscard]] Json trivial_json(const Prediction& prediction);
+
 }  // namespace thenar

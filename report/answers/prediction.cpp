@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "base/units.h"
+#include "report/answers/fit.h"
 
 namespace thenar {
 namespace {
@@ -40,9 +41,9 @@ std::string experiment_text(const PredictedExperiment& one) {
                         in_columns(t.sd, t.components, 6, 2), (t.predicted - t.measured).norm(),
                         degrees(direction_error(t)));
   text += fmt::format(
-      "  RMS error {:.3f} N, relative error {:.3f}, median direction error "
-      "{:.1f} deg\n",
-      prediction.error.rms, prediction.error.relative, degrees(prediction.error.direction));
+      "  RMS error {:.3f} N, relative error {:.3f}{}, median direction error {:.1f} deg\n",
+      prediction.error.rms, prediction.error.relative, trivial_words(prediction),
+      degrees(prediction.error.direction));
   if (prediction.error.covered)
     text += fmt::format("  {:.0f} % of components within the 95 % interval\n",
                         100 * *prediction.error.covered);
@@ -70,6 +71,7 @@ Json experiment_json(const PredictedExperiment& one) {
           {"relative_error_flexion_plane", prediction.error.relative_flexion},
           {"direction_error_deg", degrees(prediction.error.direction)},
           {"covered_95", prediction.error.covered ? Json(*prediction.error.covered) : Json()},
+          {"mean_of_others", trivial_json(prediction)},
           {"vectors", vectors}};
 }
 

@@ -128,12 +128,14 @@ Json ending_blocks(const FitResult& result) {
 /// @param noise  misfit in stated noises, or null
 Json error_row(const Prediction& prediction, const std::string& what, const Json& noise) {
   const ForceError& error = prediction.error;
+  const Json trivial = trivial_json(prediction);
   return {prediction.experiment + seen_words(prediction),
           what,
           error.trials,
           error.rms,
           error.relative,
           error.relative_flexion,
+          trivial.is_null() ? trivial : trivial["relative_error"],
           degrees(error.direction),
           noise,
           error.covered ? Json(100 * *error.covered) : Json(nullptr)};
@@ -154,14 +156,18 @@ Json error_table(const FitResult& result) {
   }
   return table_block(
       "Errors of predicted forces: in space, in the flexion plane alone, and the median angle "
-      "between predicted and measured. Times the noise: root of chi-square per degree of freedom, "
-      "near 1 where model and stated noise are right",
+      "between predicted and measured. Mean of others: relative error of what others measured "
+      "under "
+      "the same load, taken as it is (of one specimen alone: at its other postures). Times the "
+      "noise: root of chi-square per degree of freedom, near 1 where model and stated noise are "
+      "right",
       {{"experiment", ""},
        {"predicted", ""},
        {"trials", "", 0},
        {"RMS error", "N", 3},
        {"relative error", "", 3},
        {"in plane", "", 3},
+       {"mean of others", "", 3},
        {"angle", "deg", 1},
        {"times the noise", "", 1},
        {"within 95 % band", "%", 0}},
@@ -178,12 +184,14 @@ Json force_section(const FitResult& result) {
                          ", in sample. Measured solid, predicted dashed; ellipses hold 95 % of the "
                          "predictive distribution"));
   for (const CrossValidation& validation : result.left_out)
-    for (std::size_t e = 0; e < validation.experiments.size(); ++e)
-      if (!validation.experiments[e].trials.empty())
-        blocks.push_back(force_panels(
-            in_digit_axes(validation.experiments[e], experiments[e]),
-            fmt::format("{}, {}: each predicted by a fit that has not seen it",
-                        validation.experiments[e].experiment, name_of(validation.what))));
+    for (std::size_t e = 0; e < validation.experiments.size(); ++e) {
+      if (validation.experiments[e].trials.empty()) continue;
+      const Prediction turned = in_digit_axes(validation.experiments[e], experiments[e]);
+      blocks.push_back(
+          force_panels(turned, fmt::format("{}, {}: each predicted by a fit that has not seen it",
+                                           turned.experiment, name_of(validation.what))));
+      if (std::optional<Json> table = beside_trivial_table(turned)) blocks.push_back(*table);
+    }
   return section("forces", "Measured and predicted forces",
                  "Forces of the fingertip in the axes of the distal phalanx.", blocks);
 }

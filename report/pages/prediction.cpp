@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include "base/units.h"
+#include "kinematics_fit/trivial_prediction.h"
 #include "report/answers/prediction.h"
 #include "report/provenance.h"
 
@@ -110,8 +111,31 @@ Prediction in_digit_axes(Prediction prediction, const Experiment& experiment) {
     trial.predicted = to_digit * trial.predicted;
     trial.sd.tail(3 - trial.components).setZero();  // infinite: nothing is known of them
     trial.sd = to_digit.cwiseAbs() * trial.sd;
+    if (trial.trivial) trial.trivial = to_digit * *trial.trivial;
   }
   return prediction;
+}
+
+std::optional<Json> beside_trivial_table(const Prediction& prediction) {
+  Json rows = Json::array();
+  for (const ErrorsOfLoad& one : errors_by_load(prediction)) {
+    Json row{one.loads, one.trials};
+    for (int i = 0; i < 3; ++i)
+      for (const Eigen::Vector3d* rms : {&one.measured, &one.model, &one.trivial})
+        row.push_back((*rms)[i]);
+    rows.push_back(row);
+  }
+  if (rows.empty()) return std::nullopt;
+  std::vector<BlockColumn> columns{{"loaded", ""}, {"trials", "", 0}};
+  for (const char* direction : {"proximal", "dorsal", "radial"})
+    for (const char* what : {"measured", "error of the model", "error of the mean of others"})
+      columns.push_back({fmt::format("{}: {}", direction, what), "N", 2});
+  return table_block(
+      fmt::format("{}: root mean squares by muscle and direction. The mean of others is the force "
+                  "that others measured under the same load, per newton of tension: where its "
+                  "error is the smaller one, the model has not helped",
+                  prediction.experiment),
+      columns, rows);
 }
 
 Json prediction_sections(const PredictResult& result, const std::string& prefix) {
@@ -122,16 +146,18 @@ Json prediction_sections(const PredictResult& result, const std::string& prefix)
       text +=
           " The subject that the fit started from has seen this specimen: the error is not "
           "that of a stranger.";
-    sections.push_back(section(
-        fmt::format("{}prediction-{}", prefix, sections.size() + 1),
-        one.prediction.experiment + ": measured and predicted forces", text,
-        Json::array({error_table(one),
-                     force_panels(in_digit_axes(one.prediction, one.experiment),
-                                  one.prediction.experiment +
-                                      ". Measured solid, predicted dashed; ellipses hold 95 % of "
-                                      "the predictive distribution: what is not known of the "
-                                      "parameters, and the noise"),
-                     trial_table(one)})));
+    const Prediction turned = in_digit_axes(one.prediction, one.experiment);
+    Json blocks = Json::array({error_table(one)});
+    if (std::optional<Json> table = beside_trivial_table(turned)) blocks.push_back(*table);
+    blocks.push_back(
+        force_panels(turned, one.prediction.experiment +
+                                 ". Measured solid, predicted dashed; ellipses hold 95 % of the "
+                                 "predictive distribution: what is not known of the parameters, "
+                                 "and the noise"));
+    blocks.push_back(trial_table(one));
+    sections.push_back(section(fmt::format("{}prediction-{}", prefix, sections.size() + 1),
+                               one.prediction.experiment + ": measured and predicted forces", text,
+                               blocks));
   }
   return sections;
 }

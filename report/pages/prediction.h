@@ -2,6 +2,7 @@
 
 /// Measured and predicted forces as arrows, and the page of a prediction.
 
+#include <optional>
 #include <string>
 
 #include "api/predict.h"
@@ -16,6 +17,10 @@ namespace thenar {
 
 /// The prediction with the components of its forces turned into proximal, dorsal and radial.
 [[nodiscard]] Prediction in_digit_axes(Prediction prediction, const Experiment& experiment);
+
+/// Root mean square errors by load and direction, beside those of the mean of others' forces;
+/// nothing where nobody else measured these loads. Components must be proximal, dorsal, radial.
+[[nodiscard]] std::optional<Json> beside_trivial_table(const Prediction& prediction);
 
 /// One section for each experiment: who predicts, errors, arrows with their bands, and every trial.
 /// @param prefix  of the sections' ids

@@ -1,0 +1,47 @@
+#pragma once
+
+/// The trivial prediction of a fingertip force, without a model: the mean of what others measured
+/// under the same load. A model that does no better has learnt nothing about strangers.
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "kinematics_fit/prediction.h"
+
+namespace thenar {
+
+/// Mean force per tension of the same row of others, times the tension of this trial, in the axes
+/// of its experiment [N] (3). A row is the same where the same muscles pull, in the same proportion
+/// within 10 %, at the same joint angles within 2 degrees. Where nobody has measured this posture,
+/// it is the mean over other postures: those of the same specimen, or else of all.
+/// @param seen  experiments that the prediction may know; `experiment` itself only without the
+/// trial
+/// @return empty if nobody measured such a load, or measured fewer components of it
+[[nodiscard]] std::optional<Eigen::Vector3d> trivial_force(const Experiment& experiment,
+                                                           const Trial& trial,
+                                                           const std::vector<Experiment>& seen);
+
+/// Errors of the model and of the trivial prediction, over the trials that have one.
+struct BesideTrivial {
+  ForceError model;
+  ForceError trivial;  // without intervals
+};
+
+/// @return empty if no trial has a trivial prediction, or all those measured forces are zero
+[[nodiscard]] std::optional<BesideTrivial> beside_trivial(const Prediction& prediction);
+
+/// Root mean squares over the trials of one load, component by component.
+struct ErrorsOfLoad {
+  std::string loads;         // "FDS" or "FDS+EDC"
+  int trials = 0;            // [1]
+  Eigen::Vector3d measured;  // [N] (3)
+  Eigen::Vector3d model;     // of predicted - measured [N] (3)
+  Eigen::Vector3d trivial;   // the same of the trivial prediction [N] (3)
+};
+
+/// Of every load that has a trivial prediction, over the trials that have one, in the order of the
+/// trials.
+[[nodiscard]] std::vector<ErrorsOfLoad> errors_by_load(const Prediction& prediction);
+
+}  // namespace thenar
