@@ -71,6 +71,7 @@ PosteriorSummary summarise_posterior(const PosteriorRun& run) {
   PosteriorSummary summary;
   summary.quantities = posterior_quantities(run);
   summary.estimates = estimates_of(summary.quantities, run.draws.group);
+  summary.axes = posterior_axes(run);
   summary.directions = directions_of(run);
   // Fitted experiments against their replicates, and left-out observations.
   for (const Experiment& experiment : run.posterior->problem().experiments())

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "kinematics_fit/prediction.h"
+#include "posterior/run/posterior_axes.h"
 #include "posterior/run/posterior_quantities.h"
 #include "sampling/diagnostics/learnt_directions.h"
 #include "sampling/diagnostics/leave_one_out.h"
@@ -34,6 +35,7 @@ struct ExperimentCheck {
 struct PosteriorSummary {
   std::vector<PosteriorQuantity> quantities;
   std::vector<Estimate> estimates;           // of the quantities, in their units
+  std::vector<PosteriorAxes> axes;           // that the run moves
   LearntDirections directions;               // of the sampled coordinates, in prior sds
   std::vector<ExperimentCheck> experiments;  // those with trials
   std::optional<LeftOutObservations> left_out;

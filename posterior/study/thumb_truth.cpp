@@ -51,12 +51,4 @@ std::optional<double> true_value(const Parameter& parameter, const TendonDigit& 
   return e.dot(apart - from.direction.dot(apart) / along * to.direction);
 }
 
-AxisOffset axis_offset(const Hinge<double>& a, const Hinge<double>& b) {
-  const Eigen::Vector3d normal = a.direction.cross(b.direction), apart = b.point - a.point;
-  const double sine = normal.norm();
-  const double angle = std::atan2(sine, std::abs(a.direction.dot(b.direction)));
-  if (sine < 1e-12) return {angle, apart.cross(a.direction).norm()};
-  return {angle, std::abs(apart.dot(normal)) / sine};
-}
-
 }  // namespace thenar

@@ -23,11 +23,4 @@ namespace thenar {
 [[nodiscard]] std::optional<double> true_value(const Parameter& parameter, const TendonDigit& start,
                                                const TendonDigit& truth);
 
-/// Angle between two axes, whatever their senses, and length of their common normal.
-struct AxisOffset {
-  double angle;     // 0..pi/2 [rad]
-  double distance;  // [m]
-};
-[[nodiscard]] AxisOffset axis_offset(const Hinge<double>& a, const Hinge<double>& b);
-
 }  // namespace thenar

@@ -111,6 +111,34 @@ std::string quantities_text(const PosteriorResult& result) {
                 table);
 }
 
+/// "the MCP abduction axis lies distal of the MCP flexion axis".
+std::string distal_words(const PosteriorAxes& of, const TendonDigit& digit) {
+  const auto axis = [&](int hinge) {
+    return joint_words(digit.names.hinges[static_cast<std::size_t>(hinge)]) + " axis";
+  };
+  return fmt::format("the {} lies distal of the {}", axis(of.axes.second), axis(of.axes.first));
+}
+
+std::string axes_text(const PosteriorResult& result) {
+  const PosteriorSummary& summary = *result.summary;
+  if (summary.axes.empty()) return "";
+  Table table{{"axes", "angle_deg", "q05", "q95", "distance_mm", "q05", "q95", "second_distal_mm",
+               "q05", "q95", "p_second_distal", "prior_p"},
+              {}};
+  for (const PosteriorAxes& of : summary.axes) {
+    table.rows.push_back({of.whose.empty() ? of.axes.name : of.whose + ": " + of.axes.name});
+    for (const Estimate* e : {&of.angle, &of.distance, &of.beyond})
+      for (const double value : {e->mean, e->q05, e->q95})
+        table.rows.back().push_back(shown(value, 2));
+    for (const double p : {of.second_distal, of.second_distal_before})
+      table.rows.back().push_back(shown(p, 3));
+  }
+  return titled(
+      "neighbouring axes at the reference posture: angle, length of the common normal, how far it "
+      "leads distally from the first axis to the second, and the probability that it does",
+      table);
+}
+
 std::string directions_text(const PosteriorSummary& summary, std::size_t rows) {
   const LearntDirections& found = summary.directions;
   std::string text =
@@ -201,6 +229,26 @@ Json estimate_json(const PosteriorQuantity& q, const Estimate& e, const std::str
           {"tail_ess", e.tail_ess}};
 }
 
+Json axes_json(const PosteriorResult& result) {
+  Json out = Json::array();
+  for (const PosteriorAxes& of : result.summary->axes) {
+    out.push_back({{"axes", of.axes.name},
+                   {"meaning", distal_words(of, result.run.posterior->problem().digit())},
+                   {"second_distal_probability", of.second_distal},
+                   {"second_distal_prior_probability", of.second_distal_before}});
+    if (!of.whose.empty()) out.back()["specimen"] = of.whose;
+    const auto add = [&](const char* name, const Estimate& e) {
+      out.back()[name] = {{"mean", e.mean},     {"sd", e.sd},   {"q05", e.q05},
+                          {"median", e.median}, {"q95", e.q95}, {"bulk_ess", e.bulk_ess},
+                          {"r_hat", e.r_hat}};
+    };
+    add("angle_deg", of.angle);
+    add("distance_mm", of.distance);
+    add("second_distal_mm", of.beyond);
+  }
+  return out;
+}
+
 Json modes_json(const PosteriorRun& run) {
   Json out = Json::array();
   for (const ModeMass& mode : run.mode_table.modes) {
@@ -266,7 +314,8 @@ std::string text_of(const PosteriorResult& result) {
   if (!result.summary) return text;
   const PosteriorSummary& summary = *result.summary;
   return text + checks_text(summary) + left_out_text(summary) + quantities_text(result) +
-         directions_text(summary, std::min<std::size_t>(result.rows, 8)) + modes_text(run);
+         axes_text(result) + directions_text(summary, std::min<std::size_t>(result.rows, 8)) +
+         modes_text(run);
 }
 
 OrderedJson json_of(const PosteriorResult& result) {
@@ -284,6 +333,7 @@ OrderedJson json_of(const PosteriorResult& result) {
   for (std::size_t i = 0; i < summary.quantities.size(); ++i)
     out["parameters"].push_back(estimate_json(summary.quantities[i], summary.estimates[i],
                                               meaning_of(summary.quantities[i].name, digit)));
+  out["axes"] = axes_json(result);
   out["learnt"] = directions_json(summary.directions);
   for (const ExperimentCheck& experiment : summary.experiments)
     out["experiments"].push_back(check_json(experiment));

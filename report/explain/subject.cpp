@@ -5,8 +5,10 @@
 #include <fmt/format.h>
 
 #include "base/nearest_name.h"
+#include "base/units.h"
 #include "report/explain/explanation.h"
 #include "report/parameter_words.h"
+#include "tendons/neighbouring_axes.h"
 
 namespace thenar {
 namespace {
@@ -50,6 +52,25 @@ Section explain_rungs(const Fidelity& fidelity) {
                   {{"ladder", "rung", "assumes"}, {}}};
   for (const RungWords& words : explain(fidelity))
     section.table.rows.push_back({words.ladder, words.rung, words.assumes});
+  return section;
+}
+
+/// How skewed the joints are.
+Section explain_axes(const TendonDigit& built) {
+  Section section{
+      "axes",
+      "Neighbouring joint axes at the reference posture",
+      {"distance: length of their common normal; second_distal: how far along the digit "
+       "it leads from the first axis to the second, below 0 where the second lies "
+       "proximal"},
+      {{"first", "second", "angle_deg", "distance_mm", "second_distal_mm"}, {}}};
+  for (const NeighbouringAxes& axes : neighbouring_axes(built)) {
+    const AxisOffset offset = axis_offset(built.model, axes);
+    section.table.rows.push_back({built.names.hinges[static_cast<std::size_t>(axes.first)],
+                                  built.names.hinges[static_cast<std::size_t>(axes.second)],
+                                  shown(degrees(offset.angle), 1), shown(1e3 * offset.distance, 2),
+                                  shown(1e3 * offset.beyond, 2)});
+  }
   return section;
 }
 
@@ -171,6 +192,7 @@ Explanation explain(const Subject& subject, const DigitExplained& says) {
   const TendonDigit& built = says.tendons->digit();
   explanation.push_back(explain_kept(says.parts));
   explanation.push_back(explain_dropped(says.parts));
+  explanation.push_back(explain_axes(built));
   explanation.push_back(explain_muscles(subject, says.parts.muscles));
   explanation.push_back(explain_rungs(built.fidelity));
   explanation.push_back(explain_questions(built));

@@ -11,6 +11,7 @@
 #include "kinematics_fit/fit.h"
 #include "kinematics_fit/force_jacobian.h"
 #include "kinematics_fit/prediction.h"
+#include "tendons/neighbouring_axes.h"
 #include "tests/matrix_near.h"
 #include "tests/posterior/study/study_inputs.h"
 
@@ -34,12 +35,10 @@ TendonModel<double> moved_thumb(const TendonDigit& start, const FitParameters& p
 // 80.9 degrees.
 TEST(ThumbStudySubjects, TrueThumbHasThePublishedSkewness) {
   const TendonDigit truth = sample::thumb_of(sample::study_inputs().truth);
-  const AxisOffset cmc =
-      axis_offset(truth.model.tree[kCmcFlexion], truth.model.tree[kCmcAbduction]);
+  const AxisOffset cmc = axis_offset(truth.model, {kCmcFlexion, kCmcAbduction, ""});
   EXPECT_NEAR(1e3 * cmc.distance, 9.13, 0.005);
   EXPECT_NEAR(degrees(cmc.angle), 80.9, 0.05);
-  const AxisOffset mcp =
-      axis_offset(truth.model.tree[kMcpFlexion], truth.model.tree[kMcpAbduction]);
+  const AxisOffset mcp = axis_offset(truth.model, {kMcpFlexion, kMcpAbduction, ""});
   EXPECT_GT(mcp.distance, 1e-3);
 }
 
@@ -47,7 +46,7 @@ TEST(ThumbStudySubjects, StartIsOrthogonalAndCrosses) {
   const TendonDigit start = sample::thumb_of(sample::study_inputs().start);
   for (const auto& [flexion, abduction] :
        {std::pair{kCmcFlexion, kCmcAbduction}, std::pair{kMcpFlexion, kMcpAbduction}}) {
-    const AxisOffset gap = axis_offset(start.model.tree[flexion], start.model.tree[abduction]);
+    const AxisOffset gap = axis_offset(start.model, {flexion, abduction, ""});
     EXPECT_NEAR(gap.angle, kPi / 2, 1e-15);
     EXPECT_NEAR(gap.distance, 0, 1e-15);
   }
@@ -68,7 +67,7 @@ TEST(ThumbStudySubjects, TiesKeepPairsOrthogonalAndCrossing) {
     const TendonModel<double> model = moved_thumb(start, parameters, u);
     for (const auto& [flexion, abduction] :
          {std::pair{kCmcFlexion, kCmcAbduction}, std::pair{kMcpFlexion, kMcpAbduction}}) {
-      const AxisOffset gap = axis_offset(model.tree[flexion], model.tree[abduction]);
+      const AxisOffset gap = axis_offset(model, {flexion, abduction, ""});
       EXPECT_NEAR(gap.angle, kPi / 2, 1e-14);
       EXPECT_NEAR(gap.distance, 0, 1e-16);  // [m]
       EXPECT_GT((model.tree[flexion].point - start.model.tree[flexion].point).norm(), 1e-4);
@@ -91,7 +90,8 @@ TEST(ThumbStudySubjects, OrthogonalPairsTurnAsWholes) {
     const TendonModel<double> model = moved_thumb(start, parameters, u);
     double most = 0;
     for (std::size_t i = 0; i < model.tree.size(); ++i)
-      most = std::max(most, axis_offset(model.tree[i], start.model.tree[i]).angle);
+      most = std::max(
+          most, axis_offset(model.tree[i], start.model.tree[i], Eigen::Vector3d::UnitX()).angle);
     EXPECT_NEAR(most, std::atan(0.3), 1e-12) << name;
   }
 }

@@ -1,0 +1,102 @@
+#include "posterior/run/posterior_axes.h"
+
+#include <algorithm>
+
+#include "base/units.h"
+#include "kinematics_fit/predict_forces.h"
+#include "posterior/run/posterior_quantities.h"
+
+namespace thenar {
+namespace {
+
+bool moves_axis(const Parameter& p, int hinge) {
+  return (p.kind == ParameterKind::kAxisDirection || p.kind == ParameterKind::kAxisPoint) &&
+         p.item == hinge;
+}
+
+/// Neighbouring axes of which a parameter that moves belongs to either.
+std::vector<NeighbouringAxes> moving_axes(const HandPosterior& posterior) {
+  const FitProblem& problem = posterior.problem();
+  const std::vector<int> moving = posterior.moving_parameters();
+  std::vector<NeighbouringAxes> pairs = neighbouring_axes(problem.digit());
+  const auto stands_still = [&](const NeighbouringAxes& pair) {
+    return std::none_of(moving.begin(), moving.end(), [&](int p) {
+      const Parameter& parameter = problem.parameters().all[static_cast<std::size_t>(p)];
+      return moves_axis(parameter, pair.first) || moves_axis(parameter, pair.second);
+    });
+  };
+  pairs.erase(std::remove_if(pairs.begin(), pairs.end(), stands_still), pairs.end());
+  return pairs;
+}
+
+/// Angle [deg], distance and how far beyond [mm] of each pair in turn at every point.
+/// @param values  of the parameters that move [SI] (parameters that move, points)
+/// @return (points, 3 pairs)
+Eigen::MatrixXd axis_offsets(const HandPosterior& posterior,
+                             const std::vector<NeighbouringAxes>& pairs,
+                             const Eigen::MatrixXd& values) {
+  const FitParameters& parameters = posterior.problem().parameters();
+  const std::vector<int> moving = posterior.moving_parameters();
+  Eigen::MatrixXd offsets(values.cols(), 3 * static_cast<Eigen::Index>(pairs.size()));
+  std::vector<double> all;
+  for (const Parameter& parameter : parameters.all) all.push_back(parameter.mean);
+  for (Eigen::Index k = 0; k < values.cols(); ++k) {
+    // The digit at this point, then its axes.
+    for (std::size_t i = 0; i < moving.size(); ++i)
+      all[static_cast<std::size_t>(moving[i])] = values(static_cast<Eigen::Index>(i), k);
+    const SpecimenModel<double> at =
+        specimen_model<double>(posterior.problem().digit(), parameters, all);
+    for (std::size_t i = 0; i < pairs.size(); ++i) {
+      const AxisOffset offset = axis_offset(at.digit, pairs[i]);
+      const auto column = 3 * static_cast<Eigen::Index>(i);
+      offsets.row(k).segment<3>(column) << degrees(offset.angle), 1e3 * offset.distance,
+          1e3 * offset.beyond;
+    }
+  }
+  return offsets;
+}
+
+double share_above_zero(const Eigen::VectorXd& values) {
+  return static_cast<double>((values.array() > 0).count()) / static_cast<double>(values.size());
+}
+
+}  // namespace
+
+std::vector<PosteriorAxes> posterior_axes(const PosteriorRun& run, int prior_count) {
+  const HandPosterior& posterior = *run.posterior;
+  const std::vector<NeighbouringAxes> pairs = moving_axes(posterior);
+  std::vector<PosteriorAxes> found;
+  if (pairs.empty()) return found;
+  const PosteriorValues drawn = posterior.values(pooled(run.draws));
+  const PosteriorValues before = posterior.values(prior_draws(run, prior_count));
+  const int chains = run.draws.chains();
+
+  const auto add = [&](const std::string& whose, const Eigen::MatrixXd& values,
+                       const Eigen::MatrixXd& prior_values) {
+    const Eigen::MatrixXd offsets = axis_offsets(posterior, pairs, values);
+    const Eigen::MatrixXd prior = axis_offsets(posterior, pairs, prior_values);
+    for (std::size_t i = 0; i < pairs.size(); ++i) {
+      const auto column = 3 * static_cast<Eigen::Index>(i);
+      // Axes that only specimens move stand still in the population.
+      const Eigen::MatrixXd spread = prior.middleCols<3>(column);
+      if ((spread.rowwise() - spread.row(0)).isZero(0)) continue;
+      const auto estimate_of = [&](Eigen::Index of) {
+        const Eigen::Map<const Eigen::MatrixXd> by_chain(offsets.col(column + of).data(),
+                                                         offsets.rows() / chains, chains);
+        return estimate(pairs[i].name, by_chain, run.draws.group);
+      };
+      found.push_back({whose, pairs[i], estimate_of(0), estimate_of(1), estimate_of(2),
+                       share_above_zero(offsets.col(column + 2)),
+                       share_above_zero(prior.col(column + 2))});
+    }
+  };
+  // The population only where it differs from the specimen.
+  const std::vector<std::string>& specimens = posterior.problem().specimens();
+  const bool several = specimens.size() > 1;
+  if (several) add("", drawn.population, before.population);
+  for (std::size_t s = 0; s < specimens.size(); ++s)
+    add(several ? specimens[s] : "", drawn.specimens[s], before.specimens[s]);
+  return found;
+}
+
+}  // namespace thenar

@@ -1,0 +1,43 @@
+#include "tendons/neighbouring_axes.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <Eigen/Geometry>
+
+namespace thenar {
+
+AxisOffset axis_offset(const Hinge<double>& first, const Hinge<double>& second,
+                       const Eigen::Vector3d& distal) {
+  constexpr double kParallel = 1e-12;  // sine of the angle [1]
+  const Eigen::Vector3d& a = first.direction;
+  const Eigen::Vector3d apart = second.point - first.point, n = a.cross(second.direction);
+  const double angle = std::atan2(n.norm(), std::abs(a.dot(second.direction)));
+  // Parallel axes have many common normals, all of them alike.
+  const Eigen::Vector3d normal = n.norm() < kParallel
+                                     ? Eigen::Vector3d(apart - a * a.dot(apart))
+                                     : Eigen::Vector3d(n * (apart.dot(n) / n.squaredNorm()));
+  return {angle, normal.norm(), normal.dot(distal)};
+}
+
+std::vector<NeighbouringAxes> neighbouring_axes(const TendonDigit& digit) {
+  const TendonModel<double>& model = digit.model;
+  std::vector<NeighbouringAxes> pairs;
+  for_each_hinge_to_base(model.tree, model.tip_link, [&](int second) {
+    const int first = model.tree[static_cast<std::size_t>(second)].parent;
+    if (first < 0) return;
+    const auto name = [&](int hinge) {
+      return digit.names.hinges[static_cast<std::size_t>(hinge)];
+    };
+    pairs.push_back({first, second, name(first) + "-" + name(second)});
+  });
+  std::reverse(pairs.begin(), pairs.end());
+  return pairs;
+}
+
+AxisOffset axis_offset(const TendonModel<double>& model, const NeighbouringAxes& axes) {
+  return axis_offset(model.tree[static_cast<std::size_t>(axes.first)],
+                     model.tree[static_cast<std::size_t>(axes.second)], -model.tip_axes.col(0));
+}
+
+}  // namespace thenar
