@@ -205,7 +205,7 @@ ExperimentPlan plan_experiment(const TendonDigit& digit, const FitParameters& pa
     require(plan.condition[k] < kSingular, "posture '{}' of experiment '{}' is singular: {}",
             plan.posture_names[k], experiment.name, singular_in_words(digit, plan));
 
-  // Trials: posture, tensions, measured force and its sd.
+  // Trials: posture, tensions, measured force, and its sd with that of what the model misses.
   plan.force.resize(3, static_cast<Eigen::Index>(experiment.trials.size()));
   plan.sd.resize(3, plan.force.cols());
   for (Eigen::Index i = 0; i < plan.force.cols(); ++i) {
@@ -213,7 +213,9 @@ ExperimentPlan plan_experiment(const TendonDigit& digit, const FitParameters& pa
     plan.posture_of_trial.push_back(posture_index(plan, trial.posture));
     plan.tension.push_back(tensions(digit, trial));
     plan.force.col(i) = trial.force;
-    plan.sd.col(i) = force_sd(experiment, trial);
+    const double missed = parameters.misfit * plan.tension.back().sum();
+    plan.sd.col(i) =
+        (force_sd(experiment, trial).array().square() + missed * missed).sqrt().matrix();
   }
   return plan;
 }

@@ -30,7 +30,8 @@ struct ExperimentPlan {
   std::vector<int> posture_of_trial;
   std::vector<Eigen::VectorXd> tension;  // of each trial [N] (muscles)
   Eigen::Matrix3Xd force;                // measured; 0 where not fitted [N] (3, trials)
-  Eigen::Matrix3Xd sd;                   // infinite where not fitted [N] (3, trials)
+  Eigen::Matrix3Xd sd;                   // of the noise and of what the model misses; infinite
+                                         // where not fitted [N] (3, trials)
 };
 
 /// Resolves the names of an experiment.

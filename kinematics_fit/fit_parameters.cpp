@@ -118,6 +118,7 @@ FitParameters choose_parameters(const TendonDigit& digit, const std::vector<std:
   // Rules of the file, then the globs of the command line.
   FitParameters fit;
   fit.postures = postures;
+  fit.misfit = settings.misfit;
   std::vector<Parameter> all = list_parameters(digit, postures);
   std::vector<Choice> choices(all.size());
   for (const ParameterRule& rule : settings.rules) apply_rule(rule, settings.path, all, choices);

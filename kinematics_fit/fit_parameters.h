@@ -20,6 +20,8 @@ struct FitParameters {
   std::vector<int> coordinate;        // of each parameter; -1: fixed
   std::vector<double> ratio;          // of each parameter to its coordinate [1]
   std::vector<int> leader;            // parameter that owns each coordinate
+  double misfit = 0;                  // sd of what the model misses of each component of a force,
+                                      // in every trial anew, per newton of tension [1]
 
   [[nodiscard]] int coordinates() const { return static_cast<int>(leader.size()); }
 };

@@ -31,6 +31,8 @@ Belief belief(ParameterKind kind) {
       return {10 * kMm, 0, 200 * kMm};
     case ParameterKind::kGain:
       return {0.1, 0.05, 0.5};
+    case ParameterKind::kTipForce:
+      return {0.03, 0.03, 1};
     case ParameterKind::kLength:
       return {3 * kMm, 2 * kMm, 15 * kMm};
     case ParameterKind::kAxisPoint:
@@ -116,10 +118,14 @@ class Lister {
       for (int k = 0; k < static_cast<int>(postures_.size()); ++k)
         add(fmt::format("angle/{}/{}", joint, postures_[k]), ParameterKind::kPostureAngle, j, k, 0);
     }
-    // The hold, and the gain of each muscle.
+    // The hold; the gain of each muscle, and what its geometry does not explain.
     add("hold/out_of_plane", ParameterKind::kOutOfPlane, 0, 0, 0);
-    for (int m = 0; m < static_cast<int>(digit_.names.muscles.size()); ++m)
-      add(fmt::format("gain/{}", digit_.names.muscles[m]), ParameterKind::kGain, m, 0, 0, 1);
+    for (int m = 0; m < static_cast<int>(digit_.names.muscles.size()); ++m) {
+      const std::string& muscle = digit_.names.muscles[m];
+      add(fmt::format("gain/{}", muscle), ParameterKind::kGain, m, 0, 0, 1);
+      for (int c = 0; c < 3; ++c)
+        add(fmt::format("force/{}/{}", muscle, kDirections[c]), ParameterKind::kTipForce, m, 0, c);
+    }
   }
 
   const TendonDigit& digit_;
@@ -161,6 +167,8 @@ std::string name_of(ParameterKind kind) {
       return "hold/out_of_plane";
     case ParameterKind::kGain:
       return "gain";
+    case ParameterKind::kTipForce:
+      return "force";
   }
   return {};
 }
@@ -178,6 +186,7 @@ std::string display_unit(const Parameter& parameter) {
     case ParameterKind::kHoodCentral:
     case ParameterKind::kFriction:
     case ParameterKind::kGain:
+    case ParameterKind::kTipForce:
       return "1";
     default:
       return "mm";

@@ -26,7 +26,9 @@ enum class ParameterKind {
   kAngle,          // angle/<joint>: error of all postures                              [rad]
   kPostureAngle,   // angle/<joint>/<posture>: error of one posture                     [rad]
   kOutOfPlane,     // hold/out_of_plane: length by which out-of-plane moments are divided [m]
-  kGain            // gain/<muscle>: tension at the digit per stated tension            [1]
+  kGain,           // gain/<muscle>: tension at the digit per stated tension            [1]
+  kTipForce        // force/<muscle>/<proximal|dorsal|radial>: of the tip per stated
+                   // tension, beyond what the geometry makes                           [1]
 };
 
 /// One parameter. Its value is `mean` before the fit.

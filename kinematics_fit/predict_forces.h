@@ -41,7 +41,8 @@ template <typename T>
   // Tip force of a unit of stated tension, in the tip's axes.
   MatrixX<T> map =
       tip_force_map(model.digit, state, angles, plan.hold, plan.known, model.out_of_plane) *
-      model.gain.asDiagonal();
+          model.gain.asDiagonal() +
+      model.unexplained;
   // Turned to the axes of the link in which forces are stated.
   if (plan.force_link != model.digit.tip_link) {
     const auto axes = [&](int link) -> Mat3<T> {

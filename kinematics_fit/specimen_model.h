@@ -18,6 +18,8 @@ struct SpecimenModel {
   MatrixX<T> posture_error;               // added to each posture [rad] (coordinates, postures)
   T out_of_plane = T(0);                  // hold length of out-of-plane moments [m]
   VectorX<T> gain;                        // tension at the digit per stated one [1] (muscles)
+  MatrixX<T> unexplained;                 // force of the tip beyond what the geometry makes, per
+                                          // stated tension, in the tip's axes [1] (3, muscles)
   Vec3<T> sensor_tilt = Vec3<T>::Zero();  // rotation vector in digit axes [rad] (3)
 };
 
@@ -52,6 +54,7 @@ template <typename T>
   to.angle_error = VectorX<T>::Zero(from.coordinates);
   to.posture_error = MatrixX<T>::Zero(from.coordinates, postures);
   to.gain = VectorX<T>::Ones(static_cast<Eigen::Index>(from.pulls.size()));
+  to.unexplained = MatrixX<T>::Zero(3, to.gain.size());
   return to;
 }
 
@@ -144,6 +147,9 @@ void set_parameter(const TendonModel<double>& from, const Parameter& p, const T&
       break;
     case ParameterKind::kGain:
       to.gain[p.item] = value;
+      break;
+    case ParameterKind::kTipForce:
+      to.unexplained(p.component, p.item) = value;
       break;
   }
 }

@@ -112,7 +112,8 @@ std::string scatter_words(const Parts& parts) {
       {"sensor", "tilts of load cells"},
       {"angle", "goniometer errors"},
       {"angle/posture", "goniometer errors of single postures"},
-      {"gain", "tension gains"}};
+      {"gain", "tension gains"},
+      {"force", "unexplained forces"}};
   std::string kind = parts.size() > 1 ? parts[1] : "";
   for (std::size_t i = 2; i < parts.size(); ++i) kind += "/" + parts[i];
   const auto found = kinds.find(kind);
@@ -137,6 +138,9 @@ std::string words_of(const Parts& parts, const TendonDigit* digit) {
   if (first == "tip") return "where the force acts on the pulp: shift " + adverb(second);
   if (first == "sensor") return fmt::format("load cell turned about the {} direction", second);
   if (first == "gain") return fmt::format("share of the load on {} that reaches the digit", second);
+  if (first == "force" && parts.size() == 3)
+    return fmt::format("tip force of {} that its geometry does not explain, {}", second,
+                       adverb(parts[2]));
   if (first == "noise") return fmt::format("noise of {} over the stated noise", second);
   if (first == "hold") return "how stiff the clamp is sideways";
   return "";

@@ -50,6 +50,7 @@ struct FitSettings {
   std::vector<ParameterRule> rules;
   std::vector<AxisDistance> axis_distances;  // used by the constrained solver
   double robust_scale = 0;                   // Cauchy scale in noise sds; 0: plain squares [1]
+  double misfit = 0;                         // sd of a force that the model misses, per tension [1]
   PosteriorPriors posterior;
 };
 

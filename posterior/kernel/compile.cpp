@@ -31,6 +31,7 @@ std::vector<double> row_of(const SpecimenModel<double>& model) {
   append(model.posture_error.transpose(), row);
   row.push_back(model.out_of_plane);
   append(model.gain, row);
+  append(model.unexplained.transpose(), row);
   return row;
 }
 
@@ -86,7 +87,8 @@ Layout::Layout(const TendonModel<double>& model, int posture_count)
   posture_errors = angle_errors + coordinates;
   out_of_plane = posture_errors + coordinates * postures;
   gains = out_of_plane + 1;
-  size = gains + static_cast<int>(model.pulls.size());
+  unexplained = gains + static_cast<int>(model.pulls.size());
+  size = unexplained + 3 * static_cast<int>(model.pulls.size());
 }
 
 std::vector<double> initial_parameters(const TendonDigit& digit, const FitParameters& parameters,
@@ -299,7 +301,7 @@ class Compiler {
                        (kinematics || moves(layout_.nodes, layout_.arms - layout_.nodes));
     const bool bends = any_angle_moves() && (to_.sheaths.size() > 0 || to_.shares.size() > 0);
     return paths || bends || moves(layout_.arms, layout_.tip - layout_.arms) ||
-           moves(layout_.gains, layout_.size - layout_.gains);
+           moves(layout_.gains, layout_.unexplained - layout_.gains);
   }
 
   void set_trials() {
@@ -336,6 +338,9 @@ class Compiler {
     to_.still_torque = std::move(torque);
     to_.pulls_strand = model_.pulls;
     to_.gain = layout_.gains;
+    to_.unexplained = layout_.unexplained;
+    to_.unexplained_moves = moves(layout_.unexplained, layout_.size - layout_.unexplained) ||
+                            !mean_.unexplained.isZero(0);
   }
 
   void set_hold() {

@@ -16,7 +16,7 @@ struct Layout {
   std::vector<int> first_node;  // of each strand
   // Index of the first number of each kind.
   int directions, points, nodes, arms, frictions, shares, tip, tilt, angle_errors, posture_errors,
-      out_of_plane, gains, size;
+      out_of_plane, gains, unexplained, size;
 
   [[nodiscard]] int direction(int hinge) const { return directions + 3 * hinge; }
   [[nodiscard]] int point(int hinge) const { return points + 3 * hinge; }

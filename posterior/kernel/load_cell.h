@@ -104,8 +104,20 @@ inline Vec tip_force_of(const Program& program, const V* P, int j) {
   return {P[j], P[n + j], program.tip_forces == 3 ? P[2 * n + j] : V{}};
 }
 
-/// map = cell (rows of P that are forces);  force = map torque
-inline void set_forces(const Program& program, int k, Posed& posed, V* force) {
+/// Sum over the muscles of a trial of  tension unexplained [N].
+inline Vec unexplained_force(const Program& program, const DigitParameters& digit, int trial) {
+  Vec f = {V{}, V{}, V{}};
+  const TrialStep& step = program.trial_steps[trial];
+  for (int t = step.first; t < step.last; ++t) {
+    const TensionStep& pull = program.pulls[t];
+    f += splat(pull.tension) * vector_at(digit.number + program.unexplained + 3 * pull.muscle);
+  }
+  return f;
+}
+
+/// map = cell (rows of P that are forces);  force = map torque + cell unexplained
+inline void set_forces(const Program& program, int k, const DigitParameters& digit, Posed& posed,
+                       V* force) {
   // Force components per torque.
   const int n = program.coordinates;
   const Mat cell = *posed.cell;
@@ -123,18 +135,41 @@ inline void set_forces(const Program& program, int k, Posed& posed, V* force) {
       const V torque = torque_of(program, posture, posed, i, j);
       f += torque * Vec{map[j], map[n + j], map[2 * n + j]};
     }
+    if (program.unexplained_moves) f += cell * unexplained_force(program, digit, i);
     V* out = force + 3 * program.trial_steps[i].column;
     out[0] = f.x, out[1] = f.y, out[2] = f.z;
   }
 }
 
+/// Adjoint of the forces that the geometry does not explain:  tension cell' force_bar  for each
+/// muscle, and their part of cell_bar.
+inline void adjoint_unexplained(const Program& program, int trial, const DigitParameters& digit,
+                                const Posed& posed, const Vec& force_bar,
+                                DigitParameters& adjoint_digit, Mat& cell_bar) {
+  const Vec push = turned_back(*posed.cell, force_bar);
+  const TrialStep& step = program.trial_steps[trial];
+  for (int t = step.first; t < step.last; ++t) {
+    const TensionStep& pull = program.pulls[t];
+    add_vector(adjoint_digit.number + program.unexplained + 3 * pull.muscle,
+               splat(pull.tension) * push);
+  }
+  if (!program.cell_moves) return;
+  const Vec f = unexplained_force(program, digit, trial);
+  cell_bar.x += f.x * force_bar;
+  cell_bar.y += f.y * force_bar;
+  cell_bar.z += f.z * force_bar;
+}
+
 /// torque_bar = map' force_bar,  map_bar = sum force_bar torque',  and from it P_bar = cell'
 /// map_bar and cell_bar = map_bar P'.
-inline Mat adjoint_forces(const Program& program, int k, const Posed& posed, const V* force_bar,
-                          Posed& adjoint) {
+inline Mat adjoint_forces(const Program& program, int k, const DigitParameters& digit,
+                          const Posed& posed, const V* force_bar, Posed& adjoint,
+                          DigitParameters& adjoint_digit) {
   // From forces of the trials to the map and to the torques.
   const int n = program.coordinates;
   const V *P = posed.inverse, *map = posed.map;
+  Mat cell_bar = constant_matrix(kIdentity);
+  cell_bar.x = cell_bar.y = cell_bar.z = {V{}, V{}, V{}};
   const PostureStep& posture = program.postures[k];
   for (int i = posture.first_trial; i < posture.last_trial; ++i) {
     const Vec push = vector_at(force_bar + 3 * program.trial_steps[i].column);
@@ -147,10 +182,10 @@ inline Mat adjoint_forces(const Program& program, int k, const Posed& posed, con
         adjoint.torque[(i - posture.first_trial) * n + j] =
             dot(push, Vec{map[j], map[n + j], map[2 * n + j]});
     }
+    if (program.unexplained_moves)
+      adjoint_unexplained(program, i, digit, posed, push, adjoint_digit, cell_bar);
   }
   // From the map to the pseudo-inverse, and to the cell where it moves.
-  Mat cell_bar = constant_matrix(kIdentity);
-  cell_bar.x = cell_bar.y = cell_bar.z = {V{}, V{}, V{}};
   for (int j = 0; j < n; ++j) {
     const Vec map_bar = {adjoint.map[j], adjoint.map[n + j], adjoint.map[2 * n + j]};
     const Vec push = turned_back(*posed.cell, map_bar);

@@ -160,8 +160,10 @@ struct Program {
   AngleStep knuckle{};
   double hood_angle = 0;  // of the knuckle, at which shares are stated [rad]
   Array<ShareStep> shares;
-  Array<int> pulls_strand;  // of each muscle
-  int gain = 0;             // index of the first gain
+  Array<int> pulls_strand;         // of each muscle
+  bool unexplained_moves = false;  // or is not zero: forces beyond those of the geometry count
+  int unexplained = 0;             // index of the first muscle's three numbers
+  int gain = 0;                    // index of the first gain
   Array<TensionStep> pulls;
   Array<TrialStep> trial_steps;  // by posture
 

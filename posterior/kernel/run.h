@@ -33,7 +33,7 @@ inline void run_posture(const Program& program, int k, const DigitParameters& di
   set_loads(program, digit, posed);
   invert_loads(posed.load, program.coordinates, program.loads, posed.inverse, work);
   set_load_cell(program, digit, posed);
-  set_forces(program, k, posed, force);
+  set_forces(program, k, digit, posed, force);
 }
 
 /// One posture backwards. `adjoint` and `on` are zero beforehand.
@@ -42,7 +42,7 @@ inline void adjoint_posture(const Program& program, int k, const DigitParameters
                             const Posed& posed, const V* force_bar, Posed& adjoint, Wrenches& on,
                             DigitParameters& adjoint_digit, V* work) {
   // Steps 6 to 4 backwards: forces, load cell, loads of the hold.
-  const Mat cell_bar = adjoint_forces(program, k, posed, force_bar, adjoint);
+  const Mat cell_bar = adjoint_forces(program, k, digit, posed, force_bar, adjoint, adjoint_digit);
   adjoint_load_cell(program, digit, posed, cell_bar, on, adjoint_digit);
   adjoint_pseudo_inverse(posed.load, posed.inverse, adjoint.inverse, program.coordinates,
                          program.loads, program.tip_forces, adjoint.load, work);

@@ -255,6 +255,9 @@ std::string name_rules(const Fit& fit) {
       {{Kind::kAngle, Kind::kPostureAngle},
        "angle/DIP3/Hook is the error of one joint in one posture"},
       {{Kind::kGain}, "gain/FDP multiplies the stated tension of a muscle"},
+      {{Kind::kTipForce},
+       "force/FDP/radial is force of the tip per newton of tension that the geometry does not "
+       "explain"},
       {{Kind::kSensorTilt}, "sensor/ tilts the load cell"}};
   const FitParameters& parameters = fit.problem.parameters();
   std::string text;

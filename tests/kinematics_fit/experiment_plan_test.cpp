@@ -43,6 +43,17 @@ TEST(ExperimentPlan, FindsPosturesMusclesAndForces) {
   }
 }
 
+// sd^2 = stated^2 + (misfit x sum of tensions)^2, of every component
+TEST(ExperimentPlan, AddsWhatTheModelMissesToTheNoise) {
+  FitSetup setup = middle_finger("misfit = 0.03\n" + kAxes);
+  Experiment& experiment = setup.experiments.front();
+  experiment.trials.resize(1);
+  experiment.trials[0].tension = {{"FDS", 6}, {"FDP", 4}};
+  experiment.trials[0].sd = Eigen::Vector3d(0.4, 0, 1.6);
+  const ExperimentPlan plan = plan_experiment(setup.digit, setup.parameters, experiment);
+  EXPECT_TRUE(plan.sd.isApprox(Eigen::Vector3d(0.5, 0.3, std::sqrt(2.65)), 1e-15)) << plan.sd;
+}
+
 TEST(ExperimentPlan, SaysThatMomentsAreNotFitted) {
   FitSetup setup = middle_finger(kAxesAndPaths);
   setup.digit.calibrated_on.clear();

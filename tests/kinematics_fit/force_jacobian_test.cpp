@@ -54,6 +54,27 @@ TEST(ForceJacobian, IsExactForEveryParameterOfARigidHold) {
   expect_exact(setup);
 }
 
+// Of each trial: tension times what is added, in the axes of the experiment.
+TEST(ForceJacobian, AddsWhatTheGeometryDoesNotExplain) {
+  const sample::FitSetup setup = sample::middle_finger(
+      "[[parameter]]\nmatch = 'force/FDS/radial'\nstate = 'free'\n"
+      "[[parameter]]\nmatch = 'gain/FDS'\nmean = 0.8\n");
+  const Experiment& experiment = setup.experiments.front();
+  const ExperimentPlan plan = plan_experiment(setup.digit, setup.parameters, experiment);
+  const auto force = [&](double u) -> Eigen::Matrix3Xd {
+    return force_values(setup.digit, setup.parameters, plan, Eigen::VectorXd::Constant(1, u));
+  };
+  Eigen::Matrix3Xd expected(3, plan.force.cols());
+  for (Eigen::Index i = 0; i < expected.cols(); ++i) {
+    const auto& tension = experiment.trials[static_cast<std::size_t>(i)].tension;
+    const auto fds = tension.find("FDS");
+    expected.col(i) = experiment.axes_of_digit.cast<double>() *
+                      Eigen::Vector3d(0, 0, fds == tension.end() ? 0 : 0.2 * fds->second);
+  }
+  EXPECT_GT(expected.norm(), 1);
+  EXPECT_TRUE((force(0.2) - force(0)).isApprox(expected, 1e-12));
+}
+
 TEST(ForceJacobian, IsExactForAHoldInTheFlexionPlane) {
   expect_exact(sample::middle_finger(
       kAllFree + "[[parameter]]\nmatch='hold/out_of_plane'\nstate='fixed'\nmean_mm=0\n"));

@@ -36,7 +36,7 @@ TEST(Parameters, EveryKindIsNamedOnce) {
        {"axis/MCP3_FE/direction/1", "axis/DIP3/point/along", "length/PIP3", "friction/FDP",
         "path/FDS/1/proximal", "path/RI/2/radial", "hood/RI/into", "hood/EDC/central",
         "hood/UI/slope", "tip/dorsal", "sensor/radial", "angle/MCP3_AA", "angle/PIP3/Hook",
-        "hold/out_of_plane", "gain/LU"})
+        "hold/out_of_plane", "gain/LU", "force/FDS/radial"})
     EXPECT_EQ(names.count(name), 1U) << name;
 }
 
