@@ -102,7 +102,15 @@ FitResult fit_forces(const FitRequest& request, const Progress& progress) {
   options.seed = request.seed;
   options.max_evaluations = request.max_evaluations;
   options.progress = progress;
-  FitResult result{run_fit(read_fit_inputs(request.sources), options), {}, {}, {}};
+  FitInputs inputs = read_fit_inputs(request.sources);
+  const FitSettings settings = parse_fit_settings(inputs.settings.text, inputs.settings.path);
+  std::optional<ChosenSettings> chosen;
+  if (request.choose_settings) {
+    chosen = choose_settings(build_problem(inputs), settings, inputs.also_free, options);
+    inputs.settings.text = with_choices(inputs.settings.text, chosen->settings);
+  }
+  FitResult result{run_fit(inputs, options), {}, {}, {}};
+  result.chosen = std::move(chosen);
   result.fit.run = request.run;
   const Fit& fit = result.fit;
   result.misfits = misfits(fit.problem, fit.solution.z, fit.covariance);
@@ -115,9 +123,17 @@ FitResult fit_forces(const FitRequest& request, const Progress& progress) {
 
   // What it predicts, and what fits predict that have not seen it.
   result.in_sample = predict_own(result.fit);
-  for (const LeaveOut what : request.leave_out)
-    if (!progress.stop())
+  for (const LeaveOut what : request.leave_out) {
+    if (progress.stop()) break;
+    if (request.choose_settings) {
+      NestedValidation nested =
+          validate_choice(result.fit.problem, settings, inputs.also_free, what, options);
+      result.left_out.push_back(std::move(nested.validation));
+      result.fold_choices.push_back(std::move(nested.folds));
+    } else {
       result.left_out.push_back(cross_validate(result.fit.problem, what, options));
+    }
+  }
   result.stopped = progress.stop();
   return result;
 }

@@ -8,6 +8,7 @@
 
 #include "base/progress.h"
 #include "base/run_record.h"
+#include "kinematics_fit/choose_settings.h"
 #include "kinematics_fit/cross_validation.h"
 #include "kinematics_fit/fit.h"
 #include "kinematics_fit/misfit.h"
@@ -29,6 +30,7 @@ struct FitRequest {
   unsigned seed = 1;                // of a global search
   int max_evaluations = 0;          // 0: the method's own limit [1]
   std::vector<LeaveOut> leave_out;  // what is also predicted by fits that have not seen it
+  bool choose_settings = false;     // by left-out data, before the fit and in every fold anew
   std::string output;               // result file (.h5), written before anything is left out; or ""
   RunRecord run;                    // for the file
 };
@@ -42,6 +44,8 @@ struct FitResult {
                                           // beyond chance, and estimates beyond 3 prior sds
   bool stopped = false;                   // by request; the fit is the best point so far
   std::vector<Misfit> misfits = {};       // of each experiment
+  std::optional<ChosenSettings> chosen = {};               // where that was asked for
+  std::vector<std::vector<FoldChoice>> fold_choices = {};  // of each of left_out
 };
 
 /// The texts of the inputs. Without settings those that are built in for the digit.

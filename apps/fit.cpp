@@ -17,6 +17,7 @@
 #include "apps/outputs.h"
 #include "apps/terminal.h"
 #include "base/error.h"
+#include "base/file_io.h"
 #include "base/nearest_name.h"
 #include "base/progress_parts.h"
 #include "report/answers/fit.h"
@@ -46,9 +47,10 @@ void require_method(const std::string& method) {
 
 /// Whether a page of the answer can be written says the ending; this says whether a result can.
 void require_endings(const Outputs& outputs, bool sampling) {
-  const std::string other = outputs.one(sampling ? ".h5" : ".nc");
-  require(other.empty(), "wanted an output that ends in {}, got '{}'", sampling ? ".nc" : ".h5",
-          other);
+  const std::vector<std::string> others = outputs.with_ending(
+      sampling ? std::vector<std::string>{".h5", ".toml"} : std::vector<std::string>{".nc"});
+  require(others.empty(), "wanted an output that ends in {}, got '{}'",
+          sampling ? ".nc" : ".h5 or .toml", others.empty() ? "" : others.front());
 }
 
 void fit_best(FitArguments& options) {
@@ -60,6 +62,8 @@ void fit_best(FitArguments& options) {
   request.output = options.outputs.one(".h5");
   request.run = this_run();
   const FitResult result = fit_forces(request, terminal_progress());
+  for (const std::string& file : options.outputs.with_ending({".toml"}))
+    write_file(file, result.fit.inputs.settings.text);
   print_warnings(result.warnings);
   deliver(options.outputs, result);
   require(!result.fit.solution.failed, "the fit failed: {}; the file holds the best point found",
@@ -86,6 +90,8 @@ void require_complete(const PosteriorResult& result) {
 }
 
 void sample_posterior_of(FitArguments& options) {
+  require(!options.fit.choose_settings,
+          "--choose-settings is for fits; sample with the settings that a fit has chosen");
   require(options.leave_out.empty(),
           "--cross-validate is for fits; a posterior's file says how well it would predict each "
           "trial unseen (`thenar posterior summary`)");
@@ -195,6 +201,10 @@ void add_fit(CLI::App& app) {
       ->add_option("--cross-validate", options->leave_out,
                    "Also leave out one posture|tendon|specimen at a time (nothing)")
       ->default_str("");
+  command->add_flag("--choose-settings", options->fit.choose_settings,
+                    "Choose among the [[choose]] rows of the settings by left-out postures and "
+                    "specimens; --cross-validate then chooses in every fold anew. -o FILE.toml "
+                    "keeps what was chosen");
   command->add_option("--seed", options->fit.seed, "Of the global search, or of the chains");
   command
       ->add_option("--max-evaluations", options->fit.max_evaluations, "0: the method's own limit")
@@ -202,13 +212,15 @@ void add_fit(CLI::App& app) {
   command->add_flag("--allow-unconverged", options->allow_unconverged,
                     "Exit without error though the fit or the chains have not converged");
   add_data_option(*command, sources.data);
-  add_output_options(*command, options->outputs, {true, true, true, {".h5", ".nc"}});
+  add_output_options(*command, options->outputs, {true, true, true, {".h5", ".nc", ".toml"}});
   add_chain_options(*command, *options);
   add_examples(
       *command,
       {"fit synek2019_H01 synek2019_H02 --subject an_chao_middle -o out/fit.h5 --report "
        "out/fit.html",
        "fit synek2019_H01 --subject synek2019_middle --cross-validate posture -o out/fit.html",
+       "fit synek2019_H01 synek2019_H02 --subject an_chao_middle --choose-settings "
+       "--cross-validate specimen -o out/settings.toml --report out/fit.html",
        "fit synek2019_H01 --subject synek2019_middle --method mcmc -o out/P.nc"});
   command->callback([options] { run_fit(*options); });
 }

@@ -71,7 +71,7 @@ std::string name_of(LeaveOut what) {
 }
 
 CrossValidation cross_validate(const FitProblem& problem, LeaveOut what,
-                               const SolveOptions& options) {
+                               const SolveOptions& options, const PrepareFold& prepare) {
   // Folds, and room for the predictions of every experiment.
   CrossValidation out;
   out.what = what;
@@ -88,9 +88,10 @@ CrossValidation cross_validate(const FitProblem& problem, LeaveOut what,
                      name_of(what));
     out.stopped = options.progress.stop();
     if (out.stopped) break;
-    const FitProblem rest = subset(problem, [&](const Experiment& experiment, const Trial& trial) {
+    FitProblem rest = subset(problem, [&](const Experiment& experiment, const Trial& trial) {
       return !in_fold(what, fold, experiment, trial);
     });
+    if (prepare) rest = prepare(std::move(rest), fold);
     const Solution fit = solve(least_squares(rest), Eigen::VectorXd::Zero(rest.size()), options);
     // A half-way fit has learnt less than its fold would say.
     out.stopped = fit.status == Status::kStopped;

@@ -2,6 +2,7 @@
 
 /// Cross-validation of fits: predictions of postures, tendons and specimens that were left out.
 
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -25,11 +26,17 @@ struct CrossValidation {
   int not_converged = 0;                // folds done whose fit did not converge [1]
 };
 
+/// What is done with the trials that a fold keeps before they are fitted, such as a choice of
+/// settings.
+using PrepareFold = std::function<FitProblem(FitProblem rest, const std::string& fold)>;
+
 /// Refits once per fold and predicts the trials left out. A left-out specimen is predicted
 /// from the population; a left-out posture or tendon from the specimen's own parameters, where
 /// the errors of a left-out posture's own angles keep their prior variance.
+/// @param prepare  nothing: folds are fitted as they are
 /// @throws InputError if there are fewer than two folds.
 [[nodiscard]] CrossValidation cross_validate(const FitProblem& problem, LeaveOut what,
-                                             const SolveOptions& options = {});
+                                             const SolveOptions& options = {},
+                                             const PrepareFold& prepare = {});
 
 }  // namespace thenar

@@ -41,6 +41,8 @@ void apply_belief(const ParameterRule& rule, Parameter& p) {
   // Sds, and bounds relative to the mean or absolute.
   if (rule.sd) p.sd = *rule.sd;
   if (rule.between_sd) p.between_sd = *rule.between_sd;
+  p.sd *= rule.sd_factor;
+  p.between_sd *= rule.between_sd_factor;
   if (rule.range) {
     p.lower = p.mean - *rule.range;
     p.upper = p.mean + *rule.range;
@@ -66,6 +68,24 @@ void apply_rule(const ParameterRule& rule, const std::string& file, std::vector<
   const std::string where = rule.line > 0 ? fmt::format("{}:{}", file, rule.line) : file;
   require(matched || rule.optional,
           "{}: no parameter matches '{}'; list them with `thenar explain`", where, rule.match);
+}
+
+/// Rules of what is chosen, one for each glob; those that match nothing are no error.
+std::vector<ParameterRule> rules_of(const SettingChoice& choice) {
+  std::vector<ParameterRule> rules;
+  for (const std::string& glob : choice.match) {
+    ParameterRule rule;
+    rule.match = glob;
+    rule.optional = true;
+    rule.line = choice.line;
+    rule.dimension = choice.dimension;
+    if (choice.key == ChoiceKey::kSd) rule.sd = choice.value();
+    if (choice.key == ChoiceKey::kBetweenSd) rule.between_sd = choice.value();
+    if (choice.key == ChoiceKey::kSdFactor) rule.sd_factor = choice.value();
+    if (choice.key == ChoiceKey::kBetweenSdFactor) rule.between_sd_factor = choice.value();
+    rules.push_back(std::move(rule));
+  }
+  return rules;
 }
 
 /// A leader must not carry those tied to it beyond their own bounds.
@@ -115,13 +135,16 @@ void number_coordinates(const std::vector<Choice>& choices, FitParameters& fit) 
 FitParameters choose_parameters(const TendonDigit& digit, const std::vector<std::string>& postures,
                                 const FitSettings& settings,
                                 const std::vector<std::string>& also_free) {
-  // Rules of the file, then the globs of the command line.
+  // Rules of the file and what is chosen, then the globs of the command line.
   FitParameters fit;
   fit.postures = postures;
   fit.misfit = settings.misfit;
   std::vector<Parameter> all = list_parameters(digit, postures);
   std::vector<Choice> choices(all.size());
   for (const ParameterRule& rule : settings.rules) apply_rule(rule, settings.path, all, choices);
+  for (const SettingChoice& choice : settings.choices)
+    for (const ParameterRule& rule : rules_of(choice))
+      apply_rule(rule, settings.path, all, choices);
   for (const std::string& glob : also_free) {
     ParameterRule rule;
     rule.match = glob;

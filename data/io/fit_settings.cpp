@@ -1,6 +1,10 @@
 #include "data/io/fit_settings.h"
 
 #include <array>
+#include <cmath>
+#include <map>
+#include <sstream>
+#include <string_view>
 
 #include "data/io/toml_table.h"
 
@@ -56,6 +60,51 @@ ParameterRule read_rule(TomlTable& table) {
   return rule;
 }
 
+/// Keys of a choice, those about parameters first.
+struct ChoiceWord {
+  const char* word;
+  ChoiceKey key;
+  bool matches;    // is about parameters
+  bool dimension;  // has that of its parameters
+};
+constexpr ChoiceWord kChoiceWords[] = {
+    {"sd", ChoiceKey::kSd, true, true},
+    {"between_sd", ChoiceKey::kBetweenSd, true, true},
+    {"sd_factor", ChoiceKey::kSdFactor, true, false},
+    {"between_sd_factor", ChoiceKey::kBetweenSdFactor, true, false},
+    {"misfit", ChoiceKey::kMisfit, false, false},
+    {"robust_scale", ChoiceKey::kRobustScale, false, false}};
+
+SettingChoice read_choice(TomlTable& table) {
+  SettingChoice choice;
+  choice.line = table.line();
+  choice.name = table.text("name");
+  // The one key that has the values to try.
+  for (const ChoiceWord& word : kChoiceWords)
+    for (const Dimension dimension : kDimensions) {
+      if (!word.dimension && dimension != Dimension::kNumber) continue;
+      if (!table.has(dimension, word.word)) continue;
+      if (!choice.values.empty()) table.fail("wanted one list of values, got a second one");
+      choice.values = table.numbers(dimension, word.word, 0, Range::kNotNegative);
+      if (choice.values.empty()) table.fail("wanted at least one value", word.word);
+      choice.key = word.key;
+      choice.dimension = dimension;
+      if (word.matches) choice.match = table.texts("match");
+    }
+  if (choice.values.empty())
+    table.fail(
+        "wanted a list of values: sd_.., between_sd_.., sd_factor, between_sd_factor, misfit or "
+        "robust_scale");
+  // Which of them is in force, counted from 1.
+  const double chosen = table.number_or(Dimension::kNumber, "chosen", 1, Range::kPositive);
+  const auto count = static_cast<double>(choice.values.size());
+  if (chosen != std::floor(chosen) || chosen > count)
+    table.fail(fmt::format("wanted a place in the list, 1 to {}, got {}", count, chosen), "chosen");
+  choice.chosen = static_cast<std::size_t>(chosen) - 1;
+  table.done();
+  return choice;
+}
+
 AxisDistance read_axis_distance(TomlTable& table) {
   const std::vector<std::string> joints = table.texts("joints");
   if (joints.size() != 2) table.fail(fmt::format("wanted 2 'joints', got {}", joints.size()));
@@ -96,8 +145,41 @@ FitSettings parse_fit_settings(const std::string& text, const std::string& path)
     settings.axis_distances.push_back(read_axis_distance(row));
   if (std::optional<TomlTable> table = top.table("posterior"))
     settings.posterior = read_posterior(*table);
+  for (TomlTable& row : top.tables("choose")) {
+    settings.choices.push_back(read_choice(row));
+    set_choice(settings, settings.choices.size() - 1, settings.choices.back().chosen);
+  }
   top.done();
   return settings;
+}
+
+void set_choice(FitSettings& settings, std::size_t at, std::size_t value) {
+  SettingChoice& choice = settings.choices.at(at);
+  choice.chosen = value;
+  if (choice.key == ChoiceKey::kMisfit) settings.misfit = choice.values.at(value);
+  if (choice.key == ChoiceKey::kRobustScale) settings.robust_scale = choice.values.at(value);
+}
+
+std::string with_choices(const std::string& text, const FitSettings& settings) {
+  // The line of each choice's table, where its new key follows.
+  std::map<int, std::size_t> chosen;
+  for (const SettingChoice& choice : settings.choices) chosen[choice.line] = choice.chosen + 1;
+  std::istringstream in(text);
+  std::string out, line;
+  bool inside = false;  // a choice's table, where the old key goes
+  for (int number = 1; std::getline(in, line); ++number) {
+    const std::size_t first = line.find_first_not_of(" \t");
+    const std::string_view rest =
+        first == std::string::npos ? std::string_view() : std::string_view(line).substr(first);
+    if (!rest.empty() && rest.front() == '[') inside = false;
+    const bool old = inside && rest.rfind("chosen", 0) == 0;
+    if (!old) out += line + "\n";
+    const auto found = chosen.find(number);
+    if (found == chosen.end()) continue;
+    out += fmt::format("chosen = {}\n", found->second);
+    inside = true;
+  }
+  return out;
 }
 
 FitSettings read_fit_settings(const std::string& path) {

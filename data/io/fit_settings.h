@@ -16,19 +16,20 @@ enum class ParameterState { kFree, kFixed, kTied };
 /// Rule for every parameter whose name matches; later rules win. Numbers are SI; the reader
 /// converts them from the unit of the key.
 struct ParameterRule {
-  std::string match;                         // glob on parameter names: "path/*/dorsal"
-  bool optional = false;                     // no error if nothing matches
-  bool nonzero = false;                      // matches no parameter whose mean is 0
-  std::optional<ParameterState> state;       // absent: as an earlier rule says
-  std::optional<double> mean;                // prior mean, replaces the subject's value [SI]
-  std::optional<double> sd;                  // prior sd of the population mean [SI]
-  std::optional<double> between_sd;          // sd between specimens [SI]
-  std::optional<double> range;               // bounds: mean -+ range [SI]
-  std::optional<double> lower, upper;        // absolute bounds [SI]
-  std::string tie_to;                        // kTied: it is `tie_ratio` times this parameter
-  double tie_ratio = 1;                      // [1]
-  Dimension dimension = Dimension::kNumber;  // of the numbers above, if there are any
-  int line = 0;                              // of the file, for messages
+  std::string match;                            // glob on parameter names: "path/*/dorsal"
+  bool optional = false;                        // no error if nothing matches
+  bool nonzero = false;                         // matches no parameter whose mean is 0
+  std::optional<ParameterState> state;          // absent: as an earlier rule says
+  std::optional<double> mean;                   // prior mean, replaces the subject's value [SI]
+  std::optional<double> sd;                     // prior sd of the population mean [SI]
+  std::optional<double> between_sd;             // sd between specimens [SI]
+  double sd_factor = 1, between_sd_factor = 1;  // of what the row or an earlier one says [1]
+  std::optional<double> range;                  // bounds: mean -+ range [SI]
+  std::optional<double> lower, upper;           // absolute bounds [SI]
+  std::string tie_to;                           // kTied: it is `tie_ratio` times this parameter
+  double tie_ratio = 1;                         // [1]
+  Dimension dimension = Dimension::kNumber;     // of the numbers above, if there are any
+  int line = 0;                                 // of the file, for messages
 };
 
 /// An anatomical bound on the distance between two joint axes (common normal).
@@ -44,6 +45,23 @@ struct PosteriorPriors {
   bool sphere_priors = true;       // von Mises-Fisher on axis directions instead of normal tilts
 };
 
+/// The number that a choice is about.
+enum class ChoiceKey { kSd, kBetweenSd, kSdFactor, kBetweenSdFactor, kMisfit, kRobustScale };
+
+/// A number of the settings that left-out data may choose, see choose_settings(). It is in force
+/// after all rules.
+struct SettingChoice {
+  std::string name;                // in plain words: "tendon paths of people at large"
+  std::vector<std::string> match;  // globs on parameter names; none: a number of the whole fit
+  ChoiceKey key = ChoiceKey::kSd;
+  std::vector<double> values;  // in the order of the file [SI]
+  std::size_t chosen = 0;      // that is in force
+  Dimension dimension = Dimension::kNumber;
+  int line = 0;  // of its table, for messages
+
+  [[nodiscard]] double value() const { return values[chosen]; }  // [SI]
+};
+
 /// Settings of one kind of fit.
 struct FitSettings {
   std::string path;  // of the file, for messages
@@ -52,7 +70,16 @@ struct FitSettings {
   double robust_scale = 0;                   // Cauchy scale in noise sds; 0: plain squares [1]
   double misfit = 0;                         // sd of a force that the model misses, per tension [1]
   PosteriorPriors posterior;
+  std::vector<SettingChoice> choices;
 };
+
+/// Puts another value of a choice in force.
+/// @param at  index in choices, and `value` in its values
+void set_choice(FitSettings& settings, std::size_t at, std::size_t value);
+
+/// Text of a settings file in which these choices are in force: only its `chosen` keys change.
+/// @param text  that `settings` was parsed from
+[[nodiscard]] std::string with_choices(const std::string& text, const FitSettings& settings);
 
 /// Reads fit settings from TOML; the format is in docs/data_format.md.
 /// @throws DataError  `path:line: what was wanted, what came`.

@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include "base/units.h"
 #include "kinematics_fit/trivial_prediction.h"
 #include "report/parameter_words.h"
 
@@ -149,6 +150,49 @@ std::string noise_words(const FitResult& result, std::size_t e) {
   return fmt::format(", {:.1f} times the stated noise", result.misfits[e].times_noise);
 }
 
+/// A value of a choice in the unit in which people write it: "4 deg".
+std::string value_words(const SettingChoice& choice, std::size_t at) {
+  const double value = choice.values[at];
+  if (choice.dimension == Dimension::kLength) return fmt::format("{:.4g} mm", 1e3 * value);
+  if (choice.dimension == Dimension::kAngle) return fmt::format("{:.4g} deg", degrees(value));
+  return fmt::format("{:.4g}", value);
+}
+
+std::string chosen_text(const FitResult& result) {
+  if (!result.chosen) return "";
+  const ChosenSettings& chosen = *result.chosen;
+  std::string text = fmt::format(
+      "settings chosen by {}{}: left-out relative error {:.3f}, {:.3f} before, {} settings tried\n",
+      judged_words(chosen), chosen.stopped ? " (stopped)" : "", chosen.error,
+      chosen.tried.empty() ? chosen.error : chosen.tried.front().error, chosen.tried.size());
+  for (const SettingChoice& choice : chosen.settings.choices) {
+    std::string others;
+    for (std::size_t i = 0; i < choice.values.size(); ++i)
+      if (i != choice.chosen) others += (others.empty() ? "" : ", ") + value_words(choice, i);
+    text += fmt::format("  {:<44} {} (of {})\n", choice.name, value_words(choice, choice.chosen),
+                        others.empty() ? "nothing else" : others);
+  }
+  return text;
+}
+
+Json choices_json(const ChosenSettings& chosen) {
+  Json choices = Json::array(), tried = Json::array();
+  for (const SettingChoice& choice : chosen.settings.choices)
+    choices.push_back({{"name", choice.name},
+                       {"match", choice.match},
+                       {"values", choice.values},
+                       {"chosen", choice.value()}});
+  for (const TriedSettings& one : chosen.tried)
+    tried.push_back({{"chosen", one.chosen}, {"relative_error", one.error}});
+  Json by = Json::array();
+  for (const LeaveOut what : chosen.by) by.push_back(name_of(what));
+  return {{"by", by},
+          {"relative_error", chosen.error},
+          {"complete", !chosen.stopped},
+          {"choices", choices},
+          {"tried", tried}};
+}
+
 std::string left_out_text(const CrossValidation& validation) {
   std::string text;
   for (const Prediction& p : validation.experiments)
@@ -187,6 +231,10 @@ Json trivial_json(const Prediction& prediction) {
           {"relative_error_of_model", beside->model.relative}};
 }
 
+std::string judged_words(const ChosenSettings& chosen) {
+  return chosen.by.size() > 1 ? "postures and specimens left out" : "postures left out";
+}
+
 std::string fit_complaint(const FitResult& result, bool allowed) {
   const Solution& found = result.fit.solution;
   if (found.converged()) return "";
@@ -212,12 +260,20 @@ OrderedJson json_of(const FitResult& result) {
   if (fit.solution.status == Status::kSolved) out["learnt"] = learnt_json(fit);
   for (std::size_t e = 0; e < result.in_sample.size(); ++e)
     out["in_sample"].push_back(in_sample_json(result, e));
+  if (result.chosen) out["chosen_settings"] = choices_json(*result.chosen);
+  for (const std::vector<FoldChoice>& folds : result.fold_choices)
+    for (const FoldChoice& fold : folds) {
+      out["fold_settings"].push_back(choices_json(fold.settings));
+      out["fold_settings"].back()["fold"] = fold.fold;
+    }
   for (const NullDirection& null : fit.covariance.null_directions)
     out["not_identifiable"].push_back(null.text);
   for (const CrossValidation& validation : result.left_out)
     for (const Prediction& prediction : validation.experiments) {
       out["left_out"].push_back(error_json(prediction));
       out["left_out"].back()["what"] = name_of(validation.what);
+      out["left_out"].back()["covered_95"] =
+          prediction.error.covered ? Json(*prediction.error.covered) : Json(nullptr);
       out["left_out"].back()["mean_of_others"] = trivial_json(prediction);
       out["left_out"].back()["folds_done"] = validation.folds_done;
       out["left_out"].back()["folds"] = validation.folds.size();
@@ -238,8 +294,32 @@ std::string text_of(const FitResult& result) {
                         p.error.rms, p.error.relative, noise_words(result, e));
   }
   for (const CrossValidation& validation : result.left_out) text += left_out_text(validation);
+  text += chosen_text(result);
   if (fit.solution.status == Status::kSolved) text += learnt_text(fit);
   return text + open_text(fit) + "\n";
+}
+
+Table choice_table(const FitResult& result) {
+  Table table{{"setting", "tried", "at first", "chosen"}, {}};
+  if (!result.chosen) return table;
+  for (const std::vector<FoldChoice>& folds : result.fold_choices)
+    for (const FoldChoice& fold : folds) table.header.push_back("without " + fold.fold);
+  const std::vector<SettingChoice>& choices = result.chosen->settings.choices;
+  for (std::size_t i = 0; i < choices.size(); ++i) {
+    // All values, then those in force: before, in the fit, and in every fold.
+    std::string all;
+    for (std::size_t k = 0; k < choices[i].values.size(); ++k)
+      all += (k > 0 ? ", " : "") + value_words(choices[i], k);
+    const auto& tried = result.chosen->tried;
+    const std::size_t first = tried.empty() ? choices[i].chosen : tried.front().chosen[i];
+    std::vector<std::string> row{choices[i].name, all, value_words(choices[i], first),
+                                 value_words(choices[i], choices[i].chosen)};
+    for (const std::vector<FoldChoice>& folds : result.fold_choices)
+      for (const FoldChoice& fold : folds)
+        row.push_back(value_words(choices[i], fold.settings.settings.choices[i].chosen));
+    table.rows.push_back(std::move(row));
+  }
+  return table;
 }
 
 Table table_of(const FitResult& result) {

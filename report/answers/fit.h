@@ -25,6 +25,12 @@ namespace thenar {
 /// @param allowed  the person asked for it all the same
 [[nodiscard]] std::string fit_complaint(const FitResult& result, bool allowed);
 
+/// "postures and specimens left out": what settings were chosen by.
+[[nodiscard]] std::string judged_words(const ChosenSettings& chosen);
+/// One row for each choice of settings: its value at first and chosen, and those of the folds of
+/// every cross-validation. Without choices, no rows.
+[[nodiscard]] Table choice_table(const FitResult& result);
+
 /// "; the subject has seen this specimen" behind an error that is not of a stranger, else "".
 [[nodiscard]] std::string seen_words(const Prediction& prediction);
 

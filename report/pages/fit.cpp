@@ -196,6 +196,28 @@ Json force_section(const FitResult& result) {
                  "Forces of the fingertip in the axes of the distal phalanx.", blocks);
 }
 
+/// What was chosen, by what, and whether the folds agree.
+Json choice_section(const FitResult& result) {
+  const Table table = choice_table(result);
+  std::vector<BlockColumn> columns;
+  for (const std::string& column : table.header) columns.push_back({column, ""});
+  Json rows = Json::array();
+  for (const std::vector<std::string>& row : table.rows) rows.push_back(row);
+  const ChosenSettings& chosen = *result.chosen;
+  return section(
+      "settings", "Settings that left-out data chose",
+      fmt::format(
+          "One after the other, until none was bettered: {} settings were tried, each judged by "
+          "the mean relative error of {}, {:.3f} at first and {:.3f} of those chosen. "
+          "That error has been looked at while choosing. The left-out errors of the tables above "
+          "have not: there every fold chose anew, by what it kept.",
+          chosen.tried.size(), judged_words(chosen),
+          chosen.tried.empty() ? chosen.error : chosen.tried.front().error, chosen.error),
+      Json::array({table_block("Settings, and what each fold chose. Folds that disagree do not "
+                               "know better than chance",
+                               columns, rows)}));
+}
+
 /// "synek2019_H01, synek2019_H02".
 std::string names_of(const FitResult& result) {
   std::string text;
@@ -342,6 +364,7 @@ Json page_of(const FitResult& result) {
                "as wide as the prior means that nothing was learnt.\n\n" +
                    name_rules(fit),
                Json::array({learnt_forest(fit, whose), coordinate_table(fit)}))});
+  if (result.chosen) sections.push_back(choice_section(result));
   if (!fit.covariance.null_directions.empty())
     sections.push_back(section("open", "What the prior alone decides",
                                "Directions along which no measured force changes are named, not "

@@ -134,5 +134,64 @@ TEST(FitSettingsErrors, OfThePosteriorHavePathAndLine) {
   EXPECT_EQ(with("noise = 1"), "fit.toml:27: unknown key 'noise', did you mean 'noise_sd'?");
 }
 
+const std::string kChoices = R"(
+[[choose]]
+name = "tilts"
+match = ["axis/*", "sensor/*"]
+sd_deg = [4, 0, 8]
+chosen = 3  # of an earlier day
+[[choose]]
+name = "what the model misses"
+misfit = [0.01, 0.03]
+)";
+
+TEST(FitSettingsFile, ReadsChoices) {
+  const FitSettings settings = parse_fit_settings(kGoodSettings + kChoices, "fit.toml");
+  ASSERT_EQ(settings.choices.size(), 2U);
+  const SettingChoice& tilts = settings.choices[0];
+  EXPECT_EQ(tilts.match, (std::vector<std::string>{"axis/*", "sensor/*"}));
+  EXPECT_EQ(tilts.key, ChoiceKey::kSd);
+  EXPECT_DOUBLE_EQ(tilts.value(), 8 * kDegree);
+  EXPECT_EQ(settings.misfit, 0.01);  // the first is in force
+}
+
+TEST(FitSettingsFile, KeepsWhatWasChosenAndNothingElse) {
+  const std::string text = kGoodSettings + kChoices;
+  FitSettings settings = parse_fit_settings(text, "fit.toml");
+  set_choice(settings, 0, 1);
+  set_choice(settings, 1, 1);
+  EXPECT_EQ(settings.misfit, 0.03);
+  const std::string kept = with_choices(text, settings);
+  EXPECT_EQ(kept, kGoodSettings + R"(
+[[choose]]
+chosen = 2
+name = "tilts"
+match = ["axis/*", "sensor/*"]
+sd_deg = [4, 0, 8]
+[[choose]]
+chosen = 2
+name = "what the model misses"
+misfit = [0.01, 0.03]
+)");
+  EXPECT_EQ(with_choices(kept, parse_fit_settings(kept, "fit.toml")), kept);
+  EXPECT_EQ(parse_fit_settings(kept, "fit.toml").misfit, 0.03);
+}
+
+TEST(FitSettingsErrors, OfChoicesSayWhatWasWanted) {
+  const auto with = [](const std::string& rows) {
+    return settings_refusal("[[axis_distance]]",
+                            "[[choose]]\nname = \"x\"\n" + rows + "\n[[axis_distance]]");
+  };
+  EXPECT_EQ(with("misfit = [1, 2]\nchosen = 3"),
+            "fit.toml:29: wanted a place in the list, 1 to 2, got 3");
+  EXPECT_EQ(with("misfit = [1, 2]\nchosen = 1.5"),
+            "fit.toml:29: wanted a place in the list, 1 to 2, got 1.5");
+  EXPECT_EQ(with("misfit = [1]\nrobust_scale = [1]"),
+            "fit.toml:26: wanted one list of values, got a second one");
+  EXPECT_NE(with("match = [\"axis/*\"]").find("fit.toml:26: wanted a list of values"),
+            std::string::npos);
+  EXPECT_NE(with("misfit = [-1]").find("fit.toml:28: "), std::string::npos);
+}
+
 }  // namespace
 }  // namespace thenar

@@ -1,0 +1,62 @@
+#pragma once
+
+/// Settings of a fit chosen by data that were left out: how far people differ, how much the model
+/// misses. Never by the data that a fit is then judged by.
+
+#include <string>
+#include <vector>
+
+#include "kinematics_fit/cross_validation.h"
+
+namespace thenar {
+
+/// One set of choices that was tried.
+struct TriedSettings {
+  std::vector<std::size_t> chosen;  // of each choice, in its values
+  double error;                     // mean over experiments, and over what is left out, of the
+                                    // relative error of forces that a fit has not seen [1]
+};
+
+/// What was chosen, and on what grounds.
+struct ChosenSettings {
+  FitSettings settings;              // with the choices in force
+  std::vector<LeaveOut> by;          // postures; and specimens, where there are several
+  std::vector<TriedSettings> tried;  // each once, in their order; the first is the start
+  double error = 0;                  // of the settings chosen, see TriedSettings [1]
+  bool stopped = false;              // by request; the best of those tried
+};
+
+/// Chooses among settings.choices, one choice at a time, over and over until none is bettered: by
+/// the relative error of left-out postures, and as much by that of left-out specimens, where there
+/// are several. A fit is asked about both: the same hand in another posture, and strangers.
+/// @param also_free  as in choose_parameters()
+/// @throws InputError if there is nothing to choose, or fewer than two postures.
+[[nodiscard]] ChosenSettings choose_settings(const FitProblem& problem, const FitSettings& settings,
+                                             const std::vector<std::string>& also_free = {},
+                                             const SolveOptions& options = {});
+
+/// The same trials under other settings.
+[[nodiscard]] FitProblem with_settings(const FitProblem& problem, const FitSettings& settings,
+                                       const std::vector<std::string>& also_free = {});
+
+/// What a fold chose.
+struct FoldChoice {
+  std::string fold;
+  ChosenSettings settings;
+};
+
+/// Predictions of fits whose settings were chosen without what they predict.
+struct NestedValidation {
+  CrossValidation validation;
+  std::vector<FoldChoice> folds;  // of the folds done
+};
+
+/// Cross-validation of choosing and fitting together: each fold chooses anew by what it keeps, so
+/// that the error is that of the whole procedure.
+/// @throws InputError as cross_validate() and choose_settings() do.
+[[nodiscard]] NestedValidation validate_choice(const FitProblem& problem,
+                                               const FitSettings& settings,
+                                               const std::vector<std::string>& also_free,
+                                               LeaveOut what, const SolveOptions& options = {});
+
+}  // namespace thenar
