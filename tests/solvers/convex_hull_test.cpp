@@ -16,7 +16,7 @@ using Eigen::Vector3d;
 // The unit cube, and a point in the middle of it and of one side.
 MatrixXd cube() {
   MatrixXd points(10, 3);
-  for (int i = 0; i < 8; ++i) points.row(i) << i % 2, i / 2 % 2, i / 4;
+  for (int i = 0; i < 8; ++i) points.row(i) << (i & 1), (i >> 1 & 1), (i >> 2);
   points.row(8) << 0.5, 0.5, 0.5;
   points.row(9) << 0.5, 0.5, 0;
   return points;
@@ -60,7 +60,7 @@ TEST(ConvexHull, StatesWhatItIsHeldTo) {
 // A box of 2 x 3 x 5 with one corner cut off at (1, 1, 1) along the edges: 30 - 1 / 6.
 TEST(ConvexHull, VolumeIsThatOfACutBox) {
   MatrixXd points(10, 3);
-  for (int i = 1; i < 8; ++i) points.row(i - 1) << 2 * (i % 2), 3 * (i / 2 % 2), 5 * (i / 4);
+  for (int i = 1; i < 8; ++i) points.row(i - 1) << 2 * (i & 1), 3 * (i >> 1 & 1), 5 * (i >> 2);
   points.bottomRows<3>().setIdentity();
   const ConvexHull hull = convex_hull(points);
   EXPECT_EQ(hull.facets.size(), 7U);

@@ -346,13 +346,13 @@ TEST(Hamiltonian, TempersTheLikelihoodAlone) {
 
 TEST(Hamiltonian, RefusesWhatItCannotRun) {
   const Eigen::MatrixXd starts = Eigen::MatrixXd::Zero(2, 2);
-  EXPECT_THROW(build_sampler(SamplingMethod::kNuts, starts, {}), InputError);
+  EXPECT_THROW((void)build_sampler(SamplingMethod::kNuts, starts, {}), InputError);
   SamplerOptions options;
   options.covariance = -Eigen::Matrix2d::Identity();
-  EXPECT_THROW(build_sampler(SamplingMethod::kNuts, starts.col(0), options), InputError);
+  EXPECT_THROW((void)build_sampler(SamplingMethod::kNuts, starts.col(0), options), InputError);
   options = {};
   options.max_depth = 31;
-  EXPECT_THROW(build_sampler(SamplingMethod::kHmc, starts.col(0), options), InputError);
+  EXPECT_THROW((void)build_sampler(SamplingMethod::kHmc, starts.col(0), options), InputError);
 }
 
 }  // namespace
