@@ -48,7 +48,7 @@ RetriedDraws retried(const sample::KnownPosterior& posterior, const RunOptions& 
 long divergent_draws(const Draws& draws) {
   long sum = 0;
   for (const auto& chain : draws.stats)
-    for (const StepStats& stats : chain) sum += stats.divergent;
+    for (const StepStats& stats : chain) sum += stats.divergent ? 1 : 0;
   return sum;
 }
 

@@ -216,7 +216,10 @@ TEST(RunChainsPlain, RungsSwapAsDecided) {
     const Swaps swaps = decide_swaps(
         Eigen::Vector2d(1, 0.3), Eigen::RowVector2d(cold.log_likelihood[0], hot.log_likelihood[0]),
         7, 0, static_cast<std::uint32_t>(step / 2));
-    if (step > 41) tried += swaps.tried(0, 0), accepted += swaps.exchange(0, 0);
+    if (step > 41) {
+      tried += swaps.tried(0, 0) ? 1 : 0;
+      accepted += swaps.exchange(0, 0) ? 1 : 0;
+    }
     if (!swaps.exchange(0, 0)) continue;
     const Eigen::VectorXd x = rungs[0]->positions().col(0), y = rungs[1]->positions().col(0);
     rungs[0]->move(0, y, hot);
@@ -333,7 +336,7 @@ TEST(RunChainsPlain, ProgressCountsDivergences) {
   const Draws draws = run_chains(funnel.target, Eigen::MatrixXd::Ones(10, 4), options);
   long divergent = 0;
   for (const auto& chain : draws.stats)
-    for (const StepStats& stats : chain) divergent += stats.divergent;
+    for (const StepStats& stats : chain) divergent += stats.divergent ? 1 : 0;
   ASSERT_GT(divergent, 0) << "the neck of a funnel is too narrow for any step";
   EXPECT_NE(last.find(", " + std::to_string(divergent) + " divergent"), std::string::npos) << last;
 }

@@ -32,7 +32,7 @@ void expect_same_lengths(SurfaceShape shape) {
     const WrappedString chord = wrap_string(bone, a, b, side_S);
     const PathSet set = sample::string_over({bone}, bone.X * a, bone.X * b, bone.X * side_S);
     EXPECT_NEAR(sample::shape_of(set).length, chord.length, 1e-12);
-    bent += chord.bent;
+    bent += chord.bent ? 1 : 0;
   }
 }
 
