@@ -128,13 +128,14 @@ std::optional<Json> beside_trivial_table(const Prediction& prediction) {
   if (rows.empty()) return std::nullopt;
   std::vector<BlockColumn> columns{{"loaded", ""}, {"trials", "", 0}};
   for (const char* direction : {"proximal", "dorsal", "radial"})
-    for (const char* what : {"measured", "error of the model", "error of the mean of others"})
-      columns.push_back({fmt::format("{}: {}", direction, what), "N", 2});
+    for (const char* what : {direction, "model off", "others off"})
+      columns.push_back({what, "N", 2});
   return table_block(
-      fmt::format("{}: root mean squares by muscle and direction. The mean of others is the force "
-                  "that others measured under the same load, per newton of tension: where its "
-                  "error is the smaller one, the model has not helped",
-                  prediction.experiment),
+      fmt::format(
+          "{}: root mean squares by muscle and direction: measured, then how far off the "
+          "model is, and the mean of others (the force that they measured under the same "
+          "load, per newton of tension). Where the last is smaller, the model has not helped",
+          prediction.experiment),
       columns, rows);
 }
 
