@@ -111,11 +111,21 @@ TEST(ValidateChoice, IsBlindToWhatAFoldLeavesOut) {
 
 TEST(ChooseSettings, StopsWithTheBestOfThoseTried) {
   const ChoiceScene scene({"H01"});
-  int asked = 0;
+  int asked = 0, most = 1 << 30;
   SolveOptions options;
-  options.progress.stop_requested = [&] { return ++asked > 400; };
-  const ChosenSettings found = choose_settings(scene.setup.problem(), scene.settings, {}, options);
+  options.progress.stop_requested = [&] { return ++asked > most; };
+  const auto choose = [&] {
+    return choose_settings(scene.setup.problem(), scene.settings, {}, options);
+  };
+  const ChosenSettings all = choose();
+  EXPECT_FALSE(all.stopped);
+  // The same search, stopped half-way.
+  most = asked / 2;
+  asked = 0;
+  const ChosenSettings found = choose();
   EXPECT_TRUE(found.stopped);
+  ASSERT_FALSE(found.tried.empty());
+  EXPECT_LT(found.tried.size(), all.tried.size());
   for (const TriedSettings& one : found.tried) EXPECT_GE(one.error, found.error * (1 - 1e-4));
 }
 
