@@ -16,6 +16,8 @@ import time
 import tomllib
 import unittest
 
+import patience  # longer limits under sanitizers
+
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 SUBJECTS = ROOT / "data/subjects"
 PROGRAM = os.environ.get("THENAR", "thenar")

@@ -15,6 +15,8 @@ import tempfile
 import time
 import unittest
 
+import patience  # longer limits under sanitizers
+
 PROGRAM = os.environ.get("THENAR", "thenar")
 DATA = pathlib.Path(__file__).resolve().parents[2] / "data"
 

@@ -14,6 +14,8 @@ import tempfile
 import time
 import unittest
 
+import patience  # longer limits under sanitizers
+
 PROGRAM = os.environ.get("THENAR", "thenar")
 EXACT = 1e-9
 ROBOTS = pathlib.Path(__file__).resolve().parents[2] / "data" / "robots"

@@ -11,6 +11,7 @@ import sys
 import unittest
 
 from files import Files
+import patience  # longer limits under sanitizers
 
 PROGRAM = os.environ.get("THENAR", "thenar")
 

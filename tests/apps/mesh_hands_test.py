@@ -13,6 +13,7 @@ import unittest
 
 import mesh_hands
 from files import Files
+import patience  # longer limits under sanitizers
 
 THENAR = sys.argv.pop(1)
 

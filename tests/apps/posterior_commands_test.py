@@ -20,6 +20,8 @@ import h5py
 import numpy as np
 import xarray as xr
 
+import patience  # longer limits under sanitizers
+
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 PROGRAM = sys.argv.pop(1)
 MPIEXEC = sys.argv.pop(1) if len(sys.argv) > 1 and sys.argv[1][0] != "-" else None

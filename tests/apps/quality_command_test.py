@@ -12,6 +12,8 @@ import sys
 import tempfile
 import unittest
 
+import patience  # longer limits under sanitizers
+
 PROGRAM = os.environ.get("THENAR", "thenar")
 KEYS = ["epsilon", "volume", "force_closure", "rank", "missing_direction", "worst_wrench", "cpu_s"]
 EXACT = 1e-9  # of polytopes
