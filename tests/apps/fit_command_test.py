@@ -14,7 +14,6 @@ import numpy as np
 
 import commands_test as finger
 from files import Files
-import patience  # longer limits under sanitizers
 
 PROGRAM = sys.argv.pop(1)
 POSTURES = [(20, 30, 20), (45, 60, 35), (10, 80, 50), (60, 20, 40)]  # [deg]

@@ -15,7 +15,6 @@ import time
 import unittest
 
 from files import Files
-import patience  # longer limits under sanitizers
 
 PROGRAM = os.environ.get("THENAR", "thenar")
 DATA = pathlib.Path(__file__).resolve().parents[2] / "data"

@@ -12,7 +12,6 @@ import sys
 import unittest
 
 from files import Files
-import patience  # longer limits under sanitizers
 
 PROGRAM = os.environ.get("THENAR", "thenar")
 

@@ -13,7 +13,6 @@ import unittest
 
 import mesh_hands
 from files import Files
-import patience  # longer limits under sanitizers
 
 THENAR = sys.argv.pop(1)
 

@@ -16,6 +16,7 @@
 #include "tests/geometry/random_points.h"
 #include "tests/geometry/sample_meshes.h"
 #include "tests/matrix_near.h"
+#include "tests/patience.h"
 
 namespace thenar {
 namespace {
@@ -72,12 +73,6 @@ TEST(UnionMass, OfSuperellipsoidsIsThatOfTheSolidsAmongThem) {
               {2 * kPi * abc / 3, {0, 0, 0}, Matrix3d(cones.asDiagonal())}, 1e-12);
 }
 
-#ifdef __SANITIZE_ADDRESS__
-constexpr double kMostTime = 160;  // sanitizers take 5 to 20 times as long
-#else
-constexpr double kMostTime = 8;  // processor time of the mass of a union [s]
-#endif
-
 // Boxes of a third of a cube's edge, so many that each overlaps with dozens: their union is between
 // the largest and the sum.
 TEST(UnionMass, HasALimitOfWork) {
@@ -90,7 +85,7 @@ TEST(UnionMass, HasALimitOfWork) {
   }
   const std::clock_t begin = std::clock();
   const UnionMass found = union_mass({mesh_of(joined(boxes))});
-  EXPECT_LT(static_cast<double>(std::clock() - begin) / CLOCKS_PER_SEC, kMostTime);
+  EXPECT_LT(static_cast<double>(std::clock() - begin) / CLOCKS_PER_SEC, 8 * kPatience);
   // All lie within a cube of 0.15; in the middle of it there is always one.
   const double least = found.mass.mass * (1 - found.error);
   EXPECT_LE(least, 0.15 * 0.15 * 0.15);

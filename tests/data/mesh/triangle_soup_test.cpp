@@ -20,6 +20,7 @@
 #include "geometry/repair_to_solid.h"
 #include "geometry/shape_mass.h"
 #include "geometry/tessellate.h"
+#include "tests/patience.h"
 #include "tests/temporary_folder.h"
 
 namespace thenar {
@@ -79,12 +80,6 @@ TEST(MergeCorners, EndsWhereATriangleIsTinyAndFarAway) {
   EXPECT_EQ(weld_vertices({{e, f, g}, {}}, 1, "tinier.obj").triangles.cols(), 1);
 }
 
-#ifdef __SANITIZE_ADDRESS__
-constexpr double kMostTime = 100;  // sanitizers take 5 to 20 times as long
-#else
-constexpr double kMostTime = 5;  // processor time; it takes 0.5 s, comparing all more than 50 s [s]
-#endif
-
 // All corners but three lie within 64e-6 of the box from each other, many of them not within 1e-6:
 // comparing all with all would take 10^10 comparisons.
 TEST(MergeCorners, TakesTimeInProportionToLooseTriangles) {
@@ -96,7 +91,8 @@ TEST(MergeCorners, TakesTimeInProportionToLooseTriangles) {
   soup.corners.insert(soup.corners.end(), {{0.5, 0, 0}, {0.5, 0.2, 0}, {0.5, 0, 0.2}});
   const std::clock_t begin = std::clock();
   const TriangleMesh mesh = weld_vertices(soup, 1, "loose.obj");
-  EXPECT_LT(static_cast<double>(std::clock() - begin) / CLOCKS_PER_SEC, kMostTime);
+  EXPECT_LT(static_cast<double>(std::clock() - begin) / CLOCKS_PER_SEC,
+            5 * kPatience);  // 0.5 s; all: > 50 s
   EXPECT_GT(mesh.triangles.cols(), 0);
 }
 

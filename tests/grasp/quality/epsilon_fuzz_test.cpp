@@ -12,16 +12,13 @@
 #include "grasp/contact/friction_pyramid.h"
 #include "grasp/quality/epsilon.h"
 #include "tests/grasp/quality/brute_epsilon.h"
+#include "tests/patience.h"
 
 namespace thenar {
 namespace {
 
 constexpr int kMaxFacets = 200000;
-#ifdef __SANITIZE_ADDRESS__
-constexpr double kMaxTime = 20;  // sanitizers take 5 to 20 times as long
-#else
-constexpr double kMaxTime = 1;  // processor time of one question [s]
-#endif
+constexpr double kMaxTime = 1 * kPatience;  // processor time of one question [s]
 
 int sets() {
   const char* all = std::getenv("THENAR_GRASPS");
