@@ -7,14 +7,10 @@
 #include "kinematics_fit/prediction.h"
 
 namespace thenar {
-namespace {
 
-/// A row of values, chain by chain, as (draws, chains).
-Eigen::MatrixXd by_chain(const Eigen::RowVectorXd& row, int chains) {
-  return Eigen::Map<const Eigen::MatrixXd>(row.data(), row.size() / chains, chains);
+Eigen::MatrixXd by_chain(const Eigen::VectorXd& values, int chains) {
+  return Eigen::Map<const Eigen::MatrixXd>(values.data(), values.size() / chains, chains);
 }
-
-}  // namespace
 
 double prior_sd(const PosteriorQuantity& quantity) {
   const Eigen::ArrayXd off = quantity.prior.array() - quantity.prior.mean();

@@ -29,6 +29,9 @@ struct PosteriorQuantity {
 [[nodiscard]] std::vector<Estimate> estimates_of(const std::vector<PosteriorQuantity>& quantities,
                                                  const std::vector<int>& group);
 
+/// Values at the pooled draws of a run, chain by chain, as (draws, chains).
+[[nodiscard]] Eigen::MatrixXd by_chain(const Eigen::VectorXd& values, int chains);
+
 /// Names such as "H01: Hook FDS" of every trial of every experiment in turn; then, unless kForces,
 /// of every row of muscle activations: the order of HandPosterior::pointwise().
 enum class Observed { kForces, kAll };
