@@ -103,9 +103,10 @@ FitResult fit_forces(const FitRequest& request, const Progress& progress) {
   options.max_evaluations = request.max_evaluations;
   options.progress = progress;
   FitInputs inputs = read_fit_inputs(request.sources);
-  const FitSettings settings = parse_fit_settings(inputs.settings.text, inputs.settings.path);
+  FitSettings settings;  // before they are chosen
   std::optional<ChosenSettings> chosen;
   if (request.choose_settings) {
+    settings = parse_fit_settings(inputs.settings.text, inputs.settings.path);
     chosen = choose_settings(build_problem(inputs), settings, inputs.also_free, options);
     inputs.settings.text = with_choices(inputs.settings.text, chosen->settings);
   }
@@ -129,7 +130,7 @@ FitResult fit_forces(const FitRequest& request, const Progress& progress) {
       NestedValidation nested =
           validate_choice(result.fit.problem, settings, inputs.also_free, what, options);
       result.left_out.push_back(std::move(nested.validation));
-      result.fold_choices.push_back(std::move(nested.folds));
+      for (FoldChoice& fold : nested.folds) result.fold_choices.push_back(std::move(fold));
     } else {
       result.left_out.push_back(cross_validate(result.fit.problem, what, options));
     }

@@ -44,8 +44,8 @@ struct FitResult {
                                           // beyond chance, and estimates beyond 3 prior sds
   bool stopped = false;                   // by request; the fit is the best point so far
   std::vector<Misfit> misfits = {};       // of each experiment
-  std::optional<ChosenSettings> chosen = {};               // where that was asked for
-  std::vector<std::vector<FoldChoice>> fold_choices = {};  // of each of left_out
+  std::optional<ChosenSettings> chosen = {};  // where that was asked for
+  std::vector<FoldChoice> fold_choices = {};  // of the folds of left_out, in their order
 };
 
 /// The texts of the inputs. Without settings those that are built in for the digit.

@@ -4,7 +4,6 @@
 #include <utility>
 
 #include "base/error.h"
-#include "kinematics_fit/fit_residuals.h"
 
 namespace thenar {
 namespace {

@@ -22,7 +22,8 @@ struct ChosenSettings {
   FitSettings settings;              // with the choices in force
   std::vector<LeaveOut> by;          // postures; and specimens, where there are several
   std::vector<TriedSettings> tried;  // each once, in their order; the first is the start
-  double error = 0;                  // of the settings chosen, see TriedSettings [1]
+  double error = 0;                  // of the settings chosen, see TriedSettings; 0 where none
+                                     // were tried [1]
   bool stopped = false;              // by request; the best of those tried
 };
 

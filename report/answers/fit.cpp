@@ -151,7 +151,7 @@ std::string noise_words(const FitResult& result, std::size_t e) {
 }
 
 /// A value of a choice in the unit in which people write it: "4 deg".
-std::string value_words(const SettingChoice& choice, std::size_t at) {
+std::string choice_words(const SettingChoice& choice, std::size_t at) {
   const double value = choice.values[at];
   if (choice.dimension == Dimension::kLength) return fmt::format("{:.4g} mm", 1e3 * value);
   if (choice.dimension == Dimension::kAngle) return fmt::format("{:.4g} deg", degrees(value));
@@ -161,15 +161,16 @@ std::string value_words(const SettingChoice& choice, std::size_t at) {
 std::string chosen_text(const FitResult& result) {
   if (!result.chosen) return "";
   const ChosenSettings& chosen = *result.chosen;
+  if (chosen.tried.empty()) return "settings: stopped before the first had been tried\n";
   std::string text = fmt::format(
       "settings chosen by {}{}: left-out relative error {:.3f}, {:.3f} before, {} settings tried\n",
       judged_words(chosen), chosen.stopped ? " (stopped)" : "", chosen.error,
-      chosen.tried.empty() ? chosen.error : chosen.tried.front().error, chosen.tried.size());
+      chosen.tried.front().error, chosen.tried.size());
   for (const SettingChoice& choice : chosen.settings.choices) {
     std::string others;
     for (std::size_t i = 0; i < choice.values.size(); ++i)
-      if (i != choice.chosen) others += (others.empty() ? "" : ", ") + value_words(choice, i);
-    text += fmt::format("  {:<44} {} (of {})\n", choice.name, value_words(choice, choice.chosen),
+      if (i != choice.chosen) others += (others.empty() ? "" : ", ") + choice_words(choice, i);
+    text += fmt::format("  {:<44} {} (of {})\n", choice.name, choice_words(choice, choice.chosen),
                         others.empty() ? "nothing else" : others);
   }
   return text;
@@ -187,7 +188,7 @@ Json choices_json(const ChosenSettings& chosen) {
   Json by = Json::array();
   for (const LeaveOut what : chosen.by) by.push_back(name_of(what));
   return {{"by", by},
-          {"relative_error", chosen.error},
+          {"relative_error", chosen.tried.empty() ? Json() : Json(chosen.error)},
           {"complete", !chosen.stopped},
           {"choices", choices},
           {"tried", tried}};
@@ -261,11 +262,10 @@ OrderedJson json_of(const FitResult& result) {
   for (std::size_t e = 0; e < result.in_sample.size(); ++e)
     out["in_sample"].push_back(in_sample_json(result, e));
   if (result.chosen) out["chosen_settings"] = choices_json(*result.chosen);
-  for (const std::vector<FoldChoice>& folds : result.fold_choices)
-    for (const FoldChoice& fold : folds) {
-      out["fold_settings"].push_back(choices_json(fold.settings));
-      out["fold_settings"].back()["fold"] = fold.fold;
-    }
+  for (const FoldChoice& fold : result.fold_choices) {
+    out["fold_settings"].push_back(choices_json(fold.settings));
+    out["fold_settings"].back()["fold"] = fold.fold;
+  }
   for (const NullDirection& null : fit.covariance.null_directions)
     out["not_identifiable"].push_back(null.text);
   for (const CrossValidation& validation : result.left_out)
@@ -301,22 +301,19 @@ std::string text_of(const FitResult& result) {
 
 Table choice_table(const FitResult& result) {
   Table table{{"setting", "tried", "at first", "chosen"}, {}};
-  if (!result.chosen) return table;
-  for (const std::vector<FoldChoice>& folds : result.fold_choices)
-    for (const FoldChoice& fold : folds) table.header.push_back("without " + fold.fold);
+  if (!result.chosen || result.chosen->tried.empty()) return table;
+  for (const FoldChoice& fold : result.fold_choices) table.header.push_back("without " + fold.fold);
   const std::vector<SettingChoice>& choices = result.chosen->settings.choices;
   for (std::size_t i = 0; i < choices.size(); ++i) {
     // All values, then those in force: before, in the fit, and in every fold.
     std::string all;
     for (std::size_t k = 0; k < choices[i].values.size(); ++k)
-      all += (k > 0 ? ", " : "") + value_words(choices[i], k);
-    const auto& tried = result.chosen->tried;
-    const std::size_t first = tried.empty() ? choices[i].chosen : tried.front().chosen[i];
-    std::vector<std::string> row{choices[i].name, all, value_words(choices[i], first),
-                                 value_words(choices[i], choices[i].chosen)};
-    for (const std::vector<FoldChoice>& folds : result.fold_choices)
-      for (const FoldChoice& fold : folds)
-        row.push_back(value_words(choices[i], fold.settings.settings.choices[i].chosen));
+      all += (k > 0 ? ", " : "") + choice_words(choices[i], k);
+    const std::size_t first = result.chosen->tried.front().chosen[i];
+    std::vector<std::string> row{choices[i].name, all, choice_words(choices[i], first),
+                                 choice_words(choices[i], choices[i].chosen)};
+    for (const FoldChoice& fold : result.fold_choices)
+      row.push_back(choice_words(choices[i], fold.settings.settings.choices[i].chosen));
     table.rows.push_back(std::move(row));
   }
   return table;

@@ -28,7 +28,7 @@ namespace thenar {
 /// "postures and specimens left out": what settings were chosen by.
 [[nodiscard]] std::string judged_words(const ChosenSettings& chosen);
 /// One row for each choice of settings: its value at first and chosen, and those of the folds of
-/// every cross-validation. Without choices, no rows.
+/// every cross-validation. No rows where nothing was tried.
 [[nodiscard]] Table choice_table(const FitResult& result);
 
 /// "; the subject has seen this specimen" behind an error that is not of a stranger, else "".

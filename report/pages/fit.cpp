@@ -157,10 +157,9 @@ Json error_table(const FitResult& result) {
   return table_block(
       "Errors of predicted forces: in space, in the flexion plane alone, and the median angle "
       "between predicted and measured. Mean of others: relative error of what others measured "
-      "under "
-      "the same load, taken as it is (of one specimen alone: at its other postures). Times the "
-      "noise: root of chi-square per degree of freedom, near 1 where model and stated noise are "
-      "right",
+      "under the same load, taken as it is (of one specimen alone: at its other postures). Times "
+      "the noise: root of chi-square per degree of freedom, near 1 where model and stated noise "
+      "are right",
       {{"experiment", ""},
        {"predicted", ""},
        {"trials", "", 0},
@@ -211,8 +210,7 @@ Json choice_section(const FitResult& result) {
           "the mean relative error of {}, {:.3f} at first and {:.3f} of those chosen. "
           "That error has been looked at while choosing. The left-out errors of the tables above "
           "have not: there every fold chose anew, by what it kept.",
-          chosen.tried.size(), judged_words(chosen),
-          chosen.tried.empty() ? chosen.error : chosen.tried.front().error, chosen.error),
+          chosen.tried.size(), judged_words(chosen), chosen.tried.front().error, chosen.error),
       Json::array({table_block("Settings, and what each fold chose. Folds that disagree do not "
                                "know better than chance",
                                columns, rows)}));
@@ -364,7 +362,7 @@ Json page_of(const FitResult& result) {
                "as wide as the prior means that nothing was learnt.\n\n" +
                    name_rules(fit),
                Json::array({learnt_forest(fit, whose), coordinate_table(fit)}))});
-  if (result.chosen) sections.push_back(choice_section(result));
+  if (result.chosen && !result.chosen->tried.empty()) sections.push_back(choice_section(result));
   if (!fit.covariance.null_directions.empty())
     sections.push_back(section("open", "What the prior alone decides",
                                "Directions along which no measured force changes are named, not "
