@@ -127,6 +127,7 @@ void require_object_materials(const CompareRequest& request, const std::vector<B
 std::vector<ComparedHand> compared_hands(const std::vector<NamedHand>& named,
                                          const std::vector<std::string>& without_material) {
   std::vector<ComparedHand> hands;
+  hands.reserve(named.size());
   for (const NamedHand& each : named) hands.push_back(to_compare(each));
   for (const std::string& object : without_material)
     for (ComparedHand& hand : hands)
@@ -241,17 +242,16 @@ Comparison joined(Comparison comparison, const std::vector<HandOnObject>& done) 
   return comparison;
 }
 
-/// Compares what an earlier run has not, and keeps it in the file.
+/// Compares hands and objects of a result where an earlier run has not, and keeps it in the file.
 Comparison go_on(const CompareRequest& request, CompareOptions options, const JsonNode& inputs,
-                 const FileDigests& files, const std::vector<NamedHand>& named,
-                 const std::vector<ComparedHand>& hands, const std::vector<BodySpec>& objects,
+                 const HandComparison& of, const std::vector<ComparedHand>& hands,
                  const Progress& progress) {
   KeptComparison kept;
   std::optional<FileLock> lock;  // another comparison would drop our cells, and we its
   if (!request.file.empty()) {
     lock.emplace(request.file);
-    kept = read_comparison(request.file, inputs, current_hand_name, files);
-    require_postures(kept.cells, named, request.file);
+    kept = read_comparison(request.file, inputs, current_hand_name, of.files);
+    require_postures(kept.cells, of.hands, request.file);
   }
   // The file names this run only if it computed something.
   JsonNode provenance = kept.provenance;
@@ -263,10 +263,10 @@ Comparison go_on(const CompareRequest& request, CompareOptions options, const Js
     const bool all_old = std::all_of(comparison.cells.begin(), comparison.cells.end(),
                                      [&](const auto& cell) { return holds(kept.cells, cell); });
     if (!all_old && !request.run.arguments.empty())
-      provenance = next_provenance(kept.provenance, request.run, files);
+      provenance = next_provenance(kept.provenance, request.run, of.files);
     save(comparison);
   };
-  const Comparison comparison = compare(hands, objects, options, progress, kept.cells);
+  const Comparison comparison = compare(hands, of.objects, options, progress, kept.cells);
   save(comparison);
   return joined(comparison, kept.cells);
 }
@@ -293,9 +293,8 @@ HandComparison compare_hands(const CompareRequest& request, const Progress& prog
   result.files = files_of(result.hands, result.objects);
   if (!request.materials.empty()) result.files.merge(digests_of({request.materials}));
   for (const NamedHand& hand : result.hands) require_materials(hand, materials);
-  result.comparison =
-      go_on(request, options_of(request, materials), inputs, result.files, result.hands,
-            compared_hands(result.hands, without_material), result.objects, progress);
+  result.comparison = go_on(request, options_of(request, materials), inputs, result,
+                            compared_hands(result.hands, without_material), progress);
   return result;
 }
 

@@ -94,6 +94,7 @@ void add_outward(const ContactFile& file, const std::vector<Numbered>& cones,
 
 void add_repeated(const std::vector<Numbered>& cones, std::vector<std::string>& warnings) {
   std::vector<Contact> places;
+  places.reserve(cones.size());
   for (const Numbered& cone : cones) places.push_back(contact_of(*cone.contact));
   const std::vector<int> region = contact_regions(places);
   std::set<int> met;

@@ -32,15 +32,17 @@ void require_command(const CLI::App& app, int argc, char** argv) {
 
 /// The innermost command that was named.
 const CLI::App& named_command(const CLI::App& app) {
-  const std::vector<CLI::App*> named = app.get_subcommands();
-  return named.empty() ? app : named_command(*named.front());
+  const CLI::App* command = &app;
+  while (!command->get_subcommands().empty()) command = command->get_subcommands().front();
+  return *command;
 }
 
 /// The full name of a command: "tendon solve".
 std::string full_name(const CLI::App& command) {
-  const CLI::App* parent = command.get_parent();
-  const std::string above = parent == nullptr ? "" : full_name(*parent);
-  return above.empty() ? command.get_name() : above + " " + command.get_name();
+  std::string name = command.get_name();
+  for (const CLI::App* above = command.get_parent(); above != nullptr; above = above->get_parent())
+    name = fmt::format("{} {}", above->get_name(), name);
+  return name;
 }
 
 /// ", did you mean '--robustness'?": the nearest option of a command; "" for plain arguments.
@@ -61,10 +63,14 @@ std::string unknown_argument(const CLI::App& command, const std::string& argumen
 }
 
 /// Shows no default where nothing stands by default.
-void hide_empty_defaults(CLI::App& command) {
-  for (CLI::Option* option : command.get_options())
-    if (option->get_default_str() == "[]") option->default_str("");
-  for (CLI::App* below : command.get_subcommands({})) hide_empty_defaults(*below);
+void hide_empty_defaults(CLI::App& app) {
+  // The program, its commands and theirs.
+  std::vector<CLI::App*> commands{&app};
+  for (std::size_t i = 0; i < commands.size(); ++i) {
+    for (CLI::Option* option : commands[i]->get_options())
+      if (option->get_default_str() == "[]") option->default_str("");
+    for (CLI::App* below : commands[i]->get_subcommands({})) commands.push_back(below);
+  }
 }
 
 /// What was wrong with a command line, with a way out.

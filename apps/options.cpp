@@ -33,7 +33,8 @@ std::map<std::string, double> parse_named_numbers(const std::vector<std::string>
     const std::size_t sign = text.find('=');
     require(sign != std::string::npos && sign > 0, "wanted {}, got '{}'", what, text);
     const std::string name = text.substr(0, sign);
-    const double value = parse_number(text.substr(sign + 1), what + " for '" + name + "'");
+    const double value =
+        parse_number(text.substr(sign + 1), fmt::format("{} for '{}'", what, name));
     require(named.emplace(name, value).second, "'{}' is given twice", name);
   }
   return named;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cerrno>
 #include <chrono>
+#include <cmath>
 #include <cstdio>
 #include <cstring>
 #include <iostream>
@@ -54,7 +55,7 @@ class Bar {
     const double gone = fraction - first_.fraction;
     if (gone < kTells) return "";
     const double taken = std::chrono::duration<double>(now - first_.at).count();
-    const int left = static_cast<int>(taken * std::max(0.0, 1 - fraction) / gone + 0.5);  // [s]
+    const long left = std::lround(taken * std::max(0.0, 1 - fraction) / gone);  // [s]
     return left < 120 ? fmt::format(", {} s left,", left)
                       : fmt::format(", {} min left,", (left + 30) / 60);
   }

@@ -26,8 +26,8 @@ double mean_error(const CrossValidation& validation) {
 class Chooser {
  public:
   Chooser(const FitProblem& problem, const FitSettings& start,
-          const std::vector<std::string>& also_free, const SolveOptions& options)
-      : problem_(problem), also_free_(also_free), options_(options) {
+          const std::vector<std::string>& also_free, SolveOptions options)
+      : problem_(problem), also_free_(also_free), options_(std::move(options)) {
     found_.settings = start;
     found_.by = {LeaveOut::kPosture};
     if (problem.specimens().size() > 1) found_.by.push_back(LeaveOut::kSpecimen);
@@ -113,7 +113,7 @@ NestedValidation validate_choice(const FitProblem& problem, const FitSettings& s
                                  const std::vector<std::string>& also_free, LeaveOut what,
                                  const SolveOptions& options) {
   NestedValidation out;
-  const auto prepare = [&](FitProblem rest, const std::string& fold) {
+  const auto prepare = [&](const FitProblem& rest, const std::string& fold) {
     out.folds.push_back({fold, choose_settings(rest, settings, also_free, options)});
     return with_settings(rest, out.folds.back().settings.settings, also_free);
   };

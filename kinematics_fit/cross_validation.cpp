@@ -91,7 +91,7 @@ CrossValidation cross_validate(const FitProblem& problem, LeaveOut what,
     FitProblem rest = subset(problem, [&](const Experiment& experiment, const Trial& trial) {
       return !in_fold(what, fold, experiment, trial);
     });
-    if (prepare) rest = prepare(std::move(rest), fold);
+    if (prepare) rest = prepare(rest, fold);
     const Solution fit = solve(least_squares(rest), Eigen::VectorXd::Zero(rest.size()), options);
     // A half-way fit has learnt less than its fold would say.
     out.stopped = fit.status == Status::kStopped;

@@ -28,7 +28,7 @@ struct CrossValidation {
 
 /// What is done with the trials that a fold keeps before they are fitted, such as a choice of
 /// settings.
-using PrepareFold = std::function<FitProblem(FitProblem rest, const std::string& fold)>;
+using PrepareFold = std::function<FitProblem(const FitProblem& rest, const std::string& fold)>;
 
 /// Refits once per fold and predicts the trials left out. A left-out specimen is predicted
 /// from the population; a left-out posture or tendon from the specimen's own parameters, where

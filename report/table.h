@@ -34,6 +34,7 @@ struct Table {
 template <typename Vector>
 [[nodiscard]] std::vector<std::string> cells(const Vector& values, int decimals) {
   std::vector<std::string> result;
+  result.reserve(static_cast<std::size_t>(values.size()));
   for (int i = 0; i < static_cast<int>(values.size()); ++i)
     result.push_back(shown(values[i], decimals));
   return result;

@@ -222,6 +222,7 @@ void require_kind(const std::string& path, const std::vector<std::string>& kinds
   }
   if (found.kind.empty() || std::count(kinds.begin(), kinds.end(), found.kind) > 0) return;
   std::vector<std::string> wanted;
+  wanted.reserve(kinds.size());
   for (const std::string& kind : kinds) wanted.push_back(with_article(kind));
   std::string ways;
   if (!found.commands.empty())

@@ -52,7 +52,7 @@ struct HandSource {
 /// Builds the hand that find_hand() finds. @throws InputError, DataError as find_hand()
 [[nodiscard]] NamedHand hand_by_name(const std::string& name,
                                      const std::vector<std::string>& places,
-                                     const HumanHandOptions& human = {});
+                                     const HumanHandOptions& options = {});
 
 /// The name of a hand, with an old name of its version replaced: "human:tier4:wrapped" becomes
 /// "human:tendons:wrapped". Other names stay as they are.

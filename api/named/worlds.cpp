@@ -164,7 +164,7 @@ std::vector<int> places_of(const std::vector<std::string>& part, const std::stri
                            const std::vector<std::string>& whole, std::vector<bool>& taken) {
   std::vector<int> places;
   for (const std::string& name : part) {
-    auto found = std::find(whole.begin(), whole.end(), robot + "/" + name);
+    auto found = std::find(whole.begin(), whole.end(), fmt::format("{}/{}", robot, name));
     // A robot may carry another of its own kind, whose coordinates these are then.
     const auto index = static_cast<std::size_t>(found - whole.begin());
     if (index == whole.size() || taken[index]) found = std::find(whole.begin(), whole.end(), name);
@@ -193,12 +193,12 @@ void add_names(const WorldSpec& world, WorldHand& hand, const Places& data) {
   }
 }
 
-/// Sets what a degree of freedom of a robot drives; false: there is none of that name.
-bool set_dof(const WorldSpec& world, const PlacedHand& placed, const std::vector<int>& places,
-             const std::string& name, double value, const Places& data, Eigen::VectorXd& q) {
-  if (placed.name.rfind("human", 0) == 0 && placed.file.empty()) return false;
-  const std::string file = file_of(world, placed, data);
-  const RobotSpec robot = import_robot(file);
+/// How far a degree of freedom of a robot moves its coordinates, a unit of it (coordinates); empty:
+/// there is none of that name.
+Eigen::VectorXd motion_of_dof(const WorldSpec& world, const PlacedHand& placed,
+                              const std::string& name, const Places& data) {
+  if (placed.name.rfind("human", 0) == 0 && placed.file.empty()) return {};
+  const RobotSpec robot = import_robot(file_of(world, placed, data));
   Eigen::VectorXd dofs = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(robot.dofs.size()));
   bool found = false;
   for (std::size_t d = 0; d < robot.dofs.size(); ++d) {
@@ -206,12 +206,8 @@ bool set_dof(const WorldSpec& world, const PlacedHand& placed, const std::vector
     dofs[static_cast<Eigen::Index>(d)] = 1;
     found = true;
   }
-  if (!found) return false;
-  const Eigen::VectorXd moved = RobotHand(robot).posture(dofs);
-  for (std::size_t c = 0; c < places.size(); ++c)
-    if (moved[static_cast<Eigen::Index>(c)] != 0)
-      q[places[c]] = moved[static_cast<Eigen::Index>(c)] * value;
-  return true;
+  if (!found) return {};
+  return RobotHand(robot).posture(dofs);
 }
 
 /// Bodies of which no material is known are taken for kDefaultMaterial, and named.
@@ -243,9 +239,11 @@ void set_posture(const WorldSpec& world, const std::string& path, const Places& 
         hand.q[hand.places[i][at]] = value;
         continue;
       }
-      require(set_dof(world, placed, hand.places[i], name, value, data, hand.q),
-              "{}: hand '{}' has no coordinate '{}'{}; it has {}", path, placed.name, name,
-              did_you_mean(name, hand.names[i]), fmt::join(hand.names[i], ", "));
+      const Eigen::VectorXd motion = motion_of_dof(world, placed, name, data);
+      require(motion.size() > 0, "{}: hand '{}' has no coordinate '{}'{}; it has {}", path,
+              placed.name, name, did_you_mean(name, hand.names[i]), fmt::join(hand.names[i], ", "));
+      for (Eigen::Index c = 0; c < motion.size(); ++c)
+        if (motion[c] != 0) hand.q[hand.places[i][static_cast<std::size_t>(c)]] = motion[c] * value;
     }
   }
   require_within(hand, path);

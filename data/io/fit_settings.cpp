@@ -75,6 +75,15 @@ constexpr ChoiceWord kChoiceWords[] = {
     {"misfit", ChoiceKey::kMisfit, false, false},
     {"robust_scale", ChoiceKey::kRobustScale, false, false}};
 
+/// Which of the values is in force: counted from 1 in the file, from 0 here.
+std::size_t chosen_value(TomlTable& table, std::size_t values) {
+  const double chosen = table.number_or(Dimension::kNumber, "chosen", 1, Range::kPositive);
+  const auto count = static_cast<double>(values);
+  if (chosen != std::floor(chosen) || chosen > count)
+    table.fail(fmt::format("wanted a place in the list, 1 to {}, got {}", count, chosen), "chosen");
+  return static_cast<std::size_t>(chosen) - 1;
+}
+
 SettingChoice read_choice(TomlTable& table) {
   SettingChoice choice;
   choice.line = table.line();
@@ -95,12 +104,7 @@ SettingChoice read_choice(TomlTable& table) {
     table.fail(
         "wanted a list of values: sd_.., between_sd_.., sd_factor, between_sd_factor, misfit or "
         "robust_scale");
-  // Which of them is in force, counted from 1.
-  const double chosen = table.number_or(Dimension::kNumber, "chosen", 1, Range::kPositive);
-  const auto count = static_cast<double>(choice.values.size());
-  if (chosen != std::floor(chosen) || chosen > count)
-    table.fail(fmt::format("wanted a place in the list, 1 to {}, got {}", count, chosen), "chosen");
-  choice.chosen = static_cast<std::size_t>(chosen) - 1;
+  choice.chosen = chosen_value(table, choice.values.size());
   table.done();
   return choice;
 }

@@ -31,12 +31,14 @@ std::string toml_quoted(const std::string& text) {
 
 std::string toml_list(const std::vector<double>& values) {
   std::vector<std::string> texts;
+  texts.reserve(values.size());
   for (const double value : values) texts.push_back(toml_number(value));
   return fmt::format("[{}]", fmt::join(texts, ", "));
 }
 
 std::string toml_list(const std::vector<std::string>& values) {
   std::vector<std::string> texts;
+  texts.reserve(values.size());
   for (const std::string& value : values) texts.push_back(toml_quoted(value));
   return fmt::format("[{}]", fmt::join(texts, ", "));
 }

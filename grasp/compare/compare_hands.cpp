@@ -198,7 +198,9 @@ std::vector<std::string> folded_warnings(const std::vector<ComparedHand>& hands)
         found->second += ", " + hand.name;
     }
   std::vector<std::string> folded;
-  for (const auto& [warning, names] : whose) folded.push_back(names + ": " + warning);
+  folded.reserve(whose.size());
+  for (const auto& [warning, names] : whose)
+    folded.push_back(fmt::format("{}: {}", names, warning));
   return folded;
 }
 
@@ -290,6 +292,16 @@ Eigen::VectorXd middle_posture(const HandLayout& layout) {
   return (layout.lower + layout.upper) / 2;
 }
 
+/// Types of grasp that a hand has taken on any object, by name.
+std::vector<std::string> grasp_types(const std::vector<HandOnObject>& cells,
+                                     const std::string& hand) {
+  std::set<std::string> types;
+  for (const HandOnObject& cell : cells)
+    if (cell.hand == hand)
+      for (const auto& [type, times] : cell.types) types.insert(type);
+  return {types.begin(), types.end()};
+}
+
 }  // namespace
 
 HandAbilities hand_abilities(const ComparedHand& hand, const CompareOptions& options,
@@ -340,7 +352,6 @@ Comparison compare(const std::vector<ComparedHand>& hands, const std::vector<Bod
     if (progress.stop()) return out;
     const double scale = options.normalise_size ? reach_of_digits(*hand.hand) / first_reach : 1.0;
     const CollisionHand touching = collision_hand(*hand.hand, options.materials);
-    std::set<std::string> types;
     for (const BodySpec& object : objects) {
       const Progress here =
           of_cell(progress, out.cells.size(), all, hand.name + " on " + object.name);
@@ -355,7 +366,6 @@ Comparison compare(const std::vector<ComparedHand>& hands, const std::vector<Bod
       }
       // Stopped: the unfinished cell is dropped.
       if (cell.approaches == 0) return out;
-      for (const auto& [type, times] : cell.types) types.insert(type);
       out.cells.push_back(std::move(cell));
       if (options.keep) options.keep(out);
     }
@@ -363,7 +373,7 @@ Comparison compare(const std::vector<ComparedHand>& hands, const std::vector<Bod
     HandAbilities abilities = hand_abilities(hand, options, progress);
     if (progress.stop()) return out;
     out.abilities.push_back(std::move(abilities));
-    out.abilities.back().types.assign(types.begin(), types.end());
+    out.abilities.back().types = grasp_types(out.cells, hand.name);
   }
   progress(1, "compared");
   out.complete = true;

@@ -19,7 +19,7 @@ constexpr std::array<const char*, 4> kTasks{"force-closure", "hold-weight", "pul
 std::string name_of(GraspTask task) { return kTasks[static_cast<std::size_t>(task)]; }
 
 GraspTask grasp_task(const std::string& name) {
-  const auto found = std::find(kTasks.begin(), kTasks.end(), name);
+  const auto* const found = std::find(kTasks.begin(), kTasks.end(), name);
   require(found != kTasks.end(),
           "there is no task '{}'; there are force-closure, hold-weight, pull, turn", name);
   return static_cast<GraspTask>(found - kTasks.begin());
@@ -47,7 +47,7 @@ double HandOnObject::quantile(double p) const {
   // Linear interpolation between order statistics.
   if (epsilon.size() == 0) return std::numeric_limits<double>::quiet_NaN();
   const double at = p * static_cast<double>(epsilon.size() - 1);
-  const Eigen::Index below = static_cast<Eigen::Index>(std::floor(at));
+  const auto below = static_cast<Eigen::Index>(std::floor(at));
   const Eigen::Index above = std::min(below + 1, epsilon.size() - 1);
   const double share = at - static_cast<double>(below);
   return (1 - share) * epsilon[below] + share * epsilon[above];

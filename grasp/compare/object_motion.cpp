@@ -39,7 +39,7 @@ std::string unit_of(const Hand& hand, const Eigen::VectorXd& q, const Eigen::Mat
 
 Eigen::MatrixXd drive_ratios(const Hand& hand, const Eigen::VectorXd& q) {
   const HandLayout& layout = hand.layout();
-  const Eigen::Index n = static_cast<Eigen::Index>(layout.coordinates.size());
+  const auto n = static_cast<Eigen::Index>(layout.coordinates.size());
   std::vector<Eigen::VectorXd> columns;
   Eigen::VectorXd moved = Eigen::VectorXd::Zero(n);
   for (const Drive& drive : layout.drives) {

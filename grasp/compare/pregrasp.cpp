@@ -127,7 +127,7 @@ double way_across(const CollisionHand& hand, const Grasp& grasp, const Push& pus
 Grasp centred_grasp(const CollisionHand& hand, const Pose<double>& X_WH, const Eigen::VectorXd& q,
                     const Scene& scene, const GraspOptions& options) {
   // A grasp with several digits, or without a push, stays as it is.
-  const Grasp first = grasp(hand, X_WH, q, scene, options);
+  Grasp first = grasp(hand, X_WH, q, scene, options);
   if (first.outcome != GraspOutcome::kGrasped) return first;
   const Push push = find_push(hand, first);
   if (push.others.empty() || push.along_W.isZero(0)) return first;

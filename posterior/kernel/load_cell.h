@@ -143,6 +143,7 @@ inline void set_forces(const Program& program, int k, const DigitParameters& dig
 
 /// Adjoint of the forces that the geometry does not explain:  tension cell' force_bar  for each
 /// muscle, and their part of cell_bar.
+// NOLINTNEXTLINE(readability-function-size): an adjoint takes the arguments, results and adjoints
 inline void adjoint_unexplained(const Program& program, int trial, const DigitParameters& digit,
                                 const Posed& posed, const Vec& force_bar,
                                 DigitParameters& adjoint_digit, Mat& cell_bar) {
@@ -162,6 +163,7 @@ inline void adjoint_unexplained(const Program& program, int trial, const DigitPa
 
 /// torque_bar = map' force_bar,  map_bar = sum force_bar torque',  and from it P_bar = cell'
 /// map_bar and cell_bar = map_bar P'.
+// NOLINTNEXTLINE(readability-function-size): an adjoint takes the arguments, results and adjoints
 inline Mat adjoint_forces(const Program& program, int k, const DigitParameters& digit,
                           const Posed& posed, const V* force_bar, Posed& adjoint,
                           DigitParameters& adjoint_digit) {

@@ -194,6 +194,7 @@ std::string outcome_words(const HandOnObject& cell) {
   std::stable_sort(ways.begin(), ways.end(),
                    [](const auto& a, const auto& b) { return a.first > b.first; });
   std::vector<std::string> parts;
+  parts.reserve(ways.size());
   for (const auto& [count, words] : ways) parts.push_back(fmt::format("{} {}", count, words));
   return fmt::format("{}", fmt::join(parts, ", "));
 }

@@ -180,10 +180,16 @@ OrderedJson mesh_json(const WrenchSetMesh& picture) {
 
 /// -0 is no answer.
 void drop_signs_of_zeros(OrderedJson& json) {
-  if (json.is_structured())
-    for (OrderedJson& each : json) drop_signs_of_zeros(each);
-  else if (json.is_number_float() && json.get<double>() == 0)
-    json = 0.0;
+  // The whole, its parts and theirs.
+  std::vector<OrderedJson*> values{&json};
+  while (!values.empty()) {
+    OrderedJson& value = *values.back();
+    values.pop_back();
+    if (value.is_structured())
+      for (OrderedJson& part : value) values.push_back(&part);
+    else if (value.is_number_float() && value.get<double>() == 0)
+      value = 0.0;
+  }
 }
 
 }  // namespace
@@ -207,7 +213,7 @@ std::vector<JointRow> joint_rows(const GraspResult& result) {
 }
 
 std::string explanation(const GraspResult& result) {
-  const std::string words = outcome_words(result.grasp);
+  std::string words = outcome_words(result.grasp);
   if (result.grasp.outcome != GraspOutcome::kEmpty || result.start.approach_distance > 0)
     return words;
   return words + (result.setting.hand.parts.size() > 1

@@ -10,8 +10,9 @@ namespace {
 
 /// Do chains, or modes that they visit, disagree?
 bool stuck_in_modes(const PosteriorRun& run) {
-  int visited = 0;
-  for (const ModeMass& mode : run.mode_table.modes) visited += mode.mass > 0;
+  const std::vector<ModeMass>& modes = run.mode_table.modes;
+  const auto visited =
+      std::count_if(modes.begin(), modes.end(), [](const ModeMass& mode) { return mode.mass > 0; });
   return visited > 1 && !run.mode_table.warnings.empty();
 }
 

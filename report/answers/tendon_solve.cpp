@@ -183,6 +183,7 @@ std::vector<SweepColumn> band_columns(const LoadedDigit& loaded) {
 
 std::vector<SweepColumn> force_columns(const LoadedDigit& loaded) {
   std::vector<SweepColumn> columns;
+  columns.reserve(3);
   for (int k = 0; k < 3; ++k)
     columns.push_back(
         {fmt::format("force_{}_N", kTipDirections[k]),
@@ -251,6 +252,7 @@ Table rows_of(const LoadedDigit& loaded, const std::vector<const DigitPoint*>& p
   // Rows.
   for (const DigitPoint* point : points) {
     std::vector<std::string> cells;
+    cells.reserve(table.header.size());
     for (const SweepColumn& column : angles)
       cells.push_back(fmt::format("{:.10g}", column.value(*point)));
     cells.push_back(status_of(loaded, *point));

@@ -182,6 +182,7 @@ Json forest_block(const std::vector<Quantity>& quantities, const std::string& ca
 
 Json estimate_table(const std::vector<Quantity>& quantities, const std::string& caption) {
   std::vector<const Quantity*> order;
+  order.reserve(quantities.size());
   for (const Quantity& quantity : quantities) order.push_back(&quantity);
   std::stable_sort(order.begin(), order.end(), [](const Quantity* a, const Quantity* b) {
     return worse(a->estimate.r_hat, b->estimate.r_hat);

@@ -21,7 +21,7 @@ struct Section {
 using Explanation = std::vector<Section>;
 
 /// One digit of a subject: what is built, what it costs, what can be asked, what a fit may move.
-[[nodiscard]] Explanation explain(const Subject& subject, const DigitExplained& digit);
+[[nodiscard]] Explanation explain(const Subject& subject, const DigitExplained& says);
 [[nodiscard]] Explanation explain(const Experiment& experiment);
 [[nodiscard]] Explanation explain(const Fit& fit, const FitExplained& found);
 /// An extensor net: its nodes, bands, muscles and surfaces, and what a hood that is a net assumes.

@@ -41,7 +41,7 @@ Section explain_dropped(const DigitExplanation& says) {
     rows.back()[1] = std::to_string(names.back().size());
     rows.back()[3] = listed(names.back());
   }
-  if (rows.empty()) section.lines.push_back("nothing: this digit uses all of the subject");
+  if (rows.empty()) section.lines.emplace_back("nothing: this digit uses all of the subject");
   return section;
 }
 
@@ -143,7 +143,7 @@ Section explain_parameters(const DigitExplained& digit) {
       fmt::format("{} parameters, {} coordinates; '{}' stands for each posture of an "
                   "experiment",
                   fit.all.size(), fit.coordinates(), kEachPosture));
-  section.lines.push_back(
+  section.lines.emplace_back(
       "sd: of the population's mean; between_sd: from one specimen to the next");
   section.table.header = {"parameter", "unit",  "prior_mean", "sd",   "between_sd",
                           "lower",     "upper", "state",      "means"};

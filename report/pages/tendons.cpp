@@ -60,10 +60,9 @@ void add_series(const TendonSweep& sweep, const std::string& name, const Value& 
       y.push_back(value(sweep.points[i]));
     }
     const std::string row = angles(sweep, sweep.points[begin], others);
-    series.push_back({{"name", name.empty() ? (row.empty() ? "net" : row)
-                                            : name + (row.empty() ? "" : ", " + row)},
-                      {"x", x},
-                      {"y", y}});
+    const char* between = name.empty() || row.empty() ? "" : ", ";
+    const std::string of = fmt::format("{}{}{}", name, between, row);
+    series.push_back({{"name", of.empty() ? "net" : of}, {"x", x}, {"y", y}});
   }
 }
 

@@ -1,6 +1,7 @@
 #include "report/pages/thumb_study.h"
 
 #include <algorithm>
+#include <map>
 
 #include <fmt/format.h>
 
@@ -147,42 +148,56 @@ Json thumb_comparison_table(const ThumbStudy& study) {
       columns, std::move(rows));
 }
 
-Json learnt_chart(const ThumbStudy& study, Over over, Arms arms) {
-  struct Point {
-    double x, ratio;
-    int count;
-  };
-  std::vector<std::pair<std::string, std::vector<Point>>> series;
+/// Ratios of posterior to prior sd, summed over coordinates of an axis and over fits.
+struct Learnt {
+  double ratios = 0;
+  int count = 0;
+};
+/// By noise [%] or by number of postures.
+using LearntOver = std::map<double, Learnt>;
+
+/// Is a fit a point of the chart: one of the skewed thumb in which nothing else was changed?
+bool is_point(const ThumbFitSettings& s, Over over, Arms arms) {
+  return s.skewed && s.arms == arms && s.skewness == 1 && !s.with_tasks && s.prior_width == 1 &&
+         (over == Over::kNoise ? s.postures == 2 : s.noise == 0.1);
+}
+
+/// "IP1 point" of "axis/IP1/point/2"; "" of what is no axis.
+std::string part_of_axis(const std::string& parameter) {
+  if (parameter.rfind("axis/", 0) != 0) return "";
+  const std::size_t joint = parameter.find('/', 5), end = parameter.rfind('/');
+  return fmt::format("{} {}", parameter.substr(5, joint - 5),
+                     parameter.substr(joint + 1, end - joint - 1));
+}
+
+/// What was learnt of each part of an axis, in the order of the parameters.
+std::vector<std::pair<std::string, LearntOver>> learnt_axes(const ThumbStudy& study, Over over,
+                                                            Arms arms) {
+  std::vector<std::pair<std::string, LearntOver>> axes;
   for (const ThumbFit& fit : study.fits) {
-    const ThumbFitSettings& s = fit.settings;
-    if (!s.skewed || s.arms != arms || s.skewness != 1 || s.with_tasks || s.prior_width != 1)
-      continue;
-    if (over == Over::kNoise ? s.postures != 2 : s.noise != 0.1) continue;
-    const double x = over == Over::kNoise ? 100 * s.noise : s.postures;
+    if (!is_point(fit.settings, over, arms)) continue;
+    const double x = over == Over::kNoise ? 100 * fit.settings.noise : fit.settings.postures;
     for (const LearntNumber& number : fit.learnt) {
-      if (number.name.rfind("axis/", 0) != 0) continue;
-      // "axis/IP1/point/2" counts for "IP1 point".
-      const std::size_t joint = number.name.find('/', 5), end = number.name.rfind('/');
-      const std::string name =
-          number.name.substr(5, joint - 5) + " " + number.name.substr(joint + 1, end - joint - 1);
-      auto of = std::find_if(series.begin(), series.end(),
-                             [&](const auto& one) { return one.first == name; });
-      if (of == series.end()) of = series.insert(series.end(), {name, {}});
-      auto at = std::find_if(of->second.begin(), of->second.end(),
-                             [&](const Point& p) { return p.x == x; });
-      if (at == of->second.end()) at = of->second.insert(at, {x, 0, 0});
-      at->ratio += number.sd / number.prior_sd;
-      ++at->count;
+      const std::string part = part_of_axis(number.name);
+      if (part.empty()) continue;
+      auto of = std::find_if(axes.begin(), axes.end(),
+                             [&](const auto& one) { return one.first == part; });
+      if (of == axes.end()) of = axes.insert(axes.end(), {part, {}});
+      Learnt& learnt = of->second[x];
+      learnt.ratios += number.sd / number.prior_sd;
+      ++learnt.count;
     }
   }
+  return axes;
+}
+
+Json learnt_chart(const ThumbStudy& study, Over over, Arms arms) {
   Json lines = Json::array();
-  for (auto& [name, points] : series) {
-    std::sort(points.begin(), points.end(),
-              [](const Point& a, const Point& b) { return a.x < b.x; });
-    Json line{{"name", name}, {"style", "both"}, {"x", Json::array()}, {"y", Json::array()}};
-    for (const Point& point : points) {
-      line["x"].push_back(point.x);
-      line["y"].push_back(point.ratio / point.count);
+  for (const auto& [part, points] : learnt_axes(study, over, arms)) {
+    Json line{{"name", part}, {"style", "both"}, {"x", Json::array()}, {"y", Json::array()}};
+    for (const auto& [x, learnt] : points) {
+      line["x"].push_back(x);
+      line["y"].push_back(learnt.ratios / learnt.count);
     }
     lines.push_back(std::move(line));
   }

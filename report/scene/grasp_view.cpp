@@ -64,9 +64,10 @@ bool blocks(const Blocker& blocker, const Vector3d& p_W, const Vector3d& d_W) {
   if (away.dot(d_W) < -blocker.radius || away.cross(d_W).norm() > blocker.radius) return false;
   const Vector3d p = blocker.X_WM.inverse() * p_W, d = blocker.X_WM.R.transpose() * d_W;
   const Eigen::Matrix3Xd& at = blocker.mesh.vertices;
-  for (const auto& t : blocker.mesh.triangles.colwise())
-    if (meets(p, d, at.col(t[0]), at.col(t[1]), at.col(t[2]))) return true;
-  return false;
+  const auto triangles = blocker.mesh.triangles.colwise();
+  return std::any_of(triangles.begin(), triangles.end(), [&](const auto& t) {
+    return meets(p, d, at.col(t[0]), at.col(t[1]), at.col(t[2]));
+  });
 }
 
 bool is_seen(const std::vector<Blocker>& blockers, const Vector3d& p_W, const Vector3d& d_W) {
@@ -104,6 +105,7 @@ Eigen::Matrix3Xd corners_of(const SceneBody& object) {
 std::vector<Contact> seen_in_world(const std::vector<HandContact>& contacts,
                                    const Pose<double>& X_WB) {
   std::vector<Contact> seen;
+  seen.reserve(contacts.size());
   for (const HandContact& each : contacts) seen.push_back(seen_from(X_WB, each.contact));
   return seen;
 }
@@ -131,7 +133,7 @@ double corners_seen(const std::vector<Blocker>& blockers, const Eigen::Matrix3Xd
 
 Vector3d view_of_contacts(const HandPicture& hand, const Scene& scene,
                           const std::vector<HandContact>& contacts, const Eyes& eyes) {
-  const Vector3d usual = eyes.usual.normalized();
+  Vector3d usual = eyes.usual.normalized();
   if (contacts.empty()) return usual;
   const std::vector<Blocker> blockers = blockers_of(hand, scene);
   const std::vector<Contact> in_world = seen_in_world(contacts, scene.object.X_WB);

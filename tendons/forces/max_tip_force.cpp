@@ -154,7 +154,7 @@ ForceLimitPrices prices_of(const TipStatics& statics, const internal::TipBalance
 /// Of the forces with the same component along d and the same joint torques, the one of which bones
 /// carry least alone: without what lies in the null space of J', across d.
 Vector3d without_bone_force(const internal::TipBalance& balance, const Vector3d& d,
-                            Vector3d force) {
+                            const Vector3d& force) {
   // Directions that meet no torque, and among them those across d.
   const Eigen::Matrix3Xd carried = balance.U.rightCols(3 - balance.rank);
   const VectorXd along = carried.transpose() * d;
