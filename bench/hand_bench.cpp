@@ -26,7 +26,7 @@ struct Bench {
 void BM_Chain(benchmark::State& state) {
   Bench bench;
   const Tree<double>& tree = bench.skeleton.tree;
-  for (auto _ : state) {
+  for ([[maybe_unused]] auto _ : state) {
     const TreeState<double> posed = pose_tree(tree, bench.q());
     for (const SkeletonTip& tip : bench.skeleton.tips)
       benchmark::DoNotOptimize(position_jacobian(
@@ -39,7 +39,7 @@ BENCHMARK(BM_Chain)->Unit(benchmark::kMicrosecond);
 void BM_FastKinematics(benchmark::State& state, InstructionSet simd) {
   Bench bench;
   const FastKinematics fast(bench.skeleton, simd);
-  for (auto _ : state) benchmark::DoNotOptimize(fast.pose(bench.q()));
+  for ([[maybe_unused]] auto _ : state) benchmark::DoNotOptimize(fast.pose(bench.q()));
 }
 BENCHMARK_CAPTURE(BM_FastKinematics, baseline, InstructionSet::kBaseline)
     ->Unit(benchmark::kMicrosecond);
@@ -47,7 +47,7 @@ BENCHMARK_CAPTURE(BM_FastKinematics, best, InstructionSet::kBest)->Unit(benchmar
 
 void BM_MultibodyBuild(benchmark::State& state) {
   const Bench bench;
-  for (auto _ : state) benchmark::DoNotOptimize(Multibody(bench.skeleton));
+  for ([[maybe_unused]] auto _ : state) benchmark::DoNotOptimize(Multibody(bench.skeleton));
 }
 BENCHMARK(BM_MultibodyBuild)->Unit(benchmark::kMicrosecond);
 
@@ -55,7 +55,7 @@ void BM_MultibodyInverseDynamics(benchmark::State& state) {
   Bench bench;
   Multibody body(bench.skeleton);
   const Eigen::VectorXd zero = Eigen::VectorXd::Zero(bench.skeleton.coordinates());
-  for (auto _ : state)
+  for ([[maybe_unused]] auto _ : state)
     benchmark::DoNotOptimize(body.inverse_dynamics({bench.q(), zero}, zero, {{0, 0, -9.81}, {}}));
 }
 BENCHMARK(BM_MultibodyInverseDynamics)->Unit(benchmark::kMicrosecond);
@@ -64,7 +64,7 @@ void BM_MultibodyForwardDynamics(benchmark::State& state) {
   Bench bench;
   Multibody body(bench.skeleton);
   const Eigen::VectorXd zero = Eigen::VectorXd::Zero(bench.skeleton.coordinates());
-  for (auto _ : state)
+  for ([[maybe_unused]] auto _ : state)
     benchmark::DoNotOptimize(body.forward_dynamics({bench.q(), zero}, zero, {{0, 0, -9.81}, {}}));
 }
 BENCHMARK(BM_MultibodyForwardDynamics)->Unit(benchmark::kMicrosecond);

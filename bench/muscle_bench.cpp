@@ -44,7 +44,7 @@ void BM_Simulate(benchmark::State& state) {
   options.seconds = kSeconds;
   options.tolerance = std::pow(10.0, -static_cast<double>(state.range(1)));
   long steps = 0;
-  for (auto _ : state) {
+  for ([[maybe_unused]] auto _ : state) {
     const Trajectory path =
         simulate(finger.model(), constant_excitation(excitation()),
                  {Eigen::VectorXd::Constant(4, 0.2), {}, Eigen::VectorXd::Zero(7)}, options);
@@ -66,13 +66,13 @@ void BM_Slope(benchmark::State& state) {
   FingerMotion motion(finger.model());
   const MotionState at =
       motion.start(Eigen::VectorXd::Constant(4, 0.2), Eigen::VectorXd::Ones(4), excitation()).state;
-  for (auto _ : state) benchmark::DoNotOptimize(motion.slope(at, excitation()));
+  for ([[maybe_unused]] auto _ : state) benchmark::DoNotOptimize(motion.slope(at, excitation()));
 }
 BENCHMARK(BM_Slope)->ArgName("rung")->Arg(0)->Arg(1)->Arg(2)->Unit(benchmark::kMicrosecond);
 
 /// The same under a net of data/nets, on muscles of rung 0 and 1.
 void BM_SlopeUnderNet(benchmark::State& state) {
-  const Muscle rung = static_cast<Muscle>(state.range(0));
+  const auto rung = static_cast<Muscle>(state.range(0));
   const Finger finger(rung);
   TendonOptions rungs;
   rungs.hood = Hood::kFloatingNet;
@@ -83,7 +83,7 @@ void BM_SlopeUnderNet(benchmark::State& state) {
       motion.start(Eigen::VectorXd::Constant(4, 0.2), Eigen::VectorXd::Ones(4), excitation()).state;
   const std::string warning = motion.accept(at).warning;
   if (!warning.empty()) state.SkipWithError(warning.c_str());
-  for (auto _ : state) benchmark::DoNotOptimize(motion.slope(at, excitation()));
+  for ([[maybe_unused]] auto _ : state) benchmark::DoNotOptimize(motion.slope(at, excitation()));
 }
 BENCHMARK(BM_SlopeUnderNet)->ArgName("rung")->Arg(0)->Arg(1)->Unit(benchmark::kMicrosecond);
 

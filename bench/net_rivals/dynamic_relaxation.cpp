@@ -43,7 +43,7 @@ struct Moving {
 
 RivalRest relax(const PosedNet& net, const Eigen::Matrix3Xd& start,
                 const RelaxationOptions& options, const Watch& watch) {
-  const Eigen::Index count = static_cast<Eigen::Index>(net.net().nodes.size());
+  const auto count = static_cast<Eigen::Index>(net.net().nodes.size());
   Eigen::RowVectorXd free = Eigen::RowVectorXd::Zero(count);
   for (const int i : net.free_nodes()) free[i] = 1;
   Moving now{settled(net, net.from(start)), Eigen::Matrix3Xd::Zero(3, count), 0};

@@ -1,6 +1,7 @@
 #include "bench/net_rivals/posed_net.h"
 
 #include <cmath>
+#include <utility>
 
 #include "tendons/wrapping/wrapped_string.h"
 
@@ -30,8 +31,8 @@ WrappedString chord_in_world(const BoneSurface& surface, const Pose<double>& X_W
 
 }  // namespace
 
-PosedNet::PosedNet(const Net& net, const TreeState<double>& state, const NetDrive& drive)
-    : net_(net), drive_(drive), linked_(3, static_cast<Eigen::Index>(net.nodes.size())) {
+PosedNet::PosedNet(const Net& net, const TreeState<double>& state, NetDrive drive)
+    : net_(net), drive_(std::move(drive)), linked_(3, static_cast<Eigen::Index>(net.nodes.size())) {
   for (std::size_t i = 0; i < net.nodes.size(); ++i) {
     const NetNode& node = net.nodes[i];
     const int index = static_cast<int>(i);

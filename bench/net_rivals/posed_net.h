@@ -37,7 +37,7 @@ struct BoneProbe {
 
 class PosedNet {
  public:
-  PosedNet(const Net& net, const TreeState<double>& state, const NetDrive& drive);
+  PosedNet(const Net& net, const TreeState<double>& state, NetDrive drive);
 
   [[nodiscard]] const Net& net() const { return net_; }
   [[nodiscard]] const std::vector<int>& free_nodes() const { return free_; }

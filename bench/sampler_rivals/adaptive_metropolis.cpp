@@ -8,7 +8,7 @@
 namespace thenar::bench {
 
 HaarioMetropolis::HaarioMetropolis(Density density, const Eigen::VectorXd& start,
-                                   const Eigen::MatrixXd& covariance, const Options& options)
+                                   Eigen::MatrixXd covariance, const Options& options)
     : density_(std::move(density)),
       options_(options),
       rng_(options.seed),
@@ -18,7 +18,7 @@ HaarioMetropolis::HaarioMetropolis(Density density, const Eigen::VectorXd& start
       mean_(start),
       deviation_(start.size()),
       value_(density_(start)),
-      covariance_(covariance) {
+      covariance_(std::move(covariance)) {
   factor();
 }
 

@@ -26,7 +26,7 @@ class HaarioMetropolis {
   };
 
   /// @param covariance  first guess (n, n)
-  HaarioMetropolis(Density density, const Eigen::VectorXd& start, const Eigen::MatrixXd& covariance,
+  HaarioMetropolis(Density density, const Eigen::VectorXd& start, Eigen::MatrixXd covariance,
                    const Options& options);
 
   void step();

@@ -2,6 +2,8 @@
 
 #include "api/experiment_check.h"
 
+#include <algorithm>
+
 #include <gtest/gtest.h>
 
 #include "api/named/files.h"
@@ -27,9 +29,9 @@ SubjectMatch checked(const SourceText& source) {
 }
 
 bool any_starts(const std::vector<std::string>& sentences, const std::string& start) {
-  for (const std::string& sentence : sentences)
-    if (sentence.compare(0, start.size(), start) == 0) return true;
-  return false;
+  return std::any_of(sentences.begin(), sentences.end(), [&](const std::string& sentence) {
+    return sentence.compare(0, start.size(), start) == 0;
+  });
 }
 
 TEST(CheckExperiment, FindsNothingWrongWithAPublishedOne) {

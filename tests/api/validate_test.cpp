@@ -10,12 +10,12 @@
 namespace thenar {
 namespace {
 
-ValidateRequest request_for(const std::vector<std::string>& things, const std::string& subject) {
+ValidateRequest things_for(const std::vector<std::string>& things, const std::string& subject) {
   return {things, subject, "", kData};
 }
 
 TEST(Validate, JudgesEachThingByItself) {
-  const Validation found = validate(request_for({"winslow", "nobody", "barrett"}, ""));
+  const Validation found = validate(things_for({"winslow", "nobody", "barrett"}, ""));
   ASSERT_EQ(found.files.size(), 3U);
   EXPECT_TRUE(found.files[0].valid());
   EXPECT_FALSE(found.files[1].valid());
@@ -25,12 +25,12 @@ TEST(Validate, JudgesEachThingByItself) {
 }
 
 TEST(Validate, HoldsExperimentsToASubject) {
-  EXPECT_TRUE(validate(request_for({"synek2019_H01"}, "synek2019_middle")).valid());
-  const Validation index = validate(request_for({"synek2019_H01"}, "an_chao_index"));
+  EXPECT_TRUE(validate(things_for({"synek2019_H01"}, "synek2019_middle")).valid());
+  const Validation index = validate(things_for({"synek2019_H01"}, "an_chao_index"));
   EXPECT_TRUE(index.files[0].error.empty());
   EXPECT_EQ(index.files[0].check.misfits.size(), 1U);  // it has no middle finger
   EXPECT_FALSE(index.valid());
-  EXPECT_EQ(message_of([] { (void)validate(request_for({"winslow"}, "an_chao_index")); }),
+  EXPECT_EQ(message_of([] { (void)validate(things_for({"winslow"}, "an_chao_index")); }),
             "--subject is what experiments are held to; none of the files is an experiment");
 }
 

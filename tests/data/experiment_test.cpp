@@ -116,10 +116,10 @@ TEST(ExperimentErrors, ComponentsAlongOneDirection) {
             "e.toml:11: wanted 'components' along three different directions");
 }
 
-const std::string kThree = "components = [\"-proximal\", \"palmar\", \"radial\"]";
+const std::string kThree = R"(components = ["-proximal", "palmar", "radial"])";
 
 TEST(ExperimentErrors, TwoComponentsAcrossThePlaneOfFlexion) {
-  EXPECT_EQ(experiment_refusal(kThree, "components = [\"proximal\", \"radial\"]"),
+  EXPECT_EQ(experiment_refusal(kThree, R"(components = ["proximal", "radial"])"),
             "e.toml:11: wanted 2 'components' in the plane of flexion: one proximal or distal, one "
             "dorsal or palmar");
 }

@@ -171,7 +171,7 @@ std::vector<Vector3d> points_about(const TriangleMesh& mesh, int count) {
   std::vector<Vector3d> points;
   for (int i = 0; i < count / 5; ++i) {
     const Vector3d p = somewhere(mesh, box, i, rng);
-    for (int k = 0; k < 5; ++k) points.push_back(p + 1e-4 * k * random_in_cube(rng));
+    for (int k = 0; k < 5; ++k) points.emplace_back(p + 1e-4 * k * random_in_cube(rng));
   }
   // And those at which several triangles are equally near, but for rounding.
   for (Eigen::Index v = 0; v < mesh.vertices.cols() && v < count / 2; ++v) {

@@ -150,7 +150,7 @@ TEST_P(Primitive, IsSupportedByItsNearestPlanes) {
 
 TEST_P(Primitive, HasAnAnswerOnItsPlanesAndAxes) {
   for (int i = 0; i < 125; ++i) {
-    const Vector3d grid(i % 5 - 2, i / 5 % 5 - 2, i / 25 - 2);
+    const Vector3d grid = Eigen::Vector3i(i % 5 - 2, i / 5 % 5 - 2, i / 25 - 2).cast<double>();
     const Vector3d p = 0.5 * grid.cwiseProduct(GetParam().shape->bounds().max());
     const NearestSurface near = GetParam().shape->nearest(p);
     const Vector3d foot = p - near.distance * near.normal;

@@ -142,7 +142,8 @@ TEST(MendMesh, FallsBackToTheConvexHull) {
 
 TEST(HullMesh, IsTheBoxOfAGridOfPoints) {
   Eigen::Matrix3Xd points(3, 1000);
-  for (int i = 0; i < 1000; ++i) points.col(i) << i % 10, i / 10 % 10, i / 100;
+  for (int i = 0; i < 1000; ++i)
+    points.col(i) = Eigen::Vector3i(i % 10, i / 10 % 10, i / 100).cast<double>();
   const TriangleMesh hull = hull_mesh(points / 9);
   EXPECT_NEAR(enclosed_volume(hull), 1, 1e-5);
   EXPECT_TRUE(hull_mesh(Eigen::Matrix3Xd::Zero(3, 10)).empty());

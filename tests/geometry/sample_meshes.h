@@ -34,10 +34,10 @@ class HandledMug final : public Shape {
     };
     return {value(p), Eigen::Vector3d(gradient(0), gradient(1), gradient(2)).normalized()};
   }
-  Eigen::AlignedBox3d bounds() const override { return {kLow, kHigh}; }
+  Eigen::AlignedBox3d bounds() const override { return {low_, high_}; }
 
  private:
-  const Eigen::Vector3d kLow{-0.04, -0.04, -0.05}, kHigh{0.075, 0.04, 0.05};
+  const Eigen::Vector3d low_{-0.04, -0.04, -0.05}, high_{0.075, 0.04, 0.05};
   static double value(const Eigen::Vector3d& p) {
     const auto cylinder = [&](double radius, double low, double high) {
       return std::max(p.head<2>().norm() - radius, std::max(low - p.z(), p.z() - high));

@@ -194,7 +194,7 @@ TEST(UnionMass, OfManyBoxesIsThatOfRandomPoints) {
       const Vector3d q = box.X_BS.R.transpose() * (p - box.X_BS.p);
       in = in || (q.cwiseAbs().array() <= box.size.array() / 2).all();
     }
-    hits += in;
+    hits += in ? 1 : 0;
   }
   const double share = static_cast<double>(hits) / count;
   const double sigma = std::sqrt(share * (1 - share) / count);

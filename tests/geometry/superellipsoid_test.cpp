@@ -139,7 +139,7 @@ TEST(Superellipsoid, HasAnAnswerOnItsPlanesAndAxes) {
   for (const Vector2d& e : kSharp) {
     const auto shape = build_superellipsoid(kAxes, e);
     for (int i = 0; i < 125; ++i) {
-      const Vector3d grid(i % 5 - 2, i / 5 % 5 - 2, i / 25 - 2);
+      const Vector3d grid = Eigen::Vector3i(i % 5 - 2, i / 5 % 5 - 2, i / 25 - 2).cast<double>();
       const Vector3d p = 0.5 * grid.cwiseProduct(kAxes);
       const NearestSurface near = shape->nearest(p);
       EXPECT_NEAR(near.normal.norm(), 1, 1e-12) << e.transpose() << " at " << p.transpose();

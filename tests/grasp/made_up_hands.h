@@ -85,27 +85,32 @@ class HandMaker {
     return spec;
   }
 
-  /// A link on a hinge. @param at  of the hinge, from the one before it
-  void hinge(const std::string& name, const std::string& parent, const Eigen::Vector3d& at,
-             const Eigen::Vector3d& about, double lower, double upper, const std::string& leader,
-             double ratio, const std::vector<ShapeSpec>& shapes) {
+  /// A link on a hinge, which may follow that of another link.
+  struct Hinge {
+    std::string name, parent;   // of the links
+    Eigen::Vector3d at, about;  // from the hinge before it; any length
+    double lower, upper;        // [rad]
+    std::string leader;         // empty: it follows none
+    double ratio;               // of its angle to the leader's [1]
+  };
+  void add(const Hinge& hinge, const std::vector<ShapeSpec>& shapes) {
     RobotLink link;
-    link.name = name;
+    link.name = hinge.name;
     link.shapes = shapes;
     robot_.links.push_back(link);
     RobotJoint joint;
-    joint.name = name + " joint";
-    joint.parent = parent;
-    joint.child = name;
-    joint.X_PJ.p = place(at);
+    joint.name = hinge.name + " joint";
+    joint.parent = hinge.parent;
+    joint.child = hinge.name;
+    joint.X_PJ.p = place(hinge.at);
     const double sign = how_.negative ? -1 : 1;
-    joint.axis = sign * axis(about.normalized());
-    joint.lower = how_.negative ? -upper : lower;
-    joint.upper = how_.negative ? -lower : upper;
-    joint.dof = (leader.empty() ? name : leader) + " joint";
-    joint.ratio = ratio;
+    joint.axis = sign * axis(hinge.about.normalized());
+    joint.lower = how_.negative ? -hinge.upper : hinge.lower;
+    joint.upper = how_.negative ? -hinge.lower : hinge.upper;
+    joint.dof = (hinge.leader.empty() ? hinge.name : hinge.leader) + " joint";
+    joint.ratio = hinge.ratio;
     robot_.joints.push_back(joint);
-    if (!leader.empty()) return;
+    if (!hinge.leader.empty()) return;
     RobotDof dof;
     dof.name = joint.dof;
     dof.lower = joint.lower;
@@ -115,23 +120,21 @@ class HandMaker {
   }
 
   void finger(const std::string& name, double y, bool far_side) {
-    const Eigen::Vector3d x(1, 0, 0), flex(0, -1, 0);
-    std::string parent = "base";
     if (how_.arched && far_side) {
       arched_.push_back(name);
       return;  // built with the thumb's opposition
     }
-    build_finger(name, parent, {0, y, -0.01});
+    build_finger(name, "base", {0, y, -0.01});
   }
 
   void build_finger(const std::string& name, const std::string& parent, const Eigen::Vector3d& at) {
     const Eigen::Vector3d x(1, 0, 0), flex(0, -1, 0);
     const std::string leader = how_.one_motor_a_finger ? name + " 1" : "";
-    hinge(name + " 1", parent, at, flex, -0.1, 1.6, "", 1, {phalanx_shape(x, 0.042, 0.008)});
-    hinge(name + " 2", name + " 1", {0.042, 0, 0}, flex, -0.1, 1.7, leader, 1,
-          {phalanx_shape(x, 0.026, 0.0075)});
-    hinge(name + " 3", name + " 2", {0.026, 0, 0}, flex, -0.1, 1.5, leader, 0.8,
-          {phalanx_shape(x, 0.018, 0.007)});
+    add({name + " 1", parent, at, flex, -0.1, 1.6, "", 1}, {phalanx_shape(x, 0.042, 0.008)});
+    add({name + " 2", name + " 1", {0.042, 0, 0}, flex, -0.1, 1.7, leader, 1},
+        {phalanx_shape(x, 0.026, 0.0075)});
+    add({name + " 3", name + " 2", {0.026, 0, 0}, flex, -0.1, 1.5, leader, 0.8},
+        {phalanx_shape(x, 0.018, 0.007)});
   }
 
   void thumb() {
@@ -139,26 +142,26 @@ class HandMaker {
     if (how_.thumb == 0) {
       // In the palm's plane at 0; opposition swings it out of it about the palm's length.
       const Eigen::Vector3d way(0.6, 0.8, 0), flex(0, 0, -1);
-      hinge("opposer 0", "base", at, {1, 0, 0}, 0, 1.9, "", 1, {});
+      add({"opposer 0", "base", at, {1, 0, 0}, 0, 1.9, "", 1}, {});
       segments("opposer 0", {0, 0, 0}, way, flex, 3);
     } else if (how_.thumb == 1) {
       // Out of the palm by flexion about its length, round by a twist of the metacarpal.
       const Eigen::Vector3d way(0.5, 0.85, 0);
-      hinge("opposer 0", "base", at, {1, -0.6, 0}, -0.2, 1.3, "", 1, {});
-      hinge("opposer 0a", "opposer 0", {0, 0, 0}, way, -0.8, 0.8, "", 1,
-            {phalanx_shape(way, 0.04, 0.009)});
+      add({"opposer 0", "base", at, {1, -0.6, 0}, -0.2, 1.3, "", 1}, {});
+      add({"opposer 0a", "opposer 0", {0, 0, 0}, way, -0.8, 0.8, "", 1},
+          {phalanx_shape(way, 0.04, 0.009)});
       segments("opposer 0a", 0.04 * way.normalized(), way, {0, 0, -1}, 2);
     } else {
       // Across the palm's normal, then round its own length.
       const Eigen::Vector3d way(0.3, 0.95, 0);
-      hinge("opposer 0", "base", at, {0, 0, 1}, -0.6, 0.6, "", 1, {});
-      hinge("opposer 0a", "opposer 0", {0, 0, 0}, {1, 0, 0}, 0, 1.8, "", 1,
-            {phalanx_shape(way, 0.04, 0.009)});
+      add({"opposer 0", "base", at, {0, 0, 1}, -0.6, 0.6, "", 1}, {});
+      add({"opposer 0a", "opposer 0", {0, 0, 0}, {1, 0, 0}, 0, 1.8, "", 1},
+          {phalanx_shape(way, 0.04, 0.009)});
       segments("opposer 0a", 0.04 * way.normalized(), way, {0, 0, -1}, 2);
     }
     for (std::size_t i = 0; i < arched_.size(); ++i) {
       const std::string arch = arched_[i] + " arch";
-      hinge(arch, "base", {-0.06, 0, -0.012}, {-1, 0, 0}, 0, 0.6, "opposer 0", 0.2, {});
+      add({arch, "base", {-0.06, 0, -0.012}, {-1, 0, 0}, 0, 0.6, "opposer 0", 0.2}, {});
       build_finger(arched_[i], arch, {0.06, -0.011 - 0.022 * static_cast<double>(i), 0.002});
     }
   }
@@ -172,8 +175,8 @@ class HandMaker {
       const std::string name = "opposer " + std::to_string(i + 1);
       const double length = lengths[3 - count + i];
       const bool follows = how_.one_motor_a_finger && i > 0;
-      hinge(name, before, from, flex, -0.1, 1.2, follows ? "opposer 1" : "", 1,
-            {phalanx_shape(way, length, 0.009)});
+      add({name, before, from, flex, -0.1, 1.2, follows ? "opposer 1" : "", 1},
+          {phalanx_shape(way, length, 0.009)});
       before = name;
       from = length * way.normalized();
     }

@@ -119,9 +119,8 @@ TEST(HandPosteriorStability, DoubledParametersShareWhatIsKnown) {
 std::pair<Eigen::Vector2d, Eigen::Vector2d> moments(const HandPosterior& posterior) {
   constexpr int kCount = 161;
   MatrixXd x(2, kCount * kCount);
-  for (Eigen::Index p = 0; p < x.cols(); ++p)
-    x.col(p) = Eigen::Vector2d(static_cast<double>(p % kCount), static_cast<double>(p / kCount)) *
-                   (8.0 / (kCount - 1)) -
+  for (int p = 0; p < kCount * kCount; ++p)
+    x.col(p) = Eigen::Vector2i(p % kCount, p / kCount).cast<double>() * (8.0 / (kCount - 1)) -
                Eigen::Vector2d(4, 4);
   const Densities at = posterior.evaluate(x, WithGradient::kNo);
   VectorXd weight = at.log_prior + at.log_likelihood;

@@ -10,15 +10,20 @@
 
 namespace thenar::sample {
 
+struct SampleChains {
+  Eigen::Index draws = 100, chains = 4;
+  unsigned seed = 1;
+};
+
 /// Normal draws about `mean`, whose estimate has this R-hat.
 inline Quantity quantity(const std::string& name, double mean, double sd, double r_hat,
-                         Eigen::Index draws = 100, Eigen::Index chains = 4, unsigned seed = 1) {
+                         const SampleChains& of = {}) {
   Quantity out;
   out.name = name;
   out.unit = "deg";
-  RandomStream random(seed, 0, 0);
-  out.draws =
-      Eigen::MatrixXd::NullaryExpr(draws, chains, [&] { return mean + sd * random.normal(); });
+  RandomStream random(of.seed, 0, 0);
+  out.draws = Eigen::MatrixXd::NullaryExpr(of.draws, of.chains,
+                                           [&] { return mean + sd * random.normal(); });
   out.prior = Eigen::VectorXd::NullaryExpr(1000, [&] { return random.normal(); });
   out.estimate = {name, mean, sd, 0.01, 0.01, mean - sd, mean, mean + sd, r_hat, 400, 300};
   return out;

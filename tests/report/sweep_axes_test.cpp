@@ -15,7 +15,7 @@ SweepAxes axes() {
   grid.varied = {1, 0};
   grid.row = 3;
   for (const double a : {0, 10})
-    for (const double b : {5, 6, 7}) grid.postures.push_back(kDegree * Eigen::Vector2d(b, a));
+    for (const double b : {5, 6, 7}) grid.postures.emplace_back(kDegree * Eigen::Vector2d(b, a));
   return axes_of(grid, {"DIP", "PIP"}, 6);
 }
 

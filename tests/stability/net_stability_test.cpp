@@ -54,7 +54,7 @@ TEST(NetStability, BandOfNoLengthMakesNoNaN) {
 TEST(NetStability, MuscleThatOutpullsTheNetDrawsItsNodeIn) {
   Net net = string_through({0, 0, 0}, 0.06);
   net.muscles = {"m"};
-  add_band(net, 0, add_node(net, false, -1, {0, 0.01, 0}), 0, 0, 0, 0);
+  add_pull(net, 0, add_node(net, false, -1, {0, 0.01, 0}), 0);
   const NetEquilibrium rest = NetSolver(net).solve({}, tension(5));
   EXPECT_EQ(rest.status, NetStatus::kNodeCollapsed);
   ASSERT_EQ(rest.collapsed.size(), 1u);
@@ -91,8 +91,8 @@ TEST(NetStability, TensionsOfOneToAMillionBalance) {
   for (const Eigen::Vector2d& t : {Eigen::Vector2d(50, 5e-5), Eigen::Vector2d(5e-5, 50)}) {
     Net net = string_through({0, 0.001, 0}, 0.036);
     net.muscles = {"m", "n"};
-    add_band(net, 0, add_node(net, false, -1, {0, 0.03, 0}), 0, 0, 0, 0);
-    add_band(net, 0, add_node(net, false, -1, {0, 0, 0.03}), 0, 0, 0, 1);
+    add_pull(net, 0, add_node(net, false, -1, {0, 0.03, 0}), 0);
+    add_pull(net, 0, add_node(net, false, -1, {0, 0, 0.03}), 1);
     const NetEquilibrium rest = NetSolver(net).solve({}, {t, {}});
     EXPECT_EQ(rest.status, NetStatus::kBalanced);
     EXPECT_LT(rest.residual, 1e-9);
@@ -107,7 +107,7 @@ TEST(NetStability, StiffnessesOfOneToAMillionBalance) {
     for (double x : {0.0, 0.01, -0.01}) add_node(net, x >= 0, -1, {x, 0, 0});
     add_band(net, 2, 0, 0.01, 10);
     add_band(net, 0, 1, 0.01, 10 * ratio);
-    add_band(net, 1, add_node(net, false, -1, {0.05, 0, 0}), 0, 0, 0, 0);
+    add_pull(net, 1, add_node(net, false, -1, {0.05, 0, 0}), 0);
     const double t = ratio < 1 ? 1e-5 : 1;
     const NetEquilibrium rest = NetSolver(net).solve({}, tension(t));
     EXPECT_EQ(rest.status, NetStatus::kBalanced);
@@ -124,7 +124,7 @@ Net tug_of_war() {
   for (double x : {-0.01, 0.012}) add_node(net, true, -1, {x, 0.001, 0});
   add_band(net, 0, add_node(net, false, -1, {-0.03, 0, 0}), 0.02, 100);
   add_band(net, 1, add_node(net, false, -1, {0.03, 0, 0}), 0.02, 200);
-  add_band(net, 0, 1, 0, 0, 0, 0);
+  add_pull(net, 0, 1, 0);
   return net;
 }
 
@@ -150,7 +150,7 @@ TEST(NetStability, MillionNewtonsEndInRoundingAndSaySo) {
   Net net = string_through({0, 0.001, 0}, 0.036);
   for (NetBand& band : net.bands) band.EA = 1e8;
   net.muscles = {"m"};
-  add_band(net, 0, add_node(net, false, -1, {0, 0.03, 0}), 0, 0, 0, 0);
+  add_pull(net, 0, add_node(net, false, -1, {0, 0.03, 0}), 0);
   const NetEquilibrium rest = NetSolver(net).solve({}, tension(1e6));
   const NetStatus fair = rest.residual <= 1e-9 ? NetStatus::kBalanced : NetStatus::kStalled;
   EXPECT_EQ(rest.status, fair);

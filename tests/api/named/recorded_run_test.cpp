@@ -2,6 +2,7 @@
 
 #include "api/named/recorded_run.h"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include "base/file_io.h"
@@ -22,17 +23,18 @@ class Recorded : public TemporaryFolder {
   }
   /// Provenance of `thenar pose 'my hand.toml'` in the folder, with the hash of a text.
   [[nodiscard]] std::string provenance(const std::string& hand) const {
-    return "{\"provenance\": {\"command\": \"thenar pose 'my hand.toml'\", \"folder\": \"" +
-           path("") + "\", \"date\": \"2026-01-31T12:00:00Z\", \"commit\": \"\", " +
-           "\"my hand.toml\": \"sha256 " + sha256(hand) + "\"}}";
+    return fmt::format(
+        R"({{"provenance": {{"command": "thenar pose 'my hand.toml'", "folder": "{}",
+             "date": "2026-01-31T12:00:00Z", "commit": "", "my hand.toml": "sha256 {}"}}}})",
+        path(""), sha256(hand));
   }
 };
 
 TEST_F(Recorded, IsReadFromPagesAndJson) {
   (void)written("my hand.toml", "a");
   const std::string page =
-      written("a.html", "<script type=\"application/json\" id=\"thenar-report\">" +
-                            provenance("a") + "</script><script>code</script>");
+      written("a.html", R"(<script type="application/json" id="thenar-report">)" + provenance("a") +
+                            "</script><script>code</script>");
   for (const std::string& file : {page, written("a.json", provenance("a"))}) {
     const RecordedRun found = read_recorded_run(file);
     EXPECT_EQ(found.run.arguments, (std::vector<std::string>{"pose", "my hand.toml"}));

@@ -60,8 +60,8 @@ std::string bytes_of(T value) {
 }
 
 inline std::array<float, 3> cube_corner(int i) {
-  return {static_cast<float>(i % 2 * 2), static_cast<float>(i / 2 % 2 * 2),
-          static_cast<float>(i / 4 * 2)};
+  const int y = i / 2 % 2, z = i / 4;
+  return {static_cast<float>(i % 2 * 2), static_cast<float>(y * 2), static_cast<float>(z * 2)};
 }
 
 inline std::string cube_binary_ply() {

@@ -99,7 +99,7 @@ inline std::vector<HostileFile> hostile_meshes() {
        ":"},
       {"buffer.gltf", with(cube_gltf(), "\"byteLength\": 168", "\"byteLength\": 4000000000"), ":"},
       // Cycles and products.
-      {"cycle.gltf", with(cube_gltf(), "{\"mesh\": 0,", "{\"children\": [0], \"mesh\": 0,"), ":"},
+      {"cycle.gltf", with(cube_gltf(), R"({"mesh": 0,)", R"({"children": [0], "mesh": 0,)"), ":"},
       {"cycle.dae", with(cube_collada(), "<node>", "<node id='n'><instance_node url='#n'/>"),
        "stands in itself"},
       {"tenfold.dae", tenfold_collada(9), "stand for more than"},

@@ -62,7 +62,7 @@ TEST_F(HostileMesh, TellsNothingOfFilesElsewhere) {
                                   "file://" + path("secret.txt"), std::string("link.bin")}) {
     SCOPED_TRACE(name);
     std::string gltf = cube_gltf();
-    const std::size_t uri = gltf.find("\"uri\": \"") + 8;
+    const std::size_t uri = gltf.find(R"("uri": ")") + 8;
     gltf.replace(uri, gltf.rfind('"') - uri, name);
     const std::string message = refusal("in/a.gltf", gltf);
     EXPECT_THAT(message, HasSubstr(path("in/a.gltf") + ":"));
@@ -89,7 +89,7 @@ TEST_F(HostileMesh, ReadsBuffersOfGltfBesideIt) {
   });
   write_file(path("parts/cube.bin"), bytes);
   std::string gltf = cube_gltf();
-  const std::size_t uri = gltf.find("\"uri\": \"") + 8;
+  const std::size_t uri = gltf.find(R"("uri": ")") + 8;
   gltf.replace(uri, gltf.rfind('"') - uri, "parts/cube.bin");
   write_file(path("a.gltf"), gltf);
   EXPECT_EQ(read_mesh(path("a.gltf")).triangles.cols(), 12);

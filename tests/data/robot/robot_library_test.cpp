@@ -1,5 +1,6 @@
 // Every robot in data/robots reads, and is what its file is called.
 
+#include <algorithm>
 #include <filesystem>
 
 #include <gtest/gtest.h>
@@ -41,8 +42,9 @@ TEST(RobotLibrary, HasTheMotorsAndJointsOfThePublications) {
   for (const Counts& count : kCounts) {
     const RobotSpec robot = read_robot(kRobots + "/" + count.robot + ".toml");
     EXPECT_EQ(robot.dofs.size(), static_cast<std::size_t>(count.motors)) << count.robot;
-    int moving = 0;
-    for (const RobotJoint& joint : robot.joints) moving += joint.kind != RobotJointKind::kFixed;
+    const auto moving =
+        std::count_if(robot.joints.begin(), robot.joints.end(),
+                      [](const RobotJoint& joint) { return joint.kind != RobotJointKind::kFixed; });
     EXPECT_EQ(moving, count.joints) << count.robot;
   }
 }

@@ -36,7 +36,7 @@ DofValues random_posture(const RobotSpec& robot, std::mt19937& rng) {
 }
 
 /// The frame of a link in that of its URDF link, which is that of the moved joint.
-Pose<double> X_UL(const RobotSpec& robot, const std::string& link) {
+Pose<double> urdf_frame_of(const RobotSpec& robot, const std::string& link) {
   for (const RobotJoint& joint : robot.joints)
     if (joint.child == link) return joint.X_JC;
   return {};
@@ -85,7 +85,7 @@ class RoundTrip : public TemporaryFolder {
       const RobotLink* link = find(back.links, name);
       ASSERT_NE(link, nullptr) << name;
       const Pose<double> again =
-          Y[static_cast<std::size_t>(link - back.links.data())] * X_UL(robot, name);
+          Y[static_cast<std::size_t>(link - back.links.data())] * urdf_frame_of(robot, name);
       EXPECT_TRUE(matrix_near(again.p, X[i].p, kPoseTolerance)) << name;
       EXPECT_TRUE(matrix_near(again.R, X[i].R, kPoseTolerance)) << name;
     }

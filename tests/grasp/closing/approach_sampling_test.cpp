@@ -143,7 +143,7 @@ TEST(DrawPreshape, TurnsTheThumbButNotTheWrist) {
   EXPECT_EQ(sample_preshape(touching, 0, random), open);
   const Eigen::VectorXd q = sample_preshape(touching, 1, random);
   for (std::size_t j = 0; j < names.size(); ++j) {
-    const Eigen::Index i = static_cast<Eigen::Index>(j);
+    const auto i = static_cast<Eigen::Index>(j);
     if (names[j].rfind("WR", 0) == 0) {
       EXPECT_EQ(q[i], open[i]) << names[j];
     } else if (names[j] == "THJ5") {

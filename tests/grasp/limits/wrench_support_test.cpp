@@ -146,7 +146,7 @@ TEST(Withstood, JawsOnBoxesAlwaysHaveAnAnswer) {
     const WrenchSet set = wrench_set(contacts, {0, 0, 0}, 0.05);
     Eigen::MatrixXd T = Eigen::MatrixXd::Zero(2, 3 * static_cast<Eigen::Index>(contacts.size()));
     for (std::size_t i = 0; i < contacts.size(); ++i)
-      T(contacts[i].p.x() > 0, 3 * static_cast<Eigen::Index>(i)) = 1;
+      T(contacts[i].p.x() > 0 ? 1 : 0, 3 * static_cast<Eigen::Index>(i)) = 1;
     const Actuation motor{Eigen::Vector2d(0.5, 0.5), Eigen::Vector2d::Zero(),
                           Eigen::VectorXd::Zero(1), Eigen::VectorXd::Constant(1, 40)};
     for (const int axis : {2, 5}) {
@@ -170,7 +170,7 @@ ForceSet worm_jaws(const std::vector<Contact>& found, double tilt) {
   for (std::size_t i = 0; i < contacts.size(); ++i) {
     const bool right = contacts[i].p.x() > 0;
     if (right) contacts[i].n = turn * contacts[i].n;
-    T(right, 3 * static_cast<Eigen::Index>(i)) = 1;
+    T(right ? 1 : 0, 3 * static_cast<Eigen::Index>(i)) = 1;
   }
   Actuation motor{Eigen::Vector2d(0.5, 0.5), Eigen::Vector2d::Zero(), Eigen::VectorXd::Zero(1),
                   Eigen::VectorXd::Constant(1, 40)};

@@ -53,7 +53,7 @@ class BruteEpsilon {
               .finished();
       const double length = std::sqrt(z.squaredNorm() + t * t);
       reach.push_back(cap.c.dot(u) + length);
-      slope.push_back(cap.c + cap.A * (z.head(cap.A.cols()) / length));
+      slope.emplace_back(cap.c + cap.A * (z.head(cap.A.cols()) / length));
     }
     // kLinf joins each contact with 0 alone, kL1 all contacts with each other.
     Smooth out{0, ScaledWrench::Zero()};

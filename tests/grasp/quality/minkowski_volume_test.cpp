@@ -60,7 +60,7 @@ TEST(SumVolume, OfManyEdgesIsTheProductOfTwoCones) {
       point.segment<3>(3 * contact) << 1, std::cos(turn), std::sin(turn);
       set.caps.push_back({point, {}, contact});
     }
-  EXPECT_NEAR(sum_of(set), std::pow(kEdges / 2 * std::sin(2 * M_PI / kEdges) / 3, 2), 1e-9);
+  EXPECT_NEAR(sum_of(set), std::pow(0.5 * kEdges * std::sin(2 * M_PI / kEdges) / 3, 2), 1e-9);
 }
 
 // A sum of segments is tiled by one parallelotope for each six of them.

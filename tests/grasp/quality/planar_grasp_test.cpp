@@ -19,7 +19,7 @@ Contact on_disc(double angle, double friction) {
   return {outward, -outward, friction, 0};
 }
 
-Epsilon epsilon_of(const std::vector<Contact>& contacts, ForceNorm limit = ForceNorm::kL1) {
+Epsilon disc_epsilon(const std::vector<Contact>& contacts, ForceNorm limit = ForceNorm::kL1) {
   return planar_epsilon(planar_wrench_set(contacts, {0, 0, 0}, 1), limit);
 }
 
@@ -29,7 +29,7 @@ Epsilon epsilon_of(const std::vector<Contact>& contacts, ForceNorm limit = Force
 // the offset mu / sqrt(2 + mu^2).
 TEST(Planar, TwoFingersOnADisc) {
   for (const double mu : {0.2, 0.5, 1.0}) {
-    const Epsilon found = epsilon_of({on_disc(0, mu), on_disc(M_PI, mu)});
+    const Epsilon found = disc_epsilon({on_disc(0, mu), on_disc(M_PI, mu)});
     EXPECT_TRUE(found.force_closure);
     EXPECT_EQ(found.rank, 3);
     EXPECT_NEAR(found.lower, mu / std::sqrt(2 + mu * mu), 1e-11);
@@ -39,7 +39,7 @@ TEST(Planar, TwoFingersOnADisc) {
 
 // Frictionless fingers on a disc make no torque; those on three sides of a triangle make forces.
 TEST(Planar, FrictionlessDiscMissesTheTorque) {
-  const Epsilon found = epsilon_of({on_disc(0, 0), on_disc(2.1, 0), on_disc(4.2, 0)});
+  const Epsilon found = disc_epsilon({on_disc(0, 0), on_disc(2.1, 0), on_disc(4.2, 0)});
   EXPECT_FALSE(found.force_closure);
   EXPECT_EQ(found.rank, 2);
   EXPECT_EQ(found.upper, 0);
@@ -47,7 +47,7 @@ TEST(Planar, FrictionlessDiscMissesTheTorque) {
 }
 
 TEST(Planar, OneFingerIsAsFarAsItsNormal) {
-  const Epsilon found = epsilon_of({on_disc(0, 0.5)});
+  const Epsilon found = disc_epsilon({on_disc(0, 0.5)});
   EXPECT_FALSE(found.force_closure);
   EXPECT_NEAR(found.upper, -1, 1e-9);
 }
@@ -57,10 +57,10 @@ TEST(Planar, OneFingerIsAsFarAsItsNormal) {
 // sqrt(1 + 4 d^2) and the offset d over the same; the other three are alike.
 TEST(Planar, FormClosureOfASquare) {
   const double d = 0.3;
-  const Epsilon found = epsilon_of({{{-1, d, 0}, {1, 0, 0}, 0, 0},
-                                    {{1, -d, 0}, {-1, 0, 0}, 0, 0},
-                                    {{d, -1, 0}, {0, 1, 0}, 0, 0},
-                                    {{-d, 1, 0}, {0, -1, 0}, 0, 0}});
+  const Epsilon found = disc_epsilon({{{-1, d, 0}, {1, 0, 0}, 0, 0},
+                                      {{1, -d, 0}, {-1, 0, 0}, 0, 0},
+                                      {{d, -1, 0}, {0, 1, 0}, 0, 0},
+                                      {{-d, 1, 0}, {0, -1, 0}, 0, 0}});
   EXPECT_TRUE(found.force_closure);
   EXPECT_NEAR(found.lower, d / std::sqrt(1 + 4 * d * d), 1e-11);
 }

@@ -42,7 +42,7 @@ inline QhullHull qhull_hull(const std::vector<ScaledWrench>& points, const char*
       out.volume = qh.totvol;
     }
   }
-  qh_freeqhull(&qh, !qh_ALL);
+  qh_freeqhull(&qh, 0);  // all but short memory
   int blocks = 0, bytes = 0;
   qh_memfreeshort(&qh, &blocks, &bytes);
   std::fclose(nowhere);
@@ -62,7 +62,7 @@ inline std::vector<ScaledWrench> vertices_of(const WrenchSet& polytope, ForceNor
     const std::vector<ScaledWrench> before = all;
     const int contact = polytope.caps[i].contact;
     for (; i < polytope.caps.size() && polytope.caps[i].contact == contact; ++i)
-      for (const ScaledWrench& p : before) all.push_back(p + polytope.caps[i].c);
+      for (const ScaledWrench& p : before) all.emplace_back(p + polytope.caps[i].c);
   }
   return all;
 }

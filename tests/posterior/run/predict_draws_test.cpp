@@ -50,7 +50,7 @@ TEST(PredictDraws, ReplicateRobustNoiseAsItsLikelihoodHasIt) {
   long within = 0;
   const long trials = off.size() / 3;
   for (long k = 0; k < trials; ++k)
-    within += off.reshaped().segment(3 * k, 3).square().sum() <= 12;  // a = sqrt(3)
+    if (off.reshaped().segment(3 * k, 3).square().sum() <= 12) ++within;  // a = sqrt(3)
   const double a = std::sqrt(3.0), share = 2 / M_PI * (std::atan(a) - a / (1 + a * a));
   EXPECT_NEAR(double(within) / double(trials), share, 4 * std::sqrt(share * (1 - share) / trials));
 }

@@ -64,9 +64,9 @@ TEST(TendonAnswer, HasOneTableForAllForms) {
   const Table table = table_of(sweep);
   ASSERT_EQ(table.rows.size(), 3U);
   const OrderedJson json = json_of(sweep);
-  for (std::size_t k = 0; k < table.header.size(); ++k) {
-    ASSERT_TRUE(json.contains(table.header[k])) << table.header[k];
-    EXPECT_EQ(json[table.header[k]].size(), 3U);
+  for (const std::string& column : table.header) {
+    ASSERT_TRUE(json.contains(column)) << column;
+    EXPECT_EQ(json[column].size(), 3U);
   }
   for (const std::vector<std::string>& row : table.rows) EXPECT_EQ(row.size(), table.header.size());
   EXPECT_EQ(table_of(solve_tendons(netted_finger())).header, table.header);

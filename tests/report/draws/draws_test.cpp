@@ -31,7 +31,7 @@ TEST(ChainsBlock, PutsTheWorstFirst) {
 }
 
 TEST(ChainsBlock, ThinsTracesButRanksAllDraws) {
-  const Json block = chains_block({quantity("a", 0, 1, 1, 1000)}, "");
+  const Json block = chains_block({quantity("a", 0, 1, 1, {1000})}, "");
   const Json& entry = block["quantities"][0];
   EXPECT_EQ(block["draws"].size(), 250U);
   EXPECT_EQ(block["draws"][1], 5);
@@ -44,7 +44,7 @@ TEST(ChainsBlock, ThinsTracesButRanksAllDraws) {
 }
 
 TEST(ChainsBlock, ShowsWalkersByTheirGroups) {
-  Quantity walkers = quantity("a", 0, 1, 1, 50, 24);
+  Quantity walkers = quantity("a", 0, 1, 1, {50, 24});
   for (int c = 0; c < 24; ++c) walkers.group.push_back(c / 12);
   const Json block = chains_block({walkers}, "");
   EXPECT_EQ(block["chains"], Json({"group 1", "group 2"}));
@@ -60,13 +60,13 @@ TEST(ChainsBlock, DrawsAChainThatStands) {
 }
 
 TEST(ChainsBlock, RefusesQuantitiesOfOtherShape) {
-  EXPECT_THROW((void)chains_block({quantity("a", 0, 1, 1), quantity("b", 0, 1, 1, 99)}, ""),
+  EXPECT_THROW((void)chains_block({quantity("a", 0, 1, 1), quantity("b", 0, 1, 1, {99})}, ""),
                InputError);
-  EXPECT_THROW((void)chains_block({quantity("a", 0, 1, 1, 3)}, ""), InputError);
+  EXPECT_THROW((void)chains_block({quantity("a", 0, 1, 1, {3})}, ""), InputError);
 }
 
 TEST(CornerBlock, ThinsAllQuantitiesAtTheSameDraws) {
-  Quantity a = quantity("a", 0, 1, 1, 1000), b = a;
+  Quantity a = quantity("a", 0, 1, 1, {1000}), b = a;
   b.name = "b";
   b.draws *= 2;
   const Json block = corner_block({a, b}, "");

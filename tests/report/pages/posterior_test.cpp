@@ -136,7 +136,7 @@ ModeTable two_modes(Eigen::Index draws) {
 }
 
 TEST(ModeTable, TellsModesApartByWhatDiffersMost) {
-  Quantity same = quantity("same", 0, 1, 1, 50, 2), other = same;
+  Quantity same = quantity("same", 0, 1, 1, {50, 2}), other = same;
   other.name = "other";
   other.draws.col(0).setConstant(-3);
   other.draws.col(1).setConstant(7);
@@ -149,7 +149,7 @@ TEST(ModeTable, TellsModesApartByWhatDiffersMost) {
 }
 
 TEST(ModeTable, RefusesQuantitiesOfOtherDraws) {
-  EXPECT_THROW((void)mode_table(two_modes(50), {quantity("a", 0, 1, 1, 49, 2)}), InputError);
+  EXPECT_THROW((void)mode_table(two_modes(50), {quantity("a", 0, 1, 1, {49, 2})}), InputError);
 }
 
 TEST(SamplerChart, HasOneLineEach) {
@@ -196,7 +196,7 @@ TEST(PosteriorSections, AreOfASizeToBeSent) {
   PosteriorPicture picture;
   for (unsigned i = 0; i < 60; ++i)
     picture.quantities.push_back(
-        quantity(fmt::format("axis/MCP3_FE/direction/{}", i), i, 0.3, 1.001, 1000, 4, i));
+        quantity(fmt::format("axis/MCP3_FE/direction/{}", i), i, 0.3, 1.001, {1000, 4, i}));
   const Json report{{"title", "Posterior"}, {"sections", posterior_sections(picture)}};
   const std::string page = report_page(report);
   EXPECT_LT(page.size(), 5000000U);

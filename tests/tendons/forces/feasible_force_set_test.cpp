@@ -117,7 +117,7 @@ std::vector<Vector3d> enumerated_vertices(const TipStatics& s) {
     const VectorXd x = extra > 0 ? VectorXd(B.fullPivLu().solve(e - E * t)) : VectorXd(0);
     for (Index k = 0; k < extra; ++k) t(open[static_cast<std::size_t>(k)]) = x(k);
     if ((t.array() < -1e-9).any() || (t.array() > s.max_tension.array() + 1e-9).any()) continue;
-    found.push_back(s.J.transpose().colPivHouseholderQr().solve(s.R.transpose() * t + s.tau_0));
+    found.emplace_back(s.J.transpose().colPivHouseholderQr().solve(s.R.transpose() * t + s.tau_0));
   }
   return found;
 }

@@ -57,7 +57,8 @@ TEST_P(MotionStability, ExcitationThatJumpsAllTheTime) {
   Hard hard;
   hard.excitation = {VectorXd(80), Eigen::MatrixXd(80, 7)};
   for (int k = 0; k < 80; ++k) {
-    hard.excitation.time[k] = 0.005 * (k / 2);
+    const int pair = k / 2;
+    hard.excitation.time[k] = 0.005 * pair;
     for (int m = 0; m < 7; ++m) hard.excitation.value(k, m) = ((k + 1) / 2 + m) % 2;
   }
   expect_sound(hard);

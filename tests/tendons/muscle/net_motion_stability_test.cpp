@@ -28,16 +28,21 @@ std::unique_ptr<DigitTendons> net_of(const Subject& subject, const std::string& 
                            read_net(THENAR_DATA_DIR "/nets/" + net + ".toml"));
 }
 
-/// One motion from muscles at rest.
-Trajectory motion_of(const DigitTendons& tendons, const Subject& subject, Muscle rung,
-                     const VectorXd& q, const VectorXd& excitation, double seconds,
-                     double tolerance = 1e-6) {
-  const auto contraction = build_contraction(musculotendons(subject, tendons.digit(), rung), rung);
+/// A motion from muscles at rest.
+struct FromRest {
+  Muscle rung;
+  VectorXd q, excitation;  // [rad], [1]
+  double seconds, tolerance = 1e-6;
+};
+
+Trajectory motion_of(const DigitTendons& tendons, const Subject& subject, const FromRest& wanted) {
+  const auto contraction =
+      build_contraction(musculotendons(subject, tendons.digit(), wanted.rung), wanted.rung);
   SimulateOptions options;
-  options.seconds = seconds;
-  options.tolerance = tolerance;
-  return simulate({tendons, *contraction}, constant_excitation(excitation),
-                  {q, {}, VectorXd::Zero(excitation.size())}, options);
+  options.seconds = wanted.seconds;
+  options.tolerance = wanted.tolerance;
+  return simulate({tendons, *contraction}, constant_excitation(wanted.excitation),
+                  {wanted.q, {}, VectorXd::Zero(wanted.excitation.size())}, options);
 }
 
 /// The k-th: half of the muscles are excited, most of them a little, and every other start is a
@@ -47,7 +52,7 @@ Trajectory motion(int k, const DigitTendons& tendons, const Subject& subject, do
   VectorXd excitation(7);
   for (double& e : excitation) e = draw.number(0, 1) < 0.5 ? 0 : std::pow(draw.number(0, 1), 2);
   const VectorXd q = k / 9 % 2 == 0 ? VectorXd::Zero(4) : draw.posture(tendons.digit().skeleton);
-  return motion_of(tendons, subject, kRungs[k / 3 % 3], q, excitation, seconds);
+  return motion_of(tendons, subject, {kRungs[k / 3 % 3], q, excitation, seconds});
 }
 
 // Excursions are integrated, and lines have lengths of their own: where a nearly slack net gives a
@@ -58,8 +63,8 @@ TEST(NetMotionStability, EndsDoNotHangOnTheTolerance) {
   const VectorXd excitation = (VectorXd(7) << 0.05, 0.02, 0.1, 0.02, 0.02, 0.02, 0.02).finished();
   for (const Muscle rung : {Muscle::kRigidTendon, Muscle::kElasticTendon}) {
     const auto end = [&](double tolerance) -> VectorXd {
-      const Trajectory path = motion_of(*winslow, subject, rung, VectorXd::Constant(4, 0.2),
-                                        excitation, 0.2, tolerance);
+      const Trajectory path = motion_of(
+          *winslow, subject, {rung, VectorXd::Constant(4, 0.2), excitation, 0.2, tolerance});
       EXPECT_EQ(path.status, MotionStatus::kCompleted) << path.warning;
       EXPECT_EQ(path.warning, "");
       EXPECT_LT(path.drift.value_or(0), 1e-4);  // [m]
@@ -143,8 +148,9 @@ TEST(NetMotionStability, MusclesThatStartAtRestMakeNoEnergy) {
   };
   for (const VectorXd& excitation : {of(0.2, 0.2, 0), of(0.05, 0.02, 0.1)})
     for (const char* net : {"chao_an", "winslow"}) {
-      const Trajectory path = motion_of(*net_of(subject, net), subject, Muscle::kRigidTendon,
-                                        VectorXd::Zero(4), excitation, 0.05);
+      const Trajectory path =
+          motion_of(*net_of(subject, net), subject,
+                    {Muscle::kRigidTendon, VectorXd::Zero(4), excitation, 0.05});
       EXPECT_EQ(path.status, MotionStatus::kCompleted) << net << " " << path.warning;
       EXPECT_LT(path.balance.error, 1e-5 * path.balance.turned_over) << net;
       EXPECT_GT(path.balance.turned_over, 1e-6) << net;

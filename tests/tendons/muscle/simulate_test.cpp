@@ -281,8 +281,9 @@ TEST(Simulate, GivesUpWhereItDoesNotGetOn) {
   const Mover mover(Pendulum().subject(), Muscle::kBounds);
   Excitation jumps{VectorXd(4000), Eigen::MatrixXd(4000, 1)};
   for (int k = 0; k < 4000; ++k) {
-    jumps.time[k] = 1e-9 * (k / 2);
-    jumps.value(k, 0) = 0.1 * ((k + 1) / 2 % 2);
+    const int pair = k / 2, parity = (k + 1) / 2 % 2;
+    jumps.time[k] = 1e-9 * pair;
+    jumps.value(k, 0) = 0.1 * parity;
   }
   SimulateOptions options = seconds(1);
   options.stall_steps = 200;

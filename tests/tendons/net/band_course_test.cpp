@@ -15,12 +15,12 @@ namespace {
 
 using Eigen::Vector3d;
 
-constexpr double kRadius = 0.005;
+constexpr double kHeadRadius = 0.005;
 
 /// One band between two fixed points over a bone of that shape about the origin; z is its axis.
 struct BandScene {
   explicit BandScene(SurfaceShape shape, const Vector3d& a, const Vector3d& b) {
-    net.surfaces = {{"bone", -1, shape, {kRadius, 0.01, 0}, {}}};
+    net.surfaces = {{"bone", -1, shape, {kHeadRadius, 0.01, 0}, {}}};
     net.nodes = {{"a", false, -1, a, {}}, {"b", false, -1, b, {}}};
     NetBand band{"band", 0, 1};
     band.over = 0;
@@ -48,25 +48,25 @@ TEST(BandCourse, RunsStraightPastABone) {
 
 // From (-2r, 0) to (2r, 0): two tangents of r sqrt(3), and an arc of pi - 2 * 60 degrees.
 TEST(BandCourse, BendsOverACylinderOnItsSide) {
-  const BandScene scene(SurfaceShape::kCylinder, {-2 * kRadius, 0, 0}, {2 * kRadius, 0, 0});
+  const BandScene scene(SurfaceShape::kCylinder, {-2 * kHeadRadius, 0, 0}, {2 * kHeadRadius, 0, 0});
   const BandCourse course = scene.course();
   ASSERT_TRUE(course.bent);
   for (std::size_t i = 1; i + 1 < course.points.size(); ++i) {
-    EXPECT_NEAR(course.points[i].norm(), kRadius, 1e-12);
+    EXPECT_NEAR(course.points[i].norm(), kHeadRadius, 1e-12);
     EXPECT_GT(course.points[i].y(), 0);
   }
-  const double exact = kRadius * (2 * std::sqrt(3.0) + kPi / 3);
+  const double exact = kHeadRadius * (2 * std::sqrt(3.0) + kPi / 3);
   // Twelve chords of an arc of 60 degrees fall short by (5 deg)^2 / 24 of it.
-  const double shortfall = kRadius * kPi / 3 * std::pow(kPi / 36, 2) / 24;
+  const double shortfall = kHeadRadius * kPi / 3 * std::pow(kPi / 36, 2) / 24;
   EXPECT_NEAR(length(course.points), exact - shortfall, 1e-3 * shortfall);
 }
 
 // Unrolled, a run along the axis as well is the hypotenuse.
 TEST(BandCourse, BendsOverACylinderAsAHelix) {
-  const BandScene scene(SurfaceShape::kCylinder, {-2 * kRadius, 0, -0.004},
-                        {2 * kRadius, 0, 0.004});
+  const BandScene scene(SurfaceShape::kCylinder, {-2 * kHeadRadius, 0, -0.004},
+                        {2 * kHeadRadius, 0, 0.004});
   const BandCourse course = scene.course();
-  const double flat = kRadius * (2 * std::sqrt(3.0) + kPi / 3);
+  const double flat = kHeadRadius * (2 * std::sqrt(3.0) + kPi / 3);
   EXPECT_NEAR(length(course.points), std::hypot(flat, 0.008), 1e-4 * flat);
   EXPECT_NEAR(course.points[course.points.size() / 2].z(), 0, 1e-3);
 }
@@ -76,7 +76,7 @@ TEST(BandCourse, BendsOverASphereInThePlaneOfItsEnds) {
   const BandCourse course = scene.course();
   ASSERT_TRUE(course.bent);
   for (const Vector3d& p : course.points) EXPECT_NEAR(p.z(), 0, 1e-15);
-  EXPECT_NEAR(course.points[course.points.size() / 2].norm(), kRadius, 1e-12);
+  EXPECT_NEAR(course.points[course.points.size() / 2].norm(), kHeadRadius, 1e-12);
 }
 
 TEST(BandCourse, RefusesABandThatIsNotThere) {

@@ -301,7 +301,7 @@ class Exact {
     const Eigen::Matrix<long double, 3, 1> u = d / L;
     pull_.col(line.a) += (T * u).cast<double>();
     const Eigen::Vector3d ud = u.cast<double>();
-    const double across = static_cast<double>(T / L), along = static_cast<double>(k);
+    const auto across = static_cast<double>(T / L), along = static_cast<double>(k);
     const Matrix3d K = (along - across) * ud * ud.transpose() + across * Matrix3d::Identity();
     const int ends[] = {row(line.a), row(line.b)};
     for (int p = 0; p < 2; ++p) {
@@ -344,7 +344,7 @@ class Exact {
     rest_.collapsed = rows_ = 0;
     for (std::size_t i = 0; i < exit_.size(); ++i) {
       if (scene_.row[i] >= 0 && exit_[i] < 0) rest_.row[i] = rows_, rows_ += 1;
-      rest_.collapsed += exit_[i] >= 0;
+      if (exit_[i] >= 0) ++rest_.collapsed;
     }
     rows_ *= 3;
   }

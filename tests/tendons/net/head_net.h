@@ -32,7 +32,9 @@ inline SampleNet net_over_head() {
 
   const auto join = [&](int a, int b, double strain, double EA, int muscle = -1) {
     const double length = (net.nodes[a].p - net.nodes[b].p).norm();
-    return add_band(net, a, b, length / (1 + strain), EA, 0.02, muscle);
+    const int band = add_band(net, a, b, length / (1 + strain), EA, 0.02);
+    net.bands[band].muscle = muscle;
+    return band;
   };
   const auto bend = [&](int band) {
     net.bands[band].over = 0;

@@ -25,7 +25,7 @@ using Eigen::VectorXd;
 // loose nodes, a residual of 1e-9 N leaves the place open; so it does where nothing but bands below
 // 1e-8 N are in the way, which a node may as well leave slack: their stiffness is not counted.
 constexpr double kSoft = 1.0;    // [N/m]
-constexpr double kPlace = 1e-8;  // [m]
+constexpr double kApart = 1e-8;  // [m]
 
 int first_net() {
   const char* wanted = std::getenv("THENAR_FIRST_NET");
@@ -97,7 +97,7 @@ TEST(ConvexNets, RestWhereAnIndependentProgramSays) {
       continue;
     }
     EXPECT_EQ(rest.status == NetStatus::kNodeCollapsed, exact.collapsed > 0) << "seed " << seed;
-    EXPECT_LT(gap.place, kPlace) << "seed " << seed;
+    EXPECT_LT(gap.place, kApart) << "seed " << seed;
     EXPECT_LT(gap.tension, 1e-6) << "seed " << seed;
     // E is convex and its slope is below 1e-9 N a node; rounding of a sum of 1e2 terms below 1 J.
     EXPECT_LT(gap.energy, 1e-9 * gap.way + 1e-14) << "seed " << seed;

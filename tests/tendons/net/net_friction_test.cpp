@@ -33,7 +33,7 @@ struct Saddle {
       const Vector3d way(side * std::cos(kDown), -std::sin(kDown), 0);
       add_node(net, false, -1, Vector3d(0, kPulleyRadius, 0) + kLength * way);
     }
-    add_band(net, 0, 1, 0, 0, 0, 0);
+    add_pull(net, 0, 1, 0);
     add_band(net, 0, 2, kLength / (1 + 2 / kStiff), kStiff);
   }
   [[nodiscard]] NetFrictionRest rest(double a) const {
@@ -123,7 +123,7 @@ double drawn_over_a_quarter(int nodes, NetFrictionRest& rest) {
   for (int i = 0; i < nodes; ++i) add_node(net, true, -1, on(i), {0});
   add_band(net, 0, add_node(net, false, -1, on(-1)), slack, kStiff);
   for (int i = 0; i + 1 < nodes; ++i) add_band(net, i, i + 1, slack, kStiff);
-  add_band(net, nodes - 1, add_node(net, false, -1, on(nodes)), 0, 0, 0, 0);
+  add_pull(net, nodes - 1, add_node(net, false, -1, on(nodes)), 0);
   rest = solve_net_friction(net, {}, {VectorXd::Ones(1), {}});
   return 1 / rest.rest.tension(0);
 }

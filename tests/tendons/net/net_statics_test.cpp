@@ -343,7 +343,7 @@ TEST(NetDerivatives, OfAMuscleOfAFewMicrometresAreThoseOfItsPull) {
   add_node(net, false, -1, {kShort, 0, 0});
   add_node(net, false, -1, {-L * c, L * s, 0});
   add_node(net, false, -1, {-L * c, -L * s, 0});
-  add_band(net, 0, 1, 1, 1, 0, 0);
+  add_pull(net, 0, 1, 0);
   add_band(net, 0, 2, slack, EA);
   add_band(net, 0, 3, slack, EA);
   net.muscles = {"pull"};

@@ -34,14 +34,18 @@ inline int add_node(Net& net, bool free, int link, const Eigen::Vector3d& p,
   return number;
 }
 
-/// Adds a passive band, or one of a muscle, and returns its number.
-inline int add_band(Net& net, int a, int b, double slack, double EA, double toe = 0,
-                    int muscle = -1) {
+/// Adds a passive band and returns its number.
+inline int add_band(Net& net, int a, int b, double slack, double EA, double toe = 0) {
   const int number = static_cast<int>(net.bands.size());
   NetBand band{"b" + std::to_string(number), a, b};
-  band.slack = slack, band.EA = EA, band.toe = toe, band.muscle = muscle;
+  band.slack = slack, band.EA = EA, band.toe = toe;
   net.bands.push_back(band);
   return number;
+}
+
+/// Adds a band that a muscle pulls.
+inline void add_pull(Net& net, int a, int b, int muscle) {
+  net.bands[static_cast<std::size_t>(add_band(net, a, b, 0, 0))].muscle = muscle;
 }
 
 /// A net over the head of a phalanx: a cylinder of radius 6 mm along z, the axis of the hinge that
@@ -62,16 +66,18 @@ inline SampleNet sample_net_on_bone(int free_nodes, int bands) {
   const int rows = (free_nodes + 2) / 3;
   std::vector<std::vector<int>> grid(static_cast<std::size_t>(rows));
   for (int i = 0; i < free_nodes; ++i) {
-    const double angle = kFirst + (kLast - kFirst) * (i / 3) / std::max(rows - 1, 1);
-    grid[i / 3].push_back(add_node(net, true, -1, on_bone(angle, kColumn[i % 3]), {0}));
+    const int row = i / 3;
+    const double angle = kFirst + (kLast - kFirst) * row / std::max(rows - 1, 1);
+    grid[row].push_back(add_node(net, true, -1, on_bone(angle, kColumn[i % 3]), {0}));
   }
   // Slack lengths make the given strain at this place, along the bone where it is in the way.
   const auto join = [&](int a, int b, double strain, bool over, int muscle = -1) {
     const Eigen::Vector3d &pa = net.nodes[a].p, &pb = net.nodes[b].p;
     const BoneSurface& bone = net.surfaces[0];
     const double length = wrap_string(bone, pa, pb, {0, 1, 0}).length;
-    const int band = add_band(net, a, b, length / (1 + strain), 150, 0.02, muscle);
-    if (over) net.bands[band].over = 0;
+    NetBand& band = net.bands[add_band(net, a, b, length / (1 + strain), 150, 0.02)];
+    band.muscle = muscle;
+    if (over) band.over = 0;
   };
   for (int c = 0; c < 3; ++c) {
     net.muscles.push_back("m" + std::to_string(c));
@@ -204,7 +210,7 @@ inline SampleNet random_net(std::mt19937& rng, const RandomNetOptions& options =
       join(at, add_node(net, false, below(3) - 1,
                         p - 0.03 * unit(rng) * away - 0.01 * away + draw_point(rng, 0.01)));
     const double length = (net.nodes[exit].p - net.nodes[at].p).norm();
-    add_band(net, at, exit, length, 100, 0, m);
+    net.bands[add_band(net, at, exit, length, 100)].muscle = m;
     sample.drive.tension(m) =
         options.all_slack || below(6) == 0 ? 0 : std::pow(10.0, 1.6 * unit(rng) - 0.8);
     if (below(8) == 0) sample.drive.length(m) = length * (0.8 + 0.4 * unit(rng));
