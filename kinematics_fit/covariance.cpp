@@ -135,8 +135,9 @@ Covariance posterior_covariance(const FitProblem& problem, const Eigen::VectorXd
   std::vector<ArrowRows> all = prior_rows(data.layout);
   all.insert(all.end(), data.rows.begin(), data.rows.end());
   Covariance out;
-  out.C = ArrowFactor(data.layout, all).inverse();
-  out.effective_parameters = static_cast<double>(z.size()) - out.C.trace();
+  out.C = ArrowFactor(data.layout, all).inverse_blocks();
+  const Eigen::VectorXd variance = out.C.diagonal();
+  out.effective_parameters = static_cast<double>(z.size()) - variance.sum();
 
   // What the data leave open, by singular values of their own rows.
   const ArrowNullSpace null_directions =
@@ -149,7 +150,7 @@ Covariance posterior_covariance(const FitProblem& problem, const Eigen::VectorXd
   for (Eigen::Index i = 0; i < z.size(); ++i) {
     const bool at_bound = z[i] < problem.coordinates().lower()[i] + kOnBound ||
                           z[i] > problem.coordinates().upper()[i] - kOnBound;
-    out.learnt.push_back({names[i], z[i], std::sqrt(out.C(i, i)),
+    out.learnt.push_back({names[i], z[i], std::sqrt(variance[i]),
                           null_share(data.layout, null_directions, i), at_bound});
   }
   return out;

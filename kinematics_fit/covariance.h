@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "kinematics_fit/fit_problem.h"
+#include "solvers/arrow_matrix.h"
 
 namespace thenar {
 
@@ -28,8 +29,8 @@ struct NullDirection {
 /// Gaussian approximation of the posterior at z:  C = (J'J)^-1 with J of data and priors. Bounds
 /// and axis distances are left out: see CoordinateEstimate::at_bound.
 struct Covariance {
-  Eigen::MatrixXd C;                           // of z (size, size) [1]
-  std::vector<CoordinateEstimate> learnt;      // one per entry of z
+  ArrowMatrix C;                           // of z; of two specimens' own entries it is not held [1]
+  std::vector<CoordinateEstimate> learnt;  // one per entry of z
   std::vector<NullDirection> null_directions;  // data curvature below 1e-9 of a prior's
   double effective_parameters = 0;             // trace of data curvature times C [1]
 };

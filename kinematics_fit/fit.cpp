@@ -89,7 +89,7 @@ FittedValues fitted_values(const Fit& fit, int specimen) {
   const std::vector<int> on = fit.problem.coordinates().entries_of_specimen(specimen);
   const Eigen::MatrixXd J =
       displacement_jacobian(fit.problem.coordinates(), fit.solution.z, specimen)(Eigen::all, on);
-  Eigen::VectorXd variance = (J * fit.covariance.C(on, on)).cwiseProduct(J).rowwise().sum();
+  Eigen::VectorXd variance = (J * fit.covariance.C.of(specimen)).cwiseProduct(J).rowwise().sum();
   // What one specimen alone cannot say of the population stays as wide as the prior has it.
   const Eigen::VectorXd unseen = unseen_variance(fit.problem.coordinates());
   if (specimen < 0)
@@ -269,6 +269,24 @@ Fit fit_of(const ResultFile& file) {
           run_of(file)};
 }
 
+/// Covariance of the entries of z that move a specimen, and which these are: the population's, then
+/// its own. What two specimens have in common is in the population's.
+void add_covariance(const Fit& fit, ResultFile& file) {
+  const auto specimens = fit.problem.specimens().size();
+  std::vector<double> values, entries;
+  for (int specimen = 0; specimen < static_cast<int>(specimens); ++specimen) {
+    const Eigen::MatrixXd C = fit.covariance.C.of(specimen);
+    values.insert(values.end(), C.data(), C.data() + C.size());  // symmetric
+    const std::vector<int> on = fit.problem.coordinates().entries_of_specimen(specimen);
+    entries.insert(entries.end(), on.begin(), on.end());
+  }
+  const std::size_t count = entries.size() / specimens;
+  file.arrays["fit/covariance"] = {
+      std::move(values), {specimens, count, count}, "1", {"specimen", "entry", "entry_"}};
+  file.arrays["fit/entry_of_z"] = {
+      std::move(entries), {specimens, count}, "1", {"specimen", "entry"}};
+}
+
 }  // namespace
 
 void write_fit(const Fit& fit, const std::string& path) {
@@ -280,7 +298,7 @@ void write_fit(const Fit& fit, const std::string& path) {
   // Estimate, and how the solver ended.
   file.add("fit/z", fit.solution.z, "1", {"coordinate"});
   file.add("fit/name", fit.problem.coordinates().names());
-  file.add("fit/covariance", fit.covariance.C, "1", {"coordinate", "coordinate_"});
+  add_covariance(fit, file);
   file.add("fit/cost", fit.solution.cost, "1");
   file.add("fit/status", convergence_word(fit.solution));
   file.add("fit/message", fit.solution.message);

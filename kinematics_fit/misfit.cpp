@@ -55,8 +55,7 @@ std::vector<Misfit> misfits(const FitProblem& problem, const Eigen::VectorXd& z,
   for (int e = 0; e < static_cast<int>(problem.experiments().size()); ++e) {
     // Residuals, and how much of them the parameters that move this specimen take up.
     const Residuals data = data_residuals(problem, z, e, WithJacobian::kYes);
-    const std::vector<int> on = problem.coordinates().entries_of_specimen(problem.specimen_of(e));
-    const Eigen::MatrixXd C = covariance.C(on, on);
+    const Eigen::MatrixXd C = covariance.C.of(problem.specimen_of(e));
     const double effective = (data.J * C).cwiseProduct(data.J).sum();
     all.push_back(misfit(plain_squares(data.r, problem.robust_scale()),
                          fitted_numbers(problem.plans()[e]), effective));

@@ -154,8 +154,7 @@ Prediction predict_fitted(const FitProblem& problem, const Eigen::VectorXd& z, i
 }
 
 Prediction predict_experiment(const FitProblem& fitted, const Eigen::VectorXd& z,
-                              const Eigen::MatrixXd& C, const Experiment& experiment,
-                              int specimen) {
+                              const ArrowMatrix& C, const Experiment& experiment, int specimen) {
   // Parameters and plan, with errors of postures that the fit does not know.
   const FitParameters parameters =
       add_posture_errors(fitted.parameters(), experiment, fitted.digit().model.coordinates);
@@ -172,7 +171,7 @@ Prediction predict_experiment(const FitProblem& fitted, const Eigen::VectorXd& z
   const Eigen::MatrixXd J_z =
       forces.J.leftCols(known) *
       displacement_jacobian(fitted.coordinates(), z, specimen)(Eigen::all, on);
-  Eigen::VectorXd variance = (J_z * C(on, on)).cwiseProduct(J_z).rowwise().sum();
+  Eigen::VectorXd variance = (J_z * C.of(specimen)).cwiseProduct(J_z).rowwise().sum();
   if (specimen < 0)
     variance += forces.J.leftCols(known).cwiseAbs2() * unseen_variance(fitted.coordinates());
   // Variance of unknown errors of angles, and the noise.

@@ -87,7 +87,7 @@ inline constexpr int kUnfittedSpecimen = -1;
 /// @param specimen  index in fitted.specimens(), or kUnfittedSpecimen
 /// @throws InputError if the experiment does not fit the digit.
 [[nodiscard]] Prediction predict_experiment(const FitProblem& fitted, const Eigen::VectorXd& z,
-                                            const Eigen::MatrixXd& C, const Experiment& experiment,
+                                            const ArrowMatrix& C, const Experiment& experiment,
                                             int specimen);
 
 /// The parameters, followed by an angle error of every joint in every posture of the experiment

@@ -99,25 +99,38 @@ VectorXd ArrowFactor::whiten(const VectorXd& g) const {
   return y;
 }
 
-MatrixXd ArrowFactor::inverse() const {
+ArrowMatrix ArrowFactor::inverse_blocks() const {
   const Index p = layout_.shared, d = layout_.own;
-  MatrixXd C(layout_.size(), layout_.size());
+  ArrowMatrix C(layout_);
   // Shared coordinates first; blocks follow from them.
   const MatrixXd root = shared_.triangularView<Eigen::Upper>().solve(MatrixXd::Identity(p, p));
-  C.topLeftCorner(p, p) = root * root.transpose();
-  for (int b = 0; b < layout_.blocks; ++b) {
+  C.shared = root * root.transpose();
+  for (std::size_t b = 0; b < blocks_.size(); ++b) {
     // The own share of a block, and what the shared coordinates hand on.
-    const Index at = layout_.first(b);
     const auto R = blocks_[b].R.triangularView<Eigen::Upper>();
     const MatrixXd own = R.solve(MatrixXd::Identity(d, d)), carried = R.solve(blocks_[b].S);
-    C.block(at, 0, d, p) = -carried * C.topLeftCorner(p, p);
-    C.block(0, at, p, d) = C.block(at, 0, d, p).transpose();
+    C.cross[b] = -carried * C.shared;
+    C.own[b] = own * own.transpose() - C.cross[b] * carried.transpose();
+  }
+  return C;
+}
+
+MatrixXd ArrowFactor::inverse() const {
+  const ArrowMatrix blocks = inverse_blocks();
+  MatrixXd C(layout_.size(), layout_.size());
+  C.topLeftCorner(layout_.shared, layout_.shared) = blocks.shared;
+  for (int b = 0; b < layout_.blocks; ++b) {
+    const Index at = layout_.first(b), p = layout_.shared, d = layout_.own;
+    const auto i = static_cast<std::size_t>(b);
+    C.block(at, 0, d, p) = blocks.cross[i];
+    C.block(0, at, p, d) = blocks.cross[i].transpose();
     // Covariance between blocks through the shared coordinates.
-    for (int other = 0; other <= b; ++other) {
+    const MatrixXd carried = blocks_[i].R.triangularView<Eigen::Upper>().solve(blocks_[i].S);
+    C.block(at, at, d, d) = blocks.own[i];
+    for (int other = 0; other < b; ++other) {
       const Index to = layout_.first(other);
       C.block(at, to, d, d) = -carried * C.block(0, to, p, d);
-      if (other == b) C.block(at, to, d, d) += own * own.transpose();
-      C.block(to, at, d, d) = C.block(at, to, d, d).transpose().eval();
+      C.block(to, at, d, d) = C.block(at, to, d, d).transpose();
     }
   }
   return C;

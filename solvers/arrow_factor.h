@@ -6,16 +6,9 @@
 
 #include <Eigen/Core>
 
+#include "solvers/arrow_matrix.h"
+
 namespace thenar {
-
-/// Layout of coordinates: `shared` ones first, then `blocks` times `own` of one block each.
-/// An ordinary dense problem has shared coordinates alone.
-struct ArrowLayout {
-  int shared = 0, own = 0, blocks = 0;
-
-  [[nodiscard]] int size() const { return shared + own * blocks; }
-  [[nodiscard]] int first(int block) const { return shared + own * block; }  // index of its own
-};
 
 /// Rows of a Jacobian that depend on the shared coordinates and on those of one block.
 struct ArrowRows {
@@ -36,6 +29,7 @@ class ArrowFactor {
   /// R^-T g, so that |whiten(g)|^2 = g' (J'J)^-1 g  (size).
   [[nodiscard]] Eigen::VectorXd whiten(const Eigen::VectorXd& g) const;
   [[nodiscard]] Eigen::MatrixXd inverse() const;                      // (J'J)^-1 (size, size)
+  [[nodiscard]] ArrowMatrix inverse_blocks() const;                   // the same within blocks
   [[nodiscard]] double log_determinant() const;                       // of J'J
   [[nodiscard]] double squared_norm(const Eigen::VectorXd& v) const;  // |J v|^2
 

@@ -101,18 +101,10 @@ Solution stay(const LeastSquares& problem, const Eigen::VectorXd& start) {
   return solution;
 }
 
-/// Does the gradient push a coordinate against a bound it lies on?
-bool held(const LeastSquares& problem, const Eigen::VectorXd& z, double gradient, Eigen::Index i) {
-  constexpr double kOn = 1e-6;  // interior-point solvers stop a little short [1]
-  if (problem.upper[i] - problem.lower[i] <= kOn) return true;
-  return (z[i] < problem.lower[i] + kOn && gradient > 0) ||
-         (z[i] > problem.upper[i] - kOn && gradient < 0);
-}
-
 /// Length of the step that is left where coordinates meet no constraints.
 double free_step(const LeastSquares& problem, const Eigen::VectorXd& z, CostDerivatives slopes) {
   for (Eigen::Index i = 0; i < z.size(); ++i)
-    if (held(problem, z, slopes.gradient[i], i)) fix_coordinate(slopes, i);
+    if (internal::held(problem, z, slopes.gradient[i], i)) fix_coordinate(slopes, i);
   return ArrowFactor(slopes.layout, slopes.rows).whiten(slopes.gradient).norm();
 }
 
@@ -162,7 +154,7 @@ double constrained_step(const LeastSquares& problem, const Eigen::VectorXd& z,
   // Directions that bounds and active constraints leave.
   std::vector<Eigen::Index> free;
   for (Eigen::Index i = 0; i < z.size(); ++i)
-    if (!held(problem, z, slopes.gradient[i], i)) free.push_back(i);
+    if (!internal::held(problem, z, slopes.gradient[i], i)) free.push_back(i);
   const Eigen::VectorXd gradient = slopes.gradient(free);
   const Eigen::MatrixXd J = dense(slopes.layout, slopes.rows)(Eigen::all, free);
   const Eigen::MatrixXd A = active_rows(problem, z, slopes.gradient)(Eigen::all, free);
@@ -277,6 +269,25 @@ Solution solve_free(const LeastSquares& problem, const Eigen::VectorXd& start,
   return solution;
 }
 
+/// Solves by the method asked for. Ceres only leads to the neighbourhood, unless evaluations are
+/// counted: internal::search_by_secants() takes fewer of them from there.
+Solution solve_by_method(const LeastSquares& problem, const Eigen::VectorXd& start,
+                         const SolveOptions& options) {
+  constexpr double kNear = 1e-3;  // relative change of the cost [1]
+  if (options.method != LeastSquaresMethod::kCeres || options.max_evaluations > 0 ||
+      options.tolerance >= kNear)
+    return solve_free(problem, start, options);
+  SolveOptions rough = options;
+  rough.tolerance = kNear;
+  Solution solution = solve_free(problem, start, rough);
+  if (solution.status != Status::kSolved || internal::search_by_secants(problem, options, solution))
+    return solution;
+  // To the end as Ceres goes.
+  Solution rest = solve_free(problem, solution.z, options);
+  rest.evaluations += solution.evaluations;
+  return rest;
+}
+
 /// Sizes and bounds, before anything is computed.
 void check_shapes(const LeastSquares& problem, const Eigen::VectorXd& start) {
   const Eigen::Index n = problem.lower.size();
@@ -361,7 +372,7 @@ Solution solve(const LeastSquares& problem, const Eigen::VectorXd& start,
   const Eigen::VectorXd inside = start.cwiseMax(problem.lower).cwiseMin(problem.upper);
   check_values(problem, inside, options.method);
   const auto begin = std::chrono::steady_clock::now();
-  Solution solution = solve_free(problem, inside, options);
+  Solution solution = solve_by_method(problem, inside, options);
   certify(problem, options, solution);
   if (solution.status == Status::kStalled && !solution.failed &&
       options.method == LeastSquaresMethod::kCeres)

@@ -98,21 +98,11 @@ void bound(const LeastSquares& problem, int first, int count, double* z, ceres::
     ceres.SetManifold(z, new ceres::SubsetManifold(count, held));
 }
 
-/// The blocks of a problem; an ordinary one is a single part that knows all coordinates.
-struct Blocks {
-  ArrowLayout layout;
-  std::vector<ResidualPart> parts;
-};
-Blocks blocks_of(const LeastSquares& problem) {
-  if (!problem.parts.empty()) return {problem.layout, problem.parts};
-  return {{static_cast<int>(problem.lower.size())}, {{-1, problem.residuals}}};
-}
-
 }  // namespace
 
 Solution solve_ceres(const LeastSquares& problem, const Eigen::VectorXd& start,
                      const SolveOptions& options) {
-  const Blocks blocks = blocks_of(problem);
+  const ResidualBlocks blocks = blocks_of(problem);
   const ArrowLayout& layout = blocks.layout;
   Solution solution;
   solution.z = start;

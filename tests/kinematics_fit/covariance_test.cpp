@@ -42,11 +42,11 @@ TEST(PosteriorCovariance, IsTheInverseOfTheCurvature) {
   const VectorXd z = VectorXd::Constant(problem.size(), 0.1);
   const Covariance covariance = posterior_covariance(problem, z);
   const Eigen::MatrixXd J = fit_residuals(problem, z, WithJacobian::kYes).J;
-  EXPECT_TRUE(matrix_near(covariance.C * (J.transpose() * J),
+  EXPECT_TRUE(matrix_near(covariance.C.shared * (J.transpose() * J),
                           Eigen::MatrixXd::Identity(z.size(), z.size()), 1e-8));
   // Each parameter is learnt by 1 - C_ii; their sum is the trace of data curvature times C.
-  EXPECT_NEAR(covariance.effective_parameters, static_cast<double>(z.size()) - covariance.C.trace(),
-              1e-9);
+  EXPECT_NEAR(covariance.effective_parameters,
+              static_cast<double>(z.size()) - covariance.C.diagonal().sum(), 1e-9);
 }
 
 // (z - truth)' C^-1 (z - truth) is chi squared: truth drawn from the prior, noise as stated.
@@ -65,7 +65,7 @@ TEST(PosteriorCovariance, EstimatesScatterAsTheirCovarianceSays) {
     const FitProblem problem = setup.problem();
     const Solution found = fit_precisely(problem);
     const VectorXd error = found.z - z_true;
-    chi_squared += error.dot(posterior_covariance(problem, found.z).C.llt().solve(error));
+    chi_squared += error.dot(posterior_covariance(problem, found.z).C.shared.llt().solve(error));
     count += static_cast<double>(error.size());
   }
   // Four standard deviations of a chi squared of `count` degrees of freedom.

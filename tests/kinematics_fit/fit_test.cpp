@@ -56,7 +56,7 @@ TEST_F(FitFile, ReadsBackWhatWasWritten) {
   EXPECT_EQ(back.solution.evaluations, fit.solution.evaluations);
   EXPECT_EQ(back.method, LeastSquaresMethod::kIpopt);
   EXPECT_EQ(back.seed, 5U);
-  EXPECT_EQ(back.covariance.C, fit.covariance.C);
+  EXPECT_EQ(back.covariance.C.shared, fit.covariance.C.shared);
   EXPECT_EQ(back.problem.coordinates().names(), fit.problem.coordinates().names());
   EXPECT_EQ(back.problem.axis_distances().size(), 1U);
   EXPECT_EQ(back.inputs.subject.text, fit.inputs.subject.text);

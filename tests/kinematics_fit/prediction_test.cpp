@@ -42,7 +42,7 @@ TEST(PredictExperiment, IntervalsCoverNewPeople) {
     sample::simulate(setup, draw_person(setup.parameters, population, rng), kNoise, rng, unseen);
     const FitProblem problem = setup.problem();
     const Solution found = fit_precisely(problem);
-    const Eigen::MatrixXd C = posterior_covariance(problem, found.z).C;
+    const ArrowMatrix C = posterior_covariance(problem, found.z).C;
     covered += predict_experiment(problem, found.z, C, unseen, -1).error.covered.value() / kDraws;
   }
   // One person's 72 components hang on 8 numbers: 60 x 8 trials of p = 0.95, four deviations.
@@ -60,7 +60,7 @@ between_sd_deg = 4
 )");
   const FitProblem problem = setup.problem();
   const Solution found = fit_precisely(problem);
-  const Eigen::MatrixXd C = posterior_covariance(problem, found.z).C;
+  const ArrowMatrix C = posterior_covariance(problem, found.z).C;
   Experiment unseen = sample::experiment("H02");
   const Prediction named = predict_experiment(problem, found.z, C, unseen, -1);
   for (PostureRecord& posture : unseen.postures) posture.name += "'";
@@ -78,7 +78,8 @@ TEST(PredictExperiment, MarksPredictionsOfSpecimensItsSubjectHasSeen) {
   setup.digit.calibrated_on = {{"others_H02", "H02"}};
   const FitProblem problem = setup.problem();
   const Eigen::VectorXd z = Eigen::VectorXd::Zero(problem.size());
-  const Eigen::MatrixXd C = Eigen::MatrixXd::Identity(problem.size(), problem.size());
+  ArrowMatrix C({problem.size()});
+  C.shared.setIdentity();
   Experiment other = sample::experiment("H02");
   const auto marked = [&] {
     return predict_experiment(problem, z, C, other, -1).calibrated_on_specimen;

@@ -84,6 +84,29 @@ TEST(Solve, CertifiesWhatHasConverged) {
   EXPECT_TRUE(matrix_near(fit.z, Vector2d(1, 1), 1e-4));
 }
 
+// r = (x + 1, L x^2 + x - 1) in each coordinate, with its least value 1 at x = 0: J'J = 2 there,
+// and the curvature of r takes L 2 of it away, so that plain Gauss-Newton steps shrink by L alone.
+TEST(Solve, TakesFewStepsWhereResidualsStayLarge) {
+  const Eigen::VectorXd L = Eigen::VectorXd::LinSpaced(6, 0.5, 0.97);
+  LeastSquares problem;
+  problem.lower = VectorXd::Constant(6, -kInfinity);
+  problem.upper = VectorXd::Constant(6, kInfinity);
+  problem.residuals = [L](const VectorXd& z, WithJacobian) {
+    Residuals out{VectorXd(12), Eigen::MatrixXd::Zero(12, 6)};
+    out.r << z.array() + 1, L.array() * z.array().square() + z.array() - 1;
+    out.J.topRows<6>().setIdentity();
+    out.J.bottomRows<6>() = VectorXd(2 * L.array() * z.array() + 1).asDiagonal();
+    return out;
+  };
+  SolveOptions options;
+  options.tolerance = 1e-14;
+  const Solution fit = solve(problem, VectorXd::Constant(6, 0.3), options);
+  EXPECT_EQ(fit.status, Status::kSolved) << fit.message;
+  EXPECT_TRUE(matrix_near(fit.z, VectorXd::Zero(6), 1e-5)) << fit.z.transpose();
+  EXPECT_NEAR(fit.cost, 6, 1e-9);
+  EXPECT_LT(fit.evaluations, 60);  // by plain steps log(1e-6) / log(0.97) = 450
+}
+
 TEST_P(EveryMethod, RespectsBounds) {
   const LeastSquares problem = distance_to(Vector2d(3, 0.2), -1, 1);
   const Solution fit = solve(problem, VectorXd::Zero(2), options());
@@ -103,6 +126,29 @@ void cap_first(LeastSquares& problem, int times) {
     out.C.col(0).setOnes();
     return out;
   };
+}
+
+// Bounds of a coordinate in large units lie close together; that does not hold it.
+TEST(Solve, MovesWithinNarrowBounds) {
+  constexpr double kUnit = 1e7;  // of the coordinate
+  LeastSquares problem;
+  problem.lower = VectorXd::Zero(1);
+  problem.upper = VectorXd::Constant(1, 1 / kUnit);
+  problem.residuals = [](const VectorXd& z, WithJacobian) {
+    const double x = kUnit * z[0];
+    Residuals out{Vector2d(100 * (x * x - 0.25), 10), Eigen::MatrixXd(2, 1)};
+    out.J << 200 * x * kUnit, 0;
+    return out;
+  };
+  const VectorXd start = VectorXd::Constant(1, 0.9 / kUnit);
+  EXPECT_NEAR(kUnit * solve(problem, start).z[0], 0.5, 1e-6);
+  SolveOptions once;
+  once.max_evaluations = 1;
+  const Solution early = solve(problem, start, once);
+  const double x = kUnit * early.z[0];
+  ASSERT_GT(x, 0.51) << "it went all the way";
+  // The step left, by hand: the first residual, which alone depends on z.
+  EXPECT_NEAR(early.newton_step, 100 * (x * x - 0.25), 1e-9);
 }
 
 TEST(Solve, CertifiesWhereMoreConstraintsAreActiveThanCoordinatesFree) {
