@@ -22,7 +22,7 @@ struct ArrowLayout {
 /// them. It grows in proportion to the number of blocks.
 struct ArrowMatrix {
   ArrowMatrix() = default;
-  explicit ArrowMatrix(const ArrowLayout& layout);  // zero
+  explicit ArrowMatrix(const ArrowLayout& of);  // zero
 
   /// Adds a matrix over the shared coordinates, then those of a block (-1: shared ones alone).
   void add(int block, const Eigen::MatrixXd& part);
