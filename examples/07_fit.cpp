@@ -1,9 +1,9 @@
 // What do measured fingertip forces say of a finger, and does it predict another hand's forces?
 //
 // Prints:
-//   solved: 115 parameters
+//   solved: 130 parameters
 //   synek2019_H01: 24 trials, relative error 0.13
-//   synek2019_H02: 24 trials, relative error 0.49
+//   synek2019_H02: 24 trials, relative error 0.45
 #include <cstdio>
 
 #include <thenar/thenar.h>

@@ -2,7 +2,7 @@
 //
 // Prints:
 //   chains agree: yes
-//   tilt of the DIP axis: sd 4 deg before, 2 deg after
+//   tilt of the DIP axis: sd 4 deg before, 3 deg after
 #include <cstdio>
 
 #include <thenar/thenar.h>
