@@ -1,5 +1,11 @@
 #include "api/feasible_force.h"
 
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include <fmt/format.h>
+
 #include "base/error.h"
 #include "base/nearest_name.h"
 #include "base/units.h"
@@ -60,6 +66,46 @@ std::vector<std::vector<int>> muscles_alike(const Eigen::MatrixXd& R) {
   return groups;
 }
 
+/// Muscles of the digit that are paralysed, in its order; warns of those that do not cross it.
+std::vector<std::string> paralysed_muscles(const std::vector<std::string>& wanted,
+                                           const Subject& subject, DigitSweep& about) {
+  std::vector<std::string> known, beside;
+  for (const MuscleUnit& muscle : subject.muscles) known.push_back(muscle.name);
+  for (const std::string& name : wanted) {
+    (void)index_of_name(name, known, "muscle");
+    if (std::count(about.muscles.begin(), about.muscles.end(), name) == 0) beside.push_back(name);
+  }
+  if (!beside.empty())
+    about.warnings.push_back(
+        fmt::format("their paralysis changes nothing, as they cross no free joint of the digit: {}",
+                    listed(beside)));
+  std::vector<std::string> paralysed;
+  for (const std::string& muscle : about.muscles)
+    if (std::count(wanted.begin(), wanted.end(), muscle) > 0) paralysed.push_back(muscle);
+  return paralysed;
+}
+
+/// The digit with some of its muscles paralysed.
+DigitAtPosture without_muscles(DigitAtPosture at, const std::vector<std::string>& paralysed) {
+  for (std::size_t i = 0; i < at.statics.muscles.size(); ++i)
+    if (std::count(paralysed.begin(), paralysed.end(), at.statics.muscles[i]) > 0)
+      at.statics.max_tension[static_cast<Eigen::Index>(i)] = 0;
+  return at;
+}
+
+ParalysisLoss loss_of(const MaxTipForce& left, MaxTipForce intact) {
+  // A posture in which nothing balances makes no force.
+  const auto newtons = [](const MaxTipForce& force) {
+    if (force.status == Status::kInfeasible) return 0.0;
+    return force.status == Status::kSolved ? force.component
+                                           : std::numeric_limits<double>::quiet_NaN();
+  };
+  const double all = newtons(intact);
+  const double share =
+      all < kNoTipForce ? std::numeric_limits<double>::quiet_NaN() : 1 - newtons(left) / all;
+  return {std::move(intact), share};
+}
+
 FeasibleForcePoint point_at(const FeasibleForceRequest& request, const DigitAtPosture& at) {
   FeasibleForcePoint point;
   point.q = at.q;
@@ -89,12 +135,20 @@ FeasibleForceAnswer ask_feasible_force(const FeasibleForceRequest& request,
   answer.about = sweep_of(digit);
   answer.direction = request.direction;
   answer.tolerance = request.tolerance;
+  answer.without = paralysed_muscles(request.without, digit.subject, answer.about);
 
   const auto ask = [&](const Eigen::VectorXd& q) {
-    const DigitAtPosture at = digit_at(digit, q);
-    require_limits(at.statics, request.digit.subject);
+    const DigitAtPosture intact = digit_at(digit, q);
+    require_limits(intact.statics, request.digit.subject);
+    const DigitAtPosture at = without_muscles(intact, answer.without);
     answer.max_tension = at.statics.max_tension;
-    answer.points.push_back(point_at(request, at));
+    FeasibleForcePoint point = point_at(request, at);
+    // What the paralysed muscles gave.
+    if (point.largest && !answer.without.empty())
+      point.loss = loss_of(*point.largest,
+                           max_tip_force(intact.statics, point.axes.to_world * *request.direction,
+                                         {request.tolerance}));
+    answer.points.push_back(std::move(point));
     return at.warnings;
   };
   ask_postures(answer.about, ask, kept_in(answer.points), progress);

@@ -23,6 +23,7 @@ struct FeasibleForceRequest {
   double tolerance = 0;                           // half angle of the cone about it [rad]
   DirectionFrame frame = DirectionFrame::kWorld;  // of the direction and of answers
   bool whole_set = false;                         // the set in addition to a direction
+  std::vector<std::string> without;               // muscles that are paralysed: they do not pull
 };
 
 /// Axes in which forces are asked for and shown.
@@ -38,6 +39,13 @@ struct WholeForceSet {
   std::vector<MaxTipForce> along;  // +1, -1, +2, -2, +3, -3 (6)
 };
 
+/// What the paralysis of muscles costs, along the direction asked for.
+struct ParalysisLoss {
+  MaxTipForce intact;  // with all muscles
+  double share;        // 1 - component without them / component with all, 0 .. 1; NaN: one of the
+                       // two forces is not known, or the intact hand makes none
+};
+
 /// The answer at one posture.
 struct FeasibleForcePoint {
   Eigen::VectorXd q;             // [rad] (joints); empty for a map
@@ -51,6 +59,7 @@ struct FeasibleForcePoint {
   Eigen::VectorXd change;               // of largest->component by each joint, the direction fixed
                                         // in its axes [N/rad] (joints); empty: no such force, a map
   std::optional<WholeForceSet> whole;   // if it was asked for
+  std::optional<ParalysisLoss> loss;    // of `largest`, where muscles are paralysed
   std::vector<std::vector<int>> alike;  // muscles of the same moment arms at all joints, so that an
                                         // answer decides the sum of their tensions alone
 };
@@ -58,9 +67,10 @@ struct FeasibleForcePoint {
 /// Answers posture by posture, in the order of the grid; as many as were done.
 struct FeasibleForceAnswer {
   DigitSweep about;
-  Eigen::VectorXd max_tension;  // F0 [N] (muscles)
+  Eigen::VectorXd max_tension;  // F0 [N] (muscles); 0 of those that are paralysed
   std::optional<Eigen::Vector3d> direction;
-  double tolerance = 0;  // [rad]
+  double tolerance = 0;              // [rad]
+  std::vector<std::string> without;  // muscles of the digit that are paralysed
   std::vector<FeasibleForcePoint> points;
 };
 
@@ -68,7 +78,9 @@ struct FeasibleForceAnswer {
 inline constexpr double kNoTipForce = 1e-6;
 
 /// At every posture, as requested: the largest force along `direction` with prices of F0
-/// (max_tip_force()), the whole set (feasible_force_set()), or both.
+/// (max_tip_force()), the whole set (feasible_force_set()), or both. Muscles of `without` have F0 =
+/// 0 in all of these, as under a nerve block; those of the subject that cross no free joint of the
+/// digit are named in a warning, as their paralysis changes nothing.
 /// @throws InputError for what is unknown, a direction of no length, a tolerance outside of
 /// [0, pi/2) rad, muscles of unknown strength, or axes of the tip of a map; DataError for a wrong
 /// file.

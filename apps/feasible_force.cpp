@@ -1,5 +1,5 @@
 // thenar feasible-force SUBJECT --digit D --posture ... [--direction x y z] [--tolerance-deg a]
-// [--vary JOINT=from:to:step ...]
+// [--without MUSCLE ...] [--vary JOINT=from:to:step ...]
 //
 // The largest force of a fingertip along a direction and what limits it, or all the forces it can
 // make.
@@ -53,6 +53,8 @@ void add_feasible_force(CLI::App& app) {
                    "world: the subject's frame; tip: proximal, dorsal, radial")
       ->check(CLI::IsMember({"world", "tip"}));
   command->add_flag("--set", options->request.whole_set, "The whole set, also beside a direction");
+  command->add_option("--without", options->request.without,
+                      "MUSCLE ...: paralysed, as under a nerve block; the loss is printed");
   add_vary_option(*command, options->request.digit.vary);
   add_output_options(*command, options->outputs, {true, true, true});
   add_examples(*command,

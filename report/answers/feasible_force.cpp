@@ -71,6 +71,14 @@ Table vertex_table(const ForceAxes& axes, const FeasibleForceSet& set) {
   return table;
 }
 
+/// A number of JSON, null if unknown.
+OrderedJson loss_json(const ParalysisLoss& loss) {
+  return {{"intact_component_N",
+           number_or_null(loss.intact.status == Status::kSolved ? loss.intact.component
+                                                                : std::nan(""))},
+          {"loss", number_or_null(loss.share)}};
+}
+
 OrderedJson limits_json(const FeasibleForceAnswer& answer, const FeasibleForcePoint& point) {
   OrderedJson list = OrderedJson::array();
   const ForceLimitPrices& prices = point.largest->prices;
@@ -135,6 +143,7 @@ void add_point(const FeasibleForceAnswer& answer, const FeasibleForcePoint& poin
   }
   if (answer.about.map.empty()) json["condition"] = point.condition;
   if (point.largest) add_largest(answer, point, json);
+  if (point.loss) json["paralysis"] = loss_json(*point.loss);
   const std::string note = note_of(answer, point);
   if (!note.empty()) json["note"] = note;
   if (point.whole) add_whole(point, json);
@@ -163,6 +172,23 @@ std::string shared_note(const FeasibleForceAnswer& answer, const FeasibleForcePo
                           note.empty() ? "" : "; ", fmt::join(names, " and "));
   }
   return note;
+}
+
+/// Force with all muscles, and the share of it that is lost.
+std::vector<std::string> loss_cells(const ParalysisLoss& loss, int decimals,
+                                    const std::string& unknown) {
+  const bool solved = loss.intact.status == Status::kSolved;
+  return {solved ? shown(loss.intact.component, decimals) : unknown,
+          std::isnan(loss.share) ? unknown : shown(loss.share, decimals)};
+}
+
+/// "Without ADPt, ADPo: 63.2 % of the 53.8 N of all muscles are lost".
+std::string loss_text(const FeasibleForceAnswer& answer, const FeasibleForcePoint& point) {
+  if (!point.loss) return "";
+  const std::string without = fmt::format("Without {}: ", fmt::join(answer.without, ", "));
+  if (std::isnan(point.loss->share)) return without + "the loss is not known\n\n";
+  return fmt::format("{}{:.1f} % of the {} N of all muscles are lost\n\n", without,
+                     100 * point.loss->share, shown(point.loss->intact.component, 3));
 }
 
 /// The largest force at one posture.
@@ -276,6 +302,12 @@ std::vector<std::string> muscle_cells(const FeasibleForcePoint& point, Index i) 
   return {shown(point.largest->activation(i), 6), price_cell(point, i)};
 }
 
+/// Columns of what paralysis costs; none if no muscle of the digit is paralysed.
+std::vector<std::string> loss_header(const FeasibleForceAnswer& answer) {
+  if (answer.without.empty()) return {};
+  return {"intact_N", "loss"};
+}
+
 /// Notes of the postures, each once with how many have it.
 std::string notes_text(const FeasibleForceAnswer& answer) {
   std::vector<std::pair<std::string, std::size_t>> notes;
@@ -316,9 +348,13 @@ std::string many_postures(const FeasibleForceAnswer& answer) {
     text +=
         titled(fmt::format("Largest force along the direction, {} axes; limits in N per N of F0",
                            force.name),
-               table_with(row({largest_header(force), {"limited_by"}}), [&](const auto& point) {
-                 return row({largest_cells(point, 3, "-"), {short_limits(answer, point)}});
-               }));
+               table_with(row({largest_header(force), {"limited_by"}, loss_header(answer)}),
+                          [&](const FeasibleForcePoint& point) {
+                            std::vector<std::string> line =
+                                row({largest_cells(point, 3, "-"), {short_limits(answer, point)}});
+                            if (point.loss) line = row({line, loss_cells(*point.loss, 3, "-")});
+                            return line;
+                          }));
   if (with_whole(answer))
     text += titled(
         fmt::format("All forces: the set, and the largest pure force along the {} axes",
@@ -419,15 +455,17 @@ std::string text_of(const FeasibleForceAnswer& answer) {
   std::string text = text_header(answer.about) + "\n";
   if (!answer.about.single()) return text + many_postures(answer);
   const FeasibleForcePoint& point = answer.points.front();
-  if (point.largest) text += largest_text(answer, point);
+  if (point.largest) text += largest_text(answer, point) + loss_text(answer, point);
   if (point.whole) text += whole_text(answer, point);
   return text + "\n";
 }
 
 OrderedJson json_of(const FeasibleForceAnswer& answer) {
-  return digit_json(answer.about, [&](std::size_t i, OrderedJson& json) {
-    add_point(answer, answer.points[i], json);
+  OrderedJson json = digit_json(answer.about, [&](std::size_t i, OrderedJson& point) {
+    add_point(answer, answer.points[i], point);
   });
+  if (!answer.without.empty()) json["without"] = answer.without;
+  return json;
 }
 
 Table table_of(const FeasibleForceAnswer& answer) {
@@ -440,6 +478,7 @@ Table table_of(const FeasibleForceAnswer& answer) {
   if (direction) {
     add(largest_header(axes));
     add({"limited_by"});
+    add(loss_header(answer));
     for (const std::string& muscle : answer.about.muscles)
       add({muscle + "_activation", muscle + "_N_per_N_of_F0"});
   }
@@ -450,6 +489,7 @@ Table table_of(const FeasibleForceAnswer& answer) {
     if (point.failure.empty()) {
       if (direction)
         line = row({line, largest_cells(point, 6, ""), {limiting_names(answer, point)}});
+      if (point.loss) line = row({line, loss_cells(*point.loss, 6, "")});
       for (Index i = 0; direction && i < point.largest->activation.size(); ++i)
         line = row({line, muscle_cells(point, i)});
       if (whole) line = row({line, whole_cells(point, 6)});

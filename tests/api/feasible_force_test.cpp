@@ -83,6 +83,52 @@ TEST(FeasibleForce, RefusesAWideToleranceInDegrees) {
             "wanted a tolerance of 0 deg to below 90 deg, got 100 deg");
 }
 
+// Of this finger only FDP flexes the DIP joint, and a palmar force wants a flexor there: without
+// FDP nothing is left of it.
+TEST(FeasibleForceWithout, TakesThePalmarForceWithTheOnlyFlexorOfDip) {
+  FeasibleForceRequest request = request_of({"synek2019_middle", "middle", {20, 0, 30, 15}});
+  request.without = {"FDP"};
+  const FeasibleForceAnswer answer = ask_feasible_force(request);
+  const FeasibleForcePoint& point = answer.points.front();
+  ASSERT_TRUE(point.loss);
+  EXPECT_NEAR(point.loss->share, 1, 1e-9);
+  EXPECT_GT(point.loss->intact.component, 30);  // 33.76 N, docs/theory/feasible_force.md
+}
+
+// A muscle without force of its own is a muscle that is paralysed: its price, one-sided, is what a
+// newton of it would give, and the loss is the force that the whole of its F0 gives.
+TEST(FeasibleForceWithout, LeavesTheOtherMusclesTheirForce) {
+  FeasibleForceRequest request = request_of({"arms_thumb", "thumb", {10, 10, 20, 20}});
+  request.tolerance = 20 * kDegree;
+  const double intact = ask_feasible_force(request).points.front().largest->component;
+  request.without = {"OPP", "APB"};
+  const FeasibleForceAnswer answer = ask_feasible_force(request);
+  const FeasibleForcePoint& point = answer.points.front();
+  EXPECT_EQ(answer.without, (std::vector<std::string>{"APB", "OPP"}));  // in the digit's order
+  for (std::size_t i = 0; i < answer.about.muscles.size(); ++i) {
+    const bool paralysed = answer.about.muscles[i] == "APB" || answer.about.muscles[i] == "OPP";
+    EXPECT_EQ(answer.max_tension[static_cast<Eigen::Index>(i)] == 0, paralysed);
+    if (paralysed) {
+      EXPECT_EQ(point.largest->tension[static_cast<Eigen::Index>(i)], 0);
+    }
+  }
+  ASSERT_TRUE(point.loss);
+  EXPECT_NEAR(point.loss->intact.component, intact, 1e-9 * intact);
+  EXPECT_NEAR(point.loss->share, 1 - point.largest->component / intact, 1e-9);
+}
+
+TEST(FeasibleForceWithout, NamesWhatItDoesNotKnowOrNeed) {
+  FeasibleForceRequest request = request_of({"mirakhorlo2016", "thumb", {0, 0, 0, 0}});
+  request.without = {"ADPx"};
+  EXPECT_EQ(message_of([&] { (void)ask_feasible_force(request); }).rfind("no muscle 'ADPx'", 0),
+            0u);
+  request.without = {"LU1", "ADPt"};
+  const FeasibleForceAnswer answer = ask_feasible_force(request);
+  EXPECT_EQ(answer.without, std::vector<std::string>{"ADPt"});
+  EXPECT_EQ(answer.about.warnings.front(),
+            "their paralysis changes nothing, as they cross no free joint of the digit: LU1");
+}
+
 // A posture of the grid is answered as if it had been asked alone.
 TEST(FeasibleForce, AnswersAGridPostureByPosture) {
   FeasibleForceRequest request = request_of({"synek2019_middle", "middle", {20, 0, 30, 15}});

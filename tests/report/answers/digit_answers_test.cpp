@@ -62,6 +62,20 @@ TEST(FeasibleForceWords, SayWhatLimits) {
   EXPECT_EQ(table.header.back(), "N_per_N_of_F0");
 }
 
+TEST(FeasibleForceWords, TellWhatAParalysisCosts) {
+  FeasibleForceRequest request;
+  request.digit = middle_finger();
+  request.direction = Eigen::Vector3d(0, -1, 0);
+  request.frame = DirectionFrame::kTip;
+  request.without = {"FDP"};  // the only flexor of DIP
+  const FeasibleForceAnswer answer = ask_feasible_force(request);
+  EXPECT_NE(text_of(answer).find("Without FDP: 100.0 % of the 33.760 N"), std::string::npos);
+  const OrderedJson json = json_of(answer);
+  EXPECT_EQ(json["without"][0], "FDP");
+  EXPECT_DOUBLE_EQ(json["paralysis"]["loss"], 1);
+  EXPECT_EQ(table_of(answer).rows[0].size(), table_of(answer).header.size());
+}
+
 FeasibleForceAnswer palmar_forces_over_pip() {
   FeasibleForceRequest request;
   request.digit.subject = "an_chao_index";
