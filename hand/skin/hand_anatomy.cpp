@@ -128,6 +128,14 @@ Vector3d joint_center(const Subject& subject, const Segment& bone, double radius
   return bone.proximal + std::min(1.0, 1.5 * radius / std::max(way.norm(), 1e-9)) * way;
 }
 
+/// Where a digit ends: at its tip, or at the end of the tip's bone where that reaches further, as
+/// the middle of a pad may stand for the tip.
+Vector3d end_of(const Digit& digit, const Segment& bone) {
+  const double to_tip = digit.proximal.dot(bone.proximal - digit.tip);
+  const double to_end = digit.proximal.dot(bone.proximal - bone.distal);
+  return to_end > to_tip ? bone.distal : digit.tip;
+}
+
 /// Directions across a bone that keep the digit's radial one.
 void aim(const Digit& digit, DigitBone& bone) {
   // Radial direction of the digit, made normal to the bone.
@@ -152,7 +160,7 @@ DigitAnatomy anatomy_of(const Subject& subject, const Digit& digit, double lengt
         segment.radius > 0 ? segment.radius : proportion_of(digit.name).radius[i] * length;
     anatomy.bones.push_back({segment.name,
                              joint_center(subject, segment, radius, digit.radial),
-                             digit.tip,
+                             end_of(digit, *chain.front()),
                              radius,
                              {},
                              {}});

@@ -15,7 +15,7 @@ namespace thenar {
 /// A bone of a digit, between joint centres.
 struct DigitBone {
   std::string segment;
-  Eigen::Vector3d proximal;  // joint centres, the last end is the tip of the digit [m] (3)
+  Eigen::Vector3d proximal;  // joint centres, the last end is that of the digit [m] (3)
   Eigen::Vector3d distal;
   double radius;           // mean of the flesh around it [m]
   Eigen::Vector3d dorsal;  // unit, across the bone (3)
@@ -51,12 +51,12 @@ struct HandAnatomy {
 /// A joint's centre is the point of its flexion axis next to the bone's end, so that skin lies
 /// around the joint even where landmarks were digitised on the back of the hand; where the subject
 /// has the surface of the joint's head, next to the middle of that and the bone's end. It moves
-/// no further than one and a half radii.
-/// Segments whose name ends in "_link", or of no length, are hinges of universal joints, without
-/// flesh. Radii that the subject does not state are those of [Mirakhorlo2016] in proportion to the
-/// length of the hand; a length that it does not state follows from the bones by [Buchholz1992], a
-/// breadth from the length as there. The palm is as thick as breadth times 24/68, of the hand's
-/// breadth and circumference in [Mirakhorlo2016].
+/// no further than one and a half radii. A digit ends at its tip, or at the end of the tip's bone
+/// where that reaches further. Segments whose name ends in "_link", or of no length, are hinges of
+/// universal joints, without flesh. Radii that the subject does not state are those of
+/// [Mirakhorlo2016] in proportion to the length of the hand; a length that it does not state
+/// follows from the bones by [Buchholz1992], a breadth from the length as there. The palm is as
+/// thick as breadth times 24/68, of the hand's breadth and circumference in [Mirakhorlo2016].
 /// @throws InputError if there is no digit, a digit has fewer than three bones to its tip, or a
 /// bone no length.
 [[nodiscard]] HandAnatomy find_anatomy(const Subject& subject);

@@ -101,6 +101,48 @@ TEST(Mirakhorlo2016, IndexMomentArms) {
               {"MCP2_FE", "MCP2_AA", "PIP2", "DIP2"}, 0.051);
 }
 
+// human_hand is mirakhorlo2016 but for the thumb: nothing else may drift from it.
+TEST(HumanHand, HasTheFingersOfTheSpecimen) {
+  const Subject hand = subject("human_hand"), specimen = subject("mirakhorlo2016");
+  ASSERT_EQ(hand.joints.size(), specimen.joints.size());
+  for (std::size_t i = 0; i < hand.joints.size(); ++i) {
+    const JointAxis &ours = hand.joints[i], &theirs = specimen.joints[i];
+    EXPECT_EQ(ours.name, theirs.name);
+    const bool thumb = ours.name.find('1') != std::string::npos;
+    EXPECT_EQ(ours.direction != theirs.direction, thumb) << ours.name;
+    EXPECT_EQ(ours.lower != theirs.lower, thumb) << ours.name;
+  }
+  ASSERT_EQ(hand.strands.size(), specimen.strands.size());
+  for (std::size_t i = 0; i < hand.strands.size(); ++i) {
+    const Strand &ours = hand.strands[i], &theirs = specimen.strands[i];
+    ASSERT_EQ(ours.path.size(), theirs.path.size());
+    for (std::size_t k = 0; k < ours.path.size(); ++k) {
+      EXPECT_EQ(ours.path[k].segment, theirs.path[k].segment);
+      // A point moves by 3 sds of the patch it lies on at most, the longest 17 mm / sqrt(3).
+      const double moved = (ours.path[k].p - theirs.path[k].p).norm();
+      EXPECT_LT(moved, 3 * 0.011) << ours.name;
+      if (moved > 1e-9) {
+        EXPECT_NE(std::string("FPL EPL EPB APL APB FPBs FPBd OPP ADPt ADPo").find(ours.name),
+                  std::string::npos)
+            << ours.name;
+      }
+    }
+  }
+}
+
+// The calibrated axes lie within two prior sds of the specimen's: 10 deg and 6 deg between people,
+// 3 mm and 2 mm, of data/fits/thumb.toml.
+TEST(HumanHand, HasThumbAxesWithinTheDoubtOfTheSpecimens) {
+  const Subject hand = subject("human_hand"), specimen = subject("mirakhorlo2016");
+  for (const char* name : {"CMC1_FE", "CMC1_AA", "MCP1_FE", "IP1"}) {
+    const JointAxis &ours = named(hand.joints, name), &theirs = named(specimen.joints, name);
+    const double tilt = std::acos(ours.direction.dot(theirs.direction));
+    const Vector3d way = ours.point - theirs.point;
+    EXPECT_LT(tilt, 2 * std::hypot(10, 6) * kDegree) << name;
+    EXPECT_LT(way.norm(), 2 * std::hypot(3, 2) * kMm) << name;
+  }
+}
+
 /// Velocity of each digit's tip as each joint of a kind ("_AA" or not) turns [m/rad].
 struct TipSpeed {
   std::string digit;

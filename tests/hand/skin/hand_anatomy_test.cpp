@@ -87,5 +87,14 @@ TEST(HandAnatomy, RefusesWhatHasNoFlesh) {
             "subject 'valero_cuevas_index' has no digit to lay skin on");
 }
 
+// The thumb of human_hand touches with its pad, 0.4 of the last bone before its end: skin reaches
+// the end as in the specimen, whose tip is the end.
+TEST(HandAnatomy, EndsADigitBeyondATipWithinItsPad) {
+  const HandAnatomy hand = find_anatomy(sample::subject("human_hand"));
+  const HandAnatomy specimen = find_anatomy(sample::subject("mirakhorlo2016"));
+  EXPECT_EQ(digit_named(hand, "thumb")->bones.back().distal,
+            digit_named(specimen, "thumb")->bones.back().distal);
+}
+
 }  // namespace
 }  // namespace thenar
