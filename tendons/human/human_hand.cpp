@@ -251,8 +251,7 @@ HumanVersion human_version(const std::string& name) {
 }
 
 const Subject& default_human() {
-  static const Subject human =
-      parse_subject(built_in("mirakhorlo2016.toml"), "mirakhorlo2016.toml");
+  static const Subject human = parse_subject(built_in("human_hand.toml"), "human_hand.toml");
   return human;
 }
 

@@ -69,7 +69,7 @@ struct HumanHand {
 /// @throws InputError listing the names.
 [[nodiscard]] HumanVersion human_version(const std::string& name);
 
-/// The human of comparisons, [Mirakhorlo2016].
+/// The human of comparisons, `human_hand`: the hand of [Mirakhorlo2016] with a calibrated thumb.
 [[nodiscard]] const Subject& default_human();
 
 // The same hand with a simpler thumb.

@@ -82,27 +82,50 @@ const JointAxis& joint_of(const Subject& subject, const std::string& name) {
   throw InputError("no joint " + name);
 }
 
-Eigen::Vector3d first_metacarpal(const Subject& subject) {
+Eigen::Vector3d bone_direction(const Subject& subject, const std::string& name) {
   for (const Segment& segment : subject.segments)
-    if (segment.name == "MC1") return (segment.distal - segment.proximal).normalized();
-  throw InputError("no MC1");
+    if (segment.name == name) return (segment.distal - segment.proximal).normalized();
+  throw InputError("no " + name);
 }
 
-// 0.3 deg about CMC1_FE and 35.7 deg about CMC1_AA bring the digitised metacarpal to where that of
+/// By how much a bone is flexed from the bone before it about an axis [rad].
+double bend(const Eigen::Vector3d& axis, Eigen::Vector3d before, Eigen::Vector3d after) {
+  before -= before.dot(axis) * axis;
+  after -= after.dot(axis) * axis;
+  return std::atan2(before.cross(after).dot(axis), before.dot(after));
+}
+
+// 8.6 deg about CMC1_FE and 35.6 deg about CMC1_AA bring the digitised metacarpal to where that of
 // the ARMS model is neutral (both frames: x radial, y proximal, z dorsal); so ranges counted from
 // there, -44.7 .. 28.6 and -44.7 .. 40.1 deg of the MyoHand, are shifted by as much.
 TEST(DefaultHuman, CountsTheThumbsRangesFromItsNeutralPosture) {
   const Subject& human = default_human();
-  const Subject arms = read_subject(std::string(THENAR_DATA_DIR) + "/subjects/arms_thumb.toml");
+  const Subject arms = sample::subject("arms_thumb");
   const JointAxis &flexion = joint_of(human, "CMC1_FE"), &abduction = joint_of(human, "CMC1_AA");
-  const Eigen::Vector3d turned = rotation_about<double>(flexion.direction, 0.3 * kDegree) *
-                                 rotation_about<double>(abduction.direction, 35.7 * kDegree) *
-                                 first_metacarpal(human);
-  EXPECT_LT(std::acos(turned.dot(first_metacarpal(arms))), 0.15 * kDegree);
-  EXPECT_NEAR(flexion.lower, (-44.7 + 0.3) * kDegree, 1e-12);
-  EXPECT_NEAR(flexion.upper, (28.6 + 0.3) * kDegree, 1e-12);
-  EXPECT_NEAR(abduction.lower, (-44.7 + 35.7) * kDegree, 1e-12);
-  EXPECT_NEAR(abduction.upper, (40.1 + 35.7) * kDegree, 1e-12);
+  const Eigen::Vector3d turned = rotation_about<double>(flexion.direction, 8.6 * kDegree) *
+                                 rotation_about<double>(abduction.direction, 35.6 * kDegree) *
+                                 bone_direction(human, "MC1");
+  constexpr double kShown = 0.06 * kDegree;  // ranges are rounded to 0.1 deg
+  EXPECT_LT(std::acos(turned.dot(bone_direction(arms, "MC1"))), 0.15 * kDegree);
+  EXPECT_NEAR(flexion.lower, (-44.7 + 8.6) * kDegree, kShown);
+  EXPECT_NEAR(flexion.upper, (28.6 + 8.6) * kDegree, kShown);
+  EXPECT_NEAR(abduction.lower, (-44.7 + 35.6) * kDegree, kShown);
+  EXPECT_NEAR(abduction.upper, (40.1 + 35.6) * kDegree, kShown);
+}
+
+// From the straight posture: 7.9 deg of extension and 59.1 of flexion at MCP [ThumbMcpRange], 15
+// and 80 at IP [EHand].
+TEST(DefaultHuman, BendsItsThumbAsLivingHandsDo) {
+  const Subject& human = default_human();
+  const JointAxis &mcp = joint_of(human, "MCP1_FE"), &ip = joint_of(human, "IP1");
+  const Eigen::Vector3d mc1 = bone_direction(human, "MC1"), pp1 = bone_direction(human, "PP1");
+  const double at_mcp = bend(mcp.direction, mc1, pp1);
+  const double at_ip = bend(ip.direction, pp1, bone_direction(human, "DP1"));
+  constexpr double kShown = 0.06 * kDegree;
+  EXPECT_NEAR(mcp.lower + at_mcp, -7.9 * kDegree, kShown);
+  EXPECT_NEAR(mcp.upper + at_mcp, 59.1 * kDegree, kShown);
+  EXPECT_NEAR(ip.lower + at_ip, -15 * kDegree, kShown);
+  EXPECT_NEAR(ip.upper + at_ip, 80 * kDegree, kShown);
 }
 
 // Each step changes one thing.
@@ -200,7 +223,7 @@ TEST(HumanHand, BorrowsStrengthByTheCubeOfLength) {
   const auto strength = [](double scale) {
     const Subject subject = sample::scaled({0.195 * scale, 0.085 * scale});
     const HumanHand human = build_human_hand(subject, HumanVersion::kSkewedThumb, bare());
-    EXPECT_THAT(human.warnings, testing::Contains(HasSubstr("'mirakhorlo2016' times")));
+    EXPECT_THAT(human.warnings, testing::Contains(HasSubstr("'human_hand' times")));
     return human.hand->actuation(Eigen::VectorXd::Zero(20)).upper;
   };
   const Eigen::VectorXd one = strength(1), two = strength(2);
@@ -235,7 +258,7 @@ TEST(MuscleForces, TakeNamesakesOfTheMiddleFinger) {
   EXPECT_NEAR(forces.max_force.at("FDP4"), 184.5 * 8.39 * 8.39 / (9.28 * 9.28), 1e-9);
   EXPECT_NEAR(forces.max_force.at("FPL"), 201, 1e-9);
   EXPECT_THAT(forces.assumed, testing::ElementsAre("FDP4: 150.8 N, as FDP3 times 0.82"));
-  EXPECT_THAT(message_of([] { (void)muscle_forces(default_human(), {"FCR"}); }),
+  EXPECT_THAT(message_of([] { (void)muscle_forces(sample::subject("mirakhorlo2016"), {"FCR"}); }),
               HasSubstr("largest tension of muscle 'FCR' of 'mirakhorlo2016' is unknown"));
 }
 
