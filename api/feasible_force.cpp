@@ -32,18 +32,45 @@ void require_limits(const TipStatics& statics, const std::string& subject) {
       listed(unknown), subject);
 }
 
-/// Derivative of the largest force by each joint; empty unless there is such a force of bones.
-Eigen::VectorXd change_of(const DigitAtPosture& at, const MaxTipForce& largest,
-                          DirectionFrame frame) {
-  if (largest.status != Status::kSolved || largest.component < kNoTipForce || !at.map.empty())
-    return {};
-  return max_tip_force_gradient(at.statics, at.slopes, largest, frame);
+/// What is asked at one posture, and in which axes.
+TipLoadOptions options_of(const FeasibleForceRequest& request, const ForceAxes& axes) {
+  return {request.load, request.tolerance, request.most_other, axes.to_world, /*prices=*/true};
 }
 
-WholeForceSet whole_set(const TipStatics& statics, const ForceAxes& axes) {
-  WholeForceSet whole{feasible_force_set(statics), {}};
+/// A map knows moments about some axes only: the others are not zero but unknown.
+void require_moments(const FeasibleForceRequest& request, const DigitAtPosture& at) {
+  if (at.map.empty() || (request.load == TipLoad::kForce && request.most_other == 0)) return;
+  require(has_rotation(at.statics), "tip map '{}' of '{}' has no moments", at.map, at.subject);
+  const Eigen::VectorXd known = at.statics.W.cwiseAbs().rowwise().sum();
+  if (request.load == TipLoad::kForce) return;
+  const Eigen::Vector3d wanted = request.direction.value_or(Eigen::Vector3d::Ones());
+  for (int k = 0; k < 3; ++k)
+    require(known(k) > 0 || (wanted(k) == 0 && !request.whole_set && request.tolerance == 0),
+            "tip map '{}' of '{}' has no row t{}: it knows moments about{}{}{} alone", at.map,
+            at.subject, "xyz"[k], known(0) > 0 ? " x" : "", known(1) > 0 ? " y" : "",
+            known(2) > 0 ? " z" : "");
+}
+
+/// Loads below this are none [N] or [N m].
+double no_load(TipLoad load) { return load == TipLoad::kForce ? kNoTipForce : kNoTipMoment; }
+
+/// Derivative of the largest load by each joint; empty unless there is such a load of bones.
+Eigen::VectorXd change_of(const DigitAtPosture& at, const MaxTipLoad& found,
+                          const FeasibleForceRequest& request) {
+  if (found.largest.status != Status::kSolved || found.largest.component < no_load(request.load) ||
+      !at.map.empty())
+    return {};
+  return max_tip_load_gradient(at.statics, at.slopes, found, request.load, request.frame);
+}
+
+WholeForceSet whole_set(const TipStatics& statics, const TipLoadOptions& options) {
+  WholeForceSet whole{feasible_load_set(statics, options), {}};
+  TipLoadOptions along = options;
+  along.tolerance = 0;
+  along.prices = false;
   for (int k = 0; k < 6; ++k)
-    whole.along.push_back(max_tip_force(statics, (k % 2 == 0 ? 1 : -1) * axes.to_world.col(k / 2)));
+    whole.along.push_back(
+        max_tip_load(statics, (k % 2 == 0 ? 1 : -1) * options.axes.col(k / 2), along).largest);
   return whole;
 }
 
@@ -93,33 +120,38 @@ DigitAtPosture without_muscles(DigitAtPosture at, const std::vector<std::string>
   return at;
 }
 
-ParalysisLoss loss_of(const MaxTipForce& left, MaxTipForce intact) {
-  // A posture in which nothing balances makes no force.
-  const auto newtons = [](const MaxTipForce& force) {
-    if (force.status == Status::kInfeasible) return 0.0;
-    return force.status == Status::kSolved ? force.component
-                                           : std::numeric_limits<double>::quiet_NaN();
+/// @param none  loads below this are none [N] or [N m]
+ParalysisLoss loss_of(const MaxTipForce& left, MaxTipForce intact, double none) {
+  // A posture in which nothing balances makes no load.
+  const auto size = [](const MaxTipForce& load) {
+    if (load.status == Status::kInfeasible) return 0.0;
+    return load.status == Status::kSolved ? load.component
+                                          : std::numeric_limits<double>::quiet_NaN();
   };
-  const double all = newtons(intact);
-  const double share =
-      all < kNoTipForce ? std::numeric_limits<double>::quiet_NaN() : 1 - newtons(left) / all;
+  const double all = size(intact);
+  const double share = all < none ? std::numeric_limits<double>::quiet_NaN() : 1 - size(left) / all;
   return {std::move(intact), share};
 }
 
 FeasibleForcePoint point_at(const FeasibleForceRequest& request, const DigitAtPosture& at) {
   FeasibleForcePoint point;
   point.q = at.q;
+  point.load = request.load;
   point.axes = force_axes(at, request.frame);
   point.tip = at.tip;
   point.condition = at.condition;
   point.plane_normal = at.plane_normal;
   point.alike = muscles_alike(at.statics.R);
+  require_moments(request, at);
+  const TipLoadOptions options = options_of(request, point.axes);
   if (request.direction) {
-    point.largest = max_tip_force(at.statics, point.axes.to_world * *request.direction,
-                                  {request.tolerance, true});
-    point.change = change_of(at, *point.largest, request.frame);
+    const MaxTipLoad found =
+        max_tip_load(at.statics, point.axes.to_world * *request.direction, options);
+    point.largest = found.largest;
+    point.other = found.other;
+    point.change = change_of(at, found, request);
   }
-  if (!request.direction || request.whole_set) point.whole = whole_set(at.statics, point.axes);
+  if (!request.direction || request.whole_set) point.whole = whole_set(at.statics, options);
   return point;
 }
 
@@ -130,9 +162,14 @@ FeasibleForceAnswer ask_feasible_force(const FeasibleForceRequest& request,
   require(request.tolerance >= 0 && request.tolerance < kPi / 2,
           "wanted a tolerance of 0 deg to below 90 deg, got {:.6g} deg",
           request.tolerance / kDegree);
+  require(request.most_other >= 0, "wanted {} of at least 0 {}, got {:.6g}",
+          request.load == TipLoad::kForce ? "moments" : "forces",
+          request.load == TipLoad::kForce ? "N m" : "N", request.most_other);
   const DigitCase digit = build_digit(request.digit, TendonOptions().hood);
   FeasibleForceAnswer answer;
   answer.about = sweep_of(digit);
+  answer.load = request.load;
+  answer.most_other = request.most_other;
   answer.direction = request.direction;
   answer.tolerance = request.tolerance;
   answer.without = paralysed_muscles(request.without, digit.subject, answer.about);
@@ -146,8 +183,10 @@ FeasibleForceAnswer ask_feasible_force(const FeasibleForceRequest& request,
     // What the paralysed muscles gave.
     if (point.largest && !answer.without.empty())
       point.loss = loss_of(*point.largest,
-                           max_tip_force(intact.statics, point.axes.to_world * *request.direction,
-                                         {request.tolerance}));
+                           max_tip_load(intact.statics, point.axes.to_world * *request.direction,
+                                        options_of(request, point.axes))
+                               .largest,
+                           no_load(request.load));
     answer.points.push_back(std::move(point));
     return at.warnings;
   };

@@ -1,7 +1,7 @@
 #pragma once
 
-/// The largest force of a fingertip along a direction, which muscles limit it, and all forces that
-/// the tip can make.
+/// The largest force or moment of a fingertip along a direction, which muscles limit it, and all
+/// forces or moments that the tip can make.
 
 #include <array>
 #include <optional>
@@ -13,13 +13,19 @@
 #include "api/named/digit_sweep.h"
 #include "tendons/forces/feasible_force_set.h"
 #include "tendons/forces/max_tip_force.h"
+#include "tendons/forces/max_tip_load.h"
 
 namespace thenar {
 
-/// Which digit; a direction, the whole set, or both. Forces are those of the tip on the world.
+/// Which digit; a direction, the whole set, or both. Forces and moments are those of the tip on the
+/// world, moments about the tip.
 struct FeasibleForceRequest {
   DigitRequest digit;
-  std::optional<Eigen::Vector3d> direction;       // of the force, of any length; absent: the set
+  TipLoad load = TipLoad::kForce;                 // whether forces or moments are asked for
+  double most_other = 0;                          // of each component of the other load about the
+                                                  // axes of `frame`: 0 none, infinite: a rigid
+                                                  // hold                       [N m] or [N]
+  std::optional<Eigen::Vector3d> direction;       // of the load, of any length; absent: the set
   double tolerance = 0;                           // half angle of the cone about it [rad]
   DirectionFrame frame = DirectionFrame::kWorld;  // of the direction and of answers
   bool whole_set = false;                         // the set in addition to a direction
@@ -33,7 +39,7 @@ struct ForceAxes {
   Eigen::Matrix3d to_world = Eigen::Matrix3d::Identity();  // columns: the axes, world frame (3, 3)
 };
 
-/// All forces, and the largest pure force along each axis.
+/// All forces, and the largest force along each axis; or moments, where [N] reads [N m].
 struct WholeForceSet {
   FeasibleForceSet set;
   std::vector<MaxTipForce> along;  // +1, -1, +2, -2, +3, -3 (6)
@@ -48,14 +54,17 @@ struct ParalysisLoss {
 
 /// The answer at one posture.
 struct FeasibleForcePoint {
-  Eigen::VectorXd q;             // [rad] (joints); empty for a map
-  std::string failure;           // why there is no answer; empty: there is one
-  ForceAxes axes;                // of the forces that are shown
-  Eigen::Vector3d tip{0, 0, 0};  // place of the tip, world frame [m] (3); 0 for a map
-  double condition = 0;          // of the tip's Jacobian, in the plane of parallel axes [1]
+  Eigen::VectorXd q;               // [rad] (joints); empty for a map
+  std::string failure;             // why there is no answer; empty: there is one
+  TipLoad load = TipLoad::kForce;  // what `largest` and `whole` are of
+  ForceAxes axes;                  // of the forces that are shown
+  Eigen::Vector3d tip{0, 0, 0};    // place of the tip, world frame [m] (3); 0 for a map
+  double condition = 0;            // of the tip's Jacobian, in the plane of parallel axes [1]
   std::optional<Eigen::Vector3d>
       plane_normal;                     // of flexion, where all axes are parallel, world (3)
-  std::optional<MaxTipForce> largest;   // along the direction, if there is one; with prices of F0
+  std::optional<MaxTipForce> largest;   // along the direction, if there is one; with prices of F0;
+                                        // of moments [N] reads [N m]
+  Eigen::Vector3d other{0, 0, 0};       // the other load meanwhile, world frame [N m] or [N] (3)
   Eigen::VectorXd change;               // of largest->component by each joint, the direction fixed
                                         // in its axes [N/rad] (joints); empty: no such force, a map
   std::optional<WholeForceSet> whole;   // if it was asked for
@@ -68,22 +77,25 @@ struct FeasibleForcePoint {
 struct FeasibleForceAnswer {
   DigitSweep about;
   Eigen::VectorXd max_tension;  // F0 [N] (muscles); 0 of those that are paralysed
+  TipLoad load = TipLoad::kForce;
+  double most_other = 0;  // [N m] or [N]
   std::optional<Eigen::Vector3d> direction;
   double tolerance = 0;              // [rad]
   std::vector<std::string> without;  // muscles of the digit that are paralysed
   std::vector<FeasibleForcePoint> points;
 };
 
-/// Forces below this are reported as no force: rounding of what tendons make [N].
-inline constexpr double kNoTipForce = 1e-6;
+/// Loads below this are reported as none: rounding of what tendons make.
+inline constexpr double kNoTipForce = 1e-6;   // [N]
+inline constexpr double kNoTipMoment = 1e-8;  // [N m]
 
-/// At every posture, as requested: the largest force along `direction` with prices of F0
-/// (max_tip_force()), the whole set (feasible_force_set()), or both. Muscles of `without` have F0 =
-/// 0 in all of these, as under a nerve block; those of the subject that cross no free joint of the
+/// At every posture, as requested: the largest load along `direction` with prices of F0
+/// (max_tip_load()), the whole set (feasible_load_set()), or both. Muscles of `without` have F0 = 0
+/// in all of these, as under a nerve block; those of the subject that cross no free joint of the
 /// digit are named in a warning, as their paralysis changes nothing.
 /// @throws InputError for what is unknown, a direction of no length, a tolerance outside of
-/// [0, pi/2) rad, muscles of unknown strength, or axes of the tip of a map; DataError for a wrong
-/// file.
+/// [0, pi/2) rad, a negative `most_other`, muscles of unknown strength, axes of the tip of a map,
+/// or moments that a map does not know; DataError for a wrong file.
 [[nodiscard]] FeasibleForceAnswer ask_feasible_force(const FeasibleForceRequest& request,
                                                      const Progress& progress = {});
 

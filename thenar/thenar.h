@@ -132,6 +132,7 @@
 // tendons/forces: fingertip forces and what limits them.
 #include "tendons/forces/feasible_force_set.h"
 #include "tendons/forces/max_tip_force.h"
+#include "tendons/forces/max_tip_load.h"
 #include "tendons/forces/posture_sensitivity.h"
 #include "tendons/forces/tip_force.h"
 #include "tendons/forces/tip_map.h"

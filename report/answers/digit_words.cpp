@@ -48,13 +48,14 @@ std::string posture_note(const std::vector<std::string>& joints, double conditio
       condition, joints[static_cast<std::size_t>(most)], std::abs(change[most]) * kDegree);
 }
 
-std::string change_line(const std::vector<std::string>& joints, const Eigen::VectorXd& change) {
+std::string change_line(const std::vector<std::string>& joints, const Eigen::VectorXd& change,
+                        const std::string& unit) {
   std::vector<Eigen::Index> order(static_cast<std::size_t>(change.size()));
   std::iota(order.begin(), order.end(), 0);
   std::sort(order.begin(), order.end(), [&](Eigen::Index a, Eigen::Index b) {
     return std::abs(change[a]) > std::abs(change[b]);
   });
-  std::string line = "N per degree of posture:";
+  std::string line = unit + " per degree of posture:";
   const double nothing = order.empty() ? 0 : kNoChange * std::abs(change[order.front()]);
   for (const Eigen::Index i : order)
     line += fmt::format("{} {} {:.3g}", i == order.front() ? "" : ",",

@@ -19,8 +19,9 @@ namespace thenar {
                                        const Eigen::VectorXd& change);
 
 /// "N per degree of posture: PIP2 0.31, DIP2 0.12", the most first.
+/// @param change  in `unit` per radian
 [[nodiscard]] std::string change_line(const std::vector<std::string>& joints,
-                                      const Eigen::VectorXd& change);
+                                      const Eigen::VectorXd& change, const std::string& unit = "N");
 
 /// Digit, posture or how many of them, and fidelity: the first lines of a text.
 [[nodiscard]] std::string text_header(const DigitSweep& about);

@@ -19,15 +19,16 @@ constexpr double kNoPrice = 1e-9;       // rounding [N/N]
 constexpr double kPriceDiffers = 1e-4;  // of the larger price
 constexpr std::size_t kMaxNamed = 3;    // muscles in a sentence
 
-std::string status_line(Status status) {
-  const std::string words = force_status_words(status);
+std::string status_line(Status status, TipLoad load) {
+  const std::string words = force_status_words(status, load);
   return words.empty() ? "" : fmt::format("{}: {}\n", name_of(status), words);
 }
 
 /// The same of a posture: which forces the bones carry alone.
 std::string status_line(const FeasibleForcePoint& point) {
   const Status status = point.largest->status;
-  if (status != Status::kUnbounded || !point.plane_normal) return status_line(status);
+  if (status != Status::kUnbounded || !point.plane_normal || point.load == TipLoad::kMoment)
+    return status_line(status, point.load);
   return fmt::format(
       "{}: all axes are parallel, and the bones alone carry any force across the plane of "
       "flexion\n",
@@ -42,7 +43,7 @@ bool makes_none(const FeasibleForcePoint& point) {
 
 /// The status of a solver, or "no force" where it found that there is none.
 std::string status_name(const FeasibleForcePoint& point) {
-  return makes_none(point) ? "no force" : name_of(point.largest->status);
+  return makes_none(point) ? "no " + words_of(point.load).one : name_of(point.largest->status);
 }
 
 bool priced(const FeasibleForcePoint& point) {
@@ -63,29 +64,35 @@ std::string price_cell(const FeasibleForcePoint& point, Index i) {
   return shown(prices.increase(i), 4) + " .. " + shown(prices.decrease(i), 4);
 }
 
-Table vertex_table(const ForceAxes& axes, const FeasibleForceSet& set) {
-  Table table{{"vertex", axes.names[0] + "_N", axes.names[1] + "_N", axes.names[2] + "_N"}, {}};
+Table vertex_table(const ForceAxes& axes, const FeasibleForceSet& set, const LoadWords& words) {
+  Table table{{"vertex"}, {}};
+  for (const std::string& name : axes.names) table.header.push_back(name + words.suffix);
   const Eigen::MatrixX3d vertices = set.vertices * axes.to_world;
   for (Index k = 0; k < vertices.rows(); ++k)
-    table.rows.push_back(row({{std::to_string(k + 1)}, cells(vertices.row(k), 3)}));
+    table.rows.push_back(
+        row({{std::to_string(k + 1)}, cells(vertices.row(k), 3 + words.more_decimals)}));
   return table;
 }
 
-/// A number of JSON, null if unknown.
-OrderedJson loss_json(const ParalysisLoss& loss) {
-  return {{"intact_component_N",
+/// The loss, null if unknown.
+OrderedJson loss_json(const ParalysisLoss& loss, TipLoad load) {
+  return {{"intact_component" + words_of(load).suffix,
            number_or_null(loss.intact.status == Status::kSolved ? loss.intact.component
                                                                 : std::nan(""))},
           {"loss", number_or_null(loss.share)}};
 }
 
+/// "N_per_N_of_F0"
+std::string price_header(TipLoad load) { return words_of(load).suffix.substr(1) + "_per_N_of_F0"; }
+
 OrderedJson limits_json(const FeasibleForceAnswer& answer, const FeasibleForcePoint& point) {
   OrderedJson list = OrderedJson::array();
   const ForceLimitPrices& prices = point.largest->prices;
   for (const Index i : limiting_muscles(point)) {
+    const std::string price = price_header(answer.load);
     OrderedJson entry{{"muscle", answer.about.muscles[static_cast<std::size_t>(i)]},
-                      {"N_per_N_of_F0", number_or_null(prices.increase(i))}};
-    if (differs(prices, i)) entry["N_per_N_of_F0_lost"] = number_or_null(prices.decrease(i));
+                      {price, number_or_null(prices.increase(i))}};
+    if (differs(prices, i)) entry[price + "_lost"] = number_or_null(prices.decrease(i));
     list.push_back(std::move(entry));
   }
   return list;
@@ -94,32 +101,39 @@ OrderedJson limits_json(const FeasibleForceAnswer& answer, const FeasibleForcePo
 void add_largest(const FeasibleForceAnswer& answer, const FeasibleForcePoint& point,
                  OrderedJson& json) {
   const MaxTipForce& largest = *point.largest;
+  const LoadWords words = words_of(answer.load), other = words_of(other_load(answer.load));
+  const std::string load = words.one + words.suffix, component = "component" + words.suffix;
   json["status"] = status_name(point);
   json["axes"] = point.axes.name;
   if (makes_none(point)) {
-    for (const char* name : {"force_N", "component_N", "certificate", "activation", "tension_N"})
+    for (const std::string& name : {load, component, std::string("certificate"),
+                                    std::string("activation"), std::string("tension_N")})
       json[name] = nullptr;
     return;
   }
-  json["force_N"] = to_json(point.axes.to_world.transpose() * largest.force);
-  json["component_N"] = largest.component;
-  json["certificate"] = {{"gap_N", largest.check.gap},
-                         {"outside_cone_N", largest.check.outside},
+  json[load] = to_json(point.axes.to_world.transpose() * largest.force);
+  json[component] = largest.component;
+  if (answer.most_other > 0)
+    json[other.one + other.suffix] = to_json(point.axes.to_world.transpose() * point.other);
+  json["certificate"] = {{"gap" + words.suffix, largest.check.gap},
+                         {"outside_cone" + words.suffix, largest.check.outside},
                          {"imbalance_N_mm", 1e3 * largest.check.imbalance}};
   json["activation"] = to_json(answer.about.muscles, largest.activation);
   json["tension_N"] = to_json(answer.about.muscles, largest.tension);
   if (priced(point)) {
     json["limited_by"] = limits_json(answer, point);
     json["degenerate"] = largest.prices.degenerate();
-    json["certificate"]["price_gap_N"] = largest.prices.gap;
+    json["certificate"]["price_gap" + words.suffix] = largest.prices.gap;
   }
   if (point.change.size() > 0)
-    json["component_change_N_per_deg"] = to_json(answer.about.rows, point.change * kDegree);
+    json["component_change" + words.suffix + "_per_deg"] =
+        to_json(answer.about.rows, point.change * kDegree);
 }
 
 void add_whole(const FeasibleForcePoint& point, OrderedJson& json) {
   const FeasibleForceSet& set = point.whole->set;
   const ForceAxes& axes = point.axes;
+  const std::string suffix = words_of(point.load).suffix;
   OrderedJson largest;
   for (std::size_t k = 0; k < point.whole->along.size(); ++k)
     largest[axis_direction(axes, k)] = point.whole->along[k].component;
@@ -127,12 +141,12 @@ void add_whole(const FeasibleForcePoint& point, OrderedJson& json) {
                  {"axes", axes.name},
                  {"dimension", set.dimension},
                  {"volume", set.volume},
-                 {"vertices_N", to_json(set.vertices * axes.to_world)},
+                 {"vertices" + suffix, to_json(set.vertices * axes.to_world)},
                  {"triangles", to_json(set.triangles)},
                  {"excess", set.excess},
                  {"imbalance_N_mm", 1e3 * set.imbalance},
                  {"carried_by_bones", to_json(set.carried.transpose() * axes.to_world)},
-                 {"largest_N", largest}};
+                 {"largest" + suffix, largest}};
 }
 
 void add_point(const FeasibleForceAnswer& answer, const FeasibleForcePoint& point,
@@ -142,8 +156,17 @@ void add_point(const FeasibleForceAnswer& answer, const FeasibleForcePoint& poin
     return;
   }
   if (answer.about.map.empty()) json["condition"] = point.condition;
+  if (answer.load == TipLoad::kMoment || answer.most_other > 0) {
+    const std::string other = words_of(other_load(answer.load)).many;
+    if (answer.most_other == 0)
+      json[other] = "zero";
+    else if (std::isinf(answer.most_other))
+      json[other] = "free";
+    else
+      json["most_" + other + words_of(other_load(answer.load)).suffix] = answer.most_other;
+  }
   if (point.largest) add_largest(answer, point, json);
-  if (point.loss) json["paralysis"] = loss_json(*point.loss);
+  if (point.loss) json["paralysis"] = loss_json(*point.loss, answer.load);
   const std::string note = note_of(answer, point);
   if (!note.empty()) json["note"] = note;
   if (point.whole) add_whole(point, json);
@@ -151,7 +174,9 @@ void add_point(const FeasibleForceAnswer& answer, const FeasibleForcePoint& poin
 
 /// What bones carry alone in the plane of parallel axes, where a cone of directions may hold it.
 std::string plane_note(const FeasibleForceAnswer& answer, const FeasibleForcePoint& point) {
-  if (!point.plane_normal || !makes_force(point) || answer.tolerance <= 0) return "";
+  if (!point.plane_normal || !makes_force(point) || answer.tolerance <= 0 ||
+      answer.load == TipLoad::kMoment)
+    return "";
   return "all axes are parallel: bones alone carry forces across the plane of flexion, and of "
          "equal answers the one with the least of them is given";
 }
@@ -174,64 +199,97 @@ std::string shared_note(const FeasibleForceAnswer& answer, const FeasibleForcePo
   return note;
 }
 
-/// Force with all muscles, and the share of it that is lost.
-std::vector<std::string> loss_cells(const ParalysisLoss& loss, int decimals,
-                                    const std::string& unknown) {
+/// Load with all muscles, and the share of it that is lost.
+std::vector<std::string> loss_cells(const FeasibleForceAnswer& answer, const ParalysisLoss& loss,
+                                    int decimals, const std::string& unknown) {
   const bool solved = loss.intact.status == Status::kSolved;
-  return {solved ? shown(loss.intact.component, decimals) : unknown,
+  const int more = words_of(answer.load).more_decimals;
+  return {solved ? shown(loss.intact.component, decimals + more) : unknown,
           std::isnan(loss.share) ? unknown : shown(loss.share, decimals)};
 }
 
 /// "Without ADPt, ADPo: 63.2 % of the 53.8 N of all muscles are lost".
 std::string loss_text(const FeasibleForceAnswer& answer, const FeasibleForcePoint& point) {
   if (!point.loss) return "";
+  const LoadWords words = words_of(point.load);
   const std::string without = fmt::format("Without {}: ", fmt::join(answer.without, ", "));
   if (std::isnan(point.loss->share)) return without + "the loss is not known\n\n";
-  return fmt::format("{}{:.1f} % of the {} N of all muscles are lost\n\n", without,
-                     100 * point.loss->share, shown(point.loss->intact.component, 3));
+  return fmt::format("{}{:.1f} % of the {} {} of all muscles are lost\n\n", without,
+                     100 * point.loss->share,
+                     shown(point.loss->intact.component, 3 + words.more_decimals), words.unit);
 }
 
 /// The largest force at one posture.
 std::string largest_text(const FeasibleForceAnswer& answer, const FeasibleForcePoint& point) {
   const MaxTipForce& largest = *point.largest;
+  const LoadWords words = words_of(point.load), other = words_of(other_load(point.load));
+  const auto in_axes = [&](const Eigen::Vector3d& load, const LoadWords& of) {
+    const Eigen::Vector3d seen = point.axes.to_world.transpose() * load;
+    return fmt::format("({}) = ({}) {} in {} axes", fmt::join(point.axes.names, ", "),
+                       fmt::join(cells(seen, 3 + of.more_decimals), ", "), of.unit,
+                       point.axes.name);
+  };
   if (largest.status != Status::kSolved) return status_line(point) + "\n";
   if (!makes_force(point))
-    return "Largest force: none; " + force_status_words(Status::kInfeasible) + "\n\n";
-  const Eigen::Vector3d force = point.axes.to_world.transpose() * largest.force;
-  std::string text =
-      fmt::format("Largest force: {} N along the direction\nas ({}) = ({}) N in {} axes\n",
-                  shown(largest.component, 3), fmt::join(point.axes.names, ", "),
-                  fmt::join(cells(force, 3), ", "), point.axes.name);
+    return fmt::format("Largest {}: none; {}\n\n", words.one,
+                       force_status_words(Status::kInfeasible, point.load));
+  std::string text = fmt::format("Largest {}: {} {} along the direction\nas {}\n", words.one,
+                                 shown(largest.component, 3 + words.more_decimals), words.unit,
+                                 in_axes(largest.force, words));
+  if (answer.most_other > 0)
+    text += fmt::format("with {}: {}\n", other_words(answer.load, answer.most_other),
+                        in_axes(point.other, other));
   const std::string limits = limit_words(answer, point);
   if (!limits.empty()) text += limits + "\n";
-  if (point.change.size() > 0) text += change_line(answer.about.rows, point.change) + "\n";
+  if (point.change.size() > 0)
+    text += change_line(answer.about.rows, point.change, words.unit) + "\n";
   const std::string note = note_of(answer, point);
   if (!note.empty()) text += "note: " + note + "\n";
   return text + "\n" + aligned(limit_table(answer, point)) + "\n";
+}
+
+/// ", moments beside it free"; "" if there are none.
+std::string beside(const FeasibleForceAnswer& answer) {
+  const std::string words = other_words(answer.load, answer.most_other);
+  return words.empty() ? "" : ", " + words;
+}
+
+/// "pure force", or "force" where moments go with it.
+std::string pure(const FeasibleForceAnswer& answer) {
+  return (answer.most_other > 0 ? "" : "pure ") + words_of(answer.load).one;
+}
+
+/// "N^3", "(N m)^3"
+std::string power_of(const std::string& unit, int dimension) {
+  return fmt::format("{}^{}", unit == "N" ? unit : "(" + unit + ")", dimension);
 }
 
 /// All forces at one posture.
 std::string whole_text(const FeasibleForceAnswer& answer, const FeasibleForcePoint& point) {
   const FeasibleForceSet& set = point.whole->set;
   const ForceAxes& axes = point.axes;
-  Table along{{"direction", "largest_N", "status"}, {}};
+  const LoadWords words = words_of(point.load);
+  Table along{{"direction", "largest" + words.suffix, "status"}, {}};
   for (std::size_t k = 0; k < point.whole->along.size(); ++k)
-    along.rows.push_back({axis_direction(axes, k), shown(point.whole->along[k].component, 3),
+    along.rows.push_back({axis_direction(axes, k),
+                          shown(point.whole->along[k].component, 3 + words.more_decimals),
                           name_of(point.whole->along[k].status)});
   std::string text =
-      fmt::format("All forces the tip can make: dimension {}, volume {:.5g} {}, {} vertices\n",
-                  set.dimension, set.volume,
-                  set.dimension > 0 ? fmt::format("N^{}", set.dimension) : "(a point)",
+      fmt::format("All {} the tip can make{}: dimension {}, volume {:.5g} {}, {} vertices\n",
+                  words.many, beside(answer), set.dimension, set.volume,
+                  set.dimension > 0 ? power_of(words.unit, set.dimension) : "(a point)",
                   set.vertices.rows()) +
-      status_line(set.status);
+      status_line(set.status, point.load);
   for (Index c = 0; c < set.carried.cols(); ++c)
     text += fmt::format(
-        "plus any force along ({}), which the bones carry alone; vertices are across it\n",
+        "plus any {} along ({}), which the bones carry alone; vertices are across it\n", words.one,
         fmt::join(cells(axes.to_world.transpose() * set.carried.col(c), 3), ", "));
-  text += fmt::format("\nLargest pure force along each of the {} axes\n{}\n", axes.name,
+  text += fmt::format("\nLargest {} along each of the {} axes\n{}\n", pure(answer), axes.name,
                       aligned(along));
-  if (set.vertices.rows() > 0) text += "Vertices\n" + aligned(vertex_table(axes, set)) + "\n";
-  if (answer.about.map.empty() && point.condition >= kNearlyStraight)
+  if (set.vertices.rows() > 0)
+    text += "Vertices\n" + aligned(vertex_table(axes, set, words)) + "\n";
+  if (answer.about.map.empty() && point.condition >= kNearlyStraight &&
+      answer.load == TipLoad::kForce)
     text += fmt::format(
         "note: nearly singular posture (condition {:.3g}): the set changes much within a degree\n",
         point.condition);
@@ -239,19 +297,29 @@ std::string whole_text(const FeasibleForceAnswer& answer, const FeasibleForcePoi
 }
 
 /// Cells of the largest force at a posture, for a row. @param none  where there is no force
-std::vector<std::string> largest_cells(const FeasibleForcePoint& point, int decimals,
+std::vector<std::string> largest_cells(const FeasibleForceAnswer& answer,
+                                       const FeasibleForcePoint& point, int decimals,
                                        const std::string& none) {
   const MaxTipForce& largest = *point.largest;
-  if (makes_none(point)) return row({{status_name(point)}, std::vector<std::string>(4, none)});
-  return row({{name_of(largest.status), shown(largest.component, decimals)},
-              cells(Eigen::Vector3d(point.axes.to_world.transpose() * largest.force), decimals)});
+  const bool other = answer.most_other > 0;
+  if (makes_none(point))
+    return row({{status_name(point)}, std::vector<std::string>(other ? 7 : 4, none)});
+  const auto seen = [&](const Eigen::Vector3d& load, TipLoad of) {
+    return cells(Eigen::Vector3d(point.axes.to_world.transpose() * load),
+                 decimals + words_of(of).more_decimals);
+  };
+  std::vector<std::string> line{
+      name_of(largest.status),
+      shown(largest.component, decimals + words_of(answer.load).more_decimals)};
+  line = row({line, seen(largest.force, answer.load)});
+  return other ? row({line, seen(point.other, other_load(answer.load))}) : line;
 }
 
 std::vector<std::string> whole_cells(const FeasibleForcePoint& point, int decimals) {
   std::vector<std::string> line{std::to_string(point.whole->set.dimension),
                                 shown(point.whole->set.volume)};
   for (const MaxTipForce& each : point.whole->along)
-    line.push_back(shown(each.component, decimals));
+    line.push_back(shown(each.component, decimals + words_of(point.load).more_decimals));
   return line;
 }
 
@@ -262,15 +330,20 @@ ForceAxes axes_of_answer(const FeasibleForceAnswer& answer) {
   return {};
 }
 
-std::vector<std::string> largest_header(const ForceAxes& axes) {
-  std::vector<std::string> header{"status", "component_N"};
-  for (const std::string& name : axes.names) header.push_back(name + "_N");
+/// Columns of largest_cells(): of the load, and of the other one where there may be some.
+std::vector<std::string> largest_header(const FeasibleForceAnswer& answer, const ForceAxes& axes) {
+  const LoadWords words = words_of(answer.load), other = words_of(other_load(answer.load));
+  std::vector<std::string> header{"status", "component" + words.suffix};
+  for (const std::string& name : axes.names) header.push_back(name + words.suffix);
+  if (answer.most_other > 0)
+    for (const std::string& name : axes.names) header.push_back(name + other.suffix);
   return header;
 }
 
-std::vector<std::string> whole_header(const ForceAxes& axes) {
+std::vector<std::string> whole_header(const FeasibleForceAnswer& answer, const ForceAxes& axes) {
   std::vector<std::string> header{"dimension", "volume"};
-  for (std::size_t k = 0; k < 6; ++k) header.push_back("largest_" + axis_direction(axes, k) + "_N");
+  for (std::size_t k = 0; k < 6; ++k)
+    header.push_back("largest_" + axis_direction(axes, k) + words_of(answer.load).suffix);
   return header;
 }
 
@@ -305,7 +378,7 @@ std::vector<std::string> muscle_cells(const FeasibleForcePoint& point, Index i) 
 /// Columns of what paralysis costs; none if no muscle of the digit is paralysed.
 std::vector<std::string> loss_header(const FeasibleForceAnswer& answer) {
   if (answer.without.empty()) return {};
-  return {"intact_N", "loss"};
+  return {"intact" + words_of(answer.load).suffix, "loss"};
 }
 
 /// Notes of the postures, each once with how many have it.
@@ -333,6 +406,7 @@ std::string notes_text(const FeasibleForceAnswer& answer) {
 std::string many_postures(const FeasibleForceAnswer& answer) {
   const SweepAxes axes = axes_of(answer.about);
   const ForceAxes force = axes_of_answer(answer);
+  const LoadWords words = words_of(answer.load);
   std::string text;
   const auto table_with = [&](const std::vector<std::string>& header, const auto& line) {
     Table table{row({header_of(axes), header}), {}};
@@ -345,35 +419,52 @@ std::string many_postures(const FeasibleForceAnswer& answer) {
     return table;
   };
   if (answer.direction)
-    text +=
-        titled(fmt::format("Largest force along the direction, {} axes; limits in N per N of F0",
-                           force.name),
-               table_with(row({largest_header(force), {"limited_by"}, loss_header(answer)}),
-                          [&](const FeasibleForcePoint& point) {
-                            std::vector<std::string> line =
-                                row({largest_cells(point, 3, "-"), {short_limits(answer, point)}});
-                            if (point.loss) line = row({line, loss_cells(*point.loss, 3, "-")});
-                            return line;
-                          }));
-  if (with_whole(answer))
     text += titled(
-        fmt::format("All forces: the set, and the largest pure force along the {} axes",
-                    force.name),
-        table_with(whole_header(force), [](const auto& point) { return whole_cells(point, 3); }));
+        fmt::format("Largest {} along the direction{}, {} axes; limits in {} per N of F0",
+                    words.one, beside(answer), force.name, words.unit),
+        table_with(row({largest_header(answer, force), {"limited_by"}, loss_header(answer)}),
+                   [&](const FeasibleForcePoint& point) {
+                     std::vector<std::string> line =
+                         row({largest_cells(answer, point, 3, "-"), {short_limits(answer, point)}});
+                     if (point.loss) line = row({line, loss_cells(answer, *point.loss, 3, "-")});
+                     return line;
+                   }));
+  if (with_whole(answer))
+    text += titled(fmt::format("All {}: the set, and the largest {} along the {} axes", words.many,
+                               pure(answer), force.name),
+                   table_with(whole_header(answer, force),
+                              [](const auto& point) { return whole_cells(point, 3); }));
   if (answer.direction) text += notes_text(answer);
   return text;
 }
 
 }  // namespace
 
+LoadWords words_of(TipLoad load) {
+  if (load == TipLoad::kForce) return {"force", "forces", "N", "_N", 0};
+  return {"moment", "moments", "N m", "_Nm", 2};
+}
+
+TipLoad other_load(TipLoad load) {
+  return load == TipLoad::kForce ? TipLoad::kMoment : TipLoad::kForce;
+}
+
+std::string other_words(TipLoad load, double most_other) {
+  const LoadWords other = words_of(other_load(load));
+  if (most_other == 0) return "";
+  if (std::isinf(most_other)) return other.many + " beside it free";
+  return fmt::format("{} of at most {:.4g} {} {} each axis beside it", other.many, most_other,
+                     other.unit, load == TipLoad::kForce ? "about" : "along");
+}
+
 bool makes_force(const FeasibleForcePoint& point) {
   return point.largest && point.largest->status == Status::kSolved &&
-         point.largest->component >= kNoTipForce;
+         point.largest->component >= (point.load == TipLoad::kForce ? kNoTipForce : kNoTipMoment);
 }
 
 Table limit_table(const FeasibleForceAnswer& answer, const FeasibleForcePoint& point) {
   const MaxTipForce& largest = *point.largest;
-  Table muscles{{"muscle", "activation", "tension_N", "F0_N", "N_per_N_of_F0"}, {}};
+  Table muscles{{"muscle", "activation", "tension_N", "F0_N", price_header(answer.load)}, {}};
   for (Index i = 0; i < largest.tension.size(); ++i)
     muscles.rows.push_back({answer.about.muscles[static_cast<std::size_t>(i)],
                             shown(largest.activation[i], 4), shown(largest.tension[i], 2),
@@ -381,14 +472,17 @@ Table limit_table(const FeasibleForceAnswer& answer, const FeasibleForcePoint& p
   return muscles;
 }
 
-std::string force_status_words(Status status) {
+std::string force_status_words(Status status, TipLoad load) {
+  const std::string one = words_of(load).one;
   switch (status) {
     case Status::kSolved:
       return "";
     case Status::kInfeasible:
-      return "no tensions make any force this way with every joint in balance";
+      return fmt::format("no tensions make any {} this way with every joint in balance", one);
     case Status::kUnbounded:
-      return "the bones alone carry any force this way (a singular posture)";
+      return load == TipLoad::kForce
+                 ? "the bones alone carry any force this way (a singular posture, or a hold)"
+                 : "no joint feels this moment, so that the bones alone carry any";
     case Status::kLimit:
       return "the numerical method reached its limit of steps";
     case Status::kStopped:
@@ -422,30 +516,36 @@ std::string limit_words(const FeasibleForceAnswer& answer, const FeasibleForcePo
   const ForceLimitPrices& prices = point.largest->prices;
   const auto name = [&](Index i) { return answer.about.muscles[static_cast<std::size_t>(i)]; };
   const Index first = muscles.front();
-  std::string text = fmt::format("limited by {}: 1 N more of its F0 gives {:.3g} N more",
-                                 name(first), prices.increase(first));
+  const std::string unit = words_of(answer.load).unit;
+  std::string text = fmt::format("limited by {}: 1 N more of its F0 gives {:.3g} {} more",
+                                 name(first), prices.increase(first), unit);
   if (differs(prices, first))
-    text += fmt::format(", 1 N less takes {:.3g} N", prices.decrease(first));
+    text += fmt::format(", 1 N less takes {:.3g} {}", prices.decrease(first), unit);
   for (std::size_t k = 1; k < std::min(muscles.size(), kMaxNamed); ++k)
     text += fmt::format("{} {} {}", k == 1 ? "; then" : ",", name(muscles[k]),
                         price_cell(point, muscles[k]));
   if (muscles.size() > kMaxNamed) text += fmt::format(" and {} more", muscles.size() - kMaxNamed);
   if (prices.degenerate())
-    text +=
-        "\nseveral limits meet here: a muscle alone gives the first number of N_per_N_of_F0 when "
-        "its F0 grows, and takes the second when it shrinks";
+    text += "\nseveral limits meet here: a muscle alone gives the first number of " +
+            price_header(answer.load) + " when its F0 grows, and takes the second when it shrinks";
   return text;
 }
 
 std::string note_of(const FeasibleForceAnswer& answer, const FeasibleForcePoint& point) {
   if (point.largest) {
-    std::string note = makes_none(point) ? force_status_words(Status::kInfeasible) : "";
-    for (const std::string& more : {plane_note(answer, point), shared_note(answer, point),
-                                    posture_note(answer.about.rows, point.condition, point.change)})
+    std::string note = makes_none(point) ? force_status_words(Status::kInfeasible, point.load) : "";
+    for (const std::string& more :
+         {plane_note(answer, point), shared_note(answer, point),
+
+          answer.load == TipLoad::kMoment
+              ? ""
+              : posture_note(answer.about.rows, point.condition, point.change)})
       if (!more.empty()) note += (note.empty() ? "" : "; ") + more;
     if (!note.empty()) return note;
   }
-  if (!point.whole || !answer.about.map.empty() || point.condition < kNearlyStraight) return "";
+  if (!point.whole || !answer.about.map.empty() || point.condition < kNearlyStraight ||
+      answer.load == TipLoad::kMoment)
+    return "";
   return fmt::format(
       "nearly singular posture (condition {:.3g}): the set changes much within a degree",
       point.condition);
@@ -476,20 +576,20 @@ Table table_of(const FeasibleForceAnswer& answer) {
     table.header.insert(table.header.end(), names.begin(), names.end());
   };
   if (direction) {
-    add(largest_header(axes));
+    add(largest_header(answer, axes));
     add({"limited_by"});
     add(loss_header(answer));
     for (const std::string& muscle : answer.about.muscles)
-      add({muscle + "_activation", muscle + "_N_per_N_of_F0"});
+      add({muscle + "_activation", muscle + "_" + price_header(answer.load)});
   }
-  if (whole) add(whole_header(axes));
+  if (whole) add(whole_header(answer, axes));
   add({"note"});
   for (const FeasibleForcePoint& point : answer.points) {
     std::vector<std::string> line = joint_cells(point.q);
     if (point.failure.empty()) {
       if (direction)
-        line = row({line, largest_cells(point, 6, ""), {limiting_names(answer, point)}});
-      if (point.loss) line = row({line, loss_cells(*point.loss, 6, "")});
+        line = row({line, largest_cells(answer, point, 6, ""), {limiting_names(answer, point)}});
+      if (point.loss) line = row({line, loss_cells(answer, *point.loss, 6, "")});
       for (Index i = 0; direction && i < point.largest->activation.size(); ++i)
         line = row({line, muscle_cells(point, i)});
       if (whole) line = row({line, whole_cells(point, 6)});

@@ -1,6 +1,7 @@
 #pragma once
 
-/// The largest force of a fingertip, what limits it, and all its forces, as words, JSON and rows.
+/// The largest force or moment of a fingertip, what limits it, and all of them, as words, JSON and
+/// rows.
 
 #include <string>
 
@@ -15,7 +16,22 @@ namespace thenar {
 /// A row for each posture.
 [[nodiscard]] Table table_of(const FeasibleForceAnswer& answer);
 
-/// Whether the posture has a largest force that is more than rounding; not where it is unbounded.
+/// How a load is called and counted.
+struct LoadWords {
+  std::string one, many;  // "force", "forces"
+  std::string unit;       // "N" or "N m"
+  std::string suffix;     // of keys and columns: "_N" or "_Nm"
+  int more_decimals;      // than newtons need
+};
+[[nodiscard]] LoadWords words_of(TipLoad load);
+/// The load that is not asked for: moments beside a force.
+[[nodiscard]] TipLoad other_load(TipLoad load);
+
+/// "moments beside it free", "of at most 0.1 N m each"; "" if there are none.
+[[nodiscard]] std::string other_words(TipLoad load, double most_other);
+
+/// Whether the posture has a largest force or moment that is more than rounding; not where it is
+/// unbounded.
 [[nodiscard]] bool makes_force(const FeasibleForcePoint& point);
 
 /// "limited by FDP: 1 N more of its F0 gives 0.12 N more; then LU 0.03": the dearest limit first,
@@ -35,7 +51,7 @@ namespace thenar {
                                   const FeasibleForcePoint& point);
 
 /// What a status means to whoever asked for a force; "" if solved.
-[[nodiscard]] std::string force_status_words(Status status);
+[[nodiscard]] std::string force_status_words(Status status, TipLoad load = TipLoad::kForce);
 
 /// "+dorsal" or "-x": the k-th of six directions along the axes.
 [[nodiscard]] std::string axis_direction(const ForceAxes& axes, std::size_t k);

@@ -19,6 +19,7 @@ using Eigen::Index;
 
 /// Largest force along the direction, what limits it, and who pulls.
 void add_direction_charts(const FeasibleForceAnswer& answer, const SweepAxes& axes, Json& charts) {
+  const LoadWords words = words_of(answer.load);
   std::vector<Curve> prices, activations;
   for (std::size_t m = 0; m < answer.about.muscles.size(); ++m) {
     const auto i = static_cast<Index>(m);
@@ -32,21 +33,26 @@ void add_direction_charts(const FeasibleForceAnswer& answer, const SweepAxes& ax
           return makes_force(point) ? point.largest->activation(i) : kNaN;
         }));
   }
+  charts.push_back(
+      curve_chart(axes,
+                  fmt::format("Largest {0} along the direction; a gap where no "
+                              "tensions make any {0} this way with every joint in "
+                              "balance",
+                              words.one),
+                  fmt::format("{} along the direction [{}]", words.one, words.unit),
+                  {curve_over(answer.points, "largest " + words.one, [](const auto& point) {
+                    return makes_force(point) ? point.largest->component : kNaN;
+                  })}));
   charts.push_back(curve_chart(axes,
-                               "Largest force along the direction; a gap where no tensions make "
-                               "any force this way with every joint in balance",
-                               "force along the direction [N]",
-                               {curve_over(answer.points, "largest force", [](const auto& point) {
-                                 return makes_force(point) ? point.largest->component : kNaN;
-                               })}));
-  charts.push_back(curve_chart(axes,
-                               "What limits it: more force for one newton more of each muscle's F0",
-                               "N of force per N of F0 [1]", prices));
+                               fmt::format("What limits it: more {} for one newton more of each "
+                                           "muscle's F0",
+                                           words.one),
+                               fmt::format("{} of {} per N of F0", words.unit, words.one), prices));
   charts.push_back(
       curve_chart(axes, "Activation of each muscle that makes it", "activation [1]", activations));
 }
 
-/// Largest pure force along each axis, and the size of the set.
+/// Largest load along each axis, and the size of the set.
 void add_set_charts(const FeasibleForceAnswer& answer, const SweepAxes& axes, Json& charts) {
   const auto with_axes = std::find_if(answer.points.begin(), answer.points.end(),
                                       [](const auto& point) { return point.failure.empty(); });
@@ -54,16 +60,18 @@ void add_set_charts(const FeasibleForceAnswer& answer, const SweepAxes& axes, Js
   for (std::size_t k = 0; k < 6; ++k)
     along.push_back(curve_over(answer.points, axis_direction(with_axes->axes, k),
                                [k](const auto& point) { return point.whole->along[k].component; }));
-  charts.push_back(
-      curve_chart(axes, "Largest pure force along each axis, the others 0", "force [N]", along));
-  charts.push_back(curve_chart(axes, "Volume of all forces", "volume [N^3]",
-                               {curve_over(answer.points, "volume", [](const auto& point) {
-                                 return point.whole->set.dimension == 3 ? point.whole->set.volume
-                                                                        : kNaN;
-                               })}));
+  const LoadWords words = words_of(answer.load);
+  charts.push_back(curve_chart(
+      axes, fmt::format("Largest {} along each axis, its other components 0", words.one),
+      fmt::format("{} [{}]", words.one, words.unit), along));
+  charts.push_back(curve_chart(
+      axes, fmt::format("Volume of all {}", words.many), fmt::format("volume [({})^3]", words.unit),
+      {curve_over(answer.points, "volume", [](const auto& point) {
+        return point.whole->set.dimension == 3 ? point.whole->set.volume : kNaN;
+      })}));
 }
 
-/// The largest length of anything to draw [N].
+/// The largest length of anything to draw [N] or [N m].
 double drawn_force(const FeasibleForceAnswer& answer) {
   double largest = 0;
   for (const FeasibleForcePoint& point : answer.points) {
@@ -78,20 +86,22 @@ Json force_scene(const FeasibleForceAnswer& answer) {
   const double scale = arrow_scale(drawn_force(answer));
   const SweepAxes axes = axes_of(answer.about);
   bool first = true;
+  const LoadWords words = words_of(answer.load);
   const std::string what =
-      answer.direction ? "its largest force" : "all forces that its tip can make";
+      answer.direction ? "its largest " + words.one : fmt::format("all {} of its tip", words.many);
   return digit_scene(
-      answer.about, fmt::format("The digit, and {}: 10 mm are {:.3g} N.", what, 10 / scale),
+      answer.about,
+      fmt::format("The digit, and {}: 10 mm are {:.3g} {}.", what, 10 / scale, words.unit),
       [&](std::size_t i, const std::string& tint, Json& layers) {
         const FeasibleForcePoint& point = answer.points[i];
         if (!point.failure.empty()) return;
         if (makes_force(point))
-          layers.push_back(
-              arrow_layer("largest force", "#d55e00", point.tip, scale * point.largest->force));
+          layers.push_back(arrow_layer("largest " + words.one, "#d55e00", point.tip,
+                                       scale * point.largest->force));
         if (!point.whole || point.whole->set.vertices.rows() == 0) return;
         Json hull =
             force_set_layer(answer.about.tendons->digit(), point.q, point.whole->set, scale, tint);
-        if (!axes.single()) hull["name"] = "forces at " + title_of(axes, i);
+        if (!axes.single()) hull["name"] = words.many + " at " + title_of(axes, i);
         hull["visible"] = first;
         first = false;
         layers.push_back(hull);
@@ -99,20 +109,23 @@ Json force_scene(const FeasibleForceAnswer& answer) {
 }
 
 std::string question_words(const FeasibleForceAnswer& answer) {
+  const LoadWords load = words_of(answer.load);
   const std::string axes = answer.points.empty() ? "world" : answer.points.front().axes.name;
+  const std::string other = other_words(answer.load, answer.most_other);
+  const std::string beside = other.empty() ? "" : ", " + other;
   if (!answer.direction)
     return fmt::format(
-        "All static forces of the tip with every muscle between 0 and its largest "
-        "force F0, in {} axes.",
-        axes);
+        "All static {} of the tip{} with every muscle between 0 and its largest force F0, in {} "
+        "axes.",
+        load.many, beside, axes);
   std::string words = fmt::format(
-      "The largest static force along ({:.4g}, {:.4g}, {:.4g}) in {} axes{}, every joint in "
-      "balance "
+      "The largest static {} along ({:.4g}, {:.4g}, {:.4g}) in {} axes{}{}, every joint in balance "
       "and every muscle between 0 and its largest force F0.",
-      answer.direction->x(), answer.direction->y(), answer.direction->z(), axes,
+      load.one, answer.direction->x(), answer.direction->y(), answer.direction->z(), axes,
       answer.tolerance > 0
           ? fmt::format(", or up to {:.4g} degrees off it", answer.tolerance / kDegree)
-          : "");
+          : "",
+      beside);
   if (answer.about.single() && !answer.points.empty()) {
     const std::string limits = limit_words(answer, answer.points.front());
     if (!limits.empty()) words += "\n\nIt is " + limits + ".";
@@ -125,17 +138,19 @@ std::string question_words(const FeasibleForceAnswer& answer) {
 }  // namespace
 
 Json page_of(const FeasibleForceAnswer& answer) {
+  const LoadWords words = words_of(answer.load);
   Json blocks = Json::array();
   if (const Json scene = force_scene(answer); !scene.is_null()) blocks.push_back(scene);
   if (answer.about.single() && answer.points.front().largest)
     blocks.push_back(
-        table_block("Muscles at the largest force, and what a newton more of their F0 "
-                    "gives.",
+        table_block(fmt::format("Muscles at the largest {}, and what a newton more of their F0 "
+                                "gives.",
+                                words.one),
                     limit_table(answer, answer.points.front())));
   blocks.push_back(table_block("The answer at every posture.", table_of(answer)));
-  Json sections =
-      Json::array({section("forces", answer.direction ? "The largest force" : "All forces",
-                           digit_introduction(answer.about, question_words(answer)), blocks)});
+  Json sections = Json::array(
+      {section("forces", answer.direction ? "The largest " + words.one : "All " + words.many,
+               digit_introduction(answer.about, question_words(answer)), blocks)});
   if (!answer.about.single() && !answer.points.empty()) {
     const SweepAxes axes = axes_of(answer.about);
     Json charts = Json::array();
@@ -143,7 +158,7 @@ Json page_of(const FeasibleForceAnswer& answer) {
     if (answer.points.front().whole) add_set_charts(answer, axes, charts);
     sections.push_back(section("curves", "Over the posture", "", paired(charts)));
   }
-  return digit_page(answer.about, "feasible forces", sections);
+  return digit_page(answer.about, "feasible " + words.many, sections);
 }
 
 }  // namespace thenar

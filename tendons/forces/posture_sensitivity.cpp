@@ -116,24 +116,4 @@ MatrixXd tip_wrench_jacobian(const TipStatics& statics,
   return result;
 }
 
-VectorXd max_tip_force_gradient(const TipStatics& statics,
-                                const std::vector<StaticsDerivative>& slopes,
-                                const MaxTipForce& largest, DirectionFrame frame) {
-  require(frame == DirectionFrame::kWorld || has_rotation(statics),
-          "a direction that turns with the tip needs its rotation Jacobian W");
-  VectorXd result(slopes.size());
-  for (Index k = 0; k < result.size(); ++k) {
-    // Torque that the change leaves to be balanced.
-    const StaticsDerivative& slope = slopes[static_cast<std::size_t>(k)];
-    VectorXd torque = torque_slope(slope, largest.tension) - slope.J.transpose() * largest.force;
-    // A direction that turns with the tip turns the force.
-    if (frame == DirectionFrame::kTip) {
-      const Eigen::Vector3d turned = Eigen::Vector3d(statics.W.col(k)).cross(largest.force);
-      torque -= statics.J.transpose() * turned;
-    }
-    result(k) = largest.torque_shadow_price.dot(torque);
-  }
-  return result;
-}
-
 }  // namespace thenar

@@ -7,7 +7,6 @@
 #include <Eigen/Core>
 
 #include "tendons/digit_tendons.h"
-#include "tendons/forces/max_tip_force.h"
 #include "tendons/forces/tip_wrench.h"
 #include "tendons/tendon_model.h"
 
@@ -56,16 +55,5 @@ struct StaticsDerivative {
 
 /// What a direction is fixed to while the posture changes.
 enum class DirectionFrame { kWorld, kTip };
-
-/// Derivative of max_tip_force()'s component by every coordinate: with the prices p of joint
-/// torque,
-///   p' (dtau_0 + dR' t - dJ' f),  and  - p' J' (W_k x f)  if the direction turns with the tip.
-/// At a degenerate vertex prices are one choice of many and the derivative holds to one side.
-/// @param largest  solved, of `statics`;  kTip needs W
-/// @return (n) [N/rad]
-[[nodiscard]] Eigen::VectorXd max_tip_force_gradient(const TipStatics& statics,
-                                                     const std::vector<StaticsDerivative>& slopes,
-                                                     const MaxTipForce& largest,
-                                                     DirectionFrame frame);
 
 }  // namespace thenar

@@ -261,6 +261,27 @@ class FeasibleForce(Near):
         self.near(answer["force_N"], [product("Fx"), product("Fy"), product("Fz")], 1e-9)
         self.assertAlmostEqual(product("tx"), 0, delta=1e-9)
 
+    def test_largest_moments_are_published(self):
+        # [CohnStf], by vertex enumeration with all forces zero.
+        for sign, published in ((1, 0.358), (-1, 0.176)):
+            answer = ask("feasible-force", INDEX_MAPS, "--torque", sign, 0, 0)
+            self.assertAlmostEqual(answer["component_Nm"], published, delta=5e-4)
+            self.assertEqual(answer["forces"], "zero")
+            self.assertLess(answer["certificate"]["gap_Nm"], 1e-9)
+        self.assertIn("no row ty", complaint("feasible-force", INDEX_MAPS, "--torque", 0, 1, 0))
+
+    def test_a_hold_that_carries_moments_can_only_help(self):
+        finger = ("feasible-force", INDEX, "--posture", "MCP2_FE=45", "PIP2=45", "DIP2=10",
+                  "--axes", "tip", "--direction", 0, -1, 0)
+        last = ask(*finger)["component_N"]
+        for most in (0.01, 0.1, "free"):
+            answer = ask(*finger, "--moments", most)
+            if answer["status"] == "unbounded":
+                break
+            self.assertGreater(answer["component_N"], last)
+            self.assertEqual(len(answer["moment_Nm"]), 3)
+            last = answer["component_N"]
+
     def test_cone_can_only_help(self):
         narrow = ask("feasible-force", INDEX_MAPS, "--direction", 0, 1, 0)["component_N"]
         wide = ask("feasible-force", INDEX_MAPS, "--direction", 0, 1, 0, "--tolerance-deg", 10)

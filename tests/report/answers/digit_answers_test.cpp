@@ -87,6 +87,26 @@ FeasibleForceAnswer palmar_forces_over_pip() {
   return ask_feasible_force(request);
 }
 
+// One number, one unit: a moment is in N m wherever it stands, and the force beside it in N.
+TEST(FeasibleForceWords, MomentsAreInNewtonMetres) {
+  FeasibleForceRequest request;
+  request.digit = middle_finger();
+  request.load = TipLoad::kMoment;
+  request.direction = Eigen::Vector3d(0, 0, 1);
+  request.frame = DirectionFrame::kTip;
+  request.most_other = 5;
+  const FeasibleForceAnswer answer = ask_feasible_force(request);
+  const OrderedJson json = json_of(answer);
+  for (const char* key : {"moment_Nm", "component_Nm", "force_N", "most_forces_N"})
+    EXPECT_TRUE(json.contains(key)) << key;
+  EXPECT_FALSE(json.contains("component_N"));
+  EXPECT_TRUE(json["certificate"].contains("gap_Nm"));
+  EXPECT_NEAR(json["moment_Nm"][2], json["component_Nm"], 1e-9);
+  EXPECT_EQ(limit_table(answer, answer.points.front()).header.back(), "Nm_per_N_of_F0");
+  EXPECT_NE(text_of(answer).find("N m along the direction"), std::string::npos);
+  EXPECT_NE(text_of(answer).find("forces of at most 5 N along each axis"), std::string::npos);
+}
+
 // Straight at PIP no tensions press to the palm alone, see the tutorial; bent they do. A zero would
 // be drawn as a force.
 TEST(FeasibleForceWords, NoForceIsNoZero) {

@@ -11,6 +11,7 @@
 #include "base/units.h"
 #include "data/io/subject.h"
 #include "hand/tip_manipulability.h"
+#include "tendons/forces/max_tip_load.h"
 #include "tendons/forces/tip_force.h"
 #include "tendons/linear_tendons.h"
 #include "tests/matrix_near.h"
@@ -105,8 +106,9 @@ TEST(PostureSlopes, LargestForceAgreesWithDifferences) {
       const MaxTipForce now = largest(q);
       ASSERT_EQ(now.status, Status::kSolved);
       ASSERT_GT(now.component, 1);
-      const VectorXd slopes = max_tip_force_gradient(tip_statics(*tendons, q),
-                                                     statics_derivatives(*tendons, q), now, frame);
+      const VectorXd slopes =
+          max_tip_load_gradient(tip_statics(*tendons, q), statics_derivatives(*tendons, q),
+                                {now, Vector3d::Zero()}, TipLoad::kForce, frame);
       const MatrixXd wanted = differences(q, 2e-4, [&](const VectorXd& at) {
         return VectorXd(VectorXd::Constant(1, largest(at).component));
       });

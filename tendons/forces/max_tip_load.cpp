@@ -1,0 +1,190 @@
+#include "tendons/forces/max_tip_load.h"
+
+#include <cmath>
+
+#include <Eigen/Geometry>
+#include <Eigen/SVD>
+
+#include "base/error.h"
+#include "tendons/forces/tip_balance.h"
+
+namespace thenar {
+namespace {
+
+using Eigen::Index;
+using Eigen::MatrixXd;
+using Eigen::Vector3d;
+using Eigen::VectorXd;
+
+constexpr double kMomentArm = 0.01;  // of the newtons in which moments are counted [m]
+
+/// The balance as one of forces alone, for max_tip_force().
+struct LoadBalance {
+  TipStatics statics;    // J is that of the load that is asked for, per `unit`
+  double unit;           // one newton of it: 1 N, or kMomentArm [N m]
+  Eigen::Matrix3Xd B;    // Jacobian of the other load (3, n)
+  MatrixXd N;            // torques that are balanced in `statics`, as columns (n, balanced)
+  Eigen::Matrix3Xd way;  // the other load of each pair of further tendons (3, 0 or 3)
+};
+
+/// Torques that no other load makes: an orthonormal basis of the null space of B (n, n - rank).
+MatrixXd null_space(const Eigen::Matrix3Xd& B) {
+  const Eigen::JacobiSVD<MatrixXd> svd(B, Eigen::ComputeFullV);
+  const VectorXd& sigma = svd.singularValues();
+  const Index rank = (sigma.array() > internal::kRankTolerance * sigma(0)).count();
+  return svd.matrixV().rightCols(B.cols() - (sigma(0) > 0 ? rank : 0));
+}
+
+/// The matrix without entries that are rounding of `size`.
+MatrixXd cleaned(const MatrixXd& matrix, double size) {
+  return (matrix.array().abs() > internal::kRankTolerance * size).select(matrix, 0);
+}
+
+/// The balance of torques N alone. Where nothing is left to balance, one joint that feels nothing.
+void eliminate(const MatrixXd& N, TipStatics& statics) {
+  if (N.cols() == 0) {
+    statics.J = Eigen::Matrix3Xd::Zero(3, 1);
+    statics.R = MatrixXd::Zero(statics.R.rows(), 1);
+    statics.tau_0 = VectorXd::Zero(1);
+    return;
+  }
+  statics.J = cleaned(statics.J * N, statics.J.norm());
+  statics.R = cleaned(statics.R * N, statics.R.norm());
+  statics.tau_0 = N.transpose() * statics.tau_0;
+}
+
+/// Further tendons that make each component of the other load, both ways, up to `most`.
+void add_pairs(const LoadBalance& balance, double most, TipStatics& statics) {
+  const Index m = statics.R.rows(), pairs = balance.way.cols();
+  const MatrixXd arms = balance.way.transpose() * balance.B;
+  statics.R.conservativeResize(m + 2 * pairs, Eigen::NoChange);
+  statics.R.middleRows(m, pairs) = -arms;
+  statics.R.bottomRows(pairs) = arms;
+  statics.max_tension.conservativeResize(m + 2 * pairs);
+  statics.max_tension.tail(2 * pairs).setConstant(most);
+}
+
+LoadBalance load_balance(const TipStatics& statics, const TipLoadOptions& options) {
+  const bool moment = options.load == TipLoad::kMoment;
+  internal::require_statics(statics);
+  require(options.most_other >= 0, "the other load of a tip is at least 0, got {}",
+          options.most_other);
+  require(has_rotation(statics) || (!moment && options.most_other == 0),
+          "a moment needs the rotation Jacobian W of the tip");
+  LoadBalance balance{statics, moment ? kMomentArm : 1, moment ? statics.J : statics.W,
+                      MatrixXd::Identity(statics.J.cols(), statics.J.cols()),
+                      Eigen::Matrix3Xd(3, 0)};
+  TipStatics& asked = balance.statics;
+  asked.W = Eigen::Matrix3Xd(3, 0);
+  if (moment) asked.J = kMomentArm * statics.W;
+  if (std::isinf(options.most_other)) {
+    balance.N = null_space(balance.B);
+    eliminate(balance.N, asked);
+  } else if (options.most_other > 0) {
+    balance.way = options.axes;
+    add_pairs(balance, options.most_other, asked);
+  }
+  return balance;
+}
+
+/// The other load at a solution [N m] or [N] (3).
+Vector3d other_load(const TipStatics& statics, const LoadBalance& balance, const Vector3d& asked,
+                    const VectorXd& tension) {
+  const Index m = statics.R.rows(), pairs = balance.way.cols();
+  // Pairs of tendons say it.
+  if (pairs > 0) return balance.way * (tension.segment(m, pairs) - tension.tail(pairs));
+  // It was zero.
+  if (balance.N.cols() == balance.N.rows()) return Vector3d::Zero();
+  // The least that balances what is left over.
+  const Eigen::Matrix3Xd A = balance.unit == 1 ? statics.J : statics.W;
+  const VectorXd left =
+      statics.R.transpose() * tension.head(m) + statics.tau_0 - A.transpose() * asked;
+  Eigen::JacobiSVD<MatrixXd> svd(balance.B.transpose(), Eigen::ComputeThinU | Eigen::ComputeThinV);
+  svd.setThreshold(internal::kRankTolerance);
+  return svd.solve(left);
+}
+
+/// Prices and their checks in the unit of the load, of muscles alone.
+ForceLimitPrices prices_in(double unit, Index muscles, const ForceLimitPrices& prices) {
+  ForceLimitPrices result{
+      {}, {}, unit * prices.gap, unit * prices.slackness, prices.dual_violation};
+  if (prices.increase.size() == 0) return result;
+  result.increase = unit * prices.increase.head(muscles);
+  result.decrease = unit * prices.decrease.head(muscles);
+  return result;
+}
+
+}  // namespace
+
+MaxTipLoad max_tip_load(const TipStatics& statics, const Vector3d& direction,
+                        const TipLoadOptions& options) {
+  const LoadBalance balance = load_balance(statics, options);
+  const Index m = statics.R.rows();
+  const double unit = balance.unit;
+  MaxTipLoad result{max_tip_force(balance.statics, direction, {options.tolerance, options.prices}),
+                    Vector3d::Zero()};
+  MaxTipForce& largest = result.largest;
+  const VectorXd tension = largest.tension;
+  // From newtons of the common program to the unit of the load, and to muscles alone.
+  largest.force *= unit;
+  largest.component *= unit;
+  largest.tension = tension.head(m);
+  largest.activation = VectorXd(largest.activation.head(m));
+  const bool solved = largest.status == Status::kSolved;
+  largest.torque_shadow_price = solved && balance.N.cols() > 0
+                                    ? VectorXd(unit * (balance.N * largest.torque_shadow_price))
+                                    : VectorXd::Zero(statics.J.cols());
+  largest.check.gap *= unit;
+  largest.check.outside *= unit;
+  largest.prices = prices_in(unit, m, largest.prices);
+  if (!solved) return result;
+
+  // The other load, and the balance from J, W and R themselves.
+  result.other = other_load(statics, balance, largest.force, tension);
+  const bool moment = options.load == TipLoad::kMoment;
+  VectorXd left = statics.R.transpose() * largest.tension + statics.tau_0;
+  left -= statics.J.transpose() * (moment ? result.other : largest.force);
+  if (has_rotation(statics))
+    left -= statics.W.transpose() * (moment ? largest.force : result.other);
+  largest.check.imbalance = left.cwiseAbs().maxCoeff();
+  return result;
+}
+
+FeasibleForceSet feasible_load_set(const TipStatics& statics, const TipLoadOptions& options) {
+  const LoadBalance balance = load_balance(statics, options);
+  const Index m = statics.R.rows();
+  FeasibleForceSet set = feasible_force_set(balance.statics);
+  set.vertices *= balance.unit;
+  set.offsets *= balance.unit;
+  if (set.dimension > 0) set.volume *= std::pow(balance.unit, set.dimension);
+  set.tension = MatrixXd(set.tension.leftCols(m));
+  set.activation = MatrixXd(set.activation.leftCols(m));
+  return set;
+}
+
+VectorXd max_tip_load_gradient(const TipStatics& statics,
+                               const std::vector<StaticsDerivative>& slopes,
+                               const MaxTipLoad& largest, TipLoad load, DirectionFrame frame) {
+  const bool moment = load == TipLoad::kMoment;
+  const Vector3d& f = moment ? largest.other : largest.largest.force;
+  const Vector3d& m = moment ? largest.largest.force : largest.other;
+  require(has_rotation(statics) || (m.isZero(0) && frame == DirectionFrame::kWorld),
+          "a moment, or a direction that turns with the tip, needs its rotation Jacobian W");
+  VectorXd result(slopes.size());
+  for (Index k = 0; k < result.size(); ++k) {
+    // Torque that the change leaves to be balanced.
+    const StaticsDerivative& slope = slopes[static_cast<std::size_t>(k)];
+    VectorXd torque =
+        slope.R.transpose() * largest.largest.tension + slope.tau_0 - slope.J.transpose() * f;
+    if (has_rotation(statics)) torque -= slope.W.transpose() * m;
+    // Directions that turn with the tip turn the loads.
+    if (frame == DirectionFrame::kTip) {
+      const Vector3d w = statics.W.col(k);
+      torque -= statics.J.transpose() * w.cross(f) + statics.W.transpose() * w.cross(m);
+    }
+    result(k) = largest.largest.torque_shadow_price.dot(torque);
+  }
+  return result;
+}
+
+}  // namespace thenar
