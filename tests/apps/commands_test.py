@@ -318,6 +318,17 @@ class FeasibleForce(Near):
         self.assertAlmostEqual(worth, answer["component_N"], delta=0.01 * len(F0))
         self.assertIn(f"limited by {answer['limited_by'][0]['muscle']}: 1 N more of its F0", text)
 
+    def test_paralysis_takes_what_its_muscles_gave(self):
+        # Only FDP flexes the DIP joint, so that no palmar force is left without it.
+        words = ("feasible-force", SYNEK, "--posture", "MCP3_FE=20", "PIP3=30", "DIP3=15", "--axes",
+                 "tip", "--direction", 0, -1, 0)
+        intact = ask(*words)["component_N"]
+        answer = ask(*words, "--without", "FDP")
+        self.assertEqual(answer["without"], ["FDP"])
+        self.assertAlmostEqual(answer["paralysis"]["loss"], 1, delta=1e-9)
+        self.assertAlmostEqual(answer["paralysis"]["intact_component_N"], intact, delta=1e-9)
+        self.assertIn("no muscle 'FDQ', did you mean", complaint(*words, "--without", "FDQ"))
+
     def test_postures_of_a_grid_are_those_asked_alone(self):
         for words in (("pose", MIDDLE), ("pose", "barrett"), ("moment-arms", MIDDLE),
                       ("tip-force", MIDDLE, "--tension", "FDP=10"),

@@ -229,6 +229,19 @@ TEST(PublishedThumb, RadialBlockLiesBetweenAHeldAndAFreeWrist) {
   EXPECT_GT(key_pinch_loss(kRadial, false, WristMode::kFree), 0.33);
 }
 
+// People press with their thumbs whichever way they are asked to; a thumb whose muscles leave a
+// torque unopposed makes no pure force at all.
+TEST(PublishedThumb, MakesPureForcesInAllDirections) {
+  for (const double abduction : {10, 25, 45}) {
+    const Thumb thumb = thumb_at(key_pinch(abduction, 20, 20));
+    const Eigen::Matrix3d axes = thumb.tip_axes();
+    for (int k = 0; k < 6; ++k)
+      EXPECT_GT(max_tip_force(thumb.statics(), (k % 2 == 0 ? 1 : -1) * axes.col(k / 2)).component,
+                5)
+          << "direction " << k << ", abduction " << abduction << " deg";
+  }
+}
+
 // Key pinch of women, 16.03 lb = 71 N, and of men, 23.16 lb = 103 N, both right
 // [SteginkJansen2003].
 TEST(PublishedThumb, IntactKeyPinchIsAsStrongAsPeopleAre) {
