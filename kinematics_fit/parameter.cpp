@@ -32,6 +32,7 @@ Belief belief(ParameterKind kind) {
     case ParameterKind::kGain:
       return {0.1, 0.05, 0.5};
     case ParameterKind::kTipForce:
+    case ParameterKind::kPostureForce:
       return {0.03, 0.03, 1};
     case ParameterKind::kLength:
       return {3 * kMm, 2 * kMm, 15 * kMm};
@@ -123,8 +124,12 @@ class Lister {
     for (int m = 0; m < static_cast<int>(digit_.names.muscles.size()); ++m) {
       const std::string& muscle = digit_.names.muscles[m];
       add(fmt::format("gain/{}", muscle), ParameterKind::kGain, m, 0, 0, 1);
-      for (int c = 0; c < 3; ++c)
-        add(fmt::format("force/{}/{}", muscle, kDirections[c]), ParameterKind::kTipForce, m, 0, c);
+      for (int c = 0; c < 3; ++c) {
+        const std::string force = fmt::format("force/{}/{}", muscle, kDirections[c]);
+        add(force, ParameterKind::kTipForce, m, 0, c);
+        for (int k = 0; k < static_cast<int>(postures_.size()); ++k)
+          add(force + "/" + postures_[k], ParameterKind::kPostureForce, m, k, c);
+      }
     }
   }
 
@@ -169,6 +174,8 @@ std::string name_of(ParameterKind kind) {
       return "gain";
     case ParameterKind::kTipForce:
       return "force";
+    case ParameterKind::kPostureForce:
+      return "force/posture";
   }
   return {};
 }
@@ -187,6 +194,7 @@ std::string display_unit(const Parameter& parameter) {
     case ParameterKind::kFriction:
     case ParameterKind::kGain:
     case ParameterKind::kTipForce:
+    case ParameterKind::kPostureForce:
       return "1";
     default:
       return "mm";

@@ -27,8 +27,10 @@ enum class ParameterKind {
   kPostureAngle,   // angle/<joint>/<posture>: error of one posture                     [rad]
   kOutOfPlane,     // hold/out_of_plane: length by which out-of-plane moments are divided [m]
   kGain,           // gain/<muscle>: tension at the digit per stated tension            [1]
-  kTipForce        // force/<muscle>/<proximal|dorsal|radial>: of the tip per stated
+  kTipForce,       // force/<muscle>/<proximal|dorsal|radial>: of the tip per stated
                    // tension, beyond what the geometry makes                           [1]
+  kPostureForce    // force/<muscle>/<proximal|dorsal|radial>/<posture>: the same in
+                   // one posture alone                                                 [1]
 };
 
 /// One parameter. Its value is `mean` before the fit.
@@ -36,7 +38,7 @@ struct Parameter {
   std::string name;
   ParameterKind kind;
   int item = 0;           // hinge, strand or muscle, by kind
-  int point = 0;          // point of the path, by kind
+  int point = 0;          // point of the path, or posture, by kind
   int component = 0;      // of a direction, point or coordinate
   double mean = 0;        // prior mean: the subject's value of arms, gains, friction; else 0 [SI]
   double sd = 0;          // prior sd of the population mean [SI]

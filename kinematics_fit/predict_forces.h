@@ -43,6 +43,9 @@ template <typename T>
       tip_force_map(model.digit, state, angles, plan.hold, plan.known, model.out_of_plane) *
           model.gain.asDiagonal() +
       model.unexplained;
+  const Eigen::Index muscles = model.gain.size();
+  if (plan.posture_key[posture] >= 0)
+    map += model.posture_unexplained.middleCols(plan.posture_key[posture] * muscles, muscles);
   // Turned to the axes of the link in which forces are stated.
   if (plan.force_link != model.digit.tip_link) {
     const auto axes = [&](int link) -> Mat3<T> {

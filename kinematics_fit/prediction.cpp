@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "base/error.h"
-#include "kinematics_fit/force_jacobian.h"
+#include "kinematics_fit/predictive_moments.h"
 #include "kinematics_fit/specimen_prior.h"
 
 namespace thenar {
@@ -17,18 +17,31 @@ double median(std::vector<double> values) {
   return values.size() % 2 == 1 ? values[half] : (values[half - 1] + values[half]) / 2;
 }
 
-/// What is believed of the angle error of a joint in a posture, as the mean over known postures.
-struct AngleBelief {
-  double mean = 0;      // [rad]
-  double variance = 0;  // [rad^2]
+/// -log N(r; 0, sd^2) [nat].
+double normal_loss(double r, double sd) {
+  constexpr double kHalfLogTwoPi = 0.91893853320467274;
+  return kHalfLogTwoPi + std::log(sd) + 0.5 * (r / sd) * (r / sd);
+}
+
+/// Kinds of parameters that each posture has of its own.
+bool of_one_posture(const Parameter& p) {
+  return p.kind == ParameterKind::kPostureAngle || p.kind == ParameterKind::kPostureForce;
+}
+
+/// What is believed of such a parameter in a posture, as the mean over known postures.
+struct PostureBelief {
+  double mean = 0;      // [SI]
+  double variance = 0;  // [SI^2]
 };
 
-AngleBelief angle_belief(const FitParameters& fitted, int joint) {
-  // Means and variances of this joint's error, over the postures that have one.
-  AngleBelief sum;
+/// @param like  the parameter of one of the postures
+PostureBelief posture_belief(const FitParameters& fitted, const Parameter& like) {
+  // Means and variances over the postures.
+  PostureBelief sum;
   for (std::size_t p = 0; p < fitted.all.size(); ++p) {
-    if (fitted.all[p].kind != ParameterKind::kPostureAngle || fitted.all[p].item != joint) continue;
-    sum.mean += fitted.all[p].mean;
+    const Parameter& one = fitted.all[p];
+    if (one.kind != like.kind || one.item != like.item || one.component != like.component) continue;
+    sum.mean += one.mean;
     if (fitted.coordinate[p] < 0) continue;
     const Parameter& leader = fitted.all[fitted.leader[fitted.coordinate[p]]];
     sum.variance +=
@@ -55,24 +68,27 @@ TrialPrediction predict_trials(const FitProblem& problem, const Eigen::VectorXd&
           forces.J * displacement_jacobian(problem.coordinates(), z, specimen)};
 }
 
-FitParameters add_posture_errors(FitParameters fitted, const Experiment& experiment, int joints) {
+FitParameters add_posture_errors(FitParameters fitted, const Experiment& experiment) {
   const FitParameters known = fitted;
-  if (known.postures.empty()) return fitted;
   // A posture that the fit does not name gets its own key.
   for (const PostureRecord& posture : experiment.postures) {
     const auto& names = fitted.postures;
-    if (std::find(names.begin(), names.end(), posture.name) != names.end()) continue;
+    if (known.postures.empty() ||
+        std::find(names.begin(), names.end(), posture.name) != names.end())
+      continue;
     const auto key = static_cast<int>(names.size());
     fitted.postures.push_back(posture.name);
-    // Every joint errs there by the mean prior of known postures.
-    for (int joint = 0; joint < joints; ++joint) {
-      const AngleBelief belief = angle_belief(known, joint);
-      Parameter p;
-      p.name = "angle of " + posture.name;
-      p.kind = ParameterKind::kPostureAngle;
-      p.item = joint;
+    // Everything that the first of the known postures has of its own, by the mean of their priors.
+    for (const Parameter& like : known.all) {
+      if (!of_one_posture(like) || like.point != 0) continue;
+      const PostureBelief belief = posture_belief(known, like);
+      Parameter p = like;
+      p.name = like.name.substr(0, like.name.rfind('/') + 1) + posture.name;
       p.point = key;
+      p.lower += belief.mean - p.mean;
+      p.upper += belief.mean - p.mean;
       p.mean = belief.mean;
+      p.sd = 0;
       p.between_sd = std::sqrt(belief.variance);
       fitted.coordinate.push_back(belief.variance > 0 ? fitted.coordinates() : -1);
       fitted.ratio.push_back(1);
@@ -116,6 +132,7 @@ ForceError force_error(const std::vector<PredictedTrial>& trials) {
   require(!trials.empty(), "an error needs at least one trial");
   double residual = 0, flexion = 0, total = 0, total_flexion = 0;
   int covered = 0, counted = 0;
+  double log_loss = 0;
   std::vector<double> angles;
   // Sums of squares, all components and the two in the plane of flexion.
   for (const PredictedTrial& trial : trials) {
@@ -131,6 +148,7 @@ ForceError force_error(const std::vector<PredictedTrial>& trials) {
     const auto inside = r.array().abs() <= 1.96 * trial.sd.array();
     covered += static_cast<int>(inside.head(trial.components).count());
     counted += trial.components;
+    for (int c = 0; c < trial.components; ++c) log_loss += normal_loss(r[c], trial.sd[c]);
   }
   require(total > 0, "all {} measured forces are zero: an error relative to them is not defined",
           trials.size());
@@ -141,7 +159,10 @@ ForceError force_error(const std::vector<PredictedTrial>& trials) {
   error.relative = std::sqrt(residual / total);
   error.relative_flexion = std::sqrt(flexion / total_flexion);
   error.direction = median(std::move(angles));
-  if (counted > 0) error.covered = static_cast<double>(covered) / counted;
+  if (counted > 0) {
+    error.covered = static_cast<double>(covered) / counted;
+    error.log_loss = log_loss / counted;
+  }
   error.trials = static_cast<int>(trials.size());
   return error;
 }
@@ -155,33 +176,31 @@ Prediction predict_fitted(const FitProblem& problem, const Eigen::VectorXd& z, i
 
 Prediction predict_experiment(const FitProblem& fitted, const Eigen::VectorXd& z,
                               const ArrowMatrix& C, const Experiment& experiment, int specimen) {
-  // Parameters and plan, with errors of postures that the fit does not know.
-  const FitParameters parameters =
-      add_posture_errors(fitted.parameters(), experiment, fitted.digit().model.coordinates);
-  const int known = fitted.parameters().coordinates();
+  // Parameters and plan, with those of postures that the fit does not know.
+  const FitParameters parameters = add_posture_errors(fitted.parameters(), experiment);
+  const int known = fitted.parameters().coordinates(), all = parameters.coordinates();
   const ExperimentPlan plan = plan_experiment(fitted.digit(), parameters, experiment);
 
-  // Forces of the specimen, or of the population.
-  Eigen::VectorXd u = Eigen::VectorXd::Zero(parameters.coordinates());
+  // Displacements of the specimen, or of the population.
+  Eigen::VectorXd u = Eigen::VectorXd::Zero(all);
   u.head(known) = displacements(fitted.coordinates(), z, specimen);
-  const ForceJacobian forces = force_jacobian(fitted.digit(), parameters, plan, u);
 
-  // Variance of the estimate, and of the deviation of an unseen specimen.
+  // Variance of the estimate, of the deviation of an unseen specimen, and of unknown postures.
   const std::vector<int> on = fitted.coordinates().entries_of_specimen(specimen);
   const Eigen::MatrixXd J_z =
-      forces.J.leftCols(known) *
       displacement_jacobian(fitted.coordinates(), z, specimen)(Eigen::all, on);
-  Eigen::VectorXd variance = (J_z * C.of(specimen)).cwiseProduct(J_z).rowwise().sum();
-  if (specimen < 0)
-    variance += forces.J.leftCols(known).cwiseAbs2() * unseen_variance(fitted.coordinates());
-  // Variance of unknown errors of angles, and the noise.
-  for (int c = known; c < parameters.coordinates(); ++c)
-    variance +=
-        forces.J.col(c).cwiseAbs2() * std::pow(parameters.all[parameters.leader[c]].between_sd, 2);
-  variance += Eigen::Map<const Eigen::VectorXd>(plan.sd.data(), plan.sd.size()).cwiseAbs2();
-  const Eigen::VectorXd sd = variance.cwiseSqrt();
-  return compare_forces(experiment, forces.force,
-                        Eigen::Map<const Eigen::Matrix3Xd>(sd.data(), 3, forces.force.cols()),
+  Eigen::MatrixXd V = Eigen::MatrixXd::Zero(all, all);
+  V.topLeftCorner(known, known) = J_z * C.of(specimen) * J_z.transpose();
+  if (specimen < 0) V.diagonal().head(known) += unseen_variance(fitted.coordinates());
+  for (int c = known; c < all; ++c)
+    V(c, c) = std::pow(parameters.all[parameters.leader[c]].between_sd, 2);
+
+  // Mean forces, and their variance with the noise.
+  const PredictiveMoments moments = predictive_moments(fitted.digit(), parameters, plan, u, V);
+  const Eigen::VectorXd sd =
+      (moments.variance + plan.sd.reshaped().cwiseAbs2().matrix()).cwiseSqrt();
+  return compare_forces(experiment, moments.mean,
+                        Eigen::Map<const Eigen::Matrix3Xd>(sd.data(), 3, moments.mean.cols()),
                         calibrated_on_specimen(fitted.digit(), experiment));
 }
 

@@ -38,12 +38,14 @@ struct PredictedTrial {
 
 /// Errors of predicted forces.
 struct ForceError {
-  double rms = 0;                 // root of the mean squared |predicted - measured| [N]
-  double relative = 0;            // rms / root of the mean squared |measured| [1]
-  double relative_flexion = 0;    // relative error of the first two components [1]
-  double direction = 0;           // median angle between them where neither is zero [rad]
-  std::optional<double> covered;  // share of components within 1.96 predictive sds; empty: no sds
-  int trials = 0;                 // number of trials [1]
+  double rms = 0;                  // root of the mean squared |predicted - measured| [N]
+  double relative = 0;             // rms / root of the mean squared |measured| [1]
+  double relative_flexion = 0;     // relative error of the first two components [1]
+  double direction = 0;            // median angle between them where neither is zero [rad]
+  std::optional<double> covered;   // share of components within 1.96 predictive sds; empty: no sds
+  std::optional<double> log_loss;  // mean over components of -log N(measured; predicted, sd^2), the
+                                   // density per newton: it judges errors and sds together [nat]
+  int trials = 0;                  // number of trials [1]
 };
 
 /// One experiment, predicted.
@@ -78,23 +80,20 @@ struct Prediction {
 /// In place of the index of a specimen: one that was not fitted, predicted by the population.
 inline constexpr int kUnfittedSpecimen = -1;
 
-/// Prediction of any experiment; the population predicts a specimen that was not fitted. The
-/// predictive variance is the sum of the parameters' covariance, the deviation of an unseen
-/// specimen from the population, and the noise:
-///   V = J_z C J_z' + J_u diag(unseen_variance) J_u' + J_q diag(angle variance) J_q' + diag(sd^2).
-/// Angles of a posture that the fit does not know by name have the mean prior variance of the
-/// postures that it knows (J_q).
+/// Prediction of any experiment; the population predicts a specimen that was not fitted. It is the
+/// mean of the forces over all that is uncertain of the digit, see predictive_moments(), with
+///   V_u = du/dz C du/dz' + diag(unseen_variance) + diag(variance of unknown postures),
+/// and its predictive variance has the noise beside theirs. What is special to a posture that the
+/// fit does not know by name has the mean prior variance of the postures that it knows.
 /// @param specimen  index in fitted.specimens(), or kUnfittedSpecimen
 /// @throws InputError if the experiment does not fit the digit.
 [[nodiscard]] Prediction predict_experiment(const FitProblem& fitted, const Eigen::VectorXd& z,
                                             const ArrowMatrix& C, const Experiment& experiment,
                                             int specimen);
 
-/// The parameters, followed by an angle error of every joint in every posture of the experiment
-/// that they do not name yet, with the mean prior of the named postures.
-/// @param joints  coordinates of the digit
-[[nodiscard]] FitParameters add_posture_errors(FitParameters fitted, const Experiment& experiment,
-                                               int joints);
+/// The parameters, followed by what every posture of the experiment that they do not name yet has
+/// of its own: errors of angles and unexplained forces, with the mean prior of the named postures.
+[[nodiscard]] FitParameters add_posture_errors(FitParameters fitted, const Experiment& experiment);
 
 /// Index of a fitted specimen, or kUnfittedSpecimen.
 [[nodiscard]] int find_specimen(const FitProblem& fitted, const std::string& specimen);

@@ -20,6 +20,8 @@ struct SpecimenModel {
   VectorX<T> gain;                        // tension at the digit per stated one [1] (muscles)
   MatrixX<T> unexplained;                 // force of the tip beyond what the geometry makes, per
                                           // stated tension, in the tip's axes [1] (3, muscles)
+  MatrixX<T> posture_unexplained;         // added to it in each posture [1] (3, muscles x postures,
+                                          // muscles of one posture side by side)
   Vec3<T> sensor_tilt = Vec3<T>::Zero();  // rotation vector in digit axes [rad] (3)
 };
 
@@ -55,6 +57,7 @@ template <typename T>
   to.posture_error = MatrixX<T>::Zero(from.coordinates, postures);
   to.gain = VectorX<T>::Ones(static_cast<Eigen::Index>(from.pulls.size()));
   to.unexplained = MatrixX<T>::Zero(3, to.gain.size());
+  to.posture_unexplained = MatrixX<T>::Zero(3, to.gain.size() * postures);
   return to;
 }
 
@@ -150,6 +153,9 @@ void set_parameter(const TendonModel<double>& from, const Parameter& p, const T&
       break;
     case ParameterKind::kTipForce:
       to.unexplained(p.component, p.item) = value;
+      break;
+    case ParameterKind::kPostureForce:
+      to.posture_unexplained(p.component, p.point * to.gain.size() + p.item) = value;
       break;
   }
 }

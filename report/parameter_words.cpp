@@ -113,7 +113,8 @@ std::string scatter_words(const Parts& parts) {
       {"angle", "goniometer errors"},
       {"angle/posture", "goniometer errors of single postures"},
       {"gain", "tension gains"},
-      {"force", "unexplained forces"}};
+      {"force", "unexplained forces"},
+      {"force/posture", "unexplained forces of single postures"}};
   std::string kind = parts.size() > 1 ? parts[1] : "";
   for (std::size_t i = 2; i < parts.size(); ++i) kind += "/" + parts[i];
   const auto found = kinds.find(kind);
@@ -141,6 +142,8 @@ std::string words_of(const Parts& parts, const TendonDigit* digit) {
   if (first == "force" && parts.size() == 3)
     return fmt::format("tip force of {} that its geometry does not explain, {}", second,
                        adverb(parts[2]));
+  if (first == "force" && parts.size() == 4)
+    return fmt::format("the same in posture {} alone: {}, {}", parts[3], second, adverb(parts[2]));
   if (first == "noise") return fmt::format("noise of {} over the stated noise", second);
   if (first == "hold") return "how stiff the clamp is sideways";
   return "";

@@ -32,6 +32,7 @@ std::vector<double> row_of(const SpecimenModel<double>& model) {
   row.push_back(model.out_of_plane);
   append(model.gain, row);
   append(model.unexplained.transpose(), row);
+  append(model.posture_unexplained.transpose(), row);
   return row;
 }
 
@@ -66,7 +67,8 @@ SpecimenModel<double> zeros(const TendonDigit& digit, int postures) {
 Layout::Layout(const TendonModel<double>& model, int posture_count)
     : hinges(static_cast<int>(model.tree.size())),
       coordinates(model.coordinates),
-      postures(posture_count) {
+      postures(posture_count),
+      muscles(static_cast<int>(model.pulls.size())) {
   const int strands = static_cast<int>(model.paths.size());
   // First path point of each strand.
   int count = 0;
@@ -87,8 +89,9 @@ Layout::Layout(const TendonModel<double>& model, int posture_count)
   posture_errors = angle_errors + coordinates;
   out_of_plane = posture_errors + coordinates * postures;
   gains = out_of_plane + 1;
-  unexplained = gains + static_cast<int>(model.pulls.size());
-  size = unexplained + 3 * static_cast<int>(model.pulls.size());
+  unexplained = gains + muscles;
+  posture_unexplained = unexplained + 3 * muscles;
+  size = posture_unexplained + 3 * muscles * postures;
 }
 
 std::vector<double> initial_parameters(const TendonDigit& digit, const FitParameters& parameters,
@@ -321,7 +324,7 @@ class Compiler {
         const Eigen::VectorXd& t = plan_.tension[i];
         const int first_pull = static_cast<int>(pulls.size());
         for (int m = 0; m < t.size(); ++m)
-          if (t[m] != 0) pulls.push_back({m, t[m]});
+          if (t[m] != 0) pulls.push_back({m, t[m], own < 0 ? -1 : layout_.posture_force(own, m)});
         trials.push_back({i, first_pull, static_cast<int>(pulls.size())});
         const Eigen::VectorXd tau = arms.transpose() * t;
         torque.insert(torque.end(), tau.begin(), tau.end());
@@ -340,7 +343,7 @@ class Compiler {
     to_.gain = layout_.gains;
     to_.unexplained = layout_.unexplained;
     to_.unexplained_moves = moves(layout_.unexplained, layout_.size - layout_.unexplained) ||
-                            !mean_.unexplained.isZero(0);
+                            !mean_.unexplained.isZero(0) || !mean_.posture_unexplained.isZero(0);
   }
 
   void set_hold() {

@@ -12,11 +12,11 @@ namespace thenar::kernel {
 struct Layout {
   explicit Layout(const TendonModel<double>& model, int posture_count);
 
-  int hinges, coordinates, postures;
+  int hinges, coordinates, postures, muscles;
   std::vector<int> first_node;  // of each strand
   // Index of the first number of each kind.
   int directions, points, nodes, arms, frictions, shares, tip, tilt, angle_errors, posture_errors,
-      out_of_plane, gains, unexplained, size;
+      out_of_plane, gains, unexplained, posture_unexplained, size;
 
   [[nodiscard]] int direction(int hinge) const { return directions + 3 * hinge; }
   [[nodiscard]] int point(int hinge) const { return points + 3 * hinge; }
@@ -26,6 +26,9 @@ struct Layout {
   [[nodiscard]] int slope(int share) const { return shares + 3 * share + 2; }
   [[nodiscard]] int posture_error(int posture) const {
     return posture_errors + coordinates * posture;
+  }
+  [[nodiscard]] int posture_force(int posture, int muscle) const {
+    return posture_unexplained + 3 * (muscles * posture + muscle);
   }
 };
 

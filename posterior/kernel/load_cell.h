@@ -111,6 +111,7 @@ inline Vec unexplained_force(const Program& program, const DigitParameters& digi
   for (int t = step.first; t < step.last; ++t) {
     const TensionStep& pull = program.pulls[t];
     f += splat(pull.tension) * vector_at(digit.number + program.unexplained + 3 * pull.muscle);
+    if (pull.own_force >= 0) f += splat(pull.tension) * vector_at(digit.number + pull.own_force);
   }
   return f;
 }
@@ -151,8 +152,9 @@ inline void adjoint_unexplained(const Program& program, int trial, const DigitPa
   const TrialStep& step = program.trial_steps[trial];
   for (int t = step.first; t < step.last; ++t) {
     const TensionStep& pull = program.pulls[t];
-    add_vector(adjoint_digit.number + program.unexplained + 3 * pull.muscle,
-               splat(pull.tension) * push);
+    const Vec by_force = splat(pull.tension) * push;
+    add_vector(adjoint_digit.number + program.unexplained + 3 * pull.muscle, by_force);
+    if (pull.own_force >= 0) add_vector(adjoint_digit.number + pull.own_force, by_force);
   }
   if (!program.cell_moves) return;
   const Vec f = unexplained_force(program, digit, trial);

@@ -109,6 +109,7 @@ struct ShareStep {
 struct TensionStep {
   int muscle;
   double tension;  // [N]
+  int own_force;   // index of the three numbers of the force that its posture alone adds; -1: none
 };
 
 /// One trial: the tensions of its muscles.

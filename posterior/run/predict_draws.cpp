@@ -117,8 +117,7 @@ PredictedDraws predict_draws(const PosteriorRun& run, const Experiment& experime
   // The experiment on the fitted digit, and some of the draws.
   const HandPosterior& posterior = *run.posterior;
   const TendonDigit& digit = posterior.problem().digit();
-  const FitParameters parameters =
-      add_posture_errors(posterior.problem().parameters(), experiment, digit.model.coordinates);
+  const FitParameters parameters = add_posture_errors(posterior.problem().parameters(), experiment);
   const ExperimentPlan plan = plan_experiment(digit, parameters, experiment);
   const Eigen::MatrixXd x = thinned_columns(pooled(run.draws), draws);
   const PosteriorValues values = posterior.values(x);

@@ -75,6 +75,29 @@ TEST(ForceJacobian, AddsWhatTheGeometryDoesNotExplain) {
   EXPECT_TRUE((force(0.2) - force(0)).isApprox(expected, 1e-12));
 }
 
+// The same of one posture alone: the trials of the others stay as they are.
+TEST(ForceJacobian, AddsWhatTheGeometryDoesNotExplainInOnePosture) {
+  const sample::FitSetup setup =
+      sample::middle_finger("[[parameter]]\nmatch = 'force/FDS/dorsal/Hook'\nstate = 'free'\n");
+  const Experiment& experiment = setup.experiments.front();
+  const ExperimentPlan plan = plan_experiment(setup.digit, setup.parameters, experiment);
+  const auto force = [&](double u) -> Eigen::Matrix3Xd {
+    return force_values(setup.digit, setup.parameters, plan, Eigen::VectorXd::Constant(1, u));
+  };
+  const Eigen::Matrix3Xd added = force(0.2) - force(0);
+  int changed = 0;
+  for (Eigen::Index i = 0; i < added.cols(); ++i) {
+    const Trial& trial = experiment.trials[static_cast<std::size_t>(i)];
+    const bool here = trial.posture == "Hook" && trial.tension.count("FDS") > 0;
+    const Eigen::Vector3d expected =
+        experiment.axes_of_digit.cast<double>() *
+        Eigen::Vector3d(0, here ? 0.2 * trial.tension.at("FDS") : 0, 0);
+    EXPECT_LT((added.col(i) - expected).norm(), 1e-12) << i;
+    changed += here ? 1 : 0;
+  }
+  EXPECT_EQ(changed, 1);
+}
+
 TEST(ForceJacobian, IsExactForAHoldInTheFlexionPlane) {
   expect_exact(sample::middle_finger(
       kAllFree + "[[parameter]]\nmatch='hold/out_of_plane'\nstate='fixed'\nmean_mm=0\n"));

@@ -65,7 +65,7 @@ TEST(ForceKernel, HasTheDerivativesOfThumbsHoweverHeld) {
 TEST(ForceKernel, HasTheDerivativesOfEveryKindOfParameter) {
   std::mt19937 rng(4);
   const KernelCase c = sample::everything_free();
-  for (int kind = 0; kind <= static_cast<int>(ParameterKind::kTipForce); ++kind)
+  for (int kind = 0; kind <= static_cast<int>(ParameterKind::kPostureForce); ++kind)
     if (kind != static_cast<int>(ParameterKind::kArm)) {
       EXPECT_TRUE(sample::moves(c, static_cast<ParameterKind>(kind))) << kind;
     }
@@ -86,7 +86,7 @@ TEST(ForceKernel, FoldsWhatDoesNotMove) {
   std::mt19937 rng(5);
   for (const char* glob : {"axis/*/direction/*", "axis/*/point/*", "length/*", "path/*",
                            "hood/*/into", "hood/*/central", "hood/*/slope", "friction/*", "tip/*",
-                           "sensor/*", "angle/*", "gain/*", "force/*"})
+                           "sensor/*", "angle/*", "gain/*", "force/*/dorsal", "force/*/*/*"})
     EXPECT_LT(error_against_ceres(sample::one_kind_free(glob), 0.5, 1, rng), kExact) << glob;
 }
 

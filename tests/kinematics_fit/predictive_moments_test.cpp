@@ -1,0 +1,118 @@
+// Tests for kinematics_fit/predictive_moments.cpp: closed forms, and means over draws.
+
+#include "kinematics_fit/predictive_moments.h"
+
+#include <cmath>
+
+#include <gtest/gtest.h>
+
+#include "base/error.h"
+#include "base/units.h"
+#include "tests/kinematics_fit/fit_samples.h"
+#include "tests/matrix_near.h"
+
+namespace thenar {
+namespace {
+
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
+
+/// The published finger with some rows of settings, in the experiment of H01.
+struct MomentScene {
+  explicit MomentScene(const std::string& rows) : setup(sample::middle_finger(rows)) {
+    plan = plan_experiment(setup.digit, setup.parameters, setup.experiments.front());
+  }
+  [[nodiscard]] PredictiveMoments moments(const VectorXd& center, const MatrixXd& V) const {
+    return predictive_moments(setup.digit, setup.parameters, plan, center, V);
+  }
+  [[nodiscard]] Eigen::Matrix3Xd forces(const VectorXd& u) const {
+    return force_values(setup.digit, setup.parameters, plan, u);
+  }
+  sample::FitSetup setup;
+  ExperimentPlan plan;
+};
+
+// E cos of a normal angle is exp(-variance / 2); Cayley's rotation turns by 2 atan(w / 2), which
+// differs from w by 0.1 degrees at 12.
+TEST(PredictiveMoments, ShortenTheForceOfACellOfUnknownTilt) {
+  const MomentScene scene("[[parameter]]\nmatch='sensor/radial'\nstate='free'\nsd_deg=12\n");
+  const double variance = std::pow(radians(12), 2);
+  const PredictiveMoments moments =
+      scene.moments(VectorXd::Zero(1), MatrixXd::Constant(1, 1, variance));
+  Eigen::Matrix3Xd expected = scene.forces(VectorXd::Zero(1));
+  expected.topRows<2>() *= std::exp(-variance / 2);  // across the axis of the tilt
+  EXPECT_GT(expected.norm(), 1);
+  EXPECT_TRUE(matrix_near(moments.mean, expected, 1e-4 * expected.norm()));
+}
+
+TEST(PredictiveMoments, AreExactWhereForcesAreLinear) {
+  const MomentScene scene("[[parameter]]\nmatch='force/*'\nstate='free'\n");
+  const Eigen::Index n = scene.setup.parameters.coordinates();
+  std::mt19937 rng(3);
+  const VectorXd sd = sample::population_sds(scene.setup.parameters);
+  const MatrixXd V = sd.cwiseAbs2().asDiagonal();
+  const PredictiveMoments moments = scene.moments(VectorXd::Zero(n), V);
+  EXPECT_TRUE(matrix_near(moments.mean, scene.forces(VectorXd::Zero(n)), 1e-13));
+  // One load of tension t a trial, and two parameters for each component: 2 t^2 sd^2.
+  for (Eigen::Index i = 0; i < moments.mean.cols(); ++i) {
+    const double t = scene.plan.tension[static_cast<std::size_t>(i)].sum();
+    EXPECT_TRUE(matrix_near(moments.variance.segment<3>(3 * i),
+                            Eigen::Vector3d::Constant(2 * t * t * 0.03 * 0.03), 1e-12));
+  }
+}
+
+// Everything that a finger's settings free, correlated, against plain draws.
+TEST(PredictiveMoments, AgreeWithMeansOverDraws) {
+  const MomentScene scene(sample::kAxesAndPaths +
+                          "[[parameter]]\nmatch='sensor/*'\nstate='free'\nsd_deg=12\n"
+                          "[[parameter]]\nmatch='hood/*/central'\nstate='free'\nsd=0.5\n"
+                          "[[parameter]]\nmatch='angle/*/*'\nstate='free'\nsd_deg=6\n"
+                          "[[parameter]]\nmatch='force/*/*/*'\nstate='free'\n");
+  const Eigen::Index n = scene.setup.parameters.coordinates();
+  std::mt19937 rng(5);
+  // A root with correlations of all coordinates, in their own units.
+  MatrixXd root = MatrixXd::Identity(n, n);
+  for (Eigen::Index k = 0; k < n; ++k) root.col(k) += 0.3 * sample::normal(n, rng) / std::sqrt(n);
+  root = sample::population_sds(scene.setup.parameters).asDiagonal() * root;
+  const VectorXd center = VectorXd::Zero(n);
+  const PredictiveMoments moments = scene.moments(center, root * root.transpose());
+
+  constexpr int kPairs = 4000;  // antithetic: what is odd in u drops out of the mean
+  VectorXd sum = VectorXd::Zero(3 * moments.mean.cols()), squares = sum, pairs = sum;
+  for (int k = 0; k < kPairs; ++k) {
+    const VectorXd step = root * sample::normal(n, rng);
+    const VectorXd a = scene.forces(step).reshaped(), b = scene.forces(-step).reshaped();
+    sum += (a + b) / 2;
+    pairs += ((a + b) / 2).cwiseAbs2();
+    squares += (a.cwiseAbs2() + b.cwiseAbs2()) / 2;
+  }
+  const VectorXd mean = sum / kPairs, variance = squares / kPairs - mean.cwiseAbs2();
+  const VectorXd error = (pairs / kPairs - mean.cwiseAbs2()).cwiseMax(0).cwiseSqrt() /
+                         std::sqrt(static_cast<double>(kPairs));
+  const VectorXd plain = scene.forces(center).reshaped();
+  // Four standard errors, and what is beyond second order: a twentieth of the shift.
+  const VectorXd shift = mean - plain, missed = moments.mean.reshaped() - mean;
+  EXPECT_GT(shift.norm(), 20 * error.norm());
+  EXPECT_LT(missed.norm(), 0.05 * shift.norm() + 4 * error.norm());
+  // Of sds a twentieth: mixed second derivatives and higher orders.
+  EXPECT_LT((moments.variance.cwiseSqrt() - variance.cwiseSqrt()).norm(),
+            0.05 * variance.cwiseSqrt().norm());
+}
+
+TEST(PredictiveMoments, KeepsStepsWithinTheBoundsOfParameters) {
+  const MomentScene scene(
+      "[[parameter]]\nmatch='friction/FDP'\nstate='free'\nmean=0\nlower=0\nupper=0.5\n");
+  const PredictiveMoments moments =
+      scene.moments(VectorXd::Zero(1), MatrixXd::Constant(1, 1, 0.2 * 0.2));
+  const Eigen::Matrix3Xd at_zero = scene.forces(VectorXd::Zero(1)),
+                         beyond = scene.forces(VectorXd::Constant(1, 0.2));
+  EXPECT_TRUE(matrix_near(moments.mean, (at_zero + beyond) / 2, 1e-12));
+}
+
+TEST(PredictiveMoments, RefusesACovarianceOfOtherSize) {
+  const MomentScene scene("[[parameter]]\nmatch='force/*'\nstate='free'\n");
+  EXPECT_THROW((void)scene.moments(VectorXd::Zero(1), MatrixXd::Identity(2, 2)), InputError);
+}
+
+}  // namespace
+}  // namespace thenar
