@@ -31,6 +31,35 @@ std::vector<Prediction> predict_own(const Fit& fit) {
   return predictions;
 }
 
+/// A prediction by the subject as it was published; empty of a subject that lacks the digit, a
+/// muscle, a joint or the segment of the experiment.
+std::optional<Prediction> predicted_as_published(const SourceText& subject,
+                                                 const Experiment& experiment) {
+  try {
+    return predict_as_published(subject, experiment);
+  } catch (const InputError&) {
+    return std::nullopt;
+  }
+}
+
+/// What the subject that a fit starts from, and all others of the data, say of its experiments.
+std::vector<BaselinePrediction> published_predictions(const Fit& fit, const std::string& data) {
+  std::vector<BaselinePrediction> all;
+  const auto add = [&](const SourceText& subject) {
+    const std::string name = parse_subject(subject.text, subject.path).name;
+    for (const Experiment& experiment : fit.problem.experiments())
+      if (const auto prediction = predicted_as_published(subject, experiment))
+        all.push_back({name, "as published", *prediction});
+  };
+  const SourceText& start = fit.inputs.subject;
+  add(start);
+  for (const std::string& name : names_in(data_folders(data), "subjects")) {
+    const SourceText other = subject_source(name, data);
+    if (other.text != start.text) add(other);
+  }
+  return all;
+}
+
 /// "experiment 'H01': the fit misses .." of every experiment that chance cannot explain.
 std::vector<std::string> misfit_warnings(const FitResult& result) {
   std::vector<std::string> warnings;
@@ -135,6 +164,8 @@ FitResult fit_forces(const FitRequest& request, const Progress& progress) {
       result.left_out.push_back(cross_validate(result.fit.problem, what, options));
     }
   }
+  if (!result.left_out.empty())
+    result.published = published_predictions(result.fit, request.sources.data);
   result.stopped = progress.stop();
   return result;
 }

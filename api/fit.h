@@ -11,6 +11,7 @@
 #include "kinematics_fit/choose_settings.h"
 #include "kinematics_fit/cross_validation.h"
 #include "kinematics_fit/fit.h"
+#include "kinematics_fit/fit_study.h"
 #include "kinematics_fit/misfit.h"
 
 namespace thenar {
@@ -46,6 +47,10 @@ struct FitResult {
   std::vector<Misfit> misfits = {};       // of each experiment
   std::optional<ChosenSettings> chosen = {};  // where that was asked for
   std::vector<FoldChoice> fold_choices = {};  // of the folds of left_out, in their order
+  // Of each experiment, by every subject of the data that knows its digit, muscles and joints, as
+  // it was published and without a fit; the subject that the fit starts from comes first. Empty
+  // where nothing is left out.
+  std::vector<BaselinePrediction> published = {};
 };
 
 /// The texts of the inputs. Without settings those that are built in for the digit.

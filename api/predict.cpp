@@ -21,11 +21,17 @@ PredictResult answer_of(const PredictRequest& request, const Fit& fit) {
   return result;
 }
 
-/// What the mean of the fitted specimens says of a specimen that was not fitted.
-void add_trivial(Prediction& prediction, const Experiment& experiment, const FitProblem& fitted) {
-  for (std::size_t i = 0; i < prediction.trials.size(); ++i)
-    prediction.trials[i].trivial =
-        trivial_force(experiment, experiment.trials[i], fitted.experiments());
+/// What one could say without a model: of a specimen that was not fitted the mean of those that
+/// were, of combined loads on a fitted one the sum of its own forces.
+void add_trivial(Prediction& prediction, const Experiment& experiment, const FitProblem& fitted,
+                 PredictedBy by) {
+  for (std::size_t i = 0; i < prediction.trials.size(); ++i) {
+    const Trial& trial = experiment.trials[i];
+    if (by == PredictedBy::kStranger)
+      prediction.trials[i].trivial = trivial_force(experiment, trial, fitted.experiments());
+    if (by == PredictedBy::kOwn)
+      prediction.trials[i].trivial = superposed_force(experiment, trial, fitted.experiments());
+  }
 }
 
 }  // namespace
@@ -56,7 +62,7 @@ PredictResult predict_forces(const PredictRequest& request) {
     Prediction prediction =
         predict_experiment(fit.problem, fit.solution.z, fit.covariance.C, experiment,
                            by == PredictedBy::kOwn ? fitted : kUnfittedSpecimen);
-    if (by == PredictedBy::kStranger) add_trivial(prediction, experiment, fit.problem);
+    add_trivial(prediction, experiment, fit.problem, by);
     result.sources.push_back(source);
     result.experiments.push_back({experiment, std::move(prediction), by});
   }

@@ -1,6 +1,7 @@
 #include "kinematics_fit/choose_settings.h"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include "base/error.h"
@@ -8,18 +9,25 @@
 namespace thenar {
 namespace {
 
-constexpr double kBetter = 1e-4;  // relative gain below which a choice stays as it is [1]
+constexpr double kBetter = 1e-3;  // gain below which a choice stays as it is [nat]
 
-/// Mean over experiments of the relative error of what was left out.
-double mean_error(const CrossValidation& validation) {
-  double sum = 0;
+/// How well left-out forces are predicted.
+struct LeftOutScore {
+  double loss = 0;   // [nat]
+  double error = 0;  // relative [1]
+};
+
+/// Means over experiments.
+LeftOutScore mean_score(const CrossValidation& validation) {
+  LeftOutScore sum;
   int count = 0;
   for (const Prediction& prediction : validation.experiments) {
     if (prediction.trials.empty()) continue;
-    sum += prediction.error.relative;
+    sum.loss += prediction.error.log_loss.value() + std::log(prediction.error.relative);
+    sum.error += prediction.error.relative;
     ++count;
   }
-  return sum / count;
+  return {sum.loss / count, sum.error / count};
 }
 
 /// Tries settings, each once.
@@ -37,7 +45,7 @@ class Chooser {
   ChosenSettings choose(const Progress& progress) {
     // Where the search starts.
     const std::vector<SettingChoice>& choices = found_.settings.choices;
-    found_.error = error_of(found_.settings);
+    take(score_of(found_.settings));
     // One choice after the other, until a whole round has changed nothing.
     std::size_t since_change = 0;
     for (std::size_t at = 0; since_change < choices.size() && !found_.stopped;
@@ -56,10 +64,10 @@ class Chooser {
     for (std::size_t value = 0; value < best.choices[at].values.size(); ++value) {
       FitSettings other = found_.settings;
       set_choice(other, at, value);
-      const double error = error_of(other);
+      const LeftOutScore score = score_of(other);
       if (found_.stopped) return false;
-      if (error > found_.error * (1 - kBetter)) continue;
-      found_.error = error;
+      if (score.loss > found_.loss - kBetter) continue;
+      take(score);
       best = std::move(other);
     }
     const bool changed = best.choices[at].chosen != found_.settings.choices[at].chosen;
@@ -67,22 +75,29 @@ class Chooser {
     return changed;
   }
 
-  double error_of(const FitSettings& settings) {
+  void take(const LeftOutScore& score) {
+    found_.loss = score.loss;
+    found_.error = score.error;
+  }
+
+  LeftOutScore score_of(const FitSettings& settings) {
     std::vector<std::size_t> chosen;
     for (const SettingChoice& choice : settings.choices) chosen.push_back(choice.chosen);
     const auto known = std::find_if(found_.tried.begin(), found_.tried.end(),
                                     [&](const TriedSettings& one) { return one.chosen == chosen; });
-    if (known != found_.tried.end()) return known->error;
+    if (known != found_.tried.end()) return {known->loss, known->error};
     const FitProblem problem = with_settings(problem_, settings, also_free_);
-    double sum = 0;
+    LeftOutScore sum;
     for (const LeaveOut what : found_.by) {
       const CrossValidation validation = cross_validate(problem, what, options_);
       found_.stopped = validation.stopped;
-      if (found_.stopped) return 0;
-      sum += mean_error(validation);
+      if (found_.stopped) return {};
+      const LeftOutScore one = mean_score(validation);
+      sum.loss += one.loss / static_cast<double>(found_.by.size());
+      sum.error += one.error / static_cast<double>(found_.by.size());
     }
-    found_.tried.push_back({std::move(chosen), sum / static_cast<double>(found_.by.size())});
-    return found_.tried.back().error;
+    found_.tried.push_back({std::move(chosen), sum.loss, sum.error});
+    return sum;
   }
 
   const FitProblem& problem_;

@@ -13,8 +13,9 @@ namespace thenar {
 /// One set of choices that was tried.
 struct TriedSettings {
   std::vector<std::size_t> chosen;  // of each choice, in its values
-  double error;                     // mean over experiments, and over what is left out, of the
-                                    // relative error of forces that a fit has not seen [1]
+  double loss;                      // mean over experiments, and over what is left out, of log loss
+                                    // + log relative error of forces that a fit has not seen [nat]
+  double error;                     // the same of the relative error alone [1]
 };
 
 /// What was chosen, and on what grounds.
@@ -22,14 +23,18 @@ struct ChosenSettings {
   FitSettings settings;              // with the choices in force
   std::vector<LeaveOut> by;          // postures; and specimens, where there are several
   std::vector<TriedSettings> tried;  // each once, in their order; the first is the start
-  double error = 0;                  // of the settings chosen, see TriedSettings; 0 where none
-                                     // were tried [1]
+  double loss = 0;                   // of the settings chosen, see TriedSettings; 0 where none were
+  double error = 0;                  // tried [nat], [1]
   bool stopped = false;              // by request; the best of those tried
 };
 
 /// Chooses among settings.choices, one choice at a time, over and over until none is bettered: by
-/// the relative error of left-out postures, and as much by that of left-out specimens, where there
-/// are several. A fit is asked about both: the same hand in another posture, and strangers.
+///   loss = log loss + log(relative error)
+/// of left-out postures, and as much of left-out specimens, where there are several. A fit is asked
+/// about both: the same hand in another posture, and strangers; and for both: its best guess, and
+/// how far off that may be. The log loss is a proper score, least on average where intervals are as
+/// wide as errors are; of the logarithm of the relative error, the log loss of guesses of one
+/// common sd, intervals are no part.
 /// @param also_free  as in choose_parameters()
 /// @throws InputError if there is nothing to choose, or fewer than two postures.
 [[nodiscard]] ChosenSettings choose_settings(const FitProblem& problem, const FitSettings& settings,

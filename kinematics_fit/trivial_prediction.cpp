@@ -67,14 +67,36 @@ struct MeanForce {
   }
 };
 
-}  // namespace
+/// The sum of predictions of each load alone; empty if one of them is missing, or there is only
+/// one.
+template <typename Alone>
+std::optional<Eigen::Vector3d> sum_of_loads(const Trial& trial, const Alone& alone) {
+  const std::map<std::string, double> pulls = pulls_of(trial);
+  if (pulls.size() < 2) return std::nullopt;
+  Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+  for (const auto& pull : pulls) {
+    Trial single = trial;
+    single.tension = {pull};
+    const std::optional<Eigen::Vector3d> force = alone(single);
+    if (!force) return std::nullopt;
+    sum += *force;
+  }
+  return sum;
+}
 
-std::optional<Eigen::Vector3d> trivial_force(const Experiment& experiment, const Trial& trial,
-                                             const std::vector<Experiment>& seen) {
+/// Force of the same loads, for each way of being like the trial.
+struct MeansOfLoads {
+  MeanForce here;  // in the same posture, of all specimens
+  MeanForce self;  // in the same posture, of the same specimen
+  MeanForce own;   // in any posture, of the same specimen
+  MeanForce all;   // in any posture, of all specimens
+};
+
+MeansOfLoads means_of(const Experiment& experiment, const Trial& trial,
+                      const std::vector<Experiment>& seen) {
   const std::map<std::string, double> pulls = pulls_of(trial);
   const PostureRecord* posture = posture_of(experiment, trial.posture);
-  // The same loads: at this posture, at others of the same specimen, anywhere.
-  MeanForce here, own, all;
+  MeansOfLoads means;
   for (const Experiment& other : seen) {
     if (other.components < experiment.components || other.digit != experiment.digit) continue;
     for (const Trial& row : other.trials) {
@@ -82,16 +104,41 @@ std::optional<Eigen::Vector3d> trivial_force(const Experiment& experiment, const
       if (!same_loads(pulls, others)) continue;
       const Eigen::Vector3d force =
           other.axes_of_digit.cast<double>().transpose() * row.force / total(others);
-      if (same_posture(posture, posture_of(other, row.posture))) here.add(force);
-      if (other.specimen == experiment.specimen) own.add(force);
-      all.add(force);
+      const bool here = same_posture(posture, posture_of(other, row.posture));
+      const bool self = other.specimen == experiment.specimen;
+      if (here) means.here.add(force);
+      if (here && self) means.self.add(force);
+      if (self) means.own.add(force);
+      means.all.add(force);
     }
   }
-  // The nearest of the three that there is.
-  for (const MeanForce& mean : {here, own, all})
-    if (mean.count > 0)
-      return experiment.axes_of_digit.cast<double>() * mean.sum * (total(pulls) / mean.count);
-  return std::nullopt;
+  return means;
+}
+
+/// A mean in the axes of the experiment, under the loads of the trial; empty if it is of nothing.
+std::optional<Eigen::Vector3d> under_load(const MeanForce& mean, const Experiment& experiment,
+                                          const Trial& trial) {
+  if (mean.count == 0) return std::nullopt;
+  return experiment.axes_of_digit.cast<double>() * mean.sum * (total(pulls_of(trial)) / mean.count);
+}
+
+}  // namespace
+
+std::optional<Eigen::Vector3d> trivial_force(const Experiment& experiment, const Trial& trial,
+                                             const std::vector<Experiment>& seen) {
+  // The nearest mean that there is.
+  const MeansOfLoads means = means_of(experiment, trial, seen);
+  for (const MeanForce& mean : {means.here, means.own, means.all})
+    if (const auto force = under_load(mean, experiment, trial)) return force;
+  return sum_of_loads(trial,
+                      [&](const Trial& single) { return trivial_force(experiment, single, seen); });
+}
+
+std::optional<Eigen::Vector3d> superposed_force(const Experiment& experiment, const Trial& trial,
+                                                const std::vector<Experiment>& seen) {
+  return sum_of_loads(trial, [&](const Trial& single) {
+    return under_load(means_of(experiment, single, seen).self, experiment, single);
+  });
 }
 
 std::optional<BesideTrivial> beside_trivial(const Prediction& prediction) {

@@ -14,13 +14,22 @@ namespace thenar {
 /// Mean force per tension of the same row of others, times the tension of this trial, in the axes
 /// of its experiment [N] (3). A row is the same where the same muscles pull, in the same proportion
 /// within 10 %, at the same joint angles within 2 degrees. Where nobody has measured this posture,
-/// it is the mean over other postures: those of the same specimen, or else of all.
+/// it is the mean over other postures: those of the same specimen, or else of all. Where nobody has
+/// loaded these muscles together, it is the sum of such means, one for each muscle alone.
 /// @param seen  experiments that the prediction may know; `experiment` itself only without the
 /// trial
 /// @return empty if nobody measured such a load, or measured fewer components of it
 [[nodiscard]] std::optional<Eigen::Vector3d> trivial_force(const Experiment& experiment,
                                                            const Trial& trial,
                                                            const std::vector<Experiment>& seen);
+
+/// Superposition: the sum of the forces that the same specimen showed in this posture under each of
+/// the loads alone, each in proportion to its tension, in the axes of the experiment [N] (3). A
+/// linear model can do no better; what it errs by is the nonlinearity of the specimen and noise.
+/// @return empty unless several muscles pull and each was measured alone
+[[nodiscard]] std::optional<Eigen::Vector3d> superposed_force(const Experiment& experiment,
+                                                              const Trial& trial,
+                                                              const std::vector<Experiment>& seen);
 
 /// Errors of the model and of the trivial prediction, over the trials that have one.
 struct BesideTrivial {

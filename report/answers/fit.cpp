@@ -163,9 +163,10 @@ std::string chosen_text(const FitResult& result) {
   const ChosenSettings& chosen = *result.chosen;
   if (chosen.tried.empty()) return "settings: stopped before the first had been tried\n";
   std::string text = fmt::format(
-      "settings chosen by {}{}: left-out relative error {:.3f}, {:.3f} before, {} settings tried\n",
-      judged_words(chosen), chosen.stopped ? " (stopped)" : "", chosen.error,
-      chosen.tried.front().error, chosen.tried.size());
+      "settings chosen by {}{}: log loss plus log relative error {:.3f}, {:.3f} before (relative "
+      "error {:.3f}, {:.3f} before), {} settings tried\n",
+      judged_words(chosen), chosen.stopped ? " (stopped)" : "", chosen.loss,
+      chosen.tried.front().loss, chosen.error, chosen.tried.front().error, chosen.tried.size());
   for (const SettingChoice& choice : chosen.settings.choices) {
     std::string others;
     for (std::size_t i = 0; i < choice.values.size(); ++i)
@@ -184,10 +185,11 @@ Json choices_json(const ChosenSettings& chosen) {
                        {"values", choice.values},
                        {"chosen", choice.value()}});
   for (const TriedSettings& one : chosen.tried)
-    tried.push_back({{"chosen", one.chosen}, {"relative_error", one.error}});
+    tried.push_back({{"chosen", one.chosen}, {"loss", one.loss}, {"relative_error", one.error}});
   Json by = Json::array();
   for (const LeaveOut what : chosen.by) by.push_back(name_of(what));
   return {{"by", by},
+          {"loss", chosen.tried.empty() ? Json() : Json(chosen.loss)},
           {"relative_error", chosen.tried.empty() ? Json() : Json(chosen.error)},
           {"complete", !chosen.stopped},
           {"choices", choices},
@@ -207,13 +209,23 @@ std::string left_out_text(const CrossValidation& validation) {
   return text;
 }
 
+/// One line for each experiment and subject, as published.
+std::string published_text(const FitResult& result) {
+  std::string text;
+  for (const BaselinePrediction& one : result.published)
+    text += fmt::format("  {:<20} {} as published: RMS error {:.3f} N, relative {:.3f}{}\n",
+                        one.prediction.experiment, one.name, one.prediction.error.rms,
+                        one.prediction.error.relative, seen_words(one.prediction));
+  return text;
+}
+
 }  // namespace
 
 std::string seen_words(const Prediction& prediction) {
   return prediction.calibrated_on_specimen ? " (the subject has seen this specimen)" : "";
 }
 
-std::string trivial_words(const Prediction& prediction) {
+std::string trivial_words(const Prediction& prediction, const std::string& who) {
   const std::optional<BesideTrivial> beside = beside_trivial(prediction);
   if (!beside) return "";
   const std::string share =
@@ -221,7 +233,7 @@ std::string trivial_words(const Prediction& prediction) {
           ? ""
           : fmt::format(" (over {} of {} trials, {:.3f} by the model)", beside->model.trials,
                         prediction.error.trials, beside->model.relative);
-  return fmt::format("; the mean of others' forces {:.3f}{}", beside->trivial.relative, share);
+  return fmt::format("; {} {:.3f}{}", who, beside->trivial.relative, share);
 }
 
 Json trivial_json(const Prediction& prediction) {
@@ -274,10 +286,16 @@ OrderedJson json_of(const FitResult& result) {
       out["left_out"].back()["what"] = name_of(validation.what);
       out["left_out"].back()["covered_95"] =
           prediction.error.covered ? Json(*prediction.error.covered) : Json(nullptr);
+      out["left_out"].back()["log_loss"] =
+          prediction.error.log_loss ? Json(*prediction.error.log_loss) : Json(nullptr);
       out["left_out"].back()["mean_of_others"] = trivial_json(prediction);
       out["left_out"].back()["folds_done"] = validation.folds_done;
       out["left_out"].back()["folds"] = validation.folds.size();
     }
+  for (const BaselinePrediction& one : result.published) {
+    out["published"].push_back(error_json(one.prediction));
+    out["published"].back()["subject"] = one.name;
+  }
   return OrderedJson(out);
 }
 
@@ -294,6 +312,7 @@ std::string text_of(const FitResult& result) {
                         p.error.rms, p.error.relative, noise_words(result, e));
   }
   for (const CrossValidation& validation : result.left_out) text += left_out_text(validation);
+  text += published_text(result);
   text += chosen_text(result);
   if (fit.solution.status == Status::kSolved) text += learnt_text(fit);
   return text + open_text(fit) + "\n";

@@ -36,7 +36,8 @@ namespace thenar {
 
 /// "; the mean of others' forces 0.598", the error of trivial_force() on the same trials; "" where
 /// nobody else measured them.
-[[nodiscard]] std::string trivial_words(const Prediction& prediction);
+[[nodiscard]] std::string trivial_words(const Prediction& prediction,
+                                        const std::string& who = "the mean of others' forces");
 /// The same as numbers, or null.
 [[nodiscard]] Json trivial_json(const Prediction& prediction);
 

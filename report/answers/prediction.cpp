@@ -42,7 +42,9 @@ std::string experiment_text(const PredictedExperiment& one) {
                         degrees(direction_error(t)));
   text += fmt::format(
       "  RMS error {:.3f} N, relative error {:.3f}{}, median direction error {:.1f} deg\n",
-      prediction.error.rms, prediction.error.relative, trivial_words(prediction),
+      prediction.error.rms, prediction.error.relative,
+      one.by == PredictedBy::kOwn ? trivial_words(prediction, "its single loads added up")
+                                  : trivial_words(prediction),
       degrees(prediction.error.direction));
   if (prediction.error.covered)
     text += fmt::format("  {:.0f} % of components within the 95 % interval\n",
@@ -61,18 +63,20 @@ Json experiment_json(const PredictedExperiment& one) {
                        {"sd_N", to_json(trial.sd.head(trial.components))},
                        {"error_N", (trial.predicted - trial.measured).norm()},
                        {"direction_error_deg", degrees(direction_error(trial))}});
-  return {{"experiment", prediction.experiment},
-          {"specimen", one.experiment.specimen},
-          {"specimen_was_fitted", one.by != PredictedBy::kStranger},
-          {"predicted_by", one.by == PredictedBy::kOwn ? "own parameters" : "population"},
-          {"start_has_seen_specimen", prediction.calibrated_on_specimen},
-          {"rms_error_N", prediction.error.rms},
-          {"relative_error", prediction.error.relative},
-          {"relative_error_flexion_plane", prediction.error.relative_flexion},
-          {"direction_error_deg", degrees(prediction.error.direction)},
-          {"covered_95", prediction.error.covered ? Json(*prediction.error.covered) : Json()},
-          {"mean_of_others", trivial_json(prediction)},
-          {"vectors", vectors}};
+  return {
+      {"experiment", prediction.experiment},
+      {"specimen", one.experiment.specimen},
+      {"specimen_was_fitted", one.by != PredictedBy::kStranger},
+      {"predicted_by", one.by == PredictedBy::kOwn ? "own parameters" : "population"},
+      {"start_has_seen_specimen", prediction.calibrated_on_specimen},
+      {"rms_error_N", prediction.error.rms},
+      {"relative_error", prediction.error.relative},
+      {"relative_error_flexion_plane", prediction.error.relative_flexion},
+      {"direction_error_deg", degrees(prediction.error.direction)},
+      {"covered_95", prediction.error.covered ? Json(*prediction.error.covered) : Json()},
+      {"mean_of_others", one.by == PredictedBy::kOwn ? Json(nullptr) : trivial_json(prediction)},
+      {"superposition", one.by == PredictedBy::kOwn ? trivial_json(prediction) : Json(nullptr)},
+      {"vectors", vectors}};
 }
 
 }  // namespace

@@ -154,6 +154,8 @@ Json error_table(const FitResult& result) {
     for (const Prediction& prediction : validation.experiments)
       if (!prediction.trials.empty()) rows.push_back(error_row(prediction, what, nullptr));
   }
+  for (const BaselinePrediction& one : result.published)
+    rows.push_back(error_row(one.prediction, one.name + " as published", nullptr));
   return table_block(
       "Errors of predicted forces: in space, in the flexion plane alone, and the median angle "
       "between predicted and measured. Mean of others: relative error of what others measured "
@@ -207,10 +209,12 @@ Json choice_section(const FitResult& result) {
       "settings", "Settings that left-out data chose",
       fmt::format(
           "One after the other, until none was bettered: {} settings were tried, each judged by "
-          "the mean relative error of {}, {:.3f} at first and {:.3f} of those chosen. "
-          "That error has been looked at while choosing. The left-out errors of the tables above "
-          "have not: there every fold chose anew, by what it kept.",
-          chosen.tried.size(), judged_words(chosen), chosen.tried.front().error, chosen.error),
+          "log loss plus logarithm of the relative error of {}, {:.3f} nat at first and {:.3f} of "
+          "those chosen (relative error {:.3f} and {:.3f}). What has been looked at while choosing "
+          "flatters. The left-out errors of the tables above have not: there every fold chose "
+          "anew, by what it kept.",
+          chosen.tried.size(), judged_words(chosen), chosen.tried.front().loss, chosen.loss,
+          chosen.tried.front().error, chosen.error),
       Json::array({table_block("Settings, and what each fold chose. Folds that disagree do not "
                                "know better than chance",
                                columns, rows)}));

@@ -43,6 +43,24 @@ TEST_F(FitQuestion, WritesItsFileWithTheRunAndPredictsWhatItHasSeen) {
   EXPECT_EQ(back.solution.z, result.fit.solution.z);
 }
 
+// Beside what was left out stands every subject that has the digit, its muscles and joints.
+TEST_F(FitQuestion, ComparesWithPublishedSubjects) {
+  FitRequest request;
+  request.sources = sources();
+  EXPECT_TRUE(fit_forces(request).published.empty());
+  request.leave_out = {LeaveOut::kPosture};
+  const FitResult result = fit_forces(request);
+  ASSERT_EQ(result.published.size(), 2U);  // of all subjects in data/, two have a middle finger
+  EXPECT_EQ(result.published[0].name, "synek2019_middle");
+  EXPECT_TRUE(result.published[0].prediction.calibrated_on_specimen);
+  EXPECT_EQ(result.published[1].name, "an_chao_middle");
+  EXPECT_FALSE(result.published[1].prediction.calibrated_on_specimen);
+  const Prediction alone =
+      predict_as_published(read_source(THENAR_DATA_DIR "/subjects/an_chao_middle.toml"),
+                           result.fit.problem.experiments()[0]);
+  EXPECT_EQ(result.published[1].prediction.error.rms, alone.error.rms);
+}
+
 // Two shares and the tilt of the cell cannot turn forces round: reversed ones are missed by far.
 TEST_F(FitQuestion, WarnsOfForcesThatItMisses) {
   FitRequest request;

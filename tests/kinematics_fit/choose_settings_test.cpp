@@ -3,6 +3,8 @@
 
 #include "kinematics_fit/choose_settings.h"
 
+#include <cmath>
+
 #include <gtest/gtest.h>
 
 #include "base/error.h"
@@ -36,14 +38,25 @@ struct ChoiceScene {
   FitSettings settings = sample::settings(kRows);
 };
 
-/// Mean over experiments and kinds of folds of the left-out relative error, by plain loops.
-double left_out_error(const FitProblem& problem, const std::vector<LeaveOut>& by) {
+/// Mean over experiments and kinds of folds of the left-out log loss and log relative error, by
+/// plain loops.
+double left_out_loss(const FitProblem& problem, const std::vector<LeaveOut>& by) {
   double sum = 0;
   int count = 0;
   for (const LeaveOut what : by) {
     const CrossValidation validation = cross_validate(problem, what);
     for (const Prediction& prediction : validation.experiments) {
-      sum += prediction.error.relative;
+      double loss = 0, missed = 0, measured = 0;
+      for (const PredictedTrial& t : prediction.trials)
+        for (int c = 0; c < 3; ++c)
+          loss += 0.5 * std::log(2 * M_PI * t.sd[c] * t.sd[c]) +
+                  0.5 * std::pow((t.predicted[c] - t.measured[c]) / t.sd[c], 2);
+      for (const PredictedTrial& t : prediction.trials) {
+        missed += (t.predicted - t.measured).squaredNorm();
+        measured += t.measured.squaredNorm();
+      }
+      sum += loss / (3.0 * static_cast<double>(prediction.trials.size())) +
+             0.5 * std::log(missed / measured);
       ++count;
     }
   }
@@ -56,21 +69,21 @@ FitProblem problem_with(const ChoiceScene& scene, const FitSettings& settings) {
   return {scene.setup.digit, std::move(parameters), scene.setup.experiments};
 }
 
-/// No other value of any one choice has a smaller error.
+/// No other value of any one choice has a smaller loss.
 void expect_best_of_neighbours(const ChoiceScene& scene, const std::vector<LeaveOut>& by) {
   const ChosenSettings found = choose_settings(scene.setup.problem(), scene.settings);
   EXPECT_EQ(found.by, by);
   EXPECT_FALSE(found.stopped);
-  const double best = left_out_error(problem_with(scene, found.settings), by);
-  EXPECT_NEAR(best, found.error, 1e-12);
+  const double best = left_out_loss(problem_with(scene, found.settings), by);
+  EXPECT_NEAR(best, found.loss, 1e-12);
   int worse = 0;
   for (std::size_t at = 0; at < found.settings.choices.size(); ++at)
     for (std::size_t value = 0; value < found.settings.choices[at].values.size(); ++value) {
       FitSettings other = found.settings;
       set_choice(other, at, value);
-      const double error = left_out_error(problem_with(scene, other), by);
-      EXPECT_GE(error, best * (1 - 1.001e-4)) << at << ' ' << value;
-      worse += error > 1.01 * best ? 1 : 0;
+      const double loss = left_out_loss(problem_with(scene, other), by);
+      EXPECT_GE(loss, best - 1.001e-3) << at << ' ' << value;
+      worse += loss > best + 0.01 ? 1 : 0;
     }
   EXPECT_GT(worse, 0);  // the choice matters
 }
@@ -105,8 +118,8 @@ TEST(ValidateChoice, IsBlindToWhatAFoldLeavesOut) {
   const std::vector<PredictedTrial>& of = before.validation.experiments[1].trials;
   for (std::size_t i = 0; i < of.size(); ++i)
     EXPECT_EQ(after.validation.experiments[1].trials[i].predicted, of[i].predicted);
-  EXPECT_EQ(after.folds[1].settings.error, before.folds[1].settings.error);
-  EXPECT_NE(after.folds[0].settings.error, before.folds[0].settings.error);
+  EXPECT_EQ(after.folds[1].settings.loss, before.folds[1].settings.loss);
+  EXPECT_NE(after.folds[0].settings.loss, before.folds[0].settings.loss);
 }
 
 TEST(ChooseSettings, StopsWithTheBestOfThoseTried) {
@@ -126,7 +139,7 @@ TEST(ChooseSettings, StopsWithTheBestOfThoseTried) {
   EXPECT_TRUE(found.stopped);
   ASSERT_FALSE(found.tried.empty());
   EXPECT_LT(found.tried.size(), all.tried.size());
-  for (const TriedSettings& one : found.tried) EXPECT_GE(one.error, found.error * (1 - 1e-4));
+  for (const TriedSettings& one : found.tried) EXPECT_GE(one.loss, found.loss - 1e-3);
 }
 
 TEST(ChooseSettings, WantsSomethingToChoose) {

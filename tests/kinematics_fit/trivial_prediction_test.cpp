@@ -66,6 +66,34 @@ TEST(TrivialForce, ComparesLoadsInProportion) {
   EXPECT_FALSE(of({}).has_value());
 }
 
+// Nobody has pulled both at once: the sum of what each does alone, half and twice as hard.
+TEST(TrivialForce, AddsUpLoadsThatNobodyHungTogether) {
+  const Experiment a = of_specimen(
+      "A", {row("straight", {{"FDS", 10}}, {1, 2, 0}), row("straight", {{"FDP", 10}}, {0, 4, 1})});
+  const Experiment asked =
+      of_specimen("C", {row("straight", {{"FDS", 5}, {"FDP", 20}}, {9, 9, 9})});
+  EXPECT_TRUE(trivial_force(asked, asked.trials[0], {a})
+                  .value()
+                  .isApprox(Eigen::Vector3d(0.5, 9, 2), 1e-14));
+}
+
+TEST(SuperposedForce, IsTheSumOfTheSpecimensOwnSingleLoads) {
+  const Experiment own = of_specimen(
+      "A", {row("straight", {{"FDS", 10}}, {1, 2, 0}), row("straight", {{"FDP", 10}}, {0, 4, 1}),
+            row("bent", {{"FDS", 10}}, {7, 7, 7})});
+  const Experiment other = of_specimen("B", {row("straight", {{"FDS", 10}}, {5, 5, 5})});
+  Experiment asked = of_specimen("A", {row("straight", {{"FDS", 5}, {"FDP", 20}}, {9, 9, 9}),
+                                       row("bent", {{"FDS", 5}, {"FDP", 20}}, {9, 9, 9}),
+                                       row("straight", {{"FDS", 5}}, {9, 9, 9})});
+  EXPECT_TRUE(superposed_force(asked, asked.trials[0], {own, other})
+                  .value()
+                  .isApprox(Eigen::Vector3d(0.5, 9, 2), 1e-14));
+  EXPECT_FALSE(superposed_force(asked, asked.trials[1], {own, other}).has_value());  // no FDP
+  EXPECT_FALSE(superposed_force(asked, asked.trials[2], {own, other}).has_value());  // alone
+  asked.specimen = "C";
+  EXPECT_FALSE(superposed_force(asked, asked.trials[0], {own, other}).has_value());
+}
+
 TEST(TrivialForce, TurnsIntoTheAxesOfTheExperiment) {
   Experiment a = of_specimen("A", {row("straight", {{"FDS", 10}}, {1, 2, 3})});
   a.axes_of_digit << 0, -1, 0, 1, 0, 0, 0, 0, 1;  // palmar, proximal, radial
