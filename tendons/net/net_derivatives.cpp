@@ -97,6 +97,27 @@ std::vector<NetPerturbation> tightening(const TangentNet& tangent, std::size_t l
   return inputs;
 }
 
+/// Inputs that move one fixed node along x, y or z each.
+std::vector<NetPerturbation> displacing(const Net& net, std::size_t links) {
+  std::vector<NetPerturbation> inputs;
+  for (std::size_t i = 0; i < net.nodes.size(); ++i)
+    for (Index c = 0; c < 3; ++c) {
+      inputs.push_back(internal::still(net, links));
+      if (!net.nodes[i].free) inputs.back().node(c, static_cast<Index>(i)) = 1;
+    }
+  return inputs;
+}
+
+/// Inputs that thicken one bone each.
+std::vector<NetPerturbation> thickening(const Net& net, std::size_t links) {
+  std::vector<NetPerturbation> inputs;
+  for (std::size_t s = 0; s < net.surfaces.size(); ++s) {
+    inputs.push_back(internal::still(net, links));
+    if (internal::has_radius(net.surfaces[s])) inputs.back().radius[static_cast<Index>(s)] = 1;
+  }
+  return inputs;
+}
+
 }  // namespace
 
 std::string why_not_differentiable(const Net& net, const NetEquilibrium& rest, double settled) {
@@ -178,9 +199,12 @@ NetDerivatives net_derivatives(const Net& net, const Tree<double>& tree,
   const auto slopes = [&](const std::vector<NetPerturbation>& inputs) {
     return follow(tangent, tree, state, inputs, coordinates);
   };
-  return {slopes(turns), slopes(tightening(tangent, tree.size(), tension_by_drive(tangent, drive))),
+  return {slopes(turns),
+          slopes(tightening(tangent, tree.size(), tension_by_drive(tangent, drive))),
           slopes(tightening(tangent, tree.size(), EA.asDiagonal())),
-          slopes(tightening(tangent, tree.size(), slack.asDiagonal()))};
+          slopes(tightening(tangent, tree.size(), slack.asDiagonal())),
+          slopes(displacing(net, tree.size())),
+          slopes(thickening(net, tree.size()))};
 }
 
 }  // namespace thenar

@@ -71,6 +71,9 @@ struct NetDerivatives {
   NetJacobian by_drive;    // by each muscle's tension [1/N], or length [1/m]
   NetJacobian by_EA;       // by each band's EA [1/N]
   NetJacobian by_slack;    // by each band's slack length [1/m]
+  NetJacobian by_place;    // by world x, y, z of each fixed node in turn, on its link; 0 for those
+                           // that float [1/m]
+  NetJacobian by_radius;   // of each surface; 0 for ellipsoids and tori [1/m]
 };
 
 /// All derivatives: one solve for each input, where the torque alone needs fewer.

@@ -125,20 +125,28 @@ void TangentNet::factor() {
 
 namespace {
 
-Eigen::VectorXd no_change(const Net& net) {
-  return Eigen::VectorXd::Zero(static_cast<Eigen::Index>(net.bands.size()));
+/// Bones and hinges move; all that is of the net itself stays as it is.
+NetPerturbation with_bones(const Net& net, TreeVelocity bones) {
+  return {std::move(bones), Eigen::VectorXd::Zero(static_cast<Eigen::Index>(net.bands.size())),
+          Eigen::Matrix3Xd::Zero(3, static_cast<Eigen::Index>(net.nodes.size())),
+          Eigen::VectorXd::Zero(static_cast<Eigen::Index>(net.surfaces.size()))};
 }
 
 }  // namespace
 
+bool has_radius(const BoneSurface& surface) {
+  return surface.shape == SurfaceShape::kSphere || surface.shape == SurfaceShape::kCylinder ||
+         surface.shape == SurfaceShape::kCapsule;
+}
+
 NetPerturbation still(const Net& net, std::size_t links) {
   const std::vector<Eigen::Vector3d> none(links, Eigen::Vector3d::Zero());
-  return {{std::vector<BodyTwist>(links + 1), none, none}, no_change(net)};
+  return with_bones(net, {std::vector<BodyTwist>(links + 1), none, none});
 }
 
 NetPerturbation joint_perturbation(const Net& net, const Tree<double>& tree,
                                    const TreeState<double>& state, int coordinate) {
-  return {joint_velocity_tree(tree, state, coordinate), no_change(net)};
+  return with_bones(net, joint_velocity_tree(tree, state, coordinate));
 }
 
 using Eigen::Index;
@@ -150,11 +158,12 @@ namespace {
 /// Nodes that bones take along; those that float slide on the bones that they touch.
 Matrix3Xd carried(const TangentNet& tangent, const NetPerturbation& input) {
   Matrix3Xd v = Matrix3Xd::Zero(3, tangent.rest.x.cols());
-  // Fixed nodes move with their links.
+  // Fixed nodes move with their links, and in them.
   for (std::size_t i = 0; i < tangent.row.size(); ++i)
     if (tangent.row[i] < 0)
       v.col(static_cast<Index>(i)) =
-          input.body(tangent.net.nodes[i].link).at(tangent.x(static_cast<int>(i)));
+          input.body(tangent.net.nodes[i].link).at(tangent.x(static_cast<int>(i))) +
+          input.node.col(static_cast<Index>(i));
   // Collapsed nodes move with their exit.
   for (const TangentNode& node : tangent.nodes) {
     if (node.exit >= 0) v.col(node.node) = v.col(node.exit);
@@ -163,12 +172,59 @@ Matrix3Xd carried(const TangentNet& tangent, const NetPerturbation& input) {
     Vector3d along(0, 0, 0);
     for (std::size_t i = 0; i < node.contact.size(); ++i) {
       const NetContact& contact = tangent.rest.contacts[node.contact[i]];
-      along[static_cast<Index>(i)] = tangent.probe[node.contact[i]].normal.dot(
-          input.body(tangent.net.surfaces[contact.surface].link).at(tangent.x(node.node)));
+      along[static_cast<Index>(i)] =
+          tangent.probe[node.contact[i]].normal.dot(
+              input.body(tangent.net.surfaces[contact.surface].link).at(tangent.x(node.node))) +
+          input.radius[contact.surface];
     }
     v.col(node.node) = node.bear.transpose() * along.head(node.bear.rows());
   }
   return v;
+}
+
+}  // namespace
+
+namespace {
+
+/// Derivative of a bent string by the radius of its bone while its ends stay.
+struct RadiusSlope {
+  double length;                      // [1]
+  Eigen::Matrix<double, 6, 1> slope;  // of the string's slope [1/m]
+};
+
+/// Across the axis (of a sphere: in the plane of the ends and the centre) the string is
+///   P = f_a + f_b + r arc,  f = sqrt(rho^2 - r^2),  dP/dr = arc,
+/// as both tangent points give f and take arc alike. An end's direction  w = (f e + r t) / rho,
+/// with e away from the centre and t across e, turns by  dw/dr = -n / f,  n = (r e - f t) / rho.
+/// Unrolled from a cylinder, with z the climb:  L^2 = P^2 + z^2,  slope = (P w + z d) / L.
+/// 1 / f is that of the string's second derivative, bounded as it is there: an end that rests on
+/// the bone is lifted by it, and both must cancel.
+RadiusSlope slope_by_radius(const RoundBone& bone, const WrappedString& chord, const Vector3d& a,
+                            const Vector3d& b) {
+  const double L = chord.length;
+  const Vector3d d = bone.sphere ? Vector3d::Zero().eval() : bone.d;
+  const double climb = d.dot(a - b), P = std::sqrt((L - climb) * (L + climb));
+  RadiusSlope out;
+  double arc = P;  // less the free runs, per radius
+  for (int i : {0, 1}) {
+    // The end from the axis or centre, its direction, and what is across both.
+    const Vector3d from = (i == 0 ? a : b) - bone.center, across = from - d * d.dot(from);
+    const double z = i == 0 ? climb : -climb;
+    const Vector3d w = (L * chord.slope.segment<3>(3 * i) - z * d) / P;
+    const Vector3d n = (across - w * w.dot(across)).normalized();
+    const double per_run = L / P * n.dot(chord.curve.block<3, 3>(3 * i, 3 * i) * n);
+    out.slope.segment<3>(3 * i) = -P / L * per_run * n;
+    arc -= across.dot(w);
+  }
+  arc /= bone.radius;
+  // The string grows, and leans less along the axis.
+  out.length = P / L * arc;
+  for (int i : {0, 1}) {
+    const double z = i == 0 ? climb : -climb;
+    out.slope.segment<3>(3 * i) +=
+        arc * z / (L * L * P) * (z * chord.slope.segment<3>(3 * i) - L * d);
+  }
+  return out;
 }
 
 }  // namespace
@@ -183,8 +239,16 @@ BandRate band_rate(const TangentNet& tangent, Index b, const NetPerturbation& in
   Eigen::Matrix<double, 6, 1> move;
   move << v.col(band.a) - bone.at(tangent.x(band.a)), v.col(band.b) - bone.at(tangent.x(band.b));
   // Rates of length, tension and direction.
-  const Eigen::Matrix<double, 6, 1> turn = now.chord.curve * move, &u = now.chord.slope;
-  const double dL = u.dot(move), T = now.pull.tension;
+  Eigen::Matrix<double, 6, 1> turn = now.chord.curve * move;
+  const Eigen::Matrix<double, 6, 1>& u = now.chord.slope;
+  double dL = u.dot(move);
+  if (now.chord.bent && input.radius[band.over] != 0) {
+    const RadiusSlope grown = slope_by_radius(tangent.scene.bone[static_cast<std::size_t>(b)],
+                                              now.chord, tangent.x(band.a), tangent.x(band.b));
+    dL += input.radius[band.over] * grown.length;
+    turn += input.radius[band.over] * grown.slope;
+  }
+  const double T = now.pull.tension;
   const double dT = input.tension(b) + now.pull.stiffness * dL;
   return {dL, dT, -dT * u.head<3>() - T * (bone.w.cross(u.head<3>()) + turn.head<3>()),
           -dT * u.tail<3>() - T * (bone.w.cross(u.tail<3>()) + turn.tail<3>())};

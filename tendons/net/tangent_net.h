@@ -66,7 +66,13 @@ struct TangentNet {
 /// Motion of everything by one input, the floating nodes excepted.
 struct NetPerturbation : TreeVelocity {
   Eigen::VectorXd tension;  // of each band at a fixed length (bands)
+  Eigen::Matrix3Xd node;    // of each fixed node in its link, world axes; floating: 0 (3, nodes)
+  Eigen::VectorXd radius;   // of each sphere, cylinder or capsule; others: 0 (surfaces)
 };
+
+/// Whether the gap to a surface falls one to one with its radius, as of spheres, cylinders and
+/// capsules.
+[[nodiscard]] bool has_radius(const BoneSurface& surface);
 
 /// The perturbation that moves nothing and changes no tension.
 [[nodiscard]] NetPerturbation still(const Net& net, std::size_t links);

@@ -9,6 +9,7 @@
 
 #include "base/error.h"
 #include "tendons/net/net_derivatives.h"
+#include "tendons/net/net_tendons.h"
 #include "tests/matrix_near.h"
 #include "tests/tendons/net/sample_nets.h"
 
@@ -183,6 +184,51 @@ TEST_P(NetDerivativesOf, BandsMatchDifferences) {
                      [b](SampleNet& moved, double by) { moved.net.bands[b].slack += by; });
     }
   }
+}
+
+TEST_P(NetDerivativesOf, PlacesMatchDifferences) {
+  for (const SampleNet& sample : held_nets(GetParam(), 3)) {
+    const NetEquilibrium rest = rest_of(sample);
+    const TreeState<double> state = sample.state();
+    const NetDerivatives d =
+        net_derivatives(sample.net, sample.tree, state, sample.drive, rest, sample.coordinates());
+    for (std::size_t i = 0; i < sample.net.nodes.size(); ++i) {
+      const NetNode& node = sample.net.nodes[i];
+      const auto first = static_cast<Eigen::Index>(3 * i);
+      if (node.free) {
+        EXPECT_EQ(d.by_place.tau.middleCols(first, 3).norm(), 0);
+        continue;
+      }
+      for (Eigen::Index c = 0; c < 3; ++c) {
+        Eigen::Vector3d along = Eigen::Vector3d::Unit(c);
+        if (node.link >= 0)
+          along = state[static_cast<std::size_t>(node.link)].X.R.transpose() * along;
+        expect_slope(sample, rest, d.by_place, first + c, 2e-6,
+                     [&](SampleNet& moved, double by) { moved.net.nodes[i].p += by * along; });
+      }
+    }
+  }
+}
+
+// Bands that bend over a bone, and nodes that rest on it, give way to it as it thickens.
+TEST(NetDerivatives, RadiiMatchDifferences) {
+  int moved_by_radius = 0;
+  for (const SampleNet& sample : held_nets(true, 12)) {
+    const NetEquilibrium rest = rest_of(sample);
+    // A band that ends inside the bone it bends over has no length of its own there.
+    if (net_status(sample.net, sample.state(), rest) == TendonStatus::kBandInsideBone) continue;
+    const NetDerivatives d = net_derivatives(sample.net, sample.tree, sample.state(), sample.drive,
+                                             rest, sample.coordinates());
+    for (std::size_t s = 0; s < sample.net.surfaces.size(); ++s) {
+      const SurfaceShape shape = sample.net.surfaces[s].shape;
+      if (shape == SurfaceShape::kEllipsoid || shape == SurfaceShape::kTorus) continue;
+      const auto i = static_cast<Eigen::Index>(s);
+      expect_slope(sample, rest, d.by_radius, i, 1e-6,
+                   [s](SampleNet& moved, double by) { moved.net.surfaces[s].size[0] += by; });
+      moved_by_radius += d.by_radius.tau.col(i).norm() > 0 ? 1 : 0;
+    }
+  }
+  EXPECT_GE(moved_by_radius, 4);
 }
 
 TEST_P(NetDerivativesOf, LengthByPostureMatchesDifferences) {
