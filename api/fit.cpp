@@ -9,7 +9,7 @@
 #include "api/named/digits.h"
 #include "api/named/files.h"
 #include "base/error.h"
-#include "kinematics_fit/specimen_model.h"
+#include "kinematics_fit/net_trials.h"
 #include "kinematics_fit/specimen_prior.h"
 
 namespace thenar {
@@ -71,6 +71,21 @@ std::vector<std::string> misfit_warnings(const FitResult& result) {
   return warnings;
 }
 
+/// Trials of every experiment in which a net is not to be trusted.
+std::vector<std::string> net_warnings(const Fit& fit) {
+  std::vector<std::string> warnings;
+  const FitProblem& problem = fit.problem;
+  for (std::size_t e = 0; e < problem.plans().size(); ++e) {
+    const Eigen::VectorXd u = displacements(problem.coordinates(), fit.solution.z,
+                                            problem.specimen_of(static_cast<int>(e)));
+    for (const std::string& warning :
+         net_trial_warnings(problem.digit(), problem.parameters(), problem.plans()[e], u))
+      warnings.push_back(
+          fmt::format("experiment '{}': {}", problem.experiments()[e].name, warning));
+  }
+  return warnings;
+}
+
 /// Parameters that were moved farther than their priors believe possible, in one sentence.
 std::vector<std::string> stray_warnings(const Covariance& covariance) {
   constexpr double kFarMoved = 3;    // prior sds [1]
@@ -120,6 +135,9 @@ FitInputs read_fit_inputs(const FitSources& sources) {
                         : read_source(named_file("file of fit settings", sources.settings, "fits",
                                                  ".toml", data_folders(sources.data)));
   inputs.also_free = sources.also_free;
+  if (!sources.net.empty())
+    inputs.net =
+        read_source(named_file("net", sources.net, "nets", ".toml", data_folders(sources.data)));
   return inputs;
 }
 
@@ -147,6 +165,7 @@ FitResult fit_forces(const FitRequest& request, const Progress& progress) {
   result.warnings = fit.problem.warnings();
   for (std::string& warning : misfit_warnings(result))
     result.warnings.push_back(std::move(warning));
+  for (std::string& warning : net_warnings(fit)) result.warnings.push_back(std::move(warning));
   for (std::string& warning : stray_warnings(fit.covariance))
     result.warnings.push_back(std::move(warning));
   if (!request.output.empty()) write_fit(result.fit, request.output);
@@ -171,14 +190,13 @@ FitResult fit_forces(const FitRequest& request, const Progress& progress) {
 }
 
 TendonDigit fitted_digit(const Fit& fit, int specimen) {
-  TendonDigit digit = fit.problem.digit();
+  const TendonDigit& digit = fit.problem.digit();
   const FitParameters& parameters = fit.problem.parameters();
-  digit.model =
-      specimen_model(digit, parameters,
-                     parameter_values<double>(parameters, displacements(fit.problem.coordinates(),
-                                                                        fit.solution.z, specimen)))
-          .digit;
-  return digit;
+  return specimen_digit(
+      digit, specimen_model(
+                 digit, parameters,
+                 parameter_values<double>(parameters, displacements(fit.problem.coordinates(),
+                                                                    fit.solution.z, specimen))));
 }
 
 }  // namespace thenar

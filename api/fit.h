@@ -22,6 +22,8 @@ struct FitSources {
   std::string subject;                   // that the fit starts from: a file, or a name of subjects/
   std::string settings;                  // file, or name of fits/; empty: the digit's built-in ones
   std::vector<std::string> also_free;    // globs of further parameters that move
+  std::string net = {};                  // file, or name of nets/, of the extensor mechanism in
+                                         // place of the subject's hood; empty: none
   std::string data;                      // folder with subjects/ ..; empty: the usual ones
 };
 

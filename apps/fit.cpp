@@ -194,6 +194,10 @@ void add_fit(CLI::App& app) {
                       "Which parameters move: name or file (built in for the digit if left out; "
                       "`thenar explain SUBJECT` lists them)");
   command
+      ->add_option("--net", sources.net,
+                   "Extensor net in place of the subject's hood: name or file (none)")
+      ->default_str("");
+  command
       ->add_option("--free", sources.also_free,
                    "Also free the parameters matching these globs (none)")
       ->default_str("");
@@ -219,6 +223,7 @@ void add_fit(CLI::App& app) {
       {"fit synek2019_H01 synek2019_H02 --subject an_chao_middle -o out/fit.h5 --report "
        "out/fit.html",
        "fit synek2019_H01 --subject synek2019_middle --cross-validate posture -o out/fit.html",
+       "fit synek2019_H01 synek2019_H02 --subject an_chao_middle --net winslow -o out/fit.html",
        "fit synek2019_H01 synek2019_H02 --subject an_chao_middle --choose-settings "
        "--cross-validate specimen -o out/settings.toml --report out/fit.html",
        "fit synek2019_H01 --subject synek2019_middle --method mcmc -o out/P.nc"});

@@ -8,7 +8,7 @@
 
 #include "base/error.h"
 #include "base/units.h"
-#include "kinematics_fit/predict_forces.h"
+#include "kinematics_fit/net_trials.h"
 #include "tendons/forces/posture_sensitivity.h"
 
 namespace thenar {
@@ -217,6 +217,7 @@ ExperimentPlan plan_experiment(const TendonDigit& digit, const FitParameters& pa
     plan.sd.col(i) =
         (force_sd(experiment, trial).array().square() + missed * missed).sqrt().matrix();
   }
+  if (digit.net) plan.net_start = net_starts(digit, parameters, plan);
   return plan;
 }
 

@@ -28,10 +28,14 @@ struct ExperimentPlan {
   std::vector<int> posture_key;   // column of posture_error of each posture; -1: none
   std::vector<double> condition;  // of each posture's tip_constraint_loads() before the fit [1]
   std::vector<int> posture_of_trial;
-  std::vector<Eigen::VectorXd> tension;  // of each trial [N] (muscles)
-  Eigen::Matrix3Xd force;                // measured; 0 where not fitted [N] (3, trials)
-  Eigen::Matrix3Xd sd;                   // of the noise and of what the model misses; infinite
-                                         // where not fitted [N] (3, trials)
+  std::vector<Eigen::VectorXd> tension;     // of each trial [N] (muscles)
+  Eigen::Matrix3Xd force;                   // measured; 0 where not fitted [N] (3, trials)
+  Eigen::Matrix3Xd sd;                      // of the noise and of what the model misses; infinite
+                                            // where not fitted [N] (3, trials)
+  std::vector<Eigen::Matrix3Xd> net_start;  // of each trial: where the nodes of a net come to rest
+                                            // at the prior means, by way of the straight finger, on
+                                            // their links at the reference posture; empty where
+                                            // none is pulled [m] (3, nodes)
 };
 
 /// Resolves the names of an experiment.
@@ -40,6 +44,8 @@ struct ExperimentPlan {
 /// posture in which the held tip is singular: no force there follows from the tendons' torques.
 /// Where two components in the plane of flexion are fitted, and all axes are within 15 degrees of
 /// that plane's normal, only forces in the plane count.
+/// Every search for the rest of a net begins at net_start, so that forces are a function of the
+/// parameters and do not depend on what was computed before.
 [[nodiscard]] ExperimentPlan plan_experiment(const TendonDigit& digit,
                                              const FitParameters& parameters,
                                              const Experiment& experiment);

@@ -3,13 +3,16 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <memory>
 #include <string_view>
 
 #include "base/error.h"
 #include "base/provenance.h"
+#include "data/io/net_description.h"
 #include "kinematics_fit/fit_residuals.h"
 #include "kinematics_fit/prediction.h"
 #include "kinematics_fit/specimen_prior.h"
+#include "tendons/net/build_net.h"
 
 namespace thenar {
 namespace internal {
@@ -28,6 +31,19 @@ std::vector<std::string> posture_names(const std::vector<Experiment>& experiment
   return names;
 }
 
+/// The digit with its tendons; a net takes the place of the hood.
+TendonDigit build_digit(const FitInputs& inputs, const std::string& name) {
+  const Subject subject = parse_subject(inputs.subject.text, inputs.subject.path);
+  if (!inputs.net) return build_tendon_digit(subject, name);
+  TendonOptions separate;
+  separate.hood = Hood::kSeparate;
+  TendonDigit digit = build_tendon_digit(subject, name, separate);
+  digit.net = std::make_shared<const BuiltNet>(
+      build_net(subject, digit, parse_net(inputs.net->text, inputs.net->path)));
+  digit.fidelity.hood = Hood::kFloatingNet;
+  return digit;
+}
+
 }  // namespace
 
 SourceText built_in_settings(const std::string& digit) {
@@ -37,6 +53,7 @@ SourceText built_in_settings(const std::string& digit) {
 
 std::vector<SourceText> sources_of(const FitInputs& inputs) {
   std::vector<SourceText> sources{inputs.subject, inputs.settings};
+  if (inputs.net) sources.push_back(*inputs.net);
   sources.insert(sources.end(), inputs.experiments.begin(), inputs.experiments.end());
   return sources;
 }
@@ -64,8 +81,7 @@ FitProblem build_problem(const FitInputs& inputs) {
               "experiment '{}' is given twice: it would count twice", experiments[e].name);
 
   // The digit, and which of its parameters are free.
-  const Subject subject = parse_subject(inputs.subject.text, inputs.subject.path);
-  TendonDigit digit = build_tendon_digit(subject, experiments.front().digit);
+  TendonDigit digit = build_digit(inputs, experiments.front().digit);
   const FitSettings settings = parse_fit_settings(inputs.settings.text, inputs.settings.path);
   FitParameters parameters =
       choose_parameters(digit, posture_names(experiments), settings, inputs.also_free);
@@ -125,6 +141,7 @@ void add_inputs(const FitInputs& inputs, ResultFile& file) {
   };
   add("inputs/subject", inputs.subject);
   add("inputs/settings", inputs.settings);
+  if (inputs.net) add("inputs/net", *inputs.net);
   for (std::size_t e = 0; e < inputs.experiments.size(); ++e)
     add(fmt::format("inputs/experiment{}", e), inputs.experiments[e]);
   file.add("inputs/also_free", inputs.also_free);
@@ -155,6 +172,7 @@ FitInputs inputs_of(const ResultFile& file) {
   };
   FitInputs inputs{
       get("inputs/subject"), get("inputs/settings"), {}, file.list("inputs/also_free")};
+  if (file.texts.count("inputs/net/text") > 0) inputs.net = get("inputs/net");
   for (int e = 0; file.texts.count(fmt::format("inputs/experiment{}/text", e)) > 0; ++e)
     inputs.experiments.push_back(get(fmt::format("inputs/experiment{}", e)));
   return inputs;

@@ -2,6 +2,7 @@
 
 /// A fit from input files to its result, and its result file.
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -25,9 +26,10 @@ struct FitInputs {
   SourceText settings;
   std::vector<SourceText> experiments;
   std::vector<std::string> also_free;  // globs that free further parameters
+  std::optional<SourceText> net = {};  // of the extensor mechanism, in place of the subject's hood
 };
 
-/// All texts that a fit reads: subject, settings, experiments.
+/// All texts that a fit reads: subject, settings, net, experiments.
 [[nodiscard]] std::vector<SourceText> sources_of(const FitInputs& inputs);
 
 /// Path -> SHA-256 of texts, as they were when they were read.

@@ -106,6 +106,14 @@ void require_movable(const FitParameters& fit) {
             fit.all[p].name);
 }
 
+/// Bands of a net are laid for the subject's bones, and would not grow with them.
+void require_laid(const TendonDigit& digit, const FitParameters& fit) {
+  for (std::size_t p = 0; p < fit.all.size(); ++p)
+    require(!digit.net || fit.all[p].kind != ParameterKind::kLength || fit.coordinate[p] < 0,
+            "'{}' cannot be free with a net, whose slack lengths are laid for the subject's bones",
+            fit.all[p].name);
+}
+
 /// Gives coordinates to free parameters first, then points the tied ones at theirs.
 void number_coordinates(const std::vector<Choice>& choices, FitParameters& fit) {
   // Free parameters lead a coordinate each.
@@ -157,6 +165,7 @@ FitParameters choose_parameters(const TendonDigit& digit, const std::vector<std:
   fit.ratio.assign(all.size(), 1);
   fit.all = std::move(all);
   number_coordinates(choices, fit);
+  require_laid(digit, fit);
   require_movable(fit);
   return fit;
 }

@@ -28,7 +28,8 @@ struct FitParameters {
 
 /// Applies the rules of a settings file, then frees everything that matches `also_free`.
 /// @throws InputError if a rule matches no parameter, ties to one that is not free, or frees
-/// hold/out_of_plane at mean zero, where forces are even in it.
+/// hold/out_of_plane at mean zero, where forces are even in it, or the length of a bone under a
+/// net.
 [[nodiscard]] FitParameters choose_parameters(const TendonDigit& digit,
                                               const std::vector<std::string>& postures,
                                               const FitSettings& settings,

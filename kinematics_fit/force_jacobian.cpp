@@ -1,8 +1,16 @@
 #include "kinematics_fit/force_jacobian.h"
 
+#include <algorithm>
+#include <memory>
+#include <optional>
+
 #include <ceres/jet.h>
 
 #include "kinematics_fit/axis_distance.h"
+#include "kinematics_fit/net_trials.h"
+#include "tendons/net/net_derivatives.h"
+#include "tendons/net/tangent_net.h"
+#include "tendons/topology/net_forward_model.h"
 
 namespace thenar {
 namespace {
@@ -18,12 +26,124 @@ std::vector<Jet> seed(const Eigen::VectorXd& u, int first) {
   return jets;
 }
 
+/// Lane of each entry.
+Eigen::Vector3d lane_of(const Vec3<Jet>& v, int lane) {
+  return {v.x().v[lane], v.y().v[lane], v.z().v[lane]};
+}
+
+/// Twist of a link whose pose has these derivatives:  dR R' = [w],  v = dp - w x p.
+internal::BodyTwist twist_of(const Pose<Jet>& X, int lane) {
+  Eigen::Matrix3d R, dR;
+  for (int i = 0; i < 9; ++i) {
+    R.data()[i] = X.R.data()[i].a;
+    dR.data()[i] = X.R.data()[i].v[lane];
+  }
+  const Eigen::Matrix3d W = dR * R.transpose();
+  const Eigen::Vector3d w(W(2, 1), W(0, 2), W(1, 0)), p(X.p.x().a, X.p.y().a, X.p.z().a);
+  return {lane_of(X.p, lane) - w.cross(p), w};
+}
+
+/// The motion of one lane: of bones, hinges, places, radii, and of tensions at fixed lengths.
+internal::NetPerturbation perturbation_of(const SpecimenNet<Jet>& of, const TreeState<Jet>& state,
+                                          const internal::TangentNet& tangent,
+                                          const VectorX<Jet>& pulls, int lane) {
+  const Net& net = tangent.net;
+  internal::NetPerturbation input = internal::still(net, state.size());
+  // Bones and hinges.
+  for (std::size_t i = 0; i < state.size(); ++i) {
+    input.link[i + 1] = twist_of(state[i].X, lane);
+    input.axis[i] = lane_of(state[i].axis, lane);
+    input.point[i] = lane_of(state[i].point, lane);
+  }
+  // Places of fixed nodes on their bones, and the bones' thickness.
+  for (std::size_t i = 0; i < net.nodes.size(); ++i) {
+    if (net.nodes[i].free) continue;
+    Vec3<Jet> along = of.place[i];
+    for (int c = 0; c < 3; ++c) along[c].a = 0;
+    const int link = net.nodes[i].link;
+    if (link >= 0) along = (state[link].X.R * along).eval();
+    input.node.col(static_cast<Eigen::Index>(i)) = lane_of(along, lane);
+  }
+  for (Eigen::Index s = 0; s < input.radius.size(); ++s) input.radius[s] = of.radius[s].v[lane];
+  // Tensions: pulls, and laws of bands in terms of log EA and log slack.
+  for (Eigen::Index b = 0; b < input.tension.size(); ++b) {
+    const int muscle = net.bands[static_cast<std::size_t>(b)].muscle;
+    if (muscle >= 0) {
+      input.tension[b] = pulls[muscle].v[lane];
+      continue;
+    }
+    const internal::BandState& band = tangent.band[static_cast<std::size_t>(b)];
+    input.tension[b] =
+        band.pull.tension * of.EA[b].v[lane] / of.EA[b].a -
+        band.pull.stiffness * band.chord.length * of.slack[b].v[lane] / of.slack[b].a;
+  }
+  return input;
+}
+
+bool is_still(const internal::NetPerturbation& input) {
+  const auto zero = [](const auto& v) { return v.isZero(0); };
+  return zero(input.tension) && zero(input.node) && zero(input.radius) &&
+         std::all_of(input.axis.begin(), input.axis.end(), zero) &&
+         std::all_of(input.point.begin(), input.point.end(), zero) &&
+         std::all_of(input.link.begin(), input.link.end(),
+                     [&](const internal::BodyTwist& body) { return zero(body.v) && zero(body.w); });
+}
+
+/// A specimen's net at rest in all trials, with its derivatives: by implicit differentiation.
+class NetSlopes {
+ public:
+  NetSlopes(const SpecimenModel<double>& model, const ExperimentPlan& plan)
+      : plan_(plan),
+        tree_(model.digit.tree),
+        at_(net_trials(model, plan)),
+        tangent_(at_.trials.size()) {
+    // Trials in which the net is not differentiable have no slopes.
+    for (std::size_t i = 0; i < tangent_.size(); ++i)
+      if (at_.trials[i] &&
+          why_not_differentiable(at_.net, at_.trials[i]->rest, kSettledNet).empty())
+        tangent_[i] = std::make_unique<internal::TangentNet>(
+            at_.net, at_.trials[i]->state, at_.trials[i]->drive, at_.trials[i]->rest);
+  }
+
+  [[nodiscard]] VectorX<Jet> torque(const SpecimenModel<Jet>& model, const TreeState<Jet>& state,
+                                    std::size_t i) const {
+    const NetTrial& trial = *at_.trials[i];
+    VectorX<Jet> tau = trial.tau.cast<Jet>();
+    if (!tangent_[i]) return tau;
+    // Pulls of this trial, then one lane after the other.
+    const VectorX<Jet> pulls =
+        net_pulls(*model.net, VectorX<Jet>(model.gain.cwiseProduct(plan_.tension[i].cast<Jet>())));
+    for (int lane = 0; lane < kLanes; ++lane) {
+      const internal::NetPerturbation input =
+          perturbation_of(*model.net, state, *tangent_[i], pulls, lane);
+      if (is_still(input)) continue;
+      const Eigen::VectorXd rate =
+          internal::torque_rate(*tangent_[i], tree_, trial.state, input,
+                                internal::node_rates(*tangent_[i], input), model.digit.coordinates);
+      for (Eigen::Index j = 0; j < tau.size(); ++j) tau[j].v[lane] = rate[j];
+    }
+    return tau;
+  }
+
+ private:
+  const ExperimentPlan& plan_;
+  Tree<double> tree_;
+  NetTrials at_;
+  std::vector<std::unique_ptr<internal::TangentNet>> tangent_;  // refer to at_
+};
+
 }  // namespace
 
 Eigen::Matrix3Xd force_values(const TendonDigit& digit, const FitParameters& parameters,
                               const ExperimentPlan& plan, const Eigen::VectorXd& u) {
-  return predict_forces(specimen_model(digit, parameters, parameter_values<double>(parameters, u)),
-                        plan);
+  const SpecimenModel<double> model =
+      specimen_model(digit, parameters, parameter_values<double>(parameters, u));
+  if (!model.net) return predict_forces(model, plan);
+  const NetTrials nets = net_trials(model, plan);
+  return predict_forces<double>(
+      model, plan, [&](const TreeState<double>& /*state*/, Eigen::Index i) -> Eigen::VectorXd {
+        return nets.trials[static_cast<std::size_t>(i)]->tau;
+      });
 }
 
 ForceJacobian force_jacobian(const TendonDigit& digit, const FitParameters& parameters,
@@ -32,9 +152,16 @@ ForceJacobian force_jacobian(const TendonDigit& digit, const FitParameters& para
   const int n = parameters.coordinates();
   ForceJacobian out{Eigen::Matrix3Xd(3, plan.force.cols()),
                     Eigen::MatrixXd(3 * plan.force.cols(), n)};
+  std::optional<NetSlopes> nets;  // at rest once for all lanes
+  if (digit.net)
+    nets.emplace(specimen_model(digit, parameters, parameter_values<double>(parameters, u)), plan);
   for (int first = 0; first < n; first += kLanes) {
-    const auto forces = predict_forces(
-        specimen_model(digit, parameters, parameter_values<Jet>(parameters, seed(u, first))), plan);
+    const SpecimenModel<Jet> model =
+        specimen_model(digit, parameters, parameter_values<Jet>(parameters, seed(u, first)));
+    const auto forces = predict_forces<Jet>(
+        model, plan, [&](const TreeState<Jet>& state, Eigen::Index i) -> VectorX<Jet> {
+          return nets->torque(model, state, static_cast<std::size_t>(i));
+        });
     // Values, and derivatives into their columns.
     for (Eigen::Index i = 0; i < forces.size(); ++i) {
       const Jet& f = forces.data()[i];

@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 
 #include "base/units.h"
+#include "kinematics_fit/specimen_net.h"
+#include "tendons/net/tangent_net.h"
 
 namespace thenar {
 namespace {
@@ -34,12 +36,21 @@ Belief belief(ParameterKind kind) {
     case ParameterKind::kTipForce:
     case ParameterKind::kPostureForce:
       return {0.03, 0.03, 1};
+    case ParameterKind::kNetStiffness:
+      return {0.4, 0.3, 3};
+    case ParameterKind::kNetSlack:
+      return {0.01, 0.01, 0.1};
+    case ParameterKind::kNetRadius:
+      return {0.7 * kMm, 0.5 * kMm, 2.5 * kMm};
+    case ParameterKind::kNetEntry:
+      return {0.4, 0.3, 5};
     case ParameterKind::kLength:
       return {3 * kMm, 2 * kMm, 15 * kMm};
     case ParameterKind::kAxisPoint:
     case ParameterKind::kPathPoint:
     case ParameterKind::kArm:
     case ParameterKind::kTip:
+    case ParameterKind::kNetPlace:
       return {1.5 * kMm, 1 * kMm, 10 * kMm};
   }
   return {};
@@ -53,6 +64,7 @@ class Lister {
     list_axes();
     list_strands();
     list_hood();
+    if (digit.net) list_net(*digit.net);
     list_mounting();
   }
   std::vector<Parameter> take() { return std::move(list_); }
@@ -104,6 +116,39 @@ class Lister {
       add(fmt::format("hood/{}/central", muscle), ParameterKind::kHoodCentral, b, 0, 0);
       add(fmt::format("hood/{}/slope", muscle), ParameterKind::kHoodSlope, b, 0, 0);
     }
+  }
+
+  /// Is it a point of a tendon's path?
+  [[nodiscard]] bool on_path(const NetNode& node) const {
+    for (const TendonPath<double>& path : digit_.model.paths)
+      for (const PathNode<double>& point : path)
+        if (lies_at(point, node.link, node.p)) return true;
+    return false;
+  }
+
+  void list_net(const BuiltNet& built) {
+    // Passive bands: all stiffnesses at once, then each one's, and slack lengths.
+    const Net& net = built.net;
+    add("net/stiffness", ParameterKind::kNetStiffness, -1, 0, 0);
+    for (int b = 0; b < static_cast<int>(net.bands.size()); ++b) {
+      if (net.bands[b].muscle >= 0) continue;
+      const std::string& band = net.bands[b].name;
+      add(fmt::format("net/{}/stiffness", band), ParameterKind::kNetStiffness, b, 0, 0);
+      add(fmt::format("net/{}/slack", band), ParameterKind::kNetSlack, b, 0, 0);
+    }
+    // Insertions and exits, and the bones that bands bend over.
+    for (int i = 0; i < static_cast<int>(net.nodes.size()); ++i)
+      for (int c = 0; c < 3 && !net.nodes[i].free && !on_path(net.nodes[i]); ++c)
+        add(fmt::format("net/{}/{}", net.nodes[i].name, kDirections[c]), ParameterKind::kNetPlace,
+            i, 0, c);
+    for (int s = 0; s < static_cast<int>(net.surfaces.size()); ++s)
+      if (internal::has_radius(net.surfaces[s]))
+        add(fmt::format("net/{}/radius", net.surfaces[s].name), ParameterKind::kNetRadius, s, 0, 0);
+    // Muscles of which a part inserts on bone.
+    for (int m = 0; m < static_cast<int>(built.muscles.size()); ++m)
+      if (built.muscles[m].to_net < 1)
+        add(fmt::format("net/{}/into", digit_.names.muscles[built.muscles[m].muscle]),
+            ParameterKind::kNetEntry, m, 0, 0);
   }
 
   void list_mounting() {
@@ -176,6 +221,16 @@ std::string name_of(ParameterKind kind) {
       return "force";
     case ParameterKind::kPostureForce:
       return "force/posture";
+    case ParameterKind::kNetStiffness:
+      return "net/stiffness";
+    case ParameterKind::kNetSlack:
+      return "net/slack";
+    case ParameterKind::kNetPlace:
+      return "net/place";
+    case ParameterKind::kNetRadius:
+      return "net/radius";
+    case ParameterKind::kNetEntry:
+      return "net/into";
   }
   return {};
 }
@@ -195,6 +250,9 @@ std::string display_unit(const Parameter& parameter) {
     case ParameterKind::kGain:
     case ParameterKind::kTipForce:
     case ParameterKind::kPostureForce:
+    case ParameterKind::kNetStiffness:
+    case ParameterKind::kNetSlack:
+    case ParameterKind::kNetEntry:
       return "1";
     default:
       return "mm";

@@ -29,8 +29,13 @@ enum class ParameterKind {
   kGain,           // gain/<muscle>: tension at the digit per stated tension            [1]
   kTipForce,       // force/<muscle>/<proximal|dorsal|radial>: of the tip per stated
                    // tension, beyond what the geometry makes                           [1]
-  kPostureForce    // force/<muscle>/<proximal|dorsal|radial>/<posture>: the same in
+  kPostureForce,   // force/<muscle>/<proximal|dorsal|radial>/<posture>: the same in
                    // one posture alone                                                 [1]
+  kNetStiffness,   // net/<band>/stiffness, net/stiffness of all: log of a factor on EA [1]
+  kNetSlack,       // net/<band>/slack: log of a factor on the slack length             [1]
+  kNetPlace,       // net/<node>/<proximal|dorsal|radial>: of an insertion or exit      [m]
+  kNetRadius,      // net/<surface>/radius: of a bone that bands bend over              [m]
+  kNetEntry        // net/<muscle>/into: shift of the logit of its share in the net     [1]
 };
 
 /// One parameter. Its value is `mean` before the fit.
@@ -57,7 +62,8 @@ struct Parameter {
 [[nodiscard]] double display_scale(const Parameter& parameter);
 
 /// Every parameter of a digit, with default priors. Constant arms, gains and friction are values,
-/// with the subject's as mean; all others are shifts from the subject, with mean 0.
+/// with the subject's as mean; all others are shifts from the subject, with mean 0. Insertions and
+/// exits of a net that are points of a tendon's path move with that path, and have no parameter.
 /// @param postures  names of the postures that may be in error one by one
 [[nodiscard]] std::vector<Parameter> list_parameters(const TendonDigit& digit,
                                                      const std::vector<std::string>& postures = {});

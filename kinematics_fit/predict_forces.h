@@ -2,6 +2,8 @@
 
 /// The forward model: fingertip forces of every trial of an experiment, on any scalar.
 
+#include <functional>
+
 #include "kinematics_fit/experiment_plan.h"
 #include "kinematics_fit/specimen_model.h"
 
@@ -13,6 +15,7 @@ template <typename T>
                                               const FitParameters& parameters,
                                               const std::vector<T>& values) {
   SpecimenModel<T> model = cast_model<T>(digit.model, static_cast<int>(parameters.postures.size()));
+  if (digit.net) model.net = cast_net<T>(digit.net);
   for (std::size_t p = 0; p < parameters.all.size(); ++p)
     set_parameter(digit.model, parameters.all[p], values[p], model);
   normalise_axes(model);
@@ -29,44 +32,80 @@ template <typename T>
   return Mat3<T>::Identity() + (T(2) / (T(1) + h.squaredNorm())) * (K + K * K);
 }
 
-/// Map from stated tensions to the force components that the load cell reads in one posture [1]
-/// (3, muscles); rows of components that the experiment does not fit are zero.
+/// A specimen in one posture of an experiment.
 template <typename T>
-[[nodiscard]] MatrixX<T> cell_force_map(const SpecimenModel<T>& model, const ExperimentPlan& plan,
-                                        std::size_t posture) {
+struct PosedSpecimen {
+  VectorX<T> angles;   // with their errors [rad] (coordinates)
+  TreeState<T> state;  // links
+  int key;             // of the posture in the parameters' postures; -1: not named there
+  Mat3<T> cell;        // components that the load cell reads, from the tip's axes (3, 3); rows of
+                       // components that the experiment does not fit are zero
+};
+
+template <typename T>
+[[nodiscard]] PosedSpecimen<T> pose_specimen(const SpecimenModel<T>& model,
+                                             const ExperimentPlan& plan, std::size_t posture) {
   // The posture with its errors of angles.
-  VectorX<T> angles = plan.postures[posture].cast<T>() + model.angle_error;
-  if (plan.posture_key[posture] >= 0) angles += model.posture_error.col(plan.posture_key[posture]);
-  const TreeState<T> state = pose_tree(model.digit.tree, angles);
-  // Tip force of a unit of stated tension, in the tip's axes.
-  MatrixX<T> map =
-      tip_force_map(model.digit, state, angles, plan.hold, plan.known, model.out_of_plane) *
-          model.gain.asDiagonal() +
-      model.unexplained;
-  const Eigen::Index muscles = model.gain.size();
-  if (plan.posture_key[posture] >= 0)
-    map += model.posture_unexplained.middleCols(plan.posture_key[posture] * muscles, muscles);
-  // Turned to the axes of the link in which forces are stated.
+  PosedSpecimen<T> at;
+  at.key = plan.posture_key[posture];
+  at.angles = plan.postures[posture].cast<T>() + model.angle_error;
+  if (at.key >= 0) at.angles += model.posture_error.col(at.key);
+  at.state = pose_tree(model.digit.tree, at.angles);
+  // From the tip's axes to those of the link in which forces are stated, then to the cell's.
+  at.cell = plan.components.cast<T>() * small_rotation(model.sensor_tilt);
   if (plan.force_link != model.digit.tip_link) {
     const auto axes = [&](int link) -> Mat3<T> {
-      return link < 0 ? model.digit.tip_axes : Mat3<T>(state[link].X.R * model.digit.tip_axes);
+      return link < 0 ? model.digit.tip_axes : Mat3<T>(at.state[link].X.R * model.digit.tip_axes);
     };
-    map = (axes(plan.force_link).transpose() * axes(model.digit.tip_link) * map).eval();
+    at.cell = (at.cell * axes(plan.force_link).transpose() * axes(model.digit.tip_link)).eval();
   }
-  return plan.components.cast<T>() * (small_rotation(model.sensor_tilt) * map);
+  return at;
 }
 
-/// Predicted force components of every trial [N] (3, trials).
+/// Map from stated tensions to the force components that the load cell reads in one posture, of all
+/// tendons outside of a net [1] (3, muscles).
 template <typename T>
-[[nodiscard]] Eigen::Matrix<T, 3, Eigen::Dynamic> predict_forces(const SpecimenModel<T>& model,
-                                                                 const ExperimentPlan& plan) {
-  // The map of each posture serves all its trials.
-  std::vector<MatrixX<T>> maps;
-  for (std::size_t k = 0; k < plan.postures.size(); ++k)
-    maps.push_back(cell_force_map(model, plan, k));
+[[nodiscard]] MatrixX<T> cell_force_map(const SpecimenModel<T>& model, const ExperimentPlan& plan,
+                                        const PosedSpecimen<T>& at) {
+  // Tip force of a unit of stated tension, in the tip's axes.
+  MatrixX<T> arms = muscle_arms(model.digit, at.state, at.angles);
+  if (model.net) take_outside_arms(*model.net, model.digit.tree, at.state, arms);
+  MatrixX<T> map = held_tip_forces(model.digit, at.state, plan.hold, plan.known, model.out_of_plane,
+                                   MatrixX<T>(arms.transpose())) *
+                       model.gain.asDiagonal() +
+                   model.unexplained;
+  // What the geometry misses in this posture alone.
+  const Eigen::Index muscles = model.gain.size();
+  if (at.key >= 0) map += model.posture_unexplained.middleCols(at.key * muscles, muscles);
+  return at.cell * map;
+}
+
+/// Joint torque of the net in a trial, the specimen being posed as it is there [N m] (coordinates).
+template <typename T>
+using NetTorque = std::function<VectorX<T>(const TreeState<T>& state, Eigen::Index trial)>;
+
+/// Predicted force components of every trial [N] (3, trials).
+/// @param net_torque  of the trials in which muscles pull the model's net: pulls_net(); unused
+///                    without one
+template <typename T>
+[[nodiscard]] Eigen::Matrix<T, 3, Eigen::Dynamic> predict_forces(
+    const SpecimenModel<T>& model, const ExperimentPlan& plan,
+    const NetTorque<T>& net_torque = {}) {
   Eigen::Matrix<T, 3, Eigen::Dynamic> forces(3, plan.force.cols());
-  for (Eigen::Index i = 0; i < forces.cols(); ++i)
-    forces.col(i) = maps[plan.posture_of_trial[i]] * plan.tension[i].cast<T>();
+  for (std::size_t k = 0; k < plan.postures.size(); ++k) {
+    // The map of each posture serves all its trials.
+    const PosedSpecimen<T> at = pose_specimen(model, plan, k);
+    const MatrixX<T> map = cell_force_map(model, plan, at);
+    for (Eigen::Index i = 0; i < forces.cols(); ++i) {
+      if (plan.posture_of_trial[i] != static_cast<int>(k)) continue;
+      forces.col(i) = map * plan.tension[i].cast<T>();
+      // A net is not linear in tensions.
+      if (model.net && pulls_net(*model.net->built, plan.tension[i]))
+        forces.col(i) +=
+            at.cell * held_tip_forces(model.digit, at.state, plan.hold, plan.known,
+                                      model.out_of_plane, MatrixX<T>(net_torque(at.state, i)));
+    }
+  }
   return forces;
 }
 

@@ -2,10 +2,13 @@
 
 /// Model of one specimen: a digit with its parameters set, on any scalar.
 
+#include <cmath>
+#include <optional>
 #include <vector>
 
 #include "data/io/experiment.h"
 #include "kinematics_fit/parameter.h"
+#include "kinematics_fit/specimen_net.h"
 #include "kinematics_fit/tip_constraint.h"
 
 namespace thenar {
@@ -14,6 +17,7 @@ namespace thenar {
 template <typename T>
 struct SpecimenModel {
   TendonModel<T> digit;
+  std::optional<SpecimenNet<T>> net;      // in place of a hood; absent: none
   VectorX<T> angle_error;                 // added to every posture [rad] (coordinates)
   MatrixX<T> posture_error;               // added to each posture [rad] (coordinates, postures)
   T out_of_plane = T(0);                  // hold length of out-of-plane moments [m]
@@ -97,6 +101,7 @@ void lengthen_bone(const TendonModel<double>& from, int i, const T& by, TendonMo
 template <typename T>
 void set_parameter(const TendonModel<double>& from, const Parameter& p, const T& value,
                    SpecimenModel<T>& to) {
+  using std::exp;
   const auto along_digit = [&](int c) { return Vec3<T>(from.tip_axes.col(c).cast<T>() * value); };
   switch (p.kind) {
     case ParameterKind::kAxisDirection:
@@ -112,6 +117,7 @@ void set_parameter(const TendonModel<double>& from, const Parameter& p, const T&
     }
     case ParameterKind::kPathPoint:
       to.digit.paths[p.item][p.point].p += along_digit(p.component);
+      if (to.net) move_with_path(from.paths[p.item][p.point], along_digit(p.component), *to.net);
       break;
     case ParameterKind::kArm:
       to.digit.constant_arms(p.item, p.component) = value;
@@ -156,6 +162,24 @@ void set_parameter(const TendonModel<double>& from, const Parameter& p, const T&
       break;
     case ParameterKind::kPostureForce:
       to.posture_unexplained(p.component, p.point * to.gain.size() + p.item) = value;
+      break;
+    case ParameterKind::kNetStiffness:
+      if (p.item < 0)
+        to.net->EA *= exp(value);
+      else
+        to.net->EA[p.item] *= exp(value);
+      break;
+    case ParameterKind::kNetSlack:
+      to.net->slack[p.item] *= exp(value);
+      break;
+    case ParameterKind::kNetPlace:
+      to.net->place[p.item] += along_digit(p.component);
+      break;
+    case ParameterKind::kNetRadius:
+      to.net->radius[p.item] += value;
+      break;
+    case ParameterKind::kNetEntry:
+      to.net->to_net[p.item] = shift_fraction(to.net->to_net[p.item], value);
       break;
   }
 }

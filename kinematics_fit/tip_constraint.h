@@ -52,23 +52,33 @@ template <typename T>
   return loads;
 }
 
-/// Tip force in the tip's own directions (proximal, dorsal, radial) per unit tension (3, muscles).
+/// Tip forces in the tip's own directions (proximal, dorsal, radial) that hold joint torques, one a
+/// column (3, torques).
 ///
-/// Solves  loads c = R' t : in least norm where the hold carries more loads than there are joints,
-/// exactly where as many, in least squares where fewer. In the plane the radial force is zero.
+/// Solves  loads c = torque : in least norm where the hold carries more loads than there are
+/// joints, exactly where as many, in least squares where fewer. In the plane the radial force is
+/// zero.
+/// @param torque  [N m] (coordinates, torques)
 template <typename T>
-[[nodiscard]] MatrixX<T> tip_force_map(const TendonModel<T>& digit, const TreeState<T>& state,
-                                       const VectorX<T>& q, TipConstraint hold, DecidedForces known,
-                                       const T& out_of_plane) {
-  // Torques of the muscles, balanced by the loads of the hold.
+[[nodiscard]] MatrixX<T> held_tip_forces(const TendonModel<T>& digit, const TreeState<T>& state,
+                                         TipConstraint hold, DecidedForces known,
+                                         const T& out_of_plane, const MatrixX<T>& torque) {
   const MatrixX<T> L = tip_constraint_loads(digit, state, hold, known, out_of_plane);
-  const MatrixX<T> torque = muscle_arms(digit, state, q).transpose();
   const MatrixX<T> loads =
       L.rows() < L.cols() ? solve_least_norm(L, torque) : solve_least_squares(L, torque);
   if (known == DecidedForces::kInSpace) return loads.template topRows<3>();
   MatrixX<T> in_plane = MatrixX<T>::Zero(3, loads.cols());
   in_plane.template topRows<2>() = loads.template topRows<2>();
   return in_plane;
+}
+
+/// held_tip_forces() per unit tension of each muscle, of tendons without a net (3, muscles).
+template <typename T>
+[[nodiscard]] MatrixX<T> tip_force_map(const TendonModel<T>& digit, const TreeState<T>& state,
+                                       const VectorX<T>& q, TipConstraint hold, DecidedForces known,
+                                       const T& out_of_plane) {
+  return held_tip_forces(digit, state, hold, known, out_of_plane,
+                         MatrixX<T>(muscle_arms(digit, state, q).transpose()));
 }
 
 }  // namespace thenar

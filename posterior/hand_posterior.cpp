@@ -96,6 +96,10 @@ PosteriorOptions posterior_options(const PosteriorPriors& beliefs) {
 HandPosterior::HandPosterior(FitProblem problem, const PosteriorOptions& options)
     : parts_(new Parts{{std::move(problem), options, {}, ForceNoise(0), {}, {}, {}}}) {
   Parts& parts = *parts_;
+  require(
+      !parts.problem.digit().net,
+      "a posterior has no nets: its force kernel is written for tendons that are linear in their "
+      "tensions; fit the net, or sample with the subject's own hood");
   require(!options.learn_noise || options.noise_sd > 0, "noise_sd must be > 0, got {}",
           options.noise_sd);
   require(!options.learn_specimen_scale || options.specimen_scale_sd > 0,

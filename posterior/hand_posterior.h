@@ -39,7 +39,7 @@ struct PosteriorValues {
 /// no data can identify, are left out. docs/theory/fitting.md derives it.
 class HandPosterior : public Target {
  public:
-  /// @throws InputError if nothing is left to sample.
+  /// @throws InputError if nothing is left to sample, or the digit has a net.
   HandPosterior(FitProblem problem, const PosteriorOptions& options = {});
   ~HandPosterior() override;
 

@@ -91,6 +91,17 @@ std::string hood_words(const Parts& parts) {
   return "";
 }
 
+std::string net_words(const Parts& parts) {
+  if (parts.size() == 2) return "stiffness of all bands of the net: log of a factor";
+  if (parts.size() != 3) return "";
+  const std::string& of = parts[1];
+  if (parts[2] == "stiffness") return fmt::format("stiffness of band {}: log of a factor", of);
+  if (parts[2] == "slack") return fmt::format("slack length of band {}: log of a factor", of);
+  if (parts[2] == "radius") return fmt::format("radius of {}, over which bands bend: shift", of);
+  if (parts[2] == "into") return fmt::format("share of {} that enters the net", of);
+  return fmt::format("{} of the net: shift {}", of, adverb(parts[2]));
+}
+
 std::string angle_words(const Parts& parts) {
   const std::string error = "goniometer error at " + joint_words(parts[1]);
   return parts.size() > 2 ? error + " in posture " + parts[2] : error + ", all postures";
@@ -114,7 +125,12 @@ std::string scatter_words(const Parts& parts) {
       {"angle/posture", "goniometer errors of single postures"},
       {"gain", "tension gains"},
       {"force", "unexplained forces"},
-      {"force/posture", "unexplained forces of single postures"}};
+      {"force/posture", "unexplained forces of single postures"},
+      {"net/stiffness", "stiffnesses of the net"},
+      {"net/slack", "slack lengths of the net"},
+      {"net/place", "insertions of the net"},
+      {"net/radius", "radii under the net"},
+      {"net/into", "shares into the net"}};
   std::string kind = parts.size() > 1 ? parts[1] : "";
   for (std::size_t i = 2; i < parts.size(); ++i) kind += "/" + parts[i];
   const auto found = kinds.find(kind);
@@ -128,6 +144,7 @@ std::string words_of(const Parts& parts, const TendonDigit* digit) {
   const std::string& second = parts[1];
   if (first == "axis") return axis_words(parts, digit);
   if (first == "hood") return hood_words(parts);
+  if (first == "net") return net_words(parts);
   if (first == "angle") return angle_words(parts);
   if (first == "spread") return scatter_words(parts);
   if (first == "length") return "length of the " + bone_words(second);

@@ -165,6 +165,11 @@ SlipTension slip_tension(const TendonModel<double>& model, const VectorXd& q, co
           strands[model.hood->ulnar_band], strands[model.hood->terminal_slip]};
 }
 
+std::unique_ptr<DigitTendons> straight_tendons(TendonDigit digit) {
+  auto paths = std::make_unique<StraightStrands>(digit.model);
+  return std::make_unique<LinearTendons>(std::move(digit), std::move(paths));
+}
+
 std::unique_ptr<DigitTendons> build_linear_tendons(const Subject& subject, const std::string& digit,
                                                    const TendonOptions& options) {
   // The rung of the hood is linear.

@@ -17,6 +17,9 @@ namespace thenar {
                                                                  const std::string& digit,
                                                                  const TendonOptions& options = {});
 
+/// A digit whose tendons run straight through the points of its own model, or have constant arms.
+[[nodiscard]] std::unique_ptr<DigitTendons> straight_tendons(TendonDigit digit);
+
 /// Tension in the slips of the hood when muscles pull with t (muscles) [N]; zero without a hood.
 [[nodiscard]] SlipTension slip_tension(const TendonModel<double>& model, const Eigen::VectorXd& q,
                                        const Eigen::VectorXd& t);

@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <map>
+#include <memory>
 #include <optional>
 #include <string>
 #include <type_traits>
@@ -63,6 +64,8 @@ struct TendonNames {
   std::vector<std::string> muscles;
 };
 
+struct BuiltNet;  // tendons/net/build_net.h
+
 /// A digit ready for questions: model, names, limits.
 struct TendonDigit {
   TendonModel<double> model;
@@ -72,6 +75,8 @@ struct TendonDigit {
                                 // infinite where the subject does not say [N] (muscles)
   Fidelity fidelity;            // what was built
   std::vector<CalibratedOn> calibrated_on{};  // forces that the subject was fitted to before
+  std::shared_ptr<const BuiltNet> net{};      // a floating net in place of a hood; null: none. It
+                                              // is shared by copies of the digit, and constant
 };
 
 /// Treatment of joints that digits share: the wrist.

@@ -1,0 +1,150 @@
+// Tests for kinematics_fit/net_trials.cpp, specimen_net.cpp and the derivatives of fits with nets.
+
+#include "kinematics_fit/net_trials.h"
+
+#include <gtest/gtest.h>
+
+#include "base/error.h"
+#include "data/io/net_description.h"
+#include "kinematics_fit/fit_residuals.h"
+#include "kinematics_fit/hood_comparison.h"
+#include "tendons/net/build_tendons.h"
+#include "tests/kinematics_fit/fit_samples.h"
+
+namespace thenar {
+namespace {
+
+FitInputs net_inputs(const std::string& net, const std::vector<std::string>& specimens) {
+  FitInputs inputs = sample::finger_inputs("an_chao_middle", specimens);
+  inputs.net = sample::source("nets/" + net);
+  return inputs;
+}
+
+/// A fit with a net, and settings written in the test.
+FitProblem net_problem(const std::string& net, const std::string& rows) {
+  FitInputs inputs = net_inputs(net, {"H01"});
+  inputs.settings = {"fit.toml", "source = 'Synek2019'\n" + rows};
+  return build_problem(inputs);
+}
+
+// The bones' own lengths apart, under which a net would have to be laid anew.
+const std::string kAllButLengths = R"(
+[[parameter]]
+match = "*"
+state = "free"
+[[parameter]]
+match = "length/*"
+state = "fixed"
+[[parameter]]
+match = "hold/out_of_plane"
+mean_mm = 39
+)";
+
+/// Compares every column of the Jacobian, in newtons per sd, with Richardson's differences.
+/// @param moved_by_net  parameters of the net that move forces by more than 1 mN per sd
+void expect_exact(const std::string& net, int moved_by_net) {
+  constexpr double kStep = 4e-4;       // of an sd, so that no band becomes slack on the way
+  constexpr double kTolerance = 5e-6;  // [N per sd]: 2e-9 N of the net's rest, over the step
+  const FitProblem problem = net_problem(net, kAllButLengths);
+  const FitParameters& parameters = problem.parameters();
+  const ExperimentPlan& plan = problem.plans().front();
+  std::mt19937 rng(5);
+  const Eigen::VectorXd sd = sample::population_sds(parameters);
+  const Eigen::VectorXd u = 0.2 * sd.cwiseProduct(sample::normal(sd.size(), rng));
+  const ForceJacobian exact = force_jacobian(problem.digit(), parameters, plan, u);
+  const auto force = [&](Eigen::Index c, double by) -> Eigen::VectorXd {
+    return force_values(problem.digit(), parameters, plan,
+                        u + by * sd[c] * Eigen::VectorXd::Unit(u.size(), c))
+        .reshaped();
+  };
+  EXPECT_TRUE(exact.force.isApprox(force_values(problem.digit(), parameters, plan, u), 1e-12));
+  int moving = 0;
+  for (Eigen::Index c = 0; c < u.size(); ++c) {
+    const Eigen::VectorXd difference =
+        (8 * (force(c, kStep) - force(c, -kStep)) - (force(c, 2 * kStep) - force(c, -2 * kStep))) /
+        (12 * kStep);
+    const Parameter& p = parameters.all[parameters.leader[c]];
+    EXPECT_LT((difference - sd[c] * exact.J.col(c)).cwiseAbs().maxCoeff(), kTolerance) << p.name;
+    if (p.name.rfind("net/", 0) == 0 && difference.norm() > 1e-3) ++moving;
+  }
+  EXPECT_GE(moving, moved_by_net);
+}
+
+TEST(NetFit, JacobianIsExactForEveryParameterOfWinslow) { expect_exact("winslow", 20); }
+TEST(NetFit, JacobianIsExactForEveryParameterOfChaoAndAn) { expect_exact("chao_an", 1); }
+
+// At the prior means the fit's model is the ladder's rung of the same net.
+TEST(NetFit, StartsFromTheLaddersForces) {
+  const SourceText text = sample::source("subjects/an_chao_middle");
+  const SourceText net = sample::source("nets/winslow");
+  const Experiment experiment = sample::experiment("H01");
+  const FitProblem problem =
+      net_problem("winslow", "[[parameter]]\nmatch = 'net/stiffness'\nstate = 'free'\n");
+  TendonOptions options;
+  options.hood = Hood::kFloatingNet;
+  const NetDescription description = parse_net(net.text, net.path);
+  const auto tendons =
+      build_digit_tendons(parse_subject(text.text, text.path), "middle", options, &description);
+  const Eigen::Matrix3Xd expected = trial_forces(*tendons, experiment).force;
+  const Eigen::Matrix3Xd force = force_values(problem.digit(), problem.parameters(),
+                                              problem.plans().front(), Eigen::VectorXd::Zero(1));
+  for (Eigen::Index i = 0; i < force.cols(); ++i) {
+    if (!pulls_net(*problem.digit().net, problem.plans().front().tension[i])) continue;
+    EXPECT_LT((force.col(i) - expected.col(i)).norm(), 1e-6) << i;  // [N]
+  }
+}
+
+// Forces are a function of the parameters: what was computed before leaves no trace.
+TEST(NetFit, ForcesDoNotDependOnWhatWasComputedBefore) {
+  const FitProblem problem = net_problem("winslow", kAllButLengths);
+  std::mt19937 rng(2);
+  const Eigen::VectorXd sd = sample::population_sds(problem.parameters());
+  const Eigen::VectorXd u = 0.5 * sd.cwiseProduct(sample::normal(sd.size(), rng));
+  const auto force = [&](const Eigen::VectorXd& at) {
+    return force_values(problem.digit(), problem.parameters(), problem.plans().front(), at);
+  };
+  const Eigen::Matrix3Xd before = force(u);
+  (void)force(-2 * u);
+  EXPECT_EQ((force(u) - before).norm(), 0);
+}
+
+// Where nothing of it pulls, a net is nothing: derivatives are those of jets alone.
+TEST(NetFit, FlexorsDoNotFeelTheNet) {
+  const FitProblem problem = net_problem("winslow", kAllButLengths);
+  const FitParameters& parameters = problem.parameters();
+  const ExperimentPlan& plan = problem.plans().front();
+  const Eigen::VectorXd u = Eigen::VectorXd::Zero(parameters.coordinates());
+  const ForceJacobian with = force_jacobian(problem.digit(), parameters, plan, u);
+  TendonDigit bare = problem.digit();
+  bare.net = nullptr;
+  FitParameters without = parameters;
+  for (int& c : without.coordinate) c = c < 0 ? -1 : c;
+  // The same parameters without those of the net.
+  without.all.clear();
+  without.coordinate.clear();
+  without.ratio.clear();
+  for (std::size_t p = 0; p < parameters.all.size(); ++p) {
+    if (parameters.all[p].name.rfind("net/", 0) == 0) continue;
+    without.all.push_back(parameters.all[p]);
+    without.coordinate.push_back(parameters.coordinate[p]);
+    without.ratio.push_back(parameters.ratio[p]);
+  }
+  const ForceJacobian jets = force_jacobian(bare, without, plan, u);
+  int flexors = 0;
+  for (Eigen::Index i = 0; i < plan.force.cols(); ++i) {
+    if (pulls_net(*problem.digit().net, plan.tension[i])) continue;
+    ++flexors;
+    EXPECT_LT((with.J.middleRows(3 * i, 3) - jets.J.middleRows(3 * i, 3)).cwiseAbs().maxCoeff(),
+              1e-10);
+  }
+  EXPECT_GT(flexors, 4);
+}
+
+TEST(NetFit, RefusesBonesThatGrowUnderANet) {
+  EXPECT_THROW(
+      (void)net_problem("winslow", "[[parameter]]\nmatch = 'length/PIP3'\nstate = 'free'\n"),
+      InputError);
+}
+
+}  // namespace
+}  // namespace thenar
