@@ -93,30 +93,43 @@ std::vector<std::vector<int>> muscles_alike(const Eigen::MatrixXd& R) {
   return groups;
 }
 
-/// Muscles of the digit that are paralysed, in its order; warns of those that do not cross it.
-std::vector<std::string> paralysed_muscles(const std::vector<std::string>& wanted,
-                                           const Subject& subject, DigitSweep& about) {
-  std::vector<std::string> known, beside;
+/// Muscles of the digit that are paralysed or weak; warns of those that do not cross it.
+void keep_weak_muscles(const FeasibleForceRequest& request, const Subject& subject,
+                       FeasibleForceAnswer& answer) {
+  // Every name is one of the subject's.
+  std::vector<std::string> known, wanted = request.without, beside;
   for (const MuscleUnit& muscle : subject.muscles) known.push_back(muscle.name);
+  for (const auto& [name, limit] : request.weakened) {
+    require(limit >= 0, "wanted a tension >= 0 of the weak '{}', got {} N", name, limit);
+    wanted.push_back(name);
+  }
+  const std::vector<std::string>& own = answer.about.muscles;
   for (const std::string& name : wanted) {
     (void)index_of_name(name, known, "muscle");
-    if (std::count(about.muscles.begin(), about.muscles.end(), name) == 0) beside.push_back(name);
+    if (std::count(own.begin(), own.end(), name) == 0) beside.push_back(name);
   }
   if (!beside.empty())
-    about.warnings.push_back(
+    answer.about.warnings.push_back(
         fmt::format("their paralysis changes nothing, as they cross no free joint of the digit: {}",
                     listed(beside)));
-  std::vector<std::string> paralysed;
-  for (const std::string& muscle : about.muscles)
-    if (std::count(wanted.begin(), wanted.end(), muscle) > 0) paralysed.push_back(muscle);
-  return paralysed;
+  // Those of the digit, in its order.
+  for (const std::string& muscle : own) {
+    if (std::count(request.without.begin(), request.without.end(), muscle) > 0)
+      answer.without.push_back(muscle);
+    const auto weak = request.weakened.find(muscle);
+    if (weak != request.weakened.end()) answer.weakened.insert(*weak);
+  }
 }
 
-/// The digit with some of its muscles paralysed.
-DigitAtPosture without_muscles(DigitAtPosture at, const std::vector<std::string>& paralysed) {
-  for (std::size_t i = 0; i < at.statics.muscles.size(); ++i)
-    if (std::count(paralysed.begin(), paralysed.end(), at.statics.muscles[i]) > 0)
-      at.statics.max_tension[static_cast<Eigen::Index>(i)] = 0;
+/// The digit with some of its muscles paralysed or weak.
+DigitAtPosture with_weak_muscles(DigitAtPosture at, const FeasibleForceAnswer& answer) {
+  for (std::size_t i = 0; i < at.statics.muscles.size(); ++i) {
+    const std::string& muscle = at.statics.muscles[i];
+    double& most = at.statics.max_tension[static_cast<Eigen::Index>(i)];
+    const auto weak = answer.weakened.find(muscle);
+    if (weak != answer.weakened.end()) most = std::min(most, weak->second);
+    if (std::count(answer.without.begin(), answer.without.end(), muscle) > 0) most = 0;
+  }
   return at;
 }
 
@@ -172,16 +185,17 @@ FeasibleForceAnswer ask_feasible_force(const FeasibleForceRequest& request,
   answer.most_other = request.most_other;
   answer.direction = request.direction;
   answer.tolerance = request.tolerance;
-  answer.without = paralysed_muscles(request.without, digit.subject, answer.about);
+  keep_weak_muscles(request, digit.subject, answer);
+  const bool weak = !answer.without.empty() || !answer.weakened.empty();
 
   const auto ask = [&](const Eigen::VectorXd& q) {
     const DigitAtPosture intact = digit_at(digit, q);
     require_limits(intact.statics, request.digit.subject);
-    const DigitAtPosture at = without_muscles(intact, answer.without);
+    const DigitAtPosture at = with_weak_muscles(intact, answer);
     answer.max_tension = at.statics.max_tension;
     FeasibleForcePoint point = point_at(request, at);
-    // What the paralysed muscles gave.
-    if (point.largest && !answer.without.empty())
+    // What the muscles would give.
+    if (point.largest && weak)
       point.loss = loss_of(*point.largest,
                            max_tip_load(intact.statics, point.axes.to_world * *request.direction,
                                         options_of(request, point.axes))

@@ -4,6 +4,7 @@
 /// forces or moments that the tip can make.
 
 #include <array>
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -30,6 +31,8 @@ struct FeasibleForceRequest {
   DirectionFrame frame = DirectionFrame::kWorld;  // of the direction and of answers
   bool whole_set = false;                         // the set in addition to a direction
   std::vector<std::string> without;               // muscles that are paralysed: they do not pull
+  std::map<std::string, double> weakened;         // muscle -> what it can pull at most, if less
+                                                  // than its F0 [N]
 };
 
 /// Axes in which forces are asked for and shown.
@@ -45,7 +48,7 @@ struct WholeForceSet {
   std::vector<MaxTipForce> along;  // +1, -1, +2, -2, +3, -3 (6)
 };
 
-/// What the paralysis of muscles costs, along the direction asked for.
+/// What paralysed and weakened muscles cost, along the direction asked for.
 struct ParalysisLoss {
   MaxTipForce intact;  // with all muscles
   double share;        // 1 - component without them / component with all, 0 .. 1; NaN: one of the
@@ -68,7 +71,7 @@ struct FeasibleForcePoint {
   Eigen::VectorXd change;               // of largest->component by each joint, the direction fixed
                                         // in its axes [N/rad] (joints); empty: no such force, a map
   std::optional<WholeForceSet> whole;   // if it was asked for
-  std::optional<ParalysisLoss> loss;    // of `largest`, where muscles are paralysed
+  std::optional<ParalysisLoss> loss;    // of `largest`, where muscles are paralysed or weak
   std::vector<std::vector<int>> alike;  // muscles of the same moment arms at all joints, so that an
                                         // answer decides the sum of their tensions alone
 };
@@ -80,8 +83,9 @@ struct FeasibleForceAnswer {
   TipLoad load = TipLoad::kForce;
   double most_other = 0;  // [N m] or [N]
   std::optional<Eigen::Vector3d> direction;
-  double tolerance = 0;              // [rad]
-  std::vector<std::string> without;  // muscles of the digit that are paralysed
+  double tolerance = 0;                    // [rad]
+  std::vector<std::string> without;        // muscles of the digit that are paralysed
+  std::map<std::string, double> weakened;  // those that are weak, and what they can pull [N]
   std::vector<FeasibleForcePoint> points;
 };
 

@@ -1,6 +1,6 @@
 // thenar feasible-force SUBJECT --digit D --posture ... [--direction x y z | --torque x y z]
 // [--moments zero|free|N_m] [--forces zero|free|N] [--tolerance-deg a] [--without MUSCLE ...]
-// [--vary JOINT=from:to:step ...]
+// [--weakened MUSCLE=newton ...] [--vary JOINT=from:to:step ...]
 //
 // The largest force or moment of a fingertip along a direction and what limits it, or all the
 // forces it can make.
@@ -89,6 +89,8 @@ void add_feasible_force(CLI::App& app) {
                     "The whole set, also beside a direction; of moments with --torque");
   command->add_option("--without", options->request.without,
                       "MUSCLE ...: paralysed, as under a nerve block; the loss is printed");
+  add_named_numbers(*command, "--weakened", options->request.weakened, "MUSCLE=newton",
+                    "MUSCLE=newton ...: can pull with so much at most; the loss is printed");
   add_vary_option(*command, options->request.digit.vary);
   add_output_options(*command, options->outputs, {true, true, true});
   add_examples(*command,

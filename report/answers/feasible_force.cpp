@@ -208,11 +208,11 @@ std::vector<std::string> loss_cells(const FeasibleForceAnswer& answer, const Par
           std::isnan(loss.share) ? unknown : shown(loss.share, decimals)};
 }
 
-/// "Without ADPt, ADPo: 63.2 % of the 53.8 N of all muscles are lost".
+/// "Without EPL, with 44.6 N of FPL: 63.2 % of the 53.8 N of all muscles are lost".
 std::string loss_text(const FeasibleForceAnswer& answer, const FeasibleForcePoint& point) {
   if (!point.loss) return "";
   const LoadWords words = words_of(point.load);
-  const std::string without = fmt::format("Without {}: ", fmt::join(answer.without, ", "));
+  const std::string without = weak_words(answer) + ": ";
   if (std::isnan(point.loss->share)) return without + "the loss is not known\n\n";
   return fmt::format("{}{:.1f} % of the {} {} of all muscles are lost\n\n", without,
                      100 * point.loss->share,
@@ -377,7 +377,7 @@ std::vector<std::string> muscle_cells(const FeasibleForcePoint& point, Index i) 
 
 /// Columns of what paralysis costs; none if no muscle of the digit is paralysed.
 std::vector<std::string> loss_header(const FeasibleForceAnswer& answer) {
-  if (answer.without.empty()) return {};
+  if (answer.without.empty() && answer.weakened.empty()) return {};
   return {"intact" + words_of(answer.load).suffix, "loss"};
 }
 
@@ -455,6 +455,15 @@ std::string other_words(TipLoad load, double most_other) {
   if (std::isinf(most_other)) return other.many + " beside it free";
   return fmt::format("{} of at most {:.4g} {} {} each axis beside it", other.many, most_other,
                      other.unit, load == TipLoad::kForce ? "about" : "along");
+}
+
+std::string weak_words(const FeasibleForceAnswer& answer) {
+  std::string words;
+  if (!answer.without.empty()) words = fmt::format("without {}", fmt::join(answer.without, ", "));
+  for (const auto& [muscle, limit] : answer.weakened)
+    words += fmt::format("{}with {:.4g} N of {}", words.empty() ? "" : ", ", limit, muscle);
+  if (!words.empty()) words[0] = 'W';
+  return words;
 }
 
 bool makes_force(const FeasibleForcePoint& point) {
@@ -565,6 +574,7 @@ OrderedJson json_of(const FeasibleForceAnswer& answer) {
     add_point(answer, answer.points[i], point);
   });
   if (!answer.without.empty()) json["without"] = answer.without;
+  if (!answer.weakened.empty()) json["weakened_N"] = answer.weakened;
   return json;
 }
 

@@ -40,6 +40,9 @@ struct LoadWords {
 [[nodiscard]] std::string limit_words(const FeasibleForceAnswer& answer,
                                       const FeasibleForcePoint& point);
 
+/// "Without EPL, EPB, with 44.6 N of FPL": muscles that are paralysed and weak; "" if none is.
+[[nodiscard]] std::string weak_words(const FeasibleForceAnswer& answer);
+
 /// A row for each muscle at the largest force of a posture: activation, tension, F0, price of F0.
 [[nodiscard]] Table limit_table(const FeasibleForceAnswer& answer, const FeasibleForcePoint& point);
 

@@ -130,8 +130,7 @@ std::string question_words(const FeasibleForceAnswer& answer) {
     const std::string limits = limit_words(answer, answer.points.front());
     if (!limits.empty()) words += "\n\nIt is " + limits + ".";
   }
-  if (!answer.without.empty())
-    words += fmt::format("\n\nParalysed: {}.", fmt::join(answer.without, ", "));
+  if (const std::string weak = weak_words(answer); !weak.empty()) words += "\n\n" + weak + ".";
   return words;
 }
 

@@ -2,6 +2,7 @@
 
 #include "api/feasible_force.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include <gtest/gtest.h>
@@ -115,6 +116,28 @@ TEST(FeasibleForceWithout, LeavesTheOtherMusclesTheirForce) {
   ASSERT_TRUE(point.loss);
   EXPECT_NEAR(point.loss->intact.component, intact, 1e-9 * intact);
   EXPECT_NEAR(point.loss->share, 1 - point.largest->component / intact, 1e-9);
+}
+
+// The largest force is concave in F0, with no force at none: half of FDP leaves at least half of
+// it, and as long as the same muscles limit it, its price says how much.
+TEST(FeasibleForceWithout, WeakenedMusclesPullWithWhatIsLeft) {
+  FeasibleForceRequest request = request_of({"synek2019_middle", "middle", {20, 0, 30, 15}});
+  const FeasibleForceAnswer intact = ask_feasible_force(request);
+  const auto& muscles = intact.about.muscles;
+  const auto fdp = std::find(muscles.begin(), muscles.end(), "FDP") - muscles.begin();
+  const double most = intact.points.front().largest->component;
+  const double lost =
+      intact.points.front().largest->prices.decrease[fdp] * intact.max_tension[fdp] / 2;
+  request.weakened = {{"FDP", intact.max_tension[fdp] / 2}};
+  const FeasibleForceAnswer weak = ask_feasible_force(request);
+  EXPECT_GE(weak.points.front().largest->component, most / 2);
+  EXPECT_NEAR(weak.points.front().largest->component, most - lost, 1e-6);
+  EXPECT_NEAR(weak.points.front().loss->share, lost / most, 1e-7);
+  request.weakened = {{"FDP", 1e3}};  // stronger than it is: F0 stays
+  EXPECT_NEAR(ask_feasible_force(request).points.front().loss->share, 0, 1e-12);
+  request.weakened = {{"FDP", -1}};
+  EXPECT_EQ(message_of([&] { (void)ask_feasible_force(request); }),
+            "wanted a tension >= 0 of the weak 'FDP', got -1 N");
 }
 
 TEST(FeasibleForceWithout, NamesWhatItDoesNotKnowOrNeed) {

@@ -327,6 +327,8 @@ class FeasibleForce(Near):
         self.assertEqual(answer["without"], ["FDP"])
         self.assertAlmostEqual(answer["paralysis"]["loss"], 1, delta=1e-9)
         self.assertAlmostEqual(answer["paralysis"]["intact_component_N"], intact, delta=1e-9)
+        half = ask(*words, "--weakened", f"FDP={4.1 * 45 / 2}")  # F0 is 4.1 cm^2 at 45 N/cm^2
+        self.assertTrue(intact / 2 <= half["component_N"] < intact)  # concave, none at no FDP
         self.assertIn("no muscle 'FDQ', did you mean", complaint(*words, "--without", "FDQ"))
 
     def test_postures_of_a_grid_are_those_asked_alone(self):

@@ -74,6 +74,8 @@ TEST(FeasibleForceWords, TellWhatAParalysisCosts) {
   EXPECT_EQ(json["without"][0], "FDP");
   EXPECT_DOUBLE_EQ(json["paralysis"]["loss"], 1);
   EXPECT_EQ(table_of(answer).rows[0].size(), table_of(answer).header.size());
+  request.weakened = {{"FDS", 12.5}};
+  EXPECT_EQ(weak_words(ask_feasible_force(request)), "Without FDP, with 12.5 N of FDS");
 }
 
 FeasibleForceAnswer palmar_forces_over_pip() {
