@@ -5,8 +5,9 @@
 #include <gtest/gtest.h>
 
 #include "base/error.h"
+#include "base/provenance.h"
 #include "data/io/net_description.h"
-#include "kinematics_fit/fit_residuals.h"
+#include "data/io/result_file.h"
 #include "kinematics_fit/hood_comparison.h"
 #include "tendons/net/build_tendons.h"
 #include "tests/kinematics_fit/fit_samples.h"
@@ -118,7 +119,6 @@ TEST(NetFit, FlexorsDoNotFeelTheNet) {
   TendonDigit bare = problem.digit();
   bare.net = nullptr;
   FitParameters without = parameters;
-  for (int& c : without.coordinate) c = c < 0 ? -1 : c;
   // The same parameters without those of the net.
   without.all.clear();
   without.coordinate.clear();
@@ -138,6 +138,26 @@ TEST(NetFit, FlexorsDoNotFeelTheNet) {
               1e-10);
   }
   EXPECT_GT(flexors, 4);
+}
+
+// The result file has the net's text with its digest, and the fit is built from it alone.
+TEST(NetFit, ComesBackFromItsFile) {
+  FitInputs inputs = net_inputs("winslow", {"H01"});
+  inputs.settings = {"fit.toml",
+                     "source = 'Synek2019'\n[[parameter]]\nmatch = 'net/PIP_dorsum/radius'\n"
+                     "state = 'free'\n"};
+  SolveOptions options;
+  options.max_evaluations = 3;
+  const Fit fit = run_fit(inputs, options);
+  const std::string path = testing::TempDir() + "net_fit.h5";
+  write_fit(fit, path);
+  const ResultFile file = read_result(path);
+  EXPECT_EQ(file.text("inputs/net/text"), inputs.net->text);
+  EXPECT_EQ(file.text("provenance/sha256/inputs/net"), sha256(inputs.net->text));
+  const Fit back = read_fit(path);
+  ASSERT_TRUE(back.problem.digit().net);
+  EXPECT_EQ(predict_trials(back.problem, back.solution.z, 0, WithJacobian::kNo).force,
+            predict_trials(fit.problem, fit.solution.z, 0, WithJacobian::kNo).force);
 }
 
 TEST(NetFit, RefusesBonesThatGrowUnderANet) {

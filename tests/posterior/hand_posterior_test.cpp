@@ -144,6 +144,13 @@ range_mm = 2
 }
 
 // With plain options the log likelihood is -cost up to a constant, whatever the robust scale.
+// Its kernel is linear in tensions: a net would be left out without a word.
+TEST(HandPosterior, RefusesANet) {
+  FitInputs inputs = sample::finger_inputs("an_chao_middle", {"H01"});
+  inputs.net = sample::source("nets/winslow");
+  EXPECT_THROW(HandPosterior{build_problem(inputs)}, InputError);
+}
+
 TEST(HandPosterior, LikelihoodIsTheCostOfTheFit) {
   for (const double robust : {0.0, 2.5}) {
     const FitProblem problem = middle_finger(kAxes).problem(robust);
