@@ -1,9 +1,9 @@
 // What do measured fingertip forces say of a finger, and does it predict another hand's forces?
 //
 // Prints:
-//   solved: 130 parameters
-//   synek2019_H01: 24 trials, relative error 0.13
-//   synek2019_H02: 24 trials, relative error 0.45
+//   solved: 202 parameters
+//   synek2019_H01: 24 trials, relative error 0.09
+//   synek2019_H02: 24 trials, relative error 0.42
 #include <cstdio>
 
 #include <thenar/thenar.h>

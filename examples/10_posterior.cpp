@@ -12,6 +12,7 @@ int main() {
   thenar::FitSources sources;
   sources.subject = "an_chao_middle";
   sources.experiments = {"synek2019_H01"};
+  sources.settings = "finger_arms";
   thenar::PosteriorSettings settings;
   settings.run.groups = 2;
   settings.run.draws = 1000;

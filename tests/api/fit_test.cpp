@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "api/named/files.h"
 #include "base/error.h"
 #include "data/io/toml_node.h"
 #include "tests/api/small_fit.h"
