@@ -8,9 +8,10 @@
 namespace thenar {
 namespace {
 
-/// Forces are linear in these parameters as long as all others stand still.
-bool forces_linear_in(const Parameter& p) {
-  return p.kind == ParameterKind::kGain || p.kind == ParameterKind::kTipForce ||
+/// Forces are linear in these parameters as long as all others stand still. Those of a net are not
+/// linear in tensions.
+bool forces_linear_in(const Parameter& p, const TendonDigit& digit) {
+  return (p.kind == ParameterKind::kGain && !digit.net) || p.kind == ParameterKind::kTipForce ||
          p.kind == ParameterKind::kPostureForce;
 }
 
@@ -20,11 +21,11 @@ struct CoordinateOrder {
   Eigen::Index bent = 0;  // number of the first kind
 };
 
-CoordinateOrder order_of(const FitParameters& parameters) {
+CoordinateOrder order_of(const FitParameters& parameters, const TendonDigit& digit) {
   CoordinateOrder order;
   for (const bool linear : {false, true}) {
     for (int c = 0; c < parameters.coordinates(); ++c)
-      if (forces_linear_in(parameters.all[static_cast<std::size_t>(parameters.leader[c])]) ==
+      if (forces_linear_in(parameters.all[static_cast<std::size_t>(parameters.leader[c])], digit) ==
           linear)
         order.all.push_back(c);
     if (!linear) order.bent = static_cast<Eigen::Index>(order.all.size());
@@ -76,7 +77,7 @@ PredictiveMoments predictive_moments(const TendonDigit& digit, const FitParamete
   PredictiveMoments out{at.force, (at.J * V).cwiseProduct(at.J).rowwise().sum()};
 
   // Second order: how forces bend along each column of the root of V.
-  const CoordinateOrder order = order_of(parameters);
+  const CoordinateOrder order = order_of(parameters, digit);
   const Eigen::MatrixXd L = first_columns_of_root(V(order.all, order.all), order.bent);
   Eigen::VectorXd step(n);
   for (Eigen::Index k = 0; k < order.bent; ++k) {

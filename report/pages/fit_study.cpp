@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "base/units.h"
+#include "kinematics_fit/trivial_prediction.h"
 #include "report/pages/fit.h"
 #include "report/pages/prediction.h"
 
@@ -199,8 +200,11 @@ Json population_page(const PopulationStudy& study, const std::vector<SpecimenStu
     const std::string& specimen = study.fit.problem.experiments()[e].specimen;
     rows.push_back(population_row(specimen, "by its own parameters, in sample", study.own[e]));
     rows.push_back(population_row(specimen, "by the population, in sample", study.as_unseen[e]));
-    rows.push_back(population_row(specimen, "by the other specimens, left out",
-                                  study.specimens.experiments[e]));
+    const Prediction& left_out = study.specimens.experiments[e];
+    rows.push_back(population_row(specimen, "by the other specimens, left out", left_out));
+    if (const std::optional<BesideTrivial> beside = beside_trivial(left_out))
+      rows.push_back(population_row(specimen, "the other specimens' forces as they are",
+                                    {left_out.experiment, {}, beside->trivial}));
     for (const BaselinePrediction& baseline : studies[e].baselines)
       rows.push_back(population_row(specimen, baseline.name, baseline.prediction));
   }
@@ -219,6 +223,10 @@ Json population_page(const PopulationStudy& study, const std::vector<SpecimenStu
                                           {"RMS error", "N", 3},
                                           {"in 95 % interval", "%", 0}},
                                          rows)});
+  for (std::size_t e = 0; e < study.own.size(); ++e)
+    if (std::optional<Json> table = beside_trivial_table(
+            in_digit_axes(study.specimens.experiments[e], study.fit.problem.experiments()[e])))
+      blocks.push_back(*table);
   for (const UnseenSpecimen& unseen : study.unseen)
     blocks.push_back(force_panels(
         unseen.prediction,
