@@ -31,7 +31,14 @@ TEST_F(PredictQuestion, PredictsAsTheFitDoesAndAStrangerLessSurely) {
   const PredictResult own = predict_forces(request);
   EXPECT_EQ(own.experiments[0].by, PredictedBy::kOwn);
   EXPECT_EQ(own.experiments[1].by, PredictedBy::kStranger);
-  EXPECT_NEAR(own.experiments[0].prediction.error.rms, fitted.in_sample[0].error.rms, 1e-12);
+  // The fit shows its most probable forces, a prediction their mean, which the curvature of forces
+  // moves by a small part of what is uncertain.
+  const std::vector<PredictedTrial>& predicted = own.experiments[0].prediction.trials;
+  ASSERT_EQ(predicted.size(), fitted.in_sample[0].trials.size());
+  for (std::size_t i = 0; i < predicted.size(); ++i) {
+    const Eigen::Vector3d moved = predicted[i].predicted - fitted.in_sample[0].trials[i].predicted;
+    EXPECT_LT((moved.array() / predicted[i].sd.array()).abs().maxCoeff(), 0.1);
+  }
 
   request.population = true;
   const PredictResult stranger = predict_forces(request);

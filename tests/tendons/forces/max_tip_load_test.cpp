@@ -161,7 +161,7 @@ TEST(MaxTipLoad, MatchesMomentsOfThePublishedIndex) {
 }
 
 // One hinge about z at the origin, the tip at 40 mm along x, a flexor of 10 mm and 100 N: 1 N m.
-TipStatics one_hinge() {
+TipStatics lever() {
   TipStatics statics;
   statics.J = Vector3d(0, 0.04, 0);
   statics.W = Vector3d(0, 0, 1);
@@ -173,7 +173,7 @@ TipStatics one_hinge() {
 
 TEST(MaxTipLoad, MatchesHandComputedHinge) {
   const Vector3d y(0, 1, 0), z(0, 0, 1);
-  const TipStatics hinge = one_hinge();
+  const TipStatics hinge = lever();
   // Force alone: 1 N m / 40 mm. Moment alone: all of the torque.
   EXPECT_NEAR(max_tip_load(hinge, y).largest.component, 25, 1e-9);
   EXPECT_NEAR(max_tip_load(hinge, z, {TipLoad::kMoment}).largest.component, 1, 1e-11);
@@ -190,9 +190,8 @@ TEST(MaxTipLoad, MatchesHandComputedHinge) {
 
 // A newton more of F0 gives 10 mm of moment.
 TEST(MaxTipLoad, PricesAreInTheUnitOfTheLoad) {
-  const MaxTipLoad found =
-      max_tip_load(one_hinge(), {0, 0, 1},
-                   {TipLoad::kMoment, 0, 0, Eigen::Matrix3d::Identity(), /*prices=*/true});
+  const MaxTipLoad found = max_tip_load(
+      lever(), {0, 0, 1}, {TipLoad::kMoment, 0, 0, Eigen::Matrix3d::Identity(), /*prices=*/true});
   ASSERT_EQ(found.largest.prices.increase.size(), 1);
   EXPECT_NEAR(found.largest.prices.increase(0), 0.01, 1e-12);
   EXPECT_NEAR(found.largest.torque_shadow_price(0), 1, 1e-10);  // N m of moment per N m of torque
@@ -257,12 +256,12 @@ TEST(MaxTipLoad, SlopeAgreesWithDifferences) {
 }
 
 TEST(MaxTipLoad, RefusesAMomentWithoutRotations) {
-  TipStatics statics = one_hinge();
+  TipStatics statics = lever();
   statics.W.resize(3, 0);
   EXPECT_NO_THROW((void)max_tip_load(statics, {0, 1, 0}));
   EXPECT_THROW((void)max_tip_load(statics, {0, 0, 1}, {TipLoad::kMoment}), InputError);
   EXPECT_THROW((void)max_tip_load(statics, {0, 1, 0}, {TipLoad::kForce, 0, 1}), InputError);
-  EXPECT_THROW((void)max_tip_load(one_hinge(), {0, 1, 0}, {TipLoad::kForce, 0, -1}), InputError);
+  EXPECT_THROW((void)max_tip_load(lever(), {0, 1, 0}, {TipLoad::kForce, 0, -1}), InputError);
 }
 
 }  // namespace

@@ -135,6 +135,7 @@ TEST(ArmDerivatives, OfAllSubjectsAreTheSlopesOfTheArms) {
   int compared = 0, curved = 0;
   sample::Draw draw(3);
   for (const auto& file : std::filesystem::directory_iterator(THENAR_DATA_DIR "/subjects")) {
+    if (file.path().extension() != ".toml") continue;
     const Subject subject = read_subject(file.path().string());
     const Skeleton skeleton = build_skeleton(subject);
     const PathSet set = build_paths(subject, skeleton);
