@@ -118,7 +118,7 @@ TEST_P(EveryFinger, RestsInTheStraightFinger) {
 
 std::vector<Case> every_finger() {
   std::vector<Case> cases;
-  for (const char* name : {"winslow", "dogadov2017", "chao_an"}) {
+  for (const char* name : {"winslow", "dogadov2017", "chao_an", "extensor_hood"}) {
     for (const char* digit : {"index", "middle", "ring", "little"})
       cases.push_back({"mirakhorlo2016", digit, name});
     cases.push_back({"synek2019_middle", "middle", name});
