@@ -44,10 +44,10 @@ std::vector<DemoThumb> thumbs_of(const std::string& data) {
 }
 
 DemoHood bend_hood(const StudyInputs& inputs) {
-  // The finger with Winslow's net.
+  // The finger with the default net.
   const Subject subject =
       parse_subject(inputs.population_subject.text, inputs.population_subject.path);
-  const NetDescription net = find_net("winslow");
+  const NetDescription net = find_net("extensor_hood");
   TendonOptions options;
   options.hood = Hood::kFloatingNet;
   DemoHood hood;

@@ -219,7 +219,7 @@ SourceText net_source(const std::string& name_or_path) {
 }
 
 std::string net_meant(const std::optional<Hood>& hood, const std::string& net) {
-  if (net.empty()) return hood == Hood::kFloatingNet ? "winslow" : "";
+  if (net.empty()) return hood == Hood::kFloatingNet ? "extensor_hood" : "";
   require(!hood || hood == Hood::kFloatingNet,
           "--net {} needs a hood that is a net, got --hood {}; leave one of them out", net,
           hood == Hood::kSeparate ? "separate" : "fractions");

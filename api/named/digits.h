@@ -32,7 +32,7 @@ struct DigitRequest {
   std::vector<Vary> vary;    // in the unit of the posture; the last one varies fastest
   std::optional<Path> path;  // of tendons outside of a net; absent: via points
   std::optional<Hood> hood;  // absent: the question's own default, or a net where one is named
-  std::string net;           // name or file; empty: winslow if the hood is a net
+  std::string net;           // name or file; empty: extensor_hood if the hood is a net
   std::string map;           // a published tip map; empty: the bones, or the first map
 };
 
@@ -102,7 +102,7 @@ inline constexpr double kMaxTension = 1e4;  // [N]
 [[nodiscard]] std::vector<std::string> collapse_warnings(const DigitTendons& linear,
                                                          const Eigen::VectorXd& q);
 
-/// "chao_an", "dogadov2017", "winslow": nets that the library carries along.
+/// "chao_an", "dogadov2017", "extensor_hood", "winslow": nets that the library carries along.
 [[nodiscard]] std::vector<std::string> known_nets();
 
 /// The text of a net by one of these names, or by the path of its file; that path is returned with
@@ -113,7 +113,7 @@ inline constexpr double kMaxTension = 1e4;  // [N]
 [[nodiscard]] NetDescription find_net(const std::string& name_or_path);
 
 /// The net that a hood and a net, absent or empty where not given, mean together: a named net means
-/// a hood that is a net; such a hood alone means "winslow". Empty: the hood is no net.
+/// a hood that is a net; such a hood alone means "extensor_hood". Empty: no net.
 /// @throws InputError if a net is named for a hood that is none.
 [[nodiscard]] std::string net_meant(const std::optional<Hood>& hood, const std::string& net);
 

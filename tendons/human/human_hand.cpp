@@ -30,7 +30,7 @@ std::string built_in(const std::string& file) {
 }
 
 const NetDescription& finger_net() {
-  static const NetDescription net = parse_net(built_in("winslow.toml"), "winslow.toml");
+  static const NetDescription net = parse_net(built_in("extensor_hood.toml"), "extensor_hood.toml");
   return net;
 }
 

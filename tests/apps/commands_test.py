@@ -437,10 +437,10 @@ class Simulate(Near):
         self.assertEqual(answer["status"], "done")
         self.assertGreater(answer["last"]["slips_N"]["terminal"], 0)
 
-    def test_hood_that_is_a_net_is_winslows_unless_named(self):
+    def test_hood_that_is_a_net_is_the_extensor_hood_unless_named(self):
         words = ("simulate", INDEX, "--excitation", "EDC=0.1", "--seconds", 0.02)
         self.assertEqual(ask(*words, "--hood", "net")["last"],
-                         ask(*words, "--net", "winslow")["last"])
+                         ask(*words, "--net", "extensor_hood")["last"])
 
     def test_interrupt_keeps_what_there_is(self):
         with tempfile.TemporaryDirectory() as folder:
@@ -613,7 +613,7 @@ class Tendon(Near):
                       complaint("tendon", "sweep", SYNEK, *self.EDC, "--vary", "PIP3=0:90:-5"))
 
     def test_explains_what_a_net_is_made_of(self):
-        for name in ("chao_an", "dogadov2017", "winslow"):
+        for name in ("chao_an", "dogadov2017", "extensor_hood", "winslow"):
             path = ROOT / f"data/nets/{name}.toml"
             net, said = tomllib.loads(path.read_text()), ask("explain", path)
             for kind, key in (("node", "node"), ("band", "band"), ("surface", "surface")):

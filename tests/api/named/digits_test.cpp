@@ -70,7 +70,7 @@ TEST(Tensions, RefusesAPushAndGuessesANames) {
 }
 
 TEST(NetMeant, FollowsTheHood) {
-  EXPECT_EQ(net_meant(Hood::kFloatingNet, ""), "winslow");
+  EXPECT_EQ(net_meant(Hood::kFloatingNet, ""), "extensor_hood");
   EXPECT_EQ(net_meant(Hood::kFractions, ""), "");
   EXPECT_EQ(net_meant(std::nullopt, "chao_an"), "chao_an");
   EXPECT_THROW((void)net_meant(Hood::kSeparate, "chao_an"), InputError);
