@@ -213,7 +213,10 @@ ExperimentPlan plan_experiment(const TendonDigit& digit, const FitParameters& pa
     plan.posture_of_trial.push_back(posture_index(plan, trial.posture));
     plan.tension.push_back(tensions(digit, trial));
     plan.force.col(i) = trial.force;
-    const double missed = parameters.misfit * plan.tension.back().sum();
+    const Eigen::VectorXd& t = plan.tension.back();
+    const bool several = (t.array() > 0).count() > 1;
+    const double missed =
+        t.sum() * std::hypot(parameters.misfit, several ? parameters.superposition : 0);
     plan.sd.col(i) =
         (force_sd(experiment, trial).array().square() + missed * missed).sqrt().matrix();
   }

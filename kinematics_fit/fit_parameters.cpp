@@ -147,6 +147,7 @@ FitParameters choose_parameters(const TendonDigit& digit, const std::vector<std:
   FitParameters fit;
   fit.postures = postures;
   fit.misfit = settings.misfit;
+  fit.superposition = settings.superposition;
   std::vector<Parameter> all = list_parameters(digit, postures);
   std::vector<Choice> choices(all.size());
   for (const ParameterRule& rule : settings.rules) apply_rule(rule, settings.path, all, choices);

@@ -22,6 +22,7 @@ struct FitParameters {
   std::vector<int> leader;            // parameter that owns each coordinate
   double misfit = 0;                  // sd of what the model misses of each component of a force,
                                       // in every trial anew, per newton of tension [1]
+  double superposition = 0;           // the same of trials under several loads alone [1]
 
   [[nodiscard]] int coordinates() const { return static_cast<int>(leader.size()); }
 };

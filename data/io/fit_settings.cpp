@@ -143,6 +143,8 @@ FitSettings parse_fit_settings(const std::string& text, const std::string& path)
   (void)top.text_or("description", "");
   settings.robust_scale = top.number_or(Dimension::kNumber, "robust_scale", 0, Range::kNotNegative);
   settings.misfit = top.number_or(Dimension::kNumber, "misfit", 0, Range::kNotNegative);
+  settings.superposition =
+      top.number_or(Dimension::kNumber, "superposition", 0, Range::kNotNegative);
   // Rules stay in the order of the file: later ones win.
   for (TomlTable& row : top.tables("parameter")) settings.rules.push_back(read_rule(row));
   for (TomlTable& row : top.tables("axis_distance"))

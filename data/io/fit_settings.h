@@ -69,6 +69,8 @@ struct FitSettings {
   std::vector<AxisDistance> axis_distances;  // used by the constrained solver
   double robust_scale = 0;                   // Cauchy scale in noise sds; 0: plain squares [1]
   double misfit = 0;                         // sd of a force that the model misses, per tension [1]
+  double superposition = 0;                  // sd by which several loads at once differ from their
+                                             // sum, per tension [1]
   PosteriorPriors posterior;
   std::vector<SettingChoice> choices;
 };

@@ -54,6 +54,19 @@ TEST(ExperimentPlan, AddsWhatTheModelMissesToTheNoise) {
   EXPECT_TRUE(plan.sd.isApprox(Eigen::Vector3d(0.5, 0.3, std::sqrt(2.65)), 1e-15)) << plan.sd;
 }
 
+// Of several loads at once alone: sd^2 = stated^2 + (superposition x sum of tensions)^2.
+TEST(ExperimentPlan, AddsToTheNoiseOfLoadsThatDoNotAddUp) {
+  FitSetup setup = middle_finger("superposition = 0.04\n" + kAxes);
+  Experiment& experiment = setup.experiments.front();
+  experiment.trials.resize(2);
+  experiment.trials[0].tension = {{"FDS", 6}, {"FDP", 4}};
+  experiment.trials[1].tension = {{"FDS", 10}, {"FDP", 0}};
+  for (Trial& trial : experiment.trials) trial.sd = Eigen::Vector3d(0.3, 0.3, 0.3);
+  const ExperimentPlan plan = plan_experiment(setup.digit, setup.parameters, experiment);
+  EXPECT_TRUE(plan.sd.col(0).isApprox(Eigen::Vector3d(0.5, 0.5, 0.5), 1e-15)) << plan.sd;
+  EXPECT_TRUE(plan.sd.col(1).isApprox(Eigen::Vector3d(0.3, 0.3, 0.3), 1e-15)) << plan.sd;
+}
+
 TEST(ExperimentPlan, SaysThatMomentsAreNotFitted) {
   FitSetup setup = middle_finger(kAxesAndPaths);
   setup.digit.calibrated_on.clear();
