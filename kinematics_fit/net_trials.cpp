@@ -84,12 +84,18 @@ std::vector<Matrix3Xd> net_starts(const TendonDigit& digit, const FitParameters&
   const SpecimenModel<double> model =
       specimen_model(digit, parameters, parameter_values<double>(parameters, u));
   const NetTendons tendons = tendons_of(digit, model);
+  // Steps may be long: they only choose the rest, which every search then settles.
+  NetContinuationOptions long_steps;
+  long_steps.stray = 1e-3;
+  long_steps.min_turn = 0.05;
+  long_steps.max_solves = 100;
   std::vector<Matrix3Xd> starts(plan.tension.size());
   for (std::size_t i = 0; i < starts.size(); ++i) {
     if (!pulls_net(*digit.net, plan.tension[i])) continue;
     const PosedSpecimen<double> at =
         pose_specimen(model, plan, static_cast<std::size_t>(plan.posture_of_trial[i]));
-    const NetContinuation walk = follow_from_straight(tendons, at.angles, arriving(model, plan, i));
+    const NetContinuation walk =
+        follow_from_straight(tendons, at.angles, arriving(model, plan, i), long_steps);
     starts[i] = on_links(tendons.net().net, at.state, walk.rest.x);
   }
   return starts;
