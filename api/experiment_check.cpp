@@ -72,16 +72,23 @@ void check_names(const CheckedExperiment& of, std::vector<std::string>& misfits)
   const Experiment& experiment = of.experiment;
   const TendonDigit& digit = of.digit;
   const ExperimentLines& lines = of.lines;
-  if (digit.skeleton.link_of_segment.count(experiment.force_segment) == 0) {
-    std::vector<std::string> segments;
-    for (const auto& [segment, link] : digit.skeleton.link_of_segment) segments.push_back(segment);
-    misfits.push_back(
-        lines.at(lines.segment, no_such("segment", experiment.force_segment, segments)));
-  }
   const auto known = [](const std::vector<std::string>& names, const std::string& name) {
     return std::find(names.begin(), names.end(), name) != names.end();
   };
   std::set<std::string> told;
+  const auto check_segment = [&](const std::string& name, int line) {
+    if (digit.skeleton.link_of_segment.count(name) > 0 || !told.insert("segment " + name).second)
+      return;
+    std::vector<std::string> segments;
+    for (const auto& [segment, link] : digit.skeleton.link_of_segment) segments.push_back(segment);
+    misfits.push_back(lines.at(line, no_such("segment", name, segments)));
+  };
+  check_segment(experiment.force_segment, lines.segment);
+  for (std::size_t i = 0; i < experiment.trials.size(); ++i)
+    if (const std::optional<ForceSite>& site = experiment.trials[i].site) {
+      check_segment(site->at, lines.trial(i));
+      check_segment(site->axes, lines.trial(i));
+    }
   for (std::size_t p = 0; p < experiment.postures.size(); ++p)
     for (const auto& [joint, angle] : experiment.postures[p].angles)
       if (!known(digit.names.coordinates, joint) && told.insert("joint " + joint).second)
@@ -109,6 +116,7 @@ void check_forces(const CheckedExperiment& of, std::vector<std::string>& doubts)
     const Trial& trial = of.experiment.trials[i];
     double pulled = 0;
     for (const auto& [muscle, tension] : trial.tension) pulled += tension;
+    if (trial.site) continue;  // a mount feels tendons and tip, a short lever more than the tip
     if (trial.force.norm() > pulled + kNoise * force_sd(of.experiment, trial).norm())
       doubts.push_back(of.lines.at(
           of.lines.trial(i),

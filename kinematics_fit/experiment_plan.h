@@ -9,6 +9,7 @@
 
 #include "data/io/experiment.h"
 #include "kinematics_fit/fit_parameters.h"
+#include "kinematics_fit/force_site.h"
 #include "kinematics_fit/tip_constraint.h"
 
 namespace thenar {
@@ -29,6 +30,8 @@ struct ExperimentPlan {
   std::vector<double> condition;  // of each posture's tip_constraint_loads() before the fit [1]
   std::vector<int> posture_of_trial;
   std::vector<Eigen::VectorXd> tension;     // of each trial [N] (muscles)
+  std::vector<PlannedSite> sites;           // of load cells that do not hold the tip
+  std::vector<int> site_of_trial;           // index in `sites`; -1, or none: the tip's cell
   Eigen::Matrix3Xd force;                   // measured; 0 where not fitted [N] (3, trials)
   Eigen::Matrix3Xd sd;                      // of the noise and of what the model misses; infinite
                                             // where not fitted [N] (3, trials)
@@ -42,6 +45,8 @@ struct ExperimentPlan {
 /// @param parameters  name the postures that may be in error one by one
 /// @throws InputError if the experiment names a joint, muscle or segment the digit has not, or a
 /// posture in which the held tip is singular: no force there follows from the tendons' torques.
+/// The same of the held segment where a trial was measured elsewhere, and InputError if a mount's
+/// force is asked for without the paths of the tendons that leave it.
 /// Where two components in the plane of flexion are fitted, and all axes are within 15 degrees of
 /// that plane's normal, only forces in the plane count.
 /// Every search for the rest of a net begins at net_start, so that forces are a function of the
@@ -49,6 +54,11 @@ struct ExperimentPlan {
 [[nodiscard]] ExperimentPlan plan_experiment(const TendonDigit& digit,
                                              const FitParameters& parameters,
                                              const Experiment& experiment);
+
+/// Where trial i was measured: an index in plan.sites, or -1 at the tip.
+[[nodiscard]] inline int site_of(const ExperimentPlan& plan, std::size_t trial) {
+  return trial < plan.site_of_trial.size() ? plan.site_of_trial[trial] : -1;
+}
 
 /// Warnings about an experiment on this digit: postures beyond the joint limits or in which the
 /// held tip is nearly singular, tensions far above those that the muscle can make, a pinned tip of

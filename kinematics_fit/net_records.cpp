@@ -80,6 +80,10 @@ std::vector<TendonRecord> net_records(const NetTendons& tendons, const Experimen
   for (Eigen::Index i = 0; i < plan.force.cols(); ++i) {
     // Trials that do not load the net are left out.
     const VectorXd& t = plan.tension[static_cast<std::size_t>(i)];
+    require(site_of(plan, static_cast<std::size_t>(i)) < 0,
+            "experiment {}: bands are told from forces of the tip; leave out trials measured at "
+            "other segments",
+            experiment.name);
     if (tendons.drive(t).isZero(0)) continue;
     records.push_back(
         {test_of(tendons, plan, plan.posture_of_trial[static_cast<std::size_t>(i)], t),

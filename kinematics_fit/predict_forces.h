@@ -62,12 +62,11 @@ template <typename T>
   return at;
 }
 
-/// Map from stated tensions to the force components that the load cell reads in one posture, of all
-/// tendons outside of a net [1] (3, muscles).
+/// Map from stated tensions to the tip's force in the tip's axes, of all tendons outside of a net
+/// [1] (3, muscles).
 template <typename T>
-[[nodiscard]] MatrixX<T> cell_force_map(const SpecimenModel<T>& model, const ExperimentPlan& plan,
-                                        const PosedSpecimen<T>& at) {
-  // Tip force of a unit of stated tension, in the tip's axes.
+[[nodiscard]] MatrixX<T> stated_force_map(const SpecimenModel<T>& model, const ExperimentPlan& plan,
+                                          const PosedSpecimen<T>& at) {
   MatrixX<T> arms = muscle_arms(model.digit, at.state, at.angles);
   if (model.net) take_outside_arms(*model.net, model.digit.tree, at.state, arms);
   MatrixX<T> map = held_tip_forces(model.digit, at.state, plan.hold, plan.known, model.out_of_plane,
@@ -77,7 +76,33 @@ template <typename T>
   // What the geometry misses in this posture alone.
   const Eigen::Index muscles = model.gain.size();
   if (at.key >= 0) map += model.posture_unexplained.middleCols(at.key * muscles, muscles);
-  return at.cell * map;
+  return map;
+}
+
+/// The same to the force components that the tip's load cell reads [1] (3, muscles).
+template <typename T>
+[[nodiscard]] MatrixX<T> cell_force_map(const SpecimenModel<T>& model, const ExperimentPlan& plan,
+                                        const PosedSpecimen<T>& at) {
+  return at.cell * stated_force_map(model, plan, at);
+}
+
+/// The same of a load cell that does not hold the tip, for a model without a net [1] (3, muscles).
+template <typename T>
+[[nodiscard]] MatrixX<T> site_force_map(const SpecimenModel<T>& model, const ExperimentPlan& plan,
+                                        const PosedSpecimen<T>& at, const PlannedSite& site) {
+  const auto axes = [&](int link) -> Mat3<T> {
+    return link < 0 ? model.digit.tip_axes : Mat3<T>(at.state[link].X.R * model.digit.tip_axes);
+  };
+  // Force in the base's axes: of a held segment, or of the mount.
+  const MatrixX<T> map = site.link >= 0
+                             ? MatrixX<T>(axes(site.link) *
+                                          segment_force_map(model.digit, site, at.state, at.angles,
+                                                            plan.hold, plan.known) *
+                                          model.gain.asDiagonal())
+                             : mount_force_map(model, site, at.state,
+                                               MatrixX<T>(axes(model.digit.tip_link) *
+                                                          stated_force_map(model, plan, at)));
+  return plan.components.cast<T>() * (axes(site.axes_link).transpose() * map);
 }
 
 /// Joint torque of the net in a trial, the specimen being posed as it is there [N m] (coordinates).
@@ -98,6 +123,13 @@ template <typename T>
     const MatrixX<T> map = cell_force_map(model, plan, at);
     for (Eigen::Index i = 0; i < forces.cols(); ++i) {
       if (plan.posture_of_trial[i] != static_cast<int>(k)) continue;
+      // A load cell elsewhere than at the tip.
+      if (const int other = site_of(plan, static_cast<std::size_t>(i)); other >= 0) {
+        forces.col(i) =
+            site_force_map(model, plan, at, plan.sites[static_cast<std::size_t>(other)]) *
+            plan.tension[i].cast<T>();
+        continue;
+      }
       forces.col(i) = map * plan.tension[i].cast<T>();
       // A net is not linear in tensions.
       if (model.net && pulls_net(*model.net->built, plan.tension[i]))

@@ -108,7 +108,7 @@ std::string describe_loads(const Trial& trial) {
   std::string loads;
   for (const auto& [muscle, tension] : trial.tension)
     if (tension > 0) loads += (loads.empty() ? "" : "+") + muscle;
-  return loads;
+  return trial.site ? loads + " at " + trial.site->at : loads;
 }
 
 bool calibrated_on_specimen(const TendonDigit& digit, const Experiment& experiment) {

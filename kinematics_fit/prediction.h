@@ -24,7 +24,7 @@ struct TrialPrediction {
 /// One trial, predicted.
 struct PredictedTrial {
   std::string posture;
-  std::string loads;          // "FDS" or "FDS+EDC"
+  std::string loads;          // "FDS", "FDS+EDC" or "FDS at MC3"
   Eigen::Vector3d measured;   // [N] (3)
   Eigen::Vector3d predicted;  // [N] (3)
   Eigen::Vector3d sd;         // predictive, of each component; zero if not asked for [N] (3)
@@ -58,7 +58,7 @@ struct Prediction {
   bool calibrated_on_specimen = false;
 };
 
-/// Muscles that pull in a trial: "FDS" or "EDC+FDS".
+/// Muscles that pull in a trial: "FDS" or "EDC+FDS"; "FDS at MC3" where the load cell was there.
 [[nodiscard]] std::string describe_loads(const Trial& trial);
 
 /// Returns whether the digit's subject was calibrated on the experiment's specimen.

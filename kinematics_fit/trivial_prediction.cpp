@@ -101,7 +101,7 @@ MeansOfLoads means_of(const Experiment& experiment, const Trial& trial,
     if (other.components < experiment.components || other.digit != experiment.digit) continue;
     for (const Trial& row : other.trials) {
       const std::map<std::string, double> others = pulls_of(row);
-      if (!same_loads(pulls, others)) continue;
+      if (!same_loads(pulls, others) || !(row.site == trial.site)) continue;
       const Eigen::Vector3d force =
           other.axes_of_digit.cast<double>().transpose() * row.force / total(others);
       const bool here = same_posture(posture, posture_of(other, row.posture));

@@ -17,6 +17,9 @@ class ForceKernel::Tape {
 ForceKernel::ForceKernel(const TendonDigit& digit, const FitParameters& parameters,
                          const ExperimentPlan& plan)
     : program_(std::make_unique<Program>()) {
+  require(plan.sites.empty(),
+          "a posterior knows forces of the tip alone; leave out the trials that were measured at "
+          "other segments ('at'), or ask `thenar fit` and `thenar predict`");
   kernel::compile(digit, parameters, plan, *program_);
 }
 ForceKernel::~ForceKernel() = default;

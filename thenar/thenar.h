@@ -196,6 +196,7 @@
 #include "kinematics_fit/fit_residuals.h"
 #include "kinematics_fit/fit_study.h"
 #include "kinematics_fit/force_jacobian.h"
+#include "kinematics_fit/force_site.h"
 #include "kinematics_fit/hood_comparison.h"
 #include "kinematics_fit/misfit.h"
 #include "kinematics_fit/net_records.h"

@@ -38,8 +38,9 @@ Eigen::RowVector3i signed_axis(TomlTable& table, const std::string& word, const 
 
 /// Which numbers of a row are components of a fitted force.
 struct ReadComponents {
-  int stated = 3;           // numbers in a row [1]
-  std::vector<int> fitted;  // their places in it, in order
+  int stated = 3;                 // numbers in a row [1]
+  std::vector<int> fitted;        // their places in it, in order
+  std::optional<ForceSite> site;  // of rows that state none
 };
 
 /// The component that [force] states as not modelled; -1: none.
@@ -55,6 +56,30 @@ int read_not_modelled(TomlTable& table, const Experiment& experiment) {
     if (experiment.axes_of_digit.row(i) == across || experiment.axes_of_digit.row(i) == -across)
       return i;
   table.fail("'not_modelled' names none of 'components'", "not_modelled");
+}
+
+/// The load cell's place that [force] or a row states. @param from  where it says nothing of its
+/// own
+std::optional<ForceSite> read_site(TomlTable& table, const std::optional<ForceSite>& from) {
+  if (!table.has("at")) {
+    for (const char* key : {"at_fraction", "tendons_leave"})
+      if (table.has(key)) table.fail(fmt::format("'{}' needs 'at', a segment", key), key);
+    if (table.has(Dimension::kLength, "at")) table.fail("'at_mm' needs 'at', a segment");
+    return from;
+  }
+  ForceSite site;
+  site.at = table.text("at");
+  site.axes = table.text_or("segment", site.at);
+  if (table.has("at_fraction"))
+    site.fraction = table.number(Dimension::kNumber, "at_fraction", Range::kFraction);
+  if (table.has(Dimension::kLength, "at")) {
+    if (table.has("at_fraction")) table.fail("wanted 'at_mm' or 'at_fraction', got both", "at");
+    site.point = table.vector(Dimension::kLength, "at");
+  }
+  if (table.has("tendons_leave") &&
+      table.choice("tendons_leave", {"crossing", "along_bone"}) == "along_bone")
+    site.leave = TendonExit::kAlongBone;
+  return site;
 }
 
 /// Axes of the components, of which two or three are fitted.
@@ -83,7 +108,7 @@ ReadComponents read_force_axes(TomlTable& table, Experiment& experiment) {
 
   // Those that are fitted come first, without the one that is not modelled.
   const int left_out = read_not_modelled(table, experiment);
-  ReadComponents read{experiment.components, {}};
+  ReadComponents read{experiment.components, {}, read_site(table, {})};
   for (int i = 0; i < read.stated; ++i)
     if (i != left_out) read.fitted.push_back(i);
   experiment.components = static_cast<int>(read.fitted.size());
@@ -175,7 +200,8 @@ Trial read_trial(TomlTable& table, const Experiment& experiment, const ReadCompo
   // What was done: posture and loads.
   trial.posture = read_known_posture(table, experiment);
   trial.tension = read_tensions(table, pulley);
-  // What was measured; its uncertainty is stated here or for the whole file.
+  // What was measured, and where; its uncertainty is stated here or for the whole file.
+  trial.site = read_site(table, read.site);
   trial.force = read_force(table, read);
   if (table.has(Dimension::kMoment, "moment"))
     trial.moment = table.vector(Dimension::kMoment, "moment");
@@ -255,6 +281,11 @@ Vector3d noise_sd(const Experiment& experiment, const Vector3d& force) {
 
 }  // namespace
 
+bool operator==(const ForceSite& a, const ForceSite& b) {
+  return a.at == b.at && a.axes == b.axes && a.fraction == b.fraction && a.point == b.point &&
+         a.leave == b.leave;
+}
+
 Experiment parse_experiment(const std::string& text, const std::string& path) {
   const TomlFile file(text, path);
   TomlTable top = file.top();
@@ -271,6 +302,8 @@ Experiment parse_experiment(const std::string& text, const std::string& path) {
   // Postures and trials, or activations in place of trials.
   for (TomlTable& table : top.tables("posture"))
     experiment.postures.push_back(read_posture(table, experiment));
+  if (read.site && top.has("activation"))
+    top.fail("an [[activation]] is of the tip; state 'at' in the rows of [trials]", "activation");
   for (TomlTable& row : top.tables("activation"))
     experiment.activations.push_back(read_activation(row, experiment, read));
   if (experiment.activations.empty() || top.has("trials"))

@@ -17,6 +17,25 @@ enum class TipConstraint {
   kRigid    // clamped to the load cell: force and moment
 };
 
+/// How tendons leave the mount on which a digit stands, on their way to the muscles.
+enum class TendonExit {
+  kCrossing,  // straight on from where they cross the joint next to the mount
+  kAlongBone  // turned along the bone by the mount, proximal
+};
+
+/// Place of a load cell that does not hold the tip.
+struct ForceSite {
+  std::string at;    // segment that it holds in place of the tip; or, of the base, the mount
+                     // on which the digit stands while its tip is held
+  std::string axes;  // segment whose directions the force components use
+  std::optional<double> fraction;  // how far along the bone it holds: 0 proximal, 1 distal; empty:
+                                   // half-way, on the tip's segment at the tip          [1]
+  std::optional<Eigen::Vector3d> point;  // instead: at the reference posture, subject frame [m] (3)
+  TendonExit leave = TendonExit::kCrossing;  // of a mount
+};
+
+[[nodiscard]] bool operator==(const ForceSite& a, const ForceSite& b);
+
 /// Joint angles of one posture.
 struct PostureRecord {
   std::string name;
@@ -30,6 +49,7 @@ struct Trial {
   Eigen::Vector3d force{0, 0, 0};         // of the tip on the world, experiment axes [N] (3)
   std::optional<Eigen::Vector3d> moment;  // of the tip on the world, about the tip [N m] (3)
   std::optional<Eigen::Vector3d> sd;      // of the force, if stated for this row [N] (3)
+  std::optional<ForceSite> site = {};     // where the force was measured; empty: at the tip
 };
 
 /// One task, measured by electromyography and the load cell.

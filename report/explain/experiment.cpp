@@ -32,6 +32,23 @@ std::string components_in_words(const Experiment& experiment) {
              : words + "; the force across the plane of flexion is not fitted";
 }
 
+/// How many trials were measured elsewhere than at the tip, by the segment of the load cell.
+std::vector<std::string> sites_in_words(const Experiment& experiment) {
+  std::map<std::string, std::pair<int, std::string>> sites;  // trials, and axes of the force
+  for (const Trial& trial : experiment.trials)
+    if (trial.site) {
+      auto& [trials, axes] = sites[trial.site->at];
+      ++trials;
+      axes = trial.site->axes;
+    }
+  std::vector<std::string> lines;
+  for (const auto& [at, site] : sites)
+    lines.push_back(
+        fmt::format("{} of {} trials: the load cell was at {}, forces in its axes of {}",
+                    site.first, experiment.trials.size(), at, site.second));
+  return lines;
+}
+
 Section explain_protocol(const Experiment& experiment) {
   Section section{"protocol", "Protocol", {}, {}};
   section.lines = {
@@ -43,6 +60,7 @@ Section explain_protocol(const Experiment& experiment) {
           : "hold pinned: the tip touched the load cell at a point, which took forces only",
       fmt::format("forces are of the tip on the world, in axes fixed in {}: {}",
                   experiment.force_segment, components_in_words(experiment))};
+  for (const std::string& line : sites_in_words(experiment)) section.lines.push_back(line);
   section.lines.push_back(
       experiment.sd_floor > 0
           ? fmt::format("noise of each component: sd^2 = ({:.3g} N)^2 + ({:.3g} % of |force|)^2",

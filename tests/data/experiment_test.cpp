@@ -278,5 +278,34 @@ TEST(ActivationRows, SayWhatIsWrongWithThem) {
             "e.toml:18: [[activation]] needs a plain number (activation_sd)");
 }
 
+// A place in [force] is that of all rows but those that state their own.
+TEST_F(ExperimentFile, ReadsWhereForcesWereMeasured) {
+  const Experiment rows = parse_experiment(broken("{posture = \"Hook\", tension_N",
+                                                  "{at = \"MC3\", tendons_leave = \"along_bone\", "
+                                                  "posture = \"Hook\", tension_N"),
+                                           "e.toml");
+  EXPECT_FALSE(rows.trials[0].site);
+  ASSERT_TRUE(rows.trials[1].site);
+  EXPECT_EQ(rows.trials[1].site->axes, "MC3");
+  EXPECT_EQ(rows.trials[1].site->leave, TendonExit::kAlongBone);
+  const Experiment all = parse_experiment(
+      broken("segment = \"DP3\"", "segment = \"DP3\"\nat = \"PP3\"\nat_mm = [1, 2, 3]"), "e.toml");
+  for (const Trial& trial : all.trials) {
+    ASSERT_TRUE(trial.site);
+    EXPECT_EQ(trial.site->axes, "DP3");
+    EXPECT_EQ(*trial.site->point, Vector3d(0.001, 0.002, 0.003));
+  }
+}
+
+TEST_F(ExperimentFile, RefusesAPlaceWithoutSegment) {
+  EXPECT_NE(experiment_refusal("load_g = {FDS", "at_fraction = 0.5, load_g = {FDS")
+                .find("'at_fraction' needs 'at', a segment"),
+            std::string::npos);
+  EXPECT_NE(experiment_refusal("load_g = {FDS",
+                               "at = \"PP3\", at_mm = [0, 0, 0], at_fraction = 0.5, load_g = {FDS")
+                .find("got both"),
+            std::string::npos);
+}
+
 }  // namespace
 }  // namespace thenar
