@@ -3,17 +3,17 @@
 //
 // Prints:
 //   trusted: yes
-//   slips: central 0.62 N, radial 1.42 N, ulnar 1.25 N, terminal 2.11 N
-//   MCP3_FE  -21.19 N mm
-//   MCP3_AA    0.76 N mm
-//   PIP3     -12.87 N mm
-//   DIP3      -7.84 N mm
+//   slips: central 1.23 N, radial 1.31 N, ulnar 1.35 N, terminal 2.42 N
+//   MCP3_FE  -23.16 N mm
+//   MCP3_AA    0.58 N mm
+//   PIP3     -12.43 N mm
+//   DIP3      -9.00 N mm
 #include <cstdio>
 
 #include <thenar/thenar.h>
 
 int main() {
-  // The finger with Winslow's net of bands; muscles that are not named are slack.
+  // The finger with the net of its extensor hood; muscles that are not named are slack.
   thenar::TendonRequest request;
   request.digit.subject = "synek2019_middle";
   request.digit.posture.named = {{"MCP3_FE", 20}, {"PIP3", 30}, {"DIP3", 20}};
