@@ -10,7 +10,7 @@
 #include "api/tendon_solve.h"
 #include "base/progress.h"
 #include "kinematics_fit/fit_study.h"
-#include "kinematics_fit/hood_comparison.h"
+#include "kinematics_fit/hoods/hood_comparison.h"
 #include "posterior/run/posterior_summary.h"
 
 namespace thenar {

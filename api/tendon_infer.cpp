@@ -12,7 +12,7 @@
 #include "api/named/files.h"
 #include "base/error.h"
 #include "base/nearest_name.h"
-#include "kinematics_fit/net_records.h"
+#include "kinematics_fit/hoods/net_records.h"
 #include "tendons/net/build_tendons.h"
 #include "tendons/net/net_tendons.h"
 #include "tendons/topology/select_bands.h"

@@ -6,7 +6,7 @@
 
 #include <ceres/jet.h>
 
-#include "kinematics_fit/axis_distance.h"
+#include "hand/axis_distance.h"
 #include "kinematics_fit/net_trials.h"
 #include "tendons/net/net_derivatives.h"
 #include "tendons/net/tangent_net.h"

@@ -101,7 +101,6 @@ void lengthen_bone(const TendonModel<double>& from, int i, const T& by, TendonMo
 template <typename T>
 void set_parameter(const TendonModel<double>& from, const Parameter& p, const T& value,
                    SpecimenModel<T>& to) {
-  using std::exp;
   const auto along_digit = [&](int c) { return Vec3<T>(from.tip_axes.col(c).cast<T>() * value); };
   switch (p.kind) {
     case ParameterKind::kAxisDirection:
@@ -164,22 +163,11 @@ void set_parameter(const TendonModel<double>& from, const Parameter& p, const T&
       to.posture_unexplained(p.component, p.point * to.gain.size() + p.item) = value;
       break;
     case ParameterKind::kNetStiffness:
-      if (p.item < 0)
-        to.net->EA *= exp(value);
-      else
-        to.net->EA[p.item] *= exp(value);
-      break;
     case ParameterKind::kNetSlack:
-      to.net->slack[p.item] *= exp(value);
-      break;
     case ParameterKind::kNetPlace:
-      to.net->place[p.item] += along_digit(p.component);
-      break;
     case ParameterKind::kNetRadius:
-      to.net->radius[p.item] += value;
-      break;
     case ParameterKind::kNetEntry:
-      to.net->to_net[p.item] = shift_fraction(to.net->to_net[p.item], value);
+      set_net_parameter(from.tip_axes, p, value, *to.net);
       break;
   }
 }

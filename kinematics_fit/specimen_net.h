@@ -2,10 +2,12 @@
 
 /// Floating extensor net of one specimen, with its parameters set, on any scalar.
 
+#include <cmath>
 #include <memory>
 #include <vector>
 
 #include "kinematics_fit/parameter.h"
+#include "tendons/hood.h"
 #include "tendons/net/build_net.h"
 #include "tendons/path.h"
 
@@ -67,6 +69,36 @@ void move_with_path(const PathNode<double>& point, const Vec3<T>& by, SpecimenNe
     for (std::size_t k = 0; k < built.muscles[m].own.size(); ++k)
       if (lies_at(point, built.muscles[m].own[k].link, built.muscles[m].own[k].p))
         to.own[m][k].p += by;
+}
+
+/// Sets one parameter of a net that still has the parameter's start value.
+/// @param tip_axes  proximal, dorsal and radial of the digit, as columns (3, 3)
+template <typename T>
+void set_net_parameter(const Eigen::Matrix3d& tip_axes, const Parameter& p, const T& value,
+                       SpecimenNet<T>& to) {
+  using std::exp;
+  switch (p.kind) {
+    case ParameterKind::kNetStiffness:
+      if (p.item < 0)
+        to.EA *= exp(value);
+      else
+        to.EA[p.item] *= exp(value);
+      break;
+    case ParameterKind::kNetSlack:
+      to.slack[p.item] *= exp(value);
+      break;
+    case ParameterKind::kNetPlace:
+      to.place[p.item] += tip_axes.col(p.component).cast<T>() * value;
+      break;
+    case ParameterKind::kNetRadius:
+      to.radius[p.item] += value;
+      break;
+    case ParameterKind::kNetEntry:
+      to.to_net[p.item] = shift_fraction(to.to_net[p.item], value);
+      break;
+    default:
+      break;  // no parameter of a net
+  }
 }
 
 /// Pull of each muscle of the net for tensions t of the digit's muscles [N] (pulls).

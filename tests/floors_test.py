@@ -39,6 +39,7 @@ MAY_SEE |= {
 FITS = TENDONS + ["tendons/forces", "tendons/net", "tendons/topology"]
 MAY_SEE |= {
     "kinematics_fit": FITS,
+    "kinematics_fit/hoods": FITS + ["kinematics_fit"],
     "posterior/kernel": FITS + ["kinematics_fit"],
     "posterior": FITS + ["sampling/methods", "kinematics_fit", "posterior/kernel"],
 }

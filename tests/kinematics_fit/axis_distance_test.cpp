@@ -1,6 +1,6 @@
-// Tests for kinematics_fit/axis_distance.h and the constraints of a fit.
+// Tests for hand/axis_distance.h and the constraints of a fit.
 
-#include "kinematics_fit/axis_distance.h"
+#include "hand/axis_distance.h"
 
 #include <cmath>
 

@@ -1,4 +1,4 @@
-#include "kinematics_fit/hood_comparison.h"
+#include "kinematics_fit/hoods/hood_comparison.h"
 
 #include <algorithm>
 #include <chrono>
@@ -6,7 +6,7 @@
 
 #include "base/error.h"
 #include "kinematics_fit/fit_parameters.h"
-#include "kinematics_fit/net_records.h"
+#include "kinematics_fit/hoods/net_records.h"
 #include "kinematics_fit/predict_forces.h"
 #include "tendons/linear_tendons.h"
 #include "tendons/net/build_tendons.h"
