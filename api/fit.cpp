@@ -135,6 +135,7 @@ FitInputs read_fit_inputs(const FitSources& sources) {
                         : read_source(named_file("file of fit settings", sources.settings, "fits",
                                                  ".toml", data_folders(sources.data)));
   inputs.also_free = sources.also_free;
+  inputs.scaling = scaling_named(sources.scale);
   if (!sources.net.empty())
     inputs.net =
         read_source(named_file("net", sources.net, "nets", ".toml", data_folders(sources.data)));
@@ -190,7 +191,7 @@ FitResult fit_forces(const FitRequest& request, const Progress& progress) {
 }
 
 TendonDigit fitted_digit(const Fit& fit, int specimen) {
-  const TendonDigit& digit = fit.problem.digit();
+  const TendonDigit& digit = fit.problem.digit_of(specimen);
   const FitParameters& parameters = fit.problem.parameters();
   return specimen_digit(
       digit, specimen_model(

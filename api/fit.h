@@ -24,6 +24,7 @@ struct FitSources {
   std::vector<std::string> also_free;    // globs of further parameters that move
   std::string net = {};                  // file, or name of nets/, of the extensor mechanism in
                                          // place of the subject's hood; empty: none
+  std::string scale = "subject";         // sizes of the digit: the subject's own, or of "outside"
   std::string data;                      // folder with subjects/ ..; empty: the usual ones
 };
 

@@ -43,8 +43,9 @@ PredictedBy predicted_by(int specimen, bool population) {
 
 std::vector<std::string> prediction_warnings(const FitProblem& fitted,
                                              const Experiment& experiment) {
-  return experiment_warnings(
-      fitted.digit(), plan_experiment(fitted.digit(), fitted.parameters(), experiment), experiment);
+  const TendonDigit digit = fitted.sized_digit(experiment);
+  return experiment_warnings(digit, plan_experiment(digit, fitted.parameters(), experiment),
+                             experiment);
 }
 
 PredictResult predict_forces(const PredictRequest& request) {

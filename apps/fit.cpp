@@ -205,6 +205,9 @@ void add_fit(CLI::App& app) {
       ->add_option("--cross-validate", options->leave_out,
                    "Also leave out one posture|tendon|specimen at a time (nothing)")
       ->default_str("");
+  command->add_option("--scale", sources.scale,
+                      "Size of the digit before parameters act: the subject's own, or by what "
+                      "each experiment states in [outside]: subject|outside");
   command->add_flag("--choose-settings", options->fit.choose_settings,
                     "Choose among the [[choose]] rows of the settings by left-out postures and "
                     "specimens; --cross-validate then chooses in every fold anew. -o FILE.toml "

@@ -112,7 +112,10 @@ FitProblem with_settings(const FitProblem& problem, const FitSettings& settings,
                          const std::vector<std::string>& also_free) {
   return {problem.digit(),
           choose_parameters(problem.digit(), problem.parameters().postures, settings, also_free),
-          problem.experiments(), settings.robust_scale, settings.axis_distances};
+          problem.experiments(),
+          settings.robust_scale,
+          settings.axis_distances,
+          problem.scaling()};
 }
 
 ChosenSettings choose_settings(const FitProblem& problem, const FitSettings& settings,

@@ -85,8 +85,8 @@ FitProblem build_problem(const FitInputs& inputs) {
   const FitSettings settings = parse_fit_settings(inputs.settings.text, inputs.settings.path);
   FitParameters parameters =
       choose_parameters(digit, posture_names(experiments), settings, inputs.also_free);
-  return {std::move(digit), std::move(parameters), std::move(experiments), settings.robust_scale,
-          settings.axis_distances};
+  return {std::move(digit),      std::move(parameters),   std::move(experiments),
+          settings.robust_scale, settings.axis_distances, inputs.scaling};
 }
 
 Fit run_fit(const FitInputs& inputs, const SolveOptions& options) {
@@ -145,6 +145,7 @@ void add_inputs(const FitInputs& inputs, ResultFile& file) {
   for (std::size_t e = 0; e < inputs.experiments.size(); ++e)
     add(fmt::format("inputs/experiment{}", e), inputs.experiments[e]);
   file.add("inputs/also_free", inputs.also_free);
+  if (inputs.scaling == Scaling::kOutside) file.add("inputs/scale", "outside");
 }
 
 /// What the fit has seen: the experiments it was fitted to, and those that its start was.
@@ -173,6 +174,8 @@ FitInputs inputs_of(const ResultFile& file) {
   FitInputs inputs{
       get("inputs/subject"), get("inputs/settings"), {}, file.list("inputs/also_free")};
   if (file.texts.count("inputs/net/text") > 0) inputs.net = get("inputs/net");
+  if (file.texts.count("inputs/scale") > 0)
+    inputs.scaling = scaling_named(file.text("inputs/scale"));
   for (int e = 0; file.texts.count(fmt::format("inputs/experiment{}/text", e)) > 0; ++e)
     inputs.experiments.push_back(get(fmt::format("inputs/experiment{}", e)));
   return inputs;

@@ -25,8 +25,9 @@ struct FitInputs {
   SourceText subject;
   SourceText settings;
   std::vector<SourceText> experiments;
-  std::vector<std::string> also_free;  // globs that free further parameters
-  std::optional<SourceText> net = {};  // of the extensor mechanism, in place of the subject's hood
+  std::vector<std::string> also_free;   // globs that free further parameters
+  std::optional<SourceText> net = {};   // of the extensor mechanism, in place of the subject's hood
+  Scaling scaling = Scaling::kSubject;  // size of the digit of each specimen
 };
 
 /// All texts that a fit reads: subject, settings, net, experiments.

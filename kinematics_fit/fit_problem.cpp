@@ -23,9 +23,10 @@ std::vector<std::string> specimen_names(const std::vector<Experiment>& experimen
 
 FitProblem::FitProblem(TendonDigit digit, FitParameters parameters,
                        std::vector<Experiment> experiments, double robust_scale,
-                       std::vector<AxisDistance> axis_distances)
+                       std::vector<AxisDistance> axis_distances, Scaling scaling)
     : digit_(std::move(digit)),
       experiments_(std::move(experiments)),
+      scaling_(scaling),
       coordinates_(std::move(parameters), specimen_names(experiments_)),
       robust_scale_(robust_scale),
       axis_distances_(std::move(axis_distances)) {
@@ -33,11 +34,48 @@ FitProblem::FitProblem(TendonDigit digit, FitParameters parameters,
   require(!experiments_.empty(), "nothing to fit to: no experiment");
   // Names of each experiment become indices of the digit and its specimens.
   for (const Experiment& experiment : experiments_) {
-    plans_.push_back(plan_experiment(digit_, this->parameters(), experiment));
     const auto known = std::find(specimens().begin(), specimens().end(), experiment.specimen);
     specimen_of_.push_back(static_cast<int>(known - specimens().begin()));
   }
+  if (scaling_ == Scaling::kOutside) size_specimens();
+  for (std::size_t e = 0; e < experiments_.size(); ++e)
+    plans_.push_back(
+        plan_experiment(digit_of(specimen_of_[e]), this->parameters(), experiments_[e]));
   find_axes();
+}
+
+void FitProblem::size_specimens() {
+  for (const std::string& specimen : specimens()) {
+    // What any experiment states of a specimen holds in all of them.
+    const Experiment* stated = nullptr;
+    for (const Experiment& experiment : experiments_)
+      if (experiment.specimen == specimen && !experiment.outside_length.empty() && !stated)
+        stated = &experiment;
+    for (Experiment& experiment : experiments_) {
+      if (experiment.specimen != specimen || !stated) continue;
+      require(
+          experiment.outside_length.empty() || experiment.outside_length == stated->outside_length,
+          "experiments '{}' and '{}' state different lengths in [outside] of one specimen, {}",
+          stated->name, experiment.name, specimen);
+      experiment.outside_length = stated->outside_length;
+    }
+    const auto first = std::find_if(experiments_.begin(), experiments_.end(),
+                                    [&](const Experiment& e) { return e.specimen == specimen; });
+    digits_.push_back(scale_to_outside(digit_, *first));
+  }
+}
+
+const TendonDigit& FitProblem::digit_of(int specimen) const {
+  if (digits_.empty() || specimen < 0) return digit_;
+  return digits_.at(static_cast<std::size_t>(specimen));
+}
+
+TendonDigit FitProblem::sized_digit(const Experiment& experiment) const {
+  if (scaling_ == Scaling::kSubject) return digit_;
+  const auto known = std::find(specimens().begin(), specimens().end(), experiment.specimen);
+  if (known == specimens().end() || !experiment.outside_length.empty())
+    return scale_to_outside(digit_, experiment);
+  return digit_of(static_cast<int>(known - specimens().begin()));
 }
 
 void FitProblem::find_axes() {
@@ -67,6 +105,12 @@ std::vector<std::string> FitProblem::warnings() const {
 
   // Data that least squares leaves aside.
   for (const Experiment& experiment : experiments_)
+    if (!experiment.outside_length.empty() && scaling_ == Scaling::kSubject)
+      all.push_back(fmt::format(
+          "experiment '{}': [outside] is not used, as sizes are those of the subject: --scale "
+          "outside uses it",
+          experiment.name));
+  for (const Experiment& experiment : experiments_)
     if (!experiment.activations.empty())
       all.push_back(fmt::format(
           "experiment '{}': {} activation rows are not fitted, only a posterior uses them",
@@ -89,8 +133,8 @@ FitProblem subset(const FitProblem& problem,
                  trials.end());
     if (!trials.empty()) kept.push_back(std::move(experiment));
   }
-  return {problem.digit(), problem.parameters(), std::move(kept), problem.robust_scale(),
-          problem.axis_distances()};
+  return {problem.digit(),        problem.parameters(),     std::move(kept),
+          problem.robust_scale(), problem.axis_distances(), problem.scaling()};
 }
 
 }  // namespace thenar

@@ -9,6 +9,7 @@
 #include "data/io/experiment.h"
 #include "kinematics_fit/fit_coordinates.h"
 #include "kinematics_fit/force_jacobian.h"
+#include "kinematics_fit/outside_scale.h"
 
 namespace thenar {
 
@@ -20,16 +21,26 @@ class FitProblem {
   /// @param robust_scale    c of fit_residuals(), in noise sds; 0: plain squares [1]
   /// @param axis_distances  bounds on distances between joint axes, for every specimen: see
   ///                        axis_constraints(); kept by constrained solvers only
+  /// @param scaling         size of the digit of each specimen, see scale_to_outside()
   /// @throws InputError if an experiment does not fit the digit, a posture is singular, nothing is
-  /// free, or an axis distance names a joint the digit has not.
+  /// free, or an axis distance names a joint the digit has not; if a size is asked for that cannot
+  /// be, or two experiments state different sizes of one specimen.
   FitProblem(TendonDigit digit, FitParameters parameters, std::vector<Experiment> experiments,
-             double robust_scale = 0, std::vector<AxisDistance> axis_distances = {});
+             double robust_scale = 0, std::vector<AxisDistance> axis_distances = {},
+             Scaling scaling = Scaling::kSubject);
 
   /// Layout, bounds and names of z, and their number.
   [[nodiscard]] const FitCoordinates& coordinates() const { return coordinates_; }
   [[nodiscard]] int size() const { return coordinates_.size(); }
 
+  /// The digit in the subject's size, and in that of a specimen (its index, or one below 0 for the
+  /// population).
   [[nodiscard]] const TendonDigit& digit() const { return digit_; }
+  [[nodiscard]] const TendonDigit& digit_of(int specimen) const;
+  /// The digit in the size of the specimen of any experiment, of this fit or not.
+  /// @throws InputError if the size is to be scaled and nobody has stated it.
+  [[nodiscard]] TendonDigit sized_digit(const Experiment& experiment) const;
+  [[nodiscard]] Scaling scaling() const { return scaling_; }
   [[nodiscard]] const FitParameters& parameters() const { return coordinates_.parameters(); }
   [[nodiscard]] const std::vector<std::string>& specimens() const {
     return coordinates_.specimens();
@@ -52,12 +63,15 @@ class FitProblem {
 
  private:
   void find_axes();
+  void size_specimens();
 
   TendonDigit digit_;
   std::vector<Experiment> experiments_;
+  Scaling scaling_;
   FitCoordinates coordinates_;
   std::vector<ExperimentPlan> plans_;  // of each experiment
   std::vector<int> specimen_of_;       // of each experiment
+  std::vector<TendonDigit> digits_;    // of each specimen in its size; none if not scaled
   double robust_scale_;                // [1]
   std::vector<AxisDistance> axis_distances_;
   std::vector<AxisPair> axis_pairs_;

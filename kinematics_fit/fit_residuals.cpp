@@ -45,12 +45,13 @@ Residuals data_residuals(const FitProblem& problem, const Eigen::VectorXd& z, in
   const FitParameters& parameters = problem.parameters();
   const ExperimentPlan& plan = problem.plans()[e];
   const CoordinateMotion at = coordinate_motion(coordinates, z, problem.specimen_of(e));
+  const TendonDigit& digit = problem.digit_of(problem.specimen_of(e));
   const bool jacobian = want == WithJacobian::kYes;
   ForceJacobian forces;
   if (jacobian)
-    forces = force_jacobian(problem.digit(), parameters, plan, at.u);
+    forces = force_jacobian(digit, parameters, plan, at.u);
   else
-    forces.force = force_values(problem.digit(), parameters, plan, at.u);
+    forces.force = force_values(digit, parameters, plan, at.u);
 
   // Chain rule to the entries of z: two of them at most move a coordinate.
   const Eigen::Index rows = forces.force.size();
@@ -117,7 +118,7 @@ ConstraintValues axis_constraints(const FitProblem& problem, const Eigen::Vector
     const int specimen = static_cast<int>(s);
     const Eigen::VectorXd u = displacements(problem.coordinates(), z, specimen);
     const ConstraintValues own =
-        axis_constraints(problem.digit(), problem.parameters(), problem.axis_pairs(), u);
+        axis_constraints(problem.digit_of(specimen), problem.parameters(), problem.axis_pairs(), u);
     out.c.segment(s * pairs, pairs) = own.c;
     out.C.middleRows(s * pairs, pairs) =
         own.C * displacement_jacobian(problem.coordinates(), z, specimen);

@@ -62,8 +62,8 @@ TrialPrediction predict_trials(const FitProblem& problem, const Eigen::VectorXd&
   const ExperimentPlan& plan = problem.plans()[e];
   const Eigen::VectorXd u = displacements(problem.coordinates(), z, specimen);
   if (want == WithJacobian::kNo)
-    return {force_values(problem.digit(), problem.parameters(), plan, u), {}};
-  ForceJacobian forces = force_jacobian(problem.digit(), problem.parameters(), plan, u);
+    return {force_values(problem.digit_of(specimen), problem.parameters(), plan, u), {}};
+  ForceJacobian forces = force_jacobian(problem.digit_of(specimen), problem.parameters(), plan, u);
   return {std::move(forces.force),
           forces.J * displacement_jacobian(problem.coordinates(), z, specimen)};
 }
@@ -179,7 +179,8 @@ Prediction predict_experiment(const FitProblem& fitted, const Eigen::VectorXd& z
   // Parameters and plan, with those of postures that the fit does not know.
   const FitParameters parameters = add_posture_errors(fitted.parameters(), experiment);
   const int known = fitted.parameters().coordinates(), all = parameters.coordinates();
-  const ExperimentPlan plan = plan_experiment(fitted.digit(), parameters, experiment);
+  const TendonDigit digit = fitted.sized_digit(experiment);
+  const ExperimentPlan plan = plan_experiment(digit, parameters, experiment);
 
   // Displacements of the specimen, or of the population.
   Eigen::VectorXd u = Eigen::VectorXd::Zero(all);
@@ -196,7 +197,7 @@ Prediction predict_experiment(const FitProblem& fitted, const Eigen::VectorXd& z
     V(c, c) = std::pow(parameters.all[parameters.leader[c]].between_sd, 2);
 
   // Mean forces, and their variance with the noise.
-  const PredictiveMoments moments = predictive_moments(fitted.digit(), parameters, plan, u, V);
+  const PredictiveMoments moments = predictive_moments(digit, parameters, plan, u, V);
   const Eigen::VectorXd sd =
       (moments.variance + plan.sd.reshaped().cwiseAbs2().matrix()).cwiseSqrt();
   return compare_forces(experiment, moments.mean,

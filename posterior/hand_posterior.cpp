@@ -100,6 +100,8 @@ HandPosterior::HandPosterior(FitProblem problem, const PosteriorOptions& options
       !parts.problem.digit().net,
       "a posterior has no nets: its force kernel is written for tendons that are linear in their "
       "tensions; fit the net, or sample with the subject's own hood");
+  require(parts.problem.scaling() == Scaling::kSubject,
+          "a posterior has one size for all specimens: sample without --scale outside");
   require(!options.learn_noise || options.noise_sd > 0, "noise_sd must be > 0, got {}",
           options.noise_sd);
   require(!options.learn_specimen_scale || options.specimen_scale_sd > 0,

@@ -247,6 +247,15 @@ ActivationRow read_activation(TomlTable& table, const Experiment& experiment,
   return row;
 }
 
+std::map<std::string, double> read_outside(TomlTable& table) {
+  std::map<std::string, double> length =
+      table.named(Dimension::kLength, "length", Range::kPositive);
+  if (length.empty())
+    table.fail("[outside] needs the 'length_mm' of at least one segment: {PP3 = 45.1}");
+  table.done();
+  return length;
+}
+
 TomlTable need_table(TomlTable& top, const std::string& key, const std::string& why) {
   if (std::optional<TomlTable> table = top.table(key)) return *table;
   top.fail(fmt::format("the file needs [{}]: {}", key, why));
@@ -291,6 +300,8 @@ Experiment parse_experiment(const std::string& text, const std::string& path) {
   TomlTable top = file.top();
   Experiment experiment;
   read_header(top, experiment);
+  if (std::optional<TomlTable> outside = top.table("outside"))
+    experiment.outside_length = read_outside(*outside);
 
   // Protocol: how the tip was held, in which axes its force was read, and how accurately.
   TomlTable protocol = need_table(top, "protocol", "how the fingertip was held");

@@ -79,6 +79,8 @@ struct Experiment {
   std::vector<PostureRecord> postures;
   std::vector<Trial> trials;
   std::vector<ActivationRow> activations;
+  std::map<std::string, double> outside_length = {};  // segment -> its length, measured on the
+                                                      // specimen's outside; empty: not stated [m]
 };
 
 /// Reads an experiment from TOML; the format is in docs/data_format.md.

@@ -329,7 +329,7 @@ Json open_directions(const Fit& fit, const std::string& whose) {
 }
 
 Json fitted_scene(const Fit& fit, int specimen) {
-  const TendonDigit& before = fit.problem.digit();
+  const TendonDigit& before = fit.problem.digit_of(specimen);
   const TendonDigit after = fitted_digit(fit, specimen);
   const std::string& name = fit.problem.specimens()[static_cast<std::size_t>(specimen)];
   // The first posture of an experiment of the specimen.

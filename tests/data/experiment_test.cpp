@@ -278,6 +278,22 @@ TEST(ActivationRows, SayWhatIsWrongWithThem) {
             "e.toml:18: [[activation]] needs a plain number (activation_sd)");
 }
 
+// What was measured on a specimen's outside.
+TEST_F(ExperimentFile, ReadsLengthsOfTheSpecimen) {
+  EXPECT_TRUE(experiment_.outside_length.empty());
+  const Experiment sized = parse_experiment(
+      broken("[protocol]", "[outside]\nlength_cm = {PP3 = 4.5, MP3 = 2.5}\n[protocol]"), "e.toml");
+  ASSERT_EQ(sized.outside_length.size(), 2U);
+  EXPECT_DOUBLE_EQ(sized.outside_length.at("PP3"), 0.045);
+  EXPECT_DOUBLE_EQ(sized.outside_length.at("MP3"), 0.025);
+}
+
+TEST_F(ExperimentFile, RefusesOutsideWithoutLengths) {
+  EXPECT_EQ(experiment_refusal("[protocol]", "[outside]\n[protocol]"),
+            "e.toml:5: [outside] needs the 'length_mm' of at least one segment: {PP3 = 45.1}");
+  EXPECT_NE(experiment_refusal("[protocol]", "[outside]\nlength_mm = {PP3 = 0}\n[protocol]"), "");
+}
+
 // A place in [force] is that of all rows but those that state their own.
 TEST_F(ExperimentFile, ReadsWhereForcesWereMeasured) {
   const Experiment rows = parse_experiment(broken("{posture = \"Hook\", tension_N",
