@@ -165,32 +165,6 @@ TEST(OutsideScale, JacobiansAreThoseOfDifferences) {
   }
 }
 
-/// Forces of a made-up hand whose proximal phalanx is a fifth longer than the subject's. Its bone
-/// grew between its ends as lengthen_bone() has it, which is not how scale_to_outside() would.
-void measure_long_hand(const sample::FitSetup& setup, std::mt19937& rng, Experiment& experiment) {
-  sample::FitSetup truth = setup;
-  const auto link = static_cast<int>(setup.digit.skeleton.link_of_segment.at("PP3"));
-  lengthen_bone(setup.digit.model, link, 0.2 * 47.0237 * kMm, truth.digit.model);
-  const VectorXd none = VectorXd::Zero(setup.parameters.coordinates());
-  sample::simulate(truth, sample::draw_person(setup.parameters, none, rng), 0, rng, experiment);
-  experiment.outside_length = sized(1.2, 1, 1);
-}
-
-TEST(OutsideScale, LeftOutForcesOfALongHandArePredictedBetter) {
-  sample::FitSetup setup = sample::middle_finger(sample::kAxesAndPaths, "H01", "an_chao_middle");
-  std::mt19937 rng(11);
-  measure_long_hand(setup, rng, setup.experiments.front());
-  const auto left_out = [&](Scaling scaling) {
-    return cross_validate(problem_of(setup, scaling), LeaveOut::kPosture)
-        .experiments.front()
-        .error.relative;
-  };
-  const double scaled = left_out(Scaling::kOutside), plain = left_out(Scaling::kSubject);
-  RecordProperty("scaled", std::to_string(scaled));
-  RecordProperty("plain", std::to_string(plain));
-  EXPECT_LT(scaled, plain);
-}
-
 // A stranger's size is known without forces; the population of one other hand predicts the rest.
 TEST(OutsideScale, StrangersArePredictedInTheirOwnSize) {
   sample::FitSetup setup = two_sizes(sized(1.2, 0.9, 1), sized(0.85, 1.15, 1.1));
