@@ -1,0 +1,50 @@
+#pragma once
+
+/// How the joint axes of a digit differ between people.
+
+#include <string>
+#include <vector>
+
+namespace thenar {
+
+/// Normal distribution of one axis about that of the mean subject. The axis passes through
+///   p + along u + across w,   along ~ N(along, along_sd^2),  across ~ N(0, across_sd^2),
+/// p the point of joint `beside`, u the bone's direction (distal), w square to u and to the axis.
+/// Its direction is  d + tan(a) e1 + tan(b) e2, a and b ~ N(0, tilt_sd^2), e1 and e2 square to d.
+struct AxisVariability {
+  std::string joint;     // "MCP1_AA"
+  std::string beside;    // joint of the mean subject from whose point places are counted
+  std::string bone;      // segment of the mean subject that u goes along
+  double along = 0;      // [m]
+  double along_sd = 0;   // [m]
+  double across_sd = 0;  // [m]
+  double tilt_sd = 0;    // [rad]
+  std::string source;    // citation keys
+  std::vector<std::string> assumed;  // keys of the file whose numbers are nobody's measurements
+};
+
+/// Direction in a digit's reference posture.
+enum class DigitDirection { kDistal, kDorsal, kRadial };
+
+/// A question about the common normal from one axis to another: does it point that way?
+struct NormalQuestion {
+  std::string first, second;  // joints
+  DigitDirection toward = DigitDirection::kRadial;
+};
+
+/// Distribution of a digit's axes in people.
+struct DigitVariability {
+  std::string name, description;
+  std::string mean_subject;  // name of a file in subjects/, without ending
+  std::vector<AxisVariability> axes;
+  NormalQuestion second;  // second criterion of types
+};
+
+/// Reads data/studies/thumb_axes_variability.toml; the format is in docs/data_format.md.
+/// @throws DataError  `path:line: what was wanted, what came`.
+[[nodiscard]] DigitVariability parse_variability(const std::string& text, const std::string& path);
+
+/// "distal", "dorsal" or "radial".
+[[nodiscard]] std::string name_of(DigitDirection direction);
+
+}  // namespace thenar
