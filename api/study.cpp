@@ -35,6 +35,15 @@ ThumbStudyResult ask_thumb_study(const ThumbStudyRequest& request, const Progres
   return result;
 }
 
+ThumbTypesResult ask_thumb_types(const ThumbTypesRequest& request, const Progress& progress) {
+  ThumbTypesSettings settings;
+  settings.draws = request.draws;
+  settings.seed = request.seed;
+  settings.progress = progress;
+  return {study_thumb_types(thumb_types_inputs(data_with("studies", request.data)), settings),
+          request.seed};
+}
+
 std::size_t unconverged_fits(const ThumbStudy& study) {
   return static_cast<std::size_t>(std::count_if(
       study.fits.begin(), study.fits.end(), [](const ThumbFit& fit) { return !fit.converged(); }));

@@ -1,6 +1,7 @@
 #pragma once
 
-/// What do forces tell of a thumb's axes? A made-up experiment whose answer is known.
+/// What do forces tell of a thumb's axes? A made-up experiment whose answer is known. And which
+/// types of thumbs does the spread of axes between people make?
 
 #include <optional>
 #include <string>
@@ -8,6 +9,7 @@
 #include "base/progress.h"
 #include "posterior/study/thumb_calibration.h"
 #include "posterior/study/thumb_study.h"
+#include "posterior/study/thumb_types.h"
 
 namespace thenar {
 
@@ -29,6 +31,22 @@ struct ThumbStudyResult {
 /// Fits orthogonal and skewed thumbs to forces of a skewed one. Same request, same bits.
 /// @throws InputError if no data folder has fits/.
 [[nodiscard]] ThumbStudyResult ask_thumb_study(const ThumbStudyRequest& request,
+                                               const Progress& progress = {});
+
+struct ThumbTypesRequest {
+  std::string data;   // folder with studies/ and subjects/; empty: the usual ones
+  int draws = 3550;   // [1]
+  unsigned seed = 1;  // of the draws
+};
+
+struct ThumbTypesResult {
+  ThumbTypes types;
+  unsigned seed = 1;
+};
+
+/// Which types of thumbs the spread of joint axes makes, and how many of each. Same request, same
+/// bits. @throws InputError if no data folder has studies/, or draws is not positive.
+[[nodiscard]] ThumbTypesResult ask_thumb_types(const ThumbTypesRequest& request,
                                                const Progress& progress = {});
 
 /// Fits whose chains have not converged.

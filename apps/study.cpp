@@ -1,4 +1,5 @@
 // thenar study thumb -o PAGE.html
+// thenar study thumb-types -o PAGE.html
 //
 // Made-up experiments whose answer is known: how well models explain them, and what is learnt.
 
@@ -13,7 +14,9 @@
 #include "base/error.h"
 #include "base/progress_parts.h"
 #include "report/answers/study.h"
+#include "report/answers/thumb_types.h"
 #include "report/pages/thumb_study.h"
+#include "report/pages/thumb_types.h"
 
 namespace thenar {
 namespace {
@@ -30,6 +33,33 @@ void run_thumb(const StudyArguments& options) {
   if (result.stopped) throw Stopped("stopped; what was finished by then is kept");
   const std::string complaint = study_complaint(result);
   if (!complaint.empty() && !options.allow_unconverged) throw Error(complaint);
+}
+
+struct TypesArguments {
+  ThumbTypesRequest request;
+  Outputs outputs;
+};
+
+void run_types(const TypesArguments& options) {
+  const ThumbTypesResult result = ask_thumb_types(options.request, terminal_progress());
+  deliver(options.outputs, result);
+  if (!result.types.complete)
+    throw Stopped("stopped; the draws that were done by then are counted");
+}
+
+void add_types(CLI::App& study) {
+  auto options = std::make_shared<TypesArguments>();  // lives as long as the callback
+  CLI::App* types = study.add_subcommand(
+      "thumb-types", "Which types of thumbs does the spread of joint axes make, and how many?");
+  ThumbTypesRequest& request = options->request;
+  add_data_option(*types, request.data);
+  types->add_option("--draws", request.draws, "Thumbs to draw")
+      ->capture_default_str()
+      ->check(CLI::PositiveNumber);
+  types->add_option("--seed", request.seed, "Of the draws");
+  add_output_options(*types, options->outputs, {true, true, true});
+  add_examples(*types, {"study thumb-types -o out/types.html"});
+  types->callback([options] { run_types(*options); });
 }
 
 }  // namespace
@@ -56,6 +86,7 @@ void add_study(CLI::App& app) {
   add_examples(*study, {"study thumb --quick -o out/thumb.html"});
   add_examples(*thumb, {"study thumb --quick -o out/thumb.html"});
   thumb->callback([options] { run_thumb(*options); });
+  add_types(*study);
 }
 
 }  // namespace thenar
