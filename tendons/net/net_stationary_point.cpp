@@ -183,8 +183,10 @@ void NetDescent::report_band(int b, NetEquilibrium& out) const {
   out.tension(b) = out.collapsed.back().force.norm();
 }
 
-/// Floating nodes that no band holds.
+/// Floating nodes that no band holds. What is left out of balance leaves bands among them with as
+/// much tension.
 std::vector<int> NetDescent::undetermined(const NetEquilibrium& at) const {
+  constexpr double kLeft = 10;  // tolerances: a chain of knots adds up what each is out of balance
   // Nodes held by a taut band, or in an exit.
   std::vector<bool> held(x_.size(), false);
   const auto hold = [&](int band) {
@@ -192,7 +194,7 @@ std::vector<int> NetDescent::undetermined(const NetEquilibrium& at) const {
     held[holds.a] = held[holds.b] = true;
   };
   for (int b = 0; b < at.tension.size(); ++b)
-    if (at.tension(b) > 0) hold(b);
+    if (at.tension(b) > kLeft * options_.tolerance) hold(b);
   for (const CollapsedBand& collapsed : at.collapsed) hold(collapsed.band);
   // Floating nodes that are left.
   std::vector<int> found;

@@ -59,7 +59,8 @@ struct [[nodiscard]] NetEquilibrium {
   Eigen::VectorXd length;                  // of each band [m] (bands)
   Eigen::VectorXd tension;                 // of each band, 0 where slack [N] (bands)
   std::vector<NetContact> contacts;
-  std::vector<int> undetermined;  // floating nodes whose place nothing decides: all bands are slack
+  std::vector<int> undetermined;  // floating nodes whose place nothing decides: no band of theirs
+                                  // has more than ten times the tolerance of tension
   std::vector<CollapsedBand> collapsed;  // bands of no length under a pull: kNodeCollapsed
   std::vector<int> far_side_bands;       // bands on the far side of a cylinder: kFarSideWrap
   std::vector<int> pushed_out;  // nodes that started inside a bone and were moved to its surface

@@ -65,6 +65,11 @@ void TangentNet::state_bands() {
   for (std::size_t b = 0; b < net.bands.size(); ++b)
     band.push_back(
         band_state(net, scene, static_cast<int>(b), x(net.bands[b].a), x(net.bands[b].b)));
+  // Bands of undetermined nodes are slack; what rounding leaves in them is no stiffness.
+  for (std::size_t b = 0; b < net.bands.size(); ++b)
+    for (const int loose : rest.undetermined)
+      if (net.bands[b].a == loose || net.bands[b].b == loose)
+        band[b].pull.tension = band[b].pull.stiffness = 0;
 }
 
 void TangentNet::free_directions() {
