@@ -50,6 +50,11 @@ std::string summary(const HandProportions& hand) {
                      counted(joints, "joint"));
 }
 
+std::string summary(const DigitVariability& digit) {
+  return fmt::format("variability of axes '{}': {} axes about '{}'", digit.name, digit.axes.size(),
+                     digit.mean_subject);
+}
+
 std::string summary(const NetDescription& net) {
   return fmt::format("net '{}': {}, {}, {}", net.name, counted(net.nodes.size(), "node"),
                      counted(net.bands.size(), "band"), counted(net.muscles.size(), "muscle"));

@@ -8,6 +8,7 @@
 
 #include "api/named/files.h"
 #include "data/io/anthropometry.h"
+#include "data/io/axis_variability.h"
 #include "data/io/experiment.h"
 #include "data/io/fit_settings.h"
 #include "data/io/net_description.h"
@@ -21,9 +22,9 @@
 namespace thenar {
 
 /// The content of a file; a ResultFile is a motion, as `thenar simulate` writes it.
-using Thing =
-    std::variant<Subject, Experiment, FitSettings, HandProportions, NetDescription, Materials,
-                 RobotSpec, BodySpec, WorldSpec, Fit, PosteriorRun, ResultFile>;
+using Thing = std::variant<Subject, Experiment, FitSettings, HandProportions, DigitVariability,
+                           NetDescription, Materials, RobotSpec, BodySpec, WorldSpec, Fit,
+                           PosteriorRun, ResultFile>;
 
 /// What a name that commands take stands for.
 struct ThingKind {

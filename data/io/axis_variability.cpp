@@ -4,6 +4,7 @@
 #include <array>
 
 #include "base/error.h"
+#include "data/io/toml_node.h"
 #include "data/io/toml_table.h"
 
 namespace thenar {
@@ -56,6 +57,10 @@ std::string name_of(DigitDirection direction) {
       return "radial";
   }
   return "";
+}
+
+DigitVariability read_variability(const std::string& path) {
+  return parse_variability(read_text_file(path), path);
 }
 
 DigitVariability parse_variability(const std::string& text, const std::string& path) {

@@ -44,6 +44,8 @@ struct DigitVariability {
 /// @throws DataError  `path:line: what was wanted, what came`.
 [[nodiscard]] DigitVariability parse_variability(const std::string& text, const std::string& path);
 
+[[nodiscard]] DigitVariability read_variability(const std::string& path);
+
 /// "distal", "dorsal" or "radial".
 [[nodiscard]] std::string name_of(DigitDirection direction);
 

@@ -41,6 +41,8 @@ std::string name_of(FileKind kind) {
       return "fit settings";
     case FileKind::kProportions:
       return "proportions";
+    case FileKind::kAxisVariability:
+      return "variability of axes";
     case FileKind::kNet:
       return "net";
     case FileKind::kResult:
@@ -63,6 +65,7 @@ FileKind find_file_kind(const std::string& path) {
   const TomlNode top = parse_toml(read_guarded(path, GuardedKind::kToml), path);
   if (has_any(top, {"parameter", "axis_distance", "robust_scale"})) return FileKind::kFitSettings;
   if (has_any(top, {"protocol", "trials", "posture", "noise"})) return FileKind::kExperiment;
+  if (has_any(top, {"mean_subject"})) return FileKind::kAxisVariability;
   if (has_proportions(top)) return FileKind::kProportions;
   if (has_any(top, {"bone_lengths", "node", "band"})) return FileKind::kNet;
   if (has_any(top, {"link", "dof"})) return FileKind::kRobot;
@@ -74,8 +77,9 @@ FileKind find_file_kind(const std::string& path) {
   throw DataError(
       path, 1,
       "wanted a subject ([[joint]], [[muscle]] ..), an experiment ([protocol], "
-      "[trials]), fit settings ([[parameter]]), proportions ([[digit]]), a net ([[band]]), a robot "
-      "([[link]]), an object ([[shape]]), a world ([[hand]], [[body]]) or materials "
+      "[trials]), fit settings ([[parameter]]), proportions ([[digit]]), variability of axes "
+      "(mean_subject), a net ([[band]]), a robot ([[link]]), an object ([[shape]]), a world "
+      "([[hand]], [[body]]) or materials "
       "([[material]]), "
       "got none");
 }

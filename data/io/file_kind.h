@@ -11,6 +11,7 @@ enum class FileKind {
   kExperiment,
   kFitSettings,
   kProportions,
+  kAxisVariability,
   kNet,
   kResult,
   kObject,
@@ -19,8 +20,8 @@ enum class FileKind {
   kRobot
 };
 
-/// "subject", "experiment", "fit settings", "proportions", "net", "result", "object", "world",
-/// "materials" or "robot".
+/// "subject", "experiment", "fit settings", "proportions", "variability of axes", "net", "result",
+/// "object", "world", "materials" or "robot".
 [[nodiscard]] std::string name_of(FileKind kind);
 
 /// Finds the kind of a file: an HDF5 result by its first bytes, a TOML file by its top-level keys.
