@@ -116,9 +116,9 @@ void add_hood_option(CLI::App& command, std::optional<Hood>& hood, const std::st
 }
 
 void add_net_option(CLI::App& command, std::string& net) {
-  command.add_option(
-      "--net", net,
-      "Extensor net: " + listed(known_nets()) + ", or a file (TOML); extensor_hood if the hood is a net");
+  command.add_option("--net", net,
+                     "Extensor net: " + listed(known_nets()) +
+                         ", or a file (TOML); extensor_hood if the hood is a net");
 }
 
 CLI::Option* add_named_numbers(CLI::App& command, const std::string& option,
