@@ -51,14 +51,11 @@ void require_moments(const FeasibleForceRequest& request, const DigitAtPosture& 
             known(2) > 0 ? " z" : "");
 }
 
-/// Loads below this are none [N] or [N m].
-double no_load(TipLoad load) { return load == TipLoad::kForce ? kNoTipForce : kNoTipMoment; }
-
 /// Derivative of the largest load by each joint; empty unless there is such a load of bones.
 Eigen::VectorXd change_of(const DigitAtPosture& at, const MaxTipLoad& found,
                           const FeasibleForceRequest& request) {
-  if (found.largest.status != Status::kSolved || found.largest.component < no_load(request.load) ||
-      !at.map.empty())
+  if (found.largest.status != Status::kSolved ||
+      found.largest.component < no_tip_load(request.load) || !at.map.empty())
     return {};
   return max_tip_load_gradient(at.statics, at.slopes, found, request.load, request.frame);
 }
@@ -170,6 +167,8 @@ FeasibleForcePoint point_at(const FeasibleForceRequest& request, const DigitAtPo
 
 }  // namespace
 
+double no_tip_load(TipLoad load) { return load == TipLoad::kForce ? kNoTipForce : kNoTipMoment; }
+
 FeasibleForceAnswer ask_feasible_force(const FeasibleForceRequest& request,
                                        const Progress& progress) {
   require(request.tolerance >= 0 && request.tolerance < kPi / 2,
@@ -195,12 +194,13 @@ FeasibleForceAnswer ask_feasible_force(const FeasibleForceRequest& request,
     answer.max_tension = at.statics.max_tension;
     FeasibleForcePoint point = point_at(request, at);
     // What the muscles would give.
-    if (point.largest && weak)
-      point.loss = loss_of(*point.largest,
-                           max_tip_load(intact.statics, point.axes.to_world * *request.direction,
-                                        options_of(request, point.axes))
-                               .largest,
-                           no_load(request.load));
+    if (point.largest && weak) {
+      TipLoadOptions options = options_of(request, point.axes);
+      options.prices = false;
+      MaxTipLoad all =
+          max_tip_load(intact.statics, point.axes.to_world * *request.direction, options);
+      point.loss = loss_of(*point.largest, std::move(all.largest), no_tip_load(request.load));
+    }
     answer.points.push_back(std::move(point));
     return at.warnings;
   };

@@ -92,6 +92,7 @@ struct FeasibleForceAnswer {
 /// Loads below this are reported as none: rounding of what tendons make.
 inline constexpr double kNoTipForce = 1e-6;   // [N]
 inline constexpr double kNoTipMoment = 1e-8;  // [N m]
+[[nodiscard]] double no_tip_load(TipLoad load);
 
 /// At every posture, as requested: the largest load along `direction` with prices of F0
 /// (max_tip_load()), the whole set (feasible_load_set()), or both. Muscles of `without` have F0 = 0

@@ -468,7 +468,7 @@ std::string weak_words(const FeasibleForceAnswer& answer) {
 
 bool makes_force(const FeasibleForcePoint& point) {
   return point.largest && point.largest->status == Status::kSolved &&
-         point.largest->component >= (point.load == TipLoad::kForce ? kNoTipForce : kNoTipMoment);
+         point.largest->component >= no_tip_load(point.load);
 }
 
 Table limit_table(const FeasibleForceAnswer& answer, const FeasibleForcePoint& point) {
