@@ -60,12 +60,7 @@ template <typename T>
   const MatrixX<T> L = segment_loads(digit, site, state, hold, known);
   const MatrixX<T> torque =
       balanced_rows<T>(MatrixX<T>(muscle_arms(digit, state, q).transpose()), site);
-  const MatrixX<T> loads =
-      L.rows() < L.cols() ? solve_least_norm(L, torque) : solve_least_squares(L, torque);
-  MatrixX<T> forces = MatrixX<T>::Zero(3, loads.cols());
-  const int decided = known == DecidedForces::kInPlane ? 2 : 3;
-  forces.topRows(decided) = loads.topRows(decided);
-  return forces;
+  return forces_of_hold(L, torque, known);
 }
 
 /// Pull on the digit and its mount of every muscle's tendon per unit tension, where the tendon

@@ -121,13 +121,15 @@ template <typename T>
     // The map of each posture serves all its trials.
     const PosedSpecimen<T> at = pose_specimen(model, plan, k);
     const MatrixX<T> map = cell_force_map(model, plan, at);
+    std::vector<MatrixX<T>> elsewhere(plan.sites.size());  // of other load cells, once asked for
     for (Eigen::Index i = 0; i < forces.cols(); ++i) {
       if (plan.posture_of_trial[i] != static_cast<int>(k)) continue;
       // A load cell elsewhere than at the tip.
       if (const int other = site_of(plan, static_cast<std::size_t>(i)); other >= 0) {
-        forces.col(i) =
-            site_force_map(model, plan, at, plan.sites[static_cast<std::size_t>(other)]) *
-            plan.tension[i].cast<T>();
+        const auto cell = static_cast<std::size_t>(other);
+        if (elsewhere[cell].size() == 0)
+          elsewhere[cell] = site_force_map(model, plan, at, plan.sites[cell]);
+        forces.col(i) = elsewhere[cell] * plan.tension[i].cast<T>();
         continue;
       }
       forces.col(i) = map * plan.tension[i].cast<T>();

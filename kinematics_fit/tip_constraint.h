@@ -52,24 +52,32 @@ template <typename T>
   return loads;
 }
 
-/// Tip forces in the tip's own directions (proximal, dorsal, radial) that hold joint torques, one a
-/// column (3, torques).
+/// Forces among the loads c of a hold, one a column (3, torques).
 ///
-/// Solves  loads c = torque : in least norm where the hold carries more loads than there are
-/// joints, exactly where as many, in least squares where fewer. In the plane the radial force is
-/// zero.
-/// @param torque  [N m] (coordinates, torques)
+/// Solves  L c = torque : in least norm where the hold carries more loads than there are joints,
+/// exactly where as many, in least squares where fewer. In the plane the radial force is zero.
+/// @param L       torque per load, of tip_constraint_loads() [m/rad] (joints, loads)
+/// @param torque  [N m] (joints, torques)
 template <typename T>
-[[nodiscard]] MatrixX<T> held_tip_forces(const TendonModel<T>& digit, const TreeState<T>& state,
-                                         TipConstraint hold, DecidedForces known,
-                                         const T& out_of_plane, const MatrixX<T>& torque) {
-  const MatrixX<T> L = tip_constraint_loads(digit, state, hold, known, out_of_plane);
+[[nodiscard]] MatrixX<T> forces_of_hold(const MatrixX<T>& L, const MatrixX<T>& torque,
+                                        DecidedForces known) {
   const MatrixX<T> loads =
       L.rows() < L.cols() ? solve_least_norm(L, torque) : solve_least_squares(L, torque);
   if (known == DecidedForces::kInSpace) return loads.template topRows<3>();
   MatrixX<T> in_plane = MatrixX<T>::Zero(3, loads.cols());
   in_plane.template topRows<2>() = loads.template topRows<2>();
   return in_plane;
+}
+
+/// Tip forces in the tip's own directions (proximal, dorsal, radial) that hold joint torques, one a
+/// column (3, torques): forces_of_hold().
+/// @param torque  [N m] (coordinates, torques)
+template <typename T>
+[[nodiscard]] MatrixX<T> held_tip_forces(const TendonModel<T>& digit, const TreeState<T>& state,
+                                         TipConstraint hold, DecidedForces known,
+                                         const T& out_of_plane, const MatrixX<T>& torque) {
+  return forces_of_hold(MatrixX<T>(tip_constraint_loads(digit, state, hold, known, out_of_plane)),
+                        torque, known);
 }
 
 /// held_tip_forces() per unit tension of each muscle, of tendons without a net (3, muscles).
