@@ -49,6 +49,20 @@ TEST(PredictExperiment, IntervalsCoverNewPeople) {
   EXPECT_NEAR(covered, 0.95, 4 * std::sqrt(0.95 * 0.05 / (kDraws * 8)));
 }
 
+/// What single postures have of their own.
+const std::string kOfPostures = R"(
+[[parameter]]
+match = "angle/*/*"
+state = "free"
+sd_deg = 0
+between_sd_deg = 4
+[[parameter]]
+match = "force/*/*/*"
+state = "free"
+sd = 0
+between_sd = 0.04
+)";
+
 /// A little of everything that differs between people, mounts and postures.
 const std::string kLively = R"(
 [[parameter]]
@@ -66,17 +80,7 @@ match = "sensor/*"
 state = "free"
 sd_deg = 0
 between_sd_deg = 10
-[[parameter]]
-match = "angle/*/*"
-state = "free"
-sd_deg = 0
-between_sd_deg = 4
-[[parameter]]
-match = "force/*/*/*"
-state = "free"
-sd = 0
-between_sd = 0.04
-)";
+)" + kOfPostures;
 
 // If the model is right, intervals hold what was left out 95 % of the time: of a new person, of a
 // posture that has forces of its own beyond the geometry, and of loads that were never hung alone.
@@ -138,18 +142,7 @@ TEST(PredictExperiment, IntervalsCoverPeoplePosturesAndCombinedLoads) {
 
 // A name is no knowledge: an unseen posture is as uncertain whatever it is called.
 TEST(PredictExperiment, IntervalsDoNotDependOnNamesOfPostures) {
-  FitSetup setup = middle_finger(kAxes + R"(
-[[parameter]]
-match = "angle/*/*"
-state = "free"
-sd_deg = 0
-between_sd_deg = 4
-[[parameter]]
-match = "force/*/*/*"
-state = "free"
-sd = 0
-between_sd = 0.04
-)");
+  FitSetup setup = middle_finger(kAxes + kOfPostures);
   const FitProblem problem = setup.problem();
   const Solution found = fit_precisely(problem);
   const ArrowMatrix C = posterior_covariance(problem, found.z).C;
