@@ -64,7 +64,8 @@ struct MaxTipLoad {
 ///
 ///   p' (dtau_0 + dR' t - dA' a - dB' b),  and  - p' (A' (W_k x a) + B' (W_k x b))
 ///
-/// if direction and axes turn with the tip.
+/// if direction and axes turn with the tip. At a degenerate vertex prices are one choice of many and
+/// the derivative holds to one side.
 /// @param largest  solved, of `statics`
 /// @return (n) [N/rad] or [N m/rad]
 [[nodiscard]] Eigen::VectorXd max_tip_load_gradient(const TipStatics& statics,
