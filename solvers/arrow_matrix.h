@@ -2,10 +2,9 @@
 
 /// Symmetric matrices over coordinates whose blocks meet only through shared ones.
 
-#include <optional>
 #include <vector>
 
-#include <Eigen/Cholesky>
+#include <Eigen/Core>
 
 namespace thenar {
 
@@ -37,28 +36,6 @@ struct ArrowMatrix {
   Eigen::MatrixXd shared;              // (shared, shared)
   std::vector<Eigen::MatrixXd> own;    // of each block (own, own)
   std::vector<Eigen::MatrixXd> cross;  // of each block with the shared coordinates (own, shared)
-};
-
-/// The Cholesky factor of such a matrix, block by block: its cost grows in proportion to their
-/// number. Where rows of a Jacobian are at hand, ArrowFactor keeps more digits.
-class ArrowCholesky {
- public:
-  /// Of the entries of coordinates that are free (size); the others stay where they are.
-  /// @return nothing where they are not positive definite
-  static std::optional<ArrowCholesky> factor(const ArrowMatrix& matrix,
-                                             const std::vector<bool>& free);
-
-  /// matrix^-1 g over the free coordinates, 0 at the others  (size).
-  [[nodiscard]] Eigen::VectorXd solve(const Eigen::VectorXd& g) const;
-
- private:
-  explicit ArrowCholesky(const ArrowLayout& layout) : layout_(layout) {}
-
-  ArrowLayout layout_;
-  std::vector<bool> free_;
-  std::vector<Eigen::LLT<Eigen::MatrixXd>> own_;  // of each block
-  std::vector<Eigen::MatrixXd> cross_;            // L^-1 cross of each block (own, shared)
-  Eigen::LLT<Eigen::MatrixXd> shared_;            // of what the blocks leave of it
 };
 
 }  // namespace thenar

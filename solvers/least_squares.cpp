@@ -269,19 +269,24 @@ Solution solve_free(const LeastSquares& problem, const Eigen::VectorXd& start,
   return solution;
 }
 
-/// Solves by the method asked for. Ceres only leads to the neighbourhood, unless evaluations are
-/// counted: internal::search_by_secants() takes fewer of them from there.
+/// Solves by the method asked for. With kCeres, internal::search_by_secants() takes fewer
+/// evaluations to the end, unless they are counted: from the neighbourhood that Ceres leads to, or
+/// from the start where residuals come in blocks. Where it does not get there, Ceres goes on.
 Solution solve_by_method(const LeastSquares& problem, const Eigen::VectorXd& start,
                          const SolveOptions& options) {
   constexpr double kNear = 1e-3;  // relative change of the cost [1]
   if (options.method != LeastSquaresMethod::kCeres || options.max_evaluations > 0 ||
       options.tolerance >= kNear)
     return solve_free(problem, start, options);
-  SolveOptions rough = options;
-  rough.tolerance = kNear;
-  Solution solution = solve_free(problem, start, rough);
-  if (solution.status != Status::kSolved || internal::search_by_secants(problem, options, solution))
-    return solution;
+  Solution solution;
+  solution.z = start;
+  if (problem.parts.empty()) {
+    SolveOptions rough = options;
+    rough.tolerance = kNear;
+    solution = solve_free(problem, start, rough);
+    if (solution.status != Status::kSolved) return solution;
+  }
+  if (internal::search_by_secants(problem, options, solution)) return solution;
   // To the end as Ceres goes.
   Solution rest = solve_free(problem, solution.z, options);
   rest.evaluations += solution.evaluations;

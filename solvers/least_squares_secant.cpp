@@ -7,7 +7,7 @@
 #include <fmt/format.h>
 
 #include "base/numbers.h"
-#include "solvers/arrow_matrix.h"
+#include "solvers/arrow_squares.h"
 #include "solvers/least_squares.h"
 
 namespace thenar::internal {
@@ -50,13 +50,38 @@ std::optional<SecantPoint> secant_point(const ResidualBlocks& of, VectorXd z) {
   return at;
 }
 
+/// The curvature of the residuals of one part, S for sum_i r_i d2r_i, as rows added and taken away:
+/// S = plus'plus - minus'minus.
+struct PartCurvature {
+  MatrixXd plus, minus;  // (steps that have shown some, coordinates that the part reads)
+
+  [[nodiscard]] VectorXd times(const VectorXd& step) const {
+    return plus.transpose() * (plus * step) - minus.transpose() * (minus * step);
+  }
+
+  /// Adds  a b' + b a'  as  (t a + b/t)(t a + b/t)'/2 - (t a - b/t)(t a - b/t)'/2.
+  void add(const VectorXd& a, const VectorXd& b) {
+    const double t = std::sqrt(b.norm() / a.norm());
+    if (!(t > 0) || !std::isfinite(t)) return;  // one of them is zero
+    const auto grow = [](MatrixXd& rows, const VectorXd& row) {
+      rows.conservativeResize(rows.rows() + 1, row.size());
+      rows.bottomRows(1) = std::sqrt(0.5) * row.transpose();
+    };
+    grow(plus, t * a + b / t);
+    grow(minus, t * a - b / t);
+  }
+};
+
 /// The search: points that get better, and the curvature of each part's residuals as the last
 /// steps have shown it.
 class SecantSearch {
  public:
   SecantSearch(const LeastSquares& problem, ResidualBlocks blocks, SecantPoint start)
-      : problem_(problem), blocks_(std::move(blocks)), best_(std::move(start)) {
-    curvatures_.resize(blocks_.parts.size());
+      : problem_(problem),
+        blocks_(std::move(blocks)),
+        best_(std::move(start)),
+        curvatures_(blocks_.parts.size()),
+        gauss_newton_(blocks_.layout) {
     assemble();
   }
 
@@ -64,12 +89,15 @@ class SecantSearch {
   /// Whether no step lowers the cost, however short.
   [[nodiscard]] bool exhausted() const { return damping_ > kMostDamping; }
 
-  /// What full steps would still gain, at the largest: by J'J alone and with the curvature [1].
-  [[nodiscard]] double gain() const { return gain(best_.gradient); }
+  /// What full steps would still gain, at the largest: with the curvature and by J'J alone, which
+  /// is not asked where the first is above `enough` [1].
+  [[nodiscard]] double gain(double enough = kInfinity) const {
+    return gain(best_.gradient, enough);
+  }
 
   /// Tries a step: one evaluation of the residuals.
   void advance() {
-    std::optional<ArrowCholesky> factor = damped_factor();
+    std::optional<ArrowSquaresFactor> factor = damped_factor();
     for (; !factor && !exhausted(); factor = damped_factor()) shorten();
     if (!factor) return;
     const VectorXd next =
@@ -91,71 +119,78 @@ class SecantSearch {
  private:
   static constexpr double kMostDamping = 1e6;  // of J'J [1]
 
-  [[nodiscard]] double gain(const VectorXd& gradient) const {
-    const auto by = [&](const ArrowMatrix& hessian) {
-      const auto factor = ArrowCholesky::factor(hessian, free_);
+  [[nodiscard]] double gain(const VectorXd& gradient, double enough) const {
+    const auto by = [&](const std::optional<ArrowSquaresFactor>& factor) {
       return factor ? 0.5 * gradient.dot(factor->solve(gradient)) : kInfinity;
     };
-    return std::max(by(gauss_newton_), by(hessian_));
+    const double curved = by(newton_);
+    if (curved > enough) return curved;
+    return std::max(curved, by(ArrowSquaresFactor::factor(gauss_newton_, free_)));
   }
 
   /// By the cost, or by what is left to gain where rounding hides the change of the cost.
   [[nodiscard]] bool is_better(const SecantPoint& next) const {
     constexpr double kRounding = 1e-14;  // of the cost [1]
     if (std::abs(next.cost - best_.cost) > kRounding * best_.cost) return next.cost < best_.cost;
-    return gain(next.gradient) < gain();
+    return gain(next.gradient, kInfinity) < gain();
   }
 
   void shorten() { damping_ = std::max(0.1, 4 * damping_); }
 
   /// Of the Hessian and as many J'J as damp it; nothing where that is not positive definite.
-  [[nodiscard]] std::optional<ArrowCholesky> damped_factor() const {
-    ArrowMatrix damped = hessian_;
-    damped.add(gauss_newton_, damping_);
-    return ArrowCholesky::factor(damped, free_);
+  [[nodiscard]] std::optional<ArrowSquaresFactor> damped_factor() const {
+    return damping_ == 0 ? newton_ : ArrowSquaresFactor::factor(hessian(damping_), free_);
   }
 
-  /// Changes the curvature of each part, S for sum_i r_i d2r_i, by what the Jacobians at both ends
-  /// of a step tell:  S step = (J_next - J)' r,  and otherwise as little as can be in units of
-  /// M = J'J + I:  S += m v' + v m' - (m'step) v v',  m what S misses, v = M step / (step' M step).
+  /// (1 + damping) J'J + S.
+  [[nodiscard]] ArrowSquares hessian(double damping) const {
+    ArrowSquares out = gauss_newton_;
+    out.scale(1 + damping);
+    for (std::size_t k = 0; k < curvatures_.size(); ++k) {
+      if (curvatures_[k].plus.size() == 0) continue;
+      out.add(blocks_.parts[k].block, curvatures_[k].plus);
+      out.take(blocks_.parts[k].block, curvatures_[k].minus);
+    }
+    return out;
+  }
+
+  /// Changes the curvature of each part by what the Jacobians at both ends of a step tell:
+  /// S step = (J_next - J)' r,  and otherwise as little as can be in units of  M = J'J + I:
+  ///   S += m v' + v m' - (m'step) v v',  m what S misses, v = M step / (step' M step).
   void learn(const SecantPoint& next, const std::vector<Residuals>& at) {
     for (std::size_t k = 0; k < blocks_.parts.size(); ++k) {
       const MatrixXd& J = best_.parts[k].J;
       const VectorXd step = read_by(blocks_.layout, blocks_.parts[k].block, next.z - best_.z);
       VectorXd miss = (next.parts[k].J - J).transpose() * at[k].r;
-      MatrixXd& S = curvatures_[k];
-      if (S.size() == 0 && miss.isZero(0)) continue;  // it is linear
-      if (S.size() == 0) S = MatrixXd::Zero(step.size(), step.size());
-      miss -= S * step;
+      PartCurvature& S = curvatures_[k];
+      if (S.plus.size() == 0 && miss.isZero(0)) continue;  // it is linear
+      if (S.plus.size() > 0) miss -= S.times(step);
       VectorXd v = J.transpose() * (J * step) + step;
       const double length = v.dot(step);
       if (!(length > 0)) continue;  // it does not read what has moved
       v /= length;
-      const VectorXd half = miss - v * (0.5 * miss.dot(step));
-      S.noalias() += half * v.transpose() + v * half.transpose();
+      S.add(miss - v * (0.5 * miss.dot(step)), v);
     }
   }
 
-  /// J'J and the Hessian at the best point, and the coordinates that no bound holds.
+  /// J'J and the factor of the Hessian at the best point, over the coordinates that no bound holds.
   void assemble() {
-    gauss_newton_ = hessian_ = ArrowMatrix(blocks_.layout);
-    for (std::size_t k = 0; k < blocks_.parts.size(); ++k) {
-      const int block = blocks_.parts[k].block;
-      const MatrixXd squares = best_.parts[k].J.transpose() * best_.parts[k].J;
-      gauss_newton_.add(block, squares);
-      hessian_.add(block, curvatures_[k].size() == 0 ? squares : squares + curvatures_[k]);
-    }
+    gauss_newton_ = ArrowSquares(blocks_.layout);
+    for (std::size_t k = 0; k < blocks_.parts.size(); ++k)
+      gauss_newton_.add(blocks_.parts[k].block, best_.parts[k].J);
     free_.clear();
     for (Eigen::Index i = 0; i < best_.z.size(); ++i)
       free_.push_back(!held(problem_, best_.z, best_.gradient[i], i));
+    newton_ = ArrowSquaresFactor::factor(hessian(0), free_);
   }
 
   const LeastSquares& problem_;
   ResidualBlocks blocks_;
   SecantPoint best_;
-  std::vector<MatrixXd> curvatures_;  // of each part; empty: none was seen
-  ArrowMatrix gauss_newton_, hessian_;
+  std::vector<PartCurvature> curvatures_;  // of each part; no rows: none was seen
+  ArrowSquares gauss_newton_;
   std::vector<bool> free_;
+  std::optional<ArrowSquaresFactor> newton_;  // of the Hessian; none: it is not positive definite
   double damping_ = 0;
 };
 
@@ -183,8 +218,11 @@ bool search_by_secants(const LeastSquares& problem, const SolveOptions& options,
   if (!start) return false;
   SecantSearch search(problem, std::move(blocks), std::move(*start));
   bool near = false, stopped = false;
+  double left = kInfinity;  // to gain
   for (int calls = 0; calls < kMost && !search.exhausted() && !near && !stopped; ++calls) {
-    near = search.gain() <= options.tolerance * search.best().cost;
+    const double allowed = options.tolerance * search.best().cost;
+    left = search.gain(allowed);
+    near = left <= allowed;
     search.advance();  // once more from near, for a gradient as small as steps make it
     ++solution.evaluations;
     options.progress(static_cast<double>(calls) / kMost, "secants");
@@ -194,7 +232,7 @@ bool search_by_secants(const LeastSquares& problem, const SolveOptions& options,
   solution.cost = search.best().cost;
   if (!near && !stopped) return false;
   solution.status = near ? Status::kSolved : Status::kStopped;
-  if (near) solution.message = fmt::format("full steps would gain {:.1g}", search.gain());
+  if (near) solution.message = fmt::format("the last full step was to gain {:.1g}", left);
   return true;
 }
 

@@ -7,8 +7,8 @@ import pathlib
 import re
 import sys
 
-FOLDERS = ["base", "sampling", "data", "hand", "tendons", "kinematics_fit", "posterior", "grasp",
-           "viewer", "apps", "bench", "tests", "docs", "README.md", "CONTRIBUTING.md", "CHANGELOG.md"]
+FOLDERS = ["base", "solvers", "geometry", "sampling", "data", "hand", "tendons", "kinematics_fit", "posterior",
+           "grasp", "viewer", "apps", "bench", "tests", "docs", "README.md", "CONTRIBUTING.md", "CHANGELOG.md"]
 ENDINGS = (".h", ".cpp", ".md", ".toml", ".py")
 BRACKETS = re.compile(r"\[([A-Z][^\[\]]*)\](?!\()")  # but no markdown link
 YEAR_KEY = re.compile(r"\b[A-Z][A-Za-z]+(?:19|20)\d\d[a-z]?\b")
