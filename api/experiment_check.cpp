@@ -9,8 +9,8 @@
 #include "base/nearest_name.h"
 #include "base/units.h"
 #include "data/io/toml_node.h"
-#include "kinematics_fit/experiment_plan.h"
 #include "kinematics_fit/force_jacobian.h"
+#include "kinematics_fit/model/experiment_plan.h"
 #include "kinematics_fit/prediction.h"
 
 namespace thenar {

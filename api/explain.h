@@ -10,7 +10,7 @@
 
 #include "api/named/things.h"
 #include "base/fidelity.h"
-#include "kinematics_fit/fit_parameters.h"
+#include "kinematics_fit/model/fit_parameters.h"
 #include "kinematics_fit/prediction.h"
 #include "tendons/explain_digit.h"
 #include "tendons/linear_tendons.h"

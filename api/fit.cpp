@@ -9,7 +9,7 @@
 #include "api/named/digits.h"
 #include "api/named/files.h"
 #include "base/error.h"
-#include "kinematics_fit/net_trials.h"
+#include "kinematics_fit/model/net_trials.h"
 #include "kinematics_fit/specimen_prior.h"
 
 namespace thenar {

@@ -5,7 +5,7 @@
 #include "api/fit.h"
 #include "api/named/files.h"
 #include "base/error.h"
-#include "kinematics_fit/experiment_plan.h"
+#include "kinematics_fit/model/experiment_plan.h"
 #include "kinematics_fit/trivial_prediction.h"
 
 namespace thenar {

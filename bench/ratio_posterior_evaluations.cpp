@@ -2,8 +2,8 @@
 // other through the same steps, and the adjoint against the forces alone.
 
 #include "bench/ratios.h"
-#include "posterior/kernel/batch.h"
-#include "posterior/kernel/compile.h"
+#include "kinematics_fit/kernel/batch.h"
+#include "kinematics_fit/kernel/compile.h"
 #include "tests/posterior/thumb_scene.h"
 
 namespace thenar::bench {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <numeric>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -13,22 +14,38 @@ namespace {
 
 constexpr double kNullCurvature = 1e-9;  // of data, per prior curvature: nothing is learnt [1]
 
+using Direction = Eigen::SparseVector<double>;
+
+/// The unit vector along values that stand at coordinates from `first` on, among n.
+Direction unit_along(const Eigen::VectorXd& values, Eigen::Index first, Eigen::Index n) {
+  Direction out(n);
+  const Eigen::VectorXd unit = values.normalized();
+  for (Eigen::Index i = 0; i < unit.size(); ++i)
+    if (unit[i] != 0) out.insertBack(first + i) = unit[i];
+  return out;
+}
+
 /// Names a direction by its largest components, at most three.
-std::string describe(const Eigen::VectorXd& direction, const std::vector<std::string>& names) {
+std::string describe(const Direction& direction, const std::vector<std::string>& names) {
+  constexpr std::ptrdiff_t kShown = 3;
   // Components by falling size.
-  std::vector<int> order(names.size());
-  std::iota(order.begin(), order.end(), 0);
-  std::sort(order.begin(), order.end(),
-            [&](int a, int b) { return std::abs(direction[a]) > std::abs(direction[b]); });
+  std::vector<std::pair<double, Eigen::Index>> shares;
+  for (Direction::InnerIterator at(direction); at; ++at)
+    shares.emplace_back(at.value(), at.index());
+  const auto end = shares.begin() + std::min<std::ptrdiff_t>(kShown, direction.nonZeros());
+  std::partial_sort(shares.begin(), end, shares.end(), [](const auto& a, const auto& b) {
+    return std::abs(a.first) > std::abs(b.first);
+  });
   // The largest alone if it is nearly everything, otherwise those above a tenth.
   std::string text;
-  for (std::size_t k = 0; k < std::min<std::size_t>(3, order.size()); ++k) {
-    const double share = direction[order[k]];
-    if (k > 0 && std::abs(share) < 0.1) break;
+  for (auto at = shares.begin(); at != end; ++at) {
+    const auto& [share, index] = *at;
+    const std::string& name = names[static_cast<std::size_t>(index)];
+    if (at != shares.begin() && std::abs(share) < 0.1) break;
     if (std::abs(share) > 0.995)
-      text = names[order[k]];
+      text = name;
     else
-      text += fmt::format("{}{:+.2f} {}", k > 0 ? " " : "", share, names[order[k]]);
+      text += fmt::format("{}{:+.2f} {}", at != shares.begin() ? " " : "", share, name);
   }
   return text + ": not identifiable";
 }
@@ -102,8 +119,8 @@ double null_share(const ArrowLayout& layout, const ArrowNullSpace& null_directio
 /// Every null direction by name: those of shared coordinates, then those of each block.
 void name_nulls(const ArrowLayout& layout, const ArrowNullSpace& null_directions,
                 const std::vector<std::string>& names, std::vector<NullDirection>& out) {
-  const auto add = [&](const Eigen::VectorXd& direction) {
-    const Eigen::VectorXd unit = direction.normalized();
+  const auto add = [&](const Eigen::VectorXd& values, Eigen::Index first) {
+    const Direction unit = unit_along(values, first, layout.size());
     out.push_back({describe(unit, names), unit});
   };
   // What a block leaves open can be added to a direction of all, until its pivots drop out.
@@ -117,14 +134,11 @@ void name_nulls(const ArrowLayout& layout, const ArrowNullSpace& null_directions
 
   // Directions that involve shared coordinates come first.
   const PivotedRows shared = sparse_basis(std::move(together), layout.shared);
-  for (Eigen::Index k = 0; k < shared.rows.rows(); ++k) add(shared.rows.row(k).transpose());
-  // Then the directions within each block, padded with zeros.
+  for (Eigen::Index k = 0; k < shared.rows.rows(); ++k) add(shared.rows.row(k).transpose(), 0);
+  // Then the directions within each block.
   for (int b = 0; b < layout.blocks; ++b)
-    for (Eigen::Index k = 0; k < alone[b].rows.rows(); ++k) {
-      Eigen::VectorXd direction = Eigen::VectorXd::Zero(layout.size());
-      direction.segment(layout.first(b), layout.own) = alone[b].rows.row(k).transpose();
-      add(direction);
-    }
+    for (Eigen::Index k = 0; k < alone[b].rows.rows(); ++k)
+      add(alone[b].rows.row(k).transpose(), layout.first(b));
 }
 
 }  // namespace

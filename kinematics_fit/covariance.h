@@ -5,6 +5,8 @@
 #include <string>
 #include <vector>
 
+#include <Eigen/SparseCore>
+
 #include "kinematics_fit/fit_problem.h"
 #include "solvers/arrow_matrix.h"
 
@@ -22,8 +24,8 @@ struct CoordinateEstimate {
 
 /// A direction of z along which the data have no curvature: it is not identifiable.
 struct NullDirection {
-  std::string text;           // "axis/MCP3_FE/point/along: not identifiable"
-  Eigen::VectorXd direction;  // unit, in z (size)
+  std::string text;                       // "axis/MCP3_FE/point/along: not identifiable"
+  Eigen::SparseVector<double> direction;  // unit, in z (size)
 };
 
 /// Gaussian approximation of the posterior at z:  C = (J'J)^-1 with J of data and priors. Bounds

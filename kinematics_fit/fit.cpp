@@ -102,9 +102,8 @@ FittedValues fitted_values(const Fit& fit, int specimen) {
   const FitParameters& parameters = fit.problem.parameters();
   const std::vector<double> values = parameter_values<double>(
       parameters, displacements(fit.problem.coordinates(), fit.solution.z, specimen));
-  const std::vector<int> on = fit.problem.coordinates().entries_of_specimen(specimen);
   const Eigen::MatrixXd J =
-      displacement_jacobian(fit.problem.coordinates(), fit.solution.z, specimen)(Eigen::all, on);
+      displacement_jacobian(fit.problem.coordinates(), fit.solution.z, specimen);
   Eigen::VectorXd variance = (J * fit.covariance.C.of(specimen)).cwiseProduct(J).rowwise().sum();
   // What one specimen alone cannot say of the population stays as wide as the prior has it.
   const Eigen::VectorXd unseen = unseen_variance(fit.problem.coordinates());

@@ -8,7 +8,7 @@
 
 #include <Eigen/Core>
 
-#include "kinematics_fit/fit_parameters.h"
+#include "kinematics_fit/model/fit_parameters.h"
 
 namespace thenar {
 

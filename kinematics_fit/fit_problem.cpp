@@ -5,7 +5,7 @@
 #include <fmt/ranges.h>
 
 #include "base/error.h"
-#include "kinematics_fit/experiment_plan.h"
+#include "kinematics_fit/model/experiment_plan.h"
 
 namespace thenar {
 namespace {
@@ -38,9 +38,11 @@ FitProblem::FitProblem(TendonDigit digit, FitParameters parameters,
     specimen_of_.push_back(static_cast<int>(known - specimens().begin()));
   }
   if (scaling_ == Scaling::kOutside) size_specimens();
-  for (std::size_t e = 0; e < experiments_.size(); ++e)
-    plans_.push_back(
-        plan_experiment(digit_of(specimen_of_[e]), this->parameters(), experiments_[e]));
+  for (std::size_t e = 0; e < experiments_.size(); ++e) {
+    const TendonDigit& sized = digit_of(specimen_of_[e]);
+    plans_.push_back(plan_experiment(sized, this->parameters(), experiments_[e]));
+    kernels_.push_back(compile_forces(sized, this->parameters(), plans_[e]));
+  }
   find_axes();
 }
 

@@ -3,6 +3,7 @@
 /// What a fit solves and a posterior samples: measured forces, a digit and its free parameters.
 
 #include <functional>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -50,7 +51,11 @@ class FitProblem {
   [[nodiscard]] const std::vector<ExperimentPlan>& plans() const { return plans_; }
   [[nodiscard]] int specimen_of(int experiment) const {
     return specimen_of_.at(experiment);
-  }                                                                    // in specimens()
+  }  // in specimens()
+  /// compile_forces() of an experiment.
+  [[nodiscard]] const ForceKernel* kernel_of(int experiment) const {
+    return kernels_.at(static_cast<std::size_t>(experiment)).get();
+  }
   [[nodiscard]] double robust_scale() const { return robust_scale_; }  // [1]
 
   /// Bounds on distances between axes, as given and by hinges of the digit.
@@ -72,7 +77,8 @@ class FitProblem {
   std::vector<ExperimentPlan> plans_;  // of each experiment
   std::vector<int> specimen_of_;       // of each experiment
   std::vector<TendonDigit> digits_;    // of each specimen in its size; none if not scaled
-  double robust_scale_;                // [1]
+  std::vector<std::shared_ptr<const ForceKernel>> kernels_;  // of each experiment
+  double robust_scale_;                                      // [1]
   std::vector<AxisDistance> axis_distances_;
   std::vector<AxisPair> axis_pairs_;
 };

@@ -40,18 +40,17 @@ int measured_numbers(const FitProblem& problem) {
 
 Residuals data_residuals(const FitProblem& problem, const Eigen::VectorXd& z, int e,
                          WithJacobian want) {
-  // Forces and their slopes by the coordinates of the specimen.
+  // Forces, and their slopes by the coordinates of the specimen.
   const FitCoordinates& coordinates = problem.coordinates();
   const FitParameters& parameters = problem.parameters();
   const ExperimentPlan& plan = problem.plans()[e];
   const CoordinateMotion at = coordinate_motion(coordinates, z, problem.specimen_of(e));
-  const TendonDigit& digit = problem.digit_of(problem.specimen_of(e));
   const bool jacobian = want == WithJacobian::kYes;
-  ForceJacobian forces;
-  if (jacobian)
-    forces = force_jacobian(digit, parameters, plan, at.u);
-  else
-    forces.force = force_values(digit, parameters, plan, at.u);
+  const TendonDigit& digit = problem.digit_of(problem.specimen_of(e));
+  const ForceKernel* kernel = problem.kernel_of(e);
+  const ForceJacobian forces =
+      jacobian ? force_jacobian(digit, parameters, plan, at.u, kernel)
+               : ForceJacobian{force_values(digit, parameters, plan, at.u, kernel), {}};
 
   // Chain rule to the entries of z: two of them at most move a coordinate.
   const Eigen::Index rows = forces.force.size();
@@ -113,14 +112,14 @@ ConstraintValues axis_constraints(const FitProblem& problem, const Eigen::Vector
   const auto specimens = static_cast<Eigen::Index>(problem.specimens().size());
   // Specimen by specimen, with the chain rule to z.
   ConstraintValues out{Eigen::VectorXd(pairs * specimens),
-                       Eigen::MatrixXd(pairs * specimens, problem.size())};
+                       Eigen::MatrixXd::Zero(pairs * specimens, problem.size())};
   for (Eigen::Index s = 0; s < specimens && pairs > 0; ++s) {
     const int specimen = static_cast<int>(s);
     const Eigen::VectorXd u = displacements(problem.coordinates(), z, specimen);
     const ConstraintValues own =
         axis_constraints(problem.digit_of(specimen), problem.parameters(), problem.axis_pairs(), u);
     out.c.segment(s * pairs, pairs) = own.c;
-    out.C.middleRows(s * pairs, pairs) =
+    out.C(Eigen::seqN(s * pairs, pairs), problem.coordinates().entries_of_specimen(specimen)) =
         own.C * displacement_jacobian(problem.coordinates(), z, specimen);
   }
   return out;

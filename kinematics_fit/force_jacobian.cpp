@@ -3,11 +3,12 @@
 #include <algorithm>
 #include <memory>
 #include <optional>
+#include <utility>
 
 #include <ceres/jet.h>
 
 #include "hand/axis_distance.h"
-#include "kinematics_fit/net_trials.h"
+#include "kinematics_fit/model/net_trials.h"
 #include "tendons/net/net_derivatives.h"
 #include "tendons/net/tangent_net.h"
 #include "tendons/topology/net_forward_model.h"
@@ -134,8 +135,17 @@ class NetSlopes {
 
 }  // namespace
 
+std::shared_ptr<const ForceKernel> compile_forces(const TendonDigit& digit,
+                                                  const FitParameters& parameters,
+                                                  const ExperimentPlan& plan) {
+  if (digit.net || !plan.sites.empty()) return nullptr;
+  return std::make_shared<const ForceKernel>(digit, parameters, plan);
+}
+
 Eigen::Matrix3Xd force_values(const TendonDigit& digit, const FitParameters& parameters,
-                              const ExperimentPlan& plan, const Eigen::VectorXd& u) {
+                              const ExperimentPlan& plan, const Eigen::VectorXd& u,
+                              const ForceKernel* kernel) {
+  if (kernel != nullptr) return kernel->forces(u).reshaped(3, plan.force.cols());
   const SpecimenModel<double> model =
       specimen_model(digit, parameters, parameter_values<double>(parameters, u));
   if (!model.net) return predict_forces(model, plan);
@@ -147,7 +157,12 @@ Eigen::Matrix3Xd force_values(const TendonDigit& digit, const FitParameters& par
 }
 
 ForceJacobian force_jacobian(const TendonDigit& digit, const FitParameters& parameters,
-                             const ExperimentPlan& plan, const Eigen::VectorXd& u) {
+                             const ExperimentPlan& plan, const Eigen::VectorXd& u,
+                             const ForceKernel* kernel) {
+  if (kernel != nullptr) {
+    ForceKernel::Slopes at = kernel->slopes(u);
+    return {at.forces.reshaped(3, plan.force.cols()), std::move(at.J)};
+  }
   // Eight coordinates at a time; the forces come along each time.
   const int n = parameters.coordinates();
   ForceJacobian out{Eigen::Matrix3Xd(3, plan.force.cols()),

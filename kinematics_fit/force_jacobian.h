@@ -3,7 +3,9 @@
 /// Predicted forces and distances between axes with exact derivatives. The fence of Ceres'
 /// automatic differentiation.
 
-#include "kinematics_fit/predict_forces.h"
+#include <memory>
+
+#include "kinematics_fit/kernel/force_kernel.h"
 #include "solvers/least_squares.h"
 
 namespace thenar {
@@ -14,13 +16,24 @@ struct ForceJacobian {
   Eigen::MatrixXd J;       // [N per SI] (3 trials, coordinates)
 };
 
+/// The force model of an experiment, compiled; null where only the templates of predict_forces.h
+/// know it: with an extensor net, or forces measured at other segments than the tip.
+[[nodiscard]] std::shared_ptr<const ForceKernel> compile_forces(const TendonDigit& digit,
+                                                                const FitParameters& parameters,
+                                                                const ExperimentPlan& plan);
+
+/// @param u       (coordinates)
+/// @param kernel  compile_forces() of the same, or null: the values are the same to rounding, and
+///                Jacobians take ten times as long
 [[nodiscard]] Eigen::Matrix3Xd force_values(const TendonDigit& digit,
                                             const FitParameters& parameters,
-                                            const ExperimentPlan& plan, const Eigen::VectorXd& u);
+                                            const ExperimentPlan& plan, const Eigen::VectorXd& u,
+                                            const ForceKernel* kernel = nullptr);
 
 [[nodiscard]] ForceJacobian force_jacobian(const TendonDigit& digit,
                                            const FitParameters& parameters,
-                                           const ExperimentPlan& plan, const Eigen::VectorXd& u);
+                                           const ExperimentPlan& plan, const Eigen::VectorXd& u,
+                                           const ForceKernel* kernel = nullptr);
 
 /// Two hinges and the wanted distance between their axes.
 struct AxisPair {

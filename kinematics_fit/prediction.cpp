@@ -53,19 +53,12 @@ PostureBelief posture_belief(const FitParameters& fitted, const Parameter& like)
 
 }  // namespace
 
-TrialPrediction predict_trials(const FitProblem& problem, const Eigen::VectorXd& z, int e,
-                               WithJacobian want) {
+Eigen::Matrix3Xd predict_trials(const FitProblem& problem, const Eigen::VectorXd& z, int e) {
   require(z.size() == problem.size(), "fit has {} coordinates, got {}", problem.size(), z.size());
   require(z.allFinite(), "coordinates of a fit must be finite");
-  // Displacements of the specimen, then forces with or without slopes.
   const int specimen = problem.specimen_of(e);
-  const ExperimentPlan& plan = problem.plans()[e];
-  const Eigen::VectorXd u = displacements(problem.coordinates(), z, specimen);
-  if (want == WithJacobian::kNo)
-    return {force_values(problem.digit_of(specimen), problem.parameters(), plan, u), {}};
-  ForceJacobian forces = force_jacobian(problem.digit_of(specimen), problem.parameters(), plan, u);
-  return {std::move(forces.force),
-          forces.J * displacement_jacobian(problem.coordinates(), z, specimen)};
+  return force_values(problem.digit_of(specimen), problem.parameters(), problem.plans()[e],
+                      displacements(problem.coordinates(), z, specimen), problem.kernel_of(e));
 }
 
 FitParameters add_posture_errors(FitParameters fitted, const Experiment& experiment) {
@@ -169,7 +162,7 @@ ForceError force_error(const std::vector<PredictedTrial>& trials) {
 
 Prediction predict_fitted(const FitProblem& problem, const Eigen::VectorXd& z, int e) {
   const Experiment& experiment = problem.experiments()[e];
-  const Eigen::Matrix3Xd force = predict_trials(problem, z, e, WithJacobian::kNo).force;
+  const Eigen::Matrix3Xd force = predict_trials(problem, z, e);
   return compare_forces(experiment, force, Eigen::Matrix3Xd::Zero(3, force.cols()),
                         calibrated_on_specimen(problem.digit(), experiment));
 }
@@ -187,9 +180,7 @@ Prediction predict_experiment(const FitProblem& fitted, const Eigen::VectorXd& z
   u.head(known) = displacements(fitted.coordinates(), z, specimen);
 
   // Variance of the estimate, of the deviation of an unseen specimen, and of unknown postures.
-  const std::vector<int> on = fitted.coordinates().entries_of_specimen(specimen);
-  const Eigen::MatrixXd J_z =
-      displacement_jacobian(fitted.coordinates(), z, specimen)(Eigen::all, on);
+  const Eigen::MatrixXd J_z = displacement_jacobian(fitted.coordinates(), z, specimen);
   Eigen::MatrixXd V = Eigen::MatrixXd::Zero(all, all);
   V.topLeftCorner(known, known) = J_z * C.of(specimen) * J_z.transpose();
   if (specimen < 0) V.diagonal().head(known) += unseen_variance(fitted.coordinates());

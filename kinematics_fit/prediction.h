@@ -10,16 +10,10 @@
 
 namespace thenar {
 
-/// Forces of all trials of an experiment, and their Jacobian by the coordinates of a fit.
-struct TrialPrediction {
-  Eigen::Matrix3Xd force;  // [N] (3, trials)
-  Eigen::MatrixXd J;       // [N] (3 trials, size); empty if not asked for
-};
-
-/// Experiment `e` of the problem at z.
+/// Forces of all trials of experiment `e` of the problem at z [N] (3, trials).
 /// @throws InputError if z has another size or is not finite.
-[[nodiscard]] TrialPrediction predict_trials(const FitProblem& problem, const Eigen::VectorXd& z,
-                                             int e, WithJacobian want);
+[[nodiscard]] Eigen::Matrix3Xd predict_trials(const FitProblem& problem, const Eigen::VectorXd& z,
+                                              int e);
 
 /// One trial, predicted.
 struct PredictedTrial {

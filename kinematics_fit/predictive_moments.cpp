@@ -73,7 +73,8 @@ PredictiveMoments predictive_moments(const TendonDigit& digit, const FitParamete
           "{} coordinates have a centre of {} and a covariance of {} x {}", n, center.size(),
           V.rows(), V.cols());
   // First order: the force at the centre, and its slopes.
-  const ForceJacobian at = force_jacobian(digit, parameters, plan, center);
+  const std::shared_ptr<const ForceKernel> kernel = compile_forces(digit, parameters, plan);
+  const ForceJacobian at = force_jacobian(digit, parameters, plan, center, kernel.get());
   PredictiveMoments out{at.force, (at.J * V).cwiseProduct(at.J).rowwise().sum()};
 
   // Second order: how forces bend along each column of the root of V.
@@ -85,7 +86,8 @@ PredictiveMoments predictive_moments(const TendonDigit& digit, const FitParamete
     step(order.all) = L.col(k);
     const auto force = [&](double sign) {
       return force_values(digit, parameters, plan,
-                          within_bounds(parameters, center, Eigen::VectorXd(sign * step)));
+                          within_bounds(parameters, center, Eigen::VectorXd(sign * step)),
+                          kernel.get());
     };
     const Eigen::Matrix3Xd bend = (force(1) + force(-1)) / 2 - at.force;
     if (!bend.allFinite()) continue;  // a singular tip beside the centre has no mean

@@ -86,12 +86,12 @@ Eigen::MatrixXd displacement_jacobian(const FitCoordinates& coordinates, const E
   // Two columns at most are not zero in each row.
   const CoordinateMotion at = coordinate_motion(coordinates, z, specimen);
   const int n = coordinates.parameters().coordinates();
-  Eigen::MatrixXd J = Eigen::MatrixXd::Zero(n, coordinates.size());
+  Eigen::MatrixXd J = Eigen::MatrixXd::Zero(
+      n, coordinates.population_entries() + (specimen < 0 ? 0 : coordinates.deviations()));
   for (int c = 0; c < n; ++c) {
     const CoordinateEntries& of = coordinates.entries(c);
     if (of.population >= 0) J(c, of.population) = at.by_population[c];
-    if (of.deviation >= 0 && specimen >= 0)
-      J(c, of.deviation + specimen * coordinates.deviations()) = at.by_deviation[c];
+    if (of.deviation >= 0 && specimen >= 0) J(c, of.deviation) = at.by_deviation[c];
   }
   return J;
 }

@@ -44,7 +44,8 @@ struct CoordinateMotion {
 [[nodiscard]] Eigen::VectorXd displacements(const FitCoordinates& coordinates,
                                             const Eigen::VectorXd& z, int specimen);
 
-/// du/dz of a specimen or kPopulation at z [SI] (coordinates, size).
+/// du/dz of a specimen or kPopulation at z, by the entries that move it [SI]
+/// (coordinates, FitCoordinates::entries_of_specimen()).
 [[nodiscard]] Eigen::MatrixXd displacement_jacobian(const FitCoordinates& coordinates,
                                                     const Eigen::VectorXd& z, int specimen);
 

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "kinematics_fit/fit_problem.h"
-#include "posterior/force_kernel.h"
+#include "kinematics_fit/kernel/force_kernel.h"
 #include "sampling/methods/target.h"
 
 namespace thenar {

@@ -2,8 +2,8 @@
 
 /// Measurements of one experiment in the form that the likelihood needs.
 
+#include "kinematics_fit/kernel/force_kernel.h"
 #include "posterior/force_density.h"
-#include "posterior/force_kernel.h"
 
 namespace thenar {
 

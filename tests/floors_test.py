@@ -38,10 +38,14 @@ MAY_SEE |= {
 }
 FITS = TENDONS + ["tendons/forces", "tendons/net", "tendons/topology"]
 MAY_SEE |= {
+    "kinematics_fit/model": FITS,
+    "kinematics_fit/kernel": FITS + ["kinematics_fit/model"],
+}
+FITS += ["kinematics_fit/model", "kinematics_fit/kernel"]
+MAY_SEE |= {
     "kinematics_fit": FITS,
     "kinematics_fit/hoods": FITS + ["kinematics_fit"],
-    "posterior/kernel": FITS + ["kinematics_fit"],
-    "posterior": FITS + ["sampling/methods", "kinematics_fit", "posterior/kernel"],
+    "posterior": FITS + ["sampling/methods", "kinematics_fit"],
 }
 POSTERIOR = FITS + ["sampling/methods", "sampling/run", "sampling/diagnostics", "kinematics_fit", "posterior"]
 MAY_SEE |= {

@@ -188,22 +188,22 @@
 
 // kinematics_fit: fits of kinematic parameters to measured forces.
 #include "kinematics_fit/cross_validation.h"
-#include "kinematics_fit/experiment_plan.h"
 #include "kinematics_fit/fit.h"
 #include "kinematics_fit/fit_coordinates.h"
-#include "kinematics_fit/fit_parameters.h"
 #include "kinematics_fit/fit_problem.h"
 #include "kinematics_fit/fit_residuals.h"
 #include "kinematics_fit/fit_study.h"
 #include "kinematics_fit/force_jacobian.h"
-#include "kinematics_fit/force_site.h"
 #include "kinematics_fit/hoods/hood_comparison.h"
 #include "kinematics_fit/hoods/net_records.h"
 #include "kinematics_fit/misfit.h"
-#include "kinematics_fit/parameter.h"
-#include "kinematics_fit/predict_forces.h"
+#include "kinematics_fit/model/experiment_plan.h"
+#include "kinematics_fit/model/fit_parameters.h"
+#include "kinematics_fit/model/force_site.h"
+#include "kinematics_fit/model/parameter.h"
+#include "kinematics_fit/model/predict_forces.h"
+#include "kinematics_fit/model/specimen_model.h"
 #include "kinematics_fit/prediction.h"
-#include "kinematics_fit/specimen_model.h"
 #include "kinematics_fit/specimen_prior.h"
 
 // posterior: the posterior of a hand.

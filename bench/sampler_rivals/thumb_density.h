@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "kinematics_fit/fit_problem.h"
-#include "posterior/kernel/batch.h"
-#include "posterior/kernel/compile.h"
+#include "kinematics_fit/kernel/batch.h"
+#include "kinematics_fit/kernel/compile.h"
 
 namespace thenar::bench {
 

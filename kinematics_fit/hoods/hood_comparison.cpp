@@ -5,9 +5,9 @@
 #include <set>
 
 #include "base/error.h"
-#include "kinematics_fit/fit_parameters.h"
 #include "kinematics_fit/hoods/net_records.h"
-#include "kinematics_fit/predict_forces.h"
+#include "kinematics_fit/model/fit_parameters.h"
+#include "kinematics_fit/model/predict_forces.h"
 #include "tendons/linear_tendons.h"
 #include "tendons/net/build_tendons.h"
 #include "tendons/net/posture_sweep.h"

@@ -3,8 +3,8 @@
 #include <utility>
 
 #include "base/error.h"
-#include "kinematics_fit/fit_parameters.h"
-#include "kinematics_fit/tip_constraint.h"
+#include "kinematics_fit/model/fit_parameters.h"
+#include "kinematics_fit/model/tip_constraint.h"
 #include "tendons/net/net_statics.h"
 #include "tendons/net/posture_sweep.h"
 

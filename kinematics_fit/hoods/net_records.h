@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "data/io/experiment.h"
-#include "kinematics_fit/predict_forces.h"
+#include "kinematics_fit/model/predict_forces.h"
 #include "tendons/net/net_tendons.h"
 #include "tendons/topology/candidate_net.h"
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "base/units.h"
-#include "kinematics_fit/predict_forces.h"
+#include "kinematics_fit/model/predict_forces.h"
 #include "posterior/run/posterior_quantities.h"
 
 namespace thenar {

@@ -5,7 +5,7 @@
 #include <optional>
 #include <string>
 
-#include "kinematics_fit/parameter.h"
+#include "kinematics_fit/model/parameter.h"
 #include "tendons/tendon_model.h"
 
 namespace thenar {

@@ -78,13 +78,14 @@ std::string without_specimen(const std::string& name) {
 }
 
 /// Names of the coordinates that make up a direction, each with its share.
-std::vector<std::pair<std::string, double>> shares_of(const Eigen::VectorXd& direction,
+std::vector<std::pair<std::string, double>> shares_of(const Eigen::SparseVector<double>& direction,
                                                       const std::vector<std::string>& names) {
   constexpr double kSmall = 0.1;  // [1]
   std::vector<std::pair<std::string, double>> shares;
-  for (Eigen::Index i = 0; i < direction.size(); ++i)
-    if (std::abs(direction[i]) >= kSmall)
-      shares.emplace_back(without_specimen(names[static_cast<std::size_t>(i)]), direction[i]);
+  for (Eigen::SparseVector<double>::InnerIterator at(direction); at; ++at)
+    if (std::abs(at.value()) >= kSmall)
+      shares.emplace_back(without_specimen(names[static_cast<std::size_t>(at.index())]),
+                          at.value());
   return shares;
 }
 

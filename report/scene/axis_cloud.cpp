@@ -1,8 +1,8 @@
 #include "report/scene/axis_cloud.h"
 
 #include "base/error.h"
-#include "kinematics_fit/predict_forces.h"
-#include "kinematics_fit/specimen_model.h"
+#include "kinematics_fit/model/predict_forces.h"
+#include "kinematics_fit/model/specimen_model.h"
 #include "report/blocks.h"
 #include "report/scene/digit_layers.h"
 

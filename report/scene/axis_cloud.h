@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "kinematics_fit/fit_parameters.h"
+#include "kinematics_fit/model/fit_parameters.h"
 #include "report/blocks.h"
 #include "tendons/tendon_model.h"
 

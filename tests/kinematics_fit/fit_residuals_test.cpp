@@ -38,7 +38,7 @@ TEST(FitResiduals, RecoversPredictionsAndIdentifiableParametersWithoutNoise) {
   const Solution found = fit_precisely(problem);
   ASSERT_EQ(found.status, Status::kSolved) << found.message;
 
-  const Eigen::Matrix3Xd force = predict_trials(problem, found.z, 0, WithJacobian::kNo).force;
+  const Eigen::Matrix3Xd force = predict_trials(problem, found.z, 0);
   EXPECT_LT((force - problem.plans()[0].force).cwiseAbs().maxCoeff(), 1e-8);  // [N]
 
   const VectorXd total =

@@ -1,6 +1,7 @@
-// Tests for kinematics_fit/net_trials.cpp, specimen_net.cpp and the derivatives of fits with nets.
+// Tests for kinematics_fit/model/net_trials.cpp, specimen_net.cpp and the derivatives of fits with
+// nets.
 
-#include "kinematics_fit/net_trials.h"
+#include "kinematics_fit/model/net_trials.h"
 
 #include <cmath>
 
@@ -170,8 +171,8 @@ TEST(NetFit, ComesBackFromItsFile) {
   EXPECT_EQ(file.text("provenance/sha256/inputs/net"), sha256(inputs.net->text));
   const Fit back = read_fit(path);
   ASSERT_TRUE(back.problem.digit().net);
-  EXPECT_EQ(predict_trials(back.problem, back.solution.z, 0, WithJacobian::kNo).force,
-            predict_trials(fit.problem, fit.solution.z, 0, WithJacobian::kNo).force);
+  EXPECT_EQ(predict_trials(back.problem, back.solution.z, 0),
+            predict_trials(fit.problem, fit.solution.z, 0));
 }
 
 TEST(NetFit, RefusesBonesThatGrowUnderANet) {

@@ -194,7 +194,7 @@ TEST(PredictTrials, TellsWrongSizeFromNonsense) {
   const FitProblem problem = middle_finger(kAxes).problem();
   const auto refusal = [&](const VectorXd& z) -> std::string {
     try {
-      (void)predict_trials(problem, z, 0, WithJacobian::kNo);
+      (void)predict_trials(problem, z, 0);
     } catch (const InputError& e) {
       return e.what();
     }

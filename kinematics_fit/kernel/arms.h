@@ -1,0 +1,141 @@
+#pragma once
+
+/// Step 3a: moment arms of strands along their paths, with and without friction [m].
+
+#include <algorithm>
+
+#include "kinematics_fit/kernel/pose.h"
+
+namespace thenar::kernel {
+namespace {
+
+/// An angle of the posture.
+inline V angle_at(const AngleStep& angle, const Posed& posed) {
+  if (angle.coordinate < 0) return splat(angle.offset);
+  return angle.ratio * posed.angle[angle.coordinate] + angle.offset;
+}
+
+/// Arms without friction: constant ones, or those of straight runs  u = (b - a) / |b - a|,
+///   sum weight u . (axis x (node - point)).
+inline void set_paths(const Program& program, const DigitParameters& digit, Posed& posed) {
+  // Constant arms; strands with a path start from zero.
+  const int n = program.coordinates;
+  for (int i = 0; i < program.strands * n; ++i)
+    posed.frictionless_arm[i] = digit.number[program.arms + i];
+  for (const int s : program.path_strands) clear(posed.frictionless_arm + s * n, n);
+  // Points of the paths, where their links are now.
+  for (int k = 0; k < program.nodes.size(); ++k)
+    posed.node[k] =
+        link_point(program, digit, posed, program.nodes[k].link, program.nodes[k].place);
+  for (int k = 0; k < program.runs.size(); ++k) {
+    // Direction of the run, and what it adds to the arm about every hinge between its ends.
+    const RunStep& run = program.runs[k];
+    const Vec way = posed.node[run.to] - posed.node[run.from];
+    posed.length[k] = 1.0 / square_root(dot(way, way));
+    const Vec u = posed.run[k] = posed.length[k] * way;
+    for (int i = run.first; i < run.last; ++i) {
+      const ArmTerm& climb = program.arm_terms[i];
+      const Vec r = posed.node[climb.node] - posed.point[climb.hinge];
+      posed.frictionless_arm[climb.arm] += climb.weight * dot(u, cross(posed.axis[climb.hinge], r));
+    }
+  }
+}
+
+inline void adjoint_paths(const Program& program, const Posed& posed, Posed& adjoint, Wrenches& on,
+                          DigitParameters& adjoint_digit) {
+  const int n = program.coordinates;
+  for (int k = 0; k < program.runs.size(); ++k) {
+    // Each term of the arm: adjoints of the direction, of the axis, and of both points.
+    const RunStep& run = program.runs[k];
+    const Vec u = posed.run[k];
+    Vec u_bar = {V{}, V{}, V{}};
+    for (int i = run.first; i < run.last; ++i) {
+      const ArmTerm& climb = program.arm_terms[i];
+      const V g = climb.weight * adjoint.frictionless_arm[climb.arm];
+      const Vec axis = posed.axis[climb.hinge];
+      const Vec r = posed.node[climb.node] - posed.point[climb.hinge];
+      const Vec r_bar = g * cross(u, axis);
+      u_bar += g * cross(axis, r);
+      adjoint.axis[climb.hinge] += g * cross(r, u);
+      adjoint.point[climb.hinge] -= r_bar;
+      adjoint.node[climb.node] += r_bar;
+    }
+    // Only the part across the run survives the normalisation.
+    const Vec way_bar = posed.length[k] * (u_bar - dot(u_bar, u) * u);
+    adjoint.node[run.to] += way_bar;
+    adjoint.node[run.from] -= way_bar;
+  }
+  // From points of paths to links, then from constant arms to their numbers.
+  for (int k = 0; k < program.nodes.size(); ++k)
+    adjoint_link_point(posed, program.nodes[k].link, program.nodes[k].place, posed.node[k],
+                       adjoint.node[k], on, adjoint_digit);
+  for (const int s : program.path_strands) clear(adjoint.frictionless_arm + s * n, n);
+  for (int i = 0; i < program.strands * n; ++i)
+    adjoint_digit.number[program.arms + i] += adjoint.frictionless_arm[i];
+}
+
+/// Size of a bend, smoothed as in bend_size().
+inline V size_of(const BendStep& bend, const Posed& posed) {
+  const V angle = angle_at(bend.angle, posed);
+  return bend.angle.coordinate < 0 ? (angle < 0.0 ? -angle : angle)
+                                   : square_root(angle * angle + 1e-4);
+}
+
+/// Returns whether coordinate j is the first beyond some bend.
+inline bool bends_before(const Program& program, int j) {
+  return std::any_of(program.bends.begin(), program.bends.end(),
+                     [j](const BendStep& bend) { return bend.first_coordinate_beyond == j; });
+}
+
+/// arm = frictionless_arm exp(-mu bent),  bent_j = sum of the bends nearer the muscle than
+/// coordinate j.
+inline void set_friction(const Program& program, const DigitParameters& digit, Posed& posed) {
+  // Without a sheath the arms are those without friction.
+  const int n = program.coordinates;
+  for (int i = 0; i < program.strands * n; ++i) posed.arm[i] = posed.frictionless_arm[i];
+  if (program.sheaths.size() == 0) return;
+  // Sum of bends between the muscle and each coordinate.
+  clear(posed.bent, n);
+  for (const BendStep& bend : program.bends) {
+    const V size = size_of(bend, posed);
+    for (int j = bend.first_coordinate_beyond; j < n; ++j) posed.bent[j] += size;
+  }
+  // Remaining tension; beyond no further bend it is that of the coordinate before.
+  for (const SheathStep& sheath : program.sheaths)
+    for (int j = 0; j < n; ++j) {
+      const int i = sheath.strand * n + j;
+      if (bends_before(program, j))
+        posed.tension_ratio[i] = exponential(-digit.number[sheath.friction] * posed.bent[j]);
+      else
+        posed.tension_ratio[i] = j == 0 ? splat(1) : posed.tension_ratio[i - 1];
+      posed.arm[i] = posed.frictionless_arm[i] * posed.tension_ratio[i];
+    }
+}
+
+inline void adjoint_friction(const Program& program, const DigitParameters& digit,
+                             const Posed& posed, Posed& adjoint, DigitParameters& adjoint_digit) {
+  // Without a sheath the arms pass on their adjoints.
+  const int n = program.coordinates;
+  for (int i = 0; i < program.strands * n; ++i) adjoint.frictionless_arm[i] = adjoint.arm[i];
+  if (program.sheaths.size() == 0) return;
+  for (const SheathStep& sheath : program.sheaths)
+    for (int j = 0; j < n; ++j) {
+      // Adjoints of the arm, of the friction and of the bends.
+      const int i = sheath.strand * n + j;
+      adjoint.frictionless_arm[i] = adjoint.arm[i] * posed.tension_ratio[i];
+      const V lost = adjoint.arm[i] * posed.arm[i];
+      adjoint_digit.number[sheath.friction] -= lost * posed.bent[j];
+      adjoint.bent[j] -= lost * digit.number[sheath.friction];
+    }
+  for (const BendStep& bend : program.bends) {
+    // From the bends to the angles that make them.
+    if (bend.angle.coordinate < 0) continue;
+    V size_bar = V{};
+    for (int j = bend.first_coordinate_beyond; j < n; ++j) size_bar += adjoint.bent[j];
+    adjoint.angle[bend.angle.coordinate] +=
+        size_bar * bend.angle.ratio * angle_at(bend.angle, posed) / size_of(bend, posed);
+  }
+}
+
+}  // namespace
+}  // namespace thenar::kernel

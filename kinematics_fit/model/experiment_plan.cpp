@@ -1,0 +1,347 @@
+#include "kinematics_fit/model/experiment_plan.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/ranges.h>
+#include <Eigen/SVD>
+
+#include "base/error.h"
+#include "base/units.h"
+#include "kinematics_fit/model/net_trials.h"
+#include "tendons/forces/posture_sensitivity.h"
+
+namespace thenar {
+namespace {
+
+constexpr double kBeyond = 5 * kDegree;  // limits are of other hands: some slack [rad]
+constexpr double kTooStrong = 2;         // tension per largest force beyond any living muscle [1]
+
+using Warnings = std::vector<std::string>;
+
+void warn_of_postures(const TendonDigit& digit, const ExperimentPlan& plan, Warnings& warnings) {
+  for (std::size_t k = 0; k < plan.postures.size(); ++k) {
+    // Nearly straight: small errors of angles change the forces much.
+    if (plan.condition[k] > kNearlyStraight)
+      warnings.push_back(
+          fmt::format("posture '{}' is nearly singular (condition {:.3g}): its forces hang on "
+                      "angles that nobody can measure well enough",
+                      plan.posture_names[k], plan.condition[k]));
+    // Angles beyond the joint limits.
+    for (int j = 0; j < digit.skeleton.coordinates(); ++j) {
+      const CoordinateLimits& limits = digit.skeleton.limits[static_cast<std::size_t>(j)];
+      const double angle = plan.postures[k][j];
+      if (angle < limits.lower - kBeyond || angle > limits.upper + kBeyond)
+        warnings.push_back(
+            fmt::format("posture '{}': {} = {:.1f} deg is beyond {:.1f} .. {:.1f} deg",
+                        plan.posture_names[k], digit.skeleton.coordinate_names[j], degrees(angle),
+                        degrees(limits.lower), degrees(limits.upper)));
+    }
+  }
+}
+
+void warn_of_tensions(const TendonDigit& digit, const ExperimentPlan& plan, Warnings& warnings) {
+  for (Eigen::Index m = 0; m < digit.max_tension.size(); ++m) {
+    // Largest tension of the muscle over all trials.
+    double most = 0;
+    for (const Eigen::VectorXd& tension : plan.tension) most = std::max(most, tension[m]);
+    if (most > kTooStrong * digit.max_tension[m])
+      warnings.push_back(fmt::format("{} was pulled with {:.1f} N, but can make {:.1f} N",
+                                     digit.names.muscles[static_cast<std::size_t>(m)], most,
+                                     digit.max_tension[m]));
+  }
+}
+
+/// Two forces of a pinned tip cannot balance the torques of more joints in their plane.
+void warn_of_hold(const TendonDigit& digit, const ExperimentPlan& plan, Warnings& warnings) {
+  const int joints = digit.model.coordinates;
+  if (plan.hold != TipConstraint::kPinned || plan.known != DecidedForces::kInPlane || joints <= 2)
+    return;
+  warnings.push_back(fmt::format(
+      "a pinned tip of a finger with {} joints in one plane leaves torque that nothing balances, "
+      "so that forces are those of least squares: was the tip clamped (hold = \"rigid\"), or a "
+      "joint splinted?",
+      joints));
+}
+
+/// Forces on a segment that few joints move are not decided by torques alone.
+void warn_of_sites(const ExperimentPlan& plan, const Experiment& experiment, Warnings& warnings) {
+  const int loads = (plan.known == DecidedForces::kInPlane ? 2 : 3) +
+                    (plan.hold == TipConstraint::kRigid ? 1 : 0);
+  std::vector<bool> told(plan.sites.size(), false);
+  for (std::size_t i = 0; i < plan.site_of_trial.size(); ++i) {
+    // Each site once, and no mount.
+    const auto at = static_cast<std::size_t>(plan.site_of_trial[i]);
+    if (plan.site_of_trial[i] < 0 || told[at]) continue;
+    told[at] = true;
+    const PlannedSite& site = plan.sites[at];
+    if (site.link >= 0 && static_cast<int>(site.balanced.size()) < loads)
+      warnings.push_back(fmt::format(
+          "a load cell at {} bears {} loads, but {} joint angles move that segment: forces are "
+          "those of least norm, as torques do not tell how bones and cell share them",
+          experiment.trials[i].site->at, loads, site.balanced.size()));
+  }
+}
+
+void warn_of_calibration(const TendonDigit& digit, const Experiment& experiment,
+                         Warnings& warnings) {
+  // Calibrations that used this specimen.
+  std::string names;
+  for (const CalibratedOn& on : digit.calibrated_on)
+    if (has_seen({on}, experiment.name, experiment.specimen))
+      names += (names.empty() ? "'" : ", '") + on.experiment + "'";
+  if (!names.empty())
+    warnings.push_back(
+        fmt::format("the subject has seen specimen {}: it was calibrated on {}. Errors of its "
+                    "forces, also left out, do not tell how well strangers are predicted",
+                    experiment.specimen, names));
+}
+
+}  // namespace
+
+std::vector<std::string> experiment_warnings(const TendonDigit& digit, const ExperimentPlan& plan,
+                                             const Experiment& experiment) {
+  // Postures, tensions, hold and calibration.
+  Warnings warnings;
+  warn_of_postures(digit, plan, warnings);
+  warn_of_tensions(digit, plan, warnings);
+  warn_of_hold(digit, plan, warnings);
+  warn_of_sites(plan, experiment, warnings);
+  warn_of_calibration(digit, experiment, warnings);
+
+  // Data that no fit uses.
+  const auto moments = std::count_if(experiment.trials.begin(), experiment.trials.end(),
+                                     [](const Trial& trial) { return trial.moment.has_value(); });
+  if (moments > 0)
+    warnings.push_back(
+        fmt::format("{} measured moments are not fitted, only the forces are", moments));
+
+  // All name their experiment.
+  for (std::string& warning : warnings)
+    warning = fmt::format("experiment '{}': {}", experiment.name, warning);
+  return warnings;
+}
+
+namespace {
+
+constexpr double kSingular = 1e12;  // condition beyond which no digit of a force is right [1]
+constexpr double kParallel = 15 * kDegree;  // of axes with the normal of their plane [rad]
+constexpr double kNoAngle = 1e-6;           // the same, of parallel axes up to rounding [rad]
+
+/// Do all axes between the tip and the base stand on the plane of flexion, to within `angle` [rad]?
+bool all_flex(const TendonModel<double>& digit, double angle) {
+  bool all = true;
+  for_each_hinge_to_base(digit.tree, digit.tip_link, [&](int i) {
+    const Eigen::Vector3d d = digit.tree[i].direction.normalized();
+    all = all && std::abs(d.dot(digit.tip_axes.col(2))) >= std::cos(angle);
+  });
+  return all;
+}
+
+/// Why no force follows in a singular posture, and what to do.
+std::string singular_in_words(const TendonDigit& digit, const ExperimentPlan& plan) {
+  if (plan.known == DecidedForces::kInPlane)
+    return "the held tip carries forces in the plane of flexion that no joint feels; leave it out";
+  if (all_flex(digit.model, kNoAngle))
+    return "all axes are parallel, so that no joint feels a force across their plane; fit the two "
+           "components in the plane: not_modelled = \"radial\" in [force]";
+  return "the held tip carries loads that no joint feels; leave it out";
+}
+
+Eigen::VectorXd tensions(const TendonDigit& digit, const Trial& trial) {
+  // Muscles that a trial does not name are slack.
+  const std::vector<std::string>& names = digit.names.muscles;
+  Eigen::VectorXd t = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(names.size()));
+  for (const auto& [muscle, tension] : trial.tension) {
+    const auto found = std::find(names.begin(), names.end(), muscle);
+    require(found != names.end(), "no muscle '{}' pulls on this digit; there are {}", muscle,
+            fmt::join(names, ", "));
+    t[found - names.begin()] = tension;
+  }
+  return t;
+}
+
+int posture_index(const ExperimentPlan& plan, const std::string& name) {
+  const auto& names = plan.posture_names;
+  const auto found = std::find(names.begin(), names.end(), name);
+  require(found != names.end(), "trial names posture '{}', which is not defined", name);
+  return static_cast<int>(found - names.begin());
+}
+
+int link_named(const TendonDigit& digit, const Experiment& experiment, const std::string& segment) {
+  const auto link = digit.skeleton.link_of_segment.find(segment);
+  require(link != digit.skeleton.link_of_segment.end(),
+          "experiment '{}' states forces in segment '{}', which the digit has not", experiment.name,
+          segment);
+  return link->second;
+}
+
+/// Point a part of the way along the bone of a link, from the point of its own joint to that of the
+/// next one outwards, or to the tip [m] (3).
+Eigen::Vector3d along_bone(const TendonModel<double>& digit, int link, double fraction) {
+  Eigen::Vector3d end = digit.tip;
+  for_each_hinge_to_base(digit.tree, digit.tip_link, [&](int i) {
+    if (i > link && (digit.tree[i].point - digit.tree[link].point).norm() > 1e-6)
+      end = digit.tree[i].point;
+  });
+  return digit.tree[link].point + fraction * (end - digit.tree[link].point);
+}
+
+/// The place on the held segment, at the reference posture [m] (3).
+Eigen::Vector3d held_point(const TendonModel<double>& digit, const ForceSite& site, int link) {
+  if (site.point) return *site.point;
+  if (!site.fraction && link == digit.tip_link) return digit.tip;
+  return along_bone(digit, link, site.fraction.value_or(0.5));
+}
+
+/// A site with its segments resolved; the mount of a digit, or a segment between base and tip.
+PlannedSite plan_site(const TendonDigit& digit, const Experiment& experiment,
+                      const ForceSite& site) {
+  const TendonModel<double>& model = digit.model;
+  PlannedSite plan{link_named(digit, experiment, site.at),
+                   Eigen::Vector3d::Zero(),
+                   link_named(digit, experiment, site.axes),
+                   site.leave,
+                   {}};
+  if (plan.link < 0) {
+    // A mount: which way the tendons leave must be known.
+    require(!site.point && !site.fraction,
+            "experiment '{}': '{}' is the mount, whose force has no place 'at_mm' or 'at_fraction'",
+            experiment.name, site.at);
+    for (std::size_t m = 0; m < model.pulls.size(); ++m)
+      require(!model.paths[static_cast<std::size_t>(model.pulls[m])].empty(),
+              "experiment '{}': the force on mount '{}' needs the paths of all tendons; {} has "
+              "only moment arms",
+              experiment.name, site.at, digit.names.muscles[m]);
+    return plan;
+  }
+  plan.point = held_point(model, site, plan.link);
+  // Coordinates that move the segment.
+  std::vector<bool> moves(static_cast<std::size_t>(model.coordinates), false);
+  for_each_hinge_to_base(model.tree, plan.link, [&](int i) {
+    moves[static_cast<std::size_t>(model.tree[i].coordinate)] = true;
+  });
+  for (int j = 0; j < model.coordinates; ++j)
+    if (moves[static_cast<std::size_t>(j)]) plan.balanced.push_back(j);
+  return plan;
+}
+
+/// Index of a trial's site in the plan, which gets it if it is new; -1: the tip.
+int site_index(const TendonDigit& digit, const Experiment& experiment, std::size_t trial,
+               ExperimentPlan& plan) {
+  const std::optional<ForceSite>& site = experiment.trials[trial].site;
+  if (!site) return -1;
+  require(!digit.net,
+          "experiment '{}': a net is fitted to forces of the tip alone; leave out trials "
+          "measured at other segments",
+          experiment.name);
+  for (std::size_t i = 0; i < trial; ++i)
+    if (experiment.trials[i].site == site) return plan.site_of_trial[i];
+  plan.sites.push_back(plan_site(digit, experiment, *site));
+  return static_cast<int>(plan.sites.size()) - 1;
+}
+
+/// Is the tip held in a posture? It is where nothing else is said, and while a mount is measured.
+bool holds_tip(const ExperimentPlan& plan, int posture) {
+  bool any = false;
+  for (std::size_t i = 0; i < plan.posture_of_trial.size(); ++i) {
+    if (plan.posture_of_trial[i] != posture) continue;
+    any = true;
+    const int at = site_of(plan, i);
+    if (at < 0 || plan.sites[static_cast<std::size_t>(at)].link < 0) return true;
+  }
+  return !any;
+}
+
+double condition_of(const Eigen::MatrixXd& loads) {
+  const Eigen::VectorXd sigma = loads.jacobiSvd().singularValues();
+  return sigma[0] / sigma[sigma.size() - 1];
+}
+
+/// Condition of the loads of every posture, the worst of all that is held in it, with all
+/// parameters at their prior means.
+std::vector<double> conditions(const TendonDigit& digit, const FitParameters& parameters,
+                               const ExperimentPlan& plan) {
+  // The digit at the prior means.
+  const Eigen::VectorXd u = Eigen::VectorXd::Zero(parameters.coordinates());
+  const SpecimenModel<double> model =
+      specimen_model(digit, parameters, parameter_values<double>(parameters, u));
+  // Ratio of the extreme singular values of the loads in each posture.
+  std::vector<double> conditions;
+  for (std::size_t k = 0; k < plan.postures.size(); ++k) {
+    const TreeState<double> state =
+        pose_tree(model.digit.tree, Eigen::VectorXd(plan.postures[k] + model.angle_error));
+    double worst = holds_tip(plan, static_cast<int>(k))
+                       ? condition_of(tip_constraint_loads(model.digit, state, plan.hold,
+                                                           plan.known, model.out_of_plane))
+                       : 1;
+    for (std::size_t i = 0; i < plan.site_of_trial.size(); ++i) {
+      const int at = plan.site_of_trial[i];
+      if (plan.posture_of_trial[i] != static_cast<int>(k) || at < 0) continue;
+      const PlannedSite& site = plan.sites[static_cast<std::size_t>(at)];
+      if (site.link >= 0)
+        worst = std::max(
+            worst, condition_of(segment_loads(model.digit, site, state, plan.hold, plan.known)));
+    }
+    conditions.push_back(worst);
+  }
+  return conditions;
+}
+
+}  // namespace
+
+ExperimentPlan plan_experiment(const TendonDigit& digit, const FitParameters& parameters,
+                               const Experiment& experiment) {
+  // Does the experiment fit the digit?
+  const std::string& built = digit.skeleton.tips.front().digit;
+  require(experiment.digit == built, "experiment '{}' is of the {}, but the digit built is the {}",
+          experiment.name, experiment.digit, built);
+
+  // How the tip is held, and in which axes forces are stated.
+  ExperimentPlan plan;
+  plan.hold = experiment.hold;
+  plan.force_link = link_named(digit, experiment, experiment.force_segment);
+  plan.measured = experiment.components;
+  plan.components = experiment.axes_of_digit.cast<double>();
+  if (plan.measured == 2 && all_flex(digit.model, kParallel)) plan.known = DecidedForces::kInPlane;
+
+  // Postures, and the angle errors that belong to them.
+  for (const PostureRecord& record : experiment.postures) {
+    plan.postures.push_back(posture(digit.skeleton, record.angles));
+    plan.posture_names.push_back(record.name);
+    const auto& known = parameters.postures;
+    const auto key = std::find(known.begin(), known.end(), record.name);
+    plan.posture_key.push_back(key == known.end() ? -1 : static_cast<int>(key - known.begin()));
+  }
+
+  // Trials: posture, place of the load cell and tensions.
+  for (std::size_t i = 0; i < experiment.trials.size(); ++i) {
+    plan.posture_of_trial.push_back(posture_index(plan, experiment.trials[i].posture));
+    plan.site_of_trial.push_back(site_index(digit, experiment, i, plan));
+    plan.tension.push_back(tensions(digit, experiment.trials[i]));
+  }
+
+  // No force follows from the tendons' torques in a singular posture.
+  plan.condition = conditions(digit, parameters, plan);
+  for (std::size_t k = 0; k < plan.postures.size(); ++k)
+    require(plan.condition[k] < kSingular, "posture '{}' of experiment '{}' is singular: {}",
+            plan.posture_names[k], experiment.name, singular_in_words(digit, plan));
+
+  // Measured force, and its sd with that of what the model misses.
+  plan.force.resize(3, static_cast<Eigen::Index>(experiment.trials.size()));
+  plan.sd.resize(3, plan.force.cols());
+  for (Eigen::Index i = 0; i < plan.force.cols(); ++i) {
+    const Trial& trial = experiment.trials[i];
+    plan.force.col(i) = trial.force;
+    const Eigen::VectorXd& t = plan.tension[static_cast<std::size_t>(i)];
+    const bool several = (t.array() > 0).count() > 1;
+    const double missed =
+        t.sum() * std::hypot(parameters.misfit, several ? parameters.superposition : 0);
+    plan.sd.col(i) =
+        (force_sd(experiment, trial).array().square() + missed * missed).sqrt().matrix();
+  }
+  if (digit.net) plan.net_start = net_starts(digit, parameters, plan);
+  return plan;
+}
+
+}  // namespace thenar

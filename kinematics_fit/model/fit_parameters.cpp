@@ -1,0 +1,201 @@
+#include "kinematics_fit/model/fit_parameters.h"
+
+#include <algorithm>
+
+#include <fmt/format.h>
+
+#include "base/error.h"
+
+namespace thenar {
+namespace {
+
+/// State of every parameter while rules are applied.
+struct Choice {
+  ParameterState state = ParameterState::kFixed;
+  std::string tie_to;
+  double tie_ratio = 1;
+  bool optional = false;  // a tie to nothing leaves the parameter fixed
+};
+
+/// A rule in mm cannot speak of angles.
+void require_dimension(const ParameterRule& rule, const std::string& file, const Parameter& p) {
+  // A row without numbers has no dimension.
+  const bool numbers =
+      rule.mean || rule.sd || rule.between_sd || rule.range || rule.lower || rule.upper;
+  const std::string unit = display_unit(p);
+  const Dimension wanted = unit == "mm"    ? Dimension::kLength
+                           : unit == "deg" ? Dimension::kAngle
+                                           : Dimension::kNumber;
+  require(!numbers || rule.dimension == wanted, "{}:{}: '{}' is {}, the row states {}", file,
+          rule.line, p.name, dimension_name(wanted), dimension_name(rule.dimension));
+}
+
+void apply_belief(const ParameterRule& rule, Parameter& p) {
+  // A new mean takes its bounds along.
+  const double range_low = p.mean - p.lower, range_high = p.upper - p.mean;
+  if (rule.mean) {
+    p.mean = *rule.mean;
+    p.lower = p.mean - range_low;
+    p.upper = p.mean + range_high;
+  }
+  // Sds, and bounds relative to the mean or absolute.
+  if (rule.sd) p.sd = *rule.sd;
+  if (rule.between_sd) p.between_sd = *rule.between_sd;
+  p.sd *= rule.sd_factor;
+  p.between_sd *= rule.between_sd_factor;
+  if (rule.range) {
+    p.lower = p.mean - *rule.range;
+    p.upper = p.mean + *rule.range;
+  }
+  if (rule.lower) p.lower = *rule.lower;
+  if (rule.upper) p.upper = *rule.upper;
+  require(p.lower <= p.mean && p.mean <= p.upper, "prior mean {} of '{}' is outside {} .. {} [SI]",
+          p.mean, p.name, p.lower, p.upper);
+}
+
+void apply_rule(const ParameterRule& rule, const std::string& file, std::vector<Parameter>& all,
+                std::vector<Choice>& choices) {
+  bool matched = false;
+  for (std::size_t p = 0; p < all.size(); ++p) {
+    // Later rules override earlier ones.
+    if (!matches_glob(rule.match, all[p].name)) continue;
+    if (rule.nonzero && all[p].mean == 0) continue;
+    matched = true;
+    require_dimension(rule, file, all[p]);
+    apply_belief(rule, all[p]);
+    if (rule.state) choices[p] = {*rule.state, rule.tie_to, rule.tie_ratio, rule.optional};
+  }
+  const std::string where = rule.line > 0 ? fmt::format("{}:{}", file, rule.line) : file;
+  require(matched || rule.optional,
+          "{}: no parameter matches '{}'; list them with `thenar explain`", where, rule.match);
+}
+
+/// Rules of what is chosen, one for each glob; those that match nothing are no error.
+std::vector<ParameterRule> rules_of(const SettingChoice& choice) {
+  std::vector<ParameterRule> rules;
+  for (const std::string& glob : choice.match) {
+    ParameterRule rule;
+    rule.match = glob;
+    rule.optional = true;
+    rule.line = choice.line;
+    rule.dimension = choice.dimension;
+    if (choice.key == ChoiceKey::kSd) rule.sd = choice.value();
+    if (choice.key == ChoiceKey::kBetweenSd) rule.between_sd = choice.value();
+    if (choice.key == ChoiceKey::kSdFactor) rule.sd_factor = choice.value();
+    if (choice.key == ChoiceKey::kBetweenSdFactor) rule.between_sd_factor = choice.value();
+    rules.push_back(std::move(rule));
+  }
+  return rules;
+}
+
+/// A leader must not carry those tied to it beyond their own bounds.
+void bound_leader(const Parameter& tied, double ratio, Parameter& leader) {
+  if (ratio == 0) return;
+  const double a = leader.mean + (tied.lower - tied.mean) / ratio;
+  const double b = leader.mean + (tied.upper - tied.mean) / ratio;
+  leader.lower = std::max(leader.lower, std::min(a, b));
+  leader.upper = std::min(leader.upper, std::max(a, b));
+}
+
+/// Forces are even in the weight of out-of-plane moments: from zero no fit can move it.
+void require_movable(const FitParameters& fit) {
+  for (std::size_t p = 0; p < fit.all.size(); ++p)
+    require(fit.all[p].kind != ParameterKind::kOutOfPlane || fit.coordinate[p] < 0 ||
+                fit.all[p].mean != 0,
+            "'{}' is free with mean 0, from where no fit can move it: give it a mean",
+            fit.all[p].name);
+}
+
+/// Bands of a net are laid for the subject's bones, and would not grow with them.
+void require_laid(const TendonDigit& digit, const FitParameters& fit) {
+  for (std::size_t p = 0; p < fit.all.size(); ++p)
+    require(!digit.net || fit.all[p].kind != ParameterKind::kLength || fit.coordinate[p] < 0,
+            "'{}' cannot be free with a net, whose slack lengths are laid for the subject's bones",
+            fit.all[p].name);
+}
+
+/// Gives coordinates to free parameters first, then points the tied ones at theirs.
+void number_coordinates(const std::vector<Choice>& choices, FitParameters& fit) {
+  // Free parameters lead a coordinate each.
+  for (std::size_t p = 0; p < fit.all.size(); ++p) {
+    // Without any prior variance a parameter cannot move.
+    const bool moves = fit.all[p].sd > 0 || fit.all[p].between_sd > 0;
+    if (choices[p].state != ParameterState::kFree || !moves) continue;
+    fit.coordinate[p] = fit.coordinates();
+    fit.leader.push_back(static_cast<int>(p));
+  }
+  for (std::size_t p = 0; p < fit.all.size(); ++p) {
+    // Tied parameters follow their leader, and narrow its bounds.
+    if (choices[p].state != ParameterState::kTied) continue;
+    const auto leader = std::find_if(fit.leader.begin(), fit.leader.end(),
+                                     [&](int q) { return fit.all[q].name == choices[p].tie_to; });
+    if (leader == fit.leader.end() && choices[p].optional) continue;
+    require(leader != fit.leader.end(), "'{}' is tied to '{}', which is not a free parameter",
+            fit.all[p].name, choices[p].tie_to);
+    fit.coordinate[p] = static_cast<int>(leader - fit.leader.begin());
+    fit.ratio[p] = choices[p].tie_ratio;
+    bound_leader(fit.all[p], fit.ratio[p], fit.all[*leader]);
+  }
+}
+
+}  // namespace
+
+FitParameters choose_parameters(const TendonDigit& digit, const std::vector<std::string>& postures,
+                                const FitSettings& settings,
+                                const std::vector<std::string>& also_free) {
+  // Rules of the file and what is chosen, then the globs of the command line.
+  FitParameters fit;
+  fit.postures = postures;
+  fit.misfit = settings.misfit;
+  fit.superposition = settings.superposition;
+  std::vector<Parameter> all = list_parameters(digit, postures);
+  std::vector<Choice> choices(all.size());
+  for (const ParameterRule& rule : settings.rules) apply_rule(rule, settings.path, all, choices);
+  for (const SettingChoice& choice : settings.choices)
+    for (const ParameterRule& rule : rules_of(choice))
+      apply_rule(rule, settings.path, all, choices);
+  for (const std::string& glob : also_free) {
+    ParameterRule rule;
+    rule.match = glob;
+    rule.state = ParameterState::kFree;
+    apply_rule(rule, "--free", all, choices);
+  }
+
+  // Coordinates of what is free or tied; all others stay fixed.
+  fit.coordinate.assign(all.size(), -1);
+  fit.ratio.assign(all.size(), 1);
+  fit.all = std::move(all);
+  number_coordinates(choices, fit);
+  require_laid(digit, fit);
+  require_movable(fit);
+  return fit;
+}
+
+std::vector<std::string> fixed_geometry_warnings(const FitParameters& parameters) {
+  // How many there are of each kind, and whether one of them moves.
+  int arms = 0, points = 0;
+  bool arms_move = false, points_move = false;
+  for (std::size_t p = 0; p < parameters.all.size(); ++p) {
+    const Parameter& parameter = parameters.all[p];
+    const bool moves = parameters.coordinate[p] >= 0;
+    if (parameter.kind == ParameterKind::kArm) {
+      arms += parameter.mean != 0 ? 1 : 0;
+      arms_move = arms_move || moves;
+    } else if (parameter.kind == ParameterKind::kPathPoint) {
+      points += parameter.component == 0 ? 1 : 0;  // of three coordinates
+      points_move = points_move || moves;
+    }
+  }
+  std::vector<std::string> warnings;
+  const auto warn = [&](int count, const char* what, const char* glob) {
+    warnings.push_back(
+        fmt::format("none of the {} {} of the subject may move under these settings: --free '{}' "
+                    "frees them",
+                    count, what, glob));
+  };
+  if (arms > 0 && !arms_move) warn(arms, "moment arms", "arm/*");
+  if (points > 0 && !points_move) warn(points, "tendon points", "path/*");
+  return warnings;
+}
+
+}  // namespace thenar

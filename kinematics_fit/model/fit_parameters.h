@@ -1,0 +1,58 @@
+#pragma once
+
+/// Free, fixed and tied parameters of a digit, and the coordinates of a fit that move them.
+
+#include <string>
+#include <vector>
+
+#include "data/io/fit_settings.h"
+#include "kinematics_fit/model/parameter.h"
+
+namespace thenar {
+
+/// A choice of free, fixed and tied parameters. A free parameter p has the value
+///   mean_p + ratio_p u,   u = sd z_population + between_sd z_specimen,
+/// with standard normal z beforehand. Tied parameters share the u of their leader, whose bounds are
+/// narrowed so that all parameters stay within their own bounds.
+struct FitParameters {
+  std::vector<Parameter> all;         // in the order of list_parameters()
+  std::vector<std::string> postures;  // whose angles may be in error one by one
+  std::vector<int> coordinate;        // of each parameter; -1: fixed
+  std::vector<double> ratio;          // of each parameter to its coordinate [1]
+  std::vector<int> leader;            // parameter that owns each coordinate
+  double misfit = 0;                  // sd of what the model misses of each component of a force,
+                                      // in every trial anew, per newton of tension [1]
+  double superposition = 0;           // the same of trials under several loads alone [1]
+
+  [[nodiscard]] int coordinates() const { return static_cast<int>(leader.size()); }
+};
+
+/// Applies the rules of a settings file, then frees everything that matches `also_free`.
+/// @throws InputError if a rule matches no parameter, ties to one that is not free, or frees
+/// hold/out_of_plane at mean zero, where forces are even in it, or the length of a bone under a
+/// net.
+[[nodiscard]] FitParameters choose_parameters(const TendonDigit& digit,
+                                              const std::vector<std::string>& postures,
+                                              const FitSettings& settings,
+                                              const std::vector<std::string>& also_free = {});
+
+/// A warning for moment arms, and another for points of tendons, where the digit has some (arms of
+/// zero do not count) and none of them may move: what the tendons' geometry gets wrong then goes
+/// into parameters that may.
+[[nodiscard]] std::vector<std::string> fixed_geometry_warnings(const FitParameters& parameters);
+
+/// Value of every parameter for coordinates u  [SI] (all).
+template <typename T, typename U>
+[[nodiscard]] std::vector<T> parameter_values(const FitParameters& parameters, const U& u) {
+  std::vector<T> values;
+  values.reserve(parameters.all.size());
+  for (std::size_t p = 0; p < parameters.all.size(); ++p) {
+    T value(parameters.all[p].mean);
+    if (parameters.coordinate[p] >= 0)
+      value += T(parameters.ratio[p]) * u[parameters.coordinate[p]];
+    values.push_back(value);
+  }
+  return values;
+}
+
+}  // namespace thenar

@@ -1,0 +1,103 @@
+#pragma once
+
+/// Forces of a digit on a load cell that does not hold its tip, on any scalar.
+
+#include <vector>
+
+#include "data/io/experiment.h"
+#include "kinematics_fit/model/specimen_model.h"
+
+namespace thenar {
+
+/// A ForceSite with its names resolved.
+struct PlannedSite {
+  int link;                   // that the cell holds; -1: the mount on which the digit stands
+  Eigen::Vector3d point;      // where, at the reference posture; unused of a mount [m] (3)
+  int axes_link;              // link whose directions the components use; -1: the base
+  TendonExit leave;           // of a mount
+  std::vector<int> balanced;  // coordinates that move the held link
+};
+
+/// The digit as if the place of the load cell were its tip.
+template <typename T>
+[[nodiscard]] TendonModel<T> held_elsewhere(TendonModel<T> digit, const PlannedSite& site) {
+  digit.tip_link = site.link;
+  digit.tip = site.point.cast<T>();
+  return digit;
+}
+
+/// The rows of a matrix that the coordinates of a site have.
+template <typename T>
+[[nodiscard]] MatrixX<T> balanced_rows(const MatrixX<T>& matrix, const PlannedSite& site) {
+  MatrixX<T> rows(site.balanced.size(), matrix.cols());
+  for (std::size_t i = 0; i < site.balanced.size(); ++i)
+    rows.row(static_cast<Eigen::Index>(i)) = matrix.row(site.balanced[i]);
+  return rows;
+}
+
+/// Torque per load of a cell that holds a segment, as tip_constraint_loads(), about the joints that
+/// move the segment [m/rad] (balanced, loads).
+template <typename T>
+[[nodiscard]] MatrixX<T> segment_loads(const TendonModel<T>& digit, const PlannedSite& site,
+                                       const TreeState<T>& state, TipConstraint hold,
+                                       DecidedForces known) {
+  return balanced_rows<T>(
+      tip_constraint_loads(held_elsewhere(digit, site), state, hold, known, T(0)), site);
+}
+
+/// Force per unit tension on a cell that holds a segment between the base and the tip, along that
+/// segment's proximal, dorsal and radial directions [1] (3, muscles).
+///
+/// Only the joints between the base and the held segment load the cell:  loads c = R' t  in their
+/// rows, as in tip_force_map(). Torque about the joints beyond it does not reach the cell: joint
+/// limits, a splint or the hand that holds the rest of the finger bear it. Where fewer joints than
+/// loads are left, forces of least norm are told: what bones and cell share is not decided by
+/// torques.
+template <typename T>
+[[nodiscard]] MatrixX<T> segment_force_map(const TendonModel<T>& digit, const PlannedSite& site,
+                                           const TreeState<T>& state, const VectorX<T>& q,
+                                           TipConstraint hold, DecidedForces known) {
+  const MatrixX<T> L = segment_loads(digit, site, state, hold, known);
+  const MatrixX<T> torque =
+      balanced_rows<T>(MatrixX<T>(muscle_arms(digit, state, q).transpose()), site);
+  return forces_of_hold(L, torque, known);
+}
+
+/// Pull on the digit and its mount of every muscle's tendon per unit tension, where the tendon
+/// leaves them: a unit vector along its run, or along the bone [1] (3, muscles), in the axes of the
+/// base. Tendons that end on the digit pull nothing.
+template <typename T>
+[[nodiscard]] MatrixX<T> leaving_pulls(const TendonModel<T>& digit, const TreeState<T>& state,
+                                       TendonExit leave) {
+  MatrixX<T> pulls = MatrixX<T>::Zero(3, static_cast<Eigen::Index>(digit.pulls.size()));
+  for (std::size_t m = 0; m < digit.pulls.size(); ++m) {
+    // The run that crosses to the base last.
+    const TendonPath<T>& path = digit.paths[static_cast<std::size_t>(digit.pulls[m])];
+    std::size_t k = path.size();
+    while (k > 1 && (path[k - 1].link < 0) == (path[k - 2].link < 0)) --k;
+    if (k <= 1) continue;
+    const std::size_t base = path[k - 1].link < 0 ? k - 1 : k - 2, moving = 2 * k - 3 - base;
+    if (leave == TendonExit::kAlongBone) {
+      pulls.col(m) = digit.tip_axes.col(0);
+    } else {
+      pulls.col(m) = (path[base].p - moved(state, path[moving].link, path[moving].p)).normalized();
+    }
+  }
+  return pulls;
+}
+
+/// Force of the digit on its mount per stated tension, while its tip is held [1] (3, muscles).
+///
+/// Free body: digit and mount together. The tendons pull it where they leave, the tip's cell
+/// pushes it with -f, and the mount's cell with -f_mount:
+///
+///   f_mount = sum t u - f.
+///
+/// @param tip_force  of the tip on its cell per stated tension, axes of the base (3, muscles)
+template <typename T>
+[[nodiscard]] MatrixX<T> mount_force_map(const SpecimenModel<T>& model, const PlannedSite& site,
+                                         const TreeState<T>& state, const MatrixX<T>& tip_force) {
+  return leaving_pulls(model.digit, state, site.leave) * model.gain.asDiagonal() - tip_force;
+}
+
+}  // namespace thenar

@@ -1,0 +1,145 @@
+#include "kinematics_fit/model/net_trials.h"
+
+#include <algorithm>
+#include <memory>
+
+#include <fmt/format.h>
+
+#include "tendons/linear_tendons.h"
+#include "tendons/net/net_continuation.h"
+#include "tendons/net/net_statics.h"
+
+namespace thenar {
+namespace {
+
+using Eigen::Matrix3Xd;
+using Eigen::VectorXd;
+
+/// Stated tensions as they arrive at the digit [N] (muscles).
+VectorXd arriving(const SpecimenModel<double>& model, const ExperimentPlan& plan, std::size_t i) {
+  return model.gain.cwiseProduct(plan.tension[i]);
+}
+
+bool unbalanced(const NetEquilibrium& rest) {
+  return rest.status == NetStatus::kStalled || rest.status == NetStatus::kFarSideWrap;
+}
+
+/// Nodes carried by their links.
+Matrix3Xd carried(const Net& net, const TreeState<double>& state, const Matrix3Xd& at) {
+  Matrix3Xd x(3, at.cols());
+  for (Eigen::Index i = 0; i < x.cols(); ++i)
+    x.col(i) =
+        moved(state, net.nodes[static_cast<std::size_t>(i)].link, Eigen::Vector3d(at.col(i)));
+  return x;
+}
+
+/// The other way: where on their links the nodes are.
+Matrix3Xd on_links(const Net& net, const TreeState<double>& state, const Matrix3Xd& x) {
+  Matrix3Xd at(3, x.cols());
+  for (Eigen::Index i = 0; i < x.cols(); ++i) {
+    const int link = net.nodes[static_cast<std::size_t>(i)].link;
+    at.col(i) = link < 0 ? Eigen::Vector3d(x.col(i)) : state[link].X.inverse() * x.col(i);
+  }
+  return at;
+}
+
+NetTendons tendons_of(const TendonDigit& digit, const SpecimenModel<double>& model) {
+  TendonDigit own = digit;
+  own.model = model.digit;
+  return {straight_tendons(std::move(own)), built_net(*model.net)};
+}
+
+}  // namespace
+
+NetTrials net_trials(const SpecimenModel<double>& model, const ExperimentPlan& plan) {
+  // One solver for all trials.
+  const BuiltNet built = built_net(*model.net);
+  NetSolver solver(built.net);
+  NetTrials out{built.net, {}};
+  out.trials.resize(plan.tension.size());
+  for (std::size_t i = 0; i < plan.tension.size(); ++i) {
+    if (!pulls_net(*model.net->built, plan.tension[i])) continue;
+    // Rest from the start of the plan, or from scratch.
+    NetTrial trial;
+    trial.state =
+        pose_specimen(model, plan, static_cast<std::size_t>(plan.posture_of_trial[i])).state;
+    trial.drive.tension = net_pulls(*model.net, arriving(model, plan, i));
+    const Matrix3Xd start = carried(out.net, trial.state, plan.net_start[i]);
+    trial.rest = solver.solve(trial.state, trial.drive, &start);
+    if (unbalanced(trial.rest)) {
+      NetEquilibrium cold = solver.solve(trial.state, trial.drive);
+      if (!unbalanced(cold)) trial.rest = std::move(cold);
+    }
+    trial.tau =
+        net_torque(out.net, model.digit.tree, trial.state, trial.rest, model.digit.coordinates);
+    out.trials[i] = std::move(trial);
+  }
+  return out;
+}
+
+std::vector<Matrix3Xd> net_starts(const TendonDigit& digit, const FitParameters& parameters,
+                                  const ExperimentPlan& plan) {
+  // The specimen at the prior means.
+  const VectorXd u = VectorXd::Zero(parameters.coordinates());
+  const SpecimenModel<double> model =
+      specimen_model(digit, parameters, parameter_values<double>(parameters, u));
+  const NetTendons tendons = tendons_of(digit, model);
+  // Steps may be long: they only choose the rest, which every search then settles.
+  NetContinuationOptions long_steps;
+  long_steps.stray = 1e-3;
+  long_steps.min_turn = 0.05;
+  long_steps.max_solves = 100;
+  std::vector<Matrix3Xd> starts(plan.tension.size());
+  for (std::size_t i = 0; i < starts.size(); ++i) {
+    if (!pulls_net(*digit.net, plan.tension[i])) continue;
+    const PosedSpecimen<double> at =
+        pose_specimen(model, plan, static_cast<std::size_t>(plan.posture_of_trial[i]));
+    const NetContinuation walk =
+        follow_from_straight(tendons, at.angles, arriving(model, plan, i), long_steps);
+    starts[i] = on_links(tendons.net().net, at.state, walk.rest.x);
+  }
+  return starts;
+}
+
+TendonDigit specimen_digit(const TendonDigit& digit, const SpecimenModel<double>& model) {
+  TendonDigit own = digit;
+  own.model = model.digit;
+  if (model.net) own.net = std::make_shared<const BuiltNet>(built_net(*model.net));
+  return own;
+}
+
+std::vector<std::string> net_trial_warnings(const TendonDigit& digit,
+                                            const FitParameters& parameters,
+                                            const ExperimentPlan& plan, const VectorXd& u) {
+  if (!digit.net) return {};
+  constexpr double kOtherTorque = 0.01;  // of the torque: knots may lie loose where nothing is felt
+  const SpecimenModel<double> model =
+      specimen_model(digit, parameters, parameter_values<double>(parameters, u));
+  const NetTendons tendons = tendons_of(digit, model);
+  const NetTrials found = net_trials(model, plan);
+  std::vector<std::string> warnings;
+  for (std::size_t i = 0; i < found.trials.size(); ++i) {
+    if (!found.trials[i]) continue;
+    const NetTrial& trial = *found.trials[i];
+    // Is it at rest, and the same as by way of the straight finger?
+    std::string why = net_warning(found.net, trial.state, trial.rest);
+    const auto posture = static_cast<std::size_t>(plan.posture_of_trial[i]);
+    const NetEquilibrium other =
+        follow_from_straight(tendons, pose_specimen(model, plan, posture).angles,
+                             arriving(model, plan, i))
+            .rest;
+    const VectorXd tau =
+        net_torque(found.net, model.digit.tree, trial.state, other, model.digit.coordinates);
+    const double off = (tau - trial.tau).norm() / std::max(tau.norm(), trial.tau.norm());
+    if (why.empty() && off > kOtherTorque)
+      why = fmt::format(
+          "the net comes to another rest by way of the straight finger, {:.0f} % off in torque",
+          100 * off);
+    if (!why.empty())
+      warnings.push_back(
+          fmt::format("trial {} in posture '{}': {}", i + 1, plan.posture_names[posture], why));
+  }
+  return warnings;
+}
+
+}  // namespace thenar

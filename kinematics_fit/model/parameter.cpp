@@ -1,0 +1,294 @@
+#include "kinematics_fit/model/parameter.h"
+
+#include <fmt/format.h>
+
+#include "base/units.h"
+#include "kinematics_fit/model/specimen_net.h"
+#include "tendons/net/tangent_net.h"
+
+namespace thenar {
+namespace {
+
+constexpr const char* kDirections[] = {"proximal", "dorsal", "radial"};
+
+/// Default belief of each kind: sd of the population, sd between specimens, half range of bounds.
+struct Belief {
+  double sd, between_sd, range;
+};
+Belief belief(ParameterKind kind) {
+  switch (kind) {
+    case ParameterKind::kAxisDirection:
+    case ParameterKind::kSensorTilt:
+      return {8 * kDegree, 5 * kDegree, 45 * kDegree};
+    case ParameterKind::kAngle:
+    case ParameterKind::kPostureAngle:
+      return {5 * kDegree, 3 * kDegree, 20 * kDegree};
+    case ParameterKind::kHoodEntry:
+    case ParameterKind::kHoodCentral:
+    case ParameterKind::kHoodSlope:
+      return {0.4, 0.3, 5};
+    case ParameterKind::kFriction:
+      return {0.05, 0.02, 0.5};
+    case ParameterKind::kOutOfPlane:
+      return {10 * kMm, 0, 200 * kMm};
+    case ParameterKind::kGain:
+      return {0.1, 0.05, 0.5};
+    case ParameterKind::kTipForce:
+    case ParameterKind::kPostureForce:
+      return {0.03, 0.03, 1};
+    case ParameterKind::kNetStiffness:
+      return {0.4, 0.3, 3};
+    case ParameterKind::kNetSlack:
+      return {0.01, 0.01, 0.1};
+    case ParameterKind::kNetRadius:
+      return {0.7 * kMm, 0.5 * kMm, 2.5 * kMm};
+    case ParameterKind::kNetEntry:
+      return {0.4, 0.3, 5};
+    case ParameterKind::kLength:
+      return {3 * kMm, 2 * kMm, 15 * kMm};
+    case ParameterKind::kAxisPoint:
+    case ParameterKind::kPathPoint:
+    case ParameterKind::kArm:
+    case ParameterKind::kTip:
+    case ParameterKind::kNetPlace:
+      return {1.5 * kMm, 1 * kMm, 10 * kMm};
+  }
+  return {};
+}
+
+/// Collects parameters with the default belief of their kind.
+class Lister {
+ public:
+  Lister(const TendonDigit& digit, const std::vector<std::string>& postures)
+      : digit_(digit), postures_(postures) {
+    list_axes();
+    list_strands();
+    list_hood();
+    if (digit.net) list_net(*digit.net);
+    list_mounting();
+  }
+  std::vector<Parameter> take() { return std::move(list_); }
+
+ private:
+  void add(std::string name, ParameterKind kind, int item, int point, int component,
+           double mean = 0) {
+    const Belief b = belief(kind);
+    list_.push_back({std::move(name), kind, item, point, component, mean, b.sd, b.between_sd,
+                     mean - b.range, mean + b.range});
+  }
+
+  void list_axes() {
+    constexpr const char* kAlong[] = {"1", "2", "along"};
+    for (int i = 0; i < static_cast<int>(digit_.names.hinges.size()); ++i) {
+      // Two tilts, two shifts and one along the axis, and the bone beyond it.
+      const std::string& joint = digit_.names.hinges[i];
+      for (int c = 0; c < 2; ++c)
+        add(fmt::format("axis/{}/direction/{}", joint, c + 1), ParameterKind::kAxisDirection, i, 0,
+            c);
+      for (int c = 0; c < 3; ++c)
+        add(fmt::format("axis/{}/point/{}", joint, kAlong[c]), ParameterKind::kAxisPoint, i, 0, c);
+      add(fmt::format("length/{}", joint), ParameterKind::kLength, i, 0, 0);
+    }
+  }
+
+  void list_strands() {
+    for (int s = 0; s < static_cast<int>(digit_.names.strands.size()); ++s) {
+      // Friction of the sheath, then points of the path, or moment arms if it has none.
+      const std::string& strand = digit_.names.strands[s];
+      add(fmt::format("friction/{}", strand), ParameterKind::kFriction, s, 0, 0,
+          digit_.model.friction[s]);
+      for (int k = 0; k < static_cast<int>(digit_.model.paths[s].size()); ++k)
+        for (int c = 0; c < 3; ++c)
+          add(fmt::format("path/{}/{}/{}", strand, k + 1, kDirections[c]),
+              ParameterKind::kPathPoint, s, k, c);
+      if (!digit_.model.paths[s].empty()) continue;
+      for (int j = 0; j < digit_.model.coordinates; ++j)
+        add(fmt::format("arm/{}/{}", strand, digit_.names.coordinates[j]), ParameterKind::kArm, s,
+            0, j, digit_.model.constant_arms(s, j));
+    }
+  }
+
+  void list_hood() {
+    for (int b = 0; b < static_cast<int>(digit_.model.hood_shares.size()); ++b) {
+      // Fractions of each muscle's tension in the hood.
+      const std::string& muscle = digit_.names.muscles[digit_.model.hood_shares[b].muscle];
+      add(fmt::format("hood/{}/into", muscle), ParameterKind::kHoodEntry, b, 0, 0);
+      add(fmt::format("hood/{}/central", muscle), ParameterKind::kHoodCentral, b, 0, 0);
+      add(fmt::format("hood/{}/slope", muscle), ParameterKind::kHoodSlope, b, 0, 0);
+    }
+  }
+
+  /// Is it a point of a tendon's path?
+  [[nodiscard]] bool on_path(const NetNode& node) const {
+    for (const TendonPath<double>& path : digit_.model.paths)
+      for (const PathNode<double>& point : path)
+        if (lies_at(point, node.link, node.p)) return true;
+    return false;
+  }
+
+  void list_net(const BuiltNet& built) {
+    // Passive bands: all stiffnesses at once, then each one's, and slack lengths.
+    const Net& net = built.net;
+    add("net/stiffness", ParameterKind::kNetStiffness, -1, 0, 0);
+    for (int b = 0; b < static_cast<int>(net.bands.size()); ++b) {
+      if (net.bands[b].muscle >= 0) continue;
+      const std::string& band = net.bands[b].name;
+      add(fmt::format("net/{}/stiffness", band), ParameterKind::kNetStiffness, b, 0, 0);
+      add(fmt::format("net/{}/slack", band), ParameterKind::kNetSlack, b, 0, 0);
+    }
+    // Insertions and exits, and the bones that bands bend over.
+    for (int i = 0; i < static_cast<int>(net.nodes.size()); ++i)
+      for (int c = 0; c < 3 && !net.nodes[i].free && !on_path(net.nodes[i]); ++c)
+        add(fmt::format("net/{}/{}", net.nodes[i].name, kDirections[c]), ParameterKind::kNetPlace,
+            i, 0, c);
+    for (int s = 0; s < static_cast<int>(net.surfaces.size()); ++s)
+      if (internal::has_radius(net.surfaces[s]))
+        add(fmt::format("net/{}/radius", net.surfaces[s].name), ParameterKind::kNetRadius, s, 0, 0);
+    // Muscles of which a part inserts on bone.
+    for (int m = 0; m < static_cast<int>(built.muscles.size()); ++m)
+      if (built.muscles[m].to_net < 1)
+        add(fmt::format("net/{}/into", digit_.names.muscles[built.muscles[m].muscle]),
+            ParameterKind::kNetEntry, m, 0, 0);
+  }
+
+  void list_mounting() {
+    for (int c = 0; c < 3; ++c) {
+      // Where the force acts, and the tilt of the load cell.
+      add(fmt::format("tip/{}", kDirections[c]), ParameterKind::kTip, 0, 0, c);
+      add(fmt::format("sensor/{}", kDirections[c]), ParameterKind::kSensorTilt, 0, 0, c);
+    }
+    for (int j = 0; j < digit_.model.coordinates; ++j) {
+      // Errors of joint angles, in all postures and in single ones.
+      const std::string& joint = digit_.names.coordinates[j];
+      add(fmt::format("angle/{}", joint), ParameterKind::kAngle, j, 0, 0);
+      for (int k = 0; k < static_cast<int>(postures_.size()); ++k)
+        add(fmt::format("angle/{}/{}", joint, postures_[k]), ParameterKind::kPostureAngle, j, k, 0);
+    }
+    // The hold; the gain of each muscle, and what its geometry does not explain.
+    add("hold/out_of_plane", ParameterKind::kOutOfPlane, 0, 0, 0);
+    for (int m = 0; m < static_cast<int>(digit_.names.muscles.size()); ++m) {
+      const std::string& muscle = digit_.names.muscles[m];
+      add(fmt::format("gain/{}", muscle), ParameterKind::kGain, m, 0, 0, 1);
+      for (int c = 0; c < 3; ++c) {
+        const std::string force = fmt::format("force/{}/{}", muscle, kDirections[c]);
+        add(force, ParameterKind::kTipForce, m, 0, c);
+        for (int k = 0; k < static_cast<int>(postures_.size()); ++k)
+          add(force + "/" + postures_[k], ParameterKind::kPostureForce, m, k, c);
+      }
+    }
+  }
+
+  const TendonDigit& digit_;
+  const std::vector<std::string>& postures_;
+  std::vector<Parameter> list_;
+};
+
+}  // namespace
+
+std::string name_of(ParameterKind kind) {
+  switch (kind) {
+    case ParameterKind::kAxisDirection:
+      return "axis/direction";
+    case ParameterKind::kAxisPoint:
+      return "axis/point";
+    case ParameterKind::kPathPoint:
+      return "path";
+    case ParameterKind::kArm:
+      return "arm";
+    case ParameterKind::kHoodEntry:
+      return "hood/into";
+    case ParameterKind::kHoodCentral:
+      return "hood/central";
+    case ParameterKind::kHoodSlope:
+      return "hood/slope";
+    case ParameterKind::kFriction:
+      return "friction";
+    case ParameterKind::kLength:
+      return "length";
+    case ParameterKind::kTip:
+      return "tip";
+    case ParameterKind::kSensorTilt:
+      return "sensor";
+    case ParameterKind::kAngle:
+      return "angle";
+    case ParameterKind::kPostureAngle:
+      return "angle/posture";
+    case ParameterKind::kOutOfPlane:
+      return "hold/out_of_plane";
+    case ParameterKind::kGain:
+      return "gain";
+    case ParameterKind::kTipForce:
+      return "force";
+    case ParameterKind::kPostureForce:
+      return "force/posture";
+    case ParameterKind::kNetStiffness:
+      return "net/stiffness";
+    case ParameterKind::kNetSlack:
+      return "net/slack";
+    case ParameterKind::kNetPlace:
+      return "net/place";
+    case ParameterKind::kNetRadius:
+      return "net/radius";
+    case ParameterKind::kNetEntry:
+      return "net/into";
+  }
+  return {};
+}
+
+std::string display_unit(const Parameter& parameter) {
+  switch (parameter.kind) {
+    case ParameterKind::kAxisDirection:
+    case ParameterKind::kSensorTilt:
+    case ParameterKind::kAngle:
+    case ParameterKind::kPostureAngle:
+      return "deg";
+    case ParameterKind::kHoodSlope:
+      return "1/rad";
+    case ParameterKind::kHoodEntry:
+    case ParameterKind::kHoodCentral:
+    case ParameterKind::kFriction:
+    case ParameterKind::kGain:
+    case ParameterKind::kTipForce:
+    case ParameterKind::kPostureForce:
+    case ParameterKind::kNetStiffness:
+    case ParameterKind::kNetSlack:
+    case ParameterKind::kNetEntry:
+      return "1";
+    default:
+      return "mm";
+  }
+}
+
+double display_scale(const Parameter& parameter) {
+  const std::string unit = display_unit(parameter);
+  return unit == "deg" ? 1 / kDegree : unit == "mm" ? 1 / kMm : 1;
+}
+
+std::vector<Parameter> list_parameters(const TendonDigit& digit,
+                                       const std::vector<std::string>& postures) {
+  return Lister(digit, postures).take();
+}
+
+bool matches_glob(const std::string& glob, const std::string& name) {
+  // Remembers the last star and how far it has swallowed; linear in practice.
+  std::size_t g = 0, n = 0, star = std::string::npos, swallowed = 0;
+  while (n < name.size()) {
+    if (g < glob.size() && (glob[g] == '?' || glob[g] == name[n])) {
+      ++g, ++n;
+    } else if (g < glob.size() && glob[g] == '*') {
+      // A star matches nothing at first.
+      star = g++;
+      swallowed = n;
+    } else if (star != std::string::npos) {
+      // No match here: the last star takes one character more.
+      g = star + 1;
+      n = ++swallowed;
+    } else {
+      return false;
+    }
+  }
+  while (g < glob.size() && glob[g] == '*') ++g;
+  return g == glob.size();
+}
+
+}  // namespace thenar

@@ -1,0 +1,138 @@
+#pragma once
+
+/// Floating extensor net of one specimen, with its parameters set, on any scalar.
+
+#include <cmath>
+#include <memory>
+#include <vector>
+
+#include "kinematics_fit/model/parameter.h"
+#include "tendons/hood.h"
+#include "tendons/net/build_net.h"
+#include "tendons/path.h"
+
+namespace thenar {
+
+/// What parameters may move of a net. All else, and the topology, is in `built`.
+template <typename T>
+struct SpecimenNet {
+  std::shared_ptr<const BuiltNet> built;  // before the fit
+  std::vector<Vec3<T>> place;             // of each node on its link, at the reference posture;
+                                          // those that float only start there [m] (nodes)
+  VectorX<T> EA;                          // of each band [N] (bands)
+  VectorX<T> slack;                       // length of each band without tension [m] (bands)
+  VectorX<T> radius;                      // size[0] of each surface [m] (surfaces)
+  VectorX<T> to_net;                      // share of each of built->muscles in the net [1]
+  std::vector<TendonPath<T>> own;         // path of each of built->muscles from the net on
+};
+
+/// The net as built, on another scalar; all its numbers are constants.
+template <typename T>
+[[nodiscard]] SpecimenNet<T> cast_net(std::shared_ptr<const BuiltNet> from) {
+  SpecimenNet<T> to;
+  const Net& net = from->net;
+  // Nodes, bands and surfaces.
+  for (const NetNode& node : net.nodes) to.place.push_back(node.p.template cast<T>());
+  to.EA.resize(static_cast<Eigen::Index>(net.bands.size()));
+  to.slack.resize(to.EA.size());
+  for (Eigen::Index b = 0; b < to.EA.size(); ++b) {
+    to.EA[b] = T(net.bands[static_cast<std::size_t>(b)].EA);
+    to.slack[b] = T(net.bands[static_cast<std::size_t>(b)].slack);
+  }
+  to.radius.resize(static_cast<Eigen::Index>(net.surfaces.size()));
+  for (Eigen::Index s = 0; s < to.radius.size(); ++s)
+    to.radius[s] = T(net.surfaces[static_cast<std::size_t>(s)].size[0]);
+  // Muscles that pull it.
+  to.to_net.resize(static_cast<Eigen::Index>(from->muscles.size()));
+  for (std::size_t m = 0; m < from->muscles.size(); ++m) {
+    to.to_net[static_cast<Eigen::Index>(m)] = T(from->muscles[m].to_net);
+    to.own.emplace_back();
+    for (const PathNode<double>& node : from->muscles[m].own)
+      to.own.back().push_back({node.link, node.p.template cast<T>()});
+  }
+  to.built = std::move(from);
+  return to;
+}
+
+/// Returns whether a point of a net is that point of a tendon's path, so that they move together.
+[[nodiscard]] bool lies_at(const PathNode<double>& point, int link, const Eigen::Vector3d& p);
+
+/// Moves all of a net that lies at a point of a tendon's path: insertions, exits, and where muscles
+/// run on from there.
+template <typename T>
+void move_with_path(const PathNode<double>& point, const Vec3<T>& by, SpecimenNet<T>& to) {
+  const BuiltNet& built = *to.built;
+  for (std::size_t i = 0; i < built.net.nodes.size(); ++i)
+    if (!built.net.nodes[i].free && lies_at(point, built.net.nodes[i].link, built.net.nodes[i].p))
+      to.place[i] += by;
+  for (std::size_t m = 0; m < built.muscles.size(); ++m)
+    for (std::size_t k = 0; k < built.muscles[m].own.size(); ++k)
+      if (lies_at(point, built.muscles[m].own[k].link, built.muscles[m].own[k].p))
+        to.own[m][k].p += by;
+}
+
+/// Sets one parameter of a net that still has the parameter's start value.
+/// @param tip_axes  proximal, dorsal and radial of the digit, as columns (3, 3)
+template <typename T>
+void set_net_parameter(const Eigen::Matrix3d& tip_axes, const Parameter& p, const T& value,
+                       SpecimenNet<T>& to) {
+  using std::exp;
+  switch (p.kind) {
+    case ParameterKind::kNetStiffness:
+      if (p.item < 0)
+        to.EA *= exp(value);
+      else
+        to.EA[p.item] *= exp(value);
+      break;
+    case ParameterKind::kNetSlack:
+      to.slack[p.item] *= exp(value);
+      break;
+    case ParameterKind::kNetPlace:
+      to.place[p.item] += tip_axes.col(p.component).cast<T>() * value;
+      break;
+    case ParameterKind::kNetRadius:
+      to.radius[p.item] += value;
+      break;
+    case ParameterKind::kNetEntry:
+      to.to_net[p.item] = shift_fraction(to.to_net[p.item], value);
+      break;
+    default:
+      break;  // no parameter of a net
+  }
+}
+
+/// Pull of each muscle of the net for tensions t of the digit's muscles [N] (pulls).
+template <typename T>
+[[nodiscard]] VectorX<T> net_pulls(const SpecimenNet<T>& net, const VectorX<T>& t) {
+  const BuiltNet& built = *net.built;
+  VectorX<T> pulls(static_cast<Eigen::Index>(built.pulls.size()));
+  for (std::size_t p = 0; p < built.pulls.size(); ++p)
+    for (std::size_t m = 0; m < built.muscles.size(); ++m)
+      if (built.muscles[m].muscle == built.pulls[p].muscle)
+        pulls[static_cast<Eigen::Index>(p)] = T(built.pulls[p].share / built.muscles[m].to_net) *
+                                              net.to_net[static_cast<Eigen::Index>(m)] *
+                                              t[built.pulls[p].muscle];
+  return pulls;
+}
+
+/// Moment arms of all that is outside of the net, of NetTendons: R becomes
+///   diag(1 - to_net) R + diag(to_net) R_own  (muscles, coordinates) [m/rad].
+template <typename T>
+void take_outside_arms(const SpecimenNet<T>& net, const Tree<T>& tree, const TreeState<T>& state,
+                       MatrixX<T>& R) {
+  for (std::size_t m = 0; m < net.own.size(); ++m) {
+    const T& share = net.to_net[static_cast<Eigen::Index>(m)];
+    const int row = net.built->muscles[m].muscle;
+    R.row(row) = (T(1) - share) * R.row(row) +
+                 share * moment_arms(tree, state, net.own[m], static_cast<int>(R.cols()));
+  }
+}
+
+/// Whether any muscle pulls the net. One that nothing pulls is taken to leave the joints alone, as
+/// forces are measured from those of the unloaded finger.
+[[nodiscard]] bool pulls_net(const BuiltNet& built, const Eigen::VectorXd& t);
+
+/// The net with these numbers.
+[[nodiscard]] BuiltNet built_net(const SpecimenNet<double>& net);
+
+}  // namespace thenar
