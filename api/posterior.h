@@ -31,7 +31,7 @@ struct SampleRequest {
   int temperatures = 1;                               // of parallel tempering; 1: none [1]
   double min_beta = 0;           // power of the likelihood on the hottest rung [1]
   int swap_every = 1;            // steps between swaps of temperatures [1]
-  int mode_starts = 16;          // of the search for modes [1]
+  int mode_starts = 0;           // of the search for modes; 0: PosteriorSettings' own [1]
   bool fixed_noise = false;      // believe the stated noise
   int threads = 0;               // 0: as many as there are processors
   double checkpoint_every = 10;  // what a kill may cost [s]

@@ -156,8 +156,9 @@ void add_chain_options(CLI::App& command, FitArguments& options) {
       ->check(CLI::Range(0.0, 1.0));
   add("--swap-every", chains.swap_every, "Steps between swaps of temperatures")
       ->check(CLI::PositiveNumber);
-  add("--mode-starts", chains.mode_starts, "Starts of the search for modes")
-      ->check(CLI::PositiveNumber);
+  add("--mode-starts", chains.mode_starts,
+      "Starts of the search for modes (0: 16, or 4 among more than 1000 coordinates)")
+      ->check(CLI::NonNegativeNumber);
   add("--checkpoint-every-s", chains.checkpoint_every,
       "Seconds between checkpoints: what a kill may cost")
       ->check(CLI::NonNegativeNumber);

@@ -104,7 +104,7 @@ TimedRun run_metropolis(const HandPosterior& posterior, const RivalRun& options)
   run.before = prepared.seconds;
   const Eigen::MatrixXd guess =
       options.told == Told::kAll
-          ? prepared.modes.front().covariance
+          ? prepared.modes.front().curvature->covariance()
           : Eigen::MatrixXd(kGuessSd * kGuessSd * Eigen::MatrixXd::Identity(n, n));
   ThumbDensity density(posterior.problem());
   std::vector<Eigen::MatrixXd> chains;

@@ -3,9 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
-#include <optional>
-
-#include <Eigen/Eigenvalues>
 
 #include "base/error.h"
 #include "base/random_stream.h"
@@ -15,67 +12,6 @@ namespace {
 
 // Purposes of random streams.
 constexpr std::uint32_t kSearchStream = 0x6d6f6465, kDispersedStream = 0x73746172;
-
-/// J'J of the coordinates that bounds leave free: in its own directions, or by blocks.
-struct Curvature {
-  std::vector<int> free;              // indices in z
-  Eigen::MatrixXd axes;               // orthonormal columns (free, free)
-  Eigen::VectorXd lambda;             // 1 / variance, > 0 (free)
-  std::optional<ArrowFactor> blocks;  // instead of both, where residuals come in blocks
-};
-
-/// The factor of J'J where residuals come in blocks; priors give it full rank.
-ArrowFactor block_curvature(const LeastSquares& problem, const Eigen::VectorXd& z) {
-  CostDerivatives slopes = cost_derivatives(problem, z);
-  for (Eigen::Index i = 0; i < z.size(); ++i)
-    if (problem.lower[i] >= problem.upper[i]) fix_coordinate(slopes, i);
-  return {slopes.layout, slopes.rows};
-}
-
-Curvature curvature(const LeastSquares& problem, const Eigen::VectorXd& z) {
-  constexpr double kUnknown = 1e-12;  // of the largest curvature: neither data nor priors
-  // Coordinates between equal bounds are fixed.
-  Curvature found;
-  for (int i = 0; i < static_cast<int>(z.size()); ++i)
-    if (problem.lower[i] < problem.upper[i]) found.free.push_back(i);
-  // Several specimens: factor by blocks.
-  if (!problem.parts.empty()) {
-    found.blocks = block_curvature(problem, z);
-    return found;
-  }
-
-  // Eigenvalues of J'J; unknown directions get a small one.
-  const Eigen::MatrixXd J = problem.residuals(z, WithJacobian::kYes).J(Eigen::all, found.free);
-  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(J.transpose() * J);
-  const double largest = found.free.empty() ? 0 : eigen.eigenvalues().maxCoeff();
-  found.axes = eigen.eigenvectors();
-  found.lambda = eigen.eigenvalues().cwiseMax(largest > 0 ? kUnknown * largest : 1);
-  return found;
-}
-
-double squared_distance(const Curvature& at, const Eigen::VectorXd& apart) {
-  if (at.blocks) return at.blocks->squared_norm(apart);
-  return (at.axes.transpose() * apart(at.free)).cwiseAbs2().dot(at.lambda);
-}
-
-Mode mode_at(const Solution& solution, const Curvature& at) {
-  Mode mode;
-  mode.z = solution.z;
-  mode.cost = solution.cost;
-  mode.status = solution.status;
-  // Fixed coordinates have no variance.
-  mode.covariance = Eigen::MatrixXd::Zero(mode.z.size(), mode.z.size());
-  if (at.blocks)
-    mode.covariance(at.free, at.free) = at.blocks->inverse()(at.free, at.free);
-  else
-    mode.covariance(at.free, at.free) =
-        at.axes * at.lambda.cwiseInverse().asDiagonal() * at.axes.transpose();
-  return mode;
-}
-
-double log_determinant(const Curvature& at) {
-  return at.blocks ? at.blocks->log_determinant() : at.lambda.array().log().sum();
-}
 
 void check_mode_search(const LeastSquares& problem, const ModeSearchOptions& search) {
   require(search.starts >= 0, "starts must be >= 0, got {}", search.starts);
@@ -167,20 +103,20 @@ void gather(const LeastSquares& problem, const ModeSearchOptions& search, FoundM
 
   // Each end joins the first mode that data cannot tell it from, or founds one.
   found.mode_of_search.assign(order.size(), -1);
-  std::vector<Curvature> at;
   for (const int i : order) {
     const Solution& end = found.searches[i];
     if (!std::isfinite(end.cost) || end.failed) continue;
     std::size_t m = 0;
-    while (m < at.size() && (end.cost - found.modes[m].cost >= search.same_cost ||
-                             squared_distance(at[m], end.z - found.modes[m].z) >=
-                                 search.same_distance * search.same_distance))
+    while (m < found.modes.size() &&
+           (end.cost - found.modes[m].cost >= search.same_cost ||
+            found.modes[m].curvature->squared_norm(end.z - found.modes[m].z) >=
+                search.same_distance * search.same_distance))
       ++m;
     // A new mode, with the logarithm of its Laplace mass.
-    if (m == at.size()) {
-      at.push_back(curvature(problem, end.z));
-      found.modes.push_back(mode_at(end, at.back()));
-      found.modes.back().laplace_mass = -end.cost - 0.5 * log_determinant(at.back());
+    if (m == found.modes.size()) {
+      found.modes.push_back({end.z, end.cost, ModeCurvature(problem, end.z), 0, 0, end.status});
+      Mode& mode = found.modes.back();
+      mode.laplace_mass = -end.cost - 0.5 * mode.curvature->log_determinant();
     }
     ++found.modes[m].hits;
     found.mode_of_search[i] = static_cast<int>(m);
@@ -224,12 +160,6 @@ double reflected(double z, double lower, double upper) {
   return std::min(std::max(z, lower + off), upper - off);
 }
 
-/// A matrix A with A A' = C, also where C is singular.
-Eigen::MatrixXd root(const Eigen::MatrixXd& C) {
-  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(C);
-  return eigen.eigenvectors() * eigen.eigenvalues().cwiseMax(0).cwiseSqrt().asDiagonal();
-}
-
 }  // namespace
 
 FoundModes find_modes(const LeastSquares& problem, const ModeSearchOptions& search) {
@@ -244,14 +174,11 @@ FoundModes find_modes(const LeastSquares& problem, const ModeSearchOptions& sear
 Eigen::MatrixXd dispersed_starts(const LeastSquares& problem, const std::vector<Mode>& modes,
                                  int count, double inflation, unsigned seed) {
   require(!modes.empty(), "no modes to start from");
+  for (const Mode& mode : modes)
+    require(mode.curvature.has_value(), "a mode without curvature: search for it anew");
   require(count >= 1, "count of starts must be >= 1, got {}", count);
   require(inflation > 0, "inflation must be > 0, got {}", inflation);
-  // Roots of the covariances, inflated.
   const std::vector<Share> shares = shares_of_starts(modes);
-  std::vector<Eigen::MatrixXd> roots;
-  roots.reserve(shares.size());
-  for (const Share& share : shares)
-    roots.emplace_back(inflation * root(modes[share.mode].covariance));
   const Eigen::Index n = modes[0].z.size();
   Eigen::MatrixXd starts(n, count);
   for (int k = 0; k < count; ++k) {
@@ -262,9 +189,9 @@ Eigen::MatrixXd dispersed_starts(const LeastSquares& problem, const std::vector<
     while (m + 1 < shares.size() && left >= shares[m].share) left -= shares[m++].share;
     // A normal draw about the mode, brought back within bounds.
     RandomStream random(seed, static_cast<std::uint32_t>(k), 0, kDispersedStream);
-    const Eigen::VectorXd z =
-        modes[shares[m].mode].z +
-        roots[m] * Eigen::VectorXd::NullaryExpr(n, [&] { return random.normal(); });
+    const Mode& mode = modes[shares[m].mode];
+    const Eigen::VectorXd normal = Eigen::VectorXd::NullaryExpr(n, [&] { return random.normal(); });
+    const Eigen::VectorXd z = mode.z + inflation * mode.curvature->spread(normal);
     for (Eigen::Index i = 0; i < n; ++i)
       starts(i, k) = reflected(z[i], problem.lower[i], problem.upper[i]);
   }

@@ -2,18 +2,19 @@
 
 /// Search for the modes of a posterior by least squares, and starting points of chains about them.
 
+#include <optional>
 #include <vector>
 
-#include "solvers/least_squares.h"
+#include "posterior/mode_curvature.h"
 
 namespace thenar {
 
 /// A local minimum of 1/2 |r(z)|^2 with the Laplace approximation of the posterior there.
 struct Mode {
-  Eigen::VectorXd z;                 // in prior sds (n)
-  double cost = 0;                   // 1/2 |r|^2 [1]
-  Eigen::MatrixXd covariance;        // (J'J)^-1; zero where bounds hold a coordinate (n, n)
-  int hits = 0;                      // searches that ended here [1]
+  Eigen::VectorXd z;                       // in prior sds (n)
+  double cost = 0;                         // 1/2 |r|^2 [1]
+  std::optional<ModeCurvature> curvature;  // J'J there; none of a mode that a file has kept
+  int hits = 0;                            // searches that ended here [1]
   double laplace_mass = 0;           // share of exp(-cost) sqrt|covariance| among all modes, 0..1
   Status status = Status::kStalled;  // of the best search that ended here
 };
@@ -56,7 +57,7 @@ FoundModes find_modes(const LeastSquares& problem, const ModeSearchOptions& sear
 /// evenly as the weights allow.
 /// @param count      columns
 /// @param inflation  of the Laplace sds [1]
-/// @throws InputError if there is no mode, or an argument is out of range.
+/// @throws InputError if there is no mode, one has no curvature, or an argument is out of range.
 [[nodiscard]] Eigen::MatrixXd dispersed_starts(const LeastSquares& problem,
                                                const std::vector<Mode>& modes, int count,
                                                double inflation = 2, unsigned seed = 1);

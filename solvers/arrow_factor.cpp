@@ -99,6 +99,18 @@ VectorXd ArrowFactor::whiten(const VectorXd& g) const {
   return y;
 }
 
+VectorXd ArrowFactor::colour(const VectorXd& v) const {
+  // Back substitution: shared coordinates first, then the blocks.
+  VectorXd x(v.size());
+  x.head(layout_.shared) = shared_.triangularView<Eigen::Upper>().solve(v.head(layout_.shared));
+  for (int b = 0; b < layout_.blocks; ++b) {
+    const Block& block = blocks_[b];
+    x.segment(layout_.first(b), layout_.own) = block.R.triangularView<Eigen::Upper>().solve(
+        v.segment(layout_.first(b), layout_.own) - block.S * x.head(layout_.shared));
+  }
+  return x;
+}
+
 ArrowMatrix ArrowFactor::inverse_blocks() const {
   const Index p = layout_.shared, d = layout_.own;
   ArrowMatrix C(layout_);

@@ -28,6 +28,8 @@ class ArrowFactor {
 
   /// R^-T g, so that |whiten(g)|^2 = g' (J'J)^-1 g  (size).
   [[nodiscard]] Eigen::VectorXd whiten(const Eigen::VectorXd& g) const;
+  /// R^-1 v, of covariance (J'J)^-1 where v is standard normal  (size).
+  [[nodiscard]] Eigen::VectorXd colour(const Eigen::VectorXd& v) const;
   [[nodiscard]] Eigen::MatrixXd inverse() const;                      // (J'J)^-1 (size, size)
   [[nodiscard]] ArrowMatrix inverse_blocks() const;                   // the same within blocks
   [[nodiscard]] double log_determinant() const;                       // of J'J

@@ -15,8 +15,9 @@
 namespace thenar {
 namespace {
 
-constexpr int kGlobalSearch = 60;  // coordinates [1]
-constexpr double kInflation = 2;   // of the starts, in Laplace sds [1]
+constexpr int kGlobalSearch = 60;                                        // coordinates [1]
+constexpr int kManyCoordinates = 1000, kStarts = 16, kStartsOfMany = 4;  // [1]
+constexpr double kInflation = 2;  // of the starts, in Laplace sds [1]
 
 std::string fingerprint(const FitInputs& inputs, const PosteriorSettings& settings) {
   // All texts, then the settings that change the density or the starts.
@@ -32,7 +33,9 @@ std::string fingerprint(const FitInputs& inputs, const PosteriorSettings& settin
 FoundModes search_modes(const FitProblem& problem, const PosteriorSettings& settings) {
   // The prior means are a start of their own.
   ModeSearchOptions search;
-  search.starts = settings.mode_starts;
+  search.starts = settings.mode_starts > 0            ? settings.mode_starts
+                  : problem.size() > kManyCoordinates ? kStartsOfMany
+                                                      : kStarts;
   // A global search without derivatives finds nothing among more coordinates than this.
   if (problem.size() > kGlobalSearch) search.global_searches = 0;
   search.extra_starts = Eigen::VectorXd::Zero(problem.size());

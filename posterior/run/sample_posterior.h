@@ -23,9 +23,10 @@ namespace thenar {
 /// Settings of a run of a posterior.
 struct PosteriorSettings {
   PosteriorOptions posterior;
-  RunOptions run;        // fingerprint and covariance are set by the run; walkers 0: as few as
-                         // the method allows
-  int mode_starts = 16;  // starts of the search for modes, before sampling [1]
+  RunOptions run;       // fingerprint and covariance are set by the run; walkers 0: as few as
+                        // the method allows
+  int mode_starts = 0;  // starts of the search for modes, before sampling; 0: 16, or 4 among more
+                        // than 1000 coordinates [1]
   std::vector<double>
       retry_acceptances;  // target acceptances of retry_divergent(); empty: none [1]
   ConvergenceLimits limits;

@@ -59,7 +59,8 @@ TEST(FindModes, FindsBothWellsAndWeighsThem) {
   EXPECT_NEAR(found.modes[0].cost, 0, 1e-9);
   EXPECT_NEAR(found.modes[1].cost, 0.08 - 1.25e-5, 1e-7);
   const Vector2d variance(1 / 64.01, 1);
-  EXPECT_TRUE(matrix_near(found.modes[0].covariance, MatrixXd(variance.asDiagonal()), 1e-5));
+  EXPECT_TRUE(
+      matrix_near(found.modes[0].curvature->covariance(), MatrixXd(variance.asDiagonal()), 1e-5));
   // exp(-cost) times the root of the covariance: 8.0006 against 4 (2 - 0.000625) wide.
   const double other = std::exp(-0.0799875) * std::sqrt(64.01 / (std::pow(7.9975, 2) + 0.01));
   EXPECT_NEAR(found.modes[0].laplace_mass, 1 / (1 + other), 1e-5);
@@ -87,13 +88,13 @@ TEST(FindModes, EndsAlongARidgeAreOneMode) {
   for (const double weight : {1.0, 1e-3, 0.0}) {
     const FoundModes found = find_modes(ridge(weight));
     ASSERT_EQ(found.modes.size(), 1) << weight;
-    EXPECT_TRUE(found.modes[0].covariance.allFinite()) << weight;
+    EXPECT_TRUE(found.modes[0].curvature->covariance().allFinite()) << weight;
   }
 }
 
 // 1 / weight^2 across, 1 / (20000 + weight^2) along the sum.
 TEST(FindModes, CovarianceIsThatOfTheNormalAtTheMode) {
-  const MatrixXd C = find_modes(ridge(0.1)).modes[0].covariance;
+  const MatrixXd C = find_modes(ridge(0.1)).modes[0].curvature->covariance();
   const double across = 1 / 0.01, along = 1 / (20000 + 0.01);
   const MatrixXd expected =
       (MatrixXd(2, 2) << across + along, along - across, along - across, across + along)
@@ -128,7 +129,7 @@ TEST(FindModes, HoldsWhatBoundsHold) {
   const FoundModes found = find_modes(problem);
   ASSERT_EQ(found.modes.size(), 2);
   EXPECT_EQ(found.modes[0].z[1], 3);
-  EXPECT_EQ(found.modes[0].covariance(1, 1), 0);
+  EXPECT_EQ(found.modes[0].curvature->covariance()(1, 1), 0);
   EXPECT_EQ(dispersed_starts(problem, found.modes, 5).row(1).maxCoeff(), 3);
 }
 
@@ -167,7 +168,7 @@ TEST(DispersedStarts, HaveTheInflatedCovariance) {
   const MatrixXd starts = dispersed_starts(problem, found.modes, kStarts, 3);
   const MatrixXd off = starts.colwise() - found.modes[0].z;
   // In units of what is wanted the covariance is I; its entries have sds of at most sqrt(2 / N).
-  const MatrixXd wanted = 9 * found.modes[0].covariance;
+  const MatrixXd wanted = 9 * found.modes[0].curvature->covariance();
   const MatrixXd L = wanted.llt().matrixL();
   const MatrixXd white = L.triangularView<Eigen::Lower>().solve(off);
   EXPECT_TRUE(matrix_near(white * white.transpose() / kStarts, MatrixXd::Identity(2, 2),

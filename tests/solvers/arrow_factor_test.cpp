@@ -46,6 +46,7 @@ TEST(ArrowFactor, IsThatOfTheDenseJacobian) {
   const VectorXd v = sample::normal(kLayout.size(), rng);
   EXPECT_NEAR(factor.squared_norm(v), (J * v).squaredNorm(), 1e-12);
   EXPECT_NEAR(factor.whiten(v).squaredNorm(), v.dot(H.inverse() * v), 1e-12);
+  EXPECT_NEAR(factor.squared_norm(factor.colour(v)), v.squaredNorm(), 1e-12 * v.squaredNorm());
 }
 
 TEST(ArrowFactor, TakesADenseProblemForSharedCoordinatesAlone) {
