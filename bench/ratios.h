@@ -46,10 +46,12 @@ struct Patience {
 [[nodiscard]] Row measure(const Duel& duel, const Patience& patience = {});
 
 // One function a file.
-[[nodiscard]] Row ratio_kinematics();       // ratio_kinematics.cpp
-[[nodiscard]] Row ratio_chain();            // the same task on the templated chain
-[[nodiscard]] Row ratio_force_map();        // ratio_force_map.cpp
-[[nodiscard]] Row ratio_fit();              // ratio_fit.cpp; the rival is a limit
+[[nodiscard]] Row ratio_kinematics();   // ratio_kinematics.cpp
+[[nodiscard]] Row ratio_chain();        // the same task on the templated chain
+[[nodiscard]] Row ratio_force_map();    // ratio_force_map.cpp
+[[nodiscard]] Row ratio_fit();          // ratio_fit.cpp; the rival is a limit
+[[nodiscard]] Row ratio_fit_of_many();  // the same
+[[nodiscard]] Row ratio_fit_jacobian();
 [[nodiscard]] Row ratio_posterior_lanes();  // ratio_posterior_evaluations.cpp; the rival is ours
 [[nodiscard]] Row ratio_posterior_gradient();
 [[nodiscard]] Row ratio_posterior_jets();

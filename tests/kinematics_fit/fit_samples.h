@@ -274,4 +274,20 @@ inline void simulate(const FitSetup& setup, const Eigen::VectorXd& u, double noi
         force.col(static_cast<Eigen::Index>(i)) + noise * Eigen::Vector3d(normal(3, rng));
 }
 
+/// The fit of as many specimens as wanted: copies of H01 and H02 in turn, with noise of their own,
+/// a tenth of each force and 0.15 N.
+inline FitProblem noisy_copies(int count) {
+  const FitProblem two = build_problem(finger_inputs("an_chao_middle", {"H01", "H02"}));
+  std::mt19937 rng(1);
+  std::vector<Experiment> copies;
+  for (int k = 0; k < count; ++k) {
+    copies.push_back(two.experiments()[static_cast<std::size_t>(k % 2)]);
+    copies.back().name = copies.back().specimen = "copy" + std::to_string(k);
+    for (Trial& trial : copies.back().trials)
+      trial.force +=
+          (0.1 * trial.force.norm() / std::sqrt(3.0) + 0.15) * Eigen::Vector3d(normal(3, rng));
+  }
+  return {two.digit(), two.parameters(), std::move(copies), two.robust_scale()};
+}
+
 }  // namespace thenar::sample

@@ -196,5 +196,31 @@ TEST(BuiltInSettings, AreThoseOfTheDigit) {
   EXPECT_EQ(built_in_settings("thumb").text, sample::source("fits/thumb").text);
 }
 
+// Secants over blocks against Levenberg and Marquardt's steps, which Ceres alone takes where
+// evaluations are counted.
+TEST(Fit, OfSeveralSpecimensIsTheMinimumThatCeresFinds) {
+  const FitProblem problem = sample::noisy_copies(3);
+  const LeastSquares blocks = least_squares(problem);
+  ASSERT_EQ(blocks.layout.blocks, 3);
+  const Eigen::VectorXd start = Eigen::VectorXd::Zero(problem.size());
+  const Solution ours = solve(blocks, start);
+  SolveOptions options;
+  options.max_evaluations = 1000;
+  options.tolerance = 1e-12;
+  const Solution ceres = solve(blocks, start, options);
+  EXPECT_EQ(ours.status, Status::kSolved);
+  EXPECT_NEAR(ours.cost, ceres.cost, 1e-7 * ceres.cost);
+  EXPECT_LT(3 * ours.evaluations, ceres.evaluations);
+}
+
+// Its cost grows with the number of specimens, not with their cube: coordinates of 24 are 4563.
+TEST(Fit, OfManySpecimensConverges) {
+  const FitProblem problem = sample::noisy_copies(24);
+  const Solution found = solve(least_squares(problem), Eigen::VectorXd::Zero(problem.size()));
+  EXPECT_EQ(found.status, Status::kSolved);
+  EXPECT_LT(found.newton_step, 0.01);
+  EXPECT_LT(found.evaluations, 60);
+}
+
 }  // namespace
 }  // namespace thenar
