@@ -270,27 +270,34 @@ Solution solve_free(const LeastSquares& problem, const Eigen::VectorXd& start,
 }
 
 /// Solves by the method asked for. With kCeres, internal::search_by_secants() takes fewer
-/// evaluations to the end, unless they are counted: from the neighbourhood that Ceres leads to, or
-/// from the start where residuals come in blocks. Where it does not get there, Ceres goes on.
+/// evaluations to the end, unless they are counted: from the start where residuals come in blocks,
+/// and otherwise, or if it does not get there soon, from the neighbourhood that Ceres leads to.
+/// Where that fails too, Ceres goes on.
 Solution solve_by_method(const LeastSquares& problem, const Eigen::VectorXd& start,
                          const SolveOptions& options) {
-  constexpr double kNear = 1e-3;  // relative change of the cost [1]
+  constexpr double kNear = 1e-3;           // relative change of the cost [1]
+  constexpr int kFirst = 80, kLast = 200;  // evaluations by secants at most [1]
   if (options.method != LeastSquaresMethod::kCeres || options.max_evaluations > 0 ||
       options.tolerance >= kNear)
     return solve_free(problem, start, options);
-  Solution solution;
-  solution.z = start;
-  if (problem.parts.empty()) {
-    SolveOptions rough = options;
-    rough.tolerance = kNear;
-    solution = solve_free(problem, start, rough);
-    if (solution.status != Status::kSolved) return solution;
-  }
-  if (internal::search_by_secants(problem, options, solution)) return solution;
+  Solution found;
+  found.z = start;
+  if (!problem.parts.empty() && internal::search_by_secants(problem, options, kFirst, found))
+    return found;
+  const auto solve_on = [&](double tolerance) {
+    SolveOptions next = options;
+    next.tolerance = tolerance;
+    Solution then = solve_free(problem, found.z, next);
+    then.evaluations += found.evaluations;
+    found = std::move(then);
+  };
+  solve_on(kNear);
+  if (found.status != Status::kSolved ||
+      internal::search_by_secants(problem, options, kLast, found))
+    return found;
   // To the end as Ceres goes.
-  Solution rest = solve_free(problem, solution.z, options);
-  rest.evaluations += solution.evaluations;
-  return rest;
+  solve_on(options.tolerance);
+  return found;
 }
 
 /// Sizes and bounds, before anything is computed.

@@ -127,14 +127,15 @@ Solution solve_nlopt(const LeastSquares&, const Eigen::VectorXd& start, const So
 Solution solve_ipopt_least_squares(const LeastSquares&, const Eigen::VectorXd& start,
                                    const SolveOptions&);
 
-/// Newton steps from near the minimum to where less is left to gain than the tolerance asks. J'J
+/// Newton steps towards the minimum, to where less is left to gain than the tolerance asks. J'J
 /// alone leaves out the curvature of residuals that stay large; what is left out shows in how the
 /// Jacobian changes from step to step, part by part, so that many blocks take no more steps than
 /// one. The cost never rises beyond rounding.
+/// @param most      evaluations at most [1]
 /// @param solution  where it begins; the best point found
 /// @return whether it got there or was stopped; if not, the status is as before
 /// Source: [DennisGayWelsch1981], structured secants; [Griewank1982], part by part.
-bool search_by_secants(const LeastSquares&, const SolveOptions&, Solution& solution);
+bool search_by_secants(const LeastSquares&, const SolveOptions&, int most, Solution& solution);
 
 /// The parts of the residuals; an ordinary problem is a single part that knows all coordinates.
 struct ResidualBlocks {

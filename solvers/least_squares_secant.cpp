@@ -209,9 +209,8 @@ ResidualBlocks blocks_of(const LeastSquares& problem) {
   return {{static_cast<int>(problem.lower.size())}, {{-1, problem.residuals}}};
 }
 
-bool search_by_secants(const LeastSquares& problem, const SolveOptions& options,
+bool search_by_secants(const LeastSquares& problem, const SolveOptions& options, int most,
                        Solution& solution) {
-  constexpr int kMost = 200;  // evaluations [1]
   ResidualBlocks blocks = blocks_of(problem);
   std::optional<SecantPoint> start = secant_point(blocks, solution.z);
   ++solution.evaluations;
@@ -219,13 +218,13 @@ bool search_by_secants(const LeastSquares& problem, const SolveOptions& options,
   SecantSearch search(problem, std::move(blocks), std::move(*start));
   bool near = false, stopped = false;
   double left = kInfinity;  // to gain
-  for (int calls = 0; calls < kMost && !search.exhausted() && !near && !stopped; ++calls) {
+  for (int calls = 0; calls < most && !search.exhausted() && !near && !stopped; ++calls) {
     const double allowed = options.tolerance * search.best().cost;
     left = search.gain(allowed);
     near = left <= allowed;
     search.advance();  // once more from near, for a gradient as small as steps make it
     ++solution.evaluations;
-    options.progress(static_cast<double>(calls) / kMost, "secants");
+    options.progress(static_cast<double>(calls) / most, "secants");
     stopped = options.progress.stop();
   }
   solution.z = search.best().z;
