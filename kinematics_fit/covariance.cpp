@@ -141,15 +141,23 @@ void name_nulls(const ArrowLayout& layout, const ArrowNullSpace& null_directions
       add(alone[b].rows.row(k).transpose(), layout.first(b));
 }
 
-}  // namespace
-
-Covariance posterior_covariance(const FitProblem& problem, const Eigen::VectorXd& z) {
-  // Data and priors together; the factor of J keeps digits that J'J would lose.
-  const DataRows data = rows_of_data(problem, z);
+/// (J'J)^-1 of data and priors together; the factor of J keeps digits that J'J would lose.
+ArrowMatrix inverse_blocks(const DataRows& data) {
   std::vector<ArrowRows> all = prior_rows(data.layout);
   all.insert(all.end(), data.rows.begin(), data.rows.end());
+  return ArrowFactor(data.layout, all).inverse_blocks();
+}
+
+}  // namespace
+
+ArrowMatrix laplace_blocks(const FitProblem& problem, const Eigen::VectorXd& z) {
+  return inverse_blocks(rows_of_data(problem, z));
+}
+
+Covariance posterior_covariance(const FitProblem& problem, const Eigen::VectorXd& z) {
+  const DataRows data = rows_of_data(problem, z);
   Covariance out;
-  out.C = ArrowFactor(data.layout, all).inverse_blocks();
+  out.C = inverse_blocks(data);
   const Eigen::VectorXd variance = out.C.diagonal();
   out.effective_parameters = static_cast<double>(z.size()) - variance.sum();
 

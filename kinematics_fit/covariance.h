@@ -37,6 +37,9 @@ struct Covariance {
   double effective_parameters = 0;             // trace of data curvature times C [1]
 };
 
+/// Covariance::C alone: who only predicts needs no names of directions.
+[[nodiscard]] ArrowMatrix laplace_blocks(const FitProblem& problem, const Eigen::VectorXd& z);
+
 /// @param z  the fitted point (size)
 [[nodiscard]] Covariance posterior_covariance(const FitProblem& problem, const Eigen::VectorXd& z);
 

@@ -48,7 +48,7 @@ void predict_fold(const FitProblem& rest, const Eigen::VectorXd& z, LeaveOut wha
                   const std::string& fold, const std::vector<Experiment>& experiments,
                   std::vector<Prediction>& out) {
   // A left-out specimen is not among those of the fit: the population predicts it.
-  const ArrowMatrix C = posterior_covariance(rest, z).C;
+  const ArrowMatrix C = laplace_blocks(rest, z);
   for (std::size_t e = 0; e < experiments.size(); ++e) {
     const Experiment& experiment = experiments[e];
     const int specimen = find_specimen(rest, experiment.specimen);
