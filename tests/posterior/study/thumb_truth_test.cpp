@@ -42,6 +42,13 @@ TEST(ThumbStudySubjects, TrueThumbHasThePublishedSkewness) {
   EXPECT_GT(mcp.distance, 1e-3);
 }
 
+// [Hollister1995]: from the metacarpal's base the flexion axis is at 0.87 of its length, the
+// abduction axis at 0.83: nearer to the base.
+TEST(ThumbStudySubjects, TrueThumbHasTheOrderOfHollister) {
+  const TendonDigit truth = sample::thumb_of(sample::study_inputs().truth);
+  EXPECT_LT(axis_offset(truth.model, {kMcpFlexion, kMcpAbduction, ""}).beyond, -1e-3);
+}
+
 TEST(ThumbStudySubjects, StartIsOrthogonalAndCrosses) {
   const TendonDigit start = sample::thumb_of(sample::study_inputs().start);
   for (const auto& [flexion, abduction] :
