@@ -133,6 +133,7 @@
 #include "tendons/forces/feasible_force_set.h"
 #include "tendons/forces/max_tip_force.h"
 #include "tendons/forces/max_tip_load.h"
+#include "tendons/forces/pinch_statics.h"
 #include "tendons/forces/posture_sensitivity.h"
 #include "tendons/forces/tip_force.h"
 #include "tendons/forces/tip_map.h"

@@ -17,6 +17,7 @@ using Eigen::Vector3d;
 using Eigen::VectorXd;
 
 constexpr double kMomentArm = 0.01;  // of the newtons in which moments are counted [m]
+constexpr double kStopArm = 0.01;    // of the tendon that a stop is [m]
 
 /// The balance as one of forces alone, for max_tip_force().
 struct LoadBalance {
@@ -53,6 +54,40 @@ void eliminate(const MatrixXd& N, TipStatics& statics) {
   statics.tau_0 = N.transpose() * statics.tau_0;
 }
 
+/// A further tendon for each stop, below those of muscles.
+void add_stops(const std::vector<JointStop>& stops, TipStatics& statics) {
+  const Index m = statics.R.rows(), n = statics.R.cols();
+  const auto count = static_cast<Index>(stops.size());
+  statics.R.conservativeResize(m + count, Eigen::NoChange);
+  statics.R.bottomRows(count).setZero();
+  statics.max_tension.conservativeResize(m + count);
+  for (Index k = 0; k < count; ++k) {
+    const JointStop& stop = stops[static_cast<std::size_t>(k)];
+    require(stop.coordinate >= 0 && stop.coordinate < n, "a stop of joint {}, there are {}",
+            stop.coordinate, n);
+    require(std::abs(stop.most) > 0, "a stop carries some torque, got {} N m", stop.most);
+    statics.R(m + k, stop.coordinate) = std::copysign(kStopArm, stop.most);
+    statics.max_tension[m + k] = std::abs(stop.most) / kStopArm;
+  }
+}
+
+/// Torque of each stop [N m] (stops). @param tension  of its tendon [N] (stops)
+VectorXd stop_torques(const std::vector<JointStop>& stops, const VectorXd& tension) {
+  VectorXd torque(tension.size());
+  for (Index k = 0; k < torque.size(); ++k)
+    torque[k] = std::copysign(kStopArm, stops[static_cast<std::size_t>(k)].most) * tension[k];
+  return torque;
+}
+
+/// The passive torque of all joints, stops included [N m] (n).
+VectorXd passive_with_stops(const TipStatics& statics, const std::vector<JointStop>& stops,
+                            const VectorXd& torque) {
+  VectorXd passive = statics.tau_0;
+  for (Index k = 0; k < torque.size(); ++k)
+    passive[stops[static_cast<std::size_t>(k)].coordinate] += torque[k];
+  return passive;
+}
+
 /// Further tendons that make each component of the other load, both ways, up to `most`.
 void add_pairs(const LoadBalance& balance, double most, TipStatics& statics) {
   const Index m = statics.R.rows(), pairs = balance.way.cols();
@@ -76,6 +111,7 @@ LoadBalance load_balance(const TipStatics& statics, const TipLoadOptions& option
                       Eigen::Matrix3Xd(3, 0)};
   TipStatics& asked = balance.statics;
   asked.W = Eigen::Matrix3Xd(3, 0);
+  add_stops(options.stops, asked);
   if (moment) asked.J = kMomentArm * statics.W;
   if (std::isinf(options.most_other)) {
     balance.N = null_space(balance.B);
@@ -88,17 +124,18 @@ LoadBalance load_balance(const TipStatics& statics, const TipLoadOptions& option
 }
 
 /// The other load at a solution [N m] or [N] (3).
+/// @param passive  torque of all joints without muscles [N m] (n)
+/// @param tension  of muscles, stops and pairs [N]
 Vector3d other_load(const TipStatics& statics, const LoadBalance& balance, const Vector3d& asked,
-                    const VectorXd& tension) {
+                    const VectorXd& passive, const VectorXd& tension) {
   const Index m = statics.R.rows(), pairs = balance.way.cols();
   // Pairs of tendons say it.
-  if (pairs > 0) return balance.way * (tension.segment(m, pairs) - tension.tail(pairs));
+  if (pairs > 0) return balance.way * (tension.tail(2 * pairs).head(pairs) - tension.tail(pairs));
   // It was zero.
   if (balance.N.cols() == balance.N.rows()) return Vector3d::Zero();
   // The least that balances what is left over.
   const Eigen::Matrix3Xd A = balance.unit == 1 ? statics.J : statics.W;
-  const VectorXd left =
-      statics.R.transpose() * tension.head(m) + statics.tau_0 - A.transpose() * asked;
+  const VectorXd left = statics.R.transpose() * tension.head(m) + passive - A.transpose() * asked;
   Eigen::JacobiSVD<MatrixXd> svd(balance.B.transpose(), Eigen::ComputeThinU | Eigen::ComputeThinV);
   svd.setThreshold(internal::kRankTolerance);
   return svd.solve(left);
@@ -120,9 +157,10 @@ MaxTipLoad max_tip_load(const TipStatics& statics, const Vector3d& direction,
                         const TipLoadOptions& options) {
   const LoadBalance balance = load_balance(statics, options);
   const Index m = statics.R.rows();
+  const auto stops = static_cast<Index>(options.stops.size());
   const double unit = balance.unit;
   MaxTipLoad result{max_tip_force(balance.statics, direction, {options.tolerance, options.prices}),
-                    Vector3d::Zero()};
+                    Vector3d::Zero(), VectorXd::Zero(stops), VectorXd()};
   MaxTipForce& largest = result.largest;
   const VectorXd tension = largest.tension;
   // From newtons of the common program to the unit of the load, and to muscles alone.
@@ -136,13 +174,17 @@ MaxTipLoad max_tip_load(const TipStatics& statics, const Vector3d& direction,
                                     : VectorXd::Zero(statics.J.cols());
   largest.check.gap *= unit;
   largest.check.outside *= unit;
+  if (largest.prices.increase.size() > 0)
+    result.stop_price = unit / kStopArm * largest.prices.increase.segment(m, stops);
   largest.prices = prices_in(unit, m, largest.prices);
   if (!solved) return result;
 
-  // The other load, and the balance from J, W and R themselves.
-  result.other = other_load(statics, balance, largest.force, tension);
+  // Stops, the other load, and the balance from J, W and R themselves.
+  result.stop_torque = stop_torques(options.stops, tension.segment(m, stops));
+  const VectorXd passive = passive_with_stops(statics, options.stops, result.stop_torque);
+  result.other = other_load(statics, balance, largest.force, passive, tension);
   const bool moment = options.load == TipLoad::kMoment;
-  VectorXd left = statics.R.transpose() * largest.tension + statics.tau_0;
+  VectorXd left = statics.R.transpose() * largest.tension + passive;
   left -= statics.J.transpose() * (moment ? result.other : largest.force);
   if (has_rotation(statics))
     left -= statics.W.transpose() * (moment ? largest.force : result.other);

@@ -17,6 +17,14 @@ namespace thenar {
 /// What a tip does to the world.
 enum class TipLoad { kForce, kMoment };
 
+/// A joint at the end of its range: capsule and ligaments hold it from going further, and give no
+/// torque the other way:  0 <= torque / most <= 1.
+struct JointStop {
+  int coordinate;  // which joint
+  double most;     // largest torque, with the sign of the torque: positive flexes, as at the end of
+                   // extension; may be infinite                                            [N m]
+};
+
 /// What is maximised, and what the other load may be meanwhile: moments beside a force, forces
 /// beside a moment.
 struct TipLoadOptions {
@@ -27,20 +35,25 @@ struct TipLoadOptions {
   Eigen::Matrix3d axes =
       Eigen::Matrix3d::Identity();  // columns: axes of those components, world frame      (3, 3)
   bool prices = false;              // also find the prices of F0
+  std::vector<JointStop> stops{};   // joints that stand at the end of their range
 };
 
 /// The answer; where a moment is maximised, [N] of MaxTipForce reads [N m].
 struct MaxTipLoad {
   MaxTipForce largest;    // the load that is maximised; its check by the balance below
   Eigen::Vector3d other;  // the other load, world frame                       [N m] or [N] (3)
+  Eigen::VectorXd stop_torque{};  // of each stop, positive flexes                    [N m] (stops)
+  Eigen::VectorXd stop_price{};   // d component / d |most| of each stop as it grows, 0: it does not
+                                  // limit; empty: not asked for, or not verified [N/(N m)] (stops)
 };
 
 /// The largest load of a tip along a direction, every joint in balance:
 ///
-///   maximise d' a  subject to  A' a + B' b = R' t + tau_0,  0 <= t <= F0,
+///   maximise d' a  subject to  A' a + B' b = R' t + s + tau_0,  0 <= t <= F0,
 ///                              angle(a, d) <= tolerance,  |axes' b| <= most_other,
 ///
-/// with (A, B) = (J, W) and (a, b) = (f, m) for a force, and the other way round for a moment.
+/// with (A, B) = (J, W) and (a, b) = (f, m) for a force, and the other way round for a moment; s
+/// are the torques of `stops`, which are further tendons of one joint each: unilateral constraints.
 /// Other loads of zero are left out. Free ones are eliminated: with N an orthonormal basis of the
 /// torques that no b makes (B N = 0), the balance is  N' A' a = N' (R' t + tau_0),  and b is the
 /// least that makes the rest. Bounded ones are pairs of further tendons along the axes. What is
@@ -49,8 +62,8 @@ struct MaxTipLoad {
 ///
 /// @param statics    one posture; W is needed unless the load is a force and most_other is zero
 /// @param direction  wanted direction of the load, any length but zero   3   [1]
-/// @throws InputError as max_tip_force(), if W is needed and absent, or if most_other is negative
-///         or not a number.
+/// @throws InputError as max_tip_force(), if W is needed and absent, if most_other is negative or
+///         not a number, or if a stop is of no joint or has no torque.
 /// Source: [ValeroCuevas1998] for the wrench of a fingertip.
 [[nodiscard]] MaxTipLoad max_tip_load(const TipStatics& statics, const Eigen::Vector3d& direction,
                                       const TipLoadOptions& options = {});
@@ -64,8 +77,8 @@ struct MaxTipLoad {
 ///
 ///   p' (dtau_0 + dR' t - dA' a - dB' b),  and  - p' (A' (W_k x a) + B' (W_k x b))
 ///
-/// if direction and axes turn with the tip. At a degenerate vertex prices are one choice of many and
-/// the derivative holds to one side.
+/// with stops as they are; the second part if direction and axes turn with the tip. At a degenerate
+/// vertex prices are one choice of many and the derivative holds to one side.
 /// @param largest  solved, of `statics`
 /// @return (n) [N/rad] or [N m/rad]
 [[nodiscard]] Eigen::VectorXd max_tip_load_gradient(const TipStatics& statics,

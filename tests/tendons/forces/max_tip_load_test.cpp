@@ -83,18 +83,26 @@ double by_enumeration(const MatrixXd& M, const VectorXd& b, const VectorXd& lowe
   return best;
 }
 
-/// The same question put to by_enumeration(): amount, three other loads, tensions.
+/// The same question put to by_enumeration(): amount, three other loads, tensions, stops.
 double enumerated(const TipStatics& statics, const Vector3d& d, const TipLoadOptions& options) {
   const bool moment = options.load == TipLoad::kMoment;
   const Eigen::Matrix3Xd &A = moment ? statics.W : statics.J, &B = moment ? statics.J : statics.W;
   const Index m = statics.R.rows(), others = options.most_other > 0 ? 3 : 0;
-  MatrixXd M(statics.J.cols(), 1 + others + m);
-  M << A.transpose() * d, (B.transpose() * options.axes).leftCols(others), -statics.R.transpose();
+  const auto stops = static_cast<Index>(options.stops.size());
+  MatrixXd M(statics.J.cols(), 1 + others + m + stops);
+  M << A.transpose() * d, (B.transpose() * options.axes).leftCols(others), -statics.R.transpose(),
+      MatrixXd::Zero(statics.J.cols(), stops);
   VectorXd lower = VectorXd::Zero(M.cols()), upper = lower;
   upper(0) = kInfinity;
   lower.segment(1, others).setConstant(-options.most_other);
   upper.segment(1, others).setConstant(options.most_other);
-  upper.tail(m) = statics.max_tension;
+  upper.segment(1 + others, m) = statics.max_tension;
+  // A stop turns its joint by itself, one way.
+  for (Index k = 0; k < stops; ++k) {
+    const JointStop& stop = options.stops[static_cast<std::size_t>(k)];
+    M(stop.coordinate, 1 + others + m + k) = stop.most > 0 ? -1 : 1;
+    upper(1 + others + m + k) = std::abs(stop.most);
+  }
   return by_enumeration(M, statics.tau_0, lower, upper);
 }
 
@@ -131,6 +139,42 @@ INSTANTIATE_TEST_SUITE_P(
     testing::Values(std::pair(TipLoad::kForce, 0.0), std::pair(TipLoad::kForce, 0.05),
                     std::pair(TipLoad::kForce, kInfinity), std::pair(TipLoad::kMoment, 0.0),
                     std::pair(TipLoad::kMoment, 2.0), std::pair(TipLoad::kMoment, kInfinity)));
+
+// Torques that ligaments give one way, with and without a limit, under every other load.
+TEST_P(OtherLoad, StopsAgreeWithEnumerationOfVertices) {
+  std::mt19937 rng(7);
+  TipLoadOptions options;
+  std::tie(options.load, options.most_other) = GetParam();
+  options.prices = true;
+  options.stops = {{1, 0.2}, {3, -kInfinity}};
+  int solved = 0, limited = 0;
+  for (int trial = 0; trial < 12; ++trial) {
+    const TipStatics statics = random_digit(rng);
+    const Vector3d d = Vector3d(1, trial - 5, 2).normalized();
+    const double wanted = enumerated(statics, d, options);
+    const MaxTipLoad found = max_tip_load(statics, d, options);
+    if (found.largest.status != Status::kSolved) continue;
+    ++solved;
+    EXPECT_NEAR(found.largest.component, wanted, 1e-9 * std::max(1.0, wanted));
+    EXPECT_LE(found.largest.check.imbalance, 1e-10);
+    EXPECT_LE(found.largest.check.gap, 1e-9 * std::max(1.0, wanted));
+    EXPECT_EQ(found.largest.tension.size(), 5);
+    // One way, and not further than they go.
+    EXPECT_GE(found.stop_torque(0), 0);
+    EXPECT_LE(found.stop_torque(0), 0.2 + 1e-12);
+    EXPECT_LE(found.stop_torque(1), 0);
+    // The price of the limited one is the slope of the load over its limit; the other has none.
+    ASSERT_EQ(found.stop_price.size(), 2);
+    EXPECT_EQ(found.stop_price(1), 0);
+    TipLoadOptions more = options;
+    more.stops[0].most += 1e-5;
+    EXPECT_NEAR((enumerated(statics, d, more) - wanted) / 1e-5, found.stop_price(0),
+                1e-4 * std::max(1.0, found.stop_price(0)));
+    limited += found.stop_price(0) > 0 ? 1 : 0;
+  }
+  EXPECT_GE(solved, 3);
+  EXPECT_GE(limited, 1);
+}
 
 // A wider cone, and more of the other load, are more to choose from.
 TEST(MaxTipLoad, NeverFallsWithMoreToChooseFrom) {
@@ -186,6 +230,26 @@ TEST(MaxTipLoad, MatchesHandComputedHinge) {
             Status::kUnbounded);
   // No joint feels a moment across the hinge.
   EXPECT_EQ(max_tip_load(hinge, y, {TipLoad::kMoment}).largest.status, Status::kUnbounded);
+}
+
+// The lever's stop adds to its flexor, by hand (1 + 0.5) / 0.04; one that extends adds nothing.
+TEST(MaxTipLoad, StopGivesTorqueOneWay) {
+  TipLoadOptions options;
+  options.prices = true;
+  options.stops = {{0, 0.5}};
+  const MaxTipLoad flexing = max_tip_load(lever(), {0, 1, 0}, options);
+  EXPECT_NEAR(flexing.largest.component, 37.5, 1e-9);
+  EXPECT_NEAR(flexing.stop_torque(0), 0.5, 1e-12);
+  EXPECT_NEAR(flexing.stop_price(0), 1 / 0.04, 1e-7);
+  EXPECT_LE(flexing.largest.check.imbalance, 1e-12);
+  options.stops = {{0, -0.5}};
+  const MaxTipLoad extending = max_tip_load(lever(), {0, 1, 0}, options);
+  EXPECT_NEAR(extending.largest.component, 25, 1e-9);
+  EXPECT_EQ(extending.stop_torque(0), 0);
+  options.stops = {{1, 0.5}};
+  EXPECT_THROW((void)max_tip_load(lever(), {0, 1, 0}, options), InputError);
+  options.stops = {{0, 0.0}};
+  EXPECT_THROW((void)max_tip_load(lever(), {0, 1, 0}, options), InputError);
 }
 
 // A newton more of F0 gives 10 mm of moment.
