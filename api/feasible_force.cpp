@@ -9,6 +9,8 @@
 #include "base/error.h"
 #include "base/nearest_name.h"
 #include "base/units.h"
+#include "hand/tip_manipulability.h"
+#include "tendons/forces/pinch_statics.h"
 
 namespace thenar {
 namespace {
@@ -32,9 +34,18 @@ void require_limits(const TipStatics& statics, const std::string& subject) {
       listed(unknown), subject);
 }
 
+/// The wrist, and joints at the end of their range, by index.
+struct HeldJoints {
+  std::vector<int> wrist;           // coordinates that digits share
+  std::vector<std::string> others;  // muscles that cross it on their way to other digits
+  std::vector<JointStop> stops;     // in the order of the names
+};
+
 /// What is asked at one posture, and in which axes.
-TipLoadOptions options_of(const FeasibleForceRequest& request, const ForceAxes& axes) {
-  return {request.load, request.tolerance, request.most_other, axes.to_world, /*prices=*/true};
+TipLoadOptions options_of(const FeasibleForceRequest& request, const HeldJoints& held,
+                          const ForceAxes& axes) {
+  return {request.load,  request.tolerance, request.most_other,
+          axes.to_world, /*prices=*/true,   held.stops};
 }
 
 /// A map knows moments about some axes only: the others are not zero but unknown.
@@ -143,7 +154,119 @@ ParalysisLoss loss_of(const MaxTipForce& left, MaxTipForce intact, double none) 
   return {std::move(intact), share};
 }
 
-FeasibleForcePoint point_at(const FeasibleForceRequest& request, const DigitAtPosture& at) {
+/// Muscles that cross joints of other digits but none of this digit's own.
+std::vector<std::string> muscles_of_others(const DigitCase& digit) {
+  std::vector<std::string> own, others;
+  for (const Digit& each : digit.subject.digits) {
+    const std::vector<std::string> crossing =
+        build_tendon_digit(digit.subject, each.name).names.muscles;
+    std::vector<std::string>& list = each.name == digit.digit ? own : others;
+    list.insert(list.end(), crossing.begin(), crossing.end());
+  }
+  // Those of them that cross the wrist, in the digit's order.
+  std::vector<std::string> left_out;
+  for (const std::string& muscle : digit.bones().names.muscles)
+    if (std::count(own.begin(), own.end(), muscle) == 0 &&
+        std::count(others.begin(), others.end(), muscle) > 0)
+      left_out.push_back(muscle);
+  return left_out;
+}
+
+/// The wrist and stops of a request; warns of muscles that are left out.
+HeldJoints held_joints(const FeasibleForceRequest& request, const DigitCase& digit,
+                       std::vector<std::string>& warnings) {
+  HeldJoints held;
+  const bool held_wrist = request.wrist == WristLoad::kHeld;
+  if (held_wrist && request.stops.empty()) return held;
+  require(digit.map.empty(), "tip map '{}' knows no joints: it has neither a wrist nor stops",
+          digit.map);
+  const std::vector<std::string>& joints = digit.bones().names.coordinates;
+  for (const auto& [joint, most] : request.stops) {
+    const std::size_t i = index_of_name(joint, joints, "free joint");
+    require(std::abs(most) > 0, "wanted a torque of the stop of '{}', got {} N m", joint, most);
+    held.stops.push_back({static_cast<int>(i), most});
+  }
+  if (held_wrist) return held;
+  for (const std::string& joint : shared_joints(digit.subject)) {
+    const auto found = std::find(joints.begin(), joints.end(), joint);
+    if (found != joints.end()) held.wrist.push_back(static_cast<int>(found - joints.begin()));
+  }
+  require(!held.wrist.empty(), "no free joint of subject '{}' is shared by its digits: no wrist",
+          digit.subject.name);
+  held.others = muscles_of_others(digit);
+  if (!held.others.empty())
+    warnings.push_back(fmt::format(
+        "left out, as they would have to balance joints of other digits: {}", listed(held.others)));
+  return held;
+}
+
+/// The names that are not among `left_out`, in their order.
+std::vector<std::string> kept_names(const std::vector<std::string>& names,
+                                    const std::vector<std::string>& left_out) {
+  std::vector<std::string> kept;
+  for (const std::string& name : names)
+    if (std::count(left_out.begin(), left_out.end(), name) == 0) kept.push_back(name);
+  return kept;
+}
+
+/// The digit without some of its muscles.
+DigitAtPosture without_muscles(DigitAtPosture at, const std::vector<std::string>& left_out) {
+  if (left_out.empty()) return at;
+  TipStatics& statics = at.statics;
+  const std::vector<std::string> all = statics.muscles;
+  statics.muscles = kept_names(all, left_out);
+  // Their rows of every table.
+  std::vector<Eigen::Index> rows;
+  for (const std::string& muscle : statics.muscles)
+    rows.push_back(std::find(all.begin(), all.end(), muscle) - all.begin());
+  statics.max_tension = Eigen::VectorXd(statics.max_tension(rows));
+  statics.R = Eigen::MatrixXd(statics.R(rows, Eigen::all));
+  for (StaticsDerivative& slope : at.slopes) slope.R = Eigen::MatrixXd(slope.R(rows, Eigen::all));
+  return at;
+}
+
+/// The digit with its wrist as it is asked for.
+DigitAtPosture with_wrist(DigitAtPosture whole, const HeldJoints& held, WristLoad load) {
+  DigitAtPosture at = without_muscles(std::move(whole), held.others);
+  TipStatics& statics = at.statics;
+  if (load != WristLoad::kPinch) return at;
+  statics = without_load_on(std::move(statics), held.wrist);
+  at.slopes = without_load_on(std::move(at.slopes), held.wrist);
+  at.condition = tip_manipulability(statics.J, statics.W).condition;
+  at.plane_normal = plane_normal(statics.J, statics.W);
+  return at;
+}
+
+/// Warns of stops of joints that stand elsewhere than at the end of their range.
+void warn_of_stops(const HeldJoints& held, const DigitCase& digit, DigitAtPosture& at) {
+  constexpr double kAtTheEnd = 1 * kDegree;
+  for (const JointStop& stop : held.stops) {
+    const CoordinateLimits& range =
+        digit.bones().skeleton.limits[static_cast<std::size_t>(stop.coordinate)];
+    const double end = stop.most > 0 ? range.lower : range.upper, now = at.q[stop.coordinate];
+    const bool turns = range.upper - range.lower >= 2 * kPi - kAtTheEnd;  // no range is known
+    if (!turns && std::abs(now - end) > kAtTheEnd)
+      at.warnings.push_back(fmt::format(
+          "the stop of {} is asked for at {:.4g} deg, its range ends at {:.4g} deg",
+          at.rows[static_cast<std::size_t>(stop.coordinate)], now / kDegree, end / kDegree));
+  }
+}
+
+std::vector<StopAnswer> stop_answers(const HeldJoints& held, const DigitAtPosture& at,
+                                     const MaxTipLoad& found) {
+  std::vector<StopAnswer> answers;
+  if (found.largest.status != Status::kSolved) return answers;
+  for (std::size_t k = 0; k < held.stops.size(); ++k) {
+    const auto i = static_cast<Eigen::Index>(k);
+    answers.push_back({at.rows[static_cast<std::size_t>(held.stops[k].coordinate)],
+                       found.stop_torque[i], held.stops[k].most,
+                       found.stop_price.size() > 0 ? found.stop_price[i] : kNaN});
+  }
+  return answers;
+}
+
+FeasibleForcePoint point_at(const FeasibleForceRequest& request, const HeldJoints& held,
+                            const DigitAtPosture& at) {
   FeasibleForcePoint point;
   point.q = at.q;
   point.load = request.load;
@@ -153,12 +276,13 @@ FeasibleForcePoint point_at(const FeasibleForceRequest& request, const DigitAtPo
   point.plane_normal = at.plane_normal;
   point.alike = muscles_alike(at.statics.R);
   require_moments(request, at);
-  const TipLoadOptions options = options_of(request, point.axes);
+  const TipLoadOptions options = options_of(request, held, point.axes);
   if (request.direction) {
     const MaxTipLoad found =
         max_tip_load(at.statics, point.axes.to_world * *request.direction, options);
     point.largest = found.largest;
     point.other = found.other;
+    point.stops = stop_answers(held, at, found);
     point.change = change_of(at, found, request);
   }
   if (!request.direction || request.whole_set) point.whole = whole_set(at.statics, options);
@@ -177,25 +301,31 @@ FeasibleForceAnswer ask_feasible_force(const FeasibleForceRequest& request,
   require(request.most_other >= 0, "wanted {} of at least 0 {}, got {:.6g}",
           request.load == TipLoad::kForce ? "moments" : "forces",
           request.load == TipLoad::kForce ? "N m" : "N", request.most_other);
-  const DigitCase digit = build_digit(request.digit, TendonOptions().hood);
+  DigitRequest asked = request.digit;
+  asked.wrist = request.wrist == WristLoad::kHeld ? WristMode::kWelded : WristMode::kFree;
+  const DigitCase digit = build_digit(asked, TendonOptions().hood);
   FeasibleForceAnswer answer;
   answer.about = sweep_of(digit);
   answer.load = request.load;
   answer.most_other = request.most_other;
   answer.direction = request.direction;
   answer.tolerance = request.tolerance;
+  answer.wrist = request.wrist;
+  const HeldJoints held = held_joints(request, digit, answer.about.warnings);
+  answer.about.muscles = kept_names(answer.about.muscles, held.others);
   keep_weak_muscles(request, digit.subject, answer);
   const bool weak = !answer.without.empty() || !answer.weakened.empty();
 
   const auto ask = [&](const Eigen::VectorXd& q) {
-    const DigitAtPosture intact = digit_at(digit, q);
+    DigitAtPosture intact = with_wrist(digit_at(digit, q), held, request.wrist);
+    warn_of_stops(held, digit, intact);
     require_limits(intact.statics, request.digit.subject);
     const DigitAtPosture at = with_weak_muscles(intact, answer);
     answer.max_tension = at.statics.max_tension;
-    FeasibleForcePoint point = point_at(request, at);
+    FeasibleForcePoint point = point_at(request, held, at);
     // What the muscles would give.
     if (point.largest && weak) {
-      TipLoadOptions options = options_of(request, point.axes);
+      TipLoadOptions options = options_of(request, held, point.axes);
       options.prices = false;
       MaxTipLoad all =
           max_tip_load(intact.statics, point.axes.to_world * *request.direction, options);

@@ -18,6 +18,14 @@
 
 namespace thenar {
 
+/// What a digit's load does to the joints that digits share: the wrist.
+enum class WristLoad {
+  kHeld,  // nothing: something holds the wrist
+  kFree,  // the wrist balances it, with the tendons across it, as of a digit that pushes the world
+  kPinch  // it ends within the hand, as between thumb and index finger: the wrist balances tendons
+          // alone, see without_load_on()
+};
+
 /// Which digit; a direction, the whole set, or both. Forces and moments are those of the tip on the
 /// world, moments about the tip.
 struct FeasibleForceRequest {
@@ -33,6 +41,9 @@ struct FeasibleForceRequest {
   std::vector<std::string> without;               // muscles that are paralysed: they do not pull
   std::map<std::string, double> weakened;         // muscle -> what it can pull at most, if less
                                                   // than its F0 [N]
+  WristLoad wrist = WristLoad::kHeld;
+  std::map<std::string, double> stops;  // joint at the end of its range -> the largest torque of
+                                        // its ligaments, positive flexes; may be infinite [N m]
 };
 
 /// Axes in which forces are asked for and shown.
@@ -55,6 +66,14 @@ struct ParalysisLoss {
                        // two forces is not known, or the intact hand makes none
 };
 
+/// What ligaments do at a joint that stands at the end of its range.
+struct StopAnswer {
+  std::string joint;
+  double torque;  // positive flexes [N m]
+  double most;    // with the same sign; may be infinite [N m]
+  double price;   // of a newton metre more of `most` [N/(N m)]; NaN: not known
+};
+
 /// The answer at one posture.
 struct FeasibleForcePoint {
   Eigen::VectorXd q;               // [rad] (joints); empty for a map
@@ -68,6 +87,7 @@ struct FeasibleForcePoint {
   std::optional<MaxTipForce> largest;   // along the direction, if there is one; with prices of F0;
                                         // of moments [N] reads [N m]
   Eigen::Vector3d other{0, 0, 0};       // the other load meanwhile, world frame [N m] or [N] (3)
+  std::vector<StopAnswer> stops;        // meanwhile, where `largest` is solved
   Eigen::VectorXd change;               // of largest->component by each joint, the direction fixed
                                         // in its axes [N/rad] (joints); empty: no such force, a map
   std::optional<WholeForceSet> whole;   // if it was asked for
@@ -86,6 +106,7 @@ struct FeasibleForceAnswer {
   double tolerance = 0;                    // [rad]
   std::vector<std::string> without;        // muscles of the digit that are paralysed
   std::map<std::string, double> weakened;  // those that are weak, and what they can pull [N]
+  WristLoad wrist = WristLoad::kHeld;
   std::vector<FeasibleForcePoint> points;
 };
 
@@ -97,10 +118,13 @@ inline constexpr double kNoTipMoment = 1e-8;  // [N m]
 /// At every posture, as requested: the largest load along `direction` with prices of F0
 /// (max_tip_load()), the whole set (feasible_load_set()), or both. Muscles of `without` have F0 = 0
 /// in all of these, as under a nerve block; those of the subject that cross no free joint of the
-/// digit are named in a warning, as their paralysis changes nothing.
+/// digit are named in a warning, as their paralysis changes nothing. Where the wrist is not held,
+/// muscles of other digits cross it too, but are left out, as the joints of those digits would have
+/// to be in balance with them; a warning names them.
 /// @throws InputError for what is unknown, a direction of no length, a tolerance outside of
 /// [0, pi/2) rad, a negative `most_other`, muscles of unknown strength, axes of the tip of a map,
-/// or moments that a map does not know; DataError for a wrong file.
+/// moments that a map does not know, a wrist that is not held where no joint is shared, or a stop
+/// of no free joint or without torque; DataError for a wrong file.
 [[nodiscard]] FeasibleForceAnswer ask_feasible_force(const FeasibleForceRequest& request,
                                                      const Progress& progress = {});
 

@@ -1,6 +1,7 @@
 // thenar feasible-force SUBJECT --digit D --posture ... [--direction x y z | --torque x y z]
 // [--moments zero|free|N_m] [--forces zero|free|N] [--tolerance-deg a] [--without MUSCLE ...]
-// [--weakened MUSCLE=newton ...] [--vary JOINT=from:to:step ...]
+// [--weakened MUSCLE=newton ...] [--wrist held|free|pinch] [--stop JOINT=N_m ...] [--vary
+// JOINT=from:to:step ...]
 //
 // The largest force or moment of a fingertip along a direction and what limits it, or all the
 // forces it can make.
@@ -13,6 +14,7 @@
 #include "apps/options.h"
 #include "apps/outputs.h"
 #include "apps/terminal.h"
+#include "base/error.h"
 #include "base/numbers.h"
 #include "base/units.h"
 #include "report/answers/feasible_force.h"
@@ -26,9 +28,30 @@ struct FeasibleForceArguments {
   std::vector<double> direction, torque;
   std::string moments = "zero", forces = "zero";  // beside what is asked for
   double tolerance_deg = 0;
-  std::string axes = "world";
+  std::string axes = "world", wrist = "held";
   Outputs outputs;
 };
+
+WristLoad wrist_named(const std::string& name) {
+  if (name == "held") return WristLoad::kHeld;
+  return name == "free" ? WristLoad::kFree : WristLoad::kPinch;
+}
+
+/// "IP1=inf": the largest torque of stops, by joint; both signs may be infinite.
+std::map<std::string, double> parse_stops(const std::vector<std::string>& texts) {
+  std::map<std::string, double> stops;
+  for (const std::string& text : texts) {
+    const std::size_t sign = text.find('=');
+    const std::string most = sign == std::string::npos ? "" : text.substr(sign + 1);
+    const bool endless = sign > 0 && (most == "inf" || most == "-inf");
+    const double infinite = most == "inf" ? kInfinity : -kInfinity;
+    const auto [joint, torque] =
+        endless ? std::make_pair(text.substr(0, sign), infinite)
+                : std::pair<std::string, double>(*parse_named_numbers({text}, "JOINT=N_m").begin());
+    require(stops.emplace(joint, torque).second, "'{}' is given twice", joint);
+  }
+  return stops;
+}
 
 /// "zero", "free", or the most of each component. @param what  "moments [N m]"
 double most_of(const std::string& text, const std::string& what) {
@@ -46,6 +69,7 @@ void run_feasible_force(const FeasibleForceArguments& options) {
   request.most_other = request.load == TipLoad::kForce
                            ? most_of(options.moments, "the most about each axis [N m]")
                            : most_of(options.forces, "the most along each axis [N]");
+  request.wrist = wrist_named(options.wrist);
   request.tolerance = options.tolerance_deg * kDegree;
   request.frame = options.axes == "tip" ? DirectionFrame::kTip : DirectionFrame::kWorld;
   const FeasibleForceAnswer answer =
@@ -91,6 +115,18 @@ void add_feasible_force(CLI::App& app) {
                       "MUSCLE ...: paralysed, as under a nerve block; the loss is printed");
   add_named_numbers(*command, "--weakened", options->request.weakened, "MUSCLE=newton",
                     "MUSCLE=newton ...: can pull with so much at most; the loss is printed");
+  command
+      ->add_option("--wrist", options->wrist,
+                   "held: welded; free: it moves and bears the load, with the muscles across it; "
+                   "pinch: it moves, and the load ends within the hand")
+      ->check(CLI::IsMember({"held", "free", "pinch"}));
+  command->add_option_function<std::vector<std::string>>(
+      "--stop",
+      [options](const std::vector<std::string>& texts) {
+        options->request.stops = parse_stops(texts);
+      },
+      "JOINT=N_m ...: a joint at the end of its range, whose ligaments give at most "
+      "this torque; positive flexes, inf: any");
   add_vary_option(*command, options->request.digit.vary);
   add_output_options(*command, options->outputs, {true, true, true});
   add_examples(*command,
@@ -100,7 +136,11 @@ void add_feasible_force(CLI::App& app) {
                 "--direction 0 -1 0 --vary PIP3=10:80:5 --report out/feasible.html",
                 "feasible-force valero_cuevas_index --map JinvT_R --torque 1 0 0",
                 "feasible-force arms_thumb --posture IP1=20 --axes tip --direction 0 -1 0 "
-                "--moments 0.1"});
+                "--moments 0.1",
+                "feasible-force human_hand --digit thumb --posture CMC1_AA=10 MCP1_FE=26 IP1=-38.8 "
+                "--axes tip --direction 0 -1 0 --without FPL --stop IP1=inf",
+                "feasible-force human_hand --digit thumb --wrist pinch --posture CMC1_AA=10 "
+                "MCP1_FE=26 IP1=-3.8 --axes tip --direction 0 -1 0"});
   command->callback([options] { run_feasible_force(*options); });
 }
 

@@ -54,6 +54,7 @@ TendonOptions rungs_of(const DigitRequest& request, const Subject& subject, Hood
   rungs.hood = hood;
   rungs.path = request.path.value_or(Path::kViaPoint);
   rungs.frozen = frozen_joints(subject, request.frozen);
+  rungs.wrist_mode = request.wrist;
   return rungs;
 }
 

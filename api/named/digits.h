@@ -34,6 +34,7 @@ struct DigitRequest {
   std::optional<Hood> hood;  // absent: the question's own default, or a net where one is named
   std::string net;           // name or file; empty: extensor_hood if the hood is a net
   std::string map;           // a published tip map; empty: the bones, or the first map
+  WristMode wrist = WristMode::kWelded;  // joints that digits share: welded, or coordinates too
 };
 
 /// The digit, built.

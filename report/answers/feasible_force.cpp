@@ -98,6 +98,17 @@ OrderedJson limits_json(const FeasibleForceAnswer& answer, const FeasibleForcePo
   return list;
 }
 
+OrderedJson stops_json(const FeasibleForcePoint& point) {
+  OrderedJson list = OrderedJson::array();
+  for (const StopAnswer& stop : point.stops)
+    list.push_back(
+        {{"joint", stop.joint},
+         {"torque_Nm", stop.torque},
+         {"most_Nm", number_or_null(stop.most)},
+         {words_of(point.load).suffix.substr(1) + "_per_Nm", number_or_null(stop.price)}});
+  return list;
+}
+
 void add_largest(const FeasibleForceAnswer& answer, const FeasibleForcePoint& point,
                  OrderedJson& json) {
   const MaxTipForce& largest = *point.largest;
@@ -120,6 +131,7 @@ void add_largest(const FeasibleForceAnswer& answer, const FeasibleForcePoint& po
                          {"imbalance_N_mm", 1e3 * largest.check.imbalance}};
   json["activation"] = to_json(answer.about.muscles, largest.activation);
   json["tension_N"] = to_json(answer.about.muscles, largest.tension);
+  if (!point.stops.empty()) json["stops"] = stops_json(point);
   if (priced(point)) {
     json["limited_by"] = limits_json(answer, point);
     json["degenerate"] = largest.prices.degenerate();
@@ -179,6 +191,21 @@ std::string plane_note(const FeasibleForceAnswer& answer, const FeasibleForcePoi
     return "";
   return "all axes are parallel: bones alone carry forces across the plane of flexion, and of "
          "equal answers the one with the least of them is given";
+}
+
+/// "the stop of WRIST_FE extends with 0.5 of 0.5 N m, 1 N m more gives 12.3 N more".
+std::string stop_note(const FeasibleForcePoint& point) {
+  if (!makes_force(point)) return "";
+  std::string note;
+  for (const StopAnswer& stop : point.stops) {
+    note += fmt::format("{}the stop of {} {} with {:.4g}", note.empty() ? "" : "; ", stop.joint,
+                        stop.most > 0 ? "flexes" : "extends", std::abs(stop.torque));
+    note += std::isinf(stop.most) ? " N m" : fmt::format(" of {:.4g} N m", std::abs(stop.most));
+    if (stop.price > kNoPrice)
+      note +=
+          fmt::format(", 1 N m more gives {:.3g} {} more", stop.price, words_of(point.load).unit);
+  }
+  return note;
 }
 
 /// Muscles that pull and have the same arms: how they share is arbitrary.
@@ -544,8 +571,7 @@ std::string note_of(const FeasibleForceAnswer& answer, const FeasibleForcePoint&
   if (point.largest) {
     std::string note = makes_none(point) ? force_status_words(Status::kInfeasible, point.load) : "";
     for (const std::string& more :
-         {plane_note(answer, point), shared_note(answer, point),
-
+         {plane_note(answer, point), shared_note(answer, point), stop_note(point),
           answer.load == TipLoad::kMoment
               ? ""
               : posture_note(answer.about.rows, point.condition, point.change)})
@@ -575,6 +601,8 @@ OrderedJson json_of(const FeasibleForceAnswer& answer) {
   });
   if (!answer.without.empty()) json["without"] = answer.without;
   if (!answer.weakened.empty()) json["weakened_N"] = answer.weakened;
+  if (answer.wrist != WristLoad::kHeld)
+    json["wrist"] = answer.wrist == WristLoad::kFree ? "free" : "pinch";
   return json;
 }
 

@@ -140,6 +140,85 @@ TEST(FeasibleForceWithout, WeakenedMusclesPullWithWhatIsLeft) {
             "wanted a tension >= 0 of the weak 'FDP', got -1 N");
 }
 
+/// Key pinch of the human thumb, the wrist `wrist_deg` flexed.
+FeasibleForceRequest key_pinch(WristLoad wrist, double wrist_deg = 0) {
+  FeasibleForceRequest request = request_of({"human_hand", "thumb", {}});
+  request.digit.posture.in_order.clear();
+  request.digit.posture.named = {{"CMC1_FE", 5}, {"CMC1_AA", 10}, {"MCP1_FE", 26}, {"IP1", -3.8}};
+  if (wrist != WristLoad::kHeld) request.digit.posture.named["WRIST_FE"] = wrist_deg;
+  request.tolerance = 20 * kDegree;
+  request.wrist = wrist;
+  return request;
+}
+
+// The wrist's own extensors, 337 and 252 N at 15 and 17 mm, hold what the thumb's flexor pulls
+// across it, 201 N at 4 mm: an intact wrist takes nothing of a pinch.
+TEST(FeasibleForceWrist, IntactWristTakesNothingOfAPinch) {
+  const double held = ask_feasible_force(key_pinch(WristLoad::kHeld)).points[0].largest->component;
+  const FeasibleForceAnswer pinch = ask_feasible_force(key_pinch(WristLoad::kPinch));
+  EXPECT_NEAR(pinch.points[0].largest->component, held, 1e-7 * held);
+  // Muscles of the fingers would have fingers to balance.
+  ASSERT_EQ(pinch.about.warnings.size(), 1u);
+  EXPECT_EQ(pinch.about.warnings[0].rfind("left out, as they would have to balance joints", 0), 0u);
+  for (const std::string& muscle : pinch.about.muscles)
+    EXPECT_FALSE(muscle.rfind("FD", 0) == 0 || muscle.rfind("ED", 0) == 0 || muscle == "EI")
+        << muscle;
+  EXPECT_EQ(pinch.about.muscles.size(), 17u);  // 11 of the thumb and 6 of the wrist
+  EXPECT_EQ(pinch.max_tension.size(), 17);
+}
+
+// Without extensors the wrist is held by 0.5 N m of its ligaments: the price is the slope over
+// them, and the change by every joint, the wrist's too, is that of differences over 0.01 deg.
+TEST(FeasibleForceWrist, LigamentsLimitThePinchOfADroppedWrist) {
+  const auto ask = [](const std::string& joint, double more_deg, double most) {
+    FeasibleForceRequest request = key_pinch(WristLoad::kPinch, 60);
+    request.without = {"EPL", "EPB", "APL", "ECRL", "ECRB", "ECU", "FCR", "FCU", "PL"};
+    request.stops = {{"WRIST_FE", most}};
+    request.digit.frozen.named = {{"WRIST_AA", 0}};
+    request.digit.frozen.unit = PostureUnit::kTyped;
+    if (!joint.empty()) request.digit.posture.named[joint] += more_deg;
+    return ask_feasible_force(request).points.at(0);
+  };
+  const FeasibleForcePoint point = ask("", 0, -0.5);
+  ASSERT_EQ(point.stops.size(), 1u);
+  EXPECT_EQ(point.stops[0].joint, "WRIST_FE");
+  EXPECT_NEAR(point.stops[0].torque, -0.5, 1e-9);
+  EXPECT_GT(point.loss->share, 0.2);
+  const double more = ask("", 0, -0.501).largest->component;
+  EXPECT_NEAR((more - point.largest->component) / 0.001, point.stops[0].price,
+              1e-3 * point.stops[0].price);
+  const std::vector<std::string> joints{"WRIST_FE", "CMC1_FE", "CMC1_AA", "MCP1_FE", "IP1"};
+  ASSERT_EQ(point.change.size(), 5);
+  for (std::size_t k = 0; k < joints.size(); ++k) {
+    const double slope = (ask(joints[k], 0.01, -0.5).largest->component -
+                          ask(joints[k], -0.01, -0.5).largest->component) /
+                         (0.02 * kDegree);
+    EXPECT_NEAR(point.change[static_cast<Eigen::Index>(k)], slope,
+                1e-3 * std::max(1.0, std::abs(slope)))
+        << joints[k];
+  }
+}
+
+TEST(FeasibleForceWrist, NamesWhatItCannotDo) {
+  FeasibleForceRequest request = key_pinch(WristLoad::kHeld);
+  request.stops = {{"WRIST_FE", -0.5}};
+  EXPECT_EQ(
+      message_of([&] { (void)ask_feasible_force(request); }).rfind("no free joint 'WRIST_FE'"), 0u);
+  request.stops = {{"IP1", 0}};
+  EXPECT_EQ(message_of([&] { (void)ask_feasible_force(request); }),
+            "wanted a torque of the stop of 'IP1', got 0 N m");
+  // Elsewhere than at the end of its range, -38.8 deg, a stop is a warning.
+  request.stops = {{"IP1", 1}};
+  const FeasibleForceAnswer answer = ask_feasible_force(request);
+  ASSERT_EQ(answer.about.warnings.size(), 1u);
+  EXPECT_EQ(answer.about.warnings[0],
+            "the stop of IP1 is asked for at -3.8 deg, its range ends at -38.8 deg");
+  FeasibleForceRequest finger = request_of({"an_chao_index", "index", {45, 0, 45, 10}});
+  finger.wrist = WristLoad::kPinch;
+  EXPECT_EQ(message_of([&] { (void)ask_feasible_force(finger); }),
+            "no free joint of subject 'an_chao_index' is shared by its digits: no wrist");
+}
+
 TEST(FeasibleForceWithout, NamesWhatItDoesNotKnowOrNeed) {
   FeasibleForceRequest request = request_of({"mirakhorlo2016", "thumb", {0, 0, 0, 0}});
   request.without = {"ADPx"};

@@ -27,6 +27,7 @@ INDEX = str(SUBJECTS / "an_chao_index.toml")
 SYNEK = str(SUBJECTS / "synek2019_middle.toml")
 INDEX_MAPS = str(SUBJECTS / "valero_cuevas_index.toml")
 WHOLE = str(SUBJECTS / "mirakhorlo2016.toml")
+HUMAN = str(SUBJECTS / "human_hand.toml")
 SKEWED = str(SUBJECTS / "graspit_skewed_thumb.toml")
 H01 = str(ROOT / "data/experiments/synek2019_H01.toml")
 
@@ -330,6 +331,36 @@ class FeasibleForce(Near):
         half = ask(*words, "--weakened", f"FDP={4.1 * 45 / 2}")  # F0 is 4.1 cm^2 at 45 N/cm^2
         self.assertTrue(intact / 2 <= half["component_N"] < intact)  # concave, none at no FDP
         self.assertIn("no muscle 'FDQ', did you mean", complaint(*words, "--without", "FDQ"))
+
+    def test_a_stop_holds_a_joint_one_way(self):
+        # Without FPL no muscle flexes IP; its stop in extension does, and one in flexion does not.
+        words = ("feasible-force", HUMAN, "--digit", "thumb", "--axes", "tip", "--direction",
+                 0, -1, 0, "--tolerance-deg", 20, "--posture", "CMC1_FE=5", "CMC1_AA=10",
+                 "MCP1_FE=26", "IP1=-38.8", "--without", "FPL")
+        self.assertEqual(ask(*words)["status"], "no force")
+        self.assertEqual(ask(*words, "--stop", "IP1=-inf")["status"], "no force")
+        answer = ask(*words, "--stop", "IP1=inf")
+        self.assertGreater(answer["component_N"], 5)
+        stop = answer["stops"][0]
+        self.assertEqual((stop["joint"], stop["most_Nm"]), ("IP1", None))
+        self.assertGreater(stop["torque_Nm"], 0)
+        half = ask(*words, "--stop", f"IP1={stop['torque_Nm'] / 2}")
+        self.assertAlmostEqual(half["stops"][0]["torque_Nm"], stop["torque_Nm"] / 2, delta=1e-9)
+        self.assertGreater(half["stops"][0]["N_per_Nm"], 0)
+        self.assertIn("'IP1' is given twice", complaint(*words, "--stop", "IP1=1", "IP1=inf"))
+        self.assertIn("wanted JOINT=N_m", complaint(*words, "--stop", "IP1"))
+
+    def test_an_intact_wrist_takes_nothing_of_a_pinch(self):
+        words = ("feasible-force", HUMAN, "--digit", "thumb", "--axes", "tip", "--direction",
+                 0, -1, 0, "--posture", "CMC1_FE=5", "CMC1_AA=10", "MCP1_FE=26", "IP1=-3.8")
+        held, pinch = ask(*words), ask(*words, "--wrist", "pinch")
+        self.assertNotIn("wrist", held)
+        self.assertEqual(pinch["wrist"], "pinch")
+        self.assertAlmostEqual(pinch["component_N"], held["component_N"], delta=1e-6)
+        # Without extensors nothing holds the wrist against FPL.
+        lost = ask(*words, "--wrist", "pinch", "--without", "ECRL", "ECRB", "ECU", "EPL", "EPB",
+                   "APL")
+        self.assertAlmostEqual(lost["paralysis"]["loss"], 1, delta=1e-9)
 
     def test_postures_of_a_grid_are_those_asked_alone(self):
         for words in (("pose", MIDDLE), ("pose", "barrett"), ("moment-arms", MIDDLE),
