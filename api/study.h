@@ -14,7 +14,7 @@
 namespace thenar {
 
 struct ThumbStudyRequest {
-  std::string data;     // folder with fits/ and subjects/; empty: the usual ones
+  std::string data;     // folder with fits/, studies/, subjects/; empty: the usual ones
   bool quick = false;   // arms known, one skewness: seconds instead of minutes
   long draws = 0;       // of each of 4 chains, and of warm-up; 0: as the study has them [1]
   int simulations = 0;  // thumbs that the sampler is calibrated with; 0: it is not [1]

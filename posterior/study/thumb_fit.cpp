@@ -52,30 +52,53 @@ void score_pulls(const ThumbData& data, ThumbFit& out) {
   out.relative_error = std::sqrt(off / truth.squaredNorm());
 }
 
+/// Models of the digit at draws of a posterior.
+class DrawnModels {
+ public:
+  /// @param x  draws, as columns
+  DrawnModels(const HandPosterior& posterior, const Eigen::MatrixXd& x)
+      : posterior_(posterior),
+        moving_(posterior.moving_parameters()),
+        values_(posterior.values(x).specimens.front()) {
+    // Parameters that do not move keep their mean.
+    for (const Parameter& parameter : posterior.problem().parameters().all)
+      all_values_.push_back(parameter.mean);
+  }
+
+  [[nodiscard]] long count() const { return values_.cols(); }
+
+  /// The model at draw k.
+  [[nodiscard]] TendonModel<double> at(long k) const {
+    std::vector<double> values = all_values_;
+    for (std::size_t i = 0; i < moving_.size(); ++i)
+      values[static_cast<std::size_t>(moving_[i])] = values_(static_cast<Eigen::Index>(i), k);
+    const FitProblem& problem = posterior_.problem();
+    return specimen_model(problem.digit(), problem.parameters(), values).digit;
+  }
+
+ private:
+  const HandPosterior& posterior_;
+  std::vector<int> moving_;
+  Eigen::MatrixXd values_;
+  std::vector<double> all_values_;
+};
+
 /// Tasks by digits at some of the draws; the misfits of each task are averaged over draws.
 void score_tasks(const ThumbData& data, int draws, ThumbFit& out) {
-  // Parameter values at some of the draws.
+  // Some of the draws.
   const HandPosterior& posterior = *out.run.posterior;
-  const FitParameters& parameters = posterior.problem().parameters();
-  const std::vector<int> moving = posterior.moving_parameters();
   const Eigen::MatrixXd all = pooled(out.run.draws);
   const long count = std::min<long>(draws, all.cols());
   Eigen::MatrixXd x(all.rows(), count);
   for (long k = 0; k < count; ++k) x.col(k) = all.col(k * all.cols() / count);
-  const Eigen::MatrixXd values = posterior.values(x).specimens.front();
+  const DrawnModels models(posterior, x);
 
   // Misfits of every task, averaged over the draws.
   std::vector<TaskMisfit> sum(data.tasks.activations.size(), {0, 0, 0});
   double explained = 0;
   TendonDigit drawn = posterior.problem().digit();
   for (long k = 0; k < count; ++k) {
-    // The digit at this draw: parameters that do not move keep their mean.
-    std::vector<double> all_values;
-    for (const Parameter& parameter : parameters.all) all_values.push_back(parameter.mean);
-    for (std::size_t i = 0; i < moving.size(); ++i)
-      all_values[static_cast<std::size_t>(moving[i])] = values(static_cast<Eigen::Index>(i), k);
-    drawn.model = specimen_model(posterior.problem().digit(), parameters, all_values).digit;
-    // Its misfits.
+    drawn.model = models.at(k);
     const std::vector<TaskMisfit> misfits = task_misfits(drawn, data.tasks);
     explained += task_scores(misfits).explained / static_cast<double>(count);
     for (std::size_t i = 0; i < sum.size(); ++i) {
@@ -85,6 +108,39 @@ void score_tasks(const ThumbData& data, int draws, ThumbFit& out) {
   }
   out.tasks = task_scores(sum);
   out.tasks.explained = explained;
+}
+
+/// Index of the type of the thumb at every draw (draws).
+Eigen::VectorXi types_at(const ThumbData& data, const HandPosterior& posterior,
+                         const Eigen::MatrixXd& x) {
+  const std::vector<std::string>& hinges = posterior.problem().digit().names.hinges;
+  const DrawnModels models(posterior, x);
+  Eigen::VectorXi types(models.count());
+  for (long k = 0; k < models.count(); ++k)
+    types[k] =
+        classify_thumb(data.criteria, thumb_axes(data.criteria, models.at(k), hinges)).index();
+  return types;
+}
+
+/// How probable each type is: shares of draws from the prior and from the posterior.
+std::vector<TypeProbability> type_probabilities(const ThumbData& data, const PosteriorRun& run) {
+  constexpr int kPriorDraws = 4000;
+  const HandPosterior& posterior = *run.posterior;
+  const Eigen::VectorXi before = types_at(data, posterior, prior_draws(run, kPriorDraws)),
+                        after = types_at(data, posterior, pooled(run.draws));
+  std::vector<TypeProbability> out;
+  for (const bool flexion_distal : {true, false})
+    for (const bool toward : {false, true}) {
+      const ThumbType type{flexion_distal, toward};
+      const Eigen::VectorXd is = (after.array() == type.index()).cast<double>();
+      const Estimate share = estimate("type", by_chain(is, run.draws.chains()), run.draws.group);
+      const double prior =
+          static_cast<double>((before.array() == type.index()).count()) / kPriorDraws;
+      // Draws that are all alike have no spread, and no error that could be told from them.
+      const bool all_alike = is.minCoeff() == is.maxCoeff();
+      out.push_back({type, prior, is.mean(), all_alike ? 0 : share.mcse_mean});
+    }
+  return out;
 }
 
 std::vector<LearntNumber> learnt_numbers(const ThumbData& data, const ThumbFit& fitted) {
@@ -184,6 +240,8 @@ ThumbFit run_thumb_fit(const ThumbStudyInputs& inputs, const ThumbFitSettings& s
   out.learnt = learnt_numbers(data, out);
   out.left_out = leave_one_out(out.run.posterior->pointwise(pooled(out.run.draws)),
                                out.run.draws.chains(), out.run.draws.group);
+  // Which of the four types it may be; axes that cross are of none.
+  if (settings.skewed) out.types = type_probabilities(data, out.run);
   return out;
 }
 

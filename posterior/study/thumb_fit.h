@@ -14,6 +14,7 @@ struct ThumbData {
   TendonDigit start;
   Experiment pulls;
   Experiment tasks;
+  MeanThumb criteria{};  // by which types are told
 };
 
 /// Mean and sd over trials of the angle between predicted and measured force [rad].

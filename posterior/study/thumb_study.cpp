@@ -36,7 +36,7 @@ ThumbStudyInputs thumb_study_inputs(const std::string& data) {
   };
   return {read("subjects/arms_five_axis_thumb.toml"),
           read("subjects/mechanical_five_axis_thumb.toml"), read("fits/five_axis_orthogonal.toml"),
-          read("fits/five_axis_skewed.toml")};
+          read("fits/five_axis_skewed.toml"), read("studies/thumb_axes_variability.toml")};
 }
 
 ThumbStudySettings full_thumb_study() {
@@ -73,9 +73,11 @@ ThumbStudySettings quick_thumb_study() {
 
 std::string describe_fit(const ThumbFitSettings& settings) {
   return fmt::format(
-      "{}, arms {}, {:.0f} % noise, {} {}{}{}", settings.skewed ? "skewed" : "orthogonal",
+      "{}, arms {}, {:.0f} % noise, {} {}{}{}{}", settings.skewed ? "skewed" : "orthogonal",
       settings.arms == Arms::kFixed ? "known" : "free", 100 * settings.noise, settings.postures,
-      settings.postures == 1 ? "posture" : "postures", settings.with_tasks ? ", with tasks" : "",
+      settings.postures == 1 ? "posture" : "postures",
+      settings.skewness == 1 ? "" : fmt::format(", {} x skew", settings.skewness),
+      settings.with_tasks ? ", with tasks" : "",
       settings.prior_width == 1 ? "" : fmt::format(", {} x prior", settings.prior_width));
 }
 
@@ -172,6 +174,8 @@ ThumbStudy study_thumb(const ThumbStudyInputs& inputs, const ThumbStudySettings&
   study.inputs = inputs;
   study.start = thumb_of(inputs.start);
   study.truth = in_frame_of(study.start, thumb_of(inputs.truth));
+  study.criteria = mean_thumb(parse_variability(inputs.criteria.text, inputs.criteria.path),
+                              parse_subject(inputs.start.text, inputs.start.path));
   for (const ThumbFitSettings& one : settings.fits) add_reference(one, settings.seed, study);
   for (std::size_t i = 0; i < settings.fits.size(); ++i) {
     // Fit by fit, until somebody stops it.
@@ -180,9 +184,9 @@ ThumbStudy study_thumb(const ThumbStudyInputs& inputs, const ThumbStudySettings&
     if (settings.progress.stop()) return study;
     // Its data: pulls and tasks of its true thumb.
     const TendonDigit truth = true_thumb(study, settings.fits[i].skewness);
-    const internal::ThumbData data{truth, study.start,
-                                   pulls_of(truth, settings.fits[i], settings.seed),
-                                   tasks_at(truth, settings.fits[i].noise, settings.seed)};
+    const internal::ThumbData data{
+        truth, study.start, pulls_of(truth, settings.fits[i], settings.seed),
+        tasks_at(truth, settings.fits[i].noise, settings.seed), study.criteria};
     ThumbFit one = internal::run_thumb_fit(inputs, settings.fits[i], data, settings);
     if (!one.run.draws.complete) return study;
     study.fits.push_back(std::move(one));

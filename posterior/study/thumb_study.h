@@ -11,6 +11,7 @@
 #include "posterior/run/sample_posterior.h"
 #include "posterior/study/coordination_tasks.h"
 #include "posterior/study/thumb_experiment.h"
+#include "posterior/study/thumb_types.h"
 #include "sampling/diagnostics/leave_one_out.h"
 
 namespace thenar {
@@ -21,9 +22,10 @@ struct ThumbStudyInputs {
   SourceText start;       // subject that both models start from
   SourceText orthogonal;  // settings: axes tied in crossing pairs
   SourceText skewed;      // settings: every axis by itself
+  SourceText criteria;    // variability of axes: by which types of thumbs are told
 };
 
-/// From a folder with subjects/ and fits/. @throws InputError if a file cannot be read.
+/// From a folder with subjects/, fits/ and studies/. @throws InputError if a file cannot be read.
 [[nodiscard]] ThumbStudyInputs thumb_study_inputs(const std::string& data);
 
 /// Fixed: both models have the true moment arms. Free: the arms are fitted too, with priors about
@@ -75,6 +77,13 @@ struct LearntNumber {
   std::optional<double> truth;  // [unit]; empty for orthogonal models
 };
 
+/// How probable a type of thumb is, by what is known before the forces and after.
+struct TypeProbability {
+  ThumbType type;
+  double prior, posterior;  // shares of draws [1]
+  double mcse;              // Monte Carlo error of `posterior` [1]
+};
+
 /// One fit with its scores.
 struct ThumbFit {
   ThumbFitSettings settings;
@@ -84,6 +93,7 @@ struct ThumbFit {
   TaskScores tasks;                        // not fitted unless with_tasks
   std::vector<LearntNumber> learnt;        // every free or tied parameter of axes, and free arms
   LeaveOneOut left_out;                    // of the trials
+  std::vector<TypeProbability> types;  // all four; empty for orthogonal models, whose axes cross
   [[nodiscard]] bool converged() const { return run.convergence.warnings.empty(); }
 };
 
@@ -102,6 +112,7 @@ struct ThumbStudy {
   TendonDigit start;
   std::vector<ThumbReference> references;  // for each noise and skewness of the fits
   std::vector<ThumbFit> fits;              // in the order of the settings
+  MeanThumb criteria;                      // of types, in the frame of the start
   bool complete = false;                   // false: stopped; `fits` has the finished ones
 };
 

@@ -248,6 +248,18 @@ ThumbType classify_thumb(const MeanThumb& mean, const std::vector<AxisLine>& axe
                            direction_of(mean.tip, mean.toward)) > 0};
 }
 
+std::vector<AxisLine> thumb_axes(const MeanThumb& mean, const TendonModel<double>& model,
+                                 const std::vector<std::string>& hinges) {
+  std::vector<AxisLine> axes;
+  for (const AxisVariability& spread : mean.spread) {
+    const auto found = std::find(hinges.begin(), hinges.end(), spread.joint);
+    require(found != hinges.end(), "the types of thumbs need a hinge '{}'", spread.joint);
+    const Hinge<double>& hinge = model.tree[static_cast<std::size_t>(found - hinges.begin())];
+    axes.push_back({hinge.point, hinge.direction});
+  }
+  return axes;
+}
+
 ThumbTypesInputs thumb_types_inputs(const std::string& data) {
   const auto read = [&](const std::string& file) {
     const std::string path = data + "/" + file;

@@ -11,6 +11,7 @@
 #include "data/io/dh.h"
 #include "data/io/subject.h"
 #include "kinematics_fit/fit.h"
+#include "tendons/tendon_model.h"
 
 namespace thenar {
 
@@ -60,6 +61,13 @@ struct MeanThumb {
 struct DhStatistics {
   DhRow mean, sd;  // theta, alpha [rad]; d, a [m]
 };
+
+/// Axes of a digit's model in its reference posture, in the order of `mean.spread`.
+/// @param hinges  names of the model's hinges
+/// @throws InputError if one of the axes is missing.
+[[nodiscard]] std::vector<AxisLine> thumb_axes(const MeanThumb& mean,
+                                               const TendonModel<double>& model,
+                                               const std::vector<std::string>& hinges);
 
 /// How many of the draws are of a type.
 struct ThumbTypeShare {

@@ -16,7 +16,44 @@ Json scores_json(const TaskScores& tasks) {
           {"explained", tasks.explained}};
 }
 
-Json fit_json(const ThumbFit& fit) {
+Json types_json(const ThumbFit& fit, DigitDirection toward) {
+  Json list = Json::array();
+  for (const TypeProbability& each : fit.types)
+    list.push_back({{"type", describe_type(each.type, toward)},
+                    {"prior", each.prior},
+                    {"posterior", each.posterior},
+                    {"mcse", each.mcse}});
+  return list;
+}
+
+/// "flexion distal, ulnar": the order of the MCP axes, and the side of the normal.
+std::string short_type(const ThumbType& type, DigitDirection toward) {
+  const std::string all = describe_type(type, toward);
+  return fmt::format("{} distal, {}", type.flexion_distal ? "flexion" : "abduction",
+                     all.substr(all.rfind(' ') + 1));
+}
+
+/// Types of the thumbs of all skewed fits, after the forces with Monte Carlo errors, and before
+/// them [%].
+Table type_table(const ThumbStudy& study) {
+  Table table{{"fit"}, {}};
+  for (const ThumbFit& fit : study.fits) {
+    if (fit.types.empty()) continue;
+    std::vector<std::string> line{describe_fit(fit.settings)}, before{"  before the forces"};
+    if (table.header.size() == 1)
+      for (const TypeProbability& each : fit.types)
+        table.header.push_back(short_type(each.type, study.criteria.toward));
+    for (const TypeProbability& each : fit.types) {
+      line.push_back(fmt::format("{:.1f} +- {:.1f}", 100 * each.posterior, 100 * each.mcse));
+      before.push_back(fmt::format("{:.1f}", 100 * each.prior));
+    }
+    table.rows.push_back(std::move(line));
+    table.rows.push_back(std::move(before));
+  }
+  return table;
+}
+
+Json fit_json(const ThumbFit& fit, DigitDirection toward) {
   const TendonDigit& digit = fit.run.posterior->problem().digit();
   Json out{{"axes", fit.settings.skewed ? "skewed" : "orthogonal"},
            {"arms", fit.settings.arms == Arms::kFixed ? "known" : "free"},
@@ -34,6 +71,7 @@ Json fit_json(const ThumbFit& fit) {
            {"elpd", fit.left_out.elpd},
            {"elpd_se", fit.left_out.se},
            {"modes", fit.run.modes.size()}};
+  if (!fit.types.empty()) out["types"] = types_json(fit, toward);
   for (const LearntNumber& number : fit.learnt)
     out["learnt"].push_back({{"name", number.name},
                              {"meaning", meaning_of(number.name, digit)},
@@ -47,7 +85,8 @@ Json fit_json(const ThumbFit& fit) {
 
 Json study_json(const ThumbStudy& study, const std::optional<ThumbCalibration>& calibration) {
   Json out{{"complete", study.complete}, {"fits", Json::array()}, {"not_fitted", Json::array()}};
-  for (const ThumbFit& fit : study.fits) out["fits"].push_back(fit_json(fit));
+  for (const ThumbFit& fit : study.fits)
+    out["fits"].push_back(fit_json(fit, study.criteria.toward));
   for (const ThumbReference& reference : study.references)
     out["not_fitted"].push_back({{"noise", reference.noise},
                                  {"skewness", reference.skewness},
@@ -88,7 +127,9 @@ Table table_of(const ThumbStudyResult& result) {
 }
 
 std::string text_of(const ThumbStudyResult& result) {
-  return titled("Thumbs fitted to forces of a skewed one", table_of(result));
+  const Table types = type_table(result.study);
+  return titled("Thumbs fitted to forces of a skewed one", table_of(result)) +
+         (types.rows.empty() ? "" : titled("Which type of thumb it may be", types));
 }
 
 std::string study_complaint(const ThumbStudyResult& result) {

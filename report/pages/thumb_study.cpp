@@ -243,6 +243,20 @@ Json thumb_mode_table(const ThumbStudy& study) {
       std::move(rows));
 }
 
+Json thumb_type_table(const ThumbStudy& study) {
+  Json rows = Json::array();
+  for (const ThumbFit& fit : study.fits)
+    for (const TypeProbability& each : fit.types)
+      rows.push_back({describe_fit(fit.settings), describe_type(each.type, study.criteria.toward),
+                      100 * each.prior, 100 * each.posterior, 100 * each.mcse});
+  return table_block(
+      "Types of thumbs [SantosValeroCuevas2006] that the skewed model may be: by the order of the "
+      "MCP axes, and by the side of the common normal of two successive axes. Shares of draws "
+      "before the forces and after",
+      {{"fit", ""}, {"type", ""}, {"before", "%", 1}, {"after", "%", 1}, {"MCSE", "%", 1}},
+      std::move(rows));
+}
+
 Json thumb_study_section(const ThumbStudy& study,
                          const std::optional<ThumbCalibration>& calibration) {
   Json blocks = Json::array({convergence_block(study), thumb_comparison_table(study)});
@@ -256,6 +270,8 @@ Json thumb_study_section(const ThumbStudy& study,
   }
   blocks = with_cells(std::move(blocks), clouds_block(study));
   blocks.push_back(thumb_mode_table(study));
+  Json types = thumb_type_table(study);
+  if (!types["rows"].empty()) blocks.push_back(std::move(types));
   if (calibration && !calibration->judged.parameters.empty()) {
     if (!calibration->judged.warnings.empty())
       blocks.push_back({{"type", "banner"},
@@ -271,8 +287,9 @@ Json thumb_study_section(const ThumbStudy& study,
 
 Json page_of(const ThumbStudyResult& result) {
   const ThumbStudyInputs& inputs = result.study.inputs;
-  Json provenance = provenance_json({inputs.truth, inputs.start, inputs.orthogonal, inputs.skewed},
-                                    result.study.truth.fidelity);
+  Json provenance = provenance_json(
+      {inputs.truth, inputs.start, inputs.orthogonal, inputs.skewed, inputs.criteria},
+      result.study.truth.fidelity);
   provenance["seed"] = fmt::format("{}", result.seed);
   return {{"title", "thenar: what forces tell of a thumb"},
           {"subtitle", "Orthogonal and skewed axes on made-up forces of a skewed thumb"},

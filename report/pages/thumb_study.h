@@ -8,7 +8,7 @@
 namespace thenar {
 
 /// The thumb study as one section: orthogonal beside skewed axes at every noise, what of the axes
-/// was learnt over noise and over postures, axes in space, modes, and calibration if it was run.
+/// was learnt over noise and over postures, axes in space, modes, types, and calibration if it was run.
 /// Fits whose chains do not agree are named in a banner and marked in the tables.
 [[nodiscard]] Json thumb_study_section(const ThumbStudy& study,
                                        const std::optional<ThumbCalibration>& calibration = {});
@@ -24,6 +24,9 @@ enum class Over { kNoise, kPostures };
 
 /// Modes of every fit: what the search found, and the share of the draws in each.
 [[nodiscard]] Json thumb_mode_table(const ThumbStudy& study);
+
+/// Probability of each of the four types of thumbs, by every fit of the skewed model.
+[[nodiscard]] Json thumb_type_table(const ThumbStudy& study);
 
 /// The page of the study.
 [[nodiscard]] Json page_of(const ThumbStudyResult& result);

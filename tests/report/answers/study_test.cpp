@@ -31,5 +31,16 @@ TEST(StudyAnswer, ComplainsOfNothingWhereAllHave) {
   EXPECT_EQ(study_complaint(good), "");
 }
 
+TEST(StudyAnswer, TellsTypesBesideThoseBeforeTheForces) {
+  ThumbStudyResult result = two_fits();
+  EXPECT_EQ(text_of(result).find("Which type"), std::string::npos);
+  result.study.fits[0].types = {{{true, false}, 0.25, 0.75, 0.01},
+                                {{false, true}, 0.75, 0.25, 0.01}};
+  const std::string text = text_of(result);
+  EXPECT_NE(text.find("Which type of thumb it may be"), std::string::npos);
+  EXPECT_NE(text.find("flexion distal, ulnar"), std::string::npos);
+  EXPECT_NE(text.find("75.0 +- 1.0"), std::string::npos);
+}
+
 }  // namespace
 }  // namespace thenar

@@ -30,6 +30,23 @@ TEST(ThumbStudyPage, TableHasTheReferencesAndEveryFit) {
   for (const Json& row : table["rows"]) EXPECT_EQ(row.size(), table["columns"].size());
 }
 
+// Four types of each of the two skewed fits; axes that cross are of none.
+TEST(ThumbStudyPage, SkewedFitsHaveFourTypes) {
+  const Json table = thumb_type_table(small_study());
+  ASSERT_EQ(table["rows"].size(), 8U);
+  for (std::size_t fit = 0; fit < 8; fit += 4) {
+    double before = 0, after = 0;
+    for (std::size_t k = fit; k < fit + 4; ++k) {
+      EXPECT_EQ(table["rows"][k].size(), table["columns"].size());
+      before += table["rows"][k][2].get<double>();
+      after += table["rows"][k][3].get<double>();
+    }
+    EXPECT_NEAR(before, 100, 1e-9);
+    EXPECT_NEAR(after, 100, 1e-9);
+  }
+  EXPECT_EQ(table["rows"][0][1], "MCP flexion axis distal, normal ulnar");
+}
+
 // elpd is compared with the orthogonal model on the same data alone.
 TEST(ThumbStudyPage, GainIsOverTheRivalOnTheSameData) {
   const Json rows = thumb_comparison_table(small_study())["rows"];
