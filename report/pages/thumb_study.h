@@ -8,7 +8,8 @@
 namespace thenar {
 
 /// The thumb study as one section: orthogonal beside skewed axes at every noise, what of the axes
-/// was learnt over noise and over postures, axes in space, modes, types, and calibration if it was run.
+/// was learnt over noise and over postures, axes in space, modes, types, and calibration if it was
+/// run.
 /// Fits whose chains do not agree are named in a banner and marked in the tables.
 [[nodiscard]] Json thumb_study_section(const ThumbStudy& study,
                                        const std::optional<ThumbCalibration>& calibration = {});

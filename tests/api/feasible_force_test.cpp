@@ -167,6 +167,18 @@ TEST(FeasibleForceWrist, IntactWristTakesNothingOfAPinch) {
   EXPECT_EQ(pinch.max_tension.size(), 17);
 }
 
+// A wrist that bears the load of a thumb against the world has more to balance than one that is
+// held; without muscles of its own there is nothing left to do it with.
+TEST(FeasibleForceWrist, FreeWristBearsTheLoad) {
+  const double held = ask_feasible_force(key_pinch(WristLoad::kHeld)).points[0].largest->component;
+  FeasibleForceRequest request = key_pinch(WristLoad::kFree);
+  EXPECT_LE(ask_feasible_force(request).points[0].largest->component, held * (1 + 1e-9));
+  request.without = {"ECRL", "ECRB", "ECU", "FCR", "FCU", "PL"};
+  const FeasibleForcePoint weak = ask_feasible_force(request).points[0];
+  ASSERT_TRUE(weak.loss);
+  EXPECT_GT(weak.loss->share, 0.2);
+}
+
 // Without extensors the wrist is held by 0.5 N m of its ligaments: the price is the slope over
 // them, and the change by every joint, the wrist's too, is that of differences over 0.01 deg.
 TEST(FeasibleForceWrist, LigamentsLimitThePinchOfADroppedWrist) {
