@@ -16,9 +16,10 @@ constexpr std::uint32_t kStepStream = 0x68616d00, kTrialStream = 0x68616d01;
 
 /// A place of the chain, and what is known of it.
 struct LanePlace {
-  Eigen::VectorXd x;  // (n)
-  Densities at;       // of this one point
-  double energy = 0;  // with the momentum that led here [1]
+  Eigen::VectorXd x, y;   // where it is, and whitened (n)
+  Eigen::VectorXd slope;  // of PhasePoint at y (n)
+  Densities at;           // of this one point
+  double energy = 0;      // with the momentum that led here [1]
 };
 
 class Hamiltonian : public Sampler {
@@ -57,6 +58,7 @@ class Hamiltonian : public Sampler {
   void complete(double acceptance, int depth, bool divergent);
   void weigh(const Densities& at);
   bool usable(const Densities& at);
+  void whiten();
 
   SamplerOptions options_;
   bool static_length_;
@@ -80,7 +82,8 @@ class Hamiltonian : public Sampler {
   double leap_ = 0;               // length of that leapfrog, negative: back in time [1]
   double start_energy_ = 0, energy_ = 0;
   Eigen::VectorXd gradient_;  // of the tempered density (n)
-  Eigen::MatrixXd asks_;      // (n, 1)
+  Eigen::VectorXd asked_;     // (n)
+  Eigen::MatrixXd asks_;      // the same (n, 1)
   int evaluations_ = 0, broken_ = 0;
 };
 
@@ -90,11 +93,12 @@ Hamiltonian::Hamiltonian(SamplingMethod method, const Eigen::VectorXd& start,
       static_length_(method == SamplingMethod::kHmc),
       doubling_(no_u_turn(static_cast<int>(start.size()), options.max_depth)),
       jittered_(jittered_length()),
-      warm_up_(static_cast<int>(start.size()), target_acceptance_of(options), options),
+      warm_up_(start, target_acceptance_of(options), options),
       random_(options.seed, static_cast<std::uint32_t>(options.first_chain), 0, kStepStream),
       positions_(start),
       stats_(1) {
   current_.x = start;
+  current_.y = warm_up_.whitening().whitened(start);
   from_.r.resize(start.size());
   begin();
 }
@@ -132,23 +136,23 @@ void Hamiltonian::begin_trajectory() {
   trajectory_ =
       static_length_ && warm_up_.metric_settled(steps_) ? jittered_.get() : doubling_.get();
   trajectory_->start(from_, warm_up_.step(), random_);
-  leap(trajectory_->moving(), trajectory_->direction() * warm_up_.step());
+  leap(trajectory_->moving(), trajectory_->leap());
 }
 
 void Hamiltonian::draw_momentum(RandomStream& random) {
   // Momentum, slope and energy at the chain's position.
-  from_.x = current_.x;
+  from_.y = current_.y;
+  from_.slope = current_.slope;
   for (Eigen::Index i = 0; i < from_.r.size(); ++i) from_.r[i] = random.normal();
-  weigh(current_.at);
-  warm_up_.metric().whiten_gradient(gradient_, from_.slope);
   start_energy_ = 0.5 * from_.r.squaredNorm() - tempered(current_.at, 0, options_.beta).value;
 }
 
 void Hamiltonian::leap(PhasePoint& point, double step) {
   moving_ = &point;
   leap_ = step;
-  begin_leapfrog(point, warm_up_.metric(), step);
-  asks_ = point.x;
+  begin_leapfrog(point, warm_up_.whitening(), step);
+  warm_up_.whitening().place(point.y, asked_);
+  asks_ = asked_;
 }
 
 void Hamiltonian::tell(const Densities& at) {
@@ -168,6 +172,7 @@ void Hamiltonian::learn_start(const Densities& at) {
   known_ = true;
   current_.at = at;
   usable_ = usable(at);
+  whiten();
   if (stays && !usable_) return complete(0, 0, true);
   begin();
 }
@@ -176,7 +181,7 @@ void Hamiltonian::learn_start(const Densities& at) {
 double Hamiltonian::land(const Densities& at, const TemperedDensity& density) {
   if (density.value == -kInfinity) return kInfinity;
   weigh(at);
-  end_leapfrog(*moving_, warm_up_.metric(), gradient_, leap_);
+  end_leapfrog(*moving_, warm_up_.whitening(), gradient_, leap_);
   energy_ = 0.5 * moving_->r.squaredNorm() - density.value;
   if (std::isfinite(energy_)) return energy_ - start_energy_;
   if (!gradient_.allFinite()) ++broken_;
@@ -187,7 +192,9 @@ void Hamiltonian::follow(const Densities& at, double energy_error) {
   // The candidate, and the choice.
   const Verdict verdict = trajectory_->judge(energy_error, random_);
   if (verdict.take) {
-    candidate_.x = moving_->x;
+    candidate_.x = asked_;
+    candidate_.y = moving_->y;
+    candidate_.slope = moving_->slope;
     candidate_.at = at;
     candidate_.energy = energy_;
   }
@@ -196,7 +203,7 @@ void Hamiltonian::follow(const Densities& at, double energy_error) {
   if (verdict.end)
     complete(trajectory_->acceptance(), trajectory_->depth(), energy_error > kMaxEnergyError);
   else
-    leap(trajectory_->moving(), trajectory_->direction() * warm_up_.step());
+    leap(trajectory_->moving(), trajectory_->leap());
 }
 
 void Hamiltonian::complete(double acceptance, int depth, bool divergent) {
@@ -214,7 +221,13 @@ void Hamiltonian::complete(double acceptance, int depth, bool divergent) {
                divergent};
   // What warm-up learns from it, then the next step.
   evaluations_ = broken_ = 0;
-  if (usable_) warm_up_.learn(steps_, current_.x, acceptance);
+  if (usable_ && steps_ <= options_.warm_up) {
+    weigh(current_.at);
+    if (warm_up_.learn(steps_, current_.x, gradient_, acceptance)) {
+      current_.y = warm_up_.whitening().whitened(current_.x);
+      whiten();
+    }
+  }
   warm_up_.settle(steps_);
   begin();
 }
@@ -230,6 +243,12 @@ bool Hamiltonian::usable(const Densities& at) {
   return std::isfinite(tempered(at, 0, options_.beta).value) && gradient_.allFinite();
 }
 
+// Sets the slope at the chain's position.
+void Hamiltonian::whiten() {
+  weigh(current_.at);
+  warm_up_.whitening().whiten_gradient(current_.y, gradient_, current_.slope);
+}
+
 void Hamiltonian::move(int /*chain*/, const Eigen::VectorXd& x, const Densities& at) {
   require(x.size() == current_.x.size() && at.prior_gradient.size() == x.size() &&
               at.likelihood_gradient.size() == x.size(),
@@ -237,10 +256,12 @@ void Hamiltonian::move(int /*chain*/, const Eigen::VectorXd& x, const Densities&
           current_.x.size(), x.size(), at.prior_gradient.size(), at.likelihood_gradient.size());
   // The density there is known already.
   current_.x = x;
+  current_.y = warm_up_.whitening().whitened(x);
   current_.at = at;
   positions_.col(0) = x;
   known_ = true;
   usable_ = usable(at);
+  whiten();
   begin();
 }
 
@@ -248,6 +269,7 @@ void Hamiltonian::set_beta(double beta) {
   options_.beta = beta;
   if (!known_) return;
   usable_ = usable(current_.at);
+  whiten();
   begin();
 }
 
@@ -255,6 +277,7 @@ void Hamiltonian::save(StateWriter& to) const {
   to.put(std::int64_t{steps_});
   to.put(std::int64_t{known_ ? 1 : 0});
   to.put(current_.x);
+  to.put(current_.y);
   to.put(current_.at.log_prior);
   to.put(current_.at.log_likelihood);
   to.put(current_.at.prior_gradient);
@@ -267,6 +290,7 @@ void Hamiltonian::restore(StateReader& from) {
   steps_ = from.integer();
   known_ = from.integer() != 0;
   current_.x = from.matrix();
+  current_.y = from.matrix();
   current_.at.log_prior = from.matrix();
   current_.at.log_likelihood = from.matrix();
   current_.at.prior_gradient = from.matrix();
@@ -277,6 +301,7 @@ void Hamiltonian::restore(StateReader& from) {
   warm_up_.restore(from);
   positions_.col(0) = current_.x;
   usable_ = known_ && usable(current_.at);
+  if (known_) whiten();
   evaluations_ = broken_ = 0;
   begin();
 }

@@ -7,14 +7,23 @@
 
 namespace thenar::internal {
 
-void begin_leapfrog(PhasePoint& point, const MassMatrix& metric, double step) {
+void begin_leapfrog(PhasePoint& point, const Whitening& whitening, double step) {
   point.r += 0.5 * step * point.slope;
-  metric.drift(point.x, point.r, step);
+  if (!whitening.orbits()) {
+    point.y += step * point.r;
+    return;
+  }
+  const double cosine = std::cos(step), sine = std::sin(step);
+  for (Eigen::Index i = 0; i < point.y.size(); ++i) {
+    const double y = point.y[i], r = point.r[i];
+    point.y[i] = cosine * y + sine * r;
+    point.r[i] = cosine * r - sine * y;
+  }
 }
 
-void end_leapfrog(PhasePoint& point, const MassMatrix& metric, const Eigen::VectorXd& gradient,
+void end_leapfrog(PhasePoint& point, const Whitening& whitening, const Eigen::VectorXd& gradient,
                   double step) {
-  metric.whiten_gradient(gradient, point.slope);
+  whitening.whiten_gradient(point.y, gradient, point.slope);
   point.r += 0.5 * step * point.slope;
 }
 
@@ -26,13 +35,14 @@ class JitteredLength : public HamiltonianTrajectory {
     constexpr double kMaxSteps = 1000;
     // As many leapfrogs as the jittered length takes.
     point_ = from;
-    const double length = kPi / 2 * (0.5 + random.uniform());
-    left_ = static_cast<int>(std::clamp(std::round(length / step), 1.0, kMaxSteps));
+    const double length = kPi / 2 * (0.9 + 0.7 * random.uniform());
+    left_ = static_cast<int>(std::clamp(std::ceil(length / step), 1.0, kMaxSteps));
+    leap_ = std::min(step, length / left_);
     acceptance_sum_ = told_ = 0;
   }
 
   PhasePoint& moving() override { return point_; }
-  [[nodiscard]] int direction() const override { return 1; }
+  [[nodiscard]] double leap() const override { return leap_; }
 
   Verdict judge(double energy_error, RandomStream& random) override {
     ++told_;
@@ -51,7 +61,8 @@ class JitteredLength : public HamiltonianTrajectory {
 
  private:
   PhasePoint point_;
-  int left_ = 0;  // leapfrogs [1]
+  int left_ = 0;     // leapfrogs [1]
+  double leap_ = 0;  // length of each [1]
   double acceptance_sum_ = 0, told_ = 0;
 };
 

@@ -7,25 +7,28 @@
 #include <Eigen/Core>
 
 #include "base/random_stream.h"
-#include "sampling/methods/mass_matrix.h"
+#include "sampling/methods/whitening.h"
 
 namespace thenar::internal {
 
 /// A trajectory ends as divergent where its energy error is larger. Source: [Betancourt2017].
 inline constexpr double kMaxEnergyError = 1000;
 
-/// A point of a trajectory, in the units of MassMatrix.
+/// A point of a trajectory, in the units of Whitening.
 struct PhasePoint {
-  Eigen::VectorXd x;      // position (n)
+  Eigen::VectorXd y;      // whitened position (n)
   Eigen::VectorXd r;      // whitened momentum (n)
-  Eigen::VectorXd slope;  // gradient of the log density by whitened position (n)
+  Eigen::VectorXd slope;  // of Whitening::whiten_gradient() at y (n)
 };
 
-/// First part of a leapfrog, up to where the next gradient is needed:
-///   r += step / 2 slope,   x += step F r.   Source: [Neal2011, section 2.3].
-void begin_leapfrog(PhasePoint& point, const MassMatrix& metric, double step);
-/// The rest:  slope = F' gradient,  r += step / 2 slope.
-void end_leapfrog(PhasePoint& point, const MassMatrix& metric, const Eigen::VectorXd& gradient,
+/// First part of a leapfrog, up to where the next gradient is needed:  r += step / 2 slope,  then
+///   y += step r,   or, if whitening.orbits(),
+///   (y, r) = (y cos step + r sin step, r cos step - y sin step),
+/// which is exact for a standard normal density, whose gradient -y is no part of slope then.
+/// Source: [Neal2011, section 2.3]; [Shahbaba2014] and [Casas2022] for orbits.
+void begin_leapfrog(PhasePoint& point, const Whitening& whitening, double step);
+/// The rest, with the gradient by x where the point is now:  r += step / 2 slope.
+void end_leapfrog(PhasePoint& point, const Whitening& whitening, const Eigen::VectorXd& gradient,
                   double step);
 
 /// Decision about the latest point. A trajectory keeps no positions: its caller holds a candidate
@@ -41,11 +44,11 @@ class HamiltonianTrajectory {
  public:
   virtual ~HamiltonianTrajectory() = default;
 
-  /// @param step  of the leapfrog [1]
+  /// @param step  greatest length of a leapfrog [1]
   virtual void start(const PhasePoint& from, double step, RandomStream& random) = 0;
-  /// The point that makes the next leapfrog, and its direction in time: 1 or -1.
+  /// The point that makes the next leapfrog, and that leapfrog's length, negative back in time [1].
   [[nodiscard]] virtual PhasePoint& moving() = 0;
-  [[nodiscard]] virtual int direction() const = 0;
+  [[nodiscard]] virtual double leap() const = 0;
   /// @param energy_error  of the point that has moved; +inf if its density is zero or non_finite
   virtual Verdict judge(double energy_error, RandomStream& random) = 0;
 
@@ -59,9 +62,10 @@ class HamiltonianTrajectory {
 /// [Phan2019] for the loop that replaces recursion.
 [[nodiscard]] std::unique_ptr<HamiltonianTrajectory> no_u_turn(int n, int max_depth);
 
-/// Trajectories of whitened length pi / 2 times a factor uniform in 0.5 .. 1.5, at most 1000
-/// leapfrogs; the end is accepted or refused. A quarter turn decorrelates a normal target, and the
-/// jitter avoids periods. Source: [Neal2011, section 3.2] for the jitter.
+/// Trajectories of whitened length pi / 2 times a factor uniform in 0.9 .. 1.6, in as few equal
+/// leapfrogs as the step allows, at most 1000; the end is accepted or refused. A quarter turn
+/// decorrelates a normal target, a little more makes successive draws alternate, and the jitter
+/// avoids periods. Source: [Neal2011, section 3.2] for the jitter.
 [[nodiscard]] std::unique_ptr<HamiltonianTrajectory> jittered_length();
 
 }  // namespace thenar::internal

@@ -2,10 +2,16 @@
 
 #include <algorithm>
 
+#include "base/numbers.h"
+#include "base/units.h"
+
 namespace thenar::internal {
 namespace {
 
 constexpr long kMinAdaptiveSteps = 20;  // of a warm-up that learns a metric
+// Along orbits two leapfrogs of this length are the longest trajectory of JitteredLength, and four
+// points of a tree of NUTS see that they turn [rad].
+constexpr double kLongestTurn = 0.8 * kPi / 2;
 
 int first_window(Metric metric, int n) {
   return metric == Metric::kDense ? std::max(25, 2 * n) : 25;
@@ -29,17 +35,27 @@ MetricWindows metric_windows(long warm_up, int first_window) {
   return windows;
 }
 
-WarmUp::WarmUp(int n, double target_acceptance, const SamplerOptions& options)
+WarmUp::WarmUp(const Eigen::VectorXd& start, double target_acceptance,
+               const SamplerOptions& options)
     : steps_(options.warm_up),
-      windows_(metric_windows(options.warm_up, first_window(options.metric, n))),
-      metric_(options.metric, n, options.covariance),
-      estimate_(options.metric, n),
+      windows_(metric_windows(options.warm_up,
+                              first_window(options.metric, static_cast<int>(start.size())))),
+      whitening_(options.metric, start, options.covariance),
+      draws_(static_cast<int>(start.size())),
       averaging_(target_acceptance) {
   search_.start(1);
 }
 
+double WarmUp::greatest_step() const { return whitening_.orbits() ? kLongestTurn : kInfinity; }
+
+double WarmUp::step() const {
+  return std::min(searching_ ? search_.step() : step_, greatest_step());
+}
+
 void WarmUp::learn_trial(double energy_error) {
-  if (!search_.learn(energy_error)) return;
+  // The search ends at the greatest step.
+  const bool longest = search_.step() >= greatest_step();
+  if (!search_.learn(energy_error) && !longest) return;
   searching_ = false;
   // Ten times as much is tried soon, which a short warm-up would not recover from.
   const bool brief = steps_ < kMinAdaptiveSteps;
@@ -47,13 +63,14 @@ void WarmUp::learn_trial(double energy_error) {
   averaging_.restart(step_, brief ? 1 : 10);
 }
 
-void WarmUp::learn(long step, const Eigen::VectorXd& x, double acceptance) {
-  if (step > steps_) return;
-  averaging_.learn(acceptance);
+bool WarmUp::learn(long step, const Eigen::VectorXd& x, const Eigen::VectorXd& gradient,
+                   double acceptance) {
+  if (step > steps_) return false;
+  averaging_.learn(acceptance, greatest_step());
   step_ = averaging_.step();
   // Draws within windows are gathered; each window's end learns the metric anew.
-  if (step > windows_.first && !metric_settled(step - 1)) estimate_.add(x);
-  if (std::binary_search(windows_.ends.begin(), windows_.ends.end(), step)) learn_metric();
+  if (step > windows_.first && !metric_settled(step - 1)) draws_.add(x, gradient);
+  return std::binary_search(windows_.ends.begin(), windows_.ends.end(), step) && learn_metric();
 }
 
 void WarmUp::settle(long step) {
@@ -70,18 +87,20 @@ bool WarmUp::metric_settled(long steps) const {
   return windows_.ends.empty() || steps >= windows_.ends.back();
 }
 
-void WarmUp::learn_metric() {
+bool WarmUp::learn_metric() {
   // In another metric the step size is searched again.
-  if (estimate_.count() >= 2 && metric_.set(estimate_.shrunk(metric_.covariance()))) {
+  const bool learnt = learn_whitening(draws_, whitening_);
+  if (learnt) {
+    search_.start(std::min(step_, greatest_step()));
     searching_ = true;
-    search_.start(step_);
   }
-  estimate_.clear();
+  draws_.clear();
+  return learnt;
 }
 
 void WarmUp::save(StateWriter& to) const {
-  metric_.save(to);
-  estimate_.save(to);
+  whitening_.save(to);
+  draws_.save(to);
   averaging_.save(to);
   to.put(search_.step());
   to.put(step_);
@@ -89,8 +108,8 @@ void WarmUp::save(StateWriter& to) const {
 }
 
 void WarmUp::restore(StateReader& from) {
-  metric_.restore(from);
-  estimate_.restore(from);
+  whitening_.restore(from);
+  draws_.restore(from);
   averaging_.restore(from);
   search_.start(from.number());
   step_ = from.number();

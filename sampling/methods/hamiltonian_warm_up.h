@@ -4,7 +4,7 @@
 
 #include <vector>
 
-#include "sampling/methods/mass_matrix.h"
+#include "sampling/methods/learn_whitening.h"
 #include "sampling/methods/step_size.h"
 
 namespace thenar::internal {
@@ -27,11 +27,12 @@ struct MetricWindows {
 /// Metric and step size of one chain.
 class WarmUp {
  public:
-  WarmUp(int n, double target_acceptance, const SamplerOptions& options);
+  WarmUp(const Eigen::VectorXd& start, double target_acceptance, const SamplerOptions& options);
 
-  [[nodiscard]] const MassMatrix& metric() const { return metric_; }
-  /// Step size of the next trajectory or trial, in whitened units [1].
-  [[nodiscard]] double step() const { return searching_ ? search_.step() : step_; }
+  [[nodiscard]] const Whitening& whitening() const { return whitening_; }
+  /// Step size of the next trajectory or trial, in whitened units; along orbits at most 0.4 pi,
+  /// less than a quarter turn [1].
+  [[nodiscard]] double step() const;
 
   /// Returns whether the next leapfrog is a trial in the search for a first step size: at the start
   /// of warm-up, and after each change of the metric.
@@ -40,8 +41,11 @@ class WarmUp {
   void learn_trial(double energy_error);
 
   /// Call after every step; steps after warm-up have no effect.
-  /// @param step  number of the step, from 1
-  void learn(long step, const Eigen::VectorXd& x, double acceptance);
+  /// @param step      number of the step, from 1
+  /// @param gradient  of the log density at x (n)
+  /// @return whether whitening() has changed.
+  bool learn(long step, const Eigen::VectorXd& x, const Eigen::VectorXd& gradient,
+             double acceptance);
 
   /// Call after learn(), at every step and also for chains that cannot learn: from the last step of
   /// warm-up on, metric and step size stay. An unfinished search for a step size (a chain that
@@ -55,12 +59,13 @@ class WarmUp {
   void restore(StateReader& from);
 
  private:
-  void learn_metric();
+  [[nodiscard]] double greatest_step() const;
+  bool learn_metric();
 
   long steps_;  // of the warm-up [1]
   MetricWindows windows_;
-  MassMatrix metric_;
-  CovarianceEstimate estimate_;
+  Whitening whitening_;
+  WindowDraws draws_;
   DualAveraging averaging_;
   StepSearch search_;
   double step_ = 1;  // [1]

@@ -53,7 +53,8 @@ class NoUTurn : public HamiltonianTrajectory {
     halves_.assign(static_cast<std::size_t>(max_depth) + 1, none);
   }
 
-  void start(const PhasePoint& from, double /*step*/, RandomStream& random) override {
+  void start(const PhasePoint& from, double step, RandomStream& random) override {
+    step_ = step;
     // A tree of one point.
     ends_[0] = ends_[1] = from;
     tree_.assign(from.r);
@@ -63,7 +64,7 @@ class NoUTurn : public HamiltonianTrajectory {
   }
 
   PhasePoint& moving() override { return ends_[forward_]; }
-  [[nodiscard]] int direction() const override { return forward_ == 1 ? 1 : -1; }
+  [[nodiscard]] double leap() const override { return forward_ == 1 ? step_ : -step_; }
 
   Verdict judge(double energy_error, RandomStream& random) override {
     ++told_;
@@ -128,6 +129,7 @@ class NoUTurn : public HamiltonianTrajectory {
   }
 
   int max_depth_;
+  double step_ = 0;                 // length of a leapfrog [1]
   std::array<PhasePoint, 2> ends_;  // backward, forward
   int forward_ = 1;                 // which of them moves
   TreeSpan tree_;                   // of the points that are safe

@@ -1,5 +1,6 @@
 #include "sampling/methods/step_size.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace thenar::internal {
@@ -10,11 +11,11 @@ void DualAveraging::restart(double step, double lean) {
   lean_ = std::log(lean * step);
 }
 
-void DualAveraging::learn(double acceptance) {
+void DualAveraging::learn(double acceptance, double most) {
   ++count_;
   const double weight = 1 / (count_ + 10);
   error_ += weight * (target_ - acceptance - error_);
-  log_step_ = lean_ - error_ * std::sqrt(count_) / 0.05;
+  log_step_ = std::min(lean_ - error_ * std::sqrt(count_) / 0.05, std::log(most));
   log_averaged_ += std::pow(count_, -0.75) * (log_step_ - log_averaged_);
 }
 

@@ -15,7 +15,9 @@ class DualAveraging {
   /// Forgets everything except a first step size.
   /// @param lean  multiple of `step` that the search leans towards [1]
   void restart(double step, double lean);
-  void learn(double acceptance);  // of the last step, 0..1 [1]
+  /// @param acceptance  of the last step, 0..1
+  /// @param most        step size that none shall exceed [1]
+  void learn(double acceptance, double most);
 
   [[nodiscard]] double step() const;      // to be tried next [1]
   [[nodiscard]] double averaged() const;  // to stay with [1]

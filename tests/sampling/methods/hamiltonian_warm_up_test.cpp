@@ -4,6 +4,8 @@
 
 #include <gtest/gtest.h>
 
+#include "base/random_stream.h"
+#include "base/units.h"
 #include "tests/matrix_near.h"
 
 namespace thenar::internal {
@@ -23,30 +25,30 @@ TEST(MetricWindows, ShrinkWithAShortWarmUp) {
   EXPECT_TRUE(metric_windows(19, 40).ends.empty());
 }
 
-SamplerOptions options_of(long warm_up) {
+SamplerOptions options_of(long warm_up, Metric metric = Metric::kDense) {
   SamplerOptions options;
   options.warm_up = warm_up;
-  options.metric = Metric::kDense;
+  options.metric = metric;
   return options;
 }
 
 // Two places alternate: in a window of N draws, N even, C = N / (N - 1) d d', d half their
-// distance.
+// distance. Diagonal, so that gradients have no say.
 TEST(WarmUp, LearnsTheMetricOfItsWindowOnly) {
-  WarmUp warm_up(2, 0.8, options_of(100));
-  const Eigen::Vector2d d(3, -1);
+  WarmUp warm_up(Eigen::Vector2d(0, 0), 0.8, options_of(100, Metric::kDiagonal));
+  const Eigen::Vector2d d(3, -1), gradient(1, 1);
   for (long step = 1; step <= 65; ++step) {
     const Eigen::Vector2d far(1e6, 1e6);  // steps up to 15 must not count
-    warm_up.learn(step, step <= 15 ? far : step % 2 == 0 ? d : Eigen::Vector2d(-d), 0.8);
+    warm_up.learn(step, step <= 15 ? far : step % 2 == 0 ? d : Eigen::Vector2d(-d), gradient, 0.8);
     EXPECT_EQ(warm_up.metric_settled(step), step == 65);
   }
-  const Eigen::Matrix2d C = 50.0 / 49 * d * d.transpose();
-  const Eigen::Matrix2d wanted = 50.0 / 55 * C + 5.0 / 55 * 1e-3 * Eigen::Matrix2d::Identity();
-  EXPECT_TRUE(matrix_near(warm_up.metric().covariance(), wanted, 1e-12));
+  const Eigen::Vector2d C = 50.0 / 49 * d.cwiseAbs2();
+  const Eigen::Vector2d wanted = 50.0 / 55 * C + 5.0 / 55 * 1e-3 * Eigen::Vector2d::Ones();
+  EXPECT_TRUE(matrix_near(warm_up.whitening().covariance(), wanted, 1e-12));
 }
 
 TEST(WarmUp, LooksForAStepAtFirstAndForEachMetric) {
-  WarmUp warm_up(2, 0.8, options_of(100));
+  WarmUp warm_up(Eigen::Vector2d(0, 0), 0.8, options_of(100));
   EXPECT_TRUE(warm_up.searching());
   warm_up.learn_trial(10);
   warm_up.learn_trial(0);  // passed 0.8: half a unit it is
@@ -54,17 +56,42 @@ TEST(WarmUp, LooksForAStepAtFirstAndForEachMetric) {
   EXPECT_EQ(warm_up.step(), 0.5);
   for (long step = 1; step <= 65; ++step) {
     EXPECT_FALSE(warm_up.searching());
-    warm_up.learn(step, Eigen::Vector2d(step % 2, step % 3), 0.8);
+    const Eigen::Vector2d x(step % 2, step % 3);
+    EXPECT_EQ(warm_up.learn(step, x, -x, 0.8), step == 65);
   }
   EXPECT_TRUE(warm_up.searching());
 }
 
+// A standard normal: along its orbits every step is accepted, but none shall pass 0.4 pi.
+TEST(WarmUp, StepsLessThanAQuarterTurnAlongOrbits) {
+  WarmUp warm_up(Eigen::Vector2d(0, 0), 0.8, options_of(100));
+  warm_up.learn_trial(10);
+  warm_up.learn_trial(0);
+  for (long step = 1; step <= 65; ++step) {
+    RandomStream random(1, 0, static_cast<std::uint32_t>(step));
+    const Eigen::Vector2d x(random.normal(), random.normal());
+    warm_up.learn(step, x, -x, 1);
+  }
+  ASSERT_TRUE(warm_up.whitening().orbits());
+  for (int trial = 0; trial < 10 && warm_up.searching(); ++trial) {
+    EXPECT_LE(warm_up.step(), 0.4 * kPi);
+    warm_up.learn_trial(0);
+  }
+  EXPECT_FALSE(warm_up.searching());
+  for (long step = 66; step <= 100; ++step) {
+    warm_up.learn(step, Eigen::Vector2d(0, 0), Eigen::Vector2d(0, 0), 1);
+    warm_up.settle(step);
+    EXPECT_LE(warm_up.step(), 0.4 * kPi);
+  }
+  EXPECT_NEAR(warm_up.step(), 0.4 * kPi, 1e-12);
+}
+
 TEST(WarmUp, LearnsNothingAfterwards) {
-  WarmUp warm_up(1, 0.8, options_of(10));
+  WarmUp warm_up(Eigen::VectorXd::Zero(1), 0.8, options_of(10));
   warm_up.learn_trial(10);
   warm_up.learn_trial(0);
   const auto learn = [&warm_up](long step, double acceptance) {
-    warm_up.learn(step, Eigen::VectorXd::Zero(1), acceptance);
+    warm_up.learn(step, Eigen::VectorXd::Zero(1), Eigen::VectorXd::Zero(1), acceptance);
     warm_up.settle(step);
   };
   for (long step = 1; step <= 10; ++step) learn(step, 0.5);
@@ -75,7 +102,7 @@ TEST(WarmUp, LearnsNothingAfterwards) {
 }
 
 TEST(WarmUp, EndsItsSearchWithTheLastStep) {
-  WarmUp warm_up(1, 0.8, options_of(30));
+  WarmUp warm_up(Eigen::VectorXd::Zero(1), 0.8, options_of(30));
   warm_up.learn_trial(0);  // accepted: twice as much would be next
   for (long step = 1; step <= 30; ++step) {
     EXPECT_TRUE(warm_up.searching());

@@ -6,6 +6,8 @@
 
 #include <gtest/gtest.h>
 
+#include "base/numbers.h"
+
 namespace thenar::internal {
 namespace {
 
@@ -16,7 +18,7 @@ TEST(DualAveraging, FindsTheStepOfTheAcceptanceAskedFor) {
     for (const double start : {1e-4, 1.0, 1e3}) {
       DualAveraging averaging(target);
       averaging.restart(start, 10);
-      for (int i = 0; i < 3000; ++i) averaging.learn(std::exp(-averaging.step()));
+      for (int i = 0; i < 3000; ++i) averaging.learn(std::exp(-averaging.step()), kInfinity);
       const double step = -std::log(target);
       const double left = 0.05 * std::abs(std::log(10 * start / step)) / std::sqrt(3000) / target;
       EXPECT_NEAR(averaging.averaged(), step, 1.5 * left) << target << " " << start;
@@ -27,9 +29,20 @@ TEST(DualAveraging, FindsTheStepOfTheAcceptanceAskedFor) {
 TEST(DualAveraging, FirstStepIsThatOfTheArticle) {
   DualAveraging averaging(0.8);
   averaging.restart(1, 10);
-  averaging.learn(0.25);
+  averaging.learn(0.25, kInfinity);
   EXPECT_NEAR(averaging.step(), 10 * std::exp(-0.55 / 11 / 0.05), 1e-12);
   EXPECT_NEAR(averaging.averaged(), averaging.step(), 1e-12);
+}
+
+// Every step is accepted: without a limit they would grow for ever.
+TEST(DualAveraging, StaysBelowItsLimit) {
+  DualAveraging averaging(0.8);
+  averaging.restart(1, 10);
+  for (int i = 0; i < 100; ++i) {
+    averaging.learn(1, 1.5);
+    EXPECT_LE(averaging.step(), 1.5 * (1 + 1e-15));
+  }
+  EXPECT_NEAR(averaging.averaged(), 1.5, 1e-12);
 }
 
 // Energy error c step^2 passes -ln 0.8 = 0.2231 at step sqrt(0.2231 / c).

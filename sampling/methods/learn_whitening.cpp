@@ -1,0 +1,331 @@
+#include "sampling/methods/learn_whitening.h"
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include <Eigen/Cholesky>
+#include <Eigen/Eigenvalues>
+#include <Eigen/QR>
+
+#include "base/error.h"
+
+namespace thenar::internal {
+
+void WindowDraws::add(const Eigen::VectorXd& x, const Eigen::VectorXd& gradient) {
+  if (count_ == x_.cols()) {
+    const Eigen::Index room = std::max<Eigen::Index>(32, 2 * count_);
+    x_.conservativeResize(Eigen::NoChange, room);
+    gradient_.conservativeResize(Eigen::NoChange, room);
+  }
+  x_.col(count_) = x;
+  gradient_.col(count_) = gradient;
+  ++count_;
+}
+
+void WindowDraws::save(StateWriter& to) const {
+  to.put(x());
+  to.put(gradient());
+}
+
+void WindowDraws::restore(StateReader& from) {
+  x_ = from.matrix();
+  gradient_ = from.matrix();
+  require(x_.rows() == gradient_.rows() && x_.cols() == gradient_.cols(),
+          "saved draws have {} x {} numbers, their gradients {} x {}", x_.rows(), x_.cols(),
+          gradient_.rows(), gradient_.cols());
+  count_ = x_.cols();
+}
+
+Eigen::MatrixXd shrunk_covariance(const Eigen::Ref<const Eigen::MatrixXd>& x,
+                                  const Eigen::MatrixXd& before) {
+  const auto n = static_cast<double>(x.cols());
+  const Eigen::MatrixXd off = x.colwise() - x.rowwise().mean();
+  const Eigen::MatrixXd square = before.cols() == 1 ? Eigen::MatrixXd(off.rowwise().squaredNorm())
+                                                    : Eigen::MatrixXd(off * off.transpose());
+  return n / (n + 5) / (n - 1) * square + 5 / (n + 5) * 1e-3 * before;
+}
+
+namespace {
+
+using Eigen::Index;
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
+
+/// Draws in linear coordinates z, and gradients by them (n, N).
+struct Whitened {
+  MatrixXd z, gradient;
+
+  [[nodiscard]] MatrixXd residual() const { return z + gradient; }
+};
+
+/// Affine coordinates:  x = c + F z.
+struct Affine {
+  VectorXd centre;
+  MatrixXd factor;
+};
+
+/// Those that leave the least of gradients; false if the draws span too little.
+bool fit_affine(const WindowDraws& draws, const MatrixXd& before, Affine& affine, Whitened& in) {
+  // White by the covariance.
+  const auto count = static_cast<double>(draws.count());
+  const Eigen::LLT<MatrixXd> cholesky(shrunk_covariance(draws.x(), before));
+  if (cholesky.info() != Eigen::Success || !draws.gradient().allFinite()) return false;
+  const VectorXd mean = draws.x().rowwise().mean();
+  affine.factor = cholesky.matrixL();
+  in.gradient = affine.factor.transpose() * draws.gradient();
+  // There, I # C^-1 is the inverse root of the gradients' covariance, and its factor the root of
+  // that. Gradients count as if five more had covariance I.
+  const MatrixXd off = in.gradient.colwise() - in.gradient.rowwise().mean();
+  const Index n = off.rows();
+  const MatrixXd covariance = (off * off.transpose() + 5 * MatrixXd::Identity(n, n)) / (count + 5);
+  const Eigen::SelfAdjointEigenSolver<MatrixXd> eigen(covariance);
+  if (eigen.info() != Eigen::Success || !(eigen.eigenvalues()[0] > 0)) return false;
+  const VectorXd scale = eigen.eigenvalues().array().pow(-0.25);
+  const MatrixXd root =
+      eigen.eigenvectors() * scale.asDiagonal() * eigen.eigenvectors().transpose();
+  const MatrixXd inverse_root =
+      eigen.eigenvectors() * scale.cwiseInverse().asDiagonal() * eigen.eigenvectors().transpose();
+  in.z = inverse_root * cholesky.matrixL().solve(draws.x().colwise() - mean);
+  in.gradient = root * in.gradient;
+  affine.factor *= root;
+  // The centre is where the mean gradient would be zero.
+  const VectorXd shift = in.gradient.rowwise().mean();
+  in.z.colwise() -= shift;
+  affine.centre = mean + affine.factor * shift;
+  return true;
+}
+
+/// Draws in coordinates that begin with the drivers, and the potential of a bend there: where
+///   psi = z . q(z),   grad psi = q + (dq/dz)' z
+/// is what the bend takes off the gradients, in first order of its strengths.
+class BendPotential {
+ public:
+  BendPotential(MatrixXd z, int drivers) : z_(std::move(z)), drivers_(drivers) {
+    products_.resize(pairs(), z_.cols());
+    for (int k = 0, pair = 0; k < drivers_; ++k)
+      for (int j = 0; j <= k; ++j, ++pair)
+        products_.row(pair) =
+            (z_.row(j).array() * z_.row(k).array() - (j == k ? 1.0 : 0.0)).matrix();
+  }
+
+  [[nodiscard]] int pairs() const { return drivers_ * (drivers_ + 1) / 2; }
+
+  /// Gradients of psi at all draws, from strengths (n, pairs).
+  [[nodiscard]] MatrixXd gradient(const MatrixXd& strength) const {
+    MatrixXd out = strength * products_;
+    const MatrixXd along = strength.transpose() * z_;
+    for (int k = 0, pair = 0; k < drivers_; ++k)
+      for (int j = 0; j <= k; ++j, ++pair) {
+        out.row(j) += along.row(pair).cwiseProduct(z_.row(k));
+        out.row(k) += along.row(pair).cwiseProduct(z_.row(j));
+      }
+    return out;
+  }
+
+  /// The transpose of that linear map, where strengths may differ from zero.
+  [[nodiscard]] MatrixXd transposed(const MatrixXd& residual) const {
+    MatrixXd out = residual * products_.transpose();
+    for (int k = 0, pair = 0; k < drivers_; ++k)
+      for (int j = 0; j <= k; ++j, ++pair) {
+        out.col(pair) +=
+            z_ * (residual.row(j).cwiseProduct(z_.row(k)) + residual.row(k).cwiseProduct(z_.row(j)))
+                     .transpose();
+        out.col(pair).head(k + 1).setZero();
+      }
+    return out;
+  }
+
+ private:
+  MatrixXd z_;         // (n, N)
+  int drivers_;        // K
+  MatrixXd products_;  // (pairs, N)
+};
+
+/// Strengths by least squares, and what they leave.
+struct Strengths {
+  MatrixXd strength;  // (n, pairs)
+  MatrixXd left;      // of the residual (n, N)
+};
+
+/// Least squares by conjugate gradients; terms are nearly orthogonal, so a few steps do. A little
+/// weight on the strengths themselves keeps them small where draws are few.
+Strengths fit_strengths(const BendPotential& potential, const MatrixXd& residual) {
+  constexpr int kSteps = 8;
+  constexpr double kWeight = 15;  // as five draws would have
+  Strengths out{MatrixXd::Zero(residual.rows(), potential.pairs()), residual};
+  MatrixXd slope = potential.transposed(residual), direction = slope;
+  double square = slope.squaredNorm();
+  for (int step = 0; step < kSteps && square > 0; ++step) {
+    const MatrixXd change = potential.gradient(direction);
+    const double length = square / (change.squaredNorm() + kWeight * direction.squaredNorm());
+    out.strength += length * direction;
+    out.left -= length * change;
+    slope = potential.transposed(out.left) - kWeight * out.strength;
+    const double next = slope.squaredNorm();
+    direction = slope + next / square * direction;
+    square = next;
+  }
+  return out;
+}
+
+/// Unit vectors v along which residuals bend most: the cubic form of their third moments,
+///   T(c, v, v),   T(a, b, d) = mean of (a.r)(b.z)(d.z) + (b.r)(a.z)(d.z) + (d.r)(a.z)(b.z),
+/// is greatest, c being across v and the drivers before. By power iterations from some draws.
+class DriverSearch {
+ public:
+  DriverSearch(const MatrixXd& z, const MatrixXd& left, const MatrixXd& drivers)
+      : z_(z), left_(left), drivers_(drivers) {}
+
+  /// Empty if there is none (n).
+  [[nodiscard]] VectorXd find() const {
+    VectorXd found;
+    double most = 0;
+    for (VectorXd v : starts()) {
+      const double form = climb(v);
+      if (!(form > most)) continue;
+      most = form;
+      found = v;
+    }
+    return found;
+  }
+
+ private:
+  /// Draws with the largest residuals lie along drivers: some of them, none along another.
+  [[nodiscard]] std::vector<VectorXd> starts() const {
+    constexpr std::size_t kStarts = 4;
+    VectorXd size = left_.colwise().norm();
+    std::vector<VectorXd> found;
+    for (Index tried = 0; tried < size.size() && found.size() < kStarts; ++tried) {
+      Index at = 0;
+      size.maxCoeff(&at);
+      size[at] = -1;
+      const VectorXd v = across(z_.col(at));
+      if (!(v.norm() > 0)) continue;
+      const VectorXd unit = v.normalized();
+      const bool apart = std::all_of(found.begin(), found.end(), [&](const VectorXd& other) {
+        return std::abs(unit.dot(other)) < 0.9;
+      });
+      if (apart) found.push_back(unit);
+    }
+    return found;
+  }
+
+  /// Improves v, and returns T(c, v, v) of the best unit vector c.
+  double climb(VectorXd& v) const {
+    constexpr int kSteps = 30;
+    double form = 0;
+    for (int step = 0; step < kSteps; ++step) {
+      // The best c for this v.
+      const VectorXd z_v = z_.transpose() * v, r_v = left_.transpose() * v;
+      VectorXd c = left_ * (z_v.array().square() - 1).matrix() + 2 * (z_ * z_v.cwiseProduct(r_v));
+      c = across(c - v * v.dot(c));
+      form = c.norm();
+      if (!(form > 0)) return 0;
+      c /= form;
+      // T(c, v, .) is the next v.
+      const VectorXd z_c = z_.transpose() * c, r_c = left_.transpose() * c;
+      const VectorXd next = across(z_ * (r_c.cwiseProduct(z_v) + r_v.cwiseProduct(z_c)) +
+                                   left_ * z_c.cwiseProduct(z_v));
+      if (!(next.norm() > 0)) return 0;
+      const VectorXd before = v;
+      v = next.normalized();
+      if (std::abs(v.dot(before)) > 1 - 1e-6) break;
+    }
+    return form;
+  }
+
+  /// Across the drivers before.
+  [[nodiscard]] VectorXd across(const VectorXd& v) const {
+    if (drivers_.cols() == 0) return v;
+    return v - drivers_ * (drivers_.transpose() * v);
+  }
+
+  const MatrixXd& z_;
+  const MatrixXd& left_;
+  const MatrixXd& drivers_;
+};
+
+/// A bend in coordinates that are turned: z = Q (y + q(y)).
+struct TurnedBend {
+  MatrixXd turn;  // Q, drivers first (n, n)
+  Bend bend;
+};
+
+/// Drivers one after another, each from what those before it leave, then all strengths together.
+TurnedBend fit_bend(const Whitened& in) {
+  const Index n = in.z.rows();
+  const MatrixXd residual = in.residual();
+  MatrixXd drivers(n, 0), left = residual;
+  TurnedBend out{MatrixXd::Identity(n, n), {}};
+  while (drivers.cols() < std::min<Index>(Bend::kMaxDrivers, n - 1)) {
+    const VectorXd next = DriverSearch(in.z, left, drivers).find();
+    if (next.size() == 0) break;
+    drivers.conservativeResize(Eigen::NoChange, drivers.cols() + 1);
+    drivers.rightCols(1) = next;
+    // Drivers become the first coordinates.
+    const Eigen::HouseholderQR<MatrixXd> qr(drivers);
+    out.turn = qr.householderQ();
+    out.turn.leftCols(drivers.cols()) = drivers;
+    out.bend.drivers = static_cast<int>(drivers.cols());
+    const Strengths fitted =
+        fit_strengths(BendPotential(out.turn.transpose() * in.z, out.bend.drivers),
+                      out.turn.transpose() * residual);
+    out.bend.strength = fitted.strength;
+    left = out.turn * fitted.left;
+  }
+  return out;
+}
+
+/// What is left of gradients, and gradients, both by y: means of |g + y|^2 and |g|^2.
+struct Remainder {
+  double left = 0, all = 0;
+};
+Remainder remainder(const Whitened& in, const TurnedBend& turned) {
+  Remainder sum;
+  for (Index k = 0; k < in.z.cols(); ++k) {
+    const VectorXd y = turned.bend.straight(turned.turn.transpose() * in.z.col(k));
+    VectorXd gradient = turned.turn.transpose() * in.gradient.col(k);
+    turned.bend.pull_back(y, gradient);
+    sum.left += (gradient + y).squaredNorm();
+    sum.all += gradient.squaredNorm();
+  }
+  return sum;
+}
+
+/// Every other draw, from the first or the second on.
+Whitened half(const Whitened& in, Index first) {
+  const Index count = (in.z.cols() - first + 1) / 2;
+  Whitened out{MatrixXd(in.z.rows(), count), MatrixXd(in.z.rows(), count)};
+  for (Index k = 0; k < count; ++k) {
+    out.z.col(k) = in.z.col(first + 2 * k);
+    out.gradient.col(k) = in.gradient.col(first + 2 * k);
+  }
+  return out;
+}
+
+}  // namespace
+
+bool learn_whitening(const WindowDraws& draws, Whitening& whitening) {
+  if (draws.count() < 2) return false;
+  const MatrixXd before = whitening.covariance();
+  if (!whitening.dense()) return whitening.set(shrunk_covariance(draws.x(), before));
+  Affine affine;
+  Whitened in;
+  if (!fit_affine(draws, before, affine, in))
+    return whitening.set(shrunk_covariance(draws.x(), before));
+
+  // A bend must help with draws that it has not seen.
+  constexpr double kLeftByBend = 0.9, kLeftByOrbit = 0.5;  // most that may be left [1]
+  const Index n = in.z.rows();
+  const TurnedBend straight{MatrixXd::Identity(n, n), {}};
+  const Whitened seen = half(in, 0), unseen = half(in, 1);
+  const bool helps = n > 1 && remainder(unseen, fit_bend(seen)).left <
+                                  kLeftByBend * remainder(unseen, straight).left;
+  const TurnedBend best = helps ? fit_bend(in) : straight;
+  const Remainder remains = remainder(in, best);
+  return whitening.set(affine.centre, affine.factor * best.turn, best.bend,
+                       remains.left < kLeftByOrbit * remains.all);
+}
+
+}  // namespace thenar::internal

@@ -1,0 +1,138 @@
+#include "sampling/methods/whitening.h"
+
+#include <Eigen/Cholesky>
+#include <Eigen/LU>
+
+#include "base/error.h"
+
+namespace thenar::internal {
+
+Bend::Pairs Bend::products(const Eigen::VectorXd& y) const {
+  Pairs pairs(strength.cols());
+  for (int k = 0, pair = 0; k < drivers; ++k)
+    for (int j = 0; j <= k; ++j) pairs[pair++] = y[j] * y[k] - (j == k ? 1 : 0);
+  return pairs;
+}
+
+Eigen::VectorXd Bend::bent(const Eigen::VectorXd& y) const {
+  if (drivers == 0) return y;
+  return y + strength * products(y);
+}
+
+Eigen::VectorXd Bend::straight(const Eigen::VectorXd& z) const {
+  if (drivers == 0) return z;
+  // Drivers in turn: each is bent by those before it alone.
+  Eigen::VectorXd y = z;
+  for (int k = 1; k < drivers; ++k) y[k] = z[k] - strength.row(k).dot(products(y));
+  // All others at once.
+  const Eigen::Index rest = z.size() - drivers;
+  y.tail(rest) = z.tail(rest) - strength.bottomRows(rest) * products(y);
+  return y;
+}
+
+void Bend::pull_back(const Eigen::VectorXd& y, Eigen::VectorXd& gradient) const {
+  if (drivers == 0) return;
+  const Pairs by_pair = strength.transpose() * gradient;
+  for (int k = 0, pair = 0; k < drivers; ++k)
+    for (int j = 0; j <= k; ++j, ++pair) {
+      gradient[j] += by_pair[pair] * y[k];
+      gradient[k] += by_pair[pair] * y[j];
+    }
+}
+
+Whitening::Whitening(Metric metric, const Eigen::VectorXd& centre,
+                     const Eigen::MatrixXd& covariance)
+    : metric_(metric), centre_(centre) {
+  // The identity, unless there is a covariance to start from.
+  const Eigen::Index n = centre.size();
+  factor_.setOnes(n, 1);
+  if (dense()) factor_ = inverse_ = Eigen::MatrixXd::Identity(n, n);
+  if (covariance.size() == 0) return;
+  require(covariance.rows() == n && covariance.cols() == n,
+          "covariance must be {} x {}, got {} x {}", n, n, covariance.rows(), covariance.cols());
+  require(covariance.allFinite() && covariance.isApprox(covariance.transpose(), 1e-6),
+          "covariance must be finite and symmetric");
+  const bool positive = dense() ? set(covariance) : set(covariance.diagonal());
+  require(positive, "covariance must be positive definite");
+}
+
+void Whitening::place(const Eigen::VectorXd& y, Eigen::VectorXd& x) const {
+  x = centre_;
+  if (!dense()) {
+    x += factor_.col(0).cwiseProduct(y);
+    return;
+  }
+  x.noalias() += factor_ * y;
+  if (bends()) x.noalias() += bent_ * bend_.products(y);
+}
+
+Eigen::VectorXd Whitening::whitened(const Eigen::VectorXd& x) const {
+  if (!dense()) return (x - centre_).cwiseQuotient(factor_.col(0));
+  return bend_.straight(inverse_ * (x - centre_));
+}
+
+void Whitening::whiten_gradient(const Eigen::VectorXd& y, const Eigen::VectorXd& gradient,
+                                Eigen::VectorXd& slope) const {
+  if (!dense()) {
+    slope = factor_.col(0).cwiseProduct(gradient);
+    return;
+  }
+  slope.noalias() = factor_.transpose() * gradient;
+  bend_.pull_back(y, slope);
+  if (orbits_) slope += y;
+}
+
+Eigen::MatrixXd Whitening::covariance() const {
+  if (dense()) return factor_ * factor_.transpose();
+  return factor_.cwiseAbs2();
+}
+
+bool Whitening::set(const Eigen::MatrixXd& covariance) {
+  if (!covariance.allFinite()) return false;
+  if (dense()) {
+    const Eigen::LLT<Eigen::MatrixXd> cholesky(covariance);
+    if (cholesky.info() != Eigen::Success) return false;
+    return set(centre_, cholesky.matrixL(), {}, false);
+  }
+  if (covariance.minCoeff() <= 0) return false;
+  factor_ = covariance.cwiseSqrt();
+  return true;
+}
+
+bool Whitening::set(const Eigen::VectorXd& centre, const Eigen::MatrixXd& factor, const Bend& bend,
+                    bool orbits) {
+  const Eigen::MatrixXd inverse = factor.partialPivLu().inverse();
+  if (!centre.allFinite() || !inverse.allFinite() || !bend.strength.allFinite()) return false;
+  centre_ = centre;
+  factor_ = factor;
+  inverse_ = inverse;
+  bend_ = bend;
+  bent_ = bend.drivers > 0 ? Eigen::MatrixXd(factor * bend.strength) : Eigen::MatrixXd();
+  orbits_ = orbits;
+  return true;
+}
+
+void Whitening::save(StateWriter& to) const {
+  to.put(centre_);
+  to.put(factor_);
+  to.put(std::int64_t{bend_.drivers});
+  to.put(bend_.strength);
+  to.put(std::int64_t{orbits_ ? 1 : 0});
+}
+
+void Whitening::restore(StateReader& from) {
+  const Eigen::VectorXd centre = from.matrix();
+  const Eigen::MatrixXd factor = from.matrix();
+  Bend bend;
+  bend.drivers = static_cast<int>(from.integer());
+  bend.strength = from.matrix();
+  const bool orbits = from.integer() != 0;
+  if (!dense()) {
+    centre_ = centre;
+    factor_ = factor;
+    return;
+  }
+  require(set(centre, factor, bend, orbits), "the saved metric has no inverse");
+}
+
+}  // namespace thenar::internal
