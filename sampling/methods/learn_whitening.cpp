@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
+#include <utility>
 #include <vector>
 
 #include <Eigen/Cholesky>
@@ -52,6 +54,10 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
+// Most that a variance may exceed that of the draws: where the density is flat, its slopes would
+// have no end of it.
+constexpr double kWidest = 2;
+
 /// Draws in linear coordinates z, and gradients by them (n, N).
 struct Whitened {
   MatrixXd z, gradient;
@@ -59,41 +65,92 @@ struct Whitened {
   [[nodiscard]] MatrixXd residual() const { return z + gradient; }
 };
 
+/// Draws and gradients by x (n, N).
+struct Window {
+  MatrixXd x, gradient;
+
+  /// Every other draw, from the first or the second on.
+  [[nodiscard]] Window half(Index first) const {
+    const Index count = (x.cols() - first + 1) / 2;
+    Window out{MatrixXd(x.rows(), count), MatrixXd(x.rows(), count)};
+    for (Index k = 0; k < count; ++k) {
+      out.x.col(k) = x.col(first + 2 * k);
+      out.gradient.col(k) = gradient.col(first + 2 * k);
+    }
+    return out;
+  }
+};
+
 /// Affine coordinates:  x = c + F z.
 struct Affine {
   VectorXd centre;
-  MatrixXd factor;
+  MatrixXd factor, inverse;  // F, F^-1
+
+  [[nodiscard]] Whitened whitened(const Window& window) const {
+    return {inverse * (window.x.colwise() - centre), factor.transpose() * window.gradient};
+  }
+  /// Mean of |F' g + z|^2.
+  [[nodiscard]] double left(const Window& window) const {
+    return whitened(window).residual().squaredNorm() / static_cast<double>(window.x.cols());
+  }
 };
 
-/// Those that leave the least of gradients; false if the draws span too little.
-bool fit_affine(const WindowDraws& draws, const MatrixXd& before, Affine& affine, Whitened& in) {
+/// The centre is where the mean gradient would be zero.
+Affine centred(const Window& window, MatrixXd factor, MatrixXd inverse) {
+  const VectorXd mean = window.x.rowwise().mean();
+  const VectorXd shift = factor.transpose() * window.gradient.rowwise().mean();
+  return {mean + factor * shift, std::move(factor), std::move(inverse)};
+}
+
+/// F F' = Sigma # C_g^-1; none if the draws span too little.
+std::optional<Affine> fit_dense(const Window& window, const MatrixXd& before) {
   // White by the covariance.
-  const auto count = static_cast<double>(draws.count());
-  const Eigen::LLT<MatrixXd> cholesky(shrunk_covariance(draws.x(), before));
-  if (cholesky.info() != Eigen::Success || !draws.gradient().allFinite()) return false;
-  const VectorXd mean = draws.x().rowwise().mean();
-  affine.factor = cholesky.matrixL();
-  in.gradient = affine.factor.transpose() * draws.gradient();
+  const auto count = static_cast<double>(window.x.cols());
+  const Eigen::LLT<MatrixXd> cholesky(shrunk_covariance(window.x, before));
+  if (cholesky.info() != Eigen::Success) return {};
+  const MatrixXd L = cholesky.matrixL(), gradient = L.transpose() * window.gradient;
   // There, I # C^-1 is the inverse root of the gradients' covariance, and its factor the root of
   // that. Gradients count as if five more had covariance I.
-  const MatrixXd off = in.gradient.colwise() - in.gradient.rowwise().mean();
-  const Index n = off.rows();
-  const MatrixXd covariance = (off * off.transpose() + 5 * MatrixXd::Identity(n, n)) / (count + 5);
+  const MatrixXd off = gradient.colwise() - gradient.rowwise().mean();
+  const MatrixXd I = MatrixXd::Identity(off.rows(), off.rows());
+  const MatrixXd covariance = (off * off.transpose() + 5 * I) / (count + 5);
   const Eigen::SelfAdjointEigenSolver<MatrixXd> eigen(covariance);
-  if (eigen.info() != Eigen::Success || !(eigen.eigenvalues()[0] > 0)) return false;
-  const VectorXd scale = eigen.eigenvalues().array().pow(-0.25);
-  const MatrixXd root =
-      eigen.eigenvectors() * scale.asDiagonal() * eigen.eigenvectors().transpose();
-  const MatrixXd inverse_root =
-      eigen.eigenvectors() * scale.cwiseInverse().asDiagonal() * eigen.eigenvectors().transpose();
-  in.z = inverse_root * cholesky.matrixL().solve(draws.x().colwise() - mean);
-  in.gradient = root * in.gradient;
-  affine.factor *= root;
-  // The centre is where the mean gradient would be zero.
-  const VectorXd shift = in.gradient.rowwise().mean();
-  in.z.colwise() -= shift;
-  affine.centre = mean + affine.factor * shift;
-  return true;
+  if (eigen.info() != Eigen::Success || !(eigen.eigenvalues()[0] > 0)) return {};
+  const VectorXd scale = eigen.eigenvalues().array().max(1 / (kWidest * kWidest)).pow(-0.25);
+  const MatrixXd& V = eigen.eigenvectors();
+  const MatrixXd root = V * scale.asDiagonal() * V.transpose();
+  const MatrixXd inverse_root = V * scale.cwiseInverse().asDiagonal() * V.transpose();
+  return centred(window, L * root, inverse_root * cholesky.matrixL().solve(I));
+}
+
+/// The factor before with columns of other lengths, s^4 = variance of z over that of gradients by
+/// z, which leaves the least; each as if five more draws had variance 1.
+std::optional<Affine> fit_scales(const Window& window, const Whitening& before) {
+  const auto count = static_cast<double>(window.x.cols());
+  const auto variances = [count](const MatrixXd& of) -> Eigen::ArrayXd {
+    const MatrixXd off = of.colwise() - of.rowwise().mean();
+    return (off.rowwise().squaredNorm().array() + 5) / (count + 5);
+  };
+  const Eigen::ArrayXd variance = variances(before.inverse() * window.x),
+                       of_gradient = variances(before.factor().transpose() * window.gradient);
+  const VectorXd scale = (variance / of_gradient).sqrt().min(kWidest * variance).sqrt();
+  if (!scale.allFinite() || !(scale.minCoeff() > 0)) return {};
+  return centred(window, before.factor() * scale.asDiagonal(),
+                 scale.cwiseInverse().asDiagonal() * before.inverse());
+}
+
+/// Dense where there are draws enough, and it leaves less than scales do of gradients at draws that
+/// neither was fitted to.
+std::optional<Affine> fit_affine(const Window& window, const Whitening& before) {
+  const Index n = window.x.rows();
+  if (window.x.cols() < 2 * n) return fit_scales(window, before);
+  const MatrixXd covariance = before.covariance();
+  const Window seen = window.half(0), unseen = window.half(1);
+  const std::optional<Affine> dense = fit_dense(seen, covariance),
+                              scaled = fit_scales(seen, before);
+  const bool scales_do = scaled && dense && !(dense->left(unseen) < scaled->left(unseen));
+  if (scales_do) return fit_scales(window, before);
+  return fit_dense(window, covariance);
 }
 
 /// Draws in coordinates that begin with the drivers, and the potential of a bend there: where
@@ -293,39 +350,30 @@ Remainder remainder(const Whitened& in, const TurnedBend& turned) {
   return sum;
 }
 
-/// Every other draw, from the first or the second on.
-Whitened half(const Whitened& in, Index first) {
-  const Index count = (in.z.cols() - first + 1) / 2;
-  Whitened out{MatrixXd(in.z.rows(), count), MatrixXd(in.z.rows(), count)};
-  for (Index k = 0; k < count; ++k) {
-    out.z.col(k) = in.z.col(first + 2 * k);
-    out.gradient.col(k) = in.gradient.col(first + 2 * k);
-  }
-  return out;
-}
-
 }  // namespace
 
 bool learn_whitening(const WindowDraws& draws, Whitening& whitening) {
   if (draws.count() < 2) return false;
   const MatrixXd before = whitening.covariance();
   if (!whitening.dense()) return whitening.set(shrunk_covariance(draws.x(), before));
-  Affine affine;
-  Whitened in;
-  if (!fit_affine(draws, before, affine, in))
-    return whitening.set(shrunk_covariance(draws.x(), before));
+  const Window window{draws.x(), draws.gradient()};
+  const std::optional<Affine> affine =
+      window.gradient.allFinite() ? fit_affine(window, whitening) : std::nullopt;
+  if (!affine) return whitening.set(shrunk_covariance(draws.x(), before));
 
   // A bend must help with draws that it has not seen.
   constexpr double kLeftByBend = 0.9, kLeftByOrbit = 0.5;  // most that may be left [1]
-  const Index n = in.z.rows();
+  const Whitened all = affine->whitened(window);
+  const Index n = all.z.rows();
   const TurnedBend straight{MatrixXd::Identity(n, n), {}};
-  const Whitened seen = half(in, 0), unseen = half(in, 1);
+  const Whitened seen = affine->whitened(window.half(0)), unseen = affine->whitened(window.half(1));
   const bool helps = n > 1 && remainder(unseen, fit_bend(seen)).left <
                                   kLeftByBend * remainder(unseen, straight).left;
-  const TurnedBend best = helps ? fit_bend(in) : straight;
-  const Remainder remains = remainder(in, best);
-  return whitening.set(affine.centre, affine.factor * best.turn, best.bend,
-                       remains.left < kLeftByOrbit * remains.all);
+  const TurnedBend best = helps ? fit_bend(all) : straight;
+  const Remainder remains = remainder(all, best);
+  const bool orbits = remains.left < kLeftByOrbit * remains.all;
+  if (!helps) return whitening.set(affine->centre, affine->factor, {}, orbits);
+  return whitening.set(affine->centre, affine->factor * best.turn, best.bend, orbits);
 }
 
 }  // namespace thenar::internal

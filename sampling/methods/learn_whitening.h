@@ -45,8 +45,10 @@ class WindowDraws {
 /// which is zero for a normal target, whatever the draws,
 ///   F F' = Sigma # C_g^-1,   c = mean x + F F' mean g,
 /// # being the geometric mean of positive matrices, Sigma as shrunk_covariance() and C_g the
-/// covariance of gradients [Seyboldt2026]. Then the bend whose gradients leave the least, if on
-/// draws that were not used for it less than nine tenths are left of what is left without it. At
+/// covariance of gradients [Seyboldt2026]. Of less than 2 n draws, or where it leaves less at draws
+/// that were not used for it, the F before is kept, with columns of other lengths. No
+/// variance is more than twice that of the draws. Then the bend whose gradients leave the least, if
+/// on draws that were not used for it less than nine tenths are left of what is left without it. At
 /// last, a point orbits() if less than half of the gradients is left.
 bool learn_whitening(const WindowDraws& draws, Whitening& whitening);
 

@@ -17,8 +17,9 @@ void StateWriter::put(std::int64_t value) {
 void StateWriter::put(const Eigen::Ref<const Eigen::MatrixXd>& matrix) {
   put(std::int64_t{matrix.rows()});
   put(std::int64_t{matrix.cols()});
+  const auto column = static_cast<std::size_t>(matrix.rows()) * sizeof(double);
   for (Eigen::Index k = 0; k < matrix.cols(); ++k)
-    for (Eigen::Index i = 0; i < matrix.rows(); ++i) put(matrix(i, k));
+    bytes_.append(reinterpret_cast<const char*>(matrix.col(k).data()), column);
 }
 
 void StateWriter::put_bytes(const std::string& bytes) {

@@ -62,7 +62,7 @@ void Whitening::place(const Eigen::VectorXd& y, Eigen::VectorXd& x) const {
     x += factor_.col(0).cwiseProduct(y);
     return;
   }
-  x.noalias() += factor_ * y;
+  add_product(factor_, shape_, y, x);
   if (bends()) x.noalias() += bent_ * bend_.products(y);
 }
 
@@ -77,7 +77,7 @@ void Whitening::whiten_gradient(const Eigen::VectorXd& y, const Eigen::VectorXd&
     slope = factor_.col(0).cwiseProduct(gradient);
     return;
   }
-  slope.noalias() = factor_.transpose() * gradient;
+  transposed_product(factor_, shape_, gradient, slope);
   bend_.pull_back(y, slope);
   if (orbits_) slope += y;
 }
@@ -105,6 +105,7 @@ bool Whitening::set(const Eigen::VectorXd& centre, const Eigen::MatrixXd& factor
   if (!centre.allFinite() || !inverse.allFinite() || !bend.strength.allFinite()) return false;
   centre_ = centre;
   factor_ = factor;
+  shape_ = factor.isLowerTriangular(0) ? Shape::kLower : Shape::kFull;
   inverse_ = inverse;
   bend_ = bend;
   bent_ = bend.drivers > 0 ? Eigen::MatrixXd(factor * bend.strength) : Eigen::MatrixXd();

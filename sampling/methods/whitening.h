@@ -5,6 +5,7 @@
 #include <Eigen/Core>
 
 #include "sampling/methods/sampler.h"
+#include "sampling/methods/triangle_products.h"
 
 namespace thenar::internal {
 
@@ -46,6 +47,10 @@ class Whitening {
   /// straight line.
   [[nodiscard]] bool orbits() const { return orbits_; }
 
+  /// F and its inverse; of dense coordinates (n, n).
+  [[nodiscard]] const Eigen::MatrixXd& factor() const { return factor_; }
+  [[nodiscard]] const Eigen::MatrixXd& inverse() const { return inverse_; }
+
   /// x(y), into `x`  (n)
   void place(const Eigen::VectorXd& y, Eigen::VectorXd& x) const;
   /// y(x)  (n)
@@ -70,9 +75,10 @@ class Whitening {
 
  private:
   Metric metric_;
-  Eigen::VectorXd centre_;   // c (n)
-  Eigen::MatrixXd factor_;   // F (n, n), or its diagonal (n, 1)
-  Eigen::MatrixXd inverse_;  // of F; empty if diagonal (n, n)
+  Eigen::VectorXd centre_;       // c (n)
+  Eigen::MatrixXd factor_;       // F (n, n), or its diagonal (n, 1)
+  Shape shape_ = Shape::kLower;  // of a dense F
+  Eigen::MatrixXd inverse_;      // of F; empty if diagonal (n, n)
   Bend bend_;
   Eigen::MatrixXd bent_;  // F a (n, pairs)
   bool orbits_ = false;

@@ -114,29 +114,31 @@ void ChainRun::checkpoint() {
   last_checkpoint_ = Clock::now();
   if (saved_step_ == samplers_.step()) return;
   saved_step_ = samplers_.step();
-  // Draws and states of this rank as bytes.
-  const std::vector<Eigen::MatrixXd> draws = samplers_.take_draws();
-  const std::vector<std::string> states =
-      options_.folder.empty() ? std::vector<std::string>{} : samplers_.save();
-  StateWriter writer;
-  writer.put(static_cast<std::int64_t>(draws.size()));
-  for (const Eigen::MatrixXd& group : draws) writer.put(group);
-  for (const std::string& sampler : states) writer.put_bytes(sampler);
+  Gathered all{samplers_.take_draws(),
+               options_.folder.empty() ? std::vector<std::string>{} : samplers_.save()};
+  if (ranks_.size() > 1) all = gather(all);
+  // On the disk, or kept in memory.
+  if (folder_) folder_->commit(all.draws, state(all.states));
+  for (std::size_t g = 0; g < all.draws.size() && !folder_; ++g)
+    kept_[g].push_back(std::move(all.draws[g]));
+}
 
+ChainRun::Gathered ChainRun::gather(const Gathered& mine) const {
+  // Draws and states of this rank as bytes.
+  StateWriter writer;
+  writer.put(static_cast<std::int64_t>(mine.draws.size()));
+  for (const Eigen::MatrixXd& group : mine.draws) writer.put(group);
+  for (const std::string& sampler : mine.states) writer.put_bytes(sampler);
   // Rank 0 takes those of all ranks.
-  std::vector<Eigen::MatrixXd> all_draws;
-  std::vector<std::string> all_states;
+  Gathered all;
   for (const std::string& bytes : all_gather_bytes(ranks_, writer.bytes())) {
     if (!first()) break;
     StateReader reader(bytes);
     for (std::int64_t left = reader.integer(); left > 0; --left)
-      all_draws.push_back(reader.matrix());
-    while (!reader.done()) all_states.push_back(reader.bytes());
+      all.draws.push_back(reader.matrix());
+    while (!reader.done()) all.states.push_back(reader.bytes());
   }
-  // On the disk, or kept in memory.
-  if (folder_) folder_->commit(all_draws, state(all_states));
-  for (std::size_t g = 0; g < all_draws.size() && !folder_; ++g)
-    kept_[g].push_back(std::move(all_draws[g]));
+  return all;
 }
 
 Eigen::MatrixXd ChainRun::draws_of(std::size_t group) const {

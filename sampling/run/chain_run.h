@@ -34,6 +34,15 @@ class ChainRun {
   void agree(double seconds, long steps);
   void report() const;
   void checkpoint();
+
+  /// New draws of each group, and states of the samplers where there is a folder.
+  struct Gathered {
+    std::vector<Eigen::MatrixXd> draws;
+    std::vector<std::string> states;
+  };
+  /// Those of all ranks on rank 0, none on the others.
+  [[nodiscard]] Gathered gather(const Gathered& mine) const;
+
   [[nodiscard]] std::string state(const std::vector<std::string>& samplers) const;
   [[nodiscard]] Eigen::MatrixXd draws_of(std::size_t group) const;
   [[nodiscard]] bool ended_at_divergence() const;  // on all ranks alike

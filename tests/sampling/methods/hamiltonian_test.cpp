@@ -76,7 +76,7 @@ TEST(Hamiltonian, FindsTheBanana) {
 
 TEST(Hamiltonian, SaysThatItsStepsAreTooLongForTheEndsOfTheBanana) {
   const auto run = sample::run_hamiltonian(sample::banana().target, SamplingMethod::kNuts,
-                                           options_of(1000), starts_of(2, 1), 1000);
+                                           options_of(1000), starts_of(2, 1), 4000);
   EXPECT_GT(run.sum(&StepStats::divergent), 10);
 }
 
