@@ -22,29 +22,27 @@ void add_columns(const double* F, long n, long first, const double* y, double* x
   for (long i = first; i < n; ++i) x[i] += (a[i] * y0 + b[i] * y1) + (c[i] * y2 + d[i] * y3);
 }
 
+/// Eight numbers side by side, in as many registers as the processor needs for them.
+typedef double Lanes __attribute__((vector_size(kLanes * sizeof(double)), aligned(8), may_alias));
+
 /// Products of four columns with g, from row `first` on, each as eight sums side by side.
 THENAR_FOR_ALL_PROCESSORS
 void column_products(const double* F, long n, long first, const double* g, double* out) {
   const double *a = F, *b = F + n, *c = F + 2 * n, *d = F + 3 * n;
-  double sums[kColumns][kLanes] = {};
+  Lanes sums[kColumns] = {};
   long i = first;
-  for (; i + kLanes <= n; i += kLanes)
-    for (long k = 0; k < kLanes; ++k) {
-      const double value = g[i + k];
-      sums[0][k] += a[i + k] * value;
-      sums[1][k] += b[i + k] * value;
-      sums[2][k] += c[i + k] * value;
-      sums[3][k] += d[i + k] * value;
-    }
-  // Rows beyond the last whole block.
-  for (long k = 0; i < n; ++i, ++k) {
-    sums[0][k] += a[i] * g[i];
-    sums[1][k] += b[i] * g[i];
-    sums[2][k] += c[i] * g[i];
-    sums[3][k] += d[i] * g[i];
+  for (; i + kLanes <= n; i += kLanes) {
+    const Lanes value = *reinterpret_cast<const Lanes*>(g + i);
+    sums[0] += *reinterpret_cast<const Lanes*>(a + i) * value;
+    sums[1] += *reinterpret_cast<const Lanes*>(b + i) * value;
+    sums[2] += *reinterpret_cast<const Lanes*>(c + i) * value;
+    sums[3] += *reinterpret_cast<const Lanes*>(d + i) * value;
   }
+  // Rows beyond the last whole block, and the sums in one order.
   for (long column = 0; column < kColumns; ++column) {
-    const double* s = sums[column];
+    double s[kLanes];
+    for (long k = 0; k < kLanes; ++k) s[k] = sums[column][k];
+    for (long row = i, k = 0; row < n; ++row, ++k) s[k] += F[column * n + row] * g[row];
     out[column] = ((s[0] + s[4]) + (s[2] + s[6])) + ((s[1] + s[5]) + (s[3] + s[7]));
   }
 }
@@ -63,7 +61,13 @@ void add_product(const Eigen::MatrixXd& F, Shape shape, const Eigen::VectorXd& y
 
 void transposed_product(const Eigen::MatrixXd& F, Shape shape, const Eigen::VectorXd& g,
                         Eigen::VectorXd& out) {
+  // A few rows are not worth the sums at the end of each column.
+  constexpr long kFew = 64;
   const long n = F.rows();
+  if (n < kFew) {
+    out.noalias() = F.transpose() * g;
+    return;
+  }
   out.resize(n);
   long column = 0;
   for (; column + kColumns <= n; column += kColumns)
