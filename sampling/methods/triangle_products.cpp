@@ -23,7 +23,7 @@ void add_columns(const double* F, long n, long first, const double* y, double* x
 }
 
 /// Eight numbers side by side, in as many registers as the processor needs for them.
-typedef double Lanes __attribute__((vector_size(kLanes * sizeof(double)), aligned(8), may_alias));
+using Lanes = double __attribute__((vector_size(kLanes * sizeof(double)), aligned(8), may_alias));
 
 /// Products of four columns with g, from row `first` on, each as eight sums side by side.
 THENAR_FOR_ALL_PROCESSORS
