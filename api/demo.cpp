@@ -15,7 +15,16 @@
 namespace thenar {
 namespace {
 
-constexpr double kTargetAcceptance = 0.9;  // of the chains [1]
+/// How long chains run.
+struct ChainLengths {
+  long warm_up, draws;       // of each chain [1]
+  int thin;                  // steps a draw [1]
+  double target_acceptance;  // [1]
+};
+constexpr ChainLengths kAlone{1000, 1000, 1, 0.9};
+// Factors on the spread between specimens are learnt with what they spread: steps are cheap there,
+// but short, and forget slowly. Metrics want two draws an entry.
+constexpr ChainLengths kTogether{1200, 600, 6, 0.95};
 
 StudyInputs inputs_of(const std::string& data) {
   const auto read = [&](const std::string& file) { return read_source(data + "/" + file); };
@@ -80,13 +89,15 @@ DemoHood bend_hood(const StudyInputs& inputs) {
   return hood;
 }
 
-PosteriorRun sampled(const FitInputs& inputs, long draws, const Progress& progress) {
+PosteriorRun sampled(const FitInputs& inputs, const ChainLengths& lengths,
+                     const Progress& progress) {
   PosteriorSettings settings;
   settings.posterior = posterior_options(inputs.settings);
   settings.mode_starts = 8;
-  settings.run.sampler.warm_up = draws;
-  settings.run.sampler.target_acceptance = kTargetAcceptance;
-  settings.run.draws = draws;
+  settings.run.sampler.warm_up = lengths.warm_up;
+  settings.run.sampler.target_acceptance = lengths.target_acceptance;
+  settings.run.draws = lengths.draws;
+  settings.run.thin = lengths.thin;
   settings.run.progress = progress;
   return sample_posterior(inputs, settings);
 }
@@ -111,10 +122,10 @@ void sample_all(const DemoRequest& request, const Progress& progress, DemoResult
   std::vector<Experiment> unseen;
   for (const SourceText& source : demo.inputs.unseen)
     unseen.push_back(parse_experiment(source.text, source.path));
-  const auto add = [&](const std::string& name, const FitInputs& of, long draws) {
+  const auto add = [&](const std::string& name, const FitInputs& of, const ChainLengths& lengths) {
     if (progress.stop()) return;
     progress(0, "posterior of " + name);
-    DemoPosterior posterior{name, sampled(of, draws, progress), {}, {}, {}};
+    DemoPosterior posterior{name, sampled(of, lengths, progress), {}, {}, {}};
     if (!posterior.run.draws.complete) return;
     posterior.run.run = request.run;
     demo.files.push_back(fmt::format("{}/{}.nc", request.output, name));
@@ -125,11 +136,11 @@ void sample_all(const DemoRequest& request, const Progress& progress, DemoResult
   for (const SourceText& experiment : demo.inputs.specimen.experiments) {
     FitInputs alone = demo.inputs.specimen;
     alone.experiments = {experiment};
-    add(parse_experiment(experiment.text, experiment.path).name, alone, 1000);
+    add(parse_experiment(experiment.text, experiment.path).name, alone, kAlone);
   }
   FitInputs together = demo.inputs.specimen;
   together.subject = demo.inputs.population_subject;
-  add("population", together, 600);
+  add("population", together, kTogether);
 }
 
 /// Fits are kept once all is done.

@@ -25,7 +25,7 @@ TEST(MetricWindows, ShrinkWithAShortWarmUp) {
   EXPECT_TRUE(metric_windows(19, 40).ends.empty());
 }
 
-SamplerOptions options_of(long warm_up, Metric metric = Metric::kDense) {
+SamplerOptions warm_up_options(long warm_up, Metric metric = Metric::kDense) {
   SamplerOptions options;
   options.warm_up = warm_up;
   options.metric = metric;
@@ -35,7 +35,7 @@ SamplerOptions options_of(long warm_up, Metric metric = Metric::kDense) {
 // Two places alternate: in a window of N draws, N even, C = N / (N - 1) d d', d half their
 // distance. Diagonal, so that gradients have no say.
 TEST(WarmUp, LearnsTheMetricOfItsWindowOnly) {
-  WarmUp warm_up(Eigen::Vector2d(0, 0), 0.8, options_of(100, Metric::kDiagonal));
+  WarmUp warm_up(Eigen::Vector2d(0, 0), 0.8, warm_up_options(100, Metric::kDiagonal));
   const Eigen::Vector2d d(3, -1), gradient(1, 1);
   for (long step = 1; step <= 65; ++step) {
     const Eigen::Vector2d far(1e6, 1e6);  // steps up to 15 must not count
@@ -48,7 +48,7 @@ TEST(WarmUp, LearnsTheMetricOfItsWindowOnly) {
 }
 
 TEST(WarmUp, LooksForAStepAtFirstAndForEachMetric) {
-  WarmUp warm_up(Eigen::Vector2d(0, 0), 0.8, options_of(100));
+  WarmUp warm_up(Eigen::Vector2d(0, 0), 0.8, warm_up_options(100));
   EXPECT_TRUE(warm_up.searching());
   warm_up.learn_trial(10);
   warm_up.learn_trial(0);  // passed 0.8: half a unit it is
@@ -64,7 +64,7 @@ TEST(WarmUp, LooksForAStepAtFirstAndForEachMetric) {
 
 // A standard normal: along its orbits every step is accepted, but none shall pass 0.4 pi.
 TEST(WarmUp, StepsLessThanAQuarterTurnAlongOrbits) {
-  WarmUp warm_up(Eigen::Vector2d(0, 0), 0.8, options_of(100));
+  WarmUp warm_up(Eigen::Vector2d(0, 0), 0.8, warm_up_options(100));
   warm_up.learn_trial(10);
   warm_up.learn_trial(0);
   for (long step = 1; step <= 65; ++step) {
@@ -87,7 +87,7 @@ TEST(WarmUp, StepsLessThanAQuarterTurnAlongOrbits) {
 }
 
 TEST(WarmUp, LearnsNothingAfterwards) {
-  WarmUp warm_up(Eigen::VectorXd::Zero(1), 0.8, options_of(10));
+  WarmUp warm_up(Eigen::VectorXd::Zero(1), 0.8, warm_up_options(10));
   warm_up.learn_trial(10);
   warm_up.learn_trial(0);
   const auto learn = [&warm_up](long step, double acceptance) {
@@ -102,7 +102,7 @@ TEST(WarmUp, LearnsNothingAfterwards) {
 }
 
 TEST(WarmUp, EndsItsSearchWithTheLastStep) {
-  WarmUp warm_up(Eigen::VectorXd::Zero(1), 0.8, options_of(30));
+  WarmUp warm_up(Eigen::VectorXd::Zero(1), 0.8, warm_up_options(30));
   warm_up.learn_trial(0);  // accepted: twice as much would be next
   for (long step = 1; step <= 30; ++step) {
     EXPECT_TRUE(warm_up.searching());
