@@ -3,13 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-// Sanitizers of addresses and threads are not awake yet when the loader picks a version.
-#if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__) && \
-    !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
-#define THENAR_FOR_ALL_PROCESSORS __attribute__((target_clones("avx512f", "avx2", "default")))
-#else
-#define THENAR_FOR_ALL_PROCESSORS
-#endif
+#include "base/for_all_processors.h"
 
 namespace thenar::internal {
 
