@@ -43,6 +43,7 @@ std::string hash_of(const Eigen::MatrixXd& matrix) {
 RunIdentity identity_of(const Eigen::MatrixXd& starts, const RunOptions& options) {
   const SamplerOptions& sampler = options.sampler;
   return {{"version", versions().at("thenar")},
+          {"layout of states", "2"},  // another one is refused, not misread
           {"target", options.fingerprint},
           {"parameters", std::to_string(starts.rows())},
           {"method", name_of(options.method)},
