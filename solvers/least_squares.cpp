@@ -222,6 +222,7 @@ CostDerivatives derivatives_by_differences(const LeastSquares& problem, const Ei
 
 /// Certifies z, and says so in the status.
 void certify(const LeastSquares& problem, const SolveOptions& options, Solution& solution) {
+  if (solution.sides > 1) return;  // slopes on all sides have been seen
   // Newton step that is left at z; NaN where a difference is.
   std::optional<CostDerivatives> exact = derivatives_if_any(problem, solution.z);
   const CostDerivatives slopes =
@@ -295,7 +296,8 @@ Solution solve_by_method(const LeastSquares& problem, const Eigen::VectorXd& sta
   if (found.status != Status::kSolved ||
       internal::search_by_secants(problem, options, kLast, found))
     return found;
-  // To the end as Ceres goes.
+  // Kinks stop secants; what is smooth goes to the end as Ceres does.
+  if (internal::search_at_kink(problem, options, found)) return found;
   solve_on(options.tolerance);
   return found;
 }

@@ -93,6 +93,8 @@ struct [[nodiscard]] Solution {
   double newton_step = 0;  // length of the Gauss-Newton step that bounds and active constraints
                            // leave at z, in sds of exp(-cost) [1]; NaN: residuals next to z are
                            // not finite
+  int sides = 1;           // of a kink of the residuals at z, whose mean slope `newton_step` is of,
+                           // within 1e-3 sds of z; 1: no kink [1]
 
   /// Certified, and not broken off.
   [[nodiscard]] bool converged() const { return status == Status::kSolved && !failed; }
@@ -105,7 +107,8 @@ struct [[nodiscard]] Solution {
 /// the gradient g, the step left is  sqrt(g_F' (J_F'J_F)^-1 g_F), and must not exceed the larger of
 /// 0.01 and sqrt(20 tolerance cost). J is that of the residuals; without one, it is taken by
 /// central differences within the bounds. If the step is longer, the status is kStalled; with
-/// kCeres, the search first goes on once from there, at a tolerance of 1e-15.
+/// kCeres, the search first goes on once from there, at a tolerance of 1e-15. With kCeres and no
+/// constraints the step may also be that of the mean slope of a kink (`sides`).
 /// Constraints are kept to 1e-6; a point that breaks one is kStalled with every method.
 /// @throws InputError if shapes disagree, bounds are crossed, start is not finite, the residuals at
 ///         it are not, kCeres or kIpopt get no Jacobian, or the tolerance is not positive and
@@ -136,6 +139,16 @@ Solution solve_ipopt_least_squares(const LeastSquares&, const Eigen::VectorXd& s
 /// @return whether it got there or was stopped; if not, the status is as before
 /// Source: [DennisGayWelsch1981], structured secants; [Griewank1982], part by part.
 bool search_by_secants(const LeastSquares&, const SolveOptions&, int most, Solution& solution);
+
+/// Steps to where the slopes of the cost on the sides of a kink balance. Residuals may have slopes
+/// that jump; a minimum may lie on such a kink, where no gradient vanishes. With g_i the gradients
+/// found within 1e-3 sds of z, the step that is left is that of their smallest mean,
+///   min over shares w >= 0, sum w = 1 of  |sum w_i g_i|,  in the norm  sqrt(g' (J'J)^-1 g).
+/// Where a step along it does not lower the cost, the gradient beyond the kink joins the others.
+/// @param solution  where it begins; the best point found
+/// @return whether less than 3e-3 sds is left, or it was stopped; if not, the status is as before
+/// Source: [Goldstein1977] for the set of slopes, [Wolfe1975] for the search.
+bool search_at_kink(const LeastSquares&, const SolveOptions&, Solution& solution);
 
 /// The parts of the residuals; an ordinary problem is a single part that knows all coordinates.
 struct ResidualBlocks {

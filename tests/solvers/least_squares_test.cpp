@@ -457,5 +457,54 @@ TEST(LeastSquares, MethodsHaveNames) {
   }
 }
 
+// -- Kinks ------------------------------------------------------------------------------------
+
+/// r = (1 + |y - x^2 / 4|, x - 3, y / 10): the cost has its minimum in the bend of a kink.
+LeastSquares bent_kink() {
+  LeastSquares problem;
+  problem.lower = Vector2d(-9, -9);
+  problem.upper = Vector2d(9, 9);
+  problem.residuals = [](const VectorXd& z, WithJacobian) {
+    const double off = z[1] - z[0] * z[0] / 4, side = off < 0 ? -1 : 1;
+    Residuals out{Eigen::Vector3d(1 + std::abs(off), z[0] - 3, z[1] / 10), Eigen::MatrixXd(3, 2)};
+    out.J << -side * z[0] / 2, side, 1, 0, 0, 0.1;
+    return out;
+  };
+  return problem;
+}
+
+// Along the kink y = x^2 / 4 the cost is 1/2 (1 + (x - 3)^2 + x^4 / 1600), least where
+// x - 3 + x^3 / 800 = 0; across it, the slope of the third residual, y / 100, is less than the
+// jump.
+TEST(Kinks, AreWhereAFitMayEnd) {
+  double x = 3;
+  for (int i = 0; i < 20; ++i) x -= (x - 3 + x * x * x / 800) / (1 + 3 * x * x / 800);
+  for (const Vector2d& start : {Vector2d(0, 0), Vector2d(5, 1), Vector2d(1, 6)}) {
+    const Solution solution = solve(bent_kink(), start);
+    EXPECT_EQ(solution.status, Status::kSolved) << solution.message;
+    EXPECT_GE(solution.sides, 2);
+    // 3e-3 sds may be left, of 1 / sqrt(1 + ..) along the kink; sides are 1e-3 sds apart.
+    EXPECT_TRUE(matrix_near(solution.z, Vector2d(x, x * x / 4), 1e-2)) << solution.message;
+    EXPECT_NEAR(solution.cost, 0.5 * (1 + (x - 3) * (x - 3) + std::pow(x, 4) / 1600), 1e-3);
+  }
+}
+
+// A kink across which the cost falls on is no end: r = (y + |y| / 2 - 1, x).
+TEST(Kinks, AreCrossedWhereTheCostFallsOn) {
+  LeastSquares problem;
+  problem.lower = Vector2d(-9, -9);
+  problem.upper = Vector2d(9, 9);
+  problem.residuals = [](const VectorXd& z, WithJacobian) {
+    const double side = z[1] < 0 ? -0.5 : 0.5;
+    Residuals out{Vector2d(z[1] * (1 + side) - 1, z[0]), Eigen::MatrixXd(2, 2)};
+    out.J << 0, 1 + side, 1, 0;
+    return out;
+  };
+  const Solution solution = solve(problem, Vector2d(2, -3));
+  EXPECT_EQ(solution.status, Status::kSolved) << solution.message;
+  EXPECT_EQ(solution.sides, 1);
+  EXPECT_TRUE(matrix_near(solution.z, Vector2d(0, 2.0 / 3), 1e-4));
+}
+
 }  // namespace
 }  // namespace thenar
