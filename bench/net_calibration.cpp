@@ -9,6 +9,7 @@
 // used, over three fingers. Slack lengths that the net states keep their ratio to the band's length
 // in the reference finger as knots move, unless that ratio itself is moved.
 
+#include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <functional>
@@ -42,7 +43,8 @@ struct Pull {
 enum class Quantity {
   kTerminalPerCentral,  // terminal per central slip, compared by its logarithm [1]
   kLeft,                // both slips together, per those of the straight finger under the load [1]
-  kCentralShare         // central per both slips together [1]
+  kCentralShare,        // central per both slips together [1]
+  kMiddleTorque         // about the middle joint, per that of the extensor alike loaded [1]
 };
 
 /// A published number. `sd` is how far a finger may be off it without a penalty that counts.
@@ -70,13 +72,17 @@ std::vector<Target> targets() {
   // What the extensor gives when single joints bend: no number, but neither slip may hang slack
   // soon.
   all.push_back({{"EDC", 2.9, 0, 20, 0}, Q::kTerminalPerCentral, 1.7, 1.0, true, constant});
-  // Fractions of the intrinsic muscles, identified on the forces of one hand.
+  // How well intrinsic muscles extend the middle joint beside the extensor.
+  for (const char* muscle : {"LU", "UI"}) {
+    all.push_back({{muscle, 2.9, 0, 30, 10}, Q::kMiddleTorque, 0.79, 0.15, true, "Park2020"});
+    all.push_back({{muscle, 2.9, 60, 30, 10}, Q::kMiddleTorque, 0.71, 0.15, true, "Park2020"});
+  }
+  // Kept for judging. Fractions of the intrinsic muscles were identified on the forces of one hand.
   for (const auto& [muscle, share] :
        {std::pair<std::string, double>{"RI", 0.363}, {"LU", 0.379}, {"UI", 0.381}})
     for (const double pip : {0.0, 50.0})
       all.push_back(
-          {{muscle, 2.9, 0, pip, pip * 2 / 3}, Q::kCentralShare, share, 0.15, true, "Synek2019"});
-  // Kept for judging.
+          {{muscle, 2.9, 0, pip, pip * 2 / 3}, Q::kCentralShare, share, 0.15, false, "Synek2019"});
   all.push_back({{"EDC", 2.9, 30, 0, 0}, Q::kTerminalPerCentral, 1.7, 0.4, false, constant});
   all.push_back(
       {{"EDC", 2.9, 0, 60, 40}, Q::kLeft, 0.85, 0.15, false, "Lee2008, less as IP joints bend"});
@@ -105,7 +111,23 @@ SlipTension slips_under(const NetTendons& tendons, const Pull& pull) {
   return slip_tension(tendons.net(), rest);
 }
 
+/// Torque about the middle joint [N m].
+double middle_torque(const NetTendons& tendons, const Pull& pull) {
+  const auto& muscles = tendons.digit().names.muscles;
+  VectorXd t = VectorXd::Zero(static_cast<Eigen::Index>(muscles.size()));
+  for (std::size_t m = 0; m < muscles.size(); ++m)
+    if (muscles[m] == pull.muscle) t[static_cast<Eigen::Index>(m)] = pull.tension;
+  VectorXd q = tendons.net().frame.straight;
+  q += kDegree * (VectorXd(4) << pull.mcp, 0, pull.pip, pull.dip).finished();
+  return tendons.evaluate(q, t, start_from_straight(tendons, q, t)).tau[2];
+}
+
 double value_of(const NetTendons& tendons, const Target& target) {
+  if (target.quantity == Quantity::kMiddleTorque) {
+    Pull extensor = target.pull;
+    extensor.muscle = "EDC";
+    return middle_torque(tendons, target.pull) / middle_torque(tendons, extensor);
+  }
   const SlipTension slips = slips_under(tendons, target.pull);
   if (target.quantity == Quantity::kTerminalPerCentral) return slips.terminal / slips.central;
   const double both = slips.terminal + slips.central;
@@ -196,6 +218,16 @@ std::vector<Knob> knobs(const NetDescription& plan) {
   for (const NetBandPlan& band : plan.bands)
     if (band.slack > 0 && band.name.back() == 'u')
       all.push_back(slack_knob(band.name.substr(0, band.name.size() - 2)));
+  all.push_back({"share of the middle line", 0.02, [](NetDescription& net, double by) {
+                   for (NetMusclePlan& muscle : net.muscles) {
+                     if (muscle.pulls.size() != 2) continue;
+                     const double whole = muscle.pulls[0].share + muscle.pulls[1].share;
+                     const double first =
+                         std::clamp(muscle.pulls[0].share / whole + by, 0.05, 0.95);
+                     muscle.pulls[0].share = whole * first;
+                     muscle.pulls[1].share = whole * (1 - first);
+                   }
+                 }});
   all.push_back({"MCP_dorsum.along", 0.003, [](NetDescription& net, double by) {
                    for (NetSurface& surface : net.surfaces)
                      if (surface.name == "MCP_dorsum") surface.center.along += by;
@@ -241,7 +273,7 @@ void print_targets(const std::vector<Finger>& fingers, const NetDescription& pla
     BuiltNet built = build_net(finger.subject, separate->digit(), plan);
     owned.push_back(std::make_unique<NetTendons>(std::move(separate), std::move(built)));
   }
-  const char* kNames[] = {"terminal / central", "slips left", "central share"};
+  const char* kNames[] = {"terminal / central", "slips left", "central share", "middle joint"};
   for (const Target& target : targets()) {
     const Pull& p = target.pull;
     std::cout << fmt::format("{:>4} {:>5.1f} N  {:>4.0f}{:>4.0f}{:>4.0f}  {:<19}{:>8.3f}", p.muscle,
@@ -261,6 +293,9 @@ void print_numbers(const NetDescription& plan) {
   std::cout << "\nbands: slack [mm]\n";
   for (const NetBandPlan& band : plan.bands)
     if (band.slack > 0) std::cout << fmt::format("{:<24} {:.3f}\n", band.name, band.slack / kMm);
+  for (const NetMusclePlan& muscle : plan.muscles)
+    for (const NetPullPlan& pull : muscle.pulls)
+      std::cout << fmt::format("{:<24} share {:.3f} on {}\n", muscle.role, pull.share, pull.node);
   for (const NetSurface& surface : plan.surfaces)
     std::cout << fmt::format("{:<24} along {:.4f}\n", surface.name, surface.center.along);
 }

@@ -225,7 +225,7 @@ TEST_P(EveryHood, ConservesPower) {
 
 INSTANTIATE_TEST_SUITE_P(Hoods, EveryHood,
                          testing::Values("separate", "fractions", "chao_an", "winslow",
-                                         "dogadov2017"),
+                                         "dogadov2017", "extensor_hood"),
                          [](const auto& test) { return test.param; });
 
 }  // namespace
