@@ -41,6 +41,8 @@ TendonDigit build_digit(const FitInputs& inputs, const std::string& name) {
   digit.net = std::make_shared<const BuiltNet>(
       build_net(subject, digit, parse_net(inputs.net->text, inputs.net->path)));
   digit.fidelity.hood = Hood::kFloatingNet;
+  // Shares of a muscle among its pulls may depend on the knuckle, as those of a hood do.
+  digit.model.knuckle = build_tendon_digit(subject, name).model.knuckle;
   return digit;
 }
 

@@ -106,17 +106,18 @@ class NetSlopes {
             at_.net, at_.trials[i]->state, at_.trials[i]->drive, at_.trials[i]->rest);
   }
 
-  [[nodiscard]] VectorX<Jet> torque(const SpecimenModel<Jet>& model, const TreeState<Jet>& state,
+  [[nodiscard]] VectorX<Jet> torque(const SpecimenModel<Jet>& model, const PosedSpecimen<Jet>& at,
                                     std::size_t i) const {
     const NetTrial& trial = *at_.trials[i];
     VectorX<Jet> tau = trial.tau.cast<Jet>();
     if (!tangent_[i]) return tau;
     // Pulls of this trial, then one lane after the other.
     const VectorX<Jet> pulls =
-        net_pulls(*model.net, VectorX<Jet>(model.gain.cwiseProduct(plan_.tension[i].cast<Jet>())));
+        net_pulls(*model.net, mcp_angle<Jet>(model.digit, at.angles),
+                  VectorX<Jet>(model.gain.cwiseProduct(plan_.tension[i].cast<Jet>())));
     for (int lane = 0; lane < kLanes; ++lane) {
       const internal::NetPerturbation input =
-          perturbation_of(*model.net, state, *tangent_[i], pulls, lane);
+          perturbation_of(*model.net, at.state, *tangent_[i], pulls, lane);
       if (is_still(input)) continue;
       const Eigen::VectorXd rate =
           internal::torque_rate(*tangent_[i], tree_, trial.state, input,
@@ -151,7 +152,7 @@ Eigen::Matrix3Xd force_values(const TendonDigit& digit, const FitParameters& par
   if (!model.net) return predict_forces(model, plan);
   const NetTrials nets = net_trials(model, plan);
   return predict_forces<double>(
-      model, plan, [&](const TreeState<double>& /*state*/, Eigen::Index i) -> Eigen::VectorXd {
+      model, plan, [&](const PosedSpecimen<double>& /*at*/, Eigen::Index i) -> Eigen::VectorXd {
         return nets.trials[static_cast<std::size_t>(i)]->tau;
       });
 }
@@ -174,8 +175,8 @@ ForceJacobian force_jacobian(const TendonDigit& digit, const FitParameters& para
     const SpecimenModel<Jet> model =
         specimen_model(digit, parameters, parameter_values<Jet>(parameters, seed(u, first)));
     const auto forces = predict_forces<Jet>(
-        model, plan, [&](const TreeState<Jet>& state, Eigen::Index i) -> VectorX<Jet> {
-          return nets->torque(model, state, static_cast<std::size_t>(i));
+        model, plan, [&](const PosedSpecimen<Jet>& at, Eigen::Index i) -> VectorX<Jet> {
+          return nets->torque(model, at, static_cast<std::size_t>(i));
         });
     // Values, and derivatives into their columns.
     for (Eigen::Index i = 0; i < forces.size(); ++i) {

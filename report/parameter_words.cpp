@@ -99,6 +99,10 @@ std::string net_words(const Parts& parts) {
   if (parts[2] == "slack") return fmt::format("slack length of band {}: log of a factor", of);
   if (parts[2] == "radius") return fmt::format("radius of {}, over which bands bend: shift", of);
   if (parts[2] == "into") return fmt::format("share of {} that enters the net", of);
+  if (parts[2] == "central")
+    return fmt::format("share of {} in its first pull on the net, to the central slip", of);
+  if (parts[2] == "slope")
+    return fmt::format("how {}'s share in the first pull changes as the MCP joint flexes", of);
   return fmt::format("{} of the net: shift {}", of, adverb(parts[2]));
 }
 
@@ -130,7 +134,9 @@ std::string scatter_words(const Parts& parts) {
       {"net/slack", "slack lengths of the net"},
       {"net/place", "insertions of the net"},
       {"net/radius", "radii under the net"},
-      {"net/into", "shares into the net"}};
+      {"net/into", "shares into the net"},
+      {"net/central", "shares of muscles among their pulls on the net"},
+      {"net/slope", "slopes of these shares"}};
   std::string kind = parts.size() > 1 ? parts[1] : "";
   for (std::size_t i = 2; i < parts.size(); ++i) kind += "/" + parts[i];
   const auto found = kinds.find(kind);

@@ -43,10 +43,13 @@ Matrix3Xd on_links(const Net& net, const TreeState<double>& state, const Matrix3
   return at;
 }
 
-NetTendons tendons_of(const TendonDigit& digit, const SpecimenModel<double>& model) {
+/// @param angles  posture at which muscles share among their pulls [rad] (coordinates)
+NetTendons tendons_of(const TendonDigit& digit, const SpecimenModel<double>& model,
+                      const VectorXd& angles) {
   TendonDigit own = digit;
   own.model = model.digit;
-  return {straight_tendons(std::move(own)), built_net(*model.net)};
+  return {straight_tendons(std::move(own)),
+          built_net(*model.net, mcp_angle<double>(model.digit, angles))};
 }
 
 }  // namespace
@@ -61,9 +64,11 @@ NetTrials net_trials(const SpecimenModel<double>& model, const ExperimentPlan& p
     if (!pulls_net(*model.net->built, plan.tension[i])) continue;
     // Rest from the start of the plan, or from scratch.
     NetTrial trial;
-    trial.state =
-        pose_specimen(model, plan, static_cast<std::size_t>(plan.posture_of_trial[i])).state;
-    trial.drive.tension = net_pulls(*model.net, arriving(model, plan, i));
+    const PosedSpecimen<double> at =
+        pose_specimen(model, plan, static_cast<std::size_t>(plan.posture_of_trial[i]));
+    trial.state = at.state;
+    trial.drive.tension =
+        net_pulls(*model.net, mcp_angle<double>(model.digit, at.angles), arriving(model, plan, i));
     const Matrix3Xd start = carried(out.net, trial.state, plan.net_start[i]);
     trial.rest = solver.solve(trial.state, trial.drive, &start);
     if (unbalanced(trial.rest)) {
@@ -83,7 +88,6 @@ std::vector<Matrix3Xd> net_starts(const TendonDigit& digit, const FitParameters&
   const VectorXd u = VectorXd::Zero(parameters.coordinates());
   const SpecimenModel<double> model =
       specimen_model(digit, parameters, parameter_values<double>(parameters, u));
-  const NetTendons tendons = tendons_of(digit, model);
   // Steps may be long: they only choose the rest, which every search then settles.
   NetContinuationOptions long_steps;
   long_steps.stray = 1e-3;
@@ -94,6 +98,7 @@ std::vector<Matrix3Xd> net_starts(const TendonDigit& digit, const FitParameters&
     if (!pulls_net(*digit.net, plan.tension[i])) continue;
     const PosedSpecimen<double> at =
         pose_specimen(model, plan, static_cast<std::size_t>(plan.posture_of_trial[i]));
+    const NetTendons tendons = tendons_of(digit, model, at.angles);
     const NetContinuation walk =
         follow_from_straight(tendons, at.angles, arriving(model, plan, i), long_steps);
     starts[i] = on_links(tendons.net().net, at.state, walk.rest.x);
@@ -115,7 +120,6 @@ std::vector<std::string> net_trial_warnings(const TendonDigit& digit,
   constexpr double kOtherTorque = 0.01;  // of the torque: knots may lie loose where nothing is felt
   const SpecimenModel<double> model =
       specimen_model(digit, parameters, parameter_values<double>(parameters, u));
-  const NetTendons tendons = tendons_of(digit, model);
   const NetTrials found = net_trials(model, plan);
   std::vector<std::string> warnings;
   for (std::size_t i = 0; i < found.trials.size(); ++i) {
@@ -124,9 +128,9 @@ std::vector<std::string> net_trial_warnings(const TendonDigit& digit,
     // Is it at rest, and the same as by way of the straight finger?
     std::string why = net_warning(found.net, trial.state, trial.rest);
     const auto posture = static_cast<std::size_t>(plan.posture_of_trial[i]);
+    const VectorXd angles = pose_specimen(model, plan, posture).angles;
     const NetEquilibrium other =
-        follow_from_straight(tendons, pose_specimen(model, plan, posture).angles,
-                             arriving(model, plan, i))
+        follow_from_straight(tendons_of(digit, model, angles), angles, arriving(model, plan, i))
             .rest;
     const VectorXd tau =
         net_torque(found.net, model.digit.tree, trial.state, other, model.digit.coordinates);

@@ -34,7 +34,8 @@ struct NetTrials {
                                                        const FitParameters& parameters,
                                                        const ExperimentPlan& plan);
 
-/// The digit with a specimen's numbers.
+/// The digit with a specimen's numbers; muscles of its net share among their pulls as at
+/// kHoodAngle.
 [[nodiscard]] TendonDigit specimen_digit(const TendonDigit& digit,
                                          const SpecimenModel<double>& model);
 

@@ -43,6 +43,8 @@ Belief belief(ParameterKind kind) {
     case ParameterKind::kNetRadius:
       return {0.7 * kMm, 0.5 * kMm, 2.5 * kMm};
     case ParameterKind::kNetEntry:
+    case ParameterKind::kNetCentral:
+    case ParameterKind::kNetSlope:
       return {0.4, 0.3, 5};
     case ParameterKind::kLength:
       return {3 * kMm, 2 * kMm, 15 * kMm};
@@ -145,10 +147,15 @@ class Lister {
       if (internal::has_radius(net.surfaces[s]))
         add(fmt::format("net/{}/radius", net.surfaces[s].name), ParameterKind::kNetRadius, s, 0, 0);
     // Muscles of which a part inserts on bone.
-    for (int m = 0; m < static_cast<int>(built.muscles.size()); ++m)
+    for (int m = 0; m < static_cast<int>(built.muscles.size()); ++m) {
+      const std::string& muscle = digit_.names.muscles[built.muscles[m].muscle];
       if (built.muscles[m].to_net < 1)
-        add(fmt::format("net/{}/into", digit_.names.muscles[built.muscles[m].muscle]),
-            ParameterKind::kNetEntry, m, 0, 0);
+        add(fmt::format("net/{}/into", muscle), ParameterKind::kNetEntry, m, 0, 0);
+      // Those that divide between two pulls.
+      if (!first_share(built, m)) continue;
+      add(fmt::format("net/{}/central", muscle), ParameterKind::kNetCentral, m, 0, 0);
+      add(fmt::format("net/{}/slope", muscle), ParameterKind::kNetSlope, m, 0, 0);
+    }
   }
 
   void list_mounting() {
@@ -231,6 +238,10 @@ std::string name_of(ParameterKind kind) {
       return "net/radius";
     case ParameterKind::kNetEntry:
       return "net/into";
+    case ParameterKind::kNetCentral:
+      return "net/central";
+    case ParameterKind::kNetSlope:
+      return "net/slope";
   }
   return {};
 }
@@ -243,6 +254,7 @@ std::string display_unit(const Parameter& parameter) {
     case ParameterKind::kPostureAngle:
       return "deg";
     case ParameterKind::kHoodSlope:
+    case ParameterKind::kNetSlope:
       return "1/rad";
     case ParameterKind::kHoodEntry:
     case ParameterKind::kHoodCentral:
@@ -253,6 +265,7 @@ std::string display_unit(const Parameter& parameter) {
     case ParameterKind::kNetStiffness:
     case ParameterKind::kNetSlack:
     case ParameterKind::kNetEntry:
+    case ParameterKind::kNetCentral:
       return "1";
     default:
       return "mm";

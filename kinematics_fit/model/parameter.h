@@ -35,7 +35,10 @@ enum class ParameterKind {
   kNetSlack,       // net/<band>/slack: log of a factor on the slack length             [1]
   kNetPlace,       // net/<node>/<proximal|dorsal|radial>: of an insertion or exit      [m]
   kNetRadius,      // net/<surface>/radius: of a bone that bands bend over              [m]
-  kNetEntry        // net/<muscle>/into: shift of the logit of its share in the net     [1]
+  kNetEntry,       // net/<muscle>/into: shift of the logit of its share in the net     [1]
+  kNetCentral,     // net/<muscle>/central: of that, what goes to the first of its two
+                   // pulls: shift of the logit                                         [1]
+  kNetSlope        // net/<muscle>/slope: of the logit of `central`, by MCP flexion     [1/rad]
 };
 
 /// One parameter. Its value is `mean` before the fit.

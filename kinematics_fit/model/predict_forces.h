@@ -107,7 +107,7 @@ template <typename T>
 
 /// Joint torque of the net in a trial, the specimen being posed as it is there [N m] (coordinates).
 template <typename T>
-using NetTorque = std::function<VectorX<T>(const TreeState<T>& state, Eigen::Index trial)>;
+using NetTorque = std::function<VectorX<T>(const PosedSpecimen<T>& at, Eigen::Index trial)>;
 
 /// Predicted force components of every trial [N] (3, trials).
 /// @param net_torque  of the trials in which muscles pull the model's net: pulls_net(); unused
@@ -137,7 +137,7 @@ template <typename T>
       if (model.net && pulls_net(*model.net->built, plan.tension[i]))
         forces.col(i) +=
             at.cell * held_tip_forces(model.digit, at.state, plan.hold, plan.known,
-                                      model.out_of_plane, MatrixX<T>(net_torque(at.state, i)));
+                                      model.out_of_plane, MatrixX<T>(net_torque(at, i)));
     }
   }
   return forces;

@@ -167,6 +167,8 @@ void set_parameter(const TendonModel<double>& from, const Parameter& p, const T&
     case ParameterKind::kNetPlace:
     case ParameterKind::kNetRadius:
     case ParameterKind::kNetEntry:
+    case ParameterKind::kNetCentral:
+    case ParameterKind::kNetSlope:
       set_net_parameter(from.tip_axes, p, value, *to.net);
       break;
   }

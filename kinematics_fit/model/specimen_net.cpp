@@ -1,6 +1,7 @@
 #include "kinematics_fit/model/specimen_net.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace thenar {
 
@@ -14,7 +15,18 @@ bool pulls_net(const BuiltNet& built, const Eigen::VectorXd& t) {
                      [&](const MuscleAttachment& pull) { return t[pull.muscle] > 0; });
 }
 
-BuiltNet built_net(const SpecimenNet<double>& net) {
+std::optional<double> first_share(const BuiltNet& built, int m) {
+  const NetMuscle& muscle = built.muscles[static_cast<std::size_t>(m)];
+  std::vector<double> shares;
+  for (const MuscleAttachment& pull : built.pulls)
+    if (pull.muscle == muscle.muscle) shares.push_back(pull.share / muscle.to_net);
+  // Pulls that hand on what others gave add up to more than all.
+  constexpr double kRounding = 1e-9;
+  if (shares.size() != 2 || std::abs(shares[0] + shares[1] - 1) > kRounding) return {};
+  return shares[0];
+}
+
+BuiltNet built_net(const SpecimenNet<double>& net, double angle) {
   BuiltNet out = *net.built;
   // Nodes, bands and surfaces.
   for (std::size_t i = 0; i < out.net.nodes.size(); ++i) out.net.nodes[i].p = net.place[i];
@@ -26,12 +38,12 @@ BuiltNet built_net(const SpecimenNet<double>& net) {
     out.net.surfaces[s].size[0] = net.radius[static_cast<Eigen::Index>(s)];
   // Muscles, and their shares in the pulls.
   for (std::size_t m = 0; m < out.muscles.size(); ++m) {
-    const double before = out.muscles[m].to_net, after = net.to_net[static_cast<Eigen::Index>(m)];
-    out.muscles[m].to_net = after;
+    out.muscles[m].to_net = net.to_net[static_cast<Eigen::Index>(m)];
     out.muscles[m].own = net.own[m];
-    for (MuscleAttachment& pull : out.pulls)
-      if (pull.muscle == out.muscles[m].muscle) pull.share *= after / before;
   }
+  const Eigen::VectorXd shares = pull_shares(net, angle);
+  for (std::size_t p = 0; p < out.pulls.size(); ++p)
+    out.pulls[p].share = shares[static_cast<Eigen::Index>(p)];
   return out;
 }
 

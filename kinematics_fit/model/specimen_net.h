@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "kinematics_fit/model/parameter.h"
@@ -23,8 +24,15 @@ struct SpecimenNet {
   VectorX<T> slack;                       // length of each band without tension [m] (bands)
   VectorX<T> radius;                      // size[0] of each surface [m] (surfaces)
   VectorX<T> to_net;                      // share of each of built->muscles in the net [1]
+  VectorX<T> first;                       // of that, what goes to the first of its two pulls at
+                                          // kHoodAngle; of other muscles not used [1]
+  VectorX<T> slope;                       // of its logit by flexion of the MCP joint [1/rad]
   std::vector<TendonPath<T>> own;         // path of each of built->muscles from the net on
 };
+
+/// What goes to the first pull, of all that built.muscles[m] gives the net, where it has two pulls
+/// [1]; nothing where it has more or fewer.
+[[nodiscard]] std::optional<double> first_share(const BuiltNet& built, int m);
 
 /// The net as built, on another scalar; all its numbers are constants.
 template <typename T>
@@ -44,8 +52,11 @@ template <typename T>
     to.radius[s] = T(net.surfaces[static_cast<std::size_t>(s)].size[0]);
   // Muscles that pull it.
   to.to_net.resize(static_cast<Eigen::Index>(from->muscles.size()));
+  to.first.resize(to.to_net.size());
+  to.slope = VectorX<T>::Zero(to.to_net.size());
   for (std::size_t m = 0; m < from->muscles.size(); ++m) {
     to.to_net[static_cast<Eigen::Index>(m)] = T(from->muscles[m].to_net);
+    to.first[static_cast<Eigen::Index>(m)] = T(first_share(*from, static_cast<int>(m)).value_or(1));
     to.own.emplace_back();
     for (const PathNode<double>& node : from->muscles[m].own)
       to.own.back().push_back({node.link, node.p.template cast<T>()});
@@ -96,22 +107,50 @@ void set_net_parameter(const Eigen::Matrix3d& tip_axes, const Parameter& p, cons
     case ParameterKind::kNetEntry:
       to.to_net[p.item] = shift_fraction(to.to_net[p.item], value);
       break;
+    case ParameterKind::kNetCentral:
+      to.first[p.item] = shift_fraction(to.first[p.item], value);
+      break;
+    case ParameterKind::kNetSlope:
+      to.slope[p.item] = value;
+      break;
     default:
       break;  // no parameter of a net
   }
 }
 
-/// Pull of each muscle of the net for tensions t of the digit's muscles [N] (pulls).
+/// Share of each pull of the net in the tension of its muscle [1] (pulls). With h = to_net, and of
+/// two pulls,
+///   h c  and  h (1 - c),   c = first shifted by  slope (angle - kHoodAngle)  on the logit scale;
+/// other pulls share h as built.
+/// @param angle  flexion of the metacarpophalangeal joint [rad]
 template <typename T>
-[[nodiscard]] VectorX<T> net_pulls(const SpecimenNet<T>& net, const VectorX<T>& t) {
+[[nodiscard]] VectorX<T> pull_shares(const SpecimenNet<T>& net, const T& angle) {
   const BuiltNet& built = *net.built;
-  VectorX<T> pulls(static_cast<Eigen::Index>(built.pulls.size()));
-  for (std::size_t p = 0; p < built.pulls.size(); ++p)
-    for (std::size_t m = 0; m < built.muscles.size(); ++m)
-      if (built.muscles[m].muscle == built.pulls[p].muscle)
-        pulls[static_cast<Eigen::Index>(p)] = T(built.pulls[p].share / built.muscles[m].to_net) *
-                                              net.to_net[static_cast<Eigen::Index>(m)] *
-                                              t[built.pulls[p].muscle];
+  VectorX<T> shares(static_cast<Eigen::Index>(built.pulls.size()));
+  for (std::size_t m = 0; m < built.muscles.size(); ++m) {
+    const auto at = static_cast<Eigen::Index>(m);
+    const bool divided = first_share(built, static_cast<int>(m)).has_value();
+    const T first =
+        divided ? shift_fraction(net.first[at], T(net.slope[at] * (angle - T(kHoodAngle)))) : T(1);
+    bool is_first = true;
+    for (std::size_t p = 0; p < built.pulls.size(); ++p) {
+      if (built.pulls[p].muscle != built.muscles[m].muscle) continue;
+      const T part = divided ? (is_first ? first : T(1) - first)
+                             : T(built.pulls[p].share / built.muscles[m].to_net);
+      shares[static_cast<Eigen::Index>(p)] = part * net.to_net[at];
+      is_first = false;
+    }
+  }
+  return shares;
+}
+
+/// Pull of each muscle of the net for tensions t of the digit's muscles [N] (pulls).
+/// @param angle  flexion of the metacarpophalangeal joint [rad]
+template <typename T>
+[[nodiscard]] VectorX<T> net_pulls(const SpecimenNet<T>& net, const T& angle, const VectorX<T>& t) {
+  VectorX<T> pulls = pull_shares(net, angle);
+  for (Eigen::Index p = 0; p < pulls.size(); ++p)
+    pulls[p] *= t[net.built->pulls[static_cast<std::size_t>(p)].muscle];
   return pulls;
 }
 
@@ -133,6 +172,8 @@ void take_outside_arms(const SpecimenNet<T>& net, const Tree<T>& tree, const Tre
 [[nodiscard]] bool pulls_net(const BuiltNet& built, const Eigen::VectorXd& t);
 
 /// The net with these numbers.
-[[nodiscard]] BuiltNet built_net(const SpecimenNet<double>& net);
+/// @param angle  flexion of the metacarpophalangeal joint, at which muscles share among their pulls
+///               [rad]
+[[nodiscard]] BuiltNet built_net(const SpecimenNet<double>& net, double angle = kHoodAngle);
 
 }  // namespace thenar
