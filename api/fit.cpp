@@ -106,6 +106,67 @@ std::vector<std::string> stray_warnings(const Covariance& covariance) {
       kFarMoved, names)};
 }
 
+/// Inputs with their settings chosen, if that was asked for.
+struct Preparation {
+  FitInputs inputs;
+  FitSettings settings;  // before they were chosen; empty where they are not
+  std::optional<ChosenSettings> chosen;
+};
+
+Preparation prepare(const FitRequest& request, FitInputs inputs, const SolveOptions& options) {
+  Preparation out{std::move(inputs), {}, {}};
+  if (!request.choose_settings) return out;
+  out.settings = parse_fit_settings(out.inputs.settings.text, out.inputs.settings.path);
+  out.chosen =
+      choose_settings(build_problem(out.inputs), out.settings, out.inputs.also_free, options);
+  out.inputs.settings.text = with_choices(out.inputs.settings.text, out.chosen->settings);
+  return out;
+}
+
+/// Predictions of what was left out, and the settings that folds chose.
+struct LeftOut {
+  std::vector<CrossValidation> validations;
+  std::vector<FoldChoice> choices;
+};
+
+LeftOut leave_out(const FitRequest& request, const FitProblem& problem, const FitSettings& settings,
+                  const SolveOptions& options) {
+  LeftOut out;
+  for (const LeaveOut what : request.leave_out) {
+    if (options.progress.stop()) break;
+    if (!request.choose_settings) {
+      out.validations.push_back(cross_validate(problem, what, options));
+      continue;
+    }
+    NestedValidation nested =
+        validate_choice(problem, settings, request.sources.also_free, what, options);
+    out.validations.push_back(std::move(nested.validation));
+    for (FoldChoice& fold : nested.folds) out.choices.push_back(std::move(fold));
+  }
+  return out;
+}
+
+/// The same fit without the net, if there is one and the subject has fractions.
+std::optional<FractionsFit> fit_fractions(const FitRequest& request, const FitInputs& asked,
+                                          const SolveOptions& options) {
+  if (!asked.net || options.progress.stop()) return {};
+  FitRequest without = request;
+  FitInputs inputs = asked;
+  inputs.net.reset();
+  // Parameters of the net are not there.
+  std::vector<std::string>& free = inputs.also_free;
+  free.erase(std::remove_if(free.begin(), free.end(),
+                            [](const std::string& glob) { return glob.rfind("net/", 0) == 0; }),
+             free.end());
+  without.sources.also_free = free;
+  if (!build_problem(inputs).digit().model.hood) return {};
+  const Preparation prepared = prepare(without, std::move(inputs), options);
+  FractionsFit out{run_fit(prepared.inputs, options), {}, {}};
+  out.in_sample = predict_own(out.fit);
+  out.left_out = leave_out(without, out.fit.problem, prepared.settings, options).validations;
+  return out;
+}
+
 }  // namespace
 
 LeaveOut leave_out_named(const std::string& name) {
@@ -150,16 +211,10 @@ FitResult fit_forces(const FitRequest& request, const Progress& progress) {
   options.seed = request.seed;
   options.max_evaluations = request.max_evaluations;
   options.progress = progress;
-  FitInputs inputs = read_fit_inputs(request.sources);
-  FitSettings settings;  // before they are chosen
-  std::optional<ChosenSettings> chosen;
-  if (request.choose_settings) {
-    settings = parse_fit_settings(inputs.settings.text, inputs.settings.path);
-    chosen = choose_settings(build_problem(inputs), settings, inputs.also_free, options);
-    inputs.settings.text = with_choices(inputs.settings.text, chosen->settings);
-  }
-  FitResult result{run_fit(inputs, options), {}, {}, {}};
-  result.chosen = std::move(chosen);
+  const FitInputs asked = read_fit_inputs(request.sources);
+  Preparation prepared = prepare(request, asked, options);
+  FitResult result{run_fit(prepared.inputs, options), {}, {}, {}};
+  result.chosen = std::move(prepared.chosen);
   result.fit.run = request.run;
   const Fit& fit = result.fit;
   result.misfits = misfits(fit.problem, fit.solution.z, fit.covariance);
@@ -173,19 +228,13 @@ FitResult fit_forces(const FitRequest& request, const Progress& progress) {
 
   // What it predicts, and what fits predict that have not seen it.
   result.in_sample = predict_own(result.fit);
-  for (const LeaveOut what : request.leave_out) {
-    if (progress.stop()) break;
-    if (request.choose_settings) {
-      NestedValidation nested =
-          validate_choice(result.fit.problem, settings, inputs.also_free, what, options);
-      result.left_out.push_back(std::move(nested.validation));
-      for (FoldChoice& fold : nested.folds) result.fold_choices.push_back(std::move(fold));
-    } else {
-      result.left_out.push_back(cross_validate(result.fit.problem, what, options));
-    }
-  }
-  if (!result.left_out.empty())
+  LeftOut left_out = leave_out(request, result.fit.problem, prepared.settings, options);
+  result.left_out = std::move(left_out.validations);
+  result.fold_choices = std::move(left_out.choices);
+  if (!result.left_out.empty()) {
     result.published = published_predictions(result.fit, request.sources.data);
+    result.fractions = fit_fractions(request, asked, options);
+  }
   result.stopped = progress.stop();
   return result;
 }

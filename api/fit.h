@@ -39,6 +39,14 @@ struct FitRequest {
   RunRecord run;                    // for the file
 };
 
+/// The same fit with the fractions of the subject's hood in place of a net; settings are chosen
+/// anew where they are chosen.
+struct FractionsFit {
+  Fit fit;
+  std::vector<Prediction> in_sample;      // as of FitResult
+  std::vector<CrossValidation> left_out;  // as of FitResult
+};
+
 struct FitResult {
   Fit fit;
   std::vector<Prediction> in_sample;      // of each experiment, by its specimen's own parameters,
@@ -54,6 +62,8 @@ struct FitResult {
   // it was published and without a fit; the subject that the fit starts from comes first. Empty
   // where nothing is left out.
   std::vector<BaselinePrediction> published = {};
+  // With a net, where something is left out and the subject has a hood rule.
+  std::optional<FractionsFit> fractions = {};
 };
 
 /// The texts of the inputs. Without settings those that are built in for the digit.

@@ -196,7 +196,8 @@ void add_fit(CLI::App& app) {
                       "`thenar explain SUBJECT` lists them)");
   command
       ->add_option("--net", sources.net,
-                   "Extensor net in place of the subject's hood: name or file (none)")
+                   "Extensor net in place of the subject's hood: name or file (none). With "
+                   "--cross-validate the same fit with the hood's fractions stands beside it")
       ->default_str("");
   command
       ->add_option("--free", sources.also_free,

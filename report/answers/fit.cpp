@@ -8,6 +8,7 @@
 
 #include "base/units.h"
 #include "kinematics_fit/trivial_prediction.h"
+#include "report/answers/hood_rows.h"
 #include "report/parameter_words.h"
 
 namespace thenar {
@@ -293,6 +294,7 @@ OrderedJson json_of(const FitResult& result) {
       out["left_out"].back()["folds_done"] = validation.folds_done;
       out["left_out"].back()["folds"] = validation.folds.size();
     }
+  if (const Json rows = hood_row_json(result); !rows.is_null()) out["hood_rows"] = rows;
   for (const BaselinePrediction& one : result.published) {
     out["published"].push_back(error_json(one.prediction));
     out["published"].back()["subject"] = one.name;
@@ -314,6 +316,7 @@ std::string text_of(const FitResult& result) {
   }
   for (const CrossValidation& validation : result.left_out) text += left_out_text(validation);
   text += published_text(result);
+  text += hood_row_text(result);
   text += chosen_text(result);
   if (fit.solution.status == Status::kSolved) text += learnt_text(fit);
   return text + open_text(fit) + "\n";

@@ -8,6 +8,7 @@
 #include "base/units.h"
 #include "kinematics_fit/fit_residuals.h"
 #include "report/answers/fit.h"
+#include "report/answers/hood_rows.h"
 #include "report/pages/prediction.h"
 #include "report/parameter_words.h"
 #include "report/scene/digit_layers.h"
@@ -175,8 +176,24 @@ Json error_table(const FitResult& result) {
       rows);
 }
 
+/// Errors of the hood's muscles, beside those with fractions; none where the digit has no hood.
+std::optional<Json> hood_row_block(const FitResult& result) {
+  const Table table = hood_row_table(result);
+  if (table.rows.empty()) return std::nullopt;
+  std::vector<BlockColumn> columns;
+  for (const std::string& column : table.header) columns.push_back({column, ""});
+  Json rows = Json::array();
+  for (const std::vector<std::string>& row : table.rows) rows.push_back(row);
+  std::string caption =
+      "Relative errors of the trials under one muscle of the extensor hood, alone. " +
+      hood_count_words(result.fit);
+  if (result.fractions) caption += ". " + hood_count_words(result.fractions->fit);
+  return table_block(caption, columns, rows);
+}
+
 Json force_section(const FitResult& result) {
   Json blocks = Json::array();
+  if (std::optional<Json> hood = hood_row_block(result)) blocks.push_back(*hood);
   const std::vector<Experiment>& experiments = result.fit.problem.experiments();
   for (std::size_t e = 0; e < result.in_sample.size(); ++e)
     blocks.push_back(

@@ -1,0 +1,69 @@
+#include "kinematics_fit/hood_rows.h"
+
+#include <algorithm>
+
+#include "tendons/net/build_net.h"
+
+namespace thenar {
+namespace {
+
+bool all_zero(const std::vector<PredictedTrial>& trials) {
+  return std::all_of(trials.begin(), trials.end(),
+                     [](const PredictedTrial& trial) { return trial.measured.isZero(0); });
+}
+
+/// "hood/UI/slope" of "H01: hood/UI/slope".
+std::string parameter_of(const std::string& entry) {
+  const std::size_t at = entry.find(": ");
+  return at == std::string::npos ? entry : entry.substr(at + 2);
+}
+
+}  // namespace
+
+std::vector<std::string> hood_muscles(const TendonDigit& digit) {
+  std::vector<int> found;
+  if (digit.model.hood)
+    for (const HoodShare<double>& share : digit.model.hood_shares) found.push_back(share.muscle);
+  if (digit.net)
+    for (const NetMuscle& muscle : digit.net->muscles) found.push_back(muscle.muscle);
+  std::sort(found.begin(), found.end());
+  found.erase(std::unique(found.begin(), found.end()), found.end());
+  std::vector<std::string> names;
+  for (const int m : found) names.push_back(digit.names.muscles[static_cast<std::size_t>(m)]);
+  return names;
+}
+
+std::optional<HoodRowErrors> hood_row_errors(const Prediction& prediction,
+                                             const std::vector<std::string>& muscles) {
+  // Trials of each muscle, in the order in which muscles first appear.
+  std::vector<std::string> order;
+  std::vector<PredictedTrial> all;
+  for (const PredictedTrial& trial : prediction.trials) {
+    if (std::find(muscles.begin(), muscles.end(), trial.loads) == muscles.end()) continue;
+    if (std::find(order.begin(), order.end(), trial.loads) == order.end())
+      order.push_back(trial.loads);
+    all.push_back(trial);
+  }
+  if (all_zero(all)) return {};
+  HoodRowErrors out{{}, force_error(all)};
+  for (const std::string& muscle : order) {
+    std::vector<PredictedTrial> alone;
+    for (const PredictedTrial& trial : all)
+      if (trial.loads == muscle) alone.push_back(trial);
+    if (!all_zero(alone)) out.muscles.push_back({muscle, force_error(alone)});
+  }
+  return out;
+}
+
+HoodCount count_hood(const Covariance& covariance) {
+  HoodCount count;
+  for (const CoordinateEstimate& learnt : covariance.learnt) {
+    const std::string name = parameter_of(learnt.name);
+    if (name.rfind("hood/", 0) != 0 && name.rfind("net/", 0) != 0) continue;
+    ++count.entries;
+    count.effective += 1 - learnt.sd * learnt.sd;
+  }
+  return count;
+}
+
+}  // namespace thenar

@@ -1,0 +1,29 @@
+#pragma once
+
+/// Errors of the extensor hood's rows, muscle by muscle: of a fit with a net beside the same fit
+/// with fractions.
+
+#include <string>
+
+#include "api/fit.h"
+#include "report/json.h"
+#include "report/table.h"
+
+namespace thenar {
+
+/// One row for each experiment and way of predicting: relative errors of all trials of the hood's
+/// muscles, then of each muscle alone, with the net and with fractions. No rows where nothing was
+/// left out, or the digit has no hood.
+[[nodiscard]] Table hood_row_table(const FitResult& result);
+
+/// The same as lines of text, with the count of free numbers; "" without rows.
+[[nodiscard]] std::string hood_row_text(const FitResult& result);
+
+/// "fixed fractions: 471 coordinates move, 23 of them of the hood; the data determine 78.5
+/// parameters, 3.1 of them of the hood" of a fit.
+[[nodiscard]] std::string hood_count_words(const Fit& fit);
+
+/// The same in full, numbers as they are, or null.
+[[nodiscard]] Json hood_row_json(const FitResult& result);
+
+}  // namespace thenar
