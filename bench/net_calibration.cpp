@@ -98,28 +98,29 @@ struct Finger {
   Subject subject;
 };
 
+/// Posture and tensions of a pull on a finger.
+PostureAndLoad at_pull(const NetTendons& tendons, const Pull& pull) {
+  const auto& muscles = tendons.digit().names.muscles;
+  PostureAndLoad at{tendons.net().frame.straight,
+                    VectorXd::Zero(static_cast<Eigen::Index>(muscles.size()))};
+  at.q += kDegree * (VectorXd(4) << pull.mcp, 0, pull.pip, pull.dip).finished();
+  for (std::size_t m = 0; m < muscles.size(); ++m)
+    if (muscles[m] == pull.muscle) at.t[static_cast<Eigen::Index>(m)] = pull.tension;
+  return at;
+}
+
 /// Slips of the net on a finger under a pull.
 SlipTension slips_under(const NetTendons& tendons, const Pull& pull) {
-  const auto& muscles = tendons.digit().names.muscles;
-  VectorXd t = VectorXd::Zero(static_cast<Eigen::Index>(muscles.size()));
-  for (std::size_t m = 0; m < muscles.size(); ++m)
-    if (muscles[m] == pull.muscle) t[static_cast<Eigen::Index>(m)] = pull.tension;
-  VectorXd q = tendons.net().frame.straight;
-  q += kDegree * (VectorXd(4) << pull.mcp, 0, pull.pip, pull.dip).finished();
-  const NetEquilibrium rest = tendons.rest(q, t, start_from_straight(tendons, q, t));
+  const PostureAndLoad at = at_pull(tendons, pull);
+  const NetEquilibrium rest = tendons.rest(at.q, at.t, start_from_straight(tendons, at.q, at.t));
   if (rest.status != NetStatus::kBalanced) return {NAN, NAN, NAN, NAN};
   return slip_tension(tendons.net(), rest);
 }
 
 /// Torque about the middle joint [N m].
 double middle_torque(const NetTendons& tendons, const Pull& pull) {
-  const auto& muscles = tendons.digit().names.muscles;
-  VectorXd t = VectorXd::Zero(static_cast<Eigen::Index>(muscles.size()));
-  for (std::size_t m = 0; m < muscles.size(); ++m)
-    if (muscles[m] == pull.muscle) t[static_cast<Eigen::Index>(m)] = pull.tension;
-  VectorXd q = tendons.net().frame.straight;
-  q += kDegree * (VectorXd(4) << pull.mcp, 0, pull.pip, pull.dip).finished();
-  return tendons.evaluate(q, t, start_from_straight(tendons, q, t)).tau[2];
+  const PostureAndLoad at = at_pull(tendons, pull);
+  return tendons.evaluate(at.q, at.t, start_from_straight(tendons, at.q, at.t)).tau[2];
 }
 
 double value_of(const NetTendons& tendons, const Target& target) {
