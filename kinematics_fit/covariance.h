@@ -8,7 +8,7 @@
 #include <Eigen/SparseCore>
 
 #include "kinematics_fit/fit_problem.h"
-#include "solvers/arrow_matrix.h"
+#include "solvers/arrow_factor.h"
 
 namespace thenar {
 

@@ -49,10 +49,9 @@ class FitProblem {
 
   [[nodiscard]] const std::vector<Experiment>& experiments() const { return experiments_; }
   [[nodiscard]] const std::vector<ExperimentPlan>& plans() const { return plans_; }
-  [[nodiscard]] int specimen_of(int experiment) const {
-    return specimen_of_.at(experiment);
-  }  // in specimens()
-  /// compile_forces() of an experiment.
+  /// Index in specimens().
+  [[nodiscard]] int specimen_of(int experiment) const { return specimen_of_.at(experiment); }
+  /// compile_forces() of an experiment, which may be null.
   [[nodiscard]] const ForceKernel* kernel_of(int experiment) const {
     return kernels_.at(static_cast<std::size_t>(experiment)).get();
   }
@@ -77,8 +76,9 @@ class FitProblem {
   std::vector<ExperimentPlan> plans_;  // of each experiment
   std::vector<int> specimen_of_;       // of each experiment
   std::vector<TendonDigit> digits_;    // of each specimen in its size; none if not scaled
-  std::vector<std::shared_ptr<const ForceKernel>> kernels_;  // of each experiment
-  double robust_scale_;                                      // [1]
+  std::vector<std::shared_ptr<const ForceKernel>>
+      kernels_;          // of each experiment; constant, so that copies of the problem share them
+  double robust_scale_;  // [1]
   std::vector<AxisDistance> axis_distances_;
   std::vector<AxisPair> axis_pairs_;
 };

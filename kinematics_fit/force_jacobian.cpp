@@ -139,7 +139,7 @@ class NetSlopes {
 std::shared_ptr<const ForceKernel> compile_forces(const TendonDigit& digit,
                                                   const FitParameters& parameters,
                                                   const ExperimentPlan& plan) {
-  if (digit.net || !plan.sites.empty()) return nullptr;
+  if (!ForceKernel::knows(digit, plan)) return nullptr;
   return std::make_shared<const ForceKernel>(digit, parameters, plan);
 }
 

@@ -16,15 +16,16 @@ struct ForceJacobian {
   Eigen::MatrixXd J;       // [N per SI] (3 trials, coordinates)
 };
 
-/// The force model of an experiment, compiled; null where only the templates of predict_forces.h
-/// know it: with an extensor net, or forces measured at other segments than the tip.
+/// The force model of an experiment, compiled, for copies of its problem to share; null where only
+/// the templates of predict_forces.h know it: with an extensor net, or forces measured at other
+/// segments than the tip.
 [[nodiscard]] std::shared_ptr<const ForceKernel> compile_forces(const TendonDigit& digit,
                                                                 const FitParameters& parameters,
                                                                 const ExperimentPlan& plan);
 
 /// @param u       (coordinates)
 /// @param kernel  compile_forces() of the same, or null: the values are the same to rounding, and
-///                Jacobians take ten times as long
+///                Jacobians take several times as long
 [[nodiscard]] Eigen::Matrix3Xd force_values(const TendonDigit& digit,
                                             const FitParameters& parameters,
                                             const ExperimentPlan& plan, const Eigen::VectorXd& u,

@@ -44,8 +44,8 @@ struct [[nodiscard]] FoundModes {
 /// cannot separate: z and z_m are one mode where
 ///   (z - z_m)' C_m^-1 (z - z_m) < same_distance^2  and  |cost - cost_m| < same_cost,
 /// C_m = (J'J)^-1 at the better of both. A start where the residuals are not finite is a failed
-/// search. Directions without curvature of data or priors get 1e12 times the smallest variance, so
-/// that the covariance stays finite.
+/// search. Where residuals do not come in blocks, directions without curvature of data or priors
+/// get 1e12 times the smallest variance, so that the covariance stays finite.
 /// @throws InputError if options are out of range or shapes disagree.
 FoundModes find_modes(const LeastSquares& problem, const ModeSearchOptions& search = {});
 

@@ -100,6 +100,10 @@ HandPosterior::HandPosterior(FitProblem problem, const PosteriorOptions& options
       !parts.problem.digit().net,
       "a posterior has no nets: its force kernel is written for tendons that are linear in their "
       "tensions; fit the net, or sample with the subject's own hood");
+  for (const ExperimentPlan& plan : parts.problem.plans())
+    require(plan.sites.empty(),
+            "a posterior knows forces of the tip alone; leave out the trials that were measured at "
+            "other segments ('at'), or ask `thenar fit` and `thenar predict`");
   require(parts.problem.scaling() == Scaling::kSubject,
           "a posterior has one size for all specimens: sample without --scale outside");
   require(!options.learn_noise || options.noise_sd > 0, "noise_sd must be > 0, got {}",

@@ -71,6 +71,28 @@ Split split(const MatrixXd& A, double tolerance) {
 
 }  // namespace
 
+ArrowMatrix::ArrowMatrix(const ArrowLayout& of)
+    : layout(of),
+      shared(MatrixXd::Zero(of.shared, of.shared)),
+      own(static_cast<std::size_t>(of.blocks), MatrixXd::Zero(of.own, of.own)),
+      cross(static_cast<std::size_t>(of.blocks), MatrixXd::Zero(of.own, of.shared)) {}
+
+MatrixXd ArrowMatrix::of(int block) const {
+  if (block < 0 || layout.own == 0) return shared;
+  const auto b = static_cast<std::size_t>(block);
+  MatrixXd all(layout.shared + layout.own, layout.shared + layout.own);
+  all << shared, cross[b].transpose(), cross[b], own[b];
+  return all;
+}
+
+VectorXd ArrowMatrix::diagonal() const {
+  VectorXd all(layout.size());
+  all.head(layout.shared) = shared.diagonal();
+  for (int b = 0; b < layout.blocks; ++b)
+    all.segment(layout.first(b), layout.own) = own[static_cast<std::size_t>(b)].diagonal();
+  return all;
+}
+
 ArrowFactor::ArrowFactor(const ArrowLayout& layout, const std::vector<ArrowRows>& rows)
     : layout_(layout) {
   // Each block leaves rows that hang on the shared coordinates alone.

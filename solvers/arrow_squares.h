@@ -7,7 +7,7 @@
 
 #include <Eigen/Cholesky>
 
-#include "solvers/arrow_matrix.h"
+#include "solvers/arrow_factor.h"
 
 namespace thenar {
 
@@ -38,10 +38,11 @@ struct ArrowSquares {
 
 /// Cholesky factor of such a matrix. Its cost grows with the number of blocks, with the coordinates
 /// of one and with the square of its rows, where a factor of its entries grows with the cube of the
-/// coordinates. Where rows of a Jacobian are at hand, ArrowFactor keeps more digits.
+/// coordinates; it gains nothing with as many rows as these. Where rows of a Jacobian are at hand,
+/// ArrowFactor keeps more digits.
 ///
-/// With u = D^-1/2 of own columns, by Woodbury's formula, a block needs the Cholesky factors of
-///   1 + P u u' P'  =  L L'   and   1 - N u (1 - A'A) u' N',   A = L^-1 P u;
+/// With U = D^-1/2 over own columns, by Woodbury's formula, a block needs the Cholesky factors of
+///   1 + P U U P'  =  L L'   and   1 - N U (1 - A'A) U N',   A = L^-1 P U;
 /// H is positive definite over the block's own coordinates just where the second one exists.
 /// Source: [GolubVanLoan2013] section 2.1.4; [Haynsworth1968] on when it exists.
 class ArrowSquaresFactor {
@@ -55,10 +56,10 @@ class ArrowSquaresFactor {
   [[nodiscard]] Eigen::VectorXd solve(const Eigen::VectorXd& g) const;
 
  private:
-  /// The block's inverse over own coordinates is  u (1 - own' W own) u,  what it leaves of S is
+  /// The block's inverse over own coordinates is  U (1 - own' W own) U,  what it leaves of S is
   /// shared' W shared,  W = 1 for the first `plus` rows and -1 for the others.
   struct Block {
-    Eigen::VectorXd u;       // D^-1/2 (own)
+    Eigen::VectorXd u;       // diagonal of U (own)
     Eigen::MatrixXd own;     // (rows, own)
     Eigen::MatrixXd shared;  // (rows, shared)
     Eigen::Index plus = 0;

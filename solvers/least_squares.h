@@ -42,8 +42,8 @@ struct LeastSquares {
   Eigen::VectorXd c_lower, c_upper;  // bounds of the constraints; empty: none (constraints)
   std::function<ConstraintValues(const Eigen::VectorXd& z)> constraints;  // empty: none
   ArrowLayout layout;               // of `parts`; unused without them
-  std::vector<ResidualPart> parts;  // the same residuals by blocks, or empty; Ceres and the
-                                    // certificate take them in place of `residuals`
+  std::vector<ResidualPart> parts;  // the same residuals by blocks, or empty; kCeres and
+                                    // the certificate take them in place of `residuals`
 };
 
 /// Cost, its gradient, and the Jacobian of the residuals at z, in blocks where the problem has
@@ -65,7 +65,7 @@ void fix_coordinate(CostDerivatives& slopes, Eigen::Index i);
 /// Which solver. All minimise the same function; only Ipopt keeps `constraints`. The others search
 /// without them: where their minimum breaks one, the status is not kSolved.
 enum class LeastSquaresMethod {
-  kCeres,        // Levenberg-Marquardt; needs the Jacobian
+  kCeres,        // secants, Levenberg-Marquardt; needs the Jacobian
   kNloptLocal,   // BOBYQA: local, without derivatives
   kNloptGlobal,  // controlled random search, polished by BOBYQA: without derivatives
   kIpopt         // interior point, Gauss-Newton Hessian; needs the Jacobian; keeps constraints
@@ -73,7 +73,8 @@ enum class LeastSquaresMethod {
 
 struct SolveOptions {
   LeastSquaresMethod method = LeastSquaresMethod::kCeres;
-  int max_evaluations = 0;  // of the residuals; 0: the method's own limit
+  int max_evaluations = 0;  // of the residuals; 0: the method's own limit; with kCeres, who counts
+                            // them gets Levenberg-Marquardt's steps alone
   double tolerance = 1e-8;  // relative change of the cost at which to stop [1]
   unsigned seed = 1;        // of the global search
   Progress progress;

@@ -231,7 +231,8 @@ bool search_by_secants(const LeastSquares& problem, const SolveOptions& options,
   solution.cost = search.best().cost;
   if (!near && !stopped) return false;
   solution.status = near ? Status::kSolved : Status::kStopped;
-  if (near) solution.message = fmt::format("the last full step was to gain {:.1g}", left);
+  if (near)
+    solution.message = fmt::format("the last full step was to lower the cost by {:.1g}", left);
   return true;
 }
 

@@ -1,5 +1,7 @@
 #include "kinematics_fit/kernel/force_kernel.h"
 
+#include <algorithm>
+
 #include "base/error.h"
 #include "kinematics_fit/kernel/batch.h"
 #include "kinematics_fit/kernel/compile.h"
@@ -17,11 +19,13 @@ class ForceKernel::Tape {
 ForceKernel::ForceKernel(const TendonDigit& digit, const FitParameters& parameters,
                          const ExperimentPlan& plan)
     : program_(std::make_unique<Program>()) {
-  require(plan.sites.empty(),
-          "a posterior knows forces of the tip alone; leave out the trials that were measured at "
-          "other segments ('at'), or ask `thenar fit` and `thenar predict`");
+  require(knows(digit, plan), "a compiled model has no extensor net and forces of the tip alone");
   kernel::compile(digit, parameters, plan, *program_);
 }
+bool ForceKernel::knows(const TendonDigit& digit, const ExperimentPlan& plan) {
+  return !digit.net && plan.sites.empty();
+}
+
 ForceKernel::~ForceKernel() = default;
 ForceKernel::ForceKernel(ForceKernel&&) noexcept = default;
 
@@ -54,10 +58,19 @@ Eigen::MatrixXd ForceKernel::adjoint_product(
 }
 
 ForceKernel::Slopes ForceKernel::slopes(const Eigen::VectorXd& u) const {
-  const Eigen::Index rows = 3 * Eigen::Index{trials()};
-  const Recorded recorded = record(u.replicate(1, rows));
-  return {recorded.forces.col(0),
-          adjoint_product(recorded, Eigen::MatrixXd::Identity(rows, rows)).transpose()};
+  const Eigen::Index rows = 3 * Eigen::Index{trials()}, most = lanes();
+  Slopes out{Eigen::VectorXd(rows), Eigen::MatrixXd(rows, coordinates())};
+  if (rows == 0) return out;
+  // One run in all lanes, then an adjoint of as many forces as there are lanes, over and over.
+  const Recorded recorded = record(u.replicate(1, most));
+  out.forces = recorded.forces.col(0);
+  for (Eigen::Index first = 0; first < rows; first += most) {
+    const Eigen::Index count = std::min(most, rows - first);
+    Eigen::MatrixXd weights = Eigen::MatrixXd::Zero(rows, most);
+    weights.middleRows(first, count).leftCols(count).setIdentity();
+    out.J.middleRows(first, count) = adjoint_product(recorded, weights).leftCols(count).transpose();
+  }
+  return out;
 }
 
 }  // namespace thenar

@@ -17,7 +17,11 @@ namespace thenar {
 /// Derivation: docs/theory/fitting.md, "The adjoint of the force model".
 class ForceKernel {
  public:
+  /// Not of an extensor net, nor of forces measured at other segments than the tip.
+  [[nodiscard]] static bool knows(const TendonDigit& digit, const ExperimentPlan& plan);
+
   /// @param parameters  which entries of the parameter values move; the others stay at their mean
+  /// @throws InputError for an experiment that it does not know.
   ForceKernel(const TendonDigit& digit, const FitParameters& parameters,
               const ExperimentPlan& plan);
   ~ForceKernel();
@@ -36,7 +40,7 @@ class ForceKernel {
     Eigen::VectorXd forces;  // [N] (3 trials)
     Eigen::MatrixXd J;       // d forces / du [N per SI] (3 trials, coordinates)
   };
-  /// One adjoint for each force, as many at once as there are lanes.
+  /// One adjoint for each force, as many at once as there are lanes, through its posture alone.
   [[nodiscard]] Slopes slopes(const Eigen::VectorXd& u) const;
 
   /// Intermediate results of forces() that adjoint_product() needs.

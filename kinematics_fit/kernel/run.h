@@ -58,6 +58,16 @@ inline void adjoint_posture(const Program& program, int k, const DigitParameters
   adjoint_angles(program, k, adjoint, adjoint_digit);
 }
 
+/// Whether any lane asks for a force of posture k.
+inline bool asks_for(const Program& program, int k, const V* force_bar) {
+  const PostureStep& posture = program.postures[k];
+  for (int i = posture.first_trial; i < posture.last_trial; ++i)
+    for (int c = 0; c < 3; ++c)
+      for (int point = 0; point < kLanes; ++point)
+        if (lane(force_bar[3 * program.trial_steps[i].column + c], point) != 0) return true;
+  return false;
+}
+
 /// Length of the tape of one run: numbers, then postures [registers].
 inline long tape_length(const Program& program) {
   BumpAllocator bump(nullptr);
@@ -128,9 +138,10 @@ inline void run_adjoint(const Program& program, double* tape, const double* cons
   clear(u_bar, program.fit_coordinates);
   clear(u_bar + before, passing.used() - before);
   for (int k = 0; k < program.postures.size(); ++k) {
+    const Posed posed(program, program.postures[k], kept);
+    if (!asks_for(program, k, force_bar)) continue;
     // Adjoints of a posture begin at zero each time.
     BumpAllocator own = passing;
-    const Posed posed(program, program.postures[k], kept);
     Posed adjoint(program, program.postures[k], own);
     Wrenches on(program, own);
     clear(u_bar + passing.used(), own.used() - passing.used());

@@ -15,9 +15,9 @@
 namespace thenar {
 namespace {
 
-constexpr int kGlobalSearch = 60;                                        // coordinates [1]
-constexpr int kManyCoordinates = 1000, kStarts = 16, kStartsOfMany = 4;  // [1]
-constexpr double kInflation = 2;  // of the starts, in Laplace sds [1]
+constexpr int kGlobalSearch = 60, kManyCoordinates = 1000;  // coordinates [1]
+constexpr int kStarts = 16, kStartsOfMany = 4;  // searches for modes, unless somebody says [1]
+constexpr double kInflation = 2;                // of the starts, in Laplace sds [1]
 
 std::string fingerprint(const FitInputs& inputs, const PosteriorSettings& settings) {
   // All texts, then the settings that change the density or the starts.
@@ -33,9 +33,7 @@ std::string fingerprint(const FitInputs& inputs, const PosteriorSettings& settin
 FoundModes search_modes(const FitProblem& problem, const PosteriorSettings& settings) {
   // The prior means are a start of their own.
   ModeSearchOptions search;
-  search.starts = settings.mode_starts > 0            ? settings.mode_starts
-                  : problem.size() > kManyCoordinates ? kStartsOfMany
-                                                      : kStarts;
+  search.starts = settings.mode_starts;
   // A global search without derivatives finds nothing among more coordinates than this.
   if (problem.size() > kGlobalSearch) search.global_searches = 0;
   search.extra_starts = Eigen::VectorXd::Zero(problem.size());
@@ -153,6 +151,9 @@ PosteriorRun sample_posterior(const FitInputs& inputs, const PosteriorSettings& 
     run.posterior =
         std::make_shared<const HandPosterior>(build_problem(inputs), settings.posterior);
     if (options.walkers == 0) options.walkers = min_walkers(options.method, run.posterior->size());
+    if (run.settings.mode_starts == 0)
+      run.settings.mode_starts =
+          run.posterior->problem().size() > kManyCoordinates ? kStartsOfMany : kStarts;
     check_chains(options, run.posterior->size());
     // The others need not search for what they are told.
     if (ranks.rank() == 0) beginning = begin(run, options);
@@ -167,7 +168,7 @@ PosteriorRun sample_posterior(const FitInputs& inputs, const PosteriorSettings& 
   options.sampler.covariance = broadcast(ranks, beginning->covariance, n);
 
   // Sample, and judge the draws.
-  options.fingerprint = fingerprint(inputs, settings);
+  options.fingerprint = fingerprint(inputs, run.settings);
   RetriedDraws retried =
       retry_divergent(*run.posterior, starts, options, settings.retry_acceptances, ranks);
   run.draws = std::move(retried.draws);

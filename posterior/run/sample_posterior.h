@@ -26,7 +26,7 @@ struct PosteriorSettings {
   RunOptions run;       // fingerprint and covariance are set by the run; walkers 0: as few as
                         // the method allows
   int mode_starts = 0;  // starts of the search for modes, before sampling; 0: 16, or 4 among more
-                        // than 1000 coordinates [1]
+                        // than 1000 coordinates, which the run's settings then say [1]
   std::vector<double>
       retry_acceptances;  // target acceptances of retry_divergent(); empty: none [1]
   ConvergenceLimits limits;

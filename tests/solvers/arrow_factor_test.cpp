@@ -102,5 +102,18 @@ TEST(ArrowNullSpace, IsEverythingWithoutData) {
   EXPECT_EQ(columns_of(arrow_null_space(kLayout, {}, 1e-9)).cols(), kLayout.size());
 }
 
+TEST(ArrowFactor, HasTheBlocksOfTheDenseInverse) {
+  std::mt19937 rng(4);
+  const std::vector<ArrowRows> rows = random_rows(true, rng);
+  const MatrixXd J = dense(kLayout, rows), C = (J.transpose() * J).inverse();
+  const ArrowMatrix blocks = ArrowFactor(kLayout, rows).inverse_blocks();
+  EXPECT_TRUE(matrix_near(blocks.diagonal(), C.diagonal(), 1e-13));
+  for (int b = -1; b < kLayout.blocks; ++b) {
+    std::vector<int> on{0, 1, 2};
+    if (b >= 0) on.insert(on.end(), {kLayout.first(b), kLayout.first(b) + 1});
+    EXPECT_TRUE(matrix_near(blocks.of(b), C(on, on), 1e-13)) << b;
+  }
+}
+
 }  // namespace
 }  // namespace thenar
