@@ -3,11 +3,11 @@
 //
 // Prints:
 //   trusted: yes
-//   slips: central 1.23 N, radial 1.31 N, ulnar 1.35 N, terminal 2.42 N
+//   slips: central 1.41 N, radial 1.17 N, ulnar 1.31 N, terminal 2.22 N
 //   MCP3_FE  -23.16 N mm
-//   MCP3_AA    0.58 N mm
-//   PIP3     -12.43 N mm
-//   DIP3      -9.00 N mm
+//   MCP3_AA    0.60 N mm
+//   PIP3     -12.89 N mm
+//   DIP3      -8.27 N mm
 #include <cstdio>
 
 #include <thenar/thenar.h>
