@@ -129,7 +129,7 @@ struct LeftOut {
   std::vector<FoldChoice> choices;
 };
 
-LeftOut leave_out(const FitRequest& request, const FitProblem& problem, const FitSettings& settings,
+LeftOut leave_out(const FitRequest& request, const FitProblem& problem, const Preparation& prepared,
                   const SolveOptions& options) {
   LeftOut out;
   for (const LeaveOut what : request.leave_out) {
@@ -139,7 +139,7 @@ LeftOut leave_out(const FitRequest& request, const FitProblem& problem, const Fi
       continue;
     }
     NestedValidation nested =
-        validate_choice(problem, settings, request.sources.also_free, what, options);
+        validate_choice(problem, prepared.settings, prepared.inputs.also_free, what, options);
     out.validations.push_back(std::move(nested.validation));
     for (FoldChoice& fold : nested.folds) out.choices.push_back(std::move(fold));
   }
@@ -150,7 +150,6 @@ LeftOut leave_out(const FitRequest& request, const FitProblem& problem, const Fi
 std::optional<FractionsFit> fit_fractions(const FitRequest& request, const FitInputs& asked,
                                           const SolveOptions& options) {
   if (!asked.net || options.progress.stop()) return {};
-  FitRequest without = request;
   FitInputs inputs = asked;
   inputs.net.reset();
   // Parameters of the net are not there.
@@ -158,12 +157,11 @@ std::optional<FractionsFit> fit_fractions(const FitRequest& request, const FitIn
   free.erase(std::remove_if(free.begin(), free.end(),
                             [](const std::string& glob) { return glob.rfind("net/", 0) == 0; }),
              free.end());
-  without.sources.also_free = free;
   if (!build_problem(inputs).digit().model.hood) return {};
-  const Preparation prepared = prepare(without, std::move(inputs), options);
+  const Preparation prepared = prepare(request, std::move(inputs), options);
   FractionsFit out{run_fit(prepared.inputs, options), {}, {}};
   out.in_sample = predict_own(out.fit);
-  out.left_out = leave_out(without, out.fit.problem, prepared.settings, options).validations;
+  out.left_out = leave_out(request, out.fit.problem, prepared, options).validations;
   return out;
 }
 
@@ -212,9 +210,9 @@ FitResult fit_forces(const FitRequest& request, const Progress& progress) {
   options.max_evaluations = request.max_evaluations;
   options.progress = progress;
   const FitInputs asked = read_fit_inputs(request.sources);
-  Preparation prepared = prepare(request, asked, options);
+  const Preparation prepared = prepare(request, asked, options);
   FitResult result{run_fit(prepared.inputs, options), {}, {}, {}};
-  result.chosen = std::move(prepared.chosen);
+  result.chosen = prepared.chosen;
   result.fit.run = request.run;
   const Fit& fit = result.fit;
   result.misfits = misfits(fit.problem, fit.solution.z, fit.covariance);
@@ -228,7 +226,7 @@ FitResult fit_forces(const FitRequest& request, const Progress& progress) {
 
   // What it predicts, and what fits predict that have not seen it.
   result.in_sample = predict_own(result.fit);
-  LeftOut left_out = leave_out(request, result.fit.problem, prepared.settings, options);
+  LeftOut left_out = leave_out(request, result.fit.problem, prepared, options);
   result.left_out = std::move(left_out.validations);
   result.fold_choices = std::move(left_out.choices);
   if (!result.left_out.empty()) {

@@ -3,8 +3,8 @@
 /// What every program that draws a chart does beside drawing it.
 
 #include <cstdio>
-#include <exception>
 
+#include "bench/run_program.h"
 #include "report/blocks.h"
 #include "report/page.h"
 
@@ -17,13 +17,7 @@ int write_chart(const char* name, int argc, char** argv, Page page) {
     std::fprintf(stderr, "usage: %s PAGE.html\n", name);
     return 2;
   }
-  try {
-    write_report(page(), argv[1]);
-  } catch (const std::exception& e) {
-    std::fprintf(stderr, "%s: %s\n", name, e.what());
-    return 1;
-  }
-  return 0;
+  return run_program(name, [&] { write_report(page(), argv[1]); });
 }
 
 }  // namespace thenar::bench

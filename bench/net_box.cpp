@@ -21,6 +21,7 @@
 
 #include "base/error.h"
 #include "base/units.h"
+#include "bench/run_program.h"
 #include "tendons/linear_tendons.h"
 #include "tendons/net/net_continuation.h"
 #include "tendons/net/posture_sweep.h"
@@ -144,10 +145,5 @@ void run(int argc, char** argv) {
 }  // namespace thenar
 
 int main(int argc, char** argv) {
-  try {
-    thenar::run(argc, argv);
-  } catch (const std::exception& error) {
-    std::cerr << "net_box: " << error.what() << "\n";
-    return 1;
-  }
+  return thenar::bench::run_program("net_box", [&] { thenar::run(argc, argv); });
 }

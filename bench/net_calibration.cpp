@@ -22,6 +22,7 @@
 
 #include "base/error.h"
 #include "base/units.h"
+#include "bench/run_program.h"
 #include "tendons/linear_tendons.h"
 #include "tendons/net/net_tendons.h"
 #include "tendons/net/posture_sweep.h"
@@ -321,10 +322,5 @@ void run(int argc, char** argv) {
 }  // namespace thenar
 
 int main(int argc, char** argv) {
-  try {
-    thenar::run(argc, argv);
-  } catch (const std::exception& error) {
-    std::cerr << "net_calibration: " << error.what() << "\n";
-    return 1;
-  }
+  return thenar::bench::run_program("net_calibration", [&] { thenar::run(argc, argv); });
 }

@@ -83,4 +83,9 @@ std::vector<std::string> FitCoordinates::names() const {
   return names;
 }
 
+std::string without_specimen(const std::string& entry) {
+  const std::size_t at = entry.find(": ");
+  return at == std::string::npos ? entry : entry.substr(at + 2);
+}
+
 }  // namespace thenar

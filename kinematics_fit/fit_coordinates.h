@@ -80,4 +80,7 @@ class FitCoordinates {
   Eigen::VectorXd lower_, upper_;  // of z [1] (size)
 };
 
+/// "hood/UI/slope" of "H01: hood/UI/slope", the name of an entry of one specimen.
+[[nodiscard]] std::string without_specimen(const std::string& entry);
+
 }  // namespace thenar

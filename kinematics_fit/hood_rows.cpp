@@ -12,12 +12,6 @@ bool all_zero(const std::vector<PredictedTrial>& trials) {
                      [](const PredictedTrial& trial) { return trial.measured.isZero(0); });
 }
 
-/// "hood/UI/slope" of "H01: hood/UI/slope".
-std::string parameter_of(const std::string& entry) {
-  const std::size_t at = entry.find(": ");
-  return at == std::string::npos ? entry : entry.substr(at + 2);
-}
-
 }  // namespace
 
 std::vector<std::string> hood_muscles(const TendonDigit& digit) {
@@ -58,7 +52,7 @@ std::optional<HoodRowErrors> hood_row_errors(const Prediction& prediction,
 HoodCount count_hood(const Covariance& covariance) {
   HoodCount count;
   for (const CoordinateEstimate& learnt : covariance.learnt) {
-    const std::string name = parameter_of(learnt.name);
+    const std::string name = without_specimen(learnt.name);
     if (name.rfind("hood/", 0) != 0 && name.rfind("net/", 0) != 0) continue;
     ++count.entries;
     count.effective += 1 - learnt.sd * learnt.sd;

@@ -161,6 +161,10 @@ struct ResidualBlocks {
 /// Does the gradient push coordinate i against a bound it lies on?
 [[nodiscard]] bool held(const LeastSquares&, const Eigen::VectorXd& z, double gradient,
                         Eigen::Index i);
+
+/// The coordinates that no bound holds against the gradient (n).
+[[nodiscard]] std::vector<bool> free_coordinates(const LeastSquares&, const Eigen::VectorXd& z,
+                                                 const Eigen::VectorXd& gradient);
 }  // namespace internal
 
 }  // namespace thenar

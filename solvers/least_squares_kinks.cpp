@@ -84,9 +84,7 @@ class KinkSearch {
       }
       hessian.add(rows.block, J);
     }
-    free_.clear();
-    for (Eigen::Index i = 0; i < z_.size(); ++i)
-      free_.push_back(!held(problem_, z_, at_.gradient[i], i));
+    free_ = free_coordinates(problem_, z_, at_.gradient);
     factor_ = ArrowSquaresFactor::factor(hessian, free_);
     // Sides that are still near, and the one on which the point lies.
     std::vector<Side> known;

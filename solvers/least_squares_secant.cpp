@@ -178,9 +178,7 @@ class SecantSearch {
     gauss_newton_ = ArrowSquares(blocks_.layout);
     for (std::size_t k = 0; k < blocks_.parts.size(); ++k)
       gauss_newton_.add(blocks_.parts[k].block, best_.parts[k].J);
-    free_.clear();
-    for (Eigen::Index i = 0; i < best_.z.size(); ++i)
-      free_.push_back(!held(problem_, best_.z, best_.gradient[i], i));
+    free_ = free_coordinates(problem_, best_.z, best_.gradient);
     newton_ = ArrowSquaresFactor::factor(hessian(0), free_);
   }
 
@@ -202,6 +200,13 @@ bool held(const LeastSquares& problem, const VectorXd& z, double gradient, Eigen
   const double on = 1e-6 * std::min(1.0, width);  // interior-point solvers stop a little short [1]
   return (z[i] < problem.lower[i] + on && gradient > 0) ||
          (z[i] > problem.upper[i] - on && gradient < 0);
+}
+
+std::vector<bool> free_coordinates(const LeastSquares& problem, const VectorXd& z,
+                                   const VectorXd& gradient) {
+  std::vector<bool> free;
+  for (Eigen::Index i = 0; i < z.size(); ++i) free.push_back(!held(problem, z, gradient[i], i));
+  return free;
 }
 
 ResidualBlocks blocks_of(const LeastSquares& problem) {

@@ -72,12 +72,6 @@ enum class OpenKind {
   kTilts     // of axes and of the load cell alone: in a planar finger nobody can know them
 };
 
-/// "arm/FDP/DIP4" of "H01: arm/FDP/DIP4".
-std::string without_specimen(const std::string& name) {
-  const std::size_t at = name.find(": ");
-  return at == std::string::npos ? name : name.substr(at + 2);
-}
-
 /// Names of the coordinates that make up a direction, each with its share.
 std::vector<std::pair<std::string, double>> shares_of(const Eigen::SparseVector<double>& direction,
                                                       const std::vector<std::string>& names) {

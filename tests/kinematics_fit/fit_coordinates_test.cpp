@@ -61,6 +61,14 @@ TEST(FitCoordinates, EntriesOfASpecimenAreAllThatMovesIt) {
   }
 }
 
+TEST(FitCoordinates, NamesLoseTheirSpecimen) {
+  FitSetup setup = middle_finger(kAxes);
+  setup.experiments.push_back(sample::experiment("H02"));
+  const std::vector<std::string> names = setup.problem().coordinates().names();
+  EXPECT_EQ(without_specimen(names.front()), names.front());  // of the population
+  EXPECT_EQ("H02: " + without_specimen(names.back()), names.back());
+}
+
 TEST(FitCoordinates, BoundsHoldWhereOnlySpecimensDiffer) {
   FitSetup setup = middle_finger(
       "[[parameter]]\nmatch='gain/LU'\nstate='free'\nsd=0\nbetween_sd=0.1\nrange=0.2\n");
