@@ -63,6 +63,9 @@ MAY_SEE |= {
     "grasp/robot": GRASP + ["data/io/robot", "grasp/contact", "grasp/limits", "grasp/closing"],
     "grasp/compare": GRASP + ["grasp/contact", "grasp/limits", "grasp/quality", "grasp/closing"],
 }
+MAY_SEE |= {
+    "dynamics/mechanism": ["base", "geometry", "data/io", "data/io/robot", "data/io/world", "hand"],
+}
 LIBRARIES = list(MAY_SEE)
 API = ["api", "api/named"]
 MAY_SEE["thenar"] = LIBRARIES + API  # the header of all public headers
@@ -89,7 +92,8 @@ WITH_SUBFOLDERS = ["sampling/run", "apps", "bench", "tests"]  # folders that are
 # Third parties, and the only files that may include them. A folder's name allows the folder.
 FENCES = {
     r"thenar/thenar\.h": ["tests/install/", "examples/"],
-    r"Simbody\.h|(SimTK|simbody|simmath).*": ["hand/multibody.cpp", "bench/", "tests/hand/"],
+    r"Simbody\.h|(SimTK|simbody|simmath).*": ["hand/multibody.cpp", "dynamics/mechanism/simbody_machine.cpp",
+                                                "bench/", "tests/hand/"],
     r"ceres/jet\.h": ["kinematics_fit/force_jacobian.cpp", "bench/", "tests/"],
     r"ceres/.*": ["solvers/least_squares_ceres.cpp"],
     r"nlopt\..*": ["solvers/least_squares_nlopt.cpp"],

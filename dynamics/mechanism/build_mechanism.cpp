@@ -1,0 +1,189 @@
+#include "dynamics/mechanism/build_mechanism.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+#include "base/error.h"
+#include "base/units.h"
+
+namespace thenar {
+namespace {
+
+/// A frame at `point` whose z is `direction`.
+Pose<double> frame_along(const Eigen::Vector3d& direction, const Eigen::Vector3d& point) {
+  const Tangents sides = tangents(direction);
+  Pose<double> frame;
+  frame.R << sides.e1, sides.e2, direction;
+  frame.p = point;
+  return frame;
+}
+
+/// The mass and inertia of a link as stated.
+bool is_known(const RobotLink& link) {
+  return link.mass > 0 && (link.inertia.diagonal().array() > 0).all();
+}
+
+/// A ball of that mass.
+Eigen::Matrix3d ball_inertia(double mass, double density) {
+  const double radius = std::cbrt(3 * mass / (4 * kPi * density));
+  return 0.4 * mass * radius * radius * Eigen::Matrix3d::Identity();
+}
+
+/// Mass of a robot's link, and a word about it if it was not stated.
+BodyMass link_mass(const RobotLink& link, std::vector<std::string>& warnings) {
+  if (is_known(link)) return {link.mass, link.com, link.inertia};
+  // Without shapes there is nothing to spread the mass over.
+  if (link.shapes.empty()) {
+    if (link.mass > 0)
+      warnings.push_back(fmt::format(
+          "link '{}': inertia of a ball of its mass, as its own is unknown", link.name));
+    return {link.mass, link.com, ball_inertia(link.mass, kAssumedDensity)};
+  }
+  BodySpec body;
+  body.name = link.name;
+  body.shapes = link.shapes;
+  body.uniform_mass = link.mass;
+  body.density = kAssumedDensity;
+  BodyMass mass = body_mass(body);
+  if (link.mass > 0) mass.com = link.com;
+  warnings.push_back(
+      link.mass > 0
+          ? fmt::format("link '{}': inertia of its shapes, as its own is unknown", link.name)
+          : fmt::format("link '{}': {:.3g} kg, its shapes at {:g} kg/m^3, as its mass is unknown",
+                        link.name, mass.mass, kAssumedDensity));
+  return mass;
+}
+
+/// Entry of the coordinates for a joint: its degree of freedom, or one of its own if it is free.
+int coordinate_of(const RobotSpec& robot, const RobotJoint& joint,
+                  std::map<std::string, int>& known, Mechanism& out) {
+  const std::string name = joint.dof.empty() ? joint.name : joint.dof;
+  const auto [at, is_new] = known.emplace(name, static_cast<int>(out.coordinates.size()));
+  if (is_new) {
+    MechanismCoordinate coordinate{name, 0, true};
+    for (const RobotDof& dof : robot.dofs) {
+      if (dof.name != joint.dof) continue;
+      coordinate.max_effort = dof.max_effort;
+      coordinate.backdrivable = dof.backdrivable;
+    }
+    out.coordinates.push_back(std::move(coordinate));
+  }
+  return at->second;
+}
+
+MechanismJoint moving_joint(const RobotJoint& joint, int parent) {
+  const Pose<double> axis = frame_along(joint.axis, Eigen::Vector3d::Zero());
+  MechanismJoint out;
+  out.name = joint.name;
+  out.kind = joint.kind == RobotJointKind::kRevolute ? JointKind::kHinge : JointKind::kSlide;
+  out.parent = parent;
+  out.X_PF = joint.X_PJ * axis;
+  out.X_BM = joint.X_JC.inverse() * axis;
+  out.ratio = joint.dof.empty() ? 1 : joint.ratio;
+  out.offset = joint.dof.empty() ? 0 : joint.offset;
+  if (!joint.dof.empty()) out.curve = joint.curve;
+  out.lower = joint.lower;
+  out.upper = joint.upper;
+  out.stiffness = joint.stiffness;
+  out.rest = joint.rest;
+  out.damping = joint.damping;
+  out.friction = joint.friction;
+  return out;
+}
+
+}  // namespace
+
+Mechanism skeleton_mechanism(const Skeleton& skeleton) {
+  Mechanism out;
+  for (const std::string& name : skeleton.coordinate_names) out.coordinates.push_back({name});
+  for (std::size_t i = 0; i < skeleton.tree.size(); ++i) {
+    const Hinge<double>& hinge = skeleton.tree[i];
+    const LinkMass& mass = skeleton.masses[i];
+    require(mass.segment_without_inertia.empty(),
+            "segment '{}' has mass but neither moments of inertia nor a radius",
+            mass.segment_without_inertia);
+    // Frames of all bodies are the base at the reference posture.
+    MechanismJoint joint;
+    joint.name = skeleton.hinge_names[i];
+    joint.parent = hinge.parent;
+    joint.X_PF = joint.X_BM = frame_along(hinge.direction, hinge.point);
+    joint.coordinate = hinge.coordinate;
+    joint.ratio = hinge.ratio;
+    joint.offset = hinge.offset;
+    if (joint.name == skeleton.coordinate_names[static_cast<std::size_t>(hinge.coordinate)]) {
+      const CoordinateLimits& limits = skeleton.limits[static_cast<std::size_t>(hinge.coordinate)];
+      joint.lower = limits.lower;
+      joint.upper = limits.upper;
+      joint.stiffness = limits.stiffness;
+      joint.rest = limits.rest;
+      joint.damping = limits.damping;
+    }
+    out.joints.push_back(std::move(joint));
+    out.bodies.push_back({skeleton.hinge_names[i], {mass.mass, mass.com, mass.inertia}, {}, {}});
+  }
+  return out;
+}
+
+BuiltMechanism robot_mechanism(const RobotSpec& robot) {
+  require(robot.open_loops.empty(), "robot '{}' has a loop that is not solved: {}", robot.name,
+          robot.open_loops.empty() ? "" : robot.open_loops.front());
+  BuiltMechanism out;
+  std::map<std::string, int> body_of, coordinate_known;
+  const auto add = [&](const RobotLink& link, MechanismJoint joint) {
+    body_of[link.name] = static_cast<int>(out.mechanism.bodies.size());
+    std::shared_ptr<const Solid> solid;
+    if (!link.shapes.empty()) solid = std::make_shared<const Solid>(build_solid(link.shapes));
+    out.mechanism.bodies.push_back(
+        {link.name, link_mass(link, out.warnings), solid, link.material});
+    out.mechanism.joints.push_back(std::move(joint));
+  };
+  // The base first, then each joint with its child.
+  MechanismJoint base;
+  base.name = robot.links.front().name + " base";
+  base.kind = JointKind::kWeld;
+  add(robot.links.front(), base);
+  for (const RobotJoint& joint : robot.joints) {
+    const auto child =
+        std::find_if(robot.links.begin(), robot.links.end(),
+                     [&](const RobotLink& link) { return link.name == joint.child; });
+    const int parent = body_of.at(joint.parent);
+    if (joint.kind == RobotJointKind::kFixed) {
+      MechanismJoint weld;
+      weld.name = joint.name;
+      weld.kind = JointKind::kWeld;
+      weld.parent = parent;
+      weld.X_PF = joint.X_PJ * joint.X_JC;
+      add(*child, weld);
+      continue;
+    }
+    MechanismJoint moving = moving_joint(joint, parent);
+    moving.coordinate = coordinate_of(robot, joint, coordinate_known, out.mechanism);
+    add(*child, std::move(moving));
+  }
+  return out;
+}
+
+Mechanism body_mechanism(const PlacedBody& placed, const Materials& materials) {
+  Mechanism out;
+  MechanismJoint joint;
+  joint.name = placed.body.name;
+  MechanismBody body{placed.body.name, {0, {0, 0, 0}, Eigen::Matrix3d::Zero()}, {}, {}};
+  body.material = placed.body.material;
+  if (!placed.body.shapes.empty())
+    body.solid = std::make_shared<const Solid>(build_solid(placed.body.shapes));
+  // An obstacle stands still; a free body turns about its centre of mass.
+  if (placed.dynamic) {
+    body.mass = body_mass(placed.body, materials);
+    joint.kind = JointKind::kFree;
+    joint.X_BM.p = body.mass.com;
+  } else {
+    joint.kind = JointKind::kWeld;
+    joint.X_PF = placed.X_WB;
+  }
+  out.joints.push_back(std::move(joint));
+  out.bodies.push_back(std::move(body));
+  return out;
+}
+
+}  // namespace thenar

@@ -1,0 +1,154 @@
+#include "dynamics/mechanism/mechanism.h"
+
+#include <cmath>
+#include <set>
+
+#include "base/error.h"
+#include "base/nearest_name.h"
+#include "data/io/robot/robot.h"
+
+namespace thenar {
+namespace {
+
+bool is_scalar(JointKind kind) { return kind == JointKind::kHinge || kind == JointKind::kSlide; }
+
+bool is_rigid(const Pose<double>& X) {
+  return X.R.allFinite() && X.p.allFinite() &&
+         (X.R.transpose() * X.R - Eigen::Matrix3d::Identity()).norm() < 1e-9 &&
+         X.R.determinant() > 0;
+}
+
+bool is_possible(const BodyMass& body) {
+  return body.mass >= 0 && std::isfinite(body.mass) && body.com.allFinite() &&
+         body.inertia.allFinite() && is_body_inertia(body.inertia);
+}
+
+void check_joint(const Mechanism& mechanism, std::size_t i) {
+  const MechanismJoint& joint = mechanism.joints[i];
+  require(joint.parent >= -1 && joint.parent < static_cast<int>(i),
+          "joint '{}': parents come before children, its parent is body {}", joint.name,
+          joint.parent);
+  require(is_rigid(joint.X_PF) && is_rigid(joint.X_BM),
+          "joint '{}': wanted frames with rotations, to 1e-9", joint.name);
+  if (!is_scalar(joint.kind)) return;
+  // What belongs to hinges and slides.
+  require(
+      joint.coordinate >= 0 && joint.coordinate < static_cast<int>(mechanism.coordinates.size()),
+      "joint '{}': there is no coordinate {}", joint.name, joint.coordinate);
+  require(std::isfinite(joint.ratio) && std::isfinite(joint.offset) && std::isfinite(joint.rest),
+          "joint '{}': wanted finite numbers", joint.name);
+  require(joint.lower <= joint.upper, "joint '{}': lower limit {} above upper limit {}", joint.name,
+          joint.lower, joint.upper);
+  for (const double resistance : {joint.stiffness, joint.damping, joint.friction})
+    require(resistance >= 0 && std::isfinite(resistance),
+            "joint '{}': wanted stiffness, damping and friction from 0 up, got {}", joint.name,
+            resistance);
+}
+
+/// Every coordinate moves something, and no two things of a kind have one name.
+void check_names(const Mechanism& mechanism) {
+  std::set<int> moved;
+  std::set<std::string> bodies, joints;
+  for (std::size_t i = 0; i < mechanism.bodies.size(); ++i) {
+    require(bodies.insert(mechanism.bodies[i].name).second, "two bodies are named '{}'",
+            mechanism.bodies[i].name);
+    require(joints.insert(mechanism.joints[i].name).second, "two joints are named '{}'",
+            mechanism.joints[i].name);
+    if (is_scalar(mechanism.joints[i].kind)) moved.insert(mechanism.joints[i].coordinate);
+  }
+  for (std::size_t i = 0; i < mechanism.coordinates.size(); ++i)
+    require(moved.count(static_cast<int>(i)) == 1, "coordinate '{}' moves no joint",
+            mechanism.coordinates[i].name);
+}
+
+}  // namespace
+
+std::string name_of(JointKind kind) {
+  static const std::vector<std::string> names{"weld", "hinge", "slide", "ball", "free"};
+  return names[static_cast<std::size_t>(kind)];
+}
+
+MechanismLayout layout_of(const Mechanism& mechanism) {
+  MechanismLayout layout;
+  layout.coordinate_q.assign(mechanism.coordinates.size(), -1);
+  layout.coordinate_v = layout.coordinate_q;
+  for (const MechanismJoint& joint : mechanism.joints) {
+    int first_q = -1, first_v = -1;
+    if (is_scalar(joint.kind)) {
+      // A coordinate stands where it first moves a body.
+      int& slot_q = layout.coordinate_q[joint.coordinate];
+      int& slot_v = layout.coordinate_v[joint.coordinate];
+      if (slot_q < 0) slot_q = layout.q++, slot_v = layout.v++;
+      first_q = slot_q, first_v = slot_v;
+    } else if (joint.kind != JointKind::kWeld) {
+      first_q = layout.q, first_v = layout.v;
+      layout.q += joint.kind == JointKind::kBall ? 4 : 7;
+      layout.v += joint.kind == JointKind::kBall ? 3 : 6;
+    }
+    layout.first_q.push_back(first_q);
+    layout.first_v.push_back(first_v);
+  }
+  return layout;
+}
+
+JointValue joint_value(const MechanismJoint& joint, double u) {
+  JointValue out{joint.offset + joint.ratio * u, joint.ratio, 0};
+  double power = 1;  // u^k, k + 2 the exponent of the term
+  for (std::size_t k = 0; k < joint.curve.size(); ++k) {
+    const double exponent = static_cast<double>(k) + 2;
+    out.value += joint.curve[k] * power * u * u;
+    out.slope += joint.curve[k] * exponent * power * u;
+    out.bend += joint.curve[k] * exponent * (exponent - 1) * power;
+    power *= u;
+  }
+  return out;
+}
+
+Eigen::VectorXd reference_position(const Mechanism& mechanism) {
+  const MechanismLayout layout = layout_of(mechanism);
+  Eigen::VectorXd q = Eigen::VectorXd::Zero(layout.q);
+  for (std::size_t i = 0; i < mechanism.joints.size(); ++i)
+    if (layout.first_q[i] >= 0 && !is_scalar(mechanism.joints[i].kind)) q[layout.first_q[i]] = 1;
+  return q;
+}
+
+void check_mechanism(const Mechanism& mechanism) {
+  require(mechanism.bodies.size() == mechanism.joints.size(), "{} bodies have {} joints",
+          mechanism.bodies.size(), mechanism.joints.size());
+  for (std::size_t i = 0; i < mechanism.bodies.size(); ++i) {
+    check_joint(mechanism, i);
+    require(is_possible(mechanism.bodies[i].mass),
+            "body '{}': no rigid body has this mass and inertia", mechanism.bodies[i].name);
+  }
+  check_names(mechanism);
+}
+
+int append(Mechanism& whole, const Mechanism& part, const std::string& prefix, int carrier,
+           const Pose<double>& X_CW) {
+  const int first = static_cast<int>(whole.bodies.size());
+  const int coordinates = static_cast<int>(whole.coordinates.size());
+  for (std::size_t i = 0; i < part.bodies.size(); ++i) {
+    whole.bodies.push_back(part.bodies[i]);
+    whole.bodies.back().name = prefix + part.bodies[i].name;
+    // Its joint hangs on the carrier where it hung on the world.
+    MechanismJoint joint = part.joints[i];
+    joint.name = prefix + joint.name;
+    if (joint.parent < 0) joint.X_PF = X_CW * joint.X_PF;
+    joint.parent = joint.parent < 0 ? carrier : joint.parent + first;
+    if (is_scalar(joint.kind)) joint.coordinate += coordinates;
+    whole.joints.push_back(std::move(joint));
+  }
+  for (MechanismCoordinate coordinate : part.coordinates) {
+    coordinate.name = prefix + coordinate.name;
+    whole.coordinates.push_back(std::move(coordinate));
+  }
+  return first;
+}
+
+int body_named(const Mechanism& mechanism, const std::string& name) {
+  std::vector<std::string> names;
+  for (const MechanismBody& body : mechanism.bodies) names.push_back(body.name);
+  return static_cast<int>(index_of_name(name, names, "body"));
+}
+
+}  // namespace thenar

@@ -1,0 +1,118 @@
+#pragma once
+
+/// Moving scenes as plain data: rigid bodies on joints.
+
+#include <limits>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "base/spatial.h"
+#include "data/io/world/world.h"
+#include "geometry/solid.h"
+
+namespace thenar {
+
+/// How a body moves against its parent.
+enum class JointKind {
+  kWeld,   // not at all
+  kHinge,  // turns about z of the joint's frames
+  kSlide,  // slides along z of the joint's frames
+  kBall,   // turns about any axis through the origins of the joint's frames
+  kFree    // moves without constraint
+};
+
+/// "weld", "hinge", "slide", "ball", "free".
+[[nodiscard]] std::string name_of(JointKind kind);
+
+/// A joint, which carries the body of the same index. Frame F stands in the parent, frame M in the
+/// body; at value 0 of a hinge or slide, and at the identity of a ball or free joint, they
+/// coincide.
+///
+/// The value of a hinge or slide follows a coordinate u, of its own or shared with other joints:
+///   value = offset + ratio u + curve[0] u^2 + curve[1] u^3 + ..
+struct MechanismJoint {
+  std::string name;
+  JointKind kind = JointKind::kHinge;
+  int parent = -1;    // body; -1: the world
+  Pose<double> X_PF;  // in the parent's frame
+  Pose<double> X_BM;  // in the body's frame
+
+  // Hinges and slides only.
+  int coordinate = -1;                                      // entry of Mechanism::coordinates
+  double ratio = 1;                                         // [1], [m/rad] or [rad/m]
+  double offset = 0;                                        // [rad] or [m]
+  std::vector<double> curve;                                // empty: linear
+  double lower = -std::numeric_limits<double>::infinity();  // of the value [rad] or [m]
+  double upper = std::numeric_limits<double>::infinity();   // of the value [rad] or [m]
+  double stiffness = 0;  // of a spring to `rest` [N m/rad] or [N/m]
+  double rest = 0;       // [rad] or [m]
+  double damping = 0;    // [N m s/rad] or [N s/m]
+  double friction = 0;   // Coulomb's [N m] or [N]
+};
+
+/// A rigid body.
+struct MechanismBody {
+  std::string name;
+  BodyMass mass{0, {0, 0, 0}, Eigen::Matrix3d::Zero()};  // in the body's frame
+  std::shared_ptr<const Solid> solid;  // what it touches with, body's frame; null: nothing
+  std::string material;                // of its surface
+};
+
+/// What hinges and slides share.
+struct MechanismCoordinate {
+  std::string name;
+  double max_effort = 0;     // of its motor [N m] or [N]; 0: none, or unknown
+  bool backdrivable = true;  // false: a worm gear or brake holds it against any load
+};
+
+/// A tree of bodies. Parents come before children.
+///
+/// Positions q and speeds v follow the bodies; a coordinate stands where it first moves one:
+///   hinge, slide  q = the coordinate [rad] or [m]             v = its rate
+///   ball          q = unit quaternion (w, x, y, z) of R_FM    v = angular velocity of M in F, axes
+///   of F free          q = that, then the origin of M in F [m]     v = that, then the origin's
+///   velocity
+struct Mechanism {
+  std::vector<MechanismBody> bodies;
+  std::vector<MechanismJoint> joints;  // one for each body
+  std::vector<MechanismCoordinate> coordinates;
+};
+
+/// Where the entries of each joint begin, and how many entries there are.
+struct MechanismLayout {
+  std::vector<int> first_q, first_v;            // (bodies); -1: welds
+  std::vector<int> coordinate_q, coordinate_v;  // (coordinates)
+  int q = 0, v = 0;                             // entries of positions and of speeds
+};
+[[nodiscard]] MechanismLayout layout_of(const Mechanism& mechanism);
+
+/// Value of a hinge or slide, and its first two derivatives by the coordinate.
+struct JointValue {
+  double value, slope, bend;
+};
+[[nodiscard]] JointValue joint_value(const MechanismJoint& joint, double u);
+
+/// All coordinates 0, all quaternions the identity. (q)
+[[nodiscard]] Eigen::VectorXd reference_position(const Mechanism& mechanism);
+
+/// Checks a mechanism.
+/// @throws InputError if parents come late, a coordinate is not there or moves nothing, a frame is
+/// no rigid motion, a mass or inertia is that of no body, a limit or resistance is impossible, or a
+/// name is given twice.
+void check_mechanism(const Mechanism& mechanism);
+
+/// Adds a copy of `part` to `whole`; its world is fixed to a body of `whole`, its names get
+/// `prefix` in front.
+/// @param carrier  body of `whole`; -1: the world
+/// @param X_CW     world of the part in the carrier's frame
+/// @return the index of the part's first body
+int append(Mechanism& whole, const Mechanism& part, const std::string& prefix = "",
+           int carrier = -1, const Pose<double>& X_CW = {});
+
+/// Index of a body. @throws InputError if there is none, with the nearest name.
+[[nodiscard]] int body_named(const Mechanism& mechanism, const std::string& name);
+
+}  // namespace thenar

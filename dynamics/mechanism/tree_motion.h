@@ -1,0 +1,283 @@
+#pragma once
+
+/// Positions and velocities of all links, on any scalar.
+
+#include <vector>
+
+#include "dynamics/mechanism/tree_model.h"
+
+namespace thenar {
+
+/// A link in motion. Vectors have the axes of the world; moments and velocities are those at the
+/// origin o of the link's joint frame M, so that a link far from the world's origin loses no
+/// digits.
+template <typename T>
+struct MovingLink {
+  Mat3<T> R;        // of M in the world (3, 3)
+  Vec3<T> o;        // origin of M [m] (3)
+  Vec3<T> r;        // from the parent's origin to it [m] (3)
+  Mat3<T> E;        // of F in the world; its z is the axis of hinges and slides (3, 3)
+  T slope, bend;    // derivatives of the joint's value by its coordinate; 1 and 0 of other joints
+  Mat3<T> inertia;  // about o [kg m^2] (3, 3)
+  Vec3<T> moment;   // mass times arm of its centre from o [kg m] (3)
+  Vec3<T> w, vel;   // angular velocity [rad/s], velocity of o [m/s] (3)
+  Vec3<T> zeta_w, zeta_v;  // acceleration at rest of all speeds, less the parent's: angular
+                           // [rad/s^2], of o [m/s^2] (3)
+  Vec3<T> gyro_m, gyro_f;  // wrench at o that the velocity product needs [N m], [N] (3)
+  Vec3<T> load_m, load_f;  // of loads from outside, about o [N m], [N] (3)
+};
+
+/// Positions, velocities and loads of all links of a model; the model must live on. Calls allocate
+/// nothing. Source of the recursions: [Featherstone2008] chapters 4 and 5, here with the velocity
+/// and acceleration of the point of each body that is its joint's origin.
+template <typename T>
+class TreeMotion {
+ public:
+  explicit TreeMotion(const TreeModel& model) : model_(&model), links_(model.links.size()) {}
+
+  /// Poses all links. @param q  positions; quaternions have length 1 (q)
+  template <typename Q>
+  void set_position(const Q& q);
+
+  /// Velocities of all links, after set_position(). @param v  speeds (v)
+  template <typename V>
+  void set_speed(const V& v);
+
+  /// Takes all loads away.
+  void clear_loads() {
+    for (MovingLink<T>& link : links_) link.load_m = link.load_f = Vec3<T>::Zero();
+  }
+  /// Adds a force and a moment on a link. @param p  world [m] (3)
+  void add_load(int link, const Vec3<T>& p, const Vec3<T>& f, const Vec3<T>& m) {
+    if (link < 0) return;
+    MovingLink<T>& at = links_[static_cast<std::size_t>(link)];
+    at.load_m += m + (p - at.o).cross(f);
+    at.load_f += f;
+  }
+
+  [[nodiscard]] const TreeModel& model() const { return *model_; }
+  [[nodiscard]] const std::vector<MovingLink<T>>& links() const { return links_; }
+
+  /// Pose of a body of the mechanism in the world.
+  [[nodiscard]] Pose<T> pose(int body) const {
+    const BodyInLink& at = model_->bodies[static_cast<std::size_t>(body)];
+    const Pose<T> X_LB{at.X_LB.R.template cast<T>(), at.X_LB.p.template cast<T>()};
+    if (at.link < 0) return X_LB;
+    const MovingLink<T>& link = links_[static_cast<std::size_t>(at.link)];
+    return Pose<T>{link.R, link.o} * X_LB;
+  }
+
+  /// Velocity of a link's point [m/s]. @param link  -1: the world;  @param p  world [m] (3)
+  [[nodiscard]] Vec3<T> velocity(int link, const Vec3<T>& p) const {
+    if (link < 0) return Vec3<T>::Zero();
+    const MovingLink<T>& at = links_[static_cast<std::size_t>(link)];
+    return at.vel + at.w.cross(p - at.o);
+  }
+
+  /// Adds  scale * (direction . velocity of the link's point p + spin . its angular velocity)  to a
+  /// row over the speeds: the row of a Jacobian.
+  /// @param row  anything indexable (v)
+  template <typename Row>
+  void add_row(int link, const Vec3<T>& p, const Vec3<T>& direction, const Vec3<T>& spin,
+               Row&& row) const;
+
+  /// Kinetic energy [J], after set_speed().
+  [[nodiscard]] T kinetic_energy() const;
+  /// Energy of weights [J]. @param gravity  of free fall [m/s^2] (3)
+  [[nodiscard]] T weight_energy(const Vec3<T>& gravity) const;
+
+ private:
+  const TreeModel* model_;
+  std::vector<MovingLink<T>> links_;
+};
+
+namespace internal {
+
+/// Rotation of a unit quaternion (w, x, y, z).
+template <typename T, typename Q>
+Mat3<T> rotation_of(const Q& q, int first) {
+  const T w = q[first], x = q[first + 1], y = q[first + 2], z = q[first + 3];
+  Mat3<T> R;
+  R << T(1) - T(2) * (y * y + z * z), T(2) * (x * y - w * z), T(2) * (x * z + w * y),
+      T(2) * (x * y + w * z), T(1) - T(2) * (x * x + z * z), T(2) * (y * z - w * x),
+      T(2) * (x * z - w * y), T(2) * (y * z + w * x), T(1) - T(2) * (x * x + y * y);
+  return R;
+}
+
+/// Value of a hinge or slide with its derivatives, on any scalar.
+template <typename T>
+void joint_value_on(const MechanismJoint& joint, const T& u, T& value, T& slope, T& bend) {
+  value = T(joint.offset) + T(joint.ratio) * u;
+  slope = T(joint.ratio);
+  bend = T(0);
+  T power(1);
+  for (std::size_t k = 0; k < joint.curve.size(); ++k) {
+    const double exponent = static_cast<double>(k) + 2;
+    value += T(joint.curve[k]) * power * u * u;
+    slope += T(joint.curve[k] * exponent) * power * u;
+    bend += T(joint.curve[k] * exponent * (exponent - 1)) * power;
+    power *= u;
+  }
+}
+
+/// Adds a wrench at a link's origin, along the axes of its joint, to a row over the speeds.
+template <typename T, typename Row>
+void add_along_axes(const TreeLink& constant, const MovingLink<T>& link, const Vec3<T>& m,
+                    const Vec3<T>& f, Row&& row) {
+  switch (constant.kind) {
+    case JointKind::kHinge:
+      row[constant.v] += link.slope * link.E.col(2).dot(m);
+      break;
+    case JointKind::kSlide:
+      row[constant.v] += link.slope * link.E.col(2).dot(f);
+      break;
+    default:
+      for (int k = 0; k < 3; ++k) row[constant.v + k] += link.E.col(k).dot(m);
+      if (constant.kind == JointKind::kBall) break;
+      for (int k = 0; k < 3; ++k) row[constant.v + 3 + k] += link.E.col(k).dot(f);
+  }
+}
+
+}  // namespace internal
+
+template <typename T>
+template <typename Q>
+void TreeMotion<T>::set_position(const Q& q) {
+  using std::cos;
+  using std::sin;
+  for (std::size_t i = 0; i < links_.size(); ++i) {
+    const TreeLink& constant = model_->links[i];
+    MovingLink<T>& link = links_[i];
+    // The joint's frame F moves with the parent.
+    if (constant.parent < 0) {
+      link.E = constant.X_PF.R.template cast<T>();
+      link.o = link.r = constant.X_PF.p.template cast<T>();
+    } else {
+      const MovingLink<T>& parent = links_[static_cast<std::size_t>(constant.parent)];
+      link.E.noalias() = parent.R * constant.X_PF.R.template cast<T>();
+      link.r.noalias() = parent.R * constant.X_PF.p.template cast<T>();
+      link.o = parent.o + link.r;
+    }
+    // The joint moves M in F.
+    T value(0);
+    link.slope = T(1);
+    link.bend = T(0);
+    switch (constant.kind) {
+      case JointKind::kHinge: {
+        internal::joint_value_on<T>(constant.joint, q[constant.q], value, link.slope, link.bend);
+        const T c = cos(value), s = sin(value);
+        link.R.col(0) = c * link.E.col(0) + s * link.E.col(1);
+        link.R.col(1) = c * link.E.col(1) - s * link.E.col(0);
+        link.R.col(2) = link.E.col(2);
+        break;
+      }
+      case JointKind::kSlide: {
+        internal::joint_value_on<T>(constant.joint, q[constant.q], value, link.slope, link.bend);
+        link.R = link.E;
+        const Vec3<T> shift = value * link.E.col(2);
+        link.r += shift;
+        link.o += shift;
+        break;
+      }
+      case JointKind::kFree: {
+        const Vec3<T> local(q[constant.q + 4], q[constant.q + 5], q[constant.q + 6]);
+        const Vec3<T> shift = link.E * local;
+        link.r += shift;
+        link.o += shift;
+        link.R = link.E * internal::rotation_of<T>(q, constant.q);
+        break;
+      }
+      default:
+        link.R = link.E * internal::rotation_of<T>(q, constant.q);
+    }
+    // Mass in the world's axes.
+    link.moment.noalias() = link.R * constant.moment.template cast<T>();
+    const Mat3<T> half = link.R * constant.inertia.template cast<T>();
+    link.inertia.noalias() = half * link.R.transpose();
+  }
+}
+
+template <typename T>
+template <typename V>
+void TreeMotion<T>::set_speed(const V& v) {
+  for (std::size_t i = 0; i < links_.size(); ++i) {
+    const TreeLink& constant = model_->links[i];
+    MovingLink<T>& link = links_[i];
+    // What the parent does to the link.
+    Vec3<T> base = Vec3<T>::Zero();
+    link.vel = link.zeta_v = base;
+    if (constant.parent >= 0) {
+      const MovingLink<T>& parent = links_[static_cast<std::size_t>(constant.parent)];
+      base = parent.w;
+      const Vec3<T> turned = base.cross(link.r);
+      link.vel = parent.vel + turned;
+      link.zeta_v = base.cross(turned);
+    }
+    link.w = base;
+    link.zeta_w = Vec3<T>::Zero();
+    // What the joint adds.
+    switch (constant.kind) {
+      case JointKind::kHinge: {
+        const T rate = v[constant.v];
+        const Vec3<T> turn = (link.slope * rate) * link.E.col(2);
+        link.w += turn;
+        link.zeta_w = base.cross(turn) + (link.bend * rate * rate) * link.E.col(2);
+        break;
+      }
+      case JointKind::kSlide: {
+        const T rate = v[constant.v];
+        const Vec3<T> shift = (link.slope * rate) * link.E.col(2);
+        link.vel += shift;
+        link.zeta_v += T(2) * base.cross(shift) + (link.bend * rate * rate) * link.E.col(2);
+        break;
+      }
+      default: {
+        const Vec3<T> turn = link.E * Vec3<T>(v[constant.v], v[constant.v + 1], v[constant.v + 2]);
+        link.w += turn;
+        link.zeta_w = base.cross(turn);
+        if (constant.kind == JointKind::kBall) break;
+        const Vec3<T> shift =
+            link.E * Vec3<T>(v[constant.v + 3], v[constant.v + 4], v[constant.v + 5]);
+        link.vel += shift;
+        link.zeta_v += T(2) * base.cross(shift);
+      }
+    }
+    // Euler's moment, and the force that keeps the centre of mass on its circle.
+    link.gyro_m = link.w.cross(link.inertia * link.w);
+    link.gyro_f = link.w.cross(link.w.cross(link.moment));
+  }
+}
+
+template <typename T>
+template <typename Row>
+void TreeMotion<T>::add_row(int link, const Vec3<T>& p, const Vec3<T>& direction,
+                            const Vec3<T>& spin, Row&& row) const {
+  while (link >= 0) {
+    const TreeLink& constant = model_->links[static_cast<std::size_t>(link)];
+    const MovingLink<T>& at = links_[static_cast<std::size_t>(link)];
+    // Moment about the joint's origin.
+    internal::add_along_axes<T>(constant, at, (p - at.o).cross(direction) + spin, direction, row);
+    link = constant.parent;
+  }
+}
+
+template <typename T>
+T TreeMotion<T>::kinetic_energy() const {
+  T energy(0);
+  for (std::size_t i = 0; i < links_.size(); ++i) {
+    const MovingLink<T>& link = links_[i];
+    energy += T(0.5) * link.w.dot(link.inertia * link.w) + link.vel.dot(link.w.cross(link.moment)) +
+              T(0.5 * model_->links[i].mass) * link.vel.squaredNorm();
+  }
+  return energy;
+}
+
+template <typename T>
+T TreeMotion<T>::weight_energy(const Vec3<T>& gravity) const {
+  T energy(0);
+  for (std::size_t i = 0; i < links_.size(); ++i)
+    energy -= gravity.dot(links_[i].moment + T(model_->links[i].mass) * links_[i].o);
+  return energy;
+}
+
+}  // namespace thenar
