@@ -7,7 +7,7 @@ import pathlib
 import re
 import sys
 
-FOLDERS = ["base", "solvers", "geometry", "sampling", "data", "hand", "tendons", "kinematics_fit", "posterior",
+FOLDERS = ["base", "solvers", "dynamics", "geometry", "sampling", "data", "hand", "tendons", "kinematics_fit", "posterior",
            "grasp", "viewer", "apps", "bench", "tests", "docs", "README.md", "CONTRIBUTING.md", "CHANGELOG.md"]
 ENDINGS = (".h", ".cpp", ".md", ".toml", ".py")
 BRACKETS = re.compile(r"\[([A-Z][^\[\]]*)\](?!\()")  # but no markdown link

@@ -12,6 +12,7 @@ import sys
 MAY_SEE = {
     "base": [],
     "solvers": ["base"],
+    "dynamics/contact": ["base", "solvers"],
     "geometry": ["base"],
     "geometry/collision": ["base", "geometry"],
     "sampling/methods": ["base"],

@@ -35,6 +35,10 @@
 #include "solvers/orthogonal_solve.h"
 #include "solvers/stiff_ode.h"
 
+// dynamics: impulses of contacts and joints in one time step.
+#include "dynamics/contact/contact_problem.h"
+#include "dynamics/contact/contact_solver.h"
+
 // geometry: solids as signed distances, meshes.
 #include "geometry/cached_mesh.h"
 #include "geometry/mass_properties.h"

@@ -1,0 +1,216 @@
+#include "dynamics/contact/contact_newton.h"
+
+#include <cmath>
+
+#include <Eigen/Cholesky>
+#include <Eigen/Geometry>
+
+namespace thenar::internal {
+namespace {
+
+using Eigen::Index;
+using Eigen::MatrixXd;
+using Eigen::Ref;
+using Eigen::Vector3d;
+using Eigen::VectorXd;
+
+constexpr double kNewtonProximal = 1e-10;  // of the diagonal of A, which is 1
+constexpr int kRefinements = 2;
+
+/// Unit vectors perpendicular to the unit vector d, two of three dimensions or one of two.
+Eigen::Matrix<double, 3, 2> perpendicular(const Vector3d& d, int tangents) {
+  Eigen::Matrix<double, 3, 2> P = Eigen::Matrix<double, 3, 2>::Zero();
+  if (tangents == 2) {
+    P.col(0) = Vector3d(-d.y(), d.x(), 0);
+    return P;
+  }
+  Index least = 0;
+  d.cwiseAbs().minCoeff(&least);
+  P.col(0) = d.cross(Vector3d::Unit(least)).normalized();
+  P.col(1) = d.cross(P.col(0));
+  return P;
+}
+
+}  // namespace
+
+void ContactNewton::assign(const ScaledContacts& contacts) {
+  const Index n = contacts.rows();
+  if (n <= rhs_.size()) return;
+  R_.resize(n, n);
+  factor_.resize(n, n);
+  for (VectorXd* v : {&column_, &rhs_, &y_, &rest_, &f_before_}) v->resize(n);
+  unknowns_.reserve(static_cast<std::size_t>(n));
+  slipping_.reserve(contacts.blocks().size());
+}
+
+void ContactNewton::add_row(int row) {
+  Unknown unknown;
+  unknown.start = row;
+  unknown.impulse(0) = unknown.velocity(0) = 1;
+  unknowns_.push_back(unknown);
+}
+
+void ContactNewton::add_slipping(Slipping* contact, double fn, const Ref<const VectorXd>& u) {
+  const int i = contact->start, tangents = contact->rows - 1;
+  contact->P = perpendicular(contact->d, tangents);
+  contact->first = static_cast<int>(unknowns_.size());
+
+  // More normal impulse along the cone.
+  Unknown unknown;
+  unknown.start = i;
+  unknown.rows = contact->rows;
+  unknown.impulse(0) = unknown.velocity(0) = 1;
+  unknown.impulse.tail<3>() = -contact->mu * contact->d;
+  unknowns_.push_back(unknown);
+
+  // Turns of the slip's direction; the unknown is (mu fn + slip) times the angle.
+  const double slip = std::max(contact->d.head(tangents).dot(u.segment(i + 1, tangents)), 0.0);
+  const double friction = contact->mu * fn, sum = friction + slip;
+  const double share = sum > 0 ? friction / sum : 1;
+  contact->turn = sum > 0 ? -1 / sum : 0;
+  for (int k = 0; k + 1 < tangents; ++k) {
+    Unknown turn;
+    turn.start = i;
+    turn.rows = contact->rows;
+    turn.impulse.tail<3>() = share * contact->P.col(k);
+    turn.velocity.tail<3>() = contact->P.col(k);
+    turn.own = 1 - share;
+    unknowns_.push_back(turn);
+  }
+}
+
+void ContactNewton::read_cone(const ScaledBlock& block, Ref<VectorXd> f,
+                              const Ref<const VectorXd>& u) {
+  const int i = block.start, tangents = block.rows - 1;
+  const double p_n = f(i) - u(i);
+  if (p_n <= 0) {
+    f.segment(i, block.rows).setZero();
+    return;
+  }
+  Vector3d p_t = Vector3d::Zero();
+  p_t.head(tangents) = f.segment(i + 1, tangents) - u.segment(i + 1, tangents);
+  const double norm = p_t.norm();
+  if (norm <= block.mu * p_n) {
+    for (int k = 0; k < block.rows; ++k) add_row(i + k);
+    return;
+  }
+  Slipping contact;
+  contact.start = i;
+  contact.rows = block.rows;
+  contact.mu = block.mu;
+  contact.d = -p_t / norm;
+  f(i) = std::max(f(i), 0.0);
+  f.segment(i + 1, tangents) = -block.mu * f(i) * contact.d.head(tangents);
+  slipping_.push_back(contact);
+}
+
+void ContactNewton::read_states(const ScaledContacts& contacts, Ref<VectorXd> f,
+                                const Ref<const VectorXd>& u) {
+  unknowns_.clear();
+  slipping_.clear();
+  for (const ScaledBlock& block : contacts.blocks()) {
+    if (block.is_cone()) {
+      read_cone(block, f, u);
+      continue;
+    }
+    const double p = f(block.start) - u(block.start);
+    if (p <= block.lower)
+      f(block.start) = block.lower;
+    else if (p >= block.upper)
+      f(block.start) = block.upper;
+    else
+      add_row(block.start);
+  }
+}
+
+void ContactNewton::assemble(const ScaledContacts& contacts, const Ref<const VectorXd>& u) {
+  const auto A = contacts.A();
+  const auto k = static_cast<Index>(unknowns_.size());
+  auto column = column_.head(contacts.rows());
+  for (Index j = 0; j < k; ++j) {
+    // Velocities of all rows for a unit of this unknown.
+    const Unknown& unknown = unknowns_[static_cast<std::size_t>(j)];
+    column = unknown.impulse(0) * A.col(unknown.start);
+    for (int r = 1; r < unknown.rows; ++r)
+      if (unknown.impulse(r) != 0) column += unknown.impulse(r) * A.col(unknown.start + r);
+
+    // What they do to every equation.
+    for (Index i = 0; i < k; ++i) {
+      const Unknown& of = unknowns_[static_cast<std::size_t>(i)];
+      R_(i, j) = of.rows == 1 ? column(of.start)
+                              : of.velocity.head(of.rows).dot(column.segment(of.start, of.rows));
+    }
+    R_(j, j) += unknown.own;
+    rhs_(j) = -unknown.velocity.head(unknown.rows).dot(u.segment(unknown.start, unknown.rows));
+  }
+}
+
+bool ContactNewton::solve_linear() {
+  const auto k = static_cast<Index>(unknowns_.size());
+  auto factor = factor_.topLeftCorner(k, k);
+  const auto R = R_.topLeftCorner(k, k);
+  auto y = y_.head(k), rest = rest_.head(k);
+  factor = R;
+  factor.diagonal().array() += kNewtonProximal;
+  y.setZero();
+  rest = rhs_.head(k);
+
+  // Symmetric while nothing slips.
+  if (slipping_.empty()) {
+    Eigen::LLT<Ref<MatrixXd>> llt(factor);
+    if (llt.info() == Eigen::Success) {
+      for (int round = 0; round <= kRefinements; ++round) {
+        llt.solveInPlace(rest);
+        y += rest;
+        if (round < kRefinements) rest = rhs_.head(k) - R.lazyProduct(y);
+      }
+      return y.allFinite();
+    }
+    factor = R;
+    factor.diagonal().array() += kNewtonProximal;
+  }
+  if (!lu_.factor(factor)) return false;
+  for (int round = 0; round <= kRefinements; ++round) {
+    lu_.solve(factor, rest);
+    y += rest;
+    if (round < kRefinements) rest = rhs_.head(k) - R.lazyProduct(y);
+  }
+  return y.allFinite();
+}
+
+void ContactNewton::apply(Ref<VectorXd> f) const {
+  // Rows that stand alone.
+  for (std::size_t j = 0; j < unknowns_.size(); ++j)
+    if (unknowns_[j].rows == 1) f(unknowns_[j].start) += y_(static_cast<Index>(j));
+
+  // Slipping contacts move along and around their cones.
+  for (const Slipping& contact : slipping_) {
+    const int tangents = contact.rows - 1;
+    Vector3d d = contact.d;
+    for (int k = 0; k + 1 < tangents; ++k)
+      d += contact.turn * y_(contact.first + 1 + k) * contact.P.col(k);
+    d.normalize();
+    double& fn = f(contact.start);
+    fn += y_(contact.first);
+    f.segment(contact.start + 1, tangents) = -contact.mu * std::max(fn, 0.0) * d.head(tangents);
+  }
+}
+
+bool ContactNewton::step(const ScaledContacts& contacts, Ref<VectorXd> f, Ref<VectorXd> u) {
+  f_before_.head(f.size()) = f;
+  read_states(contacts, f, u);
+  u.noalias() = contacts.A() * f;
+  u += contacts.b();
+  for (Slipping& contact : slipping_) add_slipping(&contact, f(contact.start), u);
+  assemble(contacts, u);
+  if (!unknowns_.empty() && !solve_linear()) {
+    f = f_before_.head(f.size());
+    return false;
+  }
+  apply(f);
+  u.noalias() = contacts.A() * f;
+  u += contacts.b();
+  return true;
+}
+
+}  // namespace thenar::internal

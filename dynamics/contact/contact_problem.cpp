@@ -1,0 +1,198 @@
+#include "dynamics/contact/contact_problem.h"
+
+#include <cmath>
+
+#include "base/error.h"
+#include "dynamics/contact/friction_cone.h"
+
+namespace thenar {
+namespace {
+
+using Eigen::Index;
+using Eigen::VectorXd;
+using Row = Eigen::Ref<const VectorXd>;
+
+constexpr double kSymmetric = 1e-9;  // difference of mirrored entries of W over its largest
+constexpr double kInfinite = std::numeric_limits<double>::infinity();
+
+void check_block(const ContactBlock& block) {
+  require(block.law != ContactLaw::kBox || block.lower <= block.upper,
+          "bounds of a box must be in order, got {} to {}", block.lower, block.upper);
+  require(block.law != ContactLaw::kBox || (block.lower < kInfinite && block.upper > -kInfinite),
+          "a box must hold a finite impulse, got {} to {}", block.lower, block.upper);
+  require(block.friction >= 0 && block.friction < kInfinite, "friction must be >= 0, got {}",
+          block.friction);
+  require(block.torsion_radius >= 0 && block.torsion_radius < kInfinite,
+          "a torsion radius must be >= 0, got {} m", block.torsion_radius);
+}
+
+/// Adds an interval's row to the residual.
+void add_interval(double lower, double upper, double f, double u, ContactResidual* out) {
+  out->outside = std::max({out->outside, lower - f, f - upper});
+  if (lower == -kInfinite && upper == kInfinite) {
+    out->bilateral = std::max(out->bilateral, std::abs(u));
+    return;
+  }
+  if (upper == kInfinite) out->approach = std::max(out->approach, -u);
+  // What a change of the impulse within its bounds could take from the motion.
+  const double to = u > 0 ? lower : upper;
+  if (std::isfinite(to)) out->complementarity = std::max(out->complementarity, u * (f - to));
+}
+
+/// Adds a contact's rows, torsion already over and times its radius.
+template <int Rows>
+void add_cone(const Eigen::Matrix<double, Rows, 1>& f, const Eigen::Matrix<double, Rows, 1>& u,
+              double mu, ContactResidual* out) {
+  const auto ft = f.template tail<Rows - 1>(), ut = u.template tail<Rows - 1>();
+  out->outside = std::max({out->outside, ft.norm() - mu * f(0), -f(0)});
+  out->approach = std::max(out->approach, -u(0));
+  out->complementarity = std::max(out->complementarity, std::abs(f(0) * u(0)));
+  out->alignment = std::max(out->alignment, ft.dot(ut) + mu * f(0) * ut.norm());
+}
+
+/// Rows of one block: the largest entry of its natural map, and all else into `out`.
+template <int Rows>
+double add_contact(const ContactBlock& block, const Row& f, const Row& u, double s,
+                   ContactResidual* out) {
+  Eigen::Matrix<double, Rows, 1> f_row = f, u_row = u;
+  const double e = block.torsion_radius;
+  double unloadable = 0;
+  if (Rows == 4) {
+    // Torsion without a radius must be zero, and its spin is free.
+    if (e == 0) unloadable = std::abs(f_row(Rows - 1));
+    f_row(Rows - 1) = e > 0 ? f_row(Rows - 1) / e : 0;
+    u_row(Rows - 1) *= e;
+  }
+  add_cone<Rows>(f_row, u_row, block.friction, out);
+  out->outside = std::max(out->outside, unloadable);
+  const double natural = internal::cone_natural_map<Rows>(f_row / s, u_row * s, block.friction)
+                             .template lpNorm<Eigen::Infinity>();
+  return std::max(natural, unloadable / s);
+}
+
+/// Ends of the interval of a law with one row.
+std::pair<double, double> ends_of(const ContactBlock& block) {
+  if (block.law == ContactLaw::kBilateral) return {-kInfinite, kInfinite};
+  if (block.law == ContactLaw::kUnilateral) return {0, kInfinite};
+  return {block.lower, block.upper};
+}
+
+/// Largest |s b|, |P(0) / s| of a block.
+double scale_of(const ContactBlock& block, const Row& b, double s) {
+  if (b.size() == 1) {
+    const auto [lower, upper] = ends_of(block);
+    const double nearest = std::clamp(0.0, lower, upper);
+    return std::max(lower == upper ? 0 : std::abs(s * b(0)), std::abs(nearest / s));
+  }
+  double out = std::abs(b(0));
+  if (block.friction > 0) out = b.head<3>().lpNorm<Eigen::Infinity>();
+  if (b.size() == 4 && block.friction > 0)
+    out = std::max(out, block.torsion_radius * std::abs(b(3)));
+  return s * out;
+}
+
+}  // namespace
+
+ContactBlock bilateral_block() { return {ContactLaw::kBilateral}; }
+ContactBlock unilateral_block() { return {ContactLaw::kUnilateral}; }
+ContactBlock box_block(double lower, double upper) {
+  const ContactBlock out{ContactLaw::kBox, lower, upper};
+  check_block(out);
+  return out;
+}
+ContactBlock coulomb_block(double friction) {
+  const ContactBlock out{ContactLaw::kCoulomb, 0, 0, friction};
+  check_block(out);
+  return out;
+}
+ContactBlock soft_finger_block(double friction, double torsion_radius) {
+  const ContactBlock out{ContactLaw::kSoftFinger, 0, 0, friction, torsion_radius};
+  check_block(out);
+  return out;
+}
+
+int rows_of(ContactLaw law) {
+  if (law == ContactLaw::kCoulomb) return 3;
+  return law == ContactLaw::kSoftFinger ? 4 : 1;
+}
+
+void check_contact_problem(const ContactProblem& problem) {
+  Index rows = 0;
+  for (const ContactBlock& block : problem.blocks) {
+    check_block(block);
+    rows += rows_of(block.law);
+  }
+  require(problem.b.size() == rows, "blocks have {} rows, b has {}", rows, problem.b.size());
+  require(problem.W.rows() == rows && problem.W.cols() == rows,
+          "blocks have {} rows, W is {} by {}", rows, problem.W.rows(), problem.W.cols());
+
+  // Sums of entries that are not finite are not finite either.
+  double largest = 0, sum = problem.b.sum(), difference = 0;
+  for (Index j = 0; j < rows; ++j) {
+    const auto column = problem.W.col(j);
+    sum += column.sum();
+    largest = std::max(largest, column.lpNorm<Eigen::Infinity>());
+    for (Index i = j + 1; i < rows; ++i)
+      difference = std::max(difference, std::abs(problem.W(i, j) - problem.W(j, i)));
+  }
+  require(std::isfinite(sum), "W and b must be finite");
+  require(difference <= kSymmetric * largest, "W must be symmetric, mirrored entries differ by {}",
+          difference);
+}
+
+namespace internal {
+
+double least_diagonal(const ContactProblem& problem) {
+  const double largest = problem.W.rows() > 0 ? problem.W.diagonal().maxCoeff() : 0;
+  return 1e-16 * std::max(largest, 0.0);
+}
+
+double block_scale(const ContactProblem& problem, const ContactBlock& block, Index start,
+                   double least) {
+  const int rows = rows_of(block.law);
+  double sum = 0;
+  int counted = 0;
+  for (int k = 0; k < rows; ++k) {
+    const double e = k == 3 ? block.torsion_radius : 1;
+    sum += e * e * problem.W(start + k, start + k);
+    counted += e > 0 ? 1 : 0;
+  }
+  const double mean = sum / counted;
+  return mean > least ? 1 / std::sqrt(mean) : least > 0 ? 1 / std::sqrt(least * 1e16) : 1;
+}
+
+ContactResidual contact_residual_at(const ContactProblem& problem, const Row& f, const Row& u) {
+  ContactResidual out;
+  double natural = 0;
+  Index start = 0;
+  const double least = least_diagonal(problem);
+  for (const ContactBlock& block : problem.blocks) {
+    const int rows = rows_of(block.law);
+    const double s = block_scale(problem, block, start, least);
+    out.scale = std::max(out.scale, scale_of(block, problem.b.segment(start, rows), s));
+    double entry = 0;
+    if (rows == 1) {
+      const auto [lower, upper] = ends_of(block);
+      add_interval(lower, upper, f(start), u(start), &out);
+      entry = std::abs(interval_natural_map(f(start) / s, u(start) * s, lower / s, upper / s));
+    } else if (rows == 3) {
+      entry = add_contact<3>(block, f.segment<3>(start), u.segment<3>(start), s, &out);
+    } else {
+      entry = add_contact<4>(block, f.segment<4>(start), u.segment<4>(start), s, &out);
+    }
+    natural = entry >= natural ? entry : std::isnan(entry) ? kInfinite : natural;
+    start += rows;
+  }
+  out.natural = natural > 0 ? natural / out.scale : 0;
+  return out;
+}
+
+}  // namespace internal
+
+ContactResidual contact_residual(const ContactProblem& problem, const Row& f) {
+  require(f.size() == problem.b.size(), "b has {} rows, f has {}", problem.b.size(), f.size());
+  const VectorXd u = problem.W * f + problem.b;
+  return internal::contact_residual_at(problem, f, u);
+}
+
+}  // namespace thenar

@@ -1,0 +1,39 @@
+#pragma once
+
+/// The cone of friction |t| <= mu n, and complementarity on it.
+
+#include <algorithm>
+
+#include <Eigen/Core>
+
+namespace thenar::internal {
+
+/// Nearest point of {|t| <= mu n} to x = (n, t).
+template <int Rows>
+Eigen::Matrix<double, Rows, 1> nearest_in_cone(const Eigen::Matrix<double, Rows, 1>& x, double mu) {
+  const double t = x.template tail<Rows - 1>().norm();
+  if (t <= mu * x(0)) return x;
+  const double n = (x(0) + mu * t) / (1 + mu * mu);
+  Eigen::Matrix<double, Rows, 1> out = Eigen::Matrix<double, Rows, 1>::Zero();
+  if (n <= 0) return out;
+  out(0) = n;
+  out.template tail<Rows - 1>() = (mu * n / t) * x.template tail<Rows - 1>();
+  return out;
+}
+
+/// f - P_K(f - û)  with De Saxce's  û = u + mu |ut| n.
+template <int Rows>
+Eigen::Matrix<double, Rows, 1> cone_natural_map(const Eigen::Matrix<double, Rows, 1>& f,
+                                                const Eigen::Matrix<double, Rows, 1>& u,
+                                                double mu) {
+  Eigen::Matrix<double, Rows, 1> x = f - u;
+  x(0) -= mu * u.template tail<Rows - 1>().norm();
+  return f - nearest_in_cone<Rows>(x, mu);
+}
+
+/// f - P(f - u)  on lower <= f <= upper.
+inline double interval_natural_map(double f, double u, double lower, double upper) {
+  return f - std::clamp(f - u, lower, upper);
+}
+
+}  // namespace thenar::internal
