@@ -148,6 +148,18 @@ void move(TriangleMesh& mesh, const Pose<double>& X) {
   mesh.vertices = (X.R * mesh.vertices).colwise() + X.p;
 }
 
+/// A spec without its triangles.
+ShapeSpec without_mesh(const ShapeSpec& spec) {
+  ShapeSpec bare;
+  bare.kind = spec.kind;
+  bare.size = spec.size;
+  bare.exponents = spec.exponents;
+  bare.mesh_file = spec.mesh_file;
+  bare.mesh_scale = spec.mesh_scale;
+  bare.X_BS = spec.X_BS;
+  return bare;
+}
+
 /// A mesh as one shape for each solid that it bounds; others as they are.
 std::vector<ShapeSpec> parts_of(const ShapeSpec& spec) {
   check(spec);
@@ -178,6 +190,7 @@ Solid build_solid(const std::vector<ShapeSpec>& shapes) {
       move(solid.collision.back().core, spec.X_BS);
       move(pictures.back(), spec.X_BS);
       parts.push_back(place(shape, spec.X_BS));
+      solid.parts.push_back({without_mesh(spec), parts.back()});
     }
   // Pictures joined, distances united.
   solid.visual = joined(pictures);

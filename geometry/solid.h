@@ -17,11 +17,18 @@ struct RoundedMesh {
   double radius = 0;  // [m]
 };
 
+/// One of the shapes whose union a solid is.
+struct SolidPart {
+  ShapeSpec spec;                      // its mesh is empty: the triangles are in Solid::collision
+  std::shared_ptr<const Shape> shape;  // its distance, in the frame of the solid
+};
+
 /// A body; constant once built, all in one frame.
 struct Solid {
   std::shared_ptr<const Shape> shape;  // asked for distances; shared: hands are copied, grids large
   std::vector<RoundedMesh> collision;  // what searches another shape's distance for contacts
   TriangleMesh visual;                 // for drawing and inertia; rounded shapes tessellated
+  std::vector<SolidPart> parts = {};   // what each entry of `collision` is; empty: unknown
 };
 
 /// The union of some shapes in the frame of their body. A mesh of several closed surfaces is the

@@ -15,6 +15,7 @@ MAY_SEE = {
     "dynamics/contact": ["base", "solvers"],
     "geometry": ["base"],
     "geometry/collision": ["base", "geometry"],
+    "geometry/manifold": ["base", "geometry", "geometry/collision"],
     "sampling/methods": ["base"],
     "sampling/run": ["base", "sampling/methods"],
     "sampling/diagnostics": ["base", "sampling/methods", "sampling/run"],

@@ -59,6 +59,13 @@
 #include "geometry/collision/patch_search.h"
 #include "geometry/collision/signed_distance.h"
 
+// geometry/manifold: contacts of bodies in motion.
+#include "geometry/manifold/broad_phase.h"
+#include "geometry/manifold/collision_body.h"
+#include "geometry/manifold/collision_pair.h"
+#include "geometry/manifold/collision_world.h"
+#include "geometry/manifold/contact_manifold.h"
+
 // data/io: subjects, experiments, nets, fits and posteriors as files.
 #include "data/io/anthropometry.h"
 #include "data/io/checked_file.h"

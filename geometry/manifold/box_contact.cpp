@@ -1,0 +1,350 @@
+#include "geometry/manifold/box_contact.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+
+#include "geometry/manifold/convex_distance.h"
+
+namespace thenar::internal {
+namespace {
+
+using Eigen::Matrix3d, Eigen::Vector3d;
+
+/// Two boxes in B's frame.
+struct BoxPair {
+  Matrix3d R;       // R_BA
+  Vector3d c;       // centre of A [m] (3)
+  Vector3d ha, hb;  // half edges [m] (3)
+};
+
+/// A direction that may separate the boxes.
+struct BoxAxis {
+  Vector3d n{0, 0, 1};                                    // unit, from B to A (3)
+  double gap = -std::numeric_limits<double>::infinity();  // along n [m]
+  int index = -1;  // 0-2: faces of B, 3-5: of A, 6-14: edges of B across edges of A
+};
+
+double extent(const Vector3d& half, const Vector3d& n) { return half.dot(n.cwiseAbs()); }
+
+double gap_along(const BoxPair& boxes, const Vector3d& n) {
+  return n.dot(boxes.c) - extent(boxes.hb, n) - extent(boxes.ha, boxes.R.transpose() * n);
+}
+
+BoxAxis axis_of(const BoxPair& boxes, int index) {
+  Vector3d n;
+  if (index < 3) {
+    n = Vector3d::Unit(index);
+  } else if (index < 6) {
+    n = boxes.R.col(index - 3);
+  } else {
+    n = Vector3d::Unit((index - 6) / 3).cross(boxes.R.col((index - 6) % 3));
+    const double sine = n.norm();
+    if (sine < 1e-7) return {};  // parallel edges: their faces tell
+    n /= sine;
+  }
+  if (n.dot(boxes.c) < 0) n = -n;
+  return {n, gap_along(boxes, n), index};
+}
+
+/// The direction along which the gap is largest, or the depth least.
+BoxAxis best_axis(const BoxPair& boxes, int last) {
+  BoxAxis best;
+  const Matrix3d share = boxes.R.cwiseAbs();
+  const Vector3d in_a = boxes.R.transpose() * boxes.c;
+  // Faces of B, faces of A, then edges, which must be better by more than rounding.
+  const Vector3d of_b = boxes.c.cwiseAbs() - boxes.hb - share * boxes.ha;
+  const Vector3d of_a = in_a.cwiseAbs() - boxes.ha - share.transpose() * boxes.hb;
+  int index = -1;
+  double gap = best.gap;
+  for (int k = 0; k < 3; ++k)
+    if (of_b(k) > gap) gap = of_b(k), index = k;
+  for (int k = 0; k < 3; ++k)
+    if (of_a(k) > gap + 1e-12) gap = of_a(k), index = 3 + k;
+  for (int i = 0; i < 3; ++i)
+    for (int j = 0; j < 3; ++j) {
+      const int i1 = (i + 1) % 3, i2 = (i + 2) % 3, j1 = (j + 1) % 3, j2 = (j + 2) % 3;
+      const double sine = std::sqrt(
+          std::max(0.0, boxes.R(i1, j) * boxes.R(i1, j) + boxes.R(i2, j) * boxes.R(i2, j)));
+      if (sine < 1e-7) continue;
+      const double reach = boxes.hb(i1) * share(i2, j) + boxes.hb(i2) * share(i1, j) +
+                           boxes.ha(j1) * share(i, j2) + boxes.ha(j2) * share(i, j1);
+      const double way = std::abs(boxes.c(i2) * boxes.R(i1, j) - boxes.c(i1) * boxes.R(i2, j));
+      const double edge_gap = (way - reach) / sine;
+      if (edge_gap > gap + 1e-9) gap = edge_gap, index = 6 + 3 * i + j;
+    }
+  // Overlapping boxes keep to their direction.
+  if (gap < 0 && last >= 0 && last != index) {
+    const BoxAxis kept = axis_of(boxes, last);
+    if (kept.gap > gap - 1e-5 + 0.02 * gap) return kept;
+  }
+  best = axis_of(boxes, index);
+  return best;
+}
+
+// Corners and edges by number: a corner by its signs, an edge by its direction and two signs.
+
+int corner_number(const Vector3d& signs) {
+  return (signs.x() > 0 ? 1 : 0) + (signs.y() > 0 ? 2 : 0) + (signs.z() > 0 ? 4 : 0);
+}
+
+Vector3d corner_of(const Vector3d& half, int number) {
+  return {number & 1 ? half.x() : -half.x(), number & 2 ? half.y() : -half.y(),
+          number & 4 ? half.z() : -half.z()};
+}
+
+/// The edge between two neighbouring corners.
+int edge_number(int corner, int other) {
+  const int direction = (corner ^ other) == 1 ? 0 : (corner ^ other) == 2 ? 1 : 2;
+  return 8 * direction + (corner & other);
+}
+
+/// Corners of the face across axis k on the side of `sign`, counterclockwise seen from outside.
+std::array<int, 4> face_corners(int k, bool positive) {
+  const int u = 1 << (k + 1) % 3, v = 1 << (k + 2) % 3, base = positive ? 1 << k : 0;
+  if (positive) return {base, base | u, base | u | v, base | v};
+  return {base, base | v, base | u | v, base | u};
+}
+
+/// A corner of the polygon that is cut, with the line that leads from it to the next.
+struct CutCorner {
+  Vector3d p;  // [m] (3)
+  int line;    // 0-3: side of the cut face; 4-7: plane through a side of the cutting face
+};
+
+struct CutPolygon {
+  std::array<CutCorner, 12> corners;
+  int count = 0;
+  void add(const Vector3d& p, int line) { corners[static_cast<std::size_t>(count++)] = {p, line}; }
+};
+
+/// Keeps the part of a polygon with  n.x <= offset.
+CutPolygon cut(const CutPolygon& polygon, const Vector3d& n, double offset, int line) {
+  CutPolygon kept;
+  for (int i = 0; i < polygon.count; ++i) {
+    const CutCorner& from = polygon.corners[static_cast<std::size_t>(i)];
+    const CutCorner& to = polygon.corners[static_cast<std::size_t>((i + 1) % polygon.count)];
+    const double here = n.dot(from.p) - offset, there = n.dot(to.p) - offset;
+    if (here <= 0) {
+      // Leaving: the corner, then the point on the plane, from which the plane leads on.
+      kept.add(from.p, from.line);
+      if (there > 0) kept.add(from.p + here / (here - there) * (to.p - from.p), line);
+    } else if (there <= 0) {
+      kept.add(from.p + here / (here - there) * (to.p - from.p), from.line);
+    }
+  }
+  return kept;
+}
+
+/// One box as the cutting or the cut one, in B's frame.
+struct PosedBox {
+  Matrix3d R;
+  Vector3d c, half;
+  [[nodiscard]] Vector3d corner(int number) const { return R * corner_of(half, number) + c; }
+};
+
+/// A face of a box.
+struct BoxFace {
+  int axis;
+  bool positive;
+  double alignment;  // cosine of its normal with the direction asked for [1]
+};
+
+BoxFace face_along(const PosedBox& box, const Vector3d& n) {
+  const Vector3d local = box.R.transpose() * n;
+  Eigen::Index axis;
+  const double alignment = local.cwiseAbs().maxCoeff(&axis);
+  return {static_cast<int>(axis), local(axis) > 0, alignment};
+}
+
+/// Cuts the face of one box with the sides of the face of the other.
+class FaceCut {
+ public:
+  FaceCut(const PosedBox& cutting, const BoxFace& face, const PosedBox& box, const BoxFace& other)
+      : outer_(face_corners(face.axis, face.positive)),
+        inner_(face_corners(other.axis, other.positive)) {
+    normal_ = (face.positive ? 1 : -1) * cutting.R.col(face.axis);
+    offset_ = normal_.dot(cutting.c) + cutting.half(face.axis);
+    for (int i = 0; i < 4; ++i) polygon_.add(box.corner(inner_[static_cast<std::size_t>(i)]), i);
+    // The planes through the sides of the cutting face.
+    for (int i = 0; i < 4 && polygon_.count > 0; ++i) {
+      const int from = outer_[static_cast<std::size_t>(i)],
+                to = outer_[static_cast<std::size_t>((i + 1) % 4)];
+      const int along = (from ^ to) == 1   ? 0
+                        : (from ^ to) == 2 ? 1
+                                           : 2,
+                across = 3 - along - face.axis;
+      const bool positive = (from >> across) & 1;
+      const Vector3d n = (positive ? 1 : -1) * cutting.R.col(across);
+      polygon_ = cut(polygon_, n, n.dot(cutting.c) + cutting.half(across), 4 + i);
+    }
+  }
+
+  [[nodiscard]] int count() const { return polygon_.count; }
+  [[nodiscard]] const Vector3d& at(int i) const {
+    return polygon_.corners[static_cast<std::size_t>(i)].p;
+  }
+  [[nodiscard]] const Vector3d& normal() const { return normal_; }
+  /// Height above the cutting face [m].
+  [[nodiscard]] double height(int i) const { return normal_.dot(at(i)) - offset_; }
+
+  /// What meets in a corner of the polygon. @param flipped  the cutting box is A
+  [[nodiscard]] std::uint64_t feature(int i, bool flipped) const {
+    const int before =
+        polygon_.corners[static_cast<std::size_t>((i + polygon_.count - 1) % polygon_.count)].line;
+    const int after = polygon_.corners[static_cast<std::size_t>(i)].line;
+    const auto corner = [](const std::array<int, 4>& face, int side) {
+      return face[static_cast<std::size_t>(side % 4)];
+    };
+    if (before < 4 && after < 4)
+      return feature_key(flipped ? FeatureKind::kVertexB : FeatureKind::kVertexA,
+                         corner(inner_, after), 0);
+    if (before >= 4 && after >= 4) {
+      // The corner that both sides share.
+      const int side = (before - 4 + 1) % 4 == after - 4 ? after - 4 : before - 4;
+      return feature_key(flipped ? FeatureKind::kVertexA : FeatureKind::kVertexB,
+                         corner(outer_, side), 0);
+    }
+    const int of_cut = std::min(before, after), of_cutting = std::max(before, after) - 4;
+    const int inner = edge_number(corner(inner_, of_cut), corner(inner_, of_cut + 1));
+    const int outer = edge_number(corner(outer_, of_cutting), corner(outer_, of_cutting + 1));
+    return feature_key(FeatureKind::kEdges, flipped ? outer : inner, flipped ? inner : outer);
+  }
+
+ private:
+  std::array<int, 4> outer_, inner_;  // corners of the cutting and of the cut face
+  Vector3d normal_;
+  double offset_;
+  CutPolygon polygon_;
+};
+
+constexpr double kAligned = 0.98;        // cosine up to which a face cuts [1]
+constexpr double kReferenceStep = 5e-5;  // by which the other's cosine must be better: of 0.01 rad
+
+/// The points by cutting faces; the least gap among them, infinite if there is none.
+double add_face_points(const PosedBox& a, const PosedBox& b, const BoxAxis& axis, double margin,
+                       PartMemory& memory, std::vector<ManifoldPoint>& points) {
+  const BoxFace on_b = face_along(b, axis.n), on_a = face_along(a, -axis.n);
+  // Which face cuts.
+  double least = std::numeric_limits<double>::infinity();
+  int reference = on_b.alignment >= on_a.alignment ? 1 : 0;
+  if (memory.reference >= 0 && std::abs(on_b.alignment - on_a.alignment) < kReferenceStep)
+    reference = memory.reference;
+  memory.reference = reference;
+  const bool flipped = reference == 0;
+  if ((flipped ? on_a : on_b).alignment < kAligned) return least;
+  const FaceCut cut = flipped ? FaceCut(a, on_a, b, on_b) : FaceCut(b, on_b, a, on_a);
+  for (int i = 0; i < cut.count(); ++i) {
+    // On the face that is cut, and below it on the one that cuts.
+    ManifoldPoint point;
+    const Vector3d below = cut.at(i) - cut.height(i) * cut.normal();
+    point.on_a = flipped ? below : cut.at(i);
+    point.on_b = flipped ? cut.at(i) : below;
+    point.normal = axis.n;
+    point.gap = (point.on_a - point.on_b).dot(axis.n);
+    least = std::min(least, point.gap);
+    if (point.gap > margin) continue;
+    point.feature = cut.feature(i, flipped);
+    points.push_back(point);
+  }
+  return least;
+}
+
+/// The corner of a box farthest along a direction.
+int farthest_corner(const PosedBox& box, const Vector3d& n) {
+  return corner_number(box.R.transpose() * n);
+}
+
+/// Where two edges cross, seen along n; their corners farthest along n are on them.
+ManifoldPoint edge_point(const PosedBox& a, const PosedBox& b, const BoxAxis& axis) {
+  const int k = (axis.index - 6) / 3, j = (axis.index - 6) % 3;
+  const int corner_a = farthest_corner(a, -axis.n), corner_b = farthest_corner(b, axis.n);
+  const Vector3d u = a.R.col(j), w = b.R.col(k);
+  // Middles of both edges; then the points of their lines nearest to each other.
+  Vector3d la = corner_of(a.half, corner_a), lb = corner_of(b.half, corner_b);
+  la(j) = lb(k) = 0;
+  const Vector3d pa = a.R * la + a.c, pb = b.R * lb + b.c, r = pa - pb;
+  const double uw = u.dot(w), turn = 1 - uw * uw;
+  const double s = std::clamp((uw * w.dot(r) - u.dot(r)) / turn, -a.half(j), a.half(j));
+  const double t = std::clamp((w.dot(r) - uw * u.dot(r)) / turn, -b.half(k), b.half(k));
+  ManifoldPoint point;
+  point.on_a = pa + s * u;
+  point.on_b = pb + t * w;
+  point.normal = axis.n;
+  point.gap = (point.on_a - point.on_b).dot(axis.n);
+  point.feature =
+      feature_key(FeatureKind::kEdges, edge_number(corner_a & ~(1 << j), corner_a | 1 << j),
+                  edge_number(corner_b & ~(1 << k), corner_b | 1 << k));
+  return point;
+}
+
+constexpr double kSame = 1e-7;  // by which a nearest point may miss the distance [m]
+
+/// The nearest points where no face or pair of edges has them.
+ConvexDistance nearest_points(const PosedBox& a, const PosedBox& b, const Vector3d& guess,
+                              double enough) {
+  return convex_distance(
+      [&](const Vector3d& n) {
+        return SupportPoints{a.corner(farthest_corner(a, -n)), b.corner(farthest_corner(b, n))};
+      },
+      guess, 1e-10, enough);
+}
+
+}  // namespace
+
+double box_on_box(const CollisionPart& part_a, const CollisionPart& part_b,
+                  const Pose<double>& X_BA, double margin, PartMemory& memory,
+                  std::vector<ManifoldPoint>& points) {
+  const BoxPair boxes{X_BA.R, X_BA.p, part_a.half, part_b.half};
+  BoxAxis axis = best_axis(boxes, memory.overlapped ? memory.axis : -1);
+  memory.axis = axis.index;
+  memory.overlapped = axis.gap < 0;
+  if (axis.gap > margin) return axis.gap;
+
+  // Points of faces, along the direction that separates.
+  const PosedBox a{X_BA.R, X_BA.p, part_a.half},
+      b{Matrix3d::Identity(), Vector3d::Zero(), part_b.half};
+  const std::size_t first = points.size();
+  double least = add_face_points(a, b, axis, margin, memory, points);
+  if (least <= axis.gap + kSame) return axis.gap;
+  // A crossing of edges.
+  if (axis.index >= 6) {
+    const ManifoldPoint point = edge_point(a, b, axis);
+    if (std::abs((point.on_a - point.on_b).norm() - std::abs(axis.gap)) < kSame) {
+      points.push_back(point);
+      return axis.gap;
+    }
+  }
+  if (axis.gap < 0) {
+    if (points.size() > first) return axis.gap;
+    // Overlapping without a face between: the deepest corners along the direction.
+    ManifoldPoint point;
+    point.on_a = a.corner(farthest_corner(a, -axis.n));
+    point.on_b = point.on_a - axis.gap * axis.n;
+    point.normal = axis.n;
+    point.gap = axis.gap;
+    point.feature = feature_key(FeatureKind::kWitness, 0, 0);
+    points.push_back(point);
+    return axis.gap;
+  }
+  // Apart, corner by corner or edge: the nearest points and faces along their direction.
+  const ConvexDistance near = nearest_points(a, b, axis.n, margin);
+  if (near.n.isZero(0)) return axis.gap;
+  points.resize(first);
+  if (near.lower > margin) return near.lower;
+  axis.n = near.n;
+  axis.gap = near.distance;
+  least = add_face_points(a, b, axis, margin, memory, points);
+  if (least <= near.distance + kSame) return near.distance;
+  ManifoldPoint point;
+  point.on_a = near.at.on_a;
+  point.on_b = near.at.on_b;
+  point.normal = near.n;
+  point.gap = near.distance;
+  point.feature = feature_key(FeatureKind::kWitness, 0, 0);
+  points.push_back(point);
+  return near.distance;
+}
+
+}  // namespace thenar::internal

@@ -1,0 +1,141 @@
+#include "geometry/manifold/manifold_memory.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace thenar {
+namespace {
+
+using Eigen::Vector3d;
+
+constexpr int kOfOneRegion = 6;          // points of one direction
+constexpr double kOtherRegion = 0.87;    // cosine of normals of one direction, 30 degrees [1]
+constexpr double kOnePoint = 1e-6;       // points nearer than this are one [m]
+constexpr double kSamePlace = 1e-4;      // a point that takes over is not farther than this [m]
+constexpr double kPreferKept = 1.3;      // how much farther kept points count [1]
+constexpr double kPreferDeepest = 1e-6;  // by which another must be nearer to be the first [m]
+
+/// Whether a point's direction is none of those kept.
+bool is_other_region(const ManifoldPoint& point, const ContactManifold& kept) {
+  for (const ManifoldPoint& other : kept)
+    if (point.normal.dot(other.normal) > kOtherRegion) return false;
+  return true;
+}
+
+}  // namespace
+
+bool ManifoldMemory::was_kept(std::uint64_t feature) const {
+  for (int i = 0; i < count_; ++i)
+    if (last_[static_cast<std::size_t>(i)].feature == feature) return true;
+  return false;
+}
+
+void ManifoldMemory::reduce(std::vector<ManifoldPoint>& points, double margin,
+                            ContactManifold& manifold) {
+  // The nearest point, and the extent of all.
+  std::size_t first = 0;
+  double least = std::numeric_limits<double>::infinity();
+  Vector3d low = points[0].on_b, high = low, low_a = points[0].on_a, high_a = low_a;
+  apart_.resize(points.size());
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    ManifoldPoint& point = points[i];
+    point.age = was_kept(point.feature) ? 1 : 0;
+    const double gap = point.gap - (point.age > 0 ? kPreferDeepest : 0);
+    if (gap < least) least = gap, first = i;
+    low = low.cwiseMin(point.on_b);
+    high = high.cwiseMax(point.on_b);
+    low_a = low_a.cwiseMin(point.on_a);
+    high_a = high_a.cwiseMax(point.on_a);
+    apart_[i] = std::numeric_limits<double>::infinity();
+  }
+  const double extent2 = std::max((high - low).squaredNorm(), (high_a - low_a).squaredNorm());
+  const double range = std::max(margin - least, 1e-12);
+  // Then the farthest from those that are kept.
+  std::size_t next = first;
+  for (;;) {
+    const ManifoldPoint& kept = manifold.points[static_cast<std::size_t>(manifold.count++)] =
+        points[next];
+    if (manifold.count == ContactManifold::kMaxPoints) return;
+    double farthest = 0;
+    for (std::size_t i = 0; i < points.size(); ++i) {
+      const ManifoldPoint& point = points[i];
+      const double cosine = point.normal.dot(kept.normal);
+      const double way2 =
+          std::min((point.on_a - kept.on_a).squaredNorm(), (point.on_b - kept.on_b).squaredNorm());
+      // Beyond six, or where the place is the same, only other directions count.
+      double apart2 = way2 + extent2 * (1 - cosine);
+      if (cosine > kOtherRegion && way2 < kOnePoint * kOnePoint) apart2 = 0;
+      apart_[i] = std::min(apart_[i], apart2);
+      if (manifold.count >= kOfOneRegion && !is_other_region(point, manifold)) continue;
+      const double share = 0.2 + 0.8 * std::min(1.0, (margin - point.gap) / range);
+      const double weight = share * (point.age > 0 ? kPreferKept : 1);
+      const double weighted = apart_[i] * weight * weight;
+      if (weighted > farthest) farthest = weighted, next = i;
+    }
+    if (!(farthest > 0)) return;
+  }
+}
+
+void ManifoldMemory::name(const Pose<double>& X_WA, const Pose<double>& X_WB, double motion,
+                          ContactManifold& manifold) {
+  // The same features keep their ids.
+  std::array<bool, ContactManifold::kMaxPoints> taken{};
+  for (int i = 0; i < manifold.count; ++i) {
+    ManifoldPoint& point = manifold.points[static_cast<std::size_t>(i)];
+    point.id = -1;
+    point.age = 0;
+    for (int k = 0; k < count_ && point.id < 0; ++k) {
+      const auto at = static_cast<std::size_t>(k);
+      if (taken[at] || last_[at].feature != point.feature) continue;
+      taken[at] = true;
+      point.id = last_[at].id;
+      point.age = last_[at].age + 1;
+    }
+  }
+  // Others take over that of the nearest point that is gone, if it was here.
+  const Pose<double> X_AW = X_WA.inverse(), X_BW = X_WB.inverse();
+  for (int i = 0; i < manifold.count; ++i) {
+    ManifoldPoint& point = manifold.points[static_cast<std::size_t>(i)];
+    if (point.id >= 0) continue;
+    const Vector3d on_a = X_AW * point.on_a, on_b = X_BW * point.on_b;
+    double nearest = kSamePlace + 2 * motion;
+    int from = -1;
+    for (int k = 0; k < count_; ++k) {
+      const auto at = static_cast<std::size_t>(k);
+      if (taken[at]) continue;
+      const double way = std::min((last_[at].on_a - on_a).norm(), (last_[at].on_b - on_b).norm());
+      if (way < nearest) nearest = way, from = k;
+    }
+    if (from < 0) {
+      point.id = next_id_++;
+      continue;
+    }
+    const auto at = static_cast<std::size_t>(from);
+    taken[at] = true;
+    point.id = last_[at].id;
+    point.age = last_[at].age + 1;
+  }
+}
+
+void ManifoldMemory::keep(std::vector<ManifoldPoint>& points, const Pose<double>& X_WA,
+                          const Pose<double>& X_WB, double motion, double margin,
+                          ContactManifold& manifold) {
+  manifold.count = 0;
+  if (!points.empty()) {
+    reduce(points, margin, manifold);
+    name(X_WA, X_WB, motion, manifold);
+    std::sort(manifold.points.begin(), manifold.points.begin() + manifold.count,
+              [](const ManifoldPoint& a, const ManifoldPoint& b) { return a.id < b.id; });
+  }
+  // Remembered as the bodies see them.
+  const Pose<double> X_AW = X_WA.inverse(), X_BW = X_WB.inverse();
+  count_ = manifold.count;
+  for (int i = 0; i < count_; ++i) {
+    const ManifoldPoint& point = manifold.points[static_cast<std::size_t>(i)];
+    last_[static_cast<std::size_t>(i)] = {X_AW * point.on_a, X_BW * point.on_b, point.feature,
+                                          point.id, point.age};
+  }
+}
+
+}  // namespace thenar

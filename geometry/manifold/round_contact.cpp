@@ -1,0 +1,251 @@
+#include "geometry/manifold/round_contact.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "geometry/collision/segment_bounds.h"
+
+namespace thenar::internal {
+namespace {
+
+using Eigen::Vector3d;
+
+constexpr double kDeeper = 1e-7;    // by which a point between two ends must be nearer to count [m]
+constexpr double kNowhere = 1e-13;  // centres nearer than this have no direction [m]
+constexpr double kOnRim = 1e-7;     // what is over a face's rim is over the face [m]
+constexpr int kEndLower = 0, kEndUpper = 1, kBetween = 2;  // features of a hull of two balls
+
+/// The hull of two balls, somewhere.
+struct Rounds {
+  Vector3d p0, way;  // centre of the lower ball, and from there to the upper one [m] (3)
+  double r0, grow;   // radius of the lower ball, and by how much the upper one is larger [m]
+  double length;     // of the way [m]
+
+  Rounds(const CollisionPart& part, const Pose<double>& X)
+      : p0(X.p - part.half_length * X.R.col(2)),
+        way(2 * part.half_length * X.R.col(2)),
+        r0(part.radius[0]),
+        grow(part.radius[1] - part.radius[0]),
+        length(2 * part.half_length) {}
+
+  [[nodiscard]] Vector3d at(double t) const { return p0 + t * way; }
+  [[nodiscard]] double radius(double t) const { return r0 + t * grow; }
+
+  /// Which ball is nearest to a point, were the axis endless.
+  [[nodiscard]] double foot(const Vector3d& q) const {
+    if (length == 0) return 0;
+    const Vector3d arm = q - p0;
+    const double z = arm.dot(way) / length;
+    if (grow == 0) return z / length;
+    // The side leans by alpha against the axis.
+    const double sine = -grow / length,
+                 cosine = std::sqrt(std::max(1e-30, (1 - sine) * (1 + sine)));
+    const double rho = std::sqrt(std::max(0.0, arm.squaredNorm() - z * z));
+    return (z - rho * sine / cosine) / length;
+  }
+};
+
+struct AxisPlaces {
+  double s, t;  // in [0, 1] (A, B)
+};
+
+/// The nearest points of two segments.
+AxisPlaces nearest_on_axes(const Rounds& a, const Rounds& b) {
+  const Vector3d r = a.p0 - b.p0;
+  const double aa = a.way.squaredNorm(), bb = b.way.squaredNorm();
+  if (aa == 0) return {0, bb == 0 ? 0 : std::clamp(b.way.dot(r) / bb, 0.0, 1.0)};
+  const double c = a.way.dot(r);
+  if (bb == 0) return {std::clamp(-c / aa, 0.0, 1.0), 0};
+  const double f = b.way.dot(r), ab = a.way.dot(b.way), turn = aa * bb - ab * ab;
+  // Of lines that are not parallel the nearest points; then within both.
+  double s = turn > 1e-14 * aa * bb ? std::clamp((ab * f - c * bb) / turn, 0.0, 1.0) : 0.5;
+  double t = (ab * s + f) / bb;
+  if (t < 0 || t > 1) {
+    t = std::clamp(t, 0.0, 1.0);
+    s = std::clamp((ab * t - c) / aa, 0.0, 1.0);
+  }
+  return {s, t};
+}
+
+/// The nearest balls: those of the axes, and where radii change, one after the other from there.
+AxisPlaces nearest_balls(const Rounds& a, const Rounds& b) {
+  AxisPlaces at = nearest_on_axes(a, b);
+  if (a.grow == 0 && b.grow == 0) return at;
+  for (int i = 0; i < 100; ++i) {
+    const AxisPlaces last = at;
+    at.s = std::clamp(a.foot(b.at(at.t)), 0.0, 1.0);
+    at.t = std::clamp(b.foot(a.at(at.s)), 0.0, 1.0);
+    if (std::abs(at.s - last.s) + std::abs(at.t - last.t) < 1e-13) break;
+  }
+  return at;
+}
+
+/// A direction from B to A where the centres coincide.
+Vector3d any_direction(const Rounds& a, const Rounds& b, const Vector3d& last) {
+  Vector3d n = a.way.cross(b.way);
+  if (n.norm() > 1e-9 * a.length * b.length)
+    return n.dot(last) < 0 ? -n.normalized() : n.normalized();
+  if (!last.isZero(0)) return last;
+  const Rounds& longer = a.length > b.length ? a : b;
+  return longer.length > 0 ? tangents(longer.way / longer.length).e1 : Vector3d::UnitZ();
+}
+
+int feature_at(double t) { return t <= 0 ? kEndLower : t >= 1 ? kEndUpper : kBetween; }
+
+/// The contact of two balls.
+ManifoldPoint ball_on_ball(const Rounds& a, const Rounds& b, const AxisPlaces& at,
+                           const PartMemory& memory) {
+  const Vector3d p = a.at(at.s), q = b.at(at.t), arm = p - q;
+  double distance = arm.norm();
+  Vector3d n = distance > kNowhere ? Vector3d(arm / distance) : any_direction(a, b, memory.n);
+  // Axes that have crossed while the bodies overlapped are on the wrong side.
+  const bool between = at.s > 0 && at.s < 1 && at.t > 0 && at.t < 1;
+  if (between && memory.overlapped && n.dot(memory.n) < 0) n = -n, distance = -distance;
+  ManifoldPoint point;
+  point.on_a = p - a.radius(at.s) * n;
+  point.on_b = q + b.radius(at.t) * n;
+  point.normal = n;
+  point.gap = distance - a.radius(at.s) - b.radius(at.t);
+  point.feature = feature_key(FeatureKind::kRounds, feature_at(at.s), feature_at(at.t));
+  return point;
+}
+
+}  // namespace
+
+double round_on_round(const CollisionPart& part_a, const CollisionPart& part_b,
+                      const Pose<double>& X_BA, double margin, PartMemory& memory,
+                      std::vector<ManifoldPoint>& points) {
+  const Rounds a(part_a, X_BA), b(part_b, {});
+  const AxisPlaces at = nearest_balls(a, b);
+  const ManifoldPoint nearest = ball_on_ball(a, b, at, memory);
+  const double least = nearest.gap;
+  memory.n = nearest.normal;
+  memory.overlapped = least < 0;
+  if (least > margin) return least;
+
+  // Ends that stand over the other's side.
+  double least_end = std::numeric_limits<double>::infinity();
+  const auto add_end = [&](const AxisPlaces& end) {
+    const ManifoldPoint point = ball_on_ball(a, b, end, memory);
+    if (point.normal.dot(nearest.normal) < 0.5) return;
+    least_end = std::min(least_end, point.gap);
+    if (point.gap <= margin) points.push_back(point);
+  };
+  if (a.length > 0 && b.length > 0)
+    for (const double end : {0.0, 1.0}) {
+      const double t = b.foot(a.at(end)), s = a.foot(b.at(end));
+      if (t > 0 && t < 1) add_end({end, t});
+      if (s > 0 && s < 1) add_end({s, end});
+    }
+  // The nearest balls, if they are not as good as those.
+  if (!(least_end < least + kDeeper)) points.push_back(nearest);
+  return least;
+}
+
+namespace {
+
+/// Part of an axis, in [0, 1].
+struct AxisRange {
+  double from = 0, to = 1;
+
+  /// Keeps where  low <= x + t dx <= high.
+  void keep(double x, double dx, double low, double high) {
+    if (dx == 0) return;
+    const double one = (low - x) / dx, other = (high - x) / dx;
+    from = std::max(from, std::min(one, other));
+    to = std::min(to, std::max(one, other));
+  }
+};
+
+/// The part of A's axis that stands over the same face of B as its ball at `t`.
+AxisRange over_same_face(const Rounds& a, const CollisionPart& b, double t) {
+  AxisRange range;
+  const Vector3d p = a.at(t);
+  if (b.form == PartForm::kBox) {
+    for (int k = 0; k < 3; ++k)
+      if (std::abs(p(k)) < b.half(k) + kOnRim) range.keep(a.p0(k), a.way(k), -b.half(k), b.half(k));
+  } else if (b.form == PartForm::kCylinder) {
+    // Between the caps, over the side; within the rim, over a cap.
+    if (std::abs(p.z()) < b.half.z() + kOnRim)
+      range.keep(a.p0.z(), a.way.z(), -b.half.z(), b.half.z());
+    const double aa = a.way.head<2>().squaredNorm(), radius = b.half.x();
+    if (p.head<2>().norm() < radius + kOnRim && aa > 0) {
+      const double half = a.p0.head<2>().dot(a.way.head<2>()) / aa;
+      const double inner = (a.p0.head<2>().squaredNorm() - radius * radius) / aa;
+      const double root = std::sqrt(std::max(0.0, half * half - inner));
+      range.keep(half, 1, -root, root);
+    }
+  } else {
+    range = {t, t};  // curved everywhere: nothing but the nearest
+  }
+  return range;
+}
+
+/// The contact of A's ball at t.
+ManifoldPoint ball_on_shape(const Rounds& a, const Shape& b, double t, int feature) {
+  const Vector3d p = a.at(t);
+  const NearestSurface seen = b.nearest(p);
+  ManifoldPoint point;
+  point.on_a = p - a.radius(t) * seen.normal;
+  point.on_b = p - seen.distance * seen.normal;
+  point.normal = seen.normal;
+  point.gap = seen.distance - a.radius(t);
+  point.feature = feature_key(FeatureKind::kBalls, feature, 0);
+  return point;
+}
+
+/// Which ball of A is nearest to B: its distance is convex along the axis.
+double nearest_ball(const Rounds& a, const Shape& b) {
+  if (a.length == 0) return 0;
+  // Slope of the gap; at the ends first.
+  const auto tangent = [&](double t) {
+    const NearestSurface seen = b.nearest(a.at(t));
+    return Tangent{t, seen.distance - a.radius(t), seen.normal.dot(a.way) - a.grow};
+  };
+  Tangent low = tangent(0);
+  if (low.slope >= 0) return 0;
+  const Tangent high = tangent(1);
+  if (high.slope <= 0) return 1;
+  ConvexBracket bracket(0, 1, low);
+  bracket.add(high);
+  Tangent best = low.value < high.value ? low : high;
+  for (int i = 0; i < 60; ++i) {
+    if (best.value - bracket.lower() < 1e-12) break;
+    const Tangent next = tangent(bracket.next(0.5));
+    if (next.value < best.value) best = next;
+    if (next.slope == 0) break;
+    bracket.add(next);
+  }
+  return best.t;
+}
+
+}  // namespace
+
+double round_on_convex(const CollisionPart& part_a, const CollisionPart& part_b,
+                       const Pose<double>& X_BA, double margin, PartMemory& memory,
+                       std::vector<ManifoldPoint>& points) {
+  const Rounds a(part_a, X_BA);
+  const Shape& b = *part_b.shape;
+  const double t = nearest_ball(a, b);
+  const ManifoldPoint nearest = ball_on_shape(a, b, t, kBetween);
+  memory.n = nearest.normal;
+  memory.overlapped = nearest.gap < 0;
+  if (nearest.gap > margin) return nearest.gap;
+
+  // The ends of what stands over the same face.
+  const AxisRange range = over_same_face(a, part_b, t);
+  double least_end = std::numeric_limits<double>::infinity();
+  if (range.to > range.from)
+    for (const int end : {kEndLower, kEndUpper}) {
+      const double at = end == kEndLower ? range.from : range.to;
+      const ManifoldPoint point = ball_on_shape(a, b, at, end);
+      if (point.normal.dot(nearest.normal) < 0.5) continue;
+      least_end = std::min(least_end, point.gap);
+      if (point.gap <= margin) points.push_back(point);
+    }
+  if (!(least_end < nearest.gap + kDeeper)) points.push_back(nearest);
+  return nearest.gap;
+}
+
+}  // namespace thenar::internal
