@@ -68,6 +68,10 @@ MAY_SEE |= {
 MAY_SEE |= {
     "dynamics/mechanism": ["base", "geometry", "data/io", "data/io/robot", "data/io/world", "hand"],
 }
+MECHANISMS = MAY_SEE["dynamics/mechanism"] + ["dynamics/mechanism"]
+MAY_SEE |= {
+    "dynamics/stepping": MECHANISMS + ["solvers", "geometry/collision", "geometry/manifold", "dynamics/contact"],
+}
 LIBRARIES = list(MAY_SEE)
 API = ["api", "api/named"]
 MAY_SEE["thenar"] = LIBRARIES + API  # the header of all public headers

@@ -1,0 +1,508 @@
+#include "dynamics/stepping/contact_step.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/error.h"
+#include "dynamics/mechanism/articulated_body.h"
+
+namespace thenar {
+namespace {
+
+using Kind = ActiveContact::Kind;
+
+constexpr double kNoSlip = 1e-9;  // slower is sticking [m/s], [rad/s]
+
+bool is_scalar(JointKind kind) { return kind == JointKind::kHinge || kind == JointKind::kSlide; }
+
+/// Notes a contact that was not closed before.
+void note_new(const ActiveContact& contact, StepOutcome& outcome) {
+  if (contact.kind == Kind::kJointFriction || !(contact.gap < outcome.deepest_new)) return;
+  outcome.deepest_new = contact.gap;
+  outcome.closing_new = -contact.approach;
+}
+
+/// Whether two bodies can never meet: one link, neighbours on a joint, or both fixed to the world.
+bool never_meet(const TreeModel& model, std::size_t a, std::size_t b) {
+  const int link_a = model.bodies[a].link, link_b = model.bodies[b].link;
+  if (link_a == link_b) return true;
+  const auto parent = [&](int link) {
+    return link < 0 ? -2 : model.links[static_cast<std::size_t>(link)].parent;
+  };
+  // A free body's parent is the world, which it may well touch.
+  const auto hangs_on = [&](int child, int other) {
+    return child >= 0 && parent(child) == other &&
+           model.links[static_cast<std::size_t>(child)].kind != JointKind::kFree;
+  };
+  return hangs_on(link_a, link_b) || hangs_on(link_b, link_a);
+}
+
+}  // namespace
+
+struct ContactStep::Parts {
+  explicit Parts(const MovingScene& s)
+      : scene(s), model(tree_model(scene.mechanism)), motion(model), mass(model), inverse(model) {
+    check_scene(scene);
+    if (!model.has_couplings) articulated = std::make_unique<ArticulatedBody<double>>(model);
+    const int n = model.layout.v;
+    tau = v_free = zero = Eigen::VectorXd::Zero(n);
+    build_collision();
+  }
+
+  void build_collision() {
+    std::vector<std::shared_ptr<const CollisionBody>> bodies;
+    for (std::size_t i = 0; i < scene.mechanism.bodies.size(); ++i) {
+      if (!scene.mechanism.bodies[i].solid) continue;
+      bodies.push_back(collision_body(*scene.mechanism.bodies[i].solid));
+      body_of.push_back(static_cast<int>(i));
+    }
+    world = std::make_unique<CollisionWorld>(std::move(bodies));
+    X_WB.resize(body_of.size());
+    for (std::size_t i = 0; i < body_of.size(); ++i)
+      for (std::size_t j = i + 1; j < body_of.size(); ++j) {
+        const std::pair<int, int> pair{body_of[i], body_of[j]};
+        const bool asked_apart = std::count(scene.apart.begin(), scene.apart.end(), pair) +
+                                     std::count(scene.apart.begin(), scene.apart.end(),
+                                                std::make_pair(pair.second, pair.first)) >
+                                 0;
+        if (asked_apart || never_meet(model, static_cast<std::size_t>(pair.first),
+                                      static_cast<std::size_t>(pair.second)))
+          world->exclude(static_cast<int>(i), static_cast<int>(j));
+      }
+  }
+
+  [[nodiscard]] int link_of(int body) const {
+    return model.bodies[static_cast<std::size_t>(body)].link;
+  }
+
+  void place(const SceneState& state) {
+    motion.set_position(state.q);
+    motion.set_speed(state.v);
+  }
+
+  /// Value and rate of a joint's limit at a state.
+  [[nodiscard]] JointValue value_of(std::size_t joint, const SceneState& state) const {
+    return joint_value(scene.mechanism.joints[joint], state.q[model.layout.first_q[joint]]);
+  }
+
+  /// All contacts within the margin, limits within it, and dry frictions, after place().
+  void find(const SceneState& state, double margin, std::vector<ActiveContact>& out) {
+    out.clear();
+    for (std::size_t i = 0; i < body_of.size(); ++i) X_WB[i] = motion.pose(body_of[i]);
+    for (const BodyContact& pair : world->update(X_WB, margin))
+      for (const ManifoldPoint& point : *pair.manifold) {
+        ActiveContact contact;
+        contact.a = body_of[static_cast<std::size_t>(pair.a)];
+        contact.b = body_of[static_cast<std::size_t>(pair.b)];
+        contact.id = point.id;
+        contact.point = 0.5 * (point.on_a + point.on_b);
+        contact.normal = point.normal;
+        contact.gap = point.gap;
+        contact.friction = pair_friction(scene, contact.a, contact.b);
+        const Eigen::Vector3d u = motion.velocity(link_of(contact.a), contact.point) -
+                                  motion.velocity(link_of(contact.b), contact.point);
+        contact.approach = u.dot(contact.normal);
+        contact.slip = (u - contact.approach * contact.normal).norm();
+        out.push_back(contact);
+      }
+    for (std::size_t i = 0; i < scene.mechanism.joints.size(); ++i)
+      find_joint(i, state, margin, out);
+  }
+
+  void find_joint(std::size_t i, const SceneState& state, double margin,
+                  std::vector<ActiveContact>& out) const {
+    const MechanismJoint& joint = scene.mechanism.joints[i];
+    if (!is_scalar(joint.kind)) return;
+    const JointValue at = value_of(i, state);
+    const double rate = at.slope * state.v[model.layout.first_v[i]];
+    const auto add = [&](Kind kind, double gap, double approach) {
+      if (!(gap <= margin)) return;
+      ActiveContact limit;
+      limit.kind = kind;
+      limit.a = static_cast<int>(i);
+      limit.gap = gap;
+      limit.approach = approach;
+      out.push_back(limit);
+    };
+    add(Kind::kLowerLimit, at.value - joint.lower, rate);
+    add(Kind::kUpperLimit, joint.upper - at.value, -rate);
+    if (joint.friction > 0) add(Kind::kJointFriction, 0, rate);
+  }
+
+  /// Efforts of springs, dampers and drives, and loads on bodies, after place().
+  void load(const SceneState& state) {
+    tau.setZero();
+    for (std::size_t i = 0; i < scene.mechanism.joints.size(); ++i) {
+      const MechanismJoint& joint = scene.mechanism.joints[i];
+      if (!is_scalar(joint.kind) || (joint.stiffness == 0 && joint.damping == 0)) continue;
+      const JointValue at = value_of(i, state);
+      const int row = model.layout.first_v[i];
+      tau[row] -= at.slope * (joint.stiffness * (at.value - joint.rest) +
+                              joint.damping * at.slope * state.v[row]);
+    }
+    for (const SceneDrive& drive : scene.drives) {
+      if (!drive.when.holds(state.t)) continue;
+      const auto c = static_cast<std::size_t>(drive.coordinate);
+      const double u = state.q[model.layout.coordinate_q[c]];
+      const double rate = state.v[model.layout.coordinate_v[c]];
+      const double wanted = drive.target + drive.speed * (state.t - drive.when.from);
+      const double effort =
+          drive.bias + drive.stiffness * (wanted - u) - drive.damping * (rate - drive.speed);
+      tau[model.layout.coordinate_v[c]] += std::clamp(effort, -drive.max_effort, drive.max_effort);
+    }
+    motion.clear_loads();
+    for (const SceneForce& force : scene.forces) {
+      if (!force.when.holds(state.t)) continue;
+      motion.add_load(link_of(force.body), motion.pose(force.body) * force.point, force.force,
+                      force.moment);
+    }
+  }
+
+  /// v_free = v + h M^-1 (tau - h(q, v)), after place() and load(). h = 0: v alone.
+  bool free_velocity(const SceneState& state, double h) {
+    const bool positive = mass.set(motion);
+    if (h > 0) {
+      inverse.efforts(motion, scene.gravity, zero, v_free);
+      v_free = h * (tau - v_free);
+      mass.solve(model, v_free);
+      v_free += state.v;
+    } else {
+      v_free = state.v;
+    }
+    return positive;
+  }
+
+  /// Rows and blocks of the contacts in `list`, and W. @param h  of the step, for dry friction [s]
+  void set_rows(const std::vector<ActiveContact>& list, double h) {
+    int rows = 0;
+    problem.blocks.clear();
+    for (const ActiveContact& contact : list) {
+      problem.blocks.push_back(block_of(contact, h));
+      rows += rows_of(problem.blocks.back().law);
+    }
+    J.setZero(model.layout.v, rows);
+    int at = 0;
+    for (std::size_t k = 0; k < list.size(); ++k) {
+      fill(list[k], problem.blocks[k].law, at);
+      at += rows_of(problem.blocks[k].law);
+    }
+    // W = J' M^-1 J from half of the factor.
+    Y = J;
+    for (int i = 0; i < rows; ++i) mass.half_solve(model, Y.col(i));
+    problem.W.resize(rows, rows);
+    problem.W.noalias() = Y.transpose() * Y;
+  }
+
+  [[nodiscard]] ContactBlock block_of(const ActiveContact& contact, double h) const {
+    if (contact.kind == Kind::kJointFriction) {
+      const double most = h * scene.mechanism.joints[static_cast<std::size_t>(contact.a)].friction;
+      return box_block(-most, most);
+    }
+    if (contact.kind != Kind::kContact || contact.friction.coefficient == 0)
+      return unilateral_block();
+    if (contact.friction.torsion_radius == 0) return coulomb_block(contact.friction.coefficient);
+    return soft_finger_block(contact.friction.coefficient, contact.friction.torsion_radius);
+  }
+
+  void fill(const ActiveContact& contact, ContactLaw law, int at) {
+    if (contact.kind != Kind::kContact) {
+      const auto joint = static_cast<std::size_t>(contact.a);
+      const double sign = contact.kind == Kind::kUpperLimit ? -1 : 1;
+      J(model.layout.first_v[joint], at) = sign * slope_of_link(joint);
+      return;
+    }
+    const int a = link_of(contact.a), b = link_of(contact.b);
+    const auto add = [&](int column, const Eigen::Vector3d& along, const Eigen::Vector3d& about) {
+      motion.add_row(a, contact.point, along, about, J.col(column));
+      motion.add_row(b, contact.point, Eigen::Vector3d(-along), Eigen::Vector3d(-about),
+                     J.col(column));
+    };
+    const Eigen::Vector3d none(0, 0, 0);
+    add(at, contact.normal, none);
+    if (law == ContactLaw::kUnilateral) return;
+    const Tangents sides = tangents(contact.normal);
+    add(at + 1, sides.e1, none);
+    add(at + 2, sides.e2, none);
+    if (law == ContactLaw::kSoftFinger) add(at + 3, none, contact.normal);
+  }
+
+  /// d value / d coordinate of a joint at the placed position.
+  [[nodiscard]] double slope_of_link(std::size_t joint) const {
+    return motion.links()[static_cast<std::size_t>(model.bodies[joint].link)].slope;
+  }
+
+  /// Impulses of a list as rows, for a warm start.
+  void warm_start(const std::vector<ActiveContact>& list) {
+    start.setZero(problem.W.rows());
+    int at = 0;
+    for (std::size_t k = 0; k < list.size(); ++k) {
+      const ActiveContact& contact = list[k];
+      const ContactLaw law = problem.blocks[k].law;
+      if (contact.kind != Kind::kContact) {
+        start[at] = contact.impulse.x();
+      } else {
+        start[at] = contact.impulse.dot(contact.normal);
+        if (law != ContactLaw::kUnilateral) {
+          const Tangents sides = tangents(contact.normal);
+          start[at + 1] = contact.impulse.dot(sides.e1);
+          start[at + 2] = contact.impulse.dot(sides.e2);
+          if (law == ContactLaw::kSoftFinger) start[at + 3] = contact.torsion;
+        }
+      }
+      at += rows_of(law);
+    }
+  }
+
+  /// Solves, moves the speeds, and writes impulses, velocities and modes into the list.
+  void solve(std::vector<ActiveContact>& list, SceneState& state, StepOutcome& outcome) {
+    warm_start(list);
+    const ContactSolution& answer = solver.solve(problem, start);
+    outcome.solved = answer.status == Status::kSolved;
+    outcome.residual = answer.residual.natural;
+    change.noalias() = J * answer.f;
+    mass.solve(model, change);
+    state.v = v_free + change;
+    int at = 0;
+    for (std::size_t k = 0; k < list.size(); ++k) {
+      read(answer, at, problem.blocks[k], list[k]);
+      at += rows_of(problem.blocks[k].law);
+    }
+  }
+
+  static void read(const ContactSolution& answer, int at, const ContactBlock& block,
+                   ActiveContact& contact) {
+    const double f = answer.f[at];
+    contact.approach = answer.u[at];
+    contact.slip = 0;
+    if (contact.kind != Kind::kContact) {
+      contact.impulse = {f, 0, 0};
+      contact.mode = f != 0 ? ContactMode::kStick : ContactMode::kOpen;
+      if (block.law == ContactLaw::kBox)
+        contact.mode =
+            std::abs(contact.approach) > kNoSlip ? ContactMode::kSlide : ContactMode::kStick;
+      return;
+    }
+    contact.impulse = f * contact.normal;
+    contact.mode = f > 0 ? ContactMode::kStick : ContactMode::kOpen;
+    if (block.law == ContactLaw::kUnilateral) return;
+    const Tangents sides = tangents(contact.normal);
+    contact.impulse += answer.f[at + 1] * sides.e1 + answer.f[at + 2] * sides.e2;
+    contact.slip = std::hypot(answer.u[at + 1], answer.u[at + 2]);
+    double spin = 0;
+    if (block.law == ContactLaw::kSoftFinger) {
+      contact.torsion = answer.f[at + 3];
+      spin = block.torsion_radius * std::abs(answer.u[at + 3]);
+    }
+    if (f > 0 && std::max(contact.slip, spin) > kNoSlip) contact.mode = ContactMode::kSlide;
+  }
+
+  MovingScene scene;
+  TreeModel model;
+  TreeMotion<double> motion;
+  MassMatrix<double> mass;
+  InverseDynamics<double> inverse;
+  std::unique_ptr<ArticulatedBody<double>> articulated;  // null: joints share coordinates
+  std::vector<int> body_of;                              // of the collision world's bodies
+  std::unique_ptr<CollisionWorld> world;
+  std::vector<Pose<double>> X_WB;
+  Eigen::VectorXd tau, v_free, zero, start, change;
+  Eigen::MatrixXd J, Y;  // rows as columns (v, rows)
+  ContactProblem problem;
+  ContactSolver solver;
+  std::vector<ActiveContact> found;
+};
+
+ContactStep::ContactStep(const MovingScene& scene) : parts_(std::make_unique<Parts>(scene)) {}
+ContactStep::~ContactStep() = default;
+ContactStep::ContactStep(ContactStep&&) noexcept = default;
+ContactStep& ContactStep::operator=(ContactStep&&) noexcept = default;
+
+const MovingScene& ContactStep::scene() const { return parts_->scene; }
+const TreeModel& ContactStep::model() const { return parts_->model; }
+
+void ContactStep::find(const SceneState& state, double margin, std::vector<ActiveContact>& out) {
+  parts_->place(state);
+  parts_->find(state, margin, out);
+}
+
+void ContactStep::substep(SceneState& state, double h, const std::vector<ActiveContact>& closed,
+                          double touch, StepOutcome& outcome) {
+  Parts& p = *parts_;
+  advance(p.scene.mechanism, p.model.layout, state.v, h, state.q);
+  state.t += h;
+  p.place(state);
+  p.find(state, touch + 1e-4, p.found);
+  // Contacts that were closed act on; the others only tell how deep they are.
+  outcome.active.clear();
+  outcome.deepest_new = outcome.closing_new = 0;
+  for (ActiveContact& contact : p.found) {
+    const auto old = std::find_if(closed.begin(), closed.end(),
+                                  [&](const ActiveContact& c) { return c.same(contact); });
+    if (old == closed.end()) {
+      note_new(contact, outcome);
+      continue;
+    }
+    if (old->mode == ContactMode::kOpen && contact.gap > touch) continue;
+    contact.impulse = old->impulse;
+    contact.torsion = old->torsion;
+    outcome.active.push_back(contact);
+  }
+  p.load(state);
+  outcome.solved = p.free_velocity(state, h);
+  outcome.residual = 0;
+  if (outcome.active.empty()) {
+    state.v = p.v_free;
+    return;
+  }
+  p.set_rows(outcome.active, h);
+  p.problem.b.noalias() = p.J.transpose() * p.v_free;
+  const bool positive = outcome.solved;
+  p.solve(outcome.active, state, outcome);
+  outcome.solved = outcome.solved && positive;
+}
+
+void ContactStep::time_step(SceneState& state, double h, const std::vector<ActiveContact>& last,
+                            double recovery, StepOutcome& outcome) {
+  Parts& p = *parts_;
+  advance(p.scene.mechanism, p.model.layout, state.v, h, state.q);
+  state.t += h;
+  p.place(state);
+  p.load(state);
+  outcome.solved = p.free_velocity(state, h);
+  outcome.residual = 0;
+  // Whatever may close its gap within the next step.
+  const double margin = 2 * h * p.v_free.norm() + 1e-5;
+  p.find(state, std::min(margin, 0.05), outcome.active);
+  for (ActiveContact& contact : outcome.active)
+    for (const ActiveContact& old : last)
+      if (old.same(contact)) contact.impulse = old.impulse, contact.torsion = old.torsion;
+  if (outcome.active.empty()) {
+    state.v = p.v_free;
+    return;
+  }
+  p.set_rows(outcome.active, h);
+  p.problem.b.noalias() = p.J.transpose() * p.v_free;
+  int at = 0;
+  for (std::size_t k = 0; k < outcome.active.size(); ++k) {
+    const ActiveContact& contact = outcome.active[k];
+    if (contact.kind != Kind::kJointFriction)
+      p.problem.b[at] += std::max(contact.gap / h, -recovery);
+    at += rows_of(p.problem.blocks[k].law);
+  }
+  const bool positive = outcome.solved;
+  p.solve(outcome.active, state, outcome);
+  outcome.solved = outcome.solved && positive;
+}
+
+void ContactStep::impact(SceneState& state, const std::vector<ActiveContact>& touching,
+                         StepOutcome& outcome) {
+  Parts& p = *parts_;
+  outcome = {};
+  if (touching.empty()) return;
+  p.place(state);
+  outcome.solved = p.free_velocity(state, 0);
+  outcome.active = touching;
+  p.set_rows(outcome.active, 0);
+  p.problem.b.noalias() = p.J.transpose() * p.v_free;
+  // Bounces.
+  int at = 0;
+  for (std::size_t k = 0; k < touching.size(); ++k) {
+    outcome.active[k].impulse.setZero();
+    outcome.active[k].torsion = 0;
+    if (touching[k].kind == Kind::kContact && p.problem.b[at] < 0)
+      p.problem.b[at] *= 1 + touching[k].friction.restitution;
+    at += rows_of(p.problem.blocks[k].law);
+  }
+  p.solve(outcome.active, state, outcome);
+}
+
+void ContactStep::close_gaps(SceneState& state, const std::vector<ActiveContact>& touching,
+                             double most) {
+  Parts& p = *parts_;
+  for (int round = 0; round < 3; ++round) {
+    p.place(state);
+    p.find(state, 1e-4, p.found);
+    // Their normal rows alone.
+    std::vector<ActiveContact> pressed;
+    double worst = 0;
+    for (ActiveContact& contact : p.found) {
+      const bool has_force =
+          std::any_of(touching.begin(), touching.end(), [&](const ActiveContact& old) {
+            return old.same(contact) && old.mode != ContactMode::kOpen;
+          });
+      if (!has_force || contact.kind == Kind::kJointFriction) continue;
+      contact.friction = {};
+      worst = std::max(worst, std::abs(contact.gap));
+      pressed.push_back(contact);
+    }
+    if (worst < 1e-13) break;
+    // Least motion that closes all gaps, also where there are more than it needs.
+    p.mass.set(p.motion);
+    p.set_rows(pressed, 0);
+    Eigen::VectorXd gaps(static_cast<Eigen::Index>(pressed.size()));
+    for (std::size_t k = 0; k < pressed.size(); ++k)
+      gaps[static_cast<Eigen::Index>(k)] = std::clamp(-pressed[k].gap, -most, most);
+    Eigen::VectorXd move = p.J * p.problem.W.completeOrthogonalDecomposition().solve(gaps);
+    p.mass.solve(p.model, move);
+    advance(p.scene.mechanism, p.model.layout, move, 1, state.q);
+    if (worst > most) break;  // more would be too fast
+  }
+}
+
+void ContactStep::poses(const SceneState& state, std::vector<Pose<double>>& out) {
+  parts_->motion.set_position(state.q);
+  out.resize(parts_->scene.mechanism.bodies.size());
+  for (std::size_t i = 0; i < out.size(); ++i) out[i] = parts_->motion.pose(static_cast<int>(i));
+}
+
+ContactStep::Energy ContactStep::energy(const SceneState& state) {
+  Parts& p = *parts_;
+  p.place(state);
+  Energy out;
+  out.kinetic = p.motion.kinetic_energy();
+  out.weight = p.motion.weight_energy(p.scene.gravity);
+  for (std::size_t i = 0; i < p.scene.mechanism.joints.size(); ++i) {
+    const MechanismJoint& joint = p.scene.mechanism.joints[i];
+    if (!is_scalar(joint.kind) || joint.stiffness == 0) continue;
+    const double stretch = p.value_of(i, state).value - joint.rest;
+    out.springs += 0.5 * joint.stiffness * stretch * stretch;
+  }
+  return out;
+}
+
+void ContactStep::free_rates(const SceneState& state, Eigen::VectorXd& q_dot,
+                             Eigen::VectorXd& v_dot) {
+  Parts& p = *parts_;
+  p.place(state);
+  p.load(state);
+  position_rates(p.scene.mechanism, p.model.layout, state.q, state.v, q_dot);
+  if (p.articulated) {
+    p.articulated->accelerations(p.motion, p.scene.gravity, p.tau, v_dot);
+    return;
+  }
+  p.mass.set(p.motion);
+  p.inverse.efforts(p.motion, p.scene.gravity, p.zero, v_dot);
+  v_dot = p.tau - v_dot;
+  p.mass.solve(p.model, v_dot);
+}
+
+void ContactStep::look_for_new(const SceneState& state, const std::vector<ActiveContact>& closed,
+                               StepOutcome& outcome) {
+  Parts& p = *parts_;
+  p.place(state);
+  p.find(state, 0, p.found);
+  outcome.deepest_new = outcome.closing_new = 0;
+  for (const ActiveContact& contact : p.found)
+    if (std::none_of(closed.begin(), closed.end(),
+                     [&](const ActiveContact& c) { return c.same(contact); }))
+      note_new(contact, outcome);
+}
+
+void ContactStep::normalise(Eigen::VectorXd& q) const {
+  const std::vector<MechanismJoint>& joints = parts_->scene.mechanism.joints;
+  for (std::size_t i = 0; i < joints.size(); ++i)
+    if (joints[i].kind == JointKind::kBall || joints[i].kind == JointKind::kFree)
+      q.segment<4>(parts_->model.layout.first_q[i]).normalize();
+}
+
+}  // namespace thenar

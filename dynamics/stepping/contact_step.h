@@ -1,0 +1,131 @@
+#pragma once
+
+/// One short step of a scene with contacts, and impacts.
+
+#include <memory>
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "dynamics/contact/contact_solver.h"
+#include "dynamics/mechanism/composite_body.h"
+#include "dynamics/stepping/moving_scene.h"
+#include "geometry/manifold/collision_world.h"
+
+namespace thenar {
+
+/// Where a scene is.
+struct SceneState {
+  double t = 0;       // [s]
+  Eigen::VectorXd q;  // positions (q)
+  Eigen::VectorXd v;  // speeds (v)
+};
+
+/// What a contact or a joint limit does during a step.
+enum class ContactMode {
+  kOpen,   // no force
+  kStick,  // force, no slip
+  kSlide   // force and slip
+};
+
+/// A contact point of two bodies, a joint limit, or the dry friction of a joint.
+struct ActiveContact {
+  enum class Kind { kContact, kLowerLimit, kUpperLimit, kJointFriction };
+  Kind kind = Kind::kContact;
+  int a = 0, b = 0, id = 0;         // of kContact: bodies, a < b, and the point's identity; else
+                                    // a is the joint
+  Eigen::Vector3d point{0, 0, 0};   // world [m] (3)
+  Eigen::Vector3d normal{0, 0, 1};  // unit, outward of b: a is pushed along it (3)
+  double gap = 0;                   // [m]; of limits [rad] or [m]
+  PairFriction friction{};
+  ContactMode mode = ContactMode::kOpen;
+  Eigen::Vector3d impulse{0, 0, 0};  // on a, world [N s] (3); of joints the first entry
+  double torsion = 0;                // about the normal [N m s]
+  double slip = 0;                   // tangential velocity [m/s]
+  double approach = 0;               // normal velocity, negative: they come closer [m/s]
+
+  [[nodiscard]] bool same(const ActiveContact& other) const {
+    return kind == other.kind && a == other.a && b == other.b && id == other.id;
+  }
+};
+
+/// What happened in a step.
+struct StepOutcome {
+  bool solved = true;      // the contact problem was solved to its tolerance
+  double residual = 0;     // ContactResidual::natural [1]
+  double deepest_new = 0;  // most negative gap of a contact that was not closed before [m]
+  double closing_new = 0;  // speed at which that one closes its gap [m/s]
+  std::vector<ActiveContact> active;  // contacts, then joints; in a lasting order
+};
+
+/// Steps of a scene. Owns all room that they need; one object per thread.
+class ContactStep {
+ public:
+  /// @throws InputError as check_scene(), tree_model() and collision_body().
+  explicit ContactStep(const MovingScene& scene);
+  ~ContactStep();
+  ContactStep(ContactStep&&) noexcept;
+  ContactStep& operator=(ContactStep&&) noexcept;
+
+  [[nodiscard]] const MovingScene& scene() const;
+  [[nodiscard]] const TreeModel& model() const;
+
+  /// All contacts nearer than a margin and all joint limits at a state, with velocities.
+  /// @param margin  [m]
+  void find(const SceneState& state, double margin, std::vector<ActiveContact>& out);
+
+  /// Half-explicit Euler step on the contacts of `closed`:
+  ///   q+ = q + h v,   v+ = v + M(q+)^-1 (h f(q+, v) + J(q+)' P),
+  /// where the impulses P keep the velocities J v+ from closing gaps and obey Coulomb's law with
+  /// the exact cone. It is of first order, its error has an expansion in h while all modes stay,
+  /// and J v+ = 0 holds to rounding where contacts stick.
+  ///
+  /// A contact of `closed` counts as long as it has a force, whatever its gap; one that has opened
+  /// counts again when its gap is below `touch`. Others count only in `outcome.deepest_new`.
+  /// @param closed   contacts that touch, with modes and impulses to start from
+  /// @param touch    [m]
+  /// @param outcome  its room is used again
+  void substep(SceneState& state, double h, const std::vector<ActiveContact>& closed, double touch,
+               StepOutcome& outcome);
+
+  /// Step of Moreau's kind on whatever is near, for steps of fixed length: a contact may close its
+  /// gap within the step, u_n >= -gap / h, and depth is pushed out at no more than `recovery`.
+  /// @param recovery  [m/s]
+  void time_step(SceneState& state, double h, const std::vector<ActiveContact>& last,
+                 double recovery, StepOutcome& outcome);
+
+  /// Ends all approach of the contacts in `touching` at once, by impulses at a fixed position;
+  /// Newton's restitution  u_n+ >= -e u_n-.
+  void impact(SceneState& state, const std::vector<ActiveContact>& touching, StepOutcome& outcome);
+
+  /// Moves positions so that gaps of `touching` that have a force become zero, by the least motion
+  /// in the metric of the mass matrix. @param most  no gap is changed by more [m]
+  void close_gaps(SceneState& state, const std::vector<ActiveContact>& touching, double most);
+
+  /// Poses of all bodies at a state.
+  void poses(const SceneState& state, std::vector<Pose<double>>& out);
+
+  /// Energies at a state.
+  struct Energy {
+    double kinetic = 0, weight = 0, springs = 0;  // [J]
+    [[nodiscard]] double total() const { return kinetic + weight + springs; }
+  };
+  [[nodiscard]] Energy energy(const SceneState& state);
+
+  /// Rates of the state without contacts, limits and dry friction.
+  /// @param q_dot  (q);  @param v_dot  (v)
+  void free_rates(const SceneState& state, Eigen::VectorXd& q_dot, Eigen::VectorXd& v_dot);
+
+  /// Most negative gap at a state of contacts that are not in `closed`, and how fast it closes.
+  void look_for_new(const SceneState& state, const std::vector<ActiveContact>& closed,
+                    StepOutcome& outcome);
+
+  /// Quaternions to length 1.
+  void normalise(Eigen::VectorXd& q) const;
+
+ private:
+  struct Parts;
+  std::unique_ptr<Parts> parts_;
+};
+
+}  // namespace thenar

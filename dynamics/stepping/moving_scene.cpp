@@ -1,0 +1,172 @@
+#include "dynamics/stepping/moving_scene.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <Eigen/Geometry>
+
+#include "base/error.h"
+
+namespace thenar {
+namespace {
+
+void check_span(const char* what, const TimeSpan& span) {
+  require(std::isfinite(span.from) && span.to > span.from,
+          "{}: wanted a beginning before its end, got {} to {} s", what, span.from, span.to);
+}
+
+void check_friction(const PairFriction& pair) {
+  require(pair.coefficient >= 0 && std::isfinite(pair.coefficient),
+          "wanted friction from 0 up, got {}", pair.coefficient);
+  require(pair.torsion_radius >= 0 && std::isfinite(pair.torsion_radius),
+          "wanted a radius of torsion from 0 up, got {}", pair.torsion_radius);
+  require(pair.restitution >= 0 && pair.restitution <= 1, "wanted restitution in 0..1, got {}",
+          pair.restitution);
+}
+
+void check_body(const MovingScene& scene, int body) {
+  require(body >= 0 && body < static_cast<int>(scene.mechanism.bodies.size()),
+          "there is no body {}", body);
+}
+
+void check_drives(const MovingScene& scene) {
+  for (const SceneDrive& drive : scene.drives) {
+    require(drive.coordinate >= 0 &&
+                drive.coordinate < static_cast<int>(scene.mechanism.coordinates.size()),
+            "there is no coordinate {}", drive.coordinate);
+    for (const double number : {drive.bias, drive.target, drive.speed})
+      require(std::isfinite(number), "drive of '{}': wanted finite numbers",
+              scene.mechanism.coordinates[static_cast<std::size_t>(drive.coordinate)].name);
+    require(drive.stiffness >= 0 && drive.damping >= 0 && drive.max_effort >= 0 &&
+                std::isfinite(drive.stiffness) && std::isfinite(drive.damping),
+            "drive of '{}': wanted stiffness, damping and largest effort from 0 up",
+            scene.mechanism.coordinates[static_cast<std::size_t>(drive.coordinate)].name);
+    check_span("drive", drive.when);
+  }
+}
+
+/// First entry of the positions of a free joint on the world.
+int free_joint(const Mechanism& mechanism, int body) {
+  const MechanismJoint& joint = mechanism.joints.at(static_cast<std::size_t>(body));
+  require(joint.kind == JointKind::kFree && joint.parent < 0,
+          "body '{}' hangs on a {} joint: its pose follows from coordinates",
+          mechanism.bodies[static_cast<std::size_t>(body)].name, name_of(joint.kind));
+  return layout_of(mechanism).first_q[static_cast<std::size_t>(body)];
+}
+
+}  // namespace
+
+void check_scene(const MovingScene& scene) {
+  check_mechanism(scene.mechanism);
+  const MechanismLayout layout = layout_of(scene.mechanism);
+  require(scene.gravity.allFinite(), "gravity is not finite");
+  require(scene.q.size() == layout.q && scene.v.size() == layout.v,
+          "wanted {} positions and {} speeds, got {} and {}", layout.q, layout.v, scene.q.size(),
+          scene.v.size());
+  require(scene.q.allFinite() && scene.v.allFinite(), "positions or speeds are not finite");
+  for (std::size_t i = 0; i < scene.mechanism.joints.size(); ++i) {
+    const JointKind kind = scene.mechanism.joints[i].kind;
+    if (kind != JointKind::kBall && kind != JointKind::kFree) continue;
+    const double length = scene.q.segment<4>(layout.first_q[i]).norm();
+    require(std::abs(length - 1) < 1e-6, "joint '{}': wanted a unit quaternion, its length is {}",
+            scene.mechanism.joints[i].name, length);
+  }
+  for (const SceneForce& force : scene.forces) {
+    check_body(scene, force.body);
+    require(force.point.allFinite() && force.force.allFinite() && force.moment.allFinite(),
+            "a force on '{}' is not finite",
+            scene.mechanism.bodies[static_cast<std::size_t>(force.body)].name);
+    check_span("force", force.when);
+  }
+  check_drives(scene);
+  check_friction(scene.friction);
+  for (const auto& [bodies, pair] : scene.friction_pairs) {
+    check_body(scene, bodies.first);
+    check_body(scene, bodies.second);
+    check_friction(pair);
+  }
+}
+
+const PairFriction& pair_friction(const MovingScene& scene, int a, int b) {
+  for (const auto& [bodies, pair] : scene.friction_pairs)
+    if (bodies == std::make_pair(a, b) || bodies == std::make_pair(b, a)) return pair;
+  return scene.friction;
+}
+
+void advance(const Mechanism& mechanism, const MechanismLayout& layout, const Eigen::VectorXd& v,
+             double h, Eigen::VectorXd& q) {
+  for (std::size_t c = 0; c < layout.coordinate_q.size(); ++c)
+    q[layout.coordinate_q[c]] += h * v[layout.coordinate_v[c]];
+  for (std::size_t i = 0; i < mechanism.joints.size(); ++i) {
+    const JointKind kind = mechanism.joints[i].kind;
+    if (kind != JointKind::kBall && kind != JointKind::kFree) continue;
+    const int at_q = layout.first_q[i], at_v = layout.first_v[i];
+    // exp(h w / 2) times the quaternion, w in the axes of the joint's F.
+    const Eigen::Vector3d half = 0.5 * h * v.segment<3>(at_v);
+    const double angle = half.norm();
+    const double sinc = angle > 1e-4 ? std::sin(angle) / angle : 1 - angle * angle / 6;
+    const Eigen::Vector3d x = sinc * half;
+    const double w = std::cos(angle);
+    const Eigen::Vector4d old = q.segment<4>(at_q);
+    const Eigen::Vector3d y = old.tail<3>();
+    q[at_q] = w * old[0] - x.dot(y);
+    q.segment<3>(at_q + 1) = w * y + old[0] * x + x.cross(y);
+    q.segment<4>(at_q).normalize();
+    if (kind == JointKind::kFree) q.segment<3>(at_q + 4) += h * v.segment<3>(at_v + 3);
+  }
+}
+
+void position_rates(const Mechanism& mechanism, const MechanismLayout& layout,
+                    const Eigen::VectorXd& q, const Eigen::VectorXd& v, Eigen::VectorXd& q_dot) {
+  for (std::size_t c = 0; c < layout.coordinate_q.size(); ++c)
+    q_dot[layout.coordinate_q[c]] = v[layout.coordinate_v[c]];
+  for (std::size_t i = 0; i < mechanism.joints.size(); ++i) {
+    const JointKind kind = mechanism.joints[i].kind;
+    if (kind != JointKind::kBall && kind != JointKind::kFree) continue;
+    const int at_q = layout.first_q[i], at_v = layout.first_v[i];
+    // (0, w / 2) times the quaternion.
+    const Eigen::Vector3d half = 0.5 * v.segment<3>(at_v), y = q.segment<3>(at_q + 1);
+    q_dot[at_q] = -half.dot(y);
+    q_dot.segment<3>(at_q + 1) = q[at_q] * half + half.cross(y);
+    if (kind == JointKind::kFree) q_dot.segment<3>(at_q + 4) = v.segment<3>(at_v + 3);
+  }
+}
+
+void set_free_pose(const Mechanism& mechanism, int body, const Pose<double>& X_WB,
+                   Eigen::VectorXd& q) {
+  const int first = free_joint(mechanism, body);
+  const MechanismJoint& joint = mechanism.joints[static_cast<std::size_t>(body)];
+  const Pose<double> X_FM = joint.X_PF.inverse() * X_WB * joint.X_BM;
+  const Eigen::Quaterniond turn(X_FM.R);
+  q.segment<4>(first) << turn.w(), turn.x(), turn.y(), turn.z();
+  q.segment<3>(first + 4) = X_FM.p;
+}
+
+void set_free_velocity(const Mechanism& mechanism, int body, const Eigen::VectorXd& q,
+                       const Eigen::Vector3d& linear, const Eigen::Vector3d& angular,
+                       Eigen::VectorXd& v) {
+  const int first_q = free_joint(mechanism, body);
+  const MechanismJoint& joint = mechanism.joints[static_cast<std::size_t>(body)];
+  const int first = layout_of(mechanism).first_v[static_cast<std::size_t>(body)];
+  // From the body's origin to that of M.
+  const Eigen::Quaterniond turn(q[first_q], q[first_q + 1], q[first_q + 2], q[first_q + 3]);
+  const Eigen::Matrix3d R_WM = joint.X_PF.R * turn.toRotationMatrix();
+  const Eigen::Vector3d arm = R_WM * (joint.X_BM.R.transpose() * joint.X_BM.p);
+  v.segment<3>(first) = joint.X_PF.R.transpose() * angular;
+  v.segment<3>(first + 3) = joint.X_PF.R.transpose() * (linear + angular.cross(arm));
+}
+
+std::vector<double> switching_times(const MovingScene& scene) {
+  std::vector<double> times;
+  const auto add = [&](const TimeSpan& span) {
+    times.push_back(span.from);
+    if (std::isfinite(span.to)) times.push_back(span.to);
+  };
+  for (const SceneForce& force : scene.forces) add(force.when);
+  for (const SceneDrive& drive : scene.drives) add(drive.when);
+  std::sort(times.begin(), times.end());
+  times.erase(std::unique(times.begin(), times.end()), times.end());
+  return times;
+}
+
+}  // namespace thenar

@@ -1,0 +1,453 @@
+#include "dynamics/stepping/simulate_scene.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <ctime>
+
+#include "base/error.h"
+#include "dynamics/stepping/free_step.h"
+
+namespace thenar {
+namespace {
+
+using Kind = ActiveContact::Kind;
+
+constexpr int kMaxColumns = 8;
+constexpr double kRest = 1e-11;     // slower is at rest [m/s], [rad/s]
+constexpr double kApproach = 1e-7;  // slower approaches are not impacts [m/s], [rad/s]
+
+double cpu_now() {
+  timespec now{};
+  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
+  return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
+}
+
+/// Contacts that touch at the same modes.
+bool same_modes(const std::vector<ActiveContact>& a, const std::vector<ActiveContact>& b) {
+  return std::equal(
+      a.begin(), a.end(), b.begin(), b.end(),
+      [](const ActiveContact& x, const ActiveContact& y) { return x.same(y) && x.mode == y.mode; });
+}
+
+/// What a trial of one step found.
+struct StepTrial {
+  SceneState state;
+  std::vector<ActiveContact> active;  // of its last substep, impulses over `h`
+  double h = 0;                       // of that substep [s]
+  double error = 0;                   // over the tolerance [1]
+  int order = 1;                      // of the error in the length
+  bool smooth = true;                 // extrapolated: all modes stayed
+  double closes = -1;                 // >= 0: a gap closes about then, after the step began [s]
+};
+
+class Simulation {
+ public:
+  Simulation(const MovingScene& scene, const SceneOptions& options, const Progress& progress)
+      : step_(scene),
+        options_(options),
+        progress_(progress),
+        switches_(switching_times(scene)),
+        free_(scene.q.size(), scene.v.size()) {
+    state_.q = scene.q;
+    state_.v = scene.v;
+    for (StepTrial& column : table_) column.state = state_;
+  }
+
+  SceneRun run() {
+    const double start = cpu_now();
+    if (options_.method == SteppingMethod::kEvents) {
+      run_events();
+    } else {
+      run_fixed();
+    }
+    run_.cost.cpu_seconds = cpu_now() - start;
+    if (run_.status == SceneStatus::kDone && run_.cost.unsolved > 0)
+      run_.status = SceneStatus::kUnsolved;
+    return std::move(run_);
+  }
+
+ private:
+  /// The next instant at which a step must end.
+  [[nodiscard]] double next_stop() const {
+    double stop = std::min(options_.seconds, next_sample_);
+    for (const double t : switches_)
+      if (t > state_.t) stop = std::min(stop, t);
+    return stop;
+  }
+
+  [[nodiscard]] bool is_finite() const { return state_.q.allFinite() && state_.v.allFinite(); }
+
+  /// Keeps the state as a sample. @param h  over which the impulses of `active` acted [s]
+  void sample(const std::vector<ActiveContact>& active, double h) {
+    SceneSample out;
+    out.t = state_.t;
+    out.q = state_.q;
+    out.v = state_.v;
+    for (const ActiveContact& contact : active) {
+      if (contact.kind != Kind::kContact || contact.mode == ContactMode::kOpen || h <= 0) continue;
+      out.contacts.push_back({contact.a, contact.b, contact.id, contact.point, contact.normal,
+                              contact.impulse / h, contact.torsion / h, contact.gap, contact.mode});
+    }
+    out.energy = step_.energy(state_);
+    run_.samples.push_back(std::move(out));
+    next_sample_ =
+        options_.sample * static_cast<double>(std::lround(state_.t / options_.sample) + 1);
+  }
+
+  /// Whether the caller wants more. Ends the run otherwise.
+  bool go_on() {
+    if (!is_finite()) {
+      run_.status = SceneStatus::kNotFinite;
+      return false;
+    }
+    progress_(state_.t / options_.seconds, "");
+    if (progress_.stop()) {
+      run_.status = SceneStatus::kStopped;
+      return false;
+    }
+    return true;
+  }
+
+  void count(const StepOutcome& outcome) {
+    ++run_.cost.substeps;
+    if (!outcome.solved) ++run_.cost.unsolved;
+    run_.cost.worst_residual = std::max(run_.cost.worst_residual, outcome.residual);
+  }
+
+  // ---- steps of fixed length
+
+  void run_fixed() {
+    StepOutcome outcome;
+    std::vector<ActiveContact> last;
+    sample({}, 0);
+    const long steps = std::lround(options_.seconds / options_.step);
+    for (long i = 0; i < steps; ++i) {
+      step_.time_step(state_, options_.step, last, options_.recovery, outcome);
+      state_.t = options_.step * static_cast<double>(i + 1);
+      count(outcome);
+      ++run_.cost.steps;
+      for (const ActiveContact& contact : outcome.active)
+        if (i > 0 && contact.kind == Kind::kContact)
+          run_.cost.deepest = std::max(run_.cost.deepest, -contact.gap);
+      if (state_.t >= next_sample_ - 0.5 * options_.step || i + 1 == steps)
+        sample(outcome.active, options_.step);
+      if (!go_on()) return;
+      std::swap(last, outcome.active);
+    }
+  }
+
+  // ---- steps between events
+
+  void run_events() {
+    double H = 0.1 * options_.longest;
+    touch_and_bounce();
+    sample({}, 0);
+    while (state_.t < options_.seconds) {
+      if (!go_on()) return;
+      if (asleep()) {
+        pass_time();
+        continue;
+      }
+      const double left = next_stop() - state_.t;
+      H = std::min(H, options_.longest);
+      const double taken = step_once(std::min(H, left), left, H);
+      if (state_.t + 1e-12 >= next_sample_ || state_.t >= options_.seconds)
+        sample(closed_, last_h_);
+      if (taken <= 0) return;
+    }
+  }
+
+  /// Finds what touches, and ends its approach.
+  void touch_and_bounce() {
+    step_.find(state_, options_.touch, found_);
+    // Impulses of contacts that go on start the next solution.
+    for (ActiveContact& contact : found_)
+      for (const ActiveContact& old : closed_)
+        if (old.same(contact)) {
+          contact.impulse = old.impulse;
+          contact.torsion = old.torsion;
+          contact.mode = old.mode;
+        }
+    // So do contacts with a force whose gap the last step has left a little open.
+    closed_.swap(found_);
+    bool approaches = false;
+    for (const ActiveContact& contact : closed_)
+      if (contact.kind != Kind::kJointFriction)
+        approaches = approaches || contact.approach < -kApproach;
+    if (!approaches) return;
+    StepOutcome outcome;
+    step_.impact(state_, closed_, outcome);
+    count(outcome);
+    ++run_.cost.impacts;
+    for (std::size_t k = 0; k < closed_.size(); ++k) closed_[k].mode = outcome.active[k].mode;
+    for (ActiveContact& contact : closed_) contact.impulse.setZero(), contact.torsion = 0;
+  }
+
+  /// Nothing moves, and the last steps changed nothing.
+  [[nodiscard]] bool asleep() const { return options_.sleep && asleep_ >= 3; }
+
+  void pass_time() {
+    const double stop = next_stop();
+    run_.cost.asleep += stop - state_.t;
+    state_.t = stop;
+    if (state_.t + 1e-12 >= next_sample_ || state_.t >= options_.seconds) sample(closed_, last_h_);
+    // What begins or ends now may move it.
+    if (std::binary_search(switches_.begin(), switches_.end(), state_.t)) asleep_ = 0;
+  }
+
+  /// One accepted step of at most `wanted`. @param H  length of the next one
+  /// @return its length; 0: the run ends
+  double step_once(double wanted, double left, double& H) {
+    double length = wanted;
+    while (true) {
+      try_step(length);
+      const StepTrial& trial = table_[static_cast<std::size_t>(result_)];
+      if (trial.closes < 0 && (trial.error <= 1 || length <= options_.shortest)) break;
+      ++run_.cost.rejected;
+      if (trial.closes >= 0 && trial.closes > options_.shortest) {
+        // Again, up to the instant at which the gap closes.
+        length = std::min(trial.closes, 0.999999 * length);
+      } else if (trial.closes >= 0 && length <= options_.shortest) {
+        break;  // as near as time is resolved
+      } else if (trial.smooth) {
+        length *= std::clamp(0.9 * std::pow(trial.error, -1.0 / trial.order), 0.1, 0.9);
+      } else {
+        length *= 0.5;
+      }
+      length = std::max(length, options_.shortest);
+      if (!std::isfinite(trial.error)) return give_up();
+    }
+    accept(length, left);
+    const StepTrial& trial = table_[static_cast<std::size_t>(result_)];
+    const double growth =
+        trial.smooth ? 0.9 * std::pow(std::max(trial.error, 1e-9), -1.0 / trial.order) : 1.5;
+    H = length * std::clamp(growth, 0.2, 4.0);
+    return length;
+  }
+
+  double give_up() {
+    run_.status = SceneStatus::kNotFinite;
+    return 0;
+  }
+
+  void accept(double length, double left) {
+    StepTrial& trial = table_[static_cast<std::size_t>(result_)];
+    const double before = state_.t;
+    const bool was_still = is_still();
+    state_ = trial.state;
+    state_.t = length == left ? next_stop_after(before) : before + length;
+    closed_.swap(trial.active);
+    last_h_ = trial.h;
+    ++run_.cost.steps;
+    const bool slides = std::any_of(closed_.begin(), closed_.end(), [](const ActiveContact& c) {
+      return c.mode == ContactMode::kSlide;
+    });
+    const double gap = touch_again(length);
+    if (was_still && is_still() && !slides && gap < options_.touch && !drives_move()) {
+      state_.v.setZero();
+      ++asleep_;
+    } else {
+      asleep_ = 0;
+    }
+  }
+
+  [[nodiscard]] bool is_still() const {
+    return state_.v.size() == 0 || state_.v.cwiseAbs().maxCoeff() <= kRest;
+  }
+
+  /// Whether some drive has a target that moves.
+  [[nodiscard]] bool drives_move() const {
+    return std::any_of(
+        step_.scene().drives.begin(), step_.scene().drives.end(),
+        [&](const SceneDrive& drive) { return drive.speed != 0 && drive.when.holds(state_.t); });
+  }
+
+  /// Finds contacts after a step, closes gaps that have opened or overlap, and ends approaches.
+  /// @return the largest gap of contacts with a force, before it was closed [m]
+  double touch_again(double length) {
+    const std::vector<ActiveContact> pressed = closed_;
+    step_.find(state_, 1e-4, found_);
+    double worst = 0;
+    for (const ActiveContact& contact : found_)
+      for (const ActiveContact& old : pressed)
+        if (old.same(contact) && old.mode != ContactMode::kOpen)
+          worst = std::max(worst, std::abs(contact.gap));
+    if (worst > 0.1 * options_.touch)
+      step_.close_gaps(state_, pressed, std::max(options_.touch, options_.recovery * length));
+    touch_and_bounce();
+    keep_pressed(pressed);
+    for (const ActiveContact& contact : closed_)
+      if (contact.kind == Kind::kContact)
+        run_.cost.deepest = std::max(run_.cost.deepest, -contact.gap);
+    return worst;
+  }
+
+  /// Contacts with a force stay closed, though their gap may be a little wide.
+  void keep_pressed(const std::vector<ActiveContact>& kept) {
+    for (const ActiveContact& old : kept) {
+      if (old.mode == ContactMode::kOpen) continue;
+      const bool there = std::any_of(closed_.begin(), closed_.end(),
+                                     [&](const ActiveContact& c) { return c.same(old); });
+      if (!there) closed_.push_back(old);
+    }
+  }
+
+  [[nodiscard]] double next_stop_after(double t) const {
+    double stop = std::min(options_.seconds, next_sample_);
+    for (const double s : switches_)
+      if (s > t) stop = std::min(stop, s);
+    return stop;
+  }
+
+  /// Fills the table for one step, up to the first sign that it is too long.
+  void try_step(double length) {
+    if (closed_.empty()) return free_step(length);
+    for (int n = 1; n <= options_.columns; ++n) {
+      StepTrial& column = table_[static_cast<std::size_t>(n - 1)];
+      result_ = n - 1;
+      if (!substeps(length, n, column)) return;
+    }
+    StepTrial& last = table_[static_cast<std::size_t>(options_.columns - 1)];
+    // Modes that changed leave the finest column.
+    bool smooth = true;
+    for (int n = 0; n < options_.columns; ++n) {
+      const StepTrial& column = table_[static_cast<std::size_t>(n)];
+      smooth = smooth && column.smooth && same_modes(column.active, table_[0].active);
+    }
+    last.smooth = smooth;
+    last.order = smooth ? options_.columns : 2;
+    if (!smooth) {
+      last.error =
+          difference(last.state, table_[static_cast<std::size_t>(options_.columns - 2)].state);
+      return;
+    }
+    extrapolate();
+  }
+
+  /// One column: n substeps. @return false if a gap closes within it
+  bool substeps(double length, int n, StepTrial& column) {
+    column.state = state_;
+    column.active = closed_;
+    column.h = length / n;
+    column.smooth = true;
+    column.closes = -1;
+    column.error = 0;
+    scale_impulses(column.active, last_h_ > 0 ? column.h / last_h_ : 0);
+    for (int i = 0; i < n; ++i) {
+      step_.substep(column.state, column.h, column.active, options_.touch, outcome_);
+      count(outcome_);
+      if (outcome_.deepest_new < -options_.touch) {
+        column.closes = closing_time(column.h, i);
+        return false;
+      }
+      if (i > 0) column.smooth = column.smooth && same_modes(column.active, outcome_.active);
+      std::swap(column.active, outcome_.active);
+      if (!column.state.v.allFinite()) {
+        column.error = std::numeric_limits<double>::infinity();
+        return false;
+      }
+    }
+    return true;
+  }
+
+  /// Instant at which the gap of the last substep closed, if it closed evenly.
+  [[nodiscard]] double closing_time(double h, int substep) const {
+    const double since = -outcome_.deepest_new / std::max(outcome_.closing_new, 1e-12);
+    return h * (substep + 1) - std::min(since, h);
+  }
+
+  static void scale_impulses(std::vector<ActiveContact>& list, double factor) {
+    for (ActiveContact& contact : list) {
+      contact.impulse *= factor;
+      contact.torsion *= factor;
+    }
+  }
+
+  /// Largest difference of two states over the tolerance.
+  [[nodiscard]] double difference(const SceneState& a, const SceneState& b) const {
+    return std::max((a.q - b.q).cwiseAbs().maxCoeff(), 0.01 * (a.v - b.v).cwiseAbs().maxCoeff()) /
+           options_.tolerance;
+  }
+
+  /// Neville's scheme towards substeps of length 0, in place: column k of row j is
+  ///   T_jk = T_j,k-1 + (T_j,k-1 - T_j-1,k-1) / (n_j / n_j-k - 1).
+  void extrapolate() {
+    const int columns = options_.columns;
+    for (int k = 1; k < columns; ++k) {
+      for (int j = columns - 1; j >= k; --j) {
+        SceneState& row = table_[static_cast<std::size_t>(j)].state;
+        const SceneState& above = table_[static_cast<std::size_t>(j - 1)].state;
+        const double ratio = 1 / (static_cast<double>(j + 1) / (j + 1 - k) - 1);
+        row.q += ratio * (row.q - above.q);
+        row.v += ratio * (row.v - above.v);
+      }
+    }
+    // The order before stands one row above.
+    StepTrial& last = table_[static_cast<std::size_t>(columns - 1)];
+    last.error = difference(last.state, table_[static_cast<std::size_t>(columns - 2)].state);
+    step_.normalise(last.state.q);
+  }
+
+  /// One step of order eight, where nothing touches.
+  void free_step(double length) {
+    StepTrial& trial = table_[0];
+    result_ = 0;
+    trial.active.clear();
+    trial.order = 8;
+    trial.smooth = true;
+    trial.closes = -1;
+    trial.h = length;
+    trial.state = state_;
+    const FreeStep::Error error = free_.step(step_, length, trial.state);
+    trial.error = std::max(error.q, 0.01 * error.v) / options_.tolerance;
+    run_.cost.substeps += static_cast<long>(FreeStep::kStages);
+    step_.look_for_new(trial.state, trial.active, outcome_);
+    if (outcome_.deepest_new < -options_.touch) trial.closes = closing_time(length, 0);
+  }
+
+  ContactStep step_;
+  SceneOptions options_;
+  const Progress& progress_;
+  std::vector<double> switches_;
+  SceneState state_;
+  SceneRun run_;
+  double next_sample_ = 0;
+  std::vector<ActiveContact> closed_, found_;  // what touches, with impulses over last_h_
+  double last_h_ = 0;
+  int asleep_ = 0;
+  int result_ = 0;
+  std::array<StepTrial, kMaxColumns> table_;
+  StepOutcome outcome_;
+  FreeStep free_;
+};
+
+void check_options(const SceneOptions& options) {
+  require(options.seconds > 0 && std::isfinite(options.seconds), "wanted seconds above 0, got {}",
+          options.seconds);
+  require(options.sample > 0 && options.step > 0 && options.longest > 0 && options.tolerance > 0 &&
+              options.shortest > 0 && options.touch > 0 && options.recovery >= 0,
+          "wanted steps, samples, tolerances and lengths above 0");
+  require(options.columns >= 2 && options.columns <= kMaxColumns, "wanted 2 to {} columns, got {}",
+          kMaxColumns, options.columns);
+}
+
+}  // namespace
+
+const std::vector<std::string>& stepping_names() {
+  static const std::vector<std::string> names{"events", "time-stepping"};
+  return names;
+}
+
+std::string name_of(SceneStatus status) {
+  static const std::vector<std::string> names{"done", "stopped", "unsolved", "not finite"};
+  return names[static_cast<std::size_t>(status)];
+}
+
+SceneRun simulate_scene(const MovingScene& scene, const SceneOptions& options,
+                        const Progress& progress) {
+  check_options(options);
+  return Simulation(scene, options, progress).run();
+}
+
+}  // namespace thenar

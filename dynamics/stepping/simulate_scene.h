@@ -1,0 +1,103 @@
+#pragma once
+
+/// Scenes from a start to an end.
+
+#include <string>
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "base/progress.h"
+#include "dynamics/stepping/contact_step.h"
+
+namespace thenar {
+
+/// How time goes on.
+enum class SteppingMethod {
+  kEvents,       // extrapolated steps between events, their length by an error estimate
+  kTimeStepping  // steps of a fixed length, events within them
+};
+
+/// "events", "time-stepping".
+[[nodiscard]] const std::vector<std::string>& stepping_names();
+
+struct SceneOptions {
+  SteppingMethod method = SteppingMethod::kEvents;
+  double seconds = 1;       // how long [s]
+  double sample = 1e-2;     // between the instants that are kept [s]
+  double step = 1e-3;       // kTimeStepping: of every step [s]
+  double longest = 2e-2;    // kEvents: step [s]
+  double tolerance = 1e-9;  // kEvents: error of a step, in positions [m], [rad], and in speeds over
+                            // 100 [m/s], [rad/s]
+  double shortest = 1e-7;   // kEvents: no step is halved below this [s]
+  double touch = 1e-9;      // kEvents: gaps below this touch [m]
+  double recovery = 0.1;    // speed at which depth at the start is pushed out [m/s]
+  int columns = 4;          // kEvents: of the extrapolation, 2..8; its order
+  bool sleep = true;        // kEvents: what rests stays as it is until something switches
+};
+
+/// One contact at an instant.
+struct ContactSample {
+  int a = 0, b = 0, id = 0;         // bodies, a < b, and the point
+  Eigen::Vector3d point{0, 0, 0};   // world [m] (3)
+  Eigen::Vector3d normal{0, 0, 1};  // outward of b (3)
+  Eigen::Vector3d force{0, 0, 0};   // on a [N] (3)
+  double torsion = 0;               // about the normal [N m]
+  double gap = 0;                   // [m]
+  ContactMode mode = ContactMode::kOpen;
+};
+
+/// One instant of a run.
+struct SceneSample {
+  double t = 0;                         // [s]
+  Eigen::VectorXd q, v;                 // (q), (v)
+  std::vector<ContactSample> contacts;  // that have a force; mean of the last step
+  ContactStep::Energy energy;           // [J]
+};
+
+/// How a run ended.
+enum class SceneStatus {
+  kDone,
+  kStopped,   // the caller asked for it
+  kUnsolved,  // went on, but contact problems missed their tolerance: see `unsolved`
+  kNotFinite  // positions or speeds became infinite; all before that is kept
+};
+
+/// "done", "stopped", "unsolved", "not finite".
+[[nodiscard]] std::string name_of(SceneStatus status);
+
+/// What a run needed, and how good it was.
+struct SceneCost {
+  long steps = 0;     // accepted
+  long rejected = 0;  // for their error, or an event within them
+  long substeps = 0;  // contact problems or accelerations
+  long impacts = 0;
+  long unsolved = 0;          // contact problems beyond the tolerance
+  double worst_residual = 0;  // ContactResidual::natural over all steps [1]
+  double deepest = 0;         // penetration at the end of any step, after the first [m]
+  double asleep = 0;          // time that passed at rest [s]
+  double cpu_seconds = 0;     // of this thread
+};
+
+struct [[nodiscard]] SceneRun {
+  SceneStatus status = SceneStatus::kDone;
+  std::vector<SceneSample> samples;  // the start first
+  SceneCost cost;
+};
+
+/// Simulates a scene.
+///
+/// kEvents: a step of length H is made of 1, 2, .. columns substeps (ContactStep::substep), and
+/// extrapolated to H / n = 0, order by order; the difference of the last two orders is its error.
+/// That holds while all contacts keep their modes. Where a mode changes within the step, the finest
+/// column is taken if it differs from the one before by no more than the tolerance; where a gap
+/// closes, the step is cut at that instant, and an impact ends the approach. Otherwise the step is
+/// halved. Source: [Deuflhard1983] for extrapolation of one-step methods.
+///
+/// The same scene and options give the same bits.
+/// @param progress  told the time reached; a step is not interrupted
+/// @throws InputError as ContactStep, or if an option is impossible.
+[[nodiscard]] SceneRun simulate_scene(const MovingScene& scene, const SceneOptions& options = {},
+                                      const Progress& progress = {});
+
+}  // namespace thenar
