@@ -16,7 +16,7 @@ constexpr double kNoSlip = 1e-9;  // slower is sticking [m/s], [rad/s]
 bool is_scalar(JointKind kind) { return kind == JointKind::kHinge || kind == JointKind::kSlide; }
 
 /// Notes a contact that was not closed before.
-void note_new(const ActiveContact& contact, StepOutcome& outcome) {
+void note_deeper(const ActiveContact& contact, StepOutcome& outcome) {
   if (contact.kind == Kind::kJointFriction || !(contact.gap < outcome.deepest_new)) return;
   outcome.deepest_new = contact.gap;
   outcome.closing_new = -contact.approach;
@@ -95,6 +95,7 @@ struct ContactStep::Parts {
         contact.a = body_of[static_cast<std::size_t>(pair.a)];
         contact.b = body_of[static_cast<std::size_t>(pair.b)];
         contact.id = point.id;
+        contact.feature = point.feature;
         contact.point = 0.5 * (point.on_a + point.on_b);
         contact.normal = point.normal;
         contact.gap = point.gap;
@@ -339,7 +340,7 @@ void ContactStep::substep(SceneState& state, double h, const std::vector<ActiveC
     const auto old = std::find_if(closed.begin(), closed.end(),
                                   [&](const ActiveContact& c) { return c.same(contact); });
     if (old == closed.end()) {
-      note_new(contact, outcome);
+      note_deeper(contact, outcome);
       continue;
     }
     if (old->mode == ContactMode::kOpen && contact.gap > touch) continue;
@@ -486,16 +487,13 @@ void ContactStep::free_rates(const SceneState& state, Eigen::VectorXd& q_dot,
   p.mass.solve(p.model, v_dot);
 }
 
-void ContactStep::look_for_new(const SceneState& state, const std::vector<ActiveContact>& closed,
-                               StepOutcome& outcome) {
-  Parts& p = *parts_;
-  p.place(state);
-  p.find(state, 0, p.found);
+void ContactStep::note_new(const std::vector<ActiveContact>& found,
+                           const std::vector<ActiveContact>& closed, StepOutcome& outcome) {
   outcome.deepest_new = outcome.closing_new = 0;
-  for (const ActiveContact& contact : p.found)
+  for (const ActiveContact& contact : found)
     if (std::none_of(closed.begin(), closed.end(),
                      [&](const ActiveContact& c) { return c.same(contact); }))
-      note_new(contact, outcome);
+      note_deeper(contact, outcome);
 }
 
 void ContactStep::normalise(Eigen::VectorXd& q) const {

@@ -2,6 +2,7 @@
 
 /// One short step of a scene with contacts, and impacts.
 
+#include <cstdint>
 #include <memory>
 #include <vector>
 
@@ -32,8 +33,9 @@ enum class ContactMode {
 struct ActiveContact {
   enum class Kind { kContact, kLowerLimit, kUpperLimit, kJointFriction };
   Kind kind = Kind::kContact;
-  int a = 0, b = 0, id = 0;         // of kContact: bodies, a < b, and the point's identity; else
-                                    // a is the joint
+  int a = 0, b = 0;                 // of kContact: bodies, a < b; else a is the joint
+  int id = 0;                       // of kContact: ManifoldPoint::id
+  std::uint64_t feature = 0;        // of kContact: ManifoldPoint::feature
   Eigen::Vector3d point{0, 0, 0};   // world [m] (3)
   Eigen::Vector3d normal{0, 0, 1};  // unit, outward of b: a is pushed along it (3)
   double gap = 0;                   // [m]; of limits [rad] or [m]
@@ -44,8 +46,11 @@ struct ActiveContact {
   double slip = 0;                   // tangential velocity [m/s]
   double approach = 0;               // normal velocity, negative: they come closer [m/s]
 
+  /// Whether both are one contact: the same features touch, though a trial in between lost sight of
+  /// it, or the point went over from one feature to the next.
   [[nodiscard]] bool same(const ActiveContact& other) const {
-    return kind == other.kind && a == other.a && b == other.b && id == other.id;
+    return kind == other.kind && a == other.a && b == other.b &&
+           (feature == other.feature || id == other.id);
   }
 };
 
@@ -116,9 +121,9 @@ class ContactStep {
   /// @param q_dot  (q);  @param v_dot  (v)
   void free_rates(const SceneState& state, Eigen::VectorXd& q_dot, Eigen::VectorXd& v_dot);
 
-  /// Most negative gap at a state of contacts that are not in `closed`, and how fast it closes.
-  void look_for_new(const SceneState& state, const std::vector<ActiveContact>& closed,
-                    StepOutcome& outcome);
+  /// Most negative gap among contacts that are not in `closed`, and how fast it closes.
+  static void note_new(const std::vector<ActiveContact>& found,
+                       const std::vector<ActiveContact>& closed, StepOutcome& outcome);
 
   /// Quaternions to length 1.
   void normalise(Eigen::VectorXd& q) const;

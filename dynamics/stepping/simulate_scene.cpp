@@ -15,6 +15,7 @@ using Kind = ActiveContact::Kind;
 
 constexpr int kMaxColumns = 8;
 constexpr double kRest = 1e-11;     // slower is at rest [m/s], [rad/s]
+constexpr double kLook = 1e-4;      // gaps that are looked at [m]
 constexpr double kApproach = 1e-7;  // slower approaches are not impacts [m/s], [rad/s]
 
 double cpu_now() {
@@ -141,6 +142,7 @@ class Simulation {
 
   void run_events() {
     double H = 0.1 * options_.longest;
+    step_.find(state_, kLook, found_);
     touch_and_bounce();
     sample({}, 0);
     while (state_.t < options_.seconds) {
@@ -158,30 +160,45 @@ class Simulation {
     }
   }
 
-  /// Finds what touches, and ends its approach.
+  /// Keeps what touches of all that was found at the state, and ends its approach.
   void touch_and_bounce() {
-    step_.find(state_, options_.touch, found_);
-    // Impulses of contacts that go on start the next solution.
-    for (ActiveContact& contact : found_)
-      for (const ActiveContact& old : closed_)
-        if (old.same(contact)) {
-          contact.impulse = old.impulse;
-          contact.torsion = old.torsion;
-          contact.mode = old.mode;
-        }
-    // So do contacts with a force whose gap the last step has left a little open.
+    found_.erase(std::remove_if(found_.begin(), found_.end(),
+                                [&](const ActiveContact& c) { return c.gap > options_.touch; }),
+                 found_.end());
+    // Contacts that go on keep their modes, and their impulses start the next solution.
+    bool all_known = true;
+    for (ActiveContact& contact : found_) {
+      const auto old = std::find_if(closed_.begin(), closed_.end(),
+                                    [&](const ActiveContact& c) { return c.same(contact); });
+      if (old == closed_.end()) {
+        all_known = false;
+        continue;
+      }
+      contact.impulse = old->impulse;
+      contact.torsion = old->torsion;
+      contact.mode = old->mode;
+    }
     closed_.swap(found_);
-    bool approaches = false;
-    for (const ActiveContact& contact : closed_)
-      if (contact.kind != Kind::kJointFriction)
-        approaches = approaches || contact.approach < -kApproach;
-    if (!approaches) return;
-    StepOutcome outcome;
-    step_.impact(state_, closed_, outcome);
-    count(outcome);
-    ++run_.cost.impacts;
-    for (std::size_t k = 0; k < closed_.size(); ++k) closed_[k].mode = outcome.active[k].mode;
-    for (ActiveContact& contact : closed_) contact.impulse.setZero(), contact.torsion = 0;
+    const bool approaches =
+        std::any_of(closed_.begin(), closed_.end(), [](const ActiveContact& contact) {
+          return contact.kind != Kind::kJointFriction && contact.approach < -kApproach;
+        });
+    if (approaches) {
+      StepOutcome outcome;
+      step_.impact(state_, closed_, outcome);
+      count(outcome);
+      ++run_.cost.impacts;
+    }
+    if (approaches || !all_known) settle_modes();
+  }
+
+  /// What contacts do next, by a step that is as short as can be.
+  void settle_modes() {
+    SceneState state = state_;
+    step_.substep(state, options_.shortest, closed_, options_.touch, outcome_);
+    count(outcome_);
+    closed_.swap(outcome_.active);
+    last_h_ = options_.shortest;
   }
 
   /// Nothing moves, and the last steps changed nothing.
@@ -263,18 +280,19 @@ class Simulation {
         [&](const SceneDrive& drive) { return drive.speed != 0 && drive.when.holds(state_.t); });
   }
 
-  /// Finds contacts after a step, closes gaps that have opened or overlap, and ends approaches.
+  /// Closes gaps that have opened or overlap since the trial was inspected, and ends approaches.
   /// @return the largest gap of contacts with a force, before it was closed [m]
   double touch_again(double length) {
     const std::vector<ActiveContact> pressed = closed_;
-    step_.find(state_, 1e-4, found_);
     double worst = 0;
     for (const ActiveContact& contact : found_)
       for (const ActiveContact& old : pressed)
         if (old.same(contact) && old.mode != ContactMode::kOpen)
           worst = std::max(worst, std::abs(contact.gap));
-    if (worst > 0.1 * options_.touch)
+    if (worst > 0.1 * options_.touch) {
       step_.close_gaps(state_, pressed, std::max(options_.touch, options_.recovery * length));
+      step_.find(state_, kLook, found_);
+    }
     touch_and_bounce();
     keep_pressed(pressed);
     for (const ActiveContact& contact : closed_)
@@ -320,9 +338,11 @@ class Simulation {
     if (!smooth) {
       last.error =
           difference(last.state, table_[static_cast<std::size_t>(options_.columns - 2)].state);
-      return;
+    } else {
+      extrapolate();
     }
-    extrapolate();
+    // Gaps of extrapolated positions are not those of any column.
+    if (last.error <= 1 || length <= options_.shortest) inspect(length, last);
   }
 
   /// One column: n substeps. @return false if a gap closes within it
@@ -341,7 +361,7 @@ class Simulation {
         column.closes = closing_time(column.h, i);
         return false;
       }
-      if (i > 0) column.smooth = column.smooth && same_modes(column.active, outcome_.active);
+      column.smooth = column.smooth && same_modes(column.active, outcome_.active);
       std::swap(column.active, outcome_.active);
       if (!column.state.v.allFinite()) {
         column.error = std::numeric_limits<double>::infinity();
@@ -402,7 +422,13 @@ class Simulation {
     const FreeStep::Error error = free_.step(step_, length, trial.state);
     trial.error = std::max(error.q, 0.01 * error.v) / options_.tolerance;
     run_.cost.substeps += static_cast<long>(FreeStep::kStages);
-    step_.look_for_new(trial.state, trial.active, outcome_);
+    inspect(length, trial);
+  }
+
+  /// Looks for contacts where a trial ends.
+  void inspect(double length, StepTrial& trial) {
+    step_.find(trial.state, kLook, found_);
+    step_.note_new(found_, trial.active, outcome_);
     if (outcome_.deepest_new < -options_.touch) trial.closes = closing_time(length, 0);
   }
 

@@ -29,7 +29,7 @@ struct SceneOptions {
   double longest = 2e-2;    // kEvents: step [s]
   double tolerance = 1e-9;  // kEvents: error of a step, in positions [m], [rad], and in speeds over
                             // 100 [m/s], [rad/s]
-  double shortest = 1e-7;   // kEvents: no step is halved below this [s]
+  double shortest = 1e-9;   // kEvents: no step is halved below this [s]
   double touch = 1e-9;      // kEvents: gaps below this touch [m]
   double recovery = 0.1;    // speed at which depth at the start is pushed out [m/s]
   int columns = 4;          // kEvents: of the extrapolation, 2..8; its order
