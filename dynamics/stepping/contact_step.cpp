@@ -56,8 +56,13 @@ struct ContactStep::Parts {
       bodies.push_back(collision_body(*scene.mechanism.bodies[i].solid));
       body_of.push_back(static_cast<int>(i));
     }
+    for (const std::shared_ptr<const CollisionBody>& body : bodies)
+      thickness.push_back(body->box.sizes().minCoeff());
     world = std::make_unique<CollisionWorld>(std::move(bodies));
     X_WB.resize(body_of.size());
+    X_before.resize(body_of.size());
+    way.resize(body_of.size());
+    may_meet.assign(body_of.size() * body_of.size(), true);
     for (std::size_t i = 0; i < body_of.size(); ++i)
       for (std::size_t j = i + 1; j < body_of.size(); ++j) {
         const std::pair<int, int> pair{body_of[i], body_of[j]};
@@ -66,8 +71,10 @@ struct ContactStep::Parts {
                                                 std::make_pair(pair.second, pair.first)) >
                                  0;
         if (asked_apart || never_meet(model, static_cast<std::size_t>(pair.first),
-                                      static_cast<std::size_t>(pair.second)))
+                                      static_cast<std::size_t>(pair.second))) {
           world->exclude(static_cast<int>(i), static_cast<int>(j));
+          may_meet[i * body_of.size() + j] = false;
+        }
       }
   }
 
@@ -78,6 +85,13 @@ struct ContactStep::Parts {
   void place(const SceneState& state) {
     motion.set_position(state.q);
     motion.set_speed(state.v);
+  }
+
+  /// Largest displacement of a point of a collision body between two poses.
+  [[nodiscard]] double displacement(std::size_t i) const {
+    const Ball& ball = world->bodies()[i]->ball;
+    return (X_WB[i] * ball.c - X_before[i] * ball.c).norm() +
+           (X_WB[i].R - X_before[i].R).norm() * ball.r;
   }
 
   /// Value and rate of a joint's limit at a state.
@@ -297,6 +311,21 @@ struct ContactStep::Parts {
     if (f > 0 && std::max(contact.slip, spin) > kNoSlip) contact.mode = ContactMode::kSlide;
   }
 
+  /// Largest speed of a point of a collision body, after place(), if the speeds were v [m/s].
+  [[nodiscard]] double fastest(const Eigen::VectorXd& v) {
+    motion.set_speed(v);
+    double most = 0;
+    for (std::size_t i = 0; i < body_of.size(); ++i) {
+      const int link = link_of(body_of[i]);
+      if (link < 0) continue;
+      const Ball& ball = world->bodies()[i]->ball;
+      const Eigen::Vector3d centre = motion.pose(body_of[i]) * ball.c;
+      most = std::max(most, motion.velocity(link, centre).norm() +
+                                motion.links()[static_cast<std::size_t>(link)].w.norm() * ball.r);
+    }
+    return 2 * most;
+  }
+
   MovingScene scene;
   TreeModel model;
   TreeMotion<double> motion;
@@ -305,12 +334,15 @@ struct ContactStep::Parts {
   std::unique_ptr<ArticulatedBody<double>> articulated;  // null: joints share coordinates
   std::vector<int> body_of;                              // of the collision world's bodies
   std::unique_ptr<CollisionWorld> world;
-  std::vector<Pose<double>> X_WB;
+  std::vector<Pose<double>> X_WB, X_before;
+  std::vector<double> thickness, way;  // of collision bodies [m]
+  std::vector<bool> may_meet;          // (bodies x bodies)
   Eigen::VectorXd tau, v_free, zero, start, change;
   Eigen::MatrixXd J, Y;  // rows as columns (v, rows)
   ContactProblem problem;
   ContactSolver solver;
   std::vector<ActiveContact> found;
+  SceneState middle;
 };
 
 ContactStep::ContactStep(const MovingScene& scene) : parts_(std::make_unique<Parts>(scene)) {}
@@ -365,34 +397,69 @@ void ContactStep::substep(SceneState& state, double h, const std::vector<ActiveC
 void ContactStep::time_step(SceneState& state, double h, const std::vector<ActiveContact>& last,
                             double recovery, StepOutcome& outcome) {
   Parts& p = *parts_;
-  advance(p.scene.mechanism, p.model.layout, state.v, h, state.q);
-  state.t += h;
+  const MechanismLayout& layout = p.model.layout;
+  advance(p.scene.mechanism, layout, state.v, 0.5 * h, state.q);
+  state.t += 0.5 * h;
   p.place(state);
   p.load(state);
   outcome.solved = p.free_velocity(state, h);
   outcome.residual = 0;
-  // Whatever may close its gap within the next step.
-  const double margin = 2 * h * p.v_free.norm() + 1e-5;
+  // Once more with forces at the mean of the speeds before and after.
+  SceneState& middle = p.middle;
+  middle = state;
+  middle.v = 0.5 * (state.v + p.v_free);
+  p.motion.set_speed(middle.v);
+  p.load(middle);
+  p.inverse.efforts(p.motion, p.scene.gravity, p.zero, p.v_free);
+  p.v_free = h * (p.tau - p.v_free);
+  p.mass.solve(p.model, p.v_free);
+  p.v_free += state.v;
+  // Whatever may close its gap within the step.
+  const double margin = h * p.fastest(p.v_free) + 1e-5;
   p.find(state, std::min(margin, 0.05), outcome.active);
   for (ActiveContact& contact : outcome.active)
     for (const ActiveContact& old : last)
       if (old.same(contact)) contact.impulse = old.impulse, contact.torsion = old.torsion;
   if (outcome.active.empty()) {
     state.v = p.v_free;
-    return;
+  } else {
+    p.set_rows(outcome.active, h);
+    p.problem.b.noalias() = p.J.transpose() * p.v_free;
+    int at = 0;
+    for (std::size_t k = 0; k < outcome.active.size(); ++k) {
+      const ActiveContact& contact = outcome.active[k];
+      if (contact.kind != Kind::kJointFriction)
+        p.problem.b[at] += std::max(2 * contact.gap / h, -recovery);
+      at += rows_of(p.problem.blocks[k].law);
+    }
+    const bool positive = outcome.solved;
+    p.solve(outcome.active, state, outcome);
+    outcome.solved = outcome.solved && positive;
   }
-  p.set_rows(outcome.active, h);
-  p.problem.b.noalias() = p.J.transpose() * p.v_free;
-  int at = 0;
-  for (std::size_t k = 0; k < outcome.active.size(); ++k) {
-    const ActiveContact& contact = outcome.active[k];
-    if (contact.kind != Kind::kJointFriction)
-      p.problem.b[at] += std::max(contact.gap / h, -recovery);
-    at += rows_of(p.problem.blocks[k].law);
-  }
-  const bool positive = outcome.solved;
-  p.solve(outcome.active, state, outcome);
-  outcome.solved = outcome.solved && positive;
+  advance(p.scene.mechanism, layout, state.v, 0.5 * h, state.q);
+  state.t += 0.5 * h;
+}
+
+double ContactStep::motion_between(const SceneState& from, const SceneState& to) {
+  Parts& p = *parts_;
+  const std::size_t n = p.body_of.size();
+  p.motion.set_position(from.q);
+  for (std::size_t i = 0; i < n; ++i) p.X_before[i] = p.motion.pose(p.body_of[i]);
+  p.motion.set_position(to.q);
+  for (std::size_t i = 0; i < n; ++i) p.X_WB[i] = p.motion.pose(p.body_of[i]);
+  for (std::size_t i = 0; i < n; ++i) p.way[i] = p.displacement(i);
+  double most = 0;
+  for (std::size_t i = 0; i < n; ++i)
+    for (std::size_t j = i + 1; j < n; ++j) {
+      const double moved = p.way[i] + p.way[j];
+      const double over = 2 * moved / std::min(p.thickness[i], p.thickness[j]);
+      if (over <= most || !p.may_meet[i * n + j]) continue;
+      // Balls that stay apart cannot have met.
+      const Ball &a = p.world->bodies()[i]->ball, &b = p.world->bodies()[j]->ball;
+      const double apart = (p.X_before[i] * a.c - p.X_before[j] * b.c).norm() - a.r - b.r;
+      if (apart < moved) most = over;
+    }
+  return most;
 }
 
 void ContactStep::impact(SceneState& state, const std::vector<ActiveContact>& touching,

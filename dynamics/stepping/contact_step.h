@@ -93,8 +93,11 @@ class ContactStep {
   void substep(SceneState& state, double h, const std::vector<ActiveContact>& closed, double touch,
                StepOutcome& outcome);
 
-  /// Step of Moreau's kind on whatever is near, for steps of fixed length: a contact may close its
-  /// gap within the step, u_n >= -gap / h, and depth is pushed out at no more than `recovery`.
+  /// Moreau's midpoint step on whatever is near, for steps of fixed length:
+  ///   q_m = q + h/2 v,   v+ = v + M(q_m)^-1 (h f(q_m, v_m) + J(q_m)' P),   q+ = q_m + h/2 v+,
+  /// v_m = (v + v_free) / 2, v_free the speeds without impulses. It is of second order while no
+  /// mode changes. A contact may close its gap within the step, u_n+ >= -2 gap(q_m) / h, and depth
+  /// is pushed out at no more than `recovery`; nothing bounces. Source: [Moreau1988].
   /// @param recovery  [m/s]
   void time_step(SceneState& state, double h, const std::vector<ActiveContact>& last,
                  double recovery, StepOutcome& outcome);
@@ -106,6 +109,11 @@ class ContactStep {
   /// Moves positions so that gaps of `touching` that have a force become zero, by the least motion
   /// in the metric of the mass matrix. @param most  no gap is changed by more [m]
   void close_gaps(SceneState& state, const std::vector<ActiveContact>& touching, double most);
+
+  /// How far surfaces have moved between two states, over what may pass unseen: for each pair of
+  /// bodies that could have met, the sum of their largest displacements over half the thinner one's
+  /// thickness. Above 1 they may have gone through each other. [1]
+  [[nodiscard]] double motion_between(const SceneState& from, const SceneState& to);
 
   /// Poses of all bodies at a state.
   void poses(const SceneState& state, std::vector<Pose<double>>& out);

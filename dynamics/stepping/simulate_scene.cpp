@@ -430,6 +430,12 @@ class Simulation {
     step_.find(trial.state, kLook, found_);
     step_.note_new(found_, trial.active, outcome_);
     if (outcome_.deepest_new < -options_.touch) trial.closes = closing_time(length, 0);
+    // Too far to be sure that nothing went through something.
+    const double motion = step_.motion_between(state_, trial.state);
+    if (motion > 1 && length > options_.shortest) {
+      trial.error = std::max(trial.error, std::pow(motion, trial.order));
+      trial.closes = -1;
+    }
   }
 
   ContactStep step_;
