@@ -30,6 +30,7 @@
 #include "solvers/cone_program.h"
 #include "solvers/convex_hull.h"
 #include "solvers/least_squares.h"
+#include "solvers/linear_complementarity.h"
 #include "solvers/linear_program.h"
 #include "solvers/nonlinear_program.h"
 #include "solvers/orthogonal_solve.h"
