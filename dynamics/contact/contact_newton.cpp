@@ -14,7 +14,7 @@ using Eigen::Ref;
 using Eigen::Vector3d;
 using Eigen::VectorXd;
 
-constexpr double kNewtonProximal = 1e-10;  // of the diagonal of A, which is 1
+constexpr double kLeastProximal = 1e-10;  // of the diagonal of A, which is 1
 constexpr int kRefinements = 2;
 
 /// Unit vectors perpendicular to the unit vector d, two of three dimensions or one of two.
@@ -145,13 +145,15 @@ void ContactNewton::assemble(const ScaledContacts& contacts, const Ref<const Vec
   }
 }
 
-bool ContactNewton::solve_linear() {
+bool ContactNewton::solve_linear(double proximal) {
+  proximal = std::max(proximal, kLeastProximal);
+  const int refinements = proximal > 1e-8 ? 0 : kRefinements;
   const auto k = static_cast<Index>(unknowns_.size());
   auto factor = factor_.topLeftCorner(k, k);
   const auto R = R_.topLeftCorner(k, k);
   auto y = y_.head(k), rest = rest_.head(k);
   factor = R;
-  factor.diagonal().array() += kNewtonProximal;
+  factor.diagonal().array() += proximal;
   y.setZero();
   rest = rhs_.head(k);
 
@@ -159,21 +161,21 @@ bool ContactNewton::solve_linear() {
   if (slipping_.empty()) {
     Eigen::LLT<Ref<MatrixXd>> llt(factor);
     if (llt.info() == Eigen::Success) {
-      for (int round = 0; round <= kRefinements; ++round) {
+      for (int round = 0; round <= refinements; ++round) {
         llt.solveInPlace(rest);
         y += rest;
-        if (round < kRefinements) rest = rhs_.head(k) - R.lazyProduct(y);
+        if (round < refinements) rest = rhs_.head(k) - R.lazyProduct(y);
       }
       return y.allFinite();
     }
     factor = R;
-    factor.diagonal().array() += kNewtonProximal;
+    factor.diagonal().array() += proximal;
   }
   if (!lu_.factor(factor)) return false;
-  for (int round = 0; round <= kRefinements; ++round) {
+  for (int round = 0; round <= refinements; ++round) {
     lu_.solve(factor, rest);
     y += rest;
-    if (round < kRefinements) rest = rhs_.head(k) - R.lazyProduct(y);
+    if (round < refinements) rest = rhs_.head(k) - R.lazyProduct(y);
   }
   return y.allFinite();
 }
@@ -196,14 +198,15 @@ void ContactNewton::apply(Ref<VectorXd> f) const {
   }
 }
 
-bool ContactNewton::step(const ScaledContacts& contacts, Ref<VectorXd> f, Ref<VectorXd> u) {
+bool ContactNewton::step(const ScaledContacts& contacts, double proximal, Ref<VectorXd> f,
+                         Ref<VectorXd> u) {
   f_before_.head(f.size()) = f;
   read_states(contacts, f, u);
   u.noalias() = contacts.A() * f;
   u += contacts.b();
   for (Slipping& contact : slipping_) add_slipping(&contact, f(contact.start), u);
   assemble(contacts, u);
-  if (!unknowns_.empty() && !solve_linear()) {
+  if (!unknowns_.empty() && !solve_linear(proximal)) {
     f = f_before_.head(f.size());
     return false;
   }

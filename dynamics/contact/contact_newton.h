@@ -28,8 +28,8 @@ class ContactNewton {
 
   /// One step from f, u to a new f and  u = A f + b.
   /// @returns false, with f unspoilt, where the linear system has no answer
-  [[nodiscard]] bool step(const ScaledContacts& contacts, Eigen::Ref<Eigen::VectorXd> f,
-                          Eigen::Ref<Eigen::VectorXd> u);
+  [[nodiscard]] bool step(const ScaledContacts& contacts, double proximal,
+                          Eigen::Ref<Eigen::VectorXd> f, Eigen::Ref<Eigen::VectorXd> u);
 
  private:
   /// A scalar unknown: what it adds to f, and which velocity it makes zero.
@@ -53,7 +53,7 @@ class ContactNewton {
   void add_row(int row);
   void add_slipping(Slipping* contact, double fn, const Eigen::Ref<const Eigen::VectorXd>& u);
   void assemble(const ScaledContacts& contacts, const Eigen::Ref<const Eigen::VectorXd>& u);
-  [[nodiscard]] bool solve_linear();
+  [[nodiscard]] bool solve_linear(double proximal);
   void apply(Eigen::Ref<Eigen::VectorXd> f) const;
 
   std::vector<Unknown> unknowns_;

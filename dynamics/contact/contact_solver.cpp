@@ -3,8 +3,11 @@
 #include <array>
 
 #include "base/error.h"
+#include "base/random_stream.h"
 #include "dynamics/contact/contact_newton.h"
+#include "dynamics/contact/friction_pyramids.h"
 #include "dynamics/contact/gauss_seidel.h"
+#include "dynamics/contact/interior_contact.h"
 
 namespace thenar {
 
@@ -14,26 +17,39 @@ using Eigen::VectorXd;
 
 namespace {
 
+constexpr double kNoLimit = std::numeric_limits<double>::infinity();
 constexpr double kMargin = 0.5;     // of the tolerance: what scaling back may cost
 constexpr double kProgress = 0.9;   // of the best residual: a fall that counts
 constexpr int kPatience = 6;        // steps of Newton without such a fall
 constexpr int kFirstSweeps = 5;     // before Newton's second try; each try has twice as many
+constexpr int kTries = 2;           // of sweeps and Newton, before interior points
+constexpr int kFrozenTurns = 20;    // of the fixed point on |ut|
+constexpr int kInteriorTurn = 40;   // steps of interior points in a turn
+constexpr int kRestarts = 20;       // from made-up impulses
 constexpr int kSweepsPerCheck = 5;  // of the residual
+constexpr std::uint64_t kRestartSeed = 1;
+
+/// Whether Newton's steps become more proximal where they do not lower the residual.
+enum class Damped { kNo, kYes };
+constexpr double kLeastDamping = 0.3, kMostDamping = 10;  // stiffness over the residual [1]
 
 }  // namespace
 
 std::string name_of(ContactMethod method) {
-  constexpr std::array kNames{"automatic", "Newton", "Gauss-Seidel"};
+  constexpr std::array kNames{"automatic", "Newton", "Gauss-Seidel", "interior point", "pyramid"};
   return kNames[static_cast<std::size_t>(method)];
 }
 
+/// Everything that a solve needs. The runs below go on from f, and are true at the goal.
 struct ContactSolver::Workspace {
   internal::ScaledContacts contacts;
   internal::ContactNewton newton;
   internal::GaussSeidel sweeper;
+  internal::InteriorContact interior;
   bool sweeper_ready = false;
-  VectorXd f_room, u_room, best_room;  // scaled
-  double residual = 0, best = 0, goal = 0;
+  VectorXd f_room, u_room, best_room, turn_room;  // scaled
+  double residual = 0, best = 0, goal = 0;        // of f, of the best, and the goal
+  ContactSolverOptions options;
   ContactSolution solution;
 
   auto f() { return f_room.head(contacts.rows()); }
@@ -41,10 +57,16 @@ struct ContactSolver::Workspace {
 
   void assign(const ContactProblem& problem, const Ref<const VectorXd>& warm_start);
   bool measure();
-  bool run_newton(int max_steps);
+  void go_to(const Ref<const VectorXd>& impulses);
+  bool run_newton(Damped damped);
   bool run_sweeps(int sweeps);
-  void run_automatic(const ContactSolverOptions& options);
-  void finish(const ContactProblem& problem, double tolerance);
+  bool run_tries();
+  bool run_interior();
+  bool run_restarts();
+  bool run_automatic();
+  void run_pyramid(const ContactProblem& problem);
+  bool run();
+  void certify(const ContactProblem& problem);
 };
 
 void ContactSolver::Workspace::assign(const ContactProblem& problem,
@@ -54,16 +76,18 @@ void ContactSolver::Workspace::assign(const ContactProblem& problem,
   sweeper_ready = false;
   const Index n = contacts.rows();
   if (n > f_room.size())
-    for (VectorXd* v : {&f_room, &u_room, &best_room}) v->resize(n);
-  solution.newton_steps = solution.sweeps = 0;
+    for (VectorXd* v : {&f_room, &u_room, &best_room, &turn_room}) v->resize(n);
+  solution.newton_steps = solution.sweeps = solution.interior_steps = solution.pivots = 0;
+  solution.pyramid_residual = 0;
+  solution.method = options.method;
+  goal = kMargin * options.tolerance;
+  best = kNoLimit;
   f().setZero();
   if (warm_start.size() > 0) f() = warm_start.cwiseQuotient(contacts.s());
-  best = std::numeric_limits<double>::infinity();
-  u().noalias() = contacts.A() * f();
-  u() += contacts.b();
+  go_to(f());
 }
 
-/// Measures f and keeps it if it is the best; true at the goal.
+/// Measures f and keeps it if it is the best.
 bool ContactSolver::Workspace::measure() {
   residual = contacts.residual(f(), u());
   if (residual < best) {
@@ -73,17 +97,28 @@ bool ContactSolver::Workspace::measure() {
   return residual <= goal;
 }
 
-/// Steps until the goal, or none counts any more; true at the goal.
-bool ContactSolver::Workspace::run_newton(int max_steps) {
-  double least = std::numeric_limits<double>::infinity();
-  int idle = 0;
-  while (solution.newton_steps < max_steps && idle < kPatience) {
+/// Sets f and u, without measuring.
+void ContactSolver::Workspace::go_to(const Ref<const VectorXd>& impulses) {
+  f() = impulses;
+  u().noalias() = contacts.A() * f();
+  u() += contacts.b();
+}
+
+/// Steps of Newton until none counts any more.
+bool ContactSolver::Workspace::run_newton(Damped damped) {
+  double least = kNoLimit, damping = 0;
+  residual = contacts.residual(f(), u());
+  for (int idle = 0; idle < kPatience && solution.newton_steps < options.max_newton_steps;) {
     ++solution.newton_steps;
-    if (!newton.step(contacts, f(), u())) return false;
+    const double before = residual;
+    if (!newton.step(contacts, damping * std::min(residual, 1.0), f(), u())) return false;
     if (measure()) {
       solution.method = ContactMethod::kNewton;
       return true;
     }
+    if (damped == Damped::kYes)
+      damping = residual < before / 2 ? damping / 2
+                                      : std::clamp(2 * damping, kLeastDamping, kMostDamping);
     idle = residual < kProgress * least ? 0 : idle + 1;
     least = std::min(least, residual);
   }
@@ -93,12 +128,12 @@ bool ContactSolver::Workspace::run_newton(int max_steps) {
 bool ContactSolver::Workspace::run_sweeps(int sweeps) {
   if (!sweeper_ready) sweeper.assign(contacts);
   sweeper_ready = true;
+  sweeps = std::min(sweeps, options.max_sweeps - solution.sweeps);
   for (int done = 0; done < sweeps; done += kSweepsPerCheck) {
     const int count = std::min(kSweepsPerCheck, sweeps - done);
     sweeper.sweep(contacts, count, f());
     solution.sweeps += count;
-    u().noalias() = contacts.A() * f();
-    u() += contacts.b();
+    go_to(f());
     if (measure()) {
       solution.method = ContactMethod::kGaussSeidel;
       return true;
@@ -107,22 +142,99 @@ bool ContactSolver::Workspace::run_sweeps(int sweeps) {
   return false;
 }
 
-void ContactSolver::Workspace::run_automatic(const ContactSolverOptions& options) {
-  if (run_newton(options.max_newton_steps)) return;
-  for (int sweeps = kFirstSweeps; solution.sweeps < options.max_sweeps; sweeps *= 2) {
-    // From the best point found, some sweeps, and Newton again.
+/// From the best point found some sweeps, and Newton again.
+bool ContactSolver::Workspace::run_tries() {
+  for (int k = 0; k < kTries; ++k) {
     f() = best_room.head(contacts.rows());
-    if (run_sweeps(std::min(sweeps, options.max_sweeps - solution.sweeps))) return;
-    if (run_newton(options.max_newton_steps)) return;
+    if (run_sweeps(kFirstSweeps << k) || run_newton(Damped::kYes)) return true;
+  }
+  return false;
+}
+
+/// Interior points with |ut| as an unknown, then as a fixed point. Newton ends each turn, as he
+/// starts where all states are clear.
+bool ContactSolver::Workspace::run_interior() {
+  using Coupling = internal::InteriorContact::Coupling;
+  auto turn = turn_room.head(contacts.rows());
+  turn.setZero();
+  for (int k = 0; k <= kFrozenTurns; ++k) {
+    const int most = std::min(kInteriorTurn, options.max_interior_steps - solution.interior_steps);
+    if (most <= 0) return false;
+    solution.interior_steps +=
+        interior.run(contacts, k > 0 ? Coupling::kFrozen : Coupling::kFull, most, 0.1 * goal, turn);
+    go_to(turn);
+    if (measure() || run_newton(Damped::kYes)) {
+      solution.method = ContactMethod::kInteriorPoint;
+      return true;
+    }
+  }
+  return false;
+}
+
+/// Sweeps and Newton from made-up normal impulses: a method may be held by a point that is no
+/// answer, as no function is known that falls towards answers alone.
+bool ContactSolver::Workspace::run_restarts() {
+  for (int start = 0; start < kRestarts; ++start) {
+    RandomStream random(kRestartSeed, 0, static_cast<std::uint32_t>(start));
+    for (const internal::ScaledBlock& block : contacts.blocks()) {
+      f().segment(block.start, block.rows).setZero();
+      f()(block.start) = 2 * contacts.scale() * random.uniform();
+      if (!block.is_cone())
+        f()(block.start) = std::clamp(f()(block.start), block.lower, block.upper);
+    }
+    if (run_sweeps(kFirstSweeps) || run_newton(Damped::kNo)) return true;
+    if (run_sweeps(2 * kFirstSweeps) || run_newton(Damped::kYes)) return true;
+  }
+  return false;
+}
+
+bool ContactSolver::Workspace::run_automatic() {
+  if (run_newton(Damped::kYes) || run_tries() || run_interior() || run_restarts()) return true;
+  f() = best_room.head(contacts.rows());
+  for (int sweeps = 4 * kFirstSweeps; solution.sweeps < options.max_sweeps; sweeps *= 2)
+    if (run_sweeps(sweeps)) return true;
+  return false;
+}
+
+bool ContactSolver::Workspace::run() {
+  switch (options.method) {
+    case ContactMethod::kNewton:
+      return run_newton(Damped::kYes);
+    case ContactMethod::kGaussSeidel:
+      return run_sweeps(options.max_sweeps);
+    case ContactMethod::kInteriorPoint:
+      return run_interior();
+    default:
+      return run_automatic();
   }
 }
 
-void ContactSolver::Workspace::finish(const ContactProblem& problem, double tolerance) {
+void ContactSolver::Workspace::run_pyramid(const ContactProblem& problem) {
+  const internal::PyramidProblem pyramids =
+      internal::friction_pyramids(contacts, options.pyramid_edges);
+  ComplementarityOptions pivoting;
+  pivoting.tolerance = options.tolerance;
+  const ComplementaritySolution found = solve_complementarity(pyramids.lcp, pivoting);
+  solution.pivots = found.pivots;
+  best_room.head(contacts.rows()) =
+      pyramids.origin + pyramids.generators * found.z.head(pyramids.generators.cols());
+  certify(problem);
+  solution.status = found.status;
+  solution.pyramid_residual = found.residual;
+}
+
+/// The best f in the problem's own units, and its residual from W and b.
+void ContactSolver::Workspace::certify(const ContactProblem& problem) {
   solution.f = best_room.head(contacts.rows()).cwiseProduct(contacts.s());
   solution.u = problem.b;
   solution.u.noalias() += problem.W * solution.f;
   solution.residual = internal::contact_residual_at(problem, solution.f, solution.u);
-  solution.status = solution.residual.natural <= tolerance ? Status::kSolved : Status::kStalled;
+  const bool spent = solution.newton_steps >= options.max_newton_steps ||
+                     solution.sweeps >= options.max_sweeps ||
+                     solution.interior_steps >= options.max_interior_steps;
+  solution.status = solution.residual.natural <= options.tolerance ? Status::kSolved
+                    : spent                                        ? Status::kLimit
+                                                                   : Status::kStalled;
 }
 
 ContactSolver::ContactSolver() : work_(std::make_unique<Workspace>()) {}
@@ -137,12 +249,18 @@ const ContactSolution& ContactSolver::solve(const ContactProblem& problem,
   require(warm_start.size() == 0 || warm_start.size() == problem.b.size(),
           "b has {} rows, the warm start {}", problem.b.size(), warm_start.size());
   require(warm_start.allFinite(), "a warm start must be finite");
+  require(options.tolerance > 0, "the tolerance must be positive, got {}", options.tolerance);
+  require(options.pyramid_edges >= 4 && options.pyramid_edges % 2 == 0,
+          "pyramids have an even number of edges, at least 4, got {}", options.pyramid_edges);
+  Workspace& work = *work_;
+  work.options = options;
+  work.assign(problem, warm_start);
+  if (options.method == ContactMethod::kPyramid) {
+    work.run_pyramid(problem);
+    return work.solution;
+  }
 
   // The warm start itself may be the answer.
-  Workspace& work = *work_;
-  work.assign(problem, warm_start);
-  work.goal = kMargin * options.tolerance;
-  work.solution.method = options.method;
   if (warm_start.size() > 0) {
     work.solution.f = warm_start;
     work.solution.u = problem.b;
@@ -152,20 +270,8 @@ const ContactSolution& ContactSolver::solve(const ContactProblem& problem,
     work.solution.status = Status::kSolved;
     if (work.solution.residual.natural <= options.tolerance) return work.solution;
   }
-
-  // The method.
-  if (!work.measure()) {
-    if (options.method == ContactMethod::kNewton)
-      (void)work.run_newton(options.max_newton_steps);
-    else if (options.method == ContactMethod::kGaussSeidel)
-      (void)work.run_sweeps(options.max_sweeps);
-    else
-      work.run_automatic(options);
-  }
-  work.finish(problem, options.tolerance);
-  const bool spent = work.solution.newton_steps >= options.max_newton_steps ||
-                     work.solution.sweeps >= options.max_sweeps;
-  if (work.solution.status != Status::kSolved && spent) work.solution.status = Status::kLimit;
+  if (!work.measure()) (void)work.run();
+  work.certify(problem);
   return work.solution;
 }
 

@@ -13,35 +13,46 @@
 namespace thenar {
 
 enum class ContactMethod {
-  kAutomatic,    // Newton from the warm start; sweeps and interior points where it does not arrive
-  kNewton,       // semismooth Newton alone, from the warm start
-  kGaussSeidel,  // block sweeps with exact answers of each block
+  kAutomatic,      // Newton from the warm start; where it does not arrive, sweeps, interior points
+                   // and other starts, each ended by Newton
+  kNewton,         // semismooth Newton alone, from the warm start
+  kGaussSeidel,    // sweeps with exact answers of each block, from the warm start
+  kInteriorPoint,  // interior points, last digits by Newton; has no use for a warm start
+  kPyramid         // Lemke's algorithm on friction pyramids; has no use for a warm start
 };
 
-/// "automatic", "Newton" or "Gauss-Seidel".
+/// "automatic", "Newton", "Gauss-Seidel", "interior point" or "pyramid".
 [[nodiscard]] std::string name_of(ContactMethod method);
 
 struct ContactSolverOptions {
   ContactMethod method = ContactMethod::kAutomatic;
-  double tolerance = 1e-12;    // of ContactResidual::natural [1]
-  int max_newton_steps = 200;  // in all
-  int max_sweeps = 5000;       // of Gauss-Seidel, in all
+  double tolerance = 1e-11;  // of ContactResidual::natural [1]
+  int max_newton_steps = 2000;
+  int max_sweeps = 5000;  // of Gauss-Seidel
+  int max_interior_steps = 400;
+  int pyramid_edges = 8;  // of a pyramid, even and at least 4
 };
 
 struct [[nodiscard]] ContactSolution {
-  /// kSolved: residual.natural is at most the tolerance. kLimit, kStalled: f is the best found.
+  /// kSolved: residual.natural is at most the tolerance; of pyramids, pyramid_residual is. kLimit:
+  /// a limit of the options was reached. kInfeasible: proven by Lemke's ray, of pyramids alone.
+  /// kStalled: all else. f is then the best found, and residual says how good.
   Status status = Status::kStalled;
   ContactMethod method = ContactMethod::kAutomatic;  // that found f
   Eigen::VectorXd f;                                 // impulses [N s] or [N m s] (n)
   Eigen::VectorXd u;                                 // W f + b [m/s] or [rad/s] (n)
-  ContactResidual residual;                          // of f, from W and b
-  int newton_steps = 0;                              // one linear system each
-  int sweeps = 0;                                    // of Gauss-Seidel
+  ContactResidual residual;                          // of f on the true cones, from W and b
+  double pyramid_residual = 0;  // complementarity_residual() of the pyramids [1]
+  int newton_steps = 0;         // one linear system each
+  int sweeps = 0;               // of Gauss-Seidel
+  int interior_steps = 0;       // one linear system each
+  int pivots = 0;               // of Lemke's algorithm
 };
 
 /// Solves one contact problem after another, and keeps the room that they need: once it has seen a
-/// problem as large, it leaves the heap alone, but for f and u where their number of rows changes.
-/// The answer depends on the problem, the warm start and the options alone, bit for bit.
+/// problem as large, it leaves the heap alone (but for pyramids, and f and u where their number of
+/// rows changes). The answer depends on the problem, the warm start and the options alone, bit for
+/// bit.
 class ContactSolver {
  public:
   ContactSolver();
@@ -49,11 +60,13 @@ class ContactSolver {
   ContactSolver(ContactSolver&&) noexcept;
   ContactSolver& operator=(ContactSolver&&) noexcept;
 
-  /// Where the warm start is an answer, it is returned as it is. Where answers are not unique
-  /// (redundant contacts), the one found depends on the warm start and stays near it.
+  /// A warm start that is an answer is returned as it is. Where answers are not unique (redundant
+  /// contacts), the one found depends on the warm start; impulses that W does not feel stay near
+  /// it.
   /// @param warm_start  impulses that may be near (n), or none (0): all zero
   /// @returns what stays valid until the next call
-  /// @throws InputError as check_contact_problem(), and unless warm_start is finite and fits
+  /// @throws InputError as check_contact_problem(), unless warm_start is finite and fits, and
+  ///         unless the tolerance is positive and pyramid_edges as they must be
   const ContactSolution& solve(const ContactProblem& problem,
                                const Eigen::Ref<const Eigen::VectorXd>& warm_start,
                                const ContactSolverOptions& options = {});
