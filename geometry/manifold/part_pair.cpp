@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "geometry/manifold/box_contact.h"
+#include "geometry/manifold/polyhedron_contact.h"
 #include "geometry/manifold/round_contact.h"
 
 namespace thenar {
@@ -52,7 +53,9 @@ double find_points(const CollisionPart& a, const CollisionPart& b, const Pose<do
     return internal::round_on_convex(a, b, X_BA, margin, memory, points);
   if (a.form == PartForm::kBox && b.form == PartForm::kBox)
     return internal::box_on_box(a, b, X_BA, margin, memory, points);
-  return 0;
+  if (a.form == PartForm::kRound)
+    return internal::round_on_polyhedron(a, b, X_BA, margin, memory, points);
+  return internal::polyhedron_on_polyhedron(a, b, X_BA, margin, memory, points);
 }
 
 }  // namespace thenar

@@ -1,15 +1,151 @@
 #include "geometry/manifold/polyhedron.h"
 
+#include <map>
+#include <numeric>
+#include <utility>
+
 #include "base/error.h"
 
 namespace thenar {
+namespace {
+
+using Eigen::Vector3d, Eigen::Vector3i;
+
+constexpr double kFlat = 0.002;  // sine of the angle up to which neighbours are one face, 0.1 deg
+
+class PolyhedronBuilder {
+ public:
+  explicit PolyhedronBuilder(const TriangleMesh& mesh) : mesh_(mesh) {}
+
+  std::shared_ptr<const Polyhedron> build() {
+    add_faces();
+    add_edges();
+    add_corners();
+    return std::move(built_);
+  }
+
+ private:
+  /// Faces in the order of the tree's triangles.
+  void add_faces() {
+    CollisionTree tree = collision_tree({nullptr, {{mesh_, 0}}, {}, {}});
+    built_->nodes = std::move(tree.nodes);
+    // The mesh's triangles by their corners.
+    const auto key = [](const Eigen::Matrix3d& corners) {
+      std::array<double, 9> numbers{};
+      Eigen::Map<Eigen::Matrix3d>(numbers.data()) = corners;
+      return numbers;
+    };
+    std::multimap<std::array<double, 9>, int> by_corners;
+    for (int i = 0; i < static_cast<int>(mesh_.triangles.cols()); ++i) {
+      Eigen::Matrix3d corners;
+      for (int k = 0; k < 3; ++k) corners.col(k) = mesh_.vertices.col(mesh_.triangles(k, i));
+      by_corners.emplace(key(corners), i);
+    }
+    place_.resize(static_cast<std::size_t>(mesh_.triangles.cols()));
+    for (const SweptTriangle& triangle : tree.triangles) {
+      const auto found = by_corners.find(key(triangle.corners));
+      place_[static_cast<std::size_t>(found->second)] = static_cast<int>(built_->faces.size());
+      by_corners.erase(found);
+      PolyhedronFace face;
+      face.corners = triangle.corners;
+      face.n = triangle.n;
+      built_->faces.push_back(face);
+    }
+    plane_.resize(built_->faces.size());
+    std::iota(plane_.begin(), plane_.end(), 0);
+  }
+
+  int plane_of(int face) {
+    while (plane_[static_cast<std::size_t>(face)] != face)
+      face = plane_[static_cast<std::size_t>(face)];
+    return face;
+  }
+
+  void add_edges() {
+    corner_of_.assign(static_cast<std::size_t>(mesh_.vertices.cols()), -1);
+    neighbours_.resize(static_cast<std::size_t>(mesh_.vertices.cols()));
+    for_each_edge(sides_by_edge(mesh_), [&](const MeshSide* first, const MeshSide* last) {
+      neighbours_[static_cast<std::size_t>(first->low)].push_back(first->high);
+      neighbours_[static_cast<std::size_t>(first->high)].push_back(first->low);
+      if (last - first != 2) return add_edge(first[0], first[last - first > 1 ? 1 : 0]);
+      // Flat: one plane. Concave: nothing touches there first.
+      const int one = place_[static_cast<std::size_t>(first[0].triangle)];
+      const int other = place_[static_cast<std::size_t>(first[1].triangle)];
+      const Vector3d n = built_->faces[static_cast<std::size_t>(one)].n;
+      const Vector3d n_other = built_->faces[static_cast<std::size_t>(other)].n;
+      if (n.cross(n_other).norm() < kFlat && n.dot(n_other) > 0) {
+        const int low = std::min(plane_of(one), plane_of(other));
+        const int high = std::max(plane_of(one), plane_of(other));
+        plane_[static_cast<std::size_t>(high)] = low;
+        return;
+      }
+      const Vector3d opposite =
+          mesh_.vertices.col(mesh_.triangles((first[1].side + 2) % 3, first[1].triangle));
+      if (n.dot(opposite - mesh_.vertices.col(first->low)) < 0) add_edge(first[0], first[1]);
+    });
+    for (std::size_t i = 0; i < built_->faces.size(); ++i)
+      built_->faces[i].plane = plane_of(static_cast<int>(i));
+  }
+
+  void add_edge(const MeshSide& one, const MeshSide& other) {
+    PolyhedronFace& face =
+        built_->faces[static_cast<std::size_t>(place_[static_cast<std::size_t>(one.triangle)])];
+    PolyhedronEdge edge;
+    edge.corners = {corner_number(one.low), corner_number(one.high)};
+    edge.from = mesh_.vertices.col(one.low);
+    edge.way = mesh_.vertices.col(one.high) - mesh_.vertices.col(one.low);
+    edge.normals = {
+        face.n,
+        built_->faces[static_cast<std::size_t>(place_[static_cast<std::size_t>(other.triangle)])]
+            .n};
+    face.own_edges[static_cast<std::size_t>(one.side)] = static_cast<int>(built_->edges.size());
+    built_->edges.push_back(edge);
+  }
+
+  /// The corner at a vertex, from now on one.
+  int corner_number(int vertex) {
+    int& number = corner_of_[static_cast<std::size_t>(vertex)];
+    if (number >= 0) return number;
+    number = static_cast<int>(built_->corners.size());
+    built_->corners.push_back({mesh_.vertices.col(vertex), 0, 0});
+    vertex_of_.push_back(vertex);
+    return number;
+  }
+
+  void add_corners() {
+    for (std::size_t i = 0; i < built_->corners.size(); ++i) {
+      PolyhedronCorner& corner = built_->corners[i];
+      corner.first = static_cast<int>(built_->ways.size());
+      for (const int to : neighbours_[static_cast<std::size_t>(vertex_of_[i])])
+        built_->ways.push_back((mesh_.vertices.col(to) - corner.p).stableNormalized());
+      corner.count = static_cast<int>(built_->ways.size()) - corner.first;
+    }
+    // Each belongs to the first face that has it.
+    std::vector<bool> owned(built_->corners.size(), false);
+    for (int i = 0; i < static_cast<int>(mesh_.triangles.cols()); ++i)
+      for (int k = 0; k < 3; ++k) {
+        const int number = corner_of_[static_cast<std::size_t>(mesh_.triangles(k, i))];
+        if (number < 0 || owned[static_cast<std::size_t>(number)]) continue;
+        owned[static_cast<std::size_t>(number)] = true;
+        built_->faces[static_cast<std::size_t>(place_[static_cast<std::size_t>(i)])]
+            .own_corners[static_cast<std::size_t>(k)] = number;
+      }
+  }
+
+  const TriangleMesh& mesh_;
+  std::shared_ptr<Polyhedron> built_ = std::make_shared<Polyhedron>();
+  std::vector<int> place_;                    // of each of the mesh's triangles among the faces
+  std::vector<int> plane_;                    // of each face, a face of the same plane: a forest
+  std::vector<int> corner_of_;                // of each vertex, -1: none
+  std::vector<int> vertex_of_;                // of each corner
+  std::vector<std::vector<int>> neighbours_;  // of each vertex
+};
+
+}  // namespace
 
 std::shared_ptr<const Polyhedron> build_polyhedron(const TriangleMesh& mesh) {
-  require(!mesh.empty(), "a polyhedron has {} triangles or more", 1);
-  auto built = std::make_shared<Polyhedron>();
-  CollisionTree tree = collision_tree({nullptr, {{mesh, 0}}, {}, {}});
-  built->nodes = std::move(tree.nodes);
-  return built;
+  require(!mesh.empty(), "a polyhedron has {} triangle or more", 1);
+  return PolyhedronBuilder(mesh).build();
 }
 
 }  // namespace thenar

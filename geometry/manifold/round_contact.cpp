@@ -46,34 +46,12 @@ struct Rounds {
   }
 };
 
-struct AxisPlaces {
-  double s, t;  // in [0, 1] (A, B)
-};
-
-/// The nearest points of two segments.
-AxisPlaces nearest_on_axes(const Rounds& a, const Rounds& b) {
-  const Vector3d r = a.p0 - b.p0;
-  const double aa = a.way.squaredNorm(), bb = b.way.squaredNorm();
-  if (aa == 0) return {0, bb == 0 ? 0 : std::clamp(b.way.dot(r) / bb, 0.0, 1.0)};
-  const double c = a.way.dot(r);
-  if (bb == 0) return {std::clamp(-c / aa, 0.0, 1.0), 0};
-  const double f = b.way.dot(r), ab = a.way.dot(b.way), turn = aa * bb - ab * ab;
-  // Of lines that are not parallel the nearest points; then within both.
-  double s = turn > 1e-14 * aa * bb ? std::clamp((ab * f - c * bb) / turn, 0.0, 1.0) : 0.5;
-  double t = (ab * s + f) / bb;
-  if (t < 0 || t > 1) {
-    t = std::clamp(t, 0.0, 1.0);
-    s = std::clamp((ab * t - c) / aa, 0.0, 1.0);
-  }
-  return {s, t};
-}
-
 /// The nearest balls: those of the axes, and where radii change, one after the other from there.
-AxisPlaces nearest_balls(const Rounds& a, const Rounds& b) {
-  AxisPlaces at = nearest_on_axes(a, b);
+SegmentPlaces nearest_balls(const Rounds& a, const Rounds& b) {
+  SegmentPlaces at = nearest_on_segments(a.p0, a.way, b.p0, b.way);
   if (a.grow == 0 && b.grow == 0) return at;
   for (int i = 0; i < 100; ++i) {
-    const AxisPlaces last = at;
+    const SegmentPlaces last = at;
     at.s = std::clamp(a.foot(b.at(at.t)), 0.0, 1.0);
     at.t = std::clamp(b.foot(a.at(at.s)), 0.0, 1.0);
     if (std::abs(at.s - last.s) + std::abs(at.t - last.t) < 1e-13) break;
@@ -94,7 +72,7 @@ Vector3d any_direction(const Rounds& a, const Rounds& b, const Vector3d& last) {
 int feature_at(double t) { return t <= 0 ? kEndLower : t >= 1 ? kEndUpper : kBetween; }
 
 /// The contact of two balls.
-ManifoldPoint ball_on_ball(const Rounds& a, const Rounds& b, const AxisPlaces& at,
+ManifoldPoint ball_on_ball(const Rounds& a, const Rounds& b, const SegmentPlaces& at,
                            const PartMemory& memory) {
   const Vector3d p = a.at(at.s), q = b.at(at.t), arm = p - q;
   double distance = arm.norm();
@@ -117,7 +95,7 @@ double round_on_round(const CollisionPart& part_a, const CollisionPart& part_b,
                       const Pose<double>& X_BA, double margin, PartMemory& memory,
                       std::vector<ManifoldPoint>& points) {
   const Rounds a(part_a, X_BA), b(part_b, {});
-  const AxisPlaces at = nearest_balls(a, b);
+  const SegmentPlaces at = nearest_balls(a, b);
   const ManifoldPoint nearest = ball_on_ball(a, b, at, memory);
   const double least = nearest.gap;
   memory.n = nearest.normal;
@@ -126,7 +104,7 @@ double round_on_round(const CollisionPart& part_a, const CollisionPart& part_b,
 
   // Ends that stand over the other's side.
   double least_end = std::numeric_limits<double>::infinity();
-  const auto add_end = [&](const AxisPlaces& end) {
+  const auto add_end = [&](const SegmentPlaces& end) {
     const ManifoldPoint point = ball_on_ball(a, b, end, memory);
     if (point.normal.dot(nearest.normal) < 0.5) return;
     least_end = std::min(least_end, point.gap);

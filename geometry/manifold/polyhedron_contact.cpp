@@ -1,0 +1,337 @@
+#include "geometry/manifold/polyhedron_contact.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace thenar::internal {
+namespace {
+
+using Eigen::Vector3d;
+
+constexpr double kReach = 1e-3;     // beyond the margin, in which features are looked for [m]
+constexpr double kDown = -0.5;      // sine at which an edge leads down from a corner [1]
+constexpr double kBesideArc = 0.1;  // by which a normal may miss the arc of an edge [1]
+constexpr double kParallel = 1e-4;  // sine of the angle between edges that do not cross [1]
+
+/// Whether a corner is lowest among its neighbours, seen along n.
+bool is_lowest(const Polyhedron& body, const PolyhedronCorner& corner, const Vector3d& n) {
+  for (int k = 0; k < corner.count; ++k)
+    if (body.ways[static_cast<std::size_t>(corner.first + k)].dot(n) < kDown) return false;
+  return true;
+}
+
+/// Whether n, across an edge, lies between the normals of its faces.
+bool is_between(const PolyhedronEdge& edge, const Vector3d& along, const Vector3d& n) {
+  const double turn = edge.normals[0].cross(edge.normals[1]).dot(along);
+  const double sign = turn < 0 ? -1 : 1;
+  return sign * edge.normals[0].cross(n).dot(along) > -kBesideArc &&
+         sign * n.cross(edge.normals[1]).dot(along) > -kBesideArc &&
+         n.dot(edge.normals[0] + edge.normals[1]) > 0;
+}
+
+/// Contacts of the features that are near, in B's frame.
+class FeatureContacts {
+ public:
+  FeatureContacts(const CollisionPart& a, const CollisionPart& b, const Pose<double>& X_BA,
+                  double margin, std::vector<ManifoldPoint>& points)
+      : a_(a), b_(b), X_BA_(X_BA), X_AB_(X_BA.inverse()), margin_(margin), points_(points) {}
+
+  /// @return the least distance of all, with sign [m]
+  double add(const NearFeatures& near) {
+    for (const int i : near.corners_a) add_corner_a(i);
+    for (const int i : near.corners_b) add_corner_b(i);
+    for (const auto& pair : near.edges) add_edges(pair[0], pair[1]);
+    return least_;
+  }
+
+  [[nodiscard]] double deepest() const { return deepest_; }
+
+ private:
+  void add_corner_a(int i) {
+    const PolyhedronCorner& corner = a_.polyhedron->corners[static_cast<std::size_t>(i)];
+    const Vector3d p = X_BA_ * corner.p;
+    const NearestSurface seen = b_.shape->nearest(p);
+    least_ = std::min(least_, seen.distance);
+    if (seen.distance > margin_) return;
+    if (!is_lowest(*a_.polyhedron, corner, X_AB_.R * seen.normal)) return;
+    add_point(p, p - seen.distance * seen.normal, seen.normal, FeatureKind::kVertexA, i, 0);
+  }
+
+  void add_corner_b(int i) {
+    const PolyhedronCorner& corner = b_.polyhedron->corners[static_cast<std::size_t>(i)];
+    const Vector3d p = X_AB_ * corner.p;
+    const NearestSurface seen = a_.shape->nearest(p);
+    least_ = std::min(least_, seen.distance);
+    if (seen.distance > margin_) return;
+    const Vector3d n = X_BA_.R * seen.normal;
+    if (!is_lowest(*b_.polyhedron, corner, n)) return;
+    add_point(corner.p - seen.distance * n, corner.p, -n, FeatureKind::kVertexB, i, 0);
+  }
+
+  void add_edges(int i, int j) {
+    const PolyhedronEdge& a = a_.polyhedron->edges[static_cast<std::size_t>(i)];
+    const PolyhedronEdge& b = b_.polyhedron->edges[static_cast<std::size_t>(j)];
+    const Vector3d from = X_BA_ * a.from, way = X_BA_.R * a.way;
+    const SegmentPlaces at = nearest_on_segments(from, way, b.from, b.way);
+    const Vector3d on_a = from + at.s * way, on_b = b.from + at.t * b.way;
+    if (!(at.s > 0 && at.s < 1 && at.t > 0 && at.t < 1)) return;  // corners tell
+    const double distance = (on_a - on_b).norm();
+    // Their common normal, out of B and into A.
+    Vector3d n = way.cross(b.way);
+    const double sine = n.norm();
+    if (sine < kParallel * std::sqrt(way.squaredNorm() * b.way.squaredNorm())) return;
+    n /= sine;
+    if (n.dot(b.normals[0] + b.normals[1]) < 0) n = -n;
+    if (!is_between(b, b.way.normalized(), n) ||
+        !is_between(a, a.way.normalized(), -(X_AB_.R * n))) {
+      least_ = std::min(least_, distance);
+      return;
+    }
+    const double gap = (on_a - on_b).dot(n);
+    least_ = std::min(least_, gap);
+    if (gap <= margin_) add_point(on_a, on_b, n, FeatureKind::kEdges, i, j);
+  }
+
+  void add_point(const Vector3d& on_a, const Vector3d& on_b, const Vector3d& n, FeatureKind kind,
+                 int i, int j) {
+    ManifoldPoint point;
+    point.on_a = on_a;
+    point.on_b = on_b;
+    point.normal = n;
+    point.gap = (on_a - on_b).dot(n);
+    point.feature = feature_key(kind, i, j);
+    deepest_ = std::min(deepest_, point.gap);
+    points_.push_back(point);
+  }
+
+  const CollisionPart &a_, &b_;
+  Pose<double> X_BA_, X_AB_;
+  double margin_;
+  std::vector<ManifoldPoint>& points_;
+  double least_ = std::numeric_limits<double>::infinity();
+  double deepest_ = 0;
+};
+
+/// How deep one body is in the other where their surfaces are apart: that of one corner; 0: apart.
+double depth_within(const CollisionPart& a, const CollisionPart& b, const Pose<double>& X_BA) {
+  double depth = 0;
+  if (!a.polyhedron->corners.empty())
+    depth = std::max(depth, -b.shape->distance(X_BA * a.polyhedron->corners.front().p));
+  if (!b.polyhedron->corners.empty())
+    depth = std::max(depth, -a.shape->distance(X_BA.inverse() * b.polyhedron->corners.front().p));
+  return depth;
+}
+
+}  // namespace
+
+double polyhedron_on_polyhedron(const CollisionPart& a, const CollisionPart& b,
+                                const Pose<double>& X_BA, double margin, PartMemory& memory,
+                                std::vector<ManifoldPoint>& points) {
+  NearFeatures& near = memory.near;
+  const std::size_t first = points.size();
+  double moved = near.found ? motion_bound(a.ball, near.X_BA, X_BA) : 0;
+  double reach = margin + kReach;
+  bool fresh = false;
+  for (;;) {
+    // What may touch, anew if the bodies have moved too far or lie deeper than was looked.
+    if (!near.found || moved + margin > near.reach || fresh) {
+      find_near(*a.polyhedron, *b.polyhedron, X_BA, reach, near);
+      moved = 0;
+      fresh = false;
+      if (near.corners_a.empty() && near.corners_b.empty() && near.edges.empty()) {
+        const double depth = depth_within(a, b, X_BA);
+        if (depth > 0 && reach < 2 * depth + margin) {
+          reach = 2 * depth + margin;
+          fresh = true;
+          continue;
+        }
+      }
+    }
+    FeatureContacts contacts(a, b, X_BA, margin, points);
+    const double least = contacts.add(near);
+    const double deepest = contacts.deepest();
+    if (-2 * deepest <= near.reach - moved || near.reach > 4 * (a.ball.r + b.ball.r)) {
+      memory.overlapped = deepest < 0;
+      // Nothing else is nearer than what was looked for.
+      return std::min(least, near.reach - moved);
+    }
+    points.resize(first);
+    reach = margin + kReach - 4 * deepest;
+    fresh = true;
+  }
+}
+
+namespace {
+
+/// The hull of two balls over a polyhedron, in B's frame.
+class RoundContacts {
+ public:
+  RoundContacts(const CollisionPart& a, const Polyhedron& b, const Pose<double>& X_BA,
+                double margin, std::vector<ManifoldPoint>& points)
+      : b_(b), margin_(margin), points_(points) {
+    p0_ = X_BA.p - a.half_length * X_BA.R.col(2);
+    way_ = 2 * a.half_length * X_BA.R.col(2);
+    radius_ = a.radius;
+    length_ = 2 * a.half_length;
+  }
+
+  double add(const NearFeatures& near) {
+    for (const int i : near.faces_b) {
+      const PolyhedronFace& face = b_.faces[static_cast<std::size_t>(i)];
+      for (int end = 0; end < (length_ > 0 ? 2 : 1); ++end) add_face(face, end);
+      for (const int e : face.own_edges)
+        if (e >= 0) add_edge(e);
+      for (const int c : face.own_corners)
+        if (c >= 0) add_corner(c);
+    }
+    return least_;
+  }
+
+ private:
+  [[nodiscard]] Vector3d at(double s) const { return p0_ + s * way_; }
+  [[nodiscard]] double radius(double s) const { return radius_[0] + s * (radius_[1] - radius_[0]); }
+
+  /// The ball at an end over a face.
+  void add_face(const PolyhedronFace& face, int end) {
+    const Vector3d c = at(end);
+    const double height = face.n.dot(c - face.corners.col(0));
+    if (height < 0 || height - radius_[static_cast<std::size_t>(end)] > margin_ + kReach) return;
+    for (int k = 0; k < 3; ++k) {
+      const Vector3d side = face.corners.col((k + 1) % 3) - face.corners.col(k);
+      if (face.n.cross(side).dot(c - face.corners.col(k)) < 0) return;
+    }
+    add_point(end, c - height * face.n, face.n, height, end, 1 << 23U | face.plane);
+  }
+
+  /// The ball nearest to an edge, and those at the ends where they stand over it.
+  void add_edge(int e) {
+    const PolyhedronEdge& edge = b_.edges[static_cast<std::size_t>(e)];
+    const double square = edge.way.squaredNorm();
+    const auto over = [&](double s, double t, int feature) {
+      if (!(t > 0 && t < 1)) return;
+      const Vector3d on_b = edge.from + t * edge.way, arm = at(s) - on_b;
+      const double distance = arm.norm();
+      if (distance < 1e-12 || !is_between(edge, edge.way / std::sqrt(square), arm / distance))
+        return;
+      add_point(s, on_b, arm / distance, distance, feature, e);
+    };
+    for (int end = 0; end < (length_ > 0 ? 2 : 1); ++end)
+      over(end, edge.way.dot(at(end) - edge.from) / square, end);
+    if (length_ == 0) return;
+    const SegmentPlaces nearest = nearest_place(edge.from, edge.way);
+    if (nearest.s > 0 && nearest.s < 1) over(nearest.s, nearest.t, 2);
+  }
+
+  /// The ball nearest to a corner.
+  void add_corner(int c) {
+    const PolyhedronCorner& corner = b_.corners[static_cast<std::size_t>(c)];
+    const double s = nearest_place(corner.p, Vector3d::Zero()).s;
+    const Vector3d arm = at(s) - corner.p;
+    const double distance = arm.norm();
+    if (distance < 1e-12) return;
+    for (int k = 0; k < corner.count; ++k)
+      if (b_.ways[static_cast<std::size_t>(corner.first + k)].dot(arm) > kBesideArc * distance)
+        return;
+    add_point(s, corner.p, arm / distance, distance, s <= 0 ? 0 : s >= 1 ? 1 : 2, 1 << 22U | c);
+  }
+
+  /// The ball nearest to a segment, by turns where radii change.
+  [[nodiscard]] SegmentPlaces nearest_place(const Vector3d& from, const Vector3d& way) const {
+    SegmentPlaces place = nearest_on_segments(p0_, way_, from, way);
+    const double grow = radius_[1] - radius_[0];
+    if (grow == 0 || length_ == 0) return place;
+    const double sine = -grow / length_, slope = sine / std::sqrt(std::max(1e-30, 1 - sine * sine));
+    const double square = way.squaredNorm();
+    for (int i = 0; i < 50; ++i) {
+      const SegmentPlaces last = place;
+      const Vector3d arm = from + place.t * way - p0_;
+      const double z = arm.dot(way_) / length_;
+      const double rho = std::sqrt(std::max(0.0, arm.squaredNorm() - z * z));
+      place.s = std::clamp((z - rho * slope) / length_, 0.0, 1.0);
+      if (square > 0) place.t = std::clamp(way.dot(at(place.s) - from) / square, 0.0, 1.0);
+      if (std::abs(place.s - last.s) + std::abs(place.t - last.t) < 1e-13) break;
+    }
+    return place;
+  }
+
+  void add_point(double s, const Vector3d& on_b, const Vector3d& n, double height, int of_a,
+                 int of_b) {
+    ManifoldPoint point;
+    point.gap = height - radius(s);
+    least_ = std::min(least_, point.gap);
+    if (point.gap > margin_) return;
+    point.on_b = on_b;
+    point.on_a = on_b + point.gap * n;
+    point.normal = n;
+    point.feature = feature_key(FeatureKind::kBalls, of_a, of_b);
+    points_.push_back(point);
+  }
+
+  const Polyhedron& b_;
+  double margin_;
+  std::vector<ManifoldPoint>& points_;
+  Vector3d p0_, way_;
+  std::array<double, 2> radius_;
+  double length_;
+  double least_ = std::numeric_limits<double>::infinity();
+};
+
+/// The ball at s by the surface nearest to its centre.
+ManifoldPoint ball_within(const CollisionPart& a, const CollisionPart& b, const Pose<double>& X_BA,
+                          double s) {
+  const Vector3d c = X_BA * Vector3d(0, 0, (2 * s - 1) * a.half_length);
+  const NearestSurface seen = b.shape->nearest(c);
+  const double radius = (1 - s) * a.radius[0] + s * a.radius[1];
+  ManifoldPoint point;
+  point.on_a = c - radius * seen.normal;
+  point.on_b = c - seen.distance * seen.normal;
+  point.normal = seen.normal;
+  point.gap = seen.distance - radius;
+  point.feature = feature_key(FeatureKind::kWitness, s == 0 ? 0 : s == 1 ? 1 : 2, 0);
+  return point;
+}
+
+}  // namespace
+
+double round_on_polyhedron(const CollisionPart& a, const CollisionPart& b, const Pose<double>& X_BA,
+                           double margin, PartMemory& memory, std::vector<ManifoldPoint>& points) {
+  NearFeatures& near = memory.near;
+  double moved = near.found ? motion_bound(a.ball, near.X_BA, X_BA) : 0;
+  const Vector3d from = X_BA * Vector3d(0, 0, -a.half_length);
+  const Vector3d to = X_BA * Vector3d(0, 0, a.half_length);
+  if (!near.found || moved + margin > near.reach) {
+    near.found = true;
+    near.X_BA = X_BA;
+    near.reach = margin + kReach;
+    moved = 0;
+    find_near_faces(from, to, *b.polyhedron, std::max(a.radius[0], a.radius[1]) + near.reach, near);
+  }
+  // An axis inside has lost sight of the faces.
+  const double inside_from = b.shape->distance(from);
+  const double inside_to = a.half_length > 0 ? b.shape->distance(to) : inside_from;
+  double least = near.reach - moved;
+  if (inside_from >= 0 && inside_to >= 0) {
+    const std::size_t first = points.size();
+    least = std::min(least, RoundContacts(a, *b.polyhedron, X_BA, margin, points).add(near));
+    memory.overlapped = least < 0;
+    // Both ends outside, the middle perhaps not.
+    if (points.size() > first || a.half_length == 0) return least;
+    for (const double s : {0.25, 0.5, 0.75}) {
+      const ManifoldPoint point = ball_within(a, b, X_BA, s);
+      least = std::min(least, point.gap);
+      if (point.gap <= margin) points.push_back(point);
+    }
+    return least;
+  }
+  for (const double s : {0.0, 1.0, 0.25, 0.5, 0.75}) {
+    if (a.half_length == 0 && s > 0) break;
+    const ManifoldPoint point = ball_within(a, b, X_BA, s);
+    least = std::min(least, point.gap);
+    if (point.gap <= margin && (s == 0 || s == 1 || point.gap <= least)) points.push_back(point);
+  }
+  memory.overlapped = true;
+  return least;
+}
+
+}  // namespace thenar::internal

@@ -1,0 +1,36 @@
+#pragma once
+
+/// Contacts of bodies of triangles.
+
+#include <vector>
+
+#include "geometry/manifold/part_pair.h"
+
+namespace thenar::internal {
+
+/// Points of two polyhedra, both ways: corners of A by their distance from B's shape, corners of B
+/// by theirs from A's, and edges that cross. Each is a local contact:
+///   a corner, if no edge leads from it more than 30 degrees down towards the other body;
+///   two edges, if their common normal lies between the normals of the faces at both, within 0.1.
+/// Which features may count is found by trees of balls and kept while the motion allows
+/// (NearFeatures); where the bodies overlap deeply the reach grows until it exceeds the depth
+/// twice. So every local minimum of the distance and every corner of an overlap is a point, and
+/// points move with the features.
+///
+/// Fails: a corner that is deeper in B than B's nearest other face is pushed out of the other face.
+/// Two edges that are parallel and cross no face have their corners alone. A body that holds the
+/// other one wholly is seen by one corner of it.
+double polyhedron_on_polyhedron(const CollisionPart& a, const CollisionPart& b,
+                                const Pose<double>& X_BA, double margin, PartMemory& memory,
+                                std::vector<ManifoldPoint>& points);
+
+/// Points of a hull of two balls, A, on a polyhedron: the balls at its ends over faces and edges,
+/// and its axis over edges and corners, each where the way to the ball's centre is a normal of the
+/// feature: all local minima of the distance. A ball in a groove touches both sides.
+///
+/// Fails: once the axis is inside, the end balls alone count, by the surface nearest to each
+/// centre; of an axis that pierces B also the deepest of five balls in between.
+double round_on_polyhedron(const CollisionPart& a, const CollisionPart& b, const Pose<double>& X_BA,
+                           double margin, PartMemory& memory, std::vector<ManifoldPoint>& points);
+
+}  // namespace thenar::internal
