@@ -13,6 +13,9 @@ using Kind = ActiveContact::Kind;
 
 constexpr double kNoSlip = 1e-9;  // slower is sticking [m/s], [rad/s]
 
+constexpr double kTolerance = 1e-11;  // of ContactResidual::natural [1]
+constexpr double kRounding = 1e-14;   // the same, as far as it can be hoped for
+
 bool is_scalar(JointKind kind) { return kind == JointKind::kHinge || kind == JointKind::kSlide; }
 
 /// Notes a contact that was not closed before.
@@ -92,6 +95,15 @@ struct ContactStep::Parts {
     const Ball& ball = world->bodies()[i]->ball;
     return (X_WB[i] * ball.c - X_before[i] * ball.c).norm() +
            (X_WB[i].R - X_before[i].R).norm() * ball.r;
+  }
+
+  /// Whether two collision bodies press on each other.
+  [[nodiscard]] bool press(const std::vector<ActiveContact>& touching, std::size_t i,
+                           std::size_t j) const {
+    return std::any_of(touching.begin(), touching.end(), [&](const ActiveContact& contact) {
+      return contact.kind == Kind::kContact && contact.a == body_of[i] && contact.b == body_of[j] &&
+             contact.mode != ContactMode::kOpen;
+    });
   }
 
   /// Value and rate of a joint's limit at a state.
@@ -271,8 +283,8 @@ struct ContactStep::Parts {
   /// Solves, moves the speeds, and writes impulses, velocities and modes into the list.
   void solve(std::vector<ActiveContact>& list, SceneState& state, StepOutcome& outcome) {
     warm_start(list);
-    const ContactSolution& answer = solver.solve(problem, start);
-    outcome.solved = answer.status == Status::kSolved;
+    const ContactSolution& answer = solved(problem);
+    outcome.solved = answer.residual.natural <= kTolerance;
     outcome.residual = answer.residual.natural;
     change.noalias() = J * answer.f;
     mass.solve(model, change);
@@ -282,6 +294,20 @@ struct ContactStep::Parts {
       read(answer, at, problem.blocks[k], list[k]);
       at += rows_of(problem.blocks[k].law);
     }
+  }
+
+  /// Impulses to rounding if some Newton steps from the last ones get there: what remains of a
+  /// residual adds up to slip. Else to the tolerance, by all means.
+  const ContactSolution& solved(const ContactProblem& contacts) {
+    ContactSolverOptions quick;
+    quick.method = ContactMethod::kNewton;
+    quick.tolerance = kRounding;
+    quick.max_newton_steps = 6;
+    const ContactSolution& answer = solver.solve(contacts, start, quick);
+    if (answer.residual.natural <= kTolerance) return answer;
+    ContactSolverOptions thorough;
+    thorough.tolerance = kTolerance;
+    return solver.solve(contacts, start, thorough);
   }
 
   static void read(const ContactSolution& answer, int at, const ContactBlock& block,
@@ -440,7 +466,8 @@ void ContactStep::time_step(SceneState& state, double h, const std::vector<Activ
   state.t += 0.5 * h;
 }
 
-double ContactStep::motion_between(const SceneState& from, const SceneState& to) {
+double ContactStep::motion_between(const SceneState& from, const SceneState& to,
+                                   const std::vector<ActiveContact>& touching) {
   Parts& p = *parts_;
   const std::size_t n = p.body_of.size();
   p.motion.set_position(from.q);
@@ -457,7 +484,7 @@ double ContactStep::motion_between(const SceneState& from, const SceneState& to)
       // Balls that stay apart cannot have met.
       const Ball &a = p.world->bodies()[i]->ball, &b = p.world->bodies()[j]->ball;
       const double apart = (p.X_before[i] * a.c - p.X_before[j] * b.c).norm() - a.r - b.r;
-      if (apart < moved) most = over;
+      if (apart < moved && !p.press(touching, i, j)) most = over;
     }
   return most;
 }

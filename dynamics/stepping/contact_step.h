@@ -113,7 +113,9 @@ class ContactStep {
   /// How far surfaces have moved between two states, over what may pass unseen: for each pair of
   /// bodies that could have met, the sum of their largest displacements over half the thinner one's
   /// thickness. Above 1 they may have gone through each other. [1]
-  [[nodiscard]] double motion_between(const SceneState& from, const SceneState& to);
+  /// @param touching  contacts whose pairs need no look
+  [[nodiscard]] double motion_between(const SceneState& from, const SceneState& to,
+                                      const std::vector<ActiveContact>& touching);
 
   /// Poses of all bodies at a state.
   void poses(const SceneState& state, std::vector<Pose<double>>& out);

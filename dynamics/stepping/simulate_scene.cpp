@@ -431,7 +431,7 @@ class Simulation {
     step_.note_new(found_, trial.active, outcome_);
     if (outcome_.deepest_new < -options_.touch) trial.closes = closing_time(length, 0);
     // Too far to be sure that nothing went through something.
-    const double motion = step_.motion_between(state_, trial.state);
+    const double motion = step_.motion_between(state_, trial.state, trial.active);
     if (motion > 1 && length > options_.shortest) {
       trial.error = std::max(trial.error, std::pow(motion, trial.order));
       trial.closes = -1;
