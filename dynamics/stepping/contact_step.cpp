@@ -445,7 +445,11 @@ void ContactStep::time_step(SceneState& state, double h, const std::vector<Activ
   p.find(state, std::min(margin, 0.05), outcome.active);
   for (ActiveContact& contact : outcome.active)
     for (const ActiveContact& old : last)
-      if (old.same(contact)) contact.impulse = old.impulse, contact.torsion = old.torsion;
+      if (old.same(contact)) {
+        contact.impulse = old.impulse;
+        contact.torsion = old.torsion;
+        contact.mode = old.mode;
+      }
   if (outcome.active.empty()) {
     state.v = p.v_free;
   } else {
@@ -454,9 +458,13 @@ void ContactStep::time_step(SceneState& state, double h, const std::vector<Activ
     int at = 0;
     for (std::size_t k = 0; k < outcome.active.size(); ++k) {
       const ActiveContact& contact = outcome.active[k];
+      const int rows = rows_of(p.problem.blocks[k].law);
       if (contact.kind != Kind::kJointFriction)
         p.problem.b[at] += std::max(2 * contact.gap / h, -recovery);
-      at += rows_of(p.problem.blocks[k].law);
+      // What stuck goes on to stick in the mean, as its gap stays closed in the mean.
+      if (contact.kind == Kind::kContact && contact.mode == ContactMode::kStick)
+        for (int i = 1; i < rows; ++i) p.problem.b[at + i] += p.J.col(at + i).dot(state.v);
+      at += rows;
     }
     const bool positive = outcome.solved;
     p.solve(outcome.active, state, outcome);

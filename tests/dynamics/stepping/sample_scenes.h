@@ -8,9 +8,11 @@
 
 #include "base/units.h"
 #include "dynamics/mechanism/build_mechanism.h"
-#include "dynamics/stepping/moving_scene.h"
+#include "dynamics/stepping/simulate_scene.h"
 
 namespace thenar::sample {
+
+inline constexpr double kG = 9.81;  // [m/s^2]
 
 /// A primitive of one kind.
 inline ShapeSpec primitive(ShapeKind kind, const Eigen::Vector3d& size) {
@@ -39,7 +41,8 @@ inline int add_body(MovingScene& scene, const std::string& name, const ShapeSpec
   return body;
 }
 
-/// Adds a body of one shape on a hinge or slide along `axis` through `point`. @return its index
+/// Adds a body of one shape on a hinge, slide or ball joint, its axis through `point`.
+/// @return its index
 inline int add_on_joint(MovingScene& scene, const std::string& name, const ShapeSpec& shape,
                         double mass, JointKind kind, const Eigen::Vector3d& axis,
                         const Eigen::Vector3d& point) {
@@ -50,12 +53,13 @@ inline int add_on_joint(MovingScene& scene, const std::string& name, const Shape
   Mechanism part = body_mechanism(placed);
   MechanismJoint& joint = part.joints.front();
   joint.kind = kind;
-  joint.coordinate = 0;
+  const bool is_scalar = kind == JointKind::kHinge || kind == JointKind::kSlide;
+  joint.coordinate = is_scalar ? 0 : -1;
   const Tangents sides = tangents(axis);
   joint.X_PF.R << sides.e1, sides.e2, axis;
   joint.X_PF.p = point;
   joint.X_BM = joint.X_PF;
-  part.coordinates = {{name}};
+  if (is_scalar) part.coordinates = {{name}};
   const Eigen::VectorXd q = scene.q, v = scene.v;
   const int body = append(scene.mechanism, part);
   scene.q = reference_position(scene.mechanism);
@@ -63,6 +67,41 @@ inline int add_on_joint(MovingScene& scene, const std::string& name, const Shape
   scene.v = Eigen::VectorXd::Zero(layout_of(scene.mechanism).v);
   scene.v.head(v.size()) = v;
   return body;
+}
+
+/// Position of a free body's centre of mass in a sample [m].
+inline Eigen::Vector3d centre(const MovingScene& scene, int body, const SceneSample& at) {
+  const int first = layout_of(scene.mechanism).first_q[static_cast<std::size_t>(body)];
+  return at.q.segment<3>(first + 4);
+}
+
+/// A cube of 50 mm between two balls of 10 mm on slides, pushed together.
+struct Pinch {
+  MovingScene scene;
+  int cube = 0;
+};
+struct PinchOptions {
+  double force = 2;           // of each finger [N]
+  double finger_mass = 0.02;  // [kg]
+  double cube_mass = 0.1;     // [kg]
+  double friction = 0.8;      // [1]
+  double above = 0;           // of the grip's axis over the cube's centre [m]
+  double gap = 0;             // at the start [m]
+};
+inline Pinch pinch(const PinchOptions& options) {
+  Pinch out;
+  for (const double side : {-1.0, 1.0}) {
+    ShapeSpec ball = primitive(ShapeKind::kSphere, {0.01, 0, 0});
+    ball.X_BS.p = {side * (0.035 + options.gap), 0, options.above};
+    const int finger = add_on_joint(out.scene, side < 0 ? "left" : "right", ball,
+                                    options.finger_mass, JointKind::kSlide, {1, 0, 0}, {0, 0, 0});
+    const int at = out.scene.mechanism.joints[static_cast<std::size_t>(finger)].coordinate;
+    out.scene.drives.push_back({at, -side * options.force});
+  }
+  out.cube = add_body(out.scene, "cube", primitive(ShapeKind::kBox, {0.05, 0.05, 0.05}),
+                      options.cube_mass);
+  out.scene.friction.coefficient = options.friction;
+  return out;
 }
 
 /// A cube of 50 mm on a large floor whose normal is tilted by `slope` about y [rad].

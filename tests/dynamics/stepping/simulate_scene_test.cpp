@@ -9,15 +9,9 @@
 namespace thenar {
 namespace {
 
+using sample::centre;
+using sample::kG;
 using sample::primitive;
-
-constexpr double kG = 9.81;
-
-/// Position of a free body's centre of mass in a sample.
-Eigen::Vector3d centre(const MovingScene& scene, int body, const SceneSample& at) {
-  const int first = layout_of(scene.mechanism).first_q[static_cast<std::size_t>(body)];
-  return at.q.segment<3>(first + 4);
-}
 
 TEST(SimulateScene, BodyInFreeFlight) {
   MovingScene scene;
@@ -78,42 +72,52 @@ TEST(SimulateScene, BallBounces) {
   EXPECT_NEAR(centre(scene, ball, run.samples.back()).z(), 0.02 + height, 1e-6);
 }
 
-/// A cube between two balls on slides.
-struct Pinch {
-  MovingScene scene;
-  int cube = 0;
-};
-Pinch pinch(double force, double off_centre, double finger_mass = 0.02, double cube_mass = 0.1) {
-  Pinch out;
-  MovingScene& scene = out.scene;
-  for (const double side : {-1.0, 1.0}) {
-    ShapeSpec ball = primitive(ShapeKind::kSphere, {0.01, 0, 0});
-    ball.X_BS.p = {side * 0.035, 0, off_centre};
-    const int finger = sample::add_on_joint(scene, side < 0 ? "left" : "right", ball, finger_mass,
-                                            JointKind::kSlide, {1, 0, 0}, {0, 0, 0});
-    scene.drives.push_back(
-        {scene.mechanism.joints[static_cast<std::size_t>(finger)].coordinate, -side * force});
-  }
-  out.cube =
-      sample::add_body(scene, "cube", primitive(ShapeKind::kBox, {0.05, 0.05, 0.05}), cube_mass);
-  scene.friction.coefficient = 0.8;
-  return out;
-}
-
 TEST(SimulateScene, PinchHoldsWithoutSlip) {
-  const Pinch world = pinch(2, 0);
+  const sample::Pinch world = sample::pinch({});
   SceneOptions options;
   options.seconds = 10;
-  const SceneRun run = simulate_scene(world.scene, options);
-  ASSERT_EQ(run.status, SceneStatus::kDone);
-  EXPECT_LT(centre(world.scene, world.cube, run.samples.back()).norm(), 1e-12);
+  for (const bool sleep : {true, false}) {
+    options.sleep = sleep;
+    const SceneRun run = simulate_scene(world.scene, options);
+    ASSERT_EQ(run.status, SceneStatus::kDone);
+    EXPECT_LT(centre(world.scene, world.cube, run.samples.back()).norm(), 1e-12);
+    EXPECT_EQ(run.cost.asleep > 9, sleep);
+  }
 }
 
-// The cube's centre hangs 5.4 mm beside the axis of the grip: a compound pendulum.
-TEST(SimulateScene, SwingingPinchKeepsItsArmAndEnergy) {
-  Pinch world = pinch(8, 0.0054);
+TEST(SimulateScene, PinchHoldsAtEveryStep) {
+  const sample::Pinch world = sample::pinch({});
+  SceneOptions options;
+  options.seconds = 10;
+  options.method = SteppingMethod::kTimeStepping;
+  for (const double step : {1e-4, 1e-3, 5e-3, 1e-2, 2e-2}) {
+    options.step = step;
+    const SceneRun run = simulate_scene(world.scene, options);
+    ASSERT_EQ(run.status, SceneStatus::kDone);
+    EXPECT_LT(centre(world.scene, world.cube, run.samples.back()).norm(), 1e-12) << step;
+  }
+}
+
+/// A cube on the axis of the grip 5.4 mm beside its centre, swung at 6 rad/s.
+sample::Pinch swinging_pinch() {
+  sample::PinchOptions options;
+  options.force = 8;
+  options.above = 0.0054;
+  sample::Pinch world = sample::pinch(options);
   set_free_velocity(world.scene.mechanism, world.cube, world.scene.q,
                     Eigen::Vector3d(0, 6 * 0.0054, 0), Eigen::Vector3d(6, 0, 0), world.scene.v);
+  return world;
+}
+
+/// Angle of the swinging cube about the grip's axis.
+double swing(const sample::Pinch& world, const SceneSample& at) {
+  const Eigen::Vector3d arm = centre(world.scene, world.cube, at) - Eigen::Vector3d(0, 0, 0.0054);
+  return std::atan2(arm.y(), -arm.z());
+}
+
+// A compound pendulum: its arm and its energy stay.
+TEST(SimulateScene, SwingingPinchKeepsItsArmAndEnergy) {
+  const sample::Pinch world = swinging_pinch();
   SceneOptions options;
   options.seconds = 10;
   const SceneRun run = simulate_scene(world.scene, options);
@@ -123,7 +127,40 @@ TEST(SimulateScene, SwingingPinchKeepsItsArmAndEnergy) {
   EXPECT_NEAR(std::hypot(arm.y(), arm.z()), 0.0054, 1e-10);
   EXPECT_NEAR(arm.x(), 0, 1e-12);
   EXPECT_NEAR(run.samples.back().energy.total(), run.samples.front().energy.total(), 1e-10);
-  EXPECT_LT(run.cost.worst_residual, 1e-12);
+  EXPECT_LT(run.cost.worst_residual, 1e-11);
+}
+
+// Between impacts the midpoint rule is of second order: halving the step quarters the error.
+TEST(SimulateScene, TimeSteppingIsOfSecondOrder) {
+  const sample::Pinch world = swinging_pinch();
+  SceneOptions options;
+  options.seconds = 0.5;
+  options.tolerance = 1e-12;
+  const double exact = swing(world, simulate_scene(world.scene, options).samples.back());
+  options.method = SteppingMethod::kTimeStepping;
+  std::vector<double> errors;
+  for (const double step : {4e-3, 2e-3, 1e-3}) {
+    options.step = step;
+    errors.push_back(
+        std::abs(swing(world, simulate_scene(world.scene, options).samples.back()) - exact));
+  }
+  EXPECT_NEAR(errors[0] / errors[1], 4, 0.3);
+  EXPECT_NEAR(errors[1] / errors[2], 4, 0.3);
+}
+
+// The error of steps between events follows the tolerance.
+TEST(SimulateScene, ErrorFollowsTheTolerance) {
+  const sample::Pinch world = swinging_pinch();
+  SceneOptions options;
+  options.seconds = 1;
+  options.tolerance = 1e-13;
+  const double exact = swing(world, simulate_scene(world.scene, options).samples.back());
+  for (const double tolerance : {1e-7, 1e-9, 1e-11}) {
+    options.tolerance = tolerance;
+    const double error =
+        std::abs(swing(world, simulate_scene(world.scene, options).samples.back()) - exact);
+    EXPECT_LT(error, 1000 * tolerance);
+  }
 }
 
 }  // namespace
