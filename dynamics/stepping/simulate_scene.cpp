@@ -235,6 +235,8 @@ class Simulation {
       length = std::max(length, options_.shortest);
       if (!std::isfinite(trial.error)) return give_up();
     }
+    // A step that is as short as can be was not inspected.
+    if (!inspected_) step_.find(table_[static_cast<std::size_t>(result_)].state, kLook, found_);
     accept(length, left);
     const StepTrial& trial = table_[static_cast<std::size_t>(result_)];
     const double growth =
@@ -320,6 +322,7 @@ class Simulation {
 
   /// Fills the table for one step, up to the first sign that it is too long.
   void try_step(double length) {
+    inspected_ = false;
     if (closed_.empty()) return free_step(length);
     for (int n = 1; n <= options_.columns; ++n) {
       StepTrial& column = table_[static_cast<std::size_t>(n - 1)];
@@ -427,6 +430,7 @@ class Simulation {
 
   /// Looks for contacts where a trial ends.
   void inspect(double length, StepTrial& trial) {
+    inspected_ = true;
     step_.find(trial.state, kLook, found_);
     step_.note_new(found_, trial.active, outcome_);
     if (outcome_.deepest_new < -options_.touch) trial.closes = closing_time(length, 0);
@@ -447,6 +451,7 @@ class Simulation {
   double next_sample_ = 0;
   std::vector<ActiveContact> closed_, found_;  // what touches, with impulses over last_h_
   double last_h_ = 0;
+  bool inspected_ = false;  // found_ belongs to the trial
   int asleep_ = 0;
   int result_ = 0;
   std::array<StepTrial, kMaxColumns> table_;
