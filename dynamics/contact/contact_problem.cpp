@@ -13,6 +13,8 @@ using Eigen::VectorXd;
 using Row = Eigen::Ref<const VectorXd>;
 
 constexpr double kSymmetric = 1e-9;  // difference of mirrored entries of W over its largest
+constexpr double kRoundings = 4;
+constexpr double kMostRounding = 1e-8;  // that counts as an answer
 constexpr double kInfinite = std::numeric_limits<double>::infinity();
 
 void check_block(const ContactBlock& block) {
@@ -92,6 +94,10 @@ double scale_of(const ContactBlock& block, const Row& b, double s) {
 }
 
 }  // namespace
+
+bool ContactResidual::is_within(double tolerance) const {
+  return natural <= std::max(tolerance, std::min(rounding, kMostRounding));
+}
 
 ContactBlock bilateral_block() { return {ContactLaw::kBilateral}; }
 ContactBlock unilateral_block() { return {ContactLaw::kUnilateral}; }
@@ -184,6 +190,9 @@ ContactResidual contact_residual_at(const ContactProblem& problem, const Row& f,
     start += rows;
   }
   out.natural = natural > 0 ? natural / out.scale : 0;
+  if (natural > 0)
+    out.rounding = kRoundings * std::numeric_limits<double>::epsilon() / out.scale *
+                   f.cwiseAbs().dot(problem.W.diagonal().cwiseMax(0).cwiseSqrt());
   return out;
 }
 

@@ -68,15 +68,21 @@ void check_contact_problem(const ContactProblem& problem);
 /// diagonal of W) (torsion rows times e first), f' = f / s and u' = s u have the unit sqrt(J), and
 ///   natural = max |f' - P_K(f' - û')| / scale,   û' = u' + mu |u_t'| n,
 /// scale = max of |s b| and of |P(0) / s|, P(0) the impulse of a box that is nearest to 0. It is 0
-/// at answers only. All others are in the units of the problem, and 0 at an answer.
+/// at answers only. `rounding` is what of it doubles may hide, 4 eps sum |f_j| sqrt(W_jj) / scale,
+/// large where a heavy body rests on a light one. All others are in the units of the problem, and 0
+/// at an answer.
 struct ContactResidual {
   double natural = std::numeric_limits<double>::infinity();  // [1]
   double scale = 0;                                          // of `natural` [sqrt(J)]
+  double rounding = 0;                                       // of `natural` [1]
   double outside = 0;          // f outside its cone or box: |ft| - mu fn, -fn, ... [N s]
   double approach = 0;         // -un of contacts and limits: bodies come closer [m/s]
   double complementarity = 0;  // |fn un|; of boxes what u takes from an impulse off its bound [J]
   double alignment = 0;        // ft . ut + mu fn |ut|: dissipation that is missing [J]
   double bilateral = 0;        // |u| of bilateral rows [m/s]
+
+  /// Whether `natural` is at most the tolerance, or the rounding where that is larger (up to 1e-8).
+  [[nodiscard]] bool is_within(double tolerance) const;
 };
 
 /// @param f  impulses (n)

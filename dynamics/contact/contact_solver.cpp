@@ -18,15 +18,16 @@ using Eigen::VectorXd;
 namespace {
 
 constexpr double kNoLimit = std::numeric_limits<double>::infinity();
-constexpr double kMargin = 0.5;     // of the tolerance: what scaling back may cost
-constexpr double kProgress = 0.9;   // of the best residual: a fall that counts
-constexpr int kPatience = 6;        // steps of Newton without such a fall
-constexpr int kFirstSweeps = 5;     // before Newton's second try; each try has twice as many
-constexpr int kTries = 2;           // of sweeps and Newton, before interior points
-constexpr int kFrozenTurns = 20;    // of the fixed point on |ut|
-constexpr int kInteriorTurn = 40;   // steps of interior points in a turn
-constexpr int kRestarts = 20;       // from made-up impulses
-constexpr int kSweepsPerCheck = 5;  // of the residual
+constexpr double kMargin = 0.5;         // of the tolerance: what scaling back may cost
+constexpr double kRoundingFrom = 1e-8;  // residual from which rounding may explain it
+constexpr double kProgress = 0.9;       // of the best residual: a fall that counts
+constexpr int kPatience = 6;            // steps of Newton without such a fall
+constexpr int kFirstSweeps = 5;         // before Newton's second try; each try has twice as many
+constexpr int kTries = 2;               // of sweeps and Newton, before interior points
+constexpr int kFrozenTurns = 20;        // of the fixed point on |ut|
+constexpr int kInteriorTurn = 40;       // steps of interior points in a turn
+constexpr int kRestarts = 20;           // from made-up impulses
+constexpr int kSweepsPerCheck = 5;      // of the residual
 constexpr std::uint64_t kRestartSeed = 1;
 
 /// Whether Newton's steps become more proximal where they do not lower the residual.
@@ -94,7 +95,8 @@ bool ContactSolver::Workspace::measure() {
     best = residual;
     best_room.head(contacts.rows()) = f();
   }
-  return residual <= goal;
+  return residual <= goal ||
+         (residual < kRoundingFrom && residual <= kMargin * contacts.rounding(f()));
 }
 
 /// Sets f and u, without measuring.
@@ -232,7 +234,7 @@ void ContactSolver::Workspace::certify(const ContactProblem& problem) {
   const bool spent = solution.newton_steps >= options.max_newton_steps ||
                      solution.sweeps >= options.max_sweeps ||
                      solution.interior_steps >= options.max_interior_steps;
-  solution.status = solution.residual.natural <= options.tolerance ? Status::kSolved
+  solution.status = solution.residual.is_within(options.tolerance) ? Status::kSolved
                     : spent                                        ? Status::kLimit
                                                                    : Status::kStalled;
 }
@@ -268,7 +270,7 @@ const ContactSolution& ContactSolver::solve(const ContactProblem& problem,
     work.solution.residual =
         internal::contact_residual_at(problem, work.solution.f, work.solution.u);
     work.solution.status = Status::kSolved;
-    if (work.solution.residual.natural <= options.tolerance) return work.solution;
+    if (work.solution.residual.is_within(options.tolerance)) return work.solution;
   }
   if (!work.measure()) (void)work.run();
   work.certify(problem);

@@ -34,7 +34,7 @@ struct ContactSolverOptions {
 };
 
 struct [[nodiscard]] ContactSolution {
-  /// kSolved: residual.natural is at most the tolerance; of pyramids, pyramid_residual is. kLimit:
+  /// kSolved: residual.is_within(tolerance); of pyramids, pyramid_residual is at most that. kLimit:
   /// a limit of the options was reached. kInfeasible: proven by Lemke's ray, of pyramids alone.
   /// kStalled: all else. f is then the best found, and residual says how good.
   Status status = Status::kStalled;

@@ -81,4 +81,9 @@ double ScaledContacts::residual(const Eigen::Ref<const Eigen::VectorXd>& f,
   return out > 0 ? out / scale_ : 0;
 }
 
+double ScaledContacts::rounding(const Eigen::Ref<const Eigen::VectorXd>& f) const {
+  const double sum = f.cwiseAbs().dot(A().diagonal().cwiseMax(0).cwiseSqrt());
+  return std::min(4 * std::numeric_limits<double>::epsilon() * sum / scale_, 1e-8);
+}
+
 }  // namespace thenar::internal

@@ -41,6 +41,9 @@ class ScaledContacts {
   [[nodiscard]] double residual(const Eigen::Ref<const Eigen::VectorXd>& f,
                                 const Eigen::Ref<const Eigen::VectorXd>& u) const;
 
+  /// ContactResidual::rounding, up to what counts.
+  [[nodiscard]] double rounding(const Eigen::Ref<const Eigen::VectorXd>& f) const;
+
  private:
   void add(const ContactBlock& block, int start, double s);
 
