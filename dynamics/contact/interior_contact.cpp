@@ -14,7 +14,9 @@ using Eigen::VectorXd;
 constexpr double kToBoundary = 0.99;
 constexpr double kLeastCentring = 1e-4, kMostCentring = 0.5;  // share of tau that is aimed at
 constexpr double kCorrectFrom = 0.1;  // step of the predictor from which its square counts
+constexpr double kShortStep = 0.1, kAwayFromWalls = 0.9;
 constexpr double kLeastFall = 1e-3;   // of the merit, for a whole step
+constexpr double kMostGrowth = 2;     // of tau
 constexpr int kMostHalvings = 12;
 
 /// u0^2 - |u1|^2 without cancellation of large squares.
@@ -287,17 +289,27 @@ void InteriorContact::find_step() {
   const double centring = std::clamp(std::pow(1 - free, 3), kLeastCentring, kMostCentring);
   set_right_side(centring * tau_, free > kCorrectFrom ? Corrected::kYes : Corrected::kNo);
   take_direction();
+  if (longest_step() > kShortStep) return;
+
+  // Near a wall all that helps is to go away from it.
+  set_right_side(kAwayFromWalls * tau_, Corrected::kNo);
+  take_direction();
 }
 
-/// Half steps until the equations and tau have fallen together; false where none does.
+/// Half steps until the equations and tau have fallen together, or the equations for themselves
+/// about as a linear system's would, while tau has not grown much; false where none does.
 bool InteriorContact::move_down(const ScaledContacts& contacts) {
   const double size = contacts.scale();
   const auto merit = [&] { return missing_ / size + tau_ / (size * size); };
-  const double before = merit();
+  const double before = merit(), missing = missing_, tau = tau_;
   double length = longest_step();
+  const auto is_down = [&] {
+    return merit() <= (1 - kLeastFall * length) * before ||
+           (missing_ <= (1 - length / 2) * missing && tau_ <= kMostGrowth * tau);
+  };
   move(length);
   measure(contacts);
-  for (int halvings = 0; !(merit() <= (1 - kLeastFall * length) * before); ++halvings) {
+  for (int halvings = 0; !is_down(); ++halvings) {
     if (halvings == kMostHalvings) return false;
     length /= 2;
     move(-length);
