@@ -47,7 +47,7 @@ struct ContactSolver::Workspace {
   internal::ContactNewton newton;
   internal::GaussSeidel sweeper;
   internal::InteriorContact interior;
-  bool sweeper_ready = false;
+  bool sweeper_ready = false, is_warm = false;
   VectorXd f_room, u_room, best_room, turn_room;  // scaled
   double residual = 0, best = 0, goal = 0;        // of f, of the best, and the goal
   ContactSolverOptions options;
@@ -83,8 +83,11 @@ void ContactSolver::Workspace::assign(const ContactProblem& problem,
   solution.method = options.method;
   goal = kMargin * options.tolerance;
   best = kNoLimit;
+  // Where nothing moves and nothing is asked, no impulse is an answer: a warm start would leave its
+  // rounding behind, over a scale of zero.
+  is_warm = warm_start.size() > 0 && contacts.scale() > 0;
   f().setZero();
-  if (warm_start.size() > 0) f() = warm_start.cwiseQuotient(contacts.s());
+  if (is_warm) f() = warm_start.cwiseQuotient(contacts.s());
   go_to(f());
 }
 
@@ -191,7 +194,13 @@ bool ContactSolver::Workspace::run_restarts() {
 }
 
 bool ContactSolver::Workspace::run_automatic() {
-  if (run_newton(Damped::kYes) || run_tries() || run_interior() || run_restarts()) return true;
+  if (run_newton(Damped::kYes)) return true;
+  if (is_warm) {
+    f().setZero();
+    go_to(f());
+    if (measure() || run_newton(Damped::kYes)) return true;
+  }
+  if (run_tries() || run_interior() || run_restarts()) return true;
   f() = best_room.head(contacts.rows());
   for (int sweeps = 4 * kFirstSweeps; solution.sweeps < options.max_sweeps; sweeps *= 2)
     if (run_sweeps(sweeps)) return true;

@@ -15,8 +15,8 @@ constexpr double kToBoundary = 0.99;
 constexpr double kLeastCentring = 1e-4, kMostCentring = 0.5;  // share of tau that is aimed at
 constexpr double kCorrectFrom = 0.1;  // step of the predictor from which its square counts
 constexpr double kShortStep = 0.1, kAwayFromWalls = 0.9;
-constexpr double kLeastFall = 1e-3;   // of the merit, for a whole step
-constexpr double kMostGrowth = 2;     // of tau
+constexpr double kLeastFall = 1e-3;  // of the merit, for a whole step
+constexpr double kMostGrowth = 2;    // of tau
 constexpr int kMostHalvings = 12;
 
 /// u0^2 - |u1|^2 without cancellation of large squares.

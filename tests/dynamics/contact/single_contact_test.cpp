@@ -183,6 +183,12 @@ TEST(SingleContact, RestingProblemIsAnsweredAtOnce) {
   const ContactSolution found = solve_cold(point_on_plane(0.5, Vector3d::Zero()));
   EXPECT_EQ(found.status, Status::kSolved);
   EXPECT_EQ(found.f, Vector3d::Zero());
+  // What the last step needed, this one does not.
+  ContactSolver solver;
+  const ContactSolution warm =
+      solver.solve(point_on_plane(0.5, Vector3d::Zero()), Vector3d(0.1, 0.02, 0));
+  EXPECT_EQ(warm.status, Status::kSolved);
+  EXPECT_EQ(warm.f, Vector3d::Zero());
   const ContactSolution empty = solve_cold({{}, MatrixXd(0, 0), VectorXd(0)});
   EXPECT_EQ(empty.status, Status::kSolved);
 }
