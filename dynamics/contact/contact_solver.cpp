@@ -18,16 +18,18 @@ using Eigen::VectorXd;
 namespace {
 
 constexpr double kNoLimit = std::numeric_limits<double>::infinity();
-constexpr double kMargin = 0.5;         // of the tolerance: what scaling back may cost
-constexpr double kRoundingFrom = 1e-8;  // residual from which rounding may explain it
-constexpr double kProgress = 0.9;       // of the best residual: a fall that counts
-constexpr int kPatience = 6;            // steps of Newton without such a fall
-constexpr int kFirstSweeps = 5;         // before Newton's second try; each try has twice as many
-constexpr int kTries = 2;               // of sweeps and Newton, before interior points
-constexpr int kFrozenTurns = 20;        // of the fixed point on |ut|
-constexpr int kInteriorTurn = 40;       // steps of interior points in a turn
-constexpr int kRestarts = 20;           // from made-up impulses
-constexpr int kSweepsPerCheck = 5;      // of the residual
+constexpr double kMargin = 0.5;          // of the tolerance: what scaling back may cost
+constexpr double kRoundingFrom = 1e-8;   // residual from which rounding may explain it
+constexpr double kRoundingGoal = 1e-14;  // residual that is not worth another step
+constexpr int kPolishSteps = 2;
+constexpr double kProgress = 0.9;   // of the best residual: a fall that counts
+constexpr int kPatience = 6;        // steps of Newton without such a fall
+constexpr int kFirstSweeps = 5;     // before Newton's second try; each try has twice as many
+constexpr int kTries = 2;           // of sweeps and Newton, before interior points
+constexpr int kFrozenTurns = 20;    // of the fixed point on |ut|
+constexpr int kInteriorTurn = 40;   // steps of interior points in a turn
+constexpr int kRestarts = 20;       // from made-up impulses
+constexpr int kSweepsPerCheck = 5;  // of the residual
 constexpr std::uint64_t kRestartSeed = 1;
 
 /// Whether Newton's steps become more proximal where they do not lower the residual.
@@ -67,6 +69,9 @@ struct ContactSolver::Workspace {
   bool run_automatic();
   void run_pyramid(const ContactProblem& problem);
   bool run();
+  void polish();
+  [[nodiscard]] bool is_polished() const { return options.method != ContactMethod::kGaussSeidel; }
+  bool is_answer(const ContactProblem& problem, const Ref<const VectorXd>& warm_start);
   void certify(const ContactProblem& problem);
 };
 
@@ -194,13 +199,13 @@ bool ContactSolver::Workspace::run_restarts() {
 }
 
 bool ContactSolver::Workspace::run_automatic() {
-  if (run_newton(Damped::kYes)) return true;
+  if (run_newton(Damped::kYes) || run_tries()) return true;
   if (is_warm) {
     f().setZero();
     go_to(f());
     if (measure() || run_newton(Damped::kYes)) return true;
   }
-  if (run_tries() || run_interior() || run_restarts()) return true;
+  if (run_interior() || run_restarts()) return true;
   f() = best_room.head(contacts.rows());
   for (int sweeps = 4 * kFirstSweeps; solution.sweeps < options.max_sweeps; sweeps *= 2)
     if (run_sweeps(sweeps)) return true;
@@ -220,6 +225,19 @@ bool ContactSolver::Workspace::run() {
   }
 }
 
+/// From an answer on to rounding, by steps of Newton that at least halve the residual: what it
+/// leaves over would add up from step to step.
+void ContactSolver::Workspace::polish() {
+  for (int k = 0; k < kPolishSteps && best > kRoundingGoal; ++k) {
+    const double before = best;
+    go_to(best_room.head(contacts.rows()));
+    ++solution.newton_steps;
+    if (!newton.step(contacts, 0, f(), u())) return;
+    (void)measure();
+    if (best > before / 2) return;
+  }
+}
+
 void ContactSolver::Workspace::run_pyramid(const ContactProblem& problem) {
   const internal::PyramidProblem pyramids =
       internal::friction_pyramids(contacts, options.pyramid_edges);
@@ -232,6 +250,22 @@ void ContactSolver::Workspace::run_pyramid(const ContactProblem& problem) {
   certify(problem);
   solution.status = found.status;
   solution.pyramid_residual = found.residual;
+}
+
+/// Whether a warm start is an answer. It is then the solution, bit for bit, unless polishing halves
+/// its residual.
+bool ContactSolver::Workspace::is_answer(const ContactProblem& problem,
+                                         const Ref<const VectorXd>& warm_start) {
+  solution.f = warm_start;
+  solution.u = problem.b;
+  solution.u.noalias() += problem.W * warm_start;
+  solution.residual = internal::contact_residual_at(problem, solution.f, solution.u);
+  if (!solution.residual.is_within(options.tolerance)) return false;
+  solution.status = Status::kSolved;
+  const double before = best;
+  if (is_polished()) polish();
+  if (best < before / 2) certify(problem);
+  return true;
 }
 
 /// The best f in the problem's own units, and its residual from W and b.
@@ -271,17 +305,9 @@ const ContactSolution& ContactSolver::solve(const ContactProblem& problem,
     return work.solution;
   }
 
-  // The warm start itself may be the answer.
-  if (warm_start.size() > 0) {
-    work.solution.f = warm_start;
-    work.solution.u = problem.b;
-    work.solution.u.noalias() += problem.W * warm_start;
-    work.solution.residual =
-        internal::contact_residual_at(problem, work.solution.f, work.solution.u);
-    work.solution.status = Status::kSolved;
-    if (work.solution.residual.is_within(options.tolerance)) return work.solution;
-  }
-  if (!work.measure()) (void)work.run();
+  const bool solved = work.measure();
+  if (warm_start.size() > 0 && work.is_answer(problem, warm_start)) return work.solution;
+  if ((solved || work.run()) && work.is_polished()) work.polish();
   work.certify(problem);
   return work.solution;
 }

@@ -60,9 +60,10 @@ class ContactSolver {
   ContactSolver(ContactSolver&&) noexcept;
   ContactSolver& operator=(ContactSolver&&) noexcept;
 
-  /// A warm start that is an answer is returned as it is. Where answers are not unique (redundant
-  /// contacts), the one found depends on the warm start; impulses that W does not feel stay near
-  /// it.
+  /// A warm start that is an answer is returned as it is, unless a step of Newton halves its
+  /// residual (on the way to rounding, which every answer but that of Gauss-Seidel goes). Where
+  /// answers are not unique (redundant contacts), the one found depends on the warm start; impulses
+  /// that W does not feel stay near it.
   /// @param warm_start  impulses that may be near (n), or none (0): all zero
   /// @returns what stays valid until the next call
   /// @throws InputError as check_contact_problem(), unless warm_start is finite and fits, and
