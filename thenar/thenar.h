@@ -66,6 +66,7 @@
 #include "geometry/manifold/collision_pair.h"
 #include "geometry/manifold/collision_world.h"
 #include "geometry/manifold/contact_manifold.h"
+#include "geometry/manifold/first_contact.h"
 
 // data/io: subjects, experiments, nets, fits and posteriors as files.
 #include "data/io/anthropometry.h"

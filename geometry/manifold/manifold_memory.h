@@ -12,7 +12,8 @@ namespace thenar {
 
 /// Reduces points of contact and knows them again.
 ///
-/// The nearest point is kept (the last one, while none is nearer by 1 um), then again and again the one farthest from those kept,
+/// The nearest point is kept (the last one, while none is nearer by 1 um), then again and again the
+/// one farthest from those kept,
 ///   min over kept j of  |x_i - x_j|^2 + e^2 (1 - n_i . n_j),   e the extent of all points,
 /// x on A or on B, whichever are nearer to each other (two balls on one corner are one point),
 /// weighted from 1 for the nearest point down to 0.2 at the margin, so that points come and go

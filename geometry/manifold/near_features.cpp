@@ -109,6 +109,27 @@ SegmentPlaces nearest_on_segments(const Vector3d& from_a, const Vector3d& way_a,
   return {s, t};
 }
 
+void add_deep_corners(const Polyhedron& body, const Pose<double>& X_SP, const Shape& shape,
+                      double depth, std::vector<int>& corners) {
+  // Depth grows by no more than the way gone.
+  const auto look = [&](const auto& self, int index) -> void {
+    const CollisionNode& node = body.nodes[static_cast<std::size_t>(index)];
+    const Vector3d c = X_SP * node.ball.c;
+    const double box = std::sqrt(shape.bounds().squaredExteriorDistance(c));
+    if (box > node.ball.r || shape.distance(c) - node.ball.r > -depth) return;
+    if (node.triangle < 0) {
+      self(self, node.left);
+      self(self, node.right);
+      return;
+    }
+    for (const int i : body.faces[static_cast<std::size_t>(node.triangle)].own_corners)
+      if (i >= 0 && shape.distance(X_SP * body.corners[static_cast<std::size_t>(i)].p) < -depth)
+        corners.push_back(i);
+  };
+  look(look, 0);
+  sort_unique(corners);
+}
+
 void find_near(const Polyhedron& a, const Polyhedron& b, const Pose<double>& X_BA, double reach,
                NearFeatures& near) {
   near.corners_a.clear();

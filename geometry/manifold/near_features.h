@@ -7,12 +7,13 @@
 
 #include "base/spatial.h"
 #include "geometry/manifold/polyhedron.h"
+#include "geometry/shape.h"
 
 namespace thenar {
 
 /// What two polyhedra A and B may touch with, for a while: found at one pose, it is all that lies
-/// within `reach` there, so it holds all that is nearer than a margin while the bodies have moved
-/// by no more than reach - margin.
+/// within `reach` there, with all corners deeper in the other body, so it holds all that is nearer
+/// than a margin while the bodies have moved by no more than reach - margin.
 struct NearFeatures {
   bool found = false;
   Pose<double> X_BA{};                    // where it was found
@@ -24,6 +25,11 @@ struct NearFeatures {
 };
 
 namespace internal {
+
+/// Adds the corners of a body, in the frame of a shape, that are deeper in it than a depth.
+/// @param depth  >= 0 [m]
+void add_deep_corners(const Polyhedron& body, const Pose<double>& X_SP, const Shape& shape,
+                      double depth, std::vector<int>& corners);
 
 /// Finds the features of two polyhedra within a reach of each other, by their trees of balls.
 void find_near(const Polyhedron& a, const Polyhedron& b, const Pose<double>& X_BA, double reach,

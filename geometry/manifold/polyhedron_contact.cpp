@@ -12,6 +12,7 @@ using Eigen::Vector3d;
 constexpr double kReach = 1e-3;     // beyond the margin, in which features are looked for [m]
 constexpr double kDown = -0.5;      // sine at which an edge leads down from a corner [1]
 constexpr double kBesideArc = 0.1;  // by which a normal may miss the arc of an edge [1]
+constexpr double kShallow = 2e-4;   // depth to which edges are believed [m]
 constexpr double kParallel = 1e-4;  // sine of the angle between edges that do not cross [1]
 
 /// Whether a corner is lowest among its neighbours, seen along n.
@@ -89,6 +90,9 @@ class FeatureContacts {
       return;
     }
     const double gap = (on_a - on_b).dot(n);
+    // Of deep edges each must be in the other body.
+    if (gap < -kShallow && (b_.shape->distance(on_a) > 0 || a_.shape->distance(X_AB_ * on_b) > 0))
+      return;
     least_ = std::min(least_, gap);
     if (gap <= margin_) add_point(on_a, on_b, n, FeatureKind::kEdges, i, j);
   }
@@ -113,16 +117,6 @@ class FeatureContacts {
   double deepest_ = 0;
 };
 
-/// How deep one body is in the other where their surfaces are apart: that of one corner; 0: apart.
-double depth_within(const CollisionPart& a, const CollisionPart& b, const Pose<double>& X_BA) {
-  double depth = 0;
-  if (!a.polyhedron->corners.empty())
-    depth = std::max(depth, -b.shape->distance(X_BA * a.polyhedron->corners.front().p));
-  if (!b.polyhedron->corners.empty())
-    depth = std::max(depth, -a.shape->distance(X_BA.inverse() * b.polyhedron->corners.front().p));
-  return depth;
-}
-
 }  // namespace
 
 double polyhedron_on_polyhedron(const CollisionPart& a, const CollisionPart& b,
@@ -132,26 +126,18 @@ double polyhedron_on_polyhedron(const CollisionPart& a, const CollisionPart& b,
   const std::size_t first = points.size();
   double moved = near.found ? motion_bound(a.ball, near.X_BA, X_BA) : 0;
   double reach = margin + kReach;
-  bool fresh = false;
+  bool fresh = !near.found || moved + margin > near.reach;
   for (;;) {
-    // What may touch, anew if the bodies have moved too far or lie deeper than was looked.
-    if (!near.found || moved + margin > near.reach || fresh) {
+    // What may touch, anew if the bodies have moved too far or edges lie deeper than was looked.
+    if (fresh) {
       find_near(*a.polyhedron, *b.polyhedron, X_BA, reach, near);
+      add_deep_corners(*a.polyhedron, X_BA, *b.shape, reach, near.corners_a);
+      add_deep_corners(*b.polyhedron, X_BA.inverse(), *a.shape, reach, near.corners_b);
       moved = 0;
-      fresh = false;
-      if (near.corners_a.empty() && near.corners_b.empty() && near.edges.empty()) {
-        const double depth = depth_within(a, b, X_BA);
-        if (depth > 0 && reach < 2 * depth + margin) {
-          reach = 2 * depth + margin;
-          fresh = true;
-          continue;
-        }
-      }
     }
     FeatureContacts contacts(a, b, X_BA, margin, points);
-    const double least = contacts.add(near);
-    const double deepest = contacts.deepest();
-    if (-2 * deepest <= near.reach - moved || near.reach > 4 * (a.ball.r + b.ball.r)) {
+    const double least = contacts.add(near), deepest = contacts.deepest();
+    if (-2 * deepest <= near.reach - moved || near.reach > 2 * std::min(a.ball.r, b.ball.r)) {
       memory.overlapped = deepest < 0;
       // Nothing else is nearer than what was looked for.
       return std::min(least, near.reach - moved);

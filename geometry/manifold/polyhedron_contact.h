@@ -11,15 +11,16 @@ namespace thenar::internal {
 /// Points of two polyhedra, both ways: corners of A by their distance from B's shape, corners of B
 /// by theirs from A's, and edges that cross. Each is a local contact:
 ///   a corner, if no edge leads from it more than 30 degrees down towards the other body;
-///   two edges, if their common normal lies between the normals of the faces at both, within 0.1.
+///   two edges, if their common normal lies between the normals of the faces at both, within 0.1,
+///   and, where they are deeper than 0.2 mm, if each has its point in the other body.
 /// Which features may count is found by trees of balls and kept while the motion allows
 /// (NearFeatures); where the bodies overlap deeply the reach grows until it exceeds the depth
 /// twice. So every local minimum of the distance and every corner of an overlap is a point, and
 /// points move with the features.
 ///
 /// Fails: a corner that is deeper in B than B's nearest other face is pushed out of the other face.
-/// Two edges that are parallel and cross no face have their corners alone. A body that holds the
-/// other one wholly is seen by one corner of it.
+/// Two edges that are parallel and cross no face have their corners alone. A body deep within
+/// another is slow, as all its corners are.
 double polyhedron_on_polyhedron(const CollisionPart& a, const CollisionPart& b,
                                 const Pose<double>& X_BA, double margin, PartMemory& memory,
                                 std::vector<ManifoldPoint>& points);

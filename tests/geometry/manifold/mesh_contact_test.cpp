@@ -76,9 +76,9 @@ TEST(MeshContact, LeastGapIsTheDistanceOfMeshes) {
     const SampleBody& b = i % 5 == 3 ? ball : mug;
     const Pose<double> X = approached(a, b, rng, 4e-4);
     // Tapered capsules are tessellated as A.
-    const double exact = i % 5 == 4 ? signed_distance(collision_tree(b.solid), {}, a.solid, X,
-                                                      {1e-9}).distance
-                                    : distance_both_ways(a, X, b, {});
+    const double exact =
+        i % 5 == 4 ? signed_distance(collision_tree(b.solid), {}, a.solid, X, {1e-9}).distance
+                   : distance_both_ways(a, X, b, {});
     if (exact < 1e-5 || exact > 9e-4) continue;
     ++apart;
     CollisionPair pair(a.body, b.body);
@@ -116,8 +116,7 @@ TEST(MeshContact, FingerInTheCavityOfTheMugIsNotPenetrating) {
   for (const SampleBody* a : {&finger, &skin}) {
     CollisionPair pair(a->body, mug.body);
     EXPECT_TRUE(pair.update(placed(0, 0, 0.06), {}, 1e-3).empty());
-    const ContactManifold& manifold =
-        pair.update(placed(-inner + 0.008 + 3e-4, 0, 0.06), {}, 1e-3);
+    const ContactManifold& manifold = pair.update(placed(-inner + 0.008 + 3e-4, 0, 0.06), {}, 1e-3);
     ASSERT_FALSE(manifold.empty());
     for (const ManifoldPoint& point : manifold) {
       EXPECT_GT(point.gap, 0);
@@ -167,7 +166,8 @@ TEST(MeshContact, CrossedPlanksOfTrianglesTouchWhereTheirEdgesCross) {
 
 // A small body wholly within a solid one, far from its surface.
 TEST(MeshContact, BodyWithinAnotherIsDeep) {
-  const SampleBody small = mesh_body(ball_mesh(0.004, 8, 12)), large = mesh_body(box_mesh({0.1, 0.1, 0.1}));
+  const SampleBody small = mesh_body(ball_mesh(0.004, 8, 12)),
+                   large = mesh_body(box_mesh({0.1, 0.1, 0.1}));
   CollisionPair pair(small.body, large.body), other(large.body, small.body);
   const double least = least_gap(pair.update(placed(0, 0, 0.03), {}, 1e-4));
   EXPECT_NEAR(least, -0.024, 1e-3);
