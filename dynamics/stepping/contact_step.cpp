@@ -13,8 +13,6 @@ using Kind = ActiveContact::Kind;
 
 constexpr double kNoSlip = 1e-9;  // slower is sticking [m/s], [rad/s]
 
-constexpr double kTolerance = 1e-11;  // of ContactResidual::natural [1]
-constexpr double kRounding = 1e-14;   // the same, as far as it can be hoped for
 
 bool is_scalar(JointKind kind) { return kind == JointKind::kHinge || kind == JointKind::kSlide; }
 
@@ -283,8 +281,8 @@ struct ContactStep::Parts {
   /// Solves, moves the speeds, and writes impulses, velocities and modes into the list.
   void solve(std::vector<ActiveContact>& list, SceneState& state, StepOutcome& outcome) {
     warm_start(list);
-    const ContactSolution& answer = solved(problem);
-    outcome.solved = answer.residual.natural <= kTolerance;
+    const ContactSolution& answer = solver.solve(problem, start);
+    outcome.solved = answer.status == Status::kSolved;
     outcome.residual = answer.residual.natural;
     change.noalias() = J * answer.f;
     mass.solve(model, change);
@@ -294,20 +292,6 @@ struct ContactStep::Parts {
       read(answer, at, problem.blocks[k], list[k]);
       at += rows_of(problem.blocks[k].law);
     }
-  }
-
-  /// Impulses to rounding if some Newton steps from the last ones get there: what remains of a
-  /// residual adds up to slip. Else to the tolerance, by all means.
-  const ContactSolution& solved(const ContactProblem& contacts) {
-    ContactSolverOptions quick;
-    quick.method = ContactMethod::kNewton;
-    quick.tolerance = kRounding;
-    quick.max_newton_steps = 6;
-    const ContactSolution& answer = solver.solve(contacts, start, quick);
-    if (answer.residual.natural <= kTolerance) return answer;
-    ContactSolverOptions thorough;
-    thorough.tolerance = kTolerance;
-    return solver.solve(contacts, start, thorough);
   }
 
   static void read(const ContactSolution& answer, int at, const ContactBlock& block,

@@ -119,22 +119,42 @@ class Simulation {
   // ---- steps of fixed length
 
   void run_fixed() {
-    StepOutcome outcome;
     std::vector<ActiveContact> last;
     sample({}, 0);
-    const long steps = std::lround(options_.seconds / options_.step);
+    const long steps = std::max(1L, std::lround(options_.seconds / options_.step));
+    const double h = options_.seconds / static_cast<double>(steps);
     for (long i = 0; i < steps; ++i) {
-      step_.time_step(state_, options_.step, last, options_.recovery, outcome);
-      state_.t = options_.step * static_cast<double>(i + 1);
-      count(outcome);
+      const double part = fixed_step(h, last);
+      state_.t = h * static_cast<double>(i + 1);
       ++run_.cost.steps;
-      for (const ActiveContact& contact : outcome.active)
+      for (const ActiveContact& contact : last)
         if (i > 0 && contact.kind == Kind::kContact)
           run_.cost.deepest = std::max(run_.cost.deepest, -contact.gap);
-      if (state_.t >= next_sample_ - 0.5 * options_.step || i + 1 == steps)
-        sample(outcome.active, options_.step);
+      if (state_.t >= next_sample_ - 0.5 * h || i + 1 == steps) sample(last, part);
       if (!go_on()) return;
-      std::swap(last, outcome.active);
+    }
+  }
+
+  /// One step, in as many equal parts as it takes for nothing to go through something thin.
+  /// @param last  contacts of the step before, then of this one
+  /// @return the length of a part [s]
+  double fixed_step(double h, std::vector<ActiveContact>& last) {
+    const SceneState before = state_;
+    const std::vector<ActiveContact> start = last;
+    for (int parts = 1;; parts *= 2) {
+      const double part = h / parts;
+      double motion = 0;
+      for (int i = 0; i < parts; ++i) {
+        const SceneState from = state_;
+        step_.time_step(state_, part, last, options_.recovery, outcome_);
+        count(outcome_);
+        std::swap(last, outcome_.active);
+        motion = std::max(motion, step_.motion_between(from, state_, last));
+      }
+      if (motion <= 1 || part <= options_.shortest || !is_finite()) return part;
+      ++run_.cost.rejected;
+      state_ = before;
+      last = start;
     }
   }
 

@@ -15,7 +15,7 @@ namespace thenar {
 /// How time goes on.
 enum class SteppingMethod {
   kEvents,       // extrapolated steps between events, their length by an error estimate
-  kTimeStepping  // steps of a fixed length, events within them
+  kTimeStepping  // midpoint steps of a fixed length, events within them, no bounces
 };
 
 /// "events", "time-stepping".
@@ -93,6 +93,10 @@ struct [[nodiscard]] SceneRun {
 /// column is taken if it differs from the one before by no more than the tolerance; where a gap
 /// closes, the step is cut at that instant, and an impact ends the approach. Otherwise the step is
 /// halved. Source: [Deuflhard1983] for extrapolation of one-step methods.
+///
+/// kTimeStepping: ContactStep::time_step(). Either way a step is divided where surfaces would move
+/// farther than the thinner body is thick (ContactStep::motion_between), so that nothing goes through
+/// something unseen.
 ///
 /// The same scene and options give the same bits.
 /// @param progress  told the time reached; a step is not interrupted
