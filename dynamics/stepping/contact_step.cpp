@@ -13,7 +13,6 @@ using Kind = ActiveContact::Kind;
 
 constexpr double kNoSlip = 1e-9;  // slower is sticking [m/s], [rad/s]
 
-
 bool is_scalar(JointKind kind) { return kind == JointKind::kHinge || kind == JointKind::kSlide; }
 
 /// Notes a contact that was not closed before.
@@ -294,21 +293,25 @@ struct ContactStep::Parts {
     }
   }
 
+  /// Modes are those of the motion: of redundant contacts some may have no force, and which ones is
+  /// chance.
   static void read(const ContactSolution& answer, int at, const ContactBlock& block,
                    ActiveContact& contact) {
     const double f = answer.f[at];
     contact.approach = answer.u[at];
     contact.slip = 0;
+    if (contact.kind == Kind::kJointFriction) {
+      contact.impulse = {f, 0, 0};
+      contact.mode =
+          std::abs(contact.approach) > kNoSlip ? ContactMode::kSlide : ContactMode::kStick;
+      return;
+    }
+    contact.mode = contact.approach > kNoSlip ? ContactMode::kOpen : ContactMode::kStick;
     if (contact.kind != Kind::kContact) {
       contact.impulse = {f, 0, 0};
-      contact.mode = f != 0 ? ContactMode::kStick : ContactMode::kOpen;
-      if (block.law == ContactLaw::kBox)
-        contact.mode =
-            std::abs(contact.approach) > kNoSlip ? ContactMode::kSlide : ContactMode::kStick;
       return;
     }
     contact.impulse = f * contact.normal;
-    contact.mode = f > 0 ? ContactMode::kStick : ContactMode::kOpen;
     if (block.law == ContactLaw::kUnilateral) return;
     const Tangents sides = tangents(contact.normal);
     contact.impulse += answer.f[at + 1] * sides.e1 + answer.f[at + 2] * sides.e2;
@@ -318,7 +321,8 @@ struct ContactStep::Parts {
       contact.torsion = answer.f[at + 3];
       spin = block.torsion_radius * std::abs(answer.u[at + 3]);
     }
-    if (f > 0 && std::max(contact.slip, spin) > kNoSlip) contact.mode = ContactMode::kSlide;
+    if (contact.mode == ContactMode::kStick && std::max(contact.slip, spin) > kNoSlip)
+      contact.mode = ContactMode::kSlide;
   }
 
   /// Largest speed of a point of a collision body, after place(), if the speeds were v [m/s].
@@ -371,8 +375,13 @@ void ContactStep::find(const SceneState& state, double margin, std::vector<Activ
 void ContactStep::substep(SceneState& state, double h, const std::vector<ActiveContact>& closed,
                           double touch, StepOutcome& outcome) {
   Parts& p = *parts_;
+  outcome.active.clear();
   advance(p.scene.mechanism, p.model.layout, state.v, h, state.q);
   state.t += h;
+  if (!state.q.allFinite()) {
+    state.v.setConstant(std::numeric_limits<double>::quiet_NaN());
+    return;
+  }
   p.place(state);
   p.find(state, touch + 1e-4, p.found);
   // Contacts that were closed act on; the others only tell how deep they are.
@@ -408,8 +417,13 @@ void ContactStep::time_step(SceneState& state, double h, const std::vector<Activ
                             double recovery, StepOutcome& outcome) {
   Parts& p = *parts_;
   const MechanismLayout& layout = p.model.layout;
+  outcome.active.clear();
   advance(p.scene.mechanism, layout, state.v, 0.5 * h, state.q);
   state.t += 0.5 * h;
+  if (!state.q.allFinite()) {
+    state.v.setConstant(std::numeric_limits<double>::quiet_NaN());
+    return;
+  }
   p.place(state);
   p.load(state);
   outcome.solved = p.free_velocity(state, h);

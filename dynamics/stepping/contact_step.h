@@ -22,11 +22,11 @@ struct SceneState {
   Eigen::VectorXd v;  // speeds (v)
 };
 
-/// What a contact or a joint limit does during a step.
+/// What a contact or a joint limit does during a step: its motion, whether it has a force or not.
 enum class ContactMode {
-  kOpen,   // no force
-  kStick,  // force, no slip
-  kSlide   // force and slip
+  kOpen,   // it opens
+  kStick,  // it neither opens nor slips
+  kSlide   // it slips
 };
 
 /// A contact point of two bodies, a joint limit, or the dry friction of a joint.

@@ -15,6 +15,7 @@ using Kind = ActiveContact::Kind;
 
 constexpr int kMaxColumns = 8;
 constexpr double kRest = 1e-11;     // slower is at rest [m/s], [rad/s]
+constexpr double kHorizon = 0.01;   // over which an error of speeds counts in smooth steps [s]
 constexpr double kLook = 1e-4;      // gaps that are looked at [m]
 constexpr double kApproach = 1e-7;  // slower approaches are not impacts [m/s], [rad/s]
 
@@ -182,9 +183,21 @@ class Simulation {
 
   /// Keeps what touches of all that was found at the state, and ends its approach.
   void touch_and_bounce() {
-    found_.erase(std::remove_if(found_.begin(), found_.end(),
-                                [&](const ActiveContact& c) { return c.gap > options_.touch; }),
-                 found_.end());
+    // What has a force and was not found may come back: manifolds choose among their points.
+    lost_.clear();
+    for (const ActiveContact& old : closed_)
+      if (old.mode != ContactMode::kOpen &&
+          std::none_of(found_.begin(), found_.end(),
+                       [&](const ActiveContact& c) { return c.same(old); }))
+        lost_.push_back(old);
+    // Contacts with a force stay closed, though their gap may be a little wide.
+    const auto is_open = [&](const ActiveContact& contact) {
+      return contact.gap > options_.touch &&
+             std::none_of(closed_.begin(), closed_.end(), [&](const ActiveContact& c) {
+               return c.mode != ContactMode::kOpen && c.same(contact);
+             });
+    };
+    found_.erase(std::remove_if(found_.begin(), found_.end(), is_open), found_.end());
     // Contacts that go on keep their modes, and their impulses start the next solution.
     bool all_known = true;
     for (ActiveContact& contact : found_) {
@@ -210,6 +223,14 @@ class Simulation {
       ++run_.cost.impacts;
     }
     if (approaches || !all_known) settle_modes();
+    // What leaves is free: if it comes back, its gap will close anew.
+    closed_.erase(std::remove_if(closed_.begin(), closed_.end(),
+                                 [&](const ActiveContact& c) {
+                                   return c.mode == ContactMode::kOpen && c.approach > kApproach &&
+                                          c.gap > -options_.touch;
+                                 }),
+                  closed_.end());
+    closed_.insert(closed_.end(), lost_.begin(), lost_.end());
   }
 
   /// What contacts do next, by a step that is as short as can be.
@@ -240,6 +261,7 @@ class Simulation {
     while (true) {
       try_step(length);
       const StepTrial& trial = table_[static_cast<std::size_t>(result_)];
+      if (!std::isfinite(trial.error) && length <= options_.shortest) return give_up();
       if (trial.closes < 0 && (trial.error <= 1 || length <= options_.shortest)) break;
       ++run_.cost.rejected;
       if (trial.closes >= 0 && trial.closes > options_.shortest) {
@@ -247,13 +269,12 @@ class Simulation {
         length = std::min(trial.closes, 0.999999 * length);
       } else if (trial.closes >= 0 && length <= options_.shortest) {
         break;  // as near as time is resolved
-      } else if (trial.smooth) {
+      } else if (trial.smooth && std::isfinite(trial.error)) {
         length *= std::clamp(0.9 * std::pow(trial.error, -1.0 / trial.order), 0.1, 0.9);
       } else {
         length *= 0.5;
       }
       length = std::max(length, options_.shortest);
-      if (!std::isfinite(trial.error)) return give_up();
     }
     // A step that is as short as can be was not inspected.
     if (!inspected_) step_.find(table_[static_cast<std::size_t>(result_)].state, kLook, found_);
@@ -316,21 +337,10 @@ class Simulation {
       step_.find(state_, kLook, found_);
     }
     touch_and_bounce();
-    keep_pressed(pressed);
     for (const ActiveContact& contact : closed_)
       if (contact.kind == Kind::kContact)
         run_.cost.deepest = std::max(run_.cost.deepest, -contact.gap);
     return worst;
-  }
-
-  /// Contacts with a force stay closed, though their gap may be a little wide.
-  void keep_pressed(const std::vector<ActiveContact>& kept) {
-    for (const ActiveContact& old : kept) {
-      if (old.mode == ContactMode::kOpen) continue;
-      const bool there = std::any_of(closed_.begin(), closed_.end(),
-                                     [&](const ActiveContact& c) { return c.same(old); });
-      if (!there) closed_.push_back(old);
-    }
   }
 
   [[nodiscard]] double next_stop_after(double t) const {
@@ -360,7 +370,7 @@ class Simulation {
     last.order = smooth ? options_.columns : 2;
     if (!smooth) {
       last.error =
-          difference(last.state, table_[static_cast<std::size_t>(options_.columns - 2)].state);
+          difference(last.state, table_[static_cast<std::size_t>(options_.columns - 2)].state, 1);
     } else {
       extrapolate();
     }
@@ -407,9 +417,10 @@ class Simulation {
     }
   }
 
-  /// Largest difference of two states over the tolerance.
-  [[nodiscard]] double difference(const SceneState& a, const SceneState& b) const {
-    return std::max((a.q - b.q).cwiseAbs().maxCoeff(), 0.01 * (a.v - b.v).cwiseAbs().maxCoeff()) /
+  /// Largest difference of two states over the tolerance. @param horizon  of speeds [s]
+  [[nodiscard]] double difference(const SceneState& a, const SceneState& b, double horizon) const {
+    return std::max((a.q - b.q).cwiseAbs().maxCoeff(),
+                    horizon * (a.v - b.v).cwiseAbs().maxCoeff()) /
            options_.tolerance;
   }
 
@@ -428,7 +439,8 @@ class Simulation {
     }
     // The order before stands one row above.
     StepTrial& last = table_[static_cast<std::size_t>(columns - 1)];
-    last.error = difference(last.state, table_[static_cast<std::size_t>(columns - 2)].state);
+    last.error =
+        difference(last.state, table_[static_cast<std::size_t>(columns - 2)].state, kHorizon);
     step_.normalise(last.state.q);
   }
 
@@ -443,7 +455,11 @@ class Simulation {
     trial.h = length;
     trial.state = state_;
     const FreeStep::Error error = free_.step(step_, length, trial.state);
-    trial.error = std::max(error.q, 0.01 * error.v) / options_.tolerance;
+    trial.error = std::max(error.q, kHorizon * error.v) / options_.tolerance;
+    if (!trial.state.q.allFinite() || !trial.state.v.allFinite()) {
+      trial.error = std::numeric_limits<double>::infinity();
+      return;
+    }
     run_.cost.substeps += static_cast<long>(FreeStep::kStages);
     inspect(length, trial);
   }
@@ -469,7 +485,7 @@ class Simulation {
   SceneState state_;
   SceneRun run_;
   double next_sample_ = 0;
-  std::vector<ActiveContact> closed_, found_;  // what touches, with impulses over last_h_
+  std::vector<ActiveContact> lost_, closed_, found_;  // what touches, with impulses over last_h_
   double last_h_ = 0;
   bool inspected_ = false;  // found_ belongs to the trial
   int asleep_ = 0;

@@ -95,8 +95,8 @@ struct [[nodiscard]] SceneRun {
 /// halved. Source: [Deuflhard1983] for extrapolation of one-step methods.
 ///
 /// kTimeStepping: ContactStep::time_step(). Either way a step is divided where surfaces would move
-/// farther than the thinner body is thick (ContactStep::motion_between), so that nothing goes through
-/// something unseen.
+/// farther than the thinner body is thick (ContactStep::motion_between), so that nothing goes
+/// through something unseen.
 ///
 /// The same scene and options give the same bits.
 /// @param progress  told the time reached; a step is not interrupted
