@@ -27,6 +27,7 @@ class ContactNewton {
   void assign(const ScaledContacts& contacts);
 
   /// One step from f, u to a new f and  u = A f + b.
+  /// @param proximal  what is added to the diagonal of A, which is 1; at least 1e-10 is [1]
   /// @returns false, with f unspoilt, where the linear system has no answer
   [[nodiscard]] bool step(const ScaledContacts& contacts, double proximal,
                           Eigen::Ref<Eigen::VectorXd> f, Eigen::Ref<Eigen::VectorXd> u);

@@ -21,10 +21,10 @@ struct PyramidProblem {
 ///   0 <= beta_k _|_  d_k . ut + lambda >= 0
 ///   0 <= lambda _|_  mu fn - sum beta_k >= 0
 /// and a soft finger's ball a polyhedron, with m directions on the equator and on each circle of
-/// latitude in steps of 2 pi / m, and both poles. Bilateral impulses are differences of two
-/// unknowns; boxes have a multiplier for their upper end. The polygon lies within the disc: it
-/// loses up to 1 - cos(pi / m) of friction between its corners, and slip may be aside from the
-/// friction force by pi / m.
+/// latitude in steps of 2 pi / m, and both poles if m divides by 4. Bilateral impulses are
+/// differences of two unknowns; boxes have a multiplier for their upper end. The polygon lies
+/// within the disc: it loses up to 1 - cos(pi / m) of friction between its corners, and slip may be
+/// aside from the friction force by pi / m.
 /// @param edges  m, even and at least 4
 /// Source: [StewartTrinkle1996], [AnitescuPotra1997].
 [[nodiscard]] PyramidProblem friction_pyramids(const ScaledContacts& contacts, int edges);
