@@ -143,7 +143,7 @@ class LemkeTableau {
 
 /// z of a basis from M and q alone; the tableau's where that is better.
 VectorXd refined(const LinearComplementarity& problem, const LemkeTableau& tableau) {
-  const VectorXd rough = tableau.z();
+  VectorXd rough = tableau.z();
   const std::vector<Index> basic = tableau.basic_z();
   if (basic.empty()) return rough;
   const MatrixXd sub = problem.M(basic, basic);

@@ -112,18 +112,8 @@ void InteriorContact::start(const ScaledContacts& contacts, const Ref<const Vect
   }
 }
 
-/// Impulses, velocities, what the equations miss, and tau.
-void InteriorContact::measure(const ScaledContacts& contacts) {
-  const Index n = contacts.rows();
-  for (const Cone& cone : cones_) {
-    f_(cone.start) = cone.x(0) / cone.mu;
-    for (int k = 1; k < cone.rows; ++k) f_(cone.start + k) = cone.x(k);
-  }
-  for (const Interval& interval : intervals_) f_(interval.start) = interval.f;
-  u_.head(n).noalias() = contacts.A() * f_.head(n);
-  u_.head(n) += contacts.b();
-
-  // tau first: it smooths |y_t|.
+/// tau: the mean of x' y of cones and of multiplier times gap of ends.
+double InteriorContact::mean_complementarity() const {
   double sum = 0;
   int count = 0;
   for (const Cone& cone : cones_) {
@@ -136,7 +126,22 @@ void InteriorContact::measure(const ScaledContacts& contacts) {
     if (interval.has_upper()) sum += interval.high * (interval.upper - interval.f);
     count += (interval.has_lower() ? 1 : 0) + (interval.has_upper() ? 1 : 0);
   }
-  tau_ = count > 0 ? sum / count : 0;
+  return count > 0 ? sum / count : 0;
+}
+
+/// Impulses, velocities, what the equations miss, and tau.
+void InteriorContact::measure(const ScaledContacts& contacts) {
+  const Index n = contacts.rows();
+  for (const Cone& cone : cones_) {
+    f_(cone.start) = cone.x(0) / cone.mu;
+    for (int k = 1; k < cone.rows; ++k) f_(cone.start + k) = cone.x(k);
+  }
+  for (const Interval& interval : intervals_) f_(interval.start) = interval.f;
+  u_.head(n).noalias() = contacts.A() * f_.head(n);
+  u_.head(n) += contacts.b();
+
+  // tau first: it smooths |y_t|.
+  tau_ = mean_complementarity();
   smooth_ = tau_ / contacts.scale();
 
   missing_ = 0;

@@ -53,6 +53,7 @@ class InteriorContact {
   [[nodiscard]] static Eigen::Vector4d times_scaling(const Cone& cone, const Eigen::Vector4d& u);
   void start(const ScaledContacts& contacts, const Eigen::Ref<const Eigen::VectorXd>& f);
   [[nodiscard]] Eigen::Vector3d slope(const Cone& cone) const;  // of |y_t|
+  [[nodiscard]] double mean_complementarity() const;
   void measure(const ScaledContacts& contacts);
   void scale_cones();
   [[nodiscard]] bool factor(const ScaledContacts& contacts);

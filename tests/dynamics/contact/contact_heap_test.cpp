@@ -15,7 +15,8 @@ std::size_t allocations = 0;
 // Eigen asks malloc, and operator new does. Sanitizers have a malloc of their own.
 #ifndef __SANITIZE_ADDRESS__
 extern "C" {
-void* __libc_malloc(std::size_t size);  // NOLINT(bugprone-reserved-identifier)
+// NOLINTNEXTLINE(bugprone-reserved-identifier,readability-identifier-naming)
+void* __libc_malloc(std::size_t size);
 void* malloc(std::size_t size) {
   ++allocations;
   return __libc_malloc(size);
