@@ -18,6 +18,14 @@ ExperimentPlan plan_of(const NetTendons& tendons, const Experiment& experiment) 
   return plan_experiment(tendons.digit(), choose_parameters(tendons.digit(), {}, {}), experiment);
 }
 
+std::string loading_name(const TendonDigit& digit, const std::string& posture, const VectorXd& t) {
+  std::string name = posture;
+  for (Eigen::Index m = 0; m < t.size(); ++m)
+    if (t(m) > 0)
+      name += fmt::format(" {}={:.3g}", digit.names.muscles[static_cast<std::size_t>(m)], t(m));
+  return name;
+}
+
 TendonTest test_of(const NetTendons& tendons, const ExperimentPlan& plan, int posture,
                    const VectorXd& t) {
   const TendonModel<double>& model = tendons.digit().model;
@@ -25,9 +33,8 @@ TendonTest test_of(const NetTendons& tendons, const ExperimentPlan& plan, int po
   TendonTest test;
   test.q = plan.postures[static_cast<std::size_t>(posture)];
   test.tension = tendons.drive(t);
-  test.name = plan.posture_names[static_cast<std::size_t>(posture)];
-  for (Eigen::Index m = 0; m < t.size(); ++m)
-    if (t(m) > 0) test.name += fmt::format(" {}={:.3g}", tendons.digit().names.muscles[m], t(m));
+  test.name =
+      loading_name(tendons.digit(), plan.posture_names[static_cast<std::size_t>(posture)], t);
 
   // The net at rest; what its bands do not explain of the torque belongs to the tendons outside.
   test.start = start_from_straight(tendons, test.q, t);
@@ -39,14 +46,33 @@ TendonTest test_of(const NetTendons& tendons, const ExperimentPlan& plan, int po
   return test;
 }
 
-/// Largest tension of each muscle that pulls the net, 0 for others (muscles).
-VectorXd largest_loads(const NetTendons& tendons, const ExperimentPlan& plan) {
-  VectorXd largest =
-      VectorXd::Zero(static_cast<Eigen::Index>(tendons.digit().names.muscles.size()));
-  for (const VectorXd& t : plan.tension)
-    for (const MuscleAttachment& pull : tendons.net().pulls)
+/// Largest loads of the muscles that pull the net: all together, each alone, and in pairs [N]
+/// (muscles).
+/// @param tension  of every trial (muscles)
+std::vector<VectorXd> possible_loads(const BuiltNet& net, const std::vector<VectorXd>& tension) {
+  VectorXd largest = VectorXd::Zero(tension.front().size());
+  for (const VectorXd& t : tension)
+    for (const MuscleAttachment& pull : net.pulls)
       largest(pull.muscle) = std::max(largest(pull.muscle), t(pull.muscle));
-  return largest;
+  std::vector<VectorXd> loads{largest};
+  for (Eigen::Index a = 0; a < largest.size(); ++a)
+    for (Eigen::Index b = a; b < largest.size(); ++b) {
+      if (largest(a) <= 0 || largest(b) <= 0) continue;
+      loads.emplace_back(VectorXd::Zero(largest.size()));
+      loads.back()(a) = largest(a);
+      loads.back()(b) = largest(b);
+    }
+  return loads;
+}
+
+/// Tension of each of the digit's muscles in a trial [N] (muscles).
+VectorXd tensions_of(const TendonDigit& digit, const Trial& trial) {
+  const std::vector<std::string>& names = digit.names.muscles;
+  VectorXd t = VectorXd::Zero(static_cast<Eigen::Index>(names.size()));
+  for (std::size_t m = 0; m < names.size(); ++m)
+    if (const auto at = trial.tension.find(names[m]); at != trial.tension.end())
+      t(static_cast<Eigen::Index>(m)) = at->second;
+  return t;
 }
 
 }  // namespace
@@ -95,23 +121,34 @@ std::vector<TendonRecord> net_records(const NetTendons& tendons, const Experimen
 }
 
 std::vector<TendonTest> possible_tests(const NetTendons& tendons, const Experiment& experiment) {
-  // Largest loads: all together, each alone, and in pairs.
   const ExperimentPlan plan = plan_of(tendons, experiment);
-  const VectorXd largest = largest_loads(tendons, plan);
-  std::vector<VectorXd> loads{largest};
-  for (Eigen::Index a = 0; a < largest.size(); ++a)
-    for (Eigen::Index b = a; b < largest.size(); ++b) {
-      if (largest(a) <= 0 || largest(b) <= 0) continue;
-      loads.emplace_back(VectorXd::Zero(largest.size()));
-      loads.back()(a) = largest(a);
-      loads.back()(b) = largest(b);
-    }
-
+  const std::vector<VectorXd> loads = possible_loads(tendons.net(), plan.tension);
   // Each of them in every posture.
   std::vector<TendonTest> tests;
   for (int p = 0; p < static_cast<int>(plan.postures.size()); ++p)
     for (const VectorXd& t : loads) tests.push_back(test_of(tendons, plan, p, t));
   return tests;
+}
+
+std::vector<Trial> possible_trials(const TendonDigit& digit, const Experiment& experiment) {
+  require(digit.net != nullptr, "trials for bands are wanted of a digit without a net");
+  std::vector<VectorXd> measured;
+  for (const Trial& trial : experiment.trials) measured.push_back(tensions_of(digit, trial));
+  // Each load in every posture.
+  std::vector<Trial> trials;
+  for (const PostureRecord& posture : experiment.postures)
+    for (const VectorXd& t : possible_loads(*digit.net, measured)) {
+      Trial trial;
+      trial.posture = posture.name;
+      for (Eigen::Index m = 0; m < t.size(); ++m)
+        if (t(m) > 0) trial.tension[digit.names.muscles[static_cast<std::size_t>(m)]] = t(m);
+      trials.push_back(std::move(trial));
+    }
+  return trials;
+}
+
+std::string trial_name(const TendonDigit& digit, const Trial& trial) {
+  return loading_name(digit, trial.posture, tensions_of(digit, trial));
 }
 
 }  // namespace thenar

@@ -31,4 +31,12 @@ namespace thenar {
 [[nodiscard]] std::vector<TendonTest> possible_tests(const NetTendons& tendons,
                                                      const Experiment& experiment);
 
+/// The same as trials without a reading, for any model of the net.
+/// @param digit  with a net
+[[nodiscard]] std::vector<Trial> possible_trials(const TendonDigit& digit,
+                                                 const Experiment& experiment);
+
+/// Posture and tensions of a trial [N]: "MinorFlex EDC=3.28 RI=5.32", muscles in the digit's order.
+[[nodiscard]] std::string trial_name(const TendonDigit& digit, const Trial& trial);
+
 }  // namespace thenar

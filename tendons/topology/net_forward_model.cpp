@@ -12,19 +12,6 @@ namespace {
 
 constexpr double kCollapsedLength = 1e-3;  // a muscle shorter than this has drawn its node in [m]
 
-/// Whether every muscle is held up by the net.
-bool holds(const Net& net, const NetEquilibrium& rest) {
-  // Balanced, or nearly so.
-  const bool still = rest.status == NetStatus::kBalanced ||
-                     (rest.status == NetStatus::kStalled && rest.residual < kSettledNet);
-  if (!still || !rest.x.allFinite()) return false;
-  // A muscle that has collapsed its node is not held.
-  for (std::size_t b = 0; b < net.bands.size(); ++b)
-    if (net.bands[b].muscle >= 0 && rest.length(static_cast<Eigen::Index>(b)) < kCollapsedLength)
-      return false;
-  return true;
-}
-
 /// Candidates that exist, each with its place among the bands of net_of().
 std::vector<std::pair<int, int>> places_of(const CandidateNet& candidate,
                                            const Eigen::VectorXd& EA) {
@@ -45,6 +32,18 @@ std::vector<std::pair<int, int>> places_of(const CandidateNet& candidate,
 
 }  // namespace
 
+bool carries_loads(const Net& net, const NetEquilibrium& rest) {
+  // Balanced, or nearly so.
+  const bool still = rest.status == NetStatus::kBalanced ||
+                     (rest.status == NetStatus::kStalled && rest.residual < kSettledNet);
+  if (!still || !rest.x.allFinite()) return false;
+  // A muscle that has collapsed its node is not held.
+  for (std::size_t b = 0; b < net.bands.size(); ++b)
+    if (net.bands[b].muscle >= 0 && rest.length(static_cast<Eigen::Index>(b)) < kCollapsedLength)
+      return false;
+  return true;
+}
+
 NetForwardModel::NetForwardModel(CandidateNet candidate, const std::vector<TendonTest>& tests)
     : candidate_(std::move(candidate)) {
   check_candidates(candidate_);
@@ -58,8 +57,9 @@ void NetForwardModel::add(const TendonTest& test) {
   const NetEquilibrium rest =
       NetSolver(candidate_.net)
           .solve(posed.state, {test.tension, {}}, test.start.cols() ? &test.start : nullptr);
-  require(holds(candidate_.net, rest), "test {}: net {} with all its bands does not come to rest",
-          test.name, candidate_.net.name);
+  require(carries_loads(candidate_.net, rest),
+          "test {}: net {} with all its bands does not come to rest", test.name,
+          candidate_.net.name);
   posed.x = rest.x;
   tests_.push_back(std::move(posed));
 }
@@ -98,7 +98,7 @@ NetPrediction NetForwardModel::predict(const Eigen::VectorXd& EA, Sensitivities 
     const NetEquilibrium rest =
         solver.solve(posed.state, {posed.test.tension, {}}, warm ? &near->rest[place] : &posed.x);
     ++solves_;
-    if (!holds(net, rest)) return out;
+    if (!carries_loads(net, rest)) return out;
     out.residual = std::max(out.residual, rest.residual);
     // Torque of the net and of all else, mapped to the reading.
     const Eigen::Index n = posed.test.map.rows();
