@@ -7,12 +7,16 @@
 
 #include <fmt/format.h>
 
+#include "api/fit.h"
 #include "api/named/data_folders.h"
 #include "api/named/digits.h"
 #include "api/named/files.h"
 #include "base/error.h"
 #include "base/nearest_name.h"
+#include "base/progress_parts.h"
+#include "kinematics_fit/fit_residuals.h"
 #include "kinematics_fit/hoods/net_records.h"
+#include "tendons/net/build_net.h"
 #include "tendons/net/build_tendons.h"
 #include "tendons/net/net_tendons.h"
 #include "tendons/topology/select_bands.h"
@@ -36,11 +40,12 @@ struct InferenceCase {
   MeasurementNoise noise;
 };
 
-std::vector<BandEnds> ends_of(const CandidateNet& candidate) {
+/// Ends of bands by their names.
+std::vector<BandEnds> ends_of(const Net& net, const std::vector<std::string>& bands) {
   std::vector<BandEnds> ends;
-  const std::vector<NetNode>& nodes = candidate.net.nodes;
-  for (const CandidateBand& each : candidate.candidates) {
-    const NetBand& band = candidate.net.bands[static_cast<std::size_t>(each.band)];
+  const std::vector<NetNode>& nodes = net.nodes;
+  for (const std::string& name : bands) {
+    const NetBand& band = net.bands[static_cast<std::size_t>(band_named(net, name))];
     ends.push_back({nodes[static_cast<std::size_t>(band.a)].name,
                     nodes[static_cast<std::size_t>(band.b)].name});
   }
@@ -71,7 +76,7 @@ InferenceCase read_case(const InferNetRequest& request, NetInference& answer) {
   answer.subject = subject.name;
   answer.net = at.candidate.net.name;
   answer.fidelity = netted.digit().fidelity;
-  answer.ends = ends_of(at.candidate);
+  answer.ends = ends_of(at.candidate.net, candidate_names(at.candidate));
   answer.sources = {forces, person, bands};
   return at;
 }
@@ -118,6 +123,92 @@ void infer_by_search(const InferenceCase& at, const InferNetRequest& request,
   answer.stop = found.stop;
 }
 
+/// Settings that also free what is asked for by words; what a digit has not is no error.
+std::string with_freed(std::string settings, const std::vector<std::string>& globs) {
+  for (const std::string& glob : globs)
+    settings += fmt::format(
+        "\n[[parameter]]\nmatch = \"{}\"\noptional = \"yes\"\nstate = \"free\"\n", glob);
+  return settings;
+}
+
+/// The fit with all bands, and the bands in question.
+BandProblems free_problems(const InferNetRequest& request, NetInference& answer) {
+  FitSources sources;
+  sources.experiments = {request.experiment};
+  sources.subject = request.subject;
+  sources.settings = request.settings;
+  sources.net = request.net;
+  sources.data = request.data;
+  FitInputs inputs = read_fit_inputs(sources);
+  answer.sources = sources_of(inputs);
+  // Words become rows of the settings; globs must match, as in a fit.
+  std::vector<std::string> words;
+  for (const std::string& freed : request.free) {
+    const std::vector<std::string> globs = freed_by(freed);
+    std::vector<std::string>& to =
+        globs.size() == 1 && globs[0] == freed ? inputs.also_free : words;
+    to.insert(to.end(), globs.begin(), globs.end());
+  }
+  inputs.settings.text = with_freed(std::move(inputs.settings.text), words);
+  FitProblem all = build_problem(inputs);
+  std::vector<std::string> bands = bands_matching(all.digit().net->net, request.bands);
+  // What the answer is of.
+  answer.experiment = all.experiments().front().name;
+  answer.subject = parse_subject(inputs.subject.text, inputs.subject.path).name;
+  answer.net = all.digit().net->net.name;
+  answer.fidelity = all.digit().fidelity;
+  answer.ends = ends_of(all.digit().net->net, bands);
+  answer.free = FreeInference{
+      request.free, inputs.settings.path, all.size(), measured_numbers(all), {}, {}, 0, 0};
+  return {std::move(all), parse_fit_settings(inputs.settings.text, inputs.settings.path),
+          inputs.also_free, std::move(bands)};
+}
+
+/// What not to trust of probabilities, a sentence each.
+std::vector<std::string> doubts_of(const BandPosterior& posterior) {
+  constexpr double kMisfit = 1.3;  // errors per noise beyond which probabilities are too sure [1]
+  std::vector<std::string> doubts, open;
+  for (const BandBelief& band : posterior.bands)
+    if (band.doubtful) open.push_back(band.name);
+  if (posterior.noise > kMisfit)
+    doubts.push_back(
+        fmt::format("the best set's errors are {:.1f} times the stated noise: probabilities are "
+                    "surer than they should be",
+                    posterior.noise));
+  if (!open.empty())
+    doubts.push_back(fmt::format(
+        "the integral behind these probabilities is doubtful (a parameter at its bound, too few "
+        "draws that count, or a fit that did not converge): {}",
+        listed(open)));
+  return doubts;
+}
+
+void infer_free(const InferNetRequest& request, const Progress& progress, NetInference& answer) {
+  require(request.method == InferMethod::kSparse,
+          "--method explore holds slack lengths and paths; leave out --free or the method");
+  const BandProblems problems = free_problems(request, answer);
+  ProgressParts parts(progress, 1);
+  std::mt19937 random(request.seed);
+  BandPosteriorOptions options = request.sets;
+  options.evidence.seed = request.seed;
+  FreeInference& free = *answer.free;
+  free.posterior = band_posterior(problems, random, options, parts.next(0.95));
+  if (!free.posterior.found) return;
+  answer.warnings = doubts_of(free.posterior);
+  if (progress.stop()) return;
+  // What to measure next.
+  const FitProblem& all = problems.all();
+  const std::vector<RankedTrial> ranked =
+      rank_trials(problems, free.posterior, possible_trials(all.digit(), all.experiments().front()),
+                  parts.next(0.05));
+  free.pool = ranked.size();
+  for (const RankedTrial& trial : ranked)
+    free.next_mean += trial.information / static_cast<double>(ranked.size());
+  const auto most = static_cast<std::size_t>(std::max(request.propose, 0));
+  free.next.assign(ranked.begin(),
+                   ranked.begin() + static_cast<std::ptrdiff_t>(std::min(most, ranked.size())));
+}
+
 /// What not to trust of the fits behind the verdicts, a sentence each.
 std::vector<std::string> doubts_of(const InferredNet& inferred) {
   std::vector<std::string> doubts, open;
@@ -140,6 +231,15 @@ InferMethod infer_method_named(const std::string& name) {
   return name == "sparse" ? InferMethod::kSparse : InferMethod::kExplore;
 }
 
+std::vector<std::string> freed_by(const std::string& word) {
+  if (word == "slack") return {"net/*/slack"};
+  if (word == "stiffness") return {"net/*stiffness"};
+  if (word == "paths") return {"path/*", "net/*/radial"};
+  require(word.find('/') != std::string::npos,
+          "free must be slack, paths, stiffness, or a glob on names of parameters, got '{}'", word);
+  return {word};
+}
+
 std::string name_of(InferMethod method) {
   return method == InferMethod::kSparse ? "sparse" : "explore";
 }
@@ -149,6 +249,13 @@ NetInference infer_net(const InferNetRequest& request, const Progress& progress)
   answer.method = request.method;
   answer.seed = request.seed;
   progress(0, "tests");
+  if (!request.free.empty()) {
+    infer_free(request, progress, answer);
+    answer.stopped = progress.stop();
+    return answer;
+  }
+  require(request.bands.empty() && request.settings.empty(),
+          "bands in question and settings are of an inference that frees something");
   const InferenceCase at = read_case(request, answer);
   if (request.method == InferMethod::kSparse)
     infer_by_selection(at, request.propose, progress, answer);

@@ -10,6 +10,7 @@
 #include "base/fidelity.h"
 #include "base/progress.h"
 #include "kinematics_fit/fit.h"
+#include "kinematics_fit/hoods/rank_trials.h"
 #include "tendons/topology/search_nets.h"
 
 namespace thenar {
@@ -34,7 +35,18 @@ struct InferNetRequest {
   InferMethod method = InferMethod::kSparse;
   unsigned seed = 1;  // of kExplore
   int propose = 3;    // tests to propose, at most
+  // Not empty: what else may explain the forces, beside everything that the settings of a fit free.
+  // "slack", "paths", "stiffness", or globs on names of parameters as of `thenar fit --free`. Bands
+  // then get probabilities by band_posterior(), and `method` and `path` are not used.
+  std::vector<std::string> free = {};
+  std::string settings = {};            // with `free`: file, or name of fits/; empty: the digit's
+  std::vector<std::string> bands = {};  // with `free`: globs on bands in question; empty: all
+  BandPosteriorOptions sets = {};       // with `free`
 };
+
+/// Globs on parameter names that a word of InferNetRequest::free stands for; the text itself where
+/// it is a glob. @throws InputError if it is neither.
+[[nodiscard]] std::vector<std::string> freed_by(const std::string& word);
 
 /// Where a candidate band runs.
 struct BandEnds {
@@ -47,19 +59,33 @@ struct ProposedTest {
   double disagreement = 0;  // of nets that fit alike, mean squared, in sds of a reading [1]
 };
 
+/// What was inferred with slack lengths, paths and the like free.
+struct FreeInference {
+  std::vector<std::string> freed;  // as asked
+  std::string settings;            // path of the settings
+  int parameters = 0;              // free, with all bands
+  int numbers = 0;                 // measured force components
+  BandPosterior posterior;
+  std::vector<RankedTrial> next;  // the most telling first, at most `propose`
+  double next_mean = 0;           // information of a trial of the pool on average [bit]
+  std::size_t pool = 0;           // trials that were ranked
+};
+
 /// What was inferred.
 struct [[nodiscard]] NetInference {
   std::string experiment, subject, net;  // names
   InferMethod method = InferMethod::kSparse;
   unsigned seed = 1;
-  Fidelity fidelity;                  // of the digit
-  InferredNet inferred;               // read inferred.found first
-  std::vector<BandEnds> ends;         // of each of inferred.verdicts
-  std::vector<ProposedTest> next;     // the most telling first
-  std::optional<NetSearchStop> stop;  // why the search ended; absent: kSparse does not search
-  bool stopped = false;               // on request: verdicts of what was tried up to then
-  std::vector<SourceText> sources;    // experiment, subject, net
-  std::vector<std::string> warnings;  // what not to trust of the fits behind the verdicts
+  Fidelity fidelity;                       // of the digit
+  InferredNet inferred;                    // read inferred.found first
+  std::vector<BandEnds> ends;              // of each of inferred.verdicts
+  std::vector<ProposedTest> next;          // the most telling first
+  std::optional<NetSearchStop> stop;       // why the search ended; absent: kSparse does not search
+  bool stopped = false;                    // on request: verdicts of what was tried up to then
+  std::vector<SourceText> sources;         // experiment, subject, net
+  std::vector<std::string> warnings;       // what not to trust of the fits behind the verdicts
+  std::optional<FreeInference> free = {};  // where something was freed: then `inferred`, `next` and
+                                           // `stop` are empty, and `ends` are those of free's bands
 };
 
 /// Fits the nets that candidate bands can form to all trials in which a muscle pulls the net, and

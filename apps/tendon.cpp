@@ -114,12 +114,25 @@ void add_infer(CLI::App& tendon) {
   command->add_option("--method", options->method,
                       "sparse: all bands at once, at a price; explore: a search among nets");
   command->add_option("--propose", request.propose, "Tests to propose, at most");
-  command->add_option("--seed", request.seed, "Of --method explore");
+  command->add_option("--seed", request.seed, "Of --method explore, and of what --free samples");
+  command->add_option(
+      "--free", request.free,
+      "slack, paths, stiffness or globs as of `thenar fit --free`: what may explain "
+      "the forces in place of a band; bands then get probabilities");
+  command->add_option("--bands", request.bands,
+                      "With --free: bands in question, globs; default all");
+  command->add_option("--settings", request.settings,
+                      "With --free: settings with all priors, as of `thenar fit`; name or file");
+  command->add_option("--sweeps", request.sets.sweeps,
+                      "With --free and more than 7 bands: how often the sampling asks for each");
   add_data_option(*command, request.data);
   add_output_options(*command, options->outputs, {true, true, true});
-  add_examples(*command,
-               {"tendon infer synek2019_H01 --subject synek2019_middle --net chao_an --propose 2",
-                "tendon infer synek2019_H02 --subject synek2019_middle -o bands.html"});
+  add_examples(
+      *command,
+      {"tendon infer synek2019_H01 --subject synek2019_middle --net chao_an --propose 2",
+       "tendon infer synek2019_H02 --subject synek2019_middle -o bands.html",
+       "tendon infer synek2019_H01 --subject an_chao_middle --net extensor_hood --free slack "
+       "paths --bands 'sagittal*' 'transverse*' triangular"});
   command->callback([options] { run_infer(*options); });
 }
 

@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include "base/nearest_name.h"
+#include "report/answers/free_inference.h"
 
 namespace thenar {
 namespace {
@@ -77,6 +78,7 @@ std::vector<std::string> groups_in_words(const InferredNet& inferred) {
 }
 
 std::string text_of(const NetInference& inference) {
+  if (inference.free) return text_of_free(inference);
   std::string text = fmt::format("Which bands of net {} do the forces of {} need? (subject {})\n\n",
                                  inference.net, inference.experiment, inference.subject);
   for (const std::string& line : fit_in_words(inference)) text += line + "\n";
@@ -94,6 +96,7 @@ std::string text_of(const NetInference& inference) {
 }
 
 OrderedJson json_of(const NetInference& inference) {
+  if (inference.free) return json_of_free(inference);
   const InferredNet& net = inference.inferred;
   OrderedJson bands = OrderedJson::array(), next = bands, groups = bands;
   // Bands.
@@ -136,6 +139,7 @@ OrderedJson json_of(const NetInference& inference) {
 }
 
 Table table_of(const NetInference& inference) {
+  if (inference.free) return table_of_free(inference);
   Table table{{"band", "from", "to", "verdict", "evidence", "EA_N", "sd_of_log_EA", "converged"},
               {}};
   for (std::size_t k = 0; k < inference.inferred.verdicts.size(); ++k) {
@@ -149,7 +153,7 @@ Table table_of(const NetInference& inference) {
 }
 
 std::string refusal_of(const NetInference& inference) {
-  if (inference.inferred.found) return "";
+  if (inference.free ? inference.free->posterior.found : inference.inferred.found) return "";
   return fmt::format("no set of bands of net {} carries the loads of {}", inference.net,
                      inference.experiment);
 }

@@ -1,7 +1,8 @@
 #include <cmath>
 
-#include <fmt/format.h>
+#include <fmt/ranges.h>
 
+#include "report/answers/free_inference.h"
 #include "report/answers/tendon_infer.h"
 #include "report/pages/tendons.h"
 #include "report/provenance.h"
@@ -49,6 +50,50 @@ Json next_block(const NetInference& inference) {
                      {{"posture and tensions", "N"}, {"disagreement", "", 2}}, rows);
 }
 
+Json belief_block(const NetInference& inference) {
+  Json rows = Json::array();
+  for (std::size_t k = 0; k < inference.free->posterior.bands.size(); ++k) {
+    const BandBelief& band = inference.free->posterior.bands[k];
+    const auto number = [](double value) { return std::isfinite(value) ? Json(value) : Json("-"); };
+    rows.push_back({band.name, inference.ends[k].from, inference.ends[k].to, verdict_words(band),
+                    probability_words(band), number(band.log_odds), number(band.misfit_change),
+                    band.tension, slack_words(band), band.doubtful ? "doubtful" : ""});
+  }
+  Json table = table_block(
+      "Every band in question. From probability 0.95 it exists, below 0.05 it does not. Log Bayes "
+      "factor: for the band, all that is free averaged out. Chi-square: how much worse the best "
+      "set "
+      "without the band explains the forces than the best with it. Slack length with its posterior "
+      "sd, in the best set that has the band. Doubtful: nothing vouches for the approximation.",
+      {{"band", ""},
+       {"from", ""},
+       {"to", ""},
+       {"exists", ""},
+       {"probability", ""},
+       {"log Bayes factor", "", 1},
+       {"chi-square without", "", 1},
+       {"largest tension", "N", 2},
+       {"slack length", "mm"},
+       {"doubtful", ""}},
+      rows);
+  table["search"] = true;
+  return table;
+}
+
+Json next_free_block(const FreeInference& free) {
+  Json rows = Json::array();
+  for (const RankedTrial& trial : free.next)
+    rows.push_back(
+        {trial.name, trial.information, trial.slack, trial.most_told, trial.of_most_told});
+  return table_block("What to measure next. " + next_in_words(free),
+                     {{"posture and tensions", "N"},
+                      {"about the sets", "bit", 3},
+                      {"about slack lengths", "bit", 3},
+                      {"tells most of", ""},
+                      {"of it", "bit", 3}},
+                     rows);
+}
+
 Json doubts_block(const std::vector<std::string>& warnings) {
   return {{"type", "banner"},
           {"ok", false},
@@ -64,13 +109,18 @@ Json page_of(const NetInference& inference) {
       inference.method == InferMethod::kSparse
           ? name_of(inference.method)
           : fmt::format("{}, seed {}", name_of(inference.method), inference.seed);
+  if (inference.free)
+    provenance["method"] =
+        fmt::format("{} free, seed {}", fmt::join(inference.free->freed, ", "), inference.seed);
   std::string text;
-  for (const std::string& line : fit_in_words(inference)) text += line + " ";
+  for (const std::string& line :
+       inference.free ? posterior_in_words(*inference.free) : fit_in_words(inference))
+    text += line + " ";
   for (const std::string& line : groups_in_words(inference.inferred)) text += line + " ";
   Json blocks = Json::array();
   if (!inference.warnings.empty()) blocks.push_back(doubts_block(inference.warnings));
-  blocks.push_back(verdict_block(inference));
-  blocks.push_back(next_block(inference));
+  blocks.push_back(inference.free ? belief_block(inference) : verdict_block(inference));
+  blocks.push_back(inference.free ? next_free_block(*inference.free) : next_block(inference));
   return {
       {"title", fmt::format("Bands of the extensor hood: net {}", inference.net)},
       {"subtitle", fmt::format("from the fingertip forces of {}, subject {}", inference.experiment,

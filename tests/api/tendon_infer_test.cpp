@@ -2,6 +2,8 @@
 
 #include "api/tendon_infer.h"
 
+#include <cmath>
+
 #include <gtest/gtest.h>
 
 #include "tests/data_folder.h"
@@ -51,6 +53,41 @@ TEST(InferNet, SaysThatItWasStopped) {
   Progress progress;
   progress.stop_requested = [] { return true; };
   EXPECT_TRUE(infer_net(measured_finger(), progress).stopped);
+}
+
+TEST(InferNet, KnowsWhatWordsFree) {
+  EXPECT_EQ(freed_by("slack"), std::vector<std::string>{"net/*/slack"});
+  EXPECT_EQ(freed_by("net/DIP_dorsum/radius"), std::vector<std::string>{"net/DIP_dorsum/radius"});
+  EXPECT_NE(message_of([] { (void)freed_by("slacks"); }).find("got 'slacks'"), std::string::npos);
+}
+
+TEST(InferNet, NeedsSomethingFreeForBandsInQuestion) {
+  InferNetRequest request = measured_finger();
+  request.bands = {"terminal"};
+  EXPECT_NE(message_of([&] { (void)infer_net(request); }).find("frees something"),
+            std::string::npos);
+}
+
+// One band of measured forces, with a small budget of draws.
+TEST(InferNet, GivesProbabilitiesWithSlackLengthsFree) {
+  InferNetRequest request = measured_finger();
+  request.subject = "an_chao_middle";
+  request.net = "extensor_hood";
+  request.free = {"net/triangular/slack"};
+  request.bands = {"triangular"};
+  request.propose = 2;
+  request.sets.evidence.draws = 8;
+  const NetInference inference = infer_net(request);
+  ASSERT_TRUE(inference.free && inference.free->posterior.found);
+  EXPECT_EQ(inference.ends.size(), 1U);
+  EXPECT_EQ(inference.sources.size(), 4U);  // settings too
+  EXPECT_EQ(inference.free->numbers, 72);
+  const BandBelief& band = inference.free->posterior.bands[0];
+  ASSERT_TRUE(band.slack);
+  EXPECT_NEAR(band.slack->prior_sd / band.slack->length, std::hypot(0.01, 0.01), 1e-3);
+  ASSERT_EQ(inference.free->next.size(), 2U);
+  EXPECT_GE(inference.free->next[0].information, inference.free->next[1].information);
+  EXPECT_GT(inference.free->pool, 20U);
 }
 
 }  // namespace

@@ -690,6 +690,16 @@ class Tendon(Near):
         self.assertEqual(promises, sorted(promises, reverse=True))
         self.assertLessEqual(len(promises), 2)
 
+    def test_infers_bands_with_slack_lengths_free(self):
+        answer = ask("tendon", "infer", H01, "--subject", "an_chao_middle", "--net", "extensor_hood",
+                     "--free", "net/triangular/slack", "--bands", "triangular", "--propose", 1)
+        band, = answer["bands"]
+        self.assertEqual(band["band"], "triangular")
+        self.assertTrue(0 <= band["probability"] <= 1)
+        self.assertGreater(band["slack"]["prior_sd_mm"], 0)
+        self.assertTrue(answer["all_sets"])
+        self.assertEqual(len(answer["next_tests"]), 1)
+
     def test_interrupted_inference_says_what_it_has(self):
         words = ["tendon", "infer", H01, "--subject", SYNEK, "--method", "explore", "--json"]
         with subprocess.Popen([PROGRAM, *words], stdout=subprocess.PIPE, stderr=subprocess.PIPE,

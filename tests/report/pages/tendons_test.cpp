@@ -72,5 +72,22 @@ TEST(InferencePage, BeginsWithDoubts) {
   EXPECT_EQ(first()["type"], "banner");
 }
 
+TEST(InferencePage, ShowsProbabilitiesWhereSomethingIsFree) {
+  NetInference inference;
+  inference.ends = {{"a", "b"}};
+  FreeInference free;
+  free.freed = {"slack"};
+  BandBelief band;
+  band.name = "central";
+  band.probability = 0.97;
+  band.verdict = Verdict::kYes;
+  free.posterior.bands = {band};
+  free.posterior.sets.resize(1);
+  inference.free = free;
+  const Json page = page_of(inference);
+  EXPECT_EQ(page["provenance"]["method"], "slack free, seed 1");
+  EXPECT_EQ(page["sections"][0]["blocks"][0]["rows"][0][4], "0.970");
+}
+
 }  // namespace
 }  // namespace thenar
