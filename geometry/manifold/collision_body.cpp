@@ -66,12 +66,12 @@ CollisionPart primitive_part(const ShapeSpec& spec, const TriangleMesh& core) {
     case ShapeKind::kEllipsoid:
       part.form = PartForm::kSmooth;
       part.half = size;
+      part.is_ellipsoid = true;
       part.shape = build_ellipsoid(size);
       break;
     case ShapeKind::kSuperellipsoid:
       part.form = PartForm::kSmooth;
       part.half = size;
-      part.exponents = spec.exponents;
       part.shape = build_superellipsoid(size, spec.exponents);
       break;
     case ShapeKind::kMesh:

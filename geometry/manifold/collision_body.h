@@ -32,10 +32,10 @@ struct CollisionPart {
   Ball ball{};          // holds the part, in its frame
 
   // Sizes, in the part's frame, about its origin.
-  double half_length = 0;           // of kRound: balls stand at z = -half_length, +half_length [m]
-  std::array<double, 2> radius{};   // of kRound: of the lower and the upper ball [m]
-  Eigen::Vector3d half{0, 0, 0};    // of kBox, kCylinder (r, r, height / 2), kSmooth [m] (3)
-  Eigen::Vector2d exponents{1, 1};  // of kSmooth, as of ShapeSpec [1] (2)
+  double half_length = 0;          // of kRound: balls stand at z = -half_length, +half_length [m]
+  std::array<double, 2> radius{};  // of kRound: of the lower and the upper ball [m]
+  Eigen::Vector3d half{0, 0, 0};   // of kBox, kCylinder (r, r, height / 2), kSmooth [m] (3)
+  bool is_ellipsoid = false;       // of kSmooth; false: a superellipsoid
 
   std::shared_ptr<const Shape> shape;            // distance, in the part's frame
   std::shared_ptr<const Polyhedron> polyhedron;  // all but kRound: its surface, perhaps tessellated

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "geometry/manifold/box_contact.h"
+#include "geometry/manifold/curved_contact.h"
 #include "geometry/manifold/polyhedron_contact.h"
 #include "geometry/manifold/round_contact.h"
 
@@ -41,6 +42,34 @@ double find_flipped(const CollisionPart& a, const CollisionPart& b, const Pose<d
   return bound;
 }
 
+/// A box A and a cylinder B: over a face, else as polyhedra.
+double cylinder_on_box(const CollisionPart& box, const CollisionPart& cylinder,
+                       const Pose<double>& X_BA, double margin, PartMemory& memory,
+                       std::vector<ManifoldPoint>& points) {
+  const std::size_t first = points.size();
+  const internal::CylinderOnFace found =
+      internal::cylinder_on_face(cylinder, box, X_BA.inverse(), margin, memory, points);
+  internal::flip_points(points, first, X_BA);
+  if (found.valid) return found.bound;
+  return internal::polyhedron_on_polyhedron(box, cylinder, X_BA, margin, memory, points);
+}
+
+/// A convex solid and an ellipsoid, which of the two may be; else as polyhedra.
+double ellipsoid_on_solid(const CollisionPart& a, const CollisionPart& b, const Pose<double>& X_BA,
+                          double margin, PartMemory& memory, std::vector<ManifoldPoint>& points) {
+  double bound = 0;
+  if (a.is_ellipsoid) {
+    if (internal::ellipsoid_on_convex(a, b, X_BA, margin, memory, points, bound)) return bound;
+  } else {
+    const std::size_t first = points.size();
+    const bool found =
+        internal::ellipsoid_on_convex(b, a, X_BA.inverse(), margin, memory, points, bound);
+    internal::flip_points(points, first, X_BA);
+    if (found) return bound;
+  }
+  return internal::polyhedron_on_polyhedron(a, b, X_BA, margin, memory, points);
+}
+
 }  // namespace
 
 double find_points(const CollisionPart& a, const CollisionPart& b, const Pose<double>& X_BA,
@@ -55,6 +84,11 @@ double find_points(const CollisionPart& a, const CollisionPart& b, const Pose<do
     return internal::box_on_box(a, b, X_BA, margin, memory, points);
   if (a.form == PartForm::kRound)
     return internal::round_on_polyhedron(a, b, X_BA, margin, memory, points);
+  // Cylinders and ellipsoids on convex solids; where that fails as polyhedra.
+  if (a.form == PartForm::kBox && b.form == PartForm::kCylinder)
+    return cylinder_on_box(a, b, X_BA, margin, memory, points);
+  if (b.form != PartForm::kPolyhedron && (a.is_ellipsoid || b.is_ellipsoid))
+    return ellipsoid_on_solid(a, b, X_BA, margin, memory, points);
   return internal::polyhedron_on_polyhedron(a, b, X_BA, margin, memory, points);
 }
 

@@ -10,6 +10,8 @@ namespace {
 using Eigen::Vector3d;
 
 constexpr double kReach = 1e-3;     // beyond the margin, in which features are looked for [m]
+constexpr double kMaxReach = 3e-3;  // the same for edges that lie deep [m]
+constexpr std::size_t kMany = 300;  // features from which the reach is a quarter
 constexpr double kDown = -0.5;      // sine at which an edge leads down from a corner [1]
 constexpr double kBesideArc = 0.1;  // by which a normal may miss the arc of an edge [1]
 constexpr double kShallow = 2e-4;   // depth to which edges are believed [m]
@@ -43,20 +45,32 @@ class FeatureContacts {
     for (const int i : near.corners_a) add_corner_a(i);
     for (const int i : near.corners_b) add_corner_b(i);
     for (const auto& pair : near.edges) add_edges(pair[0], pair[1]);
+    // Bodies that overlap without a local contact are pushed apart at their deepest corner.
+    if (deepest_ == 0 && covered_.distance < 0)
+      add_point(covered_.on_a, covered_.on_b, covered_.n, FeatureKind::kWitness, 0, 0);
     return least_;
   }
 
   [[nodiscard]] double deepest() const { return deepest_; }
 
  private:
+  /// A corner of either body as a contact.
+  struct Corner {
+    Vector3d on_a{0, 0, 0}, on_b{0, 0, 0}, n{0, 0, 1};
+    double distance = 0;
+  };
+
   void add_corner_a(int i) {
     const PolyhedronCorner& corner = a_.polyhedron->corners[static_cast<std::size_t>(i)];
     const Vector3d p = X_BA_ * corner.p;
     const NearestSurface seen = b_.shape->nearest(p);
     least_ = std::min(least_, seen.distance);
     if (seen.distance > margin_) return;
-    if (!is_lowest(*a_.polyhedron, corner, X_AB_.R * seen.normal)) return;
-    add_point(p, p - seen.distance * seen.normal, seen.normal, FeatureKind::kVertexA, i, 0);
+    const Corner deep{p, p - seen.distance * seen.normal, seen.normal, seen.distance};
+    if (is_lowest(*a_.polyhedron, corner, X_AB_.R * seen.normal))
+      add_point(deep.on_a, deep.on_b, deep.n, FeatureKind::kVertexA, i, 0);
+    else if (deep.distance < covered_.distance)
+      covered_ = deep;
   }
 
   void add_corner_b(int i) {
@@ -66,8 +80,11 @@ class FeatureContacts {
     least_ = std::min(least_, seen.distance);
     if (seen.distance > margin_) return;
     const Vector3d n = X_BA_.R * seen.normal;
-    if (!is_lowest(*b_.polyhedron, corner, n)) return;
-    add_point(corner.p - seen.distance * n, corner.p, -n, FeatureKind::kVertexB, i, 0);
+    const Corner deep{corner.p - seen.distance * n, corner.p, -n, seen.distance};
+    if (is_lowest(*b_.polyhedron, corner, n))
+      add_point(deep.on_a, deep.on_b, deep.n, FeatureKind::kVertexB, i, 0);
+    else if (deep.distance < covered_.distance)
+      covered_ = deep;
   }
 
   void add_edges(int i, int j) {
@@ -115,6 +132,7 @@ class FeatureContacts {
   std::vector<ManifoldPoint>& points_;
   double least_ = std::numeric_limits<double>::infinity();
   double deepest_ = 0;
+  Corner covered_{};  // the deepest that is not lowest
 };
 
 }  // namespace
@@ -125,7 +143,8 @@ double polyhedron_on_polyhedron(const CollisionPart& a, const CollisionPart& b,
   NearFeatures& near = memory.near;
   const std::size_t first = points.size();
   double moved = near.found ? motion_bound(a.ball, near.X_BA, X_BA) : 0;
-  double reach = margin + kReach;
+  const bool many = near.corners_a.size() + near.corners_b.size() + near.edges.size() > kMany;
+  double reach = margin + (many ? kReach / 4 : kReach);
   bool fresh = !near.found || moved + margin > near.reach;
   for (;;) {
     // What may touch, anew if the bodies have moved too far or edges lie deeper than was looked.
@@ -137,13 +156,13 @@ double polyhedron_on_polyhedron(const CollisionPart& a, const CollisionPart& b,
     }
     FeatureContacts contacts(a, b, X_BA, margin, points);
     const double least = contacts.add(near), deepest = contacts.deepest();
-    if (-2 * deepest <= near.reach - moved || near.reach > 2 * std::min(a.ball.r, b.ball.r)) {
+    if (-2 * deepest <= near.reach - moved || near.reach >= margin + kMaxReach) {
       memory.overlapped = deepest < 0;
       // Nothing else is nearer than what was looked for.
       return std::min(least, near.reach - moved);
     }
     points.resize(first);
-    reach = margin + kReach - 4 * deepest;
+    reach = margin + std::min(kMaxReach, kReach - 4 * deepest);
     fresh = true;
   }
 }

@@ -198,5 +198,82 @@ TEST(PrimitiveContact, ConcentricBodiesHaveADirection) {
     }
 }
 
+// An ellipsoid on whatever is convex: no point of it is nearer, and the point found is.
+TEST(PrimitiveContact, EllipsoidTouchesInItsNearestPoint) {
+  const SampleBody egg(ShapeKind::kEllipsoid, {0.03, 0.02, 0.015});
+  std::vector<SampleBody> others = sample_bodies();
+  others.emplace_back(ShapeKind::kCylinder, Eigen::Vector3d(0.02, 0.03, 0));
+  others.emplace_back(ShapeKind::kEllipsoid, Eigen::Vector3d(0.01, 0.02, 0.04));
+  const TriangleMesh& skin = egg.solid.collision[0].core;
+  std::mt19937 rng(5);
+  int tried = 0;
+  for (int i = 0; i < 300; ++i) {
+    const SampleBody& b = others[static_cast<std::size_t>(i) % others.size()];
+    const Pose<double> X_WA = drawn_pose(rng, 0.05), X_WB = drawn_pose(rng, 0.01);
+    // Brute force over the corners of a fine surface, good to 0.02 mm.
+    const Pose<double> X_BA = X_WB.inverse() * X_WA;
+    double brute = 1;
+    for (Eigen::Index k = 0; k < skin.vertices.cols(); ++k)
+      brute =
+          std::min(brute, b.solid.shape->distance(X_BA * Eigen::Vector3d(skin.vertices.col(k))));
+    if (brute < -0.004 || brute > 0.02) continue;
+    // Rims of cylinders within are taken for polygons.
+    if (brute < 0 && b.solid.parts[0].spec.kind == ShapeKind::kCylinder) continue;
+    ++tried;
+    CollisionPair pair(egg.body, b.body), other(b.body, egg.body);
+    const ContactManifold& manifold = pair.update(X_WA, X_WB, 0.021);
+    ASSERT_EQ(manifold.count, 1) << i << " brute " << brute << " on "
+                                 << name_of(b.solid.parts[0].spec.kind);
+    expect_lawful(manifold, egg, X_WA, b, X_WB, 1e-9);
+    ASSERT_NEAR(least_gap(other.update(X_WB, X_WA, 0.021)), least_gap(manifold), 1e-9);
+    // The way out of a box with an edge in the egg is longer than the egg is deep in the box.
+    ASSERT_LT(least_gap(manifold), brute + 1e-4) << i;
+    if (brute > 0) {
+      ASSERT_GT(least_gap(manifold), brute - 1e-4) << i;
+    }
+  }
+  EXPECT_GT(tried, 100);
+}
+
+TEST(PrimitiveContact, CylinderStandsOnSixPointsAndLiesOnTwo) {
+  const SampleBody can(ShapeKind::kCylinder, {0.03, 0.1, 0}),
+      table(ShapeKind::kBox, {0.6, 0.4, 0.02});
+  CollisionPair pair(can.body, table.body);
+  EXPECT_EQ(pair.update(placed(0.1, 0, 0.06), {}, 1e-4).count, 6);
+  for (const ManifoldPoint& point : pair.manifold()) EXPECT_NEAR(point.gap, 0, 1e-15);
+  const Pose<double> lying{rotation_about<double>(Eigen::Vector3d::UnitX(), kPi / 2), {0, 0, 0.04}};
+  EXPECT_EQ(pair.update(lying, {}, 1e-4).count, 2);
+  for (const ManifoldPoint& point : pair.manifold()) {
+    EXPECT_NEAR(point.gap, 0, 1e-15);
+    EXPECT_NEAR(std::abs(point.on_b.y()), 0.05, 1e-15);
+    EXPECT_NEAR(point.on_b.x(), 0, 1e-15);
+  }
+  // Tilted by 30 degrees: the lowest point of the rim, in closed form.
+  const double tilt = kPi / 6;
+  const Pose<double> tilted{rotation_about<double>(Eigen::Vector3d::UnitY(), tilt), {0, 0, 0.08}};
+  EXPECT_EQ(pair.update(tilted, {}, 0.012).count, 1);
+  EXPECT_NEAR(least_gap(pair.manifold()), 0.07 - 0.05 * std::cos(tilt) - 0.03 * std::sin(tilt),
+              1e-15);
+}
+
+// A coin that rolls on its rim: its point does not jump, and is the lowest.
+TEST(PrimitiveContact, RollingCoinKeepsItsPoint) {
+  const SampleBody coin(ShapeKind::kCylinder, {0.012, 0.002, 0}),
+      table(ShapeKind::kBox, {1, 1, 0.02});
+  CollisionPair pair(coin.body, table.body);
+  int id = -1;
+  for (int i = 0; i < 2000; ++i) {
+    const double turn = 0.005 * i, tilt = 1.2;
+    const Eigen::Matrix3d R = rotation_about<double>(Eigen::Vector3d::UnitY(), tilt) *
+                              rotation_about<double>(Eigen::Vector3d::UnitZ(), turn);
+    const double height = 0.012 * std::sin(tilt) + 0.001 * std::cos(tilt);
+    const ContactManifold& manifold = pair.update({R, {0, 0, 0.01 + height}}, {}, 1e-4);
+    ASSERT_EQ(manifold.count, 1);
+    ASSERT_NEAR(manifold.points[0].gap, 0, 1e-9);
+    if (i == 0) id = manifold.points[0].id;
+    ASSERT_EQ(manifold.points[0].id, id) << i;
+  }
+}
+
 }  // namespace
 }  // namespace thenar

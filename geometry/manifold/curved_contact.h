@@ -1,0 +1,42 @@
+#pragma once
+
+/// Contacts of cylinders on the faces of boxes, and of ellipsoids.
+
+#include <vector>
+
+#include "geometry/manifold/part_pair.h"
+
+namespace thenar::internal {
+
+/// Points of a cylinder A on a face of a box B: six points around each rim, 60 degrees apart, where
+/// they are nearer than the margin; so six of a standing cylinder, two of a lying one, one of a
+/// tilted one. They are fixed to A while it leans by less than 1e-4 rad; from 1e-3 rad on one of
+/// them is the lowest point of the rim; in between it may lag behind that by from 30 degrees to
+/// none, so that it never jumps. The gap is off by no more than 3e-5 radii.
+///
+/// @return nothing if another part of A is nearer to B than those points: one beside the face
+struct CylinderOnFace {
+  bool valid = false;
+  double bound = 0;  // of the distance [m]
+};
+CylinderOnFace cylinder_on_face(const CollisionPart& a, const CollisionPart& b,
+                                const Pose<double>& X_BA, double margin, PartMemory& memory,
+                                std::vector<ManifoldPoint>& points);
+
+/// The point of an ellipsoid A deepest in, or nearest to, a convex solid B whose distance d is in
+/// closed form: the least of d over A, both convex, where A's outward normal is opposite to the
+/// gradient n of d:
+///   x = -E^2 n / |E n|  in A's frame,   E its semi-axes.
+/// Newton's method on  n -> grad d(x(n)) - n  with differences for slopes, damped while the
+/// residual grows. The depth is the same the other way round.
+///
+/// Where an edge of a box is in A, the deepest point x is as near to two faces and has no gradient;
+/// then it is the point of the box's edges that is deepest in A.
+///
+/// @return false if it does not come to 1e-9, as where the rim of a cylinder is in A; then no point
+/// is added
+bool ellipsoid_on_convex(const CollisionPart& a, const CollisionPart& b, const Pose<double>& X_BA,
+                         double margin, PartMemory& memory, std::vector<ManifoldPoint>& points,
+                         double& bound);
+
+}  // namespace thenar::internal
