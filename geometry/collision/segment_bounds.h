@@ -58,4 +58,25 @@ class ConvexBracket {
   bool last_low_ = false;
 };
 
+/// Where a convex function is least on [0, 1], to `tolerance` of its value, by tangents from both
+/// sides.
+/// @param tangent  its value and slope at a place, as a Tangent
+template <typename Function>
+[[nodiscard]] double least_place(const Function& tangent, double tolerance) {
+  Tangent best = tangent(0.0);
+  if (best.slope >= 0) return 0;
+  const Tangent high = tangent(1.0);
+  if (high.slope <= 0) return 1;
+  ConvexBracket bracket(0, 1, best);
+  bracket.add(high);
+  if (high.value < best.value) best = high;
+  for (int i = 0; i < 60 && best.value - bracket.lower() >= tolerance; ++i) {
+    const Tangent next = tangent(bracket.next(0.5));
+    if (next.value < best.value) best = next;
+    if (next.slope == 0) break;
+    bracket.add(next);
+  }
+  return best.t;
+}
+
 }  // namespace thenar

@@ -30,8 +30,11 @@ class CollisionPair {
   /// The contacts at these poses: all points with gaps up to the margin, reduced to a few. The
   /// reference holds until the next update.
   ///
-  /// Where parts are separated the least gap is their distance, exactly for primitives; where they
-  /// overlap it is minus the least translation found that separates them.
+  /// Where bodies are apart the least gap is their distance: to rounding for spheres, capsules,
+  /// tapered capsules, boxes and meshes of any pairing (of a capsule on its side to 0.1 um), for
+  /// cylinders on a face of a box and ellipsoids on these; others are tessellated
+  /// (polyhedron_contact.h). Where they overlap it is minus a depth along the normal: the least of
+  /// all directions for boxes, the deepest ball of a capsule, the deepest corner of a mesh.
   /// @param margin  >= 0 [m]
   /// @throws InputError if a pose or the margin is not finite.
   const ContactManifold& update(const Pose<double>& X_WA, const Pose<double>& X_WB, double margin);

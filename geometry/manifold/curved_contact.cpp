@@ -15,6 +15,7 @@ using Eigen::Vector2d, Eigen::Vector3d;
 constexpr double kSector = kPi / 3;  // between points of a rim [rad]
 constexpr double kUpright = 1e-4;    // lean up to which points are fixed [rad]
 constexpr double kLeaning = 1e-3;    // lean from which one is the lowest [rad]
+constexpr double kDepth = 1e-12;     // of a depth along an edge [m]
 constexpr double kKeepFace = 1e-5;   // by which another face must be better [m]
 
 /// Which face of the box separates best: that along which the cylinder is highest.
@@ -164,25 +165,6 @@ class EllipsoidSearch {
   Pose<double> X_BA_;
 };
 
-/// The least value on an edge of a convex function with slopes, by tangents from both ends.
-template <typename Function>
-double least_place(const Function& tangent) {
-  Tangent best = tangent(0.0);
-  if (best.slope >= 0) return 0;
-  const Tangent high = tangent(1.0);
-  if (high.slope <= 0) return 1;
-  ConvexBracket bracket(0, 1, best);
-  bracket.add(high);
-  if (high.value < best.value) best = high;
-  for (int i = 0; i < 40 && best.value - bracket.lower() > 1e-12; ++i) {
-    const Tangent next = tangent(bracket.next(0.5));
-    if (next.value < best.value) best = next;
-    if (next.slope == 0) break;
-    bracket.add(next);
-  }
-  return best.t;
-}
-
 /// The point of a box's edges deepest in an ellipsoid. @return its distance, negative [m]
 double add_deepest_edge(const CollisionPart& a, const CollisionPart& b, const Pose<double>& X_BA,
                         PartMemory& memory, std::vector<ManifoldPoint>& points) {
@@ -196,10 +178,12 @@ double add_deepest_edge(const CollisionPart& a, const CollisionPart& b, const Po
     if (edge & 1) from(u) = b.half(u);
     if (edge & 2) from(v) = b.half(v);
     const Vector3d from_A = X_AB * from, way_A = 2 * b.half(k) * X_AB.R.col(k);
-    const double t = least_place([&](double at) {
-      const NearestSurface seen = a.shape->nearest(from_A + at * way_A);
-      return Tangent{at, seen.distance, seen.normal.dot(way_A)};
-    });
+    const double t = least_place(
+        [&](double at) {
+          const NearestSurface seen = a.shape->nearest(from_A + at * way_A);
+          return Tangent{at, seen.distance, seen.normal.dot(way_A)};
+        },
+        kDepth);
     const NearestSurface seen = a.shape->nearest(from_A + t * way_A);
     if (seen.distance >= best.distance) continue;
     best = seen;

@@ -176,26 +176,11 @@ ManifoldPoint ball_on_shape(const Rounds& a, const Shape& b, double t, int featu
 /// Which ball of A is nearest to B: its distance is convex along the axis.
 double nearest_ball(const Rounds& a, const Shape& b) {
   if (a.length == 0) return 0;
-  // Slope of the gap; at the ends first.
   const auto tangent = [&](double t) {
     const NearestSurface seen = b.nearest(a.at(t));
     return Tangent{t, seen.distance - a.radius(t), seen.normal.dot(a.way) - a.grow};
   };
-  Tangent low = tangent(0);
-  if (low.slope >= 0) return 0;
-  const Tangent high = tangent(1);
-  if (high.slope <= 0) return 1;
-  ConvexBracket bracket(0, 1, low);
-  bracket.add(high);
-  Tangent best = low.value < high.value ? low : high;
-  for (int i = 0; i < 60; ++i) {
-    if (best.value - bracket.lower() < 1e-12) break;
-    const Tangent next = tangent(bracket.next(0.5));
-    if (next.value < best.value) best = next;
-    if (next.slope == 0) break;
-    bracket.add(next);
-  }
-  return best.t;
+  return least_place(tangent, 1e-12);
 }
 
 }  // namespace

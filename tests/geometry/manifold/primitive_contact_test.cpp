@@ -184,6 +184,44 @@ TEST(PrimitiveContact, CapsulesSideBySideTouchAtTheEndsOfTheOverlap) {
   EXPECT_NEAR(std::abs(manifold.points[0].on_a.z() - manifold.points[1].on_a.z()), 0.02, 1e-12);
 }
 
+// Edges one above the other, in parallel: half a diagonal of each away from the middles.
+TEST(PrimitiveContact, ParallelEdgesAreAsFarApartAsTheyAre) {
+  const SampleBody box(ShapeKind::kBox, {0.02, 0.05, 0.02});
+  const Eigen::Matrix3d R = rotation_about<double>(Eigen::Vector3d::UnitY(), kPi / 4);
+  for (const double gap : {2e-4, 1e-9}) {
+    CollisionPair pair(box.body, box.body);
+    const double z = 0.02 * std::sqrt(2.0) + gap;
+    const ContactManifold& manifold = pair.update({R, {0, 0.01, z}}, {R, {0, 0, 0}}, 1e-3);
+    ASSERT_GT(manifold.count, 0);
+    EXPECT_NEAR(least_gap(manifold), gap, 1e-9);
+  }
+  // Overlapping they are pushed out along a face: by the overlap's height over the diagonal.
+  CollisionPair pair(box.body, box.body);
+  const double z = 0.02 * std::sqrt(2.0) - 1e-4;
+  EXPECT_NEAR(least_gap(pair.update({R, {0, 0.01, z}}, {R, {0, 0, 0}}, 0)), -1e-4 / std::sqrt(2.0),
+              1e-12);
+}
+
+// A dumbbell of two balls and a rod on a table: each ball touches, the rod does not.
+TEST(PrimitiveContact, UnionsTouchPartByPart) {
+  std::vector<ShapeSpec> specs(3, spec_of(ShapeKind::kSphere, {0.01, 0, 0}));
+  specs[0].X_BS.p.x() = -0.03;
+  specs[1].X_BS.p.x() = 0.03;
+  specs[2] = spec_of(ShapeKind::kCapsule, {0.004, 0.06, 0});
+  specs[2].X_BS.R = rotation_about<double>(Eigen::Vector3d::UnitY(), kPi / 2);
+  const SampleBody dumbbell(specs), table(ShapeKind::kBox, {0.6, 0.4, 0.02});
+  CollisionPair pair(dumbbell.body, table.body);
+  const ContactManifold& manifold = pair.update(placed(0, 0, 0.02), {}, 1e-4);
+  ASSERT_EQ(manifold.count, 2);
+  EXPECT_NEAR(manifold.points[0].on_b.x() + manifold.points[1].on_b.x(), 0, 1e-15);
+  EXPECT_NEAR(std::abs(manifold.points[0].on_b.x()), 0.03, 1e-15);
+  // After a jump ids start anew.
+  const int id = manifold.points[0].id;
+  pair.forget();
+  pair.update(placed(0, 0, 0.02), {}, 1e-4);
+  EXPECT_GT(pair.manifold().points[0].id, id);
+}
+
 TEST(PrimitiveContact, ConcentricBodiesHaveADirection) {
   for (const SampleBody& a : sample_bodies())
     for (const SampleBody& b : sample_bodies()) {
