@@ -12,6 +12,7 @@
 #include "geometry/manifold/collision_world.h"
 #include "geometry/tessellate.h"
 #include "grasp/closing/close_hand.h"
+#include "grasp/contact/contact_patch.h"
 
 namespace thenar {
 namespace {
@@ -146,6 +147,45 @@ void BM_MeshBallOnMug(benchmark::State& state) {
   run(state, of_mesh(surface_of_revolution(profile, 30)), of_mesh(mug_mesh()), round(0.0509, 0.05));
 }
 
+void BM_MugOnTable(benchmark::State& state) {
+  const auto mug = of_mesh(mug_mesh());
+  const double low = mug->box.min().z();
+  run(state, mug, primitive(ShapeKind::kBox, {0.6, 0.4, 0.02}),
+      sliding({0, 0, 0.01 - low - 1e-5}, Vector3d::UnitY(), 0));
+}
+
+/// Contact patches along the same way, which know nothing of the step before.
+void run_patches(benchmark::State& state, const ShapeSpec& a, const ShapeSpec& b,
+                 const std::vector<Pose<double>>& way) {
+  const CollisionTree tree = collision_tree(build_solid({a}));
+  const Solid solid = build_solid({b});
+  for (std::size_t i = 0; i < way.size(); i += 7)
+    benchmark::DoNotOptimize(contact_patches(tree, way[i], solid, {}, 0.5));
+  std::size_t i = 0;
+  for ([[maybe_unused]] auto _ : state)
+    benchmark::DoNotOptimize(contact_patches(tree, way[i++ % way.size()], solid, {}, 0.5));
+}
+ShapeSpec spec_of(ShapeKind kind, const Vector3d& size, const TriangleMesh& mesh = {}) {
+  ShapeSpec spec;
+  spec.kind = kind;
+  spec.size = size;
+  spec.mesh = mesh;
+  return spec;
+}
+void BM_PatchesOfBoxOverAnEdge(benchmark::State& state) {
+  run_patches(state, spec_of(ShapeKind::kBox, {0.04, 0.03, 0.02}),
+              spec_of(ShapeKind::kBox, {0.1, 0.08, 0.02}),
+              sliding({0.028, 0.003, 0.02 - 1e-5}, Vector3d::UnitY(), 0));
+}
+void BM_PatchesOfCapsuleOnMesh(benchmark::State& state) {
+  run_patches(state, spec_of(ShapeKind::kCapsule, {0.008, 0.03, 0}),
+              spec_of(ShapeKind::kMesh, {0, 0, 0}, vase()), round(0.046, 0.03));
+}
+void BM_PatchesOfBoxOnMug(benchmark::State& state) {
+  run_patches(state, spec_of(ShapeKind::kBox, {0.02, 0.03, 0.02}),
+              spec_of(ShapeKind::kMesh, {0, 0, 0}, mug_mesh()), round(0.0509, 0.05));
+}
+
 /// A human hand closed round the mug, which breathes by a milliradian.
 void BM_HandRoundMug(benchmark::State& state) {
   WorldRequest request;
@@ -218,6 +258,10 @@ BENCHMARK(BM_EllipsoidOnBox)->Unit(benchmark::kMicrosecond);
 BENCHMARK(BM_CapsuleOnMesh)->Unit(benchmark::kMicrosecond);
 BENCHMARK(BM_BoxOnMug)->Unit(benchmark::kMicrosecond);
 BENCHMARK(BM_MeshBallOnMug)->Unit(benchmark::kMicrosecond);
+BENCHMARK(BM_MugOnTable)->Unit(benchmark::kMicrosecond);
+BENCHMARK(BM_PatchesOfBoxOverAnEdge)->Unit(benchmark::kMicrosecond);
+BENCHMARK(BM_PatchesOfCapsuleOnMesh)->Unit(benchmark::kMicrosecond);
+BENCHMARK(BM_PatchesOfBoxOnMug)->Unit(benchmark::kMicrosecond);
 BENCHMARK(BM_HandRoundMug)->Unit(benchmark::kMicrosecond);
 
 }  // namespace

@@ -13,6 +13,7 @@ constexpr int kOfOneRegion = 6;          // points of one direction
 constexpr double kOtherRegion = 0.87;    // cosine of normals of one direction, 30 degrees [1]
 constexpr double kOnePoint = 1e-6;       // points nearer than this are one [m]
 constexpr double kSamePlace = 1e-4;      // a point that takes over is not farther than this [m]
+constexpr double kSameNormal = 0.94;     // nor has turned by more than 20 degrees [1]
 constexpr double kPreferKept = 1.3;      // how much farther kept points count [1]
 constexpr double kPreferDeepest = 1e-6;  // by which another must be nearer to be the first [m]
 
@@ -103,7 +104,7 @@ void ManifoldMemory::name(const Pose<double>& X_WA, const Pose<double>& X_WB, do
     int from = -1;
     for (int k = 0; k < count_; ++k) {
       const auto at = static_cast<std::size_t>(k);
-      if (taken[at]) continue;
+      if (taken[at] || last_[at].n.dot(X_BW.R * point.normal) < kSameNormal) continue;
       const double way = std::min((last_[at].on_a - on_a).norm(), (last_[at].on_b - on_b).norm());
       if (way < nearest) nearest = way, from = k;
     }
@@ -133,8 +134,9 @@ void ManifoldMemory::keep(std::vector<ManifoldPoint>& points, const Pose<double>
   count_ = manifold.count;
   for (int i = 0; i < count_; ++i) {
     const ManifoldPoint& point = manifold.points[static_cast<std::size_t>(i)];
-    last_[static_cast<std::size_t>(i)] = {X_AW * point.on_a, X_BW * point.on_b, point.feature,
-                                          point.id, point.age};
+    last_[static_cast<std::size_t>(i)] = {
+        X_AW * point.on_a, X_BW * point.on_b, X_BW.R * point.normal,
+        point.feature,     point.id,          point.age};
   }
 }
 

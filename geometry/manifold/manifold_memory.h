@@ -22,7 +22,8 @@ namespace thenar {
 /// 1 um of each other are one.
 ///
 /// A point takes over the id of the last point of the same feature; else of the nearest last point
-/// that is left, if as seen from one of the bodies it is within twice the motion and 0.1 mm of it.
+/// that is left, if as seen from one of the bodies it is within twice the motion and 0.1 mm of it
+/// and their normals are within 20 degrees of each other.
 class ManifoldMemory {
  public:
   /// @param points  with gaps up to the margin, in world; they are reordered
@@ -35,6 +36,7 @@ class ManifoldMemory {
  private:
   struct Remembered {
     Eigen::Vector3d on_a, on_b;  // in the frames of A and B [m] (3)
+    Eigen::Vector3d n;           // the normal, in B's frame (3)
     std::uint64_t feature;
     int id, age;
   };
