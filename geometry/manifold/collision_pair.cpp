@@ -41,7 +41,7 @@ const ContactManifold& CollisionPair::update(const Pose<double>& X_WA, const Pos
     const CollisionPart& b = b_->parts[static_cast<std::size_t>(pair.b)];
     const Pose<double> X = b.X_BP.inverse() * X_BA * a.X_BP;
     if (memory.seen) {
-      const double left = memory.bound - motion_bound(a.ball, memory.X_BA, X);
+      const double left = memory.bound - motion_bound(a.ball, b.ball, memory.X_BA, X);
       if (left > margin) {
         bound_ = std::min(bound_, left);
         continue;
@@ -68,7 +68,7 @@ const ContactManifold& CollisionPair::update(const Pose<double>& X_WA, const Pos
     }
   }
   // The way since the last update, for ids.
-  const double motion = seen_ ? motion_bound(a_->ball, X_BA_, X_BA) : 0;
+  const double motion = seen_ ? motion_bound(a_->ball, b_->ball, X_BA_, X_BA) : 0;
   X_BA_ = X_BA;
   seen_ = true;
   memory_.keep(candidates_, X_WA, X_WB, motion, margin, manifold_);

@@ -47,6 +47,13 @@ class PairSearch {
     // The larger node gives way to its children.
     const bool leaf_a = a.triangle >= 0, leaf_b = b.triangle >= 0;
     if (leaf_a && leaf_b) return add_faces(a, b);
+    // Of a large face the triangle tells more than its ball.
+    if (leaf_a && !ball_near_face(X_AB_ * b.ball.c, b.ball.r + reach_,
+                                  a_.faces[static_cast<std::size_t>(a.triangle)]))
+      return;
+    if (leaf_b && !ball_near_face(X_BA_ * a.ball.c, a.ball.r + reach_,
+                                  b_.faces[static_cast<std::size_t>(b.triangle)]))
+      return;
     if (!leaf_a && (leaf_b || a.ball.r > b.ball.r)) {
       near_.stack.push_back({a.left, node_b});
       near_.stack.push_back({a.right, node_b});

@@ -1,5 +1,6 @@
 #include "geometry/manifold/part_pair.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "geometry/manifold/box_contact.h"
@@ -25,10 +26,15 @@ void flip_points(std::vector<ManifoldPoint>& points, std::size_t first, const Po
 
 }  // namespace internal
 
-double motion_bound(const Ball& ball, const Pose<double>& from, const Pose<double>& to) {
+double motion_bound(const Ball& a, const Ball& b, const Pose<double>& from_BA,
+                    const Pose<double>& to_BA) {
   // The Frobenius norm of a difference of rotations is sqrt(2) times its 2-norm.
-  const Eigen::Matrix3d turn = to.R - from.R;
-  return (turn * ball.c + to.p - from.p).norm() + std::sqrt(turn.squaredNorm() / 2) * ball.r;
+  const Eigen::Matrix3d turn = to_BA.R - from_BA.R;
+  const double rate = std::sqrt(turn.squaredNorm() / 2);
+  const double of_a = (turn * a.c + to_BA.p - from_BA.p).norm() + rate * a.r;
+  const Vector3d back =
+      to_BA.R.transpose() * (b.c - to_BA.p) - from_BA.R.transpose() * (b.c - from_BA.p);
+  return std::min(of_a, back.norm() + rate * b.r);
 }
 
 namespace {

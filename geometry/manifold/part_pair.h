@@ -40,9 +40,11 @@ struct PartPair {
 double find_points(const CollisionPart& a, const CollisionPart& b, const Pose<double>& X_BA,
                    double margin, PartMemory& memory, std::vector<ManifoldPoint>& points);
 
-/// No point of a ball, in A's frame, moves by more than this in B's frame between two poses [m].
-[[nodiscard]] double motion_bound(const Ball& ball, const Pose<double>& from,
-                                  const Pose<double>& to);
+/// The distance of two bodies within balls, each in its own frame, changes by no more than this
+/// between two poses [m]: by the least of the ways that their points go, seen from the other,
+///   |X c - X' c| + ||R - R'||_2 r.
+[[nodiscard]] double motion_bound(const Ball& a, const Ball& b, const Pose<double>& from_BA,
+                                  const Pose<double>& to_BA);
 
 namespace internal {
 

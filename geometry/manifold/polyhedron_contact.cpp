@@ -142,7 +142,7 @@ double polyhedron_on_polyhedron(const CollisionPart& a, const CollisionPart& b,
                                 std::vector<ManifoldPoint>& points) {
   NearFeatures& near = memory.near;
   const std::size_t first = points.size();
-  double moved = near.found ? motion_bound(a.ball, near.X_BA, X_BA) : 0;
+  double moved = near.found ? motion_bound(a.ball, b.ball, near.X_BA, X_BA) : 0;
   const bool many = near.corners_a.size() + near.corners_b.size() + near.edges.size() > kMany;
   double reach = margin + (many ? kReach / 4 : kReach);
   bool fresh = !near.found || moved + margin > near.reach;
@@ -302,7 +302,7 @@ ManifoldPoint ball_within(const CollisionPart& a, const CollisionPart& b, const 
 double round_on_polyhedron(const CollisionPart& a, const CollisionPart& b, const Pose<double>& X_BA,
                            double margin, PartMemory& memory, std::vector<ManifoldPoint>& points) {
   NearFeatures& near = memory.near;
-  double moved = near.found ? motion_bound(a.ball, near.X_BA, X_BA) : 0;
+  double moved = near.found ? motion_bound(a.ball, b.ball, near.X_BA, X_BA) : 0;
   const Vector3d from = X_BA * Vector3d(0, 0, -a.half_length);
   const Vector3d to = X_BA * Vector3d(0, 0, a.half_length);
   if (!near.found || moved + margin > near.reach) {

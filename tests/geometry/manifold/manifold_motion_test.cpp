@@ -38,7 +38,7 @@ Changes follow(const SampleBody& a, const SampleBody& b, const Way& way, int ste
     const Pose<double> X = way(i), before = way(i - 1);
     std::map<int, ManifoldPoint> now;
     for (const ManifoldPoint& point : pair.update(X, {}, margin)) now[point.id] = point;
-    const double motion = motion_bound(a.body->ball, before, X);
+    const double motion = motion_bound(a.body->ball, b.body->ball, before, X);
     for (const auto& [id, point] : now) {
       const auto old = last.find(id);
       if (old == last.end()) {
