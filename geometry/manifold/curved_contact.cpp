@@ -49,12 +49,12 @@ double lag_of(double lean) {
 
 }  // namespace
 
-CylinderOnFace cylinder_on_face(const CollisionPart& a, const CollisionPart& b,
-                                const Pose<double>& X_BA, double margin, PartMemory& memory,
-                                std::vector<ManifoldPoint>& points) {
+std::optional<double> cylinder_on_face(const CollisionPart& a, const CollisionPart& b,
+                                       const Pose<double>& X_BA, double margin, PartMemory& memory,
+                                       std::vector<ManifoldPoint>& points) {
   const Vector3d u = X_BA.R.col(2), c = X_BA.p;
   const FaceAbove face = face_above(c, u, a.half, b.half, memory);
-  if (face.gap > margin) return {true, face.gap};
+  if (face.gap > margin) return face.gap;
   const Vector3d n = (c(face.axis) < 0 ? -1 : 1) * Vector3d::Unit(face.axis);
   // The lowest direction of both rims, as the cylinder sees it.
   const Vector3d low = -(X_BA.R.transpose() * n);
@@ -82,13 +82,13 @@ CylinderOnFace cylinder_on_face(const CollisionPart& a, const CollisionPart& b,
       for (int i = 0; i < 3; ++i)
         if (i != face.axis && std::abs(point.on_b(i)) > b.half(i)) {
           points.resize(first);
-          return {};
+          return std::nullopt;
         }
     }
   }
   memory.axis = face.axis;
   memory.overlapped = face.gap < 0;
-  return {true, face.gap};
+  return face.gap;
 }
 
 namespace {
@@ -201,26 +201,23 @@ double add_deepest_edge(const CollisionPart& a, const CollisionPart& b, const Po
 
 }  // namespace
 
-bool ellipsoid_on_convex(const CollisionPart& a, const CollisionPart& b, const Pose<double>& X_BA,
-                         double margin, PartMemory& memory, std::vector<ManifoldPoint>& points,
-                         double& bound) {
+std::optional<double> ellipsoid_on_convex(const CollisionPart& a, const CollisionPart& b,
+                                          const Pose<double>& X_BA, double margin,
+                                          PartMemory& memory, std::vector<ManifoldPoint>& points) {
   // From the last normal; else from the nearest surface of B.
   const EllipsoidSearch search(a, b, X_BA);
   std::optional<LowestPoint> found;
   if (!memory.n.isZero(0)) found = search.find(memory.n);
   if (!found) found = search.find(b.shape->nearest(X_BA.p).normal);
-  if (!found && b.form == PartForm::kBox) {
-    bound = add_deepest_edge(a, b, X_BA, memory, points);
-    return true;
-  }
+  if (!found && b.form == PartForm::kBox) return add_deepest_edge(a, b, X_BA, memory, points);
   if (!found) {
     memory.n.setZero();
-    return false;
+    return std::nullopt;
   }
-  bound = found->seen.distance;
+  const double bound = found->seen.distance;
   memory.n = found->seen.normal;
   memory.overlapped = bound < 0;
-  if (bound > margin) return true;
+  if (bound > margin) return bound;
   ManifoldPoint point;
   point.on_a = found->p;
   point.on_b = found->p - found->seen.distance * found->seen.normal;
@@ -228,7 +225,7 @@ bool ellipsoid_on_convex(const CollisionPart& a, const CollisionPart& b, const P
   point.gap = found->seen.distance;
   point.feature = feature_key(FeatureKind::kWitness, 1, 0);
   points.push_back(point);
-  return true;
+  return bound;
 }
 
 }  // namespace thenar::internal

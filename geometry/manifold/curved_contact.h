@@ -2,6 +2,7 @@
 
 /// Contacts of cylinders on the faces of boxes, and of ellipsoids.
 
+#include <optional>
 #include <vector>
 
 #include "geometry/manifold/part_pair.h"
@@ -14,14 +15,11 @@ namespace thenar::internal {
 /// them is the lowest point of the rim; in between it may lag behind that by from 30 degrees to
 /// none, so that it never jumps. The gap is off by no more than 3e-5 radii.
 ///
-/// @return nothing if another part of A is nearer to B than those points: one beside the face
-struct CylinderOnFace {
-  bool valid = false;
-  double bound = 0;  // of the distance [m]
-};
-CylinderOnFace cylinder_on_face(const CollisionPart& a, const CollisionPart& b,
-                                const Pose<double>& X_BA, double margin, PartMemory& memory,
-                                std::vector<ManifoldPoint>& points);
+/// @return a lower bound of the distance [m]; nothing if another part of A is nearer to B than
+/// those points, one beside the face; then no point is added
+std::optional<double> cylinder_on_face(const CollisionPart& a, const CollisionPart& b,
+                                       const Pose<double>& X_BA, double margin, PartMemory& memory,
+                                       std::vector<ManifoldPoint>& points);
 
 /// The point of an ellipsoid A deepest in, or nearest to, a convex solid B whose distance d is in
 /// closed form: the least of d over A, both convex, where A's outward normal is opposite to the
@@ -33,10 +31,10 @@ CylinderOnFace cylinder_on_face(const CollisionPart& a, const CollisionPart& b,
 /// Where an edge of a box is in A, the deepest point x is as near to two faces and has no gradient;
 /// then it is the point of the box's edges that is deepest in A.
 ///
-/// @return false if it does not come to 1e-9, as where the rim of a cylinder is in A; then no point
-/// is added
-bool ellipsoid_on_convex(const CollisionPart& a, const CollisionPart& b, const Pose<double>& X_BA,
-                         double margin, PartMemory& memory, std::vector<ManifoldPoint>& points,
-                         double& bound);
+/// @return a lower bound of the distance [m]; nothing if it does not come to 1e-9, as where the rim
+/// of a cylinder is in A; then no point is added
+std::optional<double> ellipsoid_on_convex(const CollisionPart& a, const CollisionPart& b,
+                                          const Pose<double>& X_BA, double margin,
+                                          PartMemory& memory, std::vector<ManifoldPoint>& points);
 
 }  // namespace thenar::internal

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "geometry/manifold/box_contact.h"
 #include "geometry/manifold/curved_contact.h"
@@ -53,26 +54,22 @@ double cylinder_on_box(const CollisionPart& box, const CollisionPart& cylinder,
                        const Pose<double>& X_BA, double margin, PartMemory& memory,
                        std::vector<ManifoldPoint>& points) {
   const std::size_t first = points.size();
-  const internal::CylinderOnFace found =
+  const std::optional<double> bound =
       internal::cylinder_on_face(cylinder, box, X_BA.inverse(), margin, memory, points);
   internal::flip_points(points, first, X_BA);
-  if (found.valid) return found.bound;
+  if (bound) return *bound;
   return internal::polyhedron_on_polyhedron(box, cylinder, X_BA, margin, memory, points);
 }
 
 /// A convex solid and an ellipsoid, which of the two may be; else as polyhedra.
 double ellipsoid_on_solid(const CollisionPart& a, const CollisionPart& b, const Pose<double>& X_BA,
                           double margin, PartMemory& memory, std::vector<ManifoldPoint>& points) {
-  double bound = 0;
-  if (a.is_ellipsoid) {
-    if (internal::ellipsoid_on_convex(a, b, X_BA, margin, memory, points, bound)) return bound;
-  } else {
-    const std::size_t first = points.size();
-    const bool found =
-        internal::ellipsoid_on_convex(b, a, X_BA.inverse(), margin, memory, points, bound);
-    internal::flip_points(points, first, X_BA);
-    if (found) return bound;
-  }
+  const std::size_t first = points.size();
+  const std::optional<double> bound =
+      a.is_ellipsoid ? internal::ellipsoid_on_convex(a, b, X_BA, margin, memory, points)
+                     : internal::ellipsoid_on_convex(b, a, X_BA.inverse(), margin, memory, points);
+  if (!a.is_ellipsoid) internal::flip_points(points, first, X_BA);
+  if (bound) return *bound;
   return internal::polyhedron_on_polyhedron(a, b, X_BA, margin, memory, points);
 }
 

@@ -166,6 +166,35 @@ TEST(ManifoldMotion, MeshesKeepTheirIds) {
   EXPECT_LT(changes.changes, 10);
 }
 
+// A ball of triangles along the mug's wall: ids are passed on from feature to feature, no farther
+// than 0.1 mm and twice the motion, and to normals no farther than 20 degrees.
+TEST(ManifoldMotion, BallOfTrianglesOnTheMugPassesItsIdsOn) {
+  ShapeSpec spec;
+  spec.kind = ShapeKind::kMesh;
+  spec.mesh = read_mesh(kData + "/objects/mug.obj", 0.001);
+  const SampleBody mug(std::vector<ShapeSpec>{spec});
+  std::vector<Eigen::Vector2d> profile;
+  for (int i = 0; i <= 20; ++i)
+    profile.emplace_back(0.01 * std::cos(kPi * (i / 20.0 - 0.5)),
+                         0.01 * std::sin(kPi * (i / 20.0 - 0.5)));
+  profile.front().x() = profile.back().x() = 0;
+  spec.mesh = surface_of_revolution(profile, 30);
+  const SampleBody ball(std::vector<ShapeSpec>{spec});
+  const double off = 0.0509;
+  const Changes changes = follow(
+      ball, mug,
+      [&](int i) {
+        const double angle = kPi / 2 + kStep * i / off;
+        return Pose<double>{rotation_about<double>(Eigen::Vector3d::UnitZ(), angle),
+                            {off * std::cos(angle), off * std::sin(angle), 0.05 + 5e-6 * i}};
+      },
+      2000, 5e-4);
+  EXPECT_LT(changes.jump, 1e-4 + 2 * kStep);
+  EXPECT_LT(changes.turn, 0.35);
+  // The wall of 2 cm that it passes has facets of 3 mm and ridges between them.
+  EXPECT_LT(changes.changes, 200);
+}
+
 // Two capsules whose axes pass through each other keep the side from which they came.
 TEST(ManifoldMotion, CrossingCapsulesKeepTheirSide) {
   const SampleBody capsule(ShapeKind::kCapsule, {0.004, 0.04, 0});
