@@ -2,6 +2,7 @@
 
 /// Contacts of two parts, each a primitive or a polyhedron; in the frame of B's part.
 
+#include <array>
 #include <cstdint>
 #include <limits>
 #include <vector>
