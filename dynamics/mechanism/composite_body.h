@@ -100,6 +100,14 @@ class MassMatrix {
     assemble(motion);
     return factorise(motion.model());
   }
+  /// The same with numbers added to the diagonal, such as  h damping + h^2 stiffness  of an
+  /// implicit step. @param diagonal  indexable (v)
+  template <typename Diagonal>
+  bool set(const TreeMotion<T>& motion, const Diagonal& diagonal) {
+    assemble(motion);
+    for (std::size_t k = 0; k < size_; ++k) M_[k * size_ + k] += diagonal[at(k)];
+    return factorise(motion.model());
+  }
 
   /// Entry of M.
   [[nodiscard]] const T& operator()(int i, int j) const {

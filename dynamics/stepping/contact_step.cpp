@@ -45,7 +45,7 @@ struct ContactStep::Parts {
     check_scene(scene);
     if (!model.has_couplings) articulated = std::make_unique<ArticulatedBody<double>>(model);
     const int n = model.layout.v;
-    tau = v_free = zero = Eigen::VectorXd::Zero(n);
+    tau = v_free = zero = change = stiffness = damping = implicit = Eigen::VectorXd::Zero(n);
     build_collision();
   }
 
@@ -153,9 +153,11 @@ struct ContactStep::Parts {
     if (joint.friction > 0) add(Kind::kJointFriction, 0, rate);
   }
 
-  /// Efforts of springs, dampers and drives, and loads on bodies, after place().
+  /// Efforts of springs, dampers and drives, their slopes, and loads on bodies, after place().
   void load(const SceneState& state) {
     tau.setZero();
+    stiffness.setZero();
+    damping.setZero();
     for (std::size_t i = 0; i < scene.mechanism.joints.size(); ++i) {
       const MechanismJoint& joint = scene.mechanism.joints[i];
       if (!is_scalar(joint.kind) || (joint.stiffness == 0 && joint.damping == 0)) continue;
@@ -163,17 +165,11 @@ struct ContactStep::Parts {
       const int row = model.layout.first_v[i];
       tau[row] -= at.slope * (joint.stiffness * (at.value - joint.rest) +
                               joint.damping * at.slope * state.v[row]);
+      stiffness[row] += at.slope * at.slope * joint.stiffness;
+      damping[row] += at.slope * at.slope * joint.damping;
     }
-    for (const SceneDrive& drive : scene.drives) {
-      if (!drive.when.holds(state.t)) continue;
-      const auto c = static_cast<std::size_t>(drive.coordinate);
-      const double u = state.q[model.layout.coordinate_q[c]];
-      const double rate = state.v[model.layout.coordinate_v[c]];
-      const double wanted = drive.target + drive.speed * (state.t - drive.when.from);
-      const double effort =
-          drive.bias + drive.stiffness * (wanted - u) - drive.damping * (rate - drive.speed);
-      tau[model.layout.coordinate_v[c]] += std::clamp(effort, -drive.max_effort, drive.max_effort);
-    }
+    for (const SceneDrive& drive : scene.drives)
+      if (drive.when.holds(state.t)) add_drive(drive, state);
     motion.clear_loads();
     for (const SceneForce& force : scene.forces) {
       if (!force.when.holds(state.t)) continue;
@@ -182,18 +178,37 @@ struct ContactStep::Parts {
     }
   }
 
-  /// v_free = v + h M^-1 (tau - h(q, v)), after place() and load(). h = 0: v alone.
-  bool free_velocity(const SceneState& state, double h) {
-    const bool positive = mass.set(motion);
-    if (h > 0) {
-      inverse.efforts(motion, scene.gravity, zero, v_free);
-      v_free = h * (tau - v_free);
-      mass.solve(model, v_free);
-      v_free += state.v;
-    } else {
-      v_free = state.v;
-    }
+  void add_drive(const SceneDrive& drive, const SceneState& state) {
+    const auto c = static_cast<std::size_t>(drive.coordinate);
+    const int row = model.layout.coordinate_v[c];
+    const double u = state.q[model.layout.coordinate_q[c]], rate = state.v[row];
+    const double wanted = drive.target + drive.speed * (state.t - drive.when.from);
+    const double effort =
+        drive.bias + drive.stiffness * (wanted - u) - drive.damping * (rate - drive.speed);
+    tau[row] += std::clamp(effort, -drive.max_effort, drive.max_effort);
+    // At its largest effort it is no spring.
+    if (std::abs(effort) >= drive.max_effort) return;
+    stiffness[row] += drive.stiffness;
+    damping[row] += drive.damping;
+  }
+
+  /// v_free = v + A^-1 h (tau - h(q, v)), after place() and load(). h = 0: v alone.
+  /// A = M + d h damping + (d h)^2 stiffness, so that springs and dampers are taken at the end of
+  /// the step (d = 1) or in its mean (d = 1/2), to first order.
+  bool free_velocity(const SceneState& state, double h, double d) {
+    implicit = (d * h) * damping + (d * h * d * h) * stiffness;
+    const bool positive = mass.set(motion, implicit);
+    v_free = state.v;
+    if (h > 0) add_efforts(h);
     return positive;
+  }
+
+  /// v_free += A^-1 h (tau - h(q, v)).
+  void add_efforts(double h) {
+    inverse.efforts(motion, scene.gravity, zero, change);
+    change = h * (tau - change);
+    mass.solve(model, change);
+    v_free += change;
   }
 
   /// Rows and blocks of the contacts in `list`, and W. @param h  of the step, for dry friction [s]
@@ -352,7 +367,9 @@ struct ContactStep::Parts {
   std::vector<double> thickness, way;  // of collision bodies [m]
   std::vector<bool> may_meet;          // (bodies x bodies)
   Eigen::VectorXd tau, v_free, zero, start, change;
-  Eigen::MatrixXd J, Y;  // rows as columns (v, rows)
+  Eigen::VectorXd stiffness, damping;  // of springs, dampers and drives, over the speeds (v)
+  Eigen::VectorXd implicit;            // what they add to the mass matrix (v)
+  Eigen::MatrixXd J, Y;                // rows as columns (v, rows)
   ContactProblem problem;
   ContactSolver solver;
   std::vector<ActiveContact> found;
@@ -400,7 +417,7 @@ void ContactStep::substep(SceneState& state, double h, const std::vector<ActiveC
     outcome.active.push_back(contact);
   }
   p.load(state);
-  outcome.solved = p.free_velocity(state, h);
+  outcome.solved = p.free_velocity(state, h, 1);
   outcome.residual = 0;
   if (outcome.active.empty()) {
     state.v = p.v_free;
@@ -426,18 +443,14 @@ void ContactStep::time_step(SceneState& state, double h, const std::vector<Activ
   }
   p.place(state);
   p.load(state);
-  outcome.solved = p.free_velocity(state, h);
+  outcome.solved = p.free_velocity(state, h, 0.5);
   outcome.residual = 0;
-  // Once more with forces at the mean of the speeds before and after.
-  SceneState& middle = p.middle;
-  middle = state;
-  middle.v = 0.5 * (state.v + p.v_free);
-  p.motion.set_speed(middle.v);
-  p.load(middle);
-  p.inverse.efforts(p.motion, p.scene.gravity, p.zero, p.v_free);
-  p.v_free = h * (p.tau - p.v_free);
-  p.mass.solve(p.model, p.v_free);
-  p.v_free += state.v;
+  // Once more with the velocity product at the mean of the speeds before and after; efforts stay,
+  // as the mass matrix has their slopes.
+  p.middle.v = 0.5 * (state.v + p.v_free);
+  p.motion.set_speed(p.middle.v);
+  p.v_free = state.v;
+  p.add_efforts(h);
   // Whatever may close its gap within the step.
   const double margin = h * p.fastest(p.v_free) + 1e-5;
   p.find(state, std::min(margin, 0.05), outcome.active);
@@ -501,7 +514,7 @@ void ContactStep::impact(SceneState& state, const std::vector<ActiveContact>& to
   outcome = {};
   if (touching.empty()) return;
   p.place(state);
-  outcome.solved = p.free_velocity(state, 0);
+  outcome.solved = p.free_velocity(state, 0, 0);
   outcome.active = touching;
   p.set_rows(outcome.active, 0);
   p.problem.b.noalias() = p.J.transpose() * p.v_free;
@@ -594,6 +607,17 @@ void ContactStep::note_new(const std::vector<ActiveContact>& found,
     if (std::none_of(closed.begin(), closed.end(),
                      [&](const ActiveContact& c) { return c.same(contact); }))
       note_deeper(contact, outcome);
+}
+
+bool ContactStep::is_stiff(const SceneState& state, double h) {
+  Parts& p = *parts_;
+  p.place(state);
+  p.load(state);
+  if (p.stiffness.isZero(0) && p.damping.isZero(0)) return false;
+  p.mass.set(p.motion);
+  for (int i = 0; i < p.model.layout.v; ++i)
+    if (h * p.damping[i] + h * h * p.stiffness[i] > p.mass(i, i)) return true;
+  return false;
 }
 
 void ContactStep::normalise(Eigen::VectorXd& q) const {

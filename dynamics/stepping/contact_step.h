@@ -80,10 +80,11 @@ class ContactStep {
   void find(const SceneState& state, double margin, std::vector<ActiveContact>& out);
 
   /// Half-explicit Euler step on the contacts of `closed`:
-  ///   q+ = q + h v,   v+ = v + M(q+)^-1 (h f(q+, v) + J(q+)' P),
-  /// where the impulses P keep the velocities J v+ from closing gaps and obey Coulomb's law with
-  /// the exact cone. It is of first order, its error has an expansion in h while all modes stay,
-  /// and J v+ = 0 holds to rounding where contacts stick.
+  ///   q+ = q + h v,   v+ = v + A^-1 (h f(q+, v) + J(q+)' P),   A = M(q+) + h D + h^2 K,
+  /// D and K the damping and stiffness of joints and drives, so that stiff ones ask for no short
+  /// step; where the impulses P keep the velocities J v+ from closing gaps and obey Coulomb's law
+  /// with the exact cone. It is of first order, its error has an expansion in h while all modes
+  /// stay, and J v+ = 0 holds to rounding where contacts stick.
   ///
   /// A contact of `closed` counts as long as it has a force, whatever its gap; one that has opened
   /// counts again when its gap is below `touch`. Others count only in `outcome.deepest_new`.
@@ -94,7 +95,8 @@ class ContactStep {
                StepOutcome& outcome);
 
   /// Moreau's midpoint step on whatever is near, for steps of fixed length:
-  ///   q_m = q + h/2 v,   v+ = v + M(q_m)^-1 (h f(q_m, v_m) + J(q_m)' P),   q+ = q_m + h/2 v+,
+  ///   q_m = q + h/2 v,   v+ = v + A^-1 (h f(q_m, v_m) + J(q_m)' P),   q+ = q_m + h/2 v+,
+  /// A = M(q_m) + h/2 D + h^2/4 K with the damping D and stiffness K of joints and drives,
   /// v_m = (v + v_free) / 2, v_free the speeds without impulses. It is of second order while no
   /// mode changes. A contact may close its gap within the step, u_n+ >= -2 gap(q_m) / h, and depth
   /// is pushed out at no more than `recovery`; nothing bounces. Source: [Moreau1988].
@@ -134,6 +136,10 @@ class ContactStep {
   /// Most negative gap among contacts that are not in `closed`, and how fast it closes.
   static void note_new(const std::vector<ActiveContact>& found,
                        const std::vector<ActiveContact>& closed, StepOutcome& outcome);
+
+  /// Whether springs, dampers and drives are so stiff that an explicit step of this length would be
+  /// unstable: h D > M or h^2 K > M on the diagonal.
+  [[nodiscard]] bool is_stiff(const SceneState& state, double h);
 
   /// Quaternions to length 1.
   void normalise(Eigen::VectorXd& q) const;

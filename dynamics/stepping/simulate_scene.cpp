@@ -14,10 +14,14 @@ namespace {
 using Kind = ActiveContact::Kind;
 
 constexpr int kMaxColumns = 8;
-constexpr double kRest = 1e-11;     // slower is at rest [m/s], [rad/s]
-constexpr double kHorizon = 0.01;   // over which an error of speeds counts in smooth steps [s]
-constexpr double kLook = 1e-4;      // gaps that are looked at [m]
-constexpr double kApproach = 1e-7;  // slower approaches are not impacts [m/s], [rad/s]
+constexpr double kRest = 1e-11;        // slower is at rest [m/s], [rad/s]
+constexpr int kChatter = 200;          // steps that are judged together
+constexpr double kChatterTime = 1e-6;  // that they should have passed [s]
+constexpr double kPass = 1e-4;         // that steps of fixed length pass instead [s]
+constexpr int kPassSteps = 10;         // of them
+constexpr double kHorizon = 0.01;      // over which an error of speeds counts in smooth steps [s]
+constexpr double kLook = 1e-4;         // gaps that are looked at [m]
+constexpr double kApproach = 1e-7;     // slower approaches are not impacts [m/s], [rad/s]
 
 double cpu_now() {
   timespec now{};
@@ -121,6 +125,7 @@ class Simulation {
 
   void run_fixed() {
     std::vector<ActiveContact> last;
+    step_.find(state_, kLook, found_);
     sample({}, 0);
     const long steps = std::max(1L, std::lround(options_.seconds / options_.step));
     const double h = options_.seconds / static_cast<double>(steps);
@@ -165,9 +170,13 @@ class Simulation {
     double H = 0.1 * options_.longest;
     step_.find(state_, kLook, found_);
     touch_and_bounce();
-    sample({}, 0);
+    sample(closed_, last_h_);
     while (state_.t < options_.seconds) {
       if (!go_on()) return;
+      if (is_chattering()) {
+        pass_events();
+        continue;
+      }
       if (asleep()) {
         pass_time();
         continue;
@@ -242,6 +251,36 @@ class Simulation {
     last_h_ = options_.shortest;
   }
 
+  /// The last steps went nowhere: events follow each other without end.
+  bool is_chattering() {
+    ++since_mark_;
+    if (since_mark_ < kChatter) return false;
+    since_mark_ = 0;
+    const bool stands = state_.t - mark_ < kChatterTime;
+    mark_ = state_.t;
+    return stands;
+  }
+
+  /// Goes through a pile of events by some steps of fixed length, which need not tell them apart.
+  void pass_events() {
+    const double stop = std::min(next_stop(), state_.t + kPass);
+    const double h = (stop - state_.t) / kPassSteps;
+    std::vector<ActiveContact> last = closed_;
+    scale_impulses(last, last_h_ > 0 ? h / last_h_ : 0);
+    for (int i = 0; i < kPassSteps; ++i) {
+      step_.time_step(state_, h, last, options_.recovery, outcome_);
+      count(outcome_);
+      std::swap(last, outcome_.active);
+    }
+    state_.t = stop;
+    ++run_.cost.passed;
+    closed_ = last;
+    last_h_ = h;
+    step_.find(state_, kLook, found_);
+    touch_and_bounce();
+    if (state_.t + 1e-12 >= next_sample_ || state_.t >= options_.seconds) sample(closed_, last_h_);
+  }
+
   /// Nothing moves, and the last steps changed nothing.
   [[nodiscard]] bool asleep() const { return options_.sleep && asleep_ >= 3; }
 
@@ -258,12 +297,14 @@ class Simulation {
   /// @return its length; 0: the run ends
   double step_once(double wanted, double left, double& H) {
     double length = wanted;
+    bool rejected = false;
     while (true) {
       try_step(length);
       const StepTrial& trial = table_[static_cast<std::size_t>(result_)];
       if (!std::isfinite(trial.error) && length <= options_.shortest) return give_up();
       if (trial.closes < 0 && (trial.error <= 1 || length <= options_.shortest)) break;
       ++run_.cost.rejected;
+      rejected = true;
       if (trial.closes >= 0 && trial.closes > options_.shortest) {
         // Again, up to the instant at which the gap closes.
         length = std::min(trial.closes, 0.999999 * length);
@@ -280,10 +321,19 @@ class Simulation {
     if (!inspected_) step_.find(table_[static_cast<std::size_t>(result_)].state, kLook, found_);
     accept(length, left);
     const StepTrial& trial = table_[static_cast<std::size_t>(result_)];
-    const double growth =
-        trial.smooth ? 0.9 * std::pow(std::max(trial.error, 1e-9), -1.0 / trial.order) : 1.5;
-    H = length * std::clamp(growth, 0.2, 4.0);
+    H = length * growth_after(trial, rejected);
     return length;
+  }
+
+  /// Length of the next step over that of an accepted one: by its error and that of the step before
+  /// [Hairer1993], and no longer right after a rejection.
+  double growth_after(const StepTrial& trial, bool rejected) {
+    if (!trial.smooth) return rejected ? 1 : 1.5;
+    const double error = std::max(trial.error, 1e-9);
+    const double growth =
+        0.95 * std::pow(error, -0.7 / trial.order) * std::pow(last_error_, 0.4 / trial.order);
+    last_error_ = error;
+    return std::clamp(growth, 0.2, rejected ? 1.0 : 4.0);
   }
 
   double give_up() {
@@ -353,7 +403,7 @@ class Simulation {
   /// Fills the table for one step, up to the first sign that it is too long.
   void try_step(double length) {
     inspected_ = false;
-    if (closed_.empty()) return free_step(length);
+    if (closed_.empty() && !step_.is_stiff(state_, length)) return free_step(length);
     for (int n = 1; n <= options_.columns; ++n) {
       StepTrial& column = table_[static_cast<std::size_t>(n - 1)];
       result_ = n - 1;
@@ -487,6 +537,9 @@ class Simulation {
   double next_sample_ = 0;
   std::vector<ActiveContact> lost_, closed_, found_;  // what touches, with impulses over last_h_
   double last_h_ = 0;
+  int since_mark_ = 0;
+  double mark_ = -1;        // when the steps that are judged began [s]
+  double last_error_ = 1;   // of the last accepted step over the tolerance
   bool inspected_ = false;  // found_ belongs to the trial
   int asleep_ = 0;
   int result_ = 0;

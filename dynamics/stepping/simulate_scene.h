@@ -72,6 +72,7 @@ struct SceneCost {
   long rejected = 0;  // for their error, or an event within them
   long substeps = 0;  // contact problems or accelerations
   long impacts = 0;
+  long passed = 0;            // piles of events that steps of fixed length went through
   long unsolved = 0;          // contact problems beyond the tolerance
   double worst_residual = 0;  // ContactResidual::natural over all steps [1]
   double deepest = 0;         // penetration at the end of any step, after the first [m]
@@ -93,6 +94,9 @@ struct [[nodiscard]] SceneRun {
 /// column is taken if it differs from the one before by no more than the tolerance; where a gap
 /// closes, the step is cut at that instant, and an impact ends the approach. Otherwise the step is
 /// halved. Source: [Deuflhard1983] for extrapolation of one-step methods.
+///
+/// Where 200 steps pass less than 1e-6 s (a rim that rattles on an edge), ten midpoint steps go on
+/// by 1e-4 s, and SceneCost::passed counts them.
 ///
 /// kTimeStepping: ContactStep::time_step(). Either way a step is divided where surfaces would move
 /// farther than the thinner body is thick (ContactStep::motion_between), so that nothing goes

@@ -8,7 +8,7 @@
 #include "base/error.h"
 #include "base/numbers.h"
 #include "kinematics_fit/fit_residuals.h"
-#include "solvers/expected_information.h"
+#include "kinematics_fit/hoods/expected_information.h"
 
 namespace thenar {
 namespace {

@@ -11,7 +11,7 @@
 #include "kinematics_fit/covariance.h"
 #include "kinematics_fit/hoods/net_records.h"
 #include "kinematics_fit/specimen_prior.h"
-#include "solvers/expected_information.h"
+#include "kinematics_fit/hoods/expected_information.h"
 
 namespace thenar {
 namespace {

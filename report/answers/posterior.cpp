@@ -6,7 +6,7 @@
 #include <fmt/format.h>
 
 #include "report/answers/prediction.h"
-#include "report/answers/sampling_advice.h"
+#include "report/sampling_advice.h"
 #include "report/parameter_words.h"
 
 namespace thenar {

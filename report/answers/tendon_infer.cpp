@@ -5,9 +5,199 @@
 #include <fmt/format.h>
 
 #include "base/nearest_name.h"
-#include "report/answers/free_inference.h"
 
 namespace thenar {
+
+// Where slack lengths, paths and the like are free.
+
+namespace {
+
+constexpr double kMilli = 1e3;  // mm per m
+
+/// "+1.3"; "-" where there is no such number.
+std::string change_words(double value) {
+  return std::isfinite(value) ? fmt::format("{:+.1f}", value) : "-";
+}
+
+Table belief_table(const NetInference& inference) {
+  Table table{{"band", "from", "to", "exists", "probability", "log_Bayes_factor", "chi2_without",
+               "parameters_with", "tension_N", "slack_mm", "prior_sd_mm"},
+              {}};
+  for (std::size_t k = 0; k < inference.free->posterior.bands.size(); ++k) {
+    const BandBelief& band = inference.free->posterior.bands[k];
+    table.rows.push_back(
+        {band.name, inference.ends[k].from, inference.ends[k].to, verdict_words(band),
+         probability_words(band) + (band.doubtful ? " ?" : ""), change_words(band.log_odds),
+         change_words(band.misfit_change), change_words(band.effective_change),
+         shown(band.tension, 2), slack_words(band),
+         band.slack ? shown(kMilli * band.slack->prior_sd, 2) : "-"});
+  }
+  return table;
+}
+
+OrderedJson json_of_belief(const BandBelief& band, const BandEnds& ends) {
+  OrderedJson out{{"band", band.name},
+                  {"from", ends.from},
+                  {"to", ends.to},
+                  {"verdict", to_string(band.verdict)},
+                  {"why", verdict_words(band)},
+                  {"probability", band.probability},
+                  {"probability_error", band.error},
+                  {"log_bayes_factor", number_or_null(band.log_odds)},
+                  {"chi2_without", number_or_null(band.misfit_change)},
+                  {"effective_parameters_with", number_or_null(band.effective_change)},
+                  {"doubtful", band.doubtful},
+                  {"largest_tension_N", band.tension}};
+  OrderedJson slack;
+  if (band.slack)
+    slack = {{"length_mm", kMilli * band.slack->length},
+             {"sd_mm", kMilli * band.slack->sd},
+             {"prior_sd_mm", kMilli * band.slack->prior_sd},
+             {"at_bound", band.slack->at_bound}};
+  out["slack"] = slack;
+  return out;
+}
+
+}  // namespace
+
+std::string verdict_words(const BandBelief& band) {
+  if (band.verdict != Verdict::kUndecided) return to_string(band.verdict);
+  return band.why == WhyUntold::kSlack ? "cannot be told: slack throughout"
+                                       : "cannot be told: others can do its work";
+}
+
+std::string probability_words(const BandBelief& band) {
+  if (std::isinf(band.log_odds))
+    return band.log_odds > 0 ? "1 (no set without it)" : "0 (no set with it)";
+  const std::string p = shown(band.probability, 3);
+  constexpr double kShown = 5e-4;  // errors below it are not [1]
+  return band.error >= kShown ? fmt::format("{} +- {}", p, shown(band.error, 3)) : p;
+}
+
+std::string slack_words(const BandBelief& band) {
+  if (!band.slack) return "held";
+  return fmt::format("{} +- {}", shown(kMilli * band.slack->length, 2),
+                     shown(kMilli * band.slack->sd, 2));
+}
+
+std::vector<std::string> posterior_in_words(const FreeInference& free) {
+  const BandPosterior& posterior = free.posterior;
+  const BandEvidence& best = posterior.sets.front().evidence;
+  std::vector<std::string> lines{
+      fmt::format("Forces: {} components; {} parameters are free with all bands, by the priors of "
+                  "{}.",
+                  free.numbers, free.parameters, free.settings),
+      fmt::format(
+          "{} of bands {}, of which {} the loads.", counted(posterior.fitted, "set"),
+          posterior.enumerated ? "fitted, which are all there are" : "fitted, by sampling",
+          posterior.failed == 0 ? "all carry" : fmt::format("{} do not carry", posterior.failed)),
+      fmt::format("Most probable set: chi-square {:.1f}, of which the data determine {:.1f} "
+                  "parameters; the best set's errors are {:.2f} times the stated noise.",
+                  best.misfit, best.effective, posterior.noise)};
+  return lines;
+}
+
+std::string next_in_words(const FreeInference& free) {
+  if (free.pool == 0) return "No trial was ranked.";
+  return fmt::format(
+      "Trials of this rig by what they are expected to tell: of {:.2f} bit that are open about the "
+      "sets of bands, a trial tells {:.3f} bit on average.",
+      free.posterior.entropy, free.next_mean);
+}
+
+namespace {
+
+std::string text_of_free(const NetInference& inference) {
+  const FreeInference& free = *inference.free;
+  std::string text =
+      fmt::format("Which bands of net {} do the forces of {} need, with {} free? (subject {})\n\n",
+                  inference.net, inference.experiment, listed(free.freed), inference.subject);
+  for (const std::string& line : posterior_in_words(free)) text += line + "\n";
+  text += "\n" + titled(
+                     "Bands of the hood: from probability 0.95 a band exists, below 0.05 it "
+                     "does not; chi2_without: how much worse the forces are explained without "
+                     "it",
+                     belief_table(inference));
+  Table next{{"posture_and_tensions_N", "sets_bit", "slack_bit", "tells_most_of", "of_it_bit"}, {}};
+  for (const RankedTrial& trial : free.next)
+    next.rows.push_back({trial.name, shown(trial.information, 3), shown(trial.slack, 3),
+                         trial.most_told.empty() ? "-" : trial.most_told,
+                         shown(trial.of_most_told, 3)});
+  return text + titled("Measure next. " + next_in_words(free), next);
+}
+
+OrderedJson json_of_free(const NetInference& inference) {
+  const FreeInference& free = *inference.free;
+  const BandPosterior& posterior = free.posterior;
+  // Bands, sets that were kept, and trials.
+  OrderedJson bands = OrderedJson::array(), sets = bands, next = bands;
+  for (std::size_t k = 0; k < posterior.bands.size(); ++k)
+    bands.push_back(json_of_belief(posterior.bands[k], inference.ends[k]));
+  for (const BandSet& set : posterior.sets) {
+    OrderedJson absent = OrderedJson::array();
+    for (std::size_t b = 0; b < set.bands.size(); ++b)
+      if (!set.bands[b]) absent.push_back(posterior.bands[b].name);
+    sets.push_back({{"without", absent},
+                    {"probability", set.probability},
+                    {"log_integral", set.evidence.integral},
+                    {"laplace", set.evidence.laplace},
+                    {"draws_left", set.evidence.draws_left},
+                    {"by_draws", set.evidence.by_draws},
+                    {"chi2", set.evidence.misfit},
+                    {"effective_parameters", set.evidence.effective},
+                    {"converged", set.evidence.converged}});
+  }
+  for (const RankedTrial& trial : free.next)
+    next.push_back({{"test", trial.name},
+                    {"information_bit", trial.information},
+                    {"slack_bit", trial.slack},
+                    {"tells_most_of", trial.most_told},
+                    {"of_it_bit", trial.of_most_told}});
+  return {{"experiment", inference.experiment},
+          {"subject", inference.subject},
+          {"net", inference.net},
+          {"free", free.freed},
+          {"settings", free.settings},
+          {"parameters", free.parameters},
+          {"readings", free.numbers},
+          {"sets_fitted", posterior.fitted},
+          {"sets_that_do_not_carry", posterior.failed},
+          {"all_sets", posterior.enumerated},
+          {"all_by_draws", posterior.by_draws},
+          {"errors_per_noise", posterior.noise},
+          {"entropy_bit", posterior.entropy},
+          {"bands", bands},
+          {"sets", sets},
+          {"trials_ranked", free.pool},
+          {"mean_information_bit", free.next_mean},
+          {"next_tests", next},
+          {"warnings", inference.warnings}};
+}
+
+Table table_of_free(const NetInference& inference) {
+  Table table{
+      {"band", "from", "to", "verdict", "probability", "probability_error", "log_bayes_factor",
+       "tension_N", "slack_mm", "slack_sd_mm", "slack_prior_sd_mm", "doubtful"},
+      {}};
+  const auto number = [](double value) { return fmt::format("{:.10g}", value); };
+  for (std::size_t k = 0; k < inference.free->posterior.bands.size(); ++k) {
+    const BandBelief& band = inference.free->posterior.bands[k];
+    const auto slack = [&](double SlackRange::*what) {
+      return band.slack ? number(kMilli * (*band.slack).*what) : "";
+    };
+    table.rows.push_back({band.name, inference.ends[k].from, inference.ends[k].to,
+                          to_string(band.verdict), number(band.probability), number(band.error),
+                          number(band.log_odds), number(band.tension), slack(&SlackRange::length),
+                          slack(&SlackRange::sd), slack(&SlackRange::prior_sd),
+                          band.doubtful ? "1" : "0"});
+  }
+  return table;
+}
+
+}  // namespace
+
+// Where nothing but bands is open.
+
 namespace {
 
 /// The band's stiffness, if the data decide it.

@@ -34,4 +34,18 @@ namespace thenar {
 /// Why there is no answer; empty if there is one.
 [[nodiscard]] std::string refusal_of(const NetInference& inference);
 
+// The same where slack lengths, paths and the like are free.
+
+/// "yes", "no", or why it cannot be told.
+[[nodiscard]] std::string verdict_words(const BandBelief& band);
+/// "0.97", "0.43 +- 0.05", "1 (no set without it)".
+[[nodiscard]] std::string probability_words(const BandBelief& band);
+/// "17.67 +- 0.12", "held" [mm].
+[[nodiscard]] std::string slack_words(const BandBelief& band);
+
+/// How many sets were fitted, and how well the best explains the forces, a sentence each.
+[[nodiscard]] std::vector<std::string> posterior_in_words(const FreeInference& free);
+/// What the trials that are proposed would tell, in one sentence.
+[[nodiscard]] std::string next_in_words(const FreeInference& free);
+
 }  // namespace thenar

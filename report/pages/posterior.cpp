@@ -8,7 +8,7 @@
 
 #include "kinematics_fit/prediction.h"
 #include "posterior/run/predict_draws.h"
-#include "report/answers/sampling_advice.h"
+#include "report/sampling_advice.h"
 #include "report/draws/chains.h"
 #include "report/pages/prediction.h"
 #include "report/parameter_words.h"

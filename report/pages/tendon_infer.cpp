@@ -2,7 +2,6 @@
 
 #include <fmt/ranges.h>
 
-#include "report/answers/free_inference.h"
 #include "report/answers/tendon_infer.h"
 #include "report/pages/tendons.h"
 #include "report/provenance.h"

@@ -1,6 +1,6 @@
 // Tests for report/answers/free_inference.cpp.
 
-#include "report/answers/free_inference.h"
+#include "report/answers/tendon_infer.h"
 
 #include <cmath>
 #include <limits>

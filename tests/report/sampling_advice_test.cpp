@@ -1,6 +1,6 @@
-// Tests for report/answers/sampling_advice.cpp.
+// Tests for report/sampling_advice.cpp.
 
-#include "report/answers/sampling_advice.h"
+#include "report/sampling_advice.h"
 
 #include <gtest/gtest.h>
 

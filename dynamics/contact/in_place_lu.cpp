@@ -1,4 +1,4 @@
-#include "solvers/in_place_lu.h"
+#include "dynamics/contact/in_place_lu.h"
 
 #include <cmath>
 

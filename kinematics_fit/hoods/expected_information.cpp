@@ -1,4 +1,4 @@
-#include "solvers/expected_information.h"
+#include "kinematics_fit/hoods/expected_information.h"
 
 #include <algorithm>
 #include <cmath>

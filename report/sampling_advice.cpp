@@ -1,4 +1,4 @@
-#include "report/answers/sampling_advice.h"
+#include "report/sampling_advice.h"
 
 #include <algorithm>
 #include <cmath>

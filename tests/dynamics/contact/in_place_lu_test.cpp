@@ -1,6 +1,6 @@
-// Tests for solvers/in_place_lu.cpp.
+// Tests for dynamics/contact/in_place_lu.cpp.
 
-#include "solvers/in_place_lu.h"
+#include "dynamics/contact/in_place_lu.h"
 
 #include <gtest/gtest.h>
 
