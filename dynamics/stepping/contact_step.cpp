@@ -295,7 +295,7 @@ struct ContactStep::Parts {
   /// Solves, moves the speeds, and writes impulses, velocities and modes into the list.
   void solve(std::vector<ActiveContact>& list, SceneState& state, StepOutcome& outcome) {
     warm_start(list);
-    const ContactSolution& answer = solver.solve(problem, start);
+    const ContactSolution& answer = solver.solve(problem, start, solver_options);
     outcome.solved = answer.status == Status::kSolved;
     outcome.residual = answer.residual.natural;
     change.noalias() = J * answer.f;
@@ -372,6 +372,7 @@ struct ContactStep::Parts {
   Eigen::MatrixXd J, Y;                // rows as columns (v, rows)
   ContactProblem problem;
   ContactSolver solver;
+  ContactSolverOptions solver_options;
   std::vector<ActiveContact> found;
   SceneState middle;
 };
@@ -380,6 +381,10 @@ ContactStep::ContactStep(const MovingScene& scene) : parts_(std::make_unique<Par
 ContactStep::~ContactStep() = default;
 ContactStep::ContactStep(ContactStep&&) noexcept = default;
 ContactStep& ContactStep::operator=(ContactStep&&) noexcept = default;
+
+void ContactStep::solve_contacts_by(const ContactSolverOptions& options) {
+  parts_->solver_options = options;
+}
 
 const MovingScene& ContactStep::scene() const { return parts_->scene; }
 const TreeModel& ContactStep::model() const { return parts_->model; }

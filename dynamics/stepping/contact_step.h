@@ -72,6 +72,9 @@ class ContactStep {
   ContactStep(ContactStep&&) noexcept;
   ContactStep& operator=(ContactStep&&) noexcept;
 
+  /// How contact problems are solved from now on; kAutomatic unless told.
+  void solve_contacts_by(const ContactSolverOptions& options);
+
   [[nodiscard]] const MovingScene& scene() const;
   [[nodiscard]] const TreeModel& model() const;
 

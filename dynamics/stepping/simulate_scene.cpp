@@ -55,6 +55,7 @@ class Simulation {
         progress_(progress),
         switches_(switching_times(scene)),
         free_(scene.q.size(), scene.v.size()) {
+    step_.solve_contacts_by(options.contacts);
     state_.q = scene.q;
     state_.v = scene.v;
     for (StepTrial& column : table_) column.state = state_;

@@ -32,8 +32,9 @@ struct SceneOptions {
   double shortest = 1e-9;   // kEvents: no step is halved below this [s]
   double touch = 1e-9;      // kEvents: gaps below this touch [m]
   double recovery = 0.1;    // speed at which depth at the start is pushed out [m/s]
-  int columns = 4;          // kEvents: of the extrapolation, 2..8; its order
-  bool sleep = true;        // kEvents: what rests stays as it is until something switches
+  ContactSolverOptions contacts{};  // kPyramid: the complementarity problem of [Miller2005]
+  int columns = 4;                  // kEvents: of the extrapolation, 2..8; its order
+  bool sleep = true;                // kEvents: what rests stays as it is until something switches
 };
 
 /// One contact at an instant.

@@ -48,6 +48,36 @@ TEST(ExactMotion, SlidesAsFarInEveryDirection) {
   }
 }
 
+// With friction pyramids of m edges the force between two edges is too large or too small: the way
+// is wrong by up to  1 / cos(pi / m)  there, and right along an edge.
+TEST(ExactMotion, PyramidsSlideWrongBetweenTheirEdges) {
+  const double speed = 0.5, friction = 0.3, way = speed * speed / (2 * friction * kG);
+  for (const int edges : {4, 8, 16}) {
+    SCOPED_TRACE(edges);
+    double worst = 0;
+    for (int degree = 0; degree < 360; degree += 15) {
+      sample::Incline world = sample::incline(0, friction);
+      const Eigen::Vector3d along(std::cos(degree * kDegree), std::sin(degree * kDegree), 0);
+      world.scene.v.tail<3>() = speed * along;
+      SceneOptions options;
+      options.seconds = 0.3;
+      options.method = SteppingMethod::kTimeStepping;
+      options.contacts.method = ContactMethod::kPyramid;
+      options.contacts.pyramid_edges = edges;
+      options.contacts.tolerance = 1e-9;  // many edges cost digits
+      const SceneRun run = simulate_scene(world.scene, options);
+      EXPECT_EQ(run.status, SceneStatus::kDone);
+      const Eigen::Vector3d moved = centre(world.scene, world.cube, run.samples.back()) -
+                                    centre(world.scene, world.cube, run.samples.front());
+      worst = std::max(worst, std::abs(moved.norm() / way - 1));
+    }
+    // In steps of 15 degrees the middle between two edges is met for 4 edges alone.
+    const double most = 1 / std::cos(kPi / edges) - 1;
+    EXPECT_LT(worst, most + 1e-3);
+    EXPECT_GT(worst, (edges == 4 ? 0.99 : 0.5) * most);
+  }
+}
+
 TEST(ExactMotion, SticksAndSlidesWithinAMillionthOfCapacity) {
   const double slope = 30 * kDegree;
   for (const double beyond : {-1e-6, 1e-6}) {
