@@ -85,6 +85,12 @@ double largest_of(Dimension dimension) {
     case Dimension::kAngularStiffness:
     case Dimension::kAngularDamping:
       return 1e6;
+    case Dimension::kTime:
+      return 1e6;  // eleven days
+    case Dimension::kSpeed:
+      return 1e4;
+    case Dimension::kAngularSpeed:
+      return 1e6;  // of the fastest rotor
     case Dimension::kLinearStiffness:
     case Dimension::kLinearDamping:
       break;

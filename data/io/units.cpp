@@ -37,6 +37,12 @@ const std::vector<Unit>& all_units() {
       {"N_per_m", Dimension::kLinearStiffness, 1},
       {"N_per_mm", Dimension::kLinearStiffness, 1e3},
       {"Ns_per_m", Dimension::kLinearDamping, 1},
+      {"ms", Dimension::kTime, 1e-3},
+      {"s", Dimension::kTime, 1},
+      {"mm_s", Dimension::kSpeed, 1e-3},
+      {"m_s", Dimension::kSpeed, 1},
+      {"deg_s", Dimension::kAngularSpeed, kDegree},
+      {"rad_s", Dimension::kAngularSpeed, 1},
   };
   return units;
 }
@@ -79,9 +85,15 @@ std::string dimension_name(Dimension dimension) {
     case Dimension::kLinearStiffness:
       return "a stiffness";
     case Dimension::kLinearDamping:
+      return "a damping";
+    case Dimension::kTime:
+      return "a time";
+    case Dimension::kSpeed:
+      return "a speed";
+    case Dimension::kAngularSpeed:
       break;
   }
-  return "a damping";
+  return "an angular speed";
 }
 
 }  // namespace thenar

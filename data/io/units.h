@@ -23,7 +23,10 @@ enum class Dimension {
   kAngularStiffness,
   kAngularDamping,
   kLinearStiffness,
-  kLinearDamping
+  kLinearDamping,
+  kTime,
+  kSpeed,
+  kAngularSpeed
 };
 
 /// A unit: `point_mm = 5` is 5 * 0.001 m.

@@ -1,0 +1,87 @@
+#include "data/io/world/world_keys.h"
+
+#include <algorithm>
+#include <filesystem>
+
+#include "base/error.h"
+#include "base/file_io.h"
+#include "base/nearest_name.h"
+#include "data/io/mesh/shape_toml.h"
+#include "data/io/world/body_toml.h"
+
+namespace thenar::internal {
+namespace {
+
+/// Reads a body from a file; the table that names it may change its name and material.
+BodySpec read_filed_body(TomlTable& table, const std::string& file) {
+  BodySpec body = read_object(file);
+  body.name = table.text_or("name", body.name);
+  body.material = table.text_or("material", body.material);
+  return body;
+}
+
+void check_material(const TomlTable& table, const BodySpec& body, const Materials& materials) {
+  std::vector<std::string> names;
+  for (const Material& material : materials.materials) names.push_back(material.name);
+  if (!body.material.empty() && std::find(names.begin(), names.end(), body.material) == names.end())
+    table.fail(fmt::format("no material '{}'{}", body.material, did_you_mean(body.material, names)),
+               "material");
+}
+
+}  // namespace
+
+std::string file_beside(TomlTable& table, const std::string& key, const std::string& folder) {
+  std::string path = (std::filesystem::path(folder) / table.text(key)).lexically_normal().string();
+  if (!is_file(path)) table.fail(fmt::format("there is no file '{}'", path), key);
+  return path;
+}
+
+std::map<std::string, double> read_posture(TomlTable& table) {
+  std::map<std::string, double> posture = table.named(Dimension::kNumber, "posture_si");
+  for (const auto& [dimension, key] :
+       {std::pair{Dimension::kAngle, "angles"}, std::pair{Dimension::kLength, "ways"}})
+    for (const auto& [name, value] : table.named(dimension, key))
+      if (!posture.emplace(name, value).second)
+        table.fail(fmt::format("coordinate '{}' is given twice", name), key);
+  return posture;
+}
+
+PlacedBody read_placed_body(TomlTable& table, const std::string& path, const Materials& materials) {
+  PlacedBody placed;
+  placed.file = table.text_or("file", "");
+  const std::string folder = std::filesystem::path(path).parent_path().string();
+  placed.body = placed.file.empty() ? read_body_keys(table, path)
+                                    : read_filed_body(table, file_beside(table, "file", folder));
+  if (placed.file.empty()) placed.body.files = mesh_files(placed.body.shapes, path);
+  check_material(table, placed.body, materials);
+  placed.X_WB = read_pose_keys(table);
+  return placed;
+}
+
+Materials read_materials_key(TomlTable& top, const std::string& folder) {
+  return top.has("materials")
+             ? read_materials(file_beside(top, "materials", folder), built_in_materials())
+             : built_in_materials();
+}
+
+Camera read_camera(TomlTable& top) {
+  Camera camera;
+  std::optional<TomlTable> table = top.table("camera");
+  if (!table) return camera;
+  camera.eye = table->vector(Dimension::kLength, "eye");
+  camera.target = table->vector(Dimension::kLength, "target");
+  if ((camera.eye - camera.target).norm() < 1e-9)
+    table->fail("wanted 'eye' apart from 'target'", "eye");
+  table->done();
+  return camera;
+}
+
+OwnSources read_own_sources(const std::string& text, const std::string& path) {
+  OwnSources own;
+  const TomlNode top = parse_toml(text, path);
+  if (const TomlNode* sources = top.find("sources"))
+    for (const auto& [key, reference] : sources->members) own[key] = reference.text;
+  return own;
+}
+
+}  // namespace thenar::internal

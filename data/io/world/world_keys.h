@@ -1,0 +1,37 @@
+#pragma once
+
+/// Keys that worlds and moving scenes have in common.
+
+#include <map>
+#include <string>
+
+#include "data/io/toml_table.h"
+#include "data/io/world/world.h"
+
+namespace thenar::internal {
+
+/// Path of a file that a key names, relative to the working directory.
+/// @param folder  that the key is relative to
+[[nodiscard]] std::string file_beside(TomlTable& table, const std::string& key,
+                                      const std::string& folder);
+
+/// Joint angles, positions of sliding joints, or either in SI as the writer states it: coordinate
+/// -> [rad] or [m].
+[[nodiscard]] std::map<std::string, double> read_posture(TomlTable& table);
+
+/// Reads a body from its own keys or from the file that it names, whose name and material may be
+/// replaced; and its pose.
+/// @param path  of the file of the table;  @param materials  that it may be made of
+[[nodiscard]] PlacedBody read_placed_body(TomlTable& table, const std::string& path,
+                                          const Materials& materials);
+
+/// Materials of the file that `materials` names over the built-in table, or that alone.
+[[nodiscard]] Materials read_materials_key(TomlTable& top, const std::string& folder);
+
+/// Reads [camera]; the usual one if there is none.
+[[nodiscard]] Camera read_camera(TomlTable& top);
+
+/// The file's own [sources].
+[[nodiscard]] OwnSources read_own_sources(const std::string& text, const std::string& path);
+
+}  // namespace thenar::internal
