@@ -25,6 +25,7 @@ MAY_SEE = {
     "data/io/foreign_mesh": ["base", "data/io", "data/io/mesh", "data/io/graspit"],
     "data/io/robot": ["base", "geometry", "data/io", "data/io/mesh", "data/io/graspit"],
     "data/io/world": ["base", "geometry", "data/io", "data/io/mesh", "data/io/graspit", "data/io/robot"],
+    "data/io/scene": ["base", "geometry", "data/io", "data/io/mesh", "data/io/world"],
     "hand": ["base", "geometry", "data/io"],
     "hand/skin": ["base", "geometry", "data/io", "hand"],
     "tendons/wrapping": ["base", "data/io", "hand"],

@@ -55,6 +55,8 @@ std::string name_of(FileKind kind) {
       return "materials";
     case FileKind::kRobot:
       return "robot";
+    case FileKind::kScene:
+      return "scene";
   }
   return "";
 }
@@ -69,6 +71,8 @@ FileKind find_file_kind(const std::string& path) {
   if (has_proportions(top)) return FileKind::kProportions;
   if (has_any(top, {"bone_lengths", "node", "band"})) return FileKind::kNet;
   if (has_any(top, {"link", "dof"})) return FileKind::kRobot;
+  if (has_any(top, {"stepping", "gravity_m_s2", "force", "drive", "apart"}))
+    return FileKind::kScene;
   if (has_any(top, {"hand", "body", "camera"})) return FileKind::kWorld;
   if (has_list(top, "shape")) return FileKind::kObject;
   if (has_list(top, "material") || has_list(top, "friction")) return FileKind::kMaterials;
@@ -79,7 +83,7 @@ FileKind find_file_kind(const std::string& path) {
       "wanted a subject ([[joint]], [[muscle]] ..), an experiment ([protocol], "
       "[trials]), fit settings ([[parameter]]), proportions ([[digit]]), variability of axes "
       "(mean_subject), a net ([[band]]), a robot ([[link]]), an object ([[shape]]), a world "
-      "([[hand]], [[body]]) or materials "
+      "([[hand]], [[body]]), a scene ([stepping], [[body]]) or materials "
       "([[material]]), "
       "got none");
 }

@@ -17,11 +17,12 @@ enum class FileKind {
   kObject,
   kWorld,
   kMaterials,
-  kRobot
+  kRobot,
+  kScene
 };
 
 /// "subject", "experiment", "fit settings", "proportions", "variability of axes", "net", "result",
-/// "object", "world", "materials" or "robot".
+/// "object", "world", "materials", "robot" or "scene".
 [[nodiscard]] std::string name_of(FileKind kind);
 
 /// Finds the kind of a file: an HDF5 result by its first bytes, a TOML file by its top-level keys.

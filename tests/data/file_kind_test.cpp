@@ -33,6 +33,7 @@ TEST_F(FileKinds, AreToldByWhatDataFilesHold) {
   EXPECT_EQ(find_file_kind(kData + "/nets/winslow.toml"), FileKind::kNet);
   EXPECT_EQ(find_file_kind(kData + "/objects/mug.toml"), FileKind::kObject);
   EXPECT_EQ(find_file_kind(kData + "/worlds/jaw_box.toml"), FileKind::kWorld);
+  EXPECT_EQ(find_file_kind(kData + "/scenes/pinch.toml"), FileKind::kScene);
   EXPECT_EQ(find_file_kind(kData + "/materials.toml"), FileKind::kMaterials);
   EXPECT_EQ(find_file_kind(kData + "/robots/barrett.toml"), FileKind::kRobot);
 }

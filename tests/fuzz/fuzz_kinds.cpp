@@ -20,6 +20,7 @@
 #include "data/io/result_file.h"
 #include "data/io/robot/import_robot.h"
 #include "data/io/robot/urdf.h"
+#include "data/io/scene/scene.h"
 #include "data/io/subject.h"
 #include "data/io/world/graspit_body.h"
 #include "data/io/world/graspit_world.h"
@@ -204,6 +205,10 @@ std::vector<FuzzKind> fuzz_kinds(const std::string& folder) {
        [](File path) { (void)object_toml(read_object(path)); }},
       {"world", data_files({"worlds/jaw_box.toml", "worlds/barrett_bobbin.toml"}),
        [](File path) { (void)world_toml(read_world(path)); }},
+      {"scene",
+       data_files(
+           {"scenes/swinging_pinch.toml", "scenes/wine_glass.toml", "scenes/spinning_top.toml"}),
+       [](File path) { (void)read_scene(path); }},
       {"materials", data_files({"materials.toml"}), [](File path) { (void)read_materials(path); }},
       {"contacts", {{"a.json", kContacts}}, [](File path) { (void)read_contact_file(path); }},
       {"comparison", {{"a.json", comparison_text()}}, read_comparison_file},

@@ -1,0 +1,181 @@
+#include "data/io/scene/scene.h"
+
+#include <algorithm>
+#include <filesystem>
+#include <map>
+#include <set>
+
+#include "base/error.h"
+#include "base/nearest_name.h"
+#include "data/io/mesh/shape_toml.h"
+#include "data/io/scene/scene_keys.h"
+#include "data/io/world/world_keys.h"
+
+namespace thenar {
+namespace {
+
+SceneBodySpec read_scene_body(TomlTable& table, const SceneSpec& scene) {
+  SceneBodySpec body;
+  body.line = table.line();
+  body.placed = internal::read_placed_body(table, scene.path, scene.materials);
+  body.joint = internal::read_scene_joint(table, SceneJointKind::kFree);
+  body.velocity = internal::read_scene_velocity(table, body.joint.kind);
+  table.done();
+  return body;
+}
+
+SceneHandSpec read_scene_hand(TomlTable& table, const SceneSpec& scene) {
+  SceneHandSpec hand;
+  hand.line = table.line();
+  hand.placed.name = table.text("name");
+  if (table.has("file")) {
+    hand.placed.file = table.text("file");
+    (void)internal::file_beside(table, "file", scene.folder);
+  }
+  hand.placed.X_WH = read_pose_keys(table);
+  hand.placed.posture = internal::read_posture(table);
+  hand.joint = internal::read_scene_joint(table, SceneJointKind::kWeld);
+  hand.velocity = internal::read_scene_velocity(table, hand.joint.kind);
+  table.done();
+  return hand;
+}
+
+/// What a scene consists of, by name, with the lines of the file.
+class SceneNames {
+ public:
+  explicit SceneNames(const SceneSpec& scene) : path_(scene.path) {
+    for (const SceneBodySpec& body : scene.bodies) add(body.placed.body.name, body.line);
+    for (const SceneHandSpec& hand : scene.hands) {
+      add(hand.placed.name, hand.line);
+      hands_.push_back(hand.placed.name);
+    }
+  }
+
+  /// Refuses what is neither a body, nor a hand, nor something of a hand.
+  void need(const std::string& name, int line) const {
+    if (names_.count(name) > 0 || !hand_of(name).empty()) return;
+    throw DataError(path_, line,
+                    fmt::format("there is no body or hand '{}'{}", name,
+                                did_you_mean(name, {names_.begin(), names_.end()})));
+  }
+
+  /// Refuses a hand as a whole where one body is wanted.
+  void need_body(const std::string& name, int line) const {
+    need(name, line);
+    if (std::count(hands_.begin(), hands_.end(), name) > 0)
+      throw DataError(path_, line,
+                      fmt::format("'{0}' is a hand: name one of its links, '{0}/LINK'", name));
+  }
+
+  /// The body or hand that a name belongs to.
+  [[nodiscard]] std::string owner_of(const std::string& name) const {
+    const std::string hand = hand_of(name);
+    return hand.empty() ? name : hand;
+  }
+
+ private:
+  void add(const std::string& name, int line) {
+    if (!names_.insert(name).second)
+      throw DataError(path_, line, fmt::format("two things are called '{}'", name));
+  }
+
+  /// The hand of "HAND/LINK"; empty if there is none of that name.
+  [[nodiscard]] std::string hand_of(const std::string& name) const {
+    for (const std::string& hand : hands_)
+      if (name.size() > hand.size() + 1 && name.compare(0, hand.size() + 1, hand + "/") == 0)
+        return hand;
+    return "";
+  }
+
+  std::string path_;
+  std::set<std::string> names_;
+  std::vector<std::string> hands_;
+};
+
+/// Refuses parents that are not there, and chains of parents that come back.
+void check_parents(const SceneSpec& scene, const SceneNames& names) {
+  std::map<std::string, const SceneJointSpec*> joints;
+  for (const SceneBodySpec& body : scene.bodies) joints[body.placed.body.name] = &body.joint;
+  for (const SceneHandSpec& hand : scene.hands) joints[hand.placed.name] = &hand.joint;
+  for (const auto& [name, joint] : joints)
+    if (!joint->parent.empty()) names.need_body(joint->parent, joint->line);
+  std::set<const SceneJointSpec*> grounded;  // their parents lead to the world
+  for (const auto& [name, joint] : joints) {
+    std::vector<const SceneJointSpec*> chain{joint};
+    while (!chain.back()->parent.empty() && grounded.count(chain.back()) == 0) {
+      if (chain.size() > joints.size())
+        throw DataError(scene.path, joint->line,
+                        fmt::format("the parents of '{}' lead back to themselves", name));
+      chain.push_back(joints.at(names.owner_of(chain.back()->parent)));
+    }
+    grounded.insert(chain.begin(), chain.end());
+  }
+}
+
+/// Refuses names that nothing has.
+void check_references(const SceneSpec& scene, const SceneNames& names) {
+  for (const SceneForceSpec& force : scene.forces) names.need_body(force.body, force.line);
+  for (const SceneDriveSpec& drive : scene.drives) names.need_body(drive.coordinate, drive.line);
+  for (const SceneApartSpec& apart : scene.apart)
+    for (const std::string& name : apart.between) names.need(name, apart.line);
+  int others = 0;
+  for (const SceneFrictionSpec& friction : scene.frictions) {
+    for (const std::string& name : friction.between) names.need(name, friction.line);
+    if (friction.between.empty() && ++others > 1)
+      throw DataError(scene.path, friction.line,
+                      "two [[friction]] are for all pairs: name two bodies, 'between'");
+  }
+}
+
+}  // namespace
+
+SceneSpec parse_scene(const std::string& text, const std::string& path) {
+  const TomlFile file(text, path);
+  TomlTable top = file.top();
+  // Header, gravity and materials.
+  SceneSpec scene;
+  scene.path = path;
+  scene.folder = std::filesystem::path(path).parent_path().string();
+  scene.name = top.text("name");
+  scene.description = top.text_or("description", "");
+  scene.source = top.source();
+  scene.gravity = top.vector_or(Dimension::kAcceleration, "gravity", scene.gravity);
+  scene.materials_file = top.text_or("materials", "");
+  scene.materials = internal::read_materials_key(top, scene.folder);
+  if (top.has("camera")) scene.camera = internal::read_camera(top);
+  // Bodies and hands, and what acts on them.
+  for (TomlTable& table : top.tables("hand")) scene.hands.push_back(read_scene_hand(table, scene));
+  for (TomlTable& table : top.tables("body")) scene.bodies.push_back(read_scene_body(table, scene));
+  for (TomlTable& table : top.tables("force"))
+    scene.forces.push_back(internal::read_scene_force(table));
+  for (TomlTable& table : top.tables("drive"))
+    scene.drives.push_back(internal::read_scene_drive(table));
+  for (TomlTable& table : top.tables("friction"))
+    scene.frictions.push_back(internal::read_scene_friction(table));
+  for (TomlTable& table : top.tables("apart"))
+    scene.apart.push_back(internal::read_scene_apart(table));
+  // Time.
+  std::optional<TomlTable> stepping = top.table("stepping");
+  if (!stepping) top.fail("a scene needs [stepping] with its 'duration'");
+  scene.stepping = internal::read_stepping(*stepping);
+  top.done();
+  if (scene.bodies.empty() && scene.hands.empty())
+    top.fail("a scene needs something that moves: [[body]] or [[hand]]");
+  const SceneNames names(scene);
+  check_parents(scene, names);
+  check_references(scene, names);
+  return scene;
+}
+
+SceneSpec read_scene(const std::string& path) {
+  SceneSpec scene = parse_scene(read_text_file(path), path);
+  scene.files = digests_of({path});
+  if (!scene.materials_file.empty())
+    scene.files.merge(
+        digests_of({(std::filesystem::path(scene.folder) / scene.materials_file).string()}));
+  for (const SceneBodySpec& body : scene.bodies)
+    scene.files.insert(body.placed.body.files.begin(), body.placed.body.files.end());
+  return scene;
+}
+
+}  // namespace thenar

@@ -1,0 +1,145 @@
+#pragma once
+
+/// Moving scenes as plain data: bodies and hands on joints, what acts on them, and how to step.
+
+#include <limits>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "data/io/world/world.h"
+
+namespace thenar {
+
+/// How a body, or the base of a hand, moves against its parent.
+enum class SceneJointKind { kWeld, kHinge, kSlide, kBall, kFree };
+
+/// "weld", "hinge", "slide", "ball", "free", in the order of SceneJointKind.
+[[nodiscard]] const std::vector<std::string>& scene_joint_names();
+
+/// A joint at the start: its axis and point in world, where the body then is.
+struct SceneJointSpec {
+  SceneJointKind kind = SceneJointKind::kFree;
+  std::string parent;              // body, or "HAND/LINK"; empty: the world
+  Eigen::Vector3d axis{0, 0, 1};   // of hinge and slide: unit (3)
+  Eigen::Vector3d point{0, 0, 0};  // on the axis of a hinge, centre of a ball joint [m] (3)
+  double start = 0;                // of hinge and slide: value at the start [rad] or [m]
+  double speed = 0;                // of hinge and slide: rate at the start [rad/s] or [m/s]
+  Eigen::Vector3d spin{0, 0, 0};   // of ball: angular velocity at the start [rad/s] (3)
+  double lower = -std::numeric_limits<double>::infinity();  // [rad] or [m]
+  double upper = std::numeric_limits<double>::infinity();   // [rad] or [m]
+  double stiffness = 0;  // of a spring to `rest` [N m/rad] or [N/m]
+  double rest = 0;       // [rad] or [m]
+  double damping = 0;    // [N m s/rad] or [N s/m]
+  double friction = 0;   // Coulomb's [N m] or [N]
+  int line = 1;          // of the file
+};
+
+/// Velocity of a free body at the start.
+struct SceneVelocity {
+  Eigen::Vector3d linear{0, 0, 0};   // of the centre of mass [m/s] (3)
+  Eigen::Vector3d angular{0, 0, 0};  // [rad/s] (3)
+};
+
+/// A body at the start.
+struct SceneBodySpec {
+  PlacedBody placed;  // its `dynamic` means nothing
+  SceneJointSpec joint;
+  SceneVelocity velocity;
+  int line = 1;
+};
+
+/// A hand at the start: a robot, by name or file.
+struct SceneHandSpec {
+  PlacedHand placed;     // its pose in the world; its carrier is the joint's parent
+  SceneJointSpec joint;  // of its base; welds if it is not stated
+  SceneVelocity velocity;
+  int line = 1;
+};
+
+/// A force or moment of constant direction in world.
+struct SceneForceSpec {
+  std::string name, body;                // body, or "HAND/LINK"
+  std::optional<Eigen::Vector3d> point;  // in the body's frame [m] (3); absent: its centre of mass
+  Eigen::Vector3d force{0, 0, 0};        // [N] (3)
+  Eigen::Vector3d moment{0, 0, 0};       // [N m] (3)
+  double from = 0;                       // [s]
+  double to = std::numeric_limits<double>::infinity();  // [s]
+  int line = 1;
+};
+
+/// A motor: effort + stiffness (target - value) - damping (rate - speed), cut to the largest.
+struct SceneDriveSpec {
+  std::string name, coordinate;      // coordinate: a body on a hinge or slide, or "HAND/MOTOR"
+  bool turns = false;                // its quantities are those of angles
+  double effort = 0;                 // [N m] or [N]
+  double stiffness = 0;              // [N m/rad] or [N/m]
+  double damping = 0;                // [N m s/rad] or [N s/m]
+  double target = 0;                 // when it begins [rad] or [m]
+  double speed = 0;                  // of the target [rad/s] or [m/s]
+  std::optional<double> max_effort;  // [N m] or [N]; absent: the motor's own, if it is known
+  double from = 0;                   // [s]
+  double to = std::numeric_limits<double>::infinity();  // [s]
+  int line = 1;
+};
+
+/// How two things rub, or all that nothing else is said of.
+struct SceneFrictionSpec {
+  std::vector<std::string> between;      // two of body, hand, "HAND/LINK"; empty: all others
+  std::optional<double> coefficient;     // [1]; absent: that of the materials
+  std::optional<double> torsion_radius;  // [m]
+  std::optional<double> restitution;     // 0..1 [1]
+  int line = 1;
+};
+
+/// Two things that are never asked for contacts.
+struct SceneApartSpec {
+  std::vector<std::string> between;  // two of body, hand, "HAND/LINK"
+  int line = 1;
+};
+
+/// How time goes on; what is absent is the method's own.
+struct SteppingSpec {
+  std::string method = "events";    // a name of the simulator
+  double duration = 1;              // [s]
+  double sample = 1e-2;             // between instants that are kept [s]
+  std::optional<double> step;       // of time-stepping [s]
+  std::optional<double> longest;    // step between events [s]
+  std::optional<double> tolerance;  // error of a step [m] or [rad]
+  std::optional<double> recovery;   // speed at which depth is pushed out [m/s]
+  int line = 1;
+};
+
+/// A whole scene.
+struct SceneSpec {
+  std::string name;
+  std::string description;
+  std::string source;                    // citation keys of its numbers
+  std::string path;                      // of the file, for messages
+  std::string folder;                    // of the file, to which its paths are relative
+  Eigen::Vector3d gravity{0, 0, -9.81};  // of free fall [m/s^2] (3)
+  std::string materials_file;            // as written; empty: the built-in table alone
+  Materials materials = built_in_materials();
+  std::vector<SceneBodySpec> bodies;
+  std::vector<SceneHandSpec> hands;
+  std::vector<SceneForceSpec> forces;
+  std::vector<SceneDriveSpec> drives;
+  std::vector<SceneFrictionSpec> frictions;
+  std::vector<SceneApartSpec> apart;
+  SteppingSpec stepping;
+  std::optional<Camera> camera;
+  FileDigests files = {};  // of the scene, its materials and bodies; hands are not read yet
+};
+
+/// Most instants that a run keeps.
+inline constexpr double kMostSamples = 1e6;
+
+/// Reads a scene (data/scenes) from TOML; docs/data_format.md describes the format. Files named in
+/// it are relative to its folder.
+/// @throws DataError  `path:line: what was wanted, what came`.
+[[nodiscard]] SceneSpec read_scene(const std::string& path);
+[[nodiscard]] SceneSpec parse_scene(const std::string& text, const std::string& path);
+
+}  // namespace thenar

@@ -1,0 +1,210 @@
+#include "data/io/scene/scene_keys.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/error.h"
+
+namespace thenar {
+
+const std::vector<std::string>& scene_joint_names() {
+  static const std::vector<std::string> names{"weld", "hinge", "slide", "ball", "free"};
+  return names;
+}
+
+namespace internal {
+namespace {
+
+/// Dimensions of the quantities of a coordinate.
+struct CoordinateUnits {
+  Dimension value, speed, effort, stiffness, damping;
+};
+CoordinateUnits units_of_coordinate(bool turns) {
+  if (turns)
+    return {Dimension::kAngle, Dimension::kAngularSpeed, Dimension::kMoment,
+            Dimension::kAngularStiffness, Dimension::kAngularDamping};
+  return {Dimension::kLength, Dimension::kSpeed, Dimension::kForce, Dimension::kLinearStiffness,
+          Dimension::kLinearDamping};
+}
+
+/// `from` and `to` of what acts for a time.
+template <typename Spec>
+void read_span(TomlTable& table, Spec& spec) {
+  spec.from = table.number_or(Dimension::kTime, "from", spec.from, Range::kNotNegative);
+  spec.to = table.number_or(Dimension::kTime, "to", spec.to);
+  if (spec.to <= spec.from)
+    table.fail(fmt::format("wanted 'to' after 'from', got {:g} s to {:g} s", spec.from, spec.to),
+               "to");
+}
+
+/// Two different names.
+std::vector<std::string> read_between(TomlTable& table) {
+  std::vector<std::string> between = table.texts("between");
+  if (between.size() != 2)
+    table.fail(fmt::format("wanted two names in 'between', got {}", between.size()), "between");
+  if (between[0] == between[1])
+    table.fail(fmt::format("'{}' cannot touch itself", between[0]), "between");
+  return between;
+}
+
+/// What a hinge or slide has beside its axis.
+void read_coordinate(TomlTable& table, SceneJointSpec& joint) {
+  const CoordinateUnits units = units_of_coordinate(joint.kind == SceneJointKind::kHinge);
+  joint.start = table.number_or(units.value, "start", 0);
+  joint.speed = table.number_or(units.speed, "speed", 0);
+  if (table.has(units.value, "range")) {
+    const std::vector<double> range = table.numbers(units.value, "range", 2);
+    joint.lower = range[0];
+    joint.upper = range[1];
+    if (joint.lower > joint.upper)
+      table.fail(
+          fmt::format("wanted 'range' from low to high, got {:g} to {:g}", range[0], range[1]),
+          "range");
+  }
+  if (joint.start < joint.lower || joint.start > joint.upper)
+    table.fail("wanted 'start' within 'range'", "start");
+  joint.stiffness = table.number_or(units.stiffness, "stiffness", 0, Range::kNotNegative);
+  joint.rest = table.number_or(units.value, "rest", 0);
+  joint.damping = table.number_or(units.damping, "damping", 0, Range::kNotNegative);
+  joint.friction = table.number_or(units.effort, "friction", 0, Range::kNotNegative);
+}
+
+}  // namespace
+
+SceneJointSpec read_scene_joint(TomlTable& owner, SceneJointKind kind) {
+  SceneJointSpec joint;
+  joint.kind = kind;
+  joint.line = owner.line();
+  std::optional<TomlTable> table = owner.table("joint");
+  if (!table) return joint;
+  joint.line = table->line();
+  const std::vector<std::string>& names = scene_joint_names();
+  const std::string word = table->choice("kind", names);
+  joint.kind =
+      static_cast<SceneJointKind>(std::find(names.begin(), names.end(), word) - names.begin());
+  joint.parent = table->text_or("parent", "");
+  if (joint.kind == SceneJointKind::kFree && !joint.parent.empty())
+    table->fail("what is free has no parent", "parent");
+  // Each kind has keys of its own.
+  const bool moves_along_axis =
+      joint.kind == SceneJointKind::kHinge || joint.kind == SceneJointKind::kSlide;
+  if (moves_along_axis) joint.axis = table->direction("axis");
+  if (joint.kind == SceneJointKind::kHinge || joint.kind == SceneJointKind::kBall)
+    joint.point = table->vector(Dimension::kLength, "point");
+  if (moves_along_axis) read_coordinate(*table, joint);
+  if (joint.kind == SceneJointKind::kBall)
+    joint.spin = table->vector_or(Dimension::kAngularSpeed, "angular_velocity", joint.spin);
+  table->done();
+  return joint;
+}
+
+SceneVelocity read_scene_velocity(TomlTable& owner, SceneJointKind kind) {
+  SceneVelocity velocity;
+  for (const auto& [dimension, key] : {std::pair{Dimension::kSpeed, "velocity"},
+                                       std::pair{Dimension::kAngularSpeed, "angular_velocity"}})
+    if (owner.has(dimension, key) && kind != SceneJointKind::kFree)
+      owner.fail(fmt::format("only what is free has '{}': give its joint a speed", key), key);
+  velocity.linear = owner.vector_or(Dimension::kSpeed, "velocity", velocity.linear);
+  velocity.angular =
+      owner.vector_or(Dimension::kAngularSpeed, "angular_velocity", velocity.angular);
+  return velocity;
+}
+
+SceneForceSpec read_scene_force(TomlTable& table) {
+  SceneForceSpec force;
+  force.line = table.line();
+  force.body = table.text("body");
+  force.name = table.text_or("name", force.body);
+  if (table.has(Dimension::kLength, "point"))
+    force.point = table.vector(Dimension::kLength, "point");
+  force.force = table.vector_or(Dimension::kForce, "force", force.force);
+  force.moment = table.vector_or(Dimension::kMoment, "moment", force.moment);
+  if (force.force.isZero(0) && force.moment.isZero(0))
+    table.fail("[[force]] needs a 'force' or a 'moment' that is not zero");
+  read_span(table, force);
+  table.done();
+  return force;
+}
+
+SceneDriveSpec read_scene_drive(TomlTable& table) {
+  SceneDriveSpec drive;
+  drive.line = table.line();
+  drive.coordinate = table.text("coordinate");
+  drive.name = table.text_or("name", drive.coordinate);
+  // Its units say whether it turns or slides.
+  bool turns = false, slides = false;
+  for (const bool kind : {true, false}) {
+    const CoordinateUnits units = units_of_coordinate(kind);
+    const bool any = table.has(units.effort, "effort") || table.has(units.value, "target") ||
+                     table.has(units.stiffness, "stiffness") ||
+                     table.has(units.damping, "damping") || table.has(units.speed, "speed") ||
+                     table.has(units.effort, "max_effort");
+    (kind ? turns : slides) = any;
+  }
+  if (turns && slides)
+    table.fail("wanted the units of a turn (Nm, deg ..) or those of a slide (N, mm ..), got both");
+  if (!turns && !slides) table.fail("[[drive]] needs an 'effort', or a 'target' with 'stiffness'");
+  drive.turns = turns;
+  const CoordinateUnits units = units_of_coordinate(turns);
+  drive.effort = table.number_or(units.effort, "effort", 0);
+  drive.stiffness = table.number_or(units.stiffness, "stiffness", 0, Range::kNotNegative);
+  drive.damping = table.number_or(units.damping, "damping", 0, Range::kNotNegative);
+  drive.target = table.number_or(units.value, "target", 0);
+  drive.speed = table.number_or(units.speed, "speed", 0);
+  if (table.has(units.effort, "max_effort"))
+    drive.max_effort = table.number(units.effort, "max_effort", Range::kNotNegative);
+  if (drive.stiffness == 0 && table.has(units.value, "target"))
+    table.fail("a 'target' needs a 'stiffness'", "target");
+  read_span(table, drive);
+  table.done();
+  return drive;
+}
+
+SceneFrictionSpec read_scene_friction(TomlTable& table) {
+  SceneFrictionSpec friction;
+  friction.line = table.line();
+  if (table.has("between")) friction.between = read_between(table);
+  if (table.has(Dimension::kNumber, "coefficient"))
+    friction.coefficient = table.number(Dimension::kNumber, "coefficient", Range::kNotNegative);
+  if (table.has(Dimension::kLength, "torsion_radius"))
+    friction.torsion_radius =
+        table.number(Dimension::kLength, "torsion_radius", Range::kNotNegative);
+  if (table.has(Dimension::kNumber, "restitution"))
+    friction.restitution = table.number(Dimension::kNumber, "restitution", Range::kFraction);
+  if (!friction.coefficient && !friction.torsion_radius && !friction.restitution)
+    table.fail("[[friction]] needs 'coefficient', 'torsion_radius' or 'restitution'");
+  table.done();
+  return friction;
+}
+
+SceneApartSpec read_scene_apart(TomlTable& table) {
+  SceneApartSpec apart{read_between(table), table.line()};
+  table.done();
+  return apart;
+}
+
+SteppingSpec read_stepping(TomlTable& table) {
+  SteppingSpec stepping;
+  stepping.line = table.line();
+  stepping.method = table.text_or("method", stepping.method);
+  stepping.duration = table.number(Dimension::kTime, "duration", Range::kPositive);
+  stepping.sample = table.number_or(Dimension::kTime, "sample", stepping.sample, Range::kPositive);
+  if (stepping.duration / stepping.sample > kMostSamples)
+    table.fail(fmt::format("wanted at most {:g} samples, got {:g} s in steps of {:g} s",
+                           kMostSamples, stepping.duration, stepping.sample),
+               "sample");
+  const auto if_stated = [&](Dimension dimension, const char* key) {
+    std::optional<double> value;
+    if (table.has(dimension, key)) value = table.number(dimension, key, Range::kPositive);
+    return value;
+  };
+  stepping.step = if_stated(Dimension::kTime, "step");
+  stepping.longest = if_stated(Dimension::kTime, "longest_step");
+  stepping.tolerance = if_stated(Dimension::kNumber, "tolerance");
+  stepping.recovery = if_stated(Dimension::kSpeed, "recovery");
+  table.done();
+  return stepping;
+}
+
+}  // namespace internal
+}  // namespace thenar

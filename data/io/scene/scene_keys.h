@@ -1,0 +1,20 @@
+#pragma once
+
+/// Tables of a scene, each by itself.
+
+#include "data/io/scene/scene.h"
+#include "data/io/toml_table.h"
+
+namespace thenar::internal {
+
+/// [body.joint] or [hand.joint]. @param kind  where it is not stated
+[[nodiscard]] SceneJointSpec read_scene_joint(TomlTable& owner, SceneJointKind kind);
+/// `velocity` and `angular_velocity`, which only what is free may have.
+[[nodiscard]] SceneVelocity read_scene_velocity(TomlTable& owner, SceneJointKind kind);
+[[nodiscard]] SceneForceSpec read_scene_force(TomlTable& table);
+[[nodiscard]] SceneDriveSpec read_scene_drive(TomlTable& table);
+[[nodiscard]] SceneFrictionSpec read_scene_friction(TomlTable& table);
+[[nodiscard]] SceneApartSpec read_scene_apart(TomlTable& table);
+[[nodiscard]] SteppingSpec read_stepping(TomlTable& table);
+
+}  // namespace thenar::internal
