@@ -1,0 +1,46 @@
+#pragma once
+
+/// Moving scenes from their files.
+
+#include <string>
+#include <vector>
+
+#include "data/io/robot/robot.h"
+#include "data/io/scene/scene.h"
+#include "dynamics/stepping/simulate_scene.h"
+
+namespace thenar {
+
+/// A scene ready to be simulated.
+struct BuiltScene {
+  MovingScene scene;
+  SceneOptions options;
+  std::vector<std::string> owner;  // of each body of the mechanism: the body or hand of the file
+  std::vector<std::string> force_names, drive_names;  // as the file has them, in its order
+  std::vector<std::string> warnings;                  // what was assumed
+};
+
+/// Builds a scene at its start.
+///
+/// Joints carry bodies that stand where the file puts them: with A the frame whose z is the axis
+/// and s the value at the start,  F = A motion(-s),  M = A.  Links of a hand are called HAND/LINK,
+/// its coordinates HAND/MOTOR, or HAND/JOINT where no motor moves the joint; a base that moves has
+/// the coordinate HAND/base. A motor that cannot be driven back and that nothing drives is welded.
+/// Links of one hand that are in each other at the start, or with all coordinates at 0, are never
+/// asked for contacts.
+/// The friction of a pair is that of its [[friction]]; else that of the [[friction]] for all; else
+/// the static one of its materials.
+/// @param robots  of the hands, in their order
+/// @throws DataError at the line of the file where parts do not fit together.
+[[nodiscard]] BuiltScene build_scene(const SceneSpec& spec, const std::vector<RobotSpec>& robots);
+
+/// Changes one number of a scene:
+///   friction       coefficient of all pairs [1]
+///   mass/BODY      [kg], the inertia with it
+///   force/NAME     length of the force [N], or of the moment where there is no force [N m]
+///   drive/NAME     size of its effort, which keeps its sense [N] or [N m]
+///   step, longest  [s];  tolerance  [m] or [rad]
+/// @throws InputError if the scene has no such number, or the value is impossible.
+void set_number(BuiltScene& built, const std::string& name, double value);
+
+}  // namespace thenar

@@ -1,0 +1,177 @@
+#include "dynamics/scene/measure_run.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+#include <Eigen/Geometry>
+
+#include "dynamics/mechanism/tree_motion.h"
+
+namespace thenar {
+namespace {
+
+using Poses = std::vector<Pose<double>>;
+using Pair = std::pair<int, int>;
+
+constexpr double kSamePoint = 1e-5;  // nearer points are one contact [m]
+
+/// Two points of a pair of bodies that were one at an instant, at the next.
+struct MaterialPoints {
+  Eigen::Vector3d of_a, of_b;  // [m] (3)
+
+  /// Their distance across a normal [m].
+  [[nodiscard]] double across(const Eigen::Vector3d& normal) const {
+    const Eigen::Vector3d apart = of_a - of_b;
+    return (apart - apart.dot(normal) * normal).norm();
+  }
+};
+MaterialPoints moved_points(const ContactSample& contact, const Poses& before, const Poses& after) {
+  const auto moved = [&](int body) {
+    const auto i = static_cast<std::size_t>(body);
+    return Eigen::Vector3d(after[i] * (before[i].inverse() * contact.point));
+  };
+  return {moved(contact.a), moved(contact.b)};
+}
+
+/// Whether a contact goes on: by its identity, or where it went with one of the bodies, as it is
+/// given a new identity when a pair was out of sight for a moment.
+bool goes_on(const ContactSample& contact, const MaterialPoints& moved,
+             const std::vector<ContactSample>& contacts) {
+  return std::any_of(contacts.begin(), contacts.end(), [&](const ContactSample& each) {
+    return each.a == contact.a && each.b == contact.b &&
+           (each.id == contact.id || (each.point - moved.of_a).norm() < kSamePoint ||
+            (each.point - moved.of_b).norm() < kSamePoint);
+  });
+}
+
+/// Adds what the pairs slid from one instant to the next.
+void add_slips(const SceneSample& from, const SceneSample& to, const Poses& X_from,
+               const Poses& X_to, std::map<Pair, PairMeasure>& pairs) {
+  std::map<Pair, double> ways;
+  for (const ContactSample& contact : from.contacts) {
+    const MaterialPoints moved = moved_points(contact, X_from, X_to);
+    if (!goes_on(contact, moved, to.contacts)) continue;
+    double& way = ways[{contact.a, contact.b}];
+    way = std::max(way, moved.across(contact.normal));
+  }
+  for (const auto& [pair, way] : ways) pairs[pair].slip += way;
+}
+
+/// Notes what the pairs do at an instant.
+void note_contacts(const SceneSample& sample, bool last, std::map<Pair, PairMeasure>& pairs) {
+  std::map<Pair, double> normal;
+  for (const ContactSample& contact : sample.contacts) {
+    const auto [at, is_new] = pairs.try_emplace({contact.a, contact.b});
+    PairMeasure& pair = at->second;
+    if (is_new) {
+      pair.a = contact.a;
+      pair.b = contact.b;
+      pair.first = sample.t;
+    }
+    pair.last = sample.t;
+    normal[at->first] += contact.force.dot(contact.normal);
+    if (!last) continue;
+    pair.force += contact.force;
+    ++pair.points;
+    if (contact.mode == ContactMode::kSlide || pair.mode == ContactMode::kOpen)
+      pair.mode = contact.mode;
+  }
+  for (const auto& [pair, force] : normal)
+    pairs[pair].largest_force = std::max(pairs[pair].largest_force, force);
+}
+
+/// Effort of a drive at an instant at which it acts.
+double effort_at(const SceneDrive& drive, const MechanismLayout& layout,
+                 const SceneSample& sample) {
+  const auto c = static_cast<std::size_t>(drive.coordinate);
+  const double u = sample.q[layout.coordinate_q[c]], rate = sample.v[layout.coordinate_v[c]];
+  const double wanted = drive.target + drive.speed * (sample.t - drive.when.from);
+  const double effort =
+      drive.bias + drive.stiffness * (wanted - u) - drive.damping * (rate - drive.speed);
+  return std::clamp(effort, -drive.max_effort, drive.max_effort);
+}
+
+/// Work of forces and drives between two instants [J].
+double work_between(const MovingScene& scene, const MechanismLayout& layout,
+                    const SceneSample& from, const SceneSample& to, const Poses& X_from,
+                    const Poses& X_to) {
+  const double middle = 0.5 * (from.t + to.t);
+  double work = 0;
+  for (const SceneForce& force : scene.forces) {
+    if (!force.when.holds(middle)) continue;
+    const auto i = static_cast<std::size_t>(force.body);
+    const Eigen::AngleAxisd turn(X_to[i].R * X_from[i].R.transpose());
+    work += force.force.dot(X_to[i] * force.point - X_from[i] * force.point) +
+            force.moment.dot(turn.angle() * turn.axis());
+  }
+  for (const SceneDrive& drive : scene.drives) {
+    if (!drive.when.holds(middle)) continue;
+    const int at = layout.coordinate_q[static_cast<std::size_t>(drive.coordinate)];
+    work += 0.5 * (effort_at(drive, layout, from) + effort_at(drive, layout, to)) *
+            (to.q[at] - from.q[at]);
+  }
+  return work;
+}
+
+/// Velocities of all bodies at an instant.
+std::vector<SceneVelocity> velocities_at(const Mechanism& mechanism, const SceneSample& sample) {
+  const TreeModel model = tree_model(mechanism);
+  TreeMotion<double> motion(model);
+  motion.set_position(sample.q);
+  motion.set_speed(sample.v);
+  std::vector<SceneVelocity> out(mechanism.bodies.size());
+  for (std::size_t i = 0; i < out.size(); ++i) {
+    const int link = model.bodies[i].link;
+    if (link < 0) continue;
+    const Eigen::Vector3d centre = motion.pose(static_cast<int>(i)) * mechanism.bodies[i].mass.com;
+    out[i] = {motion.velocity(link, centre), motion.links()[static_cast<std::size_t>(link)].w};
+  }
+  return out;
+}
+
+/// The instant with what touches at it: the start comes before any step, and has no forces yet.
+SceneSample with_touching(const SceneSample& sample, ContactStep& step) {
+  constexpr double kTouching = 1e-9;  // as SceneOptions::touch [m]
+  std::vector<ActiveContact> found;
+  step.find({sample.t, sample.q, sample.v}, kTouching, found);
+  SceneSample out = sample;
+  for (const ActiveContact& contact : found) {
+    if (contact.kind != ActiveContact::Kind::kContact) continue;
+    out.contacts.emplace_back();
+    out.contacts.back().a = contact.a;
+    out.contacts.back().b = contact.b;
+    out.contacts.back().id = contact.id;
+    out.contacts.back().point = contact.point;
+    out.contacts.back().normal = contact.normal;
+  }
+  return out;
+}
+
+}  // namespace
+
+RunMeasures measure_run(const MovingScene& scene, const SceneRun& run) {
+  RunMeasures out;
+  if (run.samples.empty()) return out;
+  ContactStep step(scene);
+  out.X_WB.resize(run.samples.size());
+  for (std::size_t k = 0; k < run.samples.size(); ++k)
+    step.poses({run.samples[k].t, run.samples[k].q, run.samples[k].v}, out.X_WB[k]);
+  const MechanismLayout layout = layout_of(scene.mechanism);
+  std::map<Pair, PairMeasure> pairs;
+  for (std::size_t k = 0; k < run.samples.size(); ++k) {
+    note_contacts(run.samples[k], k + 1 == run.samples.size(), pairs);
+    if (k == 0) continue;
+    const SceneSample &from = run.samples[k - 1], &to = run.samples[k];
+    const bool bare = k == 1 && from.contacts.empty();
+    add_slips(bare ? with_touching(from, step) : from, to, out.X_WB[k - 1], out.X_WB[k], pairs);
+    out.work += work_between(scene, layout, from, to, out.X_WB[k - 1], out.X_WB[k]);
+  }
+  for (const auto& [bodies, pair] : pairs) out.pairs.push_back(pair);
+  out.velocity = velocities_at(scene.mechanism, run.samples.back());
+  out.dissipated =
+      run.samples.front().energy.total() + out.work - run.samples.back().energy.total();
+  return out;
+}
+
+}  // namespace thenar

@@ -1,0 +1,47 @@
+#pragma once
+
+/// What a run of a scene did: slip, forces, energy.
+
+#include <vector>
+
+#include "base/spatial.h"
+#include "data/io/scene/scene.h"
+#include "dynamics/stepping/simulate_scene.h"
+
+namespace thenar {
+
+/// Two bodies that touched.
+struct PairMeasure {
+  int a = 0, b = 0;                       // bodies, a < b
+  double first = 0, last = 0;             // instants with contact [s]
+  double slip = 0;                        // way that material points slid [m]
+  double largest_force = 0;               // of the instants: sum of the normal forces [N]
+  Eigen::Vector3d force{0, 0, 0};         // on a at the end [N] (3)
+  int points = 0;                         // with a force at the end
+  ContactMode mode = ContactMode::kOpen;  // at the end: slides if one of its points does
+};
+
+/// Measures over the instants of a run.
+struct RunMeasures {
+  std::vector<PairMeasure> pairs;  // by rising (a, b)
+  double work = 0;                 // of forces and drives on the scene [J]
+  double dissipated = 0;           // energy at the start + work - energy at the end [J]
+  std::vector<std::vector<Pose<double>>> X_WB;  // (instants, bodies)
+  std::vector<SceneVelocity> velocity;  // of the bodies at the end, centres of mass (bodies)
+};
+
+/// Measures a run from the instants that it kept.
+///
+/// Slip of a pair: from one instant to the next, each contact point that is there at both is
+/// followed as a point of either body (it is the same by its id, or where one body took it), and
+/// the distance of the two points at the end, across the normal, is the way that it slid; the
+/// largest of the pair's points counts, and these ways are added up. It is the length of the way
+/// where the pair slides straight on between instants, leaves out rolling but for its third order,
+/// and contacts that are shorter than two instants.
+///
+/// Work: of a force that acts all along, exact; of a drive, mean of its efforts at both instants
+/// times the way; of a moment, along the turn. What begins or ends between two instants counts by
+/// the instant in their middle.
+[[nodiscard]] RunMeasures measure_run(const MovingScene& scene, const SceneRun& run);
+
+}  // namespace thenar

@@ -1,0 +1,178 @@
+#include "dynamics/scene/scene_pairs.h"
+
+#include <algorithm>
+#include <map>
+#include <set>
+
+#include "base/error.h"
+#include "base/nearest_name.h"
+
+namespace thenar {
+namespace {
+
+using Pair = std::pair<int, int>;
+
+constexpr double kOverlap = 1e-6;  // depth at the start that is told [m]
+
+Pair ordered(int a, int b) { return {std::min(a, b), std::max(a, b)}; }
+
+/// Bodies of a name: one body, or all links of a hand.
+std::vector<int> bodies_of(const BuiltScene& built, const std::string& name,
+                           const std::string& path, int line) {
+  std::vector<int> found;
+  std::vector<std::string> names;
+  for (std::size_t i = 0; i < built.owner.size(); ++i) {
+    names.push_back(built.scene.mechanism.bodies[i].name);
+    if (names.back() == name || built.owner[i] == name) found.push_back(static_cast<int>(i));
+  }
+  if (found.empty())
+    throw DataError(path, line,
+                    fmt::format("there is no body '{}'{}", name, did_you_mean(name, names)));
+  return found;
+}
+
+/// All pairs of one body of each of two names.
+std::vector<Pair> pairs_between(const BuiltScene& built, const std::vector<std::string>& between,
+                                const std::string& path, int line) {
+  std::vector<Pair> pairs;
+  for (const int a : bodies_of(built, between[0], path, line))
+    for (const int b : bodies_of(built, between[1], path, line))
+      if (a != b) pairs.push_back(ordered(a, b));
+  return pairs;
+}
+
+/// What is stated replaces what was there.
+PairFriction with_stated(PairFriction pair, const SceneFrictionSpec& stated) {
+  pair.coefficient = stated.coefficient.value_or(pair.coefficient);
+  pair.torsion_radius = stated.torsion_radius.value_or(pair.torsion_radius);
+  pair.restitution = stated.restitution.value_or(pair.restitution);
+  return pair;
+}
+
+std::string material_of(const MechanismBody& body) {
+  return body.material.empty() ? kDefaultMaterial : body.material;
+}
+
+/// Bodies that both touch something and are not held together.
+std::vector<Pair> pairs_that_may_meet(const MovingScene& scene) {
+  const TreeModel model = tree_model(scene.mechanism);
+  const std::set<Pair> apart(scene.apart.begin(), scene.apart.end());
+  std::vector<Pair> pairs;
+  const int count = static_cast<int>(scene.mechanism.bodies.size());
+  for (int a = 0; a < count; ++a)
+    for (int b = a + 1; b < count; ++b) {
+      const auto at_a = static_cast<std::size_t>(a), at_b = static_cast<std::size_t>(b);
+      const bool touches = scene.mechanism.bodies[at_a].solid && scene.mechanism.bodies[at_b].solid;
+      const bool one_link = model.bodies[at_a].link == model.bodies[at_b].link;
+      const bool joined = scene.mechanism.joints[at_b].parent == a;
+      if (touches && !one_link && !joined && apart.count({a, b}) == 0) pairs.emplace_back(a, b);
+    }
+  return pairs;
+}
+
+/// The named pairs, over what all pairs have.
+std::map<Pair, PairFriction> named_pairs(const SceneSpec& spec, const BuiltScene& built) {
+  std::map<Pair, PairFriction> named;
+  for (const SceneFrictionSpec& friction : spec.frictions) {
+    if (friction.between.empty()) continue;
+    for (const Pair& pair : pairs_between(built, friction.between, spec.path, friction.line)) {
+      PairFriction base = built.scene.friction;
+      const bool is_new = named.emplace(pair, with_stated(base, friction)).second;
+      if (!is_new)
+        throw DataError(spec.path, friction.line,
+                        fmt::format("the friction of '{}' and '{}' is given twice",
+                                    friction.between[0], friction.between[1]));
+    }
+  }
+  return named;
+}
+
+/// Friction of materials, where neither the pair nor all pairs have a coefficient.
+double material_friction(const SceneSpec& spec, const MovingScene& scene, const Pair& pair) {
+  const MechanismBody& a = scene.mechanism.bodies[static_cast<std::size_t>(pair.first)];
+  const MechanismBody& b = scene.mechanism.bodies[static_cast<std::size_t>(pair.second)];
+  try {
+    return spec.materials.between(material_of(a), material_of(b)).static_coefficient;
+  } catch (const InputError& error) {
+    throw DataError(spec.path, 1,
+                    fmt::format("'{}' and '{}' may touch: {}; or name the pair in a [[friction]]",
+                                a.name, b.name, error.what()));
+  }
+}
+
+void set_friction(const SceneSpec& spec, BuiltScene& built) {
+  MovingScene& scene = built.scene;
+  bool of_materials = true;
+  for (const SceneFrictionSpec& friction : spec.frictions) {
+    if (!friction.between.empty()) continue;
+    scene.friction = with_stated(scene.friction, friction);
+    of_materials = !friction.coefficient;
+  }
+  std::map<Pair, PairFriction> named = named_pairs(spec, built);
+  if (of_materials) {
+    std::set<Pair> stated;
+    for (const SceneFrictionSpec& friction : spec.frictions)
+      if (!friction.between.empty() && friction.coefficient)
+        for (const Pair& pair : pairs_between(built, friction.between, spec.path, friction.line))
+          stated.insert(pair);
+    for (const Pair& pair : pairs_that_may_meet(scene)) {
+      if (stated.count(pair) > 0) continue;
+      PairFriction& friction = named.emplace(pair, scene.friction).first->second;
+      friction.coefficient = material_friction(spec, scene, pair);
+    }
+  }
+  scene.friction_pairs.assign(named.begin(), named.end());
+}
+
+/// How deep bodies are in each other, of pairs that may meet.
+std::map<Pair, double> depths_at(const MovingScene& scene, const Eigen::VectorXd& q) {
+  ContactStep step(scene);
+  std::vector<ActiveContact> found;
+  step.find({0, q, Eigen::VectorXd::Zero(scene.v.size())}, 0, found);
+  std::map<Pair, double> depths;
+  for (const ActiveContact& contact : found) {
+    if (contact.kind != ActiveContact::Kind::kContact) continue;
+    double& depth = depths[{contact.a, contact.b}];
+    depth = std::max(depth, -contact.gap);
+  }
+  return depths;
+}
+
+/// Links of one hand that are in each other with all its coordinates at 0, or at the start.
+void part_links(const SceneSpec& spec, BuiltScene& built) {
+  if (spec.hands.empty()) return;
+  MovingScene& scene = built.scene;
+  std::set<std::string> hands;
+  for (const SceneHandSpec& hand : spec.hands) hands.insert(hand.placed.name);
+  Eigen::VectorXd zero = scene.q;
+  const MechanismLayout layout = layout_of(scene.mechanism);
+  for (std::size_t c = 0; c < layout.coordinate_q.size(); ++c)
+    if (scene.mechanism.coordinates[c].name.find('/') != std::string::npos)
+      zero[layout.coordinate_q[c]] = 0;
+  std::set<Pair> inside;
+  for (const Eigen::VectorXd& q : {scene.q, zero})
+    for (const auto& [pair, depth] : depths_at(scene, q)) {
+      const std::string& owner = built.owner[static_cast<std::size_t>(pair.first)];
+      if (owner == built.owner[static_cast<std::size_t>(pair.second)] && hands.count(owner) > 0)
+        inside.insert(pair);
+    }
+  scene.apart.insert(scene.apart.end(), inside.begin(), inside.end());
+}
+
+}  // namespace
+
+void set_pairs(const SceneSpec& spec, BuiltScene& built) {
+  for (const SceneApartSpec& apart : spec.apart)
+    for (const Pair& pair : pairs_between(built, apart.between, spec.path, apart.line))
+      built.scene.apart.push_back(pair);
+  part_links(spec, built);
+  set_friction(spec, built);
+  for (const auto& [pair, depth] : depths_at(built.scene, built.scene.q))
+    if (depth > kOverlap)
+      built.warnings.push_back(fmt::format(
+          "'{}' and '{}' begin in each other by {:.3g} mm and are pushed apart",
+          built.scene.mechanism.bodies[static_cast<std::size_t>(pair.first)].name,
+          built.scene.mechanism.bodies[static_cast<std::size_t>(pair.second)].name, 1e3 * depth));
+}
+
+}  // namespace thenar

@@ -1,0 +1,16 @@
+#pragma once
+
+/// Which bodies of a scene may touch, and how they rub.
+
+#include "data/io/scene/scene.h"
+#include "dynamics/scene/build_scene.h"
+
+namespace thenar {
+
+/// Sets the pairs that are apart and the friction of all others, as build_scene() says; warns of
+/// bodies that begin in each other.
+/// @throws DataError at the line of the file that names what is not there, or names a pair twice,
+/// or if two materials have no friction.
+void set_pairs(const SceneSpec& spec, BuiltScene& built);
+
+}  // namespace thenar

@@ -1,0 +1,70 @@
+#include <cmath>
+
+#include "base/error.h"
+#include "base/nearest_name.h"
+#include "dynamics/scene/build_scene.h"
+
+namespace thenar {
+namespace {
+
+/// The part of a name after "KIND/"; "" if it does not begin so.
+std::string after(const std::string& kind, const std::string& name) {
+  return name.size() > kind.size() + 1 && name.compare(0, kind.size() + 1, kind + "/") == 0
+             ? name.substr(kind.size() + 1)
+             : "";
+}
+
+/// Places of a name in a list; there must be one.
+std::vector<std::size_t> places_of(const std::string& name, const std::vector<std::string>& names,
+                                   const std::string& kind) {
+  std::vector<std::size_t> places;
+  for (std::size_t i = index_of_name(name, names, kind); i < names.size(); ++i)
+    if (names[i] == name) places.push_back(i);
+  return places;
+}
+
+void set_mass(Mechanism& mechanism, const std::string& name, double mass) {
+  BodyMass& body = mechanism.bodies[static_cast<std::size_t>(body_named(mechanism, name))].mass;
+  require(body.mass > 0, "'{}' does not move: its mass plays no part", name);
+  require(mass > 0, "wanted a mass above 0 of '{}', got {:g}", name, mass);
+  body.inertia *= mass / body.mass;
+  body.mass = mass;
+}
+
+void set_force(SceneForce& force, double length) {
+  Eigen::Vector3d& vector = force.force.isZero(0) ? force.moment : force.force;
+  vector *= length / vector.norm();
+}
+
+}  // namespace
+
+void set_number(BuiltScene& built, const std::string& name, double value) {
+  require(std::isfinite(value), "wanted a finite value of '{}'", name);
+  MovingScene& scene = built.scene;
+  if (name == "friction") {
+    scene.friction.coefficient = value;
+    for (auto& [bodies, pair] : scene.friction_pairs) pair.coefficient = value;
+  } else if (name == "step") {
+    built.options.step = value;
+  } else if (name == "longest") {
+    built.options.longest = value;
+  } else if (name == "tolerance") {
+    built.options.tolerance = value;
+  } else if (const std::string body = after("mass", name); !body.empty()) {
+    set_mass(scene.mechanism, body, value);
+  } else if (const std::string force = after("force", name); !force.empty()) {
+    for (const std::size_t i : places_of(force, built.force_names, "force"))
+      set_force(scene.forces[i], value);
+  } else if (const std::string drive = after("drive", name); !drive.empty()) {
+    for (const std::size_t i : places_of(drive, built.drive_names, "drive"))
+      scene.drives[i].bias = std::copysign(value, scene.drives[i].bias);
+  } else {
+    throw InputError(fmt::format(
+        "cannot vary '{}': wanted friction, mass/BODY, force/NAME, drive/NAME, step, longest or "
+        "tolerance",
+        name));
+  }
+  check_scene(scene);
+}
+
+}  // namespace thenar
