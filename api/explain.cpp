@@ -144,8 +144,8 @@ ThingExplained explain_thing(const ExplainRequest& request) {
   const std::string kind = contents_of(path).kind;
   require(kind == "subject" || (request.digit.empty() && request.settings.empty() && !request.path),
           "--digit, --settings and --path explain subjects; '{}' is of kind: {}", path, kind);
-  require(kind != "posterior" && kind != "motion", "'{}' is a {}: {}", path, kind,
-          listed(contents_of(path).commands));
+  require(kind != "posterior" && kind != "motion" && kind != "scene run", "'{}' is a {}: {}", path,
+          kind, listed(contents_of(path).commands));
   ThingExplained out{path, read_thing(path), {}, {}, checksum_warnings(path)};
   if (const auto* subject = std::get_if<Subject>(&out.thing))
     out.digit = explain_digit_of(*subject, request);

@@ -6,8 +6,8 @@
 #include <fmt/format.h>
 
 #include "api/named/files.h"
+#include "api/named/result_origin.h"
 #include "base/error.h"
-#include "base/provenance.h"
 #include "base/units.h"
 #include "data/io/result_file.h"
 #include "tendons/muscle/contraction.h"
@@ -59,24 +59,6 @@ void add_instants(const Trajectory& t, ResultFile& file) {
   file.add("lost", t.dissipated, "J", {"instant"});
 }
 
-/// Texts of all sources, versions of all that computed, and the run.
-void add_origin(const SimulatedMotion& motion, const RunRecord& run, ResultFile& file) {
-  int k = 0;
-  for (const SourceText& source : motion.sources) {
-    const std::string key = fmt::format("inputs/{}", ++k);
-    file.add(key + "/path", source.path);
-    file.add(key + "/text", source.text);
-    file.add(key + "/sha256", sha256(source.text));
-  }
-  for (const auto& [name, version] : versions()) file.add("provenance/versions/" + name, version);
-  file.add("provenance/fidelity", describe(motion.trajectory.fidelity));
-  if (run.arguments.empty()) return;
-  file.add("provenance/command", command_line(run));
-  file.add("provenance/folder", run.folder);
-  file.add("provenance/date", run.date);
-  file.add("provenance/commit", run.commit);
-}
-
 }  // namespace
 
 SimulatedMotion simulate_digit(const MotionRequest& request, const Progress& progress) {
@@ -125,7 +107,8 @@ void write_motion(const SimulatedMotion& motion, const std::string& path, const 
   file.add("turned_over", t.balance.turned_over, "J");
   file.add("stray", t.drift.value_or(std::nan("")), "m");
   file.add("tolerance", t.tolerance, "1");
-  add_origin(motion, run, file);
+  add_origin(motion.sources, run, file);
+  file.add("provenance/fidelity", describe(motion.trajectory.fidelity));
   write_result(file, path);
 }
 

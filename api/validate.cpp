@@ -7,6 +7,7 @@
 #include "api/mesh_facts.h"
 #include "api/named/digits.h"
 #include "api/named/material_names.h"
+#include "api/simulate_scene.h"
 #include "base/error.h"
 #include "data/io/mesh/repair_shape.h"
 #include "data/io/robot/import_robot.h"
@@ -31,6 +32,9 @@ void build_thing(const BodySpec& body, FileVerdict& verdict) {
 }
 void build_thing(const WorldSpec& world, FileVerdict& /*verdict*/) {
   for (const PlacedBody& placed : world.bodies) (void)build_solid(placed.body.shapes);
+}
+void build_thing(const SceneSpec& scene, FileVerdict& verdict) {
+  verdict.warnings = open_scene(scene).warnings;
 }
 void build_thing(const RobotSpec& robot, FileVerdict& verdict) {
   std::vector<std::string> found = robot.warnings;

@@ -1,8 +1,9 @@
 // thenar simulate SUBJECT --digit D --excitation FDP=0.1 ... | --excitation-file E.csv
 //                 [--muscle bounds|rigid-tendon|elastic-tendon]
 //                 [--hood separate|fractions|net] [--net NAME|NET.toml]
+// thenar simulate SCENE [--seconds S] [--method M] [--step-ms MS] [--vary NAME=from:to:count ...]
 //
-// How one digit moves when its muscles are excited.
+// How one digit moves when its muscles are excited, or a scene of bodies and hands by itself.
 
 #include <memory>
 
@@ -10,10 +11,12 @@
 #include <fmt/ranges.h>
 
 #include "api/named/files.h"
+#include "api/named/things.h"
 #include "api/simulate.h"
 #include "apps/commands.h"
 #include "apps/options.h"
 #include "apps/outputs.h"
+#include "apps/scene_options.h"
 #include "apps/terminal.h"
 #include "base/error.h"
 #include "base/nearest_name.h"
@@ -30,6 +33,7 @@ struct SimulateArguments {
   MotionRequest request;
   std::map<std::string, double> slack_mm;  // muscle -> slack length of its tendon [mm]
   double sample_ms = 5;
+  SceneArguments scene;
   Outputs outputs;
 };
 
@@ -51,6 +55,33 @@ void run_simulate(SimulateArguments options) {
                               options.outputs.files.empty()
                                   ? "above"
                                   : fmt::format("in {}", fmt::join(options.outputs.files, ", "))));
+}
+
+/// Refuses options that only the other kind of subject has.
+void refuse_options(const CLI::App& command, const std::vector<std::string>& options,
+                    const std::string& whose, const std::string& what) {
+  for (const std::string& option : options)
+    require(command.count(option) == 0, "{} is of {}, and '{}' is {}", option, whose,
+            command.get_option("subject")->as<std::string>(), what);
+}
+
+/// A scene, with what the command line says beyond its file.
+void simulate_scene_of(const CLI::App& command, const SimulateArguments& options) {
+  refuse_options(
+      command,
+      {"--digit", "--posture", "--frozen", "--path", "--hood", "--net", "--excitation",
+       "--excitation-file", "--muscle", "--tendon-slack", "--damping", "--blend", "--gravity"},
+      "subjects", "a scene");
+  SceneRequest request;
+  request.scene = options.request.digit.subject;
+  request.data = options.request.digit.data;
+  request.method = options.scene.method;
+  request.vary = options.scene.vary;
+  if (command.count("--seconds") > 0) request.seconds = options.request.seconds;
+  if (command.count("--sample-ms") > 0) request.sample = 1e-3 * options.sample_ms;
+  if (command.count("--tolerance") > 0) request.tolerance = options.request.tolerance;
+  if (options.scene.step_ms) request.step = 1e-3 * *options.scene.step_ms;
+  simulate_and_deliver(request, options.outputs);
 }
 
 void add_excitation_options(CLI::App& command, MotionRequest& request) {
@@ -85,11 +116,17 @@ void add_physics_options(CLI::App& command, SimulateArguments& options) {
 }
 
 void add_time_options(CLI::App& command, SimulateArguments& options) {
-  command.add_option("--seconds", options.request.seconds, "How long [s]")
+  command
+      .add_option("--seconds", options.request.seconds,
+                  "How long [s]; of a scene as its file says if left out")
       ->check(CLI::PositiveNumber);
-  command.add_option("--sample-ms", options.sample_ms, "Between the instants kept [ms]")
+  command
+      .add_option("--sample-ms", options.sample_ms,
+                  "Between the instants kept [ms]; of a scene as its file says if left out")
       ->check(CLI::PositiveNumber);
-  command.add_option("--tolerance", options.request.tolerance, "Error of one step, relative")
+  command
+      .add_option("--tolerance", options.request.tolerance,
+                  "Error of one step: of a subject relative, of a scene in m and rad")
       ->check(CLI::PositiveNumber);
 }
 
@@ -97,17 +134,29 @@ void add_time_options(CLI::App& command, SimulateArguments& options) {
 
 void add_simulate(CLI::App& app) {
   auto options = std::make_shared<SimulateArguments>();  // lives as long as the callback
-  CLI::App* command = app.add_subcommand("simulate", "How a digit moves when muscles are excited");
+  CLI::App* command =
+      app.add_subcommand("simulate", "How a digit moves when muscles are excited, or a scene");
   add_tendon_options(*command, options->request.digit, "fractions");
+  command->get_option("subject")->description(
+      "A subject, or a scene of bodies and hands: its name, or its file (TOML)");
   add_excitation_options(*command, options->request);
   add_time_options(*command, *options);
   add_physics_options(*command, *options);
+  add_scene_options(*command, options->scene);
   add_output_options(*command, options->outputs, {true, true, true, {".h5"}});
   add_examples(*command,
                {"simulate an_chao_index --excitation FDP=0.1 EDC=0.05 --seconds 0.5",
                 "simulate an_chao_index --net chao_an --excitation FDP=0.1 EDC=0.1 --seconds 0.2 "
-                "-o motion.html"});
-  command->callback([options] { run_simulate(*options); });
+                "-o motion.html",
+                "simulate swinging_pinch --seconds 2 -o run.h5 -o run.html",
+                "simulate pinch --vary friction=0.1:1:10 --csv"});
+  command->callback([command, options] {
+    const DigitRequest& digit = options->request.digit;
+    (void)named_thing(digit.subject, digit.data);  // refuses what has no such name
+    if (is_scene(digit.subject, digit.data)) return simulate_scene_of(*command, *options);
+    refuse_options(*command, {"--method", "--step-ms", "--vary"}, "scenes", "a subject");
+    run_simulate(*options);
+  });
 }
 
 }  // namespace thenar

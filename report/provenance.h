@@ -11,7 +11,9 @@
 
 namespace thenar {
 
-/// The hash of every source by its path, the versions of all that computed, and the fidelity.
+/// The hash of every source by its path, and the versions of all that computed.
+[[nodiscard]] nlohmann::json provenance_json(const std::vector<SourceText>& sources);
+/// The same with the fidelity.
 [[nodiscard]] nlohmann::json provenance_json(const std::vector<SourceText>& sources,
                                              const Fidelity& fidelity);
 

@@ -87,6 +87,14 @@ std::string summary(const WorldSpec& world) {
                      counted(world.bodies.size() - objects, "obstacle"));
 }
 
+std::string summary(const SceneSpec& scene) {
+  return fmt::format(
+      "scene '{}': {}, {}, {}, {}, {:g} s", scene.name, counted(scene.hands.size(), "hand"),
+      scene.bodies.size() == 1 ? "1 body" : fmt::format("{} bodies", scene.bodies.size()),
+      counted(scene.forces.size(), "force"), counted(scene.drives.size(), "drive"),
+      scene.stepping.duration);
+}
+
 std::string summary(const Materials& materials) {
   return fmt::format("materials: {}, friction of {}",
                      counted(materials.materials.size(), "material"),
@@ -106,6 +114,10 @@ std::string summary(const PosteriorRun& run) {
 }
 
 std::string summary(const ResultFile& motion) {
+  if (motion.texts.count("scene") > 0) {
+    const std::size_t runs = motion.texts.count("varied") > 0 ? motion.matrix("value").rows() : 1;
+    return fmt::format("{} of scene '{}'", counted(runs, "run"), motion.text("scene"));
+  }
   return fmt::format("motion of the {} of '{}': {}, {}, {}", motion.text("digit"),
                      motion.text("subject"),
                      counted(motion.arrays.at("time").values.size(), "instant"),

@@ -112,6 +112,9 @@
 #include "data/io/world/materials.h"
 #include "data/io/world/world.h"
 
+// data/io/scene: moving scenes as plain data.
+#include "data/io/scene/scene.h"
+
 // hand: the hand as a tree of links, by Simbody and in closed form.
 #include "hand/chain.h"
 #include "hand/hand.h"
@@ -305,6 +308,7 @@
 #include "api/quality.h"
 #include "api/robot_pose.h"
 #include "api/simulate.h"
+#include "api/simulate_scene.h"
 #include "api/study.h"
 #include "api/tendon_infer.h"
 #include "api/tendon_solve.h"

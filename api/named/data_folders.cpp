@@ -33,6 +33,7 @@ struct KnownFolder {
 constexpr KnownFolder kKnownFolders[] = {{"subjects", "subject", "thenar pose"},
                                          {"robots", "hand", "thenar pose"},
                                          {"worlds", "world", "thenar grasp"},
+                                         {"scenes", "scene", "thenar simulate"},
                                          {"objects", "object", "thenar explain"},
                                          {"experiments", "experiment", "thenar fit"},
                                          {"contacts", "file of contacts", "thenar quality"}};

@@ -42,12 +42,14 @@ const std::vector<KindCommands>& commands_by_kind() {
       {"robot", {"thenar pose @", "thenar explain @", "thenar import @"}},
       {"object", {"thenar explain @", "thenar import @"}},
       {"world", {"thenar grasp @", "thenar close @", "thenar explain @"}},
+      {"scene", {"thenar simulate @", "thenar validate @"}},
       {"mesh", {"thenar import @"}},
       {"fit", {"thenar predict @ EXPERIMENT", "thenar explain @"}},
       {"posterior",
        {"thenar posterior summary @", "thenar posterior predict @ EXPERIMENT",
         "thenar posterior plot @ -o PAGE.html"}},
       {"motion", {"thenar validate @", "thenar rerun @"}},
+      {"scene run", {"thenar validate @", "thenar rerun @"}},
       {"page", {"thenar rerun @"}},
       {"answer", {"thenar rerun @"}},
       {"contacts", {"thenar quality @"}},
@@ -88,6 +90,7 @@ FileContents of_hdf5(const std::string& path) {
   if (has("fit/z")) return {"fit", "HDF5", {}};
   if (has("unconstrained_posterior/") || has("posterior/")) return {"posterior", "netCDF", {}};
   if (has("excitation") && has("excursion")) return {"motion", "HDF5", {}};
+  if (has("scene")) return {"scene run", "HDF5", {}};
   return {"", "HDF5", {}};
 }
 

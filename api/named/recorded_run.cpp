@@ -118,13 +118,13 @@ RecordedRun read_recorded_run(const std::string& path) {
   out.file = path;
   if (file.format == "HTML") add_json_record(path, page_data(path), out);
   if (file.format == "JSON") add_json_record(path, read_source(path).text, out);
-  if (file.kind == "fit" || file.kind == "motion") add_result_record(path, out);
+  if (file.kind == "fit" || file.kind == "motion" || file.kind == "scene run")
+    add_result_record(path, out);
   if (file.kind == "posterior") add_posterior_record(path, out);
-  require(
-      !out.run.arguments.empty(),
-      "'{}' records no command: wanted a page, a JSON file of -o, a fit, a posterior or a motion "
-      "that a command of thenar wrote",
-      path);
+  require(!out.run.arguments.empty(),
+          "'{}' records no command: wanted a page, a JSON file of -o, a fit, a posterior, a motion "
+          "or a run of a scene that a command of thenar wrote",
+          path);
   compare_inputs_of(out);
   compare_commits(out);
   return out;

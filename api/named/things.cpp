@@ -36,6 +36,7 @@ const std::vector<ThingKind>& thing_kinds() {
       {"subjects", "subject", "subjects", ".toml"},
       {"experiments", "experiment", "experiments", ".toml"},
       {"worlds", "world", "worlds", ".toml"},
+      {"scenes", "scene", "scenes", ".toml"},
       {"hands", "robot", "robots", ".toml"},
       {"objects", "object", "objects", ".toml"},
       {"nets", "net", "nets", ".toml"},
@@ -57,8 +58,8 @@ std::string named_thing(const std::string& name_or_path, const std::string& data
   if (path.has_parent_path() || path.has_extension()) (void)contents_of(name_or_path);
   const std::string meant = did_you_mean(name_or_path, all_names(places));
   throw InputError(
-      fmt::format("there is no file '{0}', nor a subject, experiment, world, hand, "
-                  "object or net of that name{1} `thenar list` shows all names",
+      fmt::format("there is no file '{0}', nor a subject, experiment, world, scene, "
+                  "hand, object or net of that name{1} `thenar list` shows all names",
                   name_or_path, meant.empty() ? ";" : meant));
 }
 
@@ -75,9 +76,10 @@ Thing read_thing(const std::string& path) {
   if (file.kind == "robot") return read_robot_of(path, file.format);
   if (file.kind == "object" && file.format == "TOML") return read_object(path);
   if (file.kind == "world" && file.format == "TOML") return read_world(path);
+  if (file.kind == "scene") return read_scene(path);
   if (file.kind == "fit") return read_fit(path);
   if (file.kind == "posterior") return read_posterior(path);
-  if (file.kind == "motion") return read_result(path);
+  if (file.kind == "motion" || file.kind == "scene run") return read_result(path);
   if (file.format == "HDF5") return read_fit(path);  // damaged: its reader says how
   if (file.format.find("XML") != std::string::npos && !file.kind.empty())
     throw InputError(fmt::format("'{}' is a {} of another format: thenar import {} reads it", path,

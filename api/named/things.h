@@ -14,6 +14,7 @@
 #include "data/io/net_description.h"
 #include "data/io/result_file.h"
 #include "data/io/robot/robot.h"
+#include "data/io/scene/scene.h"
 #include "data/io/subject.h"
 #include "data/io/world/world.h"
 #include "kinematics_fit/fit.h"
@@ -21,10 +22,11 @@
 
 namespace thenar {
 
-/// The content of a file; a ResultFile is a motion, as `thenar simulate` writes it.
+/// The content of a file; a ResultFile is a motion or a run of a scene, as `thenar simulate` writes
+/// them.
 using Thing = std::variant<Subject, Experiment, FitSettings, HandProportions, DigitVariability,
-                           NetDescription, Materials, RobotSpec, BodySpec, WorldSpec, Fit,
-                           PosteriorRun, ResultFile>;
+                           NetDescription, Materials, RobotSpec, BodySpec, WorldSpec, SceneSpec,
+                           Fit, PosteriorRun, ResultFile>;
 
 /// What a name that commands take stands for.
 struct ThingKind {
@@ -34,7 +36,7 @@ struct ThingKind {
   std::string ending;  // ".toml"
 };
 
-/// Subjects, experiments, worlds, hands, objects, nets, contacts, settings and proportions.
+/// Subjects, experiments, worlds, scenes, hands, objects, nets, contacts, settings and proportions.
 [[nodiscard]] const std::vector<ThingKind>& thing_kinds();
 
 /// A file as it is; else the file of that name among all kinds, in the order of thing_kinds().

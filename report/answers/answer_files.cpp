@@ -21,6 +21,7 @@ FileDigests file_at(const std::string& path) {
 FileDigests parts_of(const RobotSpec& robot) { return robot.files; }
 FileDigests parts_of(const BodySpec& body) { return body.files; }
 FileDigests parts_of(const WorldSpec& world) { return world.files; }
+FileDigests parts_of(const SceneSpec& scene) { return scene.files; }
 template <typename Whole>
 FileDigests parts_of(const Whole& /*in one file*/) {
   return {};
@@ -67,6 +68,8 @@ FileDigests files_of(const FeasibleForceAnswer& answer) {
 FileDigests files_of(const TipForceAnswer& answer) { return source_digests(answer.about.sources); }
 FileDigests files_of(const MomentArmAnswer& answer) { return source_digests(answer.about.sources); }
 FileDigests files_of(const SimulatedMotion& motion) { return source_digests(motion.sources); }
+FileDigests files_of(const SimulatedScene& scene) { return scene.files; }
+FileDigests files_of(const SceneSweep& sweep) { return sweep.files; }
 FileDigests files_of(const TendonSolution& solution) {
   return source_digests(solution.loaded.sources);
 }

@@ -15,6 +15,7 @@
 #include "api/posterior.h"
 #include "api/quality.h"
 #include "api/simulate.h"
+#include "api/simulate_scene.h"
 #include "api/tendon_infer.h"
 #include "api/tendon_solve.h"
 #include "api/tip_force.h"
@@ -38,6 +39,8 @@ namespace thenar {
 [[nodiscard]] FileDigests files_of(const TipForceAnswer& answer);
 [[nodiscard]] FileDigests files_of(const MomentArmAnswer& answer);
 [[nodiscard]] FileDigests files_of(const SimulatedMotion& motion);
+[[nodiscard]] FileDigests files_of(const SimulatedScene& scene);
+[[nodiscard]] FileDigests files_of(const SceneSweep& sweep);
 [[nodiscard]] FileDigests files_of(const TendonSolution& solution);
 [[nodiscard]] FileDigests files_of(const TendonSweep& sweep);
 [[nodiscard]] FileDigests files_of(const NetInference& inference);

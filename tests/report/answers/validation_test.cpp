@@ -17,8 +17,8 @@ TEST(ValidationText, HasALineAFile) {
   EXPECT_EQ(text_of(of({"sphere_70", "nobody"})),
             kData +
                 "/objects/sphere_70.toml: object 'sphere_70': 1 shape (sphere), material "
-                "wood\nthere is no file 'nobody', nor a subject, experiment, world, hand, "
-                "object or net of that name; `thenar list` shows all names\n");
+                "wood\nthere is no file 'nobody', nor a subject, experiment, world, scene, "
+                "hand, object or net of that name; `thenar list` shows all names\n");
 }
 
 TEST(ValidationText, SaysWhetherAnExperimentSuits) {

@@ -1,0 +1,25 @@
+#include "api/named/result_origin.h"
+
+#include <fmt/format.h>
+
+#include "base/provenance.h"
+
+namespace thenar {
+
+void add_origin(const std::vector<SourceText>& sources, const RunRecord& run, ResultFile& file) {
+  int k = 0;
+  for (const SourceText& source : sources) {
+    const std::string key = fmt::format("inputs/{}", ++k);
+    file.add(key + "/path", source.path);
+    file.add(key + "/text", source.text);
+    file.add(key + "/sha256", sha256(source.text));
+  }
+  for (const auto& [name, version] : versions()) file.add("provenance/versions/" + name, version);
+  if (run.arguments.empty()) return;
+  file.add("provenance/command", command_line(run));
+  file.add("provenance/folder", run.folder);
+  file.add("provenance/date", run.date);
+  file.add("provenance/commit", run.commit);
+}
+
+}  // namespace thenar

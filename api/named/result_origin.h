@@ -1,0 +1,16 @@
+#pragma once
+
+/// Where a result file came from.
+
+#include <vector>
+
+#include "base/run_record.h"
+#include "data/io/result_file.h"
+#include "kinematics_fit/fit.h"
+
+namespace thenar {
+
+/// Adds texts and hashes of all sources, versions of all that computed, and the run.
+void add_origin(const std::vector<SourceText>& sources, const RunRecord& run, ResultFile& file);
+
+}  // namespace thenar

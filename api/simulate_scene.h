@@ -1,0 +1,96 @@
+#pragma once
+
+/// How a scene of bodies and hands moves.
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "base/progress.h"
+#include "base/run_record.h"
+#include "dynamics/scene/build_scene.h"
+#include "dynamics/scene/measure_run.h"
+#include "kinematics_fit/fit.h"
+
+namespace thenar {
+
+/// A number of a scene that differs from run to run; names and units as set_number().
+struct SceneVariation {
+  std::string name;
+  double from = 0, to = 0;
+  int count = 1;  // values, evenly spaced, both ends among them
+
+  [[nodiscard]] double value(int i) const {
+    return count == 1 ? from : from + (to - from) * i / (count - 1);
+  }
+};
+
+/// Which scene; what is absent is as its file says.
+struct SceneRequest {
+  std::string scene;  // file, or name of one of scenes/
+  std::string data;   // folder with scenes/, robots/ ..; empty: the usual ones
+  std::string method;
+  std::optional<double> seconds;     // how long [s]
+  std::optional<double> sample;      // between the instants that are kept [s]
+  std::optional<double> step;        // of a fixed length [s]
+  std::optional<double> tolerance;   // error of a step [m] or [rad]
+  std::vector<SceneVariation> vary;  // the last one varies fastest; empty: one run
+};
+
+/// A scene that was simulated.
+struct [[nodiscard]] SimulatedScene {
+  std::string path, name, description;
+  std::optional<Camera> camera;
+  std::shared_ptr<const BuiltScene> built;             // what moved; never null
+  std::vector<std::pair<std::string, double>> varied;  // numbers that are not as in the file
+  SceneRun run;                                        // read run.status first
+  RunMeasures measures;
+  std::vector<SourceText> sources;  // scene, hands, objects, materials; meshes are in `files` only
+  FileDigests files;                // all that was read
+  std::vector<std::string> warnings;  // what was assumed
+};
+
+/// Runs of one scene.
+struct [[nodiscard]] SceneSweep {
+  std::string path, name;
+  std::vector<SceneVariation> vary;
+  std::vector<SimulatedScene> runs;  // the last number varies fastest; those that ran
+  std::size_t asked = 0;             // runs
+  FileDigests files;
+  std::vector<std::string> warnings;  // of all runs, each once
+};
+
+/// Whether a name or file is a scene, rather than a subject.
+[[nodiscard]] bool is_scene(const std::string& name_or_path, const std::string& data);
+
+/// A scene built from its file and the robots that it names.
+struct OpenScene {
+  BuiltScene built;
+  std::vector<SourceText> sources;
+  FileDigests files;
+  std::vector<std::string> warnings;
+};
+/// @param data  folder with robots/ ..; empty: the usual ones
+/// @throws DataError at the line of what does not fit, InputError if a hand is not to be found.
+[[nodiscard]] OpenScene open_scene(const SceneSpec& scene, const std::string& data = "");
+
+/// Simulates one run of a scene; `request.vary` must be empty.
+/// @throws InputError or DataError saying what is unknown or wrong.
+[[nodiscard]] SimulatedScene run_scene(const SceneRequest& request, const Progress& progress = {});
+
+/// Simulates a run for each combination of the numbers that vary, several at once; each run is the
+/// same to the bit as by itself. Stopped: runs that have begun are kept up to there.
+/// @throws as run_scene(), or if there would be more than kMostRuns.
+[[nodiscard]] SceneSweep vary_scene(const SceneRequest& request, const Progress& progress = {});
+inline constexpr std::size_t kMostRuns = 10000;
+
+/// Writes all instants as HDF5, dimensions labelled as xarray expects, with the texts and hashes of
+/// all sources and the record of the run; of a sweep a summary of all runs, and each in a group.
+/// @throws InputError if the file cannot be written.
+void write_scene_run(const SimulatedScene& scene, const std::string& path,
+                     const RunRecord& run = {});
+void write_scene_sweep(const SceneSweep& sweep, const std::string& path, const RunRecord& run = {});
+
+}  // namespace thenar

@@ -1,0 +1,294 @@
+#include "report/answers/simulate_scene.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <Eigen/Geometry>
+
+#include "base/units.h"
+#include "dynamics/mechanism/tree_model.h"
+
+namespace thenar {
+namespace {
+
+std::string body_name(const SimulatedScene& scene, int body) {
+  return scene.built->scene.mechanism.bodies[static_cast<std::size_t>(body)].name;
+}
+
+/// Bodies that move.
+std::vector<std::size_t> moving_bodies(const SimulatedScene& scene) {
+  const TreeModel model = tree_model(scene.built->scene.mechanism);
+  std::vector<std::size_t> moving;
+  for (std::size_t i = 0; i < model.bodies.size(); ++i)
+    if (model.bodies[i].link >= 0) moving.push_back(i);
+  return moving;
+}
+
+/// Centre of mass of a body at an instant [m].
+Eigen::Vector3d centre(const SimulatedScene& scene, std::size_t instant, std::size_t body) {
+  return scene.measures.X_WB[instant][body] * scene.built->scene.mechanism.bodies[body].mass.com;
+}
+
+/// Angle by which a body has turned since the start [rad].
+double turn(const SimulatedScene& scene, std::size_t body) {
+  const auto& X = scene.measures.X_WB;
+  return Eigen::AngleAxisd(X.back()[body].R * X.front()[body].R.transpose()).angle();
+}
+
+double largest_slip(const SimulatedScene& scene) {
+  double slip = 0;
+  for (const PairMeasure& pair : scene.measures.pairs) slip = std::max(slip, pair.slip);
+  return slip;
+}
+
+double simulated_seconds(const SimulatedScene& scene) { return scene.run.samples.back().t; }
+
+double cpu_per_second(const SimulatedScene& scene) {
+  return scene.run.cost.cpu_seconds / simulated_seconds(scene);
+}
+
+Table body_table(const SimulatedScene& scene) {
+  Table table{{"body", "x_mm", "y_mm", "z_mm", "moved_mm", "turned_deg", "speed_m_s", "spin_rad_s"},
+              {}};
+  const std::size_t last = scene.run.samples.size() - 1;
+  for (const std::size_t body : moving_bodies(scene)) {
+    const Eigen::Vector3d end = centre(scene, last, body);
+    const Eigen::Vector3d way = end - centre(scene, 0, body);
+    table.rows.push_back(row({{scene.built->scene.mechanism.bodies[body].name},
+                              cells(Eigen::Vector3d(end / kMm), 4),
+                              {shown(way.norm() / kMm), shown(turn(scene, body) / kDegree, 3),
+                               shown(scene.measures.velocity[body].linear.norm()),
+                               shown(scene.measures.velocity[body].angular.norm())}}));
+  }
+  return table;
+}
+
+const char* mode_word(const PairMeasure& pair) {
+  return pair.mode == ContactMode::kOpen    ? "apart"
+         : pair.mode == ContactMode::kStick ? "sticks"
+                                            : "slides";
+}
+
+Table pair_table(const SimulatedScene& scene) {
+  Table table{{"pair", "slip_mm", "first_s", "last_s", "largest_force_N", "end_force_N", "end"},
+              {}};
+  for (const PairMeasure& pair : scene.measures.pairs)
+    table.rows.push_back({body_name(scene, pair.a) + " - " + body_name(scene, pair.b),
+                          shown(pair.slip / kMm), shown(pair.first), shown(pair.last),
+                          shown(pair.largest_force), shown(pair.force.norm()), mode_word(pair)});
+  return table;
+}
+
+OrderedJson bodies_json(const SimulatedScene& scene) {
+  OrderedJson list = OrderedJson::array();
+  const std::size_t last = scene.run.samples.size() - 1;
+  for (const std::size_t body : moving_bodies(scene)) {
+    const Pose<double>& X = scene.measures.X_WB.back()[body];
+    const SceneVelocity& velocity = scene.measures.velocity[body];
+    list.push_back({{"body", scene.built->scene.mechanism.bodies[body].name},
+                    {"position_m", to_json(X.p)},
+                    {"rotation", to_json(X.R)},
+                    {"centre_m", to_json(centre(scene, last, body))},
+                    {"moved_m", to_json(centre(scene, last, body) - centre(scene, 0, body))},
+                    {"turned_rad", turn(scene, body)},
+                    {"velocity_m_s", to_json(velocity.linear)},
+                    {"angular_velocity_rad_s", to_json(velocity.angular)}});
+  }
+  return list;
+}
+
+OrderedJson coordinates_json(const SimulatedScene& scene) {
+  OrderedJson list = OrderedJson::array();
+  const Mechanism& mechanism = scene.built->scene.mechanism;
+  const MechanismLayout layout = layout_of(mechanism);
+  for (std::size_t c = 0; c < mechanism.coordinates.size(); ++c)
+    list.push_back({{"coordinate", mechanism.coordinates[c].name},
+                    {"start", scene.run.samples.front().q[layout.coordinate_q[c]]},
+                    {"end", scene.run.samples.back().q[layout.coordinate_q[c]]},
+                    {"speed", scene.run.samples.back().v[layout.coordinate_v[c]]}});
+  return list;
+}
+
+OrderedJson pairs_json(const SimulatedScene& scene) {
+  OrderedJson list = OrderedJson::array();
+  for (const PairMeasure& pair : scene.measures.pairs)
+    list.push_back({{"bodies", {body_name(scene, pair.a), body_name(scene, pair.b)}},
+                    {"slip_m", pair.slip},
+                    {"first_s", pair.first},
+                    {"last_s", pair.last},
+                    {"largest_force_N", pair.largest_force},
+                    {"end_force_N", to_json(pair.force)},
+                    {"end_points", pair.points},
+                    {"end", mode_word(pair)}});
+  return list;
+}
+
+OrderedJson energy_json(const ContactStep::Energy& energy) {
+  return {{"kinetic", energy.kinetic},
+          {"weight", energy.weight},
+          {"springs", energy.springs},
+          {"total", energy.total()}};
+}
+
+OrderedJson varied_json(const SimulatedScene& scene) {
+  OrderedJson object = OrderedJson::object();
+  for (const auto& [name, value] : scene.varied) object[name] = value;
+  return object;
+}
+
+std::string method_of(const SimulatedScene& scene) {
+  return stepping_names()[static_cast<std::size_t>(scene.built->options.method)];
+}
+
+/// Status, energy and cost of a run.
+OrderedJson outcome_json(const SimulatedScene& scene) {
+  const SceneCost& cost = scene.run.cost;
+  return {{"status", name_of(scene.run.status)},
+          {"simulated_s", simulated_seconds(scene)},
+          {"largest_slip_m", largest_slip(scene)},
+          {"largest_penetration_m", cost.deepest},
+          {"energy_start_J", energy_json(scene.run.samples.front().energy)},
+          {"energy_end_J", energy_json(scene.run.samples.back().energy)},
+          {"work_J", scene.measures.work},
+          {"dissipated_J", scene.measures.dissipated},
+          {"steps", cost.steps},
+          {"rejected_steps", cost.rejected},
+          {"substeps", cost.substeps},
+          {"impacts", cost.impacts},
+          {"unsolved", cost.unsolved},
+          {"worst_residual", number_or_null(cost.worst_residual)},
+          {"asleep_s", cost.asleep},
+          {"cpu_s_per_simulated_s", number_or_null(cpu_per_second(scene))}};
+}
+
+}  // namespace
+
+std::string varied_words(const SimulatedScene& scene) {
+  std::vector<std::string> words;
+  for (const auto& [name, value] : scene.varied)
+    words.push_back(fmt::format("{} {:g}", name, value));
+  return fmt::format("{}", fmt::join(words, ", "));
+}
+
+std::string text_of(const SimulatedScene& scene) {
+  const SceneCost& cost = scene.run.cost;
+  const ContactStep::Energy &start = scene.run.samples.front().energy,
+                            &end = scene.run.samples.back().energy;
+  std::string text = fmt::format("{}: {} after {:.6g} s\nmethod: {}, {} steps, {} impacts\n\n",
+                                 scene.name, name_of(scene.run.status), simulated_seconds(scene),
+                                 method_of(scene), cost.steps, cost.impacts);
+  text += titled("Bodies at the end (centres of mass)", body_table(scene));
+  text += titled("Pairs that touched (slip: way that they slid on each other)", pair_table(scene));
+  text += fmt::format(
+      "energy {:.6g} mJ at the start, {:.6g} mJ at the end, work of forces and "
+      "drives {:.6g} mJ, dissipated {:.3g} mJ\n",
+      1e3 * start.total(), 1e3 * end.total(), 1e3 * scene.measures.work,
+      1e3 * scene.measures.dissipated);
+  text += fmt::format("largest penetration {:.2g} mm; worst residual of a contact problem {:.2g}\n",
+                      cost.deepest / kMm, cost.worst_residual);
+  return text + fmt::format("CPU {:.3g} ms a simulated second\n", 1e3 * cpu_per_second(scene));
+}
+
+OrderedJson json_of(const SimulatedScene& scene) {
+  OrderedJson json{{"scene", scene.name},
+                   {"description", scene.description},
+                   {"method", method_of(scene)},
+                   {"instants", scene.run.samples.size()}};
+  json.update(outcome_json(scene));
+  json["bodies"] = bodies_json(scene);
+  json["coordinates"] = coordinates_json(scene);
+  json["pairs"] = pairs_json(scene);
+  json["warnings"] = warnings_of(scene);
+  return json;
+}
+
+Table table_of(const SimulatedScene& scene) {
+  const std::vector<std::size_t> moving = moving_bodies(scene);
+  Table table{{"time_s", "kinetic_J", "weight_J", "springs_J", "contacts"}, {}};
+  for (const std::size_t body : moving)
+    for (const char* axis : {"x", "y", "z"})
+      table.header.push_back(
+          fmt::format("{}_{}_m", scene.built->scene.mechanism.bodies[body].name, axis));
+  for (std::size_t i = 0; i < scene.run.samples.size(); ++i) {
+    const SceneSample& sample = scene.run.samples[i];
+    std::vector<std::string> cells;
+    for (const double value :
+         {sample.t, sample.energy.kinetic, sample.energy.weight, sample.energy.springs})
+      cells.push_back(fmt::format("{:.12g}", value + 0.0));
+    cells.push_back(std::to_string(sample.contacts.size()));
+    for (const std::size_t body : moving)
+      for (const double value : centre(scene, i, body))
+        cells.push_back(fmt::format("{:.12g}", value + 0.0));
+    table.rows.push_back(std::move(cells));
+  }
+  return table;
+}
+
+std::string text_of(const SceneSweep& sweep) {
+  return fmt::format("{}: {} of {} runs\n\n", sweep.name, sweep.runs.size(), sweep.asked) +
+         aligned(table_of(sweep));
+}
+
+OrderedJson json_of(const SceneSweep& sweep) {
+  OrderedJson runs = OrderedJson::array();
+  for (const SimulatedScene& scene : sweep.runs) {
+    OrderedJson run{{"varied", varied_json(scene)}};
+    run.update(outcome_json(scene));
+    run["bodies"] = bodies_json(scene);
+    run["pairs"] = pairs_json(scene);
+    runs.push_back(std::move(run));
+  }
+  return {{"scene", sweep.name},
+          {"asked", sweep.asked},
+          {"runs", std::move(runs)},
+          {"warnings", warnings_of(sweep)}};
+}
+
+Table table_of(const SceneSweep& sweep) {
+  Table table;
+  for (const SceneVariation& each : sweep.vary) table.header.push_back(each.name);
+  for (const char* column : {"status", "simulated_s", "largest_slip_mm", "penetration_mm",
+                             "end_energy_mJ", "dissipated_mJ", "worst_residual", "cpu_ms_per_s"})
+    table.header.emplace_back(column);
+  for (const SimulatedScene& scene : sweep.runs) {
+    std::vector<std::string> cells;
+    for (const auto& [name, value] : scene.varied) cells.push_back(fmt::format("{:.6g}", value));
+    cells.push_back(name_of(scene.run.status));
+    cells.push_back(shown(simulated_seconds(scene)));
+    cells.push_back(shown(largest_slip(scene) / kMm));
+    cells.push_back(shown(scene.run.cost.deepest / kMm));
+    cells.push_back(shown(1e3 * scene.run.samples.back().energy.total()));
+    cells.push_back(shown(1e3 * scene.measures.dissipated));
+    cells.push_back(fmt::format("{:.2g}", scene.run.cost.worst_residual));
+    cells.push_back(shown(1e3 * cpu_per_second(scene)));
+    table.rows.push_back(std::move(cells));
+  }
+  return table;
+}
+
+std::vector<std::string> warnings_of(const SimulatedScene& scene) { return scene.warnings; }
+
+std::vector<std::string> warnings_of(const SceneSweep& sweep) { return sweep.warnings; }
+
+std::string refusal_of(const SimulatedScene& scene) {
+  const SceneCost& cost = scene.run.cost;
+  if (scene.run.status == SceneStatus::kNotFinite)
+    return fmt::format("the motion is not finite after {:.6g} s: do not use it",
+                       simulated_seconds(scene));
+  if (cost.unsolved == 0) return "";
+  return fmt::format(
+      "{} of {} contact problems were not solved (worst residual {:.2g}): do not use "
+      "this motion",
+      cost.unsolved, cost.substeps + cost.impacts, cost.worst_residual);
+}
+
+std::string refusal_of(const SceneSweep& sweep) {
+  for (const SimulatedScene& scene : sweep.runs)
+    if (const std::string refusal = refusal_of(scene); !refusal.empty())
+      return fmt::format("at {}: {}", varied_words(scene), refusal);
+  return "";
+}
+
+}  // namespace thenar

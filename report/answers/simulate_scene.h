@@ -1,0 +1,36 @@
+#pragma once
+
+/// Words, JSON and tables of scenes that were simulated.
+
+#include <string>
+#include <vector>
+
+#include "api/simulate_scene.h"
+#include "report/json.h"
+#include "report/table.h"
+
+namespace thenar {
+
+/// Bodies at the end, pairs that touched, energy, and how the run went.
+[[nodiscard]] std::string text_of(const SimulatedScene& scene);
+[[nodiscard]] OrderedJson json_of(const SimulatedScene& scene);
+/// A row for each instant: energies, places of all bodies that move, contacts.
+[[nodiscard]] Table table_of(const SimulatedScene& scene);
+
+/// A row for each run: the numbers that vary, the largest slip, penetration, energy, cost.
+[[nodiscard]] std::string text_of(const SceneSweep& sweep);
+[[nodiscard]] OrderedJson json_of(const SceneSweep& sweep);
+[[nodiscard]] Table table_of(const SceneSweep& sweep);
+
+/// What to beware of, one sentence each.
+[[nodiscard]] std::vector<std::string> warnings_of(const SimulatedScene& scene);
+[[nodiscard]] std::vector<std::string> warnings_of(const SceneSweep& sweep);
+/// Why a run must not be used: contacts that were not solved, or positions that are not finite;
+/// empty if it may. A run that was stopped on request may be used.
+[[nodiscard]] std::string refusal_of(const SimulatedScene& scene);
+[[nodiscard]] std::string refusal_of(const SceneSweep& sweep);
+
+/// "friction 0.5, step 0.001": the numbers of a run that are not as in the file.
+[[nodiscard]] std::string varied_words(const SimulatedScene& scene);
+
+}  // namespace thenar

@@ -1,0 +1,266 @@
+#include "report/pages/scene_run.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <tuple>
+
+#include <fmt/format.h>
+
+#include "base/units.h"
+#include "dynamics/mechanism/tree_model.h"
+#include "report/answers/simulate_scene.h"
+#include "report/provenance.h"
+#include "report/scene/mesh_table.h"
+
+namespace thenar {
+namespace {
+
+using Eigen::Index;
+
+constexpr Index kPlayed = 240;          // instants of the player, at most
+constexpr std::size_t kCurves = 24;     // in one chart, at most
+constexpr double kSharpEdge = 35;       // edges sharper than this look sharp [deg]
+constexpr double kLongestArrow = 0.25;  // of the largest contact force, over the scene's size [1]
+constexpr double kBodyOpacity = 0.5;    // of bodies that are no links [1]
+const char* const kForceColor = "#b3261e";
+const char* const kFixedColor = "#b9c0c9";
+
+const char* color_of_owner(std::size_t index) {
+  static constexpr const char* kColors[] = {"#e6a83c", "#6fa8cf", "#8dbb95",
+                                            "#c7a6d1", "#d3a15f", "#7cc0c4"};
+  return kColors[index % std::size(kColors)];
+}
+
+/// What the scene view needs of a run.
+class SceneFilm {
+ public:
+  SceneFilm(const SimulatedScene& scene, MeshTable& meshes)
+      : scene_(scene), mechanism_(scene.built->scene.mechanism), model_(tree_model(mechanism_)) {
+    for (const MechanismBody& body : mechanism_.bodies)
+      meshes_.push_back(body.solid && !body.solid->visual.empty()
+                            ? meshes.add(body.solid->visual, {kSharpEdge, {}})
+                            : "");
+    for (const std::string& owner : scene.built->owner)
+      if (colors_.count(owner) == 0) colors_.emplace(owner, color_of_owner(colors_.size()));
+    measure();
+  }
+
+  [[nodiscard]] Json block() const {
+    Json layers = Json::array();
+    add_fixed(layers);
+    for (const Index i : spread(static_cast<Index>(scene_.run.samples.size()), kPlayed))
+      add_instant(static_cast<std::size_t>(i), layers);
+    Json block{{"type", "scene"},
+               {"caption", fmt::format("{} in motion; arrows are contact forces, {:.3g} N as long "
+                                       "as {:.3g} mm",
+                                       scene_.name, largest_force_, arrow_ / kMm)},
+               {"layers", std::move(layers)}};
+    if (scene_.camera) block["view"] = numbers3(scene_.camera->eye - scene_.camera->target);
+    return block;
+  }
+
+ private:
+  void measure() {
+    for (const SceneSample& sample : scene_.run.samples)
+      for (const ContactSample& contact : sample.contacts)
+        largest_force_ = std::max(largest_force_, contact.force.norm());
+    // The size of what moves, at the start.
+    Eigen::AlignedBox3d box;
+    for (std::size_t b = 0; b < meshes_.size(); ++b) {
+      if (meshes_[b].empty() || model_.bodies[b].link < 0) continue;
+      const Eigen::Matrix3Xd& vertices = mechanism_.bodies[b].solid->visual.vertices;
+      for (Index k = 0; k < vertices.cols(); ++k)
+        box.extend(scene_.measures.X_WB.front()[b] * Eigen::Vector3d(vertices.col(k)));
+    }
+    if (!box.isEmpty()) arrow_ = kLongestArrow * box.diagonal().norm();
+  }
+
+  [[nodiscard]] Json item(std::size_t body, std::size_t instant) const {
+    const Pose<double>& X = scene_.measures.X_WB[instant][body];
+    return {{"kind", "mesh"},
+            {"mesh", meshes_[body]},
+            {"rotation",
+             Json::array({numbers3(X.R.row(0)), numbers3(X.R.row(1)), numbers3(X.R.row(2))})},
+            {"position", in_mm(X.p)}};
+  }
+
+  void add_fixed(Json& layers) const {
+    Json items = Json::array();
+    for (std::size_t b = 0; b < meshes_.size(); ++b)
+      if (!meshes_[b].empty() && model_.bodies[b].link < 0) items.push_back(item(b, 0));
+    if (items.empty()) return;
+    Json fixed = layer("stands still", kFixedColor, std::move(items));
+    fixed["fit"] = false;
+    layers.push_back(std::move(fixed));
+  }
+
+  void add_instant(std::size_t instant, Json& layers) const {
+    const SceneSample& sample = scene_.run.samples[instant];
+    Json items = Json::array(), arrows = Json::array();
+    for (std::size_t b = 0; b < meshes_.size(); ++b) {
+      if (meshes_[b].empty() || model_.bodies[b].link < 0) continue;
+      items.push_back(item(b, instant));
+      items.back()["color"] = colors_.at(scene_.built->owner[b]);
+      // Links are called after their hand; what they hold is seen through, so that forces are.
+      if (mechanism_.bodies[b].name == scene_.built->owner[b])
+        items.back()["opacity"] = kBodyOpacity;
+    }
+    for (const ContactSample& contact : sample.contacts) {
+      // What presses on the one body presses back on the other.
+      const Eigen::Vector3d vector = arrow_ / largest_force_ * contact.force;
+      if (vector.norm() < 1e-3 * arrow_) continue;
+      for (const double sign : {1.0, -1.0})
+        arrows.push_back({{"kind", "arrow"},
+                          {"from", in_mm(contact.point)},
+                          {"vector", in_mm(sign * vector)},
+                          {"radius", 25 * arrow_}});
+    }
+    for (auto& [what, color, list] :
+         {std::tuple<const char*, const char*, Json&>{"bodies", "#e6a83c", items},
+          std::tuple<const char*, const char*, Json&>{"contact forces", kForceColor, arrows}}) {
+      if (list.empty()) continue;
+      Json shown = layer(fmt::format("{} at {:.3g} s", what, sample.t), color, std::move(list));
+      shown["time"] = sample.t;
+      layers.push_back(std::move(shown));
+    }
+  }
+
+  const SimulatedScene& scene_;
+  const Mechanism& mechanism_;
+  TreeModel model_;
+  std::vector<std::string> meshes_;  // of each body; empty: it has none
+  std::map<std::string, std::string> colors_;
+  double largest_force_ = 0;  // [N]
+  double arrow_ = 0.02;       // length of the largest force [m]
+};
+
+/// A chart of quantities over time.
+class TimeChart {
+ public:
+  explicit TimeChart(const SimulatedScene& scene)
+      : scene_(scene), instants_(spread(static_cast<Index>(scene.run.samples.size()), 2000)) {
+    for (const Index i : instants_)
+      time_.push_back(scene.run.samples[static_cast<std::size_t>(i)].t);
+  }
+
+  /// Adds a curve. @param at  value at an instant; null where it has none
+  template <typename At>
+  void add(const std::string& name, const At& at) {
+    if (series_.size() >= kCurves) return;
+    Json y = Json::array();
+    for (const Index i : instants_) y.push_back(at(static_cast<std::size_t>(i)));
+    series_.push_back({{"name", name}, {"x", time_}, {"y", std::move(y)}});
+  }
+
+  [[nodiscard]] Json block(const std::string& caption, const std::string& label) const {
+    return {{"type", "lines"},
+            {"caption", caption},
+            {"x_label", "time [s]"},
+            {"y_label", label},
+            {"series", series_}};
+  }
+
+  [[nodiscard]] bool empty() const { return series_.empty(); }
+
+ private:
+  const SimulatedScene& scene_;
+  std::vector<Index> instants_;
+  Json time_ = Json::array();
+  Json series_ = Json::array();
+};
+
+Json energy_chart(const SimulatedScene& scene) {
+  TimeChart chart(scene);
+  const auto energy = [&](std::size_t i) { return scene.run.samples[i].energy; };
+  const double weight = energy(0).weight;
+  chart.add("kinetic", [&](std::size_t i) { return 1e3 * energy(i).kinetic; });
+  chart.add("weight, less that at the start",
+            [&](std::size_t i) { return 1e3 * (energy(i).weight - weight); });
+  chart.add("springs", [&](std::size_t i) { return 1e3 * energy(i).springs; });
+  chart.add("sum", [&](std::size_t i) { return 1e3 * (energy(i).total() - weight); });
+  return chart.block("Energy", "energy [mJ]");
+}
+
+/// Places of the bodies that move, a chart for each direction.
+Json place_charts(const SimulatedScene& scene) {
+  const Mechanism& mechanism = scene.built->scene.mechanism;
+  const TreeModel model = tree_model(mechanism);
+  Json blocks = Json::array();
+  for (Index axis = 0; axis < 3; ++axis) {
+    TimeChart chart(scene);
+    for (std::size_t b = 0; b < model.bodies.size(); ++b)
+      if (model.bodies[b].link >= 0)
+        chart.add(mechanism.bodies[b].name, [&](std::size_t i) {
+          return (scene.measures.X_WB[i][b] * mechanism.bodies[b].mass.com)[axis] / kMm;
+        });
+    if (chart.empty()) continue;
+    const char name = "xyz"[axis];
+    blocks.push_back(chart.block(fmt::format("Places of the centres of mass along {}", name),
+                                 fmt::format("{} [mm]", name)));
+  }
+  return blocks;
+}
+
+Json force_chart(const SimulatedScene& scene) {
+  TimeChart chart(scene);
+  const std::vector<MechanismBody>& bodies = scene.built->scene.mechanism.bodies;
+  for (const PairMeasure& pair : scene.measures.pairs)
+    chart.add(bodies[static_cast<std::size_t>(pair.a)].name + " - " +
+                  bodies[static_cast<std::size_t>(pair.b)].name,
+              [&](std::size_t i) {
+                double force = 0;
+                for (const ContactSample& contact : scene.run.samples[i].contacts)
+                  if (contact.a == pair.a && contact.b == pair.b)
+                    force += contact.force.dot(contact.normal);
+                return force;
+              });
+  return chart.block("Normal force of each pair of bodies, sum of its points", "force [N]");
+}
+
+Json run_banner(const SimulatedScene& scene) {
+  const std::string refusal = refusal_of(scene);
+  if (!refusal.empty())
+    return {{"type", "banner"},
+            {"ok", false},
+            {"title", "Do not use this motion"},
+            {"reasons", Json::array({refusal})}};
+  return {{"type", "banner"},
+          {"ok", true},
+          {"caution", !scene.warnings.empty()},
+          {"title", fmt::format("All contact problems were solved; worst residual {:.2g}",
+                                scene.run.cost.worst_residual)},
+          {"reasons", scene.warnings}};
+}
+
+}  // namespace
+
+Json page_of(const SimulatedScene& scene) {
+  MeshTable meshes;
+  Json blocks = Json::array({run_banner(scene)});
+  blocks.push_back(SceneFilm(scene, meshes).block());
+  Json sections = Json::array({section("motion", "Motion", scene.description, std::move(blocks))});
+  if (!scene.measures.pairs.empty())
+    sections.push_back(section("contacts", "Contacts", "", Json::array({force_chart(scene)})));
+  sections.push_back(section("places", "Places", "", place_charts(scene)));
+  sections.push_back(
+      section("energy", "Energy",
+              fmt::format("Work of forces and drives {:.4g} mJ; dissipated {:.4g} mJ.",
+                          1e3 * scene.measures.work, 1e3 * scene.measures.dissipated),
+              Json::array({energy_chart(scene)})));
+  return {{"title", fmt::format("Scene {}", scene.name)},
+          {"subtitle",
+           fmt::format("{} after {:.6g} s", name_of(scene.run.status), scene.run.samples.back().t)},
+          {"provenance", provenance_json(scene.sources)},
+          {"meshes", meshes.json()},
+          {"sections", std::move(sections)}};
+}
+
+Json page_of(const SceneSweep& sweep) {
+  return {{"title", fmt::format("Scene {}, {} runs", sweep.name, sweep.runs.size())},
+          {"sections",
+           Json::array({section("runs", "Runs", "",
+                                Json::array({table_block("All runs", table_of(sweep))}))})}};
+}
+
+}  // namespace thenar

@@ -1,0 +1,272 @@
+"""Scenes in motion by the command `thenar simulate SCENE`; expected numbers are closed forms, computed here.
+
+Usage: scene_command_test.py [path of the program]; else the environment's THENAR. Run from anywhere.
+"""
+import json
+import math
+import os
+import pathlib
+import signal
+import subprocess
+import sys
+import time
+import unittest
+
+from files import Files
+
+ROOT = pathlib.Path(__file__).resolve().parents[2]
+SCENES = ROOT / "data/scenes"
+PROGRAM = os.environ.get("THENAR", "thenar")
+G = 9.81
+
+BALL = """name = "ball"
+source = "Mine"
+[sources]
+Mine = "Own"
+[[body]]
+name = "ball"
+mass_g = 100
+position_mm = [0, 0, 0]
+velocity_m_s = [1, 0, 2]
+[[body.shape]]
+kind = "sphere"
+size_mm = [10]
+[stepping]
+duration_s = 0.5
+"""
+
+
+def run(*words):
+    return subprocess.run([PROGRAM, "simulate", *map(str, words)], capture_output=True, text=True,
+                          check=False, cwd=ROOT)
+
+
+def ask(*words):
+    """The JSON answer."""
+    result = run(*words, "--json")
+    assert result.returncode == 0, result.stderr
+    return json.loads(result.stdout)
+
+
+def body(answer, name):
+    return next(each for each in answer["bodies"] if each["body"] == name)
+
+
+def complete_elliptic(k):
+    """K(k) by the arithmetic-geometric mean."""
+    a, b = 1.0, math.sqrt(1 - k * k)
+    while abs(a - b) > 1e-15:
+        a, b = (a + b) / 2, math.sqrt(a * b)
+    return math.pi / (2 * a)
+
+
+class Near(Files):
+    def near(self, got, want, tolerance):
+        for g, w in zip(got, want, strict=True):
+            self.assertAlmostEqual(g, w, delta=tolerance)
+
+
+class ClosedForms(Near):
+    def test_thrown_ball_flies_a_parabola(self):
+        answer = ask(self.path("ball.toml", BALL))
+        end = body(answer, "ball")
+        self.near(end["centre_m"], [0.5, 0, 1 - G * 0.125], 1e-9)
+        self.near(end["velocity_m_s"], [1, 0, 2 - G * 0.5], 1e-9)
+        self.assertAlmostEqual(answer["dissipated_J"], 0, delta=1e-10)
+        self.assertEqual(answer["status"], "done")
+
+    def test_pinched_cube_does_not_slip(self):
+        answer = ask("pinch")
+        self.assertLess(answer["largest_slip_m"], 1e-12)
+        self.assertLess(math.hypot(*body(answer, "cube")["moved_m"]), 1e-12)
+        for pair in answer["pairs"]:
+            self.assertEqual(pair["end"], "sticks")
+            # The drive across, half of the weight along.
+            self.assertAlmostEqual(math.hypot(*pair["end_force_N"]), math.hypot(2, 0.05 * G),
+                                   delta=1e-9)
+
+    def test_swinging_cube_keeps_its_arm(self):
+        answer = ask("swinging_pinch")
+        x, y, z = body(answer, "cube")["centre_m"]
+        self.assertAlmostEqual(math.hypot(y, z - 0.0054), 0.0054, delta=1e-9)
+        self.assertAlmostEqual(answer["dissipated_J"], 0, delta=1e-9)
+
+    def test_incline_sticks_below_and_slides_above_the_threshold(self):
+        self.assertLess(math.hypot(*body(ask("incline_stick"), "cube")["moved_m"]), 1e-12)
+        answer = ask("incline_slide")
+        slope, friction = math.radians(30), math.radians(29.9)
+        way = 0.5 * G * (math.sin(slope) - math.tan(friction) * math.cos(slope)) * 4
+        self.assertAlmostEqual(math.hypot(*body(answer, "cube")["moved_m"]), way, delta=1e-6 * way)
+        # Slip is that way, and friction times it is the energy lost.
+        self.assertAlmostEqual(answer["largest_slip_m"], way, delta=1e-6 * way)
+        lost = math.tan(friction) * 0.1 * G * math.cos(slope) * way
+        self.assertAlmostEqual(answer["dissipated_J"], lost, delta=1e-6 * lost)
+
+    def test_pendulum_is_back_after_its_period(self):
+        period = 4 * complete_elliptic(math.sin(math.radians(30))) * math.sqrt(0.6 / (3 * G))
+        answer = ask("pendulum", "--seconds", period)
+        angle, = answer["coordinates"]
+        self.assertAlmostEqual(angle["end"], math.radians(60), delta=1e-8)
+        half = ask("pendulum", "--seconds", period / 2)["coordinates"][0]
+        self.assertAlmostEqual(half["end"], -math.radians(60), delta=1e-7)
+
+    def test_top_precesses_steadily(self):
+        tilt, spin, l = math.radians(30), 200, 0.05
+        a, b, c = (3e-5 + 0.1 * l * l) * math.cos(tilt), -4e-5 * spin, 0.1 * G * l
+        rate = (-b - math.sqrt(b * b - 4 * a * c)) / (2 * a)
+        x, y, z = body(ask("spinning_top"), "top")["centre_m"]
+        self.near([x, y, z], [l * math.sin(tilt) * math.cos(2 * rate),
+                              l * math.sin(tilt) * math.sin(2 * rate), l * math.cos(tilt)], 1e-7)
+
+    def test_ball_bounces(self):
+        answer = ask("falling_ball")
+        left, up = 0.6 - math.sqrt(0.2 / G), 0.8 * math.sqrt(0.2 * G)
+        while left > 2 * up / G:
+            left, up = left - 2 * up / G, 0.8 * up
+        self.assertAlmostEqual(body(answer, "ball")["centre_m"][2],
+                               0.02 + up * left - G * left * left / 2, delta=1e-6)
+
+    def test_stack_is_quiet(self):
+        answer = ask("stack")
+        for each in answer["bodies"]:
+            self.assertLess(math.hypot(*each["moved_m"]), 1e-12)
+
+    def test_cradle_hands_its_speed_on(self):
+        answer = ask("newtons_cradle", "--seconds", 0.4)
+        # Impacts are located to within 1e-6 of what moves: 0.1 kg falls by 0.2 (1 - cos 30 deg) m.
+        self.assertAlmostEqual(answer["dissipated_J"], 0,
+                               delta=1e-6 * 0.1 * G * 0.2 * (1 - math.cos(math.radians(30))))
+        first, *_, last = answer["coordinates"]
+        self.assertLess(abs(first["end"]), math.radians(1))
+        self.assertGreater(abs(last["end"]), math.radians(20))
+
+
+class ResultFiles(Near):
+    def test_result_file_holds_every_instant(self):
+        out = self.path("run.h5")
+        result = run("pinch", "--seconds", 0.1, "-o", out)
+        self.assertEqual(result.returncode, 0, result.stderr)
+        told = subprocess.run([PROGRAM, "validate", out], capture_output=True, text=True, check=False)
+        self.assertIn("1 run of scene 'pinch'", told.stdout)
+        again = subprocess.run([PROGRAM, "rerun", out, "--print"], capture_output=True, text=True,
+                               check=False)
+        self.assertIn("thenar simulate pinch --seconds 0.1 -o", again.stdout)
+
+    def test_result_file_of_a_sweep_holds_every_run(self):
+        out = self.path("runs.h5")
+        result = run("pinch", "--seconds", 0.1, "--vary", "friction=0.4:0.8:3", "-o", out)
+        self.assertEqual(result.returncode, 0, result.stderr)
+        told = subprocess.run([PROGRAM, "validate", out], capture_output=True, text=True, check=False)
+        self.assertIn("3 runs of scene 'pinch'", told.stdout)
+
+    def test_page_and_table_are_written(self):
+        page, table = self.path("run.html"), self.path("run.csv")
+        result = run("incline_slide", "--seconds", 0.6, "-o", page, "-o", table)
+        self.assertEqual(result.returncode, 0, result.stderr)
+        text = pathlib.Path(page).read_text()
+        self.assertTrue("contact forces at" in text)
+        rows = pathlib.Path(table).read_text().splitlines()
+        self.assertEqual(rows[0], "time_s,kinetic_J,weight_J,springs_J,contacts,cube_x_m,cube_y_m,cube_z_m")
+        self.assertEqual(len(rows), 1 + 61)
+        # The page plays the same places, and shows the force of every corner both ways.
+        start = text.index('id="thenar-report">') + len('id="thenar-report">')
+        report = json.loads(text[start:text.index("</script>", start)])
+        scene, = (block for block in report["sections"][0]["blocks"] if block["type"] == "scene")
+        last = [layer for layer in scene["layers"] if layer.get("time") == 0.6]
+        self.assertEqual([layer["name"] for layer in last],
+                         ["bodies at 0.6 s", "contact forces at 0.6 s"])
+        cube, = last[0]["items"]
+        self.near(cube["position"], [1e3 * float(each) for each in rows[-1].split(",")[-3:]], 1e-6)
+        self.assertTrue(cube["mesh"] in report["meshes"])
+        vectors = [item["vector"] for item in last[1]["items"]]
+        self.near([sum(axis) for axis in zip(*vectors)], [0, 0, 0], 1e-9)
+
+    def test_scenes_are_listed_and_valid(self):
+        listed = subprocess.run([PROGRAM, "list", "scenes", "--json"], capture_output=True, text=True,
+                                check=True, cwd=ROOT)
+        names = {each["name"] for each in json.loads(listed.stdout)}
+        self.assertEqual(names, {path.stem for path in SCENES.glob("*.toml")})
+        for path in sorted(SCENES.glob("*.toml")):
+            told = subprocess.run([PROGRAM, "validate", path], capture_output=True, text=True,
+                                  check=False)
+            self.assertEqual(told.returncode, 0, told.stdout)
+
+
+class Variations(Files):
+    def test_friction_decides_who_slides(self):
+        answer = ask("incline_stick", "--seconds", 0.5, "--vary", "friction=0.1:1:10")
+        self.assertEqual(len(answer["runs"]), 10)
+        slope = math.radians(30)
+        for each in answer["runs"]:
+            mu = each["varied"]["friction"]
+            way = max(0, 0.5 * G * (math.sin(slope) - mu * math.cos(slope)) * 0.25)
+            self.assertAlmostEqual(each["largest_slip_m"], way, delta=1e-8)
+
+    def test_runs_of_a_sweep_are_those_by_themselves(self):
+        words = ("swinging_pinch", "--seconds", 0.5)
+        many = ask(*words, "--vary", "tolerance=1e-9:1e-7:3")
+        for each in many["runs"]:
+            alone = ask(*words, "--tolerance", repr(each["varied"]["tolerance"]))
+            self.assertEqual(each["bodies"], alone["bodies"])
+            self.assertEqual(each["steps"], alone["steps"])
+
+    def test_all_combinations_run(self):
+        answer = ask(self.path("ball.toml", BALL), "--vary", "mass/ball=0.1:0.2:2", "tolerance=1e-9:1e-8:3")
+        self.assertEqual([tuple(each["varied"].values()) for each in answer["runs"]],
+                         [(m, t) for m in (0.1, 0.2) for t in (1e-9, 5.5e-9, 1e-8)])
+
+
+class Refusals(Files):
+    def complaint(self, *words):
+        result = run(*words)
+        self.assertEqual(result.returncode, 1, result.stdout)
+        return result.stderr
+
+    def test_mistakes_are_told_by_line(self):
+        text = BALL.replace("mass_g", "mas_g")
+        self.assertIn("ball.toml:7: unknown key 'mas_g'", self.complaint(self.path("ball.toml", text)))
+
+    def test_options_of_subjects_are_refused(self):
+        self.assertIn("--digit is of subjects", self.complaint("pinch", "--digit", "index"))
+        subject = ROOT / "data/subjects/an_chao_index.toml"
+        self.assertIn("--vary is of scenes", self.complaint(subject, "--vary", "friction=0:1:2"))
+
+    def test_variations_that_nothing_has_are_refused(self):
+        self.assertIn("cannot vary 'fricton'", self.complaint("pinch", "--vary", "fricton=0:1:2"))
+        self.assertIn("wanted NAME=from:to:count", self.complaint("pinch", "--vary", "friction=0:1"))
+        self.assertIn("a whole number of values", self.complaint("pinch", "--vary", "friction=0:1:1.5"))
+
+    def test_names_that_nobody_has_are_refused(self):
+        self.assertIn("did you mean 'pinch'", self.complaint("pinc"))
+
+    def test_motion_that_does_not_stay_finite_ends_with_an_error(self):
+        # 1e9 N on 1e-300 kg: the acceleration is no number.
+        text = BALL.replace("mass_g = 100", "mass_kg = 1e-300")
+        text += '[[force]]\nbody = "ball"\nforce_N = [1e9, 0, 0]\nfrom_s = 0.1\n'
+        result = run(self.path("ball.toml", text), "--json")
+        self.assertEqual(result.returncode, 1, result.stdout)
+        self.assertEqual(json.loads(result.stdout)["status"], "not finite")
+        self.assertIn("do not use it", result.stderr)
+
+
+class Signals(Files):
+    def test_interrupt_keeps_what_is_there(self):
+        out = self.path("run.h5")
+        process = subprocess.Popen(
+            [PROGRAM, "simulate", "swinging_pinch", "--seconds", "5000", "--json", "-o", out],
+            stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True, cwd=ROOT)
+        time.sleep(1)
+        process.send_signal(signal.SIGINT)
+        stdout, stderr = process.communicate(timeout=60)
+        self.assertNotEqual(process.returncode, 0)
+        answer = json.loads(stdout)
+        self.assertEqual(answer["status"], "stopped")
+        self.assertGreater(answer["simulated_s"], 0)
+        self.assertIn("all up to then", stderr)
+        self.assertTrue(os.path.exists(out))
+
+
+if __name__ == "__main__":
+    if len(sys.argv) > 1 and not sys.argv[1].startswith("-"):
+        PROGRAM = os.path.abspath(sys.argv.pop(1))
+    unittest.main()
