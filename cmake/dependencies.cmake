@@ -80,4 +80,5 @@ if(THENAR_BENCH)
     target_include_directories(thenar::mujoco SYSTEM INTERFACE ${MUJOCO_INCLUDE_DIR})
     target_link_libraries(thenar::mujoco INTERFACE ${MUJOCO_LIBRARY})
   endif()
+  pkg_check_modules(ODE QUIET IMPORTED_TARGET ode>=0.16)  # optional: a rival, PkgConfig::ODE
 endif()

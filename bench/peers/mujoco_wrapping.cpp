@@ -5,15 +5,14 @@
 
 #include <algorithm>
 #include <cstdio>
-#include <memory>
 #include <random>
 #include <vector>
 
 #include <fmt/format.h>
-#include <mujoco/mujoco.h>
 
 #include "base/error.h"
 #include "bench/peers/hand_mjcf.h"
+#include "bench/peers/mujoco_model.h"
 #include "bench/ratios.h"
 #include "tendons/wrapping/path_arms.h"
 
@@ -22,26 +21,11 @@ namespace {
 
 constexpr int kPostures = 64;
 
-using Model = std::unique_ptr<mjModel, decltype(&mj_deleteModel)>;
-using Data = std::unique_ptr<mjData, decltype(&mj_deleteData)>;
-
-Model compile(const std::string& mjcf) {
-  mjVFS files;
-  mj_defaultVFS(&files);
-  mj_makeEmptyFileVFS(&files, "hand.xml", static_cast<int>(mjcf.size()));
-  std::copy(mjcf.begin(), mjcf.end(), static_cast<char*>(files.filedata[0]));
-  char error[500] = "";
-  Model model(mj_loadXML("hand.xml", &files, error, sizeof(error)), mj_deleteModel);
-  mj_deleteVFS(&files);
-  require(model != nullptr, "MuJoCo refuses the hand: {}", error);
-  return model;
-}
-
 /// Everything about one posture on both sides.
 struct Posed {
   Eigen::VectorXd q;
   TreeState<double> state;
-  Data data{nullptr, mj_deleteData};
+  MujocoData data{nullptr, mj_deleteData};
 };
 
 class Scene {
@@ -49,7 +33,7 @@ class Scene {
   Scene(const Skeleton& skeleton, PathSet set)
       : tree_(skeleton.tree),
         set_(std::move(set)),
-        model_(compile(hand_mjcf(tree_, set_))),
+        model_(mujoco_model(hand_mjcf(tree_, set_))),
         solver_(set_),
         R_(set_.paths.size(), skeleton.coordinates()) {
     std::mt19937 rng(3);
@@ -119,7 +103,7 @@ class Scene {
 
   const Tree<double>& tree_;
   PathSet set_;
-  Model model_;
+  MujocoModel model_;
   PathSolver solver_;
   Eigen::MatrixXd R_;
   std::vector<Posed> posed_;

@@ -1,0 +1,46 @@
+// Scenes in our own stepping.
+
+#include "bench/peers/peer_scene.h"
+#include "dynamics/stepping/simulate_scene.h"
+
+namespace thenar::bench {
+namespace {
+
+PeerRun run_ours(const PeerScene& peer, SceneOptions options) {
+  options.seconds = peer.seconds;
+  options.sample = peer.sample;
+  const double start = thread_seconds();
+  Progress progress;
+  progress.stop_requested = [&] { return thread_seconds() - start > kPatience; };
+  const SceneRun ours = simulate_scene(peer.scene, options, progress);
+  PeerRun run;
+  for (const SceneSample& sample : ours.samples)
+    run.samples.push_back({sample.t, motion_at(peer.scene, sample.q, sample.v)});
+  run.cpu_seconds = ours.cost.cpu_seconds;
+  if (ours.status != SceneStatus::kDone)
+    run.failure = ours.status == SceneStatus::kStopped ? "too slow" : name_of(ours.status);
+  return run;
+}
+
+PeerSetting events(const std::string& name, bool sleep) {
+  return {"thenar", name, true, [=](const PeerScene& scene, double tolerance) {
+            SceneOptions options;
+            options.tolerance = tolerance;
+            options.sleep = sleep;
+            return run_ours(scene, options);
+          }};
+}
+
+}  // namespace
+
+std::vector<PeerSetting> our_settings() {
+  return {events("events", true), events("events, no sleep", false),
+          {"thenar", "time-stepping", false, [](const PeerScene& scene, double step) {
+             SceneOptions options;
+             options.method = SteppingMethod::kTimeStepping;
+             options.step = step;
+             return run_ours(scene, options);
+           }}};
+}
+
+}  // namespace thenar::bench
