@@ -53,6 +53,7 @@ std::vector<PeerSetting> settings() {
 #ifdef THENAR_HAS_DART
   add(dart_settings());
 #endif
+  add(simbody_settings());
   return all;
 }
 
@@ -94,6 +95,7 @@ std::vector<Course> run_task(const PeerTask& task, const std::vector<PeerSetting
   fmt::print("\n");
   std::vector<Course> courses;
   for (const PeerSetting& setting : all) {
+    if (task.touches && !setting.touches) continue;
     Course course{&setting, {}};
     for (const double knob : setting.adaptive ? task.tolerances : task.steps) {
       course.verdicts.push_back(judge(task, setting, knob));

@@ -7,6 +7,7 @@
 
 #include "base/error.h"
 #include "bench/peers/mujoco_model.h"
+#include "bench/peers/peer_machine.h"
 #include "bench/peers/peer_scene.h"
 
 namespace thenar::bench {
@@ -171,6 +172,35 @@ class MujocoWorld final : public PeerWorld {
   std::vector<Motor> motors_;
 };
 
+/// A tree of hinges, for its accelerations.
+struct MujocoMachine {
+  explicit MujocoMachine(const MovingScene& scene)
+      : model(mujoco_model(SceneWriter(scene).text("", ""))),
+        data(mj_makeData(model.get()), mj_deleteData),
+        accelerations(model->nv) {
+    // Children stand behind their parents on both sides, but not in the same order.
+    for (std::size_t i = 0; i < scene.mechanism.bodies.size(); ++i)
+      q_of.push_back(model->jnt_qposadr[mj_name2id(model.get(), mjOBJ_JOINT,
+                                                   fmt::format("j{}", i).c_str())]);
+  }
+
+  const Eigen::VectorXd& operator()(const Eigen::VectorXd& q, const Eigen::VectorXd& v) {
+    for (std::size_t i = 0; i < q_of.size(); ++i) {
+      data->qpos[q_of[i]] = q[static_cast<Eigen::Index>(i)];
+      data->qvel[q_of[i]] = v[static_cast<Eigen::Index>(i)];
+    }
+    mj_forward(model.get(), data.get());
+    for (std::size_t i = 0; i < q_of.size(); ++i)
+      accelerations[static_cast<Eigen::Index>(i)] = data->qacc[q_of[i]];
+    return accelerations;
+  }
+
+  MujocoModel model;
+  MujocoData data;
+  Eigen::VectorXd accelerations;
+  std::vector<int> q_of;
+};
+
 PeerSetting setting(const std::string& name, const std::string& option, const std::string& geom) {
   return stepped<MujocoWorld>("MuJoCo", name, option, geom);
 }
@@ -186,6 +216,12 @@ std::vector<PeerSetting> mujoco_settings() {
           setting("the same, stiff", elliptic + " noslip_iterations=\"10\"", stiff),
           setting("the same, stiff, RK4",
                   elliptic + " noslip_iterations=\"10\" integrator=\"RK4\"", stiff)};
+}
+
+PeerMachine mujoco_machine(const MovingScene& scene) {
+  auto machine = std::make_shared<MujocoMachine>(scene);
+  return {"MuJoCo", [machine](const Eigen::VectorXd& q, const Eigen::VectorXd& v)
+                        -> const Eigen::VectorXd& { return (*machine)(q, v); }};
 }
 
 }  // namespace thenar::bench

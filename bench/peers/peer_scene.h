@@ -54,6 +54,7 @@ struct PeerSetting {
   std::string setting;    // "elliptic, impratio 10"
   bool adaptive = false;  // its knob is a tolerance, not a step [s]
   std::function<PeerRun(const PeerScene&, double knob)> run;
+  bool touches = true;  // can be given scenes with contacts
 
   [[nodiscard]] std::string name() const { return engine + ", " + setting; }
 };

@@ -3,9 +3,13 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <memory>
 
+#include <Eigen/Geometry>
 #include <fmt/format.h>
 
+#include "bench/peers/peer_hand.h"
+#include "dynamics/stepping/simulate_scene.h"
 #include "tests/dynamics/stepping/sample_scenes.h"
 
 namespace thenar::bench {
@@ -301,6 +305,70 @@ PeerTask stack() {
   return task;
 }
 
+/// Where a scene ends by our own steps at an error of 1e-13, found when it is first asked for.
+std::function<const std::vector<BodyMotion>&()> converged(const PeerScene& peer) {
+  auto end = std::make_shared<std::vector<BodyMotion>>();
+  return [=]() -> const std::vector<BodyMotion>& {
+    if (end->empty()) {
+      SceneOptions options;
+      options.seconds = peer.seconds;
+      options.tolerance = 1e-13;
+      options.columns = 8;
+      const SceneRun run = simulate_scene(peer.scene, options);
+      *end = motion_at(peer.scene, run.samples.back().q, run.samples.back().v);
+    }
+    return *end;
+  };
+}
+
+PeerTask hand_swing() {
+  PeerTask task;
+  task.peer = {"free hand", swinging_hand(), 0.5, 0.5};
+  task.about = "21 joints swing freely for 0.5 s, against our own converged run";
+  const auto wanted = converged(task.peer);
+  const Mechanism mechanism = task.peer.scene.mechanism;
+  task.error = {"joint error [rad]", [=](const PeerRun& run) {
+                  double most = 0;
+                  for (std::size_t i = 0; i < mechanism.joints.size(); ++i) {
+                    const double off =
+                        joint_motion(mechanism, i, run.samples.back().bodies).value -
+                        joint_motion(mechanism, i, wanted()).value;
+                    most = std::max(most, std::abs(std::remainder(off, 2 * kPi)));
+                  }
+                  return most;
+                }};
+  task.lost = [](const PeerRun&) { return false; };
+  task.steps = {5e-5, 1e-4, 2e-4, 5e-4, 1e-3, 2e-3, 5e-3};
+  task.tolerances = {1e-3, 1e-4, 1e-5, 1e-6, 1e-7, 1e-8, 1e-9, 1e-10, 1e-11, 1e-12};
+  task.touches = false;
+  return task;
+}
+
+PeerTask carried_ball() {
+  const BallInHand world = ball_in_hand();
+  const MovingScene scene = world.scene;
+  const auto ball = static_cast<std::size_t>(world.ball);
+  PeerTask task;
+  task.peer = {"ball in hand", scene, 1, 0.1, sunk(scene, {world.ball}, 0)};
+  task.about =
+      "Five fingers hold a ball on a palm that is carried along and swings, 11 contacts, 1 s, against "
+      "our own converged run";
+  const auto wanted = converged(task.peer);
+  const auto off = [=](const PeerRun& run) {
+    return (centre(scene, world.ball, run.samples.back()) - wanted()[ball].X_WB.p).norm() / kMm;
+  };
+  task.error = {"place of the ball [mm]", off};
+  task.further.push_back({"its turn [rad]", [=](const PeerRun& run) {
+                            const Eigen::Matrix3d R = run.samples.back().bodies[ball].X_WB.R *
+                                                      wanted()[ball].X_WB.R.transpose();
+                            return Eigen::AngleAxisd(R).angle();
+                          }});
+  task.lost = above(off, kLostAt);
+  task.steps = {1e-5, 1e-4, 1e-3, 5e-3};
+  task.tolerances = {1e-4, 1e-6, 1e-8, 1e-10, 1e-12};
+  return task;
+}
+
 }  // namespace
 
 std::vector<PeerTask> contact_tasks() {
@@ -314,7 +382,9 @@ std::vector<PeerTask> contact_tasks() {
                               capsule(60),
                               ramp_that_holds(),
                               ramp_that_slides(),
-                              stack()};
+                              stack(),
+                              carried_ball(),
+                              hand_swing()};
   for (const PeerTask& task : tasks) check_peer_scene(task.peer);
   return tasks;
 }

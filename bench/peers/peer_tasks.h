@@ -26,13 +26,13 @@ struct PeerTask {
   std::function<bool(const PeerRun&)> lost;
   std::vector<double> steps;          // of engines of fixed steps [s]
   std::vector<double> tolerances;     // of those that control their error [1]
+  bool touches = true;                // bodies have shapes
 };
 
 /// Farther from where it should be an object is lost [mm].
 inline constexpr double kLostAt = 20;
 
-/// Pinch, swing, slide, mass ratios, capsule, ramp, stack.
+/// Pinch, swing, slide, mass ratios, capsule, ramp, stack, a ball in a hand, a hand that swings.
 [[nodiscard]] std::vector<PeerTask> contact_tasks();
-
 
 }  // namespace thenar::bench

@@ -1,6 +1,10 @@
 // Scenes in our own stepping.
 
+#include <memory>
+
+#include "bench/peers/peer_machine.h"
 #include "bench/peers/peer_scene.h"
+#include "dynamics/mechanism/articulated_body.h"
 #include "dynamics/stepping/simulate_scene.h"
 
 namespace thenar::bench {
@@ -31,6 +35,28 @@ PeerSetting events(const std::string& name, bool sleep) {
           }};
 }
 
+/// The recursion that scenes of hinges run.
+struct OurMachine {
+  explicit OurMachine(const MovingScene& scene)
+      : model(tree_model(scene.mechanism)), motion(model), machine(model), gravity(scene.gravity) {
+    none = accelerations = Eigen::VectorXd::Zero(model.layout.v);
+  }
+
+  const Eigen::VectorXd& operator()(const Eigen::VectorXd& q, const Eigen::VectorXd& v) {
+    motion.set_position(q);
+    motion.set_speed(v);
+    motion.clear_loads();
+    machine.accelerations(motion, gravity, none, accelerations);
+    return accelerations;
+  }
+
+  TreeModel model;
+  TreeMotion<double> motion;
+  ArticulatedBody<double> machine;
+  Eigen::Vector3d gravity;
+  Eigen::VectorXd none, accelerations;
+};
+
 }  // namespace
 
 std::vector<PeerSetting> our_settings() {
@@ -41,6 +67,12 @@ std::vector<PeerSetting> our_settings() {
              options.step = step;
              return run_ours(scene, options);
            }}};
+}
+
+PeerMachine our_machine(const MovingScene& scene) {
+  auto machine = std::make_shared<OurMachine>(scene);
+  return {"thenar", [machine](const Eigen::VectorXd& q, const Eigen::VectorXd& v)
+                        -> const Eigen::VectorXd& { return (*machine)(q, v); }};
 }
 
 }  // namespace thenar::bench
