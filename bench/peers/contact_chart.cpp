@@ -116,8 +116,7 @@ Json chart(const PeerTask& task, const std::vector<Course>& courses) {
       if (!verdict.failure.empty()) {
         lost_x.push_back(verdict.cpu);
         lost_y.push_back(kLostLine);
-        lost_by.push_back(
-            fmt::format("{}, {}: {}", course.setting->name(), hint, verdict.failure));
+        lost_by.push_back(fmt::format("{}, {}: {}", course.setting->name(), hint, verdict.failure));
         continue;
       }
       x.push_back(verdict.cpu);
@@ -125,8 +124,11 @@ Json chart(const PeerTask& task, const std::vector<Course>& courses) {
       hints.push_back(hint);
     }
     if (x.empty()) continue;
-    series.push_back(
-        {{"name", course.setting->name()}, {"style", "both"}, {"x", x}, {"y", y}, {"hints", hints}});
+    series.push_back({{"name", course.setting->name()},
+                      {"style", "both"},
+                      {"x", x},
+                      {"y", y},
+                      {"hints", hints}});
   }
   if (!lost_x.empty())
     series.push_back({{"name", "lost, or not ended"},
@@ -134,19 +136,22 @@ Json chart(const PeerTask& task, const std::vector<Course>& courses) {
                       {"x", lost_x},
                       {"y", lost_y},
                       {"hints", lost_by}});
-  return {{"type", "lines"},
-          {"caption", "Lower left is better; failures stand at the top, errors below 1e-16 at 1e-16"},
-          {"x_label", "processor time for a simulated second [ms]"},
-          {"y_label", task.error.name},
-          {"log_x", true},
-          {"log_y", true},
-          {"height", 420},
-          {"series", series}};
+  return {
+      {"type", "lines"},
+      {"caption", "Lower left is better; failures stand at the top, errors below 1e-16 at 1e-16"},
+      {"x_label", "processor time for a simulated second [ms]"},
+      {"y_label", task.error.name},
+      {"log_x", true},
+      {"log_y", true},
+      {"height", 420},
+      {"series", series}};
 }
 
 Json table(const PeerTask& task, const std::vector<Course>& courses) {
-  std::vector<BlockColumn> columns{{"engine, setting", ""}, {"step or tolerance", ""},
-                                   {"CPU for a second", "ms"}, {task.error.name, ""}};
+  std::vector<BlockColumn> columns{{"engine, setting", ""},
+                                   {"step or tolerance", ""},
+                                   {"CPU for a second", "ms"},
+                                   {task.error.name, ""}};
   for (const PeerMeasure& measure : task.further) columns.push_back({measure.name, ""});
   columns.push_back({"failure", ""});
   Json rows = Json::array();

@@ -3,9 +3,9 @@
 #include <cmath>
 #include <memory>
 
-#include <Eigen/Eigenvalues>
 #include <btBulletDynamicsCommon.h>
 #include <fmt/format.h>
+#include <Eigen/Eigenvalues>
 
 #include "base/error.h"
 #include "bench/peers/peer_scene.h"
@@ -17,9 +17,9 @@ using Eigen::Vector3d;
 
 /// How Bullet is used.
 struct BulletOptions {
-  int iterations = 10;      // of sequential impulses
-  bool two_axes = false;    // of friction, instead of the one along the slip
-  bool sleep = false;       // bodies at rest are deactivated
+  int iterations = 10;    // of sequential impulses
+  bool two_axes = false;  // of friction, instead of the one along the slip
+  bool sleep = false;     // bodies at rest are deactivated
 };
 
 btVector3 to_bullet(const Vector3d& v) { return {v.x(), v.y(), v.z()}; }
@@ -77,8 +77,7 @@ class BulletWorld final : public PeerWorld {
     world_.getPairCache()->setOverlapFilterCallback(&filter_);
     world_.setGravity(to_bullet(scene_.gravity));
     world_.getSolverInfo().m_numIterations = options.iterations;
-    if (options.two_axes)
-      world_.getSolverInfo().m_solverMode |= SOLVER_USE_2_FRICTION_DIRECTIONS;
+    if (options.two_axes) world_.getSolverInfo().m_solverMode |= SOLVER_USE_2_FRICTION_DIRECTIONS;
     const std::vector<BodyMotion> bodies = motion_at(scene_, peer.rival_q(), scene_.v);
     for (std::size_t i = 0; i < bodies.size(); ++i) add_body(i, bodies[i]);
     for (std::size_t i = 0; i < bodies.size(); ++i) add_joint(i);
@@ -167,8 +166,7 @@ class BulletWorld final : public PeerWorld {
     const std::vector<BodyMotion> now = motion();
     for (std::size_t i = 0; i < joints.size(); ++i) {
       if (joints[i].kind != JointKind::kHinge && joints[i].kind != JointKind::kSlide) continue;
-      const double effort =
-          joint_effort(scene_, i, t_, joint_motion(scene_.mechanism, i, now));
+      const double effort = joint_effort(scene_, i, t_, joint_motion(scene_.mechanism, i, now));
       const Vector3d along = effort * (now[i].X_WB.R * joints[i].X_BM.R.col(2));
       if (joints[i].kind == JointKind::kSlide) {
         bodies_[i]->applyCentralForce(to_bullet(along));

@@ -1,5 +1,6 @@
 // Scenes in DART.
 
+#include <fmt/format.h>
 #include <dart/collision/CollisionFilter.hpp>
 #include <dart/collision/dart/DARTCollisionDetector.hpp>
 #include <dart/constraint/BoxedLcpConstraintSolver.hpp>
@@ -14,7 +15,6 @@
 #include <dart/dynamics/SphereShape.hpp>
 #include <dart/dynamics/WeldJoint.hpp>
 #include <dart/simulation/World.hpp>
-#include <fmt/format.h>
 
 #include "base/error.h"
 #include "bench/peers/peer_machine.h"
@@ -92,8 +92,8 @@ dd::BodyNode* add_body(const MovingScene& scene, std::size_t i, dd::Skeleton& sk
       node = add_node<dd::WeldJoint>(scene, i, skeleton, parent);
   }
   for (const ShapeSpec& shape : shapes_of(scene.mechanism.bodies[i])) {
-    auto* at = node->createShapeNodeWith<dd::CollisionAspect, dd::DynamicsAspect>(
-        dart_shape(shape));
+    auto* at =
+        node->createShapeNodeWith<dd::CollisionAspect, dd::DynamicsAspect>(dart_shape(shape));
     at->setRelativeTransform(to_dart(shape.X_BS));
     at->getDynamicsAspect()->setFrictionCoeff(scene.friction.coefficient);
   }
@@ -119,9 +119,9 @@ class DartWorld final : public PeerWorld {
       const MechanismJoint& joint = scene_.mechanism.joints[i];
       dd::BodyNode* parent =
           joint.parent < 0 ? nullptr : nodes_[static_cast<std::size_t>(joint.parent)];
-      const dd::SkeletonPtr skeleton =
-          parent == nullptr ? dd::Skeleton::create(scene_.mechanism.bodies[i].name)
-                            : parent->getSkeleton();
+      const dd::SkeletonPtr skeleton = parent == nullptr
+                                           ? dd::Skeleton::create(scene_.mechanism.bodies[i].name)
+                                           : parent->getSkeleton();
       nodes_.push_back(add_body(scene_, i, *skeleton, parent));
       if (joint.kind == JointKind::kWeld) skeleton->setMobile(false);
       if (parent == nullptr) roots_.push_back(skeleton);
@@ -226,8 +226,10 @@ std::vector<PeerSetting> dart_settings() {
 
 PeerMachine dart_machine(const MovingScene& scene) {
   auto machine = std::make_shared<DartMachine>(scene);
-  return {"DART", [machine](const Eigen::VectorXd& q, const Eigen::VectorXd& v)
-                      -> const Eigen::VectorXd& { return (*machine)(q, v); }};
+  return {"DART",
+          [machine](const Eigen::VectorXd& q, const Eigen::VectorXd& v) -> const Eigen::VectorXd& {
+            return (*machine)(q, v);
+          }};
 }
 
 }  // namespace thenar::bench

@@ -95,7 +95,8 @@ MovingScene swinging_hand() {
   const std::array<double, 5> masses{0.005, 0.02, 0.004, 0.012, 0.008};
   int link = -1;
   for (std::size_t k = 0; k < 5; ++k)
-    link = add_link(scene, link, axes[k].normalized(), places[k], rod(masses[k], lengths[k], 0.009));
+    link =
+        add_link(scene, link, axes[k].normalized(), places[k], rod(masses[k], lengths[k], 0.009));
   const int n = layout_of(scene.mechanism).v;
   scene.gravity = {9.81, 0, 0};
   scene.q = Eigen::VectorXd::LinSpaced(n, 0.1, 0.5);
@@ -110,8 +111,8 @@ BallInHand ball_in_hand() {
   // The palm, whose top is at z = 0. It swings about a place that moves on.
   ShapeSpec plate = primitive(ShapeKind::kBox, {0.12, 0.12, 0.02});
   plate.X_BS.p.z() = -0.01;
-  const int palm = sample::add_on_joint(scene, "palm", plate, 0.3, JointKind::kSlide, {1, 0, 0},
-                                        {0, 0, 0});
+  const int palm =
+      sample::add_on_joint(scene, "palm", plate, 0.3, JointKind::kSlide, {1, 0, 0}, {0, 0, 0});
   SceneDrive carry{scene.mechanism.joints[static_cast<std::size_t>(palm)].coordinate};
   carry.stiffness = 500;
   carry.damping = 4;
@@ -156,7 +157,8 @@ BallInHand ball_in_hand() {
       Eigen::Map<const Eigen::VectorXd>(angles.data(), static_cast<Eigen::Index>(angles.size()));
   Pose<double> X;
   X.p.z() = kRadius;
-  out.ball = sample::add_body(scene, "ball", primitive(ShapeKind::kSphere, {kRadius, 0, 0}), 0.06, X);
+  out.ball =
+      sample::add_body(scene, "ball", primitive(ShapeKind::kSphere, {kRadius, 0, 0}), 0.06, X);
   scene.friction.coefficient = 0.8;
   return out;
 }

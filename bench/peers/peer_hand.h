@@ -11,8 +11,8 @@ namespace thenar::bench {
 [[nodiscard]] MovingScene swinging_hand();
 
 /// A palm on a slide along x, on a spring to a place that moves on; a ball that lies on it; five
-/// fingers of two hinges with a round pad on each link, which constant torques press on the ball: 11
-/// contacts from the start on.
+/// fingers of two hinges with a round pad on each link, which constant torques press on the ball:
+/// 11 contacts from the start on.
 struct BallInHand {
   MovingScene scene;
   int ball = 0;

@@ -57,8 +57,8 @@ class SceneWriter {
   [[nodiscard]] std::string body(std::size_t i) const {
     const MechanismBody& body = scene_.mechanism.bodies[i];
     const MechanismJoint& joint = scene_.mechanism.joints[i];
-    std::string text = fmt::format("<body name=\"b{}\" {}>", i,
-                                   placed(joint.X_PF * joint.X_BM.inverse()));
+    std::string text =
+        fmt::format("<body name=\"b{}\" {}>", i, placed(joint.X_PF * joint.X_BM.inverse()));
     if (joint.kind != JointKind::kWeld) text += inertial(body.mass);
     if (joint.kind == JointKind::kFree) text += fmt::format("<freejoint name=\"j{}\"/>", i);
     if (joint.kind == JointKind::kHinge || joint.kind == JointKind::kSlide)
@@ -93,8 +93,8 @@ class MujocoWorld final : public PeerWorld {
   MujocoWorld(const PeerScene& peer, double step, const std::string& option,
               const std::string& geom)
       : scene_(peer.scene),
-        model_(mujoco_model(SceneWriter(scene_).text(
-            fmt::format("timestep=\"{:.17g}\" {}", step, option), geom))),
+        model_(mujoco_model(
+            SceneWriter(scene_).text(fmt::format("timestep=\"{:.17g}\" {}", step, option), geom))),
         data_(mj_makeData(model_.get()), mj_deleteData) {
     const std::size_t n = scene_.mechanism.bodies.size();
     for (std::size_t i = 0; i < n; ++i)
@@ -180,8 +180,8 @@ struct MujocoMachine {
         accelerations(model->nv) {
     // Children stand behind their parents on both sides, but not in the same order.
     for (std::size_t i = 0; i < scene.mechanism.bodies.size(); ++i)
-      q_of.push_back(model->jnt_qposadr[mj_name2id(model.get(), mjOBJ_JOINT,
-                                                   fmt::format("j{}", i).c_str())]);
+      q_of.push_back(
+          model->jnt_qposadr[mj_name2id(model.get(), mjOBJ_JOINT, fmt::format("j{}", i).c_str())]);
   }
 
   const Eigen::VectorXd& operator()(const Eigen::VectorXd& q, const Eigen::VectorXd& v) {
@@ -210,18 +210,19 @@ PeerSetting setting(const std::string& name, const std::string& option, const st
 std::vector<PeerSetting> mujoco_settings() {
   const std::string elliptic = "cone=\"elliptic\" impratio=\"10\"";
   const std::string stiff = "solref=\"0.002 1\"";
-  return {setting("default", "", ""),
-          setting("elliptic, impratio 10", elliptic, ""),
+  return {setting("default", "", ""), setting("elliptic, impratio 10", elliptic, ""),
           setting("elliptic, impratio 10, noslip 10", elliptic + " noslip_iterations=\"10\"", ""),
           setting("the same, stiff", elliptic + " noslip_iterations=\"10\"", stiff),
-          setting("the same, stiff, RK4",
-                  elliptic + " noslip_iterations=\"10\" integrator=\"RK4\"", stiff)};
+          setting("the same, stiff, RK4", elliptic + " noslip_iterations=\"10\" integrator=\"RK4\"",
+                  stiff)};
 }
 
 PeerMachine mujoco_machine(const MovingScene& scene) {
   auto machine = std::make_shared<MujocoMachine>(scene);
-  return {"MuJoCo", [machine](const Eigen::VectorXd& q, const Eigen::VectorXd& v)
-                        -> const Eigen::VectorXd& { return (*machine)(q, v); }};
+  return {"MuJoCo",
+          [machine](const Eigen::VectorXd& q, const Eigen::VectorXd& v) -> const Eigen::VectorXd& {
+            return (*machine)(q, v);
+          }};
 }
 
 }  // namespace thenar::bench

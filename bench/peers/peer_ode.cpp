@@ -1,5 +1,6 @@
 // Scenes in the Open Dynamics Engine.
 
+#include <algorithm>
 #include <array>
 
 #include <fmt/format.h>
@@ -14,6 +15,7 @@ namespace {
 using Eigen::Vector3d;
 
 constexpr int kMaxContacts = 16;  // of a pair of shapes
+constexpr double kGone = 1e5;     // from the origin [m]
 constexpr double kSlips = 1e-9;   // slower contacts have no direction of slip [m/s]
 
 /// How ODE is used.
@@ -77,6 +79,8 @@ class OdeWorld final : public PeerWorld {
   }
 
   void step() override {
+    t_ += step_;
+    if (gone()) return;
     const bool asleep = options_.sleep && all_disabled();
     if (!asleep) {
       apply_efforts();
@@ -88,7 +92,6 @@ class OdeWorld final : public PeerWorld {
       dWorldStep(world_, step_);
     }
     dJointGroupEmpty(contacts_);
-    t_ += step_;
   }
 
   [[nodiscard]] std::vector<BodyMotion> motion() const override {
@@ -107,8 +110,8 @@ class OdeWorld final : public PeerWorld {
     if (!fixed) {
       const Eigen::Matrix3d& I = body.mass.inertia;
       dMass mass;
-      dMassSetParameters(&mass, body.mass.mass, 0, 0, 0, I(0, 0), I(1, 1), I(2, 2), I(0, 1), I(0, 2),
-                         I(1, 2));
+      dMassSetParameters(&mass, body.mass.mass, 0, 0, 0, I(0, 0), I(1, 1), I(2, 2), I(0, 1),
+                         I(0, 2), I(1, 2));
       dBodySetMass(body_[i], &mass);
       place(i, bodies[i]);
     }
@@ -169,8 +172,8 @@ class OdeWorld final : public PeerWorld {
     const dReal* R = dBodyGetRotation(body_[i]);
     for (int row = 0; row < 3; ++row)
       for (int column = 0; column < 3; ++column) out.X_WB.R(row, column) = R[4 * row + column];
-    out.X_WB.p = vector_of(dBodyGetPosition(body_[i])) -
-                 out.X_WB.R * scene_.mechanism.bodies[i].mass.com;
+    out.X_WB.p =
+        vector_of(dBodyGetPosition(body_[i])) - out.X_WB.R * scene_.mechanism.bodies[i].mass.com;
     out.linear = vector_of(dBodyGetLinearVel(body_[i]));
     out.angular = vector_of(dBodyGetAngularVel(body_[i]));
     return out;
@@ -185,13 +188,20 @@ class OdeWorld final : public PeerWorld {
         if (bodies.empty()) bodies = motion();
         at = joint_motion(scene_.mechanism, i, bodies);
       }
-      const double effort = joint_effort(scene_, i, t_, at);
+      const double effort = joint_effort(scene_, i, t_ - step_, at);
       if (scene_.mechanism.joints[i].kind == JointKind::kHinge) {
         dJointAddHingeTorque(joint_[i], effort);
       } else {
         dJointAddSliderForce(joint_[i], effort);
       }
     }
+  }
+
+  /// Whether a body is so far away, or nowhere, that ODE would abort the program.
+  [[nodiscard]] bool gone() const {
+    return std::any_of(body_.begin(), body_.end(), [](const dBodyID body) {
+      return body != nullptr && !(vector_of(dBodyGetPosition(body)).norm() < kGone);
+    });
   }
 
   [[nodiscard]] bool all_disabled() const {
@@ -246,9 +256,9 @@ class OdeWorld final : public PeerWorld {
   dWorldID world_ = nullptr;
   dSpaceID space_ = nullptr;
   dJointGroupID contacts_ = nullptr;
-  std::vector<dBodyID> body_;         // null: fixed
-  std::vector<Pose<double>> fixed_;   // of fixed bodies
-  std::vector<dJointID> joint_;       // null: free or fixed
+  std::vector<dBodyID> body_;        // null: fixed
+  std::vector<Pose<double>> fixed_;  // of fixed bodies
+  std::vector<dJointID> joint_;      // null: free or fixed
 };
 
 PeerSetting setting(const std::string& name, const OdeOptions& options) {

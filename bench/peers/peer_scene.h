@@ -11,8 +11,8 @@
 namespace thenar::bench {
 
 /// A scene that every engine can be given: bodies of spheres, capsules and boxes; hinges and slides
-/// that each have a coordinate of their own, free bodies, and welds to the world; one coefficient of
-/// friction; drives without a limit of effort, which act the whole time.
+/// that each have a coordinate of their own, free bodies, and welds to the world; one coefficient
+/// of friction; drives without a limit of effort, which act the whole time.
 struct PeerScene {
   std::string name;
   MovingScene scene;
@@ -60,7 +60,7 @@ struct PeerSetting {
 };
 
 /// Processor time that a run may take [s].
-inline constexpr double kPatience = 30;
+inline constexpr double kPatience = 10;
 
 /// An engine of fixed steps that holds a scene.
 class PeerWorld {

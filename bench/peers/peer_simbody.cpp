@@ -22,7 +22,10 @@ SimTK::Transform to_simbody(const Pose<double>& X) {
 /// A tree of hinges under weight.
 struct SimbodyHand {
   explicit SimbodyHand(const MovingScene& of)
-      : scene(of), matter(system), forces(system), gravity(forces, matter, to_simbody(scene.gravity)) {
+      : scene(of),
+        matter(system),
+        forces(system),
+        gravity(forces, matter, to_simbody(scene.gravity)) {
     for (std::size_t i = 0; i < scene.mechanism.bodies.size(); ++i) {
       const MechanismJoint& joint = scene.mechanism.joints[i];
       require(joint.kind == JointKind::kHinge, "Simbody is given hinges only");
@@ -91,8 +94,8 @@ std::vector<PeerSetting> simbody_settings() {
                   }),
           setting("CPodes, Adams",
                   [](SimTK::System& system) {
-                    return std::make_unique<SimTK::CPodesIntegrator>(
-                        system, SimTK::CPodes::Adams, SimTK::CPodes::Functional);
+                    return std::make_unique<SimTK::CPodesIntegrator>(system, SimTK::CPodes::Adams,
+                                                                     SimTK::CPodes::Functional);
                   }),
           setting("Verlet", [](SimTK::System& system) {
             return std::make_unique<SimTK::VerletIntegrator>(system);
@@ -104,8 +107,8 @@ PeerMachine simbody_machine(const MovingScene& scene) {
   auto answer = std::make_shared<Eigen::VectorXd>();
   const Eigen::VectorXd none = Eigen::VectorXd::Zero(scene.v.size());
   const Eigen::Vector3d gravity = scene.gravity;
-  return {"Simbody", [=](const Eigen::VectorXd& q,
-                         const Eigen::VectorXd& v) -> const Eigen::VectorXd& {
+  return {"Simbody",
+          [=](const Eigen::VectorXd& q, const Eigen::VectorXd& v) -> const Eigen::VectorXd& {
             machine->set(q, v);
             *answer = machine->accelerations(none, gravity);
             return *answer;

@@ -20,13 +20,13 @@ struct PeerMeasure {
 /// A scene, how wrong a run of it is, and what an engine is asked for.
 struct PeerTask {
   PeerScene peer;
-  std::string about;                  // what happens, and the right answer
-  PeerMeasure error;                  // 0: right
-  std::vector<PeerMeasure> further;   // beside it
+  std::string about;                 // what happens, and the right answer
+  PeerMeasure error;                 // 0: right
+  std::vector<PeerMeasure> further;  // beside it
   std::function<bool(const PeerRun&)> lost;
-  std::vector<double> steps;          // of engines of fixed steps [s]
-  std::vector<double> tolerances;     // of those that control their error [1]
-  bool touches = true;                // bodies have shapes
+  std::vector<double> steps;       // of engines of fixed steps [s]
+  std::vector<double> tolerances;  // of those that control their error [1]
+  bool touches = true;             // bodies have shapes
 };
 
 /// Farther from where it should be an object is lost [mm].

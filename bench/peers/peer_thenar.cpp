@@ -60,7 +60,8 @@ struct OurMachine {
 }  // namespace
 
 std::vector<PeerSetting> our_settings() {
-  return {events("events", true), events("events, no sleep", false),
+  return {events("events", true),
+          events("events, no sleep", false),
           {"thenar", "time-stepping", false, [](const PeerScene& scene, double step) {
              SceneOptions options;
              options.method = SteppingMethod::kTimeStepping;
@@ -71,8 +72,10 @@ std::vector<PeerSetting> our_settings() {
 
 PeerMachine our_machine(const MovingScene& scene) {
   auto machine = std::make_shared<OurMachine>(scene);
-  return {"thenar", [machine](const Eigen::VectorXd& q, const Eigen::VectorXd& v)
-                        -> const Eigen::VectorXd& { return (*machine)(q, v); }};
+  return {"thenar",
+          [machine](const Eigen::VectorXd& q, const Eigen::VectorXd& v) -> const Eigen::VectorXd& {
+            return (*machine)(q, v);
+          }};
 }
 
 }  // namespace thenar::bench
