@@ -193,16 +193,17 @@ class BulletWorld final : public PeerWorld {
   btDiscreteDynamicsWorld world_;
 };
 
-PeerSetting setting(const std::string& name, const BulletOptions& options) {
-  return stepped<BulletWorld>("Bullet", name, options);
+PeerSetting setting(const std::string& name, PeerUse use, const BulletOptions& options) {
+  return stepped<BulletWorld>("Bullet", name, use, options);
 }
 
 }  // namespace
 
 std::vector<PeerSetting> bullet_settings() {
-  return {setting("SI 10", {10, false, false}), setting("SI 50", {50, false, false}),
-          setting("SI 50, two axes of friction", {50, true, false}),
-          setting("SI 50, sleep", {50, false, true})};
+  return {setting("SI 10", PeerUse::kAll, {10, false, false}),
+          setting("SI 50", PeerUse::kContacts, {50, false, false}),
+          setting("SI 50, two axes of friction", PeerUse::kContacts, {50, true, false}),
+          setting("SI 50, sleep", PeerUse::kContacts, {50, false, true})};
 }
 
 }  // namespace thenar::bench

@@ -189,8 +189,8 @@ class DartWorld final : public PeerWorld {
   std::vector<dd::SkeletonPtr> roots_;
 };
 
-PeerSetting setting(const std::string& name, const DartOptions& options) {
-  return stepped<DartWorld>("DART", name, options);
+PeerSetting setting(const std::string& name, PeerUse use, const DartOptions& options) {
+  return stepped<DartWorld>("DART", name, use, options);
 }
 
 /// One skeleton, for its accelerations.
@@ -220,8 +220,9 @@ struct DartMachine {
 }  // namespace
 
 std::vector<PeerSetting> dart_settings() {
-  return {setting("Dantzig", {}), setting("Dantzig, own collision", {true, false}),
-          setting("projected Gauss-Seidel, own collision", {true, true})};
+  return {setting("Dantzig", PeerUse::kAll, {}),
+          setting("Dantzig, own collision", PeerUse::kContacts, {true, false}),
+          setting("projected GS, own collision", PeerUse::kContacts, {true, true})};
 }
 
 PeerMachine dart_machine(const MovingScene& scene) {

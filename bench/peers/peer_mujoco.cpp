@@ -201,8 +201,9 @@ struct MujocoMachine {
   std::vector<int> q_of;
 };
 
-PeerSetting setting(const std::string& name, const std::string& option, const std::string& geom) {
-  return stepped<MujocoWorld>("MuJoCo", name, option, geom);
+PeerSetting setting(const std::string& name, PeerUse use, const std::string& option,
+                    const std::string& geom) {
+  return stepped<MujocoWorld>("MuJoCo", name, use, option, geom);
 }
 
 }  // namespace
@@ -210,11 +211,14 @@ PeerSetting setting(const std::string& name, const std::string& option, const st
 std::vector<PeerSetting> mujoco_settings() {
   const std::string elliptic = "cone=\"elliptic\" impratio=\"10\"";
   const std::string stiff = "solref=\"0.002 1\"";
-  return {setting("default", "", ""), setting("elliptic, impratio 10", elliptic, ""),
-          setting("elliptic, impratio 10, noslip 10", elliptic + " noslip_iterations=\"10\"", ""),
-          setting("the same, stiff", elliptic + " noslip_iterations=\"10\"", stiff),
-          setting("the same, stiff, RK4", elliptic + " noslip_iterations=\"10\" integrator=\"RK4\"",
-                  stiff)};
+  const std::string noslip = elliptic + " noslip_iterations=\"10\"";
+  const std::string rk4 = " integrator=\"RK4\"";
+  return {setting("default", PeerUse::kAll, "", ""),
+          setting("RK4", PeerUse::kFree, rk4, ""),
+          setting("grasp recipe", PeerUse::kContacts, elliptic, ""),
+          setting("recipe, noslip 10", PeerUse::kContacts, noslip, ""),
+          setting("recipe, noslip 10, stiff", PeerUse::kContacts, noslip, stiff),
+          setting("recipe, noslip 10, stiff, RK4", PeerUse::kContacts, noslip + rk4, stiff)};
 }
 
 PeerMachine mujoco_machine(const MovingScene& scene) {

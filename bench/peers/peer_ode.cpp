@@ -261,16 +261,17 @@ class OdeWorld final : public PeerWorld {
   std::vector<dJointID> joint_;      // null: free or fixed
 };
 
-PeerSetting setting(const std::string& name, const OdeOptions& options) {
-  return stepped<OdeWorld>("ODE", name, options);
+PeerSetting setting(const std::string& name, PeerUse use, const OdeOptions& options) {
+  return stepped<OdeWorld>("ODE", name, use, options);
 }
 
 }  // namespace
 
 std::vector<PeerSetting> ode_settings() {
-  return {setting("QuickStep 20", {20, false, false}), setting("Step", {0, false, false}),
-          setting("Step, axes along slip", {0, true, false}),
-          setting("Step, sleep", {0, false, true})};
+  return {setting("QuickStep 20", PeerUse::kAll, {20, false, false}),
+          setting("Step", PeerUse::kAll, {0, false, false}),
+          setting("Step, axes along slip", PeerUse::kContacts, {0, true, false}),
+          setting("Step, sleep", PeerUse::kContacts, {0, false, true})};
 }
 
 }  // namespace thenar::bench

@@ -48,13 +48,16 @@ struct PeerRun {
   std::string failure;              // empty: it ran to the end
 };
 
+/// Which scenes a setting is for: all, or those where its difference shows.
+enum class PeerUse { kAll, kContacts, kFree };
+
 /// An engine at one of its settings.
 struct PeerSetting {
   std::string engine;     // "MuJoCo"
   std::string setting;    // "elliptic, impratio 10"
   bool adaptive = false;  // its knob is a tolerance, not a step [s]
   std::function<PeerRun(const PeerScene&, double knob)> run;
-  bool touches = true;  // can be given scenes with contacts
+  PeerUse use = PeerUse::kAll;
 
   [[nodiscard]] std::string name() const { return engine + ", " + setting; }
 };
@@ -80,11 +83,13 @@ class PeerWorld {
 /// A setting whose World is built from (scene, step, options...).
 template <typename World, typename... Options>
 [[nodiscard]] PeerSetting stepped(const std::string& engine, const std::string& setting,
-                                  const Options&... options) {
-  return {engine, setting, false, [=](const PeerScene& scene, double step) {
+                                  PeerUse use, const Options&... options) {
+  return {engine, setting, false,
+          [=](const PeerScene& scene, double step) {
             World world(scene, step, options...);
             return run_world(world, scene, step);
-          }};
+          },
+          use};
 }
 
 /// @throws InputError if a scene has what not every engine can be given.

@@ -81,7 +81,7 @@ PeerSetting setting(const std::string& name, Make make) {
                     run.samples.push_back({peer.seconds, hand.motion(integrator->getState())});
                     return run;
                   }};
-  out.touches = false;
+  out.use = PeerUse::kFree;
   return out;
 }
 

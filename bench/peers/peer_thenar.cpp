@@ -26,13 +26,16 @@ PeerRun run_ours(const PeerScene& peer, SceneOptions options) {
   return run;
 }
 
-PeerSetting events(const std::string& name, bool sleep) {
-  return {"thenar", name, true, [=](const PeerScene& scene, double tolerance) {
+PeerSetting events(const std::string& name, PeerUse use, bool sleep, int columns) {
+  return {"thenar", name, true,
+          [=](const PeerScene& scene, double tolerance) {
             SceneOptions options;
             options.tolerance = tolerance;
             options.sleep = sleep;
+            options.columns = columns;
             return run_ours(scene, options);
-          }};
+          },
+          use};
 }
 
 /// The recursion that scenes of hinges run.
@@ -60,8 +63,9 @@ struct OurMachine {
 }  // namespace
 
 std::vector<PeerSetting> our_settings() {
-  return {events("events", true),
-          events("events, no sleep", false),
+  return {events("events", PeerUse::kAll, true, 4),
+          events("events, no sleep", PeerUse::kContacts, false, 4),
+          events("events, no sleep, 8 columns", PeerUse::kContacts, false, 8),
           {"thenar", "time-stepping", false, [](const PeerScene& scene, double step) {
              SceneOptions options;
              options.method = SteppingMethod::kTimeStepping;

@@ -1,4 +1,4 @@
-// contact_chart PAGE.html [SCENE or ENGINE...]
+// peer_chart PAGE.html [SCENE or ENGINE...]
 //
 // Errors of moving scenes over processor time for every engine that is installed, as a table and as
 // a page. A run that lost the object, or did not end, is marked as that.
@@ -17,7 +17,7 @@ namespace thenar::bench {
 namespace {
 
 constexpr int kTurns = 3;           // of each run, for the median of its time
-constexpr double kLongRun = 2;      // of runs that are not repeated [s]
+constexpr double kLongRun = 1;      // of runs that are not repeated [s]
 constexpr double kFloor = 1e-16;    // of errors drawn
 constexpr double kLostLine = 1000;  // where lost objects are drawn
 
@@ -95,7 +95,7 @@ std::vector<Course> run_task(const PeerTask& task, const std::vector<PeerSetting
   fmt::print("\n");
   std::vector<Course> courses;
   for (const PeerSetting& setting : all) {
-    if (task.touches && !setting.touches) continue;
+    if (setting.use == (task.touches ? PeerUse::kFree : PeerUse::kContacts)) continue;
     Course course{&setting, {}};
     for (const double knob : setting.adaptive ? task.tolerances : task.steps) {
       course.verdicts.push_back(judge(task, setting, knob));
@@ -195,10 +195,10 @@ Json page(const std::vector<std::string>& wanted) {
 
 int main(int argc, char** argv) {
   if (argc < 2) {
-    std::fprintf(stderr, "usage: contact_chart PAGE.html [SCENE or ENGINE...]\n");
+    std::fprintf(stderr, "usage: peer_chart PAGE.html [SCENE or ENGINE...]\n");
     return 2;
   }
   const std::vector<std::string> wanted(argv + 2, argv + argc);
-  return thenar::bench::write_chart("contact_chart", 2, argv,
+  return thenar::bench::write_chart("peer_chart", 2, argv,
                                     [&] { return thenar::bench::page(wanted); });
 }
