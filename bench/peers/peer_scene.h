@@ -2,6 +2,7 @@
 
 /// One statement of a scene for all engines, and what a run of it gives back.
 
+#include <cmath>
 #include <functional>
 #include <string>
 #include <vector>
@@ -86,8 +87,10 @@ template <typename World, typename... Options>
                                   PeerUse use, const Options&... options) {
   return {engine, setting, false,
           [=](const PeerScene& scene, double step) {
-            World world(scene, step, options...);
-            return run_world(world, scene, step);
+            // A whole number of steps to the end.
+            const double even = scene.seconds / std::round(scene.seconds / step);
+            World world(scene, even, options...);
+            return run_world(world, scene, even);
           },
           use};
 }
