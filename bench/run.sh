@@ -15,5 +15,6 @@ status=0
 if [ -x "$build"/mujoco_wrapping ]; then
   "$build"/mujoco_wrapping >> "$results/ratios.txt" || status=$?
 fi
+"$build"/peer_ratios >> "$results/ratios.txt" || status=$?
 cat "$results/ratios.txt"
 exit $status

@@ -128,6 +128,9 @@ FENCES = {
     r"CLI/.*": ["apps/"],
     r"benchmark/.*": ["bench/"],
     r"mujoco/.*": ["bench/peers/"],
+    r"ode/.*": ["bench/peers/peer_ode.cpp"],
+    r"bt[A-Z].*": ["bench/peers/peer_bullet.cpp"],
+    r"dart/.*": ["bench/peers/peer_dart.cpp"],
     r"g(test|mock)/.*": ["tests/"],
     r"sanitizer/.*": ["tests/fuzz/"],
 }
