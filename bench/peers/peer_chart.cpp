@@ -63,7 +63,7 @@ Verdict judge(const PeerTask& task, const PeerSetting& setting, double knob) {
   std::vector<double> seconds;
   for (int turn = 0; turn < kTurns; ++turn) {
     const PeerRun run = setting.run(task.peer, knob);
-    seconds.push_back(run.cpu_seconds / run.samples.back().t);
+    seconds.push_back(run.cpu_seconds / std::max(run.samples.back().t, task.peer.sample));
     out.failure = run.failure;
     if (out.failure.empty() && task.lost(run)) out.failure = "LOST";
     out.error = task.error.of(run);

@@ -81,7 +81,7 @@ Contender our_events(const std::string& name, double tolerance) {
 }
 
 /// The grip that stays, at rest and awake.
-bool hold(const std::string& rival_name, const Contender& rival) {
+[[maybe_unused]] bool hold(const std::string& rival_name, const Contender& rival) {
   const PeerTask task = task_named("pinch");
   const Contender asleep = our_events("events", 1e-9), awake = our_events("events, no sleep", 1e-9);
   Row row{fmt::format("pinch for 10 s, slip [mm]: {}", rival_name)};
@@ -97,7 +97,7 @@ bool hold(const std::string& rival_name, const Contender& rival) {
 }
 
 /// The grip whose cube swings.
-bool swing(const std::string& rival_name, const Contender& rival) {
+[[maybe_unused]] bool swing(const std::string& rival_name, const Contender& rival) {
   const PeerTask task = task_named("swinging pinch");
   const Contender ours = our_events("events", 1e-5);
   Row row{fmt::format("swinging pinch for 10 s, drift over: {}", rival_name)};

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "base/error.h"
 #include "dynamics/stepping/moving_scene.h"
 
 namespace thenar::bench {
@@ -20,7 +21,7 @@ struct PeerScene {
   double seconds = 1;   // how long [s]
   double sample = 0.1;  // between the instants that are kept [s]
 
-  /// Where engines start that see a contact only once bodies overlap: a micrometre inside, or the
+  /// Where engines start that see a contact only once bodies overlap: a nanometre inside, or the
   /// object would fall freely in their first step. Empty: as the scene. (q)
   Eigen::VectorXd q_pressed = {};
 
@@ -81,26 +82,31 @@ class PeerWorld {
 /// Runs a world to the end of its scene.
 [[nodiscard]] PeerRun run_world(PeerWorld& world, const PeerScene& scene, double step);
 
+/// All bodies of a scene at some positions and speeds.
+[[nodiscard]] std::vector<BodyMotion> motion_at(const MovingScene& scene, const Eigen::VectorXd& q,
+                                                const Eigen::VectorXd& v);
+
 /// A setting whose World is built from (scene, step, options...).
 template <typename World, typename... Options>
 [[nodiscard]] PeerSetting stepped(const std::string& engine, const std::string& setting,
                                   PeerUse use, const Options&... options) {
-  return {engine, setting, false,
-          [=](const PeerScene& scene, double step) {
-            // A whole number of steps to the end.
-            const double even = scene.seconds / std::round(scene.seconds / step);
-            World world(scene, even, options...);
-            return run_world(world, scene, even);
-          },
-          use};
+  return {
+      engine, setting, false,
+      [=](const PeerScene& scene, double step) {
+        // A whole number of steps to the end.
+        const double even = scene.seconds / std::round(scene.seconds / step);
+        try {
+          World world(scene, even, options...);
+          return run_world(world, scene, even);
+        } catch (const InputError&) {
+          return PeerRun{{{0, motion_at(scene.scene, scene.scene.q, scene.scene.v)}}, 0, "cannot"};
+        }
+      },
+      use};
 }
 
 /// @throws InputError if a scene has what not every engine can be given.
 void check_peer_scene(const PeerScene& scene);
-
-/// All bodies at the start of a scene, or at other positions and speeds.
-[[nodiscard]] std::vector<BodyMotion> motion_at(const MovingScene& scene, const Eigen::VectorXd& q,
-                                                const Eigen::VectorXd& v);
 
 /// Value of a hinge or slide and its rate.
 struct JointMotion {

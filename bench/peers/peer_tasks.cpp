@@ -22,7 +22,7 @@ constexpr double kG = 9.81;        // [m/s^2]
 constexpr double kMm = 1e-3;       // [m]
 constexpr double kEdge = 0.05;     // of cubes [m]
 constexpr double kArm = 0.0054;    // of the swinging pinch [m]
-constexpr double kPressed = 1e-6;  // overlap in which some engines start [m]
+constexpr double kPressed = 1e-9;  // overlap in which some engines start [m]
 
 const std::vector<double> kSteps{1e-4, 1e-3, 5e-3, 1e-2, 2e-2};
 const std::vector<double> kCoarseSteps{1e-3, 5e-3, 1e-2, 2e-2};
@@ -359,7 +359,7 @@ PeerTask carried_ball() {
                             return Eigen::AngleAxisd(R).angle();
                           }});
   task.lost = above(off, kLostAt);
-  task.steps = {1e-5, 1e-4, 1e-3, 2e-3, 5e-3};
+  task.steps = {1e-4, 1e-3, 2e-3, 5e-3};
   task.tolerances = {1e-4, 1e-6, 1e-8, 1e-10, 1e-12};
   return task;
 }
