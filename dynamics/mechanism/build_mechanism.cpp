@@ -59,7 +59,8 @@ BodyMass link_mass(const RobotLink& link, std::vector<std::string>& warnings) {
 int coordinate_of(const RobotSpec& robot, const RobotJoint& joint,
                   std::map<std::string, int>& known, Mechanism& out) {
   const std::string name = joint.dof.empty() ? joint.name : joint.dof;
-  const auto [at, is_new] = known.emplace(name, static_cast<int>(out.coordinates.size()));
+  const std::string key = (joint.dof.empty() ? "joint " : "drive ") + name;
+  const auto [at, is_new] = known.emplace(key, static_cast<int>(out.coordinates.size()));
   if (is_new) {
     MechanismCoordinate coordinate{name, 0, true};
     for (const RobotDof& dof : robot.dofs) {
@@ -125,6 +126,23 @@ Mechanism skeleton_mechanism(const Skeleton& skeleton) {
   return out;
 }
 
+namespace {
+
+/// What a rigid coupling does not do.
+void warn_of_drives(const RobotSpec& robot, std::vector<std::string>& warnings) {
+  for (const RobotDof& dof : robot.dofs) {
+    if (dof.kind != RobotDofKind::kRigid)
+      warnings.push_back(fmt::format("drive '{}': its {} couples the joints rigidly here", dof.name,
+                                     dof.kind == RobotDofKind::kBreakaway ? "clutch" : "spring"));
+    if (!dof.backdrivable)
+      warnings.push_back(fmt::format(
+          "drive '{}': its gear, which no load drives back, holds nothing by itself here",
+          dof.name));
+  }
+}
+
+}  // namespace
+
 BuiltMechanism robot_mechanism(const RobotSpec& robot) {
   require(robot.open_loops.empty(), "robot '{}' has a loop that is not solved: {}", robot.name,
           robot.open_loops.empty() ? "" : robot.open_loops.front());
@@ -161,6 +179,7 @@ BuiltMechanism robot_mechanism(const RobotSpec& robot) {
     moving.coordinate = coordinate_of(robot, joint, coordinate_known, out.mechanism);
     add(*child, std::move(moving));
   }
+  warn_of_drives(robot, out.warnings);
   return out;
 }
 

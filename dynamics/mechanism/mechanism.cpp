@@ -37,6 +37,8 @@ void check_joint(const Mechanism& mechanism, std::size_t i) {
       "joint '{}': there is no coordinate {}", joint.name, joint.coordinate);
   require(std::isfinite(joint.ratio) && std::isfinite(joint.offset) && std::isfinite(joint.rest),
           "joint '{}': wanted finite numbers", joint.name);
+  for (const double term : joint.curve)
+    require(std::isfinite(term), "joint '{}': wanted finite numbers", joint.name);
   require(joint.lower <= joint.upper, "joint '{}': lower limit {} above upper limit {}", joint.name,
           joint.lower, joint.upper);
   for (const double resistance : {joint.stiffness, joint.damping, joint.friction})
@@ -56,6 +58,10 @@ void check_names(const Mechanism& mechanism) {
             mechanism.joints[i].name);
     if (is_scalar(mechanism.joints[i].kind)) moved.insert(mechanism.joints[i].coordinate);
   }
+  std::set<std::string> coordinates;
+  for (const MechanismCoordinate& coordinate : mechanism.coordinates)
+    require(coordinates.insert(coordinate.name).second, "two coordinates are named '{}'",
+            coordinate.name);
   for (std::size_t i = 0; i < mechanism.coordinates.size(); ++i)
     require(moved.count(static_cast<int>(i)) == 1, "coordinate '{}' moves no joint",
             mechanism.coordinates[i].name);

@@ -65,16 +65,15 @@ struct MechanismBody {
 struct MechanismCoordinate {
   std::string name;
   double max_effort = 0;     // of its motor [N m] or [N]; 0: none, or unknown
-  bool backdrivable = true;  // false: a worm gear or brake holds it against any load
+  bool backdrivable = true;  // false: a worm gear or brake; drives of a scene must hold it
 };
 
 /// A tree of bodies. Parents come before children.
 ///
-/// Positions q and speeds v follow the bodies; a coordinate stands where it first moves one:
-///   hinge, slide  q = the coordinate [rad] or [m]             v = its rate
-///   ball          q = unit quaternion (w, x, y, z) of R_FM    v = angular velocity of M in F, axes
-///   of F free          q = that, then the origin of M in F [m]     v = that, then the origin's
-///   velocity
+/// Positions q and speeds v follow the bodies; a coordinate stands where it first moves one.
+/// Hinge, slide: q is the coordinate [rad] or [m], v its rate.
+/// Ball: q is the unit quaternion (w, x, y, z) of R_FM, v the angular velocity of M in F, axes of
+/// F. Free: q is that and the origin of M in F [m], v is that and the origin's velocity, axes of F.
 struct Mechanism {
   std::vector<MechanismBody> bodies;
   std::vector<MechanismJoint> joints;  // one for each body

@@ -22,19 +22,64 @@ void note_deeper(const ActiveContact& contact, StepOutcome& outcome) {
   outcome.closing_new = -contact.approach;
 }
 
-/// Whether two bodies can never meet: one link, neighbours on a joint, or both fixed to the world.
-bool never_meet(const TreeModel& model, std::size_t a, std::size_t b) {
-  const int link_a = model.bodies[a].link, link_b = model.bodies[b].link;
-  if (link_a == link_b) return true;
-  const auto parent = [&](int link) {
-    return link < 0 ? -2 : model.links[static_cast<std::size_t>(link)].parent;
-  };
-  // A free body's parent is the world, which it may well touch.
-  const auto hangs_on = [&](int child, int other) {
-    return child >= 0 && parent(child) == other &&
-           model.links[static_cast<std::size_t>(child)].kind != JointKind::kFree;
-  };
-  return hangs_on(link_a, link_b) || hangs_on(link_b, link_a);
+/// Groups of bodies that are welded to each other, by the first body of each. Welds to the world do
+/// not count: a table and a robot's base are two things.
+std::vector<int> welded_groups(const Mechanism& mechanism) {
+  std::vector<int> group(mechanism.bodies.size());
+  for (std::size_t i = 0; i < group.size(); ++i) {
+    const MechanismJoint& joint = mechanism.joints[i];
+    group[i] = joint.kind == JointKind::kWeld && joint.parent >= 0
+                   ? group[static_cast<std::size_t>(joint.parent)]
+                   : static_cast<int>(i);
+  }
+  return group;
+}
+
+/// Pairs of groups that a joint connects, also across groups without a surface (the middle of a
+/// universal joint): they overlap there by design.
+std::vector<std::pair<int, int>> neighbours(const Mechanism& mechanism,
+                                            const std::vector<int>& group) {
+  std::vector<bool> has_surface(group.size());
+  for (std::size_t i = 0; i < group.size(); ++i)
+    if (mechanism.bodies[i].solid) has_surface[static_cast<std::size_t>(group[i])] = true;
+  std::vector<std::pair<int, int>> out;
+  for (std::size_t i = 0; i < group.size(); ++i) {
+    if (group[i] != static_cast<int>(i)) continue;
+    int parent = mechanism.joints[i].parent;
+    while (parent >= 0) {
+      const int other = group[static_cast<std::size_t>(parent)];
+      out.emplace_back(static_cast<int>(i), other);
+      if (has_surface[static_cast<std::size_t>(other)]) break;
+      parent = mechanism.joints[static_cast<std::size_t>(other)].parent;
+    }
+  }
+  return out;
+}
+
+/// Thinnest extent of a body [m]: of its primitives, and of meshes twice their volume over their
+/// area, which is the wall of a shell.
+double thickness_of(const Solid& solid, const CollisionBody& body) {
+  double least = std::numeric_limits<double>::infinity();
+  for (const CollisionPart& part : body.parts) {
+    if (part.form == PartForm::kRound)
+      least = std::min(least, 2 * std::max(part.radius[0], part.radius[1]));
+    else if (part.form != PartForm::kPolyhedron)
+      least = std::min(least, 2 * part.half.minCoeff());
+  }
+  for (const RoundedMesh& mesh : solid.collision) {
+    if (mesh.radius > 0) continue;
+    double volume = 0, area = 0;
+    for (Eigen::Index i = 0; i < mesh.core.triangles.cols(); ++i) {
+      const auto corner = [&](int k) -> Eigen::Vector3d {
+        return mesh.core.vertices.col(mesh.core.triangles(k, i));
+      };
+      const Eigen::Vector3d normal = (corner(1) - corner(0)).cross(corner(2) - corner(0));
+      volume += normal.dot(corner(0)) / 6;
+      area += 0.5 * normal.norm();
+    }
+    if (volume > 0 && area > 0) least = std::min(least, 2 * volume / area);
+  }
+  return least;
 }
 
 }  // namespace
@@ -52,30 +97,38 @@ struct ContactStep::Parts {
   void build_collision() {
     std::vector<std::shared_ptr<const CollisionBody>> bodies;
     for (std::size_t i = 0; i < scene.mechanism.bodies.size(); ++i) {
-      if (!scene.mechanism.bodies[i].solid) continue;
-      bodies.push_back(collision_body(*scene.mechanism.bodies[i].solid));
+      const std::shared_ptr<const Solid>& solid = scene.mechanism.bodies[i].solid;
+      if (!solid) continue;
+      bodies.push_back(collision_body(*solid));
+      thickness.push_back(thickness_of(*solid, *bodies.back()));
       body_of.push_back(static_cast<int>(i));
     }
-    for (const std::shared_ptr<const CollisionBody>& body : bodies)
-      thickness.push_back(body->box.sizes().minCoeff());
     world = std::make_unique<CollisionWorld>(std::move(bodies));
     X_WB.resize(body_of.size());
     X_before.resize(body_of.size());
     way.resize(body_of.size());
     may_meet.assign(body_of.size() * body_of.size(), true);
+    const std::vector<int> group = welded_groups(scene.mechanism);
+    const std::vector<std::pair<int, int>> joined = neighbours(scene.mechanism, group);
     for (std::size_t i = 0; i < body_of.size(); ++i)
       for (std::size_t j = i + 1; j < body_of.size(); ++j) {
-        const std::pair<int, int> pair{body_of[i], body_of[j]};
-        const bool asked_apart = std::count(scene.apart.begin(), scene.apart.end(), pair) +
-                                     std::count(scene.apart.begin(), scene.apart.end(),
-                                                std::make_pair(pair.second, pair.first)) >
-                                 0;
-        if (asked_apart || never_meet(model, static_cast<std::size_t>(pair.first),
-                                      static_cast<std::size_t>(pair.second))) {
-          world->exclude(static_cast<int>(i), static_cast<int>(j));
-          may_meet[i * body_of.size() + j] = false;
-        }
+        if (!never_meet(body_of[i], body_of[j], group, joined)) continue;
+        world->exclude(static_cast<int>(i), static_cast<int>(j));
+        may_meet[i * body_of.size() + j] = false;
       }
+  }
+
+  /// Whether two bodies move as one, are connected by a joint, or were asked to be left apart.
+  [[nodiscard]] bool never_meet(int a, int b, const std::vector<int>& group,
+                                const std::vector<std::pair<int, int>>& joined) const {
+    const auto has = [](const std::vector<std::pair<int, int>>& pairs, int x, int y) {
+      return std::count(pairs.begin(), pairs.end(), std::make_pair(x, y)) +
+                 std::count(pairs.begin(), pairs.end(), std::make_pair(y, x)) >
+             0;
+    };
+    return link_of(a) == link_of(b) ||
+           has(joined, group[static_cast<std::size_t>(a)], group[static_cast<std::size_t>(b)]) ||
+           has(scene.apart, a, b);
   }
 
   [[nodiscard]] int link_of(int body) const {
@@ -169,10 +222,10 @@ struct ContactStep::Parts {
       damping[row] += at.slope * at.slope * joint.damping;
     }
     for (const SceneDrive& drive : scene.drives)
-      if (drive.when.holds(state.t)) add_drive(drive, state);
+      if (drive.when.holds(acting)) add_drive(drive, state);
     motion.clear_loads();
     for (const SceneForce& force : scene.forces) {
-      if (!force.when.holds(state.t)) continue;
+      if (!force.when.holds(acting)) continue;
       motion.add_load(link_of(force.body), motion.pose(force.body) * force.point, force.force,
                       force.moment);
     }
@@ -375,12 +428,15 @@ struct ContactStep::Parts {
   ContactSolverOptions solver_options;
   std::vector<ActiveContact> found;
   SceneState middle;
+  double acting = 0;  // instant whose forces and drives act [s]
 };
 
 ContactStep::ContactStep(const MovingScene& scene) : parts_(std::make_unique<Parts>(scene)) {}
 ContactStep::~ContactStep() = default;
 ContactStep::ContactStep(ContactStep&&) noexcept = default;
 ContactStep& ContactStep::operator=(ContactStep&&) noexcept = default;
+
+void ContactStep::act_as_at(double t) { parts_->acting = t; }
 
 void ContactStep::solve_contacts_by(const ContactSolverOptions& options) {
   parts_->solver_options = options;
@@ -398,6 +454,7 @@ void ContactStep::substep(SceneState& state, double h, const std::vector<ActiveC
                           double touch, StepOutcome& outcome) {
   Parts& p = *parts_;
   outcome.active.clear();
+  outcome.deepest_new = outcome.closing_new = outcome.residual = 0;
   advance(p.scene.mechanism, p.model.layout, state.v, h, state.q);
   state.t += h;
   if (!state.q.allFinite()) {

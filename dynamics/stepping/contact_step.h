@@ -72,6 +72,10 @@ class ContactStep {
   ContactStep(ContactStep&&) noexcept;
   ContactStep& operator=(ContactStep&&) noexcept;
 
+  /// Which forces and drives act from now on: those whose span holds t. A step keeps to those of
+  /// its beginning, also at its very end.
+  void act_as_at(double t);
+
   /// How contact problems are solved from now on; kAutomatic unless told.
   void solve_contacts_by(const ContactSolverOptions& options);
 
@@ -98,9 +102,10 @@ class ContactStep {
                StepOutcome& outcome);
 
   /// Moreau's midpoint step on whatever is near, for steps of fixed length:
-  ///   q_m = q + h/2 v,   v+ = v + A^-1 (h f(q_m, v_m) + J(q_m)' P),   q+ = q_m + h/2 v+,
+  ///   q_m = q + h/2 v,   v+ = v + A^-1 (h f(q_m) + J(q_m)' P),   q+ = q_m + h/2 v+,
   /// A = M(q_m) + h/2 D + h^2/4 K with the damping D and stiffness K of joints and drives,
-  /// v_m = (v + v_free) / 2, v_free the speeds without impulses. It is of second order while no
+  /// f with springs and dampers at v, and the velocity product at the mean of v and of the speeds
+  /// without impulses. It is of second order while no
   /// mode changes. A contact may close its gap within the step, u_n+ >= -2 gap(q_m) / h, and depth
   /// is pushed out at no more than `recovery`; nothing bounces. Source: [Moreau1988].
   /// @param recovery  [m/s]

@@ -44,7 +44,7 @@ struct SceneDrive {
   TimeSpan when{};
 };
 
-/// How the friction of two bodies rub and bounce.
+/// How two bodies rub and bounce.
 struct PairFriction {
   double coefficient = 0;     // mu of Coulomb's law [1]
   double torsion_radius = 0;  // largest torque about the normal over largest tangential force [m]

@@ -116,30 +116,51 @@ class Simulation {
     return true;
   }
 
+  /// Counts a contact problem of a trial, which may be rejected.
   void count(const StepOutcome& outcome) {
     ++run_.cost.substeps;
-    if (!outcome.solved) ++run_.cost.unsolved;
-    run_.cost.worst_residual = std::max(run_.cost.worst_residual, outcome.residual);
+    if (!outcome.solved) ++tried_unsolved_;
+    tried_residual_ = std::max(tried_residual_, outcome.residual);
+  }
+  void forget_counts() { tried_unsolved_ = 0, tried_residual_ = 0; }
+  /// The contact problems since forget_counts() belong to the run.
+  void accept_counts() {
+    run_.cost.unsolved += tried_unsolved_;
+    run_.cost.worst_residual = std::max(run_.cost.worst_residual, tried_residual_);
+    forget_counts();
   }
 
   // ---- steps of fixed length
 
   void run_fixed() {
     std::vector<ActiveContact> last;
-    step_.find(state_, kLook, found_);
     sample({}, 0);
     const long steps = std::max(1L, std::lround(options_.seconds / options_.step));
     const double h = options_.seconds / static_cast<double>(steps);
     for (long i = 0; i < steps; ++i) {
-      const double part = fixed_step(h, last);
-      state_.t = h * static_cast<double>(i + 1);
-      ++run_.cost.steps;
-      for (const ActiveContact& contact : last)
-        if (i > 0 && contact.kind == Kind::kContact)
-          run_.cost.deepest = std::max(run_.cost.deepest, -contact.gap);
-      if (state_.t >= next_sample_ - 0.5 * h || i + 1 == steps) sample(last, part);
+      const double end = h * static_cast<double>(i + 1);
+      // A step ends where something begins or ends to act.
+      double part = 0;
+      for (const double t : switches_)
+        if (t > state_.t && t < end) part = part_step(t, last);
+      part = part_step(end, last);
       if (!go_on()) return;
+      if (state_.t >= next_sample_ - 0.5 * h || i + 1 == steps) sample(last, part);
     }
+  }
+
+  /// A step of fixed length up to an instant.
+  double part_step(double end, std::vector<ActiveContact>& last) {
+    const bool is_first = state_.t == 0;
+    step_.act_as_at(state_.t);
+    const double part = fixed_step(end - state_.t, last);
+    state_.t = end;
+    accept_counts();
+    ++run_.cost.steps;
+    for (const ActiveContact& contact : last)
+      if (!is_first && contact.kind == Kind::kContact)
+        run_.cost.deepest = std::max(run_.cost.deepest, -contact.gap);
+    return part;
   }
 
   /// One step, in as many equal parts as it takes for nothing to go through something thin.
@@ -160,8 +181,10 @@ class Simulation {
       }
       if (motion <= 1 || part <= options_.shortest || !is_finite()) return part;
       ++run_.cost.rejected;
+      forget_counts();
       state_ = before;
       last = start;
+      scale_impulses(last, 0.5 / parts);
     }
   }
 
@@ -230,6 +253,7 @@ class Simulation {
       StepOutcome outcome;
       step_.impact(state_, closed_, outcome);
       count(outcome);
+      accept_counts();
       ++run_.cost.impacts;
     }
     if (approaches || !all_known) settle_modes();
@@ -246,8 +270,13 @@ class Simulation {
   /// What contacts do next, by a step that is as short as can be.
   void settle_modes() {
     SceneState state = state_;
+    step_.act_as_at(state.t);
+    const double factor = last_h_ > 0 ? options_.shortest / last_h_ : 0;
+    scale_impulses(closed_, factor);
+    scale_impulses(lost_, factor);
     step_.substep(state, options_.shortest, closed_, options_.touch, outcome_);
     count(outcome_);
+    accept_counts();
     closed_.swap(outcome_.active);
     last_h_ = options_.shortest;
   }
@@ -268,15 +297,15 @@ class Simulation {
     const double h = (stop - state_.t) / kPassSteps;
     std::vector<ActiveContact> last = closed_;
     scale_impulses(last, last_h_ > 0 ? h / last_h_ : 0);
-    for (int i = 0; i < kPassSteps; ++i) {
-      step_.time_step(state_, h, last, options_.recovery, outcome_);
-      count(outcome_);
-      std::swap(last, outcome_.active);
-    }
+    step_.act_as_at(state_.t);
+    double part = h;
+    for (int i = 0; i < kPassSteps && is_finite(); ++i) part = fixed_step(h, last);
+    accept_counts();
     state_.t = stop;
     ++run_.cost.passed;
     closed_ = last;
-    last_h_ = h;
+    last_h_ = part;
+    if (!is_finite()) return;
     step_.find(state_, kLook, found_);
     touch_and_bounce();
     if (state_.t + 1e-12 >= next_sample_ || state_.t >= options_.seconds) sample(closed_, last_h_);
@@ -350,6 +379,7 @@ class Simulation {
     state_.t = length == left ? next_stop_after(before) : before + length;
     closed_.swap(trial.active);
     last_h_ = trial.h;
+    accept_counts();
     ++run_.cost.steps;
     const bool slides = std::any_of(closed_.begin(), closed_.end(), [](const ActiveContact& c) {
       return c.mode == ContactMode::kSlide;
@@ -404,6 +434,8 @@ class Simulation {
   /// Fills the table for one step, up to the first sign that it is too long.
   void try_step(double length) {
     inspected_ = false;
+    forget_counts();
+    step_.act_as_at(state_.t);
     if (closed_.empty() && !step_.is_stiff(state_, length)) return free_step(length);
     for (int n = 1; n <= options_.columns; ++n) {
       StepTrial& column = table_[static_cast<std::size_t>(n - 1)];
@@ -538,6 +570,8 @@ class Simulation {
   double next_sample_ = 0;
   std::vector<ActiveContact> lost_, closed_, found_;  // what touches, with impulses over last_h_
   double last_h_ = 0;
+  long tried_unsolved_ = 0;    // since forget_counts()
+  double tried_residual_ = 0;  // the same [1]
   int since_mark_ = 0;
   double mark_ = -1;        // when the steps that are judged began [s]
   double last_error_ = 1;   // of the last accepted step over the tolerance

@@ -52,8 +52,9 @@ struct ContactSample {
 struct SceneSample {
   double t = 0;                         // [s]
   Eigen::VectorXd q, v;                 // (q), (v)
-  std::vector<ContactSample> contacts;  // that have a force; mean of the last step
-  ContactStep::Energy energy;           // [J]
+  std::vector<ContactSample> contacts;  // that do not open; forces are means of the last substep,
+                                        // of first order in its length
+  ContactStep::Energy energy;  // [J]
 };
 
 /// How a run ended.
@@ -99,9 +100,12 @@ struct [[nodiscard]] SceneRun {
 /// Where 200 steps pass less than 1e-6 s (a rim that rattles on an edge), ten midpoint steps go on
 /// by 1e-4 s, and SceneCost::passed counts them.
 ///
-/// kTimeStepping: ContactStep::time_step(). Either way a step is divided where surfaces would move
-/// farther than the thinner body is thick (ContactStep::motion_between), so that nothing goes
-/// through something unseen.
+/// kTimeStepping: ContactStep::time_step(), without bounces; steps end also where something begins
+/// or ends to act. Gaps and depths are those of the middle of a step.
+///
+/// Either way a step is divided where surfaces would move farther than half of the thinner body's
+/// thickness (ContactStep::motion_between). A mesh is as thick as twice its volume over its area;
+/// what is thinner in one place may be passed there.
 ///
 /// The same scene and options give the same bits.
 /// @param progress  told the time reached; a step is not interrupted

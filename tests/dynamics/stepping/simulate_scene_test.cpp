@@ -22,7 +22,15 @@ TEST(SimulateScene, BodyInFreeFlight) {
   ASSERT_EQ(run.status, SceneStatus::kDone);
   const Eigen::Vector3d wanted = Eigen::Vector3d(0.5, 0.1, 3 - 0.5 * kG);
   EXPECT_LT((centre(scene, body, run.samples.back()) - wanted).norm(), 1e-8);
-  // Energy and angular momentum stay.
+  // Energy and angular momentum about the centre stay.
+  const auto momentum = [&](const SceneSample& at) -> Eigen::Vector3d {
+    const Eigen::Quaterniond turn(at.q[0], at.q[1], at.q[2], at.q[3]);
+    const Eigen::Matrix3d& inertia =
+        scene.mechanism.bodies[static_cast<std::size_t>(body)].mass.inertia;
+    return turn * (inertia * (turn.conjugate() * at.v.head<3>()));
+  };
+  EXPECT_LT((momentum(run.samples.back()) - momentum(run.samples.front())).norm(),
+            1e-8 * momentum(run.samples.front()).norm());
   EXPECT_NEAR(run.samples.back().energy.total(), run.samples.front().energy.total(), 1e-9);
 }
 
@@ -95,6 +103,66 @@ TEST(SimulateScene, PinchHoldsAtEveryStep) {
     const SceneRun run = simulate_scene(world.scene, options);
     ASSERT_EQ(run.status, SceneStatus::kDone);
     EXPECT_LT(centre(world.scene, world.cube, run.samples.back()).norm(), 1e-12) << step;
+  }
+}
+
+// A force of 1 N on 1 kg for 0.4 s, in free flight, by both methods: steps end where it begins and
+// ends.
+TEST(SimulateScene, ForcesActForTheirTime) {
+  MovingScene scene;
+  const int box = sample::add_body(scene, "box", primitive(ShapeKind::kBox, {0.05, 0.05, 0.05}), 1);
+  scene.gravity.setZero();
+  scene.forces.push_back({box, {0, 0, 0}, {1, 0, 0}, {0, 0, 0}, {0.1, 0.5003}});
+  SceneOptions options;
+  for (const SteppingMethod method : {SteppingMethod::kEvents, SteppingMethod::kTimeStepping}) {
+    options.method = method;
+    const SceneRun run = simulate_scene(scene, options);
+    EXPECT_NEAR(run.samples.back().v[3], 0.4003, 1e-12);
+    const double wanted = 0.5 * 0.4003 * 0.4003 + 0.4003 * (1 - 0.5003);
+    EXPECT_NEAR(run.samples.back().q[4], wanted, 1e-12);
+  }
+}
+
+// What hangs on a joint of the world meets what is fixed there: a pendulum strikes a wall.
+TEST(SimulateScene, PendulumMeetsAWall) {
+  MovingScene scene;
+  ShapeSpec bob = primitive(ShapeKind::kSphere, {0.01, 0, 0});
+  bob.X_BS.p = {0.2, 0, 0};
+  sample::add_on_joint(scene, "bob", bob, 0.1, JointKind::kHinge, {0, 1, 0}, {0, 0, 0});
+  Pose<double> X;
+  X.p = {-0.06, 0, -0.2};  // its face at x = -0.01 touches the bob as it hangs
+  X.p.x() = -0.01 - 0.05;
+  sample::add_body(scene, "wall", primitive(ShapeKind::kBox, {0.1, 1, 1}), 0, X);
+  SceneOptions options;
+  options.seconds = 3;
+  const SceneRun run = simulate_scene(scene, options);
+  ASSERT_EQ(run.status, SceneStatus::kDone);
+  EXPECT_NEAR(run.samples.back().q[0], kPi / 2, 1e-7);
+  EXPECT_EQ(run.cost.impacts, 1);
+}
+
+// Forces of a squeezed cube are not those of an event elsewhere: the squeeze stays 2 N while a ball
+// strikes the floor.
+TEST(SimulateScene, SqueezeDoesNotHearOfImpactsElsewhere) {
+  sample::Pinch world = sample::pinch({});
+  Pose<double> X;
+  X.p = {1, 0, -0.05};
+  sample::add_body(world.scene, "floor", primitive(ShapeKind::kBox, {0.5, 0.5, 0.1}), 0, X);
+  X.p = {1, 0, 0.1};
+  sample::add_body(world.scene, "ball", primitive(ShapeKind::kSphere, {0.02, 0, 0}), 0.1, X);
+  world.scene.friction.restitution = 0.5;
+  const SceneRun run = simulate_scene(world.scene, {});
+  ASSERT_EQ(run.status, SceneStatus::kDone);
+  EXPECT_GT(run.cost.impacts, 3);
+  for (const SceneSample& at : run.samples) {
+    int fingers = 0;
+    for (const ContactSample& contact : at.contacts) {
+      if (contact.b != world.cube && contact.a != world.cube) continue;
+      ++fingers;
+      EXPECT_NEAR(std::abs(contact.force.x()), 2, 1e-6) << at.t;
+      EXPECT_NEAR(std::abs(contact.force.z()), 0.5 * 0.1 * kG, 1e-6) << at.t;
+    }
+    EXPECT_EQ(fingers, 2) << at.t;
   }
 }
 
