@@ -1,16 +1,19 @@
 #include "api/simulate_scene.h"
 
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
 #include <mutex>
 #include <set>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
+#include <Eigen/Geometry>
 
 #include "api/named/data_folders.h"
 #include "api/named/files.h"
 #include "api/named/hands.h"
+#include "api/named/result_origin.h"
 #include "api/named/things.h"
 #include "api/named/worlds.h"
 #include "base/error.h"
@@ -209,6 +212,189 @@ SceneSweep vary_scene(const SceneRequest& request, const Progress& progress) {
   for (std::optional<SimulatedScene>& run : runs)
     if (run) sweep.runs.push_back(std::move(*run));
   return sweep;
+}
+
+// Files of runs.
+
+namespace {
+
+/// An array of three dimensions, filled by at(i, j, k).
+template <typename At>
+ResultArray cube(std::size_t a, std::size_t b, std::size_t c, const std::string& unit,
+                 const std::vector<std::string>& labels, const At& at) {
+  ResultArray array{{}, {a, b, c}, unit, labels};
+  array.values.reserve(a * b * c);
+  for (std::size_t i = 0; i < a; ++i)
+    for (std::size_t j = 0; j < b; ++j)
+      for (std::size_t k = 0; k < c; ++k) array.values.push_back(at(i, j, k));
+  return array;
+}
+
+std::vector<std::string> names_of_bodies(const Mechanism& mechanism) {
+  std::vector<std::string> names;
+  for (const MechanismBody& body : mechanism.bodies) names.push_back(body.name);
+  return names;
+}
+
+/// Names of the entries of positions or of speeds.
+std::vector<std::string> entry_names(const Mechanism& mechanism, bool positions) {
+  const MechanismLayout layout = layout_of(mechanism);
+  std::vector<std::string> names(static_cast<std::size_t>(positions ? layout.q : layout.v));
+  for (std::size_t c = 0; c < mechanism.coordinates.size(); ++c)
+    names[static_cast<std::size_t>(positions ? layout.coordinate_q[c] : layout.coordinate_v[c])] =
+        mechanism.coordinates[c].name;
+  static const std::vector<std::string> kPose{"qw", "qx", "qy", "qz", "x", "y", "z"};
+  static const std::vector<std::string> kTwist{"wx", "wy", "wz", "vx", "vy", "vz"};
+  for (std::size_t i = 0; i < mechanism.joints.size(); ++i) {
+    const JointKind kind = mechanism.joints[i].kind;
+    if (kind != JointKind::kBall && kind != JointKind::kFree) continue;
+    const auto first = static_cast<std::size_t>(positions ? layout.first_q[i] : layout.first_v[i]);
+    const std::vector<std::string>& parts = positions ? kPose : kTwist;
+    const std::size_t count = parts.size() - (kind == JointKind::kBall ? 3 : 0);
+    for (std::size_t k = 0; k < count; ++k)
+      names[first + k] = mechanism.bodies[i].name + "/" + parts[k];
+  }
+  return names;
+}
+
+/// Positions, speeds, poses and energies of every instant.
+void add_instants(const SimulatedScene& scene, const std::string& group, ResultFile& file) {
+  const std::vector<SceneSample>& samples = scene.run.samples;
+  const std::vector<std::vector<Pose<double>>>& X = scene.measures.X_WB;
+  const auto count = static_cast<Eigen::Index>(samples.size());
+  const std::size_t bodies = scene.built->scene.mechanism.bodies.size();
+  Eigen::VectorXd time(count);
+  Eigen::MatrixXd q(count, scene.built->scene.q.size()), v(count, scene.built->scene.v.size());
+  Eigen::MatrixXd energy(count, 3);
+  for (Eigen::Index i = 0; i < count; ++i) {
+    const SceneSample& sample = samples[static_cast<std::size_t>(i)];
+    time[i] = sample.t;
+    q.row(i) = sample.q;
+    v.row(i) = sample.v;
+    energy.row(i) << sample.energy.kinetic, sample.energy.weight, sample.energy.springs;
+  }
+  file.add(group + "time", time, "s", {"instant"});
+  file.add(group + "position", q, "SI", {"instant", "position_entry"});
+  file.add(group + "speed", v, "SI", {"instant", "speed_entry"});
+  file.add(group + "energy", energy, "J", {"instant", "energy_part"});
+  file.arrays[group + "body_position"] =
+      cube(samples.size(), bodies, 3, "m", {"instant", "body", "axis"},
+           [&](std::size_t i, std::size_t b, std::size_t k) {
+             return X[i][b].p[static_cast<Eigen::Index>(k)];
+           });
+  file.arrays[group + "body_rotation"] =
+      cube(samples.size(), bodies, 4, "1", {"instant", "body", "quaternion"},
+           [&](std::size_t i, std::size_t b, std::size_t k) {
+             const Eigen::Quaterniond turn(X[i][b].R);
+             const double wxyz[] = {turn.w(), turn.x(), turn.y(), turn.z()};
+             return wxyz[k];
+           });
+}
+
+/// Contacts of all instants, one below the other.
+void add_contacts(const SimulatedScene& scene, const std::string& group, ResultFile& file) {
+  std::vector<std::vector<double>> rows;
+  for (std::size_t i = 0; i < scene.run.samples.size(); ++i)
+    for (const ContactSample& c : scene.run.samples[i].contacts)
+      rows.push_back({static_cast<double>(i), static_cast<double>(c.a), static_cast<double>(c.b),
+                      static_cast<double>(c.id), static_cast<double>(c.mode), c.gap, c.torsion,
+                      c.point.x(), c.point.y(), c.point.z(), c.normal.x(), c.normal.y(),
+                      c.normal.z(), c.force.x(), c.force.y(), c.force.z()});
+  const auto columns = [&](std::size_t first, std::size_t count) {
+    Eigen::MatrixXd out(static_cast<Eigen::Index>(rows.size()), static_cast<Eigen::Index>(count));
+    for (std::size_t r = 0; r < rows.size(); ++r)
+      for (std::size_t k = 0; k < count; ++k)
+        out(static_cast<Eigen::Index>(r), static_cast<Eigen::Index>(k)) = rows[r][first + k];
+    return out;
+  };
+  const auto add = [&](const std::string& key, std::size_t column, const std::string& unit) {
+    file.add(group + key, columns(column, 1).col(0).eval(), unit, {"contact"});
+  };
+  if (rows.empty()) return;
+  add("contact_instant", 0, "1");
+  add("contact_body_a", 1, "1");
+  add("contact_body_b", 2, "1");
+  add("contact_id", 3, "1");
+  add("contact_mode", 4, "1");
+  add("contact_gap", 5, "m");
+  add("contact_torsion", 6, "N m");
+  file.add(group + "contact_point", columns(7, 3), "m", {"contact", "axis"});
+  file.add(group + "contact_normal", columns(10, 3), "1", {"contact", "axis"});
+  file.add(group + "contact_force", columns(13, 3), "N", {"contact", "axis"});
+}
+
+/// How the run went.
+void add_outcome(const SimulatedScene& scene, const std::string& group, ResultFile& file) {
+  const SceneCost& cost = scene.run.cost;
+  file.add(group + "status", name_of(scene.run.status));
+  file.add(group + "steps", static_cast<double>(cost.steps), "1");
+  file.add(group + "unsolved", static_cast<double>(cost.unsolved), "1");
+  file.add(group + "worst_residual", cost.worst_residual, "1");
+  file.add(group + "deepest", cost.deepest, "m");
+  file.add(group + "work", scene.measures.work, "J");
+  file.add(group + "dissipated", scene.measures.dissipated, "J");
+  std::vector<std::string> names;
+  Eigen::VectorXd slip(static_cast<Eigen::Index>(scene.measures.pairs.size()));
+  const std::vector<MechanismBody>& bodies = scene.built->scene.mechanism.bodies;
+  for (std::size_t k = 0; k < scene.measures.pairs.size(); ++k) {
+    const PairMeasure& pair = scene.measures.pairs[k];
+    names.push_back(bodies[static_cast<std::size_t>(pair.a)].name + " - " +
+                    bodies[static_cast<std::size_t>(pair.b)].name);
+    slip[static_cast<Eigen::Index>(k)] = pair.slip;
+  }
+  if (names.empty()) return;
+  file.add(group + "name/pair", names);
+  file.add(group + "slip", slip, "m", {"pair"});
+}
+
+/// What all runs of a scene have in common.
+void add_names(const SimulatedScene& scene, ResultFile& file) {
+  const Mechanism& mechanism = scene.built->scene.mechanism;
+  file.add("format", "thenar scene run 1");
+  file.add("scene", scene.name);
+  file.add("name/body", names_of_bodies(mechanism));
+  const std::vector<std::string> q = entry_names(mechanism, true);
+  const std::vector<std::string> v = entry_names(mechanism, false);
+  if (!q.empty()) file.add("name/position_entry", q);
+  if (!v.empty()) file.add("name/speed_entry", v);
+  file.add("name/energy_part", std::vector<std::string>{"kinetic", "weight", "springs"});
+  file.add("name/contact_mode", std::vector<std::string>{"open", "stick", "slide"});
+  file.add("method", stepping_names()[static_cast<std::size_t>(scene.built->options.method)]);
+}
+
+}  // namespace
+
+void write_scene_run(const SimulatedScene& scene, const std::string& path, const RunRecord& run) {
+  ResultFile file;
+  add_names(scene, file);
+  add_instants(scene, "", file);
+  add_contacts(scene, "", file);
+  add_outcome(scene, "", file);
+  add_origin(scene.sources, run, file);
+  write_result(file, path);
+}
+
+void write_scene_sweep(const SceneSweep& sweep, const std::string& path, const RunRecord& run) {
+  require(!sweep.runs.empty(), "no run was made: nothing to write");
+  ResultFile file;
+  add_names(sweep.runs.front(), file);
+  std::vector<std::string> varied;
+  for (const SceneVariation& each : sweep.vary) varied.push_back(each.name);
+  file.add("varied", varied);
+  Eigen::MatrixXd values(static_cast<Eigen::Index>(sweep.runs.size()),
+                         static_cast<Eigen::Index>(varied.size()));
+  for (std::size_t i = 0; i < sweep.runs.size(); ++i) {
+    const SimulatedScene& scene = sweep.runs[i];
+    for (std::size_t k = 0; k < varied.size(); ++k)
+      values(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(k)) = scene.varied[k].second;
+    const std::string group = fmt::format("runs/{}/", i + 1);
+    add_instants(scene, group, file);
+    add_contacts(scene, group, file);
+    add_outcome(scene, group, file);
+  }
+  file.add("value", values, "SI", {"run", "number"});
+  add_origin(sweep.runs.front().sources, run, file);
+  write_result(file, path);
 }
 
 }  // namespace thenar

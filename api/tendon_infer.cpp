@@ -186,6 +186,8 @@ std::vector<std::string> doubts_of(const BandPosterior& posterior) {
 void infer_free(const InferNetRequest& request, const Progress& progress, NetInference& answer) {
   require(request.method == InferMethod::kSparse,
           "--method explore holds slack lengths and paths; leave out --free or the method");
+  require(!request.path,
+          "the settings of a fit say where tendons run; leave out --free or the path");
   const BandProblems problems = free_problems(request, answer);
   ProgressParts parts(progress, 1);
   std::mt19937 random(request.seed);

@@ -33,11 +33,11 @@ struct InferNetRequest {
   std::string net = "winslow";  // all candidate bands: name or file
   std::optional<Path> path;     // of tendons outside of the net; absent: via points
   InferMethod method = InferMethod::kSparse;
-  unsigned seed = 1;  // of kExplore
+  unsigned seed = 1;  // of kExplore, and of draws and sampled sets with `free`
   int propose = 3;    // tests to propose, at most
   // Not empty: what else may explain the forces, beside everything that the settings of a fit free.
   // "slack", "paths", "stiffness", or globs on names of parameters as of `thenar fit --free`. Bands
-  // then get probabilities by band_posterior(), and `method` and `path` are not used.
+  // then get probabilities by band_posterior(); `method` must be kSparse and `path` absent.
   std::vector<std::string> free = {};
   std::string settings = {};            // with `free`: file, or name of fits/; empty: the digit's
   std::vector<std::string> bands = {};  // with `free`: globs on bands in question; empty: all
@@ -82,14 +82,16 @@ struct [[nodiscard]] NetInference {
   std::vector<ProposedTest> next;          // the most telling first
   std::optional<NetSearchStop> stop;       // why the search ended; absent: kSparse does not search
   bool stopped = false;                    // on request: verdicts of what was tried up to then
-  std::vector<SourceText> sources;         // experiment, subject, net
+  std::vector<SourceText> sources;         // experiment, subject, net; with `free` settings, too
   std::vector<std::string> warnings;       // what not to trust of the fits behind the verdicts
   std::optional<FreeInference> free = {};  // where something was freed: then `inferred`, `next` and
                                            // `stop` are empty, and `ends` are those of free's bands
 };
 
 /// Fits the nets that candidate bands can form to all trials in which a muscle pulls the net, and
-/// judges every band by how much worse the forces are explained without it.
+/// judges every band by how much worse the forces are explained without it. With `free` every band
+/// in question gets a probability, all that is free averaged out, and trials are ranked by what
+/// they are expected to tell.
 /// @throws InputError or DataError saying what is unknown, missing or wrong.
 [[nodiscard]] NetInference infer_net(const InferNetRequest& request, const Progress& progress = {});
 

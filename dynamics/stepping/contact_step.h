@@ -76,7 +76,7 @@ class ContactStep {
   /// its beginning, also at its very end.
   void act_as_at(double t);
 
-  /// How contact problems are solved from now on; kAutomatic unless told.
+  /// How contact problems are solved from now on.
   void solve_contacts_by(const ContactSolverOptions& options);
 
   [[nodiscard]] const MovingScene& scene() const;

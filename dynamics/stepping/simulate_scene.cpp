@@ -16,8 +16,8 @@ using Kind = ActiveContact::Kind;
 constexpr int kMaxColumns = 8;
 constexpr double kRest = 1e-11;        // slower is at rest [m/s], [rad/s]
 constexpr int kChatter = 200;          // steps that are judged together
-constexpr double kChatterTime = 1e-6;  // that they should have passed [s]
-constexpr double kPass = 1e-4;         // that steps of fixed length pass instead [s]
+constexpr double kChatterTime = 1e-4;  // that they should have passed [s]
+constexpr double kPass = 1e-3;         // that steps of fixed length pass instead [s]
 constexpr int kPassSteps = 10;         // of them
 constexpr double kHorizon = 0.01;      // over which an error of speeds counts in smooth steps [s]
 constexpr double kLook = 1e-4;         // gaps that are looked at [m]
@@ -55,7 +55,11 @@ class Simulation {
         progress_(progress),
         switches_(switching_times(scene)),
         free_(scene.q.size(), scene.v.size()) {
-    step_.solve_contacts_by(options.contacts);
+    // Impulses of fixed steps are rough by themselves.
+    ContactSolverOptions contacts = options.contacts;
+    if (options.method == SteppingMethod::kTimeStepping)
+      contacts.tolerance = std::max(contacts.tolerance, 1e-9);
+    step_.solve_contacts_by(contacts);
     state_.q = scene.q;
     state_.v = scene.v;
     for (StepTrial& column : table_) column.state = state_;

@@ -32,7 +32,8 @@ struct SceneOptions {
   double shortest = 1e-9;   // kEvents: no step is halved below this [s]
   double touch = 1e-9;      // kEvents: gaps below this touch [m]
   double recovery = 0.1;    // speed at which depth at the start is pushed out [m/s]
-  ContactSolverOptions contacts{};  // kPyramid: the complementarity problem of [Miller2005]
+  ContactSolverOptions contacts{};  // kPyramid: the complementarity problem of [Miller2005]; the
+                                    // tolerance of fixed steps is 1e-9 at least
   int columns = 4;                  // kEvents: of the extrapolation, 2..8; its order
   bool sleep = true;                // kEvents: what rests stays as it is until something switches
 };
@@ -54,7 +55,7 @@ struct SceneSample {
   Eigen::VectorXd q, v;                 // (q), (v)
   std::vector<ContactSample> contacts;  // that do not open; forces are means of the last substep,
                                         // of first order in its length
-  ContactStep::Energy energy;  // [J]
+  ContactStep::Energy energy;           // [J]
 };
 
 /// How a run ended.
@@ -97,8 +98,8 @@ struct [[nodiscard]] SceneRun {
 /// closes, the step is cut at that instant, and an impact ends the approach. Otherwise the step is
 /// halved. Source: [Deuflhard1983] for extrapolation of one-step methods.
 ///
-/// Where 200 steps pass less than 1e-6 s (a rim that rattles on an edge), ten midpoint steps go on
-/// by 1e-4 s, and SceneCost::passed counts them.
+/// Where 200 steps pass less than 0.1 ms (a rim that rattles on an edge), ten midpoint steps go on
+/// by 1 ms, and SceneCost::passed counts them.
 ///
 /// kTimeStepping: ContactStep::time_step(), without bounces; steps end also where something begins
 /// or ends to act. Gaps and depths are those of the middle of a step.

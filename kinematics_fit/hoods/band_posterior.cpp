@@ -213,10 +213,13 @@ void compare_best(const BandProblems& problems, const KnownSets& known, std::siz
 }
 
 void judge(const KnownSets& known, std::size_t band, BandBelief& belief) {
-  const bool with = known.best_where(band, true) != nullptr;
-  const bool without = known.best_where(band, false) != nullptr;
+  const auto* with = known.best_where(band, true);
+  const auto* without = known.best_where(band, false);
+  // Where the probability rounds to 0 or 1 the best sets of both sides tell by how much.
+  const bool rounds = belief.probability <= 0 || belief.probability >= 1;
   belief.log_odds = !without ? kInfinity
                     : !with  ? -kInfinity
+                    : rounds ? log_bayes_factor(with->second, without->second)
                              : std::log(belief.probability) - std::log1p(-belief.probability);
   if (belief.probability >= kDecided)
     belief.verdict = Verdict::kYes;
@@ -250,6 +253,7 @@ BandPosterior band_posterior(const BandProblems& problems, std::mt19937& random,
     sampled = sample_sets(known, bands, random, options, progress);
   out.stopped = progress.stop();
   out.fitted = known.all().size();
+  out.enumerated = out.enumerated && known.all().size() == std::size_t{1} << bands;
   for (const auto& [set, evidence] : known.all()) out.failed += evidence.holds ? 0 : 1;
   out.by_draws = all_by_draws(known.all());
   out.sets = weighed(known, sampled, out.by_draws);

@@ -268,7 +268,15 @@ Table table_of(const SceneSweep& sweep) {
   return table;
 }
 
-std::vector<std::string> warnings_of(const SimulatedScene& scene) { return scene.warnings; }
+std::vector<std::string> warnings_of(const SimulatedScene& scene) {
+  std::vector<std::string> warnings = scene.warnings;
+  if (scene.run.cost.passed > 0)
+    warnings.push_back(fmt::format(
+        "events followed each other without end {} times: fixed steps went on by 1 ms each time, "
+        "without an estimate of their error",
+        scene.run.cost.passed));
+  return warnings;
+}
 
 std::vector<std::string> warnings_of(const SceneSweep& sweep) { return sweep.warnings; }
 

@@ -4,7 +4,8 @@
 ///
 /// A band is decided by its evidence: by how much chi-square is worse without it than with it, in
 /// units of the errors that the best net leaves. Above 6 it exists, below -6 it does not, between
-/// the data leave it open.
+/// the data leave it open. With slack lengths, paths and the like free it has a probability
+/// instead.
 
 #include <string>
 #include <vector>
@@ -18,8 +19,8 @@ namespace thenar {
 /// How well the best net explains the forces, the verdict on every band, what cannot be told apart,
 /// and what to measure next.
 [[nodiscard]] std::string text_of(const NetInference& inference);
-/// The same; evidence and sd_of_log_EA are null where they are infinite, EA_N where the data do not
-/// decide it.
+/// The same; evidence, sd_of_log_EA, log_bayes_factor, chi2_without and effective_parameters_with
+/// are null where they are infinite, EA_N where the data do not decide it.
 [[nodiscard]] OrderedJson json_of(const NetInference& inference);
 /// A row for each candidate band.
 [[nodiscard]] Table table_of(const NetInference& inference);
