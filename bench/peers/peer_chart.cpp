@@ -157,9 +157,10 @@ Json table(const PeerTask& task, const std::vector<Course>& courses) {
   Json rows = Json::array();
   for (const Course& course : courses)
     for (const Verdict& verdict : course.verdicts) {
+      // As text, since a column of numbers has one number of digits.
       Json row{course.setting->name(), knob_text(*course.setting, verdict.knob), verdict.cpu,
-               verdict.error};
-      for (const double value : verdict.further) row.push_back(value);
+               fmt::format("{:.3g}", verdict.error)};
+      for (const double value : verdict.further) row.push_back(fmt::format("{:.3g}", value));
       row.push_back(verdict.failure.empty() ? "-" : verdict.failure);
       rows.push_back(std::move(row));
     }

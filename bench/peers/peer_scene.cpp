@@ -147,7 +147,7 @@ bool may_touch(const MovingScene& scene, std::size_t a, std::size_t b) {
   const auto fixed = [&](std::size_t i) { return joints[i].kind == JointKind::kWeld; };
   const auto hangs_on = [&](std::size_t i, std::size_t on) {
     if (joints[i].kind == JointKind::kFree) return false;
-    return joints[i].parent == static_cast<int>(on) || (joints[i].parent < 0 && fixed(on));
+    return joints[i].parent == static_cast<int>(on);
   };
   const auto apart = [&](std::size_t i, std::size_t j) {
     return std::count(scene.apart.begin(), scene.apart.end(),
