@@ -300,14 +300,14 @@ PeerTask stack() {
   return task;
 }
 
-/// Where a scene ends by our own steps at an error of 1e-13, found when it is first asked for.
+/// Where a scene ends by our own steps at a tolerance of 1e-12, found when it is first asked for.
 std::function<const std::vector<BodyMotion>&()> converged(const PeerScene& peer) {
   auto end = std::make_shared<std::vector<BodyMotion>>();
   return [=]() -> const std::vector<BodyMotion>& {
     if (end->empty()) {
       SceneOptions options;
       options.seconds = peer.seconds;
-      options.tolerance = 1e-13;
+      options.tolerance = 1e-12;
       options.columns = 8;
       const SceneRun run = simulate_scene(peer.scene, options);
       *end = motion_at(peer.scene, run.samples.back().q, run.samples.back().v);
