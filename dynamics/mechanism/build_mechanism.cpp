@@ -126,23 +126,6 @@ Mechanism skeleton_mechanism(const Skeleton& skeleton) {
   return out;
 }
 
-namespace {
-
-/// What a rigid coupling does not do.
-void warn_of_drives(const RobotSpec& robot, std::vector<std::string>& warnings) {
-  for (const RobotDof& dof : robot.dofs) {
-    if (dof.kind != RobotDofKind::kRigid)
-      warnings.push_back(fmt::format("drive '{}': its {} couples the joints rigidly here", dof.name,
-                                     dof.kind == RobotDofKind::kBreakaway ? "clutch" : "spring"));
-    if (!dof.backdrivable)
-      warnings.push_back(fmt::format(
-          "drive '{}': its gear, which no load drives back, holds nothing by itself here",
-          dof.name));
-  }
-}
-
-}  // namespace
-
 BuiltMechanism robot_mechanism(const RobotSpec& robot) {
   require(robot.open_loops.empty(), "robot '{}' has a loop that is not solved: {}", robot.name,
           robot.open_loops.empty() ? "" : robot.open_loops.front());
@@ -179,7 +162,6 @@ BuiltMechanism robot_mechanism(const RobotSpec& robot) {
     moving.coordinate = coordinate_of(robot, joint, coordinate_known, out.mechanism);
     add(*child, std::move(moving));
   }
-  warn_of_drives(robot, out.warnings);
   return out;
 }
 

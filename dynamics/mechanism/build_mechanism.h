@@ -31,9 +31,9 @@ inline constexpr double kAssumedDensity = 1000;
 /// A robot; the first link is welded to the world, the others stand in the order of their joints.
 /// Coordinates are its degrees of freedom, and a free joint has one of its own; a degree of freedom
 /// that moves nothing is left out. A link whose mass is unknown weighs its shapes at
-/// kAssumedDensity; unknown inertia is that of the shapes, or of a ball. Couplings are rigid, also
-/// where the robot has clutches or springs, and a gear that cannot be driven back holds nothing by
-/// itself. Each is warned of.
+/// kAssumedDensity; unknown inertia is that of the shapes, or of a ball. Both are warned of.
+/// Couplings are rigid, also where the robot has clutches or springs, and a gear that cannot be
+/// driven back holds nothing by itself: build_scene() warns of these.
 /// @throws InputError if a loop of the robot is unsolved.
 [[nodiscard]] BuiltMechanism robot_mechanism(const RobotSpec& robot);
 

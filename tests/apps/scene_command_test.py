@@ -141,6 +141,20 @@ class ClosedForms(Near):
         self.assertGreater(abs(last["end"]), math.radians(20))
 
 
+class Shipped(Near):
+    def test_every_scene_is_solved_to_its_end(self):
+        for path in sorted(SCENES.glob("*.toml")):
+            told = run(path.stem)
+            self.assertEqual(told.returncode, 0, f"{path.stem}: {told.stderr}")
+
+    # The founding paper's figure 3: the hand closes on a tapered glass, which slips out and falls.
+    def test_glass_is_squeezed_out_and_falls(self):
+        answer = ask("wine_glass")
+        pairs = [" - ".join(pair["bodies"]) for pair in answer["pairs"]]
+        self.assertTrue(any("finger" in pair and "glass" in pair for pair in pairs), pairs)
+        self.assertLess(body(answer, "glass")["centre_m"][2], -0.3)
+
+
 class ResultFiles(Near):
     def test_result_file_holds_every_instant(self):
         out = self.path("run.h5")
