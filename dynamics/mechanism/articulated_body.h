@@ -48,8 +48,6 @@ class ArticulatedBody {
     Vec3<T> a_w, a_v;  // acceleration
   };
 
-  static int speeds(JointKind kind) { return kind == JointKind::kBall ? 3 : 6; }
-
   void start(const TreeMotion<T>& motion) {
     for (std::size_t i = 0; i < bodies_.size(); ++i) {
       const MovingLink<T>& link = motion.links()[i];
@@ -72,7 +70,7 @@ class ArticulatedBody {
     const MovingLink<T>& link = motion.links()[i];
     Body& body = bodies_[i];
     const bool passes = constant.parent >= 0;
-    if (constant.kind == JointKind::kHinge || constant.kind == JointKind::kSlide) {
+    if (is_scalar(constant.kind)) {
       // One axis.
       const Vec3<T> axis = link.slope * link.E.col(2);
       const bool turns = constant.kind == JointKind::kHinge;
@@ -104,7 +102,7 @@ class ArticulatedBody {
   template <typename Tau>
   static void fold_many(const TreeLink& constant, const MovingLink<T>& link, Body& body,
                         const Tau& tau) {
-    const int n = speeds(constant.kind);
+    const int n = speeds_of(constant.kind);
     // The axes are those of F.
     body.U.setZero();
     body.U.template block<3, 3>(0, 0).noalias() = body.A * link.E;
@@ -163,7 +161,7 @@ class ArticulatedBody {
       body.a_v = parent.a_v + parent.a_w.cross(link.r) + link.zeta_v;
     }
     // And by the joint.
-    if (constant.kind == JointKind::kHinge || constant.kind == JointKind::kSlide) {
+    if (is_scalar(constant.kind)) {
       // At the world the velocity product was not folded in.
       const T rate = body.D_inverse * (body.u - body.U_m.dot(body.a_w) - body.U_f.dot(body.a_v));
       v_dot[constant.v] = rate;
@@ -174,7 +172,7 @@ class ArticulatedBody {
         body.a_v += axis;
       return;
     }
-    const int n = speeds(constant.kind);
+    const int n = speeds_of(constant.kind);
     Eigen::Matrix<T, 6, 1> acceleration;
     acceleration << body.a_w, body.a_v;
     const Eigen::Matrix<T, 6, 1> rate = body.D * (body.effort - body.U.transpose() * acceleration);

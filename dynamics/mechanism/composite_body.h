@@ -172,8 +172,8 @@ class MassMatrix {
     const TreeLink& constant = motion.model().links[i];
     const MovingLink<T>& link = motion.links()[i];
     const Body& body = bodies_[i];
-    const bool scalar = constant.kind == JointKind::kHinge || constant.kind == JointKind::kSlide;
-    const int n = scalar ? 1 : constant.kind == JointKind::kBall ? 3 : 6;
+    const bool scalar = is_scalar(constant.kind);
+    const int n = speeds_of(constant.kind);
     for (int k = 0; k < n; ++k) {
       // Wrench at the origin that accelerates speed k by 1.
       const Vec3<T> axis =

@@ -10,8 +10,6 @@
 namespace thenar {
 namespace {
 
-bool is_scalar(JointKind kind) { return kind == JointKind::kHinge || kind == JointKind::kSlide; }
-
 bool is_rigid(const Pose<double>& X) {
   return X.R.allFinite() && X.p.allFinite() &&
          (X.R.transpose() * X.R - Eigen::Matrix3d::Identity()).norm() < 1e-9 &&

@@ -26,6 +26,16 @@ enum class JointKind {
 
 /// "weld", "hinge", "slide", "ball", "free".
 [[nodiscard]] std::string name_of(JointKind kind);
+/// Whether a joint has one value: hinges and slides.
+[[nodiscard]] inline bool is_scalar(JointKind kind) {
+  return kind == JointKind::kHinge || kind == JointKind::kSlide;
+}
+/// Speeds of a joint: 0, 1, 3 or 6.
+[[nodiscard]] inline int speeds_of(JointKind kind) {
+  if (kind == JointKind::kWeld) return 0;
+  if (kind == JointKind::kBall) return 3;
+  return kind == JointKind::kFree ? 6 : 1;
+}
 
 /// A joint, which carries the body of the same index. Frame F stands in the parent, frame M in the
 /// body; at value 0 of a hinge or slide, and at the identity of a ball or free joint, they

@@ -64,7 +64,7 @@ struct SimbodyMachine::Parts {
 
   [[nodiscard]] bool is_scalar(std::size_t i) const {
     const JointKind kind = mechanism.joints[i].kind;
-    return kind == JointKind::kHinge || kind == JointKind::kSlide;
+    return thenar::is_scalar(kind);
   }
 
   void add_body(std::size_t i) {

@@ -21,13 +21,6 @@ void add_mass(TreeLink& link, const BodyMass& body, const Pose<double>& X_LB) {
   link.inertia += X_LB.R * body.inertia * X_LB.R.transpose() + body.mass * arm_product(com, com);
 }
 
-/// How many speeds a joint has.
-int speeds(JointKind kind) {
-  if (kind == JointKind::kWeld) return 0;
-  if (kind == JointKind::kBall) return 3;
-  return kind == JointKind::kFree ? 6 : 1;
-}
-
 /// A joint whose motion moves no mass has no acceleration.
 void check_masses(const TreeModel& model) {
   std::vector<bool> carries(model.links.size());
@@ -52,7 +45,7 @@ std::vector<std::vector<int>> structure(const TreeModel& model) {
     std::vector<int> movers;
     const TreeLink* at = &link;
     while (true) {
-      for (int k = 0; k < speeds(at->kind); ++k) movers.push_back(at->v + k);
+      for (int k = 0; k < speeds_of(at->kind); ++k) movers.push_back(at->v + k);
       if (at->parent < 0) break;
       at = &model.links[static_cast<std::size_t>(at->parent)];
     }
@@ -94,8 +87,7 @@ TreeModel tree_model(const Mechanism& mechanism) {
       link.v = model.layout.first_v[i];
       link.X_PF = X_PF;
       link.joint = joint;
-      if (joint.kind == JointKind::kHinge || joint.kind == JointKind::kSlide)
-        ++used[static_cast<std::size_t>(joint.coordinate)];
+      if (is_scalar(joint.kind)) ++used[static_cast<std::size_t>(joint.coordinate)];
       model.bodies.push_back({static_cast<int>(model.links.size()), joint.X_BM.inverse()});
       model.links.push_back(std::move(link));
     }
@@ -108,7 +100,7 @@ TreeModel tree_model(const Mechanism& mechanism) {
 
   // Coordinates that move several links.
   for (TreeLink& link : model.links) {
-    if (link.kind != JointKind::kHinge && link.kind != JointKind::kSlide) continue;
+    if (!is_scalar(link.kind)) continue;
     link.shares = used[static_cast<std::size_t>(link.joint.coordinate)] > 1;
     model.has_couplings = model.has_couplings || link.shares;
   }

@@ -16,9 +16,7 @@ namespace {
 
 constexpr double kBeyondLimit = 1e-9;  // posture beyond a joint limit by rounding [rad] or [m]
 
-bool moves_by_coordinate(const MechanismJoint& joint) {
-  return joint.kind == JointKind::kHinge || joint.kind == JointKind::kSlide;
-}
+bool moves_by_coordinate(const MechanismJoint& joint) { return is_scalar(joint.kind); }
 
 /// Motion of a hinge or slide along z by a value.
 Pose<double> motion_along_z(JointKind kind, double value) {

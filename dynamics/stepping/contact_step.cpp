@@ -13,8 +13,6 @@ using Kind = ActiveContact::Kind;
 
 constexpr double kNoSlip = 1e-9;  // slower is sticking [m/s], [rad/s]
 
-bool is_scalar(JointKind kind) { return kind == JointKind::kHinge || kind == JointKind::kSlide; }
-
 /// Notes a contact that was not closed before.
 void note_deeper(const ActiveContact& contact, StepOutcome& outcome) {
   if (contact.kind == Kind::kJointFriction || !(contact.gap < outcome.deepest_new)) return;
