@@ -246,14 +246,14 @@ BandPosterior band_posterior(const BandProblems& problems, std::mt19937& random,
   KnownSets known(problems, options.evidence);
   Sampled sampled;
   BandPosterior out;
-  out.enumerated = static_cast<int>(bands) <= options.enumerated;
-  if (out.enumerated)
+  const bool enumerates = static_cast<int>(bands) <= options.enumerated;
+  if (enumerates)
     fit_all(known, bands, progress);
   else
     sampled = sample_sets(known, bands, random, options, progress);
   out.stopped = progress.stop();
   out.fitted = known.all().size();
-  out.enumerated = out.enumerated && known.all().size() == std::size_t{1} << bands;
+  out.enumerated = enumerates && known.all().size() == std::size_t{1} << bands;
   for (const auto& [set, evidence] : known.all()) out.failed += evidence.holds ? 0 : 1;
   out.by_draws = all_by_draws(known.all());
   out.sets = weighed(known, sampled, out.by_draws);
@@ -264,7 +264,7 @@ BandPosterior band_posterior(const BandProblems& problems, std::mt19937& random,
   for (std::size_t b = 0; b < bands; ++b) {
     BandBelief belief;
     belief.name = problems.bands()[b];
-    if (out.enumerated || sampled.chances[b].empty())
+    if (enumerates || sampled.chances[b].empty())
       believe_by_sets(out.sets, b, belief);
     else
       believe_by_chances(sampled.chances[b], belief);
