@@ -368,7 +368,7 @@ class Interruption(WithFolder):
 
     def test_stopped_in_its_search_it_leaves_nothing(self):
         command = [*self.command, "--fresh"]
-        command[command.index("--mode-starts") + 1] = "2000"  # seconds of searches
+        command[command.index("--mode-starts") + 1] = "50000"  # a minute of searches
         with subprocess.Popen(command, stderr=subprocess.PIPE, text=True) as process:
             time.sleep(1)
             process.send_signal(signal.SIGINT)
