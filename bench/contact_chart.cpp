@@ -11,6 +11,7 @@
 #include <fmt/format.h>
 
 #include "bench/chart_main.h"
+#include "bench/ratios.h"
 #include "dynamics/contact/contact_solver.h"
 #include "report/blocks.h"
 #include "tests/dynamics/contact/contact_samples.h"
@@ -89,11 +90,6 @@ struct Outcome {
   std::vector<double> us, steps, residuals;
 };
 
-double median(std::vector<double> values) {
-  if (values.empty()) return 0;
-  std::sort(values.begin(), values.end());
-  return values[values.size() / 2];
-}
 double largest(const std::vector<double>& values) {
   return values.empty() ? 0 : *std::max_element(values.begin(), values.end());
 }

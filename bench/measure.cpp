@@ -29,13 +29,14 @@ int tasks_in(const std::function<void()>& task, double seconds) {
   return std::max(1, static_cast<int>(count * seconds / taken));
 }
 
+}  // namespace
+
 double median(std::vector<double> values) {
+  if (values.empty()) return 0;
   const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
   std::nth_element(values.begin(), middle, values.end());
   return *middle;
 }
-
-}  // namespace
 
 Row measure(const Duel& duel, const Patience& patience) {
   const int ours_count = tasks_in(duel.ours, patience.seconds);

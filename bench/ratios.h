@@ -4,6 +4,7 @@
 
 #include <functional>
 #include <string>
+#include <vector>
 
 namespace thenar::bench {
 
@@ -42,6 +43,9 @@ struct Patience {
   int turns = 41;          // of ours and rival, one after the other
   double seconds = 0.005;  // of each, per turn; a slow task runs once
 };
+
+/// The middle value, of an even number the upper one; 0 without values.
+[[nodiscard]] double median(std::vector<double> values);
 
 [[nodiscard]] Row measure(const Duel& duel, const Patience& patience = {});
 

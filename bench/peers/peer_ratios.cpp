@@ -39,11 +39,6 @@ PeerSetting setting_named(const std::vector<PeerSetting>& all, const std::string
   throw InputError(fmt::format("there is no setting '{}'", name));
 }
 
-double median(std::vector<double> values) {
-  std::sort(values.begin(), values.end());
-  return values[values.size() / 2];
-}
-
 bool print(const Row& row) {
   fmt::print("{:<60}{:>11.1f}{:>12.1f}{:>9.1f}{:>10}{:>10.1e}{:>11}\n", row.name, row.ours,
              row.rival, row.ratio, row.required > 0 ? fmt::format("{:.0f}", row.required) : "none",
