@@ -95,19 +95,6 @@ MechanismLayout layout_of(const Mechanism& mechanism) {
   return layout;
 }
 
-JointValue joint_value(const MechanismJoint& joint, double u) {
-  JointValue out{joint.offset + joint.ratio * u, joint.ratio, 0};
-  double power = 1;  // u^k, k + 2 the exponent of the term
-  for (std::size_t k = 0; k < joint.curve.size(); ++k) {
-    const double exponent = static_cast<double>(k) + 2;
-    out.value += joint.curve[k] * power * u * u;
-    out.slope += joint.curve[k] * exponent * power * u;
-    out.bend += joint.curve[k] * exponent * (exponent - 1) * power;
-    power *= u;
-  }
-  return out;
-}
-
 Eigen::VectorXd reference_position(const Mechanism& mechanism) {
   const MechanismLayout layout = layout_of(mechanism);
   Eigen::VectorXd q = Eigen::VectorXd::Zero(layout.q);

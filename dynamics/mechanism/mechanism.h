@@ -98,11 +98,25 @@ struct MechanismLayout {
 };
 [[nodiscard]] MechanismLayout layout_of(const Mechanism& mechanism);
 
-/// Value of a hinge or slide, and its first two derivatives by the coordinate.
-struct JointValue {
-  double value, slope, bend;
+/// Value of a hinge or slide, and its first two derivatives by the coordinate, on any scalar.
+template <typename T>
+struct JointValueOn {
+  T value, slope, bend;
 };
-[[nodiscard]] JointValue joint_value(const MechanismJoint& joint, double u);
+using JointValue = JointValueOn<double>;
+template <typename T>
+[[nodiscard]] JointValueOn<T> joint_value(const MechanismJoint& joint, const T& u) {
+  JointValueOn<T> out{T(joint.offset) + T(joint.ratio) * u, T(joint.ratio), T(0)};
+  T power(1);  // u^k, k + 2 the exponent of the term
+  for (std::size_t k = 0; k < joint.curve.size(); ++k) {
+    const double exponent = static_cast<double>(k) + 2;
+    out.value += T(joint.curve[k]) * power * u * u;
+    out.slope += T(joint.curve[k] * exponent) * power * u;
+    out.bend += T(joint.curve[k] * exponent * (exponent - 1)) * power;
+    power *= u;
+  }
+  return out;
+}
 
 /// All coordinates 0, all quaternions the identity. (q)
 [[nodiscard]] Eigen::VectorXd reference_position(const Mechanism& mechanism);

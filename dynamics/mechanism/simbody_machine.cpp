@@ -153,10 +153,27 @@ struct SimbodyMachine::Parts {
         N(row, layout.first_v[i]) = joint_value(joint, u).slope;
         continue;
       }
-      const int entries = mechanism.joints[i].kind == JointKind::kFree ? 6 : 3;
+      const int entries = speeds_of(mechanism.joints[i].kind);
       for (int k = 0; k < entries; ++k) N(row + k, layout.first_v[i] + k) = 1;
     }
     return N;
+  }
+
+  /// Calls work(Simbody's speed, ours, ratio) for every speed of ours, coordinates by the joint
+  /// that leads:  Simbody's = ratio times ours.
+  template <typename Work>
+  void each_speed(const Work& work) const {
+    for (std::size_t i = 0; i < mechanism.bodies.size(); ++i) {
+      const int at = layout.first_v[i];
+      if (at < 0) continue;
+      const int row = body(i).getFirstUIndex(state);
+      const MechanismJoint& joint = mechanism.joints[i];
+      if (!is_scalar(i)) {
+        for (int k = 0; k < speeds_of(joint.kind); ++k) work(row + k, at + k, 1.0);
+      } else if (leader[static_cast<std::size_t>(joint.coordinate)] == static_cast<int>(i)) {
+        work(row, at, joint.ratio);
+      }
+    }
   }
 
   Mechanism mechanism;
@@ -213,19 +230,7 @@ Eigen::VectorXd SimbodyMachine::accelerations(const Eigen::VectorXd& tau,
 
   // Efforts of shared coordinates act on the joint that leads.
   SimTK::Vector on_joints(state.getNU(), 0.0);
-  for (std::size_t i = 0; i < mechanism.bodies.size(); ++i) {
-    const int at = layout.first_v[i];
-    if (at < 0) continue;
-    const int row = parts_->body(i).getFirstUIndex(state);
-    if (parts_->is_scalar(i)) {
-      const auto coordinate = static_cast<std::size_t>(mechanism.joints[i].coordinate);
-      if (parts_->leader[coordinate] == static_cast<int>(i))
-        on_joints[row] = tau[at] / mechanism.joints[i].ratio;
-      continue;
-    }
-    const int entries = mechanism.joints[i].kind == JointKind::kFree ? 6 : 3;
-    for (int k = 0; k < entries; ++k) on_joints[row + k] = tau[at + k];
-  }
+  parts_->each_speed([&](int row, int at, double ratio) { on_joints[row] = tau[at] / ratio; });
 
   // Weights and loads.
   SimTK::Vector_<SimTK::SpatialVec> F(parts_->matter.getNumBodies(),
@@ -248,19 +253,7 @@ Eigen::VectorXd SimbodyMachine::accelerations(const Eigen::VectorXd& tau,
 
   // Accelerations of the coordinates.
   Eigen::VectorXd v_dot(layout.v);
-  for (std::size_t i = 0; i < mechanism.bodies.size(); ++i) {
-    const int at = layout.first_v[i];
-    if (at < 0) continue;
-    const int row = parts_->body(i).getFirstUIndex(state);
-    if (parts_->is_scalar(i)) {
-      const auto coordinate = static_cast<std::size_t>(mechanism.joints[i].coordinate);
-      if (parts_->leader[coordinate] == static_cast<int>(i))
-        v_dot[at] = u_dot[row] / mechanism.joints[i].ratio;
-      continue;
-    }
-    const int entries = mechanism.joints[i].kind == JointKind::kFree ? 6 : 3;
-    for (int k = 0; k < entries; ++k) v_dot[at + k] = u_dot[row + k];
-  }
+  parts_->each_speed([&](int row, int at, double ratio) { v_dot[at] = u_dot[row] / ratio; });
   return v_dot;
 }
 

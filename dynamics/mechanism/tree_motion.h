@@ -104,22 +104,6 @@ Mat3<T> rotation_of(const Q& q, int first) {
   return R;
 }
 
-/// Value of a hinge or slide with its derivatives, on any scalar.
-template <typename T>
-void joint_value_on(const MechanismJoint& joint, const T& u, T& value, T& slope, T& bend) {
-  value = T(joint.offset) + T(joint.ratio) * u;
-  slope = T(joint.ratio);
-  bend = T(0);
-  T power(1);
-  for (std::size_t k = 0; k < joint.curve.size(); ++k) {
-    const double exponent = static_cast<double>(k) + 2;
-    value += T(joint.curve[k]) * power * u * u;
-    slope += T(joint.curve[k] * exponent) * power * u;
-    bend += T(joint.curve[k] * exponent * (exponent - 1)) * power;
-    power *= u;
-  }
-}
-
 /// Adds a wrench at a link's origin, along the axes of its joint, to a row over the speeds.
 template <typename T, typename Row>
 void add_along_axes(const TreeLink& constant, const MovingLink<T>& link, const Vec3<T>& m,
@@ -159,22 +143,21 @@ void TreeMotion<T>::set_position(const Q& q) {
       link.o = parent.o + link.r;
     }
     // The joint moves M in F.
-    T value(0);
-    link.slope = T(1);
-    link.bend = T(0);
+    JointValueOn<T> at{T(0), T(1), T(0)};
+    if (is_scalar(constant.kind)) at = joint_value<T>(constant.joint, q[constant.q]);
+    link.slope = at.slope;
+    link.bend = at.bend;
     switch (constant.kind) {
       case JointKind::kHinge: {
-        internal::joint_value_on<T>(constant.joint, q[constant.q], value, link.slope, link.bend);
-        const T c = cos(value), s = sin(value);
+        const T c = cos(at.value), s = sin(at.value);
         link.R.col(0) = c * link.E.col(0) + s * link.E.col(1);
         link.R.col(1) = c * link.E.col(1) - s * link.E.col(0);
         link.R.col(2) = link.E.col(2);
         break;
       }
       case JointKind::kSlide: {
-        internal::joint_value_on<T>(constant.joint, q[constant.q], value, link.slope, link.bend);
         link.R = link.E;
-        const Vec3<T> shift = value * link.E.col(2);
+        const Vec3<T> shift = at.value * link.E.col(2);
         link.r += shift;
         link.o += shift;
         break;

@@ -16,8 +16,6 @@ namespace {
 
 constexpr double kBeyondLimit = 1e-9;  // posture beyond a joint limit by rounding [rad] or [m]
 
-bool moves_by_coordinate(const MechanismJoint& joint) { return is_scalar(joint.kind); }
-
 /// Motion of a hinge or slide along z by a value.
 Pose<double> motion_along_z(JointKind kind, double value) {
   Pose<double> X;
@@ -49,13 +47,13 @@ void put_on_joint(const SceneJointSpec& spec, const std::string& name, const Pos
   }
   Pose<double> A = X_WB;
   if (spec.kind != SceneJointKind::kWeld) A = {Eigen::Matrix3d::Identity(), spec.point};
-  if (moves_by_coordinate(joint)) {
+  if (is_scalar(joint.kind)) {
     const Tangents sides = tangents(spec.axis);
     A.R << sides.e1, sides.e2, spec.axis;
   }
   joint.X_PF = A * motion_along_z(joint.kind, -spec.start);
   joint.X_BM = X_WB.inverse() * A;
-  if (!moves_by_coordinate(joint)) return;
+  if (!is_scalar(joint.kind)) return;
   // What belongs to a coordinate.
   joint.coordinate = static_cast<int>(part.coordinates.size());
   part.coordinates.push_back({name});
@@ -78,7 +76,7 @@ double opening_of(const RobotDof& dof) {
 /// Welds the joints of a coordinate where they stand.
 void weld_coordinate(Mechanism& part, int coordinate, double u) {
   for (MechanismJoint& joint : part.joints) {
-    if (!moves_by_coordinate(joint)) continue;
+    if (!is_scalar(joint.kind)) continue;
     if (joint.coordinate == coordinate) {
       joint.X_PF = joint.X_PF * motion_along_z(joint.kind, joint_value(joint, u).value);
       joint.kind = JointKind::kWeld;
@@ -93,7 +91,7 @@ std::vector<int> drop_unused(Mechanism& part) {
   for (int c = 0; c < static_cast<int>(part.coordinates.size()); ++c) {
     const bool used =
         std::any_of(part.joints.begin(), part.joints.end(), [&](const MechanismJoint& joint) {
-          return moves_by_coordinate(joint) && joint.coordinate == c;
+          return is_scalar(joint.kind) && joint.coordinate == c;
         });
     if (!used) continue;
     now[static_cast<std::size_t>(c)] = static_cast<int>(kept.size());
@@ -102,8 +100,7 @@ std::vector<int> drop_unused(Mechanism& part) {
   }
   part.coordinates = std::move(left);
   for (MechanismJoint& joint : part.joints)
-    if (moves_by_coordinate(joint))
-      joint.coordinate = now[static_cast<std::size_t>(joint.coordinate)];
+    if (is_scalar(joint.kind)) joint.coordinate = now[static_cast<std::size_t>(joint.coordinate)];
   return kept;
 }
 
@@ -200,7 +197,7 @@ class SceneBuilder {
       u[index_of_name(name, names, "coordinate of hand '" + hand.placed.name + "'")] = value;
     // No joint may begin beyond its limits.
     for (const MechanismJoint& joint : part.joints) {
-      if (!moves_by_coordinate(joint)) continue;
+      if (!is_scalar(joint.kind)) continue;
       const double value = joint_value(joint, u[static_cast<std::size_t>(joint.coordinate)]).value;
       require(value >= joint.lower - kBeyondLimit && value <= joint.upper + kBeyondLimit,
               "joint '{}' of hand '{}' begins at {:.4g}, beyond its limits {:.4g} to {:.4g} [rad], "
@@ -343,7 +340,7 @@ class SceneBuilder {
       });
       const auto joint = std::find_if(
           mechanism.joints.begin(), mechanism.joints.end(), [&](const MechanismJoint& each) {
-            return moves_by_coordinate(each) && each.coordinate == out.coordinate;
+            return is_scalar(each.kind) && each.coordinate == out.coordinate;
           });
       const bool turns = joint->kind == JointKind::kHinge;
       if (turns != drive.turns)

@@ -85,11 +85,8 @@ void note_contacts(const SceneSample& sample, bool last, std::map<Pair, PairMeas
 double effort_at(const SceneDrive& drive, const MechanismLayout& layout,
                  const SceneSample& sample) {
   const auto c = static_cast<std::size_t>(drive.coordinate);
-  const double u = sample.q[layout.coordinate_q[c]], rate = sample.v[layout.coordinate_v[c]];
-  const double wanted = drive.target + drive.speed * (sample.t - drive.when.from);
-  const double effort =
-      drive.bias + drive.stiffness * (wanted - u) - drive.damping * (rate - drive.speed);
-  return std::clamp(effort, -drive.max_effort, drive.max_effort);
+  return drive_effort(drive, sample.q[layout.coordinate_q[c]], sample.v[layout.coordinate_v[c]],
+                      sample.t);
 }
 
 /// Work of forces and drives between two instants [J].
@@ -132,9 +129,8 @@ std::vector<SceneVelocity> velocities_at(const Mechanism& mechanism, const Scene
 
 /// The instant with what touches at it: the start comes before any step, and has no forces yet.
 SceneSample with_touching(const SceneSample& sample, ContactStep& step) {
-  constexpr double kTouching = 1e-9;  // as SceneOptions::touch [m]
   std::vector<ActiveContact> found;
-  step.find({sample.t, sample.q, sample.v}, kTouching, found);
+  step.find({sample.t, sample.q, sample.v}, SceneOptions().touch, found);
   SceneSample out = sample;
   for (const ActiveContact& contact : found) {
     if (contact.kind != ActiveContact::Kind::kContact) continue;

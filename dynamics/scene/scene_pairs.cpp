@@ -6,6 +6,7 @@
 
 #include "base/error.h"
 #include "base/nearest_name.h"
+#include "dynamics/stepping/meeting_pairs.h"
 
 namespace thenar {
 namespace {
@@ -53,23 +54,6 @@ std::string material_of(const MechanismBody& body) {
   return body.material.empty() ? kDefaultMaterial : body.material;
 }
 
-/// Bodies that both touch something and are not held together.
-std::vector<Pair> pairs_that_may_meet(const MovingScene& scene) {
-  const TreeModel model = tree_model(scene.mechanism);
-  const std::set<Pair> apart(scene.apart.begin(), scene.apart.end());
-  std::vector<Pair> pairs;
-  const int count = static_cast<int>(scene.mechanism.bodies.size());
-  for (int a = 0; a < count; ++a)
-    for (int b = a + 1; b < count; ++b) {
-      const auto at_a = static_cast<std::size_t>(a), at_b = static_cast<std::size_t>(b);
-      const bool touches = scene.mechanism.bodies[at_a].solid && scene.mechanism.bodies[at_b].solid;
-      const bool one_link = model.bodies[at_a].link == model.bodies[at_b].link;
-      const bool joined = scene.mechanism.joints[at_b].parent == a;
-      if (touches && !one_link && !joined && apart.count({a, b}) == 0) pairs.emplace_back(a, b);
-    }
-  return pairs;
-}
-
 /// The named pairs, over what all pairs have.
 std::map<Pair, PairFriction> named_pairs(const SceneSpec& spec, const BuiltScene& built) {
   std::map<Pair, PairFriction> named;
@@ -115,7 +99,7 @@ void set_friction(const SceneSpec& spec, BuiltScene& built) {
       if (!friction.between.empty() && friction.coefficient)
         for (const Pair& pair : pairs_between(built, friction.between, spec.path, friction.line))
           stated.insert(pair);
-    for (const Pair& pair : pairs_that_may_meet(scene)) {
+    for (const Pair& pair : pairs_that_may_meet(scene, tree_model(scene.mechanism))) {
       if (stated.count(pair) > 0) continue;
       PairFriction& friction = named.emplace(pair, scene.friction).first->second;
       friction.coefficient = material_friction(spec, scene, pair);
@@ -125,10 +109,9 @@ void set_friction(const SceneSpec& spec, BuiltScene& built) {
 }
 
 /// How deep bodies are in each other, of pairs that may meet.
-std::map<Pair, double> depths_at(const MovingScene& scene, const Eigen::VectorXd& q) {
-  ContactStep step(scene);
+std::map<Pair, double> depths_at(ContactStep& step, const Eigen::VectorXd& q) {
   std::vector<ActiveContact> found;
-  step.find({0, q, Eigen::VectorXd::Zero(scene.v.size())}, 0, found);
+  step.find({0, q, Eigen::VectorXd::Zero(step.model().layout.v)}, 0, found);
   std::map<Pair, double> depths;
   for (const ActiveContact& contact : found) {
     if (contact.kind != ActiveContact::Kind::kContact) continue;
@@ -150,8 +133,9 @@ void part_links(const SceneSpec& spec, BuiltScene& built) {
     if (scene.mechanism.coordinates[c].name.find('/') != std::string::npos)
       zero[layout.coordinate_q[c]] = 0;
   std::set<Pair> inside;
+  ContactStep step(scene);
   for (const Eigen::VectorXd& q : {scene.q, zero})
-    for (const auto& [pair, depth] : depths_at(scene, q)) {
+    for (const auto& [pair, depth] : depths_at(step, q)) {
       const std::string& owner = built.owner[static_cast<std::size_t>(pair.first)];
       if (owner == built.owner[static_cast<std::size_t>(pair.second)] && hands.count(owner) > 0)
         inside.insert(pair);
@@ -167,7 +151,8 @@ void set_pairs(const SceneSpec& spec, BuiltScene& built) {
       built.scene.apart.push_back(pair);
   part_links(spec, built);
   set_friction(spec, built);
-  for (const auto& [pair, depth] : depths_at(built.scene, built.scene.q))
+  ContactStep step(built.scene);
+  for (const auto& [pair, depth] : depths_at(step, built.scene.q))
     if (depth > kOverlap)
       built.warnings.push_back(fmt::format(
           "'{}' and '{}' begin in each other by {:.3g} mm and are pushed apart",

@@ -5,6 +5,7 @@
 
 #include "base/error.h"
 #include "dynamics/mechanism/articulated_body.h"
+#include "dynamics/stepping/meeting_pairs.h"
 
 namespace thenar {
 namespace {
@@ -20,66 +21,6 @@ void note_deeper(const ActiveContact& contact, StepOutcome& outcome) {
   outcome.closing_new = -contact.approach;
 }
 
-/// Groups of bodies that are welded to each other, by the first body of each. Welds to the world do
-/// not count: a table and a robot's base are two things.
-std::vector<int> welded_groups(const Mechanism& mechanism) {
-  std::vector<int> group(mechanism.bodies.size());
-  for (std::size_t i = 0; i < group.size(); ++i) {
-    const MechanismJoint& joint = mechanism.joints[i];
-    group[i] = joint.kind == JointKind::kWeld && joint.parent >= 0
-                   ? group[static_cast<std::size_t>(joint.parent)]
-                   : static_cast<int>(i);
-  }
-  return group;
-}
-
-/// Pairs of groups that a joint connects, also across groups without a surface (the middle of a
-/// universal joint): they overlap there by design.
-std::vector<std::pair<int, int>> neighbours(const Mechanism& mechanism,
-                                            const std::vector<int>& group) {
-  std::vector<bool> has_surface(group.size());
-  for (std::size_t i = 0; i < group.size(); ++i)
-    if (mechanism.bodies[i].solid) has_surface[static_cast<std::size_t>(group[i])] = true;
-  std::vector<std::pair<int, int>> out;
-  for (std::size_t i = 0; i < group.size(); ++i) {
-    if (group[i] != static_cast<int>(i)) continue;
-    int parent = mechanism.joints[i].parent;
-    while (parent >= 0) {
-      const int other = group[static_cast<std::size_t>(parent)];
-      out.emplace_back(static_cast<int>(i), other);
-      if (has_surface[static_cast<std::size_t>(other)]) break;
-      parent = mechanism.joints[static_cast<std::size_t>(other)].parent;
-    }
-  }
-  return out;
-}
-
-/// Thinnest extent of a body [m]: of its primitives, and of meshes twice their volume over their
-/// area, which is the wall of a shell.
-double thickness_of(const Solid& solid, const CollisionBody& body) {
-  double least = std::numeric_limits<double>::infinity();
-  for (const CollisionPart& part : body.parts) {
-    if (part.form == PartForm::kRound)
-      least = std::min(least, 2 * std::max(part.radius[0], part.radius[1]));
-    else if (part.form != PartForm::kPolyhedron)
-      least = std::min(least, 2 * part.half.minCoeff());
-  }
-  for (const RoundedMesh& mesh : solid.collision) {
-    if (mesh.radius > 0) continue;
-    double volume = 0, area = 0;
-    for (Eigen::Index i = 0; i < mesh.core.triangles.cols(); ++i) {
-      const auto corner = [&](int k) -> Eigen::Vector3d {
-        return mesh.core.vertices.col(mesh.core.triangles(k, i));
-      };
-      const Eigen::Vector3d normal = (corner(1) - corner(0)).cross(corner(2) - corner(0));
-      volume += normal.dot(corner(0)) / 6;
-      area += 0.5 * normal.norm();
-    }
-    if (volume > 0 && area > 0) least = std::min(least, 2 * volume / area);
-  }
-  return least;
-}
-
 }  // namespace
 
 struct ContactStep::Parts {
@@ -89,6 +30,10 @@ struct ContactStep::Parts {
     if (!model.has_couplings) articulated = std::make_unique<ArticulatedBody<double>>(model);
     const int n = model.layout.v;
     tau = v_free = zero = change = stiffness = damping = implicit = Eigen::VectorXd::Zero(n);
+    const auto resists = [](const auto& each) { return each.stiffness > 0 || each.damping > 0; };
+    has_slopes =
+        std::any_of(scene.mechanism.joints.begin(), scene.mechanism.joints.end(), resists) ||
+        std::any_of(scene.drives.begin(), scene.drives.end(), resists);
     build_collision();
   }
 
@@ -98,35 +43,21 @@ struct ContactStep::Parts {
       const std::shared_ptr<const Solid>& solid = scene.mechanism.bodies[i].solid;
       if (!solid) continue;
       bodies.push_back(collision_body(*solid));
-      thickness.push_back(thickness_of(*solid, *bodies.back()));
       body_of.push_back(static_cast<int>(i));
     }
     world = std::make_unique<CollisionWorld>(std::move(bodies));
     X_WB.resize(body_of.size());
     X_before.resize(body_of.size());
     way.resize(body_of.size());
-    may_meet.assign(body_of.size() * body_of.size(), true);
-    const std::vector<int> group = welded_groups(scene.mechanism);
-    const std::vector<std::pair<int, int>> joined = neighbours(scene.mechanism, group);
+    may_meet.assign(body_of.size() * body_of.size(), false);
+    // Only these pairs are asked for contacts.
+    const std::vector<std::pair<int, int>> pairs = pairs_that_may_meet(scene, model);
     for (std::size_t i = 0; i < body_of.size(); ++i)
-      for (std::size_t j = i + 1; j < body_of.size(); ++j) {
-        if (!never_meet(body_of[i], body_of[j], group, joined)) continue;
-        world->exclude(static_cast<int>(i), static_cast<int>(j));
-        may_meet[i * body_of.size() + j] = false;
-      }
-  }
-
-  /// Whether two bodies move as one, are connected by a joint, or were asked to be left apart.
-  [[nodiscard]] bool never_meet(int a, int b, const std::vector<int>& group,
-                                const std::vector<std::pair<int, int>>& joined) const {
-    const auto has = [](const std::vector<std::pair<int, int>>& pairs, int x, int y) {
-      return std::count(pairs.begin(), pairs.end(), std::make_pair(x, y)) +
-                 std::count(pairs.begin(), pairs.end(), std::make_pair(y, x)) >
-             0;
-    };
-    return link_of(a) == link_of(b) ||
-           has(joined, group[static_cast<std::size_t>(a)], group[static_cast<std::size_t>(b)]) ||
-           has(scene.apart, a, b);
+      for (std::size_t j = i + 1; j < body_of.size(); ++j)
+        if (std::binary_search(pairs.begin(), pairs.end(), std::pair(body_of[i], body_of[j])))
+          may_meet[i * body_of.size() + j] = true;
+        else
+          world->exclude(static_cast<int>(i), static_cast<int>(j));
   }
 
   [[nodiscard]] int link_of(int body) const {
@@ -232,11 +163,9 @@ struct ContactStep::Parts {
   void add_drive(const SceneDrive& drive, const SceneState& state) {
     const auto c = static_cast<std::size_t>(drive.coordinate);
     const int row = model.layout.coordinate_v[c];
-    const double u = state.q[model.layout.coordinate_q[c]], rate = state.v[row];
-    const double wanted = drive.target + drive.speed * (state.t - drive.when.from);
     const double effort =
-        drive.bias + drive.stiffness * (wanted - u) - drive.damping * (rate - drive.speed);
-    tau[row] += std::clamp(effort, -drive.max_effort, drive.max_effort);
+        drive_effort(drive, state.q[model.layout.coordinate_q[c]], state.v[row], state.t);
+    tau[row] += effort;
     // At its largest effort it is no spring.
     if (std::abs(effort) >= drive.max_effort) return;
     stiffness[row] += drive.stiffness;
@@ -256,10 +185,15 @@ struct ContactStep::Parts {
 
   /// v_free += A^-1 h (tau - h(q, v)).
   void add_efforts(double h) {
-    inverse.efforts(motion, scene.gravity, zero, change);
-    change = h * (tau - change);
-    mass.solve(model, change);
+    solve_efforts(h, change);
     v_free += change;
+  }
+
+  /// out = A^-1 h (tau - h(q, v)), with the factor that `mass` has. @param out  (v)
+  void solve_efforts(double h, Eigen::VectorXd& out) {
+    inverse.efforts(motion, scene.gravity, zero, out);
+    out = h * (tau - out);
+    mass.solve(model, out);
   }
 
   /// Rows and blocks of the contacts in `list`, and W. @param h  of the step, for dry friction [s]
@@ -347,7 +281,7 @@ struct ContactStep::Parts {
   void solve(std::vector<ActiveContact>& list, SceneState& state, StepOutcome& outcome) {
     warm_start(list);
     const ContactSolution& answer = solver.solve(problem, start, solver_options);
-    outcome.solved = answer.status == Status::kSolved;
+    outcome.solved = outcome.solved && answer.status == Status::kSolved;
     outcome.residual = answer.residual.natural;
     change.noalias() = J * answer.f;
     mass.solve(model, change);
@@ -415,9 +349,9 @@ struct ContactStep::Parts {
   std::vector<int> body_of;                              // of the collision world's bodies
   std::unique_ptr<CollisionWorld> world;
   std::vector<Pose<double>> X_WB, X_before;
-  std::vector<double> thickness, way;  // of collision bodies [m]
-  std::vector<bool> may_meet;          // (bodies x bodies)
-  Eigen::VectorXd tau, v_free, zero, start, change;
+  std::vector<double> way;     // of collision bodies [m]
+  std::vector<bool> may_meet;  // (bodies x bodies)
+  Eigen::VectorXd tau, v_free, v_mean, zero, start, change;
   Eigen::VectorXd stiffness, damping;  // of springs, dampers and drives, over the speeds (v)
   Eigen::VectorXd implicit;            // what they add to the mass matrix (v)
   Eigen::MatrixXd J, Y;                // rows as columns (v, rows)
@@ -425,8 +359,8 @@ struct ContactStep::Parts {
   ContactSolver solver;
   ContactSolverOptions solver_options;
   std::vector<ActiveContact> found;
-  SceneState middle;
-  double acting = 0;  // instant whose forces and drives act [s]
+  bool has_slopes = false;  // some spring, damper or drive may be stiff
+  double acting = 0;        // instant whose forces and drives act [s]
 };
 
 ContactStep::ContactStep(const MovingScene& scene) : parts_(std::make_unique<Parts>(scene)) {}
@@ -460,10 +394,8 @@ void ContactStep::substep(SceneState& state, double h, const std::vector<ActiveC
     return;
   }
   p.place(state);
-  p.find(state, touch + 1e-4, p.found);
+  p.find(state, touch + kNearGap, p.found);
   // Contacts that were closed act on; the others only tell how deep they are.
-  outcome.active.clear();
-  outcome.deepest_new = outcome.closing_new = 0;
   for (ActiveContact& contact : p.found) {
     const auto old = std::find_if(closed.begin(), closed.end(),
                                   [&](const ActiveContact& c) { return c.same(contact); });
@@ -478,16 +410,13 @@ void ContactStep::substep(SceneState& state, double h, const std::vector<ActiveC
   }
   p.load(state);
   outcome.solved = p.free_velocity(state, h, 1);
-  outcome.residual = 0;
   if (outcome.active.empty()) {
     state.v = p.v_free;
     return;
   }
   p.set_rows(outcome.active, h);
   p.problem.b.noalias() = p.J.transpose() * p.v_free;
-  const bool positive = outcome.solved;
   p.solve(outcome.active, state, outcome);
-  outcome.solved = outcome.solved && positive;
 }
 
 void ContactStep::time_step(SceneState& state, double h, const std::vector<ActiveContact>& last,
@@ -507,8 +436,8 @@ void ContactStep::time_step(SceneState& state, double h, const std::vector<Activ
   outcome.residual = 0;
   // Once more with the velocity product at the mean of the speeds before and after; efforts stay,
   // as the mass matrix has their slopes.
-  p.middle.v = 0.5 * (state.v + p.v_free);
-  p.motion.set_speed(p.middle.v);
+  p.v_mean = 0.5 * (state.v + p.v_free);
+  p.motion.set_speed(p.v_mean);
   p.v_free = state.v;
   p.add_efforts(h);
   // Whatever may close its gap within the step.
@@ -537,9 +466,7 @@ void ContactStep::time_step(SceneState& state, double h, const std::vector<Activ
         for (int i = 1; i < rows; ++i) p.problem.b[at + i] += p.J.col(at + i).dot(state.v);
       at += rows;
     }
-    const bool positive = outcome.solved;
     p.solve(outcome.active, state, outcome);
-    outcome.solved = outcome.solved && positive;
   }
   advance(p.scene.mechanism, layout, state.v, 0.5 * h, state.q);
   state.t += 0.5 * h;
@@ -558,7 +485,8 @@ double ContactStep::motion_between(const SceneState& from, const SceneState& to,
   for (std::size_t i = 0; i < n; ++i)
     for (std::size_t j = i + 1; j < n; ++j) {
       const double moved = p.way[i] + p.way[j];
-      const double over = 2 * moved / std::min(p.thickness[i], p.thickness[j]);
+      const double over =
+          2 * moved / std::min(p.world->bodies()[i]->thickness, p.world->bodies()[j]->thickness);
       if (over <= most || !p.may_meet[i * n + j]) continue;
       // Balls that stay apart cannot have met.
       const Ball &a = p.world->bodies()[i]->ball, &b = p.world->bodies()[j]->ball;
@@ -595,7 +523,7 @@ void ContactStep::close_gaps(SceneState& state, const std::vector<ActiveContact>
   Parts& p = *parts_;
   for (int round = 0; round < 3; ++round) {
     p.place(state);
-    p.find(state, 1e-4, p.found);
+    p.find(state, kNearGap, p.found);
     // Their normal rows alone.
     std::vector<ActiveContact> pressed;
     double worst = 0;
@@ -655,9 +583,7 @@ void ContactStep::free_rates(const SceneState& state, Eigen::VectorXd& q_dot,
     return;
   }
   p.mass.set(p.motion);
-  p.inverse.efforts(p.motion, p.scene.gravity, p.zero, v_dot);
-  v_dot = p.tau - v_dot;
-  p.mass.solve(p.model, v_dot);
+  p.solve_efforts(1, v_dot);
 }
 
 void ContactStep::note_new(const std::vector<ActiveContact>& found,
@@ -671,9 +597,9 @@ void ContactStep::note_new(const std::vector<ActiveContact>& found,
 
 bool ContactStep::is_stiff(const SceneState& state, double h) {
   Parts& p = *parts_;
+  if (!p.has_slopes) return false;
   p.place(state);
   p.load(state);
-  if (p.stiffness.isZero(0) && p.damping.isZero(0)) return false;
   p.mass.set(p.motion);
   for (int i = 0; i < p.model.layout.v; ++i)
     if (h * p.damping[i] + h * h * p.stiffness[i] > p.mass(i, i)) return true;

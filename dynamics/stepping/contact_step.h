@@ -15,6 +15,9 @@
 
 namespace thenar {
 
+/// Gaps up to this are looked at for contacts that close within a step [m].
+inline constexpr double kNearGap = 1e-4;
+
 /// Where a scene is.
 struct SceneState {
   double t = 0;       // [s]

@@ -87,6 +87,13 @@ void check_scene(const MovingScene& scene) {
   }
 }
 
+double drive_effort(const SceneDrive& drive, double u, double rate, double t) {
+  const double wanted = drive.target + drive.speed * (t - drive.when.from);
+  const double effort =
+      drive.bias + drive.stiffness * (wanted - u) - drive.damping * (rate - drive.speed);
+  return std::clamp(effort, -drive.max_effort, drive.max_effort);
+}
+
 const PairFriction& pair_friction(const MovingScene& scene, int a, int b) {
   for (const auto& [bodies, pair] : scene.friction_pairs)
     if (bodies == std::make_pair(a, b) || bodies == std::make_pair(b, a)) return pair;

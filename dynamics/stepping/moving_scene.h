@@ -44,6 +44,10 @@ struct SceneDrive {
   TimeSpan when{};
 };
 
+/// Effort of a drive at an instant of its time [N m] or [N].
+/// @param u  its coordinate [rad] or [m];  @param rate  of it;  @param t  [s]
+[[nodiscard]] double drive_effort(const SceneDrive& drive, double u, double rate, double t);
+
 /// How two bodies rub and bounce.
 struct PairFriction {
   double coefficient = 0;     // mu of Coulomb's law [1]

@@ -20,7 +20,6 @@ constexpr double kChatterTime = 1e-4;  // that they should have passed [s]
 constexpr double kPass = 1e-3;         // that steps of fixed length pass instead [s]
 constexpr int kPassSteps = 10;         // of them
 constexpr double kHorizon = 0.01;      // over which an error of speeds counts in smooth steps [s]
-constexpr double kLook = 1e-4;         // gaps that are looked at [m]
 constexpr double kApproach = 1e-7;     // slower approaches are not impacts [m/s], [rad/s]
 
 double cpu_now() {
@@ -196,7 +195,7 @@ class Simulation {
 
   void run_events() {
     double H = 0.1 * options_.longest;
-    step_.find(state_, kLook, found_);
+    step_.find(state_, kNearGap, found_);
     touch_and_bounce();
     sample(closed_, last_h_);
     while (state_.t < options_.seconds) {
@@ -212,10 +211,13 @@ class Simulation {
       const double left = next_stop() - state_.t;
       H = std::min(H, options_.longest);
       const double taken = step_once(std::min(H, left), left, H);
-      if (state_.t + 1e-12 >= next_sample_ || state_.t >= options_.seconds)
-        sample(closed_, last_h_);
+      sample_if_due();
       if (taken <= 0) return;
     }
+  }
+
+  void sample_if_due() {
+    if (state_.t + 1e-12 >= next_sample_ || state_.t >= options_.seconds) sample(closed_, last_h_);
   }
 
   /// Keeps what touches of all that was found at the state, and ends its approach.
@@ -310,9 +312,9 @@ class Simulation {
     closed_ = last;
     last_h_ = part;
     if (!is_finite()) return;
-    step_.find(state_, kLook, found_);
+    step_.find(state_, kNearGap, found_);
     touch_and_bounce();
-    if (state_.t + 1e-12 >= next_sample_ || state_.t >= options_.seconds) sample(closed_, last_h_);
+    sample_if_due();
   }
 
   /// Nothing moves, and the last steps changed nothing.
@@ -322,7 +324,7 @@ class Simulation {
     const double stop = next_stop();
     run_.cost.asleep += stop - state_.t;
     state_.t = stop;
-    if (state_.t + 1e-12 >= next_sample_ || state_.t >= options_.seconds) sample(closed_, last_h_);
+    sample_if_due();
     // What begins or ends now may move it.
     if (std::binary_search(switches_.begin(), switches_.end(), state_.t)) asleep_ = 0;
   }
@@ -352,7 +354,7 @@ class Simulation {
       length = std::max(length, options_.shortest);
     }
     // A step that is as short as can be was not inspected.
-    if (!inspected_) step_.find(table_[static_cast<std::size_t>(result_)].state, kLook, found_);
+    if (!inspected_) step_.find(table_[static_cast<std::size_t>(result_)].state, kNearGap, found_);
     accept(length, left);
     const StepTrial& trial = table_[static_cast<std::size_t>(result_)];
     H = length * growth_after(trial, rejected);
@@ -377,10 +379,10 @@ class Simulation {
 
   void accept(double length, double left) {
     StepTrial& trial = table_[static_cast<std::size_t>(result_)];
-    const double before = state_.t;
+    const double end = length == left ? next_stop() : state_.t + length;
     const bool was_still = is_still();
     state_ = trial.state;
-    state_.t = length == left ? next_stop_after(before) : before + length;
+    state_.t = end;
     closed_.swap(trial.active);
     last_h_ = trial.h;
     accept_counts();
@@ -419,20 +421,13 @@ class Simulation {
           worst = std::max(worst, std::abs(contact.gap));
     if (worst > 0.1 * options_.touch) {
       step_.close_gaps(state_, pressed, std::max(options_.touch, options_.recovery * length));
-      step_.find(state_, kLook, found_);
+      step_.find(state_, kNearGap, found_);
     }
     touch_and_bounce();
     for (const ActiveContact& contact : closed_)
       if (contact.kind == Kind::kContact)
         run_.cost.deepest = std::max(run_.cost.deepest, -contact.gap);
     return worst;
-  }
-
-  [[nodiscard]] double next_stop_after(double t) const {
-    double stop = std::min(options_.seconds, next_sample_);
-    for (const double s : switches_)
-      if (s > t) stop = std::min(stop, s);
-    return stop;
   }
 
   /// Fills the table for one step, up to the first sign that it is too long.
@@ -554,7 +549,7 @@ class Simulation {
   /// Looks for contacts where a trial ends.
   void inspect(double length, StepTrial& trial) {
     inspected_ = true;
-    step_.find(trial.state, kLook, found_);
+    step_.find(trial.state, kNearGap, found_);
     step_.note_new(found_, trial.active, outcome_);
     if (outcome_.deepest_new < -options_.touch) trial.closes = closing_time(length, 0);
     // Too far to be sure that nothing went through something.

@@ -2,9 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 #include "base/error.h"
+#include "geometry/mass_properties.h"
 #include "geometry/mesh_parts.h"
 #include "geometry/primitives.h"
 #include "geometry/shape_union.h"
@@ -93,7 +95,7 @@ CollisionPart swept_part(const RoundedMesh& swept) {
   // The two corners farthest apart; the third must be one of them.
   const Eigen::Vector3i t = swept.core.triangles.col(0);
   const Vector3d from = v.col(t(0)), to = v.col(t(1)) == from ? v.col(t(2)) : v.col(t(1));
-  require(v.col(t(2)) == from || v.col(t(2)) == to, "a rounded {} is no primitive", "triangle");
+  require(v.col(t(2)) == from || v.col(t(2)) == to, "a rounded triangle is no primitive");
   const double length = (to - from).norm();
   CollisionPart part = round_part(swept.radius, swept.radius, length);
   part.X_BP.p = (from + to) / 2;
@@ -105,10 +107,34 @@ CollisionPart swept_part(const RoundedMesh& swept) {
   return part;
 }
 
+/// CollisionBody::thickness.
+double thickness_of(const Solid& solid, const std::vector<CollisionPart>& parts) {
+  double least = std::numeric_limits<double>::infinity();
+  for (const CollisionPart& part : parts) {
+    if (part.form == PartForm::kRound)
+      least = std::min(least, 2 * std::max(part.radius[0], part.radius[1]));
+    else if (part.form != PartForm::kPolyhedron)
+      least = std::min(least, 2 * part.half.minCoeff());
+  }
+  for (const RoundedMesh& mesh : solid.collision) {
+    if (mesh.radius > 0) continue;
+    double area = 0;
+    for (const auto& triangle : mesh.core.triangles.colwise()) {
+      const Vector3d a = mesh.core.vertices.col(triangle(0));
+      area += 0.5 * (mesh.core.vertices.col(triangle(1)) - a)
+                        .cross(mesh.core.vertices.col(triangle(2)) - a)
+                        .norm();
+    }
+    const double volume = signed_moments(mesh.core).mass;
+    if (volume > 0 && area > 0) least = std::min(least, 2 * volume / area);
+  }
+  return least;
+}
+
 }  // namespace
 
 std::shared_ptr<const CollisionBody> collision_body(const Solid& solid) {
-  require(!solid.collision.empty(), "a solid without a {} surface touches nothing", "collision");
+  require(!solid.collision.empty(), "a solid without a collision surface touches nothing");
   const bool known = solid.parts.size() == solid.collision.size();
   auto body = std::make_shared<CollisionBody>();
   // Primitives one by one; meshes all together.
@@ -126,7 +152,7 @@ std::shared_ptr<const CollisionBody> collision_body(const Solid& solid) {
     }
   }
   if (!meshes.empty()) {
-    require(shapes.front() != nullptr, "a solid of triangles needs a {}", "shape");
+    require(shapes.front() != nullptr, "a solid of triangles needs a shape");
     if (!known) shapes.resize(1);
     CollisionPart part;
     part.form = PartForm::kPolyhedron;
@@ -135,6 +161,7 @@ std::shared_ptr<const CollisionBody> collision_body(const Solid& solid) {
     part.shape = join(std::move(shapes));
     body->parts.push_back(std::move(part));
   }
+  body->thickness = thickness_of(solid, body->parts);
   // Around all.
   for (const CollisionPart& part : body->parts) {
     const Vector3d c = part.X_BP * part.ball.c;

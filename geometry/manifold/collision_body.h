@@ -46,6 +46,8 @@ struct CollisionBody {
   std::vector<CollisionPart> parts;
   Eigen::AlignedBox3d box;  // holds all parts [m]
   Ball ball;                // the same
+  double thickness = 0;     // what moves less goes through no part: the least extent of primitives,
+                            // and twice volume over area of every surface of triangles [m]
 };
 
 /// Builds it from a solid with `parts`, as build_solid() makes it. A solid without them is taken

@@ -1,0 +1,66 @@
+#include "dynamics/stepping/meeting_pairs.h"
+
+#include <algorithm>
+
+namespace thenar {
+namespace {
+
+/// Groups of bodies that are welded to each other, by the first body of each. Welds to the world do
+/// not count: a table and a robot's base are two things.
+std::vector<int> welded_groups(const Mechanism& mechanism) {
+  std::vector<int> group(mechanism.bodies.size());
+  for (std::size_t i = 0; i < group.size(); ++i) {
+    const MechanismJoint& joint = mechanism.joints[i];
+    group[i] = joint.kind == JointKind::kWeld && joint.parent >= 0
+                   ? group[static_cast<std::size_t>(joint.parent)]
+                   : static_cast<int>(i);
+  }
+  return group;
+}
+
+/// Pairs of groups that a joint connects, also across groups without a surface (the middle of a
+/// universal joint): they overlap there by design.
+std::vector<std::pair<int, int>> neighbours(const Mechanism& mechanism,
+                                            const std::vector<int>& group) {
+  std::vector<bool> has_surface(group.size());
+  for (std::size_t i = 0; i < group.size(); ++i)
+    if (mechanism.bodies[i].solid) has_surface[static_cast<std::size_t>(group[i])] = true;
+  std::vector<std::pair<int, int>> out;
+  for (std::size_t i = 0; i < group.size(); ++i) {
+    if (group[i] != static_cast<int>(i)) continue;
+    int parent = mechanism.joints[i].parent;
+    while (parent >= 0) {
+      const int other = group[static_cast<std::size_t>(parent)];
+      out.emplace_back(static_cast<int>(i), other);
+      if (has_surface[static_cast<std::size_t>(other)]) break;
+      parent = mechanism.joints[static_cast<std::size_t>(other)].parent;
+    }
+  }
+  return out;
+}
+
+bool has_pair(const std::vector<std::pair<int, int>>& pairs, int a, int b) {
+  return std::find(pairs.begin(), pairs.end(), std::pair(a, b)) != pairs.end() ||
+         std::find(pairs.begin(), pairs.end(), std::pair(b, a)) != pairs.end();
+}
+
+}  // namespace
+
+std::vector<std::pair<int, int>> pairs_that_may_meet(const MovingScene& scene,
+                                                     const TreeModel& model) {
+  const std::vector<int> group = welded_groups(scene.mechanism);
+  const std::vector<std::pair<int, int>> joined = neighbours(scene.mechanism, group);
+  const std::size_t count = scene.mechanism.bodies.size();
+  std::vector<std::pair<int, int>> pairs;
+  for (std::size_t i = 0; i < count; ++i)
+    for (std::size_t j = i + 1; j < count; ++j) {
+      if (!scene.mechanism.bodies[i].solid || !scene.mechanism.bodies[j].solid) continue;
+      const int a = static_cast<int>(i), b = static_cast<int>(j);
+      if (model.bodies[i].link != model.bodies[j].link && !has_pair(joined, group[i], group[j]) &&
+          !has_pair(scene.apart, a, b))
+        pairs.emplace_back(a, b);
+    }
+  return pairs;
+}
+
+}  // namespace thenar
