@@ -88,13 +88,11 @@ SimulatedScene simulated(const ReadScene& read,
                          const std::vector<std::pair<std::string, double>>& numbers,
                          const Progress& progress) {
   SimulatedScene out;
-  out.path = read.spec.path;
   out.name = read.spec.name;
   out.description = read.spec.description;
   out.camera = read.spec.camera;
   out.sources = read.open.sources;
   out.files = read.open.files;
-  out.warnings = read.open.warnings;
   out.varied = numbers;
   auto built = std::make_shared<BuiltScene>(read.open.built);
   for (const auto& [name, value] : numbers) set_number(*built, name, value);
@@ -180,7 +178,6 @@ OpenScene open_scene(const SceneSpec& scene, const std::string& data) {
     out.files.insert(robots.back().files.begin(), robots.back().files.end());
   }
   out.built = build_scene(scene, robots);
-  out.warnings = out.built.warnings;
   out.sources = texts_of(scene.path, out.files);
   return out;
 }
@@ -193,11 +190,9 @@ SimulatedScene run_scene(const SceneRequest& request, const Progress& progress) 
 SceneSweep vary_scene(const SceneRequest& request, const Progress& progress) {
   const ReadScene read = read_request(request);
   SceneSweep sweep;
-  sweep.path = read.spec.path;
   sweep.name = read.spec.name;
   sweep.vary = request.vary;
   sweep.files = read.open.files;
-  sweep.warnings = read.open.warnings;
   sweep.asked = count_runs(request.vary);
   // Impossible values are refused before any work.
   for (std::size_t i = 0; i < sweep.asked; ++i) {

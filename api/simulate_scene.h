@@ -41,25 +41,23 @@ struct SceneRequest {
 
 /// A scene that was simulated.
 struct [[nodiscard]] SimulatedScene {
-  std::string path, name, description;
+  std::string name, description;
   std::optional<Camera> camera;
-  std::shared_ptr<const BuiltScene> built;             // what moved; never null
+  std::shared_ptr<const BuiltScene> built;  // what moved, and what was assumed; never null
   std::vector<std::pair<std::string, double>> varied;  // numbers that are not as in the file
   SceneRun run;                                        // read run.status first
   RunMeasures measures;
   std::vector<SourceText> sources;  // scene, hands, objects, materials; meshes are in `files` only
   FileDigests files;                // all that was read
-  std::vector<std::string> warnings;  // what was assumed
 };
 
 /// Runs of one scene.
 struct [[nodiscard]] SceneSweep {
-  std::string path, name;
+  std::string name;
   std::vector<SceneVariation> vary;
   std::vector<SimulatedScene> runs;  // the last number varies fastest; those that ran
   std::size_t asked = 0;             // runs
   FileDigests files;
-  std::vector<std::string> warnings;  // of all runs, each once
 };
 
 /// Whether a name or file is a scene, rather than a subject.
@@ -70,7 +68,6 @@ struct OpenScene {
   BuiltScene built;
   std::vector<SourceText> sources;
   FileDigests files;
-  std::vector<std::string> warnings;
 };
 /// @param data  folder with robots/ ..; empty: the usual ones
 /// @throws DataError at the line of what does not fit, InputError if a hand is not to be found.

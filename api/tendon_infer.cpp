@@ -1,14 +1,12 @@
 #include "api/tendon_infer.h"
 
 #include <algorithm>
-#include <filesystem>
 #include <random>
 #include <utility>
 
 #include <fmt/format.h>
 
 #include "api/fit.h"
-#include "api/named/data_folders.h"
 #include "api/named/digits.h"
 #include "api/named/files.h"
 #include "base/error.h"
@@ -23,14 +21,6 @@
 
 namespace thenar {
 namespace {
-
-/// An experiment by the path of its file or by its name, with its text.
-SourceText experiment_source(const std::string& name_or_path, const std::string& data) {
-  std::error_code none;
-  if (std::filesystem::exists(name_or_path, none)) return read_source(name_or_path);
-  return read_source(
-      named_file("experiment", name_or_path, "experiments", ".toml", data_folders(data)));
-}
 
 /// Everything that the inference starts from.
 struct InferenceCase {
@@ -55,7 +45,7 @@ std::vector<BandEnds> ends_of(const Net& net, const std::vector<std::string>& ba
 /// Reads the three files, and puts what they are into the answer.
 InferenceCase read_case(const InferNetRequest& request, NetInference& answer) {
   // Files.
-  const SourceText forces = experiment_source(request.experiment, request.data),
+  const SourceText forces = read_source(experiment_file(request.experiment, request.data)),
                    person = subject_source(request.subject, request.data),
                    bands = net_source(request.net);
   const Experiment experiment = parse_experiment(forces.text, forces.path);

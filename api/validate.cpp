@@ -34,7 +34,7 @@ void build_thing(const WorldSpec& world, FileVerdict& /*verdict*/) {
   for (const PlacedBody& placed : world.bodies) (void)build_solid(placed.body.shapes);
 }
 void build_thing(const SceneSpec& scene, FileVerdict& verdict) {
-  verdict.warnings = open_scene(scene).warnings;
+  verdict.warnings = open_scene(scene).built.warnings;
 }
 void build_thing(const RobotSpec& robot, FileVerdict& verdict) {
   std::vector<std::string> found = robot.warnings;

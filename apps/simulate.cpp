@@ -128,13 +128,7 @@ void run_simulate(SimulateArguments options) {
   print_warnings(warnings_of(motion));
   if (!file.empty()) write_motion(motion, file, this_run());
   deliver(options.outputs, motion);
-  const std::string refusal = refusal_of(motion);
-  require(refusal.empty(), "{}", refusal);
-  if (motion.trajectory.status == MotionStatus::kStopped)
-    throw Stopped(fmt::format("stopped; all up to then is {}",
-                              options.outputs.files.empty()
-                                  ? "above"
-                                  : fmt::format("in {}", fmt::join(options.outputs.files, ", "))));
+  tell_outcome(motion, motion.trajectory.status == MotionStatus::kStopped, options.outputs);
 }
 
 /// Refuses options that only the other kind of subject has.

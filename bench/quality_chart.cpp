@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 
 #include "bench/chart_main.h"
+#include "bench/ratios.h"
 #include "grasp/contact/friction_pyramid.h"
 #include "grasp/quality/epsilon.h"
 #include "report/blocks.h"
@@ -52,11 +53,6 @@ std::vector<Task> tasks() {
     out.push_back({set, epsilon(set, options).lower});
   }
   return out;
-}
-
-double median(std::vector<double> values) {
-  std::sort(values.begin(), values.end());
-  return values[values.size() / 2];
 }
 
 /// @param error  from a task to the relative error found

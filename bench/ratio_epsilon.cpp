@@ -42,12 +42,6 @@ double seconds_of(const std::function<void()>& task) {
   return static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC;
 }
 
-double median(std::vector<double> values) {
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
-}
-
 }  // namespace
 
 Row ratio_epsilon() {

@@ -22,12 +22,6 @@ constexpr int kTurns = 10;
 /// Starts of each object: a part of them all, unless THENAR_BENCH_ALL_GRASPS is set.
 int starts() { return std::getenv("THENAR_BENCH_ALL_GRASPS") != nullptr ? kAll : kFew; }
 
-double median(std::vector<double> values) {
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
-}
-
 /// Seconds on the clock that some threads take together for a tenth of the starts.
 double seconds_of(const GraspTask& task, int threads) {
   const auto start = std::chrono::steady_clock::now();

@@ -48,11 +48,6 @@ std::vector<Turn> turns(Told told) {
   return all;
 }
 
-double median(std::vector<double> values) {
-  std::sort(values.begin(), values.end());
-  return values[values.size() / 2];
-}
-
 Row row(const char* name, const std::vector<Turn>& turns, double (*cost)(const TimedRun&),
         double required) {
   std::vector<double> ours, rival, ratio;

@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include "bench/chart_main.h"
+#include "bench/ratios.h"
 #include "bench/sampler_task.h"
 #include "report/blocks.h"
 #include "report/pages/posterior.h"
@@ -105,12 +106,6 @@ Trace run(const HandPosterior& posterior, const Contender& who, unsigned seed,
     trace.error.push_back(rms_error(sum / double((k + 1) * draws.chains()), right));
   }
   return trace;
-}
-
-double median(std::vector<double> values) {
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
 }
 
 /// Medians over seeds, at times that all runs reached.

@@ -190,7 +190,7 @@ Solid build_solid(const std::vector<ShapeSpec>& shapes) {
       move(solid.collision.back().core, spec.X_BS);
       move(pictures.back(), spec.X_BS);
       parts.push_back(place(shape, spec.X_BS));
-      solid.parts.push_back({without_mesh(spec), parts.back()});
+      solid.parts.push_back({without_mesh(spec), shape});
     }
   // Pictures joined, distances united.
   solid.visual = joined(pictures);

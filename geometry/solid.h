@@ -20,7 +20,7 @@ struct RoundedMesh {
 /// One of the shapes whose union a solid is.
 struct SolidPart {
   ShapeSpec spec;                      // its mesh is empty: the triangles are in Solid::collision
-  std::shared_ptr<const Shape> shape;  // its distance, in the frame of the solid
+  std::shared_ptr<const Shape> shape;  // its distance, in its own frame
 };
 
 /// A body; constant once built, all in one frame.

@@ -139,7 +139,7 @@ class BulletWorld final : public PeerWorld {
   /// Slides along an axis of the world are factors, which are exact; all else are constraints.
   void add_joint(std::size_t i) {
     const MechanismJoint& joint = scene_.mechanism.joints[i];
-    if (joint.kind != JointKind::kHinge && joint.kind != JointKind::kSlide) return;
+    if (!is_scalar(joint.kind)) return;
     const Pose<double> X_PM = X_BP_[i].inverse() * joint.X_BM;
     if (joint.kind == JointKind::kSlide) {
       const Vector3d axis = joint.X_PF.R.col(2).cwiseAbs();
@@ -165,7 +165,7 @@ class BulletWorld final : public PeerWorld {
     const std::vector<MechanismJoint>& joints = scene_.mechanism.joints;
     const std::vector<BodyMotion> now = motion();
     for (std::size_t i = 0; i < joints.size(); ++i) {
-      if (joints[i].kind != JointKind::kHinge && joints[i].kind != JointKind::kSlide) continue;
+      if (!is_scalar(joints[i].kind)) continue;
       const double effort = joint_effort(scene_, i, t_, joint_motion(scene_.mechanism, i, now));
       const Vector3d along = effort * (now[i].X_WB.R * joints[i].X_BM.R.col(2));
       if (joints[i].kind == JointKind::kSlide) {

@@ -12,6 +12,7 @@
 
 #include "bench/chart_main.h"
 #include "bench/peers/peer_tasks.h"
+#include "bench/ratios.h"
 
 namespace thenar::bench {
 namespace {
@@ -71,8 +72,7 @@ Verdict judge(const PeerTask& task, const PeerSetting& setting, double knob) {
     for (const PeerMeasure& measure : task.further) out.further.push_back(measure.of(run));
     if (run.cpu_seconds > kLongRun || !out.failure.empty()) break;
   }
-  std::sort(seconds.begin(), seconds.end());
-  out.cpu = 1e3 * seconds[seconds.size() / 2];
+  out.cpu = 1e3 * median(seconds);
   return out;
 }
 

@@ -130,7 +130,7 @@ class DartWorld final : public PeerWorld {
 
   void step() override {
     for (std::size_t i = 0; i < nodes_.size(); ++i) {
-      if (!moves_by_one(i)) continue;
+      if (!is_scalar(scene_.mechanism.joints[i].kind)) continue;
       dd::Joint* joint = nodes_[i]->getParentJoint();
       const JointMotion at{joint->getPosition(0), joint->getVelocity(0)};
       joint->setForce(0, joint_effort(scene_, i, world_->getTime(), at));
@@ -149,11 +149,6 @@ class DartWorld final : public PeerWorld {
   }
 
  private:
-  [[nodiscard]] bool moves_by_one(std::size_t i) const {
-    const JointKind kind = scene_.mechanism.joints[i].kind;
-    return kind == JointKind::kHinge || kind == JointKind::kSlide;
-  }
-
   void filter_pairs() {
     const auto filter = std::make_shared<dart::collision::BodyNodeCollisionFilter>();
     for (std::size_t i = 0; i < nodes_.size(); ++i)
@@ -166,7 +161,7 @@ class DartWorld final : public PeerWorld {
   void start(const std::vector<BodyMotion>& bodies) {
     for (std::size_t i = 0; i < nodes_.size(); ++i) {
       dd::Joint* joint = nodes_[i]->getParentJoint();
-      if (moves_by_one(i)) {
+      if (is_scalar(scene_.mechanism.joints[i].kind)) {
         const JointMotion at = joint_motion(scene_.mechanism, i, bodies);
         joint->setPosition(0, at.value);
         joint->setVelocity(0, at.rate);

@@ -61,7 +61,7 @@ class SceneWriter {
         fmt::format("<body name=\"b{}\" {}>", i, placed(joint.X_PF * joint.X_BM.inverse()));
     if (joint.kind != JointKind::kWeld) text += inertial(body.mass);
     if (joint.kind == JointKind::kFree) text += fmt::format("<freejoint name=\"j{}\"/>", i);
-    if (joint.kind == JointKind::kHinge || joint.kind == JointKind::kSlide)
+    if (is_scalar(joint.kind))
       text += fmt::format(
           "<joint name=\"j{}\" type=\"{}\" pos=\"{}\" axis=\"{}\" damping=\"{:.17g}\"/>", i,
           name_of(joint.kind), three(joint.X_BM.p), three(joint.X_BM.R.col(2)), joint.damping);

@@ -149,7 +149,7 @@ class OdeWorld final : public PeerWorld {
   void add_joint(std::size_t i) {
     const MechanismJoint& joint = scene_.mechanism.joints[i];
     joint_.push_back(nullptr);
-    if (joint.kind != JointKind::kHinge && joint.kind != JointKind::kSlide) return;
+    if (!is_scalar(joint.kind)) return;
     const bool hinge = joint.kind == JointKind::kHinge;
     joint_[i] = hinge ? dJointCreateHinge(world_, nullptr) : dJointCreateSlider(world_, nullptr);
     const dBodyID parent =

@@ -10,8 +10,6 @@
 namespace thenar::bench {
 namespace {
 
-bool is_scalar(JointKind kind) { return kind == JointKind::kHinge || kind == JointKind::kSlide; }
-
 /// Frame of a joint in the world, on its parent.
 Pose<double> frame_on_parent(const MechanismJoint& joint, const std::vector<BodyMotion>& bodies) {
   if (joint.parent < 0) return joint.X_PF;
@@ -121,8 +119,7 @@ double joint_effort(const MovingScene& scene, std::size_t i, double t, const Joi
   double effort = -joint.stiffness * (motion.value - joint.rest) - joint.damping * motion.rate;
   for (const SceneDrive& drive : scene.drives)
     if (drive.coordinate == joint.coordinate)
-      effort += drive.bias + drive.stiffness * (drive.target + drive.speed * t - motion.value) -
-                drive.damping * (motion.rate - drive.speed);
+      effort += drive_effort(drive, motion.value, motion.rate, t);
   return effort;
 }
 

@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 #include <Eigen/Geometry>
 
+#include "base/units.h"
 #include "bench/peers/peer_hand.h"
 #include "dynamics/stepping/simulate_scene.h"
 #include "tests/dynamics/stepping/sample_scenes.h"
@@ -19,7 +20,6 @@ using Eigen::Vector3d;
 using sample::primitive;
 
 constexpr double kG = 9.81;        // [m/s^2]
-constexpr double kMm = 1e-3;       // [m]
 constexpr double kEdge = 0.05;     // of cubes [m]
 constexpr double kArm = 0.0054;    // of the swinging pinch [m]
 constexpr double kPressed = 1e-9;  // overlap in which some engines start [m]

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "base/error.h"
+#include "base/numbers.h"
 #include "dynamics/contact/friction_cone.h"
 
 namespace thenar {
@@ -13,29 +14,26 @@ using Eigen::VectorXd;
 using Row = Eigen::Ref<const VectorXd>;
 
 constexpr double kSymmetric = 1e-9;  // difference of mirrored entries of W over its largest
-constexpr double kRoundings = 4;
-constexpr double kMostRounding = 1e-8;  // that counts as an answer
-constexpr double kInfinite = std::numeric_limits<double>::infinity();
 
 void check_block(const ContactBlock& block) {
   require(block.law != ContactLaw::kBox || block.lower <= block.upper,
           "bounds of a box must be in order, got {} to {}", block.lower, block.upper);
-  require(block.law != ContactLaw::kBox || (block.lower < kInfinite && block.upper > -kInfinite),
+  require(block.law != ContactLaw::kBox || (block.lower < kInfinity && block.upper > -kInfinity),
           "a box must hold a finite impulse, got {} to {}", block.lower, block.upper);
-  require(block.friction >= 0 && block.friction < kInfinite, "friction must be >= 0, got {}",
+  require(block.friction >= 0 && block.friction < kInfinity, "friction must be >= 0, got {}",
           block.friction);
-  require(block.torsion_radius >= 0 && block.torsion_radius < kInfinite,
+  require(block.torsion_radius >= 0 && block.torsion_radius < kInfinity,
           "a torsion radius must be >= 0, got {} m", block.torsion_radius);
 }
 
 /// Adds an interval's row to the residual.
 void add_interval(double lower, double upper, double f, double u, ContactResidual* out) {
   out->outside = std::max({out->outside, lower - f, f - upper});
-  if (lower == -kInfinite && upper == kInfinite) {
+  if (lower == -kInfinity && upper == kInfinity) {
     out->bilateral = std::max(out->bilateral, std::abs(u));
     return;
   }
-  if (upper == kInfinite) out->approach = std::max(out->approach, -u);
+  if (upper == kInfinity) out->approach = std::max(out->approach, -u);
   // What a change of the impulse within its bounds could take from the motion.
   const double to = u > 0 ? lower : upper;
   if (std::isfinite(to)) out->complementarity = std::max(out->complementarity, u * (f - to));
@@ -72,17 +70,10 @@ double add_contact(const ContactBlock& block, const Row& f, const Row& u, double
   return std::max(natural, unloadable / s);
 }
 
-/// Ends of the interval of a law with one row.
-std::pair<double, double> ends_of(const ContactBlock& block) {
-  if (block.law == ContactLaw::kBilateral) return {-kInfinite, kInfinite};
-  if (block.law == ContactLaw::kUnilateral) return {0, kInfinite};
-  return {block.lower, block.upper};
-}
-
 /// Largest |s b|, |P(0) / s| of a block.
 double scale_of(const ContactBlock& block, const Row& b, double s) {
   if (b.size() == 1) {
-    const auto [lower, upper] = ends_of(block);
+    const auto [lower, upper] = internal::ends_of(block);
     const double nearest = std::clamp(0.0, lower, upper);
     return std::max(lower == upper ? 0 : std::abs(s * b(0)), std::abs(nearest / s));
   }
@@ -96,7 +87,7 @@ double scale_of(const ContactBlock& block, const Row& b, double s) {
 }  // namespace
 
 bool ContactResidual::is_within(double tolerance) const {
-  return natural <= std::max(tolerance, std::min(rounding, kMostRounding));
+  return natural <= std::max(tolerance, std::min(rounding, internal::kMostRounding));
 }
 
 ContactBlock bilateral_block() { return {ContactLaw::kBilateral}; }
@@ -148,6 +139,12 @@ void check_contact_problem(const ContactProblem& problem) {
 
 namespace internal {
 
+std::pair<double, double> ends_of(const ContactBlock& block) {
+  if (block.law == ContactLaw::kBilateral) return {-kInfinity, kInfinity};
+  if (block.law == ContactLaw::kUnilateral) return {0, kInfinity};
+  return {block.lower, block.upper};
+}
+
 double least_diagonal(const ContactProblem& problem) {
   const double largest = problem.W.rows() > 0 ? problem.W.diagonal().maxCoeff() : 0;
   return 1e-16 * std::max(largest, 0.0);
@@ -178,7 +175,7 @@ ContactResidual contact_residual_at(const ContactProblem& problem, const Row& f,
     out.scale = std::max(out.scale, scale_of(block, problem.b.segment(start, rows), s));
     double entry = 0;
     if (rows == 1) {
-      const auto [lower, upper] = ends_of(block);
+      const auto [lower, upper] = internal::ends_of(block);
       add_interval(lower, upper, f(start), u(start), &out);
       entry = std::abs(interval_natural_map(f(start) / s, u(start) * s, lower / s, upper / s));
     } else if (rows == 3) {
@@ -186,7 +183,7 @@ ContactResidual contact_residual_at(const ContactProblem& problem, const Row& f,
     } else {
       entry = add_contact<4>(block, f.segment<4>(start), u.segment<4>(start), s, &out);
     }
-    natural = entry >= natural ? entry : std::isnan(entry) ? kInfinite : natural;
+    natural = entry >= natural ? entry : std::isnan(entry) ? kInfinity : natural;
     start += rows;
   }
   out.natural = natural > 0 ? natural / out.scale : 0;

@@ -3,9 +3,12 @@
 /// The contact problem of one time step, in impulses and velocities.
 
 #include <limits>
+#include <utility>
 #include <vector>
 
 #include <Eigen/Core>
+
+#include "base/numbers.h"
 
 namespace thenar {
 
@@ -72,9 +75,9 @@ void check_contact_problem(const ContactProblem& problem);
 /// large where a heavy body rests on a light one. All others are in the units of the problem, and 0
 /// at an answer.
 struct ContactResidual {
-  double natural = std::numeric_limits<double>::infinity();  // [1]
-  double scale = 0;                                          // of `natural` [sqrt(J)]
-  double rounding = 0;                                       // of `natural` [1]
+  double natural = kInfinity;  // [1]
+  double scale = 0;            // of `natural` [sqrt(J)]
+  double rounding = 0;         // of `natural` [1]
   double outside = 0;          // f outside its cone or box: |ft| - mu fn, -fn, ... [N s]
   double approach = 0;         // -un of contacts and limits: bodies come closer [m/s]
   double complementarity = 0;  // |fn un|; of boxes what u takes from an impulse off its bound [J]
@@ -90,6 +93,12 @@ struct ContactResidual {
                                                const Eigen::Ref<const Eigen::VectorXd>& f);
 
 namespace internal {
+
+inline constexpr double kRoundings = 4;        // of doubles, in ContactResidual::rounding [1]
+inline constexpr double kMostRounding = 1e-8;  // that counts as an answer [1]
+
+/// Ends of the interval of a law with one row.
+[[nodiscard]] std::pair<double, double> ends_of(const ContactBlock& block);
 
 /// The same for callers that have room for the velocities.
 /// @param u  W f + b (n)

@@ -3,6 +3,7 @@
 #include <array>
 
 #include "base/error.h"
+#include "base/numbers.h"
 #include "base/random_stream.h"
 #include "dynamics/contact/contact_newton.h"
 #include "dynamics/contact/friction_pyramids.h"
@@ -17,7 +18,6 @@ using Eigen::VectorXd;
 
 namespace {
 
-constexpr double kNoLimit = std::numeric_limits<double>::infinity();
 constexpr double kMargin = 0.5;          // of the tolerance: what scaling back may cost
 constexpr double kRoundingFrom = 1e-8;   // residual from which rounding may explain it
 constexpr double kRoundingGoal = 1e-14;  // residual that is not worth another step
@@ -87,7 +87,7 @@ void ContactSolver::Workspace::assign(const ContactProblem& problem,
   solution.pyramid_residual = 0;
   solution.method = options.method;
   goal = kMargin * options.tolerance;
-  best = kNoLimit;
+  best = kInfinity;
   // Where nothing moves and nothing is asked, no impulse is an answer: a warm start would leave its
   // rounding behind, over a scale of zero.
   is_warm = warm_start.size() > 0 && contacts.scale() > 0;
@@ -116,7 +116,7 @@ void ContactSolver::Workspace::go_to(const Ref<const VectorXd>& impulses) {
 
 /// Steps of Newton until none counts any more.
 bool ContactSolver::Workspace::run_newton(Damped damped) {
-  double least = kNoLimit, damping = 0;
+  double least = kInfinity, damping = 0;
   residual = contacts.residual(f(), u());
   for (int idle = 0; idle < kPatience && solution.newton_steps < options.max_newton_steps;) {
     ++solution.newton_steps;

@@ -2,14 +2,14 @@
 
 #include <cmath>
 
+#include "base/units.h"
+
 namespace thenar::internal {
 namespace {
 
 using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
-
-constexpr double kPi = 3.14159265358979323846;
 
 /// Directions of a polygon, or of a polyhedron around a ball (tangents, count).
 MatrixXd edge_directions(int tangents, int edges) {

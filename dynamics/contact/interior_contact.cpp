@@ -2,6 +2,8 @@
 
 #include <cmath>
 
+#include "base/numbers.h"
+
 namespace thenar::internal {
 namespace {
 
@@ -56,9 +58,7 @@ double step_in_cone(const Vector4d& u, const Vector4d& d) {
   return out;
 }
 
-double step_above_zero(double gap, double change) {
-  return change < 0 ? -gap / change : std::numeric_limits<double>::infinity();
-}
+double step_above_zero(double gap, double change) { return change < 0 ? -gap / change : kInfinity; }
 
 }  // namespace
 
@@ -330,7 +330,7 @@ int InteriorContact::run(const ScaledContacts& contacts, Coupling coupling, int 
   coupling_ = coupling;
   start(contacts, f);
   measure(contacts);
-  double least = std::numeric_limits<double>::infinity();
+  double least = kInfinity;
   for (int step = 0; step < max_steps; ++step) {
     if (tau_ <= tolerance * size * size && missing_ <= tolerance * size) return step;
     scale_cones();

@@ -1,22 +1,16 @@
 #include "dynamics/contact/scaled_contacts.h"
 
+#include "base/numbers.h"
 #include "dynamics/contact/friction_cone.h"
 
 namespace thenar::internal {
-namespace {
-
-constexpr double kEndless = std::numeric_limits<double>::infinity();
-
-}  // namespace
 
 void ScaledContacts::add(const ContactBlock& block, int start, double s) {
   const int rows = rows_of(block.law);
   s_.segment(start, rows).setConstant(s);
   if (rows == 1) {
-    const bool box = block.law == ContactLaw::kBox;
-    const double lower = block.law == ContactLaw::kBilateral ? -kEndless : 0;
-    blocks_.push_back(
-        {start, 1, -1, box ? block.lower / s : lower, box ? block.upper / s : kEndless});
+    const auto [lower, upper] = ends_of(block);
+    blocks_.push_back({start, 1, -1, lower / s, upper / s});
     return;
   }
   // Rows that friction can load, and the others one by one.
@@ -27,7 +21,7 @@ void ScaledContacts::add(const ContactBlock& block, int start, double s) {
   if (loaded > 1)
     blocks_.push_back({start, loaded, block.friction, 0, 0});
   else
-    blocks_.push_back({start, 1, -1, 0, kEndless});
+    blocks_.push_back({start, 1, -1, 0, kInfinity});
   for (int k = loaded; k < rows; ++k) blocks_.push_back({start + k, 1, -1, 0, 0});
 }
 
@@ -76,14 +70,15 @@ double ScaledContacts::residual(const Eigen::Ref<const Eigen::VectorXd>& f,
     else
       entry =
           cone_natural_map<4>(f.segment<4>(i), u.segment<4>(i), block.mu).lpNorm<Eigen::Infinity>();
-    out = entry >= out ? entry : std::isnan(entry) ? kEndless : out;
+    out = entry >= out ? entry : std::isnan(entry) ? kInfinity : out;
   }
   return out > 0 ? out / scale_ : 0;
 }
 
 double ScaledContacts::rounding(const Eigen::Ref<const Eigen::VectorXd>& f) const {
   const double sum = f.cwiseAbs().dot(A().diagonal().cwiseMax(0).cwiseSqrt());
-  return std::min(4 * std::numeric_limits<double>::epsilon() * sum / scale_, 1e-8);
+  return std::min(kRoundings * std::numeric_limits<double>::epsilon() * sum / scale_,
+                  kMostRounding);
 }
 
 }  // namespace thenar::internal

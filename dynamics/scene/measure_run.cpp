@@ -112,8 +112,8 @@ double work_between(const MovingScene& scene, const MechanismLayout& layout,
 }
 
 /// Velocities of all bodies at an instant.
-std::vector<SceneVelocity> velocities_at(const Mechanism& mechanism, const SceneSample& sample) {
-  const TreeModel model = tree_model(mechanism);
+std::vector<SceneVelocity> velocities_at(const Mechanism& mechanism, const TreeModel& model,
+                                         const SceneSample& sample) {
   TreeMotion<double> motion(model);
   motion.set_position(sample.q);
   motion.set_speed(sample.v);
@@ -153,7 +153,9 @@ RunMeasures measure_run(const MovingScene& scene, const SceneRun& run) {
   out.X_WB.resize(run.samples.size());
   for (std::size_t k = 0; k < run.samples.size(); ++k)
     step.poses({run.samples[k].t, run.samples[k].q, run.samples[k].v}, out.X_WB[k]);
-  const MechanismLayout layout = layout_of(scene.mechanism);
+  const MechanismLayout& layout = step.model().layout;
+  for (std::size_t i = 0; i < step.model().bodies.size(); ++i)
+    if (step.model().bodies[i].link >= 0) out.moving.push_back(i);
   std::map<Pair, PairMeasure> pairs;
   for (std::size_t k = 0; k < run.samples.size(); ++k) {
     note_contacts(run.samples[k], k + 1 == run.samples.size(), pairs);
@@ -164,7 +166,7 @@ RunMeasures measure_run(const MovingScene& scene, const SceneRun& run) {
     out.work += work_between(scene, layout, from, to, out.X_WB[k - 1], out.X_WB[k]);
   }
   for (const auto& [bodies, pair] : pairs) out.pairs.push_back(pair);
-  out.velocity = velocities_at(scene.mechanism, run.samples.back());
+  out.velocity = velocities_at(scene.mechanism, step.model(), run.samples.back());
   out.dissipated =
       run.samples.front().energy.total() + out.work - run.samples.back().energy.total();
   return out;

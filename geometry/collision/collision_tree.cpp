@@ -70,10 +70,10 @@ class TreeBuilder {
   CollisionTree& body_;
 };
 
-SweptTriangle swept_triangle(const Eigen::Matrix3d& corners, double radius) {
+SweptTriangle swept_triangle(const Eigen::Matrix3d& corners, double radius, int source) {
   const Eigen::Vector3d cross =
       (corners.col(1) - corners.col(0)).cross(corners.col(2) - corners.col(0));
-  return {corners, radius, cross.stableNormalized()};
+  return {corners, radius, cross.stableNormalized(), source};
 }
 
 }  // namespace
@@ -118,7 +118,8 @@ CollisionTree collision_tree(const Solid& solid) {
         corners.col(k) = mesh.core.vertices.col(vertex);
       }
       require(corners.allFinite(), "triangle {} of a touch surface is not finite", i);
-      body.triangles.push_back(swept_triangle(corners, mesh.radius));
+      body.triangles.push_back(
+          swept_triangle(corners, mesh.radius, static_cast<int>(body.triangles.size())));
     }
   }
   require(!body.triangles.empty(), "a touch surface must have {} triangle or more", 1);

@@ -22,6 +22,7 @@ struct SweptTriangle {
   Eigen::Matrix3d corners;     // columns [m] (3, 3)
   double radius = 0;           // of the ball that sweeps it [m]
   Eigen::Vector3d n{0, 0, 0};  // unit, outward; 0 for a segment or a point (3)
+  int source = -1;             // its number in the order of Solid::collision
 };
 
 /// Node of the tree: two children, or one triangle.

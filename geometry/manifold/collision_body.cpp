@@ -10,7 +10,6 @@
 #include "geometry/mesh_parts.h"
 #include "geometry/primitives.h"
 #include "geometry/shape_union.h"
-#include "geometry/superellipsoid.h"
 
 namespace thenar {
 namespace {
@@ -42,7 +41,8 @@ TriangleMesh moved_mesh(TriangleMesh mesh, const Pose<double>& X) {
 }
 
 /// A primitive by its sizes. @param core  its tessellated surface, in the body's frame
-CollisionPart primitive_part(const ShapeSpec& spec, const TriangleMesh& core) {
+CollisionPart primitive_part(const SolidPart& given, const TriangleMesh& core) {
+  const ShapeSpec& spec = given.spec;
   const Vector3d& size = spec.size;
   CollisionPart part;
   switch (spec.kind) {
@@ -58,28 +58,25 @@ CollisionPart primitive_part(const ShapeSpec& spec, const TriangleMesh& core) {
     case ShapeKind::kBox:
       part.form = PartForm::kBox;
       part.half = size / 2;
-      part.shape = build_box(size);
       break;
     case ShapeKind::kCylinder:
       part.form = PartForm::kCylinder;
       part.half = {size(0), size(0), size(1) / 2};
-      part.shape = build_cylinder(size(0), size(1));
       break;
     case ShapeKind::kEllipsoid:
       part.form = PartForm::kSmooth;
       part.half = size;
       part.is_ellipsoid = true;
-      part.shape = build_ellipsoid(size);
       break;
     case ShapeKind::kSuperellipsoid:
       part.form = PartForm::kSmooth;
       part.half = size;
-      part.shape = build_superellipsoid(size, spec.exponents);
       break;
     case ShapeKind::kMesh:
       break;
   }
   if (part.form != PartForm::kRound) {
+    part.shape = given.shape;
     part.ball = {{0, 0, 0}, part.half.norm()};
     part.polyhedron = build_polyhedron(moved_mesh(core, spec.X_BS.inverse()));
   }
@@ -143,12 +140,12 @@ std::shared_ptr<const CollisionBody> collision_body(const Solid& solid) {
   for (std::size_t i = 0; i < solid.collision.size(); ++i) {
     const RoundedMesh& swept = solid.collision[i];
     if (known && solid.parts[i].spec.kind != ShapeKind::kMesh) {
-      body->parts.push_back(primitive_part(solid.parts[i].spec, swept.core));
+      body->parts.push_back(primitive_part(solid.parts[i], swept.core));
     } else if (!known && swept.radius > 0) {
       body->parts.push_back(swept_part(swept));
     } else {
       meshes.push_back(swept.core);
-      shapes.push_back(known ? solid.parts[i].shape : solid.shape);
+      shapes.push_back(known ? place(solid.parts[i].shape, solid.parts[i].spec.X_BS) : solid.shape);
     }
   }
   if (!meshes.empty()) {

@@ -39,9 +39,4 @@ const std::vector<BodyContact>& CollisionWorld::update(const std::vector<Pose<do
   return contacts_;
 }
 
-void CollisionWorld::forget() {
-  for (const auto& pair : pairs_)
-    if (pair != nullptr) pair->forget();
-}
-
 }  // namespace thenar

@@ -34,9 +34,6 @@ class CollisionWorld {
   /// @throws InputError if there are not as many poses as bodies, or one is not finite.
   const std::vector<BodyContact>& update(const std::vector<Pose<double>>& X_WB, double margin);
 
-  /// The same after a jump: ids start anew.
-  void forget();
-
   [[nodiscard]] const std::vector<std::shared_ptr<const CollisionBody>>& bodies() const {
     return bodies_;
   }

@@ -1,6 +1,5 @@
 #include "geometry/manifold/polyhedron.h"
 
-#include <map>
 #include <numeric>
 #include <utility>
 
@@ -29,23 +28,9 @@ class PolyhedronBuilder {
   void add_faces() {
     CollisionTree tree = collision_tree({nullptr, {{mesh_, 0}}, {}, {}});
     built_->nodes = std::move(tree.nodes);
-    // The mesh's triangles by their corners.
-    const auto key = [](const Eigen::Matrix3d& corners) {
-      std::array<double, 9> numbers{};
-      Eigen::Map<Eigen::Matrix3d>(numbers.data()) = corners;
-      return numbers;
-    };
-    std::multimap<std::array<double, 9>, int> by_corners;
-    for (int i = 0; i < static_cast<int>(mesh_.triangles.cols()); ++i) {
-      Eigen::Matrix3d corners;
-      for (int k = 0; k < 3; ++k) corners.col(k) = mesh_.vertices.col(mesh_.triangles(k, i));
-      by_corners.emplace(key(corners), i);
-    }
     place_.resize(static_cast<std::size_t>(mesh_.triangles.cols()));
     for (const SweptTriangle& triangle : tree.triangles) {
-      const auto found = by_corners.find(key(triangle.corners));
-      place_[static_cast<std::size_t>(found->second)] = static_cast<int>(built_->faces.size());
-      by_corners.erase(found);
+      place_[static_cast<std::size_t>(triangle.source)] = static_cast<int>(built_->faces.size());
       PolyhedronFace face;
       face.corners = triangle.corners;
       face.n = triangle.n;
@@ -91,7 +76,8 @@ class PolyhedronBuilder {
     PolyhedronFace& face =
         built_->faces[static_cast<std::size_t>(place_[static_cast<std::size_t>(one.triangle)])];
     PolyhedronEdge edge;
-    edge.corners = {corner_number(one.low), corner_number(one.high)};
+    add_corner(one.low);
+    add_corner(one.high);
     edge.from = mesh_.vertices.col(one.low);
     edge.way = mesh_.vertices.col(one.high) - mesh_.vertices.col(one.low);
     edge.normals = {
@@ -102,14 +88,13 @@ class PolyhedronBuilder {
     built_->edges.push_back(edge);
   }
 
-  /// The corner at a vertex, from now on one.
-  int corner_number(int vertex) {
+  /// Makes a vertex a corner, if it is none.
+  void add_corner(int vertex) {
     int& number = corner_of_[static_cast<std::size_t>(vertex)];
-    if (number >= 0) return number;
+    if (number >= 0) return;
     number = static_cast<int>(built_->corners.size());
     built_->corners.push_back({mesh_.vertices.col(vertex), 0, 0});
     vertex_of_.push_back(vertex);
-    return number;
   }
 
   void add_corners() {

@@ -15,7 +15,6 @@ namespace thenar {
 
 /// A convex edge: its faces bend away from each other by more than a degree.
 struct PolyhedronEdge {
-  std::array<int, 2> corners{};              // of Polyhedron::corners
   Eigen::Vector3d from{0, 0, 0};             // [m] (3)
   Eigen::Vector3d way{0, 0, 0};              // to the other corner [m] (3)
   std::array<Eigen::Vector3d, 2> normals{};  // of its faces, unit, outward (3)

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <limits>
 
+#include "geometry/manifold/ball_hull.h"
+
 namespace thenar::internal {
 namespace {
 
@@ -174,17 +176,12 @@ class RoundContacts {
  public:
   RoundContacts(const CollisionPart& a, const Polyhedron& b, const Pose<double>& X_BA,
                 double margin, std::vector<ManifoldPoint>& points)
-      : b_(b), margin_(margin), points_(points) {
-    p0_ = X_BA.p - a.half_length * X_BA.R.col(2);
-    way_ = 2 * a.half_length * X_BA.R.col(2);
-    radius_ = a.radius;
-    length_ = 2 * a.half_length;
-  }
+      : a_(a, X_BA), b_(b), margin_(margin), points_(points) {}
 
   double add(const NearFeatures& near) {
     for (const int i : near.faces_b) {
       const PolyhedronFace& face = b_.faces[static_cast<std::size_t>(i)];
-      for (int end = 0; end < (length_ > 0 ? 2 : 1); ++end) add_face(face, end);
+      for (int end = 0; end < (a_.length > 0 ? 2 : 1); ++end) add_face(face, end);
       for (const int e : face.own_edges)
         if (e >= 0) add_edge(e);
       for (const int c : face.own_corners)
@@ -194,14 +191,11 @@ class RoundContacts {
   }
 
  private:
-  [[nodiscard]] Vector3d at(double s) const { return p0_ + s * way_; }
-  [[nodiscard]] double radius(double s) const { return radius_[0] + s * (radius_[1] - radius_[0]); }
-
   /// The ball at an end over a face.
   void add_face(const PolyhedronFace& face, int end) {
-    const Vector3d c = at(end);
+    const Vector3d c = a_.at(end);
     const double height = face.n.dot(c - face.corners.col(0));
-    if (height < 0 || height - radius_[static_cast<std::size_t>(end)] > margin_ + kReach) return;
+    if (height < 0 || height - a_.radius(end) > margin_ + kReach) return;
     for (int k = 0; k < 3; ++k) {
       const Vector3d side = face.corners.col((k + 1) % 3) - face.corners.col(k);
       if (face.n.cross(side).dot(c - face.corners.col(k)) < 0) return;
@@ -215,55 +209,36 @@ class RoundContacts {
     const double square = edge.way.squaredNorm();
     const auto over = [&](double s, double t, int feature) {
       if (!(t > 0 && t < 1)) return;
-      const Vector3d on_b = edge.from + t * edge.way, arm = at(s) - on_b;
+      const Vector3d on_b = edge.from + t * edge.way, arm = a_.at(s) - on_b;
       const double distance = arm.norm();
       if (distance < 1e-12 || !is_between(edge, edge.way / std::sqrt(square), arm / distance))
         return;
       add_point(s, on_b, arm / distance, distance, feature, e);
     };
-    for (int end = 0; end < (length_ > 0 ? 2 : 1); ++end)
-      over(end, edge.way.dot(at(end) - edge.from) / square, end);
-    if (length_ == 0) return;
-    const SegmentPlaces nearest = nearest_place(edge.from, edge.way);
-    if (nearest.s > 0 && nearest.s < 1) over(nearest.s, nearest.t, 2);
+    for (int end = 0; end < (a_.length > 0 ? 2 : 1); ++end)
+      over(end, edge.way.dot(a_.at(end) - edge.from) / square, end);
+    if (a_.length == 0) return;
+    const SegmentPlaces nearest = nearest_balls(a_, {edge.from, edge.way});
+    if (nearest.s > 0 && nearest.s < 1) over(nearest.s, nearest.t, kBetween);
   }
 
   /// The ball nearest to a corner.
   void add_corner(int c) {
     const PolyhedronCorner& corner = b_.corners[static_cast<std::size_t>(c)];
-    const double s = nearest_place(corner.p, Vector3d::Zero()).s;
-    const Vector3d arm = at(s) - corner.p;
+    const double s = nearest_balls(a_, {corner.p, Vector3d::Zero()}).s;
+    const Vector3d arm = a_.at(s) - corner.p;
     const double distance = arm.norm();
     if (distance < 1e-12) return;
     for (int k = 0; k < corner.count; ++k)
       if (b_.ways[static_cast<std::size_t>(corner.first + k)].dot(arm) > kBesideArc * distance)
         return;
-    add_point(s, corner.p, arm / distance, distance, s <= 0 ? 0 : s >= 1 ? 1 : 2, 1 << 22U | c);
-  }
-
-  /// The ball nearest to a segment, by turns where radii change.
-  [[nodiscard]] SegmentPlaces nearest_place(const Vector3d& from, const Vector3d& way) const {
-    SegmentPlaces place = nearest_on_segments(p0_, way_, from, way);
-    const double grow = radius_[1] - radius_[0];
-    if (grow == 0 || length_ == 0) return place;
-    const double sine = -grow / length_, slope = sine / std::sqrt(std::max(1e-30, 1 - sine * sine));
-    const double square = way.squaredNorm();
-    for (int i = 0; i < 50; ++i) {
-      const SegmentPlaces last = place;
-      const Vector3d arm = from + place.t * way - p0_;
-      const double z = arm.dot(way_) / length_;
-      const double rho = std::sqrt(std::max(0.0, arm.squaredNorm() - z * z));
-      place.s = std::clamp((z - rho * slope) / length_, 0.0, 1.0);
-      if (square > 0) place.t = std::clamp(way.dot(at(place.s) - from) / square, 0.0, 1.0);
-      if (std::abs(place.s - last.s) + std::abs(place.t - last.t) < 1e-13) break;
-    }
-    return place;
+    add_point(s, corner.p, arm / distance, distance, feature_at(s), 1 << 22U | c);
   }
 
   void add_point(double s, const Vector3d& on_b, const Vector3d& n, double height, int of_a,
                  int of_b) {
     ManifoldPoint point;
-    point.gap = height - radius(s);
+    point.gap = height - a_.radius(s);
     least_ = std::min(least_, point.gap);
     if (point.gap > margin_) return;
     point.on_b = on_b;
@@ -273,27 +248,17 @@ class RoundContacts {
     points_.push_back(point);
   }
 
+  BallHull a_;
   const Polyhedron& b_;
   double margin_;
   std::vector<ManifoldPoint>& points_;
-  Vector3d p0_, way_;
-  std::array<double, 2> radius_;
-  double length_;
   double least_ = std::numeric_limits<double>::infinity();
 };
 
 /// The ball at s by the surface nearest to its centre.
-ManifoldPoint ball_within(const CollisionPart& a, const CollisionPart& b, const Pose<double>& X_BA,
-                          double s) {
-  const Vector3d c = X_BA * Vector3d(0, 0, (2 * s - 1) * a.half_length);
-  const NearestSurface seen = b.shape->nearest(c);
-  const double radius = (1 - s) * a.radius[0] + s * a.radius[1];
-  ManifoldPoint point;
-  point.on_a = c - radius * seen.normal;
-  point.on_b = c - seen.distance * seen.normal;
-  point.normal = seen.normal;
-  point.gap = seen.distance - radius;
-  point.feature = feature_key(FeatureKind::kWitness, s == 0 ? 0 : s == 1 ? 1 : 2, 0);
+ManifoldPoint ball_within(const BallHull& a, const Shape& b, double s) {
+  ManifoldPoint point = ball_on_shape(a, b, s);
+  point.feature = feature_key(FeatureKind::kWitness, feature_at(s), 0);
   return point;
 }
 
@@ -303,8 +268,8 @@ double round_on_polyhedron(const CollisionPart& a, const CollisionPart& b, const
                            double margin, PartMemory& memory, std::vector<ManifoldPoint>& points) {
   NearFeatures& near = memory.near;
   double moved = near.found ? motion_bound(a.ball, b.ball, near.X_BA, X_BA) : 0;
-  const Vector3d from = X_BA * Vector3d(0, 0, -a.half_length);
-  const Vector3d to = X_BA * Vector3d(0, 0, a.half_length);
+  const BallHull hull(a, X_BA);
+  const Vector3d from = hull.at(0), to = hull.at(1);
   if (!near.found || moved + margin > near.reach) {
     near.found = true;
     near.X_BA = X_BA;
@@ -323,7 +288,7 @@ double round_on_polyhedron(const CollisionPart& a, const CollisionPart& b, const
     // Both ends outside, the middle perhaps not.
     if (points.size() > first || a.half_length == 0) return least;
     for (const double s : {0.25, 0.5, 0.75}) {
-      const ManifoldPoint point = ball_within(a, b, X_BA, s);
+      const ManifoldPoint point = ball_within(hull, *b.shape, s);
       least = std::min(least, point.gap);
       if (point.gap <= margin) points.push_back(point);
     }
@@ -331,7 +296,7 @@ double round_on_polyhedron(const CollisionPart& a, const CollisionPart& b, const
   }
   for (const double s : {0.0, 1.0, 0.25, 0.5, 0.75}) {
     if (a.half_length == 0 && s > 0) break;
-    const ManifoldPoint point = ball_within(a, b, X_BA, s);
+    const ManifoldPoint point = ball_within(hull, *b.shape, s);
     least = std::min(least, point.gap);
     if (point.gap <= margin && (s == 0 || s == 1 || point.gap <= least)) points.push_back(point);
   }

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "geometry/collision/segment_bounds.h"
+#include "geometry/manifold/ball_hull.h"
 
 namespace thenar::internal {
 namespace {
@@ -14,65 +15,19 @@ using Eigen::Vector3d;
 constexpr double kDeeper = 1e-7;    // by which a point between two ends must be nearer to count [m]
 constexpr double kNowhere = 1e-13;  // centres nearer than this have no direction [m]
 constexpr double kOnRim = 1e-7;     // what is over a face's rim is over the face [m]
-constexpr int kEndLower = 0, kEndUpper = 1, kBetween = 2;  // features of a hull of two balls
-
-/// The hull of two balls, somewhere.
-struct Rounds {
-  Vector3d p0, way;  // centre of the lower ball, and from there to the upper one [m] (3)
-  double r0, grow;   // radius of the lower ball, and by how much the upper one is larger [m]
-  double length;     // of the way [m]
-
-  Rounds(const CollisionPart& part, const Pose<double>& X)
-      : p0(X.p - part.half_length * X.R.col(2)),
-        way(2 * part.half_length * X.R.col(2)),
-        r0(part.radius[0]),
-        grow(part.radius[1] - part.radius[0]),
-        length(2 * part.half_length) {}
-
-  [[nodiscard]] Vector3d at(double t) const { return p0 + t * way; }
-  [[nodiscard]] double radius(double t) const { return r0 + t * grow; }
-
-  /// Which ball is nearest to a point, were the axis endless.
-  [[nodiscard]] double foot(const Vector3d& q) const {
-    if (length == 0) return 0;
-    const Vector3d arm = q - p0;
-    const double z = arm.dot(way) / length;
-    if (grow == 0) return z / length;
-    // The side leans by alpha against the axis.
-    const double sine = -grow / length,
-                 cosine = std::sqrt(std::max(1e-30, (1 - sine) * (1 + sine)));
-    const double rho = std::sqrt(std::max(0.0, arm.squaredNorm() - z * z));
-    return (z - rho * sine / cosine) / length;
-  }
-};
-
-/// The nearest balls: those of the axes, and where radii change, one after the other from there.
-SegmentPlaces nearest_balls(const Rounds& a, const Rounds& b) {
-  SegmentPlaces at = nearest_on_segments(a.p0, a.way, b.p0, b.way);
-  if (a.grow == 0 && b.grow == 0) return at;
-  for (int i = 0; i < 100; ++i) {
-    const SegmentPlaces last = at;
-    at.s = std::clamp(a.foot(b.at(at.t)), 0.0, 1.0);
-    at.t = std::clamp(b.foot(a.at(at.s)), 0.0, 1.0);
-    if (std::abs(at.s - last.s) + std::abs(at.t - last.t) < 1e-13) break;
-  }
-  return at;
-}
 
 /// A direction from B to A where the centres coincide.
-Vector3d any_direction(const Rounds& a, const Rounds& b, const Vector3d& last) {
+Vector3d any_direction(const BallHull& a, const BallHull& b, const Vector3d& last) {
   Vector3d n = a.way.cross(b.way);
   if (n.norm() > 1e-9 * a.length * b.length)
     return n.dot(last) < 0 ? -n.normalized() : n.normalized();
   if (!last.isZero(0)) return last;
-  const Rounds& longer = a.length > b.length ? a : b;
+  const BallHull& longer = a.length > b.length ? a : b;
   return longer.length > 0 ? tangents(longer.way / longer.length).e1 : Vector3d::UnitZ();
 }
 
-int feature_at(double t) { return t <= 0 ? kEndLower : t >= 1 ? kEndUpper : kBetween; }
-
 /// The contact of two balls.
-ManifoldPoint ball_on_ball(const Rounds& a, const Rounds& b, const SegmentPlaces& at,
+ManifoldPoint ball_on_ball(const BallHull& a, const BallHull& b, const SegmentPlaces& at,
                            const PartMemory& memory) {
   const Vector3d p = a.at(at.s), q = b.at(at.t), arm = p - q;
   double distance = arm.norm();
@@ -94,7 +49,7 @@ ManifoldPoint ball_on_ball(const Rounds& a, const Rounds& b, const SegmentPlaces
 double round_on_round(const CollisionPart& part_a, const CollisionPart& part_b,
                       const Pose<double>& X_BA, double margin, PartMemory& memory,
                       std::vector<ManifoldPoint>& points) {
-  const Rounds a(part_a, X_BA), b(part_b, {});
+  const BallHull a(part_a, X_BA), b(part_b, {});
   const SegmentPlaces at = nearest_balls(a, b);
   const ManifoldPoint nearest = ball_on_ball(a, b, at, memory);
   const double least = nearest.gap;
@@ -137,7 +92,7 @@ struct AxisRange {
 };
 
 /// The part of A's axis that stands over the same face of B as its ball at `t`.
-AxisRange over_same_face(const Rounds& a, const CollisionPart& b, double t) {
+AxisRange over_same_face(const BallHull& a, const CollisionPart& b, double t) {
   AxisRange range;
   const Vector3d p = a.at(t);
   if (b.form == PartForm::kBox) {
@@ -161,20 +116,14 @@ AxisRange over_same_face(const Rounds& a, const CollisionPart& b, double t) {
 }
 
 /// The contact of A's ball at t.
-ManifoldPoint ball_on_shape(const Rounds& a, const Shape& b, double t, int feature) {
-  const Vector3d p = a.at(t);
-  const NearestSurface seen = b.nearest(p);
-  ManifoldPoint point;
-  point.on_a = p - a.radius(t) * seen.normal;
-  point.on_b = p - seen.distance * seen.normal;
-  point.normal = seen.normal;
-  point.gap = seen.distance - a.radius(t);
+ManifoldPoint ball_contact(const BallHull& a, const Shape& b, double t, int feature) {
+  ManifoldPoint point = ball_on_shape(a, b, t);
   point.feature = feature_key(FeatureKind::kBalls, feature, 0);
   return point;
 }
 
 /// Which ball of A is nearest to B: its distance is convex along the axis.
-double nearest_ball(const Rounds& a, const Shape& b) {
+double nearest_ball(const BallHull& a, const Shape& b) {
   if (a.length == 0) return 0;
   const auto tangent = [&](double t) {
     const NearestSurface seen = b.nearest(a.at(t));
@@ -188,10 +137,10 @@ double nearest_ball(const Rounds& a, const Shape& b) {
 double round_on_convex(const CollisionPart& part_a, const CollisionPart& part_b,
                        const Pose<double>& X_BA, double margin, PartMemory& memory,
                        std::vector<ManifoldPoint>& points) {
-  const Rounds a(part_a, X_BA);
+  const BallHull a(part_a, X_BA);
   const Shape& b = *part_b.shape;
   const double t = nearest_ball(a, b);
-  const ManifoldPoint nearest = ball_on_shape(a, b, t, kBetween);
+  const ManifoldPoint nearest = ball_contact(a, b, t, kBetween);
   memory.n = nearest.normal;
   memory.overlapped = nearest.gap < 0;
   if (nearest.gap > margin) return nearest.gap;
@@ -202,7 +151,7 @@ double round_on_convex(const CollisionPart& part_a, const CollisionPart& part_b,
   if (range.to > range.from)
     for (const int end : {kEndLower, kEndUpper}) {
       const double at = end == kEndLower ? range.from : range.to;
-      const ManifoldPoint point = ball_on_shape(a, b, at, end);
+      const ManifoldPoint point = ball_contact(a, b, at, end);
       if (point.normal.dot(nearest.normal) < 0.5) continue;
       least_end = std::min(least_end, point.gap);
       if (point.gap <= margin) points.push_back(point);

@@ -8,22 +8,12 @@
 #include <Eigen/Geometry>
 
 #include "base/units.h"
-#include "dynamics/mechanism/tree_model.h"
 
 namespace thenar {
 namespace {
 
 std::string body_name(const SimulatedScene& scene, int body) {
   return scene.built->scene.mechanism.bodies[static_cast<std::size_t>(body)].name;
-}
-
-/// Bodies that move.
-std::vector<std::size_t> moving_bodies(const SimulatedScene& scene) {
-  const TreeModel model = tree_model(scene.built->scene.mechanism);
-  std::vector<std::size_t> moving;
-  for (std::size_t i = 0; i < model.bodies.size(); ++i)
-    if (model.bodies[i].link >= 0) moving.push_back(i);
-  return moving;
 }
 
 /// Centre of mass of a body at an instant [m].
@@ -53,7 +43,7 @@ Table body_table(const SimulatedScene& scene) {
   Table table{{"body", "x_mm", "y_mm", "z_mm", "moved_mm", "turned_deg", "speed_m_s", "spin_rad_s"},
               {}};
   const std::size_t last = scene.run.samples.size() - 1;
-  for (const std::size_t body : moving_bodies(scene)) {
+  for (const std::size_t body : scene.measures.moving) {
     const Eigen::Vector3d end = centre(scene, last, body);
     const Eigen::Vector3d way = end - centre(scene, 0, body);
     table.rows.push_back(row({{scene.built->scene.mechanism.bodies[body].name},
@@ -84,7 +74,7 @@ Table pair_table(const SimulatedScene& scene) {
 OrderedJson bodies_json(const SimulatedScene& scene) {
   OrderedJson list = OrderedJson::array();
   const std::size_t last = scene.run.samples.size() - 1;
-  for (const std::size_t body : moving_bodies(scene)) {
+  for (const std::size_t body : scene.measures.moving) {
     const Pose<double>& X = scene.measures.X_WB.back()[body];
     const SceneVelocity& velocity = scene.measures.velocity[body];
     list.push_back({{"body", scene.built->scene.mechanism.bodies[body].name},
@@ -205,7 +195,7 @@ OrderedJson json_of(const SimulatedScene& scene) {
 }
 
 Table table_of(const SimulatedScene& scene) {
-  const std::vector<std::size_t> moving = moving_bodies(scene);
+  const std::vector<std::size_t> moving = scene.measures.moving;
   Table table{{"time_s", "kinetic_J", "weight_J", "springs_J", "contacts"}, {}};
   for (const std::size_t body : moving)
     for (const char* axis : {"x", "y", "z"})
@@ -269,7 +259,7 @@ Table table_of(const SceneSweep& sweep) {
 }
 
 std::vector<std::string> warnings_of(const SimulatedScene& scene) {
-  std::vector<std::string> warnings = scene.warnings;
+  std::vector<std::string> warnings = scene.built->warnings;
   if (scene.run.cost.passed > 0)
     warnings.push_back(fmt::format(
         "events followed each other without end {} times: fixed steps went on by 1 ms each time, "
@@ -278,7 +268,14 @@ std::vector<std::string> warnings_of(const SimulatedScene& scene) {
   return warnings;
 }
 
-std::vector<std::string> warnings_of(const SceneSweep& sweep) { return sweep.warnings; }
+std::vector<std::string> warnings_of(const SceneSweep& sweep) {
+  std::vector<std::string> all;
+  for (const SimulatedScene& run : sweep.runs)
+    for (std::string& warning : warnings_of(run))
+      if (std::find(all.begin(), all.end(), warning) == all.end())
+        all.push_back(std::move(warning));
+  return all;
+}
 
 std::string refusal_of(const SimulatedScene& scene) {
   const SceneCost& cost = scene.run.cost;

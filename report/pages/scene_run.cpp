@@ -8,7 +8,6 @@
 #include <fmt/format.h>
 
 #include "base/units.h"
-#include "dynamics/mechanism/tree_model.h"
 #include "report/answers/simulate_scene.h"
 #include "report/provenance.h"
 #include "report/scene/mesh_table.h"
@@ -20,7 +19,6 @@ using Eigen::Index;
 
 constexpr Index kPlayed = 240;          // instants of the player, at most
 constexpr std::size_t kCurves = 24;     // in one chart, at most
-constexpr double kSharpEdge = 35;       // edges sharper than this look sharp [deg]
 constexpr double kLongestArrow = 0.25;  // of the largest contact force, over the scene's size [1]
 constexpr double kBodyOpacity = 0.5;    // of bodies that are no links [1]
 const char* const kForceColor = "#b3261e";
@@ -36,10 +34,10 @@ const char* color_of_owner(std::size_t index) {
 class SceneFilm {
  public:
   SceneFilm(const SimulatedScene& scene, MeshTable& meshes)
-      : scene_(scene), mechanism_(scene.built->scene.mechanism), model_(tree_model(mechanism_)) {
+      : scene_(scene), mechanism_(scene.built->scene.mechanism) {
     for (const MechanismBody& body : mechanism_.bodies)
       meshes_.push_back(body.solid && !body.solid->visual.empty()
-                            ? meshes.add(body.solid->visual, {kSharpEdge, {}})
+                            ? meshes.add(body.solid->visual, {kBodyCrease, {}})
                             : "");
     for (const std::string& owner : scene.built->owner)
       if (colors_.count(owner) == 0) colors_.emplace(owner, color_of_owner(colors_.size()));
@@ -67,8 +65,8 @@ class SceneFilm {
         largest_force_ = std::max(largest_force_, contact.force.norm());
     // The size of what moves, at the start.
     Eigen::AlignedBox3d box;
-    for (std::size_t b = 0; b < meshes_.size(); ++b) {
-      if (meshes_[b].empty() || model_.bodies[b].link < 0) continue;
+    for (const std::size_t b : scene_.measures.moving) {
+      if (meshes_[b].empty()) continue;
       const Eigen::Matrix3Xd& vertices = mechanism_.bodies[b].solid->visual.vertices;
       for (Index k = 0; k < vertices.cols(); ++k)
         box.extend(scene_.measures.X_WB.front()[b] * Eigen::Vector3d(vertices.col(k)));
@@ -77,18 +75,17 @@ class SceneFilm {
   }
 
   [[nodiscard]] Json item(std::size_t body, std::size_t instant) const {
-    const Pose<double>& X = scene_.measures.X_WB[instant][body];
-    return {{"kind", "mesh"},
-            {"mesh", meshes_[body]},
-            {"rotation",
-             Json::array({numbers3(X.R.row(0)), numbers3(X.R.row(1)), numbers3(X.R.row(2))})},
-            {"position", in_mm(X.p)}};
+    return mesh_item(meshes_[body], scene_.measures.X_WB[instant][body]);
+  }
+
+  [[nodiscard]] bool moves(std::size_t body) const {
+    return std::binary_search(scene_.measures.moving.begin(), scene_.measures.moving.end(), body);
   }
 
   void add_fixed(Json& layers) const {
     Json items = Json::array();
     for (std::size_t b = 0; b < meshes_.size(); ++b)
-      if (!meshes_[b].empty() && model_.bodies[b].link < 0) items.push_back(item(b, 0));
+      if (!meshes_[b].empty() && !moves(b)) items.push_back(item(b, 0));
     if (items.empty()) return;
     Json fixed = layer("stands still", kFixedColor, std::move(items));
     fixed["fit"] = false;
@@ -98,8 +95,8 @@ class SceneFilm {
   void add_instant(std::size_t instant, Json& layers) const {
     const SceneSample& sample = scene_.run.samples[instant];
     Json items = Json::array(), arrows = Json::array();
-    for (std::size_t b = 0; b < meshes_.size(); ++b) {
-      if (meshes_[b].empty() || model_.bodies[b].link < 0) continue;
+    for (const std::size_t b : scene_.measures.moving) {
+      if (meshes_[b].empty()) continue;
       items.push_back(item(b, instant));
       items.back()["color"] = colors_.at(scene_.built->owner[b]);
       // Links are called after their hand; what they hold is seen through, so that forces are.
@@ -128,7 +125,6 @@ class SceneFilm {
 
   const SimulatedScene& scene_;
   const Mechanism& mechanism_;
-  TreeModel model_;
   std::vector<std::string> meshes_;  // of each body; empty: it has none
   std::map<std::string, std::string> colors_;
   double largest_force_ = 0;  // [N]
@@ -185,15 +181,13 @@ Json energy_chart(const SimulatedScene& scene) {
 /// Places of the bodies that move, a chart for each direction.
 Json place_charts(const SimulatedScene& scene) {
   const Mechanism& mechanism = scene.built->scene.mechanism;
-  const TreeModel model = tree_model(mechanism);
   Json blocks = Json::array();
   for (Index axis = 0; axis < 3; ++axis) {
     TimeChart chart(scene);
-    for (std::size_t b = 0; b < model.bodies.size(); ++b)
-      if (model.bodies[b].link >= 0)
-        chart.add(mechanism.bodies[b].name, [&](std::size_t i) {
-          return (scene.measures.X_WB[i][b] * mechanism.bodies[b].mass.com)[axis] / kMm;
-        });
+    for (const std::size_t b : scene.measures.moving)
+      chart.add(mechanism.bodies[b].name, [&](std::size_t i) {
+        return (scene.measures.X_WB[i][b] * mechanism.bodies[b].mass.com)[axis] / kMm;
+      });
     if (chart.empty()) continue;
     const char name = "xyz"[axis];
     blocks.push_back(chart.block(fmt::format("Places of the centres of mass along {}", name),
@@ -225,12 +219,13 @@ Json run_banner(const SimulatedScene& scene) {
             {"ok", false},
             {"title", "Do not use this motion"},
             {"reasons", Json::array({refusal})}};
+  const std::vector<std::string> warnings = warnings_of(scene);
   return {{"type", "banner"},
           {"ok", true},
-          {"caution", !scene.warnings.empty()},
+          {"caution", !warnings.empty()},
           {"title", fmt::format("All contact problems were solved; worst residual {:.2g}",
                                 scene.run.cost.worst_residual)},
-          {"reasons", scene.warnings}};
+          {"reasons", warnings}};
 }
 
 }  // namespace

@@ -14,7 +14,6 @@ constexpr const char* kObject = "#e6a83c";
 constexpr const char* kObstacle = "#b9c0c9";
 constexpr const char* kContact = "#b3261e";
 const MeshColor kSkinColor(0xdf, 0xab, 0x8f), kNailColor(0xf0, 0xd3, 0xc6);
-constexpr double kCrease = 35;          // [deg]
 constexpr double kObjectOpacity = 0.6;  // [1]
 constexpr double kArrow = 0.25;         // of the object's reach [1]
 constexpr double kLongest = 12e-3;      // arrows and sides of cones, of small objects shorter [m]
@@ -46,7 +45,7 @@ std::string color_of(const Hand& hand, const std::string& digit, std::size_t ind
 /// The look of a surface: nails on skin.
 MeshLook look_of(const LinkSurface& surface, const std::vector<SkinPatch>& patches) {
   if (surface.material == "bone") return {};
-  if (surface.material != "skin") return {kCrease, {}};
+  if (surface.material != "skin") return {kBodyCrease, {}};
   MeshLook look;
   for (const SkinPatch& patch : patches) {
     if (patch.kind != PatchKind::kNail || patch.middle.digit != surface.digit ||
@@ -60,14 +59,6 @@ MeshLook look_of(const LinkSurface& surface, const std::vector<SkinPatch>& patch
   return look;
 }
 
-Json rows_of(const Eigen::Matrix3d& R) {
-  return Json::array({numbers3(R.row(0)), numbers3(R.row(1)), numbers3(R.row(2))});
-}
-
-Json mesh_item(const std::string& mesh, const Pose<double>& X) {
-  return {{"kind", "mesh"}, {"mesh", mesh}, {"rotation", rows_of(X.R)}, {"position", in_mm(X.p)}};
-}
-
 /// A layer that the view need not hold.
 Json out_of_fit(Json layer) {
   layer["fit"] = false;
@@ -75,7 +66,7 @@ Json out_of_fit(Json layer) {
 }
 
 Json body_item(const SceneBody& body, MeshTable& meshes) {
-  return mesh_item(meshes.add(body.solid.visual, {kCrease, {}}), body.X_WB);
+  return mesh_item(meshes.add(body.solid.visual, {kBodyCrease, {}}), body.X_WB);
 }
 
 }  // namespace

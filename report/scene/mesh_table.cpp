@@ -81,4 +81,12 @@ std::string MeshTable::add(const TriangleMesh& mesh, const MeshLook& look) {
   return entry->second;
 }
 
+Json mesh_item(const std::string& mesh, const Pose<double>& X) {
+  return {
+      {"kind", "mesh"},
+      {"mesh", mesh},
+      {"rotation", Json::array({numbers3(X.R.row(0)), numbers3(X.R.row(1)), numbers3(X.R.row(2))})},
+      {"position", in_mm(X.p)}};
+}
+
 }  // namespace thenar

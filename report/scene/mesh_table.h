@@ -8,6 +8,7 @@
 
 #include <Eigen/Core>
 
+#include "base/spatial.h"
 #include "geometry/triangle_mesh.h"
 #include "report/blocks.h"
 
@@ -21,6 +22,12 @@ struct MeshLook {
   double crease = -1;             // sharper edges look sharp [deg]; negative: all are smooth
   std::vector<MeshColor> colors;  // of every vertex; empty: that of its layer
 };
+
+/// Edges of bodies that are sharper than this look sharp [deg].
+inline constexpr double kBodyCrease = 35;
+
+/// A mesh of the table as a scene shows it, at a pose.
+[[nodiscard]] Json mesh_item(const std::string& mesh, const Pose<double>& X);
 
 /// The `meshes` of a report. Corners are rounded to a 65534th of the mesh's largest side, 3 um for
 /// 0.2 m.
