@@ -108,6 +108,20 @@ class MassMatrix {
     for (std::size_t k = 0; k < size_; ++k) M_[k * size_ + k] += diagonal[at(k)];
     return factorise(motion.model());
   }
+  /// The same with a symmetric matrix added, of which only entries that the tree has count.
+  /// @param added  indexable by (i, j) (v, v)
+  template <typename Diagonal, typename Added>
+  bool set(const TreeMotion<T>& motion, const Diagonal& diagonal, const Added& added) {
+    assemble(motion);
+    for (std::size_t k = 0; k < size_; ++k) {
+      M_[k * size_ + k] += diagonal[at(k)] + added(at(k), at(k));
+      for (const int i : motion.model().coupled_to[k]) {
+        entry(static_cast<int>(k), i) += added(at(k), i);
+        entry(i, static_cast<int>(k)) += added(at(k), i);
+      }
+    }
+    return factorise(motion.model());
+  }
 
   /// Entry of M.
   [[nodiscard]] const T& operator()(int i, int j) const {

@@ -111,6 +111,14 @@ double work_between(const MovingScene& scene, const MechanismLayout& layout,
   return work;
 }
 
+/// Work of elements beyond what they store [J]: their springs are among the energies.
+double work_of_elements(const SceneRun& run) {
+  const SceneSample &first = run.samples.front(), &last = run.samples.back();
+  if (last.z.size() == 0) return 0;
+  const Eigen::Index work = last.z.size() - 1;
+  return last.z[work] - first.z[work] + last.energy.of_elements - first.energy.of_elements;
+}
+
 /// Velocities of all bodies at an instant.
 std::vector<SceneVelocity> velocities_at(const Mechanism& mechanism, const TreeModel& model,
                                          const SceneSample& sample) {
@@ -130,7 +138,7 @@ std::vector<SceneVelocity> velocities_at(const Mechanism& mechanism, const TreeM
 /// The instant with what touches at it: the start comes before any step, and has no forces yet.
 SceneSample with_touching(const SceneSample& sample, ContactStep& step) {
   std::vector<ActiveContact> found;
-  step.find({sample.t, sample.q, sample.v}, SceneOptions().touch, found);
+  step.find({sample.t, sample.q, sample.v, sample.z}, SceneOptions().touch, found);
   SceneSample out = sample;
   for (const ActiveContact& contact : found) {
     if (contact.kind != ActiveContact::Kind::kContact) continue;
@@ -167,6 +175,7 @@ RunMeasures measure_run(const MovingScene& scene, const SceneRun& run) {
   }
   for (const auto& [bodies, pair] : pairs) out.pairs.push_back(pair);
   out.velocity = velocities_at(scene.mechanism, step.model(), run.samples.back());
+  out.work += work_of_elements(run);
   out.dissipated =
       run.samples.front().energy.total() + out.work - run.samples.back().energy.total();
   return out;

@@ -25,13 +25,19 @@ void note_deeper(const ActiveContact& contact, StepOutcome& outcome) {
 
 struct ContactStep::Parts {
   explicit Parts(const MovingScene& s)
-      : scene(s), model(tree_model(scene.mechanism)), motion(model), mass(model), inverse(model) {
+      : scene(s),
+        model(tree_model(scene.mechanism)),
+        motion(model),
+        mass(model),
+        inverse(model),
+        elements(scene.elements, model.layout.v) {
     check_scene(scene);
     if (!model.has_couplings) articulated = std::make_unique<ArticulatedBody<double>>(model);
     const int n = model.layout.v;
     tau = v_free = zero = change = stiffness = damping = implicit = Eigen::VectorXd::Zero(n);
     const auto resists = [](const auto& each) { return each.stiffness > 0 || each.damping > 0; };
     has_slopes =
+        !elements.empty() ||
         std::any_of(scene.mechanism.joints.begin(), scene.mechanism.joints.end(), resists) ||
         std::any_of(scene.drives.begin(), scene.drives.end(), resists);
     build_collision();
@@ -135,8 +141,9 @@ struct ContactStep::Parts {
     if (joint.friction > 0) add(Kind::kJointFriction, 0, rate);
   }
 
-  /// Efforts of springs, dampers and drives, their slopes, and loads on bodies, after place().
-  void load(const SceneState& state) {
+  /// Efforts of springs, dampers, drives and elements, their slopes, and loads on bodies, after
+  /// place(). @return whether all elements could act
+  bool load(const SceneState& state) {
     tau.setZero();
     stiffness.setZero();
     damping.setZero();
@@ -158,6 +165,26 @@ struct ContactStep::Parts {
       motion.add_load(link_of(force.body), motion.pose(force.body) * force.point, force.force,
                       force.moment);
     }
+    return act(state);
+  }
+
+  [[nodiscard]] ElementInput seen_by_elements(const SceneState& state) const {
+    return {state.t, acting, state.q, state.v, state.z, motion, 0};
+  }
+
+  /// Adds what elements do.
+  bool act(const SceneState& state) {
+    if (elements.empty()) return true;
+    const bool acted = elements.act(seen_by_elements(state));
+    tau += elements.action().tau;
+    return acted;
+  }
+
+  /// States of elements after h, by what act() found [SceneElements].
+  void advance_elements(double h, SceneState& state) const {
+    if (elements.empty()) return;
+    const ElementAction& action = elements.action();
+    state.z.array() += h * action.z_rate.array() / (1 + h * action.z_decay.array());
   }
 
   void add_drive(const SceneDrive& drive, const SceneState& state) {
@@ -177,10 +204,21 @@ struct ContactStep::Parts {
   /// the step (d = 1) or in its mean (d = 1/2), to first order.
   bool free_velocity(const SceneState& state, double h, double d) {
     implicit = (d * h) * damping + (d * h * d * h) * stiffness;
-    const bool positive = mass.set(motion, implicit);
+    const bool positive =
+        h > 0 && !elements.empty() ? set_with_elements(d * h) : mass.set(motion, implicit);
     v_free = state.v;
     if (h > 0) add_efforts(h);
     return positive;
+  }
+
+  /// The factor of A with the slopes of elements; where these pull A below zero, as a tendon over a
+  /// bent joint may, what is positive on their diagonal alone.
+  bool set_with_elements(double dh) {
+    const ElementAction& action = elements.action();
+    slopes = dh * action.damping + (dh * dh) * action.stiffness;
+    if (mass.set(motion, implicit, slopes)) return true;
+    implicit += slopes.diagonal().cwiseMax(0);
+    return mass.set(motion, implicit);
   }
 
   /// v_free += A^-1 h (tau - h(q, v)).
@@ -354,7 +392,9 @@ struct ContactStep::Parts {
   Eigen::VectorXd tau, v_free, v_mean, zero, start, change;
   Eigen::VectorXd stiffness, damping;  // of springs, dampers and drives, over the speeds (v)
   Eigen::VectorXd implicit;            // what they add to the mass matrix (v)
-  Eigen::MatrixXd J, Y;                // rows as columns (v, rows)
+  SceneElements elements;
+  Eigen::MatrixXd slopes;  // of elements, as they enter A (v, v)
+  Eigen::MatrixXd J, Y;    // rows as columns (v, rows)
   ContactProblem problem;
   ContactSolver solver;
   ContactSolverOptions solver_options;
@@ -408,8 +448,9 @@ void ContactStep::substep(SceneState& state, double h, const std::vector<ActiveC
     contact.torsion = old->torsion;
     outcome.active.push_back(contact);
   }
-  p.load(state);
-  outcome.solved = p.free_velocity(state, h, 1);
+  const bool acted = p.load(state);
+  outcome.solved = p.free_velocity(state, h, 1) && acted;
+  p.advance_elements(h, state);
   if (outcome.active.empty()) {
     state.v = p.v_free;
     return;
@@ -431,9 +472,16 @@ void ContactStep::time_step(SceneState& state, double h, const std::vector<Activ
     return;
   }
   p.place(state);
-  p.load(state);
-  outcome.solved = p.free_velocity(state, h, 0.5);
+  // States of elements at the middle, then their efforts there.
+  const Eigen::VectorXd z_before = state.z;
+  bool acted = p.load(state);
+  if (!p.elements.empty()) {
+    p.advance_elements(0.5 * h, state);
+    acted = p.load(state) && acted;
+  }
+  outcome.solved = p.free_velocity(state, h, 0.5) && acted;
   outcome.residual = 0;
+  state.z = 2 * state.z - z_before;
   // Once more with the velocity product at the mean of the speeds before and after; efforts stay,
   // as the mass matrix has their slopes.
   p.v_mean = 0.5 * (state.v + p.v_free);
@@ -569,21 +617,44 @@ ContactStep::Energy ContactStep::energy(const SceneState& state) {
     const double stretch = p.value_of(i, state).value - joint.rest;
     out.springs += 0.5 * joint.stiffness * stretch * stretch;
   }
+  out.of_elements = p.elements.energy(p.seen_by_elements(state));
+  out.springs += out.of_elements;
   return out;
 }
 
-void ContactStep::free_rates(const SceneState& state, Eigen::VectorXd& q_dot,
-                             Eigen::VectorXd& v_dot) {
+bool ContactStep::free_rates(const SceneState& state, Eigen::VectorXd& q_dot,
+                             Eigen::VectorXd& v_dot, Eigen::VectorXd& z_dot) {
   Parts& p = *parts_;
   p.place(state);
-  p.load(state);
+  const bool acted = p.load(state);
+  z_dot = p.elements.action().z_rate;
   position_rates(p.scene.mechanism, p.model.layout, state.q, state.v, q_dot);
   if (p.articulated) {
     p.articulated->accelerations(p.motion, p.scene.gravity, p.tau, v_dot);
-    return;
+    return acted;
   }
   p.mass.set(p.motion);
   p.solve_efforts(1, v_dot);
+  return acted;
+}
+
+SceneState ContactStep::start() const {
+  const Parts& p = *parts_;
+  return {0, p.scene.q, p.scene.v, p.elements.start(p.scene.q)};
+}
+
+void ContactStep::accept(const SceneState& state) {
+  Parts& p = *parts_;
+  if (p.elements.empty()) return;
+  p.place(state);
+  p.elements.accept(p.seen_by_elements(state));
+}
+
+bool ContactStep::elements_move(const SceneState& state) {
+  Parts& p = *parts_;
+  if (p.elements.empty()) return false;
+  p.place(state);
+  return p.elements.moves(p.seen_by_elements(state));
 }
 
 void ContactStep::note_new(const std::vector<ActiveContact>& found,
@@ -601,9 +672,13 @@ bool ContactStep::is_stiff(const SceneState& state, double h) {
   p.place(state);
   p.load(state);
   p.mass.set(p.motion);
-  for (int i = 0; i < p.model.layout.v; ++i)
-    if (h * p.damping[i] + h * h * p.stiffness[i] > p.mass(i, i)) return true;
-  return false;
+  const ElementAction& action = p.elements.action();
+  for (int i = 0; i < p.model.layout.v; ++i) {
+    double slope = h * p.damping[i] + h * h * p.stiffness[i];
+    if (!p.elements.empty()) slope += h * action.damping(i, i) + h * h * action.stiffness(i, i);
+    if (slope > p.mass(i, i)) return true;
+  }
+  return !p.elements.empty() && (h * action.z_decay).maxCoeff() > 1;
 }
 
 void ContactStep::normalise(Eigen::VectorXd& q) const {

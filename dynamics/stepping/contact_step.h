@@ -20,9 +20,10 @@ inline constexpr double kNearGap = 1e-4;
 
 /// Where a scene is.
 struct SceneState {
-  double t = 0;       // [s]
-  Eigen::VectorXd q;  // positions (q)
-  Eigen::VectorXd v;  // speeds (v)
+  double t = 0;         // [s]
+  Eigen::VectorXd q;    // positions (q)
+  Eigen::VectorXd v;    // speeds (v)
+  Eigen::VectorXd z{};  // states of elements, see SceneElements; empty: not asked for (z)
 };
 
 /// What a contact or a joint limit does during a step: its motion, whether it has a force or not.
@@ -91,10 +92,11 @@ class ContactStep {
 
   /// Half-explicit Euler step on the contacts of `closed`:
   ///   q+ = q + h v,   v+ = v + A^-1 (h f(q+, v) + J(q+)' P),   A = M(q+) + h D + h^2 K,
-  /// D and K the damping and stiffness of joints and drives, so that stiff ones ask for no short
-  /// step; where the impulses P keep the velocities J v+ from closing gaps and obey Coulomb's law
-  /// with the exact cone. It is of first order, its error has an expansion in h while all modes
-  /// stay, and J v+ = 0 holds to rounding where contacts stick.
+  /// D and K the damping and stiffness of joints, drives and elements, so that stiff ones ask for
+  /// no short step, and  z+ = z + h z'(q+, v, z) / (1 + h decay)  for states of elements; where the
+  /// impulses P keep the velocities J v+ from closing gaps and obey Coulomb's law with the exact
+  /// cone. It is of first order, its error has an expansion in h while all modes stay, and J v+ = 0
+  /// holds to rounding where contacts stick.
   ///
   /// A contact of `closed` counts as long as it has a force, whatever its gap; one that has opened
   /// counts again when its gap is below `touch`. Others count only in `outcome.deepest_new`.
@@ -133,16 +135,26 @@ class ContactStep {
   /// Poses of all bodies at a state.
   void poses(const SceneState& state, std::vector<Pose<double>>& out);
 
-  /// Energies at a state.
+  /// Energies at a state. Springs are those of joints and elements.
   struct Energy {
     double kinetic = 0, weight = 0, springs = 0;  // [J]
+    double of_elements = 0;                       // the part of `springs` that elements store [J]
     [[nodiscard]] double total() const { return kinetic + weight + springs; }
   };
   [[nodiscard]] Energy energy(const SceneState& state);
 
   /// Rates of the state without contacts, limits and dry friction.
-  /// @param q_dot  (q);  @param v_dot  (v)
-  void free_rates(const SceneState& state, Eigen::VectorXd& q_dot, Eigen::VectorXd& v_dot);
+  /// @param q_dot  (q);  @param v_dot  (v);  @param z_dot  (z)
+  /// @return whether all elements could act
+  bool free_rates(const SceneState& state, Eigen::VectorXd& q_dot, Eigen::VectorXd& v_dot,
+                  Eigen::VectorXd& z_dot);
+
+  /// The scene's beginning.
+  [[nodiscard]] SceneState start() const;
+  /// A step ended at a state: elements go on from there.
+  void accept(const SceneState& state);
+  /// Whether an element may move what rests.
+  [[nodiscard]] bool elements_move(const SceneState& state);
 
   /// Most negative gap among contacts that are not in `closed`, and how fast it closes.
   static void note_new(const std::vector<ActiveContact>& found,

@@ -40,30 +40,35 @@ double error_of(const Rates& k) {
 
 }  // namespace
 
-FreeStep::FreeStep(Eigen::Index size_q, Eigen::Index size_v) {
-  q_rate_.fill(Eigen::VectorXd::Zero(size_q));
-  v_rate_.fill(Eigen::VectorXd::Zero(size_v));
+FreeStep::FreeStep(const SceneState& start) {
+  q_rate_.fill(Eigen::VectorXd::Zero(start.q.size()));
+  v_rate_.fill(Eigen::VectorXd::Zero(start.v.size()));
+  z_rate_.fill(Eigen::VectorXd::Zero(start.z.size()));
 }
 
 FreeStep::Error FreeStep::step(ContactStep& scene, double h, SceneState& state) {
+  bool acted = true;
   for (std::size_t i = 0; i < kStages; ++i) {
     at_.t = state.t + kNodes[i] * h;
     at_.q = state.q;
     at_.v = state.v;
+    at_.z = state.z;
     for (std::size_t j = 0; j < i; ++j) {
       if (kStage[i][j] == 0) continue;
       at_.q += (h * kStage[i][j]) * q_rate_[j];
       at_.v += (h * kStage[i][j]) * v_rate_[j];
+      at_.z += (h * kStage[i][j]) * z_rate_[j];
     }
-    scene.free_rates(at_, q_rate_[i], v_rate_[i]);
+    acted = scene.free_rates(at_, q_rate_[i], v_rate_[i], z_rate_[i]) && acted;
   }
   for (std::size_t i = 0; i < kStages; ++i) {
     state.q += (h * kWeights[i]) * q_rate_[i];
     state.v += (h * kWeights[i]) * v_rate_[i];
+    state.z += (h * kWeights[i]) * z_rate_[i];
   }
   scene.normalise(state.q);
   state.t += h;
-  return {h * error_of(q_rate_), h * error_of(v_rate_)};
+  return {h * error_of(q_rate_), h * error_of(v_rate_), h * error_of(z_rate_), acted};
 }
 
 }  // namespace thenar

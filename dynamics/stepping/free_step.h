@@ -14,20 +14,22 @@ class FreeStep {
  public:
   static constexpr std::size_t kStages = 13;
 
-  /// @param size_q  positions;  @param size_v  speeds
-  FreeStep(Eigen::Index size_q, Eigen::Index size_v);
+  /// @param start  any state of the scene
+  explicit FreeStep(const SceneState& start);
 
   /// Error of a step.
   struct Error {
-    double q;  // of positions [m], [rad]
-    double v;  // of speeds [m/s], [rad/s]
+    double q;           // of positions [m], [rad]
+    double v;           // of speeds [m/s], [rad/s]
+    double z;           // of states of elements
+    bool acted = true;  // all elements could act
   };
 
   /// Moves a state by h. Quaternions have length 1 afterwards.
   Error step(ContactStep& scene, double h, SceneState& state);
 
  private:
-  std::array<Eigen::VectorXd, kStages> q_rate_, v_rate_;
+  std::array<Eigen::VectorXd, kStages> q_rate_, v_rate_, z_rate_;
   SceneState at_;
 };
 

@@ -171,6 +171,8 @@ std::vector<double> switching_times(const MovingScene& scene) {
   };
   for (const SceneForce& force : scene.forces) add(force.when);
   for (const SceneDrive& drive : scene.drives) add(drive.when);
+  for (const std::shared_ptr<const ForceElement>& element : scene.elements)
+    for (const double t : element->switches()) times.push_back(t);
   std::sort(times.begin(), times.end());
   times.erase(std::unique(times.begin(), times.end()), times.end());
   return times;

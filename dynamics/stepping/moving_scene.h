@@ -3,6 +3,7 @@
 /// A scene that moves: a mechanism, what acts on it, and how its bodies rub.
 
 #include <limits>
+#include <memory>
 #include <string>
 #include <utility>
 #include <vector>
@@ -10,6 +11,7 @@
 #include <Eigen/Core>
 
 #include "dynamics/mechanism/mechanism.h"
+#include "dynamics/stepping/force_element.h"
 
 namespace thenar {
 
@@ -61,6 +63,7 @@ struct MovingScene {
   Eigen::Vector3d gravity{0, 0, -9.81};  // of free fall [m/s^2] (3)
   std::vector<SceneForce> forces;
   std::vector<SceneDrive> drives;
+  std::vector<std::shared_ptr<const ForceElement>> elements;
   PairFriction friction{};  // of pairs that are not named
   std::vector<std::pair<std::pair<int, int>, PairFriction>> friction_pairs;  // by bodies
   std::vector<std::pair<int, int>> apart;  // pairs of bodies that are never asked for contacts
@@ -98,7 +101,8 @@ void set_free_velocity(const Mechanism& mechanism, int body, const Eigen::Vector
                        const Eigen::Vector3d& linear, const Eigen::Vector3d& angular,
                        Eigen::VectorXd& v);
 
-/// Instants at which a force or drive begins or ends, in order, each once [s].
+/// Instants at which a force or drive begins or ends, or the law of an element changes, in order,
+/// each once [s].
 [[nodiscard]] std::vector<double> switching_times(const MovingScene& scene);
 
 }  // namespace thenar

@@ -53,14 +53,13 @@ class Simulation {
         options_(options),
         progress_(progress),
         switches_(switching_times(scene)),
-        free_(scene.q.size(), scene.v.size()) {
+        state_(step_.start()),
+        free_(state_) {
     // Impulses of fixed steps are rough by themselves.
     ContactSolverOptions contacts = options.contacts;
     if (options.method == SteppingMethod::kTimeStepping)
       contacts.tolerance = std::max(contacts.tolerance, 1e-9);
     step_.solve_contacts_by(contacts);
-    state_.q = scene.q;
-    state_.v = scene.v;
     for (StepTrial& column : table_) column.state = state_;
   }
 
@@ -86,7 +85,9 @@ class Simulation {
     return stop;
   }
 
-  [[nodiscard]] bool is_finite() const { return state_.q.allFinite() && state_.v.allFinite(); }
+  [[nodiscard]] bool is_finite() const {
+    return state_.q.allFinite() && state_.v.allFinite() && state_.z.allFinite();
+  }
 
   /// Keeps the state as a sample. @param h  over which the impulses of `active` acted [s]
   void sample(const std::vector<ActiveContact>& active, double h) {
@@ -94,6 +95,7 @@ class Simulation {
     out.t = state_.t;
     out.q = state_.q;
     out.v = state_.v;
+    out.z = state_.z;
     for (const ActiveContact& contact : active) {
       if (contact.kind != Kind::kContact || contact.mode == ContactMode::kOpen || h <= 0) continue;
       out.contacts.push_back({contact.a, contact.b, contact.id, contact.point, contact.normal,
@@ -158,6 +160,7 @@ class Simulation {
     step_.act_as_at(state_.t);
     const double part = fixed_step(end - state_.t, last);
     state_.t = end;
+    step_.accept(state_);
     accept_counts();
     ++run_.cost.steps;
     for (const ActiveContact& contact : last)
@@ -312,6 +315,7 @@ class Simulation {
     closed_ = last;
     last_h_ = part;
     if (!is_finite()) return;
+    step_.accept(state_);
     step_.find(state_, kNearGap, found_);
     touch_and_bounce();
     sample_if_due();
@@ -391,7 +395,9 @@ class Simulation {
       return c.mode == ContactMode::kSlide;
     });
     const double gap = touch_again(length);
-    if (was_still && is_still() && !slides && gap < options_.touch && !drives_move()) {
+    step_.accept(state_);
+    if (was_still && is_still() && !slides && gap < options_.touch && !drives_move() &&
+        !step_.elements_move(state_)) {
       state_.v.setZero();
       ++asleep_;
     } else {
@@ -478,7 +484,7 @@ class Simulation {
       }
       column.smooth = column.smooth && same_modes(column.active, outcome_.active);
       std::swap(column.active, outcome_.active);
-      if (!column.state.v.allFinite()) {
+      if (!column.state.v.allFinite() || !column.state.z.allFinite()) {
         column.error = std::numeric_limits<double>::infinity();
         return false;
       }
@@ -501,9 +507,10 @@ class Simulation {
 
   /// Largest difference of two states over the tolerance. @param horizon  of speeds [s]
   [[nodiscard]] double difference(const SceneState& a, const SceneState& b, double horizon) const {
-    return std::max((a.q - b.q).cwiseAbs().maxCoeff(),
-                    horizon * (a.v - b.v).cwiseAbs().maxCoeff()) /
-           options_.tolerance;
+    double most =
+        std::max((a.q - b.q).cwiseAbs().maxCoeff(), horizon * (a.v - b.v).cwiseAbs().maxCoeff());
+    if (a.z.size() > 0) most = std::max(most, kHorizon * (a.z - b.z).cwiseAbs().maxCoeff());
+    return most / options_.tolerance;
   }
 
   /// Neville's scheme towards substeps of length 0, in place: column k of row j is
@@ -517,6 +524,7 @@ class Simulation {
         const double ratio = 1 / (static_cast<double>(j + 1) / (j + 1 - k) - 1);
         row.q += ratio * (row.q - above.q);
         row.v += ratio * (row.v - above.v);
+        row.z += ratio * (row.z - above.z);
       }
     }
     // The order before stands one row above.
@@ -537,8 +545,9 @@ class Simulation {
     trial.h = length;
     trial.state = state_;
     const FreeStep::Error error = free_.step(step_, length, trial.state);
-    trial.error = std::max(error.q, kHorizon * error.v) / options_.tolerance;
-    if (!trial.state.q.allFinite() || !trial.state.v.allFinite()) {
+    trial.error = std::max(error.q, kHorizon * std::max(error.v, error.z)) / options_.tolerance;
+    if (!error.acted) ++tried_unsolved_;
+    if (!trial.state.q.allFinite() || !trial.state.v.allFinite() || !trial.state.z.allFinite()) {
       trial.error = std::numeric_limits<double>::infinity();
       return;
     }

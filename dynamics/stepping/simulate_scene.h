@@ -52,7 +52,7 @@ struct ContactSample {
 /// One instant of a run.
 struct SceneSample {
   double t = 0;                         // [s]
-  Eigen::VectorXd q, v;                 // (q), (v)
+  Eigen::VectorXd q, v, z;              // as SceneState
   std::vector<ContactSample> contacts;  // that do not open; forces are means of the last substep,
                                         // of first order in its length
   ContactStep::Energy energy;           // [J]

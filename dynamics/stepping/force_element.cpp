@@ -1,0 +1,68 @@
+#include "dynamics/stepping/force_element.h"
+
+namespace thenar {
+
+void ElementAction::clear(Eigen::Index speeds, Eigen::Index states) {
+  tau.setZero(speeds);
+  stiffness.setZero(speeds, speeds);
+  damping.setZero(speeds, speeds);
+  z_rate.setZero(states);
+  z_decay.setZero(states);
+}
+
+SceneElements::SceneElements(const std::vector<std::shared_ptr<const ForceElement>>& elements,
+                             Eigen::Index speeds) {
+  for (const std::shared_ptr<const ForceElement>& element : elements) {
+    elements_.push_back(element->clone());
+    first_z_.push_back(states_);
+    states_ += static_cast<Eigen::Index>(element->state_names().size());
+  }
+  if (!elements_.empty()) ++states_;
+  action_.clear(speeds, states_);
+}
+
+Eigen::VectorXd SceneElements::start(const Eigen::VectorXd& q) const {
+  Eigen::VectorXd z = Eigen::VectorXd::Zero(states_);
+  for (std::size_t i = 0; i < elements_.size(); ++i) {
+    const Eigen::VectorXd own = elements_[i]->start(q);
+    z.segment(first_z_[i], own.size()) = own;
+  }
+  return z;
+}
+
+bool SceneElements::act(const ElementInput& at) {
+  bool solved = true;
+  action_.clear(at.v.size(), states_);
+  for (std::size_t i = 0; i < elements_.size(); ++i)
+    solved = elements_[i]->act(input_of(i, at), action_) && solved;
+  if (states_ > 0) action_.z_rate[states_ - 1] = action_.tau.dot(at.v);
+  return solved;
+}
+
+double SceneElements::energy(const ElementInput& at) {
+  double sum = 0;
+  for (std::size_t i = 0; i < elements_.size(); ++i) sum += elements_[i]->energy(input_of(i, at));
+  return sum;
+}
+
+void SceneElements::accept(const ElementInput& at) {
+  for (std::size_t i = 0; i < elements_.size(); ++i) elements_[i]->accept(input_of(i, at));
+}
+
+bool SceneElements::moves(const ElementInput& at) const {
+  for (std::size_t i = 0; i < elements_.size(); ++i)
+    if (elements_[i]->moves(input_of(i, at))) return true;
+  return false;
+}
+
+std::vector<std::string> element_state_names(
+    const std::vector<std::shared_ptr<const ForceElement>>& elements) {
+  std::vector<std::string> names;
+  for (const std::shared_ptr<const ForceElement>& element : elements)
+    for (const std::string& state : element->state_names())
+      names.push_back(element->name() + "/" + state);
+  if (!elements.empty()) names.emplace_back("work of elements [J]");
+  return names;
+}
+
+}  // namespace thenar

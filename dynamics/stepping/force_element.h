@@ -1,0 +1,104 @@
+#pragma once
+
+/// What acts on joints by laws and states of its own: ligaments, tendons, muscles.
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "dynamics/mechanism/tree_motion.h"
+
+namespace thenar {
+
+/// Where a scene is, as its elements see it.
+struct ElementInput {
+  double t;                          // [s]
+  double acting;                     // whose law acts: a step keeps to that of its beginning [s]
+  const Eigen::VectorXd& q;          // positions (q)
+  const Eigen::VectorXd& v;          // speeds (v)
+  const Eigen::VectorXd& z;          // states of all elements (z)
+  const TreeMotion<double>& motion;  // poses and velocities of links at q and v
+  Eigen::Index first_z;              // where the states of this element begin
+};
+
+/// What all elements do there; each adds its part.
+struct ElementAction {
+  Eigen::VectorXd tau;        // efforts [N m] or [N] (v)
+  Eigen::MatrixXd stiffness;  // -d tau / d position, positions moved by the speeds, the symmetric
+                              // part; what is left out costs steps, not accuracy (v, v)
+  Eigen::MatrixXd damping;    // -d tau / d v, likewise (v, v)
+  Eigen::VectorXd z_rate;     // d z / d t (z)
+  Eigen::VectorXd z_decay;    // -d z_rate / d z of each state by itself, >= 0 [1/s] (z)
+
+  /// All zero. @param states  of all elements
+  void clear(Eigen::Index speeds, Eigen::Index states);
+};
+
+/// A force element of a scene. Each run of a scene has a clone of its own, so that it may remember
+/// where a search of its own ended; but between two accept() it is a function of its input alone.
+class ForceElement {
+ public:
+  virtual ~ForceElement() = default;
+  [[nodiscard]] virtual std::unique_ptr<ForceElement> clone() const = 0;
+  [[nodiscard]] virtual std::string name() const = 0;
+
+  /// Names of its states, with their units: "activation FDP [1]".
+  [[nodiscard]] virtual std::vector<std::string> state_names() const { return {}; }
+  /// Its states at the start of a scene (its states).
+  [[nodiscard]] virtual Eigen::VectorXd start(const Eigen::VectorXd& /*q*/) const { return {}; }
+
+  /// Adds what it does.
+  /// @return false if it found no answer that it can stand for: the step counts as unsolved
+  virtual bool act(const ElementInput& at, ElementAction& out) = 0;
+
+  /// Energy that it stores [J].
+  [[nodiscard]] virtual double energy(const ElementInput& /*at*/) { return 0; }
+
+  /// A step ended here.
+  virtual void accept(const ElementInput& /*at*/) {}
+
+  /// Instants at which its law changes suddenly; which one holds, ElementInput::acting says [s].
+  [[nodiscard]] virtual std::vector<double> switches() const { return {}; }
+
+  /// Whether it may move what rests, though no position changes.
+  [[nodiscard]] virtual bool moves(const ElementInput& /*at*/) const { return false; }
+};
+
+/// All elements of a scene, with the work that they do as a last state. Without elements there is
+/// no state at all. `first_z` of what is passed in means nothing.
+class SceneElements {
+ public:
+  /// @param speeds  of the scene
+  SceneElements(const std::vector<std::shared_ptr<const ForceElement>>& elements,
+                Eigen::Index speeds);
+
+  [[nodiscard]] bool empty() const { return elements_.empty(); }
+  /// States of all elements and the work (z).
+  [[nodiscard]] Eigen::VectorXd start(const Eigen::VectorXd& q) const;
+
+  /// Acts with all elements; see action(). @return whether all could
+  bool act(const ElementInput& at);
+  [[nodiscard]] const ElementAction& action() const { return action_; }
+
+  [[nodiscard]] double energy(const ElementInput& at);
+  void accept(const ElementInput& at);
+  [[nodiscard]] bool moves(const ElementInput& at) const;
+
+ private:
+  [[nodiscard]] ElementInput input_of(std::size_t i, const ElementInput& at) const {
+    return {at.t, at.acting, at.q, at.v, at.z, at.motion, first_z_[i]};
+  }
+
+  std::vector<std::unique_ptr<ForceElement>> elements_;
+  std::vector<Eigen::Index> first_z_;
+  Eigen::Index states_ = 0;  // with the work
+  ElementAction action_;
+};
+
+/// Names of all states of a scene's elements, the work last; empty: it has no elements.
+[[nodiscard]] std::vector<std::string> element_state_names(
+    const std::vector<std::shared_ptr<const ForceElement>>& elements);
+
+}  // namespace thenar
