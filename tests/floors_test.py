@@ -73,7 +73,8 @@ MECHANISMS = MAY_SEE["dynamics/mechanism"] + ["dynamics/mechanism"]
 MAY_SEE |= {
     "dynamics/stepping": MECHANISMS + ["solvers", "geometry/collision", "geometry/manifold", "dynamics/contact"],
 }
-MAY_SEE["dynamics/scene"] = MAY_SEE["dynamics/stepping"] + ["data/io/scene", "dynamics/stepping"]
+MAY_SEE["dynamics/ligament"] = MAY_SEE["dynamics/stepping"] + ["dynamics/stepping"]
+MAY_SEE["dynamics/scene"] = MAY_SEE["dynamics/ligament"] + ["data/io/scene", "dynamics/ligament"]
 LIBRARIES = list(MAY_SEE)
 API = ["api", "api/named"]
 MAY_SEE["thenar"] = LIBRARIES + API  # the header of all public headers

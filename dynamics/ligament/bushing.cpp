@@ -1,0 +1,115 @@
+#include "dynamics/ligament/bushing.h"
+
+#include <algorithm>
+
+#include "base/error.h"
+
+namespace thenar {
+namespace {
+
+/// Pose of a body; the world's is the identity.
+Pose<double> pose_of(const TreeMotion<double>& motion, int body) {
+  return body < 0 ? Pose<double>{} : motion.pose(body);
+}
+
+int link_of(const TreeMotion<double>& motion, int body) {
+  return body < 0 ? -1 : motion.model().bodies[static_cast<std::size_t>(body)].link;
+}
+
+Pose<double> between(const TreeMotion<double>& motion, const BodyFrame& a, const BodyFrame& b) {
+  return (pose_of(motion, a.body) * a.X_BF).inverse() * (pose_of(motion, b.body) * b.X_BF);
+}
+
+}  // namespace
+
+BushingElement::BushingElement(std::string name, BodyFrame proximal, BodyFrame distal,
+                               const BushingLaw& law)
+    : name_(std::move(name)), proximal_(proximal), distal_(distal), law_(law) {
+  check_law(law_);
+}
+
+std::unique_ptr<ForceElement> BushingElement::clone() const {
+  return std::make_unique<BushingElement>(*this);
+}
+
+bool BushingElement::act(const ElementInput& at, ElementAction& out) {
+  const TreeMotion<double>& motion = at.motion;
+  const Pose<double> X_WA = pose_of(motion, proximal_.body) * proximal_.X_BF;
+  const Pose<double> X_WB = pose_of(motion, distal_.body) * distal_.X_BF;
+  const BushingPose pose = bushing_pose(X_WA.inverse() * X_WB);
+  // Rows of the coordinates: B's origin against the point of the proximal body there, axes of A;
+  // angles by the angular velocity of B against A.
+  const int a = link_of(motion, proximal_.body), b = link_of(motion, distal_.body);
+  J_.setZero(at.v.size(), kBushingWays);
+  const Eigen::Vector3d none(0, 0, 0);
+  for (int k = 0; k < 3; ++k) {
+    const Eigen::Vector3d along = X_WA.R.col(k);
+    motion.add_row(b, X_WB.p, along, none, J_.col(k));
+    motion.add_row(a, X_WB.p, Eigen::Vector3d(-along), none, J_.col(k));
+    const Eigen::Vector3d about = X_WA.R * pose.turn.row(k).transpose();
+    motion.add_row(b, X_WB.p, none, about, J_.col(3 + k));
+    motion.add_row(a, X_WB.p, none, Eigen::Vector3d(-about), J_.col(3 + k));
+  }
+  const BushingVector rate = J_.transpose() * at.v;
+  const BushingAction action = bushing_action(law_, pose.x, rate);
+  out.tau.noalias() += J_ * action.effort;
+  out.stiffness.noalias() += J_ * action.stiffness * J_.transpose();
+  out.damping.noalias() += J_ * action.damping * J_.transpose();
+  return true;
+}
+
+double BushingElement::energy(const ElementInput& at) {
+  const BushingPose pose = bushing_pose(between(at.motion, proximal_, distal_));
+  return bushing_action(law_, pose.x, BushingVector::Zero()).energy;
+}
+
+LigamentElement::LigamentElement(std::string name, const BodyPoint& from, const BodyPoint& to,
+                                 const LigamentLaw& law)
+    : name_(std::move(name)), from_(from), to_(to), law_(law) {
+  check_law(law_);
+}
+
+std::unique_ptr<ForceElement> LigamentElement::clone() const {
+  return std::make_unique<LigamentElement>(*this);
+}
+
+bool LigamentElement::act(const ElementInput& at, ElementAction& out) {
+  const TreeMotion<double>& motion = at.motion;
+  const Eigen::Vector3d p = pose_of(motion, from_.body) * from_.p;
+  const Eigen::Vector3d way = pose_of(motion, to_.body) * to_.p - p;
+  const double length = way.norm();
+  const LigamentForce force = ligament_force(law_, length);
+  if (force.force == 0 && force.slope == 0) return true;
+  if (!(length > 0)) return false;
+  const Eigen::Vector3d line = way / length, none(0, 0, 0);
+  // Velocity of one point against the other.
+  J_.setZero(at.v.size(), 3);
+  for (int k = 0; k < 3; ++k) {
+    const Eigen::Vector3d axis = Eigen::Vector3d::Unit(k);
+    motion.add_row(link_of(motion, to_.body), Eigen::Vector3d(p + way), axis, none, J_.col(k));
+    motion.add_row(link_of(motion, from_.body), p, Eigen::Vector3d(-axis), none, J_.col(k));
+  }
+  const Eigen::VectorXd row = J_ * line;
+  // A damper that only pulls, as far as the ligament is stretched.
+  const double strain_rate = row.dot(at.v) / law_.slack_length;
+  const double grown = std::max(0.0, 1 + law_.damping * strain_rate);
+  const double tension = force.force * grown;
+  out.tau -= tension * row;
+  if (grown > 0) {
+    out.stiffness.noalias() += (force.slope * grown) * row * row.transpose();
+    out.damping.noalias() +=
+        (force.force * law_.damping / law_.slack_length) * row * row.transpose();
+  }
+  // Tension pulls the line straight.
+  const Eigen::Matrix3d across = Eigen::Matrix3d::Identity() - line * line.transpose();
+  out.stiffness.noalias() += J_ * ((tension / length) * across) * J_.transpose();
+  return true;
+}
+
+double LigamentElement::energy(const ElementInput& at) {
+  const Eigen::Vector3d way =
+      pose_of(at.motion, to_.body) * to_.p - pose_of(at.motion, from_.body) * from_.p;
+  return ligament_force(law_, way.norm()).energy;
+}
+
+}  // namespace thenar
