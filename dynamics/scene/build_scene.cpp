@@ -9,6 +9,7 @@
 #include "base/units.h"
 #include "dynamics/mechanism/build_mechanism.h"
 #include "dynamics/mechanism/tree_motion.h"
+#include "dynamics/scene/scene_compliance.h"
 #include "dynamics/scene/scene_pairs.h"
 
 namespace thenar {
@@ -112,6 +113,7 @@ struct ScenePart {
   std::vector<double> u, u_dot;    // of its coordinates at the start
   SceneJointSpec joint;            // of its first body
   SceneVelocity velocity;
+  std::vector<CompliantJoint> compliant;  // coordinates are the part's
 };
 
 class SceneBuilder {
@@ -128,6 +130,9 @@ class SceneBuilder {
     for (const SceneBodySpec& body : spec_.bodies) parts.push_back(body_part(body));
     add_parents_first(parts);
     set_start(parts);
+    for (const CompliantJoint& joint : compliant_)
+      built_.scene.elements.push_back(
+          std::make_shared<CapsuleElement>(built_.scene.mechanism, joint));
     built_.scene.gravity = spec_.gravity;
     add_forces();
     add_drives();
@@ -153,6 +158,7 @@ class SceneBuilder {
         part.u = {body.joint.start};
         part.u_dot = {body.joint.speed};
       }
+      if (give(part)) place_links({}, part);
       return part;
     });
   }
@@ -170,6 +176,7 @@ class SceneBuilder {
       part.mechanism = std::move(robot_built.mechanism);
       part.u = posture_of(hand, robot, part.mechanism);
       hold_locked(robot, part);
+      (void)give(part);
       place_links(hand.placed.X_WH, part);
       // The base on its joint.
       put_on_joint(hand.joint, "base", hand.placed.X_WH, part.mechanism);
@@ -235,8 +242,17 @@ class SceneBuilder {
     part.u = std::move(u);
   }
 
-  /// Poses of the links of a hand whose base is at X_WH.
+  /// Makes the part's joints give that the file says do. @return whether there are any
+  bool give(ScenePart& part) const {
+    part.compliant = make_part_compliant(spec_, part.name, part.prefix, part.mechanism);
+    part.u.resize(part.mechanism.coordinates.size(), 0);
+    if (!part.u_dot.empty()) part.u_dot.resize(part.u.size(), 0);
+    return !part.compliant.empty();
+  }
+
+  /// Poses of the bodies of a part whose world is at X_WH.
   static void place_links(const Pose<double>& X_WH, ScenePart& part) {
+    part.X_WB.clear();
     const TreeModel model = tree_model(part.mechanism);
     TreeMotion<double> motion(model);
     Eigen::VectorXd q = Eigen::VectorXd::Zero(model.layout.q);
@@ -278,6 +294,12 @@ class SceneBuilder {
       carrier = at_line(spec_.path, part.joint.line,
                         [&] { return body_named(whole, part.joint.parent); });
       X_CW = X_WB_[static_cast<std::size_t>(carrier)].inverse();
+    }
+    for (CompliantJoint joint : part.compliant) {
+      joint.name = part.prefix + joint.name;
+      for (int& c : joint.coordinate)
+        if (c >= 0) c += static_cast<int>(whole.coordinates.size());
+      compliant_.push_back(std::move(joint));
     }
     append(whole, part.mechanism, part.prefix, carrier, X_CW);
     X_WB_.insert(X_WB_.end(), part.X_WB.begin(), part.X_WB.end());
@@ -380,6 +402,7 @@ class SceneBuilder {
   const std::vector<RobotSpec>& robots_;
   BuiltScene built_;
   std::vector<Pose<double>> X_WB_;  // of all bodies at the start
+  std::vector<CompliantJoint> compliant_;
 };
 
 }  // namespace

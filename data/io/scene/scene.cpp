@@ -116,6 +116,13 @@ void check_parents(const SceneSpec& scene, const SceneNames& names) {
 void check_references(const SceneSpec& scene, const SceneNames& names) {
   for (const SceneForceSpec& force : scene.forces) names.need_body(force.body, force.line);
   for (const SceneDriveSpec& drive : scene.drives) names.need_body(drive.coordinate, drive.line);
+  std::set<std::string> compliant;
+  for (const SceneComplianceSpec& compliance : scene.compliances) {
+    names.need_body(compliance.joint, compliance.line);
+    if (!compliant.insert(compliance.joint).second)
+      throw DataError(scene.path, compliance.line,
+                      fmt::format("the compliance of '{}' is given twice", compliance.joint));
+  }
   for (const SceneApartSpec& apart : scene.apart)
     for (const std::string& name : apart.between) names.need(name, apart.line);
   int others = 0;
@@ -154,6 +161,8 @@ SceneSpec parse_scene(const std::string& text, const std::string& path) {
     scene.frictions.push_back(internal::read_scene_friction(table));
   for (TomlTable& table : top.tables("apart"))
     scene.apart.push_back(internal::read_scene_apart(table));
+  for (TomlTable& table : top.tables("compliance"))
+    scene.compliances.push_back(internal::read_scene_compliance(table));
   // Time.
   std::optional<TomlTable> stepping = top.table("stepping");
   if (!stepping) top.fail("a scene needs [stepping] with its 'duration'");

@@ -9,6 +9,7 @@
 
 #include <Eigen/Core>
 
+#include "data/io/scene/scene_compliance.h"
 #include "data/io/world/world.h"
 
 namespace thenar {
@@ -128,6 +129,7 @@ struct SceneSpec {
   std::vector<SceneDriveSpec> drives;
   std::vector<SceneFrictionSpec> frictions;
   std::vector<SceneApartSpec> apart;
+  std::vector<SceneComplianceSpec> compliances;
   SteppingSpec stepping;
   std::optional<Camera> camera;
   FileDigests files = {};  // of the scene, its materials and bodies; hands are not read yet

@@ -1,0 +1,84 @@
+#include "data/io/scene/scene_compliance.h"
+
+#include <algorithm>
+
+#include "base/error.h"
+#include "base/nearest_name.h"
+
+namespace thenar {
+
+const std::vector<std::string>& compliance_way_names() {
+  static const std::vector<std::string> names{"across", "along", "axial", "abduction", "twist"};
+  return names;
+}
+
+namespace internal {
+namespace {
+
+constexpr std::size_t kTranslations = 3;
+
+/// Which ways give: those of 'ways', or all.
+std::array<bool, 5> read_ways(TomlTable& table) {
+  std::array<bool, 5> gives{true, true, true, true, true};
+  if (!table.has("ways")) return gives;
+  gives.fill(false);
+  for (const std::string& word : table.texts("ways")) {
+    const std::vector<std::string>& names = compliance_way_names();
+    const auto at = std::find(names.begin(), names.end(), word);
+    if (at == names.end())
+      table.fail(fmt::format("there is no way '{}'{}", word, did_you_mean(word, names)), "ways");
+    gives[static_cast<std::size_t>(at - names.begin())] = true;
+  }
+  return gives;
+}
+
+/// Stiffness and damping of the ways from `first` on that give.
+void read_group(TomlTable& table, const std::string& name, bool turns,
+                const std::array<bool, 5>& gives, SceneComplianceSpec& out) {
+  const std::size_t first = turns ? kTranslations : 0, end = turns ? 5 : kTranslations;
+  const Dimension stiffness = turns ? Dimension::kAngularStiffness : Dimension::kLinearStiffness;
+  const Dimension damping = turns ? Dimension::kAngularDamping : Dimension::kLinearDamping;
+  const bool any = std::find(gives.begin() + static_cast<std::ptrdiff_t>(first),
+                             gives.begin() + static_cast<std::ptrdiff_t>(end),
+                             true) != gives.begin() + static_cast<std::ptrdiff_t>(end);
+  if (!any) {
+    if (table.has(stiffness, name)) table.fail("none of its ways gives: see 'ways'", name);
+    return;
+  }
+  const std::vector<double> numbers =
+      table.numbers(stiffness, name, static_cast<int>(end - first), Range::kPositive);
+  const double damped = table.number_or(damping, name + "_damping", 0, Range::kNotNegative);
+  for (std::size_t i = first; i < end; ++i) {
+    if (!gives[i]) continue;
+    out.stiffness[i] = numbers[i - first];
+    out.damping[i] = damped;
+  }
+  double& toe = turns ? out.rotation_toe : out.translation_toe;
+  const Dimension size = turns ? Dimension::kAngle : Dimension::kLength;
+  if (table.has(size, name + "_toe")) toe = table.number(size, name + "_toe", Range::kPositive);
+}
+
+}  // namespace
+
+SceneComplianceSpec read_scene_compliance(TomlTable& table) {
+  SceneComplianceSpec out;
+  out.line = table.line();
+  out.joint = table.text("joint");
+  out.stiffness.fill(std::numeric_limits<double>::infinity());
+  const std::array<bool, 5> gives = read_ways(table);
+  read_group(table, "translation", false, gives, out);
+  read_group(table, "rotation", true, gives, out);
+  if (table.has("bone")) out.bone = table.direction("bone");
+  out.stiffening = table.number_or(Dimension::kNumber, "stiffening", out.stiffening);
+  if (out.stiffening < 1)
+    table.fail(fmt::format("wanted 'stiffening' from 1 up, got {:g}", out.stiffening),
+               "stiffening");
+  out.twist_follows = table.number_or(Dimension::kNumber, "twist_follows", 0);
+  if (out.twist_follows != 0 && !gives[SceneComplianceSpec::kTwist])
+    table.fail("a twist that is rigid follows nothing", "twist_follows");
+  table.done();
+  return out;
+}
+
+}  // namespace internal
+}  // namespace thenar

@@ -1,0 +1,42 @@
+#pragma once
+
+/// Joints of a scene that give, as plain data.
+
+#include <array>
+#include <limits>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "data/io/toml_table.h"
+
+namespace thenar {
+
+/// How a hinge gives: ways beside flexion, which is the hinge's own.
+struct SceneComplianceSpec {
+  enum Way { kAcross, kAlong, kAxial, kAbduction, kTwist };
+
+  std::string joint;                    // of a body on a hinge, or "HAND/JOINT"
+  std::optional<Eigen::Vector3d> bone;  // direction of the distal bone, body's frame (3); absent:
+                                        // from the joint to the centre of mass
+  std::array<double, 5> stiffness;      // at rest [N/m], [N m/rad]; infinite: rigid
+  std::array<double, 5> damping{};      // [N s/m], [N m s/rad]
+  double translation_toe = std::numeric_limits<double>::infinity();  // [m]
+  double rotation_toe = std::numeric_limits<double>::infinity();     // [rad]
+  double stiffening = 20;    // largest stiffness over that at rest [1]
+  double twist_follows = 0;  // twist at rest over flexion [1]
+  int line = 1;              // of the file
+};
+
+/// "across", "along", "axial", "abduction", "twist", in the order of SceneComplianceSpec::Way.
+[[nodiscard]] const std::vector<std::string>& compliance_way_names();
+
+namespace internal {
+
+/// [[compliance]]
+[[nodiscard]] SceneComplianceSpec read_scene_compliance(TomlTable& table);
+
+}  // namespace internal
+}  // namespace thenar

@@ -1,0 +1,39 @@
+#include "dynamics/scene/scene_compliance.h"
+
+#include "base/error.h"
+
+namespace thenar {
+
+JointCompliance joint_compliance(const SceneComplianceSpec& spec) {
+  constexpr std::array<BushingWay, 5> kWays{BushingWay::kAcross, BushingWay::kAlong,
+                                            BushingWay::kAxial, BushingWay::kAbduction,
+                                            BushingWay::kTwist};
+  JointCompliance out;
+  for (std::size_t i = 0; i < kWays.size(); ++i) {
+    const bool turns = i >= 3;
+    out.law.of(kWays[i]) = {spec.stiffness[i], turns ? spec.rotation_toe : spec.translation_toe,
+                            spec.stiffening, spec.damping[i]};
+  }
+  out.law.follows[static_cast<std::size_t>(BushingWay::kTwist)] = spec.twist_follows;
+  out.bone = spec.bone.value_or(Eigen::Vector3d(0, 0, 0));
+  return out;
+}
+
+std::vector<CompliantJoint> make_part_compliant(const SceneSpec& spec, const std::string& name,
+                                                const std::string& prefix, Mechanism& part) {
+  std::vector<CompliantJoint> made;
+  for (const SceneComplianceSpec& compliance : spec.compliances) {
+    const bool is_own = prefix.empty() ? compliance.joint == name
+                                       : compliance.joint.compare(0, prefix.size(), prefix) == 0;
+    if (!is_own) continue;
+    try {
+      const int joint = joint_named(part, compliance.joint.substr(prefix.size()));
+      made.push_back(make_compliant(part, joint, joint_compliance(compliance)));
+    } catch (const InputError& error) {
+      throw DataError(spec.path, compliance.line, error.what());
+    }
+  }
+  return made;
+}
+
+}  // namespace thenar

@@ -1,0 +1,91 @@
+// Tests for data/io/scene/scene_compliance.cpp.
+
+#include "data/io/scene/scene_compliance.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "base/units.h"
+#include "data/io/scene/scene.h"
+#include "tests/message_of.h"
+
+namespace thenar {
+namespace {
+
+using testing::StartsWith;
+
+// [[compliance]] stands on line 14.
+const std::string kHead = R"(name = "lid"
+source = "Mine"
+[sources]
+Mine = "Own"
+[[body]]
+name = "lid"
+mass_g = 100
+joint = {kind = "hinge", axis = [0, 0, 1], point_mm = [0, 0, 0]}
+[[body.shape]]
+kind = "sphere"
+size_mm = [10]
+[stepping]
+duration_s = 1
+[[compliance]]
+)";
+const std::string kAll = R"(joint = "lid"
+translation_N_per_mm = [50, 60, 70]
+rotation_Nm_per_rad = [4, 2]
+)";
+
+SceneComplianceSpec compliance_of(const std::string& text) {
+  return parse_scene(kHead + text, "s.toml").compliances.at(0);
+}
+std::string complaint(const std::string& text) {
+  return message_of<DataError>([&] { (void)compliance_of(text); });
+}
+
+TEST(SceneCompliance, IsReadInSi) {
+  const SceneComplianceSpec read = compliance_of(
+      kAll +
+      "translation_damping_Ns_per_m = 30\nrotation_damping_Nmms_per_rad = 5\n"
+      "translation_toe_mm = 0.3\nrotation_toe_deg = 10\nstiffening = 8\ntwist_follows = 0.2\n"
+      "bone = [0, 0, 2]\n");
+  EXPECT_EQ(read.joint, "lid");
+  EXPECT_EQ(read.stiffness, (std::array<double, 5>{50e3, 60e3, 70e3, 4, 2}));
+  EXPECT_EQ(read.damping, (std::array<double, 5>{30, 30, 30, 5e-3, 5e-3}));
+  EXPECT_DOUBLE_EQ(read.translation_toe, 3e-4);
+  EXPECT_DOUBLE_EQ(read.rotation_toe, 10 * kDegree);
+  EXPECT_EQ(read.stiffening, 8);
+  EXPECT_EQ(read.twist_follows, 0.2);
+  EXPECT_EQ(read.bone->z(), 1);
+  EXPECT_EQ(read.line, 14);
+}
+
+TEST(SceneCompliance, HoldsRigidWhatDoesNotGive) {
+  const double rigid = std::numeric_limits<double>::infinity();
+  const SceneComplianceSpec read =
+      compliance_of("joint = \"lid\"\nways = [\"twist\"]\nrotation_Nm_per_rad = [4, 2]\n");
+  EXPECT_EQ(read.stiffness, (std::array<double, 5>{rigid, rigid, rigid, rigid, 2}));
+  EXPECT_FALSE(read.bone.has_value());
+}
+
+TEST(SceneCompliance, MistakesAreToldWithTheirLines) {
+  EXPECT_THAT(complaint("joint = \"lid\"\n"), StartsWith("s.toml:14: "));
+  EXPECT_THAT(complaint("joint = \"lit\"\n" + kAll.substr(14)),
+              StartsWith("s.toml:14: there is no body or hand 'lit', did you mean 'lid'?"));
+  EXPECT_THAT(complaint(kAll + "stiffening = 0.5\n"),
+              StartsWith("s.toml:18: wanted 'stiffening' from 1 up, got 0.5"));
+  EXPECT_THAT(complaint(kAll + "ways = [\"twst\"]\n"),
+              StartsWith("s.toml:18: there is no way 'twst', did you mean 'twist'?"));
+  EXPECT_THAT(complaint(kAll + "ways = [\"twist\"]\n"),
+              StartsWith("s.toml:16: none of its ways gives"));
+  EXPECT_THAT(complaint("joint = \"lid\"\nways = [\"abduction\"]\nrotation_Nm_per_rad = [4, 2]\n"
+                        "twist_follows = 1\n"),
+              StartsWith("s.toml:18: a twist that is rigid follows nothing"));
+  EXPECT_THAT(complaint(kAll + "[[compliance]]\n" + kAll),
+              StartsWith("s.toml:18: the compliance of 'lid' is given twice"));
+  EXPECT_THAT(complaint("joint = \"lid\"\ntranslation_N_per_mm = [50, 0, 70]\n"
+                        "rotation_Nm_per_rad = [4, 2]\n"),
+              StartsWith("s.toml:16: "));
+}
+
+}  // namespace
+}  // namespace thenar

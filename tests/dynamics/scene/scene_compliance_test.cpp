@@ -1,0 +1,104 @@
+// Tests for dynamics/scene/scene_compliance.cpp: joints of scenes that give.
+
+#include "dynamics/scene/scene_compliance.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "dynamics/scene/build_scene.h"
+#include "tests/data_folder.h"
+#include "tests/message_of.h"
+
+namespace thenar {
+namespace {
+
+using testing::StartsWith;
+
+const std::string kTop = "name = \"x\"\nsource = \"Mine\"\n[sources]\nMine = \"Own\"\n";
+const std::string kEnd = "[stepping]\nduration_s = 2\n";
+
+BuiltScene build(const std::string& text, const std::vector<RobotSpec>& robots = {}) {
+  return build_scene(parse_scene(kTop + text + kEnd, "s.toml"), robots);
+}
+
+/// A rod of 100 g that lies along x from a hinge about y.
+const std::string kRod = R"([[body]]
+name = "rod"
+mass_g = 100
+position_mm = [50, 0, 0]
+[body.joint]
+kind = "hinge"
+axis = [0, 1, 0]
+point_mm = [0, 0, 0]
+start_deg = 30
+[[body.shape]]
+kind = "box"
+size_mm = [100, 10, 10]
+)";
+const std::string kGives = R"([[compliance]]
+joint = "rod"
+translation_N_per_mm = [50, 50, 50]
+translation_damping_Ns_per_m = 100
+rotation_Nm_per_rad = [4, 2]
+rotation_damping_Nms_per_rad = 0.02
+)";
+
+// Held at its angle, the rod sinks by its weight over the stiffness, and what it carries with it.
+TEST(SceneCompliance, LetsARodSink) {
+  const BuiltScene built = build(kRod + kGives +
+                                 "[[body]]\nname = \"bob\"\nmass_g = 100\n"
+                                 "position_mm = [150, 0, 0]\n[body.joint]\nkind = \"weld\"\n"
+                                 "parent = \"rod\"\n[[body.shape]]\nkind = \"sphere\"\n"
+                                 "size_mm = [10]\n[[drive]]\ncoordinate = \"rod\"\n"
+                                 "target_deg = 30\nstiffness_Nm_per_rad = 1e6\n"
+                                 "damping_Nms_per_rad = 1e3\n");
+  ASSERT_EQ(built.scene.elements.size(), 1u);
+  const Mechanism& mechanism = built.scene.mechanism;
+  EXPECT_EQ(mechanism.coordinates[5].name, "rod/twist");
+  EXPECT_EQ(built.owner[0], "rod");
+  ContactStep step(built.scene);
+  std::vector<Pose<double>> start, end;
+  step.poses(step.start(), start);
+  const auto rod = static_cast<std::size_t>(body_named(mechanism, "rod"));
+  EXPECT_LT((start[rod].p - Eigen::Vector3d(0.05, 0, 0)).norm(), 1e-12);
+  EXPECT_LT((start[rod].R - Eigen::Matrix3d::Identity()).norm(), 1e-12);
+  const SceneRun run = simulate_scene(built.scene, built.options);
+  ASSERT_EQ(run.status, SceneStatus::kDone);
+  step.poses({0, run.samples.back().q, run.samples.back().v, run.samples.back().z}, end);
+  const double sunk = 0.2 * 9.81 / 50e3;  // [m]
+  EXPECT_NEAR(end[rod].p.z(), -sunk, 0.02 * sunk);
+  EXPECT_NEAR(end[rod].p.x(), 0.05, 1e-8);
+}
+
+TEST(SceneCompliance, TellsTheLineOfWhatCannotGive) {
+  EXPECT_THAT(message_of<DataError>([&] {
+                (void)build(kGives +
+                            "[[body]]\nname = \"rod\"\nmass_g = 1\n[[body.shape]]\n"
+                            "kind = \"sphere\"\nsize_mm = [10]\n");
+              }),
+              StartsWith("s.toml:5: joint 'rod' is a free: only hinges give"));
+}
+
+// Joints of hands by name; posture and drives stay as they are.
+TEST(SceneCompliance, GivesToJointsOfHands) {
+  const RobotSpec hand = read_robot(kData + "/robots/allegro.toml");
+  const std::string text = "[[hand]]\nname = \"allegro\"\n";
+  const BuiltScene pins = build(text, {hand});
+  std::string gives = kGives + "bone = [0, 0, 1]\n";
+  gives.replace(gives.find("rod"), 3, "allegro/joint_1.0");
+  const BuiltScene built = build(text + gives, {hand});
+  EXPECT_EQ(built.scene.mechanism.coordinates.size(), pins.scene.mechanism.coordinates.size() + 5);
+  EXPECT_EQ(built.scene.mechanism.bodies.size(), pins.scene.mechanism.bodies.size() + 5);
+  // All links stand where they stood.
+  ContactStep a(pins.scene), b(built.scene);
+  std::vector<Pose<double>> X_a, X_b;
+  a.poses(a.start(), X_a);
+  b.poses(b.start(), X_b);
+  for (std::size_t i = 0; i < X_a.size(); ++i) {
+    const int j = body_named(built.scene.mechanism, pins.scene.mechanism.bodies[i].name);
+    EXPECT_LT((X_a[i].p - X_b[static_cast<std::size_t>(j)].p).norm(), 1e-12);
+  }
+}
+
+}  // namespace
+}  // namespace thenar
