@@ -50,8 +50,8 @@ struct ThumbOnMug {
 ///   CMC   twist 0.4 N m/rad at rest, toe 0.15 rad, 8 N m/rad at the end of its range, where 5 to 9
 ///         were measured in vitro (range and toe are assumed)
 ///   MCP   abduction 1.5 N m/rad, toe 0.1 rad: 16.6 deg under 45 N, 30 mm from the joint (assumed),
-///         where 14 to 18 deg were measured under 45 N [ShaftelThumbMcp]; twist 0.5 N m/rad, toe 0.15
-///         rad: 15 deg under 0.2 N m (assumed)
+///         where 14 to 18 deg were measured under 45 N [ShaftelThumbMcp]; twist 0.5 N m/rad, toe
+///         0.15 rad: 15 deg under 0.2 N m (assumed)
 ///   IP    abduction 3 N m/rad, toe 0.1 rad; twist as that of the MCP joint (assumed)
 /// and 100 N/mm in translation (assumed). Abduction of the CMC joint is a hinge of its own.
 [[nodiscard]] std::map<std::string, BushingLaw> joint_laws(double stiffer);
