@@ -133,6 +133,9 @@ class SceneBuilder {
     for (const CompliantJoint& joint : compliant_)
       built_.scene.elements.push_back(
           std::make_shared<CapsuleElement>(built_.scene.mechanism, joint));
+    for (const std::shared_ptr<const ForceElement>& ligament :
+         scene_ligaments(spec_, built_.scene.mechanism, X_WB_))
+      built_.scene.elements.push_back(ligament);
     built_.scene.gravity = spec_.gravity;
     add_forces();
     add_drives();

@@ -36,4 +36,26 @@ std::vector<CompliantJoint> make_part_compliant(const SceneSpec& spec, const std
   return made;
 }
 
+std::vector<std::shared_ptr<const ForceElement>> scene_ligaments(
+    const SceneSpec& spec, const Mechanism& mechanism, const std::vector<Pose<double>>& X_WB) {
+  std::vector<std::shared_ptr<const ForceElement>> out;
+  for (const SceneLigamentSpec& ligament : spec.ligaments) {
+    try {
+      BodyPoint from{-1, ligament.from_point}, to{-1, ligament.to_point};
+      if (!ligament.from.empty()) from.body = body_named(mechanism, ligament.from);
+      to.body = body_named(mechanism, ligament.to);
+      const auto place = [&](const BodyPoint& at) -> Eigen::Vector3d {
+        return at.body < 0 ? at.p : X_WB[static_cast<std::size_t>(at.body)] * at.p;
+      };
+      const double slack = ligament.slack_length.value_or((place(to) - place(from)).norm());
+      out.push_back(std::make_shared<LigamentElement>(
+          ligament.name, from, to,
+          LigamentLaw{slack, ligament.stiffness, ligament.toe_strain, ligament.damping}));
+    } catch (const InputError& error) {
+      throw DataError(spec.path, ligament.line, error.what());
+    }
+  }
+  return out;
+}
+
 }  // namespace thenar

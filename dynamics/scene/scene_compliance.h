@@ -1,11 +1,12 @@
 #pragma once
 
-/// Joints of a scene that give, from its file.
+/// Joints of a scene that give and its ligaments, from its file.
 
 #include <string>
 #include <vector>
 
 #include "data/io/scene/scene.h"
+#include "dynamics/ligament/bushing.h"
 #include "dynamics/ligament/compliant_joint.h"
 
 namespace thenar {
@@ -21,5 +22,11 @@ namespace thenar {
                                                               const std::string& name,
                                                               const std::string& prefix,
                                                               Mechanism& part);
+
+/// Ligaments of a scene; without a slack length they are just taut at the start.
+/// @param X_WB  bodies at the start (bodies)
+/// @throws DataError at the line of the file, where a body is not there or both ends are one
+[[nodiscard]] std::vector<std::shared_ptr<const ForceElement>> scene_ligaments(
+    const SceneSpec& spec, const Mechanism& mechanism, const std::vector<Pose<double>>& X_WB);
 
 }  // namespace thenar

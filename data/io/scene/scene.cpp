@@ -123,6 +123,10 @@ void check_references(const SceneSpec& scene, const SceneNames& names) {
       throw DataError(scene.path, compliance.line,
                       fmt::format("the compliance of '{}' is given twice", compliance.joint));
   }
+  for (const SceneLigamentSpec& ligament : scene.ligaments) {
+    names.need_body(ligament.to, ligament.line);
+    if (!ligament.from.empty()) names.need_body(ligament.from, ligament.line);
+  }
   for (const SceneApartSpec& apart : scene.apart)
     for (const std::string& name : apart.between) names.need(name, apart.line);
   int others = 0;
@@ -163,6 +167,8 @@ SceneSpec parse_scene(const std::string& text, const std::string& path) {
     scene.apart.push_back(internal::read_scene_apart(table));
   for (TomlTable& table : top.tables("compliance"))
     scene.compliances.push_back(internal::read_scene_compliance(table));
+  for (TomlTable& table : top.tables("ligament"))
+    scene.ligaments.push_back(internal::read_scene_ligament(table));
   // Time.
   std::optional<TomlTable> stepping = top.table("stepping");
   if (!stepping) top.fail("a scene needs [stepping] with its 'duration'");

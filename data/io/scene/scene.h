@@ -130,6 +130,7 @@ struct SceneSpec {
   std::vector<SceneFrictionSpec> frictions;
   std::vector<SceneApartSpec> apart;
   std::vector<SceneComplianceSpec> compliances;
+  std::vector<SceneLigamentSpec> ligaments;
   SteppingSpec stepping;
   std::optional<Camera> camera;
   FileDigests files = {};  // of the scene, its materials and bodies; hands are not read yet

@@ -80,5 +80,24 @@ SceneComplianceSpec read_scene_compliance(TomlTable& table) {
   return out;
 }
 
+SceneLigamentSpec read_scene_ligament(TomlTable& table) {
+  SceneLigamentSpec out;
+  out.line = table.line();
+  out.from = table.text_or("from", "");
+  out.to = table.text("to");
+  out.name = table.text_or("name", "ligament of " + out.to);
+  if (out.from == out.to) table.fail(fmt::format("'{}' cannot be tied to itself", out.to), "to");
+  out.from_point = table.vector(Dimension::kLength, "from_point");
+  out.to_point = table.vector(Dimension::kLength, "to_point");
+  out.stiffness = table.number(Dimension::kForce, "stiffness", Range::kPositive);
+  if (table.has(Dimension::kLength, "slack_length"))
+    out.slack_length = table.number(Dimension::kLength, "slack_length", Range::kPositive);
+  out.toe_strain =
+      table.number_or(Dimension::kNumber, "toe_strain", out.toe_strain, Range::kPositive);
+  out.damping = table.number_or(Dimension::kTime, "damping", 0, Range::kNotNegative);
+  table.done();
+  return out;
+}
+
 }  // namespace internal
 }  // namespace thenar

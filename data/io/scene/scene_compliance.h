@@ -1,6 +1,6 @@
 #pragma once
 
-/// Joints of a scene that give, as plain data.
+/// Joints of a scene that give, and ligaments on lines, as plain data.
 
 #include <array>
 #include <limits>
@@ -30,6 +30,19 @@ struct SceneComplianceSpec {
   int line = 1;              // of the file
 };
 
+/// A ligament between points of two bodies.
+struct SceneLigamentSpec {
+  std::string name;
+  std::string from, to;                 // body, or "HAND/LINK"; empty `from`: the world
+  Eigen::Vector3d from_point{0, 0, 0};  // in the frame of `from` [m] (3)
+  Eigen::Vector3d to_point{0, 0, 0};    // in that of `to` [m] (3)
+  double stiffness = 0;                 // force per strain of the straight part [N]
+  std::optional<double> slack_length;   // [m]; absent: that at the start
+  double toe_strain = 0.03;             // [1]
+  double damping = 0;                   // [s]
+  int line = 1;                         // of the file
+};
+
 /// "across", "along", "axial", "abduction", "twist", in the order of SceneComplianceSpec::Way.
 [[nodiscard]] const std::vector<std::string>& compliance_way_names();
 
@@ -37,6 +50,8 @@ namespace internal {
 
 /// [[compliance]]
 [[nodiscard]] SceneComplianceSpec read_scene_compliance(TomlTable& table);
+/// [[ligament]]
+[[nodiscard]] SceneLigamentSpec read_scene_ligament(TomlTable& table);
 
 }  // namespace internal
 }  // namespace thenar

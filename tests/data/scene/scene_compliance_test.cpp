@@ -87,5 +87,42 @@ TEST(SceneCompliance, MistakesAreToldWithTheirLines) {
               StartsWith("s.toml:16: "));
 }
 
+const std::string kLigament = R"(stiffness_N = 300
+from_point_mm = [0, 0, 10]
+to_point_mm = [1, 2, 3]
+)";
+
+SceneLigamentSpec ligament_of(const std::string& text) {
+  std::string head = kHead;
+  head.replace(head.find("[[compliance]]"), 14, "[[ligament]]");
+  return parse_scene(head + text, "s.toml").ligaments.at(0);
+}
+
+TEST(SceneLigament, IsReadInSi) {
+  const SceneLigamentSpec read = ligament_of(
+      "to = \"lid\"\nname = \"cord\"\ntoe_strain = 0.05\n"
+      "damping_ms = 2\nslack_length_mm = 9\n" +
+      kLigament);
+  EXPECT_EQ(read.name, "cord");
+  EXPECT_EQ(read.from, "");
+  EXPECT_EQ(read.to, "lid");
+  EXPECT_EQ(read.to_point, Eigen::Vector3d(1e-3, 2e-3, 3e-3));
+  EXPECT_EQ(read.from_point.z(), 0.01);
+  EXPECT_EQ(read.stiffness, 300);
+  EXPECT_EQ(read.toe_strain, 0.05);
+  EXPECT_DOUBLE_EQ(read.damping, 2e-3);
+  EXPECT_DOUBLE_EQ(read.slack_length.value(), 9e-3);
+}
+
+TEST(SceneLigament, MistakesAreToldWithTheirLines) {
+  const auto told = [](const std::string& text) {
+    return message_of<DataError>([&] { (void)ligament_of(text + kLigament); });
+  };
+  EXPECT_THAT(told("to = \"led\"\n"), StartsWith("s.toml:14: there is no body or hand 'led'"));
+  EXPECT_THAT(told("to = \"lid\"\nfrom = \"lid\"\n"),
+              StartsWith("s.toml:15: 'lid' cannot be tied to itself"));
+  EXPECT_THAT(told("to = \"lid\"\nslack_length_mm = 0\n"), StartsWith("s.toml:16: "));
+}
+
 }  // namespace
 }  // namespace thenar

@@ -2,6 +2,8 @@
 
 #include "dynamics/scene/scene_compliance.h"
 
+#include <cmath>
+
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -68,6 +70,41 @@ TEST(SceneCompliance, LetsARodSink) {
   const double sunk = 0.2 * 9.81 / 50e3;  // [m]
   EXPECT_NEAR(end[rod].p.z(), -sunk, 0.02 * sunk);
   EXPECT_NEAR(end[rod].p.x(), 0.05, 1e-8);
+}
+
+// data/scenes/loose_joint.toml: the deviation solves  k s sinh(a / s) = F L cos a.
+TEST(SceneCompliance, DeviatesAsTheSampleSays) {
+  const BuiltScene built = build_scene(read_scene(kData + "/scenes/loose_joint.toml"), {});
+  const SceneRun run = simulate_scene(built.scene, built.options);
+  ASSERT_EQ(run.status, SceneStatus::kDone);
+  double a = 0.1;
+  for (int i = 0; i < 100; ++i) a = 0.1 * std::asinh(0.4 * std::cos(a) / 0.15);
+  ASSERT_EQ(built.scene.mechanism.coordinates[4].name, "phalanx/abduction");
+  const MechanismLayout layout = layout_of(built.scene.mechanism);
+  EXPECT_NEAR(std::abs(run.samples.back().q[layout.coordinate_q[4]]), a, 1e-6);
+}
+
+// A ball of 100 g on a cord of 40 mm from the world: it sinks by  L0 sqrt(4 e_l m g / K).
+TEST(SceneLigament, CarriesABall) {
+  const std::string ball =
+      "[[body]]\nname = \"ball\"\nmass_g = 100\n[[body.shape]]\nkind = \"sphere\"\n"
+      "size_mm = [10]\n";
+  const BuiltScene built =
+      build(ball +
+            "[[ligament]]\nto = \"ball\"\nto_point_mm = [0, 0, 0]\nfrom_point_mm = [0, 0, 40]\n"
+            "stiffness_N = 2000\ndamping_ms = 200\n");
+  ASSERT_EQ(built.scene.elements.size(), 1u);
+  EXPECT_EQ(built.scene.elements[0]->name(), "ligament of ball");
+  const SceneRun run = simulate_scene(built.scene, built.options);
+  ASSERT_EQ(run.status, SceneStatus::kDone);
+  const double strain = std::sqrt(4 * 0.03 * 0.1 * 9.81 / 2000);
+  EXPECT_NEAR(run.samples.back().q[6], -0.04 * strain, 1e-7);
+  EXPECT_THAT(message_of<DataError>([&] {
+                (void)build(ball +
+                            "[[ligament]]\nto = \"ball\"\nto_point_mm = [0, 0, 0]\n"
+                            "from_point_mm = [0, 0, 0]\nstiffness_N = 2000\n");
+              }),
+              StartsWith("s.toml:11: ligament: wanted a slack length above 0"));
 }
 
 TEST(SceneCompliance, TellsTheLineOfWhatCannotGive) {
