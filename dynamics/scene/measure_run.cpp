@@ -162,8 +162,12 @@ RunMeasures measure_run(const MovingScene& scene, const SceneRun& run) {
   for (std::size_t k = 0; k < run.samples.size(); ++k)
     step.poses({run.samples[k].t, run.samples[k].q, run.samples[k].v}, out.X_WB[k]);
   const MechanismLayout& layout = step.model().layout;
-  for (std::size_t i = 0; i < step.model().bodies.size(); ++i)
-    if (step.model().bodies[i].link >= 0) out.moving.push_back(i);
+  for (std::size_t i = 0; i < step.model().bodies.size(); ++i) {
+    // Frames of joints have neither mass nor surface.
+    const MechanismBody& body = scene.mechanism.bodies[i];
+    if (step.model().bodies[i].link >= 0 && (body.mass.mass > 0 || body.solid))
+      out.moving.push_back(i);
+  }
   std::map<Pair, PairMeasure> pairs;
   for (std::size_t k = 0; k < run.samples.size(); ++k) {
     note_contacts(run.samples[k], k + 1 == run.samples.size(), pairs);

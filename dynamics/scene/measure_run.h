@@ -27,7 +27,7 @@ struct RunMeasures {
   double work = 0;                 // of forces and drives on the scene [J]
   double dissipated = 0;           // energy at the start + work - energy at the end [J]
   std::vector<std::vector<Pose<double>>> X_WB;  // (instants, bodies)
-  std::vector<std::size_t> moving;              // bodies that are not fixed to the world
+  std::vector<std::size_t> moving;  // bodies with mass or surface that are not fixed to the world
   std::vector<SceneVelocity> velocity;  // of the bodies at the end, centres of mass (bodies)
 };
 
