@@ -36,9 +36,40 @@ std::vector<CompliantJoint> make_part_compliant(const SceneSpec& spec, const std
   return made;
 }
 
+namespace {
+
+/// Both frames of a bushing stand at its point, z along its axis.
+std::shared_ptr<const ForceElement> bushing_element(const SceneBushingSpec& spec,
+                                                    const Mechanism& mechanism,
+                                                    const std::vector<Pose<double>>& X_WB) {
+  BushingLaw law;
+  for (std::size_t i = 0; i < law.ways.size(); ++i)
+    law.ways[i] = {spec.stiffness[i], i < 3 ? spec.translation_toe : spec.rotation_toe,
+                   spec.stiffening, spec.damping[i]};
+  const Tangents sides = tangents(spec.axis);
+  Pose<double> X_WA;
+  X_WA.R << sides.e1, sides.e2, spec.axis;
+  X_WA.p = spec.point;
+  const auto frame_in = [&](const std::string& name) -> BodyFrame {
+    if (name.empty()) return {-1, X_WA};
+    const int body = body_named(mechanism, name);
+    return {body, X_WB[static_cast<std::size_t>(body)].inverse() * X_WA};
+  };
+  return std::make_shared<BushingElement>(spec.name, frame_in(spec.from), frame_in(spec.to), law);
+}
+
+}  // namespace
+
 std::vector<std::shared_ptr<const ForceElement>> scene_ligaments(
     const SceneSpec& spec, const Mechanism& mechanism, const std::vector<Pose<double>>& X_WB) {
   std::vector<std::shared_ptr<const ForceElement>> out;
+  for (const SceneBushingSpec& bushing : spec.bushings) {
+    try {
+      out.push_back(bushing_element(bushing, mechanism, X_WB));
+    } catch (const InputError& error) {
+      throw DataError(spec.path, bushing.line, error.what());
+    }
+  }
   for (const SceneLigamentSpec& ligament : spec.ligaments) {
     try {
       BodyPoint from{-1, ligament.from_point}, to{-1, ligament.to_point};

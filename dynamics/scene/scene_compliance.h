@@ -23,7 +23,7 @@ namespace thenar {
                                                               const std::string& prefix,
                                                               Mechanism& part);
 
-/// Ligaments of a scene; without a slack length they are just taut at the start.
+/// Bushings and ligaments of a scene; without a slack length ligaments are just taut at the start.
 /// @param X_WB  bodies at the start (bodies)
 /// @throws DataError at the line of the file, where a body is not there or both ends are one
 [[nodiscard]] std::vector<std::shared_ptr<const ForceElement>> scene_ligaments(

@@ -123,10 +123,12 @@ void check_references(const SceneSpec& scene, const SceneNames& names) {
       throw DataError(scene.path, compliance.line,
                       fmt::format("the compliance of '{}' is given twice", compliance.joint));
   }
-  for (const SceneLigamentSpec& ligament : scene.ligaments) {
-    names.need_body(ligament.to, ligament.line);
-    if (!ligament.from.empty()) names.need_body(ligament.from, ligament.line);
-  }
+  const auto need_both = [&](const auto& tie) {
+    names.need_body(tie.to, tie.line);
+    if (!tie.from.empty()) names.need_body(tie.from, tie.line);
+  };
+  for (const SceneLigamentSpec& ligament : scene.ligaments) need_both(ligament);
+  for (const SceneBushingSpec& bushing : scene.bushings) need_both(bushing);
   for (const SceneApartSpec& apart : scene.apart)
     for (const std::string& name : apart.between) names.need(name, apart.line);
   int others = 0;
@@ -169,6 +171,8 @@ SceneSpec parse_scene(const std::string& text, const std::string& path) {
     scene.compliances.push_back(internal::read_scene_compliance(table));
   for (TomlTable& table : top.tables("ligament"))
     scene.ligaments.push_back(internal::read_scene_ligament(table));
+  for (TomlTable& table : top.tables("bushing"))
+    scene.bushings.push_back(internal::read_scene_bushing(table));
   // Time.
   std::optional<TomlTable> stepping = top.table("stepping");
   if (!stepping) top.fail("a scene needs [stepping] with its 'duration'");

@@ -9,6 +9,7 @@
 
 #include <Eigen/Core>
 
+#include "data/io/scene/scene_bushing.h"
 #include "data/io/scene/scene_compliance.h"
 #include "data/io/world/world.h"
 
@@ -131,6 +132,7 @@ struct SceneSpec {
   std::vector<SceneApartSpec> apart;
   std::vector<SceneComplianceSpec> compliances;
   std::vector<SceneLigamentSpec> ligaments;
+  std::vector<SceneBushingSpec> bushings;
   SteppingSpec stepping;
   std::optional<Camera> camera;
   FileDigests files = {};  // of the scene, its materials and bodies; hands are not read yet

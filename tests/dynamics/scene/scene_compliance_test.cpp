@@ -137,5 +137,73 @@ TEST(SceneCompliance, GivesToJointsOfHands) {
   }
 }
 
+/// Two cranks of 100 mm side by side, and a coupler of 200 mm on one of them: a parallelogram,
+/// whose loop a bushing closes.
+const std::string kParallelogram = R"([[body]]
+name = "left"
+mass_g = 100
+position_mm = [0, 0, 50]
+joint = {kind = "hinge", axis = [0, 1, 0], point_mm = [0, 0, 0]}
+[[body.shape]]
+kind = "box"
+size_mm = [10, 10, 100]
+[[body]]
+name = "right"
+mass_g = 100
+position_mm = [200, 0, 50]
+joint = {kind = "hinge", axis = [0, 1, 0], point_mm = [200, 0, 0], speed_rad_s = 2}
+[[body.shape]]
+kind = "box"
+size_mm = [10, 10, 100]
+[[body]]
+name = "coupler"
+mass_g = 200
+position_mm = [100, 20, 100]
+joint = {kind = "hinge", axis = [0, 1, 0], point_mm = [0, 0, 100], parent = "left"}
+[[body.shape]]
+kind = "box"
+size_mm = [200, 10, 10]
+)";
+
+// With both cranks at the same angle and the coupler in translation, it is a pendulum upside down:
+//   (2 m l^2 / 3 + M l^2) a'' = (m + M) g l sin a,   energy of motion and weight kept.
+TEST(SceneCompliance, ABushingClosesALoop) {
+  std::string text = kParallelogram;
+  text.replace(text.find("point_mm = [0, 0, 0]"), 20, "point_mm = [0, 0, 0], speed_rad_s = 2");
+  text.replace(text.find("parent = \"left\""), 15, "parent = \"left\", speed_rad_s = -2");
+  text +=
+      "[[bushing]]\nfrom = \"right\"\nto = \"coupler\"\npoint_mm = [200, 0, 100]\n"
+      "axis = [0, 1, 0]\ntranslation_N_per_mm = [1e5, 1e5, 1e5]\n"
+      "translation_damping_Ns_per_m = 1e4\n[[apart]]\nbetween = [\"right\", \"coupler\"]\n"
+      "[[apart]]\nbetween = [\"left\", \"coupler\"]\n";
+  BuiltScene built = build(text);
+  built.options.seconds = 0.3;
+  const SceneRun run = simulate_scene(built.scene, built.options);
+  ASSERT_EQ(run.status, SceneStatus::kDone);
+  const MechanismLayout layout = layout_of(built.scene.mechanism);
+  const auto& at = run.samples.back();
+  const double a = at.q[layout.coordinate_q[0]], rate = at.v[layout.coordinate_v[0]];
+  EXPECT_GT(a, 0.6);
+  EXPECT_NEAR(at.q[layout.coordinate_q[1]], a, 1e-6);
+  EXPECT_NEAR(at.q[layout.coordinate_q[2]], -a, 1e-6);
+  // A box of 10 x 100 mm about its end.
+  const double l = 0.1, m = 0.1, M = 0.2, g = 9.81;
+  const double end = m * ((l * l + 0.01 * 0.01) / 12 + l * l / 4);
+  const double inertia = 2 * end + M * l * l, moment = (m + M) * g * l;
+  EXPECT_NEAR(rate * rate, 4 + 2 * moment * (1 - std::cos(a)) / inertia, 1e-5);
+}
+
+TEST(SceneCompliance, RefusesABushingWithoutSprings) {
+  EXPECT_THAT(message_of<DataError>(
+                  [&] { (void)build(kRod + "[[bushing]]\nto = \"rod\"\npoint_mm = [0, 0, 0]\n"); }),
+              testing::HasSubstr("needs a 'translation' or 'rotation'"));
+  EXPECT_THAT(message_of<DataError>([&] {
+                (void)build(kRod +
+                            "[[bushing]]\nto = \"rood\"\npoint_mm = [0, 0, 0]\n"
+                            "translation_N_per_mm = [1, 1, 1]\n");
+              }),
+              testing::HasSubstr("there is no body or hand 'rood', did you mean 'rod'"));
+}
+
 }  // namespace
 }  // namespace thenar
