@@ -70,9 +70,23 @@ struct ContactStep::Parts {
     return model.bodies[static_cast<std::size_t>(body)].link;
   }
 
+  /// Links at a state; nothing is done where they are there already.
   void place(const SceneState& state) {
+    if (is_placed && placed_q == state.q && placed_v == state.v) return;
     motion.set_position(state.q);
     motion.set_speed(state.v);
+    placed_q = state.q;
+    placed_v = state.v;
+    is_placed = true;
+  }
+  /// Links at a position, or at other speeds, for once.
+  void move_to(const Eigen::VectorXd& q) {
+    is_placed = false;
+    motion.set_position(q);
+  }
+  void speed_up(const Eigen::VectorXd& v) {
+    is_placed = false;
+    motion.set_speed(v);
   }
 
   /// Largest displacement of a point of a collision body between two poses.
@@ -365,7 +379,7 @@ struct ContactStep::Parts {
 
   /// Largest speed of a point of a collision body, after place(), if the speeds were v [m/s].
   [[nodiscard]] double fastest(const Eigen::VectorXd& v) {
-    motion.set_speed(v);
+    speed_up(v);
     double most = 0;
     for (std::size_t i = 0; i < body_of.size(); ++i) {
       const int link = link_of(body_of[i]);
@@ -387,8 +401,10 @@ struct ContactStep::Parts {
   std::vector<int> body_of;                              // of the collision world's bodies
   std::unique_ptr<CollisionWorld> world;
   std::vector<Pose<double>> X_WB, X_before;
-  std::vector<double> way;     // of collision bodies [m]
-  std::vector<bool> may_meet;  // (bodies x bodies)
+  std::vector<double> way;             // of collision bodies [m]
+  std::vector<bool> may_meet;          // (bodies x bodies)
+  Eigen::VectorXd placed_q, placed_v;  // where place() has put the links (q), (v)
+  bool is_placed = false;              // and they still are
   Eigen::VectorXd tau, v_free, v_mean, zero, start, change;
   Eigen::VectorXd stiffness, damping;  // of springs, dampers and drives, over the speeds (v)
   Eigen::VectorXd implicit;            // what they add to the mass matrix (v)
@@ -485,7 +501,7 @@ void ContactStep::time_step(SceneState& state, double h, const std::vector<Activ
   // Once more with the velocity product at the mean of the speeds before and after; efforts stay,
   // as the mass matrix has their slopes.
   p.v_mean = 0.5 * (state.v + p.v_free);
-  p.motion.set_speed(p.v_mean);
+  p.speed_up(p.v_mean);
   p.v_free = state.v;
   p.add_efforts(h);
   // Whatever may close its gap within the step.
@@ -524,9 +540,10 @@ double ContactStep::motion_between(const SceneState& from, const SceneState& to,
                                    const std::vector<ActiveContact>& touching) {
   Parts& p = *parts_;
   const std::size_t n = p.body_of.size();
-  p.motion.set_position(from.q);
+  if (n < 2) return 0;
+  p.move_to(from.q);
   for (std::size_t i = 0; i < n; ++i) p.X_before[i] = p.motion.pose(p.body_of[i]);
-  p.motion.set_position(to.q);
+  p.move_to(to.q);
   for (std::size_t i = 0; i < n; ++i) p.X_WB[i] = p.motion.pose(p.body_of[i]);
   for (std::size_t i = 0; i < n; ++i) p.way[i] = p.displacement(i);
   double most = 0;
@@ -600,7 +617,7 @@ void ContactStep::close_gaps(SceneState& state, const std::vector<ActiveContact>
 }
 
 void ContactStep::poses(const SceneState& state, std::vector<Pose<double>>& out) {
-  parts_->motion.set_position(state.q);
+  parts_->move_to(state.q);
   out.resize(parts_->scene.mechanism.bodies.size());
   for (std::size_t i = 0; i < out.size(); ++i) out[i] = parts_->motion.pose(static_cast<int>(i));
 }
