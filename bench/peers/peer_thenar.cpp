@@ -26,7 +26,8 @@ PeerRun run_ours(const PeerScene& peer, SceneOptions options) {
   return run;
 }
 
-PeerSetting events(const std::string& name, PeerUse use, bool sleep, int columns) {
+PeerSetting events(const std::string& name, PeerUse use, bool sleep,
+                   int columns = SceneOptions{}.columns) {
   return {"thenar", name, true,
           [=](const PeerScene& scene, double tolerance) {
             SceneOptions options;
@@ -63,8 +64,8 @@ struct OurMachine {
 }  // namespace
 
 std::vector<PeerSetting> our_settings() {
-  return {events("events", PeerUse::kAll, true, 4),
-          events("events, no sleep", PeerUse::kContacts, false, 4),
+  return {events("events", PeerUse::kAll, true),
+          events("events, no sleep", PeerUse::kContacts, false),
           events("events, no sleep, 8 columns", PeerUse::kContacts, false, 8),
           {"thenar", "time-stepping", false, [](const PeerScene& scene, double step) {
              SceneOptions options;

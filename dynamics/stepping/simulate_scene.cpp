@@ -6,6 +6,7 @@
 #include <ctime>
 
 #include "base/error.h"
+#include "dynamics/stepping/extrapolation.h"
 #include "dynamics/stepping/free_step.h"
 
 namespace thenar {
@@ -13,7 +14,12 @@ namespace {
 
 using Kind = ActiveContact::Kind;
 
-constexpr int kMaxColumns = 8;
+constexpr int kRoughColumns = 4;       // of steps in which a mode changes
+constexpr double kShare = 0.1;         // of the tolerance that two orders may differ by: high
+                                       // orders differ little, and steps add up [1]
+constexpr double kRounding = 1e-12;    // they differ by at least that much [m], [rad]
+constexpr double kStretch = 1.1;       // of a step, to end where it must
+constexpr double kQuiet = 5;           // of `longest`, where positions hardly move
 constexpr double kRest = 1e-11;        // slower is at rest [m/s], [rad/s]
 constexpr int kChatter = 200;          // steps that are judged together
 constexpr double kChatterTime = 1e-4;  // that they should have passed [s]
@@ -54,7 +60,8 @@ class Simulation {
         progress_(progress),
         switches_(switching_times(scene)),
         state_(step_.start()),
-        free_(state_) {
+        free_(state_),
+        columns_(state_, options.columns) {
     // Impulses of fixed steps are rough by themselves.
     ContactSolverOptions contacts = options.contacts;
     if (options.method == SteppingMethod::kTimeStepping)
@@ -198,6 +205,7 @@ class Simulation {
 
   void run_events() {
     double H = 0.1 * options_.longest;
+    reach_ = options_.longest;
     step_.find(state_, kNearGap, found_);
     touch_and_bounce();
     sample(closed_, last_h_);
@@ -212,8 +220,10 @@ class Simulation {
         continue;
       }
       const double left = next_stop() - state_.t;
-      H = std::min(H, options_.longest);
-      const double taken = step_once(std::min(H, left), left, H);
+      // Equal parts up to the next stop.
+      H = std::min(H, reach_);
+      const double parts = std::ceil(left / std::min(kStretch * H, reach_) - 1e-9);
+      const double taken = step_once(parts > 1 ? left / parts : left, left, H);
       sample_if_due();
       if (taken <= 0) return;
     }
@@ -350,6 +360,8 @@ class Simulation {
         length = std::min(trial.closes, 0.999999 * length);
       } else if (trial.closes >= 0 && length <= options_.shortest) {
         break;  // as near as time is resolved
+      } else if (verdict_ == Extrapolation::Verdict::kReject) {
+        length = columns_.next_length(length, reach_, verdict_);
       } else if (trial.smooth && std::isfinite(trial.error)) {
         length *= std::clamp(0.9 * std::pow(trial.error, -1.0 / trial.order), 0.1, 0.9);
       } else {
@@ -361,19 +373,27 @@ class Simulation {
     if (!inspected_) step_.find(table_[static_cast<std::size_t>(result_)].state, kNearGap, found_);
     accept(length, left);
     const StepTrial& trial = table_[static_cast<std::size_t>(result_)];
-    H = length * growth_after(trial, rejected);
+    H = next_length(trial, length, rejected);
     return length;
   }
 
-  /// Length of the next step over that of an accepted one: by its error and that of the step before
-  /// [Hairer1993], and no longer right after a rejection.
-  double growth_after(const StepTrial& trial, bool rejected) {
-    if (!trial.smooth) return rejected ? 1 : 1.5;
+  /// Length of the next step after an accepted one: no longer right after a rejection.
+  double next_length(const StepTrial& trial, double length, bool rejected) {
+    if (!trial.smooth) return length * (rejected ? 1 : 1.5);
+    const double next = verdict_ == Extrapolation::Verdict::kAccept
+                            ? columns_.next_length(length, reach_, verdict_)
+                            : length * free_growth(trial);
+    return rejected ? std::min(next, length) : next;
+  }
+
+  /// By the error of a free step and that of the step before [Hairer1993], so carefully that
+  /// hardly any step is rejected.
+  double free_growth(const StepTrial& trial) {
     const double error = std::max(trial.error, 1e-9);
     const double growth =
-        0.95 * std::pow(error, -0.7 / trial.order) * std::pow(last_error_, 0.4 / trial.order);
+        0.8 * std::pow(error, -0.7 / trial.order) * std::pow(last_error_, 0.4 / trial.order);
     last_error_ = error;
-    return std::clamp(growth, 0.2, rejected ? 1.0 : 4.0);
+    return std::clamp(growth, 0.2, 4.0);
   }
 
   double give_up() {
@@ -385,6 +405,10 @@ class Simulation {
     StepTrial& trial = table_[static_cast<std::size_t>(result_)];
     const double end = length == left ? next_stop() : state_.t + length;
     const bool was_still = is_still();
+    // Where positions hardly move, all contacts that may close are known.
+    const bool quiet = step_.scene().elements.empty() && state_.q.size() > 0 &&
+                       (trial.state.q - state_.q).cwiseAbs().maxCoeff() < kNearGap;
+    reach_ = (quiet ? kQuiet : 1) * options_.longest;
     state_ = trial.state;
     state_.t = end;
     closed_.swap(trial.active);
@@ -439,31 +463,44 @@ class Simulation {
   /// Fills the table for one step, up to the first sign that it is too long.
   void try_step(double length) {
     inspected_ = false;
+    verdict_ = Extrapolation::Verdict::kGoOn;
     forget_counts();
     step_.act_as_at(state_.t);
     if (closed_.empty() && !step_.is_stiff(state_, length)) return free_step(length);
+    columns_.restart();
+    bool smooth = true;
     for (int n = 1; n <= options_.columns; ++n) {
       StepTrial& column = table_[static_cast<std::size_t>(n - 1)];
       result_ = n - 1;
       if (!substeps(length, n, column)) return;
-    }
-    StepTrial& last = table_[static_cast<std::size_t>(options_.columns - 1)];
-    // Modes that changed leave the finest column.
-    bool smooth = true;
-    for (int n = 0; n < options_.columns; ++n) {
-      const StepTrial& column = table_[static_cast<std::size_t>(n)];
       smooth = smooth && column.smooth && same_modes(column.active, table_[0].active);
+      column.smooth = smooth;
+      if (smooth ? extrapolates(column) : n >= kRoughColumns) break;
     }
-    last.smooth = smooth;
-    last.order = smooth ? options_.columns : 2;
+    StepTrial& last = table_[static_cast<std::size_t>(result_)];
     if (!smooth) {
-      last.error =
-          difference(last.state, table_[static_cast<std::size_t>(options_.columns - 2)].state, 1);
-    } else {
-      extrapolate();
+      // Modes that changed leave the finest column.
+      last.order = 2;
+      last.error = difference(last.state, table_[static_cast<std::size_t>(result_ - 1)].state, 1);
+      verdict_ = Extrapolation::Verdict::kGoOn;
     }
     // Gaps of extrapolated positions are not those of any column.
     if (last.error <= 1 || length <= options_.shortest) inspect(length, last);
+  }
+
+  /// Whether another column is of no use, since this one is good enough or all will not be. It then
+  /// has the extrapolated state.
+  bool extrapolates(StepTrial& column) {
+    columns_.add(column.state);
+    if (columns_.columns() < 2) return false;
+    const double share = std::max(kShare, std::min(1.0, kRounding / options_.tolerance));
+    column.error = difference(columns_.best(), columns_.lower(), kHorizon) / share;
+    verdict_ = columns_.judge(column.error);
+    if (verdict_ == Extrapolation::Verdict::kGoOn) return false;
+    column.order = columns_.columns();
+    column.state = columns_.best();
+    step_.normalise(column.state.q);
+    return true;
   }
 
   /// One column: n substeps. @return false if a gap closes within it
@@ -511,27 +548,6 @@ class Simulation {
         std::max((a.q - b.q).cwiseAbs().maxCoeff(), horizon * (a.v - b.v).cwiseAbs().maxCoeff());
     if (a.z.size() > 0) most = std::max(most, kHorizon * (a.z - b.z).cwiseAbs().maxCoeff());
     return most / options_.tolerance;
-  }
-
-  /// Neville's scheme towards substeps of length 0, in place: column k of row j is
-  ///   T_jk = T_j,k-1 + (T_j,k-1 - T_j-1,k-1) / (n_j / n_j-k - 1).
-  void extrapolate() {
-    const int columns = options_.columns;
-    for (int k = 1; k < columns; ++k) {
-      for (int j = columns - 1; j >= k; --j) {
-        SceneState& row = table_[static_cast<std::size_t>(j)].state;
-        const SceneState& above = table_[static_cast<std::size_t>(j - 1)].state;
-        const double ratio = 1 / (static_cast<double>(j + 1) / (j + 1 - k) - 1);
-        row.q += ratio * (row.q - above.q);
-        row.v += ratio * (row.v - above.v);
-        row.z += ratio * (row.z - above.z);
-      }
-    }
-    // The order before stands one row above.
-    StepTrial& last = table_[static_cast<std::size_t>(columns - 1)];
-    last.error =
-        difference(last.state, table_[static_cast<std::size_t>(columns - 2)].state, kHorizon);
-    step_.normalise(last.state.q);
   }
 
   /// One step of order eight, where nothing touches.
@@ -586,9 +602,12 @@ class Simulation {
   bool inspected_ = false;  // found_ belongs to the trial
   int asleep_ = 0;
   int result_ = 0;
-  std::array<StepTrial, kMaxColumns> table_;
+  double reach_ = 0;  // no step is longer for now [s]
+  std::array<StepTrial, Extrapolation::kMostColumns> table_;
   StepOutcome outcome_;
   FreeStep free_;
+  Extrapolation columns_;
+  Extrapolation::Verdict verdict_ = Extrapolation::Verdict::kGoOn;  // on the last column, if any
 };
 
 void check_options(const SceneOptions& options) {
@@ -597,8 +616,8 @@ void check_options(const SceneOptions& options) {
   require(options.sample > 0 && options.step > 0 && options.longest > 0 && options.tolerance > 0 &&
               options.shortest > 0 && options.touch > 0 && options.recovery >= 0,
           "wanted steps, samples, tolerances and lengths above 0");
-  require(options.columns >= 2 && options.columns <= kMaxColumns, "wanted 2 to {} columns, got {}",
-          kMaxColumns, options.columns);
+  require(options.columns >= 2 && options.columns <= Extrapolation::kMostColumns,
+          "wanted 2 to {} columns, got {}", Extrapolation::kMostColumns, options.columns);
 }
 
 }  // namespace

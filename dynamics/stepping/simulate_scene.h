@@ -26,7 +26,7 @@ struct SceneOptions {
   double seconds = 1;       // how long [s]
   double sample = 1e-2;     // between the instants that are kept [s]
   double step = 1e-3;       // kTimeStepping: of every step [s]
-  double longest = 2e-2;    // kEvents: step [s]
+  double longest = 2e-2;    // kEvents: step; five times that where nothing moves by 0.1 mm [s]
   double tolerance = 1e-9;  // kEvents: error of a step, in positions [m], [rad], and in speeds over
                             // 100 [m/s], [rad/s]
   double shortest = 1e-9;   // kEvents: no step is halved below this [s]
@@ -34,7 +34,7 @@ struct SceneOptions {
   double recovery = 0.1;    // speed at which depth at the start is pushed out [m/s]
   ContactSolverOptions contacts{};  // kPyramid: the complementarity problem of [Miller2005]; the
                                     // tolerance of fixed steps is 1e-9 at least
-  int columns = 4;                  // kEvents: of the extrapolation, 2..8; its order
+  int columns = 5;                  // kEvents: most of the extrapolation, 2..8; its highest order
   bool sleep = true;                // kEvents: what rests stays as it is until something switches
 };
 
@@ -91,12 +91,14 @@ struct [[nodiscard]] SceneRun {
 
 /// Simulates a scene.
 ///
-/// kEvents: a step of length H is made of 1, 2, .. columns substeps (ContactStep::substep), and
-/// extrapolated to H / n = 0, order by order; the difference of the last two orders is its error.
-/// That holds while all contacts keep their modes. Where a mode changes within the step, the finest
-/// column is taken if it differs from the one before by no more than the tolerance; where a gap
+/// kEvents: a step of length H is made of 1, 2, .. n substeps (ContactStep::substep), and
+/// extrapolated to H / n = 0, order by order; a tenth of the tolerance is what the last two orders
+/// may differ by. n and H are those that ask for the least substeps (Extrapolation). That holds
+/// while all contacts keep their modes. Where a mode changes within the step, the finest of four
+/// columns is taken if it differs from the one before by no more than the tolerance; where a gap
 /// closes, the step is cut at that instant, and an impact ends the approach. Otherwise the step is
-/// halved. Source: [Deuflhard1983] for extrapolation of one-step methods.
+/// halved. Where nothing touches, FreeStep goes on. Source: [Deuflhard1983] for extrapolation of
+/// one-step methods.
 ///
 /// Where 200 steps pass less than 0.1 ms (a rim that rattles on an edge), ten midpoint steps go on
 /// by 1 ms, and SceneCost::passed counts them.

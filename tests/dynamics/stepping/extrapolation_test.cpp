@@ -1,0 +1,108 @@
+// Tests for dynamics/stepping/extrapolation.cpp.
+
+#include "dynamics/stepping/extrapolation.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <vector>
+
+namespace thenar {
+namespace {
+
+using Verdict = Extrapolation::Verdict;
+
+SceneState number(double x) {
+  SceneState state;
+  state.q = state.v = Eigen::VectorXd::Constant(1, x);
+  state.z = Eigen::VectorXd(0);
+  return state;
+}
+
+/// What the columns of Euler's method make of  x' = x  over a length.
+double euler(double length, int substeps) { return std::pow(1 + length / substeps, substeps); }
+
+// Errors of n columns are of order n + 1 in one step: half the length, 1 / 2^(n + 1) of the error.
+TEST(Extrapolation, RaisesTheOrderByOneAColumn) {
+  for (int n = 1; n <= 6; ++n) {
+    std::vector<double> errors;
+    for (const double length : {0.4, 0.2}) {
+      Extrapolation table(number(1), Extrapolation::kMostColumns);
+      table.restart();
+      for (int k = 1; k <= n; ++k) table.add(number(euler(length, k)));
+      EXPECT_EQ(table.columns(), n);
+      errors.push_back(std::abs(table.best().q[0] - std::exp(length)));
+    }
+    EXPECT_NEAR(std::log2(errors[0] / errors[1]), n + 1, 0.35) << n;
+  }
+}
+
+// An expansion of two terms is gone with three columns.
+TEST(Extrapolation, IsExactWhereTheExpansionEnds) {
+  Extrapolation table(number(0), 4);
+  table.restart();
+  for (int k = 1; k <= 3; ++k) table.add(number(5 + 2.0 / k - 3.0 / (k * k)));
+  EXPECT_NEAR(table.best().v[0], 5, 1e-14);
+  table.add(number(5 + 2.0 / 4 - 3.0 / 16));
+  EXPECT_NEAR(table.lower().v[0], 5, 1e-14);
+  EXPECT_NEAR(table.best().v[0], 5, 1e-14);
+}
+
+/// Substeps that a whole run of  x' = x  from 0 to 10 takes, and its error over the tolerance.
+struct GrowthRun {
+  long substeps = 0, rejected = 0;
+  double error = 0;
+};
+GrowthRun grow(int most, double tolerance) {
+  GrowthRun out;
+  Extrapolation table(number(1), most);
+  double t = 0, x = 1, length = 1e-3, scale = 0;
+  while (t < 10) {
+    table.restart();
+    Verdict verdict = Verdict::kGoOn;
+    const double step = std::min(length, 10 - t);
+    for (int n = 1; verdict == Verdict::kGoOn; ++n) {
+      table.add(number(x * euler(step, n)));
+      out.substeps += n;
+      if (n < 2) continue;
+      verdict = table.judge(std::abs(table.best().q[0] - table.lower().q[0]) / (x * tolerance));
+    }
+    if (verdict == Verdict::kAccept) {
+      t += step;
+      x = table.best().q[0];
+      ++scale;
+    } else {
+      ++out.rejected;
+    }
+    length = table.next_length(step, 10, verdict);
+  }
+  out.error = std::abs(x / std::exp(10.0) - 1) / tolerance / scale;
+  return out;
+}
+
+// The order that is chosen takes less work than low orders do, and errs by no more than asked.
+TEST(Extrapolation, ChoosesAnOrderThatSavesWork) {
+  for (const double tolerance : {1e-4, 1e-7, 1e-10}) {
+    const GrowthRun chosen = grow(8, tolerance);
+    EXPECT_LT(chosen.error, 1) << tolerance;
+    EXPECT_LE(chosen.rejected, 4) << tolerance;
+    for (const int most : {2, 4}) {
+      const GrowthRun bound = grow(most, tolerance);
+      EXPECT_LT(bound.error, 1) << tolerance;
+      EXPECT_LT(chosen.substeps, 1.2 * bound.substeps) << tolerance << ' ' << most;
+    }
+  }
+  EXPECT_LT(5 * grow(8, 1e-10).substeps, grow(2, 1e-10).substeps);
+}
+
+TEST(Extrapolation, RejectsWhatIsNotANumber) {
+  Extrapolation table(number(1), 3);
+  table.restart();
+  for (int n = 1; n <= 3; ++n) table.add(number(n));
+  EXPECT_EQ(table.judge(std::nan("")), Verdict::kReject);
+  EXPECT_LE(table.next_length(1, 1, Verdict::kReject), 0.9);
+  EXPECT_GT(table.next_length(1, 1, Verdict::kReject), 0);
+}
+
+}  // namespace
+}  // namespace thenar
