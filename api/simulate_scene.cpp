@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <exception>
 #include <filesystem>
 #include <mutex>
 #include <set>
@@ -19,6 +20,8 @@
 #include "base/error.h"
 #include "base/nearest_name.h"
 #include "base/parallel_for.h"
+#include "dynamics/scene/run_bytes.h"
+#include "sampling/run/communicator.h"
 
 namespace thenar {
 namespace {
@@ -83,10 +86,10 @@ ReadScene read_request(const SceneRequest& request) {
   return read;
 }
 
-/// Simulates and measures a scene with some numbers changed.
+/// Simulates, unless that was done, and measures a scene with some numbers changed.
 SimulatedScene simulated(const ReadScene& read,
                          const std::vector<std::pair<std::string, double>>& numbers,
-                         const Progress& progress) {
+                         const Progress& progress, std::optional<SceneRun> done = {}) {
   SimulatedScene out;
   out.name = read.spec.name;
   out.description = read.spec.description;
@@ -96,7 +99,7 @@ SimulatedScene simulated(const ReadScene& read,
   out.varied = numbers;
   auto built = std::make_shared<BuiltScene>(read.open.built);
   for (const auto& [name, value] : numbers) set_number(*built, name, value);
-  out.run = simulate_scene(built->scene, built->options, progress);
+  out.run = done ? std::move(*done) : simulate_scene(built->scene, built->options, progress);
   out.measures = measure_run(built->scene, out.run);
   out.built = std::move(built);
   return out;
@@ -187,25 +190,85 @@ SimulatedScene run_scene(const SceneRequest& request, const Progress& progress) 
   return simulated(read_request(request), {}, progress);
 }
 
-SceneSweep vary_scene(const SceneRequest& request, const Progress& progress) {
-  const ReadScene read = read_request(request);
-  SceneSweep sweep;
-  sweep.name = read.spec.name;
-  sweep.vary = request.vary;
-  sweep.files = read.open.files;
-  sweep.asked = count_runs(request.vary);
-  // Impossible values are refused before any work.
-  for (std::size_t i = 0; i < sweep.asked; ++i) {
-    BuiltScene trial = read.open.built;
-    for (const auto& [name, value] : numbers_of(request.vary, i)) set_number(trial, name, value);
+namespace {
+
+/// Runs of a sweep; what is absent was not made here, or not begun.
+using SweptRuns = std::vector<std::optional<SimulatedScene>>;
+
+/// Puts the runs of all processes together on the first. Only motions are sent: each process has
+/// read the scene, and measures are made again.
+/// @param packed  motions that this process is to send; "" for all others
+void gather_runs(const ReadScene& read, const std::vector<SceneVariation>& vary,
+                 const Communicator& ranks, std::vector<std::string> packed, SweptRuns& runs) {
+  for (std::size_t i = 0; i < runs.size(); ++i) {
+    const std::size_t owner = i % static_cast<std::size_t>(ranks.size());
+    std::vector<std::string> sent = internal::all_gather_bytes(ranks, packed[i]);
+    packed[i] = ranks.rank() == 0 ? std::move(sent[owner]) : "";
   }
-  std::vector<std::optional<SimulatedScene>> runs(sweep.asked);
-  SharedProgress shared(progress, sweep.asked);
-  parallel_for(sweep.asked, [&](std::size_t i) {
-    if (!progress.stop()) runs[i] = simulated(read, numbers_of(request.vary, i), shared.of(i));
+  collective_call(ranks, [&] {
+    parallel_for(runs.size(), [&](std::size_t i) {
+      if (!packed[i].empty())
+        runs[i] = simulated(read, numbers_of(vary, i), {}, run_of_bytes(packed[i]));
+    });
   });
+}
+
+/// All that processes do together; whatever it throws, it throws on all of them.
+SceneSweep sweep_together(const SceneRequest& request, const Progress& progress,
+                          const Communicator& ranks) {
+  const auto rank = static_cast<std::size_t>(ranks.rank());
+  const auto size = static_cast<std::size_t>(ranks.size());
+  ReadScene read;
+  SceneSweep sweep;
+  SweptRuns runs;
+  std::vector<std::string> packed;
+  collective_call(ranks, [&] {
+    read = read_request(request);
+    sweep.name = read.spec.name;
+    sweep.vary = request.vary;
+    sweep.files = read.open.files;
+    sweep.asked = count_runs(request.vary);
+    // Impossible values are refused before any work.
+    for (std::size_t i = 0; i < sweep.asked; ++i) {
+      BuiltScene trial = read.open.built;
+      for (const auto& [name, value] : numbers_of(request.vary, i)) set_number(trial, name, value);
+    }
+  });
+  collective_call(ranks, [&] {
+    runs.resize(sweep.asked);
+    packed.resize(sweep.asked);
+    const std::size_t mine = (sweep.asked + size - 1 - rank) / size;
+    SharedProgress shared(progress, std::max<std::size_t>(1, mine));
+    parallel_for(mine, [&](std::size_t k) {
+      const std::size_t i = rank + k * size;
+      if (progress.stop()) return;
+      runs[i] = simulated(read, numbers_of(request.vary, i), shared.of(k));
+      if (rank > 0) packed[i] = bytes_of(runs[i]->run);
+    });
+  });
+  if (size > 1) gather_runs(read, request.vary, ranks, std::move(packed), runs);
   for (std::optional<SimulatedScene>& run : runs)
     if (run) sweep.runs.push_back(std::move(*run));
+  return sweep;
+}
+
+}  // namespace
+
+std::optional<SceneSweep> vary_scene(const SceneRequest& request, const Progress& progress) {
+  std::optional<SceneSweep> sweep;
+  std::exception_ptr failure;
+  {
+    const std::unique_ptr<Communicator> ranks = world_communicator();
+    Progress told = progress;
+    if (ranks->rank() > 0) told.report = nullptr;
+    try {
+      SceneSweep found = sweep_together(request, told, *ranks);
+      if (ranks->rank() == 0) sweep = std::move(found);
+    } catch (const std::exception&) {
+      if (ranks->rank() == 0) failure = std::current_exception();
+    }
+  }  // MPI ends in peace before the first process fails alone
+  if (failure) std::rethrow_exception(failure);
   return sweep;
 }
 

@@ -79,8 +79,13 @@ struct OpenScene {
 
 /// Simulates a run for each combination of the numbers that vary, several at once; each run is the
 /// same to the bit as by itself. Stopped: runs that have begun are kept up to there.
-/// @throws as run_scene(), or if there would be more than kMostRuns.
-[[nodiscard]] SceneSweep vary_scene(const SceneRequest& request, const Progress& progress = {});
+///
+/// Started by mpirun, all processes simulate together, each with its threads, and only the first
+/// has the answer, the same as without: the others have nothing. Call it once in a program.
+/// @throws as run_scene(), or if there would be more than kMostRuns; where several processes fail,
+/// the first throws.
+[[nodiscard]] std::optional<SceneSweep> vary_scene(const SceneRequest& request,
+                                                   const Progress& progress = {});
 inline constexpr std::size_t kMostRuns = 10000;
 
 /// Writes all instants as HDF5, dimensions labelled as xarray expects, with the texts and hashes of

@@ -101,12 +101,13 @@ void simulate_and_deliver(const SceneRequest& request, const Outputs& outputs) {
     tell_outcome(scene, scene.run.status == SceneStatus::kStopped, outputs);
     return;
   }
-  const SceneSweep sweep = vary_scene(request, progress);
-  if (sweep.runs.empty()) tell_if_stopped(0, sweep.asked, "run");
-  print_warnings(warnings_of(sweep));
-  if (!file.empty()) write_scene_sweep(sweep, file, this_run());
-  deliver(outputs, sweep);
-  tell_outcome(sweep, progress.stop(), outputs);
+  const std::optional<SceneSweep> sweep = vary_scene(request, progress);
+  if (!sweep) return;  // another process of mpirun has the answer
+  if (sweep->runs.empty()) tell_if_stopped(0, sweep->asked, "run");
+  print_warnings(warnings_of(*sweep));
+  if (!file.empty()) write_scene_sweep(*sweep, file, this_run());
+  deliver(outputs, *sweep);
+  tell_outcome(*sweep, progress.stop(), outputs);
 }
 
 struct SimulateArguments {

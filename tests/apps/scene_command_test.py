@@ -1,6 +1,6 @@
 """Scenes in motion by the command `thenar simulate SCENE`; expected numbers are closed forms, computed here.
 
-Usage: scene_command_test.py [path of the program]; else the environment's THENAR. Run from anywhere.
+Usage: scene_command_test.py [path of the program [MPIEXEC]]; else the environment's THENAR. Run from anywhere.
 """
 import json
 import math
@@ -17,6 +17,7 @@ from files import Files
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 SCENES = ROOT / "data/scenes"
 PROGRAM = os.environ.get("THENAR", "thenar")
+MPIEXEC = None
 G = 9.81
 
 BALL = """name = "ball"
@@ -230,6 +231,52 @@ class Variations(Files):
                          [(m, t) for m in (0.1, 0.2) for t in (1e-9, 5.5e-9, 1e-8)])
 
 
+class Processes(Files):
+    # Processes of this machine only, more of them than cores, and by root in containers.
+    ENVIRONMENT = {"OMPI_ALLOW_RUN_AS_ROOT": "1", "OMPI_ALLOW_RUN_AS_ROOT_CONFIRM": "1",
+                   "OMPI_MCA_btl": "self,vader", "OMPI_MCA_mpi_yield_when_idle": "1",
+                   "OMPI_MCA_hwloc_base_binding_policy": "none",
+                   "ASAN_OPTIONS": "detect_leaks=0"}  # Open MPI keeps what it allocates
+
+    def swept(self, ranks, *words):
+        """By one process without mpirun if ranks is 0; files carry the same date."""
+        if MPIEXEC is None:
+            self.skipTest("no MPI")
+        start = [MPIEXEC, "-n", str(ranks), "--oversubscribe"] if ranks else []
+        return subprocess.run([*start, PROGRAM, "simulate", *map(str, words)], capture_output=True,
+                              text=True, check=False, cwd=ROOT, timeout=120,
+                              env={**os.environ, "SOURCE_DATE_EPOCH": "0",
+                                   **(self.ENVIRONMENT if ranks else {})})
+
+    # Five runs by two processes and by three: the last of them has one.
+    def test_sweep_by_processes_is_that_by_threads_to_the_byte(self):
+        out = self.path("runs.h5")
+        words = ("swinging_pinch", "--seconds", 0.3, "--vary", "friction=0.5:1:5", "-o", out, "--json")
+        answers, files = [], []
+        for ranks in (0, 2, 3):
+            result = self.swept(ranks, *words)
+            self.assertEqual(result.returncode, 0, result.stderr)
+            answers.append(json.loads(result.stdout))
+            for each in answers[-1]["runs"]:
+                each.pop("cpu_s_per_simulated_s", None)
+            files.append(pathlib.Path(out).read_bytes())
+            os.remove(out)
+        self.assertEqual(answers[0], answers[1])
+        self.assertEqual(answers[0], answers[2])
+        self.assertTrue(files[0] == files[1] == files[2])
+
+    def test_processes_fail_once_and_in_peace(self):
+        result = self.swept(2, "pinch", "--vary", "fricton=0:1:2")
+        self.assertNotEqual(result.returncode, 0)
+        self.assertEqual(result.stderr.count("cannot vary 'fricton'"), 1, result.stderr)
+        self.assertNotIn("MPI_ABORT", result.stderr)
+
+    def test_more_processes_than_runs_do_no_harm(self):
+        result = self.swept(3, "pinch", "--seconds", 0.1, "--vary", "friction=0.5:1:2", "--json")
+        self.assertEqual(result.returncode, 0, result.stderr)
+        self.assertEqual(len(json.loads(result.stdout)["runs"]), 2)
+
+
 class Refusals(Files):
     def complaint(self, *words):
         result = run(*words)
@@ -283,4 +330,6 @@ class Signals(Files):
 if __name__ == "__main__":
     if len(sys.argv) > 1 and not sys.argv[1].startswith("-"):
         PROGRAM = os.path.abspath(sys.argv.pop(1))
+    if len(sys.argv) > 1 and "/" in sys.argv[1]:
+        MPIEXEC = sys.argv.pop(1)
     unittest.main()

@@ -44,7 +44,7 @@ TEST(SceneAnswer, OfASweepNamesTheRunThatIsRefused) {
   request.scene = kData + "/scenes/pinch.toml";
   request.seconds = 0.05;
   request.vary = {{"friction", 0.4, 0.8, 3}};
-  SceneSweep sweep = vary_scene(request);
+  SceneSweep sweep = *vary_scene(request);
   EXPECT_EQ(refusal_of(sweep), "");
   sweep.runs[1].run.cost.unsolved = 1;
   EXPECT_THAT(refusal_of(sweep), HasSubstr("at friction 0.6: 1 of "));

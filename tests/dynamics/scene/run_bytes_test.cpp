@@ -1,0 +1,66 @@
+// Tests for dynamics/scene/run_bytes.cpp.
+
+#include "dynamics/scene/run_bytes.h"
+
+#include <cmath>
+#include <limits>
+
+#include <gtest/gtest.h>
+
+#include "base/error.h"
+#include "data/io/scene/scene.h"
+#include "dynamics/scene/build_scene.h"
+#include "tests/data_folder.h"
+
+namespace thenar {
+namespace {
+
+SceneRun pinched() {
+  const BuiltScene built = build_scene(read_scene(kData + "/scenes/swinging_pinch.toml"), {});
+  SceneOptions options = built.options;
+  options.seconds = 0.1;
+  return simulate_scene(built.scene, options);
+}
+
+TEST(RunBytes, ComeBackToTheBit) {
+  SceneRun run = pinched();
+  ASSERT_FALSE(run.samples.back().contacts.empty());
+  run.status = SceneStatus::kUnsolved;
+  run.cost.unsolved = 7;
+  run.samples[1].q[0] = -0.0;
+  run.samples[1].v[0] = std::numeric_limits<double>::denorm_min();
+  const SceneRun back = run_of_bytes(bytes_of(run));
+  EXPECT_EQ(back.status, run.status);
+  EXPECT_EQ(back.cost.unsolved, 7);
+  EXPECT_EQ(back.cost.steps, run.cost.steps);
+  EXPECT_EQ(back.cost.worst_residual, run.cost.worst_residual);
+  ASSERT_EQ(back.samples.size(), run.samples.size());
+  EXPECT_TRUE(std::signbit(back.samples[1].q[0]));
+  for (std::size_t k = 0; k < run.samples.size(); ++k) {
+    const SceneSample &a = run.samples[k], &b = back.samples[k];
+    EXPECT_EQ(a.t, b.t);
+    EXPECT_EQ(a.q, b.q);
+    EXPECT_EQ(a.v, b.v);
+    EXPECT_EQ(a.energy.total(), b.energy.total());
+    ASSERT_EQ(a.contacts.size(), b.contacts.size());
+    for (std::size_t c = 0; c < a.contacts.size(); ++c) {
+      EXPECT_EQ(a.contacts[c].id, b.contacts[c].id);
+      EXPECT_EQ(a.contacts[c].force, b.contacts[c].force);
+      EXPECT_EQ(a.contacts[c].gap, b.contacts[c].gap);
+      EXPECT_EQ(a.contacts[c].mode, b.contacts[c].mode);
+    }
+  }
+}
+
+TEST(RunBytes, OfNoRunAreRefused) {
+  const std::string bytes = bytes_of(pinched());
+  EXPECT_THROW((void)run_of_bytes(""), InputError);
+  EXPECT_THROW((void)run_of_bytes(bytes.substr(0, bytes.size() - 1)), InputError);
+  EXPECT_THROW((void)run_of_bytes(bytes + "x"), InputError);
+  // A count that promises more than there is asks for no memory.
+  EXPECT_THROW((void)run_of_bytes(bytes.substr(0, sizeof(SceneStatus)) + std::string(8, '\x7f')),
+               InputError);
+}
+
+}  // namespace
+}  // namespace thenar
