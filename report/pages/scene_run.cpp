@@ -18,6 +18,7 @@ namespace {
 using Eigen::Index;
 
 constexpr Index kPlayed = 240;          // instants of the player, at most
+constexpr int kStills = 8;              // pictures in a row
 constexpr std::size_t kCurves = 24;     // in one chart, at most
 constexpr double kLongestArrow = 0.25;  // of the largest contact force, over the scene's size [1]
 constexpr double kBodyOpacity = 0.5;    // of bodies that are no links [1]
@@ -28,6 +29,39 @@ const char* color_of_owner(std::size_t index) {
   static constexpr const char* kColors[] = {"#e6a83c", "#6fa8cf", "#8dbb95",
                                             "#c7a6d1", "#d3a15f", "#7cc0c4"};
   return kColors[index % std::size(kColors)];
+}
+
+/// Instants of still pictures: even steps of what is half time and half way, the longest that any
+/// body's centre has gone, so that pictures are close where much happens.
+/// @param played  instants that the view has
+std::vector<double> still_times(const SimulatedScene& scene, const std::vector<Index>& played) {
+  const std::vector<SceneSample>& samples = scene.run.samples;
+  const std::vector<MechanismBody>& bodies = scene.built->scene.mechanism.bodies;
+  // Way up to each instant that is played.
+  std::vector<double> way(played.size(), 0);
+  for (std::size_t k = 1; k < played.size(); ++k) {
+    double most = 0;
+    for (const std::size_t b : scene.measures.moving) {
+      const auto centre = [&](Index i) {
+        return Eigen::Vector3d(scene.measures.X_WB[static_cast<std::size_t>(i)][b] *
+                               bodies[b].mass.com);
+      };
+      most = std::max(most, (centre(played[k]) - centre(played[k - 1])).norm());
+    }
+    way[k] = way[k - 1] + most;
+  }
+  const auto time = [&](std::size_t k) { return samples[static_cast<std::size_t>(played[k])].t; };
+  const double span = time(played.size() - 1) - time(0);
+  const auto share = [&](std::size_t k) {
+    const double gone = way.back() > 0 ? way[k] / way.back() : 0;
+    return span > 0 ? 0.5 * (time(k) - time(0)) / span + 0.5 * gone : 0;
+  };
+  std::vector<double> times;
+  for (std::size_t k = 0; k < played.size(); ++k)
+    if (share(k) >=
+        share(played.size() - 1) * static_cast<double>(times.size()) / (kStills - 1) - 1e-12)
+      times.push_back(time(k));
+  return times;
 }
 
 /// What the scene view needs of a run.
@@ -47,13 +81,15 @@ class SceneFilm {
   [[nodiscard]] Json block() const {
     Json layers = Json::array();
     add_fixed(layers);
-    for (const Index i : spread(static_cast<Index>(scene_.run.samples.size()), kPlayed))
-      add_instant(static_cast<std::size_t>(i), layers);
+    const std::vector<Index> played =
+        spread(static_cast<Index>(scene_.run.samples.size()), kPlayed);
+    for (const Index i : played) add_instant(static_cast<std::size_t>(i), layers);
     Json block{{"type", "scene"},
                {"caption", fmt::format("{} in motion; arrows are contact forces, {:.3g} N as long "
                                        "as {:.3g} mm",
                                        scene_.name, largest_force_, arrow_ / kMm)},
-               {"layers", std::move(layers)}};
+               {"layers", std::move(layers)},
+               {"strip", still_times(scene_, played)}};
     if (scene_.camera) block["view"] = numbers3(scene_.camera->eye - scene_.camera->target);
     return block;
   }

@@ -187,6 +187,7 @@ class ResultFiles(Near):
         start = text.index('id="thenar-report">') + len('id="thenar-report">')
         report = json.loads(text[start:text.index("</script>", start)])
         scene, = (block for block in report["sections"][0]["blocks"] if block["type"] == "scene")
+        self.assertEqual((len(scene["strip"]), scene["strip"][0], scene["strip"][-1]), (8, 0, 0.6))
         last = [layer for layer in scene["layers"] if layer.get("time") == 0.6]
         self.assertEqual([layer["name"] for layer in last],
                          ["bodies at 0.6 s", "contact forces at 0.6 s"])

@@ -94,6 +94,7 @@ const NEEDS = {
       (v) => v === undefined || (isText(v?.label) && [v.low, v.high].every(Number.isFinite)),
       "{label, low, high}",
     ],
+    strip: [(v) => v === undefined || list(Number.isFinite)(v), "a list of times"],
   },
   bars: {
     groups: [

@@ -3,6 +3,7 @@
 import { el } from "./dom.js";
 import { instantAt, instantsOf, speedsFor } from "../scene/frames.js";
 import { formatNumber } from "../numbers/format.js";
+import { record } from "./movie.js";
 
 /// From so many instants on, a view begins at the first instead of showing all.
 const kManyInstants = 10;
@@ -26,7 +27,8 @@ function show(view, instant) {
 }
 
 /// Controls of a view with timed layers: play and pause, a slider, the speed, and all instants at
-/// once, as a view of few instants begins. Null for a view without instants.
+/// once, as a view of few instants begins. Returns { element, film }: film(canvas, colour) plays the
+/// whole motion once at the speed chosen, and promises the film. Null for a view without instants.
 export function playerOf(view) {
   const instants = instantsOf(view.layers);
   if (!instants.length) return null;
@@ -56,17 +58,28 @@ export function playerOf(view) {
     told.textContent = all.checked ? "" : `${formatNumber(instant)} s`;
     show(view, all.checked ? null : instant);
   };
-  const play = () => {
+  /// `shown` is called after every instant, `ended` when it stops.
+  const play = (shown = () => {}, ended = () => {}) => {
     playing = true;
     all.checked = false;
     if (now >= last) now = first;
     everyFrame((passed) => {
-      if (!playing) return false;
-      now = Math.min(last, now + passed * Number(speed.value));
-      playing = now < last;
+      if (playing) now = Math.min(last, now + passed * Number(speed.value));
+      playing &&= now < last;
       update();
+      shown();
+      if (!playing) ended();
       return playing;
     });
+  };
+  const film = (canvas, color) => {
+    now = first;
+    const recording = record(canvas, color);
+    const shown = () => {
+      view.paintNow();
+      recording.frame();
+    };
+    return new Promise((done) => play(shown, () => done(recording.stop())));
   };
   button.addEventListener("click", () => {
     if (playing) playing = false;
@@ -84,9 +97,10 @@ export function playerOf(view) {
     update();
   });
   update();
-  return el(
+  const element = el(
     "div",
     { class: "tools player", role: "group", "aria-label": "Motion" },
     ...[button, slider, told, speed, el("label", {}, all, " all instants")],
   );
+  return { element, film };
 }

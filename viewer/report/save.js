@@ -4,6 +4,7 @@ import { csvOf } from "./csv.js";
 import { el } from "./dom.js";
 import { fileName, figureTable } from "./figure_csv.js";
 import { figureSvg } from "./figure_svg.js";
+import { canRecord } from "./movie.js";
 
 /// Offers a file to the reader; nothing leaves the page.
 export function download(name, content, type) {
@@ -28,12 +29,26 @@ function chartButtons(block, figure) {
   ];
 }
 
-/// The button for a scene's figure, whose frame has a function `toPng(done)`.
+/// The button that plays a motion once and saves it as a film.
+function filmButton(frame, name) {
+  const film = button("WebM", "the motion as a film, while it plays once", async () => {
+    film.disabled = true;
+    const blob = await frame.toMovie?.();
+    film.disabled = false;
+    if (blob) download(`${name}.webm`, blob);
+  });
+  return film;
+}
+
+/// The buttons for a scene's figure, whose frame has a function `toPng(done)`, and `toMovie()` where
+/// something moves.
 function sceneButtons(block, figure) {
   const frame = figure.querySelector(".scene");
   const name = fileName(block.caption, "scene");
   const png = () => frame.toPng?.((blob) => download(`${name}.png`, blob));
-  return [button("PNG", "the picture as it stands", png)];
+  const buttons = [button("PNG", "the picture as it stands", png)];
+  if (block.strip && canRecord()) buttons.push(filmButton(frame, name));
+  return buttons;
 }
 
 /// The figure of a block, with the buttons that save it.

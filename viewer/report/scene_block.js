@@ -8,6 +8,7 @@ import { el } from "./dom.js";
 import { errorBox, figure, remark } from "./figure.js";
 import { hexColor } from "./palette.js";
 import { playerOf } from "./player.js";
+import { stripOf } from "./strip.js";
 import { isPrinting, onThemeChange, themeColor } from "./theme.js";
 import { whenNear, whenShown } from "./when_shown.js";
 
@@ -54,7 +55,10 @@ function fillFrame(frame, block, below) {
     view.draw();
   };
   const lost = `Not drawn (n/a): ${view.lost} of the items, without all their coordinates.`;
-  below.append(...[playerOf(view), view.lost ? remark(lost) : null].filter(Boolean));
+  const strip = stripOf(view, block.strip);
+  const player = playerOf(view);
+  if (player) frame.toMovie = () => player.film(frame.querySelector("canvas"), theme().page);
+  below.append(...[player?.element, strip, view.lost ? remark(lost) : null].filter(Boolean));
 }
 
 export function drawScene(block) {

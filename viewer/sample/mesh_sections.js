@@ -71,6 +71,21 @@ const layers = [
 
 export const MESHES = { ball: capsule(BALL, 0, 48, 32), fingertip: capsule(TIP, 22) };
 
+const instants = [0, 0.05, 0.1, 0.15, 0.2]; // [s]
+
+/// A ball that is thrown, and falls.
+const motion = {
+  type: "scene",
+  caption: "The ball is let go.",
+  strip: [0, 0.1, 0.2],
+  layers: instants.map((time) => ({
+    name: `${time} s`,
+    time,
+    color: "#e69f00",
+    items: [{ kind: "mesh", mesh: "ball", position: [600 * time, 0, -4905 * time * time] }],
+  })),
+};
+
 export const meshes = () => ({
   id: "grasp",
   title: "A grasp",
@@ -85,5 +100,6 @@ export const meshes = () => ({
         { type: "scene", compact: true, caption: "From the side.", view: [1, 1, 0.1], layers },
       ],
     },
+    motion,
   ],
 });

@@ -85,12 +85,12 @@ function widenLines(scene, factor) {
   });
 }
 
-/// The present view as a new canvas on the page's colour, in `ratio` pixels to each of CSS: to be
-/// printed or saved.
-function pictureOf(view, container, theme, spec, ratio) {
+/// The present view as a new canvas on the page's colour, `size` in CSS pixels, `ratio` pixels to each:
+/// to be printed or saved.
+function pictureOf(view, size, theme, spec, ratio) {
   const canvas = document.createElement("canvas");
-  canvas.width = Math.max(1, Math.round(container.clientWidth * ratio));
-  canvas.height = Math.max(1, Math.round(container.clientHeight * ratio));
+  canvas.width = Math.max(1, Math.round(size.width * ratio));
+  canvas.height = Math.max(1, Math.round(size.height * ratio));
   const context = canvas.getContext("2d");
   const factor = ratio / devicePixelRatio;
   widenLines(view.scene, factor);
@@ -101,6 +101,13 @@ function pictureOf(view, container, theme, spec, ratio) {
   context.fillStyle = theme().page;
   context.fillRect(0, 0, canvas.width, canvas.height);
   return canvas;
+}
+
+/// A small picture from where the view began, whatever the reader has done to it since.
+function stillOf(view, size, theme, spec, ratio) {
+  const camera = view.camera.clone(false);
+  fitCamera(camera, view.box, size.width / size.height, view.from);
+  return pictureOf({ ...view, camera }, size, theme, { ...spec, compact: true }, ratio);
 }
 
 /// Sets the canvas to the size of its container, in device pixels.
@@ -124,8 +131,8 @@ function oncePerFrame(work) {
 }
 
 /// Draws `spec` = { layers, unit, up, view, compact } into `container`; `theme()` returns the colours { ink,
-/// page }. Returns the view: draw(), fit(), picture(ratio), its layers, and `lost`, the number of
-/// items with missing coordinates.
+/// page }. Returns the view: draw(), fit(), picture(ratio), still(size, ratio), its layers, and `lost`, the number of
+/// items with missing coordinates. paintNow() draws at once.
 /// Throws where the browser has no WebGL.
 export function mountScene(container, spec, theme) {
   sharedRenderer();
@@ -134,7 +141,10 @@ export function mountScene(container, spec, theme) {
   const view = assemble(spec);
   const paintNow = () => paint(view, context, theme, spec, devicePixelRatio, coveredBy(view.panel));
   view.draw = oncePerFrame(paintNow);
-  view.picture = (ratio) => pictureOf(view, container, theme, spec, ratio);
+  const shown = () => ({ width: container.clientWidth, height: container.clientHeight });
+  view.picture = (ratio) => pictureOf(view, shown(), theme, spec, ratio);
+  view.still = (size, ratio) => stillOf(view, size, theme, spec, ratio);
+  view.paintNow = paintNow;
   const controls = addControls(view.camera, canvas, view.draw);
   view.fit = () => {
     controls.target.copy(fitCamera(view.camera, view.box, canvas.width / canvas.height, view.from));

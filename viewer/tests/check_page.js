@@ -18,7 +18,7 @@ import {
 } from "./probes.js";
 import { hideFirstTendon, isReady } from "./probes.js";
 import { leaveOutQuantity, look, middleOf, picture, pressKey } from "./probes.js";
-import { printedShares, savedFiles, tooltipText } from "./probes.js";
+import { printedShares, savedFiles, savedFilm, stills, tooltipText } from "./probes.js";
 
 const SHOTS = join(import.meta.dirname, "screenshots");
 const VIEWS = {
@@ -67,7 +67,7 @@ async function shootAll(browser, name, sections) {
 
 function judge(name, seen) {
   assert.deepEqual(seen.errors, [], `${name}: error boxes`);
-  assert.equal(seen.scenes.length, 5, `${name}: number of scenes`);
+  assert.equal(seen.scenes.length, 6, `${name}: number of scenes`);
   for (const [i, { covered }] of seen.scenes.entries())
     assert.ok(covered > LEAST_COVERED, `${name}: scene ${i} is blank, ${covered} of it covered`);
   for (const [i, { colors }] of seen.charts.entries())
@@ -161,6 +161,17 @@ async function checkSaving(browser) {
   assert.equal(scene.type, "image/png");
 }
 
+/// A motion stands in still pictures below its scene, and is saved as a film.
+async function checkMotion(browser) {
+  const { told, shares, different } = await ask(browser, stills);
+  assert.deepEqual(told, ["0 s", "0.1 s", "0.2 s"], "times of the still pictures");
+  assert.ok(Math.min(...shares) > LEAST_COVERED, `a still picture is blank: ${shares}`);
+  assert.equal(different, told.length, "still pictures of different instants differ");
+  const film = await ask(browser, savedFilm);
+  assert.equal(film.type, "video/webm");
+  assert.ok(film.size > 1000, `the film has ${film.size} bytes`);
+}
+
 /// Keys read values off a chart.
 async function checkKeys(browser) {
   const told = await ask(browser, pressKey, ".chart[tabindex]", "ArrowRight");
@@ -218,6 +229,7 @@ try {
   await checkKeys(browser);
   await checkFocus(browser);
   await checkSaving(browser);
+  await checkMotion(browser);
   await checkFolding(browser);
   await open(browser, path, VIEWS.light);
   await checkPrinted(browser);

@@ -147,3 +147,9 @@ test("a mesh that the report does not have is refused", () => {
   assert.equal(reportFaults(report({ cube: ball })).length, 1);
   assert.equal(reportFaults(report(undefined)).length, 1);
 });
+
+test("the times of still pictures are numbers", () => {
+  const scene = (strip) => ({ type: "scene", layers: [{ name: "l", items: [] }], strip });
+  assert.deepEqual(faults(scene([0, 0.5])), []);
+  assert.match(faults(scene(["now"]))[0], /"strip" must be a list of times/);
+});

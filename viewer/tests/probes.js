@@ -150,6 +150,40 @@ export async function savedFiles(selector) {
   );
 }
 
+/// The still pictures of a motion: times, shares that something is painted on, how many differ.
+export function stills() {
+  const all = [...document.querySelectorAll(".still")];
+  const share = (canvas) => {
+    const { width, height } = canvas;
+    const { data } = canvas.getContext("2d").getImageData(0, 0, width, height);
+    const pixels = new Uint32Array(data.buffer);
+    return pixels.filter((pixel) => pixel !== pixels[0]).length / pixels.length;
+  };
+  const canvases = all.map((still) => still.querySelector("canvas"));
+  return {
+    told: all.map((still) => still.textContent),
+    shares: canvases.map(share),
+    different: new Set(canvases.map((canvas) => canvas.toDataURL())).size,
+  };
+}
+
+/// The film that the button below the motion saves.
+export function savedFilm() {
+  const make = URL.createObjectURL;
+  const film = new Promise((done) => {
+    URL.createObjectURL = (blob) => {
+      URL.createObjectURL = make;
+      done({ type: blob.type, size: blob.size });
+      return make.call(URL, blob);
+    };
+  });
+  const figure = document.querySelector(".strip").closest("figure");
+  [...figure.querySelectorAll(".tools.save button")]
+    .find((button) => button.textContent === "WebM")
+    .click();
+  return film;
+}
+
 /// Presses a key on the first element of a selector, which gets the focus; tells what the tooltip
 /// says then.
 export function pressKey(selector, key) {
