@@ -127,6 +127,22 @@ class ClosedForms(Near):
         self.assertAlmostEqual(body(answer, "ball")["centre_m"][2],
                                0.02 + up * left - G * left * left / 2, delta=1e-6)
 
+    # The file has the derivation: the motor runs up, falls behind by tau, and stops dead on the ball.
+    def test_ball_is_caught_where_friction_stops_it(self):
+        mass, jaw, damping, speed, tau = 0.12, 0.05, 80, 0.5, 0.1 / 80
+        met = 0.16 + 0.02 / speed + tau
+        fall = G * met - 2 * jaw * speed / mass
+        slip = fall * fall / (2 * (damping * speed / mass - G))
+        answer = ask("ball_catch")
+        self.near(body(answer, "ball")["centre_m"], [0, 0, 0.24 - G * met * met / 2 - slip], 1e-8)
+        for pair in answer["pairs"]:
+            self.assertEqual(pair["end"], "sticks")
+            self.near([abs(each) for each in pair["end_force_N"]],
+                      [damping * speed / 2, 0, mass * G / 2], 1e-8)
+        # Kinetic energy and height of the ball, and the motor's work, are all gone.
+        lost = answer["energy_start_J"]["total"] + answer["work_J"] - answer["energy_end_J"]["total"]
+        self.assertAlmostEqual(answer["dissipated_J"], lost, delta=1e-12)
+
     def test_stack_is_quiet(self):
         answer = ask("stack")
         for each in answer["bodies"]:
@@ -154,6 +170,19 @@ class Shipped(Near):
         pairs = [" - ".join(pair["bodies"]) for pair in answer["pairs"]]
         self.assertTrue(any("finger" in pair and "glass" in pair for pair in pairs), pairs)
         self.assertLess(body(answer, "glass")["centre_m"][2], -0.3)
+
+
+    # What holds the mug at the end is its weight, and nothing of it moves any more.
+    def test_mug_hangs_in_the_grip(self):
+        answer = ask("mug_lift")
+        mug = body(answer, "mug")
+        self.near(mug["velocity_m_s"], [0, 0, 0], 1e-9)
+        self.assertGreater(mug["moved_m"][2], 0.09)
+        held = [pair for pair in answer["pairs"] if "mug" in pair["bodies"] and pair["end"] != "apart"]
+        self.assertTrue(all(pair["end"] == "sticks" for pair in held) and len(held) == 4, held)
+        forces = [[-each if pair["bodies"][0] != "mug" else each for each in pair["end_force_N"]]
+                  for pair in held]
+        self.near([sum(axis) for axis in zip(*forces)], [0, 0, 0.3 * G], 1e-6)
 
 
 class ResultFiles(Near):
