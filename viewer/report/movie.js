@@ -7,8 +7,8 @@ const BITS = 8e6; // a second
 export const canRecord = () =>
   typeof MediaRecorder !== "undefined" && MediaRecorder.isTypeSupported("video/webm");
 
-/// Begins to record copies of `canvas` on a colour; returns { frame(), stop() }: frame() takes what the
-/// canvas shows, stop() promises the film as a blob.
+/// Begins to record copies of `canvas` on a colour; returns { frame(), stop() }: frame() takes what
+/// the canvas shows, stop() promises the film as a blob.
 export function record(canvas, color) {
   const copy = document.createElement("canvas");
   copy.width = canvas.width;

@@ -27,8 +27,9 @@ function show(view, instant) {
 }
 
 /// Controls of a view with timed layers: play and pause, a slider, the speed, and all instants at
-/// once, as a view of few instants begins. Returns { element, film }: film(canvas, colour) plays the
-/// whole motion once at the speed chosen, and promises the film. Null for a view without instants.
+/// once, as a view of few instants begins. Returns { element, film }: film(canvas, colour) plays
+/// the whole motion once at the speed chosen, and promises the film. Null for a view without
+/// instants.
 export function playerOf(view) {
   const instants = instantsOf(view.layers);
   if (!instants.length) return null;

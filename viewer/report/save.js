@@ -40,8 +40,8 @@ function filmButton(frame, name) {
   return film;
 }
 
-/// The buttons for a scene's figure, whose frame has a function `toPng(done)`, and `toMovie()` where
-/// something moves.
+/// The buttons for a scene's figure, whose frame has a function `toPng(done)`, and `toMovie()`
+/// where something moves.
 function sceneButtons(block, figure) {
   const frame = figure.querySelector(".scene");
   const name = fileName(block.caption, "scene");

@@ -8,7 +8,7 @@ import { onThemeChange } from "./theme.js";
 const SIZE = { width: 300, height: 225 }; // of one picture, CSS pixels
 const RATIO = 2; // pixels of a picture to each of CSS
 
-/// Calls `work` for each of the instants with nothing but it in view, and leaves the view as it was.
+/// Calls `work` for each of the instants with nothing else in view; the view is left as it was.
 function atEach(view, instants, work) {
   const timed = view.layers.filter(({ time }) => time !== null);
   const before = timed.map(({ group }) => group.visible);

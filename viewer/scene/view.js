@@ -85,8 +85,8 @@ function widenLines(scene, factor) {
   });
 }
 
-/// The present view as a new canvas on the page's colour, `size` in CSS pixels, `ratio` pixels to each:
-/// to be printed or saved.
+/// The present view as a new canvas on the page's colour, `size` in CSS pixels, `ratio` pixels to
+/// each: to be printed or saved.
 function pictureOf(view, size, theme, spec, ratio) {
   const canvas = document.createElement("canvas");
   canvas.width = Math.max(1, Math.round(size.width * ratio));
@@ -130,9 +130,10 @@ function oncePerFrame(work) {
   };
 }
 
-/// Draws `spec` = { layers, unit, up, view, compact } into `container`; `theme()` returns the colours { ink,
-/// page }. Returns the view: draw(), fit(), picture(ratio), still(size, ratio), its layers, and `lost`, the number of
-/// items with missing coordinates. paintNow() draws at once.
+/// Draws `spec` = { layers, unit, up, view, compact } into `container`; `theme()` returns the
+/// colours { ink, page }. Returns the view: draw(), paintNow() that does so at once, fit(),
+/// picture(ratio), still(size, ratio), its layers, and `lost`, the number of items with missing
+/// coordinates.
 /// Throws where the browser has no WebGL.
 export function mountScene(container, spec, theme) {
   sharedRenderer();
