@@ -185,6 +185,20 @@ class Shipped(Near):
         self.near([sum(axis) for axis in zip(*forces)], [0, 0, 0.3 * G], 1e-6)
 
 
+    # The key goes with the wrist; what this holds at the end is the spring, give or take the friction.
+    def test_key_is_turned_without_slip(self):
+        answer = ask("key_turn")
+        end = {each["coordinate"]: each["end"] for each in answer["coordinates"]}
+        turn, wrist, spring, friction = end["key"], end["parallel_jaw/base"], 0.0127324, 0.05
+        self.assertAlmostEqual(turn, wrist, delta=1e-9)
+        self.assertAlmostEqual(50 * (math.pi / 2 - wrist), spring * turn, delta=friction + 1e-9)
+        self.assertAlmostEqual(answer["energy_end_J"]["springs"], spring * turn * turn / 2, delta=1e-12)
+        self.assertGreater(answer["dissipated_J"], friction * turn)
+        for pair in answer["pairs"]:
+            self.assertEqual(pair["end"], "sticks")
+            self.assertLess(pair["slip_m"], 1e-9)
+
+
 class ResultFiles(Near):
     def test_result_file_holds_every_instant(self):
         out = self.path("run.h5")
