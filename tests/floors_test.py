@@ -101,7 +101,8 @@ WITH_SUBFOLDERS = ["sampling/run", "apps", "bench", "tests"]  # folders that are
 # Third parties, and the only files that may include them. A folder's name allows the folder.
 FENCES = {
     r"thenar/thenar\.h": ["tests/install/", "examples/"],
-    r"Simbody\.h|(SimTK|simbody|simmath).*": ["hand/multibody.cpp", "dynamics/mechanism/simbody_machine.cpp",
+    r"Simbody\.h|(SimTK|simbody|simmath).*": ["hand/multibody.cpp", "dynamics/mechanism/simbody_mechanism.cpp",
+                                                "dynamics/mechanism/simbody_machine.cpp",
                                                 "bench/", "tests/hand/"],
     r"ceres/jet\.h": ["kinematics_fit/force_jacobian.cpp", "bench/", "tests/"],
     r"ceres/.*": ["solvers/least_squares_ceres.cpp"],
