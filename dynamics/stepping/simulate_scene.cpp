@@ -610,7 +610,26 @@ class Simulation {
   Extrapolation::Verdict verdict_ = Extrapolation::Verdict::kGoOn;  // on the last column, if any
 };
 
-void check_options(const SceneOptions& options) {
+}  // namespace
+
+const std::vector<std::string>& stepping_names() {
+  static const std::vector<std::string> names{"events", "time-stepping", "compliant-simbody",
+                                              "compliant-sundials"};
+  return names;
+}
+
+const std::vector<std::string>& friction_ramp_names() {
+  static const std::vector<std::string> names{"quintic", "linear"};
+  return names;
+}
+
+std::string name_of(SceneStatus status) {
+  static const std::vector<std::string> names{"done", "stopped", "unsolved", "not finite",
+                                              "failed"};
+  return names[static_cast<std::size_t>(status)];
+}
+
+void check_scene_options(const SceneOptions& options) {
   require(options.seconds > 0 && std::isfinite(options.seconds), "wanted seconds above 0, got {}",
           options.seconds);
   require(options.sample > 0 && options.step > 0 && options.longest > 0 && options.tolerance > 0 &&
@@ -620,21 +639,13 @@ void check_options(const SceneOptions& options) {
           "wanted 2 to {} columns, got {}", Extrapolation::kMostColumns, options.columns);
 }
 
-}  // namespace
-
-const std::vector<std::string>& stepping_names() {
-  static const std::vector<std::string> names{"events", "time-stepping"};
-  return names;
-}
-
-std::string name_of(SceneStatus status) {
-  static const std::vector<std::string> names{"done", "stopped", "unsolved", "not finite"};
-  return names[static_cast<std::size_t>(status)];
-}
-
 SceneRun simulate_scene(const MovingScene& scene, const SceneOptions& options,
                         const Progress& progress) {
-  check_options(options);
+  check_scene_options(options);
+  require(
+      options.method == SteppingMethod::kEvents || options.method == SteppingMethod::kTimeStepping,
+      "wanted events or time-stepping, got {}",
+      stepping_names()[static_cast<std::size_t>(options.method)]);
   return Simulation(scene, options, progress).run();
 }
 

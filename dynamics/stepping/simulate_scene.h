@@ -8,17 +8,20 @@
 #include <Eigen/Core>
 
 #include "base/progress.h"
+#include "dynamics/stepping/contact_compliance.h"
 #include "dynamics/stepping/contact_step.h"
 
 namespace thenar {
 
 /// How time goes on.
 enum class SteppingMethod {
-  kEvents,       // extrapolated steps between events, their length by an error estimate
-  kTimeStepping  // midpoint steps of a fixed length, events within them, no bounces
+  kEvents,            // extrapolated steps between events, their length by an error estimate
+  kTimeStepping,      // midpoint steps of a fixed length, events within them, no bounces
+  kCompliantSimbody,  // springs for contacts, all by Simbody: see dynamics/compliant/
+  kCompliantSundials  // springs for contacts, by our own machine and CVODE: the same
 };
 
-/// "events", "time-stepping".
+/// "events", "time-stepping", "compliant-simbody", "compliant-sundials".
 [[nodiscard]] const std::vector<std::string>& stepping_names();
 
 struct SceneOptions {
@@ -26,9 +29,10 @@ struct SceneOptions {
   double seconds = 1;       // how long [s]
   double sample = 1e-2;     // between the instants that are kept [s]
   double step = 1e-3;       // kTimeStepping: of every step [s]
-  double longest = 2e-2;    // kEvents: step; five times that where nothing moves by 0.1 mm [s]
-  double tolerance = 1e-9;  // kEvents: error of a step, in positions [m], [rad], and in speeds over
-                            // 100 [m/s], [rad/s]
+  double longest = 2e-2;    // all but kTimeStepping: step; by events five times that where nothing
+                            // moves by 0.1 mm [s]
+  double tolerance = 1e-9;  // the same: error of a step, in positions [m], [rad], and in speeds
+                            // over 100 [m/s], [rad/s]
   double shortest = 1e-9;   // kEvents: no step is halved below this [s]
   double touch = 1e-9;      // kEvents: gaps below this touch [m]
   double recovery = 0.1;    // speed at which depth at the start is pushed out [m/s]
@@ -36,7 +40,11 @@ struct SceneOptions {
                                     // tolerance of fixed steps is 1e-9 at least
   int columns = 5;                  // kEvents: most of the extrapolation, 2..8; its highest order
   bool sleep = true;                // kEvents: what rests stays as it is until something switches
+  ContactCompliance compliance{};   // kCompliantSimbody, kCompliantSundials
 };
+
+/// @throws InputError if an option is impossible.
+void check_scene_options(const SceneOptions& options);
 
 /// One contact at an instant.
 struct ContactSample {
@@ -55,18 +63,19 @@ struct SceneSample {
   Eigen::VectorXd q, v, z;              // as SceneState
   std::vector<ContactSample> contacts;  // that do not open; forces are means of the last substep,
                                         // of first order in its length
-  ContactStep::Energy energy;           // [J]
+  ContactStep::Energy energy;           // [J]; springs also hold that of compliant contacts
 };
 
 /// How a run ended.
 enum class SceneStatus {
   kDone,
-  kStopped,   // the caller asked for it
-  kUnsolved,  // went on, but contact problems missed their tolerance: see `unsolved`
-  kNotFinite  // positions or speeds became infinite; all before that is kept
+  kStopped,    // the caller asked for it
+  kUnsolved,   // went on, but contact problems missed their tolerance: see `unsolved`
+  kNotFinite,  // positions or speeds became infinite; all before that is kept
+  kFailed      // the integrator could not go on, see `reason`; all before that is kept
 };
 
-/// "done", "stopped", "unsolved", "not finite".
+/// "done", "stopped", "unsolved", "not finite", "failed".
 [[nodiscard]] std::string name_of(SceneStatus status);
 
 /// What a run needed, and how good it was.
@@ -87,9 +96,10 @@ struct [[nodiscard]] SceneRun {
   SceneStatus status = SceneStatus::kDone;
   std::vector<SceneSample> samples;  // the start first
   SceneCost cost;
+  std::string reason;  // of kFailed: what went wrong, and when
 };
 
-/// Simulates a scene.
+/// Simulates a scene by kEvents or kTimeStepping; dynamics/compliant/ has the other methods.
 ///
 /// kEvents: a step of length H is made of 1, 2, .. n substeps (ContactStep::substep), and
 /// extrapolated to H / n = 0, order by order; a tenth of the tolerance is what the last two orders
@@ -112,7 +122,7 @@ struct [[nodiscard]] SceneRun {
 ///
 /// The same scene and options give the same bits.
 /// @param progress  told the time reached; a step is not interrupted
-/// @throws InputError as ContactStep, or if an option is impossible.
+/// @throws InputError as ContactStep, or if an option is impossible, or for another method.
 [[nodiscard]] SceneRun simulate_scene(const MovingScene& scene, const SceneOptions& options = {},
                                       const Progress& progress = {});
 

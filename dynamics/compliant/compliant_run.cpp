@@ -1,0 +1,119 @@
+#include "dynamics/compliant/compliant_run.h"
+
+#include <algorithm>
+#include <cmath>
+#include <ctime>
+
+#include "base/error.h"
+#include "dynamics/compliant/penalty_law.h"
+
+namespace thenar::internal {
+namespace {
+
+constexpr double kInstant = 1e-12;  // nearer instants are one [s]
+
+double thread_seconds() {
+  timespec now{};
+  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
+  return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
+}
+
+/// Samples and steps of one run.
+class CompliantLoop {
+ public:
+  CompliantLoop(CompliantMotion& motion, const MovingScene& scene, const SceneOptions& options)
+      : motion_(motion), energy_(scene), options_(options), stops_(switching_times(scene)) {
+    stops_.erase(std::remove_if(stops_.begin(), stops_.end(),
+                                [&](double t) { return t <= 0 || t >= options.seconds; }),
+                 stops_.end());
+    stops_.push_back(options.seconds);
+  }
+
+  SceneRun run(const Progress& progress) {
+    const double start = thread_seconds();
+    sample();
+    double from = 0;
+    for (std::size_t i = 0; i < stops_.size() && run_.status == SceneStatus::kDone; ++i) {
+      motion_.begin_span(from);
+      span(stops_[i], progress);
+      from = stops_[i];
+    }
+    run_.cost.substeps = motion_.slopes();
+    run_.cost.cpu_seconds = thread_seconds() - start;
+    return std::move(run_);
+  }
+
+ private:
+  /// Goes on to an instant at which something begins or ends to act.
+  void span(double end, const Progress& progress) {
+    while (end - motion_.state().t > kInstant) {
+      progress(motion_.state().t / options_.seconds, "");
+      if (progress.stop()) {
+        run_.status = SceneStatus::kStopped;
+        return;
+      }
+      const double next = options_.sample * static_cast<double>(samples_);
+      CompliantStep step = motion_.step(std::min(end, next));
+      if (step.status != SceneStatus::kDone) {
+        run_.status = step.status;
+        run_.reason = std::move(step.reason);
+        return;
+      }
+      ++run_.cost.steps;
+      note_depth();
+      const double t = motion_.state().t;
+      if (t >= next - kInstant || t >= options_.seconds - kInstant) sample();
+    }
+  }
+
+  void note_depth() {
+    contacts_ = motion_.contacts(stored_);
+    for (const ContactSample& contact : contacts_)
+      run_.cost.deepest = std::max(run_.cost.deepest, -contact.gap);
+  }
+
+  void sample() {
+    const SceneState& state = motion_.state();
+    SceneSample out;
+    out.t = state.t;
+    out.q = state.q;
+    out.v = state.v;
+    out.contacts = motion_.contacts(stored_);
+    out.energy = energy_.energy(state);
+    out.energy.springs += stored_;
+    run_.samples.push_back(std::move(out));
+    samples_ = std::lround(state.t / options_.sample) + 1;
+  }
+
+  CompliantMotion& motion_;
+  ContactStep energy_;
+  const SceneOptions& options_;
+  std::vector<double> stops_;
+  std::vector<ContactSample> contacts_;
+  double stored_ = 0;  // [J]
+  long samples_ = 0;   // the next is at so many lengths of one
+  SceneRun run_;
+};
+
+void refuse_restitution(const PairFriction& pair) {
+  require(pair.restitution == 0,
+          "contacts that yield bounce by their dissipation, not by a restitution of {}",
+          pair.restitution);
+}
+
+}  // namespace
+
+SceneRun run_compliant(CompliantMotion& motion, const MovingScene& scene,
+                       const SceneOptions& options, const Progress& progress) {
+  return CompliantLoop(motion, scene, options).run(progress);
+}
+
+void check_compliant(const MovingScene& scene, const SceneOptions& options) {
+  check_scene(scene);
+  check_scene_options(options);
+  check_compliance(options.compliance);
+  refuse_restitution(scene.friction);
+  for (const auto& [bodies, pair] : scene.friction_pairs) refuse_restitution(pair);
+}
+
+}  // namespace thenar::internal

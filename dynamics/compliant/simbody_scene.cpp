@@ -1,0 +1,432 @@
+#include "dynamics/compliant/simbody_scene.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <memory>
+#include <set>
+
+#include <Simbody.h>
+#include <fmt/format.h>
+
+#include "base/error.h"
+#include "dynamics/compliant/compliant_run.h"
+#include "dynamics/compliant/penalty_law.h"
+#include "dynamics/compliant/surface_pairs.h"
+#include "dynamics/mechanism/simbody_mechanism.h"
+
+namespace thenar {
+namespace {
+
+using internal::CompliantMotion;
+using internal::CompliantStep;
+
+SimTK::Vec3 to_simbody(const Eigen::Vector3d& v) { return {v.x(), v.y(), v.z()}; }
+
+SimTK::Transform to_simbody(const Pose<double>& X) {
+  SimTK::Mat33 R;
+  for (int i = 0; i < 3; ++i)
+    for (int j = 0; j < 3; ++j) R(i, j) = X.R(i, j);
+  return {SimTK::Rotation(R), to_simbody(X.p)};
+}
+
+Eigen::Vector3d from_simbody(const SimTK::Vec3& v) { return {v[0], v[1], v[2]}; }
+
+const SimTK::MobilizedBody& body_of(const SimbodyMechanism& bodies, std::size_t i) {
+  return bodies.matter().getMobilizedBody(SimTK::MobilizedBodyIndex(static_cast<int>(i) + 1));
+}
+
+/// Drives, forces for a time, and dry friction of joints: what Simbody has no element for.
+class SceneLoads : public SimTK::Force::Custom::Implementation {
+ public:
+  SceneLoads(const MovingScene& scene, const ContactCompliance& compliance,
+             const SimbodyMechanism& bodies, const double& acting)
+      : scene_(scene), compliance_(compliance), bodies_(bodies), acting_(acting) {}
+
+  void calcForce(const SimTK::State& state, SimTK::Vector_<SimTK::SpatialVec>& on_bodies,
+                 SimTK::Vector_<SimTK::Vec3>& /*particles*/,
+                 SimTK::Vector& on_joints) const override {
+    for (const SceneForce& force : scene_.forces) {
+      if (!force.when.holds(acting_)) continue;
+      const SimTK::MobilizedBody& body = body_of(bodies_, static_cast<std::size_t>(force.body));
+      body.applyForceToBodyPoint(state, to_simbody(force.point), to_simbody(force.force),
+                                 on_bodies);
+      body.applyBodyTorque(state, to_simbody(force.moment), on_bodies);
+    }
+    for (const SceneDrive& drive : scene_.drives) {
+      if (!drive.when.holds(acting_)) continue;
+      const int lead = bodies_.leader(drive.coordinate);
+      const MechanismJoint& joint = joint_of(lead);
+      const SimTK::MobilizedBody& body = body_of(bodies_, static_cast<std::size_t>(lead));
+      const double u = (body.getOneQ(state, 0) - joint.offset) / joint.ratio;
+      const double rate = body.getOneU(state, 0) / joint.ratio;
+      body.applyOneMobilityForce(
+          state, 0, drive_effort(drive, u, rate, state.getTime()) / joint.ratio, on_joints);
+    }
+    for (std::size_t i = 0; i < scene_.mechanism.joints.size(); ++i) {
+      const MechanismJoint& joint = scene_.mechanism.joints[i];
+      if (!is_scalar(joint.kind) || joint.friction == 0) continue;
+      const double rate = body_of(bodies_, i).getOneU(state, 0);
+      const double share =
+          friction_share(compliance_.ramp, std::abs(rate) / compliance_.transition);
+      body_of(bodies_, i)
+          .applyOneMobilityForce(state, 0, -std::copysign(joint.friction * share, rate), on_joints);
+    }
+  }
+
+  SimTK::Real calcPotentialEnergy(const SimTK::State& /*state*/) const override { return 0; }
+
+ private:
+  [[nodiscard]] const MechanismJoint& joint_of(int joint) const {
+    return scene_.mechanism.joints[static_cast<std::size_t>(joint)];
+  }
+
+  const MovingScene& scene_;
+  const ContactCompliance& compliance_;
+  const SimbodyMechanism& bodies_;
+  const double& acting_;  // instant whose forces and drives act [s]
+};
+
+SimTK::ContactGeometry mesh_geometry(const TriangleMesh& mesh) {
+  SimTK::PolygonalMesh polygons;
+  for (Eigen::Index i = 0; i < mesh.vertices.cols(); ++i)
+    polygons.addVertex(to_simbody(Eigen::Vector3d(mesh.vertices.col(i))));
+  for (Eigen::Index i = 0; i < mesh.triangles.cols(); ++i) {
+    const SimTK::Array_<int> corners{mesh.triangles(0, i), mesh.triangles(1, i),
+                                     mesh.triangles(2, i)};
+    polygons.addFace(corners);
+  }
+  return SimTK::ContactGeometry::TriangleMesh(polygons);
+}
+
+/// A scene as a Simbody System.
+class SimbodyScene {
+ public:
+  SimbodyScene(const MovingScene& scene, const ContactCompliance& compliance,
+               const TreeModel& model)
+      : bodies(scene.mechanism),
+        scene_(scene),
+        compliance_(compliance),
+        pairs_(simbody_pairs(scene, model)),
+        cliques_(separating_cliques(pairs_.size())),
+        forces_(bodies.system()),
+        gravity_(forces_, bodies.matter(), to_simbody(scene.gravity)),
+        tracker_(bodies.system()),
+        contacts_(bodies.system(), tracker_),
+        loads_(forces_, new SceneLoads(scene, compliance, bodies, acting)) {  // owned by the system
+    for (std::size_t i = 0; i < scene.mechanism.bodies.size(); ++i) dress(static_cast<int>(i));
+    contacts_.setTransitionVelocity(compliance.transition);
+    for (std::size_t i = 0; i < scene.mechanism.joints.size(); ++i) add_resistance(i);
+    bodies.system().realizeTopology();
+    for (std::size_t k = 0; k < pairs_.size(); ++k)
+      for (const std::size_t side : {0, 1}) pair_of_[surface_index(k, side)] = k;
+  }
+
+  /// A new state of Simbody's, without memory of contacts.
+  [[nodiscard]] SimTK::State state_of(const SceneState& at) const {
+    SimTK::State out = bodies.system().getDefaultState();
+    bodies.system().realizeModel(out);
+    bodies.write(at.q, at.v, out);
+    out.setTime(at.t);
+    return out;
+  }
+
+  /// Contacts at a state. @param stored  energy of contacts and stops [J]
+  std::vector<ContactSample> contacts(const SimTK::State& at, double& stored) const {
+    bodies.system().realize(at, SimTK::Stage::Dynamics);
+    std::vector<ContactSample> out;
+    for (int i = 0; i < contacts_.getNumContactForces(at); ++i) add_contact(at, i, out);
+    // Springs of joints are counted with the mechanism.
+    stored = bodies.system().calcPotentialEnergy(at) - gravity_.getPotentialEnergy(at);
+    for (std::size_t i = 0; i < scene_.mechanism.joints.size(); ++i) {
+      const MechanismJoint& joint = scene_.mechanism.joints[i];
+      if (!is_scalar(joint.kind) || joint.stiffness == 0) continue;
+      const double stretch = body_of(bodies, i).getOneQ(at, 0) - joint.rest;
+      stored -= 0.5 * joint.stiffness * stretch * stretch;
+    }
+    return out;
+  }
+
+  /// Names the pair of a contact that is beyond the face that its half space stands for; "": none.
+  std::string left_face(const SimTK::State& at) const {
+    bodies.system().realize(at, SimTK::Stage::Dynamics);
+    for (int i = 0; i < contacts_.getNumContactForces(at); ++i) {
+      const SimTK::ContactForce& force = contacts_.getContactForce(at, i);
+      SimTK::ContactPatch patch;
+      if (!contacts_.calcContactPatchDetailsById(at, force.getContactId(), patch)) continue;
+      const SimbodyPair& pair = pairs_[pair_at(at, force)];
+      for (const SimbodySurface* side : {&pair.a, &pair.b})
+        if (side->kind == SurfaceKind::kHalfSpace && is_beyond(at, *side, patch))
+          return fmt::format(
+              "'{}' and '{}' touch beyond the face that stands for a box: Simbody "
+              "cannot simulate this",
+              scene_.mechanism.bodies[static_cast<std::size_t>(pair.a.body)].name,
+              scene_.mechanism.bodies[static_cast<std::size_t>(pair.b.body)].name);
+    }
+    return "";
+  }
+
+  SimbodyMechanism bodies;
+  double acting = 0;  // instant whose forces and drives act [s]
+
+ private:
+  [[nodiscard]] const SimbodySurface& surface(std::size_t pair, std::size_t side) const {
+    return side == 0 ? pairs_[pair].a : pairs_[pair].b;
+  }
+
+  /// Puts all surfaces of a body on it.
+  void dress(int body) {
+    SimTK::Body& rigid =
+        bodies.matter().updMobilizedBody(SimTK::MobilizedBodyIndex(body + 1)).updBody();
+    for (std::size_t k = 0; k < pairs_.size(); ++k)
+      for (const std::size_t side : {0, 1}) {
+        const SimbodySurface& of = surface(k, side);
+        if (of.body != body) continue;
+        worn_[body].emplace_back(k, side);
+        SimTK::ContactSurface worn(geometry(of), material(k), compliance_.layer);
+        for (const int clique : cliques_[2 * k + side]) worn.joinClique(clique_id(clique));
+        rigid.addContactSurface(placing(of), worn);
+      }
+  }
+
+  SimTK::ContactCliqueId clique_id(int clique) {
+    while (static_cast<int>(clique_ids_.size()) <= clique)
+      clique_ids_.push_back(SimTK::ContactSurface::createNewContactClique());
+    return clique_ids_[static_cast<std::size_t>(clique)];
+  }
+
+  /// Pose of a surface in its body, in Simbody's terms.
+  static SimTK::Transform placing(const SimbodySurface& of) {
+    // Simbody's half space lies at x > 0.
+    if (of.kind == SurfaceKind::kHalfSpace)
+      return to_simbody(of.X_BS) *
+             SimTK::Transform(SimTK::Rotation(SimTK::Pi / 2, SimTK::YAxis), SimTK::Vec3(0));
+    // Triangles stand in the body's frame.
+    if (of.kind == SurfaceKind::kMesh) return {};
+    return to_simbody(of.X_BS);
+  }
+
+  [[nodiscard]] SimTK::ContactGeometry geometry(const SimbodySurface& of) const {
+    switch (of.kind) {
+      case SurfaceKind::kHalfSpace:
+        return SimTK::ContactGeometry::HalfSpace();
+      case SurfaceKind::kBall:
+        return SimTK::ContactGeometry::Sphere(of.size[0]);
+      case SurfaceKind::kEllipsoid:
+        return SimTK::ContactGeometry::Ellipsoid(to_simbody(of.size));
+      case SurfaceKind::kBrick:
+        return SimTK::ContactGeometry::Brick(to_simbody(of.size));
+      case SurfaceKind::kMesh:
+        break;
+    }
+    const MechanismBody& body = scene_.mechanism.bodies[static_cast<std::size_t>(of.body)];
+    return mesh_geometry(body.solid->collision[of.part].core);
+  }
+
+  /// What both surfaces of a pair are made of. Simbody joins two equal ones to 2^-1.5 of their
+  /// modulus in Hertz's law, and to a half in the others.
+  [[nodiscard]] SimTK::ContactMaterial material(std::size_t pair) const {
+    const SimbodyPair& of = pairs_[pair];
+    const auto has = [&](SurfaceKind kind) { return of.a.kind == kind || of.b.kind == kind; };
+    double stiffness = std::pow(2, 1.5) * compliance_.modulus;
+    if (has(SurfaceKind::kMesh)) stiffness = 2 * compliance_.modulus;
+    if (has(SurfaceKind::kBrick)) stiffness = 2 * compliance_.stiffness;
+    const double mu = pair_friction(scene_, of.a.body, of.b.body).coefficient;
+    return {stiffness, compliance_.dissipation, mu, mu};
+  }
+
+  /// Spring, damper and stops of a joint.
+  void add_resistance(std::size_t i) {
+    const MechanismJoint& joint = scene_.mechanism.joints[i];
+    if (!is_scalar(joint.kind)) return;
+    const SimTK::MobilizedBody& body = body_of(bodies, i);
+    const SimTK::MobilizerQIndex q(0);
+    if (joint.stiffness > 0)
+      SimTK::Force::MobilityLinearSpring(forces_, body, q, joint.stiffness, joint.rest);
+    if (joint.damping > 0)
+      SimTK::Force::MobilityLinearDamper(forces_, body, SimTK::MobilizerUIndex(0), joint.damping);
+    if (std::isfinite(joint.lower) || std::isfinite(joint.upper))
+      SimTK::Force::MobilityLinearStop(forces_, body, q, compliance_.stop, compliance_.dissipation,
+                                       joint.lower, joint.upper);
+  }
+
+  [[nodiscard]] SimTK::ContactSurfaceIndex surface_index(std::size_t pair, std::size_t side) const {
+    const int body = surface(pair, side).body;
+    const auto& worn = worn_.at(body);
+    const auto place = std::find(worn.begin(), worn.end(), std::make_pair(pair, side));
+    return tracker_.getContactSurfaceIndex(SimTK::MobilizedBodyIndex(body + 1),
+                                           static_cast<int>(place - worn.begin()));
+  }
+
+  [[nodiscard]] const SimTK::Contact& contact_of(const SimTK::State& at,
+                                                 const SimTK::ContactForce& force) const {
+    return tracker_.getActiveContacts(at).getContactById(force.getContactId());
+  }
+
+  [[nodiscard]] std::size_t pair_at(const SimTK::State& at,
+                                    const SimTK::ContactForce& force) const {
+    return pair_of_.at(contact_of(at, force).getSurface1());
+  }
+
+  [[nodiscard]] bool is_beyond(const SimTK::State& at, const SimbodySurface& face,
+                               const SimTK::ContactPatch& patch) const {
+    const SimTK::Transform X_FG =
+        ~(body_of(bodies, static_cast<std::size_t>(face.body)).getBodyTransform(at) *
+          to_simbody(face.X_BS));
+    for (int d = 0; d < patch.getNumDetails(); ++d) {
+      const SimTK::ContactDetail& detail = patch.getContactDetail(d);
+      const SimTK::Vec3 p = X_FG * detail.getContactPoint();
+      const double slack = 1e-9 + detail.getDeformation();
+      if (std::abs(p[0]) > face.extent[0] + slack || std::abs(p[1]) > face.extent[1] + slack)
+        return true;
+    }
+    return false;
+  }
+
+  /// All points of one contact, as forces on the body with the lower index.
+  void add_contact(const SimTK::State& at, int number, std::vector<ContactSample>& out) const {
+    const SimTK::ContactForce& force = contacts_.getContactForce(at, number);
+    SimTK::ContactPatch patch;
+    if (!contacts_.calcContactPatchDetailsById(at, force.getContactId(), patch)) return;
+    const std::size_t k = pair_at(at, force);
+    // Simbody tells of the second surface.
+    const double sign = contact_of(at, force).getSurface2() == surface_index(k, 0) ? 1 : -1;
+    for (int d = 0; d < patch.getNumDetails(); ++d) {
+      const SimTK::ContactDetail& detail = patch.getContactDetail(d);
+      ContactSample sample;
+      sample.a = pairs_[k].a.body;
+      sample.b = pairs_[k].b.body;
+      sample.id = static_cast<int>(k) * kMostDetails + d;
+      sample.point = from_simbody(detail.getContactPoint());
+      sample.normal = sign * from_simbody(SimTK::Vec3(detail.getContactNormal()));
+      sample.force = sign * from_simbody(detail.getForceOnSurface2());
+      sample.gap = -detail.getDeformation();
+      sample.mode = detail.getSlipVelocity().norm() >= compliance_.transition ? ContactMode::kSlide
+                                                                              : ContactMode::kStick;
+      out.push_back(sample);
+    }
+  }
+
+  static constexpr int kMostDetails = 10000;  // of one contact, for numbers of points
+
+  const MovingScene& scene_;
+  const ContactCompliance& compliance_;
+  std::vector<SimbodyPair> pairs_;
+  std::vector<std::vector<int>> cliques_;  // of surface 2 k + side of pair k
+  std::vector<SimTK::ContactCliqueId> clique_ids_;
+  std::map<int, std::vector<std::pair<std::size_t, std::size_t>>> worn_;  // pair, side by body
+  SimTK::GeneralForceSubsystem forces_;
+  SimTK::Force::Gravity gravity_;
+  SimTK::ContactTrackerSubsystem tracker_;
+  SimTK::CompliantContactSubsystem contacts_;
+  SimTK::Force::Custom loads_;
+  std::map<SimTK::ContactSurfaceIndex, std::size_t> pair_of_;
+};
+
+class SimbodyMotion : public CompliantMotion {
+ public:
+  SimbodyMotion(const MovingScene& scene, const SceneOptions& options)
+      : options_(options), step_(scene), world_(scene, options_.compliance, step_.model()) {
+    state_.q = scene.q;
+    state_.v = scene.v;
+  }
+
+  void begin_span(double instant) override {
+    world_.acting = instant;
+    if (integrator_) slopes_ += integrator_->getNumRealizations();
+    state_.t = instant;
+    integrator_ =
+        std::make_unique<SimTK::CPodesIntegrator>(world_.bodies.system(), SimTK::CPodes::BDF);
+    integrator_->setAccuracy(options_.tolerance);
+    integrator_->setMaximumStepSize(options_.longest);
+    integrator_->setReturnEveryInternalStep(true);
+    integrator_->setInternalStepLimit(1000);
+    has_begun_ = false;
+  }
+
+  CompliantStep step(double stop) override {
+    const SceneState before = state_;
+    if (state_.v.size() == 0) {  // nothing moves
+      state_.t = stop;
+      return {};
+    }
+    try {
+      // Simbody mixes up contacts of a state that was realized before.
+      if (!has_begun_) integrator_->initialize(world_.state_of(state_));
+      has_begun_ = true;
+      integrator_->stepTo(stop, stop);
+      take_state();
+      if (!state_.q.allFinite() || !state_.v.allFinite()) return {SceneStatus::kNotFinite, ""};
+      const std::string left = world_.left_face(integrator_->getState());
+      if (!left.empty())
+        return {SceneStatus::kFailed, fmt::format("at {:.9g} s {}", state_.t, left)};
+    } catch (const std::exception& failure) {
+      return {SceneStatus::kFailed,
+              fmt::format("at {:.9g} s Simbody gave up: {}", before.t, failure.what())};
+    }
+    return passed_through(before);
+  }
+
+  const SceneState& state() const override { return state_; }
+
+  std::vector<ContactSample> contacts(double& stored) override {
+    return world_.contacts(has_begun_ ? integrator_->getState() : world_.state_of(state_), stored);
+  }
+
+  long slopes() const override { return slopes_ + integrator_->getNumRealizations(); }
+
+ private:
+  void take_state() {
+    const SimTK::State& at = integrator_->getState();
+    state_.t = at.getTime();
+    world_.bodies.read(at, state_.q, state_.v);
+  }
+
+  /// Fails where surfaces moved too far to be sure that nothing went through something.
+  CompliantStep passed_through(const SceneState& before) {
+    step_.find(state_, 0, touching_);
+    for (ActiveContact& contact : touching_) contact.mode = ContactMode::kStick;
+    const double motion = step_.motion_between(before, state_, touching_);
+    if (motion <= 1) return {};
+    return {SceneStatus::kFailed,
+            fmt::format("at {:.9g} s surfaces moved {:.2g} times half of the thinner body's "
+                        "thickness within a step: they may have passed each other; the longest "
+                        "step of {:g} s is too long",
+                        before.t, motion, options_.longest)};
+  }
+
+  SceneOptions options_;
+  ContactStep step_;
+  SimbodyScene world_;
+  std::unique_ptr<SimTK::CPodesIntegrator> integrator_;
+  SceneState state_;
+  std::vector<ActiveContact> touching_;
+  bool has_begun_ = false;
+  long slopes_ = 0;  // before the last start
+};
+
+void check_for_simbody(const MovingScene& scene, const SceneOptions& options) {
+  internal::check_compliant(scene, options);
+  require(options.compliance.ramp == FrictionRamp::kQuintic,
+          "Simbody's friction has a quintic ramp, not a linear one");
+  require(options.compliance.modulus > 0, "Simbody wants a modulus of contacts above 0");
+  const auto refuse_torsion = [](const PairFriction& pair) {
+    require(pair.torsion_radius == 0,
+            "Simbody's contacts have no torsional friction, got a radius "
+            "of {} m",
+            pair.torsion_radius);
+  };
+  refuse_torsion(scene.friction);
+  for (const auto& [bodies, pair] : scene.friction_pairs) refuse_torsion(pair);
+}
+
+}  // namespace
+
+SceneRun simulate_simbody_scene(const MovingScene& scene, const SceneOptions& options,
+                                const Progress& progress) {
+  check_for_simbody(scene, options);
+  SimbodyMotion motion(scene, options);
+  return run_compliant(motion, scene, options, progress);
+}
+
+}  // namespace thenar

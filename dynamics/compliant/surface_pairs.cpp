@@ -1,0 +1,168 @@
+#include "dynamics/compliant/surface_pairs.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/error.h"
+#include "dynamics/mechanism/tree_motion.h"
+#include "dynamics/stepping/meeting_pairs.h"
+
+namespace thenar {
+namespace {
+
+class PairPlanner {
+ public:
+  PairPlanner(const MovingScene& scene, const TreeModel& model)
+      : scene_(scene), model_(model), motion_(model) {
+    motion_.set_position(scene.q);
+  }
+
+  std::vector<SimbodyPair> plan() {
+    std::vector<SimbodyPair> out;
+    for (const auto& [a, b] : pairs_that_may_meet(scene_, model_)) {
+      check_parts(a);
+      check_parts(b);
+      for (std::size_t i = 0; i < solid(a).parts.size(); ++i)
+        for (std::size_t j = 0; j < solid(b).parts.size(); ++j)
+          out.push_back(pair(surface(a, i), surface(b, j)));
+    }
+    return out;
+  }
+
+ private:
+  [[nodiscard]] const MechanismBody& body(int i) const {
+    return scene_.mechanism.bodies[static_cast<std::size_t>(i)];
+  }
+  [[nodiscard]] const Solid& solid(int i) const { return *body(i).solid; }
+  [[nodiscard]] const ShapeSpec& spec(const SimbodySurface& of) const {
+    return solid(of.body).parts[of.part].spec;
+  }
+  [[nodiscard]] std::string words(const SimbodySurface& of) const {
+    return fmt::format("'{}' ({})", body(of.body).name, name_of(spec(of).kind));
+  }
+
+  void check_parts(int i) const {
+    require(!solid(i).parts.empty(), "what '{}' is made of is not known: Simbody cannot touch it",
+            body(i).name);
+  }
+
+  /// A part by itself; a box is a brick.
+  [[nodiscard]] SimbodySurface surface(int i, std::size_t part) const {
+    SimbodySurface out;
+    out.body = i;
+    out.part = part;
+    const ShapeSpec& shape = spec(out);
+    out.X_BS = shape.X_BS;
+    out.size = shape.size;
+    switch (shape.kind) {
+      case ShapeKind::kSphere:
+        out.kind = SurfaceKind::kBall;
+        break;
+      case ShapeKind::kEllipsoid:
+        out.kind = SurfaceKind::kEllipsoid;
+        break;
+      case ShapeKind::kBox:
+        out.kind = SurfaceKind::kBrick;
+        out.size = 0.5 * shape.size;
+        break;
+      case ShapeKind::kMesh:
+        out.kind = SurfaceKind::kMesh;
+        break;
+      default:
+        throw InputError(
+            fmt::format("Simbody has no contacts of {}: wanted spheres, ellipsoids, "
+                        "boxes or meshes",
+                        words(out)));
+    }
+    return out;
+  }
+
+  SimbodyPair pair(SimbodySurface a, SimbodySurface b) const {
+    const bool is_brick_a = a.kind == SurfaceKind::kBrick,
+               is_brick_b = b.kind == SurfaceKind::kBrick;
+    if (is_brick_a && (!is_brick_b || carries(a, b))) {
+      flatten(a, b);
+    } else if (is_brick_b) {
+      flatten(b, a);
+    }
+    const auto are = [&](SurfaceKind one, SurfaceKind other) {
+      return (a.kind == one && b.kind == other) || (a.kind == other && b.kind == one);
+    };
+    require(!are(SurfaceKind::kEllipsoid, SurfaceKind::kMesh),
+            "Simbody has no contact of {} with {}", words(a), words(b));
+    return {a, b};
+  }
+
+  /// Whether of two boxes the first is the one to be a half space.
+  [[nodiscard]] bool carries(const SimbodySurface& a, const SimbodySurface& b) const {
+    const auto is_fixed = [&](const SimbodySurface& of) {
+      return model_.bodies[static_cast<std::size_t>(of.body)].link < 0;
+    };
+    if (is_fixed(a) != is_fixed(b)) return is_fixed(a);
+    const auto face = [&](const SimbodySurface& of, const SimbodySurface& seen) {
+      const int k = axis_towards(of, seen);
+      return of.size[(k + 1) % 3] * of.size[(k + 2) % 3];
+    };
+    return face(a, b) >= face(b, a);
+  }
+
+  /// Centre of the other part in the frame of a box [m].
+  [[nodiscard]] Eigen::Vector3d seen_from(const SimbodySurface& box,
+                                          const SimbodySurface& other) const {
+    Eigen::Vector3d centre = other.X_BS.p;
+    if (other.kind == SurfaceKind::kMesh)
+      centre = other.X_BS * solid(other.body).parts[other.part].shape->bounds().center();
+    const Pose<double> X_WS = motion_.pose(box.body) * box.X_BS;
+    return X_WS.inverse() * (motion_.pose(other.body) * centre);
+  }
+
+  /// Axis of a box whose face looks most at the other part.
+  [[nodiscard]] int axis_towards(const SimbodySurface& box, const SimbodySurface& other) const {
+    const Eigen::Vector3d beyond = seen_from(box, other).cwiseAbs() - box.size;
+    int axis = 0;
+    beyond.maxCoeff(&axis);
+    return axis;
+  }
+
+  /// Makes a box the half space of a face.
+  void flatten(SimbodySurface& box, const SimbodySurface& other) const {
+    const int k = axis_towards(box, other), x = (k + 1) % 3, y = (k + 2) % 3;
+    const double sign = seen_from(box, other)[k] < 0 ? -1 : 1;
+    Pose<double> X_SF;
+    X_SF.R.setZero();
+    X_SF.R(x, 0) = 1;
+    X_SF.R(y, 1) = sign;
+    X_SF.R(k, 2) = sign;
+    X_SF.p = sign * box.size[k] * Eigen::Vector3d::Unit(k);
+    box.extent = {box.size[x], box.size[y]};
+    box.X_BS = box.X_BS * X_SF;
+    box.kind = SurfaceKind::kHalfSpace;
+  }
+
+  const MovingScene& scene_;
+  const TreeModel& model_;
+  TreeMotion<double> motion_;
+};
+
+}  // namespace
+
+std::vector<SimbodyPair> simbody_pairs(const MovingScene& scene, const TreeModel& model) {
+  return PairPlanner(scene, model).plan();
+}
+
+std::vector<std::vector<int>> separating_cliques(std::size_t pairs) {
+  std::vector<std::vector<int>> out(2 * pairs);
+  for (std::size_t k = 0; k < pairs; ++k) {
+    for (const std::size_t side : {0, 1}) {
+      std::vector<int>& of = out[2 * k + side];
+      of.push_back(static_cast<int>(side));
+      for (std::size_t bit = 0; (std::size_t{1} << bit) < pairs; ++bit) {
+        const std::size_t given = (k >> bit) & 1;  // by this pair to the first clique of the bit
+        of.push_back(static_cast<int>(2 + 2 * bit + (given == side ? 0 : 1)));
+      }
+    }
+  }
+  return out;
+}
+
+}  // namespace thenar
