@@ -20,6 +20,8 @@
 #include "base/error.h"
 #include "base/nearest_name.h"
 #include "base/parallel_for.h"
+#include "dynamics/compliant/penalty_scene.h"
+#include "dynamics/compliant/simbody_scene.h"
 #include "dynamics/scene/run_bytes.h"
 #include "sampling/run/communicator.h"
 
@@ -86,6 +88,16 @@ ReadScene read_request(const SceneRequest& request) {
   return read;
 }
 
+/// Simulates a scene by whatever method its options name.
+SceneRun simulate_by_method(const MovingScene& scene, const SceneOptions& options,
+                            const Progress& progress) {
+  if (options.method == SteppingMethod::kCompliantSimbody)
+    return simulate_simbody_scene(scene, options, progress);
+  if (options.method == SteppingMethod::kCompliantSundials)
+    return simulate_penalty_scene(scene, options, progress);
+  return simulate_scene(scene, options, progress);
+}
+
 /// Simulates, unless that was done, and measures a scene with some numbers changed.
 SimulatedScene simulated(const ReadScene& read,
                          const std::vector<std::pair<std::string, double>>& numbers,
@@ -99,7 +111,7 @@ SimulatedScene simulated(const ReadScene& read,
   out.varied = numbers;
   auto built = std::make_shared<BuiltScene>(read.open.built);
   for (const auto& [name, value] : numbers) set_number(*built, name, value);
-  out.run = done ? std::move(*done) : simulate_scene(built->scene, built->options, progress);
+  out.run = done ? std::move(*done) : simulate_by_method(built->scene, built->options, progress);
   out.measures = measure_run(built->scene, out.run);
   out.built = std::move(built);
   return out;

@@ -91,6 +91,8 @@ double largest_of(Dimension dimension) {
       return 1e4;
     case Dimension::kAngularSpeed:
       return 1e6;  // of the fastest rotor
+    case Dimension::kInverseSpeed:
+      return 1e6;  // dissipation: contacts that hardly close
     case Dimension::kLinearStiffness:
     case Dimension::kLinearDamping:
       break;

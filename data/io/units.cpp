@@ -43,6 +43,7 @@ const std::vector<Unit>& all_units() {
       {"m_s", Dimension::kSpeed, 1},
       {"deg_s", Dimension::kAngularSpeed, kDegree},
       {"rad_s", Dimension::kAngularSpeed, 1},
+      {"s_per_m", Dimension::kInverseSpeed, 1},
   };
   return units;
 }
@@ -91,9 +92,11 @@ std::string dimension_name(Dimension dimension) {
     case Dimension::kSpeed:
       return "a speed";
     case Dimension::kAngularSpeed:
+      return "an angular speed";
+    case Dimension::kInverseSpeed:
       break;
   }
-  return "an angular speed";
+  return "an inverse speed";
 }
 
 }  // namespace thenar

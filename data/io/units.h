@@ -26,7 +26,8 @@ enum class Dimension {
   kLinearDamping,
   kTime,
   kSpeed,
-  kAngularSpeed
+  kAngularSpeed,
+  kInverseSpeed
 };
 
 /// A unit: `point_mm = 5` is 5 * 0.001 m.

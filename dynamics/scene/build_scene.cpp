@@ -399,6 +399,21 @@ class SceneBuilder {
     options.longest = stepping.longest.value_or(options.longest);
     options.tolerance = stepping.tolerance.value_or(options.tolerance);
     options.recovery = stepping.recovery.value_or(options.recovery);
+    set_compliance();
+  }
+
+  void set_compliance() {
+    const SteppingSpec& stepping = spec_.stepping;
+    ContactCompliance& out = built_.options.compliance;
+    out.modulus = stepping.modulus.value_or(out.modulus);
+    out.stiffness = stepping.stiffness.value_or(out.stiffness);
+    out.dissipation = stepping.dissipation.value_or(out.dissipation);
+    out.layer = stepping.layer.value_or(out.layer);
+    out.transition = stepping.transition.value_or(out.transition);
+    if (stepping.friction_ramp.empty()) return;
+    out.ramp = static_cast<FrictionRamp>(at_line(spec_.path, stepping.line, [&] {
+      return index_of_name(stepping.friction_ramp, friction_ramp_names(), "friction ramp");
+    }));
   }
 
   const SceneSpec& spec_;

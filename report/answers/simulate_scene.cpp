@@ -282,6 +282,8 @@ std::string refusal_of(const SimulatedScene& scene) {
   if (scene.run.status == SceneStatus::kNotFinite)
     return fmt::format("the motion is not finite after {:.6g} s: do not use it",
                        simulated_seconds(scene));
+  if (scene.run.status == SceneStatus::kFailed)
+    return fmt::format("{}: do not use this motion", scene.run.reason);
   if (cost.unsolved == 0) return "";
   return fmt::format(
       "{} of {} contact problems were not solved (worst residual {:.2g}): do not use "

@@ -111,6 +111,14 @@ struct SteppingSpec {
   std::optional<double> longest;    // step between events [s]
   std::optional<double> tolerance;  // error of a step [m] or [rad]
   std::optional<double> recovery;   // speed at which depth is pushed out [m/s]
+
+  // Of contacts that yield.
+  std::optional<double> modulus;      // [Pa]
+  std::optional<double> stiffness;    // [N/m]
+  std::optional<double> dissipation;  // [s/m]
+  std::optional<double> layer;        // of meshes [m]
+  std::optional<double> transition;   // slip speed from which friction is Coulomb's [m/s]
+  std::string friction_ramp;          // a name of the simulator; empty: its own
   int line = 1;
 };
 

@@ -202,6 +202,12 @@ SteppingSpec read_stepping(TomlTable& table) {
   stepping.longest = if_stated(Dimension::kTime, "longest_step");
   stepping.tolerance = if_stated(Dimension::kNumber, "tolerance");
   stepping.recovery = if_stated(Dimension::kSpeed, "recovery");
+  stepping.modulus = if_stated(Dimension::kStress, "modulus");
+  stepping.stiffness = if_stated(Dimension::kLinearStiffness, "stiffness");
+  stepping.dissipation = if_stated(Dimension::kInverseSpeed, "dissipation");
+  stepping.layer = if_stated(Dimension::kLength, "layer");
+  stepping.transition = if_stated(Dimension::kSpeed, "transition_speed");
+  stepping.friction_ramp = table.text_or("friction_ramp", "");
   table.done();
   return stepping;
 }

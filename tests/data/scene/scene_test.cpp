@@ -184,6 +184,7 @@ TEST(Scene, FrictionApartAndTimeAreRead) {
   EXPECT_DOUBLE_EQ(scene.stepping.sample, 0.005);
   EXPECT_DOUBLE_EQ(scene.stepping.step.value(), 0.0005);
   EXPECT_FALSE(scene.stepping.tolerance.has_value());
+  EXPECT_FALSE(scene.stepping.modulus.has_value());
 }
 
 struct SceneMistake {

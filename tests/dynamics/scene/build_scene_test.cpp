@@ -189,6 +189,29 @@ TEST(BuildScene, TellsLinesOfWhatDoesNotFit) {
               StartsWith("s.toml:12: no method 'event', did you mean 'events'?"));
 }
 
+TEST(BuildScene, TakesTheSpringsOfContactsFromTheFile) {
+  const auto options = [](const std::string& stepping) {
+    const std::string text = kHead + ball("a") + "[stepping]\nduration_s = 1\n" + stepping;
+    return build_scene(parse_scene(text, "s.toml"), {}).options;
+  };
+  const SceneOptions stated = options(
+      "method = \"compliant-sundials\"\nmodulus_MPa = 2\nstiffness_N_per_mm = 3\n"
+      "dissipation_s_per_m = 4\nlayer_mm = 5\ntransition_speed_mm_s = 6\n"
+      "friction_ramp = \"linear\"\n");
+  EXPECT_EQ(stated.method, SteppingMethod::kCompliantSundials);
+  EXPECT_DOUBLE_EQ(stated.compliance.modulus, 2e6);
+  EXPECT_DOUBLE_EQ(stated.compliance.stiffness, 3e3);
+  EXPECT_DOUBLE_EQ(stated.compliance.dissipation, 4);
+  EXPECT_DOUBLE_EQ(stated.compliance.layer, 5e-3);
+  EXPECT_DOUBLE_EQ(stated.compliance.transition, 6e-3);
+  EXPECT_EQ(stated.compliance.ramp, FrictionRamp::kLinear);
+  EXPECT_EQ(options("").compliance.stiffness, ContactCompliance().stiffness);
+  EXPECT_THAT(message_of<DataError>([&] { (void)options("friction_ramp = \"cubic\"\n"); }),
+              StartsWith("s.toml:12: no friction ramp 'cubic'"));
+  EXPECT_THAT(message_of<DataError>([&] { (void)options("transition_speed_mm_s = 0\n"); }),
+              StartsWith("s.toml:14: wanted 'transition_speed_mm_s' > 0"));
+}
+
 TEST(SetNumber, ChangesWhatItNames) {
   BuiltScene scene =
       built(ball("a", "joint = {kind = \"slide\", axis = [1, 0, 0]}\n") +

@@ -39,6 +39,28 @@ TEST(SceneAnswer, IsRefusedWhereContactsWereNotSolved) {
   EXPECT_EQ(json_of(scene)["unsolved"], 3);
 }
 
+TEST(SceneAnswer, IsRefusedWhereTheIntegratorGaveUp) {
+  SimulatedScene scene = pinched();
+  scene.run.status = SceneStatus::kFailed;
+  scene.run.reason = "at 0.1 s no step is short enough";
+  EXPECT_EQ(refusal_of(scene), "at 0.1 s no step is short enough: do not use this motion");
+  EXPECT_EQ(json_of(scene)["status"], "failed");
+}
+
+TEST(SceneAnswer, ByAllMethodsHoldsThePinch) {
+  SceneRequest request;
+  request.scene = kData + "/scenes/pinch.toml";
+  request.seconds = 0.1;
+  for (const std::string& method : stepping_names()) {
+    SCOPED_TRACE(method);
+    request.method = method;
+    const SimulatedScene scene = run_scene(request);
+    EXPECT_EQ(refusal_of(scene), "");
+    EXPECT_EQ(json_of(scene)["method"], method);
+    EXPECT_LT(json_of(scene)["largest_slip_m"], 1.1e-4);  // 0.1 s at the transition speed
+  }
+}
+
 TEST(SceneAnswer, OfASweepNamesTheRunThatIsRefused) {
   SceneRequest request;
   request.scene = kData + "/scenes/pinch.toml";
