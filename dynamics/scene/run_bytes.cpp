@@ -74,16 +74,17 @@ void pass_contact(Stream& stream, ContactSample& contact) {
 
 template <typename Stream>
 void pass_sample(Stream& stream, SceneSample& sample) {
-  auto& [t, q, v, contacts, energy] = sample;
+  auto& [t, q, v, z, contacts, energy] = sample;
   stream.plain(t);
   pass_vector(stream, q);
   pass_vector(stream, v);
+  pass_vector(stream, z);
   std::size_t touching = contacts.size();
   stream.count(touching);
   contacts.resize(touching);
   for (ContactSample& contact : contacts) pass_contact(stream, contact);
-  auto& [kinetic, weight, springs] = energy;
-  for (double* each : {&kinetic, &weight, &springs}) stream.plain(*each);
+  auto& [kinetic, weight, springs, of_elements] = energy;
+  for (double* each : {&kinetic, &weight, &springs, &of_elements}) stream.plain(*each);
 }
 
 template <typename Stream>
