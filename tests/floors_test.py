@@ -74,8 +74,10 @@ MAY_SEE |= {
     "dynamics/stepping": MECHANISMS + ["solvers", "geometry/collision", "geometry/manifold", "dynamics/contact"],
 }
 MAY_SEE["dynamics/ligament"] = MAY_SEE["dynamics/stepping"] + ["dynamics/stepping"]
-MAY_SEE["dynamics/scene"] = MAY_SEE["dynamics/ligament"] + ["data/io/scene", "dynamics/ligament"]
 MAY_SEE["dynamics/compliant"] = MAY_SEE["dynamics/stepping"] + ["dynamics/stepping"]
+HUMANS = ["hand/skin", "tendons", "tendons/net", "tendons/muscle", "tendons/human"]
+MAY_SEE["dynamics/human"] = MAY_SEE["dynamics/stepping"] + ["dynamics/stepping"] + HUMANS
+MAY_SEE["dynamics/scene"] = MAY_SEE["dynamics/human"] + ["data/io/scene", "dynamics/ligament", "dynamics/human"]
 LIBRARIES = list(MAY_SEE)
 API = ["api", "api/named"]
 MAY_SEE["thenar"] = LIBRARIES + API  # the header of all public headers

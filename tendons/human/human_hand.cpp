@@ -14,7 +14,6 @@
 #include "hand/skin/hand_anatomy.h"
 #include "tendons/human/closing_synergy.h"
 #include "tendons/human/muscle_forces.h"
-#include "tendons/human/tendon_hand.h"
 #include "tendons/name_conventions.h"
 #include "tendons/net/build_tendons.h"
 
@@ -205,6 +204,7 @@ HumanHand build_human_hand(const Subject& subject, HumanVersion version,
       version < HumanVersion::kSoftPads ? ContactModel::kHardPoint : ContactModel::kSoftFinger;
   human.patches = skin_patches(anatomy, skeleton);
   human.targets = kapandji_targets(anatomy, skeleton);
+  human.skeleton = skeleton;
   human.warnings = anatomy.warnings;
   std::vector<LinkSurface> surfaces = covered(subject, skeleton, options);
   // Tendons: digit by digit, through nets where they can be carried.
@@ -234,6 +234,15 @@ HumanHand build_human_hand(const Subject& subject, HumanVersion version,
   human.hand = std::make_unique<SkeletonHand>(skeleton, std::move(limits), std::move(surfaces),
                                               motor_synergy(anatomy, variant, skeleton));
   return human;
+}
+
+HumanTendons human_tendons(const Subject& subject, Hood extensors,
+                           const HumanHandOptions& options) {
+  HumanTendons out;
+  const Extensors kind = extensors == Hood::kFloatingNet ? Extensors::kNet : Extensors::kLinear;
+  out.hand = hand_tendons(subject, kind, frozen_joints(subject, options.frozen), options.path,
+                          out.warnings);
+  return out;
 }
 
 const std::vector<std::string>& human_versions() {

@@ -12,6 +12,7 @@
 #include "hand/hand.h"
 #include "hand/skin/human_surfaces.h"
 #include "hand/skin/skin_landmarks.h"
+#include "tendons/human/tendon_hand.h"
 
 namespace thenar {
 
@@ -42,6 +43,7 @@ struct HumanHandOptions {
 /// A hand with all that comparisons need.
 struct HumanHand {
   std::unique_ptr<Hand> hand;
+  Skeleton skeleton;                      // its bones
   ContactModel contact;                   // hard points, or soft fingers from kSoftPads on
   std::vector<SkinPatch> patches;         // pads and nails
   std::vector<OppositionTarget> targets;  // of Kapandji's score
@@ -57,6 +59,19 @@ struct HumanHand {
 /// tendons elsewhere, with a warning; it wants tendons at every digit.
 /// @throws InputError naming what the subject lacks.
 [[nodiscard]] HumanHand build_human_hand(const Subject& subject, HumanVersion version,
+                                         const HumanHandOptions& options = {});
+
+/// Tendons of a subject's hand, with what was assumed for them.
+struct HumanTendons {
+  HandTendons hand;                   // a digit for each of the subject
+  std::vector<std::string> warnings;  // what was assumed, left out or put on a lower rung
+};
+
+/// Tendons as build_human_hand() takes them, on any rung of extensors: a floating net where a
+/// finger can carry it, with a warning where not; else the hood's fractions where the subject has
+/// them, and separate tendons elsewhere.
+/// @throws InputError as build_tendon_digit() and muscle_forces().
+[[nodiscard]] HumanTendons human_tendons(const Subject& subject, Hood extensors,
                                          const HumanHandOptions& options = {});
 
 /// Names of the versions, in the order of HumanVersion: "orthogonal", "skewed", "soft", "tendons".

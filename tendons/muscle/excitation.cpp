@@ -26,8 +26,8 @@ std::vector<std::string> cells_of(const std::string& line) {
 /// Columns of a table by name, and its rows of numbers.
 class ExcitationTable {
  public:
-  ExcitationTable(const std::string& path, const std::vector<std::string>& muscles)
-      : path_(path), muscles_(muscles) {}
+  ExcitationTable(const std::string& path, const std::vector<std::string>& muscles, double most)
+      : path_(path), muscles_(muscles), most_(most) {}
 
   void read_header(int line, const std::vector<std::string>& cells) {
     // Time first, then one known muscle a column.
@@ -57,8 +57,10 @@ class ExcitationTable {
     if (row.front() < (rows_.empty() ? 0 : rows_.back().front()))
       throw DataError(path_, line, "wanted times from 0 on that never fall");
     for (std::size_t i = 1; i < row.size(); ++i)
-      if (row[i] < 0 || row[i] > 1)
-        throw DataError(path_, line, fmt::format("wanted an excitation in 0..1, got {}", row[i]));
+      if (row[i] < 0 || row[i] > most_)
+        throw DataError(path_, line,
+                        most_ == 1 ? fmt::format("wanted an excitation in 0..1, got {}", row[i])
+                                   : fmt::format("wanted a tension >= 0, got {}", row[i]));
     rows_.push_back(row);
   }
 
@@ -89,6 +91,7 @@ class ExcitationTable {
 
   const std::string& path_;
   const std::vector<std::string>& muscles_;
+  double most_;
   std::vector<Eigen::Index> columns_;
   std::vector<std::vector<double>> rows_;
 };
@@ -139,8 +142,8 @@ std::vector<ExcitationPiece> excitation_pieces(const Excitation& excitation, dou
 }
 
 Excitation parse_excitation(const std::string& text, const std::string& path,
-                            const std::vector<std::string>& muscles) {
-  ExcitationTable table(path, muscles);
+                            const std::vector<std::string>& muscles, double most) {
+  ExcitationTable table(path, muscles, most);
   // The first row that is no comment is the header.
   std::istringstream in(text);
   int line = 0;

@@ -38,8 +38,9 @@ struct ExcitationPiece {
 /// Reads a table:  a header  time_s,EDC,FDP,..,  then numbers. Muscles without a column stay at 0.
 /// @param path     names the table in messages
 /// @param muscles  in the order of the columns of the result
+/// @param most     largest value: 1, or infinity for a table of tensions [N]
 /// @throws DataError `path:line: what was wanted, what came`.
 [[nodiscard]] Excitation parse_excitation(const std::string& text, const std::string& path,
-                                          const std::vector<std::string>& muscles);
+                                          const std::vector<std::string>& muscles, double most = 1);
 
 }  // namespace thenar

@@ -1,0 +1,315 @@
+#include "dynamics/human/digit_pull.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+#include <Eigen/LU>
+
+#include "base/error.h"
+
+namespace thenar {
+namespace {
+
+using Eigen::Index;
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
+
+constexpr double kSettledRate = 1e-9;  // of activation [1/s], of a fibre [optimal lengths/s]
+
+/// The straight piece of a schedule that begins at or before an instant.
+struct SchedulePiece {
+  double begin = 0, value = 0, slope = 0;  // [s], at its begin, per second
+
+  [[nodiscard]] double at(double t) const { return value + slope * (t - begin); }
+};
+SchedulePiece piece_at(const MuscleSchedule& schedule, double from) {
+  const Index last = schedule.time.size() - 1;
+  if (from < schedule.time[0]) return {from, schedule.value[0], 0};
+  Index k = 0;
+  while (k < last && schedule.time[k + 1] <= from) ++k;
+  const double begin = schedule.time[k], value = schedule.value[k];
+  if (k == last) return {begin, value, 0};
+  return {begin, value, (schedule.value[k + 1] - value) / (schedule.time[k + 1] - begin)};
+}
+
+/// The piece of a muscle among schedules; zero where none acts.
+SchedulePiece piece_of(const std::vector<MuscleSchedule>& schedules, int muscle, double from) {
+  for (const MuscleSchedule& schedule : schedules)
+    if (schedule.muscle == muscle && schedule.when.holds(from)) return piece_at(schedule, from);
+  return {};
+}
+
+void check_schedules(const std::vector<MuscleSchedule>& schedules, const DigitPullModel& model,
+                     double most, const char* what) {
+  const std::vector<std::string>& names = model.tendons->muscles();
+  for (std::size_t i = 0; i < schedules.size(); ++i) {
+    const MuscleSchedule& each = schedules[i];
+    require(each.muscle >= 0 && each.muscle < static_cast<int>(names.size()),
+            "'{}' has no muscle {}", model.name, each.muscle);
+    const std::string& name = names[static_cast<std::size_t>(each.muscle)];
+    require(each.time.size() > 0 && each.time.size() == each.value.size(),
+            "{} of '{}' has {} instants and {} values", what, name, each.time.size(),
+            each.value.size());
+    for (Index k = 1; k < each.time.size(); ++k)
+      require(each.time[k] >= each.time[k - 1], "{} of '{}' goes back in time", what, name);
+    require((each.value.array() >= 0).all() && (each.value.array() <= most).all(),
+            "{} of '{}' must be 0 to {:g}", what, name, most);
+    for (std::size_t j = 0; j < i; ++j)
+      require(schedules[j].muscle != each.muscle || schedules[j].when.from >= each.when.to ||
+                  schedules[j].when.to <= each.when.from,
+              "two drives give '{}' its {} at once", name, what);
+  }
+}
+
+}  // namespace
+
+DigitPull::DigitPull(DigitPullModel model)
+    : model_(std::make_shared<const DigitPullModel>(std::move(model))) {
+  const TendonGroup& group = *model_->tendons;
+  const std::size_t joints = group.coordinates().size();
+  require(model_->places.q.size() == joints && model_->places.v.size() == joints,
+          "'{}' has {} joints, got {} places", model_->name, joints, model_->places.q.size());
+  muscles_ = static_cast<Index>(group.muscles().size());
+  check_schedules(model_->tensions, *model_, std::numeric_limits<double>::max(), "tension");
+  check_schedules(model_->excitations, *model_, 1, "excitation");
+  // A net in motion: see FingerMotion.
+  const bool net = group.has_net();
+  if (net) blended_ = std::make_shared<const TendonGroup>(group.smoothed(model_->blend));
+  contracts_.assign(static_cast<std::size_t>(muscles_), model_->contraction != nullptr);
+  for (const MuscleSchedule& given : model_->tensions)
+    contracts_[static_cast<std::size_t>(given.muscle)] = false;
+  for (const MuscleSchedule& each : model_->excitations)
+    require(contracts(each.muscle), "'{}' has a tension or cannot contract, and is excited",
+            group.muscles()[static_cast<std::size_t>(each.muscle)]);
+  if (!model_->contraction) return;
+  require(static_cast<Index>(model_->contraction->muscles().size()) == muscles_,
+          "{} muscles contract, '{}' has {}", model_->contraction->muscles().size(), model_->name,
+          muscles_);
+  if (net) compliant_ = model_->contraction->with_compliant_tendon(kRigidStrain);
+  for (int m = 0; m < muscles_; ++m)
+    if (contracts(m)) contracting_.push_back(m);
+  has_fibre_ = contraction().has_fibre_state();
+  has_excursion_ = has_fibre_ || contraction().depends_on_velocity();
+}
+
+std::unique_ptr<ForceElement> DigitPull::clone() const {
+  return std::make_unique<DigitPull>(*this);
+}
+
+const std::vector<std::string>& DigitPull::muscles() const { return model_->tendons->muscles(); }
+
+bool DigitPull::contracts(int muscle) const { return contracts_[static_cast<std::size_t>(muscle)]; }
+
+double DigitPull::fibre_length(int m) const {
+  return contraction().muscles()[static_cast<std::size_t>(m)].optimal_fibre_length;
+}
+
+std::vector<std::string> DigitPull::state_names() const {
+  std::vector<std::string> names;
+  for (const int m : contracting_)
+    names.push_back("activation " + muscles()[static_cast<std::size_t>(m)] + " [1]");
+  for (const int m : contracting_)
+    if (has_excursion_)
+      names.push_back("excursion " + muscles()[static_cast<std::size_t>(m)] +
+                      " [optimal fibre lengths]");
+  for (const int m : contracting_)
+    if (has_fibre_)
+      names.push_back("projected fibre " + muscles()[static_cast<std::size_t>(m)] +
+                      " [optimal fibre lengths]");
+  return names;
+}
+
+VectorXd DigitPull::start(const VectorXd& q) const {
+  const auto count = static_cast<Index>(contracting_.size());
+  VectorXd z = VectorXd::Zero(static_cast<Index>(state_names().size()));
+  if (!has_excursion_) return z;
+  // Excursion from the reference posture, along a walk of the net; then fibres in balance.
+  const VectorXd excursion = tendons().excursion(q(model_->places.q));
+  for (Index i = 0; i < count; ++i) {
+    const int m = contracting_[static_cast<std::size_t>(i)];
+    const Musculotendon& muscle = contraction().muscles()[static_cast<std::size_t>(m)];
+    z[count + i] = excursion[m] / fibre_length(m);
+    if (has_fibre_)
+      z[2 * count + i] = contraction().isometric_projected_fibre(
+                             m, 0, musculotendon_length_at_optimum(muscle) + excursion[m]) /
+                         fibre_length(m);
+  }
+  return z;
+}
+
+DigitPull::Now DigitPull::now(const ElementInput& at) const {
+  Now now;
+  now.q = at.q(model_->places.q);
+  now.q_dot = at.v(model_->places.v);
+  now.excitation = now.excursion = now.tension = VectorXd::Zero(muscles_);
+  now.state.resize(static_cast<std::size_t>(muscles_));
+  now.by.resize(static_cast<std::size_t>(muscles_));
+  // States of muscles that contract.
+  const auto count = static_cast<Index>(contracting_.size());
+  for (Index i = 0; i < count; ++i) {
+    const int m = contracting_[static_cast<std::size_t>(i)];
+    MuscleState& state = now.state[static_cast<std::size_t>(m)];
+    now.excitation[m] = piece_of(model_->excitations, m, at.acting).at(at.t);
+    state.activation = at.z[at.first_z + i];
+    if (!has_excursion_) continue;
+    now.excursion[m] = at.z[at.first_z + count + i] * fibre_length(m);
+    state.length = now.excursion[m] + musculotendon_length_at_optimum(
+                                          contraction().muscles()[static_cast<std::size_t>(m)]);
+    if (has_fibre_) state.projected_fibre = at.z[at.first_z + 2 * count + i] * fibre_length(m);
+  }
+  // Where tension depends on velocity, arms come first; there they do not depend on tension.
+  const bool feels = count > 0 && contraction().depends_on_velocity();
+  if (feels) {
+    now.pull = tendons().evaluate(now.q, now.tension, last_nodes_);
+    const VectorXd velocity = -now.pull.R * now.q_dot;
+    for (const int m : contracting_) now.state[static_cast<std::size_t>(m)].velocity = velocity[m];
+  }
+  for (int m = 0; m < muscles_; ++m) {
+    const auto k = static_cast<std::size_t>(m);
+    if (contracts(m)) now.by[k] = contraction().tension_derivatives(m, now.state[k]);
+    now.tension[m] = (has_net() ? model_->base_tension : 0) +
+                     (contracts(m) ? contraction().tension(m, now.state[k])
+                                   : piece_of(model_->tensions, m, at.acting).at(at.t));
+  }
+  if (!now.tension.allFinite()) return now;
+  if (feels)
+    now.pull.tau = now.pull.R.transpose() * now.tension;
+  else
+    now.pull = tendons().evaluate(now.q, now.tension, last_nodes_);
+  return now;
+}
+
+bool DigitPull::act(const ElementInput& at, ElementAction& out) {
+  // A trial far off: efforts that are no number make the step shorter.
+  const std::vector<int>& v = model_->places.v;
+  const auto refuse = [&] {
+    out.tau(v).setConstant(std::numeric_limits<double>::quiet_NaN());
+    return false;
+  };
+  if (!at.q.allFinite() || !at.v.allFinite() || !at.z.allFinite()) return refuse();
+  const Now now = this->now(at);
+  if (!now.tension.allFinite() || !now.pull.tau.allFinite()) return refuse();
+  out.tau(v) += now.pull.tau;
+  // Slopes at constant tensions, then those of the tensions.
+  const MatrixXd& R = now.pull.R;
+  const MatrixXd by_posture = tendons().torque_by_posture(now.q, now.tension, now.pull);
+  MatrixXd K = -0.5 * (by_posture + by_posture.transpose());
+  MatrixXd G, A;
+  if (!contracting_.empty()) {
+    VectorXd by_length(muscles_), by_velocity(muscles_);
+    for (Index m = 0; m < muscles_; ++m) {
+      by_length[m] = now.by[static_cast<std::size_t>(m)].by_length;
+      by_velocity[m] = now.by[static_cast<std::size_t>(m)].by_velocity;
+    }
+    MatrixXd stretch = R;
+    if (has_net()) {
+      G = tendons().compliance(now.q, now.tension, now.pull);
+      A = G * by_length.asDiagonal();
+      A.diagonal().array() += 1;
+      stretch = A.partialPivLu().solve(R);
+    }
+    K += R.transpose() * by_length.asDiagonal() * stretch;
+    out.damping(v, v) += R.transpose() * by_velocity.asDiagonal() * R;
+  }
+  out.stiffness(v, v) += K;
+  set_rates(at, now, G, A, out);
+  return trusted(now.pull.status);
+}
+
+void DigitPull::set_rates(const ElementInput& at, const Now& now, const MatrixXd& G,
+                          const MatrixXd& A, ElementAction& out) const {
+  const auto count = static_cast<Index>(contracting_.size());
+  if (count == 0) return;
+  // Activations and fibres, and the rates of tensions at constant length.
+  VectorXd rest = VectorXd::Zero(muscles_);
+  for (const MuscleSchedule& given : model_->tensions)
+    rest[given.muscle] = piece_of(model_->tensions, given.muscle, at.acting).slope;
+  for (Index i = 0; i < count; ++i) {
+    const int m = contracting_[static_cast<std::size_t>(i)];
+    const MuscleState& state = now.state[static_cast<std::size_t>(m)];
+    const TensionDerivatives& by = now.by[static_cast<std::size_t>(m)];
+    const double rate = activation_rate(now.excitation[m], state.activation, model_->activation);
+    out.z_rate[at.first_z + i] = rate;
+    out.z_decay[at.first_z + i] = std::max(
+        0.0, -activation_rate_derivative(now.excitation[m], state.activation, model_->activation));
+    rest[m] = by.by_activation * rate;
+    if (!has_fibre_) continue;
+    const double fibre = contraction().projected_fibre_rate(m, state);
+    out.z_rate[at.first_z + 2 * count + i] = fibre / fibre_length(m);
+    out.z_decay[at.first_z + 2 * count + i] =
+        std::max(0.0, -contraction().fibre_rate_derivatives(m, state).by_projected_fibre);
+    rest[m] += by.by_projected_fibre * fibre;
+  }
+  if (!has_excursion_) return;
+  // Excursions; under a net they return to the lengths of lines [Baumgarte1972].
+  VectorXd excursion = -now.pull.R * now.q_dot;
+  double decay = 0;
+  if (has_net()) {
+    if (slack_length_.size() > 0) {
+      const VectorXd lengths = tendons().lengths(now.q, now.tension, now.pull);
+      excursion -= kBaumgarteRate * (now.excursion + slack_length_ - lengths);
+      decay = kBaumgarteRate;
+    }
+    excursion = A.partialPivLu().solve(excursion - G * rest);
+  }
+  for (Index i = 0; i < count; ++i) {
+    const int m = contracting_[static_cast<std::size_t>(i)];
+    out.z_rate[at.first_z + count + i] = excursion[m] / fibre_length(m);
+    out.z_decay[at.first_z + count + i] = decay;
+  }
+}
+
+void DigitPull::accept(const ElementInput& at) {
+  if (!has_net() || !at.q.allFinite()) return;
+  const Now now = this->now(at);
+  if (!now.tension.allFinite()) return;
+  last_nodes_.clear();
+  for (const TendonTorque& digit : now.pull.digits) last_nodes_.push_back(digit.nodes);
+  if (has_excursion_ && slack_length_.size() == 0 && !tendons().has_friction())
+    slack_length_ = tendons().lengths(now.q, now.tension, now.pull) - now.excursion;
+}
+
+std::vector<double> DigitPull::switches() const {
+  std::vector<double> times;
+  for (const auto* schedules : {&model_->tensions, &model_->excitations})
+    for (const MuscleSchedule& each : *schedules) {
+      times.push_back(each.when.from);
+      if (std::isfinite(each.when.to)) times.push_back(each.when.to);
+      for (const double t : each.time)
+        if (each.when.holds(t)) times.push_back(t);
+    }
+  return times;
+}
+
+bool DigitPull::moves(const ElementInput& at) const {
+  for (const MuscleSchedule& given : model_->tensions)
+    if (given.when.holds(at.acting) && piece_at(given, at.acting).slope != 0) return true;
+  if (contracting_.empty()) return false;
+  const Now now = this->now(at);
+  return std::any_of(contracting_.begin(), contracting_.end(), [&](int m) {
+    const MuscleState& state = now.state[static_cast<std::size_t>(m)];
+    const double rate = activation_rate(now.excitation[m], state.activation, model_->activation);
+    const double fibre =
+        has_fibre_ ? contraction().projected_fibre_rate(m, state) / fibre_length(m) : 0;
+    return piece_of(model_->excitations, m, at.acting).slope != 0 ||
+           std::abs(rate) > kSettledRate || std::abs(fibre) > kSettledRate;
+  });
+}
+
+PullInstant DigitPull::at(const ElementInput& at) const {
+  const Now now = this->now(at);
+  PullInstant out;
+  out.tension = now.tension;
+  out.excitation = now.excitation;
+  out.excursion = now.excursion;
+  out.activation = VectorXd::Zero(muscles_);
+  for (const int m : contracting_)
+    out.activation[m] = now.state[static_cast<std::size_t>(m)].activation;
+  out.status = now.pull.status;
+  out.warning = now.pull.warning;
+  return out;
+}
+
+}  // namespace thenar

@@ -1,0 +1,119 @@
+#pragma once
+
+/// Tendons of a digit in a scene, pulled by given tensions or by excited muscles.
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "dynamics/human/joint_stops.h"
+#include "dynamics/human/tendon_group.h"
+#include "dynamics/stepping/moving_scene.h"
+#include "tendons/muscle/contraction.h"
+#include "tendons/muscle/finger_motion.h"
+
+namespace thenar {
+
+/// What one muscle is given for a time: straight between knots, constant before the first and after
+/// the last. Two knots of one time are a jump.
+struct MuscleSchedule {
+  int muscle = 0;  // of the group
+  TimeSpan when{};
+  Eigen::VectorXd time;   // never falling [s] (knots)
+  Eigen::VectorXd value;  // tension [N], or excitation 0..1 [1] (knots)
+};
+
+/// The constants of a pulled digit.
+struct DigitPullModel {
+  std::string name;                                // "human/index"
+  std::shared_ptr<const TendonGroup> tendons;      // one digit, or several that share a muscle
+  CoordinatePlaces places;                         // of the group's coordinates
+  std::vector<MuscleSchedule> tensions;            // of muscles that do not contract
+  std::vector<MuscleSchedule> excitations;         // others are not excited
+  std::shared_ptr<const Contraction> contraction;  // of all muscles; those with a tension
+                                                   // are not asked; null: none contracts
+  ActivationTimes activation{};
+  double blend = kBlend;               // of a net's bands [1]
+  double base_tension = kBaseTension;  // added to each muscle of a digit with a net [N]
+};
+
+/// What tendons and muscles do at an instant.
+struct PullInstant {
+  Eigen::VectorXd tension;     // [N] (muscles)
+  Eigen::VectorXd excitation;  // [1] (muscles); 0 of muscles that do not contract
+  Eigen::VectorXd activation;  // [1] (muscles); likewise
+  Eigen::VectorXd excursion;   // lengthening since the reference posture [m] (muscles); 0 where
+                               // tension does not depend on it
+  TendonStatus status = TendonStatus::kValid;
+  std::string warning;  // why not to trust it; may be empty
+};
+
+/// A digit's tendons as a force element: the physics of FingerMotion, without its bones.
+///
+/// Torque is that of DigitTendons at the tensions. States are, of each muscle that contracts, its
+/// activation, and where tension depends on them its excursion and the projected length of its
+/// fibres, both over the optimal length of its fibres:
+///   a' by activation_rate,  excursion' = -R q' - G t',  projected_fibre' by the contraction.
+/// Muscles begin at rest, activation 0, with fibres in balance. Under a net, tensions depend on
+/// states alone, and excursions are drawn back to the lengths of lines, as in FingerMotion.
+///
+/// Slopes for steps are  K = -d tau/d q at constant tension + R' (dt/d excursion) A^-1 R  and
+/// R' (dt/d velocity) R,  A = 1 + G dt/d excursion.
+class DigitPull final : public ForceElement {
+ public:
+  /// @throws InputError if shapes disagree, a muscle has a tension and contracts, a schedule is
+  /// empty or falls in time, or two of one muscle act at once.
+  explicit DigitPull(DigitPullModel model);
+
+  [[nodiscard]] std::unique_ptr<ForceElement> clone() const override;
+  [[nodiscard]] std::string name() const override { return model_->name; }
+  [[nodiscard]] std::vector<std::string> state_names() const override;
+  [[nodiscard]] Eigen::VectorXd start(const Eigen::VectorXd& q) const override;
+  bool act(const ElementInput& at, ElementAction& out) override;
+  void accept(const ElementInput& at) override;
+  [[nodiscard]] std::vector<double> switches() const override;
+  [[nodiscard]] bool moves(const ElementInput& at) const override;
+
+  /// Names of the muscles.
+  [[nodiscard]] const std::vector<std::string>& muscles() const;
+  /// Whether a muscle contracts.
+  [[nodiscard]] bool contracts(int muscle) const;
+  /// What it does at an instant, after accept() of it.
+  [[nodiscard]] PullInstant at(const ElementInput& at) const;
+
+ private:
+  /// All that follows from the states.
+  struct Now {
+    Eigen::VectorXd q, q_dot;            // of the group (coordinates)
+    Eigen::VectorXd excitation;          // (muscles)
+    std::vector<MuscleState> state;      // of muscles that contract (muscles)
+    Eigen::VectorXd excursion;           // (muscles)
+    std::vector<TensionDerivatives> by;  // (muscles)
+    Eigen::VectorXd tension;             // (muscles)
+    GroupTorque pull;
+  };
+  [[nodiscard]] Now now(const ElementInput& at) const;
+  [[nodiscard]] bool has_net() const { return blended_ != nullptr; }
+  [[nodiscard]] const TendonGroup& tendons() const {
+    return blended_ ? *blended_ : *model_->tendons;
+  }
+  [[nodiscard]] const Contraction& contraction() const {
+    return compliant_ ? *compliant_ : *model_->contraction;
+  }
+  [[nodiscard]] double fibre_length(int m) const;
+  void set_rates(const ElementInput& at, const Now& now, const Eigen::MatrixXd& G,
+                 const Eigen::MatrixXd& A, ElementAction& out) const;
+
+  std::shared_ptr<const DigitPullModel> model_;
+  std::shared_ptr<const TendonGroup> blended_;    // null: the model's own
+  std::shared_ptr<const Contraction> compliant_;  // null: the model's own
+  std::vector<int> contracting_;                  // muscles
+  std::vector<bool> contracts_;                   // (muscles)
+  bool has_excursion_ = false, has_fibre_ = false;
+  Eigen::Index muscles_ = 0;
+  // What was found at the last accept().
+  GroupNodes last_nodes_;         // of nets [m]
+  Eigen::VectorXd slack_length_;  // of lines where excursions are 0 [m] (muscles; empty: not held)
+};
+
+}  // namespace thenar

@@ -1,0 +1,182 @@
+#include "dynamics/human/human_mechanism.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "base/error.h"
+#include "dynamics/mechanism/build_mechanism.h"
+#include "hand/skin/skin_body.h"
+#include "tendons/muscle/joint_resistance.h"
+
+namespace thenar {
+namespace {
+
+/// The subject with all masses, and with the axes of the version.
+Subject weighed_subject(const HumanModel& model, std::vector<std::string>& warnings) {
+  Subject subject = with_skin_masses(model.subject);
+  std::vector<std::string> assumed;
+  for (std::size_t i = 0; i < subject.segments.size(); ++i)
+    if (subject.segments[i].mass != model.subject.segments[i].mass)
+      assumed.push_back(subject.segments[i].name);
+  if (!assumed.empty())
+    warnings.push_back(fmt::format("mass of {} is that of their skin, {:g} kg/m^3",
+                                   fmt::join(assumed, ", "), kHandDensity));
+  return model.version == HumanVersion::kOrthogonalThumb ? orthogonal_thumb(std::move(subject))
+                                                         : subject;
+}
+
+/// Mass of what is welded to the base, without the forearm.
+BodyMass base_mass(const Subject& subject, const Skeleton& skeleton) {
+  LinkMass sum;
+  for (const Segment& segment : subject.segments) {
+    const auto link = skeleton.link_of_segment.find(segment.name);
+    if (link == skeleton.link_of_segment.end() || link->second >= 0) continue;
+    if (segment.name == subject.base) continue;
+    const LinkMass mass = displace(skeleton.segment_at.at(segment.name), segment_mass(segment));
+    require(mass.segment_without_inertia.empty(),
+            "segment '{}' has mass but neither moments of inertia nor a radius",
+            mass.segment_without_inertia);
+    sum = combine(sum, mass);
+  }
+  return {sum.mass, sum.com, sum.inertia};
+}
+
+/// The segment of a link: of those on it, without the forearm, the heaviest; the joint's name where
+/// it is between two joints of the same segments.
+std::string link_name(const Subject& subject, const Skeleton& skeleton, int link) {
+  const Segment* found = nullptr;
+  for (const Segment& segment : subject.segments) {
+    const auto at = skeleton.link_of_segment.find(segment.name);
+    if (at == skeleton.link_of_segment.end() || at->second != link) continue;
+    if (segment.name == subject.base) continue;
+    if (found == nullptr || segment_mass(segment).mass > segment_mass(*found).mass)
+      found = &segment;
+  }
+  if (found != nullptr) return found->name;
+  return link < 0 ? subject.base : skeleton.hinge_names[static_cast<std::size_t>(link)];
+}
+
+/// Puts the base before all links.
+Mechanism on_base(const Mechanism& links, const BodyMass& mass) {
+  Mechanism out;
+  out.coordinates = links.coordinates;
+  MechanismJoint weld;
+  weld.name = "base";
+  weld.kind = JointKind::kWeld;
+  out.joints.push_back(std::move(weld));
+  out.bodies.push_back({"base", mass, {}, {}});
+  for (std::size_t i = 0; i < links.bodies.size(); ++i) {
+    out.joints.push_back(links.joints[i]);
+    ++out.joints.back().parent;
+    out.bodies.push_back(links.bodies[i]);
+  }
+  return out;
+}
+
+/// Names and skins of all bodies.
+void dress(const Subject& subject, const Skeleton& skeleton,
+           const std::vector<LinkSurface>& surfaces, Mechanism& mechanism) {
+  const int links = static_cast<int>(skeleton.tree.size());
+  for (int link = -1; link < links; ++link) {
+    const auto body = static_cast<std::size_t>(link + 1);
+    mechanism.bodies[body].name = link_name(subject, skeleton, link);
+    bool dressed = false;
+    for (const LinkSurface& surface : surfaces) {
+      if (surface.link != link) continue;
+      MechanismBody skin{
+          surface.name, {0, {0, 0, 0}, Eigen::Matrix3d::Zero()}, surface.solid, surface.material};
+      if (!dressed) {
+        skin.mass = mechanism.bodies[body].mass;
+        mechanism.bodies[body] = std::move(skin);
+      } else {
+        MechanismJoint weld;
+        weld.name = surface.name + " skin";
+        weld.kind = JointKind::kWeld;
+        weld.parent = static_cast<int>(body);
+        mechanism.joints.push_back(std::move(weld));
+        mechanism.bodies.push_back(std::move(skin));
+      }
+      dressed = true;
+    }
+  }
+}
+
+/// Joints are damped, and stop by JointStops alone.
+void resist(const Skeleton& skeleton, Mechanism& mechanism) {
+  const Eigen::VectorXd damping = joint_damping(skeleton, JointResistance());
+  for (MechanismJoint& joint : mechanism.joints) {
+    joint.lower = -std::numeric_limits<double>::infinity();
+    joint.upper = std::numeric_limits<double>::infinity();
+    if (joint.coordinate < 0) continue;
+    const auto c = static_cast<std::size_t>(joint.coordinate);
+    if (joint.name == skeleton.coordinate_names[c]) joint.damping = damping[joint.coordinate];
+  }
+}
+
+/// Digits whose tendons a hand owns, or shares.
+std::vector<HumanDigit> digits_of(const std::vector<std::shared_ptr<const DigitTendons>>& tendons,
+                                  const Subject& subject, const Skeleton& skeleton,
+                                  const std::map<std::string, double>& max_force) {
+  std::vector<HumanDigit> digits;
+  for (std::size_t i = 0; i < tendons.size(); ++i) {
+    HumanDigit digit{subject.digits[i].name, tendons[i], {}, {}};
+    const TendonNames& names = tendons[i]->digit().names;
+    for (const std::string& name : names.coordinates) {
+      const auto at =
+          std::find(skeleton.coordinate_names.begin(), skeleton.coordinate_names.end(), name);
+      require(at != skeleton.coordinate_names.end(), "tendons move joint '{}', which is not there",
+              name);
+      digit.coordinates.push_back(static_cast<int>(at - skeleton.coordinate_names.begin()));
+    }
+    for (const std::string& name : names.muscles) digit.max_force.push_back(max_force.at(name));
+    digits.push_back(std::move(digit));
+  }
+  return digits;
+}
+
+std::vector<HumanDigit> tendons_of(const HumanModel& model, const Subject& subject,
+                                   const Skeleton& skeleton, std::vector<std::string>& warnings) {
+  if (subject.muscles.empty()) return {};
+  const Hood extensors =
+      model.version == HumanVersion::kTendonNet ? Hood::kFloatingNet : Hood::kFractions;
+  HumanTendons built = human_tendons(subject, extensors, model.options);
+  for (const std::string& warning : built.warnings)
+    if (std::count(warnings.begin(), warnings.end(), warning) == 0) warnings.push_back(warning);
+  std::vector<std::shared_ptr<const DigitTendons>> tendons;
+  for (std::unique_ptr<DigitTendons>& digit : built.hand.digits)
+    tendons.emplace_back(std::move(digit));
+  return digits_of(tendons, subject, skeleton, built.hand.max_force);
+}
+
+}  // namespace
+
+HumanMechanism human_mechanism(const HumanModel& model) {
+  HumanMechanism out;
+  out.subject = weighed_subject(model, out.warnings);
+  const HumanHand hand = build_human_hand(out.subject, model.version, model.options);
+  out.warnings.insert(out.warnings.end(), hand.warnings.begin(), hand.warnings.end());
+  out.skeleton = hand.skeleton;
+  out.contact = hand.contact;
+  out.mechanism = on_base(skeleton_mechanism(hand.skeleton), base_mass(out.subject, hand.skeleton));
+  dress(out.subject, hand.skeleton, hand.hand->surfaces(), out.mechanism);
+  resist(hand.skeleton, out.mechanism);
+  // Motors, where the version has them.
+  const HandLayout& layout = hand.hand->layout();
+  if (model.version != HumanVersion::kTendonNet) {
+    const Actuation motors = hand.hand->actuation(Eigen::VectorXd::Zero(layout.lower.size()));
+    for (std::size_t c = 0; c < out.mechanism.coordinates.size(); ++c) {
+      const auto i = static_cast<Eigen::Index>(c);
+      out.mechanism.coordinates[c].max_effort = std::max(-motors.lower[i], motors.upper[i]);
+    }
+  }
+  out.open = layout.open.size() > 0
+                 ? layout.open
+                 : Eigen::VectorXd(layout.lower.cwiseMax(0).cwiseMin(layout.upper));
+  out.digits = tendons_of(model, out.subject, hand.skeleton, out.warnings);
+  return out;
+}
+
+}  // namespace thenar

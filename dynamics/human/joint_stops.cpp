@@ -1,0 +1,39 @@
+#include "dynamics/human/joint_stops.h"
+
+#include <utility>
+
+#include "base/error.h"
+
+namespace thenar {
+
+JointStops::JointStops(std::string name, Skeleton skeleton, CoordinatePlaces places,
+                       const JointResistance& resistance)
+    : name_(std::move(name)),
+      limits_(std::move(skeleton)),
+      places_(std::move(places)),
+      resistance_(resistance) {
+  const std::size_t joints = limits_.limits.size();
+  require(places_.q.size() == joints && places_.v.size() == joints,
+          "{} joints stand at {} positions and {} speeds", joints, places_.q.size(),
+          places_.v.size());
+  for (CoordinateLimits& limits : limits_.limits) limits.stiffness = 0;
+}
+
+std::unique_ptr<ForceElement> JointStops::clone() const {
+  return std::make_unique<JointStops>(*this);
+}
+
+bool JointStops::act(const ElementInput& at, ElementAction& out) {
+  const Eigen::VectorXd q = at.q(places_.q);
+  out.tau(places_.v) += resistance_torque(limits_, resistance_, q);
+  const Eigen::VectorXd slope = resistance_derivative(limits_, resistance_, q);
+  for (std::size_t i = 0; i < places_.v.size(); ++i)
+    out.stiffness(places_.v[i], places_.v[i]) -= slope[static_cast<Eigen::Index>(i)];
+  return true;
+}
+
+double JointStops::energy(const ElementInput& at) {
+  return resistance_energy(limits_, resistance_, at.q(places_.q));
+}
+
+}  // namespace thenar

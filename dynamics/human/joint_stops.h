@@ -1,0 +1,37 @@
+#pragma once
+
+/// Stops of the joints of a human hand in a scene.
+
+#include <string>
+#include <vector>
+
+#include "dynamics/stepping/force_element.h"
+#include "tendons/muscle/joint_resistance.h"
+
+namespace thenar {
+
+/// Where coordinates of a hand or digit stand in a scene.
+struct CoordinatePlaces {
+  std::vector<int> q, v;  // entries of positions and of speeds (coordinates)
+};
+
+/// Stops at the ends of the joints' ranges, as JointResistance has them; they store energy. Springs
+/// and dampers of the joints are the mechanism's.
+class JointStops final : public ForceElement {
+ public:
+  JointStops(std::string name, Skeleton skeleton, CoordinatePlaces places,
+             const JointResistance& resistance = {});
+
+  [[nodiscard]] std::unique_ptr<ForceElement> clone() const override;
+  [[nodiscard]] std::string name() const override { return name_; }
+  bool act(const ElementInput& at, ElementAction& out) override;
+  [[nodiscard]] double energy(const ElementInput& at) override;
+
+ private:
+  std::string name_;
+  Skeleton limits_;  // ranges alone
+  CoordinatePlaces places_;
+  JointResistance resistance_;
+};
+
+}  // namespace thenar

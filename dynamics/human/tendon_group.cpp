@@ -1,0 +1,105 @@
+#include "dynamics/human/tendon_group.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace thenar {
+namespace {
+
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
+
+/// Places of names in a list, to which new ones are added.
+std::vector<int> place_names(const std::vector<std::string>& names, std::vector<std::string>& all) {
+  std::vector<int> places;
+  for (const std::string& name : names) {
+    auto at = std::find(all.begin(), all.end(), name);
+    if (at == all.end()) at = all.insert(all.end(), name);
+    places.push_back(static_cast<int>(at - all.begin()));
+  }
+  return places;
+}
+
+}  // namespace
+
+TendonGroup::TendonGroup(std::vector<std::shared_ptr<const DigitTendons>> digits) {
+  for (std::shared_ptr<const DigitTendons>& tendons : digits) {
+    const TendonDigit& digit = tendons->digit();
+    has_net_ = has_net_ || digit.fidelity.hood == Hood::kFloatingNet;
+    has_friction_ = has_friction_ || !digit.model.friction.isZero(0);
+    Digit part{nullptr, place_names(digit.names.coordinates, coordinates_),
+               place_names(digit.names.muscles, muscles_)};
+    part.tendons = std::move(tendons);
+    digits_.push_back(std::move(part));
+  }
+}
+
+TendonGroup TendonGroup::smoothed(double strain) const {
+  std::vector<std::shared_ptr<const DigitTendons>> digits;
+  for (const Digit& digit : digits_) {
+    std::shared_ptr<const DigitTendons> blended = digit.tendons->smoothed(strain);
+    digits.push_back(blended ? std::move(blended) : digit.tendons);
+  }
+  return TendonGroup(std::move(digits));
+}
+
+GroupTorque TendonGroup::evaluate(const VectorXd& q, const VectorXd& t,
+                                  const GroupNodes& start) const {
+  GroupTorque out;
+  out.tau = VectorXd::Zero(q.size());
+  out.R = MatrixXd::Zero(t.size(), q.size());
+  for (std::size_t i = 0; i < digits_.size(); ++i) {
+    const Digit& digit = digits_[i];
+    static const Eigen::Matrix3Xd kNone;
+    out.digits.push_back(digit.tendons->evaluate(q(digit.coordinates), t(digit.muscles),
+                                                 start.empty() ? kNone : start[i]));
+    const TendonTorque& part = out.digits.back();
+    out.tau(digit.coordinates) += part.tau;
+    out.R(digit.muscles, digit.coordinates) += part.R;
+    out.status = worse(out.status, part.status);
+    if (out.warning.empty()) out.warning = part.warning;
+  }
+  return out;
+}
+
+MatrixXd TendonGroup::torque_by_posture(const VectorXd& q, const VectorXd& t,
+                                        const GroupTorque& at) const {
+  MatrixXd out = MatrixXd::Zero(q.size(), q.size());
+  for (std::size_t i = 0; i < digits_.size(); ++i) {
+    const auto& [tendons, coordinates, muscles] = digits_[i];
+    out(coordinates, coordinates) +=
+        tendons->torque_by_posture(q(coordinates), t(muscles), at.digits[i]);
+  }
+  return out;
+}
+
+MatrixXd TendonGroup::compliance(const VectorXd& q, const VectorXd& t,
+                                 const GroupTorque& at) const {
+  MatrixXd out = MatrixXd::Zero(t.size(), t.size());
+  for (std::size_t i = 0; i < digits_.size(); ++i) {
+    const auto& [tendons, coordinates, muscles] = digits_[i];
+    out(muscles, muscles) += tendons->compliance(q(coordinates), t(muscles), at.digits[i]);
+  }
+  return out;
+}
+
+VectorXd TendonGroup::lengths(const VectorXd& q, const VectorXd& t, const GroupTorque& at) const {
+  VectorXd out = VectorXd::Zero(t.size());
+  for (std::size_t i = 0; i < digits_.size(); ++i) {
+    const auto& [tendons, coordinates, muscles] = digits_[i];
+    out(muscles) += tendons->lengths(q(coordinates), t(muscles), at.digits[i]);
+  }
+  return out;
+}
+
+VectorXd TendonGroup::excursion(const VectorXd& q) const {
+  VectorXd out = VectorXd::Zero(static_cast<Eigen::Index>(muscles_.size()));
+  for (const auto& [tendons, coordinates, muscles] : digits_) {
+    const VectorXd here = q(coordinates);
+    const VectorXd one = VectorXd::Ones(static_cast<Eigen::Index>(muscles.size()));  // [N]
+    out(muscles) += thenar::excursion(*tendons, VectorXd::Zero(here.size()), here, one).e;
+  }
+  return out;
+}
+
+}  // namespace thenar

@@ -1,0 +1,65 @@
+#pragma once
+
+/// Tendons of one digit, or of several digits that share a muscle, as one.
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "tendons/digit_tendons.h"
+
+namespace thenar {
+
+/// Torque of a group, as of TendonTorque.
+struct [[nodiscard]] GroupTorque {
+  Eigen::VectorXd tau;               // [N m] (coordinates)
+  Eigen::MatrixXd R;                 // d tau / d tension, transposed [m/rad] (muscles, coordinates)
+  std::vector<TendonTorque> digits;  // parts
+  TendonStatus status = TendonStatus::kValid;  // the worst of all digits
+  std::string warning;                         // the first of a digit; may be empty
+};
+
+/// Nodes of the nets of all digits, to start from; empty: from the straight finger.
+using GroupNodes = std::vector<Eigen::Matrix3Xd>;
+
+/// Some digits of a hand. A muscle of two digits is one muscle: its arms and lengths add up.
+class TendonGroup {
+ public:
+  explicit TendonGroup(std::vector<std::shared_ptr<const DigitTendons>> digits);
+
+  /// Joints and muscles, each once, in the order of the digits.
+  [[nodiscard]] const std::vector<std::string>& coordinates() const { return coordinates_; }
+  [[nodiscard]] const std::vector<std::string>& muscles() const { return muscles_; }
+  [[nodiscard]] bool has_net() const { return has_net_; }
+  /// Whether sheaths take part of R, so that lines have no lengths that go with it.
+  [[nodiscard]] bool has_friction() const { return has_friction_; }
+
+  /// A copy whose nets' bands blend from slack to taut, see DigitTendons::smoothed().
+  [[nodiscard]] TendonGroup smoothed(double strain) const;
+
+  /// As the functions of DigitTendons of the same names.
+  /// @param q  posture [rad] (coordinates);  @param t  tensions [N] (muscles)
+  [[nodiscard]] GroupTorque evaluate(const Eigen::VectorXd& q, const Eigen::VectorXd& t,
+                                     const GroupNodes& start) const;
+  [[nodiscard]] Eigen::MatrixXd torque_by_posture(const Eigen::VectorXd& q,
+                                                  const Eigen::VectorXd& t,
+                                                  const GroupTorque& at) const;
+  [[nodiscard]] Eigen::MatrixXd compliance(const Eigen::VectorXd& q, const Eigen::VectorXd& t,
+                                           const GroupTorque& at) const;
+  [[nodiscard]] Eigen::VectorXd lengths(const Eigen::VectorXd& q, const Eigen::VectorXd& t,
+                                        const GroupTorque& at) const;
+
+  /// Lengthening of each muscle from the reference posture, at 1 N [m] (muscles).
+  [[nodiscard]] Eigen::VectorXd excursion(const Eigen::VectorXd& q) const;
+
+ private:
+  struct Digit {
+    std::shared_ptr<const DigitTendons> tendons;
+    std::vector<int> coordinates, muscles;  // of the group
+  };
+  std::vector<Digit> digits_;
+  std::vector<std::string> coordinates_, muscles_;
+  bool has_net_ = false, has_friction_ = false;
+};
+
+}  // namespace thenar

@@ -1,0 +1,221 @@
+// Tests for dynamics/human/digit_pull.cpp and joint_stops.cpp.
+
+#include "dynamics/human/digit_pull.h"
+
+#include <cmath>
+
+#include <gtest/gtest.h>
+
+#include "dynamics/mechanism/build_mechanism.h"
+#include "dynamics/scene/measure_run.h"
+#include "dynamics/stepping/simulate_scene.h"
+#include "tests/matrix_near.h"
+#include "tests/message_of.h"
+#include "tests/tendons/muscle/moving_samples.h"
+
+namespace thenar {
+namespace {
+
+using Eigen::VectorXd;
+using sample::Mover;
+using sample::Pendulum;
+
+/// A digit alone as a scene: its bones, resisted as in FingerMotion.
+struct DigitScene {
+  DigitScene(std::shared_ptr<const DigitTendons> of, const JointResistance& resistance,
+             const Eigen::Vector3d& gravity)
+      : tendons(std::move(of)) {
+    const Skeleton& skeleton = tendons->digit().skeleton;
+    scene.mechanism = skeleton_mechanism(skeleton);
+    const VectorXd damping = joint_damping(skeleton, resistance);
+    for (MechanismJoint& joint : scene.mechanism.joints) {
+      joint.lower = -1e9;
+      joint.upper = 1e9;
+      if (joint.name == skeleton.coordinate_names[static_cast<std::size_t>(joint.coordinate)])
+        joint.damping = damping[joint.coordinate];
+    }
+    const MechanismLayout layout = layout_of(scene.mechanism);
+    places = {layout.coordinate_q, layout.coordinate_v};
+    scene.elements.push_back(
+        std::make_shared<const JointStops>("stops", skeleton, places, resistance));
+    scene.gravity = gravity;
+    scene.q = VectorXd::Zero(layout.q);
+    scene.v = VectorXd::Zero(layout.v);
+  }
+
+  /// The pull, for excitations or tensions to be added.
+  [[nodiscard]] DigitPullModel pull() const {
+    DigitPullModel model;
+    model.name = "digit";
+    model.tendons = std::make_shared<const TendonGroup>(
+        std::vector<std::shared_ptr<const DigitTendons>>{tendons});
+    model.places = places;
+    return model;
+  }
+
+  void add(DigitPullModel model) {
+    scene.elements.push_back(std::make_shared<const DigitPull>(std::move(model)));
+  }
+
+  std::shared_ptr<const DigitTendons> tendons;
+  CoordinatePlaces places;
+  MovingScene scene;
+};
+
+MuscleSchedule constant(int muscle, double value, const TimeSpan& when = {}) {
+  return {muscle, when, VectorXd::Zero(1), VectorXd::Constant(1, value)};
+}
+
+SceneOptions lasting(double seconds, double tolerance = 1e-9) {
+  SceneOptions options;
+  options.seconds = seconds;
+  options.sample = 0.01;
+  options.tolerance = tolerance;
+  return options;
+}
+
+/// The same excitations, from rest, by the integrator of single digits: Simbody and SUNDIALS.
+Trajectory by_integrator(const MotionModel& model, const VectorXd& excitation, const VectorXd& q,
+                         double seconds) {
+  SimulateOptions options;
+  options.seconds = seconds;
+  options.sample = 0.01;
+  options.tolerance = 1e-9;
+  return simulate(model, constant_excitation(excitation),
+                  {q, {}, VectorXd::Zero(excitation.size())}, options);
+}
+
+/// The same as a scene.
+DigitScene scene_of(const MotionModel& model, std::shared_ptr<const DigitTendons> tendons,
+                    std::shared_ptr<const Contraction> contraction, const VectorXd& excitation,
+                    const VectorXd& q) {
+  DigitScene digit(std::move(tendons), model.resistance, model.gravity);
+  digit.scene.q = q;
+  DigitPullModel pull = digit.pull();
+  pull.contraction = std::move(contraction);
+  for (int m = 0; m < excitation.size(); ++m)
+    pull.excitations.push_back(constant(m, excitation[m]));
+  digit.add(std::move(pull));
+  return digit;
+}
+
+// I q_dot^2 / 2 = t arm q - m g d (1 - cos q) without friction.
+TEST(DigitPull, PendulumUnderConstantTensionKeepsItsFirstIntegral) {
+  const Pendulum rod;
+  const Mover mover(rod.subject(), Muscle::kBounds);
+  JointResistance smooth;
+  smooth.damping = 0;
+  DigitScene digit(
+      std::shared_ptr<const DigitTendons>(build_linear_tendons(rod.subject(), "index")), smooth,
+      {0, -9.81, 0});
+  DigitPullModel pull = digit.pull();
+  pull.tensions = {constant(0, 0.5)};
+  digit.add(std::move(pull));
+  const SceneRun run = simulate_scene(digit.scene, lasting(1));
+  ASSERT_EQ(run.status, SceneStatus::kDone);
+  for (const SceneSample& at : run.samples) {
+    const double q = at.q[0], q_dot = at.v[0];
+    EXPECT_NEAR(rod.inertia() * q_dot * q_dot / 2,
+                0.5 * rod.arm * q - rod.mass * 9.81 * rod.distance * (1 - std::cos(q)), 1e-10);
+    EXPECT_NEAR(at.z[0], 0.5 * rod.arm * q, 1e-9);  // work of the tendon [J]
+  }
+  EXPECT_GT(run.samples.back().t, 0.99);
+}
+
+// From the start of a drive on,  I q'' = t arm  gives  q = t arm s^2 / 2 I.
+TEST(DigitPull, TensionBeginsAndEndsWhenItsTimeDoes) {
+  const Pendulum rod;
+  JointResistance smooth;
+  smooth.damping = 0;
+  DigitScene digit(
+      std::shared_ptr<const DigitTendons>(build_linear_tendons(rod.subject(), "index")), smooth,
+      {0, 0, 0});
+  DigitPullModel pull = digit.pull();
+  pull.tensions = {constant(0, 0.02, {0.033, 0.15}), constant(0, 0.04, {0.15, 0.2})};
+  digit.add(std::move(pull));
+  const SceneRun run = simulate_scene(digit.scene, lasting(0.3));
+  ASSERT_EQ(run.status, SceneStatus::kDone);
+  const double a = 0.02 * rod.arm / rod.inertia();  // [1/s^2]
+  double t = 0.1 - 0.033;
+  EXPECT_NEAR(run.samples[10].q[0], a * t * t / 2, 1e-10);
+  EXPECT_NEAR(run.samples[20].v[0], a * (0.15 - 0.033) + 2 * a * 0.05, 1e-9);
+  EXPECT_NEAR(run.samples[30].v[0], run.samples[20].v[0], 1e-9);
+}
+
+// Straight between knots:  tension 0.02 t / 0.1  gives  q = a t^3 / 0.6.
+TEST(DigitPull, TensionFollowsItsKnots) {
+  const Pendulum rod;
+  JointResistance smooth;
+  smooth.damping = 0;
+  DigitScene digit(
+      std::shared_ptr<const DigitTendons>(build_linear_tendons(rod.subject(), "index")), smooth,
+      {0, 0, 0});
+  DigitPullModel pull = digit.pull();
+  pull.tensions = {{0, {}, Eigen::Vector3d(0, 0.1, 0.1), Eigen::Vector3d(0, 0.02, 0)}};
+  digit.add(std::move(pull));
+  const SceneRun run = simulate_scene(digit.scene, lasting(0.2));
+  const double a = 0.02 * rod.arm / rod.inertia();
+  EXPECT_NEAR(run.samples[10].q[0], a * 0.001 / 0.6, 1e-10);
+  EXPECT_NEAR(run.samples[20].v[0], a * 0.05, 1e-9);
+}
+
+class EveryRungOfMuscles : public testing::TestWithParam<Muscle> {};
+
+// Two programs, one physics: recursions and extrapolation here, Simbody and SUNDIALS there.
+TEST_P(EveryRungOfMuscles, MovesAFingerAsTheIntegratorOfSingleDigitsDoes) {
+  const Mover mover(sample::index_finger(), GetParam());
+  MotionModel model = mover.model();
+  model.gravity = {0, -9.81, 0};
+  VectorXd excitation = mover.excited(0.05);
+  excitation[2] = 0.15;  // FDP
+  const VectorXd q = VectorXd::Constant(4, 0.2);
+  const Trajectory path = by_integrator(model, excitation, q, 0.3);
+  ASSERT_EQ(path.status, MotionStatus::kCompleted) << path.warning;
+  Mover owned(sample::index_finger(), GetParam());
+  const DigitScene digit =
+      scene_of(model, std::move(owned.tendons), std::move(owned.contraction), excitation, q);
+  const SceneRun run = simulate_scene(digit.scene, lasting(0.3));
+  ASSERT_EQ(run.status, SceneStatus::kDone);
+  ASSERT_EQ(run.samples.size(), static_cast<std::size_t>(path.time.size()));
+  const RunMeasures measures = measure_run(digit.scene, run);
+  EXPECT_GT((path.angle.row(30) - path.angle.row(0)).cwiseAbs().maxCoeff(), 0.3);  // it moves
+  for (Eigen::Index i = 0; i < path.time.size(); ++i) {
+    const SceneSample& at = run.samples[static_cast<std::size_t>(i)];
+    EXPECT_TRUE(matrix_near(at.q, VectorXd(path.angle.row(i)), 1e-6)) << at.t;
+    EXPECT_NEAR(at.z[at.z.size() - 1] + at.energy.of_elements, path.work[i], 1e-7) << at.t;
+    for (Eigen::Index m = 0; m < excitation.size(); ++m) {
+      const PullMeasure& muscle = measures.pulls.muscles[static_cast<std::size_t>(m)];
+      EXPECT_NEAR(muscle.activation[i], path.activation(i, m), 1e-6) << at.t;
+      EXPECT_NEAR(muscle.tension[i], path.tension(i, m), 2e-4) << at.t << " " << muscle.name;
+    }
+  }
+  EXPECT_NEAR(measures.dissipated, path.dissipated.tail<1>()[0], 1e-7);
+}
+
+INSTANTIATE_TEST_SUITE_P(Muscles, EveryRungOfMuscles,
+                         testing::Values(Muscle::kBounds, Muscle::kRigidTendon,
+                                         Muscle::kElasticTendon));
+
+TEST(DigitPull, RefusesWhatCannotBe) {
+  Mover owned(sample::index_finger(), Muscle::kBounds);
+  const std::shared_ptr<const DigitTendons> tendons = std::move(owned.tendons);
+  const std::shared_ptr<const Contraction> contraction = std::move(owned.contraction);
+  const DigitScene digit(tendons, {}, {0, 0, 0});
+  const auto complaint = [&](const std::vector<MuscleSchedule>& tensions,
+                             const std::vector<MuscleSchedule>& excitations) {
+    DigitPullModel model = digit.pull();
+    model.tensions = tensions;
+    model.excitations = excitations;
+    model.contraction = contraction;
+    return message_of<InputError>([&] { (void)DigitPull(model); });
+  };
+  EXPECT_EQ(complaint({constant(2, 1), constant(2, 2)}, {}),
+            "two drives give 'FDP' its tension at once");
+  EXPECT_EQ(complaint({constant(2, 1, {0, 1}), constant(2, 2, {1, 2})}, {}), "nothing was thrown");
+  EXPECT_EQ(complaint({}, {constant(2, 1.5)}), "excitation of 'FDP' must be 0 to 1");
+  EXPECT_EQ(complaint({constant(2, 1)}, {constant(2, 0.5)}),
+            "'FDP' has a tension or cannot contract, and is excited");
+}
+
+}  // namespace
+}  // namespace thenar
