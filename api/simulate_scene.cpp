@@ -20,6 +20,7 @@
 #include "base/error.h"
 #include "base/nearest_name.h"
 #include "base/parallel_for.h"
+#include "base/rung_names.h"
 #include "dynamics/compliant/penalty_scene.h"
 #include "dynamics/compliant/simbody_scene.h"
 #include "dynamics/scene/run_bytes.h"
@@ -37,23 +38,33 @@ std::string scene_file(const SceneRequest& request) {
   return file;
 }
 
-/// The robot of a hand, by its file or name.
-RobotSpec robot_of(const SceneSpec& scene, const SceneHandSpec& hand,
-                   const std::vector<std::string>& places) {
-  const std::string file = hand.placed.file.empty()
-                               ? robot_file(hand.placed.name, places)
-                               : (fs::path(scene.folder) / hand.placed.file).string();
-  if (file.empty())
-    throw DataError(
-        scene.path, hand.line,
-        fmt::format("there is no robot '{}'{} (human hands cannot be simulated in "
-                    "scenes yet)",
-                    hand.placed.name, did_you_mean(hand.placed.name, names_in(places, "robots"))));
-  Thing thing = read_thing(file);
-  auto* robot = std::get_if<RobotSpec>(&thing);
-  if (robot == nullptr)
-    throw DataError(scene.path, hand.line, fmt::format("'{}' is no robot", file));
-  return std::move(*robot);
+/// What a hand is built from, by its file or name.
+/// @param files  get those that were read for it
+SceneHand hand_of(const SceneSpec& scene, const SceneHandSpec& hand,
+                  const std::vector<std::string>& places, FileDigests& files) {
+  std::string name = hand.placed.file.empty()
+                         ? hand.placed.name
+                         : (fs::path(scene.folder) / hand.placed.file).string();
+  if (!hand.version.empty()) name += ":" + hand.version;
+  HandSource source;
+  try {
+    source = find_hand(name, places);
+  } catch (const InputError& error) {
+    throw DataError(scene.path, hand.line, error.what());
+  }
+  if (!source.human) {
+    Thing thing = read_thing(source.file);
+    auto* robot = std::get_if<RobotSpec>(&thing);
+    if (robot == nullptr)
+      throw DataError(scene.path, hand.line, fmt::format("'{}' is no robot", source.file));
+    files.insert(robot->files.begin(), robot->files.end());
+    return std::move(*robot);
+  }
+  HumanModel human{source.file.empty() ? default_human() : read_subject(source.file),
+                   human_version(source.version)};
+  if (!source.path.empty()) human.options.path = path_named(source.path);
+  if (!source.file.empty()) files.merge(digests_of({source.file}));
+  return human;
 }
 
 /// Texts of the files that are texts.
@@ -186,13 +197,11 @@ bool is_scene(const std::string& name_or_path, const std::string& data) {
 OpenScene open_scene(const SceneSpec& scene, const std::string& data) {
   OpenScene out;
   const std::vector<std::string> places = data_for(scene.folder, data);
-  std::vector<RobotSpec> robots;
+  std::vector<SceneHand> hands;
   out.files = scene.files;
-  for (const SceneHandSpec& hand : scene.hands) {
-    robots.push_back(robot_of(scene, hand, places));
-    out.files.insert(robots.back().files.begin(), robots.back().files.end());
-  }
-  out.built = build_scene(scene, robots);
+  for (const SceneHandSpec& hand : scene.hands)
+    hands.push_back(hand_of(scene, hand, places, out.files));
+  out.built = build_scene(scene, hands);
   out.sources = texts_of(scene.path, out.files);
   return out;
 }
@@ -361,6 +370,28 @@ void add_instants(const SimulatedScene& scene, const std::string& group, ResultF
            });
 }
 
+/// States of elements, and what muscles do at every instant.
+void add_elements(const SimulatedScene& scene, const std::string& group, ResultFile& file) {
+  const std::vector<SceneSample>& samples = scene.run.samples;
+  if (samples.front().z.size() == 0) return;
+  const auto count = static_cast<Eigen::Index>(samples.size());
+  Eigen::MatrixXd z(count, samples.front().z.size());
+  for (Eigen::Index i = 0; i < count; ++i) z.row(i) = samples[static_cast<std::size_t>(i)].z;
+  file.add(group + "element_state", z, "SI", {"instant", "element_state_entry"});
+  const std::vector<PullMeasure>& muscles = scene.measures.pulls.muscles;
+  if (muscles.empty()) return;
+  const auto add = [&](const char* key, const char* unit, Eigen::VectorXd PullMeasure::*of) {
+    Eigen::MatrixXd table(count, static_cast<Eigen::Index>(muscles.size()));
+    for (std::size_t m = 0; m < muscles.size(); ++m)
+      table.col(static_cast<Eigen::Index>(m)) = muscles[m].*of;
+    file.add(group + key, table, unit, {"instant", "muscle"});
+  };
+  add("tension", "N", &PullMeasure::tension);
+  add("excitation", "1", &PullMeasure::excitation);
+  add("activation", "1", &PullMeasure::activation);
+  add("excursion", "m", &PullMeasure::excursion);
+}
+
 /// Contacts of all instants, one below the other.
 void add_contacts(const SimulatedScene& scene, const std::string& group, ResultFile& file) {
   std::vector<std::vector<double>> rows;
@@ -427,6 +458,11 @@ void add_names(const SimulatedScene& scene, ResultFile& file) {
   const std::vector<std::string> v = entry_names(mechanism, false);
   if (!q.empty()) file.add("name/position_entry", q);
   if (!v.empty()) file.add("name/speed_entry", v);
+  const std::vector<std::string> z = element_state_names(scene.built->scene.elements);
+  if (!z.empty()) file.add("name/element_state_entry", z);
+  std::vector<std::string> muscles;
+  for (const PullMeasure& muscle : scene.measures.pulls.muscles) muscles.push_back(muscle.name);
+  if (!muscles.empty()) file.add("name/muscle", muscles);
   file.add("name/energy_part", std::vector<std::string>{"kinetic", "weight", "springs"});
   file.add("name/contact_mode", std::vector<std::string>{"open", "stick", "slide"});
   file.add("method", stepping_names()[static_cast<std::size_t>(scene.built->options.method)]);
@@ -438,6 +474,7 @@ void write_scene_run(const SimulatedScene& scene, const std::string& path, const
   ResultFile file;
   add_names(scene, file);
   add_instants(scene, "", file);
+  add_elements(scene, "", file);
   add_contacts(scene, "", file);
   add_outcome(scene, "", file);
   add_origin(scene.sources, run, file);
@@ -459,6 +496,7 @@ void write_scene_sweep(const SceneSweep& sweep, const std::string& path, const R
       values(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(k)) = scene.varied[k].second;
     const std::string group = fmt::format("runs/{}/", i + 1);
     add_instants(scene, group, file);
+    add_elements(scene, group, file);
     add_contacts(scene, group, file);
     add_outcome(scene, group, file);
   }

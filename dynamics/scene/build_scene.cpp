@@ -10,6 +10,7 @@
 #include "dynamics/mechanism/build_mechanism.h"
 #include "dynamics/mechanism/tree_motion.h"
 #include "dynamics/scene/scene_compliance.h"
+#include "dynamics/scene/scene_humans.h"
 #include "dynamics/scene/scene_pairs.h"
 
 namespace thenar {
@@ -118,15 +119,15 @@ struct ScenePart {
 
 class SceneBuilder {
  public:
-  SceneBuilder(const SceneSpec& spec, const std::vector<RobotSpec>& robots)
-      : spec_(spec), robots_(robots) {}
+  SceneBuilder(const SceneSpec& spec, const std::vector<SceneHand>& hands)
+      : spec_(spec), hands_(hands) {}
 
   BuiltScene build() {
-    require(robots_.size() == spec_.hands.size(), "{} hands have {} robots", spec_.hands.size(),
-            robots_.size());
+    require(hands_.size() == spec_.hands.size(), "{} hands have {} models", spec_.hands.size(),
+            hands_.size());
     std::vector<ScenePart> parts;
     for (std::size_t h = 0; h < spec_.hands.size(); ++h)
-      parts.push_back(hand_part(spec_.hands[h], robots_[h]));
+      parts.push_back(hand_part(spec_.hands[h], hands_[h]));
     for (const SceneBodySpec& body : spec_.bodies) parts.push_back(body_part(body));
     add_parents_first(parts);
     set_start(parts);
@@ -136,6 +137,7 @@ class SceneBuilder {
     for (const std::shared_ptr<const ForceElement>& ligament :
          scene_ligaments(spec_, built_.scene.mechanism, X_WB_))
       built_.scene.elements.push_back(ligament);
+    add_human_elements(spec_, humans_, built_);
     built_.scene.gravity = spec_.gravity;
     add_forces();
     add_drives();
@@ -166,19 +168,17 @@ class SceneBuilder {
     });
   }
 
-  ScenePart hand_part(const SceneHandSpec& hand, const RobotSpec& robot) {
+  ScenePart hand_part(const SceneHandSpec& hand, const SceneHand& model) {
     return at_line(spec_.path, hand.line, [&] {
       ScenePart part;
       part.name = hand.placed.name;
       part.prefix = part.name + "/";
       part.joint = hand.joint;
       part.velocity = hand.velocity;
-      BuiltMechanism robot_built = robot_mechanism(robot);
-      for (const std::string& warning : robot_built.warnings)
-        built_.warnings.push_back(fmt::format("hand '{}': {}", part.name, warning));
-      part.mechanism = std::move(robot_built.mechanism);
-      part.u = posture_of(hand, robot, part.mechanism);
-      hold_locked(robot, part);
+      if (const auto* robot = std::get_if<RobotSpec>(&model))
+        add_robot(hand, *robot, part);
+      else
+        add_human(hand, std::get<HumanModel>(model), part);
       (void)give(part);
       place_links(hand.placed.X_WH, part);
       // The base on its joint.
@@ -190,6 +190,27 @@ class SceneBuilder {
       }
       return part;
     });
+  }
+
+  void add_warnings(const std::string& hand, const std::vector<std::string>& warnings) {
+    for (const std::string& warning : warnings)
+      built_.warnings.push_back(fmt::format("hand '{}': {}", hand, warning));
+  }
+
+  void add_robot(const SceneHandSpec& hand, const RobotSpec& robot, ScenePart& part) {
+    BuiltMechanism built = robot_mechanism(robot);
+    add_warnings(part.name, built.warnings);
+    part.mechanism = std::move(built.mechanism);
+    part.u = posture_of(hand, robot, part.mechanism);
+    hold_locked(robot, part);
+  }
+
+  void add_human(const SceneHandSpec& hand, const HumanModel& model, ScenePart& part) {
+    HumanMechanism human = human_mechanism(model);
+    add_warnings(part.name, human.warnings);
+    part.mechanism = human.mechanism;
+    part.u = human_posture(hand, human);
+    humans_.push_back({part.name, std::move(human)});
   }
 
   /// Coordinates of a hand at the start.
@@ -417,7 +438,8 @@ class SceneBuilder {
   }
 
   const SceneSpec& spec_;
-  const std::vector<RobotSpec>& robots_;
+  const std::vector<SceneHand>& hands_;
+  std::vector<SceneHuman> humans_;
   BuiltScene built_;
   std::vector<Pose<double>> X_WB_;  // of all bodies at the start
   std::vector<CompliantJoint> compliant_;
@@ -425,8 +447,12 @@ class SceneBuilder {
 
 }  // namespace
 
+BuiltScene build_scene(const SceneSpec& spec, const std::vector<SceneHand>& hands) {
+  return SceneBuilder(spec, hands).build();
+}
+
 BuiltScene build_scene(const SceneSpec& spec, const std::vector<RobotSpec>& robots) {
-  return SceneBuilder(spec, robots).build();
+  return build_scene(spec, std::vector<SceneHand>(robots.begin(), robots.end()));
 }
 
 }  // namespace thenar

@@ -3,10 +3,12 @@
 /// Moving scenes from their files.
 
 #include <string>
+#include <variant>
 #include <vector>
 
 #include "data/io/robot/robot.h"
 #include "data/io/scene/scene.h"
+#include "dynamics/human/human_mechanism.h"
 #include "dynamics/stepping/simulate_scene.h"
 
 namespace thenar {
@@ -20,6 +22,9 @@ struct BuiltScene {
   std::vector<std::string> warnings;                  // what was assumed
 };
 
+/// What a hand of a scene is built from.
+using SceneHand = std::variant<RobotSpec, HumanModel>;
+
 /// Builds a scene at its start.
 ///
 /// Joints carry bodies that stand where the file puts them: with A the frame whose z is the axis
@@ -28,10 +33,16 @@ struct BuiltScene {
 /// the coordinate HAND/base. A motor that cannot be driven back and that nothing drives is welded.
 /// Links of one hand that are in each other at the start, or with all coordinates at 0, are never
 /// asked for contacts.
+/// Coordinates of a human hand are called HAND/JOINT; its elements are JointStops, and a DigitPull
+/// for each digit that a [[tendon]] or [[muscle]] pulls. In a digit of which a [[muscle]] excites
+/// one muscle all muscles contract, the others at excitation 0, but for those with a tension; so do
+/// those of digits that share such a muscle with it, which are one DigitPull with it.
 /// The friction of a pair is that of its [[friction]]; else that of the [[friction]] for all; else
 /// the static one of its materials.
-/// @param robots  of the hands, in their order
+/// @param hands  of the scene, in their order
 /// @throws DataError at the line of the file where parts do not fit together.
+[[nodiscard]] BuiltScene build_scene(const SceneSpec& spec, const std::vector<SceneHand>& hands);
+/// The same of robots alone.
 [[nodiscard]] BuiltScene build_scene(const SceneSpec& spec, const std::vector<RobotSpec>& robots);
 
 /// Changes one number of a scene:

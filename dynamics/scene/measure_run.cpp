@@ -180,6 +180,7 @@ RunMeasures measure_run(const MovingScene& scene, const SceneRun& run) {
   for (const auto& [bodies, pair] : pairs) out.pairs.push_back(pair);
   out.velocity = velocities_at(scene.mechanism, step.model(), run.samples.back());
   out.work += work_of_elements(run);
+  out.pulls = measure_pulls(scene, run);
   out.dissipated =
       run.samples.front().energy.total() + out.work - run.samples.back().energy.total();
   return out;

@@ -115,6 +115,33 @@ OrderedJson pairs_json(const SimulatedScene& scene) {
   return list;
 }
 
+/// Muscles of human hands that pull at some instant.
+Table muscle_table(const SimulatedScene& scene) {
+  Table table{{"muscle", "tension_N", "largest_N", "activation"}, {}};
+  for (const PullMeasure& muscle : scene.measures.pulls.muscles) {
+    if (!muscle.contracts && muscle.tension.isZero(0)) continue;
+    table.rows.push_back({muscle.name, shown(muscle.tension.tail<1>()[0]),
+                          shown(muscle.tension.maxCoeff()),
+                          muscle.contracts ? shown(muscle.activation.tail<1>()[0]) : ""});
+  }
+  return table;
+}
+
+OrderedJson muscles_json(const SimulatedScene& scene) {
+  OrderedJson list = OrderedJson::array();
+  for (const PullMeasure& muscle : scene.measures.pulls.muscles) {
+    OrderedJson entry{{"muscle", muscle.name},
+                      {"tension_N", muscle.tension.tail<1>()[0]},
+                      {"largest_tension_N", muscle.tension.maxCoeff()}};
+    if (muscle.contracts) {
+      entry["excitation"] = muscle.excitation.tail<1>()[0];
+      entry["activation"] = muscle.activation.tail<1>()[0];
+    }
+    list.push_back(std::move(entry));
+  }
+  return list;
+}
+
 OrderedJson energy_json(const ContactStep::Energy& energy) {
   return {{"kinetic", energy.kinetic},
           {"weight", energy.weight},
@@ -171,6 +198,8 @@ std::string text_of(const SimulatedScene& scene) {
                                  method_of(scene), cost.steps, cost.impacts);
   text += titled("Bodies at the end (centres of mass)", body_table(scene));
   text += titled("Pairs that touched (slip: way that they slid on each other)", pair_table(scene));
+  if (!scene.measures.pulls.muscles.empty())
+    text += titled("Tendons at the end", muscle_table(scene));
   text += fmt::format(
       "energy {:.6g} mJ at the start, {:.6g} mJ at the end, work of forces and "
       "drives {:.6g} mJ, dissipated {:.3g} mJ\n",
@@ -190,6 +219,7 @@ OrderedJson json_of(const SimulatedScene& scene) {
   json["bodies"] = bodies_json(scene);
   json["coordinates"] = coordinates_json(scene);
   json["pairs"] = pairs_json(scene);
+  if (!scene.measures.pulls.muscles.empty()) json["muscles"] = muscles_json(scene);
   json["warnings"] = warnings_of(scene);
   return json;
 }
@@ -260,6 +290,8 @@ Table table_of(const SceneSweep& sweep) {
 
 std::vector<std::string> warnings_of(const SimulatedScene& scene) {
   std::vector<std::string> warnings = scene.built->warnings;
+  const std::vector<std::string>& pulls = scene.measures.pulls.warnings;
+  warnings.insert(warnings.end(), pulls.begin(), pulls.end());
   if (scene.run.cost.passed > 0)
     warnings.push_back(fmt::format(
         "events followed each other without end {} times: fixed steps went on by 1 ms each time, "

@@ -248,6 +248,23 @@ Json force_chart(const SimulatedScene& scene) {
   return chart.block("Normal force of each pair of bodies, sum of its points", "force [N]");
 }
 
+/// Tensions of muscles that pull, and activations of those that contract.
+Json muscle_charts(const SimulatedScene& scene) {
+  TimeChart tensions(scene), activations(scene);
+  for (const PullMeasure& muscle : scene.measures.pulls.muscles) {
+    if (muscle.tension.maxCoeff() > 0)
+      tensions.add(muscle.name,
+                   [&](std::size_t i) { return muscle.tension[static_cast<Index>(i)]; });
+    if (muscle.activation.maxCoeff() > 0)
+      activations.add(muscle.name,
+                      [&](std::size_t i) { return muscle.activation[static_cast<Index>(i)]; });
+  }
+  Json blocks = Json::array();
+  if (!tensions.empty()) blocks.push_back(tensions.block("Tensions", "tension [N]"));
+  if (!activations.empty()) blocks.push_back(activations.block("Activations", "activation [1]"));
+  return blocks;
+}
+
 Json run_banner(const SimulatedScene& scene) {
   const std::string refusal = refusal_of(scene);
   if (!refusal.empty())
@@ -273,6 +290,8 @@ Json page_of(const SimulatedScene& scene) {
   Json sections = Json::array({section("motion", "Motion", scene.description, std::move(blocks))});
   if (!scene.measures.pairs.empty())
     sections.push_back(section("contacts", "Contacts", "", Json::array({force_chart(scene)})));
+  if (!scene.measures.pulls.muscles.empty())
+    sections.push_back(section("muscles", "Muscles", "", muscle_charts(scene)));
   sections.push_back(section("places", "Places", "", place_charts(scene)));
   sections.push_back(
       section("energy", "Energy",

@@ -31,6 +31,7 @@ SceneHandSpec read_scene_hand(TomlTable& table, const SceneSpec& scene) {
   if (table.has("file")) {
     hand.placed.file = table.text("file");
     (void)internal::file_beside(table, "file", scene.folder);
+    hand.version = table.text_or("version", "");
   }
   hand.placed.X_WH = read_pose_keys(table);
   hand.placed.posture = internal::read_posture(table);
@@ -65,6 +66,13 @@ class SceneNames {
     if (std::count(hands_.begin(), hands_.end(), name) > 0)
       throw DataError(path_, line,
                       fmt::format("'{0}' is a hand: name one of its links, '{0}/LINK'", name));
+  }
+
+  /// Refuses what is no hand.
+  void need_hand(const std::string& name, int line) const {
+    if (std::count(hands_.begin(), hands_.end(), name) > 0) return;
+    throw DataError(path_, line,
+                    fmt::format("there is no hand '{}'{}", name, did_you_mean(name, hands_)));
   }
 
   /// The body or hand that a name belongs to.
@@ -129,6 +137,7 @@ void check_references(const SceneSpec& scene, const SceneNames& names) {
   };
   for (const SceneLigamentSpec& ligament : scene.ligaments) need_both(ligament);
   for (const SceneBushingSpec& bushing : scene.bushings) need_both(bushing);
+  for (const SceneMuscleSpec& muscle : scene.muscles) names.need_hand(muscle.hand, muscle.line);
   for (const SceneApartSpec& apart : scene.apart)
     for (const std::string& name : apart.between) names.need(name, apart.line);
   int others = 0;
@@ -163,6 +172,9 @@ SceneSpec parse_scene(const std::string& text, const std::string& path) {
     scene.forces.push_back(internal::read_scene_force(table));
   for (TomlTable& table : top.tables("drive"))
     scene.drives.push_back(internal::read_scene_drive(table));
+  for (const bool tensions : {true, false})
+    for (TomlTable& table : top.tables(tensions ? "tendon" : "muscle"))
+      scene.muscles.push_back(internal::read_scene_muscle(table, tensions, scene.folder));
   for (TomlTable& table : top.tables("friction"))
     scene.frictions.push_back(internal::read_scene_friction(table));
   for (TomlTable& table : top.tables("apart"))
@@ -194,6 +206,9 @@ SceneSpec read_scene(const std::string& path) {
         digests_of({(std::filesystem::path(scene.folder) / scene.materials_file).string()}));
   for (const SceneBodySpec& body : scene.bodies)
     scene.files.insert(body.placed.body.files.begin(), body.placed.body.files.end());
+  for (const SceneMuscleSpec& muscle : scene.muscles)
+    if (!muscle.file.empty())
+      scene.files.merge(digests_of({(std::filesystem::path(scene.folder) / muscle.file).string()}));
   return scene;
 }
 

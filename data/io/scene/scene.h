@@ -3,6 +3,7 @@
 /// Moving scenes as plain data: bodies and hands on joints, what acts on them, and how to step.
 
 #include <limits>
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -53,8 +54,9 @@ struct SceneBodySpec {
   int line = 1;
 };
 
-/// A hand at the start: a robot, by name or file.
+/// A hand at the start: a robot or a human hand, by name or file.
 struct SceneHandSpec {
+  std::string version;   // of a human hand from a file: "skewed", "tendons:wrapped"; may be empty
   PlacedHand placed;     // its pose in the world; its carrier is the joint's parent
   SceneJointSpec joint;  // of its base; welds if it is not stated
   SceneVelocity velocity;
@@ -83,6 +85,18 @@ struct SceneDriveSpec {
   double speed = 0;                  // of the target [rad/s] or [m/s]
   std::optional<double> max_effort;  // [N m] or [N]; absent: the motor's own, if it is known
   double from = 0;                   // [s]
+  double to = std::numeric_limits<double>::infinity();  // [s]
+  int line = 1;
+};
+
+/// What the muscles of a human hand are given for a time.
+struct SceneMuscleSpec {
+  std::string name, hand;
+  bool tensions = false;                // [[tendon]]: tensions; [[muscle]]: excitations
+  std::map<std::string, double> value;  // of muscles: tension [N], excitation 0..1 [1]
+  std::string file;                     // table of the same over time; as written; may be empty
+  std::string rung = "rigid-tendon";    // of [[muscle]]: how muscles pull
+  double from = 0;                      // [s]
   double to = std::numeric_limits<double>::infinity();  // [s]
   int line = 1;
 };
@@ -136,6 +150,7 @@ struct SceneSpec {
   std::vector<SceneHandSpec> hands;
   std::vector<SceneForceSpec> forces;
   std::vector<SceneDriveSpec> drives;
+  std::vector<SceneMuscleSpec> muscles;  // [[tendon]] and [[muscle]]
   std::vector<SceneFrictionSpec> frictions;
   std::vector<SceneApartSpec> apart;
   std::vector<SceneComplianceSpec> compliances;

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "base/error.h"
+#include "data/io/world/world_keys.h"
 
 namespace thenar {
 
@@ -158,6 +159,28 @@ SceneDriveSpec read_scene_drive(TomlTable& table) {
   read_span(table, drive);
   table.done();
   return drive;
+}
+
+SceneMuscleSpec read_scene_muscle(TomlTable& table, bool tensions, const std::string& folder) {
+  SceneMuscleSpec muscle;
+  muscle.line = table.line();
+  muscle.hand = table.text("hand");
+  muscle.name = table.text_or("name", muscle.hand);
+  muscle.tensions = tensions;
+  const char* key = tensions ? "tension" : "excitation";
+  const std::string file_key = std::string(key) + "_file";
+  muscle.value = tensions ? table.named(Dimension::kForce, key, Range::kNotNegative)
+                          : table.named(Dimension::kNumber, key, Range::kFraction);
+  if (table.has(file_key)) {
+    muscle.file = table.text(file_key);
+    (void)file_beside(table, file_key, folder);
+  }
+  if (muscle.value.empty() == muscle.file.empty())
+    table.fail(fmt::format("{} needs '{}' or '{}'", table.title(), key, file_key));
+  if (!tensions) muscle.rung = table.text_or("rung", muscle.rung);
+  read_span(table, muscle);
+  table.done();
+  return muscle;
 }
 
 SceneFrictionSpec read_scene_friction(TomlTable& table) {

@@ -13,6 +13,9 @@ namespace thenar::internal {
 [[nodiscard]] SceneVelocity read_scene_velocity(TomlTable& owner, SceneJointKind kind);
 [[nodiscard]] SceneForceSpec read_scene_force(TomlTable& table);
 [[nodiscard]] SceneDriveSpec read_scene_drive(TomlTable& table);
+/// [[tendon]] or [[muscle]]. @param tensions  it is [[tendon]];  @param folder  of the scene
+[[nodiscard]] SceneMuscleSpec read_scene_muscle(TomlTable& table, bool tensions,
+                                                const std::string& folder);
 [[nodiscard]] SceneFrictionSpec read_scene_friction(TomlTable& table);
 [[nodiscard]] SceneApartSpec read_scene_apart(TomlTable& table);
 [[nodiscard]] SteppingSpec read_stepping(TomlTable& table);

@@ -1,0 +1,58 @@
+#include "dynamics/scene/measure_pulls.h"
+
+#include <fmt/format.h>
+
+#include "dynamics/human/digit_pull.h"
+#include "dynamics/mechanism/tree_motion.h"
+
+namespace thenar {
+namespace {
+
+/// Appends the muscles of one digit. @param first_z  where its states begin
+void add_digit(DigitPull& pull, Eigen::Index first_z, const SceneRun& run,
+               const TreeMotion<double>& motion, RunPulls& out) {
+  const std::size_t first = out.muscles.size();
+  const auto instants = static_cast<Eigen::Index>(run.samples.size());
+  const Eigen::VectorXd none = Eigen::VectorXd::Zero(instants);
+  for (std::size_t m = 0; m < pull.muscles().size(); ++m)
+    out.muscles.push_back({pull.name() + "/" + pull.muscles()[m],
+                           pull.contracts(static_cast<int>(m)), none, none, none, none});
+  bool warned = false;
+  for (Eigen::Index i = 0; i < instants; ++i) {
+    const SceneSample& sample = run.samples[static_cast<std::size_t>(i)];
+    const ElementInput at{sample.t, sample.t, sample.q, sample.v, sample.z, motion, first_z};
+    pull.accept(at);
+    const PullInstant now = pull.at(at);
+    for (std::size_t m = 0; m < pull.muscles().size(); ++m) {
+      const auto k = static_cast<Eigen::Index>(m);
+      PullMeasure& muscle = out.muscles[first + m];
+      muscle.tension[i] = now.tension[k];
+      muscle.excitation[i] = now.excitation[k];
+      muscle.activation[i] = now.activation[k];
+      muscle.excursion[i] = now.excursion[k];
+    }
+    if (warned || now.warning.empty()) continue;
+    warned = true;
+    out.warnings.push_back(
+        fmt::format("{}, first at {:.4g} s: {}", pull.name(), sample.t, now.warning));
+  }
+}
+
+}  // namespace
+
+RunPulls measure_pulls(const MovingScene& scene, const SceneRun& run) {
+  RunPulls out;
+  const TreeModel model = tree_model(scene.mechanism);
+  const TreeMotion<double> motion(model);  // digits know their coordinates alone
+  Eigen::Index first_z = 0;
+  for (const std::shared_ptr<const ForceElement>& element : scene.elements) {
+    if (const auto* pull = dynamic_cast<const DigitPull*>(element.get())) {
+      DigitPull own = *pull;
+      add_digit(own, first_z, run, motion, out);
+    }
+    first_z += static_cast<Eigen::Index>(element->state_names().size());
+  }
+  return out;
+}
+
+}  // namespace thenar

@@ -1,0 +1,268 @@
+#include "dynamics/scene/scene_humans.h"
+
+#include <algorithm>
+#include <filesystem>
+#include <limits>
+
+#include "base/error.h"
+#include "base/nearest_name.h"
+#include "base/rung_names.h"
+#include "base/units.h"
+#include "data/io/toml_node.h"
+#include "dynamics/human/digit_pull.h"
+#include "tendons/muscle/excitation.h"
+
+namespace thenar {
+namespace {
+
+/// A posture may be beyond a range by so much, from rounding [rad].
+constexpr double kBeyondRange = 1e-9;
+
+/// Values over time of one muscle of a hand.
+struct GivenMuscle {
+  std::string muscle;
+  MuscleSchedule schedule;  // its number of the muscle is not set yet
+};
+
+/// Names of all muscles of a hand, each once.
+std::vector<std::string> muscles_of(const HumanMechanism& hand) {
+  std::vector<std::string> names;
+  for (const HumanDigit& digit : hand.digits)
+    for (const std::string& name : digit.tendons->digit().names.muscles)
+      if (std::count(names.begin(), names.end(), name) == 0) names.push_back(name);
+  return names;
+}
+
+/// What one [[tendon]] or [[muscle]] gives.
+std::vector<GivenMuscle> given_by(const SceneMuscleSpec& spec, const SceneSpec& scene,
+                                  const std::vector<std::string>& names) {
+  const TimeSpan when{spec.from, spec.to};
+  std::vector<GivenMuscle> out;
+  for (const auto& [name, value] : spec.value) {
+    const std::string& muscle = names[index_of_name(name, names, "muscle")];
+    out.push_back(
+        {muscle, {0, when, Eigen::VectorXd::Zero(1), Eigen::VectorXd::Constant(1, value)}});
+  }
+  if (spec.file.empty()) return out;
+  const std::string path = (std::filesystem::path(scene.folder) / spec.file).string();
+  const double most = spec.tensions ? std::numeric_limits<double>::infinity() : 1;
+  const Excitation table = parse_excitation(read_text_file(path), path, names, most);
+  for (std::size_t m = 0; m < names.size(); ++m) {
+    const Eigen::VectorXd column = table.value.col(static_cast<Eigen::Index>(m));
+    if (!column.isZero(0)) out.push_back({names[m], {0, when, table.time, column}});
+  }
+  return out;
+}
+
+/// Where coordinates of a hand stand in the scene.
+CoordinatePlaces places_of(const std::string& hand, const std::vector<std::string>& coordinates,
+                           const Mechanism& mechanism) {
+  const MechanismLayout layout = layout_of(mechanism);
+  CoordinatePlaces places;
+  for (const std::string& name : coordinates)
+    for (std::size_t c = 0; c < mechanism.coordinates.size(); ++c)
+      if (mechanism.coordinates[c].name == hand + "/" + name) {
+        places.q.push_back(layout.coordinate_q[c]);
+        places.v.push_back(layout.coordinate_v[c]);
+      }
+  return places;
+}
+
+/// Constants of the muscles of some digits, with the largest tensions that were assumed.
+std::shared_ptr<const Contraction> contraction_of(const HumanMechanism& hand,
+                                                  const std::vector<const HumanDigit*>& digits,
+                                                  const std::vector<std::string>& names,
+                                                  Muscle rung) {
+  Subject subject = hand.subject;
+  std::vector<Musculotendon> muscles;
+  for (const HumanDigit* digit : digits) {
+    const TendonDigit& tendons = digit->tendons->digit();
+    for (MuscleUnit& unit : subject.muscles)
+      for (std::size_t m = 0; m < tendons.names.muscles.size(); ++m)
+        if (unit.name == tendons.names.muscles[m] && !unit.max_force)
+          unit.max_force = digit->max_force[m];
+    for (Musculotendon& muscle : musculotendons(subject, tendons, rung))
+      if (muscle.name == names[muscles.size()]) muscles.push_back(std::move(muscle));
+  }
+  return build_contraction(std::move(muscles), rung);
+}
+
+/// Pulls the digits of one hand.
+class HandPuller {
+ public:
+  HandPuller(const SceneSpec& spec, const SceneHuman& human, BuiltScene& built)
+      : spec_(spec), human_(human), built_(built), names_(muscles_of(human.hand)) {}
+
+  /// @return whether anything does
+  bool pull() {
+    for (const SceneMuscleSpec& each : spec_.muscles)
+      if (each.hand == human_.name) read(each);
+    bool any = false;
+    for (const std::vector<const HumanDigit*>& group : groups()) any = add(group) || any;
+    return any;
+  }
+
+ private:
+  void read(const SceneMuscleSpec& each) {
+    const auto fail = [&](const std::string& what) {
+      throw DataError(spec_.path, each.line, what);
+    };
+    if (names_.empty()) fail(fmt::format("hand '{}' has no muscles", human_.name));
+    line_ = each.line;
+    try {
+      if (!each.tensions) {
+        const Muscle rung = muscle_named(each.rung);
+        require(!excited_ || rung == rung_, "all muscles of '{}' pull on one rung", human_.name);
+        rung_ = rung;
+        excited_ = true;
+      }
+      for (GivenMuscle& given : given_by(each, spec_, names_))
+        (each.tensions ? tensions_ : excitations_).push_back(std::move(given));
+    } catch (const InputError& error) {
+      fail(error.what());
+    }
+  }
+
+  /// Schedules of the muscles of a digit.
+  static std::vector<MuscleSchedule> of_digit(const std::vector<GivenMuscle>& given,
+                                              const std::vector<std::string>& muscles) {
+    std::vector<MuscleSchedule> out;
+    for (std::size_t m = 0; m < muscles.size(); ++m)
+      for (const GivenMuscle& each : given) {
+        if (each.muscle != muscles[m]) continue;
+        out.push_back(each.schedule);
+        out.back().muscle = static_cast<int>(m);
+      }
+    return out;
+  }
+
+  static const std::vector<std::string>& muscles_of_digit(const HumanDigit& digit) {
+    return digit.tendons->digit().names.muscles;
+  }
+
+  static bool gives(const std::vector<GivenMuscle>& given, const std::string& muscle) {
+    return std::any_of(given.begin(), given.end(),
+                       [&](const GivenMuscle& each) { return each.muscle == muscle; });
+  }
+
+  [[nodiscard]] bool is_excited(const std::vector<const HumanDigit*>& group) const {
+    for (const HumanDigit* digit : group)
+      for (const std::string& muscle : muscles_of_digit(*digit))
+        if (gives(excitations_, muscle)) return true;
+    return false;
+  }
+
+  /// Whether a muscle without a tension belongs to both.
+  [[nodiscard]] bool share(const std::vector<const HumanDigit*>& group,
+                           const HumanDigit& other) const {
+    for (const HumanDigit* digit : group)
+      for (const std::string& muscle : muscles_of_digit(*digit))
+        if (!gives(tensions_, muscle) &&
+            std::count(muscles_of_digit(other).begin(), muscles_of_digit(other).end(), muscle) > 0)
+          return true;
+    return false;
+  }
+
+  /// Digits one by one, but those that contract with all that share a muscle with them.
+  [[nodiscard]] std::vector<std::vector<const HumanDigit*>> groups() const {
+    std::vector<std::vector<const HumanDigit*>> groups;
+    for (const HumanDigit& digit : human_.hand.digits) {
+      std::vector<const HumanDigit*> group{&digit};
+      // Each earlier group that shares joins, if one of the two is excited.
+      for (std::size_t g = 0; g < groups.size();) {
+        if (!share(groups[g], digit) || (!is_excited(groups[g]) && !is_excited(group))) {
+          ++g;
+          continue;
+        }
+        group.insert(group.begin(), groups[g].begin(), groups[g].end());
+        groups.erase(groups.begin() + static_cast<std::ptrdiff_t>(g));
+      }
+      groups.push_back(std::move(group));
+    }
+    return groups;
+  }
+
+  bool add(const std::vector<const HumanDigit*>& group) {
+    DigitPullModel model;
+    std::vector<std::shared_ptr<const DigitTendons>> tendons;
+    for (const HumanDigit* digit : group) {
+      model.name += (model.name.empty() ? human_.name + "/" : "-") + digit->name;
+      tendons.push_back(digit->tendons);
+    }
+    model.tendons = std::make_shared<const TendonGroup>(std::move(tendons));
+    const std::vector<std::string>& muscles = model.tendons->muscles();
+    model.tensions = of_digit(tensions_, muscles);
+    model.excitations = of_digit(excitations_, muscles);
+    if (model.tensions.empty() && model.excitations.empty()) return false;
+    model.places = places_of(human_.name, model.tendons->coordinates(), built_.scene.mechanism);
+    try {
+      if (!model.excitations.empty())
+        model.contraction = contraction_of(human_.hand, group, muscles, rung_);
+      built_.scene.elements.push_back(std::make_shared<const DigitPull>(std::move(model)));
+    } catch (const InputError& error) {
+      throw DataError(spec_.path, line_, error.what());
+    }
+    return true;
+  }
+
+  const SceneSpec& spec_;
+  const SceneHuman& human_;
+  BuiltScene& built_;
+  std::vector<std::string> names_;
+  std::vector<GivenMuscle> tensions_, excitations_;
+  Muscle rung_ = Muscle::kRigidTendon;
+  bool excited_ = false;
+  int line_ = 1;  // of what was read last
+};
+
+bool has_torsion(const SceneSpec& spec) {
+  return std::any_of(spec.frictions.begin(), spec.frictions.end(),
+                     [](const SceneFrictionSpec& friction) { return friction.torsion_radius; });
+}
+
+bool has_drive(const SceneSpec& spec, const std::string& hand) {
+  return std::any_of(spec.drives.begin(), spec.drives.end(), [&](const SceneDriveSpec& drive) {
+    return drive.coordinate.compare(0, hand.size() + 1, hand + "/") == 0;
+  });
+}
+
+}  // namespace
+
+std::vector<double> human_posture(const SceneHandSpec& spec, const HumanMechanism& hand) {
+  const std::vector<std::string>& names = hand.skeleton.coordinate_names;
+  std::vector<double> u(hand.open.data(), hand.open.data() + hand.open.size());
+  for (const auto& [name, value] : spec.placed.posture)
+    u[index_of_name(name, names, "joint of hand '" + spec.placed.name + "'")] = value;
+  for (std::size_t c = 0; c < names.size(); ++c) {
+    const CoordinateLimits& limits = hand.skeleton.limits[c];
+    require(u[c] >= limits.lower - kBeyondRange && u[c] <= limits.upper + kBeyondRange,
+            "joint '{}' of hand '{}' begins at {:.4g} deg, beyond its range {:.4g} to {:.4g} deg",
+            names[c], spec.placed.name, u[c] / kDegree, limits.lower / kDegree,
+            limits.upper / kDegree);
+  }
+  return u;
+}
+
+void add_human_elements(const SceneSpec& spec, const std::vector<SceneHuman>& humans,
+                        BuiltScene& built) {
+  for (const SceneMuscleSpec& each : spec.muscles)
+    if (std::none_of(humans.begin(), humans.end(),
+                     [&](const SceneHuman& human) { return human.name == each.hand; }))
+      throw DataError(spec.path, each.line,
+                      fmt::format("hand '{}' is a robot: it has no muscles", each.hand));
+  for (const SceneHuman& human : humans) {
+    built.scene.elements.push_back(std::make_shared<const JointStops>(
+        human.name + "/stops", human.hand.skeleton,
+        places_of(human.name, human.hand.skeleton.coordinate_names, built.scene.mechanism)));
+    if (human.hand.contact == ContactModel::kSoftFinger && !has_torsion(spec))
+      built.warnings.push_back(fmt::format(
+          "soft pads of hand '{}' twist freely on what they touch: no [[friction]] has a "
+          "'torsion_radius'",
+          human.name));
+    if (!HandPuller(spec, human, built).pull() && !has_drive(spec, human.name))
+      built.warnings.push_back(
+          fmt::format("nothing drives hand '{}': it moves freely", human.name));
+  }
+}
+
+}  // namespace thenar
