@@ -19,6 +19,7 @@ using internal::CompliantStep;
 using Kind = ActiveContact::Kind;
 
 constexpr int kMostOdeSteps = 100'000'000;
+constexpr double kCreepResolved = 1e-2;  // error of speeds over the transition speed, at most [1]
 
 std::string words_of(OdeStatus status) {
   switch (status) {
@@ -117,8 +118,11 @@ class PenaltyMotion : public CompliantMotion {
     StiffOdeOptions ode;
     ode.relative = options_.tolerance;
     ode.absolute.resize(nq + nv);
+    // Creep is resolved, whatever the tolerance.
+    const double speeds =
+        std::min(100 * options_.tolerance, kCreepResolved * options_.compliance.transition);
     ode.absolute << Eigen::VectorXd::Constant(nq, options_.tolerance),
-        Eigen::VectorXd::Constant(nv, 100 * options_.tolerance);
+        Eigen::VectorXd::Constant(nv, speeds);
     ode.max_steps = kMostOdeSteps;
     Eigen::VectorXd y(nq + nv);
     y << state_.q, state_.v;

@@ -13,6 +13,9 @@ namespace thenar {
 /// it is Hertz's where both parts there are balls, or a ball and a box. Joint limits are springs,
 /// and dry friction of joints has the ramp of contacts.
 ///
+/// Speeds are kept to a hundredth of the transition speed even where the tolerance is larger, as
+/// what creeps would else be noise.
+///
 /// An accuracy reference for methods whose contacts are rigid: it tends to their answer as
 /// stiffness grows and the transition speed falls, but what sticks there creeps here, at
 /// creep_speed().

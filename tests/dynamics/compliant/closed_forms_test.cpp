@@ -116,6 +116,22 @@ TEST_P(CompliantPrograms, HeldCubeCreepsAtTheSpeedOfItsShare) {
   EXPECT_EQ(run.samples.back().contacts.front().mode, ContactMode::kStick);
 }
 
+// A tolerance of 0.1 mm/s in speeds must not drown a creep of 4 um/s.
+TEST(PenaltyScene, ResolvesCreepBelowItsTolerance) {
+  const sample::Pinch world = sample::pinch({});
+  SceneOptions options;
+  options.seconds = 2;
+  options.tolerance = 1e-6;
+  options.compliance.modulus = 1e10;
+  options.compliance.dissipation = 10;
+  options.compliance.transition = 1e-5;
+  const SceneRun run = simulate_penalty_scene(world.scene, options);
+  ASSERT_EQ(run.status, SceneStatus::kDone) << run.reason;
+  const double creep = 1e-5 * creep_speed(FrictionRamp::kQuintic, 0.1 * kG / (2 * 0.8 * 2));
+  // Speeds are kept to 0.1 um/s, which is 3 % of it.
+  EXPECT_NEAR(centre(world.scene, world.cube, run.samples.back()).z() / (-2 * creep), 1, 0.03);
+}
+
 TEST_P(CompliantPrograms, EnergyIsKeptWithoutDissipationAndNeverRisesWithIt) {
   for (const double dissipation : {0.0, 0.5}) {
     sample::BallOnFloor world = sample::ball_on_floor(0.05);
