@@ -4,19 +4,23 @@
 
 #include "bench/peers/peer_machine.h"
 #include "bench/peers/peer_scene.h"
+#include "dynamics/compliant/penalty_scene.h"
+#include "dynamics/compliant/simbody_scene.h"
 #include "dynamics/mechanism/articulated_body.h"
 #include "dynamics/stepping/simulate_scene.h"
 
 namespace thenar::bench {
 namespace {
 
-PeerRun run_ours(const PeerScene& peer, SceneOptions options) {
+using Simulate = SceneRun (*)(const MovingScene&, const SceneOptions&, const Progress&);
+
+PeerRun run_ours(const PeerScene& peer, SceneOptions options, Simulate simulate = &simulate_scene) {
   options.seconds = peer.seconds;
   options.sample = peer.sample;
   const double start = thread_seconds();
   Progress progress;
   progress.stop_requested = [&] { return thread_seconds() - start > kPatience; };
-  const SceneRun ours = simulate_scene(peer.scene, options, progress);
+  const SceneRun ours = simulate(peer.scene, options, progress);
   PeerRun run;
   for (const SceneSample& sample : ours.samples)
     run.samples.push_back({sample.t, motion_at(peer.scene, sample.q, sample.v)});
@@ -37,6 +41,28 @@ PeerSetting events(const std::string& name, PeerUse use, bool sleep,
             return run_ours(scene, options);
           },
           use};
+}
+
+/// Contacts that yield, `stiffer` times stiffer than by default and the transition speed as much
+/// lower.
+PeerSetting compliant(const std::string& engine, const std::string& name, Simulate simulate,
+                      double stiffer) {
+  return {
+      engine, name, true,
+      [=](const PeerScene& scene, double tolerance) {
+        SceneOptions options;
+        options.tolerance = tolerance;
+        options.compliance.modulus *= stiffer;
+        options.compliance.stiffness *= stiffer;
+        options.compliance.transition /= stiffer;
+        options.compliance.dissipation = 10;
+        try {
+          return run_ours(scene, options, simulate);
+        } catch (const InputError&) {
+          return PeerRun{{{0, motion_at(scene.scene, scene.scene.q, scene.scene.v)}}, 0, "cannot"};
+        }
+      },
+      PeerUse::kContacts};
 }
 
 /// The recursion that scenes of hinges run.
@@ -64,15 +90,21 @@ struct OurMachine {
 }  // namespace
 
 std::vector<PeerSetting> our_settings() {
-  return {events("events", PeerUse::kAll, true),
-          events("events, no sleep", PeerUse::kContacts, false),
-          events("events, no sleep, 8 columns", PeerUse::kContacts, false, 8),
-          {"thenar", "time-stepping", false, [](const PeerScene& scene, double step) {
-             SceneOptions options;
-             options.method = SteppingMethod::kTimeStepping;
-             options.step = step;
-             return run_ours(scene, options);
-           }}};
+  return {
+      events("events", PeerUse::kAll, true),
+      events("events, no sleep", PeerUse::kContacts, false),
+      events("events, no sleep, 8 columns", PeerUse::kContacts, false, 8),
+      {"thenar", "time-stepping", false,
+       [](const PeerScene& scene, double step) {
+         SceneOptions options;
+         options.method = SteppingMethod::kTimeStepping;
+         options.step = step;
+         return run_ours(scene, options);
+       }},
+      compliant("thenar", "compliant-sundials", &simulate_penalty_scene, 1),
+      compliant("thenar", "compliant-sundials, 100 times stiffer", &simulate_penalty_scene, 100),
+      compliant("Simbody", "compliant", &simulate_simbody_scene, 1),
+      compliant("Simbody", "compliant, 100 times stiffer", &simulate_simbody_scene, 100)};
 }
 
 PeerMachine our_machine(const MovingScene& scene) {

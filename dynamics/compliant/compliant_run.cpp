@@ -112,6 +112,10 @@ void check_compliant(const MovingScene& scene, const SceneOptions& options) {
   check_scene(scene);
   check_scene_options(options);
   check_compliance(options.compliance);
+  require(scene.elements.empty(),
+          "contacts that yield are not simulated with ligaments, tendons or joints that give: this "
+          "scene has '{}'",
+          scene.elements.front()->name());
   refuse_restitution(scene.friction);
   for (const auto& [bodies, pair] : scene.friction_pairs) refuse_restitution(pair);
 }
