@@ -115,7 +115,7 @@ void check_compliant(const MovingScene& scene, const SceneOptions& options) {
   require(scene.elements.empty(),
           "contacts that yield are not simulated with ligaments, tendons or joints that give: this "
           "scene has '{}'",
-          scene.elements.front()->name());
+          scene.elements.empty() ? "" : scene.elements.front()->name());
   refuse_restitution(scene.friction);
   for (const auto& [bodies, pair] : scene.friction_pairs) refuse_restitution(pair);
 }

@@ -28,6 +28,23 @@ TEST(CompliantLimits, RefuseWhatTheLawsDoNotKnow) {
   EXPECT_THROW((void)simulate_penalty_scene(world.scene, options), InputError);
 }
 
+/// A force element that does nothing.
+class Idle final : public ForceElement {
+ public:
+  [[nodiscard]] std::unique_ptr<ForceElement> clone() const override {
+    return std::make_unique<Idle>();
+  }
+  [[nodiscard]] std::string name() const override { return "idle"; }
+  bool act(const ElementInput& /*at*/, ElementAction& /*out*/) override { return true; }
+};
+
+TEST(CompliantLimits, RefuseForceElements) {
+  sample::BallOnFloor world = sample::ball_on_floor();
+  world.scene.elements.push_back(std::make_shared<Idle>());
+  EXPECT_THROW((void)simulate_simbody_scene(world.scene, {}), InputError);
+  EXPECT_THROW((void)simulate_penalty_scene(world.scene, {}), InputError);
+}
+
 TEST(CompliantLimits, OtherStepperRefusesTheirNames) {
   const sample::BallOnFloor world = sample::ball_on_floor();
   SceneOptions options;
