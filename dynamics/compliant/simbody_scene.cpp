@@ -341,6 +341,7 @@ class SimbodyMotion : public CompliantMotion {
     integrator_->setMaximumStepSize(options_.longest);
     integrator_->setReturnEveryInternalStep(true);
     integrator_->setInternalStepLimit(1000);
+    reach_ = options_.longest;
     has_begun_ = false;
   }
 
@@ -354,7 +355,8 @@ class SimbodyMotion : public CompliantMotion {
       // Simbody mixes up contacts of a state that was realized before.
       if (!has_begun_) integrator_->initialize(world_.state_of(state_));
       has_begun_ = true;
-      integrator_->stepTo(stop, stop);
+      const double end = std::min(stop, before.t + reach_);
+      integrator_->stepTo(end, end);
       take_state();
       if (!state_.q.allFinite() || !state_.v.allFinite()) return {SceneStatus::kNotFinite, ""};
       const std::string left = world_.left_face(integrator_->getState());
@@ -387,6 +389,7 @@ class SimbodyMotion : public CompliantMotion {
     step_.find(state_, 0, touching_);
     for (ActiveContact& contact : touching_) contact.mode = ContactMode::kStick;
     const double motion = step_.motion_between(before, state_, touching_);
+    reach_ = motion > 0 ? 0.5 * (state_.t - before.t) / motion : options_.longest;
     if (motion <= 1) return {};
     return {SceneStatus::kFailed,
             fmt::format("at {:.9g} s surfaces moved {:.2g} times half of the thinner body's "
@@ -402,7 +405,8 @@ class SimbodyMotion : public CompliantMotion {
   SceneState state_;
   std::vector<ActiveContact> touching_;
   bool has_begun_ = false;
-  long slopes_ = 0;  // before the last start
+  double reach_ = 0;  // of the next step: nothing moves too far [s]
+  long slopes_ = 0;   // before the last start
 };
 
 void check_for_simbody(const MovingScene& scene, const SceneOptions& options) {

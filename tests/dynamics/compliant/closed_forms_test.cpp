@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "dynamics/compliant/penalty_law.h"
+#include "geometry/tessellate.h"
 #include "tests/dynamics/compliant/compliant_scenes.h"
 
 namespace thenar {
@@ -114,6 +115,26 @@ TEST_P(CompliantPrograms, HeldCubeCreepsAtTheSpeedOfItsShare) {
   EXPECT_NEAR(centre(world.scene, world.cube, run.samples.back()).z(), -creep * 0.5, 0.05 * creep);
   ASSERT_EQ(run.samples.back().contacts.size(), 2);
   EXPECT_EQ(run.samples.back().contacts.front().mode, ContactMode::kStick);
+}
+
+// A layer of 5 mm under a face of 25 cm2:  m g = E A d / layer.
+TEST(SimbodyScene, MeshRestsOnItsElasticFoundation) {
+  MovingScene scene = sample::ball_on_floor(1).scene;
+  ShapeSpec cube = sample::primitive(ShapeKind::kMesh, {0, 0, 0});
+  cube.mesh = box_mesh({0.05, 0.05, 0.05});
+  Pose<double> X;
+  X.p = {0.3, 0, 0.025};
+  const int body = sample::add_body(scene, "cube", cube, 0.1, X);
+  SceneOptions options;
+  options.seconds = 0.3;
+  options.sample = 0.3;
+  options.tolerance = 1e-8;
+  options.compliance.modulus = 1e6;
+  options.compliance.dissipation = 100;
+  const SceneRun run = simulate_simbody_scene(scene, options);
+  ASSERT_EQ(run.status, SceneStatus::kDone) << run.reason;
+  const double depth = 0.1 * kG * 5e-3 / (1e6 * 0.05 * 0.05);
+  EXPECT_NEAR(0.025 - centre(scene, body, run.samples.back()).z(), depth, 1e-2 * depth);
 }
 
 // A tolerance of 0.1 mm/s in speeds must not drown a creep of 4 um/s.
