@@ -144,7 +144,7 @@ class PenaltyMotion : public CompliantMotion {
     trial_.q = y.head(state_.q.size());
     trial_.v = y.tail(state_.v.size());
     step_.normalise(trial_.q);
-    step_.free_rates(trial_, q_dot_, v_dot_);
+    (void)step_.free_rates(trial_, q_dot_, v_dot_, z_dot_);  // no elements here
     load(trial_, nullptr);
     mass_.set(motion_);
     mass_.solve(step_.model(), efforts_);
@@ -245,7 +245,7 @@ class PenaltyMotion : public CompliantMotion {
   TreeMotion<double> motion_;
   MassMatrix<double> mass_;
   Eigen::VectorXd efforts_;  // of contacts over the speeds, then what they accelerate (v)
-  Eigen::VectorXd q_dot_, v_dot_;
+  Eigen::VectorXd q_dot_, v_dot_, z_dot_;
   SceneState state_, trial_;
   std::vector<ActiveContact> found_, touching_;
   std::optional<StiffOde> ode_;

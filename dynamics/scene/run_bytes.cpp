@@ -99,13 +99,17 @@ void pass_cost(Stream& stream, SceneCost& cost) {
 /// Writes or reads a run, its parts in the same order.
 template <typename Stream>
 void pass_run(Stream& stream, SceneRun& run) {
-  auto& [status, samples, cost] = run;
+  auto& [status, samples, cost, reason] = run;
   stream.plain(status);
   std::size_t instants = samples.size();
   stream.count(instants);
   samples.resize(instants);
   for (SceneSample& sample : samples) pass_sample(stream, sample);
   pass_cost(stream, cost);
+  std::size_t letters = reason.size();
+  stream.count(letters);
+  reason.resize(letters);
+  for (char& letter : reason) stream.plain(letter);
 }
 
 }  // namespace
