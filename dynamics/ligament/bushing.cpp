@@ -1,6 +1,7 @@
 #include "dynamics/ligament/bushing.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "base/error.h"
 
@@ -37,6 +38,7 @@ bool BushingElement::act(const ElementInput& at, ElementAction& out) {
   const Pose<double> X_WA = pose_of(motion, proximal_.body) * proximal_.X_BF;
   const Pose<double> X_WB = pose_of(motion, distal_.body) * distal_.X_BF;
   const BushingPose pose = bushing_pose(X_WA.inverse() * X_WB);
+  if (!pose.turn.allFinite()) return false;
   // Rows of the coordinates: B's origin against the point of the proximal body there, axes of A;
   // angles by the angular velocity of B against A.
   const int a = link_of(motion, proximal_.body), b = link_of(motion, distal_.body);
@@ -55,7 +57,7 @@ bool BushingElement::act(const ElementInput& at, ElementAction& out) {
   out.tau.noalias() += J_ * action.effort;
   out.stiffness.noalias() += J_ * action.stiffness * J_.transpose();
   out.damping.noalias() += J_ * action.damping * J_.transpose();
-  return true;
+  return std::abs(pose.x[static_cast<int>(BushingWay::kAbduction)]) < kMostAbduction;
 }
 
 double BushingElement::energy(const ElementInput& at) {

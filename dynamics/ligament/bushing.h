@@ -28,6 +28,7 @@ class BushingElement : public ForceElement {
 
   [[nodiscard]] std::unique_ptr<ForceElement> clone() const override;
   [[nodiscard]] std::string name() const override { return name_; }
+  /// @return false beyond kMostAbduction
   bool act(const ElementInput& at, ElementAction& out) override;
   [[nodiscard]] double energy(const ElementInput& at) override;
 

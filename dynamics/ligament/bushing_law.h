@@ -64,6 +64,9 @@ struct BushingPose {
                          // against A, axes of A (3, 3)
 };
 
+/// Largest abduction to which the coordinates are trusted: at 90 deg they are singular [rad].
+inline constexpr double kMostAbduction = 1.4;
+
 /// Singular at 90 deg of abduction, far beyond what any joint allows; flexion in (-180, 180] deg.
 [[nodiscard]] BushingPose bushing_pose(const Pose<double>& X_AB);
 

@@ -138,14 +138,18 @@ std::unique_ptr<ForceElement> CapsuleElement::clone() const {
   return std::make_unique<CapsuleElement>(*this);
 }
 
+BushingVector CapsuleElement::coordinates(const ElementInput& at) const {
+  BushingVector x = BushingVector::Zero();
+  for (std::size_t i = 0; i < q_.size(); ++i)
+    if (q_[i] >= 0) x[static_cast<Eigen::Index>(i)] = at.q[q_[i]];
+  return x;
+}
+
 BushingAction CapsuleElement::action(const ElementInput& at) const {
-  BushingVector x = BushingVector::Zero(), rate = BushingVector::Zero();
-  for (std::size_t i = 0; i < q_.size(); ++i) {
-    if (q_[i] < 0) continue;
-    x[static_cast<Eigen::Index>(i)] = at.q[q_[i]];
-    rate[static_cast<Eigen::Index>(i)] = at.v[v_[i]];
-  }
-  return bushing_action(joint_.law, x, rate);
+  BushingVector rate = BushingVector::Zero();
+  for (std::size_t i = 0; i < v_.size(); ++i)
+    if (v_[i] >= 0) rate[static_cast<Eigen::Index>(i)] = at.v[v_[i]];
+  return bushing_action(joint_.law, coordinates(at), rate);
 }
 
 bool CapsuleElement::act(const ElementInput& at, ElementAction& out) {
@@ -160,7 +164,7 @@ bool CapsuleElement::act(const ElementInput& at, ElementAction& out) {
       out.damping(v_[i], v_[j]) += action.damping(row, static_cast<Eigen::Index>(j));
     }
   }
-  return true;
+  return std::abs(coordinates(at)[static_cast<int>(BushingWay::kAbduction)]) < kMostAbduction;
 }
 
 double CapsuleElement::energy(const ElementInput& at) { return action(at).energy; }

@@ -12,7 +12,8 @@
 
 namespace thenar {
 
-/// How a hinge gives. Ways of infinite stiffness stay rigid, and cost nothing.
+/// How a hinge gives. Ways of infinite stiffness stay rigid, and cost nothing. Flexion is the
+/// coordinate of the hinge.
 struct JointCompliance {
   BushingLaw law;                 // its flexion adds to what the hinge has
   Eigen::Vector3d bone{0, 0, 0};  // direction of the distal bone, body's frame; any length; zero:
@@ -53,10 +54,12 @@ class CapsuleElement : public ForceElement {
 
   [[nodiscard]] std::unique_ptr<ForceElement> clone() const override;
   [[nodiscard]] std::string name() const override { return joint_.name; }
+  /// @return false beyond kMostAbduction
   bool act(const ElementInput& at, ElementAction& out) override;
   [[nodiscard]] double energy(const ElementInput& at) override;
 
  private:
+  [[nodiscard]] BushingVector coordinates(const ElementInput& at) const;
   [[nodiscard]] BushingAction action(const ElementInput& at) const;
 
   CompliantJoint joint_;

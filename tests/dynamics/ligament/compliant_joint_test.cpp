@@ -278,6 +278,17 @@ TEST(CompliantJoint, IsStableBetweenEventsHoweverStiff) {
   }
 }
 
+// Near 90 deg of abduction the coordinates are no longer good: the step counts as unsolved.
+TEST(CompliantJoint, TellsWhereItsCoordinatesEnd) {
+  CompliantJoint joint;
+  MovingScene scene = sample::compliant_scene(1, sample::even_law(1e4, 1e-3), &joint);
+  SceneOptions options;
+  options.seconds = 1e-3;
+  EXPECT_EQ(simulate_scene(scene, options).status, SceneStatus::kDone);
+  coordinate(scene, joint.coordinate[static_cast<std::size_t>(BushingWay::kAbduction)]) = 1.5;
+  EXPECT_EQ(simulate_scene(scene, options).status, SceneStatus::kUnsolved);
+}
+
 TEST(CompliantJoint, RefusesWhatIsNoHinge) {
   Mechanism mechanism = sample::bones(2);
   mechanism.joints[1].kind = JointKind::kSlide;
