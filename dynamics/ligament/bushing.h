@@ -31,6 +31,7 @@ class BushingElement : public ForceElement {
   /// @return false beyond kMostAbduction
   bool act(const ElementInput& at, ElementAction& out) override;
   [[nodiscard]] double energy(const ElementInput& at) override;
+  [[nodiscard]] bool is_passive() const override { return true; }
 
  private:
   std::string name_;
@@ -58,6 +59,7 @@ class LigamentElement : public ForceElement {
   /// @return false if both points are one
   bool act(const ElementInput& at, ElementAction& out) override;
   [[nodiscard]] double energy(const ElementInput& at) override;
+  [[nodiscard]] bool is_passive() const override { return true; }
 
  private:
   std::string name_;

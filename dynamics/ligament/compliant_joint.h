@@ -57,6 +57,7 @@ class CapsuleElement : public ForceElement {
   /// @return false beyond kMostAbduction
   bool act(const ElementInput& at, ElementAction& out) override;
   [[nodiscard]] double energy(const ElementInput& at) override;
+  [[nodiscard]] bool is_passive() const override { return true; }
 
  private:
   [[nodiscard]] BushingVector coordinates(const ElementInput& at) const;

@@ -111,7 +111,8 @@ double work_between(const MovingScene& scene, const MechanismLayout& layout,
   return work;
 }
 
-/// Work of elements beyond what they store [J]: their springs are among the energies.
+/// Work of elements that are not passive, beyond what they store [J]: their springs are among the
+/// energies.
 double work_of_elements(const SceneRun& run) {
   const SceneSample &first = run.samples.front(), &last = run.samples.back();
   if (last.z.size() == 0) return 0;

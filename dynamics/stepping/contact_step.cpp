@@ -634,8 +634,9 @@ ContactStep::Energy ContactStep::energy(const SceneState& state) {
     const double stretch = p.value_of(i, state).value - joint.rest;
     out.springs += 0.5 * joint.stiffness * stretch * stretch;
   }
-  out.of_elements = p.elements.energy(p.seen_by_elements(state));
-  out.springs += out.of_elements;
+  const SceneElements::Energy stored = p.elements.energy(p.seen_by_elements(state));
+  out.of_elements = stored.active;
+  out.springs += stored.all;
   return out;
 }
 

@@ -138,7 +138,7 @@ class ContactStep {
   /// Energies at a state. Springs are those of joints and elements.
   struct Energy {
     double kinetic = 0, weight = 0, springs = 0;  // [J]
-    double of_elements = 0;                       // the part of `springs` that elements store [J]
+    double of_elements = 0;  // the part of `springs` in elements that are not passive [J]
     [[nodiscard]] double total() const { return kinetic + weight + springs; }
   };
   [[nodiscard]] Energy energy(const SceneState& state);

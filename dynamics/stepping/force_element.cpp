@@ -33,15 +33,24 @@ Eigen::VectorXd SceneElements::start(const Eigen::VectorXd& q) const {
 bool SceneElements::act(const ElementInput& at) {
   bool solved = true;
   action_.clear(at.v.size(), states_);
-  for (std::size_t i = 0; i < elements_.size(); ++i)
+  double before = 0, power = 0;  // of all so far; of those that are not passive [W]
+  for (std::size_t i = 0; i < elements_.size(); ++i) {
     solved = elements_[i]->act(input_of(i, at), action_) && solved;
-  if (states_ > 0) action_.z_rate[states_ - 1] = action_.tau.dot(at.v);
+    const double after = action_.tau.dot(at.v);
+    if (!elements_[i]->is_passive()) power += after - before;
+    before = after;
+  }
+  if (states_ > 0) action_.z_rate[states_ - 1] = power;
   return solved;
 }
 
-double SceneElements::energy(const ElementInput& at) {
-  double sum = 0;
-  for (std::size_t i = 0; i < elements_.size(); ++i) sum += elements_[i]->energy(input_of(i, at));
+SceneElements::Energy SceneElements::energy(const ElementInput& at) {
+  Energy sum;
+  for (std::size_t i = 0; i < elements_.size(); ++i) {
+    const double stored = elements_[i]->energy(input_of(i, at));
+    sum.all += stored;
+    if (!elements_[i]->is_passive()) sum.active += stored;
+  }
   return sum;
 }
 

@@ -53,6 +53,10 @@ class ForceElement {
   /// @return false if it found no answer that it can stand for: the step counts as unsolved
   virtual bool act(const ElementInput& at, ElementAction& out) = 0;
 
+  /// Whether it only stores energy and dissipates it, as ligaments do: then what it takes is
+  /// counted as dissipation, and not as work on the scene.
+  [[nodiscard]] virtual bool is_passive() const { return false; }
+
   /// Energy that it stores [J].
   [[nodiscard]] virtual double energy(const ElementInput& /*at*/) { return 0; }
 
@@ -66,8 +70,8 @@ class ForceElement {
   [[nodiscard]] virtual bool moves(const ElementInput& /*at*/) const { return false; }
 };
 
-/// All elements of a scene, with the work that they do as a last state. Without elements there is
-/// no state at all. `first_z` of what is passed in means nothing.
+/// All elements of a scene, with the work of those that are not passive as a last state. Without
+/// elements there is no state at all. `first_z` of what is passed in means nothing.
 class SceneElements {
  public:
   /// @param speeds  of the scene
@@ -82,7 +86,11 @@ class SceneElements {
   bool act(const ElementInput& at);
   [[nodiscard]] const ElementAction& action() const { return action_; }
 
-  [[nodiscard]] double energy(const ElementInput& at);
+  /// Energies that elements store [J].
+  struct Energy {
+    double all = 0, active = 0;  // of all; of those that are not passive
+  };
+  [[nodiscard]] Energy energy(const ElementInput& at);
   void accept(const ElementInput& at);
   [[nodiscard]] bool moves(const ElementInput& at) const;
 

@@ -8,6 +8,7 @@
 #include <gtest/gtest.h>
 
 #include "dynamics/scene/build_scene.h"
+#include "dynamics/scene/measure_run.h"
 #include "tests/data_folder.h"
 #include "tests/message_of.h"
 
@@ -82,6 +83,14 @@ TEST(SceneCompliance, DeviatesAsTheSampleSays) {
   ASSERT_EQ(built.scene.mechanism.coordinates[4].name, "phalanx/abduction");
   const MechanismLayout layout = layout_of(built.scene.mechanism);
   EXPECT_NEAR(std::abs(run.samples.back().q[layout.coordinate_q[4]]), a, 1e-6);
+  // The force works along its end's way; the capsule keeps k s^2 (cosh(a / s) - 1) and half of what
+  // the shift takes, its dampers have the rest.
+  const double shift = 10 / 1e5, way = 0.04 * std::sin(a) + shift;
+  const double kept = 1.5 * 0.01 * (std::cosh(a / 0.1) - 1) + 0.5 * 10 * shift;
+  const RunMeasures measures = measure_run(built.scene, run);
+  EXPECT_NEAR(measures.work, 10 * way, 1e-7);
+  EXPECT_NEAR(run.samples.back().energy.springs, kept, 1e-7);
+  EXPECT_NEAR(measures.dissipated, 10 * way - kept, 1e-7);
 }
 
 // A ball of 100 g on a cord of 40 mm from the world: it sinks by  L0 sqrt(4 e_l m g / K).
