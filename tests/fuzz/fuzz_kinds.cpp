@@ -206,8 +206,8 @@ std::vector<FuzzKind> fuzz_kinds(const std::string& folder) {
       {"world", data_files({"worlds/jaw_box.toml", "worlds/barrett_bobbin.toml"}),
        [](File path) { (void)world_toml(read_world(path)); }},
       {"scene",
-       data_files(
-           {"scenes/swinging_pinch.toml", "scenes/wine_glass.toml", "scenes/spinning_top.toml"}),
+       data_files({"scenes/swinging_pinch.toml", "scenes/wine_glass.toml",
+                   "scenes/spinning_top.toml", "scenes/loose_joint.toml"}),
        [](File path) { (void)read_scene(path); }},
       {"materials", data_files({"materials.toml"}), [](File path) { (void)read_materials(path); }},
       {"contacts", {{"a.json", kContacts}}, [](File path) { (void)read_contact_file(path); }},
