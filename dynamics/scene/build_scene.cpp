@@ -451,8 +451,4 @@ BuiltScene build_scene(const SceneSpec& spec, const std::vector<SceneHand>& hand
   return SceneBuilder(spec, hands).build();
 }
 
-BuiltScene build_scene(const SceneSpec& spec, const std::vector<RobotSpec>& robots) {
-  return build_scene(spec, std::vector<SceneHand>(robots.begin(), robots.end()));
-}
-
 }  // namespace thenar

@@ -42,8 +42,6 @@ using SceneHand = std::variant<RobotSpec, HumanModel>;
 /// @param hands  of the scene, in their order
 /// @throws DataError at the line of the file where parts do not fit together.
 [[nodiscard]] BuiltScene build_scene(const SceneSpec& spec, const std::vector<SceneHand>& hands);
-/// The same of robots alone.
-[[nodiscard]] BuiltScene build_scene(const SceneSpec& spec, const std::vector<RobotSpec>& robots);
 
 /// Changes one number of a scene:
 ///   friction       coefficient of all pairs [1]

@@ -24,11 +24,11 @@ using testing::StartsWith;
 const std::string kHead = "name = \"x\"\nsource = \"Mine\"\n[sources]\nMine = \"Own\"\n";
 const std::string kTail = "[stepping]\nduration_s = 1\n";
 
-BuiltScene built(const std::string& text, const std::vector<RobotSpec>& robots = {}) {
+BuiltScene built(const std::string& text, const std::vector<SceneHand>& robots = {}) {
   return build_scene(parse_scene(kHead + text + kTail, "s.toml"), robots);
 }
 
-std::string complaint(const std::string& text, const std::vector<RobotSpec>& robots = {}) {
+std::string complaint(const std::string& text, const std::vector<SceneHand>& robots = {}) {
   return message_of<DataError>([&] { (void)built(text, robots); });
 }
 

@@ -20,7 +20,7 @@ using testing::StartsWith;
 const std::string kTop = "name = \"x\"\nsource = \"Mine\"\n[sources]\nMine = \"Own\"\n";
 const std::string kEnd = "[stepping]\nduration_s = 2\n";
 
-BuiltScene build(const std::string& text, const std::vector<RobotSpec>& robots = {}) {
+BuiltScene build(const std::string& text, const std::vector<SceneHand>& robots = {}) {
   return build_scene(parse_scene(kTop + text + kEnd, "s.toml"), robots);
 }
 
