@@ -63,6 +63,7 @@ SceneHand hand_of(const SceneSpec& scene, const SceneHandSpec& hand,
   HumanModel human{source.file.empty() ? default_human() : read_subject(source.file),
                    human_version(source.version)};
   if (!source.path.empty()) human.options.path = path_named(source.path);
+  if (hand.skin_triangles > 0) human.options.skin.triangles = hand.skin_triangles;
   if (!source.file.empty()) files.merge(digests_of({source.file}));
   return human;
 }

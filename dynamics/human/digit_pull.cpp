@@ -16,6 +16,9 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
+constexpr double kFarAngle = 0.02;     // at which slopes by posture are found anew [rad]
+constexpr double kFarTension = 0.1;    // likewise, of the tension [1], and
+constexpr double kSomeTension = 0.1;   // of what counts as any [N]
 constexpr double kSettledRate = 1e-9;  // of activation [1/s], of a fibre [optimal lengths/s]
 
 /// The straight piece of a schedule that begins at or before an instant.
@@ -139,6 +142,30 @@ VectorXd DigitPull::start(const VectorXd& q) const {
   return z;
 }
 
+/// Tendons without a net are linear: their arms do for all tensions, and for all calls at a
+/// posture.
+const GroupTorque& DigitPull::arms_at(const VectorXd& q) const {
+  if (arms_q_.size() != q.size() || arms_q_ != q) {
+    arms_ = tendons().evaluate(q, VectorXd::Zero(muscles_), {});
+    arms_q_ = q;
+  }
+  return arms_;
+}
+
+/// Whether slopes by posture are known of a place nearby.
+bool DigitPull::knows_stiffness(const VectorXd& q, const VectorXd& t) const {
+  return posture_stiffness_.size() > 0 && (q - stiffness_q_).cwiseAbs().maxCoeff() < kFarAngle &&
+         ((t - stiffness_t_).array().abs() < kFarTension * stiffness_t_.array() + kSomeTension)
+             .all();
+}
+
+void DigitPull::set_posture_stiffness(const Now& now) {
+  const MatrixXd by_posture = tendons().torque_by_posture(now.q, now.tension, now.pull);
+  posture_stiffness_ = -0.5 * (by_posture + by_posture.transpose());
+  stiffness_q_ = now.q;
+  stiffness_t_ = now.tension;
+}
+
 DigitPull::Now DigitPull::now(const ElementInput& at) const {
   Now now;
   now.q = at.q(model_->places.q);
@@ -161,8 +188,8 @@ DigitPull::Now DigitPull::now(const ElementInput& at) const {
   }
   // Where tension depends on velocity, arms come first; there they do not depend on tension.
   const bool feels = count > 0 && contraction().depends_on_velocity();
+  if (!has_net()) now.pull = arms_at(now.q);
   if (feels) {
-    now.pull = tendons().evaluate(now.q, now.tension, last_nodes_);
     const VectorXd velocity = -now.pull.R * now.q_dot;
     for (const int m : contracting_) now.state[static_cast<std::size_t>(m)].velocity = velocity[m];
   }
@@ -174,10 +201,10 @@ DigitPull::Now DigitPull::now(const ElementInput& at) const {
                                    : piece_of(model_->tensions, m, at.acting).at(at.t));
   }
   if (!now.tension.allFinite()) return now;
-  if (feels)
-    now.pull.tau = now.pull.R.transpose() * now.tension;
-  else
+  if (has_net())
     now.pull = tendons().evaluate(now.q, now.tension, last_nodes_);
+  else
+    now.pull.tau = now.pull.R.transpose() * now.tension;
   return now;
 }
 
@@ -192,10 +219,11 @@ bool DigitPull::act(const ElementInput& at, ElementAction& out) {
   const Now now = this->now(at);
   if (!now.tension.allFinite() || !now.pull.tau.allFinite()) return refuse();
   out.tau(v) += now.pull.tau;
+  last_tension_ = now.tension;
   // Slopes at constant tensions, then those of the tensions.
   const MatrixXd& R = now.pull.R;
-  const MatrixXd by_posture = tendons().torque_by_posture(now.q, now.tension, now.pull);
-  MatrixXd K = -0.5 * (by_posture + by_posture.transpose());
+  if (posture_stiffness_.size() == 0) set_posture_stiffness(now);
+  MatrixXd K = posture_stiffness_;
   MatrixXd G, A;
   if (!contracting_.empty()) {
     VectorXd by_length(muscles_), by_velocity(muscles_);
@@ -262,9 +290,14 @@ void DigitPull::set_rates(const ElementInput& at, const Now& now, const MatrixXd
 }
 
 void DigitPull::accept(const ElementInput& at) {
-  if (!has_net() || !at.q.allFinite()) return;
+  if (!at.q.allFinite() || !at.v.allFinite() || !at.z.allFinite()) return;
+  if (!has_net() && last_tension_.size() > 0 &&
+      knows_stiffness(at.q(model_->places.q), last_tension_))
+    return;
   const Now now = this->now(at);
-  if (!now.tension.allFinite()) return;
+  if (!now.tension.allFinite() || !now.pull.tau.allFinite()) return;
+  if (!knows_stiffness(now.q, now.tension)) set_posture_stiffness(now);
+  if (!has_net()) return;
   last_nodes_.clear();
   for (const TendonTorque& digit : now.pull.digits) last_nodes_.push_back(digit.nodes);
   if (has_excursion_ && slack_length_.size() == 0 && !tendons().has_friction())

@@ -58,7 +58,8 @@ struct PullInstant {
 /// states alone, and excursions are drawn back to the lengths of lines, as in FingerMotion.
 ///
 /// Slopes for steps are  K = -d tau/d q at constant tension + R' (dt/d excursion) A^-1 R  and
-/// R' (dt/d velocity) R,  A = 1 + G dt/d excursion.
+/// R' (dt/d velocity) R,  A = 1 + G dt/d excursion. The first term of K, the dearest and smallest,
+/// is that of the last accept() at which posture or tensions had changed much.
 class DigitPull final : public ForceElement {
  public:
   /// @throws InputError if shapes disagree, a muscle has a tension and contracts, a schedule is
@@ -93,6 +94,9 @@ class DigitPull final : public ForceElement {
     GroupTorque pull;
   };
   [[nodiscard]] Now now(const ElementInput& at) const;
+  [[nodiscard]] const GroupTorque& arms_at(const Eigen::VectorXd& q) const;
+  [[nodiscard]] bool knows_stiffness(const Eigen::VectorXd& q, const Eigen::VectorXd& t) const;
+  void set_posture_stiffness(const Now& now);
   [[nodiscard]] bool has_net() const { return blended_ != nullptr; }
   [[nodiscard]] const TendonGroup& tendons() const {
     return blended_ ? *blended_ : *model_->tendons;
@@ -111,8 +115,13 @@ class DigitPull final : public ForceElement {
   std::vector<bool> contracts_;                   // (muscles)
   bool has_excursion_ = false, has_fibre_ = false;
   Eigen::Index muscles_ = 0;
+  mutable Eigen::VectorXd arms_q_;  // where these arms are, of tendons without a net:
+  mutable GroupTorque arms_;
   // What was found at the last accept().
-  GroupNodes last_nodes_;         // of nets [m]
+  Eigen::MatrixXd posture_stiffness_;          // (coordinates, coordinates); empty: not yet
+  Eigen::VectorXd last_tension_;               // of the last act() [N] (muscles)
+  Eigen::VectorXd stiffness_q_, stiffness_t_;  // where it was found
+  GroupNodes last_nodes_;                      // of nets [m]
   Eigen::VectorXd slack_length_;  // of lines where excursions are 0 [m] (muscles; empty: not held)
 };
 

@@ -33,6 +33,13 @@ SceneHandSpec read_scene_hand(TomlTable& table, const SceneSpec& scene) {
     (void)internal::file_beside(table, "file", scene.folder);
     hand.version = table.text_or("version", "");
   }
+  if (table.has(Dimension::kNumber, "skin_triangles")) {
+    const double triangles = table.number(Dimension::kNumber, "skin_triangles");
+    if (!(triangles >= 100 && triangles <= 10000))
+      table.fail(fmt::format("wanted 'skin_triangles' from 100 to 10000, got {:g}", triangles),
+                 "skin_triangles");
+    hand.skin_triangles = static_cast<int>(triangles);
+  }
   hand.placed.X_WH = read_pose_keys(table);
   hand.placed.posture = internal::read_posture(table);
   hand.joint = internal::read_scene_joint(table, SceneJointKind::kWeld);

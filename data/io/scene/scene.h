@@ -56,9 +56,10 @@ struct SceneBodySpec {
 
 /// A hand at the start: a robot or a human hand, by name or file.
 struct SceneHandSpec {
-  std::string version;   // of a human hand from a file: "skewed", "tendons:wrapped"; may be empty
-  PlacedHand placed;     // its pose in the world; its carrier is the joint's parent
-  SceneJointSpec joint;  // of its base; welds if it is not stated
+  std::string version;     // of a human hand from a file: "skewed", "tendons:wrapped"; may be empty
+  int skin_triangles = 0;  // of a human hand: of each link, at most; 0: as usual
+  PlacedHand placed;       // its pose in the world; its carrier is the joint's parent
+  SceneJointSpec joint;    // of its base; welds if it is not stated
   SceneVelocity velocity;
   int line = 1;
 };
