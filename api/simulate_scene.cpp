@@ -31,6 +31,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
+constexpr int kDrawnSkin = 1200;  // triangles of the picture of each link of a human hand, at most
+
 std::string scene_file(const SceneRequest& request) {
   std::string file =
       named_file("scene", request.scene, "scenes", ".toml", data_folders(request.data));
@@ -63,6 +65,7 @@ SceneHand hand_of(const SceneSpec& scene, const SceneHandSpec& hand,
   HumanModel human{source.file.empty() ? default_human() : read_subject(source.file),
                    human_version(source.version)};
   if (!source.path.empty()) human.options.path = path_named(source.path);
+  human.options.skin.drawn = kDrawnSkin;
   if (hand.skin_triangles > 0) human.options.skin.triangles = hand.skin_triangles;
   if (!source.file.empty()) files.merge(digests_of({source.file}));
   return human;

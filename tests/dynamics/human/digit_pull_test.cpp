@@ -9,6 +9,7 @@
 #include "dynamics/mechanism/build_mechanism.h"
 #include "dynamics/scene/measure_run.h"
 #include "dynamics/stepping/simulate_scene.h"
+#include "tendons/net/build_tendons.h"
 #include "tests/matrix_near.h"
 #include "tests/message_of.h"
 #include "tests/tendons/muscle/moving_samples.h"
@@ -76,11 +77,11 @@ SceneOptions lasting(double seconds, double tolerance = 1e-9) {
 
 /// The same excitations, from rest, by the integrator of single digits: Simbody and SUNDIALS.
 Trajectory by_integrator(const MotionModel& model, const VectorXd& excitation, const VectorXd& q,
-                         double seconds) {
+                         double seconds, double tolerance = 1e-9) {
   SimulateOptions options;
   options.seconds = seconds;
   options.sample = 0.01;
-  options.tolerance = 1e-9;
+  options.tolerance = tolerance;
   return simulate(model, constant_excitation(excitation),
                   {q, {}, VectorXd::Zero(excitation.size())}, options);
 }
@@ -195,6 +196,34 @@ TEST_P(EveryRungOfMuscles, MovesAFingerAsTheIntegratorOfSingleDigitsDoes) {
 INSTANTIATE_TEST_SUITE_P(Muscles, EveryRungOfMuscles,
                          testing::Values(Muscle::kBounds, Muscle::kRigidTendon,
                                          Muscle::kElasticTendon));
+
+// The same under a floating net, whose bands blend and whose excursions are held to lengths in
+// both. Ends of the integrator hang on its tolerance by up to a hundred times itself
+// (NetMotionStability.EndsDoNotHangOnTheTolerance).
+TEST(DigitPull, MovesAFingerWithANetAsTheIntegratorDoes) {
+  const Subject subject = sample::index_finger();
+  TendonOptions rungs;
+  rungs.hood = Hood::kFloatingNet;
+  const std::shared_ptr<const DigitTendons> tendons =
+      build_net_tendons(subject, "index", rungs, read_net(THENAR_DATA_DIR "/nets/winslow.toml"));
+  const VectorXd excitation = (VectorXd(7) << 0.05, 0.02, 0.1, 0.02, 0.02, 0.02, 0.02).finished();
+  const VectorXd q = VectorXd::Constant(4, 0.2);
+  for (const Muscle rung : {Muscle::kBounds, Muscle::kRigidTendon, Muscle::kElasticTendon}) {
+    const std::shared_ptr<const Contraction> contraction =
+        build_contraction(musculotendons(subject, tendons->digit(), rung), rung);
+    const MotionModel model(*tendons, *contraction);
+    constexpr double kTolerance = 1e-7;
+    const Trajectory path = by_integrator(model, excitation, q, 0.1, kTolerance);
+    ASSERT_EQ(path.status, MotionStatus::kCompleted) << path.warning;
+    const DigitScene digit = scene_of(model, tendons, contraction, excitation, q);
+    const SceneRun run = simulate_scene(digit.scene, lasting(0.1, 1e-8));
+    ASSERT_EQ(run.status, SceneStatus::kDone) << run.cost.unsolved;
+    for (Eigen::Index i = 0; i < path.time.size(); ++i)
+      EXPECT_TRUE(matrix_near(run.samples[static_cast<std::size_t>(i)].q,
+                              VectorXd(path.angle.row(i)), 100 * kTolerance))
+          << static_cast<int>(rung) << " " << path.time[i];
+  }
+}
 
 TEST(DigitPull, RefusesWhatCannotBe) {
   Mover owned(sample::index_finger(), Muscle::kBounds);
