@@ -158,6 +158,42 @@ class ClosedForms(Near):
         self.assertGreater(abs(last["end"]), math.radians(20))
 
 
+HUMAN = """name = "human"
+source = "Mine"
+gravity_m_s2 = [0, 0, 0]
+[sources]
+Mine = "Own"
+[[hand]]
+name = "human:skewed"
+skin_triangles = 100
+[[muscle]]
+hand = "human:skewed"
+excitation = {FDP3 = 0.05}
+rung = "bounds"
+[[tendon]]
+hand = "human:skewed"
+tension_N = {FDP4 = 2}
+[stepping]
+duration_s = 0.03
+tolerance = 1e-6
+"""
+
+
+class HumanHands(Near):
+    # From rest at excitation e:  -(0.5 + 1.5 e) log(1 - a / e) - 1.5 a = t / 15 ms  [Thelen2003].
+    def test_muscles_are_told_at_the_end(self):
+        answer = ask(self.path("human.toml", HUMAN))
+        muscles = {each["muscle"]: each for each in answer["muscles"]}
+        self.assertEqual(muscles["human:skewed/ring/FDP4"]["tension_N"], 2)
+        self.assertNotIn("activation", muscles["human:skewed/ring/FDP4"])
+        e, a = 0.05, muscles["human:skewed/middle/FDP3"]["activation"]
+        self.near([-(0.5 + 1.5 * e) * math.log(1 - a / e) - 1.5 * a], [2], 1e-6)
+        self.assertEqual(muscles["human:skewed/middle/FDS3"]["activation"], 0)
+        ends = {each["coordinate"]: each["end"] - each["start"] for each in answer["coordinates"]}
+        self.assertGreater(ends["human:skewed/DIP3"], 0.1)
+        self.assertGreater(ends["human:skewed/DIP4"], 0.01)
+
+
 class Shipped(Near):
     def test_every_scene_is_solved_to_its_end(self):
         for path in sorted(SCENES.glob("*.toml")):
