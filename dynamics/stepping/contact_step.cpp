@@ -201,6 +201,18 @@ struct ContactStep::Parts {
     state.z.array() += h * action.z_rate.array() / (1 + h * action.z_decay.array());
   }
 
+  /// States of elements at the end of a midpoint step, by their rates in its middle at the mean of
+  /// the speeds before and after. @param state  positions and states of the middle, speeds after
+  bool end_elements(double h, const Eigen::VectorXd& z_before, const Eigen::VectorXd& v_before,
+                    SceneState& state) {
+    if (elements.empty()) return true;
+    v_mean = 0.5 * (v_before + state.v);
+    speed_up(v_mean);
+    const bool acted = elements.act({state.t, acting, state.q, v_mean, state.z, motion, 0});
+    state.z = z_before + h * elements.action().z_rate;
+    return acted;
+  }
+
   void add_drive(const SceneDrive& drive, const SceneState& state) {
     const auto c = static_cast<std::size_t>(drive.coordinate);
     const int row = model.layout.coordinate_v[c];
@@ -231,7 +243,8 @@ struct ContactStep::Parts {
     const ElementAction& action = elements.action();
     slopes = dh * action.damping + (dh * dh) * action.stiffness;
     if (mass.set(motion, implicit, slopes)) return true;
-    implicit += slopes.diagonal().cwiseMax(0);
+    slopes = Eigen::MatrixXd(slopes.diagonal().cwiseMax(0).asDiagonal());
+    implicit += slopes.diagonal();
     return mass.set(motion, implicit);
   }
 
@@ -489,7 +502,7 @@ void ContactStep::time_step(SceneState& state, double h, const std::vector<Activ
   }
   p.place(state);
   // States of elements at the middle, then their efforts there.
-  const Eigen::VectorXd z_before = state.z;
+  const Eigen::VectorXd z_before = state.z, v_before = state.v;
   bool acted = p.load(state);
   if (!p.elements.empty()) {
     p.advance_elements(0.5 * h, state);
@@ -497,7 +510,6 @@ void ContactStep::time_step(SceneState& state, double h, const std::vector<Activ
   }
   outcome.solved = p.free_velocity(state, h, 0.5) && acted;
   outcome.residual = 0;
-  state.z = 2 * state.z - z_before;
   // Once more with the velocity product at the mean of the speeds before and after; efforts stay,
   // as the mass matrix has their slopes.
   p.v_mean = 0.5 * (state.v + p.v_free);
@@ -532,6 +544,7 @@ void ContactStep::time_step(SceneState& state, double h, const std::vector<Activ
     }
     p.solve(outcome.active, state, outcome);
   }
+  outcome.solved = p.end_elements(h, z_before, v_before, state) && outcome.solved;
   advance(p.scene.mechanism, layout, state.v, 0.5 * h, state.q);
   state.t += 0.5 * h;
 }

@@ -1,5 +1,6 @@
 #include "dynamics/stepping/free_step.h"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -75,7 +76,9 @@ FreeStep::Error FreeStep::step(ContactStep& scene, double h, SceneState& state) 
   scene.normalise(state.q);
   state.t += h;
   const Index q = state.q.size(), v = state.v.size(), z = state.z.size();
-  return {h * error_of(0, q), h * error_of(q, v), h * error_of(q + v, z), acted};
+  // The work of elements, the last state, steers nothing.
+  return {h * error_of(0, q), h * error_of(q, v), h * error_of(q + v, std::max<Index>(z - 1, 0)),
+          acted};
 }
 
 }  // namespace thenar

@@ -28,6 +28,9 @@ class FreeStep {
   /// from where the last one began uses its first stage again, as long as the same forces act.
   Error step(ContactStep& scene, double h, SceneState& state);
 
+  /// Rates at a state may have changed since the last step: forces that act, or elements.
+  void forget() { first_.t = std::numeric_limits<double>::quiet_NaN(); }
+
  private:
   void put(const Eigen::VectorXd& y);
   bool find_rates(ContactStep& scene, Eigen::Index stage);

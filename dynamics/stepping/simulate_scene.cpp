@@ -26,6 +26,7 @@ constexpr double kChatterTime = 1e-4;  // that they should have passed [s]
 constexpr double kPass = 1e-3;         // that steps of fixed length pass instead [s]
 constexpr int kPassSteps = 10;         // of them
 constexpr double kHorizon = 0.01;      // over which an error of speeds counts in smooth steps [s]
+constexpr double kOneInstant = 1e-6;   // instants that differ by less of a step are one [1]
 constexpr double kApproach = 1e-7;     // slower approaches are not impacts [m/s], [rad/s]
 
 double cpu_now() {
@@ -150,8 +151,10 @@ class Simulation {
     const long steps = std::max(1L, std::lround(options_.seconds / options_.step));
     const double h = options_.seconds / static_cast<double>(steps);
     for (long i = 0; i < steps; ++i) {
-      const double end = h * static_cast<double>(i + 1);
-      // A step ends where something begins or ends to act.
+      // A step ends where something begins or ends to act; what differs by rounding is one instant.
+      double end = h * static_cast<double>(i + 1);
+      for (const double t : switches_)
+        if (std::abs(t - end) < kOneInstant * h) end = t;
       double part = 0;
       for (const double t : switches_)
         if (t > state_.t && t < end) part = part_step(t, last);
@@ -226,6 +229,7 @@ class Simulation {
       const double taken = step_once(parts > 1 ? left / parts : left, left, H);
       sample_if_due();
       if (taken <= 0) return;
+      H = std::max(H, options_.shortest);
     }
   }
 
@@ -339,8 +343,7 @@ class Simulation {
     run_.cost.asleep += stop - state_.t;
     state_.t = stop;
     sample_if_due();
-    // What begins or ends now may move it.
-    if (std::binary_search(switches_.begin(), switches_.end(), state_.t)) asleep_ = 0;
+    if (is_switch()) wake();
   }
 
   /// One accepted step of at most `wanted`. @param H  length of the next one
@@ -352,6 +355,13 @@ class Simulation {
       try_step(length);
       const StepTrial& trial = table_[static_cast<std::size_t>(result_)];
       if (!std::isfinite(trial.error) && length <= options_.shortest) return give_up();
+      // Long steps are for what hardly moves.
+      if (length > (1 + 1e-9) * options_.longest && moved_by(trial, length) >= kNearGap) {
+        ++run_.cost.rejected;
+        rejected = true;
+        length = options_.longest;
+        continue;
+      }
       if (trial.closes < 0 && (trial.error <= 1 || length <= options_.shortest)) break;
       ++run_.cost.rejected;
       rejected = true;
@@ -369,6 +379,7 @@ class Simulation {
       }
       length = std::max(length, options_.shortest);
     }
+    if (table_[static_cast<std::size_t>(result_)].error > 1) ++run_.cost.coarse;
     // A step that is as short as can be was not inspected.
     if (!inspected_) step_.find(table_[static_cast<std::size_t>(result_)].state, kNearGap, found_);
     accept(length, left);
@@ -405,9 +416,8 @@ class Simulation {
     StepTrial& trial = table_[static_cast<std::size_t>(result_)];
     const double end = length == left ? next_stop() : state_.t + length;
     const bool was_still = is_still();
-    // Where positions hardly move, all contacts that may close are known.
-    const bool quiet = step_.scene().elements.empty() && state_.q.size() > 0 &&
-                       (trial.state.q - state_.q).cwiseAbs().maxCoeff() < kNearGap;
+    // Where positions hardly move, the next step may be long.
+    const bool quiet = step_.scene().elements.empty() && moved_by(trial, length) < kNearGap;
     reach_ = (quiet ? kQuiet : 1) * options_.longest;
     state_ = trial.state;
     state_.t = end;
@@ -427,6 +437,25 @@ class Simulation {
     } else {
       asleep_ = 0;
     }
+    free_.forget();
+    if (is_switch()) wake();
+  }
+
+  /// Whether something begins or ends to act now.
+  [[nodiscard]] bool is_switch() const {
+    return std::binary_search(switches_.begin(), switches_.end(), state_.t);
+  }
+  void wake() {
+    asleep_ = 0;
+    reach_ = options_.longest;
+  }
+
+  /// How far a trial moves, at its end or on its way [m], [rad].
+  [[nodiscard]] double moved_by(const StepTrial& trial, double length) const {
+    if (state_.v.size() == 0) return 0;
+    const double speed =
+        std::max(state_.v.cwiseAbs().maxCoeff(), trial.state.v.cwiseAbs().maxCoeff());
+    return std::max((trial.state.q - state_.q).cwiseAbs().maxCoeff(), 0.25 * length * speed);
   }
 
   [[nodiscard]] bool is_still() const {
@@ -546,7 +575,9 @@ class Simulation {
   [[nodiscard]] double difference(const SceneState& a, const SceneState& b, double horizon) const {
     double most =
         std::max((a.q - b.q).cwiseAbs().maxCoeff(), horizon * (a.v - b.v).cwiseAbs().maxCoeff());
-    if (a.z.size() > 0) most = std::max(most, kHorizon * (a.z - b.z).cwiseAbs().maxCoeff());
+    // The work of elements, the last state, is told and steers nothing.
+    const Eigen::Index states = a.z.size() - 1;
+    if (states > 0) most = std::max(most, horizon * (a.z - b.z).head(states).cwiseAbs().maxCoeff());
     return most / options_.tolerance;
   }
 
@@ -568,7 +599,24 @@ class Simulation {
       return;
     }
     run_.cost.substeps += static_cast<long>(FreeStep::kStages);
-    inspect(length, trial);
+    look_between(length, trial);
+    if (trial.closes < 0) inspect(length, trial);
+  }
+
+  /// Looks for contacts that close in the middle of a free step, where a cubic is that has its ends
+  /// and their speeds: they may have opened again where it ends.
+  void look_between(double length, StepTrial& trial) {
+    if (length <= options_.shortest) return;
+    middle_.t = state_.t + 0.5 * length;
+    middle_.q = 0.5 * (state_.q + trial.state.q);
+    step_.normalise(middle_.q);
+    middle_.v = state_.v - trial.state.v;
+    advance(step_.scene().mechanism, step_.model().layout, middle_.v, 0.125 * length, middle_.q);
+    middle_.v = 0.5 * (state_.v + trial.state.v);
+    step_.find(middle_, 0, found_);
+    step_.note_new(found_, trial.active, outcome_);
+    if (outcome_.deepest_new < -options_.touch)
+      trial.closes = std::max(closing_time(0.5 * length, 0), 0.125 * length);
   }
 
   /// Looks for contacts where a trial ends.
@@ -589,7 +637,7 @@ class Simulation {
   SceneOptions options_;
   const Progress& progress_;
   std::vector<double> switches_;
-  SceneState state_;
+  SceneState state_, middle_;
   SceneRun run_;
   double next_sample_ = 0;
   std::vector<ActiveContact> lost_, closed_, found_;  // what touches, with impulses over last_h_

@@ -86,6 +86,7 @@ struct SceneCost {
   long impacts = 0;
   long passed = 0;            // piles of events that steps of fixed length went through
   long unsolved = 0;          // contact problems beyond the tolerance
+  long coarse = 0;            // steps as short as can be whose error is beyond the tolerance
   double worst_residual = 0;  // ContactResidual::natural over all steps [1]
   double deepest = 0;         // penetration at the end of any step, after the first [m]
   double asleep = 0;          // time that passed at rest [s]

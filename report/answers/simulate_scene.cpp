@@ -175,6 +175,7 @@ OrderedJson outcome_json(const SimulatedScene& scene) {
           {"substeps", cost.substeps},
           {"impacts", cost.impacts},
           {"unsolved", cost.unsolved},
+          {"coarse_steps", cost.coarse},
           {"worst_residual", number_or_null(cost.worst_residual)},
           {"asleep_s", cost.asleep},
           {"cpu_s_per_simulated_s", number_or_null(cpu_per_second(scene))}};
@@ -297,6 +298,10 @@ std::vector<std::string> warnings_of(const SimulatedScene& scene) {
         "events followed each other without end {} times: fixed steps went on by 1 ms each time, "
         "without an estimate of their error",
         scene.run.cost.passed));
+  if (scene.run.cost.coarse > 0)
+    warnings.push_back(fmt::format(
+        "{} steps missed the tolerance, though they were as short as can be (1 ns)",
+        scene.run.cost.coarse));
   return warnings;
 }
 
@@ -318,8 +323,8 @@ std::string refusal_of(const SimulatedScene& scene) {
     return fmt::format("{}: do not use this motion", scene.run.reason);
   if (cost.unsolved == 0) return "";
   return fmt::format(
-      "{} of {} contact problems were not solved (worst residual {:.2g}): do not use "
-      "this motion",
+      "in {} of {} steps and impacts a contact problem was not solved (worst residual {:.2g}), or a "
+      "force element found no answer: do not use this motion",
       cost.unsolved, cost.substeps + cost.impacts, cost.worst_residual);
 }
 

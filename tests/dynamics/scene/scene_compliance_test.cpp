@@ -182,8 +182,8 @@ TEST(SceneCompliance, ABushingClosesALoop) {
   text.replace(text.find("parent = \"left\""), 15, "parent = \"left\", speed_rad_s = -2");
   text +=
       "[[bushing]]\nfrom = \"right\"\nto = \"coupler\"\npoint_mm = [200, 0, 100]\n"
-      "axis = [0, 1, 0]\ntranslation_N_per_mm = [1e5, 1e5, 1e5]\n"
-      "translation_damping_Ns_per_m = 1e4\n[[apart]]\nbetween = [\"right\", \"coupler\"]\n"
+      "axis = [0, 1, 0]\ntranslation_N_per_mm = [1e4, 1e4, 1e4]\n"
+      "translation_damping_Ns_per_m = 2e3\n[[apart]]\nbetween = [\"right\", \"coupler\"]\n"
       "[[apart]]\nbetween = [\"left\", \"coupler\"]\n";
   BuiltScene built = build(text);
   built.options.seconds = 0.3;
@@ -193,13 +193,14 @@ TEST(SceneCompliance, ABushingClosesALoop) {
   const auto& at = run.samples.back();
   const double a = at.q[layout.coordinate_q[0]], rate = at.v[layout.coordinate_v[0]];
   EXPECT_GT(a, 0.6);
-  EXPECT_NEAR(at.q[layout.coordinate_q[1]], a, 1e-6);
-  EXPECT_NEAR(at.q[layout.coordinate_q[2]], -a, 1e-6);
+  // Some 10 N over 1e7 N/m, on a crank of 0.1 m.
+  EXPECT_NEAR(at.q[layout.coordinate_q[1]], a, 2e-5);
+  EXPECT_NEAR(at.q[layout.coordinate_q[2]], -a, 2e-5);
   // A box of 10 x 100 mm about its end.
   const double l = 0.1, m = 0.1, M = 0.2, g = 9.81;
   const double end = m * ((l * l + 0.01 * 0.01) / 12 + l * l / 4);
   const double inertia = 2 * end + M * l * l, moment = (m + M) * g * l;
-  EXPECT_NEAR(rate * rate, 4 + 2 * moment * (1 - std::cos(a)) / inertia, 1e-5);
+  EXPECT_NEAR(rate * rate, 4 + 2 * moment * (1 - std::cos(a)) / inertia, 2e-3);
 }
 
 TEST(SceneCompliance, RefusesABushingWithoutSprings) {

@@ -215,6 +215,22 @@ TEST(ForceElement, WakesWhatRests) {
   }
 }
 
+// The midpoint rule tells work as accurately as motion: what is unaccounted for falls with h^2.
+TEST(ForceElement, FixedStepsKeepTheBooksToSecondOrder) {
+  double last = 0;
+  for (const double step : {4e-3, 2e-3, 1e-3}) {
+    MovingScene scene = cube_on_slide();
+    scene.q[0] = 0.01;
+    scene.elements = {std::make_shared<Spring>(500, 0.3), std::make_shared<SlowPull>()};
+    const SceneRun run = run_for(scene, SteppingMethod::kTimeStepping, 0.2, step);
+    const double error = std::abs(measure_run(scene, run).dissipated);
+    if (last > 0) {
+      EXPECT_NEAR(std::log2(last / error), 2, 0.3) << step;
+    }
+    last = error;
+  }
+}
+
 TEST(ForceElement, OneThatFindsNoAnswerIsSaid) {
   MovingScene scene = cube_on_slide();
   scene.elements = {std::make_shared<Broken>()};

@@ -261,5 +261,73 @@ TEST(SceneStability, EndsWhereNumbersEnd) {
   }
 }
 
+// A force counts from the instant at which it begins, whenever that is: also where a step of the
+// resting block ends just there, and where the instant is no sum of steps to the last bit.
+TEST(SceneStability, ForcesBeginWhenTheySay) {
+  const double friction = 0.3, force = 2, mass = 0.1;
+  for (const SteppingMethod method : {SteppingMethod::kEvents, SteppingMethod::kTimeStepping})
+    for (const double begin : {0.005, 0.009, 0.01, 0.013, 0.015, 0.018, 0.02, 0.025, 0.03, 0.04}) {
+      SCOPED_TRACE(begin);
+      sample::Incline world = sample::incline(0, friction);
+      SceneForce push;
+      push.body = world.cube;
+      push.force = {force, 0, 0};
+      push.when.from = begin;
+      world.scene.forces.push_back(push);
+      SceneOptions options;
+      options.method = method;
+      options.seconds = 0.1;
+      const SceneRun run = simulate_scene(world.scene, options);
+      ASSERT_EQ(run.status, SceneStatus::kDone);
+      const double acceleration = force / mass - friction * sample::kG, time = 0.1 - begin;
+      const Eigen::Vector3d moved = centre(world.scene, world.cube, run.samples.back()) -
+                                    centre(world.scene, world.cube, run.samples.front());
+      EXPECT_NEAR(moved.x(), 0.5 * acceleration * time * time, 1e-6);
+      EXPECT_NEAR(moved.z(), 0, 1e-8);
+      for (const SceneSample& at : run.samples)
+        for (const ContactSample& contact : at.contacts) EXPECT_LT(contact.force.norm(), 3);
+    }
+}
+
+// A ball that is tossed against a ceiling and comes back within one long step has met it.
+TEST(SceneStability, AContactThatClosesAndOpensWithinAStepIsSeen) {
+  const double speed = 0.1, gap = 0.25e-3, radius = 0.01;
+  const double rises = speed * speed / (2 * sample::kG);
+  ASSERT_GT(rises, gap);
+  double last = 0;
+  for (const double sample_time : {0.1, 0.05, 0.01, 1e-3}) {
+    SCOPED_TRACE(sample_time);
+    MovingScene scene;
+    sample::add_body(scene, "ceiling", primitive(ShapeKind::kBox, {1, 1, 0.1}), 0,
+                     {Eigen::Matrix3d::Identity(), {0, 0, radius + gap + 0.05}});
+    const int ball =
+        sample::add_body(scene, "ball", primitive(ShapeKind::kSphere, {radius, 0, 0}), 0.1);
+    scene.v[5] = speed;
+    SceneOptions options;
+    options.seconds = 0.2;
+    options.sample = sample_time;
+    const SceneRun run = simulate_scene(scene, options);
+    // It stops at the ceiling, as nothing bounces, and falls from there.
+    const double meets = (speed - std::sqrt(speed * speed - 2 * sample::kG * gap)) / sample::kG;
+    const double falls = 0.2 - meets;
+    EXPECT_EQ(run.cost.impacts, 1);
+    last = centre(scene, ball, run.samples.back()).z();
+    EXPECT_NEAR(last, gap - 0.5 * sample::kG * falls * falls, 1e-7);
+  }
+}
+
+// A tolerance below rounding cannot be met: the run says how many steps missed it, and goes on.
+TEST(SceneStability, StepsThatMissTheToleranceAreCounted) {
+  sample::Incline world = sample::incline(0.7, 0.3);
+  SceneOptions options;
+  options.seconds = 2e-6;
+  options.tolerance = 1e-200;
+  const SceneRun run = simulate_scene(world.scene, options);
+  EXPECT_GT(run.cost.coarse, 0);
+  EXPECT_DOUBLE_EQ(run.samples.back().t, 2e-6);
+  options.tolerance = 1e-9;
+  EXPECT_EQ(simulate_scene(world.scene, options).cost.coarse, 0);
+}
+
 }  // namespace
 }  // namespace thenar
