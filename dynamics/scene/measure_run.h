@@ -28,7 +28,7 @@ struct RunMeasures {
   double dissipated = 0;           // energy at the start + work - energy at the end [J]
   std::vector<std::vector<Pose<double>>> X_WB;  // (instants, bodies)
   std::vector<std::size_t> moving;  // bodies with mass or surface that are not fixed to the world
-  RunPulls pulls;                               // of human hands
+  RunPulls pulls;                   // of human hands
   std::vector<SceneVelocity> velocity;  // of the bodies at the end, centres of mass (bodies)
 };
 

@@ -19,8 +19,8 @@ namespace thenar {
 ///   cost:      counts, then the largest residual, depth, time at rest, processor time
 ///
 /// There is no version and no order of bytes: what is written is to be read by the same program on
-/// the same kind of machine, at once: processes of one sweep do so (vary_scene()). Files of runs are
-/// HDF5 (write_scene_run()).
+/// the same kind of machine, at once: processes of one sweep do so (vary_scene()). Files of runs
+/// are HDF5 (write_scene_run()).
 [[nodiscard]] std::string bytes_of(const SceneRun& run);
 
 /// The inverse of bytes_of(). A count that promises more than there are bytes asks for no memory.

@@ -299,9 +299,9 @@ std::vector<std::string> warnings_of(const SimulatedScene& scene) {
         "without an estimate of their error",
         scene.run.cost.passed));
   if (scene.run.cost.coarse > 0)
-    warnings.push_back(fmt::format(
-        "{} steps missed the tolerance, though they were as short as can be (1 ns)",
-        scene.run.cost.coarse));
+    warnings.push_back(
+        fmt::format("{} steps missed the tolerance, though they were as short as can be (1 ns)",
+                    scene.run.cost.coarse));
   return warnings;
 }
 
@@ -323,7 +323,8 @@ std::string refusal_of(const SimulatedScene& scene) {
     return fmt::format("{}: do not use this motion", scene.run.reason);
   if (cost.unsolved == 0) return "";
   return fmt::format(
-      "in {} of {} steps and impacts a contact problem was not solved (worst residual {:.2g}), or a "
+      "in {} of {} steps and impacts a contact problem was not solved (worst residual {:.2g}), or "
+      "a "
       "force element found no answer: do not use this motion",
       cost.unsolved, cost.substeps + cost.impacts, cost.worst_residual);
 }
