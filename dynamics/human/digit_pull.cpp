@@ -21,20 +21,34 @@ constexpr double kFarTension = 0.1;    // likewise, of the tension [1], and
 constexpr double kSomeTension = 0.1;   // of what counts as any [N]
 constexpr double kSettledRate = 1e-9;  // of activation [1/s], of a fibre [optimal lengths/s]
 
-/// The straight piece of a schedule that begins at or before an instant.
+/// The straight piece of a schedule that begins at or before an instant. Before its begin and after
+/// its end, where trial steps may look, it is constant.
 struct SchedulePiece {
-  double begin = 0, value = 0, slope = 0;  // [s], at its begin, per second
+  double begin = 0, end = std::numeric_limits<double>::infinity();  // [s]
+  double value = 0, last = 0;                                       // at begin and end
 
-  [[nodiscard]] double at(double t) const { return value + slope * (t - begin); }
+  [[nodiscard]] double slope() const { return (last - value) / (end - begin); }  // [1/s]
+  /// Between both values to the last bit: tensions that end at 0 are never below it.
+  [[nodiscard]] double at(double t) const {
+    const double part = std::clamp((t - begin) / (end - begin), 0.0, 1.0);
+    return part < 1 ? std::clamp(value + part * (last - value), std::min(value, last),
+                                 std::max(value, last))
+                    : last;
+  }
 };
+SchedulePiece constant_piece(double begin, double value) {
+  SchedulePiece piece;
+  piece.begin = begin;
+  piece.value = piece.last = value;
+  return piece;
+}
 SchedulePiece piece_at(const MuscleSchedule& schedule, double from) {
   const Index last = schedule.time.size() - 1;
-  if (from < schedule.time[0]) return {from, schedule.value[0], 0};
+  if (from < schedule.time[0]) return constant_piece(from, schedule.value[0]);
   Index k = 0;
   while (k < last && schedule.time[k + 1] <= from) ++k;
-  const double begin = schedule.time[k], value = schedule.value[k];
-  if (k == last) return {begin, value, 0};
-  return {begin, value, (schedule.value[k + 1] - value) / (schedule.time[k + 1] - begin)};
+  if (k == last) return constant_piece(schedule.time[k], schedule.value[k]);
+  return {schedule.time[k], schedule.time[k + 1], schedule.value[k], schedule.value[k + 1]};
 }
 
 /// The piece of a muscle among schedules; zero where none acts.
@@ -253,7 +267,7 @@ void DigitPull::set_rates(const ElementInput& at, const Now& now, const MatrixXd
   // Activations and fibres, and the rates of tensions at constant length.
   VectorXd rest = VectorXd::Zero(muscles_);
   for (const MuscleSchedule& given : model_->tensions)
-    rest[given.muscle] = piece_of(model_->tensions, given.muscle, at.acting).slope;
+    rest[given.muscle] = piece_of(model_->tensions, given.muscle, at.acting).slope();
   for (Index i = 0; i < count; ++i) {
     const int m = contracting_[static_cast<std::size_t>(i)];
     const MuscleState& state = now.state[static_cast<std::size_t>(m)];
@@ -318,7 +332,7 @@ std::vector<double> DigitPull::switches() const {
 
 bool DigitPull::moves(const ElementInput& at) const {
   for (const MuscleSchedule& given : model_->tensions)
-    if (given.when.holds(at.acting) && piece_at(given, at.acting).slope != 0) return true;
+    if (given.when.holds(at.acting) && piece_at(given, at.acting).slope() != 0) return true;
   if (contracting_.empty()) return false;
   const Now now = this->now(at);
   return std::any_of(contracting_.begin(), contracting_.end(), [&](int m) {
@@ -326,7 +340,7 @@ bool DigitPull::moves(const ElementInput& at) const {
     const double rate = activation_rate(now.excitation[m], state.activation, model_->activation);
     const double fibre =
         has_fibre_ ? contraction().projected_fibre_rate(m, state) / fibre_length(m) : 0;
-    return piece_of(model_->excitations, m, at.acting).slope != 0 ||
+    return piece_of(model_->excitations, m, at.acting).slope() != 0 ||
            std::abs(rate) > kSettledRate || std::abs(fibre) > kSettledRate;
   });
 }

@@ -160,6 +160,33 @@ TEST(DigitPull, TensionFollowsItsKnots) {
   EXPECT_NEAR(run.samples[20].v[0], a * 0.05, 1e-9);
 }
 
+// A straight line down to 0, whose end rounding puts at -2e-16: the tension is 0 there and beyond,
+// where a trial step may look. Tension 1.9 (1 - t / T) up to T gives the speed  1.9 T arm / 2 I.
+TEST(DigitPull, TensionThatRampsDownEndsAtZero) {
+  const Pendulum rod;
+  JointResistance smooth;
+  smooth.damping = 0;
+  DigitScene digit(
+      std::shared_ptr<const DigitTendons>(build_linear_tendons(rod.subject(), "index")), smooth,
+      {0, 0, 0});
+  DigitPullModel model = digit.pull();
+  model.tensions = {{0, {}, Eigen::Vector2d(0, 0.01), Eigen::Vector2d(1.9, 0)}};
+  const DigitPull pull(model);
+  const TreeModel tree = tree_model(digit.scene.mechanism);
+  const TreeMotion<double> motion(tree);
+  const VectorXd none = VectorXd::Zero(1);
+  const auto tension_at = [&](double t) {
+    return pull.at({t, 0.005, none, none, VectorXd(), motion, 0}).tension[0];
+  };
+  EXPECT_DOUBLE_EQ(tension_at(0.005), 0.95);
+  EXPECT_EQ(tension_at(0.01), 0);
+  EXPECT_EQ(tension_at(0.015), 0);
+  digit.add(std::move(model));
+  const SceneRun run = simulate_scene(digit.scene, lasting(0.02));
+  ASSERT_EQ(run.status, SceneStatus::kDone);
+  EXPECT_NEAR(run.samples.back().v[0], 1.9 * 0.01 / 2 * rod.arm / rod.inertia(), 1e-9);
+}
+
 class EveryRungOfMuscles : public testing::TestWithParam<Muscle> {};
 
 // Two programs, one physics: recursions and extrapolation here, Simbody and SUNDIALS there.
