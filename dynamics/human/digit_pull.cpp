@@ -104,6 +104,10 @@ DigitPull::DigitPull(DigitPullModel model)
   require(static_cast<Index>(model_->contraction->muscles().size()) == muscles_,
           "{} muscles contract, '{}' has {}", model_->contraction->muscles().size(), model_->name,
           muscles_);
+  for (std::size_t m = 0; m < group.muscles().size(); ++m)
+    require(model_->contraction->muscles()[m].name == group.muscles()[m],
+            "muscle {} contracts as '{}', '{}' calls it '{}'", m,
+            model_->contraction->muscles()[m].name, model_->name, group.muscles()[m]);
   if (net) compliant_ = model_->contraction->with_compliant_tendon(kRigidStrain);
   for (int m = 0; m < muscles_; ++m)
     if (contracts(m)) contracting_.push_back(m);

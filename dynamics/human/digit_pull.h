@@ -62,8 +62,8 @@ struct PullInstant {
 /// is that of the last accept() at which posture or tensions had changed much.
 class DigitPull final : public ForceElement {
  public:
-  /// @throws InputError if shapes disagree, a muscle has a tension and contracts, a schedule is
-  /// empty or falls in time, or two of one muscle act at once.
+  /// @throws InputError if shapes or names of muscles disagree, a muscle has a tension and
+  /// contracts, a schedule is empty or falls in time, or two of one muscle act at once.
   explicit DigitPull(DigitPullModel model);
 
   [[nodiscard]] std::unique_ptr<ForceElement> clone() const override;

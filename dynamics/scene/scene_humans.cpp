@@ -81,8 +81,10 @@ std::shared_ptr<const Contraction> contraction_of(const HumanMechanism& hand,
       for (std::size_t m = 0; m < tendons.names.muscles.size(); ++m)
         if (unit.name == tendons.names.muscles[m] && !unit.max_force)
           unit.max_force = digit->max_force[m];
+    // Names are in the order of the digits, each once: what an earlier digit had is passed over.
     for (Musculotendon& muscle : musculotendons(subject, tendons, rung))
-      if (muscle.name == names[muscles.size()]) muscles.push_back(std::move(muscle));
+      if (muscles.size() < names.size() && muscle.name == names[muscles.size()])
+        muscles.push_back(std::move(muscle));
   }
   return build_contraction(std::move(muscles), rung);
 }

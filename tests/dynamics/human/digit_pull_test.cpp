@@ -271,6 +271,14 @@ TEST(DigitPull, RefusesWhatCannotBe) {
   EXPECT_EQ(complaint({}, {constant(2, 1.5)}), "excitation of 'FDP' must be 0 to 1");
   EXPECT_EQ(complaint({constant(2, 1)}, {constant(2, 0.5)}),
             "'FDP' has a tension or cannot contract, and is excited");
+  // Muscles in another order.
+  std::vector<Musculotendon> turned = contraction->muscles();
+  std::swap(turned[0], turned[1]);
+  DigitPullModel model = digit.pull();
+  model.contraction = build_contraction(turned, Muscle::kBounds);
+  EXPECT_EQ(message_of<InputError>([&] { (void)DigitPull(model); }),
+            fmt::format("muscle 0 contracts as '{}', 'digit' calls it '{}'", turned[0].name,
+                        turned[1].name));
 }
 
 }  // namespace
