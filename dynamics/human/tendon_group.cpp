@@ -20,7 +20,40 @@ std::vector<int> place_names(const std::vector<std::string>& names, std::vector<
   return places;
 }
 
+bool have_one_in_common(const std::vector<std::string>& a, const std::vector<std::string>& b) {
+  return std::any_of(a.begin(), a.end(),
+                     [&](const std::string& each) { return std::count(b.begin(), b.end(), each); });
+}
+
 }  // namespace
+
+std::vector<std::vector<int>> contracting_groups(
+    const std::vector<std::vector<std::string>>& muscles, const std::vector<bool>& excited) {
+  // Each digit's group is called after its first; digits that join take the lower name.
+  const std::size_t digits = muscles.size();
+  std::vector<std::size_t> group(digits);
+  for (std::size_t i = 0; i < digits; ++i) group[i] = i;
+  std::vector<bool> contracts = excited;
+  for (bool any = true; any;) {
+    any = false;
+    for (std::size_t i = 0; i < digits; ++i)
+      for (std::size_t j = 0; j < digits; ++j) {
+        if (!contracts[i] || group[i] == group[j] || !have_one_in_common(muscles[i], muscles[j]))
+          continue;
+        any = contracts[j] = true;
+        const std::size_t from = std::max(group[i], group[j]), to = std::min(group[i], group[j]);
+        std::replace(group.begin(), group.end(), from, to);
+      }
+  }
+  std::vector<std::vector<int>> out;
+  for (std::size_t first = 0; first < digits; ++first) {
+    std::vector<int> members;
+    for (std::size_t i = 0; i < digits; ++i)
+      if (group[i] == first) members.push_back(static_cast<int>(i));
+    if (!members.empty()) out.push_back(std::move(members));
+  }
+  return out;
+}
 
 TendonGroup::TendonGroup(std::vector<std::shared_ptr<const DigitTendons>> digits) {
   for (std::shared_ptr<const DigitTendons>& tendons : digits) {

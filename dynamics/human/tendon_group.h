@@ -22,6 +22,14 @@ struct [[nodiscard]] GroupTorque {
 /// Nodes of the nets of all digits, to start from; empty: from the straight finger.
 using GroupNodes = std::vector<Eigen::Matrix3Xd>;
 
+/// Digits that pull as one: each by itself, but those that contract with all that share a muscle
+/// with them. What joins contracts as well, so that the next may join.
+/// @param muscles  of each digit, without those that have a tension (digits)
+/// @param excited  whether a muscle of the digit is excited (digits)
+/// @return digits of each group in their order, groups by their first (groups)
+[[nodiscard]] std::vector<std::vector<int>> contracting_groups(
+    const std::vector<std::vector<std::string>>& muscles, const std::vector<bool>& excited);
+
 /// Some digits of a hand. A muscle of two digits is one muscle: its arms and lengths add up.
 class TendonGroup {
  public:

@@ -138,48 +138,29 @@ class HandPuller {
     return out;
   }
 
-  static const std::vector<std::string>& muscles_of_digit(const HumanDigit& digit) {
-    return digit.tendons->digit().names.muscles;
-  }
-
   static bool gives(const std::vector<GivenMuscle>& given, const std::string& muscle) {
     return std::any_of(given.begin(), given.end(),
                        [&](const GivenMuscle& each) { return each.muscle == muscle; });
   }
 
-  [[nodiscard]] bool is_excited(const std::vector<const HumanDigit*>& group) const {
-    for (const HumanDigit* digit : group)
-      for (const std::string& muscle : muscles_of_digit(*digit))
-        if (gives(excitations_, muscle)) return true;
-    return false;
-  }
-
-  /// Whether a muscle without a tension belongs to both.
-  [[nodiscard]] bool share(const std::vector<const HumanDigit*>& group,
-                           const HumanDigit& other) const {
-    for (const HumanDigit* digit : group)
-      for (const std::string& muscle : muscles_of_digit(*digit))
-        if (!gives(tensions_, muscle) &&
-            std::count(muscles_of_digit(other).begin(), muscles_of_digit(other).end(), muscle) > 0)
-          return true;
-    return false;
-  }
-
   /// Digits one by one, but those that contract with all that share a muscle with them.
   [[nodiscard]] std::vector<std::vector<const HumanDigit*>> groups() const {
-    std::vector<std::vector<const HumanDigit*>> groups;
+    std::vector<std::vector<std::string>> muscles;
+    std::vector<bool> excited;
     for (const HumanDigit& digit : human_.hand.digits) {
-      std::vector<const HumanDigit*> group{&digit};
-      // Each earlier group that shares joins, if one of the two is excited.
-      for (std::size_t g = 0; g < groups.size();) {
-        if (!share(groups[g], digit) || (!is_excited(groups[g]) && !is_excited(group))) {
-          ++g;
-          continue;
-        }
-        group.insert(group.begin(), groups[g].begin(), groups[g].end());
-        groups.erase(groups.begin() + static_cast<std::ptrdiff_t>(g));
-      }
-      groups.push_back(std::move(group));
+      const std::vector<std::string>& names = digit.tendons->digit().names.muscles;
+      muscles.emplace_back();
+      for (const std::string& name : names)
+        if (!gives(tensions_, name)) muscles.back().push_back(name);
+      excited.push_back(std::any_of(names.begin(), names.end(), [&](const std::string& name) {
+        return gives(excitations_, name);
+      }));
+    }
+    std::vector<std::vector<const HumanDigit*>> groups;
+    for (const std::vector<int>& members : contracting_groups(muscles, excited)) {
+      groups.emplace_back();
+      for (const int i : members)
+        groups.back().push_back(&human_.hand.digits[static_cast<std::size_t>(i)]);
     }
     return groups;
   }
