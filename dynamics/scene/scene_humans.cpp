@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <filesystem>
 #include <limits>
+#include <set>
 
 #include "base/error.h"
 #include "base/nearest_name.h"
@@ -22,6 +23,7 @@ constexpr double kBeyondRange = 1e-9;
 struct GivenMuscle {
   std::string muscle;
   MuscleSchedule schedule;  // its number of the muscle is not set yet
+  int line = 1;             // of the file
 };
 
 /// Names of all muscles of a hand, each once.
@@ -40,8 +42,9 @@ std::vector<GivenMuscle> given_by(const SceneMuscleSpec& spec, const SceneSpec& 
   std::vector<GivenMuscle> out;
   for (const auto& [name, value] : spec.value) {
     const std::string& muscle = names[index_of_name(name, names, "muscle")];
-    out.push_back(
-        {muscle, {0, when, Eigen::VectorXd::Zero(1), Eigen::VectorXd::Constant(1, value)}});
+    out.push_back({muscle,
+                   {0, when, Eigen::VectorXd::Zero(1), Eigen::VectorXd::Constant(1, value)},
+                   spec.line});
   }
   if (spec.file.empty()) return out;
   const std::string path = (std::filesystem::path(scene.folder) / spec.file).string();
@@ -49,7 +52,7 @@ std::vector<GivenMuscle> given_by(const SceneMuscleSpec& spec, const SceneSpec& 
   const Excitation table = parse_excitation(read_text_file(path), path, names, most);
   for (std::size_t m = 0; m < names.size(); ++m) {
     const Eigen::VectorXd column = table.value.col(static_cast<Eigen::Index>(m));
-    if (!column.isZero(0)) out.push_back({names[m], {0, when, table.time, column}});
+    if (!column.isZero(0)) out.push_back({names[m], {0, when, table.time, column}, spec.line});
   }
   return out;
 }
@@ -110,7 +113,6 @@ class HandPuller {
       throw DataError(spec_.path, each.line, what);
     };
     if (names_.empty()) fail(fmt::format("hand '{}' has no muscles", human_.name));
-    line_ = each.line;
     try {
       if (!each.tensions) {
         const Muscle rung = muscle_named(each.rung);
@@ -125,17 +127,47 @@ class HandPuller {
     }
   }
 
-  /// Schedules of the muscles of a digit.
-  static std::vector<MuscleSchedule> of_digit(const std::vector<GivenMuscle>& given,
-                                              const std::vector<std::string>& muscles) {
+  /// Schedules of some muscles, from lines of the file up to `last`.
+  static std::vector<MuscleSchedule> schedules_of(const std::vector<GivenMuscle>& given,
+                                                  const std::vector<std::string>& muscles,
+                                                  int last = std::numeric_limits<int>::max()) {
     std::vector<MuscleSchedule> out;
-    for (std::size_t m = 0; m < muscles.size(); ++m)
-      for (const GivenMuscle& each : given) {
-        if (each.muscle != muscles[m]) continue;
-        out.push_back(each.schedule);
-        out.back().muscle = static_cast<int>(m);
-      }
+    for (const GivenMuscle& each : given) {
+      const auto at = std::find(muscles.begin(), muscles.end(), each.muscle);
+      if (at == muscles.end() || each.line > last) continue;
+      out.push_back(each.schedule);
+      out.back().muscle = static_cast<int>(at - muscles.begin());
+    }
     return out;
+  }
+
+  /// Lines of the file that give these muscles something, rising.
+  [[nodiscard]] std::set<int> lines_of(const std::vector<std::string>& muscles) const {
+    std::set<int> lines;
+    for (const std::vector<GivenMuscle>* given : {&excitations_, &tensions_})
+      for (const GivenMuscle& each : *given)
+        if (std::count(muscles.begin(), muscles.end(), each.muscle) > 0) lines.insert(each.line);
+    return lines;
+  }
+
+  /// The pull of a digit. @throws DataError at the first line with which it cannot be built
+  std::shared_ptr<const DigitPull> pull_of(DigitPullModel model) const {
+    try {
+      return std::make_shared<const DigitPull>(model);
+    } catch (const InputError& error) {
+      const std::vector<std::string>& muscles = model.tendons->muscles();
+      const std::set<int> lines = lines_of(muscles);
+      for (const int line : lines) {
+        model.tensions = schedules_of(tensions_, muscles, line);
+        model.excitations = schedules_of(excitations_, muscles, line);
+        try {
+          (void)DigitPull(model);
+        } catch (const InputError& first) {
+          throw DataError(spec_.path, line, first.what());
+        }
+      }
+      throw DataError(spec_.path, *lines.rbegin(), error.what());
+    }
   }
 
   static bool gives(const std::vector<GivenMuscle>& given, const std::string& muscle) {
@@ -174,17 +206,22 @@ class HandPuller {
     }
     model.tendons = std::make_shared<const TendonGroup>(std::move(tendons));
     const std::vector<std::string>& muscles = model.tendons->muscles();
-    model.tensions = of_digit(tensions_, muscles);
-    model.excitations = of_digit(excitations_, muscles);
+    model.tensions = schedules_of(tensions_, muscles);
+    model.excitations = schedules_of(excitations_, muscles);
     if (model.tensions.empty() && model.excitations.empty()) return false;
     model.places = places_of(human_.name, model.tendons->coordinates(), built_.scene.mechanism);
-    try {
-      if (!model.excitations.empty())
+    if (!model.excitations.empty()) {
+      const auto excited =
+          std::find_if(excitations_.begin(), excitations_.end(), [&](const GivenMuscle& each) {
+            return std::count(muscles.begin(), muscles.end(), each.muscle) > 0;
+          });
+      try {
         model.contraction = contraction_of(human_.hand, group, muscles, rung_);
-      built_.scene.elements.push_back(std::make_shared<const DigitPull>(std::move(model)));
-    } catch (const InputError& error) {
-      throw DataError(spec_.path, line_, error.what());
+      } catch (const InputError& error) {
+        throw DataError(spec_.path, excited->line, error.what());
+      }
     }
+    built_.scene.elements.push_back(pull_of(std::move(model)));
     return true;
   }
 
@@ -195,7 +232,6 @@ class HandPuller {
   std::vector<GivenMuscle> tensions_, excitations_;
   Muscle rung_ = Muscle::kRigidTendon;
   bool excited_ = false;
-  int line_ = 1;  // of what was read last
 };
 
 bool has_torsion(const SceneSpec& spec) {

@@ -160,5 +160,23 @@ TEST(HumanScene, SaysWhatDoesNotFit) {
               HasSubstr("'FDP2' has a tension or cannot contract, and is excited"));
 }
 
+// The line that is told is that of what does not fit, whatever is said after it.
+TEST(HumanScene, TellsTheLineOfWhatDoesNotFit) {
+  const auto complaint = [](const std::string& text) {
+    return message_of<DataError>([&] { (void)built(text); });
+  };
+  const std::string others = "[[tendon]]\nhand = \"h\"\ntension_N = {FDP4 = 5}\n";
+  const std::string tendon = "[[tendon]]\nhand = \"h\"\ntension_N = {FDP3 = 5}\n";
+  const std::string muscle =
+      "[[muscle]]\nhand = \"h\"\nexcitation = {FDP3 = 0.1}\nrung = \"bounds\"\n";
+  EXPECT_THAT(complaint(others + tendon + muscle + others + "from_s = 1\n"),
+              HasSubstr("s.toml:14: 'FDP3' has a tension or cannot contract"));
+  EXPECT_THAT(complaint(tendon + tendon + others),
+              HasSubstr("s.toml:11: two drives give 'FDP3' its tension at once"));
+  // No fibre lengths of the little finger.
+  EXPECT_THAT(complaint("[[muscle]]\nhand = \"h\"\nexcitation = {FDP5 = 0.1}\n" + others),
+              HasSubstr("s.toml:8: muscle '"));
+}
+
 }  // namespace
 }  // namespace thenar
