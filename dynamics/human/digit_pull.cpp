@@ -147,7 +147,7 @@ VectorXd DigitPull::start(const VectorXd& q) const {
   VectorXd z = VectorXd::Zero(static_cast<Index>(state_names().size()));
   if (!has_excursion_) return z;
   // Excursion from the reference posture, along a walk of the net; then fibres in balance.
-  const VectorXd excursion = tendons().excursion(q(model_->places.q));
+  const VectorXd excursion = tendons().excursion(q(model_->places.q)).e;
   for (Index i = 0; i < count; ++i) {
     const int m = contracting_[static_cast<std::size_t>(i)];
     const Musculotendon& muscle = contraction().muscles()[static_cast<std::size_t>(m)];
@@ -158,6 +158,10 @@ VectorXd DigitPull::start(const VectorXd& q) const {
                          fibre_length(m);
   }
   return z;
+}
+
+std::string DigitPull::start_warning(const VectorXd& q) const {
+  return has_excursion_ ? tendons().excursion(q(model_->places.q)).warning : "";
 }
 
 /// Tendons without a net are linear: their arms do for all tensions, and for all calls at a

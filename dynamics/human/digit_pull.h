@@ -70,6 +70,8 @@ class DigitPull final : public ForceElement {
   [[nodiscard]] std::string name() const override { return model_->name; }
   [[nodiscard]] std::vector<std::string> state_names() const override;
   [[nodiscard]] Eigen::VectorXd start(const Eigen::VectorXd& q) const override;
+  /// Why not to trust the excursions that start() finds; may be empty.
+  [[nodiscard]] std::string start_warning(const Eigen::VectorXd& q) const;
   bool act(const ElementInput& at, ElementAction& out) override;
   void accept(const ElementInput& at) override;
   [[nodiscard]] std::vector<double> switches() const override;

@@ -125,12 +125,14 @@ VectorXd TendonGroup::lengths(const VectorXd& q, const VectorXd& t, const GroupT
   return out;
 }
 
-VectorXd TendonGroup::excursion(const VectorXd& q) const {
-  VectorXd out = VectorXd::Zero(static_cast<Eigen::Index>(muscles_.size()));
+Excursion TendonGroup::excursion(const VectorXd& q) const {
+  Excursion out{VectorXd::Zero(static_cast<Eigen::Index>(muscles_.size())), ""};
   for (const auto& [tendons, coordinates, muscles] : digits_) {
     const VectorXd here = q(coordinates);
     const VectorXd one = VectorXd::Ones(static_cast<Eigen::Index>(muscles.size()));  // [N]
-    out(muscles) += thenar::excursion(*tendons, VectorXd::Zero(here.size()), here, one).e;
+    const Excursion way = thenar::excursion(*tendons, VectorXd::Zero(here.size()), here, one);
+    out.e(muscles) += way.e;
+    if (out.warning.empty()) out.warning = way.warning;
   }
   return out;
 }

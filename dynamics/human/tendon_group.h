@@ -57,8 +57,9 @@ class TendonGroup {
   [[nodiscard]] Eigen::VectorXd lengths(const Eigen::VectorXd& q, const Eigen::VectorXd& t,
                                         const GroupTorque& at) const;
 
-  /// Lengthening of each muscle from the reference posture, at 1 N [m] (muscles).
-  [[nodiscard]] Eigen::VectorXd excursion(const Eigen::VectorXd& q) const;
+  /// Lengthening of each muscle from the reference posture, at 1 N, with the first warning of a
+  /// digit.
+  [[nodiscard]] Excursion excursion(const Eigen::VectorXd& q) const;
 
  private:
   struct Digit {

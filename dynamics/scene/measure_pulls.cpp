@@ -17,6 +17,9 @@ void add_digit(DigitPull& pull, Eigen::Index first_z, const SceneRun& run,
   for (std::size_t m = 0; m < pull.muscles().size(); ++m)
     out.muscles.push_back({pull.name() + "/" + pull.muscles()[m],
                            pull.contracts(static_cast<int>(m)), none, none, none, none});
+  const std::string at_start = pull.start_warning(run.samples.front().q);
+  if (!at_start.empty())
+    out.warnings.push_back(fmt::format("{}, on the way to the start: {}", pull.name(), at_start));
   bool warned = false;
   for (Eigen::Index i = 0; i < instants; ++i) {
     const SceneSample& sample = run.samples[static_cast<std::size_t>(i)];

@@ -200,7 +200,8 @@ std::string text_of(const SimulatedScene& scene) {
   text += titled("Bodies at the end (centres of mass)", body_table(scene));
   text += titled("Pairs that touched (slip: way that they slid on each other)", pair_table(scene));
   if (!scene.measures.pulls.muscles.empty())
-    text += titled("Tendons at the end", muscle_table(scene));
+    text += titled("Tendons at the end (under a net with the 5 mN that keep it taut)",
+                   muscle_table(scene));
   text += fmt::format(
       "energy {:.6g} mJ at the start, {:.6g} mJ at the end, work of forces and "
       "drives {:.6g} mJ, dissipated {:.3g} mJ\n",
