@@ -252,6 +252,116 @@ TEST(DigitPull, MovesAFingerWithANetAsTheIntegratorDoes) {
   }
 }
 
+/// Speeds and positions of a digit of hinges are its coordinates.
+struct ElementAt {
+  double t = 0;
+  VectorXd q, v, z;
+};
+ElementAction action_at(ForceElement& element, const TreeModel& tree, const ElementAt& at) {
+  TreeMotion<double> motion(tree);
+  motion.set_position(at.q);
+  motion.set_speed(at.v);
+  ElementAction out;
+  out.clear(at.v.size(), at.z.size());
+  EXPECT_TRUE(element.act({at.t, at.t, at.q, at.v, at.z, motion, 0}, out));
+  return out;
+}
+
+class SlopesOfPulls : public testing::TestWithParam<Muscle> {};
+
+// A step moves positions, and lengths of tendons with them; its slopes are central differences of
+// torques along that way, with activations and fibres held. At rest, as what arms that turn add to
+// velocities of muscles is left out; tendons are drawn out, so that none is at the end of its
+// slack.
+TEST_P(SlopesOfPulls, AreDifferencesOfTorques) {
+  Mover owned(sample::index_finger(), GetParam());
+  const std::shared_ptr<const DigitTendons> tendons = std::move(owned.tendons);
+  const DigitScene digit(tendons, {}, {0, 0, 0});
+  DigitPullModel model = digit.pull();
+  model.contraction = std::move(owned.contraction);
+  model.tensions = {constant(0, 3)};
+  DigitPull pull(model);
+  const TreeModel tree = tree_model(digit.scene.mechanism);
+  const VectorXd q = (VectorXd(4) << 0.3, 0.1, 0.5, 0.4).finished();
+  const VectorXd v = (VectorXd(4) << 0.5, -0.3, 0.8, 0.2).finished();
+  ElementAt at{0, q, VectorXd::Zero(4), pull.start(q)};
+  // Muscles 1 and up contract.
+  const std::vector<Musculotendon>& muscles = model.contraction->muscles();
+  const auto count = static_cast<Eigen::Index>(muscles.size()) - 1;
+  at.z.head(count).setConstant(0.4);
+  if (GetParam() == Muscle::kElasticTendon) at.z.segment(count, count).array() += 0.05;
+  const TreeMotion<double> motion(tree);
+  pull.accept({0, 0, at.q, at.v, at.z, motion, 0});
+  const ElementAction still = action_at(pull, tree, at);
+  ElementAt fast = at;
+  fast.v = v;
+  const ElementAction moving = action_at(pull, tree, fast);
+  const Eigen::MatrixXd R = tendons->evaluate(q, VectorXd::Zero(count + 1), Eigen::Matrix3Xd()).R;
+  constexpr double kStep = 1e-5;
+  Eigen::MatrixXd by_position(4, 4), by_speed(4, 4);
+  for (int j = 0; j < 4; ++j) {
+    const auto tau = [&](double step, bool speeds) {
+      ElementAt moved = speeds ? fast : at;
+      (speeds ? moved.v : moved.q)[j] += step;
+      if (!speeds && at.z.size() > count)
+        for (Eigen::Index i = 0; i < count; ++i)
+          moved.z[count + i] -=
+              R(i + 1, j) * step / muscles[static_cast<std::size_t>(i) + 1].optimal_fibre_length;
+      return action_at(pull, tree, moved).tau;
+    };
+    by_position.col(j) = -(tau(kStep, false) - tau(-kStep, false)) / (2 * kStep);
+    by_speed.col(j) = -(tau(kStep, true) - tau(-kStep, true)) / (2 * kStep);
+  }
+  const double size = by_position.cwiseAbs().maxCoeff();
+  EXPECT_GT(size, 1e-3);
+  EXPECT_TRUE(matrix_near(still.stiffness,
+                          Eigen::MatrixXd(0.5 * (by_position + by_position.transpose())),
+                          1e-6 * size));
+  EXPECT_TRUE(matrix_near(moving.damping, by_speed, 1e-6 * size));
+  EXPECT_EQ(by_speed.cwiseAbs().maxCoeff() > 1e-4, GetParam() == Muscle::kRigidTendon);
+}
+
+INSTANTIATE_TEST_SUITE_P(Muscles, SlopesOfPulls,
+                         testing::Values(Muscle::kBounds, Muscle::kRigidTendon,
+                                         Muscle::kElasticTendon));
+
+// Within ranges, in the toe and beyond it; torque is minus the slope of energy, too.
+TEST(JointStops, SlopesAreDifferences) {
+  const std::shared_ptr<const DigitTendons> tendons =
+      build_linear_tendons(sample::index_finger(), "index");
+  const Skeleton& skeleton = tendons->digit().skeleton;
+  const DigitScene digit(tendons, {}, {0, 0, 0});
+  JointStops stops("stops", skeleton, digit.places);
+  const TreeModel tree = tree_model(digit.scene.mechanism);
+  ElementAt at{0, VectorXd(4), VectorXd::Zero(4), VectorXd()};
+  for (int j = 0; j < 4; ++j) {
+    const CoordinateLimits& range = skeleton.limits[static_cast<std::size_t>(j)];
+    at.q[j] = j == 0   ? range.upper + 0.02
+              : j == 1 ? range.lower - 0.1
+              : j == 2 ? range.upper + 0.2
+                       : 0.5 * (range.lower + range.upper);
+  }
+  const ElementAction out = action_at(stops, tree, at);
+  EXPECT_GT(out.tau.head(3).cwiseAbs().minCoeff(), 0.05);
+  EXPECT_EQ(out.tau[3], 0);
+  constexpr double kStep = 1e-5;
+  const TreeMotion<double> motion(tree);
+  Eigen::MatrixXd by_position(4, 4);
+  for (int j = 0; j < 4; ++j) {
+    ElementAt more = at, less = at;
+    more.q[j] += kStep;
+    less.q[j] -= kStep;
+    by_position.col(j) =
+        -(action_at(stops, tree, more).tau - action_at(stops, tree, less).tau) / (2 * kStep);
+    EXPECT_NEAR(-(stops.energy({0, 0, more.q, more.v, more.z, motion, 0}) -
+                  stops.energy({0, 0, less.q, less.v, less.z, motion, 0})) /
+                    (2 * kStep),
+                out.tau[j], 1e-8);
+  }
+  EXPECT_TRUE(matrix_near(out.stiffness, by_position, 1e-6));
+  EXPECT_TRUE(out.damping.isZero(0));
+}
+
 TEST(DigitPull, RefusesWhatCannotBe) {
   Mover owned(sample::index_finger(), Muscle::kBounds);
   const std::shared_ptr<const DigitTendons> tendons = std::move(owned.tendons);

@@ -3,6 +3,7 @@
 #include "dynamics/human/human_mechanism.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -130,6 +131,43 @@ TEST(HumanScene, TensionsActByTheirMomentArms) {
   EXPECT_TRUE(matrix_near(elements.action().tau, wanted, 1e-15));
 }
 
+// Coordinates that a hinge that gives adds stand behind those of the hand; stops, tendons and
+// drives still find theirs. A hinge as stiff as bone moves as the pin does, to load over stiffness.
+TEST(HumanScene, TendonsPullAHingeThatGivesAsThePin) {
+  const std::string tendons =
+      "[[tendon]]\nhand = \"h\"\ntension_N = {FDP2 = 2, EDC2 = 0.5, FDP3 = 1}\n"
+      "[[drive]]\ncoordinate = \"h/MCP2_FE\"\nstiffness_Nm_per_rad = 1\n"
+      "damping_Nms_per_rad = 0.05\ntarget_deg = 20\n";
+  BuiltScene pin = built(tendons);
+  BuiltScene gives = built(tendons +
+                           "[[compliance]]\njoint = \"h/PIP2\"\n"
+                           "translation_N_per_mm = [1e5, 1e5, 1e5]\n"
+                           "translation_damping_Ns_per_m = 1e4\n"
+                           "rotation_Nm_per_rad = [1e4, 1e4]\nrotation_damping_Nms_per_rad = 1\n");
+  ASSERT_EQ(gives.scene.mechanism.coordinates.size(), pin.scene.mechanism.coordinates.size() + 5);
+  for (BuiltScene* scene : {&pin, &gives}) {
+    scene->options.method = SteppingMethod::kTimeStepping;
+    scene->options.step = 2e-4;
+    scene->options.seconds = 0.04;
+    scene->options.sample = 0.01;
+  }
+  const SceneRun a = simulate_scene(pin.scene, pin.options);
+  const SceneRun b = simulate_scene(gives.scene, gives.options);
+  ASSERT_EQ(a.status, SceneStatus::kDone);
+  ASSERT_EQ(b.status, SceneStatus::kDone);
+  const MechanismLayout of_a = layout_of(pin.scene.mechanism);
+  const MechanismLayout of_b = layout_of(gives.scene.mechanism);
+  double way = 0;
+  for (std::size_t c = 0; c < pin.scene.mechanism.coordinates.size(); ++c) {
+    const std::string& name = pin.scene.mechanism.coordinates[c].name;
+    ASSERT_EQ(gives.scene.mechanism.coordinates[c].name, name);
+    const double moved = a.samples.back().q[of_a.coordinate_q[c]];
+    EXPECT_NEAR(b.samples.back().q[of_b.coordinate_q[c]], moved, 1e-4) << name;
+    if (name == "h/PIP2") way = std::abs(moved - a.samples.front().q[of_a.coordinate_q[c]]);
+  }
+  EXPECT_GT(way, 0.1);
+}
+
 // The first dorsal interosseus comes from the thumb's metacarpal: index and thumb contract as one.
 TEST(HumanScene, DigitsThatShareAContractingMuscleAreOne) {
   const BuiltScene scene = built(
@@ -170,12 +208,12 @@ TEST(HumanScene, TellsTheLineOfWhatDoesNotFit) {
   const std::string muscle =
       "[[muscle]]\nhand = \"h\"\nexcitation = {FDP3 = 0.1}\nrung = \"bounds\"\n";
   EXPECT_THAT(complaint(others + tendon + muscle + others + "from_s = 1\n"),
-              HasSubstr("s.toml:14: 'FDP3' has a tension or cannot contract"));
+              HasSubstr("s.toml:15: 'FDP3' has a tension or cannot contract"));
   EXPECT_THAT(complaint(tendon + tendon + others),
-              HasSubstr("s.toml:11: two drives give 'FDP3' its tension at once"));
+              HasSubstr("s.toml:12: two drives give 'FDP3' its tension at once"));
   // No fibre lengths of the little finger.
   EXPECT_THAT(complaint("[[muscle]]\nhand = \"h\"\nexcitation = {FDP5 = 0.1}\n" + others),
-              HasSubstr("s.toml:8: muscle '"));
+              HasSubstr("s.toml:9: muscle '"));
 }
 
 }  // namespace
