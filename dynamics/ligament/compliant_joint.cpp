@@ -24,6 +24,10 @@ bool is_rigid(const BushingLaw& law, BushingWay way) {
 Eigen::Matrix3d frame_of_bone(const Mechanism& mechanism, std::size_t body,
                               const Eigen::Vector3d& bone) {
   const MechanismJoint& joint = mechanism.joints[body];
+  require(!bone.isZero(0) || mechanism.bodies[body].mass.mass > 0,
+          "joint '{}': '{}' has no mass, so that nothing says where its bone points: state one, "
+          "'bone'",
+          joint.name, mechanism.bodies[body].name);
   const Eigen::Vector3d way =
       bone.isZero(0) ? mechanism.bodies[body].mass.com - joint.X_BM.p : bone;
   Eigen::Vector3d y = joint.X_BM.R.transpose() * way;
@@ -55,6 +59,10 @@ void check_hinge(const Mechanism& mechanism, const MechanismJoint& hinge) {
         return is_scalar(joint.kind) && joint.coordinate == hinge.coordinate;
       });
   require(shares == 1, "joint '{}' shares its coordinate with others: it cannot give", hinge.name);
+  require(hinge.ratio == 1 && hinge.offset == 0 && hinge.curve.empty(),
+          "joint '{}' does not turn as its coordinate does (ratio {:g}, offset {:g} rad{}): it "
+          "cannot give, as flexion is the coordinate",
+          hinge.name, hinge.ratio, hinge.offset, hinge.curve.empty() ? "" : ", a curve");
 }
 
 }  // namespace

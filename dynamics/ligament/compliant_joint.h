@@ -13,7 +13,7 @@
 namespace thenar {
 
 /// How a hinge gives. Ways of infinite stiffness stay rigid, and cost nothing. Flexion is the
-/// coordinate of the hinge.
+/// coordinate of the hinge, counted from its value 0.
 struct JointCompliance {
   BushingLaw law;                 // its flexion adds to what the hinge has
   Eigen::Vector3d bone{0, 0, 0};  // direction of the distal bone, body's frame; any length; zero:
@@ -38,8 +38,9 @@ struct CompliantJoint {
 /// mass matrix is regular up to 90 deg of abduction, as every joint moves the distal bone.
 /// @param mechanism  changed
 /// @param joint      entry of its joints
-/// @throws InputError if the joint is no hinge or shares its coordinate, as check_law(), or if the
-/// bone has no direction across the axis.
+/// @throws InputError if the joint is no hinge, shares its coordinate or does not turn by just
+/// that, as check_law(), or if the bone has no direction across the axis, or none is stated of a
+/// body without mass.
 [[nodiscard]] CompliantJoint make_compliant(Mechanism& mechanism, int joint,
                                             const JointCompliance& compliance);
 

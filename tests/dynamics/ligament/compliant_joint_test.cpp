@@ -2,6 +2,7 @@
 
 #include "dynamics/ligament/compliant_joint.h"
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "base/error.h"
@@ -329,6 +330,33 @@ TEST(CompliantJoint, RefusesWhatIsNoHinge) {
   EXPECT_THROW((void)make_compliant(mechanism, 0, {{}, {0, 1, 0}}), InputError);
   EXPECT_EQ(joint_named(mechanism, "far"), 1);
   EXPECT_THROW((void)joint_named(mechanism, "fra"), InputError);
+}
+
+// Its centre of mass, the origin of its frame, is no place of the bone.
+TEST(CompliantJoint, WantsTheBoneOfABodyWithoutMass) {
+  Mechanism mechanism = sample::bones(2);
+  mechanism.bodies[0].mass = {0, {0, 0, 0}, Eigen::Matrix3d::Zero()};
+  mechanism.joints[0].X_BM.p = Eigen::Vector3d(-0.01, 0, 0);
+  EXPECT_EQ(message_of<InputError>([&] { (void)make_compliant(mechanism, 0, {}); }),
+            "joint 'near': 'near bone' has no mass, so that nothing says where its bone points: "
+            "state one, 'bone'");
+  EXPECT_EQ(make_compliant(mechanism, 0, {{}, {0.04, 0, 0}}).name, "near");
+}
+
+// Flexion, which twist may follow, is the coordinate: it must be the hinge's angle.
+TEST(CompliantJoint, RefusesAHingeThatIsNotItsCoordinate) {
+  const auto complaint = [](const auto& change) {
+    Mechanism mechanism = sample::bones(2);
+    change(mechanism.joints[1]);
+    return message_of<InputError>([&] { (void)make_compliant(mechanism, 1, {}); });
+  };
+  EXPECT_EQ(complaint([](MechanismJoint& joint) { joint.ratio = -1; }),
+            "joint 'far' does not turn as its coordinate does (ratio -1, offset 0 rad): it cannot "
+            "give, as flexion is the coordinate");
+  EXPECT_THAT(complaint([](MechanismJoint& joint) { joint.offset = 0.5; }),
+              testing::HasSubstr("(ratio 1, offset 0.5 rad)"));
+  EXPECT_THAT(complaint([](MechanismJoint& joint) { joint.curve = {0.1}; }),
+              testing::HasSubstr("(ratio 1, offset 0 rad, a curve)"));
 }
 
 }  // namespace
