@@ -82,7 +82,6 @@ bool LigamentElement::act(const ElementInput& at, ElementAction& out) {
   const double length = way.norm();
   const LigamentForce force = ligament_force(law_, length);
   if (force.force == 0 && force.slope == 0) return true;
-  if (!(length > 0)) return false;
   const Eigen::Vector3d line = way / length, none(0, 0, 0);
   // Velocity of one point against the other.
   J_.setZero(at.v.size(), 3);

@@ -56,7 +56,8 @@ class LigamentElement : public ForceElement {
 
   [[nodiscard]] std::unique_ptr<ForceElement> clone() const override;
   [[nodiscard]] std::string name() const override { return name_; }
-  /// @return false if both points are one
+  /// Where both points are one it is slack, and does nothing.
+  /// @return true: it is what its law says, at every length
   bool act(const ElementInput& at, ElementAction& out) override;
   [[nodiscard]] double energy(const ElementInput& at) override;
   [[nodiscard]] bool is_passive() const override { return true; }

@@ -14,8 +14,8 @@ struct LigamentForce {
 };
 
 /// A joint's capsule along one direction, the same both ways:
-///   force = k s sinh(x / s)                            up to  stiffness cosh(x / s) = k r,
-///   then straight on with the stiffness  k r.
+///   force = k s sinh(x / s)   while  k cosh(x / s) <= r k,
+///   then straight on with the stiffness  r k.
 /// Low stiffness in the toe region |x| < s, exponential beyond it, and straight where collagen is
 /// stretched out. Force and slope are continuous. Without a toe: force = k x.
 struct CapsuleLaw {
