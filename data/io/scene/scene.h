@@ -92,7 +92,7 @@ struct SceneDriveSpec {
 
 /// What the muscles of a human hand are given for a time.
 struct SceneMuscleSpec {
-  std::string name, hand;
+  std::string hand;
   bool tensions = false;                // [[tendon]]: tensions; [[muscle]]: excitations
   std::map<std::string, double> value;  // of muscles: tension [N], excitation 0..1 [1]
   std::string file;                     // table of the same over time; as written; may be empty

@@ -1,6 +1,7 @@
 #include "data/io/scene/scene_compliance.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "base/error.h"
 #include "base/nearest_name.h"
@@ -36,29 +37,53 @@ std::array<bool, 5> read_ways(TomlTable& table) {
 void read_group(TomlTable& table, const std::string& name, bool turns,
                 const std::array<bool, 5>& gives, SceneComplianceSpec& out) {
   const std::size_t first = turns ? kTranslations : 0, end = turns ? 5 : kTranslations;
-  const Dimension stiffness = turns ? Dimension::kAngularStiffness : Dimension::kLinearStiffness;
-  const Dimension damping = turns ? Dimension::kAngularDamping : Dimension::kLinearDamping;
   const bool any = std::find(gives.begin() + static_cast<std::ptrdiff_t>(first),
                              gives.begin() + static_cast<std::ptrdiff_t>(end),
                              true) != gives.begin() + static_cast<std::ptrdiff_t>(end);
   if (!any) {
-    if (table.has(stiffness, name)) table.fail("none of its ways gives: see 'ways'", name);
+    if (table.has(spring_dimension(name), name))
+      table.fail("none of its ways gives: see 'ways'", name);
     return;
   }
-  const std::vector<double> numbers =
-      table.numbers(stiffness, name, static_cast<int>(end - first), Range::kPositive);
-  const double damped = table.number_or(damping, name + "_damping", 0, Range::kNotNegative);
+  const SpringKeys springs =
+      read_springs(table, name, static_cast<int>(end - first), Range::kPositive);
   for (std::size_t i = first; i < end; ++i) {
     if (!gives[i]) continue;
-    out.stiffness[i] = numbers[i - first];
-    out.damping[i] = damped;
+    out.stiffness[i] = springs.stiffness[i - first];
+    out.damping[i] = springs.damping;
   }
-  double& toe = turns ? out.rotation_toe : out.translation_toe;
-  const Dimension size = turns ? Dimension::kAngle : Dimension::kLength;
-  if (table.has(size, name + "_toe")) toe = table.number(size, name + "_toe", Range::kPositive);
+  (turns ? out.rotation_toe : out.translation_toe) = springs.toe;
 }
 
 }  // namespace
+
+Dimension spring_dimension(const std::string& name) {
+  return name == "rotation" ? Dimension::kAngularStiffness : Dimension::kLinearStiffness;
+}
+
+SpringKeys read_springs(TomlTable& table, const std::string& name, int ways, Range range) {
+  const bool turns = name == "rotation";
+  const Dimension damping = turns ? Dimension::kAngularDamping : Dimension::kLinearDamping;
+  const Dimension size = turns ? Dimension::kAngle : Dimension::kLength;
+  SpringKeys out;
+  out.stiffness = table.numbers(spring_dimension(name), name, ways, range);
+  out.damping = table.number_or(damping, name + "_damping", 0, Range::kNotNegative);
+  if (table.has(size, name + "_toe")) out.toe = table.number(size, name + "_toe", Range::kPositive);
+  return out;
+}
+
+double read_stiffening(TomlTable& table, bool has_toe, double usual) {
+  const bool stated = table.has(Dimension::kNumber, "stiffening");
+  const double value = table.number_or(Dimension::kNumber, "stiffening", usual);
+  if (!(value >= 1))
+    table.fail(fmt::format("wanted 'stiffening' from 1 up, got {:g}", value), "stiffening");
+  if (stated && !has_toe)
+    table.fail(
+        "springs without a toe are straight: 'stiffening' needs a 'translation_toe' or "
+        "'rotation_toe'",
+        "stiffening");
+  return value;
+}
 
 SceneComplianceSpec read_scene_compliance(TomlTable& table) {
   SceneComplianceSpec out;
@@ -69,10 +94,8 @@ SceneComplianceSpec read_scene_compliance(TomlTable& table) {
   read_group(table, "translation", false, gives, out);
   read_group(table, "rotation", true, gives, out);
   if (table.has("bone")) out.bone = table.direction("bone");
-  out.stiffening = table.number_or(Dimension::kNumber, "stiffening", out.stiffening);
-  if (out.stiffening < 1)
-    table.fail(fmt::format("wanted 'stiffening' from 1 up, got {:g}", out.stiffening),
-               "stiffening");
+  out.stiffening = read_stiffening(
+      table, std::isfinite(out.translation_toe) || std::isfinite(out.rotation_toe), out.stiffening);
   out.twist_follows = table.number_or(Dimension::kNumber, "twist_follows", 0);
   if (out.twist_follows != 0 && !gives[SceneComplianceSpec::kTwist])
     table.fail("a twist that is rigid follows nothing", "twist_follows");

@@ -48,6 +48,20 @@ struct SceneLigamentSpec {
 
 namespace internal {
 
+/// What 'translation' or 'rotation' says of a capsule's ways, with its '.._damping' and '.._toe'.
+struct SpringKeys {
+  std::vector<double> stiffness;                         // at rest [N/m] or [N m/rad] (ways)
+  double damping = 0;                                    // [N s/m] or [N m s/rad]
+  double toe = std::numeric_limits<double>::infinity();  // [m] or [rad]
+};
+/// @param name  "translation" or "rotation", of so many `ways`;  @param range  of the stiffness
+[[nodiscard]] SpringKeys read_springs(TomlTable& table, const std::string& name, int ways,
+                                      Range range);
+/// Dimension of the stiffness of "translation" or "rotation".
+[[nodiscard]] Dimension spring_dimension(const std::string& name);
+/// 'stiffening', which is of springs with a toe. @param usual  where it is not stated
+[[nodiscard]] double read_stiffening(TomlTable& table, bool has_toe, double usual);
+
 /// [[compliance]]
 [[nodiscard]] SceneComplianceSpec read_scene_compliance(TomlTable& table);
 /// [[ligament]]

@@ -165,7 +165,6 @@ SceneMuscleSpec read_scene_muscle(TomlTable& table, bool tensions, const std::st
   SceneMuscleSpec muscle;
   muscle.line = table.line();
   muscle.hand = table.text("hand");
-  muscle.name = table.text_or("name", muscle.hand);
   muscle.tensions = tensions;
   const char* key = tensions ? "tension" : "excitation";
   const std::string file_key = std::string(key) + "_file";

@@ -2,6 +2,8 @@
 
 #include "data/io/scene/scene_compliance.h"
 
+#include <cmath>
+
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -73,6 +75,10 @@ TEST(SceneCompliance, MistakesAreToldWithTheirLines) {
               StartsWith("s.toml:14: there is no body or hand 'lit', did you mean 'lid'?"));
   EXPECT_THAT(complaint(kAll + "stiffening = 0.5\n"),
               StartsWith("s.toml:18: wanted 'stiffening' from 1 up, got 0.5"));
+  // Without a toe nothing stiffens.
+  EXPECT_THAT(complaint(kAll + "stiffening = 8\n"),
+              StartsWith("s.toml:18: springs without a toe are straight"));
+  EXPECT_EQ(compliance_of(kAll + "translation_toe_mm = 1\nstiffening = 8\n").stiffening, 8);
   EXPECT_THAT(complaint(kAll + "ways = [\"twst\"]\n"),
               StartsWith("s.toml:18: there is no way 'twst', did you mean 'twist'?"));
   EXPECT_THAT(complaint(kAll + "ways = [\"twist\"]\n"),
@@ -122,6 +128,34 @@ TEST(SceneLigament, MistakesAreToldWithTheirLines) {
   EXPECT_THAT(told("to = \"lid\"\nfrom = \"lid\"\n"),
               StartsWith("s.toml:15: 'lid' cannot be tied to itself"));
   EXPECT_THAT(told("to = \"lid\"\nslack_length_mm = 0\n"), StartsWith("s.toml:16: "));
+}
+
+SceneBushingSpec bushing_of(const std::string& text) {
+  std::string head = kHead;
+  head.replace(head.find("[[compliance]]"), 14, "[[bushing]]");
+  return parse_scene(head + "to = \"lid\"\npoint_mm = [1, 2, 3]\n" + text, "s.toml").bushings.at(0);
+}
+
+TEST(SceneBushing, IsReadInSi) {
+  const SceneBushingSpec read = bushing_of(
+      "axis = [0, 2, 0]\ntranslation_N_per_mm = [50, 0, 70]\ntranslation_damping_Ns_per_m = 30\n"
+      "rotation_Nm_per_rad = [4, 2, 1]\nrotation_toe_deg = 10\nstiffening = 8\n");
+  EXPECT_EQ(read.name, "bushing of lid");
+  EXPECT_EQ(read.stiffness, (std::array<double, 6>{50e3, 0, 70e3, 4, 2, 1}));
+  EXPECT_EQ(read.damping, (std::array<double, 6>{30, 30, 30, 0, 0, 0}));
+  EXPECT_TRUE(std::isinf(read.translation_toe));
+  EXPECT_DOUBLE_EQ(read.rotation_toe, 10 * kDegree);
+  EXPECT_EQ(read.stiffening, 8);
+  EXPECT_EQ(read.axis, Eigen::Vector3d(0, 1, 0));
+}
+
+TEST(SceneBushing, MistakesAreToldWithTheirLines) {
+  const auto told = [](const std::string& text) {
+    return message_of<DataError>([&] { (void)bushing_of(text); });
+  };
+  EXPECT_THAT(told("translation_N_per_mm = [1, 1, 1]\nstiffening = 8\n"),
+              StartsWith("s.toml:18: springs without a toe are straight"));
+  EXPECT_THAT(told("translation_N_per_mm = [1, 1, -1]\n"), StartsWith("s.toml:17: "));
 }
 
 }  // namespace

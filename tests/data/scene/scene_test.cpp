@@ -292,19 +292,17 @@ TEST(Scene, MusclesAreGivenTensionsOrExcitations) {
   const SceneSpec scene =
       parsed(kHuman +
              "[[tendon]]\nhand = \"human\"\ntension_N = {FDP2 = 5, FDS2 = 3}\nfrom_s = 0.5\n"
-             "[[muscle]]\nhand = \"human\"\nname = \"pinch\"\nexcitation = {FPL = 0.3}\n"
+             "[[muscle]]\nhand = \"human\"\nexcitation = {FPL = 0.3}\n"
              "rung = \"elastic-tendon\"\nto_s = 2\n");
   ASSERT_EQ(scene.muscles.size(), 2U);
   const SceneMuscleSpec &tendon = scene.muscles[0], &muscle = scene.muscles[1];
   EXPECT_TRUE(tendon.tensions);
   EXPECT_EQ(tendon.value.at("FDP2"), 5);
   EXPECT_EQ(tendon.value.at("FDS2"), 3);
-  EXPECT_EQ(tendon.name, "human");
   EXPECT_EQ(tendon.from, 0.5);
   EXPECT_FALSE(muscle.tensions);
   EXPECT_EQ(muscle.value.at("FPL"), 0.3);
   EXPECT_EQ(muscle.rung, "elastic-tendon");
-  EXPECT_EQ(muscle.name, "pinch");
   EXPECT_EQ(muscle.to, 2);
 }
 
@@ -326,6 +324,9 @@ TEST(Scene, SaysWhatIsWrongWithMuscles) {
               HasSubstr("s.toml:11: wanted 'tension_N.FDP2' >= 0"));
   EXPECT_THAT(complaint("[[muscle]]\nhand = \"human\"\nexcitation = {FDP2 = 1.5}\n"),
               HasSubstr("s.toml:11: wanted 'excitation.FDP2'"));
+  // Nothing would call it by a name.
+  EXPECT_THAT(complaint("[[tendon]]\nhand = \"human\"\nname = \"pinch\"\ntension_N = {FDP2 = 5}\n"),
+              HasSubstr("s.toml:11: "));
   EXPECT_THAT(complaint("[[muscle]]\nhand = \"human\"\nexcitation_file = \"no.csv\"\n"),
               HasSubstr("s.toml:11: there is no file"));
 }
