@@ -4,10 +4,15 @@
 // on joints that give, how that changes with what is assumed, and surfaces to draw it from
 // (docs/images/draw_thumb_mug.py). Prints the table of docs/theory/compliant_joints.md.
 
+#include <algorithm>
+#include <array>
+#include <cmath>
 #include <functional>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
+#include "base/error.h"
 #include "base/file_io.h"
 #include "base/units.h"
 #include "bench/run_program.h"
@@ -24,6 +29,22 @@ namespace {
 using Options = sample::ThumbOnMugOptions;
 
 constexpr int kDrawnTriangles = 700;
+constexpr int kSamples = 60;                             // of a run: one each 0.5 N
+constexpr std::array<double, 4> kTold{1.5, 10, 20, 30};  // forces of the table [N]
+constexpr double kTellsApart = 0.25;  // force of a state from that of the table, at most [N]
+
+/// The state whose force is that of the table.
+const sample::ThumbOnMugState& state_at(const std::vector<sample::ThumbOnMugState>& states,
+                                        double force) {
+  const auto nearest =
+      std::min_element(states.begin(), states.end(),
+                       [&](const sample::ThumbOnMugState& a, const sample::ThumbOnMugState& b) {
+                         return std::abs(a.force - force) < std::abs(b.force - force);
+                       });
+  require(nearest != states.end() && std::abs(nearest->force - force) < kTellsApart,
+          "no instant of the run has a force of {} N", force);
+  return *nearest;
+}
 
 /// One change of the options.
 struct Variant {
@@ -110,7 +131,8 @@ void run(const std::string& path) {
   for (const Variant& variant : variants()) {
     Options options;
     variant.change(options);
-    const sample::ThumbOnMug made = sample::thumb_on_mug(options);
+    sample::ThumbOnMug made = sample::thumb_on_mug(options);
+    made.options.sample = made.options.seconds / kSamples;
     const SceneRun run = simulate_scene(made.scene, made.options);
     const std::vector<sample::ThumbOnMugState> states = states_of(made, run);
     OrderedJson row{{"name", variant.name},
@@ -123,9 +145,11 @@ void run(const std::string& path) {
     if (variant.name == "pins" || variant.name == "as assumed")
       row["picture"] = picture_of(made, run);
     out["runs"].push_back(std::move(row));
-    const auto angle = [&](std::size_t i) { return states.at(i).pad_angle / kDegree; };
-    fmt::print("| {} | {:.1f}, {:.1f}, {:.1f}, {:.1f} | {:.1f} |\n", variant.name, angle(1),
-               angle(7), angle(13), angle(20), states.back().roll / kDegree);
+    std::vector<std::string> angles;
+    for (const double force : kTold)
+      angles.push_back(fmt::format("{:.1f}", state_at(states, force).pad_angle / kDegree));
+    fmt::print("| {} | {} | {:.1f} |\n", variant.name, fmt::join(angles, ", "),
+               states.back().roll / kDegree);
   }
   write_file(path, out.dump() + "\n");
 }

@@ -135,8 +135,10 @@ def draw_chart(figure, runs, x, y, width, height):
 def main():
     runs = {run["name"]: run for run in json.loads(pathlib.Path(sys.argv[1]).read_text())["runs"]}
     figure = Figure(pathlib.Path(sys.argv[1]).resolve().with_suffix(""), "A thumb on a mug: on pins it stays on its side, where joints give it rolls to its pad", 980, 660)
-    for column, (name, at) in enumerate([("pins", 20), ("as assumed", 1), ("as assumed", 7), ("as assumed", 20)]):
-        state = runs[name]["states"][at]
+    for column, (name, force) in enumerate([("pins", 30), ("as assumed", 1.5), ("as assumed", 10.5), ("as assumed", 30)]):
+        states = runs[name]["states"]
+        at = min(range(len(states)), key=lambda i: abs(states[i]["force_N"] - force))
+        state = states[at]
         words = [f"{NAMES[name]}, {state['force_N']:.1f} N", f"{state['pad_angle_deg']:.0f} deg to the pad"]
         draw_state(figure, runs[name]["picture"], at, 130 + 240 * column, 130, words)
     draw_chart(figure, runs, 90, 350, 700, 240)
