@@ -71,13 +71,18 @@ SceneHand hand_of(const SceneSpec& scene, const SceneHandSpec& hand,
   return human;
 }
 
+/// Whether a file is read as text: descriptions and tables.
+bool is_text(const std::string& path) {
+  const fs::path extension = fs::path(path).extension();
+  return extension == ".toml" || extension == ".csv";
+}
+
 /// Texts of the files that are texts.
 std::vector<SourceText> texts_of(const std::string& scene, const FileDigests& files) {
   std::vector<SourceText> sources{read_source(scene)};
   const std::string first = fs::path(scene).lexically_normal().string();
   for (const auto& [path, digest] : files)
-    if (path != first && fs::path(path).extension() == ".toml")
-      sources.push_back(read_source(path));
+    if (path != first && is_text(path)) sources.push_back(read_source(path));
   return sources;
 }
 

@@ -2,6 +2,7 @@
 
 Usage: scene_command_test.py [path of the program [MPIEXEC]]; else the environment's THENAR. Run from anywhere.
 """
+import hashlib
 import json
 import math
 import os
@@ -245,6 +246,18 @@ class ResultFiles(Near):
         again = subprocess.run([PROGRAM, "rerun", out, "--print"], capture_output=True, text=True,
                                check=False)
         self.assertIn("thenar simulate pinch --seconds 0.1 -o", again.stdout)
+
+    # A table of tensions is a source as the scene is: its text stands in the file as it was read.
+    def test_result_file_holds_tables_that_were_read(self):
+        table = "time_s,FDP4\n0,1.9\n0.01,0\n"
+        self.path("ramp.csv", table)
+        scene = HUMAN.replace("tension_N = {FDP4 = 2}", 'tension_file = "ramp.csv"')
+        out = self.path("run.h5")
+        result = run(self.path("human.toml", scene), "--seconds", 0.02, "-o", out)
+        self.assertEqual(result.returncode, 0, result.stderr)
+        held = pathlib.Path(out).read_bytes()
+        self.assertIn(table.encode(), held)
+        self.assertIn(hashlib.sha256(table.encode()).hexdigest().encode(), held)
 
     def test_result_file_of_a_sweep_holds_every_run(self):
         out = self.path("runs.h5")
