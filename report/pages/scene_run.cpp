@@ -260,7 +260,9 @@ Json muscle_charts(const SimulatedScene& scene) {
                       [&](std::size_t i) { return muscle.activation[static_cast<Index>(i)]; });
   }
   Json blocks = Json::array();
-  if (!tensions.empty()) blocks.push_back(tensions.block("Tensions", "tension [N]"));
+  if (!tensions.empty())
+    blocks.push_back(
+        tensions.block("Tensions (under a net with the 5 mN that keep it taut)", "tension [N]"));
   if (!activations.empty()) blocks.push_back(activations.block("Activations", "activation [1]"));
   return blocks;
 }
