@@ -7,8 +7,9 @@ const BITS = 8e6; // a second
 export const canRecord = () =>
   typeof MediaRecorder !== "undefined" && MediaRecorder.isTypeSupported("video/webm");
 
-/// Begins to record copies of `canvas` on a colour; returns { frame(), stop() }: frame() takes what
-/// the canvas shows, stop() promises the film as a blob.
+/// Begins to record copies of `canvas` on a colour; returns { frame(), stop(), film }: frame() takes
+/// what the canvas shows, `film` promises a blob once stop() was called, and fails where the browser
+/// ends the recording with an error.
 export function record(canvas, color) {
   const copy = document.createElement("canvas");
   copy.width = canvas.width;
@@ -24,15 +25,14 @@ export function record(canvas, color) {
   const recorder = new MediaRecorder(copy.captureStream(RATE), options);
   const parts = [];
   recorder.addEventListener("dataavailable", ({ data }) => parts.push(data));
-  const ended = new Promise((done) =>
-    recorder.addEventListener("stop", () => done(new Blob(parts, { type: "video/webm" }))),
-  );
+  const film = new Promise((done, failed) => {
+    recorder.addEventListener("error", ({ error }) => failed(error ?? new Error("no film")));
+    recorder.addEventListener("stop", () => done(new Blob(parts, { type: "video/webm" })));
+  });
+  film.catch(() => {}); // told to whoever waits for it
   recorder.start();
-  return {
-    frame,
-    stop() {
-      recorder.stop();
-      return ended;
-    },
+  const stop = () => {
+    if (recorder.state !== "inactive") recorder.stop();
   };
+  return { frame, stop, film };
 }

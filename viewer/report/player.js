@@ -28,14 +28,15 @@ function show(view, instant) {
 
 /// Controls of a view with timed layers: play and pause, a slider, the speed, and all instants at
 /// once, as a view of few instants begins. Returns { element, film }: film(canvas, colour) plays
-/// the whole motion once at the speed chosen, and promises the film. Null for a view without
-/// instants.
+/// the whole motion once at the speed chosen, with all controls disabled, and promises the film; the
+/// promise fails where the browser cannot record. Null for a view without instants.
 export function playerOf(view) {
   const instants = instantsOf(view.layers);
   if (!instants.length) return null;
   const [first, last] = [instants[0], instants.at(-1)];
   const { speeds, chosen } = speedsFor(instants);
   let playing = false;
+  let run = 0; // number of the loop that moves `now`; older ones end
   let now = first;
   const button = el("button", { type: "button", class: "play" });
   const told = el("output", {});
@@ -59,42 +60,71 @@ export function playerOf(view) {
     told.textContent = all.checked ? "" : `${formatNumber(instant)} s`;
     show(view, all.checked ? null : instant);
   };
-  /// `shown` is called after every instant, `ended` when it stops.
-  const play = (shown = () => {}, ended = () => {}) => {
-    playing = true;
-    all.checked = false;
-    if (now >= last) now = first;
-    everyFrame((passed) => {
-      if (playing) now = Math.min(last, now + passed * Number(speed.value));
-      playing &&= now < last;
-      update();
-      shown();
-      if (!playing) ended();
-      return playing;
-    });
+  /// Ends the motion that plays.
+  const pause = () => {
+    playing = false;
+    ++run;
   };
-  const film = (canvas, color) => {
-    now = first;
-    const recording = record(canvas, color);
-    const shown = () => {
-      view.paintNow();
-      recording.frame();
-    };
-    return new Promise((done) => play(shown, () => done(recording.stop())));
+  /// `shown` is called after every instant; the promise is kept when the motion ends, and fails with
+  /// what `shown` throws.
+  const play = (shown = () => {}) =>
+    new Promise((ended, failed) => {
+      pause();
+      const mine = run;
+      playing = true;
+      all.checked = false;
+      if (now >= last) now = first;
+      everyFrame((passed) => {
+        if (mine === run) {
+          now = Math.min(last, now + passed * Number(speed.value));
+          if (now >= last) pause();
+          update();
+          try {
+            shown();
+          } catch (error) {
+            pause();
+            failed(error);
+          }
+        }
+        if (mine !== run) ended();
+        return mine === run;
+      });
+    });
+  const film = async (canvas, color) => {
+    const controls = [button, slider, speed, all];
+    pause();
+    for (const control of controls) control.disabled = true;
+    try {
+      now = first;
+      const recording = record(canvas, color);
+      try {
+        await play(() => {
+          view.paintNow();
+          recording.frame();
+        });
+      } finally {
+        recording.stop();
+      }
+      return await recording.film;
+    } finally {
+      for (const control of controls) control.disabled = false;
+      pause();
+      update();
+    }
   };
   button.addEventListener("click", () => {
-    if (playing) playing = false;
+    if (playing) pause();
     else play();
     update();
   });
   slider.addEventListener("input", () => {
-    playing = false;
+    pause();
     all.checked = false;
     now = instants[Number(slider.value)];
     update();
   });
   all.addEventListener("change", () => {
-    playing = false;
+    pause();
     update();
   });
   update();

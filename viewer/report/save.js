@@ -29,15 +29,22 @@ function chartButtons(block, figure) {
   ];
 }
 
-/// The button that plays a motion once and saves it as a film.
-function filmButton(frame, name) {
+/// The button that plays a motion once and saves it as a film, and what it tells of a failure.
+export function filmButton(frame, name) {
+  const told = el("output", {});
   const film = button("WebM", "the motion as a film, while it plays once", async () => {
     film.disabled = true;
-    const blob = await frame.toMovie?.();
-    film.disabled = false;
-    if (blob) download(`${name}.webm`, blob);
+    told.textContent = "";
+    try {
+      const blob = await frame.toMovie?.();
+      if (blob) download(`${name}.webm`, blob);
+    } catch (error) {
+      told.textContent = `No film was saved: ${error.message}`;
+    } finally {
+      film.disabled = false;
+    }
   });
-  return film;
+  return [film, told];
 }
 
 /// The buttons for a scene's figure, whose frame has a function `toPng(done)`, and `toMovie()`
@@ -47,7 +54,7 @@ function sceneButtons(block, figure) {
   const name = fileName(block.caption, "scene");
   const png = () => frame.toPng?.((blob) => download(`${name}.png`, blob));
   const buttons = [button("PNG", "the picture as it stands", png)];
-  if (block.strip && canRecord()) buttons.push(filmButton(frame, name));
+  if (block.strip && canRecord()) buttons.push(...filmButton(frame, name));
   return buttons;
 }
 
