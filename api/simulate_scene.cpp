@@ -189,6 +189,11 @@ class SharedProgress {
 
 }  // namespace
 
+bool has_contact_problems(const SimulatedScene& scene) {
+  const SteppingMethod method = scene.built->options.method;
+  return method == SteppingMethod::kEvents || method == SteppingMethod::kTimeStepping;
+}
+
 bool is_scene(const std::string& name_or_path, const std::string& data) {
   std::error_code none;
   if (!fs::exists(name_or_path, none)) {
@@ -437,9 +442,10 @@ void add_contacts(const SimulatedScene& scene, const std::string& group, ResultF
 void add_outcome(const SimulatedScene& scene, const std::string& group, ResultFile& file) {
   const SceneCost& cost = scene.run.cost;
   file.add(group + "status", name_of(scene.run.status));
+  if (!scene.run.reason.empty()) file.add(group + "reason", scene.run.reason);
   file.add(group + "steps", static_cast<double>(cost.steps), "1");
   file.add(group + "unsolved", static_cast<double>(cost.unsolved), "1");
-  file.add(group + "worst_residual", cost.worst_residual, "1");
+  if (has_contact_problems(scene)) file.add(group + "worst_residual", cost.worst_residual, "1");
   file.add(group + "deepest", cost.deepest, "m");
   file.add(group + "work", scene.measures.work, "J");
   file.add(group + "dissipated", scene.measures.dissipated, "J");

@@ -51,6 +51,9 @@ struct [[nodiscard]] SimulatedScene {
   FileDigests files;                // all that was read
 };
 
+/// Whether its method poses contact problems: contacts as springs have none, and no residual.
+[[nodiscard]] bool has_contact_problems(const SimulatedScene& scene);
+
 /// Runs of one scene.
 struct [[nodiscard]] SceneSweep {
   std::string name;

@@ -159,10 +159,17 @@ std::string method_of(const SimulatedScene& scene) {
   return stepping_names()[static_cast<std::size_t>(scene.built->options.method)];
 }
 
+/// The worst residual of its contact problems.
+std::string residual_words(const SimulatedScene& scene) {
+  return has_contact_problems(scene) ? fmt::format("{:.2g}", scene.run.cost.worst_residual) : "n/a";
+}
+
 /// Status, energy and cost of a run.
 OrderedJson outcome_json(const SimulatedScene& scene) {
   const SceneCost& cost = scene.run.cost;
+  const std::string& reason = scene.run.reason;
   return {{"status", name_of(scene.run.status)},
+          {"reason", reason.empty() ? OrderedJson() : OrderedJson(reason)},
           {"simulated_s", simulated_seconds(scene)},
           {"largest_slip_m", largest_slip(scene)},
           {"largest_penetration_m", cost.deepest},
@@ -176,7 +183,8 @@ OrderedJson outcome_json(const SimulatedScene& scene) {
           {"impacts", cost.impacts},
           {"unsolved", cost.unsolved},
           {"coarse_steps", cost.coarse},
-          {"worst_residual", number_or_null(cost.worst_residual)},
+          {"worst_residual",
+           has_contact_problems(scene) ? number_or_null(cost.worst_residual) : Json()},
           {"asleep_s", cost.asleep},
           {"cpu_s_per_simulated_s", number_or_null(cpu_per_second(scene))}};
 }
@@ -207,8 +215,8 @@ std::string text_of(const SimulatedScene& scene) {
       "drives {:.6g} mJ, dissipated {:.3g} mJ\n",
       1e3 * start.total(), 1e3 * end.total(), 1e3 * scene.measures.work,
       1e3 * scene.measures.dissipated);
-  text += fmt::format("largest penetration {:.2g} mm; worst residual of a contact problem {:.2g}\n",
-                      cost.deepest / kMm, cost.worst_residual);
+  text += fmt::format("largest penetration {:.2g} mm; worst residual of a contact problem {}\n",
+                      cost.deepest / kMm, residual_words(scene));
   return text + fmt::format("CPU {:.3g} ms a simulated second\n", 1e3 * cpu_per_second(scene));
 }
 
@@ -283,7 +291,7 @@ Table table_of(const SceneSweep& sweep) {
     cells.push_back(shown(scene.run.cost.deepest / kMm));
     cells.push_back(shown(1e3 * scene.run.samples.back().energy.total()));
     cells.push_back(shown(1e3 * scene.measures.dissipated));
-    cells.push_back(fmt::format("{:.2g}", scene.run.cost.worst_residual));
+    cells.push_back(residual_words(scene));
     cells.push_back(shown(1e3 * cpu_per_second(scene)));
     table.rows.push_back(std::move(cells));
   }

@@ -2,10 +2,14 @@
 
 #include "report/answers/simulate_scene.h"
 
+#include <algorithm>
+
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "data/io/result_file.h"
 #include "tests/data_folder.h"
+#include "tests/temporary_folder.h"
 
 namespace thenar {
 namespace {
@@ -45,6 +49,44 @@ TEST(SceneAnswer, IsRefusedWhereTheIntegratorGaveUp) {
   scene.run.reason = "at 0.1 s no step is short enough";
   EXPECT_EQ(refusal_of(scene), "at 0.1 s no step is short enough: do not use this motion");
   EXPECT_EQ(json_of(scene)["status"], "failed");
+  EXPECT_EQ(json_of(scene)["reason"], scene.run.reason);
+  EXPECT_TRUE(json_of(pinched())["reason"].is_null());
+}
+
+using SceneFile = TemporaryFolder;
+
+TEST_F(SceneFile, HasTheReasonOfAFailure) {
+  SimulatedScene scene = pinched();
+  write_scene_run(scene, path("run.h5"), {});
+  EXPECT_EQ(read_result(path("run.h5")).texts.count("reason"), 0U);
+  scene.run.status = SceneStatus::kFailed;
+  scene.run.reason = "at 0.1 s no step is short enough";
+  write_scene_run(scene, path("run.h5"), {});
+  const ResultFile file = read_result(path("run.h5"));
+  EXPECT_EQ(file.text("status"), "failed");
+  EXPECT_EQ(file.text("reason"), scene.run.reason);
+}
+
+// Contacts as springs pose no contact problems: no residual is told, rather than one of 0.
+TEST(SceneAnswer, HasAResidualWhereContactProblemsWerePosed) {
+  SceneRequest request;
+  request.scene = kData + "/scenes/pinch.toml";
+  request.seconds = 0.05;
+  request.vary = {{"friction", 0.8, 0.8, 1}};
+  for (const std::string& method : stepping_names()) {
+    SCOPED_TRACE(method);
+    request.method = method;
+    const SceneSweep sweep = *vary_scene(request);
+    const SimulatedScene& scene = sweep.runs.front();
+    const bool has = method == "events" || method == "time-stepping";
+    EXPECT_EQ(json_of(scene)["worst_residual"].is_number(), has);
+    EXPECT_EQ(json_of(scene)["worst_residual"].is_null(), !has);
+    EXPECT_EQ(text_of(scene).find("contact problem n/a") == std::string::npos, has);
+    const Table table = table_of(sweep);
+    const auto column = std::find(table.header.begin(), table.header.end(), "worst_residual") -
+                        table.header.begin();
+    EXPECT_EQ(table.rows.front()[static_cast<std::size_t>(column)] == "n/a", !has);
+  }
 }
 
 TEST(SceneAnswer, ByAllMethodsHoldsThePinch) {
