@@ -14,9 +14,10 @@ namespace thenar {
 /// count (8 bytes):
 ///
 ///   status
-///   samples:   t, q, v, contacts, kinetic energy, weight, springs
+///   samples:   t, q, v, z, contacts, kinetic energy, weight, springs, energy of elements
 ///     contacts:  a, b, id, point, normal, force, torsion, gap, mode
 ///   cost:      counts, then the largest residual, depth, time at rest, processor time
+///   reason:    letters
 ///
 /// There is no version and no order of bytes: what is written is to be read by the same program on
 /// the same kind of machine, at once: processes of one sweep do so (vary_scene()). Files of runs

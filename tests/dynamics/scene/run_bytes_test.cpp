@@ -15,12 +15,14 @@
 namespace thenar {
 namespace {
 
-SceneRun pinched() {
-  const BuiltScene built = build_scene(read_scene(kData + "/scenes/swinging_pinch.toml"), {});
+SceneRun run_of(const char* scene, double seconds) {
+  const BuiltScene built = build_scene(read_scene(kData + "/scenes/" + scene + ".toml"), {});
   SceneOptions options = built.options;
-  options.seconds = 0.1;
+  options.seconds = seconds;
   return simulate_scene(built.scene, options);
 }
+
+SceneRun pinched() { return run_of("swinging_pinch", 0.1); }
 
 TEST(RunBytes, ComeBackToTheBit) {
   SceneRun run = pinched();
@@ -29,6 +31,7 @@ TEST(RunBytes, ComeBackToTheBit) {
   run.cost.unsolved = 7;
   run.samples[1].q[0] = -0.0;
   run.samples[1].v[0] = std::numeric_limits<double>::denorm_min();
+  run.samples.back().contacts.back().torsion = 0.1 + 0.2;
   const SceneRun back = run_of_bytes(bytes_of(run));
   EXPECT_EQ(back.status, run.status);
   EXPECT_EQ(back.cost.unsolved, 7);
@@ -46,9 +49,32 @@ TEST(RunBytes, ComeBackToTheBit) {
     for (std::size_t c = 0; c < a.contacts.size(); ++c) {
       EXPECT_EQ(a.contacts[c].id, b.contacts[c].id);
       EXPECT_EQ(a.contacts[c].force, b.contacts[c].force);
+      EXPECT_EQ(a.contacts[c].torsion, b.contacts[c].torsion);
       EXPECT_EQ(a.contacts[c].gap, b.contacts[c].gap);
       EXPECT_EQ(a.contacts[c].mode, b.contacts[c].mode);
     }
+  }
+}
+
+TEST(RunBytes, OfElementsAndAReasonComeBack) {
+  SceneRun run = run_of("loose_joint", 0.2);
+  run.status = SceneStatus::kFailed;
+  run.reason = "at 0.2 s no step is short enough";
+  EXPECT_GT(run.samples.back().energy.springs, 0);
+  // The joint is passive and has no state.
+  for (std::size_t k = 0; k < run.samples.size(); ++k) {
+    run.samples[k].z = Eigen::Vector2d(0.1 * static_cast<double>(k), -0.0);
+    run.samples[k].energy.of_elements = 0.3 * static_cast<double>(k);
+  }
+  const SceneRun back = run_of_bytes(bytes_of(run));
+  EXPECT_EQ(back.status, SceneStatus::kFailed);
+  EXPECT_EQ(back.reason, run.reason);
+  ASSERT_EQ(back.samples.size(), run.samples.size());
+  for (std::size_t k = 0; k < run.samples.size(); ++k) {
+    EXPECT_EQ(back.samples[k].z, run.samples[k].z);
+    EXPECT_TRUE(std::signbit(back.samples[k].z[1]));
+    EXPECT_EQ(back.samples[k].energy.springs, run.samples[k].energy.springs);
+    EXPECT_EQ(back.samples[k].energy.of_elements, run.samples[k].energy.of_elements);
   }
 }
 
