@@ -12,10 +12,12 @@ namespace {
 
 using Verdict = Extrapolation::Verdict;
 
+/// q, v and z are x, -x and (2 x, 3 x).
 SceneState number(double x) {
   SceneState state;
-  state.q = state.v = Eigen::VectorXd::Constant(1, x);
-  state.z = Eigen::VectorXd(0);
+  state.q = Eigen::VectorXd::Constant(1, x);
+  state.v = -state.q;
+  state.z = Eigen::Vector2d(2 * x, 3 * x);
   return state;
 }
 
@@ -42,10 +44,17 @@ TEST(Extrapolation, IsExactWhereTheExpansionEnds) {
   Extrapolation table(number(0), 4);
   table.restart();
   for (int k = 1; k <= 3; ++k) table.add(number(5 + 2.0 / k - 3.0 / (k * k)));
-  EXPECT_NEAR(table.best().v[0], 5, 1e-14);
+  const auto is_five = [](const SceneState& state) {
+    EXPECT_NEAR(state.q[0], 5, 1e-14);
+    EXPECT_NEAR(state.v[0], -5, 1e-14);
+    ASSERT_EQ(state.z.size(), 2);
+    EXPECT_NEAR(state.z[0], 10, 2e-14);
+    EXPECT_NEAR(state.z[1], 15, 3e-14);
+  };
+  is_five(table.best());
   table.add(number(5 + 2.0 / 4 - 3.0 / 16));
-  EXPECT_NEAR(table.lower().v[0], 5, 1e-14);
-  EXPECT_NEAR(table.best().v[0], 5, 1e-14);
+  is_five(table.lower());
+  is_five(table.best());
 }
 
 /// Substeps that a whole run of  x' = x  from 0 to 10 takes, and its error over the tolerance.

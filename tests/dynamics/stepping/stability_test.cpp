@@ -64,6 +64,7 @@ TEST(SceneStability, FingersOfAllMassesCatchTheCube) {
 TEST(SceneStability, RandomPinchesHold) {
   const char* all = std::getenv("THENAR_PINCHES");
   const int trials = all != nullptr ? std::stoi(all) : 500;
+  ASSERT_GE(trials, 1) << "THENAR_PINCHES=" << all;
   std::mt19937 engine(1);
   std::uniform_real_distribution<double> uniform(0, 1);
   for (int trial = 0; trial < trials; ++trial) {
