@@ -119,13 +119,15 @@ struct __attribute__((visibility("hidden"))) StiffOde::Parts {
   }
 
   [[nodiscard]] OdeCounts counts() const {
-    long steps = 0, slopes = 0, by_jacobian = 0, jacobians = 0;
+    long steps = 0, slopes = 0, by_jacobian = 0, jacobians = 0, inaccurate = 0, unsolved = 0;
     CVodeGetNumSteps(cvode, &steps);
     CVodeGetNumRhsEvals(cvode, &slopes);
     CVodeGetNumLinRhsEvals(cvode, &by_jacobian);
     CVodeGetNumJacEvals(cvode, &jacobians);
+    CVodeGetNumErrTestFails(cvode, &inaccurate);
+    CVodeGetNumStepSolveFails(cvode, &unsolved);
     return {before.steps + steps, before.slopes + slopes + by_jacobian,
-            before.jacobians + jacobians};
+            before.jacobians + jacobians, before.rejected + inaccurate + unsolved};
   }
 
   OdeRightHandSide slope;

@@ -36,9 +36,10 @@ enum class OdeStatus {
   kFailed       // anything else
 };
 
-/// What the work was; slopes are without those of Jacobians that are given.
+/// What the work was; slopes are without those of Jacobians that are given. Rejected are steps
+/// whose error was too large, or whose equations Newton's steps did not solve.
 struct OdeCounts {
-  long steps = 0, slopes = 0, jacobians = 0;
+  long steps = 0, slopes = 0, jacobians = 0, rejected = 0;
 };
 
 /// Backward differentiation formulas of order 1 to 5 with dense Newton steps, by CVODE.

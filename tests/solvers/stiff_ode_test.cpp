@@ -63,6 +63,19 @@ TEST(StiffOde, StopsAndRestartsWhereSlopeJumps) {
   EXPECT_GT(ode.counts().steps, steps);
 }
 
+// A slope that jumps unannounced makes steps fail; a straight line does not.
+TEST(StiffOde, CountsStepsThatItRejects) {
+  for (const double after : {1.0, -100.0}) {
+    StiffOde ode([&](double t, const VectorXd&) { return one(t < 1 ? 1 : after); }, 0, one(0),
+                 tolerance(1, 1e-9));
+    run_to(ode, 2);
+    EXPECT_EQ(ode.counts().rejected > 0, after != 1) << after;
+    const long rejected = ode.counts().rejected;
+    ode.restart();
+    EXPECT_EQ(ode.counts().rejected, rejected);
+  }
+}
+
 // y' = -1 / sqrt(y) has the solution (1 - 3 t / 2)^(2/3) from y(0) = 1, which ends at t = 2/3.
 TEST(StiffOde, SaysWhereSolutionEnds) {
   StiffOde ode([](double, const VectorXd& y) { return one(-1 / std::sqrt(y[0])); }, 0, one(1),
