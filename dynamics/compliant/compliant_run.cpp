@@ -38,7 +38,8 @@ class CompliantLoop {
       span(stops_[i], progress);
       from = stops_[i];
     }
-    run_.cost.substeps = motion_.slopes();
+    run_.cost.substeps = motion_.evaluations();
+    run_.cost.rejected = motion_.rejected();
     run_.cost.cpu_seconds = thread_seconds() - start;
     return std::move(run_);
   }
@@ -102,6 +103,14 @@ void refuse_restitution(const PairFriction& pair) {
 }
 
 }  // namespace
+
+double StepReach::follow(ContactStep& step, const SceneState& before, const SceneState& after) {
+  step.find(after, 0, touching_);
+  for (ActiveContact& contact : touching_) contact.mode = ContactMode::kStick;
+  const double motion = step.motion_between(before, after, touching_);
+  length_ = motion > 0 ? 0.5 * (after.t - before.t) / motion : longest_;
+  return motion;
+}
 
 SceneRun run_compliant(CompliantMotion& motion, const MovingScene& scene,
                        const SceneOptions& options, const Progress& progress) {

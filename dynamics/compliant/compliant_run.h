@@ -30,8 +30,30 @@ class CompliantMotion {
   [[nodiscard]] virtual const SceneState& state() const = 0;
   /// Contacts that have a force at present. @param stored  energy of their springs and of stops [J]
   [[nodiscard]] virtual std::vector<ContactSample> contacts(double& stored) = 0;
-  /// Slopes that were asked for.
-  [[nodiscard]] virtual long slopes() const = 0;
+  /// Accelerations that were computed.
+  [[nodiscard]] virtual long evaluations() const = 0;
+  /// Steps that were made in vain: their error was too large, Newton's steps did not converge, or
+  /// surfaces moved too far.
+  [[nodiscard]] virtual long rejected() const = 0;
+};
+
+/// How long steps may be for nothing to pass through something.
+class StepReach {
+ public:
+  /// @param longest  step [s]
+  explicit StepReach(double longest) : longest_(longest), length_(longest) {}
+
+  void restart(double length) { length_ = length; }
+  /// Of the next step [s].
+  [[nodiscard]] double length() const { return length_; }
+
+  /// How far surfaces moved in a step, over half of the thinner body's thickness; length() is then
+  /// half of what that allows. [1]
+  [[nodiscard]] double follow(ContactStep& step, const SceneState& before, const SceneState& after);
+
+ private:
+  double longest_, length_;  // [s]
+  std::vector<ActiveContact> touching_;
 };
 
 /// Runs a motion to the end of its options, keeping samples.
@@ -39,8 +61,8 @@ class CompliantMotion {
                                      const SceneOptions& options, const Progress& progress);
 
 /// Checks what all compliant methods ask of a scene.
-/// @throws InputError as check_scene(), check_scene_options() and check_compliance(), or if a pair
-/// has a restitution: bounces follow from the dissipation.
+/// @throws InputError as check_scene(), check_scene_options() and check_compliance(), if a pair has
+/// a restitution (bounces follow from the dissipation), or if the scene has force elements.
 void check_compliant(const MovingScene& scene, const SceneOptions& options);
 
 }  // namespace thenar::internal

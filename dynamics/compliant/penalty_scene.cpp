@@ -16,6 +16,7 @@ namespace {
 
 using internal::CompliantMotion;
 using internal::CompliantStep;
+using internal::StepReach;
 using Kind = ActiveContact::Kind;
 
 constexpr int kMostOdeSteps = 100'000'000;
@@ -53,6 +54,7 @@ class PenaltyMotion : public CompliantMotion {
  public:
   PenaltyMotion(const MovingScene& scene, const SceneOptions& options)
       : options_(options),
+        reach_(options.longest),
         step_(scene),
         motion_(step_.model()),
         mass_(step_.model()),
@@ -67,7 +69,7 @@ class PenaltyMotion : public CompliantMotion {
     step_.act_as_at(instant);
     state_.t = instant;
     restart();
-    reach_ = kFirstReach;
+    reach_.restart(kFirstReach);
   }
 
   CompliantStep step(double stop) override {
@@ -76,7 +78,7 @@ class PenaltyMotion : public CompliantMotion {
       return {};
     }
     const SceneState before = state_;
-    double most = std::min({reach_, options_.longest, stop - before.t});
+    double most = std::min({reach_.length(), options_.longest, stop - before.t});
     while (true) {
       const bool is_to_stop = most >= stop - before.t;
       const OdeStatus status = ode_->step(is_to_stop ? stop : before.t + most);
@@ -85,14 +87,12 @@ class PenaltyMotion : public CompliantMotion {
         return {SceneStatus::kFailed, fmt::format("at {:.9g} s {}", before.t, words_of(status))};
       take_state();
       // Too far to be sure that nothing went through something: again, shorter.
-      step_.find(state_, 0, touching_);
-      for (ActiveContact& contact : touching_) contact.mode = ContactMode::kStick;
-      const double motion = step_.motion_between(before, state_, touching_);
+      const double motion = reach_.follow(step_, before, state_);
       const double h = state_.t - before.t;
-      reach_ = motion > 0 ? 0.5 * h / motion : options_.longest;
       if (motion <= 1 || h <= options_.shortest) return {};
       most = std::max(0.5 * h / motion, options_.shortest);
       state_ = before;
+      ++rejected_;
       restart();
     }
   }
@@ -105,14 +105,18 @@ class PenaltyMotion : public CompliantMotion {
     return out;
   }
 
-  long slopes() const override { return slopes_ + (ode_ ? ode_->counts().slopes : 0); }
+  long evaluations() const override { return evaluations_ + (ode_ ? ode_->counts().slopes : 0); }
+  long rejected() const override { return rejected_ + (ode_ ? ode_->counts().rejected : 0); }
 
  private:
   static constexpr double kFirstReach = 1e-4;  // of the first step after a start [s]
 
   /// Starts the integrator at the present state.
   void restart() {
-    if (ode_) slopes_ += ode_->counts().slopes;
+    if (ode_) {
+      evaluations_ += ode_->counts().slopes;
+      rejected_ += ode_->counts().rejected;
+    }
     const Eigen::Index nq = state_.q.size(), nv = state_.v.size();
     if (nv == 0) return;
     StiffOdeOptions ode;
@@ -241,16 +245,16 @@ class PenaltyMotion : public CompliantMotion {
   }
 
   SceneOptions options_;
+  StepReach reach_;
   ContactStep step_;
   TreeMotion<double> motion_;
   MassMatrix<double> mass_;
   Eigen::VectorXd efforts_;  // of contacts over the speeds, then what they accelerate (v)
   Eigen::VectorXd q_dot_, v_dot_, z_dot_;
   SceneState state_, trial_;
-  std::vector<ActiveContact> found_, touching_;
+  std::vector<ActiveContact> found_;
   std::optional<StiffOde> ode_;
-  long slopes_ = 0;             // before the last start
-  double reach_ = kFirstReach;  // of the next step: nothing moves too far [s]
+  long evaluations_ = 0, rejected_ = 0;  // before the last start
 };
 
 }  // namespace

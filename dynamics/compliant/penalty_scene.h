@@ -26,7 +26,8 @@ namespace thenar {
 ///
 /// The same scene and options give the same bits.
 /// @param options  `method` is not looked at
-/// @throws InputError as check_scene(), or if an option is impossible, or a pair has a restitution.
+/// @throws InputError as check_scene(), or if an option is impossible, a pair has a restitution, or
+/// the scene has force elements (ligaments, tendons, joints that give).
 [[nodiscard]] SceneRun simulate_penalty_scene(const MovingScene& scene, const SceneOptions& options,
                                               const Progress& progress = {});
 

@@ -20,17 +20,9 @@ namespace {
 
 using internal::CompliantMotion;
 using internal::CompliantStep;
-
-SimTK::Vec3 to_simbody(const Eigen::Vector3d& v) { return {v.x(), v.y(), v.z()}; }
-
-SimTK::Transform to_simbody(const Pose<double>& X) {
-  SimTK::Mat33 R;
-  for (int i = 0; i < 3; ++i)
-    for (int j = 0; j < 3; ++j) R(i, j) = X.R(i, j);
-  return {SimTK::Rotation(R), to_simbody(X.p)};
-}
-
-Eigen::Vector3d from_simbody(const SimTK::Vec3& v) { return {v[0], v[1], v[2]}; }
+using internal::from_simbody;
+using internal::StepReach;
+using internal::to_simbody;
 
 const SimTK::MobilizedBody& body_of(const SimbodyMechanism& bodies, std::size_t i) {
   return bodies.matter().getMobilizedBody(SimTK::MobilizedBodyIndex(static_cast<int>(i) + 1));
@@ -114,7 +106,8 @@ class SimbodyScene {
         tracker_(bodies.system()),
         contacts_(bodies.system(), tracker_),
         loads_(forces_, new SceneLoads(scene, compliance, bodies, acting)) {  // owned by the system
-    for (std::size_t i = 0; i < scene.mechanism.bodies.size(); ++i) dress(static_cast<int>(i));
+    for (std::size_t i = 0; i < scene.mechanism.bodies.size(); ++i)
+      add_surfaces(static_cast<int>(i));
     contacts_.setTransitionVelocity(compliance.transition);
     for (std::size_t i = 0; i < scene.mechanism.joints.size(); ++i) add_resistance(i);
     bodies.system().realizeTopology();
@@ -175,18 +168,23 @@ class SimbodyScene {
   }
 
   /// Puts all surfaces of a body on it.
-  void dress(int body) {
+  /// @throws InputError if Simbody refuses one, as it does meshes that are not closed.
+  void add_surfaces(int body) try {
     SimTK::Body& rigid =
         bodies.matter().updMobilizedBody(SimTK::MobilizedBodyIndex(body + 1)).updBody();
     for (std::size_t k = 0; k < pairs_.size(); ++k)
       for (const std::size_t side : {0, 1}) {
         const SimbodySurface& of = surface(k, side);
         if (of.body != body) continue;
-        worn_[body].emplace_back(k, side);
-        SimTK::ContactSurface worn(geometry(of), material(k), compliance_.layer);
-        for (const int clique : cliques_[2 * k + side]) worn.joinClique(clique_id(clique));
-        rigid.addContactSurface(placing(of), worn);
+        surfaces_on_[body].emplace_back(k, side);
+        SimTK::ContactSurface added(geometry(of), material(k), compliance_.layer);
+        for (const int clique : cliques_[2 * k + side]) added.joinClique(clique_id(clique));
+        rigid.addContactSurface(placing(of), added);
       }
+  } catch (const std::exception& failure) {
+    throw InputError(fmt::format("Simbody refuses the surface of '{}': {}",
+                                 scene_.mechanism.bodies[static_cast<std::size_t>(body)].name,
+                                 failure.what()));
   }
 
   SimTK::ContactCliqueId clique_id(int clique) {
@@ -252,10 +250,10 @@ class SimbodyScene {
 
   [[nodiscard]] SimTK::ContactSurfaceIndex surface_index(std::size_t pair, std::size_t side) const {
     const int body = surface(pair, side).body;
-    const auto& worn = worn_.at(body);
-    const auto place = std::find(worn.begin(), worn.end(), std::make_pair(pair, side));
+    const auto& all = surfaces_on_.at(body);
+    const auto place = std::find(all.begin(), all.end(), std::make_pair(pair, side));
     return tracker_.getContactSurfaceIndex(SimTK::MobilizedBodyIndex(body + 1),
-                                           static_cast<int>(place - worn.begin()));
+                                           static_cast<int>(place - all.begin()));
   }
 
   [[nodiscard]] const SimTK::Contact& contact_of(const SimTK::State& at,
@@ -314,7 +312,8 @@ class SimbodyScene {
   std::vector<SimbodyPair> pairs_;
   std::vector<std::vector<int>> cliques_;  // of surface 2 k + side of pair k
   std::vector<SimTK::ContactCliqueId> clique_ids_;
-  std::map<int, std::vector<std::pair<std::size_t, std::size_t>>> worn_;  // pair, side by body
+  std::map<int, std::vector<std::pair<std::size_t, std::size_t>>>
+      surfaces_on_;  // pair, side by body
   SimTK::GeneralForceSubsystem forces_;
   SimTK::Force::Gravity gravity_;
   SimTK::ContactTrackerSubsystem tracker_;
@@ -326,14 +325,21 @@ class SimbodyScene {
 class SimbodyMotion : public CompliantMotion {
  public:
   SimbodyMotion(const MovingScene& scene, const SceneOptions& options)
-      : options_(options), step_(scene), world_(scene, options_.compliance, step_.model()) {
+      : options_(options),
+        reach_(options.longest),
+        step_(scene),
+        world_(scene, options_.compliance, step_.model()) {
     state_.q = scene.q;
     state_.v = scene.v;
+    // What Simbody cannot compute at the start, it refuses here.
+    double stored = 0;
+    (void)world_.contacts(world_.state_of(state_), stored);
   }
 
   void begin_span(double instant) override {
     world_.acting = instant;
-    if (integrator_) slopes_ += integrator_->getNumRealizations();
+    evaluations_ = integrator_ ? evaluations() : 0;
+    rejected_ = rejected();
     state_.t = instant;
     integrator_ =
         std::make_unique<SimTK::CPodesIntegrator>(world_.bodies.system(), SimTK::CPodes::BDF);
@@ -341,7 +347,7 @@ class SimbodyMotion : public CompliantMotion {
     integrator_->setMaximumStepSize(options_.longest);
     integrator_->setReturnEveryInternalStep(true);
     integrator_->setInternalStepLimit(1000);
-    reach_ = options_.longest;
+    reach_.restart(options_.longest);
     has_begun_ = false;
   }
 
@@ -355,7 +361,7 @@ class SimbodyMotion : public CompliantMotion {
       // Simbody mixes up contacts of a state that was realized before.
       if (!has_begun_) integrator_->initialize(world_.state_of(state_));
       has_begun_ = true;
-      const double end = std::min(stop, before.t + reach_);
+      const double end = std::min(stop, before.t + reach_.length());
       integrator_->stepTo(end, end);
       take_state();
       if (!state_.q.allFinite() || !state_.v.allFinite()) return {SceneStatus::kNotFinite, ""};
@@ -375,7 +381,13 @@ class SimbodyMotion : public CompliantMotion {
     return world_.contacts(has_begun_ ? integrator_->getState() : world_.state_of(state_), stored);
   }
 
-  long slopes() const override { return slopes_ + integrator_->getNumRealizations(); }
+  long evaluations() const override { return evaluations_ + integrator_->getNumRealizations(); }
+
+  long rejected() const override {
+    if (!has_begun_) return rejected_;
+    return rejected_ + integrator_->getNumErrorTestFailures() +
+           integrator_->getNumConvergenceTestFailures();
+  }
 
  private:
   void take_state() {
@@ -386,10 +398,7 @@ class SimbodyMotion : public CompliantMotion {
 
   /// Fails where surfaces moved too far to be sure that nothing went through something.
   CompliantStep passed_through(const SceneState& before) {
-    step_.find(state_, 0, touching_);
-    for (ActiveContact& contact : touching_) contact.mode = ContactMode::kStick;
-    const double motion = step_.motion_between(before, state_, touching_);
-    reach_ = motion > 0 ? 0.5 * (state_.t - before.t) / motion : options_.longest;
+    const double motion = reach_.follow(step_, before, state_);
     if (motion <= 1) return {};
     return {SceneStatus::kFailed,
             fmt::format("at {:.9g} s surfaces moved {:.2g} times half of the thinner body's "
@@ -399,15 +408,24 @@ class SimbodyMotion : public CompliantMotion {
   }
 
   SceneOptions options_;
+  StepReach reach_;
   ContactStep step_;
   SimbodyScene world_;
   std::unique_ptr<SimTK::CPodesIntegrator> integrator_;
   SceneState state_;
-  std::vector<ActiveContact> touching_;
   bool has_begun_ = false;
-  double reach_ = 0;  // of the next step: nothing moves too far [s]
-  long slopes_ = 0;   // before the last start
+  long evaluations_ = 0, rejected_ = 0;  // before the last start
 };
+
+/// @throws InputError whatever Simbody throws while it is set up.
+std::unique_ptr<SimbodyMotion> simbody_motion(const MovingScene& scene,
+                                              const SceneOptions& options) try {
+  return std::make_unique<SimbodyMotion>(scene, options);
+} catch (const InputError&) {
+  throw;
+} catch (const std::exception& failure) {
+  throw InputError(fmt::format("Simbody refuses the scene: {}", failure.what()));
+}
 
 void check_for_simbody(const MovingScene& scene, const SceneOptions& options) {
   internal::check_compliant(scene, options);
@@ -429,8 +447,8 @@ void check_for_simbody(const MovingScene& scene, const SceneOptions& options) {
 SceneRun simulate_simbody_scene(const MovingScene& scene, const SceneOptions& options,
                                 const Progress& progress) {
   check_for_simbody(scene, options);
-  SimbodyMotion motion(scene, options);
-  return run_compliant(motion, scene, options, progress);
+  const std::unique_ptr<SimbodyMotion> motion = simbody_motion(scene, options);
+  return run_compliant(*motion, scene, options, progress);
 }
 
 }  // namespace thenar

@@ -6,11 +6,9 @@
 #include "dynamics/mechanism/simbody_mechanism.h"
 
 namespace thenar {
-namespace {
 
-SimTK::Vec3 to_simbody(const Eigen::Vector3d& v) { return {v.x(), v.y(), v.z()}; }
-
-}  // namespace
+using internal::from_simbody;
+using internal::to_simbody;
 
 struct SimbodyMachine::Parts {
   explicit Parts(const Mechanism& mechanism) : bodies(mechanism) {
@@ -39,13 +37,7 @@ void SimbodyMachine::set(const Eigen::VectorXd& q, const Eigen::VectorXd& v) {
 }
 
 Pose<double> SimbodyMachine::pose(int body) const {
-  const SimTK::Transform& X = parts_->body(body).getBodyTransform(parts_->state);
-  Pose<double> out;
-  for (int i = 0; i < 3; ++i) {
-    for (int j = 0; j < 3; ++j) out.R(i, j) = X.R()[i][j];
-    out.p[i] = X.p()[i];
-  }
-  return out;
+  return from_simbody(parts_->body(body).getBodyTransform(parts_->state));
 }
 
 double SimbodyMachine::kinetic_energy() const {

@@ -5,27 +5,47 @@
 #include "base/error.h"
 
 namespace thenar {
-namespace {
+namespace internal {
 
-SimTK::Vec3 vector_of(const Eigen::Vector3d& v) { return {v.x(), v.y(), v.z()}; }
+SimTK::Vec3 to_simbody(const Eigen::Vector3d& v) { return {v.x(), v.y(), v.z()}; }
 
-SimTK::Transform transform_of(const Pose<double>& X) {
+SimTK::Transform to_simbody(const Pose<double>& X) {
   SimTK::Mat33 R;
   for (int i = 0; i < 3; ++i)
     for (int j = 0; j < 3; ++j) R(i, j) = X.R(i, j);
-  return {SimTK::Rotation(R), vector_of(X.p)};
+  return {SimTK::Rotation(R), to_simbody(X.p)};
 }
+
+Eigen::Vector3d from_simbody(const SimTK::Vec3& v) { return {v[0], v[1], v[2]}; }
+
+Pose<double> from_simbody(const SimTK::Transform& X) {
+  Pose<double> out;
+  for (int i = 0; i < 3; ++i)
+    for (int j = 0; j < 3; ++j) out.R(i, j) = X.R()[i][j];
+  out.p = from_simbody(X.p());
+  return out;
+}
+
+}  // namespace internal
+
+namespace {
+
+using internal::to_simbody;
 
 SimTK::MobilizedBodyIndex index_of(int body) { return SimTK::MobilizedBodyIndex(body + 1); }
 
-SimTK::Body::Rigid rigid_body(const BodyMass& body) {
+/// @throws InputError if Simbody refuses the mass or the inertia.
+SimTK::Body::Rigid rigid_body(const MechanismBody& of) try {
+  const BodyMass& body = of.mass;
   if (body.mass == 0)
     return SimTK::Body::Rigid(SimTK::MassProperties(0, SimTK::Vec3(0), SimTK::Inertia(0)));
   const Eigen::Matrix3d& I = body.inertia;
   const SimTK::Inertia central(I(0, 0), I(1, 1), I(2, 2), I(0, 1), I(0, 2), I(1, 2));
-  const SimTK::Vec3 com = vector_of(body.com);
+  const SimTK::Vec3 com = to_simbody(body.com);
   return SimTK::Body::Rigid(
       SimTK::MassProperties(body.mass, com, central.shiftFromMassCenter(-com, body.mass)));
+} catch (const std::exception& failure) {
+  throw InputError(fmt::format("Simbody refuses the mass of '{}': {}", of.name, failure.what()));
 }
 
 /// How far a joint's value is from what its coordinate says, where `leader` follows it linearly.
@@ -64,8 +84,8 @@ struct SimbodyMechanism::Parts {
 
   void add_body(std::size_t i) {
     const MechanismJoint& joint = mechanism.joints[i];
-    const SimTK::Body::Rigid body = rigid_body(mechanism.bodies[i].mass);
-    const SimTK::Transform F = transform_of(joint.X_PF), M = transform_of(joint.X_BM);
+    const SimTK::Body::Rigid body = rigid_body(mechanism.bodies[i]);
+    const SimTK::Transform F = to_simbody(joint.X_PF), M = to_simbody(joint.X_BM);
     SimTK::MobilizedBody& parent = matter.updMobilizedBody(index_of(joint.parent));
     switch (joint.kind) {
       case JointKind::kWeld:

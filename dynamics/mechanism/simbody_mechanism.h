@@ -13,16 +13,31 @@ namespace SimTK {
 class MultibodySystem;
 class SimbodyMatterSubsystem;
 class State;
+template <int M, class E, int Stride>
+class Vec;
+template <class P>
+class Transform_;
 }  // namespace SimTK
 
 namespace thenar {
+namespace internal {
+
+// Vectors and poses of ours as Simbody's, and back.
+
+[[nodiscard]] SimTK::Vec<3, double, 1> to_simbody(const Eigen::Vector3d& v);
+[[nodiscard]] SimTK::Transform_<double> to_simbody(const Pose<double>& X);
+[[nodiscard]] Eigen::Vector3d from_simbody(const SimTK::Vec<3, double, 1>& v);
+[[nodiscard]] Pose<double> from_simbody(const SimTK::Transform_<double>& X);
+
+}  // namespace internal
 
 /// Bodies, joints and couplings of a mechanism in a Simbody System, whose topology is not realized.
 /// Simbody's number of a body is ours + 1, and 0 of the world. Joints that share a coordinate are
 /// held together by constraints on the first of them that follows it linearly.
 class SimbodyMechanism {
  public:
-  /// @throws InputError as check_mechanism(), or if no joint follows a shared coordinate linearly.
+  /// @throws InputError as check_mechanism(), if no joint follows a shared coordinate linearly, or
+  /// naming the body whose mass or inertia Simbody refuses.
   explicit SimbodyMechanism(const Mechanism& mechanism);
   ~SimbodyMechanism();
   SimbodyMechanism(SimbodyMechanism&&) noexcept;

@@ -4,7 +4,9 @@
 
 #include <gtest/gtest.h>
 
+#include "geometry/tessellate.h"
 #include "tests/dynamics/compliant/compliant_scenes.h"
+#include "tests/message_of.h"
 
 namespace thenar {
 namespace {
@@ -43,6 +45,27 @@ TEST(CompliantLimits, RefuseForceElements) {
   world.scene.elements.push_back(std::make_shared<Idle>());
   EXPECT_THROW((void)simulate_simbody_scene(world.scene, {}), InputError);
   EXPECT_THROW((void)simulate_penalty_scene(world.scene, {}), InputError);
+}
+
+// A cube of triangles, one of which is left out.
+TEST(CompliantLimits, SimbodyNamesTheBodyWhoseMeshIsOpen) {
+  MovingScene scene = sample::ball_on_floor(1).scene;
+  ShapeSpec cube = primitive(ShapeKind::kMesh, {0, 0, 0});
+  cube.mesh = box_mesh({0.05, 0.05, 0.05});
+  Pose<double> X;
+  X.p = {0.3, 0, 0.025};
+  const int body = sample::add_body(scene, "cube", cube, 0.1, X);
+  SceneOptions options;
+  options.seconds = 0.01;
+  EXPECT_EQ(simulate_simbody_scene(scene, options).status, SceneStatus::kDone);
+  Solid open = *scene.mechanism.bodies[static_cast<std::size_t>(body)].solid;
+  Eigen::Matrix3Xi& triangles = open.collision.front().core.triangles;
+  triangles.conservativeResize(3, triangles.cols() - 1);
+  scene.mechanism.bodies[static_cast<std::size_t>(body)].solid =
+      std::make_shared<const Solid>(std::move(open));
+  const std::string told =
+      message_of<InputError>([&] { (void)simulate_simbody_scene(scene, options); });
+  EXPECT_NE(told.find("Simbody refuses the surface of 'cube'"), std::string::npos) << told;
 }
 
 TEST(CompliantLimits, OtherStepperRefusesTheirNames) {
@@ -113,6 +136,19 @@ TEST(CompliantLimits, NothingFastGoesThroughSomethingThin) {
   const SceneRun run = simulate_penalty_scene(scene, options);
   ASSERT_EQ(run.status, SceneStatus::kDone) << run.reason;
   EXPECT_NEAR(run.samples.back().v[5], 30, 1e-3);
+  EXPECT_GT(run.cost.rejected, 0);  // steps that went too far
+}
+
+// Nothing announces a floor: the step that finds it errs, and is made again.
+TEST(CompliantLimits, TellStepsThatWereMadeInVain) {
+  const sample::BallOnFloor world = sample::ball_on_floor(0.01);
+  SceneOptions options;
+  options.seconds = 0.2;
+  for (const sample::CompliantProgram& program : {sample::kOfSimbody, sample::kOfSundials}) {
+    const SceneRun run = program.run(world.scene, options, {});
+    EXPECT_GT(run.cost.rejected, 0) << program.name;
+    EXPECT_GT(run.cost.substeps, run.cost.steps) << program.name;
+  }
 }
 
 TEST(CompliantLimits, InfiniteMotionIsTold) {
