@@ -332,9 +332,8 @@ std::string refusal_of(const SimulatedScene& scene) {
     return fmt::format("{}: do not use this motion", scene.run.reason);
   if (cost.unsolved == 0) return "";
   return fmt::format(
-      "in {} of {} steps and impacts a contact problem was not solved (worst residual {:.2g}), or "
-      "a "
-      "force element found no answer: do not use this motion",
+      "{} of {} contact problems or force elements were not solved (worst residual {:.2g}): do not "
+      "use this motion",
       cost.unsolved, cost.substeps + cost.impacts, cost.worst_residual);
 }
 
