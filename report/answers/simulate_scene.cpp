@@ -12,6 +12,8 @@
 namespace thenar {
 namespace {
 
+constexpr double kDeep = 1e-3;  // penetration that is warned of [m]
+
 std::string body_name(const SimulatedScene& scene, int body) {
   return scene.built->scene.mechanism.bodies[static_cast<std::size_t>(body)].name;
 }
@@ -307,6 +309,11 @@ std::vector<std::string> warnings_of(const SimulatedScene& scene) {
         "events followed each other without end {} times: fixed steps went on by 1 ms each time, "
         "without an estimate of their error",
         scene.run.cost.passed));
+  if (scene.run.cost.deepest > kDeep && has_contact_problems(scene))
+    warnings.push_back(fmt::format(
+        "surfaces were up to {:.3g} mm inside each other: forces there are not to be trusted, "
+        "shorter steps may help",
+        1e3 * scene.run.cost.deepest));
   if (scene.run.cost.coarse > 0)
     warnings.push_back(
         fmt::format("{} steps missed the tolerance, though they were as short as can be (1 ns)",

@@ -115,5 +115,16 @@ TEST(SceneAnswer, OfASweepNamesTheRunThatIsRefused) {
   EXPECT_EQ(table_of(sweep).rows.size(), 3U);
 }
 
+// Rigid surfaces that are deep in each other were stepped over: no word would be a wrong number.
+TEST(SceneAnswer, WarnsOfDeepPenetration) {
+  SceneRequest request;
+  request.scene = kData + "/scenes/pinch.toml";
+  request.seconds = 0.05;
+  SimulatedScene scene = run_scene(request);
+  EXPECT_THAT(warnings_of(scene), testing::IsEmpty());
+  scene.run.cost.deepest = 2e-3;
+  EXPECT_THAT(warnings_of(scene), testing::ElementsAre(HasSubstr("up to 2 mm inside each other")));
+}
+
 }  // namespace
 }  // namespace thenar
