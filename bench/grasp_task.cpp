@@ -1,8 +1,8 @@
 #include "bench/grasp_task.h"
 
-#include <ctime>
 #include <random>
 
+#include "base/thread_seconds.h"
 #include "base/units.h"
 #include "grasp/closing/approach.h"
 #include "grasp/closing/approach_sampling.h"
@@ -25,16 +25,9 @@ SceneBody superellipsoid(double e1, double e2) {
   return build_body(placed);
 }
 
-/// Processor time of this thread [s].
-double now() {
-  timespec t{};
-  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &t);
-  return static_cast<double>(t.tv_sec) + 1e-9 * static_cast<double>(t.tv_nsec);
-}
-
 /// Adds the time since `start`, which becomes now.
 void add_lap(double& sum, double& start) {
-  const double end = now();
+  const double end = thread_seconds();
   sum += end - start;
   start = end;
 }
@@ -48,7 +41,7 @@ void time_grasp(const GraspTask& task, const Scene& scene, unsigned number, Gras
   const double way = approach_distance(task.collision_hand, q, scene.object);
 
   ++times.starts;
-  double lap = now();
+  double lap = thread_seconds();
   const ApproachResult approached = approach(task.collision_hand, X_WH, q, scene, way);
   add_lap(times.approach, lap);
   if (!approached.touches) return;

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <ctime>
 
 #include "base/error.h"
 #include "dynamics/mechanism/tree_motion.h"
@@ -33,12 +32,6 @@ bool finite(const std::vector<BodyMotion>& bodies) {
 }
 
 }  // namespace
-
-double thread_seconds() {
-  timespec now{};
-  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
-  return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
-}
 
 PeerRun run_world(PeerWorld& world, const PeerScene& scene, double step) {
   PeerRun run;

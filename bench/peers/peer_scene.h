@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "base/error.h"
+#include "base/thread_seconds.h"
 #include "dynamics/stepping/moving_scene.h"
 
 namespace thenar::bench {
@@ -127,9 +128,6 @@ struct JointMotion {
 
 /// Whether two bodies are asked for contacts: not neighbours on a joint, not both fixed, not apart.
 [[nodiscard]] bool may_touch(const MovingScene& scene, std::size_t a, std::size_t b);
-
-/// Processor time of this thread [s].
-[[nodiscard]] double thread_seconds();
 
 // Settings of each engine, its default first; the others are its best for some of these scenes.
 // One function a file, peer_*.cpp. Engines that are not installed are not built.

@@ -6,18 +6,12 @@
 #include "bench/peers/peer_machine.h"
 #include "bench/peers/peer_scene.h"
 #include "dynamics/mechanism/simbody_machine.h"
+#include "dynamics/mechanism/simbody_mechanism.h"
 
 namespace thenar::bench {
 namespace {
 
-SimTK::Vec3 to_simbody(const Eigen::Vector3d& v) { return {v.x(), v.y(), v.z()}; }
-
-SimTK::Transform to_simbody(const Pose<double>& X) {
-  SimTK::Mat33 R;
-  for (int i = 0; i < 3; ++i)
-    for (int j = 0; j < 3; ++j) R(i, j) = X.R(i, j);
-  return {SimTK::Rotation(R), to_simbody(X.p)};
-}
+using internal::to_simbody;
 
 /// A tree of hinges under weight.
 struct SimbodyHand {

@@ -2,21 +2,15 @@
 
 #include <algorithm>
 #include <cmath>
-#include <ctime>
 
 #include "base/error.h"
+#include "base/thread_seconds.h"
 #include "dynamics/compliant/penalty_law.h"
 
 namespace thenar::internal {
 namespace {
 
 constexpr double kInstant = 1e-12;  // nearer instants are one [s]
-
-double thread_seconds() {
-  timespec now{};
-  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
-  return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
-}
 
 /// Samples and steps of one run.
 class CompliantLoop {
@@ -31,6 +25,7 @@ class CompliantLoop {
 
   SceneRun run(const Progress& progress) {
     const double start = thread_seconds();
+    contacts_ = motion_.contacts(stored_);
     sample();
     double from = 0;
     for (std::size_t i = 0; i < stops_.size() && run_.status == SceneStatus::kDone; ++i) {
@@ -79,7 +74,7 @@ class CompliantLoop {
     out.t = state.t;
     out.q = state.q;
     out.v = state.v;
-    out.contacts = motion_.contacts(stored_);
+    out.contacts = contacts_;
     out.energy = energy_.energy(state);
     out.energy.springs += stored_;
     run_.samples.push_back(std::move(out));
@@ -90,9 +85,9 @@ class CompliantLoop {
   ContactStep energy_;
   const SceneOptions& options_;
   std::vector<double> stops_;
-  std::vector<ContactSample> contacts_;
-  double stored_ = 0;  // [J]
-  long samples_ = 0;   // the next is at so many lengths of one
+  std::vector<ContactSample> contacts_;  // at the state
+  double stored_ = 0;                    // of their springs [J]
+  long samples_ = 0;                     // the next is at so many lengths of one
   SceneRun run_;
 };
 

@@ -503,11 +503,12 @@ void ContactStep::time_step(SceneState& state, double h, const std::vector<Activ
   p.place(state);
   // States of elements at the middle, then their efforts there.
   const Eigen::VectorXd z_before = state.z, v_before = state.v;
-  bool acted = p.load(state);
+  bool acted = true;
   if (!p.elements.empty()) {
+    acted = p.elements.act(p.seen_by_elements(state));
     p.advance_elements(0.5 * h, state);
-    acted = p.load(state) && acted;
   }
+  acted = p.load(state) && acted;
   outcome.solved = p.free_velocity(state, h, 0.5) && acted;
   outcome.residual = 0;
   // Once more with the velocity product at the mean of the speeds before and after; efforts stay,

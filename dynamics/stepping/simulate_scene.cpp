@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <ctime>
 
 #include "base/error.h"
+#include "base/thread_seconds.h"
 #include "dynamics/stepping/extrapolation.h"
 #include "dynamics/stepping/free_step.h"
 
@@ -28,12 +28,6 @@ constexpr int kPassSteps = 10;         // of them
 constexpr double kHorizon = 0.01;      // over which an error of speeds counts in smooth steps [s]
 constexpr double kOneInstant = 1e-6;   // instants that differ by less of a step are one [1]
 constexpr double kApproach = 1e-7;     // slower approaches are not impacts [m/s], [rad/s]
-
-double cpu_now() {
-  timespec now{};
-  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
-  return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
-}
 
 /// Contacts that touch at the same modes.
 bool same_modes(const std::vector<ActiveContact>& a, const std::vector<ActiveContact>& b) {
@@ -72,13 +66,13 @@ class Simulation {
   }
 
   SceneRun run() {
-    const double start = cpu_now();
+    const double start = thread_seconds();
     if (options_.method == SteppingMethod::kEvents) {
       run_events();
     } else {
       run_fixed();
     }
-    run_.cost.cpu_seconds = cpu_now() - start;
+    run_.cost.cpu_seconds = thread_seconds() - start;
     if (run_.status == SceneStatus::kDone && run_.cost.unsolved > 0)
       run_.status = SceneStatus::kUnsolved;
     return std::move(run_);
