@@ -63,6 +63,14 @@ struct DigitScene {
   MovingScene scene;
 };
 
+/// A pendulum that nothing damps.
+DigitScene scene_of(const Pendulum& rod, const Eigen::Vector3d& gravity) {
+  JointResistance smooth;
+  smooth.damping = 0;
+  return {std::shared_ptr<const DigitTendons>(build_linear_tendons(rod.subject(), "index")), smooth,
+          gravity};
+}
+
 MuscleSchedule constant(int muscle, double value, const TimeSpan& when = {}) {
   return {muscle, when, VectorXd::Zero(1), VectorXd::Constant(1, value)};
 }
@@ -104,11 +112,7 @@ DigitScene scene_of(const MotionModel& model, std::shared_ptr<const DigitTendons
 TEST(DigitPull, PendulumUnderConstantTensionKeepsItsFirstIntegral) {
   const Pendulum rod;
   const Mover mover(rod.subject(), Muscle::kBounds);
-  JointResistance smooth;
-  smooth.damping = 0;
-  DigitScene digit(
-      std::shared_ptr<const DigitTendons>(build_linear_tendons(rod.subject(), "index")), smooth,
-      {0, -9.81, 0});
+  DigitScene digit = scene_of(rod, {0, -9.81, 0});
   DigitPullModel pull = digit.pull();
   pull.tensions = {constant(0, 0.5)};
   digit.add(std::move(pull));
@@ -126,11 +130,7 @@ TEST(DigitPull, PendulumUnderConstantTensionKeepsItsFirstIntegral) {
 // From the start of a drive on,  I q'' = t arm  gives  q = t arm s^2 / 2 I.
 TEST(DigitPull, TensionBeginsAndEndsWhenItsTimeDoes) {
   const Pendulum rod;
-  JointResistance smooth;
-  smooth.damping = 0;
-  DigitScene digit(
-      std::shared_ptr<const DigitTendons>(build_linear_tendons(rod.subject(), "index")), smooth,
-      {0, 0, 0});
+  DigitScene digit = scene_of(rod, {0, 0, 0});
   DigitPullModel pull = digit.pull();
   pull.tensions = {constant(0, 0.02, {0.033, 0.15}), constant(0, 0.04, {0.15, 0.2})};
   digit.add(std::move(pull));
@@ -146,11 +146,7 @@ TEST(DigitPull, TensionBeginsAndEndsWhenItsTimeDoes) {
 // Straight between knots:  tension 0.02 t / 0.1  gives  q = a t^3 / 0.6.
 TEST(DigitPull, TensionFollowsItsKnots) {
   const Pendulum rod;
-  JointResistance smooth;
-  smooth.damping = 0;
-  DigitScene digit(
-      std::shared_ptr<const DigitTendons>(build_linear_tendons(rod.subject(), "index")), smooth,
-      {0, 0, 0});
+  DigitScene digit = scene_of(rod, {0, 0, 0});
   DigitPullModel pull = digit.pull();
   pull.tensions = {{0, {}, Eigen::Vector3d(0, 0.1, 0.1), Eigen::Vector3d(0, 0.02, 0)}};
   digit.add(std::move(pull));
@@ -164,11 +160,7 @@ TEST(DigitPull, TensionFollowsItsKnots) {
 // where a trial step may look. Tension 1.9 (1 - t / T) up to T gives the speed  1.9 T arm / 2 I.
 TEST(DigitPull, TensionThatRampsDownEndsAtZero) {
   const Pendulum rod;
-  JointResistance smooth;
-  smooth.damping = 0;
-  DigitScene digit(
-      std::shared_ptr<const DigitTendons>(build_linear_tendons(rod.subject(), "index")), smooth,
-      {0, 0, 0});
+  DigitScene digit = scene_of(rod, {0, 0, 0});
   DigitPullModel model = digit.pull();
   model.tensions = {{0, {}, Eigen::Vector2d(0, 0.01), Eigen::Vector2d(1.9, 0)}};
   const DigitPull pull(model);
