@@ -27,13 +27,60 @@ constexpr double kPass = 1e-3;         // that steps of fixed length pass instea
 constexpr int kPassSteps = 10;         // of them
 constexpr double kHorizon = 0.01;      // over which an error of speeds counts in smooth steps [s]
 constexpr double kOneInstant = 1e-6;   // instants that differ by less of a step are one [1]
+constexpr double kBefore = 0.97;       // of the way to a change of modes that a step takes [1]
+constexpr double kAgain = 0.5;         // of the usual length, of a step after such a change [1]
 constexpr double kApproach = 1e-7;     // slower approaches are not impacts [m/s], [rad/s]
 
-/// Contacts that touch at the same modes.
+/// Whether the same contacts bear at the same modes. Those that open have no force, in a list or
+/// not.
 bool same_modes(const std::vector<ActiveContact>& a, const std::vector<ActiveContact>& b) {
-  return std::equal(
-      a.begin(), a.end(), b.begin(), b.end(),
-      [](const ActiveContact& x, const ActiveContact& y) { return x.same(y) && x.mode == y.mode; });
+  const auto opens = [](const ActiveContact& c) { return c.mode == ContactMode::kOpen; };
+  auto x = a.begin(), y = b.begin();
+  while (true) {
+    x = std::find_if_not(x, a.end(), opens);
+    y = std::find_if_not(y, b.end(), opens);
+    if (x == a.end() || y == b.end()) return x == a.end() && y == b.end();
+    if (!x->same(*y) || x->mode != y->mode) return false;
+    ++x, ++y;
+  }
+}
+
+/// The same contact in a list, null if it is not there.
+const ActiveContact* same_in(const std::vector<ActiveContact>& list, const ActiveContact& contact) {
+  const auto at = std::find_if(list.begin(), list.end(),
+                               [&](const ActiveContact& c) { return c.same(contact); });
+  return at == list.end() ? nullptr : &*at;
+}
+
+/// How far a contact is from its next mode: the normal force if it opens, else the friction that is
+/// left where it sticks, and the slip where it slides. @param next  null: it is lost
+double mode_margin(const ActiveContact& contact, const ActiveContact* next) {
+  const double pressed =
+      contact.kind == Kind::kContact ? contact.impulse.dot(contact.normal) : contact.impulse.x();
+  if (contact.kind != Kind::kContact || next == nullptr || next->mode == ContactMode::kOpen)
+    return pressed;
+  if (contact.mode == ContactMode::kSlide) return contact.slip;
+  return contact.friction.coefficient * pressed -
+         (contact.impulse - pressed * contact.normal).norm();
+}
+
+/// Share of a substep after which the first mode changes, if margins go on as in the substep
+/// before.
+/// @param earlier, now, next  contacts two substeps before its end, one before, and there
+double share_before_change(const std::vector<ActiveContact>& earlier,
+                           const std::vector<ActiveContact>& now,
+                           const std::vector<ActiveContact>& next) {
+  double share = earlier.empty() ? 0.5 : 1;
+  for (const ActiveContact& contact : now) {
+    const ActiveContact *const before = same_in(earlier, contact), *const after =
+                                                                       same_in(next, contact);
+    if (contact.mode == ContactMode::kOpen || before == nullptr) continue;
+    if (after != nullptr && after->mode == contact.mode) continue;
+    const double margin = mode_margin(contact, after);
+    const double fall = mode_margin(*before, after) - margin;
+    if (fall > 0 && margin >= 0) share = std::min(share, margin / fall);
+  }
+  return share;
 }
 
 /// What a trial of one step found.
@@ -45,6 +92,7 @@ struct StepTrial {
   int order = 1;                      // of the error in the length
   bool smooth = true;                 // extrapolated: all modes stayed
   double closes = -1;                 // >= 0: a gap closes about then, after the step began [s]
+  double changes = -1;                // >= 0: the first mode changes about then, likewise [s]
 };
 
 class Simulation {
@@ -274,11 +322,13 @@ class Simulation {
       ++run_.cost.impacts;
     }
     if (approaches || !all_known) settle_modes();
-    // What leaves is free: if it comes back, its gap will close anew.
+    // What leaves is free: if it comes back, its gap will close anew. Where its gap still counts as
+    // closed it does not come back, else contacts that push each other off by turns would ask for
+    // an impact each time.
     closed_.erase(std::remove_if(closed_.begin(), closed_.end(),
                                  [&](const ActiveContact& c) {
                                    return c.mode == ContactMode::kOpen && c.approach > kApproach &&
-                                          c.gap > -options_.touch;
+                                          c.gap > options_.touch;
                                  }),
                   closed_.end());
     closed_.insert(closed_.end(), lost_.begin(), lost_.end());
@@ -344,7 +394,7 @@ class Simulation {
   /// @return its length; 0: the run ends
   double step_once(double wanted, double left, double& H) {
     double length = wanted;
-    bool rejected = false;
+    bool rejected = false, is_cut = false;
     while (true) {
       try_step(length);
       const StepTrial& trial = table_[static_cast<std::size_t>(result_)];
@@ -369,7 +419,10 @@ class Simulation {
       } else if (trial.smooth && std::isfinite(trial.error)) {
         length *= std::clamp(0.9 * std::pow(trial.error, -1.0 / trial.order), 0.1, 0.9);
       } else {
-        length *= 0.5;
+        // Up to the instant at which a mode changes; a short step goes over it.
+        is_cut = true;
+        length =
+            trial.changes >= 0 ? std::min(0.5 * length, kBefore * trial.changes) : 0.5 * length;
       }
       length = std::max(length, options_.shortest);
     }
@@ -379,6 +432,15 @@ class Simulation {
     accept(length, left);
     const StepTrial& trial = table_[static_cast<std::size_t>(result_)];
     H = next_length(trial, length, rejected);
+    if (!trial.smooth) {
+      // A mode has changed: on as before.
+      H = std::max(H, kAgain * usual_);
+    } else if (is_cut) {
+      H = 2 * (1 - kBefore) * length;
+    } else if (!was_cut_) {
+      usual_ = H;
+    }
+    was_cut_ = is_cut && trial.smooth;
     return length;
   }
 
@@ -532,8 +594,9 @@ class Simulation {
     column.active = closed_;
     column.h = length / n;
     column.smooth = true;
-    column.closes = -1;
+    column.closes = column.changes = -1;
     column.error = 0;
+    earlier_.clear();
     scale_impulses(column.active, last_h_ > 0 ? column.h / last_h_ : 0);
     for (int i = 0; i < n; ++i) {
       step_.substep(column.state, column.h, column.active, options_.touch, outcome_);
@@ -542,8 +605,13 @@ class Simulation {
         column.closes = closing_time(column.h, i);
         return false;
       }
-      column.smooth = column.smooth && same_modes(column.active, outcome_.active);
-      std::swap(column.active, outcome_.active);
+      if (column.smooth && !same_modes(column.active, outcome_.active)) {
+        column.smooth = false;
+        column.changes =
+            column.h * (i + share_before_change(earlier_, column.active, outcome_.active));
+      }
+      earlier_.swap(column.active);
+      column.active.swap(outcome_.active);
       if (!column.state.v.allFinite() || !column.state.z.allFinite()) {
         column.error = std::numeric_limits<double>::infinity();
         return false;
@@ -635,12 +703,15 @@ class Simulation {
   SceneRun run_;
   double next_sample_ = 0;
   std::vector<ActiveContact> lost_, closed_, found_;  // what touches, with impulses over last_h_
+  std::vector<ActiveContact> earlier_;                // of the column, a substep before its last
   double last_h_ = 0;
   long tried_unsolved_ = 0;    // since forget_counts()
   double tried_residual_ = 0;  // the same [1]
   int since_mark_ = 0;
   double mark_ = -1;        // when the steps that are judged began [s]
   double last_error_ = 1;   // of the last accepted step over the tolerance
+  double usual_ = 0;        // length of a step that no change of modes bounds [s]
+  bool was_cut_ = false;    // the last step ended before a change of modes
   bool inspected_ = false;  // found_ belongs to the trial
   int asleep_ = 0;
   int result_ = 0;

@@ -58,6 +58,27 @@ TEST(SimulateScene, CubeOnAnInclineSlidesAboveTheThreshold) {
   EXPECT_NEAR(moved.norm(), way, 1e-6 * way);
 }
 
+// A body that slides at 0.5 m/s stops after v^2 / (2 mu g), between two instants that are kept; the
+// step up to there is found by its slip, not by halving.
+TEST(SimulateScene, SlidingBodyStopsWithinAFewTrials) {
+  MovingScene scene;
+  Pose<double> X;
+  X.p.z() = -0.05;
+  sample::add_body(scene, "floor", primitive(ShapeKind::kBox, {2, 1, 0.1}), 0, X);
+  X.p.z() = 0.025;
+  const int cube =
+      sample::add_body(scene, "cube", primitive(ShapeKind::kBox, {0.05, 0.05, 0.05}), 0.1, X);
+  scene.friction.coefficient = 0.3;
+  scene.v[3] = 0.5;
+  SceneOptions options;
+  options.seconds = 0.5;
+  const SceneRun run = simulate_scene(scene, options);
+  ASSERT_EQ(run.status, SceneStatus::kDone);
+  EXPECT_NEAR(centre(scene, cube, run.samples.back()).x(), 0.25 / (2 * 0.3 * kG), 1e-9);
+  EXPECT_LE(run.cost.rejected, 5);
+  EXPECT_EQ(run.cost.coarse, 0);
+}
+
 TEST(SimulateScene, BallBounces) {
   MovingScene scene;
   Pose<double> X;
