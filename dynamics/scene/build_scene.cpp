@@ -138,6 +138,7 @@ class SceneBuilder {
          scene_ligaments(spec_, built_.scene.mechanism, X_WB_))
       built_.scene.elements.push_back(ligament);
     add_human_elements(spec_, humans_, built_);
+    part_webs(humans_, built_);
     built_.scene.gravity = spec_.gravity;
     add_forces();
     add_drives();

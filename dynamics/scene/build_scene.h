@@ -32,7 +32,7 @@ using SceneHand = std::variant<RobotSpec, HumanModel>;
 /// its coordinates HAND/MOTOR, or HAND/JOINT where no motor moves the joint; a base that moves has
 /// the coordinate HAND/base. A motor that cannot be driven back and that nothing drives is welded.
 /// Links of one hand that are in each other at the start, or with all coordinates at 0, are never
-/// asked for contacts.
+/// asked for contacts; nor are those of a human hand that hang on one link, as part_webs() says.
 /// Coordinates of a human hand are called HAND/JOINT; its elements are JointStops, and a DigitPull
 /// for each digit that a [[tendon]] or [[muscle]] pulls. In a digit of which a [[muscle]] excites
 /// one muscle all muscles contract, the others at excitation 0, but for those with a tension; so do

@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <limits>
 #include <set>
+#include <utility>
 
 #include "base/error.h"
 #include "base/nearest_name.h"
@@ -245,6 +246,19 @@ bool has_drive(const SceneSpec& spec, const std::string& hand) {
   });
 }
 
+/// The body with a surface that carries a body by a joint; -1: none.
+int carrier_of(const Mechanism& mechanism, int body) {
+  const auto joint_of = [&](int i) -> const MechanismJoint& {
+    return mechanism.joints[static_cast<std::size_t>(i)];
+  };
+  // Past what is welded to it, to whatever has a surface on the other side of a joint.
+  while (body >= 0 && joint_of(body).kind == JointKind::kWeld) body = joint_of(body).parent;
+  int carrier = body >= 0 ? joint_of(body).parent : -1;
+  while (carrier >= 0 && !mechanism.bodies[static_cast<std::size_t>(carrier)].solid)
+    carrier = joint_of(carrier).parent;
+  return carrier;
+}
+
 }  // namespace
 
 std::vector<double> human_posture(const SceneHandSpec& spec, const HumanMechanism& hand) {
@@ -281,6 +295,21 @@ void add_human_elements(const SceneSpec& spec, const std::vector<SceneHuman>& hu
     if (!HandPuller(spec, human, built).pull() && !has_drive(spec, human.name))
       built.warnings.push_back(
           fmt::format("nothing drives hand '{}': it moves freely", human.name));
+  }
+}
+
+void part_webs(const std::vector<SceneHuman>& humans, BuiltScene& built) {
+  const Mechanism& mechanism = built.scene.mechanism;
+  for (const SceneHuman& human : humans) {
+    std::vector<std::pair<int, int>> roots;  // links on each carrier: carrier, link
+    for (std::size_t i = 0; i < mechanism.bodies.size(); ++i) {
+      if (built.owner[i] != human.name || !mechanism.bodies[i].solid) continue;
+      const int carrier = carrier_of(mechanism, static_cast<int>(i));
+      if (carrier < 0 || built.owner[static_cast<std::size_t>(carrier)] != human.name) continue;
+      for (const auto& [other, link] : roots)
+        if (other == carrier) built.scene.apart.emplace_back(link, static_cast<int>(i));
+      roots.emplace_back(carrier, static_cast<int>(i));
+    }
   }
 }
 

@@ -27,4 +27,11 @@ struct SceneHuman {
 void add_human_elements(const SceneSpec& spec, const std::vector<SceneHuman>& humans,
                         BuiltScene& built);
 
+/// Keeps links of a human hand apart that joints hang on the same link, the roots of its digits on
+/// the palm: the flesh between them is one web, and gives way. Rigid skin of such a root would be a
+/// wedge between its neighbour and the palm, from which the neighbour's joint lets nothing escape.
+/// Farther links of two digits may touch.
+/// @param built  its mechanism is complete
+void part_webs(const std::vector<SceneHuman>& humans, BuiltScene& built);
+
 }  // namespace thenar

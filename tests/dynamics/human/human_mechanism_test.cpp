@@ -12,6 +12,7 @@
 #include "dynamics/human/digit_pull.h"
 #include "dynamics/mechanism/tree_motion.h"
 #include "dynamics/scene/build_scene.h"
+#include "dynamics/stepping/meeting_pairs.h"
 #include "tests/data_folder.h"
 #include "tests/matrix_near.h"
 #include "tests/message_of.h"
@@ -42,6 +43,33 @@ BuiltScene built(const std::string& text) {
       "[[hand]]\nname = \"h\"\n";
   return build_scene(parse_scene(head + text, "s.toml"),
                      std::vector<SceneHand>{bare(HumanVersion::kSkewedThumb)});
+}
+
+// Bodies on one joint, and roots of digits in one web, never touch; all others of a hand may.
+TEST(HumanMechanism, NeighboursInFleshAreApart) {
+  HumanModel model{default_human(), HumanVersion::kSkewedThumb};
+  model.options.skin.triangles = 100;
+  const BuiltScene scene = build_scene(
+      parse_scene("name = \"x\"\nsource = \"Mine\"\n[sources]\nMine = \"Own\"\n[stepping]\n"
+                  "duration_s = 1\n[[hand]]\nname = \"h\"\n",
+                  "s.toml"),
+      std::vector<SceneHand>{model});
+  std::vector<std::string> meet;
+  const std::vector<MechanismBody>& bodies = scene.scene.mechanism.bodies;
+  for (const auto& [a, b] : pairs_that_may_meet(scene.scene, tree_model(scene.scene.mechanism)))
+    meet.push_back(bodies[static_cast<std::size_t>(a)].name + " " +
+                   bodies[static_cast<std::size_t>(b)].name);
+  // Of one digit and its root.
+  for (const std::string pair :
+       {"h/Palm h/PP2", "h/PP2 h/MP2", "h/MP2 h/DP2", "h/Palm h/MC1", "h/MC1 h/PP1", "h/PP1 h/DP1"})
+    EXPECT_THAT(meet, Not(Contains(pair)));
+  // Of one web.
+  for (const std::string pair : {"h/PP2 h/PP3", "h/PP3 h/PP4", "h/PP4 h/PP5", "h/MC1 h/PP2"})
+    EXPECT_THAT(meet, Not(Contains(pair)));
+  // All others.
+  for (const std::string pair :
+       {"h/MP2 h/MP3", "h/DP1 h/DP2", "h/PP2 h/MP3", "h/PP2 h/DP2", "h/Palm h/DP3", "h/PP1 h/PP2"})
+    EXPECT_THAT(meet, Contains(pair));
 }
 
 // Links are where the interface of hands says, in any posture.
