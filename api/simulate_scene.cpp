@@ -67,6 +67,7 @@ SceneHand hand_of(const SceneSpec& scene, const SceneHandSpec& hand,
   if (!source.path.empty()) human.options.path = path_named(source.path);
   human.options.skin.drawn = kDrawnSkin;
   if (hand.skin_triangles > 0) human.options.skin.triangles = hand.skin_triangles;
+  human.options.skin.capsules = hand.skin_capsules;
   if (!source.file.empty()) files.merge(digests_of({source.file}));
   return human;
 }

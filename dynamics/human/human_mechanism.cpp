@@ -161,6 +161,12 @@ HumanMechanism human_mechanism(const HumanModel& model) {
   out.skeleton = hand.skeleton;
   out.contact = hand.contact;
   out.mechanism = on_base(skeleton_mechanism(hand.skeleton), base_mass(out.subject, hand.skeleton));
+  const SkinError error = capsule_error(hand.hand->surfaces());
+  if (model.options.skin.capsules && !error.worst.empty())
+    out.warnings.push_back(
+        fmt::format("skin of digits is tapered capsules: {:.2g} mm from the skin in the mean "
+                    "square, {:.2g} mm at most ({})",
+                    1e3 * error.rms, 1e3 * error.largest, error.worst));
   dress(out.subject, hand.skeleton, hand.hand->surfaces(), out.mechanism);
   resist(hand.skeleton, out.mechanism);
   // Motors, where the version has them.

@@ -12,6 +12,7 @@
 #include "base/error.h"
 #include "base/parallel_for.h"
 #include "geometry/cached_mesh.h"
+#include "geometry/capsule_fit.h"
 #include "geometry/mesh_from_distance.h"
 #include "geometry/triangle_mesh.h"
 #include "hand/skin/hand_anatomy.h"
@@ -69,6 +70,13 @@ void require_closed(const TriangleMesh& mesh, const std::string& segment) {
       segment, open, p.x(), p.y(), p.z()));
 }
 
+/// The tapered capsule nearest to a skin, which is drawn in its place.
+Solid capsule_of(TriangleMesh mesh) {
+  Solid solid = build_solid({fit_tapered_capsule(mesh).shape});
+  solid.visual = std::move(mesh);
+  return solid;
+}
+
 Solid solid_of(TriangleMesh mesh, const std::string& segment) {
   require_closed(mesh, segment);
   ShapeSpec shape;
@@ -111,7 +119,8 @@ class SkinMaker {
     // In the hand's frame.
     for (TriangleMesh* each : {&mesh, &picture})
       each->vertices = ((at.R * each->vertices).colwise() + at.p).eval();
-    Solid solid = solid_of(std::move(mesh), segment);
+    Solid solid = options_.capsules && !digit.empty() ? capsule_of(std::move(mesh))
+                                                      : solid_of(std::move(mesh), segment);
     if (!picture.empty()) solid.visual = std::move(picture);
     surfaces_.push_back({link->second, segment, digit, options_.material,
                          std::make_shared<const Solid>(std::move(solid))});
@@ -192,6 +201,24 @@ std::vector<LinkSurface> human_surfaces(const Subject& subject, const Skeleton& 
   for (const auto& [segment, mesh] : options.own)
     maker.add(digit_of(hand, segment), find_segment(subject, segment).name, mesh);
   return maker.take();
+}
+
+SkinError capsule_error(const std::vector<LinkSurface>& surfaces) {
+  SkinError error;
+  double squares = 0;
+  Eigen::Index corners = 0;
+  for (const LinkSurface& surface : surfaces) {
+    const Solid& solid = *surface.solid;
+    if (solid.parts.size() != 1 || solid.parts[0].spec.kind != ShapeKind::kTaperedCapsule) continue;
+    corners += solid.visual.vertices.cols();
+    for (const auto& p : solid.visual.vertices.colwise()) {
+      const double apart = std::abs(solid.shape->distance(p));
+      squares += apart * apart;
+      if (apart > error.largest) error.largest = apart, error.worst = surface.name;
+    }
+  }
+  if (corners > 0) error.rms = std::sqrt(squares / static_cast<double>(corners));
+  return error;
 }
 
 namespace {

@@ -19,6 +19,8 @@ struct SkinOptions {
   int triangles = 800;            // of each link, at most, of the palm twice as many
   int drawn = 0;                  // of its picture, likewise: 2500 look smooth, and take no time
                                   // where distances are asked; 0: what touches is drawn
+  bool capsules = false;          // of digits each link is the tapered capsule nearest to its skin,
+                                  // which has no edges for contacts to pass; the palm stays
   std::string material = "skin";  // see Materials
   std::map<std::string, TriangleMesh> own;  // segment -> its surface in the subject's reference
                                             // posture, as segmented from CT or MRI [m]
@@ -32,6 +34,15 @@ struct SkinOptions {
 [[nodiscard]] std::vector<LinkSurface> human_surfaces(const Subject& subject,
                                                       const Skeleton& skeleton,
                                                       const SkinOptions& options = {});
+
+/// How far capsules in place of skin are from it, over all links [m].
+struct SkinError {
+  double largest = 0, rms = 0;  // of the corners of the skin's triangles
+  std::string worst;            // the link of the largest; empty: no skin is a capsule
+};
+
+/// @param surfaces  as human_surfaces() makes them; their pictures are the skin
+[[nodiscard]] SkinError capsule_error(const std::vector<LinkSurface>& surfaces);
 
 /// The skin of one body as triangles, `triangles` at most. @throws InputError below 100.
 [[nodiscard]] TriangleMesh skin_mesh(const ImplicitBody& body, int triangles);

@@ -316,6 +316,12 @@ TEST(Scene, SaysWhatIsWrongWithMuscles) {
                     "name = \"human\"\nskin_triangles = 50\n[stepping]\nduration_s = 1\n");
               }),
               HasSubstr("s.toml:7: wanted 'skin_triangles' from 100 to 10000, got 50"));
+  EXPECT_THAT(message_of<DataError>([] {
+                (void)parsed(
+                    "name = \"x\"\nsource = \"Mine\"\n[sources]\nMine = \"Own\"\n[[hand]]\n"
+                    "name = \"human\"\nskin = \"leather\"\n[stepping]\nduration_s = 1\n");
+              }),
+              HasSubstr("s.toml:7: wanted 'skin' triangles or capsules, got 'leather'"));
   EXPECT_THAT(complaint("[[tendon]]\nhand = \"humn\"\ntension_N = {FDP2 = 5}\n"),
               HasSubstr("s.toml:9: there is no hand 'humn'"));
   EXPECT_THAT(complaint("[[tendon]]\nhand = \"human\"\n"),

@@ -58,6 +58,33 @@ TEST(HumanSurfaces, AreDrawnFinerThanTheyTouch) {
     EXPECT_LT(std::abs(after.shape->distance(p)), 1e-3);  // both within 0.5 mm of the skin
 }
 
+// Links of digits are one capsule each, drawn as skin; how far they are from it is told.
+TEST(HumanSurfaces, AreCapsulesOnRequest) {
+  const Subject subject = sample::subject("mirakhorlo2016");
+  const Skeleton skeleton = build_skeleton(subject);
+  SkinOptions options;
+  options.triangles = 150;
+  EXPECT_TRUE(capsule_error(human_surfaces(subject, skeleton, options)).worst.empty());
+  options.capsules = true;
+  const auto surfaces = human_surfaces(subject, skeleton, options);
+  double most = 0;
+  for (const LinkSurface& surface : surfaces) {
+    ASSERT_EQ(surface.solid->parts.size(), 1U);
+    EXPECT_EQ(surface.solid->parts[0].spec.kind,
+              surface.name == "Palm" ? ShapeKind::kMesh : ShapeKind::kTaperedCapsule);
+    EXPECT_GT(surface.solid->visual.triangles.cols(), 50);
+    if (surface.name == "Palm") continue;
+    for (const Vector3d& p : surface.solid->visual.vertices.colwise())
+      most = std::max(most, std::abs(surface.solid->shape->distance(p)));
+  }
+  const SkinError error = capsule_error(surfaces);
+  EXPECT_DOUBLE_EQ(error.largest, most);
+  // Sections of skin are up to 1.25 times as broad as deep: radii within 12 % of the mean, some
+  // 1 mm; a link with an eminence is farther off.
+  EXPECT_LT(error.rms, 1e-3);
+  EXPECT_LT(error.largest, 5e-3);
+}
+
 // Triangles sink in by about the square of their edge over eight radii: 0.5 mm on a finger, less
 // the finer they are.
 TEST(HumanSurfaces, KeepToTheSkin) {
