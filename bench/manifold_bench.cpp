@@ -186,8 +186,10 @@ void BM_PatchesOfBoxOnMug(benchmark::State& state) {
               spec_of(ShapeKind::kMesh, {0, 0, 0}, mug_mesh()), round(0.0509, 0.05));
 }
 
-/// A human hand closed round the mug, which breathes by a milliradian.
+/// A human hand closed round the mug, which breathes by a milliradian. The range is how many such
+/// hands there are, each turned by a degree about the mug and blind to the others: more near pairs.
 void BM_HandRoundMug(benchmark::State& state) {
+  const int hands = static_cast<int>(state.range(0));
   WorldRequest request;
   request.world = "human_mug";
   request.data = THENAR_DATA_DIR;
@@ -200,9 +202,10 @@ void BM_HandRoundMug(benchmark::State& state) {
       close_hand(collision, world.hand.X_WH, world.hand.q, world.scene, options);
   // Surfaces, then the object, then obstacles.
   std::vector<std::shared_ptr<const CollisionBody>> bodies;
-  for (const LinkSurface& surface : hand.surfaces())
-    bodies.push_back(collision_body(*surface.solid));
-  const int surfaces = static_cast<int>(bodies.size());
+  const int links = static_cast<int>(hand.surfaces().size()), surfaces = hands * links;
+  for (int copy = 0; copy < hands; ++copy)
+    for (const LinkSurface& surface : hand.surfaces())
+      bodies.push_back(collision_body(*surface.solid));
   bodies.push_back(collision_body(world.scene.object.solid));
   for (const SceneBody& body : world.scene.obstacles) bodies.push_back(collision_body(body.solid));
   const int all = static_cast<int>(bodies.size());
@@ -212,7 +215,8 @@ void BM_HandRoundMug(benchmark::State& state) {
     for (int j = 0; j < i; ++j) {
       bool meet = false;
       for (const SurfacePair& pair : collision.self)
-        meet = meet || (pair.a == i && pair.b == j) || (pair.a == j && pair.b == i);
+        meet = meet || (i / links == j / links && ((pair.a == i % links && pair.b == j % links) ||
+                                                   (pair.a == j % links && pair.b == i % links)));
       if (!meet) contacts.exclude(i, j);
     }
   for (int i = surfaces + 1; i < all; ++i)
@@ -221,12 +225,17 @@ void BM_HandRoundMug(benchmark::State& state) {
   std::vector<std::vector<Pose<double>>> steps;
   for (int i = 0; i < 200; ++i) {
     const Eigen::VectorXd q = (closed.q.array() + 1e-3 * std::sin(2 * kPi * i / 200)).matrix();
-    const std::vector<Pose<double>> links = hand.pose(q);
+    const std::vector<Pose<double>> link_at = hand.pose(q);
     std::vector<Pose<double>> poses;
-    for (const LinkSurface& surface : hand.surfaces())
-      poses.push_back(surface.link < 0
-                          ? world.hand.X_WH
-                          : world.hand.X_WH * links[static_cast<std::size_t>(surface.link)]);
+    for (int copy = 0; copy < hands; ++copy) {
+      Pose<double> turn;
+      turn.R = rotation_about<double>(Vector3d::UnitZ(), copy * kDegree);
+      turn.p = world.scene.object.X_WB.p - turn.R * world.scene.object.X_WB.p;
+      const Pose<double> X_WH = turn * world.hand.X_WH;
+      for (const LinkSurface& surface : hand.surfaces())
+        poses.push_back(surface.link < 0 ? X_WH
+                                         : X_WH * link_at[static_cast<std::size_t>(surface.link)]);
+    }
     poses.push_back(world.scene.object.X_WB);
     for (const SceneBody& body : world.scene.obstacles) poses.push_back(body.X_WB);
     steps.push_back(poses);
@@ -262,7 +271,7 @@ BENCHMARK(BM_MugOnTable)->Unit(benchmark::kMicrosecond);
 BENCHMARK(BM_PatchesOfBoxOverAnEdge)->Unit(benchmark::kMicrosecond);
 BENCHMARK(BM_PatchesOfCapsuleOnMesh)->Unit(benchmark::kMicrosecond);
 BENCHMARK(BM_PatchesOfBoxOnMug)->Unit(benchmark::kMicrosecond);
-BENCHMARK(BM_HandRoundMug)->Unit(benchmark::kMicrosecond);
+BENCHMARK(BM_HandRoundMug)->DenseRange(1, 3)->Unit(benchmark::kMicrosecond);
 
 }  // namespace
 }  // namespace thenar

@@ -220,6 +220,24 @@ class Shipped(Near):
         forces = [[-each if pair["bodies"][0] != "mug" else each for each in pair["end_force_N"]]
                   for pair in held]
         self.near([sum(axis) for axis in zip(*forces)], [0, 0, 0.3 * G], 1e-6)
+        # Three fingers meet the mug; they do not push each other off again and again.
+        self.assertLess(answer["impacts"], 200)
+
+    # The hand of capsules holds as the hand of triangles does; its error is told in mm.
+    def test_hand_of_capsules_carries_the_cylinder(self):
+        self.path("human_cylinder.csv", (SCENES / "human_cylinder.csv").read_text())
+        text = (SCENES / "human_cylinder.toml").read_text()
+        scene = self.path("capsules.toml", text.replace("skin_triangles = 150", 'skin = "capsules"'))
+        answer = ask(scene, "--tolerance", "1e-4")
+        self.assertTrue(any("skin of digits is tapered capsules" in told and "mm at most" in told
+                            for told in answer["warnings"]), answer["warnings"])
+        cylinder = body(answer, "cylinder")
+        self.near(cylinder["velocity_m_s"], [0, 0, 0], 1e-6)
+        self.assertGreater(cylinder["moved_m"][2], 0.09)
+        held = [pair for pair in answer["pairs"] if "cylinder" in pair["bodies"] and pair["end"] != "apart"]
+        forces = [[-each if pair["bodies"][0] != "cylinder" else each for each in pair["end_force_N"]]
+                  for pair in held]
+        self.near([sum(axis) for axis in zip(*forces)], [0, 0, 0.3 * G], 1e-4)
 
 
     # The key goes with the wrist; what this holds at the end is the spring, give or take the friction.
