@@ -10,9 +10,10 @@ JointCompliance joint_compliance(const SceneComplianceSpec& spec) {
                                             BushingWay::kTwist};
   JointCompliance out;
   for (std::size_t i = 0; i < kWays.size(); ++i) {
-    const bool turns = i >= 3;
-    out.law.of(kWays[i]) = {spec.stiffness[i], turns ? spec.rotation_toe : spec.translation_toe,
-                            spec.stiffening, spec.damping[i]};
+    const double toe = i == SceneComplianceSpec::kTwist       ? spec.twist_toe
+                       : i == SceneComplianceSpec::kAbduction ? spec.rotation_toe
+                                                              : spec.translation_toe;
+    out.law.of(kWays[i]) = {spec.stiffness[i], toe, spec.stiffening, spec.damping[i]};
   }
   out.law.follows[static_cast<std::size_t>(BushingWay::kTwist)] = spec.twist_follows;
   out.bone = spec.bone.value_or(Eigen::Vector3d(0, 0, 0));

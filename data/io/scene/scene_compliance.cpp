@@ -55,6 +55,14 @@ void read_group(TomlTable& table, const std::string& name, bool turns,
   (turns ? out.rotation_toe : out.translation_toe) = springs.toe;
 }
 
+/// The toe of twist, where it has one of its own.
+double read_twist_toe(TomlTable& table, const std::array<bool, 5>& gives, double usual) {
+  if (!table.has(Dimension::kAngle, "twist_toe")) return usual;
+  if (!gives[SceneComplianceSpec::kTwist])
+    table.fail("a twist that is rigid has no toe", "twist_toe");
+  return table.number(Dimension::kAngle, "twist_toe", Range::kPositive);
+}
+
 }  // namespace
 
 Dimension spring_dimension(const std::string& name) {
@@ -93,9 +101,13 @@ SceneComplianceSpec read_scene_compliance(TomlTable& table) {
   const std::array<bool, 5> gives = read_ways(table);
   read_group(table, "translation", false, gives, out);
   read_group(table, "rotation", true, gives, out);
+  out.twist_toe = read_twist_toe(table, gives, out.rotation_toe);
   if (table.has("bone")) out.bone = table.direction("bone");
-  out.stiffening = read_stiffening(
-      table, std::isfinite(out.translation_toe) || std::isfinite(out.rotation_toe), out.stiffening);
+  out.stiffening =
+      read_stiffening(table,
+                      std::isfinite(out.translation_toe) || std::isfinite(out.rotation_toe) ||
+                          std::isfinite(out.twist_toe),
+                      out.stiffening);
   out.twist_follows = table.number_or(Dimension::kNumber, "twist_follows", 0);
   if (out.twist_follows != 0 && !gives[SceneComplianceSpec::kTwist])
     table.fail("a twist that is rigid follows nothing", "twist_follows");

@@ -25,6 +25,7 @@ struct SceneComplianceSpec {
   std::array<double, 5> damping{};      // [N s/m], [N m s/rad]
   double translation_toe = std::numeric_limits<double>::infinity();  // [m]
   double rotation_toe = std::numeric_limits<double>::infinity();     // [rad]
+  double twist_toe = std::numeric_limits<double>::infinity();        // of twist alone [rad]
   double stiffening = 20;    // largest stiffness over that at rest [1]
   double twist_follows = 0;  // twist at rest over flexion [1]
   int line = 1;              // of the file

@@ -55,10 +55,25 @@ TEST(SceneCompliance, IsReadInSi) {
   EXPECT_EQ(read.damping, (std::array<double, 5>{30, 30, 30, 5e-3, 5e-3}));
   EXPECT_DOUBLE_EQ(read.translation_toe, 3e-4);
   EXPECT_DOUBLE_EQ(read.rotation_toe, 10 * kDegree);
+  EXPECT_DOUBLE_EQ(read.twist_toe, 10 * kDegree);
   EXPECT_EQ(read.stiffening, 8);
   EXPECT_EQ(read.twist_follows, 0.2);
   EXPECT_EQ(read.bone->z(), 1);
   EXPECT_EQ(read.line, 14);
+}
+
+TEST(SceneCompliance, TwistMayHaveAToeOfItsOwn) {
+  const SceneComplianceSpec both =
+      compliance_of(kAll + "rotation_toe_rad = 0.1\ntwist_toe_rad = 0.15\n");
+  EXPECT_EQ(both.rotation_toe, 0.1);
+  EXPECT_EQ(both.twist_toe, 0.15);
+  // It is a toe like others: springs stiffen with it.
+  const SceneComplianceSpec alone = compliance_of(kAll + "twist_toe_rad = 0.15\nstiffening = 8\n");
+  EXPECT_TRUE(std::isinf(alone.rotation_toe));
+  EXPECT_EQ(alone.stiffening, 8);
+  EXPECT_THAT(complaint("joint = \"lid\"\nways = [\"abduction\"]\nrotation_Nm_per_rad = [4, 2]\n"
+                        "twist_toe_rad = 0.1\n"),
+              StartsWith("s.toml:18: a twist that is rigid has no toe"));
 }
 
 TEST(SceneCompliance, HoldsRigidWhatDoesNotGive) {
