@@ -1,6 +1,7 @@
 #include "api/demo.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include <fmt/format.h>
 
@@ -8,6 +9,7 @@
 #include "api/named/files.h"
 #include "base/error.h"
 #include "base/units.h"
+#include "hand/skin/skin_landmarks.h"
 #include "posterior/run/posterior_file.h"
 #include "posterior/run/predict_draws.h"
 #include "tendons/net/build_tendons.h"
@@ -143,6 +145,46 @@ void sample_all(const DemoRequest& request, const Progress& progress, DemoResult
   add("population", together, kTogether);
 }
 
+/// Normal of the thumb's pad, across its bone, in the frame of all links at the reference posture.
+Eigen::Vector3d thumb_pad() {
+  const Subject& subject = default_human();
+  const Skeleton skeleton = build_skeleton(subject, {{"thumb"}, {}});
+  const Eigen::Vector3d outward =
+      pad_of(skin_patches(find_anatomy(subject), skeleton), "thumb").outward;
+  const auto phalanx = std::find_if(subject.segments.begin(), subject.segments.end(),
+                                    [](const Segment& segment) { return segment.name == "DP1"; });
+  const Eigen::Vector3d bone = (phalanx->distal - phalanx->proximal).normalized();
+  return (outward - outward.dot(bone) * bone).normalized();
+}
+
+std::vector<PadState> thumb_pad_on_mug(const SimulatedScene& scene) {
+  const Mechanism& mechanism = scene.built->scene.mechanism;
+  return pad_angles(scene.run, scene.measures, body_named(mechanism, "human:skewed/DP1"),
+                    body_named(mechanism, "mug"), thumb_pad());
+}
+
+/// Both steppers on a ball that rolls off another, over a wide range of settings.
+std::vector<WorkPoint> roll_ball(const std::string& data) {
+  const std::string file =
+      named_file("scene", "ball_on_ball", "scenes", ".toml", data_folders(data));
+  const BuiltScene built = open_scene(read_scene(file), data).built;
+  const auto ball = static_cast<std::size_t>(body_named(built.scene.mechanism, "ball"));
+  // The exact end, from where it starts.
+  ContactStep step(built.scene);
+  std::vector<Pose<double>> X;
+  step.poses(step.start(), X);
+  const Eigen::Vector3d p = X[ball].p;
+  const double angle = rolled_angle(std::atan2(p.x(), p.z()), built.options.seconds, p.norm());
+  const Eigen::Vector3d end = p.norm() * Eigen::Vector3d(std::sin(angle), 0, std::cos(angle));
+  WorkSettings settings;
+  settings.tolerances = {1e-5, 1e-6, 1e-7, 1e-8, 1e-9, 1e-10, 1e-11};
+  settings.steps = {1e-2, 5e-3, 2e-3, 1e-3, 5e-4, 2e-4, 1e-4, 5e-5, 2e-5, 1e-5};
+  return work_precision(built.scene, built.options, settings, [&](const SceneSample& sample) {
+    step.poses({sample.t, sample.q, sample.v, sample.z}, X);
+    return (X[ball].p - end).norm();
+  });
+}
+
 /// Fits are kept once all is done.
 void write_fits(const DemoRequest& request, DemoResult& demo) {
   const auto write = [&](Fit& fit, const std::string& name) {
@@ -156,16 +198,34 @@ void write_fits(const DemoRequest& request, DemoResult& demo) {
 
 }  // namespace
 
+DemoMotion move_demo_scenes(const std::string& data, const Progress& progress) {
+  SceneRequest glass, thumb;
+  glass.data = thumb.data = data;
+  glass.scene = "wine_glass";
+  thumb.scene = "thumb_mug";
+  DemoMotion motion;
+  motion.glass = run_scene(glass, progress);
+  motion.thumb = run_scene(thumb, progress);
+  thumb.on_pins = true;
+  motion.thumb_on_pins = run_scene(thumb, progress);
+  if (progress.stop()) return motion;
+  motion.pad = thumb_pad_on_mug(motion.thumb);
+  motion.pad_on_pins = thumb_pad_on_mug(motion.thumb_on_pins);
+  motion.work = roll_ball(data);
+  return motion;
+}
+
 DemoResult run_demo_study(const DemoRequest& request, const Progress& progress) {
   const StudyInputs inputs = inputs_of(request.data);
   std::vector<SpecimenStudy> specimens = study_specimens(inputs, progress);
-  DemoResult demo{inputs, std::move(specimens), study_population(inputs, progress), {}, {}, {}, {},
-                  {}};
+  DemoResult demo{
+      inputs, std::move(specimens), study_population(inputs, progress), {}, {}, {}, {}, {}, {}};
   sample_all(request, progress, demo);
   ThumbStudyRequest thumb;
   thumb.data = request.data;
   thumb.quick = true;
   demo.thumb_study = ask_thumb_study(thumb, progress);
+  demo.motion = move_demo_scenes(request.data, progress);
   demo.stopped = progress.stop();
   if (demo.stopped) return demo;
   write_fits(request, demo);

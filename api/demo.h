@@ -6,9 +6,12 @@
 #include <utility>
 #include <vector>
 
+#include "api/simulate_scene.h"
 #include "api/study.h"
 #include "api/tendon_solve.h"
 #include "base/progress.h"
+#include "dynamics/scene/pad_angle.h"
+#include "dynamics/scene/work_precision.h"
 #include "kinematics_fit/fit_study.h"
 #include "kinematics_fit/hoods/hood_comparison.h"
 #include "posterior/run/posterior_summary.h"
@@ -43,6 +46,14 @@ struct DemoThumb {
   Eigen::Vector3d dorsal{0, 1, 0};        // of the palm, subject's frame (3)
 };
 
+/// Scenes in motion.
+struct DemoMotion {
+  SimulatedScene glass;                 // figure 3 of [Miller2005]: data/scenes/wine_glass.toml
+  SimulatedScene thumb, thumb_on_pins;  // its figure 8: thumb_mug.toml, whose joints give or do not
+  std::vector<PadState> pad, pad_on_pins;  // the thumb's against the mug
+  std::vector<WorkPoint> work;             // on ball_on_ball.toml; errors of the ball's place [m]
+};
+
 struct DemoResult {
   StudyInputs inputs;
   std::vector<SpecimenStudy> specimens;   // each alone
@@ -51,6 +62,7 @@ struct DemoResult {
   ThumbStudyResult thumb_study;
   DemoHood hood;
   std::vector<DemoThumb> thumbs;
+  DemoMotion motion;
   std::vector<std::string> files;  // that were written
   bool stopped = false;            // by request: parts are missing, no fit was written
 };
@@ -59,5 +71,9 @@ struct DemoResult {
 /// forces tell of a thumb's axes, and bends a finger with its hood. Some minutes.
 /// @throws InputError if data are missing or the folder cannot be written.
 [[nodiscard]] DemoResult run_demo_study(const DemoRequest& request, const Progress& progress = {});
+
+/// Simulates the scenes of the demo: some seconds.
+/// @param data  folder with scenes/, robots/ ..; empty: the usual ones
+[[nodiscard]] DemoMotion move_demo_scenes(const std::string& data, const Progress& progress = {});
 
 }  // namespace thenar

@@ -94,6 +94,7 @@ struct ReadScene {
 };
 ReadScene read_request(const SceneRequest& request) {
   ReadScene read{read_scene(scene_file(request)), {}};
+  if (request.on_pins) read.spec.compliances.clear();
   read.open = open_scene(read.spec, request.data);
   SceneOptions& options = read.open.built.options;
   if (!request.method.empty())

@@ -32,6 +32,7 @@ struct SceneRequest {
   std::string scene;  // file, or name of one of scenes/
   std::string data;   // folder with scenes/, robots/ ..; empty: the usual ones
   std::string method;
+  bool on_pins = false;              // without its [[compliance]]: no joint gives
   std::optional<double> seconds;     // how long [s]
   std::optional<double> sample;      // between the instants that are kept [s]
   std::optional<double> step;        // of a fixed length [s]

@@ -2,8 +2,8 @@
 //
 // The main job on real data: fits the middle fingers of two hands to measured forces by every
 // solver, cross-validates, predicts what was not seen, samples their posteriors, asks
-// what forces tell of a thumb's axes, compares two thumbs, lets hands grasp, and writes it
-// all as one page, the grasps as another.
+// what forces tell of a thumb's axes, compares two thumbs, moves two scenes, lets hands grasp, and
+// writes it all as one page, grasps and scenes as pages beside it.
 
 #include "api/demo.h"
 
@@ -22,6 +22,7 @@
 #include "report/pages/comparison.h"
 #include "report/pages/comparison_tables.h"
 #include "report/pages/demo.h"
+#include "report/pages/scene_run.h"
 
 namespace thenar {
 namespace {
@@ -65,6 +66,8 @@ void run_demo(const DemoArguments& options) {
   if (progress.stop()) throw Stopped("stopped before the report was complete");
   const double seconds =
       std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+  write_page(page_of(demo.motion.glass), options.output + "/" + kGlassPage);
+  write_page(page_of(demo.motion.thumb), options.output + "/" + kThumbPage);
   write_page(demo_page(demo, Json::array({hands}), seconds), path);
   print_answer(demo_text(demo, std::filesystem::absolute(path).string(), seconds));
 }

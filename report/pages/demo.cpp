@@ -101,6 +101,8 @@ Json provenance_of(const DemoResult& demo, double seconds) {
                                   inputs.population_subject};
   for (const auto* experiments : {&inputs.specimen.experiments, &inputs.unseen})
     sources.insert(sources.end(), experiments->begin(), experiments->end());
+  for (const SimulatedScene* scene : {&demo.motion.glass, &demo.motion.thumb})
+    sources.insert(sources.end(), scene->sources.begin(), scene->sources.end());
   Json out = provenance_json(sources, demo.specimens.front().fit.problem.digit().fidelity);
   out["seed"] = fmt::format("{}", SolveOptions{}.seed);
   out["wall time of the whole"] = fmt::format("{:.1f} s", seconds);
@@ -189,11 +191,15 @@ Json demo_page(const DemoResult& demo, const Json& more, double seconds) {
       sections.push_back(std::move(part));
   }
   sections.push_back(thumb_study_section(demo.thumb_study.study));
+  MeshTable meshes;
+  for (Json& part : moving_scene_sections(demo.motion, meshes)) sections.push_back(std::move(part));
   sections.insert(sections.end(), more.begin(), more.end());
-  return {{"title", "thenar: a finger fitted to its forces"},
-          {"subtitle", "Middle fingers of two human hands [Synek2019], and two thumbs"},
-          {"provenance", provenance_of(demo, seconds)},
-          {"sections", sections}};
+  return {
+      {"title", "thenar: a finger fitted to its forces"},
+      {"subtitle", "Middle fingers of two human hands [Synek2019], thumbs, and hands in motion"},
+      {"provenance", provenance_of(demo, seconds)},
+      {"meshes", meshes.json()},
+      {"sections", sections}};
 }
 
 std::string demo_text(const DemoResult& demo, const std::string& page, double seconds) {

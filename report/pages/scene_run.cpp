@@ -81,11 +81,11 @@ class SceneFilm {
     measure();
   }
 
-  [[nodiscard]] Json block() const {
+  /// @param most  instants
+  [[nodiscard]] Json block(Index most) const {
     Json layers = Json::array();
     add_fixed(layers);
-    const std::vector<Index> played =
-        spread(static_cast<Index>(scene_.run.samples.size()), kPlayed);
+    const std::vector<Index> played = spread(static_cast<Index>(scene_.run.samples.size()), most);
     for (const Index i : played) add_instant(static_cast<std::size_t>(i), layers);
     Json block{{"type", "scene"},
                {"caption", fmt::format("{} in motion; arrows are contact forces, {:.3g} N as long "
@@ -270,6 +270,12 @@ Json muscle_charts(const SimulatedScene& scene) {
   return blocks;
 }
 
+}  // namespace
+
+Json film_of(const SimulatedScene& scene, Index instants, MeshTable& meshes) {
+  return SceneFilm(scene, meshes).block(instants);
+}
+
 Json run_banner(const SimulatedScene& scene) {
   const std::string refusal = refusal_of(scene);
   if (!refusal.empty())
@@ -288,12 +294,10 @@ Json run_banner(const SimulatedScene& scene) {
           {"reasons", warnings}};
 }
 
-}  // namespace
-
 Json page_of(const SimulatedScene& scene) {
   MeshTable meshes;
   Json blocks = Json::array({run_banner(scene)});
-  blocks.push_back(SceneFilm(scene, meshes).block());
+  blocks.push_back(film_of(scene, kPlayed, meshes));
   Json sections = Json::array({section("motion", "Motion", scene.description, std::move(blocks))});
   if (!scene.measures.pairs.empty())
     sections.push_back(section("contacts", "Contacts", "", Json::array({force_chart(scene)})));

@@ -4,12 +4,21 @@
 
 #include "api/simulate_scene.h"
 #include "report/blocks.h"
+#include "report/scene/mesh_table.h"
 
 namespace thenar {
 
 /// The scene in space, to be played, contact forces as arrows; energies, places and forces over
 /// time.
 [[nodiscard]] Json page_of(const SimulatedScene& scene);
+
+/// The scene in space alone, to be played, with still pictures below; for pages of several scenes.
+/// @param meshes    gets those that it shows
+/// @param instants  that it plays, at most
+[[nodiscard]] Json film_of(const SimulatedScene& scene, Eigen::Index instants, MeshTable& meshes);
+
+/// Whether the run may be believed, and what was assumed.
+[[nodiscard]] Json run_banner(const SimulatedScene& scene);
 
 /// Slip, penetration and energy of all runs.
 [[nodiscard]] Json page_of(const SceneSweep& sweep);
