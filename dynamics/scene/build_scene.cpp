@@ -2,16 +2,19 @@
 
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
 #include <map>
 
 #include "base/error.h"
 #include "base/nearest_name.h"
 #include "base/units.h"
+#include "data/io/toml_node.h"
 #include "dynamics/mechanism/build_mechanism.h"
 #include "dynamics/mechanism/tree_motion.h"
 #include "dynamics/scene/scene_compliance.h"
 #include "dynamics/scene/scene_humans.h"
 #include "dynamics/scene/scene_pairs.h"
+#include "dynamics/scene/target_table.h"
 
 namespace thenar {
 namespace {
@@ -375,6 +378,14 @@ class SceneBuilder {
     }
   }
 
+  /// A drive, or those that follow its table one after the other.
+  [[nodiscard]] std::vector<SceneDrive> pieces_of(const SceneDriveSpec& spec,
+                                                  const SceneDrive& drive) const {
+    if (spec.target_file.empty()) return {drive};
+    const std::string path = (std::filesystem::path(spec_.folder) / spec.target_file).string();
+    return follow_table(drive, parse_target_table(read_text_file(path), path, spec));
+  }
+
   void add_drives() {
     const Mechanism& mechanism = built_.scene.mechanism;
     std::vector<std::string> names;
@@ -404,8 +415,10 @@ class SceneBuilder {
       out.max_effort =
           drive.max_effort.value_or(known > 0 ? known : std::numeric_limits<double>::infinity());
       out.when = {drive.from, drive.to};
-      built_.scene.drives.push_back(out);
-      built_.drive_names.push_back(drive.name);
+      for (const SceneDrive& piece : pieces_of(drive, out)) {
+        built_.scene.drives.push_back(piece);
+        built_.drive_names.push_back(drive.name);
+      }
     }
   }
 

@@ -94,10 +94,12 @@ Json work_section(const std::vector<WorkPoint>& points) {
     series.push_back(work_series(points, method, rows));
   return section(
       "work-precision", "Scenes in motion: accuracy over time",
-      "A ball rolls off another for 0.25 s without slip; elliptic integrals know where it ends. "
-      "`events` keeps the error of its steps below a tolerance by steps of high order, "
-      "`time-stepping` takes steps of a fixed length and is of second order: ten times the work "
-      "for a hundredth of the error. Times are of this machine, the least of five runs each.",
+      "A ball rolls off another for 0.25 s without slip; elliptic integrals give where it ends. "
+      "The "
+      "method events keeps the error of its steps below a tolerance by steps of high order; "
+      "time-stepping takes steps of a fixed length and is of second order: ten times the work for "
+      "a "
+      "hundredth of the error. Times are of this machine, the least of five runs each.",
       Json::array({{{"type", "lines"},
                     {"caption", "Error of the ball's place at the end, over processor time"},
                     {"x_label", "processor time [ms]"},

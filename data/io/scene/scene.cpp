@@ -182,7 +182,7 @@ SceneSpec parse_scene(const std::string& text, const std::string& path) {
   for (TomlTable& table : top.tables("force"))
     scene.forces.push_back(internal::read_scene_force(table));
   for (TomlTable& table : top.tables("drive"))
-    scene.drives.push_back(internal::read_scene_drive(table));
+    scene.drives.push_back(internal::read_scene_drive(table, scene.folder));
   for (const bool tensions : {true, false})
     for (TomlTable& table : top.tables(tensions ? "tendon" : "muscle"))
       scene.muscles.push_back(internal::read_scene_muscle(table, tensions, scene.folder));
@@ -217,9 +217,12 @@ SceneSpec read_scene(const std::string& path) {
         digests_of({(std::filesystem::path(scene.folder) / scene.materials_file).string()}));
   for (const SceneBodySpec& body : scene.bodies)
     scene.files.insert(body.placed.body.files.begin(), body.placed.body.files.end());
-  for (const SceneMuscleSpec& muscle : scene.muscles)
-    if (!muscle.file.empty())
-      scene.files.merge(digests_of({(std::filesystem::path(scene.folder) / muscle.file).string()}));
+  const auto add_table = [&](const std::string& file) {
+    if (!file.empty())
+      scene.files.merge(digests_of({(std::filesystem::path(scene.folder) / file).string()}));
+  };
+  for (const SceneMuscleSpec& muscle : scene.muscles) add_table(muscle.file);
+  for (const SceneDriveSpec& drive : scene.drives) add_table(drive.target_file);
   return scene;
 }
 

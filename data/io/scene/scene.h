@@ -85,6 +85,7 @@ struct SceneDriveSpec {
   double damping = 0;                // [N m s/rad] or [N s/m]
   double target = 0;                 // when it begins [rad] or [m]
   double speed = 0;                  // of the target [rad/s] or [m/s]
+  std::string target_file;           // table of the target over time; as written; may be empty
   std::optional<double> max_effort;  // [N m] or [N]; absent: the motor's own, if it is known
   double from = 0;                   // [s]
   double to = std::numeric_limits<double>::infinity();  // [s]

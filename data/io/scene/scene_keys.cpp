@@ -127,7 +127,7 @@ SceneForceSpec read_scene_force(TomlTable& table) {
   return force;
 }
 
-SceneDriveSpec read_scene_drive(TomlTable& table) {
+SceneDriveSpec read_scene_drive(TomlTable& table, const std::string& folder) {
   SceneDriveSpec drive;
   drive.line = table.line();
   drive.coordinate = table.text("coordinate");
@@ -156,6 +156,14 @@ SceneDriveSpec read_scene_drive(TomlTable& table) {
     drive.max_effort = table.number(units.effort, "max_effort", Range::kNotNegative);
   if (drive.stiffness == 0 && table.has(units.value, "target"))
     table.fail("a 'target' needs a 'stiffness'", "target");
+  if (table.has("target_file")) {
+    drive.target_file = table.text("target_file");
+    (void)file_beside(table, "target_file", folder);
+    if (drive.stiffness == 0) table.fail("a 'target_file' needs a 'stiffness'", "target_file");
+    if (table.has(units.value, "target") || table.has(units.speed, "speed"))
+      table.fail("a 'target_file' says all of the target: no 'target' and no 'speed' beside it",
+                 "target_file");
+  }
   read_span(table, drive);
   table.done();
   return drive;

@@ -12,7 +12,8 @@ namespace thenar::internal {
 /// `velocity` and `angular_velocity`, which only what is free may have.
 [[nodiscard]] SceneVelocity read_scene_velocity(TomlTable& owner, SceneJointKind kind);
 [[nodiscard]] SceneForceSpec read_scene_force(TomlTable& table);
-[[nodiscard]] SceneDriveSpec read_scene_drive(TomlTable& table);
+/// @param folder  of the scene
+[[nodiscard]] SceneDriveSpec read_scene_drive(TomlTable& table, const std::string& folder);
 /// [[tendon]] or [[muscle]]. @param tensions  it is [[tendon]];  @param folder  of the scene
 [[nodiscard]] SceneMuscleSpec read_scene_muscle(TomlTable& table, bool tensions,
                                                 const std::string& folder);
