@@ -166,12 +166,10 @@ std::string DigitPull::start_warning(const VectorXd& q) const {
 
 /// Tendons without a net are linear: their arms do for all tensions, and for all calls at a
 /// posture.
-const GroupTorque& DigitPull::arms_at(const VectorXd& q) const {
-  if (arms_q_.size() != q.size() || arms_q_ != q) {
-    arms_ = tendons().evaluate(q, VectorXd::Zero(muscles_), {});
-    arms_q_ = q;
-  }
-  return arms_;
+void DigitPull::set_arms(const VectorXd& q) const {
+  if (arms_q_.size() == q.size() && arms_q_ == q) return;
+  now_.pull = tendons().evaluate(q, VectorXd::Zero(muscles_), {});
+  arms_q_ = q;
 }
 
 /// Whether slopes by posture are known of a place nearby.
@@ -188,13 +186,21 @@ void DigitPull::set_posture_stiffness(const Now& now) {
   stiffness_t_ = now.tension;
 }
 
-DigitPull::Now DigitPull::now(const ElementInput& at) const {
-  Now now;
+/// What is asked of a pull: a net has all its parts at once, and slopes by posture are found at
+/// the first call, whatever that is for.
+ElementNeed DigitPull::need_of(const ElementInput& at) const {
+  return has_net() || posture_stiffness_.size() == 0 ? ElementNeed::kAll : at.need;
+}
+
+const DigitPull::Now& DigitPull::now(const ElementInput& at, ElementNeed need) const {
+  Now& now = now_;
   now.q = at.q(model_->places.q);
   now.q_dot = at.v(model_->places.v);
-  now.excitation = now.excursion = now.tension = VectorXd::Zero(muscles_);
-  now.state.resize(static_cast<std::size_t>(muscles_));
-  now.by.resize(static_cast<std::size_t>(muscles_));
+  now.excitation.setZero(muscles_);
+  now.excursion.setZero(muscles_);
+  now.tension.setZero(muscles_);
+  now.state.assign(static_cast<std::size_t>(muscles_), {});
+  now.by.assign(static_cast<std::size_t>(muscles_), {});
   // States of muscles that contract.
   const auto count = static_cast<Index>(contracting_.size());
   for (Index i = 0; i < count; ++i) {
@@ -209,15 +215,18 @@ DigitPull::Now DigitPull::now(const ElementInput& at) const {
     if (has_fibre_) state.projected_fibre = at.z[at.first_z + 2 * count + i] * fibre_length(m);
   }
   // Where tension depends on velocity, arms come first; there they do not depend on tension.
-  const bool feels = count > 0 && contraction().depends_on_velocity();
-  if (!has_net()) now.pull = arms_at(now.q);
-  if (feels) {
-    const VectorXd velocity = -now.pull.R * now.q_dot;
-    for (const int m : contracting_) now.state[static_cast<std::size_t>(m)].velocity = velocity[m];
+  if (!has_net()) set_arms(now.q);
+  if (count > 0 && contraction().depends_on_velocity()) {
+    now.stretch = -(now.pull.R * now.q_dot);
+    for (const int m : contracting_)
+      now.state[static_cast<std::size_t>(m)].velocity = now.stretch[m];
   }
+  if (need == ElementNeed::kStates) return now;
+  // Tensions, and their slopes.
   for (int m = 0; m < muscles_; ++m) {
     const auto k = static_cast<std::size_t>(m);
-    if (contracts(m)) now.by[k] = contraction().tension_derivatives(m, now.state[k]);
+    if (need == ElementNeed::kAll && contracts(m))
+      now.by[k] = contraction().tension_derivatives(m, now.state[k]);
     now.tension[m] = (has_net() ? model_->base_tension : 0) +
                      (contracts(m) ? contraction().tension(m, now.state[k])
                                    : piece_of(model_->tensions, m, at.acting).at(at.t));
@@ -226,7 +235,7 @@ DigitPull::Now DigitPull::now(const ElementInput& at) const {
   if (has_net())
     now.pull = tendons().evaluate(now.q, now.tension, last_nodes_);
   else
-    now.pull.tau = now.pull.R.transpose() * now.tension;
+    now.pull.tau.noalias() = now.pull.R.transpose() * now.tension;
   return now;
 }
 
@@ -238,44 +247,56 @@ bool DigitPull::act(const ElementInput& at, ElementAction& out) {
     return false;
   };
   if (!at.q.allFinite() || !at.v.allFinite() || !at.z.allFinite()) return refuse();
-  const Now now = this->now(at);
-  if (!now.tension.allFinite() || !now.pull.tau.allFinite()) return refuse();
-  out.tau(v) += now.pull.tau;
-  last_tension_ = now.tension;
-  // Slopes at constant tensions, then those of the tensions.
-  const MatrixXd& R = now.pull.R;
-  if (posture_stiffness_.size() == 0) set_posture_stiffness(now);
-  MatrixXd K = posture_stiffness_;
+  const ElementNeed need = need_of(at);
+  const Now& now = this->now(at, need);
   MatrixXd G, A;
-  if (!contracting_.empty()) {
-    VectorXd by_length(muscles_), by_velocity(muscles_);
-    for (Index m = 0; m < muscles_; ++m) {
-      by_length[m] = now.by[static_cast<std::size_t>(m)].by_length;
-      by_velocity[m] = now.by[static_cast<std::size_t>(m)].by_velocity;
-    }
-    MatrixXd stretch = R;
-    if (has_net()) {
-      G = tendons().compliance(now.q, now.tension, now.pull);
-      A = G * by_length.asDiagonal();
-      A.diagonal().array() += 1;
-      stretch = A.partialPivLu().solve(R);
-    }
-    K += R.transpose() * by_length.asDiagonal() * stretch;
-    out.damping(v, v) += R.transpose() * by_velocity.asDiagonal() * R;
+  if (need != ElementNeed::kStates) {
+    if (!now.tension.allFinite() || !now.pull.tau.allFinite()) return refuse();
+    out.tau(v) += now.pull.tau;
+    last_tension_ = now.tension;
   }
-  out.stiffness(v, v) += K;
+  if (need == ElementNeed::kAll) add_slopes(now, G, A, out);
   set_rates(at, now, G, A, out);
   return trusted(now.pull.status);
 }
 
+/// Slopes at constant tensions, then those of the tensions.
+void DigitPull::add_slopes(const Now& now, MatrixXd& G, MatrixXd& A, ElementAction& out) {
+  const std::vector<int>& v = model_->places.v;
+  const MatrixXd& R = now.pull.R;
+  if (posture_stiffness_.size() == 0) set_posture_stiffness(now);
+  out.stiffness(v, v) += posture_stiffness_;
+  if (contracting_.empty()) return;
+  by_length_.resize(muscles_);
+  by_velocity_.resize(muscles_);
+  for (Index m = 0; m < muscles_; ++m) {
+    by_length_[m] = now.by[static_cast<std::size_t>(m)].by_length;
+    by_velocity_[m] = now.by[static_cast<std::size_t>(m)].by_velocity;
+  }
+  if (has_net()) {
+    G = tendons().compliance(now.q, now.tension, now.pull);
+    A = G * by_length_.asDiagonal();
+    A.diagonal().array() += 1;
+    scaled_ = by_length_.asDiagonal() * A.partialPivLu().solve(R);
+  } else {
+    scaled_ = by_length_.asDiagonal() * R;
+  }
+  slope_ = R.transpose().lazyProduct(scaled_);
+  out.stiffness(v, v) += slope_;
+  scaled_ = by_velocity_.asDiagonal() * R;
+  slope_ = R.transpose().lazyProduct(scaled_);
+  out.damping(v, v) += slope_;
+}
+
 void DigitPull::set_rates(const ElementInput& at, const Now& now, const MatrixXd& G,
-                          const MatrixXd& A, ElementAction& out) const {
+                          const MatrixXd& A, ElementAction& out) {
   const auto count = static_cast<Index>(contracting_.size());
   if (count == 0) return;
-  // Activations and fibres, and the rates of tensions at constant length.
-  VectorXd rest = VectorXd::Zero(muscles_);
+  // Activations and fibres, and, for a net, the rates of tensions at constant length.
+  VectorXd rest;
+  if (has_net()) rest = VectorXd::Zero(muscles_);
   for (const MuscleSchedule& given : model_->tensions)
-    rest[given.muscle] = piece_of(model_->tensions, given.muscle, at.acting).slope();
+    if (has_net()) rest[given.muscle] = piece_of(model_->tensions, given.muscle, at.acting).slope();
   for (Index i = 0; i < count; ++i) {
     const int m = contracting_[static_cast<std::size_t>(i)];
     const MuscleState& state = now.state[static_cast<std::size_t>(m)];
@@ -284,17 +305,18 @@ void DigitPull::set_rates(const ElementInput& at, const Now& now, const MatrixXd
     out.z_rate[at.first_z + i] = rate;
     out.z_decay[at.first_z + i] = std::max(
         0.0, -activation_rate_derivative(now.excitation[m], state.activation, model_->activation));
-    rest[m] = by.by_activation * rate;
+    if (has_net()) rest[m] = by.by_activation * rate;
     if (!has_fibre_) continue;
     const double fibre = contraction().projected_fibre_rate(m, state);
     out.z_rate[at.first_z + 2 * count + i] = fibre / fibre_length(m);
     out.z_decay[at.first_z + 2 * count + i] =
         std::max(0.0, -contraction().fibre_rate_derivatives(m, state).by_projected_fibre);
-    rest[m] += by.by_projected_fibre * fibre;
+    if (has_net()) rest[m] += by.by_projected_fibre * fibre;
   }
   if (!has_excursion_) return;
   // Excursions; under a net they return to the lengths of lines [Baumgarte1972].
-  VectorXd excursion = -now.pull.R * now.q_dot;
+  excursion_rate_.noalias() = -now.pull.R * now.q_dot;
+  VectorXd& excursion = excursion_rate_;
   double decay = 0;
   if (has_net()) {
     if (slack_length_.size() > 0) {
@@ -316,7 +338,7 @@ void DigitPull::accept(const ElementInput& at) {
   if (!has_net() && last_tension_.size() > 0 &&
       knows_stiffness(at.q(model_->places.q), last_tension_))
     return;
-  const Now now = this->now(at);
+  const Now& now = this->now(at, ElementNeed::kRates);
   if (!now.tension.allFinite() || !now.pull.tau.allFinite()) return;
   if (!knows_stiffness(now.q, now.tension)) set_posture_stiffness(now);
   if (!has_net()) return;
@@ -342,7 +364,7 @@ bool DigitPull::moves(const ElementInput& at) const {
   for (const MuscleSchedule& given : model_->tensions)
     if (given.when.holds(at.acting) && piece_at(given, at.acting).slope() != 0) return true;
   if (contracting_.empty()) return false;
-  const Now now = this->now(at);
+  const Now& now = this->now(at, ElementNeed::kRates);
   return std::any_of(contracting_.begin(), contracting_.end(), [&](int m) {
     const MuscleState& state = now.state[static_cast<std::size_t>(m)];
     const double rate = activation_rate(now.excitation[m], state.activation, model_->activation);
@@ -354,7 +376,7 @@ bool DigitPull::moves(const ElementInput& at) const {
 }
 
 PullInstant DigitPull::at(const ElementInput& at) const {
-  const Now now = this->now(at);
+  const Now& now = this->now(at, ElementNeed::kRates);
   PullInstant out;
   out.tension = now.tension;
   out.excitation = now.excitation;

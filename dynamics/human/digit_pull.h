@@ -93,10 +93,14 @@ class DigitPull final : public ForceElement {
     Eigen::VectorXd excursion;           // (muscles)
     std::vector<TensionDerivatives> by;  // (muscles)
     Eigen::VectorXd tension;             // (muscles)
-    GroupTorque pull;
+    Eigen::VectorXd stretch;             // lengthening of muscles [m/s] (muscles)
+    GroupTorque pull;                    // without a net its arms stay while the posture does
   };
-  [[nodiscard]] Now now(const ElementInput& at) const;
-  [[nodiscard]] const GroupTorque& arms_at(const Eigen::VectorXd& q) const;
+  [[nodiscard]] ElementNeed need_of(const ElementInput& at) const;
+  /// Fills now_: tensions and torque but for kStates, their derivatives for kAll.
+  [[nodiscard]] const Now& now(const ElementInput& at, ElementNeed need) const;
+  void set_arms(const Eigen::VectorXd& q) const;
+  void add_slopes(const Now& now, Eigen::MatrixXd& G, Eigen::MatrixXd& A, ElementAction& out);
   [[nodiscard]] bool knows_stiffness(const Eigen::VectorXd& q, const Eigen::VectorXd& t) const;
   void set_posture_stiffness(const Now& now);
   [[nodiscard]] bool has_net() const { return blended_ != nullptr; }
@@ -108,7 +112,7 @@ class DigitPull final : public ForceElement {
   }
   [[nodiscard]] double fibre_length(int m) const;
   void set_rates(const ElementInput& at, const Now& now, const Eigen::MatrixXd& G,
-                 const Eigen::MatrixXd& A, ElementAction& out) const;
+                 const Eigen::MatrixXd& A, ElementAction& out);
 
   std::shared_ptr<const DigitPullModel> model_;
   std::shared_ptr<const TendonGroup> blended_;    // null: the model's own
@@ -117,8 +121,11 @@ class DigitPull final : public ForceElement {
   std::vector<bool> contracts_;                   // (muscles)
   bool has_excursion_ = false, has_fibre_ = false;
   Eigen::Index muscles_ = 0;
-  mutable Eigen::VectorXd arms_q_;  // where these arms are, of tendons without a net:
-  mutable GroupTorque arms_;
+  // Room that is used again, so that a step uses no heap here; it changes no answer.
+  mutable Now now_;
+  mutable Eigen::VectorXd arms_q_;  // where the arms of now_ are, of tendons without a net
+  Eigen::VectorXd by_length_, by_velocity_, excursion_rate_;
+  Eigen::MatrixXd scaled_, slope_;
   // What was found at the last accept().
   Eigen::MatrixXd posture_stiffness_;          // (coordinates, coordinates); empty: not yet
   Eigen::VectorXd last_tension_;               // of the last act() [N] (muscles)

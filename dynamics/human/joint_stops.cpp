@@ -24,8 +24,10 @@ std::unique_ptr<ForceElement> JointStops::clone() const {
 }
 
 bool JointStops::act(const ElementInput& at, ElementAction& out) {
+  if (at.need == ElementNeed::kStates) return true;
   const Eigen::VectorXd q = at.q(places_.q);
   out.tau(places_.v) += resistance_torque(limits_, resistance_, q);
+  if (at.need == ElementNeed::kRates) return true;
   const Eigen::VectorXd slope = resistance_derivative(limits_, resistance_, q);
   for (std::size_t i = 0; i < places_.v.size(); ++i)
     out.stiffness(places_.v[i], places_.v[i]) -= slope[static_cast<Eigen::Index>(i)];

@@ -157,7 +157,7 @@ struct ContactStep::Parts {
 
   /// Efforts of springs, dampers, drives and elements, their slopes, and loads on bodies, after
   /// place(). @return whether all elements could act
-  bool load(const SceneState& state) {
+  bool load(const SceneState& state, ElementNeed need = ElementNeed::kAll) {
     tau.setZero();
     stiffness.setZero();
     damping.setZero();
@@ -179,17 +179,18 @@ struct ContactStep::Parts {
       motion.add_load(link_of(force.body), motion.pose(force.body) * force.point, force.force,
                       force.moment);
     }
-    return act(state);
+    return act(state, need);
   }
 
-  [[nodiscard]] ElementInput seen_by_elements(const SceneState& state) const {
-    return {state.t, acting, state.q, state.v, state.z, motion, 0};
+  [[nodiscard]] ElementInput seen_by_elements(const SceneState& state,
+                                              ElementNeed need = ElementNeed::kAll) const {
+    return {state.t, acting, state.q, state.v, state.z, motion, 0, need};
   }
 
   /// Adds what elements do.
-  bool act(const SceneState& state) {
+  bool act(const SceneState& state, ElementNeed need) {
     if (elements.empty()) return true;
-    const bool acted = elements.act(seen_by_elements(state));
+    const bool acted = elements.act(seen_by_elements(state, need));
     tau += elements.action().tau;
     return acted;
   }
@@ -208,7 +209,8 @@ struct ContactStep::Parts {
     if (elements.empty()) return true;
     v_mean = 0.5 * (v_before + state.v);
     speed_up(v_mean);
-    const bool acted = elements.act({state.t, acting, state.q, v_mean, state.z, motion, 0});
+    const bool acted =
+        elements.act({state.t, acting, state.q, v_mean, state.z, motion, 0, ElementNeed::kRates});
     state.z = z_before + h * elements.action().z_rate;
     return acted;
   }
@@ -505,7 +507,7 @@ void ContactStep::time_step(SceneState& state, double h, const std::vector<Activ
   const Eigen::VectorXd z_before = state.z, v_before = state.v;
   bool acted = true;
   if (!p.elements.empty()) {
-    acted = p.elements.act(p.seen_by_elements(state));
+    acted = p.elements.act(p.seen_by_elements(state, ElementNeed::kStates));
     p.advance_elements(0.5 * h, state);
   }
   acted = p.load(state) && acted;
@@ -658,7 +660,7 @@ bool ContactStep::free_rates(const SceneState& state, Eigen::VectorXd& q_dot,
                              Eigen::VectorXd& v_dot, Eigen::VectorXd& z_dot) {
   Parts& p = *parts_;
   p.place(state);
-  const bool acted = p.load(state);
+  const bool acted = p.load(state, ElementNeed::kRates);
   z_dot = p.elements.action().z_rate;
   position_rates(p.scene.mechanism, p.model.layout, state.q, state.v, q_dot);
   if (p.articulated) {

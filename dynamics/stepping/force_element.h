@@ -12,6 +12,14 @@
 
 namespace thenar {
 
+/// What a step asks of its elements. They may leave out what is not asked for; what they give is
+/// the same, whatever is asked.
+enum class ElementNeed {
+  kAll,    // efforts, rates of states, slopes
+  kRates,  // efforts, rates of states
+  kStates  // rates of states alone; then that of the work means nothing
+};
+
 /// Where a scene is, as its elements see it.
 struct ElementInput {
   double t;                          // [s]
@@ -21,6 +29,7 @@ struct ElementInput {
   const Eigen::VectorXd& z;          // states of all elements (z)
   const TreeMotion<double>& motion;  // poses and velocities of links at q and v
   Eigen::Index first_z;              // where the states of this element begin
+  ElementNeed need = ElementNeed::kAll;
 };
 
 /// What all elements do there; each adds its part.
@@ -96,7 +105,7 @@ class SceneElements {
 
  private:
   [[nodiscard]] ElementInput input_of(std::size_t i, const ElementInput& at) const {
-    return {at.t, at.acting, at.q, at.v, at.z, at.motion, first_z_[i]};
+    return {at.t, at.acting, at.q, at.v, at.z, at.motion, first_z_[i], at.need};
   }
 
   std::vector<std::unique_ptr<ForceElement>> elements_;

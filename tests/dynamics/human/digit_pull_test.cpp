@@ -249,13 +249,14 @@ struct ElementAt {
   double t = 0;
   VectorXd q, v, z;
 };
-ElementAction action_at(ForceElement& element, const TreeModel& tree, const ElementAt& at) {
+ElementAction action_at(ForceElement& element, const TreeModel& tree, const ElementAt& at,
+                        ElementNeed need = ElementNeed::kAll) {
   TreeMotion<double> motion(tree);
   motion.set_position(at.q);
   motion.set_speed(at.v);
   ElementAction out;
   out.clear(at.v.size(), at.z.size());
-  EXPECT_TRUE(element.act({at.t, at.t, at.q, at.v, at.z, motion, 0}, out));
+  EXPECT_TRUE(element.act({at.t, at.t, at.q, at.v, at.z, motion, 0, need}, out));
   return out;
 }
 
@@ -317,6 +318,41 @@ INSTANTIATE_TEST_SUITE_P(Muscles, SlopesOfPulls,
                          testing::Values(Muscle::kBounds, Muscle::kRigidTendon,
                                          Muscle::kElasticTendon));
 
+class NeedsOfPulls : public testing::TestWithParam<Muscle> {};
+
+// A call that asks for less computes less; what it gives has the very bits of one that asks for
+// all.
+TEST_P(NeedsOfPulls, ChangeNoBitOfWhatIsAskedFor) {
+  Mover owned(sample::index_finger(), GetParam());
+  const std::shared_ptr<const DigitTendons> tendons = std::move(owned.tendons);
+  const DigitScene digit(tendons, {}, {0, 0, 0});
+  DigitPullModel model = digit.pull();
+  model.contraction = std::move(owned.contraction);
+  DigitPull pull(model);
+  const TreeModel tree = tree_model(digit.scene.mechanism);
+  for (int posture = 0; posture < 4; ++posture) {
+    const VectorXd q = 0.2 * posture * (VectorXd(4) << 0.9, 0.1, 1.1, 0.7).finished();
+    ElementAt at{0, q, (VectorXd(4) << 0.5, -0.3, 0.8, 0.2).finished(), pull.start(q)};
+    at.z.head(static_cast<Eigen::Index>(model.contraction->muscles().size())).setConstant(0.4);
+    const ElementAction states = action_at(pull, tree, at, ElementNeed::kStates);
+    const ElementAction rates = action_at(pull, tree, at, ElementNeed::kRates);
+    DigitPull other(model);
+    const ElementAction all = action_at(other, tree, at);
+    EXPECT_EQ(rates.tau, all.tau);
+    EXPECT_GT(all.tau.cwiseAbs().maxCoeff(), 1e-3);
+    for (const ElementAction* less : {&rates, &states}) {
+      EXPECT_EQ(less->z_rate, all.z_rate);
+      EXPECT_EQ(less->z_decay, all.z_decay);
+    }
+    EXPECT_TRUE(rates.stiffness.isZero(0));
+    EXPECT_FALSE(all.stiffness.isZero(0));
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Muscles, NeedsOfPulls,
+                         testing::Values(Muscle::kBounds, Muscle::kRigidTendon,
+                                         Muscle::kElasticTendon));
+
 // Within ranges, in the toe and beyond it; torque is minus the slope of energy, too.
 TEST(JointStops, SlopesAreDifferences) {
   const std::shared_ptr<const DigitTendons> tendons =
@@ -352,6 +388,7 @@ TEST(JointStops, SlopesAreDifferences) {
   }
   EXPECT_TRUE(matrix_near(out.stiffness, by_position, 1e-6));
   EXPECT_TRUE(out.damping.isZero(0));
+  EXPECT_EQ(action_at(stops, tree, at, ElementNeed::kRates).tau, out.tau);
 }
 
 TEST(DigitPull, RefusesWhatCannotBe) {
