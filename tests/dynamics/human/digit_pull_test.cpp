@@ -333,7 +333,10 @@ TEST_P(NeedsOfPulls, ChangeNoBitOfWhatIsAskedFor) {
   for (int posture = 0; posture < 4; ++posture) {
     const VectorXd q = 0.2 * posture * (VectorXd(4) << 0.9, 0.1, 1.1, 0.7).finished();
     ElementAt at{0, q, (VectorXd(4) << 0.5, -0.3, 0.8, 0.2).finished(), pull.start(q)};
-    at.z.head(static_cast<Eigen::Index>(model.contraction->muscles().size())).setConstant(0.4);
+    const auto count = static_cast<Eigen::Index>(model.contraction->muscles().size());
+    at.z.head(count).setConstant(0.4);
+    // Elastic tendons are drawn out, so that they pull.
+    if (GetParam() == Muscle::kElasticTendon) at.z.segment(count, count).array() += 0.05;
     const ElementAction states = action_at(pull, tree, at, ElementNeed::kStates);
     const ElementAction rates = action_at(pull, tree, at, ElementNeed::kRates);
     DigitPull other(model);
