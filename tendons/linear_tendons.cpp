@@ -13,10 +13,13 @@ namespace {
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-void check(const TendonDigit& digit, const VectorXd& q, const VectorXd& t) {
+void check(const TendonDigit& digit, const VectorXd& q) {
   require(q.size() == digit.model.coordinates, "posture has {} angles, the digit {} joints",
           q.size(), digit.model.coordinates);
   require(q.allFinite(), "posture has an angle that is not finite");
+}
+void check(const TendonDigit& digit, const VectorXd& q, const VectorXd& t) {
+  check(digit, q);
   const auto muscles = static_cast<Eigen::Index>(digit.names.muscles.size());
   require(t.size() == muscles, "there are {} tensions for {} muscles", t.size(), muscles);
   for (Eigen::Index m = 0; m < muscles; ++m)
@@ -103,19 +106,36 @@ class LinearTendons : public DigitTendons {
     // Arms of the strands, reduced by friction in the sheaths.
     check(digit_, q, t);
     const TendonModel<double>& model = digit_.model;
-    StrandArms arms = paths_->arms(pose_tree(model.tree, q), q);
+    TendonTorque pull;
+    StrandArms arms;
+    set_arms(q, paths_->room().get(), arms, pull);
+    pull.tau = pull.R.transpose() * t;
+    pull.slips = slip_tension(model, q, t);
+    return pull;
+  }
+
+  [[nodiscard]] std::unique_ptr<ArmSolver> arm_solver() const {
+    return std::make_unique<Arms>(*this);
+  }
+
+  /// R, warning and status of a torque. @param arms  room
+  void set_arms(const VectorXd& q, StrandRoom* room, StrandArms& arms, TendonTorque& pull) const {
+    const TendonModel<double>& model = digit_.model;
+    paths_->set_arms(pose_tree(model.tree, q), q, room, arms);
     for (Eigen::Index s = 0; s < arms.R.rows(); ++s)
       if (model.friction[s] != 0)
         arms.R.row(s) =
             arms.R.row(s).cwiseProduct(remaining_tension(model, q, model.friction[s]).transpose());
-    // Muscles pull strands in the shares of the hood.
-    TendonTorque pull;
-    pull.R = strand_matrix(model, q).transpose() * arms.R;
-    pull.tau = pull.R.transpose() * t;
-    pull.slips = slip_tension(model, q, t);
+    // Muscles pull strands in the shares of the hood; without one, each its own.
+    if (model.hood) {
+      pull.R = strand_matrix(model, q).transpose() * arms.R;
+    } else {
+      pull.R.resize(static_cast<Eigen::Index>(model.pulls.size()), arms.R.cols());
+      for (std::size_t m = 0; m < model.pulls.size(); ++m)
+        pull.R.row(static_cast<Eigen::Index>(m)) = arms.R.row(model.pulls[m]);
+    }
     pull.warning = arms.warning;
     pull.status = arms.status;
-    return pull;
   }
 
   [[nodiscard]] VectorXd lengths(const VectorXd& q, const VectorXd& t,
@@ -124,6 +144,21 @@ class LinearTendons : public DigitTendons {
     const TendonModel<double>& model = digit_.model;
     return strand_matrix(model, q).transpose() * paths_->lengths(pose_tree(model.tree, q), q);
   }
+
+  /// Arms posture after posture.
+  class Arms final : public ArmSolver {
+   public:
+    explicit Arms(const LinearTendons& of) : of_(&of), room_(of.paths_->room()) {}
+    void solve(const VectorXd& q, TendonTorque& out) override {
+      check(of_->digit_, q);
+      of_->set_arms(q, room_.get(), strands_, out);
+    }
+
+   private:
+    const LinearTendons* of_;
+    std::unique_ptr<StrandRoom> room_;
+    StrandArms strands_;
+  };
 
   /// tau_j = sum over strands of f_s left_sj R_sj, f = S t; each factor may change with posture.
   [[nodiscard]] TendonDerivatives derivatives(const VectorXd& q, const VectorXd& t) const override {
@@ -157,6 +192,11 @@ class LinearTendons : public DigitTendons {
 };
 
 }  // namespace
+
+std::unique_ptr<ArmSolver> arm_solver(const DigitTendons& tendons) {
+  const auto* linear = dynamic_cast<const LinearTendons*>(&tendons);
+  return linear ? linear->arm_solver() : nullptr;
+}
 
 SlipTension slip_tension(const TendonModel<double>& model, const VectorXd& q, const VectorXd& t) {
   if (!model.hood) return {};

@@ -49,11 +49,23 @@ class WrappedStrands : public StrandPaths {
   }
 
   [[nodiscard]] StrandArms arms(const TreeState<double>& state,
-                                const Eigen::VectorXd& /*q*/) const override {
+                                const Eigen::VectorXd& q) const override {
+    StrandArms arms;
+    set_arms(state, q, room().get(), arms);
+    return arms;
+  }
+
+  [[nodiscard]] std::unique_ptr<StrandRoom> room() const override {
+    return std::make_unique<StrandRoom>(StrandRoom{PathSolver(set_), {}});
+  }
+
+  void set_arms(const TreeState<double>& state, const Eigen::VectorXd& /*q*/, StrandRoom* room,
+                StrandArms& arms) const override {
     // Geodesics at this posture.
-    PathSolver solver(set_);
-    const std::vector<PathShape>& shapes = solver.solve(state);
-    StrandArms arms{rows_of(state, shapes), "", TendonStatus::kValid};
+    const std::vector<PathShape>& shapes = room->solver.solve(state);
+    set_rows(state, shapes, room->R, arms.R);
+    arms.warning.clear();
+    arms.status = TendonStatus::kValid;
     // The worst status of all strands, with its warning.
     for (const int number : path_of_) {
       if (number < 0) continue;
@@ -62,7 +74,6 @@ class WrappedStrands : public StrandPaths {
       if (status > arms.status) arms.warning = warning_of(shapes[path], set_.paths[path].name);
       arms.status = worse(arms.status, status);
     }
-    return arms;
   }
 
   [[nodiscard]] StrandDerivatives derivatives(const TreeState<double>& state,
@@ -105,13 +116,20 @@ class WrappedStrands : public StrandPaths {
   /// Arms of all strands (strands, coordinates) [m/rad].
   [[nodiscard]] Eigen::MatrixXd rows_of(const TreeState<double>& state,
                                         const std::vector<PathShape>& shapes) const {
+    Eigen::MatrixXd of_path, R;
+    set_rows(state, shapes, of_path, R);
+    return R;
+  }
+
+  /// The same, written over R. @param of_path  room
+  void set_rows(const TreeState<double>& state, const std::vector<PathShape>& shapes,
+                Eigen::MatrixXd& of_path, Eigen::MatrixXd& R) const {
     // Rows of the paths replace the constant ones.
-    Eigen::MatrixXd of_path(shapes.size(), constant_.cols());
+    of_path.resize(static_cast<Eigen::Index>(shapes.size()), constant_.cols());
     path_arms(tree_, state, set_, shapes, of_path);
-    Eigen::MatrixXd R = constant_;
+    R = constant_;
     for (std::size_t s = 0; s < path_of_.size(); ++s)
       if (path_of_[s] >= 0) R.row(static_cast<Eigen::Index>(s)) = of_path.row(path_of_[s]);
-    return R;
   }
 
   PathSet set_;

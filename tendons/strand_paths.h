@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "tendons/digit_tendons.h"
+#include "tendons/wrapping/path_solver.h"
 
 namespace thenar {
 
@@ -25,12 +26,25 @@ struct [[nodiscard]] StrandDerivatives {
   std::vector<Eigen::MatrixXd> dR;  // d R_j/d q_k [m/rad^2] (strands) of (coordinates, coordinates)
 };
 
+/// Room for arms of wrapped strands posture after posture. It changes no answer.
+struct StrandRoom {
+  PathSolver solver;
+  Eigen::MatrixXd R;  // of paths (paths, coordinates) [m/rad]
+};
+
 /// The paths of a digit's strands on one rung.
 class StrandPaths {
  public:
   virtual ~StrandPaths() = default;
   [[nodiscard]] virtual StrandArms arms(const TreeState<double>& state,
                                         const Eigen::VectorXd& q) const = 0;
+  /// Room for set_arms(), which these paths must outlive; null: they need none.
+  [[nodiscard]] virtual std::unique_ptr<StrandRoom> room() const { return nullptr; }
+  /// arms() written over `out`. @param room  by room()
+  virtual void set_arms(const TreeState<double>& state, const Eigen::VectorXd& q,
+                        StrandRoom* /*room*/, StrandArms& out) const {
+    out = arms(state, q);
+  }
   /// As of StrandDerivatives.
   [[nodiscard]] virtual Eigen::VectorXd lengths(const TreeState<double>& state,
                                                 const Eigen::VectorXd& q) const = 0;

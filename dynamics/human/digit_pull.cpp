@@ -94,6 +94,7 @@ DigitPull::DigitPull(DigitPullModel model)
   // A net in motion: see FingerMotion.
   const bool net = group.has_net();
   if (net) blended_ = std::make_shared<const TendonGroup>(group.smoothed(model_->blend));
+  if (!net) arms_.emplace(group);
   contracts_.assign(static_cast<std::size_t>(muscles_), model_->contraction != nullptr);
   for (const MuscleSchedule& given : model_->tensions)
     contracts_[static_cast<std::size_t>(given.muscle)] = false;
@@ -168,7 +169,8 @@ std::string DigitPull::start_warning(const VectorXd& q) const {
 /// posture.
 void DigitPull::set_arms(const VectorXd& q) const {
   if (arms_q_.size() == q.size() && arms_q_ == q) return;
-  now_.pull = tendons().evaluate(q, VectorXd::Zero(muscles_), {});
+  arms_q_.resize(0);  // should it throw
+  arms_->solve(q, now_.pull);
   arms_q_ = q;
 }
 

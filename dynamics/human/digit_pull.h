@@ -3,6 +3,7 @@
 /// Tendons of a digit in a scene, pulled by given tensions or by excited muscles.
 
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -123,7 +124,8 @@ class DigitPull final : public ForceElement {
   Eigen::Index muscles_ = 0;
   // Room that is used again, so that a step uses no heap here; it changes no answer.
   mutable Now now_;
-  mutable Eigen::VectorXd arms_q_;  // where the arms of now_ are, of tendons without a net
+  mutable std::optional<GroupArms> arms_;  // none: a net
+  mutable Eigen::VectorXd arms_q_;         // where the arms of now_ are, of tendons without a net
   Eigen::VectorXd by_length_, by_velocity_, excursion_rate_;
   Eigen::MatrixXd scaled_, slope_;
   // What was found at the last accept().

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "base/error.h"
+
 namespace thenar {
 namespace {
 
@@ -93,6 +95,33 @@ GroupTorque TendonGroup::evaluate(const VectorXd& q, const VectorXd& t,
     if (out.warning.empty()) out.warning = part.warning;
   }
   return out;
+}
+
+GroupArms::GroupArms(const TendonGroup& group) : group_(&group), q_(group.digits_.size()) {
+  require(!group.has_net(), "arms of a group with a net depend on tensions");
+  for (const TendonGroup::Digit& digit : group.digits_)
+    solvers_.push_back(arm_solver(*digit.tendons));
+}
+
+void GroupArms::solve(const VectorXd& q, GroupTorque& out) {
+  const TendonGroup& group = *group_;
+  out.R.setZero(static_cast<Eigen::Index>(group.muscles_.size()), q.size());
+  out.status = TendonStatus::kValid;
+  out.warning.clear();
+  out.digits.resize(solvers_.size());
+  for (std::size_t i = 0; i < solvers_.size(); ++i) {
+    const TendonGroup::Digit& digit = group.digits_[i];
+    TendonTorque& part = out.digits[i];
+    q_[i] = q(digit.coordinates);
+    if (solvers_[i])
+      solvers_[i]->solve(q_[i], part);
+    else
+      part = digit.tendons->evaluate(
+          q_[i], VectorXd::Zero(static_cast<Eigen::Index>(digit.muscles.size())));
+    out.R(digit.muscles, digit.coordinates) += part.R;
+    out.status = worse(out.status, part.status);
+    if (out.warning.empty()) out.warning = part.warning;
+  }
 }
 
 MatrixXd TendonGroup::torque_by_posture(const VectorXd& q, const VectorXd& t,

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "tendons/digit_tendons.h"
+#include "tendons/linear_tendons.h"
 
 namespace thenar {
 
@@ -62,6 +62,7 @@ class TendonGroup {
   [[nodiscard]] Excursion excursion(const Eigen::VectorXd& q) const;
 
  private:
+  friend class GroupArms;
   struct Digit {
     std::shared_ptr<const DigitTendons> tendons;
     std::vector<int> coordinates, muscles;  // of the group
@@ -69,6 +70,26 @@ class TendonGroup {
   std::vector<Digit> digits_;
   std::vector<std::string> coordinates_, muscles_;
   bool has_net_ = false, has_friction_ = false;
+};
+
+/// Moment arms of a group without nets, posture after posture, with room that is used again and
+/// changes no answer. A copy has room of its own.
+class GroupArms {
+ public:
+  /// @param group  without nets; must outlive it
+  explicit GroupArms(const TendonGroup& group);
+  GroupArms(const GroupArms& other) : GroupArms(*other.group_) {}
+  GroupArms& operator=(const GroupArms&) = delete;
+  ~GroupArms() = default;
+
+  /// Writes R, warning and status of TendonGroup::evaluate(), and of its parts, over those of
+  /// `out`.
+  void solve(const Eigen::VectorXd& q, GroupTorque& out);
+
+ private:
+  const TendonGroup* group_;
+  std::vector<std::unique_ptr<ArmSolver>> solvers_;  // (digits); null: evaluate() does
+  std::vector<Eigen::VectorXd> q_;                   // (digits)
 };
 
 }  // namespace thenar
