@@ -11,16 +11,56 @@
 
 namespace thenar {
 
+namespace internal {
+
+/// A symmetric 3 x 3 matrix by its upper triangle, half of the work of a full one.
+template <typename T>
+struct Symmetric3 {
+  T xx, xy, xz, yy, yz, zz;
+
+  [[nodiscard]] Vec3<T> operator*(const Vec3<T>& v) const {
+    return {xx * v.x() + xy * v.y() + xz * v.z(), xy * v.x() + yy * v.y() + yz * v.z(),
+            xz * v.x() + yz * v.y() + zz * v.z()};
+  }
+  void operator+=(const Symmetric3& other) {
+    xx += other.xx, xy += other.xy, xz += other.xz;
+    yy += other.yy, yz += other.yz, zz += other.zz;
+  }
+  /// Takes a b' away, which is symmetric.
+  void subtract(const Vec3<T>& a, const Vec3<T>& b) {
+    xx -= a.x() * b.x(), xy -= a.x() * b.y(), xz -= a.x() * b.z();
+    yy -= a.y() * b.y(), yz -= a.y() * b.z(), zz -= a.z() * b.z();
+  }
+  /// Adds a matrix that is symmetric.
+  void add(const Mat3<T>& full) {
+    xx += full(0, 0), xy += full(0, 1), xz += full(0, 2);
+    yy += full(1, 1), yz += full(1, 2), zz += full(2, 2);
+  }
+  [[nodiscard]] Mat3<T> full() const {
+    Mat3<T> out;
+    out << xx, xy, xz, xy, yy, yz, xz, yz, zz;
+    return out;
+  }
+};
+
+}  // namespace internal
+
 /// Forward dynamics of a tree whose links share no coordinates:
 ///   M(q) v_dot + h(q, v) = tau + loads.
 /// Calls allocate nothing. Source: [Featherstone2008] section 7.3, with accelerations of the points
-/// that are the joints' origins.
+/// that are the joints' origins, less those that all links have while no speed changes: what these
+/// need is known link by link, so that no velocity product is carried through articulated inertias.
 template <typename T>
 class ArticulatedBody {
  public:
   /// @param model  must live on. @throws InputError if links share a coordinate.
   explicit ArticulatedBody(const TreeModel& model) : bodies_(model.links.size()) {
     require(!model.has_couplings, "links that share a coordinate have no articulated inertia");
+    for (std::size_t i = 0; i < bodies_.size(); ++i) {
+      if (is_scalar(model.links[i].kind)) continue;
+      bodies_[i].many = many_.size();
+      many_.emplace_back();
+    }
   }
 
   /// @param motion   after set_speed(), with its loads
@@ -30,36 +70,53 @@ class ArticulatedBody {
   template <typename Tau, typename Acceleration>
   void accelerations(const TreeMotion<T>& motion, const Vec3<T>& gravity, const Tau& tau,
                      Acceleration&& v_dot) {
-    start(motion);
+    start(motion, gravity);
     for (std::size_t i = bodies_.size(); i-- > 0;) fold(motion, i, tau);
-    for (std::size_t i = 0; i < bodies_.size(); ++i) unfold(motion, gravity, i, v_dot);
+    for (std::size_t i = 0; i < bodies_.size(); ++i) unfold(motion, i, v_dot);
   }
 
  private:
   /// Inertia [[A, B], [B', C]] and bias wrench at the link's origin, and what the joint needs.
   struct Body {
-    Mat3<T> A, B, C;
-    Vec3<T> m, f;              // wrench at zero acceleration of the joint
-    Vec3<T> U_m, U_f;          // inertia times the axis, of a joint with one speed
-    T D_inverse, u;            // of a joint with one speed
-    Eigen::Matrix<T, 6, 6> U;  // inertia times the axes, of a ball or free joint
-    Eigen::Matrix<T, 6, 6> D;  // its inverse
+    internal::Symmetric3<T> A, C;
+    Mat3<T> B;
+    Vec3<T> m, f;          // wrench while no speed changes
+    Vec3<T> U_m, U_f;      // inertia times the axis, of a joint with one speed
+    T D_inverse, u;        // of a joint with one speed
+    Vec3<T> a_w, a_v;      // acceleration: while no speed changes, then what is more than that
+    std::size_t many = 0;  // entry of many_, of a ball or free joint
+  };
+  /// What a ball or free joint needs.
+  struct Many {
+    Eigen::Matrix<T, 6, 6> U;  // inertia times the axes
+    Eigen::Matrix<T, 6, 6> D;  // inverse of what the axes see of it
     Eigen::Matrix<T, 6, 1> effort;
-    Vec3<T> a_w, a_v;  // acceleration
   };
 
-  void start(const TreeMotion<T>& motion) {
+  /// Inertias of single links, and what their motion needs while no speed changes.
+  void start(const TreeMotion<T>& motion, const Vec3<T>& gravity) {
     for (std::size_t i = 0; i < bodies_.size(); ++i) {
       const MovingLink<T>& link = motion.links()[i];
-      const T mass(motion.model().links[i].mass);
+      const TreeLink& constant = motion.model().links[i];
+      const T mass(constant.mass);
       Body& body = bodies_[i];
+      // A world that falls upwards stands for weights.
+      if (constant.parent < 0) {
+        body.a_w = link.zeta_w;
+        body.a_v = link.zeta_v - gravity;
+      } else {
+        const Body& parent = bodies_[static_cast<std::size_t>(constant.parent)];
+        body.a_w = parent.a_w + link.zeta_w;
+        body.a_v = parent.a_v + parent.a_w.cross(link.r) + link.zeta_v;
+      }
       // A rigid body:  m = I alpha + c x a,  f = mass a - c x alpha,  c its moment of mass.
       const Vec3<T>& c = link.moment;
-      body.A = link.inertia;
+      const Mat3<T>& I = link.inertia;
+      body.A = {I(0, 0), I(0, 1), I(0, 2), I(1, 1), I(1, 2), I(2, 2)};
       body.B << T(0), -c.z(), c.y(), c.z(), T(0), -c.x(), -c.y(), c.x(), T(0);
-      body.C = mass * Mat3<T>::Identity();
-      body.m = link.gyro_m - link.load_m;
-      body.f = link.gyro_f - link.load_f;
+      body.C = {mass, T(0), T(0), mass, T(0), mass};
+      body.m = link.gyro_m - link.load_m + body.A * body.a_w + c.cross(body.a_v);
+      body.f = link.gyro_f - link.load_f + mass * body.a_v - c.cross(body.a_w);
     }
   }
 
@@ -75,113 +132,124 @@ class ArticulatedBody {
       const Vec3<T> axis = link.slope * link.E.col(2);
       const bool turns = constant.kind == JointKind::kHinge;
       if (turns) {
-        body.U_m.noalias() = body.A * axis;
+        body.U_m = body.A * axis;
         body.U_f.noalias() = body.B.transpose() * axis;
       } else {
         body.U_m.noalias() = body.B * axis;
-        body.U_f.noalias() = body.C * axis;
+        body.U_f = body.C * axis;
       }
       body.D_inverse = T(1) / axis.dot(turns ? body.U_m : body.U_f);
       body.u = tau[constant.v] - axis.dot(turns ? body.m : body.f);
       if (!passes) return;
       const Vec3<T> Um = body.D_inverse * body.U_m, Uf = body.D_inverse * body.U_f;
-      body.A.noalias() -= body.U_m * Um.transpose();
+      body.A.subtract(body.U_m, Um);
       body.B.noalias() -= body.U_m * Uf.transpose();
-      body.C.noalias() -= body.U_f * Uf.transpose();
+      body.C.subtract(body.U_f, Uf);
       body.m += body.u * Um;
       body.f += body.u * Uf;
     } else {
-      fold_many(constant, link, body, tau);
+      fold_many(constant, link, body, many_[body.many], tau);
       if (!passes) return;
     }
-    body.m.noalias() += body.A * link.zeta_w + body.B * link.zeta_v;
-    body.f.noalias() += body.B.transpose() * link.zeta_w + body.C * link.zeta_v;
     add_to_parent(link.r, body, bodies_[static_cast<std::size_t>(constant.parent)]);
   }
 
   template <typename Tau>
-  static void fold_many(const TreeLink& constant, const MovingLink<T>& link, Body& body,
+  static void fold_many(const TreeLink& constant, const MovingLink<T>& link, Body& body, Many& many,
                         const Tau& tau) {
     const int n = speeds_of(constant.kind);
     // The axes are those of F.
-    body.U.setZero();
-    body.U.template block<3, 3>(0, 0).noalias() = body.A * link.E;
-    body.U.template block<3, 3>(3, 0).noalias() = body.B.transpose() * link.E;
+    many.U.setZero();
+    many.U.template block<3, 3>(0, 0).noalias() = body.A.full() * link.E;
+    many.U.template block<3, 3>(3, 0).noalias() = body.B.transpose() * link.E;
     if (n == 6) {
-      body.U.template block<3, 3>(0, 3).noalias() = body.B * link.E;
-      body.U.template block<3, 3>(3, 3).noalias() = body.C * link.E;
+      many.U.template block<3, 3>(0, 3).noalias() = body.B * link.E;
+      many.U.template block<3, 3>(3, 3).noalias() = body.C.full() * link.E;
     }
     Eigen::Matrix<T, 6, 6> D = Eigen::Matrix<T, 6, 6>::Identity();
-    D.topLeftCorner(3, n).noalias() = link.E.transpose() * body.U.topLeftCorner(3, n);
-    if (n == 6) D.bottomRows(3).noalias() = link.E.transpose() * body.U.bottomRows(3);
-    body.D = D.llt().solve(Eigen::Matrix<T, 6, 6>::Identity());
+    D.topLeftCorner(3, n).noalias() = link.E.transpose() * many.U.topLeftCorner(3, n);
+    if (n == 6) D.bottomRows(3).noalias() = link.E.transpose() * many.U.bottomRows(3);
+    many.D = D.llt().solve(Eigen::Matrix<T, 6, 6>::Identity());
     // Efforts less what the bias wrench needs.
-    body.effort.setZero();
-    for (int k = 0; k < n; ++k) body.effort[k] = tau[constant.v + k];
-    body.effort.template head<3>().noalias() -= link.E.transpose() * body.m;
-    if (n == 6) body.effort.template tail<3>().noalias() -= link.E.transpose() * body.f;
+    many.effort.setZero();
+    for (int k = 0; k < n; ++k) many.effort[k] = tau[constant.v + k];
+    many.effort.template head<3>().noalias() -= link.E.transpose() * body.m;
+    if (n == 6) many.effort.template tail<3>().noalias() -= link.E.transpose() * body.f;
     if (constant.parent < 0) return;
-    const Eigen::Matrix<T, 6, 6> UD = body.U.leftCols(n) * body.D.topRows(n);
-    const Eigen::Matrix<T, 6, 6> lost = UD.leftCols(n) * body.U.leftCols(n).transpose();
-    body.A -= lost.template topLeftCorner<3, 3>();
+    const Eigen::Matrix<T, 6, 6> UD = many.U.leftCols(n) * many.D.topRows(n);
+    const Eigen::Matrix<T, 6, 6> lost = UD.leftCols(n) * many.U.leftCols(n).transpose();
+    body.A.add(-lost.template topLeftCorner<3, 3>());
     body.B -= lost.template topRightCorner<3, 3>();
-    body.C -= lost.template bottomRightCorner<3, 3>();
-    const Eigen::Matrix<T, 6, 1> pushed = UD * body.effort;
+    body.C.add(-lost.template bottomRightCorner<3, 3>());
+    const Eigen::Matrix<T, 6, 1> pushed = UD * many.effort;
     body.m += pushed.template head<3>();
     body.f += pushed.template tail<3>();
   }
 
-  /// Moves an inertia and a wrench by -r, to the parent's origin.
+  /// Moves an inertia and a wrench by -r, to the parent's origin:
+  ///   C,   M = B + [r] C,   A - B [r] + [r] M'.
   static void add_to_parent(const Vec3<T>& r, const Body& body, Body& parent) {
-    Mat3<T> B_moved, turned;
-    for (int k = 0; k < 3; ++k) B_moved.col(k) = body.B.col(k) + r.cross(body.C.col(k));
-    // A - B [r] + [r] B_moved'
-    for (int k = 0; k < 3; ++k) turned.col(k) = r.cross(body.B.row(k).transpose());
-    parent.A += body.A + turned.transpose();
-    for (int k = 0; k < 3; ++k) parent.A.col(k) += r.cross(B_moved.row(k).transpose());
-    parent.B += B_moved;
-    parent.C += body.C;
+    const T x = r.x(), y = r.y(), z = r.z();
+    const internal::Symmetric3<T>&A = body.A, &C = body.C;
+    const Mat3<T>& B = body.B;
+    Mat3<T> M;
+    M(0, 0) = B(0, 0) + y * C.xz - z * C.xy;
+    M(1, 0) = B(1, 0) + z * C.xx - x * C.xz;
+    M(2, 0) = B(2, 0) + x * C.xy - y * C.xx;
+    M(0, 1) = B(0, 1) + y * C.yz - z * C.yy;
+    M(1, 1) = B(1, 1) + z * C.xy - x * C.yz;
+    M(2, 1) = B(2, 1) + x * C.yy - y * C.xy;
+    M(0, 2) = B(0, 2) + y * C.zz - z * C.yz;
+    M(1, 2) = B(1, 2) + z * C.xz - x * C.zz;
+    M(2, 2) = B(2, 2) + x * C.yz - y * C.xz;
+    // Column k of -B [r] is r x (row k of B) as a row; column k of [r] M' is r x (row k of M).
+    parent.A.xx += A.xx + (y * B(0, 2) - z * B(0, 1)) + (y * M(0, 2) - z * M(0, 1));
+    parent.A.xy += A.xy + (z * B(0, 0) - x * B(0, 2)) + (y * M(1, 2) - z * M(1, 1));
+    parent.A.xz += A.xz + (x * B(0, 1) - y * B(0, 0)) + (y * M(2, 2) - z * M(2, 1));
+    parent.A.yy += A.yy + (z * B(1, 0) - x * B(1, 2)) + (z * M(1, 0) - x * M(1, 2));
+    parent.A.yz += A.yz + (x * B(1, 1) - y * B(1, 0)) + (z * M(2, 0) - x * M(2, 2));
+    parent.A.zz += A.zz + (x * B(2, 1) - y * B(2, 0)) + (x * M(2, 1) - y * M(2, 0));
+    parent.B += M;
+    parent.C += C;
     parent.m += body.m + r.cross(body.f);
     parent.f += body.f;
   }
 
+  /// The change of speeds of joint i, and what it adds to the acceleration of the link.
   template <typename Acceleration>
-  void unfold(const TreeMotion<T>& motion, const Vec3<T>& gravity, std::size_t i,
-              Acceleration& v_dot) {
+  void unfold(const TreeMotion<T>& motion, std::size_t i, Acceleration& v_dot) {
     const TreeLink& constant = motion.model().links[i];
     const MovingLink<T>& link = motion.links()[i];
     Body& body = bodies_[i];
-    // With the parent. A world that falls upwards stands for weights.
-    if (constant.parent < 0) {
-      body.a_w = link.zeta_w;
-      body.a_v = link.zeta_v - gravity;
-    } else {
+    // With the parent.
+    Vec3<T> a_w = Vec3<T>::Zero(), a_v = a_w;
+    if (constant.parent >= 0) {
       const Body& parent = bodies_[static_cast<std::size_t>(constant.parent)];
-      body.a_w = parent.a_w + link.zeta_w;
-      body.a_v = parent.a_v + parent.a_w.cross(link.r) + link.zeta_v;
+      a_w = parent.a_w;
+      a_v = parent.a_v + a_w.cross(link.r);
     }
     // And by the joint.
     if (is_scalar(constant.kind)) {
-      // At the world the velocity product was not folded in.
-      const T rate = body.D_inverse * (body.u - body.U_m.dot(body.a_w) - body.U_f.dot(body.a_v));
+      const T rate = body.D_inverse * (body.u - body.U_m.dot(a_w) - body.U_f.dot(a_v));
       v_dot[constant.v] = rate;
       const Vec3<T> axis = (link.slope * rate) * link.E.col(2);
-      if (constant.kind == JointKind::kHinge)
-        body.a_w += axis;
-      else
-        body.a_v += axis;
-      return;
+      (constant.kind == JointKind::kHinge ? a_w : a_v) += axis;
+    } else {
+      const Many& many = many_[body.many];
+      const int n = speeds_of(constant.kind);
+      Eigen::Matrix<T, 6, 1> moved;
+      moved << a_w, a_v;
+      const Eigen::Matrix<T, 6, 1> rate = many.D * (many.effort - many.U.transpose() * moved);
+      for (int k = 0; k < n; ++k) v_dot[constant.v + k] = rate[k];
+      a_w.noalias() += link.E * rate.template head<3>();
+      if (n == 6) a_v.noalias() += link.E * rate.template tail<3>();
     }
-    const int n = speeds_of(constant.kind);
-    Eigen::Matrix<T, 6, 1> acceleration;
-    acceleration << body.a_w, body.a_v;
-    const Eigen::Matrix<T, 6, 1> rate = body.D * (body.effort - body.U.transpose() * acceleration);
-    for (int k = 0; k < n; ++k) v_dot[constant.v + k] = rate[k];
-    body.a_w.noalias() += link.E * rate.template head<3>();
-    if (n == 6) body.a_v.noalias() += link.E * rate.template tail<3>();
+    body.a_w = a_w;
+    body.a_v = a_v;
   }
 
   std::vector<Body> bodies_;
+  std::vector<Many> many_;
 };
 
 }  // namespace thenar

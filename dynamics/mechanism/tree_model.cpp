@@ -1,6 +1,7 @@
 #include "dynamics/mechanism/tree_model.h"
 
 #include <algorithm>
+#include <numeric>
 #include <set>
 
 #include "base/error.h"
@@ -19,6 +20,33 @@ void add_mass(TreeLink& link, const BodyMass& body, const Pose<double>& X_LB) {
   link.mass += body.mass;
   link.moment += body.mass * com;
   link.inertia += X_LB.R * body.inertia * X_LB.R.transpose() + body.mass * arm_product(com, com);
+}
+
+/// Puts links in the order of their depth in the tree, those of one depth as they came: neighbours
+/// then wait for each other's results only where they have to, and processors overlap them.
+void order_by_depth(TreeModel& model) {
+  const std::size_t n = model.links.size();
+  std::vector<int> depth(n, 0);
+  for (std::size_t i = 0; i < n; ++i)
+    if (model.links[i].parent >= 0)
+      depth[i] = depth[static_cast<std::size_t>(model.links[i].parent)] + 1;
+  std::vector<std::size_t> old_of(n);
+  std::iota(old_of.begin(), old_of.end(), std::size_t{0});
+  std::stable_sort(old_of.begin(), old_of.end(),
+                   [&](std::size_t a, std::size_t b) { return depth[a] < depth[b]; });
+  std::vector<int> new_of(n);
+  std::vector<TreeLink> ordered;
+  for (const std::size_t old : old_of) {
+    new_of[old] = static_cast<int>(ordered.size());
+    ordered.push_back(std::move(model.links[old]));
+  }
+  // Whatever names a link.
+  const auto rename = [&](int& link) {
+    if (link >= 0) link = new_of[static_cast<std::size_t>(link)];
+  };
+  for (TreeLink& link : ordered) rename(link.parent);
+  for (BodyInLink& body : model.bodies) rename(body.link);
+  model.links = std::move(ordered);
 }
 
 /// A joint whose motion moves no mass has no acceleration.
@@ -97,6 +125,8 @@ TreeModel tree_model(const Mechanism& mechanism) {
       add_mass(model.links[static_cast<std::size_t>(body.link)], mechanism.bodies[i].mass,
                body.X_LB);
   }
+
+  order_by_depth(model);
 
   // Coordinates that move several links.
   for (TreeLink& link : model.links) {

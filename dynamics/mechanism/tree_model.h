@@ -31,7 +31,7 @@ struct BodyInLink {
 
 /// All links, constant once built.
 struct TreeModel {
-  std::vector<TreeLink> links;               // parents before children
+  std::vector<TreeLink> links;               // by depth, so parents before children
   std::vector<BodyInLink> bodies;            // of the mechanism
   std::vector<std::vector<int>> coupled_to;  // of each speed, the lower ones with which it may have
                                              // an entry in the factor of the mass matrix

@@ -176,7 +176,9 @@ void TreeMotion<T>::set_position(const Q& q) {
     // Mass in the world's axes.
     link.moment.noalias() = link.R * constant.moment.template cast<T>();
     const Mat3<T> half = link.R * constant.inertia.template cast<T>();
-    link.inertia.noalias() = half * link.R.transpose();
+    for (int row = 0; row < 3; ++row)
+      for (int k = row; k < 3; ++k)
+        link.inertia(k, row) = link.inertia(row, k) = half.row(row).dot(link.R.row(k));
   }
 }
 
