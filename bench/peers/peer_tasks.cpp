@@ -359,8 +359,8 @@ PeerTask carried_ball() {
                             return Eigen::AngleAxisd(R).angle();
                           }});
   task.lost = above(off, kLostAt);
-  task.steps = {1e-4, 1e-3, 2e-3, 5e-3};
-  task.tolerances = {1e-4, 1e-6, 1e-8, 1e-10, 1e-12};
+  task.steps = {1e-4, 1e-3, 2e-3, 5e-3, 1e-2, 2e-2};
+  task.tolerances = {1e-3, 1e-4, 1e-6, 1e-8, 1e-10, 1e-12};
   return task;
 }
 
