@@ -81,12 +81,26 @@ void note_contacts(const SceneSample& sample, bool last, std::map<Pair, PairMeas
     pairs[pair].largest_force = std::max(pairs[pair].largest_force, force);
 }
 
-/// Effort of a drive at an instant at which it acts.
-double effort_at(const SceneDrive& drive, const MechanismLayout& layout,
-                 const SceneSample& sample) {
+/// Work of a drive between two instants [J]: its power over the part of the time at which it acts,
+/// by Gauss's three points, where the coordinate goes by the cubic through both ends and rates.
+double work_of_drive(const SceneDrive& drive, const MechanismLayout& layout,
+                     const SceneSample& from, const SceneSample& to) {
+  const double begin = std::max(from.t, drive.when.from), end = std::min(to.t, drive.when.to);
+  if (begin >= end) return 0;
   const auto c = static_cast<std::size_t>(drive.coordinate);
-  return drive_effort(drive, sample.q[layout.coordinate_q[c]], sample.v[layout.coordinate_v[c]],
-                      sample.t);
+  const int q = layout.coordinate_q[c], v = layout.coordinate_v[c];
+  const double span = to.t - from.t, mean_rate = (to.q[q] - from.q[q]) / span;
+  const double bend = from.v[v] + to.v[v] - 2 * mean_rate;
+  const double turn = 3 * mean_rate - 2 * from.v[v] - to.v[v];
+  const double nodes[] = {-std::sqrt(0.6), 0, std::sqrt(0.6)}, weights[] = {5.0, 8.0, 5.0};
+  double work = 0;
+  for (int k = 0; k < 3; ++k) {
+    const double t = 0.5 * (begin + end + nodes[k] * (end - begin)), s = (t - from.t) / span;
+    const double u = from.q[q] + span * s * (from.v[v] + s * (turn + s * bend));
+    const double rate = from.v[v] + s * (2 * turn + 3 * s * bend);
+    work += weights[k] / 18 * (end - begin) * rate * drive_effort(drive, u, rate, t);
+  }
+  return work;
 }
 
 /// Work of forces and drives between two instants [J].
@@ -102,12 +116,7 @@ double work_between(const MovingScene& scene, const MechanismLayout& layout,
     work += force.force.dot(X_to[i] * force.point - X_from[i] * force.point) +
             force.moment.dot(turn.angle() * turn.axis());
   }
-  for (const SceneDrive& drive : scene.drives) {
-    if (!drive.when.holds(middle)) continue;
-    const int at = layout.coordinate_q[static_cast<std::size_t>(drive.coordinate)];
-    work += 0.5 * (effort_at(drive, layout, from) + effort_at(drive, layout, to)) *
-            (to.q[at] - from.q[at]);
-  }
+  for (const SceneDrive& drive : scene.drives) work += work_of_drive(drive, layout, from, to);
   return work;
 }
 
