@@ -38,7 +38,8 @@ class TimeTableReader {
   }
 
   [[nodiscard]] TimeTable take() {
-    if (rows_.empty()) throw DataError(path_, 1, "wanted a header and at least one row");
+    if (rows_.empty())
+      throw DataError(path_, table_.header_line, "wanted a header and at least one row");
     const auto rows = static_cast<Eigen::Index>(rows_.size());
     table_.time.resize(rows);
     table_.value.resize(rows, static_cast<Eigen::Index>(table_.columns.size()));
@@ -53,6 +54,7 @@ class TimeTableReader {
 
  private:
   void read_header(int line, const std::vector<std::string>& cells) {
+    table_.header_line = line;
     if (cells.size() < 2 || cells.front() != "time_s") {
       std::string loud = what_;
       for (char& c : loud) c = static_cast<char>(std::toupper(static_cast<unsigned char>(c)));

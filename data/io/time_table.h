@@ -15,6 +15,7 @@ struct TimeTable {
   Eigen::VectorXd time;              // from 0 on, never falling [s] (rows)
   Eigen::MatrixXd value;             // in the units of the columns (rows, columns)
   std::vector<int> lines;            // of the rows
+  int header_line = 1;
 };
 
 /// Reads a table:  a header  time_s,NAME,..,  then numbers. Lines that start with '#' are comments.

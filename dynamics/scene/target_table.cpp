@@ -8,6 +8,7 @@
 
 #include "base/error.h"
 #include "data/io/time_table.h"
+#include "dynamics/stepping/simulate_scene.h"
 
 namespace thenar {
 
@@ -22,14 +23,23 @@ TargetTable parse_target_table(const std::string& text, const std::string& path,
     const auto found = std::find(table.columns.begin(), table.columns.end(), wanted.back());
     if (found == table.columns.end()) continue;
     if (out.target.size() > 0)
-      throw DataError(path, 1, fmt::format("target '{}' stands in two units", drive.name));
+      throw DataError(path, table.header_line,
+                      fmt::format("target '{}' stands in two units", drive.name));
     out.time = table.time;
     out.target = unit.to_si * table.value.col(found - table.columns.begin());
   }
   if (out.target.size() == 0)
-    throw DataError(path, 1,
+    throw DataError(path, table.header_line,
                     fmt::format("wanted a column {}, got {}", fmt::join(wanted, " or "),
                                 fmt::join(table.columns, ", ")));
+  // What is nearer than steps can be is a jump, and has one time.
+  for (Eigen::Index k = 1; k < out.time.size(); ++k) {
+    const double span = out.time[k] - out.time[k - 1];
+    if (span > 0 && span < SceneOptions().shortest)
+      throw DataError(path, table.lines[static_cast<std::size_t>(k)],
+                      fmt::format("wanted rows of one time, or {} s apart, got {:.3g} s",
+                                  SceneOptions().shortest, span));
+  }
   for (Eigen::Index k = 0; k < out.target.size(); ++k)
     if (std::abs(out.target[k]) > largest_of(dimension))
       throw DataError(

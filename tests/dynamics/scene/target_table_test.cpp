@@ -10,6 +10,7 @@
 
 #include "base/units.h"
 #include "dynamics/scene/build_scene.h"
+#include "dynamics/scene/measure_run.h"
 #include "tests/message_of.h"
 #include "tests/temporary_folder.h"
 
@@ -56,6 +57,9 @@ TEST(TargetTable, SaysWhatIsWrongAndWhere) {
             "t.csv:1: wanted a column wrist_deg or wrist_rad, got wrist_mm");
   EXPECT_EQ(table_complaint("time_s,wrist_deg,wrist_rad\n0,1,1\n"),
             "t.csv:1: target 'wrist' stands in two units");
+  EXPECT_THAT(table_complaint("# way\n\ntime_s,wrist_mm\n0,1\n"), StartsWith("t.csv:3: wanted"));
+  EXPECT_EQ(table_complaint("time_s,wrist_deg\n0,1\n1e-310,2\n"),
+            "t.csv:3: wanted rows of one time, or 1e-09 s apart, got 1e-310 s");
   EXPECT_EQ(table_complaint("wrist_deg\n0\n"), "t.csv:1: wanted a header 'time_s,TARGET,...'");
   EXPECT_EQ(table_complaint("time_s,wrist_deg\n0,x\n"), "t.csv:2: wanted a number, got 'x'");
   EXPECT_THAT(table_complaint("time_s,wrist_deg\n0,1\n0,1e30\n"),
@@ -120,6 +124,22 @@ TEST_F(TargetFile, PullsACartAsTheSpringSays) {
   const double x = t - std::sin(w * t) / w, v = 1 - std::cos(w * t);
   const double end = 0.3 + (x - 0.3) * std::cos(w * rest) + v / w * std::sin(w * rest);
   EXPECT_NEAR(run.samples.back().q[0], end, 1e-8);
+}
+
+// All that a cart without friction has at the end is work of its drive, however the rows of the
+// table lie between the samples.
+TEST_F(TargetFile, GivesAllTheEnergyThatTheCartHas) {
+  std::ofstream way(folder_ / "way.csv");
+  way << "time_s,pull_mm\n";
+  for (int k = 0; k <= 200; ++k) way << 0.003 * k << ',' << k + 3 * (k % 2) << '\n';
+  way.close();
+  const std::string path = (folder_ / "s.toml").string();
+  std::ofstream(path) << kCartTop + kPulled + "[stepping]\nduration_s = 0.5\n";
+  const BuiltScene built = build_scene(read_scene(path), {});
+  const SceneRun run = simulate_scene(built.scene, built.options);
+  const double v = run.samples.back().v[0];
+  EXPECT_GT(v, 0.1);
+  EXPECT_NEAR(measure_run(built.scene, run).work, 0.5 * v * v, 1e-4 * 0.5 * v * v);
 }
 
 TEST_F(TargetFile, TakesNoOtherTarget) {
