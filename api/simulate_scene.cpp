@@ -55,6 +55,9 @@ SceneHand hand_of(const SceneSpec& scene, const SceneHandSpec& hand,
     throw DataError(scene.path, hand.line, error.what());
   }
   if (!source.human) {
+    if (hand.states_skin)
+      throw DataError(scene.path, hand.line,
+                      fmt::format("'{}' is no human hand with a skin", name));
     Thing thing = read_thing(source.file);
     auto* robot = std::get_if<RobotSpec>(&thing);
     if (robot == nullptr)

@@ -44,6 +44,7 @@ SceneHandSpec read_scene_hand(TomlTable& table, const SceneSpec& scene) {
   if (skin != "triangles" && skin != "capsules")
     table.fail(fmt::format("wanted 'skin' triangles or capsules, got '{}'", skin), "skin");
   hand.skin_capsules = skin == "capsules";
+  hand.states_skin = table.has("skin") || table.has(Dimension::kNumber, "skin_triangles");
   hand.placed.X_WH = read_pose_keys(table);
   hand.placed.posture = internal::read_posture(table);
   hand.joint = internal::read_scene_joint(table, SceneJointKind::kWeld);
