@@ -83,6 +83,8 @@ TEST(CapsuleFit, RefusesWhatIsNoSurface) {
   TriangleMesh line;
   line.vertices = Eigen::Matrix3Xd::Zero(3, 10);
   EXPECT_THROW((void)fit_tapered_capsule(line), InputError);
+  for (int k = 0; k < 10; ++k) line.vertices.col(k) = k * Eigen::Vector3d(1e-3, 0.7e-3, -0.3e-3);
+  EXPECT_THROW((void)fit_tapered_capsule(line), InputError);
   line.vertices.conservativeResize(3, 4);
   EXPECT_THROW((void)fit_tapered_capsule(line), InputError);
 }
