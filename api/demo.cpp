@@ -153,6 +153,7 @@ Eigen::Vector3d thumb_pad() {
       pad_of(skin_patches(find_anatomy(subject), skeleton), "thumb").outward;
   const auto phalanx = std::find_if(subject.segments.begin(), subject.segments.end(),
                                     [](const Segment& segment) { return segment.name == "DP1"; });
+  require(phalanx != subject.segments.end(), "the thumb of '{}' has no segment DP1", subject.name);
   const Eigen::Vector3d bone = (phalanx->distal - phalanx->proximal).normalized();
   return (outward - outward.dot(bone) * bone).normalized();
 }

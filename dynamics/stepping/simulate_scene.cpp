@@ -650,7 +650,7 @@ class Simulation {
     trial.active.clear();
     trial.order = 8;
     trial.smooth = true;
-    trial.closes = -1;
+    trial.closes = trial.changes = -1;
     trial.h = length;
     trial.state = state_;
     const FreeStep::Error error = free_.step(step_, length, trial.state);

@@ -107,9 +107,9 @@ struct [[nodiscard]] SceneRun {
 /// may differ by. n and H are those that ask for the least substeps (Extrapolation). That holds
 /// while all contacts keep their modes. Where a mode changes within the step, the finest of four
 /// columns is taken if it differs from the one before by no more than the tolerance, else the step
-/// is cut shortly before the change; where a gap closes, it is cut at that instant, and an impact
-/// ends the approach. Where nothing touches, FreeStep goes on. Source: [Deuflhard1983] for
-/// extrapolation of one-step methods.
+/// is cut shortly before the change, or halved if that is less; where a gap closes, it is cut at
+/// that instant, and an impact ends the approach. Where nothing touches, FreeStep goes on. Source:
+/// [Deuflhard1983] for extrapolation of one-step methods.
 ///
 /// Where 200 steps pass less than 0.1 ms (a rim that rattles on an edge), ten midpoint steps go on
 /// by 1 ms, and SceneCost::passed counts them.
