@@ -239,7 +239,6 @@ class Shipped(Near):
                   for pair in held]
         self.near([sum(axis) for axis in zip(*forces)], [0, 0, 0.3 * G], 1e-4)
 
-
     # The key goes with the wrist; what this holds at the end is the spring, give or take the friction.
     def test_key_is_turned_without_slip(self):
         answer = ask("key_turn")
@@ -407,6 +406,12 @@ class Refusals(Files):
         self.assertIn("cannot vary 'fricton'", self.complaint("pinch", "--vary", "fricton=0:1:2"))
         self.assertIn("wanted NAME=from:to:count", self.complaint("pinch", "--vary", "friction=0:1"))
         self.assertIn("a whole number of values", self.complaint("pinch", "--vary", "friction=0:1:1.5"))
+
+    def test_skin_of_a_robot_is_refused(self):
+        text = (SCENES / "wine_glass.toml").read_text()
+        result = run(self.path("skin.toml", text.replace("[[hand]]", '[[hand]]\nskin = "capsules"')))
+        self.assertEqual(result.returncode, 1, result.stdout)
+        self.assertRegex(result.stderr, r"skin\.toml:\d+: 'barrett' is no human hand")
 
     def test_names_that_nobody_has_are_refused(self):
         self.assertIn("did you mean 'pinch'", self.complaint("pinc"))
