@@ -1,0 +1,25 @@
+#pragma once
+
+/// Changes of contact modes within a step: whether there is one, and when.
+
+#include <vector>
+
+#include "dynamics/stepping/contact_step.h"
+
+namespace thenar {
+
+/// Whether the same contacts bear at the same modes. Those that open have no force, in a list or
+/// not.
+[[nodiscard]] bool same_modes(const std::vector<ActiveContact>& a,
+                              const std::vector<ActiveContact>& b);
+
+/// Share of a substep after which the first mode changes, if margins go on as in the substep
+/// before: the normal force of what opens, the friction that is left where a contact sticks, the
+/// slip where it slides, each a straight line over the two. 1 if no margin falls; 1/2 if nothing
+/// is known of the substep before.
+/// @param earlier, now, next  contacts two substeps before its end, one before, and there
+[[nodiscard]] double share_before_change(const std::vector<ActiveContact>& earlier,
+                                         const std::vector<ActiveContact>& now,
+                                         const std::vector<ActiveContact>& next);
+
+}  // namespace thenar
