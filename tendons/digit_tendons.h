@@ -60,6 +60,16 @@ struct [[nodiscard]] TendonDerivatives {
   Eigen::VectorXd length;      // of each muscle's line, up to a constant [m] (muscles)
 };
 
+/// Moment arms of tendons without a net, posture after posture. It holds the room of one thread,
+/// which changes no answer.
+class ArmSolver {
+ public:
+  virtual ~ArmSolver() = default;
+  /// Writes R, warning and status of DigitTendons::evaluate() over those of `out`, nothing else.
+  /// @throws InputError if q has a wrong length or an entry that is not finite.
+  virtual void solve(const Eigen::VectorXd& q, TendonTorque& out) = 0;
+};
+
 /// One digit with its tendons. On linear rungs  tau = R' t;  with a net tau is not linear in t.
 class DigitTendons {
  public:
@@ -113,6 +123,9 @@ class DigitTendons {
                                                       const Eigen::VectorXd& /*t*/) const {
     return {false, {}, {}};
   }
+
+  /// Arms posture after posture, for as long as this lives; null: evaluate() does.
+  [[nodiscard]] virtual std::unique_ptr<ArmSolver> arm_solver() const { return nullptr; }
 
   TendonTorque evaluate(const Eigen::VectorXd& q, const Eigen::VectorXd& t) const {
     return evaluate(q, t, {});

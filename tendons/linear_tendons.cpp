@@ -114,7 +114,7 @@ class LinearTendons : public DigitTendons {
     return pull;
   }
 
-  [[nodiscard]] std::unique_ptr<ArmSolver> arm_solver() const {
+  [[nodiscard]] std::unique_ptr<ArmSolver> arm_solver() const override {
     return std::make_unique<Arms>(*this);
   }
 
@@ -192,11 +192,6 @@ class LinearTendons : public DigitTendons {
 };
 
 }  // namespace
-
-std::unique_ptr<ArmSolver> arm_solver(const DigitTendons& tendons) {
-  const auto* linear = dynamic_cast<const LinearTendons*>(&tendons);
-  return linear ? linear->arm_solver() : nullptr;
-}
 
 SlipTension slip_tension(const TendonModel<double>& model, const VectorXd& q, const VectorXd& t) {
   if (!model.hood) return {};

@@ -17,19 +17,6 @@ namespace thenar {
                                                                  const std::string& digit,
                                                                  const TendonOptions& options = {});
 
-/// Moment arms of tendons without a net, posture after posture. It holds the room of one thread,
-/// which changes no answer.
-class ArmSolver {
- public:
-  virtual ~ArmSolver() = default;
-  /// Writes R, warning and status of DigitTendons::evaluate() over those of `out`, nothing else.
-  /// @throws InputError if q has a wrong length or an entry that is not finite.
-  virtual void solve(const Eigen::VectorXd& q, TendonTorque& out) = 0;
-};
-
-/// Arms of a digit posture after posture, for as long as the digit lives; null: it is not linear.
-[[nodiscard]] std::unique_ptr<ArmSolver> arm_solver(const DigitTendons& tendons);
-
 /// A digit whose tendons run straight through the points of its own model, or have constant arms.
 [[nodiscard]] std::unique_ptr<DigitTendons> straight_tendons(TendonDigit digit);
 

@@ -296,9 +296,11 @@ void DigitPull::set_rates(const ElementInput& at, const Now& now, const MatrixXd
   if (count == 0) return;
   // Activations and fibres, and, for a net, the rates of tensions at constant length.
   VectorXd rest;
-  if (has_net()) rest = VectorXd::Zero(muscles_);
-  for (const MuscleSchedule& given : model_->tensions)
-    if (has_net()) rest[given.muscle] = piece_of(model_->tensions, given.muscle, at.acting).slope();
+  if (has_net()) {
+    rest = VectorXd::Zero(muscles_);
+    for (const MuscleSchedule& given : model_->tensions)
+      rest[given.muscle] = piece_of(model_->tensions, given.muscle, at.acting).slope();
+  }
   for (Index i = 0; i < count; ++i) {
     const int m = contracting_[static_cast<std::size_t>(i)];
     const MuscleState& state = now.state[static_cast<std::size_t>(m)];

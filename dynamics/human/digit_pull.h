@@ -122,7 +122,7 @@ class DigitPull final : public ForceElement {
   std::vector<bool> contracts_;                   // (muscles)
   bool has_excursion_ = false, has_fibre_ = false;
   Eigen::Index muscles_ = 0;
-  // Room that is used again, so that a step uses no heap here; it changes no answer.
+  // Room that is used again; it changes no answer.
   mutable Now now_;
   mutable std::optional<GroupArms> arms_;  // none: a net
   mutable Eigen::VectorXd arms_q_;         // where the arms of now_ are, of tendons without a net

@@ -100,7 +100,7 @@ GroupTorque TendonGroup::evaluate(const VectorXd& q, const VectorXd& t,
 GroupArms::GroupArms(const TendonGroup& group) : group_(&group), q_(group.digits_.size()) {
   require(!group.has_net(), "arms of a group with a net depend on tensions");
   for (const TendonGroup::Digit& digit : group.digits_)
-    solvers_.push_back(arm_solver(*digit.tendons));
+    solvers_.push_back(digit.tendons->arm_solver());
 }
 
 void GroupArms::solve(const VectorXd& q, GroupTorque& out) {
