@@ -145,23 +145,13 @@ void sample_all(const DemoRequest& request, const Progress& progress, DemoResult
   add("population", together, kTogether);
 }
 
-/// Normal of the thumb's pad, across its bone, in the frame of all links at the reference posture.
-Eigen::Vector3d thumb_pad() {
-  const Subject& subject = default_human();
-  const Skeleton skeleton = build_skeleton(subject, {{"thumb"}, {}});
-  const Eigen::Vector3d outward =
-      pad_of(skin_patches(find_anatomy(subject), skeleton), "thumb").outward;
-  const auto phalanx = std::find_if(subject.segments.begin(), subject.segments.end(),
-                                    [](const Segment& segment) { return segment.name == "DP1"; });
-  require(phalanx != subject.segments.end(), "the thumb of '{}' has no segment DP1", subject.name);
-  const Eigen::Vector3d bone = (phalanx->distal - phalanx->proximal).normalized();
-  return (outward - outward.dot(bone) * bone).normalized();
-}
-
 std::vector<PadState> thumb_pad_on_mug(const SimulatedScene& scene) {
   const Mechanism& mechanism = scene.built->scene.mechanism;
+  const Subject& subject = default_human();
+  const Eigen::Vector3d pad =
+      pad_normal(subject, build_skeleton(subject, {{"thumb"}, {}}), "thumb");
   return pad_angles(scene.run, scene.measures, body_named(mechanism, "human:skewed/DP1"),
-                    body_named(mechanism, "mug"), thumb_pad());
+                    body_named(mechanism, "mug"), pad);
 }
 
 /// Both steppers on a ball that rolls off another, over a wide range of settings.

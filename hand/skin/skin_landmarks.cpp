@@ -1,5 +1,6 @@
 #include "hand/skin/skin_landmarks.h"
 
+#include <algorithm>
 #include <cmath>
 #include <map>
 
@@ -147,6 +148,16 @@ const SkinLandmark& pad_of(const std::vector<SkinPatch>& patches, const std::str
   for (const SkinPatch& patch : patches)
     if (patch.kind == PatchKind::kPad && patch.middle.digit == digit) return patch.middle;
   throw InputError(fmt::format("no pad on digit '{}'", digit));
+}
+
+Vector3d pad_normal(const Subject& subject, const Skeleton& skeleton, const std::string& digit) {
+  const std::vector<SkinPatch> patches = skin_patches(find_anatomy(subject), skeleton);
+  const SkinLandmark& pad = pad_of(patches, digit);
+  const auto segment = std::find_if(subject.segments.begin(), subject.segments.end(),
+                                    [&](const Segment& each) { return each.name == pad.segment; });
+  const Vector3d bone =
+      skeleton.segment_at.at(pad.segment).R * (segment->distal - segment->proximal).normalized();
+  return (pad.outward - pad.outward.dot(bone) * bone).normalized();
 }
 
 std::vector<OppositionTarget> kapandji_targets(const HandAnatomy& hand, const Skeleton& skeleton) {

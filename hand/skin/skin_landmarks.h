@@ -46,6 +46,11 @@ struct SkinPatch {
 [[nodiscard]] const SkinLandmark& pad_of(const std::vector<SkinPatch>& patches,
                                          const std::string& digit);
 
+/// Where the pad of a digit looks, across the bone of its segment: unit, at the reference posture
+/// in the hand's frame (3). @throws InputError if the skeleton keeps no pad of it.
+[[nodiscard]] Eigen::Vector3d pad_normal(const Subject& subject, const Skeleton& skeleton,
+                                         const std::string& digit);
+
 /// A place that the tip of the thumb should reach.
 struct OppositionTarget {
   int score;         // 1 .. 10 for reaching it

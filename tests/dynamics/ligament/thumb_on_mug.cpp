@@ -56,8 +56,7 @@ struct Thumb {
     mechanism.bodies[static_cast<std::size_t>(body_named(mechanism, kDistal))].solid =
         std::make_shared<const Solid>(build_solid({shape}));
     bone = bone_of(subject, "DP1");
-    const Vector3d outward = pad_of(skin_patches(anatomy, skeleton), "thumb").outward;
-    pad = (outward - outward.dot(bone) * bone).normalized();
+    pad = pad_normal(subject, skeleton, "thumb");
   }
 
   Subject subject;

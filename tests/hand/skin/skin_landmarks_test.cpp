@@ -79,6 +79,21 @@ TEST(HandMarks, LeaveOutDigitsThatAreNotKept) {
   EXPECT_EQ(message_of([&] { (void)pad_of(two.patches, "ring"); }), "no pad on digit 'ring'");
 }
 
+// Across the bone, on the palmar side, and with what a frozen joint moved.
+TEST(HandMarks, PadsLookAcrossTheirBones) {
+  const Subject subject = sample::scaled();
+  const Marked straight(subject), bent(subject, {{}, {{"PIP2", 0.5}}});
+  const Eigen::Vector3d normal = pad_normal(subject, straight.skeleton, "index");
+  EXPECT_NEAR(normal.norm(), 1, 1e-12);
+  for (const Segment& segment : subject.segments) {
+    if (segment.name != "DP2") continue;
+    EXPECT_NEAR(normal.dot(segment.distal - segment.proximal), 0, 1e-12);
+  }
+  EXPECT_LT(normal.z(), -0.9);
+  const Eigen::Matrix3d turn = bent.skeleton.segment_at.at("DP2").R;
+  EXPECT_LT((turn * normal - pad_normal(subject, bent.skeleton, "index")).norm(), 1e-12);
+}
+
 // Marks move with what a frozen joint moved.
 TEST(HandMarks, FollowFrozenJoints) {
   const Subject subject = sample::scaled();
