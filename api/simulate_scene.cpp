@@ -55,7 +55,7 @@ SceneHand hand_of(const SceneSpec& scene, const SceneHandSpec& hand,
     throw DataError(scene.path, hand.line, error.what());
   }
   if (!source.human) {
-    if (hand.states_skin)
+    if (hand.skin_triangles > 0 || hand.skin_capsules)
       throw DataError(scene.path, hand.line,
                       fmt::format("'{}' is no human hand with a skin", name));
     Thing thing = read_thing(source.file);
@@ -70,7 +70,7 @@ SceneHand hand_of(const SceneSpec& scene, const SceneHandSpec& hand,
   if (!source.path.empty()) human.options.path = path_named(source.path);
   human.options.skin.drawn = kDrawnSkin;
   if (hand.skin_triangles > 0) human.options.skin.triangles = hand.skin_triangles;
-  human.options.skin.capsules = hand.skin_capsules;
+  human.options.skin.capsules = hand.skin_capsules.value_or(false);
   if (!source.file.empty()) files.merge(digests_of({source.file}));
   return human;
 }

@@ -40,11 +40,12 @@ SceneHandSpec read_scene_hand(TomlTable& table, const SceneSpec& scene) {
                  "skin_triangles");
     hand.skin_triangles = static_cast<int>(triangles);
   }
-  const std::string skin = table.text_or("skin", "triangles");
-  if (skin != "triangles" && skin != "capsules")
-    table.fail(fmt::format("wanted 'skin' triangles or capsules, got '{}'", skin), "skin");
-  hand.skin_capsules = skin == "capsules";
-  hand.states_skin = table.has("skin") || table.has(Dimension::kNumber, "skin_triangles");
+  if (table.has("skin")) {
+    const std::string skin = table.text("skin");
+    if (skin != "triangles" && skin != "capsules")
+      table.fail(fmt::format("wanted 'skin' triangles or capsules, got '{}'", skin), "skin");
+    hand.skin_capsules = skin == "capsules";
+  }
   hand.placed.X_WH = read_pose_keys(table);
   hand.placed.posture = internal::read_posture(table);
   hand.joint = internal::read_scene_joint(table, SceneJointKind::kWeld);

@@ -58,10 +58,9 @@ struct SceneBodySpec {
 struct SceneHandSpec {
   std::string version;     // of a human hand from a file: "skewed", "tendons:wrapped"; may be empty
   int skin_triangles = 0;  // of a human hand: of each link, at most; 0: as usual
-  bool skin_capsules = false;  // the same: links of digits are tapered capsules
-  bool states_skin = false;    // one of both was given
-  PlacedHand placed;           // its pose in the world; its carrier is the joint's parent
-  SceneJointSpec joint;        // of its base; welds if it is not stated
+  std::optional<bool> skin_capsules;  // the same: links of digits are tapered capsules
+  PlacedHand placed;                  // its pose in the world; its carrier is the joint's parent
+  SceneJointSpec joint;               // of its base; welds if it is not stated
   SceneVelocity velocity;
   int line = 1;
 };
