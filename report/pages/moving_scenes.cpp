@@ -95,11 +95,9 @@ Json work_section(const std::vector<WorkPoint>& points) {
   return section(
       "work-precision", "Scenes in motion: accuracy over time",
       "A ball rolls off another for 0.25 s without slip; elliptic integrals give where it ends. "
-      "The "
-      "method events keeps the error of its steps below a tolerance by steps of high order; "
+      "The method events keeps the error of its steps below a tolerance by steps of high order; "
       "time-stepping takes steps of a fixed length and is of second order: ten times the work for "
-      "a "
-      "hundredth of the error. Times are of this machine, the least of five runs each.",
+      "a hundredth of the error. Times are of this machine, the least of five runs each.",
       Json::array({{{"type", "lines"},
                     {"caption", "Error of the ball's place at the end, over processor time"},
                     {"x_label", "processor time [ms]"},
