@@ -45,6 +45,12 @@ find_library(HDF5_HL_LIBRARY hdf5_serial_hl REQUIRED)  # dimension scales
 add_library(thenar::hdf5 INTERFACE IMPORTED)
 target_link_libraries(thenar::hdf5 INTERFACE ${HDF5_HL_LIBRARY} PkgConfig::HDF5)
 
+find_library(CHOLMOD_LIBRARY cholmod REQUIRED)  # of SuiteSparse, which Ceres needs as well
+find_path(CHOLMOD_INCLUDE_DIR suitesparse/cholmod.h REQUIRED)
+add_library(thenar::cholmod INTERFACE IMPORTED)
+target_include_directories(thenar::cholmod SYSTEM INTERFACE ${CHOLMOD_INCLUDE_DIR})
+target_link_libraries(thenar::cholmod INTERFACE ${CHOLMOD_LIBRARY})
+
 # Optional: meshes in VRML and Inventor, thenar::coin.
 find_package(Coin 4.0 QUIET)
 if(TARGET Coin::Coin)

@@ -12,6 +12,7 @@ import sys
 MAY_SEE = {
     "base": [],
     "solvers": ["base"],
+    "solvers/sparse": ["base"],
     "dynamics/contact": ["base", "solvers"],
     "geometry": ["base"],
     "geometry/collision": ["base", "geometry"],
@@ -115,6 +116,7 @@ FENCES = {
     r"(cvode|nvector|sunmatrix|sunlinsol|sundials)/.*": ["solvers/stiff_ode.cpp",
                                                              "bench/"],
     r"kinsol/.*": ["bench/"],
+    r"suitesparse/.*": ["solvers/sparse/sparse_cholesky.cpp"],
     r"libqhull.*": ["solvers/convex_hull.cpp", "bench/", "tests/grasp/", "tests/solvers/"],
     r"assimp/.*": ["data/io/foreign_mesh/assimp_mesh.cpp"],
     r"Inventor/.*": ["data/io/foreign_mesh/inventor_mesh.cpp"],

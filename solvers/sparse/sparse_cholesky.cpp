@@ -1,0 +1,99 @@
+#include "solvers/sparse/sparse_cholesky.h"
+
+#include <cmath>
+
+#include <suitesparse/cholmod.h>
+
+#include "base/error.h"
+
+namespace thenar {
+
+struct SparseCholesky::Parts {
+  explicit Parts(SymmetricPattern p) : pattern(std::move(p)) {
+    cholmod_start(&common);
+    common.print = 0;
+    // What is not positive definite is told by the status of the factor.
+    common.quick_return_if_not_posdef = 1;
+    common.final_ll = 1;  // L D L' would go on with negative D
+    matrix.nrow = matrix.ncol = static_cast<std::size_t>(pattern.size);
+    matrix.nzmax = pattern.rows.size();
+    matrix.p = pattern.starts.data();
+    matrix.i = pattern.rows.data();
+    matrix.stype = -1;
+    matrix.itype = CHOLMOD_INT;
+    matrix.xtype = CHOLMOD_REAL;
+    matrix.dtype = CHOLMOD_DOUBLE;
+    matrix.sorted = matrix.packed = 1;
+    values.assign(pattern.rows.size(), 1);
+    matrix.x = values.data();
+    factor = cholmod_analyze(&matrix, &common);
+    require(factor != nullptr, "a matrix of {} rows could not be analysed", pattern.size);
+  }
+  Parts(const Parts&) = delete;
+  Parts& operator=(const Parts&) = delete;
+  ~Parts() {
+    cholmod_free_factor(&factor, &common);
+    cholmod_free_dense(&answer, &common);
+    cholmod_free_dense(&work_y, &common);
+    cholmod_free_dense(&work_e, &common);
+    cholmod_finish(&common);
+  }
+
+  SymmetricPattern pattern;
+  std::vector<double> values;
+  cholmod_common common{};
+  cholmod_sparse matrix{};
+  cholmod_factor* factor = nullptr;
+  cholmod_dense *answer = nullptr, *work_y = nullptr, *work_e = nullptr;
+};
+
+SparseCholesky::SparseCholesky(SymmetricPattern pattern) {
+  require(pattern.starts.size() == static_cast<std::size_t>(pattern.size) + 1 &&
+              pattern.starts.front() == 0 &&
+              pattern.starts.back() == static_cast<int>(pattern.rows.size()),
+          "a pattern of {} columns has {} starts", pattern.size, pattern.starts.size());
+  for (int j = 0; j < pattern.size; ++j) {
+    const auto from = static_cast<std::size_t>(pattern.starts[static_cast<std::size_t>(j)]);
+    const auto to = static_cast<std::size_t>(pattern.starts[static_cast<std::size_t>(j) + 1]);
+    require(from < to && pattern.rows[from] == j && pattern.rows[to - 1] < pattern.size,
+            "column {} of a pattern does not begin at its diagonal", j);
+    for (std::size_t k = from + 1; k < to; ++k)
+      require(pattern.rows[k - 1] < pattern.rows[k], "rows of column {} do not rise", j);
+  }
+  parts_ = std::make_unique<Parts>(std::move(pattern));
+}
+
+SparseCholesky::SparseCholesky(SparseCholesky&&) noexcept = default;
+SparseCholesky& SparseCholesky::operator=(SparseCholesky&&) noexcept = default;
+SparseCholesky::~SparseCholesky() = default;
+
+const SymmetricPattern& SparseCholesky::pattern() const { return parts_->pattern; }
+
+bool SparseCholesky::factor(const std::vector<double>& values) {
+  require(values.size() == parts_->pattern.rows.size(), "{} values for {} entries", values.size(),
+          parts_->pattern.rows.size());
+  parts_->matrix.x = const_cast<double*>(values.data());  // read only
+  const int done = cholmod_factorize(&parts_->matrix, parts_->factor, &parts_->common);
+  parts_->matrix.x = nullptr;
+  return done != 0 && parts_->common.status == CHOLMOD_OK &&
+         parts_->factor->minor == static_cast<std::size_t>(parts_->pattern.size);
+}
+
+Eigen::MatrixXd SparseCholesky::solve(const Eigen::MatrixXd& b) const {
+  Parts& parts = *parts_;
+  cholmod_dense given{};
+  given.nrow = given.d = static_cast<std::size_t>(b.rows());
+  given.ncol = static_cast<std::size_t>(b.cols());
+  given.nzmax = static_cast<std::size_t>(b.size());
+  given.x = const_cast<double*>(b.data());  // read only
+  given.xtype = CHOLMOD_REAL;
+  given.dtype = CHOLMOD_DOUBLE;
+  cholmod_solve2(CHOLMOD_A, parts.factor, &given, nullptr, &parts.answer, nullptr, &parts.work_y,
+                 &parts.work_e, &parts.common);
+  return Eigen::Map<const Eigen::MatrixXd>(static_cast<const double*>(parts.answer->x), b.rows(),
+                                           b.cols());
+}
+
+double SparseCholesky::fill() const { return parts_->common.lnz; }
+
+}  // namespace thenar
