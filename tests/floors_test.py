@@ -29,6 +29,7 @@ MAY_SEE = {
     "data/io/scene": ["base", "geometry", "data/io", "data/io/mesh", "data/io/world"],
     "hand": ["base", "geometry", "data/io"],
     "hand/skin": ["base", "geometry", "data/io", "hand"],
+    "pads": ["base", "solvers", "solvers/sparse", "geometry"],
     "tendons/wrapping": ["base", "data/io", "hand"],
     "tendons": ["base", "solvers", "data/io", "hand", "tendons/wrapping"],
 }

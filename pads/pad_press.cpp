@@ -1,0 +1,244 @@
+#include "pads/pad_press.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#include "base/error.h"
+
+namespace thenar {
+namespace {
+
+using Eigen::Matrix3Xd;
+using Eigen::Vector3d;
+using Eigen::VectorXd;
+
+constexpr int kMaxCuts = 12;      // halvings of a step
+constexpr double kTouch = 1e-10;  // gap that counts as touching [m]
+
+/// Part of the way between two poses.
+Pose<double> between(const Pose<double>& a, const Pose<double>& b, double part) {
+  const Eigen::AngleAxisd turn(b.R * a.R.transpose());
+  return {rotation_about<double>(turn.axis(), part * turn.angle()) * a.R, a.p + part * (b.p - a.p)};
+}
+
+std::vector<bool> skin_nodes(const HexMesh& mesh) {
+  std::vector<bool> out;
+  for (int node = 0; node < mesh.nodes(); ++node)
+    out.push_back(PadChart::on_skin(mesh.chart_point(node)));
+  return out;
+}
+
+}  // namespace
+
+PadPress::PadPress(const PadModel& model, RigidObject object, const Pose<double>& X_PO,
+                   PadPressOptions options)
+    : model_(model),
+      object_(std::move(object)),
+      options_(options),
+      mesh_(pad_mesh(model.shape, model.cells)) {
+  if (model.element == HexElement::kQuadratic) mesh_.refine(std::vector<int>(mesh_.active()));
+  build();
+  state_ = rest_state(*body_, surface_, X_PO);
+}
+
+void PadPress::build() {
+  body_ = std::make_unique<TissueBody>(mesh_, model_.element, model_.tissues, held_by_bone(mesh_));
+  factor_ = std::make_unique<SparseCholesky>(body_->pattern());
+  surface_ = contact_surface(mesh_, *body_, skin_nodes(mesh_));
+}
+
+double PadPress::touch(const Vector3d& along) {
+  double way = 0;
+  for (int k = 0; k < 1000; ++k) {
+    // No node is nearer than the smallest gap: so far the object may go.
+    double gap = 1e300;
+    for (std::size_t i = 0; i < surface_.nodes.size(); ++i)
+      gap = std::min(
+          gap, object_.shape->distance(state_.X_PO.inverse() *
+                                       Vector3d(surface_.places.col(static_cast<Eigen::Index>(i)) +
+                                                state_.x.segment<3>(3 * surface_.nodes[i]))));
+    require(k > 0 || gap > -kTouch, "the object begins {:g} mm inside the pad", -gap * 1e3);
+    require(gap < 1, "the object passes the pad by");
+    if (gap <= kTouch) break;
+    state_.X_PO.p += gap * along;
+    way += gap;
+  }
+  for (Eigen::Index i = 0; i < state_.anchor.cols(); ++i)
+    state_.anchor.col(i) = state_.X_PO.inverse() * Vector3d(surface_.places.col(i));
+  return way;
+}
+
+PressOutcome PadPress::solve(const PressGoal& goal, int cuts) {
+  PressOutcome out = press_step(*body_, surface_, object_, goal, options_.step, *factor_, state_);
+  factorisations_ += out.iterations;
+  if (out.status == Status::kSolved || cuts >= kMaxCuts) return out;
+  // Half of the way first.
+  PressGoal half = goal;
+  half.time /= 2;
+  half.X_PO = between(state_.X_PO, goal.X_PO, 0.5);
+  if (goal.force) half.force = 0.5 * (*goal.force + goal.along.dot(state_.push.force));
+  out = solve(half, cuts + 1);
+  if (out.status != Status::kSolved) return out;
+  PressGoal rest = goal;
+  rest.time /= 2;
+  return solve(rest, cuts + 1);
+}
+
+PadPressResult PadPress::step(const PressGoal& goal) {
+  PadPressResult result;
+  PressState start = state_;
+  for (bool refined = false;; refined = true) {
+    // On a finer mesh from the answer of the coarser; otherwise from the step's beginning.
+    if (refined) {
+      result.solved = press_step(*body_, surface_, object_, goal, options_.step, *factor_, state_);
+      factorisations_ += result.solved.iterations;
+    }
+    if (!refined || result.solved.status != Status::kSolved) {
+      state_ = start;
+      result.solved = solve(goal, 0);
+    }
+    if (result.solved.status != Status::kSolved) break;
+    const VectorXd errors = body_->error_energies(body_->spread(state_.x, {}));
+    TissueResponse now;
+    body_->respond(body_->spread(state_.x, {}), INFINITY, {}, {}, ElementAsk::kEnergy, now);
+    result.force_error = now.energy > 0 ? errors.sum() / now.energy : 0;
+    measure(result);
+    if ((result.force_error <= options_.force_error &&
+         result.penetration <= options_.max_penetration) ||
+        static_cast<int>(body_->elements()) >= options_.max_elements)
+      break;
+    refine(errors, start);
+  }
+  result.elements = body_->elements();
+  result.factorisations = factorisations_;
+  return result;
+}
+
+void PadPress::refine(const VectorXd& errors, PressState& start) {
+  // The elements with the largest errors, until they hold a share of the whole.
+  std::vector<int> order(static_cast<std::size_t>(errors.size()));
+  std::iota(order.begin(), order.end(), 0);
+  std::stable_sort(order.begin(), order.end(), [&](int a, int b) { return errors[a] > errors[b]; });
+  std::vector<int> marked;
+  double sum = 0;
+  for (const int e : order) {
+    if (sum > options_.refined * errors.sum()) break;
+    sum += errors[e];
+    marked.push_back(mesh_.active()[static_cast<std::size_t>(e)]);
+  }
+  // Fields of all nodes before.
+  const auto fields_of = [&](const PressState& state) {
+    struct Fields {
+      Matrix3Xd u, anchor;
+      std::vector<bool> known;
+      VectorXd normal;
+      Matrix3Xd shear;
+    } f;
+    f.u = body_->spread(state.x, {});
+    f.anchor = Matrix3Xd::Zero(3, mesh_.nodes());
+    f.shear = f.anchor;
+    f.normal = VectorXd::Zero(mesh_.nodes());
+    f.known.assign(static_cast<std::size_t>(mesh_.nodes()), false);
+    for (std::size_t k = 0; k < surface_.nodes.size(); ++k) {
+      const int node = body_->free_nodes()[static_cast<std::size_t>(surface_.nodes[k])];
+      const auto column = static_cast<Eigen::Index>(k);
+      f.anchor.col(node) = state.anchor.col(column);
+      f.normal[node] = state.normal[column];
+      f.shear.col(node) = state.shear.col(column);
+      f.known[static_cast<std::size_t>(node)] = true;
+    }
+    return f;
+  };
+  auto before = fields_of(start);
+  auto now = fields_of(state_);
+  const int old_nodes = mesh_.nodes();
+  mesh_.refine(marked);
+  build();
+  // New nodes have the mean of what they were made from.
+  const auto carry = [&](auto& f, PressState& state) {
+    f.u.conservativeResize(3, mesh_.nodes());
+    for (int node = old_nodes; node < mesh_.nodes(); ++node) {
+      f.u.col(node).setZero();
+      for (const NodeWeight& each : mesh_.made_from(node))
+        f.u.col(node) += each.weight * f.u.col(each.node);
+    }
+    state.x.resize(body_->unknowns());
+    for (std::size_t i = 0; i < body_->free_nodes().size(); ++i)
+      state.x.segment<3>(static_cast<Eigen::Index>(3 * i)) = f.u.col(body_->free_nodes()[i]);
+    const auto count = static_cast<Eigen::Index>(surface_.nodes.size());
+    state.normal = VectorXd::Zero(count);
+    state.shear = Matrix3Xd::Zero(3, count);
+    state.anchor.resize(3, count);
+    for (std::size_t k = 0; k < surface_.nodes.size(); ++k) {
+      const int node = body_->free_nodes()[static_cast<std::size_t>(surface_.nodes[k])];
+      const auto column = static_cast<Eigen::Index>(k);
+      state.anchor.col(column) =
+          state.X_PO.inverse() *
+          Vector3d(surface_.places.col(column) + state.x.segment<3>(3 * surface_.nodes[k]));
+      if (node >= old_nodes || !f.known[static_cast<std::size_t>(node)]) continue;
+      state.anchor.col(column) = f.anchor.col(node);
+      state.normal[column] = f.normal[node];
+      state.shear.col(column) = f.shear.col(node);
+    }
+    state.pressure.clear();
+  };
+  carry(before, start);
+  carry(now, state_);
+  // From the old equilibrium, but with what was at the step's beginning.
+  state_.anchor = start.anchor;
+  state_.shear = start.shear;
+  state_.history = start.history;
+}
+
+void PadPress::measure(PadPressResult& result) const {
+  result.push = result.solved.push;
+  const Matrix3Xd u = body_->spread(state_.x, {});
+  const Pose<double> X_OP = state_.X_PO.inverse();
+  std::vector<double> normal(static_cast<std::size_t>(mesh_.nodes()), 0);
+  double all = 0, stuck = 0;
+  for (std::size_t k = 0; k < surface_.nodes.size(); ++k) {
+    const auto column = static_cast<Eigen::Index>(k);
+    const int node = body_->free_nodes()[static_cast<std::size_t>(surface_.nodes[k])];
+    normal[static_cast<std::size_t>(node)] = state_.normal[column];
+    all += state_.normal[column];
+    if (state_.shear.col(column).norm() < (1 - 1e-6) * object_.friction * state_.normal[column])
+      stuck += state_.normal[column];
+  }
+  result.stick = all > 0 ? stuck / all : 0;
+  // Faces of the skin: a quarter for each node that touches; and points between nodes.
+  result.area = result.penetration = 0;
+  const std::vector<bool> skin = skin_nodes(mesh_);
+  for (const int index : mesh_.active())
+    for (const std::array<int, 4>& face : hex_faces()) {
+      std::array<Vector3d, 4> at;
+      std::array<int, 4> nodes{};
+      bool on_skin = true;
+      for (std::size_t i = 0; i < 4; ++i) {
+        nodes[i] = mesh_.cells()[static_cast<std::size_t>(index)]
+                       .corners[static_cast<std::size_t>(face[i])];
+        on_skin = on_skin && skin[static_cast<std::size_t>(nodes[i])];
+        at[i] = mesh_.place(nodes[i]) + u.col(nodes[i]);
+      }
+      if (!on_skin) continue;
+      double touching = 0;
+      for (const int node : nodes) {
+        if (normal[static_cast<std::size_t>(node)] > 0) touching += 0.25;
+        double of_masters = 0;
+        for (const NodeWeight& each : mesh_.masters(node))
+          of_masters += normal[static_cast<std::size_t>(each.node)] > 0 ? each.weight : 0;
+        if (of_masters > 0.5) touching += 0.25;
+      }
+      if (touching == 0) continue;
+      result.area += touching * 0.5 * (at[3] - at[0]).cross(at[2] - at[1]).norm();
+      for (int i = 0; i <= 4; ++i)
+        for (int j = 0; j <= 4; ++j) {
+          const double a = i / 4.0, b = j / 4.0;
+          const Vector3d p =
+              (1 - a) * ((1 - b) * at[0] + b * at[2]) + a * ((1 - b) * at[1] + b * at[3]);
+          result.penetration = std::max(result.penetration, -object_.shape->distance(X_OP * p));
+        }
+    }
+}
+
+}  // namespace thenar

@@ -1,0 +1,79 @@
+#pragma once
+
+/// A finger pad pressed by a rigid object, on a mesh that refines itself.
+
+#include <memory>
+#include <vector>
+
+#include "pads/pad_shape.h"
+#include "pads/press_step.h"
+
+namespace thenar {
+
+/// A pad; constant.
+struct PadModel {
+  PadShape shape;
+  PadCells cells;               // of the coarsest mesh
+  std::vector<Tissue> tissues;  // the pulp, then layers of skin from the inside out
+  HexElement element = HexElement::kMeanDilatation;
+};
+
+struct PadPressOptions {
+  PressOptions step;
+  double force_error = 0.02;      // of the estimate below which the mesh does [1]
+  int max_elements = 20000;       // a mesh is not refined beyond
+  double max_penetration = 1e-6;  // of the object into faces between their nodes [m]
+  double refined = 0.3;  // share of the error's energy whose elements are refined at once [1]
+};
+
+/// A press at one instant.
+struct [[nodiscard]] PadPressResult {
+  PressOutcome solved;          // of the last step
+  Wrench push;                  // of the object on the pad, about the pad's origin
+  double area = 0;              // of the patch, deformed [m^2]
+  double stick = 0;             // share of the normal force on nodes that stick [1]
+  double force_error = 0;       // estimated, relative [1]
+  double penetration = 0;       // deepest point of the object within a face [m]
+  double deepest_jacobian = 1;  // smallest det F
+  std::size_t elements = 0;
+  int factorisations = 0;  // since the pad was built
+};
+
+/// A pad and an object, step after step. The pad's frame is that of PadShape.
+class PadPress {
+ public:
+  PadPress(const PadModel& model, RigidObject object, const Pose<double>& X_PO,
+           PadPressOptions options);
+
+  /// Moves the object along a unit direction until it just touches. @return how far [m]
+  /// @throws InputError if it begins inside the pad or passes it by.
+  double touch(const Eigen::Vector3d& along);
+
+  /// One step, cut in halves where it fails, the mesh refined until force and penetration are as
+  /// good as asked.
+  PadPressResult step(const PressGoal& goal);
+
+  [[nodiscard]] const PressState& state() const { return state_; }
+  [[nodiscard]] const HexMesh& mesh() const { return mesh_; }
+  [[nodiscard]] const ContactSurface& surface() const { return surface_; }
+  [[nodiscard]] const TissueBody& body() const { return *body_; }
+
+ private:
+  void build();
+  PressOutcome solve(const PressGoal& goal, int cuts);
+  /// Refines by the estimate; carries `start` and the present state over.
+  void refine(const Eigen::VectorXd& errors, PressState& start);
+  void measure(PadPressResult& result) const;
+
+  PadModel model_;
+  RigidObject object_;
+  PadPressOptions options_;
+  HexMesh mesh_;
+  std::unique_ptr<TissueBody> body_;
+  std::unique_ptr<SparseCholesky> factor_;
+  ContactSurface surface_;
+  PressState state_;
+  int factorisations_ = 0;
+};
+
+}  // namespace thenar

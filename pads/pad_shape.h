@@ -1,0 +1,72 @@
+#pragma once
+
+/// Shape of a finger pad: the pulp between a distal phalanx with its nail and the skin.
+
+#include <memory>
+#include <vector>
+
+#include "geometry/shape.h"
+#include "pads/hex_mesh.h"
+
+namespace thenar {
+
+/// A layer of skin of the same thickness everywhere.
+struct SkinLayer {
+  double thickness = 0;  // [m]
+};
+
+/// Two half ellipsoids on one plane, that of the nail. Frame: origin in the middle of the nail's
+/// plane, x distal, y radial, z palmar. The rim, on the nail's plane, and the bone's surface do not
+/// move; the skin is free.
+///
+/// With a skin of its own (a closed mesh around the bone) the outer half ellipsoid gives directions
+/// only: each ray from the bone's surface along them ends on that skin.
+struct PadShape {
+  double length = 24e-3, width = 16e-3, height = 10e-3;                 // of the skin [m]
+  double bone_length = 14e-3, bone_width = 7e-3, bone_height = 4.5e-3;  // of the phalanx [m]
+  std::vector<SkinLayer> layers;      // from the outside in; the pulp is what is left
+  std::shared_ptr<const Shape> skin;  // null: the ellipsoid; otherwise in the pad's frame
+};
+
+/// Where nodes of a pad's mesh lie. Chart: a disc (a, b), |(a, b)| = 1 on the rim, and the level w
+/// from 0 on the bone to 1 on the skin.
+class PadChart final : public HexChart {
+ public:
+  /// @throws InputError unless lengths are positive, the bone and all layers fit below the skin,
+  /// and each ray meets the skin that was given.
+  explicit PadChart(PadShape shape);
+  [[nodiscard]] Eigen::Vector3d place(const Eigen::Vector3d& c) const override;
+  [[nodiscard]] Eigen::Vector3d middle(const Eigen::Vector3d& a,
+                                       const Eigen::Vector3d& b) const override;
+  /// Thickness of all soft tissue over a point of the bone [m].
+  [[nodiscard]] double thickness(double a, double b) const;
+
+  [[nodiscard]] static bool on_skin(const Eigen::Vector3d& c) { return c[2] > 1 - 1e-9; }
+  [[nodiscard]] static bool on_bone(const Eigen::Vector3d& c) { return c[2] < 1e-9; }
+  [[nodiscard]] static bool on_rim(const Eigen::Vector3d& c) {
+    return c.head<2>().squaredNorm() > 1 - 1e-9;
+  }
+
+ private:
+  [[nodiscard]] Eigen::Vector3d bone_point(double a, double b) const;
+  [[nodiscard]] Eigen::Vector3d skin_point(double a, double b) const;
+  [[nodiscard]] double level_depth(double w, double thickness) const;
+
+  PadShape shape_;
+};
+
+/// Counts of cells of the coarsest mesh: `across` along each side of the square in the middle of
+/// the disc, `around` from it to the rim, `through` the pulp; each layer of skin is one cell thick.
+struct PadCells {
+  int across = 4, around = 2, through = 3;
+};
+
+/// Levels w at which layers begin are those of equal cells: layer l of n, from the outside, lies
+/// between 1 - (l + 1) / (n + through) and 1 - l / (n + through). Regions: 0 the pulp, then layers
+/// from the inside out.
+[[nodiscard]] HexMesh pad_mesh(const PadShape& shape, const PadCells& cells);
+
+/// Nodes that do not move: on the bone and on the rim (nodes of the mesh).
+[[nodiscard]] std::vector<bool> held_by_bone(const HexMesh& mesh);
+
+}  // namespace thenar

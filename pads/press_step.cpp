@@ -1,0 +1,346 @@
+#include "pads/press_step.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+#include "base/error.h"
+
+namespace thenar {
+namespace {
+
+using Eigen::Matrix3d;
+using Eigen::Matrix3Xd;
+using Eigen::Vector3d;
+using Eigen::VectorXd;
+
+constexpr double kStiffer = 100;  // of the augmentation than of tissue under a node [1]
+
+constexpr double kLongest = 0.25;  // motion to a force in an iteration, over distances of nodes [1]
+
+constexpr double kSomeSlip = 1e-10;   // slip that has a direction [m]
+constexpr double kConeSlack = 1e-10;  // of the friction cone, for rounding [1]
+
+/// Contact at an iterate.
+struct TouchingNode {
+  double gap = 0;                     // [m]
+  Vector3d normal{0, 0, 1};           // of the object, towards the body
+  Vector3d slip{0, 0, 0};             // since the last step, tangential [m]
+  double push = 0;                    // normal force [N]
+  Vector3d shear{0, 0, 0};            // [N]
+  Matrix3d slope = Matrix3d::Zero();  // -d force / d x, symmetric [N/m]
+  bool sticks = false;
+  Vector3d against{0, 0, 0};  // unit, of the shear of a node that slips
+};
+
+class PressSolver {
+ public:
+  PressSolver(const TissueBody& body, const ContactSurface& surface, const RigidObject& object,
+              const PressGoal& goal, const PressOptions& options, SparseCholesky& factor,
+              const PressState& start)
+      : body_(body),
+        surface_(surface),
+        object_(object),
+        goal_(goal),
+        options_(options),
+        factor_(factor),
+        start_(start),
+        now_(start),
+        contacts_(surface.nodes.size()) {
+    now_.X_PO = goal.X_PO;
+    // Nodes that touch begin by sticking.
+    for (std::size_t k = 0; k < contacts_.size(); ++k)
+      contacts_[k].sticks = start.normal[static_cast<Eigen::Index>(k)] > 0;
+    longest_ = kLongest * std::sqrt(surface.area.mean());
+  }
+
+  PressOutcome solve() {
+    PressOutcome out;
+    const TissuePressure none;
+    for (out.iterations = 0; out.iterations < options_.max_iterations; ++out.iterations) {
+      const Matrix3Xd u = body_.spread(now_.x, {});
+      body_.respond(u, goal_.time, start_.history, now_.pressure, ElementAsk::kStiffness, tissue_);
+      if (tissue_.inverted) {
+        out.message = "an element turned inside out";
+        return out;
+      }
+      find_contacts();
+      measure(out);
+      if (is_solved(out)) {
+        out.message = passed_through(u);
+        if (out.message.empty()) out.status = Status::kSolved;
+        return out;
+      }
+      if (!take_step(u)) {
+        out.message = "the stiffness is not positive definite";
+        return out;
+      }
+    }
+    out.status = Status::kLimit;
+    out.message = "too many iterations";
+    return out;
+  }
+
+  /// The new state, once solved.
+  PressState finish() {
+    for (std::size_t k = 0; k < contacts_.size(); ++k) {
+      const auto column = static_cast<Eigen::Index>(k);
+      now_.normal[column] = contacts_[k].push;
+      // Bounded by the force of this iteration, from which that of the last differs by the
+      // tolerance.
+      const double bound = object_.friction * contacts_[k].push, size = contacts_[k].shear.norm();
+      now_.shear.col(column) = (size > bound ? bound / size : 1.0) * contacts_[k].shear;
+      now_.anchor.col(column) = now_.X_PO.inverse() * place_of(k);
+    }
+    now_.push = push_;
+    now_.history = body_.advance(body_.spread(now_.x, {}), goal_.time, start_.history);
+    return now_;
+  }
+
+ private:
+  [[nodiscard]] Vector3d place_of(std::size_t k) const {
+    return surface_.places.col(static_cast<Eigen::Index>(k)) +
+           now_.x.segment<3>(3 * surface_.nodes[k]);
+  }
+  /// Stiffness of the augmentation at a node [N/m].
+  [[nodiscard]] double stiffer(std::size_t k) const {
+    return kStiffer * body_.surface_modulus() *
+           std::sqrt(surface_.area[static_cast<Eigen::Index>(k)]);
+  }
+
+  /// Nodes inside the object tell that it jumped through the surface; hanging nodes of the surface
+  /// may be inside a little, as all between nodes.
+  [[nodiscard]] std::string passed_through(const Matrix3Xd& u) const {
+    const Pose<double> X_OP = now_.X_PO.inverse();
+    for (const int node : body_.nodes()) {
+      const Vector3d p = body_.place(node) + u.col(node);
+      if (!body_.hangs(node) && object_.shape->distance(X_OP * p) < -options_.gap_tolerance)
+        return fmt::format("the object is inside the tissue at ({:g}, {:g}, {:g}) mm", p[0] * 1e3,
+                           p[1] * 1e3, p[2] * 1e3);
+    }
+    return "";
+  }
+
+  void find_contacts() {
+    const Pose<double> X_OP = now_.X_PO.inverse();
+    for (std::size_t k = 0; k < contacts_.size(); ++k) {
+      TouchingNode& c = contacts_[k];
+      const auto column = static_cast<Eigen::Index>(k);
+      const Vector3d p = place_of(k);
+      const NearestSurface near = object_.shape->nearest(X_OP * p);
+      const double r = stiffer(k);
+      c.gap = near.distance;
+      c.normal = now_.X_PO.R * near.normal;
+      c.push = std::max(0.0, now_.normal[column] - r * c.gap);
+      c.shear.setZero();
+      c.slope.setZero();
+      if (c.push <= 0) continue;
+      c.slope = r * c.normal * c.normal.transpose();
+      if (object_.friction > 0) find_shear(k, p, r);
+    }
+  }
+
+  /// Friction of a node that touches: it sticks where it was at the last step, or slips against a
+  /// force of friction times the normal force that the last iteration predicted.
+  void find_shear(std::size_t k, const Vector3d& p, double r) {
+    TouchingNode& c = contacts_[k];
+    const auto column = static_cast<Eigen::Index>(k);
+    const Matrix3d flat = Matrix3d::Identity() - c.normal * c.normal.transpose();
+    c.slip = flat * (p - now_.X_PO * Vector3d(start_.anchor.col(column)));
+    if (c.sticks) {
+      c.shear = flat * Vector3d(now_.shear.col(column)) - r * c.slip;
+      c.slope += r * flat;
+      return;
+    }
+    // Against the slip, once there is some.
+    const double bound = object_.friction * now_.normal[column], way = c.slip.norm();
+    Vector3d against = flat * c.against;
+    double turning = 0;  // stiffness of a direction that follows the slip
+    if (way > kSomeSlip) {
+      against = -c.slip;
+      turning = std::min(bound / way, r);
+    }
+    const double size = against.norm();
+    if (size == 0) return;
+    c.against = against / size;
+    c.shear = bound * c.against;
+    c.slope += turning * (flat - c.against * c.against.transpose());
+  }
+
+  /// Out of balance: forces on free nodes, and the push along the goal's direction.
+  void measure(PressOutcome& out) {
+    residual_ = tissue_.force;
+    out.gap = change_ = 0;
+    out.push = {};
+    scale_ = 0;
+    for (std::size_t k = 0; k < contacts_.size(); ++k) {
+      const TouchingNode& c = contacts_[k];
+      if (c.push <= 0) continue;
+      const Vector3d force = c.push * c.normal + c.shear;
+      residual_.segment<3>(3 * surface_.nodes[k]) -= force;
+      out.gap = std::max(out.gap, std::abs(c.gap));
+      // Forces that still move tell of nodes that should stick or open.
+      const auto column = static_cast<Eigen::Index>(k);
+      change_ = std::max({change_, (c.shear - Vector3d(now_.shear.col(column))).norm(),
+                          std::abs(c.push - now_.normal[column])});
+      scale_ += force.norm();
+      out.push += wrench_of_force(place_of(k), force);
+    }
+    push_ = out.push;
+    out.residual = residual_.lpNorm<Eigen::Infinity>();
+    missing_ = goal_.force ? *goal_.force - goal_.along.dot(out.push.force) : 0;
+  }
+
+  [[nodiscard]] bool is_solved(const PressOutcome& out) const {
+    const double small = options_.force_tolerance * std::max(scale_, 1e-6);
+    return out.residual <= small && std::abs(missing_) <= std::max(small, 1e-9) &&
+           out.gap <= options_.gap_tolerance && change_ <= small && !changed_;
+  }
+
+  bool take_step(const Matrix3Xd& u) {
+    // Contacts are on the diagonal.
+    for (std::size_t k = 0; k < contacts_.size(); ++k)
+      for (int c = 0; c < 3; ++c)
+        for (int r = c; r < 3; ++r)
+          tissue_.values[body_.diagonal_entry(surface_.nodes[k], r, c)] += contacts_[k].slope(r, c);
+    if (!factor_.factor(tissue_.values)) return false;
+    // The object's motion along the goal's direction is one more unknown.
+    VectorXd border = VectorXd::Zero(residual_.size());
+    double own = 0;
+    if (goal_.force)
+      for (std::size_t k = 0; k < contacts_.size(); ++k) {
+        const Vector3d column = contacts_[k].slope * goal_.along;
+        border.segment<3>(3 * surface_.nodes[k]) -= column;
+        own += goal_.along.dot(column);
+      }
+    Eigen::MatrixXd right(residual_.size(), 2);
+    right << -residual_, border;
+    const Eigen::MatrixXd answer = factor_.solve(right);
+    double motion = 0;
+    if (goal_.force) {
+      const double schur = own - border.dot(answer.col(1));
+      if (!(schur > 0)) return false;
+      motion = std::clamp((missing_ - border.dot(answer.col(0))) / schur, -longest_, longest_);
+    }
+    const VectorXd dx = answer.col(0) - motion * answer.col(1);
+    // What the step predicts becomes the new pressure and the new contact forces.
+    now_.pressure = body_.pressure_after(u, body_.spread(dx, {}));
+    changed_ = false;
+    for (std::size_t k = 0; k < contacts_.size(); ++k)
+      predict(k, dx.segment<3>(3 * surface_.nodes[k]) - motion * goal_.along);
+    now_.x += dx;
+    now_.X_PO.p += motion * goal_.along;
+    return true;
+  }
+
+  /// What an iteration that moves a node relative to the object makes of its forces.
+  void predict(std::size_t k, const Vector3d& moved) {
+    TouchingNode& c = contacts_[k];
+    const auto column = static_cast<Eigen::Index>(k);
+    if (c.push <= 0) {
+      now_.normal[column] = 0;
+      now_.shear.col(column).setZero();
+      c.sticks = false;
+      c.against.setZero();
+      return;
+    }
+    const Vector3d force = c.push * c.normal + c.shear - c.slope * moved;
+    now_.normal[column] = std::max(0.0, force.dot(c.normal));
+    if (object_.friction <= 0) return;
+    const Vector3d shear = force - force.dot(c.normal) * c.normal;
+    const double bound = object_.friction * now_.normal[column], size = shear.norm();
+    if (c.sticks) {
+      // Sticks while friction can hold it.
+      c.sticks = size <= bound * (1 + kConeSlack);
+      changed_ = changed_ || !c.sticks;
+      c.against = size > 0 ? Vector3d(shear / size) : Vector3d(0, 0, 0);
+    } else {
+      // Slips while it moves against the force.
+      const Vector3d slip = c.slip + moved - moved.dot(c.normal) * c.normal;
+      c.sticks = slip.dot(c.against) > 0;
+      changed_ = changed_ || c.sticks;
+    }
+    now_.shear.col(column) = size > bound && size > 0 ? Vector3d(bound / size * shear) : shear;
+  }
+
+  const TissueBody& body_;
+  const ContactSurface& surface_;
+  const RigidObject& object_;
+  const PressGoal& goal_;
+  const PressOptions& options_;
+  SparseCholesky& factor_;
+  const PressState& start_;
+  PressState now_;
+  std::vector<TouchingNode> contacts_;
+  TissueResponse tissue_;
+  VectorXd residual_;
+  Wrench push_;
+  bool changed_ = true;  // a node began or ceased to stick in the last iteration
+  double scale_ = 0, missing_ = 0, change_ = 0;
+  double longest_ = 0;  // motion of the object in an iteration [m]
+};
+
+}  // namespace
+
+ContactSurface contact_surface(const HexMesh& mesh, const TissueBody& body,
+                               const std::vector<bool>& marked) {
+  std::map<int, double> area;  // by free place
+  for (const int index : mesh.active())
+    for (const std::array<int, 4>& face : hex_faces()) {
+      std::array<int, 4> nodes{};
+      for (std::size_t i = 0; i < 4; ++i)
+        nodes[i] = mesh.cells()[static_cast<std::size_t>(index)]
+                       .corners[static_cast<std::size_t>(face[i])];
+      if (!std::all_of(nodes.begin(), nodes.end(),
+                       [&](int node) { return marked[static_cast<std::size_t>(node)]; }))
+        continue;
+      // A quarter of the face for each of its nodes.
+      const double share = 0.125 * (mesh.place(nodes[3]) - mesh.place(nodes[0]))
+                                       .cross(mesh.place(nodes[2]) - mesh.place(nodes[1]))
+                                       .norm();
+      for (const int node : nodes) {
+        if (mesh.masters(node).empty()) area[body.free_place(node)] += share;
+        for (const NodeWeight& each : mesh.masters(node))
+          area[body.free_place(each.node)] += share * each.weight;
+      }
+    }
+  area.erase(-1);
+  ContactSurface surface;
+  const auto count = static_cast<Eigen::Index>(area.size());
+  surface.places.resize(3, count);
+  surface.area.resize(count);
+  for (const auto& [node, share] : area) {
+    const auto column = static_cast<Eigen::Index>(surface.nodes.size());
+    surface.places.col(column) = mesh.place(body.free_nodes()[static_cast<std::size_t>(node)]);
+    surface.area[column] = share;
+    surface.nodes.push_back(node);
+  }
+  return surface;
+}
+
+PressOutcome press_step(const TissueBody& body, const ContactSurface& surface,
+                        const RigidObject& object, const PressGoal& goal,
+                        const PressOptions& options, SparseCholesky& factor, PressState& state) {
+  require(object.friction >= 0 && std::isfinite(object.friction),
+          "friction must be finite and >= 0, got {}", object.friction);
+  PressSolver solver(body, surface, object, goal, options, factor, state);
+  PressOutcome out = solver.solve();
+  if (out.status == Status::kSolved) state = solver.finish();
+  return out;
+}
+
+PressState rest_state(const TissueBody& body, const ContactSurface& surface,
+                      const Pose<double>& X_PO) {
+  PressState state;
+  state.x = VectorXd::Zero(body.unknowns());
+  state.X_PO = X_PO;
+  const auto nodes = static_cast<Eigen::Index>(surface.nodes.size());
+  state.normal = VectorXd::Zero(nodes);
+  state.shear = Matrix3Xd::Zero(3, nodes);
+  state.anchor.resize(3, nodes);
+  for (Eigen::Index k = 0; k < nodes; ++k)
+    state.anchor.col(k) = X_PO.inverse() * Vector3d(surface.places.col(k));
+  return state;
+}
+
+}  // namespace thenar

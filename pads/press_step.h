@@ -1,0 +1,89 @@
+#pragma once
+
+/// Equilibrium of a tissue body in contact with a rigid object, step by step.
+
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "base/spatial.h"
+#include "geometry/shape.h"
+#include "pads/tissue_body.h"
+#include "solvers/status.h"
+
+namespace thenar {
+
+/// A rigid object that presses on a body.
+struct RigidObject {
+  std::shared_ptr<const Shape> shape;  // in its own frame
+  double friction = 0;                 // Coulomb, of the exact cone [1]
+};
+
+/// Free nodes of a body that may touch.
+struct ContactSurface {
+  std::vector<int> nodes;   // places among the free nodes
+  Eigen::Matrix3Xd places;  // reference positions [m] (3, nodes)
+  Eigen::VectorXd area;     // of the reference surface that is a node's share [m^2] (nodes)
+};
+
+/// Free nodes of faces all of whose nodes are marked; a hanging node's share goes to its masters.
+/// @param marked  (nodes of the mesh)
+[[nodiscard]] ContactSurface contact_surface(const HexMesh& mesh, const TissueBody& body,
+                                             const std::vector<bool>& marked);
+
+/// Where a press is. Vectors are in the body's frame.
+struct PressState {
+  Eigen::VectorXd x;        // displacements of the free nodes [m] (3 free nodes)
+  Pose<double> X_PO;        // of the object in the body's frame
+  TissuePressure pressure;  // of the mixed problem; empty: that of x
+  TissueHistory history;    // of relaxation
+  Wrench push;              // of the object on the body, about the body's origin
+  Eigen::VectorXd normal;   // force along the object's normal [N] (surface nodes)
+  Eigen::Matrix3Xd shear;   // friction on the node [N] (3, surface nodes)
+  Eigen::Matrix3Xd anchor;  // where a node was at the last step, object's frame [m] (3, nodes)
+};
+
+/// How far to go in a step.
+struct PressGoal {
+  Pose<double> X_PO;                // of the object at the end
+  std::optional<double> force;      // instead: moved from there along `along` until the
+  Eigen::Vector3d along{0, 0, -1};  // object's push along it is so large [N]; unit (3)
+  double time = 0;                  // of the step, for relaxation [s]
+};
+
+struct PressOptions {
+  double force_tolerance = 1e-9;  // of residuals, over the sum of contact forces [1]
+  double gap_tolerance = 1e-9;    // of touching nodes [m]
+  int max_iterations = 60;
+};
+
+/// How a step ended.
+struct [[nodiscard]] PressOutcome {
+  Status status = Status::kStalled;
+  std::string message;
+  int iterations = 0;
+  double residual = 0;  // largest entry of forces out of balance [N]
+  double gap = 0;       // largest |gap| of a touching node [m]
+  Wrench push;          // of the object on the body, about the body's origin
+};
+
+/// Solves  d(energy)/dx = contact forces  with 0 <= gap _|_ normal >= 0, |shear| <= friction
+/// normal, and shear against the slip since the last step, to the tolerances; on kSolved `state` is
+/// the new state, otherwise it is as it was.
+///
+/// Newton's method on the augmented Lagrangian, forces updated by what each step predicts; friction
+/// is bounded by the normal force of the same iteration, whose slope the matrix leaves out so that
+/// it stays symmetric. Tissue pressure is an unknown of its own (element_response()).
+/// Sources: [AlartCurnier1991], [SimoLaursen1992].
+[[nodiscard]] PressOutcome press_step(const TissueBody& body, const ContactSurface& surface,
+                                      const RigidObject& object, const PressGoal& goal,
+                                      const PressOptions& options, SparseCholesky& factor,
+                                      PressState& state);
+
+/// A body at rest that nothing touches.
+[[nodiscard]] PressState rest_state(const TissueBody& body, const ContactSurface& surface,
+                                    const Pose<double>& X_PO);
+
+}  // namespace thenar

@@ -1,0 +1,88 @@
+#pragma once
+
+/// Laws of soft tissue at finite strain: nearly incompressible, hyperelastic, relaxing.
+
+#include <string>
+#include <vector>
+
+#include <Eigen/Core>
+
+namespace thenar {
+
+/// Isochoric energies W, functions of the stretches of  Fbar = J^(-1/3) F:
+///   neo-Hookean      W = mu/2 (I1 - 3)
+///   Ogden            W = 2 mu / k^2 (l1^k + l2^k + l3^k - 3), one term of exponent k
+///   Veronda-Westmann W = mu/k (exp(k (I1 - 3)) - 1) - mu/2 (I2 - 3)
+/// with shear modulus mu at rest; I1, I2 of Fbar Fbar'.
+enum class TissueLaw { kNeoHookean, kOgden, kVerondaWestmann };
+
+/// "neo-hookean", "ogden", "veronda-westmann".
+[[nodiscard]] std::string name_of(TissueLaw law);
+
+/// One exponential of the reduced relaxation function.
+struct PronyTerm {
+  double share = 0;  // g_i, of the instantaneous stress [1]
+  double time = 1;   // tau_i [s]
+};
+
+/// A tissue. Its volumetric energy is  U(J) = K/4 (J^2 - 1 - 2 ln J),  with bulk modulus
+/// K = 2 mu (1 + nu) / (3 (1 - 2 nu)); it does not relax.
+///
+/// Stress relaxes quasi-linearly: the isochoric second Piola-Kirchhoff stress is
+///   S(t) = integral of g(t - s) dSe(s),  g(t) = g_inf + sum g_i exp(-t / tau_i),
+/// with the elastic stress Se of the law, g(0) = 1.
+/// Sources: [Holzapfel2000] ch. 6 for the laws, [VerondaWestmann1970], [Ogden1972], [Fung1993] for
+/// quasi-linear relaxation.
+struct Tissue {
+  std::string name = "tissue";
+  TissueLaw law = TissueLaw::kNeoHookean;
+  double shear_modulus = 0;           // mu, instantaneous, at rest [Pa]
+  double exponent = 0;                // k, of Ogden and of Veronda-Westmann [1]
+  double poisson_ratio = 0.49;        // nu, at rest [1]
+  std::vector<PronyTerm> relaxation;  // empty: elastic
+};
+
+/// K [Pa].
+[[nodiscard]] double bulk_modulus(const Tissue& tissue);
+
+/// @throws InputError unless mu > 0, -1 < nu < 1/2, k is not 0 (Ogden) or above 0
+/// (Veronda-Westmann), shares are not negative and sum to less than 1, times are positive.
+void check_tissue(const Tissue& tissue);
+
+/// Six components of a symmetric tensor: xx, yy, zz, xy, yz, zx.
+using Voigt = Eigen::Matrix<double, 6, 1>;
+/// Components c_ijkl of a tangent with minor and major symmetries, rows and columns as Voigt.
+using VoigtTangent = Eigen::Matrix<double, 6, 6>;
+
+/// Isochoric response at a deformation.
+struct IsochoricResponse {
+  double energy = 0;     // W [J/m^3]
+  Voigt stress;          // Kirchhoff stress, deviatoric [Pa] (6)
+  VoigtTangent tangent;  // of the Kirchhoff stress by Lie derivative: F F F F : 4 d^2W/dC^2 [Pa]
+};
+
+/// Energy, stress and tangent of the isochoric law. @param F  det F > 0 (3, 3)
+/// @param with_tangent  otherwise `tangent` is not written
+/// Source: [Holzapfel2000] eqs 6.91, 6.103, 6.168; spectral form of Ogden's [Simo1998] sec. 2.4.
+void isochoric_response(const Tissue& tissue, const Eigen::Matrix3d& F, bool with_tangent,
+                        IsochoricResponse& out);
+
+/// Volumetric energy and its derivatives by J.
+struct VolumetricResponse {
+  double energy = 0, pressure = 0, stiffness = 0;  // U [J/m^3], U', U'' [Pa]
+};
+/// @param J  > 0 [1]
+[[nodiscard]] VolumetricResponse volumetric_response(double bulk_modulus, double J);
+
+/// Weights of one step of relaxation, exact where the elastic stress runs straight in time:
+///   stress = now Se_new + history,  with  history = sum h_i,
+///   h_i = decay_i H_i - change_i Se_old,   H_i' = h_i + change_i Se_new.
+/// Source: [Simo1998] sec. 10.3.
+struct RelaxationStep {
+  double now = 1;                     // g_inf + sum change_i [1]
+  std::vector<double> decay, change;  // exp(-h/tau_i), g_i (1 - exp(-h/tau_i)) tau_i / h (terms)
+};
+/// @param h  step [s], >= 0; 0: instantaneous; infinity: relaxed
+[[nodiscard]] RelaxationStep relaxation_step(const Tissue& tissue, double h);
+
+}  // namespace thenar

@@ -1,0 +1,369 @@
+#include "pads/tissue_body.h"
+
+#include <algorithm>
+#include <map>
+#include <set>
+
+#include "base/error.h"
+
+namespace thenar {
+namespace {
+
+using Eigen::Matrix3Xd;
+using Eigen::VectorXd;
+
+/// Lattice 0..26 of a parent from its eight children.
+std::vector<int> lattice_of(const HexMesh& mesh, const HexCell& parent) {
+  std::vector<int> nodes(27);
+  for (int child = 0; child < 8; ++child)
+    for (int corner = 0; corner < 8; ++corner) {
+      int slot = 0, step = 1;
+      for (const int axis : {1, 2, 4}) {
+        slot += step * (((child & axis) != 0 ? 1 : 0) + ((corner & axis) != 0 ? 1 : 0));
+        step *= 3;
+      }
+      nodes[static_cast<std::size_t>(slot)] =
+          mesh.cells()[static_cast<std::size_t>(parent.first_child + child)]
+              .corners[static_cast<std::size_t>(corner)];
+    }
+  return nodes;
+}
+
+}  // namespace
+
+TissueBody::TissueBody(const HexMesh& mesh, HexElement kind, std::vector<Tissue> tissues,
+                       const std::vector<bool>& fixed)
+    : kind_(kind), tissues_(std::move(tissues)) {
+  require(fixed.size() == static_cast<std::size_t>(mesh.nodes()),
+          "{} nodes, {} marks of fixed ones", mesh.nodes(), fixed.size());
+  for (const Tissue& tissue : tissues_) check_tissue(tissue);
+  // Unknowns.
+  free_place_.assign(fixed.size(), -1);
+  node_masters_.resize(fixed.size());
+  for (int node = 0; node < mesh.nodes(); ++node) {
+    const auto at = static_cast<std::size_t>(node);
+    places_.push_back(mesh.place(node));
+    if (!mesh.in_use(node)) continue;
+    nodes_.push_back(node);
+    node_masters_[at] = mesh.masters(node);
+    if (!node_masters_[at].empty() || fixed[at]) continue;
+    free_place_[at] = static_cast<int>(free_nodes_.size());
+    free_nodes_.push_back(node);
+  }
+  require(!free_nodes_.empty(), "no node of the tissue is free");
+  list_elements(mesh);
+  build_pattern();
+}
+
+void TissueBody::list_elements(const HexMesh& mesh) {
+  const auto add = [&](std::vector<int> nodes, int region) {
+    require(region >= 0 && region < static_cast<int>(tissues_.size()), "region {} has no tissue",
+            region);
+    Element element;
+    element.region = region;
+    Matrix3Xd X(3, static_cast<Eigen::Index>(nodes.size()));
+    for (std::size_t a = 0; a < nodes.size(); ++a) {
+      X.col(static_cast<Eigen::Index>(a)) = mesh.place(nodes[a]);
+      // Hanging nodes are the mean of their masters; what is fixed of them moves nothing.
+      std::vector<NodeWeight> all = mesh.masters(nodes[a]);
+      require(kind_ != HexElement::kQuadratic || all.empty(), "a node of a quadratic mesh hangs");
+      if (all.empty()) all = {{nodes[a], 1}};
+      element.masters.emplace_back();
+      for (const NodeWeight& each : all)
+        if (free_place(each.node) >= 0)
+          element.masters.back().push_back({free_place(each.node), each.weight});
+    }
+    element.nodes = std::move(nodes);
+    element.shape = element_shape(kind_, X);
+    elements_.push_back(std::move(element));
+  };
+  if (kind_ != HexElement::kQuadratic) {
+    for (const int index : mesh.active()) {
+      const HexCell& cell = mesh.cells()[static_cast<std::size_t>(index)];
+      add({cell.corners.begin(), cell.corners.end()}, cell.region);
+    }
+    return;
+  }
+  std::set<int> parents;
+  for (const int index : mesh.active())
+    parents.insert(mesh.cells()[static_cast<std::size_t>(index)].parent);
+  for (const int index : parents) {
+    require(index >= 0, "quadratic elements need cells in eights: refine the mesh once");
+    const HexCell& parent = mesh.cells()[static_cast<std::size_t>(index)];
+    for (int k = 0; k < 8; ++k)
+      require(mesh.cells()[static_cast<std::size_t>(parent.first_child + k)].first_child < 0,
+              "quadratic elements need cells in eights: cell {} has finer children", index);
+    add(lattice_of(mesh, parent), parent.region);
+  }
+}
+
+void TissueBody::build_pattern() {
+  // Free nodes that meet in an element.
+  std::vector<std::set<int>> below(free_nodes_.size());
+  for (const Element& element : elements_) {
+    std::set<int> all;
+    for (const std::vector<NodeWeight>& masters : element.masters)
+      for (const NodeWeight& each : masters) all.insert(each.node);
+    for (const int j : all)
+      below[static_cast<std::size_t>(j)].insert(all.lower_bound(j), all.end());
+  }
+  pattern_.size = unknowns();
+  pattern_.starts = {0};
+  for (std::size_t j = 0; j < below.size(); ++j) {
+    below[j].insert(static_cast<int>(j));
+    columns_.emplace_back(below[j].begin(), below[j].end());
+    for (int c = 0; c < 3; ++c) {
+      for (const int i : columns_.back())
+        for (int r = i == static_cast<int>(j) ? c : 0; r < 3; ++r)
+          pattern_.rows.push_back(3 * i + r);
+      pattern_.starts.push_back(static_cast<int>(pattern_.rows.size()));
+    }
+  }
+  // Where each pair of masters of an element lies: place of the row in its column.
+  for (Element& element : elements_)
+    for (std::size_t b = 0; b < element.masters.size(); ++b)
+      for (std::size_t a = 0; a <= b; ++a)
+        for (const NodeWeight& right : element.masters[b])
+          for (const NodeWeight& left : element.masters[a]) {
+            const int column = std::min(left.node, right.node),
+                      row = std::max(left.node, right.node);
+            const std::vector<int>& list = columns_[static_cast<std::size_t>(column)];
+            element.blocks.push_back(
+                static_cast<int>(std::lower_bound(list.begin(), list.end(), row) - list.begin()));
+          }
+}
+
+std::size_t TissueBody::block_entry(int column, int place, int r, int c) const {
+  const int start = pattern_.starts[static_cast<std::size_t>(3 * column + c)];
+  return static_cast<std::size_t>(place == 0 ? start + r - c
+                                             : start + (3 - c) + 3 * (place - 1) + r);
+}
+
+std::size_t TissueBody::diagonal_entry(int free, int r, int c) const {
+  return block_entry(free, 0, r, c);
+}
+
+bool TissueBody::relaxes() const {
+  return std::any_of(tissues_.begin(), tissues_.end(),
+                     [](const Tissue& tissue) { return !tissue.relaxation.empty(); });
+}
+
+double TissueBody::surface_modulus() const {
+  double most = 0;
+  for (const Tissue& tissue : tissues_) most = std::max(most, tissue.shear_modulus);
+  return most;
+}
+
+Matrix3Xd TissueBody::spread(const VectorXd& x, const Matrix3Xd& at_fixed) const {
+  const auto nodes = static_cast<Eigen::Index>(free_place_.size());
+  Matrix3Xd u = at_fixed.cols() == 0 ? Matrix3Xd(Matrix3Xd::Zero(3, nodes)) : at_fixed;
+  for (std::size_t i = 0; i < free_nodes_.size(); ++i)
+    u.col(free_nodes_[i]) = x.segment<3>(static_cast<Eigen::Index>(3 * i));
+  // Masters do not hang: any order does.
+  for (Eigen::Index node = 0; node < nodes; ++node) {
+    const std::vector<NodeWeight>& masters = node_masters_[static_cast<std::size_t>(node)];
+    if (masters.empty()) continue;
+    u.col(node).setZero();
+    for (const NodeWeight& each : masters) u.col(node) += each.weight * u.col(each.node);
+  }
+  return u;
+}
+
+std::vector<RelaxationStep> TissueBody::steps_of(double h) const {
+  std::vector<RelaxationStep> steps;
+  for (const Tissue& tissue : tissues_) steps.push_back(relaxation_step(tissue, h));
+  return steps;
+}
+
+Matrix3Xd TissueBody::displacements_of(const Element& element, const Matrix3Xd& u) const {
+  Matrix3Xd own(3, static_cast<Eigen::Index>(element.nodes.size()));
+  for (std::size_t a = 0; a < element.nodes.size(); ++a)
+    own.col(static_cast<Eigen::Index>(a)) = u.col(element.nodes[a]);
+  return own;
+}
+
+namespace {
+
+/// Never deformed before.
+ElementHistory fresh_history(std::size_t points, std::size_t terms) {
+  return {std::vector<Voigt>(points, Voigt::Zero()),
+          std::vector<Voigt>(points * terms, Voigt::Zero())};
+}
+
+}  // namespace
+
+void TissueBody::respond(const Matrix3Xd& u, double h, const TissueHistory& history,
+                         const TissuePressure& tangent_pressure, ElementAsk ask,
+                         TissueResponse& out) const {
+  const std::vector<RelaxationStep> steps = steps_of(h);
+  out.inverted = false;
+  out.energy = 0;
+  if (ask != ElementAsk::kEnergy) out.force.setZero(unknowns());
+  if (ask == ElementAsk::kStiffness) out.values.assign(pattern_.rows.size(), 0);
+  ElementResponse response;
+  for (std::size_t e = 0; e < elements_.size(); ++e) {
+    const Element& element = elements_[e];
+    const auto region = static_cast<std::size_t>(element.region);
+    const RelaxationStep& step = steps[region];
+    const ElementHistory fresh =
+        history.empty() && !step.decay.empty()
+            ? fresh_history(static_cast<std::size_t>(points_of(kind_)), step.decay.size())
+            : ElementHistory{};
+    element_response(kind_, element.shape, tissues_[region], displacements_of(element, u), &step,
+                     history.empty() ? &fresh : &history[e],
+                     tangent_pressure.empty() ? nullptr : &tangent_pressure[e], ask, response);
+    if (response.inverted) {
+      out.inverted = true;
+      return;
+    }
+    add_element(element, response, ask, out);
+  }
+}
+
+void TissueBody::add_element(const Element& element, const ElementResponse& response,
+                             ElementAsk ask, TissueResponse& out) const {
+  out.energy += response.energy;
+  if (ask == ElementAsk::kEnergy) return;
+  std::size_t pair = 0;
+  for (std::size_t b = 0; b < element.masters.size(); ++b) {
+    const auto column = static_cast<Eigen::Index>(3 * b);
+    for (const NodeWeight& each : element.masters[b])
+      out.force.segment<3>(3 * each.node) += each.weight * response.force.segment<3>(column);
+    if (ask != ElementAsk::kStiffness) continue;
+    for (std::size_t a = 0; a <= b; ++a) {
+      Eigen::Matrix3d block =
+          response.stiffness.block<3, 3>(static_cast<Eigen::Index>(3 * a), column);
+      if (a == b) block.triangularView<Eigen::StrictlyLower>() = block.transpose();
+      for (const NodeWeight& right : element.masters[b])
+        for (const NodeWeight& left : element.masters[a]) {
+          const double weight = left.weight * right.weight;
+          const int place = element.blocks[pair++];
+          // Block of (left, right), stored with its row at or below its column.
+          const bool turned = left.node < right.node;
+          if (a == b && turned) continue;  // its mirror image is the pair the other way round
+          const int node = turned ? left.node : right.node;
+          for (int c = 0; c < 3; ++c)
+            for (int r = place == 0 ? c : 0; r < 3; ++r) {
+              double value = turned ? block(c, r) : block(r, c);
+              // Two nodes of an element with one master: the mirrored pair adds as well.
+              if (place == 0 && a != b) value += turned ? block(r, c) : block(c, r);
+              out.values[block_entry(node, place, r, c)] += weight * value;
+            }
+        }
+    }
+  }
+}
+
+TissuePressure TissueBody::pressure_after(const Matrix3Xd& u, const Matrix3Xd& du) const {
+  TissuePressure out;
+  for (const Element& element : elements_)
+    out.push_back(linear_pressure(kind_, element.shape,
+                                  tissues_[static_cast<std::size_t>(element.region)],
+                                  displacements_of(element, u), displacements_of(element, du)));
+  return out;
+}
+
+TissueHistory TissueBody::advance(const Matrix3Xd& u, double h,
+                                  const TissueHistory& history) const {
+  if (!relaxes()) return {};
+  const std::vector<RelaxationStep> steps = steps_of(h);
+  TissueHistory next;
+  ElementResponse response;
+  for (std::size_t e = 0; e < elements_.size(); ++e) {
+    const Element& element = elements_[e];
+    const auto region = static_cast<std::size_t>(element.region);
+    const RelaxationStep& step = steps[region];
+    const auto points = static_cast<std::size_t>(points_of(kind_));
+    ElementHistory at = history.empty() ? fresh_history(points, step.decay.size()) : history[e];
+    element_response(kind_, element.shape, tissues_[region], displacements_of(element, u), &step,
+                     &at, nullptr, ElementAsk::kForce, response);
+    require(!response.inverted, "a step cannot end with an element turned inside out");
+    if (!step.decay.empty()) {
+      for (std::size_t i = 0; i < step.decay.size(); ++i)
+        for (std::size_t q = 0; q < points; ++q) {
+          Voigt& term = at.terms[i * points + q];
+          term = step.decay[i] * term + step.change[i] * (response.elastic[q] - at.elastic[q]);
+        }
+      at.elastic = response.elastic;
+    }
+    next.push_back(std::move(at));
+  }
+  return next;
+}
+
+VectorXd TissueBody::error_energies(const Matrix3Xd& u) const {
+  // Stress at Gauss points, and its mean over the elements around each node of a region.
+  using Key = std::pair<int, int>;
+  std::map<Key, std::pair<Voigt, double>> smooth;
+  const auto points = static_cast<std::size_t>(points_of(kind_));
+  std::vector<Voigt> stress(elements_.size() * points);
+  ElementHistory none;
+  IsochoricResponse response;
+  for (std::size_t e = 0; e < elements_.size(); ++e) {
+    const Element& element = elements_[e];
+    const Matrix3Xd own = displacements_of(element, u);
+    Voigt mean = Voigt::Zero();
+    double volume = 0;
+    for (std::size_t q = 0; q < points; ++q) {
+      isochoric_response(tissues_[static_cast<std::size_t>(element.region)],
+                         element_deformation(element.shape, own, q), false, response);
+      stress[e * points + q] = response.stress;
+      mean += element.shape.volume[q] * response.stress;
+      volume += element.shape.volume[q];
+    }
+    for (const int node : element.nodes) {
+      auto& [sum, weight] =
+          smooth.try_emplace({node, element.region}, Voigt(Voigt::Zero()), 0.0).first->second;
+      sum += mean;
+      weight += volume;
+    }
+  }
+  VectorXd out(static_cast<Eigen::Index>(elements_.size()));
+  for (std::size_t e = 0; e < elements_.size(); ++e) {
+    const Element& element = elements_[e];
+    const double modulus = tissues_[static_cast<std::size_t>(element.region)].shear_modulus;
+    std::vector<Voigt> nodal;
+    for (const int node : element.nodes) {
+      const auto& [sum, weight] = smooth.at({node, element.region});
+      nodal.push_back(sum / weight);
+    }
+    double energy = 0;
+    for (std::size_t q = 0; q < points; ++q) {
+      Voigt apart = -stress[e * points + q];
+      for (std::size_t a = 0; a < nodal.size(); ++a) apart += shape_value(kind_, q, a) * nodal[a];
+      // s : s / (4 mu), shear components count twice.
+      energy += element.shape.volume[q] *
+                (apart.head<3>().squaredNorm() + 2 * apart.tail<3>().squaredNorm()) / (4 * modulus);
+    }
+    out[static_cast<Eigen::Index>(e)] = energy;
+  }
+  return out;
+}
+
+Matrix3Xd TissueBody::reactions(const Matrix3Xd& u, double h, const TissueHistory& history) const {
+  const std::vector<RelaxationStep> steps = steps_of(h);
+  Matrix3Xd out = Matrix3Xd::Zero(3, u.cols());
+  ElementResponse response;
+  for (std::size_t e = 0; e < elements_.size(); ++e) {
+    const Element& element = elements_[e];
+    const auto region = static_cast<std::size_t>(element.region);
+    const ElementHistory fresh =
+        history.empty()
+            ? fresh_history(static_cast<std::size_t>(points_of(kind_)), steps[region].decay.size())
+            : ElementHistory{};
+    element_response(kind_, element.shape, tissues_[region], displacements_of(element, u),
+                     &steps[region], history.empty() ? &fresh : &history[e], nullptr,
+                     ElementAsk::kForce, response);
+    if (response.inverted) continue;
+    for (std::size_t a = 0; a < element.nodes.size(); ++a) {
+      const Eigen::Vector3d f = response.force.segment<3>(static_cast<Eigen::Index>(3 * a));
+      const std::vector<NodeWeight>& masters =
+          node_masters_[static_cast<std::size_t>(element.nodes[a])];
+      if (masters.empty()) out.col(element.nodes[a]) += f;
+      for (const NodeWeight& each : masters) out.col(each.node) += each.weight * f;
+    }
+  }
+  return out;
+}
+
+}  // namespace thenar

@@ -1,0 +1,273 @@
+#include <cmath>
+
+#include <gtest/gtest.h>
+
+#include "base/error.h"
+#include "geometry/primitives.h"
+#include "pads/pad_press.h"
+
+namespace thenar {
+namespace {
+
+using Eigen::Vector3d;
+
+constexpr double kPi = 3.14159265358979323846;
+
+Tissue soft_tissue(double poisson_ratio) {
+  Tissue tissue;
+  tissue.shear_modulus = 12e3;
+  tissue.poisson_ratio = poisson_ratio;
+  return tissue;
+}
+
+/// A box of tissue on a floor, refined around the middle of its top.
+struct Slab {
+  Slab(double size, int levels, double fine, double poisson_ratio)
+      : mesh(box_mesh({size, size, size / 2}, {4, 4, 2})), top(size / 2, size / 2, size / 2) {
+    for (int level = 0; level < levels; ++level) {
+      std::vector<int> marked;
+      for (const int index : mesh.active()) {
+        const HexCell& cell = mesh.cells()[static_cast<std::size_t>(index)];
+        const Vector3d low = mesh.place(cell.corners[0]), high = mesh.place(cell.corners[7]);
+        const double away = (top.cwiseMax(low).cwiseMin(high) - top).norm();
+        if (away < std::max(fine, 0.6 * (high - low)[0])) marked.push_back(index);
+      }
+      mesh.refine(marked);
+    }
+    std::vector<bool> floor, on_top;
+    for (int node = 0; node < mesh.nodes(); ++node) {
+      floor.push_back(mesh.place(node)[2] < 1e-9);
+      on_top.push_back(mesh.place(node)[2] > size / 2 - 1e-9);
+    }
+    body = std::make_unique<TissueBody>(mesh, HexElement::kMeanDilatation,
+                                        std::vector{soft_tissue(poisson_ratio)}, floor);
+    surface = contact_surface(mesh, *body, on_top);
+    factor = std::make_unique<SparseCholesky>(body->pattern());
+  }
+  HexMesh mesh;
+  Vector3d top;
+  std::unique_ptr<TissueBody> body;
+  ContactSurface surface;
+  std::unique_ptr<SparseCholesky> factor;
+};
+
+TEST(PressStep, ABallInAThickSlabMeetsTheForceOfHertz) {
+  constexpr double kSize = 0.2, kRadius = 0.01, kDepth = 1e-4, kNu = 0.49;
+  const double a = std::sqrt(kRadius * kDepth);
+  Slab slab(kSize, 8, 1.6 * a, kNu);
+  const RigidObject ball{build_sphere(kRadius), 0};
+  Pose<double> X;
+  X.p = slab.top + Vector3d(0, 0, kRadius);
+  PressState state = rest_state(*slab.body, slab.surface, X);
+  PressGoal goal;
+  goal.X_PO = X;
+  goal.X_PO.p[2] -= kDepth;
+  const PressOutcome out =
+      press_step(*slab.body, slab.surface, ball, goal, {}, *slab.factor, state);
+  ASSERT_EQ(out.status, Status::kSolved) << out.message;
+  // Hertz; the floor adds 1 + 1.133 a / h for a stuck, incompressible layer
+  // [Dimitriadis2002].
+  const double E = 2 * 12e3 * (1 + kNu) / (1 - kNu * kNu);
+  const double hertz = 4.0 / 3 * E * std::sqrt(kRadius) * std::pow(kDepth, 1.5);
+  EXPECT_NEAR(-out.push.force[2] / hertz, 1 + 1.133 * a / (kSize / 2), 0.01);
+  EXPECT_LE(out.gap, 1e-9);
+  EXPECT_LT(out.push.force.head<2>().norm(), 1e-6 * hertz);
+}
+
+TEST(PressStep, FrictionStaysInItsConeAndAgainstTheSlip) {
+  Slab slab(0.02, 2, 4e-3, 0.45);
+  constexpr double kFriction = 0.4;
+  const RigidObject ball{build_sphere(6e-3), kFriction};
+  Pose<double> X;
+  X.p = slab.top + Vector3d(0, 0, 6e-3);
+  PressState state = rest_state(*slab.body, slab.surface, X);
+  PressGoal goal;
+  goal.X_PO = X;
+  // Down, then sideways until it slides.
+  for (int k = 0; k < 4; ++k) {
+    goal.X_PO.p[2] -= 2e-4;
+    ASSERT_EQ(press_step(*slab.body, slab.surface, ball, goal, {}, *slab.factor, state).status,
+              Status::kSolved);
+  }
+  double before = 0;
+  for (int k = 0; k < 12; ++k) {
+    goal.X_PO.p[0] += 1e-4;
+    const PressOutcome out =
+        press_step(*slab.body, slab.surface, ball, goal, {}, *slab.factor, state);
+    ASSERT_EQ(out.status, Status::kSolved) << k << out.message;
+    for (Eigen::Index i = 0; i < state.normal.size(); ++i)
+      EXPECT_LE(state.shear.col(i).norm(), kFriction * state.normal[i] * (1 + 1e-12));
+    before = out.push.force[0];
+  }
+  // All slides: the shear on each node is at its bound and along the motion.
+  double bound = 0, shear = 0;
+  for (Eigen::Index i = 0; i < state.normal.size(); ++i) {
+    bound += kFriction * state.normal[i];
+    shear += state.shear.col(i).norm();
+  }
+  EXPECT_NEAR(shear / bound, 1, 1e-6);
+  EXPECT_GT(before, 0);
+}
+
+TEST(PressStep, OneLargeStepIsTenSmallOnesWithoutFriction) {
+  const auto pressed = [](int steps) {
+    Slab slab(0.02, 1, 4e-3, 0.49);
+    const RigidObject ball{build_sphere(6e-3), 0};
+    Pose<double> X;
+    X.p = slab.top + Vector3d(0, 0, 6e-3);
+    PressState state = rest_state(*slab.body, slab.surface, X);
+    PressGoal goal;
+    goal.X_PO = X;
+    PressOutcome out;
+    for (int k = 0; k < steps; ++k) {
+      goal.X_PO.p[2] -= 1e-3 / steps;
+      out = press_step(*slab.body, slab.surface, ball, goal, {}, *slab.factor, state);
+      EXPECT_EQ(out.status, Status::kSolved);
+    }
+    return out.push.force[2];
+  };
+  EXPECT_NEAR(pressed(1) / pressed(10), 1, 1e-6);
+}
+
+TEST(PressStep, ForceAsTheGoalIsTheForceAtThatDepth) {
+  Slab slab(0.02, 1, 4e-3, 0.49);
+  const RigidObject ball{build_sphere(6e-3), 0};
+  Pose<double> X;
+  X.p = slab.top + Vector3d(0, 0, 6e-3);
+  PressState state = rest_state(*slab.body, slab.surface, X);
+  PressGoal goal;
+  goal.X_PO = X;
+  goal.X_PO.p[2] -= 5e-4;
+  (void)press_step(*slab.body, slab.surface, ball, goal, {}, *slab.factor, state);
+  goal.force = 0.2;
+  const PressOutcome out =
+      press_step(*slab.body, slab.surface, ball, goal, {}, *slab.factor, state);
+  ASSERT_EQ(out.status, Status::kSolved) << out.message;
+  EXPECT_NEAR(-out.push.force[2], 0.2, 1e-8);
+  // The same by depth.
+  PressState again = rest_state(*slab.body, slab.surface, X);
+  PressGoal depth;
+  depth.X_PO = state.X_PO;
+  const PressOutcome twin =
+      press_step(*slab.body, slab.surface, ball, depth, {}, *slab.factor, again);
+  EXPECT_NEAR(-twin.push.force[2], 0.2, 1e-7);
+}
+
+TEST(PressStep, AFailedStepLeavesTheStateAsItWas) {
+  Slab slab(0.02, 1, 4e-3, 0.49);
+  const RigidObject ball{build_sphere(6e-3), 0};
+  Pose<double> X;
+  X.p = slab.top + Vector3d(0, 0, 6e-3);
+  PressState state = rest_state(*slab.body, slab.surface, X);
+  PressGoal goal;
+  goal.X_PO = X;
+  goal.X_PO.p[2] -= 0.02;  // through the floor
+  const PressOutcome out =
+      press_step(*slab.body, slab.surface, ball, goal, {}, *slab.factor, state);
+  EXPECT_NE(out.status, Status::kSolved);
+  EXPECT_FALSE(out.message.empty());
+  EXPECT_TRUE(state.x.isZero(0));
+}
+
+TEST(PadShape, ItsMeshHasTheVolumeBetweenTheEllipsoids) {
+  PadShape shape;
+  const double exact = kPi / 6 *
+                       (shape.length * shape.width * shape.height -
+                        shape.bone_length * shape.bone_width * shape.bone_height);
+  const auto missing = [&](int finer) {
+    const HexMesh mesh = pad_mesh(shape, {2 * finer, finer, finer});
+    std::vector<bool> held = held_by_bone(mesh);
+    double sum = 0;
+    for (const int index : mesh.active()) {
+      Eigen::Matrix3Xd X(3, 8);
+      for (int c = 0; c < 8; ++c)
+        X.col(c) = mesh.place(
+            mesh.cells()[static_cast<std::size_t>(index)].corners[static_cast<std::size_t>(c)]);
+      for (const double w : element_shape(HexElement::kMeanDilatation, X).volume) sum += w;
+    }
+    return exact - sum;
+  };
+  // Chords of the skin miss a part that falls with the square of the cells.
+  EXPECT_LT(missing(4), 0.02 * exact);
+  EXPECT_NEAR(missing(2) / missing(4), 4, 0.5);
+}
+
+TEST(PadShape, LayersHaveTheirThicknessEverywhere) {
+  PadShape shape;
+  shape.layers = {{0.4e-3}, {1.1e-3}};
+  const PadChart chart(shape);
+  for (const auto& [a, b] : {std::pair(0.0, 0.0), std::pair(0.5, -0.3), std::pair(0.0, 0.9)}) {
+    EXPECT_NEAR((chart.place({a, b, 1}) - chart.place({a, b, 0.75})).norm(), 0.4e-3, 1e-15);
+    EXPECT_NEAR((chart.place({a, b, 0.75}) - chart.place({a, b, 0.5})).norm(), 1.1e-3, 1e-15);
+  }
+  const HexMesh mesh = pad_mesh(shape, {});
+  int most = 0;
+  for (const HexCell& cell : mesh.cells()) most = std::max(most, cell.region);
+  EXPECT_EQ(most, 2);
+}
+
+TEST(PadShape, ASkinOfItsOwnIsFollowed) {
+  PadShape shape;
+  shape.skin = build_sphere(11e-3);
+  const PadChart chart(shape);
+  for (const auto& [a, b] : {std::pair(0.0, 0.0), std::pair(0.5, -0.3), std::pair(0.0, 0.9)})
+    EXPECT_NEAR(chart.place({a, b, 1}).norm(), 11e-3, 2e-9);
+  shape.skin = build_sphere(5e-3);  // the bone sticks out
+  EXPECT_THROW(PadChart{shape}, InputError);
+}
+
+TEST(PadShape, NonsenseIsRefused) {
+  PadShape shape;
+  shape.bone_height = shape.height;
+  EXPECT_THROW(PadChart{shape}, InputError);
+  shape = {};
+  shape.width = NAN;
+  EXPECT_THROW(PadChart{shape}, InputError);
+  shape = {};
+  shape.layers = {{6e-3}};
+  EXPECT_THROW(PadChart{shape}, InputError);
+}
+
+/// A pad pressed onto a wall.
+PadPressResult pressed(double depth, double error, double poisson_ratio, int steps) {
+  PadModel model;
+  model.tissues = {soft_tissue(poisson_ratio)};
+  PadPressOptions options;
+  options.force_error = error;
+  Pose<double> X;
+  X.p = {0, 0, model.shape.height + 0.051};
+  PadPress press(model, {build_box({0.1, 0.1, 0.1}), 0}, X, options);
+  EXPECT_NEAR(press.touch({0, 0, -1}), 1e-3, 1e-9);
+  PressGoal goal;
+  goal.X_PO = press.state().X_PO;
+  PadPressResult result;
+  for (int k = 0; k < steps; ++k) {
+    goal.X_PO.p[2] -= depth / steps;
+    result = press.step(goal);
+  }
+  return result;
+}
+
+TEST(PadPress, RefinesUntilTheForceIsAsGoodAsAsked) {
+  const PadPressResult rough = pressed(1.5e-3, 0.2, 0.49, 1), fine = pressed(1.5e-3, 0.03, 0.49, 1);
+  ASSERT_EQ(rough.solved.status, Status::kSolved);
+  ASSERT_EQ(fine.solved.status, Status::kSolved);
+  EXPECT_LE(fine.force_error, 0.03);
+  EXPECT_LE(fine.penetration, 1e-6);
+  EXPECT_GT(fine.elements, rough.elements);
+  EXPECT_NEAR(rough.push.force[2] / fine.push.force[2], 1, 0.2);
+}
+
+TEST(PadPress, ForceRisesFasterThanDepth) {
+  const double f1 = -pressed(1e-3, 0.2, 0.49, 1).push.force[2];
+  const double f2 = -pressed(2e-3, 0.2, 0.49, 1).push.force[2];
+  EXPECT_GT(f2, 2.83 * f1);  // Hertz: 2^1.5
+}
+
+TEST(PadPress, HalfOfTheThicknessIsReached) {
+  const PadPressResult result = pressed(2.75e-3, 1, 0.49, 1);
+  EXPECT_EQ(result.solved.status, Status::kSolved) << result.solved.message;
+}
+
+}  // namespace
+}  // namespace thenar
