@@ -4,9 +4,36 @@
 #include <utility>
 
 #include "base/error.h"
+#include "tendons/muscle/rigid_tensions.h"
 
 namespace thenar {
 namespace {
+
+/// Muscle by muscle.
+class TensionsInTurn : public TensionSolver {
+ public:
+  explicit TensionsInTurn(const Contraction& of) : of_(&of) {}
+  void tensions(const MuscleStates& at, MuscleTensions& out) override {
+    out.tension.resize(at.length.size());
+    for (int m = 0; m < at.length.size(); ++m) out.tension[m] = of_->tension(m, at.of(m));
+  }
+  void derivatives(const MuscleStates& at, MuscleTensions& out) override {
+    tensions(at, out);
+    for (Eigen::VectorXd* each :
+         {&out.by_activation, &out.by_length, &out.by_velocity, &out.by_projected_fibre})
+      each->resize(at.length.size());
+    for (int m = 0; m < at.length.size(); ++m) {
+      const TensionDerivatives by = of_->tension_derivatives(m, at.of(m));
+      out.by_activation[m] = by.by_activation;
+      out.by_length[m] = by.by_length;
+      out.by_velocity[m] = by.by_velocity;
+      out.by_projected_fibre[m] = by.by_projected_fibre;
+    }
+  }
+
+ private:
+  const Contraction* of_;
+};
 
 class Bounds : public Contraction {
  public:
@@ -77,6 +104,9 @@ class RigidTendon : public Contraction {
     return rigid_tendon_derivatives(muscle(m), options_, state.activation, state.length,
                                     state.velocity);
   }
+  [[nodiscard]] std::unique_ptr<TensionSolver> tension_solver() const override {
+    return rigid_tensions(muscles(), options_);
+  }
   [[nodiscard]] double projected_fibre_rate(int, const MuscleState&) const override { return 0; }
   [[nodiscard]] double isometric_projected_fibre(int, double, double) const override { return 0; }
   [[nodiscard]] double fibre(int m, const MuscleState& state) const override {
@@ -103,6 +133,15 @@ const MuscleUnit& unit(const Subject& subject, const std::string& name) {
 }
 
 }  // namespace
+
+void MuscleStates::clear(Eigen::Index muscles) {
+  for (Eigen::VectorXd* each : {&activation, &length, &velocity, &projected_fibre})
+    each->setZero(muscles);
+}
+
+std::unique_ptr<TensionSolver> Contraction::tension_solver() const {
+  return std::make_unique<TensionsInTurn>(*this);
+}
 
 std::unique_ptr<Contraction> build_contraction(std::vector<Musculotendon> muscles, Muscle rung,
                                                const HillOptions& options) {

@@ -19,6 +19,35 @@ struct MuscleState {
   double projected_fibre = 0;  // of the fibre along the tendon, where it is a state [m]
 };
 
+/// States of all muscles of a contraction.
+struct MuscleStates {
+  Eigen::VectorXd activation, length, velocity, projected_fibre;  // of MuscleState (muscles)
+
+  /// All zero.
+  void clear(Eigen::Index muscles);
+  [[nodiscard]] MuscleState of(int m) const {
+    return {activation[m], length[m], velocity[m], projected_fibre[m]};
+  }
+};
+
+/// Tensions of all muscles of a contraction, with their partial derivatives.
+struct MuscleTensions {
+  Eigen::VectorXd tension;  // [N] (muscles)
+  Eigen::VectorXd by_activation, by_length, by_velocity,
+      by_projected_fibre;  // of TensionDerivatives (muscles)
+};
+
+/// Tensions of all muscles of a contraction at once, state after state. It holds the room of one
+/// thread, which changes no answer.
+class TensionSolver {
+ public:
+  virtual ~TensionSolver() = default;
+  /// Contraction::tension() of all muscles; derivatives are left as they are.
+  virtual void tensions(const MuscleStates& at, MuscleTensions& out) = 0;
+  /// Tensions and Contraction::tension_derivatives() of all muscles.
+  virtual void derivatives(const MuscleStates& at, MuscleTensions& out) = 0;
+};
+
 /// All muscles of a digit on one rung.
 class Contraction {
  public:
@@ -37,6 +66,10 @@ class Contraction {
 
   /// Tension of muscle m, >= 0 [N].
   [[nodiscard]] virtual double tension(int m, const MuscleState& state) const = 0;
+
+  /// Tensions of all muscles at once, for as long as this lives; equal to tension() and
+  /// tension_derivatives() to rounding.
+  [[nodiscard]] virtual std::unique_ptr<TensionSolver> tension_solver() const;
 
   /// Rate of the projected_fibre of muscle m [m/s]; 0 where it is no state.
   [[nodiscard]] virtual double projected_fibre_rate(int m, const MuscleState& state) const = 0;

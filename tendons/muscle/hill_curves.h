@@ -7,6 +7,8 @@
 /// 1 at the optimal length (b11, 0.8157 instead of 0.815), force 1 at rest and 0 at the largest
 /// speed (d1 and d4, -0.3211 and 0.8825 instead of -0.318 and 0.886).
 
+#include <Eigen/Core>
+
 namespace thenar {
 
 /// Strain of a tendon that carries F0, log(1.25 / 0.2) / 35 - 0.005 by the published curve [1].
@@ -45,5 +47,27 @@ inline constexpr double kTendonStrain = 0.047359470392808856;
 
 /// Length up to which that is 0, over the slack length [1].
 [[nodiscard]] double taut_tendon(double strain = kTendonStrain);
+
+// The same for many fibres at once, by exponentials of whole arrays: equal to the functions above
+// to rounding, about 1e-15 of F0, and faster. Room is used again.
+
+/// Forces over length of many fibres.
+struct LengthForces {
+  Eigen::VectorXd active, active_slope;    // active_force() and its derivative [1] (fibres)
+  Eigen::VectorXd passive, passive_slope;  // passive_force() and its derivative [1] (fibres)
+  Eigen::VectorXd room;                    // of the functions below
+};
+
+/// @param length  as of active_force() (fibres)
+void set_length_forces(const Eigen::VectorXd& length, LengthForces& out);
+
+/// Force over speed of many fibres.
+struct SpeedForces {
+  Eigen::VectorXd force;  // force_velocity() [1] (fibres)
+  Eigen::VectorXd slope;  // its derivative [1] (fibres)
+};
+
+/// @param velocity  as of force_velocity() (fibres)
+void set_speed_forces(const Eigen::VectorXd& velocity, SpeedForces& out);
 
 }  // namespace thenar

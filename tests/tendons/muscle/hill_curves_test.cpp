@@ -77,5 +77,48 @@ TEST(HillCurves, SlackTendonCarriesNothing) {
   }
 }
 
+// Whole arrays give what single fibres do: to rounding of numbers of the size of F0, or of the
+// curve where that is larger; no force is negative, and lengths beyond doubles stay infinite.
+TEST(HillCurves, ArraysAgreeWithSingleFibres) {
+  constexpr double kRounding = 1e-14;
+  const auto expect_near = [](double a, double b, double at) {
+    EXPECT_NEAR(a, b, kRounding * std::max(1.0, std::abs(b))) << at;
+  };
+  LengthForces by_length;
+  SpeedForces by_speed;
+  for (const Eigen::Index fibres : {1, 2, 7}) {
+    const Eigen::VectorXd more = Eigen::VectorXd::LinSpaced(fibres, 0, 0.02);
+    for (double at = 0; at < 3; at += 0.003) {
+      const Eigen::VectorXd l = more.array() + at, v = 4 * (l.array() - 1.5);
+      set_length_forces(l, by_length);
+      set_speed_forces(v, by_speed);
+      for (Eigen::Index i = 0; i < fibres; ++i) {
+        expect_near(by_length.active[i], active_force(l[i]), l[i]);
+        expect_near(by_length.active_slope[i], active_force_derivative(l[i]), l[i]);
+        expect_near(by_length.passive[i], passive_force(l[i]), l[i]);
+        expect_near(by_length.passive_slope[i], passive_force_derivative(l[i]), l[i]);
+        EXPECT_GE(by_length.passive[i], 0);
+        expect_near(by_speed.force[i], force_velocity(v[i]), v[i]);
+        expect_near(by_speed.slope[i], force_velocity_derivative(v[i]), v[i]);
+      }
+    }
+  }
+  set_length_forces(Eigen::VectorXd::Constant(3, 1000), by_length);
+  EXPECT_TRUE((by_length.passive.array() == HUGE_VAL).all());
+  EXPECT_TRUE((by_length.passive_slope.array() == HUGE_VAL).all());
+}
+
+// The second bell has no width at this length: there and below it adds nothing.
+TEST(HillCurves, ArraysPassTheLengthWithoutASecondBell) {
+  LengthForces by_length;
+  const Eigen::VectorXd l =
+      (Eigen::VectorXd(4) << 0.1, 0.15, std::nextafter(0.15, 1), 0.2).finished();
+  set_length_forces(l, by_length);
+  for (Eigen::Index i = 0; i < l.size(); ++i) {
+    EXPECT_NEAR(by_length.active[i], active_force(l[i]), 1e-15);
+    EXPECT_NEAR(by_length.active_slope[i], active_force_derivative(l[i]), 1e-15);
+  }
+}
+
 }  // namespace
 }  // namespace thenar

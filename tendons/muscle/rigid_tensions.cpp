@@ -1,0 +1,98 @@
+#include "tendons/muscle/rigid_tensions.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace thenar {
+namespace {
+
+using Eigen::Index;
+using Eigen::VectorXd;
+
+/// See rigid_tendon_tension() and rigid_tendon_derivatives() for the formulas.
+class RigidTensions : public TensionSolver {
+ public:
+  RigidTensions(const std::vector<Musculotendon>& muscles, const HillOptions& options)
+      : damping_(options.damping) {
+    const auto n = static_cast<Index>(muscles.size());
+    for (VectorXd* each : {&F0_, &slack_, &optimum_, &sine_, &top_}) each->resize(n);
+    for (VectorXd* each : {&fibre_, &along_, &turn_, &v_}) each->setZero(n);
+    for (Index m = 0; m < n; ++m) {
+      const Musculotendon& muscle = muscles[static_cast<std::size_t>(m)];
+      F0_[m] = muscle.F0;
+      slack_[m] = muscle.slack;
+      optimum_[m] = muscle.optimal_fibre_length;
+      sine_[m] = std::sin(muscle.pennation);
+      top_[m] = options.max_velocity * muscle.optimal_fibre_length;
+    }
+  }
+
+  void tensions(const MuscleStates& at, MuscleTensions& out) override {
+    set_fibres(at);
+    out.tension.resize(F0_.size());
+    for (Index m = 0; m < F0_.size(); ++m) {
+      const double f = at.activation[m] * by_length_.active[m] * by_speed_.force[m] +
+                       by_length_.passive[m] + damping_ * v_[m];
+      out.tension[m] = at.length[m] > slack_[m] ? std::max(0.0, F0_[m] * f * along_[m]) : 0;
+    }
+  }
+
+  void derivatives(const MuscleStates& at, MuscleTensions& out) override {
+    tensions(at, out);
+    const Index n = F0_.size();
+    for (VectorXd* each : {&out.by_activation, &out.by_length, &out.by_velocity}) each->resize(n);
+    out.by_projected_fibre.setZero(n);
+    for (Index m = 0; m < n; ++m) {
+      // Force over F0, and its derivatives by length and speed of the fibre.
+      const double a = at.activation[m], fl = by_length_.active[m], fv = by_speed_.force[m];
+      const double f = a * fl * fv + by_length_.passive[m] + damping_ * v_[m];
+      const double f_l = a * by_length_.active_slope[m] * fv + by_length_.passive_slope[m];
+      const double f_v = a * fl * by_speed_.slope[m] + damping_;
+      // None where the tension is cut off.
+      const double F0 = out.tension[m] > 0 ? F0_[m] : 0, along = along_[m];
+      const double by_length =
+          (f_l * along / optimum_[m] + f_v * at.velocity[m] * turn_[m] / top_[m]) * along +
+          f * turn_[m];
+      out.by_activation[m] = F0 > 0 ? F0 * fl * fv * along : 0;
+      out.by_length[m] = F0 > 0 ? F0 * by_length : 0;
+      out.by_velocity[m] = F0 > 0 ? F0 * f_v * along * along / top_[m] : 0;
+    }
+  }
+
+ private:
+  /// Lengths, angles and speeds of fibres, and the curves there.
+  void set_fibres(const MuscleStates& at) {
+    if (length_.size() != at.length.size() || length_ != at.length) {
+      length_ = at.length;
+      for (Index m = 0; m < length_.size(); ++m) {
+        // fibre / optimum; cosine of its angle, and the derivative of that by projected fibre.
+        const double part = (length_[m] - slack_[m]) / optimum_[m], s = sine_[m];
+        const double l = std::sqrt(part * part + s * s);
+        fibre_[m] = l;
+        along_[m] = part / l;
+        turn_[m] = s * s / (optimum_[m] * l * l * l);
+      }
+      set_length_forces(fibre_, by_length_);
+    }
+    for (Index m = 0; m < length_.size(); ++m) v_[m] = at.velocity[m] * along_[m] / top_[m];
+    set_speed_forces(v_, by_speed_);
+  }
+
+  double damping_;  // [1]
+  // Constants: of Musculotendon, sine of the pennation, largest speed [m/s] (muscles).
+  VectorXd F0_, slack_, optimum_, sine_, top_;
+  VectorXd length_;                // at which the fibres were found [m] (muscles)
+  VectorXd fibre_, along_, turn_;  // [1], [1], [1/m] (muscles)
+  VectorXd v_;                     // over the largest speed [1] (muscles)
+  LengthForces by_length_;
+  SpeedForces by_speed_;
+};
+
+}  // namespace
+
+std::unique_ptr<TensionSolver> rigid_tensions(const std::vector<Musculotendon>& muscles,
+                                              const HillOptions& options) {
+  return std::make_unique<RigidTensions>(muscles, options);
+}
+
+}  // namespace thenar
