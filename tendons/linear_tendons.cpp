@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "base/error.h"
+#include "hand/pose_tree_over.h"
 #include "tendons/path.h"
 #include "tendons/strand_paths.h"
 
@@ -37,8 +38,8 @@ class StraightStrands : public StrandPaths {
   [[nodiscard]] StrandArms arms(const TreeState<double>& state, const VectorXd& q) const override {
     return {strand_arms(model_, state, q), "", TendonStatus::kValid};
   }
-  [[nodiscard]] StrandDerivatives derivatives(const TreeState<double>& state,
-                                              const VectorXd& q) const override {
+  [[nodiscard]] StrandDerivatives derivatives(const TreeState<double>& state, const VectorXd& q,
+                                              StrandRoom* /*room*/) const override {
     // Arms, lengths, and second derivatives of every path.
     StrandDerivatives slopes{true, strand_arms(model_, state, q), lengths(state, q), {}};
     for (const TendonPath<double>& path : model_.paths)
@@ -107,8 +108,8 @@ class LinearTendons : public DigitTendons {
     check(digit_, q, t);
     const TendonModel<double>& model = digit_.model;
     TendonTorque pull;
-    StrandArms arms;
-    set_arms(q, paths_->room().get(), arms, pull);
+    Room room{paths_->room(), {}, {}};
+    set_arms(q, room, pull);
     pull.tau = pull.R.transpose() * t;
     pull.slips = slip_tension(model, q, t);
     return pull;
@@ -118,10 +119,19 @@ class LinearTendons : public DigitTendons {
     return std::make_unique<Arms>(*this);
   }
 
-  /// R, warning and status of a torque. @param arms  room
-  void set_arms(const VectorXd& q, StrandRoom* room, StrandArms& arms, TendonTorque& pull) const {
+  /// What arms posture after posture use again.
+  struct Room {
+    std::unique_ptr<StrandRoom> paths;
+    TreeState<double> state;
+    StrandArms arms;
+  };
+
+  /// R, warning and status of a torque.
+  void set_arms(const VectorXd& q, Room& room, TendonTorque& pull) const {
     const TendonModel<double>& model = digit_.model;
-    paths_->set_arms(pose_tree(model.tree, q), q, room, arms);
+    StrandArms& arms = room.arms;
+    pose_tree_over(model.tree, q, room.state);
+    paths_->set_arms(room.state, q, room.paths.get(), arms);
     for (Eigen::Index s = 0; s < arms.R.rows(); ++s)
       if (model.friction[s] != 0)
         arms.R.row(s) =
@@ -131,8 +141,9 @@ class LinearTendons : public DigitTendons {
       pull.R = strand_matrix(model, q).transpose() * arms.R;
     } else {
       pull.R.resize(static_cast<Eigen::Index>(model.pulls.size()), arms.R.cols());
-      for (std::size_t m = 0; m < model.pulls.size(); ++m)
-        pull.R.row(static_cast<Eigen::Index>(m)) = arms.R.row(model.pulls[m]);
+      for (Eigen::Index c = 0; c < arms.R.cols(); ++c)
+        for (std::size_t m = 0; m < model.pulls.size(); ++m)
+          pull.R(static_cast<Eigen::Index>(m), c) = arms.R(model.pulls[m], c);
     }
     pull.warning = arms.warning;
     pull.status = arms.status;
@@ -146,18 +157,21 @@ class LinearTendons : public DigitTendons {
   }
 
   /// Arms posture after posture.
-  class Arms final : public ArmSolver {
+  class Arms final : public LinearArmSolver {
    public:
-    explicit Arms(const LinearTendons& of) : of_(&of), room_(of.paths_->room()) {}
+    explicit Arms(const LinearTendons& of) : of_(&of), room_{of.paths_->room(), {}, {}} {}
     void solve(const VectorXd& q, TendonTorque& out) override {
       check(of_->digit_, q);
-      of_->set_arms(q, room_.get(), strands_, out);
+      of_->set_arms(q, room_, out);
+    }
+    void slopes(const VectorXd& q, ArmSlopes& out) override {
+      check(of_->digit_, q);
+      of_->set_slopes(q, room_, out);
     }
 
    private:
     const LinearTendons* of_;
-    std::unique_ptr<StrandRoom> room_;
-    StrandArms strands_;
+    Room room_;
   };
 
   /// tau_j = sum over strands of f_s left_sj R_sj, f = S t; each factor may change with posture.
@@ -166,27 +180,68 @@ class LinearTendons : public DigitTendons {
     const TendonModel<double>& model = digit_.model;
     // Shares, arms and their derivatives at this posture.
     const MatrixXd S = strand_matrix(model, q);
-    const StrandDerivatives strands = paths_->derivatives(pose_tree(model.tree, q), q);
+    const StrandDerivatives strands = paths_->derivatives(pose_tree(model.tree, q), q, nullptr);
     TendonDerivatives out{strands.exist, MatrixXd::Zero(q.size(), q.size()),
                           S.transpose() * strands.length};
     if (!out.exist) return out;
     // Strand tensions, and their derivative by the knuckle's angle.
     const VectorXd f = S * t, f_rate = hood_rate(model, q, t);
     const MatrixXd bending = bend_rate(model, q);
-    // Product rule over share, friction and arm.
-    for (Eigen::Index s = 0; s < f.size(); ++s) {
-      const double mu = model.friction[s];
-      const VectorXd left = mu == 0 ? VectorXd::Ones(q.size()) : remaining_tension(model, q, mu);
-      const VectorXd arm = left.cwiseProduct(strands.R.row(s).transpose());
-      out.by_posture += f[s] * (left.asDiagonal() * strands.dR[static_cast<std::size_t>(s)] -
-                                mu * MatrixXd(arm.asDiagonal() * bending));
-      if (model.knuckle.coordinate >= 0)
-        out.by_posture.col(model.knuckle.coordinate) += model.knuckle.ratio * f_rate[s] * arm;
-    }
+    for (Eigen::Index s = 0; s < f.size(); ++s)
+      add_strand({s, f[s], f_rate[s]}, q, strands, bending, out.by_posture);
     return out;
   }
 
+  /// ArmSlopes at a posture.
+  void set_slopes(const VectorXd& q, Room& room, ArmSlopes& out) const {
+    const TendonModel<double>& model = digit_.model;
+    pose_tree_over(model.tree, q, room.state);
+    const StrandDerivatives strands = paths_->derivatives(room.state, q, room.paths.get());
+    out.exist = strands.exist;
+    if (!out.exist) return;
+    // Each muscle's strands under its unit tension.
+    const MatrixXd S = strand_matrix(model, q), bending = bend_rate(model, q);
+    const Eigen::Index n = q.size(), muscles = S.cols();
+    out.of_pair.resize(n * (n + 1) / 2, muscles);
+    MatrixXd by_posture(n, n);
+    for (Eigen::Index m = 0; m < muscles; ++m) {
+      const VectorXd f_rate = hood_rate(model, q, VectorXd::Unit(muscles, m));
+      by_posture.setZero();
+      for (Eigen::Index s = 0; s < S.rows(); ++s)
+        if (S(s, m) != 0 || f_rate[s] != 0)
+          add_strand({s, S(s, m), f_rate[s]}, q, strands, bending, by_posture);
+      for (Eigen::Index k = 0, pair = 0; k < n; ++k)
+        for (Eigen::Index j = 0; j <= k; ++j, ++pair)
+          out.of_pair(pair, m) = -0.5 * (by_posture(j, k) + by_posture(k, j));
+    }
+  }
+
  private:
+  /// A strand under tension.
+  struct PulledStrand {
+    Eigen::Index number;
+    double tension;  // [N]
+    double rate;     // of that by the knuckle's angle [N/rad]
+  };
+
+  /// Adds what it does to d tau/dq: product rule over share, friction and arm.
+  void add_strand(const PulledStrand& strand, const VectorXd& q, const StrandDerivatives& strands,
+                  const MatrixXd& bending, MatrixXd& by_posture) const {
+    const auto& [s, f, f_rate] = strand;
+    const TendonModel<double>& model = digit_.model;
+    const MatrixXd& dR = strands.dR[static_cast<std::size_t>(s)];
+    const double mu = model.friction[s];
+    if (mu == 0 && f_rate == 0) {
+      by_posture += f * dR;
+      return;
+    }
+    const VectorXd left = mu == 0 ? VectorXd::Ones(q.size()) : remaining_tension(model, q, mu);
+    const VectorXd arm = left.cwiseProduct(strands.R.row(s).transpose());
+    by_posture += f * (left.asDiagonal() * dR - mu * MatrixXd(arm.asDiagonal() * bending));
+    if (model.knuckle.coordinate >= 0)
+      by_posture.col(model.knuckle.coordinate) += model.knuckle.ratio * f_rate * arm;
+  }
+
   TendonDigit digit_;
   std::unique_ptr<StrandPaths> paths_;
 };

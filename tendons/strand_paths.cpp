@@ -46,6 +46,10 @@ class WrappedStrands : public StrandPaths {
       path_of_.push_back(found == set_.paths.end() ? -1
                                                    : static_cast<int>(found - set_.paths.begin()));
     }
+    // Strand of each path; those that only carry another have none.
+    strand_of_.assign(set_.paths.size(), -1);
+    for (std::size_t s = 0; s < path_of_.size(); ++s)
+      if (path_of_[s] >= 0) strand_of_[static_cast<std::size_t>(path_of_[s])] = static_cast<int>(s);
   }
 
   [[nodiscard]] StrandArms arms(const TreeState<double>& state,
@@ -56,14 +60,14 @@ class WrappedStrands : public StrandPaths {
   }
 
   [[nodiscard]] std::unique_ptr<StrandRoom> room() const override {
-    return std::make_unique<StrandRoom>(StrandRoom{PathSolver(set_), {}});
+    return std::make_unique<StrandRoom>(StrandRoom{PathSolver(set_)});
   }
 
   void set_arms(const TreeState<double>& state, const Eigen::VectorXd& /*q*/, StrandRoom* room,
                 StrandArms& arms) const override {
     // Geodesics at this posture.
-    const std::vector<PathShape>& shapes = room->solver.solve(state);
-    set_rows(state, shapes, room->R, arms.R);
+    const std::vector<PathShape>& shapes = room->solver.solve_for_arms(state);
+    set_rows(state, shapes, arms.R);
     arms.warning.clear();
     arms.status = TendonStatus::kValid;
     // The worst status of all strands, with its warning.
@@ -77,9 +81,10 @@ class WrappedStrands : public StrandPaths {
   }
 
   [[nodiscard]] StrandDerivatives derivatives(const TreeState<double>& state,
-                                              const Eigen::VectorXd& q) const override {
-    PathSolver solver(set_);
-    const std::vector<PathShape>& shapes = solver.solve(state);
+                                              const Eigen::VectorXd& q,
+                                              StrandRoom* room) const override {
+    const std::unique_ptr<StrandRoom> own = room == nullptr ? this->room() : nullptr;
+    const std::vector<PathShape>& shapes = (own ? own.get() : room)->solver.solve_for_arms(state);
     // Second derivatives of all paths.
     std::vector<ArmDerivatives> paths =
         arm_derivatives(tree_, state, set_, shapes, static_cast<int>(q.size()));
@@ -116,26 +121,24 @@ class WrappedStrands : public StrandPaths {
   /// Arms of all strands (strands, coordinates) [m/rad].
   [[nodiscard]] Eigen::MatrixXd rows_of(const TreeState<double>& state,
                                         const std::vector<PathShape>& shapes) const {
-    Eigen::MatrixXd of_path, R;
-    set_rows(state, shapes, of_path, R);
+    Eigen::MatrixXd R;
+    set_rows(state, shapes, R);
     return R;
   }
 
-  /// The same, written over R. @param of_path  room
+  /// The same, written over R.
   void set_rows(const TreeState<double>& state, const std::vector<PathShape>& shapes,
-                Eigen::MatrixXd& of_path, Eigen::MatrixXd& R) const {
+                Eigen::MatrixXd& R) const {
     // Rows of the paths replace the constant ones.
-    of_path.resize(static_cast<Eigen::Index>(shapes.size()), constant_.cols());
-    path_arms(tree_, state, set_, shapes, of_path);
     R = constant_;
-    for (std::size_t s = 0; s < path_of_.size(); ++s)
-      if (path_of_[s] >= 0) R.row(static_cast<Eigen::Index>(s)) = of_path.row(path_of_[s]);
+    path_arms(tree_, state, set_, shapes, strand_of_, R);
   }
 
   PathSet set_;
   Tree<double> tree_;
-  Eigen::MatrixXd constant_;  // (strands, coordinates) [m/rad]
-  std::vector<int> path_of_;  // of each strand; -1: constant arms
+  Eigen::MatrixXd constant_;    // (strands, coordinates) [m/rad]
+  std::vector<int> path_of_;    // of each strand; -1: constant arms
+  std::vector<int> strand_of_;  // of each path; -1: it only carries another
 };
 
 }  // namespace
@@ -203,7 +206,8 @@ class FittedStrands : public StrandPaths {
   }
 
   [[nodiscard]] StrandDerivatives derivatives(const TreeState<double>& /*state*/,
-                                              const Eigen::VectorXd& q) const override {
+                                              const Eigen::VectorXd& q,
+                                              StrandRoom* /*room*/) const override {
     // Constant arms, then the polynomials with their derivatives.
     StrandDerivatives slopes{true, constant_, -constant_ * q, {}};
     slopes.dR.assign(static_cast<std::size_t>(constant_.rows()),

@@ -29,7 +29,6 @@ struct [[nodiscard]] StrandDerivatives {
 /// Room for arms of wrapped strands posture after posture. It changes no answer.
 struct StrandRoom {
   PathSolver solver;
-  Eigen::MatrixXd R;  // of paths (paths, coordinates) [m/rad]
 };
 
 /// The paths of a digit's strands on one rung.
@@ -48,8 +47,14 @@ class StrandPaths {
   /// As of StrandDerivatives.
   [[nodiscard]] virtual Eigen::VectorXd lengths(const TreeState<double>& state,
                                                 const Eigen::VectorXd& q) const = 0;
+  /// @param room  by room(); null: it has one of its own
   [[nodiscard]] virtual StrandDerivatives derivatives(const TreeState<double>& state,
-                                                      const Eigen::VectorXd& q) const = 0;
+                                                      const Eigen::VectorXd& q,
+                                                      StrandRoom* room) const = 0;
+  [[nodiscard]] StrandDerivatives derivatives(const TreeState<double>& state,
+                                              const Eigen::VectorXd& q) const {
+    return derivatives(state, q, nullptr);
+  }
 };
 
 /// Geodesics over the subject's surfaces; strands without a path keep their constant arms.

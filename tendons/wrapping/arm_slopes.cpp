@@ -105,8 +105,8 @@ std::vector<RunChain> chains_of(const TreeState<double>& state, const PathSet& s
     // The chain ends at the points before its first arc and after its last one.
     const auto before = static_cast<std::size_t>(shape.arcs[first].after);
     const auto after = static_cast<std::size_t>(shape.arcs[i - 1].after) + 1;
-    chains.push_back({first, std::move(links),
-                      ChainTangent(shape.spans[before].a, shape.spans[after].b, std::move(arcs))});
+    chains.push_back(
+        {first, std::move(links), ChainTangent(shape.spans[before].a, shape.spans[after].b, arcs)});
   }
   return chains;
 }
@@ -152,11 +152,22 @@ void add_riding(const Turn& turn, const SpanRate& last, const RideRate& ride,
     add_span(turn, (*ride.carrier)[k], -along, -along_dot, column);
 }
 
-/// Velocities of the ends of all runs while one coordinate turns.
-std::vector<SpanRate> span_rates(const TreeVelocity& rate, const PathShape& shape,
-                                 const std::vector<RunChain>& chains, const Vector3d* origin_dot) {
+/// Room of span_rates().
+struct SpanRoom {
+  std::vector<Vector3d> a_dot, b_dot;  // (spans)
+  std::vector<BodyTwist> on;           // (arcs of a chain)
+  std::vector<TouchRate> touch;        // likewise
+};
+
+/// Velocities of the ends of all runs while one coordinate turns, written over `out`. Runs between
+/// points of one link change no arm; theirs are found only for a carrier.
+void span_rates(const TreeVelocity& rate, const PathShape& shape,
+                const std::vector<RunChain>& chains, const Vector3d* origin_dot, bool carries,
+                SpanRoom& room, std::vector<SpanRate>& out) {
+  auto& [a_dot, b_dot, on, touch] = room;
+  a_dot.clear();
+  b_dot.clear();
   // Ends that are fixed to links.
-  std::vector<Vector3d> a_dot, b_dot;
   for (const PathSpan& span : shape.spans) {
     a_dot.push_back(rate.body(span.link_a).at(span.a));
     b_dot.push_back(span.link_b == kRiding ? *origin_dot : rate.body(span.link_b).at(span.b));
@@ -164,20 +175,23 @@ std::vector<SpanRate> span_rates(const TreeVelocity& rate, const PathShape& shap
   // Touch points follow from the linearised tangency conditions.
   for (const RunChain& chain : chains) {
     const auto before = static_cast<std::size_t>(shape.arcs[chain.first_arc].after);
-    std::vector<BodyTwist> on;
+    on.clear();
     for (int link : chain.links) on.push_back(rate.body(link));
-    const std::vector<TouchRate> touch =
-        chain.tangent.rates(a_dot[before], b_dot[before + on.size()], on);
+    chain.tangent.rates(a_dot[before], b_dot[before + on.size()], on, touch);
     for (std::size_t i = 0; i < on.size(); ++i) {
       b_dot[before + i] = touch[i].on;
       a_dot[before + i + 1] = touch[i].off;
     }
   }
   // Rates of the spans between those ends.
-  std::vector<SpanRate> rates;
-  for (std::size_t s = 0; s < shape.spans.size(); ++s)
-    rates.push_back(rated(shape.spans[s], a_dot[s], b_dot[s]));
-  return rates;
+  out.clear();
+  for (std::size_t s = 0; s < shape.spans.size(); ++s) {
+    const PathSpan& span = shape.spans[s];
+    if (carries || span.link_a != span.link_b)
+      out.push_back(rated(span, a_dot[s], b_dot[s]));
+    else
+      out.push_back({&span, a_dot[s], b_dot[s], {Vector3d::Zero(), Vector3d::Zero()}, 0});
+  }
 }
 
 /// Whether all touch points are determined, and all runs between links have a direction.
@@ -188,6 +202,20 @@ bool has_slopes(const PathShape& shape, const std::vector<RunChain>& chains) {
   return std::all_of(shape.spans.begin(), shape.spans.end(), [](const PathSpan& span) {
     return span.length > 0 || span.link_a == span.link_b;
   });
+}
+
+/// Whether a coordinate turns a hinge between the ends of a run: only then it changes the path.
+bool has_hinge(const Tree<double>& tree, const PathShape& shape, int coordinate) {
+  for (const PathSpan& span : shape.spans) {
+    int a = span.link_a, b = span.link_b;
+    if (b == kRiding) return true;
+    while (a != b) {
+      const auto i = static_cast<std::size_t>(std::max(a, b));
+      if (tree[i].coordinate == coordinate) return true;
+      (b > a ? b : a) = tree[i].parent;
+    }
+  }
+  return false;
 }
 
 /// How far the carrier draws back before the run on which the origin lies: -d(length up to it).
@@ -211,6 +239,9 @@ std::vector<ArmDerivatives> arm_derivatives(const Tree<double>& tree,
   // Chains of all paths, and whether their touch points are determined.
   std::vector<ArmDerivatives> slopes(shapes.size());
   std::vector<std::vector<RunChain>> chains;
+  std::vector<bool> carries(shapes.size(), false);
+  for (const WrappedPath& path : set.paths)
+    if (path.carrier >= 0) carries[static_cast<std::size_t>(path.carrier)] = true;
   for (std::size_t k = 0; k < shapes.size(); ++k) {
     chains.push_back(chains_of(state, set, shapes[k]));
     const int carrier = set.paths[k].carrier;
@@ -219,12 +250,13 @@ std::vector<ArmDerivatives> arm_derivatives(const Tree<double>& tree,
     slopes[k].dR = Eigen::MatrixXd::Zero(coordinates, coordinates);
   }
   // One column for each coordinate: rates while it turns at unit speed.
+  std::vector<std::vector<SpanRate>> runs(shapes.size());
+  SpanRoom room;
   for (int l = 0; l < coordinates; ++l) {
     const Turn turn{tree, state, internal::joint_velocity_tree(tree, state, l)};
-    std::vector<std::vector<SpanRate>> runs(shapes.size());
     for (std::size_t k = 0; k < shapes.size(); ++k) {
-      if (!slopes[k].exist) continue;
       const PathShape& shape = shapes[k];
+      if (!slopes[k].exist || (!carries[k] && !has_hinge(tree, shape, l))) continue;
       // A riding origin moves with its carrier, which stands earlier in the set.
       RideRate ride{};
       if (set.paths[k].carrier >= 0) {
@@ -232,7 +264,7 @@ std::vector<ArmDerivatives> arm_derivatives(const Tree<double>& tree,
         ride = ride_rate(shape, carrier,
                          shortened(turn.rate, carrier, static_cast<std::size_t>(shape.ride_span)));
       }
-      runs[k] = span_rates(turn.rate, shape, chains[k], &ride.x_dot);
+      span_rates(turn.rate, shape, chains[k], &ride.x_dot, carries[k], room, runs[k]);
       // Rate of each span's share of the arms.
       for (const SpanRate& run : runs[k]) {
         if (run.span->link_b != kRiding) {

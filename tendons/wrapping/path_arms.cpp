@@ -198,6 +198,17 @@ void path_arms(const Tree<double>& tree, const TreeState<double>& state, const P
     add_path(tree, state, set, shapes, k, R.row(static_cast<Eigen::Index>(k)));
 }
 
+void path_arms(const Tree<double>& tree, const TreeState<double>& state, const PathSet& set,
+               const std::vector<PathShape>& shapes, const std::vector<int>& rows,
+               Eigen::Ref<Eigen::MatrixXd> R) {
+  require(rows.size() == shapes.size(), "{} paths have {} rows", shapes.size(), rows.size());
+  for (std::size_t k = 0; k < shapes.size(); ++k) {
+    if (rows[k] < 0) continue;
+    R.row(rows[k]).setZero();
+    add_path(tree, state, set, shapes, k, R.row(rows[k]));
+  }
+}
+
 std::vector<LinkWrench> path_wrenches(const TreeState<double>& state, const PathSet& set,
                                       const std::vector<PathShape>& shapes, std::size_t path) {
   // The tendon itself.

@@ -102,19 +102,28 @@ void nudge(std::vector<ChainArc>& chain, int attempt) {
 }  // namespace
 
 PathSolver::PathSolver(const PathSet& set)
-    : set_(&set), X_(set.surfaces.size()), far_(set.paths.size()), shapes_(set.paths.size()) {
-  for (const WrappedPath& path : set.paths) rigid_.push_back(rigid_lengths(path));
+    : set_(&set),
+      X_(set.surfaces.size()),
+      far_(set.paths.size()),
+      carries_(set.paths.size(), false),
+      shapes_(set.paths.size()) {
+  for (const WrappedPath& path : set.paths) {
+    rigid_.push_back(rigid_lengths(path));
+    if (path.carrier >= 0) carries_[static_cast<std::size_t>(path.carrier)] = true;
+  }
   // Points that can turn about a cylinder beside them, with their angle at the reference posture.
   for (std::size_t p = 0; p < set.paths.size(); ++p) {
     const WrappedPath& path = set.paths[p];
+    far_[p].resize(path.bends.size());
     for (std::size_t k = 0; k < path.bends.size(); ++k)
       for (const PathWrap& bend : path.bends[k]) {
         const BoneSurface& surface = set.surfaces[static_cast<std::size_t>(bend.surface)];
         if (surface.shape != SurfaceShape::kCylinder) continue;
-        for (const std::size_t point : {k, k + 1}) {
-          if (path.points[point].link == surface.link) continue;  // it never moves round it
-          const Vector3d at = surface.X.inverse() * path.points[point].p;
-          far_[p].push_back({point, bend.surface, at.head<2>(), bend.side_S.head<2>()});
+        for (const bool at_b : {false, true}) {
+          const WrapPoint& point = path.points[at_b ? k + 1 : k];
+          if (point.link == surface.link) continue;  // it never moves round it
+          const Vector3d at = surface.X.inverse() * point.p;
+          far_[p][k].push_back({at_b, bend.surface, at.head<2>(), bend.side_S.head<2>()});
         }
       }
   }
@@ -126,26 +135,25 @@ PathSolver::PathSolver(const PathSet& set)
 }
 
 const std::vector<PathShape>& PathSolver::solve(const TreeState<double>& state) {
+  return solve(state, /*all=*/true);
+}
+
+const std::vector<PathShape>& PathSolver::solve_for_arms(const TreeState<double>& state) {
+  return solve(state, /*all=*/false);
+}
+
+const std::vector<PathShape>& PathSolver::solve(const TreeState<double>& state, bool all) {
   for (std::size_t i = 0; i < X_.size(); ++i) {
     const BoneSurface& surface = set_->surfaces[i];
     X_[i] =
         surface.link < 0 ? surface.X : state[static_cast<std::size_t>(surface.link)].X * surface.X;
   }
-  for (std::size_t k = 0; k < shapes_.size(); ++k) solve_path(k, state);
+  for (std::size_t k = 0; k < shapes_.size(); ++k)
+    solve_path(k, state, all || carries_[k] || set_->paths[k].carrier >= 0);
   return shapes_;
 }
 
-/// Joints turn by less than half a turn, so the reference posture tells which way a point came.
-bool PathSolver::has_crossed(std::size_t path, const TreeState<double>& state) const {
-  return std::any_of(far_[path].begin(), far_[path].end(), [&](const FarSide& far) {
-    const WrapPoint& point = set_->paths[path].points[far.point];
-    const Pose<double>& X = X_[static_cast<std::size_t>(far.surface)];
-    const Vector3d p = X.R.transpose() * (moved(state, point.link, point.p) - X.p);
-    return crossed_far_side(far.side, far.reference, p.head<2>());
-  });
-}
-
-void PathSolver::solve_path(std::size_t k, const TreeState<double>& state) {
+void PathSolver::solve_path(std::size_t k, const TreeState<double>& state, bool all) {
   const WrappedPath& path = set_->paths[k];
   PathShape& shape = shapes_[k];
   // Start from an empty path.
@@ -155,40 +163,71 @@ void PathSolver::solve_path(std::size_t k, const TreeState<double>& state) {
   shape.ride_span = -1;
   shape.spans.clear();
   shape.arcs.clear();
+  crossed_ = false;
   // Runs in turn, from the insertion to the origin.
-  Vector3d a = moved(state, path.points[0].link, path.points[0].p);
-  for (std::size_t i = 1; i < path.points.size(); ++i) {
-    const WrapPoint& point = path.points[i];
-    Vector3d b = moved(state, point.link, point.p);
-    int link = point.link;
-    // An origin that rides lies on its carrier's path, which is solved by now.
-    if (path.carrier >= 0 && i + 1 == path.points.size()) {
-      const PathShape& carrier = shapes_[static_cast<std::size_t>(path.carrier)];
-      const Ridden ridden = ride_on(*set_, state, carrier, path.ride);
-      b = ridden.p;
-      link = kRiding;
-      shape.ride_span = ridden.span;
-      shape.error = std::max(shape.error, carrier.error);  // a rider is no better than its carrier
-      shape.depth = std::max(shape.depth, carrier.depth);
-      if (ridden.on_arc) shape.status = PathStatus::kRidesOnBend;
-      for (const PathArc& arc : carrier.arcs)
-        if (arc.after == ridden.span || arc.after + 1 == ridden.span)
-          shape.status = PathStatus::kRidesOnBend;
+  PathEnds ends{};
+  const auto place = [&](const WrapPoint& point) { return moved(state, point.link, point.p); };
+  for (std::size_t i = 0; i + 1 < path.points.size(); ++i) {
+    const WrapPoint &from = path.points[i], &to = path.points[i + 1];
+    const bool follows = i > 0 && (all || rigid_[k][i - 1] < 0);  // its begin is known by now
+    if (!all && rigid_[k][i] >= 0) {
+      shape.length += rigid_[k][i];
+      continue;
     }
-    add_run(path.bends[i - 1], {path.points[i - 1].link, link, a, b, rigid_[k][i - 1]}, shape);
-    a = b;
+    ends.a = follows ? ends.b : place(from);
+    ends.b = place(to);
+    ends.link_a = from.link;
+    ends.link_b = to.link;
+    ends.length = rigid_[k][i];
+    ends.far = &far_[k][i];
+    // An origin that rides lies on its carrier's path, which is solved by now.
+    if (path.carrier >= 0 && i + 2 == path.points.size()) {
+      crossed_ = crossed_ || has_crossed(ends);
+      ride(k, state, ends, shape);
+    }
+    add_run(path.bends[i], ends, shape);
   }
   // The worst finding decides the status.
   if (!std::isfinite(shape.length)) shape.error = 1;
-  if (has_crossed(k, state)) shape.status = PathStatus::kFarSideWrap;
+  if (crossed_) shape.status = PathStatus::kFarSideWrap;
   if (!(shape.error <= kTangent)) shape.status = PathStatus::kStalled;
   if (!(shape.depth <= kInside)) shape.status = PathStatus::kPointInside;
+}
+
+/// Moves the origin of a path that rides to its carrier.
+void PathSolver::ride(std::size_t k, const TreeState<double>& state, PathEnds& last,
+                      PathShape& shape) const {
+  const WrappedPath& path = set_->paths[k];
+  const PathShape& carrier = shapes_[static_cast<std::size_t>(path.carrier)];
+  const Ridden ridden = ride_on(*set_, state, carrier, path.ride);
+  static const std::vector<FarSide> kNone;
+  last.b = ridden.p;
+  last.link_b = kRiding;
+  last.far = &kNone;  // its point as it is fixed was looked at
+  shape.ride_span = ridden.span;
+  shape.error = std::max(shape.error, carrier.error);  // a rider is no better than its carrier
+  shape.depth = std::max(shape.depth, carrier.depth);
+  if (ridden.on_arc) shape.status = PathStatus::kRidesOnBend;
+  for (const PathArc& arc : carrier.arcs)
+    if (arc.after == ridden.span || arc.after + 1 == ridden.span)
+      shape.status = PathStatus::kRidesOnBend;
+}
+
+/// Whether an end of a run went round the far side of a cylinder beside it. Joints turn by less
+/// than half a turn, so the reference posture tells which way it came.
+bool PathSolver::has_crossed(const PathEnds& ends) const {
+  return std::any_of(ends.far->begin(), ends.far->end(), [&](const FarSide& far) {
+    const Pose<double>& X = X_[static_cast<std::size_t>(far.surface)];
+    const Vector3d p = X.R.transpose() * ((far.at_b ? ends.b : ends.a) - X.p);
+    return crossed_far_side(far.side, far.reference, p.head<2>());
+  });
 }
 
 void PathSolver::add_run(const std::vector<PathWrap>& bends, const PathEnds& ends,
                          PathShape& shape) {
   // One round surface is solved in closed form.
   if (bends.size() == 1 && add_round(bends[0], ends, shape)) return;
+  crossed_ = crossed_ || has_crossed(ends);
   // Ends that lie inside a surface.
   for (const PathWrap& bend : bends) {
     const auto i = static_cast<std::size_t>(bend.surface);
@@ -224,6 +263,9 @@ bool PathSolver::add_round(const PathWrap& bend, const PathEnds& ends, PathShape
   const Pose<double>& X = X_[i];
   const Vector3d a_S = X.R.transpose() * (ends.a - X.p), b_S = X.R.transpose() * (ends.b - X.p);
   shape.depth = std::max({shape.depth, depth_of(surface, a_S), depth_of(surface, b_S)});
+  for (const FarSide& far : *ends.far)
+    crossed_ =
+        crossed_ || crossed_far_side(far.side, far.reference, (far.at_b ? b_S : a_S).head<2>());
   const auto wrap = wrap_round(surface, a_S, b_S, bend.side_S);
   // The string misses the surface: one straight span.
   if (!wrap) {

@@ -67,13 +67,23 @@ class PathSolver {
   /// @return one shape a path, in the order of the set; overwritten by the next call
   const std::vector<PathShape>& solve(const TreeState<double>& state);
 
+  /// The same without the runs between points of one link, which make no arm; paths that carry or
+  /// ride have theirs. Lengths and all else are those of solve().
+  const std::vector<PathShape>& solve_for_arms(const TreeState<double>& state);
+
   [[nodiscard]] const PathSet& set() const { return *set_; }
 
  private:
+  struct FarSide {  // of one cylinder and one point beside it
+    bool at_b;      // the point is the run's second
+    int surface;
+    Eigen::Vector2d reference, side;  // across the axis, at the reference posture (2)
+  };
   struct PathEnds {  // of a run between two points
     int link_a, link_b;
     Eigen::Vector3d a, b;
-    double length;  // if it is rigid; negative otherwise [m]
+    double length;                    // if it is rigid; negative otherwise [m]
+    const std::vector<FarSide>* far;  // of the run
   };
   struct Slot {  // one surface of the run in work
     bool on = false;
@@ -81,13 +91,10 @@ class PathSolver {
     ChainArc link;
     Eigen::Vector3d touch_a, touch_b;  // world [m] (3)
   };
-  struct FarSide {  // of one cylinder and one point beside it
-    std::size_t point;
-    int surface;
-    Eigen::Vector2d reference, side;  // across the axis, at the reference posture (2)
-  };
-  [[nodiscard]] bool has_crossed(std::size_t path, const TreeState<double>& state) const;
-  void solve_path(std::size_t k, const TreeState<double>& state);
+  const std::vector<PathShape>& solve(const TreeState<double>& state, bool all);
+  void solve_path(std::size_t k, const TreeState<double>& state, bool all);
+  void ride(std::size_t k, const TreeState<double>& state, PathEnds& last, PathShape& shape) const;
+  [[nodiscard]] bool has_crossed(const PathEnds& ends) const;
   void add_run(const std::vector<PathWrap>& bends, const PathEnds& ends, PathShape& shape);
   bool add_round(const PathWrap& bend, const PathEnds& ends, PathShape& shape);
   void tighten(const std::vector<PathWrap>& bends, const Eigen::Vector3d& a,
@@ -110,7 +117,9 @@ class PathSolver {
   const PathSet* set_;
   std::vector<Pose<double>> X_;             // X_WS of each surface
   std::vector<std::vector<double>> rigid_;  // length of each run of each path; negative: it changes
-  std::vector<std::vector<FarSide>> far_;   // of each path
+  std::vector<std::vector<std::vector<FarSide>>> far_;  // of each run of each path
+  std::vector<bool> carries_;                           // (paths)
+  bool crossed_ = false;                                // a point of the path in work
   std::vector<PathShape> shapes_;
   std::vector<Slot> slots_;
   std::vector<ChainArc> chain_;   // those that touch

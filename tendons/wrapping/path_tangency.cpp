@@ -20,11 +20,8 @@ using Unknowns = Eigen::Matrix<double, Eigen::Dynamic, 1, 0, kMaxUnknowns, 1>;
 using Row4 = Eigen::Matrix<double, 1, 4>;
 using Map34 = Eigen::Matrix<double, 3, 4>;
 
-/// An end of an arc in the world, and how it moves with (along, across, turn, lengthen).
-struct ArcEnd {
-  Vector3d p, t, n, b;
-  Map34 dp, dn, db;
-};
+using internal::ArcEnd;
+using internal::ArcEnds;
 
 /// How the frame of an end follows its own shift (sigma along, eta across) and turn omega:
 ///   dp = sigma t + eta b,  dn = S dp,  db = -omega t - (b . dn) n.
@@ -45,10 +42,6 @@ ArcEnd end_of(const ChainArc& link, const SurfaceRay& ray, const Row4& sigma, co
   end.db = -end.t * omega - end.n * (end.b.transpose() * end.dn);
   return end;
 }
-
-struct ArcEnds {
-  ArcEnd on, off;
-};
 
 ArcEnds ends_of(const ChainArc& link) {
   const GeodesicEnd far = follow_geodesic(*link.surface, link.arc.start, link.arc.length);
@@ -88,12 +81,9 @@ void add_rows(Tangency& system, int row, int own, const ArcEnd& end, const RunEn
   }
 }
 
-Tangency tangency(const Vector3d& a, const Vector3d& b, const std::vector<ChainArc>& chain) {
-  const int m = static_cast<int>(chain.size());
-  // Ends of all arcs, with their derivatives.
-  std::array<ArcEnds, kMaxWraps> ends;
-  for (int i = 0; i < m; ++i)
-    ends[static_cast<std::size_t>(i)] = ends_of(chain[static_cast<std::size_t>(i)]);
+/// @param ends  of all arcs, with their derivatives (arcs)
+template <typename Ends>
+Tangency tangency_of(const Vector3d& a, const Vector3d& b, const Ends& ends, int m) {
   // Four conditions a surface; its runs end at its neighbours, or at a and b.
   Tangency system{Unknowns::Zero(4 * m), System::Zero(4 * m, 4 * m)};
   for (int i = 0; i < m; ++i) {
@@ -108,6 +98,12 @@ Tangency tangency(const Vector3d& a, const Vector3d& b, const std::vector<ChainA
     add_rows(system, 4 * i + 2, 4 * i, here.off, to_after, -1);
   }
   return system;
+}
+
+Tangency tangency(const Vector3d& a, const Vector3d& b, const std::vector<ChainArc>& chain) {
+  std::array<ArcEnds, kMaxWraps> ends;
+  for (std::size_t i = 0; i < chain.size(); ++i) ends[i] = ends_of(chain[i]);
+  return tangency_of(a, b, ends, static_cast<int>(chain.size()));
 }
 
 /// Moves one arc by (along, across, turn, lengthen).
@@ -191,42 +187,41 @@ Eigen::Vector2d carried_rate(const ArcEnd& end, const BodyTwist& on, const Vecto
 
 }  // namespace
 
-ChainTangent::ChainTangent(Vector3d a, Vector3d b, std::vector<ChainArc> chain)
-    : a_(std::move(a)), b_(std::move(b)), chain_(std::move(chain)) {
+ChainTangent::ChainTangent(Vector3d a, Vector3d b, const std::vector<ChainArc>& chain)
+    : a_(std::move(a)), b_(std::move(b)) {
   constexpr double kSingular = 1e-12;  // reciprocal condition
+  ends_.reserve(chain.size());
+  for (const ChainArc& link : chain) ends_.push_back(ends_of(link));
   // Regular only if the Jacobian of the conditions is well conditioned.
-  const System J = tangency(a_, b_, chain_).J;
+  const System J = tangency_of(a_, b_, ends_, static_cast<int>(ends_.size())).J;
   if (!J.allFinite()) return;
   factor_.compute(J);
   regular_ = factor_.rcond() > kSingular;
 }
 
-std::vector<TouchRate> ChainTangent::rates(const Vector3d& a_dot, const Vector3d& b_dot,
-                                           const std::vector<BodyTwist>& on) const {
-  const std::size_t m = chain_.size();
+void ChainTangent::rates(const Vector3d& a_dot, const Vector3d& b_dot,
+                         const std::vector<BodyTwist>& on, std::vector<TouchRate>& out) const {
+  const std::size_t m = ends_.size();
   // Rates of the conditions while surfaces and ends move and arcs stay.
-  std::vector<ArcEnds> ends;
-  for (const ChainArc& link : chain_) ends.push_back(ends_of(link));
   Unknowns f(4 * static_cast<Eigen::Index>(m));
   for (std::size_t i = 0; i < m; ++i) {
     const auto row = 4 * static_cast<Eigen::Index>(i);
-    const Vector3d& before = i > 0 ? ends[i - 1].off.p : a_;
-    const Vector3d& after = i + 1 < m ? ends[i + 1].on.p : b_;
+    const Vector3d& before = i > 0 ? ends_[i - 1].off.p : a_;
+    const Vector3d& after = i + 1 < m ? ends_[i + 1].on.p : b_;
     f.segment<2>(row) =
-        carried_rate(ends[i].on, on[i], before, i > 0 ? on[i - 1].at(before) : a_dot, 1);
+        carried_rate(ends_[i].on, on[i], before, i > 0 ? on[i - 1].at(before) : a_dot, 1);
     f.segment<2>(row + 2) =
-        carried_rate(ends[i].off, on[i], after, i + 1 < m ? on[i + 1].at(after) : b_dot, -1);
+        carried_rate(ends_[i].off, on[i], after, i + 1 < m ? on[i + 1].at(after) : b_dot, -1);
   }
   // Arcs vary so that the conditions stay fulfilled.
   const Unknowns x = -factor_.solve(f);
   // A touch point moves with its surface and along it.
-  std::vector<TouchRate> rates;
+  out.clear();
   for (std::size_t i = 0; i < m; ++i) {
     const Eigen::Vector4d vary = x.segment<4>(4 * static_cast<Eigen::Index>(i));
-    rates.push_back({on[i].at(ends[i].on.p) + ends[i].on.dp * vary,
-                     on[i].at(ends[i].off.p) + ends[i].off.dp * vary});
+    out.push_back({on[i].at(ends_[i].on.p) + ends_[i].on.dp * vary,
+                   on[i].at(ends_[i].off.p) + ends_[i].off.dp * vary});
   }
-  return rates;
 }
 
 }  // namespace internal

@@ -39,6 +39,16 @@ struct ChainFit {
 
 namespace internal {
 
+/// An end of an arc in the world: its place, the string's direction, the surface's normal and the
+/// direction across, with their derivatives by the natural variations of the arc.
+struct ArcEnd {
+  Eigen::Vector3d p, t, n, b;              // [m], unit (3)
+  Eigen::Matrix<double, 3, 4> dp, dn, db;  // by shift along, across, turn and lengthening (3, 4)
+};
+struct ArcEnds {
+  ArcEnd on, off;
+};
+
 /// Velocities of the touch points of one arc, world [m/s] (3).
 struct TouchRate {
   Eigen::Vector3d on, off;
@@ -52,7 +62,7 @@ class ChainTangent {
  public:
   /// @param a, b   ends of the string, world [m] (3)
   /// @param chain  tangent already, as solve_tangency() leaves it; at most kMaxWraps
-  ChainTangent(Eigen::Vector3d a, Eigen::Vector3d b, std::vector<ChainArc> chain);
+  ChainTangent(Eigen::Vector3d a, Eigen::Vector3d b, const std::vector<ChainArc>& chain);
 
   /// Whether the touch points are determined: not where a free run has no length, nor for a string
   /// half round a sphere.
@@ -60,16 +70,16 @@ class ChainTangent {
 
   /// @param a_dot, b_dot  velocities of the ends [m/s] (3)
   /// @param on            of the surfaces (arcs)
-  [[nodiscard]] std::vector<TouchRate> rates(const Eigen::Vector3d& a_dot,
-                                             const Eigen::Vector3d& b_dot,
-                                             const std::vector<BodyTwist>& on) const;
+  /// @param out           written over (arcs)
+  void rates(const Eigen::Vector3d& a_dot, const Eigen::Vector3d& b_dot,
+             const std::vector<BodyTwist>& on, std::vector<TouchRate>& out) const;
 
  private:
   static constexpr int kMax = 4 * kMaxWraps;
   using System = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, kMax, kMax>;
 
   Eigen::Vector3d a_, b_;
-  std::vector<ChainArc> chain_;
+  std::vector<ArcEnds> ends_;  // of all arcs
   Eigen::PartialPivLU<System> factor_;
   bool regular_ = false;
 };

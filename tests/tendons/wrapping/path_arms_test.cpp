@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include "base/error.h"
 #include "tests/matrix_near.h"
 #include "tests/tendons/wrapping/wrap_samples.h"
 
@@ -117,6 +118,37 @@ TEST(PathArms, GiveThePathsVelocity) {
                            sample::length_at(tree, set, kBentFinger - h * q_dot)) /
                           (2 * h);
   EXPECT_NEAR(path_velocity(tree, posed.state, set, posed.shapes, 0, q_dot), measured, 1e-9);
+}
+
+// Runs within one bone make no arm: without them arms are the very bits, and the length stays.
+// Paths that carry keep them.
+TEST(PathArms, NeedNoRunsWithinOneBone) {
+  const Tree<double> tree = sample::finger();
+  const TreeState<double> state = pose_tree(tree, kBentFinger);
+  for (const bool carries : {false, true}) {
+    PathSet set = lumbrical();
+    if (!carries) set.paths.pop_back();
+    const PosedPath whole = pose(tree, set, kBentFinger);
+    PathSolver solver(set);
+    const std::vector<PathShape>& shapes = solver.solve_for_arms(state);
+    MatrixXd R(whole.R.rows(), whole.R.cols());
+    path_arms(tree, state, set, shapes, R);
+    EXPECT_EQ(R, whole.R);
+    EXPECT_NEAR(shapes[0].length, whole.shapes[0].length, 1e-16);
+    EXPECT_EQ(whole.shapes[0].spans.size(), 4U);
+    EXPECT_EQ(shapes[0].spans.size(), carries ? 4U : 3U);
+  }
+}
+
+TEST(PathArms, GoToTheRowsTheyAreGiven) {
+  const PathSet set = lumbrical();
+  const Tree<double> tree = sample::finger();
+  const PosedPath posed = pose(tree, set, kBentFinger);
+  MatrixXd R = MatrixXd::Constant(4, 3, 7);
+  path_arms(tree, posed.state, set, posed.shapes, {-1, 2}, R);
+  EXPECT_EQ(R.row(2), posed.R.row(1));
+  for (const int row : {0, 1, 3}) EXPECT_TRUE((R.row(row).array() == 7).all());
+  EXPECT_THROW(path_arms(tree, posed.state, set, posed.shapes, {0}, R), InputError);
 }
 
 }  // namespace
