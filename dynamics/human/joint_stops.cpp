@@ -25,12 +25,14 @@ std::unique_ptr<ForceElement> JointStops::clone() const {
 
 bool JointStops::act(const ElementInput& at, ElementAction& out) {
   if (at.need == ElementNeed::kStates) return true;
-  const Eigen::VectorXd q = at.q(places_.q);
-  out.tau(places_.v) += resistance_torque(limits_, resistance_, q);
-  if (at.need == ElementNeed::kRates) return true;
-  const Eigen::VectorXd slope = resistance_derivative(limits_, resistance_, q);
-  for (std::size_t i = 0; i < places_.v.size(); ++i)
-    out.stiffness(places_.v[i], places_.v[i]) -= slope[static_cast<Eigen::Index>(i)];
+  for (std::size_t i = 0; i < limits_.limits.size(); ++i) {
+    const CoordinateLimits& limits = limits_.limits[i];
+    const double angle = at.q[places_.q[i]];
+    const int v = places_.v[i];
+    out.tau[v] += stop_torque(resistance_, limits, angle);
+    if (at.need == ElementNeed::kAll)
+      out.stiffness(v, v) -= stop_derivative(resistance_, limits, angle);
+  }
   return true;
 }
 

@@ -31,11 +31,21 @@ double limit_energy(const JointResistance& stop, double d) {
 
 }  // namespace
 
+double stop_torque(const JointResistance& resistance, const CoordinateLimits& limits,
+                   double angle) {
+  return limit_torque(resistance, beyond(limits, angle));
+}
+
+double stop_derivative(const JointResistance& resistance, const CoordinateLimits& limits,
+                       double angle) {
+  return limit_derivative(resistance, beyond(limits, angle));
+}
+
 VectorXd resistance_torque(const Skeleton& skeleton, const JointResistance& resistance,
                            const VectorXd& q) {
   VectorXd tau = passive_torque(skeleton, q);
   for (Eigen::Index i = 0; i < q.size(); ++i)
-    tau[i] += limit_torque(resistance, beyond(skeleton.limits[static_cast<std::size_t>(i)], q[i]));
+    tau[i] += stop_torque(resistance, skeleton.limits[static_cast<std::size_t>(i)], q[i]);
   return tau;
 }
 
@@ -43,7 +53,7 @@ VectorXd resistance_derivative(const Skeleton& skeleton, const JointResistance& 
                                const VectorXd& q) {
   return VectorXd::NullaryExpr(q.size(), [&](Eigen::Index i) {
     const CoordinateLimits& limits = skeleton.limits[static_cast<std::size_t>(i)];
-    return -limits.stiffness + limit_derivative(resistance, beyond(limits, q[i]));
+    return -limits.stiffness + stop_derivative(resistance, limits, q[i]);
   });
 }
 

@@ -17,6 +17,14 @@ struct JointResistance {
   double damping = 0.002;  // of joints whose subject gives none [N m s/rad]
 };
 
+/// Torque of one joint's stops at an angle, 0 within its range [N m].
+[[nodiscard]] double stop_torque(const JointResistance& resistance, const CoordinateLimits& limits,
+                                 double angle);
+
+/// d stop_torque / d angle [N m/rad].
+[[nodiscard]] double stop_derivative(const JointResistance& resistance,
+                                     const CoordinateLimits& limits, double angle);
+
 /// Torque of springs and stops [N m] (coordinates); the damping is apart.
 [[nodiscard]] Eigen::VectorXd resistance_torque(const Skeleton& skeleton,
                                                 const JointResistance& resistance,
