@@ -169,16 +169,23 @@ double isometric_projected_fibre(const Musculotendon& muscle, const HillOptions&
   return low;
 }
 
-double activation_rate(double excitation, double activation, const ActivationTimes& times) {
+ActivationRate activation_rate_with_slope(double excitation, double activation,
+                                          const ActivationTimes& times) {
   const double wanted = excitation - activation, speed = 0.5 + 1.5 * activation;
-  return wanted > 0 ? wanted / (times.rise * speed) : wanted * speed / times.fall;
+  if (wanted > 0) {
+    const double inverse = 1 / (times.rise * speed), rate = wanted * inverse;
+    return {rate, -(1 + 1.5 * times.rise * rate) * inverse};
+  }
+  return {wanted * speed / times.fall, (1.5 * wanted - speed) / times.fall};
+}
+
+double activation_rate(double excitation, double activation, const ActivationTimes& times) {
+  return activation_rate_with_slope(excitation, activation, times).rate;
 }
 
 double activation_rate_derivative(double excitation, double activation,
                                   const ActivationTimes& times) {
-  const double wanted = excitation - activation, speed = 0.5 + 1.5 * activation;
-  if (wanted > 0) return -(1 + 1.5 * wanted / speed) / (times.rise * speed);
-  return (1.5 * wanted - speed) / times.fall;
+  return activation_rate_with_slope(excitation, activation, times).by_activation;
 }
 
 }  // namespace thenar

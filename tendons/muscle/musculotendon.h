@@ -123,6 +123,14 @@ struct ActivationTimes {
 [[nodiscard]] double activation_rate(double excitation, double activation,
                                      const ActivationTimes& times);
 
+/// activation_rate() and activation_rate_derivative() at once.
+struct ActivationRate {
+  double rate;           // [1/s]
+  double by_activation;  // [1/s]
+};
+[[nodiscard]] ActivationRate activation_rate_with_slope(double excitation, double activation,
+                                                        const ActivationTimes& times);
+
 /// d activation_rate / d activation [1/s]; at a = e, where the rate has a corner, the
 /// derivative of the branch of falling activation.
 [[nodiscard]] double activation_rate_derivative(double excitation, double activation,

@@ -15,15 +15,17 @@ class RigidTensions : public TensionSolver {
   RigidTensions(const std::vector<Musculotendon>& muscles, const HillOptions& options)
       : damping_(options.damping) {
     const auto n = static_cast<Index>(muscles.size());
-    for (VectorXd* each : {&F0_, &slack_, &optimum_, &sine_, &top_}) each->resize(n);
+    for (VectorXd* each : {&F0_, &slack_, &per_optimum_, &sine_, &per_top_}) each->resize(n);
     for (VectorXd* each : {&fibre_, &along_, &turn_, &v_}) each->setZero(n);
     for (Index m = 0; m < n; ++m) {
       const Musculotendon& muscle = muscles[static_cast<std::size_t>(m)];
       F0_[m] = muscle.F0;
       slack_[m] = muscle.slack;
-      optimum_[m] = muscle.optimal_fibre_length;
+      // Muscles whose tension is given may have no fibres.
+      const double optimum = muscle.optimal_fibre_length;
+      per_optimum_[m] = optimum > 0 ? 1 / optimum : 0;
       sine_[m] = std::sin(muscle.pennation);
-      top_[m] = options.max_velocity * muscle.optimal_fibre_length;
+      per_top_[m] = per_optimum_[m] / options.max_velocity;
     }
   }
 
@@ -51,11 +53,11 @@ class RigidTensions : public TensionSolver {
       // None where the tension is cut off.
       const double F0 = out.tension[m] > 0 ? F0_[m] : 0, along = along_[m];
       const double by_length =
-          (f_l * along / optimum_[m] + f_v * at.velocity[m] * turn_[m] / top_[m]) * along +
+          (f_l * along * per_optimum_[m] + f_v * at.velocity[m] * turn_[m] * per_top_[m]) * along +
           f * turn_[m];
       out.by_activation[m] = F0 > 0 ? F0 * fl * fv * along : 0;
       out.by_length[m] = F0 > 0 ? F0 * by_length : 0;
-      out.by_velocity[m] = F0 > 0 ? F0 * f_v * along * along / top_[m] : 0;
+      out.by_velocity[m] = F0 > 0 ? F0 * f_v * along * along * per_top_[m] : 0;
     }
   }
 
@@ -66,24 +68,25 @@ class RigidTensions : public TensionSolver {
       length_ = at.length;
       for (Index m = 0; m < length_.size(); ++m) {
         // fibre / optimum; cosine of its angle, and the derivative of that by projected fibre.
-        const double part = (length_[m] - slack_[m]) / optimum_[m], s = sine_[m];
+        const double part = (length_[m] - slack_[m]) * per_optimum_[m], s = sine_[m];
         const double l = std::sqrt(part * part + s * s);
         fibre_[m] = l;
         along_[m] = part / l;
-        turn_[m] = s * s / (optimum_[m] * l * l * l);
+        turn_[m] = s * s * per_optimum_[m] / (l * l * l);
       }
       set_length_forces(fibre_, by_length_);
     }
-    for (Index m = 0; m < length_.size(); ++m) v_[m] = at.velocity[m] * along_[m] / top_[m];
+    for (Index m = 0; m < length_.size(); ++m) v_[m] = at.velocity[m] * along_[m] * per_top_[m];
     set_speed_forces(v_, by_speed_);
   }
 
   double damping_;  // [1]
-  // Constants: of Musculotendon, sine of the pennation, largest speed [m/s] (muscles).
-  VectorXd F0_, slack_, optimum_, sine_, top_;
-  VectorXd length_;                // at which the fibres were found [m] (muscles)
-  VectorXd fibre_, along_, turn_;  // [1], [1], [1/m] (muscles)
-  VectorXd v_;                     // over the largest speed [1] (muscles)
+  // Of Musculotendon, and the sine of the pennation (muscles).
+  VectorXd F0_, slack_, sine_;
+  VectorXd per_optimum_, per_top_;  // 1 / optimal length [1/m], 1 / largest speed [s/m] (muscles)
+  VectorXd length_;                 // at which the fibres were found [m] (muscles)
+  VectorXd fibre_, along_, turn_;   // [1], [1], [1/m] (muscles)
+  VectorXd v_;                      // over the largest speed [1] (muscles)
   LengthForces by_length_;
   SpeedForces by_speed_;
 };
