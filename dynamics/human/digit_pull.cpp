@@ -21,21 +21,6 @@ constexpr double kFarTension = 0.1;    // likewise, of the tension [1], and
 constexpr double kSomeTension = 0.1;   // of what counts as any [N]
 constexpr double kSettledRate = 1e-9;  // of activation [1/s], of a fibre [optimal lengths/s]
 
-/// The straight piece of a schedule that begins at or before an instant. Before its begin and after
-/// its end, where trial steps may look, it is constant.
-struct SchedulePiece {
-  double begin = 0, end = std::numeric_limits<double>::infinity();  // [s]
-  double value = 0, last = 0;                                       // at begin and end
-
-  [[nodiscard]] double slope() const { return (last - value) / (end - begin); }  // [1/s]
-  /// Between both values to the last bit: tensions that end at 0 are never below it.
-  [[nodiscard]] double at(double t) const {
-    const double part = std::clamp((t - begin) / (end - begin), 0.0, 1.0);
-    return part < 1 ? std::clamp(value + part * (last - value), std::min(value, last),
-                                 std::max(value, last))
-                    : last;
-  }
-};
 SchedulePiece constant_piece(double begin, double value) {
   SchedulePiece piece;
   piece.begin = begin;
@@ -51,11 +36,32 @@ SchedulePiece piece_at(const MuscleSchedule& schedule, double from) {
   return {schedule.time[k], schedule.time[k + 1], schedule.value[k], schedule.value[k + 1]};
 }
 
-/// The piece of a muscle among schedules; zero where none acts.
-SchedulePiece piece_of(const std::vector<MuscleSchedule>& schedules, int muscle, double from) {
+/// The pieces of all muscles; zero where no schedule acts.
+void set_pieces_of(const std::vector<MuscleSchedule>& schedules, double from,
+                   std::vector<SchedulePiece>& pieces) {
+  for (SchedulePiece& piece : pieces) piece = {};
   for (const MuscleSchedule& schedule : schedules)
-    if (schedule.muscle == muscle && schedule.when.holds(from)) return piece_at(schedule, from);
-  return {};
+    if (schedule.when.holds(from))
+      pieces[static_cast<std::size_t>(schedule.muscle)] = piece_at(schedule, from);
+}
+
+/// Entries of a list, written over `out`.
+void gather(const VectorXd& from, const std::vector<int>& places, VectorXd& out) {
+  out.resize(static_cast<Index>(places.size()));
+  Index next = 0;
+  for (const int place : places) out[next++] = from[place];
+}
+VectorXd gathered(const VectorXd& from, const std::vector<int>& places) {
+  VectorXd out;
+  gather(from, places, out);
+  return out;
+}
+
+/// Adds a matrix at some places of another.
+void scatter(const MatrixXd& added, const std::vector<int>& places, MatrixXd& out) {
+  for (Index j = 0; j < added.cols(); ++j)
+    for (Index i = 0; i < added.rows(); ++i)
+      out(places[static_cast<std::size_t>(i)], places[static_cast<std::size_t>(j)]) += added(i, j);
 }
 
 void check_schedules(const std::vector<MuscleSchedule>& schedules, const DigitPullModel& model,
@@ -82,6 +88,14 @@ void check_schedules(const std::vector<MuscleSchedule>& schedules, const DigitPu
 
 }  // namespace
 
+double SchedulePiece::at(double t) const {
+  if (value == last) return value;
+  const double part = std::clamp((t - begin) / (end - begin), 0.0, 1.0);
+  return part < 1 ? std::clamp(value + part * (last - value), std::min(value, last),
+                               std::max(value, last))
+                  : last;
+}
+
 DigitPull::DigitPull(DigitPullModel model)
     : model_(std::make_shared<const DigitPullModel>(std::move(model))) {
   const TendonGroup& group = *model_->tendons;
@@ -101,6 +115,11 @@ DigitPull::DigitPull(DigitPullModel model)
   for (const MuscleSchedule& each : model_->excitations)
     require(contracts(each.muscle), "'{}' has a tension or cannot contract, and is excited",
             group.muscles()[static_cast<std::size_t>(each.muscle)]);
+  given_.resize(static_cast<std::size_t>(muscles_));
+  excited_ = given_;
+  now_.excitation.setZero(muscles_);
+  now_.excursion.setZero(muscles_);
+  now_.state.clear(muscles_);
   if (!model_->contraction) return;
   require(static_cast<Index>(model_->contraction->muscles().size()) == muscles_,
           "{} muscles contract, '{}' has {}", model_->contraction->muscles().size(), model_->name,
@@ -113,7 +132,18 @@ DigitPull::DigitPull(DigitPullModel model)
   for (int m = 0; m < muscles_; ++m)
     if (contracts(m)) contracting_.push_back(m);
   has_fibre_ = contraction().has_fibre_state();
+  feels_speed_ = !contracting_.empty() && contraction().depends_on_velocity();
   has_excursion_ = has_fibre_ || contraction().depends_on_velocity();
+  states_ = static_cast<Index>(contracting_.size()) *
+            (1 + (has_excursion_ ? 1 : 0) + (has_fibre_ ? 1 : 0));
+  tensions_.emplace(contraction());
+  fibre_length_.resize(muscles_);
+  length_at_optimum_.resize(muscles_);
+  for (Index m = 0; m < muscles_; ++m) {
+    const Musculotendon& muscle = contraction().muscles()[static_cast<std::size_t>(m)];
+    fibre_length_[m] = muscle.optimal_fibre_length;
+    length_at_optimum_[m] = musculotendon_length_at_optimum(muscle);
+  }
 }
 
 std::unique_ptr<ForceElement> DigitPull::clone() const {
@@ -123,10 +153,6 @@ std::unique_ptr<ForceElement> DigitPull::clone() const {
 const std::vector<std::string>& DigitPull::muscles() const { return model_->tendons->muscles(); }
 
 bool DigitPull::contracts(int muscle) const { return contracts_[static_cast<std::size_t>(muscle)]; }
-
-double DigitPull::fibre_length(int m) const {
-  return contraction().muscles()[static_cast<std::size_t>(m)].optimal_fibre_length;
-}
 
 std::vector<std::string> DigitPull::state_names() const {
   std::vector<std::string> names;
@@ -145,43 +171,54 @@ std::vector<std::string> DigitPull::state_names() const {
 
 VectorXd DigitPull::start(const VectorXd& q) const {
   const auto count = static_cast<Index>(contracting_.size());
-  VectorXd z = VectorXd::Zero(static_cast<Index>(state_names().size()));
+  VectorXd z = VectorXd::Zero(states_);
   if (!has_excursion_) return z;
   // Excursion from the reference posture, along a walk of the net; then fibres in balance.
-  const VectorXd excursion = tendons().excursion(q(model_->places.q)).e;
+  const VectorXd excursion = tendons().excursion(gathered(q, model_->places.q)).e;
   for (Index i = 0; i < count; ++i) {
     const int m = contracting_[static_cast<std::size_t>(i)];
-    const Musculotendon& muscle = contraction().muscles()[static_cast<std::size_t>(m)];
-    z[count + i] = excursion[m] / fibre_length(m);
+    z[count + i] = excursion[m] / fibre_length_[m];
     if (has_fibre_)
-      z[2 * count + i] = contraction().isometric_projected_fibre(
-                             m, 0, musculotendon_length_at_optimum(muscle) + excursion[m]) /
-                         fibre_length(m);
+      z[2 * count + i] =
+          contraction().isometric_projected_fibre(m, 0, length_at_optimum_[m] + excursion[m]) /
+          fibre_length_[m];
   }
   return z;
 }
 
 std::string DigitPull::start_warning(const VectorXd& q) const {
-  return has_excursion_ ? tendons().excursion(q(model_->places.q)).warning : "";
+  return has_excursion_ ? tendons().excursion(gathered(q, model_->places.q)).warning : "";
 }
 
 /// Tendons without a net are linear: their arms do for all tensions, and for all calls at a
 /// posture.
 void DigitPull::set_arms(const VectorXd& q) const {
   if (arms_q_.size() == q.size() && arms_q_ == q) return;
-  arms_q_.resize(0);  // should it throw
+  arms_q_.setConstant(q.size(), std::numeric_limits<double>::quiet_NaN());  // should it throw
   arms_->solve(q, now_.pull);
   arms_q_ = q;
 }
 
-/// Whether slopes by posture are known of a place nearby.
+/// Whether slopes by posture are known of a place nearby; those of arms do for all tensions.
 bool DigitPull::knows_stiffness(const VectorXd& q, const VectorXd& t) const {
-  return posture_stiffness_.size() > 0 && (q - stiffness_q_).cwiseAbs().maxCoeff() < kFarAngle &&
+  if (stiffness_q_.size() == 0) return false;
+  for (Index i = 0; i < q.size(); ++i)
+    if (!(std::abs(q[i] - stiffness_q_[i]) < kFarAngle)) return false;
+  return arm_slopes_.exist ||
          ((t - stiffness_t_).array().abs() < kFarTension * stiffness_t_.array() + kSomeTension)
              .all();
 }
 
+/// Slopes of arms at a posture. @return whether they exist there
+bool DigitPull::set_arm_slopes(const VectorXd& q) {
+  if (has_net()) return false;
+  arms_->slopes(q, arm_slopes_);
+  if (arm_slopes_.exist) stiffness_q_ = q;
+  return arm_slopes_.exist;
+}
+
 void DigitPull::set_posture_stiffness(const Now& now) {
+  if (set_arm_slopes(now.q)) return;
   const MatrixXd by_posture = tendons().torque_by_posture(now.q, now.tension, now.pull);
   posture_stiffness_ = -0.5 * (by_posture + by_posture.transpose());
   stiffness_q_ = now.q;
@@ -191,53 +228,87 @@ void DigitPull::set_posture_stiffness(const Now& now) {
 /// What is asked of a pull: a net has all its parts at once, and slopes by posture are found at
 /// the first call, whatever that is for.
 ElementNeed DigitPull::need_of(const ElementInput& at) const {
-  return has_net() || posture_stiffness_.size() == 0 ? ElementNeed::kAll : at.need;
+  return has_net() || stiffness_q_.size() == 0 ? ElementNeed::kAll : at.need;
+}
+
+/// Whether positions, speeds and states of the pull are numbers.
+bool DigitPull::is_finite(const ElementInput& at) const {
+  // Zero times what is no number is no number; sums apart, so that they do not wait for each other.
+  double of_q = 0, of_v = 0, of_z = 0;
+  for (std::size_t c = 0; c < model_->places.q.size(); ++c) {
+    of_q += 0 * at.q[model_->places.q[c]];
+    of_v += 0 * at.v[model_->places.v[c]];
+  }
+  const double* const z = at.z.data() + at.first_z;
+  for (Index i = 0; i < states_; ++i) of_z += 0 * z[i];
+  return of_q + of_v + of_z == 0;
+}
+
+/// Finds which pieces of the schedules act.
+void DigitPull::set_pieces(double acting) const {
+  if (acting_ == acting) return;
+  set_pieces_of(model_->tensions, acting, given_);
+  set_pieces_of(model_->excitations, acting, excited_);
+  acting_ = acting;
+}
+
+/// States of muscles that contract.
+void DigitPull::set_states(const ElementInput& at, Now& now) const {
+  const auto count = static_cast<Index>(contracting_.size());
+  const double* z = at.z.data() + at.first_z;
+  for (Index i = 0; i < count; ++i) {
+    const int m = contracting_[static_cast<std::size_t>(i)];
+    now.excitation[m] = excited_[static_cast<std::size_t>(m)].at(at.t);
+    now.state.activation[m] = z[i];
+    if (!has_excursion_) continue;
+    now.excursion[m] = z[count + i] * fibre_length_[m];
+    now.state.length[m] = now.excursion[m] + length_at_optimum_[m];
+    if (has_fibre_) now.state.projected_fibre[m] = z[2 * count + i] * fibre_length_[m];
+  }
+}
+
+/// Tensions, and for kAll their derivatives.
+void DigitPull::set_tensions(double t, ElementNeed need, Now& now) const {
+  if (!contracting_.empty()) {
+    if (need == ElementNeed::kAll)
+      tensions_->solver().derivatives(now.state, now.by);
+    else
+      tensions_->solver().tensions(now.state, now.by);
+  }
+  // Derivatives are those of muscles that contract.
+  for (int m = 0; need == ElementNeed::kAll && !contracting_.empty() && m < muscles_; ++m)
+    if (!contracts(m))
+      now.by.by_activation[m] = now.by.by_length[m] = now.by.by_velocity[m] =
+          now.by.by_projected_fibre[m] = 0;
+  const double base = has_net() ? model_->base_tension : 0;
+  now.tension.resize(muscles_);
+  for (int m = 0; m < muscles_; ++m)
+    now.tension[m] =
+        base + (contracts(m) ? now.by.tension[m] : given_[static_cast<std::size_t>(m)].at(t));
 }
 
 const DigitPull::Now& DigitPull::now(const ElementInput& at, ElementNeed need) const {
   Now& now = now_;
-  now.q = at.q(model_->places.q);
-  now.q_dot = at.v(model_->places.v);
-  now.excitation.setZero(muscles_);
-  now.excursion.setZero(muscles_);
-  now.tension.setZero(muscles_);
-  now.state.assign(static_cast<std::size_t>(muscles_), {});
-  now.by.assign(static_cast<std::size_t>(muscles_), {});
-  // States of muscles that contract.
-  const auto count = static_cast<Index>(contracting_.size());
-  for (Index i = 0; i < count; ++i) {
-    const int m = contracting_[static_cast<std::size_t>(i)];
-    MuscleState& state = now.state[static_cast<std::size_t>(m)];
-    now.excitation[m] = piece_of(model_->excitations, m, at.acting).at(at.t);
-    state.activation = at.z[at.first_z + i];
-    if (!has_excursion_) continue;
-    now.excursion[m] = at.z[at.first_z + count + i] * fibre_length(m);
-    state.length = now.excursion[m] + musculotendon_length_at_optimum(
-                                          contraction().muscles()[static_cast<std::size_t>(m)]);
-    if (has_fibre_) state.projected_fibre = at.z[at.first_z + 2 * count + i] * fibre_length(m);
+  gather(at.q, model_->places.q, now.q);
+  gather(at.v, model_->places.v, now.q_dot);
+  set_pieces(at.acting);
+  set_states(at, now);
+  // Without a net arms come first: they do not depend on tension, but tensions may on velocity.
+  if (!has_net()) {
+    set_arms(now.q);
+    now.stretch.noalias() = -now.pull.R.lazyProduct(now.q_dot);
   }
-  // Where tension depends on velocity, arms come first; there they do not depend on tension.
-  if (!has_net()) set_arms(now.q);
-  if (count > 0 && contraction().depends_on_velocity()) {
-    now.stretch = -(now.pull.R * now.q_dot);
-    for (const int m : contracting_)
-      now.state[static_cast<std::size_t>(m)].velocity = now.stretch[m];
-  }
+  if (feels_speed_)
+    for (const int m : contracting_) now.state.velocity[m] = now.stretch[m];
   if (need == ElementNeed::kStates) return now;
-  // Tensions, and their slopes.
-  for (int m = 0; m < muscles_; ++m) {
-    const auto k = static_cast<std::size_t>(m);
-    if (need == ElementNeed::kAll && contracts(m))
-      now.by[k] = contraction().tension_derivatives(m, now.state[k]);
-    now.tension[m] = (has_net() ? model_->base_tension : 0) +
-                     (contracts(m) ? contraction().tension(m, now.state[k])
-                                   : piece_of(model_->tensions, m, at.acting).at(at.t));
-  }
+  set_tensions(at.t, need, now);
   if (!now.tension.allFinite()) return now;
-  if (has_net())
+  if (has_net()) {
     now.pull = tendons().evaluate(now.q, now.tension, last_nodes_);
-  else
-    now.pull.tau.noalias() = now.pull.R.transpose() * now.tension;
+    now.stretch.noalias() = -now.pull.R * now.q_dot;
+  } else {
+    now.pull.tau.noalias() = now.pull.R.transpose().lazyProduct(now.tension);
+  }
   return now;
 }
 
@@ -245,102 +316,132 @@ bool DigitPull::act(const ElementInput& at, ElementAction& out) {
   // A trial far off: efforts that are no number make the step shorter.
   const std::vector<int>& v = model_->places.v;
   const auto refuse = [&] {
-    out.tau(v).setConstant(std::numeric_limits<double>::quiet_NaN());
+    for (const int place : v) out.tau[place] = std::numeric_limits<double>::quiet_NaN();
     return false;
   };
-  if (!at.q.allFinite() || !at.v.allFinite() || !at.z.allFinite()) return refuse();
+  if (!is_finite(at)) return refuse();
   const ElementNeed need = need_of(at);
   const Now& now = this->now(at, need);
   MatrixXd G, A;
   if (need != ElementNeed::kStates) {
     if (!now.tension.allFinite() || !now.pull.tau.allFinite()) return refuse();
-    out.tau(v) += now.pull.tau;
+    for (std::size_t c = 0; c < v.size(); ++c) out.tau[v[c]] += now.pull.tau[static_cast<Index>(c)];
     last_tension_ = now.tension;
   }
   if (need == ElementNeed::kAll) add_slopes(now, G, A, out);
-  set_rates(at, now, G, A, out);
+  set_rates(at, now, out);
+  if (has_excursion_ && !contracting_.empty()) set_excursion_rates(at, now, G, A, out);
   return trusted(now.pull.status);
 }
 
 /// Slopes at constant tensions, then those of the tensions.
 void DigitPull::add_slopes(const Now& now, MatrixXd& G, MatrixXd& A, ElementAction& out) {
   const std::vector<int>& v = model_->places.v;
-  const MatrixXd& R = now.pull.R;
-  if (posture_stiffness_.size() == 0) set_posture_stiffness(now);
-  out.stiffness(v, v) += posture_stiffness_;
+  if (stiffness_q_.size() == 0) set_posture_stiffness(now);
+  if (arm_slopes_.exist)
+    tendons().add_stiffness(arm_slopes_, now.tension, v, by_pair_, out.stiffness);
+  else
+    scatter(posture_stiffness_, v, out.stiffness);
   if (contracting_.empty()) return;
-  by_length_.resize(muscles_);
-  by_velocity_.resize(muscles_);
-  for (Index m = 0; m < muscles_; ++m) {
-    by_length_[m] = now.by[static_cast<std::size_t>(m)].by_length;
-    by_velocity_[m] = now.by[static_cast<std::size_t>(m)].by_velocity;
+  if (!has_net()) {
+    add_tension_slopes(now, out);
+    return;
   }
-  if (has_net()) {
-    G = tendons().compliance(now.q, now.tension, now.pull);
-    A = G * by_length_.asDiagonal();
-    A.diagonal().array() += 1;
-    scaled_ = by_length_.asDiagonal() * A.partialPivLu().solve(R);
-  } else {
-    scaled_ = by_length_.asDiagonal() * R;
-  }
-  slope_ = R.transpose().lazyProduct(scaled_);
-  out.stiffness(v, v) += slope_;
-  scaled_ = by_velocity_.asDiagonal() * R;
-  slope_ = R.transpose().lazyProduct(scaled_);
-  out.damping(v, v) += slope_;
+  const MatrixXd& R = now.pull.R;
+  G = tendons().compliance(now.q, now.tension, now.pull);
+  A = G * now.by.by_length.asDiagonal();
+  A.diagonal().array() += 1;
+  scatter(R.transpose() * (now.by.by_length.asDiagonal() * A.partialPivLu().solve(R)), v,
+          out.stiffness);
 }
 
-void DigitPull::set_rates(const ElementInput& at, const Now& now, const MatrixXd& G,
-                          const MatrixXd& A, ElementAction& out) {
-  const auto count = static_cast<Index>(contracting_.size());
-  if (count == 0) return;
-  // Activations and fibres, and, for a net, the rates of tensions at constant length.
-  VectorXd rest;
-  if (has_net()) {
-    rest = VectorXd::Zero(muscles_);
-    for (const MuscleSchedule& given : model_->tensions)
-      rest[given.muscle] = piece_of(model_->tensions, given.muscle, at.acting).slope();
+/// R' (dt/d excursion) R and R' (dt/d velocity) R of tendons without a net, both symmetric.
+void DigitPull::add_tension_slopes(const Now& now, ElementAction& out) {
+  const std::vector<int>& v = model_->places.v;
+  const MatrixXd& R = now.pull.R;
+  by_arm_.resize(2 * muscles_);
+  double *const by_angle = by_arm_.data(), *const by_speed = by_angle + muscles_;
+  for (Index j = 0; j < R.cols(); ++j) {
+    // Slopes of tensions by one coordinate.
+    const double* const arm_j = R.data() + j * muscles_;
+    for (Index m = 0; m < muscles_; ++m) {
+      by_angle[m] = now.by.by_length[m] * arm_j[m];
+      by_speed[m] = now.by.by_velocity[m] * arm_j[m];
+    }
+    const int column = v[static_cast<std::size_t>(j)];
+    for (Index i = 0; i <= j; ++i) {
+      const double* const arm_i = R.data() + i * muscles_;
+      double stiffness = 0, damping = 0;
+      for (Index m = 0; m < muscles_; ++m) {
+        stiffness += arm_i[m] * by_angle[m];
+        damping += arm_i[m] * by_speed[m];
+      }
+      const int row = v[static_cast<std::size_t>(i)];
+      out.stiffness(row, column) += stiffness;
+      out.damping(row, column) += damping;
+      if (i == j) continue;
+      out.stiffness(column, row) += stiffness;
+      out.damping(column, row) += damping;
+    }
   }
+}
+
+/// Activations and fibres.
+void DigitPull::set_rates(const ElementInput& at, const Now& now, ElementAction& out) const {
+  const auto count = static_cast<Index>(contracting_.size());
   for (Index i = 0; i < count; ++i) {
     const int m = contracting_[static_cast<std::size_t>(i)];
-    const MuscleState& state = now.state[static_cast<std::size_t>(m)];
-    const TensionDerivatives& by = now.by[static_cast<std::size_t>(m)];
-    const double rate = activation_rate(now.excitation[m], state.activation, model_->activation);
-    out.z_rate[at.first_z + i] = rate;
-    out.z_decay[at.first_z + i] = std::max(
-        0.0, -activation_rate_derivative(now.excitation[m], state.activation, model_->activation));
-    if (has_net()) rest[m] = by.by_activation * rate;
+    const ActivationRate rate =
+        activation_rate_with_slope(now.excitation[m], now.state.activation[m], model_->activation);
+    out.z_rate[at.first_z + i] = rate.rate;
+    out.z_decay[at.first_z + i] = std::max(0.0, -rate.by_activation);
     if (!has_fibre_) continue;
-    const double fibre = contraction().projected_fibre_rate(m, state);
-    out.z_rate[at.first_z + 2 * count + i] = fibre / fibre_length(m);
+    const MuscleState state = now.state.of(m);
+    out.z_rate[at.first_z + 2 * count + i] =
+        contraction().projected_fibre_rate(m, state) / fibre_length_[m];
     out.z_decay[at.first_z + 2 * count + i] =
         std::max(0.0, -contraction().fibre_rate_derivatives(m, state).by_projected_fibre);
-    if (has_net()) rest[m] += by.by_projected_fibre * fibre;
   }
-  if (!has_excursion_) return;
-  // Excursions; under a net they return to the lengths of lines [Baumgarte1972].
-  excursion_rate_.noalias() = -now.pull.R * now.q_dot;
-  VectorXd& excursion = excursion_rate_;
+}
+
+/// Excursions, after the other states; under a net they return to the lengths of lines
+/// [Baumgarte1972]. @param G, A  of add_slopes(), of a net
+void DigitPull::set_excursion_rates(const ElementInput& at, const Now& now, const MatrixXd& G,
+                                    const MatrixXd& A, ElementAction& out) {
+  const auto count = static_cast<Index>(contracting_.size());
   double decay = 0;
+  excursion_rate_ = now.stretch;
   if (has_net()) {
     if (slack_length_.size() > 0) {
       const VectorXd lengths = tendons().lengths(now.q, now.tension, now.pull);
-      excursion -= kBaumgarteRate * (now.excursion + slack_length_ - lengths);
+      excursion_rate_ -= kBaumgarteRate * (now.excursion + slack_length_ - lengths);
       decay = kBaumgarteRate;
     }
-    excursion = A.partialPivLu().solve(excursion - G * rest);
+    // Rates of tensions at constant length.
+    VectorXd rest = VectorXd::Zero(muscles_);
+    for (const MuscleSchedule& given : model_->tensions)
+      rest[given.muscle] = given_[static_cast<std::size_t>(given.muscle)].slope();
+    for (Index i = 0; i < count; ++i) {
+      const int m = contracting_[static_cast<std::size_t>(i)];
+      rest[m] = now.by.by_activation[m] * out.z_rate[at.first_z + i];
+      if (has_fibre_)
+        rest[m] += now.by.by_projected_fibre[m] * out.z_rate[at.first_z + 2 * count + i] *
+                   fibre_length_[m];
+    }
+    excursion_rate_ = A.partialPivLu().solve(excursion_rate_ - G * rest);
   }
   for (Index i = 0; i < count; ++i) {
     const int m = contracting_[static_cast<std::size_t>(i)];
-    out.z_rate[at.first_z + count + i] = excursion[m] / fibre_length(m);
+    out.z_rate[at.first_z + count + i] = excursion_rate_[m] / fibre_length_[m];
     out.z_decay[at.first_z + count + i] = decay;
   }
 }
 
 void DigitPull::accept(const ElementInput& at) {
-  if (!at.q.allFinite() || !at.v.allFinite() || !at.z.allFinite()) return;
+  if (!is_finite(at)) return;
+  gather(at.q, model_->places.q, accepted_q_);
   if (!has_net() && last_tension_.size() > 0 &&
-      knows_stiffness(at.q(model_->places.q), last_tension_))
+      (knows_stiffness(accepted_q_, last_tension_) || set_arm_slopes(accepted_q_)))
     return;
   const Now& now = this->now(at, ElementNeed::kRates);
   if (!now.tension.allFinite() || !now.pull.tau.allFinite()) return;
@@ -370,27 +471,19 @@ bool DigitPull::moves(const ElementInput& at) const {
   if (contracting_.empty()) return false;
   const Now& now = this->now(at, ElementNeed::kRates);
   return std::any_of(contracting_.begin(), contracting_.end(), [&](int m) {
-    const MuscleState& state = now.state[static_cast<std::size_t>(m)];
-    const double rate = activation_rate(now.excitation[m], state.activation, model_->activation);
+    const double rate =
+        activation_rate(now.excitation[m], now.state.activation[m], model_->activation);
     const double fibre =
-        has_fibre_ ? contraction().projected_fibre_rate(m, state) / fibre_length(m) : 0;
-    return piece_of(model_->excitations, m, at.acting).slope() != 0 ||
-           std::abs(rate) > kSettledRate || std::abs(fibre) > kSettledRate;
+        has_fibre_ ? contraction().projected_fibre_rate(m, now.state.of(m)) / fibre_length_[m] : 0;
+    return excited_[static_cast<std::size_t>(m)].slope() != 0 || std::abs(rate) > kSettledRate ||
+           std::abs(fibre) > kSettledRate;
   });
 }
 
 PullInstant DigitPull::at(const ElementInput& at) const {
   const Now& now = this->now(at, ElementNeed::kRates);
-  PullInstant out;
-  out.tension = now.tension;
-  out.excitation = now.excitation;
-  out.excursion = now.excursion;
-  out.activation = VectorXd::Zero(muscles_);
-  for (const int m : contracting_)
-    out.activation[m] = now.state[static_cast<std::size_t>(m)].activation;
-  out.status = now.pull.status;
-  out.warning = now.pull.warning;
-  return out;
+  return {now.tension,   now.excitation,  now.state.activation,
+          now.excursion, now.pull.status, now.pull.warning};
 }
 
 }  // namespace thenar

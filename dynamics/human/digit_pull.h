@@ -2,6 +2,7 @@
 
 /// Tendons of a digit in a scene, pulled by given tensions or by excited muscles.
 
+#include <limits>
 #include <memory>
 #include <optional>
 #include <string>
@@ -49,6 +50,33 @@ struct PullInstant {
   std::string warning;  // why not to trust it; may be empty
 };
 
+/// The straight piece of a schedule that begins at or before an instant. Before its begin and after
+/// its end, where trial steps may look, it is constant.
+struct SchedulePiece {
+  double begin = 0, end = std::numeric_limits<double>::infinity();  // [s]
+  double value = 0, last = 0;                                       // at begin and end
+
+  [[nodiscard]] double slope() const { return (last - value) / (end - begin); }  // [1/s]
+  /// Between both values to the last bit: tensions that end at 0 are never below it.
+  [[nodiscard]] double at(double t) const;
+};
+
+/// Tensions of a pull's muscles at once; a copy has room of its own.
+class PullTensions {
+ public:
+  /// @param of  must outlive it
+  explicit PullTensions(const Contraction& of) : of_(&of), solver_(of.tension_solver()) {}
+  PullTensions(const PullTensions& other) : PullTensions(*other.of_) {}
+  PullTensions& operator=(const PullTensions&) = delete;
+  ~PullTensions() = default;
+
+  TensionSolver& solver() { return *solver_; }
+
+ private:
+  const Contraction* of_;
+  std::unique_ptr<TensionSolver> solver_;
+};
+
 /// A digit's tendons as a force element: the physics of FingerMotion, without its bones.
 ///
 /// Torque is that of DigitTendons at the tensions. States are, of each muscle that contracts, its
@@ -60,7 +88,9 @@ struct PullInstant {
 ///
 /// Slopes for steps are  K = -d tau/d q at constant tension + R' (dt/d excursion) A^-1 R  and
 /// R' (dt/d velocity) R,  A = 1 + G dt/d excursion. The first term of K, the dearest and smallest,
-/// is that of the last accept() at which posture or tensions had changed much.
+/// takes the slopes of arms of the last accept() at which the posture had changed much, and the
+/// tensions of now; where arms have no slopes, as under a net, it is that of the last accept() at
+/// which posture or tensions had changed much.
 class DigitPull final : public ForceElement {
  public:
   /// @throws InputError if shapes or names of muscles disagree, a muscle has a tension and
@@ -88,21 +118,27 @@ class DigitPull final : public ForceElement {
  private:
   /// All that follows from the states.
   struct Now {
-    Eigen::VectorXd q, q_dot;            // of the group (coordinates)
-    Eigen::VectorXd excitation;          // (muscles)
-    std::vector<MuscleState> state;      // of muscles that contract (muscles)
-    Eigen::VectorXd excursion;           // (muscles)
-    std::vector<TensionDerivatives> by;  // (muscles)
-    Eigen::VectorXd tension;             // (muscles)
-    Eigen::VectorXd stretch;             // lengthening of muscles [m/s] (muscles)
-    GroupTorque pull;                    // without a net its arms stay while the posture does
+    Eigen::VectorXd q, q_dot;    // of the group (coordinates)
+    Eigen::VectorXd excitation;  // 0 of muscles that do not contract (muscles)
+    MuscleStates state;          // likewise (muscles)
+    Eigen::VectorXd excursion;   // likewise (muscles)
+    MuscleTensions by;           // by contraction (muscles)
+    Eigen::VectorXd tension;     // (muscles)
+    Eigen::VectorXd stretch;     // lengthening of muscles [m/s] (muscles)
+    GroupTorque pull;            // without a net its arms stay while the posture does
   };
   [[nodiscard]] ElementNeed need_of(const ElementInput& at) const;
   /// Fills now_: tensions and torque but for kStates, their derivatives for kAll.
   [[nodiscard]] const Now& now(const ElementInput& at, ElementNeed need) const;
   void set_arms(const Eigen::VectorXd& q) const;
+  [[nodiscard]] bool is_finite(const ElementInput& at) const;
+  void set_pieces(double acting) const;
+  void set_states(const ElementInput& at, Now& now) const;
+  void set_tensions(double t, ElementNeed need, Now& now) const;
+  void add_tension_slopes(const Now& now, ElementAction& out);
   void add_slopes(const Now& now, Eigen::MatrixXd& G, Eigen::MatrixXd& A, ElementAction& out);
   [[nodiscard]] bool knows_stiffness(const Eigen::VectorXd& q, const Eigen::VectorXd& t) const;
+  bool set_arm_slopes(const Eigen::VectorXd& q);
   void set_posture_stiffness(const Now& now);
   [[nodiscard]] bool has_net() const { return blended_ != nullptr; }
   [[nodiscard]] const TendonGroup& tendons() const {
@@ -111,27 +147,31 @@ class DigitPull final : public ForceElement {
   [[nodiscard]] const Contraction& contraction() const {
     return compliant_ ? *compliant_ : *model_->contraction;
   }
-  [[nodiscard]] double fibre_length(int m) const;
-  void set_rates(const ElementInput& at, const Now& now, const Eigen::MatrixXd& G,
-                 const Eigen::MatrixXd& A, ElementAction& out);
+  void set_rates(const ElementInput& at, const Now& now, ElementAction& out) const;
+  void set_excursion_rates(const ElementInput& at, const Now& now, const Eigen::MatrixXd& G,
+                           const Eigen::MatrixXd& A, ElementAction& out);
 
   std::shared_ptr<const DigitPullModel> model_;
   std::shared_ptr<const TendonGroup> blended_;    // null: the model's own
   std::shared_ptr<const Contraction> compliant_;  // null: the model's own
   std::vector<int> contracting_;                  // muscles
   std::vector<bool> contracts_;                   // (muscles)
-  bool has_excursion_ = false, has_fibre_ = false;
-  Eigen::Index muscles_ = 0;
+  bool has_excursion_ = false, has_fibre_ = false, feels_speed_ = false;
+  Eigen::Index muscles_ = 0, states_ = 0;
+  Eigen::VectorXd fibre_length_, length_at_optimum_;  // of the contraction [m] (muscles)
   // Room that is used again; it changes no answer.
   mutable Now now_;
   mutable std::optional<GroupArms> arms_;  // none: a net
   mutable Eigen::VectorXd arms_q_;         // where the arms of now_ are, of tendons without a net
-  Eigen::VectorXd by_length_, by_velocity_, excursion_rate_;
-  Eigen::MatrixXd scaled_, slope_;
+  mutable std::optional<PullTensions> tensions_;                      // none: none contracts
+  mutable double acting_ = std::numeric_limits<double>::quiet_NaN();  // of the pieces [s]
+  mutable std::vector<SchedulePiece> given_, excited_;                // (muscles)
+  Eigen::VectorXd excursion_rate_, accepted_q_, by_arm_, by_pair_;
   // What was found at the last accept().
-  Eigen::MatrixXd posture_stiffness_;          // (coordinates, coordinates); empty: not yet
+  GroupSlopes arm_slopes_;                     // where they exist; else
+  Eigen::MatrixXd posture_stiffness_;          // (coordinates, coordinates)
   Eigen::VectorXd last_tension_;               // of the last act() [N] (muscles)
-  Eigen::VectorXd stiffness_q_, stiffness_t_;  // where it was found
+  Eigen::VectorXd stiffness_q_, stiffness_t_;  // where either was found; empty: not yet
   GroupNodes last_nodes_;                      // of nets [m]
   Eigen::VectorXd slack_length_;  // of lines where excursions are 0 [m] (muscles; empty: not held)
 };

@@ -22,6 +22,22 @@ std::vector<int> place_names(const std::vector<std::string>& names, std::vector<
   return places;
 }
 
+/// Entries of a list, written over `out`.
+void take(const VectorXd& from, const std::vector<int>& places, VectorXd& out) {
+  out.resize(static_cast<Eigen::Index>(places.size()));
+  Eigen::Index next = 0;
+  for (const int place : places) out[next++] = from[place];
+}
+
+/// Adds the arms of a part at its muscles and coordinates.
+void add_arms(const MatrixXd& R, const std::vector<int>& muscles,
+              const std::vector<int>& coordinates, MatrixXd& out) {
+  for (std::size_t c = 0; c < coordinates.size(); ++c)
+    for (std::size_t m = 0; m < muscles.size(); ++m)
+      out(muscles[m], coordinates[c]) +=
+          R(static_cast<Eigen::Index>(m), static_cast<Eigen::Index>(c));
+}
+
 bool have_one_in_common(const std::vector<std::string>& a, const std::vector<std::string>& b) {
   return std::any_of(a.begin(), a.end(),
                      [&](const std::string& each) { return std::count(b.begin(), b.end(), each); });
@@ -101,24 +117,42 @@ GroupArms::GroupArms(const TendonGroup& group) : group_(&group), q_(group.digits
   require(!group.has_net(), "arms of a group with a net depend on tensions");
   for (const TendonGroup::Digit& digit : group.digits_)
     solvers_.push_back(digit.tendons->arm_solver());
+  for (const std::unique_ptr<ArmSolver>& solver : solvers_)
+    sloped_.push_back(dynamic_cast<LinearArmSolver*>(solver.get()));
+}
+
+void GroupArms::slopes(const VectorXd& q, GroupSlopes& out) {
+  out.exist = true;
+  out.digits.resize(sloped_.size());
+  for (std::size_t i = 0; i < sloped_.size() && out.exist; ++i) {
+    out.exist = sloped_[i] != nullptr;
+    if (!out.exist) return;
+    take(q, group_->digits_[i].coordinates, q_[i]);
+    sloped_[i]->slopes(q_[i], out.digits[i]);
+    out.exist = out.digits[i].exist;
+  }
 }
 
 void GroupArms::solve(const VectorXd& q, GroupTorque& out) {
   const TendonGroup& group = *group_;
-  out.R.setZero(static_cast<Eigen::Index>(group.muscles_.size()), q.size());
+  const bool alone = solvers_.size() == 1;  // then its places are those of the group
+  if (!alone) out.R.setZero(static_cast<Eigen::Index>(group.muscles_.size()), q.size());
   out.status = TendonStatus::kValid;
   out.warning.clear();
   out.digits.resize(solvers_.size());
   for (std::size_t i = 0; i < solvers_.size(); ++i) {
     const TendonGroup::Digit& digit = group.digits_[i];
     TendonTorque& part = out.digits[i];
-    q_[i] = q(digit.coordinates);
+    take(q, digit.coordinates, q_[i]);
     if (solvers_[i])
       solvers_[i]->solve(q_[i], part);
     else
       part = digit.tendons->evaluate(
           q_[i], VectorXd::Zero(static_cast<Eigen::Index>(digit.muscles.size())));
-    out.R(digit.muscles, digit.coordinates) += part.R;
+    if (alone)
+      out.R = part.R;
+    else
+      add_arms(part.R, digit.muscles, digit.coordinates, out.R);
     out.status = worse(out.status, part.status);
     if (out.warning.empty()) out.warning = part.warning;
   }
@@ -133,6 +167,32 @@ MatrixXd TendonGroup::torque_by_posture(const VectorXd& q, const VectorXd& t,
         tendons->torque_by_posture(q(coordinates), t(muscles), at.digits[i]);
   }
   return out;
+}
+
+void TendonGroup::add_stiffness(const GroupSlopes& slopes, const VectorXd& t,
+                                const std::vector<int>& places, VectorXd& room,
+                                MatrixXd& out) const {
+  for (std::size_t i = 0; i < digits_.size(); ++i) {
+    const auto& [tendons, coordinates, muscles] = digits_[i];
+    // Entries of all pairs of coordinates, then their places.
+    const MatrixXd& of_pair = slopes.digits[i].of_pair;
+    const Eigen::Index pairs = of_pair.rows();
+    room.setZero(pairs);
+    double* const sum = room.data();
+    for (std::size_t m = 0; m < muscles.size(); ++m) {
+      const double tension = t[muscles[m]];
+      const double* const of = of_pair.data() + static_cast<Eigen::Index>(m) * pairs;
+      for (Eigen::Index pair = 0; pair < pairs; ++pair) sum[pair] += tension * of[pair];
+    }
+    const double* next = sum;
+    for (std::size_t k = 0; k < coordinates.size(); ++k)
+      for (std::size_t j = 0; j <= k; ++j, ++next) {
+        const int row = places[static_cast<std::size_t>(coordinates[j])],
+                  column = places[static_cast<std::size_t>(coordinates[k])];
+        out(row, column) += *next;
+        if (j < k) out(column, row) += *next;
+      }
+  }
 }
 
 MatrixXd TendonGroup::compliance(const VectorXd& q, const VectorXd& t,

@@ -30,6 +30,12 @@ using GroupNodes = std::vector<Eigen::Matrix3Xd>;
 [[nodiscard]] std::vector<std::vector<int>> contracting_groups(
     const std::vector<std::vector<std::string>>& muscles, const std::vector<bool>& excited);
 
+/// Slopes of the arms of a group without nets, by which its stiffness at any tensions follows.
+struct GroupSlopes {
+  bool exist = false;             // false: a digit has none, or a path is not differentiable there
+  std::vector<ArmSlopes> digits;  // parts
+};
+
 /// Some digits of a hand. A muscle of two digits is one muscle: its arms and lengths add up.
 class TendonGroup {
  public:
@@ -56,6 +62,13 @@ class TendonGroup {
                                            const GroupTorque& at) const;
   [[nodiscard]] Eigen::VectorXd lengths(const Eigen::VectorXd& q, const Eigen::VectorXd& t,
                                         const GroupTorque& at) const;
+
+  /// Adds -d tau / d q at constant tension, the symmetric part, by slopes of arms.
+  /// @param places  where coordinates stand in `out` (coordinates)
+  /// @param room    used again
+  void add_stiffness(const GroupSlopes& slopes, const Eigen::VectorXd& t,
+                     const std::vector<int>& places, Eigen::VectorXd& room,
+                     Eigen::MatrixXd& out) const;
 
   /// Lengthening of each muscle from the reference posture, at 1 N, with the first warning of a
   /// digit.
@@ -86,9 +99,13 @@ class GroupArms {
   /// `out`.
   void solve(const Eigen::VectorXd& q, GroupTorque& out);
 
+  /// Slopes of arms at a posture, written over `out`.
+  void slopes(const Eigen::VectorXd& q, GroupSlopes& out);
+
  private:
   const TendonGroup* group_;
   std::vector<std::unique_ptr<ArmSolver>> solvers_;  // (digits); null: evaluate() does
+  std::vector<LinearArmSolver*> sloped_;             // the same; null: has no slopes
   std::vector<Eigen::VectorXd> q_;                   // (digits)
 };
 

@@ -43,5 +43,35 @@ TEST(GroupArms, AreThoseOfOnePosture) {
   }
 }
 
+// Slopes of arms, found once, give the stiffness at any tensions: minus the symmetric part of the
+// derivative of torque, which DigitTendons finds anew at each.
+TEST(GroupArms, SlopesGiveStiffnessAtAllTensions) {
+  const TendonGroup group({wrapped_finger()});
+  const auto joints = static_cast<Eigen::Index>(group.coordinates().size());
+  const auto muscles = static_cast<Eigen::Index>(group.muscles().size());
+  std::vector<int> places;  // backwards, behind an empty one
+  for (Eigen::Index i = 0; i < joints; ++i) places.push_back(static_cast<int>(joints - i));
+  GroupArms arms(group);
+  GroupSlopes slopes;
+  VectorXd room;
+  for (const double part : {0.0, 0.4, 0.9, -0.2}) {
+    const VectorXd q = bent(joints, part);
+    arms.slopes(q, slopes);
+    ASSERT_TRUE(slopes.exist);
+    for (const double pull : {1.0, 30.0}) {
+      const VectorXd t = pull * VectorXd::LinSpaced(muscles, 0.2, 1.4);
+      const Eigen::MatrixXd by_posture = group.torque_by_posture(q, t, group.evaluate(q, t, {}));
+      Eigen::MatrixXd stiffness = Eigen::MatrixXd::Zero(joints + 1, joints + 1);
+      group.add_stiffness(slopes, t, places, room, stiffness);
+      EXPECT_GT(stiffness.norm(), 1e-3 * pull);
+      for (Eigen::Index j = 0; j < joints; ++j)
+        for (Eigen::Index k = 0; k < joints; ++k)
+          EXPECT_NEAR(stiffness(joints - j, joints - k),
+                      -0.5 * (by_posture(j, k) + by_posture(k, j)), 1e-14 * pull);
+      EXPECT_TRUE(stiffness.row(0).isZero(0));
+    }
+  }
+}
+
 }  // namespace
 }  // namespace thenar
