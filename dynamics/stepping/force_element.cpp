@@ -32,7 +32,14 @@ Eigen::VectorXd SceneElements::start(const Eigen::VectorXd& q) const {
 
 bool SceneElements::act(const ElementInput& at) {
   bool solved = true;
-  action_.clear(at.v.size(), states_);
+  // Slopes are cleared for those who read them.
+  if (at.need == ElementNeed::kAll) {
+    action_.clear(at.v.size(), states_);
+  } else {
+    action_.tau.setZero(at.v.size());
+    action_.z_rate.setZero(states_);
+    action_.z_decay.setZero(states_);
+  }
   double before = 0, power = 0;  // of all so far; of those that are not passive [W]
   for (std::size_t i = 0; i < elements_.size(); ++i) {
     solved = elements_[i]->act(input_of(i, at), action_) && solved;
