@@ -343,7 +343,15 @@ class Simulation {
   /// @return its length; 0: the run ends
   double step_once(double wanted, double left, double& H) {
     double length = wanted;
-    bool rejected = false, is_cut = false;
+    // Shortened for a change of modes within it, and to end just before that change.
+    bool rejected = false, is_before = false, is_cut = false;
+    // A step that was halved has told where a mode changes behind its end.
+    const double ahead = kBefore * (change_ahead_ - state_.t);
+    if (ahead > options_.shortest && ahead < length) {
+      is_before = is_cut = true;
+      length = ahead;
+    }
+    change_ahead_ = -1;
     while (true) {
       try_step(length);
       const StepTrial& trial = table_[static_cast<std::size_t>(result_)];
@@ -358,6 +366,7 @@ class Simulation {
       if (trial.closes < 0 && (trial.error <= 1 || length <= options_.shortest)) break;
       ++run_.cost.rejected;
       rejected = true;
+      is_cut = false;
       if (trial.closes >= 0 && trial.closes > options_.shortest) {
         // Again, up to the instant at which the gap closes.
         length = std::min(trial.closes, 0.999999 * length);
@@ -369,9 +378,10 @@ class Simulation {
         length *= std::clamp(0.9 * std::pow(trial.error, -1.0 / trial.order), 0.1, 0.9);
       } else {
         // Up to the instant at which a mode changes; a short step goes over it.
-        is_cut = true;
-        length =
-            trial.changes >= 0 ? std::min(0.5 * length, kBefore * trial.changes) : 0.5 * length;
+        is_before = true;
+        is_cut = trial.changes >= 0 && kBefore * trial.changes < 0.5 * length;
+        if (trial.changes >= 0 && !is_cut) change_ahead_ = state_.t + trial.changes;
+        length = is_cut ? kBefore * trial.changes : 0.5 * length;
       }
       length = std::max(length, options_.shortest);
     }
@@ -386,10 +396,10 @@ class Simulation {
       H = std::max(H, kAgain * usual_);
     } else if (is_cut) {
       H = 2 * (1 - kBefore) * length;
-    } else if (!was_cut_) {
+    } else if (!is_before && !was_before_) {
       usual_ = H;
     }
-    was_cut_ = is_cut && trial.smooth;
+    was_before_ = is_before && trial.smooth;
     return length;
   }
 
@@ -657,11 +667,12 @@ class Simulation {
   long tried_unsolved_ = 0;    // since forget_counts()
   double tried_residual_ = 0;  // the same [1]
   int since_mark_ = 0;
-  double mark_ = -1;        // when the steps that are judged began [s]
-  double last_error_ = 1;   // of the last accepted step over the tolerance
-  double usual_ = 0;        // length of a step that no change of modes bounds [s]
-  bool was_cut_ = false;    // the last step ended before a change of modes
-  bool inspected_ = false;  // found_ belongs to the trial
+  double mark_ = -1;          // when the steps that are judged began [s]
+  double last_error_ = 1;     // of the last accepted step over the tolerance
+  double usual_ = 0;          // length of a step that no change of modes bounds [s]
+  double change_ahead_ = -1;  // instant at which a mode may change, seen from before [s]; < 0: none
+  bool was_before_ = false;   // the last step was shortened for a change of modes ahead
+  bool inspected_ = false;    // found_ belongs to the trial
   int asleep_ = 0;
   int result_ = 0;
   double reach_ = 0;  // no step is longer for now [s]

@@ -79,6 +79,23 @@ TEST(SimulateScene, SlidingBodyStopsWithinAFewTrials) {
   EXPECT_EQ(run.cost.coarse, 0);
 }
 
+// Until such a body stops, a step ends at each instant that is kept; the stop itself costs no more
+// than eight steps and three trials, wherever it lies between two instants.
+TEST(SimulateScene, StopsCostFewSteps) {
+  for (const double speed : {0.3, 0.4, 0.5, 0.6, 0.7, 0.8, 0.9}) {
+    SCOPED_TRACE(speed);
+    sample::Incline world = sample::incline(0, 0.3);
+    world.scene.v[3] = speed;
+    SceneOptions options;
+    options.seconds = 0.5;
+    const SceneRun run = simulate_scene(world.scene, options);
+    const double stops = speed / (0.3 * kG), way = 0.5 * speed * stops;
+    EXPECT_NEAR(centre(world.scene, world.cube, run.samples.back()).x(), way, 1e-9);
+    EXPECT_LE(run.cost.steps, std::lround(std::ceil(stops / options.sample)) + 8);
+    EXPECT_LE(run.cost.rejected, 3);
+  }
+}
+
 TEST(SimulateScene, BallBounces) {
   MovingScene scene;
   Pose<double> X;
