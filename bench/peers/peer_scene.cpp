@@ -112,7 +112,7 @@ double joint_effort(const MovingScene& scene, std::size_t i, double t, const Joi
   double effort = -joint.stiffness * (motion.value - joint.rest) - joint.damping * motion.rate;
   for (const SceneDrive& drive : scene.drives)
     if (drive.coordinate == joint.coordinate)
-      effort += drive_effort(drive, motion.value, motion.rate, t);
+      effort += drive_effort(drive, motion.value, motion.rate, t, t);
   return effort;
 }
 

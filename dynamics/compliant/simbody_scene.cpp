@@ -52,8 +52,8 @@ class SceneLoads : public SimTK::Force::Custom::Implementation {
       const SimTK::MobilizedBody& body = body_of(bodies_, static_cast<std::size_t>(lead));
       const double u = (body.getOneQ(state, 0) - joint.offset) / joint.ratio;
       const double rate = body.getOneU(state, 0) / joint.ratio;
-      body.applyOneMobilityForce(
-          state, 0, drive_effort(drive, u, rate, state.getTime()) / joint.ratio, on_joints);
+      const double effort = drive_effort(drive, u, rate, state.getTime(), acting_);
+      body.applyOneMobilityForce(state, 0, effort / joint.ratio, on_joints);
     }
     for (std::size_t i = 0; i < scene_.mechanism.joints.size(); ++i) {
       const MechanismJoint& joint = scene_.mechanism.joints[i];

@@ -378,12 +378,12 @@ class SceneBuilder {
     }
   }
 
-  /// A drive, or those that follow its table one after the other.
-  [[nodiscard]] std::vector<SceneDrive> pieces_of(const SceneDriveSpec& spec,
-                                                  const SceneDrive& drive) const {
-    if (spec.target_file.empty()) return {drive};
+  /// The targets of a drive over time; null: it has no table.
+  [[nodiscard]] std::shared_ptr<const TargetTable> table_of(const SceneDriveSpec& spec) const {
+    if (spec.target_file.empty()) return nullptr;
     const std::string path = (std::filesystem::path(spec_.folder) / spec.target_file).string();
-    return follow_table(drive, parse_target_table(read_text_file(path), path, spec));
+    return std::make_shared<TargetTable>(
+        without_straight_knots(parse_target_table(read_text_file(path), path, spec)));
   }
 
   void add_drives() {
@@ -415,10 +415,9 @@ class SceneBuilder {
       out.max_effort =
           drive.max_effort.value_or(known > 0 ? known : std::numeric_limits<double>::infinity());
       out.when = {drive.from, drive.to};
-      for (const SceneDrive& piece : pieces_of(drive, out)) {
-        built_.scene.drives.push_back(piece);
-        built_.drive_names.push_back(drive.name);
-      }
+      out.table = table_of(drive);
+      built_.scene.drives.push_back(out);
+      built_.drive_names.push_back(drive.name);
     }
   }
 

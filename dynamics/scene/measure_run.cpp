@@ -81,12 +81,10 @@ void note_contacts(const SceneSample& sample, bool last, std::map<Pair, PairMeas
     pairs[pair].largest_force = std::max(pairs[pair].largest_force, force);
 }
 
-/// Work of a drive between two instants [J]: its power over the part of the time at which it acts,
-/// by Gauss's three points, where the coordinate goes by the cubic through both ends and rates.
-double work_of_drive(const SceneDrive& drive, const MechanismLayout& layout,
-                     const SceneSample& from, const SceneSample& to) {
-  const double begin = std::max(from.t, drive.when.from), end = std::min(to.t, drive.when.to);
-  if (begin >= end) return 0;
+/// Work of a drive in a part of the time between two instants [J]: its power by Gauss's three
+/// points, where the coordinate goes by the cubic through both ends and rates.
+double work_in_part(const SceneDrive& drive, const MechanismLayout& layout, const SceneSample& from,
+                    const SceneSample& to, double begin, double end) {
   const auto c = static_cast<std::size_t>(drive.coordinate);
   const int q = layout.coordinate_q[c], v = layout.coordinate_v[c];
   const double span = to.t - from.t, mean_rate = (to.q[q] - from.q[q]) / span;
@@ -98,7 +96,27 @@ double work_of_drive(const SceneDrive& drive, const MechanismLayout& layout,
     const double t = 0.5 * (begin + end + nodes[k] * (end - begin)), s = (t - from.t) / span;
     const double u = from.q[q] + span * s * (from.v[v] + s * (turn + s * bend));
     const double rate = from.v[v] + s * (2 * turn + 3 * s * bend);
-    work += weights[k] / 18 * (end - begin) * rate * drive_effort(drive, u, rate, t);
+    work += weights[k] / 18 * (end - begin) * rate * drive_effort(drive, u, rate, t, begin);
+  }
+  return work;
+}
+
+/// Work of a drive between two instants [J]: over the time at which it acts, in parts on which its
+/// target moves evenly.
+double work_of_drive(const SceneDrive& drive, const MechanismLayout& layout,
+                     const SceneSample& from, const SceneSample& to) {
+  double begin = std::max(from.t, drive.when.from), work = 0;
+  const double end = std::min(to.t, drive.when.to);
+  while (begin < end) {
+    double part_end = end;
+    if (drive.table) {
+      const double* const first = drive.table->time.data();
+      const double* const last = first + drive.table->time.size();
+      const double* const knot = std::upper_bound(first, last, begin);
+      if (knot != last) part_end = std::min(end, *knot);
+    }
+    work += work_in_part(drive, layout, from, to, begin, part_end);
+    begin = part_end;
   }
   return work;
 }

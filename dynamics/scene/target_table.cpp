@@ -11,6 +11,12 @@
 #include "dynamics/stepping/simulate_scene.h"
 
 namespace thenar {
+namespace {
+
+constexpr double kEndless = std::numeric_limits<double>::infinity();
+constexpr double kLastBits = 4 * std::numeric_limits<double>::epsilon();  // of numbers of a table
+
+}  // namespace
 
 TargetTable parse_target_table(const std::string& text, const std::string& path,
                                const SceneDriveSpec& drive) {
@@ -49,28 +55,40 @@ TargetTable parse_target_table(const std::string& text, const std::string& path,
   return out;
 }
 
-std::vector<SceneDrive> follow_table(const SceneDrive& drive, const TargetTable& table) {
-  const Eigen::Index rows = table.time.size();
-  require(rows > 0 && table.target.size() == rows, "{} times have {} targets", rows,
+TargetTable without_straight_knots(const TargetTable& table) {
+  const Eigen::Index knots = table.time.size();
+  require(knots > 0 && table.target.size() == knots, "{} times have {} targets", knots,
           table.target.size());
-  std::vector<SceneDrive> pieces;
-  const auto add = [&](double begin, double end, double first, double slope) {
-    SceneDrive piece = drive;
-    piece.when = {std::max(begin, drive.when.from), std::min(end, drive.when.to)};
-    if (piece.when.from >= piece.when.to) return;
-    piece.target = first + (slope == 0 ? 0 : slope * (piece.when.from - begin));
-    piece.speed = slope;
-    pieces.push_back(piece);
+  std::vector<Eigen::Index> kept{0};
+  // Slopes of the lines from the last kept knot that meet all knots since, to rounding.
+  double least = -kEndless, most = kEndless;
+  const auto keep = [&](Eigen::Index k) {
+    const Eigen::Index last = kept.back();
+    if (table.time[last] != table.time[k] || table.target[last] != table.target[k])
+      kept.push_back(k);
+    least = -kEndless, most = kEndless;
   };
-  add(0, table.time[0], table.target[0], 0);
-  for (Eigen::Index k = 0; k + 1 < rows; ++k) {
-    const double span = table.time[k + 1] - table.time[k];
-    if (span > 0)
-      add(table.time[k], table.time[k + 1], table.target[k],
-          (table.target[k + 1] - table.target[k]) / span);
+  for (Eigen::Index k = 1; k < knots; ++k) {
+    const double step = table.time[k] - table.time[k - 1];
+    const double change = table.target[k] - table.target[k - 1];
+    if (step == 0) {
+      keep(k - 1);
+      keep(k);
+      continue;
+    }
+    const auto slope_to = [&](double off) {
+      return (table.target[k] + off - table.target[kept.back()]) /
+             (table.time[k] - table.time[kept.back()]);
+    };
+    // The line ends before a knot that it would miss.
+    if (!(slope_to(0) >= least && slope_to(0) <= most)) keep(k - 1);
+    const double rounding =
+        kLastBits * (std::abs(table.target[k]) + std::abs(change / step * table.time[k]));
+    least = std::max(least, slope_to(-rounding));
+    most = std::min(most, slope_to(rounding));
   }
-  add(table.time[rows - 1], std::numeric_limits<double>::infinity(), table.target[rows - 1], 0);
-  return pieces;
+  keep(knots - 1);
+  return {table.time(kept), table.target(kept)};
 }
 
 }  // namespace thenar

@@ -219,7 +219,7 @@ struct ContactStep::Parts {
     const auto c = static_cast<std::size_t>(drive.coordinate);
     const int row = model.layout.coordinate_v[c];
     const double effort =
-        drive_effort(drive, state.q[model.layout.coordinate_q[c]], state.v[row], state.t);
+        drive_effort(drive, state.q[model.layout.coordinate_q[c]], state.v[row], state.t, acting);
     tau[row] += effort;
     // At its largest effort it is no spring.
     if (std::abs(effort) >= drive.max_effort) return;

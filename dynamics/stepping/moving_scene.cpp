@@ -29,6 +29,15 @@ void check_body(const MovingScene& scene, int body) {
           "there is no body {}", body);
 }
 
+void check_table(const TargetTable& table, const std::string& name) {
+  require(table.time.size() > 0 && table.target.size() == table.time.size(),
+          "drive of '{}': {} times have {} targets", name, table.time.size(), table.target.size());
+  require(table.time.allFinite() && table.target.allFinite(),
+          "drive of '{}': wanted finite targets", name);
+  require(std::is_sorted(table.time.data(), table.time.data() + table.time.size()),
+          "drive of '{}': its table falls in time", name);
+}
+
 void check_drives(const MovingScene& scene) {
   for (const SceneDrive& drive : scene.drives) {
     require(drive.coordinate >= 0 &&
@@ -42,7 +51,24 @@ void check_drives(const MovingScene& scene) {
             "drive of '{}': wanted stiffness, damping and largest effort from 0 up",
             scene.mechanism.coordinates[static_cast<std::size_t>(drive.coordinate)].name);
     check_span("drive", drive.when);
+    if (drive.table)
+      check_table(*drive.table,
+                  scene.mechanism.coordinates[static_cast<std::size_t>(drive.coordinate)].name);
   }
+}
+
+/// Slope of a table behind a knot; -1: before the first. Between knots of one time there is none.
+double slope_behind(const TargetTable& table, Eigen::Index knot) {
+  if (knot < 0 || knot + 1 == table.time.size()) return 0;
+  return (table.target[knot + 1] - table.target[knot]) / (table.time[knot + 1] - table.time[knot]);
+}
+
+/// Adds the instants within a span at which a table jumps or its slope changes.
+void add_knots(const TargetTable& table, const TimeSpan& span, std::vector<double>& times) {
+  for (Eigen::Index k = 0; k < table.time.size(); ++k)
+    if (table.time[k] > span.from && table.time[k] < span.to &&
+        slope_behind(table, k) != slope_behind(table, k - 1))
+      times.push_back(table.time[k]);
 }
 
 /// First entry of the positions of a free joint on the world.
@@ -87,10 +113,21 @@ void check_scene(const MovingScene& scene) {
   }
 }
 
-double drive_effort(const SceneDrive& drive, double u, double rate, double t) {
-  const double wanted = drive.target + drive.speed * (t - drive.when.from);
+DriveTarget drive_target(const SceneDrive& drive, double t, double acting) {
+  if (!drive.table) return {drive.target + drive.speed * (t - drive.when.from), drive.speed};
+  // The last knot that is not after the instant.
+  const TargetTable& table = *drive.table;
+  const double* const first = table.time.data();
+  const Eigen::Index knot = std::upper_bound(first, first + table.time.size(), acting) - first - 1;
+  if (knot < 0) return {table.target[0], 0};
+  const double slope = slope_behind(table, knot);
+  return {table.target[knot] + slope * (t - table.time[knot]), slope};
+}
+
+double drive_effort(const SceneDrive& drive, double u, double rate, double t, double acting) {
+  const DriveTarget wanted = drive_target(drive, t, acting);
   const double effort =
-      drive.bias + drive.stiffness * (wanted - u) - drive.damping * (rate - drive.speed);
+      drive.bias + drive.stiffness * (wanted.value - u) - drive.damping * (rate - wanted.speed);
   return std::clamp(effort, -drive.max_effort, drive.max_effort);
 }
 
@@ -170,7 +207,10 @@ std::vector<double> switching_times(const MovingScene& scene) {
     if (std::isfinite(span.to)) times.push_back(span.to);
   };
   for (const SceneForce& force : scene.forces) add(force.when);
-  for (const SceneDrive& drive : scene.drives) add(drive.when);
+  for (const SceneDrive& drive : scene.drives) {
+    add(drive.when);
+    if (drive.table) add_knots(*drive.table, drive.when, times);
+  }
   for (const std::shared_ptr<const ForceElement>& element : scene.elements)
     for (const double t : element->switches()) times.push_back(t);
   std::sort(times.begin(), times.end());

@@ -32,9 +32,16 @@ struct SceneForce {
   TimeSpan when{};
 };
 
+/// Where a coordinate is to be over time: straight between knots, constant before the first and
+/// after the last. Two knots of one time are a jump.
+struct TargetTable {
+  Eigen::VectorXd time;    // never falling [s] (knots)
+  Eigen::VectorXd target;  // [rad] or [m] (knots)
+};
+
 /// A motor at a coordinate:
 ///   effort = bias + stiffness (target + speed (t - from) - u) - damping (u_dot - speed),
-/// cut to [-max_effort, max_effort].
+/// cut to [-max_effort, max_effort]. With a table, target and speed are those of its line.
 struct SceneDrive {
   int coordinate = 0;
   double bias = 0;       // [N m] or [N]
@@ -44,11 +51,25 @@ struct SceneDrive {
   double speed = 0;      // of the target [rad/s] or [m/s]
   double max_effort = std::numeric_limits<double>::infinity();  // [N m] or [N]
   TimeSpan when{};
+  std::shared_ptr<const TargetTable> table{};  // shared by copies of a scene; null: none
 };
+
+/// Where a drive wants its coordinate, and how fast that moves.
+struct DriveTarget {
+  double value;  // [rad] or [m]
+  double speed;  // [rad/s] or [m/s]
+};
+
+/// The target of a drive at an instant, on the line of its table that holds at another: a step
+/// keeps to that of its beginning. The line is found by bisection.
+/// @param t  [s];  @param acting  instant whose line holds [s]
+[[nodiscard]] DriveTarget drive_target(const SceneDrive& drive, double t, double acting);
 
 /// Effort of a drive at an instant of its time [N m] or [N].
 /// @param u  its coordinate [rad] or [m];  @param rate  of it;  @param t  [s]
-[[nodiscard]] double drive_effort(const SceneDrive& drive, double u, double rate, double t);
+/// @param acting  as of drive_target()
+[[nodiscard]] double drive_effort(const SceneDrive& drive, double u, double rate, double t,
+                                  double acting);
 
 /// How two bodies rub and bounce.
 struct PairFriction {
@@ -73,8 +94,9 @@ struct MovingScene {
 
 /// Checks a scene.
 /// @throws InputError as check_mechanism(); if a body or coordinate is not there, a number is not
-/// finite, a span ends before it begins, friction or restitution is impossible, q or v have the
-/// wrong length, or a quaternion has not length 1 to 1e-6.
+/// finite, a span ends before it begins, a table of targets is empty or falls in time, friction or
+/// restitution is impossible, q or v have the wrong length, or a quaternion has not length 1 to
+/// 1e-6.
 void check_scene(const MovingScene& scene);
 
 /// Rubbing of two bodies.
@@ -101,8 +123,8 @@ void set_free_velocity(const Mechanism& mechanism, int body, const Eigen::Vector
                        const Eigen::Vector3d& linear, const Eigen::Vector3d& angular,
                        Eigen::VectorXd& v);
 
-/// Instants at which a force or drive begins or ends, or the law of an element changes, in order,
-/// each once [s].
+/// Instants at which a force or drive begins or ends, the target of a drive jumps or its slope
+/// changes, or the law of an element changes, in order, each once [s].
 [[nodiscard]] std::vector<double> switching_times(const MovingScene& scene);
 
 }  // namespace thenar

@@ -78,10 +78,9 @@ class Simulation {
  private:
   /// The next instant at which a step must end.
   [[nodiscard]] double next_stop() const {
-    double stop = std::min(options_.seconds, next_sample_);
-    for (const double t : switches_)
-      if (t > state_.t) stop = std::min(stop, t);
-    return stop;
+    const double stop = std::min(options_.seconds, next_sample_);
+    const auto next = std::upper_bound(switches_.begin(), switches_.end(), state_.t);
+    return next == switches_.end() ? stop : std::min(stop, *next);
   }
 
   [[nodiscard]] bool is_finite() const {
@@ -144,11 +143,13 @@ class Simulation {
     for (long i = 0; i < steps; ++i) {
       // A step ends where something begins or ends to act; what differs by rounding is one instant.
       double end = h * static_cast<double>(i + 1);
-      for (const double t : switches_)
-        if (std::abs(t - end) < kOneInstant * h) end = t;
+      const auto behind =
+          std::lower_bound(switches_.begin(), switches_.end(), end + kOneInstant * h);
+      if (behind != switches_.begin() && *(behind - 1) > end - kOneInstant * h) end = *(behind - 1);
       double part = 0;
-      for (const double t : switches_)
-        if (t > state_.t && t < end) part = part_step(t, last);
+      for (auto t = std::upper_bound(switches_.begin(), switches_.end(), state_.t);
+           t != switches_.end() && *t < end; ++t)
+        part = part_step(*t, last);
       part = part_step(end, last);
       if (!go_on()) return;
       if (state_.t >= next_sample_ - 0.5 * h || i + 1 == steps) sample(last, part);
@@ -480,8 +481,9 @@ class Simulation {
   /// Whether some drive has a target that moves.
   [[nodiscard]] bool drives_move() const {
     return std::any_of(
-        step_.scene().drives.begin(), step_.scene().drives.end(),
-        [&](const SceneDrive& drive) { return drive.speed != 0 && drive.when.holds(state_.t); });
+        step_.scene().drives.begin(), step_.scene().drives.end(), [&](const SceneDrive& drive) {
+          return drive.when.holds(state_.t) && drive_target(drive, state_.t, state_.t).speed != 0;
+        });
   }
 
   /// Closes gaps that have opened or overlap since the trial was inspected, and ends approaches.

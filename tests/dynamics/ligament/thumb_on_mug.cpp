@@ -214,7 +214,7 @@ std::vector<ThumbOnMugState> states_of(const ThumbOnMug& made, const SceneRun& r
     const Pose<double>& X = poses[static_cast<std::size_t>(made.distal)];
     if (out.empty()) X_start = X;
     ThumbOnMugState state{sample.t, 0, std::nan(""), 0, {}};
-    state.force = -drive_effort(push, sample.q[slide_q], sample.v[slide_v], sample.t);
+    state.force = -drive_effort(push, sample.q[slide_q], sample.v[slide_v], sample.t, sample.t);
     // Normals are outward of the mug; of several points they are weighed by their forces.
     Vector3d to_mug(0, 0, 0);
     for (const ContactSample& contact : sample.contacts)

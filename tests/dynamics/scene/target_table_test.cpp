@@ -32,17 +32,11 @@ std::string table_complaint(const std::string& text) {
   return message_of<DataError>([&] { (void)table_of(text); });
 }
 
-/// Target at an instant by the drive that acts then; there must be one.
-double target_at(const std::vector<SceneDrive>& drives, double t) {
-  double target = std::nan("");
-  int acting = 0;
-  for (const SceneDrive& drive : drives)
-    if (drive.when.holds(t)) {
-      target = drive.target + drive.speed * (t - drive.when.from);
-      ++acting;
-    }
-  EXPECT_EQ(acting, 1) << t;
-  return target;
+/// A drive that follows a table.
+SceneDrive following(const TargetTable& table) {
+  SceneDrive drive;
+  drive.table = std::make_shared<TargetTable>(table);
+  return drive;
 }
 
 TEST(TargetTable, ReadsItsColumnInItsUnit) {
@@ -66,23 +60,58 @@ TEST(TargetTable, SaysWhatIsWrongAndWhere) {
               StartsWith("t.csv:3: wanted at most"));
 }
 
-TEST(TargetTable, DrivesFollowItOneAfterTheOther) {
-  SceneDrive drive;
-  drive.when = {0.25, 5};
-  TargetTable table{Eigen::Vector4d(0.5, 1, 1, 2), Eigen::Vector4d(1, 3, 0, -2)};
-  const std::vector<SceneDrive> drives = follow_table(drive, table);
-  for (const auto& [t, target] : {std::pair{0.25, 1.0},
-                                  {0.4, 1.0},
-                                  {0.75, 2.0},
-                                  {1.0, 0.0},
-                                  {1.5, -1.0},
-                                  {2.0, -2.0},
-                                  {4.9, -2.0}})
-    EXPECT_NEAR(target_at(drives, t), target, 1e-15);
-  // Its span cuts pieces.
-  drive.when = {0.75, 0.9};
-  EXPECT_EQ(follow_table(drive, table).size(), 1u);
-  EXPECT_NEAR(target_at(follow_table(drive, table), 0.8), 2.2, 1e-15);
+TEST(TargetTable, ADriveFollowsIt) {
+  const SceneDrive drive = following({Eigen::Vector4d(0.5, 1, 1, 2), Eigen::Vector4d(1, 3, 0, -2)});
+  for (const auto& [t, target, speed] : {std::tuple{0.25, 1.0, 0.0},
+                                         {0.75, 2.0, 4.0},
+                                         {1.0, 0.0, -2.0},
+                                         {1.5, -1.0, -2.0},
+                                         {2.0, -2.0, 0.0},
+                                         {4.9, -2.0, 0.0}}) {
+    EXPECT_NEAR(drive_target(drive, t, t).value, target, 1e-15);
+    EXPECT_EQ(drive_target(drive, t, t).speed, speed);
+  }
+  // A step that ends at the jump keeps to the line of its beginning.
+  EXPECT_EQ(drive_target(drive, 1, 0.9).value, 3);
+}
+
+// Steps end where the target jumps or its slope changes while the drive acts.
+TEST(TargetTable, StepsEndAtItsCornersAlone) {
+  MovingScene scene;
+  Eigen::VectorXd time(6), target(6);
+  time << 0, 0.5, 1, 1, 2, 3;
+  target << 0, 0.5, 1, 5, 5, 6;
+  scene.drives.push_back(following({time, target}));
+  scene.drives[0].when = {0.25, 5};
+  EXPECT_THAT(switching_times(scene), testing::ElementsAre(0.25, 1, 2, 3, 5));
+}
+
+// Rows of a straight line leave its ends, also where decimals are rounded; a corner stays.
+TEST(TargetTable, RowsOfAStraightLineAreOne) {
+  std::string text = "time_s,wrist_deg\n";
+  for (int k = 0; k <= 1000; ++k)
+    text += fmt::format("{:.3f},{:.4f}\n", 0.001 * k, k <= 700 ? 0.1234 * k : 86.38);
+  const TargetTable table = table_of(text), straight = without_straight_knots(table);
+  ASSERT_EQ(table.time.size(), 1001);
+  EXPECT_EQ(straight.time, Eigen::Vector3d(0, 0.7, 1));
+  EXPECT_EQ(straight.target[2], table.target[1000]);
+  for (int k = 0; k < 1000; ++k) {
+    const double t = table.time[k];
+    EXPECT_NEAR(drive_target(following(straight), t, t).value, table.target[k], 1e-14) << k;
+  }
+  // A row that is off by a millionth of a degree is a corner, with both beside it.
+  TargetTable bent = table;
+  bent.target[300] += 1e-6 * kDegree;
+  EXPECT_EQ(without_straight_knots(bent).time.size(), 6);
+}
+
+TEST(TargetTable, KeepsJumps) {
+  Eigen::VectorXd time(5), target(5);
+  time << 0, 1, 1, 1, 2;
+  target << 0, 1, 1, 2, 3;
+  const TargetTable table = without_straight_knots({time, target});
+  EXPECT_EQ(table.time, Eigen::Vector4d(0, 1, 1, 2));
+  EXPECT_EQ(table.target, Eigen::Vector4d(0, 1, 2, 3));
 }
 
 using TargetFile = TemporaryFolder;
@@ -124,6 +153,29 @@ TEST_F(TargetFile, PullsACartAsTheSpringSays) {
   const double x = t - std::sin(w * t) / w, v = 1 - std::cos(w * t);
   const double end = 0.3 + (x - 0.3) * std::cos(w * rest) + v / w * std::sin(w * rest);
   EXPECT_NEAR(run.samples.back().q[0], end, 1e-8);
+}
+
+// A straight way is one drive and costs the steps of two rows, however many it is written in.
+TEST_F(TargetFile, RowsOfAStraightLineCostNoSteps) {
+  const std::string path = (folder_ / "s.toml").string();
+  std::ofstream(path) << kCartTop + kPulled +
+                             "[stepping]\nmethod = \"time-stepping\"\nduration_s = 1\n";
+  std::vector<double> ends;
+  for (const int rows : {2, 3334}) {
+    std::ofstream way(folder_ / "way.csv");
+    way << "time_s,pull_mm\n";
+    for (int k = 0; k < rows; ++k) {
+      const double t = std::round(1e6 * k / (rows - 1)) / 1e6;
+      way << fmt::format("{:.6f},{:.6f}\n", t, 300 * t);
+    }
+    way.close();
+    const BuiltScene built = build_scene(read_scene(path), {});
+    EXPECT_EQ(built.scene.drives.size(), 1u);
+    const SceneRun run = simulate_scene(built.scene, built.options);
+    EXPECT_EQ(run.cost.steps, 1000);
+    ends.push_back(run.samples.back().q[0]);
+  }
+  EXPECT_NEAR(ends[0], ends[1], 1e-14);
 }
 
 // All that a cart without friction has at the end is work of its drive, however the rows of the
