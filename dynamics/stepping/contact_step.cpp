@@ -12,7 +12,8 @@ namespace {
 
 using Kind = ActiveContact::Kind;
 
-constexpr double kNoSlip = 1e-9;  // slower is sticking [m/s], [rad/s]
+constexpr double kNoSlip = 1e-9;     // slower is sticking [m/s], [rad/s]
+constexpr double kNothing = 1e-150;  // slower is at rest: squares are no numbers [m/s], [rad/s]
 
 /// Notes a contact that was not closed before.
 void note_deeper(const ActiveContact& contact, StepOutcome& outcome) {
@@ -519,6 +520,8 @@ void ContactStep::time_step(SceneState& state, double h, const std::vector<Activ
   p.speed_up(p.v_mean);
   p.v_free = state.v;
   p.add_efforts(h);
+  // What dry friction has stopped keeps last bits of its speed, and bits of those in the next step.
+  p.v_free = (p.v_free.array().abs() < kNothing).select(0, p.v_free);
   // Whatever may close its gap within the step.
   const double margin = h * p.fastest(p.v_free) + 1e-5;
   p.find(state, std::min(margin, 0.05), outcome.active);

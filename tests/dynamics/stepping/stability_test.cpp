@@ -225,6 +225,22 @@ TEST(SceneStability, LimitsStopAndJointsRub) {
   EXPECT_LT(0.1 * kG * 0.2 * std::cos(run.samples.back().q[0]), 0.05);
 }
 
+// A speed that friction has stopped does not fade through numbers of ever fewer digits, on which
+// no contact problem can be solved.
+TEST(SceneStability, WhatFrictionStoppedIsAtRest) {
+  MovingScene scene;
+  scene.gravity.setZero();
+  sample::add_on_joint(scene, "cube", primitive(ShapeKind::kBox, {0.1, 0.1, 0.1}), 0.2,
+                       JointKind::kSlide, {1, 0, 0}, {0, 0, 0});
+  scene.mechanism.joints[0].friction = 0.5;
+  scene.v[0] = 0.7;
+  SceneOptions options;
+  options.method = SteppingMethod::kTimeStepping;
+  const SceneRun run = simulate_scene(scene, options);
+  EXPECT_EQ(run.status, SceneStatus::kDone);
+  EXPECT_EQ(run.samples.back().v[0], 0);
+}
+
 TEST(SceneStability, TheSameSceneGivesTheSameBits) {
   sample::PinchOptions grip;
   grip.above = 0.004;
