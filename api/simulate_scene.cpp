@@ -454,6 +454,8 @@ void add_outcome(const SimulatedScene& scene, const std::string& group, ResultFi
   file.add(group + "deepest", cost.deepest, "m");
   file.add(group + "work", scene.measures.work, "J");
   file.add(group + "dissipated", scene.measures.dissipated, "J");
+  if (std::isfinite(scene.measures.energy_error))
+    file.add(group + "energy_error", scene.measures.energy_error, "J");
   std::vector<std::string> names;
   Eigen::VectorXd slip(static_cast<Eigen::Index>(scene.measures.pairs.size()));
   const std::vector<MechanismBody>& bodies = scene.built->scene.mechanism.bodies;

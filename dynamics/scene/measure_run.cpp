@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <map>
 
 #include <Eigen/Geometry>
@@ -147,6 +148,17 @@ double work_of_elements(const SceneRun& run) {
   return last.z[work] - first.z[work] + last.energy.of_elements - first.energy.of_elements;
 }
 
+/// Work, dissipation and the error of their balance by the flows of the steps [J].
+void account_by_flows(const SceneRun& run, RunMeasures& out) {
+  const SceneSample &first = run.samples.front(), &last = run.samples.back();
+  const EnergyFlows flows = last.w - first.w;
+  out.work = flows[kApplied] + work_of_elements(run);
+  // Passive elements dissipate what they take and do not store.
+  const double stored = last.energy.of_passive - first.energy.of_passive;
+  out.dissipated = flows[kDamped] + flows[kRubbed] - flows[kPassive] - stored;
+  out.energy_error = first.energy.total() + out.work - out.dissipated - last.energy.total();
+}
+
 /// Velocities of all bodies at an instant.
 std::vector<SceneVelocity> velocities_at(const Mechanism& mechanism, const TreeModel& model,
                                          const SceneSample& sample) {
@@ -196,6 +208,7 @@ RunMeasures measure_run(const MovingScene& scene, const SceneRun& run) {
     if (step.model().bodies[i].link >= 0 && (body.mass.mass > 0 || body.solid))
       out.moving.push_back(i);
   }
+  const bool has_flows = run.samples.back().w.size() > 0;
   std::map<Pair, PairMeasure> pairs;
   for (std::size_t k = 0; k < run.samples.size(); ++k) {
     note_contacts(run.samples[k], k + 1 == run.samples.size(), pairs);
@@ -203,14 +216,19 @@ RunMeasures measure_run(const MovingScene& scene, const SceneRun& run) {
     const SceneSample &from = run.samples[k - 1], &to = run.samples[k];
     const bool bare = k == 1 && from.contacts.empty();
     add_slips(bare ? with_touching(from, step) : from, to, out.X_WB[k - 1], out.X_WB[k], pairs);
-    out.work += work_between(scene, layout, from, to, out.X_WB[k - 1], out.X_WB[k]);
+    if (!has_flows) out.work += work_between(scene, layout, from, to, out.X_WB[k - 1], out.X_WB[k]);
   }
   for (const auto& [bodies, pair] : pairs) out.pairs.push_back(pair);
   out.velocity = velocities_at(scene.mechanism, step.model(), run.samples.back());
-  out.work += work_of_elements(run);
   out.pulls = measure_pulls(scene, run);
+  if (has_flows) {
+    account_by_flows(run, out);
+    return out;
+  }
+  out.work += work_of_elements(run);
   out.dissipated =
       run.samples.front().energy.total() + out.work - run.samples.back().energy.total();
+  out.energy_error = std::numeric_limits<double>::quiet_NaN();
   return out;
 }
 

@@ -24,8 +24,10 @@ struct PairMeasure {
 /// Measures over the instants of a run.
 struct RunMeasures {
   std::vector<PairMeasure> pairs;  // by rising (a, b)
-  double work = 0;                 // of forces and drives on the scene [J]
-  double dissipated = 0;           // energy at the start + work - energy at the end [J]
+  double work = 0;                 // of forces, drives and muscles on the scene [J]
+  double dissipated = 0;           // by contacts, impacts, friction and dampers [J]
+  double energy_error = 0;         // energy at the start + work - dissipated - energy at the end
+                                   // [J]; not a number where the method has no flows of energy
   std::vector<std::vector<Pose<double>>> X_WB;  // (instants, bodies)
   std::vector<std::size_t> moving;  // bodies with mass or surface that are not fixed to the world
   RunPulls pulls;                   // of human hands
@@ -41,9 +43,12 @@ struct RunMeasures {
 /// where the pair slides straight on between instants, leaves out rolling but for its third order,
 /// and contacts that are shorter than two instants.
 ///
-/// Work: of a force that acts all along, exact; of a drive, mean of its efforts at both instants
-/// times the way; of a moment, along the turn. What begins or ends between two instants counts by
-/// the instant in their middle.
+/// Work and dissipation are those of the steps, whatever instants were kept (SceneSample::w).
+///
+/// Where the method has none (springs for contacts), work is summed over the instants: of a force
+/// that acts all along, exact; of a drive, by Gauss's three points on the cubic through its
+/// coordinate and rate; of a moment, along the turn. What begins or ends between two instants
+/// counts by the instant in their middle. Then what is dissipated is what the balance leaves.
 [[nodiscard]] RunMeasures measure_run(const MovingScene& scene, const SceneRun& run);
 
 }  // namespace thenar

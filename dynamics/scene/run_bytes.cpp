@@ -74,17 +74,18 @@ void pass_contact(Stream& stream, ContactSample& contact) {
 
 template <typename Stream>
 void pass_sample(Stream& stream, SceneSample& sample) {
-  auto& [t, q, v, z, contacts, energy] = sample;
+  auto& [t, q, v, z, contacts, energy, w] = sample;
   stream.plain(t);
   pass_vector(stream, q);
   pass_vector(stream, v);
   pass_vector(stream, z);
+  pass_vector(stream, w);
   std::size_t touching = contacts.size();
   stream.count(touching);
   contacts.resize(touching);
   for (ContactSample& contact : contacts) pass_contact(stream, contact);
-  auto& [kinetic, weight, springs, of_elements] = energy;
-  for (double* each : {&kinetic, &weight, &springs, &of_elements}) stream.plain(*each);
+  auto& [kinetic, weight, springs, of_elements, of_passive] = energy;
+  for (double* each : {&kinetic, &weight, &springs, &of_elements, &of_passive}) stream.plain(*each);
 }
 
 template <typename Stream>

@@ -41,6 +41,7 @@ struct ContactStep::Parts {
         !elements.empty() ||
         std::any_of(scene.mechanism.joints.begin(), scene.mechanism.joints.end(), resists) ||
         std::any_of(scene.drives.begin(), scene.drives.end(), resists);
+    has_flows = !elements.empty() || has_powers(scene);
     build_collision();
   }
 
@@ -203,13 +204,15 @@ struct ContactStep::Parts {
     state.z.array() += h * action.z_rate.array() / (1 + h * action.z_decay.array());
   }
 
-  /// States of elements at the end of a midpoint step, by their rates in its middle at the mean of
-  /// the speeds before and after. @param state  positions and states of the middle, speeds after
+  /// Speeds of links at the mean of those before and after a midpoint step, and the states of
+  /// elements at its end by their rates in its middle. @param state  positions and states of the
+  /// middle, speeds after
   bool end_elements(double h, const Eigen::VectorXd& z_before, const Eigen::VectorXd& v_before,
                     SceneState& state) {
-    if (elements.empty()) return true;
+    if (!has_flows) return true;
     v_mean = 0.5 * (v_before + state.v);
     speed_up(v_mean);
+    if (elements.empty()) return true;
     const bool acted =
         elements.act({state.t, acting, state.q, v_mean, state.z, motion, 0, ElementNeed::kRates});
     state.z = z_before + h * elements.action().z_rate;
@@ -226,6 +229,12 @@ struct ContactStep::Parts {
     if (std::abs(effort) >= drive.max_effort) return;
     stiffness[row] += drive.stiffness;
     damping[row] += drive.damping;
+  }
+
+  /// Mean powers over a step of all but contacts, kept in `power`, after load().
+  void find_powers(const StepEfforts& at) {
+    if (!has_flows) return;
+    power << applied_powers(scene, model.layout, motion, at), elements.passive_power(), 0;
   }
 
   /// v_free = v + A^-1 h (tau - h(q, v)), after place() and load(). h = 0: v alone.
@@ -351,9 +360,13 @@ struct ContactStep::Parts {
     const ContactSolution& answer = solver.solve(problem, start, solver_options);
     outcome.solved = outcome.solved && answer.status == Status::kSolved;
     outcome.residual = answer.residual.natural;
-    change.noalias() = J * answer.f;
+    pushed.noalias() = J * answer.f;
+    change = pushed;
     mass.solve(model, change);
-    state.v = v_free + change;
+    v_free += change;
+    // By the mean of the speeds before and after, which is what the kinetic energy loses.
+    state.w[kRubbed] -= 0.5 * pushed.dot(state.v + v_free);
+    state.v = v_free;
     int at = 0;
     for (std::size_t k = 0; k < list.size(); ++k) {
       read(answer, at, problem.blocks[k], list[k]);
@@ -421,7 +434,8 @@ struct ContactStep::Parts {
   std::vector<bool> may_meet;          // (bodies x bodies)
   Eigen::VectorXd placed_q, placed_v;  // where place() has put the links (q), (v)
   bool is_placed = false;              // and they still are
-  Eigen::VectorXd tau, v_free, v_mean, zero, start, change;
+  Eigen::VectorXd tau, v_free, v_mean, zero, start, change, pushed;
+  EnergyFlows power{0, 0, 0, 0};       // [W]
   Eigen::VectorXd stiffness, damping;  // of springs, dampers and drives, over the speeds (v)
   Eigen::VectorXd implicit;            // what they add to the mass matrix (v)
   SceneElements elements;
@@ -432,6 +446,7 @@ struct ContactStep::Parts {
   ContactSolverOptions solver_options;
   std::vector<ActiveContact> found;
   bool has_slopes = false;  // some spring, damper or drive may be stiff
+  bool has_flows = false;   // energy flows where nothing touches
   double acting = 0;        // instant whose forces and drives act [s]
 };
 
@@ -485,11 +500,13 @@ void ContactStep::substep(SceneState& state, double h, const std::vector<ActiveC
   p.advance_elements(h, state);
   if (outcome.active.empty()) {
     state.v = p.v_free;
-    return;
+  } else {
+    p.set_rows(outcome.active, h);
+    p.problem.b.noalias() = p.J.transpose() * p.v_free;
+    p.solve(outcome.active, state, outcome);
   }
-  p.set_rows(outcome.active, h);
-  p.problem.b.noalias() = p.J.transpose() * p.v_free;
-  p.solve(outcome.active, state, outcome);
+  p.find_powers({state.t, p.acting, h, 1, state.q, p.placed_v, state.v});
+  state.w += h * p.power;
 }
 
 void ContactStep::time_step(SceneState& state, double h, const std::vector<ActiveContact>& last,
@@ -551,6 +568,8 @@ void ContactStep::time_step(SceneState& state, double h, const std::vector<Activ
     p.solve(outcome.active, state, outcome);
   }
   outcome.solved = p.end_elements(h, z_before, v_before, state) && outcome.solved;
+  p.find_powers({state.t, p.acting, h, 0.5, state.q, v_before, state.v});
+  state.w += h * p.power;
   advance(p.scene.mechanism, layout, state.v, 0.5 * h, state.q);
   state.t += 0.5 * h;
 }
@@ -655,6 +674,7 @@ ContactStep::Energy ContactStep::energy(const SceneState& state) {
   }
   const SceneElements::Energy stored = p.elements.energy(p.seen_by_elements(state));
   out.of_elements = stored.active;
+  out.of_passive = stored.all - stored.active;
   out.springs += stored.all;
   return out;
 }
@@ -665,6 +685,7 @@ bool ContactStep::free_rates(const SceneState& state, Eigen::VectorXd& q_dot,
   p.place(state);
   const bool acted = p.load(state, ElementNeed::kRates);
   z_dot = p.elements.action().z_rate;
+  p.find_powers({state.t, p.acting, 0, 0, state.q, state.v, state.v});
   position_rates(p.scene.mechanism, p.model.layout, state.q, state.v, q_dot);
   if (p.articulated) {
     p.articulated->accelerations(p.motion, p.scene.gravity, p.tau, v_dot);
@@ -673,6 +694,13 @@ bool ContactStep::free_rates(const SceneState& state, Eigen::VectorXd& q_dot,
   p.mass.set(p.motion);
   p.solve_efforts(1, v_dot);
   return acted;
+}
+
+Eigen::Index ContactStep::free_flows() const { return parts_->has_flows ? kFreeFlows : 0; }
+
+Eigen::VectorBlock<const EnergyFlows> ContactStep::free_powers() const {
+  const EnergyFlows& power = parts_->power;
+  return power.head(free_flows());
 }
 
 SceneState ContactStep::start() const {

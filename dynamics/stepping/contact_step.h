@@ -10,6 +10,7 @@
 
 #include "dynamics/contact/contact_solver.h"
 #include "dynamics/mechanism/composite_body.h"
+#include "dynamics/stepping/energy_flow.h"
 #include "dynamics/stepping/moving_scene.h"
 #include "geometry/manifold/collision_world.h"
 
@@ -20,10 +21,11 @@ inline constexpr double kNearGap = 1e-4;
 
 /// Where a scene is.
 struct SceneState {
-  double t = 0;         // [s]
-  Eigen::VectorXd q;    // positions (q)
-  Eigen::VectorXd v;    // speeds (v)
-  Eigen::VectorXd z{};  // states of elements, see SceneElements; empty: not asked for (z)
+  double t = 0;               // [s]
+  Eigen::VectorXd q;          // positions (q)
+  Eigen::VectorXd v;          // speeds (v)
+  Eigen::VectorXd z{};        // states of elements, see SceneElements; empty: not asked for (z)
+  EnergyFlows w{0, 0, 0, 0};  // by steps so far; they steer nothing [J]
 };
 
 /// What a contact or a joint limit does during a step: its motion, whether it has a force or not.
@@ -139,6 +141,7 @@ class ContactStep {
   struct Energy {
     double kinetic = 0, weight = 0, springs = 0;  // [J]
     double of_elements = 0;  // the part of `springs` in elements that are not passive [J]
+    double of_passive = 0;   // the part of `springs` in passive elements [J]
     [[nodiscard]] double total() const { return kinetic + weight + springs; }
   };
   [[nodiscard]] Energy energy(const SceneState& state);
@@ -148,6 +151,10 @@ class ContactStep {
   /// @return whether all elements could act
   bool free_rates(const SceneState& state, Eigen::VectorXd& q_dot, Eigen::VectorXd& v_dot,
                   Eigen::VectorXd& z_dot);
+  /// How many flows of energy go on where nothing touches: kFreeFlows, or none.
+  [[nodiscard]] Eigen::Index free_flows() const;
+  /// Their powers at the last free_rates() [W] (free_flows()).
+  [[nodiscard]] Eigen::VectorBlock<const EnergyFlows> free_powers() const;
 
   /// The scene's beginning.
   [[nodiscard]] SceneState start() const;

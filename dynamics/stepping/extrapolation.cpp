@@ -34,13 +34,14 @@ void Extrapolation::add(const SceneState& column) {
   for (int k = 1; k < columns_; ++k) {
     SceneState& above = rows_[index(k - 1)];
     const double ratio = static_cast<double>(columns_ - k) / k;
-    const auto extrapolate = [&](Eigen::VectorXd& at, Eigen::VectorXd& before) {
+    const auto extrapolate = [&](auto& at, auto& before) {
       before = at + ratio * (at - before);
       at.swap(before);
     };
     extrapolate(last.q, above.q);
     extrapolate(last.v, above.v);
     extrapolate(last.z, above.z);
+    extrapolate(last.w, above.w);
   }
 }
 

@@ -48,6 +48,7 @@ bool SceneElements::act(const ElementInput& at) {
     before = after;
   }
   if (states_ > 0) action_.z_rate[states_ - 1] = power;
+  passive_power_ = before - power;
   return solved;
 }
 

@@ -94,6 +94,8 @@ class SceneElements {
   /// Acts with all elements; see action(). @return whether all could
   bool act(const ElementInput& at);
   [[nodiscard]] const ElementAction& action() const { return action_; }
+  /// Power of the passive ones on the scene, of the last act() [W].
+  [[nodiscard]] double passive_power() const { return passive_power_; }
 
   /// Energies that elements store [J].
   struct Energy {
@@ -112,6 +114,7 @@ class SceneElements {
   std::vector<Eigen::Index> first_z_;
   Eigen::Index states_ = 0;  // with the work
   ElementAction action_;
+  double passive_power_ = 0;
 };
 
 /// Names of all states of a scene's elements, the work last; empty: it has no elements.

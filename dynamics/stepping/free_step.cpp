@@ -16,13 +16,12 @@ Coefficients coefficients(const std::array<double, FreeStep::kStages>& of) {
 
 }  // namespace
 
-FreeStep::FreeStep(const SceneState& start)
-    : q_dot_(Eigen::VectorXd::Zero(start.q.size())),
-      v_dot_(Eigen::VectorXd::Zero(start.v.size())),
-      z_dot_(Eigen::VectorXd::Zero(start.z.size())),
-      at_(start),
-      first_(start) {
-  const Index size = start.q.size() + start.v.size() + start.z.size();
+FreeStep::FreeStep(const ContactStep& scene)
+    : flows_(scene.free_flows()), at_(scene.start()), first_(at_) {
+  q_dot_ = Eigen::VectorXd::Zero(at_.q.size());
+  v_dot_ = Eigen::VectorXd::Zero(at_.v.size());
+  z_dot_ = Eigen::VectorXd::Zero(at_.z.size());
+  const Index size = at_.q.size() + at_.v.size() + at_.z.size() + flows_;
   rates_.setZero(size, static_cast<Index>(kStages));
   begin_ = y_ = five_ = three_ = Eigen::VectorXd::Zero(size);
   first_.t = std::numeric_limits<double>::quiet_NaN();
@@ -31,12 +30,12 @@ FreeStep::FreeStep(const SceneState& start)
 void FreeStep::put(const Eigen::VectorXd& y) {
   at_.q = y.head(at_.q.size());
   at_.v = y.segment(at_.q.size(), at_.v.size());
-  at_.z = y.tail(at_.z.size());
+  at_.z = y.segment(at_.q.size() + at_.v.size(), at_.z.size());
 }
 
 bool FreeStep::find_rates(ContactStep& scene, Index stage) {
   const bool acted = scene.free_rates(at_, q_dot_, v_dot_, z_dot_);
-  rates_.col(stage) << q_dot_, v_dot_, z_dot_;
+  rates_.col(stage) << q_dot_, v_dot_, z_dot_, scene.free_powers();
   return acted;
 }
 
@@ -49,7 +48,7 @@ double FreeStep::error_of(Index first, Index count) const {
 
 FreeStep::Error FreeStep::step(ContactStep& scene, double h, SceneState& state) {
   using Method = DormandPrince;
-  begin_ << state.q, state.v, state.z;
+  begin_ << state.q, state.v, state.z, state.w.head(flows_);
   // A rejected step has told the first stage.
   if (!(first_.t == state.t && first_.q == state.q && first_.v == state.v && first_.z == state.z)) {
     first_ = at_ = state;
@@ -73,6 +72,7 @@ FreeStep::Error FreeStep::step(ContactStep& scene, double h, SceneState& state) 
   state.q = at_.q;
   state.v = at_.v;
   state.z = at_.z;
+  state.w.head(flows_) = y_.tail(flows_);
   scene.normalise(state.q);
   state.t += h;
   const Index q = state.q.size(), v = state.v.size(), z = state.z.size();

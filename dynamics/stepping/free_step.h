@@ -13,8 +13,8 @@ class FreeStep {
  public:
   static constexpr std::size_t kStages = DormandPrince::kStages;
 
-  /// @param start  of the scene, for the sizes
-  explicit FreeStep(const SceneState& start);
+  /// @param scene  for the sizes
+  explicit FreeStep(const ContactStep& scene);
 
   /// Error of a step.
   struct Error {
@@ -38,8 +38,9 @@ class FreeStep {
   /// Error of some entries of the rates' sums e_5 and e_3.
   [[nodiscard]] double error_of(Eigen::Index first, Eigen::Index count) const;
 
-  Eigen::MatrixXd rates_;                     // of positions, speeds, states (q + v + z, stages)
-  Eigen::VectorXd begin_, y_, five_, three_;  // (q + v + z)
+  Eigen::Index flows_;     // of energy; none: they stand still
+  Eigen::MatrixXd rates_;  // of positions, speeds, states, flows (q + v + z + flows, stages)
+  Eigen::VectorXd begin_, y_, five_, three_;  // (q + v + z + flows)
   Eigen::VectorXd q_dot_, v_dot_, z_dot_;
   SceneState at_, first_;    // first_: where column 0 of the rates belongs
   bool first_acted_ = true;  // elements could act there

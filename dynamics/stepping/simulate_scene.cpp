@@ -52,7 +52,7 @@ class Simulation {
         progress_(progress),
         switches_(switching_times(scene)),
         state_(step_.start()),
-        free_(state_),
+        free_(step_),
         columns_(state_, options.columns) {
     // Impulses of fixed steps are rough by themselves.
     ContactSolverOptions contacts = options.contacts;
@@ -100,6 +100,7 @@ class Simulation {
                               contact.impulse / h, contact.torsion / h, contact.gap, contact.mode});
     }
     out.energy = step_.energy(state_);
+    out.w = state_.w;
     run_.samples.push_back(std::move(out));
     next_sample_ =
         options_.sample * static_cast<double>(std::lround(state_.t / options_.sample) + 1);

@@ -64,6 +64,7 @@ struct SceneSample {
   std::vector<ContactSample> contacts;  // that do not open; forces are means of the last substep,
                                         // of first order in its length
   ContactStep::Energy energy;           // [J]; springs also hold that of compliant contacts
+  Eigen::VectorXd w;  // flows of energy since the start [J] (4); empty: the method has none
 };
 
 /// How a run ended.

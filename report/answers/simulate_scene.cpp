@@ -179,6 +179,7 @@ OrderedJson outcome_json(const SimulatedScene& scene) {
           {"energy_end_J", energy_json(scene.run.samples.back().energy)},
           {"work_J", scene.measures.work},
           {"dissipated_J", scene.measures.dissipated},
+          {"energy_error_J", number_or_null(scene.measures.energy_error)},
           {"steps", cost.steps},
           {"rejected_steps", cost.rejected},
           {"substeps", cost.substeps},

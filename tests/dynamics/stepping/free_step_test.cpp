@@ -130,7 +130,7 @@ TEST(FreeStep, IsOfOrderEightOnAPendulum) {
   for (const int count : {8, 16, 32}) {
     const double h = 4 * quarter / count;
     SceneState state = steps.start(), first = state;
-    FreeStep method(state);
+    FreeStep method(steps);
     estimates.push_back(method.step(steps, h / 4, first).v);
     for (int i = 0; i < count; ++i) (void)method.step(steps, h, state);
     errors.push_back(std::abs(state.v[0]));
@@ -147,7 +147,7 @@ TEST(FreeStep, TriesAgainFromTheSamePlace) {
   double quarter = 0;
   const MovingScene scene = pendulum(quarter);
   ContactStep steps(scene);
-  FreeStep method(steps.start()), fresh(steps.start());
+  FreeStep method(steps), fresh(steps);
   SceneState tried = steps.start(), again = steps.start(), once = steps.start();
   (void)method.step(steps, quarter, tried);
   (void)method.step(steps, 0.1 * quarter, again);

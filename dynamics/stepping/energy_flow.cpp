@@ -1,0 +1,53 @@
+#include "dynamics/stepping/energy_flow.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace thenar {
+namespace {
+
+/// Power of all forces and moments [W].
+double power_of_loads(const TreeMotion<double>& motion) {
+  double power = 0;
+  for (const MovingLink<double>& link : motion.links())
+    power += link.load_m.dot(link.w) + link.load_f.dot(link.vel);
+  return power;
+}
+
+/// Mean power of a drive over a step [W].
+double power_of_drive(const SceneDrive& drive, const MechanismLayout& layout,
+                      const StepEfforts& at) {
+  const auto c = static_cast<std::size_t>(drive.coordinate);
+  const int row = layout.coordinate_v[c];
+  double effort = drive_effort(drive, at.q[layout.coordinate_q[c]], at.v[row], at.t, at.acting);
+  if (std::abs(effort) < drive.max_effort)
+    effort -= (at.share * drive.damping + at.share * at.share * at.h * drive.stiffness) *
+              (at.v_end[row] - at.v[row]);
+  return 0.5 * effort * (at.v[row] + at.v_end[row]);
+}
+
+}  // namespace
+
+bool has_powers(const MovingScene& scene) {
+  return !scene.forces.empty() || !scene.drives.empty() ||
+         std::any_of(scene.mechanism.joints.begin(), scene.mechanism.joints.end(),
+                     [](const MechanismJoint& joint) { return joint.damping > 0; });
+}
+
+Eigen::Vector2d applied_powers(const MovingScene& scene, const MechanismLayout& layout,
+                               const TreeMotion<double>& motion, const StepEfforts& at) {
+  double applied = scene.forces.empty() ? 0 : power_of_loads(motion), damped = 0;
+  for (const SceneDrive& drive : scene.drives)
+    if (drive.when.holds(at.acting)) applied += power_of_drive(drive, layout, at);
+  for (std::size_t i = 0; i < scene.mechanism.joints.size(); ++i) {
+    const MechanismJoint& joint = scene.mechanism.joints[i];
+    if (!is_scalar(joint.kind) || joint.damping == 0) continue;
+    const int row = layout.first_v[i];
+    const double slope = joint_value(joint, at.q[layout.first_q[i]]).slope;
+    const double taken_at = at.v[row] + at.share * (at.v_end[row] - at.v[row]);
+    damped += joint.damping * slope * slope * taken_at * 0.5 * (at.v[row] + at.v_end[row]);
+  }
+  return {applied, damped};
+}
+
+}  // namespace thenar

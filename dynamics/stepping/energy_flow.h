@@ -1,0 +1,46 @@
+#pragma once
+
+/// What flows into the energy of a scene and out of it.
+
+#include <Eigen/Core>
+
+#include "dynamics/mechanism/tree_motion.h"
+#include "dynamics/stepping/moving_scene.h"
+
+namespace thenar {
+
+/// Flows of energy since the start of a scene, each the integral of a power over the motion.
+enum EnergyFlow : Eigen::Index {
+  kApplied,  // work of forces and drives on the scene
+  kDamped,   // what dampers of joints took
+  kPassive,  // work of passive elements on the scene
+  kRubbed    // what contacts, joint limits, dry friction and impacts took; less than 0 where bodies
+             // that began in each other were pushed apart
+};
+inline constexpr Eigen::Index kFreeFlows = 3;  // all but kRubbed go on where nothing touches
+using EnergyFlows = Eigen::Vector4d;           // [J] (4)
+
+/// Whether forces, drives or dampers of joints act in a scene at any time.
+[[nodiscard]] bool has_powers(const MovingScene& scene);
+
+/// Where the efforts of a step were taken, and the speeds before and after it. A step has efforts
+/// with their slopes: of a spring and damper with stiffness K and damping D that give tau at (q,
+/// v),
+///   tau - (share D + share^2 h K) (v_end - v).
+/// An instant by itself has v_end = v.
+struct StepEfforts {
+  double t, acting;                      // as ElementInput [s]
+  double h, share;                       // length of the step [s]; 1: slopes at its end, 1/2: mean
+  const Eigen::VectorXd &q, &v, &v_end;  // (q), (v), (v)
+};
+
+/// Mean powers of forces and drives, and what the dampers of joints take, over a step: efforts with
+/// their slopes, times the mean of the speeds.
+/// @param motion  with loads of the forces that act; these count at the speeds that it has
+/// @return kApplied and kDamped [W] (2)
+[[nodiscard]] Eigen::Vector2d applied_powers(const MovingScene& scene,
+                                             const MechanismLayout& layout,
+                                             const TreeMotion<double>& motion,
+                                             const StepEfforts& at);
+
+}  // namespace thenar
