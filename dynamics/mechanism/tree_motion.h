@@ -4,6 +4,7 @@
 
 #include <vector>
 
+#include "dynamics/mechanism/joint_turns.h"
 #include "dynamics/mechanism/tree_model.h"
 
 namespace thenar {
@@ -33,7 +34,8 @@ struct MovingLink {
 template <typename T>
 class TreeMotion {
  public:
-  explicit TreeMotion(const TreeModel& model) : model_(&model), links_(model.links.size()) {}
+  explicit TreeMotion(const TreeModel& model)
+      : model_(&model), links_(model.links.size()), turns_(model.links.size()) {}
 
   /// Poses all links. @param q  positions; quaternions have length 1 (q)
   template <typename Q>
@@ -89,6 +91,7 @@ class TreeMotion {
  private:
   const TreeModel* model_;
   std::vector<MovingLink<T>> links_;
+  internal::JointTurns<T> turns_;  // of hinges
 };
 
 namespace internal {
@@ -127,8 +130,16 @@ void add_along_axes(const TreeLink& constant, const MovingLink<T>& link, const V
 template <typename T>
 template <typename Q>
 void TreeMotion<T>::set_position(const Q& q) {
-  using std::cos;
-  using std::sin;
+  // Values of joints, and sines and cosines of all hinges at once.
+  for (std::size_t i = 0; i < links_.size(); ++i) {
+    const TreeLink& constant = model_->links[i];
+    JointValueOn<T> at{T(0), T(1), T(0)};
+    if (is_scalar(constant.kind)) at = joint_value<T>(constant.joint, q[constant.q]);
+    links_[i].slope = at.slope;
+    links_[i].bend = at.bend;
+    turns_.set(i, at.value);
+  }
+  turns_.find();
   for (std::size_t i = 0; i < links_.size(); ++i) {
     const TreeLink& constant = model_->links[i];
     MovingLink<T>& link = links_[i];
@@ -143,13 +154,9 @@ void TreeMotion<T>::set_position(const Q& q) {
       link.o = parent.o + link.r;
     }
     // The joint moves M in F.
-    JointValueOn<T> at{T(0), T(1), T(0)};
-    if (is_scalar(constant.kind)) at = joint_value<T>(constant.joint, q[constant.q]);
-    link.slope = at.slope;
-    link.bend = at.bend;
     switch (constant.kind) {
       case JointKind::kHinge: {
-        const T c = cos(at.value), s = sin(at.value);
+        const T c = turns_.cosine(i), s = turns_.sine(i);
         link.R.col(0) = c * link.E.col(0) + s * link.E.col(1);
         link.R.col(1) = c * link.E.col(1) - s * link.E.col(0);
         link.R.col(2) = link.E.col(2);
@@ -157,7 +164,7 @@ void TreeMotion<T>::set_position(const Q& q) {
       }
       case JointKind::kSlide: {
         link.R = link.E;
-        const Vec3<T> shift = at.value * link.E.col(2);
+        const Vec3<T> shift = turns_.value(i) * link.E.col(2);
         link.r += shift;
         link.o += shift;
         break;
