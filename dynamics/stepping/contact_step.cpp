@@ -36,11 +36,13 @@ struct ContactStep::Parts {
     if (!model.has_couplings) articulated = std::make_unique<ArticulatedBody<double>>(model);
     const int n = model.layout.v;
     tau = v_free = zero = change = stiffness = damping = implicit = Eigen::VectorXd::Zero(n);
+    motion.clear_loads();
     const auto resists = [](const auto& each) { return each.stiffness > 0 || each.damping > 0; };
-    has_slopes =
-        !elements.empty() ||
-        std::any_of(scene.mechanism.joints.begin(), scene.mechanism.joints.end(), resists) ||
-        std::any_of(scene.drives.begin(), scene.drives.end(), resists);
+    for (std::size_t i = 0; i < scene.mechanism.joints.size(); ++i)
+      if (is_scalar(scene.mechanism.joints[i].kind) && resists(scene.mechanism.joints[i]))
+        resisting.push_back(i);
+    has_slopes = !elements.empty() || !resisting.empty() ||
+                 std::any_of(scene.drives.begin(), scene.drives.end(), resists);
     has_flows = !elements.empty() || has_powers(scene);
     build_collision();
   }
@@ -63,7 +65,7 @@ struct ContactStep::Parts {
     for (std::size_t i = 0; i < body_of.size(); ++i)
       for (std::size_t j = i + 1; j < body_of.size(); ++j)
         if (std::binary_search(pairs.begin(), pairs.end(), std::pair(body_of[i], body_of[j])))
-          may_meet[i * body_of.size() + j] = true;
+          may_touch = may_meet[i * body_of.size() + j] = true;
         else
           world->exclude(static_cast<int>(i), static_cast<int>(j));
   }
@@ -112,9 +114,16 @@ struct ContactStep::Parts {
     return joint_value(scene.mechanism.joints[joint], state.q[model.layout.first_q[joint]]);
   }
 
-  /// All contacts within the margin, limits within it, and dry frictions, after place().
+  /// All contacts within the margin, limits within it, and dry frictions; after place(), where
+  /// bodies may touch.
   void find(const SceneState& state, double margin, std::vector<ActiveContact>& out) {
     out.clear();
+    if (may_touch) find_contacts(margin, out);
+    for (std::size_t i = 0; i < scene.mechanism.joints.size(); ++i)
+      find_joint(i, state, margin, out);
+  }
+
+  void find_contacts(double margin, std::vector<ActiveContact>& out) {
     for (std::size_t i = 0; i < body_of.size(); ++i) X_WB[i] = motion.pose(body_of[i]);
     for (const BodyContact& pair : world->update(X_WB, margin))
       for (const ManifoldPoint& point : *pair.manifold) {
@@ -133,8 +142,6 @@ struct ContactStep::Parts {
         contact.slip = (u - contact.approach * contact.normal).norm();
         out.push_back(contact);
       }
-    for (std::size_t i = 0; i < scene.mechanism.joints.size(); ++i)
-      find_joint(i, state, margin, out);
   }
 
   void find_joint(std::size_t i, const SceneState& state, double margin,
@@ -163,9 +170,8 @@ struct ContactStep::Parts {
     tau.setZero();
     stiffness.setZero();
     damping.setZero();
-    for (std::size_t i = 0; i < scene.mechanism.joints.size(); ++i) {
+    for (const std::size_t i : resisting) {
       const MechanismJoint& joint = scene.mechanism.joints[i];
-      if (!is_scalar(joint.kind) || (joint.stiffness == 0 && joint.damping == 0)) continue;
       const JointValue at = value_of(i, state);
       const int row = model.layout.first_v[i];
       tau[row] -= at.slope * (joint.stiffness * (at.value - joint.rest) +
@@ -175,7 +181,7 @@ struct ContactStep::Parts {
     }
     for (const SceneDrive& drive : scene.drives)
       if (drive.when.holds(acting)) add_drive(drive, state);
-    motion.clear_loads();
+    if (!scene.forces.empty()) motion.clear_loads();
     for (const SceneForce& force : scene.forces) {
       if (!force.when.holds(acting)) continue;
       motion.add_load(link_of(force.body), motion.pose(force.body) * force.point, force.force,
@@ -432,6 +438,8 @@ struct ContactStep::Parts {
   std::vector<Pose<double>> X_WB, X_before;
   std::vector<double> way;             // of collision bodies [m]
   std::vector<bool> may_meet;          // (bodies x bodies)
+  bool may_touch = false;              // some of them
+  std::vector<std::size_t> resisting;  // joints with springs or dampers
   Eigen::VectorXd placed_q, placed_v;  // where place() has put the links (q), (v)
   bool is_placed = false;              // and they still are
   Eigen::VectorXd tau, v_free, v_mean, zero, start, change, pushed;
@@ -465,7 +473,7 @@ const MovingScene& ContactStep::scene() const { return parts_->scene; }
 const TreeModel& ContactStep::model() const { return parts_->model; }
 
 void ContactStep::find(const SceneState& state, double margin, std::vector<ActiveContact>& out) {
-  parts_->place(state);
+  if (parts_->may_touch) parts_->place(state);
   parts_->find(state, margin, out);
 }
 
@@ -747,6 +755,7 @@ bool ContactStep::is_stiff(const SceneState& state, double h) {
 }
 
 void ContactStep::normalise(Eigen::VectorXd& q) const {
+  if (parts_->model.layout.q == parts_->model.layout.v) return;  // no quaternions
   const std::vector<MechanismJoint>& joints = parts_->scene.mechanism.joints;
   for (std::size_t i = 0; i < joints.size(); ++i)
     if (joints[i].kind == JointKind::kBall || joints[i].kind == JointKind::kFree)

@@ -8,10 +8,17 @@ namespace thenar {
 namespace {
 
 using Eigen::Index;
-using Coefficients = Eigen::Map<const Eigen::Matrix<double, FreeStep::kStages, 1>>;
 
-Coefficients coefficients(const std::array<double, FreeStep::kStages>& of) {
-  return Coefficients(of.data());
+constexpr Index kLanes = 8;  // numbers that a sum of rates holds in registers
+using Lanes = Eigen::Matrix<double, kLanes, 1>;
+using Weights = std::array<double, FreeStep::kStages>;
+
+/// Sum of the rates of some stages, by weights: rows of a block. @param rates  its first column
+Lanes weighted_sum(const Weights& weights, std::size_t stages, const double* rates, Index rows) {
+  Lanes sum = Lanes::Zero();
+  for (std::size_t j = 0; j < stages; ++j, rates += rows)
+    if (weights[j] != 0) sum += weights[j] * Eigen::Map<const Lanes>(rates);
+  return sum;
 }
 
 }  // namespace
@@ -22,20 +29,27 @@ FreeStep::FreeStep(const ContactStep& scene)
   v_dot_ = Eigen::VectorXd::Zero(at_.v.size());
   z_dot_ = Eigen::VectorXd::Zero(at_.z.size());
   const Index size = at_.q.size() + at_.v.size() + at_.z.size() + flows_;
-  rates_.setZero(size, static_cast<Index>(kStages));
-  begin_ = y_ = five_ = three_ = Eigen::VectorXd::Zero(size);
+  const Index rows = (size + kLanes - 1) / kLanes * kLanes;
+  rates_.setZero(rows, static_cast<Index>(kStages));
+  begin_ = y_ = five_ = three_ = Eigen::VectorXd::Zero(rows);
   first_.t = std::numeric_limits<double>::quiet_NaN();
 }
 
 void FreeStep::put(const Eigen::VectorXd& y) {
-  at_.q = y.head(at_.q.size());
-  at_.v = y.segment(at_.q.size(), at_.v.size());
-  at_.z = y.segment(at_.q.size() + at_.v.size(), at_.z.size());
+  const Index q = at_.q.size(), v = at_.v.size();
+  at_.q = y.head(q);
+  at_.v = y.segment(q, v);
+  at_.z = y.segment(q + v, at_.z.size());
 }
 
 bool FreeStep::find_rates(ContactStep& scene, Index stage) {
   const bool acted = scene.free_rates(at_, q_dot_, v_dot_, z_dot_);
-  rates_.col(stage) << q_dot_, v_dot_, z_dot_, scene.free_powers();
+  const Index q = q_dot_.size(), v = v_dot_.size();
+  auto column = rates_.col(stage);
+  column.head(q) = q_dot_;
+  column.segment(q, v) = v_dot_;
+  column.segment(q + v, z_dot_.size()) = z_dot_;
+  if (flows_ > 0) column.segment(q + v + z_dot_.size(), flows_) = scene.free_powers();
   return acted;
 }
 
@@ -48,34 +62,36 @@ double FreeStep::error_of(Index first, Index count) const {
 
 FreeStep::Error FreeStep::step(ContactStep& scene, double h, SceneState& state) {
   using Method = DormandPrince;
-  begin_ << state.q, state.v, state.z, state.w.head(flows_);
+  const Index q = state.q.size(), v = state.v.size(), z = state.z.size(), rows = rates_.rows();
+  begin_.head(q + v + z + flows_) << state.q, state.v, state.z, state.w.head(flows_);
   // A rejected step has told the first stage.
   if (!(first_.t == state.t && first_.q == state.q && first_.v == state.v && first_.z == state.z)) {
     first_ = at_ = state;
     first_acted_ = find_rates(scene, 0);
   }
   bool acted = first_acted_;
-  for (Index i = 1; i < static_cast<Index>(kStages); ++i) {
-    const auto stage = static_cast<std::size_t>(i);
-    y_.noalias() = rates_.leftCols(i) * coefficients(Method::a[stage]).head(i);
-    y_ = begin_ + h * y_;
-    at_.t = state.t + Method::c[stage] * h;
+  for (std::size_t i = 1; i < kStages; ++i) {
+    for (Index k = 0; k < rows; k += kLanes)
+      y_.segment<kLanes>(k) =
+          begin_.segment<kLanes>(k) + h * weighted_sum(Method::a[i], i, rates_.data() + k, rows);
+    at_.t = state.t + Method::c[i] * h;
     put(y_);
-    acted = find_rates(scene, i) && acted;
+    acted = find_rates(scene, static_cast<Index>(i)) && acted;
   }
-  y_.noalias() = rates_ * coefficients(Method::b);
-  five_.noalias() = rates_ * coefficients(Method::less_five);
-  three_ = y_;
-  three_.noalias() -= rates_ * coefficients(Method::three);
-  y_ = begin_ + h * y_;
+  for (Index k = 0; k < rows; k += kLanes) {
+    const double* rates = rates_.data() + k;
+    const Lanes eight = weighted_sum(Method::b, kStages, rates, rows);
+    five_.segment<kLanes>(k) = weighted_sum(Method::less_five, kStages, rates, rows);
+    three_.segment<kLanes>(k) = eight - weighted_sum(Method::three, kStages, rates, rows);
+    y_.segment<kLanes>(k) = begin_.segment<kLanes>(k) + h * eight;
+  }
   put(y_);
   state.q = at_.q;
   state.v = at_.v;
   state.z = at_.z;
-  state.w.head(flows_) = y_.tail(flows_);
+  state.w.head(flows_) = y_.segment(q + v + z, flows_);
   scene.normalise(state.q);
   state.t += h;
-  const Index q = state.q.size(), v = state.v.size(), z = state.z.size();
   // The work of elements, the last state, steers nothing.
   return {h * error_of(0, q), h * error_of(q, v), h * error_of(q + v, std::max<Index>(z - 1, 0)),
           acted};

@@ -38,9 +38,10 @@ class FreeStep {
   /// Error of some entries of the rates' sums e_5 and e_3.
   [[nodiscard]] double error_of(Eigen::Index first, Eigen::Index count) const;
 
-  Eigen::Index flows_;     // of energy; none: they stand still
-  Eigen::MatrixXd rates_;  // of positions, speeds, states, flows (q + v + z + flows, stages)
-  Eigen::VectorXd begin_, y_, five_, three_;  // (q + v + z + flows)
+  Eigen::Index flows_;  // of energy; none: they stand still
+  // Of positions, speeds, states and flows, and zeros that fill up the last block of rows.
+  Eigen::MatrixXd rates_;                     // (q + v + z + flows and a rest, stages)
+  Eigen::VectorXd begin_, y_, five_, three_;  // (q + v + z + flows and a rest)
   Eigen::VectorXd q_dot_, v_dot_, z_dot_;
   SceneState at_, first_;    // first_: where column 0 of the rates belongs
   bool first_acted_ = true;  // elements could act there

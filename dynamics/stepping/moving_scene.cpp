@@ -80,6 +80,10 @@ int free_joint(const Mechanism& mechanism, int body) {
   return layout_of(mechanism).first_q[static_cast<std::size_t>(body)];
 }
 
+/// Whether there are only hinges and slides: then each speed is the rate of the position of its
+/// index.
+bool has_no_quaternion(const MechanismLayout& layout) { return layout.q == layout.v; }
+
 }  // namespace
 
 void check_scene(const MovingScene& scene) {
@@ -139,6 +143,10 @@ const PairFriction& pair_friction(const MovingScene& scene, int a, int b) {
 
 void advance(const Mechanism& mechanism, const MechanismLayout& layout, const Eigen::VectorXd& v,
              double h, Eigen::VectorXd& q) {
+  if (has_no_quaternion(layout)) {
+    q += h * v;
+    return;
+  }
   for (std::size_t c = 0; c < layout.coordinate_q.size(); ++c)
     q[layout.coordinate_q[c]] += h * v[layout.coordinate_v[c]];
   for (std::size_t i = 0; i < mechanism.joints.size(); ++i) {
@@ -162,6 +170,10 @@ void advance(const Mechanism& mechanism, const MechanismLayout& layout, const Ei
 
 void position_rates(const Mechanism& mechanism, const MechanismLayout& layout,
                     const Eigen::VectorXd& q, const Eigen::VectorXd& v, Eigen::VectorXd& q_dot) {
+  if (has_no_quaternion(layout)) {
+    q_dot = v;
+    return;
+  }
   for (std::size_t c = 0; c < layout.coordinate_q.size(); ++c)
     q_dot[layout.coordinate_q[c]] = v[layout.coordinate_v[c]];
   for (std::size_t i = 0; i < mechanism.joints.size(); ++i) {
