@@ -4,36 +4,58 @@
 
 namespace thenar {
 
-bool InPlaceLu::factor(Eigen::Ref<Eigen::MatrixXd> R) {
-  const Eigen::Index n = R.rows();
-  pivots_.resize(static_cast<std::size_t>(n));
-  for (Eigen::Index k = 0; k < n; ++k) {
-    // The largest entry left in the column comes up.
-    Eigen::Index at = 0;
-    const double largest = R.col(k).tail(n - k).cwiseAbs().maxCoeff(&at);
-    if (!(largest > 0) || !std::isfinite(largest)) return false;
-    pivots_[static_cast<std::size_t>(k)] = k + at;
-    if (at > 0) R.row(k).swap(R.row(k + at));
+using Eigen::Index;
 
-    // Its multiples leave the columns behind.
-    const Eigen::Index rest = n - k - 1;
-    R.col(k).tail(rest) /= R(k, k);
-    for (Eigen::Index j = k + 1; j < n; ++j) R.col(j).tail(rest) -= R(k, j) * R.col(k).tail(rest);
+void InPlaceLu::find_blocks(const Eigen::Ref<const Eigen::MatrixXd>& R) {
+  const Index n = R.rows();
+  blocks_.clear();
+  blocks_.reserve(static_cast<std::size_t>(n));
+  Index begin = 0, end = 0;
+  for (Index k = 0; k < n; ++k) {
+    // The last row that has to do with this one.
+    Index last = n - 1;
+    while (last > k && last >= end && R(last, k) == 0 && R(k, last) == 0) --last;
+    end = std::max(end, last + 1);
+    if (end > k + 1) continue;
+    blocks_.push_back({begin, end});
+    begin = end;
   }
+}
+
+bool InPlaceLu::factor(Eigen::Ref<Eigen::MatrixXd> R) {
+  pivots_.resize(static_cast<std::size_t>(R.rows()));
+  find_blocks(R);
+  for (const auto [begin, end] : blocks_)
+    for (Index k = begin; k < end; ++k) {
+      // The largest entry left in the column comes up.
+      Index at = 0;
+      const double largest = R.col(k).segment(k, end - k).cwiseAbs().maxCoeff(&at);
+      if (!(largest > 0) || !std::isfinite(largest)) return false;
+      pivots_[static_cast<std::size_t>(k)] = k + at;
+      if (at > 0)
+        R.row(k).segment(begin, end - begin).swap(R.row(k + at).segment(begin, end - begin));
+
+      // Its multiples leave the columns behind.
+      const Index rest = end - k - 1;
+      R.col(k).segment(k + 1, rest) /= R(k, k);
+      for (Index j = k + 1; j < end; ++j)
+        R.col(j).segment(k + 1, rest) -= R(k, j) * R.col(k).segment(k + 1, rest);
+    }
   return true;
 }
 
 void InPlaceLu::solve(const Eigen::Ref<const Eigen::MatrixXd>& factors,
                       Eigen::Ref<Eigen::VectorXd> y) const {
-  const Eigen::Index n = factors.rows();
-  for (Eigen::Index k = 0; k < n; ++k) std::swap(y(k), y(pivots_[static_cast<std::size_t>(k)]));
-  for (Eigen::Index k = 0; k < n; ++k) {
-    const Eigen::Index rest = n - k - 1;
-    y.tail(rest) -= y(k) * factors.col(k).tail(rest);
-  }
-  for (Eigen::Index k = n - 1; k >= 0; --k) {
-    y(k) /= factors(k, k);
-    y.head(k) -= y(k) * factors.col(k).head(k);
+  for (const auto [begin, end] : blocks_) {
+    for (Index k = begin; k < end; ++k) std::swap(y(k), y(pivots_[static_cast<std::size_t>(k)]));
+    for (Index k = begin; k < end; ++k) {
+      const Index rest = end - k - 1;
+      y.segment(k + 1, rest) -= y(k) * factors.col(k).segment(k + 1, rest);
+    }
+    for (Index k = end - 1; k >= begin; --k) {
+      y(k) /= factors(k, k);
+      y.segment(begin, k - begin) -= y(k) * factors.col(k).segment(begin, k - begin);
+    }
   }
 }
 

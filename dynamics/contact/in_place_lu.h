@@ -11,7 +11,8 @@ namespace thenar {
 /// The factors  P R = L U  with pivots of the largest size in a column, written over R.
 ///
 /// Eigen's PartialPivLU asks the heap for its permutation on every change of size; this one keeps
-/// it. Meant for up to some hundred rows.
+/// it. Blocks along the diagonal with nothing beside them, such as contacts of fingers that share
+/// no joint, are factored one by one. Meant for up to some hundred rows.
 class InPlaceLu {
  public:
   /// @param R  (n, n); overwritten, and has to stay as it is while solve() is used
@@ -23,7 +24,14 @@ class InPlaceLu {
   void solve(const Eigen::Ref<const Eigen::MatrixXd>& factors, Eigen::Ref<Eigen::VectorXd> y) const;
 
  private:
+  /// Rows of a block, the end excluded.
+  struct Block {
+    Eigen::Index begin, end;
+  };
+  void find_blocks(const Eigen::Ref<const Eigen::MatrixXd>& R);
+
   std::vector<Eigen::Index> pivots_;
+  std::vector<Block> blocks_;
 };
 
 }  // namespace thenar

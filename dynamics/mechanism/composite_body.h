@@ -264,11 +264,12 @@ class MassMatrix {
     return positive;
   }
 
-  /// x = L'^-1 x.
+  /// x = L'^-1 x. Rows of contacts are zero but for one branch of the tree.
   template <typename X>
   void down(const TreeModel& model, X& x) const {
     for (std::size_t k = size_; k-- > 0;) {
       const T value = x[at(k)];
+      if (value == T(0)) continue;
       const T* row = &L_[k * size_];
       for (const int i : model.coupled_to[k]) x[i] -= row[static_cast<std::size_t>(i)] * value;
     }

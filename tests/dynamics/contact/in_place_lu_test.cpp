@@ -40,6 +40,29 @@ TEST(InPlaceLu, ExchangesRows) {
   EXPECT_EQ(y, VectorXd(Eigen::Vector2d(4, 3)));
 }
 
+// Blocks that are one only by an entry far from the diagonal, and some that stand alone.
+TEST(InPlaceLu, SolvesBlocksAlongTheDiagonal) {
+  std::mt19937 rng(2);
+  std::normal_distribution<double> normal;
+  MatrixXd R = MatrixXd::Zero(12, 12);
+  for (const auto& [begin, size] : {std::pair(0, 3), std::pair(3, 1), std::pair(4, 2)})
+    R.block(begin, begin, size, size) =
+        MatrixXd::NullaryExpr(size, size, [&] { return normal(rng); });
+  R.bottomRightCorner(6, 6) = VectorXd::LinSpaced(6, 1, 2).asDiagonal();
+  R(6, 11) = 3;   // ties rows 6 to 11
+  R(8, 2) = 0.5;  // and 0 to 8
+  for (const bool tied : {true, false}) {
+    if (!tied) R(8, 2) = 0;
+    const VectorXd x = VectorXd::NullaryExpr(12, [&] { return normal(rng); });
+    MatrixXd factors = R;
+    VectorXd y = R * x;
+    InPlaceLu lu;
+    ASSERT_TRUE(lu.factor(factors));
+    lu.solve(factors, y);
+    EXPECT_TRUE(matrix_near(y, x, 1e-12)) << tied;
+  }
+}
+
 TEST(InPlaceLu, RefusesColumnsWithoutPivot) {
   MatrixXd R = MatrixXd::Zero(2, 2);
   R(0, 0) = 1;
