@@ -9,8 +9,8 @@
 #include <Eigen/Geometry>
 
 #include "base/units.h"
-#include "bench/peers/peer_hand.h"
 #include "dynamics/stepping/simulate_scene.h"
+#include "tests/dynamics/stepping/sample_hands.h"
 #include "tests/dynamics/stepping/sample_scenes.h"
 
 namespace thenar::bench {
@@ -318,7 +318,7 @@ std::function<const std::vector<BodyMotion>&()> converged(const PeerScene& peer)
 
 PeerTask hand_swing() {
   PeerTask task;
-  task.peer = {"free hand", swinging_hand(), 0.5, 0.5};
+  task.peer = {"free hand", sample::swinging_hand(), 0.5, 0.5};
   task.about = "21 joints swing freely for 0.5 s, against our own converged run";
   const auto wanted = converged(task.peer);
   const Mechanism mechanism = task.peer.scene.mechanism;
@@ -339,7 +339,7 @@ PeerTask hand_swing() {
 }
 
 PeerTask carried_ball() {
-  const BallInHand world = ball_in_hand();
+  const sample::BallInHand world = sample::ball_in_hand();
   const MovingScene scene = world.scene;
   const auto ball = static_cast<std::size_t>(world.ball);
   PeerTask task;

@@ -1,10 +1,10 @@
 #pragma once
 
-/// Hands for the scenes: round numbers of the size of a human hand, of no one's.
+/// Hands for scenes: round numbers of the size of a human hand, of no one's.
 
 #include "dynamics/stepping/moving_scene.h"
 
-namespace thenar::bench {
+namespace thenar::sample {
 
 /// 21 hinges: four fingers that spread and bend at three joints, a thumb on five skewed axes. Every
 /// link has mass, so that engines of all kinds can take it. Nothing touches.
@@ -19,4 +19,4 @@ struct BallInHand {
 };
 [[nodiscard]] BallInHand ball_in_hand();
 
-}  // namespace thenar::bench
+}  // namespace thenar::sample

@@ -1,4 +1,4 @@
-#include "bench/peers/peer_hand.h"
+#include "tests/dynamics/stepping/sample_hands.h"
 
 #include <array>
 #include <cmath>
@@ -8,11 +8,10 @@
 #include "base/units.h"
 #include "tests/dynamics/stepping/sample_scenes.h"
 
-namespace thenar::bench {
+namespace thenar::sample {
 namespace {
 
 using Eigen::Vector3d;
-using sample::primitive;
 
 /// Mass and inertia of a cylinder along z that begins at the origin.
 BodyMass rod(double mass, double length, double radius) {
@@ -111,8 +110,7 @@ BallInHand ball_in_hand() {
   // The palm, whose top is at z = 0. It swings about a place that moves on.
   ShapeSpec plate = primitive(ShapeKind::kBox, {0.12, 0.12, 0.02});
   plate.X_BS.p.z() = -0.01;
-  const int palm =
-      sample::add_on_joint(scene, "palm", plate, 0.3, JointKind::kSlide, {1, 0, 0}, {0, 0, 0});
+  const int palm = add_on_joint(scene, "palm", plate, 0.3, JointKind::kSlide, {1, 0, 0}, {0, 0, 0});
   SceneDrive carry{scene.mechanism.joints[static_cast<std::size_t>(palm)].coordinate};
   carry.stiffness = 500;
   carry.damping = 4;
@@ -157,10 +155,9 @@ BallInHand ball_in_hand() {
       Eigen::Map<const Eigen::VectorXd>(angles.data(), static_cast<Eigen::Index>(angles.size()));
   Pose<double> X;
   X.p.z() = kRadius;
-  out.ball =
-      sample::add_body(scene, "ball", primitive(ShapeKind::kSphere, {kRadius, 0, 0}), 0.06, X);
+  out.ball = add_body(scene, "ball", primitive(ShapeKind::kSphere, {kRadius, 0, 0}), 0.06, X);
   scene.friction.coefficient = 0.8;
   return out;
 }
 
-}  // namespace thenar::bench
+}  // namespace thenar::sample
