@@ -14,6 +14,9 @@ using Kind = ActiveContact::Kind;
 
 constexpr double kNoSlip = 1e-9;     // slower is sticking [m/s], [rad/s]
 constexpr double kNothing = 1e-150;  // slower is at rest: squares are no numbers [m/s], [rad/s]
+constexpr double kRoughest = 1e-9;   // tolerance of contact problems, whatever rounding is [1]
+constexpr double kRoundings = 8;     // of positions, in gaps [1]
+constexpr double kLeastSize = 0.1;   // of a scene, for its rounding [m]
 
 /// Notes a contact that was not closed before.
 void note_deeper(const ActiveContact& contact, StepOutcome& outcome) {
@@ -213,8 +216,7 @@ struct ContactStep::Parts {
   /// Speeds of links at the mean of those before and after a midpoint step, and the states of
   /// elements at its end by their rates in its middle. @param state  positions and states of the
   /// middle, speeds after
-  bool end_elements(double h, const Eigen::VectorXd& z_before, const Eigen::VectorXd& v_before,
-                    SceneState& state) {
+  bool end_elements(double h, SceneState& state) {
     if (!has_flows) return true;
     v_mean = 0.5 * (v_before + state.v);
     speed_up(v_mean);
@@ -360,10 +362,22 @@ struct ContactStep::Parts {
     }
   }
 
+  /// How the problem of a midpoint step is solved.
+  [[nodiscard]] ContactSolverOptions midpoint_options(double h) const {
+    double size = kLeastSize;
+    for (const Pose<double>& X : X_WB) size = std::max(size, X.p.norm());
+    const double rounding = kRoundings * std::numeric_limits<double>::epsilon() * size;
+    const double share = 2 * rounding / (h * problem.b.lpNorm<Eigen::Infinity>());
+    ContactSolverOptions out = solver_options;
+    out.tolerance = std::max(out.tolerance, std::min(share, kRoughest));
+    return out;
+  }
+
   /// Solves, moves the speeds, and writes impulses, velocities and modes into the list.
-  void solve(std::vector<ActiveContact>& list, SceneState& state, StepOutcome& outcome) {
+  void solve(std::vector<ActiveContact>& list, SceneState& state, StepOutcome& outcome,
+             const ContactSolverOptions& options) {
     warm_start(list);
-    const ContactSolution& answer = solver.solve(problem, start, solver_options);
+    const ContactSolution& answer = solver.solve(problem, start, options);
     outcome.solved = outcome.solved && answer.status == Status::kSolved;
     outcome.residual = answer.residual.natural;
     pushed.noalias() = J * answer.f;
@@ -443,6 +457,7 @@ struct ContactStep::Parts {
   Eigen::VectorXd placed_q, placed_v;  // where place() has put the links (q), (v)
   bool is_placed = false;              // and they still are
   Eigen::VectorXd tau, v_free, v_mean, zero, start, change, pushed;
+  Eigen::VectorXd z_before, v_before;  // of a midpoint step
   EnergyFlows power{0, 0, 0, 0};       // [W]
   Eigen::VectorXd stiffness, damping;  // of springs, dampers and drives, over the speeds (v)
   Eigen::VectorXd implicit;            // what they add to the mass matrix (v)
@@ -511,7 +526,7 @@ void ContactStep::substep(SceneState& state, double h, const std::vector<ActiveC
   } else {
     p.set_rows(outcome.active, h);
     p.problem.b.noalias() = p.J.transpose() * p.v_free;
-    p.solve(outcome.active, state, outcome);
+    p.solve(outcome.active, state, outcome, p.solver_options);
   }
   p.find_powers({state.t, p.acting, h, 1, state.q, p.placed_v, state.v});
   state.w += h * p.power;
@@ -530,7 +545,8 @@ void ContactStep::time_step(SceneState& state, double h, const std::vector<Activ
   }
   p.place(state);
   // States of elements at the middle, then their efforts there.
-  const Eigen::VectorXd z_before = state.z, v_before = state.v;
+  p.z_before = state.z;
+  p.v_before = state.v;
   bool acted = true;
   if (!p.elements.empty()) {
     acted = p.elements.act(p.seen_by_elements(state, ElementNeed::kStates));
@@ -573,10 +589,10 @@ void ContactStep::time_step(SceneState& state, double h, const std::vector<Activ
         for (int i = 1; i < rows; ++i) p.problem.b[at + i] += p.J.col(at + i).dot(state.v);
       at += rows;
     }
-    p.solve(outcome.active, state, outcome);
+    p.solve(outcome.active, state, outcome, p.midpoint_options(h));
   }
-  outcome.solved = p.end_elements(h, z_before, v_before, state) && outcome.solved;
-  p.find_powers({state.t, p.acting, h, 0.5, state.q, v_before, state.v});
+  outcome.solved = p.end_elements(h, state) && outcome.solved;
+  p.find_powers({state.t, p.acting, h, 0.5, state.q, p.v_before, state.v});
   state.w += h * p.power;
   advance(p.scene.mechanism, layout, state.v, 0.5 * h, state.q);
   state.t += 0.5 * h;
@@ -626,7 +642,7 @@ void ContactStep::impact(SceneState& state, const std::vector<ActiveContact>& to
       p.problem.b[at] *= 1 + touching[k].friction.restitution;
     at += rows_of(p.problem.blocks[k].law);
   }
-  p.solve(outcome.active, state, outcome);
+  p.solve(outcome.active, state, outcome, p.solver_options);
 }
 
 void ContactStep::close_gaps(SceneState& state, const std::vector<ActiveContact>& touching,

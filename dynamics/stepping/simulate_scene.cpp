@@ -54,11 +54,7 @@ class Simulation {
         state_(step_.start()),
         free_(step_),
         columns_(state_, options.columns) {
-    // Impulses of fixed steps are rough by themselves.
-    ContactSolverOptions contacts = options.contacts;
-    if (options.method == SteppingMethod::kTimeStepping)
-      contacts.tolerance = std::max(contacts.tolerance, 1e-9);
-    step_.solve_contacts_by(contacts);
+    step_.solve_contacts_by(options.contacts);
     for (StepTrial& column : table_) column.state = state_;
   }
 

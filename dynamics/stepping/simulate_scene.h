@@ -37,7 +37,7 @@ struct SceneOptions {
   double touch = 1e-9;      // kEvents: gaps below this touch [m]
   double recovery = 0.1;    // speed at which depth at the start is pushed out [m/s]
   ContactSolverOptions contacts{};  // kPyramid: the complementarity problem of [Miller2005]; the
-                                    // tolerance of fixed steps is 1e-9 at least
+                                    // tolerance of fixed steps is what ContactStep allows them
   int columns = 5;                  // kEvents: most of the extrapolation, 2..8; its highest order
   bool sleep = true;                // kEvents: what rests stays as it is until something switches
   ContactCompliance compliance{};   // kCompliantSimbody, kCompliantSundials
