@@ -67,7 +67,8 @@ HexMesh::HexMesh(std::shared_ptr<const HexChart> chart, const Eigen::Matrix3Xd& 
 
 int HexMesh::add_node(const Vector3d& c, std::vector<NodeWeight> from) {
   chart_points_.push_back(c);
-  places_.push_back(chart_->place(c));
+  on_chart_.push_back(chart_->place(c));
+  places_.push_back(on_chart_.back());
   made_from_.push_back(std::move(from));
   return nodes() - 1;
 }
@@ -88,7 +89,11 @@ int HexMesh::middle_of_face(const std::array<int, 4>& corners) {
         middle_of_edge(corners[static_cast<std::size_t>(i)], corners[static_cast<std::size_t>(j)]));
   std::vector<NodeWeight> from;
   for (const int corner : corners) from.push_back({corner, 0.25});
-  const int node = add_node(sum / 4, std::move(from));
+  const int node =
+      add_node(chart_->middle_of_face({chart_point(corners[0]), chart_point(corners[1]),
+                                       chart_point(corners[2]), chart_point(corners[3])},
+                                      sum / 4),
+               std::move(from));
   faces_.emplace(sorted(corners), node);
   return node;
 }
@@ -261,6 +266,14 @@ void HexMesh::find_hanging() {
       }
       k = 0;
     }
+  // What moves with the mean of its masters lies there, too, or a turn would strain it.
+  places_ = on_chart_;
+  for (std::size_t node = 0; node < places_.size(); ++node) {
+    if (masters_[node].empty()) continue;
+    places_[node].setZero();
+    for (const NodeWeight& each : masters_[node])
+      places_[node] += each.weight * on_chart_[static_cast<std::size_t>(each.node)];
+  }
 }
 
 HexMesh box_mesh(const Vector3d& size, const Eigen::Vector3i& cells) {

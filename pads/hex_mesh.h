@@ -24,6 +24,12 @@ class HexChart {
                                                const Eigen::Vector3d& b) const {
     return 0.5 * (a + b);
   }
+  /// The same of a face, from the middles of its edges; where all corners lie on a boundary that
+  /// middle() keeps to, so must this.
+  [[nodiscard]] virtual Eigen::Vector3d middle_of_face(
+      const std::array<Eigen::Vector3d, 4>& /*corners*/, const Eigen::Vector3d& mean) const {
+    return mean;
+  }
 };
 
 /// One hexahedron. Corner 0..7 is at the bits (1, 2, 4) of its number along (xi, eta, zeta).
@@ -63,7 +69,8 @@ class HexMesh {
   [[nodiscard]] int nodes() const { return static_cast<int>(chart_points_.size()); }
   /// Whether an active cell has the node.
   [[nodiscard]] bool in_use(int node) const { return in_use_[static_cast<std::size_t>(node)]; }
-  /// Reference position [m] (3), and the same in the chart.
+  /// Reference position [m] (3), that of a hanging node among its masters; and the place in the
+  /// chart.
   [[nodiscard]] const Eigen::Vector3d& place(int node) const {
     return places_[static_cast<std::size_t>(node)];
   }
@@ -91,7 +98,7 @@ class HexMesh {
   void find_hanging();
 
   std::shared_ptr<const HexChart> chart_;
-  std::vector<Eigen::Vector3d> chart_points_, places_;
+  std::vector<Eigen::Vector3d> chart_points_, on_chart_, places_;
   std::vector<std::vector<NodeWeight>> made_from_, masters_;
   std::vector<bool> in_use_;
   std::vector<HexCell> cells_;

@@ -49,8 +49,11 @@ void PadPress::build() {
 }
 
 double PadPress::touch(const Vector3d& along) {
+  require(std::abs(along.norm() - 1) < 1e-9, "the direction of a touch is no unit vector");
+  require(state_.normal.isZero(0), "the object touches already");
   double way = 0;
-  for (int k = 0; k < 1000; ++k) {
+  for (int k = 0;; ++k) {
+    require(k < 10000, "the object does not come near the pad");
     // No node is nearer than the smallest gap: so far the object may go.
     double gap = 1e300;
     for (std::size_t i = 0; i < surface_.nodes.size(); ++i)
@@ -65,8 +68,17 @@ double PadPress::touch(const Vector3d& along) {
     way += gap;
   }
   for (Eigen::Index i = 0; i < state_.anchor.cols(); ++i)
-    state_.anchor.col(i) = state_.X_PO.inverse() * Vector3d(surface_.places.col(i));
+    state_.anchor.col(i) =
+        state_.X_PO.inverse() *
+        Vector3d(surface_.places.col(i) +
+                 state_.x.segment<3>(3 * surface_.nodes[static_cast<std::size_t>(i)]));
   return way;
+}
+
+PressGoal PadPress::from_here(const PressGoal& goal) const {
+  PressGoal out = goal;
+  if (goal.force) out.X_PO.p += goal.along.dot(state_.X_PO.p - goal.X_PO.p) * goal.along;
+  return out;
 }
 
 PressOutcome PadPress::solve(const PressGoal& goal, int cuts) {
@@ -91,21 +103,26 @@ PadPressResult PadPress::step(const PressGoal& goal) {
   for (bool refined = false;; refined = true) {
     // On a finer mesh from the answer of the coarser; otherwise from the step's beginning.
     if (refined) {
-      result.solved = press_step(*body_, surface_, object_, goal, options_.step, *factor_, state_);
+      result.solved =
+          press_step(*body_, surface_, object_, from_here(goal), options_.step, *factor_, state_);
       factorisations_ += result.solved.iterations;
     }
     if (!refined || result.solved.status != Status::kSolved) {
       state_ = start;
       result.solved = solve(goal, 0);
     }
-    if (result.solved.status != Status::kSolved) break;
+    if (result.solved.status != Status::kSolved) {
+      state_ = start;
+      break;
+    }
     const VectorXd errors = body_->error_energies(body_->spread(state_.x, {}));
     TissueResponse now;
-    body_->respond(body_->spread(state_.x, {}), INFINITY, {}, {}, ElementAsk::kEnergy, now);
+    body_->respond(body_->spread(state_.x, {}), 0, {}, {}, ElementAsk::kEnergy, now);
     result.force_error = now.energy > 0 ? errors.sum() / now.energy : 0;
     measure(result);
     if ((result.force_error <= options_.force_error &&
          result.penetration <= options_.max_penetration) ||
+        model_.element == HexElement::kQuadratic ||
         static_cast<int>(body_->elements()) >= options_.max_elements)
       break;
     refine(errors, start);
@@ -150,6 +167,7 @@ void PadPress::refine(const VectorXd& errors, PressState& start) {
     }
     return f;
   };
+  const std::vector<int> old_active = mesh_.active();
   auto before = fields_of(start);
   auto now = fields_of(state_);
   const int old_nodes = mesh_.nodes();
@@ -181,14 +199,56 @@ void PadPress::refine(const VectorXd& errors, PressState& start) {
       state.normal[column] = f.normal[node];
       state.shear.col(column) = f.shear.col(node);
     }
-    state.pressure.clear();
   };
   carry(before, start);
   carry(now, state_);
+  const std::vector<Origin> origins = origins_among(old_active);
+  start.history = carried_history(start.history, origins);
+  for (PressState* state : {&start, &state_}) {
+    // A carried displacement keeps no volume on new nodes of the curved skin; pressure does.
+    const TissuePressure old = std::move(state->pressure);
+    state->pressure.clear();
+    if (!old.empty())
+      for (const Origin& from : origins) state->pressure.push_back(old[from.element]);
+  }
   // From the old equilibrium, but with what was at the step's beginning.
   state_.anchor = start.anchor;
   state_.shear = start.shear;
   state_.history = start.history;
+}
+
+std::vector<PadPress::Origin> PadPress::origins_among(const std::vector<int>& old_active) const {
+  std::vector<Origin> out;
+  for (const int index : mesh_.active()) {
+    // The element itself, or the one that it was cut from, and its octant in that.
+    int cell = index, octant = -1;
+    auto from = std::lower_bound(old_active.begin(), old_active.end(), cell);
+    while (from == old_active.end() || *from != cell) {
+      const HexCell& part = mesh_.cells()[static_cast<std::size_t>(cell)];
+      octant = cell - mesh_.cells()[static_cast<std::size_t>(part.parent)].first_child;
+      cell = part.parent;
+      from = std::lower_bound(old_active.begin(), old_active.end(), cell);
+    }
+    out.push_back({static_cast<std::size_t>(from - old_active.begin()), octant});
+  }
+  return out;
+}
+
+TissueHistory PadPress::carried_history(const TissueHistory& old,
+                                        const std::vector<Origin>& origins) {
+  TissueHistory out;
+  if (old.empty()) return out;
+  for (const Origin& from : origins) {
+    ElementHistory history = old[from.element];
+    // Gauss points are ordered as corners: all of a child have that of its parent's octant.
+    if (from.octant >= 0)
+      for (std::vector<Voigt>* list : {&history.elastic, &history.terms})
+        for (std::size_t first = 0; first < list->size(); first += 8)
+          std::fill_n(list->begin() + static_cast<std::ptrdiff_t>(first), 8,
+                      Voigt((*list)[first + static_cast<std::size_t>(from.octant)]));
+    out.push_back(std::move(history));
+  }
+  return out;
 }
 
 void PadPress::measure(PadPressResult& result) const {
@@ -229,7 +289,6 @@ void PadPress::measure(PadPressResult& result) const {
           of_masters += normal[static_cast<std::size_t>(each.node)] > 0 ? each.weight : 0;
         if (of_masters > 0.5) touching += 0.25;
       }
-      if (touching == 0) continue;
       result.area += touching * 0.5 * (at[3] - at[0]).cross(at[2] - at[1]).norm();
       for (int i = 0; i <= 4; ++i)
         for (int j = 0; j <= 4; ++j) {

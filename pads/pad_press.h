@@ -15,7 +15,7 @@ struct PadModel {
   PadShape shape;
   PadCells cells;               // of the coarsest mesh
   std::vector<Tissue> tissues;  // the pulp, then layers of skin from the inside out
-  HexElement element = HexElement::kMeanDilatation;
+  HexElement element = HexElement::kMeanDilatation;  // quadratic ones are not refined
 };
 
 struct PadPressOptions {
@@ -28,13 +28,12 @@ struct PadPressOptions {
 
 /// A press at one instant.
 struct [[nodiscard]] PadPressResult {
-  PressOutcome solved;          // of the last step
-  Wrench push;                  // of the object on the pad, about the pad's origin
-  double area = 0;              // of the patch, deformed [m^2]
-  double stick = 0;             // share of the normal force on nodes that stick [1]
-  double force_error = 0;       // estimated, relative [1]
-  double penetration = 0;       // deepest point of the object within a face [m]
-  double deepest_jacobian = 1;  // smallest det F
+  PressOutcome solved;     // of the last step
+  Wrench push;             // of the object on the pad, about the pad's origin
+  double area = 0;         // of the patch, deformed [m^2]
+  double stick = 0;        // share of the normal force on nodes that stick [1]
+  double force_error = 0;  // estimated, relative [1]
+  double penetration = 0;  // deepest point of the object within a face [m]
   std::size_t elements = 0;
   int factorisations = 0;  // since the pad was built
 };
@@ -45,13 +44,17 @@ class PadPress {
   PadPress(const PadModel& model, RigidObject object, const Pose<double>& X_PO,
            PadPressOptions options);
 
-  /// Moves the object along a unit direction until it just touches. @return how far [m]
-  /// @throws InputError if it begins inside the pad or passes it by.
+  /// Moves the object along a unit direction until it just touches a node. @return how far [m]
+  /// @throws InputError if it touches already, begins inside the pad or passes it by.
   double touch(const Eigen::Vector3d& along);
 
   /// One step, cut in halves where it fails, the mesh refined until force and penetration are as
-  /// good as asked.
+  /// good as asked or `max_elements` are passed: `force_error` says how good it became. A step that
+  /// fails leaves the state at its beginning.
   PadPressResult step(const PressGoal& goal);
+
+  /// From the next step on.
+  void set_force_error(double error) { options_.force_error = error; }
 
   [[nodiscard]] const PressState& state() const { return state_; }
   [[nodiscard]] const HexMesh& mesh() const { return mesh_; }
@@ -63,6 +66,16 @@ class PadPress {
   PressOutcome solve(const PressGoal& goal, int cuts);
   /// Refines by the estimate; carries `start` and the present state over.
   void refine(const Eigen::VectorXd& errors, PressState& start);
+  /// What a present element was before: an element, or an octant of one (-1: all of it).
+  struct Origin {
+    std::size_t element;
+    int octant;
+  };
+  [[nodiscard]] std::vector<Origin> origins_among(const std::vector<int>& old_active) const;
+  [[nodiscard]] static TissueHistory carried_history(const TissueHistory& old,
+                                                     const std::vector<Origin>& origins);
+  /// A goal of a force begins where the object is along its direction.
+  [[nodiscard]] PressGoal from_here(const PressGoal& goal) const;
   void measure(PadPressResult& result) const;
 
   PadModel model_;

@@ -1,5 +1,6 @@
 #include "pads/pad_shape.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 
@@ -97,6 +98,13 @@ Vector3d PadChart::place(const Vector3d& c) const {
 Vector3d PadChart::middle(const Vector3d& a, const Vector3d& b) const {
   Vector3d out = 0.5 * (a + b);
   if (on_rim(a) && on_rim(b)) out.head<2>().normalize();
+  return out;
+}
+
+Vector3d PadChart::middle_of_face(const std::array<Vector3d, 4>& corners,
+                                  const Vector3d& mean) const {
+  Vector3d out = mean;
+  if (std::all_of(corners.begin(), corners.end(), on_rim)) out.head<2>().normalize();
   return out;
 }
 

@@ -38,6 +38,8 @@ class PadChart final : public HexChart {
   [[nodiscard]] Eigen::Vector3d place(const Eigen::Vector3d& c) const override;
   [[nodiscard]] Eigen::Vector3d middle(const Eigen::Vector3d& a,
                                        const Eigen::Vector3d& b) const override;
+  [[nodiscard]] Eigen::Vector3d middle_of_face(const std::array<Eigen::Vector3d, 4>& corners,
+                                               const Eigen::Vector3d& mean) const override;
   /// Thickness of all soft tissue over a point of the bone [m].
   [[nodiscard]] double thickness(double a, double b) const;
 
@@ -61,9 +63,8 @@ struct PadCells {
   int across = 4, around = 2, through = 3;
 };
 
-/// Levels w at which layers begin are those of equal cells: layer l of n, from the outside, lies
-/// between 1 - (l + 1) / (n + through) and 1 - l / (n + through). Regions: 0 the pulp, then layers
-/// from the inside out.
+/// Without layers, levels w are even. With n layers the pulp has w from 0 to 1/2 and each layer a
+/// share 1 / (2 n) of the rest. Regions: 0 the pulp, then layers from the inside out.
 [[nodiscard]] HexMesh pad_mesh(const PadShape& shape, const PadCells& cells);
 
 /// Nodes that do not move: on the bone and on the rim (nodes of the mesh).

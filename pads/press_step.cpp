@@ -21,6 +21,8 @@ constexpr double kLongest = 0.25;  // motion to a force in an iteration, over di
 constexpr double kSomeSlip = 1e-10;   // slip that has a direction [m]
 constexpr double kConeSlack = 1e-10;  // of the friction cone, for rounding [1]
 
+constexpr double kRounding = 1e-15;  // of displacements, over distances of nodes [1]
+
 /// Contact at an iterate.
 struct TouchingNode {
   double gap = 0;                     // [m]
@@ -64,11 +66,16 @@ class PressSolver {
         out.message = "an element turned inside out";
         return out;
       }
+      stiffest_ = *std::max_element(tissue_.values.begin(), tissue_.values.end());
       find_contacts();
       measure(out);
       if (is_solved(out)) {
         out.message = passed_through(u);
         if (out.message.empty()) out.status = Status::kSolved;
+        return out;
+      }
+      if (goal_.force && scale_ == 0) {
+        out.message = "the object does not touch: move it until it does";
         return out;
       }
       if (!take_step(u)) {
@@ -192,7 +199,9 @@ class PressSolver {
   }
 
   [[nodiscard]] bool is_solved(const PressOutcome& out) const {
-    const double small = options_.force_tolerance * std::max(scale_, 1e-6);
+    // No better than rounding of the forces within elements, which bulk moduli make large.
+    const double rounding = kRounding * stiffest_ * std::sqrt(surface_.area.mean());
+    const double small = std::max(options_.force_tolerance * scale_, rounding);
     return out.residual <= small && std::abs(missing_) <= std::max(small, 1e-9) &&
            out.gap <= options_.gap_tolerance && change_ <= small && !changed_;
   }
@@ -277,7 +286,8 @@ class PressSolver {
   Wrench push_;
   bool changed_ = true;  // a node began or ceased to stick in the last iteration
   double scale_ = 0, missing_ = 0, change_ = 0;
-  double longest_ = 0;  // motion of the object in an iteration [m]
+  double stiffest_ = 0;  // entry of the tissue's stiffness [N/m]
+  double longest_ = 0;   // motion of the object in an iteration [m]
 };
 
 }  // namespace
@@ -321,8 +331,21 @@ ContactSurface contact_surface(const HexMesh& mesh, const TissueBody& body,
 PressOutcome press_step(const TissueBody& body, const ContactSurface& surface,
                         const RigidObject& object, const PressGoal& goal,
                         const PressOptions& options, SparseCholesky& factor, PressState& state) {
+  const auto nodes = static_cast<Eigen::Index>(surface.nodes.size());
+  require(object.shape != nullptr, "an object without a shape presses on nothing");
   require(object.friction >= 0 && std::isfinite(object.friction),
           "friction must be finite and >= 0, got {}", object.friction);
+  require(goal.X_PO.p.allFinite() && goal.X_PO.R.allFinite(), "a goal's pose is not finite");
+  require(goal.time >= 0, "a step takes 0 s or more, got {}", goal.time);
+  require(!goal.force || (std::isfinite(*goal.force) && *goal.force > 0),
+          "a force to reach must be above 0, got {} N", goal.force.value_or(0));
+  require(!goal.force || std::abs(goal.along.norm() - 1) < 1e-9,
+          "the direction of a force is no unit vector");
+  require(nodes > 0, "a body has no surface that may touch");
+  require(state.x.size() == body.unknowns() && state.normal.size() == nodes &&
+              state.shear.cols() == nodes && state.anchor.cols() == nodes,
+          "a state of {} unknowns and {} nodes does not fit a body of {} and {}", state.x.size(),
+          state.normal.size(), body.unknowns(), nodes);
   PressSolver solver(body, surface, object, goal, options, factor, state);
   PressOutcome out = solver.solve();
   if (out.status == Status::kSolved) state = solver.finish();

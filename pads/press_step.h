@@ -76,6 +76,7 @@ struct [[nodiscard]] PressOutcome {
 /// Newton's method on the augmented Lagrangian, forces updated by what each step predicts; friction
 /// is bounded by the normal force of the same iteration, whose slope the matrix leaves out so that
 /// it stays symmetric. Tissue pressure is an unknown of its own (element_response()).
+/// @throws InputError if a pose, a time or a force makes no sense, or the state is of another body.
 /// Sources: [AlartCurnier1991], [SimoLaursen1992].
 [[nodiscard]] PressOutcome press_step(const TissueBody& body, const ContactSurface& surface,
                                       const RigidObject& object, const PressGoal& goal,

@@ -195,6 +195,10 @@ ElementHistory fresh_history(std::size_t points, std::size_t terms) {
 void TissueBody::respond(const Matrix3Xd& u, double h, const TissueHistory& history,
                          const TissuePressure& tangent_pressure, ElementAsk ask,
                          TissueResponse& out) const {
+  require(history.empty() || history.size() == elements_.size(), "{} histories for {} elements",
+          history.size(), elements_.size());
+  require(tangent_pressure.empty() || tangent_pressure.size() == elements_.size(),
+          "{} pressures for {} elements", tangent_pressure.size(), elements_.size());
   const std::vector<RelaxationStep> steps = steps_of(h);
   out.inverted = false;
   out.energy = 0;
@@ -354,7 +358,7 @@ Matrix3Xd TissueBody::reactions(const Matrix3Xd& u, double h, const TissueHistor
     element_response(kind_, element.shape, tissues_[region], displacements_of(element, u),
                      &steps[region], history.empty() ? &fresh : &history[e], nullptr,
                      ElementAsk::kForce, response);
-    if (response.inverted) continue;
+    require(!response.inverted, "an element is turned inside out: it has no reactions");
     for (std::size_t a = 0; a < element.nodes.size(); ++a) {
       const Eigen::Vector3d f = response.force.segment<3>(static_cast<Eigen::Index>(3 * a));
       const std::vector<NodeWeight>& masters =

@@ -85,10 +85,11 @@ class TissueBody {
 
   /// Reaction of all nodes, fixed ones included: derivative of the energy by the displacement of
   /// each, hanging nodes handed to their masters [N] (3, nodes).
+  /// @throws InputError if an element is turned inside out.
   [[nodiscard]] Eigen::Matrix3Xd reactions(const Eigen::Matrix3Xd& u, double h,
                                            const TissueHistory& history) const;
 
-  /// Energy of the error of each element [J] (elements, in the order of the mesh's active cells):
+  /// Energy of the error of each element [J] (elements: active cells in order, or their parents):
   /// that of the difference between its isochoric stress and a smooth one, the mean around each
   /// node, regions apart. Their sum over the energy estimates the relative error of a force that
   /// holds a displacement, as both are quadratic in the displacement. Source: [ZienkiewiczZhu1987].

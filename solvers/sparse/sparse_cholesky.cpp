@@ -1,6 +1,6 @@
 #include "solvers/sparse/sparse_cholesky.h"
 
-#include <cmath>
+#include <algorithm>
 
 #include <suitesparse/cholmod.h>
 
@@ -44,13 +44,15 @@ struct SparseCholesky::Parts {
   cholmod_common common{};
   cholmod_sparse matrix{};
   cholmod_factor* factor = nullptr;
+  bool is_factored = false;
   cholmod_dense *answer = nullptr, *work_y = nullptr, *work_e = nullptr;
 };
 
 SparseCholesky::SparseCholesky(SymmetricPattern pattern) {
   require(pattern.starts.size() == static_cast<std::size_t>(pattern.size) + 1 &&
               pattern.starts.front() == 0 &&
-              pattern.starts.back() == static_cast<int>(pattern.rows.size()),
+              pattern.starts.back() == static_cast<int>(pattern.rows.size()) &&
+              std::is_sorted(pattern.starts.begin(), pattern.starts.end()),
           "a pattern of {} columns has {} starts", pattern.size, pattern.starts.size());
   for (int j = 0; j < pattern.size; ++j) {
     const auto from = static_cast<std::size_t>(pattern.starts[static_cast<std::size_t>(j)]);
@@ -72,15 +74,23 @@ const SymmetricPattern& SparseCholesky::pattern() const { return parts_->pattern
 bool SparseCholesky::factor(const std::vector<double>& values) {
   require(values.size() == parts_->pattern.rows.size(), "{} values for {} entries", values.size(),
           parts_->pattern.rows.size());
+  parts_->is_factored = false;
+  if (!Eigen::Map<const Eigen::VectorXd>(values.data(), static_cast<Eigen::Index>(values.size()))
+           .allFinite())
+    return false;
   parts_->matrix.x = const_cast<double*>(values.data());  // read only
   const int done = cholmod_factorize(&parts_->matrix, parts_->factor, &parts_->common);
   parts_->matrix.x = nullptr;
-  return done != 0 && parts_->common.status == CHOLMOD_OK &&
-         parts_->factor->minor == static_cast<std::size_t>(parts_->pattern.size);
+  parts_->is_factored = done != 0 && parts_->common.status == CHOLMOD_OK &&
+                        parts_->factor->minor == static_cast<std::size_t>(parts_->pattern.size);
+  return parts_->is_factored;
 }
 
 Eigen::MatrixXd SparseCholesky::solve(const Eigen::MatrixXd& b) const {
   Parts& parts = *parts_;
+  require(parts.is_factored, "a matrix of {} rows has no factor", parts.pattern.size);
+  require(b.rows() == parts.pattern.size, "a matrix of {} rows cannot solve {}", parts.pattern.size,
+          b.rows());
   cholmod_dense given{};
   given.nrow = given.d = static_cast<std::size_t>(b.rows());
   given.ncol = static_cast<std::size_t>(b.cols());
@@ -88,8 +98,9 @@ Eigen::MatrixXd SparseCholesky::solve(const Eigen::MatrixXd& b) const {
   given.x = const_cast<double*>(b.data());  // read only
   given.xtype = CHOLMOD_REAL;
   given.dtype = CHOLMOD_DOUBLE;
-  cholmod_solve2(CHOLMOD_A, parts.factor, &given, nullptr, &parts.answer, nullptr, &parts.work_y,
-                 &parts.work_e, &parts.common);
+  const int done = cholmod_solve2(CHOLMOD_A, parts.factor, &given, nullptr, &parts.answer, nullptr,
+                                  &parts.work_y, &parts.work_e, &parts.common);
+  require(done != 0, "a system of {} rows could not be solved", b.rows());
   return Eigen::Map<const Eigen::MatrixXd>(static_cast<const double*>(parts.answer->x), b.rows(),
                                            b.cols());
 }

@@ -29,9 +29,12 @@ class SparseCholesky {
 
   [[nodiscard]] const SymmetricPattern& pattern() const;
   /// @param values  of the pattern's entries
-  /// @return whether the matrix is positive definite to rounding; otherwise there is no factor
+  /// @return whether all are finite and the matrix positive definite to rounding; otherwise there
+  /// is no factor
   [[nodiscard]] bool factor(const std::vector<double>& values);
-  /// x of  A x = b, after a factor. @param b  (size, systems)
+  /// x of  A x = b. Its room is shared: one thread at a time.
+  /// @param b  (size, systems)
+  /// @throws InputError without a factor, or if b has another size
   [[nodiscard]] Eigen::MatrixXd solve(const Eigen::MatrixXd& b) const;
   /// Entries of the factor.
   [[nodiscard]] double fill() const;

@@ -170,6 +170,15 @@ TEST(TissueBody, WeakIncompressibilityDoesNotLock) {
   EXPECT_LT(rise(HexElement::kQuadratic), 1.05);
 }
 
+TEST(TissueBody, ForcesAreThoseOfAnotherProgram) {
+  // Reactions of the block by a program of its own in numpy, with derivatives by complex steps.
+  int iterations = 0;
+  EXPECT_NEAR(Block(HexElement::kMeanDilatation, 0.45, 1).force(iterations), 68.5407835192, 1e-8);
+  EXPECT_NEAR(Block(HexElement::kMeanDilatation, 0.499, 1).force(iterations), 77.2521844108, 1e-8);
+  EXPECT_NEAR(Block(HexElement::kMeanDilatation, 0.49, 2).force(iterations), 72.4757045404, 1e-8);
+  EXPECT_NEAR(Block(HexElement::kQuadratic, 0.49, 1).force(iterations), 68.2104951992, 1e-8);
+}
+
 TEST(TissueBody, ForcesOfFinerMeshesFall) {
   // Displacements of a coarse mesh are among those of a finer one: its energy is no smaller. Mean
   // dilatations keep that order here.

@@ -1,5 +1,7 @@
 #include "solvers/sparse/sparse_cholesky.h"
 
+#include <cmath>
+
 #include <gtest/gtest.h>
 
 #include "base/error.h"
@@ -53,6 +55,18 @@ TEST(SparseCholesky, SaysWhatIsNotPositiveDefiniteAndGoesOn) {
   ASSERT_TRUE(factor.factor(laplace.values));
   const Eigen::VectorXd b = Eigen::VectorXd::Ones(laplace.pattern.size);
   EXPECT_LT((laplace.dense * factor.solve(b) - b).norm(), 1e-12);
+}
+
+TEST(SparseCholesky, NothingIsSolvedWithoutAFactor) {
+  Laplace laplace(3);
+  SparseCholesky factor(laplace.pattern);
+  const Eigen::VectorXd b = Eigen::VectorXd::Ones(laplace.pattern.size);
+  EXPECT_THROW((void)factor.solve(b), InputError);
+  ASSERT_TRUE(factor.factor(laplace.values));
+  EXPECT_THROW((void)factor.solve(b.head(5)), InputError);
+  laplace.values[3] = NAN;
+  EXPECT_FALSE(factor.factor(laplace.values));
+  EXPECT_THROW((void)factor.solve(b), InputError);
 }
 
 TEST(SparseCholesky, PatternsThatAreNoLowerTriangleAreRefused) {
