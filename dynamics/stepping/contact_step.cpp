@@ -15,6 +15,7 @@ using Kind = ActiveContact::Kind;
 constexpr double kNoSlip = 1e-9;     // slower is sticking [m/s], [rad/s]
 constexpr double kNothing = 1e-150;  // slower is at rest: squares are no numbers [m/s], [rad/s]
 constexpr double kRoughest = 1e-9;   // tolerance of contact problems, whatever rounding is [1]
+constexpr int kFewSteps = 30;        // of Newton, towards the rounding of gaps
 constexpr double kRoundings = 8;     // of positions, in gaps [1]
 constexpr double kLeastSize = 0.1;   // of a scene, for its rounding [m]
 
@@ -362,23 +363,45 @@ struct ContactStep::Parts {
     }
   }
 
-  /// How the problem of a midpoint step is solved.
-  [[nodiscard]] ContactSolverOptions midpoint_options(double h) const {
+  /// Residual that rounding of gaps amounts to in the problem of a midpoint step [1].
+  [[nodiscard]] double rounding_of_gaps(double h) const {
     double size = kLeastSize;
     for (const Pose<double>& X : X_WB) size = std::max(size, X.p.norm());
     const double rounding = kRoundings * std::numeric_limits<double>::epsilon() * size;
     const double share = 2 * rounding / (h * problem.b.lpNorm<Eigen::Infinity>());
-    ContactSolverOptions out = solver_options;
-    out.tolerance = std::max(out.tolerance, std::min(share, kRoughest));
-    return out;
+    return std::max(solver_options.tolerance, std::min(share, kRoughest));
+  }
+
+  /// Impulses of the problem from those in `start`. @param aim  0: to the tolerance; otherwise to
+  /// this by Newton alone, and to 1e-9 by all methods where it does not come as far as that
+  const ContactSolution& find_impulses(double aim) {
+    ContactSolverOptions options = solver_options;
+    tolerance = options.tolerance;
+    if (aim > 0) {
+      options.tolerance = tolerance = std::max(tolerance, kRoughest);
+      if (options.method == ContactMethod::kAutomatic) {
+        options.method = ContactMethod::kNewton;
+        options.tolerance = aim;
+        options.max_newton_steps = kFewSteps;
+        const ContactSolution& fine = solver.solve(problem, start, options);
+        if (fine.residual.is_within(tolerance)) return fine;
+        options = solver_options;
+        options.tolerance = tolerance;
+      }
+    }
+    return solver.solve(problem, start, options);
   }
 
   /// Solves, moves the speeds, and writes impulses, velocities and modes into the list.
+  /// @param aim  as of find_impulses()
   void solve(std::vector<ActiveContact>& list, SceneState& state, StepOutcome& outcome,
-             const ContactSolverOptions& options) {
+             double aim = 0) {
     warm_start(list);
-    const ContactSolution& answer = solver.solve(problem, start, options);
-    outcome.solved = outcome.solved && answer.status == Status::kSolved;
+    const ContactSolution& answer = find_impulses(aim);
+    const bool arrived = solver_options.method == ContactMethod::kPyramid
+                             ? answer.status == Status::kSolved
+                             : answer.residual.is_within(tolerance);
+    outcome.solved = outcome.solved && arrived;
     outcome.residual = answer.residual.natural;
     pushed.noalias() = J * answer.f;
     change = pushed;
@@ -467,6 +490,7 @@ struct ContactStep::Parts {
   ContactProblem problem;
   ContactSolver solver;
   ContactSolverOptions solver_options;
+  double tolerance = 0;  // of the last problem [1]
   std::vector<ActiveContact> found;
   bool has_slopes = false;  // some spring, damper or drive may be stiff
   bool has_flows = false;   // energy flows where nothing touches
@@ -526,7 +550,7 @@ void ContactStep::substep(SceneState& state, double h, const std::vector<ActiveC
   } else {
     p.set_rows(outcome.active, h);
     p.problem.b.noalias() = p.J.transpose() * p.v_free;
-    p.solve(outcome.active, state, outcome, p.solver_options);
+    p.solve(outcome.active, state, outcome);
   }
   p.find_powers({state.t, p.acting, h, 1, state.q, p.placed_v, state.v});
   state.w += h * p.power;
@@ -589,7 +613,7 @@ void ContactStep::time_step(SceneState& state, double h, const std::vector<Activ
         for (int i = 1; i < rows; ++i) p.problem.b[at + i] += p.J.col(at + i).dot(state.v);
       at += rows;
     }
-    p.solve(outcome.active, state, outcome, p.midpoint_options(h));
+    p.solve(outcome.active, state, outcome, p.rounding_of_gaps(h));
   }
   outcome.solved = p.end_elements(h, state) && outcome.solved;
   p.find_powers({state.t, p.acting, h, 0.5, state.q, p.v_before, state.v});
@@ -642,7 +666,7 @@ void ContactStep::impact(SceneState& state, const std::vector<ActiveContact>& to
       p.problem.b[at] *= 1 + touching[k].friction.restitution;
     at += rows_of(p.problem.blocks[k].law);
   }
-  p.solve(outcome.active, state, outcome, p.solver_options);
+  p.solve(outcome.active, state, outcome);
 }
 
 void ContactStep::close_gaps(SceneState& state, const std::vector<ActiveContact>& touching,
