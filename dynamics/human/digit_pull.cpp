@@ -213,7 +213,8 @@ bool DigitPull::knows_stiffness(const VectorXd& q, const VectorXd& t) const {
 bool DigitPull::set_arm_slopes(const VectorXd& q) {
   if (has_net()) return false;
   arms_->slopes(q, arm_slopes_);
-  if (arm_slopes_.exist) stiffness_q_ = q;
+  // Without them nothing is known until the stiffness has been found in another way.
+  stiffness_q_ = arm_slopes_.exist ? q : VectorXd();
   return arm_slopes_.exist;
 }
 

@@ -1,6 +1,7 @@
 #include "dynamics/stepping/mode_change.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace thenar {
 namespace {
@@ -12,12 +13,24 @@ const ActiveContact* same_in(const std::vector<ActiveContact>& list, const Activ
   return at == list.end() ? nullptr : &*at;
 }
 
+/// Whether a contact slides in both, but the other way: through a standstill between.
+bool turned_round(const ActiveContact& a, const ActiveContact& b) {
+  if (a.mode != ContactMode::kSlide || b.mode != ContactMode::kSlide) return false;
+  if (a.kind == ActiveContact::Kind::kJointFriction) return a.approach * b.approach < 0;
+  const auto friction = [](const ActiveContact& c) -> Eigen::Vector3d {
+    return c.impulse - c.impulse.dot(c.normal) * c.normal;
+  };
+  return friction(a).dot(friction(b)) < 0;
+}
+
 /// How far a contact is from its next mode: the normal force if it opens, else the friction that is
 /// left where it sticks, and the slip where it slides. @param next  null: it is lost
 double mode_margin(const ActiveContact& contact, const ActiveContact* next) {
   const double pressed = contact.kind == ActiveContact::Kind::kContact
                              ? contact.impulse.dot(contact.normal)
                              : contact.impulse.x();
+  if (contact.kind == ActiveContact::Kind::kJointFriction && contact.mode == ContactMode::kSlide)
+    return std::abs(contact.approach);
   if (contact.kind != ActiveContact::Kind::kContact || next == nullptr ||
       next->mode == ContactMode::kOpen)
     return pressed;
@@ -35,9 +48,21 @@ bool same_modes(const std::vector<ActiveContact>& a, const std::vector<ActiveCon
     x = std::find_if_not(x, a.end(), opens);
     y = std::find_if_not(y, b.end(), opens);
     if (x == a.end() || y == b.end()) return x == a.end() && y == b.end();
-    if (!x->same(*y) || x->mode != y->mode) return false;
+    if (!x->same(*y) || x->mode != y->mode || turned_round(*x, *y)) return false;
     ++x, ++y;
   }
+}
+
+double slip_that_turned(const std::vector<ActiveContact>& before,
+                        const std::vector<ActiveContact>& after) {
+  double most = 0;
+  for (const ActiveContact& contact : before) {
+    const ActiveContact* const then = same_in(after, contact);
+    if (then == nullptr || !turned_round(contact, *then)) continue;
+    const bool is_joint = contact.kind == ActiveContact::Kind::kJointFriction;
+    most = std::max(most, is_joint ? std::abs(contact.approach) : contact.slip);
+  }
+  return most;
 }
 
 double share_before_change(const std::vector<ActiveContact>& earlier,
@@ -48,7 +73,7 @@ double share_before_change(const std::vector<ActiveContact>& earlier,
     const ActiveContact* const before = same_in(earlier, contact);
     const ActiveContact* const after = same_in(next, contact);
     if (contact.mode == ContactMode::kOpen || before == nullptr) continue;
-    if (after != nullptr && after->mode == contact.mode) continue;
+    if (after != nullptr && after->mode == contact.mode && !turned_round(contact, *after)) continue;
     const double margin = mode_margin(contact, after);
     const double fall = mode_margin(*before, after) - margin;
     if (fall > 0 && margin >= 0) share = std::min(share, margin / fall);

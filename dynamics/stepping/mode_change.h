@@ -8,10 +8,14 @@
 
 namespace thenar {
 
-/// Whether the same contacts bear at the same modes. Those that open have no force, in a list or
-/// not.
+/// Whether the same contacts bear at the same modes, and none slides the other way. Those that open
+/// have no force, in a list or not.
 [[nodiscard]] bool same_modes(const std::vector<ActiveContact>& a,
                               const std::vector<ActiveContact>& b);
+
+/// Largest slip, before, of the contacts that then slide the other way [m/s], [rad/s].
+[[nodiscard]] double slip_that_turned(const std::vector<ActiveContact>& before,
+                                      const std::vector<ActiveContact>& after);
 
 /// Share of a substep after which the first mode changes, if margins go on as in the substep
 /// before: the normal force of what opens, the friction that is left where a contact sticks, the

@@ -525,6 +525,10 @@ class Simulation {
       // Modes that changed leave the finest column.
       last.order = 2;
       last.error = difference(last.state, table_[static_cast<std::size_t>(result_ - 1)].state, 1);
+      // A first substep that friction turns round within is wrong by as much in all columns: the
+      // speed by up to twice what there was to lose.
+      last.error =
+          std::max(last.error, 2 * slip_that_turned(closed_, last.active) / options_.tolerance);
       verdict_ = Extrapolation::Verdict::kGoOn;
     }
     // Gaps of extrapolated positions are not those of any column.

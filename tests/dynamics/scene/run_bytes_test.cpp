@@ -75,6 +75,8 @@ TEST(RunBytes, OfElementsAndAReasonComeBack) {
     EXPECT_TRUE(std::signbit(back.samples[k].z[1]));
     EXPECT_EQ(back.samples[k].energy.springs, run.samples[k].energy.springs);
     EXPECT_EQ(back.samples[k].energy.of_elements, run.samples[k].energy.of_elements);
+    EXPECT_EQ(back.samples[k].energy.of_passive, run.samples[k].energy.of_passive);
+    EXPECT_EQ(back.samples[k].w, run.samples[k].w);
   }
 }
 

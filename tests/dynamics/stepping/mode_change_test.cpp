@@ -36,6 +36,16 @@ TEST(SameModes, LeavesOutWhatHasNoForce) {
   EXPECT_FALSE(same_modes({stuck}, {on_floor(3, kSticks, 1, 0)}));
 }
 
+TEST(SameModes, TellsWhatSlidesTheOtherWay) {
+  const ActiveContact forth = on_floor(1, kSlides, 1, 0.5, 0.2),
+                      back = on_floor(1, kSlides, 1, -0.5, 0.1);
+  EXPECT_TRUE(same_modes({forth}, {forth}));
+  EXPECT_FALSE(same_modes({forth}, {back}));
+  // From 0.6 to 0.2 m/s in a substep: it stands after half of the next.
+  EXPECT_NEAR(share_before_change({on_floor(1, kSlides, 1, 0.5, 0.6)}, {forth}, {back}), 0.5,
+              1e-15);
+}
+
 // From 4 to 1 N s in a substep: 0 after a third of the next.
 TEST(ShareBeforeChange, NormalForceFallsToZero) {
   EXPECT_NEAR(share_before_change({on_floor(1, kSticks, 4, 0)}, {on_floor(1, kSticks, 1, 0)}, {}),
