@@ -15,7 +15,6 @@ using Kind = ActiveContact::Kind;
 constexpr double kNoSlip = 1e-9;     // slower is sticking [m/s], [rad/s]
 constexpr double kNothing = 1e-150;  // slower is at rest: squares are no numbers [m/s], [rad/s]
 constexpr double kRoughest = 1e-9;   // tolerance of contact problems, whatever rounding is [1]
-constexpr int kFewSteps = 30;        // of Newton, towards the rounding of gaps
 constexpr double kRoundings = 8;     // of positions, in gaps [1]
 constexpr double kLeastSize = 0.1;   // of a scene, for its rounding [m]
 
@@ -372,23 +371,12 @@ struct ContactStep::Parts {
     return std::max(solver_options.tolerance, std::min(share, kRoughest));
   }
 
-  /// Impulses of the problem from those in `start`. @param aim  0: to the tolerance; otherwise to
-  /// this by Newton alone, and to 1e-9 by all methods where it does not come as far as that
+  /// Impulses of the problem from those in `start`. @param aim  0: to the tolerance; otherwise
+  /// towards this, 1e-9 being enough
   const ContactSolution& find_impulses(double aim) {
     ContactSolverOptions options = solver_options;
-    tolerance = options.tolerance;
-    if (aim > 0) {
-      options.tolerance = tolerance = std::max(tolerance, kRoughest);
-      if (options.method == ContactMethod::kAutomatic) {
-        options.method = ContactMethod::kNewton;
-        options.tolerance = aim;
-        options.max_newton_steps = kFewSteps;
-        const ContactSolution& fine = solver.solve(problem, start, options);
-        if (fine.residual.is_within(tolerance)) return fine;
-        options = solver_options;
-        options.tolerance = tolerance;
-      }
-    }
+    if (aim > 0) options.tolerance = aim;
+    tolerance = aim > 0 ? std::max(solver_options.tolerance, kRoughest) : options.tolerance;
     return solver.solve(problem, start, options);
   }
 
