@@ -132,8 +132,8 @@ PadPressResult PadPress::step(const PressGoal& goal) {
   return result;
 }
 
-void PadPress::refine(const VectorXd& errors, PressState& start) {
-  // The elements with the largest errors, until they hold a share of the whole.
+/// The elements with the largest errors, until they hold a share of the whole: cells of the mesh.
+std::vector<int> PadPress::marked_cells(const VectorXd& errors) const {
   std::vector<int> order(static_cast<std::size_t>(errors.size()));
   std::iota(order.begin(), order.end(), 0);
   std::stable_sort(order.begin(), order.end(), [&](int a, int b) { return errors[a] > errors[b]; });
@@ -144,6 +144,11 @@ void PadPress::refine(const VectorXd& errors, PressState& start) {
     sum += errors[e];
     marked.push_back(mesh_.active()[static_cast<std::size_t>(e)]);
   }
+  return marked;
+}
+
+void PadPress::refine(const VectorXd& errors, PressState& start) {
+  const std::vector<int> marked = marked_cells(errors);
   // Fields of all nodes before.
   const auto fields_of = [&](const PressState& state) {
     struct Fields {

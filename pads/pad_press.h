@@ -64,6 +64,7 @@ class PadPress {
  private:
   void build();
   PressOutcome solve(const PressGoal& goal, int cuts);
+  [[nodiscard]] std::vector<int> marked_cells(const Eigen::VectorXd& errors) const;
   /// Refines by the estimate; carries `start` and the present state over.
   void refine(const Eigen::VectorXd& errors, PressState& start);
   /// What a present element was before: an element, or an octant of one (-1: all of it).
