@@ -39,12 +39,12 @@ using Tree = std::vector<Hinge<T>>;
 template <typename T>
 using TreeState = std::vector<LinkState<T>>;
 
-/// Forward kinematics: poses every link.
+/// Forward kinematics: poses every link, written over `state`, whose room is used again.
 /// @param tree  hinges, parents before children
 /// @param q     coordinates, anything indexable [rad]
 template <typename T, typename Q>
-[[nodiscard]] TreeState<T> pose_tree(const Tree<T>& tree, const Q& q) {
-  TreeState<T> state(tree.size());
+void pose_tree_over(const Tree<T>& tree, const Q& q, TreeState<T>& state) {
+  state.resize(tree.size());
   for (std::size_t i = 0; i < tree.size(); ++i) {
     const Hinge<T>& hinge = tree[i];
     // Rotation about the hinge.
@@ -58,12 +58,19 @@ template <typename T, typename Q>
       link.X.R = turn;
     } else {
       const Pose<T>& parent = state[hinge.parent].X;
-      link.axis = parent.R * hinge.direction;
+      link.axis.noalias() = parent.R * hinge.direction;
       link.point = parent * hinge.point;
-      link.X.R = parent.R * turn;
+      link.X.R.noalias() = parent.R * turn;
     }
     link.X.p = link.point - link.X.R * hinge.point;  // points of the axis do not move
   }
+}
+
+/// The same as a value.
+template <typename T, typename Q>
+[[nodiscard]] TreeState<T> pose_tree(const Tree<T>& tree, const Q& q) {
+  TreeState<T> state;
+  pose_tree_over(tree, q, state);
   return state;
 }
 
