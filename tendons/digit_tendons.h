@@ -60,6 +60,14 @@ struct [[nodiscard]] TendonDerivatives {
   Eigen::VectorXd length;      // of each muscle's line, up to a constant [m] (muscles)
 };
 
+/// How arms of tendons that are linear in tensions change with posture: at given tensions
+/// d tau / d q  is the sum of these over muscles, each times its tension.
+struct ArmSlopes {
+  bool exist = true;        // false: a path is not differentiable here
+  Eigen::MatrixXd of_pair;  // -d R_j / d q_k, symmetric part, pair j + k (k + 1) / 2 with j <= k
+                            // [m/rad^2] (pairs, muscles)
+};
+
 /// Moment arms of tendons without a net, posture after posture. It holds the room of one thread,
 /// which changes no answer.
 class ArmSolver {
@@ -68,6 +76,8 @@ class ArmSolver {
   /// Writes R, warning and status of DigitTendons::evaluate() over those of `out`, nothing else.
   /// @throws InputError if q has a wrong length or an entry that is not finite.
   virtual void solve(const Eigen::VectorXd& q, TendonTorque& out) = 0;
+  /// Writes slopes of the arms over those of `out`. @throws InputError as solve().
+  virtual void slopes(const Eigen::VectorXd& q, ArmSlopes& out) = 0;
 };
 
 /// One digit with its tendons. On linear rungs  tau = R' t;  with a net tau is not linear in t.

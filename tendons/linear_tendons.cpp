@@ -4,7 +4,6 @@
 #include <utility>
 
 #include "base/error.h"
-#include "hand/pose_tree_over.h"
 #include "tendons/path.h"
 #include "tendons/strand_paths.h"
 
@@ -157,7 +156,7 @@ class LinearTendons : public DigitTendons {
   }
 
   /// Arms posture after posture.
-  class Arms final : public LinearArmSolver {
+  class Arms final : public ArmSolver {
    public:
     explicit Arms(const LinearTendons& of) : of_(&of), room_{of.paths_->room(), {}, {}} {}
     void solve(const VectorXd& q, TendonTorque& out) override {

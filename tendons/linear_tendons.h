@@ -9,21 +9,6 @@
 
 namespace thenar {
 
-/// How arms of tendons that are linear in tensions change with posture: at given tensions
-/// d tau / d q  is the sum of these over muscles, each times its tension.
-struct ArmSlopes {
-  bool exist = true;        // false: a path is not differentiable here
-  Eigen::MatrixXd of_pair;  // -d R_j / d q_k, symmetric part, pair j + k (k + 1) / 2 with j <= k
-                            // [m/rad^2] (pairs, muscles)
-};
-
-/// Arms and their slopes, posture after posture.
-class LinearArmSolver : public ArmSolver {
- public:
-  /// Writes slopes over those of `out`. @throws InputError as solve().
-  virtual void slopes(const Eigen::VectorXd& q, ArmSlopes& out) = 0;
-};
-
 /// Builds one digit with  tau = R' t,  R = S' R_strands, where S shares tensions between strands
 /// (strand_matrix) and R_strands are the strands' moment arms on the rung of paths in `options`.
 /// @throws InputError if the digit, or an arm or path of a crossing strand, is missing, or if the

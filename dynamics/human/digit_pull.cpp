@@ -45,23 +45,10 @@ void set_pieces_of(const std::vector<MuscleSchedule>& schedules, double from,
       pieces[static_cast<std::size_t>(schedule.muscle)] = piece_at(schedule, from);
 }
 
-/// Entries of a list, written over `out`.
-void gather(const VectorXd& from, const std::vector<int>& places, VectorXd& out) {
-  out.resize(static_cast<Index>(places.size()));
-  Index next = 0;
-  for (const int place : places) out[next++] = from[place];
-}
 VectorXd gathered(const VectorXd& from, const std::vector<int>& places) {
   VectorXd out;
   gather(from, places, out);
   return out;
-}
-
-/// Adds a matrix at some places of another.
-void scatter(const MatrixXd& added, const std::vector<int>& places, MatrixXd& out) {
-  for (Index j = 0; j < added.cols(); ++j)
-    for (Index i = 0; i < added.rows(); ++i)
-      out(places[static_cast<std::size_t>(i)], places[static_cast<std::size_t>(j)]) += added(i, j);
 }
 
 void check_schedules(const std::vector<MuscleSchedule>& schedules, const DigitPullModel& model,
@@ -342,7 +329,7 @@ void DigitPull::add_slopes(const Now& now, MatrixXd& G, MatrixXd& A, ElementActi
   if (arm_slopes_.exist)
     tendons().add_stiffness(arm_slopes_, now.tension, v, by_pair_, out.stiffness);
   else
-    scatter(posture_stiffness_, v, out.stiffness);
+    scatter(posture_stiffness_, v, v, out.stiffness);
   if (contracting_.empty()) return;
   if (!has_net()) {
     add_tension_slopes(now, out);
@@ -352,7 +339,7 @@ void DigitPull::add_slopes(const Now& now, MatrixXd& G, MatrixXd& A, ElementActi
   G = tendons().compliance(now.q, now.tension, now.pull);
   A = G * now.by.by_length.asDiagonal();
   A.diagonal().array() += 1;
-  scatter(R.transpose() * (now.by.by_length.asDiagonal() * A.partialPivLu().solve(R)), v,
+  scatter(R.transpose() * (now.by.by_length.asDiagonal() * A.partialPivLu().solve(R)), v, v,
           out.stiffness);
 }
 

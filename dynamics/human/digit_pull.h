@@ -27,13 +27,14 @@ struct MuscleSchedule {
 
 /// The constants of a pulled digit.
 struct DigitPullModel {
-  std::string name;                                // "human/index"
-  std::shared_ptr<const TendonGroup> tendons;      // one digit, or several that share a muscle
-  CoordinatePlaces places;                         // of the group's coordinates
-  std::vector<MuscleSchedule> tensions;            // of muscles that do not contract
-  std::vector<MuscleSchedule> excitations;         // others are not excited
-  std::shared_ptr<const Contraction> contraction;  // of all muscles; those with a tension
-                                                   // are not asked; null: none contracts
+  std::string name;                            // "human/index"
+  std::shared_ptr<const TendonGroup> tendons;  // one digit, or several that share a muscle
+  CoordinatePlaces places;                     // of the group's coordinates
+  std::vector<MuscleSchedule> tensions;        // of muscles that do not contract
+  std::vector<MuscleSchedule> excitations;     // others are not excited
+  std::shared_ptr<const Contraction>
+      contraction;  // of all muscles; what it says of those
+                    // with a tension is not used; null: none contracts
   ActivationTimes activation{};
   double blend = kBlend;               // of a net's bands [1]
   double base_tension = kBaseTension;  // added to each muscle of a digit with a net [N]

@@ -22,28 +22,25 @@ std::vector<int> place_names(const std::vector<std::string>& names, std::vector<
   return places;
 }
 
-/// Entries of a list, written over `out`.
-void take(const VectorXd& from, const std::vector<int>& places, VectorXd& out) {
-  out.resize(static_cast<Eigen::Index>(places.size()));
-  Eigen::Index next = 0;
-  for (const int place : places) out[next++] = from[place];
-}
-
-/// Adds the arms of a part at its muscles and coordinates.
-void add_arms(const MatrixXd& R, const std::vector<int>& muscles,
-              const std::vector<int>& coordinates, MatrixXd& out) {
-  for (std::size_t c = 0; c < coordinates.size(); ++c)
-    for (std::size_t m = 0; m < muscles.size(); ++m)
-      out(muscles[m], coordinates[c]) +=
-          R(static_cast<Eigen::Index>(m), static_cast<Eigen::Index>(c));
-}
-
 bool have_one_in_common(const std::vector<std::string>& a, const std::vector<std::string>& b) {
   return std::any_of(a.begin(), a.end(),
                      [&](const std::string& each) { return std::count(b.begin(), b.end(), each); });
 }
 
 }  // namespace
+
+void gather(const VectorXd& from, const std::vector<int>& places, VectorXd& out) {
+  out.resize(static_cast<Eigen::Index>(places.size()));
+  Eigen::Index next = 0;
+  for (const int place : places) out[next++] = from[place];
+}
+
+void scatter(const MatrixXd& added, const std::vector<int>& rows, const std::vector<int>& columns,
+             MatrixXd& out) {
+  for (Eigen::Index j = 0; j < added.cols(); ++j)
+    for (Eigen::Index i = 0; i < added.rows(); ++i)
+      out(rows[static_cast<std::size_t>(i)], columns[static_cast<std::size_t>(j)]) += added(i, j);
+}
 
 std::vector<std::vector<int>> contracting_groups(
     const std::vector<std::vector<std::string>>& muscles, const std::vector<bool>& excited) {
@@ -117,18 +114,16 @@ GroupArms::GroupArms(const TendonGroup& group) : group_(&group), q_(group.digits
   require(!group.has_net(), "arms of a group with a net depend on tensions");
   for (const TendonGroup::Digit& digit : group.digits_)
     solvers_.push_back(digit.tendons->arm_solver());
-  for (const std::unique_ptr<ArmSolver>& solver : solvers_)
-    sloped_.push_back(dynamic_cast<LinearArmSolver*>(solver.get()));
 }
 
 void GroupArms::slopes(const VectorXd& q, GroupSlopes& out) {
   out.exist = true;
-  out.digits.resize(sloped_.size());
-  for (std::size_t i = 0; i < sloped_.size() && out.exist; ++i) {
-    out.exist = sloped_[i] != nullptr;
+  out.digits.resize(solvers_.size());
+  for (std::size_t i = 0; i < solvers_.size() && out.exist; ++i) {
+    out.exist = solvers_[i] != nullptr;
     if (!out.exist) return;
-    take(q, group_->digits_[i].coordinates, q_[i]);
-    sloped_[i]->slopes(q_[i], out.digits[i]);
+    gather(q, group_->digits_[i].coordinates, q_[i]);
+    solvers_[i]->slopes(q_[i], out.digits[i]);
     out.exist = out.digits[i].exist;
   }
 }
@@ -143,7 +138,7 @@ void GroupArms::solve(const VectorXd& q, GroupTorque& out) {
   for (std::size_t i = 0; i < solvers_.size(); ++i) {
     const TendonGroup::Digit& digit = group.digits_[i];
     TendonTorque& part = out.digits[i];
-    take(q, digit.coordinates, q_[i]);
+    gather(q, digit.coordinates, q_[i]);
     if (solvers_[i])
       solvers_[i]->solve(q_[i], part);
     else
@@ -152,7 +147,7 @@ void GroupArms::solve(const VectorXd& q, GroupTorque& out) {
     if (alone)
       out.R = part.R;
     else
-      add_arms(part.R, digit.muscles, digit.coordinates, out.R);
+      scatter(part.R, digit.muscles, digit.coordinates, out.R);
     out.status = worse(out.status, part.status);
     if (out.warning.empty()) out.warning = part.warning;
   }

@@ -22,6 +22,12 @@ struct [[nodiscard]] GroupTorque {
 /// Nodes of the nets of all digits, to start from; empty: from the straight finger.
 using GroupNodes = std::vector<Eigen::Matrix3Xd>;
 
+/// Entries of a list at some places, written over `out`; without the heap once it is as long.
+void gather(const Eigen::VectorXd& from, const std::vector<int>& places, Eigen::VectorXd& out);
+/// Adds a matrix at some rows and columns of another.
+void scatter(const Eigen::MatrixXd& added, const std::vector<int>& rows,
+             const std::vector<int>& columns, Eigen::MatrixXd& out);
+
 /// Digits that pull as one: each by itself, but those that contract with all that share a muscle
 /// with them. What joins contracts as well, so that the next may join.
 /// @param muscles  of each digit, without those that have a tension (digits)
@@ -105,7 +111,6 @@ class GroupArms {
  private:
   const TendonGroup* group_;
   std::vector<std::unique_ptr<ArmSolver>> solvers_;  // (digits); null: evaluate() does
-  std::vector<LinearArmSolver*> sloped_;             // the same; null: has no slopes
   std::vector<Eigen::VectorXd> q_;                   // (digits)
 };
 
