@@ -98,6 +98,12 @@ struct MechanismLayout {
 };
 [[nodiscard]] MechanismLayout layout_of(const Mechanism& mechanism);
 
+/// Whether there are only hinges and slides: then each speed is the rate of the position of its
+/// index.
+[[nodiscard]] inline bool has_no_quaternion(const MechanismLayout& layout) {
+  return layout.q == layout.v;
+}
+
 /// Value of a hinge or slide, and its first two derivatives by the coordinate, on any scalar.
 template <typename T>
 struct JointValueOn {

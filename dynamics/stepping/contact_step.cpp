@@ -371,24 +371,21 @@ struct ContactStep::Parts {
     return std::max(solver_options.tolerance, std::min(share, kRoughest));
   }
 
-  /// Impulses of the problem from those in `start`. @param aim  0: to the tolerance; otherwise
-  /// towards this, 1e-9 being enough
-  const ContactSolution& find_impulses(double aim) {
-    ContactSolverOptions options = solver_options;
-    if (aim > 0) options.tolerance = aim;
-    tolerance = aim > 0 ? std::max(solver_options.tolerance, kRoughest) : options.tolerance;
-    return solver.solve(problem, start, options);
-  }
-
   /// Solves, moves the speeds, and writes impulses, velocities and modes into the list.
-  /// @param aim  as of find_impulses()
+  /// @param aim  0: to the tolerance; otherwise the residual to go to, 1e-9 being enough
   void solve(std::vector<ActiveContact>& list, SceneState& state, StepOutcome& outcome,
              double aim = 0) {
     warm_start(list);
-    const ContactSolution& answer = find_impulses(aim);
+    ContactSolverOptions options = solver_options;
+    double enough = options.tolerance;
+    if (aim > 0) {
+      options.tolerance = aim;
+      enough = std::max(enough, kRoughest);
+    }
+    const ContactSolution& answer = solver.solve(problem, start, options);
     const bool arrived = solver_options.method == ContactMethod::kPyramid
                              ? answer.status == Status::kSolved
-                             : answer.residual.is_within(tolerance);
+                             : answer.residual.is_within(enough);
     outcome.solved = outcome.solved && arrived;
     outcome.residual = answer.residual.natural;
     pushed.noalias() = J * answer.f;
@@ -478,7 +475,6 @@ struct ContactStep::Parts {
   ContactProblem problem;
   ContactSolver solver;
   ContactSolverOptions solver_options;
-  double tolerance = 0;  // of the last problem [1]
   std::vector<ActiveContact> found;
   bool has_slopes = false;  // some spring, damper or drive may be stiff
   bool has_flows = false;   // energy flows where nothing touches
@@ -783,7 +779,7 @@ bool ContactStep::is_stiff(const SceneState& state, double h) {
 }
 
 void ContactStep::normalise(Eigen::VectorXd& q) const {
-  if (parts_->model.layout.q == parts_->model.layout.v) return;  // no quaternions
+  if (has_no_quaternion(parts_->model.layout)) return;
   const std::vector<MechanismJoint>& joints = parts_->scene.mechanism.joints;
   for (std::size_t i = 0; i < joints.size(); ++i)
     if (joints[i].kind == JointKind::kBall || joints[i].kind == JointKind::kFree)

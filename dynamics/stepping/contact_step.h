@@ -116,10 +116,9 @@ class ContactStep {
   /// mode changes. A contact may close its gap within the step, u_n+ >= -2 gap(q_m) / h, and depth
   /// is pushed out at no more than `recovery`; nothing bounces. Source: [Moreau1988].
   ///
-  /// The tolerance of the contact problem is at least the rounding of gaps, as speeds over those of
-  /// the problem, up to 1e-9. It should be no more: what one step leaves over stays in the gaps,
-  /// and contacts that are more than the freedoms of the bodies then cannot all stick in the next
-  /// one.
+  /// The contact problem is solved towards the rounding of gaps, as speeds over those of the
+  /// problem: what one step leaves over stays in the gaps, and contacts that are more than the
+  /// freedoms of the bodies then cannot all stick in the next one. 1e-9 counts as solved.
   /// @param recovery  [m/s]
   void time_step(SceneState& state, double h, const std::vector<ActiveContact>& last,
                  double recovery, StepOutcome& outcome);

@@ -80,10 +80,6 @@ int free_joint(const Mechanism& mechanism, int body) {
   return layout_of(mechanism).first_q[static_cast<std::size_t>(body)];
 }
 
-/// Whether there are only hinges and slides: then each speed is the rate of the position of its
-/// index.
-bool has_no_quaternion(const MechanismLayout& layout) { return layout.q == layout.v; }
-
 }  // namespace
 
 void check_scene(const MovingScene& scene) {
