@@ -2,27 +2,11 @@
 
 #include <gtest/gtest.h>
 
-#include <cstdlib>
 #include <vector>
 
 #include "dynamics/contact/contact_solver.h"
+#include "tests/counted_malloc.h"
 #include "tests/dynamics/contact/contact_samples.h"
-
-namespace {
-std::size_t allocations = 0;
-}  // namespace
-
-// Eigen asks malloc, and operator new does. Sanitizers have a malloc of their own.
-#ifndef __SANITIZE_ADDRESS__
-extern "C" {
-// NOLINTNEXTLINE(bugprone-reserved-identifier,readability-identifier-naming)
-void* __libc_malloc(std::size_t size);
-void* malloc(std::size_t size) {
-  ++allocations;
-  return __libc_malloc(size);
-}
-}
-#endif
 
 namespace thenar {
 namespace {

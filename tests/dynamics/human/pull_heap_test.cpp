@@ -3,26 +3,9 @@
 
 #include <gtest/gtest.h>
 
-#include <cstdlib>
-
 #include "dynamics/human/digit_pull.h"
 #include "dynamics/mechanism/build_mechanism.h"
-
-namespace {
-std::size_t allocations = 0;
-}  // namespace
-
-// Eigen asks malloc, and operator new does. Sanitizers have a malloc of their own.
-#ifndef __SANITIZE_ADDRESS__
-extern "C" {
-// NOLINTNEXTLINE(bugprone-reserved-identifier,readability-identifier-naming)
-void* __libc_malloc(std::size_t size);
-void* malloc(std::size_t size) {
-  ++allocations;
-  return __libc_malloc(size);
-}
-}
-#endif
+#include "tests/counted_malloc.h"
 
 namespace thenar {
 namespace {
