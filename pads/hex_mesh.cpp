@@ -42,6 +42,15 @@ const std::array<std::array<int, 4>, 6>& hex_faces() {
   return faces;
 }
 
+std::size_t lattice_place(int a, int b) {
+  int place = 0, step = 1;
+  for (const int axis : {1, 2, 4}) {
+    place += step * (((a & axis) != 0 ? 1 : 0) + ((b & axis) != 0 ? 1 : 0));
+    step *= 3;
+  }
+  return static_cast<std::size_t>(place);
+}
+
 HexMesh::HexMesh(std::shared_ptr<const HexChart> chart, const Eigen::Matrix3Xd& points,
                  std::vector<HexCell> cells)
     : chart_(std::move(chart)), cells_(std::move(cells)) {
@@ -104,28 +113,20 @@ void HexMesh::split(int index) {
   const HexCell cell = cells_[at];
   // The lattice of 27 nodes: corners, middles of edges, faces, and of the cell.
   std::array<int, 27> lattice{};
-  const auto slot = [](int corner_a, int corner_b) {
-    int out = 0, step = 1;
-    for (const int axis : {1, 2, 4}) {
-      out += step * (((corner_a & axis) != 0 ? 1 : 0) + ((corner_b & axis) != 0 ? 1 : 0));
-      step *= 3;
-    }
-    return static_cast<std::size_t>(out);
-  };
   const auto node_of = [&](int corner) { return cell.corners[static_cast<std::size_t>(corner)]; };
-  for (int c = 0; c < 8; ++c) lattice[slot(c, c)] = node_of(c);
+  for (int c = 0; c < 8; ++c) lattice[lattice_place(c, c)] = node_of(c);
   for (const auto& [a, b] : hex_edges())
-    lattice[slot(a, b)] = middle_of_edge(node_of(a), node_of(b));
+    lattice[lattice_place(a, b)] = middle_of_edge(node_of(a), node_of(b));
   Vector3d sum(0, 0, 0);
   for (const std::array<int, 4>& face : hex_faces()) {
     const int middle =
         middle_of_face({node_of(face[0]), node_of(face[1]), node_of(face[2]), node_of(face[3])});
-    lattice[slot(face[0], face[3])] = middle;
+    lattice[lattice_place(face[0], face[3])] = middle;
     sum += chart_point(middle);
   }
   std::vector<NodeWeight> from;
   for (const int corner : cell.corners) from.push_back({corner, 0.125});
-  lattice[slot(0, 7)] = add_node(sum / 6, std::move(from));
+  lattice[lattice_place(0, 7)] = add_node(sum / 6, std::move(from));
   // Eight children.
   cells_[at].first_child = static_cast<int>(cells_.size());
   for (int child = 0; child < 8; ++child) {
@@ -133,7 +134,8 @@ void HexMesh::split(int index) {
     part.region = cell.region;
     part.level = cell.level + 1;
     part.parent = index;
-    for (int c = 0; c < 8; ++c) part.corners[static_cast<std::size_t>(c)] = lattice[slot(child, c)];
+    for (int c = 0; c < 8; ++c)
+      part.corners[static_cast<std::size_t>(c)] = lattice[lattice_place(child, c)];
     cells_.push_back(part);
   }
 }

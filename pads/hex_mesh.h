@@ -111,6 +111,10 @@ class HexMesh {
 [[nodiscard]] const std::array<std::array<int, 2>, 12>& hex_edges();
 [[nodiscard]] const std::array<std::array<int, 4>, 6>& hex_faces();
 
+/// Place 0..26 of the middle of two corners among the 27 nodes of a cell, first axis fastest; of a
+/// corner with itself its own place. Also that of corner b of child a.
+[[nodiscard]] std::size_t lattice_place(int a, int b);
+
 /// A box cut in equal cells. @param size  [m] (3)  @param cells  along each edge (3)
 [[nodiscard]] HexMesh box_mesh(const Eigen::Vector3d& size, const Eigen::Vector3i& cells);
 

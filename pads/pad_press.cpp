@@ -115,9 +115,10 @@ PadPressResult PadPress::step(const PressGoal& goal) {
       state_ = start;
       break;
     }
-    const VectorXd errors = body_->error_energies(body_->spread(state_.x, {}));
+    const Matrix3Xd u = body_->spread(state_.x, {});
+    const VectorXd errors = body_->error_energies(u);
     TissueResponse now;
-    body_->respond(body_->spread(state_.x, {}), 0, {}, {}, ElementAsk::kEnergy, now);
+    body_->respond(u, 0, {}, {}, ElementAsk::kEnergy, now);
     result.force_error = now.energy > 0 ? errors.sum() / now.energy : 0;
     measure(result);
     if ((result.force_error <= options_.force_error &&

@@ -111,7 +111,7 @@ class PressSolver {
   }
   /// Stiffness of the augmentation at a node [N/m].
   [[nodiscard]] double stiffer(std::size_t k) const {
-    return kStiffer * body_.surface_modulus() *
+    return kStiffer * body_.largest_modulus() *
            std::sqrt(surface_.area[static_cast<Eigen::Index>(k)]);
   }
 
@@ -213,25 +213,9 @@ class PressSolver {
         for (int r = c; r < 3; ++r)
           tissue_.values[body_.diagonal_entry(surface_.nodes[k], r, c)] += contacts_[k].slope(r, c);
     if (!factor_.factor(tissue_.values)) return false;
-    // The object's motion along the goal's direction is one more unknown.
-    VectorXd border = VectorXd::Zero(residual_.size());
-    double own = 0;
-    if (goal_.force)
-      for (std::size_t k = 0; k < contacts_.size(); ++k) {
-        const Vector3d column = contacts_[k].slope * goal_.along;
-        border.segment<3>(3 * surface_.nodes[k]) -= column;
-        own += goal_.along.dot(column);
-      }
-    Eigen::MatrixXd right(residual_.size(), 2);
-    right << -residual_, border;
-    const Eigen::MatrixXd answer = factor_.solve(right);
+    VectorXd dx = factor_.solve(-residual_);
     double motion = 0;
-    if (goal_.force) {
-      const double schur = own - border.dot(answer.col(1));
-      if (!(schur > 0)) return false;
-      motion = std::clamp((missing_ - border.dot(answer.col(0))) / schur, -longest_, longest_);
-    }
-    const VectorXd dx = answer.col(0) - motion * answer.col(1);
+    if (goal_.force && !reach_force(dx, motion)) return false;
     // What the step predicts becomes the new pressure and the new contact forces.
     now_.pressure = body_.pressure_after(u, body_.spread(dx, {}));
     changed_ = false;
@@ -239,6 +223,24 @@ class PressSolver {
       predict(k, dx.segment<3>(3 * surface_.nodes[k]) - motion * goal_.along);
     now_.x += dx;
     now_.X_PO.p += motion * goal_.along;
+    return true;
+  }
+
+  /// The object's motion along the goal's direction is one more unknown: its share of a step.
+  /// @param dx  in: with the object at rest
+  bool reach_force(VectorXd& dx, double& motion) {
+    VectorXd border = VectorXd::Zero(residual_.size());
+    double own = 0;
+    for (std::size_t k = 0; k < contacts_.size(); ++k) {
+      const Vector3d column = contacts_[k].slope * goal_.along;
+      border.segment<3>(3 * surface_.nodes[k]) -= column;
+      own += goal_.along.dot(column);
+    }
+    const VectorXd follows = factor_.solve(border);
+    const double schur = own - border.dot(follows);
+    if (!(schur > 0)) return false;
+    motion = std::clamp((missing_ - border.dot(dx)) / schur, -longest_, longest_);
+    dx -= motion * follows;
     return true;
   }
 

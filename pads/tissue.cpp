@@ -16,12 +16,6 @@ using Eigen::Vector3d;
 constexpr std::array<int, 6> kRow{0, 1, 2, 0, 1, 2}, kColumn{0, 1, 2, 1, 2, 0};
 constexpr double kEqualStretches = 1e-6;  // relative difference taken as none [1]
 
-Voigt voigt(const Matrix3d& a) {
-  Voigt out;
-  out << a(0, 0), a(1, 1), a(2, 2), a(0, 1), a(1, 2), a(2, 0);
-  return out;
-}
-
 /// Symmetric identity and deviatoric projection applied to tensors in components.
 Voigt deviator(const Voigt& a) {
   Voigt out = a;
@@ -57,7 +51,7 @@ void invariant_response(const Tissue& tissue, const Matrix3d& F, bool with_tange
   const double scale = 1 / std::cbrt(J * J);
   const Matrix3d b = scale * (F * F.transpose());
   const double I1 = b.trace();
-  const Voigt bv = voigt(b);
+  const Voigt bv = voigt_of(b);
   // First derivatives, and the second by I1.
   double W1 = mu / 2, W2 = 0, W11 = 0;
   out.energy = mu / 2 * (I1 - 3);
@@ -66,7 +60,7 @@ void invariant_response(const Tissue& tissue, const Matrix3d& F, bool with_tange
   double I2 = 0;
   if (exponential) {
     const Matrix3d b2 = b * b;
-    b2v = voigt(b2);
+    b2v = voigt_of(b2);
     I2 = 0.5 * (I1 * I1 - b2.trace());
     const double k = tissue.exponent, e = std::exp(k * (I1 - 3));
     W1 = mu * e;
@@ -107,12 +101,12 @@ void principal_response(const Tissue& tissue, const Matrix3d& F, bool with_tange
   out.energy = 2 * mu / (k * k) * (power.sum() - 3);
   // Principal stresses: 2 mu / k (l_a^k - mean).
   const Vector3d beta = (2 * mu / k) * (power.array() - power.mean());
-  out.stress = voigt(n * beta.asDiagonal() * n.transpose());
+  out.stress = voigt_of(n * beta.asDiagonal() * n.transpose());
   if (!with_tangent) return;
   // d beta_a / d ln l_b = 2 mu (delta_ab l_a^k - (l_a^k + l_b^k)/3 + mean/3).
   out.tangent.setZero();
   std::array<Voigt, 3> m;
-  for (int a = 0; a < 3; ++a) m[a] = voigt(n.col(a) * n.col(a).transpose());
+  for (int a = 0; a < 3; ++a) m[a] = voigt_of(n.col(a) * n.col(a).transpose());
   for (int a = 0; a < 3; ++a)
     for (int b = 0; b < 3; ++b) {
       const double by =
@@ -126,7 +120,8 @@ void principal_response(const Tissue& tissue, const Matrix3d& F, bool with_tange
       const double factor = std::abs(apart) > kEqualStretches * square[a]
                                 ? (beta[a] * square[b] - beta[b] * square[a]) / apart
                                 : mu * 0.5 * (power[a] + power[b]) - 0.5 * (beta[a] + beta[b]);
-      const Voigt both = voigt(n.col(a) * n.col(b).transpose() + n.col(b) * n.col(a).transpose());
+      const Voigt both =
+          voigt_of(n.col(a) * n.col(b).transpose() + n.col(b) * n.col(a).transpose());
       out.tangent.noalias() += factor * both * both.transpose();
     }
 }

@@ -51,6 +51,16 @@ void check_tissue(const Tissue& tissue);
 
 /// Six components of a symmetric tensor: xx, yy, zz, xy, yz, zx.
 using Voigt = Eigen::Matrix<double, 6, 1>;
+[[nodiscard]] inline Voigt voigt_of(const Eigen::Matrix3d& a) {
+  Voigt out;
+  out << a(0, 0), a(1, 1), a(2, 2), a(0, 1), a(1, 2), a(2, 0);
+  return out;
+}
+[[nodiscard]] inline Eigen::Matrix3d tensor_of(const Voigt& a) {
+  Eigen::Matrix3d out;
+  out << a[0], a[3], a[5], a[3], a[1], a[4], a[5], a[4], a[2];
+  return out;
+}
 /// Components c_ijkl of a tangent with minor and major symmetries, rows and columns as Voigt.
 using VoigtTangent = Eigen::Matrix<double, 6, 6>;
 

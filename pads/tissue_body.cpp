@@ -16,16 +16,10 @@ using Eigen::VectorXd;
 std::vector<int> lattice_of(const HexMesh& mesh, const HexCell& parent) {
   std::vector<int> nodes(27);
   for (int child = 0; child < 8; ++child)
-    for (int corner = 0; corner < 8; ++corner) {
-      int slot = 0, step = 1;
-      for (const int axis : {1, 2, 4}) {
-        slot += step * (((child & axis) != 0 ? 1 : 0) + ((corner & axis) != 0 ? 1 : 0));
-        step *= 3;
-      }
-      nodes[static_cast<std::size_t>(slot)] =
+    for (int corner = 0; corner < 8; ++corner)
+      nodes[lattice_place(child, corner)] =
           mesh.cells()[static_cast<std::size_t>(parent.first_child + child)]
               .corners[static_cast<std::size_t>(corner)];
-    }
   return nodes;
 }
 
@@ -36,7 +30,12 @@ TissueBody::TissueBody(const HexMesh& mesh, HexElement kind, std::vector<Tissue>
     : kind_(kind), tissues_(std::move(tissues)) {
   require(fixed.size() == static_cast<std::size_t>(mesh.nodes()),
           "{} nodes, {} marks of fixed ones", mesh.nodes(), fixed.size());
-  for (const Tissue& tissue : tissues_) check_tissue(tissue);
+  for (const Tissue& tissue : tissues_) {
+    check_tissue(tissue);
+    const auto points = static_cast<std::size_t>(points_of(kind_));
+    fresh_.push_back({std::vector<Voigt>(points, Voigt::Zero()),
+                      std::vector<Voigt>(points * tissue.relaxation.size(), Voigt::Zero())});
+  }
   // Unknowns.
   free_place_.assign(fixed.size(), -1);
   node_masters_.resize(fixed.size());
@@ -148,7 +147,7 @@ bool TissueBody::relaxes() const {
                      [](const Tissue& tissue) { return !tissue.relaxation.empty(); });
 }
 
-double TissueBody::surface_modulus() const {
+double TissueBody::largest_modulus() const {
   double most = 0;
   for (const Tissue& tissue : tissues_) most = std::max(most, tissue.shear_modulus);
   return most;
@@ -182,15 +181,11 @@ Matrix3Xd TissueBody::displacements_of(const Element& element, const Matrix3Xd& 
   return own;
 }
 
-namespace {
-
-/// Never deformed before.
-ElementHistory fresh_history(std::size_t points, std::size_t terms) {
-  return {std::vector<Voigt>(points, Voigt::Zero()),
-          std::vector<Voigt>(points * terms, Voigt::Zero())};
+const ElementHistory& TissueBody::history_of(std::size_t element,
+                                             const TissueHistory& history) const {
+  if (!history.empty()) return history[element];
+  return fresh_[static_cast<std::size_t>(elements_[element].region)];
 }
-
-}  // namespace
 
 void TissueBody::respond(const Matrix3Xd& u, double h, const TissueHistory& history,
                          const TissuePressure& tangent_pressure, ElementAsk ask,
@@ -208,13 +203,8 @@ void TissueBody::respond(const Matrix3Xd& u, double h, const TissueHistory& hist
   for (std::size_t e = 0; e < elements_.size(); ++e) {
     const Element& element = elements_[e];
     const auto region = static_cast<std::size_t>(element.region);
-    const RelaxationStep& step = steps[region];
-    const ElementHistory fresh =
-        history.empty() && !step.decay.empty()
-            ? fresh_history(static_cast<std::size_t>(points_of(kind_)), step.decay.size())
-            : ElementHistory{};
-    element_response(kind_, element.shape, tissues_[region], displacements_of(element, u), &step,
-                     history.empty() ? &fresh : &history[e],
+    element_response(kind_, element.shape, tissues_[region], displacements_of(element, u),
+                     &steps[region], &history_of(e, history),
                      tangent_pressure.empty() ? nullptr : &tangent_pressure[e], ask, response);
     if (response.inverted) {
       out.inverted = true;
@@ -277,8 +267,8 @@ TissueHistory TissueBody::advance(const Matrix3Xd& u, double h,
     const Element& element = elements_[e];
     const auto region = static_cast<std::size_t>(element.region);
     const RelaxationStep& step = steps[region];
-    const auto points = static_cast<std::size_t>(points_of(kind_));
-    ElementHistory at = history.empty() ? fresh_history(points, step.decay.size()) : history[e];
+    ElementHistory at = history_of(e, history);
+    const std::size_t points = at.elastic.size();
     element_response(kind_, element.shape, tissues_[region], displacements_of(element, u), &step,
                      &at, nullptr, ElementAsk::kForce, response);
     require(!response.inverted, "a step cannot end with an element turned inside out");
@@ -351,13 +341,9 @@ Matrix3Xd TissueBody::reactions(const Matrix3Xd& u, double h, const TissueHistor
   for (std::size_t e = 0; e < elements_.size(); ++e) {
     const Element& element = elements_[e];
     const auto region = static_cast<std::size_t>(element.region);
-    const ElementHistory fresh =
-        history.empty()
-            ? fresh_history(static_cast<std::size_t>(points_of(kind_)), steps[region].decay.size())
-            : ElementHistory{};
     element_response(kind_, element.shape, tissues_[region], displacements_of(element, u),
-                     &steps[region], history.empty() ? &fresh : &history[e], nullptr,
-                     ElementAsk::kForce, response);
+                     &steps[region], &history_of(e, history), nullptr, ElementAsk::kForce,
+                     response);
     require(!response.inverted, "an element is turned inside out: it has no reactions");
     for (std::size_t a = 0; a < element.nodes.size(); ++a) {
       const Eigen::Vector3d f = response.force.segment<3>(static_cast<Eigen::Index>(3 * a));

@@ -62,7 +62,7 @@ class TissueBody {
   [[nodiscard]] std::size_t diagonal_entry(int free, int r, int c) const;
   [[nodiscard]] bool relaxes() const;
   /// Largest shear modulus of its tissues [Pa].
-  [[nodiscard]] double surface_modulus() const;
+  [[nodiscard]] double largest_modulus() const;
 
   /// Displacements of all nodes from those of the free ones; fixed nodes have `at_fixed`.
   /// @param x  (3 free nodes) [m];  @param at_fixed  (3, nodes) or empty: none
@@ -105,6 +105,8 @@ class TissueBody {
   };
   void list_elements(const HexMesh& mesh);
   void build_pattern();
+  [[nodiscard]] const ElementHistory& history_of(std::size_t element,
+                                                 const TissueHistory& history) const;
   void add_element(const Element& element, const ElementResponse& response, ElementAsk ask,
                    TissueResponse& out) const;
   [[nodiscard]] Eigen::Matrix3Xd displacements_of(const Element& element,
@@ -114,6 +116,7 @@ class TissueBody {
 
   HexElement kind_;
   std::vector<Tissue> tissues_;
+  std::vector<ElementHistory> fresh_;  // of elements never deformed (tissues)
   std::vector<Element> elements_;
   std::vector<Eigen::Vector3d> places_;
   std::vector<int> nodes_, free_nodes_, free_place_;

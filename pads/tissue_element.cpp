@@ -32,27 +32,20 @@ Axis axis_at(int degree, double x) {
   return {{x * (x - 1) / 2, 1 - x * x, x * (x + 1) / 2}, {x - 0.5, -2 * x, x + 0.5}};
 }
 
-void slopes_at(int degree, const Vector3d& xi, std::vector<double>& out) {
+/// Values and slopes of all nodes at a point, added to the lists.
+void add_shapes(int degree, const Vector3d& xi, std::vector<double>& value,
+                std::vector<double>& slope) {
   const std::array<Axis, 3> axes{axis_at(degree, xi[0]), axis_at(degree, xi[1]),
                                  axis_at(degree, xi[2])};
   const auto n = static_cast<std::size_t>(degree + 1);
   for (std::size_t k = 0; k < n; ++k)
     for (std::size_t j = 0; j < n; ++j)
       for (std::size_t i = 0; i < n; ++i) {
-        out.push_back(axes[0].slope[i] * axes[1].value[j] * axes[2].value[k]);
-        out.push_back(axes[0].value[i] * axes[1].slope[j] * axes[2].value[k]);
-        out.push_back(axes[0].value[i] * axes[1].value[j] * axes[2].slope[k]);
+        value.push_back(axes[0].value[i] * axes[1].value[j] * axes[2].value[k]);
+        slope.push_back(axes[0].slope[i] * axes[1].value[j] * axes[2].value[k]);
+        slope.push_back(axes[0].value[i] * axes[1].slope[j] * axes[2].value[k]);
+        slope.push_back(axes[0].value[i] * axes[1].value[j] * axes[2].slope[k]);
       }
-}
-
-void values_at(int degree, const Vector3d& xi, std::vector<double>& out) {
-  const std::array<Axis, 3> axes{axis_at(degree, xi[0]), axis_at(degree, xi[1]),
-                                 axis_at(degree, xi[2])};
-  const auto n = static_cast<std::size_t>(degree + 1);
-  for (std::size_t k = 0; k < n; ++k)
-    for (std::size_t j = 0; j < n; ++j)
-      for (std::size_t i = 0; i < n; ++i)
-        out.push_back(axes[0].value[i] * axes[1].value[j] * axes[2].value[k]);
 }
 
 ElementTable build_table(int degree) {
@@ -68,10 +61,10 @@ ElementTable build_table(int degree) {
       for (std::size_t i = 0; i < static_cast<std::size_t>(n); ++i) {
         table.xi.emplace_back(x[i], x[j], x[k]);
         table.weight.push_back(w[i] * w[j] * w[k]);
-        slopes_at(degree, table.xi.back(), table.slope);
-        values_at(degree, table.xi.back(), table.value);
+        add_shapes(degree, table.xi.back(), table.value, table.slope);
       }
-  slopes_at(degree, Vector3d(0, 0, 0), table.centre);
+  std::vector<double> value_of_centre;
+  add_shapes(degree, Vector3d(0, 0, 0), value_of_centre, table.centre);
   return table;
 }
 
@@ -94,17 +87,6 @@ double map_slopes(const double* slope, const Eigen::Matrix3Xd& X, std::vector<do
       out.push_back(sum);
     }
   return jacobian_of(slope, X).determinant();
-}
-
-Matrix3d tensor(const Voigt& a) {
-  Matrix3d out;
-  out << a[0], a[3], a[5], a[3], a[1], a[4], a[5], a[4], a[2];
-  return out;
-}
-Voigt components(const Matrix3d& a) {
-  Voigt out;
-  out << a(0, 0), a(1, 1), a(2, 2), a(0, 1), a(1, 2), a(2, 0);
-  return out;
 }
 
 /// Kinematics at one point: F = 1 + sum u_a dN_a/dX, and spatial gradients F^-T dN/dX.
@@ -363,11 +345,10 @@ void respond(HexElement kind, const ElementShape& shape, const Tissue& tissue, c
   // Deformation at all points.
   std::array<Point<N>, N> points;
   out.inverted = false;
-  out.jacobian.resize(N);
   for (std::size_t q = 0; q < N; ++q) {
     const double* gradient = shape.gradient.data() + q * 3 * N;
     points[q].F = deformation<N>(gradient, u);
-    out.jacobian[q] = points[q].J = points[q].F.determinant();
+    points[q].J = points[q].F.determinant();
     if (!(points[q].J > 0)) {
       out.inverted = true;
       return;
@@ -398,16 +379,16 @@ void respond(HexElement kind, const ElementShape& shape, const Tissue& tissue, c
       for (std::size_t i = 0; i < step->decay.size(); ++i)
         past += step->decay[i] * history->terms[i * N + q] - step->change[i] * history->elastic[q];
       const Matrix3d C = at.F.transpose() * at.F;
-      out.energy += 0.5 * w * tensor(past).cwiseProduct(C - Matrix3d::Identity()).sum();
+      out.energy += 0.5 * w * tensor_of(past).cwiseProduct(C - Matrix3d::Identity()).sum();
     }
     if (!with_force) continue;
     if (relaxes) {
       const Matrix3d inverse = at.F.inverse();
-      out.elastic[q] = components(inverse * tensor(iso.stress) * inverse.transpose());
+      out.elastic[q] = voigt_of(inverse * tensor_of(iso.stress) * inverse.transpose());
     }
     // Kirchhoff stress: isochoric now, of the past, and pressure.
     Voigt tau = now * iso.stress;
-    if (relaxes) tau += components(at.F * tensor(past) * at.F.transpose());
+    if (relaxes) tau += voigt_of(at.F * tensor_of(past) * at.F.transpose());
     const double pJ = dilatation.pressure(q) * at.J;
     tau.head<3>().array() += pJ;
     add_force<N>(w, tau, at.g.data(), out.force.data());

@@ -59,12 +59,11 @@ struct ElementHistory {
 
 /// Energy, forces and stiffness of an element; room of one thread, used again.
 struct ElementResponse {
-  bool inverted = false;         // det F <= 0 at a Gauss point: nothing else is written
-  double energy = 0;             // incremental potential [J]
-  Eigen::VectorXd force;         // its derivative by displacements [N] (3 nodes)
-  Eigen::MatrixXd stiffness;     // its second derivative, upper triangle [N/m] (3 nodes, 3 nodes)
-  std::vector<Voigt> elastic;    // Se [Pa] (points), if asked
-  std::vector<double> jacobian;  // det F (points)
+  bool inverted = false;       // det F <= 0 at a Gauss point: nothing else is written
+  double energy = 0;           // incremental potential [J]
+  Eigen::VectorXd force;       // its derivative by displacements [N] (3 nodes)
+  Eigen::MatrixXd stiffness;   // its second derivative, upper triangle [N/m] (3 nodes, 3 nodes)
+  std::vector<Voigt> elastic;  // Se [Pa] (points), if asked
 };
 
 enum class ElementAsk { kEnergy, kForce, kStiffness };

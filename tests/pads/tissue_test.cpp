@@ -21,17 +21,6 @@ Tissue law_tissue(TissueLaw law) {
   return tissue;
 }
 
-Matrix3d tensor(const Voigt& a) {
-  Matrix3d out;
-  out << a[0], a[3], a[5], a[3], a[1], a[4], a[5], a[4], a[2];
-  return out;
-}
-Voigt voigt(const Matrix3d& a) {
-  Voigt out;
-  out << a(0, 0), a(1, 1), a(2, 2), a(0, 1), a(1, 2), a(2, 0);
-  return out;
-}
-
 Matrix3d some_deformation() {
   Matrix3d F;
   F << 1.3, .2, .1, -.1, .8, .05, .15, -.2, 1.1;
@@ -56,7 +45,7 @@ TEST_P(TissueLaws, StressIsTheDerivativeOfEnergy) {
       isochoric_response(tissue, moved, false, minus);
       P(i, j) = (plus.energy - minus.energy) / (2 * kStep);
     }
-  EXPECT_LT((P * F.transpose() - tensor(at.stress)).norm(), 1e-8 * at.stress.norm() * 10);
+  EXPECT_LT((P * F.transpose() - tensor_of(at.stress)).norm(), 1e-8 * at.stress.norm() * 10);
 }
 
 TEST_P(TissueLaws, TangentIsTheLieDerivativeOfStress) {
@@ -67,7 +56,7 @@ TEST_P(TissueLaws, TangentIsTheLieDerivativeOfStress) {
     IsochoricResponse at, plus, minus;
     isochoric_response(tissue, F, true, at);
     constexpr double kStep = 1e-6;
-    const Matrix3d tau = tensor(at.stress);
+    const Matrix3d tau = tensor_of(at.stress);
     for (int i = 0; i < 3; ++i)
       for (int j = 0; j < 3; ++j) {
         Matrix3d H = Matrix3d::Zero();
@@ -75,9 +64,9 @@ TEST_P(TissueLaws, TangentIsTheLieDerivativeOfStress) {
         isochoric_response(tissue, F + kStep * H * F, false, plus);
         isochoric_response(tissue, F - kStep * H * F, false, minus);
         const Voigt rate = (plus.stress - minus.stress) / (2 * kStep);
-        Voigt strain = voigt(0.5 * (H + H.transpose()));
+        Voigt strain = voigt_of(0.5 * (H + H.transpose()));
         strain.tail<3>() *= 2;
-        const Voigt expected = at.tangent * strain + voigt(H * tau + tau * H.transpose());
+        const Voigt expected = at.tangent * strain + voigt_of(H * tau + tau * H.transpose());
         EXPECT_LT((rate - expected).norm(), 1e-8 * at.tangent.norm()) << i << j;
       }
   }
