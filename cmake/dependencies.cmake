@@ -49,7 +49,8 @@ find_library(CHOLMOD_LIBRARY cholmod REQUIRED)  # of SuiteSparse, which Ceres ne
 find_path(CHOLMOD_INCLUDE_DIR suitesparse/cholmod.h REQUIRED)
 add_library(thenar::cholmod INTERFACE IMPORTED)
 target_include_directories(thenar::cholmod SYSTEM INTERFACE ${CHOLMOD_INCLUDE_DIR})
-target_link_libraries(thenar::cholmod INTERFACE ${CHOLMOD_LIBRARY})
+find_library(GOMP_LIBRARY NAMES libgomp.so.1 gomp REQUIRED)  # OpenMP's runtime that CHOLMOD uses
+target_link_libraries(thenar::cholmod INTERFACE ${CHOLMOD_LIBRARY} ${GOMP_LIBRARY})
 
 # Optional: meshes in VRML and Inventor, thenar::coin.
 find_package(Coin 4.0 QUIET)

@@ -6,7 +6,29 @@
 
 #include "base/error.h"
 
+// Of OpenMP's runtime library that CHOLMOD is linked with; omp.h comes with compilers, and each
+// compiler has a runtime of its own.
+extern "C" int omp_get_max_active_levels();
+extern "C" void omp_set_max_active_levels(int);
+
 namespace thenar {
+namespace {
+
+/// CHOLMOD starts threads for each of many small parts, and they wait for each other: matrices of
+/// a few thousand rows take longer by them, and far more processor time. While this lives, its
+/// parallel regions run on the thread that comes to them.
+class OneThread {
+ public:
+  OneThread() : levels_(omp_get_max_active_levels()) { omp_set_max_active_levels(0); }
+  OneThread(const OneThread&) = delete;
+  OneThread& operator=(const OneThread&) = delete;
+  ~OneThread() { omp_set_max_active_levels(levels_); }
+
+ private:
+  int levels_;
+};
+
+}  // namespace
 
 struct SparseCholesky::Parts {
   explicit Parts(SymmetricPattern p) : pattern(std::move(p)) {
@@ -79,6 +101,7 @@ bool SparseCholesky::factor(const std::vector<double>& values) {
            .allFinite())
     return false;
   parts_->matrix.x = const_cast<double*>(values.data());  // read only
+  const OneThread alone;
   const int done = cholmod_factorize(&parts_->matrix, parts_->factor, &parts_->common);
   parts_->matrix.x = nullptr;
   parts_->is_factored = done != 0 && parts_->common.status == CHOLMOD_OK &&
@@ -98,6 +121,7 @@ Eigen::MatrixXd SparseCholesky::solve(const Eigen::MatrixXd& b) const {
   given.x = const_cast<double*>(b.data());  // read only
   given.xtype = CHOLMOD_REAL;
   given.dtype = CHOLMOD_DOUBLE;
+  const OneThread alone;
   const int done = cholmod_solve2(CHOLMOD_A, parts.factor, &given, nullptr, &parts.answer, nullptr,
                                   &parts.work_y, &parts.work_e, &parts.common);
   require(done != 0, "a system of {} rows could not be solved", b.rows());
