@@ -67,6 +67,7 @@ class HexMesh {
   /// Cells without children, in order.
   [[nodiscard]] const std::vector<int>& active() const { return active_; }
   [[nodiscard]] int nodes() const { return static_cast<int>(chart_points_.size()); }
+  [[nodiscard]] const HexChart& chart() const { return *chart_; }
   /// Whether an active cell has the node.
   [[nodiscard]] bool in_use(int node) const { return in_use_[static_cast<std::size_t>(node)]; }
   /// Reference position [m] (3), that of a hanging node among its masters; and the place in the

@@ -13,8 +13,10 @@ using Eigen::Matrix3Xd;
 using Eigen::Vector3d;
 using Eigen::VectorXd;
 
-constexpr int kMaxCuts = 12;      // halvings of a step
-constexpr double kTouch = 1e-10;  // gap that counts as touching [m]
+constexpr int kMaxCuts = 12;       // halvings of a step
+constexpr double kPatchNodes = 1;  // nodes that touch times the error that is asked, at least
+constexpr int kPatchLevels = 3;    // halvings of cells for the sake of it
+constexpr double kTouch = 1e-10;   // gap that counts as touching [m]
 
 /// Part of the way between two poses.
 Pose<double> between(const Pose<double>& a, const Pose<double>& b, double part) {
@@ -54,13 +56,8 @@ double PadPress::touch(const Vector3d& along) {
   double way = 0;
   for (int k = 0;; ++k) {
     require(k < 10000, "the object does not come near the pad");
-    // No node is nearer than the smallest gap: so far the object may go.
-    double gap = 1e300;
-    for (std::size_t i = 0; i < surface_.nodes.size(); ++i)
-      gap = std::min(
-          gap, object_.shape->distance(state_.X_PO.inverse() *
-                                       Vector3d(surface_.places.col(static_cast<Eigen::Index>(i)) +
-                                                state_.x.segment<3>(3 * surface_.nodes[i]))));
+    // No point is nearer than the smallest gap: so far the object may go.
+    const double gap = smallest_gap(surface_, *object_.shape, state_);
     require(k > 0 || gap > -kTouch, "the object begins {:g} mm inside the pad", -gap * 1e3);
     require(gap < 1, "the object passes the pad by");
     if (gap <= kTouch) break;
@@ -122,7 +119,7 @@ PadPressResult PadPress::step(const PressGoal& goal) {
     result.force_error = now.energy > 0 ? errors.sum() / now.energy : 0;
     measure(result);
     if ((result.force_error <= options_.force_error &&
-         result.penetration <= options_.max_penetration) ||
+         result.penetration <= options_.max_penetration && !patch_is_coarse()) ||
         model_.element == HexElement::kQuadratic ||
         static_cast<int>(body_->elements()) >= options_.max_elements)
       break;
@@ -133,8 +130,41 @@ PadPressResult PadPress::step(const PressGoal& goal) {
   return result;
 }
 
-/// The elements with the largest errors, until they hold a share of the whole: cells of the mesh.
+bool PadPress::patch_is_coarse() const {
+  const Eigen::Index touching = (state_.normal.array() > 0).count();
+  if (touching == 0 || static_cast<double>(touching) * options_.force_error >= kPatchNodes)
+    return false;
+  const std::vector<int> cells = touching_cells();
+  return std::any_of(cells.begin(), cells.end(), [&](int index) {
+    return mesh_.cells()[static_cast<std::size_t>(index)].level < kPatchLevels;
+  });
+}
+
+std::vector<int> PadPress::touching_cells() const {
+  std::vector<bool> touches(static_cast<std::size_t>(mesh_.nodes()), false);
+  for (std::size_t k = 0; k < surface_.nodes.size(); ++k)
+    if (state_.normal[static_cast<Eigen::Index>(k)] > 0)
+      touches[static_cast<std::size_t>(
+          body_->free_nodes()[static_cast<std::size_t>(surface_.nodes[k])])] = true;
+  std::vector<int> out;
+  for (const int index : mesh_.active()) {
+    const auto& corners = mesh_.cells()[static_cast<std::size_t>(index)].corners;
+    if (std::any_of(corners.begin(), corners.end(), [&](int node) {
+          const std::vector<NodeWeight>& masters = mesh_.masters(node);
+          return touches[static_cast<std::size_t>(node)] ||
+                 std::any_of(masters.begin(), masters.end(), [&](const NodeWeight& each) {
+                   return touches[static_cast<std::size_t>(each.node)];
+                 });
+        }))
+      out.push_back(index);
+  }
+  return out;
+}
+
+/// Cells that touch while they are too few; then the elements with the largest errors, until they
+/// hold a share of the whole.
 std::vector<int> PadPress::marked_cells(const VectorXd& errors) const {
+  if (patch_is_coarse()) return touching_cells();
   std::vector<int> order(static_cast<std::size_t>(errors.size()));
   std::iota(order.begin(), order.end(), 0);
   std::stable_sort(order.begin(), order.end(), [&](int a, int b) { return errors[a] > errors[b]; });

@@ -64,6 +64,10 @@ class PadPress {
  private:
   void build();
   PressOutcome solve(const PressGoal& goal, int cuts);
+  /// Whether too few nodes touch for the error that is asked: the edge of a patch lies on nodes,
+  /// which is an error of up to 1 / nodes that no estimate sees.
+  [[nodiscard]] bool patch_is_coarse() const;
+  [[nodiscard]] std::vector<int> touching_cells() const;
   [[nodiscard]] std::vector<int> marked_cells(const Eigen::VectorXd& errors) const;
   /// Refines by the estimate; carries `start` and the present state over.
   void refine(const Eigen::VectorXd& errors, PressState& start);

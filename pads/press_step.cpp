@@ -5,6 +5,7 @@
 #include <map>
 
 #include "base/error.h"
+#include "solvers/sparse/gmres.h"
 
 namespace thenar {
 namespace {
@@ -18,19 +19,24 @@ constexpr double kStiffer = 100;  // of the augmentation than of tissue under a 
 
 constexpr double kLongest = 0.25;  // motion to a force in an iteration, over distances of nodes [1]
 
-constexpr double kSomeSlip = 1e-10;   // slip that has a direction [m]
 constexpr double kConeSlack = 1e-10;  // of the friction cone, for rounding [1]
+
+constexpr double kFar = 10;  // gap that cannot matter, over distances of points of a surface [1]
+
+constexpr double kCoupling = 1e-6;  // of a step in the coupling of friction and normal forces [1]
+constexpr int kMaxCoupling = 40;    // iterations for it
 
 constexpr double kRounding = 1e-15;  // of displacements, over distances of nodes [1]
 
 /// Contact at an iterate.
 struct TouchingNode {
-  double gap = 0;                     // [m]
-  Vector3d normal{0, 0, 1};           // of the object, towards the body
-  Vector3d slip{0, 0, 0};             // since the last step, tangential [m]
-  double push = 0;                    // normal force [N]
-  Vector3d shear{0, 0, 0};            // [N]
-  Matrix3d slope = Matrix3d::Zero();  // -d force / d x, symmetric [N/m]
+  double gap = 0;                        // [m]
+  Vector3d normal{0, 0, 1};              // of the object, towards the body
+  Vector3d slip{0, 0, 0};                // since the last step, tangential [m]
+  double push = 0;                       // normal force [N]
+  Vector3d shear{0, 0, 0};               // [N]
+  Matrix3d slope = Matrix3d::Zero();     // -d force / d x, its symmetric part [N/m]
+  Matrix3d coupling = Matrix3d::Zero();  // and the rest: of friction by the normal force [N/m]
   bool sticks = false;
   Vector3d against{0, 0, 0};  // unit, of the shear of a node that slips
 };
@@ -48,7 +54,8 @@ class PressSolver {
         factor_(factor),
         start_(start),
         now_(start),
-        contacts_(surface.nodes.size()) {
+        contacts_(surface.nodes.size()),
+        more_(surface.nodes.size()) {
     now_.X_PO = goal.X_PO;
     // Nodes that touch begin by sticking.
     for (std::size_t k = 0; k < contacts_.size(); ++k)
@@ -119,9 +126,16 @@ class PressSolver {
   /// may be inside a little, as all between nodes.
   [[nodiscard]] std::string passed_through(const Matrix3Xd& u) const {
     const Pose<double> X_OP = now_.X_PO.inverse();
+    std::vector<double> allowed(body_.free_nodes().size(), options_.gap_tolerance);
+    for (std::size_t k = 0; k < contacts_.size(); ++k)
+      allowed[static_cast<std::size_t>(surface_.nodes[k])] +=
+          std::max(0.0, more_[k][3] / surface_.area[static_cast<Eigen::Index>(k)]);
     for (const int node : body_.nodes()) {
       const Vector3d p = body_.place(node) + u.col(node);
-      if (!body_.hangs(node) && object_.shape->distance(X_OP * p) < -options_.gap_tolerance)
+      const int free = body_.free_place(node);
+      const double most =
+          free >= 0 ? allowed[static_cast<std::size_t>(free)] : options_.gap_tolerance;
+      if (!body_.hangs(node) && object_.shape->distance(X_OP * p) < -most)
         return fmt::format("the object is inside the tissue at ({:g}, {:g}, {:g}) mm", p[0] * 1e3,
                            p[1] * 1e3, p[2] * 1e3);
     }
@@ -129,26 +143,58 @@ class PressSolver {
   }
 
   void find_contacts() {
-    const Pose<double> X_OP = now_.X_PO.inverse();
+    find_gaps();
     for (std::size_t k = 0; k < contacts_.size(); ++k) {
       TouchingNode& c = contacts_[k];
       const auto column = static_cast<Eigen::Index>(k);
-      const Vector3d p = place_of(k);
-      const NearestSurface near = object_.shape->nearest(X_OP * p);
       const double r = stiffer(k);
-      c.gap = near.distance;
-      c.normal = now_.X_PO.R * near.normal;
       c.push = std::max(0.0, now_.normal[column] - r * c.gap);
       c.shear.setZero();
       c.slope.setZero();
+      c.coupling.setZero();
       if (c.push <= 0) continue;
       c.slope = r * c.normal * c.normal.transpose();
-      if (object_.friction > 0) find_shear(k, p, r);
+      if (object_.friction > 0) find_shear(k, place_of(k), r);
+    }
+  }
+
+  /// Gaps of nodes, and what they are more in the mean around a node: the true surface is curved
+  /// between nodes, and so is the object.
+  void find_gaps() {
+    const Pose<double> X_OP = now_.X_PO.inverse();
+    for (std::size_t k = 0; k < contacts_.size(); ++k) {
+      const NearestSurface near = object_.shape->nearest(X_OP * place_of(k));
+      contacts_[k].gap = near.distance;
+      contacts_[k].normal = now_.X_PO.R * near.normal;
+      more_[k].setZero();
+    }
+    for (const SurfacePoint& point : surface_.points) {
+      Vector3d p = point.offset;
+      Eigen::Vector4d mean = Eigen::Vector4d::Zero();  // normal and gap, linear between nodes
+      double nearest = 1e300;
+      for (const NodeWeight& each : point.nodes) {
+        const TouchingNode& c = contacts_[static_cast<std::size_t>(each.node)];
+        p += each.weight * place_of(static_cast<std::size_t>(each.node));
+        mean += each.weight * Eigen::Vector4d(c.normal[0], c.normal[1], c.normal[2], c.gap);
+        nearest = std::min(nearest, c.gap);
+      }
+      if (nearest > kFar * std::sqrt(point.area)) continue;
+      const NearestSurface near = object_.shape->nearest(X_OP * p);
+      Eigen::Vector4d here;
+      here << now_.X_PO.R * near.normal, near.distance;
+      for (const NodeWeight& each : point.nodes)
+        more_[static_cast<std::size_t>(each.node)] += each.weight * point.area * (here - mean);
+    }
+    for (std::size_t k = 0; k < contacts_.size(); ++k) {
+      const Eigen::Vector4d more = more_[k] / surface_.area[static_cast<Eigen::Index>(k)];
+      const Vector3d normal = contacts_[k].normal + more.head<3>();
+      if (normal.norm() > 0.1) contacts_[k].normal = normal.normalized();
+      contacts_[k].gap += more[3];
     }
   }
 
   /// Friction of a node that touches: it sticks where it was at the last step, or slips against a
-  /// force of friction times the normal force that the last iteration predicted.
+  /// force of friction times the normal force.
   void find_shear(std::size_t k, const Vector3d& p, double r) {
     TouchingNode& c = contacts_[k];
     const auto column = static_cast<Eigen::Index>(k);
@@ -159,19 +205,17 @@ class PressSolver {
       c.slope += r * flat;
       return;
     }
-    // Against the slip, once there is some.
-    const double bound = object_.friction * now_.normal[column], way = c.slip.norm();
-    Vector3d against = flat * c.against;
-    double turning = 0;  // stiffness of a direction that follows the slip
-    if (way > kSomeSlip) {
-      against = -c.slip;
-      turning = std::min(bound / way, r);
-    }
-    const double size = against.norm();
-    if (size == 0) return;
-    c.against = against / size;
-    c.shear = bound * c.against;
-    c.slope += turning * (flat - c.against * c.against.transpose());
+    // Along what the last force becomes by the slip: a slip that is not much yet turns it little.
+    // Across that it holds the node, the less the more it slips.
+    const double bound = object_.friction * c.push;
+    const Vector3d trial = flat * Vector3d(now_.shear.col(column)) - r * c.slip;
+    const double size = trial.norm();
+    if (size > 0) c.against = trial / size;
+    const double share = size > 2 * bound ? bound / size : 0.5, hold = r * share / (1 - share);
+    const Matrix3d across = flat - c.against * c.against.transpose();
+    c.shear = bound * c.against - hold * (across * c.slip);
+    c.slope += hold * across;
+    c.coupling = object_.friction * r * c.against * c.normal.transpose();
   }
 
   /// Out of balance: forces on free nodes, and the push along the goal's direction.
@@ -213,7 +257,7 @@ class PressSolver {
         for (int r = c; r < 3; ++r)
           tissue_.values[body_.diagonal_entry(surface_.nodes[k], r, c)] += contacts_[k].slope(r, c);
     if (!factor_.factor(tissue_.values)) return false;
-    VectorXd dx = factor_.solve(-residual_);
+    VectorXd dx = solve(-residual_);
     double motion = 0;
     if (goal_.force && !reach_force(dx, motion)) return false;
     // What the step predicts becomes the new pressure and the new contact forces.
@@ -226,20 +270,39 @@ class PressSolver {
     return true;
   }
 
+  /// Solves with the matrix of this iteration: its symmetric part has a factor, and the coupling of
+  /// friction and normal forces comes by iterations.
+  [[nodiscard]] VectorXd solve(const VectorXd& b) const {
+    VectorXd first = factor_.solve(b);
+    if (std::all_of(contacts_.begin(), contacts_.end(),
+                    [](const TouchingNode& c) { return c.coupling.isZero(0); }))
+      return first;
+    return gmres(
+        [&](const VectorXd& x) {
+          VectorXd coupled = VectorXd::Zero(x.size());
+          for (std::size_t k = 0; k < contacts_.size(); ++k)
+            coupled.segment<3>(3 * surface_.nodes[k]) +=
+                contacts_[k].coupling * x.segment<3>(3 * surface_.nodes[k]);
+          return VectorXd(x + factor_.solve(coupled));
+        },
+        first, kCoupling, kMaxCoupling);
+  }
+
   /// The object's motion along the goal's direction is one more unknown: its share of a step.
   /// @param dx  in: with the object at rest
   bool reach_force(VectorXd& dx, double& motion) {
-    VectorXd border = VectorXd::Zero(residual_.size());
+    VectorXd column = VectorXd::Zero(residual_.size()), row = column;
     double own = 0;
     for (std::size_t k = 0; k < contacts_.size(); ++k) {
-      const Vector3d column = contacts_[k].slope * goal_.along;
-      border.segment<3>(3 * surface_.nodes[k]) -= column;
-      own += goal_.along.dot(column);
+      const Matrix3d slope = contacts_[k].slope + contacts_[k].coupling;
+      column.segment<3>(3 * surface_.nodes[k]) -= slope * goal_.along;
+      row.segment<3>(3 * surface_.nodes[k]) -= slope.transpose() * goal_.along;
+      own += goal_.along.dot(slope * goal_.along);
     }
-    const VectorXd follows = factor_.solve(border);
-    const double schur = own - border.dot(follows);
+    const VectorXd follows = solve(column);
+    const double schur = own - row.dot(follows);
     if (!(schur > 0)) return false;
-    motion = std::clamp((missing_ - border.dot(dx)) / schur, -longest_, longest_);
+    motion = std::clamp((missing_ - row.dot(dx)) / schur, -longest_, longest_);
     dx -= motion * follows;
     return true;
   }
@@ -255,7 +318,7 @@ class PressSolver {
       c.against.setZero();
       return;
     }
-    const Vector3d force = c.push * c.normal + c.shear - c.slope * moved;
+    const Vector3d force = c.push * c.normal + c.shear - (c.slope + c.coupling) * moved;
     now_.normal[column] = std::max(0.0, force.dot(c.normal));
     if (object_.friction <= 0) return;
     const Vector3d shear = force - force.dot(c.normal) * c.normal;
@@ -283,6 +346,7 @@ class PressSolver {
   const PressState& start_;
   PressState now_;
   std::vector<TouchingNode> contacts_;
+  std::vector<Eigen::Vector4d> more_;  // of normal and gap in the mean around a node, times area
   TissueResponse tissue_;
   VectorXd residual_;
   Wrench push_;
@@ -294,39 +358,85 @@ class PressSolver {
 
 }  // namespace
 
-ContactSurface contact_surface(const HexMesh& mesh, const TissueBody& body,
-                               const std::vector<bool>& marked) {
-  std::map<int, double> area;  // by free place
+namespace {
+
+/// Corners of the faces of a mesh all of whose nodes are marked.
+std::vector<std::array<int, 4>> marked_faces(const HexMesh& mesh, const std::vector<bool>& marked) {
+  std::vector<std::array<int, 4>> out;
   for (const int index : mesh.active())
     for (const std::array<int, 4>& face : hex_faces()) {
       std::array<int, 4> nodes{};
       for (std::size_t i = 0; i < 4; ++i)
         nodes[i] = mesh.cells()[static_cast<std::size_t>(index)]
                        .corners[static_cast<std::size_t>(face[i])];
-      if (!std::all_of(nodes.begin(), nodes.end(),
-                       [&](int node) { return marked[static_cast<std::size_t>(node)]; }))
-        continue;
-      // A quarter of the face for each of its nodes.
-      const double share = 0.125 * (mesh.place(nodes[3]) - mesh.place(nodes[0]))
-                                       .cross(mesh.place(nodes[2]) - mesh.place(nodes[1]))
-                                       .norm();
-      for (const int node : nodes) {
-        if (mesh.masters(node).empty()) area[body.free_place(node)] += share;
-        for (const NodeWeight& each : mesh.masters(node))
-          area[body.free_place(each.node)] += share * each.weight;
-      }
+      if (std::all_of(nodes.begin(), nodes.end(),
+                      [&](int node) { return marked[static_cast<std::size_t>(node)]; }))
+        out.push_back(nodes);
     }
-  area.erase(-1);
+  return out;
+}
+
+/// Gauss points of a face, by nodes of the mesh; an empty list of nodes: some are fixed.
+std::vector<SurfacePoint> face_points(const HexMesh& mesh, const TissueBody& body,
+                                      const std::array<int, 4>& nodes, double area) {
+  constexpr std::array<double, 3> kAt{0.112701665379258311, 0.5, 0.887298334620741689};
+  constexpr std::array<double, 3> kShare{5.0 / 18, 4.0 / 9, 5.0 / 18};
+  std::vector<SurfacePoint> out;
+  for (std::size_t i = 0; i < 3; ++i)
+    for (std::size_t j = 0; j < 3; ++j) {
+      const double x = kAt[i], y = kAt[j];
+      const std::array<double, 4> shape{(1 - x) * (1 - y), x * (1 - y), (1 - x) * y, x * y};
+      Vector3d chart(0, 0, 0), mean(0, 0, 0);
+      std::map<int, double> weights;
+      for (std::size_t k = 0; k < 4; ++k) {
+        chart += shape[k] * mesh.chart_point(nodes[k]);
+        mean += shape[k] * mesh.place(nodes[k]);
+        if (mesh.masters(nodes[k]).empty()) weights[body.free_place(nodes[k])] += shape[k];
+        for (const NodeWeight& each : mesh.masters(nodes[k]))
+          weights[body.free_place(each.node)] += shape[k] * each.weight;
+      }
+      if (weights.count(-1) != 0) return {};
+      SurfacePoint point{mesh.chart().place(chart) - mean, {}, area * kShare[i] * kShare[j]};
+      for (const auto& [node, weight] : weights) point.nodes.push_back({node, weight});
+      out.push_back(std::move(point));
+    }
+  return out;
+}
+
+}  // namespace
+
+ContactSurface contact_surface(const HexMesh& mesh, const TissueBody& body,
+                               const std::vector<bool>& marked) {
   ContactSurface surface;
+  std::map<int, double> area;  // by free place
+  for (const std::array<int, 4>& nodes : marked_faces(mesh, marked)) {
+    // A quarter of the face for each of its nodes.
+    const double all = 0.5 * (mesh.place(nodes[3]) - mesh.place(nodes[0]))
+                                 .cross(mesh.place(nodes[2]) - mesh.place(nodes[1]))
+                                 .norm();
+    for (const int node : nodes) {
+      if (mesh.masters(node).empty()) area[body.free_place(node)] += all / 4;
+      for (const NodeWeight& each : mesh.masters(node))
+        area[body.free_place(each.node)] += all / 4 * each.weight;
+    }
+    if (!body.is_quadratic())
+      for (SurfacePoint& point : face_points(mesh, body, nodes, all))
+        surface.points.push_back(std::move(point));
+  }
+  area.erase(-1);
   const auto count = static_cast<Eigen::Index>(area.size());
   surface.places.resize(3, count);
   surface.area.resize(count);
+  std::map<int, int> index;
   for (const auto& [node, share] : area) {
     const auto column = static_cast<Eigen::Index>(surface.nodes.size());
     surface.places.col(column) = mesh.place(body.free_nodes()[static_cast<std::size_t>(node)]);
     surface.area[column] = share;
+    index[node] = static_cast<int>(column);
     surface.nodes.push_back(node);
   }
+  for (SurfacePoint& point : surface.points)
+    for (NodeWeight& each : point.nodes) each.node = index.at(each.node);
   return surface;
 }
 
@@ -352,6 +462,23 @@ PressOutcome press_step(const TissueBody& body, const ContactSurface& surface,
   PressOutcome out = solver.solve();
   if (out.status == Status::kSolved) state = solver.finish();
   return out;
+}
+
+double smallest_gap(const ContactSurface& surface, const Shape& object, const PressState& state) {
+  const Pose<double> X_OP = state.X_PO.inverse();
+  Matrix3Xd places = surface.places;
+  double gap = 1e300;
+  for (std::size_t k = 0; k < surface.nodes.size(); ++k) {
+    const auto column = static_cast<Eigen::Index>(k);
+    places.col(column) += state.x.segment<3>(3 * surface.nodes[k]);
+    gap = std::min(gap, object.distance(X_OP * Vector3d(places.col(column))));
+  }
+  for (const SurfacePoint& point : surface.points) {
+    Vector3d p = point.offset;
+    for (const NodeWeight& each : point.nodes) p += each.weight * places.col(each.node);
+    gap = std::min(gap, object.distance(X_OP * p));
+  }
+  return gap;
 }
 
 PressState rest_state(const TissueBody& body, const ContactSurface& surface,

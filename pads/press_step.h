@@ -21,11 +21,19 @@ struct RigidObject {
   double friction = 0;                 // Coulomb, of the exact cone [1]
 };
 
+/// A point of a curved surface between nodes, for the mean of a gap.
+struct SurfacePoint {
+  Eigen::Vector3d offset;         // from the mean of the nodes, at rest [m] (3)
+  std::vector<NodeWeight> nodes;  // of the surface, with their shape functions [1]
+  double area = 0;                // of the surface that it stands for [m^2]
+};
+
 /// Free nodes of a body that may touch.
 struct ContactSurface {
-  std::vector<int> nodes;   // places among the free nodes
-  Eigen::Matrix3Xd places;  // reference positions [m] (3, nodes)
-  Eigen::VectorXd area;     // of the reference surface that is a node's share [m^2] (nodes)
+  std::vector<int> nodes;            // places among the free nodes
+  Eigen::Matrix3Xd places;           // reference positions [m] (3, nodes)
+  Eigen::VectorXd area;              // of the reference surface, a node's share [m^2] (nodes)
+  std::vector<SurfacePoint> points;  // of faces whose nodes are all free; none: gaps of nodes count
 };
 
 /// Free nodes of faces all of whose nodes are marked; a hanging node's share goes to its masters.
@@ -73,15 +81,20 @@ struct [[nodiscard]] PressOutcome {
 /// normal, and shear against the slip since the last step, to the tolerances; on kSolved `state` is
 /// the new state, otherwise it is as it was.
 ///
-/// Newton's method on the augmented Lagrangian, forces updated by what each step predicts; friction
-/// is bounded by the normal force of the same iteration, whose slope the matrix leaves out so that
-/// it stays symmetric. Tissue pressure is an unknown of its own (element_response()).
+/// Gaps of nodes are means over the true surface around them (ContactSurface::points). Newton's
+/// method on the augmented Lagrangian, forces updated by what each step predicts; the coupling of
+/// friction and normal forces, which is not symmetric, comes by gmres(). Tissue pressure is an
+/// unknown of its own (element_response()).
 /// @throws InputError if a pose, a time or a force makes no sense, or the state is of another body.
 /// Sources: [AlartCurnier1991], [SimoLaursen1992].
 [[nodiscard]] PressOutcome press_step(const TissueBody& body, const ContactSurface& surface,
                                       const RigidObject& object, const PressGoal& goal,
                                       const PressOptions& options, SparseCholesky& factor,
                                       PressState& state);
+
+/// Smallest distance of an object to the nodes of a surface and to its true points between [m].
+[[nodiscard]] double smallest_gap(const ContactSurface& surface, const Shape& object,
+                                  const PressState& state);
 
 /// A body at rest that nothing touches.
 [[nodiscard]] PressState rest_state(const TissueBody& body, const ContactSurface& surface,

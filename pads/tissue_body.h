@@ -60,6 +60,7 @@ class TissueBody {
   [[nodiscard]] const SymmetricPattern& pattern() const { return pattern_; }
   /// Where the diagonal block (3, 3) of a free node lies among the values: entry (r, c), r >= c.
   [[nodiscard]] std::size_t diagonal_entry(int free, int r, int c) const;
+  [[nodiscard]] bool is_quadratic() const { return kind_ == HexElement::kQuadratic; }
   [[nodiscard]] bool relaxes() const;
   /// Largest shear modulus of its tissues [Pa].
   [[nodiscard]] double largest_modulus() const;
