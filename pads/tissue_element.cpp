@@ -1,10 +1,12 @@
 #include "pads/tissue_element.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include <Eigen/LU>
 
 #include "base/error.h"
+#include "pads/element_sums.h"
 
 namespace thenar {
 
@@ -89,72 +91,30 @@ double map_slopes(const double* slope, const Eigen::Matrix3Xd& X, std::vector<do
   return jacobian_of(slope, X).determinant();
 }
 
-/// Kinematics at one point: F = 1 + sum u_a dN_a/dX, and spatial gradients F^-T dN/dX.
-template <int N>
-struct Point {
-  Matrix3d F;
-  double J = 0;
-  std::array<double, 3 * N> g;  // (nodes, 3)
-};
+/// Gradients of all points side by side, as PointKinematics. @param list  (points, nodes, 3)
+std::vector<double> side_by_side(const std::vector<double>& list, int points, int nodes) {
+  const int padded = padded_points(points);
+  std::vector<double> out;
+  for (int k = 0; k < 3 * nodes; ++k)
+    for (int q = 0; q < padded; ++q)
+      out.push_back(list[static_cast<std::size_t>(std::min(q, points - 1) * 3 * nodes + k)]);
+  return out;
+}
 
-template <int N>
-Matrix3d deformation(const double* gradient, const double* u) {
-  Matrix3d F = Matrix3d::Identity();
-  for (int a = 0; a < N; ++a)
-    for (int j = 0; j < 3; ++j)
-      for (int i = 0; i < 3; ++i) F(i, j) += u[3 * a + i] * gradient[3 * a + j];
+/// F of a point.
+Matrix3d deformation_at(const PointKinematics& at, int points, int q) {
+  Matrix3d F;
+  for (int k = 0; k < 9; ++k) F.data()[k] = at.F[k * points + q];
   return F;
 }
 
-template <int N>
-void push_gradients(const double* gradient, Point<N>& point) {
-  const Matrix3d inverse = point.F.inverse();
-  for (int a = 0; a < N; ++a)
-    for (int j = 0; j < 3; ++j)
-      point.g[static_cast<std::size_t>(3 * a + j)] = gradient[3 * a] * inverse(0, j) +
-                                                     gradient[3 * a + 1] * inverse(1, j) +
-                                                     gradient[3 * a + 2] * inverse(2, j);
-}
-
-/// force += w B' tau.
-template <int N>
-void add_force(double w, const Voigt& tau, const double* g, double* force) {
-  for (int a = 0; a < N; ++a, g += 3, force += 3) {
-    force[0] += w * (g[0] * tau[0] + g[1] * tau[3] + g[2] * tau[5]);
-    force[1] += w * (g[0] * tau[3] + g[1] * tau[1] + g[2] * tau[4]);
-    force[2] += w * (g[0] * tau[5] + g[1] * tau[4] + g[2] * tau[2]);
-  }
-}
-
-/// Upper triangle of stiffness += w (B' c B + (g_a . tau g_b) 1).
-template <int N>
-void add_stiffness(double w, const VoigtTangent& c, const Voigt& tau, const double* g, double* K) {
-  constexpr int kRows = 3 * N;
-  // Columns of a matrix are stored one after the other.
-  for (int b = 0; b < N; ++b) {
-    const double x = w * g[3 * b], y = w * g[3 * b + 1], z = w * g[3 * b + 2];
-    // T = c B_b (6 x 3), and tau g_b.
-    double T[3][6];
-    for (int p = 0; p < 6; ++p) {
-      T[0][p] = c(p, 0) * x + c(p, 3) * y + c(p, 5) * z;
-      T[1][p] = c(p, 1) * y + c(p, 3) * x + c(p, 4) * z;
-      T[2][p] = c(p, 2) * z + c(p, 4) * y + c(p, 5) * x;
-    }
-    const double s0 = tau[0] * x + tau[3] * y + tau[5] * z;
-    const double s1 = tau[3] * x + tau[1] * y + tau[4] * z;
-    const double s2 = tau[5] * x + tau[4] * y + tau[2] * z;
-    for (int a = 0; a <= b; ++a) {
-      const double* h = g + 3 * a;
-      const double geometric = h[0] * s0 + h[1] * s1 + h[2] * s2;
-      for (int j = 0; j < 3; ++j) {
-        double* column = K + (3 * b + j) * kRows + 3 * a;
-        const double* t = T[j];
-        column[0] += h[0] * t[0] + h[1] * t[3] + h[2] * t[5];
-        column[1] += h[1] * t[1] + h[0] * t[3] + h[2] * t[4];
-        column[2] += h[2] * t[2] + h[1] * t[4] + h[0] * t[5];
-        column[j] += geometric;
-      }
-    }
+/// What a point adds to the sums.
+void set_point(int points, int q, double w, const Voigt& tau, const VoigtTangent* c,
+               PointStresses& out) {
+  for (int p = 0; p < 6; ++p) {
+    out.tau[p * points + q] = w * tau[p];
+    if (c == nullptr) continue;
+    for (int r = p; r < 6; ++r) out.c[tangent_entry(p, r) * points + q] = w * (*c)(p, r);
   }
 }
 
@@ -172,31 +132,26 @@ template <int N>
 class Dilatation {
  public:
   Dilatation(HexElement kind, const ElementShape& shape, const Tissue& tissue,
-             const std::array<Point<N>, N>& points, const double* u,
+             const PointKinematics& points, const double* u,
              const Eigen::Vector4d* tangent_pressure)
       : kind_(kind), shape_(shape), tangent_(tangent_pressure) {
     const double K = bulk_modulus(tissue);
     if (kind == HexElement::kDisplacement) {
-      for (int q = 0; q < N; ++q)
-        at_[static_cast<std::size_t>(q)] =
-            volumetric_response(K, points[static_cast<std::size_t>(q)].J);
+      for (std::size_t q = 0; q < N; ++q) at_[q] = volumetric_response(K, points.J[q]);
     } else if (kind == HexElement::kMeanDilatation) {
       volume_ = 0;
       double sum = 0;
       for (std::size_t q = 0; q < N; ++q) {
         volume_ += shape.volume[q];
-        sum += shape.volume[q] * points[q].J;
+        sum += shape.volume[q] * points.J[q];
       }
       at_.fill(volumetric_response(K, sum / volume_));
     } else if (kind == HexElement::kCentroidDilatation) {
-      centre_.F = deformation<N>(shape.centre_gradient.data(), u);
-      centre_.J = centre_.F.determinant();
+      point_kinematics(N, kCentre, shape.centre_gradient.data(), u, centre_);
       volume_ = 0;
       for (const double w : shape.volume) volume_ += w;
-      fits_ = centre_.J > 0;
-      if (!fits_) return;
-      push_gradients<N>(shape.centre_gradient.data(), centre_);
-      at_.fill(volumetric_response(K, centre_.J));
+      fits_ = centre_.J[0] > 0;
+      if (fits_) at_.fill(volumetric_response(K, centre_.J[0]));
     } else {
       project(K, points);
     }
@@ -226,25 +181,26 @@ class Dilatation {
                : (*tangent_)[0];
   }
   /// p + dp of a change whose spatial gradient has the trace `divergence` (points), linearised.
-  [[nodiscard]] Eigen::Vector4d linear_pressure(const std::array<Point<N>, N>& points,
+  [[nodiscard]] Eigen::Vector4d linear_pressure(const PointKinematics& points,
                                                 const double* du) const {
     Eigen::Vector4d out(0, 0, 0, 0);
-    const auto divergence = [&](const Point<N>& at) {
-      double sum = 0;
-      for (std::size_t i = 0; i < 3 * N; ++i) sum += at.g[i] * du[i];
-      return sum;
-    };
+    std::array<double, kMostPoints> divergence{};
+    const bool centre = kind_ == HexElement::kCentroidDilatation;
+    const int count = centre ? kCentre : kPoints;
+    const double* g = centre ? centre_.g : points.g;
+    for (int i = 0; i < 3 * N; ++i)
+      for (int q = 0; q < count; ++q)
+        divergence[static_cast<std::size_t>(q)] += g[i * count + q] * du[i];
     if (kind_ == HexElement::kCentroidDilatation) {
-      out[0] = at_[0].pressure + at_[0].stiffness * centre_.J * divergence(centre_);
+      out[0] = at_[0].pressure + at_[0].stiffness * centre_.J[0] * divergence[0];
     } else if (kind_ == HexElement::kMeanDilatation) {
       double sum = 0;
-      for (std::size_t q = 0; q < N; ++q)
-        sum += shape_.volume[q] * points[q].J * divergence(points[q]);
+      for (std::size_t q = 0; q < N; ++q) sum += shape_.volume[q] * points.J[q] * divergence[q];
       out[0] = at_[0].pressure + at_[0].stiffness * sum / volume_;
     } else if (kind_ == HexElement::kQuadratic) {
       Eigen::Vector4d mean(0, 0, 0, 0), p(0, 0, 0, 0);
       for (std::size_t q = 0; q < N; ++q)
-        mean += shape_.volume[q] * points[q].J * divergence(points[q]) *
+        mean += shape_.volume[q] * points.J[q] * divergence[q] *
                 shape_.modes.row(static_cast<Eigen::Index>(q)).transpose();
       const Eigen::Vector4d theta = shape_.modes_inverse * mean;
       for (std::size_t q = 0; q < N; ++q) {
@@ -261,23 +217,14 @@ class Dilatation {
   }
 
   /// Forces and stiffness that are no stress at a Gauss point.
-  void add(const std::array<Point<N>, N>& points, bool with_stiffness, double* force,
-           double* K) const {
+  void add(const PointKinematics& points, bool with_stiffness, double* force, double* K) const {
     if (kind_ == HexElement::kCentroidDilatation) {
-      Voigt tau = Voigt::Zero();
-      tau.head<3>().setConstant(at_[0].pressure * centre_.J);
-      add_force<N>(volume_, tau, centre_.g.data(), force);
-      if (!with_stiffness) return;
-      VoigtTangent c = VoigtTangent::Zero();
-      const double pJ = (tangent_ != nullptr ? (*tangent_)[0] : at_[0].pressure) * centre_.J;
-      tau.head<3>().setConstant(pJ);
-      add_pressure_tangent(at_[0].stiffness * centre_.J * centre_.J + pJ, pJ, c);
-      add_stiffness<N>(volume_, c, tau, centre_.g.data(), K);
+      add_centre(with_stiffness, force, K);
     } else if (kind_ == HexElement::kMeanDilatation && with_stiffness) {
       std::array<double, 3 * N> b{};
       for (std::size_t q = 0; q < N; ++q) {
-        const double w = shape_.volume[q] * points[q].J;
-        for (std::size_t i = 0; i < 3 * N; ++i) b[i] += w * points[q].g[i];
+        const double w = shape_.volume[q] * points.J[q];
+        for (std::size_t i = 0; i < 3 * N; ++i) b[i] += w * points.g[i * kPoints + q];
       }
       add_square(at_[0].stiffness / volume_, b.data(), b.data(), K);
     } else if (kind_ == HexElement::kQuadratic && with_stiffness) {
@@ -286,6 +233,25 @@ class Dilatation {
   }
 
  private:
+  static constexpr int kPoints = padded_points(N), kCentre = padded_points(1);
+
+  /// The pressure of the centre acts there with the whole volume.
+  void add_centre(bool with_stiffness, double* force, double* K) const {
+    PointStresses at{};
+    const double J = centre_.J[0], own = at_[0].pressure * J;
+    Voigt tau = Voigt::Zero();
+    tau.head<3>().setConstant(own);
+    set_point(kCentre, 0, volume_, tau, nullptr, at);
+    add_forces(N, kCentre, centre_.g, at, force);
+    if (!with_stiffness) return;
+    VoigtTangent c = VoigtTangent::Zero();
+    const double pJ = tangent_ != nullptr ? (*tangent_)[0] * J : own;
+    tau.head<3>().setConstant(pJ);
+    add_pressure_tangent(at_[0].stiffness * J * J + pJ, pJ, c);
+    set_point(kCentre, 0, volume_, tau, &c, at);
+    add_stiffness(N, kCentre, centre_.g, at, K);
+  }
+
   /// K += s b c', upper triangle.
   static void add_square(double s, const double* b, const double* c, double* K) {
     for (int j = 0; j < 3 * N; ++j)
@@ -293,10 +259,10 @@ class Dilatation {
   }
 
   /// theta = projection of J on the modes; p = projection of U'(theta).
-  void project(double bulk, const std::array<Point<N>, N>& points) {
+  void project(double bulk, const PointKinematics& points) {
     Eigen::Vector4d mean(0, 0, 0, 0);
     for (std::size_t q = 0; q < N; ++q)
-      mean += shape_.volume[q] * points[q].J *
+      mean += shape_.volume[q] * points.J[q] *
               shape_.modes.row(static_cast<Eigen::Index>(q)).transpose();
     const Eigen::Vector4d theta = shape_.modes_inverse * mean;
     Eigen::Vector4d p(0, 0, 0, 0);
@@ -313,15 +279,16 @@ class Dilatation {
     pressure_ = shape_.modes_inverse * p;
   }
 
-  void add_modes(const std::array<Point<N>, N>& points, double* K) const {
+  void add_modes(const PointKinematics& points, double* K) const {
     // H = sum of U'' times modes, B = d (M theta) / d u.
     Eigen::Matrix4d H = Eigen::Matrix4d::Zero();
     Eigen::Matrix<double, 3 * N, 4> B = Eigen::Matrix<double, 3 * N, 4>::Zero();
     for (std::size_t q = 0; q < N; ++q) {
       const Eigen::Vector4d mode = shape_.modes.row(static_cast<Eigen::Index>(q));
       H += shape_.volume[q] * at_[q].stiffness * mode * mode.transpose();
-      B += shape_.volume[q] * points[q].J *
-           Eigen::Map<const Eigen::Matrix<double, 3 * N, 1>>(points[q].g.data()) * mode.transpose();
+      const Eigen::Vector4d weighted = shape_.volume[q] * points.J[q] * mode;
+      for (int i = 0; i < 3 * N; ++i)
+        B.row(i) += points.g[static_cast<std::size_t>(i * kPoints) + q] * weighted.transpose();
     }
     const Eigen::Matrix4d middle = shape_.modes_inverse * H * shape_.modes_inverse;
     const Eigen::Matrix<double, 3 * N, 4> left = B * middle;
@@ -332,7 +299,7 @@ class Dilatation {
   const ElementShape& shape_;
   const Eigen::Vector4d* tangent_;  // null: the pressure itself
   std::array<VolumetricResponse, N> at_;
-  Point<N> centre_;
+  PointKinematics centre_;
   Eigen::Vector4d pressure_ = Eigen::Vector4d::Zero();
   double volume_ = 0;
   bool fits_ = true;
@@ -343,18 +310,11 @@ void respond(HexElement kind, const ElementShape& shape, const Tissue& tissue, c
              const RelaxationStep* step, const ElementHistory* history,
              const Eigen::Vector4d* tangent_pressure, ElementAsk ask, ElementResponse& out) {
   // Deformation at all points.
-  std::array<Point<N>, N> points;
-  out.inverted = false;
-  for (std::size_t q = 0; q < N; ++q) {
-    const double* gradient = shape.gradient.data() + q * 3 * N;
-    points[q].F = deformation<N>(gradient, u);
-    points[q].J = points[q].F.determinant();
-    if (!(points[q].J > 0)) {
-      out.inverted = true;
-      return;
-    }
-    if (ask != ElementAsk::kEnergy) push_gradients<N>(gradient, points[q]);
-  }
+  constexpr int kPoints = padded_points(N);
+  PointKinematics points;
+  point_kinematics(N, kPoints, shape.gradient.data(), u, points);
+  out.inverted = !std::all_of(points.J, points.J + N, [](double J) { return J > 0; });
+  if (out.inverted) return;
   const Dilatation<N> dilatation(kind, shape, tissue, points, u, tangent_pressure);
   if (!dilatation.fits()) {
     out.inverted = true;
@@ -369,49 +329,59 @@ void respond(HexElement kind, const ElementShape& shape, const Tissue& tissue, c
   const double now = step != nullptr ? step->now : 1;
   const bool relaxes = step != nullptr && !step->decay.empty();
   IsochoricResponse iso;
+  iso.tangent.setZero();
+  PointStresses stresses;
+  std::array<double, N> more{};  // pressure of the stiffness over that of forces
+  // Points without weight.
+  for (int q = N; q < kPoints; ++q) set_point(kPoints, q, 0, Voigt::Zero(), &iso.tangent, stresses);
   for (std::size_t q = 0; q < N; ++q) {
-    const Point<N>& at = points[q];
-    const double w = shape.volume[q];
-    isochoric_response(tissue, at.F, with_stiffness, iso);
+    const Matrix3d F = deformation_at(points, kPoints, static_cast<int>(q));
+    const double w = shape.volume[q], J = points.J[q];
+    isochoric_response(tissue, F, with_stiffness, iso);
     out.energy += w * now * iso.energy;
     Voigt past = Voigt::Zero();  // stress that is left of the past, second Piola-Kirchhoff
     if (relaxes) {
       for (std::size_t i = 0; i < step->decay.size(); ++i)
         past += step->decay[i] * history->terms[i * N + q] - step->change[i] * history->elastic[q];
-      const Matrix3d C = at.F.transpose() * at.F;
+      const Matrix3d C = F.transpose() * F;
       out.energy += 0.5 * w * tensor_of(past).cwiseProduct(C - Matrix3d::Identity()).sum();
     }
     if (!with_force) continue;
     if (relaxes) {
-      const Matrix3d inverse = at.F.inverse();
+      const Matrix3d inverse = F.inverse();
       out.elastic[q] = voigt_of(inverse * tensor_of(iso.stress) * inverse.transpose());
     }
     // Kirchhoff stress: isochoric now, of the past, and pressure.
     Voigt tau = now * iso.stress;
-    if (relaxes) tau += voigt_of(at.F * tensor_of(past) * at.F.transpose());
-    const double pJ = dilatation.pressure(q) * at.J;
-    tau.head<3>().array() += pJ;
-    add_force<N>(w, tau, at.g.data(), out.force.data());
+    if (relaxes) tau += voigt_of(F * tensor_of(past) * F.transpose());
+    tau.head<3>().array() += dilatation.pressure(q) * J;
+    // Forces take the pressure itself; the stiffness may take another.
+    set_point(kPoints, static_cast<int>(q), w, tau, nullptr, stresses);
     if (!with_stiffness) continue;
     iso.tangent *= now;
-    const double tangent_pJ = dilatation.tangent_pressure(q) * at.J;
-    tau.head<3>().array() += tangent_pJ - pJ;
-    add_pressure_tangent(tangent_pJ + dilatation.own_stiffness(q, at.J), tangent_pJ, iso.tangent);
-    add_stiffness<N>(w, iso.tangent, tau, at.g.data(), out.stiffness.data());
+    const double tangent_pJ = dilatation.tangent_pressure(q) * J;
+    add_pressure_tangent(tangent_pJ + dilatation.own_stiffness(q, J), tangent_pJ, iso.tangent);
+    for (int p = 0; p < 6; ++p)
+      for (int r = p; r < 6; ++r)
+        stresses.c[tangent_entry(p, r) * kPoints + static_cast<int>(q)] = w * iso.tangent(p, r);
+    more[q] = w * (tangent_pJ - dilatation.pressure(q) * J);
   }
-  if (with_force) dilatation.add(points, with_stiffness, out.force.data(), out.stiffness.data());
+  if (!with_force) return;
+  add_forces(N, kPoints, points.g, stresses, out.force.data());
+  if (with_stiffness) {
+    for (int p = 0; p < 3; ++p)
+      for (std::size_t q = 0; q < N; ++q)
+        stresses.tau[static_cast<std::size_t>(p * kPoints) + q] += more[q];
+    add_stiffness(N, kPoints, points.g, stresses, out.stiffness.data());
+  }
+  dilatation.add(points, with_stiffness, out.force.data(), out.stiffness.data());
 }
 
 template <int N>
 Eigen::Vector4d linear_pressure_of(HexElement kind, const ElementShape& shape, const Tissue& tissue,
                                    const double* u, const double* du) {
-  std::array<Point<N>, N> points;
-  for (std::size_t q = 0; q < N; ++q) {
-    const double* gradient = shape.gradient.data() + q * 3 * N;
-    points[q].F = deformation<N>(gradient, u);
-    points[q].J = points[q].F.determinant();
-    push_gradients<N>(gradient, points[q]);
-  }
+  PointKinematics points;
+  point_kinematics(N, padded_points(N), shape.gradient.data(), u, points);
   return Dilatation<N>(kind, shape, tissue, points, u, nullptr).linear_pressure(points, du);
 }
 
@@ -438,8 +408,11 @@ ElementShape element_shape(HexElement kind, const Eigen::Matrix3Xd& X) {
     require(det > 0, "an element folds onto itself at Gauss point {}: {:g} m^3", q, det);
     shape.volume.push_back(table.weight[static_cast<std::size_t>(q)] * det);
   }
-  if (kind == HexElement::kCentroidDilatation)
+  shape.gradient = side_by_side(shape.gradient, table.points, table.nodes);
+  if (kind == HexElement::kCentroidDilatation) {
     map_slopes(table.centre.data(), X, shape.centre_gradient);
+    shape.centre_gradient = side_by_side(shape.centre_gradient, 1, table.nodes);
+  }
   if (kind == HexElement::kQuadratic) {
     shape.modes.resize(table.points, 4);
     for (int q = 0; q < table.points; ++q)
@@ -452,9 +425,12 @@ ElementShape element_shape(HexElement kind, const Eigen::Matrix3Xd& X) {
 
 Matrix3d element_deformation(const ElementShape& shape, const Eigen::Matrix3Xd& u,
                              std::size_t point) {
-  const auto nodes = static_cast<std::size_t>(u.cols());
-  const double* gradient = shape.gradient.data() + point * 3 * nodes;
-  return nodes == 27 ? deformation<27>(gradient, u.data()) : deformation<8>(gradient, u.data());
+  const std::size_t points = shape.gradient.size() / static_cast<std::size_t>(3 * u.cols());
+  Matrix3d F = Matrix3d::Identity();
+  for (Eigen::Index a = 0; a < u.cols(); ++a)
+    for (Eigen::Index j = 0; j < 3; ++j)
+      F.col(j) += u.col(a) * shape.gradient[static_cast<std::size_t>(3 * a + j) * points + point];
+  return F;
 }
 
 double shape_value(HexElement kind, std::size_t point, std::size_t node) {

@@ -35,9 +35,9 @@ struct ElementTable;
 /// What an element has from its reference shape. Nodes of Q1 are ordered as HexCell::corners, those
 /// of Q2 as the lattice 0..26, first axis fastest.
 struct ElementShape {
-  std::vector<double> gradient;         // dN/dX [1/m] (points, nodes, 3)
+  std::vector<double> gradient;         // dN/dX [1/m] (nodes, 3, padded points), see element_sums.h
   std::vector<double> volume;           // weights [m^3] (points)
-  std::vector<double> centre_gradient;  // F-bar: at the centre (nodes, 3)
+  std::vector<double> centre_gradient;  // F-bar: at the centre
   Eigen::MatrixXd modes;                // Q2P1: functions of dilatation (points, 4)
   Eigen::MatrixXd modes_inverse;        // inverse of their Gram matrix [1/m^3] (4, 4)
 };

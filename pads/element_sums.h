@@ -1,0 +1,43 @@
+#pragma once
+
+/// Sums over the Gauss points of an element, four points at a time.
+///
+/// What belongs to points lies side by side: entry k of point q at [k * points + q], with points a
+/// multiple of four; the last are copies without weight.
+
+namespace thenar {
+
+/// Points with copies to the next multiple of four.
+[[nodiscard]] constexpr int padded_points(int points) { return (points + 3) / 4 * 4; }
+
+/// Largest of them, of 27 nodes and points.
+inline constexpr int kMostPoints = 28, kMostNodes = 27;
+
+/// F at all points, det F, and spatial gradients F^-T dN/dX.
+struct PointKinematics {
+  double F[9 * kMostPoints];               // columns first (9, points) [1]
+  double J[kMostPoints];                   // (points) [1]
+  double g[3 * kMostNodes * kMostPoints];  // (nodes, 3, points) [1/m]
+};
+
+/// Stress and tangent at all points, times their volumes. Symmetric entries once, as Voigt.
+struct PointStresses {
+  double tau[6 * kMostPoints];  // (6, points) [J]
+  double c[21 * kMostPoints];   // rows of the upper triangle (21, points) [J]
+};
+/// Place of (p, q) of a tangent among the 21, p <= q.
+[[nodiscard]] constexpr int tangent_entry(int p, int q) { return p * 6 - p * (p - 1) / 2 + q - p; }
+
+/// @param gradient  dN/dX [1/m] (nodes, 3, points);  @param u  [m] (nodes, 3)
+void point_kinematics(int nodes, int points, const double* gradient, const double* u,
+                      PointKinematics& out);
+
+/// force += sum of B' tau.
+/// @param g  spatial gradients (nodes, 3, points);  @param force  [N] (nodes, 3)
+void add_forces(int nodes, int points, const double* g, const PointStresses& at, double* force);
+
+/// Upper triangle of K += sum of  B' c B + (g_a . tau g_b) 1.  @param K  [N/m] (3 nodes, 3 nodes)
+/// Source: [Bonet2008] ch. 9.
+void add_stiffness(int nodes, int points, const double* g, const PointStresses& at, double* K);
+
+}  // namespace thenar
