@@ -29,7 +29,8 @@ MAY_SEE = {
     "data/io/scene": ["base", "geometry", "data/io", "data/io/mesh", "data/io/world"],
     "hand": ["base", "geometry", "data/io"],
     "hand/skin": ["base", "geometry", "data/io", "hand"],
-    "pads": ["base", "solvers", "solvers/sparse", "geometry"],
+    "pads/laws": ["base", "solvers", "geometry", "geometry/collision"],
+    "pads": ["base", "solvers", "solvers/sparse", "geometry", "geometry/collision", "pads/laws"],
     "tendons/wrapping": ["base", "data/io", "hand"],
     "tendons": ["base", "solvers", "data/io", "hand", "tendons/wrapping"],
 }
@@ -58,7 +59,7 @@ MAY_SEE |= {
     "posterior/study": POSTERIOR + ["posterior/run"],
 }
 # The interface of a hand, and nothing else of hand/.
-GRASP = ["base", "solvers", "geometry", "geometry/collision", "data/io", "data/io/world",
+GRASP = ["base", "solvers", "geometry", "geometry/collision", "pads/laws", "data/io", "data/io/world",
          "hand/hand.h", "hand/multibody.h"]
 MAY_SEE |= {
     "grasp/contact": GRASP,

@@ -6,7 +6,7 @@
 #include "base/error.h"
 #include "base/units.h"
 #include "geometry/collision/curvature.h"
-#include "grasp/contact/soft_finger.h"
+#include "pads/laws/soft_patch.h"
 
 namespace thenar {
 namespace {

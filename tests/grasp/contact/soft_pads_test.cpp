@@ -9,9 +9,9 @@
 #include "base/error.h"
 #include "base/units.h"
 #include "grasp/closing/grasp.h"
-#include "grasp/contact/soft_finger.h"
 #include "grasp/quality/grasp_stiffness.h"
 #include "grasp/robot/robot_hand.h"
+#include "pads/laws/soft_patch.h"
 #include "tests/grasp/jaws.h"
 
 namespace thenar {

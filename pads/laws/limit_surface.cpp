@@ -1,4 +1,4 @@
-#include "grasp/contact/limit_surface.h"
+#include "pads/laws/limit_surface.h"
 
 #include <cmath>
 #include <limits>

@@ -1,6 +1,6 @@
-// Tests for grasp/contact/limit_surface.cpp.
+// Tests for pads/laws/limit_surface.cpp.
 
-#include "grasp/contact/limit_surface.h"
+#include "pads/laws/limit_surface.h"
 
 #include <algorithm>
 #include <cmath>

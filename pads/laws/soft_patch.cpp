@@ -1,4 +1,4 @@
-#include "grasp/contact/soft_finger.h"
+#include "pads/laws/soft_patch.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,6 +1,6 @@
-// Tests for grasp/contact/soft_finger.cpp.
+// Tests for pads/laws/soft_patch.cpp.
 
-#include "grasp/contact/soft_finger.h"
+#include "pads/laws/soft_patch.h"
 
 #include <cmath>
 #include <functional>

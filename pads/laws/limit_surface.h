@@ -4,7 +4,7 @@
 
 #include <Eigen/Core>
 
-#include "grasp/contact/soft_finger.h"
+#include "pads/laws/soft_patch.h"
 
 namespace thenar {
 
