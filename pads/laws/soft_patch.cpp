@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "base/error.h"
+#include "base/spatial.h"
 #include "base/units.h"
 
 namespace thenar {
@@ -92,6 +93,29 @@ SoftPatch power_law_patch(double force, double c, double gamma, double friction)
   patch.a = patch.b = c * std::pow(force, gamma);
   patch.torsion = patch_torsion(patch.a, patch.b, PatchPressure::kHertz, friction);
   return patch;
+}
+
+PressureMoments pressure_moments(const Eigen::Matrix3Xd& points, const Eigen::VectorXd& forces,
+                                 const Eigen::Vector3d& normal) {
+  PressureMoments out;
+  out.force = forces.sum();
+  if (!(out.force > 0)) return out;
+  out.centre = points * forces / out.force;
+  // Second moments across the direction.
+  const Tangents t = tangents(normal);
+  double xx = 0, xy = 0, yy = 0;
+  for (Eigen::Index i = 0; i < points.cols(); ++i) {
+    const Eigen::Vector3d from = points.col(i) - out.centre;
+    const double x = t.e1.dot(from), y = t.e2.dot(from), f = forces[i];
+    out.arm += f * std::sqrt(x * x + y * y);
+    xx += f * x * x;
+    xy += f * x * y;
+    yy += f * y * y;
+  }
+  out.arm /= out.force;
+  const double mean = (xx + yy) / 2, half = std::hypot((xx - yy) / 2, xy);
+  if (mean - half > 1e-12 * mean) out.aspect = std::sqrt((mean + half) / (mean - half));
+  return out;
 }
 
 }  // namespace thenar

@@ -2,6 +2,8 @@
 
 /// Soft fingers: patch of contact and torsional friction of an elastic contact.
 
+#include <Eigen/Core>
+
 namespace thenar {
 
 /// An elliptical patch of contact under a normal force.
@@ -68,5 +70,19 @@ enum class PatchPressure {
 /// @throws InputError unless force, friction and c are >= 0 and gamma in [0, 1/3].
 /// Source: [XydasKao1999] for the law of the radius, [Johnson1985] for the pressure.
 [[nodiscard]] SoftPatch power_law_patch(double force, double c, double gamma, double friction);
+
+/// Moments of forces that push along one direction.
+struct PressureMoments {
+  double force = 0;                 // their sum [N]
+  Eigen::Vector3d centre{0, 0, 0};  // of them [m] (3)
+  double arm = 0;                   // mean distance from the centre, across the direction [m]
+  double aspect = 1;  // root of the ratio of the second moments, >= 1; 1: of a line or
+                      // a point, too [1]
+};
+
+/// @param points  [m] (3, n)  @param forces  >= 0 [N] (n)  @param normal  unit (3)
+[[nodiscard]] PressureMoments pressure_moments(const Eigen::Matrix3Xd& points,
+                                               const Eigen::VectorXd& forces,
+                                               const Eigen::Vector3d& normal);
 
 }  // namespace thenar

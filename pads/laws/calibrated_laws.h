@@ -1,0 +1,52 @@
+#pragma once
+
+/// Laws of one pad, calibrated, with their errors.
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "pads/laws/elastic_foundation.h"
+#include "pads/laws/point_laws.h"
+
+namespace thenar {
+
+/// Relative errors over presses that had no part in a fit.
+struct RelativeError {
+  double rms = 0;    // [1]
+  double worst = 0;  // largest size [1]
+};
+
+/// Errors of a law at given depths.
+struct LawError {
+  RelativeError force;    // normal
+  RelativeError area;     // of the patch
+  RelativeError radius;   // its longer semi-axis
+  RelativeError torsion;  // per normal force and friction
+};
+
+/// What laws were fitted to and checked against.
+struct LawEvidence {
+  int fitted = 0, checked = 0;  // presses
+  double depth = 0;             // largest of a fitted press [m]
+  double force = 0;             // largest of a fitted press [N]
+  double force_error = 0;       // largest estimate of the elements' own [1]
+};
+
+/// Laws of one pad.
+struct CalibratedLaws {
+  std::string name;
+  PowerLawConstants power;
+  SoftFingerConstants soft_finger;
+  FoundationConstants foundation;
+  std::vector<ExponentialTerm> relaxation;  // of all of them
+  LawError power_error, soft_finger_error;
+  LawError foundation_error;  // of ElasticFoundation, from curvatures
+  LawError bed_error;         // of FoundationBed, from the pad's shape
+  LawEvidence evidence;
+};
+
+/// @throws InputError if constants are not as their laws ask, or errors are negative or not finite.
+void check_laws(const CalibratedLaws& laws);
+
+}  // namespace thenar

@@ -1,0 +1,309 @@
+#include "pads/laws/foundation_bed.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numeric>
+#include <utility>
+
+#include "base/error.h"
+#include "base/units.h"
+
+namespace thenar {
+namespace {
+
+using Eigen::Index;
+using Eigen::Matrix3Xd;
+using Eigen::Vector3d;
+using Eigen::VectorXd;
+
+constexpr std::size_t kRoom = 256;    // for columns under an object
+constexpr double kForgotten = 1e-12;  // force that is not remembered any more [N]
+constexpr Index kLeaf = 12;           // columns that are looked at together
+constexpr double kLever = 10e-3;      // [m]
+constexpr double kLevel = 1e-3;       // slope of surfaces that counts as none [1]
+constexpr double kSticks = 1e-6;      // share of the cone that is left where a column sticks [1]
+
+void check_pose(const Pose<double>& X, double friction) {
+  require(X.R.allFinite() && X.p.allFinite(), "the pose of an object on a pad must be finite");
+  require(friction >= 0 && std::isfinite(friction), "friction must be finite and >= 0, got {}",
+          friction);
+}
+
+/// Columns in another order.
+template <typename Matrix>
+Matrix sorted(const Matrix& columns, const std::vector<Index>& order) {
+  Matrix out(columns.rows(), columns.cols());
+  for (std::size_t i = 0; i < order.size(); ++i)
+    out.col(static_cast<Index>(i)) = columns.col(order[i]);
+  return out;
+}
+
+}  // namespace
+
+FoundationBed::FoundationBed(FoundationColumns columns, const FoundationConstants& constants,
+                             std::vector<ExponentialTerm> terms)
+    : columns_(std::move(columns)), constants_(constants), terms_(std::move(terms)) {
+  check_foundation(constants_);
+  check_exponential_terms(terms_, "a bed of springs");
+  const Index count = columns_.skin.cols();
+  require(count > 0 && columns_.normal.cols() == count && columns_.thickness.size() == count &&
+              columns_.area.size() == count,
+          "columns of a bed have {} places, {} normals, {} thicknesses and {} areas", count,
+          columns_.normal.cols(), columns_.thickness.size(), columns_.area.size());
+  for (Index i = 0; i < count; ++i)
+    require(columns_.thickness[i] > 0 && columns_.area[i] > 0 &&
+                std::isfinite(columns_.thickness[i] + columns_.area[i]) &&
+                columns_.skin.col(i).allFinite() &&
+                std::abs(columns_.normal.col(i).norm() - 1) < 1e-9,
+            "column {} of a bed needs a finite place, a unit normal, a thickness and an area above "
+            "0, got {} m and {} m^2",
+            i, columns_.thickness[i], columns_.area[i]);
+  reach_ = 0.5 * std::sqrt(columns_.area.maxCoeff());
+  // Neighbours come to lie together.
+  std::vector<Index> order(static_cast<std::size_t>(count));
+  std::iota(order.begin(), order.end(), Index{0});
+  split(order, 0, count);
+  columns_.skin = sorted(columns_.skin, order);
+  columns_.normal = sorted(columns_.normal, order);
+  columns_.thickness = sorted(columns_.thickness.transpose().eval(), order).transpose();
+  columns_.area = sorted(columns_.area.transpose().eval(), order).transpose();
+  width_ = columns_.area.cwiseSqrt();
+}
+
+// NOLINTNEXTLINE(misc-no-recursion): halves each time
+void FoundationBed::split(std::vector<Index>& order, Index first, Index end) {
+  Eigen::AlignedBox3d box;
+  for (Index i = first; i < end; ++i)
+    box.extend(Vector3d(columns_.skin.col(order[static_cast<std::size_t>(i)])));
+  if (end - first <= kLeaf) {
+    double radius = 0;
+    for (Index i = first; i < end; ++i)
+      radius = std::max(
+          radius, (columns_.skin.col(order[static_cast<std::size_t>(i)]) - box.center()).norm());
+    leaves_.push_back({box.center(), radius, first, end});
+    return;
+  }
+  Index axis = 0;
+  box.sizes().maxCoeff(&axis);
+  const Index middle = (first + end) / 2;
+  std::nth_element(
+      order.begin() + first, order.begin() + middle, order.begin() + end,
+      [&](Index a, Index b) { return columns_.skin(axis, a) < columns_.skin(axis, b); });
+  split(order, first, middle);
+  split(order, middle, end);
+}
+
+FoundationBed::Touches FoundationBed::touches(const Shape& object, const Pose<double>& X_PO) const {
+  Touches found;
+  found.all.reserve(kRoom);
+  const Pose<double> X_OP = X_PO.inverse();
+  const double reach = reach_ + object.accuracy();
+  for (const Leaf& leaf : leaves_) {
+    if (object.distance(X_OP * leaf.centre) > leaf.radius + reach) continue;
+    for (Index i = leaf.first; i < leaf.end; ++i) {
+      const NearestSurface near = object.nearest(X_OP * Vector3d(columns_.skin.col(i)));
+      if (near.distance > reach_) continue;
+      found.deepest = std::max(found.deepest, -near.distance);
+      found.all.push_back({i, -near.distance, X_PO.R * near.normal});
+    }
+  }
+  // The patch as a whole; columns that are pressed stay.
+  std::size_t kept = 0;
+  if (found.deepest > 0)
+    for (Touch& touch : found.all) {
+      touch.delta = found.deepest - constants_.spread * (found.deepest - touch.delta);
+      found.area += columns_.area[touch.column] * share_of_area(touch);
+      if (touch.delta > 0) found.all[kept++] = touch;
+    }
+  found.all.resize(kept);
+  if (found.area > 0) found.stiffer = constants_.surround / std::sqrt(found.area / kPi);
+  return found;
+}
+
+/// Part of a column within the patch, whose rim is where delta is 0: delta falls as the surfaces
+/// are inclined to each other.
+double FoundationBed::share_of_area(const Touch& touch) const {
+  const double along = touch.normal.dot(columns_.normal.col(touch.column));
+  const double slope = std::max(kLevel, std::sqrt(std::max(0.0, 1 - along * along)));
+  const double fall = constants_.spread * slope * width_[touch.column];
+  return std::clamp(0.5 + touch.delta / fall, 0.0, 1.0);
+}
+
+/// Sums over columns. @param forces  normal (touches)
+void FoundationBed::conclude(const Touches& found, const VectorXd& forces, double friction,
+                             BedContact& contact) const {
+  contact.depth = found.deepest;
+  if (found.deepest <= 0) return;
+  contact.area = found.area;
+  Matrix3Xd points(3, forces.size());
+  for (std::size_t k = 0; k < found.all.size(); ++k) {
+    const Touch& touch = found.all[k];
+    const auto place = static_cast<Index>(k);
+    points.col(place) = columns_.skin.col(touch.column);
+    if (forces[place] <= 0) continue;
+    const Vector3d push = forces[place] * touch.normal;
+    contact.push += wrench_of_force(points.col(place), push);
+    contact.normal += push;
+    contact.strain = std::max(contact.strain, touch.delta / columns_.thickness[touch.column]);
+  }
+  contact.normal = contact.normal.stableNormalized();
+  const PressureMoments moments = pressure_moments(points, forces, contact.normal);
+  contact.force = moments.force;
+  contact.centre = moments.centre;
+  contact.aspect = moments.aspect;
+  contact.torsion = friction * moments.arm;
+}
+
+BedContact FoundationBed::press(const Shape& object, const Pose<double>& X_PO,
+                                double friction) const {
+  check_pose(X_PO, friction);
+  const Touches found = touches(object, X_PO);
+  BedContact contact;
+  VectorXd forces(static_cast<Index>(found.all.size()));
+  for (std::size_t k = 0; k < found.all.size(); ++k) {
+    const Index i = found.all[k].column;
+    const double h = columns_.thickness[i];
+    const SpringPressure spring = spring_pressure(constants_, found.all[k].delta / h);
+    forces[static_cast<Index>(k)] = columns_.area[i] * spring.pressure * (1 + found.stiffer * h);
+    contact.energy += columns_.area[i] * h * spring.energy;
+  }
+  conclude(found, forces, friction, contact);
+  return contact;
+}
+
+Eigen::Matrix<double, 6, 6> FoundationBed::stiffness(const Shape& object, const Pose<double>& X_PO,
+                                                     double step) const {
+  check_pose(X_PO, 0);
+  require(step > 0 && std::isfinite(step), "a step must be positive and finite, got {} m", step);
+  Eigen::Matrix<double, 6, 6> K;
+  for (int k = 0; k < 6; ++k) {
+    const double way = k < 3 ? step / kLever : step;
+    const auto push = [&](double by) {
+      Pose<double> X = X_PO;
+      if (k < 3) {
+        const Eigen::Matrix3d turn = rotation_about<double>(Vector3d::Unit(k), by);
+        X = {turn * X.R, turn * X.p};
+      } else {
+        X.p[k - 3] += by;
+      }
+      const Wrench found = press(object, X).push;
+      Eigen::Matrix<double, 6, 1> out;
+      out << found.moment, found.force;
+      return out;
+    };
+    K.col(k) = (push(way) - push(-way)) / (2 * way);
+  }
+  return K;
+}
+
+void FoundationBed::begin(BedState& state) const {
+  const Index count = columns_.skin.cols(), terms = static_cast<Index>(terms_.size());
+  if (state.elastic.size() == 0) {
+    state.elastic = state.normal_force = VectorXd::Zero(count);
+    state.terms = Eigen::MatrixXd::Zero(terms, count);
+    state.shear = state.anchor = state.shear_force = Matrix3Xd::Zero(3, count);
+    state.shear_terms = Eigen::MatrixXd::Zero(3 * terms, count);
+    state.touching.assign(static_cast<std::size_t>(count), false);
+    state.remembers = state.touching;
+  }
+  require(state.elastic.size() == count && state.terms.rows() == terms,
+          "the state is of another bed, of {} columns and {} terms", state.elastic.size(),
+          state.terms.rows());
+}
+
+BedContact FoundationBed::step(const Shape& object, const Pose<double>& X_PO, double friction,
+                               double seconds, BedState& state) const {
+  check_pose(X_PO, friction);
+  begin(state);
+  const StepInputs inputs{X_PO, X_PO.inverse(), friction, memory_step(terms_, seconds)};
+  const Touches found = touches(object, X_PO);
+  BedContact contact;
+  VectorXd forces = VectorXd::Zero(static_cast<Index>(found.all.size()));
+  double stuck = 0;
+  Wrench rubbed;
+  // Columns, of which those that are touched come in the same order.
+  std::size_t next = 0;
+  for (Index i = 0; i < columns_.skin.cols(); ++i) {
+    const std::size_t k = next;
+    const bool near = k < found.all.size() && found.all[k].column == i;
+    if (near) ++next;
+    if (!near && !state.remembers[static_cast<std::size_t>(i)]) continue;
+    // The spring as if nothing relaxed.
+    const double h = columns_.thickness[i], area = columns_.area[i];
+    SpringPressure spring;
+    if (near) spring = spring_pressure(constants_, found.all[k].delta / h);
+    contact.energy += area * h * spring.energy;
+    const bool sticks = move_column(i, area * spring.pressure * (1 + found.stiffer * h),
+                                    near ? found.all[k].normal : Vector3d(0, 0, 0), inputs, state);
+    if (!state.touching[static_cast<std::size_t>(i)]) continue;
+    forces[static_cast<Index>(k)] = state.normal_force[i];
+    if (sticks) stuck += state.normal_force[i];
+    rubbed += wrench_of_force(columns_.skin.col(i), state.shear_force.col(i));
+  }
+  conclude(found, forces, friction, contact);
+  contact.push += rubbed;
+  contact.stick = contact.force > 0 ? stuck / contact.force : 0;
+  return contact;
+}
+
+bool FoundationBed::move_column(Index i, double elastic, const Vector3d& n,
+                                const StepInputs& inputs, BedState& state) const {
+  const MemoryStep& weights = inputs.weights;
+  // Memory of the normal force and of friction.
+  double history = 0;
+  Vector3d past = Vector3d::Zero();
+  for (std::size_t j = 0; j < terms_.size(); ++j) {
+    const auto row = static_cast<Index>(j);
+    history += weights.decay[j] * state.terms(row, i) - weights.change[j] * state.elastic[i];
+    past += weights.decay[j] * state.shear_terms.block<3, 1>(3 * row, i) -
+            weights.change[j] * state.shear.col(i);
+  }
+  const double f = weights.now * elastic + history;
+  Vector3d shear, t = Vector3d::Zero();
+  bool sticks = false;
+  const bool touches = elastic > 0 && f > 0, touched = state.touching[static_cast<std::size_t>(i)];
+  if (touches) {
+    if (!touched) state.anchor.col(i) = inputs.X_OP * Vector3d(columns_.skin.col(i));
+    // Trial: it sticks.
+    const double spring = constants_.shear * columns_.area[i] / columns_.thickness[i];
+    const double limit = inputs.friction * f;
+    const Vector3d way =
+        inputs.X_PO * Vector3d(state.anchor.col(i)) - Vector3d(columns_.skin.col(i));
+    past -= n * n.dot(past);
+    shear = spring * (way - n * n.dot(way));
+    t = weights.now * shear + past;
+    sticks = t.norm() < (1 - kSticks) * limit;
+    if (t.norm() > limit) {
+      t *= limit / t.norm();
+      shear = (t - past) / weights.now;
+      if (spring > 0)
+        state.anchor.col(i) =
+            inputs.X_OP * Vector3d(Vector3d(columns_.skin.col(i)) + shear / spring);
+    }
+  } else {
+    // Free: elastic and remembered forces cancel.
+    elastic = std::max(0.0, -history / weights.now);
+    shear = -past / weights.now;
+  }
+  bool remembers = touches;
+  for (std::size_t j = 0; j < terms_.size(); ++j) {
+    const auto row = static_cast<Index>(j);
+    state.terms(row, i) =
+        weights.decay[j] * state.terms(row, i) + weights.change[j] * (elastic - state.elastic[i]);
+    state.shear_terms.block<3, 1>(3 * row, i) =
+        weights.decay[j] * state.shear_terms.block<3, 1>(3 * row, i) +
+        weights.change[j] * (shear - state.shear.col(i));
+    remembers = remembers || std::abs(state.terms(row, i)) > kForgotten ||
+                state.shear_terms.block<3, 1>(3 * row, i).norm() > kForgotten;
+  }
+  state.remembers[static_cast<std::size_t>(i)] = remembers;
+  state.elastic[i] = elastic;
+  state.shear.col(i) = shear;
+  state.normal_force[i] = touches ? f : 0;
+  state.shear_force.col(i) = t;
+  state.touching[static_cast<std::size_t>(i)] = touches;
+  return sticks;
+}
+
+}  // namespace thenar

@@ -1,0 +1,45 @@
+#include "pads/laws/pad_law.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/error.h"
+
+namespace thenar {
+
+LawContact relaxed_contact(const PadLaw& law, const RelativeCurvatures& gap, double depth,
+                           double friction, const MemoryStep& weights, ExponentialMemory& memory) {
+  LawContact contact = law.at_depth(gap, depth, friction);
+  const double history = history_of(weights, memory);
+  const double force = weights.now * contact.force + history;
+  if (force <= 0) {
+    // The pad is free, and elastic and remembered forces cancel.
+    remember(weights, std::max(0.0, -history / weights.now), memory);
+    LawContact apart;
+    apart.patch.depth = depth;
+    return apart;
+  }
+  remember(weights, contact.force, memory);
+  contact.force = force;
+  contact.stiffness *= weights.now;
+  return contact;
+}
+
+namespace internal {
+
+GapRadius radius_of(const RelativeCurvatures& gap) {
+  require(std::isfinite(gap.k1) && gap.k1 >= gap.k2 && std::isfinite(gap.k2),
+          "curvatures of a gap must be finite, the larger first, got {} and {} /m", gap.k1, gap.k2);
+  const double k1 = std::max(kFlattestGap, gap.k1), k2 = std::max(kFlattestGap, gap.k2);
+  return {1 / std::sqrt(k1 * k2), k1 / k2};
+}
+
+void check_contact_load(double depth, double force, double friction) {
+  require(std::isfinite(depth), "the depth of a contact must be finite, got {} m", depth);
+  require(force >= 0 && friction >= 0 && std::isfinite(force + friction),
+          "force and friction must be finite and >= 0, got {} N and {}", force, friction);
+}
+
+}  // namespace internal
+
+}  // namespace thenar

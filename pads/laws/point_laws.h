@@ -1,0 +1,89 @@
+#pragma once
+
+/// Laws of a pad at a point: hard point, power law, soft finger.
+
+#include "pads/laws/pad_law.h"
+
+namespace thenar {
+
+/// Lengths that constants of laws refer to.
+inline constexpr double kLawDepth = 1e-3;    // [m]
+inline constexpr double kLawRadius = 10e-3;  // of a gap, 1 / sqrt(k1 k2) [m]
+
+/// A rigid point: any force at depth 0, no patch, no torsion; beyond depth 0 the force is infinite.
+class HardPoint final : public PadLaw {
+ public:
+  [[nodiscard]] LawContact at_depth(const RelativeCurvatures& gap, double depth,
+                                    double friction) const override;
+  [[nodiscard]] LawContact at_force(const RelativeCurvatures& gap, double force,
+                                    double friction) const override;
+  [[nodiscard]] const std::vector<ExponentialTerm>& relaxation() const override { return none_; }
+
+ private:
+  std::vector<ExponentialTerm> none_;
+};
+
+/// Force by a power of depth and patch by a power of force, whatever the object:
+///   F = k (depth / 1 mm)^n,   a = b = c (F / 1 N)^gamma,   torsion = share mu a.
+/// Source: [XydasKao1999] for the radius.
+struct PowerLawConstants {
+  double force = 0;           // k: at 1 mm [N]
+  double depth_exponent = 1;  // n, above 0 [1]
+  double patch = 0;           // c: radius at 1 N [m]
+  double patch_exponent = 0;  // gamma: 1/3 for linear elasticity, 0 for ideal softness [1]
+  double torsion = 0;         // share: 2/3 for even pressure, 3 pi/16 for Hertz's [1]
+};
+
+class PowerLaw final : public PadLaw {
+ public:
+  /// @throws InputError unless k > 0, n > 0, c >= 0, gamma in [0, 1/3], share in [0, 1], all
+  /// finite, and terms are as check_exponential_terms() asks.
+  explicit PowerLaw(const PowerLawConstants& constants, std::vector<ExponentialTerm> terms = {});
+  [[nodiscard]] LawContact at_depth(const RelativeCurvatures& gap, double depth,
+                                    double friction) const override;
+  [[nodiscard]] LawContact at_force(const RelativeCurvatures& gap, double force,
+                                    double friction) const override;
+  [[nodiscard]] const std::vector<ExponentialTerm>& relaxation() const override { return terms_; }
+
+ private:
+  [[nodiscard]] LawContact answer(double depth, double force, double friction) const;
+  PowerLawConstants c_;
+  std::vector<ExponentialTerm> terms_;
+};
+
+/// A soft finger: force and an elliptical patch by the shape of the gap. With R = 1 / sqrt(k1 k2),
+///   F = k (depth / 1 mm)^n (R / 10 mm)^q,        torsion = share mu mean_radius(a, b),
+///   sqrt(a b) = c (F / 1 N)^gamma (R / 10 mm)^s,  a / b = (k1 / k2)^e.
+/// Hertz's contact of balls has n = 3/2, q = 1/2, gamma = s = 1/3; a layer of linear springs n = 2,
+/// q = 1, gamma = s = 1/4, e = 1/2. Its limit surface is limit_ellipsoid() with this torsion.
+struct SoftFingerConstants {
+  double force = 0;            // k: at 1 mm and 10 mm [N]
+  double depth_exponent = 1;   // n, above 0 [1]
+  double radius_exponent = 0;  // q [1]
+  double patch = 0;            // c: at 1 N and 10 mm [m]
+  double patch_exponent = 0;   // gamma, 0 and more [1]
+  double patch_radius = 0;     // s [1]
+  double aspect = 0;           // e [1]
+  double torsion = 0;          // share [1]
+};
+
+class SoftFinger final : public PadLaw {
+ public:
+  /// @throws InputError unless k > 0, n > 0, c >= 0, gamma >= 0, share in [0, 1], all finite, and
+  /// terms are as check_exponential_terms() asks.
+  explicit SoftFinger(const SoftFingerConstants& constants,
+                      std::vector<ExponentialTerm> terms = {});
+  [[nodiscard]] LawContact at_depth(const RelativeCurvatures& gap, double depth,
+                                    double friction) const override;
+  [[nodiscard]] LawContact at_force(const RelativeCurvatures& gap, double force,
+                                    double friction) const override;
+  [[nodiscard]] const std::vector<ExponentialTerm>& relaxation() const override { return terms_; }
+
+ private:
+  [[nodiscard]] LawContact answer(const internal::GapRadius& gap, double depth, double force,
+                                  double friction) const;
+  SoftFingerConstants c_;
+  std::vector<ExponentialTerm> terms_;
+};
+
+}  // namespace thenar
