@@ -1,0 +1,260 @@
+#include "pads/calibrate_laws.h"
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+
+#include "base/error.h"
+#include "base/numbers.h"
+#include "base/units.h"
+#include "geometry/primitives.h"
+#include "pads/pad_columns.h"
+#include "solvers/least_squares.h"
+
+namespace thenar {
+namespace {
+
+using Eigen::Index;
+using Eigen::MatrixXd;
+using Eigen::Vector3d;
+using Eigen::VectorXd;
+
+constexpr double kLogSd = 0.05;  // of logarithms in fits of powers [1]
+
+/// Least squares  |(A z - y) / sd|^2  within bounds.
+Solution fit_lines(const MatrixXd& A, const VectorXd& y, const VectorXd& lower,
+                   const VectorXd& upper) {
+  LeastSquares problem;
+  problem.lower = lower;
+  problem.upper = upper;
+  problem.residuals = [&](const VectorXd& z, WithJacobian want) {
+    Residuals out;
+    out.r = (A * z - y) / kLogSd;
+    if (want == WithJacobian::kYes) out.J = A / kLogSd;
+    return out;
+  };
+  return solve(problem, VectorXd::Zero(A.cols()));
+}
+
+/// Fits of one calibration, and whether all came to a minimum.
+struct Fits {
+  const std::vector<MeasuredPress>& presses;
+  std::string stalled;
+
+  void note(const Solution& solution, const std::string& what) {
+    if (solution.converged()) return;
+    stalled += (stalled.empty() ? "" : "; ") + what + ": " + solution.message;
+  }
+  /// One value for each press.
+  [[nodiscard]] VectorXd all(const std::function<double(const MeasuredPress&)>& of) const {
+    VectorXd out(static_cast<Index>(presses.size()));
+    for (std::size_t i = 0; i < presses.size(); ++i) out[static_cast<Index>(i)] = of(presses[i]);
+    return out;
+  }
+};
+
+double mean_semi_axis(const MeasuredPress& press) { return std::sqrt(press.area / kPi); }
+
+/// Share of torsion with which radii of the law give the measured arms, in the geometric mean.
+double torsion_share(const Fits& fits, const PadLaw& law) {
+  const VectorXd logs = fits.all([&](const MeasuredPress& press) {
+    const SoftPatch patch = law.at_force(press.gap, press.force, 0).patch;
+    return std::log(press.arm / mean_radius(patch.a, patch.b));
+  });
+  return std::min(1.0, std::exp(logs.mean()));
+}
+
+PowerLawConstants fit_power(Fits& fits) {
+  const auto rows = static_cast<Index>(fits.presses.size());
+  PowerLawConstants out;
+  MatrixXd A = MatrixXd::Ones(rows, 2);
+  A.col(1) = fits.all([](const MeasuredPress& p) { return std::log(p.depth / kLawDepth); });
+  const VectorXd forces = fits.all([](const MeasuredPress& p) { return std::log(p.force); });
+  Solution found = fit_lines(A, forces, Eigen::Vector2d(-30, 0.1), Eigen::Vector2d(30, 10));
+  fits.note(found, "force of the power law");
+  out.force = std::exp(found.z[0]);
+  out.depth_exponent = found.z[1];
+  // The patch, by force; gamma as published.
+  A.col(1) = forces;
+  const VectorXd radii =
+      fits.all([](const MeasuredPress& p) { return std::log(mean_semi_axis(p) / kLawDepth); });
+  found = fit_lines(A, radii, Eigen::Vector2d(-30, 0), Eigen::Vector2d(30, 1.0 / 3));
+  fits.note(found, "patch of the power law");
+  out.patch = kLawDepth * std::exp(found.z[0]);
+  out.patch_exponent = found.z[1];
+  out.torsion = torsion_share(fits, PowerLaw(out));
+  return out;
+}
+
+SoftFingerConstants fit_soft_finger(Fits& fits) {
+  const auto rows = static_cast<Index>(fits.presses.size());
+  SoftFingerConstants out;
+  MatrixXd A = MatrixXd::Ones(rows, 3);
+  A.col(1) = fits.all([](const MeasuredPress& p) { return std::log(p.depth / kLawDepth); });
+  A.col(2) = fits.all([](const MeasuredPress& p) {
+    return std::log(internal::radius_of(p.gap).radius / kLawRadius);
+  });
+  const VectorXd forces = fits.all([](const MeasuredPress& p) { return std::log(p.force); });
+  Solution found = fit_lines(A, forces, Vector3d(-30, 0.1, -10), Vector3d(30, 10, 10));
+  fits.note(found, "force of the soft finger");
+  out.force = std::exp(found.z[0]);
+  out.depth_exponent = found.z[1];
+  out.radius_exponent = found.z[2];
+  A.col(1) = forces;
+  const VectorXd radii =
+      fits.all([](const MeasuredPress& p) { return std::log(mean_semi_axis(p) / kLawDepth); });
+  found = fit_lines(A, radii, Vector3d(-30, 0, -10), Vector3d(30, 10, 10));
+  fits.note(found, "patch of the soft finger");
+  out.patch = kLawDepth * std::exp(found.z[0]);
+  out.patch_exponent = found.z[1];
+  out.patch_radius = found.z[2];
+  // Ratio of semi-axes, by the ratio of radii.
+  const MatrixXd ratios =
+      fits.all([](const MeasuredPress& p) { return std::log(internal::radius_of(p.gap).ratio); });
+  const VectorXd aspects = fits.all([](const MeasuredPress& p) { return std::log(p.aspect); });
+  found = fit_lines(ratios, aspects, VectorXd::Constant(1, -10), VectorXd::Constant(1, 10));
+  fits.note(found, "semi-axes of the soft finger");
+  out.aspect = found.z[0];
+  out.torsion = torsion_share(fits, SoftFinger(out));
+  return out;
+}
+
+/// Constants of a bed from coordinates: log of the pressure at a strain of 0.2, m, s, spread, c.
+FoundationConstants foundation_at(const VectorXd& z, const FoundationConstants& base) {
+  FoundationConstants out = base;
+  out.exponent = z[1];
+  out.stiffening = z[2];
+  out.spread = z[3];
+  out.surround = z[4];
+  constexpr double kStrain = 0.2;
+  out.modulus = 1;
+  out.modulus = std::exp(z[0]) / spring_pressure(out, kStrain).pressure;
+  return out;
+}
+
+FoundationConstants fit_foundation(Fits& fits, const FoundationColumns& columns,
+                                   const FoundationConstants& base, const LawFitOptions& options) {
+  const auto rows = static_cast<Index>(fits.presses.size());
+  const auto residuals = [&](const VectorXd& z) {
+    const FoundationBed bed(columns, foundation_at(z, base));
+    VectorXd r(2 * rows);
+    for (Index i = 0; i < rows; ++i) {
+      const MeasuredPress& press = fits.presses[static_cast<std::size_t>(i)];
+      const BedContact contact = bed.press(*press.object, press.X_PO);
+      r[2 * i] = std::log(contact.force / press.force) / options.force_sd;
+      r[2 * i + 1] = std::log(contact.area / press.area) / options.area_sd;
+    }
+    return r;
+  };
+  LeastSquares problem;
+  problem.lower = VectorXd::Zero(5);
+  problem.upper = VectorXd::Constant(5, 100);
+  problem.lower.segment<3>(1) << 0.2, 0, 1;
+  problem.upper.head<4>() << 25, 5, 1000, 4;
+  problem.residuals = [&](const VectorXd& z, WithJacobian want) {
+    Residuals out;
+    out.r = residuals(z);
+    if (want == WithJacobian::kNo) return out;
+    // Central differences, to one side at a bound.
+    out.J.resize(out.r.size(), z.size());
+    for (Index k = 0; k < z.size(); ++k) {
+      VectorXd more = z, less = z;
+      const double h = 1e-5 * (1 + std::abs(z[k]));
+      more[k] = std::min(problem.upper[k], z[k] + h);
+      less[k] = std::max(problem.lower[k], z[k] - h);
+      out.J.col(k) = (residuals(more) - residuals(less)) / (more[k] - less[k]);
+    }
+    return out;
+  };
+  VectorXd start(5);
+  start << std::log(1e4), 1, 1, 1.5, 0.5;
+  const Solution found = solve(problem, start);
+  fits.note(found, "bed of springs");
+  return foundation_at(found.z, base);
+}
+
+/// A law's answer beside the elements'.
+struct Answer {
+  double force, area, radius, arm;
+};
+
+LawError error_of(const std::vector<MeasuredPress>& presses,
+                  const std::function<Answer(const MeasuredPress&)>& law) {
+  LawError out;
+  const auto add = [&](RelativeError& error, double ours, double theirs) {
+    const double wrong = std::abs(ours / theirs - 1);
+    error.rms += wrong * wrong / static_cast<double>(presses.size());
+    error.worst = max_or_nan(error.worst, wrong);
+  };
+  for (const MeasuredPress& press : presses) {
+    const Answer answer = law(press);
+    add(out.force, answer.force, press.force);
+    add(out.area, answer.area, press.area);
+    add(out.radius, answer.radius, mean_semi_axis(press) * std::sqrt(press.aspect));
+    add(out.torsion, answer.arm, press.arm);
+  }
+  for (RelativeError* error : {&out.force, &out.area, &out.radius, &out.torsion})
+    error->rms = std::sqrt(error->rms);
+  return out;
+}
+
+LawError error_of(const std::vector<MeasuredPress>& presses, const PadLaw& law) {
+  return error_of(presses, [&](const MeasuredPress& press) {
+    const LawContact contact = law.at_depth(press.gap, press.depth, 1);
+    return Answer{contact.force, contact.area, contact.patch.a, contact.patch.torsion};
+  });
+}
+
+LawError error_of(const std::vector<MeasuredPress>& presses, const FoundationBed& bed) {
+  return error_of(presses, [&](const MeasuredPress& press) {
+    const BedContact contact = bed.press(*press.object, press.X_PO, 1);
+    return Answer{contact.force, contact.area, std::sqrt(contact.area / kPi * contact.aspect),
+                  contact.torsion};
+  });
+}
+
+}  // namespace
+
+LawCalibration fit_laws(const PadModel& model, const MeasuredPresses& fit,
+                        const MeasuredPresses& check, const LawFitOptions& options) {
+  require(fit.presses.size() >= 4 && !check.presses.empty(),
+          "laws need at least 4 presses to fit and 1 to check, got {} and {}", fit.presses.size(),
+          check.presses.size());
+  for (const MeasuredPresses* presses : {&fit, &check})
+    for (const MeasuredPress& press : presses->presses)
+      require(press.force > 0 && press.area > 0 && press.depth > 0 && press.arm > 0,
+              "a press by '{}' does not touch the pad", press.trial);
+  LawCalibration out;
+  CalibratedLaws& laws = out.laws;
+  for (const PronyTerm& term : model.tissues.at(0).relaxation)
+    laws.relaxation.push_back({term.share, term.time});
+  Fits fits{fit.presses, ""};
+  laws.power = fit_power(fits);
+  laws.soft_finger = fit_soft_finger(fits);
+  // Springs over the pad's skin; for curvatures alone they are as thick as where it was pressed.
+  const FoundationColumns columns = pad_columns(model.shape, options.rings);
+  FoundationConstants base;
+  const VectorXd thickness = fits.all([&](const MeasuredPress& press) {
+    return deepest_skin(model.shape, *press.object, press.X_PO).thickness;
+  });
+  base.thickness = thickness.mean();
+  laws.foundation = fit_foundation(fits, columns, base, options);
+  // Errors.
+  laws.power_error = error_of(check.presses, PowerLaw(laws.power));
+  laws.soft_finger_error = error_of(check.presses, SoftFinger(laws.soft_finger));
+  laws.foundation_error = error_of(check.presses, ElasticFoundation(laws.foundation));
+  laws.bed_error = error_of(check.presses, FoundationBed(columns, laws.foundation));
+  laws.evidence.fitted = static_cast<int>(fit.presses.size());
+  laws.evidence.checked = static_cast<int>(check.presses.size());
+  laws.evidence.depth = fits.all([](const MeasuredPress& p) { return p.depth; }).maxCoeff();
+  laws.evidence.force = fits.all([](const MeasuredPress& p) { return p.force; }).maxCoeff();
+  laws.evidence.force_error =
+      fits.all([](const MeasuredPress& p) { return p.force_error; }).maxCoeff();
+  for (const MeasuredPresses* presses : {&fit, &check})
+    out.failures.insert(out.failures.end(), presses->failures.begin(), presses->failures.end());
+  out.message = fits.stalled;
+  if (fits.stalled.empty()) out.status = Status::kSolved;
+  return out;
+}
+
+}  // namespace thenar

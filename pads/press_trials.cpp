@@ -1,0 +1,168 @@
+#include "pads/press_trials.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/error.h"
+#include "base/units.h"
+#include "geometry/primitives.h"
+#include "pads/laws/soft_patch.h"
+
+namespace thenar {
+namespace {
+
+using Eigen::Index;
+using Eigen::Vector3d;
+
+constexpr int kGrid = 12;            // places along a radius of the disc, of a first look
+constexpr double kFinest = 1e-7;     // of a search on the disc [1]
+constexpr double kCurvature = 1e-3;  // step of second differences [m]
+
+/// The skin as a solid, in the pad's frame.
+std::shared_ptr<const Shape> skin_of(const PadShape& shape) {
+  if (shape.skin) return shape.skin;
+  return build_ellipsoid({shape.length / 2, shape.width / 2, shape.height});
+}
+
+PrincipalCurvatures curvatures_near(const Shape& shape, const Vector3d& p) {
+  const NearestSurface near = shape.nearest(p);
+  return curvatures(shape, p - near.distance * near.normal, kCurvature);
+}
+
+RelativeCurvatures gap_at(const Shape& skin, const Shape& object, const Pose<double>& X_PO,
+                          const Vector3d& p) {
+  const PrincipalCurvatures pad = curvatures_near(skin, p);
+  const PrincipalCurvatures other = curvatures_near(object, X_PO.inverse() * p);
+  const double angle = std::acos(std::min(1.0, std::abs(pad.d1.dot(X_PO.R * other.d1))));
+  return relative_curvatures(pad, other, angle);
+}
+
+/// What the elements say of a press.
+MeasuredPress measured(const PadPress& press, const PadPressResult& result,
+                       const PressTrial& trial) {
+  MeasuredPress out{trial.name, trial.object.shape, press.state().X_PO, {}, 0, 0, 0, 1, 0, 0};
+  const ContactSurface& surface = press.surface();
+  Eigen::Matrix3Xd points = surface.places;
+  for (Index k = 0; k < points.cols(); ++k)
+    points.col(k) += press.state().x.segment<3>(3 * surface.nodes[static_cast<std::size_t>(k)]);
+  const PressureMoments moments = pressure_moments(points, press.state().normal, trial.along);
+  out.force = trial.along.dot(result.push.force);
+  out.area = result.area;
+  out.aspect = moments.aspect;
+  out.arm = moments.arm;
+  out.force_error = result.force_error;
+  return out;
+}
+
+/// A pose whose z axis is `z`, at a distance from the origin against `along`.
+Pose<double> posed(const Vector3d& z, const Vector3d& along, double distance) {
+  Pose<double> X;
+  const Tangents t = tangents(z);
+  X.R << t.e1, t.e2, z;
+  X.p = -distance * along;
+  return X;
+}
+
+}  // namespace
+
+DeepestSkin deepest_skin(const PadShape& shape, const Shape& object, const Pose<double>& X_PO) {
+  const PadChart chart(shape);
+  const Pose<double> X_OP = X_PO.inverse();
+  const auto overlap = [&](const Eigen::Vector2d& c) {
+    return -object.distance(X_OP * chart.place({c[0], c[1], 1}));
+  };
+  // The best of a grid, then of its neighbours, nearer and nearer.
+  Eigen::Vector2d best(0, 0);
+  double most = overlap(best), step = 1.0 / kGrid;
+  const auto look_at = [&](const Eigen::Vector2d& c) {
+    if (c.norm() > 1) return false;
+    const double found = overlap(c);
+    if (found <= most) return false;
+    most = found;
+    best = c;
+    return true;
+  };
+  for (int i = -kGrid; i <= kGrid; ++i)
+    for (int j = -kGrid; j <= kGrid; ++j) look_at({i * step, j * step});
+  while (step > kFinest) {
+    const Eigen::Vector2d from = best;
+    bool better = false;
+    for (const Eigen::Vector2d& way :
+         {Eigen::Vector2d(1, 0), Eigen::Vector2d(-1, 0), Eigen::Vector2d(0, 1),
+          Eigen::Vector2d(0, -1), Eigen::Vector2d(1, 1), Eigen::Vector2d(-1, -1),
+          Eigen::Vector2d(1, -1), Eigen::Vector2d(-1, 1)})
+      better = look_at(from + step * way) || better;
+    if (!better) step /= 2;
+  }
+  return {most, chart.thickness(best[0], best[1]), chart.place({best[0], best[1], 1})};
+}
+
+LawTrials standard_trials(const PadShape& shape, const std::vector<double>& depths) {
+  require(!depths.empty() && depths.front() > 0 && std::isfinite(depths.back()) &&
+              std::is_sorted(depths.begin(), depths.end()),
+          "presses need depths above 0 that rise");
+  // Depths between those of the fit.
+  std::vector<double> between;
+  for (std::size_t i = 0; i < depths.size(); ++i)
+    between.push_back(0.5 * (depths[i] + (i > 0 ? depths[i - 1] : 0)));
+  const double far = 1e-3 + std::max({shape.length, shape.width, 2 * shape.height}) / 2;
+  const auto plane = [&](double angle, const std::vector<double>& to) {
+    const Vector3d along(-std::sin(angle), 0, -std::cos(angle));
+    return PressTrial{fmt::format("plane at {:.0f} degrees", degrees(angle)),
+                      {build_box({0.2, 0.2, 0.2}), 0},
+                      posed(-along, along, far + 0.1),
+                      along,
+                      to};
+  };
+  const auto ball = [&](double radius, const std::vector<double>& to) {
+    return PressTrial{fmt::format("ball of {:g} mm", radius / kMm),
+                      {build_sphere(radius), 0},
+                      posed({0, 0, 1}, {0, 0, -1}, far + radius),
+                      {0, 0, -1},
+                      to};
+  };
+  const auto cylinder = [&](const Vector3d& axis, const std::string& way,
+                            const std::vector<double>& to) {
+    constexpr double kRadius = 8e-3;
+    return PressTrial{"cylinder of 8 mm " + way,
+                      {build_cylinder(kRadius, 0.2), 0},
+                      posed(axis, {0, 0, -1}, far + kRadius),
+                      {0, 0, -1},
+                      to};
+  };
+  return {
+      {plane(0, depths), plane(30 * kDegree, depths), ball(5e-3, depths), ball(20e-3, depths),
+       cylinder({0, 1, 0}, "across", depths)},
+      {plane(15 * kDegree, between), ball(10e-3, between), cylinder({1, 0, 0}, "along", between)}};
+}
+
+MeasuredPresses measure_presses(const PadModel& model, const std::vector<PressTrial>& trials,
+                                const PadPressOptions& options) {
+  const std::shared_ptr<const Shape> skin = skin_of(model.shape);
+  MeasuredPresses out;
+  for (const PressTrial& trial : trials) {
+    require(trial.object.shape != nullptr, "the trial '{}' has no object", trial.name);
+    PadPress press(model, trial.object, trial.X_PO, options);
+    (void)press.touch(trial.along);
+    PressGoal goal;
+    const Vector3d touch = press.state().X_PO.p;
+    for (const double depth : trial.depths) {
+      goal.X_PO = press.state().X_PO;
+      goal.X_PO.p = touch + depth * trial.along;
+      const PadPressResult result = press.step(goal);
+      if (result.solved.status != Status::kSolved) {
+        out.failures.push_back(
+            fmt::format("{}, {:g} mm: {}", trial.name, depth / kMm, result.solved.message));
+        break;
+      }
+      MeasuredPress found = measured(press, result, trial);
+      const DeepestSkin deepest = deepest_skin(model.shape, *trial.object.shape, found.X_PO);
+      found.depth = deepest.overlap;
+      found.gap = gap_at(*skin, *trial.object.shape, found.X_PO, deepest.place);
+      out.presses.push_back(std::move(found));
+    }
+  }
+  return out;
+}
+
+}  // namespace thenar

@@ -1,0 +1,68 @@
+#pragma once
+
+/// Presses of finite elements that reduced laws of a pad are fitted to.
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "geometry/collision/curvature.h"
+#include "pads/pad_press.h"
+
+namespace thenar {
+
+/// An object that is pressed on a pad, straight, to several depths.
+struct PressTrial {
+  std::string name;  // "ball of 5 mm"
+  RigidObject object;
+  Pose<double> X_PO;                // before it touches
+  Eigen::Vector3d along{0, 0, -1};  // of the motion, in the pad's frame, unit (3)
+  std::vector<double> depths;       // beyond the first touch of an element, rising [m]
+};
+
+/// One press of finite elements, as laws see it.
+struct MeasuredPress {
+  std::string trial;
+  std::shared_ptr<const Shape> object;
+  Pose<double> X_PO;
+  RelativeCurvatures gap;  // of the undeformed surfaces where they overlap most
+  double depth = 0;        // their deepest overlap [m]
+  double force = 0;        // normal [N]
+  double area = 0;         // [m^2]
+  double aspect = 1;       // ratio of semi-axes, by second moments of the pressure, >= 1 [1]
+  double arm = 0;          // mean distance of the pressure from its centre: torsion for a friction
+                           // of 1 [m]
+  double force_error = 0;  // estimate of the elements [1]
+};
+
+/// Presses that laws are fitted to, and others to measure their errors.
+struct LawTrials {
+  std::vector<PressTrial> fit, check;
+};
+
+/// Fit: a plane, straight and inclined by 30 degrees, balls of 5 and 20 mm, a cylinder of 8 mm
+/// across, each to `depths`. Check: a plane at 15 degrees, a ball of 10 mm, a cylinder of 8 mm
+/// along the finger, at depths between them.
+/// @throws InputError unless depths are positive and rise.
+[[nodiscard]] LawTrials standard_trials(const PadShape& shape, const std::vector<double>& depths);
+
+/// Presses, of which those that the elements could not solve are left out and named.
+struct [[nodiscard]] MeasuredPresses {
+  std::vector<MeasuredPress> presses;
+  std::vector<std::string> failures;
+};
+/// @throws InputError as PadPress, or if a trial's object begins inside the pad or passes it by.
+MeasuredPresses measure_presses(const PadModel& model, const std::vector<PressTrial>& trials,
+                                const PadPressOptions& options);
+
+/// Where a pad's undeformed skin lies deepest in an object.
+struct DeepestSkin {
+  double overlap = 0;              // below 0: apart [m]
+  double thickness = 0;            // of the soft tissue there [m]
+  Eigen::Vector3d place{0, 0, 0};  // [m] (3)
+};
+/// By a search over the skin to 1e-7 of the pad's size.
+[[nodiscard]] DeepestSkin deepest_skin(const PadShape& shape, const Shape& object,
+                                       const Pose<double>& X_PO);
+
+}  // namespace thenar
