@@ -27,6 +27,7 @@ MAY_SEE = {
     "data/io/robot": ["base", "geometry", "data/io", "data/io/mesh", "data/io/graspit"],
     "data/io/world": ["base", "geometry", "data/io", "data/io/mesh", "data/io/graspit", "data/io/robot"],
     "data/io/scene": ["base", "geometry", "data/io", "data/io/mesh", "data/io/world"],
+    "data/io/pads": ["base", "solvers", "geometry", "geometry/collision", "data/io", "pads/laws"],
     "hand": ["base", "geometry", "data/io"],
     "hand/skin": ["base", "geometry", "data/io", "hand"],
     "pads/laws": ["base", "solvers", "geometry", "geometry/collision"],

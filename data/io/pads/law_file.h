@@ -1,0 +1,25 @@
+#pragma once
+
+/// Calibrated laws of pads as TOML.
+
+#include <string>
+
+#include "pads/laws/calibrated_laws.h"
+
+namespace thenar {
+
+/// Reads the laws of a pad; the format is in docs/data_format.md.
+/// @throws DataError  `path:line: what was wanted, what came`.
+[[nodiscard]] CalibratedLaws read_laws(const std::string& path);
+[[nodiscard]] CalibratedLaws parse_laws(const std::string& text, const std::string& path);
+
+/// The same as text, from which every bit comes back.
+/// @param source  how they were found, for the file's [sources]
+/// @throws InputError as check_laws(), or if the name or the source is empty.
+[[nodiscard]] std::string laws_text(const CalibratedLaws& laws, const std::string& source);
+
+/// Writes them; nothing half-written is ever left.
+/// @throws InputError as laws_text(), or if the file cannot be written.
+void write_laws(const std::string& path, const CalibratedLaws& laws, const std::string& source);
+
+}  // namespace thenar
