@@ -56,7 +56,7 @@ struct Fits {
 double mean_semi_axis(const MeasuredPress& press) { return std::sqrt(press.area / kPi); }
 
 /// Share of torsion with which radii of the law give the measured arms, in the geometric mean.
-double torsion_share(const Fits& fits, const PadLaw& law) {
+double torsion_share(const Fits& fits, const ContactLaw& law) {
   const VectorXd logs = fits.all([&](const MeasuredPress& press) {
     const SoftPatch patch = law.at_force(press.gap, press.force, 0).patch;
     return std::log(press.arm / mean_radius(patch.a, patch.b));
@@ -198,7 +198,7 @@ LawError error_of(const std::vector<MeasuredPress>& presses,
   return out;
 }
 
-LawError error_of(const std::vector<MeasuredPress>& presses, const PadLaw& law) {
+LawError error_of(const std::vector<MeasuredPress>& presses, const ContactLaw& law) {
   return error_of(presses, [&](const MeasuredPress& press) {
     const LawContact contact = law.at_depth(press.gap, press.depth, 1);
     return Answer{contact.force, contact.area, contact.patch.a, contact.patch.torsion};

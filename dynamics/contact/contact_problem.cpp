@@ -16,9 +16,9 @@ using Row = Eigen::Ref<const VectorXd>;
 constexpr double kSymmetric = 1e-9;  // difference of mirrored entries of W over its largest
 
 void check_block(const ContactBlock& block) {
-  require(block.law != ContactLaw::kBox || block.lower <= block.upper,
+  require(block.law != ConstraintLaw::kBox || block.lower <= block.upper,
           "bounds of a box must be in order, got {} to {}", block.lower, block.upper);
-  require(block.law != ContactLaw::kBox || (block.lower < kInfinity && block.upper > -kInfinity),
+  require(block.law != ConstraintLaw::kBox || (block.lower < kInfinity && block.upper > -kInfinity),
           "a box must hold a finite impulse, got {} to {}", block.lower, block.upper);
   require(block.friction >= 0 && block.friction < kInfinity, "friction must be >= 0, got {}",
           block.friction);
@@ -90,27 +90,27 @@ bool ContactResidual::is_within(double tolerance) const {
   return natural <= std::max(tolerance, std::min(rounding, internal::kMostRounding));
 }
 
-ContactBlock bilateral_block() { return {ContactLaw::kBilateral}; }
-ContactBlock unilateral_block() { return {ContactLaw::kUnilateral}; }
+ContactBlock bilateral_block() { return {ConstraintLaw::kBilateral}; }
+ContactBlock unilateral_block() { return {ConstraintLaw::kUnilateral}; }
 ContactBlock box_block(double lower, double upper) {
-  const ContactBlock out{ContactLaw::kBox, lower, upper};
+  const ContactBlock out{ConstraintLaw::kBox, lower, upper};
   check_block(out);
   return out;
 }
 ContactBlock coulomb_block(double friction) {
-  const ContactBlock out{ContactLaw::kCoulomb, 0, 0, friction};
+  const ContactBlock out{ConstraintLaw::kCoulomb, 0, 0, friction};
   check_block(out);
   return out;
 }
 ContactBlock soft_finger_block(double friction, double torsion_radius) {
-  const ContactBlock out{ContactLaw::kSoftFinger, 0, 0, friction, torsion_radius};
+  const ContactBlock out{ConstraintLaw::kSoftFinger, 0, 0, friction, torsion_radius};
   check_block(out);
   return out;
 }
 
-int rows_of(ContactLaw law) {
-  if (law == ContactLaw::kCoulomb) return 3;
-  return law == ContactLaw::kSoftFinger ? 4 : 1;
+int rows_of(ConstraintLaw law) {
+  if (law == ConstraintLaw::kCoulomb) return 3;
+  return law == ConstraintLaw::kSoftFinger ? 4 : 1;
 }
 
 void check_contact_problem(const ContactProblem& problem) {
@@ -140,8 +140,8 @@ void check_contact_problem(const ContactProblem& problem) {
 namespace internal {
 
 std::pair<double, double> ends_of(const ContactBlock& block) {
-  if (block.law == ContactLaw::kBilateral) return {-kInfinity, kInfinity};
-  if (block.law == ContactLaw::kUnilateral) return {0, kInfinity};
+  if (block.law == ConstraintLaw::kBilateral) return {-kInfinity, kInfinity};
+  if (block.law == ConstraintLaw::kUnilateral) return {0, kInfinity};
   return {block.lower, block.upper};
 }
 

@@ -13,7 +13,7 @@
 namespace thenar {
 
 /// What the impulse f and the velocity u of a block of rows obey.
-enum class ContactLaw {
+enum class ConstraintLaw {
   kBilateral,   // f free, u = 0: loops, couplings, locked joints
   kUnilateral,  // 0 <= f _|_ u >= 0: joint limits, contacts without friction
   kBox,         // lower <= f <= upper; u >= 0 at lower, <= 0 at upper, 0 between: dry friction of
@@ -32,7 +32,7 @@ enum class ContactLaw {
 /// fingers that disc is the limit ellipsoid  |force|^2 / mu^2 + torque^2 / (mu e)^2 <= fn^2.
 /// Source: [DeSaxce1998] for the form, [Howe1996] for the ellipsoid.
 struct ContactBlock {
-  ContactLaw law = ContactLaw::kUnilateral;
+  ConstraintLaw law = ConstraintLaw::kUnilateral;
   double lower = 0;           // kBox: [N s] or [N m s]
   double upper = 0;           // kBox
   double friction = 0;        // kCoulomb, kSoftFinger: mu [1]
@@ -50,7 +50,7 @@ struct ContactBlock {
 [[nodiscard]] ContactBlock soft_finger_block(double friction, double torsion_radius);
 
 /// 1, 3 (normal, tangents) or 4 (normal, tangents, torsion).
-[[nodiscard]] int rows_of(ContactLaw law);
+[[nodiscard]] int rows_of(ConstraintLaw law);
 
 /// Impulses f and velocities u of all rows:  u = W f + b.
 ///

@@ -313,7 +313,7 @@ struct ContactStep::Parts {
     return soft_finger_block(contact.friction.coefficient, contact.friction.torsion_radius);
   }
 
-  void fill(const ActiveContact& contact, ContactLaw law, int at) {
+  void fill(const ActiveContact& contact, ConstraintLaw law, int at) {
     if (contact.kind != Kind::kContact) {
       const auto joint = static_cast<std::size_t>(contact.a);
       const double sign = contact.kind == Kind::kUpperLimit ? -1 : 1;
@@ -328,11 +328,11 @@ struct ContactStep::Parts {
     };
     const Eigen::Vector3d none(0, 0, 0);
     add(at, contact.normal, none);
-    if (law == ContactLaw::kUnilateral) return;
+    if (law == ConstraintLaw::kUnilateral) return;
     const Tangents sides = tangents(contact.normal);
     add(at + 1, sides.e1, none);
     add(at + 2, sides.e2, none);
-    if (law == ContactLaw::kSoftFinger) add(at + 3, none, contact.normal);
+    if (law == ConstraintLaw::kSoftFinger) add(at + 3, none, contact.normal);
   }
 
   /// d value / d coordinate of a joint at the placed position.
@@ -346,16 +346,16 @@ struct ContactStep::Parts {
     int at = 0;
     for (std::size_t k = 0; k < list.size(); ++k) {
       const ActiveContact& contact = list[k];
-      const ContactLaw law = problem.blocks[k].law;
+      const ConstraintLaw law = problem.blocks[k].law;
       if (contact.kind != Kind::kContact) {
         start[at] = contact.impulse.x();
       } else {
         start[at] = contact.impulse.dot(contact.normal);
-        if (law != ContactLaw::kUnilateral) {
+        if (law != ConstraintLaw::kUnilateral) {
           const Tangents sides = tangents(contact.normal);
           start[at + 1] = contact.impulse.dot(sides.e1);
           start[at + 2] = contact.impulse.dot(sides.e2);
-          if (law == ContactLaw::kSoftFinger) start[at + 3] = contact.torsion;
+          if (law == ConstraintLaw::kSoftFinger) start[at + 3] = contact.torsion;
         }
       }
       at += rows_of(law);
@@ -421,12 +421,12 @@ struct ContactStep::Parts {
       return;
     }
     contact.impulse = f * contact.normal;
-    if (block.law == ContactLaw::kUnilateral) return;
+    if (block.law == ConstraintLaw::kUnilateral) return;
     const Tangents sides = tangents(contact.normal);
     contact.impulse += answer.f[at + 1] * sides.e1 + answer.f[at + 2] * sides.e2;
     contact.slip = std::hypot(answer.u[at + 1], answer.u[at + 2]);
     double spin = 0;
-    if (block.law == ContactLaw::kSoftFinger) {
+    if (block.law == ConstraintLaw::kSoftFinger) {
       contact.torsion = answer.f[at + 3];
       spin = block.torsion_radius * std::abs(answer.u[at + 3]);
     }

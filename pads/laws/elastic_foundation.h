@@ -2,7 +2,7 @@
 
 /// A bed of springs under a pad's skin: its spring, and the contact of a curved gap in closed form.
 
-#include "pads/laws/pad_law.h"
+#include "pads/laws/contact_law.h"
 
 namespace thenar {
 
@@ -43,7 +43,7 @@ struct SpringPressure {
 ///   a = sqrt(2 depth / (spread k2)),   b = sqrt(2 depth / (spread k1)).
 /// Torsion is that of the pressure, share mu mean_radius(a, b), with the share
 /// (m+1) B(3/2, m+1) of a power m of the depth.
-class ElasticFoundation final : public PadLaw {
+class ElasticFoundation final : public ContactLaw {
  public:
   /// @throws InputError as check_foundation() and check_exponential_terms().
   explicit ElasticFoundation(const FoundationConstants& constants,

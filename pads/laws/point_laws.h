@@ -2,7 +2,7 @@
 
 /// Laws of a pad at a point: hard point, power law, soft finger.
 
-#include "pads/laws/pad_law.h"
+#include "pads/laws/contact_law.h"
 
 namespace thenar {
 
@@ -11,7 +11,7 @@ inline constexpr double kLawDepth = 1e-3;    // [m]
 inline constexpr double kLawRadius = 10e-3;  // of a gap, 1 / sqrt(k1 k2) [m]
 
 /// A rigid point: any force at depth 0, no patch, no torsion; beyond depth 0 the force is infinite.
-class HardPoint final : public PadLaw {
+class HardPoint final : public ContactLaw {
  public:
   [[nodiscard]] LawContact at_depth(const RelativeCurvatures& gap, double depth,
                                     double friction) const override;
@@ -34,7 +34,7 @@ struct PowerLawConstants {
   double torsion = 0;         // share: 2/3 for even pressure, 3 pi/16 for Hertz's [1]
 };
 
-class PowerLaw final : public PadLaw {
+class PowerLaw final : public ContactLaw {
  public:
   /// @throws InputError unless k > 0, n > 0, c >= 0, gamma in [0, 1/3], share in [0, 1], all
   /// finite, and terms are as check_exponential_terms() asks.
@@ -67,7 +67,7 @@ struct SoftFingerConstants {
   double torsion = 0;          // share [1]
 };
 
-class SoftFinger final : public PadLaw {
+class SoftFinger final : public ContactLaw {
  public:
   /// @throws InputError unless k > 0, n > 0, c >= 0, gamma >= 0, share in [0, 1], all finite, and
   /// terms are as check_exponential_terms() asks.

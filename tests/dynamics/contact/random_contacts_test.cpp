@@ -70,9 +70,9 @@ double law_violation(const ContactProblem& problem, const VectorXd& f) {
     const double m = size_of(problem, block, i);
     VectorXd g = f.segment(i, rows) / m, v = u.segment(i, rows) * m;
     if (rows == 1) {
-      const bool two_sided = block.law == ContactLaw::kBox;
+      const bool two_sided = block.law == ConstraintLaw::kBox;
       const double lower = block.lower / m, upper = block.upper / m;
-      if (block.law == ContactLaw::kBilateral) {
+      if (block.law == ConstraintLaw::kBilateral) {
         check.velocity_is_zero(v(0));
       } else {
         const double low = two_sided ? lower : 0;

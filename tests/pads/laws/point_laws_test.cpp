@@ -22,7 +22,7 @@ PowerLawConstants some_power() { return {0.3, 1.9, 4e-3, 0.2, 0.6}; }
 SoftFingerConstants some_finger() { return {0.3, 1.8, 0.4, 4e-3, 0.22, 0.3, 0.55, 0.6}; }
 FoundationConstants some_foundation() { return {2e4, 0.8, 6, 0.7, 1.4, 5e-3, 0}; }
 
-std::vector<std::shared_ptr<const PadLaw>> soft_laws() {
+std::vector<std::shared_ptr<const ContactLaw>> soft_laws() {
   return {std::make_shared<PowerLaw>(some_power()), std::make_shared<SoftFinger>(some_finger()),
           std::make_shared<ElasticFoundation>(some_foundation())};
 }
@@ -67,7 +67,7 @@ TEST(ContactLaws, NothingTouchesBelowDepthZero) {
 }
 
 TEST(ContactLaws, WhatMakesNoSenseIsRefused) {
-  std::vector<std::shared_ptr<const PadLaw>> laws = soft_laws();
+  std::vector<std::shared_ptr<const ContactLaw>> laws = soft_laws();
   laws.push_back(std::make_shared<HardPoint>());
   for (const auto& law : laws) {
     EXPECT_THROW((void)law->at_depth({kNaN, 1}, 1e-3, 0), InputError);

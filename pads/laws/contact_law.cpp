@@ -1,4 +1,4 @@
-#include "pads/laws/pad_law.h"
+#include "pads/laws/contact_law.h"
 
 #include <algorithm>
 #include <cmath>
@@ -7,7 +7,7 @@
 
 namespace thenar {
 
-LawContact relaxed_contact(const PadLaw& law, const RelativeCurvatures& gap, double depth,
+LawContact relaxed_contact(const ContactLaw& law, const RelativeCurvatures& gap, double depth,
                            double friction, const MemoryStep& weights, ExponentialMemory& memory) {
   LawContact contact = law.at_depth(gap, depth, friction);
   const double history = history_of(weights, memory);

@@ -26,9 +26,9 @@ struct LawContact {
 ///
 /// Answers are those of a press that is so short that nothing relaxes; relaxed_contact() goes on in
 /// time. Force rises with depth, and both ways of asking agree.
-class PadLaw {
+class ContactLaw {
  public:
-  virtual ~PadLaw() = default;
+  virtual ~ContactLaw() = default;
   /// @param gap       of both surfaces before they deform
   /// @param depth     approach since they touched; below 0: apart [m]
   /// @param friction  Coulomb's coefficient [1]
@@ -49,7 +49,7 @@ class PadLaw {
 /// The patch is that of the depth; `stiffness` is that of the step.
 /// @param weights  of the step, memory_step(law.relaxation(), h)
 /// @param memory   of the elastic force F [N]; goes on
-[[nodiscard]] LawContact relaxed_contact(const PadLaw& law, const RelativeCurvatures& gap,
+[[nodiscard]] LawContact relaxed_contact(const ContactLaw& law, const RelativeCurvatures& gap,
                                          double depth, double friction, const MemoryStep& weights,
                                          ExponentialMemory& memory);
 
