@@ -47,6 +47,7 @@
 #include "geometry/mesh_from_distance.h"
 #include "geometry/mesh_parts.h"
 #include "geometry/repair_to_solid.h"
+#include "geometry/rounded_shape.h"
 #include "geometry/shape.h"
 #include "geometry/shape_mass.h"
 #include "geometry/shape_spec.h"
