@@ -12,6 +12,7 @@
 #include "data/io/mesh/repair_shape.h"
 #include "data/io/robot/import_robot.h"
 #include "geometry/solid.h"
+#include "pads/build_pad.h"
 #include "tendons/tendon_model.h"
 
 namespace thenar {
@@ -36,6 +37,7 @@ void build_thing(const WorldSpec& world, FileVerdict& /*verdict*/) {
 void build_thing(const SceneSpec& scene, FileVerdict& verdict) {
   verdict.warnings = open_scene(scene).built.warnings;
 }
+void build_thing(const PadSpec& pad, FileVerdict& /*verdict*/) { (void)build_pad(pad); }
 void build_thing(const RobotSpec& robot, FileVerdict& verdict) {
   std::vector<std::string> found = robot.warnings;
   for (std::string& doubt : size_doubts(robot))

@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include "base/nearest_name.h"
+#include "base/units.h"
 #include "report/table.h"
 
 namespace thenar {
@@ -93,6 +94,12 @@ std::string summary(const SceneSpec& scene) {
       scene.bodies.size() == 1 ? "1 body" : fmt::format("{} bodies", scene.bodies.size()),
       counted(scene.forces.size(), "force"), counted(scene.drives.size(), "drive"),
       scene.stepping.duration);
+}
+
+std::string summary(const PadSpec& pad) {
+  return fmt::format("pad '{}': {:g} x {:g} x {:g} mm, {} pulp, {}, {} of its numbers assumed",
+                     pad.name, pad.length / kMm, pad.width / kMm, pad.height / kMm, pad.pulp.law,
+                     counted(pad.layers.size(), "layer"), assumed_words(pad).size());
 }
 
 std::string summary(const Materials& materials) {

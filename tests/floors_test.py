@@ -22,6 +22,7 @@ MAY_SEE = {
     "sampling/diagnostics": ["base", "sampling/methods", "sampling/run"],
     "data/io": ["base"],
     "data/io/mesh": ["base", "geometry", "data/io"],
+    "data/io/pad": ["base", "geometry", "data/io", "data/io/mesh"],
     "data/io/graspit": ["base", "data/io"],
     "data/io/foreign_mesh": ["base", "data/io", "data/io/mesh", "data/io/graspit"],
     "data/io/robot": ["base", "geometry", "data/io", "data/io/mesh", "data/io/graspit"],
@@ -31,7 +32,7 @@ MAY_SEE = {
     "hand": ["base", "geometry", "data/io"],
     "hand/skin": ["base", "geometry", "data/io", "hand"],
     "pads/laws": ["base", "solvers", "geometry", "geometry/collision"],
-    "pads": ["base", "solvers", "solvers/sparse", "geometry", "geometry/collision", "pads/laws"],
+    "pads": ["base", "solvers", "solvers/sparse", "geometry", "geometry/collision", "pads/laws", "data/io/pad"],
     "tendons/wrapping": ["base", "data/io", "hand"],
     "tendons": ["base", "solvers", "data/io", "hand", "tendons/wrapping"],
 }
@@ -83,25 +84,27 @@ HUMANS = ["hand/skin", "tendons", "tendons/net", "tendons/muscle", "tendons/huma
 MAY_SEE["dynamics/human"] = MAY_SEE["dynamics/stepping"] + ["dynamics/stepping"] + HUMANS
 MAY_SEE["dynamics/scene"] = MAY_SEE["dynamics/human"] + ["data/io/scene", "dynamics/ligament", "dynamics/human"]
 LIBRARIES = list(MAY_SEE)
-API = ["api", "api/named"]
+API = ["api", "api/named", "api/pads"]
 MAY_SEE["thenar"] = LIBRARIES + API  # the header of all public headers
 # The questions that a person asks, and their answers as words, tables, JSON and pages.
 REPORT = LIBRARIES + API + ["report"]
 PAGES = REPORT + ["report/scene", "report/draws", "report/answers"]
 MAY_SEE |= {
     "api/named": LIBRARIES,
-    "api": LIBRARIES + ["api/named"],
+    "api/pads": LIBRARIES + ["api/named"],
+    "api": LIBRARIES + ["api/named", "api/pads"],
     "report": LIBRARIES + API,
     "report/scene": REPORT,
     "report/draws": REPORT,
     "report/answers": REPORT,
     "report/explain": REPORT,
+    "report/pads": PAGES,
     "report/pages": PAGES,
-    "apps": PAGES + ["report/explain", "report/pages"],  # of LIBRARIES only base, once all ask api
+    "apps": PAGES + ["report/explain", "report/pads", "report/pages"],  # of LIBRARIES only base, once all ask api
     "python": LIBRARIES + API,
     "server": LIBRARIES + API,
     "bench": PAGES + ["report/pages", "tests"],  # charts; the sample scenes
-    "tests": PAGES + ["report/explain", "report/pages"],
+    "tests": PAGES + ["report/explain", "report/pads", "report/pages"],
 }
 WITH_SUBFOLDERS = ["sampling/run", "apps", "bench", "tests"]  # folders that are one floor
 
@@ -222,7 +225,7 @@ def public():
         reached.add(header := todo.pop())
         text = pathlib.Path(header).read_text()
         todo += [name for name in re.findall(r'^#include "([^"]+)', text, re.M) if name not in reached]
-    for path in sorted(pathlib.Path("api").glob("*.h")):
+    for path in sorted([*pathlib.Path("api").glob("*.h"), *pathlib.Path("api/pads").glob("*.h")]):
         if str(path) not in reached | PRIVATE_API:
             yield f"{path}:1: thenar/thenar.h does not reach it"
 

@@ -96,6 +96,9 @@
 #include "data/io/mesh/transformed_primitive.h"
 #include "data/io/mesh/triangle_soup.h"
 
+// data/io/pad: finger pads as plain data.
+#include "data/io/pad/pad.h"
+
 // data/io/graspit: files of GraspIt!.
 #include "data/io/graspit/graspit_link.h"
 #include "data/io/graspit/graspit_transform.h"

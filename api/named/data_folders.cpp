@@ -34,6 +34,7 @@ constexpr KnownFolder kKnownFolders[] = {{"subjects", "subject", "thenar pose"},
                                          {"robots", "hand", "thenar pose"},
                                          {"worlds", "world", "thenar grasp"},
                                          {"scenes", "scene", "thenar simulate"},
+                                         {"pads", "pad", "thenar pad press --pad"},
                                          {"objects", "object", "thenar explain"},
                                          {"experiments", "experiment", "thenar fit"},
                                          {"contacts", "file of contacts", "thenar quality"}};

@@ -43,6 +43,7 @@ const std::vector<KindCommands>& commands_by_kind() {
       {"object", {"thenar explain @", "thenar import @"}},
       {"world", {"thenar grasp @", "thenar close @", "thenar explain @"}},
       {"scene", {"thenar simulate @", "thenar validate @"}},
+      {"pad", {"thenar pad press --pad @ --force 1", "thenar validate @"}},
       {"mesh", {"thenar import @"}},
       {"fit", {"thenar predict @ EXPERIMENT", "thenar explain @"}},
       {"posterior",

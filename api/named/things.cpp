@@ -39,6 +39,7 @@ const std::vector<ThingKind>& thing_kinds() {
       {"scenes", "scene", "scenes", ".toml"},
       {"hands", "robot", "robots", ".toml"},
       {"objects", "object", "objects", ".toml"},
+      {"pads", "pad", "pads", ".toml"},
       {"nets", "net", "nets", ".toml"},
       {"contacts", "contacts", "contacts", ".json"},
       {"settings", "fit settings", "fits", ".toml"},
@@ -59,7 +60,7 @@ std::string named_thing(const std::string& name_or_path, const std::string& data
   const std::string meant = did_you_mean(name_or_path, all_names(places));
   throw InputError(
       fmt::format("there is no file '{0}', nor a subject, experiment, world, scene, "
-                  "hand, object or net of that name{1} `thenar list` shows all names",
+                  "hand, object, pad or net of that name{1} `thenar list` shows all names",
                   name_or_path, meant.empty() ? ";" : meant));
 }
 
@@ -77,6 +78,7 @@ Thing read_thing(const std::string& path) {
   if (file.kind == "object" && file.format == "TOML") return read_object(path);
   if (file.kind == "world" && file.format == "TOML") return read_world(path);
   if (file.kind == "scene") return read_scene(path);
+  if (file.kind == "pad") return read_pad(path);
   if (file.kind == "fit") return read_fit(path);
   if (file.kind == "posterior") return read_posterior(path);
   if (file.kind == "motion" || file.kind == "scene run") return read_result(path);

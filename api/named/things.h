@@ -12,6 +12,7 @@
 #include "data/io/experiment.h"
 #include "data/io/fit_settings.h"
 #include "data/io/net_description.h"
+#include "data/io/pad/pad.h"
 #include "data/io/result_file.h"
 #include "data/io/robot/robot.h"
 #include "data/io/scene/scene.h"
@@ -26,7 +27,7 @@ namespace thenar {
 /// them.
 using Thing = std::variant<Subject, Experiment, FitSettings, HandProportions, DigitVariability,
                            NetDescription, Materials, RobotSpec, BodySpec, WorldSpec, SceneSpec,
-                           Fit, PosteriorRun, ResultFile>;
+                           PadSpec, Fit, PosteriorRun, ResultFile>;
 
 /// What a name that commands take stands for.
 struct ThingKind {
@@ -36,7 +37,8 @@ struct ThingKind {
   std::string ending;  // ".toml"
 };
 
-/// Subjects, experiments, worlds, scenes, hands, objects, nets, contacts, settings and proportions.
+/// Subjects, experiments, worlds, scenes, hands, objects, pads, nets, contacts, settings and
+/// proportions.
 [[nodiscard]] const std::vector<ThingKind>& thing_kinds();
 
 /// A file as it is; else the file of that name among all kinds, in the order of thing_kinds().

@@ -57,6 +57,8 @@ std::string name_of(FileKind kind) {
       return "robot";
     case FileKind::kScene:
       return "scene";
+    case FileKind::kPad:
+      return "pad";
   }
   return "";
 }
@@ -67,6 +69,7 @@ FileKind find_file_kind(const std::string& path) {
   const TomlNode top = parse_toml(read_guarded(path, GuardedKind::kToml), path);
   if (has_any(top, {"parameter", "axis_distance", "robust_scale"})) return FileKind::kFitSettings;
   if (has_any(top, {"protocol", "trials", "posture", "noise"})) return FileKind::kExperiment;
+  if (has_any(top, {"pulp"})) return FileKind::kPad;
   if (has_any(top, {"mean_subject"})) return FileKind::kAxisVariability;
   if (has_proportions(top)) return FileKind::kProportions;
   if (has_any(top, {"bone_lengths", "node", "band"})) return FileKind::kNet;
@@ -83,8 +86,8 @@ FileKind find_file_kind(const std::string& path) {
       "wanted a subject ([[joint]], [[muscle]] ..), an experiment ([protocol], "
       "[trials]), fit settings ([[parameter]]), proportions ([[digit]]), variability of axes "
       "(mean_subject), a net ([[band]]), a robot ([[link]]), an object ([[shape]]), a world "
-      "([[hand]], [[body]]), a scene ([stepping], [[body]]) or materials "
-      "([[material]]), "
+      "([[hand]], [[body]]), a scene ([stepping], [[body]]), a pad ([pulp]) or "
+      "materials ([[material]]), "
       "got none");
 }
 

@@ -18,11 +18,12 @@ enum class FileKind {
   kWorld,
   kMaterials,
   kRobot,
-  kScene
+  kScene,
+  kPad
 };
 
 /// "subject", "experiment", "fit settings", "proportions", "variability of axes", "net", "result",
-/// "object", "world", "materials", "robot" or "scene".
+/// "object", "world", "materials", "robot", "scene" or "pad".
 [[nodiscard]] std::string name_of(FileKind kind);
 
 /// Finds the kind of a file: an HDF5 result by its first bytes, a TOML file by its top-level keys.

@@ -34,6 +34,7 @@ TEST_F(FileKinds, AreToldByWhatDataFilesHold) {
   EXPECT_EQ(find_file_kind(kData + "/objects/mug.toml"), FileKind::kObject);
   EXPECT_EQ(find_file_kind(kData + "/worlds/jaw_box.toml"), FileKind::kWorld);
   EXPECT_EQ(find_file_kind(kData + "/scenes/pinch.toml"), FileKind::kScene);
+  EXPECT_EQ(find_file_kind(kData + "/pads/index_pad.toml"), FileKind::kPad);
   EXPECT_EQ(find_file_kind(kData + "/materials.toml"), FileKind::kMaterials);
   EXPECT_EQ(find_file_kind(kData + "/robots/barrett.toml"), FileKind::kRobot);
 }

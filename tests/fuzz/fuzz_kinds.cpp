@@ -17,6 +17,7 @@
 #include "data/io/json_node.h"
 #include "data/io/mesh/mesh_file.h"
 #include "data/io/net_description.h"
+#include "data/io/pad/pad.h"
 #include "data/io/result_file.h"
 #include "data/io/robot/import_robot.h"
 #include "data/io/robot/urdf.h"
@@ -209,6 +210,7 @@ std::vector<FuzzKind> fuzz_kinds(const std::string& folder) {
        data_files({"scenes/swinging_pinch.toml", "scenes/wine_glass.toml",
                    "scenes/spinning_top.toml", "scenes/loose_joint.toml"}),
        [](File path) { (void)read_scene(path); }},
+      {"pad", data_files({"pads/index_pad.toml"}), [](File path) { (void)read_pad(path); }},
       {"materials", data_files({"materials.toml"}), [](File path) { (void)read_materials(path); }},
       {"contacts", {{"a.json", kContacts}}, [](File path) { (void)read_contact_file(path); }},
       {"comparison", {{"a.json", comparison_text()}}, read_comparison_file},

@@ -1,0 +1,71 @@
+#include "pads/build_pad.h"
+
+#include <array>
+
+#include "base/error.h"
+#include "base/nearest_name.h"
+#include "geometry/solid.h"
+
+namespace thenar {
+namespace {
+
+constexpr std::array kTissueLaws{TissueLaw::kNeoHookean, TissueLaw::kOgden,
+                                 TissueLaw::kVerondaWestmann};
+constexpr std::array kHexElements{HexElement::kDisplacement, HexElement::kMeanDilatation,
+                                  HexElement::kCentroidDilatation, HexElement::kQuadratic};
+
+/// Which of some enumerators has the name.
+template <typename Kinds>
+auto kind_named(const std::string& name, const Kinds& kinds, const std::string& what) {
+  std::vector<std::string> names;
+  for (const auto kind : kinds) names.push_back(name_of(kind));
+  return kinds[index_of_name(name, names, what)];
+}
+
+Tissue build_tissue(const PadTissueSpec& spec, const std::string& name) {
+  Tissue tissue;
+  tissue.name = name;
+  tissue.law = tissue_law_named(spec.law);
+  tissue.shear_modulus = spec.shear_modulus;
+  tissue.exponent = spec.exponent;
+  tissue.poisson_ratio = spec.poisson_ratio;
+  require(spec.relaxation_share.size() == spec.relaxation_time.size(),
+          "{} has {} shares of relaxation and {} times", name, spec.relaxation_share.size(),
+          spec.relaxation_time.size());
+  for (std::size_t i = 0; i < spec.relaxation_share.size(); ++i)
+    tissue.relaxation.push_back({spec.relaxation_share[i], spec.relaxation_time[i]});
+  check_tissue(tissue);
+  return tissue;
+}
+
+}  // namespace
+
+TissueLaw tissue_law_named(const std::string& name) {
+  return kind_named(name, kTissueLaws, "law of tissue");
+}
+
+HexElement pad_element_named(const std::string& name) {
+  return kind_named(name, kHexElements, "element");
+}
+
+PadModel build_pad(const PadSpec& spec) {
+  PadModel model;
+  model.shape.length = spec.length;
+  model.shape.width = spec.width;
+  model.shape.height = spec.height;
+  model.shape.bone_length = spec.bone_length;
+  model.shape.bone_width = spec.bone_width;
+  model.shape.bone_height = spec.bone_height;
+  if (spec.skin) model.shape.skin = build_solid({*spec.skin}).shape;
+  model.cells = {spec.across, spec.around, spec.through};
+  model.element = pad_element_named(spec.element);
+  // The pulp, then layers from the inside out, which files count from the outside.
+  model.tissues.push_back(build_tissue(spec.pulp, "pulp"));
+  for (std::size_t i = spec.layers.size(); i-- > 0;)
+    model.tissues.push_back(build_tissue(spec.layers[i], fmt::format("layer {}", i + 1)));
+  for (const PadTissueSpec& layer : spec.layers) model.shape.layers.push_back({layer.thickness});
+  (void)PadChart(model.shape);  // refuses what does not fit
+  return model;
+}
+
+}  // namespace thenar

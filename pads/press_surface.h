@@ -1,0 +1,33 @@
+#pragma once
+
+/// The skin of a pressed pad: where it is, its pressure, where it sticks.
+
+#include <array>
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "pads/pad_press.h"
+
+namespace thenar {
+
+/// Whether a node of the skin touches, and holds.
+enum class SkinContact : unsigned char { kFree, kSticks, kSlips };
+
+/// The skin at one instant, in the pad's frame.
+struct PressedSkin {
+  Eigen::Matrix3Xd places;                // of nodes, deformed [m] (3, nodes)
+  Eigen::Matrix3Xd at_rest;               // of the same nodes [m] (3, nodes)
+  std::vector<std::array<int, 4>> faces;  // quadrilaterals, corners in order around them
+  Eigen::VectorXd pressure;               // normal force over the node's share of deformed faces;
+                                          // of hanging nodes the mean of their masters [Pa] (nodes)
+  Eigen::VectorXd normal;                 // normal force, 0 on hanging nodes [N] (nodes)
+  std::vector<SkinContact> contact;       // (nodes)
+};
+
+/// The skin as a press has left it. Shares of area are those of contact_surface(), of deformed
+/// faces: a quarter of each face for each corner, those of hanging nodes handed to their masters.
+/// @param friction  of the object that presses [1]
+[[nodiscard]] PressedSkin pressed_skin(const PadPress& press, double friction);
+
+}  // namespace thenar
