@@ -11,9 +11,9 @@
 
 #include <fmt/format.h>
 
-#include "data/io/pads/law_file.h"
+#include "data/io/pad/law_file.h"
 #include "pads/calibrate_laws.h"
-#include "pads/pad_columns.h"
+#include "pads/pad_shape.h"
 
 namespace thenar {
 namespace {

@@ -7,7 +7,7 @@
 #include "geometry/primitives.h"
 #include "pads/laws/elastic_foundation.h"
 #include "pads/laws/point_laws.h"
-#include "pads/pad_columns.h"
+#include "pads/pad_shape.h"
 
 namespace thenar {
 namespace {

@@ -8,7 +8,7 @@
 #include "base/numbers.h"
 #include "base/units.h"
 #include "geometry/primitives.h"
-#include "pads/pad_columns.h"
+#include "pads/pad_shape.h"
 #include "solvers/least_squares.h"
 
 namespace thenar {

@@ -7,6 +7,7 @@
 
 #include "geometry/shape.h"
 #include "pads/hex_mesh.h"
+#include "pads/laws/foundation_bed.h"
 
 namespace thenar {
 
@@ -69,5 +70,10 @@ struct PadCells {
 
 /// Nodes that do not move: on the bone and on the rim (nodes of the mesh).
 [[nodiscard]] std::vector<bool> held_by_bone(const HexMesh& mesh);
+
+/// Columns of a pad on `rings` rings of its disc, about 3 rings^2 in all, each as thick as the soft
+/// tissue along its ray from the bone.
+/// @throws InputError unless rings > 0, and as PadChart.
+[[nodiscard]] FoundationColumns pad_columns(const PadShape& shape, int rings);
 
 }  // namespace thenar

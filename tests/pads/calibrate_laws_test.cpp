@@ -1,4 +1,4 @@
-// Tests for pads/calibrate_laws.cpp, pads/press_trials.cpp and pads/pad_columns.cpp.
+// Tests for pads/calibrate_laws.cpp, pads/press_trials.cpp and pads/pad_shape.cpp.
 
 #include "pads/calibrate_laws.h"
 
@@ -9,7 +9,7 @@
 #include "base/error.h"
 #include "base/units.h"
 #include "geometry/primitives.h"
-#include "pads/pad_columns.h"
+#include "pads/pad_shape.h"
 
 namespace thenar {
 namespace {

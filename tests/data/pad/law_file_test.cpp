@@ -1,6 +1,6 @@
-// Tests for data/io/pads/law_file.cpp.
+// Tests for data/io/pad/law_file.cpp.
 
-#include "data/io/pads/law_file.h"
+#include "data/io/pad/law_file.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

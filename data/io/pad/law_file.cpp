@@ -1,4 +1,4 @@
-#include "data/io/pads/law_file.h"
+#include "data/io/pad/law_file.h"
 
 #include <cmath>
 #include <functional>
