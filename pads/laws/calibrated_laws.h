@@ -2,10 +2,12 @@
 
 /// Laws of one pad, calibrated, with their errors.
 
+#include <cmath>
 #include <memory>
 #include <string>
 #include <vector>
 
+#include "base/error.h"
 #include "pads/laws/elastic_foundation.h"
 #include "pads/laws/point_laws.h"
 
@@ -47,6 +49,16 @@ struct CalibratedLaws {
 };
 
 /// @throws InputError if constants are not as their laws ask, or errors are negative or not finite.
-void check_laws(const CalibratedLaws& laws);
+inline void check_laws(const CalibratedLaws& laws) {
+  // Their builders refuse what makes no sense.
+  (void)PowerLaw(laws.power, laws.relaxation);
+  (void)SoftFinger(laws.soft_finger, laws.relaxation);
+  (void)ElasticFoundation(laws.foundation, laws.relaxation);
+  for (const LawError& law :
+       {laws.power_error, laws.soft_finger_error, laws.foundation_error, laws.bed_error})
+    for (const RelativeError& error : {law.force, law.area, law.radius, law.torsion})
+      require(error.rms >= 0 && error.worst >= 0 && std::isfinite(error.rms + error.worst),
+              "errors of laws must be finite and >= 0, got {} and {}", error.rms, error.worst);
+}
 
 }  // namespace thenar
