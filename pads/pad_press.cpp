@@ -57,7 +57,7 @@ double PadPress::touch(const Vector3d& along) {
   for (int k = 0;; ++k) {
     require(k < 10000, "the object does not come near the pad");
     // No point is nearer than the smallest gap: so far the object may go.
-    const double gap = smallest_gap(surface_, *object_.shape, state_);
+    const double gap = smallest_gap(surface_, *object_.shape, state_.X_PO, state_.x);
     require(k > 0 || gap > -kTouch, "the object begins {:g} mm inside the pad", -gap * 1e3);
     require(gap < 1, "the object passes the pad by");
     if (gap <= kTouch) break;
@@ -81,7 +81,7 @@ PressGoal PadPress::from_here(const PressGoal& goal) const {
 PressOutcome PadPress::solve(const PressGoal& goal, int cuts) {
   PressOutcome out = press_step(*body_, surface_, object_, goal, options_.step, *factor_, state_);
   factorisations_ += out.iterations;
-  if (out.status == Status::kSolved || cuts >= kMaxCuts) return out;
+  if (out.status == Status::kSolved || cuts >= kMaxCuts || ++pieces_ >= kMaxPieces) return out;
   // Half of the way first.
   PressGoal half = goal;
   half.time /= 2;
@@ -106,6 +106,7 @@ PadPressResult PadPress::step(const PressGoal& goal) {
     }
     if (!refined || result.solved.status != Status::kSolved) {
       state_ = start;
+      pieces_ = 0;
       result.solved = solve(goal, 0);
     }
     if (result.solved.status != Status::kSolved) {

@@ -48,9 +48,9 @@ class PadPress {
   /// @throws InputError if it touches already, begins inside the pad or passes it by.
   double touch(const Eigen::Vector3d& along);
 
-  /// One step, cut in halves where it fails, the mesh refined until force and penetration are as
-  /// good as asked or `max_elements` are passed: `force_error` says how good it became. A step that
-  /// fails leaves the state at its beginning.
+  /// One step, cut in halves where it fails (a bounded number of them), the mesh refined until
+  /// force and penetration are as good as asked or `max_elements` are passed: `force_error` says
+  /// how good it became. A step that fails leaves the state at its beginning.
   PadPressResult step(const PressGoal& goal);
 
   /// From the next step on.
@@ -92,6 +92,7 @@ class PadPress {
   ContactSurface surface_;
   PressState state_;
   int factorisations_ = 0;
+  int pieces_ = 0;  // of the present step that failed
 };
 
 }  // namespace thenar

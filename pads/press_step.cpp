@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
 
 #include "base/error.h"
 #include "solvers/sparse/gmres.h"
@@ -15,29 +14,28 @@ using Eigen::Matrix3Xd;
 using Eigen::Vector3d;
 using Eigen::VectorXd;
 
-constexpr double kStiffer = 100;  // of the augmentation than of tissue under a node [1]
+constexpr double kStiffer = 100;    // of the augmentation than of tissue under a node [1]
+constexpr double kStifferNow = 10;  // and than of the body at a node [1]
 
 constexpr double kLongest = 0.25;  // motion to a force in an iteration, over distances of nodes [1]
 
 constexpr double kConeSlack = 1e-10;  // of the friction cone, for rounding [1]
 
-constexpr double kFar = 10;  // gap that cannot matter, over distances of points of a surface [1]
-
 constexpr double kCoupling = 1e-6;  // of a step in the coupling of friction and normal forces [1]
 constexpr int kMaxCoupling = 40;    // iterations for it
 
-constexpr double kRounding = 1e-15;  // of displacements, over distances of nodes [1]
+constexpr double kRounding = 2e-15;  // of strains, in the forces of an element [1]
 
 /// Contact at an iterate.
 struct TouchingNode {
-  double gap = 0;                        // [m]
-  Vector3d normal{0, 0, 1};              // of the object, towards the body
-  Vector3d slip{0, 0, 0};                // since the last step, tangential [m]
-  double push = 0;                       // normal force [N]
-  Vector3d shear{0, 0, 0};               // [N]
-  Matrix3d slope = Matrix3d::Zero();     // -d force / d x, its symmetric part [N/m]
-  Matrix3d coupling = Matrix3d::Zero();  // and the rest: of friction by the normal force [N/m]
-  bool sticks = false;
+  double gap = 0;                    // [m]
+  Vector3d normal{0, 0, 1};          // of the object, towards the body
+  Vector3d slip{0, 0, 0};            // since the last step, tangential [m]
+  double push = 0;                   // normal force [N]
+  Vector3d shear{0, 0, 0};           // [N]
+  Matrix3d hold = Matrix3d::Zero();  // -d shear / d x at the same normal force [N/m]
+  bool sticks = true;                // from the first until friction cannot hold it
+  bool slides = false;
   Vector3d against{0, 0, 0};  // unit, of the shear of a node that slips
 };
 
@@ -54,12 +52,9 @@ class PressSolver {
         factor_(factor),
         start_(start),
         now_(start),
-        contacts_(surface.nodes.size()),
-        more_(surface.nodes.size()) {
+        gaps_(surface),
+        contacts_(surface.nodes.size()) {
     now_.X_PO = goal.X_PO;
-    // Nodes that touch begin by sticking.
-    for (std::size_t k = 0; k < contacts_.size(); ++k)
-      contacts_[k].sticks = start.normal[static_cast<Eigen::Index>(k)] > 0;
     longest_ = kLongest * std::sqrt(surface.area.mean());
   }
 
@@ -73,7 +68,7 @@ class PressSolver {
         out.message = "an element turned inside out";
         return out;
       }
-      stiffest_ = *std::max_element(tissue_.values.begin(), tissue_.values.end());
+      if (out.iterations == 0) find_stiffness();
       find_contacts();
       measure(out);
       if (is_solved(out)) {
@@ -117,9 +112,19 @@ class PressSolver {
            now_.x.segment<3>(3 * surface_.nodes[k]);
   }
   /// Stiffness of the augmentation at a node [N/m].
-  [[nodiscard]] double stiffer(std::size_t k) const {
-    return kStiffer * body_.largest_modulus() *
-           std::sqrt(surface_.area[static_cast<Eigen::Index>(k)]);
+  [[nodiscard]] double stiffer(std::size_t k) const { return stiffer_[k]; }
+
+  /// Above that of tissue at rest, and above that of the body as it is: a squeezed body is stiffer
+  /// by its law and by its bulk modulus, and may be stable by the contact alone.
+  void find_stiffness() {
+    for (std::size_t k = 0; k < contacts_.size(); ++k) {
+      double most = kStiffer * body_.largest_modulus() *
+                    std::sqrt(surface_.area[static_cast<Eigen::Index>(k)]);
+      for (int c = 0; c < 3; ++c)
+        most = std::max(
+            most, kStifferNow * tissue_.values[body_.diagonal_entry(surface_.nodes[k], c, c)]);
+      stiffer_.push_back(most);
+    }
   }
 
   /// Nodes inside the object tell that it jumped through the surface; hanging nodes of the surface
@@ -128,8 +133,7 @@ class PressSolver {
     const Pose<double> X_OP = now_.X_PO.inverse();
     std::vector<double> allowed(body_.free_nodes().size(), options_.gap_tolerance);
     for (std::size_t k = 0; k < contacts_.size(); ++k)
-      allowed[static_cast<std::size_t>(surface_.nodes[k])] +=
-          std::max(0.0, more_[k][3] / surface_.area[static_cast<Eigen::Index>(k)]);
+      allowed[static_cast<std::size_t>(surface_.nodes[k])] += std::max(0.0, gaps_.more(k));
     for (const int node : body_.nodes()) {
       const Vector3d p = body_.place(node) + u.col(node);
       const int free = body_.free_place(node);
@@ -143,53 +147,19 @@ class PressSolver {
   }
 
   void find_contacts() {
-    find_gaps();
+    gaps_.find(*object_.shape, now_.X_PO, now_.x);
+    coupled_ = gaps_.neighbours_matter();
     for (std::size_t k = 0; k < contacts_.size(); ++k) {
       TouchingNode& c = contacts_[k];
       const auto column = static_cast<Eigen::Index>(k);
       const double r = stiffer(k);
+      c.gap = gaps_.gap(k);
+      c.normal = gaps_.normal(k);
       c.push = std::max(0.0, now_.normal[column] - r * c.gap);
       c.shear.setZero();
-      c.slope.setZero();
-      c.coupling.setZero();
-      if (c.push <= 0) continue;
-      c.slope = r * c.normal * c.normal.transpose();
-      if (object_.friction > 0) find_shear(k, place_of(k), r);
-    }
-  }
-
-  /// Gaps of nodes, and what they are more in the mean around a node: the true surface is curved
-  /// between nodes, and so is the object.
-  void find_gaps() {
-    const Pose<double> X_OP = now_.X_PO.inverse();
-    for (std::size_t k = 0; k < contacts_.size(); ++k) {
-      const NearestSurface near = object_.shape->nearest(X_OP * place_of(k));
-      contacts_[k].gap = near.distance;
-      contacts_[k].normal = now_.X_PO.R * near.normal;
-      more_[k].setZero();
-    }
-    for (const SurfacePoint& point : surface_.points) {
-      Vector3d p = point.offset;
-      Eigen::Vector4d mean = Eigen::Vector4d::Zero();  // normal and gap, linear between nodes
-      double nearest = 1e300;
-      for (const NodeWeight& each : point.nodes) {
-        const TouchingNode& c = contacts_[static_cast<std::size_t>(each.node)];
-        p += each.weight * place_of(static_cast<std::size_t>(each.node));
-        mean += each.weight * Eigen::Vector4d(c.normal[0], c.normal[1], c.normal[2], c.gap);
-        nearest = std::min(nearest, c.gap);
-      }
-      if (nearest > kFar * std::sqrt(point.area)) continue;
-      const NearestSurface near = object_.shape->nearest(X_OP * p);
-      Eigen::Vector4d here;
-      here << now_.X_PO.R * near.normal, near.distance;
-      for (const NodeWeight& each : point.nodes)
-        more_[static_cast<std::size_t>(each.node)] += each.weight * point.area * (here - mean);
-    }
-    for (std::size_t k = 0; k < contacts_.size(); ++k) {
-      const Eigen::Vector4d more = more_[k] / surface_.area[static_cast<Eigen::Index>(k)];
-      const Vector3d normal = contacts_[k].normal + more.head<3>();
-      if (normal.norm() > 0.1) contacts_[k].normal = normal.normalized();
-      contacts_[k].gap += more[3];
+      c.hold.setZero();
+      c.slides = false;
+      if (c.push > 0 && object_.friction > 0) find_shear(k, place_of(k), r);
     }
   }
 
@@ -202,7 +172,7 @@ class PressSolver {
     c.slip = flat * (p - now_.X_PO * Vector3d(start_.anchor.col(column)));
     if (c.sticks) {
       c.shear = flat * Vector3d(now_.shear.col(column)) - r * c.slip;
-      c.slope += r * flat;
+      c.hold = r * flat;
       return;
     }
     // Along what the last force becomes by the slip: a slip that is not much yet turns it little.
@@ -214,8 +184,8 @@ class PressSolver {
     const double share = size > 2 * bound ? bound / size : 0.5, hold = r * share / (1 - share);
     const Matrix3d across = flat - c.against * c.against.transpose();
     c.shear = bound * c.against - hold * (across * c.slip);
-    c.slope += hold * across;
-    c.coupling = object_.friction * r * c.against * c.normal.transpose();
+    c.hold = hold * across;
+    c.slides = coupled_ = true;
   }
 
   /// Out of balance: forces on free nodes, and the push along the goal's direction.
@@ -224,18 +194,23 @@ class PressSolver {
     out.gap = change_ = 0;
     out.push = {};
     scale_ = 0;
+    VectorXd push(static_cast<Eigen::Index>(contacts_.size()));
+    for (std::size_t k = 0; k < contacts_.size(); ++k)
+      push[static_cast<Eigen::Index>(k)] = contacts_[k].push;
+    const Matrix3Xd normal = gaps_.spread(push);
     for (std::size_t k = 0; k < contacts_.size(); ++k) {
       const TouchingNode& c = contacts_[k];
-      if (c.push <= 0) continue;
-      const Vector3d force = c.push * c.normal + c.shear;
+      const auto column = static_cast<Eigen::Index>(k);
+      const Vector3d force = normal.col(column) + c.shear;
+      if (force.isZero(0)) continue;
       residual_.segment<3>(3 * surface_.nodes[k]) -= force;
+      out.push += wrench_of_force(place_of(k), force);
+      scale_ += force.norm();
+      if (c.push <= 0) continue;
       out.gap = std::max(out.gap, std::abs(c.gap));
       // Forces that still move tell of nodes that should stick or open.
-      const auto column = static_cast<Eigen::Index>(k);
       change_ = std::max({change_, (c.shear - Vector3d(now_.shear.col(column))).norm(),
                           std::abs(c.push - now_.normal[column])});
-      scale_ += force.norm();
-      out.push += wrench_of_force(place_of(k), force);
     }
     push_ = out.push;
     out.residual = residual_.lpNorm<Eigen::Infinity>();
@@ -244,46 +219,90 @@ class PressSolver {
 
   [[nodiscard]] bool is_solved(const PressOutcome& out) const {
     // No better than rounding of the forces within elements, which bulk moduli make large.
-    const double rounding = kRounding * stiffest_ * std::sqrt(surface_.area.mean());
+    const double rounding = kRounding * body_.largest_pressure_force();
     const double small = std::max(options_.force_tolerance * scale_, rounding);
     return out.residual <= small && std::abs(missing_) <= std::max(small, 1e-9) &&
            out.gap <= options_.gap_tolerance && change_ <= small && !changed_;
   }
 
   bool take_step(const Matrix3Xd& u) {
-    // Contacts are on the diagonal.
-    for (std::size_t k = 0; k < contacts_.size(); ++k)
+    // The factor has contacts as blocks on the diagonal.
+    for (std::size_t k = 0; k < contacts_.size(); ++k) {
+      const Matrix3d block = own_slope(k);
       for (int c = 0; c < 3; ++c)
         for (int r = c; r < 3; ++r)
-          tissue_.values[body_.diagonal_entry(surface_.nodes[k], r, c)] += contacts_[k].slope(r, c);
+          tissue_.values[body_.diagonal_entry(surface_.nodes[k], r, c)] += block(r, c);
+    }
     if (!factor_.factor(tissue_.values)) return false;
     VectorXd dx = solve(-residual_);
     double motion = 0;
     if (goal_.force && !reach_force(dx, motion)) return false;
     // What the step predicts becomes the new pressure and the new contact forces.
     now_.pressure = body_.pressure_after(u, body_.spread(dx, {}));
+    Matrix3Xd moved = on_surface(dx);
+    moved.colwise() -= motion * goal_.along;
+    const VectorXd closed = gaps_.change(moved);
     changed_ = false;
     for (std::size_t k = 0; k < contacts_.size(); ++k)
-      predict(k, dx.segment<3>(3 * surface_.nodes[k]) - motion * goal_.along);
+      predict(k, moved.col(static_cast<Eigen::Index>(k)), closed[static_cast<Eigen::Index>(k)]);
     now_.x += dx;
     now_.X_PO.p += motion * goal_.along;
     return true;
   }
 
-  /// Solves with the matrix of this iteration: its symmetric part has a factor, and the coupling of
-  /// friction and normal forces comes by iterations.
+  /// Displacements of the nodes of the surface (3, nodes).
+  [[nodiscard]] Matrix3Xd on_surface(const VectorXd& x) const {
+    Matrix3Xd out(3, static_cast<Eigen::Index>(contacts_.size()));
+    for (std::size_t k = 0; k < contacts_.size(); ++k)
+      out.col(static_cast<Eigen::Index>(k)) = x.segment<3>(3 * surface_.nodes[k]);
+    return out;
+  }
+  /// And back (3 free nodes).
+  [[nodiscard]] VectorXd on_body(const Matrix3Xd& forces) const {
+    VectorXd out = VectorXd::Zero(residual_.size());
+    for (std::size_t k = 0; k < contacts_.size(); ++k)
+      out.segment<3>(3 * surface_.nodes[k]) = forces.col(static_cast<Eigen::Index>(k));
+    return out;
+  }
+
+  /// What of the slope of contact forces the factor has: a node's own.
+  [[nodiscard]] Matrix3d own_slope(std::size_t k) const {
+    if (contacts_[k].push <= 0) return Matrix3d::Zero();
+    const Vector3d own = gaps_.own_slope(k);
+    return stiffer(k) * own * own.transpose() + contacts_[k].hold;
+  }
+
+  /// Loss of contact forces as nodes move (3, nodes); transposed: the other way round.
+  [[nodiscard]] Matrix3Xd contact_slope(const Matrix3Xd& moved, bool transposed) const {
+    VectorXd lost = gaps_.change(moved);
+    Matrix3Xd out(3, moved.cols());
+    for (std::size_t k = 0; k < contacts_.size(); ++k) {
+      const TouchingNode& c = contacts_[k];
+      const auto column = static_cast<Eigen::Index>(k);
+      const Vector3d follows =
+          c.slides ? Vector3d(object_.friction * c.against) : Vector3d(0, 0, 0);
+      if (transposed) lost[column] += follows.dot(moved.col(column));
+      lost[column] *= c.push > 0 ? stiffer(k) : 0;
+      out.col(column) = c.hold * moved.col(column);
+      if (!transposed) out.col(column) += lost[column] * follows;
+    }
+    return out + gaps_.spread(lost);
+  }
+
+  /// Solves with the matrix of this iteration: most of it has a factor, and what contacts add
+  /// between nodes, and between friction and normal forces, comes by iterations.
   [[nodiscard]] VectorXd solve(const VectorXd& b) const {
     VectorXd first = factor_.solve(b);
-    if (std::all_of(contacts_.begin(), contacts_.end(),
-                    [](const TouchingNode& c) { return c.coupling.isZero(0); }))
-      return first;
+    if (!coupled_) return first;
     return gmres(
         [&](const VectorXd& x) {
-          VectorXd coupled = VectorXd::Zero(x.size());
-          for (std::size_t k = 0; k < contacts_.size(); ++k)
-            coupled.segment<3>(3 * surface_.nodes[k]) +=
-                contacts_[k].coupling * x.segment<3>(3 * surface_.nodes[k]);
-          return VectorXd(x + factor_.solve(coupled));
+          const Matrix3Xd moved = on_surface(x);
+          Matrix3Xd more = contact_slope(moved, false);
+          for (std::size_t k = 0; k < contacts_.size(); ++k) {
+            const auto column = static_cast<Eigen::Index>(k);
+            more.col(column) -= own_slope(k) * moved.col(column);
+          }
+          return VectorXd(x + factor_.solve(on_body(more)));
         },
         first, kCoupling, kMaxCoupling);
   }
@@ -291,14 +310,10 @@ class PressSolver {
   /// The object's motion along the goal's direction is one more unknown: its share of a step.
   /// @param dx  in: with the object at rest
   bool reach_force(VectorXd& dx, double& motion) {
-    VectorXd column = VectorXd::Zero(residual_.size()), row = column;
-    double own = 0;
-    for (std::size_t k = 0; k < contacts_.size(); ++k) {
-      const Matrix3d slope = contacts_[k].slope + contacts_[k].coupling;
-      column.segment<3>(3 * surface_.nodes[k]) -= slope * goal_.along;
-      row.segment<3>(3 * surface_.nodes[k]) -= slope.transpose() * goal_.along;
-      own += goal_.along.dot(slope * goal_.along);
-    }
+    const Matrix3Xd along = goal_.along.replicate(1, static_cast<Eigen::Index>(contacts_.size()));
+    const Matrix3Xd lost = contact_slope(along, false);
+    const VectorXd column = -on_body(lost), row = -on_body(contact_slope(along, true));
+    const double own = goal_.along.dot(lost.rowwise().sum());
     const VectorXd follows = solve(column);
     const double schur = own - row.dot(follows);
     if (!(schur > 0)) return false;
@@ -308,7 +323,8 @@ class PressSolver {
   }
 
   /// What an iteration that moves a node relative to the object makes of its forces.
-  void predict(std::size_t k, const Vector3d& moved) {
+  /// @param closed  change of its gap [m]
+  void predict(std::size_t k, const Vector3d& moved, double closed) {
     TouchingNode& c = contacts_[k];
     const auto column = static_cast<Eigen::Index>(k);
     if (c.push <= 0) {
@@ -318,10 +334,11 @@ class PressSolver {
       c.against.setZero();
       return;
     }
-    const Vector3d force = c.push * c.normal + c.shear - (c.slope + c.coupling) * moved;
-    now_.normal[column] = std::max(0.0, force.dot(c.normal));
+    const double before = c.push - stiffer(k) * closed;
+    now_.normal[column] = std::max(0.0, before);
     if (object_.friction <= 0) return;
-    const Vector3d shear = force - force.dot(c.normal) * c.normal;
+    Vector3d shear = c.shear - c.hold * moved;
+    if (c.slides) shear += object_.friction * (before - c.push) * c.against;
     const double bound = object_.friction * now_.normal[column], size = shear.norm();
     if (c.sticks) {
       // Sticks while friction can hold it.
@@ -345,100 +362,19 @@ class PressSolver {
   SparseCholesky& factor_;
   const PressState& start_;
   PressState now_;
+  MeanGaps gaps_;
   std::vector<TouchingNode> contacts_;
-  std::vector<Eigen::Vector4d> more_;  // of normal and gap in the mean around a node, times area
+  std::vector<double> stiffer_;  // of the augmentation [N/m] (surface nodes)
+  bool coupled_ = false;         // the slope of contact forces is more than blocks on the diagonal
   TissueResponse tissue_;
   VectorXd residual_;
   Wrench push_;
   bool changed_ = true;  // a node began or ceased to stick in the last iteration
   double scale_ = 0, missing_ = 0, change_ = 0;
-  double stiffest_ = 0;  // entry of the tissue's stiffness [N/m]
-  double longest_ = 0;   // motion of the object in an iteration [m]
+  double longest_ = 0;  // motion of the object in an iteration [m]
 };
 
 }  // namespace
-
-namespace {
-
-/// Corners of the faces of a mesh all of whose nodes are marked.
-std::vector<std::array<int, 4>> marked_faces(const HexMesh& mesh, const std::vector<bool>& marked) {
-  std::vector<std::array<int, 4>> out;
-  for (const int index : mesh.active())
-    for (const std::array<int, 4>& face : hex_faces()) {
-      std::array<int, 4> nodes{};
-      for (std::size_t i = 0; i < 4; ++i)
-        nodes[i] = mesh.cells()[static_cast<std::size_t>(index)]
-                       .corners[static_cast<std::size_t>(face[i])];
-      if (std::all_of(nodes.begin(), nodes.end(),
-                      [&](int node) { return marked[static_cast<std::size_t>(node)]; }))
-        out.push_back(nodes);
-    }
-  return out;
-}
-
-/// Gauss points of a face, by nodes of the mesh; an empty list of nodes: some are fixed.
-std::vector<SurfacePoint> face_points(const HexMesh& mesh, const TissueBody& body,
-                                      const std::array<int, 4>& nodes, double area) {
-  constexpr std::array<double, 3> kAt{0.112701665379258311, 0.5, 0.887298334620741689};
-  constexpr std::array<double, 3> kShare{5.0 / 18, 4.0 / 9, 5.0 / 18};
-  std::vector<SurfacePoint> out;
-  for (std::size_t i = 0; i < 3; ++i)
-    for (std::size_t j = 0; j < 3; ++j) {
-      const double x = kAt[i], y = kAt[j];
-      const std::array<double, 4> shape{(1 - x) * (1 - y), x * (1 - y), (1 - x) * y, x * y};
-      Vector3d chart(0, 0, 0), mean(0, 0, 0);
-      std::map<int, double> weights;
-      for (std::size_t k = 0; k < 4; ++k) {
-        chart += shape[k] * mesh.chart_point(nodes[k]);
-        mean += shape[k] * mesh.place(nodes[k]);
-        if (mesh.masters(nodes[k]).empty()) weights[body.free_place(nodes[k])] += shape[k];
-        for (const NodeWeight& each : mesh.masters(nodes[k]))
-          weights[body.free_place(each.node)] += shape[k] * each.weight;
-      }
-      if (weights.count(-1) != 0) return {};
-      SurfacePoint point{mesh.chart().place(chart) - mean, {}, area * kShare[i] * kShare[j]};
-      for (const auto& [node, weight] : weights) point.nodes.push_back({node, weight});
-      out.push_back(std::move(point));
-    }
-  return out;
-}
-
-}  // namespace
-
-ContactSurface contact_surface(const HexMesh& mesh, const TissueBody& body,
-                               const std::vector<bool>& marked) {
-  ContactSurface surface;
-  std::map<int, double> area;  // by free place
-  for (const std::array<int, 4>& nodes : marked_faces(mesh, marked)) {
-    // A quarter of the face for each of its nodes.
-    const double all = 0.5 * (mesh.place(nodes[3]) - mesh.place(nodes[0]))
-                                 .cross(mesh.place(nodes[2]) - mesh.place(nodes[1]))
-                                 .norm();
-    for (const int node : nodes) {
-      if (mesh.masters(node).empty()) area[body.free_place(node)] += all / 4;
-      for (const NodeWeight& each : mesh.masters(node))
-        area[body.free_place(each.node)] += all / 4 * each.weight;
-    }
-    if (!body.is_quadratic())
-      for (SurfacePoint& point : face_points(mesh, body, nodes, all))
-        surface.points.push_back(std::move(point));
-  }
-  area.erase(-1);
-  const auto count = static_cast<Eigen::Index>(area.size());
-  surface.places.resize(3, count);
-  surface.area.resize(count);
-  std::map<int, int> index;
-  for (const auto& [node, share] : area) {
-    const auto column = static_cast<Eigen::Index>(surface.nodes.size());
-    surface.places.col(column) = mesh.place(body.free_nodes()[static_cast<std::size_t>(node)]);
-    surface.area[column] = share;
-    index[node] = static_cast<int>(column);
-    surface.nodes.push_back(node);
-  }
-  for (SurfacePoint& point : surface.points)
-    for (NodeWeight& each : point.nodes) each.node = index.at(each.node);
-  return surface;
-}
 
 PressOutcome press_step(const TissueBody& body, const ContactSurface& surface,
                         const RigidObject& object, const PressGoal& goal,
@@ -462,23 +398,6 @@ PressOutcome press_step(const TissueBody& body, const ContactSurface& surface,
   PressOutcome out = solver.solve();
   if (out.status == Status::kSolved) state = solver.finish();
   return out;
-}
-
-double smallest_gap(const ContactSurface& surface, const Shape& object, const PressState& state) {
-  const Pose<double> X_OP = state.X_PO.inverse();
-  Matrix3Xd places = surface.places;
-  double gap = 1e300;
-  for (std::size_t k = 0; k < surface.nodes.size(); ++k) {
-    const auto column = static_cast<Eigen::Index>(k);
-    places.col(column) += state.x.segment<3>(3 * surface.nodes[k]);
-    gap = std::min(gap, object.distance(X_OP * Vector3d(places.col(column))));
-  }
-  for (const SurfacePoint& point : surface.points) {
-    Vector3d p = point.offset;
-    for (const NodeWeight& each : point.nodes) p += each.weight * places.col(each.node);
-    gap = std::min(gap, object.distance(X_OP * p));
-  }
-  return gap;
 }
 
 PressState rest_state(const TissueBody& body, const ContactSurface& surface,

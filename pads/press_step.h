@@ -10,6 +10,7 @@
 
 #include "base/spatial.h"
 #include "geometry/shape.h"
+#include "pads/contact_surface.h"
 #include "pads/tissue_body.h"
 #include "solvers/status.h"
 
@@ -20,26 +21,6 @@ struct RigidObject {
   std::shared_ptr<const Shape> shape;  // in its own frame
   double friction = 0;                 // Coulomb, of the exact cone [1]
 };
-
-/// A point of a curved surface between nodes, for the mean of a gap.
-struct SurfacePoint {
-  Eigen::Vector3d offset;         // from the mean of the nodes, at rest [m] (3)
-  std::vector<NodeWeight> nodes;  // of the surface, with their shape functions [1]
-  double area = 0;                // of the surface that it stands for [m^2]
-};
-
-/// Free nodes of a body that may touch.
-struct ContactSurface {
-  std::vector<int> nodes;            // places among the free nodes
-  Eigen::Matrix3Xd places;           // reference positions [m] (3, nodes)
-  Eigen::VectorXd area;              // of the reference surface, a node's share [m^2] (nodes)
-  std::vector<SurfacePoint> points;  // of faces whose nodes are all free; none: gaps of nodes count
-};
-
-/// Free nodes of faces all of whose nodes are marked; a hanging node's share goes to its masters.
-/// @param marked  (nodes of the mesh)
-[[nodiscard]] ContactSurface contact_surface(const HexMesh& mesh, const TissueBody& body,
-                                             const std::vector<bool>& marked);
 
 /// Where a press is. Vectors are in the body's frame.
 struct PressState {
@@ -91,10 +72,6 @@ struct [[nodiscard]] PressOutcome {
                                       const RigidObject& object, const PressGoal& goal,
                                       const PressOptions& options, SparseCholesky& factor,
                                       PressState& state);
-
-/// Smallest distance of an object to the nodes of a surface and to its true points between [m].
-[[nodiscard]] double smallest_gap(const ContactSurface& surface, const Shape& object,
-                                  const PressState& state);
 
 /// A body at rest that nothing touches.
 [[nodiscard]] PressState rest_state(const TissueBody& body, const ContactSurface& surface,

@@ -1,7 +1,9 @@
 #include "pads/tissue_body.h"
 
 #include <algorithm>
+#include <cmath>
 #include <map>
+#include <numeric>
 #include <set>
 
 #include "base/error.h"
@@ -150,6 +152,17 @@ bool TissueBody::relaxes() const {
 double TissueBody::largest_modulus() const {
   double most = 0;
   for (const Tissue& tissue : tissues_) most = std::max(most, tissue.shear_modulus);
+  return most;
+}
+
+double TissueBody::largest_pressure_force() const {
+  double most = 0;
+  for (const Element& element : elements_) {
+    const double volume =
+        std::accumulate(element.shape.volume.begin(), element.shape.volume.end(), 0.0);
+    most = std::max(most, bulk_modulus(tissues_[static_cast<std::size_t>(element.region)]) *
+                              std::pow(volume, 2.0 / 3));
+  }
   return most;
 }
 

@@ -65,6 +65,10 @@ class TissueBody {
   /// Largest shear modulus of its tissues [Pa].
   [[nodiscard]] double largest_modulus() const;
 
+  /// Largest force that a strain of 1 of volume makes on an element [N]: bulk modulus times the
+  /// square of its size.
+  [[nodiscard]] double largest_pressure_force() const;
+
   /// Displacements of all nodes from those of the free ones; fixed nodes have `at_fixed`.
   /// @param x  (3 free nodes) [m];  @param at_fixed  (3, nodes) or empty: none
   [[nodiscard]] Eigen::Matrix3Xd spread(const Eigen::VectorXd& x,

@@ -272,6 +272,42 @@ TEST(PadPress, ErrorsAreNoLargerThanAsked) {
   }
 }
 
+TEST(PadPress, ABallPressesWithTheSlopeOfTheEnergy) {
+  // Without friction the work of the push is all energy of the tissue, whatever the mesh; with
+  // friction a coarse mesh is solved, too.
+  for (const double friction : {0.0, 0.7}) {
+    PadModel model;
+    model.tissues = {soft_tissue(0.49)};
+    PadPressOptions options;
+    options.force_error = 1;
+    options.max_penetration = 1;
+    constexpr double kRadius = 4e-3, kStep = 1e-6;
+    Pose<double> X;
+    X.p = {0, 0, model.shape.height + 1e-3 + kRadius};
+    PadPress press(model, {build_sphere(kRadius), friction}, X, options);
+    (void)press.touch({0, 0, -1});
+    const auto energy = [&] {
+      TissueResponse now;
+      const Eigen::Matrix3Xd u = press.body().spread(press.state().x, {});
+      press.body().respond(u, 0, {}, {}, ElementAsk::kEnergy, now);
+      return now.energy;
+    };
+    PressGoal goal;
+    goal.X_PO = press.state().X_PO;
+    goal.X_PO.p[2] -= 1e-3;
+    const PadPressResult first = press.step(goal);
+    ASSERT_EQ(first.solved.status, Status::kSolved) << first.solved.message;
+    EXPECT_EQ(first.elements, 144U);
+    if (friction > 0) continue;
+    const double before = energy();
+    goal.X_PO.p[2] -= kStep;
+    const PadPressResult second = press.step(goal);
+    ASSERT_EQ(second.solved.status, Status::kSolved) << second.solved.message;
+    const double push = -0.5 * (first.push.force[2] + second.push.force[2]);
+    EXPECT_NEAR((energy() - before) / kStep / push, 1, 1e-5);
+  }
+}
+
 TEST(PadPress, SticksAndSlipsWithoutEnd) {
   // From sticking to sliding: nodes took turns for ever where the force of a node that left its
   // cone was turned along what little it had slipped.
