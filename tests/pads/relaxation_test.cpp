@@ -158,8 +158,8 @@ TEST(Relaxation, ThreeTimesOfAPressedPadAreFoundAgain) {
   // What does not relax, volume, makes forces of a pad no exact multiples of g(t).
   for (int i = 1; i <= 3; ++i) {
     const PronyTerm& term = kThreeTerms[static_cast<std::size_t>(i - 1)];
-    EXPECT_NEAR(std::exp(found.z[3 + i]) / term.time, 1, 0.01) << i;
-    EXPECT_NEAR(found.z[i] / forces[0], term.share, 0.01 * term.share) << i;
+    EXPECT_NEAR(std::exp(found.z[3 + i]) / term.time, 1, 1e-3) << i;
+    EXPECT_NEAR(found.z[i] / forces[0], term.share, 1e-3 * term.share) << i;
   }
 }
 
