@@ -18,7 +18,7 @@ TEST(ValidationText, HasALineAFile) {
             kData +
                 "/objects/sphere_70.toml: object 'sphere_70': 1 shape (sphere), material "
                 "wood\nthere is no file 'nobody', nor a subject, experiment, world, scene, "
-                "hand, object or net of that name; `thenar list` shows all names\n");
+                "hand, object, pad or net of that name; `thenar list` shows all names\n");
 }
 
 TEST(ValidationText, SaysWhetherAnExperimentSuits) {
