@@ -1,0 +1,49 @@
+#include "api/named/pads.h"
+
+#include <fmt/format.h>
+
+#include "api/named/data_folders.h"
+#include "api/named/files.h"
+#include "base/error.h"
+#include "base/nearest_name.h"
+
+namespace thenar {
+namespace {
+
+/// Gives a tissue another law.
+void change_law(const PadRequest& request, PadTissueSpec& tissue) {
+  if (!request.law.empty()) {
+    (void)index_of_name(request.law, tissue_law_names(), "law of tissue");
+    tissue.law = request.law;
+  }
+  require(!request.exponent || has_exponent(tissue.law), "the law '{}' has no exponent",
+          tissue.law);
+  if (request.exponent) tissue.exponent = *request.exponent;
+  require(!has_exponent(tissue.law) || tissue.exponent != 0,
+          "the law '{}' needs an exponent, and the pad's file gives none", tissue.law);
+}
+
+}  // namespace
+
+NamedPad open_pad(const PadRequest& request) {
+  NamedPad pad;
+  pad.path = named_file("pad", request.pad, "pads", ".toml", data_folders(request.data));
+  require_kind(pad.path, {"pad"});
+  pad.spec = read_pad(pad.path);
+  // What is other than in the file.
+  change_law(request, pad.spec.pulp);
+  for (PadTissueSpec& layer : pad.spec.layers) change_law(request, layer);
+  if (!request.element.empty()) pad.spec.element = request.element;
+  pad.model = build_pad(pad.spec);
+  return pad;
+}
+
+std::string assumption_of(const PadSpec& spec) {
+  const std::vector<std::string> words = assumed_words(spec);
+  if (words.empty()) return "";
+  return fmt::format("pad '{}' is assumed, not measured, in {}: {}", spec.name,
+                     words.size() == 1 ? "one number" : fmt::format("{} numbers", words.size()),
+                     listed(words));
+}
+
+}  // namespace thenar

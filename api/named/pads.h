@@ -1,0 +1,36 @@
+#pragma once
+
+/// Finger pads by name or file.
+
+#include <optional>
+#include <string>
+
+#include "pads/build_pad.h"
+
+namespace thenar {
+
+/// Which pad, and what is other than its file says.
+struct PadRequest {
+  std::string pad = "index_pad";   // a file, or the name of one of pads/
+  std::string data;                // folder with pads/; empty: the usual ones
+  std::string law;                 // of all its tissues; empty: as the file says
+  std::optional<double> exponent;  // of that law [1]; absent: as the file says
+  std::string element;             // "Q1", "Q1P0", "F-bar", "Q2P1"; empty: as the file says
+};
+
+/// A pad that was found.
+struct NamedPad {
+  std::string path;  // of its file
+  PadSpec spec;      // as the file says, changed as was asked
+  PadModel model;
+};
+
+/// Finds, reads and builds a pad.
+/// @throws InputError if there is none of that name, or a law lacks its exponent; DataError of
+/// files.
+[[nodiscard]] NamedPad open_pad(const PadRequest& request);
+
+/// One sentence on what nobody measured of a pad; "" if all of it is measured.
+[[nodiscard]] std::string assumption_of(const PadSpec& spec);
+
+}  // namespace thenar

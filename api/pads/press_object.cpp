@@ -1,0 +1,218 @@
+#include "api/pads/press_object.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include <fmt/format.h>
+
+#include "base/error.h"
+#include "base/file_io.h"
+#include "base/nearest_name.h"
+#include "base/units.h"
+#include "data/io/mesh/mesh_file.h"
+#include "geometry/primitives.h"
+#include "geometry/rounded_shape.h"
+#include "geometry/solid.h"
+#include "geometry/tessellate.h"
+
+namespace thenar {
+namespace {
+
+using Eigen::Vector3d;
+
+constexpr double kLong = 1;             // of what has no end [m]
+constexpr double kRoundest = 10e-3;     // radius of sphere and cylinder [m]
+constexpr double kSharpest = 0.5e-3;    // radius of an edge [m]
+constexpr double kSteepestPress = 60;   // angle of a pad [deg]; beyond, the nail's rim touches
+constexpr int kSkinSamples = 50;        // along a radius of the chart's disc
+constexpr double kTouching = 1e-9;      // gap that counts as none [m]
+constexpr int kMostMarches = 2000;      // steps of a search for the touch
+constexpr double kPictureError = 5e-5;  // of a rounded edge [m]
+
+/// A shape placed in the object's frame.
+class PlacedShape final : public Shape {
+ public:
+  PlacedShape(std::shared_ptr<const Shape> shape, const Pose<double>& X_OS)
+      : shape_(std::move(shape)), X_OS_(X_OS), X_SO_(X_OS.inverse()) {}
+  [[nodiscard]] double distance(const Vector3d& p) const override {
+    return shape_->distance(X_SO_ * p);
+  }
+  [[nodiscard]] NearestSurface nearest(const Vector3d& p) const override {
+    NearestSurface near = shape_->nearest(X_SO_ * p);
+    near.normal = X_OS_.R * near.normal;
+    return near;
+  }
+  [[nodiscard]] Eigen::AlignedBox3d bounds() const override {
+    // The box around the turned corners.
+    const Eigen::AlignedBox3d own = shape_->bounds();
+    Eigen::AlignedBox3d box;
+    for (int corner = 0; corner < 8; ++corner)
+      box.extend(X_OS_ * own.corner(static_cast<Eigen::AlignedBox3d::CornerType>(corner)));
+    return box;
+  }
+  [[nodiscard]] double accuracy() const override { return shape_->accuracy(); }
+
+ private:
+  std::shared_ptr<const Shape> shape_;
+  Pose<double> X_OS_, X_SO_;
+};
+
+TriangleMesh placed(TriangleMesh mesh, const Pose<double>& X) {
+  mesh.vertices = (X.R * mesh.vertices).colwise() + X.p;
+  return mesh;
+}
+
+TriangleMesh picture_of(ShapeKind kind, const Vector3d& size) {
+  ShapeSpec spec;
+  spec.kind = kind;
+  spec.size = size;
+  return build_solid({spec}).visual;
+}
+
+Pose<double> below(double depth, const Eigen::Matrix3d& R = Eigen::Matrix3d::Identity()) {
+  return {R, {0, 0, -depth}};
+}
+
+PressObject open_plane(double size) {
+  PressObject object;
+  object.name = "plane";
+  object.shape = std::make_shared<PlacedShape>(build_box({kLong, kLong, kLong}), below(kLong / 2));
+  const double plate = 0.1 * size;
+  object.picture = placed(box_mesh({2 * size, 2 * size, plate}), below(plate / 2));
+  return object;
+}
+
+PressObject open_sphere(double radius) {
+  PressObject object;
+  object.name = fmt::format("sphere of {:g} mm", radius / kMm);
+  object.shape = std::make_shared<PlacedShape>(build_sphere(radius), below(radius));
+  object.picture = placed(picture_of(ShapeKind::kSphere, {radius, 0, 0}), below(radius));
+  return object;
+}
+
+PressObject open_cylinder(double radius, double size) {
+  const Eigen::Matrix3d along_y = rotation_about<double>({1, 0, 0}, -kPi / 2);
+  PressObject object;
+  object.name = fmt::format("cylinder of {:g} mm", radius / kMm);
+  object.shape =
+      std::make_shared<PlacedShape>(build_cylinder(radius, kLong), below(radius, along_y));
+  object.picture =
+      placed(picture_of(ShapeKind::kCylinder, {radius, 2 * size, 0}), below(radius, along_y));
+  return object;
+}
+
+/// Two faces at right angles, 45 degrees to either side of the ridge, which is rounded.
+PressObject open_edge(double radius, double size) {
+  const Eigen::Matrix3d on_edge = rotation_about<double>({0, 1, 0}, kPi / 4);
+  const auto wedge = [&](double edge) { return below(radius + edge * std::sqrt(0.5), on_edge); };
+  PressObject object;
+  object.name = fmt::format("edge of {:g} mm", radius / kMm);
+  object.shape = std::make_shared<PlacedShape>(
+      build_rounded(build_box({kLong, kLong, kLong}), radius), wedge(kLong));
+  const double seen = 0.5 * size;
+  object.picture =
+      placed(tessellate(*build_rounded(build_box({seen, 2 * size, seen}), radius), kPictureError),
+             wedge(seen));
+  return object;
+}
+
+PressObject open_mesh(const PressObjectRequest& request) {
+  require(request.scale > 0 && std::isfinite(request.scale),
+          "wanted a mesh's scale above 0 m per unit, got {}", request.scale);
+  ShapeSpec spec;
+  spec.kind = ShapeKind::kMesh;
+  spec.mesh = read_mesh(request.name, request.scale);
+  const Vector3d low = spec.mesh.vertices.rowwise().minCoeff();
+  const Vector3d high = spec.mesh.vertices.rowwise().maxCoeff();
+  spec.X_BS.p = -Vector3d((low[0] + high[0]) / 2, (low[1] + high[1]) / 2, high[2]);
+  const Solid solid = build_solid({spec});
+  PressObject object;
+  object.name = request.name;
+  object.shape = solid.shape;
+  object.picture = solid.visual;
+  object.files = digests_of({request.name});
+  return object;
+}
+
+double radius_of(const PressObjectRequest& request, double usual) {
+  const double radius = request.radius.value_or(usual);
+  require(radius > 0 && radius <= kLong, "wanted a radius above 0, of at most {:g} m, got {:g} m",
+          kLong, radius);
+  return radius;
+}
+
+/// Points of the skin all over the chart's disc.
+std::vector<Vector3d> sampled_skin(const PadShape& shape) {
+  const PadChart chart(shape);
+  std::vector<Vector3d> points;
+  for (int i = -kSkinSamples; i <= kSkinSamples; ++i)
+    for (int j = -kSkinSamples; j <= kSkinSamples; ++j) {
+      const double a = static_cast<double>(i) / kSkinSamples,
+                   b = static_cast<double>(j) / kSkinSamples;
+      if (std::hypot(a, b) <= 1) points.push_back(chart.place({a, b, 1}));
+    }
+  return points;
+}
+
+/// Least way along which the object's surface meets one of the points [m].
+double way_to_touch(const std::vector<Vector3d>& points, const Shape& object,
+                    const Pose<double>& X_PO, const Vector3d& along) {
+  Pose<double> X = X_PO;
+  double way = 0;
+  for (int k = 0; k < kMostMarches; ++k) {
+    // No point is nearer than the smallest gap: so far the object may go.
+    const Pose<double> X_OP = X.inverse();
+    double gap = std::numeric_limits<double>::infinity();
+    for (const Vector3d& p : points) gap = std::min(gap, object.distance(X_OP * p));
+    if (gap < kTouching) return way;
+    way += gap;
+    X.p += gap * along;
+    require(way < kLong, "the object passes the pad by");
+  }
+  throw InputError("the object grazes the pad, and does not come to touch it");
+}
+
+}  // namespace
+
+const std::vector<std::string>& press_object_names() {
+  static const std::vector<std::string> names{"plane", "sphere", "cylinder", "edge"};
+  return names;
+}
+
+PressObject open_press_object(const PressObjectRequest& request, double size) {
+  if (request.name == "sphere") return open_sphere(radius_of(request, kRoundest));
+  if (request.name == "cylinder") return open_cylinder(radius_of(request, kRoundest), size);
+  if (request.name == "edge") return open_edge(radius_of(request, kSharpest), size);
+  require(!request.radius, "an object '{}' has no radius", request.name);
+  if (request.name == "plane") return open_plane(size);
+  require(is_file(request.name), "there is no object '{}'{}: wanted {}, or a mesh file",
+          request.name, did_you_mean(request.name, press_object_names()),
+          listed(press_object_names()));
+  return open_mesh(request);
+}
+
+PadTouch touch_pad(const PadShape& shape, const Shape& object, double angle, double turn) {
+  require(std::abs(angle) <= radians(kSteepestPress),
+          "wanted an angle of the pad within {:g} deg either way, got {:g} deg", kSteepestPress,
+          degrees(angle));
+  require(std::isfinite(turn), "wanted a finite turn of the object, got {} rad", turn);
+  PadTouch touch;
+  touch.along = -Vector3d(std::sin(angle), 0, std::cos(angle));
+  // The object's z goes into the pad, its y across the finger before the turn.
+  Eigen::Matrix3d R;
+  R.col(2) = touch.along;
+  R.col(1) = Vector3d::UnitY();
+  R.col(0) = R.col(1).cross(R.col(2));
+  touch.X_PO.R = R * rotation_about<double>({0, 0, 1}, turn);
+  // From where the skin lies farthest against the motion.
+  const std::vector<Vector3d> skin = sampled_skin(shape);
+  touch.X_PO.p = *std::min_element(skin.begin(), skin.end(), [&](const auto& p, const auto& q) {
+    return p.dot(touch.along) < q.dot(touch.along);
+  });
+  touch.X_PO.p -= 1e-6 * touch.along;
+  touch.X_PO.p += way_to_touch(skin, object, touch.X_PO, touch.along) * touch.along;
+  return touch;
+}
+
+}  // namespace thenar

@@ -1,0 +1,62 @@
+#pragma once
+
+/// Rigid objects that press on a pad, by name or file.
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "base/provenance.h"
+#include "base/spatial.h"
+#include "geometry/shape.h"
+#include "geometry/triangle_mesh.h"
+#include "pads/pad_shape.h"
+
+namespace thenar {
+
+/// Which object.
+struct PressObjectRequest {
+  std::string name = "plane";    // "plane", "sphere", "cylinder", "edge", or a mesh file
+  std::optional<double> radius;  // of sphere and cylinder, of an edge's rounding [m];
+                                 // absent: 10 mm, of an edge 0.5 mm
+  double scale = 1e-3;           // of a mesh [m] per unit of its file
+};
+
+/// An object. Frame: z towards the pad, its top on the plane z = 0; the axis of a cylinder and the
+/// ridge of an edge along y, through the origin from above. A mesh keeps its axes, the middle of
+/// the top of its bounding box at the origin.
+struct PressObject {
+  std::string name;                    // "sphere of 10 mm", or the file
+  std::shared_ptr<const Shape> shape;  // plane: a block of 1 m, the others as long as that
+  TriangleMesh picture;                // a part of it
+  FileDigests files;
+};
+
+/// Names beside files.
+[[nodiscard]] const std::vector<std::string>& press_object_names();
+
+/// @param size  of the pad, which the picture of the object reaches beyond [m]
+/// @throws InputError for a name that is neither known nor a file, a radius or scale that is not
+/// positive, one given to an object that has none, or a mesh that bounds no solid; DataError of
+/// files.
+[[nodiscard]] PressObject open_press_object(const PressObjectRequest& request, double size);
+
+/// Where an object just touches a pad.
+struct PadTouch {
+  Pose<double> X_PO;      // of the object in the pad's frame
+  Eigen::Vector3d along;  // unit, of the object's motion into the pad, pad's frame (3)
+};
+
+/// Brings an object against the skin, turned as asked.
+///
+/// At angle 0 it comes straight on to the palmar side; a positive angle lifts the finger's proximal
+/// end, so that it comes to the distal part: along = -(sin(angle), 0, cos(angle)). It comes to
+/// where the skin lies farthest against that direction. The skin is sampled, at about a hundredth
+/// of the pad's length.
+/// @param angle  within 60 deg either way [rad];  @param turn  of the object about `along` [rad]
+/// @throws InputError if an angle is out of range, or the object passes the pad by.
+[[nodiscard]] PadTouch touch_pad(const PadShape& shape, const Shape& object, double angle,
+                                 double turn);
+
+}  // namespace thenar

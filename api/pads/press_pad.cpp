@@ -1,0 +1,322 @@
+#include "api/pads/press_pad.h"
+
+#include <algorithm>
+#include <cmath>
+#include <ctime>
+#include <limits>
+
+#include <fmt/format.h>
+
+#include "base/error.h"
+#include "base/units.h"
+
+namespace thenar {
+namespace {
+
+constexpr double kDeepestPress = 0.1;   // [m]
+constexpr double kHardestPress = 1e4;   // [N]
+constexpr double kFastestPress = 100;   // [m/s]
+constexpr int kMostPoints = 1000;       // of a curve
+constexpr int kMostElements = 200'000;  // of a mesh
+constexpr double kSettling = 1e-5;  // depth beyond the first node that forces are sought from [m]
+constexpr double kAnyError = 1e9;   // of a mesh that is not refined [1]
+constexpr double kDeepInFaces = 5e-5;  // of a round object between nodes, which refines [m]
+constexpr double kHertz = 1.5;         // power of force by depth of a first guess [1]
+constexpr double kEarly = 3;  // errors on the first third of the way, over that asked for [1]
+constexpr double kFirstOfHold = 2e-3;   // of the time that the object stands still [1]
+constexpr double kOffTime = 0.05;       // of time against depth over rate that is warned of [1]
+constexpr double kShortestTime = 1e-9;  // of a step with a rate [s]
+
+void check_numbers(const PressRequest& request) {
+  require(request.force.has_value() != request.depth.has_value(),
+          "wanted one of a force and a depth, got {}", request.force ? "both" : "none");
+  if (request.force)
+    require(*request.force > 0 && *request.force <= kHardestPress,
+            "wanted a force above 0 N, of at most {:g} N, got {:g} N", kHardestPress,
+            *request.force);
+  if (request.depth)
+    require(*request.depth > 0 && *request.depth <= kDeepestPress,
+            "wanted a depth above 0 mm, of at most {:g} mm, got {:g} mm", kDeepestPress / kMm,
+            *request.depth / kMm);
+  if (request.rate)
+    require(*request.rate >= 0 && *request.rate <= kFastestPress,
+            "wanted a rate of 0 to {:g} mm/s, got {:g} mm/s", kFastestPress / kMm,
+            *request.rate / kMm);
+  require(request.hold >= 0 && std::isfinite(request.hold),
+          "wanted 0 s or more that the object stands still, got {:g} s", request.hold);
+  require(request.hold == 0 || request.rate.value_or(0) > 0,
+          "tissue relaxes while the object stands still after a rate above 0 only");
+  require(request.friction >= 0 && std::isfinite(request.friction),
+          "wanted friction of at least 0, got {:g}", request.friction);
+  for (const int points : {request.points, request.hold_points})
+    require(points >= 1 && points <= kMostPoints, "wanted 1 to {} points of a curve, got {}",
+            kMostPoints, points);
+  require(request.force_error > 0 && std::isfinite(request.force_error),
+          "wanted an error of the force above 0, got {:g}", request.force_error);
+  require(request.max_elements >= 1 && request.max_elements <= kMostElements,
+          "wanted 1 to {} elements, got {}", kMostElements, request.max_elements);
+}
+
+double processor_seconds() { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }
+
+/// Goes the way of a request and keeps what each step gave.
+class PressRun {
+ public:
+  PressRun(PressedPad& out, const Progress& progress)
+      : out_(out),
+        progress_(progress),
+        rate_(out.request.rate),
+        press_(model_of(out), {out.object.shape, out.request.friction}, out.touch.X_PO,
+               options_of(out.request)) {}
+
+  void run() {
+    const bool done = out_.request.depth ? go_deep() : go_to_force();
+    if (done) stand_still();
+    out_.X_PO = press_.state().X_PO;
+    out_.skin = pressed_skin(press_, out_.request.friction);
+    out_.cpu = processor_seconds() - began_;
+  }
+
+ private:
+  /// Without a rate nothing relaxes, and history costs.
+  static PadModel model_of(const PressedPad& out) {
+    PadModel model = out.pad.model;
+    if (!out.request.rate)
+      for (Tissue& tissue : model.tissues) tissue.relaxation.clear();
+    return model;
+  }
+  static PadPressOptions options_of(const PressRequest& request) {
+    PadPressOptions options;
+    options.force_error = request.force_error;
+    options.max_elements = request.max_elements;
+    options.max_penetration = kDeepInFaces;
+    return options;
+  }
+
+  [[nodiscard]] double depth() const {
+    return out_.touch.along.dot(press_.state().X_PO.p - out_.touch.X_PO.p);
+  }
+  [[nodiscard]] double force() const { return out_.touch.along.dot(press_.state().push.force); }
+
+  /// Time of a step to a depth [s].
+  [[nodiscard]] double time_to(double depth) const {
+    if (!rate_) return 0;
+    if (*rate_ == 0) return std::numeric_limits<double>::infinity();
+    return std::max(depth / *rate_ - time_, kShortestTime);
+  }
+
+  PressGoal goal_at(double depth, double time) const {
+    PressGoal goal;
+    goal.X_PO = out_.touch.X_PO;
+    goal.X_PO.p += depth * out_.touch.along;
+    goal.along = out_.touch.along;
+    goal.time = time;
+    return goal;
+  }
+
+  /// One step. @returns whether the press goes on
+  bool step(const PressGoal& goal, PressPhase phase, double fraction) {
+    if (progress_.stop()) {
+      out_.status = Status::kStopped;
+      return false;
+    }
+    progress_(fraction, phase == PressPhase::kWay ? "pressing" : "standing still");
+    const PadPressResult result = press_.step(goal);
+    if (result.solved.status != Status::kSolved) {
+      out_.status = result.solved.status;
+      out_.message = result.solved.message;
+      return false;
+    }
+    if (std::isfinite(goal.time)) time_ += goal.time;
+    PressInstant now;
+    now.phase = phase;
+    now.time = time_;
+    now.depth = depth();
+    now.force = force();
+    now.push = result.push.force;
+    now.area = result.area;
+    now.stick = result.stick;
+    now.pressure = pressed_skin(press_, out_.request.friction).pressure.maxCoeff();
+    now.force_error = result.force_error;
+    now.penetration = result.penetration;
+    now.elements = result.elements;
+    now.factorisations = result.factorisations;
+    now.cpu = processor_seconds() - began_;
+    out_.instants.push_back(now);
+    return true;
+  }
+
+  /// Share of the whole work that the way takes, which refines the mesh.
+  [[nodiscard]] double way_share() const { return out_.request.hold > 0 ? 0.7 : 1; }
+
+  /// On the first third of the way, where a small patch would want the finest elements, the mesh
+  /// is coarser than asked. It is not refined at the end alone: displacements that are carried to a
+  /// finer mesh may turn elements inside out where they are large.
+  void allow_error(int k) {
+    const bool early = 3 * k < out_.request.points;
+    press_.set_force_error((early ? kEarly : 1) * out_.request.force_error);
+  }
+
+  bool go_deep() {
+    const int count = out_.request.points;
+    for (int k = 1; k <= count; ++k) {
+      const double to = *out_.request.depth * k / count;
+      allow_error(k);
+      if (!step(goal_at(to, time_to(to)), PressPhase::kWay, way_share() * (k - 1) / count))
+        return false;
+    }
+    return true;
+  }
+
+  /// Depth of the first node that touches: on a coarse mesh it may lie below the skin [m].
+  [[nodiscard]] double depth_of_first_node() const {
+    double least = std::numeric_limits<double>::infinity();
+    for (Eigen::Index i = 0; i < press_.surface().places.cols(); ++i) {
+      Pose<double> X = out_.touch.X_PO;
+      double way = 0, gap = 0;
+      // Along the way of one node, as long as it may be the first.
+      for (int k = 0; k < 200 && way < least; ++k) {
+        gap = out_.object.shape->distance(X.inverse() *
+                                          Eigen::Vector3d(press_.surface().places.col(i)));
+        if (gap < 1e-9) break;
+        way += gap;
+        X.p += gap * out_.touch.along;
+      }
+      if (gap < 1e-9) least = std::min(least, way);
+    }
+    return std::isfinite(least) ? least : 0;
+  }
+
+  /// Depth at a force by a power law through where the press is [m].
+  [[nodiscard]] double foretold(double wanted, double power) const {
+    return force() > 0 ? depth() * std::pow(wanted / force(), 1 / power) : depth();
+  }
+
+  /// The last bit of the way, which takes no time worth telling; its instant stands for the one
+  /// before, which was near.
+  bool step_to_force(double to) {
+    PressGoal goal = goal_at(depth(), rate_.value_or(0) > 0 ? kShortestTime : time_to(depth()));
+    goal.force = to;
+    const std::size_t near = out_.instants.size() - 1;
+    if (!step(goal, PressPhase::kWay, way_share())) return false;
+    out_.instants.erase(out_.instants.begin() + static_cast<std::ptrdiff_t>(near));
+    return true;
+  }
+
+  bool go_to_force() {
+    const double wanted = *out_.request.force;
+    // Steps that are not told: to the first node, on a mesh that is not refined, and to about a
+    // 64th of the force.
+    press_.set_force_error(kAnyError);
+    const double first = depth_of_first_node() + kSettling;
+    bool goes = step(goal_at(first, time_to(first)), PressPhase::kWay, 0);
+    allow_error(0);
+    if (goes && force() < wanted / 64) {
+      const double second = foretold(wanted / 64, kHertz);
+      goes = step(goal_at(second, time_to(second)), PressPhase::kWay, 0);
+    }
+    if (goes) out_.instants.clear();
+    // Depths foretold of forces that rise with the power 3/2 of the step; the last step is to the
+    // force itself.
+    double power = kHertz;
+    const int count = out_.request.points;
+    for (int k = 1; goes && k <= count; ++k) {
+      const double at_depth = depth(), at_force = force();
+      const double to = wanted * std::pow(static_cast<double>(k) / count, kHertz);
+      if (k < count && to <= at_force) continue;
+      const double target = foretold(to, power);
+      allow_error(k);
+      goes =
+          step(goal_at(target, time_to(target)), PressPhase::kWay, way_share() * (k - 1) / count);
+      if (goes && k == count) goes = step_to_force(to);
+      // The power between the last two points foretells the next.
+      const double deeper = depth() / at_depth, more = force() / at_force;
+      if (goes && deeper > 1 && more > 1) power = std::log(more) / std::log(deeper);
+    }
+    return goes;
+  }
+
+  void stand_still() {
+    if (out_.request.hold <= 0) return;
+    const double began = time_, at = depth();
+    const int count = out_.request.hold_points;
+    // Times that grow by the same factor.
+    const double factor = count > 1 ? std::pow(1 / kFirstOfHold, 1.0 / (count - 1)) : 1;
+    for (int k = 1; k <= count; ++k) {
+      const double to = began + out_.request.hold * std::pow(factor, k - count);
+      if (!step(goal_at(at, to - time_), PressPhase::kHold, 0.7 + 0.3 * (k - 1) / count)) return;
+    }
+  }
+
+  PressedPad& out_;
+  const Progress& progress_;
+  std::optional<double> rate_;
+  double began_ = processor_seconds();
+  double time_ = 0;  // since the touch [s]
+  PadPress press_;
+};
+
+void add_warnings(PressedPad& out) {
+  if (const std::string assumed = assumption_of(out.pad.spec); !assumed.empty())
+    out.warnings.push_back(assumed);
+  if (out.instants.empty()) return;
+  const PressInstant& last = out.instants.back();
+  if (out.status == Status::kSolved && last.force_error > out.request.force_error)
+    out.warnings.push_back(fmt::format(
+        "the estimated error of the force is {:.2g} %, above the {:.2g} % asked for: {}",
+        100 * last.force_error, 100 * out.request.force_error,
+        out.pad.model.element == HexElement::kQuadratic ? "quadratic elements are not refined"
+                                                        : "the mesh has all elements it may have"));
+  if (last.penetration > kDeepInFaces)
+    out.warnings.push_back(
+        fmt::format("between nodes the object is up to {:.2g} mm inside the skin: it is small "
+                    "against the elements",
+                    last.penetration / kMm));
+  // Time against what the rate says.
+  double off = 0;
+  for (const PressInstant& now : out.instants)
+    if (now.phase == PressPhase::kWay && out.request.rate.value_or(0) > 0)
+      off = std::max(off, std::abs(now.time * *out.request.rate / now.depth - 1));
+  if (off > kOffTime)
+    out.warnings.push_back(fmt::format(
+        "on the way to the force the time is up to {:.2g} % off the depth over the rate",
+        100 * off));
+}
+
+}  // namespace
+
+std::string name_of(PressPhase phase) { return phase == PressPhase::kWay ? "way" : "hold"; }
+
+bool PressedPad::relaxes() const {
+  return request.rate.value_or(0) > 0 &&
+         std::any_of(pad.model.tissues.begin(), pad.model.tissues.end(),
+                     [](const Tissue& tissue) { return !tissue.relaxation.empty(); });
+}
+
+PressedPad press_pad(const PressRequest& request, const Progress& progress) {
+  check_numbers(request);
+  PressedPad out;
+  out.request = request;
+  out.pad = open_pad(request.pad);
+  out.object = open_press_object(request.object, out.pad.spec.length);
+  out.touch = touch_pad(out.pad.model.shape, *out.object.shape, request.angle, request.turn);
+  // The way takes a fifth of the time where rungs are compared, too.
+  Progress of_way = progress;
+  if (request.rungs)
+    of_way.report = [&](double fraction, const std::string& what) {
+      progress(0.2 * fraction, what);
+    };
+  PressRun(out, of_way).run();
+  if (request.rungs && out.status == Status::kSolved) {
+    Progress of_rungs = progress;
+    of_rungs.report = [&](double fraction, const std::string& what) {
+      progress(0.2 + 0.8 * fraction, what);
+    };
+    out.rungs = compare_rungs(out, of_rungs);
+    if (progress.stop()) out.status = Status::kStopped;
+  }
+  add_warnings(out);
+  return out;
+}
+
+}  // namespace thenar

@@ -1,0 +1,35 @@
+#pragma once
+
+/// Kinds of elements and meshes side by side: error of the force over processor time.
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+#include "base/progress.h"
+
+namespace thenar {
+
+struct PressedPad;
+
+/// A press by one kind of element on one mesh, at once and to the same depth.
+struct PressRung {
+  std::string element;  // "Q1P0"
+  std::string mesh;     // "1152 cells", "refined to 4 %"
+  std::size_t elements = 0;
+  double force = 0;     // [N]
+  double error = 0;     // |force / force of the finest - 1| [1]; 0 for the finest
+  double cpu = 0;       // [s]
+  bool finest = false;  // the one that all others are held to
+  std::string failure;  // empty: it was solved
+};
+
+/// Presses the pad of `pressed` at once, in one step, to the depth where its way ended: by each
+/// kind of element on even meshes, and by mean-dilatation elements that refine. Errors are against
+/// the finest, a mesh that refines to half of the error that was asked for; those below its own
+/// estimated error mean nothing. A press that fails says why. Stopped: those that were done.
+/// @param pressed  its way was solved
+[[nodiscard]] std::vector<PressRung> compare_rungs(const PressedPad& pressed,
+                                                   const Progress& progress = {});
+
+}  // namespace thenar
