@@ -16,6 +16,7 @@ void add_grasp(CLI::App& app);
 void add_import(CLI::App& app);
 void add_list(CLI::App& app);
 void add_moment_arms(CLI::App& app);
+void add_pad(CLI::App& app);
 void add_pose(CLI::App& app);
 void add_posterior(CLI::App& app);
 void add_predict(CLI::App& app);

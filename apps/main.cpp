@@ -102,6 +102,7 @@ int run_command(int argc, char** argv) {
   add_feasible_force(app);
   add_tendon(app);
   add_simulate(app);
+  add_pad(app);
   add_study(app);
   add_fit(app);
   add_predict(app);

@@ -12,7 +12,7 @@ namespace thenar {
 
 struct PressedPad;
 
-/// A press by one kind of element on one mesh, at once and to the same depth.
+/// A press by one kind of element on one mesh, at once and without friction.
 struct PressRung {
   std::string element;  // "Q1P0"
   std::string mesh;     // "1152 cells", "refined to 4 %"
@@ -24,10 +24,11 @@ struct PressRung {
   std::string failure;  // empty: it was solved
 };
 
-/// Presses the pad of `pressed` at once, in one step, to the depth where its way ended: by each
-/// kind of element on even meshes, and by mean-dilatation elements that refine. Errors are against
-/// the finest, a mesh that refines to half of the error that was asked for; those below its own
-/// estimated error mean nothing. A press that fails says why. Stopped: those that were done.
+/// Presses the pad of `pressed` at once, in one step and without friction, to the depth where its
+/// way ended: by each kind of element on even meshes, and by mean-dilatation elements that refine.
+/// Errors are against the finest, a mesh that refines to a quarter of the error that was asked for;
+/// those below its own error mean nothing. A press that fails says why. Stopped: those that were
+/// done.
 /// @param pressed  its way was solved
 [[nodiscard]] std::vector<PressRung> compare_rungs(const PressedPad& pressed,
                                                    const Progress& progress = {});

@@ -1,0 +1,206 @@
+#include "report/pads/press_answer.h"
+
+#include <algorithm>
+
+#include <fmt/format.h>
+
+#include "base/units.h"
+
+namespace thenar {
+namespace {
+
+constexpr double kMm2 = 1e-6;  // [m^2]
+constexpr double kKPa = 1e3;   // [Pa]
+
+const char* word_of(SkinContact contact) {
+  switch (contact) {
+    case SkinContact::kSticks:
+      return "sticks";
+    case SkinContact::kSlips:
+      return "slips";
+    case SkinContact::kFree:
+      break;
+  }
+  return "free";
+}
+
+/// The last instant of the way; null: there is none.
+const PressInstant* end_of_way(const PressedPad& pressed) {
+  const PressInstant* last = nullptr;
+  for (const PressInstant& now : pressed.instants)
+    if (now.phase == PressPhase::kWay) last = &now;
+  return last;
+}
+
+/// "a plane", "an edge of 0.5 mm"; of files their names alone.
+std::string with_article(const std::string& object) {
+  const std::string first = object.substr(0, object.find(' '));
+  const std::vector<std::string>& known = press_object_names();
+  if (std::find(known.begin(), known.end(), first) == known.end()) return object;
+  return (first == "edge" ? "an " : "a ") + object;
+}
+
+std::string rate_words(const PressedPad& pressed) {
+  const PressRequest& request = pressed.request;
+  if (!request.rate) return "at once: nothing relaxes";
+  if (*request.rate == 0) return "so slowly that all relaxes";
+  std::string words = fmt::format("at {:g} mm/s", *request.rate / kMm);
+  if (request.hold > 0) words += fmt::format(", then held for {:g} s", request.hold);
+  if (!pressed.relaxes()) words += "; its tissues do not relax";
+  return words;
+}
+
+OrderedJson instant_json(const PressInstant& now) {
+  return {{"phase", name_of(now.phase)},
+          {"time_s", now.time},
+          {"depth_mm", now.depth / kMm},
+          {"force_N", now.force},
+          {"push_N", to_json(now.push)},
+          {"area_mm2", now.area / kMm2},
+          {"stick", now.stick},
+          {"largest_pressure_kPa", now.pressure / kKPa},
+          {"force_error", now.force_error},
+          {"penetration_mm", now.penetration / kMm},
+          {"elements", now.elements},
+          {"factorisations", now.factorisations},
+          {"cpu_s", now.cpu}};
+}
+
+/// Nodes that touch.
+OrderedJson patch_json(const PressedSkin& skin) {
+  OrderedJson nodes = OrderedJson::array();
+  for (Eigen::Index k = 0; k < skin.pressure.size(); ++k) {
+    const SkinContact contact = skin.contact[static_cast<std::size_t>(k)];
+    if (contact == SkinContact::kFree) continue;
+    nodes.push_back({{"place_mm", to_json((skin.places.col(k) / kMm).eval())},
+                     {"at_rest_mm", to_json((skin.at_rest.col(k) / kMm).eval())},
+                     {"normal_N", skin.normal[k]},
+                     {"pressure_kPa", skin.pressure[k] / kKPa},
+                     {"contact", word_of(contact)}});
+  }
+  return nodes;
+}
+
+OrderedJson rungs_json(const std::vector<PressRung>& rungs) {
+  OrderedJson list = OrderedJson::array();
+  for (const PressRung& rung : rungs)
+    list.push_back({{"element", rung.element},
+                    {"mesh", rung.mesh},
+                    {"elements", rung.elements},
+                    {"force_N", rung.failure.empty() ? Json(rung.force) : Json()},
+                    {"error", rung.failure.empty() ? Json(rung.error) : Json()},
+                    {"cpu_s", rung.cpu},
+                    {"finest", rung.finest},
+                    {"failure", rung.failure}});
+  return list;
+}
+
+std::string ending_words(const PressedPad& pressed) {
+  if (pressed.instants.empty()) return "";
+  const PressInstant& last = pressed.instants.back();
+  return fmt::format(
+      "{} elements; estimated error of the force {:.2g} %; the object at most {:.2g} um inside "
+      "faces of the skin\n{} factorisations, CPU {:.3g} s\n",
+      last.elements, 100 * last.force_error, 1e6 * last.penetration, last.factorisations,
+      pressed.cpu);
+}
+
+}  // namespace
+
+std::string title_of(const PressedPad& pressed) {
+  const PressInstant* end = end_of_way(pressed);
+  const std::string what =
+      fmt::format("{} under {}", pressed.pad.spec.name, with_article(pressed.object.name));
+  return end == nullptr
+             ? what + ": not pressed"
+             : fmt::format("{}: {:.4g} N at {:.4g} mm", what, end->force, end->depth / kMm);
+}
+
+std::string conditions_of(const PressedPad& pressed) {
+  const PressRequest& request = pressed.request;
+  std::string words = fmt::format("angle {:g} deg, friction {:g}, {}; {}, {}",
+                                  degrees(request.angle), request.friction, rate_words(pressed),
+                                  pressed.pad.spec.pulp.law, name_of(pressed.pad.model.element));
+  if (request.turn != 0)
+    words = fmt::format("object turned {:g} deg, ", degrees(request.turn)) + words;
+  return words;
+}
+
+Table table_of(const PressedPad& pressed) {
+  Table table{{"phase", "time_s", "depth_mm", "force_N", "area_mm2", "stick",
+               "largest_pressure_kPa", "force_error", "elements", "cpu_s"},
+              {}};
+  for (const PressInstant& now : pressed.instants)
+    table.rows.push_back({name_of(now.phase), shown(now.time), shown(now.depth / kMm),
+                          shown(now.force), shown(now.area / kMm2), shown(now.stick, 3),
+                          shown(now.pressure / kKPa), shown(now.force_error, 4),
+                          std::to_string(now.elements), shown(now.cpu)});
+  return table;
+}
+
+Table rung_table(const PressedPad& pressed) {
+  Table table{{"element", "mesh", "elements", "force_N", "error", "cpu_s", "note"}, {}};
+  for (const PressRung& rung : pressed.rungs) {
+    const bool solved = rung.failure.empty();
+    table.rows.push_back({rung.element, rung.mesh, std::to_string(rung.elements),
+                          solved ? shown(rung.force) : "-",
+                          solved && !rung.finest ? shown(rung.error, 4) : "-", shown(rung.cpu),
+                          rung.finest ? "the finest" : rung.failure});
+  }
+  return table;
+}
+
+std::string text_of(const PressedPad& pressed) {
+  std::string text = fmt::format("{}\n{}\n\n", title_of(pressed), conditions_of(pressed));
+  text += titled("From the touch on", table_of(pressed));
+  if (!pressed.rungs.empty())
+    text += titled("To the same depth at once, without friction, by other elements and meshes",
+                   rung_table(pressed));
+  return text + ending_words(pressed);
+}
+
+OrderedJson json_of(const PressedPad& pressed) {
+  const PressRequest& request = pressed.request;
+  OrderedJson json{{"pad", pressed.pad.spec.name},
+                   {"object", pressed.object.name},
+                   {"angle_deg", degrees(request.angle)},
+                   {"turn_deg", degrees(request.turn)},
+                   {"friction", request.friction},
+                   {"rate_mm_s", request.rate ? Json(*request.rate / kMm) : Json()},
+                   {"hold_s", request.hold},
+                   {"law", pressed.pad.spec.pulp.law},
+                   {"element", name_of(pressed.pad.model.element)},
+                   {"assumed", assumed_words(pressed.pad.spec)},
+                   {"status", name_of(pressed.status)},
+                   {"message", pressed.message}};
+  // The last instant by itself, then all of them.
+  if (!pressed.instants.empty()) json.update(instant_json(pressed.instants.back()));
+  json["object_place_mm"] = to_json((pressed.X_PO.p / kMm).eval());
+  json["along"] = to_json(pressed.touch.along);
+  json["instants"] = OrderedJson::array();
+  for (const PressInstant& now : pressed.instants) json["instants"].push_back(instant_json(now));
+  json["patch"] = patch_json(pressed.skin);
+  if (!pressed.rungs.empty()) json["rungs"] = rungs_json(pressed.rungs);
+  json["warnings"] = pressed.warnings;
+  return json;
+}
+
+FileDigests files_of(const PressedPad& pressed) {
+  FileDigests files = pressed.pad.spec.files;
+  FileDigests more = pressed.object.files;
+  files.merge(more);
+  return files;
+}
+
+std::string refusal_of(const PressedPad& pressed) {
+  if (pressed.status == Status::kSolved || pressed.status == Status::kStopped) return "";
+  const std::string got =
+      pressed.instants.empty()
+          ? "no step was solved"
+          : fmt::format("it got to {:.4g} N at {:.4g} mm", pressed.instants.back().force,
+                        pressed.instants.back().depth / kMm);
+  return fmt::format("the press ended early ({}: {}); {}", name_of(pressed.status), pressed.message,
+                     got);
+}
+
+}  // namespace thenar

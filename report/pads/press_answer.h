@@ -1,0 +1,36 @@
+#pragma once
+
+/// A pad that was pressed, as text, JSON, a table and a page.
+
+#include <string>
+
+#include "api/pads/press_pad.h"
+#include "base/provenance.h"
+#include "report/json.h"
+#include "report/table.h"
+
+namespace thenar {
+
+/// What was pressed and how, every instant, the rungs, and how far to believe it.
+[[nodiscard]] std::string text_of(const PressedPad& pressed);
+/// The same, and the nodes of the patch: places, pressure, stick.
+[[nodiscard]] OrderedJson json_of(const PressedPad& pressed);
+/// A row for each instant.
+[[nodiscard]] Table table_of(const PressedPad& pressed);
+/// The deformed pad in space, its pressure and stick from below, force over depth, area over force,
+/// relaxation, rungs: those that there are. Defined in press_page.cpp.
+[[nodiscard]] Json page_of(const PressedPad& pressed);
+[[nodiscard]] FileDigests files_of(const PressedPad& pressed);
+
+/// "index_pad under a plane: 1 N at 1.84 mm": the end of its way.
+[[nodiscard]] std::string title_of(const PressedPad& pressed);
+/// "angle 20 deg, friction 0.6, at once: nothing relaxes; neo-hookean, Q1P0".
+[[nodiscard]] std::string conditions_of(const PressedPad& pressed);
+/// A row for each rung, the finest last.
+[[nodiscard]] Table rung_table(const PressedPad& pressed);
+
+/// Why what is there is not the whole answer: a step that failed; empty if none did. A press that
+/// was stopped on request is no failure.
+[[nodiscard]] std::string refusal_of(const PressedPad& pressed);
+
+}  // namespace thenar

@@ -1,0 +1,24 @@
+#pragma once
+
+/// Colours of a quantity on meshes; items of scenes get theirs in the browser.
+
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "report/scene/mesh_table.h"
+
+namespace thenar {
+
+/// Colour of a fraction, which is clamped to 0..1: the ramp of viewer/scene/color_scale.js, so that
+/// the scale below a scene holds for meshes too.
+[[nodiscard]] MeshColor ramp_color(double fraction);
+
+/// "#rrggbb" as bytes. @throws InputError if it is none
+[[nodiscard]] MeshColor color_of_hex(const std::string& hex);
+
+/// A colour for every value on a scale from 0 to `high`; of values that are 0 or below `none`.
+[[nodiscard]] std::vector<MeshColor> ramp_colors(const Eigen::VectorXd& values, double high,
+                                                 const MeshColor& none);
+
+}  // namespace thenar

@@ -1,0 +1,190 @@
+"""Pads that are pressed, by the command `thenar pad press`: forces, files, refusals.
+
+Usage: pad_command_test.py [path of the program]; else the environment's THENAR. Run from anywhere.
+"""
+import csv
+import io
+import json
+import math
+import os
+import pathlib
+import signal
+import subprocess
+import sys
+import time
+import unittest
+
+from files import Files
+
+ROOT = pathlib.Path(__file__).resolve().parents[2]
+PROGRAM = os.environ.get("THENAR", "thenar")
+QUICK = ["--error", "20", "--points", "2"]
+
+# A cube of 10 mm, in millimetres.
+CUBE = """OFF
+8 6 0
+0 0 0
+10 0 0
+10 10 0
+0 10 0
+0 0 10
+10 0 10
+10 10 10
+0 10 10
+4 3 2 1 0
+4 4 5 6 7
+4 0 1 5 4
+4 1 2 6 5
+4 2 3 7 6
+4 3 0 4 7
+"""
+
+
+def run(*words):
+    return subprocess.run([PROGRAM, "pad", "press", *map(str, words)], capture_output=True, text=True,
+                          check=False, cwd=ROOT, timeout=300)
+
+
+def ask(*words):
+    """The JSON answer."""
+    result = run(*words, "--json")
+    assert result.returncode == 0, result.stderr
+    return json.loads(result.stdout)
+
+
+def normal_sum(answer):
+    return sum(node["normal_N"] for node in answer["patch"])
+
+
+class Answers(Files):
+    def test_force_is_reached_and_is_that_of_its_nodes(self):
+        answer = ask("--force", 0.3, "--friction", 0, *QUICK)
+        self.assertAlmostEqual(answer["force_N"], 0.3, delta=1e-7)
+        self.assertAlmostEqual(normal_sum(answer), 0.3, delta=1e-6)
+        self.assertLessEqual(answer["force_error"], 0.2)
+        self.assertEqual([each["phase"] for each in answer["instants"]], ["way", "way"])
+        # Nodes of the patch lie on the plate, whose top is the object's place.
+        for node in answer["patch"]:
+            self.assertAlmostEqual(node["place_mm"][2], answer["object_place_mm"][2], delta=1e-5)
+            self.assertGreater(node["pressure_kPa"], 0)
+        self.assertTrue(any("shear_modulus" in each for each in answer["assumed"]))
+
+    def test_depth_goes_from_the_apex(self):
+        answer = ask("--depth", 0.8, *QUICK)
+        # The skin of index_pad is 10 mm below the nail.
+        self.assertAlmostEqual(answer["object_place_mm"][2], 10 - 0.8, delta=1e-5)
+        self.assertEqual([round(each["depth_mm"], 9) for each in answer["instants"]], [0.4, 0.8])
+
+    def test_angle_presses_the_distal_part(self):
+        answer = ask("--depth", 0.6, "--angle", 30, "--friction", 0, *QUICK)
+        self.assertAlmostEqual(answer["along"][0], -0.5, delta=1e-12)
+        self.assertAlmostEqual(answer["along"][2], -math.sqrt(0.75), delta=1e-12)
+        mean = sum(node["normal_N"] * node["place_mm"][0] for node in answer["patch"]) / normal_sum(answer)
+        # Where the ellipsoid of 24 x 16 x 10 mm has that normal.
+        self.assertAlmostEqual(mean, 144 * 0.5 / math.hypot(12 * 0.5, 10 * math.sqrt(0.75)), delta=1)
+
+    def test_every_object_presses(self):
+        cube = self.path("cube.off", CUBE)
+        forces = {}
+        for name, more in {"sphere": ["--radius", 4], "cylinder": ["--radius", 4], "edge": ["--radius", 3],
+                           cube: []}.items():
+            forces[name] = ask("--object", name, *more, "--depth", 0.8, "--error", 40, "--points", 2)["force_N"]
+            self.assertGreater(forces[name], 0)
+        # A ball touches less than a cylinder of its radius, and this less than a plate.
+        self.assertLess(forces["sphere"], forces["cylinder"])
+        self.assertLess(forces["cylinder"], ask("--depth", 0.8, *QUICK)["force_N"])
+
+    def test_relaxes_while_held(self):
+        answer = ask("--depth", 0.6, "--rate", 100, "--hold", 10, "--hold-points", 4, "--friction", 0,
+                     *QUICK)
+        way = [each for each in answer["instants"] if each["phase"] == "way"]
+        held = [each["force_N"] for each in answer["instants"] if each["phase"] == "hold"]
+        self.assertAlmostEqual(way[-1]["time_s"], 6e-3, delta=1e-12)
+        self.assertEqual(held, sorted(held, reverse=True))
+        self.assertAlmostEqual(answer["time_s"], 10.006, delta=1e-9)
+        # Slower than that it can only be softer.
+        self.assertLess(ask("--depth", 0.6, "--rate", 0, "--friction", 0, *QUICK)["force_N"], held[-1] * 1.01)
+
+
+class Outputs(Files):
+    def test_table_has_a_row_an_instant(self):
+        result = run("--depth", 0.6, "--csv", *QUICK)
+        rows = list(csv.DictReader(io.StringIO(result.stdout)))
+        self.assertEqual(len(rows), 2)
+        self.assertEqual(float(rows[-1]["depth_mm"]), 0.6)
+        self.assertGreater(float(rows[-1]["area_mm2"]), float(rows[0]["area_mm2"]))
+
+    def test_page_json_and_rerun(self):
+        page, answer = self.path("pad.html"), self.path("pad.json")
+        result = run("--depth", 0.5, *QUICK, "-o", page, "-o", answer)
+        self.assertEqual(result.returncode, 0, result.stderr)
+        self.assertIn("index_pad under a plane", result.stdout)
+        self.assertIn("thenar-report", pathlib.Path(page).read_text())
+        again = subprocess.run([PROGRAM, "rerun", answer, "--print"], capture_output=True, text=True,
+                               check=False, cwd=ROOT)
+        self.assertEqual(again.returncode, 0, again.stderr)
+        self.assertIn("inputs: 1, unchanged", again.stdout)
+
+    def test_pads_are_listed_validated_and_explained(self):
+        for words in (["list", "pads"], ["validate", "data/pads/index_pad.toml"], ["explain", "index_pad"]):
+            told = subprocess.run([PROGRAM, *words], capture_output=True, text=True, check=False, cwd=ROOT)
+            self.assertEqual(told.returncode, 0, told.stderr)
+            self.assertIn("index_pad", told.stdout)
+
+
+class Refusals(Files):
+    def refused(self, *words):
+        result = run(*words)
+        self.assertEqual(result.returncode, 1, result.stdout)
+        self.assertEqual(result.stdout, "")
+        return result.stderr
+
+    def test_of_numbers_and_names(self):
+        self.assertIn("wanted one of a force and a depth, got none", self.refused())
+        self.assertIn("got both", self.refused("--force", 1, "--depth", 1))
+        self.assertIn("wanted a force above 0 N", self.refused("--force", -1))
+        self.assertIn("wanted a depth above 0 mm", self.refused("--depth", "nan"))
+        self.assertIn("within 60 deg either way, got 75 deg", self.refused("--depth", 1, "--angle", 75))
+        self.assertIn("there is no object 'plain', did you mean 'plane'?",
+                      self.refused("--depth", 1, "--object", "plain"))
+        self.assertIn("there is no pad 'indexpad', did you mean 'index_pad'?",
+                      self.refused("--depth", 1, "--pad", "indexpad"))
+        self.assertIn("is a subject, wanted a pad",
+                      self.refused("--depth", 1, "--pad", "data/subjects/an_chao_index.toml"))
+        self.assertIn("no law of tissue 'ogdon', did you mean 'ogden'?",
+                      self.refused("--depth", 1, "--law", "ogdon"))
+        self.assertIn("after a rate above 0 only", self.refused("--depth", 1, "--hold", 1))
+
+    def test_of_files_names_their_lines(self):
+        text = (ROOT / "data/pads/index_pad.toml").read_text()
+        line = 1 + text[:text.index("poisson_ratio =")].count("\n")
+        bad = self.path("pad.toml", text.replace("poisson_ratio = 0.49", "poisson_ratio = 0.6"))
+        self.assertIn(f"pad.toml:{line}: wanted 'poisson_ratio'", self.refused("--depth", 1, "--pad", bad))
+        leaking = self.path("cube.off", CUBE.replace("8 6 0", "8 5 0").replace("4 3 0 4 7\n", ""))
+        self.assertIn("hole", self.refused("--depth", 1, "--object", leaking))
+
+    def test_a_press_that_fails_tells_how_far_it_got(self):
+        result = run("--depth", 9, "--error", 1000, "--points", 6, "--json")
+        self.assertEqual(result.returncode, 1)
+        self.assertIn("the press ended early", result.stderr)
+        answer = json.loads(result.stdout)
+        self.assertNotEqual(answer["status"], "solved")
+        self.assertIn(f"{answer['depth_mm']:.4g} mm", result.stderr)
+
+    def test_interrupt_keeps_what_there_is(self):
+        press = subprocess.Popen([PROGRAM, "pad", "press", "--depth", "1.5", "--error", "3", "--points", "400",
+                                  "--json"], stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True,
+                                 cwd=ROOT)
+        time.sleep(5)
+        press.send_signal(signal.SIGINT)
+        out, told = press.communicate(timeout=120)
+        self.assertEqual(press.returncode, 130, told)
+        answer = json.loads(out)
+        self.assertEqual(answer["status"], "stopped")
+        self.assertLess(len(answer["instants"]), 400)
+
+
+if __name__ == "__main__":
+    if len(sys.argv) > 1:
+        PROGRAM = os.path.abspath(sys.argv.pop(1))
+    unittest.main()
