@@ -1,0 +1,111 @@
+#include "pads/contact_area.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace thenar {
+namespace {
+
+using Eigen::Matrix3Xd;
+using Eigen::Vector3d;
+using Eigen::VectorXd;
+
+constexpr double kEdge = 20;      // of mu / h, the scale of pressure over gap at an edge [1]
+constexpr double kSoftest = 0.1;  // least shear modulus of stretched tissue, over that at rest [1]
+
+/// Pressure of the nodes of a mesh [Pa] (nodes); of hanging ones the mean of their masters.
+VectorXd pressures_of(const HexMesh& mesh, const TissueBody& body, const ContactSurface& surface,
+                      const PressState& state) {
+  VectorXd pressure = VectorXd::Zero(mesh.nodes());
+  for (std::size_t k = 0; k < surface.nodes.size(); ++k) {
+    const auto column = static_cast<Eigen::Index>(k);
+    pressure[body.free_nodes()[static_cast<std::size_t>(surface.nodes[k])]] =
+        state.normal[column] / surface.area[column];
+  }
+  for (int node = 0; node < mesh.nodes(); ++node)
+    for (const NodeWeight& each : mesh.masters(node))
+      pressure[node] += each.weight * pressure[each.node];
+  return pressure;
+}
+
+/// Shear modulus of a cell as it is stretched: that of an isotropic tangent of the same trace [Pa].
+double modulus_of(const HexMesh& mesh, const HexCell& cell, const Matrix3Xd& u,
+                  const Tissue& tissue) {
+  Matrix3Xd X(3, 8), moved(3, 8);
+  for (int c = 0; c < 8; ++c) {
+    const int node = cell.corners[static_cast<std::size_t>(c)];
+    X.col(c) = mesh.place(node);
+    moved.col(c) = u.col(node);
+  }
+  const ElementShape shape = element_shape(HexElement::kMeanDilatation, X);
+  Eigen::Matrix3d F = Eigen::Matrix3d::Zero();
+  for (std::size_t point = 0; point < 8; ++point) F += element_deformation(shape, moved, point) / 8;
+  if (!(F.determinant() > 0)) return tissue.shear_modulus;
+  IsochoricResponse response;
+  isochoric_response(tissue, F, true, response);
+  const VoigtTangent& c = response.tangent;
+  const double trace = c.diagonal().head<3>().sum() + 2 * c.diagonal().tail<3>().sum();
+  return std::max(trace / 10, kSoftest * tissue.shear_modulus);
+}
+
+}  // namespace
+
+double positive_share(const std::array<double, 3>& values) {
+  const auto above = std::count_if(values.begin(), values.end(), [](double v) { return v > 0; });
+  if (above == 0) return 0;
+  if (above == 3) return 1;
+  // The corner that is alone on its side: its part of the triangle.
+  for (std::size_t i = 0; i < 3; ++i) {
+    const double own = values[i], a = values[(i + 1) % 3], b = values[(i + 2) % 3];
+    if ((own > 0) == (a > 0) || (own > 0) == (b > 0)) continue;
+    const double part = own / (own - a) * (own / (own - b));
+    return above == 1 ? part : 1 - part;
+  }
+  return 0;
+}
+
+double contact_area(const HexMesh& mesh, const TissueBody& body, const std::vector<Tissue>& tissues,
+                    const std::vector<bool>& skin, const ContactSurface& surface,
+                    const RigidObject& object, const PressState& state) {
+  const Matrix3Xd u = body.spread(state.x, {});
+  const Pose<double> X_OP = state.X_PO.inverse();
+  const VectorXd pressure = pressures_of(mesh, body, surface, state);
+  double area = 0;
+  for (const int index : mesh.active()) {
+    const HexCell& cell = mesh.cells()[static_cast<std::size_t>(index)];
+    for (const std::array<int, 4>& face : hex_faces()) {
+      // The face's corners in a round, and their mean.
+      std::array<Vector3d, 4> at;
+      std::array<double, 4> value{};
+      bool on_skin = true;
+      for (std::size_t i = 0; i < 4; ++i) {
+        const std::size_t corner = i < 2 ? i : 5 - i;
+        const int node = cell.corners[static_cast<std::size_t>(face[corner])];
+        on_skin = on_skin && skin[static_cast<std::size_t>(node)];
+        at[i] = mesh.place(node) + u.col(node);
+        value[i] = pressure[node];
+      }
+      if (!on_skin) continue;
+      const double size = std::sqrt(0.5 * (at[2] - at[0]).cross(at[3] - at[1]).norm());
+      const Tissue& tissue = tissues[static_cast<std::size_t>(cell.region)];
+      const bool edge = std::any_of(value.begin(), value.end(), [](double p) { return p > 0; }) &&
+                        std::any_of(value.begin(), value.end(), [](double p) { return p <= 0; });
+      const double modulus = edge ? modulus_of(mesh, cell, u, tissue) : tissue.shear_modulus;
+      const double scale = kEdge * modulus / size;
+      for (std::size_t i = 0; i < 4; ++i)
+        value[i] =
+            value[i] > 0 ? value[i] / scale : -std::max(0.0, object.shape->distance(X_OP * at[i]));
+      const Vector3d middle = (at[0] + at[1] + at[2] + at[3]) / 4;
+      const double mean = (value[0] + value[1] + value[2] + value[3]) / 4;
+      // Four triangles around the mean.
+      for (std::size_t i = 0; i < 4; ++i) {
+        const std::size_t j = (i + 1) % 4;
+        area += positive_share({value[i], value[j], mean}) * 0.5 *
+                (at[i] - middle).cross(at[j] - middle).norm();
+      }
+    }
+  }
+  return area;
+}
+
+}  // namespace thenar
