@@ -1,0 +1,107 @@
+#include "pads/pad_constants.h"
+
+#include <cmath>
+
+#include "base/error.h"
+
+namespace thenar {
+namespace {
+
+/// The number that a constant is.
+double& entry(PadModel& pad, const PadConstant& constant) {
+  if (constant.kind == PadConstantKind::kBoneHeight) return pad.shape.bone_height;
+  const auto count = static_cast<int>(pad.tissues.size());
+  require(constant.tissue >= 0 && constant.tissue < count, "a pad of {} tissues has no tissue {}",
+          count, constant.tissue);
+  Tissue& tissue = pad.tissues[static_cast<std::size_t>(constant.tissue)];
+  switch (constant.kind) {
+    case PadConstantKind::kShearModulus:
+      return tissue.shear_modulus;
+    case PadConstantKind::kExponent:
+      return tissue.exponent;
+    case PadConstantKind::kPoissonRatio:
+      return tissue.poisson_ratio;
+    case PadConstantKind::kShare: {
+      const auto terms = static_cast<int>(tissue.relaxation.size());
+      require(constant.term >= 0 && constant.term < terms,
+              "'{}' has {} terms of relaxation, wanted number {}", tissue.name, terms,
+              constant.term + 1);
+      return tissue.relaxation[static_cast<std::size_t>(constant.term)].share;
+    }
+    default: {
+      // Tissues go from the inside out, layers from the outside in.
+      const auto layers = static_cast<int>(pad.shape.layers.size());
+      require(constant.tissue > 0 && constant.tissue <= layers,
+              "'{}' is no layer of skin, and has no thickness", tissue.name);
+      return pad.shape.layers[static_cast<std::size_t>(layers - constant.tissue)].thickness;
+    }
+  }
+}
+
+}  // namespace
+
+std::string name_of(const PadModel& pad, const PadConstant& constant) {
+  if (constant.kind == PadConstantKind::kBoneHeight) return "bone height";
+  const Tissue& tissue = pad.tissues.at(static_cast<std::size_t>(constant.tissue));
+  switch (constant.kind) {
+    case PadConstantKind::kShearModulus:
+      return tissue.name + ": shear modulus";
+    case PadConstantKind::kExponent:
+      return tissue.name + ": exponent";
+    case PadConstantKind::kPoissonRatio:
+      return tissue.name + ": Poisson's ratio";
+    case PadConstantKind::kShare:
+      return fmt::format("{}: share of {:g} s", tissue.name,
+                         tissue.relaxation.at(static_cast<std::size_t>(constant.term)).time);
+    default:
+      return tissue.name + ": thickness";
+  }
+}
+
+DisplayUnit display_unit(PadConstantKind kind) {
+  switch (kind) {
+    case PadConstantKind::kShearModulus:
+      return {"kPa", 1e-3};
+    case PadConstantKind::kThickness:
+    case PadConstantKind::kBoneHeight:
+      return {"mm", 1e3};
+    default:
+      return {"", 1};
+  }
+}
+
+double value_of(const PadModel& pad, const PadConstant& constant) {
+  PadModel copy = pad;
+  return entry(copy, constant);
+}
+
+void set_value(PadModel& pad, const PadConstant& constant, double value) {
+  entry(pad, constant) = value;
+}
+
+double coordinate_of(const PadConstant& constant, double value) {
+  const double size = constant.kind == PadConstantKind::kPoissonRatio ? 0.5 - value
+                      : constant.kind == PadConstantKind::kExponent   ? std::abs(value)
+                                                                      : value;
+  require(size > 0 && std::isfinite(size), "a constant of {:g} cannot be fitted by its logarithm",
+          value);
+  return std::log(size);
+}
+
+double value_at(const PadConstant& constant, double coordinate, double like) {
+  const double size = std::exp(coordinate);
+  if (constant.kind == PadConstantKind::kPoissonRatio) return 0.5 - size;
+  return constant.kind == PadConstantKind::kExponent ? std::copysign(size, like) : size;
+}
+
+std::string why_impossible(const PadModel& pad) {
+  try {
+    for (const Tissue& tissue : pad.tissues) check_tissue(tissue);
+    (void)PadChart(pad.shape);
+  } catch (const InputError& e) {
+    return e.what();
+  }
+  return "";
+}
+
+}  // namespace thenar
