@@ -11,9 +11,9 @@ namespace {
 
 using Eigen::Vector3d;
 
-constexpr int kMaxHalvings = 10;       // halvings of a step
-constexpr double kFirstTouch = 0.005;  // of the pad's height: pressed at once, so that a force has
-                                       // something to act on [1]
+constexpr int kMaxHalvings = 10;        // halvings of a step
+constexpr double kFirstTouch = 0.005;   // of the pad's height: pressed at once before a force [1]
+constexpr double kDeepestTouch = 3e-3;  // beyond which a pad that is not touched is passed by [m]
 
 /// A pad on its way.
 struct PadTrack {
@@ -45,9 +45,12 @@ class CurveWalk {
 
   /// Goes to a load. @return empty, or why not
   std::string go_to(const PressLoad& load) {
-    if (load.force && pads_[0]->state.push.force.isZero(0)) {
-      const std::string failed = step({{}, first_touch_, 0}, 0);
+    // A force needs something to act on: press until the first pad touches.
+    double depth = first_touch_;
+    while (load.force && pads_[0]->state.push.force.isZero(0) && depth < kDeepestTouch) {
+      const std::string failed = step({{}, depth, 0}, 0);
       if (!failed.empty()) return failed;
+      depth *= 2;
     }
     return step(load, 0);
   }

@@ -66,6 +66,19 @@ TEST(PressCurve, ANeighbourIsWhatItIsAlone) {
   }
 }
 
+// With an odd count of cells no node is where the object touches first.
+TEST(PressCurve, ForcesAreFoundOnAnyMesh) {
+  PressCourse course = wall();
+  course.loads = {{0.05, 0, 0}, {0.5, 0, 0}};
+  for (const int across : {3, 5}) {
+    PadModel pad = layered_pad(1);
+    pad.cells = {across, 2, 2};
+    const PressCurves out = press_curves({pad}, course);
+    ASSERT_EQ(out.status, Status::kSolved) << out.message;
+    EXPECT_NEAR(out.points[0][0].force, 0.05, 1e-8);
+  }
+}
+
 TEST(PressCurve, NonsenseIsRefused) {
   PressCourse course = wall();
   EXPECT_THROW((void)press_curves({}, course), InputError);
