@@ -2,6 +2,7 @@
 
 /// Finger pads as plain data: shape, tissues, elements, and where each number comes from.
 
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -54,6 +55,13 @@ struct PadSpec {
 /// @throws DataError  `path:line: what was wanted, what came`.
 [[nodiscard]] PadSpec read_pad(const std::string& path);
 [[nodiscard]] PadSpec parse_pad(const std::string& text, const std::string& path);
+
+/// Text that parse_pad() reads back, numbers to 15 digits.
+/// @param comment  lines above it, without their '#'; empty: none
+/// @param sources  what citation keys mean that data/sources.bib has not; of keys that are in
+///                 neither, the text says that they are unstated
+[[nodiscard]] std::string pad_toml(const PadSpec& pad, const std::string& comment = "",
+                                   const std::map<std::string, std::string>& sources = {});
 
 /// "length_mm" of [shape], "law" of [pulp] ..: all that the file says nobody measured.
 [[nodiscard]] std::vector<std::string> assumed_words(const PadSpec& pad);

@@ -1,0 +1,269 @@
+#include "pads/pad_fit_problem.h"
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "base/error.h"
+#include "geometry/primitives.h"
+#include "pads/build_pad.h"
+
+namespace thenar {
+namespace {
+
+using Eigen::Vector3d;
+
+PadConstantKind kind_of(const std::string& constant) {
+  if (constant == "shear_modulus") return PadConstantKind::kShearModulus;
+  if (constant == "exponent") return PadConstantKind::kExponent;
+  if (constant == "poisson_ratio") return PadConstantKind::kPoissonRatio;
+  if (constant == "share") return PadConstantKind::kShare;
+  if (constant == "thickness") return PadConstantKind::kThickness;
+  return PadConstantKind::kBoneHeight;
+}
+
+/// Files count layers from the outside, tissues from the pulp outwards.
+PadConstant constant_of(const PadData& data, const PadDataConstant& named, const PadSpec& pad) {
+  const auto layers = static_cast<int>(pad.layers.size());
+  const auto fail = [&](const std::string& what) { throw DataError(data.path, named.line, what); };
+  if (named.layer > layers)
+    fail(fmt::format("pad '{}' has {} layers of skin, wanted layer {}", pad.name, layers,
+                     named.layer));
+  PadConstant out;
+  out.kind = kind_of(named.constant);
+  out.tissue = named.layer == 0 ? 0 : layers - named.layer + 1;
+  const PadTissueSpec& tissue =
+      named.layer == 0 ? pad.pulp : pad.layers[static_cast<std::size_t>(named.layer) - 1];
+  if (out.kind == PadConstantKind::kExponent && !has_exponent(tissue.law))
+    fail(fmt::format("the law '{}' has no exponent", tissue.law));
+  if (out.kind == PadConstantKind::kShare) {
+    out.term = named.term - 1;
+    const std::size_t terms = tissue.relaxation_share.size();
+    if (static_cast<std::size_t>(named.term) > terms)
+      fail(
+          fmt::format("this tissue has {} terms of relaxation, wanted term {}", terms, named.term));
+    if (!(tissue.relaxation_share[static_cast<std::size_t>(out.term)] > 0))
+      fail("a share of 0 cannot be fitted: begin above it");
+    if (std::none_of(data.presses.begin(), data.presses.end(),
+                     [](const PadDataPress& press) { return press.ramp > 0; }))
+      fail("no press takes time, and none tells of relaxation: give one a pace");
+  }
+  return out;
+}
+
+/// An object in its own frame, its top in the origin, z towards the pad; and how large it is.
+std::shared_ptr<const Shape> object_of(const PadDataPress& press, double size, double& top,
+                                       Eigen::Matrix3d& turn) {
+  turn.setIdentity();
+  if (press.object == "sphere") {
+    top = press.radius;
+    return build_sphere(press.radius);
+  }
+  if (press.object == "cylinder") {
+    // Its axis, z of the shape, lies along y.
+    turn = rotation_about<double>(Vector3d(1, 0, 0), EIGEN_PI / 2);
+    top = press.radius;
+    return build_cylinder(press.radius, 4 * size);
+  }
+  top = 2 * size;
+  return build_box(Vector3d::Constant(4 * size));
+}
+
+PressCourse course_of(const PadDataPress& press, const PadSpec& pad) {
+  PressCourse out;
+  const double size = std::max({pad.length, pad.width, pad.height});
+  double top = 0;
+  Eigen::Matrix3d turn;
+  out.object = {object_of(press, size, top, turn), press.friction};
+  out.along = -Vector3d(std::sin(press.angle), 0, std::cos(press.angle));
+  out.X_PO.R = rotation_about<double>(Vector3d(0, 1, 0), press.angle) * turn;
+  out.X_PO.p = -(top + 2 * size) * out.along;
+  // Loads rise; those of which numbers are parts are among them.
+  std::set<double> loads;
+  for (const PadDataRows& rows : press.rows) {
+    loads.insert(rows.loads.begin(), rows.loads.end());
+    if (rows.part_at) loads.insert(*rows.part_at);
+  }
+  double before = 0;
+  for (const double load : loads) {
+    PressLoad next;
+    if (press.by_force)
+      next.force = load;
+    else
+      next.indentation = load;
+    next.time =
+        std::isinf(press.ramp) ? press.ramp : press.ramp * (load - before) / *loads.rbegin();
+    before = load;
+    out.loads.push_back(next);
+  }
+  return out;
+}
+
+PressRecord record_of(const PadDataPress& press, const PadSpec& pad) {
+  PressRecord out;
+  out.name = press.name;
+  out.course = course_of(press, pad);
+  const auto load_of = [&](double value) {
+    const auto found =
+        std::find_if(out.course.loads.begin(), out.course.loads.end(), [&](const PressLoad& load) {
+          return (press.by_force ? *load.force : load.indentation) == value;
+        });
+    return static_cast<int>(found - out.course.loads.begin());
+  };
+  for (const PadDataRows& rows : press.rows)
+    for (std::size_t i = 0; i < rows.loads.size(); ++i) {
+      PressDatum datum;
+      datum.quantity = rows.quantity == "indentation" ? PressQuantity::kIndentation
+                       : rows.quantity == "force"     ? PressQuantity::kForce
+                                                      : PressQuantity::kArea;
+      datum.load = load_of(rows.loads[i]);
+      if (rows.part_at) datum.over = load_of(*rows.part_at);
+      datum.value = rows.values[i];
+      datum.sd = rows.sds[i];
+      datum.source = rows.source;
+      out.data.push_back(datum);
+    }
+  return out;
+}
+
+/// The key of a pad's file, without its unit.
+std::string key_of(PadConstantKind kind) {
+  switch (kind) {
+    case PadConstantKind::kShearModulus:
+      return "shear_modulus";
+    case PadConstantKind::kExponent:
+      return "exponent";
+    case PadConstantKind::kPoissonRatio:
+      return "poisson_ratio";
+    case PadConstantKind::kShare:
+      return "relaxation_share";
+    case PadConstantKind::kThickness:
+      return "thickness";
+    default:
+      return "bone_height";
+  }
+}
+
+/// Takes a key, with whatever unit, from those that are assumed. A list of shares stays assumed.
+void take_assumed(std::vector<std::string>& assumed, PadConstantKind kind) {
+  if (kind == PadConstantKind::kShare) return;
+  const std::string key = key_of(kind);
+  assumed.erase(std::remove_if(assumed.begin(), assumed.end(),
+                               [&](const std::string& each) { return each.rfind(key, 0) == 0; }),
+                assumed.end());
+}
+
+void set_tissue(PadTissueSpec& spec, const PadConstant& constant, double value) {
+  switch (constant.kind) {
+    case PadConstantKind::kShearModulus:
+      spec.shear_modulus = value;
+      return;
+    case PadConstantKind::kExponent:
+      spec.exponent = value;
+      return;
+    case PadConstantKind::kPoissonRatio:
+      spec.poisson_ratio = value;
+      return;
+    case PadConstantKind::kShare:
+      spec.relaxation_share[static_cast<std::size_t>(constant.term)] = value;
+      return;
+    default:
+      spec.thickness = value;
+  }
+}
+
+/// Citation keys of both, each once.
+std::string joined(const std::string& a, const std::string& b) {
+  std::vector<std::string> out;
+  for (const std::string& list : {a, b}) {
+    std::size_t from = 0;
+    while (from < list.size()) {
+      const std::size_t to = std::min(list.find(", ", from), list.size());
+      const std::string key = list.substr(from, to - from);
+      if (std::find(out.begin(), out.end(), key) == out.end()) out.push_back(key);
+      from = to + 2;
+    }
+  }
+  return fmt::format("{}", fmt::join(out, ", "));
+}
+
+}  // namespace
+
+PadFitProblem pad_fit_problem(const PadData& data, const PadSpec& pad) {
+  PadFitProblem out;
+  out.pad = build_pad(pad);
+  out.pad.cells = {data.cells.across, data.cells.around, data.cells.through};
+  // Where nothing takes time nothing relaxes, and history costs.
+  const bool timed = std::any_of(data.presses.begin(), data.presses.end(),
+                                 [](const PadDataPress& press) { return press.ramp > 0; });
+  if (!timed)
+    for (Tissue& tissue : out.pad.tissues) tissue.relaxation.clear();
+  for (const PadDataConstant& named : data.constants) {
+    FreeConstant free{constant_of(data, named, pad), named.lower_factor, named.upper_factor,
+                      named.prior_factor};
+    for (const FreeConstant& other : out.constants)
+      if (other.constant.kind == free.constant.kind &&
+          other.constant.tissue == free.constant.tissue &&
+          other.constant.term == free.constant.term)
+        throw DataError(data.path, named.line,
+                        fmt::format("{} is free already", name_of(out.pad, free.constant)));
+    if (named.start) set_value(out.pad, free.constant, *named.start);
+    out.constants.push_back(free);
+  }
+  const std::string impossible = why_impossible(out.pad);
+  if (!impossible.empty()) throw DataError(data.path, data.constants[0].line, impossible);
+  for (const PadDataPress& press : data.presses) out.records.push_back(record_of(press, pad));
+  return out;
+}
+
+PadSpec fitted_pad(const PadSpec& pad, const PadData& data, const PadFitProblem& problem,
+                   const PadFitResult& result) {
+  PadSpec out = pad;
+  out.across = data.cells.across;
+  out.around = data.cells.around;
+  out.through = data.cells.through;
+  std::string cited;
+  for (const PadDataPress& press : data.presses)
+    for (const PadDataRows& rows : press.rows) cited = joined(cited, rows.source);
+  for (std::size_t i = 0; i < result.estimates.size(); ++i) {
+    const PadConstant& constant = problem.constants[i].constant;
+    const ConstantEstimate& estimate = result.estimates[i];
+    const bool of_shape = constant.kind == PadConstantKind::kBoneHeight;
+    PadTissueSpec& tissue =
+        constant.tissue == 0
+            ? out.pulp
+            : out.layers[out.layers.size() - static_cast<std::size_t>(constant.tissue)];
+    if (of_shape)
+      out.bone_height = estimate.value;
+    else
+      set_tissue(tissue, constant, estimate.value);
+    if (!estimate.determined) continue;
+    take_assumed(of_shape ? out.shape_assumed : tissue.assumed, constant.kind);
+    std::string& source = of_shape ? out.shape_source : tissue.source;
+    source = joined(source, cited);
+  }
+  return out;
+}
+
+std::string fit_comment(const PadData& data, const PadFitProblem& problem,
+                        const PadFitResult& result) {
+  std::string out = fmt::format("Fitted to {}: {}.\n", data.title, data.path);
+  for (std::size_t i = 0; i < result.estimates.size(); ++i) {
+    const ConstantEstimate& each = result.estimates[i];
+    const DisplayUnit unit = display_unit(problem.constants[i].constant.kind);
+    out += fmt::format(
+        "  {} {:.4g}{}{}, {}{}\n", name_of(problem.pad, problem.constants[i].constant),
+        each.value * unit.per_si, unit.name.empty() ? "" : " ", unit.name,
+        std::isinf(each.sd) ? std::string("any value fits")
+                            : fmt::format("one sd a factor of {:.3g}", std::exp(each.sd)),
+        each.determined ? "" : "; the data alone do not determine it");
+  }
+  out += fmt::format("Misfit {:.3g} with {} degrees of freedom; search {}.\n", result.misfit,
+                     result.degrees_of_freedom, convergence_word(result.solution));
+  return out;
+}
+
+}  // namespace thenar
