@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "base/error.h"
+#include "tests/data_folder.h"
 #include "tests/message_of.h"
 
 namespace thenar {
@@ -128,6 +129,25 @@ TEST(PadFitProblem, WhatThePadLacksIsNamedWithItsLine) {
   at_once.replace(at_once.find("pace = \"ramp\"\nramp_s = 2\n"), 25, "");
   EXPECT_THAT(complaint("\"poisson_ratio\"\nstart = 0.5"), HasSubstr("data.toml:6: "));
   EXPECT_THAT(complaint("\"share\"", at_once), HasSubstr("no press takes time"));
+}
+
+// The pad of data/pads that is fitted to data/presses meets what is published within one sd of each
+// value, and more of it: the patch grows far slower than the 2/3 of Hertz's contact.
+TEST(PadFitProblem, TheFittedPadMeetsWhatIsPublished) {
+  const PadData data = read_pad_data(kData + "/presses/index_published.toml");
+  PadData as_fitted = data;
+  for (PadDataConstant& constant : as_fitted.constants) constant.start.reset();
+  const PadFitProblem problem =
+      pad_fit_problem(as_fitted, read_pad(kData + "/pads/" + data.pad + ".toml"));
+  PressRecord record = problem.records.at(0);
+  const std::vector<PressCurves> curves = press_records(problem.pad, problem.records);
+  ASSERT_EQ(curves[0].status, Status::kSolved) << curves[0].message;
+  const std::vector<PressPoint>& points = curves[0].points[0];
+  EXPECT_EQ(record.data.size(), 3U);
+  for (const PressDatum& datum : record.data)
+    EXPECT_NEAR(predicted(datum, points), datum.value, datum.sd) << name_of(datum.quantity);
+  const PressPoint &first = points.front(), &last = points.back();
+  EXPECT_LT(std::log(last.area / first.area) / std::log(last.force / first.force), 0.4);
 }
 
 TEST(PadFitProblem, AFittedPadTellsWhatIsAssumedStill) {
