@@ -17,7 +17,7 @@ constexpr double kFar = 10;  // gap that cannot matter, over distances of points
 
 // Cosine of the angle between normals of the object at nodes of a point beyond which an edge of the
 // object lies between them.
-constexpr double kEdge = 0.5;
+constexpr double kEdgeCosine = 0.5;
 
 /// Corners of the faces of a mesh all of whose nodes are marked.
 std::vector<std::array<int, 4>> marked_faces(const HexMesh& mesh, const std::vector<bool>& marked) {
@@ -172,7 +172,7 @@ void MeanGaps::find_edges() {
     for (const NodeWeight& each : point.nodes)
       for (const NodeWeight& other : point.nodes)
         alike = std::min(alike, normal_.col(each.node).dot(normal_.col(other.node)));
-    counts_.push_back(alike > kEdge);
+    counts_.push_back(alike > kEdgeCosine);
   }
 }
 
