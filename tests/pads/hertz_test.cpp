@@ -98,5 +98,33 @@ TEST(Hertz, ACylinderMeetsTheLineContact) {
   EXPECT_NEAR(slab.line_force(state) / force, 1, 0.01);
 }
 
+TEST(FlatPunch, AStripMeetsItsLogarithm) {
+  // Cells get small towards both edges, where pressure grows without bound.
+  constexpr double kNu = 0.49, kHalfWidth = 0.05, kFinest = kHalfWidth / 64;
+  const std::vector<double> inside = graded_half(kFinest, kFinest, 1.6, kHalfWidth);
+  std::vector<double> half;
+  for (auto each = inside.rbegin(); each != inside.rend(); ++each)
+    half.push_back(kHalfWidth - *each);
+  for (const double each : graded_half(kFinest, kFinest, 1.6, 2.5 - kHalfWidth))
+    if (each > 0) half.push_back(kHalfWidth + each);
+  LongSlab slab(half, kFinest, 1.6, kNu);
+  // P' / sqrt(a^2 - x^2) / pi sinks everything below it by the same [Johnson1985] sec. 2.8.
+  constexpr double kDepth = 1e-4 * kHalfWidth;
+  const double force =
+      kHalfTurn * plane_modulus(neo_hookean(12e3, kNu)) * kDepth /
+      (2 * (std::log(2 * LongSlab::kThickness / kHalfWidth) + layer_constants(kNu).line));
+  // Its edges lie a little outside the nodes of the patch.
+  PressGoal goal;
+  goal.X_PO.p = {0, 0, 0.5};
+  PressState state = slab.at_rest(goal.X_PO);
+  goal.X_PO.p[2] -= kDepth;
+  PressOptions options;
+  options.gap_tolerance = 1e-5 * kDepth;
+  const PressOutcome out =
+      slab.press({build_box({2.002 * kHalfWidth, 20, 1}), 0}, goal, state, options);
+  ASSERT_EQ(out.status, Status::kSolved) << out.message;
+  EXPECT_NEAR(slab.line_force(state) / force, 1, 0.01);
+}
+
 }  // namespace
 }  // namespace thenar
