@@ -226,8 +226,7 @@ LawCalibration fit_laws(const PadModel& model, const MeasuredPresses& fit,
               "a press by '{}' does not touch the pad", press.trial);
   LawCalibration out;
   CalibratedLaws& laws = out.laws;
-  for (const PronyTerm& term : model.tissues.at(0).relaxation)
-    laws.relaxation.push_back({term.share, term.time});
+  laws.relaxation = model.tissues.at(0).relaxation;
   Fits fits{fit.presses, ""};
   laws.power = fit_power(fits);
   laws.soft_finger = fit_soft_finger(fits);

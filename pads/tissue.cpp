@@ -150,14 +150,7 @@ void check_tissue(const Tissue& tissue) {
     require(tissue.exponent != 0, "Ogden's exponent of '{}' must not be 0", name);
   if (tissue.law == TissueLaw::kVerondaWestmann)
     require(tissue.exponent > 0, "exponent of '{}' must be above 0, got {}", name, tissue.exponent);
-  double sum = 0;
-  for (const PronyTerm& term : tissue.relaxation) {
-    require(term.share >= 0 && term.time > 0 && std::isfinite(term.time),
-            "relaxation of '{}' needs shares of 0 and more and times above 0, got {} and {} s",
-            name, term.share, term.time);
-    sum += term.share;
-  }
-  require(sum < 1, "shares of relaxation of '{}' must sum to less than 1, got {}", name, sum);
+  check_exponential_terms(tissue.relaxation, fmt::format("'{}'", name).c_str());
 }
 
 void isochoric_response(const Tissue& tissue, const Matrix3d& F, bool with_tangent,
@@ -171,20 +164,6 @@ void isochoric_response(const Tissue& tissue, const Matrix3d& F, bool with_tange
 VolumetricResponse volumetric_response(double bulk_modulus, double J) {
   return {bulk_modulus / 4 * (J * J - 1 - 2 * std::log(J)), bulk_modulus / 2 * (J - 1 / J),
           bulk_modulus / 2 * (1 + 1 / (J * J))};
-}
-
-RelaxationStep relaxation_step(const Tissue& tissue, double h) {
-  RelaxationStep step;
-  step.now = 1;
-  for (const PronyTerm& term : tissue.relaxation) {
-    const double x = h / term.time;
-    step.decay.push_back(std::exp(-x));
-    // (1 - exp(-x)) / x, 1 at x = 0 and 0 at infinity.
-    const double mean = x > 0 ? (std::isinf(x) ? 0 : -std::expm1(-x) / x) : 1;
-    step.change.push_back(term.share * mean);
-    step.now += step.change.back() - term.share;
-  }
-  return step;
 }
 
 }  // namespace thenar

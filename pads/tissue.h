@@ -7,6 +7,8 @@
 
 #include <Eigen/Core>
 
+#include "pads/laws/exponential_memory.h"
+
 namespace thenar {
 
 /// Isochoric energies W, functions of the stretches of  Fbar = J^(-1/3) F:
@@ -19,27 +21,21 @@ enum class TissueLaw { kNeoHookean, kOgden, kVerondaWestmann };
 /// "neo-hookean", "ogden", "veronda-westmann".
 [[nodiscard]] std::string name_of(TissueLaw law);
 
-/// One exponential of the reduced relaxation function.
-struct PronyTerm {
-  double share = 0;  // g_i, of the instantaneous stress [1]
-  double time = 1;   // tau_i [s]
-};
-
 /// A tissue. Its volumetric energy is  U(J) = K/4 (J^2 - 1 - 2 ln J),  with bulk modulus
 /// K = 2 mu (1 + nu) / (3 (1 - 2 nu)); it does not relax.
 ///
 /// Stress relaxes quasi-linearly: the isochoric second Piola-Kirchhoff stress is
 ///   S(t) = integral of g(t - s) dSe(s),  g(t) = g_inf + sum g_i exp(-t / tau_i),
-/// with the elastic stress Se of the law, g(0) = 1.
+/// with the elastic stress Se of the law, g(0) = 1; steps are those of memory_step().
 /// Sources: [Holzapfel2000] ch. 6 for the laws, [VerondaWestmann1970], [Ogden1972], [Fung1993] for
 /// quasi-linear relaxation.
 struct Tissue {
   std::string name = "tissue";
   TissueLaw law = TissueLaw::kNeoHookean;
-  double shear_modulus = 0;           // mu, instantaneous, at rest [Pa]
-  double exponent = 0;                // k, of Ogden and of Veronda-Westmann [1]
-  double poisson_ratio = 0.49;        // nu, at rest [1]
-  std::vector<PronyTerm> relaxation;  // empty: elastic
+  double shear_modulus = 0;                 // mu, instantaneous, at rest [Pa]
+  double exponent = 0;                      // k, of Ogden and of Veronda-Westmann [1]
+  double poisson_ratio = 0.49;              // nu, at rest [1]
+  std::vector<ExponentialTerm> relaxation;  // empty: elastic
 };
 
 /// K [Pa].
@@ -83,16 +79,5 @@ struct VolumetricResponse {
 };
 /// @param J  > 0 [1]
 [[nodiscard]] VolumetricResponse volumetric_response(double bulk_modulus, double J);
-
-/// Weights of one step of relaxation, exact where the elastic stress runs straight in time:
-///   stress = now Se_new + history,  with  history = sum h_i,
-///   h_i = decay_i H_i - change_i Se_old,   H_i' = h_i + change_i Se_new.
-/// Source: [Simo1998] sec. 10.3.
-struct RelaxationStep {
-  double now = 1;                     // g_inf + sum change_i [1]
-  std::vector<double> decay, change;  // exp(-h/tau_i), g_i (1 - exp(-h/tau_i)) tau_i / h (terms)
-};
-/// @param h  step [s], >= 0; 0: instantaneous; infinity: relaxed
-[[nodiscard]] RelaxationStep relaxation_step(const Tissue& tissue, double h);
 
 }  // namespace thenar

@@ -181,9 +181,9 @@ Matrix3Xd TissueBody::spread(const VectorXd& x, const Matrix3Xd& at_fixed) const
   return u;
 }
 
-std::vector<RelaxationStep> TissueBody::steps_of(double h) const {
-  std::vector<RelaxationStep> steps;
-  for (const Tissue& tissue : tissues_) steps.push_back(relaxation_step(tissue, h));
+std::vector<MemoryStep> TissueBody::steps_of(double h) const {
+  std::vector<MemoryStep> steps;
+  for (const Tissue& tissue : tissues_) steps.push_back(memory_step(tissue.relaxation, h));
   return steps;
 }
 
@@ -207,7 +207,7 @@ void TissueBody::respond(const Matrix3Xd& u, double h, const TissueHistory& hist
           history.size(), elements_.size());
   require(tangent_pressure.empty() || tangent_pressure.size() == elements_.size(),
           "{} pressures for {} elements", tangent_pressure.size(), elements_.size());
-  const std::vector<RelaxationStep> steps = steps_of(h);
+  const std::vector<MemoryStep> steps = steps_of(h);
   out.inverted = false;
   out.energy = 0;
   if (ask != ElementAsk::kEnergy) out.force.setZero(unknowns());
@@ -273,13 +273,13 @@ TissuePressure TissueBody::pressure_after(const Matrix3Xd& u, const Matrix3Xd& d
 TissueHistory TissueBody::advance(const Matrix3Xd& u, double h,
                                   const TissueHistory& history) const {
   if (!relaxes()) return {};
-  const std::vector<RelaxationStep> steps = steps_of(h);
+  const std::vector<MemoryStep> steps = steps_of(h);
   TissueHistory next;
   ElementResponse response;
   for (std::size_t e = 0; e < elements_.size(); ++e) {
     const Element& element = elements_[e];
     const auto region = static_cast<std::size_t>(element.region);
-    const RelaxationStep& step = steps[region];
+    const MemoryStep& step = steps[region];
     ElementHistory at = history_of(e, history);
     const std::size_t points = at.elastic.size();
     element_response(kind_, element.shape, tissues_[region], displacements_of(element, u), &step,
@@ -348,7 +348,7 @@ VectorXd TissueBody::error_energies(const Matrix3Xd& u) const {
 }
 
 Matrix3Xd TissueBody::reactions(const Matrix3Xd& u, double h, const TissueHistory& history) const {
-  const std::vector<RelaxationStep> steps = steps_of(h);
+  const std::vector<MemoryStep> steps = steps_of(h);
   Matrix3Xd out = Matrix3Xd::Zero(3, u.cols());
   ElementResponse response;
   for (std::size_t e = 0; e < elements_.size(); ++e) {

@@ -116,7 +116,7 @@ class TissueBody {
                    TissueResponse& out) const;
   [[nodiscard]] Eigen::Matrix3Xd displacements_of(const Element& element,
                                                   const Eigen::Matrix3Xd& u) const;
-  [[nodiscard]] std::vector<RelaxationStep> steps_of(double h) const;
+  [[nodiscard]] std::vector<MemoryStep> steps_of(double h) const;
   [[nodiscard]] std::size_t block_entry(int column, int place, int r, int c) const;
 
   HexElement kind_;

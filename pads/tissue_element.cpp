@@ -307,7 +307,7 @@ class Dilatation {
 
 template <int N>
 void respond(HexElement kind, const ElementShape& shape, const Tissue& tissue, const double* u,
-             const RelaxationStep* step, const ElementHistory* history,
+             const MemoryStep* step, const ElementHistory* history,
              const Eigen::Vector4d* tangent_pressure, ElementAsk ask, ElementResponse& out) {
   // Deformation at all points.
   constexpr int kPoints = padded_points(N);
@@ -439,7 +439,7 @@ double shape_value(HexElement kind, std::size_t point, std::size_t node) {
 }
 
 void element_response(HexElement kind, const ElementShape& shape, const Tissue& tissue,
-                      const Eigen::Matrix3Xd& u, const RelaxationStep* step,
+                      const Eigen::Matrix3Xd& u, const MemoryStep* step,
                       const ElementHistory* history, const Eigen::Vector4d* tangent_pressure,
                       ElementAsk ask, ElementResponse& out) {
   if (nodes_of(kind) == 27)

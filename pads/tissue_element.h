@@ -78,7 +78,7 @@ enum class ElementAsk { kEnergy, kForce, kStiffness };
 ///                 balance makes no pressures of bulk modulus times its second order
 /// Source: [Simo1998] sec. 9.4 and 10.3; spatial forms of [Bonet2008] ch. 9.
 void element_response(HexElement kind, const ElementShape& shape, const Tissue& tissue,
-                      const Eigen::Matrix3Xd& u, const RelaxationStep* step,
+                      const Eigen::Matrix3Xd& u, const MemoryStep* step,
                       const ElementHistory* history, const Eigen::Vector4d* tangent_pressure,
                       ElementAsk ask, ElementResponse& out);
 

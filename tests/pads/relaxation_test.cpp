@@ -17,7 +17,7 @@ namespace {
 using Eigen::Vector3d;
 using Eigen::VectorXd;
 
-const std::vector<PronyTerm> kThreeTerms{{0.3, 0.004}, {0.25, 0.07}, {0.2, 1.4}};
+const std::vector<ExponentialTerm> kThreeTerms{{0.3, 0.004}, {0.25, 0.07}, {0.2, 1.4}};
 
 /// A cube sheared at a constant rate for some time, then held. Large shear: the elastic second
 /// Piola-Kirchhoff stresses Se13 = mu (g + g^3 / 3), Se33 = -mu g^2 / 3 do not run straight.
@@ -42,7 +42,7 @@ struct ShearedCube {
       s33 -= share * kModulus * 2 / 3 * rate * rate * m1;
     };
     double left = 1;
-    for (const PronyTerm& term : kThreeTerms) {
+    for (const ExponentialTerm& term : kThreeTerms) {
       left -= term.share;
       add(term.share, moment(0, term.time), moment(1, term.time), moment(2, term.time));
     }
@@ -157,7 +157,7 @@ TEST(Relaxation, ThreeTimesOfAPressedPadAreFoundAgain) {
   ASSERT_TRUE(found.converged()) << found.message;
   // What does not relax, volume, makes forces of a pad no exact multiples of g(t).
   for (int i = 1; i <= 3; ++i) {
-    const PronyTerm& term = kThreeTerms[static_cast<std::size_t>(i - 1)];
+    const ExponentialTerm& term = kThreeTerms[static_cast<std::size_t>(i - 1)];
     EXPECT_NEAR(std::exp(found.z[3 + i]) / term.time, 1, 1e-3) << i;
     EXPECT_NEAR(found.z[i] / forces[0], term.share, 1e-3 * term.share) << i;
   }

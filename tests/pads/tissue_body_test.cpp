@@ -223,7 +223,7 @@ TEST(TissueBody, AHeldStretchRelaxesAsItsExponentials) {
   for (const double h : {0.001, 0.002, 0.05, 0.2, 1.0, 30.0}) {
     t += h;
     double expected = 0.25;
-    for (const PronyTerm& term : tissue.relaxation)
+    for (const ExponentialTerm& term : tissue.relaxation)
       expected += term.share * std::exp(-t / term.time);
     EXPECT_NEAR(shear(h, history) / first, expected, 1e-12) << t;
     history = body.advance(u, h, history);

@@ -37,7 +37,7 @@ struct Case {
     tissue.exponent = 2;
     tissue.relaxation = {{0.3, 0.1}, {0.2, 1}};
     shape = element_shape(kind, X);
-    step = relaxation_step(tissue, 0.05);
+    step = memory_step(tissue.relaxation, 0.05);
     const auto points = static_cast<std::size_t>(points_of(kind));
     history.elastic.resize(points);
     history.terms.resize(2 * points);
@@ -55,7 +55,7 @@ struct Case {
   Matrix3Xd X, u;
   Tissue tissue;
   ElementShape shape;
-  RelaxationStep step;
+  MemoryStep step;
   ElementHistory history;
 };
 

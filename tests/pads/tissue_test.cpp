@@ -163,7 +163,7 @@ TEST(Tissue, RelaxationIsExactForRampsAndHolds) {
   constexpr double kRise = 0.1;
   const auto exact = [&](double t) {
     double sum = 0.5 * std::min(t / kRise, 1.0);
-    for (const PronyTerm& term : tissue.relaxation) {
+    for (const ExponentialTerm& term : tissue.relaxation) {
       const double end = std::min(t, kRise);
       sum += term.share * term.time / kRise *
              (std::exp((end - t) / term.time) - std::exp(-t / term.time));
@@ -173,7 +173,7 @@ TEST(Tissue, RelaxationIsExactForRampsAndHolds) {
   double t = 0, elastic = 0;
   std::vector<double> terms{0, 0};
   for (const double h : {0.04, 0.06, 0.5, 3.0}) {
-    const RelaxationStep step = relaxation_step(tissue, h);
+    const MemoryStep step = memory_step(tissue.relaxation, h);
     const double next = std::min((t + h) / kRise, 1.0);
     double stress = step.now * next;
     for (std::size_t i = 0; i < terms.size(); ++i) {
