@@ -1,17 +1,22 @@
-// Reduced laws of the default pad, fitted to its finite elements; their errors on other presses.
+// Reduced laws of a pad, fitted to its finite elements; their errors on other presses.
 //
-//   bench/pad_laws [FORCE_ERROR [FILE]]
+//   bench/pad_laws [FORCE_ERROR [PAD [LAWS]]]
 //
 // FORCE_ERROR  of the elements, 0.04 unless given
-// FILE         the laws as TOML
+// PAD          a file of data/pads; the default pad, elastic, unless given
+// LAWS         the laws as TOML
 
 #include <chrono>
 #include <cstdlib>
 #include <string>
+#include <vector>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "data/io/pad/law_file.h"
+#include "data/io/pad/pad.h"
+#include "pads/build_pad.h"
 #include "pads/calibrate_laws.h"
 #include "pads/pad_shape.h"
 
@@ -43,10 +48,32 @@ void print(const MeasuredPresses& found, const CalibratedLaws& laws, const Found
   }
 }
 
-int run(double force_error, const std::string& file) {
+/// A pad to calibrate.
+struct NamedPad {
+  std::string name, words;  // `words` for the file's source
   PadModel model;
-  model.tissues.resize(1);
-  model.tissues[0].shear_modulus = 12e3;
+};
+
+NamedPad default_pad() {
+  NamedPad pad{"default pad",
+               "the default pad (neo-Hookean, shear modulus 12 kPa, Poisson's ratio 0.49)",
+               {}};
+  pad.model.tissues.resize(1);
+  pad.model.tissues[0].shear_modulus = 12e3;
+  return pad;
+}
+
+NamedPad pad_of_file(const std::string& file) {
+  const PadSpec spec = read_pad(file);
+  std::string words = fmt::format("the pad '{}'", spec.name);
+  if (const std::vector<std::string> assumed = assumed_words(spec); !assumed.empty())
+    words += fmt::format(" (assumed in it: {})", fmt::join(assumed, ", "));
+  return {spec.name, words, build_pad(spec)};
+}
+
+int run(double force_error, const std::string& pad_file, const std::string& laws_file) {
+  const NamedPad pad = pad_file.empty() ? default_pad() : pad_of_file(pad_file);
+  const PadModel& model = pad.model;
   PadPressOptions press;
   press.force_error = force_error;
   press.max_penetration = 20e-6;
@@ -58,7 +85,7 @@ int run(double force_error, const std::string& file) {
   const auto pressed = std::chrono::steady_clock::now();
   LawCalibration found = fit_laws(model, fit, check, {});
   const auto fitted = std::chrono::steady_clock::now();
-  found.laws.name = "default pad";
+  found.laws.name = pad.name;
   const FoundationBed bed(pad_columns(model.shape, LawFitOptions{}.rings), found.laws.foundation);
   fmt::print("fitted:\n");
   print(fit, found.laws, bed);
@@ -74,12 +101,11 @@ int run(double force_error, const std::string& file) {
   fmt::print("\n{} {}\npresses {:.1f} s, fits {:.1f} s\n", name_of(found.status), found.message,
              std::chrono::duration<double>(pressed - start).count(),
              std::chrono::duration<double>(fitted - pressed).count());
-  const std::string source = fmt::format(
-      "Fitted to {} presses of finite elements of the default pad (neo-Hookean, shear modulus 12 "
-      "kPa, Poisson's ratio 0.49) and checked on {} others",
-      fit.presses.size(), check.presses.size());
+  const std::string source =
+      fmt::format("Fitted to {} presses of finite elements of {} and checked on {} others",
+                  fit.presses.size(), pad.words, check.presses.size());
   fmt::print("\n{}", laws_text(found.laws, source));
-  if (!file.empty()) write_laws(file, found.laws, source);
+  if (!laws_file.empty()) write_laws(laws_file, found.laws, source);
   return found.status == Status::kSolved ? 0 : 1;
 }
 
@@ -87,5 +113,6 @@ int run(double force_error, const std::string& file) {
 }  // namespace thenar
 
 int main(int argc, char** argv) {
-  return thenar::run(argc > 1 ? std::atof(argv[1]) : 0.04, argc > 2 ? argv[2] : "");
+  return thenar::run(argc > 1 ? std::atof(argv[1]) : 0.04, argc > 2 ? argv[2] : "",
+                     argc > 3 ? argv[3] : "");
 }
