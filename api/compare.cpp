@@ -165,7 +165,8 @@ FileDigests files_of(const std::vector<NamedHand>& hands, const std::vector<Body
 }
 
 /// SHA-256 of all hands and objects, as "hand barrett" and "object mug".
-JsonNode content_hashes(const CompareRequest& request, const std::vector<BodySpec>& objects) {
+JsonNode content_hashes(const CompareRequest& request, const std::vector<BodySpec>& objects,
+                        const Materials& materials) {
   JsonNode contents(JsonKind::kObject);
   for (const std::string& hand : request.hands)
     if (const std::string hash = hand_hash(hand, request.data); !hash.empty())
@@ -173,11 +174,13 @@ JsonNode content_hashes(const CompareRequest& request, const std::vector<BodySpe
   for (const BodySpec& object : objects) contents.set("object " + object.name, object_hash(object));
   if (!request.materials.empty())
     contents.set("materials " + request.materials, sha256(read_source(request.materials).text));
+  for (const auto& [path, hash] : materials.files) contents.set("laws " + path, hash);
   return contents;
 }
 
 /// What the result depends on, by name: the request without threads, and all that it names.
-JsonNode inputs_of(const CompareRequest& request, const std::vector<BodySpec>& objects) {
+JsonNode inputs_of(const CompareRequest& request, const std::vector<BodySpec>& objects,
+                   const Materials& materials) {
   std::vector<std::string> hands;
   for (const std::string& hand : request.hands) hands.push_back(current_hand_name(hand));
   JsonNode inputs;
@@ -188,7 +191,7 @@ JsonNode inputs_of(const CompareRequest& request, const std::vector<BodySpec>& o
       .set("best", request.best)
       .set("seed", request.seed)
       .set("normalise_size", request.normalise_size)
-      .set("contents", content_hashes(request, objects))
+      .set("contents", content_hashes(request, objects, materials))
       .set("program", program_hash())
       .set("versions", texts_node(versions()));
   return inputs;
@@ -285,13 +288,14 @@ HandComparison compare_hands(const CompareRequest& request, const Progress& prog
     }
   const Materials materials = materials_of_file(request.materials);
   require_object_materials(request, result.objects, materials);
-  const JsonNode inputs = inputs_of(request, result.objects);
+  const JsonNode inputs = inputs_of(request, result.objects, materials);
   result.inputs = input_texts(inputs, request.seed);
   if (!request.file.empty()) require_writable(request.file);
   result.hands = hands_of(request, progress);
   if (result.hands.size() < request.hands.size()) return result;  // stopped
   result.files = files_of(result.hands, result.objects);
   if (!request.materials.empty()) result.files.merge(digests_of({request.materials}));
+  result.files.insert(materials.files.begin(), materials.files.end());
   for (const NamedHand& hand : result.hands) require_materials(hand, materials);
   result.comparison = go_on(request, options_of(request, materials), inputs, result,
                             compared_hands(result.hands, without_material), progress);

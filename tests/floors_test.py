@@ -26,7 +26,7 @@ MAY_SEE = {
     "data/io/graspit": ["base", "data/io"],
     "data/io/foreign_mesh": ["base", "data/io", "data/io/mesh", "data/io/graspit"],
     "data/io/robot": ["base", "geometry", "data/io", "data/io/mesh", "data/io/graspit"],
-    "data/io/world": ["base", "geometry", "data/io", "data/io/mesh", "data/io/graspit", "data/io/robot"],
+    "data/io/world": ["base", "geometry", "data/io", "data/io/mesh", "data/io/graspit", "data/io/robot", "data/io/pad", "pads/laws"],
     "data/io/scene": ["base", "geometry", "data/io", "data/io/mesh", "data/io/world"],
     "hand": ["base", "geometry", "data/io"],
     "hand/skin": ["base", "geometry", "data/io", "hand"],

@@ -6,6 +6,7 @@
 #include "base/error.h"
 #include "base/units.h"
 #include "geometry/collision/curvature.h"
+#include "pads/laws/contact_law.h"
 #include "pads/laws/soft_patch.h"
 
 namespace thenar {
@@ -51,9 +52,10 @@ RelativeCurvatures gap_at(const Eigen::Vector3d& p, const PadBody& a, const PadB
   return relative_curvatures(on_a, on_b, angle);
 }
 
-/// Patch of a layer that is pressed at most to its thickness and to half the smaller radius.
-SoftPatch pressed_patch(const Material& layer, const RelativeCurvatures& gap, double friction,
-                        double force) {
+/// Patch of a layer of springs that is pressed at most to its thickness and to half the smaller
+/// radius.
+SoftPatch spring_patch(const Material& layer, const RelativeCurvatures& gap, double friction,
+                       double force) {
   const double R1 = 1 / std::max(kFlatCurvature, gap.k1), R2 = 1 / std::max(kFlatCurvature, gap.k2);
   const auto pressed = [&](double load) {
     return winkler_patch(load, layer.young, layer.layer_thickness, R1, R2, friction);
@@ -63,6 +65,22 @@ SoftPatch pressed_patch(const Material& layer, const RelativeCurvatures& gap, do
   const double most = std::min(layer.layer_thickness, std::min(R1, R2) / 2);
   if (patch.depth <= most) return patch;
   return pressed(force * std::pow(most / patch.depth, 2));  // depth goes with its root
+}
+
+/// Patch of a layer, and its stiffness d force / d depth [N/m].
+struct PressedLayer {
+  SoftPatch patch;
+  double stiffness;
+};
+PressedLayer pressed_layer(const Material& layer, const RelativeCurvatures& gap, double friction,
+                           double force) {
+  if (layer.law != nullptr) {
+    const LawContact contact = layer.law->at_force(gap, force, friction);
+    return {contact.patch, contact.stiffness};
+  }
+  // Winkler foundation under the ellipse.
+  const SoftPatch patch = spring_patch(layer, gap, friction, force);
+  return {patch, layer.young / layer.layer_thickness * kPi * patch.a * patch.b};
 }
 
 void check(const PadOptions& options) {
@@ -94,7 +112,7 @@ double torsion_of(const ContactPatch& patch, const PadBody& a, const PadBody& b,
   if (patch.contacts.size() > 1 && gap.k2 < kFlatCurvature) return 0;
   const double friction = patch.contacts[0].contact.friction;
   // Each point gets what the friction of separate points does not resist already.
-  const double torsion = pressed_patch(*layer, gap, friction, options.force).torsion;
+  const double torsion = pressed_layer(*layer, gap, friction, options.force).patch.torsion;
   return std::max(0.0, torsion - friction * spread(patch));
 }
 
@@ -106,14 +124,13 @@ std::optional<PadStiffness> pad_stiffness(const ContactPatch& patch, const PadBo
   if (layer == nullptr) return {};
   const RelativeCurvatures gap = gap_at(middle(patch), a, b, options.step);
   const double friction = patch.contacts[0].contact.friction;
-  // Winkler foundation under the ellipse, shared by the points of the patch.
-  const SoftPatch pressed = pressed_patch(*layer, gap, friction, options.force);
-  const auto points = static_cast<double>(patch.contacts.size());
-  const double normal =
-      layer->young / layer->layer_thickness * kPi * pressed.a * pressed.b / points;
+  // Springs of the whole patch, shared by its points.
+  const auto [pressed, stiffness] = pressed_layer(*layer, gap, friction, options.force);
+  const double normal = stiffness / static_cast<double>(patch.contacts.size());
   // The twist of one point comes from the shear springs over the ellipse.
   const double shear = kShear * normal, arms = (pressed.a * pressed.a + pressed.b * pressed.b) / 4;
-  return PadStiffness{normal, shear, patch.contacts.size() == 1 ? shear * arms : 0};
+  const bool twists = patch.contacts.size() == 1 && arms > 0;  // a rigid point does not
+  return PadStiffness{normal, shear, twists ? shear * arms : 0};
 }
 
 std::vector<ContactPatch> patches_of(const std::vector<HandContact>& contacts) {

@@ -38,11 +38,12 @@ struct PadBody {
 
 /// Torsion of each point of a patch [m]: that of winkler_patch() in the softer layer, with the
 /// relative radii of both surfaces at the middle of the patch; 0 for hard points, and where neither
-/// body has a layer.
+/// body has a layer. A material with a law of its pad (Material::law) has the patch and torsion of
+/// that law at that force in place of springs.
 ///
 /// Torsion per force depends on the force, as patches grow with it, like force^(1/4): at 5 N it is
-/// 1.5 times the value at 1 N. By convention the layer is not pressed beyond its thickness or half
-/// the smaller radius, and no radius exceeds 0.1 m.
+/// 1.5 times the value at 1 N. By convention a layer of springs is not pressed beyond its thickness
+/// or half the smaller radius, and no radius exceeds 0.1 m.
 ///
 /// Several points of one patch resist torsion already, by friction times their mean distance from
 /// their middle. Each point gets the rest of the torsion, so that a faceted round pad with a few
@@ -58,7 +59,8 @@ struct PadBody {
 /// modulus E and thickness h, the whole patch has
 ///   normal  k_n = E / h pi a b,  tangential  k_t = k_n / 3,  twisting  k_t (a^2 + b^2) / 4:
 /// springs under the patch, each with the shear modulus E / 3 of an incompressible material along
-/// the tangents; k_n is d force / d depth. Several points share the first two and twist by their
+/// the tangents; k_n is d force / d depth. A material with a law has that law's patch and k_n, and
+/// the rest by the same formulas. Several points share the first two and twist by their
 /// distance alone. A patch also resists rocking about its tangents, by k_n a^2 / 4; this is left
 /// out for single points, whose contacts bear no such torque. `options.contact` is ignored: hard
 /// points on soft pads have the same springs.

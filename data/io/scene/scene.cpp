@@ -217,6 +217,7 @@ SceneSpec read_scene(const std::string& path) {
   if (!scene.materials_file.empty())
     scene.files.merge(
         digests_of({(std::filesystem::path(scene.folder) / scene.materials_file).string()}));
+  scene.files.insert(scene.materials.files.begin(), scene.materials.files.end());
   for (const SceneBodySpec& body : scene.bodies)
     scene.files.insert(body.placed.body.files.begin(), body.placed.body.files.end());
   const auto add_table = [&](const std::string& file) {

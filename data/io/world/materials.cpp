@@ -1,14 +1,32 @@
 #include "data/io/world/materials.h"
 
 #include <algorithm>
+#include <filesystem>
+#include <functional>
 #include <map>
 #include <string_view>
 
 #include "base/error.h"
 #include "base/nearest_name.h"
+#include "data/io/pad/law_file.h"
 #include "data/io/toml_table.h"
+#include "pads/laws/point_laws.h"
 
 namespace thenar {
+namespace {
+
+/// A material, the one that it is like, and so on; each once.
+std::vector<std::string> likenesses(const Materials& materials, const std::string& name) {
+  std::vector<std::string> names{name};
+  for (std::size_t i = 0; i < names.size(); ++i)
+    for (const Material& material : materials.materials)
+      if (material.name == names[i] && !material.like.empty() &&
+          std::find(names.begin(), names.end(), material.like) == names.end())
+        names.push_back(material.like);
+  return names;
+}
+
+}  // namespace
 
 const Material& Materials::at(const std::string& name) const {
   std::string names;
@@ -23,10 +41,13 @@ Friction Materials::between(const std::string& a, const std::string& b) const {
   require(!a.empty() && !b.empty(),
           "no friction between '{}' and '{}': one of these links or bodies has no 'material'", a,
           b);
-  const auto found = friction.find(std::minmax(a, b));
-  require(found != friction.end(), "no friction between '{}' and '{}': give it in a materials file",
-          a, b);
-  return found->second;
+  // The pair itself comes first, as each material is the first of its likenesses.
+  for (const std::string& second : likenesses(*this, b))
+    for (const std::string& first : likenesses(*this, a))
+      if (const auto found = friction.find(std::minmax(first, second)); found != friction.end())
+        return found->second;
+  throw InputError(
+      fmt::format("no friction between '{}' and '{}': give it in a materials file", a, b));
 }
 
 namespace internal {
@@ -45,14 +66,46 @@ bool contains(const std::vector<std::string>& names, const std::string& name) {
   return std::find(names.begin(), names.end(), name) != names.end();
 }
 
-Material read_material(TomlTable& table) {
-  Material material;
+/// Laws of a pad by the name that a materials file gives them.
+using FindLaws = std::function<CalibratedLaws(TomlTable& table, const std::string& file)>;
+
+/// What a material is like: of this file so far, or below. Absent: nothing.
+Material read_likeness(TomlTable& table, const Materials& read, const Materials& below) {
+  Material likeness;
+  const std::string name = table.text_or("like", "");
+  if (name.empty()) return likeness;
+  std::vector<std::string> known = names_of(read);
+  for (const Materials* each : {&read, &below})
+    for (const Material& material : each->materials) {
+      if (material.name == name) {
+        likeness = material;
+        likeness.like = name;
+        return likeness;
+      }
+      known.push_back(material.name);
+    }
+  table.fail(fmt::format("no material '{}' before it{}", name, did_you_mean(name, known)), "like");
+}
+
+Material read_material(TomlTable& table, Material material, const FindLaws& find_laws) {
   material.name = table.text("name");
-  material.density = table.number_or(Dimension::kDensity, "density", 0, Range::kPositive);
-  material.young = table.number_or(Dimension::kStress, "young", 0, Range::kPositive);
-  if (material.young > 0)
+  material.density =
+      table.number_or(Dimension::kDensity, "density", material.density, Range::kPositive);
+  // A layer of its own has no law of another's.
+  if (table.has(Dimension::kStress, "young")) {
+    material.young = table.number(Dimension::kStress, "young", Range::kPositive);
     material.layer_thickness =
         table.number(Dimension::kLength, "layer_thickness", Range::kPositive);
+    material.laws_file = "";
+    material.law = nullptr;
+  }
+  if (table.has("laws")) {
+    if (material.young == 0)
+      table.fail("wanted 'young' and 'layer_thickness' beside 'laws': how soft the pad is", "laws");
+    material.laws_file = table.text("laws");
+    const CalibratedLaws laws = find_laws(table, material.laws_file);
+    material.law = std::make_shared<const SoftFinger>(laws.soft_finger, laws.relaxation);
+  }
   table.done();
   return material;
 }
@@ -80,17 +133,15 @@ Friction read_friction(TomlTable& table) {
   return friction;
 }
 
-}  // namespace
-
-Materials parse_materials(const std::string& text, const std::string& path,
-                          const Materials& below) {
+Materials parse(const std::string& text, const std::string& path, const Materials& below,
+                const FindLaws& find_laws) {
   const TomlFile file(text, path);
   TomlTable top = file.top();
   top.ignore("name");
   Materials read;
   // Materials of this file, then those below that it does not replace.
   for (TomlTable& table : top.tables("material")) {
-    const Material material = read_material(table);
+    const Material material = read_material(table, read_likeness(table, read, below), find_laws);
     if (contains(names_of(read), material.name))
       table.fail(fmt::format("material '{}' is given twice", material.name), "name");
     read.materials.push_back(material);
@@ -109,13 +160,36 @@ Materials parse_materials(const std::string& text, const std::string& path,
   return read;
 }
 
+}  // namespace
+
+Materials parse_materials(const std::string& text, const std::string& path,
+                          const Materials& below) {
+  // Laws are beside the file.
+  FileDigests files = below.files;
+  Materials read = parse(text, path, below, [&](TomlTable& table, const std::string& file) {
+    const std::string whole = (std::filesystem::path(path).parent_path() / file).string();
+    if (!std::filesystem::is_regular_file(whole))
+      table.fail(fmt::format("there is no file '{}'", whole), "laws");
+    files.merge(digests_of({whole}));
+    return read_laws(whole);
+  });
+  read.files = std::move(files);
+  return read;
+}
+
 Materials read_materials(const std::string& path, const Materials& below) {
   return parse_materials(read_text_file(path), path, below);
 }
 
 const Materials& built_in_materials() {
-  static const Materials materials = parse_materials(
-      std::string(internal::material_table().at("materials.toml")), "data/materials.toml", {});
+  static const Materials materials = [] {
+    const auto& built_in = internal::material_table();
+    return parse(std::string(built_in.at("materials.toml")), "data/materials.toml", {},
+                 [&](TomlTable& /*table*/, const std::string& file) {
+                   const std::string name = std::filesystem::path(file).filename().string();
+                   return parse_laws(std::string(built_in.at(name)), "data/" + file);
+                 });
+  }();
   return materials;
 }
 

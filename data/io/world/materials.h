@@ -3,11 +3,16 @@
 /// Materials, and friction between them.
 
 #include <map>
+#include <memory>
 #include <string>
 #include <utility>
 #include <vector>
 
+#include "base/provenance.h"
+
 namespace thenar {
+
+class ContactLaw;
 
 /// Dry friction between two materials.
 struct Friction {
@@ -21,6 +26,11 @@ struct Material {
   double density = 0;          // [kg/m^3]; 0 if unknown
   double young = 0;            // of its soft layer [Pa]; 0: rigid
   double layer_thickness = 0;  // of its soft layer [m]; 0: rigid
+  std::string like;            // material whose friction it has where it has none; empty: none
+  std::string laws_file;       // of the pad that its layer is, as written; empty: none
+  // The soft finger of that file, constant and shared by copies of the table; null: the layer is a
+  // bed of springs.
+  std::shared_ptr<const ContactLaw> law = nullptr;
 };
 
 /// Material of a surface whose material is not stated: hard and rather smooth.
@@ -30,10 +40,12 @@ inline constexpr const char* kDefaultMaterial = "plastic";
 struct Materials {
   std::vector<Material> materials;
   std::map<std::pair<std::string, std::string>, Friction> friction;  // names in alphabetic order
+  FileDigests files = {};  // laws of pads that were read for it
 
   /// A material by name. @throws InputError if there is none, listing the names.
   [[nodiscard]] const Material& at(const std::string& name) const;
-  /// Friction of a pair. @throws InputError if the pair has none.
+  /// Friction of a pair; where it has none, that of the materials that both are like, the first's
+  /// before the second's. @throws InputError if there is none either.
   [[nodiscard]] Friction between(const std::string& a, const std::string& b) const;
 };
 
@@ -45,7 +57,8 @@ struct Materials {
                                         const Materials& below = {});
 
 /// The table that comes with thenar, data/materials.toml. "frictionless" slides on everything;
-/// "skin" has measured friction with metal, rubber and sandpaper, and assumed values with the rest.
+/// "skin" has measured friction with metal, rubber and sandpaper, and assumed values with the rest;
+/// "fingertip" is skin over the pad of data/pads/laws/index_pad.toml.
 /// Source: [GraspItWorld] for hard materials and rubber, [Seo2009] and [Savescu2008] for skin.
 [[nodiscard]] const Materials& built_in_materials();
 

@@ -112,6 +112,7 @@ WorldSpec read_world(const std::string& path) {
   if (!world.materials_file.empty())
     world.files.merge(
         digests_of({(std::filesystem::path(world.folder) / world.materials_file).string()}));
+  world.files.insert(world.materials.files.begin(), world.materials.files.end());
   for (const PlacedBody& placed : world.bodies)
     world.files.insert(placed.body.files.begin(), placed.body.files.end());
   return world;

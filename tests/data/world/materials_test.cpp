@@ -2,10 +2,16 @@
 
 #include "data/io/world/materials.h"
 
+#include <filesystem>
+
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "base/error.h"
+#include "base/file_io.h"
+#include "pads/laws/contact_law.h"
 #include "tests/message_of.h"
+#include "tests/temporary_folder.h"
 
 namespace thenar {
 namespace {
@@ -46,7 +52,7 @@ TEST(Materials, HoldMeasuredSkin) {
 
 TEST(Materials, KnowEveryPairThatAHandMeets) {
   const Materials& materials = built_in_materials();
-  for (const char* hand : {"skin", "rubber", "plastic", "metal", "frictionless"})
+  for (const char* hand : {"skin", "fingertip", "rubber", "plastic", "metal", "frictionless"})
     for (const char* object : {"glass", "metal", "plastic", "wood", "rubber", "stone", "skin"})
       EXPECT_NO_THROW((void)materials.between(hand, object)) << hand << " " << object;
 }
@@ -70,6 +76,81 @@ TEST(Materials, StandOverOthers) {
   EXPECT_EQ(materials.between("glass", "felt").kinetic_coefficient, 0.25);
   EXPECT_EQ(materials.between("glass", "metal").static_coefficient, 0.125);
   EXPECT_EQ(materials.between("glass", "glass").static_coefficient, 0.2);
+}
+
+// A fingertip is skin by friction and softness, and knows its pad.
+TEST(Materials, HoldThePadOfAFingertip) {
+  const Materials& materials = built_in_materials();
+  const Material& tip = materials.at("fingertip");
+  EXPECT_EQ(tip.young, materials.at("skin").young);
+  EXPECT_EQ(tip.layer_thickness, materials.at("skin").layer_thickness);
+  ASSERT_NE(tip.law, nullptr);
+  EXPECT_EQ(tip.law->relaxation().size(), 3U);
+  EXPECT_EQ(materials.at("skin").law, nullptr);
+  EXPECT_EQ(materials.between("fingertip", "metal").static_coefficient, 0.6);
+  EXPECT_EQ(materials.between("fingertip", "fingertip").static_coefficient, 0.9);
+}
+
+const std::string kLike =
+    "source = \"Seo2009\"\n[[material]]\nname = \"a\"\nyoung_kPa = 10\nlayer_thickness_mm = "
+    "2\n[[material]]\nname = \"b\"\nlike = \"a\"\n[[material]]\nname = \"c\"\nlike = "
+    "\"b\"\ndensity_g_cm3 = 2\n";
+
+TEST(Materials, SlideAsWhatTheyAreLike) {
+  const Materials materials = parse_materials(
+      kLike +
+          "[[friction]]\nbetween = [\"a\", \"glass\"]\nstatic = 0.5\nkinetic = 0.5\n"
+          "[[friction]]\nbetween = [\"b\", \"metal\"]\nstatic = 0.25\nkinetic = 0.25\n"
+          "[[friction]]\nbetween = [\"a\", \"metal\"]\nstatic = 0.75\nkinetic = 0.75\n",
+      "m.toml", built_in_materials());
+  EXPECT_EQ(materials.at("c").young, 10e3);
+  EXPECT_EQ(materials.at("c").layer_thickness, 2e-3);
+  EXPECT_EQ(materials.at("c").density, 2000);
+  EXPECT_EQ(materials.between("glass", "c").static_coefficient, 0.5);
+  EXPECT_EQ(materials.between("c", "metal").static_coefficient, 0.25);
+  EXPECT_THROW((void)materials.between("c", "wood"), InputError);
+  // Skin replaced is what a fingertip slides as.
+  const Materials oily = parse_materials(
+      "source = \"Seo2009\"\nfriction = [{between = [\"skin\", \"glass\"], static = 0.125, "
+      "kinetic = 0.125}]",
+      "m.toml", built_in_materials());
+  EXPECT_EQ(oily.between("fingertip", "glass").static_coefficient, 0.125);
+}
+
+// Below, b is like a; here a is like b.
+TEST(Materials, LikeEachOtherEndTheirSearch) {
+  const Materials below = parse_materials(kLike, "m.toml");
+  const Materials ring = parse_materials(
+      "source = \"Seo2009\"\n[[material]]\nname = \"a\"\nlike = \"b\"\n", "n.toml", below);
+  EXPECT_THROW((void)ring.between("a", "c"), InputError);
+}
+
+TEST(Materials, RefuseWrongLikenessesAndLaws) {
+  EXPECT_THAT(refusal(kHead + "like = \"skim\""), HasSubstr(":6: no material 'skim' before it"));
+  EXPECT_THAT(refusal(kHead + "like = \"b\""), HasSubstr(":6: no material 'b' before it"));
+  EXPECT_THAT(refusal(kHead + "laws = \"x.toml\""), HasSubstr(":6: wanted 'young'"));
+  EXPECT_THAT(refusal(kHead + "young_kPa = 3\nlayer_thickness_mm = 1\nlaws = \"x.toml\""),
+              HasSubstr("m.toml:8: there is no file 'x.toml'"));
+}
+
+using MaterialFiles = TemporaryFolder;
+
+// The default pad's laws, beside a materials file.
+TEST_F(MaterialFiles, HaveLawsBesideThem) {
+  std::filesystem::copy_file(std::string(THENAR_DATA_DIR) + "/pads/laws/index_pad.toml",
+                             path("pad.toml"));
+  write_file(path("m.toml"),
+             kHead + "young_kPa = 3\nlayer_thickness_mm = 1\nlaws = \"pad.toml\"\n");
+  const Materials materials = read_materials(path("m.toml"), built_in_materials());
+  ASSERT_NE(materials.at("b").law, nullptr);
+  const RelativeCurvatures gap{100, 50};
+  EXPECT_EQ(materials.at("b").law->at_force(gap, 1, 0.6).patch.torsion,
+            materials.at("fingertip").law->at_force(gap, 1, 0.6).patch.torsion);
+  EXPECT_EQ(materials.files, digests_of({path("pad.toml")}));
+  // A broken one is named by its own line.
+  write_file(path("pad.toml"), "name = 3\n");
+  EXPECT_THAT(message_of<DataError>([&] { (void)read_materials(path("m.toml")); }),
+              HasSubstr("pad.toml:1: "));
 }
 
 TEST(Materials, RefuseWhatIsWrong) {

@@ -300,7 +300,7 @@ TEST(BodyMass, TakesItsDensityOrItsMaterials) {
   BodySpec body = body_of(ShapeKind::kBox, {0.1, 0.1, 0.1});
   body.material = "felt";
   Materials materials;
-  materials.materials = {{"felt", 200, 0, 0}};
+  materials.materials = {{"felt", 200, 0, 0, "", ""}};
   EXPECT_NEAR(body_mass(body, materials).mass, 0.2, 1e-15);
   body.density = 500;
   EXPECT_NEAR(body_mass(body, materials).mass, 0.5, 1e-15);

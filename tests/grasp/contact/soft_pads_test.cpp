@@ -3,6 +3,9 @@
 #include "grasp/contact/soft_pads.h"
 
 #include <cmath>
+#include <limits>
+#include <memory>
+#include <utility>
 
 #include <gtest/gtest.h>
 
@@ -11,6 +14,7 @@
 #include "grasp/closing/grasp.h"
 #include "grasp/quality/grasp_stiffness.h"
 #include "grasp/robot/robot_hand.h"
+#include "pads/laws/point_laws.h"
 #include "pads/laws/soft_patch.h"
 #include "tests/grasp/jaws.h"
 
@@ -193,6 +197,96 @@ TEST(SoftPads, OfRigidMaterialsAreNoSprings) {
   patch.contacts.resize(1);
   EXPECT_FALSE(pad_stiffness(patch, metal, metal).has_value());
   EXPECT_THROW((void)pad_stiffness({}, metal, metal), InputError);
+}
+
+/// A ball of 10 mm on one of 20 mm, the pad of skin with a law of its own.
+struct PadWithLaw {
+  explicit PadWithLaw(std::shared_ptr<const ContactLaw> law) {
+    skin.law = std::move(law);
+    patch.contacts.resize(1);
+    patch.contacts[0].contact.friction = 0.6;
+    options.step = 3e-4;  // so that curvatures of balls are off by 0.02 %
+  }
+  [[nodiscard]] double torsion() const {
+    return torsion_of(patch, {ball, skin, {}}, held, options);
+  }
+  [[nodiscard]] PadStiffness stiffness() const {
+    return *pad_stiffness(patch, {ball, skin, {}}, held, options);
+  }
+
+  Material skin = built_in_materials().at("skin");
+  Solid ball = build_solid({sample::shape(ShapeKind::kSphere, {kPad, 0, 0}, {-kPad, 0, 0})});
+  Solid object = build_solid({sample::shape(ShapeKind::kSphere, {kBall, 0, 0}, {kBall, 0, 0})});
+  PadBody held{object, built_in_materials().at("wood"), {}};
+  ContactPatch patch;
+  PadOptions options = soft();
+};
+
+/// Hertz's contact [Johnson1985] of modulus E* as powers: F = 4/3 E* R^(1/2) depth^(3/2),
+/// a = (3 F R / (4 E*))^(1/3), torsion 3 pi / 16 mu a.
+std::shared_ptr<const ContactLaw> hertz_law(double modulus) {
+  SoftFingerConstants c;
+  c.force = 4.0 / 3 * modulus * std::sqrt(kLawRadius) * std::pow(kLawDepth, 1.5);
+  c.depth_exponent = 1.5;
+  c.radius_exponent = 0.5;
+  c.patch = std::cbrt(3 * kLawRadius / (4 * modulus));
+  c.patch_exponent = c.patch_radius = 1.0 / 3;
+  c.torsion = 3 * kPi / 16;
+  return std::make_shared<const SoftFinger>(c);
+}
+
+TEST(SoftPads, HaveThePatchAndSpringsOfTheirLaw) {
+  constexpr double kModulus = 40e3;  // [Pa]
+  const PadWithLaw pad(hertz_law(kModulus));
+  const double R = 1 / (1 / kPad + 1 / kBall);
+  const SoftPatch hertz = hertz_patch(1, kModulus, R, 0.6);
+  EXPECT_NEAR(pad.torsion(), hertz.torsion, 1e-3 * hertz.torsion);
+  // dF / d depth = 2 E* a, and the twist of shear springs under a circle.
+  const PadStiffness springs = pad.stiffness();
+  const double normal = 2 * kModulus * hertz.a;
+  EXPECT_NEAR(springs.normal, normal, 1e-3 * normal);
+  EXPECT_NEAR(springs.tangential, normal / 3, 1e-3 * normal);
+  const double twist = normal / 3 * hertz.a * hertz.a / 2;
+  EXPECT_NEAR(springs.twisting, twist, 2e-3 * twist);
+}
+
+TEST(SoftPads, OfAStiffLawAreHardPoints) {
+  const PadWithLaw point(std::make_shared<const HardPoint>());
+  EXPECT_EQ(point.torsion(), 0);
+  EXPECT_EQ(point.stiffness().normal, std::numeric_limits<double>::infinity());
+  EXPECT_EQ(point.stiffness().twisting, 0);
+  // A thousand times as stiff is a tenth of the patch, and so on to no torsion.
+  const double once = PadWithLaw(hertz_law(40e3)).torsion();
+  EXPECT_NEAR(PadWithLaw(hertz_law(40e6)).torsion(), once / 10, 1e-9 * once);
+  EXPECT_NEAR(PadWithLaw(hertz_law(40e15)).torsion(), once / 10000, 1e-9 * once);
+}
+
+// Points of a patch share the law's spring and have the rest of its torsion.
+TEST(SoftPads, OfSeveralPointsShareTheirLaw) {
+  PadWithLaw pad(hertz_law(40e3));
+  const double torsion = pad.torsion(), normal = pad.stiffness().normal;
+  pad.patch.contacts.resize(2, pad.patch.contacts[0]);
+  pad.patch.contacts[0].contact.p.y() = 1e-3;
+  pad.patch.contacts[1].contact.p.y() = -1e-3;
+  EXPECT_NEAR(pad.torsion(), torsion - 0.6e-3, 1e-9);
+  EXPECT_NEAR(pad.stiffness().normal, normal / 2, 1e-9 * normal);
+  EXPECT_EQ(pad.stiffness().twisting, 0);
+}
+
+// A law is of its own material: beside a softer one it is not asked.
+TEST(SoftPads, AskTheLawOfTheSofterLayer) {
+  PadWithLaw pad(hertz_law(40e3));
+  const PadBody as_soft{pad.object, built_in_materials().at("skin"), {}};
+  EXPECT_EQ(torsion_of(pad.patch, {pad.ball, pad.skin, {}}, as_soft, pad.options), pad.torsion());
+  Material softer = built_in_materials().at("skin");
+  softer.young /= 2;
+  const PadBody held{pad.object, softer, {}};
+  pad.options.force = 0.5;  // [N], which leaves the softer layer thicker than it is pressed
+  const double R = 1 / (1 / kPad + 1 / kBall);
+  const double springs =
+      winkler_patch(0.5, softer.young, softer.layer_thickness, R, R, 0.6).torsion;
+  EXPECT_NEAR(torsion_of(pad.patch, {pad.ball, pad.skin, {}}, held, pad.options), springs,
+              1e-3 * springs);
 }
 
 TEST(SoftPads, RejectImpossibleOptions) {
