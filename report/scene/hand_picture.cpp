@@ -33,10 +33,14 @@ std::vector<std::string> digits_of(const Hand& hand) {
   return digits;
 }
 
+bool is_skin(const LinkSurface& surface) {
+  return surface.material == "skin" || surface.material == "fingertip";
+}
+
 std::string color_of(const Hand& hand, const std::string& digit, std::size_t index) {
   for (const LinkSurface& surface : hand.surfaces()) {
     if (surface.digit != digit) continue;
-    if (surface.material == "skin") return kSkin;
+    if (is_skin(surface)) return kSkin;
     if (surface.material == "bone") return kBone;
   }
   return digit.empty() ? kPalm : digit_color(index);
@@ -45,7 +49,7 @@ std::string color_of(const Hand& hand, const std::string& digit, std::size_t ind
 /// The look of a surface: nails on skin.
 MeshLook look_of(const LinkSurface& surface, const std::vector<SkinPatch>& patches) {
   if (surface.material == "bone") return {};
-  if (surface.material != "skin") return {kBodyCrease, {}};
+  if (!is_skin(surface)) return {kBodyCrease, {}};
   MeshLook look;
   for (const SkinPatch& patch : patches) {
     if (patch.kind != PatchKind::kNail || patch.middle.digit != surface.digit ||

@@ -180,6 +180,14 @@ std::vector<LinkSurface> covered(const Subject& subject, const Skeleton& skeleto
   return {};
 }
 
+/// Fingertips of skin are pads of pulp. Other materials stay.
+void put_pads(const HandAnatomy& anatomy, std::vector<LinkSurface>& surfaces) {
+  for (LinkSurface& surface : surfaces)
+    for (const DigitAnatomy& digit : anatomy.digits)
+      if (surface.material == "skin" && surface.name == digit.bones.back().segment)
+        surface.material = "fingertip";
+}
+
 /// Place of a version in human_versions(), by its name or its old one; -1: it is none.
 int find_version(const std::string& name) {
   const std::vector<std::string>& names = human_versions();
@@ -207,6 +215,7 @@ HumanHand build_human_hand(const Subject& subject, HumanVersion version,
   human.skeleton = skeleton;
   human.warnings = anatomy.warnings;
   std::vector<LinkSurface> surfaces = covered(subject, skeleton, options);
+  if (version >= HumanVersion::kSoftPads) put_pads(anatomy, surfaces);
   // Tendons: digit by digit, through nets where they can be carried.
   if (version == HumanVersion::kTendonNet) {
     require(has_tendons(variant), "subject '{}' has no tendons for the fourth version",

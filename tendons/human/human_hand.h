@@ -55,8 +55,10 @@ struct HumanHand {
 /// Motors of the first three have the joint_torque_limits() of the fourth at the reference posture.
 /// Where the subject has none for a joint, that of default_human() serves, times the cube of the
 /// ratio of hand lengths (forces grow as sections, arms as lengths), and a warning says so. The
-/// fourth lays the net "extensor_hood" on every finger that can carry it, and takes separate
-/// tendons elsewhere, with a warning; it wants tendons at every digit.
+/// third and fourth have fingertips of material "fingertip" where their skin is "skin": pads with a
+/// law of their own (built_in_materials()). The fourth lays the net "extensor_hood" on every finger
+/// that can carry it, and takes separate tendons elsewhere, with a warning; it wants tendons at
+/// every digit.
 /// @throws InputError naming what the subject lacks.
 [[nodiscard]] HumanHand build_human_hand(const Subject& subject, HumanVersion version,
                                          const HumanHandOptions& options = {});

@@ -215,7 +215,26 @@ TEST(HumanHand, TouchesWithSkinOrBones) {
   EXPECT_EQ(bones.hand->surfaces().front().material, "bone");
   const HumanHand skin = build_human_hand(sample::subject("arms_thumb"), HumanVersion::kSoftPads);
   ASSERT_EQ(skin.hand->surfaces().size(), 3U);
-  EXPECT_EQ(skin.hand->surfaces().front().material, "skin");
+  EXPECT_EQ(skin.hand->surfaces().back().material, "skin");
+}
+
+// Pads of pulp are what the third version has beyond the second.
+TEST(HumanHand, HasPadsAtItsFingertipsFromTheThirdVersionOn) {
+  const Subject subject = sample::subject("arms_thumb");
+  const auto materials = [&](HumanVersion version, const std::string& skin) {
+    HumanHandOptions options;
+    options.skin.material = skin;
+    std::vector<std::string> found;
+    for (const LinkSurface& surface : build_human_hand(subject, version, options).hand->surfaces())
+      found.push_back(surface.material);
+    return found;
+  };
+  using testing::Each;
+  EXPECT_THAT(materials(HumanVersion::kSkewedThumb, "skin"), Each("skin"));
+  const std::vector<std::string> soft = materials(HumanVersion::kSoftPads, "skin");
+  EXPECT_EQ(std::count(soft.begin(), soft.end(), "fingertip"), 1);
+  EXPECT_EQ(soft.front(), "fingertip");  // segments of a subject's file run inwards here
+  EXPECT_THAT(materials(HumanVersion::kSoftPads, "rubber"), Each("rubber"));
 }
 
 // A flat hand has no tendons: strength is borrowed, twice as long is eight times as strong.
