@@ -14,6 +14,7 @@ using Eigen::Vector3d;
 using Eigen::VectorXd;
 
 constexpr int kMaxCuts = 12;       // halvings of a step
+constexpr int kMaxPieces = 60;     // of a step, tried in all
 constexpr double kPatchNodes = 1;  // nodes that touch times the error that is asked, at least
 constexpr int kPatchLevels = 3;    // halvings of cells for the sake of it
 constexpr double kTouch = 1e-10;   // gap that counts as touching [m]
