@@ -8,7 +8,7 @@
 #include <gtest/gtest.h>
 
 #include "geometry/primitives.h"
-#include "tests/pads/press_trials.h"
+#include "tests/pads/stability_trials.h"
 #include "tests/pads/tissue_samples.h"
 
 namespace thenar {
@@ -17,7 +17,7 @@ namespace {
 using Eigen::Vector3d;
 
 /// What holds of every trial.
-void expect_sound(const PressTrial& trial, const PressReport& report) {
+void expect_sound(const StabilityTrial& trial, const PressReport& report) {
   SCOPED_TRACE(trial.name + ": " + report.message);
   EXPECT_TRUE(report.finite);
   EXPECT_TRUE(report.told);
@@ -37,9 +37,9 @@ void expect_sound(const PressTrial& trial, const PressReport& report) {
 }
 
 /// A plain press without friction by an object.
-PressTrial plain_trial(const std::string& name, double poisson_ratio) {
+StabilityTrial plain_trial(const std::string& name, double poisson_ratio) {
   const TrialObject object = trial_object(name);
-  PressTrial trial;
+  StabilityTrial trial;
   trial.name = name;
   trial.model = trial_pad(poisson_ratio);
   trial.object = {object.shape, 0};
@@ -54,14 +54,14 @@ TEST(PressStability, AnyPressEndsSoundly) {
   ASSERT_GE(trials, 1) << "THENAR_PRESSES=" << all;
   std::mt19937 random(1);
   for (int k = 0; k < trials; ++k) {
-    const PressTrial trial = random_trial(random);
+    const StabilityTrial trial = random_trial(random);
     expect_sound(trial, run_trial(trial));
   }
 }
 
 TEST(PressStability, WallsReachSixtyPercentInOneStep) {
   for (const double nu : {0.45, 0.49, 0.499, 0.49999}) {
-    PressTrial trial = plain_trial("wall", nu);
+    StabilityTrial trial = plain_trial("wall", nu);
     trial.depth = 0.6 * 5.5e-3;
     const PressReport report = run_trial(trial);
     expect_sound(trial, report);
@@ -71,7 +71,7 @@ TEST(PressStability, WallsReachSixtyPercentInOneStep) {
 
 TEST(PressStability, AllIsGivenBackWithoutFriction) {
   for (const char* name : {"wall", "ball", "rod"}) {
-    PressTrial trial = plain_trial(name, 0.49);
+    StabilityTrial trial = plain_trial(name, 0.49);
     trial.depth = 2e-3;
     trial.steps = 3;
     trial.back = true;
@@ -83,7 +83,7 @@ TEST(PressStability, AllIsGivenBackWithoutFriction) {
 }
 
 TEST(PressStability, ThePushIsTheSlopeOfTheEnergy) {
-  const PressTrial trial = plain_trial("wall", 0.49);
+  const StabilityTrial trial = plain_trial("wall", 0.49);
   PadPressOptions options;
   options.max_elements = 1;
   PadPress press(trial.model, trial.object, {trial.R, {5e-4, -1.5e-3, 0.1}}, options);
@@ -107,7 +107,7 @@ TEST(PressStability, ThePushIsTheSlopeOfTheEnergy) {
 }
 
 TEST(PressStability, FrictionTakesWork) {
-  PressTrial trial = plain_trial("ball", 0.49);
+  StabilityTrial trial = plain_trial("ball", 0.49);
   trial.object.friction = 0.3;
   trial.sideways = {3e-3, 0, 0};
   trial.steps_sideways = 10;
@@ -120,7 +120,7 @@ TEST(PressStability, FrictionTakesWork) {
 
 TEST(PressStability, ThroughTheBoneEndsWithAStatus) {
   for (const char* name : {"wall", "ball", "blade"}) {
-    PressTrial trial = plain_trial(name, 0.49);
+    StabilityTrial trial = plain_trial(name, 0.49);
     trial.depth = 7e-3;  // more than there is
     const PressReport report = run_trial(trial);
     expect_sound(trial, report);

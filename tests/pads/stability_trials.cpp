@@ -1,4 +1,4 @@
-#include "tests/pads/press_trials.h"
+#include "tests/pads/stability_trials.h"
 
 #include <cmath>
 #include <ctime>
@@ -43,7 +43,7 @@ double unbalanced(const PadPress& press) {
 /// A trial on its way.
 class TrialRun {
  public:
-  TrialRun(const PressTrial& trial, PadPress& press, PressReport& report)
+  TrialRun(const StabilityTrial& trial, PadPress& press, PressReport& report)
       : trial_(trial), press_(press), report_(report) {}
 
   /// Moves the object by `way` in equal steps. @return whether all were solved
@@ -97,7 +97,7 @@ class TrialRun {
     return true;
   }
 
-  const PressTrial& trial_;
+  const StabilityTrial& trial_;
   PadPress& press_;
   PressReport& report_;
 };
@@ -106,7 +106,7 @@ double seconds_of_processor() { return static_cast<double>(std::clock()) / CLOCK
 
 }  // namespace
 
-PressReport run_trial(const PressTrial& trial) {
+PressReport run_trial(const StabilityTrial& trial) {
   PressReport report;
   const double begin = seconds_of_processor();
   PadPressOptions options;
@@ -172,14 +172,14 @@ TrialObject trial_object(const std::string& name) {
   return {build_mesh_distance(tessellate(*build_sphere(8e-3), 0.4e-3)), straight};
 }
 
-PressTrial random_trial(std::mt19937& random) {
+StabilityTrial random_trial(std::mt19937& random) {
   const auto uniform = [&](double low, double high) {
     return std::uniform_real_distribution<double>(low, high)(random);
   };
   const auto pick = [&](int count) {
     return std::uniform_int_distribution<int>(0, count - 1)(random);
   };
-  PressTrial trial;
+  StabilityTrial trial;
   const std::vector<double> ratios{0.45, 0.49, 0.499, 0.49999};
   const double nu = ratios[static_cast<std::size_t>(pick(4))];
   trial.model = trial_pad(nu);

@@ -12,7 +12,7 @@
 namespace thenar {
 
 /// A way to press a pad: towards it, sideways, back, and off again.
-struct PressTrial {
+struct StabilityTrial {
   std::string name;
   PadModel model;
   RigidObject object;
@@ -49,7 +49,7 @@ struct PressReport {
   double seconds = 0;  // of the processor
 };
 
-[[nodiscard]] PressReport run_trial(const PressTrial& trial);
+[[nodiscard]] PressReport run_trial(const StabilityTrial& trial);
 
 /// A default pad with a tissue of 12 kPa.
 [[nodiscard]] PadModel trial_pad(double poisson_ratio);
@@ -64,6 +64,6 @@ struct TrialObject {
 [[nodiscard]] const std::vector<std::string>& trial_object_names();
 
 /// Any object, Poisson's ratio, depth to 60 % of the thickness, friction, direction and steps.
-[[nodiscard]] PressTrial random_trial(std::mt19937& random);
+[[nodiscard]] StabilityTrial random_trial(std::mt19937& random);
 
 }  // namespace thenar
