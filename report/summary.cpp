@@ -96,6 +96,17 @@ std::string summary(const SceneSpec& scene) {
       scene.stepping.duration);
 }
 
+std::string summary(const CalibratedLaws& laws) {
+  return fmt::format(
+      "laws of pad '{}': fitted to presses ({}), checked on others ({}); error of force {:.2g} % "
+      "by soft finger",
+      laws.name, laws.evidence.fitted, laws.evidence.checked,
+      100 * laws.soft_finger_error.force.rms);
+}
+std::string summary(const PadData& data) {
+  return fmt::format("measured presses of pad '{}' ({}), {} to fit: {}", data.pad,
+                     data.presses.size(), counted(data.constants.size(), "constant"), data.title);
+}
 std::string summary(const PadSpec& pad) {
   return fmt::format("pad '{}': {:g} x {:g} x {:g} mm, {} pulp, {}, {} of its numbers assumed",
                      pad.name, pad.length / kMm, pad.width / kMm, pad.height / kMm, pad.pulp.law,

@@ -79,6 +79,8 @@ Thing read_thing(const std::string& path) {
   if (file.kind == "world" && file.format == "TOML") return read_world(path);
   if (file.kind == "scene") return read_scene(path);
   if (file.kind == "pad") return read_pad(path);
+  if (file.kind == "laws of a pad") return read_laws(path);
+  if (file.kind == "presses of a pad") return read_pad_data(path);
   if (file.kind == "fit") return read_fit(path);
   if (file.kind == "posterior") return read_posterior(path);
   if (file.kind == "motion" || file.kind == "scene run") return read_result(path);

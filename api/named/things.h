@@ -12,7 +12,9 @@
 #include "data/io/experiment.h"
 #include "data/io/fit_settings.h"
 #include "data/io/net_description.h"
+#include "data/io/pad/law_file.h"
 #include "data/io/pad/pad.h"
+#include "data/io/pad/pad_data.h"
 #include "data/io/result_file.h"
 #include "data/io/robot/robot.h"
 #include "data/io/scene/scene.h"
@@ -27,7 +29,7 @@ namespace thenar {
 /// them.
 using Thing = std::variant<Subject, Experiment, FitSettings, HandProportions, DigitVariability,
                            NetDescription, Materials, RobotSpec, BodySpec, WorldSpec, SceneSpec,
-                           PadSpec, Fit, PosteriorRun, ResultFile>;
+                           PadSpec, CalibratedLaws, PadData, Fit, PosteriorRun, ResultFile>;
 
 /// What a name that commands take stands for.
 struct ThingKind {

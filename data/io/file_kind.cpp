@@ -59,6 +59,10 @@ std::string name_of(FileKind kind) {
       return "scene";
     case FileKind::kPad:
       return "pad";
+    case FileKind::kPadLaws:
+      return "laws of a pad";
+    case FileKind::kPadPresses:
+      return "presses of a pad";
   }
   return "";
 }
@@ -70,6 +74,8 @@ FileKind find_file_kind(const std::string& path) {
   if (has_any(top, {"parameter", "axis_distance", "robust_scale"})) return FileKind::kFitSettings;
   if (has_any(top, {"protocol", "trials", "posture", "noise"})) return FileKind::kExperiment;
   if (has_any(top, {"pulp"})) return FileKind::kPad;
+  if (has_any(top, {"soft_finger", "elastic_foundation"})) return FileKind::kPadLaws;
+  if (has_list(top, "press") || has_list(top, "constant")) return FileKind::kPadPresses;
   if (has_any(top, {"mean_subject"})) return FileKind::kAxisVariability;
   if (has_proportions(top)) return FileKind::kProportions;
   if (has_any(top, {"bone_lengths", "node", "band"})) return FileKind::kNet;
@@ -86,8 +92,8 @@ FileKind find_file_kind(const std::string& path) {
       "wanted a subject ([[joint]], [[muscle]] ..), an experiment ([protocol], "
       "[trials]), fit settings ([[parameter]]), proportions ([[digit]]), variability of axes "
       "(mean_subject), a net ([[band]]), a robot ([[link]]), an object ([[shape]]), a world "
-      "([[hand]], [[body]]), a scene ([stepping], [[body]]), a pad ([pulp]) or "
-      "materials ([[material]]), "
+      "([[hand]], [[body]]), a scene ([stepping], [[body]]), a pad ([pulp]), laws of a pad "
+      "([soft_finger]), presses of a pad ([[press]]) or materials ([[material]]), "
       "got none");
 }
 

@@ -19,7 +19,9 @@ enum class FileKind {
   kMaterials,
   kRobot,
   kScene,
-  kPad
+  kPad,
+  kPadLaws,
+  kPadPresses
 };
 
 /// "subject", "experiment", "fit settings", "proportions", "variability of axes", "net", "result",

@@ -35,6 +35,8 @@ TEST_F(FileKinds, AreToldByWhatDataFilesHold) {
   EXPECT_EQ(find_file_kind(kData + "/worlds/jaw_box.toml"), FileKind::kWorld);
   EXPECT_EQ(find_file_kind(kData + "/scenes/pinch.toml"), FileKind::kScene);
   EXPECT_EQ(find_file_kind(kData + "/pads/index_pad.toml"), FileKind::kPad);
+  EXPECT_EQ(find_file_kind(kData + "/pads/laws/index_pad.toml"), FileKind::kPadLaws);
+  EXPECT_EQ(find_file_kind(kData + "/presses/index_published.toml"), FileKind::kPadPresses);
   EXPECT_EQ(find_file_kind(kData + "/materials.toml"), FileKind::kMaterials);
   EXPECT_EQ(find_file_kind(kData + "/robots/barrett.toml"), FileKind::kRobot);
 }

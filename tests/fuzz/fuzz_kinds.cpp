@@ -17,7 +17,9 @@
 #include "data/io/json_node.h"
 #include "data/io/mesh/mesh_file.h"
 #include "data/io/net_description.h"
+#include "data/io/pad/law_file.h"
 #include "data/io/pad/pad.h"
+#include "data/io/pad/pad_data.h"
 #include "data/io/result_file.h"
 #include "data/io/robot/import_robot.h"
 #include "data/io/robot/urdf.h"
@@ -211,6 +213,10 @@ std::vector<FuzzKind> fuzz_kinds(const std::string& folder) {
                    "scenes/spinning_top.toml", "scenes/loose_joint.toml"}),
        [](File path) { (void)read_scene(path); }},
       {"pad", data_files({"pads/index_pad.toml"}), [](File path) { (void)read_pad(path); }},
+      {"pad_laws", data_files({"pads/laws/index_pad.toml"}),
+       [](File path) { (void)read_laws(path); }},
+      {"pad_presses", data_files({"presses/index_published.toml"}),
+       [](File path) { (void)read_pad_data(path); }},
       {"materials", data_files({"materials.toml"}), [](File path) { (void)read_materials(path); }},
       {"contacts", {{"a.json", kContacts}}, [](File path) { (void)read_contact_file(path); }},
       {"comparison", {{"a.json", comparison_text()}}, read_comparison_file},
