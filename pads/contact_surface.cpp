@@ -17,7 +17,7 @@ constexpr double kFar = 10;  // gap that cannot matter, over distances of points
 
 // Cosine of the angle between normals of the object at nodes of a point beyond which an edge of the
 // object lies between them.
-constexpr double kEdgeCosine = 0.5;
+constexpr double kEdgeCosine = 0.2;
 
 /// Corners of the faces of a mesh all of whose nodes are marked.
 std::vector<std::array<int, 4>> marked_faces(const HexMesh& mesh, const std::vector<bool>& marked) {
@@ -132,7 +132,7 @@ void MeanGaps::find(const Shape& object, const Pose<double>& X_PO, const VectorX
     gap_[k] = at.distance;
     normal_.col(k) = X_PO.R * at.normal;
   }
-  if (counts_.empty()) find_edges();
+  if (counts_.empty()) find_edges(object, X_OP);
   mean_normal_ = own_slope_ = normal_;
   more_.setZero();
   near_.clear();
@@ -166,12 +166,15 @@ void MeanGaps::find(const Shape& object, const Pose<double>& X_PO, const VectorX
     if (mean_normal_.col(k).squaredNorm() > 0) mean_normal_.col(k).normalize();
 }
 
-void MeanGaps::find_edges() {
+void MeanGaps::find_edges(const Shape& object, const Pose<double>& X_OP) {
+  Matrix3Xd normal = surface_.places;
+  for (Eigen::Index k = 0; k < normal.cols(); ++k)
+    normal.col(k) = object.nearest(X_OP * Vector3d(surface_.places.col(k))).normal;
   for (const SurfacePoint& point : surface_.points) {
     double alike = 1;
     for (const NodeWeight& each : point.nodes)
       for (const NodeWeight& other : point.nodes)
-        alike = std::min(alike, normal_.col(each.node).dot(normal_.col(other.node)));
+        alike = std::min(alike, normal.col(each.node).dot(normal.col(other.node)));
     counts_.push_back(alike > kEdgeCosine);
   }
 }

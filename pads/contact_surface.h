@@ -46,8 +46,9 @@ struct ContactSurface {
 ///   g_k = d(x_k) + sum_q w_kq [d(X_q + u_q) - sum_B N_B(q) d(x_B)],
 ///   w_kq = N_k(q) area_q / sum_q N_k(q) area_q,
 /// where d is the distance to the object, q are the surface's points. Points between whose nodes
-/// normals of the object differ by 60 degrees and more do not count: an edge lies there, and the
-/// difference is not one of curvature. Which do is found once, so that gaps are smooth. Whatever
+/// normals of the object differ by 78 degrees and more do not count: an edge lies there, and the
+/// difference is not one of curvature. Which do is found once, from the undeformed body, so that
+/// gaps are smooth and do not depend on the way to a pose. Whatever
 /// forces act on these gaps are handed to nodes by their slopes, so that a push does the work that
 /// tissue takes up.
 class MeanGaps {
@@ -82,7 +83,7 @@ class MeanGaps {
     std::size_t point;
     Eigen::Vector3d normal;  // of the object, body's frame
   };
-  void find_edges();
+  void find_edges(const Shape& object, const Pose<double>& X_OP);
 
   const ContactSurface& surface_;
   std::vector<bool> counts_;  // (points)
