@@ -24,7 +24,7 @@ constexpr double kConeSlack = 1e-10;  // of the friction cone, for rounding [1]
 constexpr double kCoupling = 1e-6;  // of a step in the coupling of friction and normal forces [1]
 constexpr int kMaxCoupling = 40;    // iterations for it
 
-constexpr double kRounding = 2e-15;  // of strains, in the forces of an element [1]
+constexpr double kRounding = 1e-14;  // of strains of volume, in the forces of an element [1]
 
 /// Contact at an iterate.
 struct TouchingNode {

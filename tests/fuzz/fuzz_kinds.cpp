@@ -49,10 +49,13 @@ std::vector<FuzzSeed> data_files(const std::vector<std::string>& names) {
   std::vector<FuzzSeed> seeds;
   for (const std::string& name : names)
     seeds.push_back({fs::path(name).filename(), bytes_in(THENAR_DATA_DIR "/" + name)});
-  // Worlds name robots and objects by where they stand in that folder.
-  for (FuzzSeed& seed : seeds)
+  // Worlds name robots and objects, and materials laws, by where they stand in that folder.
+  for (FuzzSeed& seed : seeds) {
     for (std::size_t at = 0; (at = seed.text.find("\"../", at)) != std::string::npos;)
       seed.text.replace(at, 4, "\"" THENAR_DATA_DIR "/");
+    for (std::size_t at = 0; (at = seed.text.find("\"pads/", at)) != std::string::npos;)
+      seed.text.replace(at, 1, "\"" THENAR_DATA_DIR "/");
+  }
   return seeds;
 }
 

@@ -52,7 +52,7 @@ TEST_P(Mutations, DoNoHarm) {
   EXPECT_LT(1024.0 * static_cast<double>(used.ru_maxrss), kMaxMemory);
 }
 
-INSTANTIATE_TEST_SUITE_P(OfEveryKind, Mutations, testing::Range<std::size_t>(0, 17));
+INSTANTIATE_TEST_SUITE_P(OfEveryKind, Mutations, testing::Range<std::size_t>(0, 20));
 
 TEST_F(TemporaryFolder, HasTwentyOneKinds) { EXPECT_EQ(fuzz_kinds(path("")).size(), 21U); }
 
