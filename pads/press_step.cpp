@@ -16,8 +16,12 @@ using Eigen::VectorXd;
 
 constexpr double kStiffer = 100;    // of the augmentation than of tissue under a node [1]
 constexpr double kStifferNow = 10;  // and than of the body at a node [1]
+constexpr double kStiffest = 5000;  // but no more than this of tissue under a node [1]
 
 constexpr double kLongest = 0.25;  // motion to a force in an iteration, over distances of nodes [1]
+
+constexpr double kReach = 20;   // distance from which a force is sought, over that motion [1]
+constexpr double kBack = 0.01;  // depth at which it touches again, over that motion [1]
 
 constexpr double kConeSlack = 1e-10;  // of the friction cone, for rounding [1]
 
@@ -77,8 +81,15 @@ class PressSolver {
         return out;
       }
       if (goal_.force && scale_ == 0) {
-        out.message = "the object does not touch: move it until it does";
-        return out;
+        // Not far off, or off what it touched, it goes to where it touches.
+        double nearest = 1e300;
+        for (const TouchingNode& c : contacts_) nearest = std::min(nearest, c.gap);
+        if (nearest > kReach * longest_) {
+          out.message = "the object does not touch: move it until it does";
+          return out;
+        }
+        now_.X_PO.p += (nearest + kBack * longest_) * goal_.along;
+        continue;
       }
       if (!take_step(u)) {
         out.message = "the stiffness is not positive definite";
@@ -118,12 +129,13 @@ class PressSolver {
   /// by its law and by its bulk modulus, and may be stable by the contact alone.
   void find_stiffness() {
     for (std::size_t k = 0; k < contacts_.size(); ++k) {
-      double most = kStiffer * body_.largest_modulus() *
-                    std::sqrt(surface_.area[static_cast<Eigen::Index>(k)]);
+      const double at_rest =
+          body_.largest_modulus() * std::sqrt(surface_.area[static_cast<Eigen::Index>(k)]);
+      double now = 0;
       for (int c = 0; c < 3; ++c)
-        most = std::max(
-            most, kStifferNow * tissue_.values[body_.diagonal_entry(surface_.nodes[k], c, c)]);
-      stiffer_.push_back(most);
+        now = std::max(now, tissue_.values[body_.diagonal_entry(surface_.nodes[k], c, c)]);
+      // No more than leaves forces exact to rounding of places.
+      stiffer_.push_back(std::clamp(kStifferNow * now, kStiffer * at_rest, kStiffest * at_rest));
     }
   }
 

@@ -66,7 +66,7 @@ TEST(PressPad, ToADepthAndToItsForceAreTheSame) {
   for (int k = 1; k <= 3; ++k)
     EXPECT_NEAR(deep.instants[static_cast<std::size_t>(k - 1)].depth, 0.4e-3 * k, 1e-12);
   // On a mesh that does not refine, as its last one is another by another way.
-  request.force_error = 1e3;
+  request.force_error = 0.6;
   const PressedPad coarse = press_pad(request);
   request.depth.reset();
   request.force = coarse.instants.back().force;
@@ -174,7 +174,7 @@ TEST(PressPad, KeepsWhatItHadWhereAStepFails) {
   PressRequest request = quick();
   request.depth = 9e-3;  // through the bone
   request.points = 6;
-  request.force_error = 1e3;
+  request.force_error = 0.6;
   const PressedPad pressed = press_pad(request);
   EXPECT_NE(pressed.status, Status::kSolved);
   EXPECT_FALSE(pressed.message.empty());
