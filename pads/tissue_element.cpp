@@ -356,15 +356,14 @@ void respond(HexElement kind, const ElementShape& shape, const Tissue& tissue, c
     if (relaxes) tau += voigt_of(F * tensor_of(past) * F.transpose());
     tau.head<3>().array() += dilatation.pressure(q) * J;
     // Forces take the pressure itself; the stiffness may take another.
-    set_point(kPoints, static_cast<int>(q), w, tau, nullptr, stresses);
-    if (!with_stiffness) continue;
-    iso.tangent *= now;
-    const double tangent_pJ = dilatation.tangent_pressure(q) * J;
-    add_pressure_tangent(tangent_pJ + dilatation.own_stiffness(q, J), tangent_pJ, iso.tangent);
-    for (int p = 0; p < 6; ++p)
-      for (int r = p; r < 6; ++r)
-        stresses.c[tangent_entry(p, r) * kPoints + static_cast<int>(q)] = w * iso.tangent(p, r);
-    more[q] = w * (tangent_pJ - dilatation.pressure(q) * J);
+    if (with_stiffness) {
+      iso.tangent *= now;
+      const double tangent_pJ = dilatation.tangent_pressure(q) * J;
+      add_pressure_tangent(tangent_pJ + dilatation.own_stiffness(q, J), tangent_pJ, iso.tangent);
+      more[q] = w * (tangent_pJ - dilatation.pressure(q) * J);
+    }
+    set_point(kPoints, static_cast<int>(q), w, tau, with_stiffness ? &iso.tangent : nullptr,
+              stresses);
   }
   if (!with_force) return;
   add_forces(N, kPoints, points.g, stresses, out.force.data());
