@@ -210,7 +210,7 @@ void estimate(const PadFitProblem& problem, const PadResiduals::Answer& at, cons
 
 /// What the estimate would be on cells of half the size, to first order, and what it predicts
 /// there.
-void check_mesh(const PadFitProblem& problem, const PadResiduals::Answer& at, Eigen::Index data,
+void check_mesh(const PadFitProblem& problem, const PadResiduals::Answer& at,
                 const Progress& progress, PadFitResult& result) {
   PadModel finer = result.pad;
   finer.cells = {2 * finer.cells.across, 2 * finer.cells.around, 2 * finer.cells.through};
@@ -231,7 +231,6 @@ void check_mesh(const PadFitProblem& problem, const PadResiduals::Answer& at, Ei
       change[row++] = (*here.finer - here.value) / datum.sd;
     }
   }
-  (void)data;
   if (!variances(at.J).allFinite()) return;
   const VectorXd shift = -(at.J.transpose() * at.J).ldlt().solve(at.J.transpose() * change);
   for (Eigen::Index i = 0; i < shift.size(); ++i)
@@ -353,7 +352,7 @@ PadFitResult fit_pad(const PadFitProblem& problem, const PadFitOptions& options)
   estimate(problem, best, residuals.data(), result);
   if (options.check_mesh && !options.progress.stop()) {
     options.progress(1, "pressing the estimate on finer cells");
-    check_mesh(problem, best, residuals.data(), options.progress, result);
+    check_mesh(problem, best, options.progress, result);
   }
   warn(problem, result);
   return result;
