@@ -71,38 +71,32 @@ double contact_area(const HexMesh& mesh, const TissueBody& body, const std::vect
   const Pose<double> X_OP = state.X_PO.inverse();
   const VectorXd pressure = pressures_of(mesh, body, surface, state);
   double area = 0;
-  for (const int index : mesh.active()) {
-    const HexCell& cell = mesh.cells()[static_cast<std::size_t>(index)];
-    for (const std::array<int, 4>& face : hex_faces()) {
-      // The face's corners in a round, and their mean.
-      std::array<Vector3d, 4> at;
-      std::array<double, 4> value{};
-      bool on_skin = true;
-      for (std::size_t i = 0; i < 4; ++i) {
-        const std::size_t corner = i < 2 ? i : 5 - i;
-        const int node = cell.corners[static_cast<std::size_t>(face[corner])];
-        on_skin = on_skin && skin[static_cast<std::size_t>(node)];
-        at[i] = mesh.place(node) + u.col(node);
-        value[i] = pressure[node];
-      }
-      if (!on_skin) continue;
-      const double size = std::sqrt(0.5 * (at[2] - at[0]).cross(at[3] - at[1]).norm());
-      const Tissue& tissue = tissues[static_cast<std::size_t>(cell.region)];
-      const bool edge = std::any_of(value.begin(), value.end(), [](double p) { return p > 0; }) &&
-                        std::any_of(value.begin(), value.end(), [](double p) { return p <= 0; });
-      const double modulus = edge ? modulus_of(mesh, cell, u, tissue) : tissue.shear_modulus;
-      const double scale = kEdge * modulus / size;
-      for (std::size_t i = 0; i < 4; ++i)
-        value[i] =
-            value[i] > 0 ? value[i] / scale : -std::max(0.0, object.shape->distance(X_OP * at[i]));
-      const Vector3d middle = (at[0] + at[1] + at[2] + at[3]) / 4;
-      const double mean = (value[0] + value[1] + value[2] + value[3]) / 4;
-      // Four triangles around the mean.
-      for (std::size_t i = 0; i < 4; ++i) {
-        const std::size_t j = (i + 1) % 4;
-        area += positive_share({value[i], value[j], mean}) * 0.5 *
-                (at[i] - middle).cross(at[j] - middle).norm();
-      }
+  for (const HexFace& face : marked_faces(mesh, skin)) {
+    const HexCell& cell = mesh.cells()[static_cast<std::size_t>(face.cell)];
+    // The face's corners in a round, and their mean.
+    std::array<Vector3d, 4> at;
+    std::array<double, 4> value{};
+    for (std::size_t i = 0; i < 4; ++i) {
+      const int node = face.nodes[i < 2 ? i : 5 - i];
+      at[i] = mesh.place(node) + u.col(node);
+      value[i] = pressure[node];
+    }
+    const double size = std::sqrt(0.5 * (at[2] - at[0]).cross(at[3] - at[1]).norm());
+    const Tissue& tissue = tissues[static_cast<std::size_t>(cell.region)];
+    const bool edge = std::any_of(value.begin(), value.end(), [](double p) { return p > 0; }) &&
+                      std::any_of(value.begin(), value.end(), [](double p) { return p <= 0; });
+    const double modulus = edge ? modulus_of(mesh, cell, u, tissue) : tissue.shear_modulus;
+    const double scale = kEdge * modulus / size;
+    for (std::size_t i = 0; i < 4; ++i)
+      value[i] =
+          value[i] > 0 ? value[i] / scale : -std::max(0.0, object.shape->distance(X_OP * at[i]));
+    const Vector3d middle = (at[0] + at[1] + at[2] + at[3]) / 4;
+    const double mean = (value[0] + value[1] + value[2] + value[3]) / 4;
+    // Four triangles around the mean.
+    for (std::size_t i = 0; i < 4; ++i) {
+      const std::size_t j = (i + 1) % 4;
+      area += positive_share({value[i], value[j], mean}) * 0.5 *
+              (at[i] - middle).cross(at[j] - middle).norm();
     }
   }
   return area;

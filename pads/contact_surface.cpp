@@ -19,27 +19,14 @@ constexpr double kFar = 10;  // gap that cannot matter, over distances of points
 // object lies between them.
 constexpr double kEdgeCosine = 0.2;
 
-/// Corners of the faces of a mesh all of whose nodes are marked.
-std::vector<std::array<int, 4>> marked_faces(const HexMesh& mesh, const std::vector<bool>& marked) {
-  std::vector<std::array<int, 4>> out;
-  for (const int index : mesh.active())
-    for (const std::array<int, 4>& face : hex_faces()) {
-      std::array<int, 4> nodes{};
-      for (std::size_t i = 0; i < 4; ++i)
-        nodes[i] = mesh.cells()[static_cast<std::size_t>(index)]
-                       .corners[static_cast<std::size_t>(face[i])];
-      if (std::all_of(nodes.begin(), nodes.end(),
-                      [&](int node) { return marked[static_cast<std::size_t>(node)]; }))
-        out.push_back(nodes);
-    }
-  return out;
-}
-
 /// Gauss points of a face, by nodes of the mesh; an empty list of nodes: some are fixed.
 std::vector<SurfacePoint> face_points(const HexMesh& mesh, const TissueBody& body,
-                                      const std::array<int, 4>& nodes, double area) {
+                                      const std::array<int, 4>& nodes, const Matrix3Xd& at_rest) {
   constexpr std::array<double, 3> kAt{0.112701665379258311, 0.5, 0.887298334620741689};
   constexpr std::array<double, 3> kShare{5.0 / 18, 4.0 / 9, 5.0 / 18};
+  const Vector3d one = at_rest.col(nodes[3]) - at_rest.col(nodes[0]);
+  const Vector3d other = at_rest.col(nodes[2]) - at_rest.col(nodes[1]);
+  const double area = 0.5 * one.cross(other).norm();
   std::vector<SurfacePoint> out;
   for (std::size_t i = 0; i < 3; ++i)
     for (std::size_t j = 0; j < 3; ++j) {
@@ -49,9 +36,8 @@ std::vector<SurfacePoint> face_points(const HexMesh& mesh, const TissueBody& bod
       std::map<int, double> weights;
       for (std::size_t k = 0; k < 4; ++k) {
         chart += shape[k] * mesh.chart_point(nodes[k]);
-        mean += shape[k] * mesh.place(nodes[k]);
-        if (mesh.masters(nodes[k]).empty()) weights[body.free_place(nodes[k])] += shape[k];
-        for (const NodeWeight& each : mesh.masters(nodes[k]))
+        mean += shape[k] * at_rest.col(nodes[k]);
+        for (const NodeWeight& each : mesh.support(nodes[k]))
           weights[body.free_place(each.node)] += shape[k] * each.weight;
       }
       if (weights.count(-1) != 0) return {};
@@ -62,58 +48,75 @@ std::vector<SurfacePoint> face_points(const HexMesh& mesh, const TissueBody& bod
   return out;
 }
 
+/// Where a point of a surface is. @param places  of the nodes [m] (3, nodes)
+Vector3d place_of(const SurfacePoint& point, const Matrix3Xd& places) {
+  Vector3d p = point.offset;
+  for (const NodeWeight& each : point.nodes) p += each.weight * places.col(each.node);
+  return p;
+}
+
 }  // namespace
+
+VectorXd node_areas(const HexMesh& mesh, const std::vector<HexFace>& faces, const Matrix3Xd& at) {
+  VectorXd area = VectorXd::Zero(mesh.nodes());
+  for (const HexFace& face : faces) {
+    const Vector3d one = at.col(face.nodes[3]) - at.col(face.nodes[0]);
+    const Vector3d other = at.col(face.nodes[2]) - at.col(face.nodes[1]);
+    const double share = 0.125 * one.cross(other).norm();
+    for (const int node : face.nodes)
+      for (const NodeWeight& each : mesh.support(node)) area[each.node] += share * each.weight;
+  }
+  return area;
+}
 
 ContactSurface contact_surface(const HexMesh& mesh, const TissueBody& body,
                                const std::vector<bool>& marked) {
   ContactSurface surface;
-  std::map<int, double> area;  // by free place
-  for (const std::array<int, 4>& nodes : marked_faces(mesh, marked)) {
-    // A quarter of the face for each of its nodes.
-    const double all = 0.5 * (mesh.place(nodes[3]) - mesh.place(nodes[0]))
-                                 .cross(mesh.place(nodes[2]) - mesh.place(nodes[1]))
-                                 .norm();
-    for (const int node : nodes) {
-      if (mesh.masters(node).empty()) area[body.free_place(node)] += all / 4;
-      for (const NodeWeight& each : mesh.masters(node))
-        area[body.free_place(each.node)] += all / 4 * each.weight;
-    }
-    if (!body.is_quadratic())
-      for (SurfacePoint& point : face_points(mesh, body, nodes, all))
-        surface.points.push_back(std::move(point));
+  Matrix3Xd at_rest(3, mesh.nodes());
+  for (int node = 0; node < mesh.nodes(); ++node) at_rest.col(node) = mesh.place(node);
+  const std::vector<HexFace> faces = marked_faces(mesh, marked);
+  const VectorXd area = node_areas(mesh, faces, at_rest);
+  // Free nodes that have a share.
+  std::vector<int> index(body.free_nodes().size(), -1);
+  for (std::size_t free = 0; free < index.size(); ++free) {
+    if (!(area[body.free_nodes()[free]] > 0)) continue;
+    index[free] = static_cast<int>(surface.nodes.size());
+    surface.nodes.push_back(static_cast<int>(free));
   }
-  area.erase(-1);
-  const auto count = static_cast<Eigen::Index>(area.size());
+  const auto count = static_cast<Eigen::Index>(surface.nodes.size());
   surface.places.resize(3, count);
   surface.area.resize(count);
-  std::map<int, int> index;
-  for (const auto& [node, share] : area) {
-    const auto column = static_cast<Eigen::Index>(surface.nodes.size());
-    surface.places.col(column) = mesh.place(body.free_nodes()[static_cast<std::size_t>(node)]);
-    surface.area[column] = share;
-    index[node] = static_cast<int>(column);
-    surface.nodes.push_back(node);
+  for (Eigen::Index k = 0; k < count; ++k) {
+    const int node =
+        body.free_nodes()[static_cast<std::size_t>(surface.nodes[static_cast<std::size_t>(k)])];
+    surface.places.col(k) = mesh.place(node);
+    surface.area[k] = area[node];
   }
-  for (SurfacePoint& point : surface.points)
-    for (NodeWeight& each : point.nodes) each.node = index.at(each.node);
+  if (body.is_quadratic()) return surface;
+  for (const HexFace& face : faces)
+    for (SurfacePoint& point : face_points(mesh, body, face.nodes, at_rest)) {
+      for (NodeWeight& each : point.nodes) each.node = index[static_cast<std::size_t>(each.node)];
+      surface.points.push_back(std::move(point));
+    }
   return surface;
+}
+
+Matrix3Xd places_of(const ContactSurface& surface, const VectorXd& x) {
+  Matrix3Xd places = surface.places;
+  for (Eigen::Index k = 0; k < places.cols(); ++k)
+    places.col(k) += x.segment<3>(3 * surface.nodes[static_cast<std::size_t>(k)]);
+  return places;
 }
 
 double smallest_gap(const ContactSurface& surface, const Shape& object, const Pose<double>& X_PO,
                     const VectorXd& x) {
   const Pose<double> X_OP = X_PO.inverse();
-  Matrix3Xd places = surface.places;
+  const Matrix3Xd places = places_of(surface, x);
   double gap = 1e300;
-  for (std::size_t k = 0; k < surface.nodes.size(); ++k) {
-    const auto column = static_cast<Eigen::Index>(k);
-    places.col(column) += x.segment<3>(3 * surface.nodes[k]);
-    gap = std::min(gap, object.distance(X_OP * Vector3d(places.col(column))));
-  }
-  for (const SurfacePoint& point : surface.points) {
-    Vector3d p = point.offset;
-    for (const NodeWeight& each : point.nodes) p += each.weight * places.col(each.node);
-    gap = std::min(gap, object.distance(X_OP * p));
-  }
+  for (Eigen::Index k = 0; k < places.cols(); ++k)
+    gap = std::min(gap, object.distance(X_OP * Vector3d(places.col(k))));
+  for (const SurfacePoint& point : surface.points)
+    gap = std::min(gap, object.distance(X_OP * place_of(point, places)));
   return gap;
 }
 
@@ -123,11 +126,14 @@ MeanGaps::MeanGaps(const ContactSurface& surface) : surface_(surface) {
   normal_ = mean_normal_ = own_slope_ = Matrix3Xd::Zero(3, count);
 }
 
+double MeanGaps::share_of(const SurfacePoint& point, const NodeWeight& node) const {
+  return node.weight * point.area / surface_.area[node.node];
+}
+
 void MeanGaps::find(const Shape& object, const Pose<double>& X_PO, const VectorXd& x) {
   const Pose<double> X_OP = X_PO.inverse();
-  Matrix3Xd places = surface_.places;
+  const Matrix3Xd places = places_of(surface_, x);
   for (Eigen::Index k = 0; k < places.cols(); ++k) {
-    places.col(k) += x.segment<3>(3 * surface_.nodes[static_cast<std::size_t>(k)]);
     const NearestSurface at = object.nearest(X_OP * Vector3d(places.col(k)));
     gap_[k] = at.distance;
     normal_.col(k) = X_PO.R * at.normal;
@@ -139,21 +145,20 @@ void MeanGaps::find(const Shape& object, const Pose<double>& X_PO, const VectorX
   neighbours_matter_ = false;
   for (std::size_t i = 0; i < surface_.points.size(); ++i) {
     const SurfacePoint& point = surface_.points[i];
-    Vector3d p = point.offset, mean(0, 0, 0);
+    Vector3d mean(0, 0, 0);
     double nearest = 1e300, distance = 0;
     for (const NodeWeight& each : point.nodes) {
-      p += each.weight * places.col(each.node);
       distance += each.weight * gap_[each.node];
       mean += each.weight * normal_.col(each.node);
       nearest = std::min(nearest, gap_[each.node]);
     }
     if (!counts_[i] || nearest > kFar * std::sqrt(point.area)) continue;
-    const NearestSurface at = object.nearest(X_OP * p);
+    const NearestSurface at = object.nearest(X_OP * place_of(point, places));
     near_.push_back({i, X_PO.R * at.normal});
     const Near& here = near_.back();
     // A node's share of the point, and what it makes of gap and normals there.
     for (const NodeWeight& each : point.nodes) {
-      const double share = each.weight * point.area / surface_.area[each.node];
+      const double share = share_of(point, each);
       more_[each.node] += share * (at.distance - distance);
       mean_normal_.col(each.node) += share * (here.normal - mean);
       const Vector3d turned = here.normal - normal_.col(each.node);
@@ -186,8 +191,7 @@ VectorXd MeanGaps::change(const Matrix3Xd& moved) const {
     double more = 0;
     for (const NodeWeight& each : point.nodes)
       more += each.weight * (near.normal - normal_.col(each.node)).dot(moved.col(each.node));
-    for (const NodeWeight& each : point.nodes)
-      out[each.node] += each.weight * point.area / surface_.area[each.node] * more;
+    for (const NodeWeight& each : point.nodes) out[each.node] += share_of(point, each) * more;
   }
   return out;
 }
@@ -197,8 +201,7 @@ Matrix3Xd MeanGaps::spread(const VectorXd& push) const {
   for (const Near& near : near_) {
     const SurfacePoint& point = surface_.points[near.point];
     double more = 0;
-    for (const NodeWeight& each : point.nodes)
-      more += each.weight * point.area / surface_.area[each.node] * push[each.node];
+    for (const NodeWeight& each : point.nodes) more += share_of(point, each) * push[each.node];
     if (more == 0) continue;
     for (const NodeWeight& each : point.nodes)
       out.col(each.node) += more * each.weight * (near.normal - normal_.col(each.node));

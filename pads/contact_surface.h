@@ -37,6 +37,16 @@ struct ContactSurface {
 [[nodiscard]] ContactSurface contact_surface(const HexMesh& mesh, const TissueBody& body,
                                              const std::vector<bool>& marked);
 
+/// Places of its nodes, deformed [m] (3, nodes). @param x  of the body's free nodes [m] (3 free
+/// nodes)
+[[nodiscard]] Eigen::Matrix3Xd places_of(const ContactSurface& surface, const Eigen::VectorXd& x);
+
+/// Area of faces that is each node's share, a quarter of each of its faces; shares of hanging nodes
+/// go to their masters [m^2] (nodes of the mesh).
+/// @param at  places of all nodes [m] (3, nodes of the mesh)
+[[nodiscard]] Eigen::VectorXd node_areas(const HexMesh& mesh, const std::vector<HexFace>& faces,
+                                         const Eigen::Matrix3Xd& at);
+
 /// Smallest distance of an object to the nodes of a surface and to its true points between [m].
 /// @param x  displacements of the body's free nodes [m] (3 free nodes)
 [[nodiscard]] double smallest_gap(const ContactSurface& surface, const Shape& object,
@@ -83,6 +93,8 @@ class MeanGaps {
     std::size_t point;
     Eigen::Vector3d normal;  // of the object, body's frame
   };
+  /// Share of a point in the mean of a node of its own, w_kq [1].
+  [[nodiscard]] double share_of(const SurfacePoint& point, const NodeWeight& node) const;
   void find_edges(const Shape& object, const Pose<double>& X_OP);
 
   const ContactSurface& surface_;

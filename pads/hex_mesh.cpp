@@ -42,6 +42,22 @@ const std::array<std::array<int, 4>, 6>& hex_faces() {
   return faces;
 }
 
+std::vector<HexFace> marked_faces(const HexMesh& mesh, const std::vector<bool>& marked) {
+  std::vector<HexFace> out;
+  for (const int index : mesh.active()) {
+    const auto& corners = mesh.cells()[static_cast<std::size_t>(index)].corners;
+    for (const std::array<int, 4>& face : hex_faces()) {
+      HexFace found{index, {}};
+      for (std::size_t i = 0; i < 4; ++i)
+        found.nodes[i] = corners[static_cast<std::size_t>(face[i])];
+      if (std::all_of(found.nodes.begin(), found.nodes.end(),
+                      [&](int node) { return marked[static_cast<std::size_t>(node)]; }))
+        out.push_back(found);
+    }
+  }
+  return out;
+}
+
 std::size_t lattice_place(int a, int b) {
   int place = 0, step = 1;
   for (const int axis : {1, 2, 4}) {
@@ -168,6 +184,10 @@ bool HexMesh::must_split(const HexCell& cell) const {
     }
   }
   return false;
+}
+
+std::vector<NodeWeight> HexMesh::support(int node) const {
+  return masters(node).empty() ? std::vector<NodeWeight>{{node, 1}} : masters(node);
 }
 
 void HexMesh::refine(const std::vector<int>& cells) {

@@ -82,6 +82,8 @@ class HexMesh {
   [[nodiscard]] const std::vector<NodeWeight>& masters(int node) const {
     return masters_[static_cast<std::size_t>(node)];
   }
+  /// The masters of a node that hangs, any other node itself.
+  [[nodiscard]] std::vector<NodeWeight> support(int node) const;
   /// The node between the corners of an edge or a face when it was made; empty: of the coarsest
   /// mesh. Fields are carried to new nodes by it.
   [[nodiscard]] const std::vector<NodeWeight>& made_from(int node) const {
@@ -111,6 +113,16 @@ class HexMesh {
 /// Corners of the 12 edges and 6 faces of a cell; those of a face go round as two rows.
 [[nodiscard]] const std::array<std::array<int, 2>, 12>& hex_edges();
 [[nodiscard]] const std::array<std::array<int, 4>, 6>& hex_faces();
+
+/// A face of an active cell.
+struct HexFace {
+  int cell;
+  std::array<int, 4> nodes;  // as hex_faces(): two rows
+};
+/// Faces of active cells all of whose nodes are marked, in the order of the cells.
+/// @param marked  (nodes)
+[[nodiscard]] std::vector<HexFace> marked_faces(const HexMesh& mesh,
+                                                const std::vector<bool>& marked);
 
 /// Place 0..26 of the middle of two corners among the 27 nodes of a cell, first axis fastest; of a
 /// corner with itself its own place. Also that of corner b of child a.

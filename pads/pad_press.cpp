@@ -25,13 +25,6 @@ Pose<double> between(const Pose<double>& a, const Pose<double>& b, double part) 
   return {rotation_about<double>(turn.axis(), part * turn.angle()) * a.R, a.p + part * (b.p - a.p)};
 }
 
-std::vector<bool> skin_nodes(const HexMesh& mesh) {
-  std::vector<bool> out;
-  for (int node = 0; node < mesh.nodes(); ++node)
-    out.push_back(PadChart::on_skin(mesh.chart_point(node)));
-  return out;
-}
-
 }  // namespace
 
 PadPress::PadPress(const PadModel& model, RigidObject object, const Pose<double>& X_PO,
@@ -65,11 +58,9 @@ double PadPress::touch(const Vector3d& along) {
     state_.X_PO.p += gap * along;
     way += gap;
   }
-  for (Eigen::Index i = 0; i < state_.anchor.cols(); ++i)
-    state_.anchor.col(i) =
-        state_.X_PO.inverse() *
-        Vector3d(surface_.places.col(i) +
-                 state_.x.segment<3>(3 * surface_.nodes[static_cast<std::size_t>(i)]));
+  const Matrix3Xd places = places_of(surface_, state_.x);
+  for (Eigen::Index i = 0; i < places.cols(); ++i)
+    state_.anchor.col(i) = state_.X_PO.inverse() * Vector3d(places.col(i));
   return way;
 }
 
@@ -152,11 +143,10 @@ std::vector<int> PadPress::touching_cells() const {
   for (const int index : mesh_.active()) {
     const auto& corners = mesh_.cells()[static_cast<std::size_t>(index)].corners;
     if (std::any_of(corners.begin(), corners.end(), [&](int node) {
-          const std::vector<NodeWeight>& masters = mesh_.masters(node);
-          return touches[static_cast<std::size_t>(node)] ||
-                 std::any_of(masters.begin(), masters.end(), [&](const NodeWeight& each) {
-                   return touches[static_cast<std::size_t>(each.node)];
-                 });
+          const std::vector<NodeWeight> support = mesh_.support(node);
+          return std::any_of(support.begin(), support.end(), [&](const NodeWeight& each) {
+            return touches[static_cast<std::size_t>(each.node)];
+          });
         }))
       out.push_back(index);
   }
@@ -300,42 +290,30 @@ void PadPress::measure(PadPressResult& result) const {
     const int node = body_->free_nodes()[static_cast<std::size_t>(surface_.nodes[k])];
     normal[static_cast<std::size_t>(node)] = state_.normal[column];
     all += state_.normal[column];
-    if (state_.shear.col(column).norm() < (1 - 1e-6) * object_.friction * state_.normal[column])
-      stuck += state_.normal[column];
+    if (node_sticks(state_, column, object_.friction)) stuck += state_.normal[column];
   }
   result.stick = all > 0 ? stuck / all : 0;
   // Faces of the skin: a quarter for each node that touches; and points between nodes.
   result.area = result.penetration = 0;
-  const std::vector<bool> skin = skin_nodes(mesh_);
-  for (const int index : mesh_.active())
-    for (const std::array<int, 4>& face : hex_faces()) {
-      std::array<Vector3d, 4> at;
-      std::array<int, 4> nodes{};
-      bool on_skin = true;
-      for (std::size_t i = 0; i < 4; ++i) {
-        nodes[i] = mesh_.cells()[static_cast<std::size_t>(index)]
-                       .corners[static_cast<std::size_t>(face[i])];
-        on_skin = on_skin && skin[static_cast<std::size_t>(nodes[i])];
-        at[i] = mesh_.place(nodes[i]) + u.col(nodes[i]);
-      }
-      if (!on_skin) continue;
-      double touching = 0;
-      for (const int node : nodes) {
-        if (normal[static_cast<std::size_t>(node)] > 0) touching += 0.25;
-        double of_masters = 0;
-        for (const NodeWeight& each : mesh_.masters(node))
-          of_masters += normal[static_cast<std::size_t>(each.node)] > 0 ? each.weight : 0;
-        if (of_masters > 0.5) touching += 0.25;
-      }
-      result.area += touching * 0.5 * (at[3] - at[0]).cross(at[2] - at[1]).norm();
-      for (int i = 0; i <= 4; ++i)
-        for (int j = 0; j <= 4; ++j) {
-          const double a = i / 4.0, b = j / 4.0;
-          const Vector3d p =
-              (1 - a) * ((1 - b) * at[0] + b * at[2]) + a * ((1 - b) * at[1] + b * at[3]);
-          result.penetration = std::max(result.penetration, -object_.shape->distance(X_OP * p));
-        }
+  for (const HexFace& face : marked_faces(mesh_, skin_nodes(mesh_))) {
+    std::array<Vector3d, 4> at;
+    double touching = 0;
+    for (std::size_t i = 0; i < 4; ++i) {
+      at[i] = mesh_.place(face.nodes[i]) + u.col(face.nodes[i]);
+      double share = 0;
+      for (const NodeWeight& each : mesh_.support(face.nodes[i]))
+        share += normal[static_cast<std::size_t>(each.node)] > 0 ? each.weight : 0;
+      if (share > 0.5) touching += 0.25;
     }
+    result.area += touching * 0.5 * (at[3] - at[0]).cross(at[2] - at[1]).norm();
+    for (int i = 0; i <= 4; ++i)
+      for (int j = 0; j <= 4; ++j) {
+        const double a = i / 4.0, b = j / 4.0;
+        const Vector3d p =
+            (1 - a) * ((1 - b) * at[0] + b * at[2]) + a * ((1 - b) * at[1] + b * at[3]);
+        result.penetration = std::max(result.penetration, -object_.shape->distance(X_OP * p));
+      }
+  }
 }
 
 }  // namespace thenar

@@ -173,6 +173,13 @@ HexMesh pad_mesh(const PadShape& shape, const PadCells& cells) {
   return {std::make_shared<PadChart>(shape), points, std::move(list)};
 }
 
+std::vector<bool> skin_nodes(const HexMesh& mesh) {
+  std::vector<bool> out;
+  for (int node = 0; node < mesh.nodes(); ++node)
+    out.push_back(PadChart::on_skin(mesh.chart_point(node)));
+  return out;
+}
+
 std::vector<bool> held_by_bone(const HexMesh& mesh) {
   std::vector<bool> held(static_cast<std::size_t>(mesh.nodes()));
   for (int node = 0; node < mesh.nodes(); ++node)

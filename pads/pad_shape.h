@@ -68,6 +68,9 @@ struct PadCells {
 /// share 1 / (2 n) of the rest. Regions: 0 the pulp, then layers from the inside out.
 [[nodiscard]] HexMesh pad_mesh(const PadShape& shape, const PadCells& cells);
 
+/// Nodes on the skin (nodes of the mesh).
+[[nodiscard]] std::vector<bool> skin_nodes(const HexMesh& mesh);
+
 /// Nodes that do not move: on the bone and on the rim (nodes of the mesh).
 [[nodiscard]] std::vector<bool> held_by_bone(const HexMesh& mesh);
 

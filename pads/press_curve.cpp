@@ -22,8 +22,7 @@ struct PadTrack {
     (void)press.touch(course.along);
     state = press.state();
     touched = state.X_PO.p;
-    for (int node = 0; node < press.mesh().nodes(); ++node)
-      skin.push_back(PadChart::on_skin(press.mesh().chart_point(node)));
+    skin = skin_nodes(press.mesh());
   }
   PadPress press;  // mesh, body and surface; the state is ours
   std::vector<Tissue> tissues;

@@ -32,8 +32,6 @@ constexpr double kRounding = 1e-14;  // of strains of volume, in the forces of a
 
 /// Contact at an iterate.
 struct TouchingNode {
-  double gap = 0;                    // [m]
-  Vector3d normal{0, 0, 1};          // of the object, towards the body
   Vector3d slip{0, 0, 0};            // since the last step, tangential [m]
   double push = 0;                   // normal force [N]
   Vector3d shear{0, 0, 0};           // [N]
@@ -64,7 +62,6 @@ class PressSolver {
 
   PressOutcome solve() {
     PressOutcome out;
-    const TissuePressure none;
     for (out.iterations = 0; out.iterations < options_.max_iterations; ++out.iterations) {
       const Matrix3Xd u = body_.spread(now_.x, {});
       body_.respond(u, goal_.time, start_.history, now_.pressure, ElementAsk::kStiffness, tissue_);
@@ -83,7 +80,8 @@ class PressSolver {
       if (goal_.force && scale_ == 0) {
         // Not far off, or off what it touched, it goes to where it touches.
         double nearest = 1e300;
-        for (const TouchingNode& c : contacts_) nearest = std::min(nearest, c.gap);
+        for (std::size_t k = 0; k < contacts_.size(); ++k)
+          nearest = std::min(nearest, gaps_.gap(k));
         if (nearest > kReach * longest_) {
           out.message = "the object does not touch: move it until it does";
           return out;
@@ -164,24 +162,23 @@ class PressSolver {
     for (std::size_t k = 0; k < contacts_.size(); ++k) {
       TouchingNode& c = contacts_[k];
       const auto column = static_cast<Eigen::Index>(k);
-      const double r = stiffer(k);
-      c.gap = gaps_.gap(k);
-      c.normal = gaps_.normal(k);
-      c.push = std::max(0.0, now_.normal[column] - r * c.gap);
+      c.push = std::max(0.0, now_.normal[column] - stiffer(k) * gaps_.gap(k));
       c.shear.setZero();
       c.hold.setZero();
       c.slides = false;
-      if (c.push > 0 && object_.friction > 0) find_shear(k, place_of(k), r);
+      if (c.push > 0 && object_.friction > 0) find_shear(k);
     }
   }
 
   /// Friction of a node that touches: it sticks where it was at the last step, or slips against a
   /// force of friction times the normal force.
-  void find_shear(std::size_t k, const Vector3d& p, double r) {
+  void find_shear(std::size_t k) {
     TouchingNode& c = contacts_[k];
+    const double r = stiffer(k);
+    const Vector3d normal = gaps_.normal(k);
     const auto column = static_cast<Eigen::Index>(k);
-    const Matrix3d flat = Matrix3d::Identity() - c.normal * c.normal.transpose();
-    c.slip = flat * (p - now_.X_PO * Vector3d(start_.anchor.col(column)));
+    const Matrix3d flat = Matrix3d::Identity() - normal * normal.transpose();
+    c.slip = flat * (place_of(k) - now_.X_PO * Vector3d(start_.anchor.col(column)));
     if (c.sticks) {
       c.shear = flat * Vector3d(now_.shear.col(column)) - r * c.slip;
       c.hold = r * flat;
@@ -219,7 +216,7 @@ class PressSolver {
       out.push += wrench_of_force(place_of(k), force);
       scale_ += force.norm();
       if (c.push <= 0) continue;
-      out.gap = std::max(out.gap, std::abs(c.gap));
+      out.gap = std::max(out.gap, std::abs(gaps_.gap(k)));
       // Forces that still move tell of nodes that should stick or open.
       change_ = std::max({change_, (c.shear - Vector3d(now_.shear.col(column))).norm(),
                           std::abs(c.push - now_.normal[column])});
@@ -359,7 +356,8 @@ class PressSolver {
       c.against = size > 0 ? Vector3d(shear / size) : Vector3d(0, 0, 0);
     } else {
       // Slips while it moves against the force.
-      const Vector3d slip = c.slip + moved - moved.dot(c.normal) * c.normal;
+      const Vector3d normal = gaps_.normal(k);
+      const Vector3d slip = c.slip + moved - moved.dot(normal) * normal;
       c.sticks = slip.dot(c.against) > 0;
       changed_ = changed_ || c.sticks;
     }
@@ -410,6 +408,11 @@ PressOutcome press_step(const TissueBody& body, const ContactSurface& surface,
   PressOutcome out = solver.solve();
   if (out.status == Status::kSolved) state = solver.finish();
   return out;
+}
+
+bool node_sticks(const PressState& state, Eigen::Index node, double friction) {
+  constexpr double kSlipping = 1e-6;
+  return state.shear.col(node).norm() < (1 - kSlipping) * friction * state.normal[node];
 }
 
 PressState rest_state(const TissueBody& body, const ContactSurface& surface,

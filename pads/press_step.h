@@ -73,6 +73,10 @@ struct [[nodiscard]] PressOutcome {
                                       const PressOptions& options, SparseCholesky& factor,
                                       PressState& state);
 
+/// Whether a node of the surface that touches holds: its friction is below its cone by more than a
+/// millionth.
+[[nodiscard]] bool node_sticks(const PressState& state, Eigen::Index node, double friction);
+
 /// A body at rest that nothing touches.
 [[nodiscard]] PressState rest_state(const TissueBody& body, const ContactSurface& surface,
                                     const Pose<double>& X_PO);

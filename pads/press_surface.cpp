@@ -5,26 +5,6 @@
 namespace thenar {
 namespace {
 
-constexpr double kSlipping = 1e-6;  // of the cone, within which a node slips [1]
-
-/// Corners of the faces of active cells that lie on the skin, in order around each.
-std::vector<std::array<int, 4>> skin_faces(const HexMesh& mesh) {
-  std::vector<std::array<int, 4>> faces;
-  for (const int index : mesh.active())
-    for (const std::array<int, 4>& face : hex_faces()) {
-      std::array<int, 4> nodes{};
-      for (std::size_t i = 0; i < 4; ++i)
-        nodes[i] = mesh.cells()[static_cast<std::size_t>(index)]
-                       .corners[static_cast<std::size_t>(face[i])];
-      if (!std::all_of(nodes.begin(), nodes.end(),
-                       [&](int node) { return PadChart::on_skin(mesh.chart_point(node)); }))
-        continue;
-      std::swap(nodes[2], nodes[3]);  // two rows become a round
-      faces.push_back(nodes);
-    }
-  return faces;
-}
-
 /// Turns faces whose corners do not go counterclockwise seen from outside, which is away from the
 /// pad's origin.
 void turn_outward(const Eigen::Matrix3Xd& places, std::vector<std::array<int, 4>>& faces) {
@@ -35,34 +15,12 @@ void turn_outward(const Eigen::Matrix3Xd& places, std::vector<std::array<int, 4>
   }
 }
 
-SkinContact contact_of(double normal, double shear, double friction) {
-  if (normal <= 0) return SkinContact::kFree;
-  return shear < (1 - kSlipping) * friction * normal ? SkinContact::kSticks : SkinContact::kSlips;
-}
-
 /// What nodes of the mesh have (nodes of the mesh).
 struct MeshContact {
   Eigen::VectorXd area;              // share of the deformed skin [m^2]
   Eigen::VectorXd normal;            // force [N]
   std::vector<SkinContact> contact;  // of nodes that do not hang
 };
-
-/// A quarter of each face for each corner; shares of hanging nodes go to their masters.
-/// @param at  of all nodes, deformed [m] (3, nodes of the mesh)
-Eigen::VectorXd deformed_shares(const HexMesh& mesh, const std::vector<std::array<int, 4>>& faces,
-                                const Eigen::Matrix3Xd& at) {
-  Eigen::VectorXd area = Eigen::VectorXd::Zero(mesh.nodes());
-  for (const std::array<int, 4>& face : faces) {
-    const Eigen::Vector3d one = at.col(face[2]) - at.col(face[0]);
-    const Eigen::Vector3d other = at.col(face[3]) - at.col(face[1]);
-    const double share = 0.125 * one.cross(other).norm();
-    for (const int node : face) {
-      if (mesh.masters(node).empty()) area[node] += share;
-      for (const NodeWeight& each : mesh.masters(node)) area[each.node] += share * each.weight;
-    }
-  }
-  return area;
-}
 
 /// Forces of the nodes that may touch.
 void add_forces(const PadPress& press, double friction, MeshContact& out) {
@@ -73,31 +31,28 @@ void add_forces(const PadPress& press, double friction, MeshContact& out) {
     const auto column = static_cast<Eigen::Index>(k);
     const int node = press.body().free_nodes()[static_cast<std::size_t>(press.surface().nodes[k])];
     out.normal[node] = state.normal[column];
+    if (state.normal[column] <= 0) continue;
     out.contact[static_cast<std::size_t>(node)] =
-        contact_of(state.normal[column], state.shear.col(column).norm(), friction);
+        node_sticks(state, column, friction) ? SkinContact::kSticks : SkinContact::kSlips;
   }
 }
 
 /// Appends a node: a hanging one has the mean pressure of its masters, and touches where most do.
 void add_node(const HexMesh& mesh, const MeshContact& found, int node, Eigen::Index k,
               PressedSkin& skin) {
-  const auto pressure_of = [&](int n) {
-    return found.area[n] > 0 ? found.normal[n] / found.area[n] : 0.0;
-  };
-  skin.pressure[k] = pressure_of(node);
   skin.normal[k] = found.normal[node];
-  skin.contact.push_back(found.contact[static_cast<std::size_t>(node)]);
-  if (mesh.masters(node).empty()) return;
   skin.pressure[k] = 0;
   double touching = 0, sticking = 0;
-  for (const NodeWeight& each : mesh.masters(node)) {
-    skin.pressure[k] += each.weight * pressure_of(each.node);
-    const SkinContact of_master = found.contact[static_cast<std::size_t>(each.node)];
-    touching += of_master != SkinContact::kFree ? each.weight : 0;
-    sticking += of_master == SkinContact::kSticks ? each.weight : 0;
+  for (const NodeWeight& each : mesh.support(node)) {
+    if (found.area[each.node] > 0)
+      skin.pressure[k] += each.weight * (found.normal[each.node] / found.area[each.node]);
+    const SkinContact contact = found.contact[static_cast<std::size_t>(each.node)];
+    touching += contact != SkinContact::kFree ? each.weight : 0;
+    sticking += contact == SkinContact::kSticks ? each.weight : 0;
   }
-  if (touching > 0.5)
-    skin.contact.back() = 2 * sticking >= touching ? SkinContact::kSticks : SkinContact::kSlips;
+  skin.contact.push_back(touching <= 0.5            ? SkinContact::kFree
+                         : 2 * sticking >= touching ? SkinContact::kSticks
+                                                    : SkinContact::kSlips);
 }
 
 }  // namespace
@@ -109,10 +64,12 @@ PressedSkin pressed_skin(const PadPress& press, double friction) {
   const Eigen::Matrix3Xd at = at_rest + press.body().spread(press.state().x, {});
   // Faces and what their nodes have, by nodes of the mesh.
   PressedSkin skin;
-  skin.faces = skin_faces(mesh);
+  const std::vector<HexFace> faces = marked_faces(mesh, skin_nodes(mesh));
+  for (const HexFace& face : faces)  // two rows become a round
+    skin.faces.push_back({face.nodes[0], face.nodes[1], face.nodes[3], face.nodes[2]});
   turn_outward(at_rest, skin.faces);
   MeshContact found;
-  found.area = deformed_shares(mesh, skin.faces, at);
+  found.area = node_areas(mesh, faces, at);
   add_forces(press, friction, found);
   // Nodes of the skin alone, in the order in which faces name them.
   std::vector<int> nodes, place(static_cast<std::size_t>(mesh.nodes()), -1);

@@ -11,7 +11,6 @@
 namespace thenar {
 namespace {
 
-using Eigen::Index;
 using Eigen::Vector3d;
 
 constexpr int kGrid = 12;            // places along a radius of the disc, of a first look
@@ -41,11 +40,8 @@ RelativeCurvatures gap_at(const Shape& skin, const Shape& object, const Pose<dou
 MeasuredPress measured(const PadPress& press, const PadPressResult& result,
                        const PressTrial& trial) {
   MeasuredPress out{trial.name, trial.object.shape, press.state().X_PO, {}, 0, 0, 0, 1, 0, 0};
-  const ContactSurface& surface = press.surface();
-  Eigen::Matrix3Xd points = surface.places;
-  for (Index k = 0; k < points.cols(); ++k)
-    points.col(k) += press.state().x.segment<3>(3 * surface.nodes[static_cast<std::size_t>(k)]);
-  const PressureMoments moments = pressure_moments(points, press.state().normal, trial.along);
+  const PressureMoments moments = pressure_moments(places_of(press.surface(), press.state().x),
+                                                   press.state().normal, trial.along);
   out.force = trial.along.dot(result.push.force);
   out.area = result.area;
   out.aspect = moments.aspect;

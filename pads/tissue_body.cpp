@@ -66,11 +66,10 @@ void TissueBody::list_elements(const HexMesh& mesh) {
     for (std::size_t a = 0; a < nodes.size(); ++a) {
       X.col(static_cast<Eigen::Index>(a)) = mesh.place(nodes[a]);
       // Hanging nodes are the mean of their masters; what is fixed of them moves nothing.
-      std::vector<NodeWeight> all = mesh.masters(nodes[a]);
-      require(kind_ != HexElement::kQuadratic || all.empty(), "a node of a quadratic mesh hangs");
-      if (all.empty()) all = {{nodes[a], 1}};
+      require(kind_ != HexElement::kQuadratic || mesh.masters(nodes[a]).empty(),
+              "a node of a quadratic mesh hangs");
       element.masters.emplace_back();
-      for (const NodeWeight& each : all)
+      for (const NodeWeight& each : mesh.support(nodes[a]))
         if (free_place(each.node) >= 0)
           element.masters.back().push_back({free_place(each.node), each.weight});
     }
