@@ -25,7 +25,7 @@ enum class FileKind {
 };
 
 /// "subject", "experiment", "fit settings", "proportions", "variability of axes", "net", "result",
-/// "object", "world", "materials", "robot", "scene" or "pad".
+/// "object", "world", "materials", "robot", "scene", "pad", "laws of a pad" or "presses of a pad".
 [[nodiscard]] std::string name_of(FileKind kind);
 
 /// Finds the kind of a file: an HDF5 result by its first bytes, a TOML file by its top-level keys.

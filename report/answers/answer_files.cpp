@@ -1,5 +1,7 @@
 #include "report/answers/answer_files.h"
 
+#include <type_traits>
+#include <utility>
 #include <variant>
 
 #include "base/file_io.h"
@@ -17,14 +19,17 @@ FileDigests file_at(const std::string& path) {
   return is_file(path) ? digests_of({path}) : FileDigests();
 }
 
-/// What a thing was read from besides its own file: meshes, materials, bodies.
-FileDigests parts_of(const RobotSpec& robot) { return robot.files; }
-FileDigests parts_of(const BodySpec& body) { return body.files; }
-FileDigests parts_of(const WorldSpec& world) { return world.files; }
-FileDigests parts_of(const SceneSpec& scene) { return scene.files; }
+/// What a thing was read from besides its own file: meshes, materials, bodies, laws.
+template <typename Whole, typename = void>
+struct HasFiles : std::false_type {};
 template <typename Whole>
-FileDigests parts_of(const Whole& /*in one file*/) {
-  return {};
+struct HasFiles<Whole, std::void_t<decltype(std::declval<Whole>().files)>> : std::true_type {};
+template <typename Whole>
+FileDigests parts_of(const Whole& whole) {
+  if constexpr (HasFiles<Whole>::value)
+    return whole.files;
+  else
+    return {};
 }
 
 FileDigests files_of_thing(const std::string& path, const Thing& thing) {

@@ -7,6 +7,7 @@
 #include <string_view>
 
 #include "base/error.h"
+#include "base/file_io.h"
 #include "base/nearest_name.h"
 #include "data/io/pad/law_file.h"
 #include "data/io/toml_table.h"
@@ -168,8 +169,7 @@ Materials parse_materials(const std::string& text, const std::string& path,
   FileDigests files = below.files;
   Materials read = parse(text, path, below, [&](TomlTable& table, const std::string& file) {
     const std::string whole = (std::filesystem::path(path).parent_path() / file).string();
-    if (!std::filesystem::is_regular_file(whole))
-      table.fail(fmt::format("there is no file '{}'", whole), "laws");
+    if (!is_file(whole)) table.fail(fmt::format("there is no file '{}'", whole), "laws");
     files.merge(digests_of({whole}));
     return read_laws(whole);
   });
