@@ -57,6 +57,20 @@ void add_node(const HexMesh& mesh, const MeshContact& found, int node, Eigen::In
 
 }  // namespace
 
+std::vector<int> renumber(std::vector<std::array<int, 4>>& faces, int nodes) {
+  std::vector<int> old, place(static_cast<std::size_t>(nodes), -1);
+  for (std::array<int, 4>& face : faces)
+    for (int& node : face) {
+      int& known = place[static_cast<std::size_t>(node)];
+      if (known < 0) {
+        known = static_cast<int>(old.size());
+        old.push_back(node);
+      }
+      node = known;
+    }
+  return old;
+}
+
 PressedSkin pressed_skin(const PadPress& press, double friction) {
   const HexMesh& mesh = press.mesh();
   Eigen::Matrix3Xd at_rest(3, mesh.nodes());
@@ -72,16 +86,7 @@ PressedSkin pressed_skin(const PadPress& press, double friction) {
   found.area = node_areas(mesh, faces, at);
   add_forces(press, friction, found);
   // Nodes of the skin alone, in the order in which faces name them.
-  std::vector<int> nodes, place(static_cast<std::size_t>(mesh.nodes()), -1);
-  for (std::array<int, 4>& face : skin.faces)
-    for (int& node : face) {
-      int& known = place[static_cast<std::size_t>(node)];
-      if (known < 0) {
-        known = static_cast<int>(nodes.size());
-        nodes.push_back(node);
-      }
-      node = known;
-    }
+  const std::vector<int> nodes = renumber(skin.faces, mesh.nodes());
   const auto count = static_cast<Eigen::Index>(nodes.size());
   skin.places.resize(3, count);
   skin.at_rest.resize(3, count);

@@ -25,6 +25,11 @@ struct PressedSkin {
   std::vector<SkinContact> contact;       // (nodes)
 };
 
+/// Numbers the nodes of faces anew, in the order in which faces name them.
+/// @param nodes  count of nodes before
+/// @return old numbers of the nodes that faces have
+[[nodiscard]] std::vector<int> renumber(std::vector<std::array<int, 4>>& faces, int nodes);
+
 /// The skin as a press has left it. Shares of area are those of contact_surface(), of deformed
 /// faces: a quarter of each face for each corner, those of hanging nodes handed to their masters.
 /// @param friction  of the object that presses [1]

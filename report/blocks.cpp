@@ -28,6 +28,15 @@ Json text_block(const std::string& text) { return {{"type", "text"}, {"text", te
 
 Json row_block(Json blocks) { return {{"type", "row"}, {"blocks", std::move(blocks)}}; }
 
+Json lines_block(const std::string& caption, const std::string& x_label, const std::string& y_label,
+                 Json series) {
+  return {{"type", "lines"},
+          {"caption", caption},
+          {"x_label", x_label},
+          {"y_label", y_label},
+          {"series", std::move(series)}};
+}
+
 Json table_block(const std::string& caption, const std::vector<BlockColumn>& columns, Json rows) {
   Json heads = Json::array();
   for (const BlockColumn& column : columns) {

@@ -23,6 +23,9 @@ struct BlockColumn {
                            Json blocks);
 [[nodiscard]] Json text_block(const std::string& text);
 [[nodiscard]] Json row_block(Json blocks);
+/// A chart of curves. @param series  {"name", "x", "y"} each
+[[nodiscard]] Json lines_block(const std::string& caption, const std::string& x_label,
+                               const std::string& y_label, Json series);
 [[nodiscard]] Json table_block(const std::string& caption, const std::vector<BlockColumn>& columns,
                                Json rows);
 

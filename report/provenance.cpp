@@ -1,14 +1,16 @@
 #include "report/provenance.h"
 
-#include "base/provenance.h"
-
 namespace thenar {
 
-nlohmann::json provenance_json(const std::vector<SourceText>& sources) {
+nlohmann::json provenance_json(const FileDigests& files) {
   nlohmann::json out = nlohmann::json::object();
-  for (const auto& [path, digest] : source_digests(sources)) out[path] = "sha256 " + digest;
+  for (const auto& [path, digest] : files) out[path] = "sha256 " + digest;
   for (const auto& [name, version] : versions()) out[name] = version;
   return out;
+}
+
+nlohmann::json provenance_json(const std::vector<SourceText>& sources) {
+  return provenance_json(source_digests(sources));
 }
 
 nlohmann::json provenance_json(const std::vector<SourceText>& sources, const Fidelity& fidelity) {

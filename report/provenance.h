@@ -7,11 +7,14 @@
 #include <nlohmann/json.hpp>
 
 #include "base/fidelity.h"
+#include "base/provenance.h"
 #include "kinematics_fit/fit.h"
 
 namespace thenar {
 
-/// The hash of every source by its path, and the versions of all that computed.
+/// The hash of every file by its path, and the versions of all that computed.
+[[nodiscard]] nlohmann::json provenance_json(const FileDigests& files);
+/// The same of texts: the hash of every source by its path, and the versions of all that computed.
 [[nodiscard]] nlohmann::json provenance_json(const std::vector<SourceText>& sources);
 /// The same with the fidelity.
 [[nodiscard]] nlohmann::json provenance_json(const std::vector<SourceText>& sources,

@@ -13,6 +13,7 @@
 #include "data/io/mesh/mesh_file.h"
 #include "geometry/primitives.h"
 #include "geometry/rounded_shape.h"
+#include "geometry/shape_union.h"
 #include "geometry/solid.h"
 #include "geometry/tessellate.h"
 
@@ -29,34 +30,6 @@ constexpr int kSkinSamples = 50;        // along a radius of the chart's disc
 constexpr double kTouching = 1e-9;      // gap that counts as none [m]
 constexpr int kMostMarches = 2000;      // steps of a search for the touch
 constexpr double kPictureError = 5e-5;  // of a rounded edge [m]
-
-/// A shape placed in the object's frame.
-class PlacedShape final : public Shape {
- public:
-  PlacedShape(std::shared_ptr<const Shape> shape, const Pose<double>& X_OS)
-      : shape_(std::move(shape)), X_OS_(X_OS), X_SO_(X_OS.inverse()) {}
-  [[nodiscard]] double distance(const Vector3d& p) const override {
-    return shape_->distance(X_SO_ * p);
-  }
-  [[nodiscard]] NearestSurface nearest(const Vector3d& p) const override {
-    NearestSurface near = shape_->nearest(X_SO_ * p);
-    near.normal = X_OS_.R * near.normal;
-    return near;
-  }
-  [[nodiscard]] Eigen::AlignedBox3d bounds() const override {
-    // The box around the turned corners.
-    const Eigen::AlignedBox3d own = shape_->bounds();
-    Eigen::AlignedBox3d box;
-    for (int corner = 0; corner < 8; ++corner)
-      box.extend(X_OS_ * own.corner(static_cast<Eigen::AlignedBox3d::CornerType>(corner)));
-    return box;
-  }
-  [[nodiscard]] double accuracy() const override { return shape_->accuracy(); }
-
- private:
-  std::shared_ptr<const Shape> shape_;
-  Pose<double> X_OS_, X_SO_;
-};
 
 TriangleMesh placed(TriangleMesh mesh, const Pose<double>& X) {
   mesh.vertices = (X.R * mesh.vertices).colwise() + X.p;
@@ -77,7 +50,7 @@ Pose<double> below(double depth, const Eigen::Matrix3d& R = Eigen::Matrix3d::Ide
 PressObject open_plane(double size) {
   PressObject object;
   object.name = "plane";
-  object.shape = std::make_shared<PlacedShape>(build_box({kLong, kLong, kLong}), below(kLong / 2));
+  object.shape = place(build_box({kLong, kLong, kLong}), below(kLong / 2));
   const double plate = 0.1 * size;
   object.picture = placed(box_mesh({2 * size, 2 * size, plate}), below(plate / 2));
   return object;
@@ -86,7 +59,7 @@ PressObject open_plane(double size) {
 PressObject open_sphere(double radius) {
   PressObject object;
   object.name = fmt::format("sphere of {:g} mm", radius / kMm);
-  object.shape = std::make_shared<PlacedShape>(build_sphere(radius), below(radius));
+  object.shape = place(build_sphere(radius), below(radius));
   object.picture = placed(picture_of(ShapeKind::kSphere, {radius, 0, 0}), below(radius));
   return object;
 }
@@ -95,8 +68,7 @@ PressObject open_cylinder(double radius, double size) {
   const Eigen::Matrix3d along_y = rotation_about<double>({1, 0, 0}, -kPi / 2);
   PressObject object;
   object.name = fmt::format("cylinder of {:g} mm", radius / kMm);
-  object.shape =
-      std::make_shared<PlacedShape>(build_cylinder(radius, kLong), below(radius, along_y));
+  object.shape = place(build_cylinder(radius, kLong), below(radius, along_y));
   object.picture =
       placed(picture_of(ShapeKind::kCylinder, {radius, 2 * size, 0}), below(radius, along_y));
   return object;
@@ -108,8 +80,7 @@ PressObject open_edge(double radius, double size) {
   const auto wedge = [&](double edge) { return below(radius + edge * std::sqrt(0.5), on_edge); };
   PressObject object;
   object.name = fmt::format("edge of {:g} mm", radius / kMm);
-  object.shape = std::make_shared<PlacedShape>(
-      build_rounded(build_box({kLong, kLong, kLong}), radius), wedge(kLong));
+  object.shape = place(build_rounded(build_box({kLong, kLong, kLong}), radius), wedge(kLong));
   const double seen = 0.5 * size;
   object.picture =
       placed(tessellate(*build_rounded(build_box({seen, 2 * size, seen}), radius), kPictureError),

@@ -2,12 +2,13 @@
 
 #include <algorithm>
 #include <cmath>
-#include <ctime>
 #include <limits>
 
 #include <fmt/format.h>
 
 #include "base/error.h"
+#include "base/progress_parts.h"
+#include "base/thread_seconds.h"
 #include "base/units.h"
 
 namespace thenar {
@@ -57,8 +58,6 @@ void check_numbers(const PressRequest& request) {
           "wanted 1 to {} elements, got {}", kMostElements, request.max_elements);
 }
 
-double processor_seconds() { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }
-
 /// Goes the way of a request and keeps what each step gave.
 class PressRun {
  public:
@@ -74,7 +73,7 @@ class PressRun {
     if (done) stand_still();
     out_.X_PO = press_.state().X_PO;
     out_.skin = pressed_skin(press_, out_.request.friction);
-    out_.cpu = processor_seconds() - began_;
+    out_.cpu = thread_seconds() - began_;
   }
 
  private:
@@ -141,7 +140,7 @@ class PressRun {
     now.penetration = result.penetration;
     now.elements = result.elements;
     now.factorisations = result.factorisations;
-    now.cpu = processor_seconds() - began_;
+    now.cpu = thread_seconds() - began_;
     out_.instants.push_back(now);
     return true;
   }
@@ -251,7 +250,7 @@ class PressRun {
   PressedPad& out_;
   const Progress& progress_;
   std::optional<double> rate_;
-  double began_ = processor_seconds();
+  double began_ = thread_seconds();
   double time_ = 0;  // since the touch [s]
   PadPress press_;
 };
@@ -293,6 +292,13 @@ bool PressedPad::relaxes() const {
                      [](const Tissue& tissue) { return !tissue.relaxation.empty(); });
 }
 
+const PressInstant* PressedPad::end_of_way() const {
+  const PressInstant* last = nullptr;
+  for (const PressInstant& now : instants)
+    if (now.phase == PressPhase::kWay) last = &now;
+  return last;
+}
+
 PressedPad press_pad(const PressRequest& request, const Progress& progress) {
   check_numbers(request);
   PressedPad out;
@@ -301,18 +307,11 @@ PressedPad press_pad(const PressRequest& request, const Progress& progress) {
   out.object = open_press_object(request.object, out.pad.spec.length);
   out.touch = touch_pad(out.pad.model.shape, *out.object.shape, request.angle, request.turn);
   // The way takes a fifth of the time where rungs are compared, too.
-  Progress of_way = progress;
-  if (request.rungs)
-    of_way.report = [&](double fraction, const std::string& what) {
-      progress(0.2 * fraction, what);
-    };
+  ProgressParts parts(progress, request.rungs ? 5 : 1);
+  const Progress of_way = parts.next(1);
   PressRun(out, of_way).run();
   if (request.rungs && out.status == Status::kSolved) {
-    Progress of_rungs = progress;
-    of_rungs.report = [&](double fraction, const std::string& what) {
-      progress(0.2 + 0.8 * fraction, what);
-    };
-    out.rungs = compare_rungs(out, of_rungs);
+    out.rungs = compare_rungs(out, parts.next(4));
     if (progress.stop()) out.status = Status::kStopped;
   }
   add_warnings(out);

@@ -70,7 +70,8 @@ struct [[nodiscard]] PressedPad {
   std::vector<std::string> warnings;   // assumptions and doubts
   double cpu = 0;                      // processor time of the press, without rungs [s]
 
-  [[nodiscard]] bool relaxes() const;  // whether time counts
+  [[nodiscard]] bool relaxes() const;                    // whether time counts
+  [[nodiscard]] const PressInstant* end_of_way() const;  // its last instant; null: there is none
 };
 
 /// Presses a pad.

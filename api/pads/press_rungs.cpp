@@ -1,11 +1,11 @@
 #include "api/pads/press_rungs.h"
 
 #include <cmath>
-#include <ctime>
 
 #include <fmt/format.h>
 
 #include "api/pads/press_pad.h"
+#include "base/thread_seconds.h"
 
 namespace thenar {
 namespace {
@@ -41,7 +41,7 @@ PressRung try_rung(const PressedPad& pressed, const RungTrial& trial, double dep
   options.max_elements = pressed.request.max_elements;
   options.max_penetration = HUGE_VAL;
   // One step from the touch.
-  const std::clock_t began = std::clock();
+  const double began = thread_seconds();
   PadPress press(model, {pressed.object.shape, 0}, pressed.touch.X_PO, options);
   PressGoal goal;
   goal.X_PO = pressed.touch.X_PO;
@@ -50,10 +50,11 @@ PressRung try_rung(const PressedPad& pressed, const RungTrial& trial, double dep
   PressRung rung;
   rung.element = name_of(trial.element);
   rung.elements = result.elements;
+  rung.refined = trial.error > 0;
   rung.mesh = trial.error > 0 ? fmt::format("refined to {:.3g} %", 100 * trial.error)
                               : fmt::format("{} even cells", result.elements);
   rung.force = pressed.touch.along.dot(result.push.force);
-  rung.cpu = static_cast<double>(std::clock() - began) / CLOCKS_PER_SEC;
+  rung.cpu = thread_seconds() - began;
   if (result.solved.status != Status::kSolved) rung.failure = result.solved.message;
   return rung;
 }
@@ -61,9 +62,8 @@ PressRung try_rung(const PressedPad& pressed, const RungTrial& trial, double dep
 }  // namespace
 
 std::vector<PressRung> compare_rungs(const PressedPad& pressed, const Progress& progress) {
-  double depth = 0;
-  for (const PressInstant& now : pressed.instants)
-    if (now.phase == PressPhase::kWay) depth = now.depth;
+  const PressInstant* end = pressed.end_of_way();
+  const double depth = end != nullptr ? end->depth : 0;
   const std::vector<RungTrial> trials = all_trials(pressed.request.force_error);
   std::vector<PressRung> rungs;
   for (std::size_t i = 0; i < trials.size() && !progress.stop(); ++i) {

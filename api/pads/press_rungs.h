@@ -14,8 +14,9 @@ struct PressedPad;
 
 /// A press by one kind of element on one mesh, at once and without friction.
 struct PressRung {
-  std::string element;  // "Q1P0"
-  std::string mesh;     // "1152 cells", "refined to 4 %"
+  std::string element;   // "Q1P0"
+  std::string mesh;      // "1152 even cells", "refined to 4 %"
+  bool refined = false;  // whether the mesh refines
   std::size_t elements = 0;
   double force = 0;     // [N]
   double error = 0;     // |force / force of the finest - 1| [1]; 0 for the finest

@@ -143,4 +143,16 @@ class TomlTable {
   std::vector<Quantity> asked_;  // quantities asked for so far
 };
 
+namespace internal {
+/// Runs a check that throws InputError, and reports it at the table.
+template <typename Check>
+void check_here(const TomlTable& table, const Check& check) {
+  try {
+    check();
+  } catch (const InputError& error) {
+    table.fail(error.what());
+  }
+}
+}  // namespace internal
+
 }  // namespace thenar

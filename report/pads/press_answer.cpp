@@ -9,9 +9,6 @@
 namespace thenar {
 namespace {
 
-constexpr double kMm2 = 1e-6;  // [m^2]
-constexpr double kKPa = 1e3;   // [Pa]
-
 const char* word_of(SkinContact contact) {
   switch (contact) {
     case SkinContact::kSticks:
@@ -22,14 +19,6 @@ const char* word_of(SkinContact contact) {
       break;
   }
   return "free";
-}
-
-/// The last instant of the way; null: there is none.
-const PressInstant* end_of_way(const PressedPad& pressed) {
-  const PressInstant* last = nullptr;
-  for (const PressInstant& now : pressed.instants)
-    if (now.phase == PressPhase::kWay) last = &now;
-  return last;
 }
 
 /// "a plane", "an edge of 0.5 mm"; of files their names alone.
@@ -56,9 +45,9 @@ OrderedJson instant_json(const PressInstant& now) {
           {"depth_mm", now.depth / kMm},
           {"force_N", now.force},
           {"push_N", to_json(now.push)},
-          {"area_mm2", now.area / kMm2},
+          {"area_mm2", now.area / kSquareMm},
           {"stick", now.stick},
-          {"largest_pressure_kPa", now.pressure / kKPa},
+          {"largest_pressure_kPa", now.pressure / kKilopascal},
           {"force_error", now.force_error},
           {"penetration_mm", now.penetration / kMm},
           {"elements", now.elements},
@@ -75,7 +64,7 @@ OrderedJson patch_json(const PressedSkin& skin) {
     nodes.push_back({{"place_mm", to_json((skin.places.col(k) / kMm).eval())},
                      {"at_rest_mm", to_json((skin.at_rest.col(k) / kMm).eval())},
                      {"normal_N", skin.normal[k]},
-                     {"pressure_kPa", skin.pressure[k] / kKPa},
+                     {"pressure_kPa", skin.pressure[k] / kKilopascal},
                      {"contact", word_of(contact)}});
   }
   return nodes;
@@ -108,7 +97,7 @@ std::string ending_words(const PressedPad& pressed) {
 }  // namespace
 
 std::string title_of(const PressedPad& pressed) {
-  const PressInstant* end = end_of_way(pressed);
+  const PressInstant* end = pressed.end_of_way();
   const std::string what =
       fmt::format("{} under {}", pressed.pad.spec.name, with_article(pressed.object.name));
   return end == nullptr
@@ -132,8 +121,8 @@ Table table_of(const PressedPad& pressed) {
               {}};
   for (const PressInstant& now : pressed.instants)
     table.rows.push_back({name_of(now.phase), shown(now.time), shown(now.depth / kMm),
-                          shown(now.force), shown(now.area / kMm2), shown(now.stick, 3),
-                          shown(now.pressure / kKPa), shown(now.force_error, 4),
+                          shown(now.force), shown(now.area / kSquareMm), shown(now.stick, 3),
+                          shown(now.pressure / kKilopascal), shown(now.force_error, 4),
                           std::to_string(now.elements), shown(now.cpu)});
   return table;
 }

@@ -11,6 +11,9 @@
 
 namespace thenar {
 
+inline constexpr double kSquareMm = 1e-6;   // [m^2]
+inline constexpr double kKilopascal = 1e3;  // [Pa]
+
 /// What was pressed and how, every instant, the rungs, and how far to believe it.
 [[nodiscard]] std::string text_of(const PressedPad& pressed);
 /// The same, and the nodes of the patch: places, pressure, stick.

@@ -11,6 +11,7 @@
 #include "base/units.h"
 #include "report/blocks.h"
 #include "report/pads/press_answer.h"
+#include "report/provenance.h"
 #include "report/scene/color_ramp.h"
 #include "report/scene/mesh_table.h"
 
@@ -19,10 +20,8 @@ namespace {
 
 using Eigen::Index;
 
-constexpr double kKilopascal = 1e3;  // [Pa]
-constexpr double kSquareMm = 1e-6;   // [m^2]
-constexpr double kAround = 1.6;      // size of a map, over that of the patch [1]
-constexpr int kBoneRings = 12;       // of the picture of the bone
+constexpr double kAround = 1.6;  // size of a map, over that of the patch [1]
+constexpr int kBoneRings = 12;   // of the picture of the bone
 const char* const kSkinColor = "#e8c4a8";
 const char* const kBoneColor = "#ece5d3";
 const char* const kObjectColor = "#9aa3ad";
@@ -133,22 +132,12 @@ PressedSkin near_patch(const PressedSkin& skin) {
   const double reach = 0.5 * kAround * patch.diagonal().norm();
   // Faces with a corner in reach, and the nodes that they have.
   PressedSkin part;
-  std::vector<int> nodes, place(static_cast<std::size_t>(skin.places.cols()), -1);
-  for (std::array<int, 4> face : skin.faces) {
-    if (std::none_of(face.begin(), face.end(), [&](int node) {
+  for (const std::array<int, 4>& face : skin.faces)
+    if (std::any_of(face.begin(), face.end(), [&](int node) {
           return (skin.places.col(node) - patch.center()).norm() < reach;
         }))
-      continue;
-    for (int& node : face) {
-      int& known = place[static_cast<std::size_t>(node)];
-      if (known < 0) {
-        known = static_cast<int>(nodes.size());
-        nodes.push_back(node);
-      }
-      node = known;
-    }
-    part.faces.push_back(face);
-  }
+      part.faces.push_back(face);
+  const std::vector<int> nodes = renumber(part.faces, static_cast<int>(skin.places.cols()));
   part.places = skin.places(Eigen::all, nodes);
   part.at_rest = skin.at_rest(Eigen::all, nodes);
   part.pressure = skin.pressure(nodes);
@@ -200,15 +189,6 @@ Json press_curve(const PressedPad& pressed, const std::string& name,
   return {{"name", name}, {"x", std::move(xs)}, {"y", std::move(ys)}, {"style", "both"}};
 }
 
-Json lines_block(const std::string& caption, const std::string& x, const std::string& y,
-                 Json series) {
-  return {{"type", "lines"},
-          {"caption", caption},
-          {"x_label", x},
-          {"y_label", y},
-          {"series", std::move(series)}};
-}
-
 double depth_of(const PressInstant& now) { return now.depth / kMm; }
 double force_of(const PressInstant& now) { return now.force; }
 double area_of(const PressInstant& now) { return now.area / kSquareMm; }
@@ -245,9 +225,8 @@ Json relaxation_section(const PressedPad& pressed) {
   Json charts = Json::array(
       {lines_block("Force over time from the touch on", "time [s]", "force [N]",
                    {press_curve(pressed, pressed.pad.spec.name, both, time, force_of)})});
-  double began = 0;
-  for (const PressInstant& now : pressed.instants)
-    if (now.phase == PressPhase::kWay) began = now.time;
+  const PressInstant* end = pressed.end_of_way();
+  const double began = end != nullptr ? end->time : 0;
   if (pressed.request.hold > 0) {
     Json held =
         lines_block("Force while the object stands still", "time since it stopped [s]", "force [N]",
@@ -265,8 +244,7 @@ Json rung_section(const PressedPad& pressed) {
   std::map<std::string, Json> series;
   for (const PressRung& rung : pressed.rungs) {
     if (!rung.failure.empty() || rung.finest || !(rung.error > 0)) continue;
-    const bool refined = rung.mesh.rfind("refined", 0) == 0;
-    const std::string name = refined ? rung.element + ", refined" : rung.element + ", even";
+    const std::string name = rung.refined ? rung.element + ", refined" : rung.element + ", even";
     Json& curve = series
                       .emplace(name, Json{{"name", name},
                                           {"x", Json::array()},
@@ -309,13 +287,6 @@ Json press_banner(const PressedPad& pressed) {
           {"reasons", reasons}};
 }
 
-Json press_provenance(const PressedPad& pressed) {
-  Json json = Json::object();
-  for (const auto& [path, digest] : files_of(pressed)) json[path] = "sha256 " + digest;
-  for (const auto& [name, version] : versions()) json[name] = version;
-  return json;
-}
-
 }  // namespace
 
 Json page_of(const PressedPad& pressed) {
@@ -334,7 +305,7 @@ Json page_of(const PressedPad& pressed) {
   if (!pressed.rungs.empty()) sections.push_back(rung_section(pressed));
   return {{"title", title_of(pressed)},
           {"subtitle", conditions_of(pressed)},
-          {"provenance", press_provenance(pressed)},
+          {"provenance", provenance_json(files_of(pressed))},
           {"meshes", meshes.json()},
           {"sections", std::move(sections)}};
 }

@@ -6,13 +6,13 @@
 
 #include <fmt/format.h>
 
-#include "base/provenance.h"
 #include "data/io/robot/import_robot.h"
 #include "grasp/closing/describe_grasp.h"
 #include "report/answers/grasp.h"
 #include "report/answers/grasp_measures.h"
 #include "report/blocks.h"
 #include "report/pages/wrench_blocks.h"
+#include "report/provenance.h"
 #include "report/scene/grasp_view.h"
 #include "report/table.h"
 
@@ -143,9 +143,7 @@ Json joint_section(const GraspResult& result) {
 }
 
 Json provenance_of(const GraspResult& result) {
-  Json json = Json::object();
-  for (const auto& [path, digest] : result.setting.files) json[path] = "sha256 " + digest;
-  for (const auto& [name, version] : versions()) json[name] = version;
+  Json json = provenance_json(result.setting.files);
   if (result.request.starts > 0 || result.robustness)
     json["seed"] = std::to_string(result.request.seed);
   return json;

@@ -26,11 +26,7 @@ Json lines(const std::string& caption, const std::string& label, const Trajector
   for (Index j = 0; j < values.cols(); ++j)
     series.push_back(
         {{"name", names[static_cast<std::size_t>(j)]}, {"x", time}, {"y", numbers(values.col(j))}});
-  return {{"type", "lines"},
-          {"caption", caption},
-          {"x_label", "time [s]"},
-          {"y_label", label},
-          {"series", series}};
+  return lines_block(caption, "time [s]", label, std::move(series));
 }
 
 /// Instants evenly spread over the time, the first and the last among them: they play smoothly.

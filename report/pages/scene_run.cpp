@@ -189,11 +189,7 @@ class TimeChart {
   }
 
   [[nodiscard]] Json block(const std::string& caption, const std::string& label) const {
-    return {{"type", "lines"},
-            {"caption", caption},
-            {"x_label", "time [s]"},
-            {"y_label", label},
-            {"series", series_}};
+    return lines_block(caption, "time [s]", label, series_);
   }
 
   [[nodiscard]] bool empty() const { return series_.empty(); }

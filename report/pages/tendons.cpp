@@ -68,11 +68,8 @@ void add_series(const TendonSweep& sweep, const std::string& name, const Value& 
 
 Json chart(const TendonSweep& sweep, const std::string& caption, const std::string& y_label,
            Json series) {
-  return {{"type", "lines"},
-          {"caption", caption},
-          {"x_label", coordinate_name(sweep, sweep.loaded.grid.varied.back()) + " [deg]"},
-          {"y_label", y_label},
-          {"series", std::move(series)}};
+  return lines_block(caption, coordinate_name(sweep, sweep.loaded.grid.varied.back()) + " [deg]",
+                     y_label, std::move(series));
 }
 
 /// Points to draw, spread over the sweep, the first and the last among them.

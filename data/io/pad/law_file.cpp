@@ -1,7 +1,8 @@
 #include "data/io/pad/law_file.h"
 
+#include <array>
 #include <cmath>
-#include <functional>
+#include <utility>
 
 #include "base/error.h"
 #include "base/file_io.h"
@@ -17,24 +18,69 @@ TomlTable law_table(TomlTable& top, const std::string& key) {
   return *table;
 }
 
-/// Runs a check of a law, whose complaints are those of its table.
-void checked(const TomlTable& table, const std::function<void()>& check) {
-  try {
-    check();
-  } catch (const InputError& error) {
-    table.fail(error.what());
-  }
+/// A constant of a law: its key without unit, which the file has in SI.
+template <typename Constants>
+struct Key {
+  const char* base;
+  Dimension dimension;
+  double Constants::*value;
+};
+constexpr std::array<Key<PowerLawConstants>, 5> kPowerKeys{
+    {{"force", Dimension::kForce, &PowerLawConstants::force},
+     {"depth_exponent", Dimension::kNumber, &PowerLawConstants::depth_exponent},
+     {"patch", Dimension::kLength, &PowerLawConstants::patch},
+     {"patch_exponent", Dimension::kNumber, &PowerLawConstants::patch_exponent},
+     {"torsion", Dimension::kNumber, &PowerLawConstants::torsion}}};
+constexpr std::array<Key<SoftFingerConstants>, 8> kSoftFingerKeys{
+    {{"force", Dimension::kForce, &SoftFingerConstants::force},
+     {"depth_exponent", Dimension::kNumber, &SoftFingerConstants::depth_exponent},
+     {"radius_exponent", Dimension::kNumber, &SoftFingerConstants::radius_exponent},
+     {"patch", Dimension::kLength, &SoftFingerConstants::patch},
+     {"patch_exponent", Dimension::kNumber, &SoftFingerConstants::patch_exponent},
+     {"patch_radius", Dimension::kNumber, &SoftFingerConstants::patch_radius},
+     {"aspect", Dimension::kNumber, &SoftFingerConstants::aspect},
+     {"torsion", Dimension::kNumber, &SoftFingerConstants::torsion}}};
+constexpr std::array<Key<FoundationConstants>, 7> kFoundationKeys{
+    {{"modulus", Dimension::kStress, &FoundationConstants::modulus},
+     {"exponent", Dimension::kNumber, &FoundationConstants::exponent},
+     {"stiffening", Dimension::kNumber, &FoundationConstants::stiffening},
+     {"surround", Dimension::kNumber, &FoundationConstants::surround},
+     {"spread", Dimension::kNumber, &FoundationConstants::spread},
+     {"thickness", Dimension::kLength, &FoundationConstants::thickness},
+     {"shear", Dimension::kStress, &FoundationConstants::shear}}};
+constexpr std::array<std::pair<const char*, RelativeError LawError::*>, 4> kErrorKeys{
+    {{"force", &LawError::force},
+     {"area", &LawError::area},
+     {"radius", &LawError::radius},
+     {"torsion", &LawError::torsion}}};
+
+template <typename Constants, std::size_t N>
+void read_constants(TomlTable& table, const std::array<Key<Constants>, N>& keys, Constants& out) {
+  for (const Key<Constants>& key : keys) out.*key.value = table.number(key.dimension, key.base);
 }
 
-RelativeError read_error(TomlTable& table, const std::string& key) {
-  const std::vector<double> pair = table.numbers(Dimension::kNumber, key, 2, Range::kNotNegative);
-  return {pair[0], pair[1]};
+template <typename Constants, std::size_t N>
+std::string constants_text(const std::string& title, const std::array<Key<Constants>, N>& keys,
+                           const Constants& values) {
+  std::string out = fmt::format("\n[{}]\n", title);
+  for (const Key<Constants>& key : keys) {
+    const char* unit = key.dimension == Dimension::kForce    ? "_N"
+                       : key.dimension == Dimension::kLength ? "_m"
+                       : key.dimension == Dimension::kStress ? "_Pa"
+                                                             : "";
+    out += fmt::format("{}{} = {}\n", key.base, unit, toml_number(values.*key.value));
+  }
+  return out;
 }
 
 LawError read_errors(TomlTable& law, const std::string& key) {
   TomlTable table = law_table(law, key);
-  LawError error{read_error(table, "force"), read_error(table, "area"), read_error(table, "radius"),
-                 read_error(table, "torsion")};
+  LawError error;
+  for (const auto& [base, value] : kErrorKeys) {
+    const std::vector<double> pair =
+        table.numbers(Dimension::kNumber, base, 2, Range::kNotNegative);
+    error.*value = {pair[0], pair[1]};
+  }
   table.done();
   return error;
 }
@@ -58,43 +104,24 @@ void read_evidence(TomlTable& top, LawEvidence& evidence) {
 
 void read_power(TomlTable& top, CalibratedLaws& laws) {
   TomlTable table = law_table(top, "power_law");
-  laws.power.force = table.number(Dimension::kForce, "force");
-  laws.power.depth_exponent = table.number(Dimension::kNumber, "depth_exponent");
-  laws.power.patch = table.number(Dimension::kLength, "patch");
-  laws.power.patch_exponent = table.number(Dimension::kNumber, "patch_exponent");
-  laws.power.torsion = table.number(Dimension::kNumber, "torsion");
-  checked(table, [&] { (void)PowerLaw(laws.power); });
+  read_constants(table, kPowerKeys, laws.power);
+  internal::check_here(table, [&] { (void)PowerLaw(laws.power); });
   laws.power_error = read_errors(table, "error");
   table.done();
 }
 
 void read_soft_finger(TomlTable& top, CalibratedLaws& laws) {
   TomlTable table = law_table(top, "soft_finger");
-  SoftFingerConstants& c = laws.soft_finger;
-  c.force = table.number(Dimension::kForce, "force");
-  c.depth_exponent = table.number(Dimension::kNumber, "depth_exponent");
-  c.radius_exponent = table.number(Dimension::kNumber, "radius_exponent");
-  c.patch = table.number(Dimension::kLength, "patch");
-  c.patch_exponent = table.number(Dimension::kNumber, "patch_exponent");
-  c.patch_radius = table.number(Dimension::kNumber, "patch_radius");
-  c.aspect = table.number(Dimension::kNumber, "aspect");
-  c.torsion = table.number(Dimension::kNumber, "torsion");
-  checked(table, [&] { (void)SoftFinger(c); });
+  read_constants(table, kSoftFingerKeys, laws.soft_finger);
+  internal::check_here(table, [&] { (void)SoftFinger(laws.soft_finger); });
   laws.soft_finger_error = read_errors(table, "error");
   table.done();
 }
 
 void read_foundation(TomlTable& top, CalibratedLaws& laws) {
   TomlTable table = law_table(top, "elastic_foundation");
-  FoundationConstants& c = laws.foundation;
-  c.modulus = table.number(Dimension::kStress, "modulus");
-  c.exponent = table.number(Dimension::kNumber, "exponent");
-  c.stiffening = table.number(Dimension::kNumber, "stiffening");
-  c.surround = table.number(Dimension::kNumber, "surround");
-  c.spread = table.number(Dimension::kNumber, "spread");
-  c.thickness = table.number(Dimension::kLength, "thickness");
-  c.shear = table.number(Dimension::kStress, "shear");
-  checked(table, [&] { check_foundation(c); });
+  read_constants(table, kFoundationKeys, laws.foundation);
+  internal::check_here(table, [&] { check_foundation(laws.foundation); });
   laws.foundation_error = read_errors(table, "error");
   laws.bed_error = read_errors(table, "bed_error");
   table.done();
@@ -103,24 +130,10 @@ void read_foundation(TomlTable& top, CalibratedLaws& laws) {
 std::string error_text(const std::string& title, const LawError& error) {
   std::string out =
       fmt::format("\n[{}]  # [rms, worst] over the presses that were checked\n", title);
-  const auto add = [&](const char* key, const RelativeError& e) {
-    out += fmt::format("{} = {}\n", key, toml_list(std::vector{e.rms, e.worst}));
-  };
-  add("force", error.force);
-  add("area", error.area);
-  add("radius", error.radius);
-  add("torsion", error.torsion);
-  return out;
-}
-
-/// A number and its key, with its unit.
-struct Line {
-  const char* key;
-  double value;
-};
-std::string table_text(const std::string& title, const std::vector<Line>& lines) {
-  std::string out = fmt::format("\n[{}]\n", title);
-  for (const Line& line : lines) out += fmt::format("{} = {}\n", line.key, toml_number(line.value));
+  for (const auto& [base, value] : kErrorKeys) {
+    const RelativeError& each = error.*value;
+    out += fmt::format("{} = {}\n", base, toml_list(std::vector{each.rms, each.worst}));
+  }
   return out;
 }
 
@@ -138,7 +151,7 @@ CalibratedLaws parse_laws(const std::string& text, const std::string& path) {
                                table.number(Dimension::kTime, "time", Range::kPositive)});
     table.done();
   }
-  checked(top, [&] { check_exponential_terms(laws.relaxation, "a pad"); });
+  internal::check_here(top, [&] { check_exponential_terms(laws.relaxation, "a pad"); });
   read_power(top, laws);
   read_soft_finger(top, laws);
   read_foundation(top, laws);
@@ -160,31 +173,11 @@ std::string laws_text(const CalibratedLaws& laws, const std::string& source) {
   for (const ExponentialTerm& term : laws.relaxation)
     out += fmt::format("\n[[relaxation]]\nshare = {}\ntime_s = {}\n", toml_number(term.share),
                        toml_number(term.time));
-  const PowerLawConstants& p = laws.power;
-  out += table_text("power_law", {{"force_N", p.force},
-                                  {"depth_exponent", p.depth_exponent},
-                                  {"patch_m", p.patch},
-                                  {"patch_exponent", p.patch_exponent},
-                                  {"torsion", p.torsion}});
+  out += constants_text("power_law", kPowerKeys, laws.power);
   out += error_text("power_law.error", laws.power_error);
-  const SoftFingerConstants& s = laws.soft_finger;
-  out += table_text("soft_finger", {{"force_N", s.force},
-                                    {"depth_exponent", s.depth_exponent},
-                                    {"radius_exponent", s.radius_exponent},
-                                    {"patch_m", s.patch},
-                                    {"patch_exponent", s.patch_exponent},
-                                    {"patch_radius", s.patch_radius},
-                                    {"aspect", s.aspect},
-                                    {"torsion", s.torsion}});
+  out += constants_text("soft_finger", kSoftFingerKeys, laws.soft_finger);
   out += error_text("soft_finger.error", laws.soft_finger_error);
-  const FoundationConstants& f = laws.foundation;
-  out += table_text("elastic_foundation", {{"modulus_Pa", f.modulus},
-                                           {"exponent", f.exponent},
-                                           {"stiffening", f.stiffening},
-                                           {"surround", f.surround},
-                                           {"spread", f.spread},
-                                           {"thickness_m", f.thickness},
-                                           {"shear_Pa", f.shear}});
+  out += constants_text("elastic_foundation", kFoundationKeys, laws.foundation);
   out += error_text("elastic_foundation.error", laws.foundation_error);
   out += error_text("elastic_foundation.bed_error", laws.bed_error);
   return out;

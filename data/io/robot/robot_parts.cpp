@@ -26,16 +26,6 @@ const Measures& measures_of(RobotJointKind kind) {
   return kind == RobotJointKind::kPrismatic ? kSlidingMeasures : kTurningMeasures;
 }
 
-/// Runs a check that throws InputError, and reports it at the table.
-template <typename Check>
-void check_here(const TomlTable& table, Check check) {
-  try {
-    check();
-  } catch (const InputError& error) {
-    table.fail(error.what());
-  }
-}
-
 void read_range(TomlTable& table, Dimension dimension, double& lower, double& upper) {
   if (!table.has(dimension, "range")) return;
   const std::vector<double> range = table.numbers(dimension, "range", 2);

@@ -75,9 +75,10 @@ TEST(PressAnswer, SaysWhereAPressEndedEarly) {
 
 TEST(PressAnswer, TellsRungsOnceTheyAreThere) {
   PressedPad compared = pressed();
-  compared.rungs = {{"Q1", "144 even cells", 144, 0.3, 0.25, 0.1, false, ""},
-                    {"F-bar", "144 even cells", 144, 0, 0, 0.1, false, "too many iterations"},
-                    {"Q1P0", "refined to 1 %", 3000, 0.4, 0, 5, true, ""}};
+  compared.rungs = {
+      {"Q1", "144 even cells", false, 144, 0.3, 0.25, 0.1, false, ""},
+      {"F-bar", "144 even cells", false, 144, 0, 0, 0.1, false, "too many iterations"},
+      {"Q1P0", "refined to 1 %", true, 3000, 0.4, 0, 5, true, ""}};
   EXPECT_THAT(text_of(compared), HasSubstr("the finest"));
   const OrderedJson json = json_of(compared);
   EXPECT_EQ(json["rungs"][0]["error"], 0.25);
