@@ -9,6 +9,7 @@
 #include "base/units.h"
 #include "geometry/primitives.h"
 #include "pads/pad_shape.h"
+#include "pads/skin_gap.h"
 #include "solvers/least_squares.h"
 
 namespace thenar {
@@ -234,7 +235,7 @@ LawCalibration fit_laws(const PadModel& model, const MeasuredPresses& fit,
   const FoundationColumns columns = pad_columns(model.shape, options.rings);
   FoundationConstants base;
   const VectorXd thickness = fits.all([&](const MeasuredPress& press) {
-    return deepest_skin(model.shape, *press.object, press.X_PO).thickness;
+    return deepest_skin(PadChart(model.shape), *press.object, press.X_PO).thickness;
   });
   base.thickness = thickness.mean();
   laws.foundation = fit_foundation(fits, columns, base, options);

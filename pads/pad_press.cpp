@@ -35,7 +35,7 @@ PadPress::PadPress(const PadModel& model, RigidObject object, const Pose<double>
       mesh_(pad_mesh(model.shape, model.cells)) {
   if (model.element == HexElement::kQuadratic) mesh_.refine(std::vector<int>(mesh_.active()));
   build();
-  state_ = rest_state(*body_, surface_, X_PO);
+  state_ = before_ = rest_state(*body_, surface_, X_PO);
 }
 
 void PadPress::build() {
@@ -58,10 +58,20 @@ double PadPress::touch(const Vector3d& along) {
     state_.X_PO.p += gap * along;
     way += gap;
   }
+  begin_at(state_.X_PO);
+  return way;
+}
+
+void PadPress::begin_at(const Pose<double>& X_PO) {
+  state_.X_PO = X_PO;
   const Matrix3Xd places = places_of(surface_, state_.x);
   for (Eigen::Index i = 0; i < places.cols(); ++i)
-    state_.anchor.col(i) = state_.X_PO.inverse() * Vector3d(places.col(i));
-  return way;
+    state_.anchor.col(i) = X_PO.inverse() * Vector3d(places.col(i));
+  before_ = state_;
+}
+
+Eigen::Matrix<double, 6, 6> PadPress::stiffness() {
+  return press_stiffness(*body_, surface_, object_, options_.step, *factor_, state_);
 }
 
 PressGoal PadPress::from_here(const PressGoal& goal) const {
@@ -118,6 +128,7 @@ PadPressResult PadPress::step(const PressGoal& goal) {
       break;
     refine(errors, start);
   }
+  before_ = std::move(start);
   result.elements = body_->elements();
   result.factorisations = factorisations_;
   return result;

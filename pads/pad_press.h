@@ -53,6 +53,13 @@ class PadPress {
   /// how good it became. A step that fails leaves the state at its beginning.
   PadPressResult step(const PressGoal& goal);
 
+  /// Back to the beginning of the last step, on the mesh as it is now.
+  void undo() { state_ = before_; }
+  /// Puts the object somewhere else, where it does not touch; the pad stays as it is.
+  void begin_at(const Pose<double>& X_PO);
+  /// d push / d motion of the object, at once: press_stiffness().
+  [[nodiscard]] Eigen::Matrix<double, 6, 6> stiffness();
+
   /// From the next step on.
   void set_force_error(double error) { options_.force_error = error; }
 
@@ -90,7 +97,7 @@ class PadPress {
   std::unique_ptr<TissueBody> body_;
   std::unique_ptr<SparseCholesky> factor_;
   ContactSurface surface_;
-  PressState state_;
+  PressState state_, before_;  // of now; at the beginning of the last step
   int factorisations_ = 0;
   int pieces_ = 0;  // of the present step that failed
 };

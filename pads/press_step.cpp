@@ -99,6 +99,44 @@ class PressSolver {
     return out;
   }
 
+  /// Slope of the push by motions of the object, at the state where it began.
+  Eigen::Matrix<double, 6, 6> stiffness() {
+    Eigen::Matrix<double, 6, 6> out = Eigen::Matrix<double, 6, 6>::Zero();
+    const Matrix3Xd u = body_.spread(now_.x, {});
+    body_.respond(u, 0, start_.history, now_.pressure, ElementAsk::kStiffness, tissue_);
+    find_stiffness();
+    for (std::size_t k = 0; k < contacts_.size(); ++k)
+      contacts_[k].sticks = node_sticks(start_, static_cast<Eigen::Index>(k), object_.friction);
+    find_contacts();
+    PressOutcome unused;
+    measure(unused);
+    add_own_slopes();
+    if (scale_ == 0 || !factor_.factor(tissue_.values)) return out;
+    for (int column = 0; column < 6; ++column) {
+      // Object, normals and friction turn with it, while tissue resists.
+      Matrix3Xd rigid = Matrix3Xd::Zero(3, static_cast<Eigen::Index>(contacts_.size()));
+      const Vector3d axis = Vector3d::Unit(column % 3);
+      Matrix3Xd turned = rigid;
+      for (std::size_t k = 0; k < contacts_.size(); ++k) {
+        const auto node = static_cast<Eigen::Index>(k);
+        if (column >= 3)
+          rigid.col(node) = axis;
+        else
+          rigid.col(node) = axis.cross(place_of(k));
+        if (column < 3) turned.col(node) = axis.cross(Vector3d(forces_.col(node)));
+      }
+      const Matrix3Xd moved = on_surface(solve(on_body(contact_slope(rigid, false) + turned)));
+      const Matrix3Xd gained = turned - contact_slope(moved - rigid, false);
+      for (std::size_t k = 0; k < contacts_.size(); ++k) {
+        const auto node = static_cast<Eigen::Index>(k);
+        out.block<3, 1>(0, column) += place_of(k).cross(Vector3d(gained.col(node))) +
+                                      Vector3d(moved.col(node)).cross(Vector3d(forces_.col(node)));
+        out.block<3, 1>(3, column) += gained.col(node);
+      }
+    }
+    return out;
+  }
+
   /// The new state, once solved.
   PressState finish() {
     for (std::size_t k = 0; k < contacts_.size(); ++k) {
@@ -206,11 +244,12 @@ class PressSolver {
     VectorXd push(static_cast<Eigen::Index>(contacts_.size()));
     for (std::size_t k = 0; k < contacts_.size(); ++k)
       push[static_cast<Eigen::Index>(k)] = contacts_[k].push;
-    const Matrix3Xd normal = gaps_.spread(push);
+    forces_ = gaps_.spread(push);
     for (std::size_t k = 0; k < contacts_.size(); ++k) {
       const TouchingNode& c = contacts_[k];
       const auto column = static_cast<Eigen::Index>(k);
-      const Vector3d force = normal.col(column) + c.shear;
+      forces_.col(column) += c.shear;
+      const Vector3d force = forces_.col(column);
       if (force.isZero(0)) continue;
       residual_.segment<3>(3 * surface_.nodes[k]) -= force;
       out.push += wrench_of_force(place_of(k), force);
@@ -234,14 +273,18 @@ class PressSolver {
            out.gap <= options_.gap_tolerance && change_ <= small && !changed_;
   }
 
-  bool take_step(const Matrix3Xd& u) {
-    // The factor has contacts as blocks on the diagonal.
+  /// The factor has contacts as blocks on the diagonal.
+  void add_own_slopes() {
     for (std::size_t k = 0; k < contacts_.size(); ++k) {
       const Matrix3d block = own_slope(k);
       for (int c = 0; c < 3; ++c)
         for (int r = c; r < 3; ++r)
           tissue_.values[body_.diagonal_entry(surface_.nodes[k], r, c)] += block(r, c);
     }
+  }
+
+  bool take_step(const Matrix3Xd& u) {
+    add_own_slopes();
     if (!factor_.factor(tissue_.values)) return false;
     VectorXd dx = solve(-residual_);
     double motion = 0;
@@ -378,6 +421,7 @@ class PressSolver {
   bool coupled_ = false;         // the slope of contact forces is more than blocks on the diagonal
   TissueResponse tissue_;
   VectorXd residual_;
+  Matrix3Xd forces_;  // of contact on nodes [N] (3, nodes)
   Wrench push_;
   bool changed_ = true;  // a node began or ceased to stick in the last iteration
   double scale_ = 0, missing_ = 0, change_ = 0;
@@ -408,6 +452,17 @@ PressOutcome press_step(const TissueBody& body, const ContactSurface& surface,
   PressOutcome out = solver.solve();
   if (out.status == Status::kSolved) state = solver.finish();
   return out;
+}
+
+Eigen::Matrix<double, 6, 6> press_stiffness(const TissueBody& body, const ContactSurface& surface,
+                                            const RigidObject& object, const PressOptions& options,
+                                            SparseCholesky& factor, const PressState& state) {
+  require(state.x.size() == body.unknowns() &&
+              state.normal.size() == static_cast<Eigen::Index>(surface.nodes.size()),
+          "a state of {} unknowns does not fit a body of {}", state.x.size(), body.unknowns());
+  PressGoal here;
+  here.X_PO = state.X_PO;
+  return PressSolver(body, surface, object, here, options, factor, state).stiffness();
 }
 
 bool node_sticks(const PressState& state, Eigen::Index node, double friction) {

@@ -73,6 +73,15 @@ struct [[nodiscard]] PressOutcome {
                                       const PressOptions& options, SparseCholesky& factor,
                                       PressState& state);
 
+/// Slope of the push by motions of the object at a solved state, at once: what relaxes does not
+/// count, nodes that stick go with the object, those that slip keep their cone. Contact is as stiff
+/// as its augmentation, a hundred times tissue.
+/// @return moment and turn first, about the body's origin (6, 6); zero where nothing touches
+/// @throws InputError if the state is of another body.
+[[nodiscard]] Eigen::Matrix<double, 6, 6> press_stiffness(
+    const TissueBody& body, const ContactSurface& surface, const RigidObject& object,
+    const PressOptions& options, SparseCholesky& factor, const PressState& state);
+
 /// Whether a node of the surface that touches holds: its friction is below its cone by more than a
 /// millionth.
 [[nodiscard]] bool node_sticks(const PressState& state, Eigen::Index node, double friction);

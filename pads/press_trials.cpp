@@ -7,34 +7,12 @@
 #include "base/units.h"
 #include "geometry/primitives.h"
 #include "pads/laws/soft_patch.h"
+#include "pads/skin_gap.h"
 
 namespace thenar {
 namespace {
 
 using Eigen::Vector3d;
-
-constexpr int kGrid = 12;            // places along a radius of the disc, of a first look
-constexpr double kFinest = 1e-7;     // of a search on the disc [1]
-constexpr double kCurvature = 1e-3;  // step of second differences [m]
-
-/// The skin as a solid, in the pad's frame.
-std::shared_ptr<const Shape> skin_of(const PadShape& shape) {
-  if (shape.skin) return shape.skin;
-  return build_ellipsoid({shape.length / 2, shape.width / 2, shape.height});
-}
-
-PrincipalCurvatures curvatures_near(const Shape& shape, const Vector3d& p) {
-  const NearestSurface near = shape.nearest(p);
-  return curvatures(shape, p - near.distance * near.normal, kCurvature);
-}
-
-RelativeCurvatures gap_at(const Shape& skin, const Shape& object, const Pose<double>& X_PO,
-                          const Vector3d& p) {
-  const PrincipalCurvatures pad = curvatures_near(skin, p);
-  const PrincipalCurvatures other = curvatures_near(object, X_PO.inverse() * p);
-  const double angle = std::acos(std::min(1.0, std::abs(pad.d1.dot(X_PO.R * other.d1))));
-  return relative_curvatures(pad, other, angle);
-}
 
 /// What the elements say of a press.
 MeasuredPress measured(const PadPress& press, const PadPressResult& result,
@@ -60,38 +38,6 @@ Pose<double> posed(const Vector3d& z, const Vector3d& along, double distance) {
 }
 
 }  // namespace
-
-DeepestSkin deepest_skin(const PadShape& shape, const Shape& object, const Pose<double>& X_PO) {
-  const PadChart chart(shape);
-  const Pose<double> X_OP = X_PO.inverse();
-  const auto overlap = [&](const Eigen::Vector2d& c) {
-    return -object.distance(X_OP * chart.place({c[0], c[1], 1}));
-  };
-  // The best of a grid, then of its neighbours, nearer and nearer.
-  Eigen::Vector2d best(0, 0);
-  double most = overlap(best), step = 1.0 / kGrid;
-  const auto look_at = [&](const Eigen::Vector2d& c) {
-    if (c.norm() > 1) return false;
-    const double found = overlap(c);
-    if (found <= most) return false;
-    most = found;
-    best = c;
-    return true;
-  };
-  for (int i = -kGrid; i <= kGrid; ++i)
-    for (int j = -kGrid; j <= kGrid; ++j) look_at({i * step, j * step});
-  while (step > kFinest) {
-    const Eigen::Vector2d from = best;
-    bool better = false;
-    for (const Eigen::Vector2d& way :
-         {Eigen::Vector2d(1, 0), Eigen::Vector2d(-1, 0), Eigen::Vector2d(0, 1),
-          Eigen::Vector2d(0, -1), Eigen::Vector2d(1, 1), Eigen::Vector2d(-1, -1),
-          Eigen::Vector2d(1, -1), Eigen::Vector2d(-1, 1)})
-      better = look_at(from + step * way) || better;
-    if (!better) step /= 2;
-  }
-  return {most, chart.thickness(best[0], best[1]), chart.place({best[0], best[1], 1})};
-}
 
 LawTrials standard_trials(const PadShape& shape, const std::vector<double>& depths) {
   require(!depths.empty() && depths.front() > 0 && std::isfinite(depths.back()) &&
@@ -134,7 +80,7 @@ LawTrials standard_trials(const PadShape& shape, const std::vector<double>& dept
 
 MeasuredPresses measure_presses(const PadModel& model, const std::vector<PressTrial>& trials,
                                 const PadPressOptions& options) {
-  const std::shared_ptr<const Shape> skin = skin_of(model.shape);
+  const std::shared_ptr<const Shape> skin = skin_solid(model.shape);
   MeasuredPresses out;
   for (const PressTrial& trial : trials) {
     require(trial.object.shape != nullptr, "the trial '{}' has no object", trial.name);
@@ -152,9 +98,10 @@ MeasuredPresses measure_presses(const PadModel& model, const std::vector<PressTr
         break;
       }
       MeasuredPress found = measured(press, result, trial);
-      const DeepestSkin deepest = deepest_skin(model.shape, *trial.object.shape, found.X_PO);
+      const DeepestSkin deepest =
+          deepest_skin(PadChart(model.shape), *trial.object.shape, found.X_PO);
       found.depth = deepest.overlap;
-      found.gap = gap_at(*skin, *trial.object.shape, found.X_PO, deepest.place);
+      found.gap = skin_gap(*skin, *trial.object.shape, found.X_PO, deepest.place);
       out.presses.push_back(std::move(found));
     }
   }

@@ -55,14 +55,4 @@ struct [[nodiscard]] MeasuredPresses {
 MeasuredPresses measure_presses(const PadModel& model, const std::vector<PressTrial>& trials,
                                 const PadPressOptions& options);
 
-/// Where a pad's undeformed skin lies deepest in an object.
-struct DeepestSkin {
-  double overlap = 0;              // below 0: apart [m]
-  double thickness = 0;            // of the soft tissue there [m]
-  Eigen::Vector3d place{0, 0, 0};  // [m] (3)
-};
-/// By a search over the skin to 1e-7 of the pad's size.
-[[nodiscard]] DeepestSkin deepest_skin(const PadShape& shape, const Shape& object,
-                                       const Pose<double>& X_PO);
-
 }  // namespace thenar

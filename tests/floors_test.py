@@ -32,6 +32,7 @@ MAY_SEE = {
     "hand/skin": ["base", "geometry", "data/io", "hand"],
     "pads/laws": ["base", "solvers", "geometry", "geometry/collision"],
     "pads": ["base", "solvers", "solvers/sparse", "geometry", "geometry/collision", "pads/laws", "data/io/pad"],
+    "pads/motion": ["base", "solvers", "solvers/sparse", "geometry", "geometry/collision", "pads/laws", "pads"],
     "tendons/wrapping": ["base", "data/io", "hand"],
     "tendons": ["base", "solvers", "data/io", "hand", "tendons/wrapping"],
 }
@@ -81,7 +82,10 @@ MAY_SEE["dynamics/ligament"] = MAY_SEE["dynamics/stepping"] + ["dynamics/steppin
 MAY_SEE["dynamics/compliant"] = MAY_SEE["dynamics/stepping"] + ["dynamics/stepping"]
 HUMANS = ["hand/skin", "tendons", "tendons/net", "tendons/muscle", "tendons/human"]
 MAY_SEE["dynamics/human"] = MAY_SEE["dynamics/stepping"] + ["dynamics/stepping"] + HUMANS
-MAY_SEE["dynamics/scene"] = MAY_SEE["dynamics/human"] + ["data/io/scene", "dynamics/ligament", "dynamics/human"]
+PADS = ["solvers/sparse", "pads/laws", "pads", "pads/motion", "data/io/pad"]
+MAY_SEE["dynamics/pads"] = MAY_SEE["dynamics/stepping"] + ["dynamics/stepping"] + PADS
+MAY_SEE["dynamics/scene"] = MAY_SEE["dynamics/human"] + PADS + [
+    "data/io/scene", "dynamics/ligament", "dynamics/human", "dynamics/pads"]
 LIBRARIES = list(MAY_SEE)
 API = ["api", "api/named", "api/pads"]
 MAY_SEE["thenar"] = LIBRARIES + API  # the header of all public headers

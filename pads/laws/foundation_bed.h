@@ -84,6 +84,7 @@ class FoundationBed {
   /// In the order of the state.
   [[nodiscard]] const FoundationColumns& columns() const { return columns_; }
   [[nodiscard]] const FoundationConstants& constants() const { return constants_; }
+  [[nodiscard]] const std::vector<ExponentialTerm>& relaxation() const { return terms_; }
 
  private:
   /// Columns that lie together.

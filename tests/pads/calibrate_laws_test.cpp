@@ -10,6 +10,7 @@
 #include "base/units.h"
 #include "geometry/primitives.h"
 #include "pads/pad_shape.h"
+#include "pads/skin_gap.h"
 
 namespace thenar {
 namespace {
@@ -54,7 +55,7 @@ MeasuredPresses by_a_bed(const PadModel& model, const FoundationConstants& const
       press.X_PO = trial.X_PO;
       // As far as the bed says that it is in.
       const auto overlap = [&] {
-        return deepest_skin(model.shape, *press.object, press.X_PO).overlap;
+        return deepest_skin(PadChart(model.shape), *press.object, press.X_PO).overlap;
       };
       for (int k = 0; k < 100; ++k) press.X_PO.p += (depth - overlap()) * trial.along;
       const BedContact contact = bed.press(*press.object, press.X_PO, 1);

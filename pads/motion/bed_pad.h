@@ -1,0 +1,36 @@
+#pragma once
+
+/// A bed of springs in motion.
+
+#include "pads/laws/foundation_bed.h"
+#include "pads/motion/moving_pad.h"
+#include "pads/press_step.h"
+
+namespace thenar {
+
+/// FoundationBed::step() under an object that moves.
+class BedPad final : public MovingPad {
+ public:
+  /// @throws InputError if the object has no shape or no friction >= 0.
+  BedPad(std::shared_ptr<const FoundationBed> bed, RigidObject object, const Pose<double>& X_PO);
+
+  [[nodiscard]] std::unique_ptr<MovingPad> clone() const override;
+  [[nodiscard]] std::string rung() const override { return "foundation"; }
+  [[nodiscard]] PadContact move(const Pose<double>& X_PO, double seconds) override;
+  void keep() override;
+  [[nodiscard]] const std::vector<ExponentialTerm>& relaxation() const override {
+    return bed_->relaxation();
+  }
+  [[nodiscard]] const Pose<double>& object_pose() const override { return kept_.X_PO; }
+
+ private:
+  struct State {
+    BedState bed;
+    Pose<double> X_PO;
+  };
+  std::shared_ptr<const FoundationBed> bed_;
+  RigidObject object_;
+  State kept_, moved_;
+};
+
+}  // namespace thenar

@@ -1,0 +1,55 @@
+#pragma once
+
+/// Finite elements of a pad in motion.
+
+#include "pads/motion/moving_pad.h"
+#include "pads/pad_press.h"
+
+namespace thenar {
+
+struct ElementPadOptions {
+  PressOptions step;
+  double mesh_error = 0.5;  // estimate of the force's error above which cells are cut [1]
+  int max_elements = 2000;  // the mesh is not refined beyond
+};
+
+/// PadPress under an object that moves. An object that is farther off than nodes can be, over a pad
+/// at rest, costs one look at its distance; a pad that nothing has touched for ten times its
+/// longest relaxation is as new, on its coarsest mesh.
+class ElementPad final : public MovingPad {
+ public:
+  /// @throws InputError as PadPress, or if the object has no shape.
+  ElementPad(PadModel model, RigidObject object, const Pose<double>& X_PO,
+             const ElementPadOptions& options = {});
+
+  [[nodiscard]] std::unique_ptr<MovingPad> clone() const override;
+  [[nodiscard]] std::string rung() const override { return "elements"; }
+  [[nodiscard]] PadContact move(const Pose<double>& X_PO, double seconds) override;
+  void keep() override;
+  /// By the tangent of the elements, with nodes that stick and slip as they do.
+  [[nodiscard]] Matrix6 stiffness() override;
+  [[nodiscard]] const std::vector<ExponentialTerm>& relaxation() const override {
+    return model_.tissues.front().relaxation;
+  }
+  [[nodiscard]] const Pose<double>& object_pose() const override { return X_PO_; }
+
+  /// For pictures: the elements as they were left by the last move.
+  [[nodiscard]] const PadPress& press() const { return *press_; }
+
+ private:
+  void renew(const Pose<double>& X_PO);
+  [[nodiscard]] PadContact touch_of(const PadPressResult& result) const;
+
+  PadModel model_;
+  RigidObject object_;
+  ElementPadOptions options_;
+  double reach_ = 0;    // no point of the pad is farther from its origin [m]
+  double forgets_ = 0;  // after this time nothing is remembered [s]
+  std::unique_ptr<PadPress> press_;
+  Pose<double> X_PO_, X_moved_;             // of the object: kept, and of the last move
+  bool trial_ = false;                      // the press is at the last move, which is not kept
+  bool rests_ = true, moved_rests_ = true;  // the kept pad, the moved one, are as new
+  double free_ = 0, moved_free_ = 0;        // time since anything touched [s]
+};
+
+}  // namespace thenar

@@ -1,0 +1,122 @@
+#include "pads/motion/law_pad.h"
+
+#include <cmath>
+
+#include "base/error.h"
+#include "base/units.h"
+
+namespace thenar {
+namespace {
+
+using Eigen::Vector3d;
+using Eigen::Vector4d;
+
+/// Friction in the plane of the patch as it is now: all that is remembered of it.
+void lay_flat(const Vector3d& normal, std::array<ExponentialMemory, 4>& drag) {
+  const auto project = [&](double& x, double& y, double& z) {
+    const Vector3d f(x, y, z), flat = f - normal * normal.dot(f);
+    x = flat[0];
+    y = flat[1];
+    z = flat[2];
+  };
+  project(drag[0].x, drag[1].x, drag[2].x);
+  for (std::size_t j = 0; j < drag[0].terms.size(); ++j)
+    project(drag[0].terms[j], drag[1].terms[j], drag[2].terms[j]);
+}
+
+}  // namespace
+
+LawPad::LawPad(std::string name, const PadShape& shape, std::shared_ptr<const ContactLaw> law,
+               const PatchShear& shear, RigidObject object, const Pose<double>& X_PO)
+    : name_(std::move(name)),
+      shape_(shape),
+      chart_(std::make_shared<PadChart>(shape)),
+      skin_(skin_solid(shape)),
+      law_(std::move(law)),
+      shear_(shear),
+      object_(std::move(object)) {
+  require(law_ && object_.shape && object_.friction >= 0,
+          "a pad in motion wants a law, and an object with a shape and a friction >= 0");
+  require(shear_.modulus > 0 && shear_.thickness > 0,
+          "springs across a patch want G > 0 and h > 0, got {} Pa and {} m", shear_.modulus,
+          shear_.thickness);
+  kept_.X_PO = moved_.X_PO = X_PO;
+}
+
+std::unique_ptr<MovingPad> LawPad::clone() const {
+  return std::make_unique<LawPad>(name_, shape_, law_, shear_, object_, kept_.X_PO);
+}
+
+PadContact LawPad::move(const Pose<double>& X_PO, double seconds) {
+  moved_ = kept_;
+  moved_.X_PO = X_PO;
+  PadContact out;
+  // Far off, there is nothing to look for.
+  const Pose<double> X_OP = X_PO.inverse();
+  const double size = 0.5 * std::max({shape_.length, shape_.width, 2 * shape_.height});
+  const double apart = object_.shape->distance(X_OP.p) - 1.5 * size;
+  const MemoryStep weights = memory_step(law_->relaxation(), seconds);
+  DeepestSkin deepest;
+  deepest.overlap = -apart;
+  RelativeCurvatures gap{2 * kFlattestGap, kFlattestGap};
+  if (apart <= 0 || shape_.skin) {
+    deepest = deepest_skin(*chart_, *object_.shape, X_PO, kept_.disc);
+    moved_.disc = deepest.disc;
+    if (deepest.overlap > 0) gap = skin_gap(*skin_, *object_.shape, X_PO, deepest.place);
+  }
+  const LawContact contact =
+      relaxed_contact(*law_, gap, deepest.overlap, object_.friction, weights, moved_.normal);
+  if (contact.force <= 0) {
+    moved_.drag = {};
+    return out;
+  }
+  out.normal = X_PO.R * object_.shape->nearest(X_OP * deepest.place).normal;
+  out.centre = deepest.place + deepest.overlap * out.normal;
+  out.force = contact.force;
+  out.area = contact.area;
+  bool sticks = true;
+  const Vector4d rubbed = rub(contact, out.centre, out.normal, weights, sticks);
+  out.stick = sticks ? 1 : 0;
+  out.push = wrench_of_force(out.centre, contact.force * out.normal + rubbed.head<3>());
+  out.push.moment += rubbed[3] * out.normal;
+  return out;
+}
+
+Vector4d LawPad::rub(const LawContact& contact, const Vector3d& at, const Vector3d& normal,
+                     const MemoryStep& weights, bool& sticks) {
+  // What the object has moved there since the last step drags the skin along.
+  const Pose<double> D = moved_.X_PO * kept_.X_PO.inverse();
+  const Eigen::AngleAxisd turn(D.R);
+  const Vector3d way = at - D.inverse() * at;
+  const double stiffness = shear_.modulus * contact.area / shear_.thickness;
+  const double arm = 0.25 * (contact.patch.a * contact.patch.a + contact.patch.b * contact.patch.b);
+  lay_flat(normal, moved_.drag);
+  Vector4d elastic, past, stretch;
+  stretch << stiffness * (way - normal * normal.dot(way)),
+      stiffness * arm * turn.angle() * turn.axis().dot(normal);
+  for (int k = 0; k < 4; ++k) {
+    const ExponentialMemory& memory = moved_.drag[static_cast<std::size_t>(k)];
+    past[k] = history_of(weights, memory);
+    elastic[k] = memory.x + stretch[k];
+  }
+  Vector4d drag = weights.now * elastic + past;
+  const double bound = object_.friction * contact.force, torsion = contact.patch.torsion;
+  // A patch without extent has no torque.
+  if (torsion <= 0) drag[3] = elastic[3] = past[3] = 0;
+  const double lever = object_.friction > 0 ? torsion / object_.friction : 0;
+  const double size = std::hypot(drag.head<3>().norm(), lever > 0 ? drag[3] / lever : 0);
+  sticks = size <= bound;
+  if (!sticks) {
+    drag *= size > 0 ? bound / size : 0;
+    elastic = (drag - past) / weights.now;
+  }
+  for (std::size_t k = 0; k < 4; ++k) {
+    ExponentialMemory& memory = moved_.drag[k];
+    (void)remember(weights, elastic[static_cast<Eigen::Index>(k)], memory);
+  }
+  return drag;
+}
+
+void LawPad::keep() { kept_ = moved_; }
+
+}  // namespace thenar

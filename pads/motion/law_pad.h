@@ -1,0 +1,65 @@
+#pragma once
+
+/// A law at a point in motion: soft finger, power law.
+
+#include <array>
+#include <optional>
+
+#include "pads/laws/contact_law.h"
+#include "pads/motion/moving_pad.h"
+#include "pads/press_step.h"
+#include "pads/skin_gap.h"
+
+namespace thenar {
+
+/// Springs across the normal, per area of the patch: G / h as those of FoundationBed.
+struct PatchShear {
+  double modulus = 0;    // G [Pa]
+  double thickness = 1;  // h [m]
+};
+
+/// A law where the undeformed skin lies deepest in the object; the patch sticks, slips and twists
+/// as a whole. Its friction and torsion are those of springs, k = G A / h and k (a^2 + b^2) / 4,
+/// which the object's motion at the patch stretches step by step, so that rolling is no slip; they
+/// relax as the force does, and stay within the ellipsoid  |f_t|^2 + (torque / e)^2 <= (mu f_n)^2
+/// with the e mu of the law, by the way straight back to it. Source: [Howe1996] for the
+/// ellipsoid.
+class LawPad final : public MovingPad {
+ public:
+  /// @param name  of the rung
+  /// @throws InputError as PadChart, or if law or object are missing.
+  LawPad(std::string name, const PadShape& shape, std::shared_ptr<const ContactLaw> law,
+         const PatchShear& shear, RigidObject object, const Pose<double>& X_PO);
+
+  [[nodiscard]] std::unique_ptr<MovingPad> clone() const override;
+  [[nodiscard]] std::string rung() const override { return name_; }
+  [[nodiscard]] PadContact move(const Pose<double>& X_PO, double seconds) override;
+  void keep() override;
+  [[nodiscard]] const std::vector<ExponentialTerm>& relaxation() const override {
+    return law_->relaxation();
+  }
+  [[nodiscard]] const Pose<double>& object_pose() const override { return kept_.X_PO; }
+
+ private:
+  struct State {
+    Pose<double> X_PO;
+    std::optional<Eigen::Vector2d> disc;    // where it touched, or was nearest
+    ExponentialMemory normal;               // [N]
+    std::array<ExponentialMemory, 4> drag;  // friction along x, y, z [N]; torque [N m]
+  };
+  /// Friction and torsion of a step. @return friction [N] (3), torque about the normal [N m]
+  [[nodiscard]] Eigen::Vector4d rub(const LawContact& contact, const Eigen::Vector3d& at,
+                                    const Eigen::Vector3d& normal, const MemoryStep& weights,
+                                    bool& sticks);
+
+  std::string name_;
+  PadShape shape_;
+  std::shared_ptr<const PadChart> chart_;
+  std::shared_ptr<const Shape> skin_;
+  std::shared_ptr<const ContactLaw> law_;
+  PatchShear shear_;
+  RigidObject object_;
+  State kept_, moved_;
+};
+
+}  // namespace thenar

@@ -1,0 +1,42 @@
+#include "pads/motion/moving_pad.h"
+
+#include <Eigen/Geometry>
+
+namespace thenar {
+namespace {
+
+constexpr double kSmall = 1e-6;   // way of a difference [m]
+constexpr double kLever = 10e-3;  // at which a turn moves as far [m]
+
+}  // namespace
+
+Matrix6 MovingPad::stiffness() {
+  const Pose<double> from = object_pose();
+  const Eigen::Matrix<double, 6, 1> before = six_of(move(from, 0).push);
+  Matrix6 out;
+  for (int k = 0; k < 6; ++k) {
+    Eigen::Matrix<double, 6, 1> motion = Eigen::Matrix<double, 6, 1>::Zero();
+    motion[k] = k < 3 ? kSmall / kLever : kSmall;
+    out.col(k) = (six_of(move(moved_by(from, motion), 0).push) - before) / motion[k];
+  }
+  return out;
+}
+
+Pose<double> moved_by(const Pose<double>& X, const Eigen::Matrix<double, 6, 1>& motion) {
+  const Eigen::Vector3d turn = motion.head<3>();
+  const double angle = turn.norm();
+  Pose<double> D;
+  if (angle > 0) D.R = Eigen::AngleAxisd(angle, turn / angle).toRotationMatrix();
+  D.p = motion.tail<3>();
+  return D * X;
+}
+
+Eigen::Matrix<double, 6, 1> motion_from(const Pose<double>& from, const Pose<double>& to) {
+  const Pose<double> D = to * from.inverse();
+  const Eigen::AngleAxisd turn(D.R);
+  Eigen::Matrix<double, 6, 1> out;
+  out << turn.angle() * turn.axis(), D.p;
+  return out;
+}
+
+}  // namespace thenar

@@ -1,0 +1,35 @@
+#pragma once
+
+/// Where an undeformed pad and an object meet, as laws at a point see it.
+
+#include <memory>
+#include <optional>
+
+#include "geometry/collision/curvature.h"
+#include "pads/pad_shape.h"
+
+namespace thenar {
+
+/// The skin as a solid, in the pad's frame.
+[[nodiscard]] std::shared_ptr<const Shape> skin_solid(const PadShape& shape);
+
+/// Where a pad's undeformed skin lies deepest in an object.
+struct DeepestSkin {
+  double overlap = 0;              // below 0: apart [m]
+  double thickness = 0;            // of the soft tissue there [m]
+  Eigen::Vector3d place{0, 0, 0};  // [m] (3)
+  Eigen::Vector2d disc{0, 0};      // the same on the disc of PadChart [1] (2)
+};
+
+/// By a search over the skin to 1e-7 of the pad's size, from a grid or from a place nearby.
+/// @param near  on the disc [1] (2)
+[[nodiscard]] DeepestSkin deepest_skin(const PadChart& chart, const Shape& object,
+                                       const Pose<double>& X_PO,
+                                       const std::optional<Eigen::Vector2d>& near = {});
+
+/// Curvatures of the gap between skin and object near a point of the pad's frame.
+/// @param p  [m] (3)
+[[nodiscard]] RelativeCurvatures skin_gap(const Shape& skin, const Shape& object,
+                                          const Pose<double>& X_PO, const Eigen::Vector3d& p);
+
+}  // namespace thenar
