@@ -64,11 +64,11 @@ void pass_vector(Stream& stream, Vector& vector) {
 
 template <typename Stream>
 void pass_contact(Stream& stream, ContactSample& contact) {
-  auto& [a, b, id, point, normal, force, torsion, gap, mode] = contact;
+  auto& [a, b, id, point, normal, force, torsion, gap, mode, area, stick] = contact;
   for (int* each : {&a, &b, &id}) stream.plain(*each);
   for (Eigen::Vector3d* each : {&point, &normal, &force})
     for (Eigen::Index k = 0; k < 3; ++k) stream.plain((*each)[k]);
-  for (double* each : {&torsion, &gap}) stream.plain(*each);
+  for (double* each : {&torsion, &gap, &area, &stick}) stream.plain(*each);
   stream.plain(mode);
 }
 

@@ -747,6 +747,24 @@ void ContactStep::accept(const SceneState& state) {
   p.elements.accept(p.seen_by_elements(state));
 }
 
+double ContactStep::elements_doubt(const SceneState& state) {
+  Parts& p = *parts_;
+  if (p.elements.empty()) return 0;
+  p.place(state);
+  return p.elements.doubt(p.seen_by_elements(state));
+}
+
+double ContactStep::elements_foresee() const { return parts_->elements.foresees(); }
+
+std::vector<ElementContact> ContactStep::element_contacts(const SceneState& state) {
+  Parts& p = *parts_;
+  std::vector<ElementContact> out;
+  if (p.elements.empty()) return out;
+  p.place(state);
+  p.elements.add_contacts(p.seen_by_elements(state), out);
+  return out;
+}
+
 bool ContactStep::elements_move(const SceneState& state) {
   Parts& p = *parts_;
   if (p.elements.empty()) return false;

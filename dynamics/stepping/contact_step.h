@@ -162,8 +162,14 @@ class ContactStep {
 
   /// The scene's beginning.
   [[nodiscard]] SceneState start() const;
+  /// How far off elements were in the step that ends at a state: ForceElement::doubt() [1].
+  [[nodiscard]] double elements_doubt(const SceneState& state);
   /// A step ended at a state: elements go on from there.
   void accept(const SceneState& state);
+  /// For how long elements know what they do [s].
+  [[nodiscard]] double elements_foresee() const;
+  /// Contacts that elements stand for.
+  [[nodiscard]] std::vector<ElementContact> element_contacts(const SceneState& state);
   /// Whether an element may move what rests.
   [[nodiscard]] bool elements_move(const SceneState& state);
 

@@ -1,5 +1,7 @@
 #include "dynamics/stepping/force_element.h"
 
+#include <algorithm>
+
 namespace thenar {
 
 void ElementAction::clear(Eigen::Index speeds, Eigen::Index states) {
@@ -60,6 +62,25 @@ SceneElements::Energy SceneElements::energy(const ElementInput& at) {
     if (!elements_[i]->is_passive()) sum.active += stored;
   }
   return sum;
+}
+
+double SceneElements::doubt(const ElementInput& at) {
+  double most = 0;
+  for (std::size_t i = 0; i < elements_.size(); ++i)
+    most = std::max(most, elements_[i]->doubt(input_of(i, at)));
+  return most;
+}
+
+double SceneElements::foresees() const {
+  double least = std::numeric_limits<double>::infinity();
+  for (const std::unique_ptr<ForceElement>& element : elements_)
+    least = std::min(least, element->foresees());
+  return least;
+}
+
+void SceneElements::add_contacts(const ElementInput& at, std::vector<ElementContact>& out) {
+  for (std::size_t i = 0; i < elements_.size(); ++i)
+    elements_[i]->add_contacts(input_of(i, at), out);
 }
 
 void SceneElements::accept(const ElementInput& at) {

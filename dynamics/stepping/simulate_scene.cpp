@@ -95,11 +95,35 @@ class Simulation {
       out.contacts.push_back({contact.a, contact.b, contact.id, contact.point, contact.normal,
                               contact.impulse / h, contact.torsion / h, contact.gap, contact.mode});
     }
+    for (const ElementContact& contact : step_.element_contacts(state_))
+      out.contacts.push_back(sample_of(contact));
     out.energy = step_.energy(state_);
     out.w = state_.w;
     run_.samples.push_back(std::move(out));
     next_sample_ =
         options_.sample * static_cast<double>(std::lround(state_.t / options_.sample) + 1);
+  }
+
+  /// A contact that an element stands for.
+  static ContactSample sample_of(const ElementContact& contact) {
+    ContactSample out{contact.a,
+                      contact.b,
+                      0,
+                      contact.point,
+                      contact.normal,
+                      contact.force,
+                      contact.torsion,
+                      0,
+                      contact.stick > 0 ? ContactMode::kStick : ContactMode::kSlide};
+    out.area = contact.area;
+    out.stick = contact.stick;
+    // The body with the lower index comes first.
+    if (out.a > out.b) {
+      std::swap(out.a, out.b);
+      out.normal = -out.normal;
+      out.force = -out.force;
+    }
+    return out;
   }
 
   /// Whether the caller wants more. Ends the run otherwise.
@@ -213,7 +237,7 @@ class Simulation {
       }
       const double left = next_stop() - state_.t;
       // Equal parts up to the next stop.
-      H = std::min(H, reach_);
+      H = std::min({H, reach_, std::max(step_.elements_foresee(), options_.shortest)});
       const double parts = std::ceil(left / std::min(kStretch * H, reach_) - 1e-9);
       const double taken = step_once(parts > 1 ? left / parts : left, left, H);
       sample_if_due();
@@ -361,11 +385,18 @@ class Simulation {
         length = options_.longest;
         continue;
       }
-      if (trial.closes < 0 && (trial.error <= 1 || length <= options_.shortest)) break;
+      double doubt = 0;
+      if (trial.closes < 0 && (trial.error <= 1 || length <= options_.shortest)) {
+        doubt = step_.elements_doubt(trial.state);
+        if (doubt <= 1 || length <= options_.shortest) break;
+      }
       ++run_.cost.rejected;
       rejected = true;
       is_cut = false;
-      if (trial.closes >= 0 && trial.closes > options_.shortest) {
+      if (doubt > 1) {
+        // What elements foresee is wrong by the square of the step.
+        length *= std::clamp(0.9 / std::sqrt(doubt), 0.2, 0.8);
+      } else if (trial.closes >= 0 && trial.closes > options_.shortest) {
         // Again, up to the instant at which the gap closes.
         length = std::min(trial.closes, 0.999999 * length);
       } else if (trial.closes >= 0 && length <= options_.shortest) {

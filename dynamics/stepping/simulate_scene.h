@@ -55,6 +55,8 @@ struct ContactSample {
   double torsion = 0;               // about the normal [N m]
   double gap = 0;                   // [m]
   ContactMode mode = ContactMode::kOpen;
+  double area = 0;   // of the patch of a pad; 0: a point [m^2]
+  double stick = 0;  // of a pad: share of the normal force on what sticks [1]
 };
 
 /// One instant of a run.

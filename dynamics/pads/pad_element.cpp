@@ -1,0 +1,207 @@
+#include "dynamics/pads/pad_element.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "base/error.h"
+#include "base/units.h"
+
+namespace thenar {
+namespace {
+
+using Eigen::Vector3d;
+
+constexpr double kLever = 5e-3;                // half a fingertip [m]
+constexpr double kLittle = 0.2;                // of what is allowed, that does not move a pad [1]
+constexpr double kWay = 1e-4;                  // nor does a way [m]
+constexpr double kTurn = 1 * kDegree;          // and a turn below these [rad]
+constexpr double kNoAnswer = 8;                // doubt where a pad has no answer [1]
+constexpr double kShorter = 0.3, kLonger = 2;  // change of the length of a step [1]
+constexpr double kNewStiffness = 0.2;  // error of a prediction from which K is asked for [1]
+constexpr double kInstant = 1e-12;     // nearer instants are one [s]
+
+int link_of(const TreeMotion<double>& motion, int body) {
+  return motion.model().bodies[static_cast<std::size_t>(body)].link;
+}
+
+}  // namespace
+
+PadElement::PadElement(std::string name, int body, const Pose<double>& X_BP, int other,
+                       std::shared_ptr<const MovingPad> pad, const PadElementOptions& options)
+    : name_(std::move(name)),
+      body_(body),
+      other_(other),
+      X_BP_(X_BP),
+      origin_(std::move(pad)),
+      pad_(origin_->clone()),
+      options_(options),
+      foresees_(std::numeric_limits<double>::infinity()) {
+  require(options.force_error > 0 && options.least_force > 0 &&
+              std::isfinite(options.force_error + options.least_force),
+          "a pad wants errors and least forces above 0, got {} and {} N", options.force_error,
+          options.least_force);
+}
+
+std::unique_ptr<ForceElement> PadElement::clone() const {
+  return std::make_unique<PadElement>(name_, body_, X_BP_, other_, origin_, options_);
+}
+
+Pose<double> PadElement::object_pose(const ElementInput& at) const {
+  return (at.motion.pose(body_) * X_BP_).inverse() * at.motion.pose(other_);
+}
+
+double PadElement::size_of(const Vector6& change) const {
+  const Vector3d force = change.tail<3>();
+  const Vector3d moment = change.head<3>() - touch_.centre.cross(force);
+  return std::max(force.norm(), moment.norm() / kLever);
+}
+
+PadElement::Prediction PadElement::predict(double t, const Pose<double>& X_PO) const {
+  Prediction out;
+  out.push.setZero();
+  out.error_of = options_.force_error * std::max(touch_.push.force.norm(), options_.least_force);
+  if (touch_.force <= 0) return out;
+  const MemoryStep weights = memory_step(pad_->relaxation(), std::max(0.0, t - t_));
+  const Vector6 more = stiffness_ * motion_from(X_PO_, X_PO);
+  for (Eigen::Index k = 0; k < 6; ++k) {
+    const ExponentialMemory& memory = memory_[static_cast<std::size_t>(k)];
+    out.push[k] = history_of(weights, memory) + weights.now * (memory.x + more[k]);
+  }
+  out.share = weights.now;
+  out.change = size_of(out.push - six_of(touch_.push)) / out.error_of;
+  // A pad does not pull.
+  if (out.push.tail<3>().dot(touch_.normal) <= 0) {
+    out.push.setZero();
+    out.share = 0;
+  }
+  return out;
+}
+
+bool PadElement::act(const ElementInput& at, ElementAction& out) {
+  if (touch_.force <= 0) return !stale_;
+  const Prediction seen = predict(at.t, object_pose(at));
+  if (seen.share == 0) return !stale_;
+  // Speeds of the object against the pad at the pad's origin, along its axes.
+  const Pose<double> X_WP = at.motion.pose(body_) * X_BP_;
+  const int a = link_of(at.motion, body_), b = link_of(at.motion, other_);
+  const Vector3d none(0, 0, 0);
+  J_.setZero(at.v.size(), 6);
+  for (int k = 0; k < 3; ++k) {
+    const Vector3d axis = X_WP.R.col(k), back = -axis;
+    at.motion.add_row(b, X_WP.p, none, axis, J_.col(k));
+    at.motion.add_row(a, X_WP.p, none, back, J_.col(k));
+    at.motion.add_row(b, X_WP.p, axis, none, J_.col(3 + k));
+    at.motion.add_row(a, X_WP.p, back, none, J_.col(3 + k));
+  }
+  out.tau.noalias() -= J_ * seen.push;
+  if (at.need == ElementNeed::kAll) {
+    const Matrix6 slope = 0.5 * seen.share * (stiffness_ + stiffness_.transpose());
+    out.stiffness.noalias() += J_ * slope * J_.transpose();
+  }
+  return !stale_;
+}
+
+bool PadElement::changed_little(const Prediction& seen, const Pose<double>& X_PO) const {
+  if (touch_.force <= 0) return false;
+  const Vector6 motion = motion_from(X_PO_, X_PO);
+  return seen.change < kLittle && motion.tail<3>().norm() < kWay && motion.head<3>().norm() < kTurn;
+}
+
+void PadElement::try_move(const ElementInput& at) {
+  const Pose<double> X_PO = object_pose(at);
+  const Prediction seen = predict(at.t, X_PO);
+  trial_.t = at.t;
+  trial_.X_PO = X_PO;
+  trial_.touch = pad_->move(X_PO, at.t - t_);
+  ++count_.moves;
+  if (trial_.touch.status != Status::kSolved) {
+    ++count_.failures;
+    trial_.error = kNoAnswer;
+    return;
+  }
+  const double allowed =
+      std::max(seen.error_of, options_.force_error * trial_.touch.push.force.norm());
+  trial_.error = size_of(six_of(trial_.touch.push) - seen.push) / allowed;
+}
+
+double PadElement::doubt(const ElementInput& at) {
+  const Pose<double> X_PO = object_pose(at);
+  if (changed_little(predict(at.t, X_PO), X_PO)) return 0;
+  try_move(at);
+  return trial_.error;
+}
+
+void PadElement::accept(const ElementInput& at) {
+  const Pose<double> X_PO = object_pose(at);
+  foresees_ = std::numeric_limits<double>::infinity();
+  stale_ = false;
+  if (changed_little(predict(at.t, X_PO), X_PO)) return;
+  const bool is_tried =
+      std::abs(trial_.t - at.t) < kInstant && motion_from(trial_.X_PO, X_PO).norm() < 1e-6;
+  if (!is_tried) try_move(at);
+  const double seconds = at.t - t_;
+  trial_.t = -1;
+  if (trial_.touch.status != Status::kSolved) {
+    stale_ = true;
+    return;
+  }
+  pad_->keep();
+  t_ = at.t;
+  X_PO_ = trial_.X_PO;
+  const bool begins = touch_.force <= 0;
+  touch_ = trial_.touch;
+  remember_push(seconds);
+  if (touch_.force <= 0) {
+    stiffness_.setZero();
+    return;
+  }
+  if (seconds > 0)
+    foresees_ =
+        seconds * std::clamp(0.9 / std::sqrt(std::max(trial_.error, 1e-6)), kShorter, kLonger);
+  if (begins || trial_.error > kNewStiffness) {
+    stiffness_ = pad_->stiffness();
+    ++count_.stiffnesses;
+  }
+}
+
+void PadElement::remember_push(double seconds) {
+  if (touch_.force <= 0) {
+    memory_ = {};
+    return;
+  }
+  // The elastic push that the relaxation makes the pad's out of.
+  const MemoryStep weights = memory_step(pad_->relaxation(), std::max(0.0, seconds));
+  const Vector6 push = six_of(touch_.push);
+  for (Eigen::Index k = 0; k < 6; ++k) {
+    ExponentialMemory& memory = memory_[static_cast<std::size_t>(k)];
+    (void)remember(weights, (push[k] - history_of(weights, memory)) / weights.now, memory);
+  }
+}
+
+void PadElement::add_contacts(const ElementInput& at, std::vector<ElementContact>& out) {
+  const Prediction seen = predict(at.t, object_pose(at));
+  if (touch_.force <= 0 || seen.share == 0) return;
+  const Pose<double> X_WP = at.motion.pose(body_) * X_BP_;
+  ElementContact contact;
+  contact.a = body_;
+  contact.b = other_;
+  contact.point = X_WP * touch_.centre;
+  contact.normal = X_WP.R * touch_.normal;
+  contact.force = X_WP.R * Vector3d(seen.push.tail<3>());
+  contact.torsion = touch_.normal.dot(
+      Vector3d(seen.push.head<3>() - touch_.centre.cross(Vector3d(seen.push.tail<3>()))));
+  contact.area = touch_.area;
+  contact.stick = touch_.stick;
+  out.push_back(contact);
+}
+
+bool PadElement::moves(const ElementInput& at) const {
+  if (touch_.force <= 0) return false;
+  // Whether it still relaxes by more than a thousandth of what is allowed.
+  const Prediction now = predict(at.t, X_PO_),
+                   later = predict(std::numeric_limits<double>::infinity(), X_PO_);
+  return size_of(later.push - now.push) > 1e-3 * now.error_of;
+}
+
+}  // namespace thenar

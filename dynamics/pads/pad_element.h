@@ -1,0 +1,99 @@
+#pragma once
+
+/// Finger pads in a moving scene.
+
+#include <array>
+#include <memory>
+#include <string>
+
+#include "base/spatial.h"
+#include "dynamics/stepping/force_element.h"
+#include "pads/motion/moving_pad.h"
+
+namespace thenar {
+
+struct PadElementOptions {
+  double force_error = 0.05;  // of the push in a step, against that of the pad itself [1]
+  double least_force = 0.05;  // errors of smaller pushes are measured by this one [N]
+};
+
+/// A pad on a body, against another body, co-simulated: in a step the scene sees the push as
+///   W(t) = integral of g(t - s) d(K x),
+/// with the pad's stiffness K at the last accept(), the object's motion x against the pad, and the
+/// pad's relaxation g; where a step ends, the pad itself is asked. If both differ by more than
+/// `force_error`, or the pad has no answer, the step is made again, shorter. So the scene sees a
+/// smooth force, and the pad moves once a step. Motions that change a push by less than a fifth of
+/// the allowed error, over less than 0.1 mm and 1 degree, do not move it.
+///
+/// In steps of fixed length the pad follows, whatever the error, and act() fails while the pad has
+/// no answer. What pads store counts as dissipated.
+class PadElement final : public ForceElement {
+ public:
+  /// @param body   that carries the pad, X_BP its pose there
+  /// @param other  that presses on it; the object's frame is the body's
+  /// @param pad    that nothing has touched yet
+  /// @throws InputError unless options are positive and finite.
+  PadElement(std::string name, int body, const Pose<double>& X_BP, int other,
+             std::shared_ptr<const MovingPad> pad, const PadElementOptions& options = {});
+
+  [[nodiscard]] std::unique_ptr<ForceElement> clone() const override;
+  [[nodiscard]] std::string name() const override { return name_; }
+  bool act(const ElementInput& at, ElementAction& out) override;
+  [[nodiscard]] bool is_passive() const override { return true; }
+  [[nodiscard]] double doubt(const ElementInput& at) override;
+  void accept(const ElementInput& at) override;
+  [[nodiscard]] double foresees() const override { return foresees_; }
+  void add_contacts(const ElementInput& at, std::vector<ElementContact>& out) override;
+  [[nodiscard]] bool moves(const ElementInput& at) const override;
+
+  /// How often the pad moved, and its stiffness was asked for.
+  struct Count {
+    long moves = 0, stiffnesses = 0, failures = 0;
+  };
+  [[nodiscard]] const Count& count() const { return count_; }
+
+ private:
+  using Vector6 = Eigen::Matrix<double, 6, 1>;
+  /// What the scene is told of the push.
+  struct Prediction {
+    Vector6 push;         // pad's frame, about its origin (6)
+    double share = 1;     // of K that a motion in this step feels [1]
+    double change = 0;    // of the push since the pad moved, over what is allowed [1]
+    double error_of = 1;  // an error of the push that is allowed [N]
+  };
+  [[nodiscard]] Pose<double> object_pose(const ElementInput& at) const;
+  [[nodiscard]] Prediction predict(double t, const Pose<double>& X_PO) const;
+  /// Size of a change of the push: moments about the patch by a lever of half a fingertip [N].
+  [[nodiscard]] double size_of(const Vector6& change) const;
+  [[nodiscard]] bool changed_little(const Prediction& seen, const Pose<double>& X_PO) const;
+  void try_move(const ElementInput& at);
+  void remember_push(double seconds);
+
+  std::string name_;
+  int body_, other_;
+  Pose<double> X_BP_;
+  std::shared_ptr<const MovingPad> origin_;  // that clones come from
+  std::unique_ptr<MovingPad> pad_;
+  PadElementOptions options_;
+
+  double t_ = 0;       // when the pad moved last [s]
+  Pose<double> X_PO_;  // of the object then
+  PadContact touch_;   // then
+  Matrix6 stiffness_ = Matrix6::Zero();
+  std::array<ExponentialMemory, 6> memory_;  // of the push [N m], [N]
+  double foresees_;
+
+  // A move of the pad that is not kept yet.
+  struct Trial {
+    double t = -1;
+    Pose<double> X_PO;
+    PadContact touch;
+    double error = 0;  // of the prediction, over what is allowed [1]
+  };
+  Trial trial_;
+  bool stale_ = false;  // the pad had no answer where the last step ended
+  Count count_;
+  Eigen::MatrixXd J_;
+};
+
+}  // namespace thenar
