@@ -14,7 +14,6 @@ using Eigen::Vector3d;
 using Eigen::VectorXd;
 
 constexpr int kMaxCuts = 12;       // halvings of a step
-constexpr int kMaxPieces = 60;     // of a step, tried in all
 constexpr double kPatchNodes = 1;  // nodes that touch times the error that is asked, at least
 constexpr int kPatchLevels = 3;    // halvings of cells for the sake of it
 constexpr double kTouch = 1e-10;   // gap that counts as touching [m]
@@ -83,7 +82,7 @@ PressGoal PadPress::from_here(const PressGoal& goal) const {
 PressOutcome PadPress::solve(const PressGoal& goal, int cuts) {
   PressOutcome out = press_step(*body_, surface_, object_, goal, options_.step, *factor_, state_);
   factorisations_ += out.iterations;
-  if (out.status == Status::kSolved || cuts >= kMaxCuts || ++pieces_ >= kMaxPieces) return out;
+  if (out.status == Status::kSolved || cuts >= kMaxCuts || ++pieces_ >= options_.pieces) return out;
   // Half of the way first.
   PressGoal half = goal;
   half.time /= 2;

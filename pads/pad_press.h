@@ -23,6 +23,7 @@ struct PadPressOptions {
   double force_error = 0.02;      // of the estimate below which the mesh does [1]
   int max_elements = 20000;       // a mesh is not refined beyond
   double max_penetration = 1e-6;  // of the object into faces between their nodes [m]
+  int pieces = 60;                // of a step that fails, tried in all
   double refined = 0.3;  // share of the error's energy whose elements are refined at once [1]
 };
 

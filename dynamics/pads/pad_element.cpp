@@ -16,9 +16,14 @@ constexpr double kLever = 5e-3;                // half a fingertip [m]
 constexpr double kLittle = 0.2;                // of what is allowed, that does not move a pad [1]
 constexpr double kWay = 1e-4;                  // nor does a way [m]
 constexpr double kTurn = 1 * kDegree;          // and a turn below these [rad]
+constexpr double kAgain = 1.5;                 // doubt where a step is to be made again [1]
 constexpr double kNoAnswer = 8;                // doubt where a pad has no answer [1]
 constexpr double kShorter = 0.3, kLonger = 2;  // change of the length of a step [1]
 constexpr double kNewStiffness = 0.2;  // error of a prediction from which K is asked for [1]
+constexpr double kJump = 5e-5;         // steps are not made shorter for a pad [s]
+constexpr int kWayIn = 8;              // steps of a pad that begins anew
+constexpr double kOutside = 4e-3;      // where its object begins, along the push [m]
+constexpr double kRetry = 5e-3;        // before it is tried again [s]
 constexpr double kInstant = 1e-12;     // nearer instants are one [s]
 
 int link_of(const TreeMotion<double>& motion, int body) {
@@ -108,12 +113,11 @@ bool PadElement::changed_little(const Prediction& seen, const Pose<double>& X_PO
   return seen.change < kLittle && motion.tail<3>().norm() < kWay && motion.head<3>().norm() < kTurn;
 }
 
-void PadElement::try_move(const ElementInput& at) {
-  const Pose<double> X_PO = object_pose(at);
-  const Prediction seen = predict(at.t, X_PO);
-  trial_.t = at.t;
+void PadElement::try_move(double t, const Pose<double>& X_PO) {
+  const Prediction seen = predict(t, X_PO);
+  trial_.t = t;
   trial_.X_PO = X_PO;
-  trial_.touch = pad_->move(X_PO, at.t - t_);
+  trial_.touch = pad_->move(X_PO, t - t_);
   ++count_.moves;
   if (trial_.touch.status != Status::kSolved) {
     ++count_.failures;
@@ -126,40 +130,82 @@ void PadElement::try_move(const ElementInput& at) {
 }
 
 double PadElement::doubt(const ElementInput& at) {
+  if (stale_ && at.t < retry_) return 0;
   const Pose<double> X_PO = object_pose(at);
   if (changed_little(predict(at.t, X_PO), X_PO)) return 0;
-  try_move(at);
-  return trial_.error;
+  try_move(at.t, X_PO);
+  // What jumps in so short a time, jumps.
+  if (at.t - t_seen_ < kJump) return 0;
+  if (trial_.error <= 1 || t_seen_ <= t_) return trial_.error;
+  // Part of the error is older than the step: the pad goes to where the step began, which is then
+  // made again with what it says there.
+  try_move(t_seen_, X_seen_);
+  if (trial_.touch.status != Status::kSolved) return kNoAnswer;
+  keep_move(true);
+  return kAgain;
 }
 
 void PadElement::accept(const ElementInput& at) {
   const Pose<double> X_PO = object_pose(at);
   foresees_ = std::numeric_limits<double>::infinity();
+  t_seen_ = at.t;
+  X_seen_ = X_PO;
+  if (stale_ && at.t < retry_) return;
   stale_ = false;
   if (changed_little(predict(at.t, X_PO), X_PO)) return;
   const bool is_tried =
       std::abs(trial_.t - at.t) < kInstant && motion_from(trial_.X_PO, X_PO).norm() < 1e-6;
-  if (!is_tried) try_move(at);
-  const double seconds = at.t - t_;
-  trial_.t = -1;
-  if (trial_.touch.status != Status::kSolved) {
-    stale_ = true;
+  if (!is_tried) try_move(at.t, X_PO);
+  stale_ = trial_.touch.status != Status::kSolved;
+  if (stale_) {
+    if (at.t >= retry_) begin_anew(at.t, X_PO);
     return;
   }
+  const double seconds = at.t - t_;
+  keep_move(trial_.error > kNewStiffness);
+  if (touch_.force > 0 && seconds > 0)
+    foresees_ =
+        seconds * std::clamp(0.9 / std::sqrt(std::max(trial_.error, 1e-6)), kShorter, kLonger);
+}
+
+void PadElement::begin_anew(double t, const Pose<double>& X_PO) {
+  // The object comes from outside, along the last push, at once.
+  std::unique_ptr<MovingPad> fresh = origin_->clone();
+  PadContact contact;
+  for (int i = 0; i <= kWayIn; ++i) {
+    Pose<double> X = X_PO;
+    X.p -= kOutside * (1 - static_cast<double>(i) / kWayIn) * touch_.normal;
+    contact = fresh->move(X, 0);
+    if (contact.status != Status::kSolved) {
+      retry_ = t + kRetry;
+      return;
+    }
+    fresh->keep();
+  }
+  pad_ = std::move(fresh);
+  memory_ = {};
+  trial_ = {t, X_PO, contact, 0};
+  t_ = t;
+  X_PO_ = X_PO;
+  touch_ = contact;
+  stale_ = false;
+  remember_push(0);
+  stiffness_ = touch_.force > 0 ? pad_->stiffness() : Matrix6::Zero();
+  ++count_.anew;
+}
+
+void PadElement::keep_move(bool new_stiffness) {
+  const double seconds = trial_.t - t_;
   pad_->keep();
-  t_ = at.t;
+  t_ = trial_.t;
   X_PO_ = trial_.X_PO;
+  trial_.t = -1;
   const bool begins = touch_.force <= 0;
   touch_ = trial_.touch;
   remember_push(seconds);
   if (touch_.force <= 0) {
     stiffness_.setZero();
-    return;
-  }
-  if (seconds > 0)
-    foresees_ =
-        seconds * std::clamp(0.9 / std::sqrt(std::max(trial_.error, 1e-6)), kShorter, kLonger);
-  if (begins || trial_.error > kNewStiffness) {
+  } else if (begins || new_stiffness) {
     stiffness_ = pad_->stiffness();
     ++count_.stiffnesses;
   }

@@ -25,8 +25,10 @@ struct PadElementOptions {
 /// smooth force, and the pad moves once a step. Motions that change a push by less than a fifth of
 /// the allowed error, over less than 0.1 mm and 1 degree, do not move it.
 ///
-/// In steps of fixed length the pad follows, whatever the error, and act() fails while the pad has
-/// no answer. What pads store counts as dissipated.
+/// Steps are not made shorter than 50 us for it: a push that jumps in that time jumps by itself. A
+/// pad that has no answer then makes act() fail, the last push goes on by its stiffness, until it
+/// has come anew from outside, without the friction that it had. In steps of fixed length the pad
+/// follows, whatever the error. What pads store counts as dissipated.
 class PadElement final : public ForceElement {
  public:
   /// @param body   that carries the pad, X_BP its pose there
@@ -48,7 +50,7 @@ class PadElement final : public ForceElement {
 
   /// How often the pad moved, and its stiffness was asked for.
   struct Count {
-    long moves = 0, stiffnesses = 0, failures = 0;
+    long moves = 0, stiffnesses = 0, failures = 0, anew = 0;
   };
   [[nodiscard]] const Count& count() const { return count_; }
 
@@ -66,7 +68,9 @@ class PadElement final : public ForceElement {
   /// Size of a change of the push: moments about the patch by a lever of half a fingertip [N].
   [[nodiscard]] double size_of(const Vector6& change) const;
   [[nodiscard]] bool changed_little(const Prediction& seen, const Pose<double>& X_PO) const;
-  void try_move(const ElementInput& at);
+  void try_move(double t, const Pose<double>& X_PO);
+  void keep_move(bool new_stiffness);
+  void begin_anew(double t, const Pose<double>& X_PO);
   void remember_push(double seconds);
 
   std::string name_;
@@ -76,9 +80,11 @@ class PadElement final : public ForceElement {
   std::unique_ptr<MovingPad> pad_;
   PadElementOptions options_;
 
-  double t_ = 0;       // when the pad moved last [s]
-  Pose<double> X_PO_;  // of the object then
-  PadContact touch_;   // then
+  double t_ = 0;         // when the pad moved last [s]
+  Pose<double> X_PO_;    // of the object then
+  PadContact touch_;     // then
+  double t_seen_ = 0;    // of the last accept() [s]
+  Pose<double> X_seen_;  // the same
   Matrix6 stiffness_ = Matrix6::Zero();
   std::array<ExponentialMemory, 6> memory_;  // of the push [N m], [N]
   double foresees_;
@@ -91,6 +97,7 @@ class PadElement final : public ForceElement {
     double error = 0;  // of the prediction, over what is allowed [1]
   };
   Trial trial_;
+  double retry_ = 0;    // when a pad without an answer may begin anew [s]
   bool stale_ = false;  // the pad had no answer where the last step ended
   Count count_;
   Eigen::MatrixXd J_;

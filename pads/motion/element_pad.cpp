@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "base/error.h"
 
@@ -9,6 +10,9 @@ namespace thenar {
 namespace {
 
 constexpr double kForgets = 10;  // times the longest relaxation [1]
+constexpr double kClear = 1e-6;  // gap from which a pad at rest is pressed [m]
+constexpr int kIterations = 25;  // of a step, most take fewer than 12
+constexpr int kPieces = 4;       // of a step: who moves a pad may ask for a shorter one
 
 }  // namespace
 
@@ -34,6 +38,8 @@ void ElementPad::renew(const Pose<double>& X_PO) {
   options.step = options_.step;
   options.force_error = options_.mesh_error;
   options.max_elements = options_.max_elements;
+  options.pieces = kPieces;
+  options.step.max_iterations = std::min(options.step.max_iterations, kIterations);
   options.max_penetration = 1;  // faces are as fine as the error of the force asks
   press_ = std::make_unique<PadPress>(model_, object_, X_PO, options);
 }
@@ -46,15 +52,17 @@ PadContact ElementPad::move(const Pose<double>& X_PO, double seconds) {
   PadContact out;
   // A pad at rest that is out of reach stays so.
   const Pose<double> X_OP = X_PO.inverse();
-  moved_rests_ =
-      rests_ && (object_.shape->distance(X_OP.p) > reach_ ||
-                 smallest_gap(press_->surface(), *object_.shape, X_PO, press_->state().x) > 0);
+  double gap = 0;
+  if (rests_)
+    gap = object_.shape->distance(X_OP.p) > reach_
+              ? reach_
+              : smallest_gap(press_->surface(), *object_.shape, X_PO, press_->state().x);
+  moved_rests_ = rests_ && gap > 0;
   if (moved_rests_) return out;
+  if (rests_) press_->begin_at(pulled_out(X_PO, -gap));
   PressGoal goal;
   goal.X_PO = X_PO;
   goal.time = seconds;
-  // A press begins where the object is; nothing has touched on the way there.
-  if (rests_) press_->begin_at(X_PO_);
   const PadPressResult result = press_->step(goal);
   trial_ = result.solved.status == Status::kSolved;
   if (!trial_) {
@@ -65,6 +73,23 @@ PadContact ElementPad::move(const Pose<double>& X_PO, double seconds) {
   }
   out = touch_of(result);
   if (out.force > 0) moved_free_ = 0;
+  return out;
+}
+
+Pose<double> ElementPad::pulled_out(const Pose<double>& X_PO, double overlap) const {
+  const Pose<double> X_OP = X_PO.inverse();
+  const Eigen::Matrix3Xd places = places_of(press_->surface(), press_->state().x);
+  Eigen::Index deepest = 0;
+  double least = std::numeric_limits<double>::infinity();
+  for (Eigen::Index k = 0; k < places.cols(); ++k) {
+    const double gap = object_.shape->distance(X_OP * Eigen::Vector3d(places.col(k)));
+    if (gap >= least) continue;
+    least = gap;
+    deepest = k;
+  }
+  Pose<double> out = X_PO;
+  out.p -= (overlap + kClear) *
+           (X_PO.R * object_.shape->nearest(X_OP * Eigen::Vector3d(places.col(deepest))).normal);
   return out;
 }
 

@@ -38,6 +38,8 @@ class ElementPad final : public MovingPad {
 
  private:
   void renew(const Pose<double>& X_PO);
+  /// The object, moved out of a pad at rest along its normal, so that it came in straight.
+  [[nodiscard]] Pose<double> pulled_out(const Pose<double>& X_PO, double overlap) const;
   [[nodiscard]] PadContact touch_of(const PadPressResult& result) const;
 
   PadModel model_;
