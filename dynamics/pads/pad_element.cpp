@@ -190,12 +190,13 @@ void PadElement::begin_anew(double t, const Pose<double>& X_PO) {
   touch_ = contact;
   stale_ = false;
   remember_push(0);
-  stiffness_ = touch_.force > 0 ? pad_->stiffness() : Matrix6::Zero();
+  stiffness_ = touch_.force > 0 ? pad_->stiffness(Vector6::Ones()) : Matrix6::Zero();
   ++count_.anew;
 }
 
 void PadElement::keep_move(bool new_stiffness) {
   const double seconds = trial_.t - t_;
+  const Vector6 motion = motion_from(X_PO_, trial_.X_PO);
   pad_->keep();
   t_ = trial_.t;
   X_PO_ = trial_.X_PO;
@@ -206,7 +207,7 @@ void PadElement::keep_move(bool new_stiffness) {
   if (touch_.force <= 0) {
     stiffness_.setZero();
   } else if (begins || new_stiffness) {
-    stiffness_ = pad_->stiffness();
+    stiffness_ = pad_->stiffness(motion);
     ++count_.stiffnesses;
   }
 }

@@ -122,7 +122,7 @@ void ElementPad::keep() {
   }
 }
 
-Matrix6 ElementPad::stiffness() {
+Matrix6 ElementPad::stiffness(const Eigen::Matrix<double, 6, 1>& /*onward*/) {
   if (trial_) press_->undo();
   trial_ = false;
   if (rests_ || press_->state().normal.isZero(0)) return Matrix6::Zero();

@@ -27,7 +27,7 @@ class ElementPad final : public MovingPad {
   [[nodiscard]] PadContact move(const Pose<double>& X_PO, double seconds) override;
   void keep() override;
   /// By the tangent of the elements, with nodes that stick and slip as they do.
-  [[nodiscard]] Matrix6 stiffness() override;
+  [[nodiscard]] Matrix6 stiffness(const Eigen::Matrix<double, 6, 1>& onward) override;
   [[nodiscard]] const std::vector<ExponentialTerm>& relaxation() const override {
     return model_.tissues.front().relaxation;
   }

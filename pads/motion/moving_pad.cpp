@@ -1,5 +1,7 @@
 #include "pads/motion/moving_pad.h"
 
+#include <cmath>
+
 #include <Eigen/Geometry>
 
 namespace thenar {
@@ -10,13 +12,13 @@ constexpr double kLever = 10e-3;  // at which a turn moves as far [m]
 
 }  // namespace
 
-Matrix6 MovingPad::stiffness() {
+Matrix6 MovingPad::stiffness(const Eigen::Matrix<double, 6, 1>& onward) {
   const Pose<double> from = object_pose();
   const Eigen::Matrix<double, 6, 1> before = six_of(move(from, 0).push);
   Matrix6 out;
   for (int k = 0; k < 6; ++k) {
     Eigen::Matrix<double, 6, 1> motion = Eigen::Matrix<double, 6, 1>::Zero();
-    motion[k] = k < 3 ? kSmall / kLever : kSmall;
+    motion[k] = std::copysign(k < 3 ? kSmall / kLever : kSmall, onward[k]);
     out.col(k) = (six_of(move(moved_by(from, motion), 0).push) - before) / motion[k];
   }
   return out;

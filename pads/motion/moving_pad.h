@@ -49,7 +49,9 @@ class MovingPad {
   /// d push / d motion of the object from where it was kept, at once: moment and turn first, about
   /// the pad's origin. What sticks resists, what slips does not. By default from differences of
   /// move() over a micrometre, and over an angle that moves a lever of 10 mm as far.
-  [[nodiscard]] virtual Matrix6 stiffness();
+  /// @param onward  signs of these differences: the way that the object goes, as what slips there
+  ///                sticks on the way back (6)
+  [[nodiscard]] virtual Matrix6 stiffness(const Eigen::Matrix<double, 6, 1>& onward);
 
   /// How a push relaxes, for predictions.
   [[nodiscard]] virtual const std::vector<ExponentialTerm>& relaxation() const = 0;

@@ -207,5 +207,116 @@ TEST(PadElement, TwoPadsHoldACubeByFrictionWithoutCreep) {
   }
 }
 
+/// A pad above a cube on a horizontal slide without friction, pressed down by `weight`, and the
+/// cube pulled aside by `pull`. The law is `stiffer` times as stiff as a fingertip.
+SceneRun pulled_under_pad(double pull, double weight, double friction, double stiffer,
+                          double seconds) {
+  MovingScene scene;
+  scene.gravity.setZero();
+  const int cube =
+      sample::add_on_joint(scene, "cube", primitive(ShapeKind::kBox, {0.2, 2 * kHalf, 2 * kHalf}),
+                           kMass, JointKind::kSlide, {1, 0, 0}, {0, 0, 0});
+  const int finger =
+      sample::add_on_joint(scene, "finger", primitive(ShapeKind::kBox, {0.01, 0.01, 0.01}), 0.02,
+                           JointKind::kSlide, {0, 0, -1}, {0, 0, 0});
+  const SoftFingerConstants c{0.36 * stiffer, 1.79, 0.82, 5.7e-3, 0.32, 0.29, 0.61, 0.54};
+  const auto pad = std::make_shared<LawPad>(
+      "soft-finger", PadShape(), std::make_shared<SoftFinger>(c, kDamps),
+      PatchShear{12e3 * stiffer, 5.5e-3},
+      RigidObject{build_box({0.2, 2 * kHalf, 2 * kHalf}), friction}, Pose<double>{});
+  // Upside down, just above the cube.
+  Pose<double> X_BP;
+  X_BP.R << Vector3d(1, 0, 0), Vector3d(0, -1, 0), Vector3d(0, 0, -1);
+  X_BP.p = {0, 0, kHalf + PadShape().height};
+  scene.elements.push_back(
+      std::make_shared<PadElement>("pad", finger, X_BP, cube, pad, PadElementOptions{0.01, 0.02}));
+  scene.apart.emplace_back(cube, finger);
+  SceneDrive press, drag;
+  press.coordinate = 1;
+  press.bias = weight;
+  press.damping = 20;
+  drag.coordinate = 0;
+  drag.bias = pull;
+  drag.when = {0.2, 1e9};
+  scene.drives = {press, drag};
+  return simulate_scene(scene, for_seconds(0.2 + seconds));
+}
+
+TEST(PadElement, AStiffLawHoldsAndSlidesAsAHardPointDoes) {
+  // Coulomb: the cube goes with (pull - friction weight) / mass, or not at all.
+  const double friction = 0.5, weight = 1, seconds = 0.1;
+  const auto way = [&](double pull, double stiffer) {
+    const SceneRun run = pulled_under_pad(pull, weight, friction, stiffer, seconds);
+    EXPECT_EQ(run.status, SceneStatus::kDone);
+    return run.samples.back().q[0];
+  };
+  const double slides = 0.5 * (0.8 - friction * weight) / kMass * seconds * seconds;
+  double last = 2;
+  // What friction gives by and by, not at once, is kept as speed: off by the root of the yield.
+  for (const double stiffer : {1.0, 100.0, 1e4}) {
+    const double off = std::abs(way(0.8, stiffer) - slides) / slides;
+    EXPECT_LT(off, 0.2 * last) << stiffer;
+    last = off;
+  }
+  EXPECT_LT(last, 0.01);
+  // What holds yields by the springs of its patch, in inverse proportion.
+  for (const double stiffer : {1.0, 100.0})
+    EXPECT_LT(std::abs(way(0.2, stiffer)), 5e-3 / stiffer) << stiffer;
+}
+
+TEST(PadElement, KeepsMomentumAndSpin) {
+  // Two free bodies meet by a pad that is off both centres, and fly apart again.
+  MovingScene scene;
+  scene.gravity.setZero();
+  const double edge = 2 * kHalf;
+  const int finger =
+      sample::add_body(scene, "finger", primitive(ShapeKind::kBox, {edge, edge, edge}), 0.05,
+                       {Eigen::Matrix3d::Identity(), {0, 0, 0}});
+  const int cube = sample::add_body(scene, "cube", primitive(ShapeKind::kBox, {edge, edge, edge}),
+                                    kMass, {Eigen::Matrix3d::Identity(), {2e-3, 1e-3, 26e-3}});
+  Pose<double> X_BP;
+  X_BP.p = {1e-3, 0, 5e-3};
+  scene.elements.push_back(
+      std::make_shared<PadElement>("pad", finger, X_BP, cube, soft_finger(0.6, kTerms)));
+  scene.apart.emplace_back(finger, cube);
+  set_free_velocity(scene.mechanism, cube, scene.q, {0.02, 0, -0.1}, {0, 0, 3}, scene.v);
+  const SceneRun run = simulate_scene(scene, for_seconds(0.1));
+  ASSERT_EQ(run.status, SceneStatus::kDone);
+  ContactStep step(scene);
+  const auto momenta = [&](const SceneSample& at) {
+    Eigen::Matrix<double, 6, 1> out = Eigen::Matrix<double, 6, 1>::Zero();
+    std::vector<Pose<double>> X;
+    step.poses({at.t, at.q, at.v}, X);
+    const MechanismLayout layout = layout_of(scene.mechanism);
+    for (const int body : {finger, cube}) {
+      const auto i = static_cast<std::size_t>(body);
+      const BodyMass& mass = scene.mechanism.bodies[i].mass;
+      // Speeds of a free joint: turn, then way, of the centre of mass.
+      const Vector3d w = at.v.segment<3>(layout.first_v[i]),
+                     u = at.v.segment<3>(layout.first_v[i] + 3);
+      const Vector3d c = X[i] * mass.com;
+      out.head<3>() += X[i].R * mass.inertia * X[i].R.transpose() * w + c.cross(mass.mass * u);
+      out.tail<3>() += mass.mass * u;
+    }
+    return out;
+  };
+  const auto before = momenta(run.samples.front()), after = momenta(run.samples.back());
+  bool touched = false;
+  for (const SceneSample& at : run.samples) touched = touched || !at.contacts.empty();
+  EXPECT_TRUE(touched);
+  EXPECT_LT((after - before).tail<3>().norm(), 1e-7 * before.tail<3>().norm());
+  EXPECT_LT((after - before).head<3>().norm(), 1e-6 * before.head<3>().norm());
+}
+
+TEST(PadElement, HasNoForceOnceAnObjectHasLeft) {
+  const MovingScene scene = cube_on_pad(soft_finger(0.5, kTerms), 2e-3);
+  SceneOptions options = for_seconds(0.5);
+  options.sample = 1e-3;
+  const SceneRun run = simulate_scene(scene, options);
+  ASSERT_EQ(run.status, SceneStatus::kDone);
+  for (const SceneSample& at : run.samples)
+    EXPECT_TRUE(depth_of(at) >= -1e-5 || at.contacts.empty()) << at.t;
+}
+
 }  // namespace
 }  // namespace thenar
