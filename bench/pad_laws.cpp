@@ -27,8 +27,8 @@ void print(const char* law, const LawError& error) {
   const auto pair = [](const RelativeError& e) {
     return fmt::format("{:5.1f} {:5.1f}", 100 * e.rms, 100 * e.worst);
   };
-  fmt::print("| {:20} | {} | {} | {} | {} |\n", law, pair(error.force), pair(error.area),
-             pair(error.radius), pair(error.torsion));
+  fmt::print("| {:20} | {} | {} | {} | {} | {} |\n", law, pair(error.force), pair(error.area),
+             pair(error.radius), pair(error.torsion), pair(error.shear));
 }
 
 void print(const MeasuredPresses& found, const CalibratedLaws& laws, const FoundationBed& bed) {
@@ -93,7 +93,8 @@ int run(double force_error, const std::string& pad_file, const std::string& laws
   print(check, found.laws, bed);
   for (const std::string& failure : found.failures) fmt::print("failed: {}\n", failure);
   fmt::print(
-      "\n| errors in %: rms, worst | force | area | radius | torsion |\n|---|---|---|---|---|\n");
+      "\n| errors in %: rms, worst | force | area | radius | torsion | shear "
+      "|\n|---|---|---|---|---|---|\n");
   print("power law", found.laws.power_error);
   print("soft finger", found.laws.soft_finger_error);
   print("foundation, local", found.laws.foundation_error);

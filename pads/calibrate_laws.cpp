@@ -65,6 +65,15 @@ double torsion_share(const Fits& fits, const ContactLaw& law) {
   return std::min(1.0, std::exp(logs.mean()));
 }
 
+/// G with which a law whose G is 1 Pa has the measured stiffnesses across, in the geometric mean.
+double shear_modulus(const Fits& fits, const ContactLaw& law) {
+  return std::exp(fits.all([&](const MeasuredPress& press) {
+                        return std::log(press.shear /
+                                        law.at_force(press.gap, press.force, 0).shear);
+                      })
+                      .mean());
+}
+
 PowerLawConstants fit_power(Fits& fits) {
   const auto rows = static_cast<Index>(fits.presses.size());
   PowerLawConstants out;
@@ -84,6 +93,8 @@ PowerLawConstants fit_power(Fits& fits) {
   out.patch = kLawDepth * std::exp(found.z[0]);
   out.patch_exponent = found.z[1];
   out.torsion = torsion_share(fits, PowerLaw(out));
+  out.shear = 1;
+  out.shear = shear_modulus(fits, PowerLaw(out));
   return out;
 }
 
@@ -117,6 +128,8 @@ SoftFingerConstants fit_soft_finger(Fits& fits) {
   fits.note(found, "semi-axes of the soft finger");
   out.aspect = found.z[0];
   out.torsion = torsion_share(fits, SoftFinger(out));
+  out.shear = 1;
+  out.shear = shear_modulus(fits, SoftFinger(out));
   return out;
 }
 
@@ -174,9 +187,30 @@ FoundationConstants fit_foundation(Fits& fits, const FoundationColumns& columns,
   return foundation_at(found.z, base);
 }
 
+/// Stiffness that sticking adds to a bed of springs across a press, for G = 1 Pa [N/m].
+double shear_per_modulus(const FoundationColumns& columns, FoundationConstants constants,
+                         const MeasuredPress& press) {
+  constexpr double kWay = 1e-6, kHolds = 10;  // [m]; a friction that holds
+  constants.shear = 1;
+  const FoundationBed bed(columns, constants);
+  const Tangents across = tangents(bed.press(*press.object, press.X_PO).normal);
+  double sum = 0;
+  for (const Vector3d& way : {across.e1, across.e2}) {
+    Pose<double> X = press.X_PO;
+    X.p += kWay * way;
+    const auto pull = [&](double friction) {
+      BedState state;
+      (void)bed.step(*press.object, press.X_PO, friction, 0, state);
+      return way.dot(bed.step(*press.object, X, friction, 0, state).push.force);
+    };
+    sum += pull(kHolds) - pull(0);
+  }
+  return 0.5 * sum / kWay;
+}
+
 /// A law's answer beside the elements'.
 struct Answer {
-  double force, area, radius, arm;
+  double force, area, radius, arm, shear;
 };
 
 LawError error_of(const std::vector<MeasuredPress>& presses,
@@ -193,8 +227,9 @@ LawError error_of(const std::vector<MeasuredPress>& presses,
     add(out.area, answer.area, press.area);
     add(out.radius, answer.radius, mean_semi_axis(press) * std::sqrt(press.aspect));
     add(out.torsion, answer.arm, press.arm);
+    add(out.shear, answer.shear, press.shear);
   }
-  for (RelativeError* error : {&out.force, &out.area, &out.radius, &out.torsion})
+  for (RelativeError* error : {&out.force, &out.area, &out.radius, &out.torsion, &out.shear})
     error->rms = std::sqrt(error->rms);
   return out;
 }
@@ -202,15 +237,18 @@ LawError error_of(const std::vector<MeasuredPress>& presses,
 LawError error_of(const std::vector<MeasuredPress>& presses, const ContactLaw& law) {
   return error_of(presses, [&](const MeasuredPress& press) {
     const LawContact contact = law.at_depth(press.gap, press.depth, 1);
-    return Answer{contact.force, contact.area, contact.patch.a, contact.patch.torsion};
+    return Answer{contact.force, contact.area, contact.patch.a, contact.patch.torsion,
+                  contact.shear};
   });
 }
 
-LawError error_of(const std::vector<MeasuredPress>& presses, const FoundationBed& bed) {
+LawError error_of(const std::vector<MeasuredPress>& presses, const FoundationColumns& columns,
+                  const FoundationConstants& constants) {
+  const FoundationBed bed(columns, constants);
   return error_of(presses, [&](const MeasuredPress& press) {
     const BedContact contact = bed.press(*press.object, press.X_PO, 1);
     return Answer{contact.force, contact.area, std::sqrt(contact.area / kPi * contact.aspect),
-                  contact.torsion};
+                  contact.torsion, constants.shear * shear_per_modulus(columns, constants, press)};
   });
 }
 
@@ -223,8 +261,9 @@ LawCalibration fit_laws(const PadModel& model, const MeasuredPresses& fit,
           check.presses.size());
   for (const MeasuredPresses* presses : {&fit, &check})
     for (const MeasuredPress& press : presses->presses)
-      require(press.force > 0 && press.area > 0 && press.depth > 0 && press.arm > 0,
-              "a press by '{}' does not touch the pad", press.trial);
+      require(
+          press.force > 0 && press.area > 0 && press.depth > 0 && press.arm > 0 && press.shear > 0,
+          "a press by '{}' does not touch the pad", press.trial);
   LawCalibration out;
   CalibratedLaws& laws = out.laws;
   laws.relaxation = model.tissues.at(0).relaxation;
@@ -239,11 +278,17 @@ LawCalibration fit_laws(const PadModel& model, const MeasuredPresses& fit,
   });
   base.thickness = thickness.mean();
   laws.foundation = fit_foundation(fits, columns, base, options);
+  // Springs across, in the geometric mean.
+  laws.foundation.shear = std::exp(
+      fits.all([&](const MeasuredPress& press) {
+            return std::log(press.shear / shear_per_modulus(columns, laws.foundation, press));
+          })
+          .mean());
   // Errors.
   laws.power_error = error_of(check.presses, PowerLaw(laws.power));
   laws.soft_finger_error = error_of(check.presses, SoftFinger(laws.soft_finger));
   laws.foundation_error = error_of(check.presses, ElasticFoundation(laws.foundation));
-  laws.bed_error = error_of(check.presses, FoundationBed(columns, laws.foundation));
+  laws.bed_error = error_of(check.presses, columns, laws.foundation);
   laws.evidence.fitted = static_cast<int>(fit.presses.size());
   laws.evidence.checked = static_cast<int>(check.presses.size());
   laws.evidence.depth = fits.all([](const MeasuredPress& p) { return p.depth; }).maxCoeff();

@@ -69,8 +69,9 @@ void PadPress::begin_at(const Pose<double>& X_PO) {
   before_ = state_;
 }
 
-Eigen::Matrix<double, 6, 6> PadPress::stiffness() {
-  return press_stiffness(*body_, surface_, object_, options_.step, *factor_, state_);
+Eigen::Matrix<double, 6, 6> PadPress::stiffness(std::optional<double> friction) {
+  const RigidObject object{object_.shape, friction.value_or(object_.friction)};
+  return press_stiffness(*body_, surface_, object, options_.step, *factor_, state_);
 }
 
 PressGoal PadPress::from_here(const PressGoal& goal) const {

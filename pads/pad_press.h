@@ -59,7 +59,8 @@ class PadPress {
   /// Puts the object somewhere else, where it does not touch; the pad stays as it is.
   void begin_at(const Pose<double>& X_PO);
   /// d push / d motion of the object, at once: press_stiffness().
-  [[nodiscard]] Eigen::Matrix<double, 6, 6> stiffness();
+  /// @param friction  instead of the object's: 1 for a press without friction, whose nodes stick
+  [[nodiscard]] Eigen::Matrix<double, 6, 6> stiffness(std::optional<double> friction = {});
 
   /// From the next step on.
   void set_force_error(double error) { options_.force_error = error; }

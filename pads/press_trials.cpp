@@ -15,9 +15,11 @@ namespace {
 using Eigen::Vector3d;
 
 /// What the elements say of a press.
-MeasuredPress measured(const PadPress& press, const PadPressResult& result,
-                       const PressTrial& trial) {
-  MeasuredPress out{trial.name, trial.object.shape, press.state().X_PO, {}, 0, 0, 0, 1, 0, 0};
+MeasuredPress measured(PadPress& press, const PadPressResult& result, const PressTrial& trial) {
+  MeasuredPress out;
+  out.trial = trial.name;
+  out.object = trial.object.shape;
+  out.X_PO = press.state().X_PO;
   const PressureMoments moments = pressure_moments(places_of(press.surface(), press.state().x),
                                                    press.state().normal, trial.along);
   out.force = trial.along.dot(result.push.force);
@@ -25,6 +27,9 @@ MeasuredPress measured(const PadPress& press, const PadPressResult& result,
   out.aspect = moments.aspect;
   out.arm = moments.arm;
   out.force_error = result.force_error;
+  // What sticking adds; what does not go along the press goes across it.
+  const Eigen::Matrix3d K = (press.stiffness(1) - press.stiffness(0)).bottomRightCorner<3, 3>();
+  out.shear = 0.5 * (K.trace() - trial.along.dot(K * trial.along));
   return out;
 }
 

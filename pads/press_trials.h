@@ -33,6 +33,8 @@ struct MeasuredPress {
   double arm = 0;          // mean distance of the pressure from its centre: torsion for a friction
                            // of 1 [m]
   double force_error = 0;  // estimate of the elements [1]
+  double shear = 0;  // force by a way of the object across the press that sticking adds, in the
+                     // mean over the ways [N/m]
 };
 
 /// Presses that laws are fitted to, and others to measure their errors.

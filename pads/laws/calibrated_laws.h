@@ -25,6 +25,7 @@ struct LawError {
   RelativeError area;     // of the patch
   RelativeError radius;   // its longer semi-axis
   RelativeError torsion;  // per normal force and friction
+  RelativeError shear;    // stiffness across the press, G area / h, while all sticks
 };
 
 /// What laws were fitted to and checked against.
@@ -56,7 +57,7 @@ inline void check_laws(const CalibratedLaws& laws) {
   (void)ElasticFoundation(laws.foundation, laws.relaxation);
   for (const LawError& law :
        {laws.power_error, laws.soft_finger_error, laws.foundation_error, laws.bed_error})
-    for (const RelativeError& error : {law.force, law.area, law.radius, law.torsion})
+    for (const RelativeError& error : {law.force, law.area, law.radius, law.torsion, law.shear})
       require(error.rms >= 0 && error.worst >= 0 && std::isfinite(error.rms + error.worst),
               "errors of laws must be finite and >= 0, got {} and {}", error.rms, error.worst);
 }

@@ -20,6 +20,7 @@ struct LawContact {
   double stiffness = 0;  // d force / d depth [N/m]; infinite: rigid
   double area = 0;       // of the patch [m^2]
   SoftPatch patch;       // semi-axes, approach, largest torque per normal force
+  double shear = 0;      // stiffness across, while all of the patch sticks [N/m]
 };
 
 /// A law of contact between a pad and a rigid object whose surfaces are known where they touch.

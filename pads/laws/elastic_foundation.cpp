@@ -73,6 +73,7 @@ LawContact ElasticFoundation::at_depth(const RelativeCurvatures& gap, double dep
   const double first = 1 / (m + 1), second = c_.stiffening * e * e / (m + 3);
   const double share = (share_ * first + share_stiff_ * second) / (first + second);
   contact.patch.torsion = share * friction * mean_radius(contact.patch.a, contact.patch.b);
+  contact.shear = c_.shear * contact.area / c_.thickness;
   return contact;
 }
 

@@ -42,7 +42,7 @@ struct SpringPressure {
 ///   F = 2 pi R h / spread E e^(m+1) (1 / (m+1) + s e^2 / (m+3)) (1 + c h / sqrt(a b)),
 ///   a = sqrt(2 depth / (spread k2)),   b = sqrt(2 depth / (spread k1)).
 /// Torsion is that of the pressure, share mu mean_radius(a, b), with the share
-/// (m+1) B(3/2, m+1) of a power m of the depth.
+/// (m+1) B(3/2, m+1) of a power m of the depth. The stiffness across is G area / h.
 class ElasticFoundation final : public ContactLaw {
  public:
   /// @throws InputError as check_foundation() and check_exponential_terms().

@@ -16,8 +16,13 @@ LawContact no_contact(double depth) {
   return apart;
 }
 
+/// Of a circle that sticks on an incompressible half space, nu = 1/2 [N/m].
+double shear_of(double modulus, double radius) { return 16.0 / 3 * modulus * radius; }
+
 void check_powers(double force, double depth_exponent, double patch, double patch_exponent,
-                  double torsion) {
+                  double torsion, double shear) {
+  require(shear >= 0 && std::isfinite(shear), "the shear of a law must be 0 or more, got {} Pa",
+          shear);
   require(force > 0 && depth_exponent > 0 && std::isfinite(force + depth_exponent),
           "a law of force needs a force and an exponent above 0, got {} N and {}", force,
           depth_exponent);
@@ -33,7 +38,7 @@ LawContact HardPoint::at_depth(const RelativeCurvatures& gap, double depth, doub
   (void)internal::radius_of(gap);
   internal::check_contact_load(depth, 0, friction);
   LawContact contact = no_contact(depth);
-  if (depth >= 0) contact.stiffness = kInfinity;
+  if (depth >= 0) contact.stiffness = contact.shear = kInfinity;
   if (depth > 0) contact.force = kInfinity;
   return contact;
 }
@@ -43,13 +48,13 @@ LawContact HardPoint::at_force(const RelativeCurvatures& gap, double force, doub
   internal::check_contact_load(0, force, friction);
   LawContact contact;
   contact.force = force;
-  contact.stiffness = kInfinity;
+  contact.stiffness = contact.shear = kInfinity;
   return contact;
 }
 
 PowerLaw::PowerLaw(const PowerLawConstants& constants, std::vector<ExponentialTerm> terms)
     : c_(constants), terms_(std::move(terms)) {
-  check_powers(c_.force, c_.depth_exponent, c_.patch, c_.patch_exponent, c_.torsion);
+  check_powers(c_.force, c_.depth_exponent, c_.patch, c_.patch_exponent, c_.torsion, c_.shear);
   require(c_.patch_exponent <= 1.0 / 3, "gamma must be in [0, 1/3], got {}", c_.patch_exponent);
   check_exponential_terms(terms_, "a power law");
 }
@@ -62,6 +67,7 @@ LawContact PowerLaw::answer(double depth, double force, double friction) const {
   contact.patch.depth = depth;
   contact.patch.torsion = c_.torsion * friction * contact.patch.a;
   contact.area = kPi * contact.patch.a * contact.patch.a;
+  contact.shear = shear_of(c_.shear, contact.patch.a);
   return contact;
 }
 
@@ -81,7 +87,7 @@ LawContact PowerLaw::at_force(const RelativeCurvatures& gap, double force, doubl
 
 SoftFinger::SoftFinger(const SoftFingerConstants& constants, std::vector<ExponentialTerm> terms)
     : c_(constants), terms_(std::move(terms)) {
-  check_powers(c_.force, c_.depth_exponent, c_.patch, c_.patch_exponent, c_.torsion);
+  check_powers(c_.force, c_.depth_exponent, c_.patch, c_.patch_exponent, c_.torsion, c_.shear);
   require(std::isfinite(c_.radius_exponent + c_.patch_radius + c_.aspect),
           "exponents of a soft finger must be finite, got {}, {} and {}", c_.radius_exponent,
           c_.patch_radius, c_.aspect);
@@ -99,6 +105,7 @@ LawContact SoftFinger::answer(const internal::GapRadius& gap, double depth, doub
   contact.patch = {mean * stretch, mean / stretch, depth, 0};
   contact.patch.torsion = c_.torsion * friction * mean_radius(contact.patch.a, contact.patch.b);
   contact.area = kPi * mean * mean;
+  contact.shear = shear_of(c_.shear, mean);
   return contact;
 }
 

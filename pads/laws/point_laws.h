@@ -24,14 +24,16 @@ class HardPoint final : public ContactLaw {
 };
 
 /// Force by a power of depth and patch by a power of force, whatever the object:
-///   F = k (depth / 1 mm)^n,   a = b = c (F / 1 N)^gamma,   torsion = share mu a.
-/// Source: [XydasKao1999] for the radius.
+///   F = k (depth / 1 mm)^n,   a = b = c (F / 1 N)^gamma,   torsion = share mu a,
+/// and 16/3 G a for the stiffness across, which for a half space has its shear modulus as G.
+/// Source: [XydasKao1999] for the radius, [Johnson1985] section 7.2 for the stiffness.
 struct PowerLawConstants {
   double force = 0;           // k: at 1 mm [N]
   double depth_exponent = 1;  // n, above 0 [1]
   double patch = 0;           // c: radius at 1 N [m]
   double patch_exponent = 0;  // gamma: 1/3 for linear elasticity, 0 for ideal softness [1]
   double torsion = 0;         // share: 2/3 for even pressure, 3 pi/16 for Hertz's [1]
+  double shear = 0;           // G [Pa]
 };
 
 class PowerLaw final : public ContactLaw {
@@ -55,7 +57,8 @@ class PowerLaw final : public ContactLaw {
 ///   F = k (depth / 1 mm)^n (R / 10 mm)^q,        torsion = share mu mean_radius(a, b),
 ///   sqrt(a b) = c (F / 1 N)^gamma (R / 10 mm)^s,  a / b = (k1 / k2)^e.
 /// Hertz's contact of balls has n = 3/2, q = 1/2, gamma = s = 1/3; a layer of linear springs n = 2,
-/// q = 1, gamma = s = 1/4, e = 1/2. Its limit surface is limit_ellipsoid() with this torsion.
+/// q = 1, gamma = s = 1/4, e = 1/2. Its limit surface is limit_ellipsoid() with this torsion, its
+/// stiffness across that of PowerLawConstants at sqrt(a b).
 struct SoftFingerConstants {
   double force = 0;            // k: at 1 mm and 10 mm [N]
   double depth_exponent = 1;   // n, above 0 [1]
@@ -65,6 +68,7 @@ struct SoftFingerConstants {
   double patch_radius = 0;     // s [1]
   double aspect = 0;           // e [1]
   double torsion = 0;          // share [1]
+  double shear = 0;            // G [Pa]
 };
 
 class SoftFinger final : public ContactLaw {

@@ -27,24 +27,22 @@ void lay_flat(const Vector3d& normal, std::array<ExponentialMemory, 4>& drag) {
 }  // namespace
 
 LawPad::LawPad(std::string name, const PadShape& shape, std::shared_ptr<const ContactLaw> law,
-               const PatchShear& shear, RigidObject object, const Pose<double>& X_PO)
+               RigidObject object, const Pose<double>& X_PO)
     : name_(std::move(name)),
       shape_(shape),
       chart_(std::make_shared<PadChart>(shape)),
       skin_(skin_solid(shape)),
       law_(std::move(law)),
-      shear_(shear),
       object_(std::move(object)) {
   require(law_ && object_.shape && object_.friction >= 0,
           "a pad in motion wants a law, and an object with a shape and a friction >= 0");
-  require(shear_.modulus > 0 && shear_.thickness > 0,
-          "springs across a patch want G > 0 and h > 0, got {} Pa and {} m", shear_.modulus,
-          shear_.thickness);
+  require(law_->at_force({200, 100}, 1, 1).shear > 0,
+          "the law '{}' has no stiffness across: a pad in motion would hold nothing", name_);
   kept_.X_PO = moved_.X_PO = X_PO;
 }
 
 std::unique_ptr<MovingPad> LawPad::clone() const {
-  return std::make_unique<LawPad>(name_, shape_, law_, shear_, object_, kept_.X_PO);
+  return std::make_unique<LawPad>(name_, shape_, law_, object_, kept_.X_PO);
 }
 
 PadContact LawPad::move(const Pose<double>& X_PO, double seconds) {
@@ -88,8 +86,7 @@ Vector4d LawPad::rub(const LawContact& contact, const Vector3d& at, const Vector
   const Pose<double> D = moved_.X_PO * kept_.X_PO.inverse();
   const Eigen::AngleAxisd turn(D.R);
   const Vector3d way = at - D.inverse() * at;
-  const double stiffness = shear_.modulus * contact.area / shear_.thickness;
-  const double arm = 0.25 * (contact.patch.a * contact.patch.a + contact.patch.b * contact.patch.b);
+  const double stiffness = contact.shear, arm = contact.patch.a * contact.patch.b;
   lay_flat(normal, moved_.drag);
   Vector4d elastic, past, stretch;
   stretch << stiffness * (way - normal * normal.dot(way)),

@@ -12,24 +12,19 @@
 
 namespace thenar {
 
-/// Springs across the normal, per area of the patch: G / h as those of FoundationBed.
-struct PatchShear {
-  double modulus = 0;    // G [Pa]
-  double thickness = 1;  // h [m]
-};
-
 /// A law where the undeformed skin lies deepest in the object; the patch sticks, slips and twists
-/// as a whole. Its friction and torsion are those of springs, k = G A / h and k (a^2 + b^2) / 4,
-/// which the object's motion at the patch stretches step by step, so that rolling is no slip; they
-/// relax as the force does, and stay within the ellipsoid  |f_t|^2 + (torque / e)^2 <= (mu f_n)^2
-/// with the e mu of the law, by the way straight back to it. Source: [Howe1996] for the
-/// ellipsoid.
+/// as a whole. Its friction and torsion are those of springs, k = LawContact::shear and k a b,
+/// which on an incompressible half space holds for circles, which the object's motion at the patch
+/// stretches step by step, so that rolling is no slip; they relax as the force does, and stay
+/// within the ellipsoid  |f_t|^2 + (torque / e)^2 <= (mu f_n)^2 with the e mu of the law, by the
+/// way straight back to it. Source: [Howe1996] for the ellipsoid.
 class LawPad final : public MovingPad {
  public:
   /// @param name  of the rung
-  /// @throws InputError as PadChart, or if law or object are missing.
+  /// @throws InputError as PadChart, or if law or object are missing, or the law has no stiffness
+  /// across.
   LawPad(std::string name, const PadShape& shape, std::shared_ptr<const ContactLaw> law,
-         const PatchShear& shear, RigidObject object, const Pose<double>& X_PO);
+         RigidObject object, const Pose<double>& X_PO);
 
   [[nodiscard]] std::unique_ptr<MovingPad> clone() const override;
   [[nodiscard]] std::string rung() const override { return name_; }
@@ -57,7 +52,6 @@ class LawPad final : public MovingPad {
   std::shared_ptr<const PadChart> chart_;
   std::shared_ptr<const Shape> skin_;
   std::shared_ptr<const ContactLaw> law_;
-  PatchShear shear_;
   RigidObject object_;
   State kept_, moved_;
 };

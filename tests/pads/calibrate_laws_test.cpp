@@ -65,6 +65,16 @@ MeasuredPresses by_a_bed(const PadModel& model, const FoundationConstants& const
       press.area = contact.area;
       press.aspect = contact.aspect;
       press.arm = contact.torsion;
+      // What sticking adds as it is pulled across.
+      Pose<double> pulled = press.X_PO;
+      const Vector3d across = contact.normal.cross(Vector3d(1, 0, 0)).normalized();
+      pulled.p += 1e-6 * across;
+      const auto pull = [&](double friction) {
+        BedState held;
+        (void)bed.step(*press.object, press.X_PO, friction, 0, held);
+        return across.dot(bed.step(*press.object, pulled, friction, 0, held).push.force);
+      };
+      press.shear = (pull(10) - pull(0)) / 1e-6;
       out.presses.push_back(press);
     }
   return out;
@@ -73,7 +83,7 @@ MeasuredPresses by_a_bed(const PadModel& model, const FoundationConstants& const
 TEST(FitLaws, FindsTheBedThatThereIs) {
   const PadModel model = default_pad();
   const LawTrials trials = standard_trials(model.shape, {5e-4, 1e-3, 2e-3});
-  FoundationConstants truth{3e4, 0.8, 9, 0.5, 1.4, 5e-3, 0};
+  FoundationConstants truth{3e4, 0.8, 9, 0.5, 1.4, 5e-3, 9e3};
   LawFitOptions options;
   options.rings = 12;
   MeasuredPresses fit = by_a_bed(model, truth, trials.fit, options.rings);
@@ -89,6 +99,8 @@ TEST(FitLaws, FindsTheBedThatThereIs) {
   EXPECT_NEAR(ours.stiffening, truth.stiffening, 1e-3);
   EXPECT_NEAR(ours.spread, truth.spread, 1e-4);
   EXPECT_NEAR(ours.surround, truth.surround, 1e-3);
+  // One way across stands for the mean of both.
+  EXPECT_NEAR(ours.shear / truth.shear, 1, 0.02);
   EXPECT_LT(found.laws.bed_error.force.worst, 1e-4);
   EXPECT_LT(found.laws.bed_error.torsion.worst, 1e-4);
   EXPECT_EQ(found.laws.evidence.fitted, 15);
@@ -101,7 +113,7 @@ TEST(FitLaws, FindsThePowersThatThereAre) {
   const SoftFingerConstants truth{0.3, 1.8, 0.6, 4e-3, 0.22, 0.3, 0.55, 0.58};
   const LawTrials trials = standard_trials(model.shape, {5e-4, 1e-3, 2e-3});
   const auto by_a_finger = [&](const std::vector<PressTrial>& of) {
-    MeasuredPresses out = by_a_bed(model, {3e4, 1, 0, 0, 1, 5e-3, 0}, of, 6);
+    MeasuredPresses out = by_a_bed(model, {3e4, 1, 0, 0, 1, 5e-3, 9e3}, of, 6);
     double k1 = 100;
     for (MeasuredPress& press : out.presses) {
       press.gap = {k1 *= 1.1, 60};

@@ -25,13 +25,14 @@ struct Key {
   Dimension dimension;
   double Constants::*value;
 };
-constexpr std::array<Key<PowerLawConstants>, 5> kPowerKeys{
+constexpr std::array<Key<PowerLawConstants>, 6> kPowerKeys{
     {{"force", Dimension::kForce, &PowerLawConstants::force},
      {"depth_exponent", Dimension::kNumber, &PowerLawConstants::depth_exponent},
      {"patch", Dimension::kLength, &PowerLawConstants::patch},
      {"patch_exponent", Dimension::kNumber, &PowerLawConstants::patch_exponent},
-     {"torsion", Dimension::kNumber, &PowerLawConstants::torsion}}};
-constexpr std::array<Key<SoftFingerConstants>, 8> kSoftFingerKeys{
+     {"torsion", Dimension::kNumber, &PowerLawConstants::torsion},
+     {"shear", Dimension::kStress, &PowerLawConstants::shear}}};
+constexpr std::array<Key<SoftFingerConstants>, 9> kSoftFingerKeys{
     {{"force", Dimension::kForce, &SoftFingerConstants::force},
      {"depth_exponent", Dimension::kNumber, &SoftFingerConstants::depth_exponent},
      {"radius_exponent", Dimension::kNumber, &SoftFingerConstants::radius_exponent},
@@ -39,7 +40,8 @@ constexpr std::array<Key<SoftFingerConstants>, 8> kSoftFingerKeys{
      {"patch_exponent", Dimension::kNumber, &SoftFingerConstants::patch_exponent},
      {"patch_radius", Dimension::kNumber, &SoftFingerConstants::patch_radius},
      {"aspect", Dimension::kNumber, &SoftFingerConstants::aspect},
-     {"torsion", Dimension::kNumber, &SoftFingerConstants::torsion}}};
+     {"torsion", Dimension::kNumber, &SoftFingerConstants::torsion},
+     {"shear", Dimension::kStress, &SoftFingerConstants::shear}}};
 constexpr std::array<Key<FoundationConstants>, 7> kFoundationKeys{
     {{"modulus", Dimension::kStress, &FoundationConstants::modulus},
      {"exponent", Dimension::kNumber, &FoundationConstants::exponent},
@@ -48,11 +50,12 @@ constexpr std::array<Key<FoundationConstants>, 7> kFoundationKeys{
      {"spread", Dimension::kNumber, &FoundationConstants::spread},
      {"thickness", Dimension::kLength, &FoundationConstants::thickness},
      {"shear", Dimension::kStress, &FoundationConstants::shear}}};
-constexpr std::array<std::pair<const char*, RelativeError LawError::*>, 4> kErrorKeys{
+constexpr std::array<std::pair<const char*, RelativeError LawError::*>, 5> kErrorKeys{
     {{"force", &LawError::force},
      {"area", &LawError::area},
      {"radius", &LawError::radius},
-     {"torsion", &LawError::torsion}}};
+     {"torsion", &LawError::torsion},
+     {"shear", &LawError::shear}}};
 
 template <typename Constants, std::size_t N>
 void read_constants(TomlTable& table, const std::array<Key<Constants>, N>& keys, Constants& out) {

@@ -30,9 +30,9 @@ const std::vector<ExponentialTerm> kDamps{{0.3, 0.004}};
 
 std::shared_ptr<const MovingPad> soft_finger(double friction,
                                              const std::vector<ExponentialTerm>& terms = {}) {
-  const SoftFingerConstants c{0.36, 1.79, 0.82, 5.7e-3, 0.32, 0.29, 0.61, 0.54};
+  const SoftFingerConstants c{0.36, 1.79, 0.82, 5.7e-3, 0.32, 0.29, 0.61, 0.54, 8e3};
   return std::make_shared<LawPad>(
-      "soft-finger", PadShape(), std::make_shared<SoftFinger>(c, terms), PatchShear{12e3, 5.5e-3},
+      "soft-finger", PadShape(), std::make_shared<SoftFinger>(c, terms),
       RigidObject{build_box({2 * kHalf, 2 * kHalf, 2 * kHalf}), friction}, Pose<double>{});
 }
 
@@ -219,10 +219,10 @@ SceneRun pulled_under_pad(double pull, double weight, double friction, double st
   const int finger =
       sample::add_on_joint(scene, "finger", primitive(ShapeKind::kBox, {0.01, 0.01, 0.01}), 0.02,
                            JointKind::kSlide, {0, 0, -1}, {0, 0, 0});
-  const SoftFingerConstants c{0.36 * stiffer, 1.79, 0.82, 5.7e-3, 0.32, 0.29, 0.61, 0.54};
+  const SoftFingerConstants c{0.36 * stiffer, 1.79, 0.82, 5.7e-3,       0.32,
+                              0.29,           0.61, 0.54, 8e3 * stiffer};
   const auto pad = std::make_shared<LawPad>(
       "soft-finger", PadShape(), std::make_shared<SoftFinger>(c, kDamps),
-      PatchShear{12e3 * stiffer, 5.5e-3},
       RigidObject{build_box({0.2, 2 * kHalf, 2 * kHalf}), friction}, Pose<double>{});
   // Upside down, just above the cube.
   Pose<double> X_BP;

@@ -32,9 +32,9 @@ std::unique_ptr<MovingPad> pad_of(Rung rung, double friction, bool relaxes, doub
   const RigidObject object{build_box({0.1, 0.1, 0.02}), friction};
   if (rung == Rung::kLaw) {
     // Near the default pad's.
-    const SoftFingerConstants c{0.36, 1.79, 0.82, 5.7e-3, 0.32, 0.29, 0.61, 0.54};
+    const SoftFingerConstants c{0.36, 1.79, 0.82, 5.7e-3, 0.32, 0.29, 0.61, 0.54, 8e3};
     return std::make_unique<LawPad>("soft-finger", shape, std::make_shared<SoftFinger>(c, terms),
-                                    PatchShear{12e3, 5.5e-3}, object, plane_at(gap));
+                                    object, plane_at(gap));
   }
   if (rung == Rung::kBed) {
     FoundationConstants c;
@@ -175,10 +175,10 @@ TEST(LawPad, DoesNotSlipWhereItRolls) {
   // A ball that rolls on the pad's flat top by a turn about its lowest point.
   const PadShape shape;
   const double radius = 20e-3, depth = 5e-4;
-  const SoftFingerConstants c{0.36, 1.79, 0.82, 5.7e-3, 0.32, 0.29, 0.61, 0.54};
+  const SoftFingerConstants c{0.36, 1.79, 0.82, 5.7e-3, 0.32, 0.29, 0.61, 0.54, 8e3};
   const Pose<double> on{Eigen::Matrix3d::Identity(), {0, 0, shape.height + radius - depth}};
-  LawPad pad("soft-finger", shape, std::make_shared<SoftFinger>(c), {12e3, 5.5e-3},
-             {build_sphere(radius), 0.8}, on);
+  LawPad pad("soft-finger", shape, std::make_shared<SoftFinger>(c), {build_sphere(radius), 0.8},
+             on);
   (void)go(pad, on, 0);
   Pose<double> X = on;
   PadContact touch;
