@@ -110,7 +110,7 @@ TEST(FitLaws, FindsTheBedThatThereIs) {
 
 TEST(FitLaws, FindsThePowersThatThereAre) {
   const PadModel model = default_pad();
-  const SoftFingerConstants truth{0.3, 1.8, 0.6, 4e-3, 0.22, 0.3, 0.55, 0.58};
+  const SoftFingerConstants truth{0.3, 1.8, 0.6, 4e-3, 0.22, 0.3, 0.55, 0.58, 7e3};
   const LawTrials trials = standard_trials(model.shape, {5e-4, 1e-3, 2e-3});
   const auto by_a_finger = [&](const std::vector<PressTrial>& of) {
     MeasuredPresses out = by_a_bed(model, {3e4, 1, 0, 0, 1, 5e-3, 9e3}, of, 6);
@@ -122,6 +122,7 @@ TEST(FitLaws, FindsThePowersThatThereAre) {
       press.area = contact.area;
       press.aspect = contact.patch.a / contact.patch.b;
       press.arm = contact.patch.torsion;
+      press.shear = contact.shear;
     }
     return out;
   };
@@ -138,6 +139,7 @@ TEST(FitLaws, FindsThePowersThatThereAre) {
   EXPECT_NEAR(ours.patch_radius, truth.patch_radius, 1e-6);
   EXPECT_NEAR(ours.aspect, truth.aspect, 1e-6);
   EXPECT_NEAR(ours.torsion, truth.torsion, 1e-6);
+  EXPECT_NEAR(ours.shear, truth.shear, 1e-2);
   EXPECT_LT(found.laws.soft_finger_error.force.worst, 1e-5);
   EXPECT_LT(found.laws.soft_finger_error.radius.worst, 1e-5);
   EXPECT_GT(found.laws.power_error.force.worst, 1e-2);  // it knows no gap
