@@ -190,6 +190,15 @@ std::string joined(const std::string& a, const std::string& b) {
   return fmt::format("{}", fmt::join(out, ", "));
 }
 
+/// Adds what keys mean; a key that means something else already gets both.
+void add_sources(const std::map<std::string, std::string>& more,
+                 std::map<std::string, std::string>& sources) {
+  for (const auto& [key, text] : more) {
+    std::string& known = sources.try_emplace(key, text).first->second;
+    if (known.find(text) == std::string::npos) known += "; " + text;
+  }
+}
+
 }  // namespace
 
 PadFitProblem pad_fit_problem(const PadData& data, const PadSpec& pad) {
@@ -228,6 +237,7 @@ PadSpec fitted_pad(const PadSpec& pad, const PadData& data, const PadFitProblem&
   std::string cited;
   for (const PadDataPress& press : data.presses)
     for (const PadDataRows& rows : press.rows) cited = joined(cited, rows.source);
+  add_sources(data.own_sources, out.own_sources);
   for (std::size_t i = 0; i < result.estimates.size(); ++i) {
     const PadConstant& constant = problem.constants[i].constant;
     const ConstantEstimate& estimate = result.estimates[i];

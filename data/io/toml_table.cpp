@@ -387,6 +387,7 @@ TomlFile::TomlFile(const std::string& text, std::string path)
                       fmt::format("wanted the reference of source '{}' as a text, got {}", key,
                                   kind_name(reference.kind)));
     sources_.push_back(key);
+    own_sources_[key] = reference.text;
   }
 }
 

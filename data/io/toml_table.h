@@ -40,11 +40,16 @@ class TomlFile {
 
   /// Citation keys of data/sources.bib, then those of the file's own `[sources]`.
   [[nodiscard]] const std::vector<std::string>& sources() const { return sources_; }
+  /// The file's own `[sources]`: what each key means.
+  [[nodiscard]] const std::map<std::string, std::string>& own_sources() const {
+    return own_sources_;
+  }
 
  private:
   std::string path_;
   TomlNode root_;
   std::vector<std::string> sources_;
+  std::map<std::string, std::string> own_sources_;
 };
 
 /// Admissible range of a number.

@@ -158,7 +158,8 @@ constant = "shear_modulus"
 layer = 2
 )" + kPress,
                                       "data.toml");
-  const PadSpec pad = sheet();
+  PadSpec pad = sheet();
+  pad.own_sources = {{"Guess", "g"}, {"Own", "y"}};
   const PadFitProblem problem = pad_fit_problem(data, pad);
   PadFitResult result;
   result.estimates.resize(2);
@@ -173,6 +174,9 @@ layer = 2
   EXPECT_EQ(fitted.pulp.source, "Guess, Own");
   EXPECT_THAT(fitted.layers[1].assumed, UnorderedElementsAre("law", "shear_modulus_kPa"));
   EXPECT_EQ(fitted.layers[1].source, "Guess");
+  // Both files have a source of their own by the name of "Own".
+  EXPECT_EQ(fitted.own_sources.at("Own"), "y; x");
+  EXPECT_EQ(fitted.own_sources.at("Guess"), "g");
 }
 
 }  // namespace

@@ -205,6 +205,7 @@ PadSpec parse_pad(const std::string& text, const std::string& path) {
                  "thickness");
   }
   read_cells(top, pad);
+  pad.own_sources = file.own_sources();
   top.done();
   return pad;
 }

@@ -41,6 +41,8 @@ struct PadSpec {
   int around = 2;                     // from there to the rim
   int through = 3;                    // through the pulp
   FileDigests files;                  // that were read for it
+  std::map<std::string, std::string>
+      own_sources;  // what citation keys mean that are the file's own
 };
 
 /// Names as files have them.
@@ -57,11 +59,10 @@ struct PadSpec {
 [[nodiscard]] PadSpec parse_pad(const std::string& text, const std::string& path);
 
 /// Text that parse_pad() reads back, numbers to 15 digits.
+/// Of citation keys that are neither in data/sources.bib nor the pad's own, it says that they are
+/// unstated.
 /// @param comment  lines above it, without their '#'; empty: none
-/// @param sources  what citation keys mean that data/sources.bib has not; of keys that are in
-///                 neither, the text says that they are unstated
-[[nodiscard]] std::string pad_toml(const PadSpec& pad, const std::string& comment = "",
-                                   const std::map<std::string, std::string>& sources = {});
+[[nodiscard]] std::string pad_toml(const PadSpec& pad, const std::string& comment = "");
 
 /// "length_mm" of [shape], "law" of [pulp] ..: all that the file says nobody measured.
 [[nodiscard]] std::vector<std::string> assumed_words(const PadSpec& pad);

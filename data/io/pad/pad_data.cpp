@@ -156,6 +156,7 @@ PadData parse_pad_data(const std::string& text, const std::string& path) {
   TomlTable top = file.top();
   PadData out;
   out.path = path;
+  out.own_sources = file.own_sources();
   out.title = top.text("title");
   out.pad = top.text("pad");
   if (std::optional<TomlTable> cells = top.table("cells")) {

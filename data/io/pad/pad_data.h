@@ -3,6 +3,7 @@
 /// Measured presses of a finger pad, to which its constants are fitted.
 
 #include <array>
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -60,6 +61,8 @@ struct PadData {
   PadDataCells cells;
   std::vector<PadDataConstant> constants;
   std::vector<PadDataPress> presses;
+  std::map<std::string, std::string>
+      own_sources;  // what citation keys mean that are the file's own
 };
 
 /// Reads a data file; docs/data_format.md has its keys.

@@ -55,8 +55,7 @@ void add_tissue(std::string& text, const PadTissueSpec& tissue) {
 }
 
 /// [sources] of the keys that data/sources.bib has not.
-void add_own_sources(std::string& text, const PadSpec& pad,
-                     const std::map<std::string, std::string>& sources) {
+void add_own_sources(std::string& text, const PadSpec& pad) {
   std::set<std::string> keys;
   const auto note = [&](const std::string& cited) {
     for (const std::string& key : keys_in(cited)) keys.insert(key);
@@ -68,16 +67,15 @@ void add_own_sources(std::string& text, const PadSpec& pad,
   std::string lines;
   for (const std::string& key : keys) {
     if (std::find(known.begin(), known.end(), key) != known.end()) continue;
-    const auto own = sources.find(key);
-    add(lines, key, toml_quoted(own == sources.end() ? "Unstated" : own->second));
+    const auto own = pad.own_sources.find(key);
+    add(lines, key, toml_quoted(own == pad.own_sources.end() ? "Unstated" : own->second));
   }
   if (!lines.empty()) text += "\n[sources]\n" + lines;
 }
 
 }  // namespace
 
-std::string pad_toml(const PadSpec& pad, const std::string& comment,
-                     const std::map<std::string, std::string>& sources) {
+std::string pad_toml(const PadSpec& pad, const std::string& comment) {
   std::string text;
   std::istringstream lines(comment);
   for (std::string line; std::getline(lines, line);)
@@ -85,7 +83,7 @@ std::string pad_toml(const PadSpec& pad, const std::string& comment,
   if (!text.empty()) text += "\n";
   add(text, "name", toml_quoted(pad.name));
   if (!pad.description.empty()) add(text, "description", toml_quoted(pad.description));
-  add_own_sources(text, pad, sources);
+  add_own_sources(text, pad);
   text += "\n[shape]\n";
   add(text, "length_mm", pad.length * 1e3);
   add(text, "width_mm", pad.width * 1e3);
