@@ -8,6 +8,7 @@
 #include <Eigen/Eigenvalues>
 
 #include "base/error.h"
+#include "base/progress_parts.h"
 
 namespace thenar {
 namespace {
@@ -21,6 +22,8 @@ constexpr double kNoTrace = 10;      // sd of a coordinate that is none: beyond 
 constexpr double kTogether = 0.98;   // correlation of constants known only together [1]
 constexpr double kBeyondChance = 4;  // misfit over its degrees of freedom that is told [1]
 constexpr double kMeshMatters = 0.5;  // shift by the mesh, in sds, that is told [1]
+constexpr double kUsualPads = 10;     // that a search presses, for its progress
+constexpr double kFinerCells = 0.5;   // of the time, for the press on finer cells [1]
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 double quantity_of(PressQuantity quantity, const PressPoint& point) {
@@ -87,7 +90,12 @@ class PadResiduals {
   const Answer& at(const VectorXd& z) {
     for (const Answer& each : known_)
       if (each.z == z) return each;
+    // How many there will be is not known: a bar that never ends.
+    progress_(presses_ / (presses_ + kUsualPads),
+              presses_ == 0 ? "pressing the first pad"
+                            : fmt::format("searching, {} pads pressed", presses_));
     Answer answer = evaluate(z);
+    ++presses_;
     if (known_.size() >= 4) {
       // Forget the worst of all but the last.
       auto worst = known_.begin();
@@ -154,6 +162,7 @@ class PadResiduals {
   std::vector<double> own_, start_;  // values of the pad, and their coordinates
   std::size_t data_ = 0;
   int priors_ = 0;
+  int presses_ = 0;  // of pads with their neighbours
   std::vector<Answer> known_;
 };
 
@@ -316,7 +325,9 @@ std::vector<PressCurves> press_records(const PadModel& pad, const std::vector<Pr
 
 PadFitResult fit_pad(const PadFitProblem& problem, const PadFitOptions& options) {
   check_problem(problem);
-  PadResiduals residuals(problem, options.progress);
+  ProgressParts parts(options.progress, 1);
+  const Progress of_search = parts.next(options.check_mesh ? 1 - kFinerCells : 1);
+  PadResiduals residuals(problem, of_search);
   LeastSquares squares;
   const VectorXd start = residuals.start();
   squares.lower = squares.upper = start;
@@ -330,7 +341,6 @@ PadFitResult fit_pad(const PadFitProblem& problem, const PadFitOptions& options)
   };
   PadFitResult result;
   result.pad = problem.pad;
-  options.progress(0, "pressing the first pad");
   const std::string failed = residuals.at(start).failed;
   if (options.progress.stop()) {
     result.solution.z = start;
@@ -340,7 +350,7 @@ PadFitResult fit_pad(const PadFitProblem& problem, const PadFitOptions& options)
   require(failed.empty(), "the search cannot begin: {}", failed);
   SolveOptions search;
   search.tolerance = options.tolerance;
-  search.progress = options.progress;
+  search.progress.stop_requested = options.progress.stop_requested;
   result.solution = solve(squares, start, search);
   const PadResiduals::Answer best = residuals.at(result.solution.z);
   result.pad = residuals.pad_at(best.z);
@@ -351,8 +361,9 @@ PadFitResult fit_pad(const PadFitProblem& problem, const PadFitOptions& options)
   }
   estimate(problem, best, residuals.data(), result);
   if (options.check_mesh && !options.progress.stop()) {
-    options.progress(1, "pressing the estimate on finer cells");
-    check_mesh(problem, best, options.progress, result);
+    const Progress of_mesh = parts.next(kFinerCells);
+    of_mesh(0, "pressing the estimate on finer cells");
+    check_mesh(problem, best, of_mesh, result);
   }
   warn(problem, result);
   return result;
