@@ -19,6 +19,7 @@ using Eigen::VectorXd;
 constexpr double kNeighbour = 1e-4;  // distance of neighbours, in coordinates [1]
 constexpr double kSingular = 1e-10;  // of an information matrix, relative to its largest [1]
 constexpr double kNoTrace = 10;      // sd of a coordinate that is none: beyond what slopes tell [1]
+constexpr double kAnchor = 1e3;      // sd about the start, of what nothing else decides [1]
 constexpr double kTogether = 0.98;   // correlation of constants known only together [1]
 constexpr double kBeyondChance = 4;  // misfit over its degrees of freedom that is told [1]
 constexpr double kMeshMatters = 0.5;  // shift by the mesh, in sds, that is told [1]
@@ -165,6 +166,16 @@ class PadResiduals {
   int presses_ = 0;  // of pads with their neighbours
   std::vector<Answer> known_;
 };
+
+/// Residuals of the search: with rows that hold at the start, weakly, what neither data nor priors
+/// decide, so that there is always a minimum.
+Residuals anchored(const PadResiduals::Answer& at, const VectorXd& start) {
+  const Eigen::Index rows = at.r.size(), n = start.size();
+  Residuals out{VectorXd(rows + n), MatrixXd(rows + n, n)};
+  out.r << at.r, (at.z - start) / kAnchor;
+  out.J << at.J, MatrixXd::Identity(n, n) / kAnchor;
+  return out;
+}
 
 /// Diagonal of the inverse of J'J; infinite for coordinates with a part where it is singular.
 VectorXd variances(const MatrixXd& J) {
@@ -335,9 +346,8 @@ PadFitResult fit_pad(const PadFitProblem& problem, const PadFitOptions& options)
     squares.lower[static_cast<Eigen::Index>(i)] += std::log(problem.constants[i].lower_factor);
     squares.upper[static_cast<Eigen::Index>(i)] += std::log(problem.constants[i].upper_factor);
   }
-  squares.residuals = [&](const VectorXd& z, WithJacobian want) {
-    const PadResiduals::Answer& at = residuals.at(z);
-    return Residuals{at.r, want == WithJacobian::kYes ? at.J : MatrixXd()};
+  squares.residuals = [&](const VectorXd& z, WithJacobian) {
+    return anchored(residuals.at(z), start);
   };
   PadFitResult result;
   result.pad = problem.pad;

@@ -90,7 +90,7 @@ struct [[nodiscard]] PadFitResult {
 /// Least squares of  (prediction - value) / sd  and  (z - z_0) / sd of priors, in coordinates z of
 /// coordinate_of(). Slopes are differences to neighbours that press_curves() carries along. sds are
 /// those of the inverse of J'J at the estimate: of a normal approximation, with the sds of the data
-/// as they are stated.
+/// as they are stated. What neither data nor priors decide stays near where the search begins.
 /// @throws InputError if there is nothing to fit or to fit it to, a datum or a constant makes no
 /// sense, or the pad cannot be pressed where the search begins.
 PadFitResult fit_pad(const PadFitProblem& problem, const PadFitOptions& options = {});

@@ -137,6 +137,24 @@ TEST(PadFit, TellsWhatTheDataCannotDetermine) {
   EXPECT_NEAR(result.estimates[0].value / 8e3, 1, 1e-3);
 }
 
+TEST(PadFit, OneDatumOfThreeConstantsIsMetAndDeterminesNone) {
+  PadFitProblem problem;
+  problem.pad = small_pad();
+  problem.constants = {{modulus_of(0)}, {kExponentOfPulp}, {{PadConstantKind::kBoneHeight, 0, 0}}};
+  problem.records = {measured(small_pad(12e3, 1.5), {0.6}, 0.05, nullptr)};
+  problem.records[0].data.resize(1);
+  const PadFitResult result = fit_pad(problem, {1e-6, false, {}});
+  EXPECT_TRUE(result.solution.converged()) << result.solution.message;
+  const PressDatum& datum = problem.records[0].data[0];
+  EXPECT_NEAR(result.predictions[0][0].value, datum.value, 0.01 * datum.sd);
+  for (const ConstantEstimate& each : result.estimates) {
+    EXPECT_FALSE(each.determined);
+    EXPECT_TRUE(std::isinf(each.sd));
+    EXPECT_TRUE(std::isfinite(each.value));
+  }
+  EXPECT_EQ(result.degrees_of_freedom, -2);
+}
+
 TEST(PadFit, ItsMeshIsCheckedOnFinerCells) {
   PadFitProblem problem;
   problem.pad = small_pad();
