@@ -147,13 +147,16 @@ std::string key_of(PadConstantKind kind) {
   }
 }
 
-/// Takes a key, with whatever unit, from those that are assumed. A list of shares stays assumed.
-void take_assumed(std::vector<std::string>& assumed, PadConstantKind kind) {
-  if (kind == PadConstantKind::kShare) return;
+/// Takes a key, with whatever unit, from those that are assumed, or adds it in that of pad_toml().
+/// A list of shares stays assumed.
+void mark(std::vector<std::string>& assumed, PadConstantKind kind, bool determined) {
   const std::string key = key_of(kind);
+  if (kind == PadConstantKind::kShare && determined) return;
   assumed.erase(std::remove_if(assumed.begin(), assumed.end(),
                                [&](const std::string& each) { return each.rfind(key, 0) == 0; }),
                 assumed.end());
+  const std::string& unit = display_unit(kind).name;
+  if (!determined) assumed.push_back(unit.empty() ? key : key + "_" + unit);
 }
 
 void set_tissue(PadTissueSpec& spec, const PadConstant& constant, double value) {
@@ -250,8 +253,8 @@ PadSpec fitted_pad(const PadSpec& pad, const PadData& data, const PadFitProblem&
       out.bone_height = estimate.value;
     else
       set_tissue(tissue, constant, estimate.value);
+    mark(of_shape ? out.shape_assumed : tissue.assumed, constant.kind, estimate.determined);
     if (!estimate.determined) continue;
-    take_assumed(of_shape ? out.shape_assumed : tissue.assumed, constant.kind);
     std::string& source = of_shape ? out.shape_source : tissue.source;
     source = joined(source, cited);
   }

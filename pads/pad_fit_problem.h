@@ -21,8 +21,8 @@ namespace thenar {
 /// The pad with the estimates of a fit, and with its cells.
 ///
 /// A constant that the data determine is assumed no longer, and its tissue cites the sources of the
-/// data beside its own; one that they leave open keeps its mark. What keys mean that are the files'
-/// own is taken from both.
+/// data beside its own; one that they leave open is assumed from now on. What keys mean that are
+/// the files' own is taken from both.
 [[nodiscard]] PadSpec fitted_pad(const PadSpec& pad, const PadData& data,
                                  const PadFitProblem& problem, const PadFitResult& result);
 

@@ -159,6 +159,7 @@ layer = 2
 )" + kPress,
                                       "data.toml");
   PadSpec pad = sheet();
+  pad.layers[1].assumed = {"law"};  // its modulus is said to be measured
   pad.own_sources = {{"Guess", "g"}, {"Own", "y"}};
   const PadFitProblem problem = pad_fit_problem(data, pad);
   PadFitResult result;
