@@ -307,6 +307,7 @@
 #include "api/named/pads.h"
 #include "api/named/posture.h"
 #include "api/named/worlds.h"
+#include "api/pads/fit_pad.h"
 #include "api/pads/press_object.h"
 #include "api/pads/press_pad.h"
 #include "api/pose.h"
