@@ -35,6 +35,7 @@ constexpr KnownFolder kKnownFolders[] = {{"subjects", "subject", "thenar pose"},
                                          {"worlds", "world", "thenar grasp"},
                                          {"scenes", "scene", "thenar simulate"},
                                          {"pads", "pad", "thenar pad press --pad"},
+                                         {"presses", "file of measured presses", "thenar pad fit"},
                                          {"objects", "object", "thenar explain"},
                                          {"experiments", "experiment", "thenar fit"},
                                          {"contacts", "file of contacts", "thenar quality"}};

@@ -44,6 +44,7 @@ const std::vector<KindCommands>& commands_by_kind() {
       {"world", {"thenar grasp @", "thenar close @", "thenar explain @"}},
       {"scene", {"thenar simulate @", "thenar validate @"}},
       {"pad", {"thenar pad press --pad @ --force 1", "thenar validate @"}},
+      {"presses of a pad", {"thenar pad fit @", "thenar validate @"}},
       {"mesh", {"thenar import @"}},
       {"fit", {"thenar predict @ EXPERIMENT", "thenar explain @"}},
       {"posterior",
@@ -177,8 +178,8 @@ std::string absent(const std::string& path) {
 }
 
 std::string with_article(const std::string& kind) {
-  const bool none =
-      kind == "materials" || kind == "contacts" || kind == "fit settings" || kind == "proportions";
+  const bool none = kind == "materials" || kind == "contacts" || kind == "fit settings" ||
+                    kind == "proportions" || kind == "presses of a pad" || kind == "laws of a pad";
   const bool vowel = std::string("aeiou").find(kind.front()) != std::string::npos;
   return (none ? "" : vowel ? "an " : "a ") + kind;
 }

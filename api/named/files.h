@@ -24,8 +24,8 @@ void require_result_path(const std::string& path);
 /// What a file is, as a person calls it.
 struct FileContents {
   // "subject", "experiment", "fit settings", "proportions", "net", "materials", "robot", "object",
-  // "world", "scene", "pad", "mesh", "fit", "posterior", "motion", "scene run", "contacts",
-  // "comparison", "page", "answer", "folder"; "": none that is known
+  // "world", "scene", "pad", "presses of a pad", "mesh", "fit", "posterior", "motion", "scene run",
+  // "contacts", "comparison", "page", "answer", "folder"; "": none that is known
   std::string kind;
   std::string format;                 // "TOML", "HDF5", "netCDF", "URDF", "JSON", ..; "": not known
   std::vector<std::string> commands;  // lines that take it: "thenar explain hand.toml"

@@ -1,6 +1,7 @@
 // thenar pad press [--pad PAD] --object plane|sphere|cylinder|edge|MESH --force F | --depth D ...
+// thenar pad fit PRESSES [--pad PAD] -o FITTED.toml
 //
-// Finger pads by themselves: pressed by a rigid object.
+// Finger pads by themselves: pressed by a rigid object, fitted to measured presses.
 
 #include <memory>
 #include <optional>
@@ -8,15 +9,18 @@
 
 #include <CLI/CLI.hpp>
 
+#include "api/pads/fit_pad.h"
 #include "api/pads/press_pad.h"
 #include "apps/commands.h"
 #include "apps/options.h"
 #include "apps/outputs.h"
 #include "apps/terminal.h"
 #include "base/error.h"
+#include "base/file_io.h"
 #include "base/nearest_name.h"
 #include "base/progress_parts.h"
 #include "base/units.h"
+#include "report/pads/fit_answer.h"
 #include "report/pads/press_answer.h"
 
 namespace thenar {
@@ -100,12 +104,67 @@ void add_press(CLI::App& pad) {
   command->callback([options] { run_press(*options); });
 }
 
+struct PadFitArguments {
+  PadFitRequest request;
+  bool no_mesh_check = false;
+  Outputs outputs;
+};
+
+void run_pad_fit(PadFitArguments options) {
+  options.request.check_mesh = !options.no_mesh_check;
+  const std::string file = options.outputs.one(".toml");
+  const FittedPad fitted = fit_pad(options.request, terminal_progress());
+  const std::string refusal = refusal_of(fitted);
+  // A pad is a file only where the search has come to its end.
+  const bool is_pad = refusal.empty() && !fitted.stopped();
+  if (is_pad && !file.empty()) write_file(file, fitted_pad_text(fitted, file));
+  print_warnings(fitted.warnings);
+  deliver(options.outputs, fitted);
+  const std::string unwritten = file.empty() ? "" : fmt::format("; '{}' was not written", file);
+  require(refusal.empty(), "{}{}", refusal, unwritten);
+  if (fitted.stopped())
+    throw Stopped(fmt::format(
+        "stopped: this is {}{}",
+        fitted.fit.estimates.empty() ? "before there was an estimate" : "the best estimate by then",
+        unwritten));
+}
+
+void add_pad_fit(CLI::App& pad) {
+  auto options = std::make_shared<PadFitArguments>();  // lives as long as the callback
+  CLI::App* command =
+      pad.add_subcommand("fit", "Constants of a pad from measured presses, and what is left open");
+  PadFitRequest& request = options->request;
+  command
+      ->add_option("presses", request.presses,
+                   "Measured presses and the constants to fit: a name, or a file (TOML)")
+      ->required();
+  command
+      ->add_option("--pad", request.pad,
+                   "The pad to start from: its name, or its file (TOML); as the data file says if "
+                   "left out")
+      ->default_str("");
+  command->add_option("--points", request.points, "Of the fitted pad's curves");
+  command->add_flag("--no-mesh-check", options->no_mesh_check,
+                    "Do not press the estimate on cells of half the size, which takes as long as "
+                    "the search");
+  command->add_flag("--allow-unconverged", request.allow_unconverged,
+                    "Write the pad and exit without error though the search has not converged");
+  add_data_option(*command, request.data);
+  add_output_options(*command, options->outputs, {true, true, true, {".toml"}});
+  add_examples(*command,
+               {"pad fit index_published", "pad fit index_published --no-mesh-check --json",
+                "pad fit PRESSES.toml -o fitted.toml --report fit.html"});
+  command->callback([options] { run_pad_fit(*options); });
+}
+
 }  // namespace
 
 void add_pad(CLI::App& app) {
-  CLI::App* command = app.add_subcommand("pad", "A finger pad by itself: pressed by an object");
+  CLI::App* command = app.add_subcommand(
+      "pad", "A finger pad by itself: pressed by an object, fitted to measured presses");
   command->require_subcommand(1);
   add_press(*command);
+  add_pad_fit(*command);
 }
 
 }  // namespace thenar

@@ -10,6 +10,7 @@
 
 #include "base/units.h"
 #include "report/blocks.h"
+#include "report/pads/pad_blocks.h"
 #include "report/pads/press_answer.h"
 #include "report/provenance.h"
 #include "report/scene/color_ramp.h"
@@ -274,17 +275,9 @@ Json rung_section(const PressedPad& pressed) {
 }
 
 Json press_banner(const PressedPad& pressed) {
-  std::vector<std::string> reasons = pressed.warnings;
-  const std::string refusal = refusal_of(pressed);
-  if (!refusal.empty()) reasons.insert(reasons.begin(), refusal);
-  const bool ok = refusal.empty();
-  return {{"type", "banner"},
-          {"ok", ok},
-          {"caution", ok && !reasons.empty()},
-          {"title", !ok                                  ? "The press ended early"
-                    : pressed.status == Status::kStopped ? "The press was stopped"
-                                                         : "All steps were solved"},
-          {"reasons", reasons}};
+  return pad_banner(
+      refusal_of(pressed), pressed.warnings, "The press ended early",
+      pressed.status == Status::kStopped ? "The press was stopped" : "All steps were solved");
 }
 
 }  // namespace

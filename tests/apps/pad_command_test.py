@@ -1,4 +1,4 @@
-"""Pads that are pressed, by the command `thenar pad press`: forces, files, refusals.
+"""Pads that are pressed and fitted, by `thenar pad press` and `thenar pad fit`: forces, files, refusals.
 
 Usage: pad_command_test.py [path of the program]; else the environment's THENAR. Run from anywhere.
 """
@@ -8,6 +8,7 @@ import json
 import math
 import os
 import pathlib
+import re
 import signal
 import subprocess
 import sys
@@ -40,8 +41,34 @@ CUBE = """OFF
 """
 
 
-def run(*words):
-    return subprocess.run([PROGRAM, "pad", "press", *map(str, words)], capture_output=True, text=True,
+# Measured presses of index_fitted; its exponent is known to start where it is.
+PRESSES = """title = "Presses"
+pad = "index_fitted"
+source = "Own"
+[sources]
+Own = "Own measurement"
+[cells]
+across = 2
+around = 1
+through = 2
+[[constant]]
+constant = "shear_modulus"
+[[constant]]
+constant = "exponent"
+prior_factor = 1.3
+[[press]]
+name = "flat"
+object = "plane"
+imposed = "force"
+[[press.data]]
+force_N = [0.5, 2]
+indentation_mm = [2, 3]
+sd_indentation_mm = [0.2, 0.3]
+"""
+
+
+def run(*words, command="press"):
+    return subprocess.run([PROGRAM, "pad", command, *map(str, words)], capture_output=True, text=True,
                           check=False, cwd=ROOT, timeout=300)
 
 
@@ -184,6 +211,96 @@ class Refusals(Files):
         answer = json.loads(out)
         self.assertEqual(answer["status"], "stopped")
         self.assertLess(len(answer["instants"]), 400)
+
+
+class Fits(Files):
+    def fit(self, *words, presses=PRESSES):
+        return run(self.path("presses.toml", presses), *words, command="fit")
+
+    def test_pad_that_is_written_presses_as_it_was_fitted(self):
+        pad, page = self.path("mine.toml"), self.path("fit.html")
+        result = self.fit("--json", "-o", pad, "--report", page)
+        self.assertEqual(result.returncode, 0, result.stderr)
+        answer = json.loads(result.stdout)
+        self.assertEqual(answer["search"], "converged")
+        self.assertEqual([each["constant"] for each in answer["constants"]],
+                         ["pulp: shear modulus", "pulp: exponent"])
+        self.assertIn("thenar-report", pathlib.Path(page).read_text())
+        # On the cells of the fit: no error makes them refine.
+        depth = answer["data"][1]["predicted"]
+        force = ask("--pad", pad, "--depth", depth, "--friction", 0, "--error", 1e6, "--points", 4)["force_N"]
+        self.assertAlmostEqual(force, 2, delta=1e-4)
+        checked = subprocess.run([PROGRAM, "validate", pad], capture_output=True, text=True, check=False)
+        self.assertEqual(checked.returncode, 0, checked.stderr)
+        again = subprocess.run([PROGRAM, "rerun", page, "--print"], capture_output=True, text=True, check=False)
+        self.assertIn("inputs: 2, unchanged", again.stdout)
+
+    def test_index_fitted_is_what_is_found_in_what_is_published(self):
+        result = run("index_published", "--no-mesh-check", "--json", command="fit")
+        text = (ROOT / "data/pads/index_fitted.toml").read_text()
+        for each, key in zip(json.loads(result.stdout)["constants"], ["shear_modulus_kPa", "exponent"]):
+            # The file has three digits.
+            self.assertEqual(f"{each['value']:.3g}", re.search(rf"^{key} = (\S+)", text, re.M)[1])
+            self.assertFalse(each["determined"])
+            self.assertIn(f'"{key}"', re.search(r"^assumed = \[\"law\".*", text, re.M)[0])
+
+    def test_one_datum_determines_no_constant_of_three(self):
+        presses = PRESSES.replace("prior_factor = 1.3", '[[constant]]\nconstant = "bone_height"')
+        for old, new in [("[0.5, 2]", "[2]"), ("[2, 3]", "[3]"), ("[0.2, 0.3]", "[0.3]")]:
+            presses = presses.replace(old, new)
+        result = self.fit("--json", presses=presses)
+        self.assertEqual(result.returncode, 0, result.stderr)
+        answer = json.loads(result.stdout)
+        self.assertEqual([each["sd_factor"] for each in answer["constants"]], [None] * 3)
+        self.assertEqual(answer["degrees_of_freedom"], -2)
+        self.assertIsNone(answer["correlations"])
+        self.assertEqual(result.stderr.count("is not determined by the data"), 3)
+
+    def test_data_that_contradict_each_other_are_told(self):
+        again = PRESSES.split("[[press.data]]")[1].replace("[2, 3]", "[3.5, 1]")
+        result = self.fit(presses=PRESSES + "[[press.data]]" + again)
+        self.assertEqual(result.returncode, 0, result.stderr)
+        self.assertRegex(result.stderr, r"the pad misses the data: \S+ times what their sds allow")
+
+    def test_table_has_a_row_a_constant(self):
+        rows = list(csv.DictReader(io.StringIO(self.fit("--csv", "--no-mesh-check").stdout)))
+        self.assertEqual([row["unit"] for row in rows], ["kPa", "-"])
+        self.assertGreater(float(rows[0]["sd_factor_by_data"]), float(rows[0]["sd_factor"]))
+
+    def test_what_is_refused_is_told_with_its_line_and_writes_nothing(self):
+        pad = pathlib.Path(self.path("mine.toml"))
+        lines = PRESSES.splitlines()
+        for old, new, told in [("[0.2, 0.3]", "[0.2, 0]", "wanted 'sd_indentation_mm'"),
+                               ("indentation_mm = [2, 3]", "indentation_mm = [2]", "indentation_mm"),
+                               ('constant = "exponent"', 'constant = "exponent"\nlayer = 1',
+                                "has 0 layers of skin, wanted layer 1"),
+                               ("[0.5, 2]", "[0.5, 1e6]", "press 'flat' cannot be done")]:
+            # Of a constant or a press, the line is that of its table.
+            line = next(i for i, text in enumerate(lines, 1) if old in text)
+            at = {"has": line - 1, "press": lines.index("[[press]]") + 1}.get(told.split()[0], line)
+            result = self.fit("-o", pad, presses=PRESSES.replace(old, new))
+            self.assertEqual(result.returncode, 1, result.stdout)
+            self.assertEqual(result.stdout, "")
+            self.assertIn(f"presses.toml:{at}: ", result.stderr)
+            self.assertIn(told, result.stderr)
+            self.assertFalse(pad.exists())
+
+    def test_a_pad_is_no_file_of_presses(self):
+        self.assertIn("it is a pad: thenar pad press", run("index_pad", command="fit").stderr)
+        self.assertIn("is a pad, wanted presses of a pad", run("data/pads/index_pad.toml", command="fit").stderr)
+
+    def test_interrupt_writes_no_pad(self):
+        pad = pathlib.Path(self.path("mine.toml"))
+        fine = PRESSES.replace("across = 2", "across = 12").replace("around = 1", "around = 8")
+        fit = subprocess.Popen([PROGRAM, "pad", "fit", self.path("presses.toml", fine), "--json", "-o", str(pad)],
+                               stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True, cwd=ROOT)
+        time.sleep(3)
+        fit.send_signal(signal.SIGINT)
+        out, told = fit.communicate(timeout=120)
+        self.assertEqual(fit.returncode, 130, told)
+        self.assertIn("was not written", told)
+        self.assertEqual(json.loads(out)["search"], "stopped")
+        self.assertEqual([each.name for each in pad.parent.iterdir()], ["presses.toml"])
 
 
 if __name__ == "__main__":

@@ -1,0 +1,255 @@
+#include "report/pads/fit_answer.h"
+
+#include <cmath>
+#include <optional>
+
+#include <fmt/format.h>
+
+#include "base/provenance.h"
+#include "base/units.h"
+#include "report/pads/press_answer.h"
+
+namespace thenar {
+namespace {
+
+/// Who says what a constant is.
+std::string known_by(const ConstantEstimate& estimate, const FreeConstant& free) {
+  const std::string who = estimate.determined ? "data" : free.prior_factor ? "prior" : "nothing";
+  return estimate.at_bound ? who + ", at a bound" : who;
+}
+
+/// exp of an sd; "any" where it is infinite.
+std::string factor_words(double sd) {
+  return std::isinf(sd) ? std::string("any") : shown(std::exp(sd));
+}
+
+std::string constant_name(const FittedPad& fitted, std::size_t i) {
+  return name_of(fitted.problem.pad, fitted.problem.constants[i].constant);
+}
+
+/// Where the search began.
+double start_of(const FittedPad& fitted, std::size_t i) {
+  return value_of(fitted.problem.pad, fitted.problem.constants[i].constant);
+}
+
+bool has_poisson_ratio(const FittedPad& fitted) {
+  for (const FreeConstant& free : fitted.problem.constants)
+    if (free.constant.kind == PadConstantKind::kPoissonRatio) return true;
+  return false;
+}
+
+std::string quantity_words(const PressDatum& datum) {
+  return (datum.over ? "part of " : "") + name_of(datum.quantity);
+}
+
+/// "1 N", "1 N over 5.2 N": what was imposed when a number was measured.
+std::string load_words(const PressRecord& record, const PressDatum& datum) {
+  const auto words = [&](int load) {
+    const PressLoad& at = record.course.loads[static_cast<std::size_t>(load)];
+    return at.force ? fmt::format("{:.4g} N", *at.force)
+                    : fmt::format("{:.4g} mm", at.indentation / kMm);
+  };
+  return datum.over ? words(datum.load) + " over " + words(*datum.over) : words(datum.load);
+}
+
+/// Whether there are correlations: no constant may have any value.
+bool all_known(const FittedPad& fitted) {
+  for (const ConstantEstimate& each : fitted.fit.estimates)
+    if (std::isinf(each.sd)) return false;
+  return true;
+}
+
+/// What finer cells would multiply a constant by; empty: that was not found out.
+std::optional<double> finer_factor(const FittedPad& fitted, std::size_t i) {
+  bool pressed = false;
+  for (const std::vector<PressPrediction>& record : fitted.fit.predictions)
+    for (const PressPrediction& each : record) pressed = pressed || each.finer;
+  if (!pressed || !all_known(fitted)) return {};
+  return std::exp(fitted.fit.estimates[i].mesh_shift);
+}
+
+OrderedJson constants_json(const FittedPad& fitted) {
+  OrderedJson list = OrderedJson::array();
+  for (std::size_t i = 0; i < fitted.fit.estimates.size(); ++i) {
+    const ConstantEstimate& each = fitted.fit.estimates[i];
+    const FreeConstant& free = fitted.problem.constants[i];
+    const DisplayUnit unit = display_unit(free.constant.kind);
+    const std::optional<double> finer = finer_factor(fitted, i);
+    list.push_back({{"constant", constant_name(fitted, i)},
+                    {"unit", unit.name},
+                    {"start", start_of(fitted, i) * unit.per_si},
+                    {"value", each.value * unit.per_si},
+                    {"sd_factor", number_or_null(std::exp(each.sd))},
+                    {"sd_factor_by_data", number_or_null(std::exp(each.sd_by_data))},
+                    {"prior_factor", free.prior_factor ? Json(*free.prior_factor) : Json()},
+                    {"determined", each.determined},
+                    {"at_bound", each.at_bound},
+                    {"finer_cells_factor", finer ? Json(*finer) : Json()}});
+  }
+  return list;
+}
+
+OrderedJson data_json(const FittedPad& fitted) {
+  OrderedJson list = OrderedJson::array();
+  for (std::size_t i = 0; i < fitted.fit.predictions.size(); ++i) {
+    const PressRecord& record = fitted.problem.records[i];
+    for (std::size_t k = 0; k < record.data.size(); ++k) {
+      const PressDatum& datum = record.data[k];
+      const PressPrediction& pad = fitted.fit.predictions[i][k];
+      const DisplayUnit unit = display_unit(datum);
+      list.push_back({{"press", record.name},
+                      {"load", load_words(record, datum)},
+                      {"quantity", quantity_words(datum)},
+                      {"unit", unit.name},
+                      {"measured", datum.value * unit.per_si},
+                      {"sd", datum.sd * unit.per_si},
+                      {"predicted", pad.value * unit.per_si},
+                      {"finer_cells", pad.finer ? Json(*pad.finer * unit.per_si) : Json()},
+                      {"source", datum.source}});
+    }
+  }
+  return list;
+}
+
+OrderedJson curves_json(const FittedPad& fitted) {
+  OrderedJson list = OrderedJson::array();
+  for (std::size_t i = 0; i < fitted.curves.size(); ++i) {
+    OrderedJson points = OrderedJson::array();
+    for (const PressPoint& point : fitted.curves[i].points)
+      points.push_back({{"depth_mm", point.indentation / kMm},
+                        {"force_N", point.force},
+                        {"area_mm2", point.area / kSquareMm}});
+    list.push_back({{"press", fitted.problem.records[i].name}, {"points", std::move(points)}});
+  }
+  return list;
+}
+
+}  // namespace
+
+DisplayUnit display_unit(const PressDatum& datum) {
+  if (datum.over) return {};
+  switch (datum.quantity) {
+    case PressQuantity::kIndentation:
+      return {"mm", 1 / kMm};
+    case PressQuantity::kArea:
+      return {"mm2", 1 / kSquareMm};
+    default:
+      return {"N", 1};
+  }
+}
+
+std::string title_of(const FittedPad& fitted) {
+  std::size_t data = 0;
+  for (const PressRecord& record : fitted.problem.records) data += record.data.size();
+  return fmt::format("{} fitted to '{}': {}, {}", fitted.pad.spec.name, fitted.data.title,
+                     counted(fitted.problem.constants.size(), "constant"),
+                     data == 1 ? "1 datum" : fmt::format("{} data", data));
+}
+
+std::string conditions_of(const FittedPad& fitted) {
+  if (fitted.fit.estimates.empty()) return "stopped before there was an estimate";
+  return fmt::format(
+      "search {} after {}; misfit {:.3g} with {} degrees of freedom",
+      convergence_word(fitted.fit.solution),
+      counted(static_cast<std::size_t>(fitted.fit.solution.evaluations), "evaluation"),
+      fitted.fit.misfit, fitted.fit.degrees_of_freedom);
+}
+
+Table table_of(const FittedPad& fitted) {
+  Table table{{"constant", "unit", "start", "value", "sd_factor", "sd_factor_by_data",
+               "prior_factor", "known_by", "finer_cells_factor"},
+              {}};
+  for (std::size_t i = 0; i < fitted.fit.estimates.size(); ++i) {
+    const ConstantEstimate& each = fitted.fit.estimates[i];
+    const FreeConstant& free = fitted.problem.constants[i];
+    const DisplayUnit unit = display_unit(free.constant.kind);
+    const std::optional<double> finer = finer_factor(fitted, i);
+    table.rows.push_back({constant_name(fitted, i), or_dash(unit.name),
+                          shown(start_of(fitted, i) * unit.per_si), shown(each.value * unit.per_si),
+                          factor_words(each.sd), factor_words(each.sd_by_data),
+                          free.prior_factor ? shown(*free.prior_factor) : "-", known_by(each, free),
+                          finer ? shown(*finer) : "-"});
+  }
+  return table;
+}
+
+std::string constants_note(const FittedPad& fitted) {
+  std::string note = fmt::format(
+      "sd_factor: one sd, with priors; sd_factor_by_data: without.\n"
+      "known_by: data, if they alone leave less than a factor of {:g} at two sds; else the prior, "
+      "or nothing.\n"
+      "finer_cells_factor: what cells of half the size would multiply the value by.\n",
+      kDetermined);
+  if (has_poisson_ratio(fitted)) note += "Factors of a Poisson's ratio nu are those of 1/2 - nu.\n";
+  return note;
+}
+
+Table data_table(const FittedPad& fitted) {
+  Table table{{"press", "load", "quantity", "unit", "measured", "sd", "predicted", "off_by_sds",
+               "finer_cells", "source"},
+              {}};
+  for (std::size_t i = 0; i < fitted.fit.predictions.size(); ++i) {
+    const PressRecord& record = fitted.problem.records[i];
+    for (std::size_t k = 0; k < record.data.size(); ++k) {
+      const PressDatum& datum = record.data[k];
+      const PressPrediction& pad = fitted.fit.predictions[i][k];
+      const DisplayUnit unit = display_unit(datum);
+      table.rows.push_back({record.name, load_words(record, datum), quantity_words(datum),
+                            or_dash(unit.name), shown(datum.value * unit.per_si),
+                            shown(datum.sd * unit.per_si), shown(pad.value * unit.per_si),
+                            shown((pad.value - datum.value) / datum.sd, 2),
+                            pad.finer ? shown(*pad.finer * unit.per_si) : "-", datum.source});
+    }
+  }
+  return table;
+}
+
+Table correlation_table(const FittedPad& fitted) {
+  Table table{{"constant"}, {}};
+  const std::size_t count = fitted.fit.estimates.size();
+  if (count < 2 || !all_known(fitted)) return table;
+  for (std::size_t i = 0; i < count; ++i) table.header.push_back(constant_name(fitted, i));
+  for (std::size_t i = 0; i < count; ++i)
+    table.rows.push_back(
+        row({{constant_name(fitted, i)},
+             cells(fitted.fit.correlations.row(static_cast<Eigen::Index>(i)), 3)}));
+  return table;
+}
+
+std::string text_of(const FittedPad& fitted) {
+  std::string text = fmt::format("{}\n{}\n\n", title_of(fitted), conditions_of(fitted));
+  if (fitted.fit.estimates.empty()) return text;
+  text += titled("Constants", table_of(fitted));
+  text += titled("Data", data_table(fitted));
+  text += titled("Correlations", correlation_table(fitted));
+  return text + constants_note(fitted);
+}
+
+OrderedJson json_of(const FittedPad& fitted) {
+  const PadFitResult& fit = fitted.fit;
+  OrderedJson json{{"pad", fitted.pad.spec.name},
+                   {"presses", fitted.data.path},
+                   {"title", fitted.data.title},
+                   {"search", convergence_word(fit.solution)},
+                   {"message", fit.solution.message},
+                   {"evaluations", fit.solution.evaluations},
+                   {"seconds", fit.solution.seconds},
+                   {"misfit", fit.misfit},
+                   {"degrees_of_freedom", fit.degrees_of_freedom},
+                   {"constants", constants_json(fitted)},
+                   {"correlations", all_known(fitted) ? to_json(fit.correlations) : Json()},
+                   {"data", data_json(fitted)},
+                   {"curves", curves_json(fitted)},
+                   {"assumed", assumed_words(fitted.spec)},
+                   {"sources", fitted.data.own_sources},
+                   {"warnings", fitted.warnings}};
+  return json;
+}
+
+FileDigests files_of(const FittedPad& fitted) {
+  FileDigests files = fitted.pad.spec.files;
+  files.merge(digests_of({fitted.data.path}));
+  return files;
+}
+
+}  // namespace thenar

@@ -1,0 +1,38 @@
+#pragma once
+
+/// A pad that was fitted to measured presses, as text, JSON, a table and a page.
+
+#include <string>
+
+#include "api/pads/fit_pad.h"
+#include "report/json.h"
+#include "report/table.h"
+
+namespace thenar {
+
+/// Constants, data beside predictions, correlations, and how the search ended.
+[[nodiscard]] std::string text_of(const FittedPad& fitted);
+/// The same, with curves of the fitted pad and what citation keys mean.
+[[nodiscard]] OrderedJson json_of(const FittedPad& fitted);
+/// A row for each constant.
+[[nodiscard]] Table table_of(const FittedPad& fitted);
+/// The same tables, force by depth and area by force of the fitted pad with the data on them, and
+/// sources. Defined in fit_page.cpp.
+[[nodiscard]] Json page_of(const FittedPad& fitted);
+[[nodiscard]] FileDigests files_of(const FittedPad& fitted);
+
+/// "index_fitted fitted to flat presses: 2 constants, 3 data".
+[[nodiscard]] std::string title_of(const FittedPad& fitted);
+/// "search converged after 21 evaluations; misfit 0.77 with 2 degrees of freedom".
+[[nodiscard]] std::string conditions_of(const FittedPad& fitted);
+/// A row for each datum: measured, predicted, by how many sds they differ, source.
+[[nodiscard]] Table data_table(const FittedPad& fitted);
+/// A row for each constant; without rows if there is one alone, or one that may have any value.
+[[nodiscard]] Table correlation_table(const FittedPad& fitted);
+/// What the columns of table_of() mean. Lines end with '\n'.
+[[nodiscard]] std::string constants_note(const FittedPad& fitted);
+
+/// Unit of a measured number; of parts "".
+[[nodiscard]] DisplayUnit display_unit(const PressDatum& datum);
+
+}  // namespace thenar
