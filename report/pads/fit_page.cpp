@@ -103,11 +103,13 @@ Json data_section(const FittedPad& fitted) {
     if (!fitted.curves[i].points.empty())
       blocks.push_back(press_charts(fitted.problem.records[i], fitted.curves[i]));
   blocks.push_back(table_block("Measured and predicted", data_table(fitted)));
-  return section("data", "The data and what the pad makes of them",
-                 "Bars are one stated sd. A part of a quantity at another load is drawn as that "
-                 "part of what the fitted pad has there, an area at the force that the fitted pad "
-                 "has under its load.",
-                 std::move(blocks));
+  return section(
+      "data", "The data and what the pad makes of them",
+      "Bars are one stated sd. A part of a quantity at another load is drawn as that "
+      "part of what the fitted pad has there, an area at the force that the fitted pad "
+      "has under its load. At small forces, where few nodes touch, a curve is that of the "
+      "mesh: it may begin below a depth of 0.",
+      std::move(blocks));
 }
 
 /// What the citation keys of the data mean.
