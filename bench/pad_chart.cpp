@@ -1,16 +1,21 @@
 // pad_chart PAGE.html [NU...]
+// pad_chart --pad PAD NU
 //
 // Elements and meshes of a finger pad, ours and a rival's: errors of the force over processor time.
 // The pad of data/pads/index_pad.toml, elastic, is pressed by a plane to 1 mm without friction. NU
-// are Poisson's ratios, 0.49 and 0.499 unless given.
+// are Poisson's ratios, 0.49 and 0.499 unless given. --pad writes the pad for pad_dealii, which is
+// run, too, if it was built.
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
+#include <fstream>
 #include <functional>
-#include <numeric>
 #include <optional>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <unistd.h>
 
 #include "base/error.h"
 #include "base/thread_seconds.h"
@@ -94,6 +99,49 @@ Press press_rival(const PadModel& model, const PadCells& cells) {
   require(press.solved, "{} tetrahedra were not solved", press.elements);
   return {press.elements, press.unknowns, press.force, kDepth, thread_seconds() - began};
 }
+
+/// The pad on a coarse mesh as pad_dealii reads it.
+void write_pad(const PadModel& model, const PadCells& cells, const std::string& file) {
+  const PadShape& shape = model.shape;
+  const Tissue& tissue = model.tissues.front();
+  require(shape.layers.empty() && shape.skin == nullptr, "pad_dealii has no skin of its own");
+  const HexMesh mesh = pad_mesh(shape, cells);
+  std::ofstream out(file);
+  out << fmt::format("{} {} {}\n{} {} {}\n{} {} {}\n{} {}\n", shape.length / 2, shape.width / 2,
+                     shape.height, shape.bone_length / 2, shape.bone_width / 2, shape.bone_height,
+                     tissue.shear_modulus, bulk_modulus(tissue), kDepth, mesh.nodes(),
+                     mesh.active().size());
+  for (int node = 0; node < mesh.nodes(); ++node) {
+    const Eigen::Vector3d& c = mesh.chart_point(node);
+    out << fmt::format("{} {} {}\n", c[0], c[1], c[2]);
+  }
+  for (const int cell : mesh.active())
+    out << fmt::format("{}\n",
+                       fmt::join(mesh.cells()[static_cast<std::size_t>(cell)].corners, " "));
+  out.close();
+  require(!out.fail(), "{} cannot be written", file);
+}
+
+#ifdef THENAR_PAD_DEALII
+/// The other program's meshes, from one run of it, in a process of its own.
+Course dealii_course(const PadModel& model) {
+  Course out{"Q2P1, adaptive (deal.II)", {}};
+  const std::string file = fmt::format("/tmp/thenar_pad_{}.txt", getpid());
+  write_pad(model, {4, 2, 2}, file);
+  const std::string call = fmt::format("{} {} 3", THENAR_PAD_DEALII, file);
+  FILE* lines = popen(call.c_str(), "r");
+  require(lines != nullptr, "pad_dealii does not start");
+  Press press;
+  press.depth = kDepth;
+  while (std::fscanf(lines, "%zu %zu %lf %*f %lf %*d", &press.elements, &press.unknowns,
+                     &press.force, &press.cpu) == 4)
+    out.runs.push_back({fmt::format("mesh {}", out.runs.size() + 1), [press] { return press; }});
+  const int failed = pclose(lines);
+  std::remove(file.c_str());
+  require(failed == 0, "pad_dealii failed");
+  return out;
+}
+#endif
 
 std::string name_of(const PadCells& cells) {
   return fmt::format("{}, {}, {}", cells.across, cells.around, cells.through);
@@ -278,6 +326,9 @@ Json section_of(double nu) {
       even_course(model, HexElement::kQuadratic,
                   {{2, 1, 2}, {4, 2, 2}, {4, 2, 3}, {6, 3, 4}, {8, 4, 5}}),
       tetrahedra_course(model, {{4, 2, 3}, {6, 3, 4}, {8, 4, 5}, {12, 6, 7}, {14, 7, 8}})};
+#ifdef THENAR_PAD_DEALII
+  courses.push_back(dealii_course(model));
+#endif
   const Reference reference = find_reference(model);
   fmt::print(
       "\nnu = {:g}: {:.5f} N, known to {:.2f} %\n{:<26}{:<14}{:>9}{:>10}{:>10}{:>10}{:>10}\n", nu,
@@ -308,6 +359,10 @@ Json page(const std::vector<double>& ratios) {
 }  // namespace thenar::bench
 
 int main(int argc, char** argv) {
+  if (argc == 4 && std::string(argv[1]) == "--pad")
+    return thenar::bench::run_program("pad_chart", [&] {
+      thenar::bench::write_pad(thenar::bench::pad_at(std::atof(argv[3])), {4, 2, 2}, argv[2]);
+    });
   std::vector<double> ratios;
   for (int i = 2; i < argc; ++i) ratios.push_back(std::atof(argv[i]));
   if (ratios.empty()) ratios = {0.49, 0.499};

@@ -97,4 +97,5 @@ if(THENAR_BENCH)
     target_include_directories(thenar::dart SYSTEM INTERFACE ${DART_INCLUDE_DIR})
     target_link_libraries(thenar::dart INTERFACE ${DART_LIBRARY} fcl Eigen3::Eigen)
   endif()
+  find_package(deal.II 9.4 QUIET)  # optional: a rival, by its own macro
 endif()

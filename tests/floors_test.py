@@ -147,6 +147,7 @@ FENCES = {
     r"ode/.*": ["bench/peers/peer_ode.cpp"],
     r"bt[A-Z].*": ["bench/peers/peer_bullet.cpp"],
     r"dart/.*": ["bench/peers/peer_dart.cpp"],
+    r"deal\.II/.*": ["bench/peers/pad_dealii.cpp"],
     r"g(test|mock)/.*": ["tests/"],
     r"sanitizer/.*": ["tests/fuzz/"],
 }
