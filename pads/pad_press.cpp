@@ -18,6 +18,11 @@ constexpr double kPatchNodes = 1;  // nodes that touch times the error that is a
 constexpr int kPatchLevels = 3;    // halvings of cells for the sake of it
 constexpr double kTouch = 1e-10;   // gap that counts as touching [m]
 
+/// Whether nothing more is to be tried.
+bool ended(const PressOutcome& out) {
+  return out.status == Status::kSolved || out.status == Status::kStopped;
+}
+
 /// Part of the way between two poses.
 Pose<double> between(const Pose<double>& a, const Pose<double>& b, double part) {
   const Eigen::AngleAxisd turn(b.R * a.R.transpose());
@@ -83,7 +88,7 @@ PressGoal PadPress::from_here(const PressGoal& goal) const {
 PressOutcome PadPress::solve(const PressGoal& goal, int cuts) {
   PressOutcome out = press_step(*body_, surface_, object_, goal, options_.step, *factor_, state_);
   factorisations_ += out.iterations;
-  if (out.status == Status::kSolved || cuts >= kMaxCuts || ++pieces_ >= options_.pieces) return out;
+  if (ended(out) || cuts >= kMaxCuts || ++pieces_ >= options_.pieces) return out;
   // Half of the way first.
   PressGoal half = goal;
   half.time /= 2;
@@ -106,7 +111,7 @@ PadPressResult PadPress::step(const PressGoal& goal) {
           press_step(*body_, surface_, object_, from_here(goal), options_.step, *factor_, state_);
       factorisations_ += result.solved.iterations;
     }
-    if (!refined || result.solved.status != Status::kSolved) {
+    if (!refined || !ended(result.solved)) {
       state_ = start;
       pieces_ = 0;
       result.solved = solve(goal, 0);

@@ -63,6 +63,11 @@ class PressSolver {
   PressOutcome solve() {
     PressOutcome out;
     for (out.iterations = 0; out.iterations < options_.max_iterations; ++out.iterations) {
+      if (options_.stop && options_.stop()) {
+        out.status = Status::kStopped;
+        out.message = "stopped";
+        return out;
+      }
       const Matrix3Xd u = body_.spread(now_.x, {});
       body_.respond(u, goal_.time, start_.history, now_.pressure, ElementAsk::kStiffness, tissue_);
       if (tissue_.inverted) {

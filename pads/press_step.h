@@ -2,6 +2,7 @@
 
 /// Equilibrium of a tissue body in contact with a rigid object, step by step.
 
+#include <functional>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -46,6 +47,7 @@ struct PressOptions {
   double force_tolerance = 1e-9;  // of residuals, over the sum of contact forces [1]
   double gap_tolerance = 1e-9;    // of touching nodes [m]
   int max_iterations = 60;
+  std::function<bool()> stop;  // asked before each iteration: true ends the step; empty: never
 };
 
 /// How a step ended.
@@ -60,7 +62,7 @@ struct [[nodiscard]] PressOutcome {
 
 /// Solves  d(energy)/dx = contact forces  with 0 <= gap _|_ normal >= 0, |shear| <= friction
 /// normal, and shear against the slip since the last step, to the tolerances; on kSolved `state` is
-/// the new state, otherwise it is as it was.
+/// the new state, otherwise it is as it was (kStopped: it was asked to stop).
 ///
 /// Gaps of nodes are means over the true surface around them (ContactSurface::points). Newton's
 /// method on the augmented Lagrangian, forces updated by what each step predicts; the coupling of

@@ -66,7 +66,7 @@ class PressRun {
         progress_(progress),
         rate_(out.request.rate),
         press_(model_of(out), {out.object.shape, out.request.friction}, out.touch.X_PO,
-               options_of(out.request)) {}
+               options_of(out.request, progress)) {}
 
   void run() {
     const bool done = out_.request.depth ? go_deep() : go_to_force();
@@ -84,8 +84,9 @@ class PressRun {
       for (Tissue& tissue : model.tissues) tissue.relaxation.clear();
     return model;
   }
-  static PadPressOptions options_of(const PressRequest& request) {
+  static PadPressOptions options_of(const PressRequest& request, const Progress& progress) {
     PadPressOptions options;
+    options.step.stop = progress.stop_requested;
     options.force_error = request.force_error;
     options.max_elements = request.max_elements;
     options.max_penetration = kDeepInFaces;
@@ -123,7 +124,7 @@ class PressRun {
     const PadPressResult result = press_.step(goal);
     if (result.solved.status != Status::kSolved) {
       out_.status = result.solved.status;
-      out_.message = result.solved.message;
+      if (out_.status != Status::kStopped) out_.message = result.solved.message;
       return false;
     }
     if (std::isfinite(goal.time)) time_ += goal.time;

@@ -81,7 +81,8 @@ struct [[nodiscard]] PressedPad {
 /// depths are about even, and at last to F itself; there may be fewer points than asked for. With a
 /// rate v time is depth / v, but for the last bit to a force, whose depth is foretold: a warning
 /// tells of its error. On the first third of the way the estimated error of the force may be three
-/// times what was asked. A step that fails ends the press with what was solved before.
+/// times what was asked. A step that fails, or that is stopped, ends the
+/// press with what was solved before.
 /// @throws InputError where a number is out of range, or not one of force and depth is given, or
 /// something is not to be found; DataError of files.
 [[nodiscard]] PressedPad press_pad(const PressRequest& request, const Progress& progress = {});

@@ -28,7 +28,8 @@ std::vector<RungTrial> all_trials(double asked) {
   return trials;
 }
 
-PressRung try_rung(const PressedPad& pressed, const RungTrial& trial, double depth) {
+PressRung try_rung(const PressedPad& pressed, const RungTrial& trial, double depth,
+                   const Progress& progress) {
   // The pad without relaxation, on the trial's mesh.
   PadModel model = pressed.pad.model;
   for (Tissue& tissue : model.tissues) tissue.relaxation.clear();
@@ -40,6 +41,7 @@ PressRung try_rung(const PressedPad& pressed, const RungTrial& trial, double dep
   options.force_error = trial.error > 0 ? trial.error : HUGE_VAL;
   options.max_elements = pressed.request.max_elements;
   options.max_penetration = HUGE_VAL;
+  options.step.stop = progress.stop_requested;
   // One step from the touch.
   const double began = thread_seconds();
   PadPress press(model, {pressed.object.shape, 0}, pressed.touch.X_PO, options);
@@ -68,7 +70,8 @@ std::vector<PressRung> compare_rungs(const PressedPad& pressed, const Progress& 
   std::vector<PressRung> rungs;
   for (std::size_t i = 0; i < trials.size() && !progress.stop(); ++i) {
     progress(static_cast<double>(i) / static_cast<double>(trials.size()), "comparing elements");
-    rungs.push_back(try_rung(pressed, trials[i], depth));
+    rungs.push_back(try_rung(pressed, trials[i], depth, progress));
+    if (progress.stop()) rungs.pop_back();  // it may have been cut off
   }
   // Errors against the last, if all were done and it was solved.
   if (rungs.size() < trials.size() || !rungs.back().failure.empty()) return rungs;

@@ -169,6 +169,27 @@ TEST(PressStep, AFailedStepLeavesTheStateAsItWas) {
   EXPECT_TRUE(state.x.isZero(0));
 }
 
+TEST(PressStep, AStepStopsWithinAnIteration) {
+  Slab slab(0.02, 1, 4e-3, 0.49);
+  const RigidObject ball{build_sphere(6e-3), 0};
+  Pose<double> X;
+  X.p = slab.top + Vector3d(0, 0, 6e-3);
+  PressState state = rest_state(*slab.body, slab.surface, X);
+  PressGoal goal;
+  goal.X_PO = X;
+  goal.X_PO.p[2] -= 5e-4;
+  int asked = 0;
+  PressOptions options;
+  options.stop = [&] { return ++asked == 3; };
+  const PressOutcome out =
+      press_step(*slab.body, slab.surface, ball, goal, options, *slab.factor, state);
+  EXPECT_EQ(out.status, Status::kStopped);
+  EXPECT_EQ(out.iterations, 2);
+  EXPECT_EQ(asked, 3);
+  EXPECT_TRUE(state.x.isZero(0));
+  EXPECT_TRUE(state.X_PO.p == X.p);
+}
+
 TEST(PadShape, ItsMeshHasTheVolumeBetweenTheEllipsoids) {
   PadShape shape;
   const double exact = kPi / 6 *

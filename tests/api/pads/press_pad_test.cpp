@@ -184,15 +184,28 @@ TEST(PressPad, KeepsWhatItHadWhereAStepFails) {
               pressed.instants.back().depth, 1e-12);
 }
 
-TEST(PressPad, StopsBetweenSteps) {
+TEST(PressPad, StopsWithinAStep) {
   PressRequest request = quick();
   request.depth = 1e-3;
-  int asked = 0;
   Progress progress;
-  progress.stop_requested = [&] { return ++asked > 2; };
+  int steps = 0, asked = 0, refused = 0;
+  progress.report = [&](double, const std::string&) {
+    ++steps;
+    asked = 0;
+  };
+  // At the third iteration of the third step, and never asked again.
+  progress.stop_requested = [&] {
+    const bool stop = ++asked > 2 && steps == 3;
+    refused += stop ? 1 : 0;
+    return stop;
+  };
   const PressedPad pressed = press_pad(request, progress);
   EXPECT_EQ(pressed.status, Status::kStopped);
-  EXPECT_EQ(pressed.instants.size(), 2U);
+  EXPECT_TRUE(pressed.message.empty());
+  EXPECT_EQ(refused, 1);
+  ASSERT_EQ(pressed.instants.size(), 2U);
+  EXPECT_NEAR(pressed.touch.along.dot(pressed.X_PO.p - pressed.touch.X_PO.p),
+              pressed.instants.back().depth, 1e-12);
 }
 
 TEST_F(RelaxingPad, ComparesRungsAgainstTheFinest) {
