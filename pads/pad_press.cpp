@@ -5,6 +5,7 @@
 #include <numeric>
 
 #include "base/error.h"
+#include "pads/force_search.h"
 
 namespace thenar {
 namespace {
@@ -14,6 +15,7 @@ using Eigen::Vector3d;
 using Eigen::VectorXd;
 
 constexpr int kMaxCuts = 12;       // halvings of a step
+constexpr double kFirstWay = 0.1;  // between depths of a search, over distances of nodes [1]
 constexpr double kPatchNodes = 1;  // nodes that touch times the error that is asked, at least
 constexpr int kPatchLevels = 3;    // halvings of cells for the sake of it
 constexpr double kTouch = 1e-10;   // gap that counts as touching [m]
@@ -85,15 +87,23 @@ PressGoal PadPress::from_here(const PressGoal& goal) const {
   return out;
 }
 
-PressOutcome PadPress::solve(const PressGoal& goal, int cuts) {
-  PressOutcome out = press_step(*body_, surface_, object_, goal, options_.step, *factor_, state_);
+PressOutcome PadPress::solve_once(const PressGoal& goal, PressState& state) {
+  PressOutcome out = press_step(*body_, surface_, object_, goal, options_.step, *factor_, state);
   factorisations_ += out.iterations;
-  if (ended(out) || cuts >= kMaxCuts || ++pieces_ >= options_.pieces) return out;
+  return out;
+}
+
+PressOutcome PadPress::solve(const PressGoal& goal, int cuts) {
+  PressOutcome out = solve_once(goal, state_);
+  if (ended(out)) return out;
+  if (goal.force && options_.pieces > 1)
+    return seek_force([this](const PressGoal& to, PressState& at) { return solve_once(to, at); },
+                      goal, kFirstWay * std::sqrt(surface_.area.mean()), state_);
+  if (cuts >= kMaxCuts || ++pieces_ >= options_.pieces) return out;
   // Half of the way first.
   PressGoal half = goal;
   half.time /= 2;
   half.X_PO = between(state_.X_PO, goal.X_PO, 0.5);
-  if (goal.force) half.force = 0.5 * (*goal.force + goal.along.dot(state_.push.force));
   out = solve(half, cuts + 1);
   if (out.status != Status::kSolved) return out;
   PressGoal rest = goal;
@@ -107,9 +117,7 @@ PadPressResult PadPress::step(const PressGoal& goal) {
   for (bool refined = false;; refined = true) {
     // On a finer mesh from the answer of the coarser; otherwise from the step's beginning.
     if (refined) {
-      result.solved =
-          press_step(*body_, surface_, object_, from_here(goal), options_.step, *factor_, state_);
-      factorisations_ += result.solved.iterations;
+      result.solved = solve_once(from_here(goal), state_);
     }
     if (!refined || !ended(result.solved)) {
       state_ = start;

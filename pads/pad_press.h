@@ -49,7 +49,8 @@ class PadPress {
   /// @throws InputError if it touches already, begins inside the pad or passes it by.
   double touch(const Eigen::Vector3d& along);
 
-  /// One step, cut in halves where it fails (a bounded number of them), the mesh refined until
+  /// One step, cut in halves where it fails (a bounded number of them), or a force sought by depths
+  /// (seek_force(); it may lie before the touch on a coarse mesh), the mesh refined until
   /// force and penetration are as good as asked or `max_elements` are passed: `force_error` says
   /// how good it became. A step that fails leaves the state at its beginning.
   PadPressResult step(const PressGoal& goal);
@@ -72,6 +73,8 @@ class PadPress {
 
  private:
   void build();
+  PressOutcome solve_once(const PressGoal& goal, PressState& state);
+  /// In pieces where it must be; a force by a search.
   PressOutcome solve(const PressGoal& goal, int cuts);
   /// Whether too few nodes touch for the error that is asked: the edge of a patch lies on nodes,
   /// which is an error of up to 1 / nodes that no estimate sees.

@@ -28,7 +28,8 @@ constexpr double kConeSlack = 1e-10;  // of the friction cone, for rounding [1]
 constexpr double kCoupling = 1e-6;  // of a step in the coupling of friction and normal forces [1]
 constexpr int kMaxCoupling = 40;    // iterations for it
 
-constexpr double kRounding = 1e-14;  // of strains of volume, in the forces of an element [1]
+constexpr double kRounding = 1e-14;      // of strains of volume, in the forces of an element [1]
+constexpr double kRoundedPlace = 2e-16;  // of objects of up to a metre [m]
 
 /// Contact at an iterate.
 struct TouchingNode {
@@ -76,6 +77,7 @@ class PressSolver {
       }
       if (out.iterations == 0) find_stiffness();
       find_contacts();
+      first_ = false;
       measure(out);
       if (is_solved(out)) {
         out.message = passed_through(u);
@@ -222,6 +224,10 @@ class PressSolver {
     const auto column = static_cast<Eigen::Index>(k);
     const Matrix3d flat = Matrix3d::Identity() - normal * normal.transpose();
     c.slip = flat * (place_of(k) - now_.X_PO * Vector3d(start_.anchor.col(column)));
+    // What slipped and goes on the same way begins slipping.
+    if (first_)
+      c.sticks = node_sticks(start_, column, object_.friction) ||
+                 c.slip.dot(Vector3d(start_.shear.col(column))) >= 0;
     if (c.sticks) {
       c.shear = flat * Vector3d(now_.shear.col(column)) - r * c.slip;
       c.hold = r * flat;
@@ -243,7 +249,7 @@ class PressSolver {
   /// Out of balance: forces on free nodes, and the push along the goal's direction.
   void measure(PressOutcome& out) {
     residual_ = tissue_.force;
-    out.gap = change_ = 0;
+    out.gap = change_ = rounding_ = 0;
     out.push = {};
     scale_ = 0;
     VectorXd push(static_cast<Eigen::Index>(contacts_.size()));
@@ -261,6 +267,7 @@ class PressSolver {
       scale_ += force.norm();
       if (c.push <= 0) continue;
       out.gap = std::max(out.gap, std::abs(gaps_.gap(k)));
+      rounding_ = std::max(rounding_, stiffer(k) * kRoundedPlace);
       // Forces that still move tell of nodes that should stick or open.
       change_ = std::max({change_, (c.shear - Vector3d(now_.shear.col(column))).norm(),
                           std::abs(c.push - now_.normal[column])});
@@ -271,8 +278,9 @@ class PressSolver {
   }
 
   [[nodiscard]] bool is_solved(const PressOutcome& out) const {
-    // No better than rounding of the forces within elements, which bulk moduli make large.
-    const double rounding = kRounding * body_.largest_pressure_force();
+    // No better than rounding of the forces within elements, which bulk moduli make large, and of
+    // the places that forces of contact come from.
+    const double rounding = std::max(kRounding * body_.largest_pressure_force(), rounding_);
     const double small = std::max(options_.force_tolerance * scale_, rounding);
     return out.residual <= small && std::abs(missing_) <= std::max(small, 1e-9) &&
            out.gap <= options_.gap_tolerance && change_ <= small && !changed_;
@@ -423,6 +431,7 @@ class PressSolver {
   MeanGaps gaps_;
   std::vector<TouchingNode> contacts_;
   std::vector<double> stiffer_;  // of the augmentation [N/m] (surface nodes)
+  bool first_ = true;            // no iteration is done
   bool coupled_ = false;         // the slope of contact forces is more than blocks on the diagonal
   TissueResponse tissue_;
   VectorXd residual_;
@@ -430,7 +439,8 @@ class PressSolver {
   Wrench push_;
   bool changed_ = true;  // a node began or ceased to stick in the last iteration
   double scale_ = 0, missing_ = 0, change_ = 0;
-  double longest_ = 0;  // motion of the object in an iteration [m]
+  double rounding_ = 0;  // of contact forces [N]
+  double longest_ = 0;   // motion of the object in an iteration [m]
 };
 
 }  // namespace

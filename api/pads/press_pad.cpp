@@ -19,10 +19,9 @@ constexpr double kHardestPress = 1e4;   // [N]
 constexpr double kFastestPress = 100;   // [m/s]
 constexpr int kMostPoints = 1000;       // of a curve
 constexpr int kMostElements = 200'000;  // of a mesh
-constexpr double kSettling = 1e-5;  // depth beyond the first node that forces are sought from [m]
-constexpr double kAnyError = 1e9;   // of a mesh that is not refined [1]
-constexpr double kDeepInFaces = 5e-5;  // of a round object between nodes, which refines [m]
-constexpr double kHertz = 1.5;         // power of force by depth of a first guess [1]
+constexpr double kAnyError = 1e9;       // of a mesh that is not refined [1]
+constexpr double kDeepInFaces = 5e-5;   // of a round object between nodes, which refines [m]
+constexpr double kHertz = 1.5;          // power of force by depth of a first guess [1]
 constexpr double kEarly = 3;  // errors on the first third of the way, over that asked for [1]
 constexpr double kFirstOfHold = 2e-3;   // of the time that the object stands still [1]
 constexpr double kOffTime = 0.05;       // of time against depth over rate that is warned of [1]
@@ -168,70 +167,56 @@ class PressRun {
     return true;
   }
 
-  /// Depth of the first node that touches: on a coarse mesh it may lie below the skin [m].
-  [[nodiscard]] double depth_of_first_node() const {
-    double least = std::numeric_limits<double>::infinity();
-    for (Eigen::Index i = 0; i < press_.surface().places.cols(); ++i) {
-      Pose<double> X = out_.touch.X_PO;
-      double way = 0, gap = 0;
-      // Along the way of one node, as long as it may be the first.
-      for (int k = 0; k < 200 && way < least; ++k) {
-        gap = out_.object.shape->distance(X.inverse() *
-                                          Eigen::Vector3d(press_.surface().places.col(i)));
-        if (gap < 1e-9) break;
-        way += gap;
-        X.p += gap * out_.touch.along;
-      }
-      if (gap < 1e-9) least = std::min(least, way);
-    }
-    return std::isfinite(least) ? least : 0;
-  }
-
-  /// Depth at a force by a power law through where the press is [m].
-  [[nodiscard]] double foretold(double wanted, double power) const {
-    return force() > 0 ? depth() * std::pow(wanted / force(), 1 / power) : depth();
-  }
-
-  /// The last bit of the way, which takes no time worth telling; its instant stands for the one
-  /// before, which was near.
-  bool step_to_force(double to) {
+  /// One step to a force; on a coarse mesh it may lie before the touch. With a rate it takes no
+  /// time worth telling.
+  bool step_to_force(double to, double fraction) {
     PressGoal goal = goal_at(depth(), rate_.value_or(0) > 0 ? kShortestTime : time_to(depth()));
     goal.force = to;
-    const std::size_t near = out_.instants.size() - 1;
-    if (!step(goal, PressPhase::kWay, way_share())) return false;
-    out_.instants.erase(out_.instants.begin() + static_cast<std::ptrdiff_t>(near));
-    return true;
+    return step(goal, PressPhase::kWay, fraction);
+  }
+
+  /// Depth at a force by Hertz's power through where the press is and was; from the touch where a
+  /// mesh that was refined between tells nothing [m].
+  [[nodiscard]] double foretold(double wanted, double was_depth, double was_force) const {
+    const auto grown = [](double force) { return std::pow(force, 1 / kHertz); };
+    double slope = (grown(force()) - grown(was_force)) / (depth() - was_depth);
+    if (!(slope > 0)) slope = grown(force()) / depth();
+    return slope > 0 ? depth() + (grown(wanted) - grown(force())) / slope : depth();
   }
 
   bool go_to_force() {
     const double wanted = *out_.request.force;
-    // Steps that are not told: to the first node, on a mesh that is not refined, and to about a
-    // 64th of the force.
+    // Two small forces that are not told foretell depths: one on a mesh that is not refined, where
+    // it may lie before the touch.
     press_.set_force_error(kAnyError);
-    const double first = depth_of_first_node() + kSettling;
-    bool goes = step(goal_at(first, time_to(first)), PressPhase::kWay, 0);
+    bool goes = step_to_force(wanted / 64, 0);
+    double was_depth = depth(), was_force = force();
     allow_error(0);
-    if (goes && force() < wanted / 64) {
-      const double second = foretold(wanted / 64, kHertz);
-      goes = step(goal_at(second, time_to(second)), PressPhase::kWay, 0);
-    }
+    goes = goes && step_to_force(wanted / 27, 0);
     if (goes) out_.instants.clear();
-    // Depths foretold of forces that rise with the power 3/2 of the step; the last step is to the
-    // force itself.
-    double power = kHertz;
+    // Forces that rise with the power 3/2 of the step; with a rate depths foretold of them, and the
+    // force itself at last, whose instant stands for that of the depth, which was near.
+    const bool timed = rate_.value_or(0) > 0;
     const int count = out_.request.points;
     for (int k = 1; goes && k <= count; ++k) {
-      const double at_depth = depth(), at_force = force();
       const double to = wanted * std::pow(static_cast<double>(k) / count, kHertz);
-      if (k < count && to <= at_force) continue;
-      const double target = foretold(to, power);
+      if (k < count && to <= force()) continue;
+      const double fraction = way_share() * (k - 1) / count;
+      const double at_depth = depth(), at_force = force();
       allow_error(k);
-      goes =
-          step(goal_at(target, time_to(target)), PressPhase::kWay, way_share() * (k - 1) / count);
-      if (goes && k == count) goes = step_to_force(to);
-      // The power between the last two points foretells the next.
-      const double deeper = depth() / at_depth, more = force() / at_force;
-      if (goes && deeper > 1 && more > 1) power = std::log(more) / std::log(deeper);
+      if (timed) {
+        const double target = foretold(to, was_depth, was_force);
+        goes = step(goal_at(target, time_to(target)), PressPhase::kWay, fraction);
+        if (goes && k == count) {
+          const auto near = static_cast<std::ptrdiff_t>(out_.instants.size()) - 1;
+          goes = step_to_force(to, fraction);
+          if (goes) out_.instants.erase(out_.instants.begin() + near);
+        }
+      } else {
+        goes = step_to_force(to, fraction);
+      }
+      was_depth = at_depth;
+      was_force = at_force;
     }
     return goes;
   }

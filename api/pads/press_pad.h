@@ -76,13 +76,13 @@ struct [[nodiscard]] PressedPad {
 
 /// Presses a pad.
 ///
-/// By depth d the object goes in even steps to d. By force F it goes to depths at which a power law
-/// through the steps before foretells forces that rise with the power 3/2 of the step, so that
-/// depths are about even, and at last to F itself; there may be fewer points than asked for. With a
-/// rate v time is depth / v, but for the last bit to a force, whose depth is foretold: a warning
-/// tells of its error. On the first third of the way the estimated error of the force may be three
-/// times what was asked. A step that fails, or that is stopped, ends the
-/// press with what was solved before.
+/// By depth d the object goes in even steps to d; by force F, to forces that rise with the power
+/// 3/2 of the step, so that depths are about even; there may be fewer points than asked for. With a
+/// rate v time is depth / v, and by force the object goes to depths that Hertz's power through the
+/// steps before foretells of these forces, and at last to F itself, whose time is foretold: a
+/// warning tells of its error. On the first third of the way the estimated error of the force may
+/// be three times what was asked. A step that fails, or that is stopped, ends the press with what
+/// was solved before.
 /// @throws InputError where a number is out of range, or not one of force and depth is given, or
 /// something is not to be found; DataError of files.
 [[nodiscard]] PressedPad press_pad(const PressRequest& request, const Progress& progress = {});

@@ -420,6 +420,60 @@ TEST(PadPress, AForceIsReachedFromTheTouch) {
   EXPECT_NEAR(-result.push.force[2], 0.5, 1e-7);
 }
 
+TEST(PadPress, AnyForceIsFoundAndMoreForceIsDeeper) {
+  // On coarse meshes a pad feels an object before it touches: small forces are found before.
+  const auto along = [](double angle) { return Vector3d(-std::sin(angle), 0, -std::cos(angle)); };
+  for (const PadCells& cells : {PadCells{2, 1, 2}, PadCells{3, 2, 2}, PadCells{4, 2, 3}})
+    for (const double angle : {0.0, 0.5})
+      for (const double friction : {0.0, 0.6}) {
+        PadModel model;
+        model.tissues = {soft_tissue(0.49)};
+        model.cells = cells;
+        PadPressOptions options;
+        options.force_error = 1e3;
+        double deep = -1;
+        for (const double force : {1e-4, 1e-3, 1e-2, 0.1, 1.0}) {
+          Pose<double> X;
+          X.R = rotation_about<double>({0, 1, 0}, angle);
+          X.p = -0.08 * along(angle);
+          PadPress press(model, {build_box({0.1, 0.1, 0.1}), friction}, X, options);
+          (void)press.touch(along(angle));
+          PressGoal goal;
+          goal.X_PO = press.state().X_PO;
+          goal.along = along(angle);
+          goal.force = force;
+          const PadPressResult result = press.step(goal);
+          ASSERT_EQ(result.solved.status, Status::kSolved)
+              << cells.across << ' ' << angle << ' ' << force << ' ' << result.solved.message;
+          EXPECT_NEAR(goal.along.dot(result.push.force), force, 2e-9);
+          const double depth = goal.along.dot(press.state().X_PO.p - goal.X_PO.p);
+          EXPECT_GT(depth, deep);
+          deep = depth;
+        }
+      }
+}
+
+TEST(PadPress, AForceThatIsOutOfReachSaysHowFarItCame) {
+  PadModel model;
+  model.tissues = {soft_tissue(0.49)};
+  PadPressOptions options;
+  options.force_error = 1e3;
+  options.max_penetration = 1;
+  Pose<double> X;
+  X.p = {0, 0, model.shape.height + 2e-3};
+  PadPress press(model, {build_sphere(1e-3), 0}, X, options);
+  (void)press.touch({0, 0, -1});
+  const double touched = press.state().X_PO.p[2];
+  PressGoal goal;
+  goal.X_PO = press.state().X_PO;
+  goal.force = 100;  // it goes into the tissue between nodes, and through the bone
+  const PadPressResult result = press.step(goal);
+  EXPECT_NE(result.solved.status, Status::kSolved);
+  EXPECT_EQ(result.solved.message.rfind("no solution beyond ", 0), 0U) << result.solved.message;
+  EXPECT_EQ(press.state().X_PO.p[2], touched);
+  EXPECT_TRUE(press.state().x.isZero(0));
+}
+
 TEST(PadPress, NonsenseIsRefused) {
   PadModel model;
   model.tissues = {soft_tissue(0.49)};

@@ -65,16 +65,34 @@ TEST(PressPad, ToADepthAndToItsForceAreTheSame) {
   ASSERT_EQ(deep.instants.size(), 3U);
   for (int k = 1; k <= 3; ++k)
     EXPECT_NEAR(deep.instants[static_cast<std::size_t>(k - 1)].depth, 0.4e-3 * k, 1e-12);
-  // On a mesh that does not refine, as its last one is another by another way.
-  request.force_error = 0.6;
+  // On a mesh that does not refine, as its last one is another by another way. It feels the object
+  // before it touches.
+  request.force_error = 1e3;
   const PressedPad coarse = press_pad(request);
   request.depth.reset();
   request.force = coarse.instants.back().force;
   const PressedPad forced = press_pad(request);
   ASSERT_EQ(forced.status, Status::kSolved) << forced.message;
   EXPECT_NEAR(forced.instants.back().force, *request.force, 1e-8);
-  if (forced.instants.back().elements == coarse.instants.back().elements) {
-    EXPECT_NEAR(forced.instants.back().depth, 1.2e-3, 1e-8);
+  EXPECT_EQ(forced.instants.back().elements, coarse.instants.back().elements);
+  EXPECT_NEAR(forced.instants.back().depth, 1.2e-3, 1e-8);
+}
+
+TEST(PressPad, ForcesOfAnySizeAreReached) {
+  PressRequest request = quick();
+  request.force_error = 1e3;
+  request.angle = radians(20);
+  double deep = -HUGE_VAL;
+  for (const double force : {1e-4, 1e-2, 1.0}) {
+    request.force = force;
+    const PressedPad pressed = press_pad(request);
+    ASSERT_EQ(pressed.status, Status::kSolved) << force << ' ' << pressed.message;
+    ASSERT_EQ(pressed.instants.size(), 3U);
+    for (int k = 1; k <= 3; ++k)
+      EXPECT_NEAR(pressed.instants[static_cast<std::size_t>(k - 1)].force,
+                  force * std::pow(k / 3.0, 1.5), 2e-9);
+    EXPECT_GT(pressed.instants.back().depth, deep);
+    deep = pressed.instants.back().depth;
   }
 }
 

@@ -1,0 +1,151 @@
+#include "pads/force_search.h"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <string>
+#include <utility>
+
+#include <fmt/format.h>
+
+namespace thenar {
+namespace {
+
+constexpr int kMostTrials = 60;     // of a search
+constexpr double kLonger = 1.5;     // of the next way where a depth was solved [1]
+constexpr double kLongestWay = 4;   // over the first [1]
+constexpr double kShortest = 1e-3;  // of the first way, below which no depth is tried [1]
+constexpr double kEndShare = 0.05;  // of a bracket that a new depth keeps off its ends [1]
+
+/// A depth that was solved.
+struct SolvedDepth {
+  double depth = 0;  // from the goal's pose [m]
+  double force = 0;  // [N]
+  PressState state;
+};
+
+class ForceSearch {
+ public:
+  ForceSearch(const PressStepper& step, const PressGoal& goal, double first,
+              const PressState& start)
+      : step_(step),
+        goal_(goal),
+        start_(start),
+        shortest_(kShortest * first),
+        longest_(kLongestWay * first),
+        way_(first) {}
+
+  PressOutcome run(PressState& state) {
+    PressOutcome out;
+    bool ended = false;
+    while (!ended && trials_ < kMostTrials && way_ > shortest_) {
+      out = try_depth(next_depth());
+      ended = out.status == Status::kStopped;
+      if (out.status == Status::kSolved && below_ && above_) ended = ends(state, out);
+    }
+    if (!ended) out = without_answer(out);
+    out.iterations = iterations_;
+    return out;
+  }
+
+ private:
+  /// Where to look: between depths that enclose the force by a straight line, or farther on.
+  [[nodiscard]] double next_depth() const {
+    const SolvedDepth* near = nearest();
+    if (near == nullptr) return first_depth_;
+    if (!above_) return below_->depth + way_;
+    if (!below_) return above_->depth - way_;
+    const double part = (*goal_.force - below_->force) / (above_->force - below_->force);
+    const double line = below_->depth + std::clamp(part, kEndShare, 1 - kEndShare) *
+                                            (above_->depth - below_->depth);
+    return near->depth + std::clamp(line - near->depth, -way_, way_);
+  }
+
+  PressOutcome try_depth(double depth) {
+    PressGoal goal = goal_;
+    goal.force.reset();
+    goal.X_PO.p += depth * goal_.along;
+    const SolvedDepth* near = nearest();
+    PressState answer;
+    PressOutcome out = step_from(near, goal, answer);
+    if (out.status == Status::kSolved) {
+      const double force = goal_.along.dot(out.push.force);
+      was_below_ = force < *goal_.force;
+      (was_below_ ? below_ : above_) = SolvedDepth{depth, force, std::move(answer)};
+      way_ = std::min(kLonger * way_, longest_);
+    } else if (near != nullptr) {
+      way_ = std::abs(depth - near->depth) / 2;
+    } else {
+      // From farther off, where it is less.
+      first_depth_ -= way_;
+      way_ = std::min(kLonger * way_, longest_);
+    }
+    return out;
+  }
+
+  /// What is known where the search ends without an answer.
+  [[nodiscard]] PressOutcome without_answer(PressOutcome out) const {
+    if (out.status == Status::kSolved) out.status = Status::kStalled;
+    const std::string why = out.message.empty() ? "too many trials" : out.message;
+    if (below_ && above_)
+      out.message = fmt::format("no solution between {:.3g} and {:.3g} N: {}", below_->force,
+                                above_->force, why);
+    else if (below_)
+      out.message = fmt::format("no solution beyond {:.3g} N: {}", below_->force, why);
+    else
+      out.message = why;
+    return out;
+  }
+
+  /// Newton's method from the depth that was solved last. @return whether it ended the search
+  bool ends(PressState& state, PressOutcome& out) {
+    PressGoal goal = goal_;
+    const SolvedDepth& from = was_below_ ? *below_ : *above_;
+    goal.X_PO.p += from.depth * goal_.along;
+    PressState answer;
+    const PressOutcome found = step_from(&from, goal, answer);
+    if (found.status == Status::kSolved) state = std::move(answer);
+    out = found;
+    return found.status == Status::kSolved || found.status == Status::kStopped;
+  }
+
+  /// The end whose force is nearer; null: nothing was solved.
+  [[nodiscard]] const SolvedDepth* nearest() const {
+    if (!below_ || !above_) return below_ ? &*below_ : above_ ? &*above_ : nullptr;
+    return above_->force - *goal_.force < *goal_.force - below_->force ? &*above_ : &*below_;
+  }
+
+  /// From an answer, but with what was at the beginning.
+  PressOutcome step_from(const SolvedDepth* from, const PressGoal& goal, PressState& answer) {
+    ++trials_;
+    answer = start_;
+    if (from != nullptr) {
+      answer.x = from->state.x;
+      answer.pressure = from->state.pressure;
+      answer.normal = from->state.normal;
+      answer.shear = from->state.shear;
+    }
+    const PressOutcome out = step_(goal, answer);
+    iterations_ += out.iterations;
+    return out;
+  }
+
+  const PressStepper& step_;
+  const PressGoal& goal_;
+  const PressState start_;
+  double shortest_, longest_;  // of ways [m]
+  double way_;                 // to the next depth [m]
+  double first_depth_ = 0;     // where the first is sought [m]
+  std::optional<SolvedDepth> below_, above_;
+  bool was_below_ = false;  // the last depth that was solved
+  int trials_ = 0, iterations_ = 0;
+};
+
+}  // namespace
+
+PressOutcome seek_force(const PressStepper& step, const PressGoal& goal, double first,
+                        PressState& state) {
+  return ForceSearch(step, goal, first, state).run(state);
+}
+
+}  // namespace thenar
