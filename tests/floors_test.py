@@ -27,7 +27,7 @@ MAY_SEE = {
     "data/io/foreign_mesh": ["base", "data/io", "data/io/mesh", "data/io/graspit"],
     "data/io/robot": ["base", "geometry", "data/io", "data/io/mesh", "data/io/graspit"],
     "data/io/world": ["base", "geometry", "data/io", "data/io/mesh", "data/io/graspit", "data/io/robot", "data/io/pad", "pads/laws"],
-    "data/io/scene": ["base", "geometry", "data/io", "data/io/mesh", "data/io/world"],
+    "data/io/scene": ["base", "geometry", "data/io", "data/io/mesh", "data/io/pad", "data/io/world", "pads/laws"],
     "hand": ["base", "geometry", "data/io"],
     "hand/skin": ["base", "geometry", "data/io", "hand"],
     "pads/laws": ["base", "solvers", "geometry", "geometry/collision"],

@@ -13,6 +13,7 @@
 #include "dynamics/mechanism/tree_motion.h"
 #include "dynamics/scene/scene_compliance.h"
 #include "dynamics/scene/scene_humans.h"
+#include "dynamics/scene/scene_pads.h"
 #include "dynamics/scene/scene_pairs.h"
 #include "dynamics/scene/target_table.h"
 
@@ -147,7 +148,9 @@ class SceneBuilder {
     add_drives();
     set_options();
     at_line(spec_.path, spec_.stepping.line, [&] { check_scene(built_.scene); });
+    add_pads(spec_, humans_, built_);
     set_pairs(spec_, built_);
+    set_hard_points(spec_, built_);
     return std::move(built_);
   }
 

@@ -20,6 +20,7 @@ struct BuiltScene {
   std::vector<std::string> owner;  // of each body of the mechanism: the body or hand of the file
   std::vector<std::string> force_names, drive_names;  // as the file has them, in its order
   std::vector<std::string> warnings;                  // what was assumed
+  int pads = 0;                                       // elements of [[pad]], each for one pair
 };
 
 /// What a hand of a scene is built from.
@@ -37,6 +38,7 @@ using SceneHand = std::variant<RobotSpec, HumanModel>;
 /// for each digit that a [[tendon]] or [[muscle]] pulls. In a digit of which a [[muscle]] excites
 /// one muscle all muscles contract, the others at excitation 0, but for those with a tension; so do
 /// those of digits that share such a muscle with it, which are one DigitPull with it.
+/// Pads are PadElements, as add_pads() says; bodies that meet one are apart, but for it.
 /// The friction of a pair is that of its [[friction]]; else that of the [[friction]] for all; else
 /// the static one of its materials.
 /// @param hands  of the scene, in their order
@@ -44,7 +46,7 @@ using SceneHand = std::variant<RobotSpec, HumanModel>;
 [[nodiscard]] BuiltScene build_scene(const SceneSpec& spec, const std::vector<SceneHand>& hands);
 
 /// Changes one number of a scene:
-///   friction       coefficient of all pairs [1]
+///   friction       coefficient of all pairs [1]; refused where pads have their own
 ///   mass/BODY      [kg], the inertia with it
 ///   force/NAME     length of the force [N], or of the moment where there is no force [N m]
 ///   drive/NAME     size of its effort, which keeps its sense [N] or [N m]

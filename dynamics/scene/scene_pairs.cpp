@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <map>
+#include <optional>
 #include <set>
 
 #include "base/error.h"
@@ -144,6 +145,21 @@ void part_links(const SceneSpec& spec, BuiltScene& built) {
 }
 
 }  // namespace
+
+double friction_between(const SceneSpec& spec, const BuiltScene& built, int a, int b) {
+  const Pair pair = ordered(a, b);
+  std::optional<double> of_all;
+  for (const SceneFrictionSpec& friction : spec.frictions) {
+    if (!friction.coefficient) continue;
+    if (friction.between.empty()) {
+      of_all = friction.coefficient;
+      continue;
+    }
+    for (const Pair& named : pairs_between(built, friction.between, spec.path, friction.line))
+      if (named == pair) return *friction.coefficient;
+  }
+  return of_all ? *of_all : material_friction(spec, built.scene, pair);
+}
 
 void set_pairs(const SceneSpec& spec, BuiltScene& built) {
   for (const SceneApartSpec& apart : spec.apart)

@@ -13,4 +13,8 @@ namespace thenar {
 /// or if two materials have no friction.
 void set_pairs(const SceneSpec& spec, BuiltScene& built);
 
+/// Coefficient of friction of two bodies, by the same rule, also where they are apart [1].
+/// @throws DataError as set_pairs().
+[[nodiscard]] double friction_between(const SceneSpec& spec, const BuiltScene& built, int a, int b);
+
 }  // namespace thenar

@@ -42,6 +42,8 @@ void set_number(BuiltScene& built, const std::string& name, double value) {
   require(std::isfinite(value), "wanted a finite value of '{}'", name);
   MovingScene& scene = built.scene;
   if (name == "friction") {
+    require(built.pads == 0,
+            "cannot vary 'friction': pads keep that of their [[pad]], unless all are hard points");
     scene.friction.coefficient = value;
     for (auto& [bodies, pair] : scene.friction_pairs) pair.coefficient = value;
   } else if (name == "step") {

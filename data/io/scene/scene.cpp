@@ -133,6 +133,20 @@ void check_parents(const SceneSpec& scene, const SceneNames& names) {
   }
 }
 
+/// Refuses pads on or against what is not there, and two between the same bodies.
+void check_pads(const SceneSpec& scene, const SceneNames& names) {
+  std::set<std::pair<std::string, std::string>> pairs;
+  for (const ScenePadSpec& pad : scene.pads) {
+    names.need_body(pad.on, pad.line);
+    for (const std::string& other : pad.against) {
+      names.need_body(other, pad.line);
+      if (!pairs.insert(std::minmax(pad.on, other)).second)
+        throw DataError(scene.path, pad.line,
+                        fmt::format("'{}' and '{}' meet in two pads", pad.on, other));
+    }
+  }
+}
+
 /// Refuses names that nothing has.
 void check_references(const SceneSpec& scene, const SceneNames& names) {
   for (const SceneForceSpec& force : scene.forces) names.need_body(force.body, force.line);
@@ -150,6 +164,7 @@ void check_references(const SceneSpec& scene, const SceneNames& names) {
   };
   for (const SceneLigamentSpec& ligament : scene.ligaments) need_both(ligament);
   for (const SceneBushingSpec& bushing : scene.bushings) need_both(bushing);
+  check_pads(scene, names);
   for (const SceneMuscleSpec& muscle : scene.muscles) names.need_hand(muscle.hand, muscle.line);
   for (const SceneApartSpec& apart : scene.apart)
     for (const std::string& name : apart.between) names.need(name, apart.line);
@@ -198,6 +213,8 @@ SceneSpec parse_scene(const std::string& text, const std::string& path) {
     scene.ligaments.push_back(internal::read_scene_ligament(table));
   for (TomlTable& table : top.tables("bushing"))
     scene.bushings.push_back(internal::read_scene_bushing(table));
+  for (TomlTable& table : top.tables("pad"))
+    scene.pads.push_back(internal::read_scene_pad(table, scene.folder));
   // Time.
   std::optional<TomlTable> stepping = top.table("stepping");
   if (!stepping) top.fail("a scene needs [stepping] with its 'duration'");
@@ -220,6 +237,7 @@ SceneSpec read_scene(const std::string& path) {
   scene.files.insert(scene.materials.files.begin(), scene.materials.files.end());
   for (const SceneBodySpec& body : scene.bodies)
     scene.files.insert(body.placed.body.files.begin(), body.placed.body.files.end());
+  for (const ScenePadSpec& pad : scene.pads) scene.files.insert(pad.files.begin(), pad.files.end());
   const auto add_table = [&](const std::string& file) {
     if (!file.empty())
       scene.files.merge(digests_of({(std::filesystem::path(scene.folder) / file).string()}));

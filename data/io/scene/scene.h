@@ -12,6 +12,7 @@
 
 #include "data/io/scene/scene_bushing.h"
 #include "data/io/scene/scene_compliance.h"
+#include "data/io/scene/scene_pad.h"
 #include "data/io/world/world.h"
 
 namespace thenar {
@@ -159,9 +160,10 @@ struct SceneSpec {
   std::vector<SceneComplianceSpec> compliances;
   std::vector<SceneLigamentSpec> ligaments;
   std::vector<SceneBushingSpec> bushings;
+  std::vector<ScenePadSpec> pads;
   SteppingSpec stepping;
   std::optional<Camera> camera;
-  FileDigests files = {};  // of the scene, its materials and bodies; hands are not read yet
+  FileDigests files = {};  // of the scene, its materials, bodies, pads; hands are not read yet
 };
 
 /// Most instants that a run keeps.
