@@ -98,6 +98,11 @@ struct ReadScene {
 ReadScene read_request(const SceneRequest& request) {
   ReadScene read{read_scene(scene_file(request)), {}};
   if (request.on_pins) read.spec.compliances.clear();
+  if (!request.pads.empty()) {
+    (void)index_of_name(request.pads, pad_rung_names(), "rung of pads");
+    require(!read.spec.pads.empty(), "'{}' has no [[pad]]", read.spec.name);
+    for (ScenePadSpec& pad : read.spec.pads) pad.rung = request.pads;
+  }
   read.open = open_scene(read.spec, request.data);
   SceneOptions& options = read.open.built.options;
   if (!request.method.empty())

@@ -32,6 +32,7 @@ struct SceneRequest {
   std::string scene;  // file, or name of one of scenes/
   std::string data;   // folder with scenes/, robots/ ..; empty: the usual ones
   std::string method;
+  std::string pads;                  // rung of all its [[pad]], of pad_rung_names()
   bool on_pins = false;              // without its [[compliance]]: no joint gives
   std::optional<double> seconds;     // how long [s]
   std::optional<double> sample;      // between the instants that are kept [s]

@@ -1,7 +1,8 @@
 // thenar simulate SUBJECT --digit D --excitation FDP=0.1 ... | --excitation-file E.csv
 //                 [--muscle bounds|rigid-tendon|elastic-tendon]
 //                 [--hood separate|fractions|net] [--net NAME|NET.toml]
-// thenar simulate SCENE [--seconds S] [--method M] [--step-ms MS] [--vary NAME=from:to:count ...]
+// thenar simulate SCENE [--seconds S] [--method M] [--step-ms MS] [--pads RUNG]
+//                [--vary NAME=from:to:count ...]
 //
 // How one digit moves when its muscles are excited, or a scene of bodies and hands by itself.
 
@@ -38,7 +39,7 @@ namespace {
 
 /// What scenes alone are asked with.
 struct SceneArguments {
-  std::string method;
+  std::string method, pads;
   std::optional<double> step_ms;
   std::vector<SceneVariation> vary;
 };
@@ -72,10 +73,13 @@ SceneVariation parse_scene_variation(const std::string& text) {
           static_cast<int>(count)};
 }
 
-/// --method, --step-ms, --vary
+/// --method, --pads, --step-ms, --vary
 void add_scene_options(CLI::App& command, SceneArguments& options) {
   command.add_option("--method", options.method,
                      "Of a scene: " + listed(stepping_names()) + "; as the scene says if left out");
+  command.add_option("--pads", options.pads,
+                     "Of a scene: the rung of all its pads, " + listed(pad_rung_names()) +
+                         "; as the scene says if left out");
   command.add_option("--step-ms", options.step_ms, "Of a scene by time-stepping: every step [ms]")
       ->check(CLI::PositiveNumber);
   command.add_option_function<std::vector<std::string>>(
@@ -151,6 +155,7 @@ void simulate_scene_of(const CLI::App& command, const SimulateArguments& options
   request.scene = options.request.digit.subject;
   request.data = options.request.digit.data;
   request.method = options.scene.method;
+  request.pads = options.scene.pads;
   request.vary = options.scene.vary;
   if (command.count("--seconds") > 0) request.seconds = options.request.seconds;
   if (command.count("--sample-ms") > 0) request.sample = 1e-3 * options.sample_ms;
@@ -229,7 +234,7 @@ void add_simulate(CLI::App& app) {
     const DigitRequest& digit = options->request.digit;
     (void)named_thing(digit.subject, digit.data);  // refuses what has no such name
     if (is_scene(digit.subject, digit.data)) return simulate_scene_of(*command, *options);
-    refuse_options(*command, {"--method", "--step-ms", "--vary"}, "scenes", "a subject");
+    refuse_options(*command, {"--method", "--pads", "--step-ms", "--vary"}, "scenes", "a subject");
     run_simulate(*options);
   });
 }
