@@ -33,23 +33,17 @@ std::shared_ptr<const MovingPad> moving_pad(const ScenePadSpec& pad, double scal
   if (pad.rung == "elements") return std::make_shared<ElementPad>(model, object, far);
   require(pad.law.has_value(), "the rung '{}' needs 'laws' of this pad", pad.rung);
   const CalibratedLaws laws = scaled_laws(*pad.law, scale);
-  // Laws are of normal forces: what springs across them have is the pulp's.
-  const double G = model.tissues.front().shear_modulus;
-  if (pad.rung == "foundation") {
-    FoundationConstants constants = laws.foundation;
-    if (constants.shear == 0) constants.shear = G;
+  if (pad.rung == "foundation")
     return std::make_shared<BedPad>(
-        std::make_shared<FoundationBed>(pad_columns(model.shape, kRings), constants,
+        std::make_shared<FoundationBed>(pad_columns(model.shape, kRings), laws.foundation,
                                         laws.relaxation),
         object, far);
-  }
   std::shared_ptr<const ContactLaw> law;
   if (pad.rung == "soft-finger")
     law = std::make_shared<SoftFinger>(laws.soft_finger, laws.relaxation);
   else
     law = std::make_shared<PowerLaw>(laws.power, laws.relaxation);
-  return std::make_shared<LawPad>(pad.rung, model.shape, law,
-                                  PatchShear{G, laws.foundation.thickness}, object, far);
+  return std::make_shared<LawPad>(pad.rung, model.shape, law, object, far);
 }
 
 /// The place that the file states, or that of the fingertip of a human hand.

@@ -26,7 +26,7 @@ struct PadPlace {
                                           const PadSpec& pad, std::optional<double> scale);
 
 /// Adds a PadElement for each body that presses on a pad, and keeps the pair apart; hard points add
-/// nothing. Springs across the normal of reduced rungs have the pulp's shear modulus.
+/// nothing.
 /// @param built  its mechanism is complete, its pairs are not set
 /// @throws DataError at the line of the pad, where a body is not there or has no shape, a link that
 /// is no fingertip has a pad without a place, or a pad makes no sense.

@@ -11,6 +11,8 @@ BedPad::BedPad(std::shared_ptr<const FoundationBed> bed, RigidObject object,
     : bed_(std::move(bed)), object_(std::move(object)) {
   require(bed_ && object_.shape && object_.friction >= 0,
           "a pad in motion wants an object with a shape and a friction >= 0");
+  require(object_.friction == 0 || bed_->constants().shear > 0,
+          "a bed without shear has no stiffness across: a pad in motion would hold nothing");
   kept_.X_PO = moved_.X_PO = X_PO;
 }
 
