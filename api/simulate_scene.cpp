@@ -424,7 +424,7 @@ void add_contacts(const SimulatedScene& scene, const std::string& group, ResultF
       rows.push_back({static_cast<double>(i), static_cast<double>(c.a), static_cast<double>(c.b),
                       static_cast<double>(c.id), static_cast<double>(c.mode), c.gap, c.torsion,
                       c.point.x(), c.point.y(), c.point.z(), c.normal.x(), c.normal.y(),
-                      c.normal.z(), c.force.x(), c.force.y(), c.force.z()});
+                      c.normal.z(), c.force.x(), c.force.y(), c.force.z(), c.area, c.stick});
   const auto columns = [&](std::size_t first, std::size_t count) {
     Eigen::MatrixXd out(static_cast<Eigen::Index>(rows.size()), static_cast<Eigen::Index>(count));
     for (std::size_t r = 0; r < rows.size(); ++r)
@@ -446,6 +446,8 @@ void add_contacts(const SimulatedScene& scene, const std::string& group, ResultF
   file.add(group + "contact_point", columns(7, 3), "m", {"contact", "axis"});
   file.add(group + "contact_normal", columns(10, 3), "1", {"contact", "axis"});
   file.add(group + "contact_force", columns(13, 3), "N", {"contact", "axis"});
+  add("contact_area", 16, "m^2");
+  add("contact_stick", 17, "1");
 }
 
 /// How the run went.

@@ -74,6 +74,11 @@ void note_contacts(const SceneSample& sample, bool last, std::map<Pair, PairMeas
     normal[at->first] += contact.force.dot(contact.normal);
     if (!last) continue;
     pair.force += contact.force;
+    pair.area += contact.area;
+    if (contact.area > 0) {
+      pair.stick = contact.stick;
+      pair.torsion = contact.torsion;
+    }
     ++pair.points;
     if (contact.mode == ContactMode::kSlide || pair.mode == ContactMode::kOpen)
       pair.mode = contact.mode;

@@ -19,6 +19,10 @@ struct PairMeasure {
   Eigen::Vector3d force{0, 0, 0};         // on a at the end [N] (3)
   int points = 0;                         // with a force at the end
   ContactMode mode = ContactMode::kOpen;  // at the end: slides if one of its points does
+  // Of pads, at the end; 0: rigid.
+  double area = 0;     // of the patch [m^2]
+  double stick = 0;    // share of the normal force on what sticks [1]
+  double torsion = 0;  // on a about the normal [N m]
 };
 
 /// Measures over the instants of a run.

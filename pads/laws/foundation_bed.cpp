@@ -22,6 +22,7 @@ constexpr double kForgotten = 1e-12;  // force that is not remembered any more [
 constexpr Index kLeaf = 12;           // columns that are looked at together
 constexpr double kLever = 10e-3;      // [m]
 constexpr double kLevel = 1e-3;       // slope of surfaces that counts as none [1]
+constexpr double kBehind = 0.5;       // of the object's normal along the skin's: its far side [1]
 constexpr double kSticks = 1e-6;      // share of the cone that is left where a column sticks [1]
 
 void check_pose(const Pose<double>& X, double friction) {
@@ -142,6 +143,8 @@ void FoundationBed::conclude(const Touches& found, const VectorXd& forces, doubl
     const auto place = static_cast<Index>(k);
     points.col(place) = columns_.skin.col(touch.column);
     if (forces[place] <= 0) continue;
+    contact.behind =
+        contact.behind || touch.normal.dot(columns_.normal.col(touch.column)) > kBehind;
     const Vector3d push = forces[place] * touch.normal;
     contact.push += wrench_of_force(points.col(place), push);
     contact.normal += push;

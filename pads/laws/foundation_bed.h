@@ -48,6 +48,8 @@ struct BedContact {
   double stick = 0;    // share of the normal force on columns that stick [1]
   Eigen::Vector3d centre{0, 0, 0};  // of pressure [m] (3)
   Eigen::Vector3d normal{0, 0, 0};  // mean direction of the push, unit (3)
+  bool behind = false;  // a column is beyond the middle of a thin object, whose far side pulls it
+                        // outward: the answer means nothing
 };
 
 /// Columns under springs; constant. Springs push along the object's normal by their overlap with

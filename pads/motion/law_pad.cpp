@@ -11,6 +11,8 @@ namespace {
 using Eigen::Vector3d;
 using Eigen::Vector4d;
 
+constexpr double kRoom = 0.1;  // that an object has beyond the skin, over its depth there [1]
+
 /// Friction in the plane of the patch as it is now: all that is remembered of it.
 void lay_flat(const Vector3d& normal, std::array<ExponentialMemory, 4>& drag) {
   const auto project = [&](double& x, double& y, double& z) {
@@ -69,6 +71,11 @@ PadContact LawPad::move(const Pose<double>& X_PO, double seconds) {
     return out;
   }
   out.normal = X_PO.R * object_.shape->nearest(X_OP * deepest.place).normal;
+  // The far side of a thin object would pull, and near its middle depth does not rise any more.
+  const Vector3d deeper = deepest.place - kRoom * deepest.overlap * out.normal;
+  if (out.normal.dot(skin_->nearest(deepest.place).normal) > 0 ||
+      object_.shape->distance(X_OP * deeper) > -(1 + 0.5 * kRoom) * deepest.overlap)
+    return behind_object();
   out.centre = deepest.place + deepest.overlap * out.normal;
   out.force = contact.force;
   out.area = contact.area;

@@ -24,6 +24,13 @@ Matrix6 MovingPad::stiffness(const Eigen::Matrix<double, 6, 1>& onward) {
   return out;
 }
 
+PadContact behind_object() {
+  PadContact out;
+  out.status = Status::kStalled;
+  out.message = "the undeformed skin lies beyond the middle of the object: it is too thin";
+  return out;
+}
+
 Pose<double> moved_by(const Pose<double>& X, const Eigen::Matrix<double, 6, 1>& motion) {
   const Eigen::Vector3d turn = motion.head<3>();
   const double angle = turn.norm();

@@ -67,6 +67,10 @@ class MovingPad {
 [[nodiscard]] Eigen::Matrix<double, 6, 1> motion_from(const Pose<double>& from,
                                                       const Pose<double>& to);
 
+/// What laws of the undeformed skin answer where it lies beyond the middle of a thin object, whose
+/// far side is nearer: kStalled.
+[[nodiscard]] PadContact behind_object();
+
 /// As six numbers, the moment first.
 [[nodiscard]] inline Eigen::Matrix<double, 6, 1> six_of(const Wrench& w) {
   Eigen::Matrix<double, 6, 1> out;

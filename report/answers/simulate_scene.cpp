@@ -73,6 +73,19 @@ Table pair_table(const SimulatedScene& scene) {
   return table;
 }
 
+bool is_pad(const PairMeasure& pair) { return pair.area > 0; }
+
+/// Patches of pads at the end.
+Table patch_table(const SimulatedScene& scene) {
+  Table table{{"pad", "area_mm2", "force_N", "sticks_%", "torsion_Nmm"}, {}};
+  for (const PairMeasure& pair : scene.measures.pairs)
+    if (is_pad(pair))
+      table.rows.push_back({body_name(scene, pair.a) + " - " + body_name(scene, pair.b),
+                            shown(pair.area / (kMm * kMm)), shown(pair.force.norm()),
+                            shown(100 * pair.stick), shown(std::abs(pair.torsion) / kMm)});
+  return table;
+}
+
 OrderedJson bodies_json(const SimulatedScene& scene) {
   OrderedJson list = OrderedJson::array();
   const std::size_t last = scene.run.samples.size() - 1;
@@ -105,7 +118,7 @@ OrderedJson coordinates_json(const SimulatedScene& scene) {
 
 OrderedJson pairs_json(const SimulatedScene& scene) {
   OrderedJson list = OrderedJson::array();
-  for (const PairMeasure& pair : scene.measures.pairs)
+  for (const PairMeasure& pair : scene.measures.pairs) {
     list.push_back({{"bodies", {body_name(scene, pair.a), body_name(scene, pair.b)}},
                     {"slip_m", pair.slip},
                     {"first_s", pair.first},
@@ -114,6 +127,10 @@ OrderedJson pairs_json(const SimulatedScene& scene) {
                     {"end_force_N", to_json(pair.force)},
                     {"end_points", pair.points},
                     {"end", mode_word(pair)}});
+    if (is_pad(pair))
+      list.back()["patch"] = {
+          {"area_m2", pair.area}, {"stick", pair.stick}, {"torsion_Nm", pair.torsion}};
+  }
   return list;
 }
 
@@ -210,6 +227,8 @@ std::string text_of(const SimulatedScene& scene) {
                                  method_of(scene), cost.steps, cost.impacts);
   text += titled("Bodies at the end (centres of mass)", body_table(scene));
   text += titled("Pairs that touched (slip: way that they slid on each other)", pair_table(scene));
+  if (const Table patches = patch_table(scene); !patches.rows.empty())
+    text += titled("Patches of pads at the end", patches);
   if (!scene.measures.pulls.muscles.empty())
     text += titled("Tendons at the end (under a net with the 5 mN that keep it taut)",
                    muscle_table(scene));

@@ -23,6 +23,8 @@ constexpr std::size_t kCurves = 24;     // in one chart, at most
 constexpr double kLongestArrow = 0.25;  // of the largest contact force, over the scene's size [1]
 constexpr double kBodyOpacity = 0.5;    // of bodies that are no links [1]
 const char* const kForceColor = "#b3261e";
+const char* const kPatchColor = "#1b6ca8";  // of pads
+const char* const kStickColor = "#0b3d2e";  // what of them sticks
 const char* const kFixedColor = "#b9c0c9";
 
 const char* color_of_owner(std::size_t index) {
@@ -131,6 +133,22 @@ class SceneFilm {
     layers.push_back(std::move(fixed));
   }
 
+  /// A circle of an area around a contact, across its normal.
+  static Json ring(const ContactSample& contact, double area) {
+    constexpr int kCorners = 32;
+    const double radius = std::sqrt(area / kPi);
+    const Tangents across = tangents(contact.normal);
+    const auto corner = [&](int i) {
+      const double angle = 2 * kPi * i / kCorners;
+      return in_mm(contact.point +
+                   radius * (std::cos(angle) * across.e1 + std::sin(angle) * across.e2));
+    };
+    Json positions = Json::array();
+    for (int i = 0; i < kCorners; ++i)
+      for (const int end : {i, i + 1}) positions.push_back(corner(end));
+    return {{"kind", "lines"}, {"positions", std::move(positions)}};
+  }
+
   void add_instant(std::size_t instant, Json& layers) const {
     const SceneSample& sample = scene_.run.samples[instant];
     Json items = Json::array(), arrows = Json::array();
@@ -152,9 +170,17 @@ class SceneFilm {
                           {"vector", in_mm(sign * vector)},
                           {"radius", 25 * arrow_}});
     }
+    Json patches = Json::array(), stuck = Json::array();
+    for (const ContactSample& contact : sample.contacts) {
+      if (contact.area <= 0) continue;
+      patches.push_back(ring(contact, contact.area));
+      if (contact.stick > 0) stuck.push_back(ring(contact, contact.area * contact.stick));
+    }
     for (auto& [what, color, list] :
          {std::tuple<const char*, const char*, Json&>{"bodies", "#e6a83c", items},
-          std::tuple<const char*, const char*, Json&>{"contact forces", kForceColor, arrows}}) {
+          std::tuple<const char*, const char*, Json&>{"contact forces", kForceColor, arrows},
+          std::tuple<const char*, const char*, Json&>{"patches of pads", kPatchColor, patches},
+          std::tuple<const char*, const char*, Json&>{"what of them sticks", kStickColor, stuck}}) {
       if (list.empty()) continue;
       Json shown = layer(fmt::format("{} at {:.3g} s", what, sample.t), color, std::move(list));
       shown["time"] = sample.t;

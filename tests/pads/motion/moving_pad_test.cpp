@@ -26,10 +26,12 @@ enum class Rung { kLaw, kBed, kElements };
 /// A plane above the pad's middle, its face a gap from the skin.
 Pose<double> plane_at(double gap) { return {Eigen::Matrix3d::Identity(), {0, 0, 20e-3 + gap}}; }
 
-std::unique_ptr<MovingPad> pad_of(Rung rung, double friction, bool relaxes, double gap = 1e-4) {
+std::unique_ptr<MovingPad> pad_of(Rung rung, double friction, bool relaxes, double gap = 1e-4,
+                                  const RigidObject& plate = {}) {
   const PadShape shape;
   const std::vector<ExponentialTerm> terms = relaxes ? kTerms : std::vector<ExponentialTerm>();
-  const RigidObject object{build_box({0.1, 0.1, 0.02}), friction};
+  const RigidObject object =
+      plate.shape ? plate : RigidObject{build_box({0.1, 0.1, 0.02}), friction};
   if (rung == Rung::kLaw) {
     // Near the default pad's.
     const SoftFingerConstants c{0.36, 1.79, 0.82, 5.7e-3, 0.32, 0.29, 0.61, 0.54, 8e3};
@@ -170,6 +172,26 @@ INSTANTIATE_TEST_SUITE_P(Rungs, MovingPadOf,
                                   : tested.param == Rung::kBed ? "Foundation"
                                                                : "Elements";
                          });
+
+TEST_P(MovingPadOf, NeverPullsThroughAThinObject) {
+  // Pressed 1.2 mm by a plate of 2 mm: undeformed skin is nearer to its far side.
+  const RigidObject plate{build_box({0.04, 0.04, 2e-3}), 0.5};
+  const auto at = [](double depth) {
+    return Pose<double>{Eigen::Matrix3d::Identity(), {0, 0, PadShape().height + 1e-3 - depth}};
+  };
+  const auto pad = pad_of(GetParam(), 0.5, false, 1e-4, plate);
+  for (const double depth : {4e-4, 8e-4, 1.2e-3, 1.6e-3, 2.4e-3}) {
+    const PadContact contact = pad->move(at(depth), 0);
+    if (contact.status != Status::kSolved) {
+      EXPECT_NE(pad->rung(), "elements") << contact.message;
+      EXPECT_GT(depth, 1e-3);
+      continue;
+    }
+    EXPECT_TRUE(pad->rung() == "elements" || depth < 1e-3) << depth;
+    EXPECT_LT(contact.push.force.z(), 0) << depth;
+    pad->keep();
+  }
+}
 
 TEST(LawPad, DoesNotSlipWhereItRolls) {
   // A ball that rolls on the pad's flat top by a turn about its lowest point.
