@@ -16,7 +16,6 @@ constexpr double kLever = 5e-3;                // half a fingertip [m]
 constexpr double kLittle = 0.2;                // of what is allowed, that does not move a pad [1]
 constexpr double kWay = 1e-4;                  // nor does a way [m]
 constexpr double kTurn = 1 * kDegree;          // and a turn below these [rad]
-constexpr double kAgain = 1.5;                 // doubt where a step is to be made again [1]
 constexpr double kNoAnswer = 8;                // doubt where a pad has no answer [1]
 constexpr double kShorter = 0.3, kLonger = 2;  // change of the length of a step [1]
 constexpr double kNewStiffness = 0.2;  // error of a prediction from which K is asked for [1]
@@ -24,6 +23,7 @@ constexpr double kJump = 5e-5;         // steps are not made shorter for a pad [
 constexpr int kWayIn = 8;              // steps of a pad that begins anew
 constexpr double kOutside = 4e-3;      // where its object begins, along the push [m]
 constexpr double kRetry = 5e-3;        // before it is tried again [s]
+constexpr double kShortest = 1e-5;     // step that is foreseen [s]
 constexpr double kInstant = 1e-12;     // nearer instants are one [s]
 
 int link_of(const TreeMotion<double>& motion, int body) {
@@ -84,9 +84,9 @@ PadElement::Prediction PadElement::predict(double t, const Pose<double>& X_PO) c
 }
 
 bool PadElement::act(const ElementInput& at, ElementAction& out) {
-  if (touch_.force <= 0) return !stale_;
+  if (touch_.force <= 0) return !stale_ && !anew_;
   const Prediction seen = predict(at.t, object_pose(at));
-  if (seen.share == 0) return !stale_;
+  if (seen.share == 0) return !stale_ && !anew_;
   // Speeds of the object against the pad at the pad's origin, along its axes.
   const Pose<double> X_WP = at.motion.pose(body_) * X_BP_;
   const int a = link_of(at.motion, body_), b = link_of(at.motion, other_);
@@ -104,7 +104,7 @@ bool PadElement::act(const ElementInput& at, ElementAction& out) {
     const Matrix6 slope = 0.5 * seen.share * (stiffness_ + stiffness_.transpose());
     out.stiffness.noalias() += J_ * slope * J_.transpose();
   }
-  return !stale_;
+  return !stale_ && !anew_;
 }
 
 bool PadElement::changed_little(const Prediction& seen, const Pose<double>& X_PO) const {
@@ -113,8 +113,7 @@ bool PadElement::changed_little(const Prediction& seen, const Pose<double>& X_PO
   return seen.change < kLittle && motion.tail<3>().norm() < kWay && motion.head<3>().norm() < kTurn;
 }
 
-void PadElement::try_move(double t, const Pose<double>& X_PO) {
-  const Prediction seen = predict(t, X_PO);
+void PadElement::try_move(double t, const Pose<double>& X_PO, const Prediction& seen) {
   trial_.t = t;
   trial_.X_PO = X_PO;
   trial_.touch = pad_->move(X_PO, t - t_);
@@ -129,43 +128,52 @@ void PadElement::try_move(double t, const Pose<double>& X_PO) {
   trial_.error = size_of(six_of(trial_.touch.push) - seen.push) / allowed;
 }
 
+void PadElement::catch_up() {
+  // A motion after a rest is not spread over the rest.
+  if (t_seen_ <= t_ + kInstant || touch_.force <= 0) return;
+  try_move(t_seen_, X_seen_, predict(t_seen_, X_seen_));
+  if (trial_.touch.status == Status::kSolved) keep_move(trial_.error > kNewStiffness);
+}
+
 double PadElement::doubt(const ElementInput& at) {
   if (stale_ && at.t < retry_) return 0;
   const Pose<double> X_PO = object_pose(at);
-  if (changed_little(predict(at.t, X_PO), X_PO)) return 0;
-  try_move(at.t, X_PO);
+  const Prediction seen = predict(at.t, X_PO);
+  if (changed_little(seen, X_PO)) return 0;
+  catch_up();
+  try_move(at.t, X_PO, seen);
   // What jumps in so short a time, jumps.
-  if (at.t - t_seen_ < kJump) return 0;
-  if (trial_.error <= 1 || t_seen_ <= t_) return trial_.error;
-  // Part of the error is older than the step: the pad goes to where the step began, which is then
-  // made again with what it says there.
-  try_move(t_seen_, X_seen_);
-  if (trial_.touch.status != Status::kSolved) return kNoAnswer;
-  keep_move(true);
-  return kAgain;
+  return at.t - t_seen_ < kJump ? 0 : trial_.error;
 }
 
 void PadElement::accept(const ElementInput& at) {
   const Pose<double> X_PO = object_pose(at);
   foresees_ = std::numeric_limits<double>::infinity();
+  anew_ = false;
+  const double seconds = at.t - t_seen_;
+  const bool waits = stale_ && at.t < retry_;
+  const Prediction seen = predict(at.t, X_PO);
+  if (!waits) stale_ = false;
+  if (!waits && !changed_little(seen, X_PO)) {
+    const bool is_tried =
+        std::abs(trial_.t - at.t) < kInstant && motion_from(trial_.X_PO, X_PO).norm() < 1e-6;
+    if (!is_tried) {
+      catch_up();
+      try_move(at.t, X_PO, seen);
+    }
+    stale_ = trial_.touch.status != Status::kSolved;
+    if (stale_) {
+      if (at.t >= retry_) begin_anew(at.t, X_PO);
+    } else {
+      const double error = trial_.error;
+      keep_move(error > kNewStiffness);
+      if (touch_.force > 0 && seconds > 0)
+        foresees_ = std::max(
+            kJump, seconds * std::clamp(0.9 / std::sqrt(std::max(error, 1e-6)), kShorter, kLonger));
+    }
+  }
   t_seen_ = at.t;
   X_seen_ = X_PO;
-  if (stale_ && at.t < retry_) return;
-  stale_ = false;
-  if (changed_little(predict(at.t, X_PO), X_PO)) return;
-  const bool is_tried =
-      std::abs(trial_.t - at.t) < kInstant && motion_from(trial_.X_PO, X_PO).norm() < 1e-6;
-  if (!is_tried) try_move(at.t, X_PO);
-  stale_ = trial_.touch.status != Status::kSolved;
-  if (stale_) {
-    if (at.t >= retry_) begin_anew(at.t, X_PO);
-    return;
-  }
-  const double seconds = at.t - t_;
-  keep_move(trial_.error > kNewStiffness);
-  if (touch_.force > 0 && seconds > 0)
-    foresees_ =
-        seconds * std::clamp(0.9 / std::sqrt(std::max(trial_.error, 1e-6)), kShorter, kLonger);
 }
 
 void PadElement::begin_anew(double t, const Pose<double>& X_PO) {
@@ -182,9 +190,10 @@ void PadElement::begin_anew(double t, const Pose<double>& X_PO) {
     }
     fresh->keep();
   }
+  anew_ = touch_.force > 0;  // otherwise it has nothing to forget
   pad_ = std::move(fresh);
   memory_ = {};
-  trial_ = {t, X_PO, contact, 0};
+  trial_.t = -1;
   t_ = t;
   X_PO_ = X_PO;
   touch_ = contact;

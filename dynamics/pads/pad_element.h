@@ -25,10 +25,11 @@ struct PadElementOptions {
 /// smooth force, and the pad moves once a step. Motions that change a push by less than a fifth of
 /// the allowed error, over less than 0.1 mm and 1 degree, do not move it.
 ///
-/// Steps are not made shorter than 50 us for it: a push that jumps in that time jumps by itself. A
-/// pad that has no answer then makes act() fail, the last push goes on by its stiffness, until it
-/// has come anew from outside, without the friction that it had. In steps of fixed length the pad
-/// follows, whatever the error. What pads store counts as dissipated.
+/// Steps of less than 50 us are not made shorter for it: a push that jumps in that time jumps by
+/// itself. If a pad has no answer even so, the object is brought in again from outside at once,
+/// and failing that every 5 ms, while the last push goes on by its stiffness. Friction and
+/// relaxation are forgotten then, and act() fails for a step, so that it counts as unsolved. In
+/// steps of fixed length the pad follows, whatever the error. What pads store counts as dissipated.
 class PadElement final : public ForceElement {
  public:
   /// @param body   that carries the pad, X_BP its pose there
@@ -68,7 +69,8 @@ class PadElement final : public ForceElement {
   /// Size of a change of the push: moments about the patch by a lever of half a fingertip [N].
   [[nodiscard]] double size_of(const Vector6& change) const;
   [[nodiscard]] bool changed_little(const Prediction& seen, const Pose<double>& X_PO) const;
-  void try_move(double t, const Pose<double>& X_PO);
+  void try_move(double t, const Pose<double>& X_PO, const Prediction& seen);
+  void catch_up();
   void keep_move(bool new_stiffness);
   void begin_anew(double t, const Pose<double>& X_PO);
   void remember_push(double seconds);
@@ -98,6 +100,7 @@ class PadElement final : public ForceElement {
   };
   Trial trial_;
   double retry_ = 0;    // when a pad without an answer may begin anew [s]
+  bool anew_ = false;   // it began anew where the last step ended
   bool stale_ = false;  // the pad had no answer where the last step ended
   Count count_;
   Eigen::MatrixXd J_;

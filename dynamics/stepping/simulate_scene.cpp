@@ -114,7 +114,7 @@ class Simulation {
                       contact.force,
                       contact.torsion,
                       0,
-                      contact.stick > 0 ? ContactMode::kStick : ContactMode::kSlide};
+                      contact.stick > 0.5 ? ContactMode::kStick : ContactMode::kSlide};
     out.area = contact.area;
     out.stick = contact.stick;
     // The body with the lower index comes first.
@@ -183,7 +183,7 @@ class Simulation {
     step_.act_as_at(state_.t);
     const double part = fixed_step(end - state_.t, last);
     state_.t = end;
-    step_.accept(state_);
+    if (is_finite()) step_.accept(state_);
     accept_counts();
     ++run_.cost.steps;
     for (const ActiveContact& contact : last)
@@ -357,6 +357,7 @@ class Simulation {
     const double stop = next_stop();
     run_.cost.asleep += stop - state_.t;
     state_.t = stop;
+    step_.accept(state_);
     sample_if_due();
     if (is_switch()) wake();
   }
@@ -394,6 +395,7 @@ class Simulation {
       rejected = true;
       is_cut = false;
       if (doubt > 1) {
+        free_.forget();
         // What elements foresee is wrong by the square of the step.
         length *= std::clamp(0.9 / std::sqrt(doubt), 0.2, 0.8);
       } else if (trial.closes >= 0 && trial.closes > options_.shortest) {

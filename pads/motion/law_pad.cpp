@@ -68,8 +68,10 @@ PadContact LawPad::move(const Pose<double>& X_PO, double seconds) {
       relaxed_contact(*law_, gap, deepest.overlap, object_.friction, weights, moved_.normal);
   if (contact.force <= 0) {
     moved_.drag = {};
+    moved_.touched = false;
     return out;
   }
+  moved_.touched = true;
   out.normal = X_PO.R * object_.shape->nearest(X_OP * deepest.place).normal;
   // The far side of a thin object would pull, and near its middle depth does not rise any more.
   const Vector3d deeper = deepest.place - kRoom * deepest.overlap * out.normal;
@@ -95,9 +97,11 @@ Vector4d LawPad::rub(const LawContact& contact, const Vector3d& at, const Vector
   const Vector3d way = at - D.inverse() * at;
   const double stiffness = contact.shear, arm = contact.patch.a * contact.patch.b;
   lay_flat(normal, moved_.drag);
-  Vector4d elastic, past, stretch;
-  stretch << stiffness * (way - normal * normal.dot(way)),
-      stiffness * arm * turn.angle() * turn.axis().dot(normal);
+  Vector4d elastic, past, stretch = Vector4d::Zero();
+  // What moved before it touched drags nothing.
+  if (kept_.touched)
+    stretch << stiffness * (way - normal * normal.dot(way)),
+        stiffness * arm * turn.angle() * turn.axis().dot(normal);
   for (int k = 0; k < 4; ++k) {
     const ExponentialMemory& memory = moved_.drag[static_cast<std::size_t>(k)];
     past[k] = history_of(weights, memory);

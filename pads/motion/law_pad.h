@@ -38,7 +38,8 @@ class LawPad final : public MovingPad {
  private:
   struct State {
     Pose<double> X_PO;
-    std::optional<Eigen::Vector2d> disc;    // where it touched, or was nearest
+    std::optional<Eigen::Vector2d> disc;  // where it touched, or was nearest
+    bool touched = false;
     ExponentialMemory normal;               // [N]
     std::array<ExponentialMemory, 4> drag;  // friction along x, y, z [N]; torque [N m]
   };

@@ -19,7 +19,15 @@ Matrix6 MovingPad::stiffness(const Eigen::Matrix<double, 6, 1>& onward) {
   for (int k = 0; k < 6; ++k) {
     Eigen::Matrix<double, 6, 1> motion = Eigen::Matrix<double, 6, 1>::Zero();
     motion[k] = std::copysign(k < 3 ? kSmall / kLever : kSmall, onward[k]);
-    out.col(k) = (six_of(move(moved_by(from, motion), 0).push) - before) / motion[k];
+    PadContact after = move(moved_by(from, motion), 0);
+    if (after.status != Status::kSolved) {
+      motion = -motion;
+      after = move(moved_by(from, motion), 0);
+    }
+    if (after.status == Status::kSolved)
+      out.col(k) = (six_of(after.push) - before) / motion[k];
+    else
+      out.col(k).setZero();
   }
   return out;
 }

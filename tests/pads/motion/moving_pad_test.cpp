@@ -193,6 +193,18 @@ TEST_P(MovingPadOf, NeverPullsThroughAThinObject) {
   }
 }
 
+TEST_P(MovingPadOf, IsDraggedByNothingThatMovedBeforeItTouched) {
+  // From far aside and turned, at once into the pad.
+  const auto pad = pad_of(GetParam(), 0.9, false, 50e-3);
+  Vector6 aside;
+  aside << 0, 0, 0.7, 0.01, -0.02, 0;
+  (void)go(*pad, moved_by(plane_at(50e-3), aside), 0.1);
+  const PadContact touch = go(*pad, plane_at(-8e-4), 0.01);
+  EXPECT_GT(touch.force, 0.1);
+  EXPECT_LT(touch.push.force.head<2>().norm(), 0.01 * touch.force);
+  EXPECT_LT(std::abs(touch.push.moment.z()), 1e-5 * touch.force);
+}
+
 TEST(LawPad, DoesNotSlipWhereItRolls) {
   // A ball that rolls on the pad's flat top by a turn about its lowest point.
   const PadShape shape;
