@@ -235,18 +235,21 @@ void PadElement::remember_push(double seconds) {
   }
 }
 
-void PadElement::add_contacts(const ElementInput& at, std::vector<ElementContact>& out) {
+void PadElement::add_contacts(const ElementInput& at, std::vector<ContactSample>& out) {
   const Prediction seen = predict(at.t, object_pose(at));
   if (touch_.force <= 0 || seen.share == 0) return;
   const Pose<double> X_WP = at.motion.pose(body_) * X_BP_;
-  ElementContact contact;
-  contact.a = body_;
-  contact.b = other_;
+  const Vector3d moment = seen.push.head<3>(), force = seen.push.tail<3>();
+  // On the body with the lower index.
+  const double sign = body_ < other_ ? 1 : -1;
+  ContactSample contact;
+  contact.a = std::min(body_, other_);
+  contact.b = std::max(body_, other_);
   contact.point = X_WP * touch_.centre;
-  contact.normal = X_WP.R * touch_.normal;
-  contact.force = X_WP.R * Vector3d(seen.push.tail<3>());
-  contact.torsion = touch_.normal.dot(
-      Vector3d(seen.push.head<3>() - touch_.centre.cross(Vector3d(seen.push.tail<3>()))));
+  contact.normal = sign * (X_WP.R * touch_.normal);
+  contact.force = sign * (X_WP.R * force);
+  contact.torsion = touch_.normal.dot(moment - touch_.centre.cross(force));
+  contact.mode = touch_.stick > 0.5 ? ContactMode::kStick : ContactMode::kSlide;
   contact.area = touch_.area;
   contact.stick = touch_.stick;
   out.push_back(contact);

@@ -46,7 +46,7 @@ class PadElement final : public ForceElement {
   [[nodiscard]] double doubt(const ElementInput& at) override;
   void accept(const ElementInput& at) override;
   [[nodiscard]] double foresees() const override { return foresees_; }
-  void add_contacts(const ElementInput& at, std::vector<ElementContact>& out) override;
+  void add_contacts(const ElementInput& at, std::vector<ContactSample>& out) override;
   [[nodiscard]] bool moves(const ElementInput& at) const override;
 
   /// How often the pad moved, and its stiffness was asked for.

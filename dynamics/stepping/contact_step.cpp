@@ -756,13 +756,11 @@ double ContactStep::elements_doubt(const SceneState& state) {
 
 double ContactStep::elements_foresee() const { return parts_->elements.foresees(); }
 
-std::vector<ElementContact> ContactStep::element_contacts(const SceneState& state) {
+void ContactStep::add_element_contacts(const SceneState& state, std::vector<ContactSample>& out) {
   Parts& p = *parts_;
-  std::vector<ElementContact> out;
-  if (p.elements.empty()) return out;
+  if (p.elements.empty()) return;
   p.place(state);
   p.elements.add_contacts(p.seen_by_elements(state), out);
-  return out;
 }
 
 bool ContactStep::elements_move(const SceneState& state) {

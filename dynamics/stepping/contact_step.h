@@ -10,6 +10,7 @@
 
 #include "dynamics/contact/contact_solver.h"
 #include "dynamics/mechanism/composite_body.h"
+#include "dynamics/stepping/contact_sample.h"
 #include "dynamics/stepping/energy_flow.h"
 #include "dynamics/stepping/moving_scene.h"
 #include "geometry/manifold/collision_world.h"
@@ -26,13 +27,6 @@ struct SceneState {
   Eigen::VectorXd v;          // speeds (v)
   Eigen::VectorXd z{};        // states of elements, see SceneElements; empty: not asked for (z)
   EnergyFlows w{0, 0, 0, 0};  // by steps so far; they steer nothing [J]
-};
-
-/// What a contact or a joint limit does during a step: its motion, whether it has a force or not.
-enum class ContactMode {
-  kOpen,   // it opens
-  kStick,  // it neither opens nor slips
-  kSlide   // it slips
 };
 
 /// A contact point of two bodies, a joint limit, or the dry friction of a joint.
@@ -168,8 +162,8 @@ class ContactStep {
   void accept(const SceneState& state);
   /// For how long elements know what they do [s].
   [[nodiscard]] double elements_foresee() const;
-  /// Contacts that elements stand for.
-  [[nodiscard]] std::vector<ElementContact> element_contacts(const SceneState& state);
+  /// Adds the contacts that elements stand for.
+  void add_element_contacts(const SceneState& state, std::vector<ContactSample>& out);
   /// Whether an element may move what rests.
   [[nodiscard]] bool elements_move(const SceneState& state);
 

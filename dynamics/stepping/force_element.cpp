@@ -78,7 +78,7 @@ double SceneElements::foresees() const {
   return least;
 }
 
-void SceneElements::add_contacts(const ElementInput& at, std::vector<ElementContact>& out) {
+void SceneElements::add_contacts(const ElementInput& at, std::vector<ContactSample>& out) {
   for (std::size_t i = 0; i < elements_.size(); ++i)
     elements_[i]->add_contacts(input_of(i, at), out);
 }

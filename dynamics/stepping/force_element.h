@@ -1,6 +1,6 @@
 #pragma once
 
-/// What acts on joints by laws and states of its own: ligaments, tendons, muscles.
+/// What acts by laws and states of its own: ligaments, tendons, muscles, pads.
 
 #include <limits>
 #include <memory>
@@ -10,6 +10,7 @@
 #include <Eigen/Core>
 
 #include "dynamics/mechanism/tree_motion.h"
+#include "dynamics/stepping/contact_sample.h"
 
 namespace thenar {
 
@@ -46,17 +47,6 @@ struct ElementAction {
   void clear(Eigen::Index speeds, Eigen::Index states);
 };
 
-/// A contact that an element stands for, as a pad does that presses on something.
-struct ElementContact {
-  int a = 0, b = 0;                 // bodies
-  Eigen::Vector3d point{0, 0, 0};   // centre of pressure, world [m] (3)
-  Eigen::Vector3d normal{0, 0, 1};  // unit: a is pushed along it (3)
-  Eigen::Vector3d force{0, 0, 0};   // on a [N] (3)
-  double torsion = 0;               // on a about the normal [N m]
-  double area = 0;                  // of the patch [m^2]
-  double stick = 0;                 // share of the normal force on what sticks [1]
-};
-
 /// A force element of a scene. Each run of a scene has a clone of its own, so that it may remember
 /// where a search of its own ended; but between two accept() it is a function of its input alone.
 class ForceElement {
@@ -81,8 +71,8 @@ class ForceElement {
   /// Energy that it stores [J].
   [[nodiscard]] virtual double energy(const ElementInput& /*at*/) { return 0; }
 
-  /// How far off its action was in the step that ends here, over what it allows. Above 1 the step
-  /// is made again, shorter, where steps have no fixed length.
+  /// Error of its action over the step that ends here, relative to what it allows. Above 1 the step
+  /// is made again, shorter, where steps have no fixed length; its action may be another one then.
   virtual double doubt(const ElementInput& /*at*/) { return 0; }
 
   /// A step ended here.
@@ -91,8 +81,8 @@ class ForceElement {
   /// For how long after the last accept() its action may be known well enough [s].
   [[nodiscard]] virtual double foresees() const { return std::numeric_limits<double>::infinity(); }
 
-  /// Adds the contacts that it stands for.
-  virtual void add_contacts(const ElementInput& /*at*/, std::vector<ElementContact>& /*out*/) {}
+  /// Adds the contacts that it stands for, as a pad does that presses on something.
+  virtual void add_contacts(const ElementInput& /*at*/, std::vector<ContactSample>& /*out*/) {}
 
   /// Instants at which its law changes suddenly; which one holds, ElementInput::acting says [s].
   [[nodiscard]] virtual std::vector<double> switches() const { return {}; }
@@ -129,7 +119,7 @@ class SceneElements {
   void accept(const ElementInput& at);
   /// The least of all [s].
   [[nodiscard]] double foresees() const;
-  void add_contacts(const ElementInput& at, std::vector<ElementContact>& out);
+  void add_contacts(const ElementInput& at, std::vector<ContactSample>& out);
   [[nodiscard]] bool moves(const ElementInput& at) const;
 
  private:

@@ -95,35 +95,12 @@ class Simulation {
       out.contacts.push_back({contact.a, contact.b, contact.id, contact.point, contact.normal,
                               contact.impulse / h, contact.torsion / h, contact.gap, contact.mode});
     }
-    for (const ElementContact& contact : step_.element_contacts(state_))
-      out.contacts.push_back(sample_of(contact));
+    step_.add_element_contacts(state_, out.contacts);
     out.energy = step_.energy(state_);
     out.w = state_.w;
     run_.samples.push_back(std::move(out));
     next_sample_ =
         options_.sample * static_cast<double>(std::lround(state_.t / options_.sample) + 1);
-  }
-
-  /// A contact that an element stands for.
-  static ContactSample sample_of(const ElementContact& contact) {
-    ContactSample out{contact.a,
-                      contact.b,
-                      0,
-                      contact.point,
-                      contact.normal,
-                      contact.force,
-                      contact.torsion,
-                      0,
-                      contact.stick > 0.5 ? ContactMode::kStick : ContactMode::kSlide};
-    out.area = contact.area;
-    out.stick = contact.stick;
-    // The body with the lower index comes first.
-    if (out.a > out.b) {
-      std::swap(out.a, out.b);
-      out.normal = -out.normal;
-      out.force = -out.force;
-    }
-    return out;
   }
 
   /// Whether the caller wants more. Ends the run otherwise.

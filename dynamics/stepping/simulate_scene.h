@@ -46,19 +46,6 @@ struct SceneOptions {
 /// @throws InputError if an option is impossible.
 void check_scene_options(const SceneOptions& options);
 
-/// One contact at an instant.
-struct ContactSample {
-  int a = 0, b = 0, id = 0;         // bodies, a < b, and the point
-  Eigen::Vector3d point{0, 0, 0};   // world [m] (3)
-  Eigen::Vector3d normal{0, 0, 1};  // outward of b (3)
-  Eigen::Vector3d force{0, 0, 0};   // on a [N] (3)
-  double torsion = 0;               // about the normal [N m]
-  double gap = 0;                   // [m]
-  ContactMode mode = ContactMode::kOpen;
-  double area = 0;   // of the patch of a pad; 0: a point [m^2]
-  double stick = 0;  // of a pad: share of the normal force on what sticks [1]
-};
-
 /// One instant of a run.
 struct SceneSample {
   double t = 0;                         // [s]
