@@ -171,10 +171,6 @@ class PenaltyMotion : public CompliantMotion {
     return stored;
   }
 
-  [[nodiscard]] int link_of(int body) const {
-    return step_.model().bodies[static_cast<std::size_t>(body)].link;
-  }
-
   [[nodiscard]] Eigen::Vector3d spin_of(int link) const {
     return link < 0 ? Eigen::Vector3d(0, 0, 0) : motion_.links()[static_cast<std::size_t>(link)].w;
   }
@@ -198,7 +194,7 @@ class PenaltyMotion : public CompliantMotion {
 
   /// A point of contact. @return energy [J]
   double push(const ActiveContact& contact, std::vector<ContactSample>* out) {
-    const int a = link_of(contact.a), b = link_of(contact.b);
+    const int a = motion_.link_of(contact.a), b = motion_.link_of(contact.b);
     const NormalLoad normal = normal_load(contact);
     const Eigen::Vector3d u =
         motion_.velocity(a, contact.point) - motion_.velocity(b, contact.point);
@@ -208,8 +204,7 @@ class PenaltyMotion : public CompliantMotion {
         friction_load(options_.compliance, contact.friction, normal.force, slip, spin);
     const Eigen::Vector3d force = normal.force * contact.normal + friction.force;
     const Eigen::Vector3d moment = friction.torsion * contact.normal;
-    motion_.add_row(a, contact.point, force, moment, efforts_);
-    motion_.add_row(b, contact.point, Eigen::Vector3d(-force), Eigen::Vector3d(-moment), efforts_);
+    motion_.add_row_against(a, b, contact.point, force, moment, efforts_);
     if (out != nullptr && normal.energy > 0) {
       const bool slides = std::hypot(slip.norm(), contact.friction.torsion_radius * spin) >=
                           options_.compliance.transition;

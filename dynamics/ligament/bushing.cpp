@@ -13,10 +13,6 @@ Pose<double> pose_of(const TreeMotion<double>& motion, int body) {
   return body < 0 ? Pose<double>{} : motion.pose(body);
 }
 
-int link_of(const TreeMotion<double>& motion, int body) {
-  return body < 0 ? -1 : motion.model().bodies[static_cast<std::size_t>(body)].link;
-}
-
 Pose<double> between(const TreeMotion<double>& motion, const BodyFrame& a, const BodyFrame& b) {
   return (pose_of(motion, a.body) * a.X_BF).inverse() * (pose_of(motion, b.body) * b.X_BF);
 }
@@ -41,16 +37,14 @@ bool BushingElement::act(const ElementInput& at, ElementAction& out) {
   if (!pose.turn.allFinite()) return false;
   // Rows of the coordinates: B's origin against the point of the proximal body there, axes of A;
   // angles by the angular velocity of B against A.
-  const int a = link_of(motion, proximal_.body), b = link_of(motion, distal_.body);
+  const int a = motion.link_of(proximal_.body), b = motion.link_of(distal_.body);
   J_.setZero(at.v.size(), kBushingWays);
   const Eigen::Vector3d none(0, 0, 0);
   for (int k = 0; k < 3; ++k) {
     const Eigen::Vector3d along = X_WA.R.col(k);
-    motion.add_row(b, X_WB.p, along, none, J_.col(k));
-    motion.add_row(a, X_WB.p, Eigen::Vector3d(-along), none, J_.col(k));
+    motion.add_row_against(b, a, X_WB.p, along, none, J_.col(k));
     const Eigen::Vector3d about = X_WA.R * pose.turn.row(k).transpose();
-    motion.add_row(b, X_WB.p, none, about, J_.col(3 + k));
-    motion.add_row(a, X_WB.p, none, Eigen::Vector3d(-about), J_.col(3 + k));
+    motion.add_row_against(b, a, X_WB.p, none, about, J_.col(3 + k));
   }
   const BushingVector rate = J_.transpose() * at.v;
   const BushingAction action = bushing_action(law_, pose.x, rate);
@@ -87,8 +81,8 @@ bool LigamentElement::act(const ElementInput& at, ElementAction& out) {
   J_.setZero(at.v.size(), 3);
   for (int k = 0; k < 3; ++k) {
     const Eigen::Vector3d axis = Eigen::Vector3d::Unit(k);
-    motion.add_row(link_of(motion, to_.body), Eigen::Vector3d(p + way), axis, none, J_.col(k));
-    motion.add_row(link_of(motion, from_.body), p, Eigen::Vector3d(-axis), none, J_.col(k));
+    motion.add_row(motion.link_of(to_.body), Eigen::Vector3d(p + way), axis, none, J_.col(k));
+    motion.add_row(motion.link_of(from_.body), p, Eigen::Vector3d(-axis), none, J_.col(k));
   }
   const Eigen::VectorXd row = J_ * line;
   // A damper that only pulls, as far as the ligament is stretched.

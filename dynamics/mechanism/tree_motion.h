@@ -60,6 +60,11 @@ class TreeMotion {
   [[nodiscard]] const TreeModel& model() const { return *model_; }
   [[nodiscard]] const std::vector<MovingLink<T>>& links() const { return links_; }
 
+  /// Link of a body of the mechanism; -1: the world. @param body  -1: the world
+  [[nodiscard]] int link_of(int body) const {
+    return body < 0 ? -1 : model_->bodies[static_cast<std::size_t>(body)].link;
+  }
+
   /// Pose of a body of the mechanism in the world.
   [[nodiscard]] Pose<T> pose(int body) const {
     const BodyInLink& at = model_->bodies[static_cast<std::size_t>(body)];
@@ -82,6 +87,13 @@ class TreeMotion {
   template <typename Row>
   void add_row(int link, const Vec3<T>& p, const Vec3<T>& direction, const Vec3<T>& spin,
                Row&& row) const;
+  /// The same of the velocity of one link against another, both at the point p.
+  template <typename Row>
+  void add_row_against(int link, int other, const Vec3<T>& p, const Vec3<T>& direction,
+                       const Vec3<T>& spin, Row&& row) const {
+    add_row(link, p, direction, spin, row);
+    add_row(other, p, Vec3<T>(-direction), Vec3<T>(-spin), row);
+  }
 
   /// Kinetic energy [J], after set_speed().
   [[nodiscard]] T kinetic_energy() const;

@@ -26,10 +26,6 @@ constexpr double kRetry = 5e-3;        // before it is tried again [s]
 constexpr double kShortest = 1e-5;     // step that is foreseen [s]
 constexpr double kInstant = 1e-12;     // nearer instants are one [s]
 
-int link_of(const TreeMotion<double>& motion, int body) {
-  return motion.model().bodies[static_cast<std::size_t>(body)].link;
-}
-
 }  // namespace
 
 PadElement::PadElement(std::string name, int body, const Pose<double>& X_BP, int other,
@@ -89,15 +85,13 @@ bool PadElement::act(const ElementInput& at, ElementAction& out) {
   if (seen.share == 0) return !stale_ && !anew_;
   // Speeds of the object against the pad at the pad's origin, along its axes.
   const Pose<double> X_WP = at.motion.pose(body_) * X_BP_;
-  const int a = link_of(at.motion, body_), b = link_of(at.motion, other_);
+  const int pad = at.motion.link_of(body_), object = at.motion.link_of(other_);
   const Vector3d none(0, 0, 0);
   J_.setZero(at.v.size(), 6);
   for (int k = 0; k < 3; ++k) {
-    const Vector3d axis = X_WP.R.col(k), back = -axis;
-    at.motion.add_row(b, X_WP.p, none, axis, J_.col(k));
-    at.motion.add_row(a, X_WP.p, none, back, J_.col(k));
-    at.motion.add_row(b, X_WP.p, axis, none, J_.col(3 + k));
-    at.motion.add_row(a, X_WP.p, back, none, J_.col(3 + k));
+    const Vector3d axis = X_WP.R.col(k);
+    at.motion.add_row_against(object, pad, X_WP.p, none, axis, J_.col(k));
+    at.motion.add_row_against(object, pad, X_WP.p, axis, none, J_.col(3 + k));
   }
   out.tau.noalias() -= J_ * seen.push;
   if (at.need == ElementNeed::kAll) {

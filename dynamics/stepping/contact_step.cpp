@@ -73,10 +73,6 @@ struct ContactStep::Parts {
           world->exclude(static_cast<int>(i), static_cast<int>(j));
   }
 
-  [[nodiscard]] int link_of(int body) const {
-    return model.bodies[static_cast<std::size_t>(body)].link;
-  }
-
   /// Links at a state; nothing is done where they are there already.
   void place(const SceneState& state) {
     if (is_placed && placed_q == state.q && placed_v == state.v) return;
@@ -139,8 +135,8 @@ struct ContactStep::Parts {
         contact.normal = point.normal;
         contact.gap = point.gap;
         contact.friction = pair_friction(scene, contact.a, contact.b);
-        const Eigen::Vector3d u = motion.velocity(link_of(contact.a), contact.point) -
-                                  motion.velocity(link_of(contact.b), contact.point);
+        const Eigen::Vector3d u = motion.velocity(motion.link_of(contact.a), contact.point) -
+                                  motion.velocity(motion.link_of(contact.b), contact.point);
         contact.approach = u.dot(contact.normal);
         contact.slip = (u - contact.approach * contact.normal).norm();
         out.push_back(contact);
@@ -187,8 +183,8 @@ struct ContactStep::Parts {
     if (!scene.forces.empty()) motion.clear_loads();
     for (const SceneForce& force : scene.forces) {
       if (!force.when.holds(acting)) continue;
-      motion.add_load(link_of(force.body), motion.pose(force.body) * force.point, force.force,
-                      force.moment);
+      motion.add_load(motion.link_of(force.body), motion.pose(force.body) * force.point,
+                      force.force, force.moment);
     }
     return act(state, need);
   }
@@ -320,11 +316,9 @@ struct ContactStep::Parts {
       J(model.layout.first_v[joint], at) = sign * slope_of_link(joint);
       return;
     }
-    const int a = link_of(contact.a), b = link_of(contact.b);
+    const int a = motion.link_of(contact.a), b = motion.link_of(contact.b);
     const auto add = [&](int column, const Eigen::Vector3d& along, const Eigen::Vector3d& about) {
-      motion.add_row(a, contact.point, along, about, J.col(column));
-      motion.add_row(b, contact.point, Eigen::Vector3d(-along), Eigen::Vector3d(-about),
-                     J.col(column));
+      motion.add_row_against(a, b, contact.point, along, about, J.col(column));
     };
     const Eigen::Vector3d none(0, 0, 0);
     add(at, contact.normal, none);
@@ -439,7 +433,7 @@ struct ContactStep::Parts {
     speed_up(v);
     double most = 0;
     for (std::size_t i = 0; i < body_of.size(); ++i) {
-      const int link = link_of(body_of[i]);
+      const int link = motion.link_of(body_of[i]);
       if (link < 0) continue;
       const Ball& ball = world->bodies()[i]->ball;
       const Eigen::Vector3d centre = motion.pose(body_of[i]) * ball.c;
