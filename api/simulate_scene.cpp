@@ -48,12 +48,7 @@ SceneHand hand_of(const SceneSpec& scene, const SceneHandSpec& hand,
                          ? hand.placed.name
                          : (fs::path(scene.folder) / hand.placed.file).string();
   if (!hand.version.empty()) name += ":" + hand.version;
-  HandSource source;
-  try {
-    source = find_hand(name, places);
-  } catch (const InputError& error) {
-    throw DataError(scene.path, hand.line, error.what());
-  }
+  const HandSource source = at_line(scene.path, hand.line, [&] { return find_hand(name, places); });
   if (!source.human) {
     if (hand.skin_triangles > 0 || hand.skin_capsules)
       throw DataError(scene.path, hand.line,

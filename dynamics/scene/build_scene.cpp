@@ -30,16 +30,6 @@ Pose<double> motion_along_z(JointKind kind, double value) {
   return X;
 }
 
-/// Calls `work`; what it finds wrong is an error at that line of the file.
-template <typename Work>
-auto at_line(const std::string& path, int line, const Work& work) {
-  try {
-    return work();
-  } catch (const InputError& error) {
-    throw DataError(path, line, error.what());
-  }
-}
-
 /// Puts the first body of a part, whose parent is the world here, on a joint.
 /// @param X_WB   where it is;  @param name  of a coordinate of its own
 void put_on_joint(const SceneJointSpec& spec, const std::string& name, const Pose<double>& X_WB,

@@ -27,12 +27,10 @@ std::vector<CompliantJoint> make_part_compliant(const SceneSpec& spec, const std
     const bool is_own = prefix.empty() ? compliance.joint == name
                                        : compliance.joint.compare(0, prefix.size(), prefix) == 0;
     if (!is_own) continue;
-    try {
+    at_line(spec.path, compliance.line, [&] {
       const int joint = joint_named(part, compliance.joint.substr(prefix.size()));
       made.push_back(make_compliant(part, joint, joint_compliance(compliance)));
-    } catch (const InputError& error) {
-      throw DataError(spec.path, compliance.line, error.what());
-    }
+    });
   }
   return made;
 }
@@ -65,14 +63,11 @@ std::vector<std::shared_ptr<const ForceElement>> scene_ligaments(
     const SceneSpec& spec, const Mechanism& mechanism, const std::vector<Pose<double>>& X_WB) {
   std::vector<std::shared_ptr<const ForceElement>> out;
   for (const SceneBushingSpec& bushing : spec.bushings) {
-    try {
-      out.push_back(bushing_element(bushing, mechanism, X_WB));
-    } catch (const InputError& error) {
-      throw DataError(spec.path, bushing.line, error.what());
-    }
+    at_line(spec.path, bushing.line,
+            [&] { out.push_back(bushing_element(bushing, mechanism, X_WB)); });
   }
   for (const SceneLigamentSpec& ligament : spec.ligaments) {
-    try {
+    at_line(spec.path, ligament.line, [&] {
       BodyPoint from{-1, ligament.from_point}, to{-1, ligament.to_point};
       if (!ligament.from.empty()) from.body = body_named(mechanism, ligament.from);
       to.body = body_named(mechanism, ligament.to);
@@ -83,9 +78,7 @@ std::vector<std::shared_ptr<const ForceElement>> scene_ligaments(
       out.push_back(std::make_shared<LigamentElement>(
           ligament.name, from, to,
           LigamentLaw{slack, ligament.stiffness, ligament.toe_strain, ligament.damping}));
-    } catch (const InputError& error) {
-      throw DataError(spec.path, ligament.line, error.what());
-    }
+    });
   }
   return out;
 }

@@ -69,7 +69,7 @@ void add_element(const SceneSpec& spec, const ScenePadSpec& pad, const PadPlace&
   scene.elements.push_back(std::make_shared<PadElement>(
       fmt::format("pad of {} on {}", pad.on, other.name), a, place.X_BP, b,
       moving_pad(pad, place.scale, object), PadElementOptions{pad.force_error}));
-  scene.apart.emplace_back(std::min(a, b), std::max(a, b));
+  scene.apart.emplace_back(std::minmax(a, b));
   ++built.pads;
 }
 
@@ -104,16 +104,12 @@ void add_pads(const SceneSpec& spec, const std::vector<SceneHuman>& humans, Buil
   std::set<std::string> told;
   for (const ScenePadSpec& pad : spec.pads) {
     // What nobody measured of a pad that acts is told once.
-    const std::size_t assumed = assumed_words(pad.spec).size();
-    if (assumed > 0 && pad.rung != "hard-point" && told.insert(pad.spec.name).second)
+    const std::vector<std::string> assumed = assumed_words(pad.spec);
+    if (!assumed.empty() && pad.rung != "hard-point" && told.insert(pad.spec.name).second)
       built.warnings.push_back(fmt::format("pad '{}' is assumed, not measured, in {} numbers: {}",
-                                           pad.spec.name, assumed,
-                                           fmt::join(assumed_words(pad.spec), ", ")));
-    try {
-      add_pad(spec, pad, humans, built);
-    } catch (const InputError& error) {
-      throw DataError(spec.path, pad.line, error.what());
-    }
+                                           pad.spec.name, assumed.size(),
+                                           fmt::join(assumed, ", ")));
+    at_line(spec.path, pad.line, [&] { add_pad(spec, pad, humans, built); });
   }
 }
 
@@ -124,7 +120,7 @@ void set_hard_points(const SceneSpec& spec, BuiltScene& built) {
     const int a = body_named(scene.mechanism, pad.on);
     for (const std::string& name : pad.against) {
       const int b = body_named(scene.mechanism, name);
-      const std::pair<int, int> bodies{std::min(a, b), std::max(a, b)};
+      const std::pair<int, int> bodies = std::minmax(a, b);
       PairFriction rub = pair_friction(scene, a, b);
       rub.coefficient = *pad.friction;
       const auto stated = std::find_if(scene.friction_pairs.begin(), scene.friction_pairs.end(),

@@ -10,6 +10,7 @@
 
 #include <Eigen/Core>
 
+#include "base/error.h"
 #include "data/io/scene/scene_bushing.h"
 #include "data/io/scene/scene_compliance.h"
 #include "data/io/scene/scene_pad.h"
@@ -174,5 +175,15 @@ inline constexpr double kMostSamples = 1e6;
 /// @throws DataError  `path:line: what was wanted, what came`.
 [[nodiscard]] SceneSpec read_scene(const std::string& path);
 [[nodiscard]] SceneSpec parse_scene(const std::string& text, const std::string& path);
+
+/// Calls `work`; what it finds wrong is an error at a line of the scene's file.
+template <typename Work>
+auto at_line(const std::string& path, int line, const Work& work) {
+  try {
+    return work();
+  } catch (const InputError& error) {
+    throw DataError(path, line, error.what());
+  }
+}
 
 }  // namespace thenar
