@@ -23,7 +23,6 @@ constexpr double kJump = 5e-5;         // steps are not made shorter for a pad [
 constexpr int kWayIn = 8;              // steps of a pad that begins anew
 constexpr double kOutside = 4e-3;      // where its object begins, along the push [m]
 constexpr double kRetry = 5e-3;        // before it is tried again [s]
-constexpr double kShortest = 1e-5;     // step that is foreseen [s]
 constexpr double kInstant = 1e-12;     // nearer instants are one [s]
 
 }  // namespace
@@ -61,7 +60,7 @@ double PadElement::size_of(const Vector6& change) const {
 PadElement::Prediction PadElement::predict(double t, const Pose<double>& X_PO) const {
   Prediction out;
   out.push.setZero();
-  out.error_of = options_.force_error * std::max(touch_.push.force.norm(), options_.least_force);
+  out.allowed = options_.force_error * std::max(touch_.push.force.norm(), options_.least_force);
   if (touch_.force <= 0) return out;
   const MemoryStep weights = memory_step(pad_->relaxation(), std::max(0.0, t - t_));
   const Vector6 more = stiffness_ * motion_from(X_PO_, X_PO);
@@ -70,7 +69,7 @@ PadElement::Prediction PadElement::predict(double t, const Pose<double>& X_PO) c
     out.push[k] = history_of(weights, memory) + weights.now * (memory.x + more[k]);
   }
   out.share = weights.now;
-  out.change = size_of(out.push - six_of(touch_.push)) / out.error_of;
+  out.change = size_of(out.push - six_of(touch_.push)) / out.allowed;
   // A pad does not pull.
   if (out.push.tail<3>().dot(touch_.normal) <= 0) {
     out.push.setZero();
@@ -80,9 +79,9 @@ PadElement::Prediction PadElement::predict(double t, const Pose<double>& X_PO) c
 }
 
 bool PadElement::act(const ElementInput& at, ElementAction& out) {
-  if (touch_.force <= 0) return !stale_ && !anew_;
+  if (touch_.force <= 0) return has_answer();
   const Prediction seen = predict(at.t, object_pose(at));
-  if (seen.share == 0) return !stale_ && !anew_;
+  if (seen.share == 0) return has_answer();
   // Speeds of the object against the pad at the pad's origin, along its axes.
   const Pose<double> X_WP = at.motion.pose(body_) * X_BP_;
   const int pad = at.motion.link_of(body_), object = at.motion.link_of(other_);
@@ -98,7 +97,7 @@ bool PadElement::act(const ElementInput& at, ElementAction& out) {
     const Matrix6 slope = 0.5 * seen.share * (stiffness_ + stiffness_.transpose());
     out.stiffness.noalias() += J_ * slope * J_.transpose();
   }
-  return !stale_ && !anew_;
+  return has_answer();
 }
 
 bool PadElement::changed_little(const Prediction& seen, const Pose<double>& X_PO) const {
@@ -111,14 +110,12 @@ void PadElement::try_move(double t, const Pose<double>& X_PO, const Prediction& 
   trial_.t = t;
   trial_.X_PO = X_PO;
   trial_.touch = pad_->move(X_PO, t - t_);
-  ++count_.moves;
   if (trial_.touch.status != Status::kSolved) {
-    ++count_.failures;
     trial_.error = kNoAnswer;
     return;
   }
   const double allowed =
-      std::max(seen.error_of, options_.force_error * trial_.touch.push.force.norm());
+      std::max(seen.allowed, options_.force_error * trial_.touch.push.force.norm());
   trial_.error = size_of(six_of(trial_.touch.push) - seen.push) / allowed;
 }
 
@@ -194,7 +191,6 @@ void PadElement::begin_anew(double t, const Pose<double>& X_PO) {
   stale_ = false;
   remember_push(0);
   stiffness_ = touch_.force > 0 ? pad_->stiffness(Vector6::Ones()) : Matrix6::Zero();
-  ++count_.anew;
 }
 
 void PadElement::keep_move(bool new_stiffness) {
@@ -211,7 +207,6 @@ void PadElement::keep_move(bool new_stiffness) {
     stiffness_.setZero();
   } else if (begins || new_stiffness) {
     stiffness_ = pad_->stiffness(motion);
-    ++count_.stiffnesses;
   }
 }
 
@@ -254,7 +249,7 @@ bool PadElement::moves(const ElementInput& at) const {
   // Whether it still relaxes by more than a thousandth of what is allowed.
   const Prediction now = predict(at.t, X_PO_),
                    later = predict(std::numeric_limits<double>::infinity(), X_PO_);
-  return size_of(later.push - now.push) > 1e-3 * now.error_of;
+  return size_of(later.push - now.push) > 1e-3 * now.allowed;
 }
 
 }  // namespace thenar

@@ -49,26 +49,21 @@ class PadElement final : public ForceElement {
   void add_contacts(const ElementInput& at, std::vector<ContactSample>& out) override;
   [[nodiscard]] bool moves(const ElementInput& at) const override;
 
-  /// How often the pad moved, and its stiffness was asked for.
-  struct Count {
-    long moves = 0, stiffnesses = 0, failures = 0, anew = 0;
-  };
-  [[nodiscard]] const Count& count() const { return count_; }
-
  private:
   using Vector6 = Eigen::Matrix<double, 6, 1>;
   /// What the scene is told of the push.
   struct Prediction {
-    Vector6 push;         // pad's frame, about its origin (6)
-    double share = 1;     // of K that a motion in this step feels [1]
-    double change = 0;    // of the push since the pad moved, over what is allowed [1]
-    double error_of = 1;  // an error of the push that is allowed [N]
+    Vector6 push;        // pad's frame, about its origin (6)
+    double share = 1;    // of K that a motion in this step feels [1]
+    double change = 0;   // of the push since the pad moved, over what is allowed [1]
+    double allowed = 1;  // error of the push [N]
   };
   [[nodiscard]] Pose<double> object_pose(const ElementInput& at) const;
   [[nodiscard]] Prediction predict(double t, const Pose<double>& X_PO) const;
   /// Size of a change of the push: moments about the patch by a lever of half a fingertip [N].
   [[nodiscard]] double size_of(const Vector6& change) const;
   [[nodiscard]] bool changed_little(const Prediction& seen, const Pose<double>& X_PO) const;
+  [[nodiscard]] bool has_answer() const { return !stale_ && !anew_; }
   void try_move(double t, const Pose<double>& X_PO, const Prediction& seen);
   void catch_up();
   void keep_move(bool new_stiffness);
@@ -102,7 +97,6 @@ class PadElement final : public ForceElement {
   double retry_ = 0;    // when a pad without an answer may begin anew [s]
   bool anew_ = false;   // it began anew where the last step ended
   bool stale_ = false;  // the pad had no answer where the last step ended
-  Count count_;
   Eigen::MatrixXd J_;
 };
 

@@ -26,7 +26,10 @@ PadContact BedPad::move(const Pose<double>& X_PO, double seconds) {
   const BedContact contact =
       bed_->step(*object_.shape, X_PO, object_.friction, seconds, moved_.bed);
   PadContact out;
-  if (contact.behind) return behind_object();
+  if (contact.behind) {
+    moved_ = kept_;
+    return behind_object();
+  }
   if (contact.force <= 0) return out;
   out.push = contact.push;
   out.force = contact.force;

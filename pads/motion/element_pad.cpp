@@ -18,7 +18,8 @@ constexpr int kPieces = 4;       // of a step: who moves a pad may ask for a sho
 
 ElementPad::ElementPad(PadModel model, RigidObject object, const Pose<double>& X_PO,
                        const ElementPadOptions& options)
-    : model_(std::move(model)), object_(std::move(object)), options_(options), X_PO_(X_PO) {
+    : model_(std::move(model)), object_(std::move(object)), options_(options) {
+  kept_.X_PO = moved_.X_PO = X_PO;
   require(object_.shape && object_.friction >= 0,
           "a pad in motion wants an object with a shape and a friction >= 0");
   renew(X_PO);
@@ -30,7 +31,7 @@ ElementPad::ElementPad(PadModel model, RigidObject object, const Pose<double>& X
 }
 
 std::unique_ptr<MovingPad> ElementPad::clone() const {
-  return std::make_unique<ElementPad>(model_, object_, X_PO_, options_);
+  return std::make_unique<ElementPad>(model_, object_, kept_.X_PO, options_);
 }
 
 void ElementPad::renew(const Pose<double>& X_PO) {
@@ -44,22 +45,22 @@ void ElementPad::renew(const Pose<double>& X_PO) {
   press_ = std::make_unique<PadPress>(model_, object_, X_PO, options);
 }
 
-PadContact ElementPad::move(const Pose<double>& X_PO, double seconds) {
+void ElementPad::undo() {
   if (trial_) press_->undo();
   trial_ = false;
-  X_moved_ = X_PO;
-  moved_free_ = free_ + seconds;
+}
+
+PadContact ElementPad::move(const Pose<double>& X_PO, double seconds) {
+  undo();
+  moved_ = {X_PO, kept_.rests, kept_.free + seconds};
   PadContact out;
   // A pad at rest that is out of reach stays so.
-  const Pose<double> X_OP = X_PO.inverse();
-  double gap = 0;
-  if (rests_)
-    gap = object_.shape->distance(X_OP.p) > reach_
-              ? reach_
-              : smallest_gap(press_->surface(), *object_.shape, X_PO, press_->state().x);
-  moved_rests_ = rests_ && gap > 0;
-  if (moved_rests_) return out;
-  if (rests_) press_->begin_at(pulled_out(X_PO, -gap));
+  if (kept_.rests) {
+    if (object_.shape->distance(X_PO.inverse().p) > reach_) return out;
+    const double gap = smallest_gap(press_->surface(), *object_.shape, X_PO, press_->state().x);
+    if (gap > 0) return out;
+    press_->begin_at(pulled_out(X_PO, -gap));
+  }
   PressGoal goal;
   goal.X_PO = X_PO;
   goal.time = seconds;
@@ -68,11 +69,12 @@ PadContact ElementPad::move(const Pose<double>& X_PO, double seconds) {
   if (!trial_) {
     out.status = result.solved.status;
     out.message = result.solved.message;
-    moved_rests_ = rests_;
+    moved_ = kept_;
     return out;
   }
+  moved_.rests = false;
   out = touch_of(result);
-  if (out.force > 0) moved_free_ = 0;
+  if (out.force > 0) moved_.free = 0;
   return out;
 }
 
@@ -112,20 +114,17 @@ PadContact ElementPad::touch_of(const PadPressResult& result) const {
 }
 
 void ElementPad::keep() {
-  X_PO_ = X_moved_;
-  free_ = moved_free_;
-  rests_ = moved_rests_;
+  kept_ = moved_;
   trial_ = false;
-  if (!rests_ && free_ > forgets_) {
-    rests_ = true;
-    renew(X_PO_);
+  if (!kept_.rests && kept_.free > forgets_) {
+    kept_.rests = true;
+    renew(kept_.X_PO);
   }
 }
 
 Matrix6 ElementPad::stiffness(const Eigen::Matrix<double, 6, 1>& /*onward*/) {
-  if (trial_) press_->undo();
-  trial_ = false;
-  if (rests_ || press_->state().normal.isZero(0)) return Matrix6::Zero();
+  undo();
+  if (kept_.rests || press_->state().normal.isZero(0)) return Matrix6::Zero();
   return press_->stiffness();
 }
 

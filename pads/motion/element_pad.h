@@ -31,13 +31,18 @@ class ElementPad final : public MovingPad {
   [[nodiscard]] const std::vector<ExponentialTerm>& relaxation() const override {
     return model_.tissues.front().relaxation;
   }
-  [[nodiscard]] const Pose<double>& object_pose() const override { return X_PO_; }
-
-  /// For pictures: the elements as they were left by the last move.
-  [[nodiscard]] const PadPress& press() const { return *press_; }
+  [[nodiscard]] const Pose<double>& object_pose() const override { return kept_.X_PO; }
 
  private:
+  /// Where the pad is, but for its elements.
+  struct State {
+    Pose<double> X_PO;
+    bool rests = true;  // it is as new
+    double free = 0;    // time since anything touched [s]
+  };
   void renew(const Pose<double>& X_PO);
+  /// Takes back what the last move has made of the elements.
+  void undo();
   /// The object, moved out of a pad at rest along its normal, so that it came in straight.
   [[nodiscard]] Pose<double> pulled_out(const Pose<double>& X_PO, double overlap) const;
   [[nodiscard]] PadContact touch_of(const PadPressResult& result) const;
@@ -48,10 +53,8 @@ class ElementPad final : public MovingPad {
   double reach_ = 0;    // no point of the pad is farther from its origin [m]
   double forgets_ = 0;  // after this time nothing is remembered [s]
   std::unique_ptr<PadPress> press_;
-  Pose<double> X_PO_, X_moved_;             // of the object: kept, and of the last move
-  bool trial_ = false;                      // the press is at the last move, which is not kept
-  bool rests_ = true, moved_rests_ = true;  // the kept pad, the moved one, are as new
-  double free_ = 0, moved_free_ = 0;        // time since anything touched [s]
+  State kept_, moved_;
+  bool trial_ = false;  // the press is at the last move, which is not kept
 };
 
 }  // namespace thenar

@@ -76,8 +76,10 @@ PadContact LawPad::move(const Pose<double>& X_PO, double seconds) {
   // The far side of a thin object would pull, and near its middle depth does not rise any more.
   const Vector3d deeper = deepest.place - kRoom * deepest.overlap * out.normal;
   if (out.normal.dot(skin_->nearest(deepest.place).normal) > 0 ||
-      object_.shape->distance(X_OP * deeper) > -(1 + 0.5 * kRoom) * deepest.overlap)
+      object_.shape->distance(X_OP * deeper) > -(1 + 0.5 * kRoom) * deepest.overlap) {
+    moved_ = kept_;
     return behind_object();
+  }
   out.centre = deepest.place + deepest.overlap * out.normal;
   out.force = contact.force;
   out.area = contact.area;
