@@ -89,25 +89,30 @@ OrderedJson constants_json(const FittedPad& fitted) {
   return list;
 }
 
-OrderedJson data_json(const FittedPad& fitted) {
-  OrderedJson list = OrderedJson::array();
+/// Calls `add` for every datum, with its press, what the pad has of it, and its unit.
+template <typename Add>
+void for_data(const FittedPad& fitted, const Add& add) {
   for (std::size_t i = 0; i < fitted.fit.predictions.size(); ++i) {
     const PressRecord& record = fitted.problem.records[i];
-    for (std::size_t k = 0; k < record.data.size(); ++k) {
-      const PressDatum& datum = record.data[k];
-      const PressPrediction& pad = fitted.fit.predictions[i][k];
-      const DisplayUnit unit = display_unit(datum);
-      list.push_back({{"press", record.name},
-                      {"load", load_words(record, datum)},
-                      {"quantity", quantity_words(datum)},
-                      {"unit", unit.name},
-                      {"measured", datum.value * unit.per_si},
-                      {"sd", datum.sd * unit.per_si},
-                      {"predicted", pad.value * unit.per_si},
-                      {"finer_cells", pad.finer ? Json(*pad.finer * unit.per_si) : Json()},
-                      {"source", datum.source}});
-    }
+    for (std::size_t k = 0; k < record.data.size(); ++k)
+      add(record, record.data[k], fitted.fit.predictions[i][k], display_unit(record.data[k]));
   }
+}
+
+OrderedJson data_json(const FittedPad& fitted) {
+  OrderedJson list = OrderedJson::array();
+  for_data(fitted, [&](const PressRecord& record, const PressDatum& datum,
+                       const PressPrediction& pad, const DisplayUnit& unit) {
+    list.push_back({{"press", record.name},
+                    {"load", load_words(record, datum)},
+                    {"quantity", quantity_words(datum)},
+                    {"unit", unit.name},
+                    {"measured", datum.value * unit.per_si},
+                    {"sd", datum.sd * unit.per_si},
+                    {"predicted", pad.value * unit.per_si},
+                    {"finer_cells", pad.finer ? Json(*pad.finer * unit.per_si) : Json()},
+                    {"source", datum.source}});
+  });
   return list;
 }
 
@@ -188,19 +193,14 @@ Table data_table(const FittedPad& fitted) {
   Table table{{"press", "load", "quantity", "unit", "measured", "sd", "predicted", "off_by_sds",
                "finer_cells", "source"},
               {}};
-  for (std::size_t i = 0; i < fitted.fit.predictions.size(); ++i) {
-    const PressRecord& record = fitted.problem.records[i];
-    for (std::size_t k = 0; k < record.data.size(); ++k) {
-      const PressDatum& datum = record.data[k];
-      const PressPrediction& pad = fitted.fit.predictions[i][k];
-      const DisplayUnit unit = display_unit(datum);
-      table.rows.push_back({record.name, load_words(record, datum), quantity_words(datum),
-                            or_dash(unit.name), shown(datum.value * unit.per_si),
-                            shown(datum.sd * unit.per_si), shown(pad.value * unit.per_si),
-                            shown((pad.value - datum.value) / datum.sd, 2),
-                            pad.finer ? shown(*pad.finer * unit.per_si) : "-", datum.source});
-    }
-  }
+  for_data(fitted, [&](const PressRecord& record, const PressDatum& datum,
+                       const PressPrediction& pad, const DisplayUnit& unit) {
+    table.rows.push_back({record.name, load_words(record, datum), quantity_words(datum),
+                          or_dash(unit.name), shown(datum.value * unit.per_si),
+                          shown(datum.sd * unit.per_si), shown(pad.value * unit.per_si),
+                          shown((pad.value - datum.value) / datum.sd, 2),
+                          pad.finer ? shown(*pad.finer * unit.per_si) : "-", datum.source});
+  });
   return table;
 }
 

@@ -51,6 +51,23 @@ struct Slab {
   std::unique_ptr<SparseCholesky> factor;
 };
 
+/// A ball of 6 mm that just touches a slab of 10 mm.
+struct BallOnSlab {
+  BallOnSlab() {
+    X.p = slab.top + Vector3d(0, 0, 6e-3);
+    goal.X_PO = X;
+    state = rest_state(*slab.body, slab.surface, X);
+  }
+  PressOutcome press(const PressOptions& options = {}) {
+    return press_step(*slab.body, slab.surface, ball, goal, options, *slab.factor, state);
+  }
+  Slab slab{0.02, 1, 4e-3, 0.49};
+  RigidObject ball{build_sphere(6e-3), 0};
+  Pose<double> X;  // at the start
+  PressGoal goal;
+  PressState state;
+};
+
 TEST(PressStep, ABallInAThickSlabMeetsTheForceOfHertz) {
   constexpr double kSize = 0.2, kRadius = 0.01, kDepth = 1e-4, kNu = 0.49;
   const double a = std::sqrt(kRadius * kDepth);
@@ -111,17 +128,11 @@ TEST(PressStep, FrictionStaysInItsConeAndAgainstTheSlip) {
 
 TEST(PressStep, OneLargeStepIsTenSmallOnesWithoutFriction) {
   const auto pressed = [](int steps) {
-    Slab slab(0.02, 1, 4e-3, 0.49);
-    const RigidObject ball{build_sphere(6e-3), 0};
-    Pose<double> X;
-    X.p = slab.top + Vector3d(0, 0, 6e-3);
-    PressState state = rest_state(*slab.body, slab.surface, X);
-    PressGoal goal;
-    goal.X_PO = X;
+    BallOnSlab on;
     PressOutcome out;
     for (int k = 0; k < steps; ++k) {
-      goal.X_PO.p[2] -= 1e-3 / steps;
-      out = press_step(*slab.body, slab.surface, ball, goal, {}, *slab.factor, state);
+      on.goal.X_PO.p[2] -= 1e-3 / steps;
+      out = on.press();
       EXPECT_EQ(out.status, Status::kSolved);
     }
     return out.push.force[2];
@@ -130,64 +141,41 @@ TEST(PressStep, OneLargeStepIsTenSmallOnesWithoutFriction) {
 }
 
 TEST(PressStep, ForceAsTheGoalIsTheForceAtThatDepth) {
-  Slab slab(0.02, 1, 4e-3, 0.49);
-  const RigidObject ball{build_sphere(6e-3), 0};
-  Pose<double> X;
-  X.p = slab.top + Vector3d(0, 0, 6e-3);
-  PressState state = rest_state(*slab.body, slab.surface, X);
-  PressGoal goal;
-  goal.X_PO = X;
-  goal.X_PO.p[2] -= 5e-4;
-  (void)press_step(*slab.body, slab.surface, ball, goal, {}, *slab.factor, state);
-  goal.force = 0.2;
-  const PressOutcome out =
-      press_step(*slab.body, slab.surface, ball, goal, {}, *slab.factor, state);
+  BallOnSlab on;
+  on.goal.X_PO.p[2] -= 5e-4;
+  (void)on.press();
+  on.goal.force = 0.2;
+  const PressOutcome out = on.press();
   ASSERT_EQ(out.status, Status::kSolved) << out.message;
   EXPECT_NEAR(-out.push.force[2], 0.2, 1e-8);
   // The same by depth.
-  PressState again = rest_state(*slab.body, slab.surface, X);
-  PressGoal depth;
-  depth.X_PO = state.X_PO;
-  const PressOutcome twin =
-      press_step(*slab.body, slab.surface, ball, depth, {}, *slab.factor, again);
+  BallOnSlab again;
+  again.goal.X_PO = on.state.X_PO;
+  const PressOutcome twin = again.press();
   EXPECT_NEAR(-twin.push.force[2], 0.2, 1e-7);
 }
 
 TEST(PressStep, AFailedStepLeavesTheStateAsItWas) {
-  Slab slab(0.02, 1, 4e-3, 0.49);
-  const RigidObject ball{build_sphere(6e-3), 0};
-  Pose<double> X;
-  X.p = slab.top + Vector3d(0, 0, 6e-3);
-  PressState state = rest_state(*slab.body, slab.surface, X);
-  PressGoal goal;
-  goal.X_PO = X;
-  goal.X_PO.p[2] -= 0.02;  // through the floor
-  const PressOutcome out =
-      press_step(*slab.body, slab.surface, ball, goal, {}, *slab.factor, state);
+  BallOnSlab on;
+  on.goal.X_PO.p[2] -= 0.02;  // through the floor
+  const PressOutcome out = on.press();
   EXPECT_NE(out.status, Status::kSolved);
   EXPECT_FALSE(out.message.empty());
-  EXPECT_TRUE(state.x.isZero(0));
+  EXPECT_TRUE(on.state.x.isZero(0));
 }
 
 TEST(PressStep, AStepStopsWithinAnIteration) {
-  Slab slab(0.02, 1, 4e-3, 0.49);
-  const RigidObject ball{build_sphere(6e-3), 0};
-  Pose<double> X;
-  X.p = slab.top + Vector3d(0, 0, 6e-3);
-  PressState state = rest_state(*slab.body, slab.surface, X);
-  PressGoal goal;
-  goal.X_PO = X;
-  goal.X_PO.p[2] -= 5e-4;
+  BallOnSlab on;
+  on.goal.X_PO.p[2] -= 5e-4;
   int asked = 0;
   PressOptions options;
   options.stop = [&] { return ++asked == 3; };
-  const PressOutcome out =
-      press_step(*slab.body, slab.surface, ball, goal, options, *slab.factor, state);
+  const PressOutcome out = on.press(options);
   EXPECT_EQ(out.status, Status::kStopped);
   EXPECT_EQ(out.iterations, 2);
   EXPECT_EQ(asked, 3);
-  EXPECT_TRUE(state.x.isZero(0));
-  EXPECT_TRUE(state.X_PO.p == X.p);
+  EXPECT_TRUE(on.state.x.isZero(0));
+  EXPECT_TRUE(on.state.X_PO.p == on.X.p);
 }
 
 TEST(PadShape, ItsMeshHasTheVolumeBetweenTheEllipsoids) {

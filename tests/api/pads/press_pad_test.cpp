@@ -9,6 +9,7 @@
 #include <gtest/gtest.h>
 
 #include "base/units.h"
+#include "tests/api/pads/small_presses.h"
 #include "tests/data_folder.h"
 #include "tests/message_of.h"
 #include "tests/temporary_folder.h"
@@ -32,18 +33,7 @@ PressRequest quick() {
 class RelaxingPad : public TemporaryFolder {
  protected:
   [[nodiscard]] PressRequest request() const {
-    std::ofstream(path("pad.toml")) << R"(name = "pad"
-source = "Me"
-[sources]
-Me = "Own"
-[shape]
-length_mm = 24
-width_mm = 16
-height_mm = 10
-bone_length_mm = 14
-bone_width_mm = 7
-bone_height_mm = 4.5
-[pulp]
+    std::ofstream(path("pad.toml")) << sample::kPadHead + R"([pulp]
 law = "neo-hookean"
 shear_modulus_kPa = 12
 poisson_ratio = 0.49999

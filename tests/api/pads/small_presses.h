@@ -13,9 +13,8 @@
 
 namespace thenar::sample {
 
-/// A pad of an exponential pulp whose two constants are assumed.
-inline std::string pad_text(double shear_modulus_kPa, double exponent) {
-  return fmt::format(R"(name = "pad"
+/// The head of a pad's file: all before its pulp.
+inline const std::string kPadHead = R"(name = "pad"
 source = "Guess"
 [sources]
 Guess = "A guess"
@@ -26,14 +25,18 @@ height_mm = 10
 bone_length_mm = 14
 bone_width_mm = 7
 bone_height_mm = 4.5
-[pulp]
+)";
+
+/// A pad of an exponential pulp whose two constants are assumed.
+inline std::string pad_text(double shear_modulus_kPa, double exponent) {
+  return kPadHead + fmt::format(R"([pulp]
 law = "veronda-westmann"
 shear_modulus_kPa = {}
 exponent = {}
 poisson_ratio = 0.48
 assumed = ["shear_modulus_kPa", "exponent"]
 )",
-                     shear_modulus_kPa, exponent);
+                                shear_modulus_kPa, exponent);
 }
 
 /// The head of a data file for pad.toml beside it, with both constants free.
