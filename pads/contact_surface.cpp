@@ -196,6 +196,40 @@ VectorXd MeanGaps::change(const Matrix3Xd& moved) const {
   return out;
 }
 
+std::vector<MeanGaps::Slope> MeanGaps::slopes(const std::vector<int>& nodes) const {
+  std::vector<int> rows(surface_.nodes.size(), -1);
+  std::vector<Slope> out;
+  for (std::size_t i = 0; i < nodes.size(); ++i) {
+    rows[static_cast<std::size_t>(nodes[i])] = static_cast<int>(i);
+    out.push_back({static_cast<int>(i), nodes[i], normal_.col(nodes[i])});
+  }
+  if (!neighbours_matter_) return out;
+  for (const Near& near : near_) {
+    const SurfacePoint& point = surface_.points[near.point];
+    for (const NodeWeight& each : point.nodes) {
+      const int row = rows[static_cast<std::size_t>(each.node)];
+      if (row < 0) continue;
+      const double share = share_of(point, each);
+      for (const NodeWeight& other : point.nodes)
+        out.push_back(
+            {row, other.node, share * other.weight * (near.normal - normal_.col(other.node))});
+    }
+  }
+  // One of each pair.
+  std::stable_sort(out.begin(), out.end(), [](const Slope& a, const Slope& b) {
+    return std::pair(a.row, a.node) < std::pair(b.row, b.node);
+  });
+  std::size_t last = 0;
+  for (std::size_t i = 1; i < out.size(); ++i) {
+    if (out[i].row == out[last].row && out[i].node == out[last].node)
+      out[last].by += out[i].by;
+    else
+      out[++last] = out[i];
+  }
+  out.resize(std::min(out.size(), last + 1));
+  return out;
+}
+
 Matrix3Xd MeanGaps::spread(const VectorXd& push) const {
   Matrix3Xd out = normal_ * push.asDiagonal();
   for (const Near& near : near_) {

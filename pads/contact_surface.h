@@ -32,11 +32,6 @@ struct ContactSurface {
 [[nodiscard]] ContactSurface contact_surface(const HexMesh& mesh, const TissueBody& body,
                                              const std::vector<bool>& marked);
 
-/// Free nodes of faces all of whose nodes are marked; a hanging node's share goes to its masters.
-/// @param marked  (nodes of the mesh)
-[[nodiscard]] ContactSurface contact_surface(const HexMesh& mesh, const TissueBody& body,
-                                             const std::vector<bool>& marked);
-
 /// Places of its nodes, deformed [m] (3, nodes). @param x  of the body's free nodes [m] (3 free
 /// nodes)
 [[nodiscard]] Eigen::Matrix3Xd places_of(const ContactSurface& surface, const Eigen::VectorXd& x);
@@ -84,6 +79,13 @@ class MeanGaps {
   [[nodiscard]] bool neighbours_matter() const { return neighbours_matter_; }
   /// Change of gaps, linear. @param moved  of the nodes, the object at rest [m] (3, nodes)
   [[nodiscard]] Eigen::VectorXd change(const Eigen::Matrix3Xd& moved) const;
+  /// d gap / d place of a node.
+  struct Slope {
+    int row, node;       // of the gap among those that were asked; of the surface
+    Eigen::Vector3d by;  // (3)
+  };
+  /// All slopes of some nodes' gaps.
+  [[nodiscard]] std::vector<Slope> slopes(const std::vector<int>& nodes) const;
   /// Forces on nodes of forces that open gaps, its transpose. @param push  [N] (nodes)
   [[nodiscard]] Eigen::Matrix3Xd spread(const Eigen::VectorXd& push) const;
 

@@ -46,7 +46,7 @@ PadPress::PadPress(const PadModel& model, RigidObject object, const Pose<double>
 
 void PadPress::build() {
   body_ = std::make_unique<TissueBody>(mesh_, model_.element, model_.tissues, held_by_bone(mesh_));
-  factor_ = std::make_unique<SparseCholesky>(body_->pattern());
+  factors_ = std::make_unique<PressFactors>(*body_);
   surface_ = contact_surface(mesh_, *body_, skin_nodes(mesh_));
 }
 
@@ -78,7 +78,7 @@ void PadPress::begin_at(const Pose<double>& X_PO) {
 
 Eigen::Matrix<double, 6, 6> PadPress::stiffness(std::optional<double> friction) {
   const RigidObject object{object_.shape, friction.value_or(object_.friction)};
-  return press_stiffness(*body_, surface_, object, options_.step, *factor_, state_);
+  return press_stiffness(*body_, surface_, object, options_.step, *factors_, state_);
 }
 
 PressGoal PadPress::from_here(const PressGoal& goal) const {
@@ -88,7 +88,7 @@ PressGoal PadPress::from_here(const PressGoal& goal) const {
 }
 
 PressOutcome PadPress::solve_once(const PressGoal& goal, PressState& state) {
-  PressOutcome out = press_step(*body_, surface_, object_, goal, options_.step, *factor_, state);
+  PressOutcome out = press_step(*body_, surface_, object_, goal, options_.step, *factors_, state);
   factorisations_ += out.iterations;
   return out;
 }

@@ -100,7 +100,7 @@ class PadPress {
   PadPressOptions options_;
   HexMesh mesh_;
   std::unique_ptr<TissueBody> body_;
-  std::unique_ptr<SparseCholesky> factor_;
+  std::unique_ptr<PressFactors> factors_;
   ContactSurface surface_;
   PressState state_, before_;  // of now; at the beginning of the last step
   int factorisations_ = 0;

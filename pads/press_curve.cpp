@@ -35,7 +35,7 @@ class CurveWalk {
  public:
   CurveWalk(const std::vector<PadModel>& pads, const PressCourse& course) : course_(course) {
     for (const PadModel& pad : pads) pads_.push_back(std::make_unique<PadTrack>(pad, course));
-    factor_ = std::make_unique<SparseCholesky>(pads_[0]->press.body().pattern());
+    factors_ = std::make_unique<PressFactors>(pads_[0]->press.body());
     for (const auto& each : pads_)
       require(each->press.body().unknowns() == pads_[0]->press.body().unknowns(),
               "pads that are pressed together need one mesh");
@@ -115,14 +115,14 @@ class CurveWalk {
     goal.force = load.force;
     goal.time = load.time;
     PressOutcome out = press_step(pad.press.body(), pad.press.surface(), course_.object, goal, {},
-                                  *factor_, state);
+                                  *factors_, state);
     iterations_ += out.iterations;
     return out;
   }
 
   const PressCourse& course_;
   std::vector<std::unique_ptr<PadTrack>> pads_;
-  std::unique_ptr<SparseCholesky> factor_;
+  std::unique_ptr<PressFactors> factors_;
   double first_touch_ = 0;  // [m]
   int iterations_ = 0;
 };

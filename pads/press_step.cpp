@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "base/error.h"
+#include "base/numbers.h"
 #include "solvers/sparse/gmres.h"
 
 namespace thenar {
@@ -23,36 +24,37 @@ constexpr double kLongest = 0.25;  // motion to a force in an iteration, over di
 constexpr double kReach = 20;   // distance from which a force is sought, over that motion [1]
 constexpr double kBack = 0.01;  // depth at which it touches again, over that motion [1]
 
-constexpr double kConeSlack = 1e-10;  // of the friction cone, for rounding [1]
-
-constexpr double kCoupling = 1e-6;  // of a step in the coupling of friction and normal forces [1]
+constexpr double kCoupling = 1e-6;  // of a step, in what neighbours add to gaps [1]
 constexpr int kMaxCoupling = 40;    // iterations for it
+
+constexpr double kWell = 0.3;     // of what is left after an iteration, that keeps a tangent [1]
+constexpr int kMostCuts = 4;      // halvings of a motion that turns an element inside out
+constexpr double kSpring = 1e-3;  // of a drive, over that of tissue under a node [1]
+
+constexpr double kCreeps = 0.4, kSlowest = 0.97;  // ratios of motions that are a series [1]
+constexpr double kStraight = 0.95;                // cosine of their directions [1]
+constexpr double kTurning = 0.1;  // of the distance of nodes, over which a normal turns [1]
 
 constexpr double kRounding = 1e-14;      // of strains of volume, in the forces of an element [1]
 constexpr double kRoundedPlace = 2e-16;  // of objects of up to a metre [m]
 
 /// Contact at an iterate.
 struct TouchingNode {
-  Vector3d slip{0, 0, 0};            // since the last step, tangential [m]
-  double push = 0;                   // normal force [N]
-  Vector3d shear{0, 0, 0};           // [N]
-  Matrix3d hold = Matrix3d::Zero();  // -d shear / d x at the same normal force [N/m]
-  bool sticks = true;                // from the first until friction cannot hold it
-  bool slides = false;
-  Vector3d against{0, 0, 0};  // unit, of the shear of a node that slips
+  double push = 0;          // normal force [N]
+  Vector3d shear{0, 0, 0};  // [N]
 };
 
 class PressSolver {
  public:
   PressSolver(const TissueBody& body, const ContactSurface& surface, const RigidObject& object,
-              const PressGoal& goal, const PressOptions& options, SparseCholesky& factor,
+              const PressGoal& goal, const PressOptions& options, PressFactors& factors,
               const PressState& start)
       : body_(body),
         surface_(surface),
         object_(object),
         goal_(goal),
         options_(options),
-        factor_(factor),
+        factors_(factors),
         start_(start),
         now_(start),
         gaps_(surface),
@@ -61,87 +63,38 @@ class PressSolver {
     longest_ = kLongest * std::sqrt(surface.area.mean());
   }
 
+  /// By the augmented Lagrangian without friction; with friction, and where that fails, by cones.
   PressOutcome solve() {
-    PressOutcome out;
-    for (out.iterations = 0; out.iterations < options_.max_iterations; ++out.iterations) {
-      if (options_.stop && options_.stop()) {
-        out.status = Status::kStopped;
-        out.message = "stopped";
-        return out;
-      }
-      const Matrix3Xd u = body_.spread(now_.x, {});
-      body_.respond(u, goal_.time, start_.history, now_.pressure, ElementAsk::kStiffness, tissue_);
-      if (tissue_.inverted) {
-        out.message = "an element turned inside out";
-        return out;
-      }
-      if (out.iterations == 0) find_stiffness();
-      find_contacts();
-      first_ = false;
-      measure(out);
-      if (is_solved(out)) {
-        out.message = passed_through(u);
-        if (out.message.empty()) out.status = Status::kSolved;
-        return out;
-      }
-      if (goal_.force && scale_ == 0) {
-        // Not far off, or off what it touched, it goes to where it touches.
-        double nearest = 1e300;
-        for (std::size_t k = 0; k < contacts_.size(); ++k)
-          nearest = std::min(nearest, gaps_.gap(k));
-        if (nearest > kReach * longest_) {
-          out.message = "the object does not touch: move it until it does";
-          return out;
-        }
-        now_.X_PO.p += (nearest + kBack * longest_) * goal_.along;
-        continue;
-      }
-      if (!take_step(u)) {
-        out.message = "the stiffness is not positive definite";
-        return out;
-      }
-    }
-    out.status = Status::kLimit;
-    out.message = "too many iterations";
+    if (object_.friction > 0) return solve_by_cones();
+    PressOutcome out = solve_by_augmentation();
+    if (out.status == Status::kSolved || out.status == Status::kStopped) return out;
+    const int iterations = out.iterations;
+    now_ = start_;
+    now_.X_PO = goal_.X_PO;
+    stiffer_.clear();
+    out = solve_by_cones();
+    out.iterations += iterations;
     return out;
   }
 
   /// Slope of the push by motions of the object, at the state where it began.
   Eigen::Matrix<double, 6, 6> stiffness() {
-    Eigen::Matrix<double, 6, 6> out = Eigen::Matrix<double, 6, 6>::Zero();
     const Matrix3Xd u = body_.spread(now_.x, {});
     body_.respond(u, 0, start_.history, now_.pressure, ElementAsk::kStiffness, tissue_);
-    find_stiffness();
-    for (std::size_t k = 0; k < contacts_.size(); ++k)
-      contacts_[k].sticks = node_sticks(start_, static_cast<Eigen::Index>(k), object_.friction);
-    find_contacts();
-    PressOutcome unused;
-    measure(unused);
-    add_own_slopes();
-    if (scale_ == 0 || !factor_.factor(tissue_.values)) return out;
-    for (int column = 0; column < 6; ++column) {
-      // Object, normals and friction turn with it, while tissue resists.
-      Matrix3Xd rigid = Matrix3Xd::Zero(3, static_cast<Eigen::Index>(contacts_.size()));
-      const Vector3d axis = Vector3d::Unit(column % 3);
-      Matrix3Xd turned = rigid;
-      for (std::size_t k = 0; k < contacts_.size(); ++k) {
-        const auto node = static_cast<Eigen::Index>(k);
-        if (column >= 3)
-          rigid.col(node) = axis;
-        else
-          rigid.col(node) = axis.cross(place_of(k));
-        if (column < 3) turned.col(node) = axis.cross(Vector3d(forces_.col(node)));
-      }
-      const Matrix3Xd moved = on_surface(solve(on_body(contact_slope(rigid, false) + turned)));
-      const Matrix3Xd gained = turned - contact_slope(moved - rigid, false);
-      for (std::size_t k = 0; k < contacts_.size(); ++k) {
-        const auto node = static_cast<Eigen::Index>(k);
-        out.block<3, 1>(0, column) += place_of(k).cross(Vector3d(gained.col(node))) +
-                                      Vector3d(moved.col(node)).cross(Vector3d(forces_.col(node)));
-        out.block<3, 1>(3, column) += gained.col(node);
-      }
+    gaps_.find(*object_.shape, now_.X_PO, now_.x);
+    TouchingNodes touching;
+    touching.along_normal.resize(3, now_.normal.size());
+    for (Eigen::Index k = 0; k < now_.normal.size(); ++k) {
+      if (now_.normal[k] <= 0) continue;
+      touching.along_normal.col(static_cast<Eigen::Index>(touching.nodes.size())) =
+          now_.shear.col(k) / now_.normal[k];
+      touching.nodes.push_back(static_cast<int>(k));
+      touching.sticks.push_back(node_sticks(start_, k, object_.friction));
     }
-    return out;
+    if (touching.nodes.empty() || tissue_.inverted || !factors_.moment.factor(tissue_.values))
+      return Eigen::Matrix<double, 6, 6>::Zero();
+    return contact_stiffness(factors_.moment, surface_, gaps_, touching,
+                             places_of(surface_, now_.x), gaps_.spread(now_.normal) + now_.shear);
   }
 
   /// The new state, once solved.
@@ -161,6 +114,136 @@ class PressSolver {
   }
 
  private:
+  /// Newton's method; contact is as stiff as its augmentation, and forces become what a step
+  /// predicts.
+  PressOutcome solve_by_augmentation() {
+    PressOutcome out;
+    VectorXd dx;
+    for (; goes_on(out); ++out.iterations) {
+      Matrix3Xd u;
+      if (!respond(ElementAsk::kStiffness, dx, u, out)) return out;
+      if (out.iterations == 0) find_stiffness(tissue_.values);
+      find_contacts();
+      measure(out);
+      if (is_solved(out)) return ended(u, out);
+      if (goal_.force && scale_ == 0) {
+        if (!go_to_touch(out)) return out;
+        continue;
+      }
+      if (!take_step(u)) {
+        out.message = "the stiffness is not positive definite";
+        return out;
+      }
+    }
+    return out;
+  }
+
+  /// Each iteration brings the body, linear at where it is, to rest under exact cones. Its tangent
+  /// is kept while iterations go on well.
+  PressOutcome solve_by_cones() {
+    PressOutcome out;
+    ContactCones& cones = factors_.cones;
+    const CondensedBody& tangent = cones.body();
+    double before = kInfinity;
+    VectorXd dx, last;
+    for (; goes_on(out); ++out.iterations) {
+      Matrix3Xd u;
+      const bool has_factor = tangent.has_factor();
+      if (!respond(has_factor ? ElementAsk::kForce : ElementAsk::kStiffness, dx, u, out))
+        return out;
+      if (stiffer_.empty()) find_stiffness(has_factor ? tangent.values() : tissue_.values);
+      find_contacts();
+      measure(out);
+      if (is_solved(out)) return ended(u, out);
+      if (goal_.force && scale_ == 0) {
+        if (!go_to_touch(out)) return out;
+        continue;
+      }
+      // A tangent of elsewhere serves while what is left falls well.
+      const double left = std::max(out.residual, change_);
+      const bool well = out.iterations == 0 || left < kWell * std::min(before, scale_);
+      if (!(has_factor && well) && !renew(u)) {
+        out.message = "the stiffness is not positive definite";
+        return out;
+      }
+      before = left;
+      const Matrix3Xd slip = slips();
+      std::optional<ContactCones::Drive> drive;
+      if (goal_.force)
+        drive = {goal_.along, *goal_.force,
+                 kSpring * body_.largest_modulus() * std::sqrt(surface_.area.mean()), longest_};
+      const ContactCones::Rest rest = cones.solve(
+          surface_, {tissue_.force, gaps_, slip, now_.normal, now_.shear, object_.friction, drive});
+      if (rest.status != Status::kSolved) {
+        out.message = "no forces of contact were found";
+        return out;
+      }
+      dx = rest.dx;
+      // Motions that shrink evenly are a geometric series, as where friction turns with normals:
+      // all of it at once.
+      const double ratio = last.size() > 0 ? dx.dot(last) / last.squaredNorm() : 0;
+      const bool creeps = !goal_.force && ratio > kCreeps && ratio < kSlowest &&
+                          dx.dot(last) > kStraight * dx.norm() * last.norm();
+      last = creeps ? VectorXd() : dx;
+      if (creeps) dx /= 1 - ratio;
+      now_.pressure = body_.pressure_after(u, body_.spread(dx, {}));
+      now_.x += dx;
+      now_.X_PO.p += rest.motion * goal_.along;
+      now_.normal = rest.normal;
+      now_.shear = rest.shear;
+    }
+    return out;
+  }
+
+  /// Whether there is another iteration.
+  [[nodiscard]] bool goes_on(PressOutcome& out) const {
+    if (out.iterations >= options_.max_iterations) {
+      out.status = Status::kLimit;
+      out.message = "too many iterations";
+      return false;
+    }
+    if (options_.stop && options_.stop()) {
+      out.status = Status::kStopped;
+      out.message = "stopped";
+      return false;
+    }
+    return true;
+  }
+
+  /// What tissue answers where it is, or, where an element would turn inside out, less far on.
+  /// @param dx  the last motion, may be empty: becomes what is left of it
+  bool respond(ElementAsk ask, VectorXd& dx, Matrix3Xd& u, PressOutcome& out) {
+    for (int cut = 0; cut <= kMostCuts; ++cut) {
+      u = body_.spread(now_.x, {});
+      body_.respond(u, goal_.time, start_.history, now_.pressure, ask, tissue_);
+      if (!tissue_.inverted) return true;
+      if (dx.size() == 0) break;
+      dx *= 0.5;
+      now_.x -= dx;
+    }
+    out.message = "an element turned inside out";
+    return false;
+  }
+
+  /// A step that is solved, unless the object jumped through the surface.
+  PressOutcome ended(const Matrix3Xd& u, PressOutcome& out) const {
+    out.message = passed_through(u);
+    if (out.message.empty()) out.status = Status::kSolved;
+    return out;
+  }
+
+  /// Not far off, or off what it touched, the object goes to where it touches.
+  bool go_to_touch(PressOutcome& out) {
+    double nearest = 1e300;
+    for (std::size_t k = 0; k < contacts_.size(); ++k) nearest = std::min(nearest, gaps_.gap(k));
+    if (nearest > kReach * longest_) {
+      out.message = "the object does not touch: move it until it does";
+      return false;
+    }
+    now_.X_PO.p += (nearest + kBack * longest_) * goal_.along;
+    return true;
+  }
+
   [[nodiscard]] Vector3d place_of(std::size_t k) const {
     return surface_.places.col(static_cast<Eigen::Index>(k)) +
            now_.x.segment<3>(3 * surface_.nodes[k]);
@@ -170,16 +253,72 @@ class PressSolver {
 
   /// Above that of tissue at rest, and above that of the body as it is: a squeezed body is stiffer
   /// by its law and by its bulk modulus, and may be stable by the contact alone.
-  void find_stiffness() {
+  /// @param values  of a tangent
+  void find_stiffness(const std::vector<double>& values) {
     for (std::size_t k = 0; k < contacts_.size(); ++k) {
       const double at_rest =
           body_.largest_modulus() * std::sqrt(surface_.area[static_cast<Eigen::Index>(k)]);
       double now = 0;
       for (int c = 0; c < 3; ++c)
-        now = std::max(now, tissue_.values[body_.diagonal_entry(surface_.nodes[k], c, c)]);
+        now = std::max(now, values[body_.diagonal_entry(surface_.nodes[k], c, c)]);
       // No more than leaves forces exact to rounding of places.
       stiffer_.push_back(std::clamp(kStifferNow * now, kStiffer * at_rest, kStiffest * at_rest));
     }
+  }
+
+  /// Takes the tangent here, with what forces do whose normals turn. Where the body is stable by
+  /// its contacts alone, they have springs.
+  bool renew(const Matrix3Xd& u) {
+    body_.respond(u, goal_.time, start_.history, now_.pressure, ElementAsk::kStiffness, tissue_);
+    const Matrix3Xd none(3, 0);
+    const std::vector<double> tissue = tissue_.values;
+    add_turning_slopes();
+    if (factors_.cones.factor(tissue_.values, none)) return true;
+    tissue_.values = tissue;
+    if (factors_.cones.factor(tissue_.values, none)) return true;
+    Matrix3Xd springs = Matrix3Xd::Zero(3, static_cast<Eigen::Index>(contacts_.size()));
+    for (std::size_t k = 0; k < contacts_.size(); ++k)
+      if (contacts_[k].push > 0)
+        springs.col(static_cast<Eigen::Index>(k)) = std::sqrt(stiffer(k)) * gaps_.own_slope(k);
+    add_own_slopes();
+    return factors_.cones.factor(tissue_.values, springs);
+  }
+
+  /// A node that slides over a curved object has its normal force turn: - normal d2 distance / dx2,
+  /// by differences over a part of the way between nodes, as if all force were the node's own.
+  void add_turning_slopes() {
+    const double step = kTurning * std::sqrt(surface_.area.mean());
+    const Pose<double> X_OP = now_.X_PO.inverse();
+    for (std::size_t k = 0; k < contacts_.size(); ++k) {
+      const double normal = now_.normal[static_cast<Eigen::Index>(k)];
+      if (normal <= 0) continue;
+      const auto normal_at = [&](const Vector3d& p) {
+        return Vector3d(now_.X_PO.R * object_.shape->nearest(X_OP * p).normal);
+      };
+      Matrix3d slope;
+      for (int c = 0; c < 3; ++c) {
+        const Vector3d way = step * Vector3d::Unit(c);
+        slope.col(c) = (normal_at(place_of(k) + way) - normal_at(place_of(k) - way)) / (2 * step);
+      }
+      add_block(k, -0.5 * normal * (slope + slope.transpose()));
+    }
+  }
+
+  /// Slip of every node since the last step, tangential [m] (3, nodes).
+  [[nodiscard]] Matrix3Xd slips() const {
+    Matrix3Xd out(3, static_cast<Eigen::Index>(contacts_.size()));
+    for (std::size_t k = 0; k < contacts_.size(); ++k)
+      out.col(static_cast<Eigen::Index>(k)) = slip_of(k);
+    return out;
+  }
+  [[nodiscard]] Vector3d slip_of(std::size_t k) const {
+    const Vector3d anchor = start_.anchor.col(static_cast<Eigen::Index>(k));
+    return across(k, place_of(k) - now_.X_PO * anchor);
+  }
+  /// Part of a vector across the normal of a node.
+  [[nodiscard]] Vector3d across(std::size_t k, const Vector3d& v) const {
+    const Vector3d normal = gaps_.normal(k);
+    return v - v.dot(normal) * normal;
   }
 
   /// Nodes inside the object tell that it jumped through the surface; hanging nodes of the surface
@@ -201,49 +340,21 @@ class PressSolver {
     return "";
   }
 
+  /// Forces that the laws of contact make of the last ones, of gaps and of slips: at an answer they
+  /// are the last ones.
   void find_contacts() {
     gaps_.find(*object_.shape, now_.X_PO, now_.x);
-    coupled_ = gaps_.neighbours_matter();
     for (std::size_t k = 0; k < contacts_.size(); ++k) {
       TouchingNode& c = contacts_[k];
       const auto column = static_cast<Eigen::Index>(k);
       c.push = std::max(0.0, now_.normal[column] - stiffer(k) * gaps_.gap(k));
       c.shear.setZero();
-      c.hold.setZero();
-      c.slides = false;
-      if (c.push > 0 && object_.friction > 0) find_shear(k);
+      if (c.push <= 0 || object_.friction <= 0) continue;
+      // The force within the cone that is nearest to the last less the slip.
+      const Vector3d trial = across(k, Vector3d(now_.shear.col(column))) - stiffer(k) * slip_of(k);
+      const double bound = object_.friction * c.push, size = trial.norm();
+      c.shear = size > bound ? Vector3d(bound / size * trial) : trial;
     }
-  }
-
-  /// Friction of a node that touches: it sticks where it was at the last step, or slips against a
-  /// force of friction times the normal force.
-  void find_shear(std::size_t k) {
-    TouchingNode& c = contacts_[k];
-    const double r = stiffer(k);
-    const Vector3d normal = gaps_.normal(k);
-    const auto column = static_cast<Eigen::Index>(k);
-    const Matrix3d flat = Matrix3d::Identity() - normal * normal.transpose();
-    c.slip = flat * (place_of(k) - now_.X_PO * Vector3d(start_.anchor.col(column)));
-    // What slipped and goes on the same way begins slipping.
-    if (first_)
-      c.sticks = node_sticks(start_, column, object_.friction) ||
-                 c.slip.dot(Vector3d(start_.shear.col(column))) >= 0;
-    if (c.sticks) {
-      c.shear = flat * Vector3d(now_.shear.col(column)) - r * c.slip;
-      c.hold = r * flat;
-      return;
-    }
-    // Along what the last force becomes by the slip: a slip that is not much yet turns it little.
-    // Across that it holds the node, the less the more it slips.
-    const double bound = object_.friction * c.push;
-    const Vector3d trial = flat * Vector3d(now_.shear.col(column)) - r * c.slip;
-    const double size = trial.norm();
-    if (size > 0) c.against = trial / size;
-    const double share = size > 2 * bound ? bound / size : 0.5, hold = r * share / (1 - share);
-    const Matrix3d across = flat - c.against * c.against.transpose();
-    c.shear = bound * c.against - hold * (across * c.slip);
-    c.hold = hold * across;
-    c.slides = coupled_ = true;
   }
 
   /// Out of balance: forces on free nodes, and the push along the goal's direction.
@@ -255,12 +366,11 @@ class PressSolver {
     VectorXd push(static_cast<Eigen::Index>(contacts_.size()));
     for (std::size_t k = 0; k < contacts_.size(); ++k)
       push[static_cast<Eigen::Index>(k)] = contacts_[k].push;
-    forces_ = gaps_.spread(push);
+    const Matrix3Xd forces = gaps_.spread(push);
     for (std::size_t k = 0; k < contacts_.size(); ++k) {
       const TouchingNode& c = contacts_[k];
       const auto column = static_cast<Eigen::Index>(k);
-      forces_.col(column) += c.shear;
-      const Vector3d force = forces_.col(column);
+      const Vector3d force = forces.col(column) + c.shear;
       if (force.isZero(0)) continue;
       residual_.segment<3>(3 * surface_.nodes[k]) -= force;
       out.push += wrench_of_force(place_of(k), force);
@@ -283,22 +393,22 @@ class PressSolver {
     const double rounding = std::max(kRounding * body_.largest_pressure_force(), rounding_);
     const double small = std::max(options_.force_tolerance * scale_, rounding);
     return out.residual <= small && std::abs(missing_) <= std::max(small, 1e-9) &&
-           out.gap <= options_.gap_tolerance && change_ <= small && !changed_;
+           out.gap <= options_.gap_tolerance && change_ <= small;
   }
 
   /// The factor has contacts as blocks on the diagonal.
   void add_own_slopes() {
-    for (std::size_t k = 0; k < contacts_.size(); ++k) {
-      const Matrix3d block = own_slope(k);
-      for (int c = 0; c < 3; ++c)
-        for (int r = c; r < 3; ++r)
-          tissue_.values[body_.diagonal_entry(surface_.nodes[k], r, c)] += block(r, c);
-    }
+    for (std::size_t k = 0; k < contacts_.size(); ++k) add_block(k, own_slope(k));
+  }
+  void add_block(std::size_t k, const Matrix3d& block) {
+    for (int c = 0; c < 3; ++c)
+      for (int r = c; r < 3; ++r)
+        tissue_.values[body_.diagonal_entry(surface_.nodes[k], r, c)] += block(r, c);
   }
 
   bool take_step(const Matrix3Xd& u) {
     add_own_slopes();
-    if (!factor_.factor(tissue_.values)) return false;
+    if (!factors_.moment.factor(tissue_.values)) return false;
     VectorXd dx = solve(-residual_);
     double motion = 0;
     if (goal_.force && !reach_force(dx, motion)) return false;
@@ -307,9 +417,11 @@ class PressSolver {
     Matrix3Xd moved = on_surface(dx);
     moved.colwise() -= motion * goal_.along;
     const VectorXd closed = gaps_.change(moved);
-    changed_ = false;
-    for (std::size_t k = 0; k < contacts_.size(); ++k)
-      predict(k, moved.col(static_cast<Eigen::Index>(k)), closed[static_cast<Eigen::Index>(k)]);
+    for (std::size_t k = 0; k < contacts_.size(); ++k) {
+      const auto column = static_cast<Eigen::Index>(k);
+      const double before = contacts_[k].push - stiffer(k) * closed[column];
+      now_.normal[column] = contacts_[k].push > 0 ? std::max(0.0, before) : 0;
+    }
     now_.x += dx;
     now_.X_PO.p += motion * goal_.along;
     return true;
@@ -317,10 +429,7 @@ class PressSolver {
 
   /// Displacements of the nodes of the surface (3, nodes).
   [[nodiscard]] Matrix3Xd on_surface(const VectorXd& x) const {
-    Matrix3Xd out(3, static_cast<Eigen::Index>(contacts_.size()));
-    for (std::size_t k = 0; k < contacts_.size(); ++k)
-      out.col(static_cast<Eigen::Index>(k)) = x.segment<3>(3 * surface_.nodes[k]);
-    return out;
+    return places_of(surface_, x) - surface_.places;
   }
   /// And back (3 free nodes).
   [[nodiscard]] VectorXd on_body(const Matrix3Xd& forces) const {
@@ -334,40 +443,31 @@ class PressSolver {
   [[nodiscard]] Matrix3d own_slope(std::size_t k) const {
     if (contacts_[k].push <= 0) return Matrix3d::Zero();
     const Vector3d own = gaps_.own_slope(k);
-    return stiffer(k) * own * own.transpose() + contacts_[k].hold;
+    return stiffer(k) * own * own.transpose();
   }
 
-  /// Loss of contact forces as nodes move (3, nodes); transposed: the other way round.
-  [[nodiscard]] Matrix3Xd contact_slope(const Matrix3Xd& moved, bool transposed) const {
+  /// Loss of contact forces as nodes move (3, nodes), symmetric.
+  [[nodiscard]] Matrix3Xd contact_slope(const Matrix3Xd& moved) const {
     VectorXd lost = gaps_.change(moved);
-    Matrix3Xd out(3, moved.cols());
-    for (std::size_t k = 0; k < contacts_.size(); ++k) {
-      const TouchingNode& c = contacts_[k];
-      const auto column = static_cast<Eigen::Index>(k);
-      const Vector3d follows =
-          c.slides ? Vector3d(object_.friction * c.against) : Vector3d(0, 0, 0);
-      if (transposed) lost[column] += follows.dot(moved.col(column));
-      lost[column] *= c.push > 0 ? stiffer(k) : 0;
-      out.col(column) = c.hold * moved.col(column);
-      if (!transposed) out.col(column) += lost[column] * follows;
-    }
-    return out + gaps_.spread(lost);
+    for (std::size_t k = 0; k < contacts_.size(); ++k)
+      lost[static_cast<Eigen::Index>(k)] *= contacts_[k].push > 0 ? stiffer(k) : 0;
+    return gaps_.spread(lost);
   }
 
   /// Solves with the matrix of this iteration: most of it has a factor, and what contacts add
-  /// between nodes, and between friction and normal forces, comes by iterations.
+  /// between nodes comes by iterations.
   [[nodiscard]] VectorXd solve(const VectorXd& b) const {
-    VectorXd first = factor_.solve(b);
-    if (!coupled_) return first;
+    VectorXd first = factors_.moment.solve(b);
+    if (!gaps_.neighbours_matter()) return first;
     return gmres(
         [&](const VectorXd& x) {
           const Matrix3Xd moved = on_surface(x);
-          Matrix3Xd more = contact_slope(moved, false);
+          Matrix3Xd more = contact_slope(moved);
           for (std::size_t k = 0; k < contacts_.size(); ++k) {
             const auto column = static_cast<Eigen::Index>(k);
             more.col(column) -= own_slope(k) * moved.col(column);
           }
-          return VectorXd(x + factor_.solve(on_body(more)));
+          return VectorXd(x + factors_.moment.solve(on_body(more)));
         },
         first, kCoupling, kMaxCoupling);
   }
@@ -375,49 +475,14 @@ class PressSolver {
   /// The object's motion along the goal's direction is one more unknown: its share of a step.
   /// @param dx  in: with the object at rest
   bool reach_force(VectorXd& dx, double& motion) {
-    const Matrix3Xd along = goal_.along.replicate(1, static_cast<Eigen::Index>(contacts_.size()));
-    const Matrix3Xd lost = contact_slope(along, false);
-    const VectorXd column = -on_body(lost), row = -on_body(contact_slope(along, true));
-    const double own = goal_.along.dot(lost.rowwise().sum());
-    const VectorXd follows = solve(column);
-    const double schur = own - row.dot(follows);
+    const Matrix3Xd lost =
+        contact_slope(goal_.along.replicate(1, static_cast<Eigen::Index>(contacts_.size())));
+    const VectorXd column = -on_body(lost), follows = solve(column);
+    const double schur = goal_.along.dot(lost.rowwise().sum()) - column.dot(follows);
     if (!(schur > 0)) return false;
-    motion = std::clamp((missing_ - row.dot(dx)) / schur, -longest_, longest_);
+    motion = std::clamp((missing_ - column.dot(dx)) / schur, -longest_, longest_);
     dx -= motion * follows;
     return true;
-  }
-
-  /// What an iteration that moves a node relative to the object makes of its forces.
-  /// @param closed  change of its gap [m]
-  void predict(std::size_t k, const Vector3d& moved, double closed) {
-    TouchingNode& c = contacts_[k];
-    const auto column = static_cast<Eigen::Index>(k);
-    if (c.push <= 0) {
-      now_.normal[column] = 0;
-      now_.shear.col(column).setZero();
-      c.sticks = false;
-      c.against.setZero();
-      return;
-    }
-    const double before = c.push - stiffer(k) * closed;
-    now_.normal[column] = std::max(0.0, before);
-    if (object_.friction <= 0) return;
-    Vector3d shear = c.shear - c.hold * moved;
-    if (c.slides) shear += object_.friction * (before - c.push) * c.against;
-    const double bound = object_.friction * now_.normal[column], size = shear.norm();
-    if (c.sticks) {
-      // Sticks while friction can hold it.
-      c.sticks = size <= bound * (1 + kConeSlack);
-      changed_ = changed_ || !c.sticks;
-      c.against = size > 0 ? Vector3d(shear / size) : Vector3d(0, 0, 0);
-    } else {
-      // Slips while it moves against the force.
-      const Vector3d normal = gaps_.normal(k);
-      const Vector3d slip = c.slip + moved - moved.dot(normal) * normal;
-      c.sticks = slip.dot(c.against) > 0;
-      changed_ = changed_ || c.sticks;
-    }
-    now_.shear.col(column) = size > bound && size > 0 ? Vector3d(bound / size * shear) : shear;
   }
 
   const TissueBody& body_;
@@ -425,19 +490,15 @@ class PressSolver {
   const RigidObject& object_;
   const PressGoal& goal_;
   const PressOptions& options_;
-  SparseCholesky& factor_;
+  PressFactors& factors_;
   const PressState& start_;
   PressState now_;
   MeanGaps gaps_;
   std::vector<TouchingNode> contacts_;
   std::vector<double> stiffer_;  // of the augmentation [N/m] (surface nodes)
-  bool first_ = true;            // no iteration is done
-  bool coupled_ = false;         // the slope of contact forces is more than blocks on the diagonal
   TissueResponse tissue_;
   VectorXd residual_;
-  Matrix3Xd forces_;  // of contact on nodes [N] (3, nodes)
   Wrench push_;
-  bool changed_ = true;  // a node began or ceased to stick in the last iteration
   double scale_ = 0, missing_ = 0, change_ = 0;
   double rounding_ = 0;  // of contact forces [N]
   double longest_ = 0;   // motion of the object in an iteration [m]
@@ -447,7 +508,7 @@ class PressSolver {
 
 PressOutcome press_step(const TissueBody& body, const ContactSurface& surface,
                         const RigidObject& object, const PressGoal& goal,
-                        const PressOptions& options, SparseCholesky& factor, PressState& state) {
+                        const PressOptions& options, PressFactors& factors, PressState& state) {
   const auto nodes = static_cast<Eigen::Index>(surface.nodes.size());
   require(object.shape != nullptr, "an object without a shape presses on nothing");
   require(object.friction >= 0 && std::isfinite(object.friction),
@@ -463,7 +524,7 @@ PressOutcome press_step(const TissueBody& body, const ContactSurface& surface,
               state.shear.cols() == nodes && state.anchor.cols() == nodes,
           "a state of {} unknowns and {} nodes does not fit a body of {} and {}", state.x.size(),
           state.normal.size(), body.unknowns(), nodes);
-  PressSolver solver(body, surface, object, goal, options, factor, state);
+  PressSolver solver(body, surface, object, goal, options, factors, state);
   PressOutcome out = solver.solve();
   if (out.status == Status::kSolved) state = solver.finish();
   return out;
@@ -471,13 +532,13 @@ PressOutcome press_step(const TissueBody& body, const ContactSurface& surface,
 
 Eigen::Matrix<double, 6, 6> press_stiffness(const TissueBody& body, const ContactSurface& surface,
                                             const RigidObject& object, const PressOptions& options,
-                                            SparseCholesky& factor, const PressState& state) {
+                                            PressFactors& factors, const PressState& state) {
   require(state.x.size() == body.unknowns() &&
               state.normal.size() == static_cast<Eigen::Index>(surface.nodes.size()),
           "a state of {} unknowns does not fit a body of {}", state.x.size(), body.unknowns());
   PressGoal here;
   here.X_PO = state.X_PO;
-  return PressSolver(body, surface, object, here, options, factor, state).stiffness();
+  return PressSolver(body, surface, object, here, options, factors, state).stiffness();
 }
 
 bool node_sticks(const PressState& state, Eigen::Index node, double friction) {

@@ -11,6 +11,7 @@
 
 #include "base/spatial.h"
 #include "geometry/shape.h"
+#include "pads/contact_cones.h"
 #include "pads/contact_surface.h"
 #include "pads/tissue_body.h"
 #include "solvers/status.h"
@@ -50,6 +51,13 @@ struct PressOptions {
   std::function<bool()> stop;  // asked before each iteration: true ends the step; empty: never
 };
 
+/// Tangents of a body that its steps factor.
+struct PressFactors {
+  explicit PressFactors(const TissueBody& body) : moment(body), cones(body) {}
+  CondensedBody moment;  // of the moment, with contacts or without
+  ContactCones cones;    // kept from step to step
+};
+
 /// How a step ended.
 struct [[nodiscard]] PressOutcome {
   Status status = Status::kStalled;
@@ -64,25 +72,26 @@ struct [[nodiscard]] PressOutcome {
 /// normal, and shear against the slip since the last step, to the tolerances; on kSolved `state` is
 /// the new state, otherwise it is as it was (kStopped: it was asked to stop).
 ///
-/// Gaps of nodes are means over the true surface around them (ContactSurface::points). Newton's
-/// method on the augmented Lagrangian, forces updated by what each step predicts; the coupling of
-/// friction and normal forces, which is not symmetric, comes by gmres(). Tissue pressure is an
-/// unknown of its own (element_response()).
+/// Gaps of nodes are means over the true surface around them (ContactSurface::points). With
+/// friction each iteration brings the body, linear at where it is, to rest under exact cones
+/// (ContactCones), by a tangent that is kept while it serves. Without friction Newton's method on
+/// the augmented Lagrangian goes first, which costs less where many nodes touch. Tissue pressure is
+/// an unknown of its own (element_response()).
 /// @throws InputError if a pose, a time or a force makes no sense, or the state is of another body.
 /// Sources: [AlartCurnier1991], [SimoLaursen1992].
 [[nodiscard]] PressOutcome press_step(const TissueBody& body, const ContactSurface& surface,
                                       const RigidObject& object, const PressGoal& goal,
-                                      const PressOptions& options, SparseCholesky& factor,
+                                      const PressOptions& options, PressFactors& factors,
                                       PressState& state);
 
 /// Slope of the push by motions of the object at a solved state, at once: what relaxes does not
-/// count, nodes that stick go with the object, those that slip keep their cone. Contact is as stiff
-/// as its augmentation, a hundred times tissue.
+/// count, nodes that stick go with the object, those that slip keep their cone
+/// (contact_stiffness()).
 /// @return moment and turn first, about the body's origin (6, 6); zero where nothing touches
 /// @throws InputError if the state is of another body.
 [[nodiscard]] Eigen::Matrix<double, 6, 6> press_stiffness(
     const TissueBody& body, const ContactSurface& surface, const RigidObject& object,
-    const PressOptions& options, SparseCholesky& factor, const PressState& state);
+    const PressOptions& options, PressFactors& factors, const PressState& state);
 
 /// Whether a node of the surface that touches holds: its friction is below its cone by more than a
 /// millionth.

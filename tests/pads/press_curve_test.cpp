@@ -132,7 +132,7 @@ TEST(ContactArea, OfABallIsThatOfHertz) {
   tissue.shear_modulus = 1e4;
   const TissueBody body(mesh, HexElement::kMeanDilatation, {tissue}, floor);
   const ContactSurface surface = contact_surface(mesh, body, on_top);
-  SparseCholesky factor(body.pattern());
+  PressFactors factors(body);
   const RigidObject ball{build_sphere(kRadius), 0};
   Pose<double> X;
   X.p = top + Vector3d(0, 0, kRadius);
@@ -140,7 +140,7 @@ TEST(ContactArea, OfABallIsThatOfHertz) {
   PressGoal goal;
   goal.X_PO = X;
   goal.X_PO.p[2] -= kDepth;
-  ASSERT_EQ(press_step(body, surface, ball, goal, {}, factor, state).status, Status::kSolved);
+  ASSERT_EQ(press_step(body, surface, ball, goal, {}, factors, state).status, Status::kSolved);
   EXPECT_NEAR(contact_area(mesh, body, {tissue}, on_top, surface, ball, state) /
                   (EIGEN_PI * kRadius * kDepth),
               1, 0.05);

@@ -118,6 +118,23 @@ TEST(PressStability, FrictionTakesWork) {
   EXPECT_GT(report.work, 0.1 * report.most_work);
 }
 
+TEST(PressStability, SlidesAtAnyFriction) {
+  for (const char* name : {"wall", "ball", "rod"})
+    for (const double friction : {0.3, 0.6, 1.0, 1.5}) {
+      StabilityTrial trial = plain_trial(name, 0.49);
+      trial.object.friction = friction;
+      trial.depth = 1.5e-3;
+      trial.steps = 15;
+      trial.sideways = {3e-3, 0, 0};
+      trial.steps_sideways = 30;
+      const PressReport report = run_trial(trial);
+      expect_sound(trial, report);
+      // No step was cut: those that are take 30 iterations and more.
+      EXPECT_EQ(report.failed, 0) << name << " " << friction << " " << report.message;
+      EXPECT_LT(report.factorisations, 15 * report.solved) << name << " " << friction;
+    }
+}
+
 TEST(PressStability, ThroughTheBoneEndsWithAStatus) {
   for (const char* name : {"wall", "ball", "blade"}) {
     StabilityTrial trial = plain_trial(name, 0.49);

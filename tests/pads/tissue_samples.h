@@ -114,7 +114,7 @@ struct TissueBlock {
     }
     body = std::make_unique<TissueBody>(mesh, kind, tissues, held);
     surface = contact_surface(mesh, *body, top);
-    factor = std::make_unique<SparseCholesky>(body->pattern());
+    factors = std::make_unique<PressFactors>(*body);
   }
   /// A state in which the object stands at X and touches nothing.
   [[nodiscard]] PressState at_rest(const Pose<double>& X) const {
@@ -122,7 +122,7 @@ struct TissueBlock {
   }
   PressOutcome press(const RigidObject& object, const PressGoal& goal, PressState& state,
                      const PressOptions& options = {}) {
-    return press_step(*body, surface, object, goal, options, *factor, state);
+    return press_step(*body, surface, object, goal, options, *factors, state);
   }
   /// Node of the mesh behind a place of the surface.
   [[nodiscard]] int node_of(std::size_t place) const {
@@ -132,7 +132,7 @@ struct TissueBlock {
   HexMesh mesh;
   std::unique_ptr<TissueBody> body;
   ContactSurface surface;
-  std::unique_ptr<SparseCholesky> factor;
+  std::unique_ptr<PressFactors> factors;
 };
 
 }  // namespace thenar

@@ -132,9 +132,9 @@ TEST_P(MovingPadOf, StiffnessIsTheSlopeOfThePush) {
   const Vector6 up = six_of(pad->move(moved_by(pressed, motion), 0).push) - before,
                 down = six_of(pad->move(moved_by(pressed, -motion), 0).push) - before;
   const Vector6 slope = 0.5 * (up - down), seen = K * motion;
-  EXPECT_LT((slope - seen).tail<3>().norm(), 0.03 * slope.tail<3>().norm())
+  EXPECT_LT((slope - seen).tail<3>().norm(), 0.005 * slope.tail<3>().norm())
       << "forces " << slope.tail<3>().transpose() << " by K " << seen.tail<3>().transpose();
-  EXPECT_LT((slope - seen).head<3>().norm(), 0.03 * slope.head<3>().norm())
+  EXPECT_LT((slope - seen).head<3>().norm(), 0.005 * slope.head<3>().norm())
       << "moments " << slope.head<3>().transpose() << " by K " << seen.head<3>().transpose();
 }
 

@@ -1,0 +1,285 @@
+#include "pads/contact_cones.h"
+
+#include <algorithm>
+
+#include <Eigen/LU>
+
+namespace thenar {
+namespace {
+
+using Eigen::Index;
+using Eigen::Matrix3Xd;
+using Eigen::MatrixXd;
+using Eigen::Vector3d;
+using Eigen::VectorXd;
+
+constexpr double kInside = 1e-11;     // of an open node that must join [m]
+constexpr int kMostTurns = 20;        // of nodes that join
+constexpr double kRedundant = 1e-12;  // added to compliances, over the largest [1]
+
+/// Two tangents of a unit normal (3, 2).
+Eigen::Matrix<double, 3, 2> tangents_of(const Vector3d& n) {
+  Eigen::Matrix<double, 3, 2> out;
+  Index least = 0;
+  (void)n.cwiseAbs().minCoeff(&least);
+  out.col(0) = n.cross(Vector3d::Unit(least)).normalized();
+  out.col(1) = n.cross(out.col(0));
+  return out;
+}
+
+/// Forces on nodes of the surface as those on free nodes of the body (3 free nodes).
+VectorXd on_body(const ContactSurface& surface, const VectorXd& forces, Index unknowns) {
+  VectorXd out = VectorXd::Zero(unknowns);
+  for (std::size_t k = 0; k < surface.nodes.size(); ++k)
+    out.segment<3>(3 * surface.nodes[k]) = forces.segment<3>(static_cast<Index>(3 * k));
+  return out;
+}
+
+/// Motion of the nodes of the surface (3, nodes).
+Matrix3Xd on_surface(const ContactSurface& surface, const VectorXd& x) {
+  Matrix3Xd moved(3, static_cast<Index>(surface.nodes.size()));
+  for (Index k = 0; k < moved.cols(); ++k)
+    moved.col(k) = x.segment<3>(3 * surface.nodes[static_cast<std::size_t>(k)]);
+  return moved;
+}
+
+/// Rows on nodes: what each has of a node (3), one list for all.
+using Rows = std::vector<MeanGaps::Slope>;
+
+/// W = J A^-1 F' for rows J and forces F on nodes (rows of J, rows of F).
+MatrixXd compliance(CondensedBody& body, const ContactSurface& surface, const Rows& J,
+                    const Rows& F, Index rows) {
+  const auto nodes = static_cast<Index>(surface.nodes.size());
+  std::vector<char> acts(surface.nodes.size(), 0);
+  for (const MeanGaps::Slope& each : F) acts[static_cast<std::size_t>(each.node)] = 1;
+  std::vector<int> acted;
+  for (int k = 0; k < nodes; ++k)
+    if (acts[static_cast<std::size_t>(k)] != 0) acted.push_back(k);
+  body.condense(surface, acted);
+  MatrixXd answer = MatrixXd::Zero(3 * nodes, rows);
+  for (const MeanGaps::Slope& each : F)
+    answer.col(each.row).noalias() += body.answer_to(each.node) * each.by;
+  MatrixXd W = MatrixXd::Zero(rows, rows);
+  for (const MeanGaps::Slope& each : J)
+    W.row(each.row).noalias() += each.by.transpose() * answer.middleRows<3>(3 * each.node);
+  return W;
+}
+
+/// The same rows as a matrix (rows, 3 nodes).
+MatrixXd dense(const Rows& list, Index rows, Index nodes) {
+  MatrixXd out = MatrixXd::Zero(rows, 3 * nodes);
+  for (const MeanGaps::Slope& each : list)
+    out.block<1, 3>(each.row, 3 * each.node) += each.by.transpose();
+  return out;
+}
+
+}  // namespace
+
+bool CondensedBody::factor(const std::vector<double>& values) {
+  values_ = values;
+  place_.clear();
+  if (!factor_) factor_.emplace(pattern_);
+  has_factor_ = factor_->factor(values);
+  return has_factor_;
+}
+
+VectorXd CondensedBody::solve(const VectorXd& force) const { return factor_->solve(force); }
+
+void CondensedBody::condense(const ContactSurface& surface, const std::vector<int>& nodes) {
+  if (place_.empty()) {
+    place_.assign(surface.nodes.size(), -1);
+    answers_.resize(3 * static_cast<Index>(surface.nodes.size()), 0);
+  }
+  std::vector<int> missing;
+  for (const int node : nodes)
+    if (place_[static_cast<std::size_t>(node)] < 0) missing.push_back(node);
+  if (missing.empty()) return;
+  // Unit forces on all of them at once.
+  const Index before = answers_.cols(), count = 3 * static_cast<Index>(missing.size());
+  MatrixXd unit = MatrixXd::Zero(pattern_.size, count);
+  for (std::size_t i = 0; i < missing.size(); ++i) {
+    const auto node = static_cast<std::size_t>(missing[i]);
+    const auto column = static_cast<Index>(3 * i);
+    unit.block<3, 3>(3 * surface.nodes[node], column).setIdentity();
+    place_[node] = static_cast<int>((before + column) / 3);
+  }
+  const MatrixXd answer = factor_->solve(unit);
+  answers_.conservativeResize(Eigen::NoChange, before + count);
+  for (std::size_t k = 0; k < surface.nodes.size(); ++k)
+    answers_.block(static_cast<Index>(3 * k), before, 3, count) =
+        answer.middleRows<3>(3 * surface.nodes[k]);
+}
+
+bool ContactCones::factor(const std::vector<double>& values, const Matrix3Xd& springs) {
+  springs_ = springs;
+  return body_.factor(values);
+}
+
+void ContactCones::set_problem(const ContactSurface& surface, const Iterate& at,
+                               const Matrix3Xd& moved, const VectorXd& gaps,
+                               const std::vector<int>& touching) {
+  const bool slips = at.friction > 0;
+  const Index per_node = slips ? 3 : 1;
+  const auto rows = per_node * static_cast<Index>(touching.size());
+  problem_.b.resize(rows);
+  start_.resize(rows);
+  problem_.blocks.assign(touching.size(), slips ? coulomb_block(at.friction) : unilateral_block());
+  // Rows of gaps, on which forces of neighbours act, and of slips.
+  Rows list = at.gaps.slopes(touching);
+  for (MeanGaps::Slope& each : list) each.row *= static_cast<int>(per_node);
+  for (std::size_t i = 0; i < touching.size(); ++i) {
+    const int k = touching[i];
+    const auto row = per_node * static_cast<Index>(i);
+    problem_.b[row] = gaps[k];
+    start_[row] = at.normal[k];
+    if (!slips) continue;
+    const auto tangents = tangents_of(at.gaps.normal(static_cast<std::size_t>(k)));
+    for (int t = 0; t < 2; ++t) list.push_back({static_cast<int>(row) + 1 + t, k, tangents.col(t)});
+    problem_.b.segment<2>(row + 1) = tangents.transpose() * Vector3d(at.slip.col(k) + moved.col(k));
+    start_.segment<2>(row + 1) = tangents.transpose() * Vector3d(at.shear.col(k));
+  }
+  J_ = dense(list, rows, moved.cols());
+  const MatrixXd W = compliance(body_, surface, list, list, rows);
+  problem_.W = 0.5 * (W + W.transpose());
+}
+
+ContactCones::Rest ContactCones::solve(const ContactSurface& surface, const Iterate& at) {
+  Rest out;
+  const auto nodes = static_cast<Index>(surface.nodes.size());
+  const auto gaps_after = [&](const Matrix3Xd& moved) {
+    VectorXd gaps = at.gaps.change(moved);
+    for (Index k = 0; k < nodes; ++k) gaps[k] += at.gaps.gap(static_cast<std::size_t>(k));
+    return gaps;
+  };
+  // Without contact; what touched or would be inside then touches.
+  const Matrix3Xd free = on_surface(surface, body_.solve(-at.force));
+  const VectorXd free_gaps = gaps_after(free);
+  std::vector<bool> joins(static_cast<std::size_t>(nodes));
+  for (Index k = 0; k < nodes; ++k)
+    joins[static_cast<std::size_t>(k)] = at.normal[k] > 0 || free_gaps[k] < 0;
+  for (int turn = 0; turn < kMostTurns; ++turn) {
+    std::vector<int> touching;
+    for (int k = 0; k < nodes; ++k)
+      if (joins[static_cast<std::size_t>(k)]) touching.push_back(k);
+    set_problem(surface, at, free, free_gaps, touching);
+    out.status = answer(surface, at, out);
+    if (out.status != Status::kSolved) return out;
+    // Nodes that are inside now join.
+    Matrix3Xd moved = on_surface(surface, out.dx);
+    if (at.drive) moved.colwise() -= out.motion * at.drive->along;
+    const VectorXd gaps = gaps_after(moved);
+    bool more = false;
+    for (Index k = 0; k < nodes; ++k) {
+      if (joins[static_cast<std::size_t>(k)] || gaps[k] >= -kInside) continue;
+      joins[static_cast<std::size_t>(k)] = more = true;
+    }
+    if (more) continue;
+    out.normal = VectorXd::Zero(nodes);
+    out.shear = Matrix3Xd::Zero(3, nodes);
+    const Index per_node = at.friction > 0 ? 3 : 1;
+    for (std::size_t i = 0; i < touching.size(); ++i) {
+      const auto row = per_node * static_cast<Index>(i);
+      const Index k = touching[i];
+      out.normal[k] = f_[row];
+      if (per_node > 1)
+        out.shear.col(k) = J_.block<2, 3>(row + 1, 3 * k).transpose() * f_.segment<2>(row + 1);
+    }
+    return out;
+  }
+  out.status = Status::kLimit;
+  return out;
+}
+
+Status ContactCones::answer(const ContactSurface& surface, const Iterate& at, Rest& rest) {
+  const auto found = [&] {
+    const ContactSolution& solution = solver_.solve(problem_, start_);
+    f_ = solution.f;
+    return solution.status;
+  };
+  const Index unknowns = at.force.size();
+  if (!at.drive) {
+    const Status status = found();
+    rest.dx = body_.solve(on_body(surface, J_.transpose() * f_, unknowns) - at.force);
+    return status;
+  }
+  const Drive& drive = *at.drive;
+  const auto nodes = static_cast<Index>(surface.nodes.size());
+  // Rows by a unit motion of the object, c, which takes the ends of springs with it: forces q.
+  VectorXd c = J_ * drive.along.replicate(nodes, 1), q = VectorXd::Zero(3 * nodes);
+  double stiffness = drive.spring;
+  for (Index k = 0; k < springs_.cols(); ++k) {
+    const double share = springs_.col(k).dot(drive.along);
+    q.segment<3>(3 * k) = share * springs_.col(k);
+    stiffness += share * share;
+  }
+  const VectorXd pulled = on_body(surface, q, unknowns), follows = body_.solve(pulled);
+  c -= J_ * on_surface(surface, follows).reshaped();
+  stiffness -= pulled.dot(follows);
+  const double force = drive.force - follows.dot(at.force);
+  // Its motion is (force - c . f) / stiffness: one more answer of all rows.
+  const MatrixXd W = problem_.W;
+  const VectorXd b = problem_.b;
+  problem_.W += c * c.transpose() / stiffness;
+  problem_.b -= force / stiffness * c;
+  Status status = found();
+  rest.motion = (force - c.dot(f_)) / stiffness;
+  if (status != Status::kSolved || !(std::abs(rest.motion) <= drive.longest)) {
+    // No farther than that.
+    rest.motion = std::copysign(drive.longest, rest.motion);
+    problem_.W = W;
+    problem_.b = b - rest.motion * c;
+    status = found();
+  }
+  rest.dx =
+      body_.solve(on_body(surface, J_.transpose() * f_ + rest.motion * q, unknowns) - at.force);
+  return status;
+}
+
+Eigen::Matrix<double, 6, 6> contact_stiffness(CondensedBody& body, const ContactSurface& surface,
+                                              const MeanGaps& gaps, const TouchingNodes& touching,
+                                              const Matrix3Xd& places, const Matrix3Xd& forces) {
+  // Gaps, then slips of nodes that stick; forces of nodes that slip lean.
+  Rows J = gaps.slopes(touching.nodes), F = J;
+  auto rows = static_cast<Index>(touching.nodes.size());
+  for (std::size_t i = 0; i < touching.nodes.size(); ++i) {
+    const int k = touching.nodes[i];
+    if (!touching.sticks[i]) {
+      F.push_back({static_cast<int>(i), k, touching.along_normal.col(static_cast<Index>(i))});
+      continue;
+    }
+    const auto tangents = tangents_of(gaps.normal(static_cast<std::size_t>(k)));
+    for (int t = 0; t < 2; ++t, ++rows) {
+      J.push_back({static_cast<int>(rows), k, tangents.col(t)});
+      F.push_back(J.back());
+    }
+  }
+  const Index nodes = places.cols(), unknowns = static_cast<Index>(body.size());
+  MatrixXd W = compliance(body, surface, J, F, rows);
+  W.diagonal().array() += kRedundant * W.diagonal().maxCoeff();
+  const Eigen::PartialPivLU<MatrixXd> lu(W);
+  const MatrixXd slopes = dense(J, rows, nodes), pushes = dense(F, rows, nodes);
+  Eigen::Matrix<double, 6, 6> out = Eigen::Matrix<double, 6, 6>::Zero();
+  for (int column = 0; column < 6; ++column) {
+    // The object moves, and forces turn with it, while tissue resists.
+    const Vector3d axis = Vector3d::Unit(column % 3);
+    Matrix3Xd rigid(3, nodes), turned = Matrix3Xd::Zero(3, nodes);
+    for (Index k = 0; k < nodes; ++k) {
+      rigid.col(k) = column >= 3 ? axis : axis.cross(Vector3d(places.col(k)));
+      if (column < 3) turned.col(k) = axis.cross(Vector3d(forces.col(k)));
+    }
+    const VectorXd turn = turned.reshaped();
+    const Matrix3Xd by_turn = on_surface(surface, body.solve(on_body(surface, turn, unknowns)));
+    const VectorXd f = lu.solve(slopes * (rigid - by_turn).reshaped());
+    const VectorXd gained = pushes.transpose() * f + turn;
+    const Matrix3Xd moved = on_surface(surface, body.solve(on_body(surface, gained, unknowns)));
+    for (Index k = 0; k < nodes; ++k) {
+      const Vector3d force = gained.segment<3>(3 * k);
+      out.block<3, 1>(0, column) += Vector3d(places.col(k)).cross(force) +
+                                    Vector3d(moved.col(k)).cross(Vector3d(forces.col(k)));
+      out.block<3, 1>(3, column) += force;
+    }
+  }
+  return out;
+}
+
+}  // namespace thenar
