@@ -1,7 +1,7 @@
 // thenar simulate SUBJECT --digit D --excitation FDP=0.1 ... | --excitation-file E.csv
 //                 [--muscle bounds|rigid-tendon|elastic-tendon]
 //                 [--hood separate|fractions|net] [--net NAME|NET.toml]
-// thenar simulate SCENE [--seconds S] [--method M] [--step-ms MS] [--pads RUNG]
+// thenar simulate SCENE [--seconds S] [--method M] [--step-ms MS] [--pads RUNG ...]
 //                [--vary NAME=from:to:count ...]
 //
 // How one digit moves when its muscles are excited, or a scene of bodies and hands by itself.
@@ -16,6 +16,7 @@
 #include <fmt/ranges.h>
 #include <CLI/CLI.hpp>
 
+#include "api/compare_rungs.h"
 #include "api/named/files.h"
 #include "api/named/things.h"
 #include "api/simulate.h"
@@ -29,6 +30,7 @@
 #include "base/progress_parts.h"
 #include "base/rung_names.h"
 #include "base/units.h"
+#include "report/answers/compare_rungs.h"
 #include "report/answers/simulate.h"
 #include "report/answers/simulate_scene.h"
 #include "report/pages/scene_run.h"
@@ -39,7 +41,8 @@ namespace {
 
 /// What scenes alone are asked with.
 struct SceneArguments {
-  std::string method, pads;
+  std::string method;
+  std::vector<std::string> pads;
   std::optional<double> step_ms;
   std::vector<SceneVariation> vary;
 };
@@ -79,7 +82,7 @@ void add_scene_options(CLI::App& command, SceneArguments& options) {
                      "Of a scene: " + listed(stepping_names()) + "; as the scene says if left out");
   command.add_option("--pads", options.pads,
                      "Of a scene: the rung of all its pads, " + listed(pad_rung_names()) +
-                         "; as the scene says if left out");
+                         "; as the scene says if left out. Several: a run on each, compared");
   command.add_option("--step-ms", options.step_ms, "Of a scene by time-stepping: every step [ms]")
       ->check(CLI::PositiveNumber);
   command.add_option_function<std::vector<std::string>>(
@@ -112,6 +115,17 @@ void simulate_and_deliver(const SceneRequest& request, const Outputs& outputs) {
   if (!file.empty()) write_scene_sweep(*sweep, file, this_run());
   deliver(outputs, *sweep);
   tell_outcome(*sweep, progress.stop(), outputs);
+}
+
+/// Compares rungs of pads, delivers, and refuses as the other answers of `simulate` do.
+void compare_and_deliver(const SceneRequest& request, const std::vector<std::string>& rungs,
+                         const Outputs& outputs) {
+  require(outputs.one(".h5").empty(), "wanted one rung of pads for a file of its motion (.h5)");
+  const RungComparison comparison = compare_rungs(request, rungs, terminal_progress());
+  if (comparison.runs.empty()) tell_if_stopped(0, comparison.asked, "rung");
+  print_warnings(warnings_of(comparison));
+  deliver(outputs, comparison);
+  tell_outcome(comparison, comparison.runs.size() < comparison.asked, outputs);
 }
 
 struct SimulateArguments {
@@ -155,12 +169,14 @@ void simulate_scene_of(const CLI::App& command, const SimulateArguments& options
   request.scene = options.request.digit.subject;
   request.data = options.request.digit.data;
   request.method = options.scene.method;
-  request.pads = options.scene.pads;
   request.vary = options.scene.vary;
   if (command.count("--seconds") > 0) request.seconds = options.request.seconds;
   if (command.count("--sample-ms") > 0) request.sample = 1e-3 * options.sample_ms;
   if (command.count("--tolerance") > 0) request.tolerance = options.request.tolerance;
   if (options.scene.step_ms) request.step = 1e-3 * *options.scene.step_ms;
+  if (options.scene.pads.size() > 1)
+    return compare_and_deliver(request, options.scene.pads, options.outputs);
+  if (!options.scene.pads.empty()) request.pads = options.scene.pads.front();
   simulate_and_deliver(request, options.outputs);
 }
 
@@ -229,7 +245,8 @@ void add_simulate(CLI::App& app) {
                 "simulate an_chao_index --net chao_an --excitation FDP=0.1 EDC=0.1 --seconds 0.2 "
                 "-o motion.html",
                 "simulate swinging_pinch --seconds 2 -o run.h5 -o run.html",
-                "simulate pinch --vary friction=0.1:1:10 --csv"});
+                "simulate pinch --vary friction=0.1:1:10 --csv",
+                "simulate pencil_pinch --pads elements soft-finger hard-point -o rungs.html"});
   command->callback([command, options] {
     const DigitRequest& digit = options->request.digit;
     (void)named_thing(digit.subject, digit.data);  // refuses what has no such name

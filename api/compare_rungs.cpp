@@ -1,0 +1,130 @@
+#include "api/compare_rungs.h"
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+#include <Eigen/Geometry>
+
+#include "base/error.h"
+#include "base/nearest_name.h"
+#include "base/progress_parts.h"
+
+namespace thenar {
+namespace {
+
+/// What a rung costs beside the others, for the progress of them all.
+double weight_of(const std::string& rung) { return rung == "elements" ? 10 : 1; }
+
+bool was_solved(const SimulatedScene& scene) {
+  return scene.run.status == SceneStatus::kDone && scene.run.cost.unsolved == 0;
+}
+
+/// The finest run that was solved, or else the finest.
+std::size_t finest_of(const std::vector<RungRun>& runs) {
+  const auto order = [](const RungRun& run) {
+    return std::pair(!was_solved(run.scene),
+                     index_of_name(run.rung, pad_rung_names(), "rung of pads"));
+  };
+  const auto first =
+      std::min_element(runs.begin(), runs.end(),
+                       [&](const RungRun& a, const RungRun& b) { return order(a) < order(b); });
+  return static_cast<std::size_t>(first - runs.begin());
+}
+
+/// Pairs that have a patch at some instant of some run.
+std::vector<std::pair<int, int>> pads_of(const std::vector<RungRun>& runs) {
+  std::set<std::pair<int, int>> pads;
+  for (const RungRun& run : runs)
+    for (const SceneSample& sample : run.scene.run.samples)
+      for (const ContactSample& contact : sample.contacts)
+        if (contact.area > 0) pads.emplace(contact.a, contact.b);
+  return {pads.begin(), pads.end()};
+}
+
+/// Errors of a run against the finest, up to the last instant that both have.
+RungError error_of(const RungComparison& comparison, const SimulatedScene& scene) {
+  const SimulatedScene& finest = comparison.runs[comparison.finest].scene;
+  const std::vector<SceneSample>&ours = scene.run.samples, &theirs = finest.run.samples;
+  RungError out;
+  double off = 0, all = 0;
+  const std::size_t instants = std::min(ours.size(), theirs.size());
+  for (std::size_t i = 0; i < instants; ++i) {
+    // Forces of pads.
+    const std::vector<PadLoad> a = pad_loads(comparison, ours[i]),
+                               b = pad_loads(comparison, theirs[i]);
+    double off_now = 0, all_now = 0;
+    for (std::size_t k = 0; k < a.size(); ++k) {
+      off_now += std::pow(a[k].force - b[k].force, 2);
+      all_now += std::pow(b[k].force, 2);
+    }
+    off += off_now;
+    all += all_now;
+    out.force_end = all_now > 0 ? std::sqrt(off_now / all_now) : 0;
+    // Places and turns of bodies; links are called after their hand.
+    double place = 0, turn = 0;
+    const std::vector<MechanismBody>& bodies = scene.built->scene.mechanism.bodies;
+    for (const std::size_t body : scene.measures.moving) {
+      if (bodies[body].name != scene.built->owner[body]) continue;
+      const Pose<double>&X = scene.measures.X_WB[i][body], &Y = finest.measures.X_WB[i][body];
+      const Eigen::Vector3d com = bodies[body].mass.com;
+      place = std::max(place, (X * com - Y * com).norm());
+      turn = std::max(turn, Eigen::AngleAxisd(X.R * Y.R.transpose()).angle());
+    }
+    out.place_end = place;
+    out.turn_end = turn;
+    out.place_largest = std::max(out.place_largest, place);
+  }
+  out.force_all = all > 0 ? std::sqrt(off / all) : 0;
+  return out;
+}
+
+}  // namespace
+
+std::vector<PadLoad> pad_loads(const RungComparison& comparison, const SceneSample& sample) {
+  std::vector<PadLoad> out(comparison.pads.size());
+  for (const ContactSample& contact : sample.contacts) {
+    const auto pad =
+        std::find(comparison.pads.begin(), comparison.pads.end(), std::pair(contact.a, contact.b));
+    if (pad == comparison.pads.end()) continue;
+    PadLoad& load = out[static_cast<std::size_t>(pad - comparison.pads.begin())];
+    load.force += contact.force.dot(contact.normal);
+    load.area += contact.area;
+    load.stick = contact.stick;
+    load.torsion += contact.torsion;
+  }
+  return out;
+}
+
+RungComparison compare_rungs(const SceneRequest& request, const std::vector<std::string>& rungs,
+                             const Progress& progress) {
+  require(request.pads.empty() && rungs.size() >= 2,
+          "wanted two rungs of pads or more to compare, got {}", rungs.size());
+  require(request.vary.empty(), "wanted either several rungs of pads or numbers that vary");
+  std::set<std::string> names;
+  for (const std::string& rung : rungs) {
+    (void)index_of_name(rung, pad_rung_names(), "rung of pads");
+    require(names.insert(rung).second, "the rung '{}' is asked for twice", rung);
+  }
+  double weights = 0;
+  for (const std::string& rung : rungs) weights += weight_of(rung);
+  ProgressParts parts(progress, weights);
+  RungComparison out;
+  out.asked = rungs.size();
+  for (std::size_t i = 0; i < rungs.size() && !progress.stop(); ++i) {
+    SceneRequest one = request;
+    one.pads = rungs[i];
+    SimulatedScene scene = run_scene(one, parts.next(weight_of(rungs[i])));
+    if (scene.run.status == SceneStatus::kStopped) break;
+    out.name = scene.name;
+    out.files.insert(scene.files.begin(), scene.files.end());
+    out.runs.push_back({rungs[i], std::move(scene), {}});
+  }
+  if (out.runs.empty()) return out;
+  out.finest = finest_of(out.runs);
+  out.pads = pads_of(out.runs);
+  for (RungRun& run : out.runs) run.error = error_of(out, run.scene);
+  return out;
+}
+
+}  // namespace thenar

@@ -1,0 +1,32 @@
+#pragma once
+
+/// Words, JSON and tables of a scene on several rungs of its finger pads.
+
+#include <string>
+#include <vector>
+
+#include "api/compare_rungs.h"
+#include "report/json.h"
+#include "report/table.h"
+
+namespace thenar {
+
+/// What each rung costs and how far it is from the finest; its pads at the end.
+[[nodiscard]] std::string text_of(const RungComparison& comparison);
+[[nodiscard]] OrderedJson json_of(const RungComparison& comparison);
+/// A row for each rung.
+[[nodiscard]] Table table_of(const RungComparison& comparison);
+/// A row for each rung and pad: its load at the end.
+[[nodiscard]] Table pad_table_of(const RungComparison& comparison);
+
+/// What errors are measured by: "against elements", and whether that was solved.
+[[nodiscard]] std::string finest_words(const RungComparison& comparison);
+/// CPU time for a simulated second [s]; not a number where nothing was simulated.
+[[nodiscard]] double cpu_per_second(const RungRun& run);
+
+/// What to beware of, one sentence each: of every run, and runs that are not to be used.
+[[nodiscard]] std::vector<std::string> warnings_of(const RungComparison& comparison);
+/// Why the comparison must not be used: the finest run was not solved; empty if it may.
+[[nodiscard]] std::string refusal_of(const RungComparison& comparison);
+
+}  // namespace thenar
