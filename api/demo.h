@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-#include "api/simulate_scene.h"
+#include "api/scenes/simulate_scene.h"
 #include "api/study.h"
 #include "api/tendon_solve.h"
 #include "base/progress.h"

@@ -7,7 +7,7 @@
 #include "api/mesh_facts.h"
 #include "api/named/digits.h"
 #include "api/named/material_names.h"
-#include "api/simulate_scene.h"
+#include "api/scenes/simulate_scene.h"
 #include "base/error.h"
 #include "data/io/mesh/repair_shape.h"
 #include "data/io/robot/import_robot.h"

@@ -16,11 +16,11 @@
 #include <fmt/ranges.h>
 #include <CLI/CLI.hpp>
 
-#include "api/compare_rungs.h"
 #include "api/named/files.h"
 #include "api/named/things.h"
+#include "api/scenes/compare_rungs.h"
+#include "api/scenes/simulate_scene.h"
 #include "api/simulate.h"
-#include "api/simulate_scene.h"
 #include "apps/commands.h"
 #include "apps/options.h"
 #include "apps/outputs.h"
@@ -30,9 +30,9 @@
 #include "base/progress_parts.h"
 #include "base/rung_names.h"
 #include "base/units.h"
-#include "report/answers/compare_rungs.h"
 #include "report/answers/simulate.h"
 #include "report/answers/simulate_scene.h"
+#include "report/pages/compare_rungs.h"
 #include "report/pages/scene_run.h"
 #include "report/pages/tendons.h"
 

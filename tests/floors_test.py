@@ -88,7 +88,7 @@ MAY_SEE["dynamics/pads"] = MAY_SEE["dynamics/stepping"] + ["dynamics/stepping"] 
 MAY_SEE["dynamics/scene"] = MAY_SEE["dynamics/human"] + PADS + [
     "data/io/scene", "dynamics/ligament", "dynamics/human", "dynamics/pads"]
 LIBRARIES = list(MAY_SEE)
-API = ["api", "api/named", "api/pads"]
+API = ["api", "api/named", "api/pads", "api/scenes"]
 MAY_SEE["thenar"] = LIBRARIES + API  # the header of all public headers
 # The questions that a person asks, and their answers as words, tables, JSON and pages.
 REPORT = LIBRARIES + API + ["report"]
@@ -96,7 +96,8 @@ PAGES = REPORT + ["report/scene", "report/draws", "report/answers"]
 MAY_SEE |= {
     "api/named": LIBRARIES,
     "api/pads": LIBRARIES + ["api/named"],
-    "api": LIBRARIES + ["api/named", "api/pads"],
+    "api/scenes": LIBRARIES + ["api/named"],
+    "api": LIBRARIES + ["api/named", "api/pads", "api/scenes"],
     "report": LIBRARIES + API,
     "report/scene": REPORT,
     "report/draws": REPORT,
@@ -230,7 +231,7 @@ def public():
         reached.add(header := todo.pop())
         text = pathlib.Path(header).read_text()
         todo += [name for name in re.findall(r'^#include "([^"]+)', text, re.M) if name not in reached]
-    for path in sorted([*pathlib.Path("api").glob("*.h"), *pathlib.Path("api/pads").glob("*.h")]):
+    for path in sorted(path for folder in ("api", "api/pads", "api/scenes") for path in pathlib.Path(folder).glob("*.h")):
         if str(path) not in reached | PRIVATE_API:
             yield f"{path}:1: thenar/thenar.h does not reach it"
 

@@ -15,7 +15,7 @@
 #include "api/posterior.h"
 #include "api/quality.h"
 #include "api/simulate.h"
-#include "api/simulate_scene.h"
+#include "api/scenes/simulate_scene.h"
 #include "api/tendon_infer.h"
 #include "api/tendon_solve.h"
 #include "api/tip_force.h"

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "api/simulate_scene.h"
+#include "api/scenes/simulate_scene.h"
 #include "report/json.h"
 #include "report/table.h"
 

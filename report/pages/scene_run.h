@@ -2,8 +2,7 @@
 
 /// Pages of scenes that were simulated.
 
-#include "api/compare_rungs.h"
-#include "api/simulate_scene.h"
+#include "api/scenes/simulate_scene.h"
 #include "report/blocks.h"
 #include "report/scene/mesh_table.h"
 
@@ -20,9 +19,6 @@ namespace thenar {
 
 /// Whether the run may be believed, and what was assumed.
 [[nodiscard]] Json run_banner(const SimulatedScene& scene);
-
-/// Errors of rungs of pads over what they cost, their forces over time, and a film of each.
-[[nodiscard]] Json page_of(const RungComparison& comparison);
 
 /// Slip, penetration and energy of all runs.
 [[nodiscard]] Json page_of(const SceneSweep& sweep);

@@ -6,8 +6,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "report/answers/compare_rungs.h"
-#include "report/pages/scene_run.h"
+#include "report/pages/compare_rungs.h"
 #include "tests/data_folder.h"
 
 namespace thenar {

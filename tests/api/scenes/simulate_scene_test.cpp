@@ -1,6 +1,6 @@
 // Scenes with finger pads of elements: what they press on moves as Newton and Coulomb say.
 
-#include "api/simulate_scene.h"
+#include "api/scenes/simulate_scene.h"
 
 #include <algorithm>
 #include <string>

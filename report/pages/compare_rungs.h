@@ -1,11 +1,11 @@
 #pragma once
 
-/// Words, JSON and tables of a scene on several rungs of its finger pads.
+/// Words, JSON, tables and the page of a scene on several rungs of its finger pads.
 
 #include <string>
 #include <vector>
 
-#include "api/compare_rungs.h"
+#include "api/scenes/compare_rungs.h"
 #include "report/json.h"
 #include "report/table.h"
 
@@ -23,6 +23,9 @@ namespace thenar {
 [[nodiscard]] std::string finest_words(const RungComparison& comparison);
 /// CPU time for a simulated second [s]; not a number where nothing was simulated.
 [[nodiscard]] double cpu_per_second(const RungRun& run);
+
+/// Errors over what rungs cost, forces over time, and a film of each rung.
+[[nodiscard]] Json page_of(const RungComparison& comparison);
 
 /// What to beware of, one sentence each: of every run, and runs that are not to be used.
 [[nodiscard]] std::vector<std::string> warnings_of(const RungComparison& comparison);

@@ -1,4 +1,4 @@
-#include "api/simulate_scene.h"
+#include "api/scenes/simulate_scene.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "api/compare_rungs.h"
+#include "api/scenes/compare_rungs.h"
 
 #include <algorithm>
 #include <cmath>

@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-#include "api/simulate_scene.h"
+#include "api/scenes/simulate_scene.h"
 
 namespace thenar {
 

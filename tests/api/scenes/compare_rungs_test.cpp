@@ -1,6 +1,6 @@
 // Tests for api/compare_rungs.cpp.
 
-#include "api/compare_rungs.h"
+#include "api/scenes/compare_rungs.h"
 
 #include <cmath>
 #include <string>
