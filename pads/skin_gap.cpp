@@ -1,11 +1,15 @@
 #include "pads/skin_gap.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <vector>
 
 #include <Eigen/Dense>
 
+#include "base/numbers.h"
 #include "base/spatial.h"
+#include "base/units.h"
 #include "geometry/primitives.h"
 
 namespace thenar {
@@ -17,6 +21,13 @@ using Eigen::Vector3d;
 
 constexpr int kGrid = 12;            // places along a radius of the disc, of a first look
 constexpr double kFinest = 1e-7;     // of a search on the disc [1]
+constexpr double kBeside = 0.25;     // places as near belong to the deepest [1]
+constexpr double kNear = 0.02;       // where a search begins around a place nearby [1]
+constexpr int kSlopes = 8;           // around a place
+constexpr double kStep = 0.01;       // of their differences, over the ring they are on [1]
+constexpr double kRise = 0.01;       // of what slopes promise [1]
+constexpr double kLevel = 1e-4;      // a mixture so short, over a slope, is none [1]
+constexpr double kTiny = 1e-300;     // of a square
 constexpr double kSlope = 1e-3;      // step of differences on the disc [1]
 constexpr double kNewton = 0.1;      // longest step that a parabola is believed for [1]
 constexpr double kCurvature = 1e-3;  // step of second differences [m]
@@ -26,13 +37,32 @@ PrincipalCurvatures curvatures_near(const Shape& shape, const Vector3d& p) {
   return curvatures(shape, p - near.distance * near.normal, kCurvature);
 }
 
+/// The point of the convex hull of some points that is nearest to 0.
+template <std::size_t n>
+Vector2d shortest_mixture(const std::array<Vector2d, n>& points) {
+  Vector2d out = points.front();
+  for (const Vector2d& a : points)
+    for (const Vector2d& b : points) {
+      const double share = -a.dot(b - a) / std::max((b - a).squaredNorm(), kTiny);
+      const Vector2d x = a + std::clamp(share, 0.0, 1.0) * (b - a);
+      if (x.squaredNorm() < out.squaredNorm()) out = x;
+    }
+  // Unless 0 lies within.
+  const bool is_beyond = std::all_of(points.begin(), points.end(), [&](const Vector2d& p) {
+    return out.dot(p) > (1 - 1e-9) * out.squaredNorm();
+  });
+  return is_beyond ? out : Vector2d(0, 0);
+}
+
 /// Overlap of an object over the disc.
 class OverlapSearch {
  public:
   OverlapSearch(const PadChart& chart, const Shape& object, const Pose<double>& X_PO)
       : chart_(chart), object_(object), X_OP_(X_PO.inverse()) {}
 
-  [[nodiscard]] double overlap(const Vector2d& c) const {
+  /// Places off the disc count as the nearest on its rim.
+  [[nodiscard]] double overlap(Vector2d c) const {
+    if (c.norm() > 1) c.normalize();
     return -object_.distance(X_OP_ * chart_.place({c[0], c[1], 1}));
   }
 
@@ -63,21 +93,48 @@ class OverlapSearch {
     return false;
   }
 
-  /// The best of a grid, then of its neighbours, nearer and nearer.
-  void search() {
-    best.setZero();
+  /// The best of a grid. @return by how much it is deeper than all that is farther than kBeside
+  double look_over() {
+    constexpr int kSide = 2 * kGrid + 1;
+    std::vector<double> found(std::size_t{kSide} * kSide, -kInfinity);
+    const auto place = [](std::size_t k) -> Vector2d {
+      return Vector2d(static_cast<int>(k) / kSide - kGrid, static_cast<int>(k) % kSide - kGrid) /
+             kGrid;
+    };
+    most = -kInfinity;
+    for (std::size_t k = 0; k < found.size(); ++k) {
+      if (place(k).norm() > 1) continue;
+      found[k] = overlap(place(k));
+      if (found[k] <= most) continue;
+      most = found[k];
+      best = place(k);
+    }
+    double other = -kInfinity;
+    for (std::size_t k = 0; k < found.size(); ++k)
+      if ((place(k) - best).norm() > kBeside) other = std::max(other, found[k]);
+    return most - other;
+  }
+
+  /// From `best` up to a maximum, which may lie on a ridge, as edges of boxes make them: along the
+  /// shortest of all mixtures of slopes around, which rises on both sides of it. Slopes are taken
+  /// on a ring, evenly instead of by chance. Source: [Burke2005].
+  void climb(double ring) {
     most = overlap(best);
-    double step = 1.0 / kGrid;
-    for (int i = -kGrid; i <= kGrid; ++i)
-      for (int j = -kGrid; j <= kGrid; ++j) look_at({i * step, j * step});
-    while (step > kFinest) {
-      const Vector2d from = best;
-      bool better = false;
-      for (const Vector2d& way :
-           {Vector2d(1, 0), Vector2d(-1, 0), Vector2d(0, 1), Vector2d(0, -1), Vector2d(1, 1),
-            Vector2d(-1, -1), Vector2d(1, -1), Vector2d(-1, 1)})
-        better = look_at(from + step * way) || better;
-      if (!better) step /= 2;
+    while (ring > kFinest) {
+      std::array<Vector2d, kSlopes> slopes;
+      for (int k = 0; k < kSlopes; ++k) {
+        const double turn = 2 * kPi * k / kSlopes;
+        const Vector2d at = best + ring * Vector2d(std::cos(turn), std::sin(turn));
+        const double here = overlap(at), d = kStep * ring;
+        slopes[static_cast<std::size_t>(k)] =
+            Vector2d(overlap(at + Vector2d(d, 0)) - here, overlap(at + Vector2d(0, d)) - here) / d;
+      }
+      // As far as it rises as slopes say, in part; nearer where it does not.
+      const Vector2d mixed = shortest_mixture(slopes), way = mixed.stableNormalized(), from = best;
+      double t = ring;
+      if (mixed.norm() > kLevel * slopes[0].norm())
+        while (look_at(from + t * way, kRise * t * mixed.norm())) t *= 2;
+      if (t == ring) ring /= 2;
     }
   }
 
@@ -85,12 +142,12 @@ class OverlapSearch {
   double most = 0;  // overlap there [m]
 
  private:
-  bool look_at(const Vector2d& c) {
-    if (c.norm() > 1) return false;
+  /// @param more  than it has it must rise, to be the best [m]
+  bool look_at(const Vector2d& c, double more) {
     const double found = overlap(c);
-    if (found <= most) return false;
+    if (!(found > most + more)) return false;
     most = found;
-    best = c;
+    best = c / std::max(1.0, c.norm());
     return true;
   }
 
@@ -109,9 +166,19 @@ std::shared_ptr<const Shape> skin_solid(const PadShape& shape) {
 DeepestSkin deepest_skin(const PadChart& chart, const Shape& object, const Pose<double>& X_PO,
                          const std::optional<Vector2d>& near) {
   OverlapSearch search(chart, object, X_PO);
-  if (!near || !search.follow(*near)) search.search();
-  const Vector2d& c = search.best;
-  return {search.most, chart.thickness(c[0], c[1]), chart.place({c[0], c[1], 1}), c};
+  DeepestSkin out;
+  if (!near) {
+    out.lead = search.look_over();
+    search.climb(1.0 / kGrid);
+  } else if (!search.follow(*near)) {
+    search.best = *near;
+    search.climb(kNear);
+  }
+  out.disc = search.best;
+  out.overlap = search.most;
+  out.thickness = chart.thickness(out.disc[0], out.disc[1]);
+  out.place = chart.place({out.disc[0], out.disc[1], 1});
+  return out;
 }
 
 RelativeCurvatures skin_gap(const Shape& skin, const Shape& object, const Pose<double>& X_PO,

@@ -19,9 +19,13 @@ struct DeepestSkin {
   double thickness = 0;            // of the soft tissue there [m]
   Eigen::Vector3d place{0, 0, 0};  // [m] (3)
   Eigen::Vector2d disc{0, 0};      // the same on the disc of PadChart [1] (2)
+  double lead = 0;  // by how much it is deeper than all skin beyond a quarter of the disc's radius;
+                    // 0: from a place nearby [m]
 };
 
-/// By a search over the skin to 1e-7 of the pad's size, from a grid or from a place nearby.
+/// By a search to 1e-7 of the pad's size over all of the skin, on a grid first. From a place nearby
+/// the maximum that belongs to it, which is the deepest of all as long as the object has moved by
+/// less than half of the lead that it had.
 /// @param near  on the disc [1] (2)
 [[nodiscard]] DeepestSkin deepest_skin(const PadChart& chart, const Shape& object,
                                        const Pose<double>& X_PO,
