@@ -30,7 +30,7 @@ struct PressRequest {
   int hold_points = 12;         // while it stands still, ever farther apart
   double force_error = 0.05;    // estimated, below which the mesh does [1]
   int max_elements = 20000;     // a mesh is not refined beyond
-  bool rungs = false;           // whether elements and meshes are compared, which takes minutes
+  bool rungs = false;           // whether laws, elements, meshes are compared, which takes minutes
 };
 
 /// Of the object's motion.

@@ -1,14 +1,136 @@
 #include "api/pads/press_rungs.h"
 
+#include <algorithm>
+#include <array>
 #include <cmath>
+#include <filesystem>
 
 #include <fmt/format.h>
 
 #include "api/pads/press_pad.h"
 #include "base/thread_seconds.h"
+#include "base/units.h"
+#include "data/io/pad/law_file.h"
+#include "pads/laws/foundation_bed.h"
+#include "pads/skin_gap.h"
 
 namespace thenar {
 namespace {
+
+constexpr int kBedRings = 18;  // of a bed, as laws are fitted with [LawFitOptions]
+
+/// The laws of a pad, or why there are none.
+struct LawsFound {
+  std::optional<CalibratedLaws> laws;
+  std::string missing;
+};
+
+LawsFound find_laws(const PressedPad& pressed) {
+  const PadRequest& asked = pressed.request.pad;
+  const std::string& name = pressed.pad.spec.name;
+  if (!asked.law.empty() || asked.exponent)
+    return {{}, "laws are calibrated for the tissue of the pad's file, and another was asked for"};
+  const std::filesystem::path file =
+      std::filesystem::path(pressed.pad.path).parent_path() / "laws" / (name + ".toml");
+  if (!std::filesystem::exists(file))
+    return {{},
+            fmt::format("no laws were calibrated for '{}': there is no laws/{}.toml", name, name)};
+  CalibratedLaws laws = read_laws(file.string());
+  if (laws.name != name)
+    return {{}, fmt::format("laws/{}.toml is of another pad, '{}'", name, laws.name)};
+  const auto alike = [](const auto& a, const auto& b) {
+    return a.share == b.share && a.time == b.time;
+  };
+  const auto& relaxation = pressed.pad.model.tissues.front().relaxation;
+  if (!std::equal(laws.relaxation.begin(), laws.relaxation.end(), relaxation.begin(),
+                  relaxation.end(), alike))
+    return {{}, fmt::format("laws/{}.toml relax otherwise than this pad", name)};
+  return {std::move(laws), ""};
+}
+
+/// Processor time of one call, the median of 21 batches [s].
+template <typename Call>
+double seconds_of_call(int calls, const Call& call) {
+  std::array<double, 21> seconds{};
+  volatile double kept = 0;  // so that no call is left out
+  for (double& each : seconds) {
+    const double began = thread_seconds();
+    for (int i = 0; i < calls; ++i) kept = call();
+    each = (thread_seconds() - began) / calls;
+  }
+  (void)kept;
+  std::nth_element(seconds.begin(), seconds.begin() + 10, seconds.end());
+  return seconds[10];
+}
+
+PressRung law_rung(const std::string& name, const std::string& failure) {
+  PressRung rung;
+  rung.element = name;
+  rung.mesh = "law";
+  rung.reduced = true;
+  rung.failure = failure;
+  return rung;
+}
+
+/// The hard point, which has either the force that is asked for and no patch, or no force.
+PressRung hard_point(const PressedPad& pressed) {
+  PressRung rung =
+      law_rung("hard point", pressed.request.force
+                                 ? "rigid: any force at depth 0, area 0; none at this depth"
+                                 : "rigid: no depth, so no force belongs to the one asked for");
+  if (pressed.request.force) rung.area = rung.torsion = 0;
+  return rung;
+}
+
+/// Every reduced law at a depth, from the simplest on.
+std::vector<PressRung> law_rungs(const PressedPad& pressed, double depth) {
+  std::vector<PressRung> rungs{hard_point(pressed)};
+  const LawsFound found = find_laws(pressed);
+  if (!found.laws) {
+    for (const char* name : {"power law", "soft finger", "elastic foundation", "foundation bed"})
+      rungs.push_back(law_rung(name, found.missing));
+    return rungs;
+  }
+  const CalibratedLaws& laws = *found.laws;
+  const Shape& object = *pressed.object.shape;
+  const double friction = pressed.request.friction;
+  Pose<double> X_PO = pressed.touch.X_PO;
+  X_PO.p += depth * pressed.touch.along;
+  std::string note = fmt::format("calibrated for '{}'", laws.name);
+  if (depth > laws.evidence.depth)
+    note += fmt::format(" to {:.3g} mm only", laws.evidence.depth / kMm);
+
+  // By curvatures of the gap where the skin lies deepest.
+  const PadShape& shape = pressed.pad.model.shape;
+  const DeepestSkin deepest = deepest_skin(PadChart(shape), object, X_PO);
+  const RelativeCurvatures gap = skin_gap(*skin_solid(shape), object, X_PO, deepest.place);
+  const auto add = [&](const std::string& name, const ContactLaw& law) {
+    const LawContact contact = law.at_depth(gap, depth, friction);
+    PressRung rung = law_rung(name, "");
+    rung.force = contact.force;
+    rung.area = contact.area;
+    rung.torsion = contact.patch.torsion;
+    rung.cpu = seconds_of_call(1000, [&] { return law.at_depth(gap, depth, friction).force; });
+    rung.note = note;
+    rungs.push_back(rung);
+  };
+  add("power law", PowerLaw(laws.power));
+  add("soft finger", SoftFinger(laws.soft_finger));
+  add("elastic foundation", ElasticFoundation(laws.foundation));
+
+  // By springs over the skin.
+  const FoundationBed bed(pad_columns(shape, kBedRings), laws.foundation);
+  const BedContact contact = bed.press(object, X_PO, friction);
+  PressRung rung =
+      law_rung("foundation bed", contact.behind ? "the object is too thin for it" : "");
+  rung.force = pressed.touch.along.dot(contact.push.force);
+  rung.area = contact.area;
+  rung.torsion = contact.torsion;
+  rung.cpu = seconds_of_call(20, [&] { return bed.press(object, X_PO, friction).force; });
+  rung.note = note;
+  rungs.push_back(rung);
+  return rungs;
+}
 
 /// One press to be tried.
 struct RungTrial {
@@ -56,6 +178,7 @@ PressRung try_rung(const PressedPad& pressed, const RungTrial& trial, double dep
   rung.mesh = trial.error > 0 ? fmt::format("refined to {:.3g} %", 100 * trial.error)
                               : fmt::format("{} even cells", result.elements);
   rung.force = pressed.touch.along.dot(result.push.force);
+  rung.area = result.area;
   rung.cpu = thread_seconds() - began;
   if (result.solved.status != Status::kSolved) rung.failure = result.solved.message;
   return rung;
@@ -67,14 +190,15 @@ std::vector<PressRung> compare_rungs(const PressedPad& pressed, const Progress& 
   const PressInstant* end = pressed.end_of_way();
   const double depth = end != nullptr ? end->depth : 0;
   const std::vector<RungTrial> trials = all_trials(pressed.request.force_error);
-  std::vector<PressRung> rungs;
+  std::vector<PressRung> rungs = law_rungs(pressed, depth);
+  const std::size_t all = rungs.size() + trials.size();
   for (std::size_t i = 0; i < trials.size() && !progress.stop(); ++i) {
     progress(static_cast<double>(i) / static_cast<double>(trials.size()), "comparing elements");
     rungs.push_back(try_rung(pressed, trials[i], depth, progress));
     if (progress.stop()) rungs.pop_back();  // it may have been cut off
   }
   // Errors against the last, if all were done and it was solved.
-  if (rungs.size() < trials.size() || !rungs.back().failure.empty()) return rungs;
+  if (rungs.size() < all || !rungs.back().failure.empty()) return rungs;
   rungs.back().finest = true;
   for (PressRung& rung : rungs)
     if (rung.failure.empty()) rung.error = std::abs(rung.force / rungs.back().force - 1);

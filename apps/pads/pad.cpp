@@ -86,8 +86,9 @@ void add_model_options(CLI::App& command, PressArguments& options) {
   command.add_option("--max-elements", request.max_elements, "A mesh is not refined beyond");
   command.add_option("--points", request.points, "Of the curves");
   command.add_option("--hold-points", request.hold_points, "Of the curves while it stands still");
-  command.add_flag("--chart", request.rungs,
-                   "Also compare kinds of elements and meshes: error over time; takes minutes");
+  command.add_flag(
+      "--chart", request.rungs,
+      "Also compare reduced laws, elements and meshes: error over time; takes minutes");
   add_data_option(command, request.pad.data);
 }
 

@@ -78,8 +78,12 @@ OrderedJson rungs_json(const std::vector<PressRung>& rungs) {
                     {"elements", rung.elements},
                     {"force_N", rung.failure.empty() ? Json(rung.force) : Json()},
                     {"error", rung.failure.empty() ? Json(rung.error) : Json()},
-                    {"cpu_s", rung.cpu},
+                    {"area_mm2", rung.area ? Json(*rung.area / kSquareMm) : Json()},
+                    {"torsion_mm", rung.torsion ? Json(*rung.torsion / kMm) : Json()},
+                    {"cpu_s", rung.cpu > 0 ? Json(rung.cpu) : Json()},
                     {"finest", rung.finest},
+                    {"reduced", rung.reduced},
+                    {"note", rung.note},
                     {"failure", rung.failure}});
   return list;
 }
@@ -128,13 +132,19 @@ Table table_of(const PressedPad& pressed) {
 }
 
 Table rung_table(const PressedPad& pressed) {
-  Table table{{"element", "mesh", "elements", "force_N", "error", "cpu_s", "note"}, {}};
+  Table table{{"element", "mesh", "elements", "force_N", "error", "area_mm2", "torsion_mm", "cpu_s",
+               "note"},
+              {}};
   for (const PressRung& rung : pressed.rungs) {
     const bool solved = rung.failure.empty();
-    table.rows.push_back({rung.element, rung.mesh, std::to_string(rung.elements),
-                          solved ? shown(rung.force) : "-",
-                          solved && !rung.finest ? shown(rung.error, 4) : "-", shown(rung.cpu),
-                          rung.finest ? "the finest" : rung.failure});
+    table.rows.push_back(
+        {rung.element, rung.mesh, rung.reduced ? "-" : std::to_string(rung.elements),
+         solved ? shown(rung.force) : "-", solved && !rung.finest ? shown(rung.error, 4) : "-",
+         rung.area ? shown(*rung.area / kSquareMm) : "-",
+         rung.torsion ? shown(*rung.torsion / kMm) : "-", rung.cpu > 0 ? shown(rung.cpu) : "-",
+         rung.finest ? "the finest"
+         : solved    ? rung.note
+                     : rung.failure});
   }
   return table;
 }
@@ -143,7 +153,7 @@ std::string text_of(const PressedPad& pressed) {
   std::string text = fmt::format("{}\n{}\n\n", title_of(pressed), conditions_of(pressed));
   text += titled("From the touch on", table_of(pressed));
   if (!pressed.rungs.empty())
-    text += titled("To the same depth at once, without friction, by other elements and meshes",
+    text += titled("To the same depth at once, without friction, by laws, elements and meshes",
                    rung_table(pressed));
   return text + ending_words(pressed);
 }

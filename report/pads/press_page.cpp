@@ -241,11 +241,13 @@ Json relaxation_section(const PressedPad& pressed) {
 }
 
 Json rung_section(const PressedPad& pressed) {
-  // One series for each element on even meshes, and one for meshes that refine.
+  // One series for each law, for each element on even meshes, and for meshes that refine.
   std::map<std::string, Json> series;
   for (const PressRung& rung : pressed.rungs) {
     if (!rung.failure.empty() || rung.finest || !(rung.error > 0)) continue;
-    const std::string name = rung.refined ? rung.element + ", refined" : rung.element + ", even";
+    const std::string name = rung.reduced   ? rung.element
+                             : rung.refined ? rung.element + ", refined"
+                                            : rung.element + ", even";
     Json& curve = series
                       .emplace(name, Json{{"name", name},
                                           {"x", Json::array()},
@@ -266,12 +268,14 @@ Json rung_section(const PressedPad& pressed) {
     chart["log_x"] = chart["log_y"] = true;
     blocks.push_back(std::move(chart));
   }
-  blocks.push_back(table_block("Elements and meshes", rung_table(pressed)));
-  return section("rungs", "Rungs",
-                 "The same depth at once, in one step and without friction, by each kind of "
-                 "element and mesh. Errors are against the finest, which has an error of its own: "
-                 "what is below a per cent tells little.",
-                 std::move(blocks));
+  blocks.push_back(table_block("Laws, elements and meshes", rung_table(pressed)));
+  return section(
+      "rungs", "Rungs",
+      "The same depth at once, in one step and without friction, by each reduced law and "
+      "each kind of element and mesh; torsion is the largest torque per normal force, "
+      "with the friction above. Errors are against the finest, which has an error of its own: "
+      "what is below a per cent tells little.",
+      std::move(blocks));
 }
 
 Json press_banner(const PressedPad& pressed) {

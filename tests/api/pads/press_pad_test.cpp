@@ -9,6 +9,7 @@
 #include <gtest/gtest.h>
 
 #include "base/units.h"
+#include "data/io/pad/law_file.h"
 #include "tests/api/pads/small_presses.h"
 #include "tests/data_folder.h"
 #include "tests/message_of.h"
@@ -227,8 +228,15 @@ TEST_F(RelaxingPad, ComparesRungsAgainstTheFinest) {
   ASSERT_FALSE(pressed.rungs.empty());
   EXPECT_TRUE(pressed.rungs.back().finest);
   EXPECT_EQ(pressed.rungs.back().error, 0);
+  // No laws were calibrated for this pad, and a hard point has no depth.
+  ASSERT_GT(pressed.rungs.size(), 5U);
+  for (std::size_t i = 0; i < 5; ++i) {
+    EXPECT_TRUE(pressed.rungs[i].reduced);
+    EXPECT_THAT(pressed.rungs[i].failure, HasSubstr(i == 0 ? "no depth" : "laws/pad.toml"));
+  }
   // Plain elements lock at this Poisson's ratio: they fail, or are far too stiff.
   for (const PressRung& rung : pressed.rungs) {
+    if (rung.reduced) continue;
     if (!rung.failure.empty()) {
       EXPECT_EQ(rung.element, "Q1") << rung.failure;
       EXPECT_EQ(rung.error, 0);
@@ -240,6 +248,50 @@ TEST_F(RelaxingPad, ComparesRungsAgainstTheFinest) {
     }
     EXPECT_GT(rung.cpu, 0);
   }
+}
+
+/// Rungs up to the first elements.
+std::vector<PressRung> laws_of(const PressedPad& pressed) {
+  Progress progress;
+  progress.stop_requested = [] { return true; };
+  return compare_rungs(pressed, progress);
+}
+
+// Each law is asked by hand for the depth that was pressed; the bed's force is what it pushes with.
+TEST(PressPad, ComparesTheLawsOfItsPad) {
+  PressRequest request = quick();
+  request.depth = 1e-3;
+  request.points = 1;
+  request.object.name = "sphere";
+  request.friction = 0.5;
+  PressedPad pressed = press_pad(request);
+  ASSERT_EQ(pressed.status, Status::kSolved) << pressed.message;
+  const std::vector<PressRung> rungs = laws_of(pressed);
+  ASSERT_EQ(rungs.size(), 5U);
+  const CalibratedLaws laws = read_laws(kData + "/pads/laws/index_pad.toml");
+  // k (1 mm / 1 mm)^n = k; torsion = share mu a, area = pi a^2.
+  EXPECT_NEAR(rungs[1].force, laws.power.force, 1e-12);
+  EXPECT_NEAR(*rungs[1].torsion, laws.power.torsion * 0.5 * std::sqrt(*rungs[1].area / kPi), 1e-9);
+  // Laws are good to their own worst errors, and elements to what was asked of them.
+  const double force = pressed.instants.back().force;
+  EXPECT_NEAR(rungs[2].force, force, (laws.soft_finger_error.force.worst + 0.2) * force);
+  EXPECT_NEAR(rungs[4].force, force, (laws.bed_error.force.worst + 0.2) * force);
+  for (std::size_t i = 1; i < 5; ++i) {
+    EXPECT_TRUE(rungs[i].failure.empty()) << rungs[i].failure;
+    EXPECT_THAT(rungs[i].note, HasSubstr("index_pad"));
+    EXPECT_GT(rungs[i].cpu, 0);
+    EXPECT_LT(rungs[i].cpu, 0.1);
+  }
+  // A force that was asked for is one that a hard point bears, without a patch.
+  pressed.request.force = force;
+  EXPECT_EQ(laws_of(pressed)[0].area, 0);
+  // Tissue of another law is not what they were calibrated for.
+  pressed.request.pad.law = "ogden";
+  EXPECT_THAT(laws_of(pressed)[2].failure, HasSubstr("another was asked for"));
+  // Nor is a pad that relaxes otherwise.
+  pressed.request.pad.law.clear();
+  pressed.pad.model.tissues.front().relaxation.pop_back();
+  EXPECT_THAT(laws_of(pressed)[2].failure, HasSubstr("relax otherwise"));
 }
 
 TEST(PressPad, RefusesNonsense) {

@@ -76,17 +76,36 @@ TEST(PressAnswer, SaysWhereAPressEndedEarly) {
 TEST(PressAnswer, TellsRungsOnceTheyAreThere) {
   PressedPad compared = pressed();
   compared.rungs = {
-      {"Q1", "144 even cells", false, 144, 0.3, 0.25, 0.1, false, ""},
-      {"F-bar", "144 even cells", false, 144, 0, 0, 0.1, false, "too many iterations"},
-      {"Q1P0", "refined to 1 %", true, 3000, 0.4, 0, 5, true, ""}};
+      {"Q1", "144 even cells", false, 144, 0.3, 0.25, 0.1, false, "", false, {}, {}, ""},
+      {"F-bar",
+       "144 even cells",
+       false,
+       144,
+       0,
+       0,
+       0.1,
+       false,
+       "too many iterations",
+       false,
+       {},
+       {},
+       ""},
+      {"Q1P0", "refined to 1 %", true, 3000, 0.4, 0, 5, true, "", false, {}, {}, ""},
+      {"soft finger", "law", false, 0, 0.5, 0.25, 1e-6, false, "", true, 2e-5, 3e-3, "for 'pad'"},
+      {"hard point", "law", false, 0, 0, 0, 0, false, "rigid", true, {}, {}, ""}};
   EXPECT_THAT(text_of(compared), HasSubstr("the finest"));
   const OrderedJson json = json_of(compared);
   EXPECT_EQ(json["rungs"][0]["error"], 0.25);
   EXPECT_TRUE(json["rungs"][1]["force_N"].is_null());
+  EXPECT_NEAR(json["rungs"][3]["area_mm2"].get<double>(), 20, 1e-9);
+  EXPECT_NEAR(json["rungs"][3]["torsion_mm"].get<double>(), 3, 1e-9);
+  EXPECT_TRUE(json["rungs"][4]["cpu_s"].is_null());
+  EXPECT_EQ(rung_table(compared).rows[3].back(), "for 'pad'");
+  EXPECT_EQ(rung_table(compared).rows[4].back(), "rigid");
   const Json page = page_of(compared);
   const Json& section = page["sections"].back();
   EXPECT_EQ(section["id"], "rungs");
-  EXPECT_EQ(section["blocks"][0]["series"].size(), 1U);  // the failed one has no point
+  EXPECT_EQ(section["blocks"][0]["series"].size(), 2U);  // those that failed have no point
 }
 
 TEST(PressPage, ShowsPadMapsCurvesAndRelaxation) {
