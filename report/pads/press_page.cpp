@@ -257,7 +257,7 @@ Json rung_section(const PressedPad& pressed) {
                       .first->second;
     curve["x"].push_back(rung.cpu);
     curve["y"].push_back(rung.error);
-    curve["labels"].push_back(rung.mesh);
+    curve["labels"].push_back(rung.reduced ? rung.element : rung.mesh);
   }
   Json blocks = Json::array();
   Json list = Json::array();

@@ -106,6 +106,7 @@ TEST(PressAnswer, TellsRungsOnceTheyAreThere) {
   const Json& section = page["sections"].back();
   EXPECT_EQ(section["id"], "rungs");
   EXPECT_EQ(section["blocks"][0]["series"].size(), 2U);  // those that failed have no point
+  EXPECT_EQ(section["blocks"][0]["series"][1]["labels"][0], "soft finger");
 }
 
 TEST(PressPage, ShowsPadMapsCurvesAndRelaxation) {
