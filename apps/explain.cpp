@@ -32,9 +32,10 @@ void add_explain(CLI::App& app) {
   CLI::App* command =
       app.add_subcommand("explain", "What a file makes thenar build, assume, spend and fit");
   command
-      ->add_option("file", options->request.thing,
-                   "Subject, experiment, net, fit, robot, object, world or materials: a file, or "
-                   "the name of one that comes with thenar")
+      ->add_option(
+          "file", options->request.thing,
+          "Subject, experiment, net, fit, robot, object, world, scene or materials: a file, or "
+          "the name of one that comes with thenar")
       ->required();
   command->add_option("--digit", options->request.digit,
                       "Digit of a subject to explain; the only one if left out");

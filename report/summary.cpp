@@ -3,6 +3,7 @@
 #include <set>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "base/nearest_name.h"
 #include "base/units.h"
@@ -88,12 +89,20 @@ std::string summary(const WorldSpec& world) {
                      counted(world.bodies.size() - objects, "obstacle"));
 }
 
+/// "2 pads (soft-finger), "; nothing without pads.
+std::string pad_words(const std::vector<ScenePadSpec>& pads) {
+  if (pads.empty()) return "";
+  std::set<std::string> rungs;
+  for (const ScenePadSpec& pad : pads) rungs.insert(pad.rung);
+  return fmt::format("{} ({}), ", counted(pads.size(), "pad"), fmt::join(rungs, ", "));
+}
+
 std::string summary(const SceneSpec& scene) {
   return fmt::format(
-      "scene '{}': {}, {}, {}, {}, {:g} s", scene.name, counted(scene.hands.size(), "hand"),
+      "scene '{}': {}, {}, {}, {}, {}{:g} s", scene.name, counted(scene.hands.size(), "hand"),
       scene.bodies.size() == 1 ? "1 body" : fmt::format("{} bodies", scene.bodies.size()),
       counted(scene.forces.size(), "force"), counted(scene.drives.size(), "drive"),
-      scene.stepping.duration);
+      pad_words(scene.pads), scene.stepping.duration);
 }
 
 std::string summary(const CalibratedLaws& laws) {

@@ -109,6 +109,13 @@ void add_pads(const SceneSpec& spec, const std::vector<SceneHuman>& humans, Buil
       built.warnings.push_back(fmt::format("pad '{}' is assumed, not measured, in {} numbers: {}",
                                            pad.spec.name, assumed.size(),
                                            fmt::join(assumed, ", ")));
+    // Laws of one pad say nothing of another.
+    const bool by_law = pad.rung != "elements" && pad.rung != "hard-point";
+    if (by_law && pad.law && pad.law->name != pad.spec.name &&
+        told.insert(pad.law->name + " of " + pad.spec.name).second)
+      built.warnings.push_back(
+          fmt::format("pad '{}' has laws that were calibrated for '{}': its forces are of that pad",
+                      pad.spec.name, pad.law->name));
     at_line(spec.path, pad.line, [&] { add_pad(spec, pad, humans, built); });
   }
 }

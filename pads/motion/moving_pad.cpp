@@ -14,8 +14,10 @@ constexpr double kLever = 10e-3;  // at which a turn moves as far [m]
 
 Matrix6 MovingPad::stiffness(const Eigen::Matrix<double, 6, 1>& onward) {
   const Pose<double> from = object_pose();
-  const Eigen::Matrix<double, 6, 1> before = six_of(move(from, 0).push);
-  Matrix6 out;
+  const PadContact at = move(from, 0);
+  const Eigen::Matrix<double, 6, 1> before = six_of(at.push);
+  Matrix6 out = Matrix6::Zero();
+  if (at.status != Status::kSolved) return out;
   for (int k = 0; k < 6; ++k) {
     Eigen::Matrix<double, 6, 1> motion = Eigen::Matrix<double, 6, 1>::Zero();
     motion[k] = std::copysign(k < 3 ? kSmall / kLever : kSmall, onward[k]);
@@ -24,10 +26,7 @@ Matrix6 MovingPad::stiffness(const Eigen::Matrix<double, 6, 1>& onward) {
       motion = -motion;
       after = move(moved_by(from, motion), 0);
     }
-    if (after.status == Status::kSolved)
-      out.col(k) = (six_of(after.push) - before) / motion[k];
-    else
-      out.col(k).setZero();
+    if (after.status == Status::kSolved) out.col(k) = (six_of(after.push) - before) / motion[k];
   }
   return out;
 }

@@ -49,6 +49,7 @@ Explanation sections_of(const ThingExplained& explained) {
   if (const auto* body = std::get_if<BodySpec>(&thing)) return explain(*body);
   if (const auto* world = std::get_if<WorldSpec>(&thing)) return explain(*world);
   if (const auto* robot = std::get_if<RobotSpec>(&thing)) return explain(*robot);
+  if (const auto* scene = std::get_if<SceneSpec>(&thing)) return explain(*scene);
   if (const auto* materials = std::get_if<Materials>(&thing)) return explain(*materials);
   return explain_plain(explained);
 }

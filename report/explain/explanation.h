@@ -30,6 +30,8 @@ using Explanation = std::vector<Section>;
 [[nodiscard]] Explanation explain(const BodySpec& body);
 [[nodiscard]] Explanation explain(const WorldSpec& world);
 [[nodiscard]] Explanation explain(const Materials& materials);
+/// A scene that moves: what is in it, which pads meet what, and what nobody measured of them.
+[[nodiscard]] Explanation explain(const SceneSpec& scene);
 /// Links, joints and the motors that drive them.
 [[nodiscard]] Explanation explain(const RobotSpec& robot);
 

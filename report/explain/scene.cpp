@@ -1,6 +1,7 @@
 // What objects, worlds, materials and robots hold.
 
 #include <cmath>
+#include <set>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -8,6 +9,7 @@
 #include "base/nearest_name.h"
 #include "base/units.h"
 #include "report/explain/explanation.h"
+#include "report/summary.h"
 
 namespace thenar {
 namespace {
@@ -50,6 +52,56 @@ Section explain_hands(const WorldSpec& world) {
              cells(Eigen::Vector3d(hand.X_WH.p / kMm), 1),
              {hand.carrier.empty() ? "-" : hand.carrier + " " + hand.carrier_link,
               hand.posture.empty() ? "rest" : counted(hand.posture.size(), "coordinate")}}));
+  return section;
+}
+
+Section explain_scene_bodies(const SceneSpec& scene) {
+  Section section{"bodies", "Bodies", {}, {}};
+  section.table.header = {"name", "joint", "on", "material", "mass", "x_mm", "y_mm", "z_mm"};
+  for (const SceneBodySpec& body : scene.bodies)
+    section.table.rows.push_back(
+        row({{body.placed.body.name, scene_joint_names()[static_cast<std::size_t>(body.joint.kind)],
+              or_dash(body.joint.parent), or_dash(body.placed.body.material),
+              body.joint.kind == SceneJointKind::kWeld ? "-" : mass_of(body.placed.body)},
+             cells(Eigen::Vector3d(body.placed.X_WB.p / kMm), 1)}));
+  return section;
+}
+
+/// Pads one by one, as the file has them; "-" is what it leaves to the fingertip and the pair.
+Section explain_pads(const SceneSpec& scene) {
+  Section section{"pads", "Pads", {}, {}};
+  if (scene.pads.empty()) return section;
+  section.lines = {
+      "place and scale '-': those of the fingertip; friction '-': that of the pair",
+      "all as another rung: thenar simulate SCENE --pads RUNG, of " + listed(pad_rung_names())};
+  section.table.header = {"on",   "against", "rung",  "pad",      "laws",       "x_mm",
+                          "y_mm", "z_mm",    "scale", "friction", "force_error"};
+  const std::vector<std::string> none{"-", "-", "-"};
+  for (const ScenePadSpec& pad : scene.pads)
+    section.table.rows.push_back(
+        row({{pad.on, listed(pad.against), pad.rung, pad.pad, or_dash(pad.laws)},
+             pad.X_BP ? cells(Eigen::Vector3d(pad.X_BP->p / kMm), 1) : none,
+             {pad.scale  ? shown(*pad.scale, 3)
+              : pad.X_BP ? "1"
+                         : "-",
+              pad.friction ? shown(*pad.friction, 2) : "-", shown(pad.force_error, 3)}}));
+  return section;
+}
+
+/// What pads and their laws are made of, each once.
+Section explain_pad_constants(const SceneSpec& scene) {
+  Section section{"pad_constants", "Constants of pads", {}, {}};
+  std::set<std::string> told;
+  for (const ScenePadSpec& pad : scene.pads) {
+    if (told.insert("pad " + pad.pad).second) {
+      section.lines.push_back(summary_of(pad.spec));
+      const std::vector<std::string> assumed = assumed_words(pad.spec);
+      if (!assumed.empty()) section.lines.push_back("assumed, not measured: " + listed(assumed));
+    }
+    const bool reduced = pad.rung != "elements" && pad.rung != "hard-point";
+    if (reduced && pad.law && told.insert("laws " + pad.laws).second)
+      section.lines.push_back(summary_of(*pad.law));
+  }
   return section;
 }
 
@@ -149,6 +201,16 @@ Explanation explain(const WorldSpec& world) {
                   "materials " + (world.materials_file.empty() ? std::string("built in")
                                                                : world.materials_file)};
   return {header, explain_hands(world), explain_bodies(world)};
+}
+
+Explanation explain(const SceneSpec& scene) {
+  Section header{"scene", summary_of(scene), {}, {}};
+  header.lines = {or_dash(scene.description), "source " + or_dash(scene.source),
+                  "method " + scene.stepping.method};
+  WorldSpec hands;
+  for (const SceneHandSpec& hand : scene.hands) hands.hands.push_back(hand.placed);
+  return {header, explain_hands(hands), explain_scene_bodies(scene), explain_pads(scene),
+          explain_pad_constants(scene)};
 }
 
 Explanation explain(const Materials& materials) {

@@ -94,6 +94,59 @@ TEST(ScenePad, SaysAtItsLineWhatIsWrong) {
   EXPECT_THAT(error_of(kPair + "depth_mm = 1\n"), HasSubstr("depth_mm"));
 }
 
+TEST(ScenePad, RefusesWhatIsNoNumberNoNameAndNoPose) {
+  // Each by its line and its key.
+  const std::pair<std::string, std::string> bad[] = {
+      {"scale = -1", "scale"},
+      {"scale = inf", "scale"},
+      {"scale = nan", "scale"},
+      {"scale = \"1\"", "scale"},
+      {"force_error = -0.1", "force_error"},
+      {"force_error = nan", "force_error"},
+      {"force_error = inf", "force_error"},
+      {"force_error = [0.1]", "force_error"},
+      {"friction = -0.1", "friction"},
+      {"friction = inf", "friction"},
+      {"friction = true", "friction"},
+      {"rung = 1", "rung"},
+      {"rung = \"\"", "rung"},
+      {"rung = \"Elements\"", "rung"},
+      {"pad = \"\"", "pad"},
+      {"pad = 7", "pad"},
+      {"pad = \"../../etc/passwd\"", "pad"},
+      {"pad = \".toml\"", ".toml"},
+      {"laws = \"no_laws\"", "laws"},
+      {"laws = \"no.toml\"", "no.toml"},
+      {"position_mm = [0, 0]", "position_mm"},
+      {"position_mm = [0, 0, nan]", "position_mm"},
+      {"position_mm = [0, 0, inf]", "position_mm"},
+      {"position = [0, 0, 0]", "position"},
+      {"position_mm = [0, 0, 0]\nrotation = [[1, 0, 0], [0, 1, 0], [0, 0, -1]]", "rotation"},
+      {"position_mm = [0, 0, 0]\nrotation = [[2, 0, 0], [0, 2, 0], [0, 0, 2]]", "rotation"},
+      {"position_mm = [0, 0, 0]\naxis = [0, 0, 0]\nangle_deg = 5", "axis"},
+      {"quaternion_wxyz = [1, 0, 0, 0]", "position"}};
+  for (const auto& [line, word] : bad) {
+    SCOPED_TRACE(line);
+    EXPECT_THAT(error_of(kPair + line + "\n"), StartsWith("s.toml:2"));
+    EXPECT_THAT(error_of(kPair + line + "\n"), HasSubstr(word));
+  }
+  // Who carries it, and who presses.
+  const std::pair<std::string, std::string> who[] = {
+      {"against = [\"mug\"]", "on"},
+      {"on = \"finger\"", "against"},
+      {"on = \"finger\"\nagainst = \"mug\"", "against"},
+      {"on = \"finger\"\nagainst = [1]", "against"},
+      {"on = \"finger\"\nagainst = [\"\"]", "there is no body or hand ''"},
+      {"on = \"\"\nagainst = [\"mug\"]", "there is no body or hand ''"},
+      {"on = \"finger/DP2\"\nagainst = [\"mug\"]", "finger/DP2"},
+      {"on = [\"finger\"]\nagainst = [\"mug\"]", "on"}};
+  for (const auto& [lines, word] : who) {
+    SCOPED_TRACE(lines);
+    EXPECT_THAT(error_of(lines + "\n"), StartsWith("s.toml:2"));
+    EXPECT_THAT(error_of(lines + "\n"), HasSubstr(word));
+  }
+}
+
 TEST(ScenePad, RefusesASecondPadBetweenTheSameBodies) {
   EXPECT_THAT(error_of(kPair + "[[pad]]\non = \"mug\"\nagainst = [\"finger\"]\n"),
               StartsWith("s.toml:24: 'mug' and 'finger' meet in two pads"));

@@ -200,12 +200,39 @@ TEST(ScenePads, LieOnTheirFingertip) {
             "a pad needs a 'position': 'PP2' is no fingertip");
 }
 
+TEST(ScenePads, TellWhatIsAssumedAndLawsOfAnotherPad) {
+  using testing::Contains;
+  const auto warnings_of = [](const std::string& rung, const std::string& name) {
+    SceneSpec spec = parse_scene(kTimeAndFriction + kPress + pad_on(kHere + rung), "s.toml");
+    spec.pads.at(0).spec.name = name;
+    return build_scene(spec, {}).warnings;
+  };
+  const auto own = warnings_of("rung = \"soft-finger\"\n", "index_pad");
+  EXPECT_THAT(own, Contains(StartsWith("pad 'index_pad' is assumed, not measured, in 10 numbers")));
+  EXPECT_THAT(own, testing::Not(Contains(HasSubstr("calibrated for"))));
+  EXPECT_THAT(
+      warnings_of("rung = \"soft-finger\"\n", "thumb_pad"),
+      Contains(StartsWith("pad 'thumb_pad' has laws that were calibrated for 'index_pad'")));
+  EXPECT_THAT(warnings_of("rung = \"elements\"\n", "thumb_pad"),
+              testing::Not(Contains(HasSubstr("calibrated for"))));
+}
+
 TEST(ScenePads, SayAtTheirLineWhatDoesNotFit) {
   const auto error_of = [](const std::string& text) {
     return message_of<DataError>([&] { (void)scene_of(text); });
   };
   // [[pad]] stands on line 26.
   EXPECT_THAT(error_of(kPress + pad_on("")), StartsWith("s.toml:26: a pad needs a 'position'"));
+  HumanModel hand{default_human(), HumanVersion::kSkewedThumb};
+  hand.options.cover = Cover::kNone;
+  const auto error_on = [&](const std::string& link) {
+    const std::string text = "[[hand]]\nname = \"human:skewed\"\n" + kPress +
+                             "[[pad]]\non = \"human:skewed/" + link + "\"\nagainst = [\"cube\"]\n";
+    const SceneSpec spec = parse_scene(kTimeAndFriction + text, "s.toml");
+    return message_of<DataError>([&] { (void)build_scene(spec, {hand}); });
+  };
+  EXPECT_THAT(error_on("PP2"), StartsWith("s.toml:28: a pad needs a 'position': 'PP2' is no"));
+  EXPECT_THAT(error_on("DP9"), AllOf(StartsWith("s.toml:28: "), HasSubstr("DP9")));
   const BuiltScene built = scene_of(kPress + pad_on(kHere + "rung = \"soft-finger\"\n"));
   BuiltScene changed = built;
   EXPECT_THAT(message_of([&] { set_number(changed, "friction", 0.2); }), HasSubstr("[[pad]]"));

@@ -21,6 +21,14 @@ TEST(ValidationText, HasALineAFile) {
                 "hand, object, pad or net of that name; `thenar list` shows all names\n");
 }
 
+TEST(ValidationText, TellsPadsOfAScene) {
+  const std::string text = text_of(of({"pencil_pinch"}));
+  EXPECT_NE(text.find("23 drives, 2 pads (soft-finger), 1.5 s\n"), std::string::npos) << text;
+  EXPECT_NE(text.find("warning: pad 'index_pad' is assumed, not measured, in 10 numbers: "),
+            std::string::npos);
+  EXPECT_EQ(text_of(of({"pinch"})).find("pad"), std::string::npos);
+}
+
 TEST(ValidationText, SaysWhetherAnExperimentSuits) {
   const std::string path = kData + "/experiments/synek2019_H01.toml";
   EXPECT_NE(text_of(of({path}, "an_chao_index")).find(path + ": does not suit the subject of "),
