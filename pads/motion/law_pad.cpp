@@ -41,6 +41,9 @@ LawPad::LawPad(std::string name, const PadShape& shape, std::shared_ptr<const Co
   require(law_->at_force({200, 100}, 1, 1).shear > 0,
           "the law '{}' has no stiffness across: a pad in motion would hold nothing", name_);
   kept_.X_PO = moved_.X_PO = X_PO;
+  const Eigen::AlignedBox3d box = skin_->bounds();
+  reach_ = shape_.skin ? box.min().cwiseAbs().cwiseMax(box.max().cwiseAbs()).norm()
+                       : 0.5 * std::max({shape_.length, shape_.width, 2 * shape_.height});
 }
 
 std::unique_ptr<MovingPad> LawPad::clone() const {
@@ -53,15 +56,23 @@ PadContact LawPad::move(const Pose<double>& X_PO, double seconds) {
   PadContact out;
   // Far off, there is nothing to look for.
   const Pose<double> X_OP = X_PO.inverse();
-  const double size = 0.5 * std::max({shape_.length, shape_.width, 2 * shape_.height});
-  const double apart = object_.shape->distance(X_OP.p) - 1.5 * size;
+  const double apart = object_.shape->distance(X_OP.p) - reach_;
   const MemoryStep weights = memory_step(law_->relaxation(), seconds);
   DeepestSkin deepest;
   deepest.overlap = -apart;
   RelativeCurvatures gap{2 * kFlattestGap, kFlattestGap};
-  if (apart <= 0 || shape_.skin) {
-    deepest = deepest_skin(*chart_, *object_.shape, X_PO, kept_.disc);
+  if (apart <= 0) {
+    // All of the skin is looked at again once another place may have come to lie deeper.
+    const Eigen::Matrix<double, 6, 1> way = motion_from(kept_.X_look, X_PO);
+    const double moved = way.tail<3>().norm() + way.head<3>().norm() * reach_;
+    const bool knows = 2 * moved < kept_.lead;
+    deepest = deepest_skin(*chart_, *object_.shape, X_PO,
+                           knows ? std::optional(kept_.disc) : std::nullopt);
     moved_.disc = deepest.disc;
+    if (!knows) {
+      moved_.X_look = X_PO;
+      moved_.lead = deepest.lead;
+    }
     if (deepest.overlap > 0) gap = skin_gap(*skin_, *object_.shape, X_PO, deepest.place);
   }
   const LawContact contact =

@@ -38,7 +38,9 @@ class LawPad final : public MovingPad {
  private:
   struct State {
     Pose<double> X_PO;
-    std::optional<Eigen::Vector2d> disc;  // where it touched, or was nearest
+    Eigen::Vector2d disc{0, 0};  // where it touched, or was nearest
+    Pose<double> X_look;         // of the object when all of the skin was looked at
+    double lead = 0;             // as DeepestSkin then [m]
     bool touched = false;
     ExponentialMemory normal;               // [N]
     std::array<ExponentialMemory, 4> drag;  // friction along x, y, z [N]; torque [N m]
@@ -54,6 +56,7 @@ class LawPad final : public MovingPad {
   std::shared_ptr<const Shape> skin_;
   std::shared_ptr<const ContactLaw> law_;
   RigidObject object_;
+  double reach_ = 0;  // no skin is farther from the pad's origin [m]
   State kept_, moved_;
 };
 
