@@ -144,6 +144,7 @@ PadPressResult PadPress::step(const PressGoal& goal) {
   before_ = std::move(start);
   result.elements = body_->elements();
   result.factorisations = factorisations_;
+  result.cuts = pieces_;
   return result;
 }
 

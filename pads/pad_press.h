@@ -37,6 +37,7 @@ struct [[nodiscard]] PadPressResult {
   double penetration = 0;  // deepest point of the object within a face [m]
   std::size_t elements = 0;
   int factorisations = 0;  // since the pad was built
+  int cuts = 0;            // halvings of the step
 };
 
 /// A pad and an object, step after step. The pad's frame is that of PadShape.

@@ -63,6 +63,7 @@ class TrialRun {
   bool step(const PressGoal& goal) {
     const Pose<double> from = press_.state().X_PO;
     const Vector3d push = press_.state().push.force;
+    const Matrix3Xd anchor = press_.state().anchor;
     const PadPressResult result = press_.step(goal);
     const PressState& state = press_.state();
     report_.finite = report_.finite && all_finite(state) && std::isfinite(result.area) &&
@@ -89,12 +90,30 @@ class TrialRun {
       if (shear > 0)
         report_.beyond_cone = std::max(report_.beyond_cone, bound > 0 ? shear / bound - 1 : 1e300);
     }
+    // In parts of a step that was cut, slips may turn.
+    if (result.cuts == 0 && anchor.cols() == state.anchor.cols())
+      see_friction(anchor, (state.X_PO.p - from.p).norm());
     report_.depth = std::max(report_.depth, result.penetration);
     report_.push = std::max(report_.push, result.push.force.norm());
     // Trapezoids: exact to rounding on a way there and back without friction.
     report_.work += 0.5 * (push + state.push.force).dot(state.X_PO.p - from.p);
     report_.most_work = std::max(report_.most_work, report_.work);
     return true;
+  }
+
+  /// Whether friction did work with the slip since the last step.
+  /// @param anchor  where nodes were then, object's frame (3, nodes)
+  /// @param way     of the object since then [m]
+  void see_friction(const Matrix3Xd& anchor, double way) {
+    const PressState& state = press_.state();
+    const Matrix3Xd places = places_of(press_.surface(), state.x);
+    double done = 0, size = 0;
+    for (Eigen::Index k = 0; k < anchor.cols(); ++k) {
+      const Vector3d slip = places.col(k) - state.X_PO * Vector3d(anchor.col(k));
+      done += state.shear.col(k).dot(slip);
+      size += state.shear.col(k).norm() * way;
+    }
+    if (size > 0) report_.drives = std::max(report_.drives, done / size);
   }
 
   const StabilityTrial& trial_;

@@ -42,6 +42,8 @@ struct PressReport {
   double pulls = 0;                // most negative normal force [N]
   double depth = 0;                // of the object within faces, largest after a solved step [m]
   double work = 0, most_work = 0;  // of the object on the pad: at the end, and the most before [J]
+  double drives = 0;               // what friction did with the slip of a step instead of against
+                                   // it, over all friction times the object's way, largest [1]
   double left = 0;                 // displacement after the object left the pad, largest [m]
   double push = 0;                 // largest force [N]
   std::size_t elements = 0;
