@@ -9,6 +9,7 @@
 #include "dynamics/contact/friction_pyramids.h"
 #include "dynamics/contact/gauss_seidel.h"
 #include "dynamics/contact/interior_contact.h"
+#include "dynamics/contact/sliding_pivots.h"
 
 namespace thenar {
 
@@ -26,6 +27,7 @@ constexpr double kProgress = 0.9;   // of the best residual: a fall that counts
 constexpr int kPatience = 6;        // steps of Newton without such a fall
 constexpr int kFirstSweeps = 5;     // before Newton's second try; each try has twice as many
 constexpr int kTries = 2;           // of sweeps and Newton, before interior points
+constexpr int kPivotTurns = 20;     // steps of Newton by pivots
 constexpr int kFrozenTurns = 20;    // of the fixed point on |ut|
 constexpr int kInteriorTurn = 40;   // steps of interior points in a turn
 constexpr int kRestarts = 20;       // from made-up impulses
@@ -64,6 +66,7 @@ struct ContactSolver::Workspace {
   bool run_newton(Damped damped);
   bool run_sweeps(int sweeps);
   bool run_tries();
+  bool run_pivots();
   bool run_interior();
   bool run_restarts();
   bool run_automatic();
@@ -161,6 +164,23 @@ bool ContactSolver::Workspace::run_tries() {
   return false;
 }
 
+/// From the best point found, steps with pivots on what bears.
+bool ContactSolver::Workspace::run_pivots() {
+  f() = best_room.head(contacts.rows());
+  go_to(f());
+  for (int k = 0; k < kPivotTurns; ++k) {
+    const double before = residual;
+    if (!internal::pivot_sliding(contacts, f(), u(), solution.pivots)) return false;
+    go_to(f());
+    if (measure()) {
+      solution.method = ContactMethod::kNewton;
+      return true;
+    }
+    if (k > 2 && residual > kProgress * before) break;
+  }
+  return false;
+}
+
 /// Interior points with |ut| as an unknown, then as a fixed point. Newton ends each turn, as he
 /// starts where all states are clear.
 bool ContactSolver::Workspace::run_interior() {
@@ -199,7 +219,7 @@ bool ContactSolver::Workspace::run_restarts() {
 }
 
 bool ContactSolver::Workspace::run_automatic() {
-  if (run_newton(Damped::kYes) || run_tries()) return true;
+  if (run_newton(Damped::kYes) || run_tries() || run_pivots()) return true;
   if (is_warm) {
     f().setZero();
     go_to(f());

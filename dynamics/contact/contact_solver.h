@@ -13,8 +13,8 @@
 namespace thenar {
 
 enum class ContactMethod {
-  kAutomatic,      // Newton from the warm start; where it does not arrive, sweeps, interior points
-                   // and other starts, each ended by Newton
+  kAutomatic,      // Newton from the warm start; where it does not arrive, sweeps, pivots, interior
+                   // points and other starts, most ended by Newton
   kNewton,         // semismooth Newton alone, from the warm start
   kGaussSeidel,    // sweeps with exact answers of each block, from the warm start
   kInteriorPoint,  // interior points, last digits by Newton; has no use for a warm start
@@ -50,7 +50,7 @@ struct [[nodiscard]] ContactSolution {
 };
 
 /// Solves one contact problem after another, and keeps the room that they need: once it has seen a
-/// problem as large, it leaves the heap alone (but for pyramids, and f and u where their number of
+/// problem as large, it leaves the heap alone (but for pivots, and f and u where their number of
 /// rows changes). The answer depends on the problem, the warm start and the options alone, bit for
 /// bit.
 class ContactSolver {

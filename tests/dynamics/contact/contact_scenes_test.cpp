@@ -3,9 +3,11 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <random>
 
 #include <Eigen/LU>
 
+#include "base/units.h"
 #include "dynamics/contact/contact_solver.h"
 #include "tests/dynamics/contact/contact_samples.h"
 
@@ -277,6 +279,42 @@ TEST(ContactScenes, ImmovableBodiesThatApproachHaveNoAnswer) {
   const ContactSolution found = solve_scene(problem);
   EXPECT_NE(found.status, Status::kSolved);
   EXPECT_TRUE(found.f.allFinite());
+}
+
+// A disc that slides on a table over its edge, tilted by next to nothing: what bears along the edge
+// and on the face differ by the tilt alone, and sets of contacts that bear by less than that.
+TEST(ContactScenes, DiscSlidesOverAnEdge) {
+  std::mt19937 rng(5);
+  std::uniform_real_distribution<double> share(-1, 1);
+  constexpr double kRadius = 0.012, kThick = 0.002, kMass = 8e-3;
+  for (int trial = 0; trial < 300; ++trial) {
+    sample::TouchingBodies disc;
+    Body body;
+    body.mass = kMass;
+    const double across = kMass * (3 * kRadius * kRadius + kThick * kThick) / 12;
+    body.inertia = Vector3d(across, across, kMass * kRadius * kRadius / 2).asDiagonal();
+    body.centre = Vector3d(0, 0, kThick / 2);
+    body.velocity << share(rng), share(rng), share(rng), 0.05 * share(rng), 0.05 * share(rng),
+        -0.05 * std::abs(share(rng));
+    disc.bodies.push_back(body);
+    // Its rim above the table by 60 degrees, and where the rim meets the edge.
+    const double edge = 0.9 * kRadius * share(rng), turn = kPi * share(rng);
+    for (int k = 0; k < 6; ++k) {
+      const double angle = turn + kPi / 3 * k;
+      const Vector3d point(kRadius * std::cos(angle), kRadius * std::sin(angle), 0);
+      if (point.x() > edge) disc.touch(coulomb_block(0.3), 0, -1, point, Vector3d::UnitZ());
+    }
+    const double tilt = std::pow(10, -8 + 2 * share(rng));
+    for (const double side : {-1, 1}) {
+      const Vector3d point(edge, side * std::sqrt(kRadius * kRadius - edge * edge), 0);
+      disc.touch(coulomb_block(0.3), 0, -1, point, Vector3d(tilt * share(rng), 0, 1).normalized());
+    }
+    const ContactProblem problem = disc.problem();
+    const ContactSolution found = solve_scene(problem);
+    EXPECT_EQ(found.status, Status::kSolved)
+        << trial << ": " << found.residual.natural << ", tilt " << tilt;
+    EXPECT_LT(contact_residual(problem, found.f).natural, 1e-11) << trial;
+  }
 }
 
 }  // namespace
