@@ -24,6 +24,9 @@ constexpr int kWayIn = 8;              // steps of a pad that begins anew
 constexpr double kOutside = 4e-3;      // where its object begins, along the push [m]
 constexpr double kRetry = 5e-3;        // before it is tried again [s]
 constexpr double kInstant = 1e-12;     // nearer instants are one [s]
+constexpr double kNothing = 1e-24;     // square of a force [N^2]
+constexpr double kDip = 2e-4;          // way into a pad of the step that meets it [m]
+constexpr double kNearly = 0.9;        // of the way that is foreseen, as speeds rise [1]
 
 }  // namespace
 
@@ -62,8 +65,8 @@ PadElement::Prediction PadElement::predict(double t, const Pose<double>& X_PO) c
   out.push.setZero();
   out.allowed = options_.force_error * std::max(touch_.push.force.norm(), options_.least_force);
   if (touch_.force <= 0) return out;
-  const MemoryStep weights = memory_step(pad_->relaxation(), std::max(0.0, t - t_));
-  const Vector6 more = stiffness_ * motion_from(X_PO_, X_PO);
+  const MemoryStep weights = memory_step(pad_->relaxation(), std::max(0.0, t - t_seen_));
+  const Vector6 more = stiffness_ * motion_from(X_seen_, X_PO);
   for (Eigen::Index k = 0; k < 6; ++k) {
     const ExponentialMemory& memory = memory_[static_cast<std::size_t>(k)];
     out.push[k] = history_of(weights, memory) + weights.now * (memory.x + more[k]);
@@ -78,11 +81,7 @@ PadElement::Prediction PadElement::predict(double t, const Pose<double>& X_PO) c
   return out;
 }
 
-bool PadElement::act(const ElementInput& at, ElementAction& out) {
-  if (touch_.force <= 0) return has_answer();
-  const Prediction seen = predict(at.t, object_pose(at));
-  if (seen.share == 0) return has_answer();
-  // Speeds of the object against the pad at the pad's origin, along its axes.
+void PadElement::set_rows(const ElementInput& at) {
   const Pose<double> X_WP = at.motion.pose(body_) * X_BP_;
   const int pad = at.motion.link_of(body_), object = at.motion.link_of(other_);
   const Vector3d none(0, 0, 0);
@@ -92,6 +91,18 @@ bool PadElement::act(const ElementInput& at, ElementAction& out) {
     at.motion.add_row_against(object, pad, X_WP.p, none, axis, J_.col(k));
     at.motion.add_row_against(object, pad, X_WP.p, axis, none, J_.col(3 + k));
   }
+}
+
+double PadElement::fastest(const ElementInput& at) const {
+  const Vector6 speed = J_.transpose() * at.v;
+  return speed.tail<3>().norm() + speed.head<3>().norm() * pad_->reach();
+}
+
+bool PadElement::act(const ElementInput& at, ElementAction& out) {
+  if (touch_.force <= 0) return has_answer();
+  const Prediction seen = predict(at.t, object_pose(at));
+  if (seen.share == 0) return has_answer();
+  set_rows(at);
   out.tau.noalias() -= J_ * seen.push;
   if (at.need == ElementNeed::kAll) {
     const Matrix6 slope = 0.5 * seen.share * (stiffness_ + stiffness_.transpose());
@@ -119,9 +130,15 @@ void PadElement::try_move(double t, const Pose<double>& X_PO, const Prediction& 
   trial_.error = size_of(six_of(trial_.touch.push) - seen.push) / allowed;
 }
 
-void PadElement::catch_up() {
-  // A motion after a rest is not spread over the rest.
+void PadElement::catch_up(double t, const Pose<double>& X_PO, double allowed) {
   if (t_seen_ <= t_ + kInstant || touch_.force <= 0) return;
+  // A motion after a rest is not spread over the rest, which the pad has not seen, where the pad
+  // would feel that.
+  const std::vector<ExponentialTerm>& terms = pad_->relaxation();
+  const double spread = memory_step(terms, std::max(0.0, t - t_)).now,
+               late = memory_step(terms, std::max(0.0, t - t_seen_)).now;
+  const Vector6 more = stiffness_ * motion_from(X_seen_, X_PO);
+  if (size_of((late - spread) * more) < kLittle * allowed) return;
   try_move(t_seen_, X_seen_, predict(t_seen_, X_seen_));
   if (trial_.touch.status == Status::kSolved) keep_move(trial_.error > kNewStiffness);
 }
@@ -131,10 +148,17 @@ double PadElement::doubt(const ElementInput& at) {
   const Pose<double> X_PO = object_pose(at);
   const Prediction seen = predict(at.t, X_PO);
   if (changed_little(seen, X_PO)) return 0;
-  catch_up();
+  catch_up(at.t, X_PO, seen.allowed);
   try_move(at.t, X_PO, seen);
   // What jumps in so short a time, jumps.
-  return at.t - t_seen_ < kJump ? 0 : trial_.error;
+  const double seconds = at.t - t_seen_;
+  if (seconds < kJump) return 0;
+  if (touch_.force > 0) return trial_.error;
+  // Farther than it was away, and is: it may have gone through.
+  set_rows(at);
+  const double way = seconds * std::max(speed_, fastest(at)),
+               most = std::max(gap_, trial_.touch.gap) + kDip;
+  return std::max(trial_.error, way / most);
 }
 
 void PadElement::accept(const ElementInput& at) {
@@ -149,7 +173,7 @@ void PadElement::accept(const ElementInput& at) {
     const bool is_tried =
         std::abs(trial_.t - at.t) < kInstant && motion_from(trial_.X_PO, X_PO).norm() < 1e-6;
     if (!is_tried) {
-      catch_up();
+      catch_up(at.t, X_PO, seen.allowed);
       try_move(at.t, X_PO, seen);
     }
     stale_ = trial_.touch.status != Status::kSolved;
@@ -163,8 +187,12 @@ void PadElement::accept(const ElementInput& at) {
             kJump, seconds * std::clamp(0.9 / std::sqrt(std::max(error, 1e-6)), kShorter, kLonger));
     }
   }
-  t_seen_ = at.t;
-  X_seen_ = X_PO;
+  go_on(at.t, X_PO);
+  gap_ = touch_.gap;
+  if (touch_.force > 0 || stale_) return;
+  set_rows(at);
+  speed_ = fastest(at);
+  if (speed_ > 0) foresees_ = std::max(kJump, kNearly * (gap_ + kDip) / speed_);
 }
 
 void PadElement::begin_anew(double t, const Pose<double>& X_PO) {
@@ -183,7 +211,7 @@ void PadElement::begin_anew(double t, const Pose<double>& X_PO) {
   }
   anew_ = touch_.force > 0;  // otherwise it has nothing to forget
   pad_ = std::move(fresh);
-  memory_ = {};
+  moved_memory_ = {};
   trial_.t = -1;
   t_ = t;
   X_PO_ = X_PO;
@@ -211,17 +239,53 @@ void PadElement::keep_move(bool new_stiffness) {
 }
 
 void PadElement::remember_push(double seconds) {
-  if (touch_.force <= 0) {
-    memory_ = {};
-    return;
-  }
+  if (touch_.force <= 0) moved_memory_ = {};
   // The elastic push that the relaxation makes the pad's out of.
   const MemoryStep weights = memory_step(pad_->relaxation(), std::max(0.0, seconds));
   const Vector6 push = six_of(touch_.push);
-  for (Eigen::Index k = 0; k < 6; ++k) {
-    ExponentialMemory& memory = memory_[static_cast<std::size_t>(k)];
+  for (Eigen::Index k = 0; k < 6 && touch_.force > 0; ++k) {
+    ExponentialMemory& memory = moved_memory_[static_cast<std::size_t>(k)];
     (void)remember(weights, (push[k] - history_of(weights, memory)) / weights.now, memory);
   }
+  memory_ = moved_memory_;
+  t_seen_ = t_;
+  X_seen_ = X_PO_;
+}
+
+void PadElement::go_on(double t, const Pose<double>& X_PO) {
+  const MemoryStep weights = memory_step(pad_->relaxation(), std::max(0.0, t - t_seen_));
+  const Vector6 more = stiffness_ * motion_from(X_seen_, X_PO);
+  for (Eigen::Index k = 0; k < 6 && touch_.force > 0; ++k) {
+    ExponentialMemory& memory = memory_[static_cast<std::size_t>(k)];
+    (void)remember(weights, memory.x + more[k], memory);
+  }
+  t_seen_ = t;
+  X_seen_ = X_PO;
+}
+
+double PadElement::energy(const ElementInput& at) {
+  if (touch_.force <= 0) return 0;
+  // The elastic push of now, and what each term has left of it.
+  const Pose<double> X_PO = object_pose(at);
+  const Vector6 motion = motion_from(X_PO_, X_PO), more = stiffness_ * motion_from(X_seen_, X_PO);
+  const std::vector<ExponentialTerm>& terms = pad_->relaxation();
+  const MemoryStep weights = memory_step(terms, std::max(0.0, at.t - t_seen_));
+  Vector6 push;
+  std::vector<Vector3d> left(terms.size());
+  for (Eigen::Index k = 0; k < 6; ++k) {
+    ExponentialMemory memory = memory_[static_cast<std::size_t>(k)];
+    push[k] = memory.x + more[k];
+    (void)remember(weights, push[k], memory);
+    for (std::size_t i = 0; i < terms.size() && k >= 3; ++i) left[i][k - 3] = memory.terms[i];
+  }
+  const double work = (push - 0.5 * stiffness_ * motion).dot(motion);  // since the pad moved
+  const Vector3d force = push.tail<3>();
+  double share = 1;
+  for (std::size_t i = 0; i < terms.size(); ++i) {
+    const double part = left[i].dot(force) / std::max(force.squaredNorm(), kNothing);
+    if (terms[i].share > 0) share += part * part / terms[i].share - terms[i].share;
+  }
+  return std::max(0.0, pad_->energy() + work) * share;
 }
 
 void PadElement::add_contacts(const ElementInput& at, std::vector<ContactSample>& out) {
@@ -245,10 +309,11 @@ void PadElement::add_contacts(const ElementInput& at, std::vector<ContactSample>
 }
 
 bool PadElement::moves(const ElementInput& at) const {
+  if (!has_answer()) return true;
   if (touch_.force <= 0) return false;
   // Whether it still relaxes by more than a thousandth of what is allowed.
-  const Prediction now = predict(at.t, X_PO_),
-                   later = predict(std::numeric_limits<double>::infinity(), X_PO_);
+  const Prediction now = predict(at.t, X_seen_),
+                   later = predict(std::numeric_limits<double>::infinity(), X_seen_);
   return size_of(later.push - now.push) > 1e-3 * now.allowed;
 }
 

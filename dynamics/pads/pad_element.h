@@ -29,7 +29,9 @@ struct PadElementOptions {
 /// itself. If a pad has no answer even so, the object is brought in again from outside at once,
 /// and failing that every 5 ms, while the last push goes on by its stiffness. Friction and
 /// relaxation are forgotten then, and act() fails for a step, so that it counts as unsolved. In
-/// steps of fixed length the pad follows, whatever the error. What pads store counts as dissipated.
+/// steps of fixed length the pad follows, whatever the error.
+///
+/// Before they touch, a step goes no farther than the object is away, and 0.2 mm into the pad.
 class PadElement final : public ForceElement {
  public:
   /// @param body   that carries the pad, X_BP its pose there
@@ -43,6 +45,10 @@ class PadElement final : public ForceElement {
   [[nodiscard]] std::string name() const override { return name_; }
   bool act(const ElementInput& at, ElementAction& out) override;
   [[nodiscard]] bool is_passive() const override { return true; }
+  /// Of the elastic pad E(x), and of what remembers its forces: with F = E' and H_i of the force as
+  /// in MemoryStep,  E (g_inf + sum (H_i / F)^2 / g_i), which is exact for springs with dampers,
+  /// and of any pad at once and after a long rest.
+  [[nodiscard]] double energy(const ElementInput& at) override;
   [[nodiscard]] double doubt(const ElementInput& at) override;
   void accept(const ElementInput& at) override;
   [[nodiscard]] double foresees() const override { return foresees_; }
@@ -59,16 +65,23 @@ class PadElement final : public ForceElement {
     double allowed = 1;  // error of the push [N]
   };
   [[nodiscard]] Pose<double> object_pose(const ElementInput& at) const;
+  /// Rows of the speeds of the object against the pad, at its origin, along its axes: turns, ways.
+  void set_rows(const ElementInput& at);
+  /// No point of the object comes nearer to the pad by more, set_rows() done [m/s].
+  [[nodiscard]] double fastest(const ElementInput& at) const;
   [[nodiscard]] Prediction predict(double t, const Pose<double>& X_PO) const;
   /// Size of a change of the push: moments about the patch by a lever of half a fingertip [N].
   [[nodiscard]] double size_of(const Vector6& change) const;
   [[nodiscard]] bool changed_little(const Prediction& seen, const Pose<double>& X_PO) const;
   [[nodiscard]] bool has_answer() const { return !stale_ && !anew_; }
   void try_move(double t, const Pose<double>& X_PO, const Prediction& seen);
-  void catch_up();
+  /// Moves the pad to the last accept(), before a motion to X_PO at t that needs it.
+  void catch_up(double t, const Pose<double>& X_PO, double allowed);
   void keep_move(bool new_stiffness);
   void begin_anew(double t, const Pose<double>& X_PO);
+  /// The memory takes up the push of the pad, which has moved for some time; or goes on without it.
   void remember_push(double seconds);
+  void go_on(double t, const Pose<double>& X_PO);
 
   std::string name_;
   int body_, other_;
@@ -80,11 +93,12 @@ class PadElement final : public ForceElement {
   double t_ = 0;         // when the pad moved last [s]
   Pose<double> X_PO_;    // of the object then
   PadContact touch_;     // then
-  double t_seen_ = 0;    // of the last accept() [s]
+  double t_seen_ = 0;    // of the last accept(), to which memory_ has come [s]
   Pose<double> X_seen_;  // the same
   Matrix6 stiffness_ = Matrix6::Zero();
-  std::array<ExponentialMemory, 6> memory_;  // of the push [N m], [N]
+  std::array<ExponentialMemory, 6> memory_, moved_memory_;  // of the push; at t_ [N m], [N]
   double foresees_;
+  double gap_ = 0, speed_ = 0;  // of the object at the last accept(), apart: PadContact, fastest()
 
   // A move of the pad that is not kept yet.
   struct Trial {

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "base/error.h"
+#include "base/numbers.h"
 #include "base/units.h"
 
 namespace thenar {
@@ -100,15 +101,22 @@ FoundationBed::Touches FoundationBed::touches(const Shape& object, const Pose<do
   found.all.reserve(kRoom);
   const Pose<double> X_OP = X_PO.inverse();
   const double reach = reach_ + object.accuracy();
+  double least = kInfinity;
   for (const Leaf& leaf : leaves_) {
-    if (object.distance(X_OP * leaf.centre) > leaf.radius + reach) continue;
+    const double apart = object.distance(X_OP * leaf.centre) - leaf.radius;
+    if (apart > reach) {
+      least = std::min(least, apart - object.accuracy());
+      continue;
+    }
     for (Index i = leaf.first; i < leaf.end; ++i) {
       const NearestSurface near = object.nearest(X_OP * Vector3d(columns_.skin.col(i)));
+      least = std::min(least, near.distance);
       if (near.distance > reach_) continue;
       found.deepest = std::max(found.deepest, -near.distance);
       found.all.push_back({i, -near.distance, X_PO.R * near.normal});
     }
   }
+  found.gap = std::max(0.0, least);
   // The patch as a whole; columns that are pressed stay.
   std::size_t kept = 0;
   if (found.deepest > 0)
@@ -135,6 +143,7 @@ double FoundationBed::share_of_area(const Touch& touch) const {
 void FoundationBed::conclude(const Touches& found, const VectorXd& forces, double friction,
                              BedContact& contact) const {
   contact.depth = found.deepest;
+  contact.gap = found.gap;
   if (found.deepest <= 0) return;
   contact.area = found.area;
   Matrix3Xd points(3, forces.size());

@@ -39,6 +39,7 @@ struct BedContact {
   Wrench push;         // of the object on the pad, about the pad's origin
   double force = 0;    // sum of normal forces [N]
   double depth = 0;    // deepest overlap of the undeformed skin; 0: apart [m]
+  double gap = 0;      // apart, the columns are at least so far from the object [m]
   double area = 0;     // of the patch [m^2]
   double torsion = 0;  // largest torque about the mean normal per normal force: mu times the mean
                        // distance from the centre of pressure [m]
@@ -104,6 +105,7 @@ class FoundationBed {
   struct Touches {
     std::vector<Touch> all;
     double deepest = 0;  // overlap [m]
+    double gap = 0;      // as BedContact [m]
     double area = 0;     // of the patch [m^2]
     double stiffer = 0;  // c / r of FoundationConstants [1/m]
   };

@@ -30,6 +30,7 @@ PadContact BedPad::move(const Pose<double>& X_PO, double seconds) {
     moved_ = kept_;
     return behind_object();
   }
+  out.gap = contact.gap;
   if (contact.force <= 0) return out;
   out.push = contact.push;
   out.force = contact.force;
@@ -41,5 +42,28 @@ PadContact BedPad::move(const Pose<double>& X_PO, double seconds) {
 }
 
 void BedPad::keep() { kept_ = moved_; }
+
+double BedPad::energy() const {
+  if (kept_.bed.elastic.size() == 0) return 0;
+  double out = 0;
+  // Work of the way out, by Gauss's five points.
+  const BedContact at = bed_->press(*object_.shape, kept_.X_PO);
+  const double nodes[] = {0.046910077, 0.230765345, 0.5, 0.769234655, 0.953089923};
+  const double weights[] = {0.118463443, 0.239314335, 0.284444444, 0.239314335, 0.118463443};
+  for (int i = 0; i < 5 && at.depth > 0; ++i) {
+    Pose<double> X = kept_.X_PO;
+    X.p -= nodes[i] * at.depth * at.normal;
+    out += weights[i] * at.depth * bed_->press(*object_.shape, X).push.force.dot(at.normal);
+  }
+  // Springs across.
+  const FoundationColumns& columns = bed_->columns();
+  for (Eigen::Index i = 0; i < columns.area.size() && bed_->constants().shear > 0; ++i)
+    if (kept_.bed.touching[static_cast<std::size_t>(i)])
+      out += 0.5 * kept_.bed.shear.col(i).squaredNorm() * columns.thickness[i] /
+             (bed_->constants().shear * columns.area[i]);
+  return out;
+}
+
+double BedPad::reach() const { return bed_->columns().skin.colwise().norm().maxCoeff(); }
 
 }  // namespace thenar

@@ -19,6 +19,10 @@ class BedPad final : public MovingPad {
   [[nodiscard]] std::string rung() const override { return "foundation"; }
   [[nodiscard]] PadContact move(const Pose<double>& X_PO, double seconds) override;
   void keep() override;
+  /// What springs along the normal give back when the object is drawn straight out, and what their
+  /// friction would.
+  [[nodiscard]] double energy() const override;
+  [[nodiscard]] double reach() const override;
   [[nodiscard]] const std::vector<ExponentialTerm>& relaxation() const override {
     return bed_->relaxation();
   }

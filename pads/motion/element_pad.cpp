@@ -56,10 +56,12 @@ PadContact ElementPad::move(const Pose<double>& X_PO, double seconds) {
   PadContact out;
   // A pad at rest that is out of reach stays so.
   if (kept_.rests) {
-    if (object_.shape->distance(X_PO.inverse().p) > reach_) return out;
-    const double gap = smallest_gap(press_->surface(), *object_.shape, X_PO, press_->state().x);
-    if (gap > 0) return out;
-    press_->begin_at(pulled_out(X_PO, -gap));
+    out.gap = object_.shape->distance(X_PO.inverse().p) - reach_;
+    if (out.gap > 0) return out;
+    out.gap = smallest_gap(press_->surface(), *object_.shape, X_PO, press_->state().x);
+    if (out.gap > 0) return out;
+    press_->begin_at(pulled_out(X_PO, -out.gap));
+    out.gap = 0;
   }
   PressGoal goal;
   goal.X_PO = X_PO;
@@ -102,6 +104,8 @@ PadContact ElementPad::touch_of(const PadPressResult& result) const {
   out.force_error = result.force_error;
   if (out.force <= 0) {
     out.force = 0;
+    const double gap = smallest_gap(press_->surface(), *object_.shape, state.X_PO, state.x);
+    out.gap = std::max(0.0, gap);
     return out;
   }
   out.push = result.push;
@@ -120,6 +124,14 @@ void ElementPad::keep() {
     kept_.rests = true;
     renew(kept_.X_PO);
   }
+}
+
+double ElementPad::energy() const {
+  if (kept_.rests) return 0;
+  const TissueBody& body = press_->body();
+  TissueResponse now;
+  body.respond(body.spread(press_->state().x, {}), 0, {}, {}, ElementAsk::kEnergy, now);
+  return now.energy;
 }
 
 Matrix6 ElementPad::stiffness(const Eigen::Matrix<double, 6, 1>& /*onward*/) {

@@ -28,6 +28,8 @@ class ElementPad final : public MovingPad {
   void keep() override;
   /// By the tangent of the elements, with nodes that stick and slip as they do.
   [[nodiscard]] Matrix6 stiffness(const Eigen::Matrix<double, 6, 1>& onward) override;
+  [[nodiscard]] double energy() const override;
+  [[nodiscard]] double reach() const override { return reach_; }
   [[nodiscard]] const std::vector<ExponentialTerm>& relaxation() const override {
     return model_.tissues.front().relaxation;
   }

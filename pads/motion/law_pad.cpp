@@ -80,6 +80,8 @@ PadContact LawPad::move(const Pose<double>& X_PO, double seconds) {
   if (contact.force <= 0) {
     moved_.drag = {};
     moved_.touched = false;
+    moved_.energy = 0;
+    out.gap = std::max(0.0, -deepest.overlap);
     return out;
   }
   moved_.touched = true;
@@ -96,6 +98,15 @@ PadContact LawPad::move(const Pose<double>& X_PO, double seconds) {
   out.area = contact.area;
   bool sticks = true;
   const Vector4d rubbed = rub(contact, out.centre, out.normal, weights, sticks);
+  // A power n of depth stores  F depth / (n + 1)  with  n = slope depth / F.
+  const double elastic = moved_.normal.x, slope = contact.stiffness / weights.now;
+  moved_.energy =
+      elastic > 0 ? elastic * deepest.overlap / (1 + slope * deepest.overlap / elastic) : 0;
+  const double arm = contact.patch.a * contact.patch.b;
+  for (std::size_t k = 0; k < 4; ++k)
+    if (k < 3 || arm > 0)
+      moved_.energy +=
+          0.5 * moved_.drag[k].x * moved_.drag[k].x / contact.shear / (k < 3 ? 1 : arm);
   out.stick = sticks ? 1 : 0;
   out.push = wrench_of_force(out.centre, contact.force * out.normal + rubbed.head<3>());
   out.push.moment += rubbed[3] * out.normal;

@@ -30,6 +30,9 @@ class LawPad final : public MovingPad {
   [[nodiscard]] std::string rung() const override { return name_; }
   [[nodiscard]] PadContact move(const Pose<double>& X_PO, double seconds) override;
   void keep() override;
+  /// Of a force that is a power of depth where the object is, and of the springs of friction.
+  [[nodiscard]] double energy() const override { return kept_.energy; }
+  [[nodiscard]] double reach() const override { return reach_; }
   [[nodiscard]] const std::vector<ExponentialTerm>& relaxation() const override {
     return law_->relaxation();
   }
@@ -44,6 +47,7 @@ class LawPad final : public MovingPad {
     bool touched = false;
     ExponentialMemory normal;               // [N]
     std::array<ExponentialMemory, 4> drag;  // friction along x, y, z [N]; torque [N m]
+    double energy = 0;                      // as LawPad::energy() [J]
   };
   /// Friction and torsion of a step. @return friction [N] (3), torque about the normal [N m]
   [[nodiscard]] Eigen::Vector4d rub(const LawContact& contact, const Eigen::Vector3d& at,

@@ -24,6 +24,7 @@ struct PadContact {
   double area = 0;                  // of the patch [m^2]
   double stick = 0;                 // share of the normal force on what sticks [1]
   double force_error = 0;           // of the rung, where it has an estimate, relative [1]
+  double gap = 0;                   // at least so far from the skin; 0: touches, or as good as [m]
   Eigen::Vector3d centre{0, 0, 0};  // of pressure [m] (3)
   Eigen::Vector3d normal{0, 0, 0};  // mean direction of the push without friction, unit (3)
 };
@@ -52,6 +53,12 @@ class MovingPad {
   /// @param onward  signs of these differences: the way that the object goes, as what slips there
   ///                sticks on the way back (6)
   [[nodiscard]] virtual Matrix6 stiffness(const Eigen::Matrix<double, 6, 1>& onward);
+
+  /// Elastic energy of the pad under the object as it was kept, if nothing relaxed [J].
+  [[nodiscard]] virtual double energy() const = 0;
+
+  /// No point of the pad is farther from its origin [m].
+  [[nodiscard]] virtual double reach() const = 0;
 
   /// How a push relaxes, for predictions.
   [[nodiscard]] virtual const std::vector<ExponentialTerm>& relaxation() const = 0;

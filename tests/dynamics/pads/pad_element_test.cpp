@@ -36,15 +36,31 @@ std::shared_ptr<const MovingPad> soft_finger(double friction,
       RigidObject{build_box({2 * kHalf, 2 * kHalf, 2 * kHalf}), friction}, Pose<double>{});
 }
 
-std::shared_ptr<const MovingPad> elements(double friction) {
+std::shared_ptr<const MovingPad> elements(double friction,
+                                          const std::vector<ExponentialTerm>& terms = kDamps) {
   Tissue pulp;
   pulp.shear_modulus = 12e3;
   pulp.poisson_ratio = 0.49;
-  pulp.relaxation = kDamps;
+  pulp.relaxation = terms;
   return std::make_shared<ElementPad>(
       PadModel{PadShape(), {4, 2, 3}, {pulp}},
       RigidObject{build_box({2 * kHalf, 2 * kHalf, 2 * kHalf}), friction},
       Pose<double>{Eigen::Matrix3d::Identity(), {0, 0, 1}});
+}
+
+/// A bed of the same pad without friction.
+std::shared_ptr<const MovingPad> bed() {
+  FoundationConstants c;
+  c.modulus = 37e3;
+  c.exponent = 0.98;
+  c.stiffening = 2.6;
+  c.surround = 0.58;
+  c.spread = 1.25;
+  c.thickness = 5.5e-3;
+  c.shear = 12e3;
+  return std::make_shared<BedPad>(std::make_shared<FoundationBed>(pad_columns(PadShape(), 20), c),
+                                  RigidObject{build_box({2 * kHalf, 2 * kHalf, 2 * kHalf}), 0},
+                                  Pose<double>{Eigen::Matrix3d::Identity(), {0, 0, 1}});
 }
 
 /// A cube on a vertical slide, its face a gap above a pad that looks up and does not move.
@@ -306,6 +322,287 @@ TEST(PadElement, KeepsMomentumAndSpin) {
   EXPECT_TRUE(touched);
   EXPECT_LT((after - before).tail<3>().norm(), 1e-7 * before.tail<3>().norm());
   EXPECT_LT((after - before).head<3>().norm(), 1e-6 * before.head<3>().norm());
+}
+
+/// A soft finger without an answer: its first clones from an age on, later ones never.
+class LostPad final : public MovingPad {
+ public:
+  /// @param good  the first clone that keeps its answers
+  LostPad(std::unique_ptr<MovingPad> pad, double age, int good)
+      : pad_(std::move(pad)), age_(age), good_(good), clones_(std::make_shared<int>(0)) {}
+  [[nodiscard]] std::unique_ptr<MovingPad> clone() const override {
+    auto out = std::make_unique<LostPad>(pad_->clone(), age_, good_);
+    out->clones_ = clones_;
+    out->number_ = ++*clones_;
+    return out;
+  }
+  [[nodiscard]] std::string rung() const override { return pad_->rung(); }
+  [[nodiscard]] PadContact move(const Pose<double>& X_PO, double seconds) override {
+    moved_ = kept_ + seconds;
+    // The element and the scene's own have one each: the third is the first that begins anew.
+    if (number_ >= good_ || (number_ < 3 && moved_ < age_)) return pad_->move(X_PO, seconds);
+    PadContact out;
+    out.status = Status::kStalled;
+    return out;
+  }
+  void keep() override {
+    kept_ = moved_;
+    pad_->keep();
+  }
+  [[nodiscard]] double energy() const override { return pad_->energy(); }
+  [[nodiscard]] double reach() const override { return pad_->reach(); }
+  [[nodiscard]] const std::vector<ExponentialTerm>& relaxation() const override {
+    return pad_->relaxation();
+  }
+  [[nodiscard]] const Pose<double>& object_pose() const override { return pad_->object_pose(); }
+
+ private:
+  std::unique_ptr<MovingPad> pad_;
+  double age_, kept_ = 0, moved_ = 0;  // [s]
+  int good_, number_ = 0;
+  std::shared_ptr<int> clones_;
+};
+
+TEST(PadElement, IsToldWhereItIsLostAndComesBackToStatics) {
+  // Lost while the cube sinks in; found at once, or at the fourth attempt.
+  for (const int good : {3, 6}) {
+    SCOPED_TRACE(good);
+    const auto pad = std::make_shared<LostPad>(soft_finger(0.5, kDamps)->clone(), 0.01, good);
+    const SceneRun run = simulate_scene(damped(cube_on_pad(pad, 1e-4)), for_seconds(1));
+    EXPECT_EQ(run.status, SceneStatus::kUnsolved);
+    EXPECT_GT(run.cost.unsolved, 0);
+    const SceneSample& last = run.samples.back();
+    ASSERT_EQ(last.contacts.size(), 1U);
+    EXPECT_NEAR(last.contacts[0].force.z(), -kMass * kG, 1e-3 * kMass * kG);
+    const double relaxed = 1 - kDamps[0].share, depth = depth_at(kMass * kG / relaxed);
+    EXPECT_NEAR(depth_of(last), depth, 0.01 * depth);
+  }
+}
+
+/// A power law, F = force (depth / 1 mm)^power.
+std::shared_ptr<const MovingPad> power_law(double force, double power,
+                                           const std::vector<ExponentialTerm>& terms = {}) {
+  PowerLawConstants c;
+  c.force = force;
+  c.depth_exponent = power;
+  c.patch = 4e-3;
+  c.patch_exponent = 0.3;
+  c.torsion = 0.5;
+  c.shear = 8e3;
+  return std::make_shared<LawPad>("power-law", PadShape(), std::make_shared<PowerLaw>(c, terms),
+                                  RigidObject{build_box({2 * kHalf, 2 * kHalf, 2 * kHalf}), 0},
+                                  Pose<double>{});
+}
+
+TEST(PadElement, TwoThatDoubtAStepGoOnTogether) {
+  // A cube between two pads that it is pressed into, thrown at one of them.
+  const double force[] = {0.4, 1.2}, depth[] = {1.5e-3, 0.6e-3}, speed = 0.3, seconds = 0.02;
+  MovingScene scene = cube_on_pad(power_law(force[0], 2), -depth[0], {2e-3, 0.02});
+  Pose<double> down;
+  down.R = Vector3d(1, -1, -1).asDiagonal();
+  const double above = scene.q[0] + kHalf - depth[1] + PadShape().height;
+  down.p = {0, 0, above};
+  scene.elements.push_back(std::make_shared<PadElement>("other", 0, down, 1, power_law(force[1], 2),
+                                                        PadElementOptions{2e-3, 0.02}));
+  scene.gravity.setZero();
+  scene.v[0] = -speed;
+  const SceneRun run = simulate_scene(scene, for_seconds(seconds));
+  ASSERT_EQ(run.status, SceneStatus::kDone);
+  // The same by small steps of Runge and Kutta.
+  double z = 0, v = -speed;
+  const auto push = [&](double at) {
+    const double a = std::max(0.0, depth[0] - at) / 1e-3, b = std::max(0.0, depth[1] + at) / 1e-3;
+    return (force[0] * a * a - force[1] * b * b) / kMass;
+  };
+  const int steps = 20000;
+  const double h = seconds / steps;
+  for (int i = 0; i < steps; ++i) {
+    const double k1 = push(z), k2 = push(z + h / 2 * v + h * h / 8 * k1),
+                 k4 = push(z + h * v + h * h / 2 * k2);
+    z += h * v + h * h / 6 * (k1 + 2 * k2);
+    v += h / 6 * (k1 + 4 * k2 + k4);
+  }
+  const double way = run.samples.back().q[0] - scene.q[0];
+  EXPECT_NEAR(way, z, 5e-6);
+  EXPECT_NEAR(run.samples.back().v[0], v, 0.01 * speed);
+}
+
+TEST(PadElement, FollowsAPushAfterASleep) {
+  MovingScene scene = damped(cube_on_pad(soft_finger(0.5), 1e-4));
+  SceneDrive push;
+  push.bias = -1;
+  push.when = {2, 1e9};
+  scene.drives = {push};
+  const SceneRun run = simulate_scene(scene, for_seconds(3));
+  ASSERT_EQ(run.status, SceneStatus::kDone);
+  ASSERT_GT(run.cost.asleep, 0.5);
+  const auto& at_rest = run.samples[199].contacts;
+  ASSERT_EQ(at_rest.size(), 1U);
+  EXPECT_NEAR(at_rest[0].force.z(), -kMass * kG, 1e-3 * kMass * kG);
+  const SceneSample& last = run.samples.back();
+  ASSERT_EQ(last.contacts.size(), 1U);
+  const double force = kMass * kG + 1;
+  EXPECT_NEAR(last.contacts[0].force.z(), -force, 1e-3 * force);
+  EXPECT_NEAR(depth_of(last), depth_at(force), 0.01 * depth_at(force));
+}
+
+/// An element by itself over a cube whose depth in its pad is given.
+class Pressed {
+ public:
+  explicit Pressed(const std::shared_ptr<const MovingPad>& pad)
+      : scene_(cube_on_pad(pad, 0)),
+        model_(tree_model(scene_.mechanism)),
+        motion_(model_),
+        q_(scene_.q),
+        v_(scene_.v),
+        element_(scene_.elements.front()->clone()) {}
+  /// Puts the cube somewhere. @param rate  of its depth [m/s]
+  void place(double t, double depth, double rate) {
+    t_ = t;
+    q_[0] = scene_.q[0] - depth;
+    v_[0] = -rate;
+    motion_.set_position(q_);
+    motion_.set_speed(v_);
+  }
+  [[nodiscard]] double doubt() { return element_->doubt(input()); }
+  void accept() { element_->accept(input()); }
+  [[nodiscard]] double foresees() const { return element_->foresees(); }
+  [[nodiscard]] double energy() { return element_->energy(input()); }
+  /// Its effort on the cube [N].
+  [[nodiscard]] double force() {
+    ElementAction out;
+    out.clear(1, 0);
+    EXPECT_TRUE(element_->act(input(), out));
+    return out.tau[0];
+  }
+
+ private:
+  [[nodiscard]] ElementInput input() const { return {t_, t_, q_, v_, z_, motion_, 0}; }
+  MovingScene scene_;
+  TreeModel model_;
+  TreeMotion<double> motion_;
+  Eigen::VectorXd q_, v_, z_;
+  std::unique_ptr<ForceElement> element_;
+  double t_ = 0;
+};
+
+/// Force of springs and dampers of 1 N/m at a time after each unit of depth per second began: the
+/// integral of g.
+double integral_of_g(double t) {
+  double sum = t;
+  for (const ExponentialTerm& term : kTerms)
+    sum += term.share * (-term.time * std::expm1(-t / term.time) - t);
+  return t > 0 ? sum : 0;
+}
+
+TEST(PadElement, RelaxesFromTheBeginningOfAMotionThatFollowsARest) {
+  // Depth: 0.5 mm within 10 ms, 30 s of rest, 0.3 mm more within 20 ms.
+  const double newton_per_m = 1000, begin = 30, ramp[] = {0.5e-3 / 0.01, 0.3e-3 / 0.02};
+  const auto depth = [&](double t) {
+    return ramp[0] * std::min(t, 0.01) + ramp[1] * std::clamp(t - begin, 0.0, 0.02);
+  };
+  const auto rate = [&](double t) { return t <= 0.01 ? ramp[0] : t > begin ? ramp[1] : 0; };
+  const auto exact = [&](double t) {
+    return newton_per_m * (ramp[0] * (integral_of_g(t) - integral_of_g(t - 0.01)) +
+                           ramp[1] * (integral_of_g(t - begin) - integral_of_g(t - begin - 0.02)));
+  };
+  Pressed pressed(power_law(1, 1, kTerms));
+  const auto go = [&](double t) {
+    pressed.place(t, depth(t), rate(t));
+    (void)pressed.doubt();
+    pressed.accept();
+  };
+  for (int i = 0; i <= 10; ++i) go(1e-3 * i);
+  EXPECT_NEAR(pressed.force(), exact(0.01), 1e-9);
+  for (int i = 1; 0.01 + 0.02 * i < begin; ++i) go(0.01 + 0.02 * i);
+  go(begin);
+  // Pads at rest are not moved while they relax by less than a fifth of what is allowed.
+  EXPECT_NEAR(pressed.force(), exact(begin), 1e-9);
+  for (int i = 1; i <= 20; ++i) {
+    const double t = begin + 2e-3 * i;
+    // Within a step, as predicted; then at its end.
+    pressed.place(t - 1e-3, depth(t - 1e-3), rate(t));
+    EXPECT_NEAR(pressed.force(), exact(t - 1e-3), 1e-6) << i;
+    go(t);
+    EXPECT_NEAR(pressed.force(), exact(t), 1e-9) << i;
+  }
+}
+
+TEST(PadElement, DoubtsAStepInWhichItsObjectMayHavePassed) {
+  Pressed pressed(soft_finger(0));
+  const double speed = 5;
+  pressed.place(0.01, -0.03, speed);
+  pressed.accept();
+  // As far as the cube is away, and a little.
+  EXPECT_LE(pressed.foresees() * speed, 0.03 + 2e-4);
+  EXPECT_GE(pressed.foresees() * speed, 0.5 * 0.03);
+  pressed.place(0.01 + 0.1 / speed, 0.07, speed);  // beyond the pad
+  EXPECT_GT(pressed.doubt(), 1);
+  pressed.place(0.01 + 0.027 / speed, -0.003, speed);
+  EXPECT_LE(pressed.doubt(), 1);
+}
+
+TEST(PadElement, ThrowsAFastObjectBack) {
+  // A light cube at 5 m/s, from so far that a step of 20 ms would end beyond all of the pad.
+  const double gap = 0.11;
+  const std::tuple<const char*, std::shared_ptr<const MovingPad>, double> pads[] = {
+      {"soft finger", soft_finger(0), 1e-3}, {"elements", elements(0, {}), 1e-4}};
+  for (const auto& [name, pad, mass] : pads) {
+    SCOPED_TRACE(name);
+    MovingScene scene = cube_on_pad(pad, gap, {0.01, 0.05});
+    scene.gravity.setZero();
+    scene.mechanism.bodies[1].mass.mass = mass;
+    scene.v[0] = -5;
+    SceneOptions options = for_seconds(0.06);
+    options.sample = 0.06;
+    const SceneRun run = simulate_scene(scene, options);
+    EXPECT_EQ(run.status, SceneStatus::kDone);
+    EXPECT_NEAR(run.samples.back().v[0], 5, 0.02 * 5);
+  }
+}
+
+TEST(PadElement, StoresWhatAnElasticBounceLends) {
+  // Kinetic energy, weight and what the pad stores, within a share of what it takes.
+  const std::tuple<const char*, std::shared_ptr<const MovingPad>, double> pads[] = {
+      {"soft finger", soft_finger(0), 0.002},
+      {"bed", bed(), 0.005},
+      {"elements", elements(0, {}), 0.002}};
+  for (const auto& [name, pad, share] : pads) {
+    SCOPED_TRACE(name);
+    const MovingScene scene = cube_on_pad(pad, 2e-3, {2e-3, 0.02});
+    SceneOptions options = for_seconds(0.05);
+    options.sample = 1e-3;
+    const SceneRun run = simulate_scene(scene, options);
+    ASSERT_EQ(run.status, SceneStatus::kDone);
+    const double start = run.samples.front().energy.total();
+    double most = 0;
+    for (const SceneSample& at : run.samples) most = std::max(most, at.energy.of_passive);
+    EXPECT_GT(most, kMass * kG * 2e-3) << "all of the fall, and more";
+    for (const SceneSample& at : run.samples)
+      EXPECT_NEAR(at.energy.total(), start, share * most) << at.t;
+  }
+}
+
+TEST(PadElement, StoresAtRestWhatSpringsAndDampersDo) {
+  // F = k x once and for all, with a damper in parallel to a part of it: at rest g_inf k x^2 / 2,
+  // at once k x^2 / 2.
+  const double k = 1000, x = 4e-4;
+  Pressed pressed(power_law(1, 1, kTerms));
+  pressed.place(1e-9, x, 0);
+  pressed.accept();
+  EXPECT_NEAR(pressed.energy(), 0.5 * k * x * x, 1e-6 * k * x * x);
+  pressed.place(100, x, 0);
+  pressed.accept();
+  EXPECT_NEAR(pressed.energy(), 0.25 * 0.5 * k * x * x, 1e-6 * k * x * x);
+  // Between, H_i = g_i k x exp(-t / tau_i) in springs of g_i k.
+  Pressed other(power_law(1, 1, kTerms));
+  other.place(1e-9, x, 0);
+  other.accept();
+  other.place(0.05, x, 0);
+  other.accept();
+  double share = 0.25;
+  for (const ExponentialTerm& term : kTerms) share += term.share * std::exp(-0.1 / term.time);
+  EXPECT_NEAR(other.energy(), share * 0.5 * k * x * x, 1e-6 * k * x * x);
 }
 
 TEST(PadElement, HasNoForceOnceAnObjectHasLeft) {

@@ -60,7 +60,8 @@ SceneRun pads_run(const BuiltScene& built) { return simulate_scene(built.scene, 
 class ScenePadRung : public testing::TestWithParam<std::string> {};
 
 TEST_P(ScenePadRung, CarriesAWeight) {
-  const BuiltScene built = scene_of(kPress + pad_on(kHere + "rung = \"" + GetParam() + "\"\n"));
+  const BuiltScene built =
+      scene_of(kPress + pad_on(kHere + "force_error = 0.01\nrung = \"" + GetParam() + "\"\n"));
   EXPECT_EQ(built.pads, 1);
   const SceneRun run = pads_run(built);
   ASSERT_EQ(run.status, SceneStatus::kDone) << run.reason;
