@@ -26,6 +26,28 @@ void lay_flat(const Vector3d& normal, std::array<ExponentialMemory, 4>& drag) {
     project(drag[0].terms[j], drag[1].terms[j], drag[2].terms[j]);
 }
 
+/// What a patch that shrinks cannot carry is lost with it: without that, friction which was
+/// gathered by a stiff patch would be given back by a soft one, and do work out of nothing.
+/// @param spring  stiffness of what carries the friction; goes down to that of the patch
+/// Source: [Elata1996].
+void slacken(double patch, std::size_t first, std::size_t end, double& spring,
+             std::array<ExponentialMemory, 4>& drag) {
+  if (spring <= patch) return;
+  for (std::size_t k = first; k < end; ++k) {
+    drag[k].x *= patch / spring;
+    for (double& term : drag[k].terms) term *= patch / spring;
+  }
+  spring = patch;
+}
+
+/// The stiffness at which a force has the energy of the one before it, f^2 / (2 spring), and the
+/// work of its change by a patch,  f . c + c^2 / 2  over its stiffness.
+double spring_of(const Vector3d& force, const Vector3d& change, double patch, double spring) {
+  const double before = spring > 0 ? force.squaredNorm() / spring : 0;
+  const double energy = before + (2 * force.dot(change) + change.squaredNorm()) / patch;
+  return patch > 0 && energy > 0 ? std::min(patch, (force + change).squaredNorm() / energy) : 0;
+}
+
 }  // namespace
 
 LawPad::LawPad(std::string name, const PadShape& shape, std::shared_ptr<const ContactLaw> law,
@@ -79,6 +101,7 @@ PadContact LawPad::move(const Pose<double>& X_PO, double seconds) {
       relaxed_contact(*law_, gap, deepest.overlap, object_.friction, weights, moved_.normal);
   if (contact.force <= 0) {
     moved_.drag = {};
+    moved_.spring = {};
     moved_.touched = false;
     moved_.energy = 0;
     out.gap = std::max(0.0, -deepest.overlap);
@@ -102,11 +125,9 @@ PadContact LawPad::move(const Pose<double>& X_PO, double seconds) {
   const double elastic = moved_.normal.x, slope = contact.stiffness / weights.now;
   moved_.energy =
       elastic > 0 ? elastic * deepest.overlap / (1 + slope * deepest.overlap / elastic) : 0;
-  const double arm = contact.patch.a * contact.patch.b;
   for (std::size_t k = 0; k < 4; ++k)
-    if (k < 3 || arm > 0)
-      moved_.energy +=
-          0.5 * moved_.drag[k].x * moved_.drag[k].x / contact.shear / (k < 3 ? 1 : arm);
+    if (const double spring = moved_.spring[k < 3 ? 0 : 1]; spring > 0)
+      moved_.energy += 0.5 * moved_.drag[k].x * moved_.drag[k].x / spring;
   out.stick = sticks ? 1 : 0;
   out.push = wrench_of_force(out.centre, contact.force * out.normal + rubbed.head<3>());
   out.push.moment += rubbed[3] * out.normal;
@@ -119,18 +140,26 @@ Vector4d LawPad::rub(const LawContact& contact, const Vector3d& at, const Vector
   const Pose<double> D = moved_.X_PO * kept_.X_PO.inverse();
   const Eigen::AngleAxisd turn(D.R);
   const Vector3d way = at - D.inverse() * at;
-  const double stiffness = contact.shear, arm = contact.patch.a * contact.patch.b;
+  const double stiffness = contact.shear, twisted = stiffness * contact.patch.a * contact.patch.b;
   lay_flat(normal, moved_.drag);
+  slacken(stiffness, 0, 3, moved_.spring[0], moved_.drag);
+  slacken(twisted, 3, 4, moved_.spring[1], moved_.drag);
   Vector4d elastic, past, stretch = Vector4d::Zero();
   // What moved before it touched drags nothing.
   if (kept_.touched)
     stretch << stiffness * (way - normal * normal.dot(way)),
-        stiffness * arm * turn.angle() * turn.axis().dot(normal);
+        twisted * turn.angle() * turn.axis().dot(normal);
   for (int k = 0; k < 4; ++k) {
     const ExponentialMemory& memory = moved_.drag[static_cast<std::size_t>(k)];
     past[k] = history_of(weights, memory);
     elastic[k] = memory.x + stretch[k];
   }
+  const auto set_spring = [&](const Vector3d& force, const Vector3d& change, double patch,
+                              double& spring) {
+    spring = spring_of(force - change, change, patch, spring);
+  };
+  set_spring(elastic.head<3>(), stretch.head<3>(), stiffness, moved_.spring[0]);
+  set_spring({elastic[3], 0, 0}, {stretch[3], 0, 0}, twisted, moved_.spring[1]);
   Vector4d drag = weights.now * elastic + past;
   const double bound = object_.friction * contact.force, torsion = contact.patch.torsion;
   // A patch without extent has no torque.

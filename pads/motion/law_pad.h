@@ -17,7 +17,8 @@ namespace thenar {
 /// which on an incompressible half space holds for circles, which the object's motion at the patch
 /// stretches step by step, so that rolling is no slip; they relax as the force does, and stay
 /// within the ellipsoid  |f_t|^2 + (torque / e)^2 <= (mu f_n)^2 with the e mu of the law, by the
-/// way straight back to it. Source: [Howe1996] for the ellipsoid.
+/// way straight back to it. A patch that shrinks loses what it cannot carry, so that friction gives
+/// back no more than it took. Sources: [Howe1996] for the ellipsoid, [Elata1996].
 class LawPad final : public MovingPad {
  public:
   /// @param name  of the rung
@@ -47,6 +48,7 @@ class LawPad final : public MovingPad {
     bool touched = false;
     ExponentialMemory normal;               // [N]
     std::array<ExponentialMemory, 4> drag;  // friction along x, y, z [N]; torque [N m]
+    std::array<double, 2> spring{0, 0};     // that carries friction [N/m], torque [N m/rad]
     double energy = 0;                      // as LawPad::energy() [J]
   };
   /// Friction and torsion of a step. @return friction [N] (3), torque about the normal [N m]

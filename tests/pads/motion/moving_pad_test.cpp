@@ -2,6 +2,7 @@
 
 #include "pads/motion/moving_pad.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include <gtest/gtest.h>
@@ -222,6 +223,49 @@ TEST(LawPad, FeelsWhicheverOfTwoBallsIsDeeper) {
     least = std::min(least, fresh);
   }
   EXPECT_GT(least, 1e-3);
+}
+
+TEST(ReducedPads, GiveNoWorkInACycle) {
+  // Pressed deep, dragged aside or twisted, lifted, and back by other ways; several times.
+  for (const Rung rung : {Rung::kLaw, Rung::kBed})
+    for (const bool twists : {false, true}) {
+      for (const bool other_way_round : {false, true}) {
+        SCOPED_TRACE(testing::Message() << (rung == Rung::kLaw ? "law" : "bed") << ", twists "
+                                        << twists << ", other way " << other_way_round);
+        const auto pad = pad_of(rung, 0.9, false);
+        const double deep = 8e-4, flat = 3e-4, way = twists ? 0.01 : 3e-5;
+        std::vector<std::pair<double, double>> corners{
+            {deep, 0}, {deep, way}, {flat, way}, {flat, 0}};
+        if (other_way_round) std::reverse(corners.begin() + 1, corners.end());
+        const auto pose = [&](double depth, double aside) {
+          Vector6 motion = Vector6::Zero();
+          motion[twists ? 2 : 3] = aside;
+          return moved_by(plane_at(-depth), motion);
+        };
+        Pose<double> last = pose(deep, 0);
+        Vector6 push = six_of(go(*pad, last, 0).push);
+        double given = 0, moved = 0;
+        for (int cycle = 0; cycle < 3; ++cycle)
+          for (std::size_t k = 0; k < 4; ++k) {
+            const auto [d0, w0] = corners[k];
+            const auto [d1, w1] = corners[(k + 1) % 4];
+            const int steps = 20;
+            for (int i = 1; i <= steps; ++i) {
+              const double s = i / double{steps};
+              const Pose<double> X = pose(d0 + s * (d1 - d0), w0 + s * (w1 - w0));
+              const Vector6 next = six_of(go(*pad, X, 0).push), motion = motion_from(last, X);
+              // Along the normal the law gives back what it took.
+              const double work = 0.5 * (push + next).dot(motion),
+                           normal = 0.5 * (push + next)[5] * motion[5];
+              given -= work - normal;
+              moved += std::abs(work - normal);
+              push = next;
+              last = X;
+            }
+          }
+        EXPECT_LT(given, 0.01 * moved);
+      }
+    }
 }
 
 TEST(LawPad, DoesNotSlipWhereItRolls) {
