@@ -30,6 +30,8 @@ constexpr double kHorizon = 0.01;      // over which an error of speeds counts i
 constexpr double kOneInstant = 1e-6;   // instants that differ by less of a step are one [1]
 constexpr double kBefore = 0.97;       // of the way to a change of modes that a step takes [1]
 constexpr double kAgain = 0.5;         // of the usual length, of a step after such a change [1]
+constexpr int kUnsolvedTrials = 3;     // of a step whose problems are not solved, all shorter
+constexpr double kUnsolvedDoubt = 4;   // of such a trial, which tells its length as doubts do [1]
 constexpr double kApproach = 1e-7;     // slower approaches are not impacts [m/s], [rad/s]
 
 /// What a trial of one step found.
@@ -345,6 +347,7 @@ class Simulation {
     double length = wanted;
     // Shortened for a change of modes within it, and to end just before that change.
     bool rejected = false, is_before = false, is_cut = false;
+    int unsolved = 0;  // trials of it that were not solved
     // A step that was halved has told where a mode changes behind its end.
     const double ahead = kBefore * (change_ahead_ - state_.t);
     if (ahead > options_.shortest && ahead < length) {
@@ -366,7 +369,13 @@ class Simulation {
       double doubt = 0;
       if (trial.closes < 0 && (trial.error <= 1 || length <= options_.shortest)) {
         doubt = step_.elements_doubt(trial.state);
-        if (doubt <= 1 || length <= options_.shortest) break;
+        // What is not solved may be so over a shorter step, unless that did not help before.
+        const bool tries_again = tried_unsolved_ > 0 && was_solved_ && unsolved < kUnsolvedTrials;
+        if (length <= options_.shortest || (doubt <= 1 && !tries_again)) break;
+        if (doubt <= 1) {
+          ++unsolved;
+          doubt = kUnsolvedDoubt;
+        }
       }
       ++run_.cost.rejected;
       rejected = true;
@@ -396,6 +405,7 @@ class Simulation {
     if (table_[static_cast<std::size_t>(result_)].error > 1) ++run_.cost.coarse;
     // A step that is as short as can be was not inspected.
     if (!inspected_) step_.find(table_[static_cast<std::size_t>(result_)].state, kNearGap, found_);
+    was_solved_ = tried_unsolved_ == 0;
     accept(length, left);
     const StepTrial& trial = table_[static_cast<std::size_t>(result_)];
     H = next_length(trial, length, rejected);
@@ -678,6 +688,7 @@ class Simulation {
   std::vector<ActiveContact> earlier_;                // of the column, a substep before its last
   double last_h_ = 0;
   long tried_unsolved_ = 0;    // since forget_counts()
+  bool was_solved_ = true;     // the last step
   double tried_residual_ = 0;  // the same [1]
   int since_mark_ = 0;
   double mark_ = -1;          // when the steps that are judged began [s]

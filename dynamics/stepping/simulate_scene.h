@@ -101,6 +101,9 @@ struct [[nodiscard]] SceneRun {
 /// that instant, and an impact ends the approach. Where nothing touches, FreeStep goes on. Source:
 /// [Deuflhard1983] for extrapolation of one-step methods.
 ///
+/// A step in which something is not solved is made again, shorter, up to three times; the steps
+/// that follow one which stayed unsolved are not, until one is solved.
+///
 /// Where 200 steps pass less than 0.1 ms (a rim that rattles on an edge), ten midpoint steps go on
 /// by 1 ms, and SceneCost::passed counts them.
 ///

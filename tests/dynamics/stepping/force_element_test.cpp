@@ -242,5 +242,31 @@ TEST(ForceElement, OneThatFindsNoAnswerIsSaid) {
   }
 }
 
+/// Pulls nothing, and finds no answer farther than 5 ms from where the last step ended.
+class Shortsighted final : public ForceElement {
+ public:
+  [[nodiscard]] std::unique_ptr<ForceElement> clone() const override {
+    return std::make_unique<Shortsighted>(*this);
+  }
+  [[nodiscard]] std::string name() const override { return "shortsighted"; }
+  bool act(const ElementInput& at, ElementAction& /*out*/) override {
+    return at.t - accepted_ < 5e-3;
+  }
+  void accept(const ElementInput& at) override { accepted_ = at.t; }
+
+ private:
+  double accepted_ = 0;  // [s]
+};
+
+TEST(ForceElement, StepsThatAreNotSolvedAreTriedShorter) {
+  MovingScene scene = cube_on_slide();
+  scene.elements = {std::make_shared<Shortsighted>()};
+  SceneOptions options;
+  options.seconds = options.sample = 0.3;  // of steps that would be 20 ms long
+  const SceneRun run = simulate_scene(scene, options);
+  EXPECT_EQ(run.status, SceneStatus::kDone);
+  EXPECT_GT(run.cost.rejected, 0);
+}
+
 }  // namespace
 }  // namespace thenar
