@@ -25,6 +25,7 @@ PadShape scaled_shape(PadShape shape, double s) {
 
 CalibratedLaws scaled_laws(CalibratedLaws laws, double s) {
   check_scale(s);
+  if (s != 1) laws.pad_digest.clear();  // of another pad than they were fitted to
   PowerLawConstants& power = laws.power;
   power.force *= std::pow(s, 2 - power.depth_exponent);
   power.patch *= std::pow(s, 1 - 2 * power.patch_exponent);

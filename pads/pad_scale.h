@@ -19,7 +19,7 @@ namespace thenar {
 ///   k' = k s^(2 - n - q),   c' = c s^(1 - 2 gamma - s_R),   h' = s h,
 /// with q = s_R = 0 for the power law; exponents, shares, moduli and the rest of the bed's numbers
 /// have no length. Errors are those of the pad before, under objects times s; depths and forces of
-/// the evidence are scaled. Relaxation is in time alone.
+/// the evidence are scaled, the digest is left out unless s is 1. Relaxation is in time alone.
 ///
 /// A pad twice as large, with n = 1.79 and q = 0.82, has k' = 0.655 k: a depth of 1 mm is half the
 /// strain for it, and an object of 10 mm is as one of 5 mm.

@@ -98,6 +98,7 @@
 
 // data/io/pad: finger pads as plain data.
 #include "data/io/pad/pad.h"
+#include "data/io/pad/pad_digest.h"
 
 // data/io/graspit: files of GraspIt!.
 #include "data/io/graspit/graspit_link.h"

@@ -244,6 +244,8 @@ class PressRun {
 void add_warnings(PressedPad& out) {
   if (const std::string assumed = assumption_of(out.pad.spec); !assumed.empty())
     out.warnings.push_back(assumed);
+  if (!out.rungs.empty())
+    if (const std::string doubt = doubt_of_laws(out); !doubt.empty()) out.warnings.push_back(doubt);
   if (out.instants.empty()) return;
   const PressInstant& last = out.instants.back();
   if (out.status == Status::kSolved && last.force_error > out.request.force_error)

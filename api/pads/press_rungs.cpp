@@ -11,6 +11,7 @@
 #include "base/thread_seconds.h"
 #include "base/units.h"
 #include "data/io/pad/law_file.h"
+#include "data/io/pad/pad_digest.h"
 #include "pads/laws/foundation_bed.h"
 #include "pads/skin_gap.h"
 
@@ -185,6 +186,11 @@ PressRung try_rung(const PressedPad& pressed, const RungTrial& trial, double dep
 }
 
 }  // namespace
+
+std::string doubt_of_laws(const PressedPad& pressed) {
+  const LawsFound found = find_laws(pressed);
+  return found.laws ? version_doubt(*found.laws, pressed.pad.spec) : "";
+}
 
 std::vector<PressRung> compare_rungs(const PressedPad& pressed, const Progress& progress) {
   const PressInstant* end = pressed.end_of_way();

@@ -6,6 +6,7 @@
 #include <fmt/ranges.h>
 
 #include "base/error.h"
+#include "data/io/pad/pad_digest.h"
 #include "dynamics/pads/pad_element.h"
 #include "dynamics/scene/scene_pairs.h"
 #include "hand/skin/skin_landmarks.h"
@@ -116,6 +117,10 @@ void add_pads(const SceneSpec& spec, const std::vector<SceneHuman>& humans, Buil
       built.warnings.push_back(
           fmt::format("pad '{}' has laws that were calibrated for '{}': its forces are of that pad",
                       pad.spec.name, pad.law->name));
+    if (by_law && pad.law && pad.law->name == pad.spec.name)
+      if (const std::string doubt = version_doubt(*pad.law, pad.spec);
+          !doubt.empty() && told.insert(doubt).second)
+        built.warnings.push_back(doubt);
     at_line(spec.path, pad.line, [&] { add_pad(spec, pad, humans, built); });
   }
 }

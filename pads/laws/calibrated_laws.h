@@ -38,7 +38,8 @@ struct LawEvidence {
 
 /// Laws of one pad.
 struct CalibratedLaws {
-  std::string name;
+  std::string name;        // of the pad
+  std::string pad_digest;  // of its numbers, as pad_digest() has it; empty: not known
   PowerLawConstants power;
   SoftFingerConstants soft_finger;
   FoundationConstants foundation;

@@ -95,6 +95,16 @@ int read_count(TomlTable& table, const std::string& key) {
   return static_cast<int>(count);
 }
 
+/// The pad's version; files from before there were digests have none.
+std::string read_digest(TomlTable& top) {
+  const std::string digest = top.text_or("pad_digest", "");
+  const bool hex = digest.find_first_not_of("0123456789abcdef") == std::string::npos;
+  if (top.has("pad_digest") && !(hex && digest.size() == 64))
+    top.fail(fmt::format("wanted 'pad_digest' of 64 hexadecimal digits, got '{}'", digest),
+             "pad_digest");
+  return digest;
+}
+
 void read_evidence(TomlTable& top, LawEvidence& evidence) {
   TomlTable table = law_table(top, "evidence");
   evidence.fitted = read_count(table, "fitted");
@@ -147,6 +157,7 @@ CalibratedLaws parse_laws(const std::string& text, const std::string& path) {
   TomlTable top = file.top();
   CalibratedLaws laws;
   laws.name = top.text("name");
+  laws.pad_digest = read_digest(top);
   read_evidence(top, laws.evidence);
   // Relaxation, of all laws.
   for (TomlTable& table : top.tables("relaxation")) {
@@ -167,8 +178,10 @@ CalibratedLaws read_laws(const std::string& path) { return parse_laws(read_text_
 std::string laws_text(const CalibratedLaws& laws, const std::string& source) {
   check_laws(laws);
   require(!laws.name.empty() && !source.empty(), "laws need a name and a source to be written");
-  std::string out = fmt::format("name = {}\nsource = \"Elements\"\n\n[sources]\nElements = {}\n",
-                                toml_quoted(laws.name), toml_quoted(source));
+  std::string out = fmt::format("name = {}\n", toml_quoted(laws.name));
+  if (!laws.pad_digest.empty())
+    out += fmt::format("pad_digest = {}\n", toml_quoted(laws.pad_digest));
+  out += fmt::format("source = \"Elements\"\n\n[sources]\nElements = {}\n", toml_quoted(source));
   const LawEvidence& e = laws.evidence;
   out += fmt::format(
       "\n[evidence]\nfitted = {}\nchecked = {}\ndepth_m = {}\nforce_N = {}\nforce_error = {}\n",

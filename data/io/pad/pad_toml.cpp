@@ -95,6 +95,7 @@ std::string pad_toml(const PadSpec& pad, const std::string& comment) {
   if (pad.skin) {
     text += "\n[skin]\n";
     for (const std::string& line : toml_of(*pad.skin)) text += line + "\n";
+    add_sources(text, pad.shape_source, {});
   }
   text += "\n[pulp]\n";
   add_tissue(text, pad.pulp);

@@ -285,6 +285,12 @@ TEST(PressPad, ComparesTheLawsOfItsPad) {
   // A force that was asked for is one that a hard point bears, without a patch.
   pressed.request.force = force;
   EXPECT_EQ(laws_of(pressed)[0].area, 0);
+  // They were fitted to this version of the pad, and no other.
+  EXPECT_EQ(doubt_of_laws(pressed), "");
+  const PadSpec spec = pressed.pad.spec;
+  pressed.pad.spec.pulp.poisson_ratio = 0.48;
+  EXPECT_THAT(doubt_of_laws(pressed), HasSubstr("another version of pad 'index_pad'"));
+  pressed.pad.spec = spec;
   // Tissue of another law is not what they were calibrated for.
   pressed.request.pad.law = "ogden";
   EXPECT_THAT(laws_of(pressed)[2].failure, HasSubstr("another was asked for"));

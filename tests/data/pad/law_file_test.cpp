@@ -17,6 +17,7 @@ namespace {
 CalibratedLaws some_laws() {
   CalibratedLaws laws;
   laws.name = "a pad";
+  laws.pad_digest = std::string(32, '0') + std::string(32, 'f');
   laws.power = {0.1 + 0.2, 1.9, 4e-3, 1.0 / 3, 0.6};
   laws.soft_finger = {1.0 / 3, 1.8, 0.4, 4e-3, 0.22, -0.3, 0.55, 0.6};
   laws.foundation = {2e4 / 3, 0.8, 6, 0.5, 1.4, 5e-3, 7e3};
@@ -32,6 +33,7 @@ TEST(LawFile, EveryBitComesBack) {
   const std::string text = laws_text(before, "made up");
   const CalibratedLaws after = parse_laws(text, "laws.toml");
   EXPECT_EQ(laws_text(after, "made up"), text);
+  EXPECT_EQ(after.pad_digest, before.pad_digest);
   EXPECT_EQ(after.power.force, before.power.force);
   EXPECT_EQ(after.soft_finger.patch_radius, before.soft_finger.patch_radius);
   EXPECT_EQ(after.foundation.modulus, before.foundation.modulus);
@@ -40,6 +42,14 @@ TEST(LawFile, EveryBitComesBack) {
   EXPECT_EQ(after.power_error.torsion.worst, before.power_error.torsion.worst);
   EXPECT_EQ(after.evidence.checked, before.evidence.checked);
   EXPECT_EQ(after.evidence.force_error, before.evidence.force_error);
+}
+
+TEST(LawFile, NeedsNoDigestOfItsPad) {
+  CalibratedLaws laws = some_laws();
+  laws.pad_digest.clear();
+  const std::string text = laws_text(laws, "made up");
+  EXPECT_THAT(text, testing::Not(testing::HasSubstr("pad_digest")));
+  EXPECT_EQ(parse_laws(text, "laws.toml").pad_digest, "");
 }
 
 using LawFiles = TemporaryFolder;
@@ -66,7 +76,9 @@ std::string complaint(const std::string& line, const std::string& instead) {
 
 TEST(LawFile, MistakesAreNamedByTheirLine) {
   EXPECT_THAT(complaint("fitted = 20", "fitted = 2.5"),
-              testing::AllOf(testing::StartsWith("pad.toml:8: "), testing::HasSubstr("whole")));
+              testing::AllOf(testing::StartsWith("pad.toml:9: "), testing::HasSubstr("whole")));
+  EXPECT_THAT(complaint("pad_digest = \"0", "pad_digest = \"g"),
+              testing::AllOf(testing::StartsWith("pad.toml:2: "), testing::HasSubstr("64 hexa")));
   EXPECT_THAT(complaint("share = 0.1", "share = 0.9"), testing::HasSubstr("less than 1"));
   EXPECT_THAT(complaint("torsion = 0.6", "torsion = 2"), testing::HasSubstr("[0, 1]"));
   EXPECT_THAT(complaint("spread = 1.4", "spread = 0.4"), testing::HasSubstr("1 or more"));

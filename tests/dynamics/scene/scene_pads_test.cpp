@@ -218,6 +218,20 @@ TEST(ScenePads, TellWhatIsAssumedAndLawsOfAnotherPad) {
               testing::Not(Contains(HasSubstr("calibrated for"))));
 }
 
+TEST(ScenePads, TellLawsOfAnotherVersionOfThePad) {
+  SceneSpec spec =
+      parse_scene(kTimeAndFriction + kPress + pad_on(kHere + "rung = \"soft-finger\"\n"), "s.toml");
+  const auto doubted = [&] {
+    return testing::Matches(testing::Contains(HasSubstr("another version of pad 'index_pad'")))(
+        build_scene(spec, {}).warnings);
+  };
+  EXPECT_FALSE(doubted());
+  spec.pads.at(0).spec.pulp.shear_modulus *= 1.1;
+  EXPECT_TRUE(doubted());
+  spec.pads.at(0).rung = "elements";
+  EXPECT_FALSE(doubted());
+}
+
 TEST(ScenePads, SayAtTheirLineWhatDoesNotFit) {
   const auto error_of = [](const std::string& text) {
     return message_of<DataError>([&] { (void)scene_of(text); });
