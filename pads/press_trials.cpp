@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 
 #include "base/error.h"
 #include "base/units.h"
@@ -33,6 +34,16 @@ MeasuredPress measured(PadPress& press, const PadPressResult& result, const Pres
   return out;
 }
 
+/// How far a pad reaches from its origin, and a little more [m].
+double clear_distance(const PadShape& shape) {
+  double reach = std::max({shape.length, shape.width, 2 * shape.height}) / 2;
+  if (shape.skin) {
+    const Eigen::AlignedBox3d box = shape.skin->bounds();
+    reach = std::max(reach, box.min().cwiseAbs().cwiseMax(box.max().cwiseAbs()).maxCoeff());
+  }
+  return 1e-3 + reach;
+}
+
 /// A pose whose z axis is `z`, at a distance from the origin against `along`.
 Pose<double> posed(const Vector3d& z, const Vector3d& along, double distance) {
   Pose<double> X;
@@ -42,7 +53,51 @@ Pose<double> posed(const Vector3d& z, const Vector3d& along, double distance) {
   return X;
 }
 
+/// The presses of one trial, one after the other.
+/// @param report  hears of the share that is done
+void press_to_depths(const PadModel& model, const PressTrial& trial, const PadPressOptions& options,
+                     const std::function<void(double)>& report, MeasuredPresses& out) {
+  const std::shared_ptr<const Shape> skin = skin_solid(model.shape);
+  PadPress press(model, trial.object, trial.X_PO, options);
+  (void)press.touch(trial.along);
+  PressGoal goal;
+  const Vector3d touch = press.state().X_PO.p;
+  for (std::size_t i = 0; i < trial.depths.size(); ++i) {
+    report(static_cast<double>(i) / static_cast<double>(trial.depths.size()));
+    const double depth = trial.depths[i];
+    goal.X_PO = press.state().X_PO;
+    goal.X_PO.p = touch + depth * trial.along;
+    const PadPressResult result = press.step(goal);
+    out.stopped = options.step.stop && options.step.stop();
+    if (out.stopped) return;
+    if (result.solved.status != Status::kSolved) {
+      out.failures.push_back(
+          fmt::format("{}, {:g} mm: {}", trial.name, depth / kMm, result.solved.message));
+      return;
+    }
+    MeasuredPress found = measured(press, result, trial);
+    const DeepestSkin deepest =
+        deepest_skin(PadChart(model.shape), *trial.object.shape, found.X_PO);
+    found.depth = deepest.overlap;
+    found.gap = skin_gap(*skin, *trial.object.shape, found.X_PO, deepest.place);
+    if (found.force > 0 && found.area > 0 && found.depth > 0 && found.arm > 0 && found.shear > 0)
+      out.presses.push_back(std::move(found));
+    else
+      out.failures.push_back(fmt::format("{}, {:g} mm: too few nodes touch for it to have a patch",
+                                         trial.name, depth / kMm));
+  }
+}
+
 }  // namespace
+
+std::vector<double> trial_depths(const PadShape& shape) {
+  constexpr double kParts = 11, kNanometre = 1e9;  // [1], [1/m]
+  const double thickness = PadChart(shape).thickness(0, 0);
+  std::vector<double> depths;
+  for (const double part : {1, 2, 3, 4})
+    depths.push_back(std::round(part * thickness / kParts * kNanometre) / kNanometre);
+  return depths;
+}
 
 LawTrials standard_trials(const PadShape& shape, const std::vector<double>& depths) {
   require(!depths.empty() && depths.front() > 0 && std::isfinite(depths.back()) &&
@@ -52,7 +107,7 @@ LawTrials standard_trials(const PadShape& shape, const std::vector<double>& dept
   std::vector<double> between;
   for (std::size_t i = 0; i < depths.size(); ++i)
     between.push_back(0.5 * (depths[i] + (i > 0 ? depths[i - 1] : 0)));
-  const double far = 1e-3 + std::max({shape.length, shape.width, 2 * shape.height}) / 2;
+  const double far = clear_distance(shape);
   const auto plane = [&](double angle, const std::vector<double>& to) {
     const Vector3d along(-std::sin(angle), 0, -std::cos(angle));
     return PressTrial{fmt::format("plane at {:.0f} degrees", degrees(angle)),
@@ -84,31 +139,17 @@ LawTrials standard_trials(const PadShape& shape, const std::vector<double>& dept
 }
 
 MeasuredPresses measure_presses(const PadModel& model, const std::vector<PressTrial>& trials,
-                                const PadPressOptions& options) {
-  const std::shared_ptr<const Shape> skin = skin_solid(model.shape);
+                                PadPressOptions options, const Progress& progress) {
+  options.step.stop = progress.stop_requested;
   MeasuredPresses out;
-  for (const PressTrial& trial : trials) {
-    require(trial.object.shape != nullptr, "the trial '{}' has no object", trial.name);
-    PadPress press(model, trial.object, trial.X_PO, options);
-    (void)press.touch(trial.along);
-    PressGoal goal;
-    const Vector3d touch = press.state().X_PO.p;
-    for (const double depth : trial.depths) {
-      goal.X_PO = press.state().X_PO;
-      goal.X_PO.p = touch + depth * trial.along;
-      const PadPressResult result = press.step(goal);
-      if (result.solved.status != Status::kSolved) {
-        out.failures.push_back(
-            fmt::format("{}, {:g} mm: {}", trial.name, depth / kMm, result.solved.message));
-        break;
-      }
-      MeasuredPress found = measured(press, result, trial);
-      const DeepestSkin deepest =
-          deepest_skin(PadChart(model.shape), *trial.object.shape, found.X_PO);
-      found.depth = deepest.overlap;
-      found.gap = skin_gap(*skin, *trial.object.shape, found.X_PO, deepest.place);
-      out.presses.push_back(std::move(found));
-    }
+  for (std::size_t i = 0; i < trials.size() && !out.stopped; ++i) {
+    require(trials[i].object.shape != nullptr, "the trial '{}' has no object", trials[i].name);
+    const auto share = [&](double part) {
+      return (static_cast<double>(i) + part) / static_cast<double>(trials.size());
+    };
+    press_to_depths(
+        model, trials[i], options,
+        [&](double part) { progress(share(part), "pressing by " + trials[i].name); }, out);
   }
   return out;
 }

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "base/progress.h"
 #include "geometry/collision/curvature.h"
 #include "pads/pad_press.h"
 
@@ -42,9 +43,16 @@ struct LawTrials {
   std::vector<PressTrial> fit, check;
 };
 
+/// Depths to which laws of a pad are pressed: 1, 2, 3 and 4 elevenths of the soft tissue over the
+/// middle of the bone, to the nanometre. The default pad, with 5.5 mm of it, is pressed to 0.5, 1,
+/// 1.5 and 2 mm. [m]
+/// @throws InputError as PadChart.
+[[nodiscard]] std::vector<double> trial_depths(const PadShape& shape);
+
 /// Fit: a plane, straight and inclined by 30 degrees, balls of 5 and 20 mm, a cylinder of 8 mm
 /// across, each to `depths`. Check: a plane at 15 degrees, a ball of 10 mm, a cylinder of 8 mm
-/// along the finger, at depths between them.
+/// along the finger, at depths between them. Objects are as large for any pad: they are those that
+/// hands meet.
 /// @throws InputError unless depths are positive and rise.
 [[nodiscard]] LawTrials standard_trials(const PadShape& shape, const std::vector<double>& depths);
 
@@ -52,9 +60,13 @@ struct LawTrials {
 struct [[nodiscard]] MeasuredPresses {
   std::vector<MeasuredPress> presses;
   std::vector<std::string> failures;
+  bool stopped = false;  // whether there were more to come
 };
+/// Where a press fails, deeper ones of its trial are left out. Stopped: those that were done by
+/// then.
+/// @param progress  reports press by press; a stop ends the present one
 /// @throws InputError as PadPress, or if a trial's object begins inside the pad or passes it by.
 MeasuredPresses measure_presses(const PadModel& model, const std::vector<PressTrial>& trials,
-                                const PadPressOptions& options);
+                                PadPressOptions options, const Progress& progress = {});
 
 }  // namespace thenar

@@ -308,6 +308,7 @@
 #include "api/named/pads.h"
 #include "api/named/posture.h"
 #include "api/named/worlds.h"
+#include "api/pads/calibrate_pad.h"
 #include "api/pads/fit_pad.h"
 #include "api/pads/press_object.h"
 #include "api/pads/press_pad.h"

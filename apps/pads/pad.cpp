@@ -1,7 +1,9 @@
 // thenar pad press [--pad PAD] --object plane|sphere|cylinder|edge|MESH --force F | --depth D ...
 // thenar pad fit PRESSES [--pad PAD] -o FITTED.toml
+// thenar pad laws [--pad PAD] -o LAWS.toml
 //
-// Finger pads by themselves: pressed by a rigid object, fitted to measured presses.
+// Finger pads by themselves: pressed by a rigid object, fitted to measured presses, reduced to
+// laws.
 
 #include <memory>
 #include <optional>
@@ -9,6 +11,7 @@
 
 #include <CLI/CLI.hpp>
 
+#include "api/pads/calibrate_pad.h"
 #include "api/pads/fit_pad.h"
 #include "api/pads/press_pad.h"
 #include "apps/commands.h"
@@ -21,6 +24,7 @@
 #include "base/progress_parts.h"
 #include "base/units.h"
 #include "report/pads/fit_answer.h"
+#include "report/pads/laws_answer.h"
 #include "report/pads/press_answer.h"
 
 namespace thenar {
@@ -158,14 +162,54 @@ void add_pad_fit(CLI::App& pad) {
   command->callback([options] { run_pad_fit(*options); });
 }
 
+struct PadLawsArguments {
+  PadLawsRequest request;
+  Outputs outputs;
+};
+
+void run_pad_laws(const PadLawsArguments& options) {
+  const std::string file = options.outputs.one(".toml");
+  const PadLaws found = calibrate_pad(options.request, terminal_progress());
+  const std::string refusal = refusal_of(found);
+  // Laws are a file only where all fits have come to their end.
+  const bool are_laws = refusal.empty() && !found.stopped();
+  if (are_laws && !file.empty()) write_file(file, pad_laws_text(found));
+  print_warnings(found.warnings);
+  deliver(options.outputs, found);
+  const std::string unwritten = file.empty() ? "" : fmt::format("; '{}' was not written", file);
+  require(refusal.empty(), "{}{}", refusal, unwritten);
+  if (found.stopped())
+    throw Stopped(fmt::format("stopped: these are the presses by then{}", unwritten));
+}
+
+void add_pad_laws(CLI::App& pad) {
+  auto options = std::make_shared<PadLawsArguments>();  // lives as long as the callback
+  CLI::App* command = pad.add_subcommand(
+      "laws",
+      "Power law, soft finger and bed of springs fitted to a pad's elements; takes minutes");
+  PadLawsRequest& request = options->request;
+  command->add_option("--pad", request.pad.pad, "A pad: its name, or its file (TOML)");
+  command->add_option("--force-error", request.force_error,
+                      "Estimated error of the elements' force below which the mesh is not refined, "
+                      "relative");
+  command->add_option("--max-elements", request.max_elements, "A mesh is not refined beyond");
+  add_data_option(*command, request.pad.data);
+  add_output_options(*command, options->outputs, {true, true, true, {".toml"}});
+  add_examples(*command, {"pad laws", "pad laws --pad index_fitted -o index_fitted_laws.toml",
+                          "pad laws --pad PAD.toml -o laws/PAD.toml --report laws.html"});
+  command->callback([options] { run_pad_laws(*options); });
+}
+
 }  // namespace
 
 void add_pad(CLI::App& app) {
   CLI::App* command = app.add_subcommand(
-      "pad", "A finger pad by itself: pressed by an object, fitted to measured presses");
+      "pad",
+      "A finger pad by itself: pressed by an object, fitted to measured presses, reduced to laws");
   command->require_subcommand(1);
   add_press(*command);
   add_pad_fit(*command);
+  add_pad_laws(*command);
 }
 
 }  // namespace thenar

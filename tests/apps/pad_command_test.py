@@ -1,4 +1,4 @@
-"""Pads that are pressed and fitted, by `thenar pad press` and `thenar pad fit`: forces, files, refusals.
+"""Pads that are pressed, fitted and reduced to laws, by `thenar pad press`, `fit` and `laws`: forces, files, refusals.
 
 Usage: pad_command_test.py [path of the program]; else the environment's THENAR. Run from anywhere.
 """
@@ -64,6 +64,29 @@ imposed = "force"
 force_N = [0.5, 2]
 indentation_mm = [2, 3]
 sd_indentation_mm = [0.2, 0.3]
+"""
+
+# A pad without relaxation, whose numbers but one are measured.
+COARSE = """name = "coarse"
+source = "Own"
+[sources]
+Own = "Own measurement"
+[shape]
+length_mm = 24
+width_mm = 16
+height_mm = 10
+bone_length_mm = 14
+bone_width_mm = 7
+bone_height_mm = 4.5
+[pulp]
+law = "neo-hookean"
+shear_modulus_kPa = 12
+poisson_ratio = 0.45
+assumed = ["law"]
+[cells]
+across = 2
+around = 2
+through = 2
 """
 
 
@@ -301,6 +324,77 @@ class Fits(Files):
         self.assertIn("was not written", told)
         self.assertEqual(json.loads(out)["search"], "stopped")
         self.assertEqual([each.name for each in pad.parent.iterdir()], ["presses.toml"])
+
+
+class Laws(Files):
+    QUICK = ["--force-error", "0.3", "--max-elements", "200"]
+
+    def pad(self, text=COARSE):
+        return self.path("coarse.toml", text)
+
+    def test_laws_that_are_written_are_those_of_the_pad(self):
+        pad, page = self.pad(), self.path("laws.html")
+        laws = pathlib.Path(pad).parent / "laws" / "coarse.toml"
+        laws.parent.mkdir()
+        result = run("--pad", pad, *self.QUICK, "--json", "-o", laws, "--report", page, command="laws")
+        self.assertEqual(result.returncode, 0, result.stderr)
+        self.assertIn("is assumed, not measured, in one number", result.stderr)
+        answer = json.loads(result.stdout)
+        self.assertEqual((answer["status"], answer["fitted"], answer["checked"]), ("solved", 20, 12))
+        self.assertEqual(answer["depths_mm"], [0.5, 1, 1.5, 2])
+        for law in answer["errors"].values():
+            for error in law.values():
+                self.assertLessEqual(error["rms"], error["worst"])
+        self.assertIn(f'pad_digest = "{answer["pad_digest"]}"', laws.read_text())
+        self.assertIn("thenar-report", pathlib.Path(page).read_text())
+        checked = subprocess.run([PROGRAM, "validate", laws], capture_output=True, text=True, check=False)
+        self.assertEqual(checked.returncode, 0, checked.stderr)
+        again = subprocess.run([PROGRAM, "rerun", page, "--print"], capture_output=True, text=True, check=False)
+        self.assertIn("inputs: 1, unchanged", again.stdout)
+        # A press finds them by the pad's name, and doubts them once the pad has changed.
+        chart = ["--depth", 0.8, "--error", 400, "--max-elements", 1, "--points", 1, "--chart", "--json", "--pad"]
+        for text, doubts in [(COARSE, 0), (COARSE.replace("kPa = 12", "kPa = 13"), 1)]:
+            pressed = run(*chart, self.pad(text))
+            self.assertEqual(pressed.returncode, 0, pressed.stderr)
+            self.assertEqual(pressed.stderr.count("fitted to another version of pad 'coarse'"), doubts)
+            finger = next(each for each in json.loads(pressed.stdout)["rungs"] if each["element"] == "soft finger")
+            self.assertGreater(finger["force_N"], 0)
+
+    def test_table_has_two_rows_a_law(self):
+        result = run("--pad", self.pad(), *self.QUICK, "--csv", command="laws")
+        rows = list(csv.DictReader(io.StringIO(result.stdout)))
+        self.assertEqual([row["error"] for row in rows], ["rms", "worst"] * 4)
+        self.assertGreater(float(rows[0]["force_%"]), float(rows[2]["force_%"]))  # a plane is no ball
+
+    def test_what_is_refused_or_not_solved_writes_nothing(self):
+        laws = pathlib.Path(self.path("laws.toml"))
+        # 0.1 mm of tissue over the bone: a single node of such cells touches.
+        thin = self.pad(COARSE.replace("height_mm = 10", "height_mm = 4.6", 1))
+        result = run("--pad", thin, "--force-error", 1000, "--max-elements", 1, "--json", "-o", laws, command="laws")
+        self.assertEqual(result.returncode, 1, result.stderr)
+        self.assertIn("too few nodes touch", result.stderr)
+        self.assertRegex(result.stderr, "laws were not found .*was not written")
+        self.assertEqual(json.loads(result.stdout)["status"], "stalled")
+        self.assertFalse(laws.exists())
+        for words, told in [(["--force-error", "0"], "wanted an error of the elements' force above 0, got 0"),
+                            (["--pad", "indexpad"], "did you mean 'index_pad'?")]:
+            result = run(*words, "-o", laws, command="laws")
+            self.assertEqual((result.returncode, result.stdout), (1, ""))
+            self.assertIn(told, result.stderr)
+            self.assertFalse(laws.exists())
+
+    def test_interrupt_writes_no_laws(self):
+        laws = pathlib.Path(self.path("laws.toml"))
+        work = subprocess.Popen([PROGRAM, "pad", "laws", "--force-error", "0.01", "--json", "-o", str(laws)],
+                                stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True, cwd=ROOT)
+        time.sleep(3)
+        work.send_signal(signal.SIGINT)
+        out, told = work.communicate(timeout=120)
+        self.assertEqual(work.returncode, 130, told)
+        self.assertIn("was not written", told)
+        self.assertEqual(json.loads(out)["status"], "stopped")
+        self.assertIsNone(json.loads(out)["laws"])
+        self.assertEqual(list(laws.parent.iterdir()), [])
 
 
 if __name__ == "__main__":

@@ -154,6 +154,13 @@ TEST(FitLaws, RefusesTooFewPresses) {
   EXPECT_THROW((void)standard_trials(model.shape, {2e-3, 1e-3}), InputError);
 }
 
+TEST(TrialDepths, FollowTheTissueOverTheBone) {
+  PadShape shape;
+  EXPECT_EQ(trial_depths(shape), (std::vector{0.5e-3, 1e-3, 1.5e-3, 2e-3}));
+  shape.height = 6.7e-3;  // 2.2 mm over the bone
+  EXPECT_EQ(trial_depths(shape), (std::vector{0.2e-3, 0.4e-3, 0.6e-3, 0.8e-3}));
+}
+
 TEST(MeasurePresses, KnowsGapAndDepthOfABall) {
   const PadModel model = default_pad();
   PressTrial trial;

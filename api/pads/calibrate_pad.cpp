@@ -1,0 +1,167 @@
+#include "api/pads/calibrate_pad.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "base/error.h"
+#include "base/progress_parts.h"
+#include "data/io/pad/law_file.h"
+#include "data/io/pad/pad_digest.h"
+#include "pads/pad_shape.h"
+
+namespace thenar {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+constexpr std::size_t kLeastFitted = 4, kLeastChecked = 1;  // presses, as fit_laws() asks
+constexpr double kFitShare = 0.01;                          // of the time, roughly [1]
+
+double seconds_since(Clock::time_point start) {
+  return std::chrono::duration<double>(Clock::now() - start).count();
+}
+
+void check(const PadLawsRequest& request) {
+  require(request.force_error > 0 && std::isfinite(request.force_error),
+          "wanted an error of the elements' force above 0, got {}", request.force_error);
+  require(request.max_penetration > 0 && request.max_elements > 0,
+          "wanted a penetration above 0 m and more than 0 elements, got {} m and {}",
+          request.max_penetration, request.max_elements);
+}
+
+PadPressOptions press_options(const PadLawsRequest& request) {
+  PadPressOptions options;
+  options.force_error = request.force_error;
+  options.max_penetration = request.max_penetration;
+  options.max_elements = request.max_elements;
+  return options;
+}
+
+void add_presses(PadLaws& out, const MeasuredPresses& measured, bool fitted) {
+  for (const MeasuredPress& press : measured.presses)
+    out.presses.push_back({fitted, press, std::nullopt});
+  std::vector<std::string>& failures = out.calibration.failures;
+  failures.insert(failures.end(), measured.failures.begin(), measured.failures.end());
+}
+
+/// Laws beside each press.
+void add_forces(PadLaws& out) {
+  const CalibratedLaws& laws = out.calibration.laws;
+  const PowerLaw power(laws.power);
+  const SoftFinger finger(laws.soft_finger);
+  const FoundationBed bed(pad_columns(out.pad.model.shape, LawFitOptions{}.rings), laws.foundation);
+  for (LawPress& press : out.presses) {
+    const MeasuredPress& by = press.elements;
+    const BedContact contact = bed.press(*by.object, by.X_PO, 1);
+    press.laws = LawForces{power.at_depth(by.gap, by.depth, 1).force,
+                           finger.at_depth(by.gap, by.depth, 1).force, contact.force, contact.area,
+                           contact.torsion};
+  }
+}
+
+/// Fits laws if there are presses enough.
+void add_laws(PadLaws& out, const MeasuredPresses& fit, const MeasuredPresses& check) {
+  if (fit.presses.size() < kLeastFitted || check.presses.size() < kLeastChecked) {
+    out.calibration.message =
+        fmt::format("{} presses to fit and {} to check were solved, and laws need {} and {}",
+                    fit.presses.size(), check.presses.size(), kLeastFitted, kLeastChecked);
+    return;
+  }
+  out.calibration = fit_laws(out.pad.model, fit, check, {});
+  out.calibration.laws.name = out.pad.spec.name;
+  out.calibration.laws.pad_digest = pad_digest(out.pad.spec);
+  add_forces(out);
+}
+
+void add_warnings_of_laws(PadLaws& out) {
+  if (const std::string assumed = assumption_of(out.pad.spec); !assumed.empty())
+    out.warnings.push_back(assumed);
+  for (const std::string& failure : out.calibration.failures)
+    out.warnings.push_back(
+        fmt::format("a press failed and was left out, deeper ones of its object too: {}", failure));
+  double error = 0;
+  for (const LawPress& press : out.presses) error = std::max(error, press.elements.force_error);
+  if (error > out.request.force_error)
+    out.warnings.push_back(fmt::format(
+        "elements estimate errors of their force of up to {:.2g} %, above the {:.2g} % asked for: "
+        "{}",
+        100 * error, 100 * out.request.force_error,
+        out.pad.model.element == HexElement::kQuadratic
+            ? "quadratic elements are not refined"
+            : "meshes have all elements they may have"));
+  const auto alike = [](const ExponentialTerm& a, const ExponentialTerm& b) {
+    return a.share == b.share && a.time == b.time;
+  };
+  const std::vector<ExponentialTerm>& pulp = out.pad.model.tissues.front().relaxation;
+  for (const Tissue& tissue : out.pad.model.tissues)
+    if (!std::equal(pulp.begin(), pulp.end(), tissue.relaxation.begin(), tissue.relaxation.end(),
+                    alike))
+      out.warnings.push_back(
+          fmt::format("laws relax as the pulp does, and {} relaxes otherwise", tissue.name));
+}
+
+}  // namespace
+
+PadLaws calibrate_pad(const PadLawsRequest& request, const Progress& progress) {
+  check(request);
+  PadLaws out;
+  out.request = request;
+  out.pad = open_pad(request.pad);
+  const PadModel& model = out.pad.model;
+  out.depths = request.depths.empty() ? trial_depths(model.shape) : request.depths;
+  const LawTrials trials = standard_trials(model.shape, out.depths);
+
+  // Presses: parts are as long as their trials are many.
+  ProgressParts parts(progress, 1);
+  const auto count = static_cast<double>(trials.fit.size() + trials.check.size());
+  const auto share = [&](const std::vector<PressTrial>& of) {
+    return (1 - kFitShare) * static_cast<double>(of.size()) / count;
+  };
+  const PadPressOptions options = press_options(request);
+  const Clock::time_point began = Clock::now();
+  const MeasuredPresses fit =
+      measure_presses(model, trials.fit, options, parts.next(share(trials.fit)));
+  add_presses(out, fit, true);
+  MeasuredPresses check;
+  const Progress of_check = parts.next(share(trials.check));
+  if (!fit.stopped) check = measure_presses(model, trials.check, options, of_check);
+  add_presses(out, check, false);
+  out.press_s = seconds_since(began);
+
+  // Fits, which take less than a second and are not stopped.
+  const Clock::time_point pressed = Clock::now();
+  if (fit.stopped || check.stopped) {
+    out.calibration.status = Status::kStopped;
+    out.calibration.message = "presses were left out";
+  } else {
+    parts.next(kFitShare)(0, "fitting laws");
+    add_laws(out, fit, check);
+  }
+  out.fit_s = seconds_since(pressed);
+  add_warnings_of_laws(out);
+  return out;
+}
+
+std::string pad_laws_text(const PadLaws& found) {
+  require(found.has_laws(), "a calibration without laws makes no file");
+  std::string words = fmt::format("the pad '{}'", found.pad.spec.name);
+  if (const std::vector<std::string> assumed = assumed_words(found.pad.spec); !assumed.empty())
+    words += fmt::format(" (assumed in it: {})", fmt::join(assumed, ", "));
+  const LawEvidence& evidence = found.calibration.laws.evidence;
+  return laws_text(
+      found.calibration.laws,
+      fmt::format("Fitted to {} presses of finite elements of {} and checked on {} others",
+                  evidence.fitted, words, evidence.checked));
+}
+
+std::string refusal_of(const PadLaws& found) {
+  if (found.calibration.status == Status::kSolved || found.stopped()) return "";
+  return fmt::format("laws were not found ({}: {})", name_of(found.calibration.status),
+                     found.calibration.message);
+}
+
+}  // namespace thenar

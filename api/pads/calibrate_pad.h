@@ -1,0 +1,67 @@
+#pragma once
+
+/// Reduced laws of any pad, fitted to its own finite elements.
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "api/named/pads.h"
+#include "base/progress.h"
+#include "pads/calibrate_laws.h"
+
+namespace thenar {
+
+/// Whose laws are wanted, and how good its elements are to be.
+struct PadLawsRequest {
+  PadRequest pad;
+  double force_error = 0.04;       // estimated by elements, below which their meshes do [1]
+  double max_penetration = 20e-6;  // of an object into faces between their nodes [m]
+  int max_elements = 4000;         // a mesh is not refined beyond
+  std::vector<double> depths;      // of the presses that are fitted [m]; empty: trial_depths()
+};
+
+/// What laws say of a press.
+struct LawForces {
+  double power = 0, soft_finger = 0;  // by curvatures of the gap [N]
+  double bed = 0;                     // by springs over the skin [N]
+  double bed_area = 0;                // of their patch [m^2]
+  double bed_arm = 0;                 // torsion for a friction of 1 [m]
+};
+
+/// A press of the elements, and laws beside it.
+struct LawPress {
+  bool fitted = true;  // false: one of those that errors are of
+  MeasuredPress elements;
+  std::optional<LawForces> laws;  // absent: there are none
+};
+
+/// What a calibration found.
+struct [[nodiscard]] PadLaws {
+  PadLawsRequest request;
+  NamedPad pad;
+  std::vector<double> depths;         // of the presses that are fitted [m]
+  std::vector<LawPress> presses;      // that the elements solved, those of the fit first
+  LawCalibration calibration;         // kStopped, or too few presses: without laws
+  double press_s = 0, fit_s = 0;      // time of presses, of fits [s]
+  std::vector<std::string> warnings;  // presses that failed, doubts and assumptions
+
+  [[nodiscard]] bool stopped() const { return calibration.status == Status::kStopped; }
+  [[nodiscard]] bool has_laws() const { return calibration.laws.evidence.fitted > 0; }
+};
+
+/// Presses the pad's elements by standard_trials(), at once and without friction, fits power law,
+/// soft finger and bed of springs to one part of the presses and measures their errors on the
+/// others. Presses that fail are warned of, and what is left is fitted.
+/// @throws InputError as open_pad(), of depths that do not rise from above 0, and unless errors and
+/// counts are positive.
+[[nodiscard]] PadLaws calibrate_pad(const PadLawsRequest& request, const Progress& progress = {});
+
+/// The laws as a data file for this pad, with its name and digest.
+/// @throws InputError if there are none.
+[[nodiscard]] std::string pad_laws_text(const PadLaws& found);
+
+/// Why there are no laws to go on with; empty if there are, or if it was stopped.
+[[nodiscard]] std::string refusal_of(const PadLaws& found);
+
+}  // namespace thenar

@@ -1,0 +1,32 @@
+#pragma once
+
+/// Reduced laws of a pad that were calibrated, as text, JSON, a table and a page.
+
+#include <string>
+
+#include "api/pads/calibrate_pad.h"
+#include "report/json.h"
+#include "report/table.h"
+
+namespace thenar {
+
+/// Errors of each law, presses with what laws say of them, and how the calibration ended.
+[[nodiscard]] std::string text_of(const PadLaws& found);
+/// The same with the constants of the laws.
+[[nodiscard]] OrderedJson json_of(const PadLaws& found);
+/// Two rows for each law: root of the mean square and worst of its errors [%]. None without laws.
+[[nodiscard]] Table table_of(const PadLaws& found);
+/// The same tables, and force of laws over that of the elements. Defined in laws_page.cpp.
+[[nodiscard]] Json page_of(const PadLaws& found);
+[[nodiscard]] FileDigests files_of(const PadLaws& found);
+
+/// "index_pad: laws fitted to presses (20), checked on others (12)".
+[[nodiscard]] std::string title_of(const PadLaws& found);
+/// "pressed to 0.5, 1, 1.5, 2 mm; solved; presses 190.2 s, fits 3.1 s".
+[[nodiscard]] std::string conditions_of(const PadLaws& found);
+/// A row for each press: elements, laws beside them.
+[[nodiscard]] Table press_table(const PadLaws& found);
+/// What the columns of table_of() mean. Lines end with '\n'.
+[[nodiscard]] std::string errors_note();
+
+}  // namespace thenar
