@@ -72,7 +72,8 @@ void press_to_depths(const PadModel& model, const PressTrial& trial, const PadPr
     if (out.stopped) return;
     if (result.solved.status != Status::kSolved) {
       out.failures.push_back(
-          fmt::format("{}, {:g} mm: {}", trial.name, depth / kMm, result.solved.message));
+          fmt::format("{}, {:g} mm: {}{}", trial.name, depth / kMm, result.solved.message,
+                      i + 1 < trial.depths.size() ? "; no deeper one was tried" : ""));
       return;
     }
     MeasuredPress found = measured(press, result, trial);

@@ -63,12 +63,22 @@ void add_forces(PadLaws& out) {
   }
 }
 
-/// Fits laws if there are presses enough.
-void add_laws(PadLaws& out, const MeasuredPresses& fit, const MeasuredPresses& check) {
-  if (fit.presses.size() < kLeastFitted || check.presses.size() < kLeastChecked) {
+/// Presses that trials ask for.
+std::size_t count_of(const std::vector<PressTrial>& trials) {
+  std::size_t count = 0;
+  for (const PressTrial& trial : trials) count += trial.depths.size();
+  return count;
+}
+
+/// Fits laws if there are presses enough: few of them say nothing of other objects and depths.
+void add_laws(PadLaws& out, const LawTrials& trials, const MeasuredPresses& fit,
+              const MeasuredPresses& check) {
+  const std::size_t to_fit = std::max(kLeastFitted, (count_of(trials.fit) + 1) / 2);
+  const std::size_t to_check = std::max(kLeastChecked, (count_of(trials.check) + 1) / 2);
+  if (fit.presses.size() < to_fit || check.presses.size() < to_check) {
     out.calibration.message =
         fmt::format("{} presses to fit and {} to check were solved, and laws need {} and {}",
-                    fit.presses.size(), check.presses.size(), kLeastFitted, kLeastChecked);
+                    fit.presses.size(), check.presses.size(), to_fit, to_check);
     return;
   }
   out.calibration = fit_laws(out.pad.model, fit, check, {});
@@ -81,8 +91,7 @@ void add_warnings_of_laws(PadLaws& out) {
   if (const std::string assumed = assumption_of(out.pad.spec); !assumed.empty())
     out.warnings.push_back(assumed);
   for (const std::string& failure : out.calibration.failures)
-    out.warnings.push_back(
-        fmt::format("a press failed and was left out, deeper ones of its object too: {}", failure));
+    out.warnings.push_back(fmt::format("a press failed and was left out: {}", failure));
   double error = 0;
   for (const LawPress& press : out.presses) error = std::max(error, press.elements.force_error);
   if (error > out.request.force_error)
@@ -139,7 +148,7 @@ PadLaws calibrate_pad(const PadLawsRequest& request, const Progress& progress) {
     out.calibration.message = "presses were left out";
   } else {
     parts.next(kFitShare)(0, "fitting laws");
-    add_laws(out, fit, check);
+    add_laws(out, trials, fit, check);
   }
   out.fit_s = seconds_since(pressed);
   add_warnings_of_laws(out);

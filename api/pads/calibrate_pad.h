@@ -52,7 +52,8 @@ struct [[nodiscard]] PadLaws {
 
 /// Presses the pad's elements by standard_trials(), at once and without friction, fits power law,
 /// soft finger and bed of springs to one part of the presses and measures their errors on the
-/// others. Presses that fail are warned of, and what is left is fitted.
+/// others. Presses that fail are warned of, and what is left is fitted if it is half of them or
+/// more.
 /// @throws InputError as open_pad(), of depths that do not rise from above 0, and unless errors and
 /// counts are positive.
 [[nodiscard]] PadLaws calibrate_pad(const PadLawsRequest& request, const Progress& progress = {});

@@ -88,7 +88,7 @@ TEST_F(CalibratePad, WarnsOfPressesThatFailedAndRefusesTooFew) {
   EXPECT_FALSE(found.has_laws());
   EXPECT_FALSE(found.calibration.failures.empty());
   EXPECT_THAT(found.warnings, Contains(HasSubstr("a press failed and was left out")));
-  EXPECT_THAT(refusal_of(found), HasSubstr("laws need 4 and 1"));
+  EXPECT_THAT(refusal_of(found), HasSubstr("laws need 4 and 2"));
 }
 
 TEST_F(CalibratePad, RefusesNonsense) {
