@@ -268,7 +268,7 @@ void print_force_presses(const PadModel& model) {
   const double power = std::log(kNearby) / std::log(above.depth / reference.depth);
   fmt::print("\nto {:g} N; reference {:.4f} mm, force as depth^{:.2f}\n", kForce,
              1e3 * reference.depth, power);
-  std::vector<Course> courses{adaptive_course(model, {0.15, 0.1, 0.07, 0.05}, kForce)};
+  std::vector<Course> courses{adaptive_course(model, {0.15, 0.12, 0.1, 0.07, 0.05}, kForce)};
   run_all(courses);
   for (const Run& run : courses.front().runs)
     fmt::print("{:<26}{:<14}{:>9}  {:.4f} mm, force {:+.2f} %, {:.0f} ms\n", courses.front().name,

@@ -89,7 +89,7 @@ PressGoal PadPress::from_here(const PressGoal& goal) const {
 
 PressOutcome PadPress::solve_once(const PressGoal& goal, PressState& state) {
   PressOutcome out = press_step(*body_, surface_, object_, goal, options_.step, *factors_, state);
-  factorisations_ += out.iterations;
+  iterations_ += out.iterations;
   return out;
 }
 
@@ -143,7 +143,7 @@ PadPressResult PadPress::step(const PressGoal& goal) {
   }
   before_ = std::move(start);
   result.elements = body_->elements();
-  result.factorisations = factorisations_;
+  result.iterations = iterations_;
   result.cuts = pieces_;
   return result;
 }

@@ -24,7 +24,7 @@ struct PadPressOptions {
   int max_elements = 20000;       // a mesh is not refined beyond
   double max_penetration = 1e-6;  // of the object into faces between their nodes [m]
   int pieces = 60;                // of a step that fails, tried in all
-  double refined = 0.3;  // share of the error's energy whose elements are refined at once [1]
+  double refined = 0.5;  // share of the error's energy whose elements are refined at once [1]
 };
 
 /// A press at one instant.
@@ -36,8 +36,8 @@ struct [[nodiscard]] PadPressResult {
   double force_error = 0;  // estimated, relative [1]
   double penetration = 0;  // deepest point of the object within a face [m]
   std::size_t elements = 0;
-  int factorisations = 0;  // since the pad was built
-  int cuts = 0;            // halvings of the step
+  int iterations = 0;  // since the pad was built
+  int cuts = 0;        // halvings of the step
 };
 
 /// A pad and an object, step after step. The pad's frame is that of PadShape.
@@ -104,7 +104,7 @@ class PadPress {
   std::unique_ptr<PressFactors> factors_;
   ContactSurface surface_;
   PressState state_, before_;  // of now; at the beginning of the last step
-  int factorisations_ = 0;
+  int iterations_ = 0;
   int pieces_ = 0;  // of the present step that failed
 };
 

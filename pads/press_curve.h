@@ -38,7 +38,7 @@ struct [[nodiscard]] PressCurves {
   Status status = Status::kSolved;              // kStopped: asked to; otherwise how a step failed
   std::string message;                          // "at 3 N: too many iterations"
   std::vector<std::vector<PressPoint>> points;  // (pads, loads)
-  int iterations = 0;                           // factorisations, of all pads
+  int iterations = 0;                           // of all pads
 };
 
 /// Presses the first pad load by load, steps cut in halves where they fail, and after each step the

@@ -28,6 +28,7 @@ constexpr double kCoupling = 1e-6;  // of a step, in what neighbours add to gaps
 constexpr int kMaxCoupling = 40;    // iterations for it
 
 constexpr double kWell = 0.3;     // of what is left after an iteration, that keeps a tangent [1]
+constexpr double kFirm = 0.2;     // what is left, over forces, below which one is kept [1]
 constexpr int kMostCuts = 4;      // halvings of a motion that turns an element inside out
 constexpr double kSpring = 1e-3;  // of a drive, over that of tissue under a node [1]
 
@@ -115,14 +116,18 @@ class PressSolver {
 
  private:
   /// Newton's method; contact is as stiff as its augmentation, and forces become what a step
-  /// predicts.
+  /// predicts. Each iteration leaves a share of what was left, so a tangent that does as well is
+  /// kept.
   PressOutcome solve_by_augmentation() {
     PressOutcome out;
     VectorXd dx;
+    bool keeps = false;
+    double before = kInfinity;
     for (; goes_on(out); ++out.iterations) {
       Matrix3Xd u;
-      if (!respond(ElementAsk::kStiffness, dx, u, out)) return out;
+      if (!respond(keeps ? ElementAsk::kForce : ElementAsk::kStiffness, dx, u, out)) return out;
       if (out.iterations == 0) find_stiffness(tissue_.values);
+      const std::vector<bool> touched = touching();
       find_contacts();
       measure(out);
       if (is_solved(out)) return ended(u, out);
@@ -130,6 +135,20 @@ class PressSolver {
         if (!go_to_touch(out)) return out;
         continue;
       }
+      const double left = std::max({out.residual, change_, std::abs(missing_)});
+      const bool same = touching() == touched;
+      // A tangent that was kept is taken anew where it serves no more.
+      if (keeps && !(same && left < kWell * before)) {
+        keeps = false;
+        body_.respond(u, goal_.time, start_.history, now_.pressure, ElementAsk::kStiffness,
+                      tissue_);
+      }
+      if (!keeps && !factor_here()) {
+        out.message = "the stiffness is not positive definite";
+        return out;
+      }
+      before = left;
+      keeps = same && left < kFirm * scale_;
       if (!take_step(u)) {
         out.message = "the stiffness is not positive definite";
         return out;
@@ -406,9 +425,18 @@ class PressSolver {
         tissue_.values[body_.diagonal_entry(surface_.nodes[k], r, c)] += block(r, c);
   }
 
-  bool take_step(const Matrix3Xd& u) {
+  bool factor_here() {
     add_own_slopes();
-    if (!factors_.moment.factor(tissue_.values)) return false;
+    return factors_.moment.factor(tissue_.values);
+  }
+
+  [[nodiscard]] std::vector<bool> touching() const {
+    std::vector<bool> out;
+    for (const TouchingNode& c : contacts_) out.push_back(c.push > 0);
+    return out;
+  }
+
+  bool take_step(const Matrix3Xd& u) {
     VectorXd dx = solve(-residual_);
     double motion = 0;
     if (goal_.force && !reach_force(dx, motion)) return false;

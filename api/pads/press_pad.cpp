@@ -139,7 +139,7 @@ class PressRun {
     now.force_error = result.force_error;
     now.penetration = result.penetration;
     now.elements = result.elements;
-    now.factorisations = result.factorisations;
+    now.iterations = result.iterations;
     now.cpu = thread_seconds() - began_;
     out_.instants.push_back(now);
     return true;

@@ -51,8 +51,8 @@ struct PressInstant {
   double force_error = 0;         // estimated, relative [1]
   double penetration = 0;         // deepest point of the object within a face [m]
   std::size_t elements = 0;
-  int factorisations = 0;  // since the press began
-  double cpu = 0;          // processor time since the press began [s]
+  int iterations = 0;  // since the press began
+  double cpu = 0;      // processor time since the press began [s]
 };
 
 /// What became of a press.

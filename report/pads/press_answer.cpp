@@ -51,7 +51,7 @@ OrderedJson instant_json(const PressInstant& now) {
           {"force_error", now.force_error},
           {"penetration_mm", now.penetration / kMm},
           {"elements", now.elements},
-          {"factorisations", now.factorisations},
+          {"iterations", now.iterations},
           {"cpu_s", now.cpu}};
 }
 
@@ -93,8 +93,8 @@ std::string ending_words(const PressedPad& pressed) {
   const PressInstant& last = pressed.instants.back();
   return fmt::format(
       "{} elements; estimated error of the force {:.2g} %; the object at most {:.2g} um inside "
-      "faces of the skin\n{} factorisations, CPU {:.3g} s\n",
-      last.elements, 100 * last.force_error, 1e6 * last.penetration, last.factorisations,
+      "faces of the skin\n{} iterations, CPU {:.3g} s\n",
+      last.elements, 100 * last.force_error, 1e6 * last.penetration, last.iterations,
       pressed.cpu);
 }
 

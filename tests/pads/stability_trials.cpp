@@ -70,7 +70,7 @@ class TrialRun {
                      std::isfinite(result.penetration) && std::isfinite(result.force_error) &&
                      std::isfinite(result.stick) && std::isfinite(result.solved.residual) &&
                      std::isfinite(result.solved.gap);
-    report_.factorisations = result.factorisations;
+    report_.iterations = result.iterations;
     report_.elements = std::max(report_.elements, result.elements);
     if (result.solved.status != Status::kSolved) {
       ++report_.failed;

@@ -47,7 +47,7 @@ struct PressReport {
   double left = 0;                 // displacement after the object left the pad, largest [m]
   double push = 0;                 // largest force [N]
   std::size_t elements = 0;
-  int factorisations = 0;
+  int iterations = 0;
   double seconds = 0;  // of the processor
 };
 
