@@ -24,7 +24,7 @@ struct PadPressOptions {
   int max_elements = 20000;       // a mesh is not refined beyond
   double max_penetration = 1e-6;  // of the object into faces between their nodes [m]
   int pieces = 60;                // of a step that fails, tried in all
-  double refined = 0.5;  // share of the error's energy whose elements are refined at once [1]
+  double refined = 0.3;  // share of the error's energy whose elements are refined at once [1]
 };
 
 /// A press at one instant.
