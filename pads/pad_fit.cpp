@@ -232,13 +232,17 @@ void estimate(const PadFitProblem& problem, const PadResiduals::Answer& at, cons
 /// there.
 void check_mesh(const PadFitProblem& problem, const PadResiduals::Answer& at,
                 const Progress& progress, PadFitResult& result) {
+  const auto stopped = [&] {
+    result.warnings.push_back("the mesh is not checked: it was stopped before");
+  };
+  if (progress.stop()) return stopped();
   PadModel finer = result.pad;
   finer.cells = {2 * finer.cells.across, 2 * finer.cells.around, 2 * finer.cells.through};
   const std::vector<PressCurves> curves = press_records(finer, problem.records, progress);
   VectorXd change = VectorXd::Zero(at.r.size());
   Eigen::Index row = 0;
   for (std::size_t i = 0; i < curves.size(); ++i) {
-    if (curves[i].status == Status::kStopped) return;
+    if (curves[i].status == Status::kStopped) return stopped();
     if (curves[i].status != Status::kSolved) {
       result.warnings.push_back(fmt::format("the mesh is not checked: '{}' cannot be pressed {}",
                                             problem.records[i].name, curves[i].message));
@@ -370,7 +374,7 @@ PadFitResult fit_pad(const PadFitProblem& problem, const PadFitOptions& options)
     for (const double value : record) result.predictions.back().push_back({value, {}});
   }
   estimate(problem, best, residuals.data(), result);
-  if (options.check_mesh && !options.progress.stop()) {
+  if (options.check_mesh) {
     const Progress of_mesh = parts.next(kFinerCells);
     of_mesh(0, "pressing the estimate on finer cells");
     check_mesh(problem, best, of_mesh, result);

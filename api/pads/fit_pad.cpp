@@ -110,9 +110,12 @@ void add_curves(FittedPad& out, const Progress& progress) {
     PressCurves pressed = press_curves({out.fit.pad}, course, {{}, progress.stop_requested});
     if (pressed.status == Status::kSolved)
       curve.points = std::move(pressed.points.at(0));
-    else if (pressed.status != Status::kStopped)
-      out.warnings.push_back(fmt::format("there is no curve of '{}': it cannot be pressed {}",
-                                         record.name, pressed.message));
+    else
+      out.warnings.push_back(
+          pressed.status == Status::kStopped
+              ? fmt::format("there is no curve of '{}': it was stopped before", record.name)
+              : fmt::format("there is no curve of '{}': it cannot be pressed {}", record.name,
+                            pressed.message));
     out.curves.push_back(std::move(curve));
   }
 }

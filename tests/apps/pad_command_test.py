@@ -314,7 +314,7 @@ class Fits(Files):
 
     def test_interrupt_writes_no_pad(self):
         pad = pathlib.Path(self.path("mine.toml"))
-        fine = PRESSES.replace("across = 2", "across = 12").replace("around = 1", "around = 8")
+        fine = PRESSES.replace("across = 2", "across = 28").replace("around = 1", "around = 20")
         fit = subprocess.Popen([PROGRAM, "pad", "fit", self.path("presses.toml", fine), "--json", "-o", str(pad)],
                                stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True, cwd=ROOT)
         time.sleep(3)
