@@ -2,6 +2,7 @@
 
 #include "dynamics/pads/pad_element.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include <gtest/gtest.h>
@@ -12,6 +13,7 @@
 #include "pads/motion/bed_pad.h"
 #include "pads/motion/element_pad.h"
 #include "pads/motion/law_pad.h"
+#include "solvers/stiff_ode.h"
 #include "tests/dynamics/stepping/sample_scenes.h"
 
 namespace thenar {
@@ -613,6 +615,69 @@ TEST(PadElement, HasNoForceOnceAnObjectHasLeft) {
   ASSERT_EQ(run.status, SceneStatus::kDone);
   for (const SceneSample& at : run.samples)
     EXPECT_TRUE(depth_of(at) >= -1e-5 || at.contacts.empty()) << at.t;
+}
+
+/// The depth of the cube that falls on the soft finger above, which relaxes, by an integrator for
+/// stiff equations:  m x'' = m g - F,  F = g_inf Fe(x) + sum H_i,  H_i' = g_i Fe'(x) x' - H_i /
+/// tau_i.
+/// @return depths at the given times [m]
+std::vector<double> stiffly_integrated(double gap, const std::vector<double>& times) {
+  const auto elastic = soft_finger(0)->clone();
+  const auto force = [&](double depth) {
+    const Pose<double> X{Eigen::Matrix3d::Identity(), {0, 0, PadShape().height + kHalf - depth}};
+    return elastic->move(X, 0).force;
+  };
+  double left = 1;
+  for (const ExponentialTerm& term : kTerms) left -= term.share;
+  // Depth, its speed, and what each term has.
+  Eigen::VectorXd y = Eigen::VectorXd::Zero(5);
+  y[0] = -gap;
+  const OdeRightHandSide slope = [&](double, const Eigen::VectorXd& at) {
+    constexpr double kWay = 1e-8;  // of a difference [m]
+    const double stiffness = (force(at[0] + kWay) - force(at[0] - kWay)) / (2 * kWay);
+    Eigen::VectorXd out(5);
+    out[0] = at[1];
+    out[1] = kG - (left * force(at[0]) + at.tail<3>().sum()) / kMass;
+    for (Eigen::Index i = 0; i < 3; ++i) {
+      const ExponentialTerm& term = kTerms[static_cast<std::size_t>(i)];
+      out[2 + i] = term.share * stiffness * at[1] - at[2 + i] / term.time;
+    }
+    return out;
+  };
+  StiffOdeOptions options;
+  options.relative = 1e-8;
+  options.absolute = (Eigen::VectorXd(5) << 1e-10, 1e-8, 1e-8, 1e-8, 1e-8).finished();
+  StiffOde ode(slope, 0, y, options);
+  std::vector<double> depths;
+  for (const double t : times) {
+    while (ode.time() < t) EXPECT_EQ(ode.step(t), OdeStatus::kStepped);
+    depths.push_back(ode.state()[0]);
+  }
+  return depths;
+}
+
+TEST(PadElement, FallsAndRelaxesAsAStiffIntegratorSays) {
+  constexpr double kGap = 1e-4;
+  std::vector<double> times, exact, worst;
+  for (const double force_error : {0.02, 0.002, 0.0002}) {
+    SceneOptions options = for_seconds(1);
+    options.sample = 0.02;
+    const SceneRun run =
+        simulate_scene(cube_on_pad(soft_finger(0, kTerms), kGap, {force_error, 0.02}), options);
+    ASSERT_EQ(run.status, SceneStatus::kDone);
+    if (times.empty()) {
+      for (const SceneSample& at : run.samples)
+        if (at.t > 0) times.push_back(at.t);
+      exact = stiffly_integrated(kGap, times);
+    }
+    worst.push_back(0);
+    for (std::size_t k = 0; k < times.size(); ++k)
+      worst.back() = std::max(worst.back(), std::abs(depth_of(run.samples[k + 1]) - exact[k]));
+  }
+  const double largest = *std::max_element(exact.begin(), exact.end());
+  EXPECT_LT(worst[0], 0.01 * largest);
+  EXPECT_LT(worst[1], 0.5 * worst[0]);
+  EXPECT_LT(worst[2], 0.5 * worst[1]);
 }
 
 }  // namespace
