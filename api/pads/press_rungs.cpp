@@ -11,7 +11,6 @@
 #include "base/thread_seconds.h"
 #include "base/units.h"
 #include "data/io/pad/law_file.h"
-#include "data/io/pad/pad_digest.h"
 #include "pads/laws/foundation_bed.h"
 #include "pads/skin_gap.h"
 

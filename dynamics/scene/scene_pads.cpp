@@ -6,7 +6,7 @@
 #include <fmt/ranges.h>
 
 #include "base/error.h"
-#include "data/io/pad/pad_digest.h"
+#include "data/io/pad/law_file.h"
 #include "dynamics/pads/pad_element.h"
 #include "dynamics/scene/scene_pairs.h"
 #include "hand/skin/skin_landmarks.h"

@@ -6,6 +6,7 @@
 
 #include "base/error.h"
 #include "base/file_io.h"
+#include "data/io/pad/pad_digest.h"
 #include "data/io/toml_table.h"
 #include "data/io/toml_text.h"
 
@@ -201,6 +202,14 @@ std::string laws_text(const CalibratedLaws& laws, const std::string& source) {
 
 void write_laws(const std::string& path, const CalibratedLaws& laws, const std::string& source) {
   write_file(path, laws_text(laws, source));
+}
+
+std::string version_doubt(const CalibratedLaws& laws, const PadSpec& pad) {
+  if (laws.pad_digest.empty() || laws.pad_digest == pad_digest(pad)) return "";
+  return fmt::format(
+      "laws were fitted to another version of pad '{}': its shape or tissue has changed since; "
+      "`thenar pad laws` fits them anew",
+      pad.name);
 }
 
 }  // namespace thenar

@@ -4,6 +4,7 @@
 
 #include <string>
 
+#include "data/io/pad/pad.h"
 #include "pads/laws/calibrated_laws.h"
 
 namespace thenar {
@@ -21,5 +22,9 @@ namespace thenar {
 /// Writes them; nothing half-written is ever left.
 /// @throws InputError as laws_text(), or if the file cannot be written.
 void write_laws(const std::string& path, const CalibratedLaws& laws, const std::string& source);
+
+/// A warning where laws carry the digest of other numbers than the pad's; "" if they fit, or if
+/// their file tells no digest.
+[[nodiscard]] std::string version_doubt(const CalibratedLaws& laws, const PadSpec& pad);
 
 }  // namespace thenar

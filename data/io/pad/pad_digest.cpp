@@ -52,12 +52,4 @@ std::string pad_digest(const PadSpec& pad) {
   return sha256(words);
 }
 
-std::string version_doubt(const CalibratedLaws& laws, const PadSpec& pad) {
-  if (laws.pad_digest.empty() || laws.pad_digest == pad_digest(pad)) return "";
-  return fmt::format(
-      "laws were fitted to another version of pad '{}': its shape or tissue has changed since; "
-      "`thenar pad laws` fits them anew",
-      pad.name);
-}
-
 }  // namespace thenar
