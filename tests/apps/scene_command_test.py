@@ -224,6 +224,20 @@ class Shipped(Near):
         # Three fingers meet the mug; they do not push each other off again and again.
         self.assertLess(answer["impacts"], 200)
 
+    # Each pad bears half of the weight across the grip, which the drive makes, less what its damper takes.
+    def test_jaws_with_pads_carry_the_cube(self):
+        answer = ask("soft_jaws")
+        cube, weight = body(answer, "cube"), 0.0216 * G
+        self.assertEqual(answer["unsolved"], 0)
+        self.near(cube["velocity_m_s"], [0, 0, 0], 5e-5)
+        self.assertGreater(cube["moved_m"][2], 0.025)
+        held = [pair for pair in answer["pairs"] if pair["end"] != "apart"]
+        self.assertEqual(["parallel_jaw/left jaw - cube", "parallel_jaw/right jaw - cube"],
+                         [" - ".join(pair["bodies"]) for pair in held])
+        for pair, side in zip(held, (-1, 1)):
+            self.assertEqual(pair["end"], "sticks")
+            self.near(pair["end_force_N"], [side * 0.5, 0, -weight / 2], 2e-3)
+
     # The hand of capsules holds as the hand of triangles does; its error is told in mm.
     def test_hand_of_capsules_carries_the_cylinder(self):
         self.path("human_cylinder.csv", (SCENES / "human_cylinder.csv").read_text())
