@@ -55,8 +55,20 @@ PadPlace place_of(const ScenePadSpec& pad, const std::vector<SceneHuman>& humans
       return place_on_fingertip(human.hand, pad.on.substr(human.name.size() + 1), pad.spec,
                                 pad.scale);
   throw InputError(fmt::format(
-      "a pad needs a 'position': '{}' is no link of a human hand, whose fingertips have one",
+      "a pad needs a 'position': '{}' is no link of a human hand, whose fingertips have "
+      "one; give 'position_mm' and 'rotation' of the pad's frame in it: origin in the "
+      "middle of the nail's plane, x distal, y radial, z palmar",
       pad.on));
+}
+
+/// The body that carries a body by welds alone; -1: the world.
+int carrier_by_welds(const Mechanism& mechanism, int body) {
+  while (body >= 0) {
+    const MechanismJoint& joint = mechanism.joints[static_cast<std::size_t>(body)];
+    if (joint.kind != JointKind::kWeld) return body;
+    body = joint.parent;
+  }
+  return body;
 }
 
 /// One pad against one body. @param b  that body
@@ -80,6 +92,10 @@ void add_pad(const SceneSpec& spec, const ScenePadSpec& pad, const std::vector<S
   const PadPlace place = place_of(pad, humans);
   for (const std::string& name : pad.against) {
     const int b = body_named(built.scene.mechanism, name);
+    require(
+        carrier_by_welds(built.scene.mechanism, a) != carrier_by_welds(built.scene.mechanism, b),
+        "'{}' and '{}' do not move against each other: no pad is pressed between them", pad.on,
+        name);
     if (pad.rung != "hard-point") add_element(spec, pad, place, a, b, built);
   }
 }

@@ -29,7 +29,8 @@ struct PadPlace {
 /// nothing.
 /// @param built  its mechanism is complete, its pairs are not set
 /// @throws DataError at the line of the pad, where a body is not there or has no shape, a link that
-/// is no fingertip has a pad without a place, or a pad makes no sense.
+/// is no fingertip has a pad without a place, two bodies are welded to each other, or a pad makes
+/// no sense.
 void add_pads(const SceneSpec& spec, const std::vector<SceneHuman>& humans, BuiltScene& built);
 
 /// Gives the rigid contacts of hard points the friction that their pads state.
