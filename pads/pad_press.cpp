@@ -16,6 +16,7 @@ using Eigen::VectorXd;
 
 constexpr int kMaxCuts = 12;       // halvings of a step
 constexpr double kFirstWay = 0.1;  // between depths of a search, over distances of nodes [1]
+constexpr double kEqual = 1e-6;    // difference of errors that are equal [1]
 constexpr double kPatchNodes = 1;  // nodes that touch times the error that is asked, at least
 constexpr int kPatchLevels = 3;    // halvings of cells for the sake of it
 constexpr double kTouch = 1e-10;   // gap that counts as touching [m]
@@ -185,11 +186,13 @@ std::vector<int> PadPress::marked_cells(const VectorXd& errors) const {
   std::vector<int> order(static_cast<std::size_t>(errors.size()));
   std::iota(order.begin(), order.end(), 0);
   std::stable_sort(order.begin(), order.end(), [&](int a, int b) { return errors[a] > errors[b]; });
+  // Equal errors go together: what is symmetric stays so, whatever rounding says.
   std::vector<int> marked;
-  double sum = 0;
+  double sum = 0, least = 0;
   for (const int e : order) {
-    if (sum > options_.refined * errors.sum()) break;
+    if (sum > options_.refined * errors.sum() && errors[e] < (1 - kEqual) * least) break;
     sum += errors[e];
+    least = errors[e];
     marked.push_back(mesh_.active()[static_cast<std::size_t>(e)]);
   }
   return marked;
