@@ -4,6 +4,8 @@
 #include <cmath>
 #include <functional>
 
+#include <fmt/format.h>
+
 #include "base/error.h"
 #include "base/units.h"
 #include "geometry/primitives.h"
@@ -28,20 +30,20 @@ MeasuredPress measured(PadPress& press, const PadPressResult& result, const Pres
   out.aspect = moments.aspect;
   out.arm = moments.arm;
   out.force_error = result.force_error;
+  out.penetration = result.penetration;
   // What sticking adds; what does not go along the press goes across it.
   const Eigen::Matrix3d K = (press.stiffness(1) - press.stiffness(0)).bottomRightCorner<3, 3>();
   out.shear = 0.5 * (K.trace() - trial.along.dot(K * trial.along));
   return out;
 }
 
-/// How far a pad reaches from its origin, and a little more [m].
-double clear_distance(const PadShape& shape) {
-  double reach = std::max({shape.length, shape.width, 2 * shape.height}) / 2;
-  if (shape.skin) {
-    const Eigen::AlignedBox3d box = shape.skin->bounds();
-    reach = std::max(reach, box.min().cwiseAbs().cwiseMax(box.max().cwiseAbs()).maxCoeff());
-  }
-  return 1e-3 + reach;
+/// Whether a patch is more than some nodes: of a disc under even pressure the arm is 0.38 of the
+/// root of its area, of one node it is rounding.
+bool is_patch(const MeasuredPress& press, Eigen::Index nodes) {
+  constexpr Eigen::Index kNodes = 4;
+  constexpr double kArm = 0.1;
+  return press.force > 0 && press.area > 0 && press.depth > 0 && press.shear > 0 &&
+         nodes >= kNodes && press.arm > kArm * std::sqrt(press.area);
 }
 
 /// A pose whose z axis is `z`, at a distance from the origin against `along`.
@@ -68,7 +70,7 @@ void press_to_depths(const PadModel& model, const PressTrial& trial, const PadPr
     goal.X_PO = press.state().X_PO;
     goal.X_PO.p = touch + depth * trial.along;
     const PadPressResult result = press.step(goal);
-    out.stopped = options.step.stop && options.step.stop();
+    out.stopped = result.solved.status == Status::kStopped;
     if (out.stopped) return;
     if (result.solved.status != Status::kSolved) {
       out.failures.push_back(
@@ -81,7 +83,7 @@ void press_to_depths(const PadModel& model, const PressTrial& trial, const PadPr
         deepest_skin(PadChart(model.shape), *trial.object.shape, found.X_PO);
     found.depth = deepest.overlap;
     found.gap = skin_gap(*skin, *trial.object.shape, found.X_PO, deepest.place);
-    if (found.force > 0 && found.area > 0 && found.depth > 0 && found.arm > 0 && found.shear > 0)
+    if (is_patch(found, (press.state().normal.array() > 0).count()))
       out.presses.push_back(std::move(found));
     else
       out.failures.push_back(fmt::format("{}, {:g} mm: too few nodes touch for it to have a patch",
@@ -108,7 +110,7 @@ LawTrials standard_trials(const PadShape& shape, const std::vector<double>& dept
   std::vector<double> between;
   for (std::size_t i = 0; i < depths.size(); ++i)
     between.push_back(0.5 * (depths[i] + (i > 0 ? depths[i - 1] : 0)));
-  const double far = clear_distance(shape);
+  const double far = 1e-3 + reach_of(shape);
   const auto plane = [&](double angle, const std::vector<double>& to) {
     const Vector3d along(-std::sin(angle), 0, -std::cos(angle));
     return PressTrial{fmt::format("plane at {:.0f} degrees", degrees(angle)),

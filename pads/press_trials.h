@@ -34,6 +34,7 @@ struct MeasuredPress {
   double arm = 0;          // mean distance of the pressure from its centre: torsion for a friction
                            // of 1 [m]
   double force_error = 0;  // estimate of the elements [1]
+  double penetration = 0;  // deepest point of the object within a face of the elements [m]
   double shear = 0;  // force by a way of the object across the press that sticking adds, in the
                      // mean over the ways [N/m]
 };
@@ -62,8 +63,8 @@ struct [[nodiscard]] MeasuredPresses {
   std::vector<std::string> failures;
   bool stopped = false;  // whether there were more to come
 };
-/// Where a press fails, deeper ones of its trial are left out. Stopped: those that were done by
-/// then.
+/// Where a press is not solved, deeper ones of its trial are left out; one with too few nodes for a
+/// patch is a failure, too, but deeper ones go on. Stopped: those that were done by then.
 /// @param progress  reports press by press; a stop ends the present one
 /// @throws InputError as PadPress, or if a trial's object begins inside the pad or passes it by.
 MeasuredPresses measure_presses(const PadModel& model, const std::vector<PressTrial>& trials,

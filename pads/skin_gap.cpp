@@ -163,6 +163,12 @@ std::shared_ptr<const Shape> skin_solid(const PadShape& shape) {
   return build_ellipsoid({shape.length / 2, shape.width / 2, shape.height});
 }
 
+double reach_of(const PadShape& shape) {
+  if (!shape.skin) return 0.5 * std::max({shape.length, shape.width, 2 * shape.height});
+  const Eigen::AlignedBox3d box = shape.skin->bounds();
+  return box.min().cwiseAbs().cwiseMax(box.max().cwiseAbs()).norm();
+}
+
 DeepestSkin deepest_skin(const PadChart& chart, const Shape& object, const Pose<double>& X_PO,
                          const std::optional<Vector2d>& near) {
   OverlapSearch search(chart, object, X_PO);

@@ -13,6 +13,9 @@ namespace thenar {
 /// The skin as a solid, in the pad's frame.
 [[nodiscard]] std::shared_ptr<const Shape> skin_solid(const PadShape& shape);
 
+/// A distance from the pad's origin that no point of its skin passes [m].
+[[nodiscard]] double reach_of(const PadShape& shape);
+
 /// Where a pad's undeformed skin lies deepest in an object.
 struct DeepestSkin {
   double overlap = 0;              // below 0: apart [m]

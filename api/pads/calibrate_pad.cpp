@@ -26,8 +26,9 @@ double seconds_since(Clock::time_point start) {
 }
 
 void check(const PadLawsRequest& request) {
-  require(request.force_error > 0 && std::isfinite(request.force_error),
-          "wanted an error of the elements' force above 0, got {}", request.force_error);
+  require(request.force_error > 0 && request.force_error < 1,
+          "wanted an error of the elements' force above 0 and below 100 %, got {:g} %",
+          100 * request.force_error);
   require(request.max_penetration > 0 && request.max_elements > 0,
           "wanted a penetration above 0 m and more than 0 elements, got {} m and {}",
           request.max_penetration, request.max_elements);
@@ -92,8 +93,16 @@ void add_warnings_of_laws(PadLaws& out) {
     out.warnings.push_back(assumed);
   for (const std::string& failure : out.calibration.failures)
     out.warnings.push_back(fmt::format("a press failed and was left out: {}", failure));
-  double error = 0;
-  for (const LawPress& press : out.presses) error = std::max(error, press.elements.force_error);
+  double error = 0, penetration = 0;
+  for (const LawPress& press : out.presses) {
+    error = std::max(error, press.elements.force_error);
+    penetration = std::max(penetration, press.elements.penetration);
+  }
+  if (penetration > out.request.max_penetration)
+    out.warnings.push_back(
+        fmt::format("objects are up to {:.2g} um inside faces of the elements, more than the "
+                    "{:.2g} um asked for",
+                    1e6 * penetration, 1e6 * out.request.max_penetration));
   if (error > out.request.force_error)
     out.warnings.push_back(fmt::format(
         "elements estimate errors of their force of up to {:.2g} %, above the {:.2g} % asked for: "

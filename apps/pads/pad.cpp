@@ -5,10 +5,13 @@
 // Finger pads by themselves: pressed by a rigid object, fitted to measured presses, reduced to
 // laws.
 
+#include <algorithm>
+#include <filesystem>
 #include <memory>
 #include <optional>
 #include <string>
 
+#include <fmt/format.h>
 #include <CLI/CLI.hpp>
 
 #include "api/pads/calibrate_pad.h"
@@ -38,6 +41,29 @@ struct PressArguments {
   double error_percent = 5;
   Outputs outputs;
 };
+
+/// An output must not overwrite what it comes from.
+void require_other_file(const std::string& output, const std::string& input) {
+  std::error_code none;
+  require(output.empty() || !std::filesystem::equivalent(output, input, none),
+          "'{}' is what the answer comes from: wanted another file to write", output);
+}
+
+/// Delivers an answer, and its own file if there is a text for it.
+/// @return words on a file that was asked for and not written
+template <typename Result>
+std::string deliver_with_file(Outputs outputs, const Result& found, const std::string& file,
+                              const std::string& text) {
+  const bool is_written = !file.empty() && !text.empty();
+  if (is_written)
+    write_file(file, text);
+  else
+    outputs.files.erase(std::remove(outputs.files.begin(), outputs.files.end(), file),
+                        outputs.files.end());
+  print_warnings(found.warnings);
+  deliver(outputs, found);
+  return file.empty() || is_written ? "" : fmt::format("; '{}' was not written", file);
+}
 
 void run_press(PressArguments options) {
   PressRequest& request = options.request;
@@ -87,7 +113,8 @@ void add_model_options(CLI::App& command, PressArguments& options) {
                      listed(pad_element_names()) + "; as its file says if left out");
   command.add_option("--error", options.error_percent,
                      "Estimated error of the force below which the mesh is not refined [%]");
-  command.add_option("--max-elements", request.max_elements, "A mesh is not refined beyond");
+  command.add_option("--max-elements", request.max_elements,
+                     "A mesh with so many elements is not refined any more");
   command.add_option("--points", request.points, "Of the curves");
   command.add_option("--hold-points", request.hold_points, "Of the curves while it stands still");
   command.add_flag(
@@ -122,10 +149,8 @@ void run_pad_fit(PadFitArguments options) {
   const std::string refusal = refusal_of(fitted);
   // A pad is a file only where the search has come to its end.
   const bool is_pad = refusal.empty() && !fitted.stopped();
-  if (is_pad && !file.empty()) write_file(file, fitted_pad_text(fitted, file));
-  print_warnings(fitted.warnings);
-  deliver(options.outputs, fitted);
-  const std::string unwritten = file.empty() ? "" : fmt::format("; '{}' was not written", file);
+  const std::string text = is_pad && !file.empty() ? fitted_pad_text(fitted, file) : "";
+  const std::string unwritten = deliver_with_file(options.outputs, fitted, file, text);
   require(refusal.empty(), "{}{}", refusal, unwritten);
   if (fitted.stopped())
     throw Stopped(fmt::format(
@@ -164,19 +189,20 @@ void add_pad_fit(CLI::App& pad) {
 
 struct PadLawsArguments {
   PadLawsRequest request;
+  double error_percent = 4;
   Outputs outputs;
 };
 
-void run_pad_laws(const PadLawsArguments& options) {
+void run_pad_laws(PadLawsArguments options) {
   const std::string file = options.outputs.one(".toml");
+  options.request.force_error = 0.01 * options.error_percent;
+  require_other_file(file, open_pad(options.request.pad).path);
   const PadLaws found = calibrate_pad(options.request, terminal_progress());
   const std::string refusal = refusal_of(found);
   // Laws are a file only where all fits have come to their end.
   const bool are_laws = refusal.empty() && !found.stopped();
-  if (are_laws && !file.empty()) write_file(file, pad_laws_text(found));
-  print_warnings(found.warnings);
-  deliver(options.outputs, found);
-  const std::string unwritten = file.empty() ? "" : fmt::format("; '{}' was not written", file);
+  const std::string unwritten =
+      deliver_with_file(options.outputs, found, file, are_laws ? pad_laws_text(found) : "");
   require(refusal.empty(), "{}{}", refusal, unwritten);
   if (found.stopped())
     throw Stopped(fmt::format("stopped: these are the presses by then{}", unwritten));
@@ -189,10 +215,11 @@ void add_pad_laws(CLI::App& pad) {
       "Power law, soft finger and bed of springs fitted to a pad's elements; takes minutes");
   PadLawsRequest& request = options->request;
   command->add_option("--pad", request.pad.pad, "A pad: its name, or its file (TOML)");
-  command->add_option("--force-error", request.force_error,
-                      "Estimated error of the elements' force below which the mesh is not refined, "
-                      "relative");
-  command->add_option("--max-elements", request.max_elements, "A mesh is not refined beyond");
+  command->add_option("--error", options->error_percent,
+                      "Estimated error of the elements' force below which the mesh is not refined "
+                      "[%]");
+  command->add_option("--max-elements", request.max_elements,
+                      "A mesh with so many elements is not refined any more");
   add_data_option(*command, request.pad.data);
   add_output_options(*command, options->outputs, {true, true, true, {".toml"}});
   add_examples(*command, {"pad laws", "pad laws --pad index_fitted -o index_fitted_laws.toml",

@@ -1,5 +1,6 @@
 #include "dynamics/contact/sliding_pivots.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include <Eigen/QR>

@@ -8,15 +8,16 @@
 
 namespace thenar::internal {
 
-/// Newton's step with who bears left open: tangents and bilateral rows are linearised and
-/// eliminated, with contacts that slide by  ft = -mu fn ut / |ut|,  and normal impulses answer the
-/// linear complementarity problem that is left, by Lemke's algorithm. It does so to rounding even
-/// where sets of contacts that bear differ by next to nothing (a coin that lies on a table and its
-/// edge), and a step which follows one side of each change never ends.
-/// @param f  impulses near an answer (rows); the new ones
-/// @param u  of f
-/// @param pivots  more of them
-/// @return false: there is no answer, f is as it was
+/// A step of Newton that does not choose beforehand which contacts bear a load. Tangents and
+/// bilateral rows are linearised, contacts that slide as  ft = -mu fn ut / |ut|,  and eliminated;
+/// the normal impulses then solve the linear complementarity problem that is left, by Lemke's
+/// algorithm. This is exact to rounding where sets of contacts that could bear differ by 1e-9 of
+/// the velocities (a coin on the edge of its table), where a Newton step that chooses beforehand
+/// goes round in circles. Intervals with two ends stay at an end for the step if they are there.
+/// @param f       impulses near an answer (rows); in the end those after the step
+/// @param u       of f
+/// @param pivots  Lemke's are added to it
+/// @return false: Lemke's algorithm did not solve the step's problem; f is as it was
 /// Source: [Josephy1979].
 [[nodiscard]] bool pivot_sliding(const ScaledContacts& contacts, Eigen::Ref<Eigen::VectorXd> f,
                                  const Eigen::Ref<const Eigen::VectorXd>& u, int& pivots);

@@ -67,7 +67,8 @@ class PadElement final : public ForceElement {
   [[nodiscard]] Pose<double> object_pose(const ElementInput& at) const;
   /// Rows of the speeds of the object against the pad, at its origin, along its axes: turns, ways.
   void set_rows(const ElementInput& at);
-  /// No point of the object comes nearer to the pad by more, set_rows() done [m/s].
+  /// A bound on the speed at which any point of the object comes nearer to the pad [m/s]; needs
+  /// set_rows().
   [[nodiscard]] double fastest(const ElementInput& at) const;
   [[nodiscard]] Prediction predict(double t, const Pose<double>& X_PO) const;
   /// Size of a change of the push: moments about the patch by a lever of half a fingertip [N].

@@ -1,5 +1,6 @@
 #include "pads/motion/law_pad.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "base/error.h"
@@ -63,9 +64,7 @@ LawPad::LawPad(std::string name, const PadShape& shape, std::shared_ptr<const Co
   require(law_->at_force({200, 100}, 1, 1).shear > 0,
           "the law '{}' has no stiffness across: a pad in motion would hold nothing", name_);
   kept_.X_PO = moved_.X_PO = X_PO;
-  const Eigen::AlignedBox3d box = skin_->bounds();
-  reach_ = shape_.skin ? box.min().cwiseAbs().cwiseMax(box.max().cwiseAbs()).norm()
-                       : 0.5 * std::max({shape_.length, shape_.width, 2 * shape_.height});
+  reach_ = reach_of(shape_);
 }
 
 std::unique_ptr<MovingPad> LawPad::clone() const {
@@ -155,11 +154,11 @@ Vector4d LawPad::rub(const LawContact& contact, const Vector3d& at, const Vector
     elastic[k] = memory.x + stretch[k];
   }
   const auto set_spring = [&](const Vector3d& force, const Vector3d& change, double patch,
-                              double& spring) {
-    spring = spring_of(force - change, change, patch, spring);
-  };
-  set_spring(elastic.head<3>(), stretch.head<3>(), stiffness, moved_.spring[0]);
-  set_spring({elastic[3], 0, 0}, {stretch[3], 0, 0}, twisted, moved_.spring[1]);
+                              double& spring) { spring = spring_of(force, change, patch, spring); };
+  const std::array<ExponentialMemory, 4>& before = moved_.drag;
+  set_spring({before[0].x, before[1].x, before[2].x}, stretch.head<3>(), stiffness,
+             moved_.spring[0]);
+  set_spring({before[3].x, 0, 0}, {stretch[3], 0, 0}, twisted, moved_.spring[1]);
   Vector4d drag = weights.now * elastic + past;
   const double bound = object_.friction * contact.force, torsion = contact.patch.torsion;
   // A patch without extent has no torque.

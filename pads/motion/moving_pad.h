@@ -57,7 +57,7 @@ class MovingPad {
   /// Elastic energy of the pad under the object as it was kept, if nothing relaxed [J].
   [[nodiscard]] virtual double energy() const = 0;
 
-  /// No point of the pad is farther from its origin [m].
+  /// A distance from its origin that no point of the pad passes [m].
   [[nodiscard]] virtual double reach() const = 0;
 
   /// How a push relaxes, for predictions.

@@ -1,6 +1,7 @@
 // The page of laws of a pad that were calibrated.
 
 #include <algorithm>
+#include <utility>
 
 #include <fmt/format.h>
 

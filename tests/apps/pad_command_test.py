@@ -327,7 +327,7 @@ class Fits(Files):
 
 
 class Laws(Files):
-    QUICK = ["--force-error", "0.3", "--max-elements", "200"]
+    QUICK = ["--error", "30", "--max-elements", "200"]
 
     def pad(self, text=COARSE):
         return self.path("coarse.toml", text)
@@ -370,13 +370,14 @@ class Laws(Files):
         laws = pathlib.Path(self.path("laws.toml"))
         # 0.1 mm of tissue over the bone: a single node of such cells touches.
         thin = self.pad(COARSE.replace("height_mm = 10", "height_mm = 4.6", 1))
-        result = run("--pad", thin, "--force-error", 1000, "--max-elements", 1, "--json", "-o", laws, command="laws")
+        result = run("--pad", thin, "--error", 99, "--max-elements", 1, "--json", "-o", laws, command="laws")
         self.assertEqual(result.returncode, 1, result.stderr)
         self.assertIn("too few nodes touch", result.stderr)
         self.assertRegex(result.stderr, "laws were not found .*was not written")
         self.assertEqual(json.loads(result.stdout)["status"], "stalled")
         self.assertFalse(laws.exists())
-        for words, told in [(["--force-error", "0"], "wanted an error of the elements' force above 0, got 0"),
+        for words, told in [(["--error", "0"], "wanted an error of the elements' force above 0 and below 100 %, got 0 %"),
+                            (["--error", "100"], "below 100 %, got 100 %"),
                             (["--pad", "indexpad"], "did you mean 'index_pad'?")]:
             result = run(*words, "-o", laws, command="laws")
             self.assertEqual((result.returncode, result.stdout), (1, ""))
@@ -385,16 +386,23 @@ class Laws(Files):
 
     def test_interrupt_writes_no_laws(self):
         laws = pathlib.Path(self.path("laws.toml"))
-        work = subprocess.Popen([PROGRAM, "pad", "laws", "--force-error", "0.01", "--json", "-o", str(laws)],
+        work = subprocess.Popen([PROGRAM, "pad", "laws", "--error", "1", "-o", str(laws)],
                                 stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True, cwd=ROOT)
         time.sleep(3)
         work.send_signal(signal.SIGINT)
         out, told = work.communicate(timeout=120)
         self.assertEqual(work.returncode, 130, told)
         self.assertIn("was not written", told)
-        self.assertEqual(json.loads(out)["status"], "stopped")
-        self.assertIsNone(json.loads(out)["laws"])
+        self.assertIn("stopped", out)
+        self.assertNotIn("wrote", out)
         self.assertEqual(list(laws.parent.iterdir()), [])
+
+    def test_laws_do_not_overwrite_their_pad(self):
+        pad = self.pad()
+        result = run("--pad", pad, *self.QUICK, "-o", pad, command="laws")
+        self.assertEqual((result.returncode, result.stdout), (1, ""))
+        self.assertIn("wanted another file to write", result.stderr)
+        self.assertEqual(pathlib.Path(pad).read_text(), COARSE)
 
 
 if __name__ == "__main__":

@@ -185,5 +185,32 @@ TEST(MeasurePresses, KnowsGapAndDepthOfABall) {
   EXPECT_LT(press.arm, std::sqrt(press.area));
 }
 
+TEST(MeasurePresses, SomeNodesAreNoPatch) {
+  // Nodes of quadratic elements stand for so much skin that balls touch one of them, whose pressure
+  // has an arm of rounding alone.
+  PadModel model = default_pad();
+  model.element = HexElement::kQuadratic;
+  model.cells = {2, 2, 2};
+  const LawTrials trials = standard_trials(model.shape, {0.5e-3});
+  const MeasuredPresses out = measure_presses(model, trials.fit, {});
+  EXPECT_FALSE(out.failures.empty());
+  for (const std::string& failure : out.failures)
+    EXPECT_NE(failure.find("too few nodes touch"), std::string::npos) << failure;
+  for (const MeasuredPress& press : out.presses)
+    EXPECT_GT(press.arm, 0.1 * std::sqrt(press.area)) << press.trial;
+}
+
+TEST(StandardTrials, BeginClearOfASkinWithCorners) {
+  PadShape shape;
+  shape.skin = build_box({24e-3, 16e-3, 20e-3});
+  const LawTrials trials = standard_trials(shape, {0.5e-3});
+  for (const std::vector<PressTrial>* part : {&trials.fit, &trials.check})
+    for (const PressTrial& trial : *part)
+      for (const double x : {-12e-3, 12e-3})
+        for (const double y : {-8e-3, 8e-3})
+          EXPECT_GT(trial.object.shape->distance(trial.X_PO.inverse() * Vector3d(x, y, 10e-3)), 0)
+              << trial.name;
+}
+
 }  // namespace
 }  // namespace thenar

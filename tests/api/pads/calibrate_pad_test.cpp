@@ -2,6 +2,7 @@
 
 #include "api/pads/calibrate_pad.h"
 
+#include <algorithm>
 #include <cmath>
 #include <fstream>
 
@@ -83,7 +84,8 @@ TEST_F(CalibratePad, StopsWithThePressesByThen) {
 TEST_F(CalibratePad, WarnsOfPressesThatFailedAndRefusesTooFew) {
   PadLawsRequest shallow = request();
   shallow.depths = {1e-6};  // one node touches, two at most
-  shallow.force_error = 10;
+  shallow.force_error = 0.99;
+  shallow.max_elements = 1;
   const PadLaws found = calibrate_pad(shallow);
   EXPECT_FALSE(found.has_laws());
   EXPECT_FALSE(found.calibration.failures.empty());
@@ -93,8 +95,10 @@ TEST_F(CalibratePad, WarnsOfPressesThatFailedAndRefusesTooFew) {
 
 TEST_F(CalibratePad, RefusesNonsense) {
   PadLawsRequest bad = request();
-  bad.force_error = 0;
-  EXPECT_THAT(message_of([&] { (void)calibrate_pad(bad); }), HasSubstr("above 0, got 0"));
+  for (const double error : {0.0, 1.0}) {
+    bad.force_error = error;
+    EXPECT_THAT(message_of([&] { (void)calibrate_pad(bad); }), HasSubstr("below 100 %, got"));
+  }
   bad = request();
   bad.depths = {2e-3, 1e-3};
   EXPECT_THAT(message_of([&] { (void)calibrate_pad(bad); }), HasSubstr("depths above 0 that rise"));

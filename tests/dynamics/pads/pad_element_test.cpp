@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <tuple>
 
 #include <gtest/gtest.h>
 
@@ -326,7 +327,8 @@ TEST(PadElement, KeepsMomentumAndSpin) {
   EXPECT_LT((after - before).head<3>().norm(), 1e-6 * before.head<3>().norm());
 }
 
-/// A soft finger without an answer: its first clones from an age on, later ones never.
+/// A soft finger that loses its answer: clones 1 and 2 from an age on, those up to good - 1 at
+/// once, later ones never.
 class LostPad final : public MovingPad {
  public:
   /// @param good  the first clone that keeps its answers
