@@ -95,6 +95,18 @@ def run(*words, command="press"):
                           check=False, cwd=ROOT, timeout=300)
 
 
+def interrupted(test, command, *words):
+    """What a command prints that gets Ctrl-C after three seconds and writes no file of its own."""
+    work = subprocess.Popen([PROGRAM, "pad", command, *map(str, words)], stdout=subprocess.PIPE,
+                            stderr=subprocess.PIPE, text=True, cwd=ROOT)
+    time.sleep(3)
+    work.send_signal(signal.SIGINT)
+    out, told = work.communicate(timeout=120)
+    test.assertEqual(work.returncode, 130, told)
+    test.assertIn("was not written", told)
+    return out
+
+
 def ask(*words):
     """The JSON answer."""
     result = run(*words, "--json")
@@ -315,13 +327,7 @@ class Fits(Files):
     def test_interrupt_writes_no_pad(self):
         pad = pathlib.Path(self.path("mine.toml"))
         fine = PRESSES.replace("across = 2", "across = 28").replace("around = 1", "around = 20")
-        fit = subprocess.Popen([PROGRAM, "pad", "fit", self.path("presses.toml", fine), "--json", "-o", str(pad)],
-                               stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True, cwd=ROOT)
-        time.sleep(3)
-        fit.send_signal(signal.SIGINT)
-        out, told = fit.communicate(timeout=120)
-        self.assertEqual(fit.returncode, 130, told)
-        self.assertIn("was not written", told)
+        out = interrupted(self, "fit", self.path("presses.toml", fine), "--json", "-o", pad)
         self.assertEqual(json.loads(out)["search"], "stopped")
         self.assertEqual([each.name for each in pad.parent.iterdir()], ["presses.toml"])
 
@@ -386,13 +392,7 @@ class Laws(Files):
 
     def test_interrupt_writes_no_laws(self):
         laws = pathlib.Path(self.path("laws.toml"))
-        work = subprocess.Popen([PROGRAM, "pad", "laws", "--error", "1", "-o", str(laws)],
-                                stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True, cwd=ROOT)
-        time.sleep(3)
-        work.send_signal(signal.SIGINT)
-        out, told = work.communicate(timeout=120)
-        self.assertEqual(work.returncode, 130, told)
-        self.assertIn("was not written", told)
+        out = interrupted(self, "laws", "--error", 1, "-o", laws)
         self.assertIn("stopped", out)
         self.assertNotIn("wrote", out)
         self.assertEqual(list(laws.parent.iterdir()), [])

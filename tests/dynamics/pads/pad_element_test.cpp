@@ -16,15 +16,16 @@
 #include "pads/motion/law_pad.h"
 #include "solvers/stiff_ode.h"
 #include "tests/dynamics/stepping/sample_scenes.h"
+#include "tests/pads/sample_laws.h"
 
 namespace thenar {
 namespace {
 
 using Eigen::Vector3d;
 using sample::kG;
+using sample::kTerms;
 using sample::primitive;
 
-const std::vector<ExponentialTerm> kTerms{{0.3, 0.004}, {0.25, 0.07}, {0.2, 1.4}};
 constexpr double kMass = 0.03;   // of the cube [kg]
 constexpr double kHalf = 10e-3;  // of its edge [m]
 
@@ -33,9 +34,9 @@ const std::vector<ExponentialTerm> kDamps{{0.3, 0.004}};
 
 std::shared_ptr<const MovingPad> soft_finger(double friction,
                                              const std::vector<ExponentialTerm>& terms = {}) {
-  const SoftFingerConstants c{0.36, 1.79, 0.82, 5.7e-3, 0.32, 0.29, 0.61, 0.54, 8e3};
   return std::make_shared<LawPad>(
-      "soft-finger", PadShape(), std::make_shared<SoftFinger>(c, terms),
+      "soft-finger", PadShape(),
+      std::make_shared<SoftFinger>(sample::soft_finger_constants(), terms),
       RigidObject{build_box({2 * kHalf, 2 * kHalf, 2 * kHalf}), friction}, Pose<double>{});
 }
 
@@ -53,17 +54,10 @@ std::shared_ptr<const MovingPad> elements(double friction,
 
 /// A bed of the same pad without friction.
 std::shared_ptr<const MovingPad> bed() {
-  FoundationConstants c;
-  c.modulus = 37e3;
-  c.exponent = 0.98;
-  c.stiffening = 2.6;
-  c.surround = 0.58;
-  c.spread = 1.25;
-  c.thickness = 5.5e-3;
-  c.shear = 12e3;
-  return std::make_shared<BedPad>(std::make_shared<FoundationBed>(pad_columns(PadShape(), 20), c),
-                                  RigidObject{build_box({2 * kHalf, 2 * kHalf, 2 * kHalf}), 0},
-                                  Pose<double>{Eigen::Matrix3d::Identity(), {0, 0, 1}});
+  return std::make_shared<BedPad>(
+      std::make_shared<FoundationBed>(pad_columns(PadShape(), 20), sample::foundation_constants()),
+      RigidObject{build_box({2 * kHalf, 2 * kHalf, 2 * kHalf}), 0},
+      Pose<double>{Eigen::Matrix3d::Identity(), {0, 0, 1}});
 }
 
 /// A cube on a vertical slide, its face a gap above a pad that looks up and does not move.

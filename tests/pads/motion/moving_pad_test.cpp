@@ -14,6 +14,7 @@
 #include "pads/motion/bed_pad.h"
 #include "pads/motion/element_pad.h"
 #include "pads/motion/law_pad.h"
+#include "tests/pads/sample_laws.h"
 
 namespace thenar {
 namespace {
@@ -21,7 +22,7 @@ namespace {
 using Eigen::Vector3d;
 using Vector6 = Eigen::Matrix<double, 6, 1>;
 
-const std::vector<ExponentialTerm> kTerms{{0.3, 0.004}, {0.25, 0.07}, {0.2, 1.4}};
+using sample::kTerms;
 
 enum class Rung { kLaw, kBed, kElements };
 
@@ -35,21 +36,13 @@ std::unique_ptr<MovingPad> pad_of(Rung rung, double friction, bool relaxes, doub
   const RigidObject object =
       plate.shape ? plate : RigidObject{build_box({0.1, 0.1, 0.02}), friction};
   if (rung == Rung::kLaw) {
-    // Near the default pad's.
-    const SoftFingerConstants c{0.36, 1.79, 0.82, 5.7e-3, 0.32, 0.29, 0.61, 0.54, 8e3};
-    return std::make_unique<LawPad>("soft-finger", shape, std::make_shared<SoftFinger>(c, terms),
-                                    object, plane_at(gap));
+    return std::make_unique<LawPad>(
+        "soft-finger", shape, std::make_shared<SoftFinger>(sample::soft_finger_constants(), terms),
+        object, plane_at(gap));
   }
   if (rung == Rung::kBed) {
-    FoundationConstants c;
-    c.modulus = 37e3;
-    c.exponent = 0.98;
-    c.stiffening = 2.6;
-    c.surround = 0.58;
-    c.spread = 1.25;
-    c.thickness = 5.5e-3;
-    c.shear = 12e3;
-    auto bed = std::make_shared<FoundationBed>(pad_columns(shape, 20), c, terms);
+    auto bed = std::make_shared<FoundationBed>(pad_columns(shape, 20),
+                                               sample::foundation_constants(), terms);
     return std::make_unique<BedPad>(bed, object, plane_at(gap));
   }
   Tissue pulp;
@@ -272,10 +265,9 @@ TEST(LawPad, DoesNotSlipWhereItRolls) {
   // A ball that rolls on the pad's flat top by a turn about its lowest point.
   const PadShape shape;
   const double radius = 20e-3, depth = 5e-4;
-  const SoftFingerConstants c{0.36, 1.79, 0.82, 5.7e-3, 0.32, 0.29, 0.61, 0.54, 8e3};
   const Pose<double> on{Eigen::Matrix3d::Identity(), {0, 0, shape.height + radius - depth}};
-  LawPad pad("soft-finger", shape, std::make_shared<SoftFinger>(c), {build_sphere(radius), 0.8},
-             on);
+  LawPad pad("soft-finger", shape, std::make_shared<SoftFinger>(sample::soft_finger_constants()),
+             {build_sphere(radius), 0.8}, on);
   (void)go(pad, on, 0);
   Pose<double> X = on;
   PadContact touch;
