@@ -143,16 +143,12 @@ class PressSolver {
         body_.respond(u, goal_.time, start_.history, now_.pressure, ElementAsk::kStiffness,
                       tissue_);
       }
-      if (!keeps && !factor_here()) {
+      if ((!keeps && !factor_here()) || !take_step(u)) {
         out.message = "the stiffness is not positive definite";
         return out;
       }
       before = left;
       keeps = same && left < kFirm * scale_;
-      if (!take_step(u)) {
-        out.message = "the stiffness is not positive definite";
-        return out;
-      }
     }
     return out;
   }

@@ -14,6 +14,7 @@
 #include <fmt/format.h>
 #include <CLI/CLI.hpp>
 
+#include "api/named/data_folders.h"
 #include "api/pads/calibrate_pad.h"
 #include "api/pads/fit_pad.h"
 #include "api/pads/press_pad.h"
@@ -196,7 +197,8 @@ struct PadLawsArguments {
 void run_pad_laws(PadLawsArguments options) {
   const std::string file = options.outputs.one(".toml");
   options.request.force_error = 0.01 * options.error_percent;
-  require_other_file(file, open_pad(options.request.pad).path);
+  const PadRequest& pad = options.request.pad;
+  require_other_file(file, named_file("pad", pad.pad, "pads", ".toml", data_folders(pad.data)));
   const PadLaws found = calibrate_pad(options.request, terminal_progress());
   const std::string refusal = refusal_of(found);
   // Laws are a file only where all fits have come to their end.

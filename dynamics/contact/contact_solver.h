@@ -50,9 +50,9 @@ struct [[nodiscard]] ContactSolution {
 };
 
 /// Solves one contact problem after another, and keeps the room that they need: once it has seen a
-/// problem as large, it leaves the heap alone (but for pivots, and f and u where their number of
-/// rows changes). The answer depends on the problem, the warm start and the options alone, bit for
-/// bit.
+/// problem as large, it leaves the heap alone (but for pivots and pyramids, and f and u where their
+/// number of rows changes). The answer depends on the problem, the warm start and the options
+/// alone, bit for bit.
 class ContactSolver {
  public:
   ContactSolver();

@@ -252,13 +252,17 @@ void PadElement::remember_push(double seconds) {
   X_seen_ = X_PO_;
 }
 
-void PadElement::go_on(double t, const Pose<double>& X_PO) {
+PadElement::PushMemory PadElement::memory_at(double t, const Pose<double>& X_PO) const {
   const MemoryStep weights = memory_step(pad_->relaxation(), std::max(0.0, t - t_seen_));
   const Vector6 more = stiffness_ * motion_from(X_seen_, X_PO);
-  for (Eigen::Index k = 0; k < 6 && touch_.force > 0; ++k) {
-    ExponentialMemory& memory = memory_[static_cast<std::size_t>(k)];
-    (void)remember(weights, memory.x + more[k], memory);
-  }
+  PushMemory out = memory_;
+  for (std::size_t k = 0; k < 6; ++k)
+    (void)remember(weights, out[k].x + more[static_cast<Eigen::Index>(k)], out[k]);
+  return out;
+}
+
+void PadElement::go_on(double t, const Pose<double>& X_PO) {
+  if (touch_.force > 0) memory_ = memory_at(t, X_PO);
   t_seen_ = t;
   X_seen_ = X_PO;
 }
@@ -267,22 +271,17 @@ double PadElement::energy(const ElementInput& at) {
   if (touch_.force <= 0) return 0;
   // The elastic push of now, and what each term has left of it.
   const Pose<double> X_PO = object_pose(at);
-  const Vector6 motion = motion_from(X_PO_, X_PO), more = stiffness_ * motion_from(X_seen_, X_PO);
+  const Vector6 motion = motion_from(X_PO_, X_PO);
   const std::vector<ExponentialTerm>& terms = pad_->relaxation();
-  const MemoryStep weights = memory_step(terms, std::max(0.0, at.t - t_seen_));
+  const PushMemory memory = memory_at(at.t, X_PO);
   Vector6 push;
-  std::vector<Vector3d> left(terms.size());
-  for (Eigen::Index k = 0; k < 6; ++k) {
-    ExponentialMemory memory = memory_[static_cast<std::size_t>(k)];
-    push[k] = memory.x + more[k];
-    (void)remember(weights, push[k], memory);
-    for (std::size_t i = 0; i < terms.size() && k >= 3; ++i) left[i][k - 3] = memory.terms[i];
-  }
+  for (std::size_t k = 0; k < 6; ++k) push[static_cast<Eigen::Index>(k)] = memory[k].x;
   const double work = (push - 0.5 * stiffness_ * motion).dot(motion);  // since the pad moved
   const Vector3d force = push.tail<3>();
   double share = 1;
   for (std::size_t i = 0; i < terms.size(); ++i) {
-    const double part = left[i].dot(force) / std::max(force.squaredNorm(), kNothing);
+    const Vector3d left(memory[3].terms[i], memory[4].terms[i], memory[5].terms[i]);
+    const double part = left.dot(force) / std::max(force.squaredNorm(), kNothing);
     if (terms[i].share > 0) share += part * part / terms[i].share - terms[i].share;
   }
   return std::max(0.0, pad_->energy() + work) * share;

@@ -57,6 +57,7 @@ class PadElement final : public ForceElement {
 
  private:
   using Vector6 = Eigen::Matrix<double, 6, 1>;
+  using PushMemory = std::array<ExponentialMemory, 6>;
   /// What the scene is told of the push.
   struct Prediction {
     Vector6 push;        // pad's frame, about its origin (6)
@@ -82,6 +83,7 @@ class PadElement final : public ForceElement {
   void begin_anew(double t, const Pose<double>& X_PO);
   /// The memory takes up the push of the pad, which has moved for some time; or goes on without it.
   void remember_push(double seconds);
+  [[nodiscard]] PushMemory memory_at(double t, const Pose<double>& X_PO) const;
   void go_on(double t, const Pose<double>& X_PO);
 
   std::string name_;
@@ -97,7 +99,7 @@ class PadElement final : public ForceElement {
   double t_seen_ = 0;    // of the last accept(), to which memory_ has come [s]
   Pose<double> X_seen_;  // the same
   Matrix6 stiffness_ = Matrix6::Zero();
-  std::array<ExponentialMemory, 6> memory_, moved_memory_;  // of the push; at t_ [N m], [N]
+  PushMemory memory_, moved_memory_;  // of the push; at t_ [N m], [N]
   double foresees_;
   double gap_ = 0, speed_ = 0;  // of the object at the last accept(), apart: PadContact, fastest()
 
