@@ -83,6 +83,7 @@ class PadElement final : public ForceElement {
   void begin_anew(double t, const Pose<double>& X_PO);
   /// The memory takes up the push of the pad, which has moved for some time; or goes on without it.
   void remember_push(double seconds);
+  /// What the memory is at t, with the object at X_PO by then and its way straight in time.
   [[nodiscard]] PushMemory memory_at(double t, const Pose<double>& X_PO) const;
   void go_on(double t, const Pose<double>& X_PO);
 
