@@ -88,7 +88,7 @@ MAY_SEE["dynamics/pads"] = MAY_SEE["dynamics/stepping"] + ["dynamics/stepping"] 
 MAY_SEE["dynamics/scene"] = MAY_SEE["dynamics/human"] + PADS + [
     "data/io/scene", "dynamics/ligament", "dynamics/human", "dynamics/pads"]
 LIBRARIES = list(MAY_SEE)
-API = ["api", "api/named", "api/pads", "api/scenes"]
+API = ["api", "api/named", "api/pads", "api/scenes", "api/live"]
 MAY_SEE["thenar"] = LIBRARIES + API  # the header of all public headers
 # The questions that a person asks, and their answers as words, tables, JSON and pages.
 REPORT = LIBRARIES + API + ["report"]
@@ -98,6 +98,7 @@ MAY_SEE |= {
     "api/pads": LIBRARIES + ["api/named"],
     "api/scenes": LIBRARIES + ["api/named"],
     "api": LIBRARIES + ["api/named", "api/pads", "api/scenes"],
+    "api/live": LIBRARIES + ["api/named", "api/pads", "api/scenes", "api"],
     "report": LIBRARIES + API,
     "report/scene": REPORT,
     "report/draws": REPORT,
@@ -105,11 +106,12 @@ MAY_SEE |= {
     "report/explain": REPORT,
     "report/pads": PAGES,
     "report/pages": PAGES,
-    "apps": PAGES + ["report/explain", "report/pads", "report/pages"],  # of LIBRARIES only base, once all ask api
+    "server": PAGES + ["report/pages", "report/pads"],
+    "server/methods": PAGES + ["report/pages", "report/pads", "report/explain", "server"],
+    "apps": PAGES + ["report/explain", "report/pads", "report/pages", "server", "server/methods"],
     "python": LIBRARIES + API,
-    "server": LIBRARIES + API,
     "bench": PAGES + ["report/pages", "tests"],  # charts; the sample scenes
-    "tests": PAGES + ["report/explain", "report/pads", "report/pages"],
+    "tests": PAGES + ["report/explain", "report/pads", "report/pages", "server", "server/methods"],
 }
 WITH_SUBFOLDERS = ["sampling/run", "apps", "bench", "tests"]  # folders that are one floor
 
@@ -142,7 +144,8 @@ FENCES = {
     r"openssl/.*": ["base/provenance.cpp"],
     r"unsupported/Eigen/FFT": ["sampling/diagnostics/autocovariance.cpp"],
     r"unsupported/Eigen/SpecialFunctions": ["base/special_functions.cpp"],
-    r"nlohmann/.*": ["report/", "apps/", "data/io/json_node.cpp", "tests/", "bench/"],
+    r"nlohmann/.*": ["report/", "server/", "apps/", "data/io/json_node.cpp", "tests/", "bench/"],
+    r"boost/.*": ["server/web_server.cpp", "server/line_server.cpp"],
     r"CLI/.*": ["apps/"],
     r"benchmark/.*": ["bench/"],
     r"mujoco/.*": ["bench/peers/"],

@@ -1,0 +1,49 @@
+#pragma once
+
+/// Methods that a page, a script or a robot calls: one table says what each is named, what it takes
+/// and what it does. Validation, the list that clients are given, and docs/remote.md come from it.
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "base/progress.h"
+#include "report/json.h"
+#include "server/schema.h"
+
+namespace thenar {
+
+class Session;
+
+/// One method of JSON-RPC.
+struct Method {
+  /// @param params    validated, defaults filled in
+  /// @param progress  heard by the client that asked, and where it is asked to stop
+  /// @returns the result
+  /// @throws Error with what the client is told; Stopped
+  using Handler =
+      std::function<OrderedJson(Session& session, const Json& params, const Progress& progress)>;
+
+  std::string name;     // "hand.close"
+  std::string about;    // one sentence: what it does
+  Schema params;        // an object
+  std::string returns;  // what the result holds, with units
+  std::string example;  // params as JSON, which tests send
+  Handler handler;
+};
+
+/// A table of methods by name, in the order in which they are documented.
+class MethodTable {
+ public:
+  /// @throws InputError if there is one of that name already.
+  void add(Method method);
+  /// The method of that name. @throws InputError with the nearest name if there is none.
+  [[nodiscard]] const Method& at(const std::string& name) const;
+  [[nodiscard]] bool has(const std::string& name) const;
+  [[nodiscard]] const std::vector<Method>& all() const { return methods_; }
+
+ private:
+  std::vector<Method> methods_;
+};
+
+}  // namespace thenar

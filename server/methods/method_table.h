@@ -1,0 +1,30 @@
+#pragma once
+
+/// All methods that a server offers. Each group stands in a file of its name and adds its rows.
+
+#include "server/method.h"
+#include "server/session.h"
+
+namespace thenar {
+
+namespace internal {
+
+/// session.*, catalogue.* and picture.*
+void add_session_methods(MethodTable& table);
+/// world.* and hand.*
+void add_world_methods(MethodTable& table);
+/// grasp.*
+void add_grasp_methods(MethodTable& table);
+/// motion.*
+void add_motion_methods(MethodTable& table);
+/// tendons.*
+void add_tendon_methods(MethodTable& table);
+/// fit.*
+void add_fit_methods(MethodTable& table);
+
+}  // namespace internal
+
+/// The whole table, in the order in which it is documented.
+[[nodiscard]] MethodTable method_table();
+
+}  // namespace thenar

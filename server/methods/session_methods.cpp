@@ -1,0 +1,7 @@
+#include "server/methods/method_table.h"
+
+namespace thenar::internal {
+
+void add_session_methods(MethodTable& /*table*/) {}
+
+}  // namespace thenar::internal

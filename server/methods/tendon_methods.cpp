@@ -1,0 +1,7 @@
+#include "server/methods/method_table.h"
+
+namespace thenar::internal {
+
+void add_tendon_methods(MethodTable& /*table*/) {}
+
+}  // namespace thenar::internal

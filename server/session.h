@@ -1,0 +1,66 @@
+#pragma once
+
+/// All that clients of a server share: the models that they move and look at, and which one is
+/// shown.
+
+#include <array>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "api/live/live_picture.h"
+#include "base/error.h"
+
+namespace thenar {
+
+/// What a session may show.
+enum class LiveMode { kWorld, kMotion, kTendons, kFit };
+
+/// "world", "motion", "tendons", "fit", in the order of LiveMode.
+[[nodiscard]] const std::vector<std::string>& live_mode_names();
+
+/// Where a session finds and leaves files.
+struct SessionPlaces {
+  std::string data;          // folder with worlds/, robots/ ..; empty: the usual ones
+  std::string folder = ".";  // files that clients save stand in it, or below
+};
+
+/// Models by mode, one of which is shown. Not for use by several threads at once.
+class Session {
+ public:
+  explicit Session(SessionPlaces places) : places_(std::move(places)) {}
+
+  [[nodiscard]] const SessionPlaces& places() const { return places_; }
+  [[nodiscard]] LiveMode mode() const { return mode_; }
+  /// Replaces the model of a mode, and shows it.
+  void open(LiveMode mode, std::shared_ptr<LiveModel> model);
+  /// Shows a model that is open. @throws InputError if there is none in that mode.
+  void show(LiveMode mode);
+  /// The model that is shown; null at the very start.
+  [[nodiscard]] const LiveModel* shown() const { return models_[place_of(mode_)].get(); }
+  [[nodiscard]] bool has(LiveMode mode) const { return models_[place_of(mode)] != nullptr; }
+  /// The model of a mode as what it is: `session.model<LiveWorld>(LiveMode::kWorld)`.
+  /// @throws InputError if none is open, saying which method opens one.
+  template <typename Model>
+  [[nodiscard]] Model& model(LiveMode mode) const {
+    auto* found = dynamic_cast<Model*>(models_[place_of(mode)].get());
+    require(found != nullptr, "no {} is open: call {}", what_is(mode), opener_of(mode));
+    return *found;
+  }
+  /// Goes up whenever shape() of what is shown is another one.
+  [[nodiscard]] unsigned long revision() const;
+
+ private:
+  [[nodiscard]] static std::size_t place_of(LiveMode mode) {
+    return static_cast<std::size_t>(mode);
+  }
+  [[nodiscard]] static std::string what_is(LiveMode mode);
+  [[nodiscard]] static std::string opener_of(LiveMode mode);
+
+  SessionPlaces places_;
+  std::array<std::shared_ptr<LiveModel>, 4> models_{};
+  LiveMode mode_ = LiveMode::kWorld;
+  unsigned long switches_ = 0;  // of what is shown; with the model's own changes the revision
+};
+
+}  // namespace thenar
