@@ -8,22 +8,22 @@
 
 namespace thenar {
 
-void MethodTable::add(Method method) {
+void MethodTable::add(RpcMethod method) {
   require(!has(method.name), "there are two methods '{}'", method.name);
   methods_.push_back(std::move(method));
 }
 
 bool MethodTable::has(const std::string& name) const {
   return std::any_of(methods_.begin(), methods_.end(),
-                     [&](const Method& method) { return method.name == name; });
+                     [&](const RpcMethod& method) { return method.name == name; });
 }
 
-const Method& MethodTable::at(const std::string& name) const {
+const RpcMethod& MethodTable::at(const std::string& name) const {
   const auto found = std::find_if(methods_.begin(), methods_.end(),
-                                  [&](const Method& method) { return method.name == name; });
+                                  [&](const RpcMethod& method) { return method.name == name; });
   if (found != methods_.end()) return *found;
   std::vector<std::string> names;
-  for (const Method& method : methods_) names.push_back(method.name);
+  for (const RpcMethod& method : methods_) names.push_back(method.name);
   throw InputError(
       fmt::format("no method '{}'{}; session.methods lists all", name, did_you_mean(name, names)));
 }

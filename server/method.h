@@ -16,7 +16,7 @@ namespace thenar {
 class Session;
 
 /// One method of JSON-RPC.
-struct Method {
+struct RpcMethod {
   /// @param params    validated, defaults filled in
   /// @param progress  heard by the client that asked, and where it is asked to stop
   /// @returns the result
@@ -36,14 +36,14 @@ struct Method {
 class MethodTable {
  public:
   /// @throws InputError if there is one of that name already.
-  void add(Method method);
+  void add(RpcMethod method);
   /// The method of that name. @throws InputError with the nearest name if there is none.
-  [[nodiscard]] const Method& at(const std::string& name) const;
+  [[nodiscard]] const RpcMethod& at(const std::string& name) const;
   [[nodiscard]] bool has(const std::string& name) const;
-  [[nodiscard]] const std::vector<Method>& all() const { return methods_; }
+  [[nodiscard]] const std::vector<RpcMethod>& all() const { return methods_; }
 
  private:
-  std::vector<Method> methods_;
+  std::vector<RpcMethod> methods_;
 };
 
 }  // namespace thenar
