@@ -1,0 +1,52 @@
+#pragma once
+
+/// What some live models can do beside being looked at: be edited and saved, go on in time. Servers
+/// ask for these and need not know which model it is.
+
+#include <optional>
+#include <string>
+
+namespace thenar {
+
+/// What is edited, and what undo() and redo() would do.
+struct LiveEditState {
+  std::string name;                 // of the world
+  std::string file;                 // it was loaded from or saved to; empty: none
+  bool unsaved = false;             // edited since
+  std::optional<std::string> undo;  // what undo() takes back: "move mug"; none: nothing is left
+  std::optional<std::string> redo;  // what redo() does again
+};
+
+/// A model that is edited, as a world is.
+class LiveEdits {
+ public:
+  virtual ~LiveEdits() = default;
+  [[nodiscard]] virtual LiveEditState edit_state() const = 0;
+  /// Takes the last edit back. @returns what it was: "move mug"
+  /// @throws InputError if nothing is left to undo.
+  virtual std::string undo() = 0;
+  /// Does again what was undone last. @returns what it was
+  /// @throws InputError if nothing is left to redo.
+  virtual std::string redo() = 0;
+};
+
+/// Where a model stands in time.
+struct LiveTime {
+  double t = 0;                    // [s]
+  double step = 1e-3;              // that one step of `motion.step` takes [s]
+  bool playing = false;            // whether it goes on by itself
+  double speed = 1;                // of play, 1: real time [1]
+  std::optional<double> duration;  // of a recorded run [s]; none: it has no end
+  bool recorded = false;           // a run that is shown again
+};
+
+/// A model that moves by itself. While it plays, the server asks for `motion.step` with as many
+/// steps as wall-clock time wants: speed / step of them a second. A model that comes to its end
+/// stops playing.
+class LiveClock {
+ public:
+  virtual ~LiveClock() = default;
+  [[nodiscard]] virtual LiveTime live_time() const = 0;
+};
+
+}  // namespace thenar
