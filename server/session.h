@@ -10,6 +10,8 @@
 
 #include "api/live/live_picture.h"
 #include "base/error.h"
+#include "server/mesh_store.h"
+#include "server/session_log.h"
 
 namespace thenar {
 
@@ -32,6 +34,8 @@ class Session {
 
   [[nodiscard]] const SessionPlaces& places() const { return places_; }
   [[nodiscard]] LiveMode mode() const { return mode_; }
+  /// "world"
+  [[nodiscard]] const std::string& mode_name() const { return live_mode_names()[place_of(mode_)]; }
   /// Replaces the model of a mode, and shows it.
   void open(LiveMode mode, std::shared_ptr<LiveModel> model);
   /// Shows a model that is open. @throws InputError if there is none in that mode.
@@ -47,8 +51,17 @@ class Session {
     require(found != nullptr, "no {} is open: call {}", what_is(mode), opener_of(mode));
     return *found;
   }
+  /// The same; null if none is open.
+  template <typename Model>
+  [[nodiscard]] const Model* find(LiveMode mode) const {
+    return dynamic_cast<const Model*>(models_[place_of(mode)].get());
+  }
   /// Goes up whenever shape() of what is shown is another one.
   [[nodiscard]] unsigned long revision() const;
+  /// Meshes that clients may fetch; other threads may read them at any time.
+  [[nodiscard]] MeshStore& meshes() { return meshes_; }
+  /// What was asked for so far.
+  [[nodiscard]] SessionLog& log() { return log_; }
 
  private:
   [[nodiscard]] static std::size_t place_of(LiveMode mode) {
@@ -58,6 +71,8 @@ class Session {
   [[nodiscard]] static std::string opener_of(LiveMode mode);
 
   SessionPlaces places_;
+  MeshStore meshes_;
+  SessionLog log_;
   std::array<std::shared_ptr<LiveModel>, 4> models_{};
   LiveMode mode_ = LiveMode::kWorld;
   unsigned long switches_ = 0;  // of what is shown; with the model's own changes the revision
