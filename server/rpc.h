@@ -1,0 +1,83 @@
+#pragma once
+
+/// JSON-RPC 2.0: messages read without trust in them, requests answered from a table of methods.
+/// Source: JSON-RPC 2.0 Specification, www.jsonrpc.org/specification.
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "base/error.h"
+#include "report/json.h"
+#include "server/method.h"
+#include "server/session.h"
+
+namespace thenar {
+
+/// Why a request has no result, as numbers of the protocol.
+enum class RpcCode {
+  kParse = -32700,           // no JSON
+  kInvalidRequest = -32600,  // JSON, but no request
+  kNoMethod = -32601,
+  kInvalidParams = -32602,
+  kInternal = -32603,  // a fault of ours
+  kRefused = -32000,   // what thenar itself says no to
+  kStopped = -32001,
+  kTooLarge = -32002,  // too long, too deep, or too many values
+};
+
+/// What a message may hold at most.
+struct RpcLimits {
+  std::size_t bytes = 64UL << 20U;  // of a message
+  std::size_t depth = 32;           // of lists and objects in each other
+  std::size_t values = 1'000'000;   // numbers, texts, lists .. in all
+  std::size_t requests = 1000;      // of a batch
+};
+
+/// An error that a client is told.
+struct RpcFailure {
+  RpcCode code = RpcCode::kRefused;
+  std::string text;
+};
+
+/// One request of a message; where it cannot be answered, why.
+struct RpcRequest {
+  Json id;                    // number, text or null
+  bool notification = false;  // no reply is wanted
+  std::string method;
+  Json params = Json::object();
+  std::optional<RpcFailure> failure;  // found while it was read
+};
+
+/// A message: a request, or a batch of them.
+struct RpcMessage {
+  bool batch = false;
+  std::vector<RpcRequest> requests;
+};
+
+/// Reads a message. What is wrong with it stands in its requests; nothing is thrown but bad_alloc.
+[[nodiscard]] RpcMessage read_rpc(const std::string& text, const RpcLimits& limits);
+
+/// What became of a request.
+struct RpcAnswer {
+  OrderedJson result;
+  std::optional<RpcFailure> failure;
+};
+
+/// Does what a request asks for. Whatever a handler throws is a failure.
+[[nodiscard]] RpcAnswer answer_request(const RpcRequest& request, const MethodTable& table,
+                                       Session& session, const Progress& progress);
+
+/// The reply to a request: {"jsonrpc": "2.0", "id", "result" or "error": {"code", "message"}}.
+[[nodiscard]] OrderedJson rpc_reply(const Json& id, const RpcAnswer& answer);
+
+/// A message to a client that wants no reply, as text.
+[[nodiscard]] std::string rpc_notification(const std::string& method, const OrderedJson& params);
+
+/// Whether a message is one request of this method, read only if it is short: for the few that
+/// cannot wait for the one before.
+[[nodiscard]] std::optional<RpcRequest> short_request(const std::string& text,
+                                                      const std::string& method);
+
+}  // namespace thenar
