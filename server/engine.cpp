@@ -1,0 +1,269 @@
+#include "server/engine.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <exception>
+#include <future>
+#include <utility>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include "api/live/live_abilities.h"
+#include "base/progress_parts.h"
+#include "server/replay.h"
+
+namespace thenar {
+namespace {
+
+using EngineClock = Publisher::Clock;
+
+constexpr double kTick = 1.0 / 60;                       // of a motion that plays [s]
+constexpr double kMostBehind = 0.1;                      // of wall-clock time, made up for [s]
+constexpr std::chrono::milliseconds kProgressEvery{50};  // a client is told of progress
+constexpr std::chrono::milliseconds kBusyAfter{250};     // others are told that it takes long
+constexpr std::chrono::hours kLongest{1};                // that the thread sleeps
+
+double seconds_between(EngineClock::time_point from, EngineClock::time_point to) {
+  return std::chrono::duration<double>(to - from).count();
+}
+
+EngineClock::time_point later(EngineClock::time_point from, double seconds) {
+  return from +
+         std::chrono::duration_cast<EngineClock::duration>(std::chrono::duration<double>(seconds));
+}
+
+}  // namespace
+
+Engine::Engine(MethodTable table, SessionPlaces places, EngineOptions options)
+    : table_(std::move(table)), options_(std::move(options)), session_(std::move(places)) {
+  if (!options_.log.empty()) session_.log().open(options_.log);
+  thread_ = std::thread([this] { work(); });
+}
+
+Engine::~Engine() { end("the server ends"); }
+
+int Engine::join(std::shared_ptr<EngineClient> client) {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  require(clients_.size() < options_.clients, "there are {} clients already, the most there may be",
+          options_.clients);
+  clients_[++last_client_] = std::move(client);
+  jobs_.push_back({last_client_, [this] { publisher_.tell_all(); }});
+  called_.notify_one();
+  return last_client_;
+}
+
+void Engine::leave(int client) {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  clients_.erase(client);
+  jobs_.erase(std::remove_if(jobs_.begin(), jobs_.end(),
+                             [&](const Job& job) { return job.client == client; }),
+              jobs_.end());
+  if (running_ == client) stop_ = true;
+  // The others are told that one is gone.
+  jobs_.push_back({0, [] {}});
+  called_.notify_one();
+}
+
+void Engine::put(int client, std::function<void()> work) {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  if (ending_) return;
+  jobs_.push_back({client, std::move(work)});
+  called_.notify_one();
+}
+
+void Engine::receive(int client, std::string message) {
+  if (const auto request = short_request(message, "session.stop"))
+    return stop_running(client, *request);
+  put(client, [this, client, message = std::move(message)] { answer(client, message); });
+}
+
+void Engine::stop_running(int client, const RpcRequest& request) {
+  bool asked = false;
+  {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    asked = running_ >= 0;
+    if (asked) stop_ = true;
+  }
+  const auto to = client_of(client);
+  if (to == nullptr) return;
+  RpcAnswer answer{{{"asked", asked}}, request.failure};
+  to->reply(request.notification ? "" : json_text(rpc_reply(request.id, answer), -1));
+}
+
+OrderedJson Engine::ask(const std::string& method, const Json& params, const Progress& progress) {
+  RpcRequest request;
+  request.method = method;
+  request.params = params;
+  auto promise = std::make_shared<std::promise<RpcAnswer>>();
+  std::future<RpcAnswer> answered = promise->get_future();
+  Progress told = progress;
+  told.stop_requested = [this, progress] { return stop_ || progress.stop(); };
+  // The job alone holds the promise, so that an engine that ends without it breaks it.
+  put(0, [this, request, told, promise = std::move(promise)] {
+    promise->set_value(run(0, request, told));
+  });
+  try {
+    const RpcAnswer answer = answered.get();
+    if (!answer.failure) return answer.result;
+    if (answer.failure->code == RpcCode::kStopped) throw Stopped(answer.failure->text);
+    throw InputError(answer.failure->text);
+  } catch (const std::future_error&) {
+    throw Stopped("the server has ended");
+  }
+}
+
+std::shared_ptr<const std::string> Engine::mesh(const std::string& id) {
+  return session_.meshes().bytes(id);
+}
+
+void Engine::end(const std::string& reason) {
+  {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    if (!ending_)
+      for (const auto& [number, client] : clients_)
+        if (client->watches())
+          client->tell(
+              std::make_shared<const std::string>(rpc_notification("ended", {{"reason", reason}})));
+    ending_ = true;
+    stop_ = true;
+    jobs_.clear();
+    called_.notify_one();
+  }
+  if (thread_.joinable()) thread_.join();
+}
+
+void Engine::work() {
+  auto wake = EngineClock::now();
+  while (true) {
+    Job job;
+    {
+      std::unique_lock<std::mutex> lock(mutex_);
+      called_.wait_until(lock, wake, [this] { return ending_ || !jobs_.empty(); });
+      if (ending_) return;
+      if (!jobs_.empty()) {
+        job = std::move(jobs_.front());
+        jobs_.pop_front();
+        running_ = job.client;
+        stop_ = false;
+      }
+    }
+    if (job.work) job.work();
+    job = {};
+    {
+      const std::lock_guard<std::mutex> lock(mutex_);
+      running_ = -1;
+    }
+    const auto tick = play();
+    wake = std::min({tick, publish(), EngineClock::now() + kLongest});
+  }
+}
+
+void Engine::answer(int client, const std::string& message) {
+  const RpcMessage read = read_rpc(message, options_.limits);
+  OrderedJson replies = OrderedJson::array();
+  for (const RpcRequest& request : read.requests) {
+    const RpcAnswer answer = run(client, request, progress_of(client, request.id));
+    if (!request.notification) replies.push_back(rpc_reply(request.id, answer));
+  }
+  const auto to = client_of(client);
+  if (to == nullptr) return;
+  to->reply(replies.empty() ? "" : json_text(read.batch ? replies : replies.front(), -1));
+}
+
+RpcAnswer Engine::run(int client, const RpcRequest& request, const Progress& progress) {
+  const Execution execution = execute(request, table_, session_, progress);
+  if (request.failure || !is_logged(request.method)) return execution.answer;
+  try {
+    session_.log().add(logged(client, request, execution));
+  } catch (const Error& error) {
+    tell_trouble(error.what());
+  }
+  return execution.answer;
+}
+
+Progress Engine::progress_of(int client, const Json& id) {
+  // Shared by the copies of the callback: when the request began, and when it was told of last.
+  struct Told {
+    EngineClock::time_point begin = EngineClock::now(), last = begin;
+    std::mutex mutex;
+  };
+  const auto told = std::make_shared<Told>();
+  Progress progress;
+  progress.stop_requested = [this] { return stop_.load(); };
+  progress.report = [this, client, id, told](double fraction, const std::string& what) {
+    const std::lock_guard<std::mutex> lock(told->mutex);
+    const auto now = EngineClock::now();
+    if (now - told->last < kProgressEvery) return;
+    told->last = now;
+    const auto to = client_of(client);
+    if (to != nullptr && to->watches())
+      to->tell(std::make_shared<const std::string>(rpc_notification(
+          "progress", {{"id", id}, {"fraction", number_or_null(fraction)}, {"text", what}})));
+    if (now - told->begin > kBusyAfter) publisher_.tell_busy(clients(), what);
+  };
+  return progress;
+}
+
+Publisher::Clock::time_point Engine::play() {
+  const auto* clock = dynamic_cast<const LiveClock*>(session_.shown());
+  const LiveTime time = clock == nullptr ? LiveTime() : clock->live_time();
+  const auto now = EngineClock::now();
+  if (!std::exchange(plays_, time.playing) || !time.playing) {
+    played_at_ = now;
+    tick_at_ = later(now, kTick);
+    return time.playing ? tick_at_ : EngineClock::time_point::max();
+  }
+  if (now < tick_at_) return tick_at_;
+  // As many steps as wall-clock time wants, but no more than can be done in most of a tick.
+  steps_due_ += std::min(seconds_between(played_at_, now), kMostBehind) * time.speed / time.step;
+  double steps = std::floor(steps_due_);
+  if (seconds_of_step_ > 0)
+    steps = std::min(steps, std::max(1.0, std::floor(0.75 * kTick / seconds_of_step_)));
+  steps_due_ = std::min(steps_due_ - std::min(steps, steps_due_), 1.0);
+  played_at_ = now;
+  tick_at_ = later(now, kTick);
+  if (steps < 1) return tick_at_;
+  RpcRequest request;
+  request.method = "motion.step";
+  request.params = {{"steps", static_cast<long>(steps)}, {"want", Json::array()}};
+  const RpcAnswer answer = run(0, request, {});
+  seconds_of_step_ = seconds_between(now, EngineClock::now()) / steps;
+  if (answer.failure) {
+    tell_trouble(fmt::format("the motion was paused: {}", answer.failure->text));
+    request.method = "motion.pause";
+    request.params = Json::object();
+    (void)run(0, request, {});
+  }
+  return tick_at_;
+}
+
+Publisher::Clock::time_point Engine::publish() {
+  try {
+    return publisher_.publish(session_, clients());
+  } catch (const std::exception& error) {
+    tell_trouble(fmt::format("cannot be shown: {}", error.what()));
+    return EngineClock::time_point::max();
+  }
+}
+
+void Engine::tell_trouble(const std::string& text) {
+  tell_watchers(clients(), rpc_notification("failed", {{"text", text}}));
+  if (options_.on_trouble) options_.on_trouble(text);
+}
+
+EngineClients Engine::clients() {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  EngineClients all;
+  for (const auto& [number, client] : clients_) all.push_back(client);
+  return all;
+}
+
+std::shared_ptr<EngineClient> Engine::client_of(int client) {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  const auto found = clients_.find(client);
+  return found == clients_.end() ? nullptr : found->second;
+}
+
+}  // namespace thenar

@@ -1,0 +1,97 @@
+#include "server/publisher.h"
+
+#include <algorithm>
+
+#include <nlohmann/json.hpp>
+
+#include "server/frame.h"
+#include "server/rpc.h"
+#include "server/scene_message.h"
+
+namespace thenar {
+namespace {
+
+constexpr std::chrono::microseconds kFrame{16'667};   // between two frames
+constexpr std::chrono::milliseconds kClockTick{100};  // between two states that differ in time
+constexpr auto kNever = Publisher::Clock::time_point::max();
+
+bool is_watched(const EngineClients& clients) {
+  return std::any_of(clients.begin(), clients.end(),
+                     [](const auto& client) { return client->watches(); });
+}
+
+/// A state without the time of a motion, which changes at every step.
+OrderedJson timeless(OrderedJson state) {
+  if (state.is_object() && state["motion"].is_object()) state["motion"]["t"] = nullptr;
+  return state;
+}
+
+}  // namespace
+
+void tell_watchers(const EngineClients& clients, const std::string& text) {
+  const auto shared = std::make_shared<const std::string>(text);
+  for (const auto& client : clients)
+    if (client->watches()) client->tell(shared);
+}
+
+void Publisher::tell_all() {
+  told_ = false;
+  next_ = {};
+}
+
+Publisher::Clock::time_point Publisher::publish(Session& session, const EngineClients& clients) {
+  if (!is_watched(clients)) return kNever;
+  const LiveModel* model = session.shown();
+  const bool moved = model != nullptr && model->changes() != changes_;
+  const bool pictured = !told_ || moved || session.revision() != revision_;
+  // Too soon: whoever calls comes again when it is time, and sends the latest then.
+  const auto now = Clock::now();
+  if (pictured && now < next_) return next_;
+  if (pictured) {
+    next_ = now + kFrame;
+    publish_picture(session, clients);
+  }
+  const auto again = publish_state(session, clients);
+  told_ = true;
+  return again;
+}
+
+void Publisher::publish_picture(Session& session, const EngineClients& clients) {
+  const LiveModel* model = session.shown();
+  const bool new_scene = !told_ || session.revision() != revision_;
+  // Remembered before anything is made, so that a picture that fails is not tried again for ever.
+  revision_ = session.revision();
+  changes_ = model == nullptr ? 0 : model->changes();
+  if (new_scene) tell_watchers(clients, rpc_notification("scene", scene_message(session)));
+  if (model == nullptr) return;
+  const LiveInstant instant = model->instant();
+  check_instant(model->shape(), instant);
+  const auto frame = std::make_shared<const std::string>(
+      encode_frame(instant, static_cast<std::uint32_t>(revision_), ++sequence_));
+  for (const auto& client : clients)
+    if (client->watches()) client->show(frame);
+}
+
+Publisher::Clock::time_point Publisher::publish_state(const Session& session,
+                                                      const EngineClients& clients) {
+  OrderedJson state = state_message(session, clients.size());
+  const std::lock_guard<std::mutex> lock(state_mutex_);
+  if (told_ && state == state_) return kNever;
+  // Time alone is told ten times a second; frames carry it, too.
+  const auto now = Clock::now();
+  const auto due = state_at_ + kClockTick;
+  if (told_ && now < due && timeless(state) == timeless(state_)) return due;
+  state_ = std::move(state);
+  state_at_ = now;
+  tell_watchers(clients, rpc_notification("state", state_));
+  return kNever;
+}
+
+void Publisher::tell_busy(const EngineClients& clients, const std::string& text) {
+  const std::lock_guard<std::mutex> lock(state_mutex_);
+  if (!state_.is_object() || state_["busy"] == text) return;
+  state_["busy"] = text;
+  tell_watchers(clients, rpc_notification("state", state_));
+}
+
+}  // namespace thenar
