@@ -159,7 +159,7 @@ FENCES = {
 # Everywhere: Eigen, fmt, the standard library, POSIX, processor intrinsics.
 ANYWHERE = (r"Eigen/.*|fmt/.*|[a-z_0-9]+"
             r"|(unistd|fcntl|dlfcn|poll|pthread|spawn|immintrin|cpuid)\.h"
-            r"|sys/(file|resource|stat|prctl|wait)\.h")
+            r"|sys/(file|random|resource|stat|prctl|wait)\.h")
 
 
 def one_of(name, prefixes):

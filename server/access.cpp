@@ -1,0 +1,106 @@
+#include "server/access.h"
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+
+#include <fmt/format.h>
+#include <sys/random.h>
+
+#include "base/error.h"
+
+namespace thenar {
+namespace {
+
+constexpr std::size_t kLeastToken = 16;  // characters
+
+/// IPv6 addresses stand in brackets where a port follows.
+std::string in_url(const std::string& address) {
+  return address.find(':') == std::string::npos ? address : "[" + address + "]";
+}
+
+bool is_everywhere(const std::string& address) { return address == "0.0.0.0" || address == "::"; }
+
+/// Whether a name is made of digits and dots, or is in brackets: no name that DNS is asked for.
+bool is_numeric(const std::string& name) {
+  if (name.size() > 2 && name.front() == '[' && name.back() == ']') return true;
+  return !name.empty() && std::all_of(name.begin(), name.end(), [](unsigned char c) {
+    return std::isdigit(c) != 0 || c == '.';
+  });
+}
+
+}  // namespace
+
+bool is_loopback(const std::string& address) {
+  return address == "::1" || (address.rfind("127.", 0) == 0 && is_numeric(address));
+}
+
+void require_safe(const ServerAccess& access) {
+  require(is_loopback(access.address) || !access.token.empty(),
+          "--bind {} lets other machines in: wanted --token TEXT or --token auto as well",
+          access.address);
+  if (access.token.empty()) return;
+  require(access.token.size() >= kLeastToken, "--token: wanted at least {} characters, got {}",
+          kLeastToken, access.token.size());
+  require(std::all_of(access.token.begin(), access.token.end(),
+                      [](unsigned char c) {
+                        return (std::isalnum(c) != 0 && c < 0x80) || c == '-' || c == '_';
+                      }),
+          "--token: wanted letters, digits, '-' and '_' alone");
+}
+
+std::string random_token() {
+  std::array<unsigned char, 16> bytes{};
+  require(getrandom(bytes.data(), bytes.size(), 0) == static_cast<ssize_t>(bytes.size()),
+          "the machine gives no random numbers for a token: wanted --token TEXT");
+  std::string token;
+  for (const unsigned char byte : bytes) token += fmt::format("{:02x}", byte);
+  return token;
+}
+
+bool same_token(const std::string& a, const std::string& b) {
+  // All of b is looked at, whatever a is.
+  unsigned char differ = a.size() == b.size() ? 0 : 1;
+  for (std::size_t i = 0; i < b.size(); ++i)
+    differ |= static_cast<unsigned char>(a.empty() ? 1 : a[i % a.size()] ^ b[i]);
+  return differ == 0;
+}
+
+std::string url_of(const ServerAccess& access, int port) {
+  const std::string& address = access.address;
+  const std::string reachable =
+      address == "0.0.0.0" ? "127.0.0.1" : (address == "::" ? "::1" : address);
+  return fmt::format("http://{}:{}", in_url(reachable), port);
+}
+
+bool is_host_ours(const ServerAccess& access, int port, const std::string& host) {
+  const std::string ending = fmt::format(":{}", port);
+  if (host.size() <= ending.size() ||
+      host.compare(host.size() - ending.size(), ending.size(), ending) != 0)
+    return false;
+  const std::string name = host.substr(0, host.size() - ending.size());
+  if (name == in_url(access.address)) return true;
+  if (is_everywhere(access.address)) return is_numeric(name) || name == "localhost";
+  return is_loopback(access.address) &&
+         (name == "localhost" || name == "127.0.0.1" || name == "[::1]");
+}
+
+bool is_origin_ours(const std::string& origin, const std::string& host) {
+  return origin.empty() || origin == "http://" + host;
+}
+
+std::string value_in(const std::string& list, char separator, const std::string& name) {
+  std::size_t begin = 0;
+  while (begin < list.size()) {
+    std::size_t end = list.find(separator, begin);
+    if (end == std::string::npos) end = list.size();
+    while (begin < end && list[begin] == ' ') ++begin;
+    const std::size_t equals = list.find('=', begin);
+    if (equals < end && list.compare(begin, equals - begin, name) == 0)
+      return list.substr(equals + 1, end - equals - 1);
+    begin = end + 1;
+  }
+  return "";
+}
+
+}  // namespace thenar

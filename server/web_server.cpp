@@ -1,0 +1,363 @@
+#include "server/web_server.h"
+
+#include <chrono>
+#include <deque>
+#include <optional>
+#include <set>
+#include <thread>
+#include <utility>
+#include <vector>
+
+#include <fmt/format.h>
+#include <boost/asio.hpp>
+#include <boost/beast/core.hpp>
+#include <boost/beast/http.hpp>
+#include <boost/beast/websocket.hpp>
+
+#include "base/error.h"
+#include "server/web_pages.h"
+
+namespace thenar {
+namespace {
+
+namespace asio = boost::asio;
+namespace beast = boost::beast;
+namespace http = boost::beast::http;
+namespace websocket = boost::beast::websocket;
+using tcp = asio::ip::tcp;
+
+constexpr std::size_t kLongestMessage = 80UL << 20U;  // of a WebSocket; ours refuses less than that
+constexpr std::size_t kMostWaiting = 64UL << 20U;     // in either direction [bytes]
+constexpr std::size_t kMostAsked = 256;               // requests without a reply; then it waits
+constexpr std::size_t kMostConnections = 256;
+constexpr std::chrono::seconds kRequestTime{30};     // that a request may take to arrive
+constexpr std::chrono::milliseconds kFarewell{300};  // that texts have to leave at the end
+
+using Request = http::request<http::string_body>;
+using Response = http::response<http::string_body>;
+
+class WebPeer;
+
+/// What all connections of a server share. It holds the context that they run on, so that one which
+/// the engine still knows does not outlive it.
+struct Web {
+  Web(Engine& the_engine, ServerAccess the_access)
+      : engine(the_engine), access(std::move(the_access)) {}
+
+  Engine& engine;
+  ServerAccess access;
+  asio::io_context context{1};
+  int port = 0;
+  std::set<WebPeer*> peers;
+};
+
+/// A connection, known to its server for as long as it lives.
+class WebPeer {
+ public:
+  explicit WebPeer(std::shared_ptr<Web> web) : web_(std::move(web)) { web_->peers.insert(this); }
+  virtual ~WebPeer() { web_->peers.erase(this); }
+  WebPeer(const WebPeer&) = delete;
+  WebPeer& operator=(const WebPeer&) = delete;
+
+  /// Ends when all is sent.
+  virtual void finish() = 0;
+  /// Ends now.
+  virtual void drop() = 0;
+  [[nodiscard]] const std::shared_ptr<Web>& web() const { return web_; }
+
+ private:
+  std::shared_ptr<Web> web_;
+};
+
+std::string header_of(const Request& request, http::field field) {
+  const beast::string_view text = request[field];
+  return {text.data(), text.size()};
+}
+
+WebQuestion question_of(const Request& request) {
+  return {{request.method_string().data(), request.method_string().size()},
+          {request.target().data(), request.target().size()},
+          header_of(request, http::field::host),
+          header_of(request, http::field::origin),
+          header_of(request, http::field::cookie)};
+}
+
+// A page that is connected. All members are used by the server's thread; what the engine calls
+// hands over to it.
+class WebClient final : public EngineClient,
+                        public WebPeer,
+                        public std::enable_shared_from_this<WebClient> {
+ public:
+  WebClient(tcp::socket socket, std::shared_ptr<Web> web)
+      : WebPeer(std::move(web)), stream_(std::move(socket)) {}
+
+  void accept(const Request& request) {
+    // A page may be quiet for days; the system finds out whether its machine is gone.
+    websocket::stream_base::timeout times{kRequestTime, websocket::stream_base::none(), false};
+    stream_.set_option(times);
+    stream_.read_message_max(kLongestMessage);
+    beast::error_code ignored;
+    stream_.next_layer().set_option(asio::socket_base::keep_alive(true), ignored);
+    auto kept = std::make_shared<Request>(request);
+    stream_.async_accept(*kept, [self = shared_from_this(), kept](beast::error_code error) {
+      if (!error) self->begin();
+    });
+  }
+
+  void reply(std::string text) override {
+    asio::post(stream_.get_executor(), [self = shared_from_this(), text = std::move(text)] {
+      if (!text.empty()) self->put(std::make_shared<const std::string>(text));
+      self->on_answered();
+    });
+  }
+  void tell(std::shared_ptr<const std::string> text) override {
+    asio::post(stream_.get_executor(),
+               [self = shared_from_this(), text = std::move(text)] { self->put(text); });
+  }
+  void show(std::shared_ptr<const std::string> frame) override {
+    asio::post(stream_.get_executor(), [self = shared_from_this(), frame = std::move(frame)] {
+      self->frame_ = frame;
+      self->write();
+    });
+  }
+  [[nodiscard]] bool watches() const override { return true; }
+
+  void finish() override {
+    finishing_ = true;
+    write();
+  }
+  void drop() override {
+    beast::error_code ignored;
+    stream_.next_layer().close(ignored);
+    leave();
+  }
+
+ private:
+  void begin() {
+    beast::error_code ignored;
+    stream_.next_layer().set_option(tcp::no_delay(true), ignored);
+    try {
+      number_ = web()->engine.join(shared_from_this());
+    } catch (const InputError& error) {
+      stream_.async_close({websocket::close_code::try_again_later, error.what()},
+                          [self = shared_from_this()](beast::error_code) {});
+      return;
+    }
+    read();
+  }
+
+  void read() {
+    stream_.async_read(buffer_, [self = shared_from_this()](beast::error_code error, std::size_t) {
+      if (error) return self->leave();
+      self->on_message();
+    });
+  }
+
+  void on_message() {
+    std::string message = beast::buffers_to_string(buffer_.data());
+    buffer_ = {};  // a long message does not keep its memory
+    ++asked_;
+    asked_bytes_ += message.size();
+    web()->engine.receive(number_, std::move(message));
+    if (asked_ < kMostAsked && asked_bytes_ < kMostWaiting) return read();
+    paused_ = true;
+  }
+
+  void on_answered() {
+    --asked_;
+    if (asked_ == 0) asked_bytes_ = 0;
+    if (!paused_ || asked_ > kMostAsked / 2 || asked_bytes_ >= kMostWaiting) return;
+    paused_ = false;
+    if (number_ > 0) read();
+  }
+
+  void put(std::shared_ptr<const std::string> text) {
+    if (number_ < 0) return;
+    waiting_ += text->size();
+    texts_.push_back(std::move(text));
+    // Nobody reads at the other end.
+    if (waiting_ > kMostWaiting) return drop();
+    write();
+  }
+
+  void write() {
+    if (writing_ || number_ < 0) return;
+    std::shared_ptr<const std::string> next;
+    if (!texts_.empty()) {
+      next = std::move(texts_.front());
+      texts_.pop_front();
+      waiting_ -= next->size();
+      stream_.text(true);
+    } else if (frame_ != nullptr) {
+      next = std::exchange(frame_, nullptr);
+      stream_.binary(true);
+    } else if (finishing_) {
+      writing_ = true;
+      stream_.async_close({websocket::close_code::going_away, "the server ends"},
+                          [self = shared_from_this()](beast::error_code) {});
+      return;
+    } else {
+      return;
+    }
+    writing_ = true;
+    stream_.async_write(asio::buffer(*next),
+                        [self = shared_from_this(), next](beast::error_code error, std::size_t) {
+                          self->writing_ = false;
+                          if (error) return self->leave();
+                          self->write();
+                        });
+  }
+
+  void leave() {
+    if (number_ < 0) return;
+    web()->engine.leave(number_);
+    number_ = -1;
+    texts_.clear();
+    frame_.reset();
+  }
+
+  websocket::stream<tcp::socket> stream_;
+  beast::flat_buffer buffer_;
+  int number_ = 0;  // of the engine; -1: gone
+  std::size_t asked_ = 0, asked_bytes_ = 0, waiting_ = 0;
+  bool paused_ = false, writing_ = false, finishing_ = false;
+  std::deque<std::shared_ptr<const std::string>> texts_;
+  std::shared_ptr<const std::string> frame_;  // the latest
+};
+
+/// A connection that asks for files, until it becomes a WebSocket.
+class WebConnection final : public WebPeer, public std::enable_shared_from_this<WebConnection> {
+ public:
+  WebConnection(tcp::socket socket, std::shared_ptr<Web> web)
+      : WebPeer(std::move(web)), stream_(std::move(socket)) {}
+
+  void finish() override { drop(); }
+  void drop() override { stream_.close(); }
+
+  void read() {
+    parser_.emplace();
+    parser_->body_limit(1024);
+    stream_.expires_after(kRequestTime);
+    http::async_read(stream_, buffer_, *parser_,
+                     [self = shared_from_this()](beast::error_code error, std::size_t) {
+                       if (!error) self->on_request();
+                     });
+  }
+
+ private:
+  void on_request() {
+    const Request& request = parser_->get();
+    const WebQuestion question = question_of(request);
+    const ServerAccess& access = web()->access;
+    if (path_of(question) != "/ws" || !websocket::is_upgrade(request))
+      return write(answer_to(access, web()->port, question,
+                             [this](const std::string& id) { return web()->engine.mesh(id); }));
+    if (auto refused = socket_refusal_of(access, web()->port, question))
+      return write(*std::move(refused));
+    stream_.expires_never();
+    std::make_shared<WebClient>(stream_.release_socket(), web())->accept(request);
+  }
+
+  void write(WebAnswer answer) {
+    const Request& request = parser_->get();
+    Response response(static_cast<http::status>(answer.status), 11);
+    for (const auto& [name, value] : answer.headers) response.set(name, value);
+    response.set(http::field::server, "thenar");
+    response.body() = std::move(answer.body);
+    response.keep_alive(request.keep_alive());
+    response.prepare_payload();
+    // HEAD is told the length, and nothing else.
+    if (request.method() == http::verb::head) response.body().clear();
+    auto kept = std::make_shared<Response>(std::move(response));
+    stream_.expires_after(kRequestTime);
+    http::async_write(stream_, *kept,
+                      [self = shared_from_this(), kept](beast::error_code error, std::size_t) {
+                        if (error) return;
+                        if (kept->keep_alive()) return self->read();
+                        self->stream_.socket().shutdown(tcp::socket::shutdown_send, error);
+                      });
+  }
+
+  beast::tcp_stream stream_;
+  beast::flat_buffer buffer_;
+  std::optional<http::request_parser<http::string_body>> parser_;
+};
+
+}  // namespace
+
+class WebServer::Network {
+ public:
+  Network(Engine& engine, const ServerAccess& access)
+      : web_(std::make_shared<Web>(engine, access)),
+        acceptor_(web_->context),
+        pause_(web_->context) {
+    try {
+      const tcp::endpoint end(asio::ip::make_address(access.address),
+                              static_cast<unsigned short>(access.port));
+      acceptor_.open(end.protocol());
+      acceptor_.set_option(asio::socket_base::reuse_address(true));
+      acceptor_.bind(end);
+      acceptor_.listen();
+      web_->port = acceptor_.local_endpoint().port();
+    } catch (const boost::system::system_error& error) {
+      throw InputError(fmt::format("cannot listen at {}, port {}: {}; --port 0 takes a free one",
+                                   access.address, access.port, error.code().message()));
+    }
+    accept();
+    thread_ = std::thread([this] { web_->context.run(); });
+  }
+
+  ~Network() {
+    asio::steady_timer patience(web_->context);
+    asio::post(web_->context, [&] {
+      beast::error_code ignored;
+      acceptor_.close(ignored);
+      pause_.cancel();
+      const std::set<WebPeer*> peers = web_->peers;
+      for (WebPeer* peer : peers) peer->finish();
+      // What has not left by then is cut off, and the thread has nothing left to do.
+      patience.expires_after(kFarewell);
+      patience.async_wait([this](beast::error_code) { drop_all(); });
+    });
+    thread_.join();
+  }
+
+  Network(const Network&) = delete;
+  Network& operator=(const Network&) = delete;
+
+  [[nodiscard]] int port() const { return web_->port; }
+
+ private:
+  void drop_all() {
+    const std::set<WebPeer*> peers = web_->peers;
+    for (WebPeer* peer : peers) peer->drop();
+  }
+
+  void accept() {
+    acceptor_.async_accept([this](beast::error_code error, tcp::socket socket) {
+      if (!acceptor_.is_open()) return;
+      if (!error && web_->peers.size() < kMostConnections)
+        std::make_shared<WebConnection>(std::move(socket), web_)->read();
+      if (!error) return accept();
+      // No file is left for a connection: it is tried again in a while.
+      pause_.expires_after(std::chrono::milliseconds(50));
+      pause_.async_wait([this](beast::error_code stopped) {
+        if (!stopped) accept();
+      });
+    });
+  }
+
+  std::shared_ptr<Web> web_;
+  tcp::acceptor acceptor_;
+  asio::steady_timer pause_;
+  std::thread thread_;
+};
+
+WebServer::WebServer(Engine& engine, const ServerAccess& access)
+    : network_(std::make_unique<Network>(engine, access)) {}
+
+WebServer::~WebServer() = default;
+
+int WebServer::port() const { return network_->port(); }
+
+}  // namespace thenar
