@@ -1,7 +1,156 @@
+// session.*, catalogue.* and picture.*: the session itself, names, and what is shown as data.
+
+#include <algorithm>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include "api/live/live_abilities.h"
+#include "api/named/catalogue.h"
+#include "base/provenance.h"
+#include "report/answers/catalogue.h"
+#include "server/frame.h"
+#include "server/gltf.h"
 #include "server/methods/method_table.h"
+#include "server/scene_message.h"
 
 namespace thenar::internal {
+namespace {
 
-void add_session_methods(MethodTable& /*table*/) {}
+constexpr int kProtocol = 1;  // goes up where a client of before would fail
+
+OrderedJson hello(Session& session, const Json& /*params*/, const Progress& /*progress*/) {
+  OrderedJson mode;
+  if (session.shown() != nullptr) mode = session.mode_name();
+  const auto* edits = session.find<LiveEdits>(LiveMode::kWorld);
+  return {{"program", "thenar"},
+          {"version", versions().at("thenar")},
+          {"protocol", kProtocol},
+          {"mode", mode},
+          {"world", edits == nullptr ? OrderedJson() : OrderedJson(edits->edit_state().name)}};
+}
+
+OrderedJson methods(Session& /*session*/, const Json& /*params*/, const Progress& /*progress*/) {
+  OrderedJson list = OrderedJson::array();
+  const MethodTable table = method_table();
+  for (const RpcMethod& method : table.all())
+    list.push_back({{"name", method.name},
+                    {"about", method.about},
+                    {"params", json_schema(method.params)},
+                    {"returns", method.returns},
+                    {"example", OrderedJson::parse(method.example)}});
+  return list;
+}
+
+/// In a batch, behind other requests, nothing runs that it could stop.
+OrderedJson stop(Session& /*session*/, const Json& /*params*/, const Progress& /*progress*/) {
+  return {{"asked", false}};
+}
+
+OrderedJson undo(Session& session, const Json& /*params*/, const Progress& /*progress*/) {
+  return {{"did", session.model<LiveEdits>(LiveMode::kWorld).undo()}};
+}
+
+OrderedJson redo(Session& session, const Json& /*params*/, const Progress& /*progress*/) {
+  return {{"did", session.model<LiveEdits>(LiveMode::kWorld).redo()}};
+}
+
+OrderedJson show_mode(Session& session, const Json& params, const Progress& /*progress*/) {
+  const auto& names = live_mode_names();
+  const auto found = std::find(names.begin(), names.end(), params["mode"].get<std::string>());
+  session.show(static_cast<LiveMode>(found - names.begin()));
+  return {{"mode", session.mode_name()}};
+}
+
+OrderedJson log_text(Session& session, const Json& /*params*/, const Progress& /*progress*/) {
+  return {{"log", session.log().text()}};
+}
+
+OrderedJson catalogue(Session& session, const Json& params, const Progress& /*progress*/) {
+  CatalogueRequest request;
+  request.what = params.value("what", "");
+  request.of = params.value("of", "");
+  request.data = session.places().data;
+  const Catalogue found = list_names(request);
+  return {{"entries", json_of(found)}, {"warnings", found.warnings}};
+}
+
+const LiveModel& shown(const Session& session) {
+  require(
+      session.shown() != nullptr,
+      "nothing is shown yet: call world.new, world.load, motion.open, tendons.open or fit.open");
+  return *session.shown();
+}
+
+OrderedJson picture_scene(Session& session, const Json& /*params*/, const Progress& /*progress*/) {
+  return scene_message(session);
+}
+
+OrderedJson picture_instant(Session& session, const Json& /*params*/,
+                            const Progress& /*progress*/) {
+  const LiveModel& model = shown(session);
+  const LiveInstant instant = model.instant();
+  check_instant(model.shape(), instant);
+  return frame_json(model.shape(), instant, session.revision());
+}
+
+OrderedJson picture_gltf(Session& session, const Json& /*params*/, const Progress& /*progress*/) {
+  const LiveModel& model = shown(session);
+  const LiveInstant instant = model.instant();
+  check_instant(model.shape(), instant);
+  return {{"gltf", gltf_text(model.shape(), instant)}};
+}
+
+void add_picture_methods(MethodTable& table) {
+  table.add(
+      {"picture.scene", "Gives what of the picture never moves, as pages are sent it.",
+       object_schema({}),
+       "revision, mode, up, eye and target [m], bodies, joints, lines, arrows, clouds; meshes "
+       "by the id under which GET /mesh/ID has them",
+       "{}", picture_scene});
+  table.add({"picture.instant", "Gives what of the picture moves, at this instant.",
+             object_schema({}),
+             "revision, time [s]; bodies with position [m] and rotation [w, x, y, z]; joints with "
+             "value [rad or m]; lines with tension [N] and points [m]; contacts with point [m], "
+             "normal, force [N] and friction; arrows with from [m] and vector",
+             "{}", picture_instant});
+  table.add({"picture.gltf", "Gives the picture at this instant as glTF 2.0, for other programs.",
+             object_schema({}),
+             "gltf: a text to be saved as .gltf; y is up in it, lengths are in m", "{}",
+             picture_gltf});
+}
+
+}  // namespace
+
+void add_session_methods(MethodTable& table) {
+  table.add({"session.hello", "Says who is there; where a token is wanted, the first request.",
+             object_schema({{"token", text_schema(200), "As it was printed at the start."}}),
+             "program, version, protocol (1), mode and world (null: none yet)", "{}", hello});
+  table.add({"session.methods", "Lists all methods with what they take.", object_schema({}),
+             "a list of name, about, params (JSON Schema, units as x-unit), returns, example", "{}",
+             methods});
+  table.add(
+      {"session.stop",
+       "Asks the request that runs to stop and keep what it has; it does not wait for others.",
+       object_schema({}), "asked: whether one was running", "{}", stop});
+  table.add({"session.undo", "Takes back the last edit of the world.", object_schema({}),
+             "did: what was undone", "{}", undo});
+  table.add({"session.redo", "Does again what was undone last.", object_schema({}),
+             "did: what was done again", "{}", redo});
+  table.add({"session.mode", "Shows the world, the motion, the digit or the fit that is open.",
+             object_schema({{"mode", word_schema(live_mode_names()), "Which.", true, nullptr}}),
+             "mode", R"({"mode": "world"})", show_mode});
+  table.add({"session.log", "Gives all requests so far, as thenar serve --replay takes them.",
+             object_schema({}),
+             "log: lines of JSON, each with client, request and the SHA-256 of its reply", "{}",
+             log_text});
+  table.add({"catalogue.list", "Lists names that other methods take.",
+             object_schema({{"what", word_schema(catalogue_words()),
+                             "Which kind; all but parts of subjects if left out."},
+                            {"of", text_schema(), "Subject, or robot, whose parts are listed."}}),
+             "entries: kind, name, about, source, file; warnings", R"({"what": "worlds"})",
+             catalogue});
+  add_picture_methods(table);
+}
 
 }  // namespace thenar::internal
