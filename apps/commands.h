@@ -27,5 +27,6 @@ void add_study(CLI::App& app);
 void add_tendon(CLI::App& app);
 void add_tip_force(CLI::App& app);
 void add_validate(CLI::App& app);
+void add_view(CLI::App& app);
 
 }  // namespace thenar

@@ -111,6 +111,7 @@ int run_command(int argc, char** argv) {
   add_grasp(app);
   add_close(app);
   add_compare(app);
+  add_view(app);
   add_import(app);
   add_demo(app);
   add_rerun(app);

@@ -1,0 +1,106 @@
+#include "apps/live.h"
+
+#include <algorithm>
+#include <array>
+#include <chrono>
+#include <thread>
+#include <utility>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include "api/named/files.h"
+#include "api/named/things.h"
+#include "apps/options.h"
+#include "apps/terminal.h"
+#include "base/file_io.h"
+#include "base/interrupt.h"
+#include "server/methods/method_table.h"
+
+namespace thenar {
+namespace {
+
+constexpr std::chrono::milliseconds kLook{20};  // between two looks for a signal
+
+/// What opens a file of a kind, and what its parameter is called.
+struct Opening {
+  const char* kind;
+  const char* method;
+  const char* param;
+};
+
+constexpr std::array<Opening, 10> kOpenings{{{"world", "world.load", "world"},
+                                             {"robot", "world.add_hand", "hand"},
+                                             {"object", "world.add_object", "object"},
+                                             {"mesh", "world.add_object", "object"},
+                                             {"scene", "motion.open", "scene"},
+                                             {"subject", "tendons.open", "subject"},
+                                             {"scene run", "motion.record", "file"},
+                                             {"motion", "motion.record", "file"},
+                                             {"fit", "fit.open", "file"},
+                                             {"posterior", "fit.open", "file"}}};
+
+}  // namespace
+
+void add_live_options(CLI::App& command, LiveArguments& arguments, int count) {
+  command
+      .add_option(
+          "file", arguments.files,
+          "World, hand, object, mesh, scene, subject, run, fit or posterior, by file or name")
+      ->expected(0, count);
+  command.add_option("--port", arguments.access.port, "Port of the page; 0 takes a free one")
+      ->check(CLI::Range(0, 65535));
+  command.add_option("--bind", arguments.access.address,
+                     "Address to listen at; other machines need --token");
+  command.add_option("--token", arguments.access.token,
+                     "What clients have to show: a text, or auto, which makes and prints one");
+  command.add_option("--log", arguments.log,
+                     "File that every request is written to; `serve --replay` repeats them");
+  add_data_option(command, arguments.data);
+}
+
+OpeningRequest opening_request(const std::string& name, const std::string& data) {
+  // Versions of human hands are no files: "human:tendons".
+  if (name.rfind("human", 0) == 0 && !is_file(name)) return {"world.add_hand", {{"hand", name}}};
+  const std::string path = named_thing(name, data);
+  const std::string kind = contents_of(path).kind;
+  const auto* const found =
+      std::find_if(kOpenings.begin(), kOpenings.end(),
+                   [&](const Opening& opening) { return kind == opening.kind; });
+  require(found != kOpenings.end(),
+          "{}: wanted a world, hand, object, mesh, scene, subject, run, fit or posterior{}", path,
+          kind.empty() ? "" : ", got " + kind);
+  return {found->method, {{found->param, path}}};
+}
+
+ServerAccess checked_access(const LiveArguments& arguments) {
+  ServerAccess access = arguments.access;
+  if (access.token == "auto") access.token = random_token();
+  require_safe(access);
+  return access;
+}
+
+std::unique_ptr<Engine> open_engine(const LiveArguments& arguments, const Progress& progress) {
+  EngineOptions options;
+  options.log = arguments.log;
+  options.on_trouble = [](const std::string& text) { print_warnings({text}); };
+  SessionPlaces places;
+  places.data = arguments.data;
+  MethodTable table = method_table();
+  const bool begins_empty = arguments.files.empty() && table.has("world.new");
+  auto engine = std::make_unique<Engine>(std::move(table), std::move(places), std::move(options));
+  if (begins_empty) (void)engine->ask("world.new", Json::object());
+  for (const std::string& file : arguments.files) {
+    const OpeningRequest request = opening_request(file, arguments.data);
+    const OrderedJson result = engine->ask(request.method, request.params, progress);
+    if (!result.is_object() || !result.contains("warnings")) continue;
+    print_warnings(result["warnings"].get<std::vector<std::string>>());
+  }
+  return engine;
+}
+
+void wait_for_end(const std::function<bool()>& ended) {
+  while (!interrupted() && !(ended && ended())) std::this_thread::sleep_for(kLook);
+}
+
+}  // namespace thenar

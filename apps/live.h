@@ -1,0 +1,54 @@
+#pragma once
+
+/// What `thenar view` and `thenar serve` have in common: options, and how files are opened.
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include <CLI/CLI.hpp>
+
+#include "base/progress.h"
+#include "report/json.h"
+#include "server/access.h"
+#include "server/engine.h"
+
+namespace thenar {
+
+/// Options of both commands.
+struct LiveArguments {
+  std::vector<std::string> files;  // files or names
+  ServerAccess access;
+  std::string log;   // file; empty: none
+  std::string data;  // folder with worlds/ ..; empty: the usual ones
+};
+
+/// FILE, --port, --bind, --token, --log, --data.
+/// @param count  how many files there may be
+void add_live_options(CLI::App& command, LiveArguments& arguments, int count);
+
+/// A request in the name of the program.
+struct OpeningRequest {
+  std::string method;
+  Json params;
+};
+
+/// What a client would ask for to see a file or a name: a world, hand, object, scene, subject, run,
+/// fit or posterior.
+/// @param data  folder with worlds/ ..; empty: the usual ones
+/// @throws InputError if it is none of these, or not to be found.
+[[nodiscard]] OpeningRequest opening_request(const std::string& name, const std::string& data);
+
+/// Makes a token where one is wanted, and checks that no other machine comes in without.
+/// @throws InputError as require_safe()
+[[nodiscard]] ServerAccess checked_access(const LiveArguments& arguments);
+
+/// An engine that has opened all that was named.
+/// @throws InputError with what was refused, Stopped
+[[nodiscard]] std::unique_ptr<Engine> open_engine(const LiveArguments& arguments,
+                                                  const Progress& progress);
+
+/// Returns when Ctrl-C is pressed or SIGTERM comes, or `ended` says so.
+void wait_for_end(const std::function<bool()>& ended = {});
+
+}  // namespace thenar

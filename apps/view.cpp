@@ -1,0 +1,70 @@
+// thenar view [FILE ...] [--port N] [--no-open] [--remote PORT] [--bind ADDRESS --token TEXT]
+//
+// A page in the browser that shows worlds, motions, digits and fits, and moves them.
+
+#include <cstdio>
+#include <cstdlib>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include <fmt/format.h>
+#include <spawn.h>
+#include <sys/wait.h>
+
+#include "apps/commands.h"
+#include "apps/live.h"
+#include "apps/options.h"
+#include "apps/outputs.h"
+#include "apps/terminal.h"
+#include "server/web_server.h"
+
+extern char** environ;  // NOLINT(readability-redundant-declaration): POSIX has it nowhere else
+
+namespace thenar {
+namespace {
+
+struct ViewArguments {
+  LiveArguments live;
+  bool closed = false;  // no browser is opened
+};
+
+/// Lets the desktop open an address; where there is none, nothing happens.
+void open_browser(const std::string& address) {
+  if (std::getenv("DISPLAY") == nullptr && std::getenv("WAYLAND_DISPLAY") == nullptr) return;
+  std::string program = "xdg-open", argument = address;
+  std::vector<char*> words{program.data(), argument.data(), nullptr};
+  pid_t child = 0;
+  // It hands the address over and ends at once.
+  if (posix_spawnp(&child, program.c_str(), nullptr, nullptr, words.data(), environ) == 0)
+    waitpid(child, nullptr, 0);
+}
+
+void run_view(const ViewArguments& options) {
+  const Progress progress = terminal_progress();
+  const ServerAccess access = checked_access(options.live);
+  const auto engine = open_engine(options.live, progress);
+  const WebServer server(*engine, access);
+  const std::string address =
+      url_of(access, server.port()) + (access.token.empty() ? "/" : "/?token=" + access.token);
+  print_answer(address + "\n");
+  std::fflush(stdout);
+  if (!options.closed) open_browser(address);
+  wait_for_end();
+  engine->end("thenar was stopped");
+}
+
+}  // namespace
+
+void add_view(CLI::App& app) {
+  auto options = std::make_shared<ViewArguments>();
+  CLI::App* command = app.add_subcommand(
+      "view", "Show and move worlds, motions, digits and fits in the browser; Ctrl-C ends it");
+  add_live_options(*command, options->live, 100);
+  command->add_flag("--no-open", options->closed, "Print the address, and open no browser");
+  add_examples(*command, {"view", "view jaw_box", "view human:tendons --no-open",
+                          "view wine_glass --port 8080"});
+  command->callback([options] { run_view(*options); });
+}
+
+}  // namespace thenar

@@ -1,0 +1,195 @@
+"""Clients of a live server from the standard library alone: raw HTTP, WebSocket (RFC 6455), lines of TCP; and the server
+as a process that ends with the test."""
+import base64
+import json
+import os
+import pathlib
+import re
+import signal
+import socket
+import struct
+import subprocess
+import sys
+import time
+
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent.parent / "apps"))
+from patience import FACTOR  # noqa: E402: slower machines and sanitizers
+
+
+class Server:
+    """`thenar view` or `thenar serve` on free ports."""
+
+    def __init__(self, thenar, *words, remote=True, token=None):
+        self.process = subprocess.Popen([thenar, *words], stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
+        self.lines = [self.process.stdout.readline()]
+        found = re.search(r":(\d+)", self.lines[0])
+        if found is None:
+            raise AssertionError(f"no address: {self.lines} {self.process.stderr.read()}")
+        self.port, self.token = int(found[1]), token
+
+    def memory(self):
+        """Resident memory [kB]."""
+        status = pathlib.Path(f"/proc/{self.process.pid}/status").read_text()
+        return int(re.search(r"VmRSS:\s+(\d+)", status)[1])
+
+    def stop(self, number=signal.SIGINT):
+        """Ends it by a signal. Returns exit code, the rest of its output, and its errors."""
+        self.process.send_signal(number)
+        out, err = self.process.communicate(timeout=20)
+        return self.process.returncode, out, err
+
+    def __enter__(self):
+        return self
+
+    def __exit__(self, *_):
+        if self.process.poll() is None:
+            self.process.kill()
+            self.process.communicate()
+
+
+def connect(port, timeout=20):
+    found = socket.create_connection(("127.0.0.1", port), timeout=timeout * FACTOR)
+    found.setsockopt(socket.IPPROTO_TCP, socket.TCP_NODELAY, 1)
+    return found
+
+
+def http(port, target="/", host=None, method="GET", headers=()):
+    """(status, headers, body) of one request on a connection of its own."""
+    host = f"127.0.0.1:{port}" if host is None else host
+    with connect(port) as connection:
+        lines = [f"{method} {target} HTTP/1.1", f"Host: {host}", "Connection: close", *headers, "", ""]
+        connection.sendall("\r\n".join(lines).encode())
+        answer = b""
+        while more := connection.recv(65536):
+            answer += more
+    head, _, body = answer.partition(b"\r\n\r\n")
+    first, *rest = head.decode().split("\r\n")
+    return int(first.split()[1]), {k.lower(): v for k, _, v in (line.partition(": ") for line in rest)}, body
+
+
+class WebSocket:
+    """A WebSocket at /ws. Frames are (opcode, payload); texts and binary messages come whole."""
+
+    TEXT, BINARY, CLOSE, PING, PONG = 1, 2, 8, 9, 10
+
+    def __init__(self, port, host=None, origin=None, target="/ws", cookie=None):
+        self.connection = connect(port)
+        self.bytes = b""
+        self.last_id, self.kept = 0, []
+        host = f"127.0.0.1:{port}" if host is None else host
+        lines = [f"GET {target} HTTP/1.1", f"Host: {host}", "Upgrade: websocket", "Connection: Upgrade",
+                 "Sec-WebSocket-Version: 13", "Sec-WebSocket-Key: " + base64.b64encode(os.urandom(16)).decode()]
+        lines += [f"Origin: {origin}"] if origin else []
+        lines += [f"Cookie: {cookie}"] if cookie else []
+        self.connection.sendall("\r\n".join(lines + ["", ""]).encode())
+        while b"\r\n\r\n" not in self.bytes:
+            more = self.connection.recv(65536)
+            if not more:
+                raise ConnectionError("closed before it was a WebSocket")
+            self.bytes += more
+        head, _, self.bytes = self.bytes.partition(b"\r\n\r\n")
+        self.status = int(head.split()[1])
+
+    def send(self, payload, opcode=TEXT, final=True):
+        payload = payload.encode() if isinstance(payload, str) else payload
+        mask = b"\x37\xfa\x21\x3d"
+        head = bytes([(0x80 if final else 0) | opcode])
+        size = len(payload)
+        head += bytes([0x80 | size]) if size < 126 else (
+            bytes([0xFE]) + struct.pack(">H", size) if size < 65536 else bytes([0xFF]) + struct.pack(">Q", size))
+        key = int.from_bytes((mask * (size // 4 + 1))[:size], "big") if size else 0
+        masked = (int.from_bytes(payload, "big") ^ key).to_bytes(size, "big") if size else b""
+        self.connection.sendall(head + mask + masked)
+
+    def _take(self, count):
+        while len(self.bytes) < count:
+            more = self.connection.recv(1 << 20)
+            if not more:
+                raise ConnectionError("closed")
+            self.bytes += more
+        found, self.bytes = self.bytes[:count], self.bytes[count:]
+        return found
+
+    def receive(self):
+        """The next (opcode, payload); pings are answered."""
+        first, second = self._take(2)
+        size = second & 127
+        if size > 125:
+            size = int.from_bytes(self._take(2 if size == 126 else 8), "big")
+        payload = self._take(size)
+        if first & 15 == self.PING:
+            self.send(payload, self.PONG)
+            return self.receive()
+        return first & 15, payload
+
+    def ask(self, method, **params):
+        """The reply to a request; what else comes is kept in order in `kept`."""
+        self.last_id += 1
+        self.send(json.dumps({"jsonrpc": "2.0", "id": self.last_id, "method": method, "params": params}))
+        return self.reply_to(self.last_id)
+
+    def reply_to(self, number):
+        while True:
+            opcode, payload = self.receive()
+            if opcode == self.CLOSE:
+                raise ConnectionError(f"closed: {payload!r}")
+            message = json.loads(payload) if opcode == self.TEXT else payload
+            if opcode == self.TEXT and "method" not in message and message["id"] == number:
+                return message
+            self.kept.append(message)
+
+    def notification(self, method):
+        """The params of the next notification of a method, kept or yet to come."""
+        while True:
+            for i, message in enumerate(self.kept):
+                if isinstance(message, dict) and message.get("method") == method:
+                    return self.kept.pop(i)["params"]
+            opcode, payload = self.receive()
+            self.kept.append(json.loads(payload) if opcode == self.TEXT else payload)
+
+    def frame(self):
+        """The next frame, kept or yet to come."""
+        while True:
+            for i, message in enumerate(self.kept):
+                if isinstance(message, bytes):
+                    return self.kept.pop(i)
+            opcode, payload = self.receive()
+            self.kept.append(json.loads(payload) if opcode == self.TEXT else payload)
+
+    def close(self):
+        self.connection.close()
+
+
+class Lines:
+    """JSON-RPC as lines of TCP."""
+
+    def __init__(self, port):
+        self.connection = connect(port)
+        self.file = self.connection.makefile("rb")
+        self.last_id = 0
+
+    def send(self, text):
+        self.connection.sendall(text if isinstance(text, bytes) else text.encode())
+
+    def receive(self):
+        line = self.file.readline()
+        if not line:
+            raise ConnectionError("closed")
+        return json.loads(line)
+
+    def ask(self, method, **params):
+        self.last_id += 1
+        self.send(json.dumps({"jsonrpc": "2.0", "id": self.last_id, "method": method, "params": params}) + "\n")
+        return self.receive()
+
+    def close(self):
+        self.connection.close()
+
+
+def until(true, what, seconds=10):
+    """Waits until true() says so."""
+    end = time.monotonic() + seconds * FACTOR
+    while not true():
+        if time.monotonic() > end:
+            raise AssertionError("waited too long until " + what)
+        time.sleep(0.01)
