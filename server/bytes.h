@@ -12,9 +12,9 @@ namespace thenar {
 static_assert(__BYTE_ORDER__ == __ORDER_LITTLE_ENDIAN__, "bytes are written as they lie in memory");
 
 /// Bytes that grow number by number.
-class ByteWriter {
+class LittleEndian {
  public:
-  explicit ByteWriter(std::size_t expected) { bytes_.reserve(expected); }
+  explicit LittleEndian(std::size_t expected) { bytes_.reserve(expected); }
 
   /// Appends a number in the type that is named: `writer.add<float>(x)`, [m] or whatever x is in.
   template <typename Number, typename Value>

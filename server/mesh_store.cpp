@@ -19,7 +19,8 @@ std::string mesh_bytes(const TriangleMesh& mesh) {
   constexpr auto kMost = std::numeric_limits<std::uint32_t>::max();
   require(mesh.vertices.cols() <= kMost && mesh.triangles.cols() <= kMost,
           "a mesh of {} vertices is too large to be shown", mesh.vertices.cols());
-  ByteWriter out(static_cast<std::size_t>(8 + 12 * (mesh.vertices.cols() + mesh.triangles.cols())));
+  LittleEndian out(
+      static_cast<std::size_t>(8 + 12 * (mesh.vertices.cols() + mesh.triangles.cols())));
   out.add<std::uint32_t>(mesh.vertices.cols());
   out.add<std::uint32_t>(mesh.triangles.cols());
   for (const double coordinate : mesh.vertices.reshaped()) out.add<float>(coordinate);
