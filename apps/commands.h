@@ -22,6 +22,7 @@ void add_posterior(CLI::App& app);
 void add_predict(CLI::App& app);
 void add_quality(CLI::App& app);
 void add_rerun(CLI::App& app);
+void add_serve(CLI::App& app);
 void add_simulate(CLI::App& app);
 void add_study(CLI::App& app);
 void add_tendon(CLI::App& app);

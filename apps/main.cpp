@@ -112,6 +112,7 @@ int run_command(int argc, char** argv) {
   add_close(app);
   add_compare(app);
   add_view(app);
+  add_serve(app);
   add_import(app);
   add_demo(app);
   add_rerun(app);

@@ -1,4 +1,4 @@
-#include "apps/live.h"
+#include "apps/live/live_options.h"
 
 #include <algorithm>
 #include <array>
@@ -42,14 +42,15 @@ constexpr std::array<Opening, 10> kOpenings{{{"world", "world.load", "world"},
 
 }  // namespace
 
-void add_live_options(CLI::App& command, LiveArguments& arguments, int count) {
+CLI::Option* add_live_options(CLI::App& command, LiveArguments& arguments, int count,
+                              const std::string& port) {
   command
       .add_option(
           "file", arguments.files,
           "World, hand, object, mesh, scene, subject, run, fit or posterior, by file or name")
       ->expected(0, count);
-  command.add_option("--port", arguments.access.port, "Port of the page; 0 takes a free one")
-      ->check(CLI::Range(0, 65535));
+  CLI::Option* option = command.add_option("--port", arguments.access.port, port);
+  option->check(CLI::Range(0, 65535));
   command.add_option("--bind", arguments.access.address,
                      "Address to listen at; other machines need --token");
   command.add_option("--token", arguments.access.token,
@@ -57,6 +58,7 @@ void add_live_options(CLI::App& command, LiveArguments& arguments, int count) {
   command.add_option("--log", arguments.log,
                      "File that every request is written to; `serve --replay` repeats them");
   add_data_option(command, arguments.data);
+  return option;
 }
 
 OpeningRequest opening_request(const std::string& name, const std::string& data) {

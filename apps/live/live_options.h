@@ -23,9 +23,10 @@ struct LiveArguments {
   std::string data;  // folder with worlds/ ..; empty: the usual ones
 };
 
-/// FILE, --port, --bind, --token, --log, --data.
-/// @param count  how many files there may be
-void add_live_options(CLI::App& command, LiveArguments& arguments, int count);
+/// FILE, --port, --bind, --token, --log, --data. @returns --port
+/// @param count  how many files there may be;  @param port  what --port is for
+CLI::Option* add_live_options(CLI::App& command, LiveArguments& arguments, int count,
+                              const std::string& port);
 
 /// A request in the name of the program.
 struct OpeningRequest {

@@ -5,6 +5,7 @@
 #include <cstdio>
 #include <cstdlib>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -13,10 +14,11 @@
 #include <sys/wait.h>
 
 #include "apps/commands.h"
-#include "apps/live.h"
+#include "apps/live/live_options.h"
 #include "apps/options.h"
 #include "apps/outputs.h"
 #include "apps/terminal.h"
+#include "server/line_server.h"
 #include "server/web_server.h"
 
 extern char** environ;  // NOLINT(readability-redundant-declaration): POSIX has it nowhere else
@@ -26,7 +28,8 @@ namespace {
 
 struct ViewArguments {
   LiveArguments live;
-  bool closed = false;  // no browser is opened
+  bool closed = false;        // no browser is opened
+  std::optional<int> remote;  // port for programs
 };
 
 /// Lets the desktop open an address; where there is none, nothing happens.
@@ -45,9 +48,16 @@ void run_view(const ViewArguments& options) {
   const ServerAccess access = checked_access(options.live);
   const auto engine = open_engine(options.live, progress);
   const WebServer server(*engine, access);
+  std::optional<LineServer> remote;
+  if (options.remote) {
+    ServerAccess of_programs = access;
+    of_programs.port = *options.remote;
+    remote.emplace(*engine, of_programs);
+  }
   const std::string address =
       url_of(access, server.port()) + (access.token.empty() ? "/" : "/?token=" + access.token);
   print_answer(address + "\n");
+  if (remote) print_answer(fmt::format("programs: {}:{}\n", access.address, remote->port()));
   std::fflush(stdout);
   if (!options.closed) open_browser(address);
   wait_for_end();
@@ -60,10 +70,14 @@ void add_view(CLI::App& app) {
   auto options = std::make_shared<ViewArguments>();
   CLI::App* command = app.add_subcommand(
       "view", "Show and move worlds, motions, digits and fits in the browser; Ctrl-C ends it");
-  add_live_options(*command, options->live, 100);
+  add_live_options(*command, options->live, 100, "Port of the page; 0 takes a free one");
+  command
+      ->add_option("--remote", options->remote,
+                   "Port at which programs control what the page shows; 0 takes a free one")
+      ->check(CLI::Range(0, 65535));
   command->add_flag("--no-open", options->closed, "Print the address, and open no browser");
   add_examples(*command, {"view", "view jaw_box", "view human:tendons --no-open",
-                          "view wine_glass --port 8080"});
+                          "view wine_glass --port 8080", "view jaw_box --remote 8081"});
   command->callback([options] { run_view(*options); });
 }
 

@@ -1,0 +1,57 @@
+#include "server/lines.h"
+
+#include <cctype>
+#include <utility>
+
+namespace thenar {
+namespace {
+
+bool is_blank(const std::string& text) {
+  return text.find_first_not_of(" \t\r\n") == std::string::npos;
+}
+
+}  // namespace
+
+void LineSplitter::add(const char* bytes, std::size_t count) {
+  // What was given out is let go, now and then rather than line by line.
+  if (begin_ > 0) {
+    bytes_.erase(0, begin_);
+    looked_ -= begin_;
+    begin_ = 0;
+  }
+  bytes_.append(bytes, count);
+}
+
+std::optional<SplitLine> LineSplitter::next() {
+  while (true) {
+    const std::size_t end = bytes_.find('\n', looked_);
+    if (end == std::string::npos) {
+      looked_ = bytes_.size();
+      if (!dropping_ && looked_ - begin_ <= most_) return std::nullopt;
+      // The line goes on, and none of it is wanted.
+      bytes_ = std::string();
+      begin_ = looked_ = 0;
+      if (std::exchange(dropping_, true)) return std::nullopt;
+      return SplitLine{"", true};
+    }
+    SplitLine line{"", end - begin_ > most_};
+    if (!line.too_long) line.text = bytes_.substr(begin_, end - begin_);
+    begin_ = looked_ = end + 1;
+    if (std::exchange(dropping_, false)) continue;  // it was told before
+    if (line.too_long || !is_blank(line.text)) return line;
+  }
+}
+
+std::optional<SplitLine> LineSplitter::rest() {
+  SplitLine line{bytes_.substr(begin_), false};
+  bytes_.clear();
+  begin_ = looked_ = 0;
+  if (std::exchange(dropping_, false) || is_blank(line.text)) return std::nullopt;
+  return line;
+}
+
+bool looks_like_http(const std::string& begin) {
+  return !begin.empty() && std::isupper(static_cast<unsigned char>(begin.front())) != 0;
+}
+
+}  // namespace thenar

@@ -1,0 +1,111 @@
+#include "server/remote_docs.h"
+
+#include <cmath>
+#include <sstream>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+namespace thenar {
+namespace {
+
+constexpr std::size_t kWidth = 118;  // columns of prose
+
+/// Breaks a text between words.
+std::string wrapped(const std::string& text) {
+  std::istringstream words(text);
+  std::string out, line;
+  for (std::string word; words >> word;) {
+    if (!line.empty() && line.size() + 1 + word.size() > kWidth) {
+      out += line + "\n";
+      line.clear();
+    }
+    line += (line.empty() ? "" : " ") + word;
+  }
+  return out + line + "\n";
+}
+
+std::string range_of(const Schema& schema) {
+  const bool low = std::isfinite(schema.lower), high = std::isfinite(schema.upper);
+  if (low && high) return fmt::format(", {} to {}", schema.lower, schema.upper);
+  if (low) return fmt::format(", at least {}", schema.lower);
+  return high ? fmt::format(", at most {}", schema.upper) : "";
+}
+
+/// "number [m], 0 to 1": what a value may be.
+// NOLINTNEXTLINE(misc-no-recursion): as deep as the schema
+std::string type_of(const Schema& schema) {
+  const std::string unit = schema.unit.empty() ? "" : fmt::format(" [{}]", schema.unit);
+  switch (schema.kind) {
+    case Schema::Kind::kNumber:
+      return "number" + unit + range_of(schema);
+    case Schema::Kind::kInteger:
+      return "whole number" + unit + range_of(schema);
+    case Schema::Kind::kText: {
+      if (schema.words.empty()) return "text";
+      std::string words;
+      for (const std::string& word : schema.words)
+        words += (words.empty() ? "`" : ", `") + word + "`";
+      return "one of " + words;
+    }
+    case Schema::Kind::kFlag:
+      return "`true` or `false`";
+    case Schema::Kind::kList:
+      if (schema.unit == "quaternion") return "rotation, quaternion [w, x, y, z]";
+      if (schema.least == schema.most)
+        return fmt::format("list of {}: {}", schema.least, type_of(*schema.each));
+      return fmt::format("list of {} to {}: {}", schema.least, schema.most, type_of(*schema.each));
+    case Schema::Kind::kMap:
+      return "object, name: " + type_of(*schema.each);
+    case Schema::Kind::kObject:
+      break;
+  }
+  std::string members;
+  for (const SchemaMember& member : schema.members)
+    members +=
+        fmt::format("{}`{}`: {}", members.empty() ? "" : "; ", member.name, type_of(member.schema));
+  return "object: " + members;
+}
+
+/// A cell of a table: what would end it is written otherwise.
+std::string in_cell(std::string text) {
+  for (std::size_t i = 0; (i = text.find('|', i)) != std::string::npos; i += 2)
+    text.insert(i, "\\");
+  return text;
+}
+
+std::string usual_of(const SchemaMember& member) {
+  if (member.required) return "must be there";
+  return member.usual.is_null() ? "" : "`" + json_text(member.usual, -1) + "`";
+}
+
+std::string section_of(const RpcMethod& method) {
+  std::string out = fmt::format("### {}\n\n{}\n", method.name, wrapped(method.about));
+  if (!method.params.members.empty()) {
+    out += "| param | what it takes | if left out | |\n|---|---|---|---|\n";
+    for (const SchemaMember& member : method.params.members)
+      out += fmt::format("| `{}` | {} | {} | {} |\n", member.name, in_cell(type_of(member.schema)),
+                         in_cell(usual_of(member)), in_cell(member.about));
+    out += "\n";
+  }
+  out += wrapped("Returns " + method.returns + ".");
+  return out + fmt::format(
+                   "\n    {{\"jsonrpc\": \"2.0\", \"id\": 1, \"method\": \"{}\", "
+                   "\"params\": {}}}\n\n",
+                   method.name, method.example);
+}
+
+}  // namespace
+
+std::string methods_markdown(const MethodTable& table) {
+  std::string out, group;
+  for (const RpcMethod& method : table.all()) {
+    const std::string its = method.name.substr(0, method.name.find('.'));
+    if (its != group) out += fmt::format("## {}.*\n\n", its);
+    group = its;
+    out += section_of(method);
+  }
+  return out;
+}
+
+}  // namespace thenar

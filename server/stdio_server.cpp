@@ -1,0 +1,112 @@
+#include "server/stdio_server.h"
+
+#include <array>
+#include <cerrno>
+#include <condition_variable>
+#include <cstring>
+#include <memory>
+#include <mutex>
+#include <string>
+
+#include <fmt/format.h>
+#include <poll.h>
+#include <unistd.h>
+
+#include "base/error.h"
+#include "server/line_server.h"
+#include "server/lines.h"
+
+namespace thenar {
+namespace {
+
+constexpr int kPoll = 100;  // [ms]
+constexpr std::size_t kMostUnansweredLines = 256;
+
+/// Writes replies from the engine's thread: whoever is at the other end is the only client, and
+/// keeps nobody waiting but itself.
+class StreamClient final : public EngineClient {
+ public:
+  explicit StreamClient(int output) : output_(output) {}
+
+  void reply(std::string text) override {
+    if (!text.empty()) write_line(text);
+    const std::lock_guard<std::mutex> lock(mutex_);
+    --asked_;
+    answered_.notify_all();
+  }
+  void tell(std::shared_ptr<const std::string> /*text*/) override {}
+  void show(std::shared_ptr<const std::string> /*frame*/) override {}
+  [[nodiscard]] bool watches() const override { return false; }
+
+  void write_line(const std::string& text) {
+    const std::lock_guard<std::mutex> lock(writing_);
+    const std::string line = text + "\n";
+    for (std::size_t done = 0; done < line.size() && error_ == 0;) {
+      const ssize_t count = ::write(output_, line.data() + done, line.size() - done);
+      if (count >= 0) done += static_cast<std::size_t>(count);
+      if (count < 0 && errno != EINTR) error_ = errno;
+    }
+  }
+
+  void ask() {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    ++asked_;
+  }
+  /// Waits until fewer requests than these are without a reply, or `ended`.
+  void wait_below(std::size_t most, const std::function<bool()>& ended) {
+    std::unique_lock<std::mutex> lock(mutex_);
+    while (asked_ >= most && !ended()) answered_.wait_for(lock, std::chrono::milliseconds(kPoll));
+  }
+  [[nodiscard]] int error() {
+    const std::lock_guard<std::mutex> lock(writing_);
+    return error_;
+  }
+
+ private:
+  int output_;
+  std::mutex mutex_, writing_;
+  std::condition_variable answered_;
+  std::size_t asked_ = 0;
+  int error_ = 0;  // of writing
+};
+
+void take_line(Engine& engine, int number, StreamClient& client, const SplitLine& line) {
+  if (line.too_long) return client.write_line(too_long_reply());
+  client.ask();
+  engine.receive(number, line.text);
+}
+
+/// Reads a piece. @returns how many bytes; 0 at the end; -1 if there was nothing yet
+ssize_t read_piece(int input, char* bytes, std::size_t most) {
+  pollfd waits{input, POLLIN, 0};
+  if (poll(&waits, 1, kPoll) <= 0) return -1;
+  const ssize_t count = ::read(input, bytes, most);
+  if (count < 0 && (errno == EINTR || errno == EAGAIN)) return -1;
+  return count < 0 ? 0 : count;
+}
+
+}  // namespace
+
+void serve_stream(Engine& engine, int input, int output, const std::function<bool()>& ended) {
+  const auto client = std::make_shared<StreamClient>(output);
+  const int number = engine.join(client);
+  LineSplitter lines(kLongestLine);
+  std::array<char, 65536> piece{};
+  while (!ended() && client->error() == 0) {
+    const ssize_t count = read_piece(input, piece.data(), piece.size());
+    if (count < 0) continue;
+    if (count == 0) {
+      if (const auto line = lines.rest()) take_line(engine, number, *client, *line);
+      break;
+    }
+    lines.add(piece.data(), static_cast<std::size_t>(count));
+    while (const auto line = lines.next()) take_line(engine, number, *client, *line);
+    client->wait_below(kMostUnansweredLines, ended);
+  }
+  client->wait_below(1, ended);
+  engine.leave(number);
+  const int error = client->error();
+  require(error == 0, "cannot write replies: {}", std::strerror(error));
+}
+
+}  // namespace thenar
