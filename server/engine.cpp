@@ -21,6 +21,7 @@ using EngineClock = Publisher::Clock;
 
 constexpr double kTick = 1.0 / 60;                       // of a motion that plays [s]
 constexpr double kMostBehind = 0.1;                      // of wall-clock time, made up for [s]
+constexpr double kLeastStep = 1e-6;                      // of a motion [s]
 constexpr std::chrono::milliseconds kProgressEvery{50};  // a client is told of progress
 constexpr std::chrono::milliseconds kBusyAfter{250};     // others are told that it takes long
 constexpr std::chrono::hours kLongest{1};                // that the thread sleeps
@@ -217,7 +218,8 @@ Publisher::Clock::time_point Engine::play() {
   }
   if (now < tick_at_) return tick_at_;
   // As many steps as wall-clock time wants, but no more than can be done in most of a tick.
-  steps_due_ += std::min(seconds_between(played_at_, now), kMostBehind) * time.speed / time.step;
+  steps_due_ += std::min(seconds_between(played_at_, now), kMostBehind) * time.speed /
+                std::max(time.step, kLeastStep);
   double steps = std::floor(steps_due_);
   if (seconds_of_step_ > 0)
     steps = std::min(steps, std::max(1.0, std::floor(0.75 * kTick / seconds_of_step_)));

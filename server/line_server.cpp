@@ -3,7 +3,6 @@
 #include <array>
 #include <chrono>
 #include <deque>
-#include <set>
 #include <thread>
 #include <utility>
 
@@ -13,6 +12,7 @@
 
 #include "base/error.h"
 #include "server/lines.h"
+#include "server/peer_set.h"
 #include "server/rpc.h"
 
 namespace thenar {
@@ -36,7 +36,7 @@ struct LineNet {
   Engine& engine;
   ServerAccess access;
   net::io_context context{1};
-  std::set<LineClient*> clients;
+  PeerSet<LineClient> clients;
 };
 
 /// A program that is connected. The server's thread uses all members; what the engine calls hands
@@ -44,10 +44,8 @@ struct LineNet {
 class LineClient final : public EngineClient, public std::enable_shared_from_this<LineClient> {
  public:
   LineClient(tcp::socket socket, std::shared_ptr<LineNet> shared)
-      : net_(std::move(shared)), socket_(std::move(socket)) {
-    net_->clients.insert(this);
-  }
-  ~LineClient() override { net_->clients.erase(this); }
+      : net_(std::move(shared)), socket_(std::move(socket)) {}
+  ~LineClient() override { net_->clients.remove(this); }
   LineClient(const LineClient&) = delete;
   LineClient& operator=(const LineClient&) = delete;
 
@@ -230,11 +228,10 @@ class LineServer::Network {
       boost::system::error_code ignored;
       acceptor_.close(ignored);
       pause_.cancel();
-      // Copies: a client that ends takes itself out of the set.
-      for (LineClient* client : std::set<LineClient*>(net_->clients)) client->finish();
+      for (const auto& client : net_->clients.all()) client->finish();
       patience.expires_after(kLastWords);
       patience.async_wait([this](boost::system::error_code) {
-        for (LineClient* client : std::set<LineClient*>(net_->clients)) client->drop();
+        for (const auto& client : net_->clients.all()) client->drop();
       });
     });
     thread_.join();
@@ -250,7 +247,9 @@ class LineServer::Network {
     acceptor_.async_accept([this](boost::system::error_code error, tcp::socket socket) {
       if (!acceptor_.is_open()) return;
       if (!error) {
-        std::make_shared<LineClient>(std::move(socket), net_)->begin();
+        const auto client = std::make_shared<LineClient>(std::move(socket), net_);
+        net_->clients.add(client);
+        client->begin();
         return accept();
       }
       // No file is left for a connection: it is tried again in a while.

@@ -79,6 +79,22 @@ std::string usual_of(const SchemaMember& member) {
   return member.usual.is_null() ? "" : "`" + json_text(member.usual, -1) + "`";
 }
 
+/// A request as code: on one line where it fits, else a line each for what it holds.
+std::string example_of(const RpcMethod& method) {
+  const OrderedJson request{{"jsonrpc", "2.0"},
+                            {"id", 1},
+                            {"method", method.name},
+                            {"params", OrderedJson::parse(method.example)}};
+  std::string text = json_text(request, -1);
+  if (text.size() > kWidth) text = json_text(request);
+  std::string out = "    ";
+  for (const char c : text) {
+    out += c;
+    if (c == '\n') out += "    ";
+  }
+  return out + "\n";
+}
+
 std::string section_of(const RpcMethod& method) {
   std::string out = fmt::format("### {}\n\n{}\n", method.name, wrapped(method.about));
   if (!method.params.members.empty()) {
@@ -88,11 +104,7 @@ std::string section_of(const RpcMethod& method) {
                          in_cell(usual_of(member)), in_cell(member.about));
     out += "\n";
   }
-  out += wrapped("Returns " + method.returns + ".");
-  return out + fmt::format(
-                   "\n    {{\"jsonrpc\": \"2.0\", \"id\": 1, \"method\": \"{}\", "
-                   "\"params\": {}}}\n\n",
-                   method.name, method.example);
+  return out + wrapped("Returns " + method.returns + ".") + "\n" + example_of(method) + "\n";
 }
 
 }  // namespace

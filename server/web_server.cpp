@@ -3,7 +3,6 @@
 #include <chrono>
 #include <deque>
 #include <optional>
-#include <set>
 #include <thread>
 #include <utility>
 #include <vector>
@@ -15,6 +14,7 @@
 #include <boost/beast/websocket.hpp>
 
 #include "base/error.h"
+#include "server/peer_set.h"
 #include "server/web_pages.h"
 
 namespace thenar {
@@ -27,6 +27,7 @@ namespace websocket = boost::beast::websocket;
 using tcp = asio::ip::tcp;
 
 constexpr std::size_t kLongestMessage = 80UL << 20U;  // of a WebSocket; ours refuses less than that
+constexpr std::size_t kWritePiece = 65536;            // that is sent at a time [bytes]
 constexpr std::size_t kMostWaiting = 64UL << 20U;     // in either direction [bytes]
 constexpr std::size_t kMostAsked = 256;               // requests without a reply; then it waits
 constexpr std::size_t kMostConnections = 256;
@@ -48,14 +49,14 @@ struct Web {
   ServerAccess access;
   asio::io_context context{1};
   int port = 0;
-  std::set<WebPeer*> peers;
+  PeerSet<WebPeer> peers;
 };
 
 /// A connection, known to its server for as long as it lives.
 class WebPeer {
  public:
-  explicit WebPeer(std::shared_ptr<Web> web) : web_(std::move(web)) { web_->peers.insert(this); }
-  virtual ~WebPeer() { web_->peers.erase(this); }
+  explicit WebPeer(std::shared_ptr<Web> web) : web_(std::move(web)) {}
+  virtual ~WebPeer() { web_->peers.remove(this); }
   WebPeer(const WebPeer&) = delete;
   WebPeer& operator=(const WebPeer&) = delete;
 
@@ -96,6 +97,8 @@ class WebClient final : public EngineClient,
     websocket::stream_base::timeout times{kRequestTime, websocket::stream_base::none(), false};
     stream_.set_option(times);
     stream_.read_message_max(kLongestMessage);
+    stream_.auto_fragment(false);
+    stream_.write_buffer_bytes(kWritePiece);
     beast::error_code ignored;
     stream_.next_layer().set_option(asio::socket_base::keep_alive(true), ignored);
     auto kept = std::make_shared<Request>(request);
@@ -255,7 +258,9 @@ class WebConnection final : public WebPeer, public std::enable_shared_from_this<
     if (auto refused = socket_refusal_of(access, web()->port, question))
       return write(*std::move(refused));
     stream_.expires_never();
-    std::make_shared<WebClient>(stream_.release_socket(), web())->accept(request);
+    const auto client = std::make_shared<WebClient>(stream_.release_socket(), web());
+    web()->peers.add(client);
+    client->accept(request);
   }
 
   void write(WebAnswer answer) {
@@ -313,8 +318,7 @@ class WebServer::Network {
       beast::error_code ignored;
       acceptor_.close(ignored);
       pause_.cancel();
-      const std::set<WebPeer*> peers = web_->peers;
-      for (WebPeer* peer : peers) peer->finish();
+      for (const auto& peer : web_->peers.all()) peer->finish();
       // What has not left by then is cut off, and the thread has nothing left to do.
       patience.expires_after(kFarewell);
       patience.async_wait([this](beast::error_code) { drop_all(); });
@@ -329,15 +333,17 @@ class WebServer::Network {
 
  private:
   void drop_all() {
-    const std::set<WebPeer*> peers = web_->peers;
-    for (WebPeer* peer : peers) peer->drop();
+    for (const auto& peer : web_->peers.all()) peer->drop();
   }
 
   void accept() {
     acceptor_.async_accept([this](beast::error_code error, tcp::socket socket) {
       if (!acceptor_.is_open()) return;
-      if (!error && web_->peers.size() < kMostConnections)
-        std::make_shared<WebConnection>(std::move(socket), web_)->read();
+      if (!error && web_->peers.size() < kMostConnections) {
+        const auto connection = std::make_shared<WebConnection>(std::move(socket), web_);
+        web_->peers.add(connection);
+        connection->read();
+      }
       if (!error) return accept();
       // No file is left for a connection: it is tried again in a while.
       pause_.expires_after(std::chrono::milliseconds(50));
