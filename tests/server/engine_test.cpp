@@ -1,0 +1,274 @@
+// The queue behind which a session stands, with clients that are plain objects.
+
+#include "server/engine.h"
+
+#include <condition_variable>
+#include <cstring>
+#include <fstream>
+#include <functional>
+#include <mutex>
+#include <vector>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include "base/file_io.h"
+#include "base/progress_parts.h"
+#include "server/replay.h"
+#include "tests/patience.h"
+#include "tests/server/small_model.h"
+#include "tests/temporary_folder.h"
+
+namespace thenar {
+namespace {
+
+/// Keeps what it is told.
+class Listener final : public EngineClient {
+ public:
+  explicit Listener(bool watching) : watching_(watching) {}
+
+  void reply(std::string text) override {
+    keep([&] { replies_.push_back(text.empty() ? Json() : Json::parse(text)); });
+  }
+  void tell(std::shared_ptr<const std::string> text) override {
+    keep([&] { told_.push_back(Json::parse(*text)); });
+  }
+  void show(std::shared_ptr<const std::string> frame) override {
+    keep([&] { frames_.push_back(*frame); });
+  }
+  [[nodiscard]] bool watches() const override { return watching_; }
+
+  /// The reply of this number, from 0, when it has come.
+  Json reply_of(std::size_t number) {
+    return wait([&] { return replies_.size() > number; }, [&] { return replies_[number]; });
+  }
+  /// The params of the first notification of a method that `wanted` takes.
+  Json notification(
+      const std::string& method,
+      const std::function<bool(const Json&)>& wanted = [](const Json&) { return true; }) {
+    const auto found = [&]() -> const Json* {
+      for (const Json& message : told_)
+        if (message["method"] == method && wanted(message["params"])) return &message["params"];
+      return nullptr;
+    };
+    return wait([&] { return found() != nullptr; }, [&] { return *found(); });
+  }
+  /// The last frame, when there are this many.
+  std::string frame(std::size_t count) {
+    return wait([&] { return frames_.size() >= count; }, [&] { return frames_.back(); });
+  }
+  std::size_t frames() {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    return frames_.size();
+  }
+
+ private:
+  template <typename Change>
+  void keep(const Change& change) {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    change();
+    changed_.notify_all();
+  }
+  template <typename Ready, typename Get>
+  std::invoke_result_t<Get> wait(const Ready& ready, const Get& get) {
+    std::unique_lock<std::mutex> lock(mutex_);
+    if (!changed_.wait_for(lock, std::chrono::duration<double>(20 * kPatience), ready))
+      throw std::runtime_error("waited too long");
+    return get();
+  }
+
+  bool watching_;
+  std::mutex mutex_;
+  std::condition_variable changed_;
+  std::vector<Json> replies_, told_;
+  std::vector<std::string> frames_;
+};
+
+std::string request(const std::string& method, const Json& params = Json::object(), int id = 1) {
+  return Json{{"jsonrpc", "2.0"}, {"id", id}, {"method", method}, {"params", params}}.dump();
+}
+
+TEST(Engine, AnswersAndShowsWhatHasChanged) {
+  Engine engine(small_table(), {});
+  const auto watcher = std::make_shared<Listener>(true);
+  const int number = engine.join(watcher);
+  EXPECT_TRUE(watcher->notification("scene")["bodies"].empty());
+  engine.receive(number, request("small.open"));
+  EXPECT_EQ(watcher->reply_of(0)["result"], Json::object());
+  const Json scene =
+      watcher->notification("scene", [](const Json& s) { return !s["bodies"].empty(); });
+  EXPECT_EQ(scene["mode"], "motion");
+  EXPECT_NE(engine.mesh(scene["bodies"][0]["mesh"]), nullptr);
+  const std::string first = watcher->frame(1);
+  std::uint32_t revision = 0;
+  std::memcpy(&revision, first.data() + 4, 4);
+  EXPECT_EQ(revision, scene["revision"].get<std::uint32_t>());
+  engine.receive(number, request("small.lift", {{"height", 0.25}}));
+  float joint = 0;
+  std::memcpy(&joint, watcher->frame(2).data() + 108, 4);
+  EXPECT_EQ(joint, 0.25F);
+}
+
+TEST(Engine, SendsTheLatestFrameAndFewOfThem) {
+  Engine engine(small_table(), {});
+  const auto watcher = std::make_shared<Listener>(true);
+  const int number = engine.join(watcher);
+  engine.receive(number, request("small.open"));
+  const auto begin = std::chrono::steady_clock::now();
+  for (int i = 0; i < 2000; ++i)
+    engine.receive(number, request("small.lift", {{"height", 0.5 * (i + 1) / 2000}}));
+  (void)watcher->reply_of(2000);
+  std::this_thread::sleep_for(std::chrono::milliseconds(100));
+  const double seconds =
+      std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+  float joint = 0;
+  std::memcpy(&joint, watcher->frame(1).data() + 108, 4);
+  EXPECT_EQ(joint, 0.5F);
+  EXPECT_LE(static_cast<double>(watcher->frames()), 60 * seconds + 2);
+}
+
+TEST(Engine, StopsWhatRunsAndOnlyThat) {
+  Engine engine(small_table(), {});
+  const auto one = std::make_shared<Listener>(true), other = std::make_shared<Listener>(false);
+  const int first = engine.join(one), second = engine.join(other);
+  engine.receive(second, request("session.stop"));
+  EXPECT_EQ(other->reply_of(0)["result"]["asked"], false);
+  engine.receive(first, request("small.wait", Json::object(), 5));
+  EXPECT_EQ(one->notification("progress")["id"], 5);
+  EXPECT_EQ(one->notification("state", [](const Json& s) { return !s["busy"].is_null(); })["busy"],
+            "waiting");
+  engine.receive(first, request("small.open"));
+  engine.receive(second, request("session.stop"));
+  EXPECT_EQ(other->reply_of(1)["result"]["asked"], true);
+  EXPECT_GT(one->reply_of(0)["result"]["asked"].get<long>(), 1);
+  EXPECT_EQ(one->reply_of(1)["result"], Json::object());  // what came behind it is done
+  (void)one->notification(
+      "state", [](const Json& s) { return s["busy"].is_null() && s["mode"] == "motion"; });
+}
+
+TEST(Engine, ForgetsWhoLeavesAndStopsWhatHeWaitedFor) {
+  Engine engine(small_table(), {});
+  const auto gone = std::make_shared<Listener>(true), other = std::make_shared<Listener>(false);
+  const int first = engine.join(gone), second = engine.join(other);
+  engine.receive(first, request("small.wait"));
+  (void)gone->notification("progress");
+  engine.receive(first, request("small.wait"));  // never begun
+  engine.receive(second, request("small.open"));
+  engine.leave(first);
+  EXPECT_EQ(other->reply_of(0)["result"], Json::object());
+  EXPECT_EQ(gone.use_count(), 1);
+}
+
+TEST(Engine, PlaysAtTheSpeedOfTheClock) {
+  Engine engine(small_table(), {});
+  const auto watcher = std::make_shared<Listener>(true);
+  const int number = engine.join(watcher);
+  engine.receive(number, request("small.open", {{"playing", true}}));
+  (void)watcher->frame(1);
+  const auto time = [&] {
+    double t = 0;
+    std::memcpy(&t, watcher->frame(1).data() + 16, 8);
+    return t;
+  };
+  const double begin = time();
+  const auto clock = std::chrono::steady_clock::now();
+  std::this_thread::sleep_for(std::chrono::milliseconds(700));
+  const double played = time() - begin;
+  const double seconds =
+      std::chrono::duration<double>(std::chrono::steady_clock::now() - clock).count();
+  // A machine that is busy with other things may lose some; none goes faster.
+  EXPECT_LE(played, seconds + 0.05);
+  EXPECT_GE(played, 0.5 * seconds);
+  engine.receive(number, request("motion.pause"));
+  (void)watcher->reply_of(1);
+}
+
+TEST(Engine, LetsNoMoreClientsInThanItMay) {
+  EngineOptions options;
+  options.clients = 2;
+  Engine engine(small_table(), {}, options);
+  const int first = engine.join(std::make_shared<Listener>(false));
+  (void)engine.join(std::make_shared<Listener>(false));
+  EXPECT_THROW((void)engine.join(std::make_shared<Listener>(false)), InputError);
+  engine.leave(first);
+  EXPECT_NO_THROW((void)engine.join(std::make_shared<Listener>(false)));
+}
+
+TEST(Engine, AsksInItsOwnName) {
+  Engine engine(small_table(), {});
+  EXPECT_EQ(engine.ask("small.open", Json::object()), OrderedJson::object());
+  EXPECT_THROW((void)engine.ask("small.lift", {{"height", 3}}), InputError);
+  EXPECT_THROW((void)engine.ask("small.lif", {{"height", 0.1}}), InputError);
+  Progress progress;
+  progress.stop_requested = [] { return true; };
+  EXPECT_EQ(engine.ask("small.wait", Json::object(), progress)["asked"], 1);
+  engine.end("it is over");
+  EXPECT_THROW((void)engine.ask("small.open", Json::object()), Stopped);
+}
+
+TEST(Engine, TellsItsEndAndEndsWhatRuns) {
+  Engine engine(small_table(), {});
+  const auto watcher = std::make_shared<Listener>(true);
+  const int number = engine.join(watcher);
+  engine.receive(number, request("small.wait"));
+  (void)watcher->notification("progress");
+  engine.end("it is over");
+  EXPECT_EQ(watcher->notification("ended")["reason"], "it is over");
+}
+
+class Replay : public TemporaryFolder {};
+class SessionLogFile : public TemporaryFolder {};
+
+// A log repeats what happened, a stop at the same question included.
+TEST_F(Replay, GivesTheSameRepliesAndFindsThoseThatDiffer) {
+  const std::string file = path("log.jsonl");
+  {
+    EngineOptions options;
+    options.log = file;
+    Engine engine(small_table(), {}, options);
+    const auto client = std::make_shared<Listener>(true);
+    const int number = engine.join(client);
+    engine.receive(number, request("small.open"));
+    engine.receive(number, request("small.lift", {{"height", 0.125}}));
+    engine.receive(number, request("small.lift", {{"height", 3}}));  // refused
+    engine.receive(number, request("small.wait"));
+    (void)client->notification("progress");
+    engine.receive(number, request("session.stop"));
+    engine.receive(number, request("motion.step", {{"steps", 7}}));
+    (void)client->reply_of(5);
+  }
+  std::vector<LoggedRequest> log = read_log(file);
+  ASSERT_EQ(log.size(), 5U);
+  EXPECT_EQ(log[0].client, 1);
+  EXPECT_GT(log[3].stopped_at.value(), 0);
+  Session again({});
+  const MethodTable table = small_table();
+  const ReplayResult same = replay(log, table, again);
+  EXPECT_EQ(same.requests, 5U);
+  EXPECT_TRUE(same.differ.empty());
+  EXPECT_NEAR(again.model<SmallModel>(LiveMode::kMotion).live_time().t, 7e-3, 1e-15);
+  EXPECT_EQ(again.log().text(), read_file(file, 1 << 20));
+  log[1].params["height"] = 0.25;
+  Session other({});
+  EXPECT_THAT(replay(log, table, other).differ, testing::ElementsAre(2U));
+}
+
+TEST_F(SessionLogFile, RefusesLinesThatAreNone) {
+  const std::string file = path("log.jsonl");
+  for (const char* line : {"nonsense", "{}", "[]", R"({"client": "x"})", "\xff",
+                           R"({"client": 1, "request": {}, "reply": ""})"}) {
+    std::ofstream(file) << R"({"client":1,"request":{"method":"a","params":{}},"reply":""})"
+                        << "\n"
+                        << line << "\n";
+    try {
+      (void)read_log(file);
+      FAIL() << line;
+    } catch (const DataError& error) {
+      EXPECT_THAT(error.what(), testing::HasSubstr("log.jsonl:2: ")) << line;
+    }
+  }
+}
+
+}  // namespace
+}  // namespace thenar
