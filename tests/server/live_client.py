@@ -111,16 +111,22 @@ class WebSocket:
         return found
 
     def receive(self):
-        """The next (opcode, payload); pings are answered."""
-        first, second = self._take(2)
-        size = second & 127
-        if size > 125:
-            size = int.from_bytes(self._take(2 if size == 126 else 8), "big")
-        payload = self._take(size)
-        if first & 15 == self.PING:
-            self.send(payload, self.PONG)
-            return self.receive()
-        return first & 15, payload
+        """The next (opcode, payload), put together from its pieces; pings are answered."""
+        kind, whole = None, b""
+        while True:
+            first, second = self._take(2)
+            size = second & 127
+            if size > 125:
+                size = int.from_bytes(self._take(2 if size == 126 else 8), "big")
+            payload = self._take(size)
+            if first & 15 == self.PING:
+                self.send(payload, self.PONG)
+                continue
+            if first & 8:
+                return first & 15, payload
+            kind, whole = kind or first & 15, whole + payload
+            if first & 0x80:
+                return kind, whole
 
     def ask(self, method, **params):
         """The reply to a request; what else comes is kept in order in `kept`."""
@@ -134,7 +140,7 @@ class WebSocket:
             if opcode == self.CLOSE:
                 raise ConnectionError(f"closed: {payload!r}")
             message = json.loads(payload) if opcode == self.TEXT else payload
-            if opcode == self.TEXT and "method" not in message and message["id"] == number:
+            if isinstance(message, dict) and "method" not in message and message["id"] == number:
                 return message
             self.kept.append(message)
 
