@@ -213,18 +213,6 @@ std::string torque_warning(const Hand& hand, const Grasp& grasp) {
       here.warning);
 }
 
-std::vector<std::string> warnings_of(const GraspResult& result) {
-  const NamedHand& hand = result.setting.hand.named;
-  std::vector<std::string> warnings = hand.warnings;
-  if (const std::string torques = torque_warning(*hand.hand, result.grasp); !torques.empty())
-    warnings.push_back(torques);
-  if (const std::string own = own_overlap_words(result.grasp.closed); !own.empty())
-    warnings.insert(warnings.begin(), own);
-  if (thumb_is_idle(*hand.hand, result.grasp))
-    warnings.emplace_back("the thumb touches nothing: fingers hold the object against the palm");
-  return warnings;
-}
-
 void add_measures(GraspResult& result, ProgressParts& schedule) {
   if (result.grasp.outcome != GraspOutcome::kGrasped) return;
   result.measures = measure_grasp(result, schedule.next(kMeasures));
@@ -257,8 +245,20 @@ GraspResult grasp_in_world(const GraspRequest& request, const Progress& progress
   }
   if (request.starts > 0 && result.started() < request.starts) result.complete = false;
   result.cpu = static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC;
-  result.warnings = warnings_of(result);
+  result.warnings = grasp_warnings(result);
   return result;
+}
+
+std::vector<std::string> grasp_warnings(const GraspResult& result) {
+  const NamedHand& hand = result.setting.hand.named;
+  std::vector<std::string> warnings = hand.warnings;
+  if (const std::string torques = torque_warning(*hand.hand, result.grasp); !torques.empty())
+    warnings.push_back(torques);
+  if (const std::string own = own_overlap_words(result.grasp.closed); !own.empty())
+    warnings.insert(warnings.begin(), own);
+  if (thumb_is_idle(*hand.hand, result.grasp))
+    warnings.emplace_back("the thumb touches nothing: fingers hold the object against the palm");
+  return warnings;
 }
 
 WorldSpec grasped_world(const GraspResult& result) {

@@ -86,6 +86,9 @@ struct GraspResult {
 [[nodiscard]] GraspResult grasp_in_world(const GraspRequest& request,
                                          const Progress& progress = {});
 
+/// What was assumed of the hand of a result, and what is doubtful about its grasp.
+[[nodiscard]] std::vector<std::string> grasp_warnings(const GraspResult& result);
+
 /// The world with the hand as the grasp left it.
 /// @throws InputError if the hand did not reach the object.
 [[nodiscard]] WorldSpec grasped_world(const GraspResult& result);

@@ -38,6 +38,7 @@ NamedHand human(const std::string& name, const Subject& subject, const std::stri
   hand.hand = std::move(built.hand);
   hand.contact = built.contact;
   hand.patches = std::move(built.patches);
+  hand.skeleton = std::make_shared<const Skeleton>(std::move(built.skeleton));
   hand.targets = std::move(built.targets);
   hand.warnings = std::move(built.warnings);
   if (version == kTendons)

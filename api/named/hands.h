@@ -19,11 +19,12 @@ struct NamedHand {
   std::string file;  // that it was built from; empty: the built-in human
   std::shared_ptr<const Hand> hand;
   ContactModel contact = ContactModel::kHardPoint;
-  std::vector<SkinPatch> patches;         // pads and nails of a human hand
-  std::vector<OppositionTarget> targets;  // of Kapandji's score, of a human hand
-  ClosingRates rates;                     // of a hand that tendons close; empty: its drives do
-  std::vector<std::string> warnings;      // what was assumed or left out
-  FileDigests files;                      // that were read for it
+  std::vector<SkinPatch> patches;            // pads and nails of a human hand
+  std::vector<OppositionTarget> targets;     // of Kapandji's score, of a human hand
+  ClosingRates rates;                        // of a hand that tendons close; empty: its drives do
+  std::shared_ptr<const Skeleton> skeleton;  // of a human hand; null: a robot
+  std::vector<std::string> warnings;         // what was assumed or left out
+  FileDigests files;                         // that were read for it
 };
 
 /// What builds a hand of a name.

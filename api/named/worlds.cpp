@@ -35,21 +35,6 @@ HumanHandOptions human_of(const WorldRequest& request, const Progress& progress)
   return human;
 }
 
-std::string world_file(const WorldRequest& request) {
-  std::string file =
-      named_file("world", request.world, "worlds", ".toml", data_folders(request.data));
-  require_kind(file, {"world"},
-               "a world puts a hand and an object together: docs/tutorials/own_gripper.md");
-  constexpr std::size_t kStart = 4096;  // of its text: a byte order mark and blank lines may lead
-  const std::string start = read_start(file, kStart);
-  const std::size_t sign = start.find_first_not_of("\xEF\xBB\xBF \t\r\n");
-  require(sign == std::string::npos || start[sign] != '<',
-          "'{0}' is a world of GraspIt!: thenar import {1} -o world.toml makes one of "
-          "it that is read here",
-          file, shell_word(file));
-  return file;
-}
-
 std::string beside(const WorldSpec& world, const std::string& file) {
   return (fs::path(world.folder) / file).string();
 }
@@ -210,14 +195,6 @@ Eigen::VectorXd motion_of_dof(const WorldSpec& world, const PlacedHand& placed,
   return RobotHand(robot).posture(dofs);
 }
 
-/// Bodies of which no material is known are taken for kDefaultMaterial, and named.
-void name_bare_bodies(const WorldSpec& world, std::vector<std::string>& warnings) {
-  for (const PlacedBody& placed : world.bodies)
-    if (placed.body.material.empty())
-      warnings.push_back(fmt::format("no material is stated of body '{}': {} is taken",
-                                     placed.body.name, kDefaultMaterial));
-}
-
 void require_within(const WorldHand& hand, const std::string& path) {
   const HandLayout& layout = hand.named.hand->layout();
   for (int c = 0; c < hand.q.size(); ++c)
@@ -256,6 +233,21 @@ std::string rebased(const std::string& file, const fs::path& from, const fs::pat
 }
 
 }  // namespace
+
+std::string world_file(const WorldRequest& request) {
+  std::string file =
+      named_file("world", request.world, "worlds", ".toml", data_folders(request.data));
+  require_kind(file, {"world"},
+               "a world puts a hand and an object together: docs/tutorials/own_gripper.md");
+  constexpr std::size_t kStart = 4096;  // of its text: a byte order mark and blank lines may lead
+  const std::string start = read_start(file, kStart);
+  const std::size_t sign = start.find_first_not_of("\xEF\xBB\xBF \t\r\n");
+  require(sign == std::string::npos || start[sign] != '<',
+          "'{0}' is a world of GraspIt!: thenar import {1} -o world.toml makes one of "
+          "it that is read here",
+          file, shell_word(file));
+  return file;
+}
 
 WorldCase open_world(const WorldRequest& request, bool hand_from_elsewhere,
                      const Progress& progress) {
@@ -302,8 +294,26 @@ WorldHand hand_of_world(const WorldSpec& world, const std::string& name, const s
   hand.X_WH = world.hands[hand.parts.back()].X_WH;
   add_names(world, hand, data);
   set_posture(world, path, data, hand);
-  name_bare_bodies(world, hand.named.warnings);
+  for (std::string& warning : bare_body_warnings(world))
+    hand.named.warnings.push_back(std::move(warning));
   return hand;
+}
+
+WorldHand hand_as_in(const WorldSpec& world, const std::string& name, const std::string& path,
+                     const std::vector<std::string>& data, WorldHand built) {
+  built.parts = parts_of(world, chosen(world, name, path));
+  built.X_WH = world.hands[built.parts.back()].X_WH;
+  set_posture(world, path, data, built);
+  return built;
+}
+
+std::vector<std::string> bare_body_warnings(const WorldSpec& world) {
+  std::vector<std::string> warnings;
+  for (const PlacedBody& placed : world.bodies)
+    if (placed.body.material.empty())
+      warnings.push_back(fmt::format("no material is stated of body '{}': {} is taken",
+                                     placed.body.name, kDefaultMaterial));
+  return warnings;
 }
 
 WorldSpec with_hand_at(WorldSpec world, const WorldHand& hand, const Pose<double>& X_WH,
@@ -318,15 +328,21 @@ WorldSpec with_hand_at(WorldSpec world, const WorldHand& hand, const Pose<double
   return world;
 }
 
-void save_world(WorldSpec world, const std::string& path) {
-  const fs::path from = world.folder, to = "." / fs::path(path).parent_path();
+WorldSpec seen_from_folder(WorldSpec world, const std::string& folder) {
+  const fs::path from = world.folder, to = folder.empty() ? "." : folder;
   for (PlacedHand& hand : world.hands) hand.file = rebased(hand.file, from, to);
   for (PlacedBody& body : world.bodies) {
     body.file = rebased(body.file, from, to);
     for (ShapeSpec& shape : body.body.shapes) shape.mesh_file = rebased(shape.mesh_file, from, to);
   }
   world.materials_file = rebased(world.materials_file, from, to);
-  write_file(path, world_toml(world));
+  world.folder = folder;
+  return world;
+}
+
+void save_world(WorldSpec world, const std::string& path) {
+  const fs::path to = "." / fs::path(path).parent_path();
+  write_file(path, world_toml(seen_from_folder(std::move(world), to.string())));
 }
 
 }  // namespace thenar

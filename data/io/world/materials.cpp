@@ -99,6 +99,7 @@ Material read_material(TomlTable& table, Material material, const FindLaws& find
         table.number(Dimension::kLength, "layer_thickness", Range::kPositive);
     material.laws_file = "";
     material.law = nullptr;
+    material.bed = nullptr;
   }
   if (table.has("laws")) {
     if (material.young == 0)
@@ -106,6 +107,7 @@ Material read_material(TomlTable& table, Material material, const FindLaws& find
     material.laws_file = table.text("laws");
     const CalibratedLaws laws = find_laws(table, material.laws_file);
     material.law = std::make_shared<const SoftFinger>(laws.soft_finger, laws.relaxation);
+    material.bed = std::make_shared<const FoundationConstants>(laws.foundation);
   }
   table.done();
   return material;

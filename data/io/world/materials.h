@@ -13,6 +13,7 @@
 namespace thenar {
 
 class ContactLaw;
+struct FoundationConstants;
 
 /// Dry friction between two materials.
 struct Friction {
@@ -31,6 +32,8 @@ struct Material {
   // The soft finger of that file, constant and shared by copies of the table; null: the layer is a
   // bed of springs.
   std::shared_ptr<const ContactLaw> law = nullptr;
+  // Its bed of springs by the same file; null: springs of `young` and `layer_thickness`.
+  std::shared_ptr<const FoundationConstants> bed = nullptr;
 };
 
 /// Material of a surface whose material is not stated: hard and rather smooth.
