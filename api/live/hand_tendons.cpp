@@ -1,0 +1,73 @@
+#include "api/live/hand_tendons.h"
+
+#include <cmath>
+
+#include "tendons/human/tendon_hand.h"
+
+namespace thenar {
+namespace {
+
+/// Nodes up to the first one that stands still.
+TendonPath<double> moving_part(const TendonPath<double>& path) {
+  TendonPath<double> part;
+  for (const PathNode<double>& node : path) {
+    part.push_back(node);
+    if (node.link < 0) break;
+  }
+  return part;
+}
+
+/// Both ends, and nodes evenly between them.
+TendonPath<double> thinned(const TendonPath<double>& path) {
+  if (path.size() <= kLinePoints) return path;
+  TendonPath<double> thin;
+  for (int i = 0; i < kLinePoints; ++i)
+    thin.push_back(path[static_cast<std::size_t>(
+        std::lround(i * static_cast<double>(path.size() - 1) / (kLinePoints - 1)))]);
+  return thin;
+}
+
+/// A muscle that two digits share runs through both: each strand is drawn once.
+bool is_drawn(const std::vector<HandTendon>& tendons, const HandTendon& tendon) {
+  for (const HandTendon& each : tendons)
+    if (each.name == tendon.name && each.digit == tendon.digit) return true;
+  return false;
+}
+
+}  // namespace
+
+std::vector<HandTendon> hand_tendons(const Hand& hand) {
+  std::vector<HandTendon> tendons;
+  const auto* pulled = dynamic_cast<const TendonHand*>(&hand);
+  if (pulled == nullptr) return tendons;
+  for (std::size_t d = 0; d < pulled->digits().size(); ++d) {
+    const TendonDigit& digit = pulled->digits()[d]->digit();
+    const std::string name = digit.skeleton.tips.empty() ? "" : digit.skeleton.tips[0].digit;
+    for (std::size_t s = 0; s < digit.model.paths.size(); ++s) {
+      HandTendon tendon{digit.names.strands[s], name, d,
+                        thinned(moving_part(digit.model.paths[s]))};
+      if (tendon.nodes.size() > 1 && !is_drawn(tendons, tendon))
+        tendons.push_back(std::move(tendon));
+    }
+  }
+  return tendons;
+}
+
+std::vector<Eigen::Vector3d> tendon_points(const Hand& hand, const std::vector<HandTendon>& tendons,
+                                           const Eigen::VectorXd& q) {
+  std::vector<Eigen::Vector3d> points;
+  const auto* pulled = dynamic_cast<const TendonHand*>(&hand);
+  if (pulled == nullptr) return points;
+  // Poses of every digit's own links, once.
+  std::vector<TreeState<double>> poses;
+  for (std::size_t d = 0; d < pulled->digits().size(); ++d) {
+    const Eigen::VectorXd own = q(pulled->places()[d].coordinates);
+    poses.push_back(pose_tree(pulled->digits()[d]->digit().model.tree, own));
+  }
+  for (const HandTendon& tendon : tendons)
+    for (const PathNode<double>& node : tendon.nodes)
+      points.push_back(moved(poses[tendon.of], node.link, node.p));
+  return points;
+}
+
+}  // namespace thenar
