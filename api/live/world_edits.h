@@ -1,0 +1,64 @@
+#pragma once
+
+/// Edits of a live world: what is added, removed, placed, and how joints are set. Each can be
+/// undone; one that throws leaves the world as it was.
+
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "api/live/live_world.h"
+
+namespace thenar {
+
+/// Something that was added.
+struct AddedThing {
+  std::string name;                   // as other requests name it
+  std::vector<std::string> warnings;  // what was assumed, mended or left out
+};
+
+/// Adds an object, or an obstacle that never moves.
+/// @param object  a file (TOML, GraspIt! XML, or a mesh, which is written into the world), or the
+///                name of one of objects/
+/// @throws InputError, DataError where it is not to be found or wrong, or of unknown material
+AddedThing add_object(LiveWorld& live, const std::string& object, bool dynamic,
+                      const Pose<double>& X_WB);
+
+/// Adds a body that was read. @param placed  its name may change
+AddedThing add_body(LiveWorld& live, PlacedBody placed);
+
+/// Adds a hand, open, by a name or a file as hand_by_name() takes it. A robot that is there already
+/// gets a number after its name; the built-in human hand can be there once in each version.
+/// @throws InputError, DataError as build_live_hand()
+AddedThing add_hand(LiveWorld& live, const std::string& hand, const Pose<double>& X_WH,
+                    const Progress& progress = {});
+
+/// Removes an object, an obstacle or a hand, which must not carry another.
+/// @throws InputError if there is none of that name
+void remove_thing(LiveWorld& live, const std::string& name);
+
+/// Puts an object, an obstacle, a free hand, or what carries hands, somewhere else.
+/// @param position  stays where it is if left out [m] (3);  @param R  the same (3, 3)
+/// @throws InputError if there is none of that name, or it is mounted, saying on what
+void place_thing(LiveWorld& live, const std::string& name,
+                 const std::optional<Eigen::Vector3d>& position,
+                 const std::optional<Eigen::Matrix3d>& R);
+
+/// What became of joints that were set.
+struct SetJoints {
+  std::map<std::string, double> joints;  // all of the hand [rad] or [m]
+  std::vector<std::string> limited;      // those that came to rest at a limit before their target
+};
+
+/// Sets joints of a hand, within their limits. Joints that a drive moves follow the first of it,
+/// in the ratio of their gears, unless they are named themselves.
+/// @param hand  name; empty: the only one
+/// @throws InputError for a joint that the hand has not, with the nearest name
+SetJoints set_joints(LiveWorld& live, const std::string& hand,
+                     const std::map<std::string, double>& joints);
+
+/// All joints of a hand. @param hand  of WorldState::hands
+[[nodiscard]] std::map<std::string, double> joints_of(const WorldState& state, std::size_t hand);
+
+}  // namespace thenar

@@ -1,0 +1,165 @@
+#include "api/live/world_files.h"
+
+#include <algorithm>
+#include <filesystem>
+#include <iterator>
+#include <memory>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "base/error.h"
+#include "base/file_io.h"
+
+namespace thenar {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Whether a hand of a world carries another.
+bool carries_any(const WorldSpec& world, const PlacedHand& hand) {
+  return std::any_of(world.hands.begin(), world.hands.end(), [&](const PlacedHand& other) {
+    return !other.carrier.empty() &&
+           current_hand_name(other.carrier) == current_hand_name(hand.name);
+  });
+}
+
+/// The world without its things.
+std::shared_ptr<const WorldSpec> header_of(const WorldSpec& world) {
+  WorldSpec header = world;
+  header.hands.clear();
+  header.bodies.clear();
+  return std::make_shared<const WorldSpec>(std::move(header));
+}
+
+std::vector<std::string> load_warnings(const WorldState& state, const WorldSpec& world) {
+  std::vector<std::string> warnings = bare_body_warnings(world);
+  for (const StateHand& hand : state.hands)
+    for (const std::string& warning : hand.built->hand.named.warnings)
+      warnings.push_back(name_of(state, hand) + ": " + warning);
+  return warnings;
+}
+
+/// Where files of imported hands go, beside a world of that file name.
+fs::path files_folder(const std::string& file) {
+  return fs::path(file).parent_path() / (fs::path(file).stem().string() + "_files");
+}
+
+/// A world to be saved, and the folders of imported files that are to go with it.
+struct SavedWorld {
+  WorldSpec world;
+  std::vector<std::pair<fs::path, fs::path>> copies;  // from, to
+};
+
+/// The world with imported files named as they stand in `folder`: of OWN/3/robot.urdf all of OWN/3
+/// goes to FOLDER/3.
+SavedWorld with_files_in(const LiveWorld& live, const fs::path& folder) {
+  SavedWorld saved{spec_of(live.state()), {}};
+  for (PlacedHand& hand : saved.world.hands) {
+    const fs::path whole = fs::path(saved.world.folder) / hand.file;
+    const fs::path inside = live.in_own_folder(whole.string());
+    if (inside.empty()) continue;
+    fs::path from = whole;
+    for (auto part = std::next(inside.begin()); part != inside.end(); ++part)
+      from = from.parent_path();
+    saved.copies.emplace_back(from, folder / *inside.begin());
+    hand.file = file_seen_from(saved.world.folder, (folder / inside).string());
+  }
+  return saved;
+}
+
+/// @throws InputError unless a file to write is within the working folder, links followed
+std::string checked_target(const std::string& folder, const std::string& file) {
+  const fs::path asked(file);
+  require(!asked.empty() && asked.is_relative() && asked.extension() == ".toml" &&
+              !asked.stem().empty(),
+          "wanted a file that ends in .toml, relative to the working folder, got '{}'", file);
+  require(
+      std::none_of(asked.begin(), asked.end(), [](const fs::path& part) { return part == ".."; }),
+      "wanted a file within the working folder, got '{}'", file);
+  const fs::path root = fs::weakly_canonical(folder);
+  const fs::path whole = fs::weakly_canonical(root / asked);
+  const fs::path inside = whole.lexically_relative(root);
+  require(!inside.empty() && *inside.begin() != "..",
+          "wanted a file within the working folder, '{}' leads to {}", file, whole.string());
+  require(!fs::is_directory(whole), "'{}' is a folder", file);
+  return whole.string();
+}
+
+}  // namespace
+
+std::string file_seen_from(const std::string& folder, const std::string& file) {
+  return fs::proximate(fs::absolute(file).lexically_normal(),
+                       fs::absolute(folder.empty() ? "." : folder).lexically_normal())
+      .generic_string();
+}
+
+WorldState state_of_world(LiveWorld& live, const WorldSpec& world, const std::string& path,
+                          const Progress& progress) {
+  WorldState state;
+  state.header = header_of(world);
+  state.placed = world.hands;
+  const std::vector<std::string> data = data_for(world.folder, live.places().data);
+  // Bodies first: they are quickly refused.
+  for (const PlacedBody& placed : world.bodies) state.bodies.push_back(built_body(placed));
+  for (std::size_t i = 0; i < world.hands.size(); ++i) {
+    if (carries_any(world, world.hands[i])) continue;
+    std::shared_ptr<const LiveHand> built = live.hand_of(world, i, path, progress);
+    const WorldHand stands = hand_as_in(world, world.hands[i].name, path, data, built->hand);
+    state.hands.push_back({std::move(built), stands.parts, {stands.X_WH, stands.q}});
+  }
+  return state;
+}
+
+void new_world(LiveWorld& live) {
+  live.apply(empty_world("untitled", live.places().folder), "new world");
+}
+
+std::vector<std::string> load_world(LiveWorld& live, const std::string& world,
+                                    const Progress& progress) {
+  WorldRequest request;
+  request.world = world;
+  request.data = live.places().data;
+  const std::string file = world_file(request);
+  const WorldSpec spec = read_world(file);
+  WorldState state = state_of_world(live, spec, file, progress);
+  state.file = file;
+  std::vector<std::string> warnings = load_warnings(state, spec);
+  live.apply(std::move(state), "load " + spec.name);
+  live.mark_saved(file);
+  return warnings;
+}
+
+std::vector<std::string> load_world_text(LiveWorld& live, const std::string& text,
+                                         const std::string& name, const Progress& progress) {
+  const std::string path = (fs::path(live.places().folder) / (name + ".toml")).string();
+  const WorldSpec spec = parse_world(text, path);
+  WorldState state = state_of_world(live, spec, path, progress);
+  std::vector<std::string> warnings = load_warnings(state, spec);
+  live.apply(std::move(state), "load " + spec.name);
+  return warnings;
+}
+
+std::string world_text(const LiveWorld& live) {
+  const fs::path folder = fs::path(live.places().folder) / files_folder("untitled.toml");
+  return world_toml(seen_from_folder(with_files_in(live, folder).world, live.places().folder));
+}
+
+std::string save_live_world(LiveWorld& live, const std::string& file) {
+  const std::string target = checked_target(live.places().folder, file);
+  const SavedWorld saved = with_files_in(live, files_folder(target));
+  require_writable(target);
+  for (const auto& [from, to] : saved.copies) {
+    std::error_code failed;
+    fs::create_directories(to, failed);
+    if (!failed)
+      fs::copy(from, to, fs::copy_options::recursive | fs::copy_options::overwrite_existing,
+               failed);
+    require(!failed, "'{}' cannot be written: {}", to.string(), failed.message());
+  }
+  save_world(saved.world, target);
+  live.mark_saved(target);
+  return target;
+}
+
+}  // namespace thenar

@@ -1,0 +1,47 @@
+#pragma once
+
+/// Live worlds from and to files.
+
+#include <string>
+#include <vector>
+
+#include "api/live/live_world.h"
+#include "base/progress.h"
+
+namespace thenar {
+
+/// Begins an empty world. It is an edit: undo() brings the world before back.
+void new_world(LiveWorld& live);
+
+/// Loads a world by its name, or from a file.
+/// @return what was assumed: materials of bodies, what is missing of robots
+/// @throws InputError, DataError where it is not to be found or wrong, and the world stays as it
+/// was
+std::vector<std::string> load_world(LiveWorld& live, const std::string& world,
+                                    const Progress& progress = {});
+
+/// Loads a world from the text of its file, whose files are relative to the working folder.
+/// @param name  for messages, and that it is saved by: "my_world"
+/// @return, @throws  as load_world()
+std::vector<std::string> load_world_text(LiveWorld& live, const std::string& text,
+                                         const std::string& name, const Progress& progress = {});
+
+/// The world as the text of a file in the working folder. Files of imported hands are named as
+/// save_live_world() would put them, beside "untitled.toml".
+[[nodiscard]] std::string world_text(const LiveWorld& live);
+
+/// Saves the world, and the files of imported hands in a folder "NAME_files" beside it.
+/// @param file  relative to the working folder, within it, ".toml"
+/// @return the path that was written
+/// @throws InputError if it is elsewhere, leads out through a link, or cannot be written
+std::string save_live_world(LiveWorld& live, const std::string& file);
+
+/// The state of a world that was read: its hands built, or taken where they were built before.
+/// @param path  for messages
+[[nodiscard]] WorldState state_of_world(LiveWorld& live, const WorldSpec& world,
+                                        const std::string& path, const Progress& progress = {});
+
+/// A file as worlds in a folder name it. @param file  relative to where the program runs
+[[nodiscard]] std::string file_seen_from(const std::string& folder, const std::string& file);
+
+}  // namespace thenar

@@ -1,0 +1,173 @@
+#include "api/live/world_import.h"
+
+#include <algorithm>
+#include <filesystem>
+#include <set>
+#include <utility>
+#include <variant>
+
+#include <fmt/format.h>
+
+#include "api/import.h"
+#include "base/error.h"
+#include "base/file_io.h"
+#include "base/progress_parts.h"
+#include "data/io/mesh/mesh_file.h"
+
+namespace thenar {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::size_t kMostFiles = 1000;   // of one drop
+constexpr std::size_t kLongestName = 300;  // of a dropped file [bytes]
+
+/// The path of a dropped file within its folder. @throws InputError if it leads out of it
+fs::path checked_name(const std::string& name) {
+  const fs::path path = fs::path(name).lexically_normal();
+  const bool plain = std::none_of(
+      name.begin(), name.end(), [](unsigned char c) { return c < 0x20 || c == 0x7F || c == '\\'; });
+  require(!name.empty() && name.size() <= kLongestName && plain && path.is_relative() &&
+              path.has_filename() && path != "." && *path.begin() != "..",
+          "wanted the name of a dropped file, like 'meshes/tip.stl', got '{}'",
+          name.substr(0, kLongestName));
+  return path;
+}
+
+/// Lower case, as endings are compared.
+std::string ending_of(const fs::path& path) {
+  std::string ending = path.extension().string();
+  std::transform(ending.begin(), ending.end(), ending.begin(),
+                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  return ending;
+}
+
+bool describes_robot(const fs::path& path) {
+  static const std::set<std::string> endings{".urdf", ".xml", ".mjcf", ".toml"};
+  return endings.count(ending_of(path)) > 0;
+}
+
+bool describes_body(const fs::path& path) {
+  return ending_of(path) == ".toml" || ending_of(path) == ".xml";
+}
+
+/// The file that is the thing, of those that were dropped together.
+fs::path main_file(const std::vector<fs::path>& files, DroppedAs as) {
+  const auto first = [&](const auto& test) {
+    return std::find_if(files.begin(), files.end(), test);
+  };
+  auto found = first(as == DroppedAs::kHand ? describes_robot : describes_body);
+  if (found == files.end() && as != DroppedAs::kHand)
+    found = first([](const fs::path& path) { return is_mesh_file(path.string()); });
+  require(found != files.end(), "none of the {} files is {}", files.size(),
+          as == DroppedAs::kHand
+              ? "a robot: wanted .urdf, .xml, .mjcf or .toml"
+              : "an object: wanted .toml, .xml or a mesh (.obj, .stl, .ply, .off, .glb, .dae ..)");
+  return *found;
+}
+
+/// A folder that is removed unless it is kept.
+class DropFolder {
+ public:
+  explicit DropFolder(const std::string& parent) {
+    // The lowest number that is free: the same drops have the same names.
+    for (int number = 1; path_.empty(); ++number)
+      if (const fs::path next = fs::path(parent) / std::to_string(number); !fs::exists(next))
+        path_ = next;
+    std::error_code failed;
+    fs::create_directory(path_, failed);
+    require(!failed, "'{}' cannot be made: {}", path_.string(), failed.message());
+  }
+  ~DropFolder() {
+    std::error_code ignored;  // the whole is removed at the end anyway
+    if (!kept_) fs::remove_all(path_, ignored);
+  }
+  DropFolder(const DropFolder&) = delete;
+  DropFolder& operator=(const DropFolder&) = delete;
+  [[nodiscard]] const fs::path& path() const { return path_; }
+  void keep() { kept_ = true; }
+
+ private:
+  fs::path path_;
+  bool kept_ = false;
+};
+
+/// Writes files into a folder, and returns their paths there in the order given.
+std::vector<fs::path> written(const fs::path& folder, const std::vector<DroppedFile>& files) {
+  require(!files.empty() && files.size() <= kMostFiles, "wanted 1 to {} files, got {}", kMostFiles,
+          files.size());
+  std::vector<fs::path> paths;
+  for (const DroppedFile& file : files) {
+    const fs::path path = checked_name(file.name);
+    require(std::find(paths.begin(), paths.end(), path) == paths.end(),
+            "the file '{}' was dropped twice", file.name);
+    write_file((folder / path).string(), file.bytes);
+    paths.push_back(path);
+  }
+  return paths;
+}
+
+/// A text without the name of a folder that means nothing to who reads it.
+std::string without(std::string text, const std::string& folder) {
+  for (std::size_t at = text.find(folder); at != std::string::npos; at = text.find(folder))
+    text.erase(at, folder.size());
+  return text;
+}
+
+/// Adds the thing of files that were written to a folder.
+AddedThing add_written(LiveWorld& live, const fs::path& folder, const std::vector<fs::path>& files,
+                       DroppedAs as, const Progress& progress) {
+  const std::string file = (folder / main_file(files, as)).string();
+  if (as == DroppedAs::kHand) return add_hand(live, file, {}, progress);
+  ImportedBody imported = imported_body(file);
+  AddedThing added = add_body(live, {std::move(imported.body), "", {}, as == DroppedAs::kObject});
+  added.warnings.insert(added.warnings.begin(), imported.warnings.begin(), imported.warnings.end());
+  return added;
+}
+
+}  // namespace
+
+ImportedBody imported_body(const std::string& file) {
+  ImportRequest request;
+  request.file = file;
+  request.repair = true;
+  if (is_mesh_file(file)) request.material = kDefaultMaterial;
+  Imported imported = import_file(request);
+  ImportedBody out{{}, std::move(imported.warnings)};
+  if (imported.body)
+    out.body = std::move(*imported.body);
+  else if (auto* body = std::get_if<BodySpec>(&imported.thing))
+    out.body = std::move(*body);
+  else
+    throw InputError(fmt::format("'{}' is a {} and no object", fs::path(file).filename().string(),
+                                 imported.kind));
+  // Its triangles stay, where they came from goes.
+  out.body.files.clear();
+  for (ShapeSpec& shape : out.body.shapes) {
+    shape.mesh_file.clear();
+    shape.mesh_scale = 1;
+  }
+  return out;
+}
+
+AddedThing import_dropped(LiveWorld& live, const std::vector<DroppedFile>& files, DroppedAs as,
+                          const Progress& progress) {
+  DropFolder folder(live.own_folder());
+  const auto told = [&](const std::string& text) {
+    return without(text, folder.path().string() + "/");
+  };
+  try {
+    AddedThing added =
+        add_written(live, folder.path(), written(folder.path(), files), as, progress);
+    for (std::string& warning : added.warnings) warning = told(warning);
+    // A hand is built again from there when undone steps come back, and saved from there.
+    if (as == DroppedAs::kHand) folder.keep();
+    return added;
+  } catch (const Stopped&) {
+    throw;
+  } catch (const Error& error) {
+    throw InputError(told(error.what()));
+  }
+}
+
+}  // namespace thenar
