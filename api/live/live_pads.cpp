@@ -99,7 +99,7 @@ Eigen::Vector3d mean_normal(const ContactPatch& patch) {
 }
 
 /// A pad under an object, in the link's frame.
-struct PadPress {
+struct BedPress {
   const FoundationBed& bed;
   const Shape& object;
   Pose<double> X_PO;       // of the object as it stands
@@ -111,7 +111,7 @@ struct PadPress {
 
 /// Depth at which the springs push with a force; less where they would reach through a thin wall,
 /// or be pressed flat.
-double depth_of_force(const PadPress& press, double force, double thickness) {
+double depth_of_force(const BedPress& press, double force, double thickness) {
   double from = -thickness, to = thickness;
   for (int i = 0; i < kBisections; ++i) {
     const double middle = (from + to) / 2;
@@ -122,7 +122,7 @@ double depth_of_force(const PadPress& press, double force, double thickness) {
 }
 
 /// Presses the bed, shares the load across among its springs, and adds what presses to the pad.
-void add_press(const PadPress& press, double load, const Pose<double>& X_WP, PadOnObject& pad) {
+void add_press(const BedPress& press, double load, const Pose<double>& X_WP, PadOnObject& pad) {
   BedState state;
   const BedContact contact =
       press.bed.step(press.object, press.moved(pad.depth), press.friction, 0, state);
@@ -188,7 +188,7 @@ std::optional<PadOnObject> pressed_pad(const GraspResult& grasp, const ContactPa
   const FoundationBed bed(
       columns_near(surface.solid->visual, X_PO * mean_place(patch), springs->thickness), *springs);
   const double friction = patch.contacts[0].contact.friction;
-  const PadPress press{bed, *object.solid.shape, X_PO, -n, friction};
+  const BedPress press{bed, *object.solid.shape, X_PO, -n, friction};
   PadOnObject pad;
   pad.link = surface.name;
   pad.material = surface.material;

@@ -45,6 +45,10 @@ fs::path files_folder(const std::string& file) {
   return fs::path(file).parent_path() / (fs::path(file).stem().string() + "_files");
 }
 
+fs::path whole_path(const WorldSpec& world, const PlacedHand& hand) {
+  return fs::absolute(fs::path(world.folder) / hand.file).lexically_normal();
+}
+
 /// A world to be saved, and the folders of imported files that are to go with it.
 struct SavedWorld {
   WorldSpec world;
@@ -56,9 +60,9 @@ struct SavedWorld {
 SavedWorld with_files_in(const LiveWorld& live, const fs::path& folder) {
   SavedWorld saved{spec_of(live.state()), {}};
   for (PlacedHand& hand : saved.world.hands) {
-    const fs::path whole = fs::path(saved.world.folder) / hand.file;
-    const fs::path inside = live.in_own_folder(whole.string());
+    const fs::path inside = imported_file(live, hand);
     if (inside.empty()) continue;
+    const fs::path whole = whole_path(saved.world, hand);
     fs::path from = whole;
     for (auto part = std::next(inside.begin()); part != inside.end(); ++part)
       from = from.parent_path();
@@ -87,6 +91,11 @@ std::string checked_target(const std::string& folder, const std::string& file) {
 }
 
 }  // namespace
+
+std::string imported_file(const LiveWorld& live, const PlacedHand& hand) {
+  if (hand.file.empty()) return "";
+  return live.in_own_folder(whole_path(*live.state().header, hand).string());
+}
 
 std::string file_seen_from(const std::string& folder, const std::string& file) {
   return fs::proximate(fs::absolute(file).lexically_normal(),

@@ -41,6 +41,10 @@ std::string save_live_world(LiveWorld& live, const std::string& file);
 [[nodiscard]] WorldState state_of_world(LiveWorld& live, const WorldSpec& world,
                                         const std::string& path, const Progress& progress = {});
 
+/// The file of a hand that was dropped into the world, as seen from the world's own folder:
+/// "1/hand/robot.urdf"; "" of others.
+[[nodiscard]] std::string imported_file(const LiveWorld& live, const PlacedHand& hand);
+
 /// A file as worlds in a folder name it. @param file  relative to where the program runs
 [[nodiscard]] std::string file_seen_from(const std::string& folder, const std::string& file);
 

@@ -1,7 +1,200 @@
+// grasp.*: what is asked of a grasp as it stands.
+
+#include <nlohmann/json.hpp>
+
+#include "api/live/live_pads.h"
+#include "api/live/live_quality.h"
+#include "base/progress_parts.h"
+#include "grasp/closing/describe_grasp.h"
+#include "grasp/quality/volume.h"
+#include "report/answers/grasp.h"
 #include "server/methods/method_table.h"
+#include "server/methods/world_requests.h"
 
 namespace thenar::internal {
+namespace {
 
-void add_grasp_methods(MethodTable& /*table*/) {}
+OrderedJson contacts(Session& session, const Json& params, const Progress& /*progress*/) {
+  const LiveContacts found = contacts_of(live_world(session), pair_param(params));
+  OrderedJson list = OrderedJson::array();
+  for (std::size_t i = 0; i < found.contacts.size(); ++i) {
+    const HandContact& each = found.contacts[i];
+    const Contact seen = seen_from(found.X_WO, each.contact);
+    list.push_back({{"link", found.links[i]},
+                    {"point", to_json(seen.p)},
+                    {"normal", to_json(seen.n)},
+                    {"friction", seen.friction},
+                    {"torsion", seen.torsion},
+                    {"patch", seen.patch},
+                    {"depth", each.depth}});
+  }
+  return {{"contacts", list}, {"warnings", found.warnings}};
+}
+
+LiveQualityRequest quality_param(const Json& params) {
+  LiveQualityRequest request;
+  request.tolerance = params["tolerance"].get<double>();
+  request.norm = params["norm"] == "l1" ? ForceNorm::kL1 : ForceNorm::kLinf;
+  return request;
+}
+
+OrderedJson volume_json(const GraspResult& result, const Progress& progress) {
+  VolumeOptions options;
+  options.limit = result.request.limit;
+  options.progress = progress;
+  const Volume found = volume(result.wrenches, options);
+  if (progress.stop()) throw Stopped("the volume was stopped");
+  return {{"lower", found.lower},
+          {"upper", number_or_null(found.upper)},
+          {"estimate", number_or_null(found.estimate)}};
+}
+
+std::string verdict_of(const Epsilon& e) {
+  if (e.force_closure) return "force closure";
+  return "unstable: the grasp cannot push with " + direction_words(e.missing_direction);
+}
+
+OrderedJson quality(Session& session, const Json& params, const Progress& progress) {
+  const GraspResult result =
+      show_quality(live_world(session), pair_param(params), quality_param(params));
+  const SceneBody& object = result.setting.scene.object;
+  OrderedJson out{{"closed", result.grasp.outcome == GraspOutcome::kGrasped},
+                  {"hand", result.setting.hand.named.name},
+                  {"object", object.name},
+                  {"contacts", result.grasp.contacts.size()}};
+  if (result.grasp.contacts.empty()) {
+    out.update({{"reason", "the hand does not touch the object"},
+                {"epsilon", nullptr},
+                {"force_closure", false},
+                {"verdict", "no contact"},
+                {"missing_direction", nullptr},
+                {"missing_direction_words", nullptr},
+                {"worst_wrench", nullptr},
+                {"worst_wrench_words", nullptr},
+                {"volume", nullptr}});
+  } else {
+    const Epsilon& e = result.grasp.quality;
+    const bool missing = e.has_missing_direction;
+    out.update(
+        {{"reason", nullptr},
+         {"epsilon", {{"lower", e.lower}, {"upper", e.upper}}},
+         {"force_closure", e.force_closure},
+         {"verdict", verdict_of(e)},
+         {"missing_direction", missing ? to_json(e.missing_direction) : Json()},
+         {"missing_direction_words", missing ? Json(direction_words(e.missing_direction)) : Json()},
+         {"worst_wrench", to_json(e.worst_wrench)},
+         {"worst_wrench_words", direction_words(e.worst_wrench)},
+         {"volume", params["volume"].get<bool>() ? volume_json(result, progress) : OrderedJson()}});
+  }
+  out["rank"] = result.grasp.quality.rank;
+  out["centre_of_mass"] = to_json(object.X_WB * object.com);
+  out["torque_scale"] = object.torque_scale;
+  out["warnings"] = result.warnings;
+  return out;
+}
+
+OrderedJson wrenches(Session& session, const Json& params, const Progress& /*progress*/) {
+  const Json& axes = params["axes"];
+  const bool actuated = params["limits"] == "actuated";
+  const WrenchSetMesh found = live_wrench_set(
+      live_world(session), pair_param(params),
+      {axes[0].get<int>(), axes[1].get<int>(), axes[2].get<int>()},
+      params["kind"] == "slice" ? PictureKind::kSlice : PictureKind::kProjection,
+      actuated ? WrenchLimits::kActuated : WrenchLimits::kGeometric, params["pieces"].get<int>());
+  return {{"vertices", to_json(Eigen::MatrixXd(found.mesh.vertices.transpose()))},
+          {"triangles", to_json(Eigen::MatrixXi(found.mesh.triangles.transpose()))},
+          {"unit", actuated ? "N" : "N per N of normal force"},
+          {"failed", found.failed}};
+}
+
+/// The answer of the command, without how long it took.
+OrderedJson measure(Session& session, const Json& params, const Progress& progress) {
+  OrderedJson out = json_of(
+      measured_grasp(live_world(session), pair_param(params), quality_param(params), progress));
+  out.erase("cpu_s");
+  return out;
+}
+
+OrderedJson pads(Session& session, const Json& params, const Progress& /*progress*/) {
+  const LivePads found =
+      press_pads(live_world(session), pair_param(params), params["force"].get<double>());
+  OrderedJson list = OrderedJson::array();
+  for (const PadOnObject& pad : found.pads) {
+    OrderedJson points = OrderedJson::array();
+    for (const PadPoint& point : pad.points)
+      points.push_back(
+          {{"point", to_json(point.p)}, {"pressure", point.pressure}, {"sticks", point.sticks}});
+    list.push_back({{"link", pad.link},
+                    {"material", pad.material},
+                    {"force", pad.force},
+                    {"tangential", pad.tangential},
+                    {"depth", pad.depth},
+                    {"area", pad.area},
+                    {"stick", pad.stick},
+                    {"points", points}});
+  }
+  return {{"pads", list}, {"reasons", found.reasons}};
+}
+
+std::vector<SchemaMember> quality_members() {
+  return {hand_member(),
+          object_member(),
+          {"tolerance", number_schema("1", 1e-6, 1), "Of epsilon's certified bounds.", false, 1e-3},
+          {"norm", word_schema({"l1", "linf"}), "Limits the sum of normal forces, or each of them.",
+           false, "l1"}};
+}
+
+void add_quality_rows(MethodTable& table) {
+  std::vector<SchemaMember> with_volume = quality_members();
+  with_volume.push_back({"volume", flag_schema(), "Whether to compute it.", false, false});
+  table.add({"grasp.quality",
+             "Epsilon with certified bounds, and the disturbance that is resisted least, which is "
+             "shown until something moves.",
+             object_schema(with_volume),
+             "closed: whether anything touches, else reason; contacts: how many; epsilon: lower, "
+             "upper [N per N]; force_closure; verdict; missing_direction, worst_wrench (6, torques "
+             "over torque_scale, the object's frame), each in words; volume or null; rank; "
+             "centre_of_mass [m]; torque_scale [m]; warnings",
+             "{}", quality});
+  table.add({"grasp.measure", "All measures, as `thenar grasp --json` gives them.",
+             object_schema(quality_members()), "as `thenar grasp --json`, units in its keys", "{}",
+             measure});
+}
+
+}  // namespace
+
+void add_grasp_methods(MethodTable& table) {
+  table.add({"grasp.contacts", "Where a hand touches an object.",
+             object_schema({hand_member(), object_member()}),
+             "contacts: link, point [m] and normal (into the object) of the world, friction, "
+             "torsion [m], patch, depth [m]; warnings: what is deep in something",
+             "{}", contacts});
+  add_quality_rows(table);
+  table.add({"grasp.wrench_set", "Wrenches that the grasp makes, in three of six axes, as a mesh.",
+             object_schema(
+                 {hand_member(),
+                  object_member(),
+                  {"axes",
+                   list_schema(integer_schema(0, 5), 3, 3),
+                   "Three of fx, fy, fz, tx, ty, tz, torques over the object's reach.",
+                   false,
+                   {0, 1, 2}},
+                  {"kind", word_schema({"projection", "slice"}),
+                   "Of all wrenches, or of those whose other axes are zero.", false, "projection"},
+                  {"limits", word_schema({"geometric", "actuated"}),
+                   "1 N of normal forces in all, or what drives the hand.", false, "geometric"},
+                  {"pieces", integer_schema(1, 24), "Of each edge of an octahedron.", false, 8}}),
+             "vertices (n, 3) in the object's frame; triangles (m, 3); unit; failed: directions "
+             "that are not bounded",
+             "{}", wrenches});
+  table.add(
+      {"grasp.pads", "Pressure of soft pads on the object, and where they stick.",
+       object_schema({hand_member(),
+                      object_member(),
+                      {"force", number_schema("N", 1e-3, 1000), "Normal, of each pad.", false, 1}}),
+       "pads: link, material, force [N], tangential [N], depth [m], area [m2], stick [1], "
+       "points: point [m], pressure [Pa], sticks; reasons: why a contact has no pad",
+       "{}", pads});
+}
 
 }  // namespace thenar::internal

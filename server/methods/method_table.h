@@ -11,8 +11,10 @@ namespace internal {
 
 /// session.*, catalogue.* and picture.*
 void add_session_methods(MethodTable& table);
-/// world.* and hand.*
+/// world.*, then hand.*
 void add_world_methods(MethodTable& table);
+/// hand.*
+void add_hand_methods(MethodTable& table);
 /// grasp.*
 void add_grasp_methods(MethodTable& table);
 /// motion.*

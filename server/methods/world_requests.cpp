@@ -1,0 +1,108 @@
+#include "server/methods/world_requests.h"
+
+#include <array>
+
+#include <nlohmann/json.hpp>
+
+#include "base/error.h"
+
+namespace thenar::internal {
+namespace {
+
+/// Values of the 64 letters; -1: none of them.
+std::array<int, 256> letter_values() {
+  std::array<int, 256> values{};
+  values.fill(-1);
+  const std::string letters = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+  for (std::size_t i = 0; i < letters.size(); ++i)
+    values[static_cast<unsigned char>(letters[i])] = static_cast<int>(i);
+  return values;
+}
+
+}  // namespace
+
+LiveWorld& live_world(Session& session) { return session.model<LiveWorld>(LiveMode::kWorld); }
+
+LiveWorld& open_live_world(Session& session) {
+  if (!session.has(LiveMode::kWorld))
+    session.open(LiveMode::kWorld, std::make_shared<LiveWorld>(LiveWorldPlaces{
+                                       session.places().data, session.places().folder}));
+  session.show(LiveMode::kWorld);
+  return live_world(session);
+}
+
+LivePair pair_param(const Json& params) {
+  return {text_param(params, "hand"), text_param(params, "object")};
+}
+
+SchemaMember position_member() {
+  return {"position", list_schema(number_schema("m", -kFarthest, kFarthest), 3, 3),
+          "Where its frame is to be, x, y, z of the world."};
+}
+
+SchemaMember rotation_member() {
+  return {"rotation", rotation_schema(), "How its frame is to be turned, as a quaternion."};
+}
+
+SchemaMember hand_member() {
+  return {"hand", text_schema(kNameLength), "Which hand; may be left out where there is one."};
+}
+
+SchemaMember object_member() {
+  return {"object", text_schema(kNameLength), "Which object; may be left out where there is one."};
+}
+
+std::string text_param(const Json& params, const std::string& name) {
+  return params.contains(name) ? params[name].get<std::string>() : std::string();
+}
+
+std::optional<Eigen::Vector3d> position_param(const Json& params) {
+  if (!params.contains("position")) return std::nullopt;
+  const Json& p = params["position"];
+  return Eigen::Vector3d(p[0].get<double>(), p[1].get<double>(), p[2].get<double>());
+}
+
+std::optional<Eigen::Matrix3d> rotation_param(const Json& params) {
+  if (!params.contains("rotation")) return std::nullopt;
+  const Json& q = params["rotation"];
+  return Eigen::Quaterniond(q[0].get<double>(), q[1].get<double>(), q[2].get<double>(),
+                            q[3].get<double>())
+      .normalized()
+      .toRotationMatrix();
+}
+
+Pose<double> pose_param(const Json& params) {
+  return {rotation_param(params).value_or(Eigen::Matrix3d::Identity()),
+          position_param(params).value_or(Eigen::Vector3d::Zero())};
+}
+
+Json quaternion_json(const Eigen::Matrix3d& R) {
+  Eigen::Quaterniond q(R);
+  if (q.w() < 0) q.coeffs() *= -1;
+  return {q.w(), q.x(), q.y(), q.z()};
+}
+
+std::string from_base64(const std::string& text) {
+  static const std::array<int, 256> values = letter_values();
+  require(text.size() % 4 == 0, "wanted base64, whose length is a multiple of 4, got {} letters",
+          text.size());
+  std::size_t padding = 0;
+  while (padding < 2 && padding < text.size() && text[text.size() - 1 - padding] == '=') ++padding;
+  std::string bytes;
+  bytes.reserve(3 * (text.size() / 4));
+  unsigned gathered = 0;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    const bool pads = i >= text.size() - padding;
+    const int value = pads ? 0 : values[static_cast<unsigned char>(text[i])];
+    require(value >= 0, "wanted base64, got another letter at place {}", i);
+    gathered = (gathered << 6U) | static_cast<unsigned>(value);
+    if (i % 4 != 3) continue;
+    for (const unsigned shift : {16U, 8U, 0U})
+      bytes += static_cast<char>(gathered >> shift & 0xFFU);
+    gathered = 0;
+  }
+  bytes.resize(bytes.size() - padding);
+  return bytes;
+}
+
+}  // namespace thenar::internal

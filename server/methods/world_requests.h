@@ -1,0 +1,48 @@
+#pragma once
+
+/// What requests about worlds share: the world of the session, places, names, bytes.
+
+#include <optional>
+#include <string>
+
+#include "api/live/live_grasp.h"
+#include "api/live/live_world.h"
+#include "base/spatial.h"
+#include "server/schema.h"
+#include "server/session.h"
+
+namespace thenar::internal {
+
+/// The world that is open. @throws InputError if none is, saying what opens one
+[[nodiscard]] LiveWorld& live_world(Session& session);
+/// The world that is open, or else an empty one, opened; it is shown.
+LiveWorld& open_live_world(Session& session);
+
+/// Most characters of a name, and of a path.
+inline constexpr std::size_t kNameLength = 300, kPathLength = 4000;
+inline constexpr double kFarthest = 1000;  // of a position [m]
+
+/// Where things are put: "position" and "rotation" of a request, of which each may be left out.
+[[nodiscard]] SchemaMember position_member();
+[[nodiscard]] SchemaMember rotation_member();
+/// "hand" and "object": names, which may be left out where there is only one.
+[[nodiscard]] SchemaMember hand_member();
+[[nodiscard]] SchemaMember object_member();
+
+/// Both of them.
+[[nodiscard]] LivePair pair_param(const Json& params);
+/// A text; "" where it is left out.
+[[nodiscard]] std::string text_param(const Json& params, const std::string& name);
+/// A position [m] (3), or a rotation, made exact (3, 3); nothing where it is left out.
+[[nodiscard]] std::optional<Eigen::Vector3d> position_param(const Json& params);
+[[nodiscard]] std::optional<Eigen::Matrix3d> rotation_param(const Json& params);
+/// Both; the origin and no turn where they are left out.
+[[nodiscard]] Pose<double> pose_param(const Json& params);
+
+/// [w, x, y, z] of a rotation, w >= 0.
+[[nodiscard]] Json quaternion_json(const Eigen::Matrix3d& R);
+
+/// Bytes of a text in base64 (RFC 4648, padded). @throws InputError where it is none
+[[nodiscard]] std::string from_base64(const std::string& text);
+
+}  // namespace thenar::internal

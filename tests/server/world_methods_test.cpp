@@ -1,0 +1,330 @@
+// Tests for server/methods/world_methods.cpp, hand_methods.cpp, grasp_methods.cpp and
+// world_requests.cpp: requests as clients send them.
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <random>
+#include <sstream>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include "api/grasp.h"
+#include "base/error.h"
+#include "report/answers/grasp.h"
+#include "report/scene/mesh_table.h"
+#include "server/methods/method_table.h"
+#include "server/methods/world_requests.h"
+#include "tests/data_folder.h"
+
+namespace thenar {
+namespace {
+
+namespace fs = std::filesystem;
+using testing::HasSubstr;
+
+/// A session of its own, and its requests.
+class Client {
+ public:
+  explicit Client(const std::string& folder = "methods")
+      : folder_((fs::path(testing::TempDir()) / ("thenar_" + folder)).string()),
+        session_({kData, folder_}) {
+    fs::remove_all(folder_);
+    fs::create_directories(folder_);
+  }
+
+  OrderedJson ask(const std::string& name, const Json& params = Json::object()) {
+    static const MethodTable table = method_table();
+    const RpcMethod& method = table.at(name);
+    return method.handler(session_, checked(method.params, params, "params"), {});
+  }
+
+  /// What a request is refused with; "" if it is not.
+  std::string refusal(const std::string& name, const Json& params = Json::object()) {
+    try {
+      (void)ask(name, params);
+    } catch (const Error& error) {
+      return error.what();
+    }
+    return "";
+  }
+
+  [[nodiscard]] const std::string& folder() const { return folder_; }
+  [[nodiscard]] Session& session() { return session_; }
+
+ private:
+  std::string folder_;
+  Session session_;
+};
+
+bool is_ours(const std::string& name) {
+  return name.rfind("world.", 0) == 0 || name.rfind("hand.", 0) == 0 ||
+         name.rfind("grasp.", 0) == 0;
+}
+
+std::string bytes_of_file(const std::string& path) {
+  std::ifstream file(path, std::ios::binary);
+  std::ostringstream text;
+  text << file.rdbuf();
+  return text.str();
+}
+
+Json dropped(const std::string& name, const std::string& bytes) {
+  return {{"name", name},
+          {"data", base64(reinterpret_cast<const unsigned char*>(bytes.data()), bytes.size())}};
+}
+
+TEST(WorldMethods, ExamplesRunOneAfterTheOther) {
+  Client client;
+  const MethodTable table = method_table();
+  int asked = 0;
+  for (const RpcMethod& method : table.all()) {
+    if (!is_ours(method.name)) continue;
+    EXPECT_EQ(client.refusal(method.name, Json::parse(method.example)), "") << method.name;
+    ++asked;
+    // After two hands and two objects only their own.
+    if (method.name == "world.add_hand") (void)client.ask("world.remove", {{"name", "barrett"}});
+    if (method.name == "world.import") (void)client.ask("world.remove", {{"name", "wedge"}});
+  }
+  EXPECT_GE(asked, 20);
+}
+
+TEST(WorldMethods, NameTheOpenerWhereNoWorldIsOpen) {
+  Client client;
+  EXPECT_THAT(client.refusal("world.get"), HasSubstr("world.new or world.load"));
+  (void)client.ask("world.new");
+  EXPECT_EQ(client.ask("world.get")["hands"].size(), 0U);
+  EXPECT_EQ(client.session().mode(), LiveMode::kWorld);
+}
+
+TEST(WorldMethods, TellWhatStandsInTheWorld) {
+  Client client;
+  (void)client.ask("world.load", {{"world", "jaw_box"}});
+  const OrderedJson world = client.ask("world.get");
+  ASSERT_EQ(world["hands"].size(), 1U);
+  EXPECT_EQ(world["hands"][0]["name"], "parallel_jaw");
+  EXPECT_NEAR(world["hands"][0]["joints"]["opening"].get<double>(), 0.05, 1e-15);
+  ASSERT_EQ(world["bodies"].size(), 3U);
+  EXPECT_EQ(world["bodies"][0]["dynamic"], true);
+  // The box is turned by 90 degrees about z.
+  EXPECT_NEAR(world["bodies"][0]["rotation"][0].get<double>(), std::sqrt(0.5), 1e-12);
+  EXPECT_NEAR(world["bodies"][0]["rotation"][3].get<double>(), std::sqrt(0.5), 1e-12);
+}
+
+TEST(WorldMethods, PlaceByQuaternions) {
+  Client client;
+  (void)client.ask("world.load", {{"world", "jaw_box"}});
+  const Json turn{0.5, 0.5, 0.5, 0.5};
+  (void)client.ask("world.place", {{"name", "box"}, {"rotation", turn}});
+  const OrderedJson box = client.ask("world.get")["bodies"][0];
+  for (int i = 0; i < 4; ++i) EXPECT_NEAR(box["rotation"][i].get<double>(), 0.5, 1e-12);
+  EXPECT_EQ(box["position"][2], 0.12);  // stays
+}
+
+TEST(GraspMethods, AnswerAsTheCommandDoes) {
+  for (const char* world : {"barrett_bobbin", "jaw_box", "human_mug"}) {
+    Client client;
+    (void)client.ask("world.load", {{"world", world}});
+    const OrderedJson closed = client.ask("hand.grasp");
+    GraspRequest request;
+    request.world.world = world;
+    request.world.data = kData;
+    OrderedJson told = json_of(grasp_in_world(request));
+    OrderedJson found = client.ask("grasp.measure");
+    told.erase("cpu_s");
+    EXPECT_EQ(closed["outcome"], "grasped");
+    EXPECT_EQ(found, told) << world;
+    const OrderedJson quality = client.ask("grasp.quality");
+    EXPECT_EQ(quality["epsilon"], told["epsilon"]);
+    EXPECT_EQ(quality["force_closure"], told["force_closure"]);
+    EXPECT_EQ(quality["worst_wrench"], told["worst_wrench"]);
+    EXPECT_EQ(quality["verdict"], "force closure");
+    EXPECT_EQ(closed["explanation"], told["explanation"]);
+  }
+}
+
+TEST(GraspMethods, SayWhyThereIsNoGrasp) {
+  Client client;
+  (void)client.ask("world.load", {{"world", "barrett_bobbin"}});
+  const OrderedJson open = client.ask("grasp.quality");
+  EXPECT_EQ(open["closed"], false);
+  EXPECT_EQ(open["epsilon"], nullptr);
+  EXPECT_NE(open["reason"], nullptr);
+  (void)client.ask("hand.approach");
+  const OrderedJson touching = client.ask("grasp.quality");
+  EXPECT_EQ(touching["closed"], true);
+  EXPECT_EQ(touching["force_closure"], false);
+  EXPECT_THAT(touching["verdict"].get<std::string>(), HasSubstr("unstable: the grasp cannot push"));
+  EXPECT_NE(touching["missing_direction"], nullptr);
+  EXPECT_EQ(client.ask("grasp.measure")["outcome"], "touched");
+}
+
+TEST(GraspMethods, RefuseAxesThatRepeat) {
+  Client client;
+  (void)client.ask("world.load", {{"world", "barrett_bobbin"}});
+  (void)client.ask("hand.grasp");
+  EXPECT_NE(client.refusal("grasp.wrench_set", {{"axes", {0, 0, 1}}}), "");
+  const OrderedJson mesh = client.ask("grasp.wrench_set", {{"axes", {3, 4, 5}}, {"pieces", 2}});
+  EXPECT_EQ(mesh["vertices"].size(), 4U * 2 * 2 + 2);  // as wrench_set_mesh() says
+  EXPECT_EQ(mesh["failed"], 0);
+  EXPECT_EQ(client.refusal("grasp.wrench_set", {{"limits", "actuated"}, {"pieces", 2}}), "");
+}
+
+// ---- imports
+
+/// A gripper of two fingers with a mesh, as URDF.
+std::string small_urdf() {
+  const auto finger = [](const std::string& name, const std::string& y, const std::string& axis) {
+    return "<link name='" + name +
+           "'><collision><origin xyz='0 0 0.05'/><geometry>"
+           "<mesh filename='package://pack/meshes/tip.obj' scale='0.001 0.001 0.001'/></geometry>"
+           "</collision></link><joint name='j_" +
+           name +
+           "' type='prismatic'><parent link='base'/>"
+           "<child link='" +
+           name + "'/><origin xyz='0 " + y + " 0'/><axis xyz='0 " + axis +
+           " 0'/><limit lower='0' upper='0.04' effort='10' velocity='1'/></joint>";
+  };
+  return "<robot name='small'><link name='base'><collision><geometry><box size='0.1 0.1 0.02'/>"
+         "</geometry></collision></link>" +
+         finger("left", "0.05", "-1") + finger("right", "-0.05", "1") + "</robot>";
+}
+
+std::string cube_obj() {
+  return "v -5 -5 -5\nv 5 -5 -5\nv 5 5 -5\nv -5 5 -5\nv -5 -5 5\nv 5 -5 5\nv 5 5 5\nv -5 5 5\n"
+         "f 1 4 3 2\nf 5 6 7 8\nf 1 2 6 5\nf 2 3 7 6\nf 3 4 8 7\nf 4 1 5 8\n";
+}
+
+TEST(WorldMethods, ImportARobotWithItsMeshesAndSaveItAlong) {
+  Client client("import");
+  const Json files{dropped("pack/meshes/tip.obj", cube_obj()),
+                   dropped("pack/robot.urdf", small_urdf())};
+  const OrderedJson added = client.ask("world.import", {{"files", files}, {"as", "hand"}});
+  EXPECT_EQ(added["name"], "robot");
+  for (const auto& warning : added["warnings"])
+    EXPECT_THAT(warning.get<std::string>(), testing::Not(HasSubstr("/tmp")));
+  EXPECT_EQ(client.ask("hand.get")["joints"].size(), 2U);
+  // Saved, and loaded by another session once the first one is gone.
+  (void)client.ask("world.save", {{"file", "kept.toml"}});
+  const std::string toml = bytes_of_file(client.folder() + "/kept.toml");
+  EXPECT_THAT(toml, HasSubstr("\"kept_files/1/pack/robot.urdf\""));
+  Client other("other");
+  (void)other.ask("world.load", {{"world", client.folder() + "/kept.toml"}});
+  EXPECT_EQ(other.ask("hand.get")["joints"].size(), 2U);
+  EXPECT_GE(other.session().shown()->shape().bodies.size(), 3U);
+}
+
+TEST(WorldMethods, ImportAMeshAndForgetWhereItCameFrom) {
+  Client client("mesh");
+  std::string obj = cube_obj();  // 10 m: scaled to 10 mm
+  for (std::size_t at = 0; (at = obj.find('5', at)) != std::string::npos; at += 5)
+    if (obj[at - 1] != 'f' && at < obj.find('f')) obj.replace(at, 1, "0.005");
+  const OrderedJson added = client.ask(
+      "world.import",
+      {{"files", {dropped("cube.mtl", ""), dropped("cube.obj", obj)}}, {"as", "object"}});
+  EXPECT_EQ(added["name"], "cube");
+  const OrderedJson text = client.ask("world.text");
+  EXPECT_THAT(text["toml"].get<std::string>(), testing::Not(HasSubstr("/tmp")));
+  Client other("mesh2");
+  (void)other.ask("world.load", {{"text", text["toml"]}});
+  EXPECT_EQ(other.session().shown()->shape().bodies[0].mesh->triangles.cols(), 12);
+}
+
+TEST(WorldMethods, RefuseDropsThatLeadElsewhereOrAreNothing) {
+  Client client("hostile");
+  const std::string urdf = small_urdf();
+  for (const char* name : {"../x.urdf", "/etc/x.urdf", "a/../../x.urdf", "", ".", "a\nb.urdf", "..",
+                           "a/", "a\\b.urdf"})
+    EXPECT_NE(client.refusal("world.import", {{"files", {dropped(name, urdf)}}, {"as", "hand"}}),
+              "")
+        << name;
+  EXPECT_NE(client.refusal("world.import", {{"files", {dropped("x.txt", "")}}, {"as", "hand"}}),
+            "");
+  EXPECT_NE(
+      client.refusal("world.import", {{"files", {dropped("x.obj", "f 1 2 3")}}, {"as", "object"}}),
+      "");
+  EXPECT_NE(client.refusal(
+                "world.import",
+                {{"files", {dropped("a.urdf", "<robot"), dropped("a.urdf", "x")}}, {"as", "hand"}}),
+            "");
+  EXPECT_NE(client.refusal("world.import",
+                           {{"files", {{{"name", "x.obj"}, {"data", "!!!!"}}}}, {"as", "object"}}),
+            "");
+  EXPECT_NE(client.refusal("world.import", {{"files", Json::array()}, {"as", "object"}}), "");
+  EXPECT_TRUE(client.ask("world.get")["hands"].empty());
+  EXPECT_TRUE(fs::is_empty(client.folder()));
+}
+
+TEST(WorldRequests, Base64IsReadAsItIsWritten) {
+  std::mt19937 random(3);
+  for (std::size_t length = 0; length < 40; ++length) {
+    std::string bytes;
+    for (std::size_t i = 0; i < length; ++i) bytes += static_cast<char>(random());
+    EXPECT_EQ(internal::from_base64(
+                  base64(reinterpret_cast<const unsigned char*>(bytes.data()), bytes.size())),
+              bytes);
+  }
+  EXPECT_EQ(internal::from_base64("TWFu"), "Man");  // RFC 4648's letters, by hand
+  for (const char* wrong : {"TWF", "TW=u", "====", "TWF\n", "T===", "TWFu=", "TW\xC3\xA9"})
+    EXPECT_THROW((void)internal::from_base64(wrong), InputError) << wrong;
+}
+
+// ---- hostile requests
+
+Json draw_value(std::mt19937& random, int depth) {
+  switch (random() % (depth > 0 ? 9U : 7U)) {
+    case 0:
+      return nullptr;
+    case 1:
+      return random() % 2 == 0;
+    case 2:
+      return static_cast<double>(random() % 2001) / 100 - 10;
+    case 3:
+      return 1e300;
+    case 4:
+      return std::string(random() % 400, 'x');
+    case 5:
+      return "barrett";
+    case 6:
+      return "../../etc/passwd";
+    case 7: {
+      Json list = Json::array();
+      for (unsigned i = random() % 6; i-- > 0;) list.push_back(draw_value(random, depth - 1));
+      return list;
+    }
+    default: {
+      Json object = Json::object();
+      for (const char* name : {"hand", "joints", "name", "position", "spread"})
+        if (random() % 2 == 0) object[name] = draw_value(random, depth - 1);
+      return object;
+    }
+  }
+}
+
+TEST(WorldMethods, HostileParamsAreRefusedOrHarmless) {
+  Client client("random");
+  (void)client.ask("world.load", {{"world", "barrett_bobbin"}});
+  const MethodTable table = method_table();
+  std::mt19937 random(11);
+  int refused = 0, asked = 0;
+  for (int round = 0; round < 60; ++round)
+    for (const RpcMethod& method : table.all()) {
+      if (!is_ours(method.name)) continue;
+      // The example with one member replaced, or one more.
+      Json params = Json::parse(method.example);
+      const auto& members = method.params.members;
+      const std::string member =
+          members.empty() || random() % 8 == 0 ? "other" : members[random() % members.size()].name;
+      params[member] = draw_value(random, 3);
+      refused += client.refusal(method.name, params).empty() ? 0 : 1;
+      ++asked;
+      ASSERT_NE(client.session().shown(), nullptr);
+      check_instant(client.session().shown()->shape(), client.session().shown()->instant());
+    }
+  EXPECT_GT(refused, asked / 2);
+}
+
+}  // namespace
+}  // namespace thenar
