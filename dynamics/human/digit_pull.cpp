@@ -103,6 +103,7 @@ DigitPull::DigitPull(DigitPullModel model)
     require(contracts(each.muscle), "'{}' has a tension or cannot contract, and is excited",
             group.muscles()[static_cast<std::size_t>(each.muscle)]);
   given_.resize(static_cast<std::size_t>(muscles_));
+  set_.resize(static_cast<std::size_t>(muscles_));
   excited_ = given_;
   now_.excitation.setZero(muscles_);
   now_.excursion.setZero(muscles_);
@@ -237,6 +238,8 @@ void DigitPull::set_pieces(double acting) const {
   if (acting_ == acting) return;
   set_pieces_of(model_->tensions, acting, given_);
   set_pieces_of(model_->excitations, acting, excited_);
+  for (std::size_t m = 0; m < set_.size(); ++m)
+    if (set_[m]) (contracts_[m] ? excited_ : given_)[m] = constant_piece(0, *set_[m]);
   acting_ = acting;
 }
 
@@ -466,6 +469,42 @@ bool DigitPull::moves(const ElementInput& at) const {
     return excited_[static_cast<std::size_t>(m)].slope() != 0 || std::abs(rate) > kSettledRate ||
            std::abs(fibre) > kSettledRate;
   });
+}
+
+std::vector<ElementControl> DigitPull::controls() const {
+  std::vector<ElementControl> out;
+  for (std::size_t m = 0; m < set_.size(); ++m) {
+    const bool excited = contracts_[m];
+    out.push_back({name() + "/" + muscles()[m], excited ? "1" : "N", 0,
+                   excited ? 1 : std::numeric_limits<double>::infinity(), set_[m]});
+  }
+  return out;
+}
+
+bool DigitPull::set_control(const std::string& name, double value) {
+  for (std::size_t m = 0; m < set_.size(); ++m) {
+    if (name != this->name() + "/" + muscles()[m]) continue;
+    const bool excited = contracts_[m];
+    require(value >= 0 && std::isfinite(value) && (!excited || value <= 1),
+            "{} of '{}' must be {}, got {}", excited ? "excitation" : "tension", name,
+            excited ? "0 to 1" : "0 N or more", value);
+    set_[m] = value;
+    acting_ = std::numeric_limits<double>::quiet_NaN();
+    return true;
+  }
+  return false;
+}
+
+std::vector<ElementValue> DigitPull::readings(const ElementInput& at) {
+  const PullInstant now = this->at(at);
+  std::vector<ElementValue> out;
+  for (std::size_t m = 0; m < set_.size(); ++m) {
+    const std::string muscle = name() + "/" + muscles()[m];
+    out.push_back({muscle, "N", now.tension[static_cast<Index>(m)]});
+    if (contracts_[m])
+      out.push_back({muscle + " activation", "1", now.activation[static_cast<Index>(m)]});
+  }
+  return out;
 }
 
 PullInstant DigitPull::at(const ElementInput& at) const {

@@ -108,6 +108,12 @@ class DigitPull final : public ForceElement {
   void accept(const ElementInput& at) override;
   [[nodiscard]] std::vector<double> switches() const override;
   [[nodiscard]] bool moves(const ElementInput& at) const override;
+  /// The excitation of each muscle that contracts, the tension of each other one, called after the
+  /// muscle: "human/index/FDP2". What is set holds in place of schedules.
+  [[nodiscard]] std::vector<ElementControl> controls() const override;
+  bool set_control(const std::string& name, double value) override;
+  /// Tension of each muscle [N], and "human/index/FDP2 activation" of each that contracts [1].
+  [[nodiscard]] std::vector<ElementValue> readings(const ElementInput& at) override;
 
   /// Names of the muscles.
   [[nodiscard]] const std::vector<std::string>& muscles() const;
@@ -157,6 +163,7 @@ class DigitPull final : public ForceElement {
   std::shared_ptr<const Contraction> compliant_;  // null: the model's own
   std::vector<int> contracting_;                  // muscles
   std::vector<bool> contracts_;                   // (muscles)
+  std::vector<std::optional<double>> set_;        // tensions [N], excitations [1] (muscles)
   bool has_excursion_ = false, has_fibre_ = false, feels_speed_ = false;
   Eigen::Index muscles_ = 0, states_ = 0;
   Eigen::VectorXd fibre_length_, length_at_optimum_;  // of the contraction [m] (muscles)

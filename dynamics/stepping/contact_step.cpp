@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "base/error.h"
 #include "dynamics/mechanism/articulated_body.h"
@@ -40,14 +41,23 @@ struct ContactStep::Parts {
     const int n = model.layout.v;
     tau = v_free = zero = change = stiffness = damping = implicit = Eigen::VectorXd::Zero(n);
     motion.clear_loads();
-    const auto resists = [](const auto& each) { return each.stiffness > 0 || each.damping > 0; };
     for (std::size_t i = 0; i < scene.mechanism.joints.size(); ++i)
       if (is_scalar(scene.mechanism.joints[i].kind) && resists(scene.mechanism.joints[i]))
         resisting.push_back(i);
-    has_slopes = !elements.empty() || !resisting.empty() ||
-                 std::any_of(scene.drives.begin(), scene.drives.end(), resists);
-    has_flows = !elements.empty() || has_powers(scene);
+    note_what_acts();
     build_collision();
+  }
+
+  template <typename Each>
+  static bool resists(const Each& each) {
+    return each.stiffness > 0 || each.damping > 0;
+  }
+
+  /// Notes what kinds of forces there are at all.
+  void note_what_acts() {
+    has_slopes = !elements.empty() || !resisting.empty() ||
+                 std::any_of(scene.drives.begin(), scene.drives.end(), resists<SceneDrive>);
+    has_flows = !elements.empty() || has_powers(scene);
   }
 
   void build_collision() {
@@ -58,7 +68,6 @@ struct ContactStep::Parts {
       bodies.push_back(collision_body(*solid));
       body_of.push_back(static_cast<int>(i));
     }
-    world = std::make_unique<CollisionWorld>(std::move(bodies));
     X_WB.resize(body_of.size());
     X_before.resize(body_of.size());
     way.resize(body_of.size());
@@ -69,7 +78,15 @@ struct ContactStep::Parts {
       for (std::size_t j = i + 1; j < body_of.size(); ++j)
         if (std::binary_search(pairs.begin(), pairs.end(), std::pair(body_of[i], body_of[j])))
           may_touch = may_meet[i * body_of.size() + j] = true;
-        else
+    set_world(std::move(bodies));
+  }
+
+  /// A world in which no pair has met yet.
+  void set_world(std::vector<std::shared_ptr<const CollisionBody>> bodies) {
+    world = std::make_unique<CollisionWorld>(std::move(bodies));
+    for (std::size_t i = 0; i < body_of.size(); ++i)
+      for (std::size_t j = i + 1; j < body_of.size(); ++j)
+        if (!may_meet[i * body_of.size() + j])
           world->exclude(static_cast<int>(i), static_cast<int>(j));
   }
 
@@ -482,6 +499,11 @@ ContactStep& ContactStep::operator=(ContactStep&&) noexcept = default;
 
 void ContactStep::act_as_at(double t) { parts_->acting = t; }
 
+void ContactStep::set_drives(std::vector<SceneDrive> drives) {
+  parts_->scene.drives = std::move(drives);
+  parts_->note_what_acts();
+}
+
 void ContactStep::solve_contacts_by(const ContactSolverOptions& options) {
   parts_->solver_options = options;
 }
@@ -762,6 +784,27 @@ bool ContactStep::elements_move(const SceneState& state) {
   if (p.elements.empty()) return false;
   p.place(state);
   return p.elements.moves(p.seen_by_elements(state));
+}
+
+std::vector<ElementControl> ContactStep::controls() const { return parts_->elements.controls(); }
+
+void ContactStep::set_control(const std::string& name, double value) {
+  parts_->elements.set_control(name, value);
+}
+
+std::vector<ElementValue> ContactStep::readings(const SceneState& state) {
+  Parts& p = *parts_;
+  if (p.elements.empty()) return {};
+  p.place(state);
+  return p.elements.readings(p.seen_by_elements(state));
+}
+
+void ContactStep::forget() {
+  Parts& p = *parts_;
+  p.set_world(p.world->bodies());
+  p.elements = SceneElements(p.scene.elements, p.model.layout.v);
+  p.solver = ContactSolver();
+  p.is_placed = false;
 }
 
 void ContactStep::note_new(const std::vector<ActiveContact>& found,

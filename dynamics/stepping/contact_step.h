@@ -76,6 +76,9 @@ class ContactStep {
   /// its beginning, also at its very end.
   void act_as_at(double t);
 
+  /// These drives act from now on, in place of the scene's: they are as check_scene() wants them.
+  void set_drives(std::vector<SceneDrive> drives);
+
   /// How contact problems are solved from now on.
   void solve_contacts_by(const ContactSolverOptions& options);
 
@@ -166,6 +169,14 @@ class ContactStep {
   void add_element_contacts(const SceneState& state, std::vector<ContactSample>& out);
   /// Whether an element may move what rests.
   [[nodiscard]] bool elements_move(const SceneState& state);
+  /// What may be set at elements, and what they say of themselves: see ForceElement.
+  [[nodiscard]] std::vector<ElementControl> controls() const;
+  /// @throws InputError if no element has such a control, or it cannot have that value.
+  void set_control(const std::string& name, double value);
+  [[nodiscard]] std::vector<ElementValue> readings(const SceneState& state);
+
+  /// As newly built: pairs of bodies and elements remember nothing, and no control is set.
+  void forget();
 
   /// Most negative gap among contacts that are not in `closed`, and how fast it closes.
   static void note_new(const std::vector<ActiveContact>& found,

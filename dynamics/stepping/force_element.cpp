@@ -2,6 +2,9 @@
 
 #include <algorithm>
 
+#include "base/error.h"
+#include "base/nearest_name.h"
+
 namespace thenar {
 
 void ElementAction::clear(Eigen::Index speeds, Eigen::Index states) {
@@ -91,6 +94,29 @@ bool SceneElements::moves(const ElementInput& at) const {
   for (std::size_t i = 0; i < elements_.size(); ++i)
     if (elements_[i]->moves(input_of(i, at))) return true;
   return false;
+}
+
+std::vector<ElementControl> SceneElements::controls() const {
+  std::vector<ElementControl> all;
+  for (const std::unique_ptr<ForceElement>& element : elements_)
+    for (ElementControl& control : element->controls()) all.push_back(std::move(control));
+  return all;
+}
+
+void SceneElements::set_control(const std::string& name, double value) {
+  for (const std::unique_ptr<ForceElement>& element : elements_)
+    if (element->set_control(name, value)) return;
+  std::vector<std::string> names;
+  for (const ElementControl& control : controls()) names.push_back(control.name);
+  (void)index_of_name(name, names, "muscle or other control");
+}
+
+std::vector<ElementValue> SceneElements::readings(const ElementInput& at) {
+  std::vector<ElementValue> all;
+  for (std::size_t i = 0; i < elements_.size(); ++i)
+    for (ElementValue& value : elements_[i]->readings(input_of(i, at)))
+      all.push_back(std::move(value));
+  return all;
 }
 
 std::vector<std::string> element_state_names(

@@ -4,6 +4,7 @@
 
 #include <limits>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -45,6 +46,21 @@ struct ElementAction {
 
   /// All zero. @param states  of all elements
   void clear(Eigen::Index speeds, Eigen::Index states);
+};
+
+/// A number of an element that may be set between steps, as the tension of a muscle.
+struct ElementControl {
+  std::string name;             // "human/index/FDP2"
+  std::string unit;             // "N": a tension; "1": an excitation
+  double lower = 0, upper = 0;  // what it may be, in its unit; upper may be infinite
+  std::optional<double> set;    // to what it was set; absent: it is as the scene says
+};
+
+/// What an element says of itself at an instant.
+struct ElementValue {
+  std::string name;  // "human/index/FDP2"
+  std::string unit;  // "N", "1"
+  double value = 0;
 };
 
 /// A force element of a scene. Each run of a scene has a clone of its own, so that it may remember
@@ -89,6 +105,16 @@ class ForceElement {
 
   /// Whether it may move what rests, though no position changes.
   [[nodiscard]] virtual bool moves(const ElementInput& /*at*/) const { return false; }
+
+  /// Numbers that may be set between steps.
+  [[nodiscard]] virtual std::vector<ElementControl> controls() const { return {}; }
+  /// Sets one of its controls, from the next step on. @return false if it has none of that name
+  /// @throws InputError if the value is not within the control's range.
+  virtual bool set_control(const std::string& /*name*/, double /*value*/) { return false; }
+  /// What it does there, in numbers with names.
+  [[nodiscard]] virtual std::vector<ElementValue> readings(const ElementInput& /*at*/) {
+    return {};
+  }
 };
 
 /// All elements of a scene, with the work of those that are not passive as a last state. Without
@@ -121,6 +147,12 @@ class SceneElements {
   [[nodiscard]] double foresees() const;
   void add_contacts(const ElementInput& at, std::vector<ContactSample>& out);
   [[nodiscard]] bool moves(const ElementInput& at) const;
+  /// Of all elements.
+  [[nodiscard]] std::vector<ElementControl> controls() const;
+  /// @throws InputError with the nearest name if no element has such a control, or if it cannot
+  /// have that value.
+  void set_control(const std::string& name, double value);
+  [[nodiscard]] std::vector<ElementValue> readings(const ElementInput& at);
 
  private:
   [[nodiscard]] ElementInput input_of(std::size_t i, const ElementInput& at) const {

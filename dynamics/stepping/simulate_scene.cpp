@@ -9,6 +9,7 @@
 #include "dynamics/stepping/extrapolation.h"
 #include "dynamics/stepping/free_step.h"
 #include "dynamics/stepping/mode_change.h"
+#include "dynamics/stepping/scene_stepper.h"
 
 namespace thenar {
 namespace {
@@ -27,7 +28,6 @@ constexpr double kChatterTime = 1e-4;  // that they should have passed [s]
 constexpr double kPass = 1e-3;         // that steps of fixed length pass instead [s]
 constexpr int kPassSteps = 10;         // of them
 constexpr double kHorizon = 0.01;      // over which an error of speeds counts in smooth steps [s]
-constexpr double kOneInstant = 1e-6;   // instants that differ by less of a step are one [1]
 constexpr double kBefore = 0.97;       // of the way to a change of modes that a step takes [1]
 constexpr double kAgain = 0.5;         // of the usual length, of a step after such a change [1]
 constexpr int kUnsolvedTrials = 3;     // of a step whose problems are not solved, all shorter
@@ -61,15 +61,7 @@ class Simulation {
   }
 
   SceneRun run() {
-    const double start = thread_seconds();
-    if (options_.method == SteppingMethod::kEvents) {
-      run_events();
-    } else {
-      run_fixed();
-    }
-    run_.cost.cpu_seconds = thread_seconds() - start;
-    if (run_.status == SceneStatus::kDone && run_.cost.unsolved > 0)
-      run_.status = SceneStatus::kUnsolved;
+    run_events();
     return std::move(run_);
   }
 
@@ -81,10 +73,6 @@ class Simulation {
     return next == switches_.end() ? stop : std::min(stop, *next);
   }
 
-  [[nodiscard]] bool is_finite() const {
-    return state_.q.allFinite() && state_.v.allFinite() && state_.z.allFinite();
-  }
-
   /// Keeps the state as a sample. @param h  over which the impulses of `active` acted [s]
   void sample(const std::vector<ActiveContact>& active, double h) {
     SceneSample out;
@@ -92,11 +80,7 @@ class Simulation {
     out.q = state_.q;
     out.v = state_.v;
     out.z = state_.z;
-    for (const ActiveContact& contact : active) {
-      if (contact.kind != Kind::kContact || contact.mode == ContactMode::kOpen || h <= 0) continue;
-      out.contacts.push_back({contact.a, contact.b, contact.id, contact.point, contact.normal,
-                              contact.impulse / h, contact.torsion / h, contact.gap, contact.mode});
-    }
+    out.contacts = contact_samples(active, h);
     step_.add_element_contacts(state_, out.contacts);
     out.energy = step_.energy(state_);
     out.w = state_.w;
@@ -107,7 +91,7 @@ class Simulation {
 
   /// Whether the caller wants more. Ends the run otherwise.
   bool go_on() {
-    if (!is_finite()) {
+    if (!is_finite(state_)) {
       run_.status = SceneStatus::kNotFinite;
       return false;
     }
@@ -131,69 +115,6 @@ class Simulation {
     run_.cost.unsolved += tried_unsolved_;
     run_.cost.worst_residual = std::max(run_.cost.worst_residual, tried_residual_);
     forget_counts();
-  }
-
-  // ---- steps of fixed length
-
-  void run_fixed() {
-    std::vector<ActiveContact> last;
-    sample({}, 0);
-    const long steps = std::max(1L, std::lround(options_.seconds / options_.step));
-    const double h = options_.seconds / static_cast<double>(steps);
-    for (long i = 0; i < steps; ++i) {
-      // A step ends where something begins or ends to act; what differs by rounding is one instant.
-      double end = h * static_cast<double>(i + 1);
-      const auto behind =
-          std::lower_bound(switches_.begin(), switches_.end(), end + kOneInstant * h);
-      if (behind != switches_.begin() && *(behind - 1) > end - kOneInstant * h) end = *(behind - 1);
-      double part = 0;
-      for (auto t = std::upper_bound(switches_.begin(), switches_.end(), state_.t);
-           t != switches_.end() && *t < end; ++t)
-        part = part_step(*t, last);
-      part = part_step(end, last);
-      if (!go_on()) return;
-      if (state_.t >= next_sample_ - 0.5 * h || i + 1 == steps) sample(last, part);
-    }
-  }
-
-  /// A step of fixed length up to an instant.
-  double part_step(double end, std::vector<ActiveContact>& last) {
-    const bool is_first = state_.t == 0;
-    step_.act_as_at(state_.t);
-    const double part = fixed_step(end - state_.t, last);
-    state_.t = end;
-    if (is_finite()) step_.accept(state_);
-    accept_counts();
-    ++run_.cost.steps;
-    for (const ActiveContact& contact : last)
-      if (!is_first && contact.kind == Kind::kContact)
-        run_.cost.deepest = std::max(run_.cost.deepest, -contact.gap);
-    return part;
-  }
-
-  /// One step, in as many equal parts as it takes for nothing to go through something thin.
-  /// @param last  contacts of the step before, then of this one
-  /// @return the length of a part [s]
-  double fixed_step(double h, std::vector<ActiveContact>& last) {
-    const SceneState before = state_;
-    const std::vector<ActiveContact> start = last;
-    for (int parts = 1;; parts *= 2) {
-      const double part = h / parts;
-      double motion = 0;
-      for (int i = 0; i < parts; ++i) {
-        const SceneState from = state_;
-        step_.time_step(state_, part, last, options_.recovery, outcome_);
-        count(outcome_);
-        std::swap(last, outcome_.active);
-        motion = std::max(motion, step_.motion_between(from, state_, last));
-      }
-      if (motion <= 1 || part <= options_.shortest || !is_finite()) return part;
-      ++run_.cost.rejected;
-      forget_counts();
-      state_ = before;
-      last = start;
-      scale_impulses(last, 0.5 / parts);
-    }
   }
 
   // ---- steps between events
@@ -316,13 +237,13 @@ class Simulation {
     scale_impulses(last, last_h_ > 0 ? h / last_h_ : 0);
     step_.act_as_at(state_.t);
     double part = h;
-    for (int i = 0; i < kPassSteps && is_finite(); ++i) part = fixed_step(h, last);
-    accept_counts();
+    for (int i = 0; i < kPassSteps && is_finite(state_); ++i)
+      part = fixed_.take(step_, h, options_, state_, last, run_.cost);
     state_.t = stop;
     ++run_.cost.passed;
     closed_ = last;
     last_h_ = part;
-    if (!is_finite()) return;
+    if (!is_finite(state_)) return;
     step_.accept(state_);
     step_.find(state_, kNearGap, found_);
     touch_and_bounce();
@@ -608,13 +529,6 @@ class Simulation {
     return h * (substep + 1) - std::min(since, h);
   }
 
-  static void scale_impulses(std::vector<ActiveContact>& list, double factor) {
-    for (ActiveContact& contact : list) {
-      contact.impulse *= factor;
-      contact.torsion *= factor;
-    }
-  }
-
   /// Largest difference of two states over the tolerance. @param horizon  of speeds [s]
   [[nodiscard]] double difference(const SceneState& a, const SceneState& b, double horizon) const {
     double most =
@@ -678,6 +592,7 @@ class Simulation {
   }
 
   ContactStep step_;
+  FixedStep fixed_;
   SceneOptions options_;
   const Progress& progress_;
   std::vector<double> switches_;
@@ -706,6 +621,36 @@ class Simulation {
   Extrapolation columns_;
   Extrapolation::Verdict verdict_ = Extrapolation::Verdict::kGoOn;  // on the last column, if any
 };
+
+/// Steps of fixed length from the start to the end.
+SceneRun run_fixed(const MovingScene& scene, const SceneOptions& options,
+                   const Progress& progress) {
+  SceneStepper stepper(scene, options);
+  SceneRun run;
+  double next_sample = 0;
+  const auto keep = [&] {
+    run.samples.push_back(stepper.sample());
+    next_sample = options.sample *
+                  static_cast<double>(std::lround(stepper.now().state.t / options.sample) + 1);
+  };
+  keep();
+  const long steps = fixed_steps(options);
+  for (long i = 0; i < steps && run.status == SceneStatus::kDone; ++i) {
+    stepper.step();
+    const double t = stepper.now().state.t;
+    if (!is_finite(stepper.now().state)) {
+      run.status = SceneStatus::kNotFinite;
+      break;
+    }
+    progress(t / options.seconds, "");
+    if (progress.stop())
+      run.status = SceneStatus::kStopped;
+    else if (t >= next_sample - 0.5 * stepper.length() || i + 1 == steps)
+      keep();
+  }
+  run.cost = stepper.cost();
+  return run;
+}
 
 }  // namespace
 
@@ -743,7 +688,14 @@ SceneRun simulate_scene(const MovingScene& scene, const SceneOptions& options,
       options.method == SteppingMethod::kEvents || options.method == SteppingMethod::kTimeStepping,
       "wanted events or time-stepping, got {}",
       stepping_names()[static_cast<std::size_t>(options.method)]);
-  return Simulation(scene, options, progress).run();
+  const double start = thread_seconds();
+  SceneRun run = options.method == SteppingMethod::kEvents
+                     ? Simulation(scene, options, progress).run()
+                     : run_fixed(scene, options, progress);
+  run.cost.cpu_seconds = thread_seconds() - start;
+  if (run.status == SceneStatus::kDone && run.cost.unsolved > 0)
+    run.status = SceneStatus::kUnsolved;
+  return run;
 }
 
 }  // namespace thenar

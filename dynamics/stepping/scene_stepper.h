@@ -1,0 +1,99 @@
+#pragma once
+
+/// A scene that goes on step by step, while what drives it may be changed between steps.
+
+#include <map>
+#include <string>
+#include <vector>
+
+#include "dynamics/stepping/fixed_step.h"
+
+namespace thenar {
+
+/// Where a stepper is. A copy leads back there.
+struct SceneInstant {
+  SceneState state;
+  std::vector<ActiveContact> active;  // of the last step, impulses over `part`
+  double part = 0;                    // length of that step's parts [s]; 0: no step yet
+  long steps = 0;                     // since the start
+};
+
+/// Steps of fixed length, those of simulate_scene() by kTimeStepping: without inputs, the same bits
+/// at the same instants. The length is SceneOptions::step, adjusted as there so that `seconds` are
+/// a whole number of steps; after these it goes on. What begins or ends to act divides a step.
+///
+/// The same scene, inputs and steps give the same bits.
+class SceneStepper {
+ public:
+  /// @throws InputError as ContactStep, or if an option is impossible.
+  explicit SceneStepper(const MovingScene& scene, const SceneOptions& options = {});
+
+  /// One step. Where the state is not finite any more, nothing happens.
+  void step();
+  [[nodiscard]] const SceneInstant& now() const { return now_; }
+  [[nodiscard]] double length() const { return length_; }  // of a step [s]
+  [[nodiscard]] const MovingScene& scene() const { return step_.scene(); }
+  [[nodiscard]] const TreeModel& model() const { return step_.model(); }
+
+  /// The present as runs keep it: contacts with forces, energies.
+  [[nodiscard]] SceneSample sample();
+  /// Another instant of this stepper as runs keep it.
+  [[nodiscard]] SceneSample sample_of(const SceneInstant& instant);
+  /// Poses of all bodies at an instant.
+  void poses(const SceneInstant& instant, std::vector<Pose<double>>& out);
+  /// What drives do at a coordinate at an instant, by the inputs of now [N m] or [N].
+  [[nodiscard]] double effort(int coordinate, const SceneInstant& instant) const;
+  /// What elements say of themselves at the present, as tensions of muscles.
+  [[nodiscard]] std::vector<ElementValue> readings() { return step_.readings(now_.state); }
+
+  /// From now on this effort alone drives a coordinate, in place of its drives. It is cut to the
+  /// largest effort of these, or of the motor where that is known.
+  /// @throws InputError if there is no such coordinate, or the effort is not finite.
+  void set_effort(int coordinate, double effort);
+  /// From now on the drive of a coordinate holds this target: the first one of the scene that has
+  /// stiffness, at all times. @param target  [rad] or [m]
+  /// @throws InputError if no drive of the coordinate has stiffness, or the target is not finite.
+  void set_target(int coordinate, double target);
+  /// Gives the coordinate back to the drives of the scene.
+  void release(int coordinate);
+  /// Numbers of elements that may be set, with what they are set to: see ForceElement::controls().
+  [[nodiscard]] std::vector<ElementControl> controls() const { return step_.controls(); }
+  /// @throws InputError if there is no control of that name, or it cannot have that value.
+  void set_control(const std::string& name, double value);
+
+  /// Back to the start; no input is set any more.
+  void reset();
+  /// On from an instant of this scene, with all inputs as they are now. Contacts begin with its
+  /// impulses; what pairs of bodies and elements remember beyond the state begins anew, so that
+  /// what follows depends on the instant and the inputs alone, and differs from what followed once
+  /// by the error of a step.
+  /// @throws InputError if the instant is of another scene.
+  void go_to(const SceneInstant& instant);
+
+  /// What steps needed since the beginning, or since take_cost().
+  [[nodiscard]] const SceneCost& cost() const { return cost_; }
+  /// The same; counts anew from now on.
+  SceneCost take_cost();
+
+ private:
+  [[nodiscard]] std::size_t checked(int coordinate) const;
+  void part_step(double end);
+  void use_drives();
+  void use_controls();
+
+  ContactStep step_;
+  SceneOptions options_;
+  FixedStep fixed_;
+  std::vector<SceneDrive> drives_;       // of the scene
+  std::map<int, SceneDrive> overrides_;  // by coordinate: in place of its drives
+  std::map<std::string, double> controls_;
+  std::vector<double> switches_;  // [s]
+  double length_ = 0;             // of a step [s]
+  SceneInstant now_;
+  SceneCost cost_;
+};
+
+/// How many steps simulate_scene() divides a scene's time into, by kTimeStepping.
+[[nodiscard]] long fixed_steps(const SceneOptions& options);
+
+}  // namespace thenar
