@@ -85,34 +85,6 @@ std::vector<SourceText> texts_of(const std::string& scene, const FileDigests& fi
   return sources;
 }
 
-/// A scene with what the request changes.
-struct ReadScene {
-  SceneSpec spec;
-  OpenScene open;
-};
-ReadScene read_request(const SceneRequest& request) {
-  ReadScene read{read_scene(scene_file(request)), {}};
-  if (request.on_pins) read.spec.compliances.clear();
-  if (!request.pads.empty()) {
-    (void)index_of_name(request.pads, pad_rung_names(), "rung of pads");
-    require(!read.spec.pads.empty(), "'{}' has no [[pad]]", read.spec.name);
-    for (ScenePadSpec& pad : read.spec.pads) pad.rung = request.pads;
-  }
-  read.open = open_scene(read.spec, request.data);
-  SceneOptions& options = read.open.built.options;
-  if (!request.method.empty())
-    options.method =
-        static_cast<SteppingMethod>(index_of_name(request.method, stepping_names(), "method"));
-  options.seconds = request.seconds.value_or(options.seconds);
-  options.sample = request.sample.value_or(options.sample);
-  options.step = request.step.value_or(options.step);
-  options.tolerance = request.tolerance.value_or(options.tolerance);
-  require(options.seconds / options.sample <= kMostSamples,
-          "wanted at most {:g} samples, got {:g} s in steps of {:g} s", kMostSamples,
-          options.seconds, options.sample);
-  return read;
-}
-
 /// Simulates a scene by whatever method its options name.
 SceneRun simulate_by_method(const MovingScene& scene, const SceneOptions& options,
                             const Progress& progress) {
@@ -124,7 +96,7 @@ SceneRun simulate_by_method(const MovingScene& scene, const SceneOptions& option
 }
 
 /// Simulates, unless that was done, and measures a scene with some numbers changed.
-SimulatedScene simulated(const ReadScene& read,
+SimulatedScene simulated(const RequestedScene& read,
                          const std::vector<std::pair<std::string, double>>& numbers,
                          const Progress& progress, std::optional<SceneRun> done = {}) {
   SimulatedScene out;
@@ -213,21 +185,49 @@ bool is_scene(const std::string& name_or_path, const std::string& data) {
   }
 }
 
-OpenScene open_scene(const SceneSpec& scene, const std::string& data) {
-  OpenScene out;
+std::vector<SceneHand> hands_of_scene(const SceneSpec& scene, const std::string& data,
+                                      FileDigests& files) {
   const std::vector<std::string> places = data_for(scene.folder, data);
   std::vector<SceneHand> hands;
-  out.files = scene.files;
   for (const SceneHandSpec& hand : scene.hands)
-    hands.push_back(hand_of(scene, hand, places, out.files));
-  out.built = build_scene(scene, hands);
+    hands.push_back(hand_of(scene, hand, places, files));
+  return hands;
+}
+
+OpenScene open_scene(const SceneSpec& scene, const std::string& data) {
+  OpenScene out;
+  out.files = scene.files;
+  out.built = build_scene(scene, hands_of_scene(scene, data, out.files));
   out.sources = texts_of(scene.path, out.files);
   return out;
 }
 
+RequestedScene open_requested_scene(const SceneRequest& request) {
+  RequestedScene read{read_scene(scene_file(request)), {}};
+  if (request.on_pins) read.spec.compliances.clear();
+  if (!request.pads.empty()) {
+    (void)index_of_name(request.pads, pad_rung_names(), "rung of pads");
+    require(!read.spec.pads.empty(), "'{}' has no [[pad]]", read.spec.name);
+    for (ScenePadSpec& pad : read.spec.pads) pad.rung = request.pads;
+  }
+  read.open = open_scene(read.spec, request.data);
+  SceneOptions& options = read.open.built.options;
+  if (!request.method.empty())
+    options.method =
+        static_cast<SteppingMethod>(index_of_name(request.method, stepping_names(), "method"));
+  options.seconds = request.seconds.value_or(options.seconds);
+  options.sample = request.sample.value_or(options.sample);
+  options.step = request.step.value_or(options.step);
+  options.tolerance = request.tolerance.value_or(options.tolerance);
+  require(options.seconds / options.sample <= kMostSamples,
+          "wanted at most {:g} samples, got {:g} s in steps of {:g} s", kMostSamples,
+          options.seconds, options.sample);
+  return read;
+}
+
 SimulatedScene run_scene(const SceneRequest& request, const Progress& progress) {
   require(request.vary.empty(), "wanted one run, got numbers that vary");
-  return simulated(read_request(request), {}, progress);
+  return simulated(open_requested_scene(request), {}, progress);
 }
 
 namespace {
@@ -238,7 +238,7 @@ using SweptRuns = std::vector<std::optional<SimulatedScene>>;
 /// Puts the runs of all processes together on the first. Only motions are sent: each process has
 /// read the scene, and measures are made again.
 /// @param packed  motions that this process is to send; "" for all others
-void gather_runs(const ReadScene& read, const std::vector<SceneVariation>& vary,
+void gather_runs(const RequestedScene& read, const std::vector<SceneVariation>& vary,
                  const Communicator& ranks, std::vector<std::string> packed, SweptRuns& runs) {
   for (std::size_t i = 0; i < runs.size(); ++i) {
     const std::size_t owner = i % static_cast<std::size_t>(ranks.size());
@@ -258,12 +258,12 @@ SceneSweep sweep_together(const SceneRequest& request, const Progress& progress,
                           const Communicator& ranks) {
   const auto rank = static_cast<std::size_t>(ranks.rank());
   const auto size = static_cast<std::size_t>(ranks.size());
-  ReadScene read;
+  RequestedScene read;
   SceneSweep sweep;
   SweptRuns runs;
   std::vector<std::string> packed;
   collective_call(ranks, [&] {
-    read = read_request(request);
+    read = open_requested_scene(request);
     sweep.name = read.spec.name;
     sweep.vary = request.vary;
     sweep.files = read.open.files;

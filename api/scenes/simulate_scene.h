@@ -78,6 +78,22 @@ struct OpenScene {
 /// @throws DataError at the line of what does not fit, InputError if a hand is not to be found.
 [[nodiscard]] OpenScene open_scene(const SceneSpec& scene, const std::string& data = "");
 
+/// A scene as its file and a request have it.
+struct RequestedScene {
+  SceneSpec spec;
+  OpenScene open;
+};
+/// Reads and opens the scene that is asked for, with the method, pads and times of the request.
+/// @throws as open_scene(), or InputError where the request names what is not there.
+[[nodiscard]] RequestedScene open_requested_scene(const SceneRequest& request);
+
+/// What the hands of a scene are built from, in their order.
+/// @param data   as of open_scene()
+/// @param files  get those that were read for them
+/// @throws as open_scene()
+[[nodiscard]] std::vector<SceneHand> hands_of_scene(const SceneSpec& scene, const std::string& data,
+                                                    FileDigests& files);
+
 /// Simulates one run of a scene; `request.vary` must be empty.
 /// @throws InputError or DataError saying what is unknown or wrong.
 [[nodiscard]] SimulatedScene run_scene(const SceneRequest& request, const Progress& progress = {});

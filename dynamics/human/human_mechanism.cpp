@@ -86,8 +86,11 @@ void dress(const Subject& subject, const Skeleton& skeleton,
     bool dressed = false;
     for (const LinkSurface& surface : surfaces) {
       if (surface.link != link) continue;
-      MechanismBody skin{
-          surface.name, {0, {0, 0, 0}, Eigen::Matrix3d::Zero()}, surface.solid, surface.material};
+      MechanismBody skin{surface.name,
+                         {0, {0, 0, 0}, Eigen::Matrix3d::Zero()},
+                         surface.solid,
+                         surface.material,
+                         surface.digit};
       if (!dressed) {
         skin.mass = mechanism.bodies[body].mass;
         mechanism.bodies[body] = std::move(skin);

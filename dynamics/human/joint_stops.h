@@ -27,6 +27,10 @@ class JointStops final : public ForceElement {
   bool act(const ElementInput& at, ElementAction& out) override;
   [[nodiscard]] double energy(const ElementInput& at) override;
 
+  /// Ranges of the coordinates, and where these stand in the scene.
+  [[nodiscard]] const std::vector<CoordinateLimits>& ranges() const { return limits_.limits; }
+  [[nodiscard]] const CoordinatePlaces& places() const { return places_; }
+
  private:
   std::string name_;
   Skeleton limits_;  // ranges alone

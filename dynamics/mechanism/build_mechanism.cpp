@@ -136,7 +136,7 @@ BuiltMechanism robot_mechanism(const RobotSpec& robot) {
     std::shared_ptr<const Solid> solid;
     if (!link.shapes.empty()) solid = std::make_shared<const Solid>(build_solid(link.shapes));
     out.mechanism.bodies.push_back(
-        {link.name, link_mass(link, out.warnings), solid, link.material});
+        {link.name, link_mass(link, out.warnings), solid, link.material, link.digit});
     out.mechanism.joints.push_back(std::move(joint));
   };
   // The base first, then each joint with its child.

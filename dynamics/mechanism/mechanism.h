@@ -69,6 +69,7 @@ struct MechanismBody {
   BodyMass mass{0, {0, 0, 0}, Eigen::Matrix3d::Zero()};  // in the body's frame
   std::shared_ptr<const Solid> solid;  // what it touches with, body's frame; null: nothing
   std::string material;                // of its surface
+  std::string digit{};                 // of a hand that it is part of; empty: palm, arm, no hand
 };
 
 /// What hinges and slides share.

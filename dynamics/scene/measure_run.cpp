@@ -146,38 +146,10 @@ double work_between(const MovingScene& scene, const MechanismLayout& layout,
 
 /// Work of elements that are not passive, beyond what they store [J]: their springs are among the
 /// energies.
-double work_of_elements(const SceneRun& run) {
-  const SceneSample &first = run.samples.front(), &last = run.samples.back();
+double work_of_elements(const SceneSample& first, const SceneSample& last) {
   if (last.z.size() == 0) return 0;
   const Eigen::Index work = last.z.size() - 1;
   return last.z[work] - first.z[work] + last.energy.of_elements - first.energy.of_elements;
-}
-
-/// Work, dissipation and the error of their balance by the flows of the steps [J].
-void account_by_flows(const SceneRun& run, RunMeasures& out) {
-  const SceneSample &first = run.samples.front(), &last = run.samples.back();
-  const EnergyFlows flows = last.w - first.w;
-  out.work = flows[kApplied] + work_of_elements(run);
-  // Passive elements dissipate what they take and do not store.
-  const double stored = last.energy.of_passive - first.energy.of_passive;
-  out.dissipated = flows[kDamped] + flows[kRubbed] - flows[kPassive] - stored;
-  out.energy_error = first.energy.total() + out.work - out.dissipated - last.energy.total();
-}
-
-/// Velocities of all bodies at an instant.
-std::vector<SceneVelocity> velocities_at(const Mechanism& mechanism, const TreeModel& model,
-                                         const SceneSample& sample) {
-  TreeMotion<double> motion(model);
-  motion.set_position(sample.q);
-  motion.set_speed(sample.v);
-  std::vector<SceneVelocity> out(mechanism.bodies.size());
-  for (std::size_t i = 0; i < out.size(); ++i) {
-    const int link = model.bodies[i].link;
-    if (link < 0) continue;
-    const Eigen::Vector3d centre = motion.pose(static_cast<int>(i)) * mechanism.bodies[i].mass.com;
-    out[i] = {motion.velocity(link, centre), motion.links()[static_cast<std::size_t>(link)].w};
-  }
-  return out;
 }
 
 /// The instant with what touches at it: the start comes before any step, and has no forces yet.
@@ -198,6 +170,32 @@ SceneSample with_touching(const SceneSample& sample, ContactStep& step) {
 }
 
 }  // namespace
+
+std::vector<SceneVelocity> body_velocities(const Mechanism& mechanism, const TreeModel& model,
+                                           const Eigen::VectorXd& q, const Eigen::VectorXd& v) {
+  TreeMotion<double> motion(model);
+  motion.set_position(q);
+  motion.set_speed(v);
+  std::vector<SceneVelocity> out(mechanism.bodies.size());
+  for (std::size_t i = 0; i < out.size(); ++i) {
+    const int link = model.bodies[i].link;
+    if (link < 0) continue;
+    const Eigen::Vector3d centre = motion.pose(static_cast<int>(i)) * mechanism.bodies[i].mass.com;
+    out[i] = {motion.velocity(link, centre), motion.links()[static_cast<std::size_t>(link)].w};
+  }
+  return out;
+}
+
+FlowBalance flow_balance(const SceneSample& first, const SceneSample& last) {
+  FlowBalance out;
+  const EnergyFlows flows = last.w - first.w;
+  out.work = flows[kApplied] + work_of_elements(first, last);
+  // Passive elements dissipate what they take and do not store.
+  const double stored = last.energy.of_passive - first.energy.of_passive;
+  out.dissipated = flows[kDamped] + flows[kRubbed] - flows[kPassive] - stored;
+  out.error = first.energy.total() + out.work - out.dissipated - last.energy.total();
+  return out;
+}
 
 RunMeasures measure_run(const MovingScene& scene, const SceneRun& run) {
   RunMeasures out;
@@ -224,13 +222,17 @@ RunMeasures measure_run(const MovingScene& scene, const SceneRun& run) {
     if (!has_flows) out.work += work_between(scene, layout, from, to, out.X_WB[k - 1], out.X_WB[k]);
   }
   for (const auto& [bodies, pair] : pairs) out.pairs.push_back(pair);
-  out.velocity = velocities_at(scene.mechanism, step.model(), run.samples.back());
+  out.velocity =
+      body_velocities(scene.mechanism, step.model(), run.samples.back().q, run.samples.back().v);
   out.pulls = measure_pulls(scene, run);
   if (has_flows) {
-    account_by_flows(run, out);
+    const FlowBalance balance = flow_balance(run.samples.front(), run.samples.back());
+    out.work = balance.work;
+    out.dissipated = balance.dissipated;
+    out.energy_error = balance.error;
     return out;
   }
-  out.work += work_of_elements(run);
+  out.work += work_of_elements(run.samples.front(), run.samples.back());
   out.dissipated =
       run.samples.front().energy.total() + out.work - run.samples.back().energy.total();
   out.energy_error = std::numeric_limits<double>::quiet_NaN();

@@ -38,6 +38,21 @@ struct RunMeasures {
   std::vector<SceneVelocity> velocity;  // of the bodies at the end, centres of mass (bodies)
 };
 
+/// Velocities of all bodies at positions and speeds: of their centres of mass, those of bodies that
+/// are fixed to the world 0 (bodies).
+[[nodiscard]] std::vector<SceneVelocity> body_velocities(const Mechanism& mechanism,
+                                                         const TreeModel& model,
+                                                         const Eigen::VectorXd& q,
+                                                         const Eigen::VectorXd& v);
+
+/// What became of energy between two instants, by the flows of the steps (SceneSample::w).
+struct FlowBalance {
+  double work = 0;        // of forces, drives and muscles on the scene [J]
+  double dissipated = 0;  // by contacts, impacts, friction and dampers [J]
+  double error = 0;       // energy at first + work - dissipated - energy at last [J]
+};
+[[nodiscard]] FlowBalance flow_balance(const SceneSample& first, const SceneSample& last);
+
 /// Measures a run from the instants that it kept.
 ///
 /// Slip of a pair: from one instant to the next, each contact point that is there at both is

@@ -1,7 +1,312 @@
+#include <set>
+
+#include <Eigen/Geometry>
+
+#include "api/live/live_motion.h"
+#include "api/scenes/simulate_scene.h"
 #include "server/methods/method_table.h"
 
 namespace thenar::internal {
+namespace {
 
-void add_motion_methods(MethodTable& /*table*/) {}
+constexpr double kMostSteps = 1e6;  // of one request
+
+// Parameters.
+
+Schema numbers_by_name(const std::string& unit) { return map_schema(number_schema(unit)); }
+
+SchemaMember step_member() {
+  return {"step", number_schema("s", 1e-6, 0.1),
+          "Length of a step; left out: as the scene says, 1 ms of a world."};
+}
+
+std::vector<SchemaMember> input_members() {
+  return {{"efforts", numbers_by_name("N m or N"),
+           "Coordinate -> effort, in place of its drives, cut to their largest."},
+          {"targets", numbers_by_name("rad or m"),
+           "Coordinate -> target of its drive, which must have stiffness."},
+          {"tensions", numbers_by_name("N"), "Muscle -> tension: human:skewed/index/FDP2."},
+          {"excitations", numbers_by_name("1"), "Muscle that contracts -> excitation, 0 to 1."},
+          {"release", list_schema(text_schema(), 0, 1000),
+           "Coordinates that go back to the drives of the scene."}};
+}
+
+SchemaMember want_member(const Json& usual) {
+  return {"want",
+          list_schema(word_schema({"joints", "bodies", "contacts", "energy", "muscles"}), 0, 5),
+          "Which parts of the state the reply holds.", false, usual};
+}
+
+MotionParts wanted_parts(const Json& params) {
+  std::set<std::string> want;
+  for (const Json& word : params.at("want")) want.insert(word.get<std::string>());
+  return {want.count("joints") > 0, want.count("bodies") > 0, want.count("contacts") > 0,
+          want.count("energy") > 0, want.count("muscles") > 0};
+}
+
+std::map<std::string, double> numbers_of(const Json& params, const char* name) {
+  std::map<std::string, double> out;
+  if (!params.contains(name)) return out;
+  for (const auto& [key, value] : params.at(name).items()) out[key] = value.get<double>();
+  return out;
+}
+
+MotionInputs inputs_of(const Json& params) {
+  MotionInputs inputs{numbers_of(params, "efforts"),
+                      numbers_of(params, "targets"),
+                      numbers_of(params, "tensions"),
+                      numbers_of(params, "excitations"),
+                      {}};
+  if (params.contains("release"))
+    for (const Json& name : params.at("release")) inputs.release.push_back(name);
+  return inputs;
+}
+
+bool has_inputs(const Json& params) {
+  for (const char* name : {"efforts", "targets", "tensions", "excitations", "release"})
+    if (params.contains(name)) return true;
+  return false;
+}
+
+// Replies.
+
+OrderedJson quaternion_json(const Eigen::Matrix3d& R) {
+  const Eigen::Quaterniond turn(R);
+  return {turn.w(), turn.x(), turn.y(), turn.z()};
+}
+
+OrderedJson contact_json(const ContactSample& contact, const std::vector<std::string>& names) {
+  static const char* const kModes[] = {"open", "stick", "slide"};
+  OrderedJson out;
+  out["a"] = names[static_cast<std::size_t>(contact.a)];
+  out["b"] = names[static_cast<std::size_t>(contact.b)];
+  out["point"] = to_json(contact.point);
+  out["normal"] = to_json(contact.normal);
+  out["force"] = to_json(contact.force);
+  out["torsion"] = contact.torsion;
+  out["gap"] = contact.gap;
+  out["mode"] = kModes[static_cast<std::size_t>(contact.mode)];
+  return out;
+}
+
+OrderedJson energy_json(const MotionEnergy& energy) {
+  OrderedJson out;
+  out["kinetic"] = energy.kinetic;
+  out["weight"] = energy.weight;
+  out["springs"] = energy.springs;
+  if (!energy.balance) return out;
+  out["work"] = energy.balance->work;
+  out["dissipated"] = energy.balance->dissipated;
+  out["error"] = energy.balance->error;
+  return out;
+}
+
+/// Adds the parts of a state that are wanted.
+void add_state(const LiveTimeline& motion, const MotionParts& parts, OrderedJson& out) {
+  const TimelineState state = motion.state(parts);
+  out["t"] = state.t;
+  if (parts.joints) {
+    OrderedJson& joints = out["joints"] = OrderedJson::object();
+    for (const CoordinateState& each : state.joints)
+      joints[each.name] = {each.value, each.rate,
+                           each.effort ? OrderedJson(*each.effort) : OrderedJson()};
+  }
+  if (parts.bodies) {
+    OrderedJson& bodies = out["bodies"] = OrderedJson::object();
+    for (const BodyState& each : state.bodies)
+      bodies[each.name] = {{"position", to_json(each.X_WB.p)},
+                           {"rotation", quaternion_json(each.X_WB.R)},
+                           {"velocity", to_json(each.velocity.linear)},
+                           {"spin", to_json(each.velocity.angular)}};
+  }
+  if (parts.contacts) {
+    OrderedJson& contacts = out["contacts"] = OrderedJson::array();
+    for (const ContactSample& each : state.contacts)
+      contacts.push_back(contact_json(each, state.body_names));
+  }
+  if (state.energy) out["energy"] = energy_json(*state.energy);
+  if (parts.muscles) {
+    OrderedJson& muscles = out["muscles"] = OrderedJson::object();
+    for (const ElementValue& each : state.muscles) muscles[each.name] = each.value;
+  }
+}
+
+OrderedJson quality_json(const MotionQuality& quality) {
+  OrderedJson out;
+  out["steps"] = quality.steps;
+  out["unsolved"] = quality.unsolved;
+  out["worst_residual"] = number_or_null(quality.worst_residual);
+  out["deepest"] = quality.deepest;
+  return out;
+}
+
+LiveTimeline& timeline_of(const Session& session) {
+  return session.model<LiveTimeline>(LiveMode::kMotion);
+}
+
+LiveMotion& motion_of(const Session& session) {
+  LiveTimeline& timeline = timeline_of(session);
+  require(!timeline.live_time().recorded,
+          "'{}' is a recorded run: it can be sought and played, but takes no inputs",
+          timeline.name());
+  return session.model<LiveMotion>(LiveMode::kMotion);
+}
+
+/// What is told of a motion that was opened.
+OrderedJson opened_json(const LiveTimeline& motion) {
+  const LiveTime time = motion.live_time();
+  OrderedJson out;
+  out["name"] = motion.name();
+  out["step"] = time.step;
+  out["duration"] = time.duration ? OrderedJson(*time.duration) : OrderedJson();
+  out["warnings"] = motion.warnings();
+  return out;
+}
+
+OrderedJson play_json(const LiveTimeline& motion) {
+  const LiveTime time = motion.live_time();
+  return {{"t", time.t}, {"playing", time.playing}, {"speed", time.speed}};
+}
+
+// Handlers.
+
+OrderedJson open_motion(Session& session, const Json& params, const Progress& /*progress*/) {
+  SceneRequest request;
+  request.scene = params.at("scene").get<std::string>();
+  request.data = session.places().data;
+  if (params.contains("step")) request.step = params.at("step").get<double>();
+  if (params.contains("pads")) request.pads = params.at("pads").get<std::string>();
+  auto motion = std::make_shared<LiveMotion>(scene_motion(request));
+  const OrderedJson reply = opened_json(*motion);
+  session.open(LiveMode::kMotion, std::move(motion));
+  return reply;
+}
+
+OrderedJson step_motion(Session& session, const Json& params, const Progress& progress) {
+  if (has_inputs(params)) motion_of(session).set(inputs_of(params));
+  LiveTimeline& motion = timeline_of(session);
+  OrderedJson out = quality_json(motion.step(params.at("steps").get<long>(), progress));
+  add_state(motion, wanted_parts(params), out);
+  return out;
+}
+
+OrderedJson motion_state(Session& session, const Json& params, const Progress& /*progress*/) {
+  const LiveTimeline& motion = timeline_of(session);
+  OrderedJson out = quality_json(motion.quality());
+  add_state(motion, wanted_parts(params), out);
+  return out;
+}
+
+OrderedJson set_motion(Session& session, const Json& params, const Progress& /*progress*/) {
+  LiveMotion& motion = motion_of(session);
+  motion.set(inputs_of(params));
+  return {{"t", motion.live_time().t}};
+}
+
+OrderedJson motion_inputs(Session& session, const Json& /*params*/, const Progress& /*progress*/) {
+  OrderedJson list = OrderedJson::array();
+  for (const MotionInput& input : motion_of(session).inputs())
+    list.push_back({{"name", input.name},
+                    {"kind", input.kind},
+                    {"unit", input.unit},
+                    {"lower", number_or_null(input.lower)},
+                    {"upper", number_or_null(input.upper)},
+                    {"set", input.set ? OrderedJson(*input.set) : OrderedJson()}});
+  return {{"inputs", std::move(list)}};
+}
+
+OrderedJson play_motion(Session& session, const Json& params, const Progress& /*progress*/) {
+  LiveTimeline& motion = timeline_of(session);
+  motion.play(params.at("speed").get<double>());
+  return play_json(motion);
+}
+
+OrderedJson pause_motion(Session& session, const Json& /*params*/, const Progress& /*progress*/) {
+  LiveTimeline& motion = timeline_of(session);
+  motion.pause();
+  return play_json(motion);
+}
+
+OrderedJson seek_motion(Session& session, const Json& params, const Progress& /*progress*/) {
+  LiveTimeline& motion = timeline_of(session);
+  (void)motion.seek(params.at("t").get<double>());
+  return play_json(motion);
+}
+
+OrderedJson reset_motion(Session& session, const Json& /*params*/, const Progress& /*progress*/) {
+  LiveTimeline& motion = timeline_of(session);
+  motion.reset();
+  return play_json(motion);
+}
+
+// Rows.
+
+const char* const kStateWords =
+    "t [s]; as wanted: joints {name: [value, rate, effort]} [rad, rad/s, N m or m, m/s, N], bodies "
+    "{name: {position [m], rotation [w, x, y, z], velocity of the centre of mass [m/s], spin "
+    "[rad/s]}}, contacts [{a, b, point [m], normal, force on a [N], torsion [N m], gap [m], "
+    "mode}], "
+    "energy {kinetic, weight, springs, work, dissipated, error since the start} [J], muscles "
+    "{name: "
+    "tension [N], or activation}";
+const char* const kPlayWords = "t [s], playing, speed [1]";
+
+std::string with_quality(const std::string& of) {
+  return "steps, unsolved contact problems, worst_residual [1], deepest penetration [m] " + of +
+         "; " + kStateWords;
+}
+
+void add_opening_methods(MethodTable& table) {
+  const std::string opened = "name, step [s], duration [s] or null, warnings";
+  table.add({"motion.open", "Opens a scene, to be moved step by step.",
+             object_schema({{"scene", text_schema(), "Name or file of the scene.", true},
+                            step_member(),
+                            {"pads", word_schema(pad_rung_names()),
+                             "Rung of all its pads; left out: as the scene says."}}),
+             opened, R"({"scene": "pinch", "step": 0.002})", open_motion});
+}
+
+void add_stepping_methods(MethodTable& table) {
+  std::vector<SchemaMember> members{
+      {"steps", integer_schema(0, kMostSteps), "How many steps.", false, 1}};
+  for (const SchemaMember& input : input_members()) members.push_back(input);
+  members.push_back(want_member({"joints"}));
+  table.add({"motion.step",
+             "Sets inputs, takes steps and tells the state. From an instant that was sought, what "
+             "came behind it is forgotten.",
+             object_schema(std::move(members)), with_quality("of this call"),
+             R"({"steps": 2, "want": ["joints", "contacts"]})", step_motion});
+  table.add({"motion.state", "Tells the state that is shown.",
+             object_schema({want_member({"joints", "bodies", "contacts", "energy"})}),
+             with_quality("since the start"), R"({"want": ["energy"]})", motion_state});
+  table.add({"motion.set", "Sets inputs, which stay until they are set again.",
+             object_schema(input_members()), "t [s]", R"({"efforts": {}})", set_motion});
+  table.add(
+      {"motion.inputs", "Names what can be set.", object_schema({}),
+       "inputs [{name, kind: effort, target, tension or excitation, unit, lower, upper, set}]; "
+       "null: no limit is known, nothing is set",
+       "{}", motion_inputs});
+}
+
+void add_playing_methods(MethodTable& table) {
+  table.add(
+      {"motion.play", "Lets time go on by itself.",
+       object_schema({{"speed", number_schema("1", 1e-3, 100), "Times real time.", false, 1}}),
+       kPlayWords, R"({"speed": 0.5})", play_motion});
+  table.add({"motion.pause", "Stops time.", object_schema({}), kPlayWords, "{}", pause_motion});
+  table.add({"motion.seek", "Shows the kept instant that is nearest to a time.",
+             object_schema({{"t", number_schema("s", 0), "When.", true}}), kPlayWords,
+             R"({"t": 0})", seek_motion});
+  table.add({"motion.reset", "Goes back to the start; inputs and the past are forgotten.",
+             object_schema({}), kPlayWords, "{}", reset_motion});
+}
+
+}  // namespace
+
+void add_motion_methods(MethodTable& table) {
+  add_opening_methods(table);
+  add_stepping_methods(table);
+  add_playing_methods(table);
+}
 
 }  // namespace thenar::internal

@@ -1,0 +1,292 @@
+#include "api/live/live_motion.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+#include "base/error.h"
+#include "base/nearest_name.h"
+
+namespace thenar {
+namespace {
+
+constexpr long kStepsBetweenLooks = 16;  // at whether to stop
+
+/// Whether a coordinate's first joint slides.
+bool slides_along(const MovingScene& scene, int coordinate) {
+  for (const MechanismJoint& joint : scene.mechanism.joints)
+    if (is_scalar(joint.kind) && joint.coordinate == coordinate)
+      return joint.kind == JointKind::kSlide;
+  return false;
+}
+
+/// The drive that a target goes to; null: none has stiffness.
+const SceneDrive* drive_of(const MovingScene& scene, int coordinate) {
+  for (const SceneDrive& drive : scene.drives)
+    if (drive.coordinate == coordinate && drive.stiffness > 0) return &drive;
+  return nullptr;
+}
+
+double largest_effort(const MovingScene& scene, int coordinate) {
+  double most = 0;
+  for (const SceneDrive& drive : scene.drives)
+    if (drive.coordinate == coordinate) most = std::max(most, drive.max_effort);
+  const double motor = scene.mechanism.coordinates[static_cast<std::size_t>(coordinate)].max_effort;
+  if (most == 0) most = motor;
+  return most > 0 ? most : std::numeric_limits<double>::infinity();
+}
+
+}  // namespace
+
+LiveMotion::LiveMotion(MotionSource source, const HistoryLimits& limits)
+    : source_(std::move(source)),
+      picture_(scene_picture(*source_.built, source_.camera)),
+      stepper_(source_.built->scene, source_.built->options),
+      history_(limits) {
+  const std::vector<MechanismCoordinate>& coordinates = scene().mechanism.coordinates;
+  for (std::size_t c = 0; c < coordinates.size(); ++c) {
+    coordinates_.push_back(coordinates[c].name);
+    index_of_[coordinates[c].name] = static_cast<int>(c);
+  }
+  for (ElementControl& control : stepper_.controls()) controls_[control.name] = control;
+  for (std::size_t i = 0; i < scene().mechanism.bodies.size(); ++i) {
+    const MechanismBody& body = scene().mechanism.bodies[i];
+    if (stepper_.model().bodies[i].link >= 0 && (body.mass.mass > 0 || body.solid))
+      moving_.push_back(i);
+  }
+  begin();
+}
+
+void LiveMotion::begin() {
+  quality_ = {};
+  (void)stepper_.take_cost();
+  start_ = stepper_.sample();
+  history_.clear();
+  keep();
+}
+
+void LiveMotion::keep() {
+  std::vector<ContactSample> pads;
+  if (source_.built->pads > 0) {
+    pads = stepper_.sample().contacts;
+    pads.erase(
+        pads.begin(),
+        pads.begin() + static_cast<std::ptrdiff_t>(
+                           contact_samples(stepper_.now().active, stepper_.now().part).size()));
+  }
+  history_.add(stepper_.now(), pads);
+  shown_ = history_.size() - 1;
+  ++changes_;
+}
+
+// Time.
+
+MotionQuality LiveMotion::step(long count, const Progress& progress) {
+  if (!is_newest()) {
+    history_.cut_behind(shown_);
+    stepper_.go_to(shown());
+  }
+  MotionQuality out;
+  bool good = true;
+  for (long i = 0; i < count && good; ++i) {
+    if (i % kStepsBetweenLooks == 0) {
+      if (progress.stop()) break;
+      progress(static_cast<double>(i) / static_cast<double>(count), "stepping");
+    }
+    stepper_.step();
+    good = is_finite(stepper_.now().state);
+    if (!good) continue;
+    keep();
+    ++out.steps;
+  }
+  const SceneCost cost = stepper_.take_cost();
+  out.unsolved = cost.unsolved;
+  out.worst_residual = cost.worst_residual;
+  out.deepest = cost.deepest;
+  quality_.steps += out.steps;
+  quality_.unsolved += out.unsolved;
+  quality_.worst_residual = std::max(quality_.worst_residual, out.worst_residual);
+  quality_.deepest = std::max(quality_.deepest, out.deepest);
+  if (good) return out;
+  stepper_.go_to(shown());
+  playing_ = false;
+  throw InputError(fmt::format(
+      "after {:.6g} s positions or speeds are not finite any more: the motion stands where they "
+      "were last; try shorter steps or smaller inputs",
+      shown().state.t));
+}
+
+double LiveMotion::seek(double t) {
+  shown_ = history_.nearest(t);
+  playing_ = false;  // play would forget what came behind
+  ++changes_;
+  return shown().state.t;
+}
+
+void LiveMotion::reset() {
+  stepper_.reset();
+  efforts_.clear();
+  targets_.clear();
+  playing_ = false;
+  begin();
+}
+
+LiveTime LiveMotion::live_time() const {
+  LiveTime out;
+  out.t = shown().state.t;
+  out.step = stepper_.length();
+  out.playing = playing_;
+  out.speed = speed_;
+  return out;
+}
+
+// Inputs.
+
+int LiveMotion::coordinate_named(const std::string& name) const {
+  const auto found = index_of_.find(name);
+  if (found != index_of_.end()) return found->second;
+  return static_cast<int>(index_of_name(name, coordinates_, "coordinate"));
+}
+
+void LiveMotion::check_controls(const std::map<std::string, double>& values,
+                                const std::string& unit) const {
+  for (const auto& [name, value] : values) {
+    const auto found = controls_.find(name);
+    if (found == controls_.end()) {
+      std::vector<std::string> names;
+      for (const auto& [known, control] : controls_)
+        if (control.unit == unit) names.push_back(known);
+      (void)index_of_name(name, names, unit == "N" ? "tension" : "excitation");
+    }
+    require(found->second.unit == unit, "'{}' {}", name,
+            unit == "N" ? "contracts by itself: set its excitation"
+                        : "is pulled by a given tension: set that");
+    require(value >= found->second.lower && value <= found->second.upper,
+            "'{}' must be {} to {:g} {}, got {}", name, found->second.lower, found->second.upper,
+            unit, value);
+  }
+}
+
+void LiveMotion::check_targets(const std::map<std::string, double>& values) const {
+  for (const auto& [name, value] : values)
+    require(drive_of(scene(), coordinate_named(name)) != nullptr,
+            "no drive with stiffness moves '{}': set its effort instead", name);
+}
+
+void LiveMotion::set(const MotionInputs& inputs) {
+  // Everything is looked at before anything is set.
+  for (const auto& [name, value] : inputs.efforts) (void)coordinate_named(name);
+  for (const std::string& name : inputs.release) (void)coordinate_named(name);
+  for (const auto* values :
+       {&inputs.efforts, &inputs.targets, &inputs.tensions, &inputs.excitations})
+    for (const auto& [name, value] : *values)
+      require(std::isfinite(value), "'{}': wanted a finite number, got {}", name, value);
+  check_targets(inputs.targets);
+  check_controls(inputs.tensions, "N");
+  check_controls(inputs.excitations, "1");
+  for (const auto& [name, value] : inputs.efforts)
+    require(inputs.targets.count(name) == 0, "'{}' has an effort and a target", name);
+  for (const std::string& name : inputs.release) {
+    stepper_.release(coordinate_named(name));
+    efforts_.erase(name);
+    targets_.erase(name);
+  }
+  for (const auto& [name, value] : inputs.efforts) {
+    stepper_.set_effort(coordinate_named(name), value);
+    efforts_[name] = value;
+    targets_.erase(name);
+  }
+  for (const auto& [name, value] : inputs.targets) {
+    stepper_.set_target(coordinate_named(name), value);
+    targets_[name] = value;
+    efforts_.erase(name);
+  }
+  for (const auto* values : {&inputs.tensions, &inputs.excitations})
+    for (const auto& [name, value] : *values) stepper_.set_control(name, value);
+}
+
+std::vector<MotionInput> LiveMotion::inputs() const {
+  const auto given = [](const std::map<std::string, double>& values, const std::string& name) {
+    const auto found = values.find(name);
+    return found == values.end() ? std::nullopt : std::optional<double>(found->second);
+  };
+  std::vector<MotionInput> out;
+  const std::vector<CoordinateRange> ranges = coordinate_ranges(scene());
+  for (std::size_t c = 0; c < coordinates_.size(); ++c) {
+    const std::string& name = coordinates_[c];
+    const int index = static_cast<int>(c);
+    const bool slides = slides_along(scene(), index);
+    const double most = largest_effort(scene(), index);
+    out.push_back({name, "effort", slides ? "N" : "N m", -most, most, given(efforts_, name)});
+    if (drive_of(scene(), index) != nullptr)
+      out.push_back({name, "target", slides ? "m" : "rad", ranges[c].lower, ranges[c].upper,
+                     given(targets_, name)});
+  }
+  for (const ElementControl& control : stepper_.controls())
+    out.push_back({control.name, control.unit == "N" ? "tension" : "excitation", control.unit,
+                   control.lower, control.upper, control.set});
+  return out;
+}
+
+// What is shown.
+
+std::vector<ContactSample> LiveMotion::contacts() const {
+  const PastInstant& past = history_.at(shown_);
+  std::vector<ContactSample> all = contact_samples(past.at.active, past.at.part);
+  all.insert(all.end(), past.pads.begin(), past.pads.end());
+  return all;
+}
+
+std::vector<Pose<double>> LiveMotion::poses() const {
+  std::vector<Pose<double>> out;
+  stepper_.poses(shown(), out);
+  return out;
+}
+
+LiveInstant LiveMotion::instant() const {
+  const SceneState& state = shown().state;
+  const std::vector<Pose<double>> X_WB = poses();
+  return scene_instant(picture_, scene(), stepper_.model().layout,
+                       {state.t, state.q, X_WB, contacts()});
+}
+
+void LiveMotion::add_joints(TimelineState& out) const {
+  const MechanismLayout& layout = stepper_.model().layout;
+  const SceneState& state = shown().state;
+  for (std::size_t c = 0; c < coordinates_.size(); ++c)
+    out.joints.push_back({coordinates_[c], state.q[layout.coordinate_q[c]],
+                          state.v[layout.coordinate_v[c]],
+                          stepper_.effort(static_cast<int>(c), shown())});
+}
+
+void LiveMotion::add_bodies(TimelineState& out) const {
+  const SceneState& state = shown().state;
+  const std::vector<Pose<double>> X_WB = poses();
+  const std::vector<SceneVelocity> velocities =
+      body_velocities(scene().mechanism, stepper_.model(), state.q, state.v);
+  for (const std::size_t i : moving_)
+    out.bodies.push_back({scene().mechanism.bodies[i].name, X_WB[i], velocities[i]});
+}
+
+MotionEnergy LiveMotion::energy() const {
+  const SceneSample sample = stepper_.sample_of(shown());
+  return {sample.energy.kinetic, sample.energy.weight, sample.energy.springs,
+          flow_balance(start_, sample)};
+}
+
+TimelineState LiveMotion::state(const MotionParts& parts) const {
+  TimelineState out;
+  out.t = shown().state.t;
+  if (parts.joints) add_joints(out);
+  if (parts.bodies) add_bodies(out);
+  if (parts.contacts) {
+    out.contacts = contacts();
+    for (const MechanismBody& body : scene().mechanism.bodies) out.body_names.push_back(body.name);
+  }
+  if (parts.energy) out.energy = energy();
+  if (parts.muscles && is_newest()) out.muscles = stepper_.readings();
+  return out;
+}
+
+}  // namespace thenar

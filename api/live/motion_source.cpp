@@ -1,0 +1,50 @@
+#include "api/live/motion_source.h"
+
+#include <cmath>
+#include <utility>
+
+#include "dynamics/stepping/scene_stepper.h"
+
+namespace thenar {
+namespace {
+
+/// Makes every step as long as was asked for, to the last digits, though the scene's time may be no
+/// whole number of such steps.
+void step_by(double step, SceneOptions& options) {
+  options.step = step;
+  const double adjusted = options.seconds / static_cast<double>(fixed_steps(options));
+  if (std::abs(adjusted - step) > 1e-12 * step) options.seconds = step;
+}
+
+}  // namespace
+
+MotionSource scene_motion(const SceneRequest& request) {
+  RequestedScene read = open_requested_scene(request);
+  MotionSource out;
+  out.name = read.spec.name;
+  out.camera = read.spec.camera;
+  out.warnings = read.open.built.warnings;
+  SceneOptions& options = read.open.built.options;
+  if (options.method != SteppingMethod::kTimeStepping)
+    out.warnings.push_back(fmt::format(
+        "the scene asks for '{}': live it takes steps of {:g} ms, in which nothing bounces",
+        stepping_names()[static_cast<std::size_t>(options.method)], 1e3 * options.step));
+  options.method = SteppingMethod::kTimeStepping;
+  if (request.step) step_by(*request.step, options);
+  out.built = std::make_shared<const BuiltScene>(std::move(read.open.built));
+  return out;
+}
+
+MotionSource world_motion(const WorldSpec& world, const std::string& data, WorldDrives drives,
+                          std::optional<double> step) {
+  BuiltScene built = build_world_scene(world, data, drives);
+  if (step) step_by(*step, built.options);
+  MotionSource out;
+  out.name = world.name;
+  out.camera = world.camera;
+  out.warnings = built.warnings;
+  out.built = std::make_shared<const BuiltScene>(std::move(built));
+  return out;
+}
+
+}  // namespace thenar

@@ -1,0 +1,35 @@
+#pragma once
+
+/// Runs of scenes from their files, to be looked at again.
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "api/scenes/simulate_scene.h"
+
+namespace thenar {
+
+/// A run as write_scene_run() wrote it, with its scene built again.
+struct RecordedScene {
+  std::string name;  // of the scene
+  BuiltScene built;  // from the texts that the file keeps, and what they name
+  std::optional<Camera> camera;
+  std::vector<SceneSample> samples;  // at least one, by rising time; z and w are not kept
+  std::vector<std::string> muscles;  // "human:skewed/index/FDP2"
+  Eigen::MatrixXd tension;           // of them [N] (instants, muscles)
+  long steps = 0, unsolved = 0;      // as SceneCost
+  double worst_residual = 0;         // the same [1]
+  double deepest = 0;                // the same [m]
+  std::vector<std::string> warnings;
+};
+
+/// Reads a run. Hands and meshes are found beside the scene as it stood when the run was made, or
+/// among what comes with thenar; that they are those of the run is held against the places of all
+/// bodies at the first and the last instant.
+/// @param data  folder with robots/ ..; empty: the usual ones
+/// @throws DataError or InputError saying what is wrong: no run of a scene, a sweep of several,
+/// what does not fit together, numbers that are not finite, or files that have changed since.
+[[nodiscard]] RecordedScene read_scene_run(const std::string& path, const std::string& data = "");
+
+}  // namespace thenar

@@ -1,0 +1,140 @@
+// Tests for server/methods/motion_methods.cpp: requests as a client sends them.
+
+#include <chrono>
+#include <limits>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "server/methods/method_table.h"
+#include "tests/data_folder.h"
+#include "tests/message_of.h"
+
+namespace thenar {
+namespace {
+
+using testing::HasSubstr;
+
+/// A session with the table, without transports.
+class MotionMethods : public testing::Test {
+ protected:
+  MotionMethods() {
+    internal::add_motion_methods(table_);
+    SessionPlaces places;
+    places.data = kData;
+    session_ = std::make_unique<Session>(places);
+  }
+
+  OrderedJson call(const std::string& method, const Json& params = Json::object()) {
+    const RpcMethod& row = table_.at(method);
+    return row.handler(*session_, checked(row.params, params, "params"), {});
+  }
+  /// As call(), from text to text, as through a line.
+  std::string call_text(const std::string& method, const std::string& params) {
+    return json_text(call(method, Json::parse(params)), -1);
+  }
+  std::string refusal(const std::string& method, const Json& params = Json::object()) {
+    return message_of([&] { (void)call(method, params); });
+  }
+
+  MethodTable table_;
+  std::unique_ptr<Session> session_;
+};
+
+TEST_F(MotionMethods, ExamplesAreAnswered) {
+  for (const RpcMethod& row : table_.all()) {
+    if (row.name == "motion.record") continue;  // its file is elsewhere
+    SCOPED_TRACE(row.name);
+    (void)call("motion.open", {{"scene", "pinch"}});
+    EXPECT_NO_THROW((void)call(row.name, Json::parse(row.example)));
+  }
+}
+
+TEST_F(MotionMethods, SayWhatIsNotOpen) {
+  for (const char* method : {"motion.step", "motion.state", "motion.reset", "motion.inputs"})
+    EXPECT_EQ(refusal(method), "no scene that moves is open: call motion.open or motion.record");
+  EXPECT_THAT(refusal("motion.open", {{"scene", "pnch"}}), HasSubstr("pinch"));
+}
+
+// The cube of 100 g hangs between two balls: each bears half of its weight by friction.
+TEST_F(MotionMethods, StateOfAPinchIsThatOfStatics) {
+  (void)call("motion.open", {{"scene", "pinch"}, {"step", 0.002}});
+  const OrderedJson reply =
+      call("motion.step", {{"steps", 250}, {"want", {"joints", "bodies", "contacts", "energy"}}});
+  EXPECT_EQ(reply["steps"], 250);
+  EXPECT_EQ(reply["unsolved"], 0);
+  EXPECT_LT(reply["worst_residual"].get<double>(), 1e-9);
+  EXPECT_DOUBLE_EQ(reply["t"].get<double>(), 0.5);
+  EXPECT_EQ(reply["joints"]["left"][2], 2.0);
+  EXPECT_NEAR(reply["bodies"]["cube"]["position"][2].get<double>(), 0, 1e-9);
+  ASSERT_EQ(reply["contacts"].size(), 2u);
+  double up = 0;
+  for (const OrderedJson& contact : reply["contacts"]) {
+    EXPECT_EQ(contact["mode"], "stick");
+    const double sign = contact["a"] == "cube" ? 1 : -1;
+    up += sign * contact["force"][2].get<double>();
+    EXPECT_NEAR(std::abs(contact["force"][0].get<double>()), 2, 1e-6);
+  }
+  EXPECT_NEAR(up, 0.1 * 9.81, 1e-6);
+  EXPECT_NEAR(reply["energy"]["error"].get<double>(), 0, 1e-9);
+}
+
+TEST_F(MotionMethods, AllInputsAreSetOrNone) {
+  (void)call("motion.open", {{"scene", "pinch"}});
+  EXPECT_THAT(refusal("motion.set", {{"efforts", {{"left", 9}, {"rigth", 1}}}}),
+              HasSubstr("did you mean 'right'"));
+  EXPECT_THAT(refusal("motion.set", {{"targets", {{"left", 0.1}}}}), HasSubstr("set its effort"));
+  EXPECT_THAT(refusal("motion.step", {{"efforts", {{"left", "x"}}}}), HasSubstr("params.efforts"));
+  EXPECT_EQ(call("motion.state")["joints"]["left"][2], 2.0);
+  (void)call("motion.set", {{"efforts", {{"left", 9}}}});
+  EXPECT_EQ(call("motion.state")["joints"]["left"][2], 9.0);
+  (void)call("motion.set", {{"release", {"left"}}});
+  EXPECT_EQ(call("motion.state")["joints"]["left"][2], 2.0);
+}
+
+// The same requests have the same replies, to the last bit.
+TEST_F(MotionMethods, RequestsRepeat) {
+  const auto play = [&] {
+    std::string all = call_text("motion.open", R"({"scene": "swinging_pinch"})");
+    for (int i = 0; i < 40; ++i) {
+      const double effort = 2 + 0.01 * i;
+      const Json params{{"steps", 3},
+                        {"efforts", {{"left", effort}, {"right", -effort}}},
+                        {"want", {"joints", "bodies", "contacts", "energy"}}};
+      all += json_text(call("motion.step", params), -1);
+      if (i == 20) all += call_text("motion.seek", R"({"t": 0.03})");
+      if (i == 30) all += call_text("motion.reset", "{}");
+    }
+    return all;
+  };
+  const std::string first = play();
+  EXPECT_EQ(first, play());
+}
+
+TEST_F(MotionMethods, NumbersAreWholeDoubles) {
+  (void)call("motion.open", {{"scene", "pendulum"}});
+  const OrderedJson reply = call("motion.step", {{"steps", 7}});
+  const Json read = Json::parse(json_text(reply, -1));
+  EXPECT_EQ(read["joints"].begin().value()[0].get<double>(),
+            reply["joints"].begin().value()[0].get<double>());
+}
+
+// A closed loop in a client: text in, step, text out. The bound is loose for busy machines.
+TEST_F(MotionMethods, PinchTakesAThousandClosedLoopStepsASecond) {
+  (void)call("motion.open", {{"scene", "pinch"}, {"step", 0.002}});
+  double best = std::numeric_limits<double>::infinity();
+  for (int trial = 0; trial < 5; ++trial) {
+    const auto begin = std::chrono::steady_clock::now();
+    for (int i = 0; i < 100; ++i)
+      (void)call_text("motion.step",
+                      R"({"efforts": {"left": 2.5, "right": -2.5}, "want": ["joints", "bodies"]})");
+    const std::chrono::duration<double> took = std::chrono::steady_clock::now() - begin;
+    best = std::min(best, took.count() / 100);
+  }
+  EXPECT_LT(best, 1e-3);
+  RecordProperty("microseconds", static_cast<int>(1e6 * best));
+  std::cout << "one closed-loop step of pinch: " << 1e6 * best << " us\n";
+}
+
+}  // namespace
+}  // namespace thenar
