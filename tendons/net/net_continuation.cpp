@@ -125,10 +125,20 @@ class NetWalk {
       const bool astray = off > options_.stray || (follows && !judged);
       if (!astray || !(end - done_ > least_) || walk_.solves >= options_.max_solves) {
         if (off > options_.stray) ++walk_.snaps;
-        return accept(std::move(next), end);
+        return accept(std::move(next), end, off);
       }
-      step_ = 0.5 * (end - done_);
+      const double shorter = judged ? std::min(next_step(off), 0.5) : 0.5;
+      step_ = std::max(shorter * (end - done_), 0.5 * least_);
     }
+  }
+
+  /// Length of the next step per that of one after which the net lay `off` from its prediction,
+  /// which grows with the square of the step.
+  /// @param off  [m]; 0: not judged
+  [[nodiscard]] double next_step(double off) const {
+    constexpr double kSafety = 0.8, kShortest = 0.1, kLongest = 4;
+    if (off == 0) return kLongest;
+    return std::clamp(kSafety * std::sqrt(options_.stray / off), kShortest, kLongest);
   }
 
   [[nodiscard]] NetEquilibrium rest_at(double place, const Matrix3Xd& start) {
@@ -136,8 +146,8 @@ class NetWalk {
     return tendons_.rest(from_.q + place * turn_, from_.t + place * load_, start);
   }
 
-  /// Takes the equilibrium at the end of a step, and tries a step twice as long next.
-  void accept(NetEquilibrium next, double end) {
+  /// Takes the equilibrium at the end of a step, `off` from its prediction [m].
+  void accept(NetEquilibrium next, double end, double off) {
     // No balance found from the prediction: search from scratch.
     if (unbalanced(next)) {
       NetEquilibrium cold = rest_at(end, {});
@@ -147,7 +157,7 @@ class NetWalk {
       }
     }
     walk_.rest = std::move(next);
-    step_ = 2 * (end - done_);
+    step_ = std::max(next_step(off), 0.5) * (end - done_);
     done_ = end;
   }
 

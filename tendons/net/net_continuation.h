@@ -2,17 +2,19 @@
 
 /// Equilibrium of a net followed from one posture and load to another, however far apart.
 ///
-/// Nodes are predicted by their derivatives,  x + dx/dq dq + dx/dt dt,  and the step is halved
+/// Nodes are predicted by their derivatives,  x + dx/dq dq + dx/dt dt,  and the step is shortened
 /// until the net is found where it was predicted: so it keeps its course, and the result does not
 /// depend on how far apart two postures are. Where no step is short enough the net has snapped.
+/// What a prediction is off grows with the square of the step, which tells how long the next one
+/// may be.
 
 #include "tendons/net/net_tendons.h"
 
 namespace thenar {
 
 struct NetContinuationOptions {
-  double stray = 2e-4;     // from where a knot was predicted; more is halved, or a snap [m]
-  double min_turn = 1e-5;  // of any joint in a step that is not halved [rad]
+  double stray = 2e-4;     // from where a knot was predicted; more is a shorter step, or a snap [m]
+  double min_turn = 1e-5;  // of any joint in a step that is not shortened [rad]
   double min_load = 1e-5;  // change of tension in such a step, per largest tension [1]
   int max_solves = 1000;   // then the rest is gone in one step, and counts as a snap
 };
