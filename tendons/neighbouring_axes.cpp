@@ -40,4 +40,20 @@ AxisOffset axis_offset(const TendonModel<double>& model, const NeighbouringAxes&
                      model.tree[static_cast<std::size_t>(axes.second)], -model.tip_axes.col(0));
 }
 
+std::vector<Eigen::Vector3d> axis_points(const TendonModel<double>& model,
+                                         const TreeState<double>& state) {
+  std::vector<Eigen::Vector3d> points;
+  for (const LinkState<double>& link : state) points.push_back(link.point);
+  const std::vector<Eigen::Vector3d> given = points;
+  const Eigen::Vector3d tip = moved(state, model.tip_link, model.tip);
+  constexpr int kRounds = 50;  // each joint slides to the middle of its neighbours
+  for (int round = 0; round < kRounds; ++round)
+    for (std::size_t i = 0; i < points.size(); ++i) {
+      const Eigen::Vector3d& next = i + 1 < points.size() ? points[i + 1] : tip;
+      const Eigen::Vector3d wanted = i > 0 ? Eigen::Vector3d((points[i - 1] + next) / 2) : given[0];
+      points[i] = given[i] + state[i].axis * state[i].axis.dot(wanted - given[i]);
+    }
+  return points;
+}
+
 }  // namespace thenar

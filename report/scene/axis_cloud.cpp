@@ -5,6 +5,7 @@
 #include "kinematics_fit/model/specimen_model.h"
 #include "report/blocks.h"
 #include "report/scene/digit_layers.h"
+#include "tendons/neighbouring_axes.h"
 
 namespace thenar {
 namespace {

@@ -1,5 +1,7 @@
 #include "report/scene/digit_layers.h"
 
+#include "tendons/neighbouring_axes.h"
+
 namespace thenar {
 namespace {
 
@@ -8,22 +10,6 @@ Eigen::Vector3d tip_of(const TendonModel<double>& model, const TreeState<double>
 }
 
 }  // namespace
-
-std::vector<Eigen::Vector3d> axis_points(const TendonModel<double>& model,
-                                         const TreeState<double>& state) {
-  std::vector<Eigen::Vector3d> points;
-  for (const LinkState<double>& link : state) points.push_back(link.point);
-  const std::vector<Eigen::Vector3d> given = points;
-  const Eigen::Vector3d tip = tip_of(model, state);
-  constexpr int kRounds = 50;  // each joint slides to the middle of its neighbours
-  for (int round = 0; round < kRounds; ++round)
-    for (std::size_t i = 0; i < points.size(); ++i) {
-      const Eigen::Vector3d& next = i + 1 < points.size() ? points[i + 1] : tip;
-      const Eigen::Vector3d wanted = i > 0 ? Eigen::Vector3d((points[i - 1] + next) / 2) : given[0];
-      points[i] = given[i] + state[i].axis * state[i].axis.dot(wanted - given[i]);
-    }
-  return points;
-}
 
 Json bone_layer(const TendonDigit& digit, const Eigen::VectorXd& q, const std::string& color) {
   const TreeState<double> state = pose_tree(digit.model.tree, q);

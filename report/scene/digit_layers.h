@@ -8,12 +8,6 @@
 
 namespace thenar {
 
-/// The point of each axis nearest to a straight way from the first axis to the tip: where a bone
-/// would cross it. Any point of an axis is as good for kinematics; this one is fit to look at.
-/// @return world frame [m] (3, of each hinge)
-[[nodiscard]] std::vector<Eigen::Vector3d> axis_points(const TendonModel<double>& model,
-                                                       const TreeState<double>& state);
-
 /// Bones from joint to joint to the tip. @param q  posture [rad]
 [[nodiscard]] Json bone_layer(const TendonDigit& digit, const Eigen::VectorXd& q,
                               const std::string& color);

@@ -68,5 +68,20 @@ TEST(AxisOffset, JoinsTheNearestPointsOfRandomLines) {
   }
 }
 
+// The tip on x, hinges along y and z that were stated far off: their points come back to x.
+TEST(AxisPoints, LieOnTheirAxesWhereABoneWouldCross) {
+  TendonModel<double> model;
+  model.tree = {{-1, 0, 1, 0, kY, {0, 0, 0}},
+                {0, 1, 1, 0, kZ, {0.03, 0, 7}},
+                {1, 2, 1, 0, kY, {0.06, -5, 0}}};
+  model.coordinates = 3;
+  model.tip_link = 2;
+  model.tip = {0.09, 0, 0};
+  const TreeState<double> state = pose_tree(model.tree, Eigen::Vector3d(0, 0, 0));
+  const std::vector<Eigen::Vector3d> points = axis_points(model, state);
+  ASSERT_EQ(points.size(), 3U);
+  for (int i = 0; i < 3; ++i) EXPECT_NEAR((points[i] - 0.03 * i * kX).norm(), 0, 1e-9) << i;
+}
+
 }  // namespace
 }  // namespace thenar
