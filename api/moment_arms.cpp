@@ -42,7 +42,10 @@ MomentArmPoint point_at(const DigitTendons& tendons, const Eigen::VectorXd& q,
 }  // namespace
 
 MomentArmAnswer ask_moment_arms(const DigitRequest& request, const Progress& progress) {
-  const DigitCase digit = build_digit(request, TendonOptions().hood);
+  return moment_arms_of(build_digit(request, TendonOptions().hood), progress);
+}
+
+MomentArmAnswer moment_arms_of(const DigitCase& digit, const Progress& progress) {
   require(digit.map.empty(), "digit '{}' of '{}' has no bones, only tip map '{}': no moment arms",
           digit.digit, digit.subject.name, digit.map);
   require(digit.net == nullptr,
