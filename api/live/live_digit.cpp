@@ -1,0 +1,229 @@
+#include "api/live/live_digit.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "api/moment_arms.h"
+#include "base/error.h"
+#include "base/nearest_name.h"
+#include "base/numbers.h"
+
+namespace thenar {
+namespace {
+
+constexpr double kNoTension = 1e-6;  // below it a muscle of a net is slack [N]
+
+/// On the rungs that are asked for, or else with a net where the digit can carry one.
+DigitCase open_digit(const DigitRequest& request, std::vector<std::string>& warnings) {
+  require(request.vary.empty() && request.map.empty(),
+          "wanted a digit to move, got a sweep or map");
+  if (request.hood || !request.net.empty()) return build_digit(request, Hood::kFractions);
+  try {
+    return build_digit(request, Hood::kFloatingNet);
+  } catch (const InputError& error) {
+    DigitCase at = build_digit(request, Hood::kFractions);
+    warnings.push_back(std::string("no net, but fixed force fractions: ") + error.what());
+    return at;
+  }
+}
+
+Eigen::VectorXd rounded_to_limits(const Skeleton& skeleton, Eigen::VectorXd q,
+                                  std::vector<std::string>& limited) {
+  for (int i = 0; i < skeleton.coordinates(); ++i) {
+    const CoordinateLimits& limits = skeleton.limits[static_cast<std::size_t>(i)];
+    const double inside = std::clamp(q[i], limits.lower, limits.upper);
+    if (inside != q[i]) limited.push_back(skeleton.coordinate_names[static_cast<std::size_t>(i)]);
+    q[i] = inside;
+  }
+  return q;
+}
+
+/// Where the tendons are not to be trusted, or the net rests with a doubt.
+void add_doubts(const DigitPoint& point, std::vector<std::string>& warnings) {
+  if (!point.pull.warning.empty())
+    warnings.push_back((trusted(point.pull.status) ? "" : "not to be trusted: ") +
+                       point.pull.warning);
+}
+
+}  // namespace
+
+LiveDigit::LiveDigit(const DigitRequest& request) {
+  case_ = open_digit(request, warnings_);
+  require(case_.map.empty(), "digit '{}' of '{}' has no bones, only tip map '{}': ask tip-force",
+          case_.digit, case_.subject.name, case_.map);
+  const TendonDigit& digit = case_.bones();
+  lines_ = std::make_unique<DigitLines>(case_.subject, case_.digit, case_.tendons);
+  muscles_ = std::make_unique<ExcitedMuscles>(case_.subject, case_.tendons);
+  build_shape();
+  // No muscle pulls at first.
+  std::vector<std::string> limited;
+  const Eigen::VectorXd q = rounded_to_limits(digit.skeleton, case_.grid.postures.front(), limited);
+  if (!limited.empty()) warnings_.push_back("joints begin at their limits: " + listed(limited));
+  const auto muscles = static_cast<Eigen::Index>(digit.names.muscles.size());
+  now_ = solve(q, Eigen::VectorXd::Constant(muscles, kNaN), Eigen::VectorXd::Zero(muscles));
+}
+
+void LiveDigit::build_shape() {
+  const TendonDigit& digit = case_.bones();
+  bodies_ = digit_bodies(case_.subject, case_.digit, digit, DigitLook::kAnatomy);
+  warnings_.insert(warnings_.end(), bodies_.warnings.begin(), bodies_.warnings.end());
+  shape_.bodies = bodies_.bodies;
+  shape_.joints = bodies_.joints;
+  shape_.lines = lines_->lines();
+  shape_.arrows = axis_arrows(digit.names.hinges);
+  shape_.arrows.push_back({"tip force", LiveArrowKind::kForce});
+  aim_at_digit(bodies_, digit.model, pose_tree(digit.model.tree, case_.grid.postures.front()),
+               shape_);
+}
+
+Eigen::VectorXd LiveDigit::with_angles(const std::map<std::string, double>& posture,
+                                       std::vector<std::string>& limited) const {
+  const Skeleton& skeleton = case_.bones().skeleton;
+  Eigen::VectorXd q = now_.point.q;
+  for (const auto& [name, angle] : posture) {
+    require(std::isfinite(angle), "wanted an angle of '{}' [rad], got {}", name, angle);
+    q[static_cast<Eigen::Index>(index_of_name(name, skeleton.coordinate_names, "free joint"))] =
+        angle;
+  }
+  return rounded_to_limits(skeleton, q, limited);
+}
+
+Eigen::VectorXd LiveDigit::with_excitations(const DigitInputs& inputs) const {
+  const std::vector<std::string>& muscles = case_.bones().names.muscles;
+  Eigen::VectorXd excitation = now_.excitation;
+  for (const auto& [name, tension] : inputs.tension)
+    excitation[static_cast<Eigen::Index>(index_of_name(name, muscles, "muscle"))] = kNaN;
+  for (const auto& [name, value] : inputs.excitation) {
+    require(inputs.tension.count(name) == 0, "wanted a tension or an excitation of '{}', got both",
+            name);
+    require(value >= 0 && value <= 1, "wanted an excitation of '{}' from 0 to 1, got {}", name,
+            value);
+    excitation[static_cast<Eigen::Index>(index_of_name(name, muscles, "muscle"))] = value;
+  }
+  return excitation;
+}
+
+std::vector<std::string> LiveDigit::set(const DigitInputs& inputs) {
+  std::vector<std::string> limited;
+  const Eigen::VectorXd q = with_angles(inputs.posture, limited);
+  const Eigen::VectorXd excitation = with_excitations(inputs);
+  // Tensions that are named, or else those of before.
+  const std::vector<std::string>& muscles = case_.bones().names.muscles;
+  const Eigen::VectorXd named = tensions(case_, inputs.tension);
+  Eigen::VectorXd t = now_.tension;
+  for (Eigen::Index m = 0; m < t.size(); ++m)
+    if (inputs.tension.count(muscles[static_cast<std::size_t>(m)]) > 0) t[m] = named[m];
+  now_ = solve(q, excitation, t);
+  ++changes_;
+  return limited;
+}
+
+DigitNow LiveDigit::solve(const Eigen::VectorXd& q, const Eigen::VectorXd& excitation,
+                          Eigen::VectorXd t) const {
+  DigitNow now;
+  now.excitation = excitation;
+  now.tension = muscles_->tensions(excitation, t, q);
+  now.point = std::move(sweep_digit(*case_.tendons, {q}, now.tension).front());
+  now.length = lengths_at(now.point, now.tension) - lengths_at_zero(now.tension);
+  // Doubts about this posture.
+  now.warnings = muscles_->warnings(excitation);
+  add_doubts(now.point, now.warnings);
+  if (case_.bones().fidelity.path == Path::kViaPoint) {
+    const DigitTendons& linear = case_.net != nullptr ? case_.net->linear() : *case_.tendons;
+    for (std::string& warning : collapse_warnings(linear, q))
+      now.warnings.push_back(std::move(warning));
+  }
+  return now;
+}
+
+Eigen::VectorXd LiveDigit::lengths_at(const DigitPoint& point, const Eigen::VectorXd& t) const {
+  if (!trusted(point.pull.status)) return Eigen::VectorXd::Constant(t.size(), kNaN);
+  if (case_.net == nullptr) return case_.tendons->lengths(point.q, t, point.pull);
+  Eigen::VectorXd lengths = case_.tendons->lengths(point.q, t, point.pull);
+  // Nothing decides where the knots of a slack muscle are.
+  for (const NetMuscle& muscle : case_.net->net().muscles)
+    if (t[muscle.muscle] < kNoTension) lengths[muscle.muscle] = kNaN;
+  return lengths;
+}
+
+Eigen::VectorXd LiveDigit::lengths_at_zero(const Eigen::VectorXd& t) const {
+  const Eigen::VectorXd zero = Eigen::VectorXd::Zero(case_.bones().model.coordinates);
+  return lengths_at(sweep_digit(*case_.tendons, {zero}, t).front(), t);
+}
+
+DigitCurves LiveDigit::sweep(const std::string& joint, int count, const Progress& progress) const {
+  require(count >= 2 && count <= 1000, "wanted 2 to 1000 postures, got {}", count);
+  const Skeleton& skeleton = case_.bones().skeleton;
+  const std::size_t i = index_of_name(joint, skeleton.coordinate_names, "free joint");
+  const CoordinateLimits& limits = skeleton.limits[i];
+  require(std::isfinite(limits.lower) && limits.lower < limits.upper, "joint '{}' has no range",
+          joint);
+  // The whole range, the other joints as they stand.
+  PostureRequest posture;
+  posture.in_order.assign(now_.point.q.begin(), now_.point.q.end());
+  const double step = (limits.upper - limits.lower) / (count - 1);
+  const PostureGrid grid =
+      posture_grid(skeleton, posture, {{joint, limits.lower, limits.upper, step}});
+  if (case_.net != nullptr) return net_curves(joint, grid, progress);
+  DigitCase varied = case_;
+  varied.grid = grid;
+  const MomentArmAnswer answer = moment_arms_of(varied, progress);
+  // One column a posture.
+  const auto muscles = static_cast<Eigen::Index>(answer.about.muscles.size());
+  const auto postures = static_cast<Eigen::Index>(answer.points.size());
+  DigitCurves curves{joint, Eigen::VectorXd(postures),
+                     Eigen::MatrixXd::Constant(muscles, postures, kNaN),
+                     Eigen::MatrixXd::Constant(muscles, postures, kNaN), answer.about.warnings};
+  for (Eigen::Index k = 0; k < postures; ++k) {
+    const MomentArmPoint& point = answer.points[static_cast<std::size_t>(k)];
+    curves.angle[k] = point.q[static_cast<Eigen::Index>(i)];
+    if (!point.failure.empty()) continue;
+    curves.arms.col(k) = point.arms.col(static_cast<Eigen::Index>(i));
+    curves.lengths.col(k) = point.length_change;
+  }
+  return curves;
+}
+
+DigitCurves LiveDigit::net_curves(const std::string& joint, const PostureGrid& grid,
+                                  const Progress& progress) const {
+  const Eigen::VectorXd& t = now_.tension;
+  const Eigen::VectorXd at_zero = lengths_at_zero(t);
+  const std::vector<DigitPoint> points = sweep_digit(*case_.tendons, grid.postures, t, progress);
+  const auto postures = static_cast<Eigen::Index>(points.size());
+  DigitCurves curves{joint, Eigen::VectorXd(postures),
+                     Eigen::MatrixXd::Constant(t.size(), postures, kNaN),
+                     Eigen::MatrixXd::Constant(t.size(), postures, kNaN), grid.warnings};
+  const int varied = grid.varied.front();
+  std::size_t doubtful = 0;
+  for (Eigen::Index k = 0; k < postures; ++k) {
+    const DigitPoint& point = points[static_cast<std::size_t>(k)];
+    curves.angle[k] = point.q[varied];
+    if (!point.pull.warning.empty() && doubtful++ == 0)
+      curves.warnings.push_back("first doubt over the sweep: " + point.pull.warning);
+    if (!trusted(point.pull.status)) continue;
+    curves.arms.col(k) = point.pull.R.col(varied);
+    curves.lengths.col(k) = lengths_at(point, t) - at_zero;
+  }
+  return curves;
+}
+
+LiveInstant LiveDigit::instant() const {
+  const TendonModel<double>& model = case_.bones().model;
+  const DigitPoint& point = now_.point;
+  const TreeState<double> state = pose_tree(model.tree, point.q);
+  LiveInstant instant;
+  instant.bodies = body_poses(bodies_, state);
+  instant.joints = hinge_angles(model, point.q);
+  instant.line_points = lines_->points(state, point.rest);
+  for (Eigen::Vector3d& p : instant.line_points) p = bodies_.X_WS * p;
+  instant.tensions = lines_->tensions(point.q, now_.tension, point.rest);
+  instant.arrows = axis_vectors(bodies_, model, state);
+  // A force that is not to be trusted is not drawn.
+  LiveVector force{bodies_.X_WS * moved(state, model.tip_link, model.tip), {0, 0, 0}};
+  if (trusted(point.pull.status)) force.vector = bodies_.X_WS.R * point.tip.f_W;
+  instant.arrows.push_back(force);
+  return instant;
+}
+
+}  // namespace thenar
