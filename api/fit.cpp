@@ -15,22 +15,6 @@
 namespace thenar {
 namespace {
 
-/// The experiments of a fit as it was fitted to them, with predictive sds.
-std::vector<Prediction> predict_own(const Fit& fit) {
-  std::vector<Prediction> predictions;
-  for (std::size_t e = 0; e < fit.problem.experiments().size(); ++e) {
-    const Experiment& experiment = fit.problem.experiments()[e];
-    predictions.push_back(predict_fitted(fit.problem, fit.solution.z, static_cast<int>(e)));
-    const Prediction sure =
-        predict_experiment(fit.problem, fit.solution.z, fit.covariance.C, experiment,
-                           find_specimen(fit.problem, experiment.specimen));
-    for (std::size_t i = 0; i < sure.trials.size(); ++i)
-      predictions.back().trials[i].sd = sure.trials[i].sd;
-    predictions.back().error.covered = sure.error.covered;
-  }
-  return predictions;
-}
-
 /// A prediction by the subject as it was published; empty of a subject that lacks the digit, a
 /// muscle, a joint or the segment of the experiment.
 std::optional<Prediction> predicted_as_published(const SourceText& subject,
@@ -235,6 +219,21 @@ FitResult fit_forces(const FitRequest& request, const Progress& progress) {
   }
   result.stopped = progress.stop();
   return result;
+}
+
+std::vector<Prediction> predict_own(const Fit& fit) {
+  std::vector<Prediction> predictions;
+  for (std::size_t e = 0; e < fit.problem.experiments().size(); ++e) {
+    const Experiment& experiment = fit.problem.experiments()[e];
+    predictions.push_back(predict_fitted(fit.problem, fit.solution.z, static_cast<int>(e)));
+    const Prediction sure =
+        predict_experiment(fit.problem, fit.solution.z, fit.covariance.C, experiment,
+                           find_specimen(fit.problem, experiment.specimen));
+    for (std::size_t i = 0; i < sure.trials.size(); ++i)
+      predictions.back().trials[i].sd = sure.trials[i].sd;
+    predictions.back().error.covered = sure.error.covered;
+  }
+  return predictions;
 }
 
 TendonDigit fitted_digit(const Fit& fit, int specimen) {

@@ -80,6 +80,9 @@ struct FitResult {
 /// An experiment by its file or its name. @throws InputError with the places looked in.
 [[nodiscard]] std::string experiment_file(const std::string& name_or_path, const std::string& data);
 
+/// The experiments of a fit as it was fitted to them, with predictive sds, in their order.
+[[nodiscard]] std::vector<Prediction> predict_own(const Fit& fit);
+
 /// The digit with the fitted parameters of a specimen.
 /// @param specimen  index in fit.problem.specimens()
 [[nodiscard]] TendonDigit fitted_digit(const Fit& fit, int specimen);
