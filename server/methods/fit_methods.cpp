@@ -1,7 +1,130 @@
+#include <cmath>
+#include <memory>
+
+#include "api/live/live_fit.h"
 #include "server/methods/method_table.h"
 
 namespace thenar::internal {
+namespace {
 
-void add_fit_methods(MethodTable& /*table*/) {}
+OrderedJson vector_json(const Eigen::Vector3d& v) { return OrderedJson(to_json(v)); }
+
+/// Components of a force; null where they were not measured, which their infinite sd tells.
+OrderedJson components_json(const Eigen::Vector3d& force, const PredictedTrial& trial) {
+  OrderedJson list = OrderedJson::array();
+  for (int i = 0; i < 3; ++i)
+    list.push_back(i < trial.components ? OrderedJson(force[i]) : OrderedJson());
+  return list;
+}
+
+OrderedJson trial_json(const LiveFit& fit, int index) {
+  const LiveTrial& at = fit.trials()[static_cast<std::size_t>(index)];
+  const Experiment& experiment =
+      fit.source().problem.experiments()[static_cast<std::size_t>(at.experiment)];
+  const PredictedTrial& trial = fit.predicted(index);
+  OrderedJson json{{"trial", index},
+                   {"experiment", experiment.name},
+                   {"specimen", experiment.specimen},
+                   {"posture", trial.posture},
+                   {"loads", trial.loads},
+                   {"tensions", experiment.trials[static_cast<std::size_t>(at.trial)].tension}};
+  json["measured"] = components_json(trial.measured, trial);
+  json["predicted"] = components_json(trial.predicted, trial);
+  json["sd"] = components_json(trial.sd, trial);
+  json["residual"] = components_json(trial.predicted - trial.measured, trial);
+  json["direction_error"] = direction_error(trial);
+  return json;
+}
+
+/// A number with the interval that holds 90 % of the draws; of a fit both ends are the number.
+OrderedJson interval_json(const LiveAxisPair& pair, double AxisOffset::*number) {
+  return {
+      {"value", pair.estimate.*number}, {"lower", pair.low.*number}, {"upper", pair.high.*number}};
+}
+
+OrderedJson axes_json(const LiveFit& fit) {
+  const TendonDigit& digit = fit.digit();
+  OrderedJson axes = OrderedJson::array();
+  for (std::size_t i = 0; i < digit.model.tree.size(); ++i)
+    axes.push_back({{"joint", digit.names.hinges[i]},
+                    {"direction", vector_json(digit.model.tree[i].direction)},
+                    {"point", vector_json(digit.model.tree[i].point)}});
+  return axes;
+}
+
+OrderedJson pairs_json(const LiveFit& fit) {
+  OrderedJson pairs = OrderedJson::array();
+  for (const LiveAxisPair& pair : fit.axis_pairs())
+    pairs.push_back({{"axes", pair.axes.name},
+                     {"angle", interval_json(pair, &AxisOffset::angle)},
+                     {"distance", interval_json(pair, &AxisOffset::distance)},
+                     {"beyond", interval_json(pair, &AxisOffset::beyond)}});
+  return pairs;
+}
+
+OrderedJson fit_state_json(const LiveFit& fit) {
+  const Eigen::Quaterniond turn(fit.placed().R);
+  OrderedJson json{{"kind", fit.source().kind},
+                   {"subject", fit.source().subject.name},
+                   {"digit", fit.source().problem.experiments().front().digit},
+                   {"rotation", {turn.w(), turn.x(), turn.y(), turn.z()}},
+                   {"trial", fit.shown()},
+                   {"trials", OrderedJson::array()}};
+  for (int i = 0; i < static_cast<int>(fit.trials().size()); ++i)
+    json["trials"].push_back(trial_json(fit, i));
+  json["posture"] = to_json(fit.digit().names.coordinates, fit.posture());
+  json["axes"] = axes_json(fit);
+  json["pairs"] = pairs_json(fit);
+  json["warnings"] = fit.warnings();
+  return json;
+}
+
+OrderedJson open_fit(Session& session, const Json& params, const Progress& progress) {
+  progress(0, "reading the fit");
+  const auto fit = std::make_shared<LiveFit>(params["file"].get<std::string>());
+  session.open(LiveMode::kFit, fit);
+  return fit_state_json(*fit);
+}
+
+OrderedJson show_trial(Session& session, const Json& params, const Progress& /*progress*/) {
+  auto& fit = session.model<LiveFit>(LiveMode::kFit);
+  fit.show(params["trial"].get<int>());
+  OrderedJson json = trial_json(fit, fit.shown());
+  json["posture_angles"] = to_json(fit.digit().names.coordinates, fit.posture());
+  json["warnings"] = fit.warnings();
+  return json;
+}
+
+constexpr const char* kFitWords =
+    "kind: fit or posterior; subject, digit; rotation of the picture against the subject's frame; "
+    "trial: which is shown; trials: trial, experiment, specimen, posture, loads, tensions [N], "
+    "measured, predicted, sd and residual of the forces in the experiment's components [N], null "
+    "where not measured, direction_error [rad]; posture: angles with their fitted errors [rad]; "
+    "axes of the specimen that is shown, subject's frame, reference posture: joint, direction, "
+    "point [m]; pairs of neighbouring axes: angle [rad], distance [m] and how far the second lies "
+    "distal of the first [m], each value, lower and upper: 90 % of the draws of a posterior; "
+    "warnings.";
+
+constexpr int kMostTrials = 1000000;
+
+}  // namespace
+
+void add_fit_methods(MethodTable& table) {
+  table.add(
+      {"fit.open",
+       "Opens the result of a fit or draws from a posterior, and shows the first trial.",
+       object_schema({{"file", text_schema(), "Result of a fit (.h5) or posterior (.nc).", true}}),
+       std::string("As fit.state: ") + kFitWords, R"({"file": "fit.h5"})", open_fit});
+  table.add({"fit.state", "Lists the trials with their forces, and the joint axes.",
+             object_schema({}), kFitWords, "{}",
+             [](Session& session, const Json&, const Progress&) {
+               return fit_state_json(session.model<LiveFit>(LiveMode::kFit));
+             }});
+  table.add({"fit.trial", "Shows a trial: its posture, tensions and forces.",
+             object_schema({{"trial", integer_schema(0, kMostTrials), "Counted from 0.", true}}),
+             "The entry of trials of fit.state; posture_angles with their fitted errors [rad]; "
+             "warnings.",
+             R"({"trial": 0})", show_trial});
+}
 
 }  // namespace thenar::internal

@@ -1,7 +1,237 @@
+#include <cmath>
+#include <memory>
+#include <utility>
+
+#include "api/live/live_digit.h"
+#include "base/progress_parts.h"
+#include "base/rung_names.h"
+#include "report/answers/tendon_solve.h"
 #include "server/methods/method_table.h"
+#include "tendons/net/band_course.h"
 
 namespace thenar::internal {
+namespace {
 
-void add_tendon_methods(MethodTable& /*table*/) {}
+constexpr double kFullTurn = 6.3;  // no joint turns further [rad]
+
+/// Numbers as a list; those that are not known as null.
+Json list_of(const Eigen::Ref<const Eigen::VectorXd>& values) {
+  Json list = Json::array();
+  for (const double value : values) list.push_back(number_or_null(value));
+  return list;
+}
+
+OrderedJson joints_json(const LiveDigit& digit) {
+  const std::vector<double> angles = hinge_angles(digit.about().bones().model, digit.now().point.q);
+  OrderedJson joints = OrderedJson::array();
+  for (std::size_t i = 0; i < angles.size(); ++i) {
+    const LiveJoint& joint = digit.shape().joints[i];
+    OrderedJson row{{"name", joint.name},
+                    {"value", angles[i]},
+                    {"lower", number_or_null(joint.lower)},
+                    {"upper", number_or_null(joint.upper)}};
+    row["led_by"] = joint.led_by.empty() ? OrderedJson() : OrderedJson(joint.led_by);
+    joints.push_back(std::move(row));
+  }
+  return joints;
+}
+
+OrderedJson muscles_json(const LiveDigit& digit) {
+  const DigitNow& now = digit.now();
+  const TendonDigit& bones = digit.about().bones();
+  OrderedJson muscles = OrderedJson::array();
+  for (std::size_t m = 0; m < bones.names.muscles.size(); ++m) {
+    const auto row = static_cast<Eigen::Index>(m);
+    OrderedJson muscle{{"name", bones.names.muscles[m]},
+                       {"tension", now.tension[row]},
+                       {"excitation", number_or_null(now.excitation[row])},
+                       {"max_force", number_or_null(bones.max_tension[row])},
+                       {"length", number_or_null(now.length[row])}};
+    muscle["arms"] = trusted(now.point.pull.status)
+                         ? to_json(bones.names.coordinates, now.point.pull.R.row(row).transpose())
+                         : OrderedJson();
+    muscles.push_back(std::move(muscle));
+  }
+  return muscles;
+}
+
+/// Bands of a net, or strands of a hood of fixed fractions.
+OrderedJson bands_json(const LiveDigit& digit) {
+  const LiveInstant instant = digit.instant();
+  OrderedJson bands = OrderedJson::array();
+  for (std::size_t i = 0; i < instant.tensions.size(); ++i) {
+    const LiveLine& line = digit.shape().lines[i];
+    if (line.band)
+      bands.push_back({{"name", line.name},
+                       {"tension", number_or_null(instant.tensions[i])},
+                       {"slack", instant.tensions[i] == 0}});
+  }
+  return bands;
+}
+
+/// Force of the tip in the subject's frame and along its own directions; null where not to be
+/// trusted.
+void add_tip(const LiveDigit& digit, OrderedJson& json) {
+  const DigitPoint& point = digit.now().point;
+  const TendonModel<double>& model = digit.about().bones().model;
+  const bool sound = trusted(point.pull.status);
+  json["tip_force"] = sound ? OrderedJson(to_json(point.tip.f_W)) : OrderedJson();
+  json["tip_force_axes"] = OrderedJson();
+  if (sound) {
+    Eigen::Matrix3d axes = model.tip_axes;
+    const TreeState<double> state = pose_tree(model.tree, point.q);
+    if (model.tip_link >= 0) axes = state[static_cast<std::size_t>(model.tip_link)].X.R * axes;
+    json["tip_force_axes"] =
+        to_json({"proximal", "dorsal", "radial"}, axes.transpose() * point.tip.f_W);
+  }
+  const std::vector<std::string>& joints = digit.about().bones().names.coordinates;
+  json["torques"] = sound ? to_json(joints, point.pull.tau) : OrderedJson();
+  json["unbalanced_torques"] = sound ? to_json(joints, point.tip.tau_residual) : OrderedJson();
+  json["condition"] = number_or_null(point.tip.condition);
+}
+
+std::vector<std::string> warnings_of(const LiveDigit& digit) {
+  std::vector<std::string> warnings = digit.warnings();
+  const DigitNow& now = digit.now();
+  warnings.insert(warnings.end(), now.warnings.begin(), now.warnings.end());
+  const std::string note = tip_note(now.point.tip);
+  if (!note.empty() && now.tension.maxCoeff() > 0) warnings.push_back(note);
+  return warnings;
+}
+
+OrderedJson state_json(const LiveDigit& digit) {
+  const DigitCase& about = digit.about();
+  const DigitNow& now = digit.now();
+  const Eigen::Quaterniond turn(digit.placed().R);
+  OrderedJson json{
+      {"subject", about.subject.name},
+      {"digit", about.digit},
+      {"built", describe(about.bones().fidelity)},
+      {"net", about.net != nullptr ? OrderedJson(about.net->net().net.name) : OrderedJson()},
+      {"rotation", {turn.w(), turn.x(), turn.y(), turn.z()}}};
+  json["joints"] = joints_json(digit);
+  json["muscles"] = muscles_json(digit);
+  json["bands"] = bands_json(digit);
+  const SlipTension& slips = now.point.pull.slips;
+  json["slips"] = {{"central", slips.central},
+                   {"radial", slips.radial},
+                   {"ulnar", slips.ulnar},
+                   {"terminal", slips.terminal}};
+  add_tip(digit, json);
+  json["status"] = name_of(now.point.pull.status);
+  json["trusted"] = trusted(now.point.pull.status);
+  json["warnings"] = warnings_of(digit);
+  return json;
+}
+
+/// Names and values of a member that may be absent.
+std::map<std::string, double> named_values(const Json& params, const char* member) {
+  return params.contains(member) ? params[member].get<std::map<std::string, double>>()
+                                 : std::map<std::string, double>{};
+}
+
+OrderedJson open_digit_of(Session& session, const Json& params, const Progress& progress) {
+  DigitRequest request;
+  request.data = session.places().data;
+  request.subject = params["subject"].get<std::string>();
+  request.digit = params.value("digit", "");
+  request.net = params.value("net", "");
+  if (params.contains("hood")) request.hood = hood_named(params["hood"].get<std::string>());
+  if (params.contains("path")) request.path = path_named(params["path"].get<std::string>());
+  progress(0, "building the digit");
+  const auto digit = std::make_shared<LiveDigit>(request);
+  session.open(LiveMode::kTendons, digit);
+  return state_json(*digit);
+}
+
+OrderedJson set_digit(Session& session, const Json& params, const Progress& /*progress*/) {
+  auto& digit = session.model<LiveDigit>(LiveMode::kTendons);
+  const std::vector<std::string> limited =
+      digit.set({named_values(params, "posture"), named_values(params, "tensions"),
+                 named_values(params, "excitations")});
+  OrderedJson json = state_json(digit);
+  json["limited"] = limited;
+  return json;
+}
+
+OrderedJson sweep_digit_of(Session& session, const Json& params, const Progress& progress) {
+  const auto& digit = session.model<LiveDigit>(LiveMode::kTendons);
+  const DigitCurves curves =
+      digit.sweep(params["joint"].get<std::string>(), params["count"].get<int>(), progress);
+  if (progress.stop()) throw Stopped("stopped");
+  OrderedJson json{{"joint", curves.joint}, {"x", list_of(curves.angle)}};
+  const std::vector<std::string>& muscles = digit.about().bones().names.muscles;
+  for (const Json& what : params["what"]) {
+    const std::string name = what.get<std::string>();
+    const Eigen::MatrixXd& of = name == "arms" ? curves.arms : curves.lengths;
+    json[name] = OrderedJson::object();
+    for (std::size_t m = 0; m < muscles.size(); ++m)
+      json[name][muscles[m]] = list_of(of.row(static_cast<Eigen::Index>(m)).transpose());
+  }
+  json["warnings"] = curves.warnings;
+  return json;
+}
+
+Schema open_params() {
+  return object_schema(
+      {{"subject", text_schema(), "Name of a subject, or its file.", true},
+       {"digit", text_schema(), "Which digit; left out: the only one."},
+       {"hood", word_schema(hood_names()),
+        "How tensions spread over the extensor hood; left out: a net where the digit can carry "
+        "one, else fixed fractions."},
+       {"path", word_schema(path_names()), "Rung of tendon paths; left out: via points."},
+       {"net", text_schema(), "Name or file of the net; left out: extensor_hood."}});
+}
+
+Schema set_params() {
+  return object_schema(
+      {{"posture", map_schema(number_schema("rad", -kFullTurn, kFullTurn)),
+        "Joint -> angle; others stay. Angles end at the limits of their joints."},
+       {"tensions", map_schema(number_schema("N", 0, kMaxTension)),
+        "Muscle -> tension; others stay."},
+       {"excitations", map_schema(number_schema("", 0, 1)),
+        "Muscle -> excitation in steady state, from which its tension follows: rigid tendon, "
+        "fibres still and of optimal length with all joints at 0."}});
+}
+
+Schema sweep_params() {
+  return object_schema({{"joint", text_schema(), "Which joint turns through its range.", true},
+                        {"count", integer_schema(2, 1000), "Postures.", false, 61},
+                        {"what", list_schema(word_schema({"arms", "lengths"}), 1, 2),
+                         "Which curves.", false, Json::array({"arms", "lengths"})}});
+}
+
+constexpr const char* kStateWords =
+    "subject, digit, built; rotation of the picture against the subject's frame; joints: name, "
+    "value, lower, upper [rad], led_by; muscles: name, tension [N], excitation or null, max_force "
+    "[N], length: longer than with all joints at 0 [m], arms: joint -> moment arm, flexion and "
+    "radial positive [m]; bands of a net: name, tension [N], slack; slips [N]; tip_force in the "
+    "subject's frame and tip_force_axes [N]; torques and unbalanced_torques [N m]; condition; "
+    "status, trusted, warnings. What is not to be trusted is null.";
+
+}  // namespace
+
+void add_tendon_methods(MethodTable& table) {
+  table.add({"tendons.open", "Opens a digit of a subject with its tendons, and shows it.",
+             open_params(), std::string("As tendons.state: ") + kStateWords,
+             R"({"subject": "synek2019_middle"})", open_digit_of});
+  table.add({"tendons.set",
+             "Changes angles, tensions or excitations of the digit, and solves its tendons.",
+             set_params(),
+             "limited: joints that were asked beyond their limits; and all of tendons.state.",
+             R"({"posture": {"PIP3": 0.5}, "tensions": {"EDC": 3}})", set_digit});
+  table.add({"tendons.state", "Says where the digit stands and what its tendons do.",
+             object_schema({}), kStateWords, "{}",
+             [](Session& session, const Json&, const Progress&) {
+               return state_json(session.model<LiveDigit>(LiveMode::kTendons));
+             }});
+  table.add({"tendons.sweep",
+             "Moment arms and lengths of every muscle over one joint, the others as they stand.",
+             sweep_params(),
+             "joint; x: angles [rad]; arms: muscle -> moment arms about the joint [m]; lengths: "
+             "muscle -> longer than with all joints at 0 [m]; null where there is no answer; "
+             "warnings. Those of a net are under the present tensions.",
+             R"({"joint": "PIP3", "count": 31})", sweep_digit_of});
+}
 
 }  // namespace thenar::internal
