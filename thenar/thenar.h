@@ -299,6 +299,8 @@
 #include "api/grasp.h"
 #include "api/grasp_measures.h"
 #include "api/import.h"
+#include "api/live/live_digit.h"
+#include "api/live/live_fit.h"
 #include "api/live/live_picture.h"
 #include "api/moment_arms.h"
 #include "api/named/data_folders.h"

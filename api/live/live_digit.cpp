@@ -8,6 +8,8 @@
 #include "base/error.h"
 #include "base/nearest_name.h"
 #include "base/numbers.h"
+#include "tendons/net/build_tendons.h"
+#include "tendons/net/net_continuation.h"
 
 namespace thenar {
 namespace {
@@ -23,7 +25,7 @@ DigitCase open_digit(const DigitRequest& request, std::vector<std::string>& warn
     return build_digit(request, Hood::kFloatingNet);
   } catch (const InputError& error) {
     DigitCase at = build_digit(request, Hood::kFractions);
-    warnings.push_back(std::string("no net, but fixed force fractions: ") + error.what());
+    warnings.push_back(std::string("tendons without a net: ") + error.what());
     return at;
   }
 }
@@ -37,6 +39,16 @@ Eigen::VectorXd rounded_to_limits(const Skeleton& skeleton, Eigen::VectorXd q,
     q[i] = inside;
   }
   return q;
+}
+
+/// Rungs that were asked for and that the subject has nothing for.
+std::vector<std::string> lower_rungs(const DigitRequest& request, const Fidelity& built) {
+  std::vector<std::string> all;
+  if (request.path && built.path != *request.path && built.path == Path::kConstant)
+    all.emplace_back("the subject has constant moment arms in place of tendon paths");
+  if (request.hood == Hood::kFractions && built.hood == Hood::kSeparate)
+    all.emplace_back("the subject has no hood for this digit: its tendons are separate");
+  return all;
 }
 
 /// Where the tendons are not to be trusted, or the net rests with a doubt.
@@ -53,6 +65,8 @@ LiveDigit::LiveDigit(const DigitRequest& request) {
   require(case_.map.empty(), "digit '{}' of '{}' has no bones, only tip map '{}': ask tip-force",
           case_.digit, case_.subject.name, case_.map);
   const TendonDigit& digit = case_.bones();
+  for (std::string& warning : lower_rungs(request, digit.fidelity))
+    warnings_.push_back(std::move(warning));
   lines_ = std::make_unique<DigitLines>(case_.subject, case_.digit, case_.tendons);
   muscles_ = std::make_unique<ExcitedMuscles>(case_.subject, case_.tendons);
   build_shape();
@@ -61,7 +75,7 @@ LiveDigit::LiveDigit(const DigitRequest& request) {
   const Eigen::VectorXd q = rounded_to_limits(digit.skeleton, case_.grid.postures.front(), limited);
   if (!limited.empty()) warnings_.push_back("joints begin at their limits: " + listed(limited));
   const auto muscles = static_cast<Eigen::Index>(digit.names.muscles.size());
-  now_ = solve(q, Eigen::VectorXd::Constant(muscles, kNaN), Eigen::VectorXd::Zero(muscles));
+  solve(q, Eigen::VectorXd::Constant(muscles, kNaN), Eigen::VectorXd::Zero(muscles));
 }
 
 void LiveDigit::build_shape() {
@@ -114,18 +128,26 @@ std::vector<std::string> LiveDigit::set(const DigitInputs& inputs) {
   Eigen::VectorXd t = now_.tension;
   for (Eigen::Index m = 0; m < t.size(); ++m)
     if (inputs.tension.count(muscles[static_cast<std::size_t>(m)]) > 0) t[m] = named[m];
-  now_ = solve(q, excitation, t);
+  solve(q, excitation, t);
   ++changes_;
   return limited;
 }
 
-DigitNow LiveDigit::solve(const Eigen::VectorXd& q, const Eigen::VectorXd& excitation,
-                          Eigen::VectorXd t) const {
+void LiveDigit::solve(const Eigen::VectorXd& q, const Eigen::VectorXd& excitation,
+                      const Eigen::VectorXd& t) {
   DigitNow now;
   now.excitation = excitation;
   now.tension = muscles_->tensions(excitation, t, q);
-  now.point = std::move(sweep_digit(*case_.tendons, {q}, now.tension).front());
-  now.length = lengths_at(now.point, now.tension) - lengths_at_zero(now.tension);
+  // What only other tensions change.
+  if (solved_tension_.size() == 0 || solved_tension_ != now.tension) {
+    solved_tension_.resize(0);
+    if (case_.net != nullptr)
+      straight_rest_ = case_.net->rest(case_.net->net().frame.straight, now.tension, {});
+    zero_length_ = lengths_at(point_at(Eigen::VectorXd::Zero(q.size()), now.tension), now.tension);
+    solved_tension_ = now.tension;
+  }
+  now.point = point_at(q, now.tension);
+  now.length = lengths_at(now.point, now.tension) - zero_length_;
   // Doubts about this posture.
   now.warnings = muscles_->warnings(excitation);
   add_doubts(now.point, now.warnings);
@@ -134,7 +156,19 @@ DigitNow LiveDigit::solve(const Eigen::VectorXd& q, const Eigen::VectorXd& excit
     for (std::string& warning : collapse_warnings(linear, q))
       now.warnings.push_back(std::move(warning));
   }
-  return now;
+  now_ = std::move(now);
+}
+
+DigitPoint LiveDigit::point_at(const Eigen::VectorXd& q, const Eigen::VectorXd& t) const {
+  if (case_.net == nullptr) return std::move(sweep_digit(*case_.tendons, {q}, t).front());
+  // As sweep_digit() does, from a straight finger that is at rest already.
+  const NetTendons& net = *case_.net;
+  DigitPoint point;
+  point.q = q;
+  point.rest = follow_net(net, straight_rest_, {net.net().frame.straight, t}, {q, t}).rest;
+  point.pull = net.torque_at_rest(q, t, point.rest);
+  point.tip = tip_force(tip_statics(net.digit(), q, t, point.pull), t);
+  return point;
 }
 
 Eigen::VectorXd LiveDigit::lengths_at(const DigitPoint& point, const Eigen::VectorXd& t) const {
@@ -145,11 +179,6 @@ Eigen::VectorXd LiveDigit::lengths_at(const DigitPoint& point, const Eigen::Vect
   for (const NetMuscle& muscle : case_.net->net().muscles)
     if (t[muscle.muscle] < kNoTension) lengths[muscle.muscle] = kNaN;
   return lengths;
-}
-
-Eigen::VectorXd LiveDigit::lengths_at_zero(const Eigen::VectorXd& t) const {
-  const Eigen::VectorXd zero = Eigen::VectorXd::Zero(case_.bones().model.coordinates);
-  return lengths_at(sweep_digit(*case_.tendons, {zero}, t).front(), t);
 }
 
 DigitCurves LiveDigit::sweep(const std::string& joint, int count, const Progress& progress) const {
@@ -188,7 +217,6 @@ DigitCurves LiveDigit::sweep(const std::string& joint, int count, const Progress
 DigitCurves LiveDigit::net_curves(const std::string& joint, const PostureGrid& grid,
                                   const Progress& progress) const {
   const Eigen::VectorXd& t = now_.tension;
-  const Eigen::VectorXd at_zero = lengths_at_zero(t);
   const std::vector<DigitPoint> points = sweep_digit(*case_.tendons, grid.postures, t, progress);
   const auto postures = static_cast<Eigen::Index>(points.size());
   DigitCurves curves{joint, Eigen::VectorXd(postures),
@@ -203,7 +231,7 @@ DigitCurves LiveDigit::net_curves(const std::string& joint, const PostureGrid& g
       curves.warnings.push_back("first doubt over the sweep: " + point.pull.warning);
     if (!trusted(point.pull.status)) continue;
     curves.arms.col(k) = point.pull.R.col(varied);
-    curves.lengths.col(k) = lengths_at(point, t) - at_zero;
+    curves.lengths.col(k) = lengths_at(point, t) - zero_length_;
   }
   return curves;
 }

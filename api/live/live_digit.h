@@ -53,8 +53,8 @@ struct DigitCurves {
 class LiveDigit final : public LiveModel {
  public:
   /// @param request  its posture is the first one; `vary` and `map` must be empty. Without hood and
-  ///                 net: a floating net where the digit can carry one, else fixed fractions, with
-  ///                 a warning
+  ///                 net: a floating net where the digit can carry one, else fixed fractions where
+  ///                 the subject has them, with a warning
   /// @throws InputError or DataError saying what is unknown or missing.
   explicit LiveDigit(const DigitRequest& request);
 
@@ -87,10 +87,9 @@ class LiveDigit final : public LiveModel {
   [[nodiscard]] Eigen::VectorXd with_angles(const std::map<std::string, double>& posture,
                                             std::vector<std::string>& limited) const;
   [[nodiscard]] Eigen::VectorXd with_excitations(const DigitInputs& inputs) const;
-  [[nodiscard]] DigitNow solve(const Eigen::VectorXd& q, const Eigen::VectorXd& excitation,
-                               Eigen::VectorXd t) const;
+  void solve(const Eigen::VectorXd& q, const Eigen::VectorXd& excitation, const Eigen::VectorXd& t);
+  [[nodiscard]] DigitPoint point_at(const Eigen::VectorXd& q, const Eigen::VectorXd& t) const;
   [[nodiscard]] Eigen::VectorXd lengths_at(const DigitPoint& point, const Eigen::VectorXd& t) const;
-  [[nodiscard]] Eigen::VectorXd lengths_at_zero(const Eigen::VectorXd& t) const;
   [[nodiscard]] DigitCurves net_curves(const std::string& joint, const PostureGrid& grid,
                                        const Progress& progress) const;
 
@@ -101,6 +100,10 @@ class LiveDigit final : public LiveModel {
   std::unique_ptr<ExcitedMuscles> muscles_;
   LiveShape shape_;
   DigitNow now_;
+  // What the present tensions alone decide, so that a posture is solved without it.
+  NetEquilibrium straight_rest_;    // of a net in the straight finger
+  Eigen::VectorXd zero_length_;     // of lines with all joints at 0; NaN: see DigitNow::length [m]
+  Eigen::VectorXd solved_tension_;  // under which both were found; empty: none yet [N] (muscles)
   unsigned long changes_ = 0;
 };
 

@@ -2,12 +2,15 @@
 
 #include "api/live/live_digit.h"
 
+#include <algorithm>
+#include <ctime>
 #include <random>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "api/moment_arms.h"
+#include "api/named/data_folders.h"
 #include "api/tendon_solve.h"
 #include "base/error.h"
 #include "base/units.h"
@@ -15,6 +18,7 @@
 #include "tests/data_folder.h"
 #include "tests/matrix_near.h"
 #include "tests/message_of.h"
+#include "tests/patience.h"
 
 namespace thenar {
 namespace {
@@ -351,6 +355,22 @@ TEST(LiveDigit, FitsIntoASmallFrame) {
   }
 }
 
+// A slider drags a joint: each change is solved and drawn within 5 ms of this thread's time.
+TEST(LiveDigit, KeepsUpWithASlider) {
+  LiveDigit digit(middle(Hood::kFloatingNet));
+  digit.set({kBent, kPull, {}});
+  std::vector<double> seconds;
+  for (int k = 0; k < 60; ++k) {
+    const std::clock_t begin = std::clock();
+    digit.set({{{"PIP3", 0.02 * k}}, {}, {}});
+    (void)digit.instant();
+    seconds.push_back(static_cast<double>(std::clock() - begin) / CLOCKS_PER_SEC);
+  }
+  std::nth_element(seconds.begin(), seconds.begin() + 30, seconds.end());
+  RecordProperty("median_microseconds", static_cast<int>(1e6 * seconds[30]));
+  EXPECT_LT(seconds[30], 5e-3 * kPatience);
+}
+
 // What there is.
 
 TEST(LiveDigit, TakesANetWhereItCan) {
@@ -361,7 +381,50 @@ TEST(LiveDigit, TakesANetWhereItCan) {
   request.digit = "thumb";
   const LiveDigit thumb(request);
   EXPECT_EQ(thumb.about().net, nullptr);
-  EXPECT_THAT(thumb.warnings().front(), HasSubstr("no net, but fixed force fractions"));
+  EXPECT_THAT(thumb.warnings().front(), HasSubstr("tendons without a net"));
+}
+
+// Every digit of every subject on every rung opens and moves, or says why it does not.
+TEST(LiveDigit, OpensEveryDigitOrSaysWhyNot) {
+  int opened = 0, refused = 0;
+  for (const std::string& name : names_in(data_folders(kData), "subjects")) {
+    const SourceText source = subject_source(name, kData);
+    for (const Digit& digit : parse_subject(source.text, source.path).digits)
+      for (const std::optional<Hood> hood :
+           {std::optional<Hood>(), std::optional(Hood::kSeparate), std::optional(Hood::kFractions),
+            std::optional(Hood::kFloatingNet)})
+        for (const Path path : {Path::kViaPoint, Path::kWrapped}) {
+          if (path == Path::kWrapped && hood != Hood::kSeparate) continue;
+          DigitRequest request;
+          request.subject = name;
+          request.data = kData;
+          request.digit = digit.name;
+          request.hood = hood;
+          request.path = path;
+          try {
+            LiveDigit live(request);
+            DigitInputs inputs;
+            const TendonDigit& bones = live.about().bones();
+            for (std::size_t i = 0; i < bones.names.coordinates.size(); ++i)
+              inputs.posture[bones.names.coordinates[i]] =
+                  0.7 * bones.skeleton.limits[i].lower + 0.3 * bones.skeleton.limits[i].upper;
+            for (const std::string& muscle : bones.names.muscles) inputs.tension[muscle] = 3;
+            EXPECT_THAT(live.set(inputs), IsEmpty());
+            check_instant(live.shape(), live.instant());
+            EXPECT_TRUE(trusted(live.now().point.pull.status) || !live.now().warnings.empty());
+            ++opened;
+          } catch (const Error& error) {
+            // No net on a thumb, no muscle at a digit.
+            EXPECT_THAT(error.what(),
+                        testing::AnyOf(HasSubstr("the thumb is none"), HasSubstr("no muscle"),
+                                       HasSubstr("none crosses")))
+                << name << ' ' << digit.name;
+            ++refused;
+          }
+        }
+  }
+  EXPECT_GT(opened, 60);
+  EXPECT_GT(refused, 10);
 }
 
 TEST(LiveDigit, RefusesADigitWithoutBones) {
