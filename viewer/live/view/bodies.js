@@ -1,0 +1,155 @@
+// Bodies of the scene: meshes that are fetched once each, and poses that come with every frame.
+
+import { Box3, BufferAttribute, BufferGeometry, Group, Mesh, MeshBasicMaterial } from "three";
+import { toCreasedNormals } from "three/addons/utils/BufferGeometryUtils.js";
+import { decodeMesh } from "../link/frame.js";
+import { bodyMaterial, looksOf, setGlow, setOpacity } from "./looks.js";
+
+/// Smooth, or sharp at edges beyond `crease` [deg].
+function geometryOf({ positions, triangles }, crease) {
+  const geometry = new BufferGeometry();
+  geometry.setAttribute("position", new BufferAttribute(positions, 3));
+  geometry.setIndex(new BufferAttribute(triangles, 1));
+  const creased = crease !== null && crease !== undefined && crease >= 0;
+  if (creased) return toCreasedNormals(geometry, (crease * Math.PI) / 180);
+  geometry.computeVertexNormals();
+  return geometry;
+}
+
+/// Geometries by mesh and crease, fetched once; those that no scene shows any more are freed.
+export function meshShelf(fetchMesh) {
+  const shelf = new Map();
+  const keyOf = ({ mesh, crease }) => `${mesh} ${crease}`;
+  const get = (body) => {
+    const key = keyOf(body);
+    if (!shelf.has(key)) {
+      const geometry = fetchMesh(body.mesh).then((buffer) =>
+        geometryOf(decodeMesh(buffer), body.crease),
+      );
+      // One that could not be fetched is asked for again by the next scene.
+      geometry.catch(() => shelf.delete(key));
+      shelf.set(key, geometry);
+    }
+    return shelf.get(key);
+  };
+  const keepOnly = (bodies) => {
+    const wanted = new Set(bodies.filter(({ mesh }) => mesh).map(keyOf));
+    for (const [key, geometry] of shelf)
+      if (!wanted.has(key)) {
+        shelf.delete(key);
+        geometry.then((made) => made.dispose()).catch(() => {});
+      }
+  };
+  return { get, keepOnly, size: () => shelf.size };
+}
+
+/// A surface that writes depth alone, before what is translucent: of a translucent body only the
+/// nearest surface is then seen, and not its own inside.
+function veilOf(geometry) {
+  const veil = new Mesh(geometry, new MeshBasicMaterial({ colorWrite: false }));
+  veil.renderOrder = 2;
+  veil.visible = false;
+  veil.raycast = () => {};
+  return veil;
+}
+
+function fill(group, geometry, look, index) {
+  const mesh = new Mesh(geometry, bodyMaterial(look.color));
+  mesh.castShadow = mesh.receiveShadow = true;
+  mesh.userData = { body: index, layer: look.layer, veil: veilOf(geometry) };
+  group.add(mesh, mesh.userData.veil);
+  group.userData.mesh = mesh;
+  return mesh;
+}
+
+function clear(bodies) {
+  for (const group of bodies.groups) {
+    group.userData.mesh?.material.dispose();
+    group.userData.mesh?.userData.veil.material.dispose();
+    group.removeFromParent();
+  }
+}
+
+/// Bodies under `parent`. show(scene) builds, promising when all meshes are there; pose(frame) moves;
+/// hide(owner, hidden), select(owner), opacity(layer, value), box().
+export function makeBodies(parent, shelf, told) {
+  const bodies = { groups: [], hidden: new Set(), opacities: { hands: 0.4, objects: 1 } };
+  let scene = null;
+  let selected = null;
+
+  const dress = (mesh) => {
+    const { layer } = mesh.userData;
+    setOpacity(mesh, layer ? bodies.opacities[layer] : 1);
+    setGlow(mesh, scene.bodies[mesh.userData.body].owner === selected);
+  };
+  const meshes = () => bodies.groups.flatMap(({ userData }) => userData.mesh ?? []);
+
+  bodies.show = (next) => {
+    const groups = next.bodies.map(({ name, owner }, index) => {
+      const group = new Group();
+      group.name = name;
+      group.visible = !bodies.hidden.has(owner);
+      // Until the first frame comes it stands where its namesake stood.
+      const before = bodies.groups.find((old) => old.name === name);
+      if (before) group.position.copy(before.position);
+      if (before) group.quaternion.copy(before.quaternion);
+      group.userData.index = index;
+      return group;
+    });
+    clear(bodies);
+    scene = next;
+    bodies.groups = groups;
+    parent.add(...groups);
+    const looks = looksOf(scene);
+    shelf.keepOnly(scene.bodies);
+    return Promise.all(
+      scene.bodies.map(async (body, i) => {
+        if (!body.mesh) return;
+        const geometry = await shelf.get(body);
+        if (scene !== next) return;
+        dress(fill(groups[i], geometry, looks[i], i));
+        told();
+      }),
+    );
+  };
+
+  bodies.pose = ({ bodies: numbers }) =>
+    bodies.groups.forEach((group, i) => {
+      const at = 7 * i;
+      group.position.set(numbers[at], numbers[at + 1], numbers[at + 2]);
+      const [w, x, y, z] = [3, 4, 5, 6].map((step) => numbers[at + step]);
+      group.quaternion.set(x, y, z, w);
+      group.updateMatrixWorld();
+    });
+
+  bodies.hide = (owner, hidden) => {
+    if (hidden) bodies.hidden.add(owner);
+    else bodies.hidden.delete(owner);
+    bodies.groups.forEach((group, i) => {
+      group.visible = !bodies.hidden.has(scene.bodies[i].owner);
+    });
+  };
+  bodies.select = (owner) => {
+    selected = owner;
+    meshes().forEach(dress);
+  };
+  bodies.opacity = (layer, value) => {
+    bodies.opacities[layer] = value;
+    meshes().forEach(dress);
+  };
+  bodies.meshes = () => meshes().filter((mesh) => mesh.parent.visible);
+  /// The room that all takes, obstacles apart where there is anything else.
+  bodies.box = () => {
+    const boxes = { object: new Box3(), obstacle: new Box3() };
+    for (const mesh of meshes()) {
+      mesh.geometry.boundingBox ?? mesh.geometry.computeBoundingBox();
+      mesh.parent.updateMatrixWorld();
+      const { role } = scene.bodies[mesh.userData.body];
+      boxes[role === "obstacle" ? role : "object"].union(
+        mesh.geometry.boundingBox.clone().applyMatrix4(mesh.parent.matrixWorld),
+      );
+    }
+    return boxes.object.isEmpty() ? boxes.obstacle : boxes.object;
+  };
+  return bodies;
+}

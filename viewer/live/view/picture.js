@@ -1,0 +1,104 @@
+// The whole picture of a scene and its frames: bodies, lines, contacts, arrows, clouds, handles.
+
+import { Vector3 } from "three";
+import { fits } from "../link/store.js";
+import { makeBodies, meshShelf } from "./bodies.js";
+import { makeClouds } from "./clouds.js";
+import { makeContacts, makeVectors } from "./contacts.js";
+import { makeJointHandle } from "./joint_handle.js";
+import { makeLines } from "./lines.js";
+import { makePlaceHandle } from "./place_handle.js";
+import { usePointer } from "./pointer.js";
+import { makeStage } from "./stage.js";
+
+/// Whether the reader is shown another thing altogether, to which the camera has to go.
+const another = (before, next) =>
+  !before ||
+  before.mode !== next.mode ||
+  before.bodies.length === 0 ||
+  !next.bodies.some(({ owner }) => before.bodies.some((body) => body.owner === owner));
+
+/// Where a scene wants to be seen from.
+const directionOf = ({ eye, target }) => new Vector3(...eye).sub(new Vector3(...target));
+
+/// Fetches a mesh by its id, with the token of the page's address.
+async function fetchMesh(id) {
+  const answer = await fetch(`/mesh/${id}${location.search}`);
+  if (!answer.ok) throw new Error(`mesh ${id}: ${answer.status} ${answer.statusText}`);
+  return answer.arrayBuffer();
+}
+
+/// `asked` has functions moveJoint(joint, value), place(pose), select(body), failed(error),
+/// changed({ tensionEnd, forceScale }).
+/// Returns the picture: stage, show(scene), pose(frame), and its parts.
+export function makePicture(container, theme, asked) {
+  const stage = makeStage(container, theme);
+  const shelf = meshShelf(fetchMesh);
+  const bodies = makeBodies(stage.scene, shelf, stage.draw);
+  const lines = makeLines(stage.scene);
+  const contacts = makeContacts(stage.scene);
+  const vectors = makeVectors(stage.scene);
+  const clouds = makeClouds(stage.scene);
+  const joint = makeJointHandle(stage, asked.moveJoint);
+  const place = makePlaceHandle(stage, asked.place);
+  const pointer = usePointer(stage, bodies, { joint, place }, asked.select);
+  let scene = null;
+  let frame = null;
+  let fitting = false; // until meshes and a frame are there
+  let tips = [];
+
+  const size = () => stage.box.getSize(new Vector3()).length() || 1;
+
+  function settle() {
+    if (!frame) return;
+    stage.look(bodies.box());
+    if (fitting) stage.fit(directionOf(scene));
+    fitting = false;
+    draw(frame);
+  }
+
+  function draw(next) {
+    frame = next;
+    bodies.pose(frame);
+    place.goAlong();
+    const tensionEnd = lines.pose(frame);
+    const { forceScale } = contacts.pose(frame, size());
+    tips = vectors.pose(frame, size());
+    const { held } = joint;
+    if (held()) joint.tell(frame.joints[scene.joints.indexOf(held().joint)]);
+    asked.changed({ tensionEnd, forceScale });
+    stage.draw();
+  }
+
+  const show = (next) => {
+    fitting ||= another(scene, next);
+    if (fitting) contacts.forget();
+    const held = joint.held()?.joint;
+    scene = next;
+    frame = null;
+    const ready = bodies.show(scene);
+    lines.show(scene);
+    lines.sharpen(stage.ratio);
+    vectors.show(scene);
+    clouds.show(scene, bodies.groups);
+    // A joint that is still there stays selected.
+    const same =
+      held && scene.joints.find(({ name, hand }) => name === held.name && hand === held.hand);
+    joint.show(same ?? null, same && bodies.groups[same.body], joint.held()?.value ?? 0);
+    return ready.then(settle, asked.failed);
+  };
+  const pose = (next) => {
+    if (!scene || !fits(scene, next)) return false;
+    const first = frame === null;
+    draw(next);
+    if (first && fitting) settle();
+    return true;
+  };
+  return {
+    ...{ stage, bodies, lines, contacts, vectors, joint, place, pointer, show, pose },
+    tips: () => tips,
+    frame: () => frame,
+    fitting: () => fitting,
+    meshCount: shelf.size,
+  };
+}
