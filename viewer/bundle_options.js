@@ -1,4 +1,4 @@
-// What esbuild makes of the sources: the two files that the C++ side embeds.
+// What esbuild makes of the sources: the files that the C++ side embeds, of reports and of the live page.
 
 const licences =
   "/*! Contains three.js (MIT, three.js authors), uPlot (MIT, Leon Sorokin), " +
@@ -26,5 +26,24 @@ export const BUNDLES = [
     entryPoints: ["report/style/report.css"],
     outfile: "bundle/report.css",
     banner: { css: licences },
+  },
+  {
+    ...shared,
+    entryPoints: ["live/main.js"],
+    outfile: "bundle/live.js",
+    format: "iife",
+    banner: { js: licences },
+  },
+  {
+    ...shared,
+    entryPoints: ["live/style/live.css"],
+    outfile: "bundle/live.css",
+    banner: { css: licences },
+  },
+  {
+    absWorkingDir: import.meta.dirname,
+    entryPoints: ["live/live.html"],
+    outfile: "bundle/live.html",
+    loader: { ".html": "copy" },
   },
 ];

@@ -1,1 +1,5081 @@
-// Built from viewer/live/.
+/*! Contains three.js (MIT, three.js authors), uPlot (MIT, Leon Sorokin), lil-gui (MIT, George Michael Brower). */
+(()=>{var gS="http://www.w3.org/2000/svg";function vm(n,t,e){for(let[i,s]of Object.entries(t))s==null||s===!1||(i.startsWith("on")?n.addEventListener(i.slice(2),s):i==="style"?n.style.cssText=s:n.setAttribute(i,s===!0?"":s));return n.append(...e.filter(i=>i!=null)),n}var q=(n,t={},...e)=>vm(document.createElement(n),t,e),ln=(n,t={},...e)=>vm(document.createElementNS(gS,n),t,e);var bm=new Set,wm=()=>bm.forEach(n=>n()),sn=n=>getComputedStyle(document.documentElement).getPropertyValue(n.replace(/^var\(|\)$/g,"")).trim(),Mm=n=>bm.add(n);function Sm(n){document.documentElement.classList.toggle("printing",n),document.querySelectorAll("details").forEach(t=>{n&&(t.open=!0)}),wm()}function Em(){matchMedia("(prefers-color-scheme: dark)").addEventListener("change",wm),addEventListener("beforeprint",()=>Sm(!0)),addEventListener("afterprint",()=>Sm(!1))}var hr={LEFT:0,MIDDLE:1,RIGHT:2,ROTATE:0,DOLLY:1,PAN:2},ur={ROTATE:0,PAN:1,DOLLY_PAN:2,DOLLY_ROTATE:3},ag=0,Pd=1,lg=2;var zs=1,cg=2,Zo=3,dr=0,ri=1,Ye=2,Hr=0,jo=1,Id=2,Ld=3,Dd=4,hg=5;var Wr=100,ug=101,dg=102,fg=103,pg=104,mg=200,gg=201,_g=202,xg=203,Nd=204,Od=205,yg=206,vg=207,Sg=208,bg=209,wg=210,Mg=211,Eg=212,Ag=213,Tg=214,Sc=0,bc=1,wc=2,Bo=3,Mc=4,Ec=5,Ac=6,Tc=7,th=0,Cg=1,Rg=2,ps=0,Ud=1,Fd=2,Bd=3,kd=4,zd=5,Gd=6,Vd=7;var Hd=300,Xr=301,Jo=302,eh=303,nh=304,Cc=1e3,ds=1001,Rc=1002,Gn=1003,Pg=1004;var al=1005;var si=1006,ih=1007;var Gs=1008;var hi=1009,Wd=1010,Xd=1011,Ko=1012,sh=1013,ji=1014,zi=1015,Ji=1016,rh=1017,oh=1018,$r=1020,$d=35902,Yd=35899,qd=1021,Zd=1022,Ki=1023,Fs=1026,Vs=1027,ah=1028,lh=1029,fr=1030,ch=1031;var hh=1033,ll=33776,cl=33777,hl=33778,ul=33779,uh=35840,dh=35841,fh=35842,ph=35843,mh=36196,gh=37492,_h=37496,xh=37488,yh=37489,dl=37490,vh=37491,Sh=37808,bh=37809,wh=37810,Mh=37811,Eh=37812,Ah=37813,Th=37814,Ch=37815,Rh=37816,Ph=37817,Ih=37818,Lh=37819,Dh=37820,Nh=37821,Oh=36492,Uh=36494,Fh=36495,Bh=36283,kh=36284,fl=36285,zh=36286;var ka=2300,Pc=2301,yc=2302,bd=2303,wd=2400,Md=2401,Ed=2402;var Ig=3200;var pl=0,Lg=1,Hs="",xi="srgb",za="srgb-linear",Ga="linear",Pe="srgb";var vc=7680;var Dg=519,Ng=512,Og=513,Ug=514,jd=515,Fg=516,Bg=517,Jd=518,Kd=519,Qd=35044,tf=35048;var ef="300 es",Di=2e3,ko=2001;function _S(n){for(let t=n.length-1;t>=0;--t)if(n[t]>=65535)return!0;return!1}function xS(n){return ArrayBuffer.isView(n)&&!(n instanceof DataView)}function Va(n){return document.createElementNS("http://www.w3.org/1999/xhtml",n)}function kg(){let n=Va("canvas");return n.style.display="block",n}var Am={},zo=null;function Ha(...n){let t="THREE."+n.shift();zo?zo("log",t,...n):console.log(t,...n)}function zg(n){let t=n[0];if(typeof t=="string"&&t.startsWith("TSL:")){let e=n[1];e&&e.isStackTrace?n[0]+=" "+e.getLocation():n[1]='Stack trace not available. Enable "THREE.Node.captureStackTrace" to capture stack traces.'}return n}function qt(...n){n=zg(n);let t="THREE."+n.shift();if(zo)zo("warn",t,...n);else{let e=n[0];e&&e.isStackTrace?console.warn(e.getError(t)):console.warn(t,...n)}}function te(...n){n=zg(n);let t="THREE."+n.shift();if(zo)zo("error",t,...n);else{let e=n[0];e&&e.isStackTrace?console.error(e.getError(t)):console.error(t,...n)}}function Fa(...n){let t=n.join(" ");t in Am||(Am[t]=!0,qt(...n))}function Gg(n,t,e){return new Promise(function(i,s){function r(){switch(n.clientWaitSync(t,n.SYNC_FLUSH_COMMANDS_BIT,0)){case n.WAIT_FAILED:s();break;case n.TIMEOUT_EXPIRED:setTimeout(r,e);break;default:i()}}setTimeout(r,e)})}var Vg={[Sc]:Sc,[wc]:Ac,[Mc]:Mc,[Bo]:Ec,[bc]:bc,[Ac]:wc,[Tc]:Tc,[Ec]:Bo},Zi=class{addEventListener(t,e){this._listeners===void 0&&(this._listeners={});let i=this._listeners;i[t]===void 0&&(i[t]=[]),i[t].indexOf(e)===-1&&i[t].push(e)}hasEventListener(t,e){let i=this._listeners;return i===void 0?!1:i[t]!==void 0&&i[t].indexOf(e)!==-1}removeEventListener(t,e){let i=this._listeners;if(i===void 0)return;let s=i[t];if(s!==void 0){let r=s.indexOf(e);r!==-1&&s.splice(r,1)}}dispatchEvent(t){let e=this._listeners;if(e===void 0)return;let i=e[t.type];if(i!==void 0){t.target=this;let s=i.slice(0);for(let r=0,o=s.length;r<o;r++)s[r].call(this,t);t.target=null}}},qn=["00","01","02","03","04","05","06","07","08","09","0a","0b","0c","0d","0e","0f","10","11","12","13","14","15","16","17","18","19","1a","1b","1c","1d","1e","1f","20","21","22","23","24","25","26","27","28","29","2a","2b","2c","2d","2e","2f","30","31","32","33","34","35","36","37","38","39","3a","3b","3c","3d","3e","3f","40","41","42","43","44","45","46","47","48","49","4a","4b","4c","4d","4e","4f","50","51","52","53","54","55","56","57","58","59","5a","5b","5c","5d","5e","5f","60","61","62","63","64","65","66","67","68","69","6a","6b","6c","6d","6e","6f","70","71","72","73","74","75","76","77","78","79","7a","7b","7c","7d","7e","7f","80","81","82","83","84","85","86","87","88","89","8a","8b","8c","8d","8e","8f","90","91","92","93","94","95","96","97","98","99","9a","9b","9c","9d","9e","9f","a0","a1","a2","a3","a4","a5","a6","a7","a8","a9","aa","ab","ac","ad","ae","af","b0","b1","b2","b3","b4","b5","b6","b7","b8","b9","ba","bb","bc","bd","be","bf","c0","c1","c2","c3","c4","c5","c6","c7","c8","c9","ca","cb","cc","cd","ce","cf","d0","d1","d2","d3","d4","d5","d6","d7","d8","d9","da","db","dc","dd","de","df","e0","e1","e2","e3","e4","e5","e6","e7","e8","e9","ea","eb","ec","ed","ee","ef","f0","f1","f2","f3","f4","f5","f6","f7","f8","f9","fa","fb","fc","fd","fe","ff"],Tm=1234567,Uo=Math.PI/180,Go=180/Math.PI;function pr(){let n=Math.random()*4294967295|0,t=Math.random()*4294967295|0,e=Math.random()*4294967295|0,i=Math.random()*4294967295|0;return(qn[n&255]+qn[n>>8&255]+qn[n>>16&255]+qn[n>>24&255]+"-"+qn[t&255]+qn[t>>8&255]+"-"+qn[t>>16&15|64]+qn[t>>24&255]+"-"+qn[e&63|128]+qn[e>>8&255]+"-"+qn[e>>16&255]+qn[e>>24&255]+qn[i&255]+qn[i>>8&255]+qn[i>>16&255]+qn[i>>24&255]).toLowerCase()}function ce(n,t,e){return Math.max(t,Math.min(e,n))}function nf(n,t){return(n%t+t)%t}function yS(n,t,e,i,s){return i+(n-t)*(s-i)/(e-t)}function vS(n,t,e){return n!==t?(e-n)/(t-n):0}function Ba(n,t,e){return(1-e)*n+e*t}function SS(n,t,e,i){return Ba(n,t,1-Math.exp(-e*i))}function bS(n,t=1){return t-Math.abs(nf(n,t*2)-t)}function wS(n,t,e){return n<=t?0:n>=e?1:(n=(n-t)/(e-t),n*n*(3-2*n))}function MS(n,t,e){return n<=t?0:n>=e?1:(n=(n-t)/(e-t),n*n*n*(n*(n*6-15)+10))}function ES(n,t){return n+Math.floor(Math.random()*(t-n+1))}function AS(n,t){return n+Math.random()*(t-n)}function TS(n){return n*(.5-Math.random())}function CS(n){n!==void 0&&(Tm=n);let t=Tm+=1831565813;return t=Math.imul(t^t>>>15,t|1),t^=t+Math.imul(t^t>>>7,t|61),((t^t>>>14)>>>0)/4294967296}function RS(n){return n*Uo}function PS(n){return n*Go}function IS(n){return n>0&&Number.isInteger(n)&&2**Math.round(Math.log2(n))===n}function LS(n){return Math.pow(2,Math.ceil(Math.log(n)/Math.LN2))}function sf(n){return Math.pow(2,Math.floor(Math.log(n)/Math.LN2))}function DS(n,t,e,i,s){let r=Math.cos,o=Math.sin,a=r(e/2),l=o(e/2),c=r((t+i)/2),d=o((t+i)/2),u=r((t-i)/2),h=o((t-i)/2),f=r((i-t)/2),p=o((i-t)/2);switch(s){case"XYX":n.set(a*d,l*u,l*h,a*c);break;case"YZY":n.set(l*h,a*d,l*u,a*c);break;case"ZXZ":n.set(l*u,l*h,a*d,a*c);break;case"XZX":n.set(a*d,l*p,l*f,a*c);break;case"YXY":n.set(l*f,a*d,l*p,a*c);break;case"ZYZ":n.set(l*p,l*f,a*d,a*c);break;default:qt("MathUtils: .setQuaternionFromProperEuler() encountered an unknown order: "+s)}}function Gh(n){switch(n.constructor){case Uint32Array:return 4294967295;case Uint16Array:return 65535;case Uint8Array:case Uint8ClampedArray:return 255;case Int32Array:return 2147483647;case Int16Array:return 32767;case Int8Array:return 127;default:return}}function rf(n,t){if(t.constructor===Float32Array)return n;let e=Gh(t);if(e===void 0)throw new Error("THREE.MathUtils: Invalid component type.");return Math.max(n/e,-1)}function of(n,t){if(t.constructor===Float32Array)return n;let e=Gh(t);if(e===void 0)throw new Error("THREE.MathUtils: Invalid component type.");return Math.round(n*e)}var Qo={DEG2RAD:Uo,RAD2DEG:Go,generateUUID:pr,clamp:ce,euclideanModulo:nf,mapLinear:yS,inverseLerp:vS,lerp:Ba,damp:SS,pingpong:bS,smoothstep:wS,smootherstep:MS,randInt:ES,randFloat:AS,randFloatSpread:TS,seededRandom:CS,degToRad:RS,radToDeg:PS,isPowerOfTwo:IS,ceilPowerOfTwo:LS,floorPowerOfTwo:sf,setQuaternionFromProperEuler:DS,normalize:of,denormalize:rf},uf=class uf{constructor(t=0,e=0){this.x=t,this.y=e}get width(){return this.x}set width(t){this.x=t}get height(){return this.y}set height(t){this.y=t}set(t,e){return this.x=t,this.y=e,this}setScalar(t){return this.x=t,this.y=t,this}setX(t){return this.x=t,this}setY(t){return this.y=t,this}setComponent(t,e){switch(t){case 0:this.x=e;break;case 1:this.y=e;break;default:throw new Error("THREE.Vector2: index is out of range: "+t)}return this}getComponent(t){switch(t){case 0:return this.x;case 1:return this.y;default:throw new Error("THREE.Vector2: index is out of range: "+t)}}clone(){return new this.constructor(this.x,this.y)}copy(t){return this.x=t.x,this.y=t.y,this}add(t){return this.x+=t.x,this.y+=t.y,this}addScalar(t){return this.x+=t,this.y+=t,this}addVectors(t,e){return this.x=t.x+e.x,this.y=t.y+e.y,this}addScaledVector(t,e){return this.x+=t.x*e,this.y+=t.y*e,this}sub(t){return this.x-=t.x,this.y-=t.y,this}subScalar(t){return this.x-=t,this.y-=t,this}subVectors(t,e){return this.x=t.x-e.x,this.y=t.y-e.y,this}multiply(t){return this.x*=t.x,this.y*=t.y,this}multiplyScalar(t){return this.x*=t,this.y*=t,this}divide(t){return this.x/=t.x,this.y/=t.y,this}divideScalar(t){return this.multiplyScalar(1/t)}applyMatrix3(t){let e=this.x,i=this.y,s=t.elements;return this.x=s[0]*e+s[3]*i+s[6],this.y=s[1]*e+s[4]*i+s[7],this}min(t){return this.x=Math.min(this.x,t.x),this.y=Math.min(this.y,t.y),this}max(t){return this.x=Math.max(this.x,t.x),this.y=Math.max(this.y,t.y),this}clamp(t,e){return this.x=ce(this.x,t.x,e.x),this.y=ce(this.y,t.y,e.y),this}clampScalar(t,e){return this.x=ce(this.x,t,e),this.y=ce(this.y,t,e),this}clampLength(t,e){let i=this.length();return this.divideScalar(i||1).multiplyScalar(ce(i,t,e))}floor(){return this.x=Math.floor(this.x),this.y=Math.floor(this.y),this}ceil(){return this.x=Math.ceil(this.x),this.y=Math.ceil(this.y),this}round(){return this.x=Math.round(this.x),this.y=Math.round(this.y),this}roundToZero(){return this.x=Math.trunc(this.x),this.y=Math.trunc(this.y),this}negate(){return this.x=-this.x,this.y=-this.y,this}dot(t){return this.x*t.x+this.y*t.y}cross(t){return this.x*t.y-this.y*t.x}lengthSq(){return this.x*this.x+this.y*this.y}length(){return Math.sqrt(this.x*this.x+this.y*this.y)}manhattanLength(){return Math.abs(this.x)+Math.abs(this.y)}normalize(){return this.divideScalar(this.length()||1)}angle(){return Math.atan2(-this.y,-this.x)+Math.PI}angleTo(t){let e=Math.sqrt(this.lengthSq()*t.lengthSq());if(e===0)return Math.PI/2;let i=this.dot(t)/e;return Math.acos(ce(i,-1,1))}distanceTo(t){return Math.sqrt(this.distanceToSquared(t))}distanceToSquared(t){let e=this.x-t.x,i=this.y-t.y;return e*e+i*i}manhattanDistanceTo(t){return Math.abs(this.x-t.x)+Math.abs(this.y-t.y)}setLength(t){return this.normalize().multiplyScalar(t)}lerp(t,e){return this.x+=(t.x-this.x)*e,this.y+=(t.y-this.y)*e,this}lerpVectors(t,e,i){return this.x=t.x+(e.x-t.x)*i,this.y=t.y+(e.y-t.y)*i,this}equals(t){return t.x===this.x&&t.y===this.y}fromArray(t,e=0){return this.x=t[e],this.y=t[e+1],this}toArray(t=[],e=0){return t[e]=this.x,t[e+1]=this.y,t}fromBufferAttribute(t,e){return this.x=t.getX(e),this.y=t.getY(e),this}rotateAround(t,e){let i=Math.cos(e),s=Math.sin(e),r=this.x-t.x,o=this.y-t.y;return this.x=r*i-o*s+t.x,this.y=r*s+o*i+t.y,this}random(){return this.x=Math.random(),this.y=Math.random(),this}*[Symbol.iterator](){yield this.x,yield this.y}};uf.prototype.isVector2=!0;var $t=uf,Ie=class{constructor(t=0,e=0,i=0,s=1){this.isQuaternion=!0,this._x=t,this._y=e,this._z=i,this._w=s}static slerpFlat(t,e,i,s,r,o,a){let l=i[s+0],c=i[s+1],d=i[s+2],u=i[s+3],h=r[o+0],f=r[o+1],p=r[o+2],_=r[o+3];if(u!==_||l!==h||c!==f||d!==p){let g=l*h+c*f+d*p+u*_;g<0&&(h=-h,f=-f,p=-p,_=-_,g=-g);let m=1-a;if(g<.9995){let x=Math.acos(g),b=Math.sin(x);m=Math.sin(m*x)/b,a=Math.sin(a*x)/b,l=l*m+h*a,c=c*m+f*a,d=d*m+p*a,u=u*m+_*a}else{l=l*m+h*a,c=c*m+f*a,d=d*m+p*a,u=u*m+_*a;let x=1/Math.sqrt(l*l+c*c+d*d+u*u);l*=x,c*=x,d*=x,u*=x}}t[e]=l,t[e+1]=c,t[e+2]=d,t[e+3]=u}static multiplyQuaternionsFlat(t,e,i,s,r,o){let a=i[s],l=i[s+1],c=i[s+2],d=i[s+3],u=r[o],h=r[o+1],f=r[o+2],p=r[o+3];return t[e]=a*p+d*u+l*f-c*h,t[e+1]=l*p+d*h+c*u-a*f,t[e+2]=c*p+d*f+a*h-l*u,t[e+3]=d*p-a*u-l*h-c*f,t}get x(){return this._x}set x(t){this._x=t,this._onChangeCallback()}get y(){return this._y}set y(t){this._y=t,this._onChangeCallback()}get z(){return this._z}set z(t){this._z=t,this._onChangeCallback()}get w(){return this._w}set w(t){this._w=t,this._onChangeCallback()}set(t,e,i,s){return this._x=t,this._y=e,this._z=i,this._w=s,this._onChangeCallback(),this}clone(){return new this.constructor(this._x,this._y,this._z,this._w)}copy(t){return this._x=t.x,this._y=t.y,this._z=t.z,this._w=t.w,this._onChangeCallback(),this}setFromEuler(t,e=!0){let i=t._x,s=t._y,r=t._z,o=t._order,a=Math.cos,l=Math.sin,c=a(i/2),d=a(s/2),u=a(r/2),h=l(i/2),f=l(s/2),p=l(r/2);switch(o){case"XYZ":this._x=h*d*u+c*f*p,this._y=c*f*u-h*d*p,this._z=c*d*p+h*f*u,this._w=c*d*u-h*f*p;break;case"YXZ":this._x=h*d*u+c*f*p,this._y=c*f*u-h*d*p,this._z=c*d*p-h*f*u,this._w=c*d*u+h*f*p;break;case"ZXY":this._x=h*d*u-c*f*p,this._y=c*f*u+h*d*p,this._z=c*d*p+h*f*u,this._w=c*d*u-h*f*p;break;case"ZYX":this._x=h*d*u-c*f*p,this._y=c*f*u+h*d*p,this._z=c*d*p-h*f*u,this._w=c*d*u+h*f*p;break;case"YZX":this._x=h*d*u+c*f*p,this._y=c*f*u+h*d*p,this._z=c*d*p-h*f*u,this._w=c*d*u-h*f*p;break;case"XZY":this._x=h*d*u-c*f*p,this._y=c*f*u-h*d*p,this._z=c*d*p+h*f*u,this._w=c*d*u+h*f*p;break;default:qt("Quaternion: .setFromEuler() encountered an unknown order: "+o)}return e===!0&&this._onChangeCallback(),this}setFromAxisAngle(t,e){let i=e/2,s=Math.sin(i);return this._x=t.x*s,this._y=t.y*s,this._z=t.z*s,this._w=Math.cos(i),this._onChangeCallback(),this}setFromRotationMatrix(t){let e=t.elements,i=e[0],s=e[4],r=e[8],o=e[1],a=e[5],l=e[9],c=e[2],d=e[6],u=e[10],h=i+a+u;if(h>0){let f=.5/Math.sqrt(h+1);this._w=.25/f,this._x=(d-l)*f,this._y=(r-c)*f,this._z=(o-s)*f}else if(i>a&&i>u){let f=2*Math.sqrt(1+i-a-u);this._w=(d-l)/f,this._x=.25*f,this._y=(s+o)/f,this._z=(r+c)/f}else if(a>u){let f=2*Math.sqrt(1+a-i-u);this._w=(r-c)/f,this._x=(s+o)/f,this._y=.25*f,this._z=(l+d)/f}else{let f=2*Math.sqrt(1+u-i-a);this._w=(o-s)/f,this._x=(r+c)/f,this._y=(l+d)/f,this._z=.25*f}return this._onChangeCallback(),this}setFromUnitVectors(t,e){let i=t.dot(e)+1;return i<1e-8?(i=0,Math.abs(t.x)>Math.abs(t.z)?(this._x=-t.y,this._y=t.x,this._z=0,this._w=i):(this._x=0,this._y=-t.z,this._z=t.y,this._w=i)):(this._x=t.y*e.z-t.z*e.y,this._y=t.z*e.x-t.x*e.z,this._z=t.x*e.y-t.y*e.x,this._w=i),this.normalize()}angleTo(t){return 2*Math.acos(Math.abs(ce(this.dot(t),-1,1)))}rotateTowards(t,e){let i=this.angleTo(t);if(i===0)return this;let s=Math.min(1,e/i);return this.slerp(t,s),this}identity(){return this.set(0,0,0,1)}invert(){return this.conjugate()}conjugate(){return this._x*=-1,this._y*=-1,this._z*=-1,this._onChangeCallback(),this}dot(t){return this._x*t._x+this._y*t._y+this._z*t._z+this._w*t._w}lengthSq(){return this._x*this._x+this._y*this._y+this._z*this._z+this._w*this._w}length(){return Math.sqrt(this._x*this._x+this._y*this._y+this._z*this._z+this._w*this._w)}normalize(){let t=this.length();return t===0?(this._x=0,this._y=0,this._z=0,this._w=1):(t=1/t,this._x=this._x*t,this._y=this._y*t,this._z=this._z*t,this._w=this._w*t),this._onChangeCallback(),this}multiply(t){return this.multiplyQuaternions(this,t)}premultiply(t){return this.multiplyQuaternions(t,this)}multiplyQuaternions(t,e){let i=t._x,s=t._y,r=t._z,o=t._w,a=e._x,l=e._y,c=e._z,d=e._w;return this._x=i*d+o*a+s*c-r*l,this._y=s*d+o*l+r*a-i*c,this._z=r*d+o*c+i*l-s*a,this._w=o*d-i*a-s*l-r*c,this._onChangeCallback(),this}slerp(t,e){let i=t._x,s=t._y,r=t._z,o=t._w,a=this.dot(t);a<0&&(i=-i,s=-s,r=-r,o=-o,a=-a);let l=1-e;if(a<.9995){let c=Math.acos(a),d=Math.sin(c);l=Math.sin(l*c)/d,e=Math.sin(e*c)/d,this._x=this._x*l+i*e,this._y=this._y*l+s*e,this._z=this._z*l+r*e,this._w=this._w*l+o*e,this._onChangeCallback()}else this._x=this._x*l+i*e,this._y=this._y*l+s*e,this._z=this._z*l+r*e,this._w=this._w*l+o*e,this.normalize();return this}slerpQuaternions(t,e,i){return this.copy(t).slerp(e,i)}random(){let t=2*Math.PI*Math.random(),e=2*Math.PI*Math.random(),i=Math.random(),s=Math.sqrt(1-i),r=Math.sqrt(i);return this.set(s*Math.sin(t),s*Math.cos(t),r*Math.sin(e),r*Math.cos(e))}equals(t){return t._x===this._x&&t._y===this._y&&t._z===this._z&&t._w===this._w}fromArray(t,e=0){return this._x=t[e],this._y=t[e+1],this._z=t[e+2],this._w=t[e+3],this._onChangeCallback(),this}toArray(t=[],e=0){return t[e]=this._x,t[e+1]=this._y,t[e+2]=this._z,t[e+3]=this._w,t}fromBufferAttribute(t,e){return this._x=t.getX(e),this._y=t.getY(e),this._z=t.getZ(e),this._w=t.getW(e),this._onChangeCallback(),this}toJSON(){return this.toArray()}_onChange(t){return this._onChangeCallback=t,this}_onChangeCallback(){}*[Symbol.iterator](){yield this._x,yield this._y,yield this._z,yield this._w}},df=class df{constructor(t=0,e=0,i=0){this.x=t,this.y=e,this.z=i}set(t,e,i){return i===void 0&&(i=this.z),this.x=t,this.y=e,this.z=i,this}setScalar(t){return this.x=t,this.y=t,this.z=t,this}setX(t){return this.x=t,this}setY(t){return this.y=t,this}setZ(t){return this.z=t,this}setComponent(t,e){switch(t){case 0:this.x=e;break;case 1:this.y=e;break;case 2:this.z=e;break;default:throw new Error("THREE.Vector3: index is out of range: "+t)}return this}getComponent(t){switch(t){case 0:return this.x;case 1:return this.y;case 2:return this.z;default:throw new Error("THREE.Vector3: index is out of range: "+t)}}clone(){return new this.constructor(this.x,this.y,this.z)}copy(t){return this.x=t.x,this.y=t.y,this.z=t.z,this}add(t){return this.x+=t.x,this.y+=t.y,this.z+=t.z,this}addScalar(t){return this.x+=t,this.y+=t,this.z+=t,this}addVectors(t,e){return this.x=t.x+e.x,this.y=t.y+e.y,this.z=t.z+e.z,this}addScaledVector(t,e){return this.x+=t.x*e,this.y+=t.y*e,this.z+=t.z*e,this}sub(t){return this.x-=t.x,this.y-=t.y,this.z-=t.z,this}subScalar(t){return this.x-=t,this.y-=t,this.z-=t,this}subVectors(t,e){return this.x=t.x-e.x,this.y=t.y-e.y,this.z=t.z-e.z,this}multiply(t){return this.x*=t.x,this.y*=t.y,this.z*=t.z,this}multiplyScalar(t){return this.x*=t,this.y*=t,this.z*=t,this}multiplyVectors(t,e){return this.x=t.x*e.x,this.y=t.y*e.y,this.z=t.z*e.z,this}applyEuler(t){return this.applyQuaternion(Cm.setFromEuler(t))}applyAxisAngle(t,e){return this.applyQuaternion(Cm.setFromAxisAngle(t,e))}applyMatrix3(t){let e=this.x,i=this.y,s=this.z,r=t.elements;return this.x=r[0]*e+r[3]*i+r[6]*s,this.y=r[1]*e+r[4]*i+r[7]*s,this.z=r[2]*e+r[5]*i+r[8]*s,this}applyNormalMatrix(t){return this.applyMatrix3(t).normalize()}applyMatrix4(t){let e=this.x,i=this.y,s=this.z,r=t.elements,o=1/(r[3]*e+r[7]*i+r[11]*s+r[15]);return this.x=(r[0]*e+r[4]*i+r[8]*s+r[12])*o,this.y=(r[1]*e+r[5]*i+r[9]*s+r[13])*o,this.z=(r[2]*e+r[6]*i+r[10]*s+r[14])*o,this}applyQuaternion(t){let e=this.x,i=this.y,s=this.z,r=t.x,o=t.y,a=t.z,l=t.w,c=2*(o*s-a*i),d=2*(a*e-r*s),u=2*(r*i-o*e);return this.x=e+l*c+o*u-a*d,this.y=i+l*d+a*c-r*u,this.z=s+l*u+r*d-o*c,this}project(t){return this.applyMatrix4(t.matrixWorldInverse).applyMatrix4(t.projectionMatrix)}unproject(t){return this.applyMatrix4(t.projectionMatrixInverse).applyMatrix4(t.matrixWorld)}transformDirection(t){let e=this.x,i=this.y,s=this.z,r=t.elements;return this.x=r[0]*e+r[4]*i+r[8]*s,this.y=r[1]*e+r[5]*i+r[9]*s,this.z=r[2]*e+r[6]*i+r[10]*s,this.normalize()}divide(t){return this.x/=t.x,this.y/=t.y,this.z/=t.z,this}divideScalar(t){return this.multiplyScalar(1/t)}min(t){return this.x=Math.min(this.x,t.x),this.y=Math.min(this.y,t.y),this.z=Math.min(this.z,t.z),this}max(t){return this.x=Math.max(this.x,t.x),this.y=Math.max(this.y,t.y),this.z=Math.max(this.z,t.z),this}clamp(t,e){return this.x=ce(this.x,t.x,e.x),this.y=ce(this.y,t.y,e.y),this.z=ce(this.z,t.z,e.z),this}clampScalar(t,e){return this.x=ce(this.x,t,e),this.y=ce(this.y,t,e),this.z=ce(this.z,t,e),this}clampLength(t,e){let i=this.length();return this.divideScalar(i||1).multiplyScalar(ce(i,t,e))}floor(){return this.x=Math.floor(this.x),this.y=Math.floor(this.y),this.z=Math.floor(this.z),this}ceil(){return this.x=Math.ceil(this.x),this.y=Math.ceil(this.y),this.z=Math.ceil(this.z),this}round(){return this.x=Math.round(this.x),this.y=Math.round(this.y),this.z=Math.round(this.z),this}roundToZero(){return this.x=Math.trunc(this.x),this.y=Math.trunc(this.y),this.z=Math.trunc(this.z),this}negate(){return this.x=-this.x,this.y=-this.y,this.z=-this.z,this}dot(t){return this.x*t.x+this.y*t.y+this.z*t.z}lengthSq(){return this.x*this.x+this.y*this.y+this.z*this.z}length(){return Math.sqrt(this.x*this.x+this.y*this.y+this.z*this.z)}manhattanLength(){return Math.abs(this.x)+Math.abs(this.y)+Math.abs(this.z)}normalize(){return this.divideScalar(this.length()||1)}setLength(t){return this.normalize().multiplyScalar(t)}lerp(t,e){return this.x+=(t.x-this.x)*e,this.y+=(t.y-this.y)*e,this.z+=(t.z-this.z)*e,this}lerpVectors(t,e,i){return this.x=t.x+(e.x-t.x)*i,this.y=t.y+(e.y-t.y)*i,this.z=t.z+(e.z-t.z)*i,this}cross(t){return this.crossVectors(this,t)}crossVectors(t,e){let i=t.x,s=t.y,r=t.z,o=e.x,a=e.y,l=e.z;return this.x=s*l-r*a,this.y=r*o-i*l,this.z=i*a-s*o,this}projectOnVector(t){let e=t.lengthSq();if(e===0)return this.set(0,0,0);let i=t.dot(this)/e;return this.copy(t).multiplyScalar(i)}projectOnPlane(t){return Qu.copy(this).projectOnVector(t),this.sub(Qu)}reflect(t){return this.sub(Qu.copy(t).multiplyScalar(2*this.dot(t)))}angleTo(t){let e=Math.sqrt(this.lengthSq()*t.lengthSq());if(e===0)return Math.PI/2;let i=this.dot(t)/e;return Math.acos(ce(i,-1,1))}distanceTo(t){return Math.sqrt(this.distanceToSquared(t))}distanceToSquared(t){let e=this.x-t.x,i=this.y-t.y,s=this.z-t.z;return e*e+i*i+s*s}manhattanDistanceTo(t){return Math.abs(this.x-t.x)+Math.abs(this.y-t.y)+Math.abs(this.z-t.z)}setFromSpherical(t){return this.setFromSphericalCoords(t.radius,t.phi,t.theta)}setFromSphericalCoords(t,e,i){let s=Math.sin(e)*t;return this.x=s*Math.sin(i),this.y=Math.cos(e)*t,this.z=s*Math.cos(i),this}setFromCylindrical(t){return this.setFromCylindricalCoords(t.radius,t.theta,t.y)}setFromCylindricalCoords(t,e,i){return this.x=t*Math.sin(e),this.y=i,this.z=t*Math.cos(e),this}setFromMatrixPosition(t){let e=t.elements;return this.x=e[12],this.y=e[13],this.z=e[14],this}setFromMatrixScale(t){let e=this.setFromMatrixColumn(t,0).length(),i=this.setFromMatrixColumn(t,1).length(),s=this.setFromMatrixColumn(t,2).length();return this.x=e,this.y=i,this.z=s,this}setFromMatrixColumn(t,e){return this.fromArray(t.elements,e*4)}setFromMatrix3Column(t,e){return this.fromArray(t.elements,e*3)}setFromEuler(t){return this.x=t._x,this.y=t._y,this.z=t._z,this}setFromColor(t){return this.x=t.r,this.y=t.g,this.z=t.b,this}equals(t){return t.x===this.x&&t.y===this.y&&t.z===this.z}fromArray(t,e=0){return this.x=t[e],this.y=t[e+1],this.z=t[e+2],this}toArray(t=[],e=0){return t[e]=this.x,t[e+1]=this.y,t[e+2]=this.z,t}fromBufferAttribute(t,e){return this.x=t.getX(e),this.y=t.getY(e),this.z=t.getZ(e),this}random(){return this.x=Math.random(),this.y=Math.random(),this.z=Math.random(),this}randomDirection(){let t=Math.random()*Math.PI*2,e=Math.random()*2-1,i=Math.sqrt(1-e*e);return this.x=i*Math.cos(t),this.y=e,this.z=i*Math.sin(t),this}*[Symbol.iterator](){yield this.x,yield this.y,yield this.z}};df.prototype.isVector3=!0;var P=df,Qu=new P,Cm=new Ie,ff=class ff{constructor(t,e,i,s,r,o,a,l,c){this.elements=[1,0,0,0,1,0,0,0,1],t!==void 0&&this.set(t,e,i,s,r,o,a,l,c)}set(t,e,i,s,r,o,a,l,c){let d=this.elements;return d[0]=t,d[1]=s,d[2]=a,d[3]=e,d[4]=r,d[5]=l,d[6]=i,d[7]=o,d[8]=c,this}identity(){return this.set(1,0,0,0,1,0,0,0,1),this}copy(t){let e=this.elements,i=t.elements;return e[0]=i[0],e[1]=i[1],e[2]=i[2],e[3]=i[3],e[4]=i[4],e[5]=i[5],e[6]=i[6],e[7]=i[7],e[8]=i[8],this}extractBasis(t,e,i){return t.setFromMatrix3Column(this,0),e.setFromMatrix3Column(this,1),i.setFromMatrix3Column(this,2),this}setFromMatrix4(t){let e=t.elements;return this.set(e[0],e[4],e[8],e[1],e[5],e[9],e[2],e[6],e[10]),this}multiply(t){return this.multiplyMatrices(this,t)}premultiply(t){return this.multiplyMatrices(t,this)}multiplyMatrices(t,e){let i=t.elements,s=e.elements,r=this.elements,o=i[0],a=i[3],l=i[6],c=i[1],d=i[4],u=i[7],h=i[2],f=i[5],p=i[8],_=s[0],g=s[3],m=s[6],x=s[1],b=s[4],y=s[7],C=s[2],E=s[5],v=s[8];return r[0]=o*_+a*x+l*C,r[3]=o*g+a*b+l*E,r[6]=o*m+a*y+l*v,r[1]=c*_+d*x+u*C,r[4]=c*g+d*b+u*E,r[7]=c*m+d*y+u*v,r[2]=h*_+f*x+p*C,r[5]=h*g+f*b+p*E,r[8]=h*m+f*y+p*v,this}multiplyScalar(t){let e=this.elements;return e[0]*=t,e[3]*=t,e[6]*=t,e[1]*=t,e[4]*=t,e[7]*=t,e[2]*=t,e[5]*=t,e[8]*=t,this}determinant(){let t=this.elements,e=t[0],i=t[1],s=t[2],r=t[3],o=t[4],a=t[5],l=t[6],c=t[7],d=t[8];return e*o*d-e*a*c-i*r*d+i*a*l+s*r*c-s*o*l}invert(){let t=this.elements,e=t[0],i=t[1],s=t[2],r=t[3],o=t[4],a=t[5],l=t[6],c=t[7],d=t[8],u=d*o-a*c,h=a*l-d*r,f=c*r-o*l,p=e*u+i*h+s*f;if(p===0)return this.set(0,0,0,0,0,0,0,0,0);let _=1/p;return t[0]=u*_,t[1]=(s*c-d*i)*_,t[2]=(a*i-s*o)*_,t[3]=h*_,t[4]=(d*e-s*l)*_,t[5]=(s*r-a*e)*_,t[6]=f*_,t[7]=(i*l-c*e)*_,t[8]=(o*e-i*r)*_,this}transpose(){let t,e=this.elements;return t=e[1],e[1]=e[3],e[3]=t,t=e[2],e[2]=e[6],e[6]=t,t=e[5],e[5]=e[7],e[7]=t,this}getNormalMatrix(t){return this.setFromMatrix4(t).invert().transpose()}transposeIntoArray(t){let e=this.elements;return t[0]=e[0],t[1]=e[3],t[2]=e[6],t[3]=e[1],t[4]=e[4],t[5]=e[7],t[6]=e[2],t[7]=e[5],t[8]=e[8],this}setUvTransform(t,e,i,s,r,o,a){let l=Math.cos(r),c=Math.sin(r);return this.set(i*l,i*c,-i*(l*o+c*a)+o+t,-s*c,s*l,-s*(-c*o+l*a)+a+e,0,0,1),this}scale(t,e){return Fa("Matrix3: .scale() is deprecated. Use .makeScale() instead."),this.premultiply(td.makeScale(t,e)),this}rotate(t){return Fa("Matrix3: .rotate() is deprecated. Use .makeRotation() instead."),this.premultiply(td.makeRotation(-t)),this}translate(t,e){return Fa("Matrix3: .translate() is deprecated. Use .makeTranslation() instead."),this.premultiply(td.makeTranslation(t,e)),this}makeTranslation(t,e){return t.isVector2?this.set(1,0,t.x,0,1,t.y,0,0,1):this.set(1,0,t,0,1,e,0,0,1),this}makeRotation(t){let e=Math.cos(t),i=Math.sin(t);return this.set(e,-i,0,i,e,0,0,0,1),this}makeScale(t,e){return this.set(t,0,0,0,e,0,0,0,1),this}equals(t){let e=this.elements,i=t.elements;for(let s=0;s<9;s++)if(e[s]!==i[s])return!1;return!0}fromArray(t,e=0){for(let i=0;i<9;i++)this.elements[i]=t[i+e];return this}toArray(t=[],e=0){let i=this.elements;return t[e]=i[0],t[e+1]=i[1],t[e+2]=i[2],t[e+3]=i[3],t[e+4]=i[4],t[e+5]=i[5],t[e+6]=i[6],t[e+7]=i[7],t[e+8]=i[8],t}clone(){return new this.constructor().fromArray(this.elements)}};ff.prototype.isMatrix3=!0;var se=ff,td=new se,Rm=new se().set(.4123908,.3575843,.1804808,.212639,.7151687,.0721923,.0193308,.1191948,.9505322),Pm=new se().set(3.2409699,-1.5373832,-.4986108,-.9692436,1.8759675,.0415551,.0556301,-.203977,1.0569715);function NS(){let n={enabled:!0,workingColorSpace:za,spaces:{},convert:function(s,r,o){return this.enabled===!1||r===o||!r||!o||(this.spaces[r].transfer===Pe&&(s.r=Us(s.r),s.g=Us(s.g),s.b=Us(s.b)),this.spaces[r].primaries!==this.spaces[o].primaries&&(s.applyMatrix3(this.spaces[r].toXYZ),s.applyMatrix3(this.spaces[o].fromXYZ)),this.spaces[o].transfer===Pe&&(s.r=Fo(s.r),s.g=Fo(s.g),s.b=Fo(s.b))),s},workingToColorSpace:function(s,r){return this.convert(s,this.workingColorSpace,r)},colorSpaceToWorking:function(s,r){return this.convert(s,r,this.workingColorSpace)},getPrimaries:function(s){return this.spaces[s].primaries},getTransfer:function(s){return s===Hs?Ga:this.spaces[s].transfer},getToneMappingMode:function(s){return this.spaces[s].outputColorSpaceConfig.toneMappingMode||"standard"},getLuminanceCoefficients:function(s,r=this.workingColorSpace){return s.fromArray(this.spaces[r].luminanceCoefficients)},define:function(s){Object.assign(this.spaces,s)},_getMatrix:function(s,r,o){return s.copy(this.spaces[o].fromXYZ).multiply(this.spaces[r].toXYZ)},_getDrawingBufferColorSpace:function(s){return this.spaces[s].outputColorSpaceConfig.drawingBufferColorSpace},_getUnpackColorSpace:function(s=this.workingColorSpace){return this.spaces[s].workingColorSpaceConfig.unpackColorSpace}},t=[.64,.33,.3,.6,.15,.06],e=[.2126,.7152,.0722],i=[.3127,.329];return n.define({[za]:{primaries:t,whitePoint:i,transfer:Ga,toXYZ:Rm,fromXYZ:Pm,luminanceCoefficients:e,workingColorSpaceConfig:{unpackColorSpace:xi},outputColorSpaceConfig:{drawingBufferColorSpace:xi}},[xi]:{primaries:t,whitePoint:i,transfer:Pe,toXYZ:Rm,fromXYZ:Pm,luminanceCoefficients:e,outputColorSpaceConfig:{drawingBufferColorSpace:xi}}}),n}var ye=NS();function Us(n){return n<.04045?n*.0773993808:Math.pow(n*.9478672986+.0521327014,2.4)}function Fo(n){return n<.0031308?n*12.92:1.055*Math.pow(n,.41666)-.055}var vo,Ic=class{static getDataURL(t,e="image/png"){if(/^data:/i.test(t.src)||typeof HTMLCanvasElement>"u")return t.src;let i;if(t instanceof HTMLCanvasElement)i=t;else{vo===void 0&&(vo=Va("canvas")),vo.width=t.width,vo.height=t.height;let s=vo.getContext("2d");t instanceof ImageData?s.putImageData(t,0,0):s.drawImage(t,0,0,t.width,t.height),i=vo}return i.toDataURL(e)}static sRGBToLinear(t){if(typeof HTMLImageElement<"u"&&t instanceof HTMLImageElement||typeof HTMLCanvasElement<"u"&&t instanceof HTMLCanvasElement||typeof ImageBitmap<"u"&&t instanceof ImageBitmap){let e=Va("canvas");e.width=t.width,e.height=t.height;let i=e.getContext("2d");i.drawImage(t,0,0,t.width,t.height);let s=i.getImageData(0,0,t.width,t.height),r=s.data;for(let o=0;o<r.length;o++)r[o]=Us(r[o]/255)*255;return i.putImageData(s,0,0),e}else if(t.data){let e=t.data.slice(0);for(let i=0;i<e.length;i++)e instanceof Uint8Array||e instanceof Uint8ClampedArray?e[i]=Math.floor(Us(e[i]/255)*255):e[i]=Us(e[i]);return{data:e,width:t.width,height:t.height}}else return qt("ImageUtils.sRGBToLinear(): Unsupported image type. No color space conversion applied."),t}},OS=0,Vo=class{constructor(t=null){this.isTextureSource=!0,Object.defineProperty(this,"id",{value:OS++}),this.uuid=pr(),this.data=t,this.dataReady=!0,this.version=0}getSize(t){let e=this.data;return typeof HTMLVideoElement<"u"&&e instanceof HTMLVideoElement?t.set(e.videoWidth,e.videoHeight,0):typeof VideoFrame<"u"&&e instanceof VideoFrame?t.set(e.displayWidth,e.displayHeight,0):e!==null?t.set(e.width||0,e.height||0,e.depth||0):t.set(0,0,0),t}set needsUpdate(t){t===!0&&this.version++}toJSON(t){let e=t===void 0||typeof t=="string";if(!e&&t.images[this.uuid]!==void 0)return t.images[this.uuid];let i={uuid:this.uuid,url:""},s=this.data;if(s!==null){let r;if(Array.isArray(s)){r=[];for(let o=0,a=s.length;o<a;o++)s[o].isDataTexture?r.push(ed(s[o].image)):r.push(ed(s[o]))}else r=ed(s);i.url=r}return e||(t.images[this.uuid]=i),i}};function ed(n){return typeof HTMLImageElement<"u"&&n instanceof HTMLImageElement||typeof HTMLCanvasElement<"u"&&n instanceof HTMLCanvasElement||typeof ImageBitmap<"u"&&n instanceof ImageBitmap?Ic.getDataURL(n):n.data?{data:Array.from(n.data),width:n.width,height:n.height,type:n.data.constructor.name}:(qt("Texture: Unable to serialize Texture."),{})}var US=0,nd=new P,li=class n extends Zi{constructor(t=n.DEFAULT_IMAGE,e=n.DEFAULT_MAPPING,i=ds,s=ds,r=si,o=Gs,a=Ki,l=hi,c=n.DEFAULT_ANISOTROPY,d=Hs){super(),this.isTexture=!0,Object.defineProperty(this,"id",{value:US++}),this.uuid=pr(),this.name="",this.source=new Vo(t),this.mipmaps=[],this.mapping=e,this.channel=0,this.wrapS=i,this.wrapT=s,this.magFilter=r,this.minFilter=o,this.anisotropy=c,this.format=a,this.internalFormat=null,this.type=l,this.offset=new $t(0,0),this.repeat=new $t(1,1),this.center=new $t(0,0),this.rotation=0,this.matrixAutoUpdate=!0,this.matrix=new se,this.generateMipmaps=!0,this.mipmapsAutoUpdate=!0,this.premultiplyAlpha=!1,this.flipY=!0,this.unpackAlignment=4,this.colorSpace=d,this.userData={},this.updateRanges=[],this.version=0,this.onUpdate=null,this.renderTarget=null,this.isRenderTargetTexture=!1,this.isArrayTexture=!!(t&&t.depth&&t.depth>1),this.pmremVersion=0,this.isPMREMTexture=!1,this.normalized=!1}get width(){return this.source.getSize(nd).x}get height(){return this.source.getSize(nd).y}get depth(){return this.source.getSize(nd).z}get image(){return this.source.data}set image(t){this.source.data=t}updateMatrix(){this.matrix.setUvTransform(this.offset.x,this.offset.y,this.repeat.x,this.repeat.y,this.rotation,this.center.x,this.center.y)}addUpdateRange(t,e){this.updateRanges.push({start:t,count:e})}clearUpdateRanges(){this.updateRanges.length=0}clone(){return new this.constructor().copy(this)}copy(t){return this.name=t.name,this.source=t.source,this.mipmaps=t.mipmaps.slice(0),this.mapping=t.mapping,this.channel=t.channel,this.wrapS=t.wrapS,this.wrapT=t.wrapT,this.magFilter=t.magFilter,this.minFilter=t.minFilter,this.anisotropy=t.anisotropy,this.format=t.format,this.internalFormat=t.internalFormat,this.type=t.type,this.normalized=t.normalized,this.offset.copy(t.offset),this.repeat.copy(t.repeat),this.center.copy(t.center),this.rotation=t.rotation,this.matrixAutoUpdate=t.matrixAutoUpdate,this.matrix.copy(t.matrix),this.generateMipmaps=t.generateMipmaps,this.mipmapsAutoUpdate=t.mipmapsAutoUpdate,this.premultiplyAlpha=t.premultiplyAlpha,this.flipY=t.flipY,this.unpackAlignment=t.unpackAlignment,this.colorSpace=t.colorSpace,this.renderTarget=t.renderTarget,this.isRenderTargetTexture=t.isRenderTargetTexture,this.isPMREMTexture=t.isPMREMTexture,this.isArrayTexture=t.isArrayTexture,this.userData=JSON.parse(JSON.stringify(t.userData)),this.needsUpdate=!0,this}setValues(t){for(let e in t){let i=t[e];if(i===void 0){qt(`Texture.setValues(): parameter '${e}' has value of undefined.`);continue}let s=this[e];if(s===void 0){qt(`Texture.setValues(): property '${e}' does not exist.`);continue}s&&i&&s.isVector2&&i.isVector2||s&&i&&s.isVector3&&i.isVector3||s&&i&&s.isMatrix3&&i.isMatrix3?s.copy(i):this[e]=i}}toJSON(t){let e=t===void 0||typeof t=="string";if(!e&&t.textures[this.uuid]!==void 0)return t.textures[this.uuid];let i={metadata:{version:4.7,type:"Texture",generator:"Texture.toJSON"},uuid:this.uuid,name:this.name,image:this.source.toJSON(t).uuid,mapping:this.mapping,channel:this.channel,repeat:[this.repeat.x,this.repeat.y],offset:[this.offset.x,this.offset.y],center:[this.center.x,this.center.y],rotation:this.rotation,wrap:[this.wrapS,this.wrapT],format:this.format,internalFormat:this.internalFormat,type:this.type,normalized:this.normalized,colorSpace:this.colorSpace,minFilter:this.minFilter,magFilter:this.magFilter,anisotropy:this.anisotropy,flipY:this.flipY,generateMipmaps:this.generateMipmaps,mipmapsAutoUpdate:this.mipmapsAutoUpdate,premultiplyAlpha:this.premultiplyAlpha,unpackAlignment:this.unpackAlignment};return Object.keys(this.userData).length>0&&(i.userData=this.userData),e||(t.textures[this.uuid]=i),i}dispose(){this.dispatchEvent({type:"dispose"})}transformUv(t){if(this.mapping!==Hd)return t;if(t.applyMatrix3(this.matrix),t.x<0||t.x>1)switch(this.wrapS){case Cc:t.x=t.x-Math.floor(t.x);break;case ds:t.x=t.x<0?0:1;break;case Rc:Math.abs(Math.floor(t.x)%2)===1?t.x=Math.ceil(t.x)-t.x:t.x=t.x-Math.floor(t.x);break}if(t.y<0||t.y>1)switch(this.wrapT){case Cc:t.y=t.y-Math.floor(t.y);break;case ds:t.y=t.y<0?0:1;break;case Rc:Math.abs(Math.floor(t.y)%2)===1?t.y=Math.ceil(t.y)-t.y:t.y=t.y-Math.floor(t.y);break}return this.flipY&&(t.y=1-t.y),t}set needsUpdate(t){t===!0&&(this.version++,this.source.needsUpdate=!0)}set needsPMREMUpdate(t){t===!0&&this.pmremVersion++}};li.DEFAULT_IMAGE=null;li.DEFAULT_MAPPING=Hd;li.DEFAULT_ANISOTROPY=1;var pf=class pf{constructor(t=0,e=0,i=0,s=1){this.x=t,this.y=e,this.z=i,this.w=s}get width(){return this.z}set width(t){this.z=t}get height(){return this.w}set height(t){this.w=t}set(t,e,i,s){return this.x=t,this.y=e,this.z=i,this.w=s,this}setScalar(t){return this.x=t,this.y=t,this.z=t,this.w=t,this}setX(t){return this.x=t,this}setY(t){return this.y=t,this}setZ(t){return this.z=t,this}setW(t){return this.w=t,this}setComponent(t,e){switch(t){case 0:this.x=e;break;case 1:this.y=e;break;case 2:this.z=e;break;case 3:this.w=e;break;default:throw new Error("THREE.Vector4: index is out of range: "+t)}return this}getComponent(t){switch(t){case 0:return this.x;case 1:return this.y;case 2:return this.z;case 3:return this.w;default:throw new Error("THREE.Vector4: index is out of range: "+t)}}clone(){return new this.constructor(this.x,this.y,this.z,this.w)}copy(t){return this.x=t.x,this.y=t.y,this.z=t.z,this.w=t.w!==void 0?t.w:1,this}add(t){return this.x+=t.x,this.y+=t.y,this.z+=t.z,this.w+=t.w,this}addScalar(t){return this.x+=t,this.y+=t,this.z+=t,this.w+=t,this}addVectors(t,e){return this.x=t.x+e.x,this.y=t.y+e.y,this.z=t.z+e.z,this.w=t.w+e.w,this}addScaledVector(t,e){return this.x+=t.x*e,this.y+=t.y*e,this.z+=t.z*e,this.w+=t.w*e,this}sub(t){return this.x-=t.x,this.y-=t.y,this.z-=t.z,this.w-=t.w,this}subScalar(t){return this.x-=t,this.y-=t,this.z-=t,this.w-=t,this}subVectors(t,e){return this.x=t.x-e.x,this.y=t.y-e.y,this.z=t.z-e.z,this.w=t.w-e.w,this}multiply(t){return this.x*=t.x,this.y*=t.y,this.z*=t.z,this.w*=t.w,this}multiplyScalar(t){return this.x*=t,this.y*=t,this.z*=t,this.w*=t,this}applyMatrix4(t){let e=this.x,i=this.y,s=this.z,r=this.w,o=t.elements;return this.x=o[0]*e+o[4]*i+o[8]*s+o[12]*r,this.y=o[1]*e+o[5]*i+o[9]*s+o[13]*r,this.z=o[2]*e+o[6]*i+o[10]*s+o[14]*r,this.w=o[3]*e+o[7]*i+o[11]*s+o[15]*r,this}divide(t){return this.x/=t.x,this.y/=t.y,this.z/=t.z,this.w/=t.w,this}divideScalar(t){return this.multiplyScalar(1/t)}setAxisAngleFromQuaternion(t){this.w=2*Math.acos(t.w);let e=Math.sqrt(1-t.w*t.w);return e<1e-4?(this.x=1,this.y=0,this.z=0):(this.x=t.x/e,this.y=t.y/e,this.z=t.z/e),this}setAxisAngleFromRotationMatrix(t){let e,i,s,r,l=t.elements,c=l[0],d=l[4],u=l[8],h=l[1],f=l[5],p=l[9],_=l[2],g=l[6],m=l[10];if(Math.abs(d-h)<.01&&Math.abs(u-_)<.01&&Math.abs(p-g)<.01){if(Math.abs(d+h)<.1&&Math.abs(u+_)<.1&&Math.abs(p+g)<.1&&Math.abs(c+f+m-3)<.1)return this.set(1,0,0,0),this;e=Math.PI;let b=(c+1)/2,y=(f+1)/2,C=(m+1)/2,E=(d+h)/4,v=(u+_)/4,M=(p+g)/4;return b>y&&b>C?b<.01?(i=0,s=.707106781,r=.707106781):(i=Math.sqrt(b),s=E/i,r=v/i):y>C?y<.01?(i=.707106781,s=0,r=.707106781):(s=Math.sqrt(y),i=E/s,r=M/s):C<.01?(i=.707106781,s=.707106781,r=0):(r=Math.sqrt(C),i=v/r,s=M/r),this.set(i,s,r,e),this}let x=Math.sqrt((g-p)*(g-p)+(u-_)*(u-_)+(h-d)*(h-d));return Math.abs(x)<.001&&(x=1),this.x=(g-p)/x,this.y=(u-_)/x,this.z=(h-d)/x,this.w=Math.acos((c+f+m-1)/2),this}setFromMatrixPosition(t){let e=t.elements;return this.x=e[12],this.y=e[13],this.z=e[14],this.w=e[15],this}min(t){return this.x=Math.min(this.x,t.x),this.y=Math.min(this.y,t.y),this.z=Math.min(this.z,t.z),this.w=Math.min(this.w,t.w),this}max(t){return this.x=Math.max(this.x,t.x),this.y=Math.max(this.y,t.y),this.z=Math.max(this.z,t.z),this.w=Math.max(this.w,t.w),this}clamp(t,e){return this.x=ce(this.x,t.x,e.x),this.y=ce(this.y,t.y,e.y),this.z=ce(this.z,t.z,e.z),this.w=ce(this.w,t.w,e.w),this}clampScalar(t,e){return this.x=ce(this.x,t,e),this.y=ce(this.y,t,e),this.z=ce(this.z,t,e),this.w=ce(this.w,t,e),this}clampLength(t,e){let i=this.length();return this.divideScalar(i||1).multiplyScalar(ce(i,t,e))}floor(){return this.x=Math.floor(this.x),this.y=Math.floor(this.y),this.z=Math.floor(this.z),this.w=Math.floor(this.w),this}ceil(){return this.x=Math.ceil(this.x),this.y=Math.ceil(this.y),this.z=Math.ceil(this.z),this.w=Math.ceil(this.w),this}round(){return this.x=Math.round(this.x),this.y=Math.round(this.y),this.z=Math.round(this.z),this.w=Math.round(this.w),this}roundToZero(){return this.x=Math.trunc(this.x),this.y=Math.trunc(this.y),this.z=Math.trunc(this.z),this.w=Math.trunc(this.w),this}negate(){return this.x=-this.x,this.y=-this.y,this.z=-this.z,this.w=-this.w,this}dot(t){return this.x*t.x+this.y*t.y+this.z*t.z+this.w*t.w}lengthSq(){return this.x*this.x+this.y*this.y+this.z*this.z+this.w*this.w}length(){return Math.sqrt(this.x*this.x+this.y*this.y+this.z*this.z+this.w*this.w)}manhattanLength(){return Math.abs(this.x)+Math.abs(this.y)+Math.abs(this.z)+Math.abs(this.w)}normalize(){return this.divideScalar(this.length()||1)}setLength(t){return this.normalize().multiplyScalar(t)}lerp(t,e){return this.x+=(t.x-this.x)*e,this.y+=(t.y-this.y)*e,this.z+=(t.z-this.z)*e,this.w+=(t.w-this.w)*e,this}lerpVectors(t,e,i){return this.x=t.x+(e.x-t.x)*i,this.y=t.y+(e.y-t.y)*i,this.z=t.z+(e.z-t.z)*i,this.w=t.w+(e.w-t.w)*i,this}equals(t){return t.x===this.x&&t.y===this.y&&t.z===this.z&&t.w===this.w}fromArray(t,e=0){return this.x=t[e],this.y=t[e+1],this.z=t[e+2],this.w=t[e+3],this}toArray(t=[],e=0){return t[e]=this.x,t[e+1]=this.y,t[e+2]=this.z,t[e+3]=this.w,t}fromBufferAttribute(t,e){return this.x=t.getX(e),this.y=t.getY(e),this.z=t.getZ(e),this.w=t.getW(e),this}random(){return this.x=Math.random(),this.y=Math.random(),this.z=Math.random(),this.w=Math.random(),this}*[Symbol.iterator](){yield this.x,yield this.y,yield this.z,yield this.w}};pf.prototype.isVector4=!0;var Le=pf,Lc=class extends Zi{constructor(t=1,e=1,i={}){super(),i=Object.assign({generateMipmaps:!1,internalFormat:null,minFilter:si,depthBuffer:!0,stencilBuffer:!1,resolveColorBuffer:!0,resolveDepthBuffer:!0,resolveStencilBuffer:!0,storeMultisampledColorBuffer:!0,storeMultisampledDepthBuffer:!0,storeMultisampledStencilBuffer:!0,depthTexture:null,samples:0,count:1,depth:1,multiview:!1,useArrayDepthTexture:!1},i),this.isRenderTarget=!0,this.width=t,this.height=e,this.depth=i.depth,this.scissor=new Le(0,0,t,e),this.scissorTest=!1,this.viewport=new Le(0,0,t,e),this.textures=[];let s=i.count;for(let r=0;r<s;r++)this.textures[r]=new li({width:t,height:e,depth:i.depth}),this.textures[r].isRenderTargetTexture=!0,this.textures[r].renderTarget=this;this._setTextureOptions(i),this.depthBuffer=i.depthBuffer,this.stencilBuffer=i.stencilBuffer,this.resolveColorBuffer=i.resolveColorBuffer,this.resolveDepthBuffer=i.resolveDepthBuffer,this.resolveStencilBuffer=i.resolveStencilBuffer,this.storeMultisampledColorBuffer=i.storeMultisampledColorBuffer,this.storeMultisampledDepthBuffer=i.storeMultisampledDepthBuffer,this.storeMultisampledStencilBuffer=i.storeMultisampledStencilBuffer,this._depthTexture=null,this.depthTexture=i.depthTexture,this.samples=i.samples,this.multiview=i.multiview,this.useArrayDepthTexture=i.useArrayDepthTexture}_setTextureOptions(t={}){let e={minFilter:si,generateMipmaps:!1,flipY:!1,internalFormat:null};t.mapping!==void 0&&(e.mapping=t.mapping),t.wrapS!==void 0&&(e.wrapS=t.wrapS),t.wrapT!==void 0&&(e.wrapT=t.wrapT),t.wrapR!==void 0&&(e.wrapR=t.wrapR),t.magFilter!==void 0&&(e.magFilter=t.magFilter),t.minFilter!==void 0&&(e.minFilter=t.minFilter),t.format!==void 0&&(e.format=t.format),t.type!==void 0&&(e.type=t.type),t.anisotropy!==void 0&&(e.anisotropy=t.anisotropy),t.colorSpace!==void 0&&(e.colorSpace=t.colorSpace),t.flipY!==void 0&&(e.flipY=t.flipY),t.generateMipmaps!==void 0&&(e.generateMipmaps=t.generateMipmaps),t.mipmapsAutoUpdate!==void 0&&(e.mipmapsAutoUpdate=t.mipmapsAutoUpdate),t.internalFormat!==void 0&&(e.internalFormat=t.internalFormat);for(let i=0;i<this.textures.length;i++)this.textures[i].setValues(e)}get texture(){return this.textures[0]}set texture(t){this.textures[0]=t}set depthTexture(t){this._depthTexture!==null&&this._depthTexture.renderTarget===this&&(this._depthTexture.renderTarget=null),t!==null&&t.renderTarget===null&&(t.renderTarget=this),this._depthTexture=t}get depthTexture(){return this._depthTexture}setSize(t,e,i=1){if(this.width!==t||this.height!==e||this.depth!==i){this.width=t,this.height=e,this.depth=i;for(let s=0,r=this.textures.length;s<r;s++)this.textures[s].image.width=t,this.textures[s].image.height=e,this.textures[s].image.depth=i,this.textures[s].isData3DTexture!==!0&&(this.textures[s].isArrayTexture=this.textures[s].image.depth>1);this.dispose()}this.viewport.set(0,0,t,e),this.scissor.set(0,0,t,e)}clone(){return new this.constructor().copy(this)}copy(t){this.width=t.width,this.height=t.height,this.depth=t.depth,this.scissor.copy(t.scissor),this.scissorTest=t.scissorTest,this.viewport.copy(t.viewport),this.textures.length=0;for(let e=0,i=t.textures.length;e<i;e++){this.textures[e]=t.textures[e].clone(),this.textures[e].isRenderTargetTexture=!0,this.textures[e].renderTarget=this;let s=Object.assign({},t.textures[e].image);this.textures[e].source=new Vo(s)}if(this.depthBuffer=t.depthBuffer,this.stencilBuffer=t.stencilBuffer,this.resolveColorBuffer=t.resolveColorBuffer,this.resolveDepthBuffer=t.resolveDepthBuffer,this.resolveStencilBuffer=t.resolveStencilBuffer,this.storeMultisampledColorBuffer=t.storeMultisampledColorBuffer,this.storeMultisampledDepthBuffer=t.storeMultisampledDepthBuffer,this.storeMultisampledStencilBuffer=t.storeMultisampledStencilBuffer,t.depthTexture!==null)if(t.depthTexture.renderTarget===t){let e=t.depthTexture.clone();e.renderTarget=null,this.depthTexture=e}else this.depthTexture=t.depthTexture;else this.depthTexture=null;return this.samples=t.samples,this.multiview=t.multiview,this.useArrayDepthTexture=t.useArrayDepthTexture,this}dispose(){this.dispatchEvent({type:"dispose"})}},Si=class extends Lc{constructor(t=1,e=1,i={}){super(t,e,i),this.isWebGLRenderTarget=!0}},Wa=class extends li{constructor(t=null,e=1,i=1,s=1){super(null),this.isDataArrayTexture=!0,this.image={data:t,width:e,height:i,depth:s},this.magFilter=Gn,this.minFilter=Gn,this.wrapR=ds,this.generateMipmaps=!1,this.flipY=!1,this.unpackAlignment=1,this.layerUpdates=new Set}copy(t){return super.copy(t),this.wrapR=t.wrapR,this}addLayerUpdate(t){this.layerUpdates.add(t)}clearLayerUpdates(){this.layerUpdates.clear()}};var Dc=class extends li{constructor(t=null,e=1,i=1,s=1){super(null),this.isData3DTexture=!0,this.image={data:t,width:e,height:i,depth:s},this.magFilter=Gn,this.minFilter=Gn,this.wrapR=ds,this.generateMipmaps=!1,this.flipY=!1,this.unpackAlignment=1}copy(t){return super.copy(t),this.wrapR=t.wrapR,this}};var Qc=class Qc{constructor(t,e,i,s,r,o,a,l,c,d,u,h,f,p,_,g){this.elements=[1,0,0,0,0,1,0,0,0,0,1,0,0,0,0,1],t!==void 0&&this.set(t,e,i,s,r,o,a,l,c,d,u,h,f,p,_,g)}set(t,e,i,s,r,o,a,l,c,d,u,h,f,p,_,g){let m=this.elements;return m[0]=t,m[4]=e,m[8]=i,m[12]=s,m[1]=r,m[5]=o,m[9]=a,m[13]=l,m[2]=c,m[6]=d,m[10]=u,m[14]=h,m[3]=f,m[7]=p,m[11]=_,m[15]=g,this}identity(){return this.set(1,0,0,0,0,1,0,0,0,0,1,0,0,0,0,1),this}clone(){return new Qc().fromArray(this.elements)}copy(t){let e=this.elements,i=t.elements;return e[0]=i[0],e[1]=i[1],e[2]=i[2],e[3]=i[3],e[4]=i[4],e[5]=i[5],e[6]=i[6],e[7]=i[7],e[8]=i[8],e[9]=i[9],e[10]=i[10],e[11]=i[11],e[12]=i[12],e[13]=i[13],e[14]=i[14],e[15]=i[15],this}copyPosition(t){let e=this.elements,i=t.elements;return e[12]=i[12],e[13]=i[13],e[14]=i[14],this}setFromMatrix3(t){let e=t.elements;return this.set(e[0],e[3],e[6],0,e[1],e[4],e[7],0,e[2],e[5],e[8],0,0,0,0,1),this}extractBasis(t,e,i){return this.determinantAffine()===0?(t.set(1,0,0),e.set(0,1,0),i.set(0,0,1),this):(t.setFromMatrixColumn(this,0),e.setFromMatrixColumn(this,1),i.setFromMatrixColumn(this,2),this)}makeBasis(t,e,i){return this.set(t.x,e.x,i.x,0,t.y,e.y,i.y,0,t.z,e.z,i.z,0,0,0,0,1),this}extractRotation(t){if(t.determinantAffine()===0)return this.identity();let e=this.elements,i=t.elements,s=1/So.setFromMatrixColumn(t,0).length(),r=1/So.setFromMatrixColumn(t,1).length(),o=1/So.setFromMatrixColumn(t,2).length();return e[0]=i[0]*s,e[1]=i[1]*s,e[2]=i[2]*s,e[3]=0,e[4]=i[4]*r,e[5]=i[5]*r,e[6]=i[6]*r,e[7]=0,e[8]=i[8]*o,e[9]=i[9]*o,e[10]=i[10]*o,e[11]=0,e[12]=0,e[13]=0,e[14]=0,e[15]=1,this}makeRotationFromEuler(t){let e=this.elements,i=t.x,s=t.y,r=t.z,o=Math.cos(i),a=Math.sin(i),l=Math.cos(s),c=Math.sin(s),d=Math.cos(r),u=Math.sin(r);if(t.order==="XYZ"){let h=o*d,f=o*u,p=a*d,_=a*u;e[0]=l*d,e[4]=-l*u,e[8]=c,e[1]=f+p*c,e[5]=h-_*c,e[9]=-a*l,e[2]=_-h*c,e[6]=p+f*c,e[10]=o*l}else if(t.order==="YXZ"){let h=l*d,f=l*u,p=c*d,_=c*u;e[0]=h+_*a,e[4]=p*a-f,e[8]=o*c,e[1]=o*u,e[5]=o*d,e[9]=-a,e[2]=f*a-p,e[6]=_+h*a,e[10]=o*l}else if(t.order==="ZXY"){let h=l*d,f=l*u,p=c*d,_=c*u;e[0]=h-_*a,e[4]=-o*u,e[8]=p+f*a,e[1]=f+p*a,e[5]=o*d,e[9]=_-h*a,e[2]=-o*c,e[6]=a,e[10]=o*l}else if(t.order==="ZYX"){let h=o*d,f=o*u,p=a*d,_=a*u;e[0]=l*d,e[4]=p*c-f,e[8]=h*c+_,e[1]=l*u,e[5]=_*c+h,e[9]=f*c-p,e[2]=-c,e[6]=a*l,e[10]=o*l}else if(t.order==="YZX"){let h=o*l,f=o*c,p=a*l,_=a*c;e[0]=l*d,e[4]=_-h*u,e[8]=p*u+f,e[1]=u,e[5]=o*d,e[9]=-a*d,e[2]=-c*d,e[6]=f*u+p,e[10]=h-_*u}else if(t.order==="XZY"){let h=o*l,f=o*c,p=a*l,_=a*c;e[0]=l*d,e[4]=-u,e[8]=c*d,e[1]=h*u+_,e[5]=o*d,e[9]=f*u-p,e[2]=p*u-f,e[6]=a*d,e[10]=_*u+h}return e[3]=0,e[7]=0,e[11]=0,e[12]=0,e[13]=0,e[14]=0,e[15]=1,this}makeRotationFromQuaternion(t){return this.compose(FS,t,BS)}lookAt(t,e,i){let s=this.elements;return gi.subVectors(t,e),gi.lengthSq()===0&&(gi.z=1),gi.normalize(),Ks.crossVectors(i,gi),Ks.lengthSq()===0&&(Math.abs(i.z)===1?gi.x+=1e-4:gi.z+=1e-4,gi.normalize(),Ks.crossVectors(i,gi)),Ks.normalize(),$l.crossVectors(gi,Ks),s[0]=Ks.x,s[4]=$l.x,s[8]=gi.x,s[1]=Ks.y,s[5]=$l.y,s[9]=gi.y,s[2]=Ks.z,s[6]=$l.z,s[10]=gi.z,this}multiply(t){return this.multiplyMatrices(this,t)}premultiply(t){return this.multiplyMatrices(t,this)}multiplyMatrices(t,e){let i=t.elements,s=e.elements,r=this.elements,o=i[0],a=i[4],l=i[8],c=i[12],d=i[1],u=i[5],h=i[9],f=i[13],p=i[2],_=i[6],g=i[10],m=i[14],x=i[3],b=i[7],y=i[11],C=i[15],E=s[0],v=s[4],M=s[8],O=s[12],R=s[1],I=s[5],U=s[9],F=s[13],L=s[2],k=s[6],X=s[10],V=s[14],ot=s[3],$=s[7],K=s[11],et=s[15];return r[0]=o*E+a*R+l*L+c*ot,r[4]=o*v+a*I+l*k+c*$,r[8]=o*M+a*U+l*X+c*K,r[12]=o*O+a*F+l*V+c*et,r[1]=d*E+u*R+h*L+f*ot,r[5]=d*v+u*I+h*k+f*$,r[9]=d*M+u*U+h*X+f*K,r[13]=d*O+u*F+h*V+f*et,r[2]=p*E+_*R+g*L+m*ot,r[6]=p*v+_*I+g*k+m*$,r[10]=p*M+_*U+g*X+m*K,r[14]=p*O+_*F+g*V+m*et,r[3]=x*E+b*R+y*L+C*ot,r[7]=x*v+b*I+y*k+C*$,r[11]=x*M+b*U+y*X+C*K,r[15]=x*O+b*F+y*V+C*et,this}multiplyScalar(t){let e=this.elements;return e[0]*=t,e[4]*=t,e[8]*=t,e[12]*=t,e[1]*=t,e[5]*=t,e[9]*=t,e[13]*=t,e[2]*=t,e[6]*=t,e[10]*=t,e[14]*=t,e[3]*=t,e[7]*=t,e[11]*=t,e[15]*=t,this}determinant(){let t=this.elements,e=t[0],i=t[4],s=t[8],r=t[12],o=t[1],a=t[5],l=t[9],c=t[13],d=t[2],u=t[6],h=t[10],f=t[14],p=t[3],_=t[7],g=t[11],m=t[15],x=l*f-c*h,b=a*f-c*u,y=a*h-l*u,C=o*f-c*d,E=o*h-l*d,v=o*u-a*d;return e*(_*x-g*b+m*y)-i*(p*x-g*C+m*E)+s*(p*b-_*C+m*v)-r*(p*y-_*E+g*v)}determinantAffine(){let t=this.elements,e=t[0],i=t[4],s=t[8],r=t[1],o=t[5],a=t[9],l=t[2],c=t[6],d=t[10];return e*(o*d-a*c)-i*(r*d-a*l)+s*(r*c-o*l)}transpose(){let t=this.elements,e;return e=t[1],t[1]=t[4],t[4]=e,e=t[2],t[2]=t[8],t[8]=e,e=t[6],t[6]=t[9],t[9]=e,e=t[3],t[3]=t[12],t[12]=e,e=t[7],t[7]=t[13],t[13]=e,e=t[11],t[11]=t[14],t[14]=e,this}setPosition(t,e,i){let s=this.elements;return t.isVector3?(s[12]=t.x,s[13]=t.y,s[14]=t.z):(s[12]=t,s[13]=e,s[14]=i),this}invert(){let t=this.elements,e=t[0],i=t[1],s=t[2],r=t[3],o=t[4],a=t[5],l=t[6],c=t[7],d=t[8],u=t[9],h=t[10],f=t[11],p=t[12],_=t[13],g=t[14],m=t[15],x=e*a-i*o,b=e*l-s*o,y=e*c-r*o,C=i*l-s*a,E=i*c-r*a,v=s*c-r*l,M=d*_-u*p,O=d*g-h*p,R=d*m-f*p,I=u*g-h*_,U=u*m-f*_,F=h*m-f*g,L=x*F-b*U+y*I+C*R-E*O+v*M;if(L===0)return this.set(0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0);let k=1/L;return t[0]=(a*F-l*U+c*I)*k,t[1]=(s*U-i*F-r*I)*k,t[2]=(_*v-g*E+m*C)*k,t[3]=(h*E-u*v-f*C)*k,t[4]=(l*R-o*F-c*O)*k,t[5]=(e*F-s*R+r*O)*k,t[6]=(g*y-p*v-m*b)*k,t[7]=(d*v-h*y+f*b)*k,t[8]=(o*U-a*R+c*M)*k,t[9]=(i*R-e*U-r*M)*k,t[10]=(p*E-_*y+m*x)*k,t[11]=(u*y-d*E-f*x)*k,t[12]=(a*O-o*I-l*M)*k,t[13]=(e*I-i*O+s*M)*k,t[14]=(_*b-p*C-g*x)*k,t[15]=(d*C-u*b+h*x)*k,this}scale(t){let e=this.elements,i=t.x,s=t.y,r=t.z;return e[0]*=i,e[4]*=s,e[8]*=r,e[1]*=i,e[5]*=s,e[9]*=r,e[2]*=i,e[6]*=s,e[10]*=r,e[3]*=i,e[7]*=s,e[11]*=r,this}getMaxScaleOnAxis(){let t=this.elements,e=t[0]*t[0]+t[1]*t[1]+t[2]*t[2],i=t[4]*t[4]+t[5]*t[5]+t[6]*t[6],s=t[8]*t[8]+t[9]*t[9]+t[10]*t[10];return Math.sqrt(Math.max(e,i,s))}makeTranslation(t,e,i){return t.isVector3?this.set(1,0,0,t.x,0,1,0,t.y,0,0,1,t.z,0,0,0,1):this.set(1,0,0,t,0,1,0,e,0,0,1,i,0,0,0,1),this}makeRotationX(t){let e=Math.cos(t),i=Math.sin(t);return this.set(1,0,0,0,0,e,-i,0,0,i,e,0,0,0,0,1),this}makeRotationY(t){let e=Math.cos(t),i=Math.sin(t);return this.set(e,0,i,0,0,1,0,0,-i,0,e,0,0,0,0,1),this}makeRotationZ(t){let e=Math.cos(t),i=Math.sin(t);return this.set(e,-i,0,0,i,e,0,0,0,0,1,0,0,0,0,1),this}makeRotationAxis(t,e){let i=Math.cos(e),s=Math.sin(e),r=1-i,o=t.x,a=t.y,l=t.z,c=r*o,d=r*a;return this.set(c*o+i,c*a-s*l,c*l+s*a,0,c*a+s*l,d*a+i,d*l-s*o,0,c*l-s*a,d*l+s*o,r*l*l+i,0,0,0,0,1),this}makeScale(t,e,i){return this.set(t,0,0,0,0,e,0,0,0,0,i,0,0,0,0,1),this}makeShear(t,e,i,s,r,o){return this.set(1,i,r,0,t,1,o,0,e,s,1,0,0,0,0,1),this}compose(t,e,i){let s=this.elements,r=e._x,o=e._y,a=e._z,l=e._w,c=r+r,d=o+o,u=a+a,h=r*c,f=r*d,p=r*u,_=o*d,g=o*u,m=a*u,x=l*c,b=l*d,y=l*u,C=i.x,E=i.y,v=i.z;return s[0]=(1-(_+m))*C,s[1]=(f+y)*C,s[2]=(p-b)*C,s[3]=0,s[4]=(f-y)*E,s[5]=(1-(h+m))*E,s[6]=(g+x)*E,s[7]=0,s[8]=(p+b)*v,s[9]=(g-x)*v,s[10]=(1-(h+_))*v,s[11]=0,s[12]=t.x,s[13]=t.y,s[14]=t.z,s[15]=1,this}decompose(t,e,i){let s=this.elements;t.x=s[12],t.y=s[13],t.z=s[14];let r=this.determinantAffine();if(r===0)return i.set(1,1,1),e.identity(),this;let o=So.set(s[0],s[1],s[2]).length(),a=So.set(s[4],s[5],s[6]).length(),l=So.set(s[8],s[9],s[10]).length();r<0&&(o=-o),$i.copy(this);let c=1/o,d=1/a,u=1/l;return $i.elements[0]*=c,$i.elements[1]*=c,$i.elements[2]*=c,$i.elements[4]*=d,$i.elements[5]*=d,$i.elements[6]*=d,$i.elements[8]*=u,$i.elements[9]*=u,$i.elements[10]*=u,e.setFromRotationMatrix($i),i.x=o,i.y=a,i.z=l,this}makePerspective(t,e,i,s,r,o,a=Di,l=!1){let c=this.elements,d=2*r/(e-t),u=2*r/(i-s),h=(e+t)/(e-t),f=(i+s)/(i-s),p,_;if(l)p=r/(o-r),_=o*r/(o-r);else if(a===Di)p=-(o+r)/(o-r),_=-2*o*r/(o-r);else if(a===ko)p=-o/(o-r),_=-o*r/(o-r);else throw new Error("THREE.Matrix4.makePerspective(): Invalid coordinate system: "+a);return c[0]=d,c[4]=0,c[8]=h,c[12]=0,c[1]=0,c[5]=u,c[9]=f,c[13]=0,c[2]=0,c[6]=0,c[10]=p,c[14]=_,c[3]=0,c[7]=0,c[11]=-1,c[15]=0,this}makeOrthographic(t,e,i,s,r,o,a=Di,l=!1){let c=this.elements,d=2/(e-t),u=2/(i-s),h=-(e+t)/(e-t),f=-(i+s)/(i-s),p,_;if(l)p=1/(o-r),_=o/(o-r);else if(a===Di)p=-2/(o-r),_=-(o+r)/(o-r);else if(a===ko)p=-1/(o-r),_=-r/(o-r);else throw new Error("THREE.Matrix4.makeOrthographic(): Invalid coordinate system: "+a);return c[0]=d,c[4]=0,c[8]=0,c[12]=h,c[1]=0,c[5]=u,c[9]=0,c[13]=f,c[2]=0,c[6]=0,c[10]=p,c[14]=_,c[3]=0,c[7]=0,c[11]=0,c[15]=1,this}equals(t){let e=this.elements,i=t.elements;for(let s=0;s<16;s++)if(e[s]!==i[s])return!1;return!0}fromArray(t,e=0){for(let i=0;i<16;i++)this.elements[i]=t[i+e];return this}toArray(t=[],e=0){let i=this.elements;return t[e]=i[0],t[e+1]=i[1],t[e+2]=i[2],t[e+3]=i[3],t[e+4]=i[4],t[e+5]=i[5],t[e+6]=i[6],t[e+7]=i[7],t[e+8]=i[8],t[e+9]=i[9],t[e+10]=i[10],t[e+11]=i[11],t[e+12]=i[12],t[e+13]=i[13],t[e+14]=i[14],t[e+15]=i[15],t}};Qc.prototype.isMatrix4=!0;var ne=Qc,So=new P,$i=new ne,FS=new P(0,0,0),BS=new P(1,1,1),Ks=new P,$l=new P,gi=new P,Im=new ne,Lm=new Ie,Ni=class n{constructor(t=0,e=0,i=0,s=n.DEFAULT_ORDER){this.isEuler=!0,this._x=t,this._y=e,this._z=i,this._order=s}get x(){return this._x}set x(t){this._x=t,this._onChangeCallback()}get y(){return this._y}set y(t){this._y=t,this._onChangeCallback()}get z(){return this._z}set z(t){this._z=t,this._onChangeCallback()}get order(){return this._order}set order(t){this._order=t,this._onChangeCallback()}set(t,e,i,s=this._order){return this._x=t,this._y=e,this._z=i,this._order=s,this._onChangeCallback(),this}clone(){return new this.constructor(this._x,this._y,this._z,this._order)}copy(t){return this._x=t._x,this._y=t._y,this._z=t._z,this._order=t._order,this._onChangeCallback(),this}setFromRotationMatrix(t,e=this._order,i=!0){let s=t.elements,r=s[0],o=s[4],a=s[8],l=s[1],c=s[5],d=s[9],u=s[2],h=s[6],f=s[10];switch(e){case"XYZ":this._y=Math.asin(ce(a,-1,1)),Math.abs(a)<.9999999?(this._x=Math.atan2(-d,f),this._z=Math.atan2(-o,r)):(this._x=Math.atan2(h,c),this._z=0);break;case"YXZ":this._x=Math.asin(-ce(d,-1,1)),Math.abs(d)<.9999999?(this._y=Math.atan2(a,f),this._z=Math.atan2(l,c)):(this._y=Math.atan2(-u,r),this._z=0);break;case"ZXY":this._x=Math.asin(ce(h,-1,1)),Math.abs(h)<.9999999?(this._y=Math.atan2(-u,f),this._z=Math.atan2(-o,c)):(this._y=0,this._z=Math.atan2(l,r));break;case"ZYX":this._y=Math.asin(-ce(u,-1,1)),Math.abs(u)<.9999999?(this._x=Math.atan2(h,f),this._z=Math.atan2(l,r)):(this._x=0,this._z=Math.atan2(-o,c));break;case"YZX":this._z=Math.asin(ce(l,-1,1)),Math.abs(l)<.9999999?(this._x=Math.atan2(-d,c),this._y=Math.atan2(-u,r)):(this._x=0,this._y=Math.atan2(a,f));break;case"XZY":this._z=Math.asin(-ce(o,-1,1)),Math.abs(o)<.9999999?(this._x=Math.atan2(h,c),this._y=Math.atan2(a,r)):(this._x=Math.atan2(-d,f),this._y=0);break;default:qt("Euler: .setFromRotationMatrix() encountered an unknown order: "+e)}return this._order=e,i===!0&&this._onChangeCallback(),this}setFromQuaternion(t,e,i){return Im.makeRotationFromQuaternion(t),this.setFromRotationMatrix(Im,e,i)}setFromVector3(t,e=this._order){return this.set(t.x,t.y,t.z,e)}reorder(t){return Lm.setFromEuler(this),this.setFromQuaternion(Lm,t)}equals(t){return t._x===this._x&&t._y===this._y&&t._z===this._z&&t._order===this._order}fromArray(t){return this._x=t[0],this._y=t[1],this._z=t[2],t[3]!==void 0&&(this._order=t[3]),this._onChangeCallback(),this}toArray(t=[],e=0){return t[e]=this._x,t[e+1]=this._y,t[e+2]=this._z,t[e+3]=this._order,t}_onChange(t){return this._onChangeCallback=t,this}_onChangeCallback(){}*[Symbol.iterator](){yield this._x,yield this._y,yield this._z,yield this._order}};Ni.DEFAULT_ORDER="XYZ";var Ho=class{constructor(){this.mask=1}set(t){this.mask=(1<<t|0)>>>0}enable(t){this.mask|=1<<t|0}enableAll(){this.mask=-1}toggle(t){this.mask^=1<<t|0}disable(t){this.mask&=~(1<<t|0)}disableAll(){this.mask=0}test(t){return(this.mask&t.mask)!==0}isEnabled(t){return(this.mask&(1<<t|0))!==0}},kS=0,Dm=new P,bo=new Ie,Ps=new ne,Yl=new P,Pa=new P,zS=new P,GS=new Ie,Nm=new P(1,0,0),Om=new P(0,1,0),Um=new P(0,0,1),Fm={type:"added"},VS={type:"removed"},wo={type:"childadded",child:null},id={type:"childremoved",child:null},hn=class n extends Zi{constructor(){super(),this.isObject3D=!0,Object.defineProperty(this,"id",{value:kS++}),this.uuid=pr(),this.name="",this.type="Object3D",this.parent=null,this.children=[],this.up=n.DEFAULT_UP.clone();let t=new P,e=new Ni,i=new Ie,s=new P(1,1,1);function r(){i.setFromEuler(e,!1)}function o(){e.setFromQuaternion(i,void 0,!1)}e._onChange(r),i._onChange(o),Object.defineProperties(this,{position:{configurable:!0,enumerable:!0,value:t},rotation:{configurable:!0,enumerable:!0,value:e},quaternion:{configurable:!0,enumerable:!0,value:i},scale:{configurable:!0,enumerable:!0,value:s},modelViewMatrix:{value:new ne},normalMatrix:{value:new se}}),this.matrix=new ne,this.matrixWorld=new ne,this.matrixAutoUpdate=n.DEFAULT_MATRIX_AUTO_UPDATE,this.matrixWorldAutoUpdate=n.DEFAULT_MATRIX_WORLD_AUTO_UPDATE,this.matrixWorldNeedsUpdate=!1,this.layers=new Ho,this.visible=!0,this.castShadow=!1,this.receiveShadow=!1,this.frustumCulled=!0,this.renderOrder=0,this.animations=[],this.customDepthMaterial=void 0,this.customDistanceMaterial=void 0,this.static=!1,this.userData={},this.pivot=null}onBeforeShadow(){}onAfterShadow(){}onBeforeRender(){}onAfterRender(){}applyMatrix4(t){this.matrixAutoUpdate&&this.updateMatrix(),this.matrix.premultiply(t),this.matrix.decompose(this.position,this.quaternion,this.scale),this.pivot!==null&&this.position.copy(this.pivot).applyMatrix4(this.matrix).sub(this.pivot)}applyQuaternion(t){return this.quaternion.premultiply(t),this}setRotationFromAxisAngle(t,e){this.quaternion.setFromAxisAngle(t,e)}setRotationFromEuler(t){this.quaternion.setFromEuler(t,!0)}setRotationFromMatrix(t){this.quaternion.setFromRotationMatrix(t)}setRotationFromQuaternion(t){this.quaternion.copy(t)}rotateOnAxis(t,e){return bo.setFromAxisAngle(t,e),this.quaternion.multiply(bo),this}rotateOnWorldAxis(t,e){return bo.setFromAxisAngle(t,e),this.quaternion.premultiply(bo),this}rotateX(t){return this.rotateOnAxis(Nm,t)}rotateY(t){return this.rotateOnAxis(Om,t)}rotateZ(t){return this.rotateOnAxis(Um,t)}translateOnAxis(t,e){return Dm.copy(t).applyQuaternion(this.quaternion),this.position.add(Dm.multiplyScalar(e)),this}translateX(t){return this.translateOnAxis(Nm,t)}translateY(t){return this.translateOnAxis(Om,t)}translateZ(t){return this.translateOnAxis(Um,t)}localToWorld(t){return this.updateWorldMatrix(!0,!1),t.applyMatrix4(this.matrixWorld)}worldToLocal(t){return this.updateWorldMatrix(!0,!1),t.applyMatrix4(Ps.copy(this.matrixWorld).invert())}lookAt(t,e,i){t.isVector3?Yl.copy(t):Yl.set(t,e,i);let s=this.parent;this.updateWorldMatrix(!0,!1),Pa.setFromMatrixPosition(this.matrixWorld),this.isCamera||this.isLight?Ps.lookAt(Pa,Yl,this.up):Ps.lookAt(Yl,Pa,this.up),this.quaternion.setFromRotationMatrix(Ps),s&&(Ps.extractRotation(s.matrixWorld),bo.setFromRotationMatrix(Ps),this.quaternion.premultiply(bo.invert()))}add(t){if(arguments.length>1){for(let e=0;e<arguments.length;e++)this.add(arguments[e]);return this}return t===this?(te("Object3D.add: object can't be added as a child of itself.",t),this):(t&&t.isObject3D?(t.removeFromParent(),t.parent=this,this.children.push(t),t.dispatchEvent(Fm),wo.child=t,this.dispatchEvent(wo),wo.child=null):te("Object3D.add: object not an instance of THREE.Object3D.",t),this)}remove(t){if(arguments.length>1){for(let i=0;i<arguments.length;i++)this.remove(arguments[i]);return this}let e=this.children.indexOf(t);return e!==-1&&(t.parent=null,this.children.splice(e,1),t.dispatchEvent(VS),id.child=t,this.dispatchEvent(id),id.child=null),this}removeFromParent(){let t=this.parent;return t!==null&&t.remove(this),this}clear(){return this.remove(...this.children)}attach(t){return this.updateWorldMatrix(!0,!1),Ps.copy(this.matrixWorld).invert(),t.parent!==null&&(t.parent.updateWorldMatrix(!0,!1),Ps.multiply(t.parent.matrixWorld)),t.applyMatrix4(Ps),t.removeFromParent(),t.parent=this,this.children.push(t),t.updateWorldMatrix(!1,!0),t.dispatchEvent(Fm),wo.child=t,this.dispatchEvent(wo),wo.child=null,this}getObjectById(t){return this.getObjectByProperty("id",t)}getObjectByName(t){return this.getObjectByProperty("name",t)}getObjectByProperty(t,e){if(this[t]===e)return this;for(let i=0,s=this.children.length;i<s;i++){let o=this.children[i].getObjectByProperty(t,e);if(o!==void 0)return o}}getObjectsByProperty(t,e,i=[]){this[t]===e&&i.push(this);let s=this.children;for(let r=0,o=s.length;r<o;r++)s[r].getObjectsByProperty(t,e,i);return i}getWorldPosition(t){return this.updateWorldMatrix(!0,!1),t.setFromMatrixPosition(this.matrixWorld)}getWorldQuaternion(t){return this.updateWorldMatrix(!0,!1),this.matrixWorld.decompose(Pa,t,zS),t}getWorldScale(t){return this.updateWorldMatrix(!0,!1),this.matrixWorld.decompose(Pa,GS,t),t}getWorldDirection(t){this.updateWorldMatrix(!0,!1);let e=this.matrixWorld.elements;return t.set(e[8],e[9],e[10]).normalize()}raycast(){}intersectsFrustum(){return!0}traverse(t){t(this);let e=this.children;for(let i=0,s=e.length;i<s;i++)e[i].traverse(t)}traverseVisible(t){if(this.visible===!1)return;t(this);let e=this.children;for(let i=0,s=e.length;i<s;i++)e[i].traverseVisible(t)}traverseAncestors(t){let e=this.parent;e!==null&&(t(e),e.traverseAncestors(t))}updateMatrix(){this.matrix.compose(this.position,this.quaternion,this.scale);let t=this.pivot;if(t!==null){let e=t.x,i=t.y,s=t.z,r=this.matrix.elements;r[12]+=e-r[0]*e-r[4]*i-r[8]*s,r[13]+=i-r[1]*e-r[5]*i-r[9]*s,r[14]+=s-r[2]*e-r[6]*i-r[10]*s}this.matrixWorldNeedsUpdate=!0}updateMatrixWorld(t){this.matrixAutoUpdate&&this.updateMatrix(),(this.matrixWorldNeedsUpdate||t)&&(this.matrixWorldAutoUpdate===!0&&(this.parent===null?this.matrixWorld.copy(this.matrix):this.matrixWorld.multiplyMatrices(this.parent.matrixWorld,this.matrix)),this.matrixWorldNeedsUpdate=!1,t=!0);let e=this.children;for(let i=0,s=e.length;i<s;i++)e[i].updateMatrixWorld(t)}updateWorldMatrix(t,e,i=!1){let s=this.parent;if(t===!0&&s!==null&&s.updateWorldMatrix(!0,!1),this.matrixAutoUpdate&&this.updateMatrix(),(this.matrixWorldNeedsUpdate||i)&&(this.matrixWorldAutoUpdate===!0&&(this.parent===null?this.matrixWorld.copy(this.matrix):this.matrixWorld.multiplyMatrices(this.parent.matrixWorld,this.matrix)),this.matrixWorldNeedsUpdate=!1,i=!0),e===!0){let r=this.children;for(let o=0,a=r.length;o<a;o++)r[o].updateWorldMatrix(!1,!0,i)}}toJSON(t){let e=t===void 0||typeof t=="string",i={};e&&(t={geometries:{},materials:{},textures:{},images:{},shapes:{},skeletons:{},animations:{},nodes:{}},i.metadata={version:4.7,type:"Object",generator:"Object3D.toJSON"});let s={};s.uuid=this.uuid,s.type=this.type,s.name=this.name,s.castShadow=this.castShadow,s.receiveShadow=this.receiveShadow,s.visible=this.visible,s.frustumCulled=this.frustumCulled,s.renderOrder=this.renderOrder,s.static=this.static,s.matrixAutoUpdate=this.matrixAutoUpdate,Object.keys(this.userData).length>0&&(s.userData=this.userData),s.layers=this.layers.mask,s.matrix=this.matrix.toArray(),s.up=this.up.toArray(),this.pivot!==null&&(s.pivot=this.pivot.toArray()),this.morphTargetDictionary!==void 0&&(s.morphTargetDictionary=Object.assign({},this.morphTargetDictionary)),this.morphTargetInfluences!==void 0&&(s.morphTargetInfluences=this.morphTargetInfluences.slice()),this.isInstancedMesh&&(s.type="InstancedMesh",s.count=this.count,s.instanceMatrix=this.instanceMatrix.toJSON(),this.instanceColor!==null&&(s.instanceColor=this.instanceColor.toJSON())),this.isBatchedMesh&&(s.type="BatchedMesh",s.perObjectFrustumCulled=this.perObjectFrustumCulled,s.sortObjects=this.sortObjects,s.drawRanges=this._drawRanges,s.reservedRanges=this._reservedRanges,s.geometryInfo=this._geometryInfo.map(a=>({...a,boundingBox:a.boundingBox?a.boundingBox.toJSON():void 0,boundingSphere:a.boundingSphere?a.boundingSphere.toJSON():void 0})),s.instanceInfo=this._instanceInfo.map(a=>({...a})),s.availableInstanceIds=this._availableInstanceIds.slice(),s.availableGeometryIds=this._availableGeometryIds.slice(),s.nextIndexStart=this._nextIndexStart,s.nextVertexStart=this._nextVertexStart,s.geometryCount=this._geometryCount,s.maxInstanceCount=this._maxInstanceCount,s.maxVertexCount=this._maxVertexCount,s.maxIndexCount=this._maxIndexCount,s.geometryInitialized=this._geometryInitialized,s.matricesTexture=this._matricesTexture.toJSON(t),s.indirectTexture=this._indirectTexture.toJSON(t),this._colorsTexture!==null&&(s.colorsTexture=this._colorsTexture.toJSON(t)),this.boundingSphere!==null&&(s.boundingSphere=this.boundingSphere.toJSON()),this.boundingBox!==null&&(s.boundingBox=this.boundingBox.toJSON()));function r(a,l){return a[l.uuid]===void 0&&(a[l.uuid]=l.toJSON(t)),l.uuid}if(this.isScene)this.background&&(this.background.isColor?s.background=this.background.toJSON():this.background.isTexture&&(s.background=this.background.toJSON(t).uuid)),this.environment&&this.environment.isTexture&&this.environment.isRenderTargetTexture!==!0&&(s.environment=this.environment.toJSON(t).uuid);else if(this.isMesh||this.isLine||this.isPoints){s.geometry=r(t.geometries,this.geometry);let a=this.geometry.parameters;if(a!==void 0&&a.shapes!==void 0){let l=a.shapes;if(Array.isArray(l))for(let c=0,d=l.length;c<d;c++){let u=l[c];r(t.shapes,u)}else r(t.shapes,l)}}if(this.isSkinnedMesh&&(s.bindMode=this.bindMode,s.bindMatrix=this.bindMatrix.toArray(),this.skeleton!==void 0&&(r(t.skeletons,this.skeleton),s.skeleton=this.skeleton.uuid)),this.material!==void 0)if(Array.isArray(this.material)){let a=[];for(let l=0,c=this.material.length;l<c;l++)a.push(r(t.materials,this.material[l]));s.material=a}else s.material=r(t.materials,this.material);if(this.children.length>0){s.children=[];for(let a=0;a<this.children.length;a++)s.children.push(this.children[a].toJSON(t).object)}if(this.animations.length>0){s.animations=[];for(let a=0;a<this.animations.length;a++){let l=this.animations[a];s.animations.push(r(t.animations,l))}}if(e){let a=o(t.geometries),l=o(t.materials),c=o(t.textures),d=o(t.images),u=o(t.shapes),h=o(t.skeletons),f=o(t.animations),p=o(t.nodes);a.length>0&&(i.geometries=a),l.length>0&&(i.materials=l),c.length>0&&(i.textures=c),d.length>0&&(i.images=d),u.length>0&&(i.shapes=u),h.length>0&&(i.skeletons=h),f.length>0&&(i.animations=f),p.length>0&&(i.nodes=p)}return i.object=s,i;function o(a){let l=[];for(let c in a){let d=a[c];delete d.metadata,l.push(d)}return l}}clone(t){return new this.constructor().copy(this,t)}copy(t,e=!0){if(this.name=t.name,this.up.copy(t.up),this.position.copy(t.position),this.rotation.order=t.rotation.order,this.quaternion.copy(t.quaternion),this.scale.copy(t.scale),this.pivot=t.pivot!==null?t.pivot.clone():null,this.matrix.copy(t.matrix),this.matrixWorld.copy(t.matrixWorld),this.matrixAutoUpdate=t.matrixAutoUpdate,this.matrixWorldAutoUpdate=t.matrixWorldAutoUpdate,this.matrixWorldNeedsUpdate=t.matrixWorldNeedsUpdate,this.layers.mask=t.layers.mask,this.visible=t.visible,this.castShadow=t.castShadow,this.receiveShadow=t.receiveShadow,this.frustumCulled=t.frustumCulled,this.renderOrder=t.renderOrder,this.static=t.static,this.animations=t.animations.slice(),this.userData=JSON.parse(JSON.stringify(t.userData)),e===!0)for(let i=0;i<t.children.length;i++){let s=t.children[i];this.add(s.clone())}return this}dispose(){this.dispatchEvent({type:"dispose"})}};hn.DEFAULT_UP=new P(0,1,0);hn.DEFAULT_MATRIX_AUTO_UPDATE=!0;hn.DEFAULT_MATRIX_WORLD_AUTO_UPDATE=!0;var Te=class extends hn{constructor(){super(),this.isGroup=!0,this.type="Group"}},HS={type:"move"},Wo=class{constructor(){this._targetRay=null,this._grip=null,this._hand=null}getHandSpace(){return this._hand===null&&(this._hand=new Te,this._hand.matrixAutoUpdate=!1,this._hand.visible=!1,this._hand.joints={},this._hand.inputState={pinching:!1}),this._hand}getTargetRaySpace(){return this._targetRay===null&&(this._targetRay=new Te,this._targetRay.matrixAutoUpdate=!1,this._targetRay.visible=!1,this._targetRay.hasLinearVelocity=!1,this._targetRay.linearVelocity=new P,this._targetRay.hasAngularVelocity=!1,this._targetRay.angularVelocity=new P),this._targetRay}getGripSpace(){return this._grip===null&&(this._grip=new Te,this._grip.matrixAutoUpdate=!1,this._grip.visible=!1,this._grip.hasLinearVelocity=!1,this._grip.linearVelocity=new P,this._grip.hasAngularVelocity=!1,this._grip.angularVelocity=new P,this._grip.eventsEnabled=!1),this._grip}dispatchEvent(t){return this._targetRay!==null&&this._targetRay.dispatchEvent(t),this._grip!==null&&this._grip.dispatchEvent(t),this._hand!==null&&this._hand.dispatchEvent(t),this}connect(t){if(t&&t.hand){let e=this._hand;if(e)for(let i of t.hand.values())this._getHandJoint(e,i)}return this.dispatchEvent({type:"connected",data:t}),this}disconnect(t){return this.dispatchEvent({type:"disconnected",data:t}),this._targetRay!==null&&(this._targetRay.visible=!1),this._grip!==null&&(this._grip.visible=!1),this._hand!==null&&(this._hand.visible=!1),this}update(t,e,i){let s=null,r=null,o=null,a=this._targetRay,l=this._grip,c=this._hand;if(t&&e.session.visibilityState!=="visible-blurred"){if(c&&t.hand){o=!0;for(let _ of t.hand.values()){let g=e.getJointPose(_,i),m=this._getHandJoint(c,_);g!==null&&(m.matrix.fromArray(g.transform.matrix),m.matrix.decompose(m.position,m.quaternion,m.scale),m.matrixWorldNeedsUpdate=!0,m.jointRadius=g.radius),m.visible=g!==null}let d=c.joints["index-finger-tip"],u=c.joints["thumb-tip"],h=d.position.distanceTo(u.position),f=.02,p=.005;c.inputState.pinching&&h>f+p?(c.inputState.pinching=!1,this.dispatchEvent({type:"pinchend",handedness:t.handedness,target:this})):!c.inputState.pinching&&h<=f-p&&(c.inputState.pinching=!0,this.dispatchEvent({type:"pinchstart",handedness:t.handedness,target:this}))}else l!==null&&t.gripSpace&&(r=e.getPose(t.gripSpace,i),r!==null&&(l.matrix.fromArray(r.transform.matrix),l.matrix.decompose(l.position,l.quaternion,l.scale),l.matrixWorldNeedsUpdate=!0,r.linearVelocity?(l.hasLinearVelocity=!0,l.linearVelocity.copy(r.linearVelocity)):l.hasLinearVelocity=!1,r.angularVelocity?(l.hasAngularVelocity=!0,l.angularVelocity.copy(r.angularVelocity)):l.hasAngularVelocity=!1,l.eventsEnabled&&l.dispatchEvent({type:"gripUpdated",data:t,target:this})));a!==null&&(s=e.getPose(t.targetRaySpace,i),s===null&&r!==null&&(s=r),s!==null&&(a.matrix.fromArray(s.transform.matrix),a.matrix.decompose(a.position,a.quaternion,a.scale),a.matrixWorldNeedsUpdate=!0,s.linearVelocity?(a.hasLinearVelocity=!0,a.linearVelocity.copy(s.linearVelocity)):a.hasLinearVelocity=!1,s.angularVelocity?(a.hasAngularVelocity=!0,a.angularVelocity.copy(s.angularVelocity)):a.hasAngularVelocity=!1,this.dispatchEvent(HS)))}return a!==null&&(a.visible=s!==null),l!==null&&(l.visible=r!==null),c!==null&&(c.visible=o!==null),this}_getHandJoint(t,e){if(t.joints[e.jointName]===void 0){let i=new Te;i.matrixAutoUpdate=!1,i.visible=!1,t.joints[e.jointName]=i,t.add(i)}return t.joints[e.jointName]}},Hg={aliceblue:15792383,antiquewhite:16444375,aqua:65535,aquamarine:8388564,azure:15794175,beige:16119260,bisque:16770244,black:0,blanchedalmond:16772045,blue:255,blueviolet:9055202,brown:10824234,burlywood:14596231,cadetblue:6266528,chartreuse:8388352,chocolate:13789470,coral:16744272,cornflowerblue:6591981,cornsilk:16775388,crimson:14423100,cyan:65535,darkblue:139,darkcyan:35723,darkgoldenrod:12092939,darkgray:11119017,darkgreen:25600,darkgrey:11119017,darkkhaki:12433259,darkmagenta:9109643,darkolivegreen:5597999,darkorange:16747520,darkorchid:10040012,darkred:9109504,darksalmon:15308410,darkseagreen:9419919,darkslateblue:4734347,darkslategray:3100495,darkslategrey:3100495,darkturquoise:52945,darkviolet:9699539,deeppink:16716947,deepskyblue:49151,dimgray:6908265,dimgrey:6908265,dodgerblue:2003199,firebrick:11674146,floralwhite:16775920,forestgreen:2263842,fuchsia:16711935,gainsboro:14474460,ghostwhite:16316671,gold:16766720,goldenrod:14329120,gray:8421504,green:32768,greenyellow:11403055,grey:8421504,honeydew:15794160,hotpink:16738740,indianred:13458524,indigo:4915330,ivory:16777200,khaki:15787660,lavender:15132410,lavenderblush:16773365,lawngreen:8190976,lemonchiffon:16775885,lightblue:11393254,lightcoral:15761536,lightcyan:14745599,lightgoldenrodyellow:16448210,lightgray:13882323,lightgreen:9498256,lightgrey:13882323,lightpink:16758465,lightsalmon:16752762,lightseagreen:2142890,lightskyblue:8900346,lightslategray:7833753,lightslategrey:7833753,lightsteelblue:11584734,lightyellow:16777184,lime:65280,limegreen:3329330,linen:16445670,magenta:16711935,maroon:8388608,mediumaquamarine:6737322,mediumblue:205,mediumorchid:12211667,mediumpurple:9662683,mediumseagreen:3978097,mediumslateblue:8087790,mediumspringgreen:64154,mediumturquoise:4772300,mediumvioletred:13047173,midnightblue:1644912,mintcream:16121850,mistyrose:16770273,moccasin:16770229,navajowhite:16768685,navy:128,oldlace:16643558,olive:8421376,olivedrab:7048739,orange:16753920,orangered:16729344,orchid:14315734,palegoldenrod:15657130,palegreen:10025880,paleturquoise:11529966,palevioletred:14381203,papayawhip:16773077,peachpuff:16767673,peru:13468991,pink:16761035,plum:14524637,powderblue:11591910,purple:8388736,rebeccapurple:6697881,red:16711680,rosybrown:12357519,royalblue:4286945,saddlebrown:9127187,salmon:16416882,sandybrown:16032864,seagreen:3050327,seashell:16774638,sienna:10506797,silver:12632256,skyblue:8900331,slateblue:6970061,slategray:7372944,slategrey:7372944,snow:16775930,springgreen:65407,steelblue:4620980,tan:13808780,teal:32896,thistle:14204888,tomato:16737095,turquoise:4251856,violet:15631086,wheat:16113331,white:16777215,whitesmoke:16119285,yellow:16776960,yellowgreen:10145074},Qs={h:0,s:0,l:0},ql={h:0,s:0,l:0};function sd(n,t,e){return e<0&&(e+=1),e>1&&(e-=1),e<1/6?n+(t-n)*6*e:e<1/2?t:e<2/3?n+(t-n)*6*(2/3-e):n}var Jt=class{constructor(t,e,i){return this.isColor=!0,this.r=1,this.g=1,this.b=1,this.set(t,e,i)}set(t,e,i){if(e===void 0&&i===void 0){let s=t;s&&s.isColor?this.copy(s):typeof s=="number"?this.setHex(s):typeof s=="string"&&this.setStyle(s)}else this.setRGB(t,e,i);return this}setScalar(t){return this.r=t,this.g=t,this.b=t,this}setHex(t,e=xi){return t=Math.floor(t),this.r=(t>>16&255)/255,this.g=(t>>8&255)/255,this.b=(t&255)/255,ye.colorSpaceToWorking(this,e),this}setRGB(t,e,i,s=ye.workingColorSpace){return this.r=t,this.g=e,this.b=i,ye.colorSpaceToWorking(this,s),this}setHSL(t,e,i,s=ye.workingColorSpace){if(t=nf(t,1),e=ce(e,0,1),i=ce(i,0,1),e===0)this.r=this.g=this.b=i;else{let r=i<=.5?i*(1+e):i+e-i*e,o=2*i-r;this.r=sd(o,r,t+1/3),this.g=sd(o,r,t),this.b=sd(o,r,t-1/3)}return ye.colorSpaceToWorking(this,s),this}setStyle(t,e=xi){function i(r){r!==void 0&&parseFloat(r)<1&&qt("Color: Alpha component of "+t+" will be ignored.")}let s;if(s=/^(\w+)\(([^\)]*)\)/.exec(t)){let r,o=s[1],a=s[2];switch(o){case"rgb":case"rgba":if(r=/^\s*(\d+)\s*,\s*(\d+)\s*,\s*(\d+)\s*(?:,\s*(\d+(?:\.\d+)?|\.\d+)\s*)?$/.exec(a))return i(r[4]),this.setRGB(Math.min(255,parseInt(r[1],10))/255,Math.min(255,parseInt(r[2],10))/255,Math.min(255,parseInt(r[3],10))/255,e);if(r=/^\s*(\d+(?:\.\d+)?|\.\d+)\%\s*,\s*(\d+(?:\.\d+)?|\.\d+)\%\s*,\s*(\d+(?:\.\d+)?|\.\d+)\%\s*(?:,\s*(\d+(?:\.\d+)?|\.\d+)\s*)?$/.exec(a))return i(r[4]),this.setRGB(Math.min(100,parseFloat(r[1]))/100,Math.min(100,parseFloat(r[2]))/100,Math.min(100,parseFloat(r[3]))/100,e);break;case"hsl":case"hsla":if(r=/^\s*([+-]?(?:\d+(?:\.\d+)?|\.\d+))\s*,\s*(\d+(?:\.\d+)?|\.\d+)\%\s*,\s*(\d+(?:\.\d+)?|\.\d+)\%\s*(?:,\s*(\d+(?:\.\d+)?|\.\d+)\s*)?$/.exec(a))return i(r[4]),this.setHSL(parseFloat(r[1])/360,parseFloat(r[2])/100,parseFloat(r[3])/100,e);break;default:qt("Color: Unknown color model "+t)}}else if(s=/^\#([A-Fa-f\d]+)$/.exec(t)){let r=s[1],o=r.length;if(o===3)return this.setRGB(parseInt(r.charAt(0),16)/15,parseInt(r.charAt(1),16)/15,parseInt(r.charAt(2),16)/15,e);if(o===6)return this.setHex(parseInt(r,16),e);qt("Color: Invalid hex color "+t)}else if(t&&t.length>0)return this.setColorName(t,e);return this}setColorName(t,e=xi){let i=Hg[t.toLowerCase()];return i!==void 0?this.setHex(i,e):qt("Color: Unknown color "+t),this}clone(){return new this.constructor(this.r,this.g,this.b)}copy(t){return this.r=t.r,this.g=t.g,this.b=t.b,this}copySRGBToLinear(t){return this.r=Us(t.r),this.g=Us(t.g),this.b=Us(t.b),this}copyLinearToSRGB(t){return this.r=Fo(t.r),this.g=Fo(t.g),this.b=Fo(t.b),this}convertSRGBToLinear(){return this.copySRGBToLinear(this),this}convertLinearToSRGB(){return this.copyLinearToSRGB(this),this}getHex(t=xi){return ye.workingToColorSpace(Zn.copy(this),t),Math.round(ce(Zn.r*255,0,255))*65536+Math.round(ce(Zn.g*255,0,255))*256+Math.round(ce(Zn.b*255,0,255))}getHexString(t=xi){return("000000"+this.getHex(t).toString(16)).slice(-6)}getHSL(t,e=ye.workingColorSpace){ye.workingToColorSpace(Zn.copy(this),e);let i=Zn.r,s=Zn.g,r=Zn.b,o=Math.max(i,s,r),a=Math.min(i,s,r),l,c,d=(a+o)/2;if(a===o)l=0,c=0;else{let u=o-a;switch(c=d<=.5?u/(o+a):u/(2-o-a),o){case i:l=(s-r)/u+(s<r?6:0);break;case s:l=(r-i)/u+2;break;case r:l=(i-s)/u+4;break}l/=6}return t.h=l,t.s=c,t.l=d,t}getRGB(t,e=ye.workingColorSpace){return ye.workingToColorSpace(Zn.copy(this),e),t.r=Zn.r,t.g=Zn.g,t.b=Zn.b,t}getStyle(t=xi){ye.workingToColorSpace(Zn.copy(this),t);let e=Zn.r,i=Zn.g,s=Zn.b;return t!==xi?`color(${t} ${e.toFixed(3)} ${i.toFixed(3)} ${s.toFixed(3)})`:`rgb(${Math.round(e*255)},${Math.round(i*255)},${Math.round(s*255)})`}offsetHSL(t,e,i){return this.getHSL(Qs),this.setHSL(Qs.h+t,Qs.s+e,Qs.l+i)}add(t){return this.r+=t.r,this.g+=t.g,this.b+=t.b,this}addColors(t,e){return this.r=t.r+e.r,this.g=t.g+e.g,this.b=t.b+e.b,this}addScalar(t){return this.r+=t,this.g+=t,this.b+=t,this}sub(t){return this.r=Math.max(0,this.r-t.r),this.g=Math.max(0,this.g-t.g),this.b=Math.max(0,this.b-t.b),this}multiply(t){return this.r*=t.r,this.g*=t.g,this.b*=t.b,this}multiplyScalar(t){return this.r*=t,this.g*=t,this.b*=t,this}lerp(t,e){return this.r+=(t.r-this.r)*e,this.g+=(t.g-this.g)*e,this.b+=(t.b-this.b)*e,this}lerpColors(t,e,i){return this.r=t.r+(e.r-t.r)*i,this.g=t.g+(e.g-t.g)*i,this.b=t.b+(e.b-t.b)*i,this}lerpHSL(t,e){this.getHSL(Qs),t.getHSL(ql);let i=Ba(Qs.h,ql.h,e),s=Ba(Qs.s,ql.s,e),r=Ba(Qs.l,ql.l,e);return this.setHSL(i,s,r),this}setFromVector3(t){return this.r=t.x,this.g=t.y,this.b=t.z,this}applyMatrix3(t){let e=this.r,i=this.g,s=this.b,r=t.elements;return this.r=r[0]*e+r[3]*i+r[6]*s,this.g=r[1]*e+r[4]*i+r[7]*s,this.b=r[2]*e+r[5]*i+r[8]*s,this}equals(t){return t.r===this.r&&t.g===this.g&&t.b===this.b}fromArray(t,e=0){return this.r=t[e],this.g=t[e+1],this.b=t[e+2],this}toArray(t=[],e=0){return t[e]=this.r,t[e+1]=this.g,t[e+2]=this.b,t}fromBufferAttribute(t,e){return this.r=t.getX(e),this.g=t.getY(e),this.b=t.getZ(e),this}toJSON(){return this.getHex()}*[Symbol.iterator](){yield this.r,yield this.g,yield this.b}},Zn=new Jt;Jt.NAMES=Hg;var Nr=class extends hn{constructor(){super(),this.isScene=!0,this.type="Scene",this.background=null,this.environment=null,this.fog=null,this.backgroundBlurriness=0,this.backgroundIntensity=1,this.backgroundRotation=new Ni,this.environmentIntensity=1,this.environmentRotation=new Ni,this.overrideMaterial=null,typeof __THREE_DEVTOOLS__<"u"&&__THREE_DEVTOOLS__.dispatchEvent(new CustomEvent("observe",{detail:this}))}copy(t,e){return super.copy(t,e),this.background=t.background!==null?t.background.clone():null,this.environment=t.environment!==null?t.environment.clone():null,this.fog=t.fog!==null?t.fog.clone():null,this.backgroundBlurriness=t.backgroundBlurriness,this.backgroundIntensity=t.backgroundIntensity,this.backgroundRotation.copy(t.backgroundRotation),this.environmentIntensity=t.environmentIntensity,this.environmentRotation.copy(t.environmentRotation),this.overrideMaterial=t.overrideMaterial!==null?t.overrideMaterial.clone():null,this.matrixAutoUpdate=t.matrixAutoUpdate,this}toJSON(t){let e=super.toJSON(t);return this.fog!==null&&(e.object.fog=this.fog.toJSON()),e.object.backgroundBlurriness=this.backgroundBlurriness,e.object.backgroundIntensity=this.backgroundIntensity,e.object.backgroundRotation=this.backgroundRotation.toArray(),e.object.environmentIntensity=this.environmentIntensity,e.object.environmentRotation=this.environmentRotation.toArray(),e}},Yi=new P,Is=new P,rd=new P,Ls=new P,Mo=new P,Eo=new P,Bm=new P,od=new P,ad=new P,ld=new P,cd=new Le,hd=new Le,ud=new Le,Os=class n{constructor(t=new P,e=new P,i=new P){this.a=t,this.b=e,this.c=i}static getNormal(t,e,i,s){s.subVectors(i,e),Yi.subVectors(t,e),s.cross(Yi);let r=s.lengthSq();return r>0?s.multiplyScalar(1/Math.sqrt(r)):s.set(0,0,0)}static getBarycoord(t,e,i,s,r){Yi.subVectors(s,e),Is.subVectors(i,e),rd.subVectors(t,e);let o=Yi.dot(Yi),a=Yi.dot(Is),l=Yi.dot(rd),c=Is.dot(Is),d=Is.dot(rd),u=o*c-a*a;if(u===0)return r.set(0,0,0),null;let h=1/u,f=(c*l-a*d)*h,p=(o*d-a*l)*h;return r.set(1-f-p,p,f)}static containsPoint(t,e,i,s){return this.getBarycoord(t,e,i,s,Ls)===null?!1:Ls.x>=0&&Ls.y>=0&&Ls.x+Ls.y<=1}static getInterpolation(t,e,i,s,r,o,a,l){return this.getBarycoord(t,e,i,s,Ls)===null?(l.x=0,l.y=0,"z"in l&&(l.z=0),"w"in l&&(l.w=0),null):(l.setScalar(0),l.addScaledVector(r,Ls.x),l.addScaledVector(o,Ls.y),l.addScaledVector(a,Ls.z),l)}static getInterpolatedAttribute(t,e,i,s,r,o){return cd.setScalar(0),hd.setScalar(0),ud.setScalar(0),cd.fromBufferAttribute(t,e),hd.fromBufferAttribute(t,i),ud.fromBufferAttribute(t,s),o.setScalar(0),o.addScaledVector(cd,r.x),o.addScaledVector(hd,r.y),o.addScaledVector(ud,r.z),o}static isFrontFacing(t,e,i,s){return Yi.subVectors(i,e),Is.subVectors(t,e),Yi.cross(Is).dot(s)<0}set(t,e,i){return this.a.copy(t),this.b.copy(e),this.c.copy(i),this}setFromPointsAndIndices(t,e,i,s){return this.a.copy(t[e]),this.b.copy(t[i]),this.c.copy(t[s]),this}setFromAttributeAndIndices(t,e,i,s){return this.a.fromBufferAttribute(t,e),this.b.fromBufferAttribute(t,i),this.c.fromBufferAttribute(t,s),this}clone(){return new this.constructor().copy(this)}copy(t){return this.a.copy(t.a),this.b.copy(t.b),this.c.copy(t.c),this}getArea(){return Yi.subVectors(this.c,this.b),Is.subVectors(this.a,this.b),Yi.cross(Is).length()*.5}getMidpoint(t){return t.addVectors(this.a,this.b).add(this.c).multiplyScalar(1/3)}getNormal(t){return n.getNormal(this.a,this.b,this.c,t)}getPlane(t){return t.setFromCoplanarPoints(this.a,this.b,this.c)}getBarycoord(t,e){return n.getBarycoord(t,this.a,this.b,this.c,e)}getInterpolation(t,e,i,s,r){return n.getInterpolation(t,this.a,this.b,this.c,e,i,s,r)}containsPoint(t){return n.containsPoint(t,this.a,this.b,this.c)}isFrontFacing(t){return n.isFrontFacing(this.a,this.b,this.c,t)}intersectsBox(t){return t.intersectsTriangle(this)}closestPointToPoint(t,e){let i=this.a,s=this.b,r=this.c,o,a;Mo.subVectors(s,i),Eo.subVectors(r,i),od.subVectors(t,i);let l=Mo.dot(od),c=Eo.dot(od);if(l<=0&&c<=0)return e.copy(i);ad.subVectors(t,s);let d=Mo.dot(ad),u=Eo.dot(ad);if(d>=0&&u<=d)return e.copy(s);let h=l*u-d*c;if(h<=0&&l>=0&&d<=0&&l-d>0)return o=l/(l-d),e.copy(i).addScaledVector(Mo,o);ld.subVectors(t,r);let f=Mo.dot(ld),p=Eo.dot(ld);if(p>=0&&f<=p)return e.copy(r);let _=f*c-l*p;if(_<=0&&c>=0&&p<=0)return a=c/(c-p),e.copy(i).addScaledVector(Eo,a);let g=d*p-f*u;if(g<=0&&u-d>=0&&f-p>=0)return Bm.subVectors(r,s),a=(u-d)/(u-d+(f-p)),e.copy(s).addScaledVector(Bm,a);let m=1/(g+_+h);return o=_*m,a=h*m,e.copy(i).addScaledVector(Mo,o).addScaledVector(Eo,a)}equals(t){return t.a.equals(this.a)&&t.b.equals(this.b)&&t.c.equals(this.c)}},Qe=class{constructor(t=new P(1/0,1/0,1/0),e=new P(-1/0,-1/0,-1/0)){this.isBox3=!0,this.min=t,this.max=e}set(t,e){return this.min.copy(t),this.max.copy(e),this}setFromArray(t){this.makeEmpty();for(let e=0,i=t.length;e<i;e+=3)this.expandByPoint(qi.fromArray(t,e));return this}setFromBufferAttribute(t){this.makeEmpty();for(let e=0,i=t.count;e<i;e++)this.expandByPoint(qi.fromBufferAttribute(t,e));return this}setFromPoints(t){this.makeEmpty();for(let e=0,i=t.length;e<i;e++)this.expandByPoint(t[e]);return this}setFromCenterAndSize(t,e){let i=qi.copy(e).multiplyScalar(.5);return this.min.copy(t).sub(i),this.max.copy(t).add(i),this}setFromObject(t,e=!1){return this.makeEmpty(),this.expandByObject(t,e)}clone(){return new this.constructor().copy(this)}copy(t){return this.min.copy(t.min),this.max.copy(t.max),this}makeEmpty(){return this.min.x=this.min.y=this.min.z=1/0,this.max.x=this.max.y=this.max.z=-1/0,this}isEmpty(){return this.max.x<this.min.x||this.max.y<this.min.y||this.max.z<this.min.z}getCenter(t){return this.isEmpty()?t.set(0,0,0):t.addVectors(this.min,this.max).multiplyScalar(.5)}getSize(t){return this.isEmpty()?t.set(0,0,0):t.subVectors(this.max,this.min)}expandByPoint(t){return this.min.min(t),this.max.max(t),this}expandByVector(t){return this.min.sub(t),this.max.add(t),this}expandByScalar(t){return this.min.addScalar(-t),this.max.addScalar(t),this}expandByObject(t,e=!1){t.updateWorldMatrix(!1,!1);let i=t.geometry;if(i!==void 0){let r=i.getAttribute("position");if(e===!0&&r!==void 0&&t.isInstancedMesh!==!0&&t.isBatchedMesh!==!0)for(let o=0,a=r.count;o<a;o++)t.isMesh===!0?t.getVertexPosition(o,qi):qi.fromBufferAttribute(r,o),qi.applyMatrix4(t.matrixWorld),this.expandByPoint(qi);else t.boundingBox!==void 0?(t.boundingBox===null&&t.computeBoundingBox(),Zl.copy(t.boundingBox)):(i.boundingBox===null&&i.computeBoundingBox(),Zl.copy(i.boundingBox)),Zl.applyMatrix4(t.matrixWorld),this.union(Zl)}let s=t.children;for(let r=0,o=s.length;r<o;r++)this.expandByObject(s[r],e);return this}containsPoint(t){return t.x>=this.min.x&&t.x<=this.max.x&&t.y>=this.min.y&&t.y<=this.max.y&&t.z>=this.min.z&&t.z<=this.max.z}containsBox(t){return this.min.x<=t.min.x&&t.max.x<=this.max.x&&this.min.y<=t.min.y&&t.max.y<=this.max.y&&this.min.z<=t.min.z&&t.max.z<=this.max.z}getParameter(t,e){return e.set((t.x-this.min.x)/(this.max.x-this.min.x),(t.y-this.min.y)/(this.max.y-this.min.y),(t.z-this.min.z)/(this.max.z-this.min.z))}intersectsBox(t){return t.max.x>=this.min.x&&t.min.x<=this.max.x&&t.max.y>=this.min.y&&t.min.y<=this.max.y&&t.max.z>=this.min.z&&t.min.z<=this.max.z}intersectsSphere(t){return this.clampPoint(t.center,qi),qi.distanceToSquared(t.center)<=t.radius*t.radius}intersectsPlane(t){let e,i;return t.normal.x>0?(e=t.normal.x*this.min.x,i=t.normal.x*this.max.x):(e=t.normal.x*this.max.x,i=t.normal.x*this.min.x),t.normal.y>0?(e+=t.normal.y*this.min.y,i+=t.normal.y*this.max.y):(e+=t.normal.y*this.max.y,i+=t.normal.y*this.min.y),t.normal.z>0?(e+=t.normal.z*this.min.z,i+=t.normal.z*this.max.z):(e+=t.normal.z*this.max.z,i+=t.normal.z*this.min.z),e<=-t.constant&&i>=-t.constant}intersectsTriangle(t){if(this.isEmpty())return!1;this.getCenter(Ia),jl.subVectors(this.max,Ia),Ao.subVectors(t.a,Ia),To.subVectors(t.b,Ia),Co.subVectors(t.c,Ia),tr.subVectors(To,Ao),er.subVectors(Co,To),Pr.subVectors(Ao,Co);let e=[0,-tr.z,tr.y,0,-er.z,er.y,0,-Pr.z,Pr.y,tr.z,0,-tr.x,er.z,0,-er.x,Pr.z,0,-Pr.x,-tr.y,tr.x,0,-er.y,er.x,0,-Pr.y,Pr.x,0];return!dd(e,Ao,To,Co,jl)||(e=[1,0,0,0,1,0,0,0,1],!dd(e,Ao,To,Co,jl))?!1:(Jl.crossVectors(tr,er),e=[Jl.x,Jl.y,Jl.z],dd(e,Ao,To,Co,jl))}clampPoint(t,e){return e.copy(t).clamp(this.min,this.max)}distanceToPoint(t){return this.clampPoint(t,qi).distanceTo(t)}getBoundingSphere(t){return this.isEmpty()?t.makeEmpty():(this.getCenter(t.center),t.radius=this.getSize(qi).length()*.5),t}intersect(t){return this.min.max(t.min),this.max.min(t.max),this.isEmpty()&&this.makeEmpty(),this}union(t){return this.min.min(t.min),this.max.max(t.max),this}applyMatrix4(t){return this.isEmpty()?this:(Ds[0].set(this.min.x,this.min.y,this.min.z).applyMatrix4(t),Ds[1].set(this.min.x,this.min.y,this.max.z).applyMatrix4(t),Ds[2].set(this.min.x,this.max.y,this.min.z).applyMatrix4(t),Ds[3].set(this.min.x,this.max.y,this.max.z).applyMatrix4(t),Ds[4].set(this.max.x,this.min.y,this.min.z).applyMatrix4(t),Ds[5].set(this.max.x,this.min.y,this.max.z).applyMatrix4(t),Ds[6].set(this.max.x,this.max.y,this.min.z).applyMatrix4(t),Ds[7].set(this.max.x,this.max.y,this.max.z).applyMatrix4(t),this.setFromPoints(Ds),this)}translate(t){return this.min.add(t),this.max.add(t),this}equals(t){return t.min.equals(this.min)&&t.max.equals(this.max)}toJSON(){return{min:this.min.toArray(),max:this.max.toArray()}}fromJSON(t){return this.min.fromArray(t.min),this.max.fromArray(t.max),this}},Ds=[new P,new P,new P,new P,new P,new P,new P,new P],qi=new P,Zl=new Qe,Ao=new P,To=new P,Co=new P,tr=new P,er=new P,Pr=new P,Ia=new P,jl=new P,Jl=new P,Ir=new P;function dd(n,t,e,i,s){for(let r=0,o=n.length-3;r<=o;r+=3){Ir.fromArray(n,r);let a=s.x*Math.abs(Ir.x)+s.y*Math.abs(Ir.y)+s.z*Math.abs(Ir.z),l=t.dot(Ir),c=e.dot(Ir),d=i.dot(Ir);if(Math.max(-Math.max(l,c,d),Math.min(l,c,d))>a)return!1}return!0}var En=new P,Kl=new $t,WS=0,cn=class extends Zi{constructor(t,e,i=!1){if(super(),Array.isArray(t))throw new TypeError("THREE.BufferAttribute: array should be a Typed Array.");this.isBufferAttribute=!0,Object.defineProperty(this,"id",{value:WS++}),this.name="",this.array=t,this.itemSize=e,this.count=t!==void 0?t.length/e:0,this.normalized=i,this.usage=Qd,this.updateRanges=[],this.gpuType=zi,this.version=0,this._normalizationScale=t!==void 0?Gh(t):void 0}onUploadCallback(){}set needsUpdate(t){t===!0&&this.version++}setUsage(t){return this.usage=t,this}addUpdateRange(t,e){this.updateRanges.push({start:t,count:e})}clearUpdateRanges(){this.updateRanges.length=0}copy(t){return this.name=t.name,this.array=new t.array.constructor(t.array),this.itemSize=t.itemSize,this.count=t.count,this.normalized=t.normalized,this.usage=t.usage,this.gpuType=t.gpuType,this._normalizationScale=t._normalizationScale,this}copyAt(t,e,i){t*=this.itemSize,i*=e.itemSize;for(let s=0,r=this.itemSize;s<r;s++)this.array[t+s]=e.array[i+s];return this}copyArray(t){return this.array.set(t),this}applyMatrix3(t){if(this.itemSize===2)for(let e=0,i=this.count;e<i;e++)Kl.fromBufferAttribute(this,e),Kl.applyMatrix3(t),this.setXY(e,Kl.x,Kl.y);else if(this.itemSize===3)for(let e=0,i=this.count;e<i;e++)En.fromBufferAttribute(this,e),En.applyMatrix3(t),this.setXYZ(e,En.x,En.y,En.z);return this}applyMatrix4(t){for(let e=0,i=this.count;e<i;e++)En.fromBufferAttribute(this,e),En.applyMatrix4(t),this.setXYZ(e,En.x,En.y,En.z);return this}applyNormalMatrix(t){for(let e=0,i=this.count;e<i;e++)En.fromBufferAttribute(this,e),En.applyNormalMatrix(t),this.setXYZ(e,En.x,En.y,En.z);return this}transformDirection(t){for(let e=0,i=this.count;e<i;e++)En.fromBufferAttribute(this,e),En.transformDirection(t),this.setXYZ(e,En.x,En.y,En.z);return this}set(t,e=0){return this.array.set(t,e),this}getComponent(t,e){let i=this.array[t*this.itemSize+e];return this.normalized&&(i=this._denormalize(i)),i}setComponent(t,e,i){return this.normalized&&(i=this._normalize(i)),this.array[t*this.itemSize+e]=i,this}getX(t){let e=this.array[t*this.itemSize];return this.normalized&&(e=this._denormalize(e)),e}setX(t,e){return this.normalized&&(e=this._normalize(e)),this.array[t*this.itemSize]=e,this}getY(t){let e=this.array[t*this.itemSize+1];return this.normalized&&(e=this._denormalize(e)),e}setY(t,e){return this.normalized&&(e=this._normalize(e)),this.array[t*this.itemSize+1]=e,this}getZ(t){let e=this.array[t*this.itemSize+2];return this.normalized&&(e=this._denormalize(e)),e}setZ(t,e){return this.normalized&&(e=this._normalize(e)),this.array[t*this.itemSize+2]=e,this}getW(t){let e=this.array[t*this.itemSize+3];return this.normalized&&(e=this._denormalize(e)),e}setW(t,e){return this.normalized&&(e=this._normalize(e)),this.array[t*this.itemSize+3]=e,this}setXY(t,e,i){return t*=this.itemSize,this.normalized&&(e=this._normalize(e),i=this._normalize(i)),this.array[t+0]=e,this.array[t+1]=i,this}setXYZ(t,e,i,s){return t*=this.itemSize,this.normalized&&(e=this._normalize(e),i=this._normalize(i),s=this._normalize(s)),this.array[t+0]=e,this.array[t+1]=i,this.array[t+2]=s,this}setXYZW(t,e,i,s,r){return t*=this.itemSize,this.normalized&&(e=this._normalize(e),i=this._normalize(i),s=this._normalize(s),r=this._normalize(r)),this.array[t+0]=e,this.array[t+1]=i,this.array[t+2]=s,this.array[t+3]=r,this}onUpload(t){return this.onUploadCallback=t,this}clone(){return new this.constructor(this.array,this.itemSize).copy(this)}toJSON(){let t={itemSize:this.itemSize,type:this.array.constructor.name,array:Array.from(this.array),normalized:this.normalized};return t.name=this.name,t.usage=this.usage,t.gpuType=this.gpuType,t}dispose(){this.dispatchEvent({type:"dispose"})}_denormalize(t){let e=this._normalizationScale;return e!==void 0?Math.max(t/e,-1):rf(t,this.array)}_normalize(t){let e=this._normalizationScale;return e!==void 0?Math.round(t*e):of(t,this.array)}};var Xa=class extends cn{constructor(t,e,i){super(new Uint16Array(t),e,i)}};var $a=class extends cn{constructor(t,e,i){super(new Uint32Array(t),e,i)}};var ie=class extends cn{constructor(t,e,i){super(new Float32Array(t),e,i)}},XS=new Qe,La=new P,fd=new P,bi=class{constructor(t=new P,e=-1){this.isSphere=!0,this.center=t,this.radius=e}set(t,e){return this.center.copy(t),this.radius=e,this}setFromPoints(t,e){let i=this.center;e!==void 0?i.copy(e):XS.setFromPoints(t).getCenter(i);let s=0;for(let r=0,o=t.length;r<o;r++)s=Math.max(s,i.distanceToSquared(t[r]));return this.radius=Math.sqrt(s),this}copy(t){return this.center.copy(t.center),this.radius=t.radius,this}isEmpty(){return this.radius<0}makeEmpty(){return this.center.set(0,0,0),this.radius=-1,this}containsPoint(t){return t.distanceToSquared(this.center)<=this.radius*this.radius}distanceToPoint(t){return t.distanceTo(this.center)-this.radius}intersectsSphere(t){let e=this.radius+t.radius;return t.center.distanceToSquared(this.center)<=e*e}intersectsBox(t){return t.intersectsSphere(this)}intersectsPlane(t){return Math.abs(t.distanceToPoint(this.center))<=this.radius}clampPoint(t,e){let i=this.center.distanceToSquared(t);return e.copy(t),i>this.radius*this.radius&&(e.sub(this.center).normalize(),e.multiplyScalar(this.radius).add(this.center)),e}getBoundingBox(t){return this.isEmpty()?(t.makeEmpty(),t):(t.set(this.center,this.center),t.expandByScalar(this.radius),t)}applyMatrix4(t){return this.center.applyMatrix4(t),this.radius=this.radius*t.getMaxScaleOnAxis(),this}translate(t){return this.center.add(t),this}expandByPoint(t){if(this.isEmpty())return this.center.copy(t),this.radius=0,this;La.subVectors(t,this.center);let e=La.lengthSq();if(e>this.radius*this.radius){let i=Math.sqrt(e),s=(i-this.radius)*.5;this.center.addScaledVector(La,s/i),this.radius+=s}return this}union(t){return t.isEmpty()?this:this.isEmpty()?(this.copy(t),this):(this.center.equals(t.center)===!0?this.radius=Math.max(this.radius,t.radius):(fd.subVectors(t.center,this.center).setLength(t.radius),this.expandByPoint(La.copy(t.center).add(fd)),this.expandByPoint(La.copy(t.center).sub(fd))),this)}equals(t){return t.center.equals(this.center)&&t.radius===this.radius}clone(){return new this.constructor().copy(this)}toJSON(){return{radius:this.radius,center:this.center.toArray()}}fromJSON(t){return this.radius=t.radius,this.center.fromArray(t.center),this}},$S=0,Li=new ne,pd=new hn,Ro=new P,_i=new Qe,Da=new Qe,zn=new P,we=class n extends Zi{constructor(){super(),this.isBufferGeometry=!0,Object.defineProperty(this,"id",{value:$S++}),this.uuid=pr(),this.name="",this.type="BufferGeometry",this.index=null,this.indirect=null,this.indirectOffset=0,this.attributes={},this.morphAttributes={},this.morphTargetsRelative=!1,this.groups=[],this.boundingBox=null,this.boundingSphere=null,this.drawRange={start:0,count:1/0},this.userData={},this._transformed=!1}getIndex(){return this.index}setIndex(t){return Array.isArray(t)?this.index=new(_S(t)?$a:Xa)(t,1):this.index=t,this}setIndirect(t,e=0){return this.indirect=t,this.indirectOffset=e,this}getIndirect(){return this.indirect}getAttribute(t){return this.attributes[t]}setAttribute(t,e){return this.attributes[t]=e,this}deleteAttribute(t){return delete this.attributes[t],this}hasAttribute(t){return this.attributes[t]!==void 0}addGroup(t,e,i=0){this.groups.push({start:t,count:e,materialIndex:i})}clearGroups(){this.groups=[]}setDrawRange(t,e){this.drawRange.start=t,this.drawRange.count=e}applyMatrix4(t){let e=this.attributes.position;e!==void 0&&(e.applyMatrix4(t),e.needsUpdate=!0);let i=this.attributes.normal;if(i!==void 0){let r=new se().getNormalMatrix(t);i.applyNormalMatrix(r),i.needsUpdate=!0}let s=this.attributes.tangent;return s!==void 0&&(s.transformDirection(t),s.needsUpdate=!0),this.boundingBox!==null&&this.computeBoundingBox(),this.boundingSphere!==null&&this.computeBoundingSphere(),this._transformed=!0,this}applyQuaternion(t){return Li.makeRotationFromQuaternion(t),this.applyMatrix4(Li),this}rotateX(t){return Li.makeRotationX(t),this.applyMatrix4(Li),this}rotateY(t){return Li.makeRotationY(t),this.applyMatrix4(Li),this}rotateZ(t){return Li.makeRotationZ(t),this.applyMatrix4(Li),this}translate(t,e,i){return Li.makeTranslation(t,e,i),this.applyMatrix4(Li),this}scale(t,e,i){return Li.makeScale(t,e,i),this.applyMatrix4(Li),this}lookAt(t){return pd.lookAt(t),pd.updateMatrix(),this.applyMatrix4(pd.matrix),this}center(){return this.computeBoundingBox(),this.boundingBox.getCenter(Ro).negate(),this.translate(Ro.x,Ro.y,Ro.z),this}setFromPoints(t){let e=this.getAttribute("position");if(e===void 0){let i=[];for(let s=0,r=t.length;s<r;s++){let o=t[s];i.push(o.x,o.y,o.z||0)}this.setAttribute("position",new ie(i,3))}else{let i=Math.min(t.length,e.count);for(let s=0;s<i;s++){let r=t[s];e.setXYZ(s,r.x,r.y,r.z||0)}t.length>e.count&&qt("BufferGeometry: Buffer size too small for points data. Use .dispose() and create a new geometry."),e.needsUpdate=!0}return this}computeBoundingBox(){this.boundingBox===null&&(this.boundingBox=new Qe);let t=this.attributes.position,e=this.morphAttributes.position;if(t&&t.isGLBufferAttribute){te("BufferGeometry.computeBoundingBox(): GLBufferAttribute requires a manual bounding box.",this),this.boundingBox.set(new P(-1/0,-1/0,-1/0),new P(1/0,1/0,1/0));return}if(t!==void 0){if(this.boundingBox.setFromBufferAttribute(t),e)for(let i=0,s=e.length;i<s;i++){let r=e[i];_i.setFromBufferAttribute(r),this.morphTargetsRelative?(zn.addVectors(this.boundingBox.min,_i.min),this.boundingBox.expandByPoint(zn),zn.addVectors(this.boundingBox.max,_i.max),this.boundingBox.expandByPoint(zn)):(this.boundingBox.expandByPoint(_i.min),this.boundingBox.expandByPoint(_i.max))}}else this.boundingBox.makeEmpty();(isNaN(this.boundingBox.min.x)||isNaN(this.boundingBox.min.y)||isNaN(this.boundingBox.min.z))&&te('BufferGeometry.computeBoundingBox(): Computed min/max have NaN values. The "position" attribute is likely to have NaN values.',this)}computeBoundingSphere(){this.boundingSphere===null&&(this.boundingSphere=new bi);let t=this.attributes.position,e=this.morphAttributes.position;if(t&&t.isGLBufferAttribute){te("BufferGeometry.computeBoundingSphere(): GLBufferAttribute requires a manual bounding sphere.",this),this.boundingSphere.set(new P,1/0);return}if(t){let i=this.boundingSphere.center;if(_i.setFromBufferAttribute(t),e)for(let r=0,o=e.length;r<o;r++){let a=e[r];Da.setFromBufferAttribute(a),this.morphTargetsRelative?(zn.addVectors(_i.min,Da.min),_i.expandByPoint(zn),zn.addVectors(_i.max,Da.max),_i.expandByPoint(zn)):(_i.expandByPoint(Da.min),_i.expandByPoint(Da.max))}_i.getCenter(i);let s=0;for(let r=0,o=t.count;r<o;r++)zn.fromBufferAttribute(t,r),s=Math.max(s,i.distanceToSquared(zn));if(e)for(let r=0,o=e.length;r<o;r++){let a=e[r],l=this.morphTargetsRelative;for(let c=0,d=a.count;c<d;c++)zn.fromBufferAttribute(a,c),l&&(Ro.fromBufferAttribute(t,c),zn.add(Ro)),s=Math.max(s,i.distanceToSquared(zn))}this.boundingSphere.radius=Math.sqrt(s),isNaN(this.boundingSphere.radius)&&te('BufferGeometry.computeBoundingSphere(): Computed radius is NaN. The "position" attribute is likely to have NaN values.',this)}}computeTangents(){let t=this.index,e=this.attributes;if(t===null||e.position===void 0||e.normal===void 0||e.uv===void 0){te("BufferGeometry: .computeTangents() failed. Missing required attributes (index, position, normal or uv)");return}let i=e.position,s=e.normal,r=e.uv,o=this.getAttribute("tangent");(o===void 0||o.count!==i.count)&&(o=new cn(new Float32Array(4*i.count),4),this.setAttribute("tangent",o));let a=[],l=[],c=new Uint8Array(i.count);for(let O=0;O<i.count;O++)a[O]=new P,l[O]=new P;let d=new P,u=new P,h=new P,f=new $t,p=new $t,_=new $t,g=new P,m=new P;function x(O,R,I){c[O]=c[R]=c[I]=1,d.fromBufferAttribute(i,O),u.fromBufferAttribute(i,R),h.fromBufferAttribute(i,I),f.fromBufferAttribute(r,O),p.fromBufferAttribute(r,R),_.fromBufferAttribute(r,I),u.sub(d),h.sub(d),p.sub(f),_.sub(f);let U=1/(p.x*_.y-_.x*p.y);isFinite(U)&&(g.copy(u).multiplyScalar(_.y).addScaledVector(h,-p.y).multiplyScalar(U),m.copy(h).multiplyScalar(p.x).addScaledVector(u,-_.x).multiplyScalar(U),a[O].add(g),a[R].add(g),a[I].add(g),l[O].add(m),l[R].add(m),l[I].add(m))}let b=this.groups;b.length===0&&(b=[{start:0,count:t.count}]);for(let O=0,R=b.length;O<R;++O){let I=b[O],U=I.start,F=I.count;for(let L=U,k=U+F;L<k;L+=3)x(t.getX(L+0),t.getX(L+1),t.getX(L+2))}let y=new P,C=new P,E=new P,v=new P;function M(O){E.fromBufferAttribute(s,O),v.copy(E);let R=a[O];y.copy(R),y.sub(E.multiplyScalar(E.dot(R))).normalize(),C.crossVectors(v,R);let U=C.dot(l[O])<0?-1:1;o.setXYZW(O,y.x,y.y,y.z,U)}for(let O=0,R=i.count;O<R;++O)c[O]&&M(O);this._transformed=!0}computeVertexNormals(){let t=this.index,e=this.getAttribute("position");if(e!==void 0){let i=this.getAttribute("normal");if(i===void 0||i.count!==e.count)i=new cn(new Float32Array(e.count*3),3),this.setAttribute("normal",i);else for(let h=0,f=i.count;h<f;h++)i.setXYZ(h,0,0,0);let s=new P,r=new P,o=new P,a=new P,l=new P,c=new P,d=new P,u=new P;if(t)for(let h=0,f=t.count;h<f;h+=3){let p=t.getX(h+0),_=t.getX(h+1),g=t.getX(h+2);s.fromBufferAttribute(e,p),r.fromBufferAttribute(e,_),o.fromBufferAttribute(e,g),d.subVectors(o,r),u.subVectors(s,r),d.cross(u),a.fromBufferAttribute(i,p),l.fromBufferAttribute(i,_),c.fromBufferAttribute(i,g),a.add(d),l.add(d),c.add(d),i.setXYZ(p,a.x,a.y,a.z),i.setXYZ(_,l.x,l.y,l.z),i.setXYZ(g,c.x,c.y,c.z)}else for(let h=0,f=e.count;h<f;h+=3)s.fromBufferAttribute(e,h+0),r.fromBufferAttribute(e,h+1),o.fromBufferAttribute(e,h+2),d.subVectors(o,r),u.subVectors(s,r),d.cross(u),i.setXYZ(h+0,d.x,d.y,d.z),i.setXYZ(h+1,d.x,d.y,d.z),i.setXYZ(h+2,d.x,d.y,d.z);this.normalizeNormals(),i.needsUpdate=!0}}normalizeNormals(){let t=this.attributes.normal;for(let e=0,i=t.count;e<i;e++)zn.fromBufferAttribute(t,e),zn.normalize(),t.setXYZ(e,zn.x,zn.y,zn.z)}toNonIndexed(){function t(a,l){let c=a.array,d=a.itemSize,u=a.normalized,h=new c.constructor(l.length*d),f=0,p=0;for(let _=0,g=l.length;_<g;_++){a.isInterleavedBufferAttribute?f=l[_]*a.data.stride+a.offset:f=l[_]*d;for(let m=0;m<d;m++)h[p++]=c[f++]}return new cn(h,d,u)}if(this.index===null)return qt("BufferGeometry.toNonIndexed(): BufferGeometry is already non-indexed."),this;let e=new n,i=this.index.array,s=this.attributes;for(let a in s){let l=s[a],c=t(l,i);e.setAttribute(a,c)}let r=this.morphAttributes;for(let a in r){let l=[],c=r[a];for(let d=0,u=c.length;d<u;d++){let h=c[d],f=t(h,i);l.push(f)}e.morphAttributes[a]=l}e.morphTargetsRelative=this.morphTargetsRelative;let o=this.groups;for(let a=0,l=o.length;a<l;a++){let c=o[a];e.addGroup(c.start,c.count,c.materialIndex)}return e}toJSON(){let t={metadata:{version:4.7,type:"BufferGeometry",generator:"BufferGeometry.toJSON"}};if(t.uuid=this.uuid,t.type=this.parameters!==void 0&&this._transformed===!0?"BufferGeometry":this.type,t.name=this.name,Object.keys(this.userData).length>0&&(t.userData=this.userData),this.parameters!==void 0&&this._transformed!==!0){let l=this.parameters;for(let c in l)l[c]!==void 0&&(t[c]=l[c]);return t}t.data={attributes:{}};let e=this.index;e!==null&&(t.data.index={type:e.array.constructor.name,array:Array.prototype.slice.call(e.array)});let i=this.attributes;for(let l in i){let c=i[l];t.data.attributes[l]=c.toJSON(t.data)}let s={},r=!1;for(let l in this.morphAttributes){let c=this.morphAttributes[l],d=[];for(let u=0,h=c.length;u<h;u++){let f=c[u];d.push(f.toJSON(t.data))}d.length>0&&(s[l]=d,r=!0)}r&&(t.data.morphAttributes=s,t.data.morphTargetsRelative=this.morphTargetsRelative);let o=this.groups;o.length>0&&(t.data.groups=JSON.parse(JSON.stringify(o)));let a=this.boundingSphere;return a!==null&&(t.data.boundingSphere=a.toJSON()),t}clone(){return new this.constructor().copy(this)}copy(t){this.index=null,this.attributes={},this.morphAttributes={},this.groups=[],this.boundingBox=null,this.boundingSphere=null;let e={};this.name=t.name;let i=t.index;i!==null&&this.setIndex(i.clone());let s=t.attributes;for(let c in s){let d=s[c];this.setAttribute(c,d.clone(e))}let r=t.morphAttributes;for(let c in r){let d=[],u=r[c];for(let h=0,f=u.length;h<f;h++)d.push(u[h].clone(e));this.morphAttributes[c]=d}this.morphTargetsRelative=t.morphTargetsRelative;let o=t.groups;for(let c=0,d=o.length;c<d;c++){let u=o[c];this.addGroup(u.start,u.count,u.materialIndex)}let a=t.boundingBox;a!==null&&(this.boundingBox=a.clone());let l=t.boundingSphere;return l!==null&&(this.boundingSphere=l.clone()),this.drawRange.start=t.drawRange.start,this.drawRange.count=t.drawRange.count,this.userData=t.userData,this._transformed=t._transformed,this}dispose(){this.dispatchEvent({type:"dispose"})}},Ya=class{constructor(t,e){this.isInterleavedBuffer=!0,this.array=t,this.stride=e,this.count=t!==void 0?t.length/e:0,this.usage=Qd,this.updateRanges=[],this.version=0,this.uuid=pr()}onUploadCallback(){}set needsUpdate(t){t===!0&&this.version++}setUsage(t){return this.usage=t,this}addUpdateRange(t,e){this.updateRanges.push({start:t,count:e})}clearUpdateRanges(){this.updateRanges.length=0}copy(t){return this.array=new t.array.constructor(t.array),this.count=t.count,this.stride=t.stride,this.usage=t.usage,this}copyAt(t,e,i){t*=this.stride,i*=e.stride;for(let s=0,r=this.stride;s<r;s++)this.array[t+s]=e.array[i+s];return this}set(t,e=0){return this.array.set(t,e),this}clone(t){t.arrayBuffers===void 0&&(t.arrayBuffers={});let e=km(this.array);t.arrayBuffers[e]===void 0&&(t.arrayBuffers[e]=this.array.slice(0).buffer);let i=new this.array.constructor(t.arrayBuffers[e]),s=new this.constructor(i,this.stride);return s.setUsage(this.usage),s}onUpload(t){return this.onUploadCallback=t,this}toJSON(t){t.arrayBuffers===void 0&&(t.arrayBuffers={});let e=km(this.array);t.arrayBuffers[e]===void 0&&(t.arrayBuffers[e]=Array.from(new Uint32Array(this.array.slice(0).buffer)));let i={uuid:this.uuid,buffer:e,type:this.array.constructor.name,stride:this.stride};return i.usage=this.usage,i}};function km(n){return n.buffer._uuid===void 0&&(n.buffer._uuid=pr()),n.byteOffset===0&&n.byteLength===n.buffer.byteLength?n.buffer._uuid:n.buffer._uuid+":"+n.byteOffset+":"+n.byteLength}var ii=new P,Oi=class n{constructor(t,e,i,s=!1){this.isInterleavedBufferAttribute=!0,this.name="",this.data=t,this.itemSize=e,this.offset=i,this.normalized=s,this._normalizationScale=t!==void 0?Gh(t.array):void 0}get count(){return this.data.count}get array(){return this.data.array}set needsUpdate(t){this.data.needsUpdate=t}applyMatrix4(t){for(let e=0,i=this.data.count;e<i;e++)ii.fromBufferAttribute(this,e),ii.applyMatrix4(t),this.setXYZ(e,ii.x,ii.y,ii.z);return this}applyNormalMatrix(t){for(let e=0,i=this.count;e<i;e++)ii.fromBufferAttribute(this,e),ii.applyNormalMatrix(t),this.setXYZ(e,ii.x,ii.y,ii.z);return this}transformDirection(t){for(let e=0,i=this.count;e<i;e++)ii.fromBufferAttribute(this,e),ii.transformDirection(t),this.setXYZ(e,ii.x,ii.y,ii.z);return this}getComponent(t,e){let i=this.array[t*this.data.stride+this.offset+e];return this.normalized&&(i=this._denormalize(i)),i}setComponent(t,e,i){return this.normalized&&(i=this._normalize(i)),this.data.array[t*this.data.stride+this.offset+e]=i,this}setX(t,e){return this.normalized&&(e=this._normalize(e)),this.data.array[t*this.data.stride+this.offset]=e,this}setY(t,e){return this.normalized&&(e=this._normalize(e)),this.data.array[t*this.data.stride+this.offset+1]=e,this}setZ(t,e){return this.normalized&&(e=this._normalize(e)),this.data.array[t*this.data.stride+this.offset+2]=e,this}setW(t,e){return this.normalized&&(e=this._normalize(e)),this.data.array[t*this.data.stride+this.offset+3]=e,this}getX(t){let e=this.data.array[t*this.data.stride+this.offset];return this.normalized&&(e=this._denormalize(e)),e}getY(t){let e=this.data.array[t*this.data.stride+this.offset+1];return this.normalized&&(e=this._denormalize(e)),e}getZ(t){let e=this.data.array[t*this.data.stride+this.offset+2];return this.normalized&&(e=this._denormalize(e)),e}getW(t){let e=this.data.array[t*this.data.stride+this.offset+3];return this.normalized&&(e=this._denormalize(e)),e}setXY(t,e,i){return t=t*this.data.stride+this.offset,this.normalized&&(e=this._normalize(e),i=this._normalize(i)),this.data.array[t+0]=e,this.data.array[t+1]=i,this}setXYZ(t,e,i,s){return t=t*this.data.stride+this.offset,this.normalized&&(e=this._normalize(e),i=this._normalize(i),s=this._normalize(s)),this.data.array[t+0]=e,this.data.array[t+1]=i,this.data.array[t+2]=s,this}setXYZW(t,e,i,s,r){return t=t*this.data.stride+this.offset,this.normalized&&(e=this._normalize(e),i=this._normalize(i),s=this._normalize(s),r=this._normalize(r)),this.data.array[t+0]=e,this.data.array[t+1]=i,this.data.array[t+2]=s,this.data.array[t+3]=r,this}clone(t){if(t===void 0){Ha("InterleavedBufferAttribute.clone(): Cloning an interleaved buffer attribute will de-interleave buffer data.");let e=[];for(let i=0;i<this.count;i++){let s=i*this.data.stride+this.offset;for(let r=0;r<this.itemSize;r++)e.push(this.data.array[s+r])}return new cn(new this.array.constructor(e),this.itemSize,this.normalized)}else return t.interleavedBuffers===void 0&&(t.interleavedBuffers={}),t.interleavedBuffers[this.data.uuid]===void 0&&(t.interleavedBuffers[this.data.uuid]=this.data.clone(t)),new n(t.interleavedBuffers[this.data.uuid],this.itemSize,this.offset,this.normalized)}toJSON(t){if(t===void 0){Ha("InterleavedBufferAttribute.toJSON(): Serializing an interleaved buffer attribute will de-interleave buffer data.");let e=[];for(let i=0;i<this.count;i++){let s=i*this.data.stride+this.offset;for(let r=0;r<this.itemSize;r++)e.push(this.data.array[s+r])}return{itemSize:this.itemSize,type:this.array.constructor.name,array:e,normalized:this.normalized}}else return t.interleavedBuffers===void 0&&(t.interleavedBuffers={}),t.interleavedBuffers[this.data.uuid]===void 0&&(t.interleavedBuffers[this.data.uuid]=this.data.toJSON(t)),{isInterleavedBufferAttribute:!0,itemSize:this.itemSize,data:this.data.uuid,offset:this.offset,normalized:this.normalized}}_denormalize(t){let e=this._normalizationScale;return e!==void 0?Math.max(t/e,-1):rf(t,this.data.array)}_normalize(t){let e=this._normalizationScale;return e!==void 0?Math.round(t*e):of(t,this.data.array)}},md=new P,YS=new P,qS=new se,yi=class{constructor(t=new P(1,0,0),e=0){this.isPlane=!0,this.normal=t,this.constant=e}set(t,e){return this.normal.copy(t),this.constant=e,this}setComponents(t,e,i,s){return this.normal.set(t,e,i),this.constant=s,this}setFromNormalAndCoplanarPoint(t,e){return this.normal.copy(t),this.constant=-e.dot(this.normal),this}setFromCoplanarPoints(t,e,i){let s=md.subVectors(i,e).cross(YS.subVectors(t,e)).normalize();return this.setFromNormalAndCoplanarPoint(s,t),this}copy(t){return this.normal.copy(t.normal),this.constant=t.constant,this}normalize(){let t=1/this.normal.length();return this.normal.multiplyScalar(t),this.constant*=t,this}negate(){return this.constant*=-1,this.normal.negate(),this}distanceToPoint(t){return this.normal.dot(t)+this.constant}distanceToSphere(t){return this.distanceToPoint(t.center)-t.radius}projectPoint(t,e){return e.copy(t).addScaledVector(this.normal,-this.distanceToPoint(t))}intersectLine(t,e,i=!0){let s=t.delta(md),r=this.normal.dot(s);if(r===0)return this.distanceToPoint(t.start)===0?e.copy(t.start):null;let o=-(t.start.dot(this.normal)+this.constant)/r;return i===!0&&(o<0||o>1)?null:e.copy(t.start).addScaledVector(s,o)}intersectsLine(t){let e=this.distanceToPoint(t.start),i=this.distanceToPoint(t.end);return e<0&&i>0||i<0&&e>0}intersectsBox(t){return t.intersectsPlane(this)}intersectsSphere(t){return t.intersectsPlane(this)}coplanarPoint(t){return t.copy(this.normal).multiplyScalar(-this.constant)}applyMatrix4(t,e){let i=e||qS.getNormalMatrix(t),s=this.coplanarPoint(md).applyMatrix4(t),r=this.normal.applyMatrix3(i).normalize();return this.constant=-s.dot(r),this}translate(t){return this.constant-=t.dot(this.normal),this}equals(t){return t.normal.equals(this.normal)&&t.constant===this.constant}clone(){return new this.constructor().copy(this)}toJSON(){return{normal:this.normal.toArray(),constant:this.constant}}fromJSON(t){return this.normal.fromArray(t.normal),this.constant=t.constant,this}},ZS=0,fs=class extends Zi{constructor(){super(),this.isMaterial=!0,Object.defineProperty(this,"id",{value:ZS++}),this.uuid=pr(),this.name="",this.type="Material",this.blending=jo,this.side=dr,this.vertexColors=!1,this.opacity=1,this.transparent=!1,this.alphaHash=!1,this.blendSrc=Nd,this.blendDst=Od,this.blendEquation=Wr,this.blendSrcAlpha=null,this.blendDstAlpha=null,this.blendEquationAlpha=null,this.blendColor=new Jt(0,0,0),this.blendAlpha=0,this.depthFunc=Bo,this.depthTest=!0,this.depthWrite=!0,this.stencilWriteMask=255,this.stencilFunc=Dg,this.stencilRef=0,this.stencilFuncMask=255,this.stencilFail=vc,this.stencilZFail=vc,this.stencilZPass=vc,this.stencilWrite=!1,this.clippingPlanes=null,this.clipIntersection=!1,this.clipShadows=!1,this.shadowSide=null,this.colorWrite=!0,this.precision=null,this.polygonOffset=!1,this.polygonOffsetFactor=0,this.polygonOffsetUnits=0,this.dithering=!1,this.alphaToCoverage=!1,this.premultipliedAlpha=!1,this.forceSinglePass=!1,this.allowOverride=!0,this.visible=!0,this.toneMapped=!0,this.userData={},this.version=0,this._alphaTest=0}get alphaTest(){return this._alphaTest}set alphaTest(t){this._alphaTest>0!=t>0&&this.version++,this._alphaTest=t}onBeforeRender(){}onBeforeCompile(){}customProgramCacheKey(){return this.onBeforeCompile.toString()}setValues(t){if(t!==void 0)for(let e in t){let i=t[e];if(i===void 0){qt(`Material: parameter '${e}' has value of undefined.`);continue}let s=this[e];if(s===void 0){qt(`Material: '${e}' is not a property of THREE.${this.type}.`);continue}s&&s.isColor?s.set(i):s&&s.isVector2&&i&&i.isVector2||s&&s.isEuler&&i&&i.isEuler||s&&s.isVector3&&i&&i.isVector3?s.copy(i):this[e]=i}}toJSON(t){let e=t===void 0||typeof t=="string";e&&(t={textures:{},images:{}});let i={metadata:{version:4.7,type:"Material",generator:"Material.toJSON"}};i.uuid=this.uuid,i.type=this.type,i.blending=this.blending,i.side=this.side,i.shadowSide=this.shadowSide,i.vertexColors=this.vertexColors,i.opacity=this.opacity,i.transparent=this.transparent,i.blendSrc=this.blendSrc,i.blendDst=this.blendDst,i.blendEquation=this.blendEquation,i.blendSrcAlpha=this.blendSrcAlpha,i.blendDstAlpha=this.blendDstAlpha,i.blendEquationAlpha=this.blendEquationAlpha,i.blendColor=this.blendColor.getHex(),i.blendAlpha=this.blendAlpha,i.depthFunc=this.depthFunc,i.depthTest=this.depthTest,i.depthWrite=this.depthWrite,i.colorWrite=this.colorWrite,i.clipIntersection=this.clipIntersection,i.clipShadows=this.clipShadows,i.stencilWriteMask=this.stencilWriteMask,i.stencilFunc=this.stencilFunc,i.stencilRef=this.stencilRef,i.stencilFuncMask=this.stencilFuncMask,i.stencilFail=this.stencilFail,i.stencilZFail=this.stencilZFail,i.stencilZPass=this.stencilZPass,i.stencilWrite=this.stencilWrite,i.polygonOffset=this.polygonOffset,i.polygonOffsetFactor=this.polygonOffsetFactor,i.polygonOffsetUnits=this.polygonOffsetUnits,i.dithering=this.dithering,i.alphaTest=this.alphaTest,i.alphaHash=this.alphaHash,i.alphaToCoverage=this.alphaToCoverage,i.premultipliedAlpha=this.premultipliedAlpha,i.forceSinglePass=this.forceSinglePass,i.allowOverride=this.allowOverride,i.visible=this.visible,i.toneMapped=this.toneMapped,i.name=this.name,this.color&&this.color.isColor&&(i.color=this.color.getHex()),this.roughness!==void 0&&(i.roughness=this.roughness),this.metalness!==void 0&&(i.metalness=this.metalness),this.sheen!==void 0&&(i.sheen=this.sheen),this.sheenColor&&this.sheenColor.isColor&&(i.sheenColor=this.sheenColor.getHex()),this.sheenRoughness!==void 0&&(i.sheenRoughness=this.sheenRoughness),this.emissive&&this.emissive.isColor&&(i.emissive=this.emissive.getHex()),this.emissiveIntensity!==void 0&&(i.emissiveIntensity=this.emissiveIntensity),this.specular&&this.specular.isColor&&(i.specular=this.specular.getHex()),this.specularIntensity!==void 0&&(i.specularIntensity=this.specularIntensity),this.specularColor&&this.specularColor.isColor&&(i.specularColor=this.specularColor.getHex()),this.shininess!==void 0&&(i.shininess=this.shininess),this.clearcoat!==void 0&&(i.clearcoat=this.clearcoat),this.clearcoatRoughness!==void 0&&(i.clearcoatRoughness=this.clearcoatRoughness),this.diffuseRoughness!==void 0&&(i.diffuseRoughness=this.diffuseRoughness),this.diffuseRoughnessMap&&this.diffuseRoughnessMap.isTexture&&(i.diffuseRoughnessMap=this.diffuseRoughnessMap.toJSON(t).uuid),this.clearcoatMap&&this.clearcoatMap.isTexture&&(i.clearcoatMap=this.clearcoatMap.toJSON(t).uuid),this.clearcoatRoughnessMap&&this.clearcoatRoughnessMap.isTexture&&(i.clearcoatRoughnessMap=this.clearcoatRoughnessMap.toJSON(t).uuid),this.clearcoatNormalMap&&this.clearcoatNormalMap.isTexture&&(i.clearcoatNormalMap=this.clearcoatNormalMap.toJSON(t).uuid,i.clearcoatNormalScale=this.clearcoatNormalScale.toArray()),this.sheenColorMap&&this.sheenColorMap.isTexture&&(i.sheenColorMap=this.sheenColorMap.toJSON(t).uuid),this.sheenRoughnessMap&&this.sheenRoughnessMap.isTexture&&(i.sheenRoughnessMap=this.sheenRoughnessMap.toJSON(t).uuid),this.dispersion!==void 0&&(i.dispersion=this.dispersion),this.retroreflectivity!==void 0&&(i.retroreflectivity=this.retroreflectivity),this.iridescence!==void 0&&(i.iridescence=this.iridescence),this.iridescenceIOR!==void 0&&(i.iridescenceIOR=this.iridescenceIOR),this.iridescenceThicknessMinimum!==void 0&&(i.iridescenceThicknessMinimum=this.iridescenceThicknessMinimum),this.iridescenceThicknessMaximum!==void 0&&(i.iridescenceThicknessMaximum=this.iridescenceThicknessMaximum),this.iridescenceMap&&this.iridescenceMap.isTexture&&(i.iridescenceMap=this.iridescenceMap.toJSON(t).uuid),this.iridescenceThicknessMap&&this.iridescenceThicknessMap.isTexture&&(i.iridescenceThicknessMap=this.iridescenceThicknessMap.toJSON(t).uuid),this.anisotropy!==void 0&&(i.anisotropy=this.anisotropy),this.anisotropyRotation!==void 0&&(i.anisotropyRotation=this.anisotropyRotation),this.anisotropyMap&&this.anisotropyMap.isTexture&&(i.anisotropyMap=this.anisotropyMap.toJSON(t).uuid),this.map&&this.map.isTexture&&(i.map=this.map.toJSON(t).uuid),this.matcap&&this.matcap.isTexture&&(i.matcap=this.matcap.toJSON(t).uuid),this.alphaMap&&this.alphaMap.isTexture&&(i.alphaMap=this.alphaMap.toJSON(t).uuid),this.lightMap&&this.lightMap.isTexture&&(i.lightMap=this.lightMap.toJSON(t).uuid,i.lightMapIntensity=this.lightMapIntensity),this.aoMap&&this.aoMap.isTexture&&(i.aoMap=this.aoMap.toJSON(t).uuid,i.aoMapIntensity=this.aoMapIntensity),this.bumpMap&&this.bumpMap.isTexture&&(i.bumpMap=this.bumpMap.toJSON(t).uuid,i.bumpScale=this.bumpScale),this.normalMap&&this.normalMap.isTexture&&(i.normalMap=this.normalMap.toJSON(t).uuid,i.normalMapType=this.normalMapType,i.normalScale=this.normalScale.toArray()),this.displacementMap&&this.displacementMap.isTexture&&(i.displacementMap=this.displacementMap.toJSON(t).uuid,i.displacementScale=this.displacementScale,i.displacementBias=this.displacementBias),this.roughnessMap&&this.roughnessMap.isTexture&&(i.roughnessMap=this.roughnessMap.toJSON(t).uuid),this.metalnessMap&&this.metalnessMap.isTexture&&(i.metalnessMap=this.metalnessMap.toJSON(t).uuid),this.emissiveMap&&this.emissiveMap.isTexture&&(i.emissiveMap=this.emissiveMap.toJSON(t).uuid),this.specularMap&&this.specularMap.isTexture&&(i.specularMap=this.specularMap.toJSON(t).uuid),this.specularIntensityMap&&this.specularIntensityMap.isTexture&&(i.specularIntensityMap=this.specularIntensityMap.toJSON(t).uuid),this.specularColorMap&&this.specularColorMap.isTexture&&(i.specularColorMap=this.specularColorMap.toJSON(t).uuid),this.envMap&&this.envMap.isTexture&&(i.envMap=this.envMap.toJSON(t).uuid,this.combine!==void 0&&(i.combine=this.combine)),this.envMapRotation!==void 0&&(i.envMapRotation=this.envMapRotation.toArray()),this.envMapIntensity!==void 0&&(i.envMapIntensity=this.envMapIntensity),this.reflectivity!==void 0&&(i.reflectivity=this.reflectivity),this.refractionRatio!==void 0&&(i.refractionRatio=this.refractionRatio),this.gradientMap&&this.gradientMap.isTexture&&(i.gradientMap=this.gradientMap.toJSON(t).uuid),this.transmission!==void 0&&(i.transmission=this.transmission),this.transmissionMap&&this.transmissionMap.isTexture&&(i.transmissionMap=this.transmissionMap.toJSON(t).uuid),this.thickness!==void 0&&(i.thickness=this.thickness),this.thicknessMap&&this.thicknessMap.isTexture&&(i.thicknessMap=this.thicknessMap.toJSON(t).uuid),this.attenuationDistance!==void 0&&(i.attenuationDistance=this.attenuationDistance),this.attenuationColor!==void 0&&(i.attenuationColor=this.attenuationColor.getHex()),this.size!==void 0&&(i.size=this.size),this.sizeAttenuation!==void 0&&(i.sizeAttenuation=this.sizeAttenuation),Array.isArray(this.clippingPlanes)&&this.clippingPlanes.length>0&&(i.clippingPlanes=this.clippingPlanes.map(r=>r.toJSON())),this.rotation!==void 0&&(i.rotation=this.rotation),this.depthPacking!==void 0&&(i.depthPacking=this.depthPacking),this.linewidth!==void 0&&(i.linewidth=this.linewidth),this.linecap!==void 0&&(i.linecap=this.linecap),this.linejoin!==void 0&&(i.linejoin=this.linejoin),this.dashSize!==void 0&&(i.dashSize=this.dashSize),this.gapSize!==void 0&&(i.gapSize=this.gapSize),this.scale!==void 0&&(i.scale=this.scale),this.wireframe!==void 0&&(i.wireframe=this.wireframe),this.wireframeLinewidth!==void 0&&(i.wireframeLinewidth=this.wireframeLinewidth),this.wireframeLinecap!==void 0&&(i.wireframeLinecap=this.wireframeLinecap),this.wireframeLinejoin!==void 0&&(i.wireframeLinejoin=this.wireframeLinejoin),this.flatShading!==void 0&&(i.flatShading=this.flatShading),this.fog!==void 0&&(i.fog=this.fog),Object.keys(this.userData).length>0&&(i.userData=this.userData);function s(r){let o=[];for(let a in r){let l=r[a];delete l.metadata,o.push(l)}return o}if(e){let r=s(t.textures),o=s(t.images);r.length>0&&(i.textures=r),o.length>0&&(i.images=o)}return i}fromJSON(t,e){if(t.uuid!==void 0&&(this.uuid=t.uuid),t.name!==void 0&&(this.name=t.name),t.color!==void 0&&this.color!==void 0&&this.color.setHex(t.color),t.roughness!==void 0&&(this.roughness=t.roughness),t.metalness!==void 0&&(this.metalness=t.metalness),t.sheen!==void 0&&(this.sheen=t.sheen),t.sheenColor!==void 0&&(this.sheenColor=new Jt().setHex(t.sheenColor)),t.sheenRoughness!==void 0&&(this.sheenRoughness=t.sheenRoughness),t.emissive!==void 0&&this.emissive!==void 0&&this.emissive.setHex(t.emissive),t.specular!==void 0&&this.specular!==void 0&&this.specular.setHex(t.specular),t.specularIntensity!==void 0&&(this.specularIntensity=t.specularIntensity),t.specularColor!==void 0&&this.specularColor!==void 0&&this.specularColor.setHex(t.specularColor),t.shininess!==void 0&&(this.shininess=t.shininess),t.clearcoat!==void 0&&(this.clearcoat=t.clearcoat),t.clearcoatRoughness!==void 0&&(this.clearcoatRoughness=t.clearcoatRoughness),t.diffuseRoughness!==void 0&&(this.diffuseRoughness=t.diffuseRoughness),t.dispersion!==void 0&&(this.dispersion=t.dispersion),t.retroreflectivity!==void 0&&(this.retroreflectivity=t.retroreflectivity),t.iridescence!==void 0&&(this.iridescence=t.iridescence),t.iridescenceIOR!==void 0&&(this.iridescenceIOR=t.iridescenceIOR),t.iridescenceThicknessMinimum!==void 0&&(this.iridescenceThicknessMinimum=t.iridescenceThicknessMinimum),t.iridescenceThicknessMaximum!==void 0&&(this.iridescenceThicknessMaximum=t.iridescenceThicknessMaximum),t.iridescenceThicknessRange!==void 0&&(this.iridescenceThicknessMinimum=t.iridescenceThicknessRange[0],this.iridescenceThicknessMaximum=t.iridescenceThicknessRange[1]),t.transmission!==void 0&&(this.transmission=t.transmission),t.thickness!==void 0&&(this.thickness=t.thickness),t.attenuationDistance!==void 0&&(this.attenuationDistance=t.attenuationDistance),t.attenuationColor!==void 0&&this.attenuationColor!==void 0&&this.attenuationColor.setHex(t.attenuationColor),t.anisotropy!==void 0&&(this.anisotropy=t.anisotropy),t.anisotropyRotation!==void 0&&(this.anisotropyRotation=t.anisotropyRotation),t.fog!==void 0&&(this.fog=t.fog),t.flatShading!==void 0&&(this.flatShading=t.flatShading),t.blending!==void 0&&(this.blending=t.blending),t.combine!==void 0&&(this.combine=t.combine),t.side!==void 0&&(this.side=t.side),t.shadowSide!==void 0&&(this.shadowSide=t.shadowSide),t.opacity!==void 0&&(this.opacity=t.opacity),t.transparent!==void 0&&(this.transparent=t.transparent),t.alphaTest!==void 0&&(this.alphaTest=t.alphaTest),t.alphaHash!==void 0&&(this.alphaHash=t.alphaHash),t.depthFunc!==void 0&&(this.depthFunc=t.depthFunc),t.depthTest!==void 0&&(this.depthTest=t.depthTest),t.depthWrite!==void 0&&(this.depthWrite=t.depthWrite),t.colorWrite!==void 0&&(this.colorWrite=t.colorWrite),t.clippingPlanes!==void 0&&(this.clippingPlanes=t.clippingPlanes.map(i=>new yi().fromJSON(i))),t.clipIntersection!==void 0&&(this.clipIntersection=t.clipIntersection),t.clipShadows!==void 0&&(this.clipShadows=t.clipShadows),t.depthPacking!==void 0&&(this.depthPacking=t.depthPacking),t.blendSrc!==void 0&&(this.blendSrc=t.blendSrc),t.blendDst!==void 0&&(this.blendDst=t.blendDst),t.blendEquation!==void 0&&(this.blendEquation=t.blendEquation),t.blendSrcAlpha!==void 0&&(this.blendSrcAlpha=t.blendSrcAlpha),t.blendDstAlpha!==void 0&&(this.blendDstAlpha=t.blendDstAlpha),t.blendEquationAlpha!==void 0&&(this.blendEquationAlpha=t.blendEquationAlpha),t.blendColor!==void 0&&this.blendColor!==void 0&&this.blendColor.setHex(t.blendColor),t.blendAlpha!==void 0&&(this.blendAlpha=t.blendAlpha),t.stencilWriteMask!==void 0&&(this.stencilWriteMask=t.stencilWriteMask),t.stencilFunc!==void 0&&(this.stencilFunc=t.stencilFunc),t.stencilRef!==void 0&&(this.stencilRef=t.stencilRef),t.stencilFuncMask!==void 0&&(this.stencilFuncMask=t.stencilFuncMask),t.stencilFail!==void 0&&(this.stencilFail=t.stencilFail),t.stencilZFail!==void 0&&(this.stencilZFail=t.stencilZFail),t.stencilZPass!==void 0&&(this.stencilZPass=t.stencilZPass),t.stencilWrite!==void 0&&(this.stencilWrite=t.stencilWrite),t.wireframe!==void 0&&(this.wireframe=t.wireframe),t.wireframeLinewidth!==void 0&&(this.wireframeLinewidth=t.wireframeLinewidth),t.wireframeLinecap!==void 0&&(this.wireframeLinecap=t.wireframeLinecap),t.wireframeLinejoin!==void 0&&(this.wireframeLinejoin=t.wireframeLinejoin),t.rotation!==void 0&&(this.rotation=t.rotation),t.linewidth!==void 0&&(this.linewidth=t.linewidth),t.linecap!==void 0&&(this.linecap=t.linecap),t.linejoin!==void 0&&(this.linejoin=t.linejoin),t.dashSize!==void 0&&(this.dashSize=t.dashSize),t.gapSize!==void 0&&(this.gapSize=t.gapSize),t.scale!==void 0&&(this.scale=t.scale),t.polygonOffset!==void 0&&(this.polygonOffset=t.polygonOffset),t.polygonOffsetFactor!==void 0&&(this.polygonOffsetFactor=t.polygonOffsetFactor),t.polygonOffsetUnits!==void 0&&(this.polygonOffsetUnits=t.polygonOffsetUnits),t.dithering!==void 0&&(this.dithering=t.dithering),t.alphaToCoverage!==void 0&&(this.alphaToCoverage=t.alphaToCoverage),t.premultipliedAlpha!==void 0&&(this.premultipliedAlpha=t.premultipliedAlpha),t.forceSinglePass!==void 0&&(this.forceSinglePass=t.forceSinglePass),t.allowOverride!==void 0&&(this.allowOverride=t.allowOverride),t.visible!==void 0&&(this.visible=t.visible),t.toneMapped!==void 0&&(this.toneMapped=t.toneMapped),t.userData!==void 0&&(this.userData=t.userData),t.vertexColors!==void 0&&(typeof t.vertexColors=="number"?this.vertexColors=t.vertexColors>0:this.vertexColors=t.vertexColors),t.size!==void 0&&(this.size=t.size),t.sizeAttenuation!==void 0&&(this.sizeAttenuation=t.sizeAttenuation),t.map!==void 0&&(this.map=e[t.map]||null),t.matcap!==void 0&&(this.matcap=e[t.matcap]||null),t.alphaMap!==void 0&&(this.alphaMap=e[t.alphaMap]||null),t.bumpMap!==void 0&&(this.bumpMap=e[t.bumpMap]||null),t.bumpScale!==void 0&&(this.bumpScale=t.bumpScale),t.normalMap!==void 0&&(this.normalMap=e[t.normalMap]||null),t.normalMapType!==void 0&&(this.normalMapType=t.normalMapType),t.normalScale!==void 0){let i=t.normalScale;Array.isArray(i)===!1&&(i=[i,i]),this.normalScale=new $t().fromArray(i)}return t.displacementMap!==void 0&&(this.displacementMap=e[t.displacementMap]||null),t.displacementScale!==void 0&&(this.displacementScale=t.displacementScale),t.displacementBias!==void 0&&(this.displacementBias=t.displacementBias),t.roughnessMap!==void 0&&(this.roughnessMap=e[t.roughnessMap]||null),t.metalnessMap!==void 0&&(this.metalnessMap=e[t.metalnessMap]||null),t.emissiveMap!==void 0&&(this.emissiveMap=e[t.emissiveMap]||null),t.emissiveIntensity!==void 0&&(this.emissiveIntensity=t.emissiveIntensity),t.specularMap!==void 0&&(this.specularMap=e[t.specularMap]||null),t.specularIntensityMap!==void 0&&(this.specularIntensityMap=e[t.specularIntensityMap]||null),t.specularColorMap!==void 0&&(this.specularColorMap=e[t.specularColorMap]||null),t.envMap!==void 0&&(this.envMap=e[t.envMap]||null),t.envMapRotation!==void 0&&this.envMapRotation.fromArray(t.envMapRotation),t.envMapIntensity!==void 0&&(this.envMapIntensity=t.envMapIntensity),t.reflectivity!==void 0&&(this.reflectivity=t.reflectivity),t.refractionRatio!==void 0&&(this.refractionRatio=t.refractionRatio),t.lightMap!==void 0&&(this.lightMap=e[t.lightMap]||null),t.lightMapIntensity!==void 0&&(this.lightMapIntensity=t.lightMapIntensity),t.aoMap!==void 0&&(this.aoMap=e[t.aoMap]||null),t.aoMapIntensity!==void 0&&(this.aoMapIntensity=t.aoMapIntensity),t.gradientMap!==void 0&&(this.gradientMap=e[t.gradientMap]||null),t.clearcoatMap!==void 0&&(this.clearcoatMap=e[t.clearcoatMap]||null),t.clearcoatRoughnessMap!==void 0&&(this.clearcoatRoughnessMap=e[t.clearcoatRoughnessMap]||null),t.clearcoatNormalMap!==void 0&&(this.clearcoatNormalMap=e[t.clearcoatNormalMap]||null),t.clearcoatNormalScale!==void 0&&(this.clearcoatNormalScale=new $t().fromArray(t.clearcoatNormalScale)),t.diffuseRoughnessMap!==void 0&&(this.diffuseRoughnessMap=e[t.diffuseRoughnessMap]||null),t.iridescenceMap!==void 0&&(this.iridescenceMap=e[t.iridescenceMap]||null),t.iridescenceThicknessMap!==void 0&&(this.iridescenceThicknessMap=e[t.iridescenceThicknessMap]||null),t.transmissionMap!==void 0&&(this.transmissionMap=e[t.transmissionMap]||null),t.thicknessMap!==void 0&&(this.thicknessMap=e[t.thicknessMap]||null),t.anisotropyMap!==void 0&&(this.anisotropyMap=e[t.anisotropyMap]||null),t.sheenColorMap!==void 0&&(this.sheenColorMap=e[t.sheenColorMap]||null),t.sheenRoughnessMap!==void 0&&(this.sheenRoughnessMap=e[t.sheenRoughnessMap]||null),this}clone(){return new this.constructor().copy(this)}copy(t){this.name=t.name,this.blending=t.blending,this.side=t.side,this.vertexColors=t.vertexColors,this.opacity=t.opacity,this.transparent=t.transparent,this.blendSrc=t.blendSrc,this.blendDst=t.blendDst,this.blendEquation=t.blendEquation,this.blendSrcAlpha=t.blendSrcAlpha,this.blendDstAlpha=t.blendDstAlpha,this.blendEquationAlpha=t.blendEquationAlpha,this.blendColor.copy(t.blendColor),this.blendAlpha=t.blendAlpha,this.depthFunc=t.depthFunc,this.depthTest=t.depthTest,this.depthWrite=t.depthWrite,this.stencilWriteMask=t.stencilWriteMask,this.stencilFunc=t.stencilFunc,this.stencilRef=t.stencilRef,this.stencilFuncMask=t.stencilFuncMask,this.stencilFail=t.stencilFail,this.stencilZFail=t.stencilZFail,this.stencilZPass=t.stencilZPass,this.stencilWrite=t.stencilWrite;let e=t.clippingPlanes,i=null;if(e!==null){let s=e.length;i=new Array(s);for(let r=0;r!==s;++r)i[r]=e[r].clone()}return this.clippingPlanes=i,this.clipIntersection=t.clipIntersection,this.clipShadows=t.clipShadows,this.shadowSide=t.shadowSide,this.colorWrite=t.colorWrite,this.precision=t.precision,this.polygonOffset=t.polygonOffset,this.polygonOffsetFactor=t.polygonOffsetFactor,this.polygonOffsetUnits=t.polygonOffsetUnits,this.dithering=t.dithering,this.alphaTest=t.alphaTest,this.alphaHash=t.alphaHash,this.alphaToCoverage=t.alphaToCoverage,this.premultipliedAlpha=t.premultipliedAlpha,this.forceSinglePass=t.forceSinglePass,this.allowOverride=t.allowOverride,this.visible=t.visible,this.toneMapped=t.toneMapped,this.userData=JSON.parse(JSON.stringify(t.userData)),this}dispose(){this.dispatchEvent({type:"dispose"})}set needsUpdate(t){t===!0&&this.version++}};var Ns=new P,gd=new P,Ql=new P,tc=new P,ir=class{constructor(t=new P,e=new P(0,0,-1)){this.origin=t,this.direction=e}set(t,e){return this.origin.copy(t),this.direction.copy(e),this}copy(t){return this.origin.copy(t.origin),this.direction.copy(t.direction),this}at(t,e){return e.copy(this.origin).addScaledVector(this.direction,t)}lookAt(t){return this.direction.copy(t).sub(this.origin).normalize(),this}recast(t){return this.origin.copy(this.at(t,Ns)),this}closestPointToPoint(t,e){e.subVectors(t,this.origin);let i=e.dot(this.direction);return i<0?e.copy(this.origin):e.copy(this.origin).addScaledVector(this.direction,i)}distanceToPoint(t){return Math.sqrt(this.distanceSqToPoint(t))}distanceSqToPoint(t){let e=Ns.subVectors(t,this.origin).dot(this.direction);return e<0?this.origin.distanceToSquared(t):(Ns.copy(this.origin).addScaledVector(this.direction,e),Ns.distanceToSquared(t))}distanceSqToSegment(t,e,i,s){gd.copy(t).add(e).multiplyScalar(.5),Ql.copy(e).sub(t).normalize(),tc.copy(this.origin).sub(gd);let r=t.distanceTo(e)*.5,o=-this.direction.dot(Ql),a=tc.dot(this.direction),l=-tc.dot(Ql),c=tc.lengthSq(),d=Math.abs(1-o*o),u,h,f,p;if(d>0)if(u=o*l-a,h=o*a-l,p=r*d,u>=0)if(h>=-p)if(h<=p){let _=1/d;u*=_,h*=_,f=u*(u+o*h+2*a)+h*(o*u+h+2*l)+c}else h=r,u=Math.max(0,-(o*h+a)),f=-u*u+h*(h+2*l)+c;else h=-r,u=Math.max(0,-(o*h+a)),f=-u*u+h*(h+2*l)+c;else h<=-p?(u=Math.max(0,-(-o*r+a)),h=u>0?-r:Math.min(Math.max(-r,-l),r),f=-u*u+h*(h+2*l)+c):h<=p?(u=0,h=Math.min(Math.max(-r,-l),r),f=h*(h+2*l)+c):(u=Math.max(0,-(o*r+a)),h=u>0?r:Math.min(Math.max(-r,-l),r),f=-u*u+h*(h+2*l)+c);else h=o>0?-r:r,u=Math.max(0,-(o*h+a)),f=-u*u+h*(h+2*l)+c;return i&&i.copy(this.origin).addScaledVector(this.direction,u),s&&s.copy(gd).addScaledVector(Ql,h),f}intersectSphere(t,e){if(t.radius<0)return null;Ns.subVectors(t.center,this.origin);let i=Ns.dot(this.direction),s=Ns.dot(Ns)-i*i,r=t.radius*t.radius;if(s>r)return null;let o=Math.sqrt(r-s),a=i-o,l=i+o;return l<0?null:a<0?this.at(l,e):this.at(a,e)}intersectsSphere(t){return t.radius<0?!1:this.distanceSqToPoint(t.center)<=t.radius*t.radius}distanceToPlane(t){let e=t.normal.dot(this.direction);if(e===0)return t.distanceToPoint(this.origin)===0?0:null;let i=-(this.origin.dot(t.normal)+t.constant)/e;return i>=0?i:null}intersectPlane(t,e){let i=this.distanceToPlane(t);return i===null?null:this.at(i,e)}intersectsPlane(t){let e=t.distanceToPoint(this.origin);return e===0||t.normal.dot(this.direction)*e<0}intersectBox(t,e){let i,s,r,o,a,l,c=1/this.direction.x,d=1/this.direction.y,u=1/this.direction.z,h=this.origin;return c>=0?(i=(t.min.x-h.x)*c,s=(t.max.x-h.x)*c):(i=(t.max.x-h.x)*c,s=(t.min.x-h.x)*c),d>=0?(r=(t.min.y-h.y)*d,o=(t.max.y-h.y)*d):(r=(t.max.y-h.y)*d,o=(t.min.y-h.y)*d),i>o||r>s||((r>i||isNaN(i))&&(i=r),(o<s||isNaN(s))&&(s=o),u>=0?(a=(t.min.z-h.z)*u,l=(t.max.z-h.z)*u):(a=(t.max.z-h.z)*u,l=(t.min.z-h.z)*u),i>l||a>s)||((a>i||i!==i)&&(i=a),(l<s||s!==s)&&(s=l),s<0)?null:this.at(i>=0?i:s,e)}intersectsBox(t){return this.intersectBox(t,Ns)!==null}intersectTriangle(t,e,i,s,r){let o=this.origin,a=this.direction,l=a.x,c=a.y,d=a.z,u=t.x-o.x,h=t.y-o.y,f=t.z-o.z,p=e.x-o.x,_=e.y-o.y,g=e.z-o.z,m=i.x-o.x,x=i.y-o.y,b=i.z-o.z,y=Math.abs(l),C=Math.abs(c),E=Math.abs(d),v,M,O,R,I,U,F,L,k,X,V,ot;if(y>=C&&y>=E?(O=l,U=u,k=p,ot=m,l>=0?(v=c,M=d,R=h,I=f,F=_,L=g,X=x,V=b):(v=d,M=c,R=f,I=h,F=g,L=_,X=b,V=x)):C>=E?(O=c,U=h,k=_,ot=x,c>=0?(v=d,M=l,R=f,I=u,F=g,L=p,X=b,V=m):(v=l,M=d,R=u,I=f,F=p,L=g,X=m,V=b)):(O=d,U=f,k=g,ot=b,d>=0?(v=l,M=c,R=u,I=h,F=p,L=_,X=m,V=x):(v=c,M=l,R=h,I=u,F=_,L=p,X=x,V=m)),O===0)return null;let $=v/O,K=M/O,et=1/O,ht=R-$*U,ut=I-K*U,Q=F-$*k,gt=L-K*k,yt=X-$*ot,Ct=V-K*ot,wt=yt*gt-Ct*Q,Wt=ht*Ct-ut*yt,ae=Q*ut-gt*ht;if(s){if(wt<0||Wt<0||ae<0)return null}else if((wt<0||Wt<0||ae<0)&&(wt>0||Wt>0||ae>0))return null;let Vt=wt+Wt+ae;if(Vt===0)return null;let pe=et*(wt*U+Wt*k+ae*ot);return(Vt>0?pe<0:pe>0)?null:this.at(pe/Vt,r)}applyMatrix4(t){return this.origin.applyMatrix4(t),this.direction.transformDirection(t),this}equals(t){return t.origin.equals(this.origin)&&t.direction.equals(this.direction)}clone(){return new this.constructor().copy(this)}},wi=class extends fs{constructor(t){super(),this.isMeshBasicMaterial=!0,this.type="MeshBasicMaterial",this.color=new Jt(16777215),this.map=null,this.lightMap=null,this.lightMapIntensity=1,this.aoMap=null,this.aoMapIntensity=1,this.specularMap=null,this.alphaMap=null,this.envMap=null,this.envMapRotation=new Ni,this.combine=th,this.reflectivity=1,this.refractionRatio=.98,this.wireframe=!1,this.wireframeLinewidth=1,this.wireframeLinecap="round",this.wireframeLinejoin="round",this.fog=!0,this.setValues(t)}copy(t){return super.copy(t),this.color.copy(t.color),this.map=t.map,this.lightMap=t.lightMap,this.lightMapIntensity=t.lightMapIntensity,this.aoMap=t.aoMap,this.aoMapIntensity=t.aoMapIntensity,this.specularMap=t.specularMap,this.alphaMap=t.alphaMap,this.envMap=t.envMap,this.envMapRotation.copy(t.envMapRotation),this.combine=t.combine,this.reflectivity=t.reflectivity,this.refractionRatio=t.refractionRatio,this.wireframe=t.wireframe,this.wireframeLinewidth=t.wireframeLinewidth,this.wireframeLinecap=t.wireframeLinecap,this.wireframeLinejoin=t.wireframeLinejoin,this.fog=t.fog,this}},zm=new ne,Lr=new ir,ec=new bi,Gm=new P,nc=new P,ic=new P,sc=new P,_d=new P,rc=new P,Vm=new P,oc=new P,mt=class extends hn{constructor(t=new we,e=new wi){super(),this.isMesh=!0,this.type="Mesh",this.geometry=t,this.material=e,this.morphTargetDictionary=void 0,this.morphTargetInfluences=void 0,this.count=1,this.updateMorphTargets()}copy(t,e){return super.copy(t,e),t.morphTargetInfluences!==void 0?this.morphTargetInfluences=t.morphTargetInfluences.slice():this.morphTargetInfluences=void 0,t.morphTargetDictionary!==void 0?this.morphTargetDictionary=Object.assign({},t.morphTargetDictionary):this.morphTargetDictionary=void 0,this.material=Array.isArray(t.material)?t.material.slice():t.material,this.geometry=t.geometry,this}updateMorphTargets(){let e=this.geometry.morphAttributes,i=Object.keys(e);if(i.length>0){let s=e[i[0]];if(s!==void 0){this.morphTargetInfluences=[],this.morphTargetDictionary={};for(let r=0,o=s.length;r<o;r++){let a=s[r].name||String(r);this.morphTargetInfluences.push(0),this.morphTargetDictionary[a]=r}}}}getVertexPosition(t,e){let i=this.geometry,s=i.attributes.position,r=i.morphAttributes.position,o=i.morphTargetsRelative;e.fromBufferAttribute(s,t);let a=this.morphTargetInfluences;if(r&&a){rc.set(0,0,0);for(let l=0,c=r.length;l<c;l++){let d=a[l],u=r[l];d!==0&&(_d.fromBufferAttribute(u,t),o?rc.addScaledVector(_d,d):rc.addScaledVector(_d.sub(e),d))}e.add(rc)}return e}intersectsFrustum(t){return t.intersectsObject(this)}raycast(t,e){let i=this.geometry,s=this.material,r=this.matrixWorld;s!==void 0&&(i.boundingSphere===null&&i.computeBoundingSphere(),ec.copy(i.boundingSphere),ec.applyMatrix4(r),Lr.copy(t.ray).recast(t.near),!(ec.containsPoint(Lr.origin)===!1&&(Lr.intersectSphere(ec,Gm)===null||Lr.origin.distanceToSquared(Gm)>(t.far-t.near)**2))&&(zm.copy(r).invert(),Lr.copy(t.ray).applyMatrix4(zm),!(i.boundingBox!==null&&Lr.intersectsBox(i.boundingBox)===!1)&&this._computeIntersections(t,e,Lr)))}_computeIntersections(t,e,i){let s,r=this.geometry,o=this.material,a=r.index,l=r.attributes.position,c=r.attributes.uv,d=r.attributes.uv1,u=r.attributes.normal,h=r.groups,f=r.drawRange;if(a!==null)if(Array.isArray(o))for(let p=0,_=h.length;p<_;p++){let g=h[p],m=o[g.materialIndex],x=Math.max(g.start,f.start),b=Math.min(a.count,Math.min(g.start+g.count,f.start+f.count));for(let y=x,C=b;y<C;y+=3){let E=a.getX(y),v=a.getX(y+1),M=a.getX(y+2);s=ac(this,m,t,i,c,d,u,E,v,M),s&&(s.faceIndex=Math.floor(y/3),s.face.materialIndex=g.materialIndex,e.push(s))}}else{let p=Math.max(0,f.start),_=Math.min(a.count,f.start+f.count);for(let g=p,m=_;g<m;g+=3){let x=a.getX(g),b=a.getX(g+1),y=a.getX(g+2);s=ac(this,o,t,i,c,d,u,x,b,y),s&&(s.faceIndex=Math.floor(g/3),e.push(s))}}else if(l!==void 0)if(Array.isArray(o))for(let p=0,_=h.length;p<_;p++){let g=h[p],m=o[g.materialIndex],x=Math.max(g.start,f.start),b=Math.min(l.count,Math.min(g.start+g.count,f.start+f.count));for(let y=x,C=b;y<C;y+=3){let E=y,v=y+1,M=y+2;s=ac(this,m,t,i,c,d,u,E,v,M),s&&(s.faceIndex=Math.floor(y/3),s.face.materialIndex=g.materialIndex,e.push(s))}}else{let p=Math.max(0,f.start),_=Math.min(l.count,f.start+f.count);for(let g=p,m=_;g<m;g+=3){let x=g,b=g+1,y=g+2;s=ac(this,o,t,i,c,d,u,x,b,y),s&&(s.faceIndex=Math.floor(g/3),e.push(s))}}}};function jS(n,t,e,i,s,r,o,a){let l;if(t.side===ri?l=i.intersectTriangle(o,r,s,!0,a):l=i.intersectTriangle(s,r,o,t.side===dr,a),l===null)return null;oc.copy(a),oc.applyMatrix4(n.matrixWorld);let c=e.ray.origin.distanceTo(oc);return c<e.near||c>e.far?null:{distance:c,point:oc.clone(),object:n}}function ac(n,t,e,i,s,r,o,a,l,c){n.getVertexPosition(a,nc),n.getVertexPosition(l,ic),n.getVertexPosition(c,sc);let d=jS(n,t,e,i,nc,ic,sc,Vm);if(d){let u=new P;Os.getBarycoord(Vm,nc,ic,sc,u),s&&(d.uv=Os.getInterpolatedAttribute(s,a,l,c,u,new $t)),r&&(d.uv1=Os.getInterpolatedAttribute(r,a,l,c,u,new $t)),o&&(d.normal=Os.getInterpolatedAttribute(o,a,l,c,u,new P),d.normal.dot(i.direction)>0&&d.normal.multiplyScalar(-1));let h={a,b:l,c,normal:new P,materialIndex:0};Os.getNormal(nc,ic,sc,h.normal),d.face=h,d.barycoord=u}return d}var qa=class extends li{constructor(t=null,e=1,i=1,s,r,o,a,l,c=Gn,d=Gn,u,h){super(null,o,a,l,c,d,s,r,u,h),this.isDataTexture=!0,this.image={data:t,width:e,height:i},this.generateMipmaps=!1,this.flipY=!1,this.unpackAlignment=1}};var Xo=class extends cn{constructor(t,e,i,s=1){super(t,e,i),this.isInstancedBufferAttribute=!0,this.meshPerAttribute=s}copy(t){return super.copy(t),this.meshPerAttribute=t.meshPerAttribute,this}toJSON(){let t=super.toJSON();return t.meshPerAttribute=this.meshPerAttribute,t.isInstancedBufferAttribute=!0,t}},Po=new ne,Hm=new ne,lc=[],Wm=new Qe,JS=new ne,Na=new mt,Oa=new bi,Or=class extends mt{constructor(t,e,i){super(t,e),this.isInstancedMesh=!0,this.instanceMatrix=new Xo(new Float32Array(i*16),16),this.instanceColor=null,this.morphTexture=null,this.count=i,this.boundingBox=null,this.boundingSphere=null;for(let s=0;s<i;s++)this.setMatrixAt(s,JS)}computeBoundingBox(){let t=this.geometry,e=this.count;this.boundingBox===null&&(this.boundingBox=new Qe),t.boundingBox===null&&t.computeBoundingBox(),this.boundingBox.makeEmpty();for(let i=0;i<e;i++)this.getMatrixAt(i,Po),Wm.copy(t.boundingBox).applyMatrix4(Po),this.boundingBox.union(Wm)}computeBoundingSphere(){let t=this.geometry,e=this.count;this.boundingSphere===null&&(this.boundingSphere=new bi),t.boundingSphere===null&&t.computeBoundingSphere(),this.boundingSphere.makeEmpty();for(let i=0;i<e;i++)this.getMatrixAt(i,Po),Oa.copy(t.boundingSphere).applyMatrix4(Po),this.boundingSphere.union(Oa)}copy(t,e){return super.copy(t,e),this.instanceMatrix.copy(t.instanceMatrix),this.morphTexture=t.morphTexture!==null?t.morphTexture.clone():null,this.instanceColor=t.instanceColor!==null?t.instanceColor.clone():null,this.count=t.count,this.boundingBox=t.boundingBox!==null?t.boundingBox.clone():null,this.boundingSphere=t.boundingSphere!==null?t.boundingSphere.clone():null,this}getColorAt(t,e){return this.instanceColor===null?e.setRGB(1,1,1):e.fromArray(this.instanceColor.array,t*3)}getMatrixAt(t,e){return e.fromArray(this.instanceMatrix.array,t*16)}getMorphAt(t,e){let i=e.morphTargetInfluences,s=this.morphTexture.source.data.data,r=i.length+1,o=t*r+1;for(let a=0;a<i.length;a++)i[a]=s[o+a]}raycast(t,e){let i=this.matrixWorld,s=this.count;if(Na.geometry=this.geometry,Na.material=this.material,Na.material!==void 0&&(this.boundingSphere===null&&this.computeBoundingSphere(),Oa.copy(this.boundingSphere),Oa.applyMatrix4(i),t.ray.intersectsSphere(Oa)!==!1))for(let r=0;r<s;r++){this.getMatrixAt(r,Po),Hm.multiplyMatrices(i,Po),Na.matrixWorld=Hm,Na.raycast(t,lc);for(let o=0,a=lc.length;o<a;o++){let l=lc[o];l.instanceId=r,l.object=this,e.push(l)}lc.length=0}}setColorAt(t,e){return this.instanceColor===null&&(this.instanceColor=new Xo(new Float32Array(this.instanceMatrix.count*3).fill(1),3)),e.toArray(this.instanceColor.array,t*3),this}setMatrixAt(t,e){return e.toArray(this.instanceMatrix.array,t*16),this}setMorphAt(t,e){let i=e.morphTargetInfluences,s=i.length+1;this.morphTexture===null&&(this.morphTexture=new qa(new Float32Array(s*this.count),s,this.count,ah,zi));let r=this.morphTexture.source.data.data,o=0;for(let c=0;c<i.length;c++)o+=i[c];let a=this.geometry.morphTargetsRelative?1:1-o,l=s*t;return r[l]=a,r.set(i,l+1),this}updateMorphTargets(){}dispose(){super.dispose(),this.instanceMatrix.dispose(),this.instanceColor!==null&&this.instanceColor.dispose(),this.morphTexture!==null&&(this.morphTexture.dispose(),this.morphTexture=null)}},Dr=new bi,KS=new $t(.5,.5),cc=new P,sr=class{constructor(t=new yi,e=new yi,i=new yi,s=new yi,r=new yi,o=new yi){this.planes=[t,e,i,s,r,o]}set(t,e,i,s,r,o){let a=this.planes;return a[0].copy(t),a[1].copy(e),a[2].copy(i),a[3].copy(s),a[4].copy(r),a[5].copy(o),this}copy(t){let e=this.planes;for(let i=0;i<6;i++)e[i].copy(t.planes[i]);return this}setFromProjectionMatrix(t,e=Di,i=!1){let s=this.planes,r=t.elements,o=r[0],a=r[1],l=r[2],c=r[3],d=r[4],u=r[5],h=r[6],f=r[7],p=r[8],_=r[9],g=r[10],m=r[11],x=r[12],b=r[13],y=r[14],C=r[15];if(s[0].setComponents(c-o,f-d,m-p,C-x).normalize(),s[1].setComponents(c+o,f+d,m+p,C+x).normalize(),s[2].setComponents(c+a,f+u,m+_,C+b).normalize(),s[3].setComponents(c-a,f-u,m-_,C-b).normalize(),i)s[4].setComponents(l,h,g,y).normalize(),s[5].setComponents(c-l,f-h,m-g,C-y).normalize();else if(s[4].setComponents(c-l,f-h,m-g,C-y).normalize(),e===Di)s[5].setComponents(c+l,f+h,m+g,C+y).normalize();else if(e===ko)s[5].setComponents(l,h,g,y).normalize();else throw new Error("THREE.Frustum.setFromProjectionMatrix(): Invalid coordinate system: "+e);return this}intersectsObject(t){if(t.boundingSphere!==void 0)t.boundingSphere===null&&t.computeBoundingSphere(),Dr.copy(t.boundingSphere).applyMatrix4(t.matrixWorld);else{let e=t.geometry;e.boundingSphere===null&&e.computeBoundingSphere(),Dr.copy(e.boundingSphere).applyMatrix4(t.matrixWorld)}return this.intersectsSphere(Dr)}intersectsSprite(t){Dr.center.set(0,0,0);let e=KS.distanceTo(t.center);return Dr.radius=.7071067811865476+e,Dr.applyMatrix4(t.matrixWorld),this.intersectsSphere(Dr)}intersectsSphere(t){let e=this.planes,i=t.center,s=-t.radius;for(let r=0;r<6;r++)if(e[r].distanceToPoint(i)<s)return!1;return!0}intersectsBox(t){let e=this.planes;for(let i=0;i<6;i++){let s=e[i];if(cc.x=s.normal.x>0?t.max.x:t.min.x,cc.y=s.normal.y>0?t.max.y:t.min.y,cc.z=s.normal.z>0?t.max.z:t.min.z,s.distanceToPoint(cc)<0)return!1}return!0}containsPoint(t){let e=this.planes;for(let i=0;i<6;i++)if(e[i].distanceToPoint(t)<0)return!1;return!0}clone(){return new this.constructor().copy(this)}},Xm=new ne,Nc=class n{constructor(){this.coordinateSystem=Di,this._frustums=[],this._count=0}setFromArrayCamera(t){let e=t.cameras,i=this._frustums;for(let s=0;s<e.length;s++){let r=e[s];Xm.multiplyMatrices(r.projectionMatrix,r.matrixWorldInverse),i[s]===void 0&&(i[s]=new sr),i[s].setFromProjectionMatrix(Xm,r.coordinateSystem,r.reversedDepth)}return this._count=e.length,this}getFrustum(t){return this._frustums[t]}intersectsObject(t){let e=this._frustums;for(let i=0;i<this._count;i++)if(e[i].intersectsObject(t))return!0;return!1}intersectsSprite(t){let e=this._frustums;for(let i=0;i<this._count;i++)if(e[i].intersectsSprite(t))return!0;return!1}intersectsSphere(t){let e=this._frustums;for(let i=0;i<this._count;i++)if(e[i].intersectsSphere(t))return!0;return!1}intersectsBox(t){let e=this._frustums;for(let i=0;i<this._count;i++)if(e[i].intersectsBox(t))return!0;return!1}containsPoint(t){let e=this._frustums;for(let i=0;i<this._count;i++)if(e[i].containsPoint(t))return!0;return!1}copy(t){this.coordinateSystem=t.coordinateSystem;let e=this._frustums,i=t._frustums;for(let s=0;s<t._count;s++)e[s]===void 0&&(e[s]=new sr),e[s].copy(i[s]);return this._count=t._count,this}clone(){return new n().copy(this)}};var Ui=class extends fs{constructor(t){super(),this.isLineBasicMaterial=!0,this.type="LineBasicMaterial",this.color=new Jt(16777215),this.map=null,this.linewidth=1,this.linecap="round",this.linejoin="round",this.fog=!0,this.setValues(t)}copy(t){return super.copy(t),this.color.copy(t.color),this.map=t.map,this.linewidth=t.linewidth,this.linecap=t.linecap,this.linejoin=t.linejoin,this.fog=t.fog,this}},Oc=new P,Uc=new P,$m=new ne,Ua=new ir,hc=new bi,xd=new P,Ym=new P,Mi=class extends hn{constructor(t=new we,e=new Ui){super(),this.isLine=!0,this.type="Line",this.geometry=t,this.material=e,this.morphTargetDictionary=void 0,this.morphTargetInfluences=void 0,this.updateMorphTargets()}copy(t,e){return super.copy(t,e),t.morphTargetInfluences!==void 0?this.morphTargetInfluences=t.morphTargetInfluences.slice():this.morphTargetInfluences=void 0,t.morphTargetDictionary!==void 0?this.morphTargetDictionary=Object.assign({},t.morphTargetDictionary):this.morphTargetDictionary=void 0,this.material=Array.isArray(t.material)?t.material.slice():t.material,this.geometry=t.geometry,this}computeLineDistances(){let t=this.geometry;if(t.index===null){let e=t.attributes.position,i=[0];for(let s=1,r=e.count;s<r;s++)Oc.fromBufferAttribute(e,s-1),Uc.fromBufferAttribute(e,s),i[s]=i[s-1],i[s]+=Oc.distanceTo(Uc);t.setAttribute("lineDistance",new ie(i,1))}else qt("Line.computeLineDistances(): Computation only possible with non-indexed BufferGeometry.");return this}intersectsFrustum(t){return t.intersectsObject(this)}raycast(t,e){let i=this.geometry,s=this.matrixWorld,r=t.params.Line.threshold,o=i.drawRange;if(i.boundingSphere===null&&i.computeBoundingSphere(),hc.copy(i.boundingSphere),hc.applyMatrix4(s),hc.radius+=r,t.ray.intersectsSphere(hc)===!1)return;$m.copy(s).invert(),Ua.copy(t.ray).applyMatrix4($m);let a=r/((this.scale.x+this.scale.y+this.scale.z)/3),l=a*a,c=this.isLineSegments?2:1,d=i.index,h=i.attributes.position;if(d!==null){let f=Math.max(0,o.start),p=Math.min(d.count,o.start+o.count);for(let _=f,g=p-1;_<g;_+=c){let m=d.getX(_),x=d.getX(_+1),b=uc(this,t,Ua,l,m,x,_);b&&e.push(b)}if(this.isLineLoop){let _=d.getX(p-1),g=d.getX(f),m=uc(this,t,Ua,l,_,g,p-1);m&&e.push(m)}}else{let f=Math.max(0,o.start),p=Math.min(h.count,o.start+o.count);for(let _=f,g=p-1;_<g;_+=c){let m=uc(this,t,Ua,l,_,_+1,_);m&&e.push(m)}if(this.isLineLoop){let _=uc(this,t,Ua,l,p-1,f,p-1);_&&e.push(_)}}}updateMorphTargets(){let e=this.geometry.morphAttributes,i=Object.keys(e);if(i.length>0){let s=e[i[0]];if(s!==void 0){this.morphTargetInfluences=[],this.morphTargetDictionary={};for(let r=0,o=s.length;r<o;r++){let a=s[r].name||String(r);this.morphTargetInfluences.push(0),this.morphTargetDictionary[a]=r}}}}};function uc(n,t,e,i,s,r,o){let a=n.geometry.attributes.position;if(Oc.fromBufferAttribute(a,s),Uc.fromBufferAttribute(a,r),e.distanceSqToSegment(Oc,Uc,xd,Ym)>i)return;xd.applyMatrix4(n.matrixWorld);let c=t.ray.origin.distanceTo(xd);if(!(c<t.near||c>t.far))return{distance:c,point:Ym.clone().applyMatrix4(n.matrixWorld),index:o,face:null,faceIndex:null,barycoord:null,object:n}}var qm=new P,Zm=new P,Bs=class extends Mi{constructor(t,e){super(t,e),this.isLineSegments=!0,this.type="LineSegments"}computeLineDistances(){let t=this.geometry;if(t.index===null){let e=t.attributes.position,i=[];for(let s=0,r=e.count;s<r;s+=2)qm.fromBufferAttribute(e,s),Zm.fromBufferAttribute(e,s+1),i[s]=s===0?0:i[s-1],i[s+1]=i[s]+qm.distanceTo(Zm);t.setAttribute("lineDistance",new ie(i,1))}else qt("LineSegments.computeLineDistances(): Computation only possible with non-indexed BufferGeometry.");return this}};var Za=class extends li{constructor(t=[],e=Xr,i,s,r,o,a,l,c,d){super(t,e,i,s,r,o,a,l,c,d),this.isCubeTexture=!0,this.flipY=!1}get images(){return this.image}set images(t){this.image=t}};var ks=class extends li{constructor(t,e,i=ji,s,r,o,a=Gn,l=Gn,c,d=Fs,u=1){if(d!==Fs&&d!==Vs)throw new Error("THREE.DepthTexture: format must be either THREE.DepthFormat or THREE.DepthStencilFormat");let h={width:t,height:e,depth:u};super(h,s,r,o,a,l,d,i,c),this.isDepthTexture=!0,this.flipY=!1,this.generateMipmaps=!1,this.compareFunction=null}copy(t){return super.copy(t),this.source=new Vo(Object.assign({},t.image)),this.compareFunction=t.compareFunction,this}toJSON(t){let e=super.toJSON(t);return e.compareFunction=this.compareFunction,e}},ja=class extends ks{constructor(t,e=ji,i=Xr,s,r,o=Gn,a=Gn,l,c=Fs){let d={width:t,height:t,depth:1},u=[d,d,d,d,d,d];super(t,t,e,i,s,r,o,a,l,c),this.image=u,this.isCubeDepthTexture=!0,this.isCubeTexture=!0}get images(){return this.image}set images(t){this.image=t}},Ja=class extends li{constructor(t=null){super(),this.sourceTexture=t,this.isExternalTexture=!0}copy(t){return super.copy(t),this.sourceTexture=t.sourceTexture,this}},$e=class n extends we{constructor(t=1,e=1,i=1,s=1,r=1,o=1){super(),this.type="BoxGeometry",this.parameters={width:t,height:e,depth:i,widthSegments:s,heightSegments:r,depthSegments:o};let a=this;s=Math.floor(s),r=Math.floor(r),o=Math.floor(o);let l=[],c=[],d=[],u=[],h=0,f=0;p("z","y","x",-1,-1,i,e,t,o,r,0),p("z","y","x",1,-1,i,e,-t,o,r,1),p("x","z","y",1,1,t,i,e,s,o,2),p("x","z","y",1,-1,t,i,-e,s,o,3),p("x","y","z",1,-1,t,e,i,s,r,4),p("x","y","z",-1,-1,t,e,-i,s,r,5),this.setIndex(l),this.setAttribute("position",new ie(c,3)),this.setAttribute("normal",new ie(d,3)),this.setAttribute("uv",new ie(u,2));function p(_,g,m,x,b,y,C,E,v,M,O){let R=y/v,I=C/M,U=y/2,F=C/2,L=E/2,k=v+1,X=M+1,V=0,ot=0,$=new P;for(let K=0;K<X;K++){let et=K*I-F;for(let ht=0;ht<k;ht++){let ut=ht*R-U;$[_]=ut*x,$[g]=et*b,$[m]=L,c.push($.x,$.y,$.z),$[_]=0,$[g]=0,$[m]=E>0?1:-1,d.push($.x,$.y,$.z),u.push(ht/v),u.push(1-K/M),V+=1}}for(let K=0;K<M;K++)for(let et=0;et<v;et++){let ht=h+et+k*K,ut=h+et+k*(K+1),Q=h+(et+1)+k*(K+1),gt=h+(et+1)+k*K;l.push(ht,ut,gt),l.push(ut,Q,gt),ot+=6}a.addGroup(f,ot,O),f+=ot,h+=V}}copy(t){return super.copy(t),this.parameters=Object.assign({},t.parameters),this}static fromJSON(t){return new n(t.width,t.height,t.depth,t.widthSegments,t.heightSegments,t.depthSegments)}},Ur=class n extends we{constructor(t=1,e=1,i=4,s=8,r=1){super(),this.type="CapsuleGeometry",this.parameters={radius:t,height:e,capSegments:i,radialSegments:s,heightSegments:r},e=Math.max(0,e),i=Math.max(1,Math.floor(i)),s=Math.max(3,Math.floor(s)),r=Math.max(1,Math.floor(r));let o=[],a=[],l=[],c=[],d=e/2,u=Math.PI/2*t,h=e,f=2*u+h,p=i*2+r,_=s+1,g=new P,m=new P;for(let x=0;x<=p;x++){let b=0,y=0,C=0,E=0;if(x<=i){let O=x/i,R=O*Math.PI/2;y=-d-t*Math.cos(R),C=t*Math.sin(R),E=-t*Math.cos(R),b=O*u}else if(x<=i+r){let O=(x-i)/r;y=-d+O*e,C=t,E=0,b=u+O*h}else{let O=(x-i-r)/i,R=O*Math.PI/2;y=d+t*Math.sin(R),C=t*Math.cos(R),E=t*Math.sin(R),b=u+h+O*u}let v=Math.max(0,Math.min(1,b/f)),M=0;x===0?M=.5/s:x===p&&(M=-.5/s);for(let O=0;O<=s;O++){let R=O/s,I=R*Math.PI*2,U=Math.sin(I),F=Math.cos(I);m.x=-C*F,m.y=y,m.z=C*U,a.push(m.x,m.y,m.z),g.set(-C*F,E,C*U),g.normalize(),l.push(g.x,g.y,g.z),c.push(R+M,v)}if(x>0){let O=(x-1)*_;for(let R=0;R<s;R++){let I=O+R,U=O+R+1,F=x*_+R,L=x*_+R+1;o.push(I,U,F),o.push(U,L,F)}}}this.setIndex(o),this.setAttribute("position",new ie(a,3)),this.setAttribute("normal",new ie(l,3)),this.setAttribute("uv",new ie(c,2))}copy(t){return super.copy(t),this.parameters=Object.assign({},t.parameters),this}static fromJSON(t){return new n(t.radius,t.height,t.capSegments,t.radialSegments,t.heightSegments)}};var ze=class n extends we{constructor(t=1,e=1,i=1,s=32,r=1,o=!1,a=0,l=Math.PI*2){super(),this.type="CylinderGeometry",this.parameters={radiusTop:t,radiusBottom:e,height:i,radialSegments:s,heightSegments:r,openEnded:o,thetaStart:a,thetaLength:l};let c=this;s=Math.floor(s),r=Math.floor(r);let d=[],u=[],h=[],f=[],p=0,_=[],g=i/2,m=0;x(),o===!1&&(t>0&&b(!0),e>0&&b(!1)),this.setIndex(d),this.setAttribute("position",new ie(u,3)),this.setAttribute("normal",new ie(h,3)),this.setAttribute("uv",new ie(f,2));function x(){let y=new P,C=new P,E=0,v=(e-t)/i;for(let M=0;M<=r;M++){let O=[],R=M/r,I=R*(e-t)+t;for(let U=0;U<=s;U++){let F=U/s,L=F*l+a,k=Math.sin(L),X=Math.cos(L);C.x=I*k,C.y=-R*i+g,C.z=I*X,u.push(C.x,C.y,C.z),y.set(k,v,X).normalize(),h.push(y.x,y.y,y.z),f.push(F,1-R),O.push(p++)}_.push(O)}for(let M=0;M<s;M++)for(let O=0;O<r;O++){let R=_[O][M],I=_[O+1][M],U=_[O+1][M+1],F=_[O][M+1];(t>0||O!==0)&&(d.push(R,I,F),E+=3),(e>0||O!==r-1)&&(d.push(I,U,F),E+=3)}c.addGroup(m,E,0),m+=E}function b(y){let C=p,E=new $t,v=new P,M=0,O=y===!0?t:e,R=y===!0?1:-1;for(let U=1;U<=s;U++)u.push(0,g*R,0),h.push(0,R,0),f.push(.5,.5),p++;let I=p;for(let U=0;U<=s;U++){let L=U/s*l+a,k=Math.cos(L),X=Math.sin(L);v.x=O*X,v.y=g*R,v.z=O*k,u.push(v.x,v.y,v.z),h.push(0,R,0),E.x=k*.5+.5,E.y=X*.5*R+.5,f.push(E.x,E.y),p++}for(let U=0;U<s;U++){let F=C+U,L=I+U;y===!0?d.push(L,L+1,F):d.push(L+1,L,F),M+=3}c.addGroup(m,M,y===!0?1:2),m+=M}}copy(t){return super.copy(t),this.parameters=Object.assign({},t.parameters),this}static fromJSON(t){return new n(t.radiusTop,t.radiusBottom,t.height,t.radialSegments,t.heightSegments,t.openEnded,t.thetaStart,t.thetaLength)}},Fi=class n extends ze{constructor(t=1,e=1,i=32,s=1,r=!1,o=0,a=Math.PI*2){super(0,t,e,i,s,r,o,a),this.type="ConeGeometry",this.parameters={radius:t,height:e,radialSegments:i,heightSegments:s,openEnded:r,thetaStart:o,thetaLength:a}}static fromJSON(t){return new n(t.radius,t.height,t.radialSegments,t.heightSegments,t.openEnded,t.thetaStart,t.thetaLength)}},Fc=class n extends we{constructor(t=[],e=[],i=1,s=0){super(),this.type="PolyhedronGeometry",this.parameters={vertices:t,indices:e,radius:i,detail:s};let r=[],o=[];a(s),c(i),d(),this.setAttribute("position",new ie(r,3)),this.setAttribute("normal",new ie(r.slice(),3)),this.setAttribute("uv",new ie(o,2)),s===0?this.computeVertexNormals():this.normalizeNormals();function a(x){let b=new P,y=new P,C=new P;for(let E=0;E<e.length;E+=3)f(e[E+0],b),f(e[E+1],y),f(e[E+2],C),l(b,y,C,x)}function l(x,b,y,C){let E=C+1,v=[];for(let M=0;M<=E;M++){v[M]=[];let O=x.clone().lerp(y,M/E),R=b.clone().lerp(y,M/E),I=E-M;for(let U=0;U<=I;U++)U===0&&M===E?v[M][U]=O:v[M][U]=O.clone().lerp(R,U/I)}for(let M=0;M<E;M++)for(let O=0;O<2*(E-M)-1;O++){let R=Math.floor(O/2);O%2===0?(h(v[M][R+1]),h(v[M+1][R]),h(v[M][R])):(h(v[M][R+1]),h(v[M+1][R+1]),h(v[M+1][R]))}}function c(x){let b=new P;for(let y=0;y<r.length;y+=3)b.x=r[y+0],b.y=r[y+1],b.z=r[y+2],b.normalize().multiplyScalar(x),r[y+0]=b.x,r[y+1]=b.y,r[y+2]=b.z}function d(){let x=new P;for(let b=0;b<r.length;b+=3){x.x=r[b+0],x.y=r[b+1],x.z=r[b+2];let y=g(x)/2/Math.PI+.5,C=m(x)/Math.PI+.5;o.push(y,1-C)}p(),u()}function u(){for(let x=0;x<o.length;x+=6){let b=o[x+0],y=o[x+2],C=o[x+4],E=Math.max(b,y,C),v=Math.min(b,y,C);E>.9&&v<.1&&(b<.2&&(o[x+0]+=1),y<.2&&(o[x+2]+=1),C<.2&&(o[x+4]+=1))}}function h(x){r.push(x.x,x.y,x.z)}function f(x,b){let y=x*3;b.x=t[y+0],b.y=t[y+1],b.z=t[y+2]}function p(){let x=new P,b=new P,y=new P,C=new P,E=new $t,v=new $t,M=new $t;for(let O=0,R=0;O<r.length;O+=9,R+=6){x.set(r[O+0],r[O+1],r[O+2]),b.set(r[O+3],r[O+4],r[O+5]),y.set(r[O+6],r[O+7],r[O+8]),E.set(o[R+0],o[R+1]),v.set(o[R+2],o[R+3]),M.set(o[R+4],o[R+5]),C.copy(x).add(b).add(y).divideScalar(3);let I=g(C);_(E,R+0,x,I),_(v,R+2,b,I),_(M,R+4,y,I)}}function _(x,b,y,C){C<0&&x.x===1&&(o[b]=x.x-1),y.x===0&&y.z===0&&(o[b]=C/2/Math.PI+.5)}function g(x){return Math.atan2(x.z,-x.x)}function m(x){return Math.atan2(-x.y,Math.sqrt(x.x*x.x+x.z*x.z))}}copy(t){return super.copy(t),this.parameters=Object.assign({},t.parameters),this}static fromJSON(t){return new n(t.vertices,t.indices,t.radius,t.detail)}};var dc=new P,fc=new P,yd=new P,pc=new Os,Ka=class extends we{constructor(t=null,e=1){if(super(),this.type="EdgesGeometry",this.parameters={geometry:t,thresholdAngle:e},t!==null){let s=Math.pow(10,4),r=Math.cos(Uo*e),o=t.getIndex(),a=t.getAttribute("position"),l=o?o.count:a.count,c=[0,0,0],d=["a","b","c"],u=new Array(3),h=new Map,f=[];for(let p=0;p<l;p+=3){o?(c[0]=o.getX(p),c[1]=o.getX(p+1),c[2]=o.getX(p+2)):(c[0]=p,c[1]=p+1,c[2]=p+2);let{a:_,b:g,c:m}=pc;if(_.fromBufferAttribute(a,c[0]),g.fromBufferAttribute(a,c[1]),m.fromBufferAttribute(a,c[2]),pc.getNormal(yd),u[0]=`${Math.round(_.x*s)},${Math.round(_.y*s)},${Math.round(_.z*s)}`,u[1]=`${Math.round(g.x*s)},${Math.round(g.y*s)},${Math.round(g.z*s)}`,u[2]=`${Math.round(m.x*s)},${Math.round(m.y*s)},${Math.round(m.z*s)}`,!(u[0]===u[1]||u[1]===u[2]||u[2]===u[0]))for(let x=0;x<3;x++){let b=(x+1)%3,y=u[x],C=u[b],E=pc[d[x]],v=pc[d[b]],M=`${y}_${C}`,O=`${C}_${y}`,R=h.get(O);R?(yd.dot(R.normal)<=r&&(f.push(E.x,E.y,E.z),f.push(v.x,v.y,v.z)),h.set(O,null)):h.has(M)||h.set(M,{index0:c[x],index1:c[b],normal:yd.clone()})}}for(let p of h.values())if(p){let{index0:_,index1:g}=p;dc.fromBufferAttribute(a,_),fc.fromBufferAttribute(a,g),f.push(dc.x,dc.y,dc.z),f.push(fc.x,fc.y,fc.z)}this.setAttribute("position",new ie(f,3))}}copy(t){return super.copy(t),this.parameters=Object.assign({},t.parameters),this}};var rr=class n extends Fc{constructor(t=1,e=0){let i=[1,0,0,-1,0,0,0,1,0,0,-1,0,0,0,1,0,0,-1],s=[0,2,4,0,4,3,0,3,5,0,5,2,1,2,5,1,5,3,1,3,4,1,4,2];super(i,s,t,e),this.type="OctahedronGeometry",this.parameters={radius:t,detail:e}}static fromJSON(t){return new n(t.radius,t.detail)}},Fr=class n extends we{constructor(t=1,e=1,i=1,s=1){super(),this.type="PlaneGeometry",this.parameters={width:t,height:e,widthSegments:i,heightSegments:s};let r=t/2,o=e/2,a=Math.floor(i),l=Math.floor(s),c=a+1,d=l+1,u=t/a,h=e/l,f=[],p=[],_=[],g=[];for(let m=0;m<d;m++){let x=m*h-o;for(let b=0;b<c;b++){let y=b*u-r;p.push(y,-x,0),_.push(0,0,1),g.push(b/a),g.push(1-m/l)}}for(let m=0;m<l;m++)for(let x=0;x<a;x++){let b=x+c*m,y=x+c*(m+1),C=x+1+c*(m+1),E=x+1+c*m;f.push(b,y,E),f.push(y,C,E)}this.setIndex(f),this.setAttribute("position",new ie(p,3)),this.setAttribute("normal",new ie(_,3)),this.setAttribute("uv",new ie(g,2))}copy(t){return super.copy(t),this.parameters=Object.assign({},t.parameters),this}static fromJSON(t){return new n(t.width,t.height,t.widthSegments,t.heightSegments)}},Br=class n extends we{constructor(t=.5,e=1,i=32,s=1,r=0,o=Math.PI*2){super(),this.type="RingGeometry",this.parameters={innerRadius:t,outerRadius:e,thetaSegments:i,phiSegments:s,thetaStart:r,thetaLength:o},i=Math.max(3,i),s=Math.max(1,s);let a=[],l=[],c=[],d=[],u=t,h=(e-t)/s,f=new P,p=new $t;for(let _=0;_<=s;_++){for(let g=0;g<=i;g++){let m=r+g/i*o;f.x=u*Math.cos(m),f.y=u*Math.sin(m),l.push(f.x,f.y,f.z),c.push(0,0,1),p.x=(f.x/e+1)/2,p.y=(f.y/e+1)/2,d.push(p.x,p.y)}u+=h}for(let _=0;_<s;_++){let g=_*(i+1);for(let m=0;m<i;m++){let x=m+g,b=x,y=x+i+1,C=x+i+2,E=x+1;a.push(b,y,E),a.push(y,C,E)}}this.setIndex(a),this.setAttribute("position",new ie(l,3)),this.setAttribute("normal",new ie(c,3)),this.setAttribute("uv",new ie(d,2))}copy(t){return super.copy(t),this.parameters=Object.assign({},t.parameters),this}static fromJSON(t){return new n(t.innerRadius,t.outerRadius,t.thetaSegments,t.phiSegments,t.thetaStart,t.thetaLength)}};var Bi=class n extends we{constructor(t=1,e=32,i=16,s=0,r=Math.PI*2,o=0,a=Math.PI){super(),this.type="SphereGeometry",this.parameters={radius:t,widthSegments:e,heightSegments:i,phiStart:s,phiLength:r,thetaStart:o,thetaLength:a},e=Math.max(3,Math.floor(e)),i=Math.max(2,Math.floor(i));let l=Math.min(o+a,Math.PI),c=0,d=[],u=new P,h=new P,f=[],p=[],_=[],g=[];for(let m=0;m<=i;m++){let x=[],b=m/i,y=o+b*a,C=t*Math.cos(y),E=Math.sqrt(t*t-C*C),v=0;m===0&&o===0?v=.5/e:m===i&&l===Math.PI&&(v=-.5/e);for(let M=0;M<=e;M++){let O=M/e,R=s+O*r;u.x=-E*Math.cos(R),u.y=C,u.z=E*Math.sin(R),p.push(u.x,u.y,u.z),h.copy(u).normalize(),_.push(h.x,h.y,h.z),g.push(O+v,1-b),x.push(c++)}d.push(x)}for(let m=0;m<i;m++)for(let x=0;x<e;x++){let b=d[m][x+1],y=d[m][x],C=d[m+1][x],E=d[m+1][x+1];(m!==0||o>0)&&f.push(b,y,E),(m!==i-1||l<Math.PI)&&f.push(y,C,E)}this.setIndex(f),this.setAttribute("position",new ie(p,3)),this.setAttribute("normal",new ie(_,3)),this.setAttribute("uv",new ie(g,2))}copy(t){return super.copy(t),this.parameters=Object.assign({},t.parameters),this}static fromJSON(t){return new n(t.radius,t.widthSegments,t.heightSegments,t.phiStart,t.phiLength,t.thetaStart,t.thetaLength)}};var Ei=class n extends we{constructor(t=1,e=.4,i=12,s=48,r=Math.PI*2,o=0,a=Math.PI*2){super(),this.type="TorusGeometry",this.parameters={radius:t,tube:e,radialSegments:i,tubularSegments:s,arc:r,thetaStart:o,thetaLength:a},i=Math.floor(i),s=Math.floor(s);let l=[],c=[],d=[],u=[],h=new P,f=new P,p=new P;for(let _=0;_<=i;_++){let g=o+_/i*a;for(let m=0;m<=s;m++){let x=m/s*r;f.x=(t+e*Math.cos(g))*Math.cos(x),f.y=(t+e*Math.cos(g))*Math.sin(x),f.z=e*Math.sin(g),c.push(f.x,f.y,f.z),h.x=t*Math.cos(x),h.y=t*Math.sin(x),p.subVectors(f,h).normalize(),d.push(p.x,p.y,p.z),u.push(m/s),u.push(_/i)}}for(let _=1;_<=i;_++)for(let g=1;g<=s;g++){let m=(s+1)*_+g-1,x=(s+1)*(_-1)+g-1,b=(s+1)*(_-1)+g,y=(s+1)*_+g;l.push(m,x,y),l.push(x,b,y)}this.setIndex(l),this.setAttribute("position",new ie(c,3)),this.setAttribute("normal",new ie(d,3)),this.setAttribute("uv",new ie(u,2))}copy(t){return super.copy(t),this.parameters=Object.assign({},t.parameters),this}static fromJSON(t){return new n(t.radius,t.tube,t.radialSegments,t.tubularSegments,t.arc,t.thetaStart,t.thetaLength)}};var Qa=class extends we{constructor(t=null){if(super(),this.type="WireframeGeometry",this.parameters={geometry:t},t!==null){let e=[],i=new Set,s=new P,r=new P;if(t.index!==null){let o=t.attributes.position,a=t.index,l=t.groups;l.length===0&&(l=[{start:0,count:a.count,materialIndex:0}]);for(let c=0,d=l.length;c<d;++c){let u=l[c],h=u.start,f=u.count;for(let p=h,_=h+f;p<_;p+=3)for(let g=0;g<3;g++){let m=a.getX(p+g),x=a.getX(p+(g+1)%3);s.fromBufferAttribute(o,m),r.fromBufferAttribute(o,x),jm(s,r,i)===!0&&(e.push(s.x,s.y,s.z),e.push(r.x,r.y,r.z))}}}else{let o=t.attributes.position;for(let a=0,l=o.count/3;a<l;a++)for(let c=0;c<3;c++){let d=3*a+c,u=3*a+(c+1)%3;s.fromBufferAttribute(o,d),r.fromBufferAttribute(o,u),jm(s,r,i)===!0&&(e.push(s.x,s.y,s.z),e.push(r.x,r.y,r.z))}}this.setAttribute("position",new ie(e,3))}}copy(t){return super.copy(t),this.parameters=Object.assign({},t.parameters),this}};function jm(n,t,e){let i=`${n.x},${n.y},${n.z}-${t.x},${t.y},${t.z}`,s=`${t.x},${t.y},${t.z}-${n.x},${n.y},${n.z}`;return e.has(i)===!0||e.has(s)===!0?!1:(e.add(i),e.add(s),!0)}function Yr(n){let t={};for(let e in n){t[e]={};for(let i in n[e]){let s=n[e][i];if(Jm(s))s.isRenderTargetTexture?(qt("UniformsUtils: Textures of render targets cannot be cloned via cloneUniforms() or mergeUniforms()."),t[e][i]=null):t[e][i]=s.clone();else if(Array.isArray(s))if(Jm(s[0])){let r=[];for(let o=0,a=s.length;o<a;o++)r[o]=s[o].clone();t[e][i]=r}else t[e][i]=s.slice();else t[e][i]=s}}return t}function jn(n){let t={};for(let e=0;e<n.length;e++){let i=Yr(n[e]);for(let s in i)t[s]=i[s]}return t}function Jm(n){return n&&(n.isColor||n.isMatrix3||n.isMatrix4||n.isVector2||n.isVector3||n.isVector4||n.isTexture||n.isQuaternion)}function QS(n){let t=[];for(let e=0;e<n.length;e++)t.push(n[e].clone());return t}function af(n){let t=n.getRenderTarget();return t===null?n.outputColorSpace:t.isXRRenderTarget===!0?t.texture.colorSpace:ye.workingColorSpace}var ml={clone:Yr,merge:jn},tb=`void main() {
+	gl_Position = projectionMatrix * modelViewMatrix * vec4( position, 1.0 );
+}`,eb=`void main() {
+	gl_FragColor = vec4( 1.0, 0.0, 0.0, 1.0 );
+}`,ki=class extends fs{constructor(t){super(),this.isShaderMaterial=!0,this.type="ShaderMaterial",this.defines={},this.uniforms={},this.uniformsGroups=[],this.vertexShader=tb,this.fragmentShader=eb,this.linewidth=1,this.wireframe=!1,this.wireframeLinewidth=1,this.fog=!1,this.lights=!1,this.clipping=!1,this.forceSinglePass=!0,this.extensions={clipCullDistance:!1,multiDraw:!1},this.defaultAttributeValues={color:[1,1,1],uv:[0,0],uv1:[0,0]},this.index0AttributeName=void 0,this.uniformsNeedUpdate=!1,this.glslVersion=null,t!==void 0&&this.setValues(t)}copy(t){return super.copy(t),this.fragmentShader=t.fragmentShader,this.vertexShader=t.vertexShader,this.uniforms=Yr(t.uniforms),this.uniformsGroups=QS(t.uniformsGroups),this.defines=Object.assign({},t.defines),this.wireframe=t.wireframe,this.wireframeLinewidth=t.wireframeLinewidth,this.fog=t.fog,this.lights=t.lights,this.clipping=t.clipping,this.extensions=Object.assign({},t.extensions),this.glslVersion=t.glslVersion,this.defaultAttributeValues=Object.assign({},t.defaultAttributeValues),this.index0AttributeName=t.index0AttributeName,this.uniformsNeedUpdate=t.uniformsNeedUpdate,this}toJSON(t){let e=super.toJSON(t);e.glslVersion=this.glslVersion,e.uniforms={};for(let s in this.uniforms){let o=this.uniforms[s].value;o&&o.isTexture?e.uniforms[s]={type:"t",value:o.toJSON(t).uuid}:o&&o.isColor?e.uniforms[s]={type:"c",value:o.getHex()}:o&&o.isVector2?e.uniforms[s]={type:"v2",value:o.toArray()}:o&&o.isVector3?e.uniforms[s]={type:"v3",value:o.toArray()}:o&&o.isVector4?e.uniforms[s]={type:"v4",value:o.toArray()}:o&&o.isMatrix3?e.uniforms[s]={type:"m3",value:o.toArray()}:o&&o.isMatrix4?e.uniforms[s]={type:"m4",value:o.toArray()}:e.uniforms[s]={value:o}}Object.keys(this.defines).length>0&&(e.defines=this.defines),e.vertexShader=this.vertexShader,e.fragmentShader=this.fragmentShader,e.lights=this.lights,e.clipping=this.clipping;let i={};for(let s in this.extensions)this.extensions[s]===!0&&(i[s]=!0);return Object.keys(i).length>0&&(e.extensions=i),e}fromJSON(t,e){if(super.fromJSON(t,e),t.uniforms!==void 0)for(let i in t.uniforms){let s=t.uniforms[i];switch(this.uniforms[i]={},s.type){case"t":this.uniforms[i].value=e[s.value]||null;break;case"c":this.uniforms[i].value=new Jt().setHex(s.value);break;case"v2":this.uniforms[i].value=new $t().fromArray(s.value);break;case"v3":this.uniforms[i].value=new P().fromArray(s.value);break;case"v4":this.uniforms[i].value=new Le().fromArray(s.value);break;case"m3":this.uniforms[i].value=new se().fromArray(s.value);break;case"m4":this.uniforms[i].value=new ne().fromArray(s.value);break;default:this.uniforms[i].value=s.value}}if(t.defines!==void 0&&(this.defines=t.defines),t.vertexShader!==void 0&&(this.vertexShader=t.vertexShader),t.fragmentShader!==void 0&&(this.fragmentShader=t.fragmentShader),t.glslVersion!==void 0&&(this.glslVersion=t.glslVersion),t.extensions!==void 0)for(let i in t.extensions)this.extensions[i]=t.extensions[i];return t.lights!==void 0&&(this.lights=t.lights),t.clipping!==void 0&&(this.clipping=t.clipping),this}},Bc=class extends ki{constructor(t){super(t),this.isRawShaderMaterial=!0,this.type="RawShaderMaterial"}},kr=class extends fs{constructor(t){super(),this.isMeshStandardMaterial=!0,this.type="MeshStandardMaterial",this.defines={STANDARD:""},this.color=new Jt(16777215),this.roughness=1,this.metalness=0,this.map=null,this.lightMap=null,this.lightMapIntensity=1,this.aoMap=null,this.aoMapIntensity=1,this.emissive=new Jt(0),this.emissiveIntensity=1,this.emissiveMap=null,this.bumpMap=null,this.bumpScale=1,this.normalMap=null,this.normalMapType=pl,this.normalScale=new $t(1,1),this.displacementMap=null,this.displacementScale=1,this.displacementBias=0,this.roughnessMap=null,this.metalnessMap=null,this.alphaMap=null,this.envMap=null,this.envMapRotation=new Ni,this.envMapIntensity=1,this.wireframe=!1,this.wireframeLinewidth=1,this.wireframeLinecap="round",this.wireframeLinejoin="round",this.flatShading=!1,this.fog=!0,this.setValues(t)}copy(t){return super.copy(t),this.defines={STANDARD:""},this.color.copy(t.color),this.roughness=t.roughness,this.metalness=t.metalness,this.map=t.map,this.lightMap=t.lightMap,this.lightMapIntensity=t.lightMapIntensity,this.aoMap=t.aoMap,this.aoMapIntensity=t.aoMapIntensity,this.emissive.copy(t.emissive),this.emissiveMap=t.emissiveMap,this.emissiveIntensity=t.emissiveIntensity,this.bumpMap=t.bumpMap,this.bumpScale=t.bumpScale,this.normalMap=t.normalMap,this.normalMapType=t.normalMapType,this.normalScale.copy(t.normalScale),this.displacementMap=t.displacementMap,this.displacementScale=t.displacementScale,this.displacementBias=t.displacementBias,this.roughnessMap=t.roughnessMap,this.metalnessMap=t.metalnessMap,this.alphaMap=t.alphaMap,this.envMap=t.envMap,this.envMapRotation.copy(t.envMapRotation),this.envMapIntensity=t.envMapIntensity,this.wireframe=t.wireframe,this.wireframeLinewidth=t.wireframeLinewidth,this.wireframeLinecap=t.wireframeLinecap,this.wireframeLinejoin=t.wireframeLinejoin,this.flatShading=t.flatShading,this.fog=t.fog,this}};var ci=class extends fs{constructor(t){super(),this.isMeshLambertMaterial=!0,this.type="MeshLambertMaterial",this.color=new Jt(16777215),this.map=null,this.lightMap=null,this.lightMapIntensity=1,this.aoMap=null,this.aoMapIntensity=1,this.emissive=new Jt(0),this.emissiveIntensity=1,this.emissiveMap=null,this.bumpMap=null,this.bumpScale=1,this.normalMap=null,this.normalMapType=pl,this.normalScale=new $t(1,1),this.displacementMap=null,this.displacementScale=1,this.displacementBias=0,this.specularMap=null,this.alphaMap=null,this.envMap=null,this.envMapRotation=new Ni,this.combine=th,this.reflectivity=1,this.envMapIntensity=1,this.refractionRatio=.98,this.wireframe=!1,this.wireframeLinewidth=1,this.wireframeLinecap="round",this.wireframeLinejoin="round",this.flatShading=!1,this.fog=!0,this.setValues(t)}copy(t){return super.copy(t),this.color.copy(t.color),this.map=t.map,this.lightMap=t.lightMap,this.lightMapIntensity=t.lightMapIntensity,this.aoMap=t.aoMap,this.aoMapIntensity=t.aoMapIntensity,this.emissive.copy(t.emissive),this.emissiveMap=t.emissiveMap,this.emissiveIntensity=t.emissiveIntensity,this.bumpMap=t.bumpMap,this.bumpScale=t.bumpScale,this.normalMap=t.normalMap,this.normalMapType=t.normalMapType,this.normalScale.copy(t.normalScale),this.displacementMap=t.displacementMap,this.displacementScale=t.displacementScale,this.displacementBias=t.displacementBias,this.specularMap=t.specularMap,this.alphaMap=t.alphaMap,this.envMap=t.envMap,this.envMapRotation.copy(t.envMapRotation),this.combine=t.combine,this.reflectivity=t.reflectivity,this.envMapIntensity=t.envMapIntensity,this.refractionRatio=t.refractionRatio,this.wireframe=t.wireframe,this.wireframeLinewidth=t.wireframeLinewidth,this.wireframeLinecap=t.wireframeLinecap,this.wireframeLinejoin=t.wireframeLinejoin,this.flatShading=t.flatShading,this.fog=t.fog,this}},kc=class extends fs{constructor(t){super(),this.isMeshDepthMaterial=!0,this.type="MeshDepthMaterial",this.depthPacking=Ig,this.map=null,this.alphaMap=null,this.displacementMap=null,this.displacementScale=1,this.displacementBias=0,this.wireframe=!1,this.wireframeLinewidth=1,this.setValues(t)}copy(t){return super.copy(t),this.depthPacking=t.depthPacking,this.map=t.map,this.alphaMap=t.alphaMap,this.displacementMap=t.displacementMap,this.displacementScale=t.displacementScale,this.displacementBias=t.displacementBias,this.wireframe=t.wireframe,this.wireframeLinewidth=t.wireframeLinewidth,this}},zc=class extends fs{constructor(t){super(),this.isMeshDistanceMaterial=!0,this.type="MeshDistanceMaterial",this.map=null,this.alphaMap=null,this.displacementMap=null,this.displacementScale=1,this.displacementBias=0,this.setValues(t)}copy(t){return super.copy(t),this.map=t.map,this.alphaMap=t.alphaMap,this.displacementMap=t.displacementMap,this.displacementScale=t.displacementScale,this.displacementBias=t.displacementBias,this}};function Io(n,t){return!n||n.constructor===t?n:typeof t.BYTES_PER_ELEMENT=="number"?new t(n):Array.prototype.slice.call(n)}function mc(n){return n!==void 0&&n.inTangents!==void 0&&n.outTangents!==void 0}var or=class{constructor(t,e,i,s){this.parameterPositions=t,this._cachedIndex=0,this.resultBuffer=s!==void 0?s:new e.constructor(i),this.sampleValues=e,this.valueSize=i,this.settings=null,this.DefaultSettings_={}}evaluate(t){let e=this.parameterPositions,i=this._cachedIndex,s=e[i],r=e[i-1];n:{t:{let o;e:{i:if(!(t<s)){for(let a=i+2;;){if(s===void 0){if(t<r)break i;return i=e.length,this._cachedIndex=i,this.copySampleValue_(i-1)}if(i===a)break;if(r=s,s=e[++i],t<s)break t}o=e.length;break e}if(!(t>=r)){let a=e[1];t<a&&(i=2,r=a);for(let l=i-2;;){if(r===void 0)return this._cachedIndex=0,this.copySampleValue_(0);if(i===l)break;if(s=r,r=e[--i-1],t>=r)break t}o=i,i=0;break e}break n}for(;i<o;){let a=i+o>>>1;t<e[a]?o=a:i=a+1}if(s=e[i],r=e[i-1],r===void 0)return this._cachedIndex=0,this.copySampleValue_(0);if(s===void 0)return i=e.length,this._cachedIndex=i,this.copySampleValue_(i-1)}this._cachedIndex=i,this.intervalChanged_(i,r,s)}return this.interpolate_(i,r,t,s)}getSettings_(){return this.settings||this.DefaultSettings_}copySampleValue_(t){let e=this.resultBuffer,i=this.sampleValues,s=this.valueSize,r=t*s;for(let o=0;o!==s;++o)e[o]=i[r+o];return e}interpolate_(){throw new Error("THREE.Interpolant: Call to abstract method.")}intervalChanged_(){}},Gc=class extends or{constructor(t,e,i,s){super(t,e,i,s),this._weightPrev=-0,this._offsetPrev=-0,this._weightNext=-0,this._offsetNext=-0,this.DefaultSettings_={endingStart:wd,endingEnd:wd}}intervalChanged_(t,e,i){let s=this.parameterPositions,r=t-2,o=t+1,a=s[r],l=s[o];if(a===void 0)switch(this.getSettings_().endingStart){case Md:r=t,a=2*e-i;break;case Ed:r=s.length-2,a=e+s[r]-s[r+1];break;default:r=t,a=i}if(l===void 0)switch(this.getSettings_().endingEnd){case Md:o=t,l=2*i-e;break;case Ed:o=1,l=i+s[1]-s[0];break;default:o=t-1,l=e}let c=(i-e)*.5,d=this.valueSize;this._weightPrev=c/(e-a),this._weightNext=c/(l-i),this._offsetPrev=r*d,this._offsetNext=o*d}interpolate_(t,e,i,s){let r=this.resultBuffer,o=this.sampleValues,a=this.valueSize,l=t*a,c=l-a,d=this._offsetPrev,u=this._offsetNext,h=this._weightPrev,f=this._weightNext,p=(i-e)/(s-e),_=p*p,g=_*p,m=-h*g+2*h*_-h*p,x=(1+h)*g+(-1.5-2*h)*_+(-.5+h)*p+1,b=(-1-f)*g+(1.5+f)*_+.5*p,y=f*g-f*_;for(let C=0;C!==a;++C)r[C]=m*o[d+C]+x*o[c+C]+b*o[l+C]+y*o[u+C];return r}},Vc=class extends or{constructor(t,e,i,s){super(t,e,i,s)}interpolate_(t,e,i,s){let r=this.resultBuffer,o=this.sampleValues,a=this.valueSize,l=t*a,c=l-a,d=(i-e)/(s-e),u=1-d;for(let h=0;h!==a;++h)r[h]=o[c+h]*u+o[l+h]*d;return r}},Hc=class extends or{constructor(t,e,i,s){super(t,e,i,s)}interpolate_(t){return this.copySampleValue_(t-1)}},Wc=class extends or{interpolate_(t,e,i,s){let r=this.resultBuffer,o=this.sampleValues,a=this.valueSize,l=t*a,c=l-a,d=this.inTangents,u=this.outTangents;if(!d||!u){let p=(i-e)/(s-e),_=1-p;for(let g=0;g!==a;++g)r[g]=o[c+g]*_+o[l+g]*p;return r}let h=a*2,f=t-1;for(let p=0;p!==a;++p){let _=o[c+p],g=o[l+p],m=f*h+p*2,x=u[m],b=u[m+1],y=t*h+p*2,C=d[y],E=d[y+1],v=ib(i,e,x,C,s);r[p]=Wg(v,_,b,E,g)}return r}};function Wg(n,t,e,i,s){let r=1-n;return r*r*r*t+3*r*r*n*e+3*r*n*n*i+n*n*n*s}function nb(n,t,e,i,s){let r=1-n;return 3*r*r*(e-t)+6*r*n*(i-e)+3*n*n*(s-i)}function ib(n,t,e,i,s){let r=(n-t)/(s-t);for(let o=0;o<8;o++){let a=Wg(r,t,e,i,s)-n;if(Math.abs(a)<1e-10)break;let l=nb(r,t,e,i,s);if(Math.abs(l)<1e-10)break;r=Math.max(0,Math.min(1,r-a/l))}return r}var Ai=class{constructor(t,e,i,s){if(t===void 0)throw new Error("THREE.KeyframeTrack: track name is undefined");if(e===void 0||e.length===0)throw new Error("THREE.KeyframeTrack: no keyframes in track named "+t);this.name=t,this.times=Io(e,this.TimeBufferType),this.values=Io(i,this.ValueBufferType),this.setInterpolation(s||this.DefaultInterpolation)}static toJSON(t){let e=t.constructor,i;if(e.toJSON!==this.toJSON)i=e.toJSON(t);else{i={name:t.name,times:Io(t.times,Array),values:Io(t.values,Array)};let s=t.getInterpolation();s!==t.DefaultInterpolation&&(i.interpolation=s),mc(t.settings)&&(i.settings={inTangents:Io(t.settings.inTangents,Array),outTangents:Io(t.settings.outTangents,Array)})}return i.type=t.ValueTypeName,i}InterpolantFactoryMethodDiscrete(t){return new Hc(this.times,this.values,this.getValueSize(),t)}InterpolantFactoryMethodLinear(t){return new Vc(this.times,this.values,this.getValueSize(),t)}InterpolantFactoryMethodSmooth(t){return new Gc(this.times,this.values,this.getValueSize(),t)}InterpolantFactoryMethodBezier(t){let e=new Wc(this.times,this.values,this.getValueSize(),t);return this.settings&&(e.inTangents=this.settings.inTangents,e.outTangents=this.settings.outTangents),e}setInterpolation(t){let e;switch(t){case ka:e=this.InterpolantFactoryMethodDiscrete;break;case Pc:e=this.InterpolantFactoryMethodLinear;break;case yc:e=this.InterpolantFactoryMethodSmooth;break;case bd:e=this.InterpolantFactoryMethodBezier;break}if(e===void 0){let i="unsupported interpolation for "+this.ValueTypeName+" keyframe track named "+this.name;if(this.createInterpolant===void 0)if(t!==this.DefaultInterpolation)this.setInterpolation(this.DefaultInterpolation);else throw new Error(i);return qt("KeyframeTrack:",i),this}return this.createInterpolant=e,this}getInterpolation(){switch(this.createInterpolant){case this.InterpolantFactoryMethodDiscrete:return ka;case this.InterpolantFactoryMethodLinear:return Pc;case this.InterpolantFactoryMethodSmooth:return yc;case this.InterpolantFactoryMethodBezier:return bd}}getValueSize(){return this.values.length/this.times.length}shift(t){if(t!==0){let e=this.times;for(let i=0,s=e.length;i!==s;++i)e[i]+=t;mc(this.settings)&&(Km(this.settings.inTangents,t),Km(this.settings.outTangents,t))}return this}scale(t){if(t!==1){let e=this.times;for(let i=0,s=e.length;i!==s;++i)e[i]*=t;mc(this.settings)&&(Qm(this.settings.inTangents,t),Qm(this.settings.outTangents,t))}return this}trim(t,e){let i=this.times,s=i.length,r=0,o=s-1;for(;r!==s&&i[r]<t;)++r;for(;o!==-1&&i[o]>e;)--o;if(++o,r!==0||o!==s){r>=o&&(o=Math.max(o,1),r=o-1);let a=this.getValueSize();this.times=i.slice(r,o),this.values=this.values.slice(r*a,o*a)}return this}validate(){let t=!0,e=this.getValueSize();e-Math.floor(e)!==0&&(te("KeyframeTrack: Invalid value size in track.",this),t=!1);let i=this.times,s=this.values,r=i.length;r===0&&(te("KeyframeTrack: Track is empty.",this),t=!1);let o=null;for(let a=0;a!==r;a++){let l=i[a];if(typeof l=="number"&&isNaN(l)){te("KeyframeTrack: Time is not a valid number.",this,a,l),t=!1;break}if(o!==null&&o>l){te("KeyframeTrack: Out of order keys.",this,a,l,o),t=!1;break}o=l}if(s!==void 0&&xS(s))for(let a=0,l=s.length;a!==l;++a){let c=s[a];if(isNaN(c)){te("KeyframeTrack: Value is not a valid number.",this,a,c),t=!1;break}}return t}optimize(){let t=this.times.slice(),e=this.values.slice(),i=this.getValueSize(),s=this.getInterpolation()===yc,r=t.length-1,o=1;for(let a=1;a<r;++a){let l=!1,c=t[a],d=t[a+1];if(c!==d&&(a!==1||c!==t[0]))if(s)l=!0;else{let u=a*i,h=u-i,f=u+i;for(let p=0;p!==i;++p){let _=e[u+p];if(_!==e[h+p]||_!==e[f+p]){l=!0;break}}}if(l){if(a!==o){t[o]=t[a];let u=a*i,h=o*i;for(let f=0;f!==i;++f)e[h+f]=e[u+f]}++o}}if(r>0){t[o]=t[r];for(let a=r*i,l=o*i,c=0;c!==i;++c)e[l+c]=e[a+c];++o}return o!==t.length?(this.times=t.slice(0,o),this.values=e.slice(0,o*i)):(this.times=t,this.values=e),this}clone(){let t=this.times.slice(),e=this.values.slice(),i=this.constructor,s=new i(this.name,t,e);return s.createInterpolant=this.createInterpolant,mc(this.settings)&&(s.settings={inTangents:this.settings.inTangents.slice(),outTangents:this.settings.outTangents.slice()}),s}};function Km(n,t){for(let e=0,i=n.length;e!==i;e+=2)n[e]+=t}function Qm(n,t){for(let e=0,i=n.length;e!==i;e+=2)n[e]*=t}Ai.prototype.ValueTypeName="";Ai.prototype.TimeBufferType=Float32Array;Ai.prototype.ValueBufferType=Float32Array;Ai.prototype.DefaultInterpolation=Pc;var ar=class extends Ai{constructor(t,e,i){super(t,e,i)}};ar.prototype.ValueTypeName="bool";ar.prototype.ValueBufferType=Array;ar.prototype.DefaultInterpolation=ka;ar.prototype.InterpolantFactoryMethodLinear=void 0;ar.prototype.InterpolantFactoryMethodSmooth=void 0;var Xc=class extends Ai{constructor(t,e,i,s){super(t,e,i,s)}};Xc.prototype.ValueTypeName="color";var $c=class extends Ai{constructor(t,e,i,s){super(t,e,i,s)}};$c.prototype.ValueTypeName="number";var Yc=class extends or{constructor(t,e,i,s){super(t,e,i,s)}interpolate_(t,e,i,s){let r=this.resultBuffer,o=this.sampleValues,a=this.valueSize,l=(i-e)/(s-e),c=t*a;for(let d=c+a;c!==d;c+=4)Ie.slerpFlat(r,0,o,c-a,o,c,l);return r}},tl=class extends Ai{constructor(t,e,i,s){super(t,e,i,s)}InterpolantFactoryMethodLinear(t){return new Yc(this.times,this.values,this.getValueSize(),t)}};tl.prototype.ValueTypeName="quaternion";tl.prototype.InterpolantFactoryMethodSmooth=void 0;var lr=class extends Ai{constructor(t,e,i){super(t,e,i)}};lr.prototype.ValueTypeName="string";lr.prototype.ValueBufferType=Array;lr.prototype.DefaultInterpolation=ka;lr.prototype.InterpolantFactoryMethodLinear=void 0;lr.prototype.InterpolantFactoryMethodSmooth=void 0;var qc=class extends Ai{constructor(t,e,i,s){super(t,e,i,s)}};qc.prototype.ValueTypeName="vector";var Zc=class{constructor(t,e,i){let s=this,r=!1,o=0,a=0,l,c=[];this.onStart=void 0,this.onLoad=t,this.onProgress=e,this.onError=i,this._abortController=null,this.itemStart=function(d){a++,r===!1&&s.onStart!==void 0&&s.onStart(d,o,a),r=!0},this.itemEnd=function(d){o++,s.onProgress!==void 0&&s.onProgress(d,o,a),o===a&&(r=!1,s.onLoad!==void 0&&s.onLoad())},this.itemError=function(d){s.onError!==void 0&&s.onError(d)},this.resolveURL=function(d){return d=d.normalize("NFC"),l?l(d):d},this.setURLModifier=function(d){return l=d,this},this.addHandler=function(d,u){return c.push(d,u),this},this.removeHandler=function(d){let u=c.indexOf(d);return u!==-1&&c.splice(u,2),this},this.getHandler=function(d){for(let u=0,h=c.length;u<h;u+=2){let f=c[u],p=c[u+1];if(f.global&&(f.lastIndex=0),f.test(d))return p}return null},this.abort=function(){return this.abortController.abort(),this._abortController=null,this}}get abortController(){return this._abortController||(this._abortController=new AbortController),this._abortController}},Xg=new Zc,jc=class{constructor(t){this.manager=t!==void 0?t:Xg,this.crossOrigin="anonymous",this.withCredentials=!1,this.path="",this.resourcePath="",this.requestHeader={},this.priority="auto",this.cache="default",typeof __THREE_DEVTOOLS__<"u"&&__THREE_DEVTOOLS__.dispatchEvent(new CustomEvent("observe",{detail:this}))}load(){}loadAsync(t,e){let i=this;return new Promise(function(s,r){i.load(t,s,e,r)})}parse(){}setCrossOrigin(t){return this.crossOrigin=t,this}setWithCredentials(t){return this.withCredentials=t,this}setPath(t){return this.path=t,this}setResourcePath(t){return this.resourcePath=t,this}setRequestHeader(t){return this.requestHeader=t,this}setPriority(t){return this.priority=t,this}setCache(t){return this.cache=t,this}abort(){return this}};jc.DEFAULT_MATERIAL_NAME="__DEFAULT";var el=class extends hn{static registerNode(t){this.prototype._lightNode=t}constructor(t,e=1){super(),this.isLight=!0,this.type="Light",this.color=new Jt(t),this.intensity=e}copy(t,e){return super.copy(t,e),this.color.copy(t.color),this.intensity=t.intensity,this}toJSON(t){let e=super.toJSON(t);return e.object.color=this.color.getHex(),e.object.intensity=this.intensity,e}},nl=class extends el{constructor(t,e,i){super(t,i),this.isHemisphereLight=!0,this.type="HemisphereLight",this.position.copy(hn.DEFAULT_UP),this.updateMatrix(),this.groundColor=new Jt(e)}copy(t,e){return super.copy(t,e),this.groundColor.copy(t.groundColor),this}toJSON(t){let e=super.toJSON(t);return e.object.groundColor=this.groundColor.getHex(),e}},vd=new ne,tg=new P,eg=new P,Jc=class{constructor(t){this.camera=t,this.intensity=1,this.bias=0,this.biasNode=null,this.normalBias=0,this.radius=1,this.blurSamples=8,this.mapSize=new $t(512,512),this.mapType=hi,this.map=null,this.mapPass=null,this.matrix=new ne,this.autoUpdate=!0,this.needsUpdate=!1,this._frustum=new sr,this._frameExtents=new $t(1,1),this._viewportCount=1,this._viewports=[new Le(0,0,1,1)]}getViewportCount(){return this._viewportCount}getCamera(){return this.camera}getFrustum(){return this._frustum}updateMatrices(t){let e=this.camera;tg.setFromMatrixPosition(t.matrixWorld),e.position.copy(tg),eg.setFromMatrixPosition(t.target.matrixWorld),e.lookAt(eg),e.updateMatrixWorld(),this._updateMatrix(e,this.matrix,this._frustum)}_updateMatrix(t,e,i,s){vd.multiplyMatrices(t.projectionMatrix,t.matrixWorldInverse),i.setFromProjectionMatrix(vd,t.coordinateSystem,t.reversedDepth);let r=this._frameExtents,o=s?s.z/r.x:1,a=s?s.w/r.y:1,l=s?s.x/r.x:0,c=s?s.y/r.y:0;t.coordinateSystem===ko||t.reversedDepth?e.set(.5*o,0,0,.5*o+l,0,.5*a,0,.5*a+c,0,0,1,0,0,0,0,1):e.set(.5*o,0,0,.5*o+l,0,.5*a,0,.5*a+c,0,0,.5,.5,0,0,0,1),e.multiply(vd)}getViewport(t){return this._viewports[t]}getFrameExtents(){return this._frameExtents}dispose(){this.map&&this.map.dispose(),this.mapPass&&this.mapPass.dispose()}copy(t){return this.camera=t.camera.clone(),this.intensity=t.intensity,this.bias=t.bias,this.radius=t.radius,this.autoUpdate=t.autoUpdate,this.needsUpdate=t.needsUpdate,this.normalBias=t.normalBias,this.blurSamples=t.blurSamples,this.mapSize.copy(t.mapSize),this.mapType=t.mapType,this.biasNode=t.biasNode,this}clone(){return new this.constructor().copy(this)}toJSON(){let t={};return t.intensity=this.intensity,t.bias=this.bias,t.normalBias=this.normalBias,t.radius=this.radius,t.blurSamples=this.blurSamples,t.mapSize=this.mapSize.toArray(),t.mapType=this.mapType,t.camera=this.camera.toJSON(!1).object,delete t.camera.matrix,t}},gc=new P,_c=new Ie,us=new P,il=class extends hn{constructor(){super(),this.isCamera=!0,this.type="Camera",this.matrixWorldInverse=new ne,this.projectionMatrix=new ne,this.projectionMatrixInverse=new ne,this.coordinateSystem=Di,this._reversedDepth=!1}get reversedDepth(){return this._reversedDepth}copy(t,e){return super.copy(t,e),this.matrixWorldInverse.copy(t.matrixWorldInverse),this.projectionMatrix.copy(t.projectionMatrix),this.projectionMatrixInverse.copy(t.projectionMatrixInverse),this.coordinateSystem=t.coordinateSystem,this}getWorldDirection(t){return super.getWorldDirection(t).negate()}updateMatrixWorld(t){super.updateMatrixWorld(t),this.matrixWorld.decompose(gc,_c,us),us.x===1&&us.y===1&&us.z===1?this.matrixWorldInverse.copy(this.matrixWorld).invert():this.matrixWorldInverse.compose(gc,_c,us.set(1,1,1)).invert()}updateWorldMatrix(t,e,i=!1){super.updateWorldMatrix(t,e,i),this.matrixWorld.decompose(gc,_c,us),us.x===1&&us.y===1&&us.z===1?this.matrixWorldInverse.copy(this.matrixWorld).invert():this.matrixWorldInverse.compose(gc,_c,us.set(1,1,1)).invert()}clone(){return new this.constructor().copy(this)}},nr=new P,ng=new $t,ig=new $t,vi=class extends il{constructor(t=50,e=1,i=.1,s=2e3){super(),this.isPerspectiveCamera=!0,this.type="PerspectiveCamera",this.fov=t,this.zoom=1,this.near=i,this.far=s,this.focus=10,this.aspect=e,this.view=null,this.filmGauge=35,this.filmOffset=0,this.updateProjectionMatrix()}copy(t,e){return super.copy(t,e),this.fov=t.fov,this.zoom=t.zoom,this.near=t.near,this.far=t.far,this.focus=t.focus,this.aspect=t.aspect,this.view=t.view===null?null:Object.assign({},t.view),this.filmGauge=t.filmGauge,this.filmOffset=t.filmOffset,this}setFocalLength(t){let e=.5*this.getFilmHeight()/t;this.fov=Go*2*Math.atan(e),this.updateProjectionMatrix()}getFocalLength(){let t=Math.tan(Uo*.5*this.fov);return .5*this.getFilmHeight()/t}getEffectiveFOV(){return Go*2*Math.atan(Math.tan(Uo*.5*this.fov)/this.zoom)}getFilmWidth(){return this.filmGauge*Math.min(this.aspect,1)}getFilmHeight(){return this.filmGauge/Math.max(this.aspect,1)}getViewBounds(t,e,i){nr.set(-1,-1,.5).applyMatrix4(this.projectionMatrixInverse),e.set(nr.x,nr.y).multiplyScalar(-t/nr.z),nr.set(1,1,.5).applyMatrix4(this.projectionMatrixInverse),i.set(nr.x,nr.y).multiplyScalar(-t/nr.z)}getViewSize(t,e){return this.getViewBounds(t,ng,ig),e.subVectors(ig,ng)}setViewOffset(t,e,i,s,r,o){this.aspect=t/e,this.view===null&&(this.view={enabled:!0,fullWidth:1,fullHeight:1,offsetX:0,offsetY:0,width:1,height:1}),this.view.enabled=!0,this.view.fullWidth=t,this.view.fullHeight=e,this.view.offsetX=i,this.view.offsetY=s,this.view.width=r,this.view.height=o,this.updateProjectionMatrix()}clearViewOffset(){this.view!==null&&(this.view.enabled=!1),this.updateProjectionMatrix()}updateProjectionMatrix(){let t=this.near,e=t*Math.tan(Uo*.5*this.fov)/this.zoom,i=2*e,s=this.aspect*i,r=-.5*s,o=this.view;if(this.view!==null&&this.view.enabled){let l=o.fullWidth,c=o.fullHeight;r+=o.offsetX*s/l,e-=o.offsetY*i/c,s*=o.width/l,i*=o.height/c}let a=this.filmOffset;a!==0&&(r+=t*a/this.getFilmWidth()),this.projectionMatrix.makePerspective(r,r+s,e,e-i,t,this.far,this.coordinateSystem,this.reversedDepth),this.projectionMatrixInverse.copy(this.projectionMatrix).invert()}toJSON(t){let e=super.toJSON(t);return e.object.fov=this.fov,e.object.zoom=this.zoom,e.object.near=this.near,e.object.far=this.far,e.object.focus=this.focus,e.object.aspect=this.aspect,this.view!==null&&(e.object.view=Object.assign({},this.view)),e.object.filmGauge=this.filmGauge,e.object.filmOffset=this.filmOffset,e}};var zr=class extends il{constructor(t=-1,e=1,i=1,s=-1,r=.1,o=2e3){super(),this.isOrthographicCamera=!0,this.type="OrthographicCamera",this.zoom=1,this.view=null,this.left=t,this.right=e,this.top=i,this.bottom=s,this.near=r,this.far=o,this.updateProjectionMatrix()}copy(t,e){return super.copy(t,e),this.left=t.left,this.right=t.right,this.top=t.top,this.bottom=t.bottom,this.near=t.near,this.far=t.far,this.zoom=t.zoom,this.view=t.view===null?null:Object.assign({},t.view),this}setViewOffset(t,e,i,s,r,o){this.view===null&&(this.view={enabled:!0,fullWidth:1,fullHeight:1,offsetX:0,offsetY:0,width:1,height:1}),this.view.enabled=!0,this.view.fullWidth=t,this.view.fullHeight=e,this.view.offsetX=i,this.view.offsetY=s,this.view.width=r,this.view.height=o,this.updateProjectionMatrix()}clearViewOffset(){this.view!==null&&(this.view.enabled=!1),this.updateProjectionMatrix()}updateProjectionMatrix(){let t=(this.right-this.left)/(2*this.zoom),e=(this.top-this.bottom)/(2*this.zoom),i=(this.right+this.left)/2,s=(this.top+this.bottom)/2,r=i-t,o=i+t,a=s+e,l=s-e;if(this.view!==null&&this.view.enabled){let c=(this.right-this.left)/this.view.fullWidth/this.zoom,d=(this.top-this.bottom)/this.view.fullHeight/this.zoom;r+=c*this.view.offsetX,o=r+c*this.view.width,a-=d*this.view.offsetY,l=a-d*this.view.height}this.projectionMatrix.makeOrthographic(r,o,a,l,this.near,this.far,this.coordinateSystem,this.reversedDepth),this.projectionMatrixInverse.copy(this.projectionMatrix).invert()}toJSON(t){let e=super.toJSON(t);return e.object.zoom=this.zoom,e.object.left=this.left,e.object.right=this.right,e.object.top=this.top,e.object.bottom=this.bottom,e.object.near=this.near,e.object.far=this.far,this.view!==null&&(e.object.view=Object.assign({},this.view)),e}},Ad=class extends Jc{constructor(){super(new zr(-5,5,5,-5,.5,500)),this.isDirectionalLightShadow=!0}},$o=class extends el{constructor(t,e){super(t,e),this.isDirectionalLight=!0,this.type="DirectionalLight",this.position.copy(hn.DEFAULT_UP),this.updateMatrix(),this.target=new hn,this.shadow=new Ad}dispose(){super.dispose(),this.shadow.dispose()}copy(t){return super.copy(t),this.target=t.target.clone(),this.shadow=t.shadow.clone(),this}toJSON(t){let e=super.toJSON(t);return e.object.shadow=this.shadow.toJSON(),e.object.target=this.target.uuid,e}};var sl=class extends we{constructor(){super(),this.isInstancedBufferGeometry=!0,this.type="InstancedBufferGeometry",this.instanceCount=1/0}copy(t){return super.copy(t),this.instanceCount=t.instanceCount,this}toJSON(){let t=super.toJSON();return t.instanceCount=this.instanceCount,t.isInstancedBufferGeometry=!0,t}};var Lo=-90,Do=1,Yo=class extends hn{constructor(t,e,i){super(),this.type="CubeCamera",this.renderTarget=i,this.coordinateSystem=null,this.activeMipmapLevel=0;let s=new vi(Lo,Do,t,e);s.layers=this.layers,this.add(s);let r=new vi(Lo,Do,t,e);r.layers=this.layers,this.add(r);let o=new vi(Lo,Do,t,e);o.layers=this.layers,this.add(o);let a=new vi(Lo,Do,t,e);a.layers=this.layers,this.add(a);let l=new vi(Lo,Do,t,e);l.layers=this.layers,this.add(l);let c=new vi(Lo,Do,t,e);c.layers=this.layers,this.add(c)}updateCoordinateSystem(){let t=this.coordinateSystem,e=this.children.concat(),[i,s,r,o,a,l]=e;for(let c of e)this.remove(c);if(t===Di)i.up.set(0,1,0),i.lookAt(1,0,0),s.up.set(0,1,0),s.lookAt(-1,0,0),r.up.set(0,0,-1),r.lookAt(0,1,0),o.up.set(0,0,1),o.lookAt(0,-1,0),a.up.set(0,1,0),a.lookAt(0,0,1),l.up.set(0,1,0),l.lookAt(0,0,-1);else if(t===ko)i.up.set(0,-1,0),i.lookAt(-1,0,0),s.up.set(0,-1,0),s.lookAt(1,0,0),r.up.set(0,0,1),r.lookAt(0,1,0),o.up.set(0,0,-1),o.lookAt(0,-1,0),a.up.set(0,-1,0),a.lookAt(0,0,1),l.up.set(0,-1,0),l.lookAt(0,0,-1);else throw new Error("THREE.CubeCamera.updateCoordinateSystem(): Invalid coordinate system: "+t);for(let c of e)this.add(c),c.updateMatrixWorld()}update(t,e){this.parent===null&&this.updateMatrixWorld();let{renderTarget:i,activeMipmapLevel:s}=this;this.coordinateSystem!==t.coordinateSystem&&(this.coordinateSystem=t.coordinateSystem,this.updateCoordinateSystem());let[r,o,a,l,c,d]=this.children,u=t.getRenderTarget(),h=t.getActiveCubeFace(),f=t.getActiveMipmapLevel(),p=t.xr.enabled;t.xr.enabled=!1;let _=i.texture.mipmapsAutoUpdate;i.texture.mipmapsAutoUpdate=!1;let g=!1;t.isWebGLRenderer===!0?g=t.state.buffers.depth.getReversed():g=t.reversedDepthBuffer,t.setRenderTarget(i,0,s),g&&t.autoClear===!1&&t.clearDepth(),t.render(e,r),t.setRenderTarget(i,1,s),g&&t.autoClear===!1&&t.clearDepth(),t.render(e,o),t.setRenderTarget(i,2,s),g&&t.autoClear===!1&&t.clearDepth(),t.render(e,a),t.setRenderTarget(i,3,s),g&&t.autoClear===!1&&t.clearDepth(),t.render(e,l),t.setRenderTarget(i,4,s),g&&t.autoClear===!1&&t.clearDepth(),t.render(e,c),i.texture.mipmapsAutoUpdate=_,t.setRenderTarget(i,5,s),g&&t.autoClear===!1&&t.clearDepth(),t.render(e,d),t.setRenderTarget(u,h,f),t.xr.enabled=p,i.texture.needsPMREMUpdate=!0}},Kc=class extends vi{constructor(t=[]){super(),this.isArrayCamera=!0,this.isMultiViewCamera=!1,this.cameras=t,this.perCameraFrustumCulled=!1}};var lf="\\[\\]\\.:\\/",sb=new RegExp("["+lf+"]","g"),cf="[^"+lf+"]",rb="[^"+lf.replace("\\.","")+"]",ob=/((?:WC+[\/:])*)/.source.replace("WC",cf),ab=/(WCOD+)?/.source.replace("WCOD",rb),lb=/(?:\.(WC+)(?:\[(.+)\])?)?/.source.replace("WC",cf),cb=/\.(WC+)(?:\[(.+)\])?/.source.replace("WC",cf),hb=new RegExp("^"+ob+ab+lb+cb+"$"),ub=["material","materials","bones","map"],Td=class{constructor(t,e,i){let s=i||Ke.parseTrackName(e);this._targetGroup=t,this._bindings=t.subscribe_(e,s)}getValue(t,e){this.bind();let i=this._targetGroup.nCachedObjects_,s=this._bindings[i];s!==void 0&&s.getValue(t,e)}setValue(t,e){let i=this._bindings;for(let s=this._targetGroup.nCachedObjects_,r=i.length;s!==r;++s)i[s].setValue(t,e)}bind(){let t=this._bindings;for(let e=this._targetGroup.nCachedObjects_,i=t.length;e!==i;++e)t[e].bind()}unbind(){let t=this._bindings;for(let e=this._targetGroup.nCachedObjects_,i=t.length;e!==i;++e)t[e].unbind()}},Ke=class n{constructor(t,e,i){this.path=e,this.parsedPath=i||n.parseTrackName(e),this.node=n.findNode(t,this.parsedPath.nodeName),this.rootNode=t,this.getValue=this._getValue_unbound,this.setValue=this._setValue_unbound}static create(t,e,i){return t&&t.isAnimationObjectGroup?new n.Composite(t,e,i):new n(t,e,i)}static sanitizeNodeName(t){return t.replace(/\s/g,"_").replace(sb,"")}static parseTrackName(t){let e=hb.exec(t);if(e===null)throw new Error("THREE.PropertyBinding: Cannot parse trackName: "+t);let i={nodeName:e[2],objectName:e[3],objectIndex:e[4],propertyName:e[5],propertyIndex:e[6]},s=i.nodeName&&i.nodeName.lastIndexOf(".");if(s!==void 0&&s!==-1){let r=i.nodeName.substring(s+1);ub.indexOf(r)!==-1&&(i.nodeName=i.nodeName.substring(0,s),i.objectName=r)}if(i.propertyName===null||i.propertyName.length===0)throw new Error("THREE.PropertyBinding: can not parse propertyName from trackName: "+t);return i}static findNode(t,e){if(e===void 0||e===""||e==="."||e===-1||e===t.name||e===t.uuid)return t;if(t.skeleton){let i=t.skeleton.getBoneByName(e);if(i!==void 0)return i}if(t.children){let i=function(r){for(let o=0;o<r.length;o++){let a=r[o];if(a.name===e||a.uuid===e)return a;let l=i(a.children);if(l)return l}return null},s=i(t.children);if(s)return s}return null}_getValue_unavailable(){}_setValue_unavailable(){}_getValue_direct(t,e){t[e]=this.targetObject[this.propertyName]}_getValue_array(t,e){let i=this.resolvedProperty;for(let s=0,r=i.length;s!==r;++s)t[e++]=i[s]}_getValue_arrayElement(t,e){t[e]=this.resolvedProperty[this.propertyIndex]}_getValue_toArray(t,e){this.resolvedProperty.toArray(t,e)}_setValue_direct(t,e){this.targetObject[this.propertyName]=t[e]}_setValue_direct_setNeedsUpdate(t,e){this.targetObject[this.propertyName]=t[e],this.targetObject.needsUpdate=!0}_setValue_direct_setMatrixWorldNeedsUpdate(t,e){this.targetObject[this.propertyName]=t[e],this.targetObject.matrixWorldNeedsUpdate=!0}_setValue_array(t,e){let i=this.resolvedProperty;for(let s=0,r=i.length;s!==r;++s)i[s]=t[e++]}_setValue_array_setNeedsUpdate(t,e){let i=this.resolvedProperty;for(let s=0,r=i.length;s!==r;++s)i[s]=t[e++];this.targetObject.needsUpdate=!0}_setValue_array_setMatrixWorldNeedsUpdate(t,e){let i=this.resolvedProperty;for(let s=0,r=i.length;s!==r;++s)i[s]=t[e++];this.targetObject.matrixWorldNeedsUpdate=!0}_setValue_arrayElement(t,e){this.resolvedProperty[this.propertyIndex]=t[e]}_setValue_arrayElement_setNeedsUpdate(t,e){this.resolvedProperty[this.propertyIndex]=t[e],this.targetObject.needsUpdate=!0}_setValue_arrayElement_setMatrixWorldNeedsUpdate(t,e){this.resolvedProperty[this.propertyIndex]=t[e],this.targetObject.matrixWorldNeedsUpdate=!0}_setValue_fromArray(t,e){this.resolvedProperty.fromArray(t,e)}_setValue_fromArray_setNeedsUpdate(t,e){this.resolvedProperty.fromArray(t,e),this.targetObject.needsUpdate=!0}_setValue_fromArray_setMatrixWorldNeedsUpdate(t,e){this.resolvedProperty.fromArray(t,e),this.targetObject.matrixWorldNeedsUpdate=!0}_getValue_unbound(t,e){this.bind(),this.getValue(t,e)}_setValue_unbound(t,e){this.bind(),this.setValue(t,e)}bind(){let t=this.node,e=this.parsedPath,i=e.objectName,s=e.propertyName,r=e.propertyIndex;if(t||(t=n.findNode(this.rootNode,e.nodeName),this.node=t),this.getValue=this._getValue_unavailable,this.setValue=this._setValue_unavailable,!t){qt("PropertyBinding: No target node found for track: "+this.path+".");return}if(i){let c=e.objectIndex;switch(i){case"materials":if(!t.material){te("PropertyBinding: Can not bind to material as node does not have a material.",this);return}if(!t.material.materials){te("PropertyBinding: Can not bind to material.materials as node.material does not have a materials array.",this);return}t=t.material.materials;break;case"bones":if(!t.skeleton){te("PropertyBinding: Can not bind to bones as node does not have a skeleton.",this);return}t=t.skeleton.bones;for(let d=0;d<t.length;d++)if(t[d].name===c){c=d;break}break;case"map":if("map"in t){t=t.map;break}if(!t.material){te("PropertyBinding: Can not bind to material as node does not have a material.",this);return}if(!t.material.map){te("PropertyBinding: Can not bind to material.map as node.material does not have a map.",this);return}t=t.material.map;break;default:if(t[i]===void 0){te("PropertyBinding: Can not bind to objectName of node undefined.",this);return}t=t[i]}if(c!==void 0){if(t[c]===void 0){te("PropertyBinding: Trying to bind to objectIndex of objectName, but is undefined.",this,t);return}t=t[c]}}let o=t[s];if(o===void 0){let c=e.nodeName;te("PropertyBinding: Trying to update property for track: "+c+"."+s+" but it wasn't found.",t);return}let a=this.Versioning.None;this.targetObject=t,t.isMaterial===!0?a=this.Versioning.NeedsUpdate:t.isObject3D===!0&&(a=this.Versioning.MatrixWorldNeedsUpdate);let l=this.BindingType.Direct;if(r!==void 0){if(s==="morphTargetInfluences"){if(!t.geometry){te("PropertyBinding: Can not bind to morphTargetInfluences because node does not have a geometry.",this);return}if(!t.geometry.morphAttributes){te("PropertyBinding: Can not bind to morphTargetInfluences because node does not have a geometry.morphAttributes.",this);return}t.morphTargetDictionary[r]!==void 0&&(r=t.morphTargetDictionary[r])}l=this.BindingType.ArrayElement,this.resolvedProperty=o,this.propertyIndex=r}else o.fromArray!==void 0&&o.toArray!==void 0?(l=this.BindingType.HasFromToArray,this.resolvedProperty=o):Array.isArray(o)?(l=this.BindingType.EntireArray,this.resolvedProperty=o):this.propertyName=s;this.getValue=this.GetterByBindingType[l],this.setValue=this.SetterByBindingTypeAndVersioning[l][a]}unbind(){this.node=null,this.getValue=this._getValue_unbound,this.setValue=this._setValue_unbound}};Ke.Composite=Td;Ke.prototype.BindingType={Direct:0,EntireArray:1,ArrayElement:2,HasFromToArray:3};Ke.prototype.Versioning={None:0,NeedsUpdate:1,MatrixWorldNeedsUpdate:2};Ke.prototype.GetterByBindingType=[Ke.prototype._getValue_direct,Ke.prototype._getValue_array,Ke.prototype._getValue_arrayElement,Ke.prototype._getValue_toArray];Ke.prototype.SetterByBindingTypeAndVersioning=[[Ke.prototype._setValue_direct,Ke.prototype._setValue_direct_setNeedsUpdate,Ke.prototype._setValue_direct_setMatrixWorldNeedsUpdate],[Ke.prototype._setValue_array,Ke.prototype._setValue_array_setNeedsUpdate,Ke.prototype._setValue_array_setMatrixWorldNeedsUpdate],[Ke.prototype._setValue_arrayElement,Ke.prototype._setValue_arrayElement_setNeedsUpdate,Ke.prototype._setValue_arrayElement_setMatrixWorldNeedsUpdate],[Ke.prototype._setValue_fromArray,Ke.prototype._setValue_fromArray_setNeedsUpdate,Ke.prototype._setValue_fromArray_setMatrixWorldNeedsUpdate]];var v2=new Float32Array(1);var cr=class extends Ya{constructor(t,e,i=1){super(t,e),this.isInstancedInterleavedBuffer=!0,this.meshPerAttribute=i}copy(t){return super.copy(t),this.meshPerAttribute=t.meshPerAttribute,this}clone(t){let e=super.clone(t);return e.meshPerAttribute=this.meshPerAttribute,e}toJSON(t){let e=super.toJSON(t);return e.isInstancedInterleavedBuffer=!0,e.meshPerAttribute=this.meshPerAttribute,e}};var sg=new ne,Gr=class{constructor(t,e,i=0,s=1/0){this.ray=new ir(t,e),this.near=i,this.far=s,this.camera=null,this.layers=new Ho,this.params={Mesh:{},Line:{threshold:1},LOD:{},Points:{threshold:1},Sprite:{}}}set(t,e){this.ray.set(t,e)}setFromCamera(t,e){e.isPerspectiveCamera?(this.ray.origin.setFromMatrixPosition(e.matrixWorld),this.ray.direction.set(t.x,t.y,.5).unproject(e).sub(this.ray.origin).normalize(),this.camera=e):e.isOrthographicCamera?(this.ray.origin.set(t.x,t.y,e.projectionMatrix.elements[14]).unproject(e),this.ray.direction.set(0,0,-1).transformDirection(e.matrixWorld),this.camera=e):te("Raycaster: Unsupported camera type: "+e.type)}setFromXRController(t){return sg.identity().extractRotation(t.matrixWorld),this.ray.origin.setFromMatrixPosition(t.matrixWorld),this.ray.direction.set(0,0,-1).applyMatrix4(sg),this}intersectObject(t,e=!0,i=[]){return Cd(t,this,i,e),i.sort(rg),i}intersectObjects(t,e=!0,i=[]){for(let s=0,r=t.length;s<r;s++)Cd(t[s],this,i,e);return i.sort(rg),i}};function rg(n,t){return n.distance-t.distance}function Cd(n,t,e,i){let s=!0;if(n.layers.test(t.layers)&&n.raycast(t,e)===!1&&(s=!1),s===!0&&i===!0){let r=n.children;for(let o=0,a=r.length;o<a;o++)Cd(r[o],t,e,!0)}}var qo=class{constructor(t=1,e=0,i=0){this.radius=t,this.phi=e,this.theta=i}set(t,e,i){return this.radius=t,this.phi=e,this.theta=i,this}copy(t){return this.radius=t.radius,this.phi=t.phi,this.theta=t.theta,this}makeSafe(){return this.phi=ce(this.phi,1e-6,Math.PI-1e-6),this}setFromVector3(t){return this.setFromCartesianCoords(t.x,t.y,t.z)}setFromCartesianCoords(t,e,i){return this.radius=Math.sqrt(t*t+e*e+i*i),this.radius===0?(this.theta=0,this.phi=0):(this.theta=Math.atan2(t,i),this.phi=Math.acos(ce(e/this.radius,-1,1))),this}clone(){return new this.constructor().copy(this)}};var mf=class mf{constructor(t,e,i,s){this.elements=[1,0,0,1],t!==void 0&&this.set(t,e,i,s)}identity(){return this.set(1,0,0,1),this}fromArray(t,e=0){for(let i=0;i<4;i++)this.elements[i]=t[i+e];return this}set(t,e,i,s){let r=this.elements;return r[0]=t,r[2]=e,r[1]=i,r[3]=s,this}};mf.prototype.isMatrix2=!0;var Rd=mf;var og=new P,xc=new P,No=new P,Oo=new P,Sd=new P,db=new P,fb=new P,rl=class{constructor(t=new P,e=new P){this.start=t,this.end=e}set(t,e){return this.start.copy(t),this.end.copy(e),this}copy(t){return this.start.copy(t.start),this.end.copy(t.end),this}getCenter(t){return t.addVectors(this.start,this.end).multiplyScalar(.5)}delta(t){return t.subVectors(this.end,this.start)}distanceSq(){return this.start.distanceToSquared(this.end)}distance(){return this.start.distanceTo(this.end)}at(t,e){return this.delta(e).multiplyScalar(t).add(this.start)}closestPointToPointParameter(t,e){og.subVectors(t,this.start),xc.subVectors(this.end,this.start);let i=xc.dot(xc);if(i===0)return 0;let r=xc.dot(og)/i;return e&&(r=ce(r,0,1)),r}closestPointToPoint(t,e,i){let s=this.closestPointToPointParameter(t,e);return this.delta(i).multiplyScalar(s).add(this.start)}distanceSqToLine3(t,e=db,i=fb){let s=10000000000000001e-32,r,o,a=this.start,l=t.start,c=this.end,d=t.end;No.subVectors(c,a),Oo.subVectors(d,l),Sd.subVectors(a,l);let u=No.dot(No),h=Oo.dot(Oo),f=Oo.dot(Sd);if(u<=s&&h<=s)return e.copy(a),i.copy(l),e.distanceToSquared(i);if(u<=s)r=0,o=f/h,o=ce(o,0,1);else{let p=No.dot(Sd);if(h<=s)o=0,r=ce(-p/u,0,1);else{let _=No.dot(Oo),g=u*h-_*_;g!==0?r=ce((_*f-p*h)/g,0,1):r=0,o=(_*r+f)/h,o<0?(o=0,r=ce(-p/u,0,1)):o>1&&(o=1,r=ce((_-p)/u,0,1))}}return e.copy(a).addScaledVector(No,r),i.copy(l).addScaledVector(Oo,o),e.distanceToSquared(i)}applyMatrix4(t){return this.start.applyMatrix4(t),this.end.applyMatrix4(t),this}equals(t){return t.start.equals(this.start)&&t.end.equals(this.end)}clone(){return new this.constructor().copy(this)}};var ol=class extends Bs{constructor(t=10,e=10,i=4473924,s=8947848){i=new Jt(i),s=new Jt(s);let r=e/2,o=t/e,a=t/2,l=[],c=[];for(let h=0,f=0,p=-a;h<=e;h++,p+=o){l.push(-a,0,p,a,0,p),l.push(p,0,-a,p,0,a);let _=h===r?i:s;_.toArray(c,f),f+=3,_.toArray(c,f),f+=3,_.toArray(c,f),f+=3,_.toArray(c,f),f+=3}let d=new we;d.setAttribute("position",new ie(l,3)),d.setAttribute("color",new ie(c,3));let u=new Ui({vertexColors:!0,toneMapped:!1});super(d,u),this.type="GridHelper"}dispose(){super.dispose(),this.geometry.dispose(),this.material.dispose()}};var Vr=class extends Zi{constructor(t,e=null){super(),this.object=t,this.domElement=e,this.enabled=!0,this.state=-1,this.keys={},this.mouseButtons={LEFT:null,MIDDLE:null,RIGHT:null},this.touches={ONE:null,TWO:null}}connect(t){this.domElement!==null&&this.disconnect(),this.domElement=t}disconnect(){}dispose(){}update(){}};function hf(n,t,e,i){let s=pb(i);switch(e){case qd:return n*t;case ah:return n*t/s.components*s.byteLength;case lh:return n*t/s.components*s.byteLength;case fr:return n*t*2/s.components*s.byteLength;case ch:return n*t*2/s.components*s.byteLength;case Zd:return n*t*3/s.components*s.byteLength;case Ki:return n*t*4/s.components*s.byteLength;case hh:return n*t*4/s.components*s.byteLength;case ll:case cl:return Math.floor((n+3)/4)*Math.floor((t+3)/4)*8;case hl:case ul:return Math.floor((n+3)/4)*Math.floor((t+3)/4)*16;case dh:case ph:return Math.max(n,16)*Math.max(t,8)/4;case uh:case fh:return Math.max(n,8)*Math.max(t,8)/2;case mh:case gh:case xh:case yh:return Math.floor((n+3)/4)*Math.floor((t+3)/4)*8;case _h:case dl:case vh:return Math.floor((n+3)/4)*Math.floor((t+3)/4)*16;case Sh:return Math.floor((n+3)/4)*Math.floor((t+3)/4)*16;case bh:return Math.floor((n+4)/5)*Math.floor((t+3)/4)*16;case wh:return Math.floor((n+4)/5)*Math.floor((t+4)/5)*16;case Mh:return Math.floor((n+5)/6)*Math.floor((t+4)/5)*16;case Eh:return Math.floor((n+5)/6)*Math.floor((t+5)/6)*16;case Ah:return Math.floor((n+7)/8)*Math.floor((t+4)/5)*16;case Th:return Math.floor((n+7)/8)*Math.floor((t+5)/6)*16;case Ch:return Math.floor((n+7)/8)*Math.floor((t+7)/8)*16;case Rh:return Math.floor((n+9)/10)*Math.floor((t+4)/5)*16;case Ph:return Math.floor((n+9)/10)*Math.floor((t+5)/6)*16;case Ih:return Math.floor((n+9)/10)*Math.floor((t+7)/8)*16;case Lh:return Math.floor((n+9)/10)*Math.floor((t+9)/10)*16;case Dh:return Math.floor((n+11)/12)*Math.floor((t+9)/10)*16;case Nh:return Math.floor((n+11)/12)*Math.floor((t+11)/12)*16;case Oh:case Uh:case Fh:return Math.ceil(n/4)*Math.ceil(t/4)*16;case Bh:case kh:return Math.ceil(n/4)*Math.ceil(t/4)*8;case fl:case zh:return Math.ceil(n/4)*Math.ceil(t/4)*16}throw new Error(`Unable to determine texture byte length for ${e} format.`)}function pb(n){switch(n){case hi:case Wd:return{byteLength:1,components:1};case Ko:case Xd:case Ji:return{byteLength:2,components:1};case rh:case oh:return{byteLength:2,components:4};case ji:case sh:case zi:return{byteLength:4,components:1};case $d:case Yd:return{byteLength:4,components:3}}throw new Error(`THREE.TextureUtils: Unknown texture type ${n}.`)}typeof __THREE_DEVTOOLS__<"u"&&__THREE_DEVTOOLS__.dispatchEvent(new CustomEvent("register",{detail:{revision:"187"}}));typeof window<"u"&&(window.__THREE__?qt("WARNING: Multiple instances of Three.js being imported."):window.__THREE__="187");function f0(){let n=null,t=!1,e=null,i=null;function s(r,o){i=n.requestAnimationFrame(s),e(r,o)}return{start:function(){t!==!0&&e!==null&&n!==null&&(i=n.requestAnimationFrame(s),t=!0)},stop:function(){n!==null&&n.cancelAnimationFrame(i),t=!1},setAnimationLoop:function(r){e=r},setContext:function(r){n=r}}}function yb(n){let t=new WeakMap;function e(a,l){let c=a.array,d=a.usage,u=c.byteLength,h=n.createBuffer();n.bindBuffer(l,h),n.bufferData(l,c,d),a.onUploadCallback();let f;if(c instanceof Float32Array)f=n.FLOAT;else if(typeof Float16Array<"u"&&c instanceof Float16Array)f=n.HALF_FLOAT;else if(c instanceof Uint16Array)a.isFloat16BufferAttribute?f=n.HALF_FLOAT:f=n.UNSIGNED_SHORT;else if(c instanceof Int16Array)f=n.SHORT;else if(c instanceof Uint32Array)f=n.UNSIGNED_INT;else if(c instanceof Int32Array)f=n.INT;else if(c instanceof Int8Array)f=n.BYTE;else if(c instanceof Uint8Array)f=n.UNSIGNED_BYTE;else if(c instanceof Uint8ClampedArray)f=n.UNSIGNED_BYTE;else throw new Error("THREE.WebGLAttributes: Unsupported buffer data format: "+c);return{buffer:h,type:f,bytesPerElement:c.BYTES_PER_ELEMENT,version:a.version,size:u}}function i(a,l,c){let d=l.array,u=l.updateRanges;if(n.bindBuffer(c,a),u.length===0)n.bufferSubData(c,0,d);else{u.sort((f,p)=>f.start-p.start);let h=0;for(let f=1;f<u.length;f++){let p=u[h],_=u[f];_.start<=p.start+p.count+1?p.count=Math.max(p.count,_.start+_.count-p.start):(++h,u[h]=_)}u.length=h+1;for(let f=0,p=u.length;f<p;f++){let _=u[f];n.bufferSubData(c,_.start*d.BYTES_PER_ELEMENT,d,_.start,_.count)}l.clearUpdateRanges()}l.onUploadCallback()}function s(a){return a.isInterleavedBufferAttribute&&(a=a.data),t.get(a)}function r(a){a.isInterleavedBufferAttribute&&(a=a.data);let l=t.get(a);l&&(n.deleteBuffer(l.buffer),t.delete(a))}function o(a,l){if(a.isInterleavedBufferAttribute&&(a=a.data),a.isGLBufferAttribute){let d=t.get(a);(!d||d.version<a.version)&&t.set(a,{buffer:a.buffer,type:a.type,bytesPerElement:a.elementSize,version:a.version});return}let c=t.get(a);if(c===void 0)t.set(a,e(a,l));else if(c.version<a.version){if(c.size!==a.array.byteLength)throw new Error("THREE.WebGLAttributes: The size of the buffer attribute's array buffer does not match the original size. Resizing buffer attributes is not supported.");i(c.buffer,a,l),c.version=a.version}}return{get:s,remove:r,update:o}}var vb=`#ifdef USE_ALPHAHASH
+	if ( diffuseColor.a < getAlphaHashThreshold( vPosition ) ) discard;
+#endif`,Sb=`#ifdef USE_ALPHAHASH
+	const float ALPHA_HASH_SCALE = 0.05;
+	float hash2D( vec2 value ) {
+		return fract( 1.0e4 * sin( 17.0 * value.x + 0.1 * value.y ) * ( 0.1 + abs( sin( 13.0 * value.y + value.x ) ) ) );
+	}
+	float hash3D( vec3 value ) {
+		return hash2D( vec2( hash2D( value.xy ), value.z ) );
+	}
+	float getAlphaHashThreshold( vec3 position ) {
+		float maxDeriv = max(
+			length( dFdx( position.xyz ) ),
+			length( dFdy( position.xyz ) )
+		);
+		float pixScale = 1.0 / ( ALPHA_HASH_SCALE * maxDeriv );
+		vec2 pixScales = vec2(
+			exp2( floor( log2( pixScale ) ) ),
+			exp2( ceil( log2( pixScale ) ) )
+		);
+		vec2 alpha = vec2(
+			hash3D( floor( pixScales.x * position.xyz ) ),
+			hash3D( floor( pixScales.y * position.xyz ) )
+		);
+		float lerpFactor = fract( log2( pixScale ) );
+		float x = ( 1.0 - lerpFactor ) * alpha.x + lerpFactor * alpha.y;
+		float a = min( lerpFactor, 1.0 - lerpFactor );
+		vec3 cases = vec3(
+			x * x / ( 2.0 * a * ( 1.0 - a ) ),
+			( x - 0.5 * a ) / ( 1.0 - a ),
+			1.0 - ( ( 1.0 - x ) * ( 1.0 - x ) / ( 2.0 * a * ( 1.0 - a ) ) )
+		);
+		float threshold = ( x < ( 1.0 - a ) )
+			? ( ( x < a ) ? cases.x : cases.y )
+			: cases.z;
+		return clamp( threshold , 1.0e-6, 1.0 );
+	}
+#endif`,bb=`#ifdef USE_ALPHAMAP
+	diffuseColor.a *= texture2D( alphaMap, vAlphaMapUv ).g;
+#endif`,wb=`#ifdef USE_ALPHAMAP
+	uniform sampler2D alphaMap;
+#endif`,Mb=`#ifdef USE_ALPHATEST
+	#ifdef ALPHA_TO_COVERAGE
+	diffuseColor.a = smoothstep( alphaTest, alphaTest + fwidth( diffuseColor.a ), diffuseColor.a );
+	if ( diffuseColor.a == 0.0 ) discard;
+	#else
+	if ( diffuseColor.a < alphaTest ) discard;
+	#endif
+#endif`,Eb=`#ifdef USE_ALPHATEST
+	uniform float alphaTest;
+#endif`,Ab=`#ifdef USE_AOMAP
+	float ambientOcclusion = ( texture2D( aoMap, vAoMapUv ).r - 1.0 ) * aoMapIntensity + 1.0;
+	reflectedLight.indirectDiffuse *= ambientOcclusion;
+	#if defined( USE_CLEARCOAT ) 
+		clearcoatSpecularIndirect *= ambientOcclusion;
+	#endif
+	#if defined( USE_SHEEN ) 
+		sheenSpecularIndirect *= ambientOcclusion;
+	#endif
+	#if defined( USE_ENVMAP ) && defined( STANDARD )
+		float dotNV = saturate( dot( geometryNormal, geometryViewDir ) );
+		reflectedLight.indirectSpecular *= computeSpecularOcclusion( dotNV, ambientOcclusion, material.roughness );
+	#endif
+#endif`,Tb=`#ifdef USE_AOMAP
+	uniform sampler2D aoMap;
+	uniform float aoMapIntensity;
+#endif`,Cb=`#ifdef USE_BATCHING
+	#if ! defined( GL_ANGLE_multi_draw )
+	#define gl_DrawID _gl_DrawID
+	uniform int _gl_DrawID;
+	#endif
+	uniform highp sampler2D batchingTexture;
+	uniform highp usampler2D batchingIdTexture;
+	mat4 getBatchingMatrix( const in float i ) {
+		int size = textureSize( batchingTexture, 0 ).x;
+		int j = int( i ) * 4;
+		int x = j % size;
+		int y = j / size;
+		vec4 v1 = texelFetch( batchingTexture, ivec2( x, y ), 0 );
+		vec4 v2 = texelFetch( batchingTexture, ivec2( x + 1, y ), 0 );
+		vec4 v3 = texelFetch( batchingTexture, ivec2( x + 2, y ), 0 );
+		vec4 v4 = texelFetch( batchingTexture, ivec2( x + 3, y ), 0 );
+		return mat4( v1, v2, v3, v4 );
+	}
+	float getIndirectIndex( const in int i ) {
+		int size = textureSize( batchingIdTexture, 0 ).x;
+		int x = i % size;
+		int y = i / size;
+		return float( texelFetch( batchingIdTexture, ivec2( x, y ), 0 ).r );
+	}
+#endif
+#ifdef USE_BATCHING_COLOR
+	uniform sampler2D batchingColorTexture;
+	vec4 getBatchingColor( const in float i ) {
+		int size = textureSize( batchingColorTexture, 0 ).x;
+		int j = int( i );
+		int x = j % size;
+		int y = j / size;
+		return texelFetch( batchingColorTexture, ivec2( x, y ), 0 );
+	}
+#endif`,Rb=`#ifdef USE_BATCHING
+	mat4 batchingMatrix = getBatchingMatrix( getIndirectIndex( gl_DrawID ) );
+#endif`,Pb=`vec3 transformed = vec3( position );
+#ifdef USE_ALPHAHASH
+	vPosition = vec3( position );
+#endif`,Ib=`vec3 objectNormal = vec3( normal );
+#ifdef USE_TANGENT
+	vec3 objectTangent = vec3( tangent.xyz );
+#endif`,Lb=`float G_BlinnPhong_Implicit( ) {
+	return 0.25;
+}
+float D_BlinnPhong( const in float shininess, const in float dotNH ) {
+	return RECIPROCAL_PI * ( shininess * 0.5 + 1.0 ) * pow( dotNH, shininess );
+}
+vec3 BRDF_BlinnPhong( const in vec3 lightDir, const in vec3 viewDir, const in vec3 normal, const in vec3 specularColor, const in float shininess ) {
+	vec3 halfDir = normalize( lightDir + viewDir );
+	float dotNH = saturate( dot( normal, halfDir ) );
+	float dotVH = saturate( dot( viewDir, halfDir ) );
+	vec3 F = F_Schlick( specularColor, 1.0, dotVH );
+	float G = G_BlinnPhong_Implicit( );
+	float D = D_BlinnPhong( shininess, dotNH );
+	return F * ( G * D );
+} // validated`,Db=`#ifdef USE_IRIDESCENCE
+	const mat3 XYZ_TO_REC709 = mat3(
+		 3.2404542, -0.9692660,  0.0556434,
+		-1.5371385,  1.8760108, -0.2040259,
+		-0.4985314,  0.0415560,  1.0572252
+	);
+	vec3 Fresnel0ToIor( vec3 fresnel0 ) {
+		vec3 sqrtF0 = sqrt( fresnel0 );
+		return ( vec3( 1.0 ) + sqrtF0 ) / ( vec3( 1.0 ) - sqrtF0 );
+	}
+	vec3 IorToFresnel0( vec3 transmittedIor, float incidentIor ) {
+		return pow2( ( transmittedIor - vec3( incidentIor ) ) / ( transmittedIor + vec3( incidentIor ) ) );
+	}
+	float IorToFresnel0( float transmittedIor, float incidentIor ) {
+		return pow2( ( transmittedIor - incidentIor ) / ( transmittedIor + incidentIor ));
+	}
+	vec3 evalSensitivity( float OPD, vec3 shift ) {
+		float phase = 2.0 * PI * OPD * 1.0e-9;
+		vec3 val = vec3( 5.4856e-13, 4.4201e-13, 5.2481e-13 );
+		vec3 pos = vec3( 1.6810e+06, 1.7953e+06, 2.2084e+06 );
+		vec3 var = vec3( 4.3278e+09, 9.3046e+09, 6.6121e+09 );
+		vec3 xyz = val * sqrt( 2.0 * PI * var ) * cos( pos * phase + shift ) * exp( - pow2( phase ) * var );
+		xyz.x += 9.7470e-14 * sqrt( 2.0 * PI * 4.5282e+09 ) * cos( 2.2399e+06 * phase + shift[ 0 ] ) * exp( - 4.5282e+09 * pow2( phase ) );
+		xyz /= 1.0685e-7;
+		vec3 rgb = XYZ_TO_REC709 * xyz;
+		return rgb;
+	}
+	vec3 evalIridescence( float outsideIOR, float eta2, float cosTheta1, float thinFilmThickness, vec3 baseF0 ) {
+		vec3 I;
+		float iridescenceIOR = mix( outsideIOR, eta2, smoothstep( 0.0, 0.03, thinFilmThickness ) );
+		float sinTheta2Sq = pow2( outsideIOR / iridescenceIOR ) * ( 1.0 - pow2( cosTheta1 ) );
+		float cosTheta2Sq = 1.0 - sinTheta2Sq;
+		if ( cosTheta2Sq < 0.0 ) {
+			return vec3( 1.0 );
+		}
+		float cosTheta2 = sqrt( cosTheta2Sq );
+		float R0 = IorToFresnel0( iridescenceIOR, outsideIOR );
+		float R12 = F_Schlick( R0, 1.0, cosTheta1 );
+		float T121 = 1.0 - R12;
+		float phi12 = 0.0;
+		if ( iridescenceIOR < outsideIOR ) phi12 = PI;
+		float phi21 = PI - phi12;
+		vec3 baseIOR = Fresnel0ToIor( clamp( baseF0, 0.0, 0.9999 ) );		vec3 R1 = IorToFresnel0( baseIOR, iridescenceIOR );
+		vec3 R23 = F_Schlick( R1, 1.0, cosTheta2 );
+		vec3 phi23 = vec3( 0.0 );
+		if ( baseIOR[ 0 ] < iridescenceIOR ) phi23[ 0 ] = PI;
+		if ( baseIOR[ 1 ] < iridescenceIOR ) phi23[ 1 ] = PI;
+		if ( baseIOR[ 2 ] < iridescenceIOR ) phi23[ 2 ] = PI;
+		float OPD = 2.0 * iridescenceIOR * thinFilmThickness * cosTheta2;
+		vec3 phi = vec3( phi21 ) + phi23;
+		vec3 R123 = clamp( R12 * R23, 1e-5, 0.9999 );
+		vec3 r123 = sqrt( R123 );
+		vec3 Rs = pow2( T121 ) * R23 / ( vec3( 1.0 ) - R123 );
+		vec3 C0 = R12 + Rs;
+		I = C0;
+		vec3 Cm = Rs - T121;
+		for ( int m = 1; m <= 2; ++ m ) {
+			Cm *= r123;
+			vec3 Sm = 2.0 * evalSensitivity( float( m ) * OPD, float( m ) * phi );
+			I += Cm * Sm;
+		}
+		return max( I, vec3( 0.0 ) );
+	}
+#endif`,Nb=`#ifdef USE_BUMPMAP
+	uniform sampler2D bumpMap;
+	uniform float bumpScale;
+	vec2 dHdxy_fwd() {
+		vec2 dSTdx = dFdx( vBumpMapUv );
+		vec2 dSTdy = dFdy( vBumpMapUv );
+		float Hll = bumpScale * texture2D( bumpMap, vBumpMapUv ).x;
+		float dBx = bumpScale * texture2D( bumpMap, vBumpMapUv + dSTdx ).x - Hll;
+		float dBy = bumpScale * texture2D( bumpMap, vBumpMapUv + dSTdy ).x - Hll;
+		return vec2( dBx, dBy );
+	}
+	vec3 perturbNormalArb( vec3 surf_pos, vec3 surf_norm, vec2 dHdxy, float faceDirection ) {
+		vec3 vSigmaX = normalize( dFdx( surf_pos.xyz ) );
+		vec3 vSigmaY = normalize( dFdy( surf_pos.xyz ) );
+		vec3 vN = surf_norm;
+		vec3 R1 = cross( vSigmaY, vN );
+		vec3 R2 = cross( vN, vSigmaX );
+		float fDet = dot( vSigmaX, R1 ) * faceDirection;
+		vec3 vGrad = sign( fDet ) * ( dHdxy.x * R1 + dHdxy.y * R2 );
+		return normalize( abs( fDet ) * surf_norm - vGrad );
+	}
+#endif`,Ob=`#if NUM_CLIPPING_PLANES > 0
+	vec4 plane;
+	#ifdef ALPHA_TO_COVERAGE
+		float distanceToPlane, distanceGradient;
+		float clipOpacity = 1.0;
+		#pragma unroll_loop_start
+		for ( int i = 0; i < UNION_CLIPPING_PLANES; i ++ ) {
+			plane = clippingPlanes[ i ];
+			distanceToPlane = - dot( vClipPosition, plane.xyz ) + plane.w;
+			distanceGradient = fwidth( distanceToPlane ) / 2.0;
+			clipOpacity *= smoothstep( - distanceGradient, distanceGradient, distanceToPlane );
+			if ( clipOpacity == 0.0 ) discard;
+		}
+		#pragma unroll_loop_end
+		#if UNION_CLIPPING_PLANES < NUM_CLIPPING_PLANES
+			float unionClipOpacity = 1.0;
+			#pragma unroll_loop_start
+			for ( int i = UNION_CLIPPING_PLANES; i < NUM_CLIPPING_PLANES; i ++ ) {
+				plane = clippingPlanes[ i ];
+				distanceToPlane = - dot( vClipPosition, plane.xyz ) + plane.w;
+				distanceGradient = fwidth( distanceToPlane ) / 2.0;
+				unionClipOpacity *= 1.0 - smoothstep( - distanceGradient, distanceGradient, distanceToPlane );
+			}
+			#pragma unroll_loop_end
+			clipOpacity *= 1.0 - unionClipOpacity;
+		#endif
+		diffuseColor.a *= clipOpacity;
+		if ( diffuseColor.a == 0.0 ) discard;
+	#else
+		#pragma unroll_loop_start
+		for ( int i = 0; i < UNION_CLIPPING_PLANES; i ++ ) {
+			plane = clippingPlanes[ i ];
+			if ( dot( vClipPosition, plane.xyz ) > plane.w ) discard;
+		}
+		#pragma unroll_loop_end
+		#if UNION_CLIPPING_PLANES < NUM_CLIPPING_PLANES
+			bool clipped = true;
+			#pragma unroll_loop_start
+			for ( int i = UNION_CLIPPING_PLANES; i < NUM_CLIPPING_PLANES; i ++ ) {
+				plane = clippingPlanes[ i ];
+				clipped = ( dot( vClipPosition, plane.xyz ) > plane.w ) && clipped;
+			}
+			#pragma unroll_loop_end
+			if ( clipped ) discard;
+		#endif
+	#endif
+#endif`,Ub=`#if NUM_CLIPPING_PLANES > 0
+	varying vec3 vClipPosition;
+	uniform vec4 clippingPlanes[ NUM_CLIPPING_PLANES ];
+#endif`,Fb=`#if NUM_CLIPPING_PLANES > 0
+	varying vec3 vClipPosition;
+#endif`,Bb=`#if NUM_CLIPPING_PLANES > 0
+	vClipPosition = - mvPosition.xyz;
+#endif`,kb=`#if defined( USE_COLOR ) || defined( USE_COLOR_ALPHA )
+	diffuseColor *= vColor;
+#endif`,zb=`#if defined( USE_COLOR ) || defined( USE_COLOR_ALPHA )
+	varying vec4 vColor;
+#endif`,Gb=`#if defined( USE_COLOR ) || defined( USE_COLOR_ALPHA ) || defined( USE_INSTANCING_COLOR ) || defined( USE_BATCHING_COLOR )
+	varying vec4 vColor;
+#endif`,Vb=`#if defined( USE_COLOR ) || defined( USE_COLOR_ALPHA ) || defined( USE_INSTANCING_COLOR ) || defined( USE_BATCHING_COLOR )
+	vColor = vec4( 1.0 );
+#endif
+#ifdef USE_COLOR_ALPHA
+	vColor *= color;
+#elif defined( USE_COLOR )
+	vColor.rgb *= color;
+#endif
+#ifdef USE_INSTANCING_COLOR
+	vColor.rgb *= instanceColor.rgb;
+#endif
+#ifdef USE_BATCHING_COLOR
+	vColor *= getBatchingColor( getIndirectIndex( gl_DrawID ) );
+#endif`,Hb=`#define PI 3.141592653589793
+#define PI2 6.283185307179586
+#define PI_HALF 1.5707963267948966
+#define RECIPROCAL_PI 0.3183098861837907
+#define RECIPROCAL_PI2 0.15915494309189535
+#define EPSILON 1e-6
+#ifndef saturate
+#define saturate( a ) clamp( a, 0.0, 1.0 )
+#endif
+#define whiteComplement( a ) ( 1.0 - saturate( a ) )
+float pow2( const in float x ) { return x*x; }
+vec3 pow2( const in vec3 x ) { return x*x; }
+float pow3( const in float x ) { return x*x*x; }
+float pow4( const in float x ) { float x2 = x*x; return x2*x2; }
+float max3( const in vec3 v ) { return max( max( v.x, v.y ), v.z ); }
+float average( const in vec3 v ) { return dot( v, vec3( 0.3333333 ) ); }
+highp float rand( const in vec2 uv ) {
+	const highp float a = 12.9898, b = 78.233, c = 43758.5453;
+	highp float dt = dot( uv.xy, vec2( a,b ) ), sn = mod( dt, PI );
+	return fract( sin( sn ) * c );
+}
+#ifdef HIGH_PRECISION
+	float precisionSafeLength( vec3 v ) { return length( v ); }
+#else
+	float precisionSafeLength( vec3 v ) {
+		float maxComponent = max3( abs( v ) );
+		return length( v / maxComponent ) * maxComponent;
+	}
+#endif
+struct IncidentLight {
+	vec3 color;
+	vec3 direction;
+	bool visible;
+};
+struct ReflectedLight {
+	vec3 directDiffuse;
+	vec3 directSpecular;
+	vec3 indirectDiffuse;
+	vec3 indirectSpecular;
+};
+#ifdef USE_ALPHAHASH
+	varying vec3 vPosition;
+#endif
+vec3 transformDirection( in vec3 dir, in mat4 matrix ) {
+	return normalize( ( matrix * vec4( dir, 0.0 ) ).xyz );
+}
+#define inverseTransformDirection transformDirectionByInverseViewMatrix
+vec3 transformNormalByInverseViewMatrix( in vec3 normal, in mat4 viewMatrix ) {
+	return normalize( ( vec4( normal, 0.0 ) * viewMatrix ).xyz );
+}
+vec3 transformDirectionByInverseViewMatrix( in vec3 dir, in mat4 viewMatrix ) {
+	return normalize( ( vec4( dir, 0.0 ) * viewMatrix ).xyz );
+}
+bool isPerspectiveMatrix( mat4 m ) {
+	return m[ 2 ][ 3 ] == - 1.0;
+}
+vec2 equirectUv( in vec3 dir ) {
+	float u = atan( dir.z, dir.x ) * RECIPROCAL_PI2 + 0.5;
+	float v = asin( clamp( dir.y, - 1.0, 1.0 ) ) * RECIPROCAL_PI + 0.5;
+	return vec2( u, v );
+}
+vec3 BRDF_Lambert( const in vec3 diffuseColor ) {
+	return RECIPROCAL_PI * diffuseColor;
+}
+vec3 F_Schlick( const in vec3 f0, const in float f90, const in float dotVH ) {
+	float fresnel = exp2( ( - 5.55473 * dotVH - 6.98316 ) * dotVH );
+	return f0 * ( 1.0 - fresnel ) + ( f90 * fresnel );
+}
+float F_Schlick( const in float f0, const in float f90, const in float dotVH ) {
+	float fresnel = exp2( ( - 5.55473 * dotVH - 6.98316 ) * dotVH );
+	return f0 * ( 1.0 - fresnel ) + ( f90 * fresnel );
+} // validated`,Wb=`vec3 transformedNormal = objectNormal;
+#ifdef USE_TANGENT
+	vec3 transformedTangent = objectTangent;
+#endif
+#ifdef USE_BATCHING
+	mat3 bm = mat3( batchingMatrix );
+	transformedNormal /= vec3( dot( bm[ 0 ], bm[ 0 ] ), dot( bm[ 1 ], bm[ 1 ] ), dot( bm[ 2 ], bm[ 2 ] ) );
+	transformedNormal = bm * transformedNormal;
+	#ifdef USE_TANGENT
+		transformedTangent = bm * transformedTangent;
+	#endif
+#endif
+#ifdef USE_INSTANCING
+	mat3 im = mat3( instanceMatrix );
+	transformedNormal /= vec3( dot( im[ 0 ], im[ 0 ] ), dot( im[ 1 ], im[ 1 ] ), dot( im[ 2 ], im[ 2 ] ) );
+	transformedNormal = im * transformedNormal;
+	#ifdef USE_TANGENT
+		transformedTangent = im * transformedTangent;
+	#endif
+#endif
+transformedNormal = normalMatrix * transformedNormal;
+#ifdef FLIP_SIDED
+	transformedNormal = - transformedNormal;
+#endif
+#ifdef USE_TANGENT
+	transformedTangent = ( modelViewMatrix * vec4( transformedTangent, 0.0 ) ).xyz;
+#endif`,Xb=`#ifdef USE_DISPLACEMENTMAP
+	uniform sampler2D displacementMap;
+	uniform float displacementScale;
+	uniform float displacementBias;
+#endif`,$b=`#ifdef USE_DISPLACEMENTMAP
+	transformed += normalize( objectNormal ) * ( texture2D( displacementMap, vDisplacementMapUv ).x * displacementScale + displacementBias );
+#endif`,Yb=`#ifdef USE_EMISSIVEMAP
+	vec4 emissiveColor = texture2D( emissiveMap, vEmissiveMapUv );
+	#ifdef DECODE_VIDEO_TEXTURE_EMISSIVE
+		emissiveColor = sRGBTransferEOTF( emissiveColor );
+	#endif
+	totalEmissiveRadiance *= emissiveColor.rgb;
+#endif`,qb=`#ifdef USE_EMISSIVEMAP
+	uniform sampler2D emissiveMap;
+#endif`,Zb="gl_FragColor = linearToOutputTexel( gl_FragColor );",jb=`vec4 LinearTransferOETF( in vec4 value ) {
+	return value;
+}
+vec4 sRGBTransferEOTF( in vec4 value ) {
+	return vec4( mix( pow( value.rgb * 0.9478672986 + vec3( 0.0521327014 ), vec3( 2.4 ) ), value.rgb * 0.0773993808, vec3( lessThanEqual( value.rgb, vec3( 0.04045 ) ) ) ), value.a );
+}
+vec4 sRGBTransferOETF( in vec4 value ) {
+	return vec4( mix( pow( value.rgb, vec3( 0.41666 ) ) * 1.055 - vec3( 0.055 ), value.rgb * 12.92, vec3( lessThanEqual( value.rgb, vec3( 0.0031308 ) ) ) ), value.a );
+}`,Jb=`#ifdef USE_ENVMAP
+	#ifdef ENV_WORLDPOS
+		vec3 cameraToFrag;
+		if ( isOrthographic ) {
+			cameraToFrag = normalize( vec3( - viewMatrix[ 0 ][ 2 ], - viewMatrix[ 1 ][ 2 ], - viewMatrix[ 2 ][ 2 ] ) );
+		} else {
+			cameraToFrag = normalize( vWorldPosition - cameraPosition );
+		}
+		vec3 worldNormal = transformNormalByInverseViewMatrix( normal, viewMatrix );
+		#ifdef ENVMAP_MODE_REFLECTION
+			vec3 reflectVec = reflect( cameraToFrag, worldNormal );
+		#else
+			vec3 reflectVec = refract( cameraToFrag, worldNormal, refractionRatio );
+		#endif
+	#else
+		vec3 reflectVec = vReflect;
+	#endif
+	#ifdef ENVMAP_TYPE_CUBE
+		vec4 envColor = textureCube( envMap, envMapRotation * reflectVec );
+		#ifdef ENVMAP_BLENDING_MULTIPLY
+			outgoingLight = mix( outgoingLight, outgoingLight * envColor.xyz, specularStrength * reflectivity );
+		#elif defined( ENVMAP_BLENDING_MIX )
+			outgoingLight = mix( outgoingLight, envColor.xyz, specularStrength * reflectivity );
+		#elif defined( ENVMAP_BLENDING_ADD )
+			outgoingLight += envColor.xyz * specularStrength * reflectivity;
+		#endif
+	#endif
+#endif`,Kb=`#ifdef USE_ENVMAP
+	uniform float envMapIntensity;
+	uniform mat3 envMapRotation;
+	uniform samplerCube envMap;
+	#ifdef ENVMAP_TYPE_PMREM
+		float roughnessToMip( const in float roughness ) {
+			float r = clamp( roughness, 0.0, 1.0 );
+			return ENVMAP_MAX_LOD * r * ( 2.0 - r );
+		}
+	#endif
+#endif`,Qb=`#ifdef USE_ENVMAP
+	uniform float reflectivity;
+	#if defined( USE_BUMPMAP ) || defined( USE_NORMALMAP ) || defined( PHONG ) || defined( LAMBERT )
+		#define ENV_WORLDPOS
+	#endif
+	#ifdef ENV_WORLDPOS
+		varying vec3 vWorldPosition;
+		uniform float refractionRatio;
+	#else
+		varying vec3 vReflect;
+	#endif
+#endif`,tw=`#ifdef USE_ENVMAP
+	#if defined( USE_BUMPMAP ) || defined( USE_NORMALMAP ) || defined( PHONG ) || defined( LAMBERT )
+		#define ENV_WORLDPOS
+	#endif
+	#ifdef ENV_WORLDPOS
+		
+		varying vec3 vWorldPosition;
+	#else
+		varying vec3 vReflect;
+		uniform float refractionRatio;
+	#endif
+#endif`,ew=`#ifdef USE_ENVMAP
+	#ifdef ENV_WORLDPOS
+		vWorldPosition = worldPosition.xyz;
+	#else
+		vec3 cameraToVertex;
+		if ( isOrthographic ) {
+			cameraToVertex = normalize( vec3( - viewMatrix[ 0 ][ 2 ], - viewMatrix[ 1 ][ 2 ], - viewMatrix[ 2 ][ 2 ] ) );
+		} else {
+			cameraToVertex = normalize( worldPosition.xyz - cameraPosition );
+		}
+		vec3 worldNormal = transformNormalByInverseViewMatrix( transformedNormal, viewMatrix );
+		#ifdef ENVMAP_MODE_REFLECTION
+			vReflect = reflect( cameraToVertex, worldNormal );
+		#else
+			vReflect = refract( cameraToVertex, worldNormal, refractionRatio );
+		#endif
+	#endif
+#endif`,nw=`#ifdef USE_FOG
+	vFogDepth = - mvPosition.z;
+#endif`,iw=`#ifdef USE_FOG
+	varying float vFogDepth;
+#endif`,sw=`#ifdef USE_FOG
+	#ifdef FOG_EXP2
+		float fogFactor = 1.0 - exp( - fogDensity * fogDensity * vFogDepth * vFogDepth );
+	#else
+		float fogFactor = smoothstep( fogNear, fogFar, vFogDepth );
+	#endif
+	gl_FragColor.rgb = mix( gl_FragColor.rgb, fogColor, fogFactor );
+#endif`,rw=`#ifdef USE_FOG
+	uniform vec3 fogColor;
+	varying float vFogDepth;
+	#ifdef FOG_EXP2
+		uniform float fogDensity;
+	#else
+		uniform float fogNear;
+		uniform float fogFar;
+	#endif
+#endif`,ow=`#ifdef USE_GRADIENTMAP
+	uniform sampler2D gradientMap;
+#endif
+vec3 getGradientIrradiance( vec3 normal, vec3 lightDirection ) {
+	float dotNL = dot( normal, lightDirection );
+	vec2 coord = vec2( dotNL * 0.5 + 0.5, 0.0 );
+	#ifdef USE_GRADIENTMAP
+		return vec3( texture2D( gradientMap, coord ).r );
+	#else
+		vec2 fw = fwidth( coord ) * 0.5;
+		return mix( vec3( 0.7 ), vec3( 1.0 ), smoothstep( 0.7 - fw.x, 0.7 + fw.x, coord.x ) );
+	#endif
+}`,aw=`#ifdef USE_LIGHTMAP
+	uniform sampler2D lightMap;
+	uniform float lightMapIntensity;
+#endif`,lw=`LambertMaterial material;
+material.diffuseColor = diffuseColor.rgb;
+material.specularStrength = specularStrength;`,cw=`varying vec3 vViewPosition;
+struct LambertMaterial {
+	vec3 diffuseColor;
+	float specularStrength;
+};
+void RE_Direct_Lambert( const in IncidentLight directLight, const in vec3 geometryPosition, const in vec3 geometryNormal, const in vec3 geometryViewDir, const in vec3 geometryClearcoatNormal, const in LambertMaterial material, inout ReflectedLight reflectedLight ) {
+	float dotNL = saturate( dot( geometryNormal, directLight.direction ) );
+	vec3 irradiance = dotNL * directLight.color;
+	reflectedLight.directDiffuse += irradiance * BRDF_Lambert( material.diffuseColor );
+}
+void RE_IndirectDiffuse_Lambert( const in vec3 irradiance, const in vec3 geometryPosition, const in vec3 geometryNormal, const in vec3 geometryViewDir, const in vec3 geometryClearcoatNormal, const in LambertMaterial material, inout ReflectedLight reflectedLight ) {
+	reflectedLight.indirectDiffuse += irradiance * BRDF_Lambert( material.diffuseColor );
+}
+#define RE_Direct				RE_Direct_Lambert
+#define RE_IndirectDiffuse		RE_IndirectDiffuse_Lambert`,hw=`uniform bool receiveShadow;
+uniform vec3 ambientLightColor;
+#if defined( USE_LIGHT_PROBES )
+	uniform vec3 lightProbe[ 9 ];
+#endif
+vec3 shGetIrradianceAt( in vec3 normal, in vec3 shCoefficients[ 9 ] ) {
+	float x = normal.x, y = normal.y, z = normal.z;
+	vec3 result = shCoefficients[ 0 ] * 0.886227;
+	result += shCoefficients[ 1 ] * 2.0 * 0.511664 * y;
+	result += shCoefficients[ 2 ] * 2.0 * 0.511664 * z;
+	result += shCoefficients[ 3 ] * 2.0 * 0.511664 * x;
+	result += shCoefficients[ 4 ] * 2.0 * 0.429043 * x * y;
+	result += shCoefficients[ 5 ] * 2.0 * 0.429043 * y * z;
+	result += shCoefficients[ 6 ] * ( 0.743125 * z * z - 0.247708 );
+	result += shCoefficients[ 7 ] * 2.0 * 0.429043 * x * z;
+	result += shCoefficients[ 8 ] * 0.429043 * ( x * x - y * y );
+	return result;
+}
+vec3 getLightProbeIrradiance( const in vec3 lightProbe[ 9 ], const in vec3 normal ) {
+	vec3 worldNormal = transformNormalByInverseViewMatrix( normal, viewMatrix );
+	vec3 irradiance = shGetIrradianceAt( worldNormal, lightProbe );
+	return irradiance;
+}
+vec3 getAmbientLightIrradiance( const in vec3 ambientLightColor ) {
+	vec3 irradiance = ambientLightColor;
+	return irradiance;
+}
+float getDistanceAttenuation( const in float lightDistance, const in float cutoffDistance, const in float decayExponent ) {
+	float distanceFalloff = 1.0 / max( pow( lightDistance, decayExponent ), 0.01 );
+	if ( cutoffDistance > 0.0 ) {
+		distanceFalloff *= pow2( saturate( 1.0 - pow4( lightDistance / cutoffDistance ) ) );
+	}
+	return distanceFalloff;
+}
+float getSpotAttenuation( const in float coneCosine, const in float penumbraCosine, const in float angleCosine ) {
+	return smoothstep( coneCosine, penumbraCosine, angleCosine );
+}
+#if NUM_SUN_LIGHTS > 0
+	struct SunLight {
+		vec3 direction;
+		vec3 color;
+	};
+	uniform SunLight sunLights[ NUM_SUN_LIGHTS ];
+	void getSunLightInfo( const in SunLight sunLight, out IncidentLight light ) {
+		light.color = sunLight.color;
+		light.direction = sunLight.direction;
+		light.visible = true;
+	}
+#endif
+#if NUM_DIR_LIGHTS > 0
+	struct DirectionalLight {
+		vec3 direction;
+		vec3 color;
+	};
+	uniform DirectionalLight directionalLights[ NUM_DIR_LIGHTS ];
+	void getDirectionalLightInfo( const in DirectionalLight directionalLight, out IncidentLight light ) {
+		light.color = directionalLight.color;
+		light.direction = directionalLight.direction;
+		light.visible = true;
+	}
+#endif
+#if NUM_POINT_LIGHTS > 0
+	struct PointLight {
+		vec3 position;
+		vec3 color;
+		float distance;
+		float decay;
+	};
+	uniform PointLight pointLights[ NUM_POINT_LIGHTS ];
+	void getPointLightInfo( const in PointLight pointLight, const in vec3 geometryPosition, out IncidentLight light ) {
+		vec3 lVector = pointLight.position - geometryPosition;
+		light.direction = normalize( lVector );
+		float lightDistance = length( lVector );
+		light.color = pointLight.color;
+		light.color *= getDistanceAttenuation( lightDistance, pointLight.distance, pointLight.decay );
+		light.visible = ( light.color != vec3( 0.0 ) );
+	}
+#endif
+#if NUM_SPOT_LIGHTS > 0
+	struct SpotLight {
+		vec3 position;
+		vec3 direction;
+		vec3 color;
+		float distance;
+		float decay;
+		float coneCos;
+		float penumbraCos;
+	};
+	uniform SpotLight spotLights[ NUM_SPOT_LIGHTS ];
+	void getSpotLightInfo( const in SpotLight spotLight, const in vec3 geometryPosition, out IncidentLight light ) {
+		vec3 lVector = spotLight.position - geometryPosition;
+		light.direction = normalize( lVector );
+		float angleCos = dot( light.direction, spotLight.direction );
+		float spotAttenuation = getSpotAttenuation( spotLight.coneCos, spotLight.penumbraCos, angleCos );
+		if ( spotAttenuation > 0.0 ) {
+			float lightDistance = length( lVector );
+			light.color = spotLight.color * spotAttenuation;
+			light.color *= getDistanceAttenuation( lightDistance, spotLight.distance, spotLight.decay );
+			light.visible = ( light.color != vec3( 0.0 ) );
+		} else {
+			light.color = vec3( 0.0 );
+			light.visible = false;
+		}
+	}
+#endif
+#if NUM_RECT_AREA_LIGHTS > 0
+	struct RectAreaLight {
+		vec3 color;
+		vec3 position;
+		vec3 halfWidth;
+		vec3 halfHeight;
+	};
+	uniform sampler2D ltc_1;	uniform sampler2D ltc_2;
+	uniform RectAreaLight rectAreaLights[ NUM_RECT_AREA_LIGHTS ];
+#endif
+#if NUM_HEMI_LIGHTS > 0
+	struct HemisphereLight {
+		vec3 direction;
+		vec3 skyColor;
+		vec3 groundColor;
+	};
+	uniform HemisphereLight hemisphereLights[ NUM_HEMI_LIGHTS ];
+	vec3 getHemisphereLightIrradiance( const in HemisphereLight hemiLight, const in vec3 normal ) {
+		float dotNL = dot( normal, hemiLight.direction );
+		float hemiDiffuseWeight = 0.5 * dotNL + 0.5;
+		vec3 irradiance = mix( hemiLight.groundColor, hemiLight.skyColor, hemiDiffuseWeight );
+		return irradiance;
+	}
+#endif
+#include <lightprobes_pars_fragment>`,uw=`#ifdef USE_ENVMAP
+	vec3 getIBLIrradiance( const in vec3 normal ) {
+		#ifdef ENVMAP_TYPE_PMREM
+			vec3 worldNormal = transformNormalByInverseViewMatrix( normal, viewMatrix );
+			vec4 envMapColor = textureLod( envMap, envMapRotation * worldNormal, ENVMAP_MAX_LOD );
+			return PI * envMapColor.rgb * envMapIntensity;
+		#else
+			return vec3( 0.0 );
+		#endif
+	}
+	vec3 getIBLRadiance( const in vec3 viewDir, const in vec3 normal, const in float roughness ) {
+		#ifdef ENVMAP_TYPE_PMREM
+			vec3 reflectVec = reflect( - viewDir, normal );
+			reflectVec = normalize( mix( reflectVec, normal, pow4( roughness ) ) );
+			reflectVec = transformDirectionByInverseViewMatrix( reflectVec, viewMatrix );
+			vec4 envMapColor = textureLod( envMap, envMapRotation * reflectVec, roughnessToMip( roughness ) );
+			return envMapColor.rgb * envMapIntensity;
+		#else
+			return vec3( 0.0 );
+		#endif
+	}
+	#ifdef USE_RETROREFLECTION
+		vec3 getIBLRetroRadiance( const in vec3 viewDir, const in vec3 normal, const in float roughness ) {
+			#ifdef ENVMAP_TYPE_PMREM
+				vec3 retroVec = normalize( mix( viewDir, normal, pow4( roughness ) ) );
+				retroVec = transformDirectionByInverseViewMatrix( retroVec, viewMatrix );
+				vec4 envMapColor = textureLod( envMap, envMapRotation * retroVec, roughnessToMip( roughness ) );
+				return envMapColor.rgb * envMapIntensity;
+			#else
+				return vec3( 0.0 );
+			#endif
+		}
+	#endif
+	#ifdef USE_ANISOTROPY
+		vec3 getIBLAnisotropyRadiance( const in vec3 viewDir, const in vec3 normal, const in float roughness, const in vec3 bitangent, const in float anisotropy ) {
+			#ifdef ENVMAP_TYPE_PMREM
+				vec3 bentNormal = cross( bitangent, viewDir );
+				bentNormal = normalize( cross( bentNormal, bitangent ) );
+				bentNormal = normalize( mix( bentNormal, normal, pow2( pow2( 1.0 - anisotropy * ( 1.0 - roughness ) ) ) ) );
+				return getIBLRadiance( viewDir, bentNormal, roughness );
+			#else
+				return vec3( 0.0 );
+			#endif
+		}
+		#ifdef USE_RETROREFLECTION
+			vec3 getIBLAnisotropyRetroRadiance( const in vec3 viewDir, const in vec3 normal, const in float roughness, const in vec3 bitangent, const in float anisotropy ) {
+				#ifdef ENVMAP_TYPE_PMREM
+					vec3 bentNormal = cross( bitangent, viewDir );
+					bentNormal = normalize( cross( bentNormal, bitangent ) );
+					bentNormal = normalize( mix( bentNormal, normal, pow2( pow2( 1.0 - anisotropy * ( 1.0 - roughness ) ) ) ) );
+					return getIBLRetroRadiance( viewDir, bentNormal, roughness );
+				#else
+					return vec3( 0.0 );
+				#endif
+			}
+		#endif
+	#endif
+#endif`,dw=`ToonMaterial material;
+material.diffuseColor = diffuseColor.rgb;`,fw=`varying vec3 vViewPosition;
+struct ToonMaterial {
+	vec3 diffuseColor;
+};
+void RE_Direct_Toon( const in IncidentLight directLight, const in vec3 geometryPosition, const in vec3 geometryNormal, const in vec3 geometryViewDir, const in vec3 geometryClearcoatNormal, const in ToonMaterial material, inout ReflectedLight reflectedLight ) {
+	vec3 irradiance = getGradientIrradiance( geometryNormal, directLight.direction ) * directLight.color;
+	reflectedLight.directDiffuse += irradiance * BRDF_Lambert( material.diffuseColor );
+}
+void RE_IndirectDiffuse_Toon( const in vec3 irradiance, const in vec3 geometryPosition, const in vec3 geometryNormal, const in vec3 geometryViewDir, const in vec3 geometryClearcoatNormal, const in ToonMaterial material, inout ReflectedLight reflectedLight ) {
+	reflectedLight.indirectDiffuse += irradiance * BRDF_Lambert( material.diffuseColor );
+}
+#define RE_Direct				RE_Direct_Toon
+#define RE_IndirectDiffuse		RE_IndirectDiffuse_Toon`,pw=`BlinnPhongMaterial material;
+material.diffuseColor = diffuseColor.rgb;
+material.specularColor = specular;
+material.specularShininess = shininess;
+material.specularStrength = specularStrength;`,mw=`varying vec3 vViewPosition;
+struct BlinnPhongMaterial {
+	vec3 diffuseColor;
+	vec3 specularColor;
+	float specularShininess;
+	float specularStrength;
+};
+void RE_Direct_BlinnPhong( const in IncidentLight directLight, const in vec3 geometryPosition, const in vec3 geometryNormal, const in vec3 geometryViewDir, const in vec3 geometryClearcoatNormal, const in BlinnPhongMaterial material, inout ReflectedLight reflectedLight ) {
+	float dotNL = saturate( dot( geometryNormal, directLight.direction ) );
+	vec3 irradiance = dotNL * directLight.color;
+	reflectedLight.directDiffuse += irradiance * BRDF_Lambert( material.diffuseColor );
+	reflectedLight.directSpecular += irradiance * BRDF_BlinnPhong( directLight.direction, geometryViewDir, geometryNormal, material.specularColor, material.specularShininess ) * material.specularStrength;
+}
+void RE_IndirectDiffuse_BlinnPhong( const in vec3 irradiance, const in vec3 geometryPosition, const in vec3 geometryNormal, const in vec3 geometryViewDir, const in vec3 geometryClearcoatNormal, const in BlinnPhongMaterial material, inout ReflectedLight reflectedLight ) {
+	reflectedLight.indirectDiffuse += irradiance * BRDF_Lambert( material.diffuseColor );
+}
+#define RE_Direct				RE_Direct_BlinnPhong
+#define RE_IndirectDiffuse		RE_IndirectDiffuse_BlinnPhong`,gw=`PhysicalMaterial material;
+material.diffuseColor = diffuseColor.rgb;
+material.diffuseContribution = diffuseColor.rgb * ( 1.0 - metalnessFactor );
+material.metalness = metalnessFactor;
+vec3 dxy = max( abs( dFdx( nonPerturbedNormal ) ), abs( dFdy( nonPerturbedNormal ) ) );
+float geometryRoughness = max( max( dxy.x, dxy.y ), dxy.z );
+material.roughness = max( roughnessFactor, 0.045 );
+material.roughness += geometryRoughness;
+material.roughness = min( material.roughness, 1.0 );
+#ifdef USE_DIFFUSE_ROUGHNESS
+	float diffuseRoughnessFactor = diffuseRoughness;
+	#ifdef USE_DIFFUSE_ROUGHNESSMAP
+		diffuseRoughnessFactor *= texture2D( diffuseRoughnessMap, vDiffuseRoughnessMapUv ).r;
+	#endif
+	material.diffuseRoughness = saturate( diffuseRoughnessFactor );
+#endif
+#ifdef IOR
+	material.ior = ior;
+	#ifdef USE_SPECULAR
+		float specularIntensityFactor = specularIntensity;
+		vec3 specularColorFactor = specularColor;
+		#ifdef USE_SPECULAR_COLORMAP
+			specularColorFactor *= texture2D( specularColorMap, vSpecularColorMapUv ).rgb;
+		#endif
+		#ifdef USE_SPECULAR_INTENSITYMAP
+			specularIntensityFactor *= texture2D( specularIntensityMap, vSpecularIntensityMapUv ).a;
+		#endif
+		material.specularF90 = mix( specularIntensityFactor, 1.0, metalnessFactor );
+	#else
+		float specularIntensityFactor = 1.0;
+		vec3 specularColorFactor = vec3( 1.0 );
+		material.specularF90 = 1.0;
+	#endif
+	material.specularColor = min( pow2( ( material.ior - 1.0 ) / ( material.ior + 1.0 ) ) * specularColorFactor, vec3( 1.0 ) ) * specularIntensityFactor;
+	material.specularColorBlended = mix( material.specularColor, diffuseColor.rgb, metalnessFactor );
+#else
+	material.specularColor = vec3( 0.04 );
+	material.specularColorBlended = mix( material.specularColor, diffuseColor.rgb, metalnessFactor );
+	material.specularF90 = 1.0;
+#endif
+#ifdef USE_CLEARCOAT
+	material.clearcoat = clearcoat;
+	material.clearcoatRoughness = clearcoatRoughness;
+	material.clearcoatF0 = vec3( 0.04 );
+	material.clearcoatF90 = 1.0;
+	#ifdef USE_CLEARCOATMAP
+		material.clearcoat *= texture2D( clearcoatMap, vClearcoatMapUv ).x;
+	#endif
+	#ifdef USE_CLEARCOAT_ROUGHNESSMAP
+		material.clearcoatRoughness *= texture2D( clearcoatRoughnessMap, vClearcoatRoughnessMapUv ).y;
+	#endif
+	material.clearcoat = saturate( material.clearcoat );	material.clearcoatRoughness = max( material.clearcoatRoughness, 0.045 );
+	material.clearcoatRoughness += geometryRoughness;
+	material.clearcoatRoughness = min( material.clearcoatRoughness, 1.0 );
+#endif
+#ifdef USE_DISPERSION
+	material.dispersion = dispersion;
+#endif
+#ifdef USE_RETROREFLECTION
+	material.retroreflectivity = retroreflectivity;
+#endif
+#ifdef USE_IRIDESCENCE
+	material.iridescence = iridescence;
+	material.iridescenceIOR = iridescenceIOR;
+	#ifdef USE_IRIDESCENCEMAP
+		material.iridescence *= texture2D( iridescenceMap, vIridescenceMapUv ).r;
+	#endif
+	#ifdef USE_IRIDESCENCE_THICKNESSMAP
+		material.iridescenceThickness = (iridescenceThicknessMaximum - iridescenceThicknessMinimum) * texture2D( iridescenceThicknessMap, vIridescenceThicknessMapUv ).g + iridescenceThicknessMinimum;
+	#else
+		material.iridescenceThickness = iridescenceThicknessMaximum;
+	#endif
+#endif
+#ifdef USE_SHEEN
+	material.sheenColor = sheenColor;
+	#ifdef USE_SHEEN_COLORMAP
+		material.sheenColor *= texture2D( sheenColorMap, vSheenColorMapUv ).rgb;
+	#endif
+	material.sheenRoughness = clamp( sheenRoughness, 0.0001, 1.0 );
+	#ifdef USE_SHEEN_ROUGHNESSMAP
+		material.sheenRoughness *= texture2D( sheenRoughnessMap, vSheenRoughnessMapUv ).a;
+	#endif
+#endif
+#ifdef USE_ANISOTROPY
+	#ifdef USE_ANISOTROPYMAP
+		mat2 anisotropyMat = mat2( anisotropyVector.x, anisotropyVector.y, - anisotropyVector.y, anisotropyVector.x );
+		vec3 anisotropyPolar = texture2D( anisotropyMap, vAnisotropyMapUv ).rgb;
+		vec2 anisotropyV = anisotropyMat * normalize( 2.0 * anisotropyPolar.rg - vec2( 1.0 ) ) * anisotropyPolar.b;
+	#else
+		vec2 anisotropyV = anisotropyVector;
+	#endif
+	material.anisotropy = length( anisotropyV );
+	if( material.anisotropy == 0.0 ) {
+		anisotropyV = vec2( 1.0, 0.0 );
+	} else {
+		anisotropyV /= material.anisotropy;
+		material.anisotropy = saturate( material.anisotropy );
+	}
+	material.alphaT = mix( pow2( material.roughness ), 1.0, pow2( material.anisotropy ) );
+	material.anisotropyT = tbn[ 0 ] * anisotropyV.x + tbn[ 1 ] * anisotropyV.y;
+	material.anisotropyB = tbn[ 1 ] * anisotropyV.x - tbn[ 0 ] * anisotropyV.y;
+#endif`,_w=`uniform sampler2D dfgLUT;
+struct PhysicalMaterial {
+	vec3 diffuseColor;
+	vec3 diffuseContribution;
+	vec3 specularColor;
+	vec3 specularColorBlended;
+	float roughness;
+	float metalness;
+	float specularF90;
+	float dispersion;
+	vec2 dfg;
+	vec3 multiScatteringCompensation;
+	#ifdef USE_DIFFUSE_ROUGHNESS
+		float diffuseRoughness;
+	#endif
+	#ifdef USE_RETROREFLECTION
+		float retroreflectivity;
+	#endif
+	#ifdef USE_CLEARCOAT
+		float clearcoat;
+		float clearcoatRoughness;
+		vec3 clearcoatF0;
+		float clearcoatF90;
+	#endif
+	#ifdef USE_IRIDESCENCE
+		float iridescence;
+		float iridescenceIOR;
+		float iridescenceThickness;
+		vec3 iridescenceFresnel;
+		vec3 iridescenceF0Dielectric;
+		vec3 iridescenceF0Metallic;
+	#endif
+	#ifdef USE_SHEEN
+		vec3 sheenColor;
+		float sheenRoughness;
+	#endif
+	#ifdef IOR
+		float ior;
+	#endif
+	#ifdef USE_TRANSMISSION
+		float transmission;
+		float transmissionAlpha;
+		float thickness;
+		float attenuationDistance;
+		vec3 attenuationColor;
+	#endif
+	#ifdef USE_ANISOTROPY
+		float anisotropy;
+		float alphaT;
+		vec3 anisotropyT;
+		vec3 anisotropyB;
+	#endif
+};
+vec3 clearcoatSpecularDirect = vec3( 0.0 );
+vec3 clearcoatSpecularIndirect = vec3( 0.0 );
+vec3 sheenSpecularDirect = vec3( 0.0 );
+vec3 sheenSpecularIndirect = vec3(0.0 );
+vec3 Schlick_to_F0( const in vec3 f, const in float f90, const in float dotVH ) {
+    float x = clamp( 1.0 - dotVH, 0.0, 1.0 );
+    float x2 = x * x;
+    float x5 = clamp( x * x2 * x2, 0.0, 0.9999 );
+    return ( f - vec3( f90 ) * x5 ) / ( 1.0 - x5 );
+}
+#ifdef USE_DIFFUSE_ROUGHNESS
+	const float EON_EPSILON = 1e-7;
+	float FON_DirectionalAlbedo( const in float mu, const in float roughness, const in float A ) {
+		float muComp = 1.0 - mu;
+		float gOverPi = muComp * ( 0.0571085289 + muComp * ( 0.491881867 + muComp * ( - 0.332181442 + muComp * 0.0714429953 ) ) );
+		return A * ( 1.0 + roughness * gOverPi );
+	}
+	vec3 BRDF_EON( const in vec3 lightDir, const in vec3 viewDir, const in vec3 normal, const in vec3 diffuseColor, const in float roughness ) {
+		vec3 rho = saturate( diffuseColor );
+		if ( roughness <= EON_EPSILON ) return BRDF_Lambert( rho );
+		float dotNL = saturate( dot( normal, lightDir ) );
+		float dotNV = saturate( dot( normal, viewDir ) );
+		float s = dot( lightDir, viewDir ) - dotNL * dotNV;
+		float sOverT = ( s > 0.0 ) ? s / max( max( dotNL, dotNV ), EON_EPSILON ) : s;
+		float A = 1.0 / ( 1.0 + ( 0.5 - 2.0 / ( 3.0 * PI ) ) * roughness );
+		vec3 singleScatter = rho * RECIPROCAL_PI * A * ( 1.0 + roughness * sOverT );
+		float averageAlbedo = A * ( 1.0 + ( 2.0 / 3.0 - 28.0 / ( 15.0 * PI ) ) * roughness );
+		float albedoV = FON_DirectionalAlbedo( dotNV, roughness, A );
+		float albedoL = FON_DirectionalAlbedo( dotNL, roughness, A );
+		vec3 rhoMultiScatter = rho * rho * averageAlbedo / max( vec3( EON_EPSILON ), vec3( 1.0 ) - rho * ( 1.0 - averageAlbedo ) );
+		vec3 multiScatter = rhoMultiScatter * RECIPROCAL_PI
+			* max( EON_EPSILON, 1.0 - albedoV )
+			* max( EON_EPSILON, 1.0 - albedoL )
+			/ max( EON_EPSILON, 1.0 - averageAlbedo );
+		return singleScatter + multiScatter;
+	}
+	vec3 EON_DirectionalAlbedo( const in vec3 diffuseColor, const in float roughness, const in float dotNV ) {
+		vec3 rho = saturate( diffuseColor );
+		if ( roughness <= EON_EPSILON ) return rho;
+		float A = 1.0 / ( 1.0 + ( 0.5 - 2.0 / ( 3.0 * PI ) ) * roughness );
+		float directionalAlbedo = FON_DirectionalAlbedo( dotNV, roughness, A );
+		float averageAlbedo = A * ( 1.0 + ( 2.0 / 3.0 - 28.0 / ( 15.0 * PI ) ) * roughness );
+		vec3 rhoMultiScatter = rho * rho * averageAlbedo / max( vec3( EON_EPSILON ), vec3( 1.0 ) - rho * ( 1.0 - averageAlbedo ) );
+		return rho * directionalAlbedo + rhoMultiScatter * ( 1.0 - directionalAlbedo );
+	}
+#endif
+float V_GGX_SmithCorrelated( const in float alpha, const in float dotNL, const in float dotNV ) {
+	float a2 = pow2( alpha );
+	float gv = dotNL * sqrt( a2 + ( 1.0 - a2 ) * pow2( dotNV ) );
+	float gl = dotNV * sqrt( a2 + ( 1.0 - a2 ) * pow2( dotNL ) );
+	return 0.5 / max( gv + gl, EPSILON );
+}
+float D_GGX( const in float alpha, const in float dotNH ) {
+	float a2 = pow2( alpha );
+	float denom = pow2( dotNH ) * ( a2 - 1.0 ) + 1.0;
+	return RECIPROCAL_PI * a2 / pow2( denom );
+}
+#ifdef USE_ANISOTROPY
+	float V_GGX_SmithCorrelated_Anisotropic( const in float alphaT, const in float alphaB, const in float dotTV, const in float dotBV, const in float dotTL, const in float dotBL, const in float dotNV, const in float dotNL ) {
+		float gv = dotNL * length( vec3( alphaT * dotTV, alphaB * dotBV, dotNV ) );
+		float gl = dotNV * length( vec3( alphaT * dotTL, alphaB * dotBL, dotNL ) );
+		return 0.5 / max( gv + gl, EPSILON );
+	}
+	float D_GGX_Anisotropic( const in float alphaT, const in float alphaB, const in float dotNH, const in float dotTH, const in float dotBH ) {
+		float a2 = alphaT * alphaB;
+		highp vec3 v = vec3( alphaB * dotTH, alphaT * dotBH, a2 * dotNH );
+		highp float v2 = dot( v, v );
+		float w2 = a2 / v2;
+		return RECIPROCAL_PI * a2 * pow2 ( w2 );
+	}
+#endif
+#ifdef USE_CLEARCOAT
+	vec3 BRDF_GGX_Clearcoat( const in vec3 lightDir, const in vec3 viewDir, const in vec3 normal, const in PhysicalMaterial material) {
+		vec3 f0 = material.clearcoatF0;
+		float f90 = material.clearcoatF90;
+		float roughness = max( material.clearcoatRoughness, 0.045 );
+		float alpha = pow2( roughness );
+		vec3 halfDir = normalize( lightDir + viewDir );
+		float dotNL = saturate( dot( normal, lightDir ) );
+		float dotNV = saturate( dot( normal, viewDir ) );
+		float dotNH = saturate( dot( normal, halfDir ) );
+		float dotVH = saturate( dot( viewDir, halfDir ) );
+		vec3 F = F_Schlick( f0, f90, dotVH );
+		float V = V_GGX_SmithCorrelated( alpha, dotNL, dotNV );
+		float D = D_GGX( alpha, dotNH );
+		return F * ( V * D );
+	}
+#endif
+vec3 BRDF_GGX( const in vec3 lightDir, const in vec3 viewDir, const in vec3 normal, const in PhysicalMaterial material ) {
+	vec3 f0 = material.specularColorBlended;
+	float f90 = material.specularF90;
+	float roughness = max( material.roughness, 0.045 );
+	float alpha = pow2( roughness );
+	vec3 halfDir = normalize( lightDir + viewDir );
+	float dotNL = saturate( dot( normal, lightDir ) );
+	float dotNV = saturate( dot( normal, viewDir ) );
+	float dotNH = saturate( dot( normal, halfDir ) );
+	float dotVH = saturate( dot( viewDir, halfDir ) );
+	vec3 F = F_Schlick( f0, f90, dotVH );
+	#ifdef USE_IRIDESCENCE
+		F = mix( F, material.iridescenceFresnel, material.iridescence );
+	#endif
+	#ifdef USE_ANISOTROPY
+		float dotTL = dot( material.anisotropyT, lightDir );
+		float dotTV = dot( material.anisotropyT, viewDir );
+		float dotTH = dot( material.anisotropyT, halfDir );
+		float dotBL = dot( material.anisotropyB, lightDir );
+		float dotBV = dot( material.anisotropyB, viewDir );
+		float dotBH = dot( material.anisotropyB, halfDir );
+		float alphaT = max( material.alphaT, alpha );
+		float V = V_GGX_SmithCorrelated_Anisotropic( alphaT, alpha, dotTV, dotBV, dotTL, dotBL, dotNV, dotNL );
+		float D = D_GGX_Anisotropic( alphaT, alpha, dotNH, dotTH, dotBH );
+	#else
+		float V = V_GGX_SmithCorrelated( alpha, dotNL, dotNV );
+		float D = D_GGX( alpha, dotNH );
+	#endif
+	return F * ( V * D );
+}
+vec2 LTC_Uv( const in vec3 N, const in vec3 V, const in float roughness ) {
+	const float LUT_SIZE = 64.0;
+	const float LUT_SCALE = ( LUT_SIZE - 1.0 ) / LUT_SIZE;
+	const float LUT_BIAS = 0.5 / LUT_SIZE;
+	float dotNV = saturate( dot( N, V ) );
+	vec2 uv = vec2( roughness, sqrt( 1.0 - dotNV ) );
+	uv = uv * LUT_SCALE + LUT_BIAS;
+	return uv;
+}
+float LTC_ClippedSphereFormFactor( const in vec3 f ) {
+	float l = length( f );
+	return max( ( l * l + f.z ) / ( l + 1.0 ), 0.0 );
+}
+vec3 LTC_EdgeVectorFormFactor( const in vec3 v1, const in vec3 v2 ) {
+	float x = dot( v1, v2 );
+	float y = abs( x );
+	float a = 0.8543985 + ( 0.4965155 + 0.0145206 * y ) * y;
+	float b = 3.4175940 + ( 4.1616724 + y ) * y;
+	float v = a / b;
+	float theta_sintheta = ( x > 0.0 ) ? v : 0.5 * inversesqrt( max( 1.0 - x * x, 1e-7 ) ) - v;
+	return cross( v1, v2 ) * theta_sintheta;
+}
+vec3 LTC_Evaluate( const in vec3 N, const in vec3 V, const in vec3 P, const in mat3 mInv, const in vec3 rectCoords[ 4 ] ) {
+	vec3 v1 = rectCoords[ 1 ] - rectCoords[ 0 ];
+	vec3 v2 = rectCoords[ 3 ] - rectCoords[ 0 ];
+	vec3 lightNormal = cross( v1, v2 );
+	if( dot( lightNormal, P - rectCoords[ 0 ] ) < 0.0 ) return vec3( 0.0 );
+	vec3 T1, T2;
+	T1 = normalize( V - N * dot( V, N ) );
+	T2 = - cross( N, T1 );
+	mat3 mat = mInv * transpose( mat3( T1, T2, N ) );
+	vec3 coords[ 4 ];
+	coords[ 0 ] = mat * ( rectCoords[ 0 ] - P );
+	coords[ 1 ] = mat * ( rectCoords[ 1 ] - P );
+	coords[ 2 ] = mat * ( rectCoords[ 2 ] - P );
+	coords[ 3 ] = mat * ( rectCoords[ 3 ] - P );
+	coords[ 0 ] = normalize( coords[ 0 ] );
+	coords[ 1 ] = normalize( coords[ 1 ] );
+	coords[ 2 ] = normalize( coords[ 2 ] );
+	coords[ 3 ] = normalize( coords[ 3 ] );
+	vec3 vectorFormFactor = vec3( 0.0 );
+	vectorFormFactor += LTC_EdgeVectorFormFactor( coords[ 0 ], coords[ 1 ] );
+	vectorFormFactor += LTC_EdgeVectorFormFactor( coords[ 1 ], coords[ 2 ] );
+	vectorFormFactor += LTC_EdgeVectorFormFactor( coords[ 2 ], coords[ 3 ] );
+	vectorFormFactor += LTC_EdgeVectorFormFactor( coords[ 3 ], coords[ 0 ] );
+	float result = LTC_ClippedSphereFormFactor( vectorFormFactor );
+	return vec3( result );
+}
+#if defined( USE_SHEEN )
+float D_Charlie( float roughness, float dotNH ) {
+	float alpha = pow2( roughness );
+	float invAlpha = 1.0 / alpha;
+	float cos2h = dotNH * dotNH;
+	float sin2h = max( 1.0 - cos2h, 0.0078125 );
+	return ( 2.0 + invAlpha ) * pow( sin2h, invAlpha * 0.5 ) / ( 2.0 * PI );
+}
+float V_Neubelt( float dotNV, float dotNL ) {
+	return saturate( 1.0 / ( 4.0 * ( dotNL + dotNV - dotNL * dotNV ) ) );
+}
+vec3 BRDF_Sheen( const in vec3 lightDir, const in vec3 viewDir, const in vec3 normal, vec3 sheenColor, const in float sheenRoughness ) {
+	vec3 halfDir = normalize( lightDir + viewDir );
+	float dotNL = saturate( dot( normal, lightDir ) );
+	float dotNV = saturate( dot( normal, viewDir ) );
+	float dotNH = saturate( dot( normal, halfDir ) );
+	float D = D_Charlie( sheenRoughness, dotNH );
+	float V = V_Neubelt( dotNV, dotNL );
+	return sheenColor * ( D * V );
+}
+#endif
+float IBLSheenBRDF( const in vec3 normal, const in vec3 viewDir, const in float roughness ) {
+	float dotNV = saturate( dot( normal, viewDir ) );
+	float r2 = roughness * roughness;
+	float rInv = 1.0 / ( roughness + 0.1 );
+	float a = -1.9362 + 1.0678 * roughness + 0.4573 * r2 - 0.8469 * rInv;
+	float b = -0.6014 + 0.5538 * roughness - 0.4670 * r2 - 0.1255 * rInv;
+	float DG = exp( a * dotNV + b );
+	return saturate( DG );
+}
+vec3 EnvironmentBRDF( const in vec3 normal, const in vec3 viewDir, const in vec3 specularColor, const in float specularF90, const in float roughness ) {
+	float dotNV = saturate( dot( normal, viewDir ) );
+	vec2 fab = texture2D( dfgLUT, vec2( roughness, dotNV ) ).rg;
+	return specularColor * fab.x + specularF90 * fab.y;
+}
+#ifdef USE_IRIDESCENCE
+void computeMultiscatteringIridescence( const in vec2 fab, const in vec3 specularColor, const in float specularF90, const in float iridescence, const in vec3 iridescenceF0, inout vec3 singleScatter, inout vec3 multiScatter ) {
+#else
+void computeMultiscattering( const in vec2 fab, const in vec3 specularColor, const in float specularF90, inout vec3 singleScatter, inout vec3 multiScatter ) {
+#endif
+	#ifdef USE_IRIDESCENCE
+		vec3 Fr = mix( specularColor, iridescenceF0, iridescence );
+	#else
+		vec3 Fr = specularColor;
+	#endif
+	vec3 FssEss = Fr * fab.x + specularF90 * fab.y;
+	float Ess = fab.x + fab.y;
+	float Ems = 1.0 - Ess;
+	vec3 Favg = Fr + ( 1.0 - Fr ) * 0.047619;	vec3 Fms = FssEss * Favg / ( 1.0 - Ems * Favg );
+	singleScatter += FssEss;
+	multiScatter += Fms * Ems;
+}
+#if NUM_RECT_AREA_LIGHTS > 0
+	void RE_Direct_RectArea_Physical( const in RectAreaLight rectAreaLight, const in vec3 geometryPosition, const in vec3 geometryNormal, const in vec3 geometryViewDir, const in vec3 geometryClearcoatNormal, const in PhysicalMaterial material, inout ReflectedLight reflectedLight ) {
+		vec3 normal = geometryNormal;
+		vec3 viewDir = geometryViewDir;
+		vec3 position = geometryPosition;
+		vec3 lightPos = rectAreaLight.position;
+		vec3 halfWidth = rectAreaLight.halfWidth;
+		vec3 halfHeight = rectAreaLight.halfHeight;
+		vec3 lightColor = rectAreaLight.color;
+		float roughness = material.roughness;
+		vec3 rectCoords[ 4 ];
+		rectCoords[ 0 ] = lightPos + halfWidth - halfHeight;		rectCoords[ 1 ] = lightPos - halfWidth - halfHeight;
+		rectCoords[ 2 ] = lightPos - halfWidth + halfHeight;
+		rectCoords[ 3 ] = lightPos + halfWidth + halfHeight;
+		vec2 uv = LTC_Uv( normal, viewDir, roughness );
+		vec4 t1 = texture2D( ltc_1, uv );
+		vec4 t2 = texture2D( ltc_2, uv );
+		mat3 mInv = mat3(
+			vec3( t1.x, 0, t1.y ),
+			vec3(    0, 1,    0 ),
+			vec3( t1.z, 0, t1.w )
+		);
+		vec3 fresnel = ( material.specularColorBlended * t2.x + ( material.specularF90 - material.specularColorBlended ) * t2.y );
+		reflectedLight.directSpecular += lightColor * fresnel * LTC_Evaluate( normal, viewDir, position, mInv, rectCoords );
+		reflectedLight.directDiffuse += lightColor * material.diffuseContribution * LTC_Evaluate( normal, viewDir, position, mat3( 1.0 ), rectCoords );
+		#ifdef USE_CLEARCOAT
+			vec3 Ncc = geometryClearcoatNormal;
+			vec2 uvClearcoat = LTC_Uv( Ncc, viewDir, material.clearcoatRoughness );
+			vec4 t1Clearcoat = texture2D( ltc_1, uvClearcoat );
+			vec4 t2Clearcoat = texture2D( ltc_2, uvClearcoat );
+			mat3 mInvClearcoat = mat3(
+				vec3( t1Clearcoat.x, 0, t1Clearcoat.y ),
+				vec3(             0, 1,             0 ),
+				vec3( t1Clearcoat.z, 0, t1Clearcoat.w )
+			);
+			vec3 fresnelClearcoat = material.clearcoatF0 * t2Clearcoat.x + ( material.clearcoatF90 - material.clearcoatF0 ) * t2Clearcoat.y;
+			clearcoatSpecularDirect += lightColor * fresnelClearcoat * LTC_Evaluate( Ncc, viewDir, position, mInvClearcoat, rectCoords );
+		#endif
+	}
+#endif
+void RE_Direct_Physical( const in IncidentLight directLight, const in vec3 geometryPosition, const in vec3 geometryNormal, const in vec3 geometryViewDir, const in vec3 geometryClearcoatNormal, const in PhysicalMaterial material, inout ReflectedLight reflectedLight ) {
+	float dotNL = saturate( dot( geometryNormal, directLight.direction ) );
+	vec3 irradiance = dotNL * directLight.color;
+	#ifdef USE_CLEARCOAT
+		float dotNLcc = saturate( dot( geometryClearcoatNormal, directLight.direction ) );
+		vec3 ccIrradiance = dotNLcc * directLight.color;
+		clearcoatSpecularDirect += ccIrradiance * BRDF_GGX_Clearcoat( directLight.direction, geometryViewDir, geometryClearcoatNormal, material );
+	#endif
+	#ifdef USE_SHEEN
+ 
+ 		sheenSpecularDirect += irradiance * BRDF_Sheen( directLight.direction, geometryViewDir, geometryNormal, material.sheenColor, material.sheenRoughness );
+ 
+ 		float sheenAlbedoV = IBLSheenBRDF( geometryNormal, geometryViewDir, material.sheenRoughness );
+ 		float sheenAlbedoL = IBLSheenBRDF( geometryNormal, directLight.direction, material.sheenRoughness );
+ 
+ 		float sheenEnergyComp = 1.0 - max3( material.sheenColor ) * max( sheenAlbedoV, sheenAlbedoL );
+ 
+ 		irradiance *= sheenEnergyComp;
+ 
+ 	#endif
+	vec3 specularBRDF = BRDF_GGX( directLight.direction, geometryViewDir, geometryNormal, material );
+	#ifdef USE_RETROREFLECTION
+		vec3 retroViewDir = reflect( - geometryViewDir, geometryNormal );
+		vec3 retroSpecularBRDF = BRDF_GGX( directLight.direction, retroViewDir, geometryNormal, material );
+		specularBRDF = mix( specularBRDF, retroSpecularBRDF, saturate( material.retroreflectivity ) );
+	#endif
+	reflectedLight.directSpecular += irradiance * specularBRDF * material.multiScatteringCompensation;
+	vec3 halfDir = normalize( directLight.direction + geometryViewDir );
+	float dotVH = saturate( dot( geometryViewDir, halfDir ) );
+	vec3 F = F_Schlick( material.specularColor, material.specularF90, dotVH );
+	#ifdef USE_RETROREFLECTION
+		vec3 retroHalfDir = normalize( directLight.direction + retroViewDir );
+		float dotRetroVH = saturate( dot( retroViewDir, retroHalfDir ) );
+		vec3 retroF = F_Schlick( material.specularColor, material.specularF90, dotRetroVH );
+		F = mix( F, retroF, saturate( material.retroreflectivity ) );
+	#endif
+	#ifdef USE_DIFFUSE_ROUGHNESS
+		vec3 diffuseBRDF = BRDF_EON( directLight.direction, geometryViewDir, geometryNormal, material.diffuseColor, material.diffuseRoughness ) * ( 1.0 - material.metalness );
+	#else
+		vec3 diffuseBRDF = BRDF_Lambert( material.diffuseContribution );
+	#endif
+	reflectedLight.directDiffuse += irradiance * diffuseBRDF * ( 1.0 - F );
+}
+void RE_IndirectDiffuse_Physical( const in vec3 irradiance, const in vec3 geometryPosition, const in vec3 geometryNormal, const in vec3 geometryViewDir, const in vec3 geometryClearcoatNormal, const in PhysicalMaterial material, inout ReflectedLight reflectedLight ) {
+	vec3 singleScattering = vec3( 0.0 );
+	vec3 multiScattering = vec3( 0.0 );
+	#ifdef USE_IRIDESCENCE
+		computeMultiscatteringIridescence( material.dfg, material.specularColor, material.specularF90, material.iridescence, material.iridescenceF0Dielectric, singleScattering, multiScattering );
+	#else
+		computeMultiscattering( material.dfg, material.specularColor, material.specularF90, singleScattering, multiScattering );
+	#endif
+	#ifdef USE_DIFFUSE_ROUGHNESS
+		float dotNV = saturate( dot( geometryNormal, geometryViewDir ) );
+		vec3 diffuseAlbedo = EON_DirectionalAlbedo( material.diffuseColor, material.diffuseRoughness, dotNV ) * ( 1.0 - material.metalness );
+		vec3 diffuse = irradiance * RECIPROCAL_PI * diffuseAlbedo * ( 1.0 - singleScattering - multiScattering );
+	#else
+		vec3 diffuse = irradiance * BRDF_Lambert( material.diffuseContribution ) * ( 1.0 - singleScattering - multiScattering );
+	#endif
+	#ifdef USE_SHEEN
+		float sheenAlbedo = IBLSheenBRDF( geometryNormal, geometryViewDir, material.sheenRoughness );
+		sheenSpecularIndirect += irradiance * material.sheenColor * sheenAlbedo * RECIPROCAL_PI;
+		float sheenEnergyComp = 1.0 - max3( material.sheenColor ) * sheenAlbedo;
+		diffuse *= sheenEnergyComp;
+	#endif
+	reflectedLight.indirectDiffuse += diffuse;
+}
+void RE_IndirectSpecular_Physical( const in vec3 radiance, const in vec3 irradiance, const in vec3 clearcoatRadiance, const in vec3 geometryPosition, const in vec3 geometryNormal, const in vec3 geometryViewDir, const in vec3 geometryClearcoatNormal, const in PhysicalMaterial material, inout ReflectedLight reflectedLight) {
+	#ifdef USE_CLEARCOAT
+		clearcoatSpecularIndirect += clearcoatRadiance * EnvironmentBRDF( geometryClearcoatNormal, geometryViewDir, material.clearcoatF0, material.clearcoatF90, material.clearcoatRoughness );
+	#endif
+	#ifdef USE_SHEEN
+		sheenSpecularIndirect += irradiance * material.sheenColor * IBLSheenBRDF( geometryNormal, geometryViewDir, material.sheenRoughness ) * RECIPROCAL_PI;
+ 	#endif
+	vec3 singleScatteringDielectric = vec3( 0.0 );
+	vec3 multiScatteringDielectric = vec3( 0.0 );
+	vec3 singleScatteringMetallic = vec3( 0.0 );
+	vec3 multiScatteringMetallic = vec3( 0.0 );
+	#ifdef USE_IRIDESCENCE
+		computeMultiscatteringIridescence( material.dfg, material.specularColor, material.specularF90, material.iridescence, material.iridescenceF0Dielectric, singleScatteringDielectric, multiScatteringDielectric );
+		computeMultiscatteringIridescence( material.dfg, material.diffuseColor, material.specularF90, material.iridescence, material.iridescenceF0Metallic, singleScatteringMetallic, multiScatteringMetallic );
+	#else
+		computeMultiscattering( material.dfg, material.specularColor, material.specularF90, singleScatteringDielectric, multiScatteringDielectric );
+		computeMultiscattering( material.dfg, material.diffuseColor, material.specularF90, singleScatteringMetallic, multiScatteringMetallic );
+	#endif
+	vec3 singleScattering = mix( singleScatteringDielectric, singleScatteringMetallic, material.metalness );
+	vec3 multiScattering = mix( multiScatteringDielectric, multiScatteringMetallic, material.metalness );
+	vec3 totalScatteringDielectric = singleScatteringDielectric + multiScatteringDielectric;
+	#ifdef USE_DIFFUSE_ROUGHNESS
+		float dotNV = saturate( dot( geometryNormal, geometryViewDir ) );
+		vec3 diffuse = EON_DirectionalAlbedo( material.diffuseColor, material.diffuseRoughness, dotNV ) * ( 1.0 - material.metalness ) * ( 1.0 - totalScatteringDielectric );
+	#else
+		vec3 diffuse = material.diffuseContribution * ( 1.0 - totalScatteringDielectric );
+	#endif
+	vec3 cosineWeightedIrradiance = irradiance * RECIPROCAL_PI;
+	vec3 indirectSpecular = radiance * singleScattering;
+	indirectSpecular += multiScattering * cosineWeightedIrradiance;
+	vec3 indirectDiffuse = diffuse * cosineWeightedIrradiance;
+	#ifdef USE_SHEEN
+		float sheenAlbedo = IBLSheenBRDF( geometryNormal, geometryViewDir, material.sheenRoughness );
+		float sheenEnergyComp = 1.0 - max3( material.sheenColor ) * sheenAlbedo;
+		indirectSpecular *= sheenEnergyComp;
+		indirectDiffuse *= sheenEnergyComp;
+	#endif
+	reflectedLight.indirectSpecular += indirectSpecular;
+	reflectedLight.indirectDiffuse += indirectDiffuse;
+}
+#define RE_Direct				RE_Direct_Physical
+#define RE_Direct_RectArea		RE_Direct_RectArea_Physical
+#define RE_IndirectDiffuse		RE_IndirectDiffuse_Physical
+#define RE_IndirectSpecular		RE_IndirectSpecular_Physical
+float computeSpecularOcclusion( const in float dotNV, const in float ambientOcclusion, const in float roughness ) {
+	return saturate( pow( dotNV + ambientOcclusion, exp2( - 16.0 * roughness - 1.0 ) ) - 1.0 + ambientOcclusion );
+}`,xw=`
+vec3 geometryPosition = - vViewPosition;
+vec3 geometryNormal = normal;
+vec3 geometryViewDir = ( isOrthographic ) ? vec3( 0, 0, 1 ) : normalize( vViewPosition );
+vec3 geometryClearcoatNormal = vec3( 0.0 );
+#ifdef USE_CLEARCOAT
+	geometryClearcoatNormal = clearcoatNormal;
+#endif
+#ifdef USE_IRIDESCENCE
+	float dotNVi = saturate( dot( normal, geometryViewDir ) );
+	if ( material.iridescenceThickness == 0.0 ) {
+		material.iridescence = 0.0;
+	} else {
+		material.iridescence = saturate( material.iridescence );
+	}
+	if ( material.iridescence > 0.0 ) {
+		vec3 iridescenceFresnelDielectric = evalIridescence( 1.0, material.iridescenceIOR, dotNVi, material.iridescenceThickness, material.specularColor );
+		vec3 iridescenceFresnelMetallic = evalIridescence( 1.0, material.iridescenceIOR, dotNVi, material.iridescenceThickness, material.diffuseColor );
+		material.iridescenceFresnel = mix( iridescenceFresnelDielectric, iridescenceFresnelMetallic, material.metalness );
+		material.iridescenceF0Dielectric = Schlick_to_F0( iridescenceFresnelDielectric, 1.0, dotNVi );
+		material.iridescenceF0Metallic = Schlick_to_F0( iridescenceFresnelMetallic, 1.0, dotNVi );
+	}
+#endif
+#ifdef STANDARD
+	float dotNVms = saturate( dot( geometryNormal, geometryViewDir ) );
+	material.dfg = texture2D( dfgLUT, vec2( material.roughness, dotNVms ) ).rg;
+	#if ( NUM_SUN_LIGHTS > 0 || NUM_DIR_LIGHTS > 0 || NUM_POINT_LIGHTS > 0 || NUM_SPOT_LIGHTS > 0 )
+		float EssMs = material.dfg.x + material.dfg.y;
+		material.multiScatteringCompensation = 1.0 + material.specularColorBlended * ( 1.0 / EssMs - 1.0 );
+	#endif
+#endif
+IncidentLight directLight;
+#if ( NUM_POINT_LIGHTS > 0 ) && defined( RE_Direct )
+	PointLight pointLight;
+	#if defined( USE_SHADOWMAP ) && NUM_POINT_LIGHT_SHADOWS > 0
+	PointLightShadow pointLightShadow;
+	#endif
+	#pragma unroll_loop_start
+	for ( int i = 0; i < NUM_POINT_LIGHTS; i ++ ) {
+		pointLight = pointLights[ i ];
+		getPointLightInfo( pointLight, geometryPosition, directLight );
+		#if defined( USE_SHADOWMAP ) && ( UNROLLED_LOOP_INDEX < NUM_POINT_LIGHT_SHADOWS ) && ( defined( SHADOWMAP_TYPE_PCF ) || defined( SHADOWMAP_TYPE_BASIC ) )
+		pointLightShadow = pointLightShadows[ i ];
+		directLight.color *= ( directLight.visible && receiveShadow ) ? getPointShadow( pointShadowMap[ i ], pointLightShadow.shadowMapSize, pointLightShadow.shadowIntensity, pointLightShadow.shadowBias, pointLightShadow.shadowRadius, vPointShadowCoord[ i ], pointLightShadow.shadowCameraNear, pointLightShadow.shadowCameraFar ) : 1.0;
+		#endif
+		RE_Direct( directLight, geometryPosition, geometryNormal, geometryViewDir, geometryClearcoatNormal, material, reflectedLight );
+	}
+	#pragma unroll_loop_end
+#endif
+#if ( NUM_SPOT_LIGHTS > 0 ) && defined( RE_Direct )
+	SpotLight spotLight;
+	vec4 spotColor;
+	vec3 spotLightCoord;
+	bool inSpotLightMap;
+	#if defined( USE_SHADOWMAP ) && NUM_SPOT_LIGHT_SHADOWS > 0
+	SpotLightShadow spotLightShadow;
+	#endif
+	#pragma unroll_loop_start
+	for ( int i = 0; i < NUM_SPOT_LIGHTS; i ++ ) {
+		spotLight = spotLights[ i ];
+		getSpotLightInfo( spotLight, geometryPosition, directLight );
+		#if ( UNROLLED_LOOP_INDEX < NUM_SPOT_LIGHT_SHADOWS_WITH_MAPS )
+		#define SPOT_LIGHT_MAP_INDEX UNROLLED_LOOP_INDEX
+		#elif ( UNROLLED_LOOP_INDEX < NUM_SPOT_LIGHT_SHADOWS )
+		#define SPOT_LIGHT_MAP_INDEX NUM_SPOT_LIGHT_MAPS
+		#else
+		#define SPOT_LIGHT_MAP_INDEX ( UNROLLED_LOOP_INDEX - NUM_SPOT_LIGHT_SHADOWS + NUM_SPOT_LIGHT_SHADOWS_WITH_MAPS )
+		#endif
+		#if ( SPOT_LIGHT_MAP_INDEX < NUM_SPOT_LIGHT_MAPS )
+			spotLightCoord = vSpotLightCoord[ i ].xyz / vSpotLightCoord[ i ].w;
+			inSpotLightMap = all( lessThan( abs( spotLightCoord * 2. - 1. ), vec3( 1.0 ) ) );
+			spotColor = texture2D( spotLightMap[ SPOT_LIGHT_MAP_INDEX ], spotLightCoord.xy );
+			directLight.color = inSpotLightMap ? directLight.color * spotColor.rgb : directLight.color;
+		#endif
+		#undef SPOT_LIGHT_MAP_INDEX
+		#if defined( USE_SHADOWMAP ) && ( UNROLLED_LOOP_INDEX < NUM_SPOT_LIGHT_SHADOWS )
+		spotLightShadow = spotLightShadows[ i ];
+		directLight.color *= ( directLight.visible && receiveShadow ) ? getShadow( spotShadowMap[ i ], spotLightShadow.shadowMapSize, spotLightShadow.shadowIntensity, spotLightShadow.shadowBias, spotLightShadow.shadowRadius, vSpotLightCoord[ i ] ) : 1.0;
+		#endif
+		RE_Direct( directLight, geometryPosition, geometryNormal, geometryViewDir, geometryClearcoatNormal, material, reflectedLight );
+	}
+	#pragma unroll_loop_end
+#endif
+#if ( NUM_SUN_LIGHTS > 0 ) && defined( RE_Direct )
+	SunLight sunLight;
+	#if defined( USE_SHADOWMAP ) && NUM_SUN_LIGHT_SHADOWS > 0
+	SunLightShadow sunLightShadow;
+	#endif
+	#pragma unroll_loop_start
+	for ( int i = 0; i < NUM_SUN_LIGHTS; i ++ ) {
+		sunLight = sunLights[ i ];
+		getSunLightInfo( sunLight, directLight );
+		#if defined( USE_SHADOWMAP ) && ( UNROLLED_LOOP_INDEX < NUM_SUN_LIGHT_SHADOWS )
+		sunLightShadow = sunLightShadows[ i ];
+		directLight.color *= ( directLight.visible && receiveShadow ) ? getSunShadow( sunShadowMap[ i ], sunLightShadow, UNROLLED_LOOP_INDEX ) : 1.0;
+		#endif
+		RE_Direct( directLight, geometryPosition, geometryNormal, geometryViewDir, geometryClearcoatNormal, material, reflectedLight );
+	}
+	#pragma unroll_loop_end
+#endif
+#if ( NUM_DIR_LIGHTS > 0 ) && defined( RE_Direct )
+	DirectionalLight directionalLight;
+	#if defined( USE_SHADOWMAP ) && NUM_DIR_LIGHT_SHADOWS > 0
+	DirectionalLightShadow directionalLightShadow;
+	#endif
+	#pragma unroll_loop_start
+	for ( int i = 0; i < NUM_DIR_LIGHTS; i ++ ) {
+		directionalLight = directionalLights[ i ];
+		getDirectionalLightInfo( directionalLight, directLight );
+		#if defined( USE_SHADOWMAP ) && ( UNROLLED_LOOP_INDEX < NUM_DIR_LIGHT_SHADOWS )
+		directionalLightShadow = directionalLightShadows[ i ];
+		directLight.color *= ( directLight.visible && receiveShadow ) ? getShadow( directionalShadowMap[ i ], directionalLightShadow.shadowMapSize, directionalLightShadow.shadowIntensity, directionalLightShadow.shadowBias, directionalLightShadow.shadowRadius, vDirectionalShadowCoord[ i ] ) : 1.0;
+		#endif
+		RE_Direct( directLight, geometryPosition, geometryNormal, geometryViewDir, geometryClearcoatNormal, material, reflectedLight );
+	}
+	#pragma unroll_loop_end
+#endif
+#if ( NUM_RECT_AREA_LIGHTS > 0 ) && defined( RE_Direct_RectArea )
+	RectAreaLight rectAreaLight;
+	#pragma unroll_loop_start
+	for ( int i = 0; i < NUM_RECT_AREA_LIGHTS; i ++ ) {
+		rectAreaLight = rectAreaLights[ i ];
+		RE_Direct_RectArea( rectAreaLight, geometryPosition, geometryNormal, geometryViewDir, geometryClearcoatNormal, material, reflectedLight );
+	}
+	#pragma unroll_loop_end
+#endif
+#if defined( RE_IndirectDiffuse )
+	vec3 iblIrradiance = vec3( 0.0 );
+	vec3 irradiance = getAmbientLightIrradiance( ambientLightColor );
+	#if defined( USE_LIGHT_PROBES )
+		irradiance += getLightProbeIrradiance( lightProbe, geometryNormal );
+	#endif
+	#if ( NUM_HEMI_LIGHTS > 0 )
+		#pragma unroll_loop_start
+		for ( int i = 0; i < NUM_HEMI_LIGHTS; i ++ ) {
+			irradiance += getHemisphereLightIrradiance( hemisphereLights[ i ], geometryNormal );
+		}
+		#pragma unroll_loop_end
+	#endif
+	#if NUM_LIGHT_PROBE_GRIDS > 0
+		vec3 probeWorldPos = ( ( vec4( geometryPosition, 1.0 ) - viewMatrix[ 3 ] ) * viewMatrix ).xyz;
+		vec3 probeWorldNormal = transformNormalByInverseViewMatrix( geometryNormal, viewMatrix );
+		int probeGrid = - 1;
+		#pragma unroll_loop_start
+		for ( int i = 0; i < NUM_LIGHT_PROBE_GRIDS; i ++ ) {
+			if ( isInsideLightProbeGrid( probeWorldPos, probeWorldNormal, probesMin[ i ], probesMax[ i ], probesResolution[ i ] ) ) probeGrid = UNROLLED_LOOP_INDEX;
+		}
+		#pragma unroll_loop_end
+		#pragma unroll_loop_start
+		for ( int i = 0; i < NUM_LIGHT_PROBE_GRIDS; i ++ ) {
+			if ( probeGrid == UNROLLED_LOOP_INDEX ) irradiance += getLightProbeGridIrradiance( probesSH[ i ], probesMin[ i ], probesMax[ i ], probesResolution[ i ], probeWorldPos, probeWorldNormal );
+		}
+		#pragma unroll_loop_end
+	#endif
+#endif
+#if defined( RE_IndirectSpecular )
+	vec3 radiance = vec3( 0.0 );
+	vec3 clearcoatRadiance = vec3( 0.0 );
+#endif`,yw=`#if defined( RE_IndirectDiffuse )
+	#ifdef USE_LIGHTMAP
+		vec4 lightMapTexel = texture2D( lightMap, vLightMapUv );
+		vec3 lightMapIrradiance = lightMapTexel.rgb * lightMapIntensity;
+		irradiance += lightMapIrradiance;
+	#endif
+	#if defined( USE_ENVMAP ) && defined( ENVMAP_TYPE_PMREM )
+		#if defined( STANDARD ) || defined( LAMBERT ) || defined( PHONG )
+			iblIrradiance += getIBLIrradiance( geometryNormal );
+		#endif
+	#endif
+#endif
+#if defined( USE_ENVMAP ) && defined( RE_IndirectSpecular )
+	#ifdef USE_ANISOTROPY
+		vec3 iblRadiance = getIBLAnisotropyRadiance( geometryViewDir, geometryNormal, material.roughness, material.anisotropyB, material.anisotropy );
+	#else
+		vec3 iblRadiance = getIBLRadiance( geometryViewDir, geometryNormal, material.roughness );
+	#endif
+	#ifdef USE_RETROREFLECTION
+		#ifdef USE_ANISOTROPY
+			vec3 retroIBLRadiance = getIBLAnisotropyRetroRadiance( geometryViewDir, geometryNormal, material.roughness, material.anisotropyB, material.anisotropy );
+		#else
+			vec3 retroIBLRadiance = getIBLRetroRadiance( geometryViewDir, geometryNormal, material.roughness );
+		#endif
+		iblRadiance = mix( iblRadiance, retroIBLRadiance, saturate( material.retroreflectivity ) );
+	#endif
+	radiance += iblRadiance;
+	#ifdef USE_CLEARCOAT
+		clearcoatRadiance += getIBLRadiance( geometryViewDir, geometryClearcoatNormal, material.clearcoatRoughness );
+	#endif
+#endif`,vw=`#if defined( RE_IndirectDiffuse )
+	#if defined( LAMBERT ) || defined( PHONG )
+		irradiance += iblIrradiance;
+	#endif
+	RE_IndirectDiffuse( irradiance, geometryPosition, geometryNormal, geometryViewDir, geometryClearcoatNormal, material, reflectedLight );
+#endif
+#if defined( RE_IndirectSpecular )
+	RE_IndirectSpecular( radiance, iblIrradiance, clearcoatRadiance, geometryPosition, geometryNormal, geometryViewDir, geometryClearcoatNormal, material, reflectedLight );
+#endif`,Sw=`#if NUM_LIGHT_PROBE_GRIDS > 0
+uniform highp sampler3D probesSH[ NUM_LIGHT_PROBE_GRIDS ];
+uniform vec3 probesMin[ NUM_LIGHT_PROBE_GRIDS ];
+uniform vec3 probesMax[ NUM_LIGHT_PROBE_GRIDS ];
+uniform vec3 probesResolution[ NUM_LIGHT_PROBE_GRIDS ];
+bool isInsideLightProbeGrid( vec3 worldPos, vec3 worldNormal, vec3 probesMin, vec3 probesMax, vec3 probesResolution ) {
+	vec3 spacing = ( probesMax - probesMin ) / probesResolution;
+	vec3 samplePos = worldPos + worldNormal * spacing * 0.5;
+	vec3 margin = spacing * 0.01;
+	return all( greaterThanEqual( samplePos, probesMin - margin ) ) && all( lessThanEqual( samplePos, probesMax + margin ) );
+}
+vec3 getLightProbeGridIrradiance( highp sampler3D probesSH, vec3 probesMin, vec3 probesMax, vec3 probesResolution, vec3 worldPos, vec3 worldNormal ) {
+	vec3 res = probesResolution;
+	vec3 gridRange = probesMax - probesMin;
+	vec3 probeSpacing = gridRange / res;
+	vec3 samplePos = worldPos + worldNormal * probeSpacing * 0.5;
+	vec3 uvw = clamp( ( samplePos - probesMin ) / gridRange, 0.5 / res, 1.0 - 0.5 / res );
+	float nz          = res.z;
+	float paddedSlices = nz + 2.0;
+	float atlasDepth  = 7.0 * paddedSlices;
+	float uvZBase     = uvw.z * nz + 1.0;
+	vec4 s0 = texture( probesSH, vec3( uvw.xy, ( uvZBase                       ) / atlasDepth ) );
+	vec4 s1 = texture( probesSH, vec3( uvw.xy, ( uvZBase +       paddedSlices   ) / atlasDepth ) );
+	vec4 s2 = texture( probesSH, vec3( uvw.xy, ( uvZBase + 2.0 * paddedSlices   ) / atlasDepth ) );
+	vec4 s3 = texture( probesSH, vec3( uvw.xy, ( uvZBase + 3.0 * paddedSlices   ) / atlasDepth ) );
+	vec4 s4 = texture( probesSH, vec3( uvw.xy, ( uvZBase + 4.0 * paddedSlices   ) / atlasDepth ) );
+	vec4 s5 = texture( probesSH, vec3( uvw.xy, ( uvZBase + 5.0 * paddedSlices   ) / atlasDepth ) );
+	vec4 s6 = texture( probesSH, vec3( uvw.xy, ( uvZBase + 6.0 * paddedSlices   ) / atlasDepth ) );
+	vec3 c0 = s0.xyz;
+	vec3 c1 = vec3( s0.w, s1.xy );
+	vec3 c2 = vec3( s1.zw, s2.x );
+	vec3 c3 = s2.yzw;
+	vec3 c4 = s3.xyz;
+	vec3 c5 = vec3( s3.w, s4.xy );
+	vec3 c6 = vec3( s4.zw, s5.x );
+	vec3 c7 = s5.yzw;
+	vec3 c8 = s6.xyz;
+	float x = worldNormal.x, y = worldNormal.y, z = worldNormal.z;
+	vec3 result = c0 * 0.886227;
+	result += c1 * 2.0 * 0.511664 * y;
+	result += c2 * 2.0 * 0.511664 * z;
+	result += c3 * 2.0 * 0.511664 * x;
+	result += c4 * 2.0 * 0.429043 * x * y;
+	result += c5 * 2.0 * 0.429043 * y * z;
+	result += c6 * ( 0.743125 * z * z - 0.247708 );
+	result += c7 * 2.0 * 0.429043 * x * z;
+	result += c8 * 0.429043 * ( x * x - y * y );
+	return max( result, vec3( 0.0 ) );
+}
+#endif`,bw=`#if defined( USE_LOGARITHMIC_DEPTH_BUFFER )
+	gl_FragDepth = vIsPerspective == 0.0 ? gl_FragCoord.z : log2( vFragDepth ) * logDepthBufFC * 0.5;
+#endif`,ww=`#if defined( USE_LOGARITHMIC_DEPTH_BUFFER )
+	uniform float logDepthBufFC;
+	varying float vFragDepth;
+	varying float vIsPerspective;
+#endif`,Mw=`#ifdef USE_LOGARITHMIC_DEPTH_BUFFER
+	varying float vFragDepth;
+	varying float vIsPerspective;
+#endif`,Ew=`#ifdef USE_LOGARITHMIC_DEPTH_BUFFER
+	vFragDepth = 1.0 + gl_Position.w;
+	vIsPerspective = float( isPerspectiveMatrix( projectionMatrix ) );
+#endif`,Aw=`#ifdef USE_MAP
+	vec4 sampledDiffuseColor = texture2D( map, vMapUv );
+	#ifdef DECODE_VIDEO_TEXTURE
+		sampledDiffuseColor = sRGBTransferEOTF( sampledDiffuseColor );
+	#endif
+	diffuseColor *= sampledDiffuseColor;
+#endif`,Tw=`#ifdef USE_MAP
+	uniform sampler2D map;
+#endif`,Cw=`#if defined( USE_MAP ) || defined( USE_ALPHAMAP )
+	#if defined( USE_POINTS_UV )
+		vec2 uv = vUv;
+	#else
+		vec2 uv = ( uvTransform * vec3( gl_PointCoord.x, 1.0 - gl_PointCoord.y, 1 ) ).xy;
+	#endif
+#endif
+#ifdef USE_MAP
+	diffuseColor *= texture2D( map, uv );
+#endif
+#ifdef USE_ALPHAMAP
+	diffuseColor.a *= texture2D( alphaMap, uv ).g;
+#endif`,Rw=`#if defined( USE_POINTS_UV )
+	varying vec2 vUv;
+#else
+	#if defined( USE_MAP ) || defined( USE_ALPHAMAP )
+		uniform mat3 uvTransform;
+	#endif
+#endif
+#ifdef USE_MAP
+	uniform sampler2D map;
+#endif
+#ifdef USE_ALPHAMAP
+	uniform sampler2D alphaMap;
+#endif`,Pw=`float metalnessFactor = metalness;
+#ifdef USE_METALNESSMAP
+	vec4 texelMetalness = texture2D( metalnessMap, vMetalnessMapUv );
+	metalnessFactor *= texelMetalness.b;
+#endif`,Iw=`#ifdef USE_METALNESSMAP
+	uniform sampler2D metalnessMap;
+#endif`,Lw=`#ifdef USE_INSTANCING_MORPH
+	float morphTargetInfluences[ MORPHTARGETS_COUNT ];
+	float morphTargetBaseInfluence = texelFetch( morphTexture, ivec2( 0, gl_InstanceID ), 0 ).r;
+	for ( int i = 0; i < MORPHTARGETS_COUNT; i ++ ) {
+		morphTargetInfluences[i] =  texelFetch( morphTexture, ivec2( i + 1, gl_InstanceID ), 0 ).r;
+	}
+#endif`,Dw=`#if defined( USE_MORPHCOLORS )
+	#if defined( USE_COLOR_ALPHA )
+		vColor *= morphTargetBaseInfluence;
+	#elif defined( USE_COLOR )
+		vColor.rgb *= morphTargetBaseInfluence;
+	#endif
+	for ( int i = 0; i < MORPHTARGETS_COUNT; i ++ ) {
+		#if defined( USE_COLOR_ALPHA )
+			if ( morphTargetInfluences[ i ] != 0.0 ) vColor += getMorph( gl_VertexID, i, 2 ) * morphTargetInfluences[ i ];
+		#elif defined( USE_COLOR )
+			if ( morphTargetInfluences[ i ] != 0.0 ) vColor.rgb += getMorph( gl_VertexID, i, 2 ).rgb * morphTargetInfluences[ i ];
+		#endif
+	}
+#endif`,Nw=`#ifdef USE_MORPHNORMALS
+	objectNormal *= morphTargetBaseInfluence;
+	for ( int i = 0; i < MORPHTARGETS_COUNT; i ++ ) {
+		if ( morphTargetInfluences[ i ] != 0.0 ) objectNormal += getMorph( gl_VertexID, i, 1 ).xyz * morphTargetInfluences[ i ];
+	}
+#endif`,Ow=`#ifdef USE_MORPHTARGETS
+	#ifndef USE_INSTANCING_MORPH
+		uniform float morphTargetBaseInfluence;
+		uniform float morphTargetInfluences[ MORPHTARGETS_COUNT ];
+	#endif
+	uniform sampler2DArray morphTargetsTexture;
+	uniform ivec2 morphTargetsTextureSize;
+	vec4 getMorph( const in int vertexIndex, const in int morphTargetIndex, const in int offset ) {
+		int texelIndex = vertexIndex * MORPHTARGETS_TEXTURE_STRIDE + offset;
+		int y = texelIndex / morphTargetsTextureSize.x;
+		int x = texelIndex - y * morphTargetsTextureSize.x;
+		ivec3 morphUV = ivec3( x, y, morphTargetIndex );
+		return texelFetch( morphTargetsTexture, morphUV, 0 );
+	}
+#endif`,Uw=`#ifdef USE_MORPHTARGETS
+	transformed *= morphTargetBaseInfluence;
+	for ( int i = 0; i < MORPHTARGETS_COUNT; i ++ ) {
+		if ( morphTargetInfluences[ i ] != 0.0 ) transformed += getMorph( gl_VertexID, i, 0 ).xyz * morphTargetInfluences[ i ];
+	}
+#endif`,Fw=`float faceDirection = gl_FrontFacing ? 1.0 : - 1.0;
+#ifdef FLAT_SHADED
+	vec3 fdx = dFdx( vViewPosition );
+	vec3 fdy = dFdy( vViewPosition );
+	vec3 normal = normalize( cross( fdx, fdy ) );
+#else
+	vec3 normal = normalize( vNormal );
+	#ifdef DOUBLE_SIDED
+		normal *= faceDirection;
+	#endif
+#endif
+#if defined( USE_NORMALMAP_TANGENTSPACE ) || defined( USE_CLEARCOAT_NORMALMAP ) || defined( USE_ANISOTROPY )
+	#ifdef USE_TANGENT
+		mat3 tbn = mat3( normalize( vTangent ), normalize( vBitangent ), normal );
+	#else
+		mat3 tbn = getTangentFrame( - vViewPosition, normal,
+		#if defined( USE_NORMALMAP )
+			vNormalMapUv
+		#elif defined( USE_CLEARCOAT_NORMALMAP )
+			vClearcoatNormalMapUv
+		#else
+			vUv
+		#endif
+		);
+	#endif
+	#ifdef DOUBLE_SIDED
+		tbn[0] *= faceDirection;
+		tbn[1] *= faceDirection;
+	#endif
+#endif
+#ifdef USE_CLEARCOAT_NORMALMAP
+	#ifdef USE_TANGENT
+		mat3 tbn2 = mat3( normalize( vTangent ), normalize( vBitangent ), normal );
+	#else
+		mat3 tbn2 = getTangentFrame( - vViewPosition, normal, vClearcoatNormalMapUv );
+	#endif
+	#ifdef DOUBLE_SIDED
+		tbn2[0] *= faceDirection;
+		tbn2[1] *= faceDirection;
+	#endif
+#endif
+vec3 nonPerturbedNormal = normal;`,Bw=`#ifdef USE_NORMALMAP_OBJECTSPACE
+	normal = texture2D( normalMap, vNormalMapUv ).xyz * 2.0 - 1.0;
+	#ifdef FLIP_SIDED
+		normal = - normal;
+	#endif
+	#ifdef DOUBLE_SIDED
+		normal = normal * faceDirection;
+	#endif
+	normal = normalize( normalMatrix * normal );
+#elif defined( USE_NORMALMAP_TANGENTSPACE )
+	vec3 mapN = texture2D( normalMap, vNormalMapUv ).xyz * 2.0 - 1.0;
+	#if defined( USE_PACKED_NORMALMAP )
+		mapN = vec3( mapN.xy, sqrt( saturate( 1.0 - dot( mapN.xy, mapN.xy ) ) ) );
+	#endif
+	mapN.xy *= normalScale;
+	normal = normalize( tbn * mapN );
+#elif defined( USE_BUMPMAP )
+	normal = perturbNormalArb( - vViewPosition, normal, dHdxy_fwd(), faceDirection );
+#endif`,kw=`#ifndef FLAT_SHADED
+	varying vec3 vNormal;
+	#ifdef USE_TANGENT
+		varying vec3 vTangent;
+		varying vec3 vBitangent;
+	#endif
+#endif`,zw=`#ifndef FLAT_SHADED
+	varying vec3 vNormal;
+	#ifdef USE_TANGENT
+		varying vec3 vTangent;
+		varying vec3 vBitangent;
+	#endif
+#endif`,Gw=`#ifndef FLAT_SHADED
+	vNormal = normalize( transformedNormal );
+	#ifdef USE_TANGENT
+		vTangent = normalize( transformedTangent );
+		vBitangent = normalize( cross( vNormal, vTangent ) * tangent.w );
+		#ifdef FLIP_SIDED
+			vBitangent = - vBitangent;
+		#endif
+	#endif
+#endif`,Vw=`#ifdef USE_NORMALMAP
+	uniform sampler2D normalMap;
+	uniform vec2 normalScale;
+#endif
+#ifdef USE_NORMALMAP_OBJECTSPACE
+	uniform mat3 normalMatrix;
+#endif
+#if ! defined ( USE_TANGENT ) && ( defined ( USE_NORMALMAP_TANGENTSPACE ) || defined ( USE_CLEARCOAT_NORMALMAP ) || defined( USE_ANISOTROPY ) )
+	mat3 getTangentFrame( vec3 eye_pos, vec3 surf_norm, vec2 uv ) {
+		vec3 q0 = dFdx( eye_pos.xyz );
+		vec3 q1 = dFdy( eye_pos.xyz );
+		vec2 st0 = dFdx( uv.st );
+		vec2 st1 = dFdy( uv.st );
+		vec3 N = surf_norm;
+		vec3 q1perp = cross( q1, N );
+		vec3 q0perp = cross( N, q0 );
+		vec3 T = q1perp * st0.x + q0perp * st1.x;
+		vec3 B = q1perp * st0.y + q0perp * st1.y;
+		float det = max( dot( T, T ), dot( B, B ) );
+		float scale = ( det == 0.0 ) ? 0.0 : inversesqrt( det );
+		return mat3( T * scale, B * scale, N );
+	}
+#endif`,Hw=`#ifdef USE_CLEARCOAT
+	vec3 clearcoatNormal = nonPerturbedNormal;
+#endif`,Ww=`#ifdef USE_CLEARCOAT_NORMALMAP
+	vec3 clearcoatMapN = texture2D( clearcoatNormalMap, vClearcoatNormalMapUv ).xyz * 2.0 - 1.0;
+	clearcoatMapN.xy *= clearcoatNormalScale;
+	clearcoatNormal = normalize( tbn2 * clearcoatMapN );
+#endif`,Xw=`#ifdef USE_CLEARCOATMAP
+	uniform sampler2D clearcoatMap;
+#endif
+#ifdef USE_CLEARCOAT_NORMALMAP
+	uniform sampler2D clearcoatNormalMap;
+	uniform vec2 clearcoatNormalScale;
+#endif
+#ifdef USE_CLEARCOAT_ROUGHNESSMAP
+	uniform sampler2D clearcoatRoughnessMap;
+#endif`,$w=`#ifdef USE_IRIDESCENCEMAP
+	uniform sampler2D iridescenceMap;
+#endif
+#ifdef USE_IRIDESCENCE_THICKNESSMAP
+	uniform sampler2D iridescenceThicknessMap;
+#endif`,Yw=`#ifdef OPAQUE
+diffuseColor.a = 1.0;
+#endif
+#ifdef USE_TRANSMISSION
+diffuseColor.a *= material.transmissionAlpha;
+#endif
+gl_FragColor = vec4( outgoingLight, diffuseColor.a );`,qw=`vec3 packNormalToRGB( const in vec3 normal ) {
+	return normalize( normal ) * 0.5 + 0.5;
+}
+vec3 unpackRGBToNormal( const in vec3 rgb ) {
+	return 2.0 * rgb.xyz - 1.0;
+}
+const float PackUpscale = 256. / 255.;const float UnpackDownscale = 255. / 256.;const float ShiftRight8 = 1. / 256.;
+const float Inv255 = 1. / 255.;
+const vec4 PackFactors = vec4( 1.0, 256.0, 256.0 * 256.0, 256.0 * 256.0 * 256.0 );
+const vec2 UnpackFactors2 = vec2( UnpackDownscale, 1.0 / PackFactors.g );
+const vec3 UnpackFactors3 = vec3( UnpackDownscale / PackFactors.rg, 1.0 / PackFactors.b );
+const vec4 UnpackFactors4 = vec4( UnpackDownscale / PackFactors.rgb, 1.0 / PackFactors.a );
+vec4 packDepthToRGBA( const in float v ) {
+	if( v <= 0.0 )
+		return vec4( 0., 0., 0., 0. );
+	if( v >= 1.0 )
+		return vec4( 1., 1., 1., 1. );
+	float vuf;
+	float af = modf( v * PackFactors.a, vuf );
+	float bf = modf( vuf * ShiftRight8, vuf );
+	float gf = modf( vuf * ShiftRight8, vuf );
+	return vec4( vuf * Inv255, gf * PackUpscale, bf * PackUpscale, af );
+}
+vec3 packDepthToRGB( const in float v ) {
+	if( v <= 0.0 )
+		return vec3( 0., 0., 0. );
+	if( v >= 1.0 )
+		return vec3( 1., 1., 1. );
+	float vuf;
+	float bf = modf( v * PackFactors.b, vuf );
+	float gf = modf( vuf * ShiftRight8, vuf );
+	return vec3( vuf * Inv255, gf * PackUpscale, bf );
+}
+vec2 packDepthToRG( const in float v ) {
+	if( v <= 0.0 )
+		return vec2( 0., 0. );
+	if( v >= 1.0 )
+		return vec2( 1., 1. );
+	float vuf;
+	float gf = modf( v * 256., vuf );
+	return vec2( vuf * Inv255, gf );
+}
+float unpackRGBAToDepth( const in vec4 v ) {
+	return dot( v, UnpackFactors4 );
+}
+float unpackRGBToDepth( const in vec3 v ) {
+	return dot( v, UnpackFactors3 );
+}
+float unpackRGToDepth( const in vec2 v ) {
+	return v.r * UnpackFactors2.r + v.g * UnpackFactors2.g;
+}
+vec4 pack2HalfToRGBA( const in vec2 v ) {
+	vec4 r = vec4( v.x, fract( v.x * 255.0 ), v.y, fract( v.y * 255.0 ) );
+	return vec4( r.x - r.y / 255.0, r.y, r.z - r.w / 255.0, r.w );
+}
+vec2 unpackRGBATo2Half( const in vec4 v ) {
+	return vec2( v.x + ( v.y / 255.0 ), v.z + ( v.w / 255.0 ) );
+}
+float viewZToOrthographicDepth( const in float viewZ, const in float near, const in float far ) {
+	return ( viewZ + near ) / ( near - far );
+}
+float orthographicDepthToViewZ( const in float depth, const in float near, const in float far ) {
+	#ifdef USE_REVERSED_DEPTH_BUFFER
+	
+		return depth * ( far - near ) - far;
+	#else
+		return depth * ( near - far ) - near;
+	#endif
+}
+float viewZToPerspectiveDepth( const in float viewZ, const in float near, const in float far ) {
+	return ( ( near + viewZ ) * far ) / ( ( far - near ) * viewZ );
+}
+float perspectiveDepthToViewZ( const in float depth, const in float near, const in float far ) {
+	
+	#ifdef USE_REVERSED_DEPTH_BUFFER
+		return ( near * far ) / ( ( near - far ) * depth - near );
+	#else
+		return ( near * far ) / ( ( far - near ) * depth - far );
+	#endif
+}`,Zw=`#ifdef PREMULTIPLIED_ALPHA
+	gl_FragColor.rgb *= gl_FragColor.a;
+#endif`,jw=`vec4 mvPosition = vec4( transformed, 1.0 );
+#ifdef USE_BATCHING
+	mvPosition = batchingMatrix * mvPosition;
+#endif
+#ifdef USE_INSTANCING
+	mvPosition = instanceMatrix * mvPosition;
+#endif
+mvPosition = modelViewMatrix * mvPosition;
+gl_Position = projectionMatrix * mvPosition;`,Jw=`#ifdef DITHERING
+	gl_FragColor.rgb = dithering( gl_FragColor.rgb );
+#endif`,Kw=`#ifdef DITHERING
+	vec3 dithering( vec3 color ) {
+		float grid_position = rand( gl_FragCoord.xy );
+		vec3 dither_shift_RGB = vec3( 0.25 / 255.0, -0.25 / 255.0, 0.25 / 255.0 );
+		dither_shift_RGB = mix( 2.0 * dither_shift_RGB, -2.0 * dither_shift_RGB, grid_position );
+		return color + dither_shift_RGB;
+	}
+#endif`,Qw=`float roughnessFactor = roughness;
+#ifdef USE_ROUGHNESSMAP
+	vec4 texelRoughness = texture2D( roughnessMap, vRoughnessMapUv );
+	roughnessFactor *= texelRoughness.g;
+#endif`,tM=`#ifdef USE_ROUGHNESSMAP
+	uniform sampler2D roughnessMap;
+#endif`,eM=`#if NUM_SPOT_LIGHT_COORDS > 0
+	varying vec4 vSpotLightCoord[ NUM_SPOT_LIGHT_COORDS ];
+#endif
+#if NUM_SPOT_LIGHT_MAPS > 0
+	uniform sampler2D spotLightMap[ NUM_SPOT_LIGHT_MAPS ];
+#endif
+#ifdef USE_SHADOWMAP
+	#if NUM_SUN_LIGHT_SHADOWS > 0
+		#define SUN_LIGHT_CASCADES 2
+		#if defined( SHADOWMAP_TYPE_PCF )
+			uniform sampler2DShadow sunShadowMap[ NUM_SUN_LIGHT_SHADOWS ];
+		#else
+			uniform sampler2D sunShadowMap[ NUM_SUN_LIGHT_SHADOWS ];
+		#endif
+		uniform mat4 sunShadowMatrix[ NUM_SUN_LIGHT_SHADOWS * SUN_LIGHT_CASCADES ];
+		uniform vec4 sunShadowCascade[ NUM_SUN_LIGHT_SHADOWS * SUN_LIGHT_CASCADES ];
+		varying vec4 vSunShadowWorldPosition;
+		varying vec3 vSunShadowWorldNormal;
+		struct SunLightShadow {
+			float shadowIntensity;
+			float shadowBias;
+			float shadowNormalBias;
+			float shadowRadius;
+			vec2 shadowMapSize;
+		};
+		uniform SunLightShadow sunLightShadows[ NUM_SUN_LIGHT_SHADOWS ];
+	#endif
+	#if NUM_DIR_LIGHT_SHADOWS > 0
+		#if defined( SHADOWMAP_TYPE_PCF )
+			uniform sampler2DShadow directionalShadowMap[ NUM_DIR_LIGHT_SHADOWS ];
+		#else
+			uniform sampler2D directionalShadowMap[ NUM_DIR_LIGHT_SHADOWS ];
+		#endif
+		varying vec4 vDirectionalShadowCoord[ NUM_DIR_LIGHT_SHADOWS ];
+		struct DirectionalLightShadow {
+			float shadowIntensity;
+			float shadowBias;
+			float shadowNormalBias;
+			float shadowRadius;
+			vec2 shadowMapSize;
+		};
+		uniform DirectionalLightShadow directionalLightShadows[ NUM_DIR_LIGHT_SHADOWS ];
+	#endif
+	#if NUM_SPOT_LIGHT_SHADOWS > 0
+		#if defined( SHADOWMAP_TYPE_PCF )
+			uniform sampler2DShadow spotShadowMap[ NUM_SPOT_LIGHT_SHADOWS ];
+		#else
+			uniform sampler2D spotShadowMap[ NUM_SPOT_LIGHT_SHADOWS ];
+		#endif
+		struct SpotLightShadow {
+			float shadowIntensity;
+			float shadowBias;
+			float shadowNormalBias;
+			float shadowRadius;
+			vec2 shadowMapSize;
+		};
+		uniform SpotLightShadow spotLightShadows[ NUM_SPOT_LIGHT_SHADOWS ];
+	#endif
+	#if NUM_POINT_LIGHT_SHADOWS > 0
+		#if defined( SHADOWMAP_TYPE_PCF )
+			uniform samplerCubeShadow pointShadowMap[ NUM_POINT_LIGHT_SHADOWS ];
+		#elif defined( SHADOWMAP_TYPE_BASIC )
+			uniform samplerCube pointShadowMap[ NUM_POINT_LIGHT_SHADOWS ];
+		#endif
+		varying vec4 vPointShadowCoord[ NUM_POINT_LIGHT_SHADOWS ];
+		struct PointLightShadow {
+			float shadowIntensity;
+			float shadowBias;
+			float shadowNormalBias;
+			float shadowRadius;
+			vec2 shadowMapSize;
+			float shadowCameraNear;
+			float shadowCameraFar;
+		};
+		uniform PointLightShadow pointLightShadows[ NUM_POINT_LIGHT_SHADOWS ];
+	#endif
+	#if defined( SHADOWMAP_TYPE_PCF )
+		float interleavedGradientNoise( vec2 position ) {
+			return fract( 52.9829189 * fract( dot( position, vec2( 0.06711056, 0.00583715 ) ) ) );
+		}
+		vec2 vogelDiskSample( int sampleIndex, int samplesCount, float phi ) {
+			const float goldenAngle = 2.399963229728653;
+			float r = sqrt( ( float( sampleIndex ) + 0.5 ) / float( samplesCount ) );
+			float theta = float( sampleIndex ) * goldenAngle + phi;
+			return vec2( cos( theta ), sin( theta ) ) * r;
+		}
+	#endif
+	#if defined( SHADOWMAP_TYPE_PCF )
+		float getShadow( sampler2DShadow shadowMap, vec2 shadowMapSize, float shadowIntensity, float shadowBias, float shadowRadius, vec4 shadowCoord ) {
+			float shadow = 1.0;
+			shadowCoord.xyz /= shadowCoord.w;
+			#ifdef USE_REVERSED_DEPTH_BUFFER
+				shadowCoord.z -= shadowBias;
+			#else
+				shadowCoord.z += shadowBias;
+			#endif
+			bool inFrustum = shadowCoord.x >= 0.0 && shadowCoord.x <= 1.0 && shadowCoord.y >= 0.0 && shadowCoord.y <= 1.0;
+			bool frustumTest = inFrustum && shadowCoord.z <= 1.0;
+			if ( frustumTest ) {
+				vec2 texelSize = vec2( 1.0 ) / shadowMapSize;
+				vec2 radius = shadowRadius * texelSize;
+				float phi = interleavedGradientNoise( gl_FragCoord.xy ) * PI2;
+				shadow = (
+					texture( shadowMap, vec3( shadowCoord.xy + vogelDiskSample( 0, 5, phi ) * radius, shadowCoord.z ) ) +
+					texture( shadowMap, vec3( shadowCoord.xy + vogelDiskSample( 1, 5, phi ) * radius, shadowCoord.z ) ) +
+					texture( shadowMap, vec3( shadowCoord.xy + vogelDiskSample( 2, 5, phi ) * radius, shadowCoord.z ) ) +
+					texture( shadowMap, vec3( shadowCoord.xy + vogelDiskSample( 3, 5, phi ) * radius, shadowCoord.z ) ) +
+					texture( shadowMap, vec3( shadowCoord.xy + vogelDiskSample( 4, 5, phi ) * radius, shadowCoord.z ) )
+				) * 0.2;
+			}
+			return mix( 1.0, shadow, shadowIntensity );
+		}
+	#elif defined( SHADOWMAP_TYPE_VSM )
+		float getShadow( sampler2D shadowMap, vec2 shadowMapSize, float shadowIntensity, float shadowBias, float shadowRadius, vec4 shadowCoord ) {
+			float shadow = 1.0;
+			shadowCoord.xyz /= shadowCoord.w;
+			#ifdef USE_REVERSED_DEPTH_BUFFER
+				shadowCoord.z -= shadowBias;
+			#else
+				shadowCoord.z += shadowBias;
+			#endif
+			bool inFrustum = shadowCoord.x >= 0.0 && shadowCoord.x <= 1.0 && shadowCoord.y >= 0.0 && shadowCoord.y <= 1.0;
+			bool frustumTest = inFrustum && shadowCoord.z <= 1.0;
+			if ( frustumTest ) {
+				vec2 distribution = texture2D( shadowMap, shadowCoord.xy ).rg;
+				float mean = distribution.x;
+				float variance = distribution.y * distribution.y;
+				#ifdef USE_REVERSED_DEPTH_BUFFER
+					float hard_shadow = step( mean, shadowCoord.z );
+				#else
+					float hard_shadow = step( shadowCoord.z, mean );
+				#endif
+				
+				if ( hard_shadow == 1.0 ) {
+					shadow = 1.0;
+				} else {
+					variance = max( variance, 0.0000001 );
+					float d = shadowCoord.z - mean;
+					float p_max = variance / ( variance + d * d );
+					p_max = clamp( ( p_max - 0.3 ) / 0.65, 0.0, 1.0 );
+					shadow = max( hard_shadow, p_max );
+				}
+			}
+			return mix( 1.0, shadow, shadowIntensity );
+		}
+	#else
+		float getShadow( sampler2D shadowMap, vec2 shadowMapSize, float shadowIntensity, float shadowBias, float shadowRadius, vec4 shadowCoord ) {
+			float shadow = 1.0;
+			shadowCoord.xyz /= shadowCoord.w;
+			#ifdef USE_REVERSED_DEPTH_BUFFER
+				shadowCoord.z -= shadowBias;
+			#else
+				shadowCoord.z += shadowBias;
+			#endif
+			bool inFrustum = shadowCoord.x >= 0.0 && shadowCoord.x <= 1.0 && shadowCoord.y >= 0.0 && shadowCoord.y <= 1.0;
+			bool frustumTest = inFrustum && shadowCoord.z <= 1.0;
+			if ( frustumTest ) {
+				float depth = texture2D( shadowMap, shadowCoord.xy ).r;
+				#ifdef USE_REVERSED_DEPTH_BUFFER
+					shadow = step( depth, shadowCoord.z );
+				#else
+					shadow = step( shadowCoord.z, depth );
+				#endif
+			}
+			return mix( 1.0, shadow, shadowIntensity );
+		}
+	#endif
+	#if NUM_SUN_LIGHT_SHADOWS > 0
+		float getSunShadow(
+			#if defined( SHADOWMAP_TYPE_PCF )
+				sampler2DShadow shadowMap,
+			#else
+				sampler2D shadowMap,
+			#endif
+			SunLightShadow sunLightShadow,
+			int shadowIndex
+		) {
+			vec4 shadowWorldPosition = vec4( vSunShadowWorldPosition.xyz + vSunShadowWorldNormal * sunLightShadow.shadowNormalBias, 1.0 );
+			float viewDepth = vSunShadowWorldPosition.w;
+			int cascadeOffset = shadowIndex * SUN_LIGHT_CASCADES;
+			float shadow = 1.0;
+			for ( int i = SUN_LIGHT_CASCADES - 1; i >= 0; i -- ) {
+				vec4 cascade = sunShadowCascade[ cascadeOffset + i ];
+				if ( viewDepth >= cascade.x && viewDepth < cascade.y ) {
+					float cascadeShadow = getShadow(
+						shadowMap,
+						sunLightShadow.shadowMapSize,
+						sunLightShadow.shadowIntensity,
+						sunLightShadow.shadowBias,
+						sunLightShadow.shadowRadius,
+						sunShadowMatrix[ cascadeOffset + i ] * shadowWorldPosition
+					);
+					shadow = mix( cascadeShadow, shadow, smoothstep( cascade.z, cascade.y, viewDepth ) );
+				}
+			}
+			return shadow;
+		}
+	#endif
+	#if NUM_POINT_LIGHT_SHADOWS > 0
+	#if defined( SHADOWMAP_TYPE_PCF )
+	float getPointShadow( samplerCubeShadow shadowMap, vec2 shadowMapSize, float shadowIntensity, float shadowBias, float shadowRadius, vec4 shadowCoord, float shadowCameraNear, float shadowCameraFar ) {
+		float shadow = 1.0;
+		vec3 lightToPosition = shadowCoord.xyz;
+		vec3 bd3D = normalize( lightToPosition );
+		vec3 absVec = abs( lightToPosition );
+		float viewSpaceZ = max( max( absVec.x, absVec.y ), absVec.z );
+		if ( viewSpaceZ - shadowCameraFar <= 0.0 && viewSpaceZ - shadowCameraNear >= 0.0 ) {
+			float lightDistance = length( lightToPosition );
+			float depthRange = shadowCameraFar - shadowCameraNear;
+			#ifdef USE_REVERSED_DEPTH_BUFFER
+				float depthA = - shadowCameraNear / depthRange - shadowBias;
+				float depthB = shadowCameraNear * shadowCameraFar / ( depthRange * lightDistance );
+			#else
+				float depthA = shadowCameraFar / depthRange + shadowBias;
+				float depthB = - shadowCameraNear * shadowCameraFar / ( depthRange * lightDistance );
+			#endif
+			float texelSize = shadowRadius / shadowMapSize.x;
+			vec3 absDir = abs( bd3D );
+			vec3 tangent = absDir.x > absDir.z ? vec3( 0.0, 1.0, 0.0 ) : vec3( 1.0, 0.0, 0.0 );
+			tangent = normalize( cross( bd3D, tangent ) );
+			vec3 bitangent = cross( bd3D, tangent );
+			float phi = interleavedGradientNoise( gl_FragCoord.xy ) * PI2;
+			shadow = 0.0;
+			for ( int i = 0; i < 5; i ++ ) {
+				vec2 offset = vogelDiskSample( i, 5, phi );
+				vec3 direction = bd3D + ( tangent * offset.x + bitangent * offset.y ) * texelSize;
+				vec3 absDirection = abs( direction );
+				float dp = depthA + depthB / max( max( absDirection.x, absDirection.y ), absDirection.z );
+				shadow += texture( shadowMap, vec4( direction, dp ) );
+			}
+			shadow *= 0.2;
+		}
+		return mix( 1.0, shadow, shadowIntensity );
+	}
+	#elif defined( SHADOWMAP_TYPE_BASIC )
+	float getPointShadow( samplerCube shadowMap, vec2 shadowMapSize, float shadowIntensity, float shadowBias, float shadowRadius, vec4 shadowCoord, float shadowCameraNear, float shadowCameraFar ) {
+		float shadow = 1.0;
+		vec3 lightToPosition = shadowCoord.xyz;
+		vec3 absVec = abs( lightToPosition );
+		float viewSpaceZ = max( max( absVec.x, absVec.y ), absVec.z );
+		if ( viewSpaceZ - shadowCameraFar <= 0.0 && viewSpaceZ - shadowCameraNear >= 0.0 ) {
+			float dp = ( shadowCameraFar * ( viewSpaceZ - shadowCameraNear ) ) / ( viewSpaceZ * ( shadowCameraFar - shadowCameraNear ) );
+			dp += shadowBias;
+			vec3 bd3D = normalize( lightToPosition );
+			float depth = textureCube( shadowMap, bd3D ).r;
+			#ifdef USE_REVERSED_DEPTH_BUFFER
+				depth = 1.0 - depth;
+			#endif
+			shadow = step( dp, depth );
+		}
+		return mix( 1.0, shadow, shadowIntensity );
+	}
+	#endif
+	#endif
+#endif`,nM=`#if NUM_SPOT_LIGHT_COORDS > 0
+	uniform mat4 spotLightMatrix[ NUM_SPOT_LIGHT_COORDS ];
+	varying vec4 vSpotLightCoord[ NUM_SPOT_LIGHT_COORDS ];
+#endif
+#ifdef USE_SHADOWMAP
+	#if NUM_SUN_LIGHT_SHADOWS > 0
+		varying vec4 vSunShadowWorldPosition;
+		varying vec3 vSunShadowWorldNormal;
+	#endif
+	#if NUM_DIR_LIGHT_SHADOWS > 0
+		uniform mat4 directionalShadowMatrix[ NUM_DIR_LIGHT_SHADOWS ];
+		varying vec4 vDirectionalShadowCoord[ NUM_DIR_LIGHT_SHADOWS ];
+		struct DirectionalLightShadow {
+			float shadowIntensity;
+			float shadowBias;
+			float shadowNormalBias;
+			float shadowRadius;
+			vec2 shadowMapSize;
+		};
+		uniform DirectionalLightShadow directionalLightShadows[ NUM_DIR_LIGHT_SHADOWS ];
+	#endif
+	#if NUM_SPOT_LIGHT_SHADOWS > 0
+		struct SpotLightShadow {
+			float shadowIntensity;
+			float shadowBias;
+			float shadowNormalBias;
+			float shadowRadius;
+			vec2 shadowMapSize;
+		};
+		uniform SpotLightShadow spotLightShadows[ NUM_SPOT_LIGHT_SHADOWS ];
+	#endif
+	#if NUM_POINT_LIGHT_SHADOWS > 0
+		uniform mat4 pointShadowMatrix[ NUM_POINT_LIGHT_SHADOWS ];
+		varying vec4 vPointShadowCoord[ NUM_POINT_LIGHT_SHADOWS ];
+		struct PointLightShadow {
+			float shadowIntensity;
+			float shadowBias;
+			float shadowNormalBias;
+			float shadowRadius;
+			vec2 shadowMapSize;
+			float shadowCameraNear;
+			float shadowCameraFar;
+		};
+		uniform PointLightShadow pointLightShadows[ NUM_POINT_LIGHT_SHADOWS ];
+	#endif
+#endif`,iM=`#if ( defined( USE_SHADOWMAP ) && ( NUM_DIR_LIGHT_SHADOWS > 0 || NUM_SUN_LIGHT_SHADOWS > 0 || NUM_POINT_LIGHT_SHADOWS > 0 ) ) || ( NUM_SPOT_LIGHT_COORDS > 0 )
+	#ifdef HAS_NORMAL
+		vec3 shadowWorldNormal = transformNormalByInverseViewMatrix( transformedNormal, viewMatrix );
+	#else
+		vec3 shadowWorldNormal = vec3( 0.0 );
+	#endif
+	vec4 shadowWorldPosition;
+#endif
+#if defined( USE_SHADOWMAP )
+	#if NUM_SUN_LIGHT_SHADOWS > 0
+		vSunShadowWorldPosition = vec4( worldPosition.xyz, - mvPosition.z );
+		vSunShadowWorldNormal = shadowWorldNormal;
+	#endif
+	#if NUM_DIR_LIGHT_SHADOWS > 0
+		#pragma unroll_loop_start
+		for ( int i = 0; i < NUM_DIR_LIGHT_SHADOWS; i ++ ) {
+			shadowWorldPosition = worldPosition + vec4( shadowWorldNormal * directionalLightShadows[ i ].shadowNormalBias, 0 );
+			vDirectionalShadowCoord[ i ] = directionalShadowMatrix[ i ] * shadowWorldPosition;
+		}
+		#pragma unroll_loop_end
+	#endif
+	#if NUM_POINT_LIGHT_SHADOWS > 0
+		#pragma unroll_loop_start
+		for ( int i = 0; i < NUM_POINT_LIGHT_SHADOWS; i ++ ) {
+			shadowWorldPosition = worldPosition + vec4( shadowWorldNormal * pointLightShadows[ i ].shadowNormalBias, 0 );
+			vPointShadowCoord[ i ] = pointShadowMatrix[ i ] * shadowWorldPosition;
+		}
+		#pragma unroll_loop_end
+	#endif
+#endif
+#if NUM_SPOT_LIGHT_COORDS > 0
+	#pragma unroll_loop_start
+	for ( int i = 0; i < NUM_SPOT_LIGHT_COORDS; i ++ ) {
+		shadowWorldPosition = worldPosition;
+		#if ( defined( USE_SHADOWMAP ) && UNROLLED_LOOP_INDEX < NUM_SPOT_LIGHT_SHADOWS )
+			shadowWorldPosition.xyz += shadowWorldNormal * spotLightShadows[ i ].shadowNormalBias;
+		#endif
+		vSpotLightCoord[ i ] = spotLightMatrix[ i ] * shadowWorldPosition;
+	}
+	#pragma unroll_loop_end
+#endif`,sM=`float getShadowMask() {
+	float shadow = 1.0;
+	#ifdef USE_SHADOWMAP
+	#if NUM_SUN_LIGHT_SHADOWS > 0
+	SunLightShadow sunLight;
+	#pragma unroll_loop_start
+	for ( int i = 0; i < NUM_SUN_LIGHT_SHADOWS; i ++ ) {
+		sunLight = sunLightShadows[ i ];
+		shadow *= receiveShadow ? getSunShadow( sunShadowMap[ i ], sunLight, UNROLLED_LOOP_INDEX ) : 1.0;
+	}
+	#pragma unroll_loop_end
+	#endif
+	#if NUM_DIR_LIGHT_SHADOWS > 0
+	DirectionalLightShadow directionalLight;
+	#pragma unroll_loop_start
+	for ( int i = 0; i < NUM_DIR_LIGHT_SHADOWS; i ++ ) {
+		directionalLight = directionalLightShadows[ i ];
+		shadow *= receiveShadow ? getShadow( directionalShadowMap[ i ], directionalLight.shadowMapSize, directionalLight.shadowIntensity, directionalLight.shadowBias, directionalLight.shadowRadius, vDirectionalShadowCoord[ i ] ) : 1.0;
+	}
+	#pragma unroll_loop_end
+	#endif
+	#if NUM_SPOT_LIGHT_SHADOWS > 0
+	SpotLightShadow spotLight;
+	#pragma unroll_loop_start
+	for ( int i = 0; i < NUM_SPOT_LIGHT_SHADOWS; i ++ ) {
+		spotLight = spotLightShadows[ i ];
+		shadow *= receiveShadow ? getShadow( spotShadowMap[ i ], spotLight.shadowMapSize, spotLight.shadowIntensity, spotLight.shadowBias, spotLight.shadowRadius, vSpotLightCoord[ i ] ) : 1.0;
+	}
+	#pragma unroll_loop_end
+	#endif
+	#if NUM_POINT_LIGHT_SHADOWS > 0 && ( defined( SHADOWMAP_TYPE_PCF ) || defined( SHADOWMAP_TYPE_BASIC ) )
+	PointLightShadow pointLight;
+	#pragma unroll_loop_start
+	for ( int i = 0; i < NUM_POINT_LIGHT_SHADOWS; i ++ ) {
+		pointLight = pointLightShadows[ i ];
+		shadow *= receiveShadow ? getPointShadow( pointShadowMap[ i ], pointLight.shadowMapSize, pointLight.shadowIntensity, pointLight.shadowBias, pointLight.shadowRadius, vPointShadowCoord[ i ], pointLight.shadowCameraNear, pointLight.shadowCameraFar ) : 1.0;
+	}
+	#pragma unroll_loop_end
+	#endif
+	#endif
+	return shadow;
+}`,rM=`#ifdef USE_SKINNING
+	mat4 boneMatX = getBoneMatrix( skinIndex.x );
+	mat4 boneMatY = getBoneMatrix( skinIndex.y );
+	mat4 boneMatZ = getBoneMatrix( skinIndex.z );
+	mat4 boneMatW = getBoneMatrix( skinIndex.w );
+#endif`,oM=`#ifdef USE_SKINNING
+	uniform mat4 bindMatrix;
+	uniform mat4 bindMatrixInverse;
+	uniform highp sampler2D boneTexture;
+	mat4 getBoneMatrix( const in float i ) {
+		int size = textureSize( boneTexture, 0 ).x;
+		int j = int( i ) * 4;
+		int x = j % size;
+		int y = j / size;
+		vec4 v1 = texelFetch( boneTexture, ivec2( x, y ), 0 );
+		vec4 v2 = texelFetch( boneTexture, ivec2( x + 1, y ), 0 );
+		vec4 v3 = texelFetch( boneTexture, ivec2( x + 2, y ), 0 );
+		vec4 v4 = texelFetch( boneTexture, ivec2( x + 3, y ), 0 );
+		return mat4( v1, v2, v3, v4 );
+	}
+#endif`,aM=`#ifdef USE_SKINNING
+	vec4 skinVertex = bindMatrix * vec4( transformed, 1.0 );
+	vec4 skinned = vec4( 0.0 );
+	skinned += boneMatX * skinVertex * skinWeight.x;
+	skinned += boneMatY * skinVertex * skinWeight.y;
+	skinned += boneMatZ * skinVertex * skinWeight.z;
+	skinned += boneMatW * skinVertex * skinWeight.w;
+	transformed = ( bindMatrixInverse * skinned ).xyz;
+#endif`,lM=`#ifdef USE_SKINNING
+	mat4 skinMatrix = mat4( 0.0 );
+	skinMatrix += skinWeight.x * boneMatX;
+	skinMatrix += skinWeight.y * boneMatY;
+	skinMatrix += skinWeight.z * boneMatZ;
+	skinMatrix += skinWeight.w * boneMatW;
+	skinMatrix = bindMatrixInverse * skinMatrix * bindMatrix;
+	objectNormal = vec4( skinMatrix * vec4( objectNormal, 0.0 ) ).xyz;
+	#ifdef USE_TANGENT
+		objectTangent = vec4( skinMatrix * vec4( objectTangent, 0.0 ) ).xyz;
+	#endif
+#endif`,cM=`float specularStrength;
+#ifdef USE_SPECULARMAP
+	vec4 texelSpecular = texture2D( specularMap, vSpecularMapUv );
+	specularStrength = texelSpecular.r;
+#else
+	specularStrength = 1.0;
+#endif`,hM=`#ifdef USE_SPECULARMAP
+	uniform sampler2D specularMap;
+#endif`,uM=`#if defined( TONE_MAPPING )
+	gl_FragColor.rgb = toneMapping( gl_FragColor.rgb );
+#endif`,dM=`#ifndef saturate
+#define saturate( a ) clamp( a, 0.0, 1.0 )
+#endif
+uniform float toneMappingExposure;
+vec3 LinearToneMapping( vec3 color ) {
+	return saturate( toneMappingExposure * color );
+}
+vec3 ReinhardToneMapping( vec3 color ) {
+	color *= toneMappingExposure;
+	return saturate( color / ( vec3( 1.0 ) + color ) );
+}
+vec3 CineonToneMapping( vec3 color ) {
+	color *= toneMappingExposure;
+	color = max( vec3( 0.0 ), color - 0.004 );
+	return pow( ( color * ( 6.2 * color + 0.5 ) ) / ( color * ( 6.2 * color + 1.7 ) + 0.06 ), vec3( 2.2 ) );
+}
+vec3 RRTAndODTFit( vec3 v ) {
+	vec3 a = v * ( v + 0.0245786 ) - 0.000090537;
+	vec3 b = v * ( 0.983729 * v + 0.4329510 ) + 0.238081;
+	return a / b;
+}
+vec3 ACESFilmicToneMapping( vec3 color ) {
+	const mat3 ACESInputMat = mat3(
+		vec3( 0.59719, 0.07600, 0.02840 ),		vec3( 0.35458, 0.90834, 0.13383 ),
+		vec3( 0.04823, 0.01566, 0.83777 )
+	);
+	const mat3 ACESOutputMat = mat3(
+		vec3(  1.60475, -0.10208, -0.00327 ),		vec3( -0.53108,  1.10813, -0.07276 ),
+		vec3( -0.07367, -0.00605,  1.07602 )
+	);
+	color *= toneMappingExposure / 0.6;
+	color = ACESInputMat * color;
+	color = RRTAndODTFit( color );
+	color = ACESOutputMat * color;
+	return saturate( color );
+}
+const mat3 LINEAR_REC2020_TO_LINEAR_SRGB = mat3(
+	vec3( 1.6605, - 0.1246, - 0.0182 ),
+	vec3( - 0.5876, 1.1329, - 0.1006 ),
+	vec3( - 0.0728, - 0.0083, 1.1187 )
+);
+const mat3 LINEAR_SRGB_TO_LINEAR_REC2020 = mat3(
+	vec3( 0.6274, 0.0691, 0.0164 ),
+	vec3( 0.3293, 0.9195, 0.0880 ),
+	vec3( 0.0433, 0.0113, 0.8956 )
+);
+vec3 agxDefaultContrastApprox( vec3 x ) {
+	vec3 x2 = x * x;
+	vec3 x4 = x2 * x2;
+	return + 15.5 * x4 * x2
+		- 40.14 * x4 * x
+		+ 31.96 * x4
+		- 6.868 * x2 * x
+		+ 0.4298 * x2
+		+ 0.1191 * x
+		- 0.00232;
+}
+vec3 AgXToneMapping( vec3 color ) {
+	const mat3 AgXInsetMatrix = mat3(
+		vec3( 0.856627153315983, 0.137318972929847, 0.11189821299995 ),
+		vec3( 0.0951212405381588, 0.761241990602591, 0.0767994186031903 ),
+		vec3( 0.0482516061458583, 0.101439036467562, 0.811302368396859 )
+	);
+	const mat3 AgXOutsetMatrix = mat3(
+		vec3( 1.1271005818144368, - 0.1413297634984383, - 0.14132976349843826 ),
+		vec3( - 0.11060664309660323, 1.157823702216272, - 0.11060664309660294 ),
+		vec3( - 0.016493938717834573, - 0.016493938717834257, 1.2519364065950405 )
+	);
+	const float AgxMinEv = - 12.47393;	const float AgxMaxEv = 4.026069;
+	color *= toneMappingExposure;
+	color = LINEAR_SRGB_TO_LINEAR_REC2020 * color;
+	color = AgXInsetMatrix * color;
+	color = max( color, 1e-10 );	color = log2( color );
+	color = ( color - AgxMinEv ) / ( AgxMaxEv - AgxMinEv );
+	color = clamp( color, 0.0, 1.0 );
+	color = agxDefaultContrastApprox( color );
+	color = AgXOutsetMatrix * color;
+	color = pow( max( vec3( 0.0 ), color ), vec3( 2.2 ) );
+	color = LINEAR_REC2020_TO_LINEAR_SRGB * color;
+	color = clamp( color, 0.0, 1.0 );
+	return color;
+}
+vec3 NeutralToneMapping( vec3 color ) {
+	const float StartCompression = 0.8 - 0.04;
+	const float Desaturation = 0.15;
+	color *= toneMappingExposure;
+	float x = min( color.r, min( color.g, color.b ) );
+	float offset = x < 0.08 ? x - 6.25 * x * x : 0.04;
+	color -= offset;
+	float peak = max( color.r, max( color.g, color.b ) );
+	if ( peak < StartCompression ) return color;
+	float d = 1. - StartCompression;
+	float newPeak = 1. - d * d / ( peak + d - StartCompression );
+	color *= newPeak / peak;
+	float g = 1. - 1. / ( Desaturation * ( peak - newPeak ) + 1. );
+	return mix( color, vec3( newPeak ), g );
+}
+vec3 CustomToneMapping( vec3 color ) { return color; }`,fM=`#ifdef USE_TRANSMISSION
+	material.transmission = transmission;
+	material.transmissionAlpha = 1.0;
+	material.thickness = thickness;
+	material.attenuationDistance = attenuationDistance;
+	material.attenuationColor = attenuationColor;
+	#ifdef USE_TRANSMISSIONMAP
+		material.transmission *= texture2D( transmissionMap, vTransmissionMapUv ).r;
+	#endif
+	#ifdef USE_THICKNESSMAP
+		material.thickness *= texture2D( thicknessMap, vThicknessMapUv ).g;
+	#endif
+	vec3 pos = vWorldPosition;
+	vec3 v = normalize( cameraPosition - pos );
+	vec3 n = transformNormalByInverseViewMatrix( normal, viewMatrix );
+	vec4 transmitted = getIBLVolumeRefraction(
+		n, v, material.roughness, material.diffuseContribution, material.specularColorBlended, material.specularF90,
+		pos, modelMatrix, viewMatrix, projectionMatrix, material.dispersion, material.ior, material.thickness,
+		material.attenuationColor, material.attenuationDistance );
+	material.transmissionAlpha = mix( material.transmissionAlpha, transmitted.a, material.transmission );
+	totalDiffuse = mix( totalDiffuse, transmitted.rgb, material.transmission );
+#endif`,pM=`#ifdef USE_TRANSMISSION
+	uniform float transmission;
+	uniform float thickness;
+	uniform float attenuationDistance;
+	uniform vec3 attenuationColor;
+	#ifdef USE_TRANSMISSIONMAP
+		uniform sampler2D transmissionMap;
+	#endif
+	#ifdef USE_THICKNESSMAP
+		uniform sampler2D thicknessMap;
+	#endif
+	uniform vec2 transmissionSamplerSize;
+	uniform sampler2D transmissionSamplerMap;
+	uniform mat4 modelMatrix;
+	uniform mat4 projectionMatrix;
+	varying vec3 vWorldPosition;
+	float w0( float a ) {
+		return ( 1.0 / 6.0 ) * ( a * ( a * ( - a + 3.0 ) - 3.0 ) + 1.0 );
+	}
+	float w1( float a ) {
+		return ( 1.0 / 6.0 ) * ( a *  a * ( 3.0 * a - 6.0 ) + 4.0 );
+	}
+	float w2( float a ){
+		return ( 1.0 / 6.0 ) * ( a * ( a * ( - 3.0 * a + 3.0 ) + 3.0 ) + 1.0 );
+	}
+	float w3( float a ) {
+		return ( 1.0 / 6.0 ) * ( a * a * a );
+	}
+	float g0( float a ) {
+		return w0( a ) + w1( a );
+	}
+	float g1( float a ) {
+		return w2( a ) + w3( a );
+	}
+	float h0( float a ) {
+		return - 1.0 + w1( a ) / ( w0( a ) + w1( a ) );
+	}
+	float h1( float a ) {
+		return 1.0 + w3( a ) / ( w2( a ) + w3( a ) );
+	}
+	vec4 bicubic( sampler2D tex, vec2 uv, vec4 texelSize, float lod ) {
+		uv = uv * texelSize.zw + 0.5;
+		vec2 iuv = floor( uv );
+		vec2 fuv = fract( uv );
+		float g0x = g0( fuv.x );
+		float g1x = g1( fuv.x );
+		float h0x = h0( fuv.x );
+		float h1x = h1( fuv.x );
+		float h0y = h0( fuv.y );
+		float h1y = h1( fuv.y );
+		vec2 p0 = ( vec2( iuv.x + h0x, iuv.y + h0y ) - 0.5 ) * texelSize.xy;
+		vec2 p1 = ( vec2( iuv.x + h1x, iuv.y + h0y ) - 0.5 ) * texelSize.xy;
+		vec2 p2 = ( vec2( iuv.x + h0x, iuv.y + h1y ) - 0.5 ) * texelSize.xy;
+		vec2 p3 = ( vec2( iuv.x + h1x, iuv.y + h1y ) - 0.5 ) * texelSize.xy;
+		return g0( fuv.y ) * ( g0x * textureLod( tex, p0, lod ) + g1x * textureLod( tex, p1, lod ) ) +
+			g1( fuv.y ) * ( g0x * textureLod( tex, p2, lod ) + g1x * textureLod( tex, p3, lod ) );
+	}
+	vec4 textureBicubic( sampler2D sampler, vec2 uv, float lod ) {
+		vec2 fLodSize = vec2( textureSize( sampler, int( lod ) ) );
+		vec2 cLodSize = vec2( textureSize( sampler, int( lod + 1.0 ) ) );
+		vec2 fLodSizeInv = 1.0 / fLodSize;
+		vec2 cLodSizeInv = 1.0 / cLodSize;
+		vec4 fSample = bicubic( sampler, uv, vec4( fLodSizeInv, fLodSize ), floor( lod ) );
+		vec4 cSample = bicubic( sampler, uv, vec4( cLodSizeInv, cLodSize ), ceil( lod ) );
+		return mix( fSample, cSample, fract( lod ) );
+	}
+	vec3 getVolumeTransmissionRay( const in vec3 n, const in vec3 v, const in float thickness, const in float ior, const in mat4 modelMatrix ) {
+		vec3 refractionVector = refract( - v, normalize( n ), 1.0 / ior );
+		vec3 modelScale;
+		modelScale.x = length( vec3( modelMatrix[ 0 ].xyz ) );
+		modelScale.y = length( vec3( modelMatrix[ 1 ].xyz ) );
+		modelScale.z = length( vec3( modelMatrix[ 2 ].xyz ) );
+		return normalize( refractionVector ) * thickness * modelScale;
+	}
+	float applyIorToRoughness( const in float roughness, const in float ior ) {
+		return roughness * clamp( ior * 2.0 - 2.0, 0.0, 1.0 );
+	}
+	vec4 getTransmissionSample( const in vec2 fragCoord, const in float roughness, const in float ior ) {
+		float lod = log2( transmissionSamplerSize.x ) * applyIorToRoughness( roughness, ior );
+		return textureBicubic( transmissionSamplerMap, fragCoord.xy, lod );
+	}
+	vec3 volumeAttenuation( const in float transmissionDistance, const in vec3 attenuationColor, const in float attenuationDistance ) {
+		if ( isinf( attenuationDistance ) ) {
+			return vec3( 1.0 );
+		} else {
+			vec3 attenuationCoefficient = -log( attenuationColor ) / attenuationDistance;
+			vec3 transmittance = exp( - attenuationCoefficient * transmissionDistance );			return transmittance;
+		}
+	}
+	vec4 getIBLVolumeRefraction( const in vec3 n, const in vec3 v, const in float roughness, const in vec3 diffuseColor,
+		const in vec3 specularColor, const in float specularF90, const in vec3 position, const in mat4 modelMatrix,
+		const in mat4 viewMatrix, const in mat4 projMatrix, const in float dispersion, const in float ior, const in float thickness,
+		const in vec3 attenuationColor, const in float attenuationDistance ) {
+		vec4 transmittedLight;
+		vec3 transmittance;
+		#ifdef USE_DISPERSION
+			float halfSpread = ( ior - 1.0 ) * 0.025 * dispersion;
+			vec3 iors = vec3( ior - halfSpread, ior, ior + halfSpread );
+			for ( int i = 0; i < 3; i ++ ) {
+				vec3 transmissionRay = getVolumeTransmissionRay( n, v, thickness, iors[ i ], modelMatrix );
+				vec3 refractedRayExit = position + transmissionRay;
+				vec4 ndcPos = projMatrix * viewMatrix * vec4( refractedRayExit, 1.0 );
+				vec2 refractionCoords = ndcPos.xy / ndcPos.w;
+				refractionCoords += 1.0;
+				refractionCoords /= 2.0;
+				vec4 transmissionSample = getTransmissionSample( refractionCoords, roughness, iors[ i ] );
+				transmittedLight[ i ] = transmissionSample[ i ];
+				transmittedLight.a += transmissionSample.a;
+				transmittance[ i ] = diffuseColor[ i ] * volumeAttenuation( length( transmissionRay ), attenuationColor, attenuationDistance )[ i ];
+			}
+			transmittedLight.a /= 3.0;
+		#else
+			vec3 transmissionRay = getVolumeTransmissionRay( n, v, thickness, ior, modelMatrix );
+			vec3 refractedRayExit = position + transmissionRay;
+			vec4 ndcPos = projMatrix * viewMatrix * vec4( refractedRayExit, 1.0 );
+			vec2 refractionCoords = ndcPos.xy / ndcPos.w;
+			refractionCoords += 1.0;
+			refractionCoords /= 2.0;
+			transmittedLight = getTransmissionSample( refractionCoords, roughness, ior );
+			transmittance = diffuseColor * volumeAttenuation( length( transmissionRay ), attenuationColor, attenuationDistance );
+		#endif
+		vec3 attenuatedColor = transmittance * transmittedLight.rgb;
+		vec3 F = EnvironmentBRDF( n, v, specularColor, specularF90, roughness );
+		float transmittanceFactor = ( transmittance.r + transmittance.g + transmittance.b ) / 3.0;
+		return vec4( ( 1.0 - F ) * attenuatedColor, 1.0 - ( 1.0 - transmittedLight.a ) * transmittanceFactor );
+	}
+#endif`,mM=`#if defined( USE_UV ) || defined( USE_ANISOTROPY )
+	varying vec2 vUv;
+#endif
+#ifdef USE_MAP
+	varying vec2 vMapUv;
+#endif
+#ifdef USE_ALPHAMAP
+	varying vec2 vAlphaMapUv;
+#endif
+#ifdef USE_LIGHTMAP
+	varying vec2 vLightMapUv;
+#endif
+#ifdef USE_AOMAP
+	varying vec2 vAoMapUv;
+#endif
+#ifdef USE_BUMPMAP
+	varying vec2 vBumpMapUv;
+#endif
+#ifdef USE_NORMALMAP
+	varying vec2 vNormalMapUv;
+#endif
+#ifdef USE_EMISSIVEMAP
+	varying vec2 vEmissiveMapUv;
+#endif
+#ifdef USE_METALNESSMAP
+	varying vec2 vMetalnessMapUv;
+#endif
+#ifdef USE_ROUGHNESSMAP
+	varying vec2 vRoughnessMapUv;
+#endif
+#ifdef USE_DIFFUSE_ROUGHNESSMAP
+	varying vec2 vDiffuseRoughnessMapUv;
+#endif
+#ifdef USE_ANISOTROPYMAP
+	varying vec2 vAnisotropyMapUv;
+#endif
+#ifdef USE_CLEARCOATMAP
+	varying vec2 vClearcoatMapUv;
+#endif
+#ifdef USE_CLEARCOAT_NORMALMAP
+	varying vec2 vClearcoatNormalMapUv;
+#endif
+#ifdef USE_CLEARCOAT_ROUGHNESSMAP
+	varying vec2 vClearcoatRoughnessMapUv;
+#endif
+#ifdef USE_IRIDESCENCEMAP
+	varying vec2 vIridescenceMapUv;
+#endif
+#ifdef USE_IRIDESCENCE_THICKNESSMAP
+	varying vec2 vIridescenceThicknessMapUv;
+#endif
+#ifdef USE_SHEEN_COLORMAP
+	varying vec2 vSheenColorMapUv;
+#endif
+#ifdef USE_SHEEN_ROUGHNESSMAP
+	varying vec2 vSheenRoughnessMapUv;
+#endif
+#ifdef USE_SPECULARMAP
+	varying vec2 vSpecularMapUv;
+#endif
+#ifdef USE_SPECULAR_COLORMAP
+	varying vec2 vSpecularColorMapUv;
+#endif
+#ifdef USE_SPECULAR_INTENSITYMAP
+	varying vec2 vSpecularIntensityMapUv;
+#endif
+#ifdef USE_TRANSMISSIONMAP
+	uniform mat3 transmissionMapTransform;
+	varying vec2 vTransmissionMapUv;
+#endif
+#ifdef USE_THICKNESSMAP
+	uniform mat3 thicknessMapTransform;
+	varying vec2 vThicknessMapUv;
+#endif`,gM=`#if defined( USE_UV ) || defined( USE_ANISOTROPY )
+	varying vec2 vUv;
+#endif
+#ifdef USE_MAP
+	uniform mat3 mapTransform;
+	varying vec2 vMapUv;
+#endif
+#ifdef USE_ALPHAMAP
+	uniform mat3 alphaMapTransform;
+	varying vec2 vAlphaMapUv;
+#endif
+#ifdef USE_LIGHTMAP
+	uniform mat3 lightMapTransform;
+	varying vec2 vLightMapUv;
+#endif
+#ifdef USE_AOMAP
+	uniform mat3 aoMapTransform;
+	varying vec2 vAoMapUv;
+#endif
+#ifdef USE_BUMPMAP
+	uniform mat3 bumpMapTransform;
+	varying vec2 vBumpMapUv;
+#endif
+#ifdef USE_NORMALMAP
+	uniform mat3 normalMapTransform;
+	varying vec2 vNormalMapUv;
+#endif
+#ifdef USE_DISPLACEMENTMAP
+	uniform mat3 displacementMapTransform;
+	varying vec2 vDisplacementMapUv;
+#endif
+#ifdef USE_EMISSIVEMAP
+	uniform mat3 emissiveMapTransform;
+	varying vec2 vEmissiveMapUv;
+#endif
+#ifdef USE_METALNESSMAP
+	uniform mat3 metalnessMapTransform;
+	varying vec2 vMetalnessMapUv;
+#endif
+#ifdef USE_ROUGHNESSMAP
+	uniform mat3 roughnessMapTransform;
+	varying vec2 vRoughnessMapUv;
+#endif
+#ifdef USE_DIFFUSE_ROUGHNESSMAP
+	uniform mat3 diffuseRoughnessMapTransform;
+	varying vec2 vDiffuseRoughnessMapUv;
+#endif
+#ifdef USE_ANISOTROPYMAP
+	uniform mat3 anisotropyMapTransform;
+	varying vec2 vAnisotropyMapUv;
+#endif
+#ifdef USE_CLEARCOATMAP
+	uniform mat3 clearcoatMapTransform;
+	varying vec2 vClearcoatMapUv;
+#endif
+#ifdef USE_CLEARCOAT_NORMALMAP
+	uniform mat3 clearcoatNormalMapTransform;
+	varying vec2 vClearcoatNormalMapUv;
+#endif
+#ifdef USE_CLEARCOAT_ROUGHNESSMAP
+	uniform mat3 clearcoatRoughnessMapTransform;
+	varying vec2 vClearcoatRoughnessMapUv;
+#endif
+#ifdef USE_SHEEN_COLORMAP
+	uniform mat3 sheenColorMapTransform;
+	varying vec2 vSheenColorMapUv;
+#endif
+#ifdef USE_SHEEN_ROUGHNESSMAP
+	uniform mat3 sheenRoughnessMapTransform;
+	varying vec2 vSheenRoughnessMapUv;
+#endif
+#ifdef USE_IRIDESCENCEMAP
+	uniform mat3 iridescenceMapTransform;
+	varying vec2 vIridescenceMapUv;
+#endif
+#ifdef USE_IRIDESCENCE_THICKNESSMAP
+	uniform mat3 iridescenceThicknessMapTransform;
+	varying vec2 vIridescenceThicknessMapUv;
+#endif
+#ifdef USE_SPECULARMAP
+	uniform mat3 specularMapTransform;
+	varying vec2 vSpecularMapUv;
+#endif
+#ifdef USE_SPECULAR_COLORMAP
+	uniform mat3 specularColorMapTransform;
+	varying vec2 vSpecularColorMapUv;
+#endif
+#ifdef USE_SPECULAR_INTENSITYMAP
+	uniform mat3 specularIntensityMapTransform;
+	varying vec2 vSpecularIntensityMapUv;
+#endif
+#ifdef USE_TRANSMISSIONMAP
+	uniform mat3 transmissionMapTransform;
+	varying vec2 vTransmissionMapUv;
+#endif
+#ifdef USE_THICKNESSMAP
+	uniform mat3 thicknessMapTransform;
+	varying vec2 vThicknessMapUv;
+#endif`,_M=`#if defined( USE_UV ) || defined( USE_ANISOTROPY )
+	vUv = vec3( uv, 1 ).xy;
+#endif
+#ifdef USE_MAP
+	vMapUv = ( mapTransform * vec3( MAP_UV, 1 ) ).xy;
+#endif
+#ifdef USE_ALPHAMAP
+	vAlphaMapUv = ( alphaMapTransform * vec3( ALPHAMAP_UV, 1 ) ).xy;
+#endif
+#ifdef USE_LIGHTMAP
+	vLightMapUv = ( lightMapTransform * vec3( LIGHTMAP_UV, 1 ) ).xy;
+#endif
+#ifdef USE_AOMAP
+	vAoMapUv = ( aoMapTransform * vec3( AOMAP_UV, 1 ) ).xy;
+#endif
+#ifdef USE_BUMPMAP
+	vBumpMapUv = ( bumpMapTransform * vec3( BUMPMAP_UV, 1 ) ).xy;
+#endif
+#ifdef USE_NORMALMAP
+	vNormalMapUv = ( normalMapTransform * vec3( NORMALMAP_UV, 1 ) ).xy;
+#endif
+#ifdef USE_DISPLACEMENTMAP
+	vDisplacementMapUv = ( displacementMapTransform * vec3( DISPLACEMENTMAP_UV, 1 ) ).xy;
+#endif
+#ifdef USE_EMISSIVEMAP
+	vEmissiveMapUv = ( emissiveMapTransform * vec3( EMISSIVEMAP_UV, 1 ) ).xy;
+#endif
+#ifdef USE_METALNESSMAP
+	vMetalnessMapUv = ( metalnessMapTransform * vec3( METALNESSMAP_UV, 1 ) ).xy;
+#endif
+#ifdef USE_ROUGHNESSMAP
+	vRoughnessMapUv = ( roughnessMapTransform * vec3( ROUGHNESSMAP_UV, 1 ) ).xy;
+#endif
+#ifdef USE_DIFFUSE_ROUGHNESSMAP
+	vDiffuseRoughnessMapUv = ( diffuseRoughnessMapTransform * vec3( DIFFUSE_ROUGHNESSMAP_UV, 1 ) ).xy;
+#endif
+#ifdef USE_ANISOTROPYMAP
+	vAnisotropyMapUv = ( anisotropyMapTransform * vec3( ANISOTROPYMAP_UV, 1 ) ).xy;
+#endif
+#ifdef USE_CLEARCOATMAP
+	vClearcoatMapUv = ( clearcoatMapTransform * vec3( CLEARCOATMAP_UV, 1 ) ).xy;
+#endif
+#ifdef USE_CLEARCOAT_NORMALMAP
+	vClearcoatNormalMapUv = ( clearcoatNormalMapTransform * vec3( CLEARCOAT_NORMALMAP_UV, 1 ) ).xy;
+#endif
+#ifdef USE_CLEARCOAT_ROUGHNESSMAP
+	vClearcoatRoughnessMapUv = ( clearcoatRoughnessMapTransform * vec3( CLEARCOAT_ROUGHNESSMAP_UV, 1 ) ).xy;
+#endif
+#ifdef USE_IRIDESCENCEMAP
+	vIridescenceMapUv = ( iridescenceMapTransform * vec3( IRIDESCENCEMAP_UV, 1 ) ).xy;
+#endif
+#ifdef USE_IRIDESCENCE_THICKNESSMAP
+	vIridescenceThicknessMapUv = ( iridescenceThicknessMapTransform * vec3( IRIDESCENCE_THICKNESSMAP_UV, 1 ) ).xy;
+#endif
+#ifdef USE_SHEEN_COLORMAP
+	vSheenColorMapUv = ( sheenColorMapTransform * vec3( SHEEN_COLORMAP_UV, 1 ) ).xy;
+#endif
+#ifdef USE_SHEEN_ROUGHNESSMAP
+	vSheenRoughnessMapUv = ( sheenRoughnessMapTransform * vec3( SHEEN_ROUGHNESSMAP_UV, 1 ) ).xy;
+#endif
+#ifdef USE_SPECULARMAP
+	vSpecularMapUv = ( specularMapTransform * vec3( SPECULARMAP_UV, 1 ) ).xy;
+#endif
+#ifdef USE_SPECULAR_COLORMAP
+	vSpecularColorMapUv = ( specularColorMapTransform * vec3( SPECULAR_COLORMAP_UV, 1 ) ).xy;
+#endif
+#ifdef USE_SPECULAR_INTENSITYMAP
+	vSpecularIntensityMapUv = ( specularIntensityMapTransform * vec3( SPECULAR_INTENSITYMAP_UV, 1 ) ).xy;
+#endif
+#ifdef USE_TRANSMISSIONMAP
+	vTransmissionMapUv = ( transmissionMapTransform * vec3( TRANSMISSIONMAP_UV, 1 ) ).xy;
+#endif
+#ifdef USE_THICKNESSMAP
+	vThicknessMapUv = ( thicknessMapTransform * vec3( THICKNESSMAP_UV, 1 ) ).xy;
+#endif`,xM=`#if defined( USE_ENVMAP ) || defined( DISTANCE ) || defined ( USE_SHADOWMAP ) || defined ( USE_TRANSMISSION ) || NUM_SPOT_LIGHT_COORDS > 0
+	vec4 worldPosition = vec4( transformed, 1.0 );
+	#ifdef USE_BATCHING
+		worldPosition = batchingMatrix * worldPosition;
+	#endif
+	#ifdef USE_INSTANCING
+		worldPosition = instanceMatrix * worldPosition;
+	#endif
+	worldPosition = modelMatrix * worldPosition;
+#endif`,yM=`varying vec2 vUv;
+uniform mat3 uvTransform;
+void main() {
+	vUv = ( uvTransform * vec3( uv, 1 ) ).xy;
+	gl_Position = vec4( position.xy, 1.0, 1.0 );
+}`,vM=`uniform sampler2D t2D;
+uniform float backgroundIntensity;
+varying vec2 vUv;
+void main() {
+	vec4 texColor = texture2D( t2D, vUv );
+	#ifdef DECODE_VIDEO_TEXTURE
+		texColor = vec4( mix( pow( texColor.rgb * 0.9478672986 + vec3( 0.0521327014 ), vec3( 2.4 ) ), texColor.rgb * 0.0773993808, vec3( lessThanEqual( texColor.rgb, vec3( 0.04045 ) ) ) ), texColor.w );
+	#endif
+	texColor.rgb *= backgroundIntensity;
+	gl_FragColor = texColor;
+	#include <tonemapping_fragment>
+	#include <colorspace_fragment>
+}`,SM=`varying vec3 vWorldDirection;
+#include <common>
+void main() {
+	vWorldDirection = transformDirection( position, modelMatrix );
+	#include <begin_vertex>
+	#include <project_vertex>
+	gl_Position.z = gl_Position.w;
+}`,bM=`uniform float backgroundBlurriness;
+uniform float backgroundIntensity;
+uniform mat3 backgroundRotation;
+varying vec3 vWorldDirection;
+#include <envmap_common_pars_fragment>
+void main() {
+	#ifdef ENVMAP_TYPE_PMREM
+		vec4 texColor = textureLod( envMap, backgroundRotation * vWorldDirection, roughnessToMip( backgroundBlurriness ) );
+	#else
+		vec4 texColor = textureCube( envMap, backgroundRotation * vWorldDirection );
+	#endif
+	texColor.rgb *= backgroundIntensity;
+	gl_FragColor = texColor;
+	#include <tonemapping_fragment>
+	#include <colorspace_fragment>
+}`,wM=`varying vec3 vWorldDirection;
+#include <common>
+void main() {
+	vWorldDirection = transformDirection( position, modelMatrix );
+	#include <begin_vertex>
+	#include <project_vertex>
+	gl_Position.z = gl_Position.w;
+}`,MM=`uniform samplerCube tCube;
+uniform float tFlip;
+uniform float opacity;
+varying vec3 vWorldDirection;
+void main() {
+	vec4 texColor = textureCube( tCube, vec3( tFlip * vWorldDirection.x, vWorldDirection.yz ) );
+	gl_FragColor = texColor;
+	gl_FragColor.a *= opacity;
+	#include <tonemapping_fragment>
+	#include <colorspace_fragment>
+}`,EM=`#include <common>
+#include <batching_pars_vertex>
+#include <uv_pars_vertex>
+#include <displacementmap_pars_vertex>
+#include <morphtarget_pars_vertex>
+#include <skinning_pars_vertex>
+#include <logdepthbuf_pars_vertex>
+#include <clipping_planes_pars_vertex>
+varying vec2 vHighPrecisionZW;
+void main() {
+	#include <uv_vertex>
+	#include <batching_vertex>
+	#include <skinbase_vertex>
+	#include <morphinstance_vertex>
+	#ifdef USE_DISPLACEMENTMAP
+		#include <beginnormal_vertex>
+		#include <morphnormal_vertex>
+		#include <skinnormal_vertex>
+	#endif
+	#include <begin_vertex>
+	#include <morphtarget_vertex>
+	#include <skinning_vertex>
+	#include <displacementmap_vertex>
+	#include <project_vertex>
+	#include <logdepthbuf_vertex>
+	#include <clipping_planes_vertex>
+	vHighPrecisionZW = gl_Position.zw;
+}`,AM=`#if DEPTH_PACKING == 3200
+	uniform float opacity;
+#endif
+#include <common>
+#include <packing>
+#include <uv_pars_fragment>
+#include <map_pars_fragment>
+#include <alphamap_pars_fragment>
+#include <alphatest_pars_fragment>
+#include <alphahash_pars_fragment>
+#include <logdepthbuf_pars_fragment>
+#include <clipping_planes_pars_fragment>
+varying vec2 vHighPrecisionZW;
+void main() {
+	vec4 diffuseColor = vec4( 1.0 );
+	#include <clipping_planes_fragment>
+	#if DEPTH_PACKING == 3200
+		diffuseColor.a = opacity;
+	#endif
+	#include <map_fragment>
+	#include <alphamap_fragment>
+	#include <alphatest_fragment>
+	#include <alphahash_fragment>
+	#include <logdepthbuf_fragment>
+	#ifdef USE_REVERSED_DEPTH_BUFFER
+		float fragCoordZ = vHighPrecisionZW[ 0 ] / vHighPrecisionZW[ 1 ];
+	#else
+		float fragCoordZ = 0.5 * vHighPrecisionZW[ 0 ] / vHighPrecisionZW[ 1 ] + 0.5;
+	#endif
+	#if DEPTH_PACKING == 3200
+		gl_FragColor = vec4( vec3( 1.0 - fragCoordZ ), opacity );
+	#elif DEPTH_PACKING == 3201
+		gl_FragColor = packDepthToRGBA( fragCoordZ );
+	#elif DEPTH_PACKING == 3202
+		gl_FragColor = vec4( packDepthToRGB( fragCoordZ ), 1.0 );
+	#elif DEPTH_PACKING == 3203
+		gl_FragColor = vec4( packDepthToRG( fragCoordZ ), 0.0, 1.0 );
+	#endif
+}`,TM=`#define DISTANCE
+varying vec3 vWorldPosition;
+#include <common>
+#include <batching_pars_vertex>
+#include <uv_pars_vertex>
+#include <displacementmap_pars_vertex>
+#include <morphtarget_pars_vertex>
+#include <skinning_pars_vertex>
+#include <clipping_planes_pars_vertex>
+void main() {
+	#include <uv_vertex>
+	#include <batching_vertex>
+	#include <skinbase_vertex>
+	#include <morphinstance_vertex>
+	#ifdef USE_DISPLACEMENTMAP
+		#include <beginnormal_vertex>
+		#include <morphnormal_vertex>
+		#include <skinnormal_vertex>
+	#endif
+	#include <begin_vertex>
+	#include <morphtarget_vertex>
+	#include <skinning_vertex>
+	#include <displacementmap_vertex>
+	#include <project_vertex>
+	#include <worldpos_vertex>
+	#include <clipping_planes_vertex>
+	vWorldPosition = worldPosition.xyz;
+}`,CM=`#define DISTANCE
+uniform vec3 referencePosition;
+uniform float nearDistance;
+uniform float farDistance;
+varying vec3 vWorldPosition;
+#include <common>
+#include <uv_pars_fragment>
+#include <map_pars_fragment>
+#include <alphamap_pars_fragment>
+#include <alphatest_pars_fragment>
+#include <alphahash_pars_fragment>
+#include <clipping_planes_pars_fragment>
+void main() {
+	vec4 diffuseColor = vec4( 1.0 );
+	#include <clipping_planes_fragment>
+	#include <map_fragment>
+	#include <alphamap_fragment>
+	#include <alphatest_fragment>
+	#include <alphahash_fragment>
+	float dist = length( vWorldPosition - referencePosition );
+	dist = ( dist - nearDistance ) / ( farDistance - nearDistance );
+	dist = saturate( dist );
+	gl_FragColor = vec4( dist, 0.0, 0.0, 1.0 );
+}`,RM=`varying vec3 vWorldDirection;
+#include <common>
+void main() {
+	vWorldDirection = transformDirection( position, modelMatrix );
+	#include <begin_vertex>
+	#include <project_vertex>
+}`,PM=`uniform sampler2D tEquirect;
+varying vec3 vWorldDirection;
+#include <common>
+void main() {
+	vec3 direction = normalize( vWorldDirection );
+	vec2 sampleUV = equirectUv( direction );
+	gl_FragColor = texture2D( tEquirect, sampleUV );
+	#include <tonemapping_fragment>
+	#include <colorspace_fragment>
+}`,IM=`uniform float scale;
+attribute float lineDistance;
+varying float vLineDistance;
+#include <common>
+#include <uv_pars_vertex>
+#include <color_pars_vertex>
+#include <fog_pars_vertex>
+#include <morphtarget_pars_vertex>
+#include <logdepthbuf_pars_vertex>
+#include <clipping_planes_pars_vertex>
+void main() {
+	vLineDistance = scale * lineDistance;
+	#include <uv_vertex>
+	#include <color_vertex>
+	#include <morphinstance_vertex>
+	#include <morphcolor_vertex>
+	#include <begin_vertex>
+	#include <morphtarget_vertex>
+	#include <project_vertex>
+	#include <logdepthbuf_vertex>
+	#include <clipping_planes_vertex>
+	#include <fog_vertex>
+}`,LM=`uniform vec3 diffuse;
+uniform float opacity;
+uniform float dashSize;
+uniform float totalSize;
+varying float vLineDistance;
+#include <common>
+#include <color_pars_fragment>
+#include <uv_pars_fragment>
+#include <map_pars_fragment>
+#include <fog_pars_fragment>
+#include <logdepthbuf_pars_fragment>
+#include <clipping_planes_pars_fragment>
+void main() {
+	vec4 diffuseColor = vec4( diffuse, opacity );
+	#include <clipping_planes_fragment>
+	if ( mod( vLineDistance, totalSize ) > dashSize ) {
+		discard;
+	}
+	vec3 outgoingLight = vec3( 0.0 );
+	#include <logdepthbuf_fragment>
+	#include <map_fragment>
+	#include <color_fragment>
+	outgoingLight = diffuseColor.rgb;
+	#include <opaque_fragment>
+	#include <tonemapping_fragment>
+	#include <colorspace_fragment>
+	#include <fog_fragment>
+	#include <premultiplied_alpha_fragment>
+}`,DM=`#include <common>
+#include <batching_pars_vertex>
+#include <uv_pars_vertex>
+#include <envmap_pars_vertex>
+#include <color_pars_vertex>
+#include <fog_pars_vertex>
+#include <morphtarget_pars_vertex>
+#include <skinning_pars_vertex>
+#include <logdepthbuf_pars_vertex>
+#include <clipping_planes_pars_vertex>
+void main() {
+	#include <uv_vertex>
+	#include <color_vertex>
+	#include <morphinstance_vertex>
+	#include <morphcolor_vertex>
+	#include <batching_vertex>
+	#if defined ( USE_ENVMAP ) || defined ( USE_SKINNING )
+		#include <beginnormal_vertex>
+		#include <morphnormal_vertex>
+		#include <skinbase_vertex>
+		#include <skinnormal_vertex>
+		#include <defaultnormal_vertex>
+	#endif
+	#include <begin_vertex>
+	#include <morphtarget_vertex>
+	#include <skinning_vertex>
+	#include <project_vertex>
+	#include <logdepthbuf_vertex>
+	#include <clipping_planes_vertex>
+	#include <worldpos_vertex>
+	#include <envmap_vertex>
+	#include <fog_vertex>
+}`,NM=`uniform vec3 diffuse;
+uniform float opacity;
+#ifndef FLAT_SHADED
+	varying vec3 vNormal;
+#endif
+#include <common>
+#include <dithering_pars_fragment>
+#include <color_pars_fragment>
+#include <uv_pars_fragment>
+#include <map_pars_fragment>
+#include <alphamap_pars_fragment>
+#include <alphatest_pars_fragment>
+#include <alphahash_pars_fragment>
+#include <aomap_pars_fragment>
+#include <lightmap_pars_fragment>
+#include <envmap_common_pars_fragment>
+#include <envmap_pars_fragment>
+#include <fog_pars_fragment>
+#include <specularmap_pars_fragment>
+#include <logdepthbuf_pars_fragment>
+#include <clipping_planes_pars_fragment>
+void main() {
+	vec4 diffuseColor = vec4( diffuse, opacity );
+	#include <clipping_planes_fragment>
+	#include <logdepthbuf_fragment>
+	#include <map_fragment>
+	#include <color_fragment>
+	#include <alphamap_fragment>
+	#include <alphatest_fragment>
+	#include <alphahash_fragment>
+	#include <specularmap_fragment>
+	ReflectedLight reflectedLight = ReflectedLight( vec3( 0.0 ), vec3( 0.0 ), vec3( 0.0 ), vec3( 0.0 ) );
+	#ifdef USE_LIGHTMAP
+		vec4 lightMapTexel = texture2D( lightMap, vLightMapUv );
+		reflectedLight.indirectDiffuse += lightMapTexel.rgb * lightMapIntensity * RECIPROCAL_PI;
+	#else
+		reflectedLight.indirectDiffuse += vec3( 1.0 );
+	#endif
+	#include <aomap_fragment>
+	reflectedLight.indirectDiffuse *= diffuseColor.rgb;
+	vec3 outgoingLight = reflectedLight.indirectDiffuse;
+	#include <envmap_fragment>
+	#include <opaque_fragment>
+	#include <tonemapping_fragment>
+	#include <colorspace_fragment>
+	#include <fog_fragment>
+	#include <premultiplied_alpha_fragment>
+	#include <dithering_fragment>
+}`,OM=`#define LAMBERT
+varying vec3 vViewPosition;
+#include <common>
+#include <batching_pars_vertex>
+#include <uv_pars_vertex>
+#include <displacementmap_pars_vertex>
+#include <envmap_pars_vertex>
+#include <color_pars_vertex>
+#include <fog_pars_vertex>
+#include <normal_pars_vertex>
+#include <morphtarget_pars_vertex>
+#include <skinning_pars_vertex>
+#include <shadowmap_pars_vertex>
+#include <logdepthbuf_pars_vertex>
+#include <clipping_planes_pars_vertex>
+void main() {
+	#include <uv_vertex>
+	#include <color_vertex>
+	#include <morphinstance_vertex>
+	#include <morphcolor_vertex>
+	#include <batching_vertex>
+	#include <beginnormal_vertex>
+	#include <morphnormal_vertex>
+	#include <skinbase_vertex>
+	#include <skinnormal_vertex>
+	#include <defaultnormal_vertex>
+	#include <normal_vertex>
+	#include <begin_vertex>
+	#include <morphtarget_vertex>
+	#include <skinning_vertex>
+	#include <displacementmap_vertex>
+	#include <project_vertex>
+	#include <logdepthbuf_vertex>
+	#include <clipping_planes_vertex>
+	vViewPosition = - mvPosition.xyz;
+	#include <worldpos_vertex>
+	#include <envmap_vertex>
+	#include <shadowmap_vertex>
+	#include <fog_vertex>
+}`,UM=`#define LAMBERT
+uniform vec3 diffuse;
+uniform vec3 emissive;
+uniform float opacity;
+#include <common>
+#include <dithering_pars_fragment>
+#include <color_pars_fragment>
+#include <uv_pars_fragment>
+#include <map_pars_fragment>
+#include <alphamap_pars_fragment>
+#include <alphatest_pars_fragment>
+#include <alphahash_pars_fragment>
+#include <aomap_pars_fragment>
+#include <lightmap_pars_fragment>
+#include <emissivemap_pars_fragment>
+#include <envmap_common_pars_fragment>
+#include <envmap_pars_fragment>
+#include <envmap_physical_pars_fragment>
+#include <fog_pars_fragment>
+#include <bsdfs>
+#include <lights_pars_begin>
+#include <normal_pars_fragment>
+#include <lights_lambert_pars_fragment>
+#include <shadowmap_pars_fragment>
+#include <bumpmap_pars_fragment>
+#include <normalmap_pars_fragment>
+#include <specularmap_pars_fragment>
+#include <logdepthbuf_pars_fragment>
+#include <clipping_planes_pars_fragment>
+void main() {
+	vec4 diffuseColor = vec4( diffuse, opacity );
+	#include <clipping_planes_fragment>
+	ReflectedLight reflectedLight = ReflectedLight( vec3( 0.0 ), vec3( 0.0 ), vec3( 0.0 ), vec3( 0.0 ) );
+	vec3 totalEmissiveRadiance = emissive;
+	#include <logdepthbuf_fragment>
+	#include <map_fragment>
+	#include <color_fragment>
+	#include <alphamap_fragment>
+	#include <alphatest_fragment>
+	#include <alphahash_fragment>
+	#include <specularmap_fragment>
+	#include <normal_fragment_begin>
+	#include <normal_fragment_maps>
+	#include <emissivemap_fragment>
+	#include <lights_lambert_fragment>
+	#include <lights_fragment_begin>
+	#include <lights_fragment_maps>
+	#include <lights_fragment_end>
+	#include <aomap_fragment>
+	vec3 outgoingLight = reflectedLight.directDiffuse + reflectedLight.indirectDiffuse + totalEmissiveRadiance;
+	#include <envmap_fragment>
+	#include <opaque_fragment>
+	#include <tonemapping_fragment>
+	#include <colorspace_fragment>
+	#include <fog_fragment>
+	#include <premultiplied_alpha_fragment>
+	#include <dithering_fragment>
+}`,FM=`#define MATCAP
+varying vec3 vViewPosition;
+#include <common>
+#include <batching_pars_vertex>
+#include <uv_pars_vertex>
+#include <color_pars_vertex>
+#include <displacementmap_pars_vertex>
+#include <fog_pars_vertex>
+#include <normal_pars_vertex>
+#include <morphtarget_pars_vertex>
+#include <skinning_pars_vertex>
+#include <logdepthbuf_pars_vertex>
+#include <clipping_planes_pars_vertex>
+void main() {
+	#include <uv_vertex>
+	#include <color_vertex>
+	#include <morphinstance_vertex>
+	#include <morphcolor_vertex>
+	#include <batching_vertex>
+	#include <beginnormal_vertex>
+	#include <morphnormal_vertex>
+	#include <skinbase_vertex>
+	#include <skinnormal_vertex>
+	#include <defaultnormal_vertex>
+	#include <normal_vertex>
+	#include <begin_vertex>
+	#include <morphtarget_vertex>
+	#include <skinning_vertex>
+	#include <displacementmap_vertex>
+	#include <project_vertex>
+	#include <logdepthbuf_vertex>
+	#include <clipping_planes_vertex>
+	#include <fog_vertex>
+	vViewPosition = - mvPosition.xyz;
+}`,BM=`#define MATCAP
+uniform vec3 diffuse;
+uniform float opacity;
+uniform sampler2D matcap;
+varying vec3 vViewPosition;
+#include <common>
+#include <dithering_pars_fragment>
+#include <color_pars_fragment>
+#include <uv_pars_fragment>
+#include <map_pars_fragment>
+#include <alphamap_pars_fragment>
+#include <alphatest_pars_fragment>
+#include <alphahash_pars_fragment>
+#include <fog_pars_fragment>
+#include <normal_pars_fragment>
+#include <bumpmap_pars_fragment>
+#include <normalmap_pars_fragment>
+#include <logdepthbuf_pars_fragment>
+#include <clipping_planes_pars_fragment>
+void main() {
+	vec4 diffuseColor = vec4( diffuse, opacity );
+	#include <clipping_planes_fragment>
+	#include <logdepthbuf_fragment>
+	#include <map_fragment>
+	#include <color_fragment>
+	#include <alphamap_fragment>
+	#include <alphatest_fragment>
+	#include <alphahash_fragment>
+	#include <normal_fragment_begin>
+	#include <normal_fragment_maps>
+	vec3 viewDir = normalize( vViewPosition );
+	vec3 x = normalize( vec3( viewDir.z, 0.0, - viewDir.x ) );
+	vec3 y = cross( viewDir, x );
+	vec2 uv = vec2( dot( x, normal ), dot( y, normal ) ) * 0.495 + 0.5;
+	#ifdef USE_MATCAP
+		vec4 matcapColor = texture2D( matcap, uv );
+	#else
+		vec4 matcapColor = vec4( vec3( mix( 0.2, 0.8, uv.y ) ), 1.0 );
+	#endif
+	vec3 outgoingLight = diffuseColor.rgb * matcapColor.rgb;
+	#include <opaque_fragment>
+	#include <tonemapping_fragment>
+	#include <colorspace_fragment>
+	#include <fog_fragment>
+	#include <premultiplied_alpha_fragment>
+	#include <dithering_fragment>
+}`,kM=`#define NORMAL
+#if defined( FLAT_SHADED ) || defined( USE_BUMPMAP ) || defined( USE_NORMALMAP_TANGENTSPACE )
+	varying vec3 vViewPosition;
+#endif
+#include <common>
+#include <batching_pars_vertex>
+#include <uv_pars_vertex>
+#include <displacementmap_pars_vertex>
+#include <normal_pars_vertex>
+#include <morphtarget_pars_vertex>
+#include <skinning_pars_vertex>
+#include <logdepthbuf_pars_vertex>
+#include <clipping_planes_pars_vertex>
+void main() {
+	#include <uv_vertex>
+	#include <batching_vertex>
+	#include <beginnormal_vertex>
+	#include <morphinstance_vertex>
+	#include <morphnormal_vertex>
+	#include <skinbase_vertex>
+	#include <skinnormal_vertex>
+	#include <defaultnormal_vertex>
+	#include <normal_vertex>
+	#include <begin_vertex>
+	#include <morphtarget_vertex>
+	#include <skinning_vertex>
+	#include <displacementmap_vertex>
+	#include <project_vertex>
+	#include <logdepthbuf_vertex>
+	#include <clipping_planes_vertex>
+#if defined( FLAT_SHADED ) || defined( USE_BUMPMAP ) || defined( USE_NORMALMAP_TANGENTSPACE )
+	vViewPosition = - mvPosition.xyz;
+#endif
+}`,zM=`#define NORMAL
+uniform float opacity;
+#if defined( FLAT_SHADED ) || defined( USE_BUMPMAP ) || defined( USE_NORMALMAP_TANGENTSPACE )
+	varying vec3 vViewPosition;
+#endif
+#include <uv_pars_fragment>
+#include <normal_pars_fragment>
+#include <bumpmap_pars_fragment>
+#include <normalmap_pars_fragment>
+#include <logdepthbuf_pars_fragment>
+#include <clipping_planes_pars_fragment>
+void main() {
+	vec4 diffuseColor = vec4( 0.0, 0.0, 0.0, opacity );
+	#include <clipping_planes_fragment>
+	#include <logdepthbuf_fragment>
+	#include <normal_fragment_begin>
+	#include <normal_fragment_maps>
+	gl_FragColor = vec4( normalize( normal ) * 0.5 + 0.5, diffuseColor.a );
+	#ifdef OPAQUE
+		gl_FragColor.a = 1.0;
+	#endif
+}`,GM=`#define PHONG
+varying vec3 vViewPosition;
+#include <common>
+#include <batching_pars_vertex>
+#include <uv_pars_vertex>
+#include <displacementmap_pars_vertex>
+#include <envmap_pars_vertex>
+#include <color_pars_vertex>
+#include <fog_pars_vertex>
+#include <normal_pars_vertex>
+#include <morphtarget_pars_vertex>
+#include <skinning_pars_vertex>
+#include <shadowmap_pars_vertex>
+#include <logdepthbuf_pars_vertex>
+#include <clipping_planes_pars_vertex>
+void main() {
+	#include <uv_vertex>
+	#include <color_vertex>
+	#include <morphcolor_vertex>
+	#include <batching_vertex>
+	#include <beginnormal_vertex>
+	#include <morphinstance_vertex>
+	#include <morphnormal_vertex>
+	#include <skinbase_vertex>
+	#include <skinnormal_vertex>
+	#include <defaultnormal_vertex>
+	#include <normal_vertex>
+	#include <begin_vertex>
+	#include <morphtarget_vertex>
+	#include <skinning_vertex>
+	#include <displacementmap_vertex>
+	#include <project_vertex>
+	#include <logdepthbuf_vertex>
+	#include <clipping_planes_vertex>
+	vViewPosition = - mvPosition.xyz;
+	#include <worldpos_vertex>
+	#include <envmap_vertex>
+	#include <shadowmap_vertex>
+	#include <fog_vertex>
+}`,VM=`#define PHONG
+uniform vec3 diffuse;
+uniform vec3 emissive;
+uniform vec3 specular;
+uniform float shininess;
+uniform float opacity;
+#include <common>
+#include <dithering_pars_fragment>
+#include <color_pars_fragment>
+#include <uv_pars_fragment>
+#include <map_pars_fragment>
+#include <alphamap_pars_fragment>
+#include <alphatest_pars_fragment>
+#include <alphahash_pars_fragment>
+#include <aomap_pars_fragment>
+#include <lightmap_pars_fragment>
+#include <emissivemap_pars_fragment>
+#include <envmap_common_pars_fragment>
+#include <envmap_pars_fragment>
+#include <envmap_physical_pars_fragment>
+#include <fog_pars_fragment>
+#include <bsdfs>
+#include <lights_pars_begin>
+#include <normal_pars_fragment>
+#include <lights_phong_pars_fragment>
+#include <shadowmap_pars_fragment>
+#include <bumpmap_pars_fragment>
+#include <normalmap_pars_fragment>
+#include <specularmap_pars_fragment>
+#include <logdepthbuf_pars_fragment>
+#include <clipping_planes_pars_fragment>
+void main() {
+	vec4 diffuseColor = vec4( diffuse, opacity );
+	#include <clipping_planes_fragment>
+	ReflectedLight reflectedLight = ReflectedLight( vec3( 0.0 ), vec3( 0.0 ), vec3( 0.0 ), vec3( 0.0 ) );
+	vec3 totalEmissiveRadiance = emissive;
+	#include <logdepthbuf_fragment>
+	#include <map_fragment>
+	#include <color_fragment>
+	#include <alphamap_fragment>
+	#include <alphatest_fragment>
+	#include <alphahash_fragment>
+	#include <specularmap_fragment>
+	#include <normal_fragment_begin>
+	#include <normal_fragment_maps>
+	#include <emissivemap_fragment>
+	#include <lights_phong_fragment>
+	#include <lights_fragment_begin>
+	#include <lights_fragment_maps>
+	#include <lights_fragment_end>
+	#include <aomap_fragment>
+	vec3 outgoingLight = reflectedLight.directDiffuse + reflectedLight.indirectDiffuse + reflectedLight.directSpecular + reflectedLight.indirectSpecular + totalEmissiveRadiance;
+	#include <envmap_fragment>
+	#include <opaque_fragment>
+	#include <tonemapping_fragment>
+	#include <colorspace_fragment>
+	#include <fog_fragment>
+	#include <premultiplied_alpha_fragment>
+	#include <dithering_fragment>
+}`,HM=`#define STANDARD
+varying vec3 vViewPosition;
+#ifdef USE_TRANSMISSION
+	varying vec3 vWorldPosition;
+#endif
+#include <common>
+#include <batching_pars_vertex>
+#include <uv_pars_vertex>
+#include <displacementmap_pars_vertex>
+#include <color_pars_vertex>
+#include <fog_pars_vertex>
+#include <normal_pars_vertex>
+#include <morphtarget_pars_vertex>
+#include <skinning_pars_vertex>
+#include <shadowmap_pars_vertex>
+#include <logdepthbuf_pars_vertex>
+#include <clipping_planes_pars_vertex>
+void main() {
+	#include <uv_vertex>
+	#include <color_vertex>
+	#include <morphinstance_vertex>
+	#include <morphcolor_vertex>
+	#include <batching_vertex>
+	#include <beginnormal_vertex>
+	#include <morphnormal_vertex>
+	#include <skinbase_vertex>
+	#include <skinnormal_vertex>
+	#include <defaultnormal_vertex>
+	#include <normal_vertex>
+	#include <begin_vertex>
+	#include <morphtarget_vertex>
+	#include <skinning_vertex>
+	#include <displacementmap_vertex>
+	#include <project_vertex>
+	#include <logdepthbuf_vertex>
+	#include <clipping_planes_vertex>
+	vViewPosition = - mvPosition.xyz;
+	#include <worldpos_vertex>
+	#include <shadowmap_vertex>
+	#include <fog_vertex>
+#ifdef USE_TRANSMISSION
+	vWorldPosition = worldPosition.xyz;
+#endif
+}`,WM=`#define STANDARD
+#ifdef PHYSICAL
+	#define IOR
+	#define USE_SPECULAR
+#endif
+uniform vec3 diffuse;
+uniform vec3 emissive;
+uniform float roughness;
+uniform float metalness;
+uniform float opacity;
+#ifdef IOR
+	uniform float ior;
+#endif
+#ifdef USE_SPECULAR
+	uniform float specularIntensity;
+	uniform vec3 specularColor;
+	#ifdef USE_SPECULAR_COLORMAP
+		uniform sampler2D specularColorMap;
+	#endif
+	#ifdef USE_SPECULAR_INTENSITYMAP
+		uniform sampler2D specularIntensityMap;
+	#endif
+#endif
+#ifdef USE_CLEARCOAT
+	uniform float clearcoat;
+	uniform float clearcoatRoughness;
+#endif
+#ifdef USE_DIFFUSE_ROUGHNESS
+	uniform float diffuseRoughness;
+	#ifdef USE_DIFFUSE_ROUGHNESSMAP
+		uniform sampler2D diffuseRoughnessMap;
+	#endif
+#endif
+#ifdef USE_DISPERSION
+	uniform float dispersion;
+#endif
+#ifdef USE_RETROREFLECTION
+	uniform float retroreflectivity;
+#endif
+#ifdef USE_IRIDESCENCE
+	uniform float iridescence;
+	uniform float iridescenceIOR;
+	uniform float iridescenceThicknessMinimum;
+	uniform float iridescenceThicknessMaximum;
+#endif
+#ifdef USE_SHEEN
+	uniform vec3 sheenColor;
+	uniform float sheenRoughness;
+	#ifdef USE_SHEEN_COLORMAP
+		uniform sampler2D sheenColorMap;
+	#endif
+	#ifdef USE_SHEEN_ROUGHNESSMAP
+		uniform sampler2D sheenRoughnessMap;
+	#endif
+#endif
+#ifdef USE_ANISOTROPY
+	uniform vec2 anisotropyVector;
+	#ifdef USE_ANISOTROPYMAP
+		uniform sampler2D anisotropyMap;
+	#endif
+#endif
+varying vec3 vViewPosition;
+#include <common>
+#include <dithering_pars_fragment>
+#include <color_pars_fragment>
+#include <uv_pars_fragment>
+#include <map_pars_fragment>
+#include <alphamap_pars_fragment>
+#include <alphatest_pars_fragment>
+#include <alphahash_pars_fragment>
+#include <aomap_pars_fragment>
+#include <lightmap_pars_fragment>
+#include <emissivemap_pars_fragment>
+#include <iridescence_fragment>
+#include <envmap_common_pars_fragment>
+#include <envmap_physical_pars_fragment>
+#include <fog_pars_fragment>
+#include <lights_pars_begin>
+#include <normal_pars_fragment>
+#include <lights_physical_pars_fragment>
+#include <transmission_pars_fragment>
+#include <shadowmap_pars_fragment>
+#include <bumpmap_pars_fragment>
+#include <normalmap_pars_fragment>
+#include <clearcoat_pars_fragment>
+#include <iridescence_pars_fragment>
+#include <roughnessmap_pars_fragment>
+#include <metalnessmap_pars_fragment>
+#include <logdepthbuf_pars_fragment>
+#include <clipping_planes_pars_fragment>
+void main() {
+	vec4 diffuseColor = vec4( diffuse, opacity );
+	#include <clipping_planes_fragment>
+	ReflectedLight reflectedLight = ReflectedLight( vec3( 0.0 ), vec3( 0.0 ), vec3( 0.0 ), vec3( 0.0 ) );
+	vec3 totalEmissiveRadiance = emissive;
+	#include <logdepthbuf_fragment>
+	#include <map_fragment>
+	#include <color_fragment>
+	#include <alphamap_fragment>
+	#include <alphatest_fragment>
+	#include <alphahash_fragment>
+	#include <roughnessmap_fragment>
+	#include <metalnessmap_fragment>
+	#include <normal_fragment_begin>
+	#include <normal_fragment_maps>
+	#include <clearcoat_normal_fragment_begin>
+	#include <clearcoat_normal_fragment_maps>
+	#include <emissivemap_fragment>
+	#include <lights_physical_fragment>
+	#include <lights_fragment_begin>
+	#include <lights_fragment_maps>
+	#include <lights_fragment_end>
+	#include <aomap_fragment>
+	vec3 totalDiffuse = reflectedLight.directDiffuse + reflectedLight.indirectDiffuse;
+	vec3 totalSpecular = reflectedLight.directSpecular + reflectedLight.indirectSpecular;
+	#include <transmission_fragment>
+	vec3 outgoingLight = totalDiffuse + totalSpecular + totalEmissiveRadiance;
+	#ifdef USE_SHEEN
+ 
+		outgoingLight = outgoingLight + sheenSpecularDirect + sheenSpecularIndirect;
+ 
+ 	#endif
+	#ifdef USE_CLEARCOAT
+		float dotNVcc = saturate( dot( geometryClearcoatNormal, geometryViewDir ) );
+		vec3 Fcc = F_Schlick( material.clearcoatF0, material.clearcoatF90, dotNVcc );
+		outgoingLight = outgoingLight * ( 1.0 - material.clearcoat * Fcc ) + ( clearcoatSpecularDirect + clearcoatSpecularIndirect ) * material.clearcoat;
+	#endif
+	#include <opaque_fragment>
+	#include <tonemapping_fragment>
+	#include <colorspace_fragment>
+	#include <fog_fragment>
+	#include <premultiplied_alpha_fragment>
+	#include <dithering_fragment>
+}`,XM=`#define TOON
+varying vec3 vViewPosition;
+#include <common>
+#include <batching_pars_vertex>
+#include <uv_pars_vertex>
+#include <displacementmap_pars_vertex>
+#include <color_pars_vertex>
+#include <fog_pars_vertex>
+#include <normal_pars_vertex>
+#include <morphtarget_pars_vertex>
+#include <skinning_pars_vertex>
+#include <shadowmap_pars_vertex>
+#include <logdepthbuf_pars_vertex>
+#include <clipping_planes_pars_vertex>
+void main() {
+	#include <uv_vertex>
+	#include <color_vertex>
+	#include <morphinstance_vertex>
+	#include <morphcolor_vertex>
+	#include <batching_vertex>
+	#include <beginnormal_vertex>
+	#include <morphnormal_vertex>
+	#include <skinbase_vertex>
+	#include <skinnormal_vertex>
+	#include <defaultnormal_vertex>
+	#include <normal_vertex>
+	#include <begin_vertex>
+	#include <morphtarget_vertex>
+	#include <skinning_vertex>
+	#include <displacementmap_vertex>
+	#include <project_vertex>
+	#include <logdepthbuf_vertex>
+	#include <clipping_planes_vertex>
+	vViewPosition = - mvPosition.xyz;
+	#include <worldpos_vertex>
+	#include <shadowmap_vertex>
+	#include <fog_vertex>
+}`,$M=`#define TOON
+uniform vec3 diffuse;
+uniform vec3 emissive;
+uniform float opacity;
+#include <common>
+#include <dithering_pars_fragment>
+#include <color_pars_fragment>
+#include <uv_pars_fragment>
+#include <map_pars_fragment>
+#include <alphamap_pars_fragment>
+#include <alphatest_pars_fragment>
+#include <alphahash_pars_fragment>
+#include <aomap_pars_fragment>
+#include <lightmap_pars_fragment>
+#include <emissivemap_pars_fragment>
+#include <gradientmap_pars_fragment>
+#include <fog_pars_fragment>
+#include <bsdfs>
+#include <lights_pars_begin>
+#include <normal_pars_fragment>
+#include <lights_toon_pars_fragment>
+#include <shadowmap_pars_fragment>
+#include <bumpmap_pars_fragment>
+#include <normalmap_pars_fragment>
+#include <logdepthbuf_pars_fragment>
+#include <clipping_planes_pars_fragment>
+void main() {
+	vec4 diffuseColor = vec4( diffuse, opacity );
+	#include <clipping_planes_fragment>
+	ReflectedLight reflectedLight = ReflectedLight( vec3( 0.0 ), vec3( 0.0 ), vec3( 0.0 ), vec3( 0.0 ) );
+	vec3 totalEmissiveRadiance = emissive;
+	#include <logdepthbuf_fragment>
+	#include <map_fragment>
+	#include <color_fragment>
+	#include <alphamap_fragment>
+	#include <alphatest_fragment>
+	#include <alphahash_fragment>
+	#include <normal_fragment_begin>
+	#include <normal_fragment_maps>
+	#include <emissivemap_fragment>
+	#include <lights_toon_fragment>
+	#include <lights_fragment_begin>
+	#include <lights_fragment_maps>
+	#include <lights_fragment_end>
+	#include <aomap_fragment>
+	vec3 outgoingLight = reflectedLight.directDiffuse + reflectedLight.indirectDiffuse + totalEmissiveRadiance;
+	#include <opaque_fragment>
+	#include <tonemapping_fragment>
+	#include <colorspace_fragment>
+	#include <fog_fragment>
+	#include <premultiplied_alpha_fragment>
+	#include <dithering_fragment>
+}`,YM=`uniform float size;
+uniform float scale;
+#include <common>
+#include <color_pars_vertex>
+#include <fog_pars_vertex>
+#include <morphtarget_pars_vertex>
+#include <logdepthbuf_pars_vertex>
+#include <clipping_planes_pars_vertex>
+#ifdef USE_POINTS_UV
+	varying vec2 vUv;
+	uniform mat3 uvTransform;
+#endif
+void main() {
+	#ifdef USE_POINTS_UV
+		vUv = ( uvTransform * vec3( uv, 1 ) ).xy;
+	#endif
+	#include <color_vertex>
+	#include <morphinstance_vertex>
+	#include <morphcolor_vertex>
+	#include <begin_vertex>
+	#include <morphtarget_vertex>
+	#include <project_vertex>
+	gl_PointSize = size;
+	#ifdef USE_SIZEATTENUATION
+		bool isPerspective = isPerspectiveMatrix( projectionMatrix );
+		if ( isPerspective ) gl_PointSize *= ( scale / - mvPosition.z );
+	#endif
+	#include <logdepthbuf_vertex>
+	#include <clipping_planes_vertex>
+	#include <worldpos_vertex>
+	#include <fog_vertex>
+}`,qM=`uniform vec3 diffuse;
+uniform float opacity;
+#include <common>
+#include <color_pars_fragment>
+#include <map_particle_pars_fragment>
+#include <alphatest_pars_fragment>
+#include <alphahash_pars_fragment>
+#include <fog_pars_fragment>
+#include <logdepthbuf_pars_fragment>
+#include <clipping_planes_pars_fragment>
+void main() {
+	vec4 diffuseColor = vec4( diffuse, opacity );
+	#include <clipping_planes_fragment>
+	vec3 outgoingLight = vec3( 0.0 );
+	#include <logdepthbuf_fragment>
+	#include <map_particle_fragment>
+	#include <color_fragment>
+	#include <alphatest_fragment>
+	#include <alphahash_fragment>
+	outgoingLight = diffuseColor.rgb;
+	#include <opaque_fragment>
+	#include <tonemapping_fragment>
+	#include <colorspace_fragment>
+	#include <fog_fragment>
+	#include <premultiplied_alpha_fragment>
+}`,ZM=`#include <common>
+#include <batching_pars_vertex>
+#include <fog_pars_vertex>
+#include <morphtarget_pars_vertex>
+#include <skinning_pars_vertex>
+#include <logdepthbuf_pars_vertex>
+#include <shadowmap_pars_vertex>
+void main() {
+	#include <batching_vertex>
+	#include <beginnormal_vertex>
+	#include <morphinstance_vertex>
+	#include <morphnormal_vertex>
+	#include <skinbase_vertex>
+	#include <skinnormal_vertex>
+	#include <defaultnormal_vertex>
+	#include <begin_vertex>
+	#include <morphtarget_vertex>
+	#include <skinning_vertex>
+	#include <project_vertex>
+	#include <logdepthbuf_vertex>
+	#include <worldpos_vertex>
+	#include <shadowmap_vertex>
+	#include <fog_vertex>
+}`,jM=`uniform vec3 color;
+uniform float opacity;
+#include <common>
+#include <fog_pars_fragment>
+#include <bsdfs>
+#include <lights_pars_begin>
+#include <logdepthbuf_pars_fragment>
+#include <shadowmap_pars_fragment>
+#include <shadowmask_pars_fragment>
+void main() {
+	#include <logdepthbuf_fragment>
+	gl_FragColor = vec4( color, opacity * ( 1.0 - getShadowMask() ) );
+	#include <tonemapping_fragment>
+	#include <colorspace_fragment>
+	#include <fog_fragment>
+	#include <premultiplied_alpha_fragment>
+}`,JM=`uniform float rotation;
+uniform vec2 center;
+#include <common>
+#include <uv_pars_vertex>
+#include <fog_pars_vertex>
+#include <logdepthbuf_pars_vertex>
+#include <clipping_planes_pars_vertex>
+void main() {
+	#include <uv_vertex>
+	vec4 mvPosition = modelViewMatrix[ 3 ];
+	vec2 scale = vec2( length( modelMatrix[ 0 ].xyz ), length( modelMatrix[ 1 ].xyz ) );
+	#ifndef USE_SIZEATTENUATION
+		bool isPerspective = isPerspectiveMatrix( projectionMatrix );
+		if ( isPerspective ) scale *= - mvPosition.z;
+	#endif
+	vec2 alignedPosition = ( position.xy - ( center - vec2( 0.5 ) ) ) * scale;
+	vec2 rotatedPosition;
+	rotatedPosition.x = cos( rotation ) * alignedPosition.x - sin( rotation ) * alignedPosition.y;
+	rotatedPosition.y = sin( rotation ) * alignedPosition.x + cos( rotation ) * alignedPosition.y;
+	mvPosition.xy += rotatedPosition;
+	gl_Position = projectionMatrix * mvPosition;
+	#include <logdepthbuf_vertex>
+	#include <clipping_planes_vertex>
+	#include <fog_vertex>
+}`,KM=`uniform vec3 diffuse;
+uniform float opacity;
+#include <common>
+#include <uv_pars_fragment>
+#include <map_pars_fragment>
+#include <alphamap_pars_fragment>
+#include <alphatest_pars_fragment>
+#include <alphahash_pars_fragment>
+#include <fog_pars_fragment>
+#include <logdepthbuf_pars_fragment>
+#include <clipping_planes_pars_fragment>
+void main() {
+	vec4 diffuseColor = vec4( diffuse, opacity );
+	#include <clipping_planes_fragment>
+	vec3 outgoingLight = vec3( 0.0 );
+	#include <logdepthbuf_fragment>
+	#include <map_fragment>
+	#include <alphamap_fragment>
+	#include <alphatest_fragment>
+	#include <alphahash_fragment>
+	outgoingLight = diffuseColor.rgb;
+	#include <opaque_fragment>
+	#include <tonemapping_fragment>
+	#include <colorspace_fragment>
+	#include <fog_fragment>
+}`,fe={alphahash_fragment:vb,alphahash_pars_fragment:Sb,alphamap_fragment:bb,alphamap_pars_fragment:wb,alphatest_fragment:Mb,alphatest_pars_fragment:Eb,aomap_fragment:Ab,aomap_pars_fragment:Tb,batching_pars_vertex:Cb,batching_vertex:Rb,begin_vertex:Pb,beginnormal_vertex:Ib,bsdfs:Lb,iridescence_fragment:Db,bumpmap_pars_fragment:Nb,clipping_planes_fragment:Ob,clipping_planes_pars_fragment:Ub,clipping_planes_pars_vertex:Fb,clipping_planes_vertex:Bb,color_fragment:kb,color_pars_fragment:zb,color_pars_vertex:Gb,color_vertex:Vb,common:Hb,defaultnormal_vertex:Wb,displacementmap_pars_vertex:Xb,displacementmap_vertex:$b,emissivemap_fragment:Yb,emissivemap_pars_fragment:qb,colorspace_fragment:Zb,colorspace_pars_fragment:jb,envmap_fragment:Jb,envmap_common_pars_fragment:Kb,envmap_pars_fragment:Qb,envmap_pars_vertex:tw,envmap_physical_pars_fragment:uw,envmap_vertex:ew,fog_vertex:nw,fog_pars_vertex:iw,fog_fragment:sw,fog_pars_fragment:rw,gradientmap_pars_fragment:ow,lightmap_pars_fragment:aw,lights_lambert_fragment:lw,lights_lambert_pars_fragment:cw,lights_pars_begin:hw,lights_toon_fragment:dw,lights_toon_pars_fragment:fw,lights_phong_fragment:pw,lights_phong_pars_fragment:mw,lights_physical_fragment:gw,lights_physical_pars_fragment:_w,lights_fragment_begin:xw,lights_fragment_maps:yw,lights_fragment_end:vw,lightprobes_pars_fragment:Sw,logdepthbuf_fragment:bw,logdepthbuf_pars_fragment:ww,logdepthbuf_pars_vertex:Mw,logdepthbuf_vertex:Ew,map_fragment:Aw,map_pars_fragment:Tw,map_particle_fragment:Cw,map_particle_pars_fragment:Rw,metalnessmap_fragment:Pw,metalnessmap_pars_fragment:Iw,morphinstance_vertex:Lw,morphcolor_vertex:Dw,morphnormal_vertex:Nw,morphtarget_pars_vertex:Ow,morphtarget_vertex:Uw,normal_fragment_begin:Fw,normal_fragment_maps:Bw,normal_pars_fragment:kw,normal_pars_vertex:zw,normal_vertex:Gw,normalmap_pars_fragment:Vw,clearcoat_normal_fragment_begin:Hw,clearcoat_normal_fragment_maps:Ww,clearcoat_pars_fragment:Xw,iridescence_pars_fragment:$w,opaque_fragment:Yw,packing:qw,premultiplied_alpha_fragment:Zw,project_vertex:jw,dithering_fragment:Jw,dithering_pars_fragment:Kw,roughnessmap_fragment:Qw,roughnessmap_pars_fragment:tM,shadowmap_pars_fragment:eM,shadowmap_pars_vertex:nM,shadowmap_vertex:iM,shadowmask_pars_fragment:sM,skinbase_vertex:rM,skinning_pars_vertex:oM,skinning_vertex:aM,skinnormal_vertex:lM,specularmap_fragment:cM,specularmap_pars_fragment:hM,tonemapping_fragment:uM,tonemapping_pars_fragment:dM,transmission_fragment:fM,transmission_pars_fragment:pM,uv_pars_fragment:mM,uv_pars_vertex:gM,uv_vertex:_M,worldpos_vertex:xM,background_vert:yM,background_frag:vM,backgroundCube_vert:SM,backgroundCube_frag:bM,cube_vert:wM,cube_frag:MM,depth_vert:EM,depth_frag:AM,distance_vert:TM,distance_frag:CM,equirect_vert:RM,equirect_frag:PM,linedashed_vert:IM,linedashed_frag:LM,meshbasic_vert:DM,meshbasic_frag:NM,meshlambert_vert:OM,meshlambert_frag:UM,meshmatcap_vert:FM,meshmatcap_frag:BM,meshnormal_vert:kM,meshnormal_frag:zM,meshphong_vert:GM,meshphong_frag:VM,meshphysical_vert:HM,meshphysical_frag:WM,meshtoon_vert:XM,meshtoon_frag:$M,points_vert:YM,points_frag:qM,shadow_vert:ZM,shadow_frag:jM,sprite_vert:JM,sprite_frag:KM},It={common:{diffuse:{value:new Jt(16777215)},opacity:{value:1},map:{value:null},mapTransform:{value:new se},alphaMap:{value:null},alphaMapTransform:{value:new se},alphaTest:{value:0}},specularmap:{specularMap:{value:null},specularMapTransform:{value:new se}},envmap:{envMap:{value:null},envMapRotation:{value:new se},reflectivity:{value:1},ior:{value:1.5},refractionRatio:{value:.98},dfgLUT:{value:null}},aomap:{aoMap:{value:null},aoMapIntensity:{value:1},aoMapTransform:{value:new se}},lightmap:{lightMap:{value:null},lightMapIntensity:{value:1},lightMapTransform:{value:new se}},bumpmap:{bumpMap:{value:null},bumpMapTransform:{value:new se},bumpScale:{value:1}},normalmap:{normalMap:{value:null},normalMapTransform:{value:new se},normalScale:{value:new $t(1,1)}},displacementmap:{displacementMap:{value:null},displacementMapTransform:{value:new se},displacementScale:{value:1},displacementBias:{value:0}},emissivemap:{emissiveMap:{value:null},emissiveMapTransform:{value:new se}},metalnessmap:{metalnessMap:{value:null},metalnessMapTransform:{value:new se}},roughnessmap:{roughnessMap:{value:null},roughnessMapTransform:{value:new se}},gradientmap:{gradientMap:{value:null}},fog:{fogDensity:{value:25e-5},fogNear:{value:1},fogFar:{value:2e3},fogColor:{value:new Jt(16777215)}},lights:{ambientLightColor:{value:[]},lightProbe:{value:[]},sunLights:{value:[],properties:{direction:{},color:{}}},sunLightShadows:{value:[],properties:{shadowIntensity:1,shadowBias:{},shadowNormalBias:{},shadowRadius:{},shadowMapSize:{}}},sunShadowMatrix:{value:[]},sunShadowCascade:{value:[]},directionalLights:{value:[],properties:{direction:{},color:{}}},directionalLightShadows:{value:[],properties:{shadowIntensity:1,shadowBias:{},shadowNormalBias:{},shadowRadius:{},shadowMapSize:{}}},directionalShadowMatrix:{value:[]},spotLights:{value:[],properties:{color:{},position:{},direction:{},distance:{},coneCos:{},penumbraCos:{},decay:{}}},spotLightShadows:{value:[],properties:{shadowIntensity:1,shadowBias:{},shadowNormalBias:{},shadowRadius:{},shadowMapSize:{}}},spotLightMap:{value:[]},spotLightMatrix:{value:[]},pointLights:{value:[],properties:{color:{},position:{},decay:{},distance:{}}},pointLightShadows:{value:[],properties:{shadowIntensity:1,shadowBias:{},shadowNormalBias:{},shadowRadius:{},shadowMapSize:{},shadowCameraNear:{},shadowCameraFar:{}}},pointShadowMatrix:{value:[]},hemisphereLights:{value:[],properties:{direction:{},skyColor:{},groundColor:{}}},rectAreaLights:{value:[],properties:{color:{},position:{},width:{},height:{}}},ltc_1:{value:null},ltc_2:{value:null},probesSH:{value:[]},probesMin:{value:[]},probesMax:{value:[]},probesResolution:{value:[]}},points:{diffuse:{value:new Jt(16777215)},opacity:{value:1},size:{value:1},scale:{value:1},map:{value:null},alphaMap:{value:null},alphaMapTransform:{value:new se},alphaTest:{value:0},uvTransform:{value:new se}},sprite:{diffuse:{value:new Jt(16777215)},opacity:{value:1},center:{value:new $t(.5,.5)},rotation:{value:0},map:{value:null},mapTransform:{value:new se},alphaMap:{value:null},alphaMapTransform:{value:new se},alphaTest:{value:0}}},oi={basic:{uniforms:jn([It.common,It.specularmap,It.envmap,It.aomap,It.lightmap,It.fog]),vertexShader:fe.meshbasic_vert,fragmentShader:fe.meshbasic_frag},lambert:{uniforms:jn([It.common,It.specularmap,It.envmap,It.aomap,It.lightmap,It.emissivemap,It.bumpmap,It.normalmap,It.displacementmap,It.fog,It.lights,{emissive:{value:new Jt(0)},envMapIntensity:{value:1}}]),vertexShader:fe.meshlambert_vert,fragmentShader:fe.meshlambert_frag},phong:{uniforms:jn([It.common,It.specularmap,It.envmap,It.aomap,It.lightmap,It.emissivemap,It.bumpmap,It.normalmap,It.displacementmap,It.fog,It.lights,{emissive:{value:new Jt(0)},specular:{value:new Jt(1118481)},shininess:{value:30},envMapIntensity:{value:1}}]),vertexShader:fe.meshphong_vert,fragmentShader:fe.meshphong_frag},standard:{uniforms:jn([It.common,It.envmap,It.aomap,It.lightmap,It.emissivemap,It.bumpmap,It.normalmap,It.displacementmap,It.roughnessmap,It.metalnessmap,It.fog,It.lights,{emissive:{value:new Jt(0)},roughness:{value:1},metalness:{value:0},envMapIntensity:{value:1}}]),vertexShader:fe.meshphysical_vert,fragmentShader:fe.meshphysical_frag},toon:{uniforms:jn([It.common,It.aomap,It.lightmap,It.emissivemap,It.bumpmap,It.normalmap,It.displacementmap,It.gradientmap,It.fog,It.lights,{emissive:{value:new Jt(0)}}]),vertexShader:fe.meshtoon_vert,fragmentShader:fe.meshtoon_frag},matcap:{uniforms:jn([It.common,It.bumpmap,It.normalmap,It.displacementmap,It.fog,{matcap:{value:null}}]),vertexShader:fe.meshmatcap_vert,fragmentShader:fe.meshmatcap_frag},points:{uniforms:jn([It.points,It.fog]),vertexShader:fe.points_vert,fragmentShader:fe.points_frag},dashed:{uniforms:jn([It.common,It.fog,{scale:{value:1},dashSize:{value:1},totalSize:{value:2}}]),vertexShader:fe.linedashed_vert,fragmentShader:fe.linedashed_frag},depth:{uniforms:jn([It.common,It.displacementmap]),vertexShader:fe.depth_vert,fragmentShader:fe.depth_frag},normal:{uniforms:jn([It.common,It.bumpmap,It.normalmap,It.displacementmap,{opacity:{value:1}}]),vertexShader:fe.meshnormal_vert,fragmentShader:fe.meshnormal_frag},sprite:{uniforms:jn([It.sprite,It.fog]),vertexShader:fe.sprite_vert,fragmentShader:fe.sprite_frag},background:{uniforms:{uvTransform:{value:new se},t2D:{value:null},backgroundIntensity:{value:1}},vertexShader:fe.background_vert,fragmentShader:fe.background_frag},backgroundCube:{uniforms:{envMap:{value:null},backgroundBlurriness:{value:0},backgroundIntensity:{value:1},backgroundRotation:{value:new se}},vertexShader:fe.backgroundCube_vert,fragmentShader:fe.backgroundCube_frag},cube:{uniforms:{tCube:{value:null},tFlip:{value:-1},opacity:{value:1}},vertexShader:fe.cube_vert,fragmentShader:fe.cube_frag},equirect:{uniforms:{tEquirect:{value:null}},vertexShader:fe.equirect_vert,fragmentShader:fe.equirect_frag},distance:{uniforms:jn([It.common,It.displacementmap,{referencePosition:{value:new P},nearDistance:{value:1},farDistance:{value:1e3}}]),vertexShader:fe.distance_vert,fragmentShader:fe.distance_frag},shadow:{uniforms:jn([It.lights,It.fog,{color:{value:new Jt(0)},opacity:{value:1}}]),vertexShader:fe.shadow_vert,fragmentShader:fe.shadow_frag}};oi.physical={uniforms:jn([oi.standard.uniforms,{clearcoat:{value:0},clearcoatMap:{value:null},clearcoatMapTransform:{value:new se},clearcoatNormalMap:{value:null},clearcoatNormalMapTransform:{value:new se},clearcoatNormalScale:{value:new $t(1,1)},clearcoatRoughness:{value:0},clearcoatRoughnessMap:{value:null},clearcoatRoughnessMapTransform:{value:new se},diffuseRoughness:{value:0},diffuseRoughnessMap:{value:null},diffuseRoughnessMapTransform:{value:new se},dispersion:{value:0},retroreflectivity:{value:0},iridescence:{value:0},iridescenceMap:{value:null},iridescenceMapTransform:{value:new se},iridescenceIOR:{value:1.3},iridescenceThicknessMinimum:{value:100},iridescenceThicknessMaximum:{value:400},iridescenceThicknessMap:{value:null},iridescenceThicknessMapTransform:{value:new se},sheen:{value:0},sheenColor:{value:new Jt(0)},sheenColorMap:{value:null},sheenColorMapTransform:{value:new se},sheenRoughness:{value:1},sheenRoughnessMap:{value:null},sheenRoughnessMapTransform:{value:new se},transmission:{value:0},transmissionMap:{value:null},transmissionMapTransform:{value:new se},transmissionSamplerSize:{value:new $t},transmissionSamplerMap:{value:null},thickness:{value:0},thicknessMap:{value:null},thicknessMapTransform:{value:new se},attenuationDistance:{value:0},attenuationColor:{value:new Jt(0)},specularColor:{value:new Jt(1,1,1)},specularColorMap:{value:null},specularColorMapTransform:{value:new se},specularIntensity:{value:1},specularIntensityMap:{value:null},specularIntensityMapTransform:{value:new se},anisotropyVector:{value:new $t},anisotropyMap:{value:null},anisotropyMapTransform:{value:new se}}]),vertexShader:fe.meshphysical_vert,fragmentShader:fe.meshphysical_frag};var Vh={r:0,b:0,g:0},QM=new ne,p0=new se;p0.set(-1,0,0,0,1,0,0,0,1);function t1(n,t,e,i,s,r){let o=new Jt(0),a=s===!0?0:1,l,c,d=null,u=0,h=null;function f(x){let b=x.isScene===!0?x.background:null;if(b&&b.isTexture){let y=x.backgroundBlurriness>0;b=t.get(b,y)}return b}function p(x){let b=!1,y=f(x);y===null?g(o,a):y&&y.isColor&&(g(y,1),b=!0);let C=n.xr.getEnvironmentBlendMode();C==="additive"?e.buffers.color.setClear(0,0,0,1,r):C==="alpha-blend"&&e.buffers.color.setClear(0,0,0,0,r),(n.autoClear||b)&&(e.buffers.depth.setTest(!0),e.buffers.depth.setMask(!0),e.buffers.color.setMask(!0),n.clear(n.autoClearColor,n.autoClearDepth,n.autoClearStencil))}function _(x,b){let y=f(b);y&&y.isCubeTexture?(c===void 0&&(c=new mt(new $e(1,1,1),new ki({name:"BackgroundCubeMaterial",uniforms:Yr(oi.backgroundCube.uniforms),vertexShader:oi.backgroundCube.vertexShader,fragmentShader:oi.backgroundCube.fragmentShader,side:ri,depthTest:!1,depthWrite:!1,fog:!1,allowOverride:!1})),c.geometry.deleteAttribute("normal"),c.geometry.deleteAttribute("uv"),c.onBeforeRender=function(C,E,v){this.matrixWorld.copyPosition(v.matrixWorld)},Object.defineProperty(c.material,"envMap",{get:function(){return this.uniforms.envMap.value}}),i.update(c)),c.material.uniforms.envMap.value=y,c.material.uniforms.backgroundBlurriness.value=b.backgroundBlurriness,c.material.uniforms.backgroundIntensity.value=b.backgroundIntensity,c.material.uniforms.backgroundRotation.value.setFromMatrix4(QM.makeRotationFromEuler(b.backgroundRotation)).transpose(),y.isRenderTargetTexture===!1&&c.material.uniforms.backgroundRotation.value.premultiply(p0),c.material.toneMapped=ye.getTransfer(y.colorSpace)!==Pe,(d!==y||u!==y.version||h!==n.toneMapping)&&(c.material.needsUpdate=!0,d=y,u=y.version,h=n.toneMapping),c.layers.enableAll(),x.unshift(c,c.geometry,c.material,0,0,null)):y&&y.isTexture&&(l===void 0&&(l=new mt(new Fr(2,2),new ki({name:"BackgroundMaterial",uniforms:Yr(oi.background.uniforms),vertexShader:oi.background.vertexShader,fragmentShader:oi.background.fragmentShader,side:dr,depthTest:!1,depthWrite:!1,fog:!1,allowOverride:!1})),l.geometry.deleteAttribute("normal"),Object.defineProperty(l.material,"map",{get:function(){return this.uniforms.t2D.value}}),i.update(l)),l.material.uniforms.t2D.value=y,l.material.uniforms.backgroundIntensity.value=b.backgroundIntensity,l.material.toneMapped=ye.getTransfer(y.colorSpace)!==Pe,y.matrixAutoUpdate===!0&&y.updateMatrix(),l.material.uniforms.uvTransform.value.copy(y.matrix),(d!==y||u!==y.version||h!==n.toneMapping)&&(l.material.needsUpdate=!0,d=y,u=y.version,h=n.toneMapping),l.layers.enableAll(),x.unshift(l,l.geometry,l.material,0,0,null))}function g(x,b){x.getRGB(Vh,af(n)),e.buffers.color.setClear(Vh.r,Vh.g,Vh.b,b,r)}function m(){c!==void 0&&(c.geometry.dispose(),c.material.dispose(),c=void 0),l!==void 0&&(l.geometry.dispose(),l.material.dispose(),l=void 0)}return{getClearColor:function(){return o},setClearColor:function(x,b=1){o.set(x),a=b,g(o,a)},getClearAlpha:function(){return a},setClearAlpha:function(x){a=x,g(o,a)},render:p,addToRenderList:_,dispose:m}}function e1(n,t){let e=n.getParameter(n.MAX_VERTEX_ATTRIBS),i={},s=h(null),r=s,o=!1;function a(I,U,F,L,k){let X=!1,V=u(I,L,F,U);r!==V&&(r=V,c(r.object)),X=f(I,L,F,k),X&&p(I,L,F,k),k!==null&&t.update(k,n.ELEMENT_ARRAY_BUFFER),(X||o)&&(o=!1,y(I,U,F,L),k!==null&&n.bindBuffer(n.ELEMENT_ARRAY_BUFFER,t.get(k).buffer))}function l(){return n.createVertexArray()}function c(I){return n.bindVertexArray(I)}function d(I){return n.deleteVertexArray(I)}function u(I,U,F,L){let k=L.wireframe===!0,X=i[U.id];X===void 0&&(X={},i[U.id]=X);let V=I.isInstancedMesh===!0?I.id:0,ot=X[V];ot===void 0&&(ot={},X[V]=ot);let $=ot[F.id];$===void 0&&($={},ot[F.id]=$);let K=$[k];return K===void 0&&(K=h(l()),$[k]=K),K}function h(I){let U=[],F=[],L=[];for(let k=0;k<e;k++)U[k]=0,F[k]=0,L[k]=0;return{geometry:null,program:null,wireframe:!1,newAttributes:U,enabledAttributes:F,attributeDivisors:L,object:I,attributes:{},index:null}}function f(I,U,F,L){let k=r.attributes,X=U.attributes,V=0,ot=F.getAttributes();for(let $ in ot)if(ot[$].location>=0){let et=k[$],ht=X[$];if(ht===void 0&&($==="instanceMatrix"&&I.instanceMatrix&&(ht=I.instanceMatrix),$==="instanceColor"&&I.instanceColor&&(ht=I.instanceColor)),et===void 0||et.attribute!==ht||ht&&et.data!==ht.data)return!0;V++}return r.attributesNum!==V||r.index!==L}function p(I,U,F,L){let k={},X=U.attributes,V=0,ot=F.getAttributes();for(let $ in ot)if(ot[$].location>=0){let et=X[$];et===void 0&&($==="instanceMatrix"&&I.instanceMatrix&&(et=I.instanceMatrix),$==="instanceColor"&&I.instanceColor&&(et=I.instanceColor));let ht={};ht.attribute=et,et&&et.data&&(ht.data=et.data),k[$]=ht,V++}r.attributes=k,r.attributesNum=V,r.index=L}function _(){let I=r.newAttributes;for(let U=0,F=I.length;U<F;U++)I[U]=0}function g(I){m(I,0)}function m(I,U){let F=r.newAttributes,L=r.enabledAttributes,k=r.attributeDivisors;F[I]=1,L[I]===0&&(n.enableVertexAttribArray(I),L[I]=1),k[I]!==U&&(n.vertexAttribDivisor(I,U),k[I]=U)}function x(){let I=r.newAttributes,U=r.enabledAttributes;for(let F=0,L=U.length;F<L;F++)U[F]!==I[F]&&(n.disableVertexAttribArray(F),U[F]=0)}function b(I,U,F,L,k,X,V){V===!0?n.vertexAttribIPointer(I,U,F,k,X):n.vertexAttribPointer(I,U,F,L,k,X)}function y(I,U,F,L){_();let k=L.attributes,X=F.getAttributes(),V=U.defaultAttributeValues;for(let ot in X){let $=X[ot];if($.location>=0){let K=k[ot];if(K===void 0&&(ot==="instanceMatrix"&&I.instanceMatrix&&(K=I.instanceMatrix),ot==="instanceColor"&&I.instanceColor&&(K=I.instanceColor)),K!==void 0){let et=K.normalized,ht=K.itemSize,ut=t.get(K);if(ut===void 0)continue;let Q=ut.buffer,gt=ut.type,yt=ut.bytesPerElement,Ct=gt===n.INT||gt===n.UNSIGNED_INT||K.gpuType===sh;if(K.isInterleavedBufferAttribute){let wt=K.data,Wt=wt.isInterleavedBuffer===!0?wt.stride:wt.itemSize,ae=K.offset;if(wt.isInstancedInterleavedBuffer||wt.isInstancedBufferAttribute){for(let Vt=0;Vt<$.locationSize;Vt++)m($.location+Vt,wt.meshPerAttribute);I.isInstancedMesh!==!0&&L._maxInstanceCount===void 0&&(L._maxInstanceCount=wt.meshPerAttribute*wt.count)}else for(let Vt=0;Vt<$.locationSize;Vt++)g($.location+Vt);n.bindBuffer(n.ARRAY_BUFFER,Q);for(let Vt=0;Vt<$.locationSize;Vt++)b($.location+Vt,ht/$.locationSize,gt,et,Wt*yt,(ae+ht/$.locationSize*Vt)*yt,Ct)}else{if(K.isInstancedBufferAttribute){for(let wt=0;wt<$.locationSize;wt++)m($.location+wt,K.meshPerAttribute);I.isInstancedMesh!==!0&&L._maxInstanceCount===void 0&&(L._maxInstanceCount=K.meshPerAttribute*K.count)}else for(let wt=0;wt<$.locationSize;wt++)g($.location+wt);n.bindBuffer(n.ARRAY_BUFFER,Q);for(let wt=0;wt<$.locationSize;wt++)b($.location+wt,ht/$.locationSize,gt,et,ht*yt,ht/$.locationSize*wt*yt,Ct)}}else if(V!==void 0){let et=V[ot];if(et!==void 0)switch(et.length){case 2:n.vertexAttrib2fv($.location,et);break;case 3:n.vertexAttrib3fv($.location,et);break;case 4:n.vertexAttrib4fv($.location,et);break;default:n.vertexAttrib1fv($.location,et)}}}}x()}function C(){O();for(let I in i){let U=i[I];for(let F in U){let L=U[F];for(let k in L){let X=L[k];for(let V in X)d(X[V].object),delete X[V];delete L[k]}}delete i[I]}}function E(I){if(i[I.id]===void 0)return;let U=i[I.id];for(let F in U){let L=U[F];for(let k in L){let X=L[k];for(let V in X)d(X[V].object),delete X[V];delete L[k]}}delete i[I.id]}function v(I){for(let U in i){let F=i[U];for(let L in F){let k=F[L];if(k[I.id]===void 0)continue;let X=k[I.id];for(let V in X)d(X[V].object),delete X[V];delete k[I.id]}}}function M(I){for(let U in i){let F=i[U],L=I.isInstancedMesh===!0?I.id:0,k=F[L];if(k!==void 0){for(let X in k){let V=k[X];for(let ot in V)d(V[ot].object),delete V[ot];delete k[X]}delete F[L],Object.keys(F).length===0&&delete i[U]}}}function O(){R(),o=!0,r!==s&&(r=s,c(r.object))}function R(){s.geometry=null,s.program=null,s.wireframe=!1}return{setup:a,reset:O,resetDefaultState:R,dispose:C,releaseStatesOfGeometry:E,releaseStatesOfObject:M,releaseStatesOfProgram:v,initAttributes:_,enableAttribute:g,disableUnusedAttributes:x}}function n1(n,t,e){let i;function s(l){i=l}function r(l,c){n.drawArrays(i,l,c),e.update(c,i,1)}function o(l,c,d){d!==0&&(n.drawArraysInstanced(i,l,c,d),e.update(c,i,d))}function a(l,c,d){if(d===0)return;t.get("WEBGL_multi_draw").multiDrawArraysWEBGL(i,l,0,c,0,d);let h=0;for(let f=0;f<d;f++)h+=c[f];e.update(h,i,1)}this.setMode=s,this.render=r,this.renderInstances=o,this.renderMultiDraw=a}function i1(n,t,e,i){let s;function r(){if(s!==void 0)return s;if(t.has("EXT_texture_filter_anisotropic")===!0){let v=t.get("EXT_texture_filter_anisotropic");s=n.getParameter(v.MAX_TEXTURE_MAX_ANISOTROPY_EXT)}else s=0;return s}function o(v){return!(v!==Ki&&i.convert(v)!==n.getParameter(n.IMPLEMENTATION_COLOR_READ_FORMAT))}function a(v){let M=v===Ji&&(t.has("EXT_color_buffer_half_float")||t.has("EXT_color_buffer_float"));return!(v!==hi&&v!==zi&&!M&&i.convert(v)!==n.getParameter(n.IMPLEMENTATION_COLOR_READ_TYPE))}function l(v){if(v==="highp"){if(n.getShaderPrecisionFormat(n.VERTEX_SHADER,n.HIGH_FLOAT).precision>0&&n.getShaderPrecisionFormat(n.FRAGMENT_SHADER,n.HIGH_FLOAT).precision>0)return"highp";v="mediump"}return v==="mediump"&&n.getShaderPrecisionFormat(n.VERTEX_SHADER,n.MEDIUM_FLOAT).precision>0&&n.getShaderPrecisionFormat(n.FRAGMENT_SHADER,n.MEDIUM_FLOAT).precision>0?"mediump":"lowp"}let c=e.precision!==void 0?e.precision:"highp",d=l(c);d!==c&&(qt("WebGLRenderer:",c,"not supported, using",d,"instead."),c=d);let u=e.reversedDepthBuffer===!0&&t.has("EXT_clip_control"),h=e.logarithmicDepthBuffer===!0&&u===!1;e.reversedDepthBuffer===!0&&u===!1&&qt("WebGLRenderer: Unable to use reversed depth buffer due to missing EXT_clip_control extension. Fallback to default depth buffer."),e.logarithmicDepthBuffer===!0&&u===!0&&qt("WebGLRenderer: Logarithmic depth buffer is ignored when reversed depth buffer is enabled.");let f=n.getParameter(n.MAX_TEXTURE_IMAGE_UNITS),p=n.getParameter(n.MAX_VERTEX_TEXTURE_IMAGE_UNITS),_=n.getParameter(n.MAX_TEXTURE_SIZE),g=n.getParameter(n.MAX_CUBE_MAP_TEXTURE_SIZE),m=n.getParameter(n.MAX_VERTEX_ATTRIBS),x=n.getParameter(n.MAX_VERTEX_UNIFORM_VECTORS),b=n.getParameter(n.MAX_VARYING_VECTORS),y=n.getParameter(n.MAX_FRAGMENT_UNIFORM_VECTORS),C=n.getParameter(n.MAX_SAMPLES),E=n.getParameter(n.SAMPLES);return{isWebGL2:!0,getMaxAnisotropy:r,getMaxPrecision:l,textureFormatReadable:o,textureTypeReadable:a,precision:c,logarithmicDepthBuffer:h,reversedDepthBuffer:u,maxTextures:f,maxVertexTextures:p,maxTextureSize:_,maxCubemapSize:g,maxAttributes:m,maxVertexUniforms:x,maxVaryings:b,maxFragmentUniforms:y,maxSamples:C,samples:E}}function s1(n){let t=this,e=null,i=0,s=!1,r=!1,o=new yi,a=new se,l={value:null,needsUpdate:!1};this.uniform=l,this.numPlanes=0,this.numIntersection=0,this.init=function(u,h){let f=u.length!==0||h||i!==0||s;return s=h,i=u.length,f},this.beginShadows=function(){r=!0,d(null)},this.endShadows=function(){r=!1},this.setGlobalState=function(u,h){e=d(u,h,0)},this.setState=function(u,h,f){let p=u.clippingPlanes,_=u.clipIntersection,g=u.clipShadows,m=n.get(u);if(!s||p===null||p.length===0||r&&!g)r?d(null):c();else{let x=r?0:i,b=x*4,y=m.clippingState||null;l.value=y,y=d(p,h,b,f);for(let C=0;C!==b;++C)y[C]=e[C];m.clippingState=y,this.numIntersection=_?this.numPlanes:0,this.numPlanes+=x}};function c(){l.value!==e&&(l.value=e,l.needsUpdate=i>0),t.numPlanes=i,t.numIntersection=0}function d(u,h,f,p){let _=u!==null?u.length:0,g=null;if(_!==0){if(g=l.value,p!==!0||g===null){let m=f+_*4,x=h.matrixWorldInverse;a.getNormalMatrix(x),(g===null||g.length<m)&&(g=new Float32Array(m));for(let b=0,y=f;b!==_;++b,y+=4)o.copy(u[b]).applyMatrix4(x,a),o.normal.toArray(g,y),g[y+3]=o.constant}l.value=g,l.needsUpdate=!0}return t.numPlanes=_,t.numIntersection=0,g}}var xl=class extends Si{constructor(t=1,e={}){super(t,t,e),this.isWebGLCubeRenderTarget=!0;let i={width:t,height:t,depth:1},s=[i,i,i,i,i,i];this.texture=new Za(s),this._setTextureOptions(e),this.texture.isRenderTargetTexture=!0}fromEquirectangularTexture(t,e){this.texture.type=e.type,this.texture.colorSpace=e.colorSpace,this.texture.generateMipmaps=e.generateMipmaps,this.texture.minFilter=e.minFilter,this.texture.magFilter=e.magFilter;let i={uniforms:{tEquirect:{value:null}},vertexShader:`
+
+				varying vec3 vWorldDirection;
+
+				vec3 transformDirection( in vec3 dir, in mat4 matrix ) {
+
+					return normalize( ( matrix * vec4( dir, 0.0 ) ).xyz );
+
+				}
+
+				void main() {
+
+					vWorldDirection = transformDirection( position, modelMatrix );
+
+					#include <begin_vertex>
+					#include <project_vertex>
+
+				}
+			`,fragmentShader:`
+
+				uniform sampler2D tEquirect;
+
+				varying vec3 vWorldDirection;
+
+				#include <common>
+
+				void main() {
+
+					vec3 direction = normalize( vWorldDirection );
+
+					vec2 sampleUV = equirectUv( direction );
+
+					gl_FragColor = texture2D( tEquirect, sampleUV );
+
+				}
+			`},s=new $e(5,5,5),r=new ki({name:"CubemapFromEquirect",uniforms:Yr(i.uniforms),vertexShader:i.vertexShader,fragmentShader:i.fragmentShader,side:ri,blending:Hr});r.uniforms.tEquirect.value=e;let o=new mt(s,r),a=e.minFilter;return e.minFilter===Gs&&(e.minFilter=si),new Yo(1,10,this).update(t,o),e.minFilter=a,o.geometry.dispose(),o.material.dispose(),this}clear(t,e=!0,i=!0,s=!0){let r=t.getRenderTarget();for(let o=0;o<6;o++)t.setRenderTarget(this,o),t.clear(e,i,s);t.setRenderTarget(r)}},$g=256,r1=3,o1=20,m0=256,g0=16,a1=3,l1=new P,c1=new Jt,Wh=class n{constructor(t){this._renderer=t,this._cubeSize=0,this._sourceTarget=null,this._cubeCamera=new Yo(1,10,null),this._boxMesh=new mt(new $e(5,5,5),null),this._cubemapMaterial=null,this._equirectMaterial=null,this._blurMaterial=null,this._ggxMaterial=null,this._integrationMaterial=null}fromScene(t,e=0,i=.1,s=100,r={}){let{size:o=256,position:a=l1}=r,l=this._renderer;this._setSize(o);let c=this._allocateTarget(),d=this._getSourceTarget(!0);e>0&&(d.texture.mipmapsAutoUpdate=!1);let u=l.autoClear,h=l.autoClearColor,f=l.autoClearDepth,p=l.autoClearStencil,_=t.background;l.autoClear=!0,l.autoClearColor=!0,l.autoClearDepth=!0,l.autoClearStencil=!0,_===null&&(t.background=l.getClearColor(c1));let g=new Yo(i,s,d);return g.position.copy(a),g.update(l,t),l.autoClear=u,l.autoClearColor=h,l.autoClearDepth=f,l.autoClearStencil=p,t.background=_,e>0&&(d.texture.mipmapsAutoUpdate=!0,this._blur(c,e)),this._applyPMREM(c),c}fromEquirectangular(t,e=null){return this._fromTexture(t,e)}fromCubemap(t,e=null){return this._fromTexture(t,e)}compileCubemapShader(){this._cubemapMaterial===null&&(this._cubemapMaterial=Zg(),this._compileMaterial(this._cubemapMaterial))}compileEquirectangularShader(){this._equirectMaterial===null&&(this._equirectMaterial=qg(),this._compileMaterial(this._equirectMaterial))}dispose(){this._sourceTarget!==null&&this._sourceTarget.dispose(),this._cubemapMaterial!==null&&this._cubemapMaterial.dispose(),this._equirectMaterial!==null&&this._equirectMaterial.dispose(),this._blurMaterial!==null&&this._blurMaterial.dispose(),this._ggxMaterial!==null&&this._ggxMaterial.dispose(),this._integrationMaterial!==null&&this._integrationMaterial.dispose(),this._boxMesh.geometry.dispose()}static lodToRoughness(t,e){return e>0?1-Math.sqrt(1-t/e):0}_setSize(t){this._cubeSize=Math.max($g,sf(t))}_fromTexture(t,e){t.mapping===Xr||t.mapping===Jo?this._setSize(t.image.length===0?$g:t.image[0].width||t.image[0].image.width):this._setSize(t.image.width/4);let i=e||this._allocateTarget();return this._textureToCubemap(t),this._applyPMREM(i),i}_allocateTarget(){let t=this._cubeSize,e=Yg(t,!1,!1),i=Math.log2(t)-r1;for(let s=0;s<=i;s++)e.texture.mipmaps.push({width:t>>s,height:t>>s});return e.texture.name="PMREM",e.texture.isPMREMTexture=!0,e}_getSourceTarget(t=!1){let e=this._cubeSize,i=this._sourceTarget;return(i===null||i.width!==e||t&&i.depthBuffer===!1)&&(i!==null&&i.dispose(),this._sourceTarget=Yg(e,!0,t)),this._sourceTarget}_compileMaterial(t){this._boxMesh.material=t,this._renderer.compile(this._boxMesh,this._cubeCamera.children[0])}_renderCube(t,e,i){let s=this._boxMesh,r=this._cubeCamera;s.material=i,r.renderTarget=t,r.activeMipmapLevel=e;let o=t.width>>e;t.viewport.set(0,0,o,o),r.update(this._renderer,s),t.viewport.set(0,0,t.width,t.height)}_textureToCubemap(t){let e;t.mapping===Xr||t.mapping===Jo?(this._cubemapMaterial===null&&(this._cubemapMaterial=Zg()),e=this._cubemapMaterial,e.uniforms.flipEnvMap.value=t.isRenderTargetTexture===!1?-1:1):(this._equirectMaterial===null&&(this._equirectMaterial=qg()),e=this._equirectMaterial),e.uniforms.envMap.value=t,this._renderCube(this._getSourceTarget(),0,e)}_applyPMREM(t){this._ggxMaterial===null&&(this._ggxMaterial=h1(),this._integrationMaterial=u1());let e=this._cubeSize,i=t.texture.mipmaps.length-1,s=this._ggxMaterial.uniforms;s.envMap.value=this._sourceTarget.texture;let r=this._integrationMaterial.uniforms;r.envMap.value=this._sourceTarget.texture,r.sourceLod.value=Math.log2(e/g0);for(let o=0;o<=i;o++){let a=n.lodToRoughness(o,i);if(o>i-a1)r.roughness.value=a,this._renderCube(t,o,this._integrationMaterial);else{let l=a>0?Math.log2(e)+.5*Math.log2(6/(m0*Math.pow(a,4)))+.5:0;s.roughness.value=a,s.lodBias.value=l,this._renderCube(t,o,this._ggxMaterial)}}}_blur(t,e){this._blurMaterial===null&&(this._blurMaterial=d1());let i=this._blurMaterial,s=i.uniforms,r=this._sourceTarget;s.sigma.value=Math.min(e,Math.PI)/Math.SQRT2,s.envMap.value=r.texture,this._renderCube(t,0,i),s.envMap.value=t.texture,this._renderCube(r,0,i)}};function Yg(n,t,e){return new xl(n,{minFilter:Gs,generateMipmaps:t,type:Ji,colorSpace:za,depthBuffer:e})}function yl(n,t,e){return new ki({name:n,uniforms:t,vertexShader:fe.cube_vert,fragmentShader:e,side:ri,blending:Hr,depthTest:!1,depthWrite:!1})}function h1(){return yl("PMREMGGXConvolution",{envMap:{value:null},roughness:{value:0},lodBias:{value:0}},`
+
+		#define GGX_SAMPLES ${m0}u
+
+		varying vec3 vWorldDirection;
+
+		uniform samplerCube envMap;
+		uniform float roughness;
+		uniform float lodBias;
+
+		#include <common>
+
+		// Van der Corput radical inverse
+		float radicalInverse_VdC( uint bits ) {
+
+			bits = ( bits << 16u ) | ( bits >> 16u );
+			bits = ( ( bits & 0x55555555u ) << 1u ) | ( ( bits & 0xAAAAAAAAu ) >> 1u );
+			bits = ( ( bits & 0x33333333u ) << 2u ) | ( ( bits & 0xCCCCCCCCu ) >> 2u );
+			bits = ( ( bits & 0x0F0F0F0Fu ) << 4u ) | ( ( bits & 0xF0F0F0F0u ) >> 4u );
+			bits = ( ( bits & 0x00FF00FFu ) << 8u ) | ( ( bits & 0xFF00FF00u ) >> 8u );
+			return float( bits ) * 2.3283064365386963e-10; // / 0x100000000
+
+		}
+
+		// Hammersley sequence
+		vec2 hammersley( uint i, uint N ) {
+
+			return vec2( float( i ) / float( N ), radicalInverse_VdC( i ) );
+
+		}
+
+		void main() {
+
+			vec3 N = normalize( vWorldDirection );
+
+			// For very low roughness, just sample the environment directly
+			if ( roughness < 0.001 ) {
+
+				gl_FragColor = vec4( textureLod( envMap, N, 0.0 ).rgb, 1.0 );
+				return;
+
+			}
+
+			float alpha = roughness * roughness;
+			float alpha2 = alpha * alpha;
+
+			// Tangent space basis for VNDF sampling
+			vec3 up = abs( N.z ) < 0.999 ? vec3( 0.0, 0.0, 1.0 ) : vec3( 1.0, 0.0, 0.0 );
+			vec3 tangent = normalize( cross( up, N ) );
+			vec3 bitangent = cross( N, tangent );
+
+			vec3 prefilteredColor = vec3( 0.0 );
+			float totalWeight = 0.0;
+
+			for ( uint i = 0u; i < GGX_SAMPLES; i ++ ) {
+
+				vec2 Xi = hammersley( i, GGX_SAMPLES );
+
+				// With V = N, sample the reflected direction directly.
+				float invQ = 1.0 / ( 1.0 - Xi.x + alpha2 * Xi.x );
+				float NdotL = ( 1.0 - Xi.x - alpha2 * Xi.x ) * invQ;
+
+				if ( NdotL > 0.0 ) {
+
+					float phi = 2.0 * PI * Xi.y;
+					float sinTheta = 2.0 * alpha * sqrt( Xi.x * ( 1.0 - Xi.x ) ) * invQ;
+					vec3 L = N * NdotL + ( tangent * cos( phi ) + bitangent * sin( phi ) ) * sinTheta;
+
+					// Match the source mip to the sample's solid angle. The terms
+					// independent of the sample are precomputed in lodBias.
+					float d = alpha2 * invQ;
+					float lod = max( log2( d ) + lodBias, 0.0 );
+
+					// Weight by NdotL for the split-sum approximation
+					prefilteredColor += textureLod( envMap, L, lod ).rgb * NdotL;
+					totalWeight += NdotL;
+
+				}
+
+			}
+
+			gl_FragColor = vec4( prefilteredColor / totalWeight, 1.0 );
+
+		}
+	`)}function u1(){return yl("PMREMGGXIntegration",{envMap:{value:null},roughness:{value:0},sourceLod:{value:0},sourceSize:{value:g0}},`
+
+		varying vec3 vWorldDirection;
+
+		uniform samplerCube envMap;
+		uniform float roughness;
+		uniform float sourceLod;
+		uniform int sourceSize;
+
+		void main() {
+
+			vec3 N = normalize( vWorldDirection );
+
+			float alpha = roughness * roughness;
+			float alpha2 = alpha * alpha;
+
+			float texelSize = 2.0 / float( sourceSize );
+
+			vec3 prefilteredColor = vec3( 0.0 );
+			float totalWeight = 0.0;
+
+			// Pair opposite texels: only the one in N's hemisphere contributes.
+			for ( int face = 0; face < 3; face ++ ) {
+
+				for ( int y = 0; y < sourceSize; y ++ ) {
+
+					for ( int x = 0; x < sourceSize; x ++ ) {
+
+						vec2 uv = ( vec2( x, y ) + 0.5 ) * texelSize - 1.0;
+						vec3 texelDirection = face == 0 ? vec3( 1.0, uv ) : ( face == 1 ? vec3( uv.x, 1.0, uv.y ) : vec3( uv, 1.0 ) );
+
+						float invDistance = inversesqrt( 1.0 + dot( uv, uv ) );
+						float NdotL = dot( N, texelDirection );
+						texelDirection *= NdotL < 0.0 ? - 1.0 : 1.0;
+						NdotL = abs( NdotL ) * invDistance;
+
+						// With V = N, NdotH squared is ( 1 + NdotL ) / 2. Common factors
+						// in the GGX distribution and texel solid angle cancel when normalized.
+						float d = 1.0 + alpha2 + ( alpha2 - 1.0 ) * NdotL;
+						float weight = NdotL * invDistance * invDistance * invDistance / ( d * d );
+
+						prefilteredColor += textureLod( envMap, texelDirection, sourceLod ).rgb * weight;
+						totalWeight += weight;
+
+					}
+
+				}
+
+			}
+
+			gl_FragColor = vec4( prefilteredColor / totalWeight, 1.0 );
+
+		}
+	`)}function d1(){return yl("PMREMSphericalGaussianBlur",{envMap:{value:null},sigma:{value:0}},`
+
+		#define SAMPLES ${o1}
+		#define GOLDEN_ANGLE 2.39996322973
+
+		varying vec3 vWorldDirection;
+
+		uniform samplerCube envMap;
+		uniform float sigma;
+
+		#include <common>
+
+		void main() {
+
+			vec3 outputDirection = normalize( vWorldDirection );
+
+			vec3 up = abs( outputDirection.z ) < 0.999 ? vec3( 0.0, 0.0, 1.0 ) : vec3( 1.0, 0.0, 0.0 );
+			vec3 tangent = normalize( cross( up, outputDirection ) );
+			vec3 bitangent = cross( outputDirection, tangent );
+
+			// Truncate the kernel at three standard deviations or at the antipode.
+			float thetaMax = min( 3.0 * sigma, PI );
+			float truncation = 1.0 - exp( - 0.5 * thetaMax * thetaMax / ( sigma * sigma ) );
+
+			vec3 accumColor = vec3( 0.0 );
+			float accumWeight = 0.0;
+
+			for ( int i = 0; i < SAMPLES; i ++ ) {
+
+				// Stratified inverse-CDF sampling of the Gaussian, placed on a golden-angle spiral.
+				float stratum = ( float( i ) + 0.5 ) / float( SAMPLES );
+				float theta = sigma * sqrt( - 2.0 * log( 1.0 - stratum * truncation ) );
+				float phi = float( i ) * GOLDEN_ANGLE;
+
+				vec3 offset = cos( phi ) * tangent + sin( phi ) * bitangent;
+				vec3 sampleDirection = cos( theta ) * outputDirection + sin( theta ) * offset;
+
+				// Correct the planar sample density to solid angle.
+				float weight = sin( theta ) / theta;
+
+				accumColor += weight * textureLod( envMap, sampleDirection, 0.0 ).rgb;
+				accumWeight += weight;
+
+			}
+
+			gl_FragColor = vec4( accumColor / accumWeight, 1.0 );
+
+		}
+	`)}function qg(){return yl("PMREMEquirectangularToCubemap",{envMap:{value:null}},`
+
+		varying vec3 vWorldDirection;
+
+		uniform sampler2D envMap;
+
+		#include <common>
+
+		void main() {
+
+			// Average four subpixel samples to preserve small, bright features.
+			vec3 direction = normalize( vWorldDirection );
+			vec3 dx = dFdx( direction ) * 0.25;
+			vec3 dy = dFdy( direction ) * 0.25;
+
+			vec3 color = textureLod( envMap, equirectUv( normalize( direction - dx - dy ) ), 0.0 ).rgb;
+			color += textureLod( envMap, equirectUv( normalize( direction + dx - dy ) ), 0.0 ).rgb;
+			color += textureLod( envMap, equirectUv( normalize( direction - dx + dy ) ), 0.0 ).rgb;
+			color += textureLod( envMap, equirectUv( normalize( direction + dx + dy ) ), 0.0 ).rgb;
+			gl_FragColor = vec4( color * 0.25, 1.0 );
+
+		}
+	`)}function Zg(){return yl("PMREMCubemapToCubemap",{envMap:{value:null},flipEnvMap:{value:-1}},`
+
+		varying vec3 vWorldDirection;
+
+		uniform samplerCube envMap;
+		uniform float flipEnvMap;
+
+		void main() {
+
+			gl_FragColor = vec4( textureCube( envMap, vec3( flipEnvMap * vWorldDirection.x, vWorldDirection.yz ) ).rgb, 1.0 );
+
+		}
+	`)}function f1(n){let t=new WeakMap,e=new WeakMap,i=null;function s(h,f=!1){return h==null?null:f?o(h):r(h)}function r(h){if(h&&h.isTexture){let f=h.mapping;if(f===eh||f===nh)if(t.has(h)){let p=t.get(h).texture;return a(p,h.mapping)}else{let p=h.image;if(p&&p.height>0){let _=new xl(p.height);return _.fromEquirectangularTexture(n,h),t.set(h,_),h.addEventListener("dispose",c),a(_.texture,h.mapping)}else return null}}return h}function o(h){if(h&&h.isTexture&&h.isPMREMTexture!==!0){let f=h.mapping,p=f===eh||f===nh,_=f===Xr||f===Jo;if(p||_){let g=e.get(h),m=g!==void 0?g.texture.pmremVersion:0;if(h.isRenderTargetTexture&&h.pmremVersion!==m)return i===null&&(i=new Wh(n)),g=p?i.fromEquirectangular(h,g):i.fromCubemap(h,g),g.texture.pmremVersion=h.pmremVersion,e.set(h,g),g.texture;if(g!==void 0)return g.texture;{let x=h.image;return p&&x&&x.height>0||_&&x&&l(x)?(i===null&&(i=new Wh(n)),g=p?i.fromEquirectangular(h):i.fromCubemap(h),g.texture.pmremVersion=h.pmremVersion,e.set(h,g),h.addEventListener("dispose",d),g.texture):null}}}return h}function a(h,f){return f===eh?h.mapping=Xr:f===nh&&(h.mapping=Jo),h}function l(h){let f=0,p=6;for(let _=0;_<p;_++)h[_]!==void 0&&f++;return f===p}function c(h){let f=h.target;f.removeEventListener("dispose",c);let p=t.get(f);p!==void 0&&(t.delete(f),p.dispose())}function d(h){let f=h.target;f.removeEventListener("dispose",d);let p=e.get(f);p!==void 0&&(e.delete(f),p.dispose())}function u(){t=new WeakMap,e=new WeakMap,i!==null&&(i.dispose(),i=null)}return{get:s,dispose:u}}function p1(n){let t={};function e(i){if(t[i]!==void 0)return t[i];let s=n.getExtension(i);return t[i]=s,s}return{has:function(i){return e(i)!==null},init:function(){e("EXT_color_buffer_float"),e("WEBGL_clip_cull_distance"),e("OES_texture_float_linear"),e("EXT_color_buffer_half_float"),e("WEBGL_multisampled_render_to_texture"),e("WEBGL_render_shared_exponent")},get:function(i){let s=e(i);return s===null&&Fa("WebGLRenderer: "+i+" extension not supported."),s}}}function m1(n,t,e,i){let s={},r=new WeakMap,o=new FinalizationRegistry(p=>delete s[p]);function a(p){l(p.target)}function l(p){p.index!==null&&t.remove(p.index);for(let g in p.attributes)t.remove(p.attributes[g]);p.removeEventListener("dispose",a),delete s[p.id],o.unregister(p);let _=r.get(p);_&&(t.remove(_),r.delete(p)),i.releaseStatesOfGeometry(p),p.isInstancedBufferGeometry===!0&&delete p._maxInstanceCount,e.memory.geometries--}function c(p,_){return s[_.id]!==void 0||(_.addEventListener("dispose",a),s[_.id]=new WeakRef(_),o.register(_,_.id,_),e.memory.geometries++),_}function d(p){let _=p.attributes;for(let g in _)t.update(_[g],n.ARRAY_BUFFER)}function u(p){let _=p.index,g=p.attributes.position,m=0;if(g===void 0)return;let x=_!==null?_.array.length:g.array.length/3-1,b=g.count>=65535?$a:Xa,y=new b(Math.ceil(x/3)*6,1),C=y.array;if(_!==null){let v=_.array;m=_.version;for(let M=0,O=0;M<x;M+=3){let R=v[M+0],I=v[M+1],U=v[M+2];C[O++]=R,C[O++]=I,C[O++]=I,C[O++]=U,C[O++]=U,C[O++]=R}}else{m=g.version;for(let v=0,M=0;v<x;v+=3){let O=v+0,R=v+1,I=v+2;C[M++]=O,C[M++]=R,C[M++]=R,C[M++]=I,C[M++]=I,C[M++]=O}}y.version=m;let E=r.get(p);E&&t.remove(E),r.set(p,y)}function h(p){let _=r.get(p);if(_){let g=p.index;g!==null&&_.version<g.version&&u(p)}else u(p);return r.get(p)}function f(){for(let p in s){let _=s[p].deref();_!==void 0&&l(_)}}return{get:c,update:d,getWireframeAttribute:h,dispose:f}}function g1(n,t,e){let i;function s(u){i=u}let r,o;function a(u){r=u.type,o=u.bytesPerElement}function l(u,h){n.drawElements(i,h,r,u*o),e.update(h,i,1)}function c(u,h,f){f!==0&&(n.drawElementsInstanced(i,h,r,u*o,f),e.update(h,i,f))}function d(u,h,f){if(f===0)return;t.get("WEBGL_multi_draw").multiDrawElementsWEBGL(i,h,0,r,u,0,f);let _=0;for(let g=0;g<f;g++)_+=h[g];e.update(_,i,1)}this.setMode=s,this.setIndex=a,this.render=l,this.renderInstances=c,this.renderMultiDraw=d}function _1(n){let t={geometries:0,textures:0},e={frame:0,calls:0,triangles:0,points:0,lines:0};function i(r,o,a){switch(e.calls++,o){case n.TRIANGLES:e.triangles+=a*(r/3);break;case n.LINES:e.lines+=a*(r/2);break;case n.LINE_STRIP:e.lines+=a*(r-1);break;case n.LINE_LOOP:e.lines+=a*r;break;case n.POINTS:e.points+=a*r;break;default:te("WebGLInfo: Unknown draw mode:",o);break}}function s(){e.calls=0,e.triangles=0,e.points=0,e.lines=0}return{memory:t,render:e,programs:null,autoReset:!0,reset:s,update:i}}function x1(n,t,e){let i=new WeakMap,s=new Le;function r(o,a,l){let c=o.morphTargetInfluences,d=a.morphAttributes.position||a.morphAttributes.normal||a.morphAttributes.color,u=d!==void 0?d.length:0,h=i.get(a);if(h===void 0||h.count!==u){let O=function(){v.dispose(),i.delete(a),a.removeEventListener("dispose",O)};h!==void 0&&h.texture.dispose();let f=a.morphAttributes.position!==void 0,p=a.morphAttributes.normal!==void 0,_=a.morphAttributes.color!==void 0,g=a.morphAttributes.position||[],m=a.morphAttributes.normal||[],x=a.morphAttributes.color||[],b=0;f===!0&&(b=1),p===!0&&(b=2),_===!0&&(b=3);let y=a.attributes.position.count*b,C=1;y>t.maxTextureSize&&(C=Math.ceil(y/t.maxTextureSize),y=t.maxTextureSize);let E=new Float32Array(y*C*4*u),v=new Wa(E,y,C,u);v.type=zi,v.needsUpdate=!0;let M=b*4;for(let R=0;R<u;R++){let I=g[R],U=m[R],F=x[R],L=y*C*4*R;for(let k=0;k<I.count;k++){let X=k*M;f===!0&&(s.fromBufferAttribute(I,k),E[L+X+0]=s.x,E[L+X+1]=s.y,E[L+X+2]=s.z,E[L+X+3]=0),p===!0&&(s.fromBufferAttribute(U,k),E[L+X+4]=s.x,E[L+X+5]=s.y,E[L+X+6]=s.z,E[L+X+7]=0),_===!0&&(s.fromBufferAttribute(F,k),E[L+X+8]=s.x,E[L+X+9]=s.y,E[L+X+10]=s.z,E[L+X+11]=F.itemSize===4?s.w:1)}}h={count:u,texture:v,size:new $t(y,C)},i.set(a,h),a.addEventListener("dispose",O)}if(o.isInstancedMesh===!0&&o.morphTexture!==null)l.getUniforms().setValue(n,"morphTexture",o.morphTexture,e);else{let f=0;for(let _=0;_<c.length;_++)f+=c[_];let p=a.morphTargetsRelative?1:1-f;l.getUniforms().setValue(n,"morphTargetBaseInfluence",p),l.getUniforms().setValue(n,"morphTargetInfluences",c)}l.getUniforms().setValue(n,"morphTargetsTexture",h.texture,e),l.getUniforms().setValue(n,"morphTargetsTextureSize",h.size)}return{update:r}}function y1(n,t,e,i,s){let r=new WeakMap;function o(c){let d=s.render.frame,u=c.geometry,h=t.get(c,u);if(r.get(h)!==d&&(t.update(h),r.set(h,d)),c.isInstancedMesh&&(c.hasEventListener("dispose",l)===!1&&c.addEventListener("dispose",l),r.get(c)!==d&&(e.update(c.instanceMatrix,n.ARRAY_BUFFER),c.instanceColor!==null&&e.update(c.instanceColor,n.ARRAY_BUFFER),r.set(c,d))),c.isSkinnedMesh){let f=c.skeleton;r.get(f)!==d&&(f.update(),r.set(f,d))}return h}function a(){r=new WeakMap}function l(c){let d=c.target;d.removeEventListener("dispose",l),i.releaseStatesOfObject(d),e.remove(d.instanceMatrix),d.instanceColor!==null&&e.remove(d.instanceColor)}return{update:o,dispose:a}}var v1={[Ud]:"LINEAR_TONE_MAPPING",[Fd]:"REINHARD_TONE_MAPPING",[Bd]:"CINEON_TONE_MAPPING",[kd]:"ACES_FILMIC_TONE_MAPPING",[Gd]:"AGX_TONE_MAPPING",[Vd]:"NEUTRAL_TONE_MAPPING",[zd]:"CUSTOM_TONE_MAPPING"};function S1(n,t,e,i,s,r){let o=new Si(t,e,{type:n,depthBuffer:s,stencilBuffer:r,samples:i?4:0,storeMultisampledDepthBuffer:!1,storeMultisampledStencilBuffer:!1,resolveDepthBuffer:!1,resolveStencilBuffer:!1}),a=null,l=null,c=null,d=new we;d.setAttribute("position",new ie([-1,3,0,-1,-1,0,3,-1,0],3)),d.setAttribute("uv",new ie([0,2,0,0,2,0],2));let u=new Bc({uniforms:{tDiffuse:{value:null}},vertexShader:`
+			precision highp float;
+
+			uniform mat4 modelViewMatrix;
+			uniform mat4 projectionMatrix;
+
+			attribute vec3 position;
+			attribute vec2 uv;
+
+			varying vec2 vUv;
+
+			void main() {
+				vUv = uv;
+				gl_Position = projectionMatrix * modelViewMatrix * vec4( position, 1.0 );
+			}`,fragmentShader:`
+			precision highp float;
+
+			uniform sampler2D tDiffuse;
+
+			varying vec2 vUv;
+
+			#include <tonemapping_pars_fragment>
+			#include <colorspace_pars_fragment>
+
+			void main() {
+				gl_FragColor = texture2D( tDiffuse, vUv );
+
+				#ifdef LINEAR_TONE_MAPPING
+					gl_FragColor.rgb = LinearToneMapping( gl_FragColor.rgb );
+				#elif defined( REINHARD_TONE_MAPPING )
+					gl_FragColor.rgb = ReinhardToneMapping( gl_FragColor.rgb );
+				#elif defined( CINEON_TONE_MAPPING )
+					gl_FragColor.rgb = CineonToneMapping( gl_FragColor.rgb );
+				#elif defined( ACES_FILMIC_TONE_MAPPING )
+					gl_FragColor.rgb = ACESFilmicToneMapping( gl_FragColor.rgb );
+				#elif defined( AGX_TONE_MAPPING )
+					gl_FragColor.rgb = AgXToneMapping( gl_FragColor.rgb );
+				#elif defined( NEUTRAL_TONE_MAPPING )
+					gl_FragColor.rgb = NeutralToneMapping( gl_FragColor.rgb );
+				#elif defined( CUSTOM_TONE_MAPPING )
+					gl_FragColor.rgb = CustomToneMapping( gl_FragColor.rgb );
+				#endif
+
+				#ifdef SRGB_TRANSFER
+					gl_FragColor = sRGBTransferOETF( gl_FragColor );
+				#endif
+			}`,depthTest:!1,depthWrite:!1}),h=new mt(d,u),f=new zr(-1,1,1,-1,0,1),p=null,_=null,g=!1,m,x=null,b=[],y=!1;this.setSize=function(C,E){o.setSize(C,E),a!==null&&a.setSize(C,E),l!==null&&l.setSize(C,E);for(let v=0;v<b.length;v++){let M=b[v];M.setSize&&M.setSize(C,E)}},this.setEffects=function(C){b=C,y=b.length>0&&b[0].isRenderPass===!0;let E=o.width,v=o.height;b.length>0&&a===null&&(a=new Si(E,v,{type:Ji,depthBuffer:!1,stencilBuffer:!1}),l=new Si(E,v,{type:Ji,depthBuffer:!1,stencilBuffer:!1}));let M=s===!0&&b.some(O=>O.needsDepthTexture===!0);M!==(o.depthTexture!==null)&&(M===!0&&c===null&&(c=new ks(E,v),r===!0&&(c.format=Vs,c.type=$r)),o.dispose(),o.depthTexture=M?c:null,o.resolveDepthBuffer=M,o.storeMultisampledDepthBuffer=M);for(let O=0;O<b.length;O++){let R=b[O];R.setSize&&R.setSize(E,v),M&&R.needsDepthTexture===!0&&R.setDepthTexture&&R.setDepthTexture(c)}},this.begin=function(C,E){if(g||C.toneMapping===ps&&b.length===0)return!1;if(x=E,E!==null){let v=E.width,M=E.height;(o.width!==v||o.height!==M)&&this.setSize(v,M)}return y===!1&&C.setRenderTarget(o),m=C.toneMapping,C.toneMapping=ps,!0},this.hasRenderPass=function(){return y},this.end=function(C,E){C.toneMapping=m,g=!0;let v=o,M=a;for(let O=0;O<b.length;O++){let R=b[O];R.enabled!==!1&&(R.render(C,M,v,E),R.needsSwap!==!1&&(v=M,M=M===a?l:a))}if(p!==C.outputColorSpace||_!==C.toneMapping){p=C.outputColorSpace,_=C.toneMapping,u.defines={},ye.getTransfer(p)===Pe&&(u.defines.SRGB_TRANSFER="");let O=v1[_];O&&(u.defines[O]=""),u.needsUpdate=!0}u.uniforms.tDiffuse.value=v.texture,C.setRenderTarget(x),C.render(h,f),x=null,g=!1},this.isCompositing=function(){return g},this.dispose=function(){o.dispose(),a!==null&&a.dispose(),l!==null&&l.dispose(),d.dispose(),u.dispose()}}var _0=new li,x0=new ks(1,1),y0=new ja(1),v0=new Wa,S0=new Dc,b0=new Za,jg=[],Jg=[],Kg=new Float32Array(16),Qg=new Float32Array(9),t0=new Float32Array(4);function na(n,t,e){let i=n[0];if(i<=0||i>0)return n;let s=t*e,r=jg[s];if(r===void 0&&(r=new Float32Array(s),jg[s]=r),t!==0){i.toArray(r,0);for(let o=1,a=0;o!==t;++o)a+=e,n[o].toArray(r,a)}return r}function Pn(n,t){if(n.length!==t.length)return!1;for(let e=0,i=n.length;e<i;e++)if(n[e]!==t[e])return!1;return!0}function In(n,t){for(let e=0,i=t.length;e<i;e++)n[e]=t[e]}function Xh(n,t){let e=Jg[t];e===void 0&&(e=new Int32Array(t),Jg[t]=e);for(let i=0;i!==t;++i)e[i]=n.allocateTextureUnit();return e}function b1(n,t){let e=this.cache;e[0]!==t&&(n.uniform1f(this.addr,t),e[0]=t)}function w1(n,t){let e=this.cache;if(t.x!==void 0)(e[0]!==t.x||e[1]!==t.y)&&(n.uniform2f(this.addr,t.x,t.y),e[0]=t.x,e[1]=t.y);else{if(Pn(e,t))return;n.uniform2fv(this.addr,t),In(e,t)}}function M1(n,t){let e=this.cache;if(t.x!==void 0)(e[0]!==t.x||e[1]!==t.y||e[2]!==t.z)&&(n.uniform3f(this.addr,t.x,t.y,t.z),e[0]=t.x,e[1]=t.y,e[2]=t.z);else if(t.r!==void 0)(e[0]!==t.r||e[1]!==t.g||e[2]!==t.b)&&(n.uniform3f(this.addr,t.r,t.g,t.b),e[0]=t.r,e[1]=t.g,e[2]=t.b);else{if(Pn(e,t))return;n.uniform3fv(this.addr,t),In(e,t)}}function E1(n,t){let e=this.cache;if(t.x!==void 0)(e[0]!==t.x||e[1]!==t.y||e[2]!==t.z||e[3]!==t.w)&&(n.uniform4f(this.addr,t.x,t.y,t.z,t.w),e[0]=t.x,e[1]=t.y,e[2]=t.z,e[3]=t.w);else{if(Pn(e,t))return;n.uniform4fv(this.addr,t),In(e,t)}}function A1(n,t){let e=this.cache,i=t.elements;if(i===void 0){if(Pn(e,t))return;n.uniformMatrix2fv(this.addr,!1,t),In(e,t)}else{if(Pn(e,i))return;t0.set(i),n.uniformMatrix2fv(this.addr,!1,t0),In(e,i)}}function T1(n,t){let e=this.cache,i=t.elements;if(i===void 0){if(Pn(e,t))return;n.uniformMatrix3fv(this.addr,!1,t),In(e,t)}else{if(Pn(e,i))return;Qg.set(i),n.uniformMatrix3fv(this.addr,!1,Qg),In(e,i)}}function C1(n,t){let e=this.cache,i=t.elements;if(i===void 0){if(Pn(e,t))return;n.uniformMatrix4fv(this.addr,!1,t),In(e,t)}else{if(Pn(e,i))return;Kg.set(i),n.uniformMatrix4fv(this.addr,!1,Kg),In(e,i)}}function R1(n,t){let e=this.cache;e[0]!==t&&(n.uniform1i(this.addr,t),e[0]=t)}function P1(n,t){let e=this.cache;if(t.x!==void 0)(e[0]!==t.x||e[1]!==t.y)&&(n.uniform2i(this.addr,t.x,t.y),e[0]=t.x,e[1]=t.y);else{if(Pn(e,t))return;n.uniform2iv(this.addr,t),In(e,t)}}function I1(n,t){let e=this.cache;if(t.x!==void 0)(e[0]!==t.x||e[1]!==t.y||e[2]!==t.z)&&(n.uniform3i(this.addr,t.x,t.y,t.z),e[0]=t.x,e[1]=t.y,e[2]=t.z);else{if(Pn(e,t))return;n.uniform3iv(this.addr,t),In(e,t)}}function L1(n,t){let e=this.cache;if(t.x!==void 0)(e[0]!==t.x||e[1]!==t.y||e[2]!==t.z||e[3]!==t.w)&&(n.uniform4i(this.addr,t.x,t.y,t.z,t.w),e[0]=t.x,e[1]=t.y,e[2]=t.z,e[3]=t.w);else{if(Pn(e,t))return;n.uniform4iv(this.addr,t),In(e,t)}}function D1(n,t){let e=this.cache;e[0]!==t&&(n.uniform1ui(this.addr,t),e[0]=t)}function N1(n,t){let e=this.cache;if(t.x!==void 0)(e[0]!==t.x||e[1]!==t.y)&&(n.uniform2ui(this.addr,t.x,t.y),e[0]=t.x,e[1]=t.y);else{if(Pn(e,t))return;n.uniform2uiv(this.addr,t),In(e,t)}}function O1(n,t){let e=this.cache;if(t.x!==void 0)(e[0]!==t.x||e[1]!==t.y||e[2]!==t.z)&&(n.uniform3ui(this.addr,t.x,t.y,t.z),e[0]=t.x,e[1]=t.y,e[2]=t.z);else{if(Pn(e,t))return;n.uniform3uiv(this.addr,t),In(e,t)}}function U1(n,t){let e=this.cache;if(t.x!==void 0)(e[0]!==t.x||e[1]!==t.y||e[2]!==t.z||e[3]!==t.w)&&(n.uniform4ui(this.addr,t.x,t.y,t.z,t.w),e[0]=t.x,e[1]=t.y,e[2]=t.z,e[3]=t.w);else{if(Pn(e,t))return;n.uniform4uiv(this.addr,t),In(e,t)}}function $h(n){return n.version===0&&(n.compareFunction=Kd,n.needsUpdate=!0),n}function F1(n,t,e){let i=this.cache,s=e.allocateTextureUnit();i[0]!==s&&(n.uniform1i(this.addr,s),i[0]=s);let r;this.type===n.SAMPLER_2D_SHADOW?r=$h(x0):r=_0,e.setTexture2D(t||r,s)}function B1(n,t,e){let i=this.cache,s=e.allocateTextureUnit();i[0]!==s&&(n.uniform1i(this.addr,s),i[0]=s),e.setTexture3D(t||S0,s)}function k1(n,t,e){let i=this.cache,s=e.allocateTextureUnit();i[0]!==s&&(n.uniform1i(this.addr,s),i[0]=s);let r;this.type===n.SAMPLER_CUBE_SHADOW?r=$h(y0):r=b0,e.setTextureCube(t||r,s)}function z1(n,t,e){let i=this.cache,s=e.allocateTextureUnit();i[0]!==s&&(n.uniform1i(this.addr,s),i[0]=s),e.setTexture2DArray(t||v0,s)}function G1(n){switch(n){case 5126:return b1;case 35664:return w1;case 35665:return M1;case 35666:return E1;case 35674:return A1;case 35675:return T1;case 35676:return C1;case 5124:case 35670:return R1;case 35667:case 35671:return P1;case 35668:case 35672:return I1;case 35669:case 35673:return L1;case 5125:return D1;case 36294:return N1;case 36295:return O1;case 36296:return U1;case 35678:case 36198:case 36298:case 36306:case 35682:return F1;case 35679:case 36299:case 36307:return B1;case 35680:case 36300:case 36308:case 36293:return k1;case 36289:case 36303:case 36311:case 36292:return z1}}function V1(n,t){n.uniform1fv(this.addr,t)}function H1(n,t){let e=na(t,this.size,2);n.uniform2fv(this.addr,e)}function W1(n,t){let e=na(t,this.size,3);n.uniform3fv(this.addr,e)}function X1(n,t){let e=na(t,this.size,4);n.uniform4fv(this.addr,e)}function $1(n,t){let e=na(t,this.size,4);n.uniformMatrix2fv(this.addr,!1,e)}function Y1(n,t){let e=na(t,this.size,9);n.uniformMatrix3fv(this.addr,!1,e)}function q1(n,t){let e=na(t,this.size,16);n.uniformMatrix4fv(this.addr,!1,e)}function Z1(n,t){n.uniform1iv(this.addr,t)}function j1(n,t){n.uniform2iv(this.addr,t)}function J1(n,t){n.uniform3iv(this.addr,t)}function K1(n,t){n.uniform4iv(this.addr,t)}function Q1(n,t){n.uniform1uiv(this.addr,t)}function tE(n,t){n.uniform2uiv(this.addr,t)}function eE(n,t){n.uniform3uiv(this.addr,t)}function nE(n,t){n.uniform4uiv(this.addr,t)}function iE(n,t,e){let i=this.cache,s=t.length,r=Xh(e,s);Pn(i,r)||(n.uniform1iv(this.addr,r),In(i,r));let o;this.type===n.SAMPLER_2D_SHADOW?o=$h(x0):o=_0;for(let a=0;a!==s;++a)e.setTexture2D(t[a]||o,r[a])}function sE(n,t,e){let i=this.cache,s=t.length,r=Xh(e,s);Pn(i,r)||(n.uniform1iv(this.addr,r),In(i,r));for(let o=0;o!==s;++o)e.setTexture3D(t[o]||S0,r[o])}function rE(n,t,e){let i=this.cache,s=t.length,r=Xh(e,s);Pn(i,r)||(n.uniform1iv(this.addr,r),In(i,r));let o;this.type===n.SAMPLER_CUBE_SHADOW?o=$h(y0):o=b0;for(let a=0;a!==s;++a)e.setTextureCube(t[a]||o,r[a])}function oE(n,t,e){let i=this.cache,s=t.length,r=Xh(e,s);Pn(i,r)||(n.uniform1iv(this.addr,r),In(i,r));for(let o=0;o!==s;++o)e.setTexture2DArray(t[o]||v0,r[o])}function aE(n){switch(n){case 5126:return V1;case 35664:return H1;case 35665:return W1;case 35666:return X1;case 35674:return $1;case 35675:return Y1;case 35676:return q1;case 5124:case 35670:return Z1;case 35667:case 35671:return j1;case 35668:case 35672:return J1;case 35669:case 35673:return K1;case 5125:return Q1;case 36294:return tE;case 36295:return eE;case 36296:return nE;case 35678:case 36198:case 36298:case 36306:case 35682:return iE;case 35679:case 36299:case 36307:return sE;case 35680:case 36300:case 36308:case 36293:return rE;case 36289:case 36303:case 36311:case 36292:return oE}}var xf=class{constructor(t,e,i){this.id=t,this.addr=i,this.cache=[],this.type=e.type,this.setValue=G1(e.type)}},yf=class{constructor(t,e,i){this.id=t,this.addr=i,this.cache=[],this.type=e.type,this.size=e.size,this.setValue=aE(e.type)}},vf=class{constructor(t){this.id=t,this.seq=[],this.map={}}setValue(t,e,i){let s=this.seq;for(let r=0,o=s.length;r!==o;++r){let a=s[r];a.setValue(t,e[a.id],i)}}},gf=/(\w+)(\])?(\[|\.)?/g;function e0(n,t){n.seq.push(t),n.map[t.id]=t}function lE(n,t,e){let i=n.name,s=i.length;for(gf.lastIndex=0;;){let r=gf.exec(i),o=gf.lastIndex,a=r[1],l=r[2]==="]",c=r[3];if(l&&(a=a|0),c===void 0||c==="["&&o+2===s){e0(e,c===void 0?new xf(a,n,t):new yf(a,n,t));break}else{let u=e.map[a];u===void 0&&(u=new vf(a),e0(e,u)),e=u}}}var ta=class{constructor(t,e){this.seq=[],this.map={};let i=t.getProgramParameter(e,t.ACTIVE_UNIFORMS);for(let o=0;o<i;++o){let a=t.getActiveUniform(e,o),l=t.getUniformLocation(e,a.name);lE(a,l,this)}let s=[],r=[];for(let o of this.seq)o.type===t.SAMPLER_2D_SHADOW||o.type===t.SAMPLER_CUBE_SHADOW||o.type===t.SAMPLER_2D_ARRAY_SHADOW?s.push(o):r.push(o);s.length>0&&(this.seq=s.concat(r))}setValue(t,e,i,s){let r=this.map[e];r!==void 0&&r.setValue(t,i,s)}setOptional(t,e,i){let s=e[i];s!==void 0&&this.setValue(t,i,s)}static upload(t,e,i,s){for(let r=0,o=e.length;r!==o;++r){let a=e[r],l=i[a.id];l.needsUpdate!==!1&&a.setValue(t,l.value,s)}}static seqWithValue(t,e){let i=[];for(let s=0,r=t.length;s!==r;++s){let o=t[s];o.id in e&&i.push(o)}return i}};function n0(n,t,e){let i=n.createShader(t);return n.shaderSource(i,e),n.compileShader(i),i}var cE=37297,hE=0;function uE(n,t){let e=n.split(`
+`),i=[],s=Math.max(t-6,0),r=Math.min(t+6,e.length);for(let o=s;o<r;o++){let a=o+1;i.push(`${a===t?">":" "} ${a}: ${e[o]}`)}return i.join(`
+`)}var i0=new se;function dE(n){ye._getMatrix(i0,ye.workingColorSpace,n);let t=`mat3( ${i0.elements.map(e=>e.toFixed(4))} )`;switch(ye.getTransfer(n)){case Ga:return[t,"LinearTransferOETF"];case Pe:return[t,"sRGBTransferOETF"];default:return qt("WebGLProgram: Unsupported color space: ",n),[t,"LinearTransferOETF"]}}function s0(n,t,e){let i=n.getShaderParameter(t,n.COMPILE_STATUS),r=(n.getShaderInfoLog(t)||"").trim();if(i&&r==="")return"";let o=/ERROR: 0:(\d+)/.exec(r);if(o){let a=parseInt(o[1]);return e.toUpperCase()+`
+
+`+r+`
+
+`+uE(n.getShaderSource(t),a)}else return r}function fE(n,t){let e=dE(t);return[`vec4 ${n}( vec4 value ) {`,`	return ${e[1]}( vec4( ${e[0]} * value.rgb, value.a ) );`,"}"].join(`
+`)}var pE={[Ud]:"Linear",[Fd]:"Reinhard",[Bd]:"Cineon",[kd]:"ACESFilmic",[Gd]:"AgX",[Vd]:"Neutral",[zd]:"Custom"};function mE(n,t){let e=pE[t];return e===void 0?(qt("WebGLProgram: Unsupported toneMapping:",t),"vec3 "+n+"( vec3 color ) { return LinearToneMapping( color ); }"):"vec3 "+n+"( vec3 color ) { return "+e+"ToneMapping( color ); }"}var Hh=new P;function gE(){ye.getLuminanceCoefficients(Hh);let n=Hh.x.toFixed(4),t=Hh.y.toFixed(4),e=Hh.z.toFixed(4);return["float luminance( const in vec3 rgb ) {",`	const vec3 weights = vec3( ${n}, ${t}, ${e} );`,"	return dot( weights, rgb );","}"].join(`
+`)}function _E(n){return[n.extensionClipCullDistance?"#extension GL_ANGLE_clip_cull_distance : require":"",n.extensionMultiDraw?"#extension GL_ANGLE_multi_draw : require":""].filter(_l).join(`
+`)}function xE(n){let t=[];for(let e in n){let i=n[e];i!==!1&&t.push("#define "+e+" "+i)}return t.join(`
+`)}function yE(n,t){let e={},i=n.getProgramParameter(t,n.ACTIVE_ATTRIBUTES);for(let s=0;s<i;s++){let r=n.getActiveAttrib(t,s),o=r.name,a=1;r.type===n.FLOAT_MAT2&&(a=2),r.type===n.FLOAT_MAT3&&(a=3),r.type===n.FLOAT_MAT4&&(a=4),e[o]={type:r.type,location:n.getAttribLocation(t,o),locationSize:a}}return e}function _l(n){return n!==""}function r0(n,t){let e=t.numSpotLightShadows+t.numSpotLightMaps-t.numSpotLightShadowsWithMaps;return n.replace(/NUM_SUN_LIGHTS/g,t.numSunLights).replace(/NUM_DIR_LIGHTS/g,t.numDirLights).replace(/NUM_SPOT_LIGHTS/g,t.numSpotLights).replace(/NUM_SPOT_LIGHT_MAPS/g,t.numSpotLightMaps).replace(/NUM_SPOT_LIGHT_COORDS/g,e).replace(/NUM_RECT_AREA_LIGHTS/g,t.numRectAreaLights).replace(/NUM_POINT_LIGHTS/g,t.numPointLights).replace(/NUM_HEMI_LIGHTS/g,t.numHemiLights).replace(/NUM_SUN_LIGHT_SHADOWS/g,t.numSunLightShadows).replace(/NUM_DIR_LIGHT_SHADOWS/g,t.numDirLightShadows).replace(/NUM_SPOT_LIGHT_SHADOWS_WITH_MAPS/g,t.numSpotLightShadowsWithMaps).replace(/NUM_SPOT_LIGHT_SHADOWS/g,t.numSpotLightShadows).replace(/NUM_POINT_LIGHT_SHADOWS/g,t.numPointLightShadows).replace(/NUM_LIGHT_PROBE_GRIDS/g,t.numLightProbeGrids)}function o0(n,t){return n.replace(/NUM_CLIPPING_PLANES/g,t.numClippingPlanes).replace(/UNION_CLIPPING_PLANES/g,t.numClippingPlanes-t.numClipIntersection)}var vE=/^[ \t]*#include +<([\w\d./]+)>/gm;function Sf(n){return n.replace(vE,SE)}function SE(n,t){let e=fe[t];if(e===void 0)throw new Error("THREE.WebGLProgram: Can not resolve #include <"+t+">");return Sf(e)}var bE=/#pragma unroll_loop_start\s+for\s*\(\s*int\s+i\s*=\s*(\d+)\s*;\s*i\s*<\s*(\d+)\s*;\s*i\s*\+\+\s*\)\s*{([\s\S]+?)}\s+#pragma unroll_loop_end/g;function a0(n){return n.replace(bE,wE)}function wE(n,t,e,i){let s="";for(let r=parseInt(t);r<parseInt(e);r++)s+=i.replace(/\[\s*i\s*\]/g,"[ "+r+" ]").replace(/UNROLLED_LOOP_INDEX/g,r);return s}function l0(n){let t=`precision ${n.precision} float;
+	precision ${n.precision} int;
+	precision ${n.precision} sampler2D;
+	precision ${n.precision} samplerCube;
+	precision ${n.precision} sampler3D;
+	precision ${n.precision} sampler2DArray;
+	precision ${n.precision} sampler2DShadow;
+	precision ${n.precision} samplerCubeShadow;
+	precision ${n.precision} sampler2DArrayShadow;
+	precision ${n.precision} isampler2D;
+	precision ${n.precision} isampler3D;
+	precision ${n.precision} isamplerCube;
+	precision ${n.precision} isampler2DArray;
+	precision ${n.precision} usampler2D;
+	precision ${n.precision} usampler3D;
+	precision ${n.precision} usamplerCube;
+	precision ${n.precision} usampler2DArray;
+	`;return n.precision==="highp"?t+=`
+#define HIGH_PRECISION`:n.precision==="mediump"?t+=`
+#define MEDIUM_PRECISION`:n.precision==="lowp"&&(t+=`
+#define LOW_PRECISION`),t}var ME={[zs]:"SHADOWMAP_TYPE_PCF",[Zo]:"SHADOWMAP_TYPE_VSM"};function EE(n){return ME[n.shadowMapType]||"SHADOWMAP_TYPE_BASIC"}var AE={[Jo]:"ENVMAP_MODE_REFRACTION"};function TE(n){return n.envMap===!1?"ENVMAP_MODE_REFLECTION":AE[n.envMapMode]||"ENVMAP_MODE_REFLECTION"}var CE={[th]:"ENVMAP_BLENDING_MULTIPLY",[Cg]:"ENVMAP_BLENDING_MIX",[Rg]:"ENVMAP_BLENDING_ADD"};function RE(n){return n.envMap===!1?"ENVMAP_BLENDING_NONE":CE[n.combine]||"ENVMAP_BLENDING_NONE"}function PE(n,t,e,i){let s=n.getContext(),r=e.defines,o=e.vertexShader,a=e.fragmentShader,l=EE(e),c=e.envMapPMREM===!0?"ENVMAP_TYPE_PMREM":"ENVMAP_TYPE_CUBE",d=TE(e),u=RE(e),h=_E(e),f=xE(r),p=s.createProgram(),_,g,m=e.glslVersion?"#version "+e.glslVersion+`
+`:"";e.isRawShaderMaterial?(_=["#define SHADER_TYPE "+e.shaderType,"#define SHADER_NAME "+e.shaderName,f].filter(_l).join(`
+`),_.length>0&&(_+=`
+`),g=["#define SHADER_TYPE "+e.shaderType,"#define SHADER_NAME "+e.shaderName,f].filter(_l).join(`
+`),g.length>0&&(g+=`
+`)):(_=[l0(e),"#define SHADER_TYPE "+e.shaderType,"#define SHADER_NAME "+e.shaderName,f,e.extensionClipCullDistance?"#define USE_CLIP_DISTANCE":"",e.batching?"#define USE_BATCHING":"",e.batchingColor?"#define USE_BATCHING_COLOR":"",e.instancing?"#define USE_INSTANCING":"",e.instancingColor?"#define USE_INSTANCING_COLOR":"",e.instancingMorph?"#define USE_INSTANCING_MORPH":"",e.useFog&&e.fog?"#define USE_FOG":"",e.useFog&&e.fogExp2?"#define FOG_EXP2":"",e.map?"#define USE_MAP":"",e.envMap?"#define USE_ENVMAP":"",e.envMap?"#define "+d:"",e.lightMap?"#define USE_LIGHTMAP":"",e.aoMap?"#define USE_AOMAP":"",e.bumpMap?"#define USE_BUMPMAP":"",e.normalMap?"#define USE_NORMALMAP":"",e.normalMapObjectSpace?"#define USE_NORMALMAP_OBJECTSPACE":"",e.normalMapTangentSpace?"#define USE_NORMALMAP_TANGENTSPACE":"",e.displacementMap?"#define USE_DISPLACEMENTMAP":"",e.emissiveMap?"#define USE_EMISSIVEMAP":"",e.anisotropy?"#define USE_ANISOTROPY":"",e.anisotropyMap?"#define USE_ANISOTROPYMAP":"",e.clearcoatMap?"#define USE_CLEARCOATMAP":"",e.clearcoatRoughnessMap?"#define USE_CLEARCOAT_ROUGHNESSMAP":"",e.clearcoatNormalMap?"#define USE_CLEARCOAT_NORMALMAP":"",e.diffuseRoughnessMap?"#define USE_DIFFUSE_ROUGHNESSMAP":"",e.iridescenceMap?"#define USE_IRIDESCENCEMAP":"",e.iridescenceThicknessMap?"#define USE_IRIDESCENCE_THICKNESSMAP":"",e.specularMap?"#define USE_SPECULARMAP":"",e.specularColorMap?"#define USE_SPECULAR_COLORMAP":"",e.specularIntensityMap?"#define USE_SPECULAR_INTENSITYMAP":"",e.roughnessMap?"#define USE_ROUGHNESSMAP":"",e.metalnessMap?"#define USE_METALNESSMAP":"",e.alphaMap?"#define USE_ALPHAMAP":"",e.alphaHash?"#define USE_ALPHAHASH":"",e.transmission?"#define USE_TRANSMISSION":"",e.transmissionMap?"#define USE_TRANSMISSIONMAP":"",e.thicknessMap?"#define USE_THICKNESSMAP":"",e.sheenColorMap?"#define USE_SHEEN_COLORMAP":"",e.sheenRoughnessMap?"#define USE_SHEEN_ROUGHNESSMAP":"",e.mapUv?"#define MAP_UV "+e.mapUv:"",e.alphaMapUv?"#define ALPHAMAP_UV "+e.alphaMapUv:"",e.lightMapUv?"#define LIGHTMAP_UV "+e.lightMapUv:"",e.aoMapUv?"#define AOMAP_UV "+e.aoMapUv:"",e.emissiveMapUv?"#define EMISSIVEMAP_UV "+e.emissiveMapUv:"",e.bumpMapUv?"#define BUMPMAP_UV "+e.bumpMapUv:"",e.normalMapUv?"#define NORMALMAP_UV "+e.normalMapUv:"",e.displacementMapUv?"#define DISPLACEMENTMAP_UV "+e.displacementMapUv:"",e.metalnessMapUv?"#define METALNESSMAP_UV "+e.metalnessMapUv:"",e.roughnessMapUv?"#define ROUGHNESSMAP_UV "+e.roughnessMapUv:"",e.anisotropyMapUv?"#define ANISOTROPYMAP_UV "+e.anisotropyMapUv:"",e.clearcoatMapUv?"#define CLEARCOATMAP_UV "+e.clearcoatMapUv:"",e.clearcoatNormalMapUv?"#define CLEARCOAT_NORMALMAP_UV "+e.clearcoatNormalMapUv:"",e.clearcoatRoughnessMapUv?"#define CLEARCOAT_ROUGHNESSMAP_UV "+e.clearcoatRoughnessMapUv:"",e.diffuseRoughnessMapUv?"#define DIFFUSE_ROUGHNESSMAP_UV "+e.diffuseRoughnessMapUv:"",e.iridescenceMapUv?"#define IRIDESCENCEMAP_UV "+e.iridescenceMapUv:"",e.iridescenceThicknessMapUv?"#define IRIDESCENCE_THICKNESSMAP_UV "+e.iridescenceThicknessMapUv:"",e.sheenColorMapUv?"#define SHEEN_COLORMAP_UV "+e.sheenColorMapUv:"",e.sheenRoughnessMapUv?"#define SHEEN_ROUGHNESSMAP_UV "+e.sheenRoughnessMapUv:"",e.specularMapUv?"#define SPECULARMAP_UV "+e.specularMapUv:"",e.specularColorMapUv?"#define SPECULAR_COLORMAP_UV "+e.specularColorMapUv:"",e.specularIntensityMapUv?"#define SPECULAR_INTENSITYMAP_UV "+e.specularIntensityMapUv:"",e.transmissionMapUv?"#define TRANSMISSIONMAP_UV "+e.transmissionMapUv:"",e.thicknessMapUv?"#define THICKNESSMAP_UV "+e.thicknessMapUv:"",e.vertexTangents&&e.flatShading===!1?"#define USE_TANGENT":"",e.vertexNormals?"#define HAS_NORMAL":"",e.vertexColors?"#define USE_COLOR":"",e.vertexAlphas?"#define USE_COLOR_ALPHA":"",e.vertexUv1s?"#define USE_UV1":"",e.vertexUv2s?"#define USE_UV2":"",e.vertexUv3s?"#define USE_UV3":"",e.pointsUvs?"#define USE_POINTS_UV":"",e.flatShading?"#define FLAT_SHADED":"",e.skinning?"#define USE_SKINNING":"",e.morphTargets?"#define USE_MORPHTARGETS":"",e.morphNormals&&e.flatShading===!1?"#define USE_MORPHNORMALS":"",e.morphColors?"#define USE_MORPHCOLORS":"",e.morphTargetsCount>0?"#define MORPHTARGETS_TEXTURE_STRIDE "+e.morphTextureStride:"",e.morphTargetsCount>0?"#define MORPHTARGETS_COUNT "+e.morphTargetsCount:"",e.doubleSided?"#define DOUBLE_SIDED":"",e.flipSided?"#define FLIP_SIDED":"",e.shadowMapEnabled?"#define USE_SHADOWMAP":"",e.shadowMapEnabled?"#define "+l:"",e.sizeAttenuation?"#define USE_SIZEATTENUATION":"",e.numLightProbes>0?"#define USE_LIGHT_PROBES":"",e.logarithmicDepthBuffer?"#define USE_LOGARITHMIC_DEPTH_BUFFER":"",e.reversedDepthBuffer?"#define USE_REVERSED_DEPTH_BUFFER":"","uniform mat4 modelMatrix;","uniform mat4 modelViewMatrix;","uniform mat4 projectionMatrix;","uniform mat4 viewMatrix;","uniform mat3 normalMatrix;","uniform vec3 cameraPosition;","uniform bool isOrthographic;","#ifdef USE_INSTANCING","	attribute mat4 instanceMatrix;","#endif","#ifdef USE_INSTANCING_COLOR","	attribute vec3 instanceColor;","#endif","#ifdef USE_INSTANCING_MORPH","	uniform sampler2D morphTexture;","#endif","attribute vec3 position;","attribute vec3 normal;","attribute vec2 uv;","#ifdef USE_UV1","	attribute vec2 uv1;","#endif","#ifdef USE_UV2","	attribute vec2 uv2;","#endif","#ifdef USE_UV3","	attribute vec2 uv3;","#endif","#ifdef USE_TANGENT","	attribute vec4 tangent;","#endif","#if defined( USE_COLOR_ALPHA )","	attribute vec4 color;","#elif defined( USE_COLOR )","	attribute vec3 color;","#endif","#ifdef USE_SKINNING","	attribute vec4 skinIndex;","	attribute vec4 skinWeight;","#endif",`
+`].filter(_l).join(`
+`),g=[l0(e),"#define SHADER_TYPE "+e.shaderType,"#define SHADER_NAME "+e.shaderName,f,e.useFog&&e.fog?"#define USE_FOG":"",e.useFog&&e.fogExp2?"#define FOG_EXP2":"",e.alphaToCoverage?"#define ALPHA_TO_COVERAGE":"",e.map?"#define USE_MAP":"",e.matcap?"#define USE_MATCAP":"",e.envMap?"#define USE_ENVMAP":"",e.envMap?"#define "+c:"",e.envMap?"#define "+d:"",e.envMap?"#define "+u:"",e.envMapPMREM?"#define ENVMAP_MAX_LOD "+e.envMapMaxLod+".0":"",e.envMapPMREM?"#define ENVMAP_SIZE "+e.envMapSize+".0":"",e.lightMap?"#define USE_LIGHTMAP":"",e.aoMap?"#define USE_AOMAP":"",e.bumpMap?"#define USE_BUMPMAP":"",e.normalMap?"#define USE_NORMALMAP":"",e.normalMapObjectSpace?"#define USE_NORMALMAP_OBJECTSPACE":"",e.normalMapTangentSpace?"#define USE_NORMALMAP_TANGENTSPACE":"",e.packedNormalMap?"#define USE_PACKED_NORMALMAP":"",e.emissiveMap?"#define USE_EMISSIVEMAP":"",e.anisotropy?"#define USE_ANISOTROPY":"",e.anisotropyMap?"#define USE_ANISOTROPYMAP":"",e.clearcoat?"#define USE_CLEARCOAT":"",e.clearcoatMap?"#define USE_CLEARCOATMAP":"",e.clearcoatRoughnessMap?"#define USE_CLEARCOAT_ROUGHNESSMAP":"",e.clearcoatNormalMap?"#define USE_CLEARCOAT_NORMALMAP":"",e.diffuseRoughness?"#define USE_DIFFUSE_ROUGHNESS":"",e.diffuseRoughnessMap?"#define USE_DIFFUSE_ROUGHNESSMAP":"",e.dispersion?"#define USE_DISPERSION":"",e.retroreflection?"#define USE_RETROREFLECTION":"",e.iridescence?"#define USE_IRIDESCENCE":"",e.iridescenceMap?"#define USE_IRIDESCENCEMAP":"",e.iridescenceThicknessMap?"#define USE_IRIDESCENCE_THICKNESSMAP":"",e.specularMap?"#define USE_SPECULARMAP":"",e.specularColorMap?"#define USE_SPECULAR_COLORMAP":"",e.specularIntensityMap?"#define USE_SPECULAR_INTENSITYMAP":"",e.roughnessMap?"#define USE_ROUGHNESSMAP":"",e.metalnessMap?"#define USE_METALNESSMAP":"",e.alphaMap?"#define USE_ALPHAMAP":"",e.alphaTest?"#define USE_ALPHATEST":"",e.alphaHash?"#define USE_ALPHAHASH":"",e.sheen?"#define USE_SHEEN":"",e.sheenColorMap?"#define USE_SHEEN_COLORMAP":"",e.sheenRoughnessMap?"#define USE_SHEEN_ROUGHNESSMAP":"",e.transmission?"#define USE_TRANSMISSION":"",e.transmissionMap?"#define USE_TRANSMISSIONMAP":"",e.thicknessMap?"#define USE_THICKNESSMAP":"",e.vertexTangents&&e.flatShading===!1?"#define USE_TANGENT":"",e.vertexColors||e.instancingColor?"#define USE_COLOR":"",e.vertexAlphas||e.batchingColor?"#define USE_COLOR_ALPHA":"",e.vertexUv1s?"#define USE_UV1":"",e.vertexUv2s?"#define USE_UV2":"",e.vertexUv3s?"#define USE_UV3":"",e.pointsUvs?"#define USE_POINTS_UV":"",e.gradientMap?"#define USE_GRADIENTMAP":"",e.flatShading?"#define FLAT_SHADED":"",e.doubleSided?"#define DOUBLE_SIDED":"",e.flipSided?"#define FLIP_SIDED":"",e.shadowMapEnabled?"#define USE_SHADOWMAP":"",e.shadowMapEnabled?"#define "+l:"",e.premultipliedAlpha?"#define PREMULTIPLIED_ALPHA":"",e.numLightProbes>0?"#define USE_LIGHT_PROBES":"",e.decodeVideoTexture?"#define DECODE_VIDEO_TEXTURE":"",e.decodeVideoTextureEmissive?"#define DECODE_VIDEO_TEXTURE_EMISSIVE":"",e.logarithmicDepthBuffer?"#define USE_LOGARITHMIC_DEPTH_BUFFER":"",e.reversedDepthBuffer?"#define USE_REVERSED_DEPTH_BUFFER":"","uniform mat4 viewMatrix;","uniform vec3 cameraPosition;","uniform bool isOrthographic;",e.toneMapping!==ps?"#define TONE_MAPPING":"",e.toneMapping!==ps?fe.tonemapping_pars_fragment:"",e.toneMapping!==ps?mE("toneMapping",e.toneMapping):"",e.dithering?"#define DITHERING":"",e.opaque?"#define OPAQUE":"",fe.colorspace_pars_fragment,fE("linearToOutputTexel",e.outputColorSpace),gE(),e.useDepthPacking?"#define DEPTH_PACKING "+e.depthPacking:"",`
+`].filter(_l).join(`
+`)),o=Sf(o),o=r0(o,e),o=o0(o,e),a=Sf(a),a=r0(a,e),a=o0(a,e),o=a0(o),a=a0(a),e.isRawShaderMaterial!==!0&&(m=`#version 300 es
+`,_=[h,"#define attribute in","#define varying out","#define texture2D texture"].join(`
+`)+`
+`+_,g=["#define varying in",e.glslVersion===ef?"":"layout(location = 0) out highp vec4 pc_fragColor;",e.glslVersion===ef?"":"#define gl_FragColor pc_fragColor","#define gl_FragDepthEXT gl_FragDepth","#define texture2D texture","#define textureCube texture","#define texture2DProj textureProj","#define texture2DLodEXT textureLod","#define texture2DProjLodEXT textureProjLod","#define textureCubeLodEXT textureLod","#define texture2DGradEXT textureGrad","#define texture2DProjGradEXT textureProjGrad","#define textureCubeGradEXT textureGrad"].join(`
+`)+`
+`+g);let x=m+_+o,b=m+g+a,y=n0(s,s.VERTEX_SHADER,x),C=n0(s,s.FRAGMENT_SHADER,b);s.attachShader(p,y),s.attachShader(p,C),e.index0AttributeName!==void 0?s.bindAttribLocation(p,0,e.index0AttributeName):e.hasPositionAttribute===!0&&s.bindAttribLocation(p,0,"position"),s.linkProgram(p);function E(R){if(n.debug.checkShaderErrors){let I=s.getProgramInfoLog(p)||"",U=s.getShaderInfoLog(y)||"",F=s.getShaderInfoLog(C)||"",L=I.trim(),k=U.trim(),X=F.trim(),V=!0,ot=!0;if(s.getProgramParameter(p,s.LINK_STATUS)===!1)if(V=!1,typeof n.debug.onShaderError=="function")n.debug.onShaderError(s,p,y,C);else{let $=s0(s,y,"vertex"),K=s0(s,C,"fragment");te("WebGLProgram: Shader Error "+s.getError()+" - VALIDATE_STATUS "+s.getProgramParameter(p,s.VALIDATE_STATUS)+`
+
+Material Name: `+R.name+`
+Material Type: `+R.type+`
+
+Program Info Log: `+L+`
+`+$+`
+`+K)}else L!==""?qt("WebGLProgram: Program Info Log:",L):(k===""||X==="")&&(ot=!1);ot&&(R.diagnostics={runnable:V,programLog:L,vertexShader:{log:k,prefix:_},fragmentShader:{log:X,prefix:g}})}s.deleteShader(y),s.deleteShader(C),v=new ta(s,p),M=yE(s,p)}let v;this.getUniforms=function(){return v===void 0&&E(this),v};let M;this.getAttributes=function(){return M===void 0&&E(this),M};let O=e.rendererExtensionParallelShaderCompile===!1;return this.isReady=function(){return O===!1&&(O=s.getProgramParameter(p,cE)),O},this.destroy=function(){i.releaseStatesOfProgram(this),s.deleteProgram(p),this.program=void 0},this.type=e.shaderType,this.name=e.shaderName,this.id=hE++,this.cacheKey=t,this.usedTimes=1,this.program=p,this.vertexShader=y,this.fragmentShader=C,this}var IE=0,bf=class{constructor(){this.shaderCache=new Map,this.materialCache=new Map}update(t,e,i){let s=this._getShaderCacheForMaterial(t);return s.has(e)===!1&&(s.add(e),e.usedTimes++),s.has(i)===!1&&(s.add(i),i.usedTimes++),this}remove(t){let e=this.materialCache.get(t);for(let i of e)i.usedTimes--,i.usedTimes===0&&this.shaderCache.delete(i.code);return this.materialCache.delete(t),this}getVertexShaderStage(t){return this._getShaderStage(t.vertexShader)}getFragmentShaderStage(t){return this._getShaderStage(t.fragmentShader)}dispose(){this.shaderCache.clear(),this.materialCache.clear()}_getShaderCacheForMaterial(t){let e=this.materialCache,i=e.get(t);return i===void 0&&(i=new Set,e.set(t,i)),i}_getShaderStage(t){let e=this.shaderCache,i=e.get(t);return i===void 0&&(i=new wf(t),e.set(t,i)),i}},wf=class{constructor(t){this.id=IE++,this.code=t,this.usedTimes=0}};function LE(n){return n===fr||n===dl||n===fl}function DE(n,t,e,i,s,r){let o=new Ho,a=new bf,l=new Set,c=[],d=new Map,u=i.logarithmicDepthBuffer,h={MeshDepthMaterial:"depth",MeshDistanceMaterial:"distance",MeshNormalMaterial:"normal",MeshBasicMaterial:"basic",MeshLambertMaterial:"lambert",MeshPhongMaterial:"phong",MeshToonMaterial:"toon",MeshStandardMaterial:"physical",MeshPhysicalMaterial:"physical",MeshMatcapMaterial:"matcap",LineBasicMaterial:"basic",LineDashedMaterial:"dashed",PointsMaterial:"points",ShadowMaterial:"shadow",SpriteMaterial:"sprite"};function f(v){return l.add(v),v===0?"uv":`uv${v}`}function p(v,M,O,R,I,U){let F=R.fog,L=I.geometry,k=v.isMeshStandardMaterial||v.isMeshLambertMaterial||v.isMeshPhongMaterial?R.environment:null,X=v.isMeshStandardMaterial||v.isMeshLambertMaterial&&!v.envMap||v.isMeshPhongMaterial&&!v.envMap,V=t.get(v.envMap||k,X),ot=h[v.type],$=i.precision;v.precision!==null&&($=i.getMaxPrecision(v.precision),$!==v.precision&&qt("WebGLProgram.getParameters:",v.precision,"not supported, using",$,"instead."));let K=L.morphAttributes.position||L.morphAttributes.normal||L.morphAttributes.color,et=K!==void 0?K.length:0,ht=0;L.morphAttributes.position!==void 0&&(ht=1),L.morphAttributes.normal!==void 0&&(ht=2),L.morphAttributes.color!==void 0&&(ht=3);let ut,Q,gt,yt;if(ot){let Rt=oi[ot];ut=Rt.vertexShader,Q=Rt.fragmentShader}else{ut=v.vertexShader,Q=v.fragmentShader;let Rt=a.getVertexShaderStage(v),he=a.getFragmentShaderStage(v);a.update(v,Rt,he),gt=Rt.id,yt=he.id}let Ct=n.getRenderTarget(),wt=n.state.buffers.depth.getReversed(),Wt=I.isInstancedMesh===!0,ae=I.isBatchedMesh===!0,Vt=!!v.map,pe=!!v.matcap,ue=!!V,re=ue&&V.isPMREMTexture===!0,en=!!v.aoMap,Xe=!!v.lightMap,yn=!!v.bumpMap&&v.wireframe===!1,Be=!!v.normalMap,On=!!v.displacementMap,Se=!!v.emissiveMap,Cn=!!v.metalnessMap,un=!!v.roughnessMap,vn=v.anisotropy>0,G=v.clearcoat>0,Pt=v.diffuseRoughness>0,Zt=v.dispersion>0,le=v.retroreflectivity>0,Mt=v.iridescence>0,Ge=v.sheen>0,Gt=v.transmission>0,Yt=vn&&!!v.anisotropyMap,D=G&&!!v.clearcoatMap,w=G&&!!v.clearcoatNormalMap,Y=G&&!!v.clearcoatRoughnessMap,dt=Pt&&!!v.diffuseRoughnessMap,at=Mt&&!!v.iridescenceMap,xt=Mt&&!!v.iridescenceThicknessMap,vt=Ge&&!!v.sheenColorMap,nt=Ge&&!!v.sheenRoughnessMap,st=!!v.specularMap,pt=!!v.specularColorMap,z=!!v.specularIntensityMap,rt=Gt&&!!v.transmissionMap,it=Gt&&!!v.thicknessMap,Et=!!v.gradientMap,_t=!!v.alphaMap,bt=v.alphaTest>0,Ht=!!v.alphaHash,Kt=!!v.extensions,ct=ps;v.toneMapped&&(Ct===null||Ct.isXRRenderTarget===!0)&&(ct=n.toneMapping);let Bt=re?V.isCompressedCubeTexture?V.image[0].mipmaps:V.mipmaps:null,Qt={shaderID:ot,shaderType:v.type,shaderName:v.name,vertexShader:ut,fragmentShader:Q,defines:v.defines,customVertexShaderID:gt,customFragmentShaderID:yt,isRawShaderMaterial:v.isRawShaderMaterial===!0,glslVersion:v.glslVersion,precision:$,batching:ae,batchingColor:ae&&I._colorsTexture!==null,instancing:Wt,instancingColor:Wt&&I.instanceColor!==null,instancingMorph:Wt&&I.morphTexture!==null,outputColorSpace:Ct===null?n.outputColorSpace:Ct.isXRRenderTarget===!0?Ct.texture.colorSpace:ye.workingColorSpace,alphaToCoverage:!!v.alphaToCoverage,map:Vt,matcap:pe,envMap:ue,envMapMode:ue&&V.mapping,envMapPMREM:re,envMapMaxLod:re?Bt.length-1:null,envMapSize:re?Bt[0].width:null,aoMap:en,lightMap:Xe,bumpMap:yn,normalMap:Be,displacementMap:On,emissiveMap:Se,normalMapObjectSpace:Be&&v.normalMapType===Lg,normalMapTangentSpace:Be&&v.normalMapType===pl,packedNormalMap:Be&&v.normalMapType===pl&&LE(v.normalMap.format),metalnessMap:Cn,roughnessMap:un,anisotropy:vn,anisotropyMap:Yt,clearcoat:G,clearcoatMap:D,clearcoatNormalMap:w,clearcoatRoughnessMap:Y,diffuseRoughness:Pt,diffuseRoughnessMap:dt,dispersion:Zt,retroreflection:le,iridescence:Mt,iridescenceMap:at,iridescenceThicknessMap:xt,sheen:Ge,sheenColorMap:vt,sheenRoughnessMap:nt,specularMap:st,specularColorMap:pt,specularIntensityMap:z,transmission:Gt,transmissionMap:rt,thicknessMap:it,gradientMap:Et,opaque:v.transparent===!1&&v.blending===jo&&v.alphaToCoverage===!1,alphaMap:_t,alphaTest:bt,alphaHash:Ht,combine:v.combine,mapUv:Vt&&f(v.map.channel),aoMapUv:en&&f(v.aoMap.channel),lightMapUv:Xe&&f(v.lightMap.channel),bumpMapUv:yn&&f(v.bumpMap.channel),normalMapUv:Be&&f(v.normalMap.channel),displacementMapUv:On&&f(v.displacementMap.channel),emissiveMapUv:Se&&f(v.emissiveMap.channel),metalnessMapUv:Cn&&f(v.metalnessMap.channel),roughnessMapUv:un&&f(v.roughnessMap.channel),anisotropyMapUv:Yt&&f(v.anisotropyMap.channel),clearcoatMapUv:D&&f(v.clearcoatMap.channel),clearcoatNormalMapUv:w&&f(v.clearcoatNormalMap.channel),clearcoatRoughnessMapUv:Y&&f(v.clearcoatRoughnessMap.channel),diffuseRoughnessMapUv:dt&&f(v.diffuseRoughnessMap.channel),iridescenceMapUv:at&&f(v.iridescenceMap.channel),iridescenceThicknessMapUv:xt&&f(v.iridescenceThicknessMap.channel),sheenColorMapUv:vt&&f(v.sheenColorMap.channel),sheenRoughnessMapUv:nt&&f(v.sheenRoughnessMap.channel),specularMapUv:st&&f(v.specularMap.channel),specularColorMapUv:pt&&f(v.specularColorMap.channel),specularIntensityMapUv:z&&f(v.specularIntensityMap.channel),transmissionMapUv:rt&&f(v.transmissionMap.channel),thicknessMapUv:it&&f(v.thicknessMap.channel),alphaMapUv:_t&&f(v.alphaMap.channel),vertexTangents:!!L.attributes.tangent&&(Be||vn),vertexNormals:!!L.attributes.normal,vertexColors:v.vertexColors,vertexAlphas:v.vertexColors===!0&&!!L.attributes.color&&L.attributes.color.itemSize===4,pointsUvs:I.isPoints===!0&&!!L.attributes.uv&&(Vt||_t),fog:!!F,useFog:v.fog===!0,fogExp2:!!F&&F.isFogExp2,flatShading:v.wireframe===!1&&(v.flatShading===!0||L.attributes.normal===void 0&&Be===!1&&(v.isMeshLambertMaterial||v.isMeshPhongMaterial||v.isMeshStandardMaterial||v.isMeshPhysicalMaterial)),sizeAttenuation:v.sizeAttenuation===!0,logarithmicDepthBuffer:u,reversedDepthBuffer:wt,skinning:I.isSkinnedMesh===!0,hasPositionAttribute:L.attributes.position!==void 0,morphTargets:L.morphAttributes.position!==void 0,morphNormals:L.morphAttributes.normal!==void 0,morphColors:L.morphAttributes.color!==void 0,morphTargetsCount:et,morphTextureStride:ht,numSunLights:M.sun.length,numDirLights:M.directional.length,numPointLights:M.point.length,numSpotLights:M.spot.length,numSpotLightMaps:M.spotLightMap.length,numRectAreaLights:M.rectArea.length,numHemiLights:M.hemi.length,numSunLightShadows:M.sunShadowMap.length,numDirLightShadows:M.directionalShadowMap.length,numPointLightShadows:M.pointShadowMap.length,numSpotLightShadows:M.spotShadowMap.length,numSpotLightShadowsWithMaps:M.numSpotLightShadowsWithMaps,numLightProbes:M.numLightProbes,numLightProbeGrids:U.filter(Rt=>Rt.texture!==null).length,numClippingPlanes:r.numPlanes,numClipIntersection:r.numIntersection,dithering:v.dithering,shadowMapEnabled:n.shadowMap.enabled&&O.length>0,shadowMapType:n.shadowMap.type,toneMapping:ct,decodeVideoTexture:Vt&&v.map.isVideoTexture===!0&&ye.getTransfer(v.map.colorSpace)===Pe,decodeVideoTextureEmissive:Se&&v.emissiveMap.isVideoTexture===!0&&ye.getTransfer(v.emissiveMap.colorSpace)===Pe,premultipliedAlpha:v.premultipliedAlpha,doubleSided:v.side===Ye,flipSided:v.side===ri,useDepthPacking:v.depthPacking>=0,depthPacking:v.depthPacking||0,index0AttributeName:v.index0AttributeName,extensionClipCullDistance:Kt&&v.extensions.clipCullDistance===!0&&e.has("WEBGL_clip_cull_distance"),extensionMultiDraw:(Kt&&v.extensions.multiDraw===!0||ae)&&e.has("WEBGL_multi_draw"),rendererExtensionParallelShaderCompile:e.has("KHR_parallel_shader_compile"),customProgramCacheKey:v.customProgramCacheKey()};return Qt.vertexUv1s=l.has(1),Qt.vertexUv2s=l.has(2),Qt.vertexUv3s=l.has(3),l.clear(),Qt}function _(v){let M=[];if(v.shaderID?M.push(v.shaderID):(M.push(v.customVertexShaderID),M.push(v.customFragmentShaderID)),v.defines!==void 0)for(let O in v.defines)M.push(O),M.push(v.defines[O]);return v.isRawShaderMaterial===!1&&(g(M,v),m(M,v),M.push(n.outputColorSpace)),M.push(v.customProgramCacheKey),M.join()}function g(v,M){v.push(M.precision),v.push(M.outputColorSpace),v.push(M.envMapMode),v.push(M.envMapPMREM),v.push(M.envMapMaxLod),v.push(M.envMapSize),v.push(M.mapUv),v.push(M.alphaMapUv),v.push(M.lightMapUv),v.push(M.aoMapUv),v.push(M.bumpMapUv),v.push(M.normalMapUv),v.push(M.displacementMapUv),v.push(M.emissiveMapUv),v.push(M.metalnessMapUv),v.push(M.roughnessMapUv),v.push(M.anisotropyMapUv),v.push(M.clearcoatMapUv),v.push(M.clearcoatNormalMapUv),v.push(M.clearcoatRoughnessMapUv),v.push(M.diffuseRoughnessMapUv),v.push(M.iridescenceMapUv),v.push(M.iridescenceThicknessMapUv),v.push(M.sheenColorMapUv),v.push(M.sheenRoughnessMapUv),v.push(M.specularMapUv),v.push(M.specularColorMapUv),v.push(M.specularIntensityMapUv),v.push(M.transmissionMapUv),v.push(M.thicknessMapUv),v.push(M.combine),v.push(M.fogExp2),v.push(M.sizeAttenuation),v.push(M.morphTargetsCount),v.push(M.numSunLights),v.push(M.numDirLights),v.push(M.numPointLights),v.push(M.numSpotLights),v.push(M.numSpotLightMaps),v.push(M.numHemiLights),v.push(M.numRectAreaLights),v.push(M.numSunLightShadows),v.push(M.numDirLightShadows),v.push(M.numPointLightShadows),v.push(M.numSpotLightShadows),v.push(M.numSpotLightShadowsWithMaps),v.push(M.numLightProbes),v.push(M.numLightProbeGrids),v.push(M.shadowMapType),v.push(M.toneMapping),v.push(M.numClippingPlanes),v.push(M.numClipIntersection),v.push(M.depthPacking)}function m(v,M){o.disableAll(),M.instancing&&o.enable(0),M.instancingColor&&o.enable(1),M.instancingMorph&&o.enable(2),M.matcap&&o.enable(3),M.envMap&&o.enable(4),M.normalMapObjectSpace&&o.enable(5),M.normalMapTangentSpace&&o.enable(6),M.clearcoat&&o.enable(7),M.iridescence&&o.enable(8),M.alphaTest&&o.enable(9),M.vertexColors&&o.enable(10),M.vertexAlphas&&o.enable(11),M.vertexUv1s&&o.enable(12),M.vertexUv2s&&o.enable(13),M.vertexUv3s&&o.enable(14),M.vertexTangents&&o.enable(15),M.anisotropy&&o.enable(16),M.alphaHash&&o.enable(17),M.batching&&o.enable(18),M.dispersion&&o.enable(19),M.retroreflection&&o.enable(24),M.diffuseRoughness&&o.enable(25),M.batchingColor&&o.enable(20),M.gradientMap&&o.enable(21),M.packedNormalMap&&o.enable(22),M.vertexNormals&&o.enable(23),v.push(o.mask),o.disableAll(),M.fog&&o.enable(0),M.useFog&&o.enable(1),M.flatShading&&o.enable(2),M.logarithmicDepthBuffer&&o.enable(3),M.reversedDepthBuffer&&o.enable(4),M.skinning&&o.enable(5),M.morphTargets&&o.enable(6),M.morphNormals&&o.enable(7),M.morphColors&&o.enable(8),M.premultipliedAlpha&&o.enable(9),M.shadowMapEnabled&&o.enable(10),M.doubleSided&&o.enable(11),M.flipSided&&o.enable(12),M.useDepthPacking&&o.enable(13),M.dithering&&o.enable(14),M.transmission&&o.enable(15),M.sheen&&o.enable(16),M.opaque&&o.enable(17),M.pointsUvs&&o.enable(18),M.decodeVideoTexture&&o.enable(19),M.decodeVideoTextureEmissive&&o.enable(20),M.alphaToCoverage&&o.enable(21),M.numLightProbeGrids>0&&o.enable(22),M.hasPositionAttribute&&o.enable(23),v.push(o.mask)}function x(v){let M=h[v.type],O;if(M){let R=oi[M];O=ml.clone(R.uniforms)}else O=v.uniforms;return O}function b(v,M){let O=d.get(M);return O!==void 0?++O.usedTimes:(O=new PE(n,M,v,s),c.push(O),d.set(M,O)),O}function y(v){if(--v.usedTimes===0){let M=c.indexOf(v);c[M]=c[c.length-1],c.pop(),d.delete(v.cacheKey),v.destroy()}}function C(v){a.remove(v)}function E(){a.dispose()}return{getParameters:p,getProgramCacheKey:_,getUniforms:x,acquireProgram:b,releaseProgram:y,releaseShaderCache:C,programs:c,dispose:E}}function NE(){let n=new WeakMap;function t(o){return n.has(o)}function e(o){let a=n.get(o);return a===void 0&&(a={},n.set(o,a)),a}function i(o){n.delete(o)}function s(o,a,l){n.get(o)[a]=l}function r(){n=new WeakMap}return{has:t,get:e,remove:i,update:s,dispose:r}}function OE(n,t){return n.groupOrder!==t.groupOrder?n.groupOrder-t.groupOrder:n.renderOrder!==t.renderOrder?n.renderOrder-t.renderOrder:n.material.id!==t.material.id?n.material.id-t.material.id:n.materialVariant!==t.materialVariant?n.materialVariant-t.materialVariant:n.z!==t.z?n.z-t.z:n.id-t.id}function c0(n,t){return n.groupOrder!==t.groupOrder?n.groupOrder-t.groupOrder:n.renderOrder!==t.renderOrder?n.renderOrder-t.renderOrder:n.z!==t.z?t.z-n.z:n.id-t.id}function h0(){let n=[],t=0,e=[],i=[],s=[];function r(){t=0,e.length=0,i.length=0,s.length=0}function o(h){let f=0;return h.isInstancedMesh&&(f+=2),h.isSkinnedMesh&&(f+=1),f}function a(h,f,p,_,g,m){let x=n[t];return x===void 0?(x={id:h.id,object:h,geometry:f,material:p,materialVariant:o(h),groupOrder:_,renderOrder:h.renderOrder,z:g,group:m},n[t]=x):(x.id=h.id,x.object=h,x.geometry=f,x.material=p,x.materialVariant=o(h),x.groupOrder=_,x.renderOrder=h.renderOrder,x.z=g,x.group=m),t++,x}function l(h,f,p,_,g,m,x){x.reversedDepth===!0&&(g=-g);let b=a(h,f,p,_,g,m);p.transmission>0?i.push(b):p.transparent===!0?s.push(b):e.push(b)}function c(h,f,p,_,g,m){let x=a(h,f,p,_,g,m);p.transmission>0?i.unshift(x):p.transparent===!0?s.unshift(x):e.unshift(x)}function d(h,f){e.length>1&&e.sort(h||OE),i.length>1&&i.sort(f||c0),s.length>1&&s.sort(f||c0)}function u(){for(let h=t,f=n.length;h<f;h++){let p=n[h];if(p.id===null)break;p.id=null,p.object=null,p.geometry=null,p.material=null,p.group=null}}return{opaque:e,transmissive:i,transparent:s,init:r,push:l,unshift:c,finish:u,sort:d}}function UE(){let n=new WeakMap;function t(i,s){let r=n.get(i),o;return r===void 0?(o=new h0,n.set(i,[o])):s>=r.length?(o=new h0,r.push(o)):o=r[s],o}function e(){n=new WeakMap}return{get:t,dispose:e}}function FE(){let n={};return{get:function(t){if(n[t.id]!==void 0)return n[t.id];let e;switch(t.type){case"SunLight":case"DirectionalLight":e={direction:new P,color:new Jt};break;case"SpotLight":e={position:new P,direction:new P,color:new Jt,distance:0,coneCos:0,penumbraCos:0,decay:0};break;case"PointLight":e={position:new P,color:new Jt,distance:0,decay:0};break;case"HemisphereLight":e={direction:new P,skyColor:new Jt,groundColor:new Jt};break;case"RectAreaLight":e={color:new Jt,position:new P,halfWidth:new P,halfHeight:new P};break}return n[t.id]=e,e}}}function BE(){let n={};return{get:function(t){if(n[t.id]!==void 0)return n[t.id];let e;switch(t.type){case"SunLight":case"DirectionalLight":e={shadowIntensity:1,shadowBias:0,shadowNormalBias:0,shadowRadius:1,shadowMapSize:new $t};break;case"SpotLight":e={shadowIntensity:1,shadowBias:0,shadowNormalBias:0,shadowRadius:1,shadowMapSize:new $t};break;case"PointLight":e={shadowIntensity:1,shadowBias:0,shadowNormalBias:0,shadowRadius:1,shadowMapSize:new $t,shadowCameraNear:1,shadowCameraFar:1e3};break}return n[t.id]=e,e}}}var kE=0;function zE(n,t){return(t.castShadow?2:0)-(n.castShadow?2:0)+(t.map?1:0)-(n.map?1:0)}function GE(n){let t=new FE,e=BE(),i={version:0,hash:{sunLength:-1,directionalLength:-1,pointLength:-1,spotLength:-1,rectAreaLength:-1,hemiLength:-1,numSunShadows:-1,numDirectionalShadows:-1,numPointShadows:-1,numSpotShadows:-1,numSpotMaps:-1,numLightProbes:-1},ambient:[0,0,0],probe:[],sun:[],sunShadow:[],sunShadowMap:[],sunShadowMatrix:[],sunShadowCascade:[],directional:[],directionalShadow:[],directionalShadowMap:[],directionalShadowMatrix:[],spot:[],spotLightMap:[],spotShadow:[],spotShadowMap:[],spotLightMatrix:[],rectArea:[],rectAreaLTC1:null,rectAreaLTC2:null,point:[],pointShadow:[],pointShadowMap:[],pointShadowMatrix:[],hemi:[],numSpotLightShadowsWithMaps:0,numLightProbes:0};for(let c=0;c<9;c++)i.probe.push(new P);let s=new P,r=new ne,o=new ne;function a(c){let d=0,u=0,h=0;for(let U=0;U<9;U++)i.probe[U].set(0,0,0);let f=0,p=0,_=0,g=0,m=0,x=0,b=0,y=0,C=0,E=0,v=0,M=0,O=0,R=0;c.sort(zE);for(let U=0,F=c.length;U<F;U++){let L=c[U],k=L.color,X=L.intensity,V=L.distance,ot=null;if(L.shadow&&L.shadow.map&&(L.shadow.map.texture.format===fr?ot=L.shadow.map.texture:ot=L.shadow.map.depthTexture||L.shadow.map.texture),L.isAmbientLight)d+=k.r*X,u+=k.g*X,h+=k.b*X;else if(L.isLightProbe){for(let $=0;$<9;$++)i.probe[$].addScaledVector(L.sh.coefficients[$],X);R++}else if(L.isSunLight){let $=t.get(L);if($.color.copy(L.color).multiplyScalar(L.intensity),L.castShadow){let K=L.shadow,et=e.get(L);et.shadowIntensity=K.intensity,et.shadowBias=K.bias,et.shadowNormalBias=K.normalBias,et.shadowRadius=K.radius,et.shadowMapSize.copy(K.mapSize).multiply(K.getFrameExtents()),i.sunShadow[p]=et,i.sunShadowMap[p]=ot;let ht=K.getViewportCount();for(let ut=0;ut<ht;ut++)i.sunShadowMatrix[_+ut]=K.getMatrix(ut),i.sunShadowCascade[_+ut]=K._cascadeData[ut];_+=ht,p++}i.sun[f]=$,f++}else if(L.isDirectionalLight){let $=t.get(L);if($.color.copy(L.color).multiplyScalar(L.intensity),L.castShadow){let K=L.shadow,et=e.get(L);et.shadowIntensity=K.intensity,et.shadowBias=K.bias,et.shadowNormalBias=K.normalBias,et.shadowRadius=K.radius,et.shadowMapSize=K.mapSize,i.directionalShadow[g]=et,i.directionalShadowMap[g]=ot,i.directionalShadowMatrix[g]=L.shadow.matrix,C++}i.directional[g]=$,g++}else if(L.isSpotLight){let $=t.get(L);$.position.setFromMatrixPosition(L.matrixWorld),$.color.copy(k).multiplyScalar(X),$.distance=V,$.coneCos=Math.cos(L.angle),$.penumbraCos=Math.cos(L.angle*(1-L.penumbra)),$.decay=L.decay,i.spot[x]=$;let K=L.shadow;if(L.map&&(i.spotLightMap[M]=L.map,M++,K.updateMatrices(L),L.castShadow&&O++),i.spotLightMatrix[x]=K.matrix,L.castShadow){let et=e.get(L);et.shadowIntensity=K.intensity,et.shadowBias=K.bias,et.shadowNormalBias=K.normalBias,et.shadowRadius=K.radius,et.shadowMapSize=K.mapSize,i.spotShadow[x]=et,i.spotShadowMap[x]=ot,v++}x++}else if(L.isRectAreaLight){let $=t.get(L);$.color.copy(k).multiplyScalar(X),$.halfWidth.set(L.width*.5,0,0),$.halfHeight.set(0,L.height*.5,0),i.rectArea[b]=$,b++}else if(L.isPointLight){let $=t.get(L);if($.color.copy(L.color).multiplyScalar(L.intensity),$.distance=L.distance,$.decay=L.decay,L.castShadow){let K=L.shadow,et=e.get(L);et.shadowIntensity=K.intensity,et.shadowBias=K.bias,et.shadowNormalBias=K.normalBias,et.shadowRadius=K.radius,et.shadowMapSize=K.mapSize,et.shadowCameraNear=K.camera.near,et.shadowCameraFar=K.camera.far,i.pointShadow[m]=et,i.pointShadowMap[m]=ot,i.pointShadowMatrix[m]=L.shadow.matrix,E++}i.point[m]=$,m++}else if(L.isHemisphereLight){let $=t.get(L);$.skyColor.copy(L.color).multiplyScalar(X),$.groundColor.copy(L.groundColor).multiplyScalar(X),i.hemi[y]=$,y++}}b>0&&(n.has("OES_texture_float_linear")===!0?(i.rectAreaLTC1=It.LTC_FLOAT_1,i.rectAreaLTC2=It.LTC_FLOAT_2):(i.rectAreaLTC1=It.LTC_HALF_1,i.rectAreaLTC2=It.LTC_HALF_2)),i.ambient[0]=d,i.ambient[1]=u,i.ambient[2]=h;let I=i.hash;(I.sunLength!==f||I.directionalLength!==g||I.pointLength!==m||I.spotLength!==x||I.rectAreaLength!==b||I.hemiLength!==y||I.numSunShadows!==p||I.numDirectionalShadows!==C||I.numPointShadows!==E||I.numSpotShadows!==v||I.numSpotMaps!==M||I.numLightProbes!==R)&&(i.sun.length=f,i.directional.length=g,i.spot.length=x,i.rectArea.length=b,i.point.length=m,i.hemi.length=y,i.sunShadow.length=p,i.sunShadowMap.length=p,i.sunShadowMatrix.length=_,i.sunShadowCascade.length=_,i.directionalShadow.length=C,i.directionalShadowMap.length=C,i.directionalShadowMatrix.length=C,i.pointShadow.length=E,i.pointShadowMap.length=E,i.pointShadowMatrix.length=E,i.spotShadow.length=v,i.spotShadowMap.length=v,i.spotLightMatrix.length=v+M-O,i.spotLightMap.length=M,i.numSpotLightShadowsWithMaps=O,i.numLightProbes=R,I.sunLength=f,I.directionalLength=g,I.pointLength=m,I.spotLength=x,I.rectAreaLength=b,I.hemiLength=y,I.numSunShadows=p,I.numDirectionalShadows=C,I.numPointShadows=E,I.numSpotShadows=v,I.numSpotMaps=M,I.numLightProbes=R,i.version=kE++)}function l(c,d){let u=0,h=0,f=0,p=0,_=0,g=0,m=d.matrixWorldInverse;for(let x=0,b=c.length;x<b;x++){let y=c[x];if(y.isSunLight){let C=i.sun[u];C.direction.setFromMatrixPosition(y.matrixWorld),C.direction.transformDirection(m),u++}else if(y.isDirectionalLight){let C=i.directional[h];C.direction.setFromMatrixPosition(y.matrixWorld),s.setFromMatrixPosition(y.target.matrixWorld),C.direction.sub(s),C.direction.transformDirection(m),h++}else if(y.isSpotLight){let C=i.spot[p];C.position.setFromMatrixPosition(y.matrixWorld),C.position.applyMatrix4(m),C.direction.setFromMatrixPosition(y.matrixWorld),s.setFromMatrixPosition(y.target.matrixWorld),C.direction.sub(s),C.direction.transformDirection(m),p++}else if(y.isRectAreaLight){let C=i.rectArea[_];C.position.setFromMatrixPosition(y.matrixWorld),C.position.applyMatrix4(m),o.identity(),r.copy(y.matrixWorld),r.premultiply(m),o.extractRotation(r),C.halfWidth.set(y.width*.5,0,0),C.halfHeight.set(0,y.height*.5,0),C.halfWidth.applyMatrix4(o),C.halfHeight.applyMatrix4(o),_++}else if(y.isPointLight){let C=i.point[f];C.position.setFromMatrixPosition(y.matrixWorld),C.position.applyMatrix4(m),f++}else if(y.isHemisphereLight){let C=i.hemi[g];C.direction.setFromMatrixPosition(y.matrixWorld),C.direction.transformDirection(m),g++}}}return{setup:a,setupView:l,state:i}}function u0(n){let t=new GE(n),e=[],i=[],s=[];function r(u){d.camera=u,e.length=0,i.length=0,s.length=0}function o(u){u.isLightProbeGrid?s.push(u):e.push(u)}function a(u){i.push(u)}function l(){t.setup(e),s.sort((u,h)=>u.priority-h.priority||u.id-h.id)}function c(u){t.setupView(e,u)}let d={lightsArray:e,shadowsArray:i,lightProbeGridArray:s,camera:null,lights:t,transmissionRenderTarget:{},textureUnits:0};return{init:r,state:d,setupLights:l,setupLightsView:c,pushLight:o,pushShadow:a}}function VE(n){let t=new WeakMap;function e(s,r=0){let o=t.get(s),a;return o===void 0?(a=new u0(n),t.set(s,[a])):r>=o.length?(a=new u0(n),o.push(a)):a=o[r],a}function i(){t=new WeakMap}return{get:e,dispose:i}}var HE=`void main() {
+	gl_Position = vec4( position, 1.0 );
+}`,WE=`uniform sampler2D shadow_pass;
+uniform vec2 resolution;
+uniform float radius;
+void main() {
+	const float samples = float( VSM_SAMPLES );
+	float mean = 0.0;
+	float squared_mean = 0.0;
+	float uvStride = samples <= 1.0 ? 0.0 : 2.0 / ( samples - 1.0 );
+	float uvStart = samples <= 1.0 ? 0.0 : - 1.0;
+	for ( float i = 0.0; i < samples; i ++ ) {
+		float uvOffset = uvStart + i * uvStride;
+		#ifdef HORIZONTAL_PASS
+			vec2 distribution = texture2D( shadow_pass, ( gl_FragCoord.xy + vec2( uvOffset, 0.0 ) * radius ) / resolution ).rg;
+			mean += distribution.x;
+			squared_mean += distribution.y * distribution.y + distribution.x * distribution.x;
+		#else
+			float depth = texture2D( shadow_pass, ( gl_FragCoord.xy + vec2( 0.0, uvOffset ) * radius ) / resolution ).r;
+			mean += depth;
+			squared_mean += depth * depth;
+		#endif
+	}
+	mean = mean / samples;
+	squared_mean = squared_mean / samples;
+	float std_dev = sqrt( max( 0.0, squared_mean - mean * mean ) );
+	gl_FragColor = vec4( mean, std_dev, 0.0, 1.0 );
+}`,XE=[new P(1,0,0),new P(-1,0,0),new P(0,1,0),new P(0,-1,0),new P(0,0,1),new P(0,0,-1)],$E=[new P(0,-1,0),new P(0,-1,0),new P(0,0,1),new P(0,0,-1),new P(0,-1,0),new P(0,-1,0)],d0=new ne,gl=new P,_f=new P;function YE(n,t,e){let i=new sr,s=new $t,r=new $t,o=new Le,a=new kc,l=new zc,c={},d=e.maxTextureSize,u={[dr]:ri,[ri]:dr,[Ye]:Ye},h=new ki({defines:{VSM_SAMPLES:8},uniforms:{shadow_pass:{value:null},resolution:{value:new $t},radius:{value:4}},vertexShader:HE,fragmentShader:WE}),f=h.clone();f.defines.HORIZONTAL_PASS=1;let p=new we;p.setAttribute("position",new cn(new Float32Array([-1,-1,.5,3,-1,.5,-1,3,.5]),3));let _=new mt(p,h),g=this;this.enabled=!1,this.autoUpdate=!0,this.needsUpdate=!1,this.type=zs;let m=this.type;this.render=function(E,v,M){if(g.enabled===!1||g.autoUpdate===!1&&g.needsUpdate===!1||E.length===0)return;this.type===cg&&(qt("WebGLShadowMap: PCFSoftShadowMap has been removed. Using PCFShadowMap instead."),this.type=zs);let O=n.getRenderTarget(),R=n.getActiveCubeFace(),I=n.getActiveMipmapLevel(),U=n.state;U.setBlending(Hr),U.buffers.depth.getReversed()===!0?U.buffers.color.setClear(0,0,0,0):U.buffers.color.setClear(1,1,1,1),U.buffers.depth.setTest(!0),U.setScissorTest(!1);let F=m!==this.type;F&&v.traverse(function(L){L.material&&(Array.isArray(L.material)?L.material.forEach(k=>k.needsUpdate=!0):L.material.needsUpdate=!0)});for(let L=0,k=E.length;L<k;L++){let X=E[L],V=X.shadow;if(V===void 0){qt("WebGLShadowMap:",X,"has no shadow.");continue}if(V.autoUpdate===!1&&V.needsUpdate===!1)continue;s.copy(V.mapSize);let ot=V.getFrameExtents();s.multiply(ot),r.copy(V.mapSize),(s.x>d||s.y>d)&&(s.x>d&&(r.x=Math.floor(d/ot.x),s.x=r.x*ot.x,V.mapSize.x=r.x),s.y>d&&(r.y=Math.floor(d/ot.y),s.y=r.y*ot.y,V.mapSize.y=r.y));let $=n.state.buffers.depth.getReversed();if(V.camera._reversedDepth=$,V.map===null||F===!0){if(V.map!==null&&(V.map.depthTexture!==null&&(V.map.depthTexture.dispose(),V.map.depthTexture=null),V.map.dispose()),this.type===Zo){if(X.isPointLight){qt("WebGLShadowMap: VSM shadow maps are not supported for PointLights. Use PCF or BasicShadowMap instead.");continue}V.map=new Si(s.x,s.y,{format:fr,type:Ji,minFilter:si,magFilter:si,generateMipmaps:!1}),V.map.texture.name=X.name+".shadowMap",V.map.depthTexture=new ks(s.x,s.y,zi),V.map.depthTexture.name=X.name+".shadowMapDepth",V.map.depthTexture.format=Fs,V.map.depthTexture.compareFunction=null,V.map.depthTexture.minFilter=Gn,V.map.depthTexture.magFilter=Gn}else X.isPointLight?(V.map=new xl(s.x),V.map.depthTexture=new ja(s.x,ji)):(V.map=new Si(s.x,s.y),V.map.depthTexture=new ks(s.x,s.y,ji)),V.map.depthTexture.name=X.name+".shadowMap",V.map.depthTexture.format=Fs,this.type===zs?(V.map.depthTexture.compareFunction=$?Jd:jd,V.map.depthTexture.minFilter=si,V.map.depthTexture.magFilter=si):(V.map.depthTexture.compareFunction=null,V.map.depthTexture.minFilter=Gn,V.map.depthTexture.magFilter=Gn);V.camera.updateProjectionMatrix()}V.map.isWebGLCubeRenderTarget!==!0&&(V.map.width!==s.x||V.map.height!==s.y)&&V.map.setSize(s.x,s.y);let K=V.map.isWebGLCubeRenderTarget?6:V.getViewportCount();X.isPointLight!==!0&&V.updateMatrices(X,M);let et=(V.camera.layers.mask&4294967294)!==0?V.camera.layers:M.layers;for(let ht=0;ht<K;ht++){let ut=V.getCamera(ht);if(X.isPointLight){let Q=V.camera,gt=V.matrix,yt=X.distance||Q.far;yt!==Q.far&&(Q.far=yt,Q.updateProjectionMatrix()),gl.setFromMatrixPosition(X.matrixWorld),Q.position.copy(gl),_f.copy(Q.position),_f.add(XE[ht]),Q.up.copy($E[ht]),Q.lookAt(_f),Q.updateMatrixWorld(),gt.makeTranslation(-gl.x,-gl.y,-gl.z),d0.multiplyMatrices(Q.projectionMatrix,Q.matrixWorldInverse),V._frustum.setFromProjectionMatrix(d0,Q.coordinateSystem,Q.reversedDepth)}if(V.map.isWebGLCubeRenderTarget)n.setRenderTarget(V.map,ht),n.clear();else{ht===0&&(n.setRenderTarget(V.map),n.clear());let Q=V.getViewport(ht);o.set(r.x*Q.x,r.y*Q.y,r.x*Q.z,r.y*Q.w),U.viewport(o)}i=V.getFrustum(ht),y(v,M,ut,X,et,this.type)}V.isPointLightShadow!==!0&&this.type===Zo&&x(V,M),V.needsUpdate=!1}m=this.type,g.needsUpdate=!1,n.setRenderTarget(O,R,I)};function x(E,v){let M=t.update(_);h.defines.VSM_SAMPLES!==E.blurSamples&&(h.defines.VSM_SAMPLES=E.blurSamples,f.defines.VSM_SAMPLES=E.blurSamples,h.needsUpdate=!0,f.needsUpdate=!0),E.mapPass===null?E.mapPass=new Si(s.x,s.y,{format:fr,type:Ji}):(E.mapPass.width!==E.map.width||E.mapPass.height!==E.map.height)&&E.mapPass.setSize(E.map.width,E.map.height),h.uniforms.shadow_pass.value=E.map.depthTexture,h.uniforms.resolution.value.set(E.map.width,E.map.height),h.uniforms.radius.value=E.radius,n.setRenderTarget(E.mapPass),n.clear(),n.renderBufferDirect(v,null,M,h,_,null),f.uniforms.shadow_pass.value=E.mapPass.texture,f.uniforms.resolution.value.set(E.map.width,E.map.height),f.uniforms.radius.value=E.radius,n.setRenderTarget(E.map),n.clear(),n.renderBufferDirect(v,null,M,f,_,null)}function b(E,v,M,O){let R=null,I=M.isPointLight===!0?E.customDistanceMaterial:E.customDepthMaterial;if(I!==void 0)R=I;else if(R=M.isPointLight===!0?l:a,n.localClippingEnabled&&v.clipShadows===!0&&Array.isArray(v.clippingPlanes)&&v.clippingPlanes.length!==0||v.displacementMap&&v.displacementScale!==0||v.alphaMap&&v.alphaTest>0||v.map&&v.alphaTest>0||v.alphaToCoverage===!0){let U=R.uuid,F=v.uuid,L=c[U];L===void 0&&(L={},c[U]=L);let k=L[F];k===void 0&&(k=R.clone(),L[F]=k,v.addEventListener("dispose",C)),R=k}if(R.visible=v.visible,R.wireframe=v.wireframe,O===Zo?R.side=v.shadowSide!==null?v.shadowSide:v.side:R.side=v.shadowSide!==null?v.shadowSide:u[v.side],R.alphaMap=v.alphaMap,R.alphaTest=v.alphaToCoverage===!0?.5:v.alphaTest,R.map=v.map,R.clipShadows=v.clipShadows,R.clippingPlanes=v.clippingPlanes,R.clipIntersection=v.clipIntersection,R.displacementMap=v.displacementMap,R.displacementScale=v.displacementScale,R.displacementBias=v.displacementBias,R.wireframeLinewidth=v.wireframeLinewidth,R.linewidth=v.linewidth,M.isPointLight===!0&&R.isMeshDistanceMaterial===!0){let U=n.properties.get(R);U.light=M}return R}function y(E,v,M,O,R,I){if(E.visible===!1)return;if(E.layers.test(R)&&(E.isMesh||E.isLine||E.isPoints)&&(E.castShadow||E.receiveShadow&&I===Zo)&&(!E.frustumCulled||E.intersectsFrustum(i))){E.modelViewMatrix.multiplyMatrices(M.matrixWorldInverse,E.matrixWorld);let L=t.update(E),k=E.material;if(Array.isArray(k)){let X=L.groups;for(let V=0,ot=X.length;V<ot;V++){let $=X[V],K=k[$.materialIndex];if(K&&K.visible){let et=b(E,K,O,I);E.onBeforeShadow(n,E,v,M,L,et,$),n.renderBufferDirect(M,null,L,et,E,$),E.onAfterShadow(n,E,v,M,L,et,$)}}}else if(k.visible){let X=b(E,k,O,I);E.onBeforeShadow(n,E,v,M,L,X,null),n.renderBufferDirect(M,null,L,X,E,null),E.onAfterShadow(n,E,v,M,L,X,null)}}let F=E.children;for(let L=0,k=F.length;L<k;L++)y(F[L],v,M,O,R,I)}function C(E){E.target.removeEventListener("dispose",C);for(let M in c){let O=c[M],R=E.target.uuid;R in O&&(O[R].dispose(),delete O[R])}}}function qE(n,t){function e(){let z=!1,rt=new Le,it=null,Et=new Le(0,0,0,0);return{setMask:function(_t){it!==_t&&!z&&(n.colorMask(_t,_t,_t,_t),it=_t)},setLocked:function(_t){z=_t},setClear:function(_t,bt,Ht,Kt,ct){ct===!0&&(_t*=Kt,bt*=Kt,Ht*=Kt),rt.set(_t,bt,Ht,Kt),Et.equals(rt)===!1&&(n.clearColor(_t,bt,Ht,Kt),Et.copy(rt))},reset:function(){z=!1,it=null,Et.set(-1,0,0,0)}}}function i(){let z=!1,rt=!1,it=null,Et=null,_t=null;return{setReversed:function(bt){if(rt!==bt){let Ht=t.get("EXT_clip_control");bt?Ht.clipControlEXT(Ht.LOWER_LEFT_EXT,Ht.ZERO_TO_ONE_EXT):Ht.clipControlEXT(Ht.LOWER_LEFT_EXT,Ht.NEGATIVE_ONE_TO_ONE_EXT),rt=bt;let Kt=_t;_t=null,this.setClear(Kt)}},getReversed:function(){return rt},setTest:function(bt){bt?wt(n.DEPTH_TEST):Wt(n.DEPTH_TEST)},setMask:function(bt){it!==bt&&!z&&(n.depthMask(bt),it=bt)},setFunc:function(bt){if(rt&&(bt=Vg[bt]),Et!==bt){switch(bt){case Sc:n.depthFunc(n.NEVER);break;case bc:n.depthFunc(n.ALWAYS);break;case wc:n.depthFunc(n.LESS);break;case Bo:n.depthFunc(n.LEQUAL);break;case Mc:n.depthFunc(n.EQUAL);break;case Ec:n.depthFunc(n.GEQUAL);break;case Ac:n.depthFunc(n.GREATER);break;case Tc:n.depthFunc(n.NOTEQUAL);break;default:n.depthFunc(n.LEQUAL)}Et=bt}},setLocked:function(bt){z=bt},setClear:function(bt){_t!==bt&&(_t=bt,rt&&(bt=1-bt),n.clearDepth(bt))},reset:function(){z=!1,it=null,Et=null,_t=null,rt=!1}}}function s(){let z=!1,rt=null,it=null,Et=null,_t=null,bt=null,Ht=null,Kt=null,ct=null;return{setTest:function(Bt){z||(Bt?wt(n.STENCIL_TEST):Wt(n.STENCIL_TEST))},setMask:function(Bt){rt!==Bt&&!z&&(n.stencilMask(Bt),rt=Bt)},setFunc:function(Bt,Qt,Rt){(it!==Bt||Et!==Qt||_t!==Rt)&&(n.stencilFunc(Bt,Qt,Rt),it=Bt,Et=Qt,_t=Rt)},setOp:function(Bt,Qt,Rt){(bt!==Bt||Ht!==Qt||Kt!==Rt)&&(n.stencilOp(Bt,Qt,Rt),bt=Bt,Ht=Qt,Kt=Rt)},setLocked:function(Bt){z=Bt},setClear:function(Bt){ct!==Bt&&(n.clearStencil(Bt),ct=Bt)},reset:function(){z=!1,rt=null,it=null,Et=null,_t=null,bt=null,Ht=null,Kt=null,ct=null}}}let r=new e,o=new i,a=new s,l={},c=new WeakMap,d={},u={},h={},f=new WeakMap,p=[],_=null,g=!1,m=null,x=null,b=null,y=null,C=null,E=null,v=null,M=new Jt(0,0,0),O=0,R=!1,I=null,U=null,F=null,L=null,k=null,X=n.getParameter(n.MAX_COMBINED_TEXTURE_IMAGE_UNITS),V=!1,ot=0,$=n.getParameter(n.VERSION);$.indexOf("WebGL")!==-1?(ot=parseFloat(/^WebGL (\d)/.exec($)[1]),V=ot>=1):$.indexOf("OpenGL ES")!==-1&&(ot=parseFloat(/^OpenGL ES (\d)/.exec($)[1]),V=ot>=2);let K=null,et={},ht=n.getParameter(n.SCISSOR_BOX),ut=n.getParameter(n.VIEWPORT),Q=new Le().fromArray(ht),gt=new Le().fromArray(ut);function yt(z,rt,it,Et){let _t=new Uint8Array(4),bt=n.createTexture();n.bindTexture(z,bt),n.texParameteri(z,n.TEXTURE_MIN_FILTER,n.NEAREST),n.texParameteri(z,n.TEXTURE_MAG_FILTER,n.NEAREST);for(let Ht=0;Ht<it;Ht++)z===n.TEXTURE_3D||z===n.TEXTURE_2D_ARRAY?n.texImage3D(rt,0,n.RGBA,1,1,Et,0,n.RGBA,n.UNSIGNED_BYTE,_t):n.texImage2D(rt+Ht,0,n.RGBA,1,1,0,n.RGBA,n.UNSIGNED_BYTE,_t);return bt}let Ct={};Ct[n.TEXTURE_2D]=yt(n.TEXTURE_2D,n.TEXTURE_2D,1),Ct[n.TEXTURE_CUBE_MAP]=yt(n.TEXTURE_CUBE_MAP,n.TEXTURE_CUBE_MAP_POSITIVE_X,6),Ct[n.TEXTURE_2D_ARRAY]=yt(n.TEXTURE_2D_ARRAY,n.TEXTURE_2D_ARRAY,1,1),Ct[n.TEXTURE_3D]=yt(n.TEXTURE_3D,n.TEXTURE_3D,1,1),r.setClear(0,0,0,1),o.setClear(1),a.setClear(0),wt(n.DEPTH_TEST),o.setFunc(Bo),yn(!1),Be(Pd),wt(n.CULL_FACE),en(Hr);function wt(z){d[z]!==!0&&(n.enable(z),d[z]=!0)}function Wt(z){d[z]!==!1&&(n.disable(z),d[z]=!1)}function ae(z,rt){return h[z]!==rt?(n.bindFramebuffer(z,rt),h[z]=rt,z===n.DRAW_FRAMEBUFFER&&(h[n.FRAMEBUFFER]=rt),z===n.FRAMEBUFFER&&(h[n.DRAW_FRAMEBUFFER]=rt),!0):!1}function Vt(z,rt){let it=p,Et=!1;if(z){it=f.get(rt),it===void 0&&(it=[],f.set(rt,it));let _t=z.textures;if(it.length!==_t.length||it[0]!==n.COLOR_ATTACHMENT0){for(let bt=0,Ht=_t.length;bt<Ht;bt++)it[bt]=n.COLOR_ATTACHMENT0+bt;it.length=_t.length,Et=!0}}else it[0]!==n.BACK&&(it[0]=n.BACK,Et=!0);Et&&n.drawBuffers(it)}function pe(z){return _!==z?(n.useProgram(z),_=z,!0):!1}let ue={[Wr]:n.FUNC_ADD,[ug]:n.FUNC_SUBTRACT,[dg]:n.FUNC_REVERSE_SUBTRACT};ue[fg]=n.MIN,ue[pg]=n.MAX;let re={[mg]:n.ZERO,[gg]:n.ONE,[_g]:n.SRC_COLOR,[Nd]:n.SRC_ALPHA,[wg]:n.SRC_ALPHA_SATURATE,[Sg]:n.DST_COLOR,[yg]:n.DST_ALPHA,[xg]:n.ONE_MINUS_SRC_COLOR,[Od]:n.ONE_MINUS_SRC_ALPHA,[bg]:n.ONE_MINUS_DST_COLOR,[vg]:n.ONE_MINUS_DST_ALPHA,[Mg]:n.CONSTANT_COLOR,[Eg]:n.ONE_MINUS_CONSTANT_COLOR,[Ag]:n.CONSTANT_ALPHA,[Tg]:n.ONE_MINUS_CONSTANT_ALPHA};function en(z,rt,it,Et,_t,bt,Ht,Kt,ct,Bt){if(z===Hr){g===!0&&(Wt(n.BLEND),g=!1);return}if(g===!1&&(wt(n.BLEND),g=!0),z!==hg){if(z!==m||Bt!==R){if((x!==Wr||C!==Wr)&&(n.blendEquation(n.FUNC_ADD),x=Wr,C=Wr),Bt)switch(z){case jo:n.blendFuncSeparate(n.ONE,n.ONE_MINUS_SRC_ALPHA,n.ONE,n.ONE_MINUS_SRC_ALPHA);break;case Id:n.blendFunc(n.ONE,n.ONE);break;case Ld:n.blendFuncSeparate(n.ZERO,n.ONE_MINUS_SRC_COLOR,n.ZERO,n.ONE);break;case Dd:n.blendFuncSeparate(n.DST_COLOR,n.ONE_MINUS_SRC_ALPHA,n.ZERO,n.ONE);break;default:te("WebGLState: Invalid blending: ",z);break}else switch(z){case jo:n.blendFuncSeparate(n.SRC_ALPHA,n.ONE_MINUS_SRC_ALPHA,n.ONE,n.ONE_MINUS_SRC_ALPHA);break;case Id:n.blendFuncSeparate(n.SRC_ALPHA,n.ONE,n.ONE,n.ONE);break;case Ld:te("WebGLState: SubtractiveBlending requires material.premultipliedAlpha = true");break;case Dd:te("WebGLState: MultiplyBlending requires material.premultipliedAlpha = true");break;default:te("WebGLState: Invalid blending: ",z);break}b=null,y=null,E=null,v=null,M.set(0,0,0),O=0,m=z,R=Bt}return}_t=_t||rt,bt=bt||it,Ht=Ht||Et,(rt!==x||_t!==C)&&(n.blendEquationSeparate(ue[rt],ue[_t]),x=rt,C=_t),(it!==b||Et!==y||bt!==E||Ht!==v)&&(n.blendFuncSeparate(re[it],re[Et],re[bt],re[Ht]),b=it,y=Et,E=bt,v=Ht),(Kt.equals(M)===!1||ct!==O)&&(n.blendColor(Kt.r,Kt.g,Kt.b,ct),M.copy(Kt),O=ct),m=z,R=!1}function Xe(z,rt){z.side===Ye?Wt(n.CULL_FACE):wt(n.CULL_FACE);let it=z.side===ri;rt&&(it=!it),yn(it),z.blending===jo&&z.transparent===!1?en(Hr):en(z.blending,z.blendEquation,z.blendSrc,z.blendDst,z.blendEquationAlpha,z.blendSrcAlpha,z.blendDstAlpha,z.blendColor,z.blendAlpha,z.premultipliedAlpha),o.setFunc(z.depthFunc),o.setTest(z.depthTest),o.setMask(z.depthWrite),r.setMask(z.colorWrite);let Et=z.stencilWrite;a.setTest(Et),Et&&(a.setMask(z.stencilWriteMask),a.setFunc(z.stencilFunc,z.stencilRef,z.stencilFuncMask),a.setOp(z.stencilFail,z.stencilZFail,z.stencilZPass)),Se(z.polygonOffset,z.polygonOffsetFactor,z.polygonOffsetUnits),z.alphaToCoverage===!0?wt(n.SAMPLE_ALPHA_TO_COVERAGE):Wt(n.SAMPLE_ALPHA_TO_COVERAGE)}function yn(z){I!==z&&(z?n.frontFace(n.CW):n.frontFace(n.CCW),I=z)}function Be(z){z!==ag?(wt(n.CULL_FACE),z!==U&&(z===Pd?n.cullFace(n.BACK):z===lg?n.cullFace(n.FRONT):n.cullFace(n.FRONT_AND_BACK))):Wt(n.CULL_FACE),U=z}function On(z){z!==F&&(V&&n.lineWidth(z),F=z)}function Se(z,rt,it){z?(wt(n.POLYGON_OFFSET_FILL),(L!==rt||k!==it)&&(L=rt,k=it,o.getReversed()&&(rt=-rt,it=-it),n.polygonOffset(rt,it))):Wt(n.POLYGON_OFFSET_FILL)}function Cn(z){z?wt(n.SCISSOR_TEST):Wt(n.SCISSOR_TEST)}function un(z){z===void 0&&(z=n.TEXTURE0+X-1),K!==z&&(n.activeTexture(z),K=z)}function vn(z,rt,it){it===void 0&&(K===null?it=n.TEXTURE0+X-1:it=K);let Et=et[it];Et===void 0&&(Et={type:void 0,texture:void 0},et[it]=Et),(Et.type!==z||Et.texture!==rt)&&(K!==it&&(n.activeTexture(it),K=it),n.bindTexture(z,rt||Ct[z]),Et.type=z,Et.texture=rt)}function G(){let z=et[K];z!==void 0&&z.type!==void 0&&(n.bindTexture(z.type,null),z.type=void 0,z.texture=void 0)}function Pt(){try{n.compressedTexImage2D(...arguments)}catch(z){te("WebGLState:",z)}}function Zt(){try{n.compressedTexImage3D(...arguments)}catch(z){te("WebGLState:",z)}}function le(){try{n.texSubImage2D(...arguments)}catch(z){te("WebGLState:",z)}}function Mt(){try{n.texSubImage3D(...arguments)}catch(z){te("WebGLState:",z)}}function Ge(){try{n.compressedTexSubImage2D(...arguments)}catch(z){te("WebGLState:",z)}}function Gt(){try{n.compressedTexSubImage3D(...arguments)}catch(z){te("WebGLState:",z)}}function Yt(){try{n.texStorage2D(...arguments)}catch(z){te("WebGLState:",z)}}function D(){try{n.texStorage3D(...arguments)}catch(z){te("WebGLState:",z)}}function w(){try{n.texImage2D(...arguments)}catch(z){te("WebGLState:",z)}}function Y(){try{n.texImage3D(...arguments)}catch(z){te("WebGLState:",z)}}function dt(z){return u[z]!==void 0?u[z]:n.getParameter(z)}function at(z,rt){u[z]!==rt&&(n.pixelStorei(z,rt),u[z]=rt)}function xt(z){Q.equals(z)===!1&&(n.scissor(z.x,z.y,z.z,z.w),Q.copy(z))}function vt(z){gt.equals(z)===!1&&(n.viewport(z.x,z.y,z.z,z.w),gt.copy(z))}function nt(z,rt){let it=c.get(rt);it===void 0&&(it=new WeakMap,c.set(rt,it));let Et=it.get(z);Et===void 0&&(Et=n.getUniformBlockIndex(rt,z.name),n.uniformBlockBinding(rt,Et,Et),it.set(z,Et))}function st(z,rt,it){let _t=c.get(rt).get(z);l[_t]!==it&&(n.bindBufferBase(n.UNIFORM_BUFFER,_t,it),l[_t]=it)}function pt(){n.disable(n.BLEND),n.disable(n.CULL_FACE),n.disable(n.DEPTH_TEST),n.disable(n.POLYGON_OFFSET_FILL),n.disable(n.SCISSOR_TEST),n.disable(n.STENCIL_TEST),n.disable(n.SAMPLE_ALPHA_TO_COVERAGE),n.blendEquation(n.FUNC_ADD),n.blendFunc(n.ONE,n.ZERO),n.blendFuncSeparate(n.ONE,n.ZERO,n.ONE,n.ZERO),n.blendColor(0,0,0,0),n.colorMask(!0,!0,!0,!0),n.clearColor(0,0,0,0),n.depthMask(!0),n.depthFunc(n.LESS),o.setReversed(!1),n.clearDepth(1),n.stencilMask(4294967295),n.stencilFunc(n.ALWAYS,0,4294967295),n.stencilOp(n.KEEP,n.KEEP,n.KEEP),n.clearStencil(0),n.cullFace(n.BACK),n.frontFace(n.CCW),n.polygonOffset(0,0),n.activeTexture(n.TEXTURE0),n.bindFramebuffer(n.FRAMEBUFFER,null),n.bindFramebuffer(n.DRAW_FRAMEBUFFER,null),n.bindFramebuffer(n.READ_FRAMEBUFFER,null),n.useProgram(null),n.lineWidth(1),n.scissor(0,0,n.canvas.width,n.canvas.height),n.viewport(0,0,n.canvas.width,n.canvas.height),n.pixelStorei(n.PACK_ALIGNMENT,4),n.pixelStorei(n.UNPACK_ALIGNMENT,4),n.pixelStorei(n.UNPACK_FLIP_Y_WEBGL,!1),n.pixelStorei(n.UNPACK_PREMULTIPLY_ALPHA_WEBGL,!1),n.pixelStorei(n.UNPACK_COLORSPACE_CONVERSION_WEBGL,n.BROWSER_DEFAULT_WEBGL),n.pixelStorei(n.PACK_ROW_LENGTH,0),n.pixelStorei(n.PACK_SKIP_PIXELS,0),n.pixelStorei(n.PACK_SKIP_ROWS,0),n.pixelStorei(n.UNPACK_ROW_LENGTH,0),n.pixelStorei(n.UNPACK_IMAGE_HEIGHT,0),n.pixelStorei(n.UNPACK_SKIP_PIXELS,0),n.pixelStorei(n.UNPACK_SKIP_ROWS,0),n.pixelStorei(n.UNPACK_SKIP_IMAGES,0),d={},u={},K=null,et={},h={},l={},f=new WeakMap,p=[],_=null,g=!1,m=null,x=null,b=null,y=null,C=null,E=null,v=null,M=new Jt(0,0,0),O=0,R=!1,I=null,U=null,F=null,L=null,k=null,Q.set(0,0,n.canvas.width,n.canvas.height),gt.set(0,0,n.canvas.width,n.canvas.height),r.reset(),o.reset(),a.reset()}return{buffers:{color:r,depth:o,stencil:a},enable:wt,disable:Wt,bindFramebuffer:ae,drawBuffers:Vt,useProgram:pe,setBlending:en,setMaterial:Xe,setFlipSided:yn,setCullFace:Be,setLineWidth:On,setPolygonOffset:Se,setScissorTest:Cn,activeTexture:un,bindTexture:vn,unbindTexture:G,compressedTexImage2D:Pt,compressedTexImage3D:Zt,texImage2D:w,texImage3D:Y,pixelStorei:at,getParameter:dt,updateUBOMapping:nt,uniformBlockBinding:st,texStorage2D:Yt,texStorage3D:D,texSubImage2D:le,texSubImage3D:Mt,compressedTexSubImage2D:Ge,compressedTexSubImage3D:Gt,scissor:xt,viewport:vt,reset:pt}}function ZE(n,t,e,i,s,r,o){let a=t.has("WEBGL_multisampled_render_to_texture")?t.get("WEBGL_multisampled_render_to_texture"):null,l=typeof navigator>"u"?!1:/OculusBrowser/g.test(navigator.userAgent),c=new $t,d=new WeakMap,u=new Set,h,f=new WeakMap,p=new Set,_=new FinalizationRegistry(D=>p.delete(D)),g=!1;try{g=typeof OffscreenCanvas<"u"&&new OffscreenCanvas(1,1).getContext("2d")!==null}catch{}function m(D,w){return g?new OffscreenCanvas(D,w):Va("canvas")}function x(D,w,Y){let dt=1,at=Yt(D);if((at.width>Y||at.height>Y)&&(dt=Y/Math.max(at.width,at.height)),dt<1)if(typeof HTMLImageElement<"u"&&D instanceof HTMLImageElement||typeof HTMLCanvasElement<"u"&&D instanceof HTMLCanvasElement||typeof ImageBitmap<"u"&&D instanceof ImageBitmap||typeof VideoFrame<"u"&&D instanceof VideoFrame){let xt=Math.floor(dt*at.width),vt=Math.floor(dt*at.height);h===void 0&&(h=m(xt,vt));let nt=w?m(xt,vt):h;return nt.width=xt,nt.height=vt,nt.getContext("2d").drawImage(D,0,0,xt,vt),qt("WebGLRenderer: Texture has been resized from ("+at.width+"x"+at.height+") to ("+xt+"x"+vt+")."),nt}else return"data"in D&&qt("WebGLRenderer: Image in DataTexture is too big ("+at.width+"x"+at.height+")."),D;return D}function b(D){return D.generateMipmaps}function y(D){n.generateMipmap(D)}function C(D){return D.isWebGLCubeRenderTarget?n.TEXTURE_CUBE_MAP:D.isWebGL3DRenderTarget?n.TEXTURE_3D:D.isWebGLArrayRenderTarget||D.isCompressedArrayTexture?n.TEXTURE_2D_ARRAY:n.TEXTURE_2D}function E(D,w,Y,dt,at,xt=!1){if(D!==null){if(n[D]!==void 0)return n[D];qt("WebGLRenderer: Attempt to use non-existing WebGL internal format '"+D+"'")}let vt;dt&&(vt=t.get("EXT_texture_norm16"),vt||qt("WebGLRenderer: Unable to use normalized textures without EXT_texture_norm16 extension"));let nt=w;if(w===n.RED&&(Y===n.FLOAT&&(nt=n.R32F),Y===n.HALF_FLOAT&&(nt=n.R16F),Y===n.UNSIGNED_BYTE&&(nt=n.R8),Y===n.UNSIGNED_SHORT&&vt&&(nt=vt.R16_EXT),Y===n.SHORT&&vt&&(nt=vt.R16_SNORM_EXT)),w===n.RED_INTEGER&&(Y===n.UNSIGNED_BYTE&&(nt=n.R8UI),Y===n.UNSIGNED_SHORT&&(nt=n.R16UI),Y===n.UNSIGNED_INT&&(nt=n.R32UI),Y===n.BYTE&&(nt=n.R8I),Y===n.SHORT&&(nt=n.R16I),Y===n.INT&&(nt=n.R32I)),w===n.RG&&(Y===n.FLOAT&&(nt=n.RG32F),Y===n.HALF_FLOAT&&(nt=n.RG16F),Y===n.UNSIGNED_BYTE&&(nt=n.RG8),Y===n.UNSIGNED_SHORT&&vt&&(nt=vt.RG16_EXT),Y===n.SHORT&&vt&&(nt=vt.RG16_SNORM_EXT)),w===n.RG_INTEGER&&(Y===n.UNSIGNED_BYTE&&(nt=n.RG8UI),Y===n.UNSIGNED_SHORT&&(nt=n.RG16UI),Y===n.UNSIGNED_INT&&(nt=n.RG32UI),Y===n.BYTE&&(nt=n.RG8I),Y===n.SHORT&&(nt=n.RG16I),Y===n.INT&&(nt=n.RG32I)),w===n.RGB_INTEGER&&(Y===n.UNSIGNED_BYTE&&(nt=n.RGB8UI),Y===n.UNSIGNED_SHORT&&(nt=n.RGB16UI),Y===n.UNSIGNED_INT&&(nt=n.RGB32UI),Y===n.BYTE&&(nt=n.RGB8I),Y===n.SHORT&&(nt=n.RGB16I),Y===n.INT&&(nt=n.RGB32I)),w===n.RGBA_INTEGER&&(Y===n.UNSIGNED_BYTE&&(nt=n.RGBA8UI),Y===n.UNSIGNED_SHORT&&(nt=n.RGBA16UI),Y===n.UNSIGNED_INT&&(nt=n.RGBA32UI),Y===n.BYTE&&(nt=n.RGBA8I),Y===n.SHORT&&(nt=n.RGBA16I),Y===n.INT&&(nt=n.RGBA32I)),w===n.RGB&&(Y===n.UNSIGNED_SHORT&&vt&&(nt=vt.RGB16_EXT),Y===n.SHORT&&vt&&(nt=vt.RGB16_SNORM_EXT),Y===n.UNSIGNED_INT_5_9_9_9_REV&&(nt=n.RGB9_E5),Y===n.UNSIGNED_INT_10F_11F_11F_REV&&(nt=n.R11F_G11F_B10F)),w===n.RGBA){let st=xt?Ga:ye.getTransfer(at);Y===n.FLOAT&&(nt=n.RGBA32F),Y===n.HALF_FLOAT&&(nt=n.RGBA16F),Y===n.UNSIGNED_BYTE&&(nt=st===Pe?n.SRGB8_ALPHA8:n.RGBA8),Y===n.UNSIGNED_SHORT&&vt&&(nt=vt.RGBA16_EXT),Y===n.SHORT&&vt&&(nt=vt.RGBA16_SNORM_EXT),Y===n.UNSIGNED_SHORT_4_4_4_4&&(nt=n.RGBA4),Y===n.UNSIGNED_SHORT_5_5_5_1&&(nt=n.RGB5_A1)}return(nt===n.R16F||nt===n.R32F||nt===n.RG16F||nt===n.RG32F||nt===n.RGBA16F||nt===n.RGBA32F)&&t.get("EXT_color_buffer_float"),nt}function v(D,w){let Y;return D?w===null||w===ji||w===$r?Y=n.DEPTH24_STENCIL8:w===zi?Y=n.DEPTH32F_STENCIL8:w===Ko&&(Y=n.DEPTH24_STENCIL8,qt("DepthTexture: 16 bit depth attachment is not supported with stencil. Using 24-bit attachment.")):w===null||w===ji||w===$r?Y=n.DEPTH_COMPONENT24:w===zi?Y=n.DEPTH_COMPONENT32F:w===Ko&&(Y=n.DEPTH_COMPONENT16),Y}function M(D,w){return b(D)===!0||D.isFramebufferTexture&&D.minFilter!==Gn&&D.minFilter!==si?Math.log2(Math.max(w.width,w.height))+1:D.mipmaps.length>0?D.mipmaps.length:D.isCompressedTexture&&Array.isArray(D.image)?w.mipmaps.length:1}function O(D){let w=new WeakRef(D);i.get(D).__ref=w,p.add(w),_.register(D,w,w)}function R(D){let w=i.get(D).__ref;w!==void 0&&(p.delete(w),_.unregister(w))}function I(D){F(D.target)}function U(D){L(D.target)}function F(D){D.removeEventListener("dispose",I),R(D),X(D),D.isVideoTexture&&d.delete(D),D.isHTMLTexture&&u.delete(D)}function L(D){D.removeEventListener("dispose",U),R(D),ot(D)}function k(){for(let D of p){let w=D.deref();w!==void 0&&(w.isRenderTarget===!0?L(w):F(w))}p.clear(),u.clear()}function X(D){let w=i.get(D);if(w.__webglInit===void 0)return;let Y=D.source,dt=f.get(Y);if(dt){let at=dt[w.__cacheKey];at.usedTimes--,at.usedTimes===0&&V(D),Object.keys(dt).length===0&&f.delete(Y)}i.remove(D)}function V(D){let w=i.get(D);n.deleteTexture(w.__webglTexture);let Y=D.source,dt=f.get(Y);delete dt[w.__cacheKey],o.memory.textures--}function ot(D){let w=i.get(D);w.__depthDisposeCallback&&w.__depthDisposeCallback();let Y=D.depthTexture;if(Y&&Y.renderTarget===D&&F(Y),D.isWebGLCubeRenderTarget)for(let at=0;at<6;at++){if(Array.isArray(w.__webglFramebuffer[at]))for(let xt=0;xt<w.__webglFramebuffer[at].length;xt++)n.deleteFramebuffer(w.__webglFramebuffer[at][xt]);else n.deleteFramebuffer(w.__webglFramebuffer[at]);w.__webglDepthbuffer&&n.deleteRenderbuffer(w.__webglDepthbuffer[at])}else{if(Array.isArray(w.__webglFramebuffer))for(let at=0;at<w.__webglFramebuffer.length;at++)n.deleteFramebuffer(w.__webglFramebuffer[at]);else n.deleteFramebuffer(w.__webglFramebuffer);if(w.__webglDepthbuffer&&n.deleteRenderbuffer(w.__webglDepthbuffer),w.__webglMultisampledFramebuffer&&n.deleteFramebuffer(w.__webglMultisampledFramebuffer),w.__webglColorRenderbuffer)for(let at=0;at<w.__webglColorRenderbuffer.length;at++)w.__webglColorRenderbuffer[at]&&n.deleteRenderbuffer(w.__webglColorRenderbuffer[at]);w.__webglDepthRenderbuffer&&n.deleteRenderbuffer(w.__webglDepthRenderbuffer)}let dt=D.textures;for(let at=0,xt=dt.length;at<xt;at++){let vt=i.get(dt[at]);vt.__webglTexture&&(n.deleteTexture(vt.__webglTexture),o.memory.textures--),i.remove(dt[at])}i.remove(D)}let $=0;function K(){$=0}function et(){return $}function ht(D){$=D}function ut(){let D=$;return D>=s.maxTextures&&qt("WebGLTextures: Trying to use "+(D+1)+" texture units while this GPU supports only "+s.maxTextures),$+=1,D}function Q(D){let w=[];return w.push(D.wrapS),w.push(D.wrapT),w.push(D.wrapR||0),w.push(D.magFilter),w.push(D.minFilter),w.push(D.anisotropy),w.push(D.internalFormat),w.push(D.format),w.push(D.type),w.push(D.generateMipmaps),w.push(D.mipmapsAutoUpdate),w.push(D.premultiplyAlpha),w.push(D.flipY),w.push(D.unpackAlignment),w.push(D.colorSpace),w.join()}function gt(D,w){let Y=i.get(D);if(D.isVideoTexture&&Ge(D),D.isRenderTargetTexture===!1&&D.isExternalTexture!==!0&&D.version>0&&Y.__version!==D.version){let dt=D.image;if(dt===null)qt("WebGLRenderer: Texture marked for update but no image data found.");else if(dt.complete===!1)qt("WebGLRenderer: Texture marked for update but image is incomplete");else{Xe(Y,D,w);return}}else D.isExternalTexture&&(Y.__webglTexture=D.sourceTexture?D.sourceTexture:null);e.bindTexture(n.TEXTURE_2D,Y.__webglTexture,n.TEXTURE0+w)}function yt(D,w){let Y=i.get(D);if(D.isRenderTargetTexture===!1&&D.version>0&&Y.__version!==D.version){Xe(Y,D,w);return}else D.isExternalTexture&&(Y.__webglTexture=D.sourceTexture?D.sourceTexture:null);e.bindTexture(n.TEXTURE_2D_ARRAY,Y.__webglTexture,n.TEXTURE0+w)}function Ct(D,w){let Y=i.get(D);if(D.isRenderTargetTexture===!1&&D.version>0&&Y.__version!==D.version){Xe(Y,D,w);return}e.bindTexture(n.TEXTURE_3D,Y.__webglTexture,n.TEXTURE0+w)}function wt(D,w){let Y=i.get(D);if(D.version>0&&Y.__version!==D.version){yn(Y,D,w);return}e.bindTexture(n.TEXTURE_CUBE_MAP,Y.__webglTexture,n.TEXTURE0+w)}let Wt={[Cc]:n.REPEAT,[ds]:n.CLAMP_TO_EDGE,[Rc]:n.MIRRORED_REPEAT},ae={[Gn]:n.NEAREST,[Pg]:n.NEAREST_MIPMAP_NEAREST,[al]:n.NEAREST_MIPMAP_LINEAR,[si]:n.LINEAR,[ih]:n.LINEAR_MIPMAP_NEAREST,[Gs]:n.LINEAR_MIPMAP_LINEAR},Vt={[Ng]:n.NEVER,[Kd]:n.ALWAYS,[Og]:n.LESS,[jd]:n.LEQUAL,[Ug]:n.EQUAL,[Jd]:n.GEQUAL,[Fg]:n.GREATER,[Bg]:n.NOTEQUAL};function pe(D,w){if(w.type===zi&&t.has("OES_texture_float_linear")===!1&&(w.magFilter===si||w.magFilter===ih||w.magFilter===al||w.magFilter===Gs||w.minFilter===si||w.minFilter===ih||w.minFilter===al||w.minFilter===Gs)&&qt("WebGLRenderer: Unable to use linear filtering with floating point textures. OES_texture_float_linear not supported on this device."),n.texParameteri(D,n.TEXTURE_WRAP_S,Wt[w.wrapS]),n.texParameteri(D,n.TEXTURE_WRAP_T,Wt[w.wrapT]),(D===n.TEXTURE_3D||D===n.TEXTURE_2D_ARRAY)&&n.texParameteri(D,n.TEXTURE_WRAP_R,Wt[w.wrapR]),n.texParameteri(D,n.TEXTURE_MAG_FILTER,ae[w.magFilter]),n.texParameteri(D,n.TEXTURE_MIN_FILTER,ae[w.minFilter]),w.compareFunction&&(n.texParameteri(D,n.TEXTURE_COMPARE_MODE,n.COMPARE_REF_TO_TEXTURE),n.texParameteri(D,n.TEXTURE_COMPARE_FUNC,Vt[w.compareFunction])),t.has("EXT_texture_filter_anisotropic")===!0){if(w.magFilter===Gn||w.minFilter!==al&&w.minFilter!==Gs||w.type===zi&&t.has("OES_texture_float_linear")===!1)return;if(w.anisotropy>1||i.get(w).__currentAnisotropy){let Y=t.get("EXT_texture_filter_anisotropic");n.texParameterf(D,Y.TEXTURE_MAX_ANISOTROPY_EXT,Math.min(w.anisotropy,s.getMaxAnisotropy())),i.get(w).__currentAnisotropy=w.anisotropy}}}function ue(D,w){let Y=!1;D.__webglInit===void 0&&(D.__webglInit=!0,w.addEventListener("dispose",I),O(w));let dt=w.source,at=f.get(dt);at===void 0&&(at={},f.set(dt,at));let xt=Q(w);if(xt!==D.__cacheKey){at[xt]===void 0&&(at[xt]={texture:n.createTexture(),usedTimes:0},o.memory.textures++,Y=!0),at[xt].usedTimes++;let vt=at[D.__cacheKey];vt!==void 0&&(at[D.__cacheKey].usedTimes--,vt.usedTimes===0&&V(w)),D.__cacheKey=xt,D.__webglTexture=at[xt].texture}return Y}function re(D,w,Y){return Math.floor(Math.floor(D/Y)/w)}function en(D,w,Y,dt){let xt=D.updateRanges;if(xt.length===0)e.texSubImage2D(n.TEXTURE_2D,0,0,0,w.width,w.height,Y,dt,w.data);else{xt.sort((z,rt)=>z.start-rt.start);let vt=0;for(let z=1;z<xt.length;z++){let rt=xt[vt],it=xt[z],Et=rt.start+rt.count,_t=re(it.start,w.width,4),bt=re(rt.start,w.width,4);it.start<=Et+1&&_t===bt&&re(it.start+it.count-1,w.width,4)===_t?rt.count=Math.max(rt.count,it.start+it.count-rt.start):(++vt,xt[vt]=it)}xt.length=vt+1;let nt=e.getParameter(n.UNPACK_ROW_LENGTH),st=e.getParameter(n.UNPACK_SKIP_PIXELS),pt=e.getParameter(n.UNPACK_SKIP_ROWS);e.pixelStorei(n.UNPACK_ROW_LENGTH,w.width);for(let z=0,rt=xt.length;z<rt;z++){let it=xt[z],Et=Math.floor(it.start/4),_t=Math.ceil(it.count/4),bt=Et%w.width,Ht=Math.floor(Et/w.width),Kt=_t,ct=1;e.pixelStorei(n.UNPACK_SKIP_PIXELS,bt),e.pixelStorei(n.UNPACK_SKIP_ROWS,Ht),e.texSubImage2D(n.TEXTURE_2D,0,bt,Ht,Kt,ct,Y,dt,w.data)}D.clearUpdateRanges(),e.pixelStorei(n.UNPACK_ROW_LENGTH,nt),e.pixelStorei(n.UNPACK_SKIP_PIXELS,st),e.pixelStorei(n.UNPACK_SKIP_ROWS,pt)}}function Xe(D,w,Y){let dt=n.TEXTURE_2D;(w.isDataArrayTexture||w.isCompressedArrayTexture)&&(dt=n.TEXTURE_2D_ARRAY),w.isData3DTexture&&(dt=n.TEXTURE_3D);let at=ue(D,w),xt=w.source;e.bindTexture(dt,D.__webglTexture,n.TEXTURE0+Y);let vt=i.get(xt);if(xt.version!==vt.__version||at===!0){if(e.activeTexture(n.TEXTURE0+Y),(typeof ImageBitmap<"u"&&w.image instanceof ImageBitmap)===!1){let ct=ye.getPrimaries(ye.workingColorSpace),Bt=w.colorSpace===Hs?null:ye.getPrimaries(w.colorSpace),Qt=w.colorSpace===Hs||ct===Bt?n.NONE:n.BROWSER_DEFAULT_WEBGL;e.pixelStorei(n.UNPACK_FLIP_Y_WEBGL,w.flipY),e.pixelStorei(n.UNPACK_PREMULTIPLY_ALPHA_WEBGL,w.premultiplyAlpha),e.pixelStorei(n.UNPACK_COLORSPACE_CONVERSION_WEBGL,Qt)}e.pixelStorei(n.UNPACK_ALIGNMENT,w.unpackAlignment);let st=x(w.image,!1,s.maxTextureSize);st=Gt(w,st);let pt=r.convert(w.format,w.colorSpace),z=r.convert(w.type),rt=E(w.internalFormat,pt,z,w.normalized,w.colorSpace,w.isVideoTexture);pe(dt,w);let it,Et=w.mipmaps,_t=w.isVideoTexture!==!0,bt=vt.__version===void 0||at===!0,Ht=xt.dataReady,Kt=M(w,st);if(w.isDepthTexture)rt=v(w.format===Vs,w.type),bt&&(_t?e.texStorage2D(n.TEXTURE_2D,1,rt,st.width,st.height):e.texImage2D(n.TEXTURE_2D,0,rt,st.width,st.height,0,pt,z,null));else if(w.isDataTexture)if(Et.length>0){_t&&bt&&e.texStorage2D(n.TEXTURE_2D,Kt,rt,Et[0].width,Et[0].height);for(let ct=0,Bt=Et.length;ct<Bt;ct++)it=Et[ct],_t?Ht&&e.texSubImage2D(n.TEXTURE_2D,ct,0,0,it.width,it.height,pt,z,it.data):e.texImage2D(n.TEXTURE_2D,ct,rt,it.width,it.height,0,pt,z,it.data);w.generateMipmaps=!1}else _t?(bt&&e.texStorage2D(n.TEXTURE_2D,Kt,rt,st.width,st.height),Ht&&en(w,st,pt,z)):e.texImage2D(n.TEXTURE_2D,0,rt,st.width,st.height,0,pt,z,st.data);else if(w.isCompressedTexture)if(w.isCompressedArrayTexture){_t&&bt&&e.texStorage3D(n.TEXTURE_2D_ARRAY,Kt,rt,Et[0].width,Et[0].height,st.depth);for(let ct=0,Bt=Et.length;ct<Bt;ct++)if(it=Et[ct],w.format!==Ki)if(pt!==null)if(_t){if(Ht)if(w.layerUpdates.size>0){let Qt=hf(it.width,it.height,w.format,w.type);for(let Rt of w.layerUpdates){let he=it.data.subarray(Rt*Qt/it.data.BYTES_PER_ELEMENT,(Rt+1)*Qt/it.data.BYTES_PER_ELEMENT);e.compressedTexSubImage3D(n.TEXTURE_2D_ARRAY,ct,0,0,Rt,it.width,it.height,1,pt,he)}}else e.compressedTexSubImage3D(n.TEXTURE_2D_ARRAY,ct,0,0,0,it.width,it.height,st.depth,pt,it.data)}else e.compressedTexImage3D(n.TEXTURE_2D_ARRAY,ct,rt,it.width,it.height,st.depth,0,it.data,0,0);else qt("WebGLRenderer: Attempt to load unsupported compressed texture format in .uploadTexture()");else _t?Ht&&e.texSubImage3D(n.TEXTURE_2D_ARRAY,ct,0,0,0,it.width,it.height,st.depth,pt,z,it.data):e.texImage3D(n.TEXTURE_2D_ARRAY,ct,rt,it.width,it.height,st.depth,0,pt,z,it.data);w.layerUpdates.size>0&&w.clearLayerUpdates()}else{_t&&bt&&e.texStorage2D(n.TEXTURE_2D,Kt,rt,Et[0].width,Et[0].height);for(let ct=0,Bt=Et.length;ct<Bt;ct++)it=Et[ct],w.format!==Ki?pt!==null?_t?Ht&&e.compressedTexSubImage2D(n.TEXTURE_2D,ct,0,0,it.width,it.height,pt,it.data):e.compressedTexImage2D(n.TEXTURE_2D,ct,rt,it.width,it.height,0,it.data):qt("WebGLRenderer: Attempt to load unsupported compressed texture format in .uploadTexture()"):_t?Ht&&e.texSubImage2D(n.TEXTURE_2D,ct,0,0,it.width,it.height,pt,z,it.data):e.texImage2D(n.TEXTURE_2D,ct,rt,it.width,it.height,0,pt,z,it.data)}else if(w.isDataArrayTexture)if(_t){if(bt&&e.texStorage3D(n.TEXTURE_2D_ARRAY,Kt,rt,st.width,st.height,st.depth),Ht)if(w.layerUpdates.size>0){let ct=hf(st.width,st.height,w.format,w.type);for(let Bt of w.layerUpdates){let Qt=st.data.subarray(Bt*ct/st.data.BYTES_PER_ELEMENT,(Bt+1)*ct/st.data.BYTES_PER_ELEMENT);e.texSubImage3D(n.TEXTURE_2D_ARRAY,0,0,0,Bt,st.width,st.height,1,pt,z,Qt)}w.clearLayerUpdates()}else e.texSubImage3D(n.TEXTURE_2D_ARRAY,0,0,0,0,st.width,st.height,st.depth,pt,z,st.data)}else e.texImage3D(n.TEXTURE_2D_ARRAY,0,rt,st.width,st.height,st.depth,0,pt,z,st.data);else if(w.isData3DTexture)_t?(bt&&e.texStorage3D(n.TEXTURE_3D,Kt,rt,st.width,st.height,st.depth),Ht&&e.texSubImage3D(n.TEXTURE_3D,0,0,0,0,st.width,st.height,st.depth,pt,z,st.data)):e.texImage3D(n.TEXTURE_3D,0,rt,st.width,st.height,st.depth,0,pt,z,st.data);else if(w.isFramebufferTexture){if(bt)if(_t)e.texStorage2D(n.TEXTURE_2D,Kt,rt,st.width,st.height);else{let ct=st.width,Bt=st.height;for(let Qt=0;Qt<Kt;Qt++)e.texImage2D(n.TEXTURE_2D,Qt,rt,ct,Bt,0,pt,z,null),ct>>=1,Bt>>=1}}else if(w.isHTMLTexture){if("texElementImage2D"in n){let ct=n.canvas;if(ct.hasAttribute("layoutsubtree")||ct.setAttribute("layoutsubtree","true"),st.parentNode!==ct){ct.appendChild(st),u.add(w),ct.onpaint=Bt=>{let Qt=Bt.changedElements;for(let Rt of u)Qt.includes(Rt.image)&&(Rt.needsUpdate=!0)},ct.requestPaint();return}if(n.texElementImage2D.length===3)n.texElementImage2D(n.TEXTURE_2D,n.RGBA8,st);else{let Qt=n.RGBA,Rt=n.RGBA,he=n.UNSIGNED_BYTE;n.texElementImage2D(n.TEXTURE_2D,0,Qt,Rt,he,st)}n.texParameteri(n.TEXTURE_2D,n.TEXTURE_MIN_FILTER,n.LINEAR),n.texParameteri(n.TEXTURE_2D,n.TEXTURE_WRAP_S,n.CLAMP_TO_EDGE),n.texParameteri(n.TEXTURE_2D,n.TEXTURE_WRAP_T,n.CLAMP_TO_EDGE)}}else if(Et.length>0){if(_t&&bt){let ct=Yt(Et[0]);e.texStorage2D(n.TEXTURE_2D,Kt,rt,ct.width,ct.height)}for(let ct=0,Bt=Et.length;ct<Bt;ct++)it=Et[ct],_t?Ht&&e.texSubImage2D(n.TEXTURE_2D,ct,0,0,pt,z,it):e.texImage2D(n.TEXTURE_2D,ct,rt,pt,z,it);w.generateMipmaps=!1}else if(_t){if(bt){let ct=Yt(st);e.texStorage2D(n.TEXTURE_2D,Kt,rt,ct.width,ct.height)}Ht&&e.texSubImage2D(n.TEXTURE_2D,0,0,0,pt,z,st)}else e.texImage2D(n.TEXTURE_2D,0,rt,pt,z,st);b(w)&&w.mipmapsAutoUpdate===!0&&y(dt),vt.__version=xt.version,w.onUpdate&&w.onUpdate(w)}D.__version=w.version}function yn(D,w,Y){if(w.image.length!==6)return;let dt=ue(D,w),at=w.source;e.bindTexture(n.TEXTURE_CUBE_MAP,D.__webglTexture,n.TEXTURE0+Y);let xt=i.get(at);if(at.version!==xt.__version||dt===!0){e.activeTexture(n.TEXTURE0+Y);let vt=ye.getPrimaries(ye.workingColorSpace),nt=w.colorSpace===Hs?null:ye.getPrimaries(w.colorSpace),st=w.colorSpace===Hs||vt===nt?n.NONE:n.BROWSER_DEFAULT_WEBGL;e.pixelStorei(n.UNPACK_FLIP_Y_WEBGL,w.flipY),e.pixelStorei(n.UNPACK_PREMULTIPLY_ALPHA_WEBGL,w.premultiplyAlpha),e.pixelStorei(n.UNPACK_ALIGNMENT,w.unpackAlignment),e.pixelStorei(n.UNPACK_COLORSPACE_CONVERSION_WEBGL,st);let pt=w.isCompressedTexture||w.image[0].isCompressedTexture,z=w.image[0]&&w.image[0].isDataTexture,rt=[];for(let Rt=0;Rt<6;Rt++)!pt&&!z?rt[Rt]=x(w.image[Rt],!0,s.maxCubemapSize):rt[Rt]=z?w.image[Rt].image:w.image[Rt],rt[Rt]=Gt(w,rt[Rt]);let it=rt[0],Et=r.convert(w.format,w.colorSpace),_t=r.convert(w.type),bt=E(w.internalFormat,Et,_t,w.normalized,w.colorSpace),Ht=w.isVideoTexture!==!0,Kt=xt.__version===void 0||dt===!0,ct=at.dataReady,Bt=M(w,it);pe(n.TEXTURE_CUBE_MAP,w);let Qt;if(w.isDepthTexture){if(bt=v(w.format===Vs,w.type),Kt)if(Ht)e.texStorage2D(n.TEXTURE_CUBE_MAP,1,bt,it.width,it.height);else for(let Rt=0;Rt<6;Rt++)e.texImage2D(n.TEXTURE_CUBE_MAP_POSITIVE_X+Rt,0,bt,it.width,it.height,0,Et,_t,null)}else if(pt){Ht&&Kt&&e.texStorage2D(n.TEXTURE_CUBE_MAP,Bt,bt,it.width,it.height);for(let Rt=0;Rt<6;Rt++){Qt=rt[Rt].mipmaps;for(let he=0;he<Qt.length;he++){let qe=Qt[he];w.format!==Ki?Et!==null?Ht?ct&&e.compressedTexSubImage2D(n.TEXTURE_CUBE_MAP_POSITIVE_X+Rt,he,0,0,qe.width,qe.height,Et,qe.data):e.compressedTexImage2D(n.TEXTURE_CUBE_MAP_POSITIVE_X+Rt,he,bt,qe.width,qe.height,0,qe.data):qt("WebGLRenderer: Attempt to load unsupported compressed texture format in .setTextureCube()"):Ht?ct&&e.texSubImage2D(n.TEXTURE_CUBE_MAP_POSITIVE_X+Rt,he,0,0,qe.width,qe.height,Et,_t,qe.data):e.texImage2D(n.TEXTURE_CUBE_MAP_POSITIVE_X+Rt,he,bt,qe.width,qe.height,0,Et,_t,qe.data)}}}else{if(Qt=w.mipmaps,Ht&&Kt){Qt.length>0&&Bt++;let Rt=Yt(rt[0]);e.texStorage2D(n.TEXTURE_CUBE_MAP,Bt,bt,Rt.width,Rt.height)}for(let Rt=0;Rt<6;Rt++)if(z){Ht?ct&&e.texSubImage2D(n.TEXTURE_CUBE_MAP_POSITIVE_X+Rt,0,0,0,rt[Rt].width,rt[Rt].height,Et,_t,rt[Rt].data):e.texImage2D(n.TEXTURE_CUBE_MAP_POSITIVE_X+Rt,0,bt,rt[Rt].width,rt[Rt].height,0,Et,_t,rt[Rt].data);for(let he=0;he<Qt.length;he++){let Kn=Qt[he].image[Rt].image;Ht?ct&&e.texSubImage2D(n.TEXTURE_CUBE_MAP_POSITIVE_X+Rt,he+1,0,0,Kn.width,Kn.height,Et,_t,Kn.data):e.texImage2D(n.TEXTURE_CUBE_MAP_POSITIVE_X+Rt,he+1,bt,Kn.width,Kn.height,0,Et,_t,Kn.data)}}else{Ht?ct&&e.texSubImage2D(n.TEXTURE_CUBE_MAP_POSITIVE_X+Rt,0,0,0,Et,_t,rt[Rt]):e.texImage2D(n.TEXTURE_CUBE_MAP_POSITIVE_X+Rt,0,bt,Et,_t,rt[Rt]);for(let he=0;he<Qt.length;he++){let qe=Qt[he];Ht?ct&&e.texSubImage2D(n.TEXTURE_CUBE_MAP_POSITIVE_X+Rt,he+1,0,0,Et,_t,qe.image[Rt]):e.texImage2D(n.TEXTURE_CUBE_MAP_POSITIVE_X+Rt,he+1,bt,Et,_t,qe.image[Rt])}}}b(w)&&w.mipmapsAutoUpdate===!0&&y(n.TEXTURE_CUBE_MAP),xt.__version=at.version,w.onUpdate&&w.onUpdate(w)}D.__version=w.version}function Be(D,w,Y,dt,at,xt){let vt=r.convert(Y.format,Y.colorSpace),nt=r.convert(Y.type),st=E(Y.internalFormat,vt,nt,Y.normalized,Y.colorSpace),pt=i.get(w),z=i.get(Y);if(z.__renderTarget=w,!pt.__hasExternalTextures){let rt=Math.max(1,w.width>>xt),it=Math.max(1,w.height>>xt);at===n.TEXTURE_3D||at===n.TEXTURE_2D_ARRAY?e.texImage3D(at,xt,st,rt,it,w.depth,0,vt,nt,null):e.texImage2D(at,xt,st,rt,it,0,vt,nt,null)}e.bindFramebuffer(n.FRAMEBUFFER,D),Mt(w)?a.framebufferTexture2DMultisampleEXT(n.FRAMEBUFFER,dt,at,z.__webglTexture,0,le(w)):(at===n.TEXTURE_2D||at>=n.TEXTURE_CUBE_MAP_POSITIVE_X&&at<=n.TEXTURE_CUBE_MAP_NEGATIVE_Z)&&n.framebufferTexture2D(n.FRAMEBUFFER,dt,at,z.__webglTexture,xt),e.bindFramebuffer(n.FRAMEBUFFER,null)}function On(D,w,Y){if(n.bindRenderbuffer(n.RENDERBUFFER,D),w.depthBuffer){let dt=w.depthTexture,at=dt&&dt.isDepthTexture?dt.type:null,xt=v(w.stencilBuffer,at),vt=w.stencilBuffer?n.DEPTH_STENCIL_ATTACHMENT:n.DEPTH_ATTACHMENT;Mt(w)?a.renderbufferStorageMultisampleEXT(n.RENDERBUFFER,le(w),xt,w.width,w.height):Y?n.renderbufferStorageMultisample(n.RENDERBUFFER,le(w),xt,w.width,w.height):n.renderbufferStorage(n.RENDERBUFFER,xt,w.width,w.height),n.framebufferRenderbuffer(n.FRAMEBUFFER,vt,n.RENDERBUFFER,D)}else{let dt=w.textures;for(let at=0;at<dt.length;at++){let xt=dt[at],vt=r.convert(xt.format,xt.colorSpace),nt=r.convert(xt.type),st=E(xt.internalFormat,vt,nt,xt.normalized,xt.colorSpace);Mt(w)?a.renderbufferStorageMultisampleEXT(n.RENDERBUFFER,le(w),st,w.width,w.height):Y?n.renderbufferStorageMultisample(n.RENDERBUFFER,le(w),st,w.width,w.height):n.renderbufferStorage(n.RENDERBUFFER,st,w.width,w.height)}}n.bindRenderbuffer(n.RENDERBUFFER,null)}function Se(D,w,Y){let dt=w.isWebGLCubeRenderTarget===!0;if(e.bindFramebuffer(n.FRAMEBUFFER,D),!(w.depthTexture&&w.depthTexture.isDepthTexture))throw new Error("THREE.WebGLTextures: renderTarget.depthTexture must be an instance of THREE.DepthTexture.");let at=i.get(w.depthTexture);at.__renderTarget=w;let xt=dt?w.depthTexture.image[0]:w.depthTexture.image;(!at.__webglTexture||xt.width!==w.width||xt.height!==w.height)&&(xt.width=w.width,xt.height=w.height,w.depthTexture.needsUpdate=!0),dt?wt(w.depthTexture,0):gt(w.depthTexture,0);let vt=at.__webglTexture,nt=le(w),st=dt?n.TEXTURE_CUBE_MAP_POSITIVE_X+Y:n.TEXTURE_2D,pt=w.depthTexture.format===Vs?n.DEPTH_STENCIL_ATTACHMENT:n.DEPTH_ATTACHMENT;if(w.depthTexture.format===Fs)Mt(w)?a.framebufferTexture2DMultisampleEXT(n.FRAMEBUFFER,pt,st,vt,0,nt):n.framebufferTexture2D(n.FRAMEBUFFER,pt,st,vt,0);else if(w.depthTexture.format===Vs)Mt(w)?a.framebufferTexture2DMultisampleEXT(n.FRAMEBUFFER,pt,st,vt,0,nt):n.framebufferTexture2D(n.FRAMEBUFFER,pt,st,vt,0);else throw new Error("THREE.WebGLTextures: Unknown depthTexture format.")}function Cn(D){let w=i.get(D),Y=D.isWebGLCubeRenderTarget===!0;if(w.__boundDepthTexture!==D.depthTexture){let dt=D.depthTexture;if(w.__depthDisposeCallback&&w.__depthDisposeCallback(),dt){let at=()=>{delete w.__boundDepthTexture,delete w.__depthDisposeCallback,dt.removeEventListener("dispose",at)};dt.addEventListener("dispose",at),w.__depthDisposeCallback=at}w.__boundDepthTexture=dt}if(D.depthTexture&&!w.__autoAllocateDepthBuffer)if(Y)for(let dt=0;dt<6;dt++)Se(w.__webglFramebuffer[dt],D,dt);else D.texture.mipmaps.length>0?Se(w.__webglFramebuffer[0],D,0):Se(w.__webglFramebuffer,D,0);else if(Y){w.__webglDepthbuffer=[];for(let dt=0;dt<6;dt++)if(e.bindFramebuffer(n.FRAMEBUFFER,w.__webglFramebuffer[dt]),w.__webglDepthbuffer[dt]===void 0)w.__webglDepthbuffer[dt]=n.createRenderbuffer(),On(w.__webglDepthbuffer[dt],D,!1);else{let at=D.stencilBuffer?n.DEPTH_STENCIL_ATTACHMENT:n.DEPTH_ATTACHMENT,xt=w.__webglDepthbuffer[dt];n.bindRenderbuffer(n.RENDERBUFFER,xt),n.framebufferRenderbuffer(n.FRAMEBUFFER,at,n.RENDERBUFFER,xt)}}else if(D.texture.mipmaps.length>0?e.bindFramebuffer(n.FRAMEBUFFER,w.__webglFramebuffer[0]):e.bindFramebuffer(n.FRAMEBUFFER,w.__webglFramebuffer),w.__webglDepthbuffer===void 0)w.__webglDepthbuffer=n.createRenderbuffer(),On(w.__webglDepthbuffer,D,!1);else{let at=D.stencilBuffer?n.DEPTH_STENCIL_ATTACHMENT:n.DEPTH_ATTACHMENT,xt=w.__webglDepthbuffer;n.bindRenderbuffer(n.RENDERBUFFER,xt),n.framebufferRenderbuffer(n.FRAMEBUFFER,at,n.RENDERBUFFER,xt)}e.bindFramebuffer(n.FRAMEBUFFER,null)}function un(D,w,Y){let dt=i.get(D);w!==void 0&&Be(dt.__webglFramebuffer,D,D.texture,n.COLOR_ATTACHMENT0,n.TEXTURE_2D,0),Y!==void 0&&Cn(D)}function vn(D){let w=D.texture,Y=i.get(D),dt=i.get(w);D.addEventListener("dispose",U),O(D);let at=D.textures,xt=D.isWebGLCubeRenderTarget===!0,vt=at.length>1;if(vt||(dt.__webglTexture===void 0&&(dt.__webglTexture=n.createTexture()),dt.__version=w.version,o.memory.textures++),xt){Y.__webglFramebuffer=[];for(let nt=0;nt<6;nt++)if(w.mipmaps.length>0){Y.__webglFramebuffer[nt]=[];for(let st=0;st<w.mipmaps.length;st++)Y.__webglFramebuffer[nt][st]=n.createFramebuffer()}else Y.__webglFramebuffer[nt]=n.createFramebuffer()}else{if(w.mipmaps.length>0){Y.__webglFramebuffer=[];for(let nt=0;nt<w.mipmaps.length;nt++)Y.__webglFramebuffer[nt]=n.createFramebuffer()}else Y.__webglFramebuffer=n.createFramebuffer();if(vt)for(let nt=0,st=at.length;nt<st;nt++){let pt=i.get(at[nt]);pt.__webglTexture===void 0&&(pt.__webglTexture=n.createTexture(),o.memory.textures++)}if(D.samples>0&&Mt(D)===!1){Y.__webglMultisampledFramebuffer=n.createFramebuffer(),Y.__webglColorRenderbuffer=[],e.bindFramebuffer(n.FRAMEBUFFER,Y.__webglMultisampledFramebuffer);for(let nt=0;nt<at.length;nt++){let st=at[nt];Y.__webglColorRenderbuffer[nt]=n.createRenderbuffer(),n.bindRenderbuffer(n.RENDERBUFFER,Y.__webglColorRenderbuffer[nt]);let pt=r.convert(st.format,st.colorSpace),z=r.convert(st.type),rt=E(st.internalFormat,pt,z,st.normalized,st.colorSpace,D.isXRRenderTarget===!0),it=le(D);n.renderbufferStorageMultisample(n.RENDERBUFFER,it,rt,D.width,D.height),n.framebufferRenderbuffer(n.FRAMEBUFFER,n.COLOR_ATTACHMENT0+nt,n.RENDERBUFFER,Y.__webglColorRenderbuffer[nt])}n.bindRenderbuffer(n.RENDERBUFFER,null),D.depthBuffer&&(Y.__webglDepthRenderbuffer=n.createRenderbuffer(),On(Y.__webglDepthRenderbuffer,D,!0)),e.bindFramebuffer(n.FRAMEBUFFER,null)}}if(xt){e.bindTexture(n.TEXTURE_CUBE_MAP,dt.__webglTexture),pe(n.TEXTURE_CUBE_MAP,w);for(let nt=0;nt<6;nt++)if(w.mipmaps.length>0)for(let st=0;st<w.mipmaps.length;st++)Be(Y.__webglFramebuffer[nt][st],D,w,n.COLOR_ATTACHMENT0,n.TEXTURE_CUBE_MAP_POSITIVE_X+nt,st);else Be(Y.__webglFramebuffer[nt],D,w,n.COLOR_ATTACHMENT0,n.TEXTURE_CUBE_MAP_POSITIVE_X+nt,0);b(w)?y(n.TEXTURE_CUBE_MAP):w.mipmaps.length>0&&n.texParameteri(n.TEXTURE_CUBE_MAP,n.TEXTURE_MAX_LEVEL,w.mipmaps.length-1),e.unbindTexture()}else if(vt){for(let nt=0,st=at.length;nt<st;nt++){let pt=at[nt],z=i.get(pt),rt=n.TEXTURE_2D;(D.isWebGL3DRenderTarget||D.isWebGLArrayRenderTarget)&&(rt=D.isWebGL3DRenderTarget?n.TEXTURE_3D:n.TEXTURE_2D_ARRAY),e.bindTexture(rt,z.__webglTexture),pe(rt,pt),Be(Y.__webglFramebuffer,D,pt,n.COLOR_ATTACHMENT0+nt,rt,0),b(pt)&&y(rt)}e.unbindTexture()}else{let nt=n.TEXTURE_2D;if((D.isWebGL3DRenderTarget||D.isWebGLArrayRenderTarget)&&(nt=D.isWebGL3DRenderTarget?n.TEXTURE_3D:n.TEXTURE_2D_ARRAY),e.bindTexture(nt,dt.__webglTexture),pe(nt,w),w.mipmaps.length>0)for(let st=0;st<w.mipmaps.length;st++)Be(Y.__webglFramebuffer[st],D,w,n.COLOR_ATTACHMENT0,nt,st);else Be(Y.__webglFramebuffer,D,w,n.COLOR_ATTACHMENT0,nt,0);b(w)?y(nt):w.mipmaps.length>0&&n.texParameteri(nt,n.TEXTURE_MAX_LEVEL,w.mipmaps.length-1),e.unbindTexture()}D.depthBuffer&&Cn(D)}function G(D){let w=D.textures;for(let Y=0,dt=w.length;Y<dt;Y++){let at=w[Y];if(b(at)&&at.mipmapsAutoUpdate===!0){let xt=C(D),vt=i.get(at).__webglTexture;e.bindTexture(xt,vt),y(xt),e.unbindTexture()}}}let Pt=[];function Zt(D){if(D.samples>0){if(Mt(D)===!1){let w=D.textures,Y=D.width,dt=D.height,at=n.COLOR_BUFFER_BIT,xt=D.stencilBuffer?n.DEPTH_STENCIL_ATTACHMENT:n.DEPTH_ATTACHMENT,vt=i.get(D),nt=w.length>1;if(nt)for(let pt=0;pt<w.length;pt++)e.bindFramebuffer(n.FRAMEBUFFER,vt.__webglMultisampledFramebuffer),n.framebufferRenderbuffer(n.FRAMEBUFFER,n.COLOR_ATTACHMENT0+pt,n.RENDERBUFFER,null),e.bindFramebuffer(n.FRAMEBUFFER,vt.__webglFramebuffer),n.framebufferTexture2D(n.DRAW_FRAMEBUFFER,n.COLOR_ATTACHMENT0+pt,n.TEXTURE_2D,null,0);e.bindFramebuffer(n.READ_FRAMEBUFFER,vt.__webglMultisampledFramebuffer),D.texture.mipmaps.length>0?e.bindFramebuffer(n.DRAW_FRAMEBUFFER,vt.__webglFramebuffer[0]):e.bindFramebuffer(n.DRAW_FRAMEBUFFER,vt.__webglFramebuffer);for(let pt=0;pt<w.length;pt++){if(D.resolveDepthBuffer&&(D.depthBuffer&&(at|=n.DEPTH_BUFFER_BIT),D.stencilBuffer&&D.resolveStencilBuffer&&(at|=n.STENCIL_BUFFER_BIT)),nt){n.framebufferRenderbuffer(n.READ_FRAMEBUFFER,n.COLOR_ATTACHMENT0,n.RENDERBUFFER,vt.__webglColorRenderbuffer[pt]);let z=i.get(w[pt]).__webglTexture;n.framebufferTexture2D(n.DRAW_FRAMEBUFFER,n.COLOR_ATTACHMENT0,n.TEXTURE_2D,z,0)}n.blitFramebuffer(0,0,Y,dt,0,0,Y,dt,at,n.NEAREST),l===!0&&(Pt.length=0,Pt.push(n.COLOR_ATTACHMENT0+pt),D.depthBuffer&&D.storeMultisampledDepthBuffer===!1&&Pt.push(xt),n.invalidateFramebuffer(n.READ_FRAMEBUFFER,Pt))}if(e.bindFramebuffer(n.READ_FRAMEBUFFER,null),e.bindFramebuffer(n.DRAW_FRAMEBUFFER,null),nt)for(let pt=0;pt<w.length;pt++){e.bindFramebuffer(n.FRAMEBUFFER,vt.__webglMultisampledFramebuffer),n.framebufferRenderbuffer(n.FRAMEBUFFER,n.COLOR_ATTACHMENT0+pt,n.RENDERBUFFER,vt.__webglColorRenderbuffer[pt]);let z=i.get(w[pt]).__webglTexture;e.bindFramebuffer(n.FRAMEBUFFER,vt.__webglFramebuffer),n.framebufferTexture2D(n.DRAW_FRAMEBUFFER,n.COLOR_ATTACHMENT0+pt,n.TEXTURE_2D,z,0)}e.bindFramebuffer(n.DRAW_FRAMEBUFFER,vt.__webglMultisampledFramebuffer)}else if(D.depthBuffer&&D.storeMultisampledDepthBuffer===!1&&l){let w=D.stencilBuffer?n.DEPTH_STENCIL_ATTACHMENT:n.DEPTH_ATTACHMENT;n.invalidateFramebuffer(n.DRAW_FRAMEBUFFER,[w])}}}function le(D){return Math.min(s.maxSamples,D.samples)}function Mt(D){let w=i.get(D);return D.samples>0&&t.has("WEBGL_multisampled_render_to_texture")===!0&&w.__useRenderToTexture!==!1}function Ge(D){let w=o.render.frame;d.get(D)!==w&&(d.set(D,w),D.update())}function Gt(D,w){let Y=D.colorSpace,dt=D.format,at=D.type;return D.isCompressedTexture===!0||D.isVideoTexture===!0||Y!==za&&Y!==Hs&&(ye.getTransfer(Y)===Pe?(dt!==Ki||at!==hi)&&qt("WebGLTextures: sRGB encoded textures have to use RGBAFormat and UnsignedByteType."):te("WebGLTextures: Unsupported texture color space:",Y)),w}function Yt(D){return typeof HTMLImageElement<"u"&&D instanceof HTMLImageElement?(c.width=D.naturalWidth||D.width,c.height=D.naturalHeight||D.height):typeof VideoFrame<"u"&&D instanceof VideoFrame?(c.width=D.displayWidth,c.height=D.displayHeight):(c.width=D.width,c.height=D.height),c}this.allocateTextureUnit=ut,this.resetTextureUnits=K,this.getTextureUnits=et,this.setTextureUnits=ht,this.setTexture2D=gt,this.setTexture2DArray=yt,this.setTexture3D=Ct,this.setTextureCube=wt,this.rebindTextures=un,this.setupRenderTarget=vn,this.updateRenderTargetMipmap=G,this.updateMultisampleRenderTarget=Zt,this.setupDepthRenderbuffer=Cn,this.setupFrameBufferTexture=Be,this.useMultisampledRTT=Mt,this.dispose=k}function jE(n,t){function e(i,s=Hs){let r,o=ye.getTransfer(s);if(i===hi)return n.UNSIGNED_BYTE;if(i===rh)return n.UNSIGNED_SHORT_4_4_4_4;if(i===oh)return n.UNSIGNED_SHORT_5_5_5_1;if(i===$d)return n.UNSIGNED_INT_5_9_9_9_REV;if(i===Yd)return n.UNSIGNED_INT_10F_11F_11F_REV;if(i===Wd)return n.BYTE;if(i===Xd)return n.SHORT;if(i===Ko)return n.UNSIGNED_SHORT;if(i===sh)return n.INT;if(i===ji)return n.UNSIGNED_INT;if(i===zi)return n.FLOAT;if(i===Ji)return n.HALF_FLOAT;if(i===qd)return n.ALPHA;if(i===Zd)return n.RGB;if(i===Ki)return n.RGBA;if(i===Fs)return n.DEPTH_COMPONENT;if(i===Vs)return n.DEPTH_STENCIL;if(i===ah)return n.RED;if(i===lh)return n.RED_INTEGER;if(i===fr)return n.RG;if(i===ch)return n.RG_INTEGER;if(i===hh)return n.RGBA_INTEGER;if(i===ll||i===cl||i===hl||i===ul)if(o===Pe)if(r=t.get("WEBGL_compressed_texture_s3tc_srgb"),r!==null){if(i===ll)return r.COMPRESSED_SRGB_S3TC_DXT1_EXT;if(i===cl)return r.COMPRESSED_SRGB_ALPHA_S3TC_DXT1_EXT;if(i===hl)return r.COMPRESSED_SRGB_ALPHA_S3TC_DXT3_EXT;if(i===ul)return r.COMPRESSED_SRGB_ALPHA_S3TC_DXT5_EXT}else return null;else if(r=t.get("WEBGL_compressed_texture_s3tc"),r!==null){if(i===ll)return r.COMPRESSED_RGB_S3TC_DXT1_EXT;if(i===cl)return r.COMPRESSED_RGBA_S3TC_DXT1_EXT;if(i===hl)return r.COMPRESSED_RGBA_S3TC_DXT3_EXT;if(i===ul)return r.COMPRESSED_RGBA_S3TC_DXT5_EXT}else return null;if(i===uh||i===dh||i===fh||i===ph)if(r=t.get("WEBGL_compressed_texture_pvrtc"),r!==null){if(i===uh)return r.COMPRESSED_RGB_PVRTC_4BPPV1_IMG;if(i===dh)return r.COMPRESSED_RGB_PVRTC_2BPPV1_IMG;if(i===fh)return r.COMPRESSED_RGBA_PVRTC_4BPPV1_IMG;if(i===ph)return r.COMPRESSED_RGBA_PVRTC_2BPPV1_IMG}else return null;if(i===mh||i===gh||i===_h||i===xh||i===yh||i===dl||i===vh)if(r=t.get("WEBGL_compressed_texture_etc"),r!==null){if(i===mh||i===gh)return o===Pe?r.COMPRESSED_SRGB8_ETC2:r.COMPRESSED_RGB8_ETC2;if(i===_h)return o===Pe?r.COMPRESSED_SRGB8_ALPHA8_ETC2_EAC:r.COMPRESSED_RGBA8_ETC2_EAC;if(i===xh)return r.COMPRESSED_R11_EAC;if(i===yh)return r.COMPRESSED_SIGNED_R11_EAC;if(i===dl)return r.COMPRESSED_RG11_EAC;if(i===vh)return r.COMPRESSED_SIGNED_RG11_EAC}else return null;if(i===Sh||i===bh||i===wh||i===Mh||i===Eh||i===Ah||i===Th||i===Ch||i===Rh||i===Ph||i===Ih||i===Lh||i===Dh||i===Nh)if(r=t.get("WEBGL_compressed_texture_astc"),r!==null){if(i===Sh)return o===Pe?r.COMPRESSED_SRGB8_ALPHA8_ASTC_4x4_KHR:r.COMPRESSED_RGBA_ASTC_4x4_KHR;if(i===bh)return o===Pe?r.COMPRESSED_SRGB8_ALPHA8_ASTC_5x4_KHR:r.COMPRESSED_RGBA_ASTC_5x4_KHR;if(i===wh)return o===Pe?r.COMPRESSED_SRGB8_ALPHA8_ASTC_5x5_KHR:r.COMPRESSED_RGBA_ASTC_5x5_KHR;if(i===Mh)return o===Pe?r.COMPRESSED_SRGB8_ALPHA8_ASTC_6x5_KHR:r.COMPRESSED_RGBA_ASTC_6x5_KHR;if(i===Eh)return o===Pe?r.COMPRESSED_SRGB8_ALPHA8_ASTC_6x6_KHR:r.COMPRESSED_RGBA_ASTC_6x6_KHR;if(i===Ah)return o===Pe?r.COMPRESSED_SRGB8_ALPHA8_ASTC_8x5_KHR:r.COMPRESSED_RGBA_ASTC_8x5_KHR;if(i===Th)return o===Pe?r.COMPRESSED_SRGB8_ALPHA8_ASTC_8x6_KHR:r.COMPRESSED_RGBA_ASTC_8x6_KHR;if(i===Ch)return o===Pe?r.COMPRESSED_SRGB8_ALPHA8_ASTC_8x8_KHR:r.COMPRESSED_RGBA_ASTC_8x8_KHR;if(i===Rh)return o===Pe?r.COMPRESSED_SRGB8_ALPHA8_ASTC_10x5_KHR:r.COMPRESSED_RGBA_ASTC_10x5_KHR;if(i===Ph)return o===Pe?r.COMPRESSED_SRGB8_ALPHA8_ASTC_10x6_KHR:r.COMPRESSED_RGBA_ASTC_10x6_KHR;if(i===Ih)return o===Pe?r.COMPRESSED_SRGB8_ALPHA8_ASTC_10x8_KHR:r.COMPRESSED_RGBA_ASTC_10x8_KHR;if(i===Lh)return o===Pe?r.COMPRESSED_SRGB8_ALPHA8_ASTC_10x10_KHR:r.COMPRESSED_RGBA_ASTC_10x10_KHR;if(i===Dh)return o===Pe?r.COMPRESSED_SRGB8_ALPHA8_ASTC_12x10_KHR:r.COMPRESSED_RGBA_ASTC_12x10_KHR;if(i===Nh)return o===Pe?r.COMPRESSED_SRGB8_ALPHA8_ASTC_12x12_KHR:r.COMPRESSED_RGBA_ASTC_12x12_KHR}else return null;if(i===Oh||i===Uh||i===Fh)if(r=t.get("EXT_texture_compression_bptc"),r!==null){if(i===Oh)return o===Pe?r.COMPRESSED_SRGB_ALPHA_BPTC_UNORM_EXT:r.COMPRESSED_RGBA_BPTC_UNORM_EXT;if(i===Uh)return r.COMPRESSED_RGB_BPTC_SIGNED_FLOAT_EXT;if(i===Fh)return r.COMPRESSED_RGB_BPTC_UNSIGNED_FLOAT_EXT}else return null;if(i===Bh||i===kh||i===fl||i===zh)if(r=t.get("EXT_texture_compression_rgtc"),r!==null){if(i===Bh)return r.COMPRESSED_RED_RGTC1_EXT;if(i===kh)return r.COMPRESSED_SIGNED_RED_RGTC1_EXT;if(i===fl)return r.COMPRESSED_RED_GREEN_RGTC2_EXT;if(i===zh)return r.COMPRESSED_SIGNED_RED_GREEN_RGTC2_EXT}else return null;return i===$r?n.UNSIGNED_INT_24_8:n[i]!==void 0?n[i]:null}return{convert:e}}var JE=`
+void main() {
+
+	gl_Position = vec4( position, 1.0 );
+
+}`,KE=`
+uniform sampler2DArray depthColor;
+uniform float depthWidth;
+uniform float depthHeight;
+
+void main() {
+
+	vec2 coord = vec2( gl_FragCoord.x / depthWidth, gl_FragCoord.y / depthHeight );
+
+	if ( coord.x >= 1.0 ) {
+
+		gl_FragDepth = texture( depthColor, vec3( coord.x - 1.0, coord.y, 1 ) ).r;
+
+	} else {
+
+		gl_FragDepth = texture( depthColor, vec3( coord.x, coord.y, 0 ) ).r;
+
+	}
+
+}`,Mf=class{constructor(){this.texture=null,this.mesh=null,this.depthNear=0,this.depthFar=0}init(t,e){if(this.texture===null){let i=new Ja(t.texture);(t.depthNear!==e.depthNear||t.depthFar!==e.depthFar)&&(this.depthNear=t.depthNear,this.depthFar=t.depthFar),this.texture=i}}getMesh(t){if(this.texture!==null&&this.mesh===null){let e=t.cameras[0].viewport,i=new ki({vertexShader:JE,fragmentShader:KE,uniforms:{depthColor:{value:this.texture},depthWidth:{value:e.z},depthHeight:{value:e.w}}});this.mesh=new mt(new Fr(20,20),i)}return this.mesh}reset(){this.texture=null,this.mesh=null}getDepthTexture(){return this.texture}},Ef=class extends Zi{constructor(t,e){super();let i=this,s=null,r=1,o=null,a="local-floor",l=1,c=null,d=null,u=null,h=null,f=null,p=null,_=typeof XRWebGLBinding<"u",g=new Mf,m={},x=e.getContextAttributes(),b=null,y=null,C=[],E=[],v=new $t,M=null,O=null,R=new vi;R.viewport=new Le;let I=new vi;I.viewport=new Le;let U=[R,I],F=new Kc,L=null,k=null;this.cameraAutoUpdate=!0,this.enabled=!1,this.isPresenting=!1,this.getController=function(Q){let gt=C[Q];return gt===void 0&&(gt=new Wo,C[Q]=gt),gt.getTargetRaySpace()},this.getControllerGrip=function(Q){let gt=C[Q];return gt===void 0&&(gt=new Wo,C[Q]=gt),gt.getGripSpace()},this.getHand=function(Q){let gt=C[Q];return gt===void 0&&(gt=new Wo,C[Q]=gt),gt.getHandSpace()};function X(Q){let gt=E.indexOf(Q.inputSource);if(gt===-1)return;let yt=C[gt];yt!==void 0&&(yt.update(Q.inputSource,Q.frame,c||o),yt.dispatchEvent({type:Q.type,data:Q.inputSource}))}function V(){s.removeEventListener("select",X),s.removeEventListener("selectstart",X),s.removeEventListener("selectend",X),s.removeEventListener("squeeze",X),s.removeEventListener("squeezestart",X),s.removeEventListener("squeezeend",X),s.removeEventListener("end",V),s.removeEventListener("inputsourceschange",ot);for(let Q=0;Q<C.length;Q++){let gt=E[Q];gt!==null&&(E[Q]=null,C[Q].disconnect(gt))}L=null,k=null,g.reset();for(let Q in m)delete m[Q];if(t.setRenderTarget(b),f=null,h=null,u=null,s=null,y=null,ut.stop(),i.isPresenting=!1,t.setPixelRatio(M),t.setSize(v.width,v.height,!1),O!==null){let Q=O.camera;Q.fov=O.fov,Q.zoom=O.zoom,Q.updateProjectionMatrix(),O=null}i.dispatchEvent({type:"sessionend"})}this.setFramebufferScaleFactor=function(Q){r=Q,i.isPresenting===!0&&qt("WebXRManager: Cannot change framebuffer scale while presenting.")},this.setReferenceSpaceType=function(Q){a=Q,i.isPresenting===!0&&qt("WebXRManager: Cannot change reference space type while presenting.")},this.getReferenceSpace=function(){return c||o},this.setReferenceSpace=function(Q){c=Q},this.getBaseLayer=function(){return h!==null?h:f},this.getBinding=function(){return u===null&&_&&(u=new XRWebGLBinding(s,e)),u},this.getFrame=function(){return p},this.getSession=function(){return s},this.setSession=async function(Q){if(s=Q,s!==null){if(b=t.getRenderTarget(),s.addEventListener("select",X),s.addEventListener("selectstart",X),s.addEventListener("selectend",X),s.addEventListener("squeeze",X),s.addEventListener("squeezestart",X),s.addEventListener("squeezeend",X),s.addEventListener("end",V),s.addEventListener("inputsourceschange",ot),x.xrCompatible!==!0&&await e.makeXRCompatible(),M=t.getPixelRatio(),t.getSize(v),_&&"createProjectionLayer"in XRWebGLBinding.prototype){let yt=null,Ct=null,wt=null;x.depth&&(wt=x.stencil?e.DEPTH24_STENCIL8:e.DEPTH_COMPONENT24,yt=x.stencil?Vs:Fs,Ct=x.stencil?$r:ji);let Wt={colorFormat:e.RGBA8,depthFormat:wt,scaleFactor:r};u=this.getBinding(),h=u.createProjectionLayer(Wt),s.updateRenderState({layers:[h]}),t.setPixelRatio(1),t.setSize(h.textureWidth,h.textureHeight,!1),y=new Si(h.textureWidth,h.textureHeight,{format:Ki,type:hi,depthTexture:new ks(h.textureWidth,h.textureHeight,Ct,void 0,void 0,void 0,void 0,void 0,void 0,yt),stencilBuffer:x.stencil,colorSpace:t.outputColorSpace,samples:x.antialias?4:0,resolveDepthBuffer:h.ignoreDepthValues===!1,resolveStencilBuffer:h.ignoreDepthValues===!1,storeMultisampledDepthBuffer:h.ignoreDepthValues===!1,storeMultisampledStencilBuffer:h.ignoreDepthValues===!1})}else{let yt={antialias:x.antialias,alpha:!0,depth:x.depth,stencil:x.stencil,framebufferScaleFactor:r};f=new XRWebGLLayer(s,e,yt),s.updateRenderState({baseLayer:f}),t.setPixelRatio(1),t.setSize(f.framebufferWidth,f.framebufferHeight,!1),y=new Si(f.framebufferWidth,f.framebufferHeight,{format:Ki,type:hi,colorSpace:t.outputColorSpace,stencilBuffer:x.stencil,resolveDepthBuffer:f.ignoreDepthValues===!1,resolveStencilBuffer:f.ignoreDepthValues===!1,storeMultisampledDepthBuffer:f.ignoreDepthValues===!1,storeMultisampledStencilBuffer:f.ignoreDepthValues===!1})}y.isXRRenderTarget=!0,this.setFoveation(l),c=null,o=await s.requestReferenceSpace(a),ut.setContext(s),ut.start(),i.isPresenting=!0,i.dispatchEvent({type:"sessionstart"})}},this.getEnvironmentBlendMode=function(){if(s!==null)return s.environmentBlendMode},this.getDepthTexture=function(){return g.getDepthTexture()};function ot(Q){for(let gt=0;gt<Q.removed.length;gt++){let yt=Q.removed[gt],Ct=E.indexOf(yt);Ct>=0&&(E[Ct]=null,C[Ct].disconnect(yt))}for(let gt=0;gt<Q.added.length;gt++){let yt=Q.added[gt],Ct=E.indexOf(yt);if(Ct===-1){for(let Wt=0;Wt<C.length;Wt++)if(Wt>=E.length){E.push(yt),Ct=Wt;break}else if(E[Wt]===null){E[Wt]=yt,Ct=Wt;break}if(Ct===-1)break}let wt=C[Ct];wt&&wt.connect(yt)}}function $(Q,gt){gt===null?Q.matrixWorld.copy(Q.matrix):Q.matrixWorld.multiplyMatrices(gt.matrixWorld,Q.matrix),Q.matrixWorldInverse.copy(Q.matrixWorld).invert()}this.updateCamera=function(Q){if(s===null)return;let gt=Q.near,yt=Q.far;g.texture!==null&&(g.depthNear>0&&(gt=g.depthNear),g.depthFar>0&&(yt=g.depthFar)),F.near=I.near=R.near=gt,F.far=I.far=R.far=yt,(L!==F.near||k!==F.far)&&(s.updateRenderState({depthNear:F.near,depthFar:F.far}),L=F.near,k=F.far),F.layers.mask=Q.layers.mask|6,R.layers.mask=F.layers.mask&-5,I.layers.mask=F.layers.mask&-3;let Ct=Q.parent,wt=F.cameras;$(F,Ct);for(let Wt=0;Wt<wt.length;Wt++)$(wt[Wt],Ct);F.projectionMatrix.copy(R.projectionMatrix),F.projectionMatrixInverse.copy(R.projectionMatrixInverse),O===null&&Q.isPerspectiveCamera&&(O={camera:Q,fov:Q.fov,zoom:Q.zoom}),K(Q,F,Ct)};function K(Q,gt,yt){yt===null?Q.matrix.copy(gt.matrixWorld):(Q.matrix.copy(yt.matrixWorld),Q.matrix.invert(),Q.matrix.multiply(gt.matrixWorld)),Q.matrix.decompose(Q.position,Q.quaternion,Q.scale),Q.updateMatrixWorld(!0),Q.projectionMatrix.copy(gt.projectionMatrix),Q.projectionMatrixInverse.copy(gt.projectionMatrixInverse),Q.isPerspectiveCamera&&(Q.fov=Go*2*Math.atan(1/Q.projectionMatrix.elements[5]),Q.zoom=1)}this.getCamera=function(){return F},this.getFoveation=function(){if(!(h===null&&f===null))return l},this.setFoveation=function(Q){l=Q,h!==null&&(h.fixedFoveation=Q),f!==null&&f.fixedFoveation!==void 0&&(f.fixedFoveation=Q)},this.hasDepthSensing=function(){return g.texture!==null},this.getDepthSensingMesh=function(){return g.getMesh(F)},this.getCameraTexture=function(Q){return m[Q]};let et=null;function ht(Q,gt){if(d=gt.getViewerPose(c||o),p=gt,d!==null){let yt=d.views;f!==null&&(t.setRenderTargetFramebuffer(y,f.framebuffer),t.setRenderTarget(y));let Ct=!1;yt.length!==F.cameras.length&&(F.cameras.length=0,Ct=!0);for(let Vt=0;Vt<yt.length;Vt++){let pe=yt[Vt],ue=null;if(f!==null)ue=f.getViewport(pe);else{let en=u.getViewSubImage(h,pe);ue=en.viewport,Vt===0&&(t.setRenderTargetTextures(y,en.colorTexture,en.depthStencilTexture),t.setRenderTarget(y))}let re=U[Vt];re===void 0&&(re=new vi,re.layers.enable(Vt),re.viewport=new Le,U[Vt]=re),re.matrix.fromArray(pe.transform.matrix),re.matrix.decompose(re.position,re.quaternion,re.scale),re.projectionMatrix.fromArray(pe.projectionMatrix),re.projectionMatrixInverse.copy(re.projectionMatrix).invert(),re.viewport.set(ue.x,ue.y,ue.width,ue.height),Vt===0&&(F.matrix.copy(re.matrix),F.matrix.decompose(F.position,F.quaternion,F.scale)),Ct===!0&&F.cameras.push(re)}let wt=s.enabledFeatures;if(wt&&wt.includes("depth-sensing")&&s.depthUsage=="gpu-optimized"&&_){u=i.getBinding();let Vt=u.getDepthInformation(yt[0]);Vt&&Vt.isValid&&Vt.texture&&g.init(Vt,s.renderState)}if(wt&&wt.includes("camera-access")&&_){t.state.unbindTexture(),u=i.getBinding();for(let Vt=0;Vt<yt.length;Vt++){let pe=yt[Vt].camera;if(pe){let ue=m[pe];ue||(ue=new Ja,m[pe]=ue);let re=u.getCameraImage(pe);ue.sourceTexture=re}}}}for(let yt=0;yt<C.length;yt++){let Ct=E[yt],wt=C[yt];Ct!==null&&wt!==void 0&&wt.update(Ct,gt,c||o)}et&&et(Q,gt),gt.detectedPlanes&&i.dispatchEvent({type:"planesdetected",data:gt}),p=null}let ut=new f0;ut.setAnimationLoop(ht),this.setAnimationLoop=function(Q){et=Q},this.dispose=function(){}}},QE=new ne,w0=new se;w0.set(-1,0,0,0,1,0,0,0,1);function tA(n,t){function e(g,m){g.matrixAutoUpdate===!0&&g.updateMatrix(),m.value.copy(g.matrix)}function i(g,m){m.color.getRGB(g.fogColor.value,af(n)),m.isFog?(g.fogNear.value=m.near,g.fogFar.value=m.far):m.isFogExp2&&(g.fogDensity.value=m.density)}function s(g,m,x,b,y){m.isNodeMaterial?m.uniformsNeedUpdate=!1:m.isMeshBasicMaterial?r(g,m):m.isMeshLambertMaterial?(r(g,m),m.envMap&&(g.envMapIntensity.value=m.envMapIntensity)):m.isMeshToonMaterial?(r(g,m),u(g,m)):m.isMeshPhongMaterial?(r(g,m),d(g,m),m.envMap&&(g.envMapIntensity.value=m.envMapIntensity)):m.isMeshStandardMaterial?(r(g,m),h(g,m),m.isMeshPhysicalMaterial&&f(g,m,y)):m.isMeshMatcapMaterial?(r(g,m),p(g,m)):m.isMeshDepthMaterial?r(g,m):m.isMeshDistanceMaterial?(r(g,m),_(g,m)):m.isMeshNormalMaterial?r(g,m):m.isLineBasicMaterial?(o(g,m),m.isLineDashedMaterial&&a(g,m)):m.isPointsMaterial?l(g,m,x,b):m.isSpriteMaterial?c(g,m):m.isShadowMaterial?(g.color.value.copy(m.color),g.opacity.value=m.opacity):m.isShaderMaterial&&(m.uniformsNeedUpdate=!1)}function r(g,m){g.opacity.value=m.opacity,m.color&&g.diffuse.value.copy(m.color),m.emissive&&g.emissive.value.copy(m.emissive).multiplyScalar(m.emissiveIntensity),m.map&&(g.map.value=m.map,e(m.map,g.mapTransform)),m.alphaMap&&(g.alphaMap.value=m.alphaMap,e(m.alphaMap,g.alphaMapTransform)),m.bumpMap&&(g.bumpMap.value=m.bumpMap,e(m.bumpMap,g.bumpMapTransform),g.bumpScale.value=m.bumpScale,m.side===ri&&(g.bumpScale.value*=-1)),m.normalMap&&(g.normalMap.value=m.normalMap,e(m.normalMap,g.normalMapTransform),g.normalScale.value.copy(m.normalScale),m.side===ri&&g.normalScale.value.negate()),m.displacementMap&&(g.displacementMap.value=m.displacementMap,e(m.displacementMap,g.displacementMapTransform),g.displacementScale.value=m.displacementScale,g.displacementBias.value=m.displacementBias),m.emissiveMap&&(g.emissiveMap.value=m.emissiveMap,e(m.emissiveMap,g.emissiveMapTransform)),m.specularMap&&(g.specularMap.value=m.specularMap,e(m.specularMap,g.specularMapTransform)),m.alphaTest>0&&(g.alphaTest.value=m.alphaTest);let x=t.get(m),b=x.envMap,y=x.envMapRotation;b&&(g.envMap.value=b,g.envMapRotation.value.setFromMatrix4(QE.makeRotationFromEuler(y)).transpose(),b.isCubeTexture&&b.isRenderTargetTexture===!1&&g.envMapRotation.value.premultiply(w0),g.reflectivity.value=m.reflectivity,g.ior.value=m.ior,g.refractionRatio.value=m.refractionRatio),m.lightMap&&(g.lightMap.value=m.lightMap,g.lightMapIntensity.value=m.lightMapIntensity,e(m.lightMap,g.lightMapTransform)),m.aoMap&&(g.aoMap.value=m.aoMap,g.aoMapIntensity.value=m.aoMapIntensity,e(m.aoMap,g.aoMapTransform))}function o(g,m){g.diffuse.value.copy(m.color),g.opacity.value=m.opacity,m.map&&(g.map.value=m.map,e(m.map,g.mapTransform))}function a(g,m){g.dashSize.value=m.dashSize,g.totalSize.value=m.dashSize+m.gapSize,g.scale.value=m.scale}function l(g,m,x,b){g.diffuse.value.copy(m.color),g.opacity.value=m.opacity,g.size.value=m.size*x,g.scale.value=b*.5,m.map&&(g.map.value=m.map,e(m.map,g.uvTransform)),m.alphaMap&&(g.alphaMap.value=m.alphaMap,e(m.alphaMap,g.alphaMapTransform)),m.alphaTest>0&&(g.alphaTest.value=m.alphaTest)}function c(g,m){g.diffuse.value.copy(m.color),g.opacity.value=m.opacity,g.rotation.value=m.rotation,m.map&&(g.map.value=m.map,e(m.map,g.mapTransform)),m.alphaMap&&(g.alphaMap.value=m.alphaMap,e(m.alphaMap,g.alphaMapTransform)),m.alphaTest>0&&(g.alphaTest.value=m.alphaTest)}function d(g,m){g.specular.value.copy(m.specular),g.shininess.value=Math.max(m.shininess,1e-4)}function u(g,m){m.gradientMap&&(g.gradientMap.value=m.gradientMap)}function h(g,m){g.metalness.value=m.metalness,m.metalnessMap&&(g.metalnessMap.value=m.metalnessMap,e(m.metalnessMap,g.metalnessMapTransform)),g.roughness.value=m.roughness,m.roughnessMap&&(g.roughnessMap.value=m.roughnessMap,e(m.roughnessMap,g.roughnessMapTransform)),m.envMap&&(g.envMapIntensity.value=m.envMapIntensity)}function f(g,m,x){g.ior.value=m.ior,m.diffuseRoughness>0&&(g.diffuseRoughness.value=m.diffuseRoughness,m.diffuseRoughnessMap&&(g.diffuseRoughnessMap.value=m.diffuseRoughnessMap,e(m.diffuseRoughnessMap,g.diffuseRoughnessMapTransform))),m.sheen>0&&(g.sheenColor.value.copy(m.sheenColor).multiplyScalar(m.sheen),g.sheenRoughness.value=m.sheenRoughness,m.sheenColorMap&&(g.sheenColorMap.value=m.sheenColorMap,e(m.sheenColorMap,g.sheenColorMapTransform)),m.sheenRoughnessMap&&(g.sheenRoughnessMap.value=m.sheenRoughnessMap,e(m.sheenRoughnessMap,g.sheenRoughnessMapTransform))),m.clearcoat>0&&(g.clearcoat.value=m.clearcoat,g.clearcoatRoughness.value=m.clearcoatRoughness,m.clearcoatMap&&(g.clearcoatMap.value=m.clearcoatMap,e(m.clearcoatMap,g.clearcoatMapTransform)),m.clearcoatRoughnessMap&&(g.clearcoatRoughnessMap.value=m.clearcoatRoughnessMap,e(m.clearcoatRoughnessMap,g.clearcoatRoughnessMapTransform)),m.clearcoatNormalMap&&(g.clearcoatNormalMap.value=m.clearcoatNormalMap,e(m.clearcoatNormalMap,g.clearcoatNormalMapTransform),g.clearcoatNormalScale.value.copy(m.clearcoatNormalScale),m.side===ri&&g.clearcoatNormalScale.value.negate())),m.dispersion>0&&(g.dispersion.value=m.dispersion),m.retroreflectivity>0&&(g.retroreflectivity.value=m.retroreflectivity),m.iridescence>0&&(g.iridescence.value=m.iridescence,g.iridescenceIOR.value=m.iridescenceIOR,g.iridescenceThicknessMinimum.value=m.iridescenceThicknessMinimum,g.iridescenceThicknessMaximum.value=m.iridescenceThicknessMaximum,m.iridescenceMap&&(g.iridescenceMap.value=m.iridescenceMap,e(m.iridescenceMap,g.iridescenceMapTransform)),m.iridescenceThicknessMap&&(g.iridescenceThicknessMap.value=m.iridescenceThicknessMap,e(m.iridescenceThicknessMap,g.iridescenceThicknessMapTransform))),m.transmission>0&&(g.transmission.value=m.transmission,g.transmissionSamplerMap.value=x.texture,g.transmissionSamplerSize.value.set(x.width,x.height),m.transmissionMap&&(g.transmissionMap.value=m.transmissionMap,e(m.transmissionMap,g.transmissionMapTransform)),g.thickness.value=m.thickness,m.thicknessMap&&(g.thicknessMap.value=m.thicknessMap,e(m.thicknessMap,g.thicknessMapTransform)),g.attenuationDistance.value=m.attenuationDistance,g.attenuationColor.value.copy(m.attenuationColor)),m.anisotropy>0&&(g.anisotropyVector.value.set(m.anisotropy*Math.cos(m.anisotropyRotation),m.anisotropy*Math.sin(m.anisotropyRotation)),m.anisotropyMap&&(g.anisotropyMap.value=m.anisotropyMap,e(m.anisotropyMap,g.anisotropyMapTransform))),g.specularIntensity.value=m.specularIntensity,g.specularColor.value.copy(m.specularColor),m.specularColorMap&&(g.specularColorMap.value=m.specularColorMap,e(m.specularColorMap,g.specularColorMapTransform)),m.specularIntensityMap&&(g.specularIntensityMap.value=m.specularIntensityMap,e(m.specularIntensityMap,g.specularIntensityMapTransform))}function p(g,m){m.matcap&&(g.matcap.value=m.matcap)}function _(g,m){let x=t.get(m).light;g.referencePosition.value.setFromMatrixPosition(x.matrixWorld),g.nearDistance.value=x.shadow.camera.near,g.farDistance.value=x.shadow.camera.far}return{refreshFogUniforms:i,refreshMaterialUniforms:s}}function eA(n,t,e,i){let s={},r={};function o(x,b){let y=b.program;i.uniformBlockBinding(x,y,s[x.id])}function a(x,b){let y=s[x.id];y===void 0&&(p(x),y=l(x),s[x.id]=y,x.addEventListener("dispose",g));let C=b.program;i.updateUBOMapping(x,C);let E=t.render.frame;r[x.id]!==E&&(c(x),r[x.id]=E)}function l(x){let b=n.createBuffer(),y=x.__size,C=x.usage;return n.bindBuffer(n.UNIFORM_BUFFER,b),n.bufferData(n.UNIFORM_BUFFER,y,C),n.bindBuffer(n.UNIFORM_BUFFER,null),b}function c(x){let b=s[x.id],y=x.uniforms,C=x.__cache;n.bindBuffer(n.UNIFORM_BUFFER,b);for(let E=0,v=y.length;E<v;E++){let M=y[E];if(Array.isArray(M))for(let O=0,R=M.length;O<R;O++)d(M[O],E,O,C);else d(M,E,0,C)}n.bindBuffer(n.UNIFORM_BUFFER,null)}function d(x,b,y,C){if(h(x,b,y,C)===!0){let E=x.__offset,v=x.value;if(Array.isArray(v)){let M=0;for(let O=0;O<v.length;O++){let R=v[O],I=_(R,!0);u(R,x.__data,M),M+=I.storage/Float32Array.BYTES_PER_ELEMENT}}else u(v,x.__data,0);n.bufferSubData(n.UNIFORM_BUFFER,E,x.__data)}}function u(x,b,y){typeof x=="number"||typeof x=="boolean"?b[y]=x:x.isMatrix3?(b[y]=x.elements[0],b[y+1]=x.elements[1],b[y+2]=x.elements[2],b[y+3]=0,b[y+4]=x.elements[3],b[y+5]=x.elements[4],b[y+6]=x.elements[5],b[y+7]=0,b[y+8]=x.elements[6],b[y+9]=x.elements[7],b[y+10]=x.elements[8],b[y+11]=0):ArrayBuffer.isView(x)?b.set(x.subarray(0,b.length-y),y):x.toArray(b,y)}function h(x,b,y,C){let E=x.value,v=b+"_"+y;if(Array.isArray(E)){C[v]===void 0&&(C[v]=[]);let M=C[v],O=!1;for(let R=0;R<E.length;R++)f(E[R],M,R)===!0&&(O=!0);return O}return f(E,C,v)}function f(x,b,y){if(b[y]===void 0)return typeof x=="number"||typeof x=="boolean"?b[y]=x:ArrayBuffer.isView(x)?b[y]=x.slice():b[y]=x.clone(),!0;{let C=b[y];if(typeof x=="number"||typeof x=="boolean"){if(C!==x)return b[y]=x,!0}else{if(ArrayBuffer.isView(x))return!0;if(C.equals(x)===!1)return C.copy(x),!0}}return!1}function p(x){let b=x.uniforms,y=0,C=16;for(let v=0,M=b.length;v<M;v++){let O=Array.isArray(b[v])?b[v]:[b[v]];for(let R=0,I=O.length;R<I;R++){let U=O[R],F=Array.isArray(U.value)?U.value:[U.value],L=Array.isArray(b[v])||Array.isArray(U.value),k=y;for(let V=0,ot=F.length;V<ot;V++){let $=F[V],K=_($,L),et=y%C,ht=et%K.boundary,ut=et+ht;y+=ht,ut!==0&&C-ut<K.storage&&(y+=C-ut),V===0&&(k=y),y+=K.storage}let X=U.type==="int"?Int32Array:U.type==="uint"?Uint32Array:Float32Array;U.__data=new X((y-k)/Float32Array.BYTES_PER_ELEMENT),U.__offset=k}}let E=y%C;return E>0&&(y+=C-E),x.__size=y,x.__cache={},this}function _(x,b){let y={boundary:0,storage:0};return typeof x=="number"||typeof x=="boolean"?(y.boundary=4,y.storage=4):x.isVector2?(y.boundary=8,y.storage=8):x.isVector3||x.isColor?(y.boundary=16,y.storage=12):x.isVector4?(y.boundary=16,y.storage=16):x.isMatrix3?(y.boundary=16,y.storage=48):x.isMatrix4?(y.boundary=16,y.storage=64):x.isTexture?qt("WebGLRenderer: Texture samplers can not be part of an uniforms group."):ArrayBuffer.isView(x)?(y.boundary=16,y.storage=x.byteLength):qt("WebGLRenderer: Unsupported uniform value type.",x),b===!0&&(y.boundary=16,y.storage=Math.ceil(y.storage/16)*16),y}function g(x){let b=x.target;b.removeEventListener("dispose",g),n.deleteBuffer(s[b.id]),delete s[b.id],delete r[b.id]}function m(){for(let x in s)n.deleteBuffer(s[x]);s={},r={}}return{bind:o,update:a,dispose:m}}var nA=new Uint16Array([12469,15057,12620,14925,13266,14620,13807,14376,14323,13990,14545,13625,14713,13328,14840,12882,14931,12528,14996,12233,15039,11829,15066,11525,15080,11295,15085,10976,15082,10705,15073,10495,13880,14564,13898,14542,13977,14430,14158,14124,14393,13732,14556,13410,14702,12996,14814,12596,14891,12291,14937,11834,14957,11489,14958,11194,14943,10803,14921,10506,14893,10278,14858,9960,14484,14039,14487,14025,14499,13941,14524,13740,14574,13468,14654,13106,14743,12678,14818,12344,14867,11893,14889,11509,14893,11180,14881,10751,14852,10428,14812,10128,14765,9754,14712,9466,14764,13480,14764,13475,14766,13440,14766,13347,14769,13070,14786,12713,14816,12387,14844,11957,14860,11549,14868,11215,14855,10751,14825,10403,14782,10044,14729,9651,14666,9352,14599,9029,14967,12835,14966,12831,14963,12804,14954,12723,14936,12564,14917,12347,14900,11958,14886,11569,14878,11247,14859,10765,14828,10401,14784,10011,14727,9600,14660,9289,14586,8893,14508,8533,15111,12234,15110,12234,15104,12216,15092,12156,15067,12010,15028,11776,14981,11500,14942,11205,14902,10752,14861,10393,14812,9991,14752,9570,14682,9252,14603,8808,14519,8445,14431,8145,15209,11449,15208,11451,15202,11451,15190,11438,15163,11384,15117,11274,15055,10979,14994,10648,14932,10343,14871,9936,14803,9532,14729,9218,14645,8742,14556,8381,14461,8020,14365,7603,15273,10603,15272,10607,15267,10619,15256,10631,15231,10614,15182,10535,15118,10389,15042,10167,14963,9787,14883,9447,14800,9115,14710,8665,14615,8318,14514,7911,14411,7507,14279,7198,15314,9675,15313,9683,15309,9712,15298,9759,15277,9797,15229,9773,15166,9668,15084,9487,14995,9274,14898,8910,14800,8539,14697,8234,14590,7790,14479,7409,14367,7067,14178,6621,15337,8619,15337,8631,15333,8677,15325,8769,15305,8871,15264,8940,15202,8909,15119,8775,15022,8565,14916,8328,14804,8009,14688,7614,14569,7287,14448,6888,14321,6483,14088,6171,15350,7402,15350,7419,15347,7480,15340,7613,15322,7804,15287,7973,15229,8057,15148,8012,15046,7846,14933,7611,14810,7357,14682,7069,14552,6656,14421,6316,14251,5948,14007,5528,15356,5942,15356,5977,15353,6119,15348,6294,15332,6551,15302,6824,15249,7044,15171,7122,15070,7050,14949,6861,14818,6611,14679,6349,14538,6067,14398,5651,14189,5311,13935,4958,15359,4123,15359,4153,15356,4296,15353,4646,15338,5160,15311,5508,15263,5829,15188,6042,15088,6094,14966,6001,14826,5796,14678,5543,14527,5287,14377,4985,14133,4586,13869,4257,15360,1563,15360,1642,15358,2076,15354,2636,15341,3350,15317,4019,15273,4429,15203,4732,15105,4911,14981,4932,14836,4818,14679,4621,14517,4386,14359,4156,14083,3795,13808,3437,15360,122,15360,137,15358,285,15355,636,15344,1274,15322,2177,15281,2765,15215,3223,15120,3451,14995,3569,14846,3567,14681,3466,14511,3305,14344,3121,14037,2800,13753,2467,15360,0,15360,1,15359,21,15355,89,15346,253,15325,479,15287,796,15225,1148,15133,1492,15008,1749,14856,1882,14685,1886,14506,1783,14324,1608,13996,1398,13702,1183]),ms=null;function iA(){return ms===null&&(ms=new qa(nA,16,16,fr,Ji),ms.name="DFG_LUT",ms.minFilter=si,ms.magFilter=si,ms.wrapS=ds,ms.wrapT=ds,ms.generateMipmaps=!1,ms.needsUpdate=!0),ms}var ea=class{constructor(t={}){let{canvas:e=kg(),context:i=null,depth:s=!0,stencil:r=!1,alpha:o=!1,antialias:a=!1,premultipliedAlpha:l=!0,preserveDrawingBuffer:c=!1,powerPreference:d="default",failIfMajorPerformanceCaveat:u=!1,reversedDepthBuffer:h=!1,outputBufferType:f=hi}=t;this.isWebGLRenderer=!0;let p;if(i!==null){if(typeof WebGLRenderingContext<"u"&&i instanceof WebGLRenderingContext)throw new Error("THREE.WebGLRenderer: WebGL 1 is not supported since r163.");p=i.getContextAttributes().alpha}else p=o;let _=f,g=new Set([hh,ch,lh]),m=new Set([hi,ji,Ko,$r,rh,oh]),x=new Uint32Array(4),b=new Int32Array(4),y={textures:[],min:[],max:[],resolution:[]},C=null,E=null,v=[],M=[],O=null;this.domElement=e,this.debug={checkShaderErrors:!0,diagnostics:{keywords:!1},onShaderError:null},this.autoClear=!0,this.autoClearColor=!0,this.autoClearDepth=!0,this.autoClearStencil=!0,this.sortObjects=!0,this.clippingPlanes=[],this.localClippingEnabled=!1,this.toneMapping=ps,this.toneMappingExposure=1,this.transmissionResolutionScale=1;let R=this,I=!1,U=null,F=null,L=null,k=null;this._outputColorSpace=xi;let X=0,V=0,ot=null,$=-1,K=null,et=new Le,ht=new Le,ut=null,Q=new Jt(0),gt=0,yt=e.width,Ct=e.height,wt=1,Wt=null,ae=null,Vt=new Le(0,0,yt,Ct),pe=new Le(0,0,yt,Ct),ue=!1,re=new sr,en=new Nc,Xe=!1,yn=!1,Be=new ne,On=new P,Se=new Le,Cn={background:null,fog:null,environment:null,overrideMaterial:null,isScene:!0},un=!1;function vn(){return ot===null?wt:1}let G=i;function Pt(T,H){return e.getContext(T,H)}let Zt,le,Mt,Ge,Gt,Yt,D,w,Y,dt,at,xt,vt,nt,st,pt,z,rt,it,Et,_t,bt,Ht;try{let T={alpha:!0,depth:s,stencil:r,antialias:a,premultipliedAlpha:l,preserveDrawingBuffer:c,powerPreference:d,failIfMajorPerformanceCaveat:u};if("setAttribute"in e&&e.setAttribute("data-engine",`three.js r${"187"}`),e.addEventListener("webglcontextlost",Bt,!1),e.addEventListener("webglcontextrestored",Qt,!1),e.addEventListener("webglcontextcreationerror",Rt,!1),G===null){let H="webgl2";if(G=Pt(H,T),G===null)throw Pt(H)?new Error("THREE.WebGLRenderer: Error creating WebGL context with your selected attributes."):new Error("THREE.WebGLRenderer: Error creating WebGL context.")}Kt()}catch(T){throw e.removeEventListener("webglcontextlost",Bt,!1),e.removeEventListener("webglcontextrestored",Qt,!1),e.removeEventListener("webglcontextcreationerror",Rt,!1),te("WebGLRenderer: "+T.message),T}function Kt(){Zt=new p1(G),Zt.init(),_t=new jE(G,Zt),le=new i1(G,Zt,t,_t),Mt=new qE(G,Zt),le.reversedDepthBuffer&&h&&Mt.buffers.depth.setReversed(!0),F=G.createFramebuffer(),L=G.createFramebuffer(),k=G.createFramebuffer(),Ge=new _1(G),Gt=new NE,Yt=new ZE(G,Zt,Mt,Gt,le,_t,Ge),D=new f1(R),w=new yb(G),bt=new e1(G,w),Y=new m1(G,w,Ge,bt),dt=new y1(G,Y,w,bt,Ge),rt=new x1(G,le,Yt),st=new s1(Gt),at=new DE(R,D,Zt,le,bt,st),xt=new tA(R,Gt),vt=new UE,nt=new VE(Zt),z=new t1(R,D,Mt,dt,p,l),pt=new YE(R,dt,le),Ht=new eA(G,Ge,le,Mt),it=new n1(G,Zt,Ge),Et=new g1(G,Zt,Ge),Ge.programs=at.programs,R.capabilities=le,R.extensions=Zt,R.properties=Gt,R.renderLists=vt,R.shadowMap=pt,R.state=Mt,R.info=Ge}_!==hi&&(O=new S1(_,e.width,e.height,a,s,r));let ct=new Ef(R,G);this.xr=ct,this.getContext=function(){return G},this.getContextAttributes=function(){return G.getContextAttributes()},this.forceContextLoss=function(){let T=Zt.get("WEBGL_lose_context");T&&T.loseContext()},this.forceContextRestore=function(){let T=Zt.get("WEBGL_lose_context");T&&T.restoreContext()},this.getPixelRatio=function(){return wt},this.setPixelRatio=function(T){T!==void 0&&(wt=T,this.setSize(yt,Ct,!1))},this.getSize=function(T){return T.set(yt,Ct)},this.setSize=function(T,H,tt=!0){if(ct.isPresenting){qt("WebGLRenderer: Can't change size while VR device is presenting.");return}yt=T,Ct=H,e.width=Math.floor(T*wt),e.height=Math.floor(H*wt),tt===!0&&(e.style.width=T+"px",e.style.height=H+"px"),O!==null&&O.setSize(e.width,e.height),this.setViewport(0,0,T,H)},this.getDrawingBufferSize=function(T){return T.set(yt*wt,Ct*wt).floor()},this.setDrawingBufferSize=function(T,H,tt){yt=T,Ct=H,wt=tt,e.width=Math.floor(T*tt),e.height=Math.floor(H*tt),this.setViewport(0,0,T,H)},this.setEffects=function(T){if(_===hi){te("WebGLRenderer: setEffects() requires outputBufferType set to HalfFloatType or FloatType.");return}if(T){for(let H=0;H<T.length;H++)if(T[H].isOutputPass===!0){qt("WebGLRenderer: OutputPass is not needed in setEffects(). Tone mapping and color space conversion are applied automatically.");break}}O.setEffects(T||[])},this.getCurrentViewport=function(T){return T.copy(et)},this.getViewport=function(T){return T.copy(Vt)},this.setViewport=function(T,H,tt,Z){T.isVector4?Vt.set(T.x,T.y,T.z,T.w):Vt.set(T,H,tt,Z),Mt.viewport(et.copy(Vt).multiplyScalar(vn()).round())},this.getScissor=function(T){return T.copy(pe)},this.setScissor=function(T,H,tt,Z){T.isVector4?pe.set(T.x,T.y,T.z,T.w):pe.set(T,H,tt,Z),Mt.scissor(ht.copy(pe).multiplyScalar(vn()).round())},this.getScissorTest=function(){return ue},this.setScissorTest=function(T){Mt.setScissorTest(ue=T)},this.setOpaqueSort=function(T){Wt=T},this.setTransparentSort=function(T){ae=T},this.getClearColor=function(T){return T.copy(z.getClearColor())},this.setClearColor=function(){z.setClearColor(...arguments)},this.getClearAlpha=function(){return z.getClearAlpha()},this.setClearAlpha=function(){z.setClearAlpha(...arguments)},this.clear=function(T=!0,H=!0,tt=!0){let Z=0;if(T){let j=!1;if(ot!==null){let At=ot.texture.format;j=g.has(At)}if(j){let At=ot.texture.type,Lt=m.has(At),Tt=z.getClearColor(),Dt=z.getClearAlpha(),zt=Tt.r,ee=Tt.g,me=Tt.b;Lt?(x[0]=zt,x[1]=ee,x[2]=me,x[3]=Dt,G.clearBufferuiv(G.COLOR,0,x)):(b[0]=zt,b[1]=ee,b[2]=me,b[3]=Dt,G.clearBufferiv(G.COLOR,0,b))}else Z|=G.COLOR_BUFFER_BIT}H&&(Z|=G.DEPTH_BUFFER_BIT,this.state.buffers.depth.setMask(!0)),tt&&(Z|=G.STENCIL_BUFFER_BIT,this.state.buffers.stencil.setMask(4294967295)),Z!==0&&G.clear(Z)},this.clearColor=function(){this.clear(!0,!1,!1)},this.clearDepth=function(){this.clear(!1,!0,!1)},this.clearStencil=function(){this.clear(!1,!1,!0)},this.setNodesHandler=function(T){T.setRenderer(this),U=T},this.dispose=function(){e.removeEventListener("webglcontextlost",Bt,!1),e.removeEventListener("webglcontextrestored",Qt,!1),e.removeEventListener("webglcontextcreationerror",Rt,!1),z.dispose(),vt.dispose(),nt.dispose(),Yt.dispose(),Gt.dispose(),D.dispose(),dt.dispose(),Y.dispose(),bt.dispose(),Ht.dispose(),at.dispose(),ct.dispose(),ct.removeEventListener("sessionstart",Vl),ct.removeEventListener("sessionend",ss),Es.stop()};function Bt(T){T.preventDefault(),Ha("WebGLRenderer: Context Lost."),I=!0}function Qt(){Ha("WebGLRenderer: Context Restored."),I=!1;let T=Ge.autoReset,H=pt.enabled,tt=pt.autoUpdate,Z=pt.needsUpdate,j=pt.type;Kt(),Ge.autoReset=T,pt.enabled=H,pt.autoUpdate=tt,pt.needsUpdate=Z,pt.type=j}function Rt(T){te("WebGLRenderer: A WebGL context could not be created. Reason: ",T.statusMessage)}function he(T){let H=T.target;H.removeEventListener("dispose",he),qe(H)}function qe(T){Kn(T),Gt.remove(T)}function Kn(T){let H=Gt.get(T).programs;H!==void 0&&(H.forEach(function(tt){at.releaseProgram(tt)}),T.isShaderMaterial&&at.releaseShaderCache(T))}this.renderBufferDirect=function(T,H,tt,Z,j,At){H===null&&(H=Cn);let Lt=j.isMesh&&j.matrixWorld.determinantAffine()<0,Tt=Ea(T,H,tt,Z,j);Mt.setMaterial(Z,Lt);let Dt=tt.index,zt=1;if(Z.wireframe===!0){if(Dt=Y.getWireframeAttribute(tt),Dt===void 0)return;zt=2}let ee=tt.drawRange,me=tt.attributes.position,kt=ee.start*zt,ge=(ee.start+ee.count)*zt;At!==null&&(kt=Math.max(kt,At.start*zt),ge=Math.min(ge,(At.start+At.count)*zt)),Dt!==null?(kt=Math.max(kt,0),ge=Math.min(ge,Dt.count)):me!=null&&(kt=Math.max(kt,0),ge=Math.min(ge,me.count));let an=ge-kt;if(an<0||an===1/0)return;bt.setup(j,Z,Tt,tt,Dt);let Oe,Ue=it;if(Dt!==null&&(Oe=w.get(Dt),Ue=Et,Ue.setIndex(Oe)),j.isMesh)Z.wireframe===!0?(Mt.setLineWidth(Z.wireframeLinewidth*vn()),Ue.setMode(G.LINES)):Ue.setMode(G.TRIANGLES);else if(j.isLine){let Rn=Z.linewidth;Rn===void 0&&(Rn=1),Mt.setLineWidth(Rn*vn()),j.isLineSegments?Ue.setMode(G.LINES):j.isLineLoop?Ue.setMode(G.LINE_LOOP):Ue.setMode(G.LINE_STRIP)}else j.isPoints?Ue.setMode(G.POINTS):j.isSprite&&Ue.setMode(G.TRIANGLES);if(j.isBatchedMesh)if(Zt.get("WEBGL_multi_draw"))Ue.renderMultiDraw(j._multiDrawStarts,j._multiDrawCounts,j._multiDrawCount);else{let Rn=j._multiDrawStarts,Ut=j._multiDrawCounts,Sn=j._multiDrawCount,xe=Dt?w.get(Dt).bytesPerElement:1,Ts=Gt.get(Z).currentProgram.getUniforms();for(let bn=0;bn<Sn;bn++)Ts.setValue(G,"_gl_DrawID",bn),Ue.render(Rn[bn]/xe,Ut[bn])}else if(j.isInstancedMesh)Ue.renderInstances(kt,an,j.count);else if(tt.isInstancedBufferGeometry){let Rn=tt._maxInstanceCount!==void 0?tt._maxInstanceCount:1/0,Ut=Math.min(tt.instanceCount,Rn);Ue.renderInstances(kt,an,Ut)}else Ue.render(kt,an)};function ba(T,H,tt,Z){U!==null&&T.isNodeMaterial&&U.setObject(Z,T),Xe===!0&&st.setState(T,tt,!1),T.transparent===!0&&T.side===Ye&&T.forceSinglePass===!1?(T.side=ri,T.needsUpdate=!0,rs(T,H,Z),T.side=dr,T.needsUpdate=!0,rs(T,H,Z),T.side=Ye):rs(T,H,Z)}this.compile=function(T,H,tt=null){tt===null&&(tt=T),U!==null&&U.renderStart(T,H,tt),E=nt.get(tt),E.init(H),M.push(E),tt.traverseVisible(function(j){j.isLight&&j.layers.test(H.layers)&&(E.pushLight(j),j.castShadow&&E.pushShadow(j))}),T!==tt&&T.traverseVisible(function(j){j.isLight&&j.layers.test(H.layers)&&(E.pushLight(j),j.castShadow&&E.pushShadow(j))}),E.setupLights(),U!==null&&U.updateLights(E.state.lightsArray),yn=this.localClippingEnabled,Xe=st.init(this.clippingPlanes,yn),Xe===!0&&st.setGlobalState(this.clippingPlanes,H),U!==null&&pt.render(E.state.shadowsArray,tt,H);let Z=new Set;return T.traverse(function(j){if(!(j.isMesh||j.isPoints||j.isLine||j.isSprite))return;let At=j.material;if(At)if(Array.isArray(At))for(let Lt=0;Lt<At.length;Lt++){let Tt=At[Lt];ba(Tt,tt,H,j),Z.add(Tt)}else ba(At,tt,H,j),Z.add(At)}),E=M.pop(),U!==null&&U.renderEnd(),Z},this.compileAsync=function(T,H,tt=null){let Z=this.compile(T,H,tt);return new Promise(j=>{function At(){if(Z.forEach(function(Lt){let Dt=Gt.get(Lt).currentProgram;(Dt===void 0||Dt.isReady())&&Z.delete(Lt)}),Z.size===0){j(T);return}setTimeout(At,10)}Zt.get("KHR_parallel_shader_compile")!==null?At():setTimeout(At,10)})};let lo=null;function Hu(T){lo&&lo(T)}function Vl(){Es.stop()}function ss(){Es.start()}let Es=new f0;Es.setAnimationLoop(Hu),typeof self<"u"&&Es.setContext(self),this.setAnimationLoop=function(T){lo=T,ct.setAnimationLoop(T),T===null?Es.stop():Es.start()},ct.addEventListener("sessionstart",Vl),ct.addEventListener("sessionend",ss),this.render=function(T,H){if(H!==void 0&&H.isCamera!==!0){te("WebGLRenderer.render: camera is not an instance of THREE.Camera.");return}if(I===!0)return;U!==null&&U.renderStart(T,H);let tt=ct.enabled===!0&&ct.isPresenting===!0,Z=O!==null&&(ot===null||tt)&&O.begin(R,ot);if(T.matrixWorldAutoUpdate===!0&&T.updateMatrixWorld(),H.parent===null&&H.matrixWorldAutoUpdate===!0&&H.updateMatrixWorld(),ct.enabled===!0&&ct.isPresenting===!0&&(O===null||O.isCompositing()===!1)&&(ct.cameraAutoUpdate===!0&&ct.updateCamera(H),H=ct.getCamera()),T.isScene===!0&&T.onBeforeRender(R,T,H,ot),E=nt.get(T,M.length),E.init(H),E.state.textureUnits=Yt.getTextureUnits(),M.push(E),Be.multiplyMatrices(H.projectionMatrix,H.matrixWorldInverse),H.isArrayCamera?en.setFromArrayCamera(H):re.setFromProjectionMatrix(Be,Di,H.reversedDepth),yn=this.localClippingEnabled,Xe=st.init(this.clippingPlanes,yn),C=vt.get(T,v.length),C.init(),v.push(C),this.info.render.frame++,ct.enabled===!0&&ct.isPresenting===!0){let Lt=R.xr.getDepthSensingMesh();Lt!==null&&As(Lt,H,-1/0,R.sortObjects)}As(T,H,0,R.sortObjects),C.finish(),U!==null&&U.updateLights(E.state.lightsArray),R.sortObjects===!0&&C.sort(Wt,ae),un=ct.enabled===!1||ct.isPresenting===!1||ct.hasDepthSensing()===!1,un&&z.addToRenderList(C,T),this.info.autoReset===!0&&this.info.reset(),Xe===!0&&st.beginShadows();let j=E.state.shadowsArray;if(pt.render(j,T,H),Xe===!0&&st.endShadows(),(Z&&O.hasRenderPass())===!1){let Lt=C.opaque,Tt=C.transmissive;if(E.setupLights(),H.isArrayCamera){let Dt=H.cameras;if(Tt.length>0)for(let zt=0,ee=Dt.length;zt<ee;zt++){let me=Dt[zt];Hi(Lt,Tt,T,me)}un&&z.render(T);for(let zt=0,ee=Dt.length;zt<ee;zt++){let me=Dt[zt];wa(C,T,me,me.viewport)}}else Tt.length>0&&Hi(Lt,Tt,T,H),un&&z.render(T),wa(C,T,H)}ot!==null&&V===0&&(Yt.updateMultisampleRenderTarget(ot),Yt.updateRenderTargetMipmap(ot)),Z&&O.end(R),T.isScene===!0&&T.onAfterRender(R,T,H),bt.resetDefaultState(),$=-1,K=null,M.pop(),M.length>0?(E=M[M.length-1],Yt.setTextureUnits(E.state.textureUnits),Xe===!0&&st.setGlobalState(R.clippingPlanes,E.state.camera)):E=null,v.pop(),v.length>0?C=v[v.length-1]:C=null,U!==null&&U.renderEnd()};function As(T,H,tt,Z){if(T.visible===!1)return;if(T.layers.test(H.layers)){if(T.isGroup)tt=T.renderOrder;else if(T.isLOD)T.autoUpdate===!0&&T.update(H);else if(T.isLight)E.pushLight(T),T.castShadow&&E.pushShadow(T);else if(T.isSprite){let Lt=H.isArrayCamera?en:re;if(!T.frustumCulled||T.intersectsFrustum(Lt)){Z&&Se.setFromMatrixPosition(T.matrixWorld).applyMatrix4(Be);let Tt=dt.update(T),Dt=T.material;Dt.visible&&C.push(T,Tt,Dt,tt,Se.z,null,H)}}else if(T.isMesh||T.isLine||T.isPoints){let Lt=H.isArrayCamera?en:re;if(!T.frustumCulled||T.intersectsFrustum(Lt)){let Tt=dt.update(T),Dt=T.material;if(Z&&(T.boundingSphere!==void 0?(T.boundingSphere===null&&T.computeBoundingSphere(),Se.copy(T.boundingSphere.center)):(Tt.boundingSphere===null&&Tt.computeBoundingSphere(),Se.copy(Tt.boundingSphere.center)),Se.applyMatrix4(T.matrixWorld).applyMatrix4(Be)),Array.isArray(Dt)){let zt=Tt.groups;for(let ee=0,me=zt.length;ee<me;ee++){let kt=zt[ee],ge=Dt[kt.materialIndex];ge&&ge.visible&&C.push(T,Tt,ge,tt,Se.z,kt,H)}}else Dt.visible&&C.push(T,Tt,Dt,tt,Se.z,null,H)}}}let At=T.children;for(let Lt=0,Tt=At.length;Lt<Tt;Lt++)As(At[Lt],H,tt,Z)}function wa(T,H,tt,Z){let{opaque:j,transmissive:At,transparent:Lt}=T;E.setupLightsView(tt),Xe===!0&&st.setGlobalState(R.clippingPlanes,tt),Z&&Mt.viewport(et.copy(Z)),j.length>0&&dn(j,H,tt),At.length>0&&dn(At,H,tt),Lt.length>0&&dn(Lt,H,tt),Mt.buffers.depth.setTest(!0),Mt.buffers.depth.setMask(!0),Mt.buffers.color.setMask(!0),Mt.setPolygonOffset(!1)}function Hi(T,H,tt,Z){if((tt.isScene===!0?tt.overrideMaterial:null)!==null)return;if(E.state.transmissionRenderTarget[Z.id]===void 0){let kt=Zt.has("EXT_color_buffer_half_float")||Zt.has("EXT_color_buffer_float");E.state.transmissionRenderTarget[Z.id]=new Si(1,1,{generateMipmaps:!0,type:kt?Ji:hi,minFilter:Gs,samples:Math.max(4,le.samples),stencilBuffer:r,resolveDepthBuffer:!1,resolveStencilBuffer:!1,storeMultisampledDepthBuffer:!1,storeMultisampledStencilBuffer:!1,colorSpace:ye.workingColorSpace})}let At=E.state.transmissionRenderTarget[Z.id],Lt=Z.viewport||et;At.setSize(Lt.z*R.transmissionResolutionScale,Lt.w*R.transmissionResolutionScale);let Tt=R.getRenderTarget(),Dt=R.getActiveCubeFace(),zt=R.getActiveMipmapLevel();R.setRenderTarget(At),R.getClearColor(Q),gt=R.getClearAlpha(),gt<1&&R.setClearColor(16777215,.5),R.clear(),un&&z.render(tt);let ee=R.toneMapping;R.toneMapping=ps;let me=Z.viewport;if(Z.viewport!==void 0&&(Z.viewport=void 0),E.setupLightsView(Z),Xe===!0&&st.setGlobalState(R.clippingPlanes,Z),dn(T,tt,Z),Yt.updateMultisampleRenderTarget(At),Yt.updateRenderTargetMipmap(At),Zt.has("WEBGL_multisampled_render_to_texture")===!1){let kt=!1;for(let ge=0,an=H.length;ge<an;ge++){let Oe=H[ge],{object:Ue,geometry:Rn,material:Ut,group:Sn}=Oe;if(Ut.side===Ye&&Ue.layers.test(Z.layers)){let xe=Ut.side;Ut.side=ri,Ut.needsUpdate=!0,_n(Ue,tt,Z,Rn,Ut,Sn),Ut.side=xe,Ut.needsUpdate=!0,kt=!0}}kt===!0&&(Yt.updateMultisampleRenderTarget(At),Yt.updateRenderTargetMipmap(At))}R.setRenderTarget(Tt,Dt,zt),R.setClearColor(Q,gt),me!==void 0&&(Z.viewport=me),R.toneMapping=ee}function dn(T,H,tt){let Z=H.isScene===!0?H.overrideMaterial:null;for(let j=0,At=T.length;j<At;j++){let Lt=T[j],{object:Tt,geometry:Dt,group:zt}=Lt,ee=Lt.material;ee.allowOverride===!0&&Z!==null&&(ee=Z),Tt.layers.test(tt.layers)&&_n(Tt,H,tt,Dt,ee,zt)}}function _n(T,H,tt,Z,j,At){U!==null&&j.isNodeMaterial&&U.setObject(T,j),T.onBeforeRender(R,H,tt,Z,j,At),T.modelViewMatrix.multiplyMatrices(tt.matrixWorldInverse,T.matrixWorld),T.normalMatrix.getNormalMatrix(T.modelViewMatrix),j.onBeforeRender(R,H,tt,Z,T,At),j.transparent===!0&&j.side===Ye&&j.forceSinglePass===!1?(j.side=ri,j.needsUpdate=!0,R.renderBufferDirect(tt,H,Z,j,T,At),j.side=dr,j.needsUpdate=!0,R.renderBufferDirect(tt,H,Z,j,T,At),j.side=Ye):R.renderBufferDirect(tt,H,Z,j,T,At),T.onAfterRender(R,H,tt,Z,j,At)}function xn(T){let H=0;for(let tt of T)tt.texture!==null&&H++;return H}function rs(T,H,tt){H.isScene!==!0&&(H=Cn);let Z=Gt.get(T),j=E.state.lights,At=E.state.shadowsArray,Lt=j.state.version,Tt=at.getParameters(T,j.state,At,H,tt,E.state.lightProbeGridArray),Dt=at.getProgramCacheKey(Tt),zt=Z.programs;Z.environment=T.isMeshStandardMaterial||T.isMeshLambertMaterial||T.isMeshPhongMaterial?H.environment:null,Z.fog=H.fog;let ee=T.isMeshStandardMaterial||T.isMeshLambertMaterial&&!T.envMap||T.isMeshPhongMaterial&&!T.envMap;Z.envMap=D.get(T.envMap||Z.environment,ee),Z.envMapRotation=Z.environment!==null&&T.envMap===null?H.environmentRotation:T.envMapRotation,zt===void 0&&(T.addEventListener("dispose",he),zt=new Map,Z.programs=zt,Z.programVariants=new Map);let me=zt.get(Dt);if(me!==void 0){if(Z.currentProgram===me&&Z.lightsStateVersion===Lt)return Ma(T,Tt),me}else Tt.uniforms=at.getUniforms(T),U!==null&&T.isNodeMaterial&&U.build(T,tt,Tt),T.onBeforeCompile(Tt,R),me=at.acquireProgram(Tt,Dt),zt.set(Dt,me),Z.uniforms=Tt.uniforms;let kt=Z.uniforms;return(!T.isShaderMaterial&&!T.isRawShaderMaterial||T.clipping===!0)&&(kt.clippingPlanes=st.uniform),Ma(T,Tt),Z.needsLights=Ys(T),Z.lightsStateVersion=Lt,Z.needsLights&&(kt.ambientLightColor.value=j.state.ambient,kt.lightProbe.value=j.state.probe,kt.sunLights.value=j.state.sun,kt.sunLightShadows.value=j.state.sunShadow,kt.directionalLights.value=j.state.directional,kt.directionalLightShadows.value=j.state.directionalShadow,kt.spotLights.value=j.state.spot,kt.spotLightShadows.value=j.state.spotShadow,kt.rectAreaLights.value=j.state.rectArea,kt.ltc_1.value=j.state.rectAreaLTC1,kt.ltc_2.value=j.state.rectAreaLTC2,kt.pointLights.value=j.state.point,kt.pointLightShadows.value=j.state.pointShadow,kt.hemisphereLights.value=j.state.hemi,kt.sunShadowMatrix.value=j.state.sunShadowMatrix,kt.sunShadowCascade.value=j.state.sunShadowCascade,kt.directionalShadowMatrix.value=j.state.directionalShadowMatrix,kt.spotLightMatrix.value=j.state.spotLightMatrix,kt.spotLightMap.value=j.state.spotLightMap,kt.pointShadowMatrix.value=j.state.pointShadowMatrix),Z.numLightProbeGrids=xn(E.state.lightProbeGridArray),Z.currentProgram=me,Z.uniformsList=null,me}function di(T,H,tt,Z,j){let At=Gt.get(T),Lt=At.currentProgram.id+","+Z+","+j,Tt=At.programVariants.get(Lt);return Tt===void 0?(Tt=rs(T,H,tt),At.programVariants.set(Lt,Tt)):(At.currentProgram=Tt,At.uniformsList=null,At.outputColorSpace=Z,At.toneMapping=j),Tt}function $s(T){if(T.uniformsList===null){let H=T.currentProgram.getUniforms();T.uniformsList=ta.seqWithValue(H.seq,T.uniforms)}return T.uniformsList}function Ma(T,H){let tt=Gt.get(T);tt.outputColorSpace=H.outputColorSpace,tt.batching=H.batching,tt.batchingColor=H.batchingColor,tt.instancing=H.instancing,tt.instancingColor=H.instancingColor,tt.instancingMorph=H.instancingMorph,tt.skinning=H.skinning,tt.morphTargets=H.morphTargets,tt.morphNormals=H.morphNormals,tt.morphColors=H.morphColors,tt.morphTargetsCount=H.morphTargetsCount,tt.numClippingPlanes=H.numClippingPlanes,tt.numIntersection=H.numClipIntersection,tt.vertexAlphas=H.vertexAlphas,tt.vertexTangents=H.vertexTangents,tt.toneMapping=H.toneMapping}function Ea(T,H,tt,Z,j){H.isScene!==!0&&(H=Cn),Yt.resetTextureUnits();let At=H.fog,Lt=Z.isMeshStandardMaterial||Z.isMeshLambertMaterial||Z.isMeshPhongMaterial?H.environment:null,Tt=ot===null?R.outputColorSpace:ot.isXRRenderTarget===!0?ot.texture.colorSpace:ye.workingColorSpace,Dt=Z.isMeshStandardMaterial||Z.isMeshLambertMaterial&&!Z.envMap||Z.isMeshPhongMaterial&&!Z.envMap,zt=D.get(Z.envMap||Lt,Dt),ee=Z.vertexColors===!0&&!!tt.attributes.color&&tt.attributes.color.itemSize===4,me=!!tt.attributes.tangent&&(!!Z.normalMap||Z.anisotropy>0),kt=!!tt.morphAttributes.position,ge=!!tt.morphAttributes.normal,an=!!tt.morphAttributes.color,Oe=ps;Z.toneMapped&&(ot===null||ot.isXRRenderTarget===!0)&&(Oe=R.toneMapping);let Ue=tt.morphAttributes.position||tt.morphAttributes.normal||tt.morphAttributes.color,Rn=Ue!==void 0?Ue.length:0,Ut=Gt.get(Z),Sn=E.state.lights;if(Xe===!0&&(yn===!0||T!==K)){let Fe=T===K&&Z.id===$;st.setState(Z,T,Fe)}let xe=!1,Ts=!1;Z.version===Ut.__version?Ut.needsLights&&Ut.lightsStateVersion!==Sn.state.version||j.isBatchedMesh&&Ut.batching===!1||!j.isBatchedMesh&&Ut.batching===!0||j.isBatchedMesh&&Ut.batchingColor===!0&&j._colorsTexture===null||j.isBatchedMesh&&Ut.batchingColor===!1&&j._colorsTexture!==null||j.isInstancedMesh&&Ut.instancing===!1||!j.isInstancedMesh&&Ut.instancing===!0||j.isSkinnedMesh&&Ut.skinning===!1||!j.isSkinnedMesh&&Ut.skinning===!0||j.isInstancedMesh&&Ut.instancingColor===!0&&j.instanceColor===null||j.isInstancedMesh&&Ut.instancingColor===!1&&j.instanceColor!==null||j.isInstancedMesh&&Ut.instancingMorph===!0&&j.morphTexture===null||j.isInstancedMesh&&Ut.instancingMorph===!1&&j.morphTexture!==null||Ut.envMap!==zt||Z.fog===!0&&Ut.fog!==At||Ut.numClippingPlanes!==void 0&&(Ut.numClippingPlanes!==st.numPlanes||Ut.numIntersection!==st.numIntersection)||Ut.vertexAlphas!==ee||Ut.vertexTangents!==me||Ut.morphTargets!==kt||Ut.morphNormals!==ge||Ut.morphColors!==an||Ut.morphTargetsCount!==Rn||Ut.numLightProbeGrids!==xn(E.state.lightProbeGridArray)?xe=!0:(Ut.outputColorSpace!==Tt||Ut.toneMapping!==Oe)&&(Ts=!0):(xe=!0,Ut.__version=Z.version);let bn=Ut.currentProgram;(xe===!0||Ts===!0)&&(bn=Ts===!0?di(Z,H,j,Tt,Oe):rs(Z,H,j),U&&Z.isNodeMaterial&&U.onUpdateProgram(Z,bn,Ut));let uo=!1,os=!1,Cs=!1,de=bn.getUniforms(),fn=Ut.uniforms;if(Mt.useProgram(bn.program)&&(uo=!0,os=!0,Cs=!0),Z.id!==$&&($=Z.id,os=!0),uo||K!==T){Mt.buffers.depth.getReversed()&&T.reversedDepth!==!0&&(T._reversedDepth=!0,T.updateProjectionMatrix()),de.setValue(G,"projectionMatrix",T.projectionMatrix),de.setValue(G,"viewMatrix",T.matrixWorldInverse);let wn=de.map.cameraPosition;wn!==void 0&&wn.setValue(G,On.setFromMatrixPosition(T.matrixWorld)),le.logarithmicDepthBuffer&&de.setValue(G,"logDepthBufFC",2/(Math.log(T.far+1)/Math.LN2)),(Z.isMeshPhongMaterial||Z.isMeshToonMaterial||Z.isMeshLambertMaterial||Z.isMeshBasicMaterial||Z.isMeshStandardMaterial||Z.isShaderMaterial)&&de.setValue(G,"isOrthographic",T.isOrthographicCamera===!0),K!==T&&(K=T,os=!0,Cs=!0)}if(Ut.needsLights&&(Sn.state.sunShadowMap.length>0&&de.setValue(G,"sunShadowMap",Sn.state.sunShadowMap,Yt),Sn.state.directionalShadowMap.length>0&&de.setValue(G,"directionalShadowMap",Sn.state.directionalShadowMap,Yt),Sn.state.spotShadowMap.length>0&&de.setValue(G,"spotShadowMap",Sn.state.spotShadowMap,Yt),Sn.state.pointShadowMap.length>0&&de.setValue(G,"pointShadowMap",Sn.state.pointShadowMap,Yt)),j.isSkinnedMesh){de.setOptional(G,j,"bindMatrix"),de.setOptional(G,j,"bindMatrixInverse");let Fe=j.skeleton;Fe&&(Fe.boneTexture===null&&Fe.computeBoneTexture(),de.setValue(G,"boneTexture",Fe.boneTexture,Yt))}j.isBatchedMesh&&(de.setOptional(G,j,"batchingTexture"),de.setValue(G,"batchingTexture",j._matricesTexture,Yt),de.setOptional(G,j,"batchingIdTexture"),de.setValue(G,"batchingIdTexture",j._indirectTexture,Yt),de.setOptional(G,j,"batchingColorTexture"),j._colorsTexture!==null&&de.setValue(G,"batchingColorTexture",j._colorsTexture,Yt));let Qn=tt.morphAttributes;if((Qn.position!==void 0||Qn.normal!==void 0||Qn.color!==void 0)&&rt.update(j,tt,bn),(os||Ut.receiveShadow!==j.receiveShadow)&&(Ut.receiveShadow=j.receiveShadow,de.setValue(G,"receiveShadow",j.receiveShadow)),(Z.isMeshStandardMaterial||Z.isMeshLambertMaterial||Z.isMeshPhongMaterial)&&Z.envMap===null&&H.environment!==null&&(fn.envMapIntensity.value=H.environmentIntensity),fn.dfgLUT!==void 0&&(fn.dfgLUT.value=iA()),os){if(de.setValue(G,"toneMappingExposure",R.toneMappingExposure),Ut.needsLights&&co(fn,Cs),At&&Z.fog===!0&&xt.refreshFogUniforms(fn,At),xt.refreshMaterialUniforms(fn,Z,wt,Ct,E.state.transmissionRenderTarget[T.id]),Ut.needsLights&&Ut.numLightProbeGrids>0){let Fe=y,wn=0;for(let Yn of E.state.lightProbeGridArray)Yn.texture!==null&&(Fe.textures[wn]=Yn.texture,Fe.min[wn]=Yn.boundingBox.min,Fe.max[wn]=Yn.boundingBox.max,Fe.resolution[wn]=Yn.resolution,wn++);for(let Yn in Fe)Fe[Yn].length=wn;fn.probesSH.value=Fe.textures,fn.probesMin.value=Fe.min,fn.probesMax.value=Fe.max,fn.probesResolution.value=Fe.resolution}ta.upload(G,$s(Ut),fn,Yt)}if(Z.isShaderMaterial&&Z.uniformsNeedUpdate===!0&&(ta.upload(G,$s(Ut),fn,Yt),Z.uniformsNeedUpdate=!1),Z.isSpriteMaterial&&de.setValue(G,"center",j.center),de.setValue(G,"modelViewMatrix",j.modelViewMatrix),de.setValue(G,"normalMatrix",j.normalMatrix),de.setValue(G,"modelMatrix",j.matrixWorld),Z.uniformsGroups!==void 0){let Fe=Z.uniformsGroups;for(let wn=0,Yn=Fe.length;wn<Yn;wn++){let Hl=Fe[wn];Ht.update(Hl,bn),Ht.bind(Hl,bn)}}return bn}function co(T,H){T.ambientLightColor.needsUpdate=H,T.lightProbe.needsUpdate=H,T.sunLights.needsUpdate=H,T.sunLightShadows.needsUpdate=H,T.directionalLights.needsUpdate=H,T.directionalLightShadows.needsUpdate=H,T.pointLights.needsUpdate=H,T.pointLightShadows.needsUpdate=H,T.spotLights.needsUpdate=H,T.spotLightShadows.needsUpdate=H,T.rectAreaLights.needsUpdate=H,T.hemisphereLights.needsUpdate=H}function Ys(T){return T.isMeshLambertMaterial||T.isMeshToonMaterial||T.isMeshPhongMaterial||T.isMeshStandardMaterial||T.isShadowMaterial||T.isShaderMaterial&&T.lights===!0}this.getActiveCubeFace=function(){return X},this.getActiveMipmapLevel=function(){return V},this.getRenderTarget=function(){return ot},this.setRenderTargetTextures=function(T,H,tt){let Z=Gt.get(T);Z.__autoAllocateDepthBuffer=T.resolveDepthBuffer===!1,Z.__autoAllocateDepthBuffer===!1&&(Z.__useRenderToTexture=!1),Gt.get(T.texture).__webglTexture=H,Gt.get(T.depthTexture).__webglTexture=Z.__autoAllocateDepthBuffer?void 0:tt,Z.__hasExternalTextures=!0},this.setRenderTargetFramebuffer=function(T,H){let tt=Gt.get(T);tt.__webglFramebuffer=H,tt.__useDefaultFramebuffer=H===void 0},this.setRenderTarget=function(T,H=0,tt=0){ot=T,X=H,V=tt;let Z=null,j=!1,At=!1;if(T){let Tt=Gt.get(T);if(Tt.__useDefaultFramebuffer!==void 0){Mt.bindFramebuffer(G.FRAMEBUFFER,Tt.__webglFramebuffer),et.copy(T.viewport),ht.copy(T.scissor),ut=T.scissorTest,Mt.viewport(et),Mt.scissor(ht),Mt.setScissorTest(ut),$=-1;return}else if(Tt.__webglFramebuffer===void 0)Yt.setupRenderTarget(T);else if(Tt.__hasExternalTextures)Yt.rebindTextures(T,Gt.get(T.texture).__webglTexture,Gt.get(T.depthTexture).__webglTexture);else if(T.depthBuffer){let ee=T.depthTexture;if(Tt.__boundDepthTexture!==ee){if(ee!==null&&Gt.has(ee)&&(T.width!==ee.image.width||T.height!==ee.image.height))throw new Error("THREE.WebGLRenderer: Attached DepthTexture is initialized to the incorrect size.");Yt.setupDepthRenderbuffer(T)}}let Dt=T.texture;(Dt.isData3DTexture||Dt.isDataArrayTexture||Dt.isCompressedArrayTexture)&&(At=!0);let zt=Gt.get(T).__webglFramebuffer;T.isWebGLCubeRenderTarget?(Array.isArray(zt[H])?Z=zt[H][tt]:Z=zt[H],j=!0):T.samples>0&&Yt.useMultisampledRTT(T)===!1?Z=Gt.get(T).__webglMultisampledFramebuffer:Array.isArray(zt)?Z=zt[tt]:Z=zt,et.copy(T.viewport),ht.copy(T.scissor),ut=T.scissorTest}else et.copy(Vt).multiplyScalar(wt).floor(),ht.copy(pe).multiplyScalar(wt).floor(),ut=ue;if(tt!==0&&(Z=F),Mt.bindFramebuffer(G.FRAMEBUFFER,Z)&&Mt.drawBuffers(T,Z),Mt.viewport(et),Mt.scissor(ht),Mt.setScissorTest(ut),j){let Tt=Gt.get(T.texture);G.framebufferTexture2D(G.FRAMEBUFFER,G.COLOR_ATTACHMENT0,G.TEXTURE_CUBE_MAP_POSITIVE_X+H,Tt.__webglTexture,tt)}else if(At){let Tt=H;for(let Dt=0;Dt<T.textures.length;Dt++){let zt=Gt.get(T.textures[Dt]);G.framebufferTextureLayer(G.FRAMEBUFFER,G.COLOR_ATTACHMENT0+Dt,zt.__webglTexture,tt,Tt)}}else if(T!==null&&tt!==0){let Tt=Gt.get(T.texture);G.framebufferTexture2D(G.FRAMEBUFFER,G.COLOR_ATTACHMENT0,G.TEXTURE_2D,Tt.__webglTexture,tt)}$=-1};function ho(T){let H=Gt.get(T);return(H.__readFormat!==T.format||H.__readType!==T.type)&&(H.__readFormat=T.format,H.__readType=T.type,H.__formatReadable=le.textureFormatReadable(T.format),H.__typeReadable=le.textureTypeReadable(T.type)),H}this.readRenderTargetPixels=function(T,H,tt,Z,j,At,Lt,Tt=0){if(!(T&&T.isWebGLRenderTarget)){te("WebGLRenderer.readRenderTargetPixels: renderTarget is not THREE.WebGLRenderTarget.");return}let Dt=Gt.get(T).__webglFramebuffer;if(T.isWebGLCubeRenderTarget&&Lt!==void 0&&(Dt=Dt[Lt],Array.isArray(Dt)&&(Dt=Dt[0])),Dt){Mt.bindFramebuffer(G.FRAMEBUFFER,Dt);try{let zt=T.textures[Tt],ee=zt.format,me=zt.type;T.textures.length>1&&G.readBuffer(G.COLOR_ATTACHMENT0+Tt);let kt=ho(zt);if(kt.__formatReadable===!1){te("WebGLRenderer.readRenderTargetPixels: renderTarget is not in RGBA or implementation defined format.");return}if(kt.__typeReadable===!1){te("WebGLRenderer.readRenderTargetPixels: renderTarget is not in UnsignedByteType or implementation defined type.");return}H>=0&&H<=T.width-Z&&tt>=0&&tt<=T.height-j&&G.readPixels(H,tt,Z,j,_t.convert(ee),_t.convert(me),At)}finally{let zt=ot!==null?Gt.get(ot).__webglFramebuffer:null;Mt.bindFramebuffer(G.FRAMEBUFFER,zt)}}},this.readRenderTargetPixelsAsync=async function(T,H,tt,Z,j,At,Lt,Tt=0){if(!(T&&T.isWebGLRenderTarget))throw new Error("THREE.WebGLRenderer.readRenderTargetPixels: renderTarget is not THREE.WebGLRenderTarget.");let Dt=Gt.get(T).__webglFramebuffer;if(T.isWebGLCubeRenderTarget&&Lt!==void 0&&(Dt=Dt[Lt],Array.isArray(Dt)&&(Dt=Dt[0])),Dt)if(H>=0&&H<=T.width-Z&&tt>=0&&tt<=T.height-j){Mt.bindFramebuffer(G.FRAMEBUFFER,Dt);let zt=T.textures[Tt],ee=zt.format,me=zt.type;T.textures.length>1&&G.readBuffer(G.COLOR_ATTACHMENT0+Tt);let kt=ho(zt);if(kt.__formatReadable===!1)throw new Error("THREE.WebGLRenderer.readRenderTargetPixelsAsync: renderTarget is not in RGBA or implementation defined format.");if(kt.__typeReadable===!1)throw new Error("THREE.WebGLRenderer.readRenderTargetPixelsAsync: renderTarget is not in UnsignedByteType or implementation defined type.");let ge=G.createBuffer();G.bindBuffer(G.PIXEL_PACK_BUFFER,ge),G.bufferData(G.PIXEL_PACK_BUFFER,At.byteLength,G.STREAM_READ),G.readPixels(H,tt,Z,j,_t.convert(ee),_t.convert(me),0),G.bindBuffer(G.PIXEL_PACK_BUFFER,null);let an=ot!==null?Gt.get(ot).__webglFramebuffer:null;Mt.bindFramebuffer(G.FRAMEBUFFER,an);let Oe=G.fenceSync(G.SYNC_GPU_COMMANDS_COMPLETE,0);return G.flush(),await Gg(G,Oe,4),G.bindBuffer(G.PIXEL_PACK_BUFFER,ge),G.getBufferSubData(G.PIXEL_PACK_BUFFER,0,At),G.bindBuffer(G.PIXEL_PACK_BUFFER,null),G.deleteBuffer(ge),G.deleteSync(Oe),At}else throw new Error("THREE.WebGLRenderer.readRenderTargetPixelsAsync: requested read bounds are out of range.")},this.copyFramebufferToTexture=function(T,H=null,tt=0){let Z=Math.pow(2,-tt),j=Math.floor(T.image.width*Z),At=Math.floor(T.image.height*Z),Lt=H!==null?H.x:0,Tt=H!==null?H.y:0;Yt.setTexture2D(T,0),G.copyTexSubImage2D(G.TEXTURE_2D,tt,0,0,Lt,Tt,j,At),Mt.unbindTexture()},this.copyTextureToTexture=function(T,H,tt=null,Z=null,j=0,At=0){let Lt,Tt,Dt,zt,ee,me,kt,ge,an,Oe=T.isCompressedTexture?T.mipmaps[At]:T.image;if(tt!==null)Lt=tt.max.x-tt.min.x,Tt=tt.max.y-tt.min.y,Dt=tt.isBox3?tt.max.z-tt.min.z:1,zt=tt.min.x,ee=tt.min.y,me=tt.isBox3?tt.min.z:0;else{let de=Math.pow(2,-j);Lt=Math.floor(Oe.width*de),Tt=Math.floor(Oe.height*de),T.isDataArrayTexture?Dt=Oe.depth:T.isData3DTexture?Dt=Math.floor(Oe.depth*de):Dt=1,zt=0,ee=0,me=0}Z!==null?(kt=Z.x,ge=Z.y,an=Z.z):(kt=0,ge=0,an=0);let Ue=_t.convert(H.format),Rn=_t.convert(H.type),Ut;H.isData3DTexture?(Yt.setTexture3D(H,0),Ut=G.TEXTURE_3D):H.isDataArrayTexture||H.isCompressedArrayTexture?(Yt.setTexture2DArray(H,0),Ut=G.TEXTURE_2D_ARRAY):(Yt.setTexture2D(H,0),Ut=G.TEXTURE_2D),Mt.activeTexture(G.TEXTURE0),Mt.pixelStorei(G.UNPACK_FLIP_Y_WEBGL,H.flipY),Mt.pixelStorei(G.UNPACK_PREMULTIPLY_ALPHA_WEBGL,H.premultiplyAlpha),Mt.pixelStorei(G.UNPACK_ALIGNMENT,H.unpackAlignment);let Sn=Mt.getParameter(G.UNPACK_ROW_LENGTH),xe=Mt.getParameter(G.UNPACK_IMAGE_HEIGHT),Ts=Mt.getParameter(G.UNPACK_SKIP_PIXELS),bn=Mt.getParameter(G.UNPACK_SKIP_ROWS),uo=Mt.getParameter(G.UNPACK_SKIP_IMAGES);Mt.pixelStorei(G.UNPACK_ROW_LENGTH,Oe.width),Mt.pixelStorei(G.UNPACK_IMAGE_HEIGHT,Oe.height),Mt.pixelStorei(G.UNPACK_SKIP_PIXELS,zt),Mt.pixelStorei(G.UNPACK_SKIP_ROWS,ee),Mt.pixelStorei(G.UNPACK_SKIP_IMAGES,me);let os=T.isDataArrayTexture||T.isData3DTexture,Cs=H.isDataArrayTexture||H.isData3DTexture;if(T.isDepthTexture){let de=Gt.get(T),fn=Gt.get(H),Qn=Gt.get(de.__renderTarget),Fe=Gt.get(fn.__renderTarget);Mt.bindFramebuffer(G.READ_FRAMEBUFFER,Qn.__webglFramebuffer),Mt.bindFramebuffer(G.DRAW_FRAMEBUFFER,Fe.__webglFramebuffer);for(let wn=0;wn<Dt;wn++)os&&(G.framebufferTextureLayer(G.READ_FRAMEBUFFER,G.COLOR_ATTACHMENT0,Gt.get(T).__webglTexture,j,me+wn),G.framebufferTextureLayer(G.DRAW_FRAMEBUFFER,G.COLOR_ATTACHMENT0,Gt.get(H).__webglTexture,At,an+wn)),G.blitFramebuffer(zt,ee,zt+Lt,ee+Tt,kt,ge,kt+Lt,ge+Tt,G.DEPTH_BUFFER_BIT,G.NEAREST);Mt.bindFramebuffer(G.READ_FRAMEBUFFER,null),Mt.bindFramebuffer(G.DRAW_FRAMEBUFFER,null)}else if(j!==0||T.isRenderTargetTexture||Gt.has(T)){let de=Gt.get(T),fn=Gt.get(H);Mt.bindFramebuffer(G.READ_FRAMEBUFFER,L),Mt.bindFramebuffer(G.DRAW_FRAMEBUFFER,k);for(let Qn=0;Qn<Dt;Qn++)os?G.framebufferTextureLayer(G.READ_FRAMEBUFFER,G.COLOR_ATTACHMENT0,de.__webglTexture,j,me+Qn):G.framebufferTexture2D(G.READ_FRAMEBUFFER,G.COLOR_ATTACHMENT0,G.TEXTURE_2D,de.__webglTexture,j),Cs?G.framebufferTextureLayer(G.DRAW_FRAMEBUFFER,G.COLOR_ATTACHMENT0,fn.__webglTexture,At,an+Qn):G.framebufferTexture2D(G.DRAW_FRAMEBUFFER,G.COLOR_ATTACHMENT0,G.TEXTURE_2D,fn.__webglTexture,At),j!==0?G.blitFramebuffer(zt,ee,zt+Lt,ee+Tt,kt,ge,kt+Lt,ge+Tt,G.COLOR_BUFFER_BIT,G.NEAREST):Cs?G.copyTexSubImage3D(Ut,At,kt,ge,an+Qn,zt,ee,Lt,Tt):G.copyTexSubImage2D(Ut,At,kt,ge,zt,ee,Lt,Tt);Mt.bindFramebuffer(G.READ_FRAMEBUFFER,null),Mt.bindFramebuffer(G.DRAW_FRAMEBUFFER,null)}else Cs?T.isDataTexture||T.isData3DTexture?G.texSubImage3D(Ut,At,kt,ge,an,Lt,Tt,Dt,Ue,Rn,Oe.data):H.isCompressedArrayTexture?G.compressedTexSubImage3D(Ut,At,kt,ge,an,Lt,Tt,Dt,Ue,Oe.data):G.texSubImage3D(Ut,At,kt,ge,an,Lt,Tt,Dt,Ue,Rn,Oe):T.isDataTexture?G.texSubImage2D(G.TEXTURE_2D,At,kt,ge,Lt,Tt,Ue,Rn,Oe.data):T.isCompressedTexture?G.compressedTexSubImage2D(G.TEXTURE_2D,At,kt,ge,Oe.width,Oe.height,Ue,Oe.data):G.texSubImage2D(G.TEXTURE_2D,At,kt,ge,Lt,Tt,Ue,Rn,Oe);Mt.pixelStorei(G.UNPACK_ROW_LENGTH,Sn),Mt.pixelStorei(G.UNPACK_IMAGE_HEIGHT,xe),Mt.pixelStorei(G.UNPACK_SKIP_PIXELS,Ts),Mt.pixelStorei(G.UNPACK_SKIP_ROWS,bn),Mt.pixelStorei(G.UNPACK_SKIP_IMAGES,uo),At===0&&H.generateMipmaps===!0&&H.mipmapsAutoUpdate===!0&&G.generateMipmap(Ut),Mt.unbindTexture()},this.initRenderTarget=function(T){Gt.get(T).__webglFramebuffer===void 0&&Yt.setupRenderTarget(T)},this.initTexture=function(T){T.isCubeTexture?Yt.setTextureCube(T,0):T.isData3DTexture?Yt.setTexture3D(T,0):T.isDataArrayTexture||T.isCompressedArrayTexture?Yt.setTexture2DArray(T,0):Yt.setTexture2D(T,0),Mt.unbindTexture()},this.resetState=function(){X=0,V=0,ot=null,Mt.reset(),bt.reset()},typeof __THREE_DEVTOOLS__<"u"&&__THREE_DEVTOOLS__.dispatchEvent(new CustomEvent("observe",{detail:this}))}get coordinateSystem(){return Di}get outputColorSpace(){return this._outputColorSpace}set outputColorSpace(t){this._outputColorSpace=t;let e=this.getContext();e.drawingBufferColorSpace=ye._getDrawingBufferColorSpace(t),e.unpackColorSpace=ye._getUnpackColorSpace()}};var sA=["fill","fill-opacity","fill-rule","stroke","stroke-width","stroke-opacity","stroke-dasharray","stroke-linejoin","stroke-linecap","opacity","paint-order","display","font-family","font-size","font-weight","font-style","text-anchor"];function M0(n,t){let e=getComputedStyle(n);for(let i of sA)t.style.setProperty(i,e.getPropertyValue(i));t.style.removeProperty("color"),t.removeAttribute("class"),[...n.children].forEach((i,s)=>M0(i,t.children[s]))}function E0(n,t,e){let i=n.cloneNode(!0);M0(n,i);let s={x:t.x-e.x,y:t.y-e.y,width:t.width,height:t.height};for(let[r,o]of Object.entries(s))i.setAttribute(r,o);return i}function A0(n,t,e,i){let s=n.getBoundingClientRect(),{color:r,fontFamily:o,fontSize:a,fontWeight:l}=getComputedStyle(n),c={x:e-i.x,y:s.y+s.height/2+4-i.y,fill:r},d=`font-family: ${o}; font-size: ${a}; font-weight: ${l}`;return ln("text",{...c,style:d},t)}function rA(n,t,e){if(n instanceof SVGElement)return E0(n,t,e);let i=getComputedStyle(n).getPropertyValue("--swatch").trim(),[s,r]=[t.x-e.x,t.y-e.y],o=r+t.height/2;return n.matches(".dash, .thin, .thick")?ln("line",{x1:s,x2:s+t.width,y1:o,y2:o,stroke:i,"stroke-width":n.matches(".thick")?6:2.5,"stroke-opacity":n.matches(".thick")?.55:1,"stroke-dasharray":n.matches(".dash")?"5 4":null}):n.matches(".dot, .ring")?ln("circle",{cx:s+t.width/2,cy:o,r:t.width/2-1,stroke:i,fill:n.matches(".ring")?"none":i,"stroke-width":2}):ln("rect",{x:s,y:r,width:t.width,height:t.height,rx:2,fill:i})}function oA(n,t){let e=n.firstElementChild,i=e.getBoundingClientRect(),{opacity:s}=getComputedStyle(n),r=A0(n,n.textContent,i.right+6,t);return ln("g",{opacity:s},rA(e,i,t),r)}function aA(n,t){let e=[...n.querySelectorAll(".plane > h3")].map(s=>[s,s.textContent]),i=[...n.querySelectorAll(".chooser select")].map(s=>[s,s.selectedOptions[0]?.textContent??""]);return[...e,...i].map(([s,r])=>A0(s,r,s.getBoundingClientRect().left,t))}function lA(n){let t=getComputedStyle(document.documentElement);for(let e of n.querySelectorAll("[fill^='var('], [stroke^='var(']"))for(let i of["fill","stroke"]){let s=e.getAttribute(i)?.match(/^var\((--[\w-]+)\)$/)?.[1];s&&e.setAttribute(i,t.getPropertyValue(s).trim())}return n}function Yh(n){let t=[...n.querySelectorAll(".chart")].filter(_=>_.toSvg),e=t.map(_=>_.getBoundingClientRect()),i=t.map(_=>_.appendChild(_.toSvg())),s=new Map(i.map((_,g)=>[_,e[g]])),r=[...n.querySelectorAll("svg.plot")].filter(_=>!_.closest("button")),o=[...n.querySelectorAll(".legend > *")],a=_=>s.get(_)??_.getBoundingClientRect(),l=n.querySelectorAll(".plane > h3, .chooser select"),c=[...r,...o,...l].map(a),d={x:Math.min(...c.map(_=>_.left))-8,y:Math.min(...c.map(_=>_.top))-8},u=Math.max(...c.map(_=>_.right))+8-d.x,h=Math.max(...c.map(_=>_.bottom))+8-d.y,f=getComputedStyle(document.documentElement).getPropertyValue("--page").trim(),p=ln("svg",{xmlns:"http://www.w3.org/2000/svg",width:u,height:h,viewBox:`0 0 ${u} ${h}`},ln("rect",{width:u,height:h,fill:f}),...aA(n,d),...o.map(_=>oA(_,d)),...r.map(_=>E0(_,a(_),d)));return i.forEach(_=>_.remove()),new XMLSerializer().serializeToString(lA(p))}var ia=(...n)=>n.map(t=>({name:t})),Af=(n,t)=>n.map(e=>t[e]??null);function cA({series:n,x_label:t,y_label:e}){let i=n.flatMap(r=>r.x.map((o,a)=>[r.name,o,r.y[a],r.band_low?.[a]??null,r.band_high?.[a]??null,r.labels?.[a]??r.hints?.[a]??null]));return{columns:ia("series",t||"x",e||"y","band_low","band_high","label"),rows:i}}var T0=["series","value","low","high"],hA=({groups:n})=>({columns:ia("group",...T0),rows:n.flatMap(t=>t.values.map(e=>[t.name,...Af(T0,e)]))}),C0=["name","unit","estimate","low","high","inner_low","inner_high","prior_low","prior_high","truth","display"],uA=({rows:n})=>({columns:ia(...C0),rows:n.map(t=>Af(C0,t))}),R0=["measured","predicted","sd","predicted_sd"],dA=({planes:n})=>({columns:ia("plane","panel","group",...R0.flatMap(t=>[`${t}_x`,`${t}_y`])),rows:n.flatMap(t=>t.panels.flatMap(e=>e.arrows.map(i=>[t.name,e.title,i.group,...R0.flatMap(s=>i[s]??[null,null])])))}),P0=["measured","median","inner_low","inner_high","low","high"],fA=({components:n,groups:t})=>({columns:ia("group","row","component",...P0),rows:t.flatMap(e=>e.rows.flatMap(i=>i.values.map((s,r)=>[e.name,i.name,n[r],...Af(P0,s)])))}),pA=({chains:n,draws:t,quantities:e})=>({columns:ia("quantity","unit","chain","draw","value"),rows:e.flatMap(i=>i.traces.flatMap((s,r)=>s.map((o,a)=>[i.name,i.unit??null,n[r],t[a],o])))}),mA=({quantities:n})=>({columns:n.map(({name:t,unit:e})=>({name:t,unit:e})),rows:n[0].draws.map((t,e)=>n.map(i=>i.draws[e]))}),gA={lines:cA,bars:hA,interval:uA,vectors:dA,predictive:fA,chains:pA,corner:mA},Tf=n=>gA[n.type]?.(n)??null,vl=(n,t)=>(n??"").toLowerCase().split(/[^a-z0-9]+/).filter(Boolean).slice(0,6).join("-")||t;var qh=()=>typeof MediaRecorder<"u"&&MediaRecorder.isTypeSupported("video/webm");function I0(n,t){let e=document.createElement("canvas");e.width=n.width,e.height=n.height;let i=e.getContext("2d"),s=()=>{i.fillStyle=t,i.fillRect(0,0,e.width,e.height),i.drawImage(n,0,0,e.width,e.height)};s();let r={mimeType:"video/webm",videoBitsPerSecond:8e6},o=new MediaRecorder(e.captureStream(30),r),a=[];o.addEventListener("dataavailable",({data:d})=>a.push(d));let l=new Promise((d,u)=>{o.addEventListener("error",({error:h})=>u(h??new Error("no film"))),o.addEventListener("stop",()=>d(new Blob(a,{type:"video/webm"})))});return l.catch(()=>{}),o.start(),{frame:s,stop:()=>{o.state!=="inactive"&&o.stop()},film:l}}var _A=n=>{let t=n==null?"":String(n);return/[",\r\n]/.test(t)?`"${t.replace(/"/g,'""')}"`:t};function L0({columns:n,rows:t}){return[n.map(({name:i,unit:s})=>s?`${i} [${s}]`:i),...t].map(i=>i.map(_A).join(",")).join(`\r
+`)+`\r
+`}function Qi(n,t,e){let i=URL.createObjectURL(t instanceof Blob?t:new Blob([t],{type:e}));q("a",{href:i,download:n}).click(),setTimeout(()=>URL.revokeObjectURL(i),1e3)}var Zh=(n,t,e)=>q("button",{type:"button",title:`Save ${t}`,onclick:e},n);function xA(n,t){let e=vl(n.caption,n.type),i=()=>Qi(`${e}.svg`,Yh(t),"image/svg+xml"),s=()=>Qi(`${e}.csv`,L0(Tf(n)),"text/csv");return[Zh("SVG","the figure as a drawing",i),Zh("CSV","the numbers of the figure",s)]}function yA(n,t){let e=q("output",{}),i=Zh("WebM","the motion as a film, while it plays once",async()=>{i.disabled=!0,e.textContent="";try{let s=await n.toMovie?.();s&&Qi(`${t}.webm`,s)}catch(s){e.textContent=`No film was saved: ${s.message}`}finally{i.disabled=!1}});return[i,e]}function vA(n,t){let e=t.querySelector(".scene"),i=vl(n.caption,"scene"),r=[Zh("PNG","the picture as it stands",()=>e.toPng?.(o=>Qi(`${i}.png`,o)))];return n.strip&&qh()&&r.push(...yA(e,i)),r}function D0(n,t){let e=n.type==="scene"?vA(n,t):Tf(n)?xA(n,t):[];return e.length&&t.append(q("div",{class:"tools save",role:"group","aria-label":"Save"},...e)),t}var N0=(n,t)=>new Promise(e=>n.stage.picture().toBlob(i=>{Qi(`${t}.png`,i),e(i.size)},"image/png"));function O0(){let n=[...document.querySelectorAll("figure.figure")].filter(t=>t.offsetParent&&[...t.querySelectorAll(".chart")].some(e=>e.toSvg));for(let t of n){let e=t.querySelector("figcaption")?.textContent??"";Qi(`${vl(e,"chart")}.svg`,Yh(t),"image/svg+xml")}return n.length}async function U0(n,t){let e=await n("picture.gltf");return e&&Qi(`${t}.gltf`,e.gltf,"model/gltf+json"),!!e}function F0(n){if(!qh())return null;let{stage:t}=n,e=document.createElement("canvas");e.width=t.words.width,e.height=t.words.height;let i=e.getContext("2d"),s=I0(e,sn("--page")),r=()=>{i.clearRect(0,0,e.width,e.height),i.drawImage(t.canvas,0,0,e.width,e.height),i.drawImage(t.words,0,0,e.width,e.height),s.frame()};return t.painted.push(r),t.draw(),async o=>{t.painted.splice(t.painted.indexOf(r),1),s.stop();let a=await s.film;return Qi(`${o}.webm`,a),a.size}}var sa=n=>typeof n=="number"&&Number.isFinite(n),k0=n=>n.replace(/-/g,"\u2212"),Cf=n=>n.replace(/(\.\d*?)0+(?=e|$)/,"$1").replace(/\.(?=e|$)/,"").replace("e+","e");function bA(n,t){let e=Math.abs(n);return e!==0&&(e<.001||e>=1e6)?Cf(n.toExponential(t-1)):Cf(n.toPrecision(t).includes("e")?n.toFixed(0):n.toPrecision(t))}function wA(n,t){let e=n.toFixed(t);return Number(e)===0&&n!==0?Cf(n.toExponential(1)):e}var MA=1e-12,EA=1e-6;function AA(n,t,e){let i=t==null?0:EA*10**-t;return Math.abs(n)<Math.max(i,MA*e)}function Me(n,t,e=0){if(!sa(n))return"n/a";let i=AA(n,t,e)?0:n;return k0(t==null?bA(i,4):wA(i,t))}var Rf=n=>n.reduce((t,e)=>sa(e)?Math.max(t,Math.abs(e)):t,0);function z0(n,t,e){return n==null?"n/a":typeof n=="boolean"?n?"yes":"no":typeof n=="number"?Me(n,t,e):String(n)}var B0=12;function TA(n,t){for(let e=0;e<B0;++e)if(n.every(i=>Math.abs(i-Number(i.toFixed(e)))<1e-6*t))return e;return B0}function Pf(n){let t=Rf(n),e=n.slice(1).map((l,c)=>Math.abs(l-n[c])),i=Math.min(...e.filter(l=>l>0),t||1),s=t!==0&&(t<.001||t>=1e6)?Math.floor(Math.log10(t)):0,r=n.map(l=>Math.abs(l)<1e-6*i?0:l/10**s),o=TA(r,i/10**s),a=l=>s&&l!==0?`e${s}`:"";return r.map(l=>k0(`${l.toFixed(l===0&&s?0:o)}${a(l)}`))}var CA=Math.PI/180,qr={angle:{unit:"\xB0",scale:CA,digits:1,step:1,big:10},length:{unit:"mm",scale:.001,digits:1,step:1,big:10},force:{unit:"N",scale:1,digits:2,step:.5,big:5},share:{unit:"",scale:1,digits:2,step:.01,big:.1}},mr=({slides:n})=>n?qr.length:qr.angle;function ra(n,t){if(!Number.isFinite(n))return"n/a";let{unit:e,scale:i,digits:s}=t,r=n/i,o=Math.abs(r)<.5*10**-s?0:r,a=Me(o,s);return e===""?a:e==="\xB0"?`${a}${e}`:`${a}\u202F${e}`}function G0(n,{scale:t}){let e=Number(String(n).trim().replace("\u2212","-").replace(",","."));return String(n).trim()===""||!Number.isFinite(e)?null:e*t}var gs=(n,t,e)=>Math.min(e,Math.max(t,n));var RA=0,gr=n=>`${n}-${++RA}`,De=(n,t,e={})=>q("button",{type:"button",onclick:t,...e},n);function rn(n,t,e={}){let i=De(n,async()=>{if(!i.disabled){i.disabled=!0;try{await t()}finally{i.disabled=!1}}},e);return i}var An=(n,...t)=>q("section",{class:"part","aria-label":n},q("h3",{},n),...t);function Jn(n,t){let e=gr("choice"),i=q("select",{id:e,onchange:()=>t(i.value)}),s=q("div",{class:"choice"},q("label",{for:e},n),i);return s.set=(r,o)=>{let a=r.map(c=>typeof c=="string"?{value:c,text:c}:c),l=JSON.stringify(a);i.dataset.key!==l&&(i.dataset.key=l,i.replaceChildren(...a.map(c=>q("option",{value:c.value},c.text)))),o!=null&&(i.value=o)},s.value=()=>i.value,s.select=i,s}function Sl(n,t,e){let i=q("input",{type:"checkbox",onchange:()=>e(i.checked)});i.checked=t;let s=q("label",{class:"tick"},i,n);return s.box=i,s}var V0={ArrowLeft:-1,ArrowDown:-1,ArrowRight:1,ArrowUp:1};function PA(n,t,{lower:e,upper:i},s){let{step:r,big:o,scale:a}=s;return n.ctrlKey||n.altKey||n.metaKey?null:n.key==="Home"?e:n.key==="End"?i:n.key in V0?gs(t+V0[n.key]*r*a*(n.shiftKey?.1:1),e,i):n.key==="PageUp"?gs(t+o*a,e,i):n.key==="PageDown"?gs(t-o*a,e,i):null}function oa({name:n,title:t,lower:e,upper:i,quantity:s,note:r,off:o},a){let{scale:l,unit:c,digits:d}=s,u=gs(0,e,i),h=!1,f=`${ra(e,s)} to ${ra(i,s)}`,p=q("input",{type:"range",min:e/l,max:i/l,step:"any",disabled:o,"aria-label":`${n} ${c}`.trim(),title:f}),_=q("input",{type:"text",inputmode:"decimal",class:"value",disabled:o,"aria-label":`${n}, typed ${c}`.trim(),title:f,autocomplete:"off"}),g=()=>{p.value=u/l,p.setAttribute("aria-valuetext",ra(u,s)),document.activeElement!==_&&(_.value=(u/l).toFixed(d));let y=i>e?(u-e)/(i-e):0;p.style.setProperty("--full",`${100*y}%`)},m=y=>{u=gs(y,e,i),g(),a(u)};p.addEventListener("input",()=>m(Number(p.value)*l)),p.addEventListener("pointerdown",()=>h=!0);for(let y of["pointerup","pointercancel","blur","change"])p.addEventListener(y,()=>h=!1);p.addEventListener("keydown",y=>{let C=PA(y,u,{lower:e,upper:i},s);C!==null&&(y.preventDefault(),m(C))});let x=()=>{let y=G0(_.value,s);y!==null&&Math.abs(y-u)>.5*l*10**-d?m(y):_.value=(u/l).toFixed(d)};_.addEventListener("change",x),_.addEventListener("keydown",y=>{y.key==="Enter"&&x(),y.key==="Escape"&&(_.value=(u/l).toFixed(d))});let b=q("div",{class:o?"slider off":"slider"},q("span",{class:"name",title:t??n},n),p,_,q("span",{class:"unit"},c),r?q("span",{class:"note"},r):null);return b.dataset.name=n,b.set=y=>{h||!Number.isFinite(y)||(u=y,g())},b.value=()=>u,b.mark=y=>b.classList.toggle("marked",y),g(),b}function H0(n,t,e){let i=n.map(({id:a,title:l,element:c})=>(Object.assign(c,{id:`page-${a}`,tabIndex:-1}),c.setAttribute("role","tabpanel"),c.setAttribute("aria-labelledby",`tab-${a}`),De(l,()=>r(a),{role:"tab",id:`tab-${a}`,"aria-controls":`page-${a}`}))),s=null;function r(a){s!==a&&(s=a,n.forEach((l,c)=>{let d=l.id===a;l.element.hidden=!d,i[c].setAttribute("aria-selected",String(d)),i[c].tabIndex=d?0:-1}),e(a))}let o=q("div",{class:"tabs",role:"tablist","aria-label":t},...i);return o.addEventListener("keydown",({key:a})=>{let l={ArrowLeft:-1,ArrowRight:1}[a];if(!l)return;let d=(i.indexOf(document.activeElement)+l+i.length)%i.length;i[d].focus(),r(n[d].id)}),{list:o,choose:r,chosen:()=>s}}var Zr=(n,t,e)=>q("div",{class:"table-frame",tabindex:0,role:"region","aria-label":e},q("table",{},q("thead",{},q("tr",{},...n.map(i=>q("th",{scope:"col"},i)))),q("tbody",{},...t.map(i=>q("tr",{},...i.map(s=>q("td",{},s)))))));function jr(n,t){for(;n.rows.length>t.length;)n.deleteRow(-1);t.forEach((e,i)=>{let s=n.rows[i]??n.insertRow();e.forEach((r,o)=>{let a=s.cells[o]??s.insertCell();a.textContent!==r&&(a.textContent=r)})})}var Jr=n=>q("dl",{class:"facts"},...n.flatMap(([t,e])=>[q("dt",{},t),q("dd",{},e)]));var IA=[["Everywhere",[["Tab, Shift+Tab","go through everything that can be used"],["?","this help"],["Ctrl+Z, Ctrl+Y","undo, redo"],["Ctrl+O, Ctrl+S","open, save"],["Esc","deselect; close a dialog"],["1 to 5","the tabs Pose, Grasp, Tendons, Fit, Time"],["G, O, C","grasp, open the hand, close it"],["Space","play or pause; . one step of time"]]],["On the picture",[["drag, right drag, wheel","turn, move, zoom the view"],["click","select a body and its joint"],["arrow keys","turn the view; with a selection move it"],["+ and \u2212","zoom; with a joint selected turn that by 1\xB0 or 1 mm (Shift: 10)"],["0 or Home","show everything"],["PageUp, PageDown","the next and the previous thing"],["[ and ]","the previous and the next joint of the hand"],["x, y, z","choose the axis that arrow keys move along or turn about"],["t, r","arrow keys move, or turn, what is selected"],["Left, Right","by 1 mm or 1\xB0; Up, Down: by 10 mm or 10\xB0"],["Shift while dragging","steps of 10 mm and 15\xB0"]]],["On a slider",[["arrow keys","one step; with Shift a tenth"],["PageUp, PageDown","ten steps"],["Home, End","to the limits"]]]];function If(n,...t){let e=gr("dialog"),i=q("dialog",{"aria-labelledby":e},q("div",{class:"dialog-head"},q("h2",{id:e},n),De("\xD7",()=>i.close(),{"aria-label":"Close"})),...t);return document.body.append(i),i}function W0(){let n=If("Keys and gestures",q("div",{class:"help"},...IA.flatMap(([t,e])=>[q("h3",{},t),q("dl",{},...e.flatMap(([i,s])=>[q("dt",{},i),q("dd",{},s)]))])));return n.classList.add("help-dialog"),()=>n.showModal()}function jh(n,t,e="Cancel"){return new Promise(i=>{let s=If(n,q("div",{class:"buttons"},De(t,()=>s.close("yes"),{class:"main"}),De(e,()=>s.close(""))));s.addEventListener("close",()=>{s.remove(),i(s.returnValue==="yes")}),s.showModal()})}function X0(n){return new Promise(t=>{let e=gr("file"),i=q("input",{id:e,type:"text",value:n,autocomplete:"off"}),s=null,r=a=>{if(!i.value.trim())return i.focus();s={name:i.value.trim(),where:a},o.close()},o=If("Save the world",q("div",{class:"choice"},q("label",{for:e},"File"),i),q("p",{class:"hint"},"A relative path that ends in .toml, below the folder thenar was started in."),q("div",{class:"buttons"},De("Save",()=>r("here"),{class:"main",id:"save-here"}),De("Download",()=>r("download"),{id:"save-download"})));i.addEventListener("keydown",a=>a.key==="Enter"&&r("here")),o.addEventListener("close",()=>{o.remove(),t(s)}),o.showModal(),i.focus(),i.select()})}var $0=32768;function LA(n){let t="";for(let e=0;e<n.length;e+=$0)t+=String.fromCharCode(...n.subarray(e,e+$0));return btoa(t)}var DA=n=>n.some(t=>/\.(urdf|xml|mjcf)$/i.test(t))?"hand":"object";async function NA(n){let t=DA(n),e=Jn("As",s=>t=s);e.set(["object","obstacle","hand"],t);let i=q("span",{},`Import ${n.length===1?n[0]:`${n.length} files`}`,e);return await jh(i,"Import")?t:null}async function OA(n,t){let e=t.map(({name:o})=>o);if(t.length===1&&/\.toml$/i.test(e[0])){let o=await t[0].text();await n.mayLeave()&&await n.ask("world.load",{text:o,name:e[0].replace(/\.toml$/i,"")});return}let i=await NA(e);if(!i)return;let s=await Promise.all(t.map(async o=>({name:o.name,data:LA(new Uint8Array(await o.arrayBuffer()))}))),r=await n.ask("world.import",{files:s,as:i});if(r){for(let o of r.warnings??[])n.notices.tell(o);n.notices.tell(`${r.name} was imported.`)}}function Y0(n){let t=q("input",{type:"file",multiple:!0,hidden:!0,id:"files"});document.body.append(t);let e=s=>s.length&&OA(n,s).catch(r=>n.notices.error(r.message));t.addEventListener("change",()=>{e([...t.files]),t.value=""});let i=s=>document.body.classList.toggle("dropping",s);return addEventListener("dragover",s=>{s.preventDefault(),i(!0)}),addEventListener("dragleave",()=>i(!1)),addEventListener("drop",s=>{s.preventDefault(),i(!1),e([...s.dataTransfer.files])}),()=>t.click()}async function q0(n){let t=n.store.state?.world??{},e=t.file&&!t.file.startsWith("/")?t.file:`${t.name||"world"}.toml`,i=await X0(e);if(i){if(i.where==="download"){let s=await n.ask("world.text");s&&Qi(i.name.split("/").at(-1),s.toml,"application/toml");return}await n.ask("world.save",{file:i.name})&&n.notices.tell(`Saved as ${i.name}.`)}}var Z0="THF1";function j0(n,t,e){if(n.byteLength!==t)throw new Error(`wanted ${e} of ${t} bytes, got ${n.byteLength}`)}function UA(n){if(n.byteLength<52)throw new Error("a frame has 52 bytes at least");let t=String.fromCharCode(...[0,1,2,3].map(i=>n.getUint8(i)));if(t!==Z0)throw new Error(`wanted a frame ${Z0}, got ${JSON.stringify(t)}`);let e=i=>n.getUint16(i,!0);return{revision:n.getUint32(4,!0),sequence:n.getUint32(8,!0),time:n.getFloat64(16,!0),counts:{bodies:e(24),joints:e(26),lines:e(28),contacts:e(30),arrows:e(32),points:e(34)},origin:[40,44,48].map(i=>n.getFloat32(i,!0))}}function FA(n,t){let e=s=>[0,4,8].map(r=>n.getFloat32(t+s+r,!0)),i=s=>s===65535?-1:s;return{a:i(n.getUint16(t,!0)),b:i(n.getUint16(t+2,!0)),point:e(4),normal:e(16),force:e(28),friction:n.getFloat32(t+40,!0)}}function J0(n){let t=new DataView(n),{counts:e,origin:i,...s}=UA(t),r={bodies:28*e.bodies,joints:4*e.joints,tensions:4*e.lines,contacts:44*e.contacts,arrows:24*e.arrows,points:6*e.points};j0(t,52+Object.values(r).reduce((d,u)=>d+u),"a frame");let o=52,a={};for(let[d,u]of Object.entries(r))a[d]=o,o+=u;let l=d=>new Float32Array(n,a[d],r[d]/4),c=new Int16Array(n,a.points,3*e.points);return{...s,bodies:l("bodies"),joints:l("joints"),tensions:l("tensions"),contacts:Array.from({length:e.contacts},(d,u)=>FA(t,a.contacts+44*u)),arrows:l("arrows"),points:Float32Array.from(c,(d,u)=>i[u%3]+1e-5*d)}}function K0(n){let t=new DataView(n);if(t.byteLength<8)throw new Error("a mesh has 8 bytes at least");let[e,i]=[t.getUint32(0,!0),t.getUint32(4,!0)];j0(t,8+12*(e+i),"a mesh");let s=new Uint32Array(n,8+12*e,3*i);if(s.some(r=>r>=e))throw new Error(`a triangle names a corner beyond the ${e} of its mesh`);return{positions:new Float32Array(n,8,3*e),triangles:s}}function Kr(n,t=(e,i)=>i){let e=null,i=null;async function s(){for(;i;){let{value:r,settled:o}=i;i=null,await n(r).then(o.resolve,o.reject)}e=null}return r=>{if(i)i.value=t(i.value,r);else{let a={};a.promise=new Promise((l,c)=>Object.assign(a,{resolve:l,reject:c})),i={value:r,settled:a}}let{promise:o}=i.settled;return e??(e=s()),o}}function Jh(n,t,e=setTimeout,i=clearTimeout){let s=null;return()=>{s!==null&&i(s),s=e(()=>{s=null,n()},t)}}var bl=class extends Error{constructor(t,e){super(t),this.code=e}};function Q0(n,t,{openSocket:e=s=>new WebSocket(s),later:i=(s,r)=>setTimeout(s,r)}={}){let s=new Map,r=null,o=1,a=0,l=!1;function c({id:p,result:_,error:g}){let m=s.get(p);if(!m){g&&t.notice("error",g);return}s.delete(p),g?m.reject(new bl(g.message??"failed",g.code)):m.resolve(_)}function d(p){if(typeof p!="string")return t.frame(p);let _=JSON.parse(p);_.method?t.notice(_.method,_.params??{}):c(_)}function u(){let p=[...s.values()].map(({method:g})=>g);for(let{method:g,reject:m}of s.values())m(new bl(`the connection was lost before ${g} was answered`,"lost"));if(s.clear(),r=null,l)return;let _=Math.min(4e3,250*2**a++);t.link({connected:!1,wait:_,lost:p}),i(h,_)}function h(){if(l)return;let p=e(n);p.binaryType="arraybuffer",p.onopen=()=>{a=0,r=p,t.link({connected:!0,wait:0,lost:[]})},p.onmessage=({data:_})=>d(_),p.onclose=u}function f(p,_={}){if(!r)return Promise.reject(new bl(`${p}: thenar is not connected`,"not connected"));let g=o++;return new Promise((m,x)=>{s.set(g,{method:p,resolve:m,reject:x}),r.send(JSON.stringify({jsonrpc:"2.0",id:g,method:p,params:_}))})}return h(),{call:f,connected:()=>r!==null,waiting:()=>[...s].map(([p,{method:_}])=>({id:p,method:_})),close:()=>{l=!0,r?.close()}}}function t_(n){let t=[],e={...n};return e.set=i=>{let s=Object.keys(i).filter(r=>e[r]!==i[r]);Object.assign(e,i);for(let{names:r,work:o}of t)r.some(a=>s.includes(a))&&o(e)},e.on=(i,s)=>t.push({names:i,work:s}),e}var e_=(n,t)=>t.revision===n.revision&&t.bodies.length===7*n.bodies.length&&t.joints.length===n.joints.length&&t.tensions.length===n.lines.length&&t.arrows.length===6*n.arrows.length&&t.points.length===3*n.lines.reduce((e,{points:i})=>e+i,0);function _r(n){let t=new Map;return n.bodies.forEach(({owner:e,role:i,movable:s},r)=>{let o=i==="object"||i==="obstacle"?i:"hand";t.has(e)||t.set(e,{name:e,kind:o,movable:s,bodies:[]}),t.get(e).bodies.push(r)}),[...t.values()]}var Lf=(n,t)=>n.joints.map((e,i)=>({index:i,...e})).filter(e=>t===void 0||e.hand===t);function n_(n,t){return t.led_by?n.joints.find(e=>e.hand===t.hand&&e.name===t.led_by)??t:t}function i_(n,t){let{owner:e,digit:i}=n.bodies[t];for(let s=t;s>=0;--s){let r=n.bodies[s];if(r.owner!==e||r.digit!==i)break;let o=n.joints.findLastIndex(a=>a.body===s&&!a.led_by);if(o>=0)return o}return-1}function Df(n,t,e){let i={[t.name]:e};return n==="world"?{method:"hand.set_joints",params:{hand:t.hand,joints:i}}:n==="tendons"?{method:"tendons.set",params:{posture:i}}:n==="motion"?{method:"motion.set",params:{targets:i}}:null}function Kh(n,t){if(n.method!==t.method||n.params.hand!==t.params.hand)return t;let e={...t.params};for(let i of["joints","posture","targets","tensions","excitations"])(n.params[i]||t.params[i])&&(e[i]={...n.params[i],...t.params[i]});return{method:t.method,params:e}}var wl=["#4c02a1","#7e03a8","#a82296","#cb4679","#e56b5d","#f89441","#fdc328"],s_=n=>[1,3,5].map(t=>parseInt(n.slice(t,t+2),16));function kA(n){let t=Math.min(1,Math.max(0,n))*(wl.length-1),e=Math.min(Math.floor(t),wl.length-2),[i,s]=[s_(wl[e]),s_(wl[e+1])];return`#${i.map((o,a)=>Math.round(o+(t-e)*(s[a]-o))).map(o=>o.toString(16).padStart(2,"0")).join("")}`}var r_=(n,{low:t,high:e})=>kA(e>t?(n-t)/(e-t):0),o_=()=>`linear-gradient(to right, ${wl.join(", ")})`;function a_(){let n=q("span",{class:"number"},"0"),t=q("span",{class:"number"}),e=q("span",{class:"ramp"});e.style.background=o_();let i=q("div",{class:"color-bar",hidden:!0},q("span",{},"tension [N]"),n,e,t,q("span",{class:"dashed"},"slack")),s=q("div",{class:"force-scale",hidden:!0}),r=q("div",{class:"key-box","aria-label":"Legend",role:"group"},i,s),o="";return r.show=({tensionEnd:a,forceScale:l})=>{let c=`${a} ${l}`;c!==o&&(o=c,i.hidden=a===null,s.hidden=l===null,a!==null&&(t.textContent=Me(a)),l!==null&&(s.textContent=`arrows: 10\u202Fmm stands for ${Me(.01/l)}\u202FN`))},r}var zA=12e3,GA=4,VA=250;function l_(n,t){let e=q("div",{class:"notes"}),i=q("div",{class:"lost",role:"alert",hidden:!0}),s=q("div",{class:"hidden-words",role:"status","aria-live":"polite"}),r=q("progress",{max:1}),o=q("span",{class:"words"}),a=q("div",{class:"work",role:"group","aria-label":"Progress",hidden:!0},o,r,De("Stop",t,{class:"stop"}));n.append(i,a,e,s);function l(h,f){for([...e.children].find(g=>g.dataset.text===h)?.remove();e.children.length>=GA;)e.firstElementChild.remove();let _=q("div",{class:`note-box ${f}`,role:f==="error"?"alert":"status"},q("p",{},h));_.dataset.text=h,_.append(De("\xD7",()=>_.remove(),{"aria-label":"Close this note"})),e.append(_),f!=="error"&&setTimeout(()=>_.remove(),zA)}let c=null,d=({text:h,fraction:f})=>{o.textContent=h,Number.isFinite(f)?r.value=f:r.removeAttribute("value")};return{error:h=>l(h,"error"),tell:h=>l(h,"told"),say:h=>s.textContent=h,progress:d,busy:h=>{if(!h){clearTimeout(c),c=null,a.hidden=!0;return}c===null&&(d({text:h}),c=setTimeout(()=>a.hidden=!1,VA))},link:({connected:h,wait:f,lost:p=[]})=>{i.hidden=h;let _=p.length?` No answer came to ${p.join(", ")}.`:"";i.textContent=h?"":`The connection to thenar is lost; trying again in ${(f/1e3).toFixed(1)}\u202Fs.${_}`}}}var HA=({name:n})=>n.split(/[/.]/).slice(0,-1).join(" ")||"",WA=({name:n})=>n.split("/").at(-1);function XA(n,t){let e=t.map(r=>{let o=oa({name:WA(r),title:r.name,lower:r.lower,upper:r.upper,quantity:mr(r),note:r.led_by?`goes with ${r.led_by}`:null,off:!!r.led_by||!n.canMove(r)},a=>n.moveJoint(r,a));return o.dataset.joint=r.name,o.addEventListener("focusin",()=>{r.led_by||n.select({owner:r.hand,joint:r.name},{quiet:!0})}),{joint:r,row:o}}),i=new Map;for(let{joint:r,row:o}of e){let a=HA(r);i.has(a)||i.set(a,[]),i.get(a).push(o)}let s=[...i].map(([r,o])=>r?An(r,...o):q("div",{},...o));return{rows:e,elements:s}}function c_(n){let{store:t}=n,e=Jn("Hand",h=>n.select({owner:h})),i=q("div",{}),s=q("p",{class:"where","aria-live":"off"}),r=q("div",{class:"page pose"},e,s,i),o=[],a=()=>{let h=[...new Set(t.scene?.joints.map(p=>p.hand)??[])],f=t.selected?.owner;return h.includes(f)?f:h.includes(e.value())?e.value():h[0]},l=()=>{let h=[...new Set(t.scene?.joints.map(m=>m.hand)??[])];e.hidden=h.length<2;let f=a();e.set(h,f);let p=JSON.stringify([f,t.scene?.mode,t.scene&&Lf(t.scene,f)]);if(r.dataset.key===p)return;r.dataset.key=p;let _=XA(n,f===void 0?[]:Lf(t.scene,f));o=_.rows;let g=q("p",{class:"hint"},"There are no joints. Add a hand to pose it.");i.replaceChildren(...o.length?_.elements:[g]),c()},c=()=>{if(!(!t.frame||r.hidden))for(let{joint:h,row:f}of o)f.set(t.frame.joints[h.index])},d=()=>{for(let{joint:h,row:f}of o)f.mark(t.selected?.joint===h.name&&t.selected.owner===h.hand);l(),u()},u=()=>{let h=n.poseOf(t.selected?.owner);s.hidden=!h,h&&(s.textContent=`${t.selected.owner} stands at ${h.map(f=>(f*1e3).toFixed(1)).join(", ")} mm`)};return t.on(["scene"],l),t.on(["frame","tab"],()=>{c(),u()}),t.on(["selected"],d),l(),r}var h_=(n,t,e)=>`${t.name} ${ra(e,mr(t))}${n_(n,t)===t?"":" (led)"}`;function Qh(n,t=Math.PI/3){let e=n.index?n.toNonIndexed():n,i=e.attributes.position,s=i.count,r;if(i.isBufferAttribute===!0&&i.itemSize===3&&i.normalized===!1)r=i.array;else{r=new Float64Array(s*3);for(let y=0;y<s;y++)r[3*y+0]=i.getX(y),r[3*y+1]=i.getY(y),r[3*y+2]=i.getZ(y)}let o=Math.cos(t),a=(1+1e-10)*100,l=s/3,c=new Float64Array(l*3);for(let y=0;y<l;y++){let C=9*y,E=r[C+0],v=r[C+1],M=r[C+2],O=r[C+3],R=r[C+4],I=r[C+5],U=r[C+6],F=r[C+7],L=r[C+8],k=U-O,X=F-R,V=L-I,ot=E-O,$=v-R,K=M-I,et=X*K-V*$,ht=V*ot-k*K,ut=k*$-X*ot,Q=1/(Math.sqrt(et*et+ht*ht+ut*ut)||1);c[3*y+0]=et*Q,c[3*y+1]=ht*Q,c[3*y+2]=ut*Q}let d=new Int32Array(s),u=new Float64Array(s*3),h=1;for(;h<s*2;)h<<=1;let f=h-1,p=new Int32Array(h),_=0;for(let y=0;y<s;y++){let C=3*y,E=Math.trunc(r[C+0]*a),v=Math.trunc(r[C+1]*a),M=Math.trunc(r[C+2]*a),O=(Math.imul(E,73856093)^Math.imul(v,19349663)^Math.imul(M,83492791))&f;for(;;){let R=p[O];if(R===0){let U=3*_;u[U+0]=E,u[U+1]=v,u[U+2]=M,p[O]=_+1,d[y]=_++;break}let I=3*(R-1);if(u[I+0]===E&&u[I+1]===v&&u[I+2]===M){d[y]=R-1;break}O=O+1&f}}let g=new Int32Array(_+1);for(let y=0;y<s;y++)g[d[y]+1]++;for(let y=0;y<_;y++)g[y+1]+=g[y];let m=new Int32Array(s),x=g.slice(0,_);for(let y=0;y<l;y++){let C=3*y;m[x[d[C+0]]++]=y,m[x[d[C+1]]++]=y,m[x[d[C+2]]++]=y}let b=new Float32Array(s*3);for(let y=0;y<l;y++){let C=3*y,E=c[C+0],v=c[C+1],M=c[C+2];for(let O=0;O<3;O++){let R=C+O,I=d[R],U=0,F=0,L=0;for(let X=g[I],V=g[I+1];X<V;X++){let ot=3*m[X],$=c[ot+0],K=c[ot+1],et=c[ot+2];E*$+v*K+M*et>o&&(U+=$,F+=K,L+=et)}let k=1/(Math.sqrt(U*U+F*F+L*L)||1);b[3*R+0]=U*k,b[3*R+1]=F*k,b[3*R+2]=L*k}}return e.setAttribute("normal",new cn(b,3,!1)),e}var $A="#dfab8f",YA="#f0d3c6",qA="#e6dcc3",ZA="#7d8794",jA="#e6a83c",JA="#b9c0c9",u_=["#6fa8cf","#8dbb95","#c7a6d1","#d3a15f","#7cc0c4","#b0a37a"],KA=3813392,QA=.62,tT=({role:n,material:t})=>n==="link"&&(t==="skin"||t==="fingertip");function eT(n){let t=new Map;return n.map(({owner:e,digit:i})=>{if(!i)return ZA;t.has(e)||t.set(e,[]);let s=t.get(e);return s.includes(i)||s.push(i),u_[s.indexOf(i)%u_.length]})}function nT(n,t){return tT(n)?$A:n.role==="nail"?YA:n.role==="bone"||n.material==="bone"?qA:n.role==="object"?jA:n.role==="obstacle"?JA:t}var iT=(n,t)=>n.lines.length>0||n.bodies.some(e=>e.owner===t&&e.role==="bone"),sT=(n,t)=>t.role==="object"?"objects":(t.role==="link"||t.role==="nail")&&iT(n,t.owner)?"hands":null;function d_(n){let t=eT(n.bodies);return n.bodies.map((e,i)=>({color:nT(e,t[i]),layer:sT(n,e)}))}var f_=n=>new kr({color:n,roughness:QA,side:Ye});function p_(n,t){let{material:e}=n;e.transparent=t<1,e.opacity=t,e.depthWrite=t===1,e.needsUpdate=!0,n.castShadow=t>.2,n.userData.veil&&(n.userData.veil.visible=t<1),n.renderOrder=t<1?3:0}var m_=(n,t)=>n.material.emissive.setHex(t?KA:0);function rT({positions:n,triangles:t},e){let i=new we;return i.setAttribute("position",new cn(n,3)),i.setIndex(new cn(t,1)),e!=null&&e>=0?Qh(i,e*Math.PI/180):(i.computeVertexNormals(),i)}function g_(n){let t=new Map,e=({mesh:r,crease:o})=>`${r} ${o}`;return{get:r=>{let o=e(r);if(!t.has(o)){let a=n(r.mesh).then(l=>rT(K0(l),r.crease));a.catch(()=>t.delete(o)),t.set(o,a)}return t.get(o)},keepOnly:r=>{let o=new Set(r.filter(({mesh:a})=>a).map(e));for(let[a,l]of t)o.has(a)||(t.delete(a),l.then(c=>c.dispose()).catch(()=>{}))},size:()=>t.size}}function oT(n){let t=new mt(n,new wi({colorWrite:!1}));return t.renderOrder=2,t.visible=!1,t.raycast=()=>{},t}function aT(n,t,e,i){let s=new mt(t,f_(e.color));return s.castShadow=s.receiveShadow=!0,s.userData={body:i,layer:e.layer,veil:oT(t)},n.add(s,s.userData.veil),n.userData.mesh=s,s}function lT(n){for(let t of n.groups)t.userData.mesh?.material.dispose(),t.userData.mesh?.userData.veil.material.dispose(),t.removeFromParent()}function __(n,t,e){let i={groups:[],hidden:new Set,opacities:{hands:.4,objects:1}},s=null,r=null,o=l=>{let{layer:c}=l.userData;p_(l,c?i.opacities[c]:1),m_(l,s.bodies[l.userData.body].owner===r)},a=()=>i.groups.flatMap(({userData:l})=>l.mesh??[]);return i.show=l=>{let c=l.bodies.map(({name:u,owner:h},f)=>{let p=new Te;p.name=u,p.visible=!i.hidden.has(h);let _=i.groups.find(g=>g.name===u);return _&&p.position.copy(_.position),_&&p.quaternion.copy(_.quaternion),p.userData.index=f,p});lT(i),s=l,i.groups=c,n.add(...c);let d=d_(s);return t.keepOnly(s.bodies),Promise.all(s.bodies.map(async(u,h)=>{if(!u.mesh)return;let f=await t.get(u);s===l&&(o(aT(c[h],f,d[h],h)),e())}))},i.pose=({bodies:l})=>i.groups.forEach((c,d)=>{let u=7*d;c.position.set(l[u],l[u+1],l[u+2]);let[h,f,p,_]=[3,4,5,6].map(g=>l[u+g]);c.quaternion.set(f,p,_,h),c.updateMatrixWorld()}),i.hide=(l,c)=>{c?i.hidden.add(l):i.hidden.delete(l),i.groups.forEach((d,u)=>{d.visible=!i.hidden.has(s.bodies[u].owner)})},i.select=l=>{r=l,a().forEach(o)},i.opacity=(l,c)=>{i.opacities[l]=c,a().forEach(o)},i.meshes=()=>a().filter(l=>l.parent.visible),i.box=()=>{let l={object:new Qe,obstacle:new Qe};for(let c of a()){c.geometry.boundingBox??c.geometry.computeBoundingBox(),c.parent.updateMatrixWorld();let{role:d}=s.bodies[c.userData.body];l[d==="obstacle"?d:"object"].union(c.geometry.boundingBox.clone().applyMatrix4(c.parent.matrixWorld))}return l.object.isEmpty()?l.obstacle:l.object},i}var x_=["#0072b2","#d55e00","#cc79a7","#e69f00","#56b4e9"];function cT(n){let t=Uint8Array.from(atob(n),e=>e.charCodeAt(0));if(t.length%24)throw new Error(`wanted 24 bytes a segment of a cloud, got ${t.length}`);return new Float32Array(t.buffer)}function y_(n){let t=[];return{show:(i,s)=>{for(let r of t)r.geometry.dispose(),r.material.dispose(),r.removeFromParent();t=i.clouds.map(({name:r,body:o,segments:a},l)=>{let c=new we;c.setAttribute("position",new cn(cT(a),3));let u={color:x_[l%x_.length],transparent:!0,opacity:.22,depthWrite:!1},h=new Bs(c,new Ui(u));return h.name=r,h.renderOrder=1,h.raycast=()=>{},(s[o]??n).add(h),h})}}}function xr(n){let t=10**Math.floor(Math.log10(n));return[1,2,5,10].find(i=>i*t>=n*(1-1e-9))*t}var hT=1e-12;function v_(n,t=0,e=hT){let i=n.filter(Number.isFinite);if(i.length===0)return[0,1];let s=i.reduce((l,c)=>Math.min(l,c)),r=i.reduce((l,c)=>Math.max(l,c)),o=Math.max(Math.abs(s),Math.abs(r)),a=r-s>e*o?t*(r-s):.5*(o||1);return[s-a,r+a]}var uT=new P(0,1,0),S_="#b3261e",b_="#d55e00",dT={force:b_,moment:"#993366",axis:"#777777",measured:"#0072b2",predicted:"#d55e00",disturbance:"#cc79a7"},fT=.3,pT=.07;function w_(n,t,e){if(!(n>0))return e??null;let i=fT*t/n;return e&&e<=i*1.001&&e>.2*i?e:1/xr(1/i)}function tu(n,t,e){let i=null,s=r=>(i&&i.instanceMatrix.count>=r||(i?.removeFromParent(),i?.dispose(),i=new Or(t,e,Math.max(16,2*r)),i.instanceMatrix.setUsage(tf),i.frustumCulled=!1,i.raycast=()=>{},i.renderOrder=e.depthTest?4:6,n.add(i)),i);return r=>{let o=s(r.length);r.forEach((a,l)=>o.setMatrixAt(l,a)),o.count=r.length,o.instanceMatrix.needsUpdate=!0}}function Nf(n,t,e){let i=t.clone().sub(n),s=i.length(),r=new Ie().setFromUnitVectors(uT,i.divideScalar(s||1)),o=n.clone().add(t).multiplyScalar(.5);return new ne().compose(o,r,new P(e,s,e))}function M_(n,t){let e={depthTest:!1,transparent:!0},i=new ci({...e,color:t,emissive:t,emissiveIntensity:.25}),s=tu(n,new ze(1,1,1,10),i),r=tu(n,new Fi(1,1,14),i);return(o,a)=>{let l=o.filter(({vector:c})=>c.lengthSq()>0).map(({from:c,vector:d})=>{let u=c.clone().add(d),h=Math.min(7*a,.5*d.length()),f=u.clone().addScaledVector(d.clone().normalize(),-h);return[Nf(c,f,a),Nf(f,u,2.6*a)]});s(l.map(([c])=>c)),r(l.map(([,c])=>c))}}function mT({point:n,normal:t,friction:e},i){let s=new P(...n),r=s.clone().addScaledVector(new P(...t),i);return Nf(r,s,Math.min(e,2)*i)}function E_(n){let t=new Te,e=new Te;n.add(t),t.add(e);let i=new wi({color:S_,depthTest:!1,transparent:!0}),s=tu(t,new Bi(1,12,8),i),r=new ci({color:S_,transparent:!0,opacity:.3,side:Ye,depthWrite:!1}),o=tu(e,new Fi(1,1,24,1,!0),r),a=M_(t,b_),l={contacts:!0,cones:!0,forces:!0},c=null;return{pose:({contacts:u},h)=>{let f=l.contacts?u:[],p=.006*h;s(f.map(({point:m})=>new ne().makeTranslation(...m).scale(new P(p,p,p)))),o(l.cones?f.filter(m=>m.friction>0).map(m=>mT(m,pT*h)):[]);let _=Math.max(0,...u.map(({force:m})=>Math.hypot(...m)));c=w_(_,h,c);let g=l.forces&&c?u:[];return a(g.map(({point:m,force:x})=>({from:new P(...m),vector:new P(...x).multiplyScalar(c)})),.004*h),{forceScale:_>0?c:null}},show:l,forget:()=>c=null}}function A_(n){let t=new Te;n.add(t);let e=Object.fromEntries(Object.entries(dT).map(([l,c])=>[l,M_(t,c)])),i=[],s={},r=l=>l==="moment"?"moment":l==="axis"?"axis":"force";return{show:l=>{i=l.arrows.map(({kind:c,name:d})=>({kind:c,unit:/moment/i.test(d)?"moment":r(c)})),s={}},pose:({arrows:l},c)=>{let d=i.map(({kind:u,unit:h},f)=>({kind:u,unit:h,from:new P(...l.subarray(6*f,6*f+3)),vector:new P(...l.subarray(6*f+3,6*f+6))}));for(let u of["force","moment"]){let h=Math.max(0,...d.filter(f=>f.unit===u).map(f=>f.vector.length()));s[u]=w_(h,c,s[u])}for(let{unit:u,vector:h}of d)u==="axis"?h.setLength(h.length()>0?.12*c:0):h.multiplyScalar(s[u]??0);for(let[u,h]of Object.entries(e))h(d.filter(f=>f.kind===u),(u==="axis"?.0022:.0045)*c);return d.map(({from:u,vector:h},f)=>({position:u.clone().add(h),long:h.length(),i:f})).filter(({long:u})=>u>0)},visible:l=>t.visible=l}}var ts=(n,t)=>n[0]*t[0]+n[1]*t[1]+n[2]*t[2],Ml=(n,t)=>[n[0]-t[0],n[1]-t[1],n[2]-t[2]],Of=(n,t,e)=>[n[0]+e*t[0],n[1]+e*t[1],n[2]+e*t[2]],Uf=(n,t)=>[n[1]*t[2]-n[2]*t[1],n[2]*t[0]-n[0]*t[2],n[0]*t[1]-n[1]*t[0]],eu=n=>{let t=Math.hypot(...n);return t>0?n.map(e=>e/t):[0,0,0]};function R_(n,t){let e=eu(n),i=Of(t,e,-ts(t,e));return Math.hypot(...i)>1e-6*(1+Math.hypot(...t))?eu(i):eu(Uf(e,Math.abs(e[0])<.9?[1,0,0]:[0,1,0]))}var gT=.12;function T_({axis:n,point:t},{from:e,way:i}){let s=ts(n,i);if(Math.abs(s)<gT)return null;let r=ts(Ml(t,e),n)/s;return Ml(Of(e,i,r),t)}var _T=(n,t,e)=>Math.atan2(ts(Uf(n,t),e),ts(n,t));function P_(n,t,e){if(n.slides)return xT(n,t);let i=T_(n,t),s=0;return i?r=>{let o=T_(n,r);return o&&(s+=_T(i,o,n.axis),i=o),s}:yT(n,t,e)}function C_({axis:n,point:t},{from:e,way:i}){let s=Ml(e,t),r=ts(n,i),o=1-r*r;return o<1e-6?null:(ts(s,n)-r*ts(s,i))/o}function xT(n,t){let e=C_(n,t)??0,i=e;return s=>(i=C_(n,s)??i,i-e)}function yT({axis:n,point:t},e,i){let s=eu(Uf(n,e.way)),r=({from:a,way:l})=>{let c=ts(Ml(t,a),e.way)/(ts(l,e.way)||1);return ts(Ml(Of(a,l,c),t),s)},o=r(e);return a=>-(r(a)-o)/i}var vT=84,yr={range:"#0072b2",end:"#d55e00",needle:"#e69f00"},I_=2*Math.PI,vr=(n,t=1)=>new wi({color:n,opacity:t,transparent:!0,depthTest:!1,depthWrite:!1,side:Ye});function Sr(n,t,e=10){let i=new mt(n,t);return i.renderOrder=e,i}function L_(n){let t=Sr(new $e(.3,.05,.02),vr(yr.end),12);return t.position.set(.95*Math.cos(n),.95*Math.sin(n),0),t.rotation.z=n,t}function ST({lower:n,upper:t}){let e=new Te,i=new Te,s=Math.min(I_,t-n);i.add(Sr(new Br(.82,1,64,1,n,s),vr(yr.range,.55))),i.add(Sr(new Br(0,.82,64,1,n,s),vr(yr.range,.12))),s<I_&&i.add(L_(n),L_(t)),e.add(Sr(new Br(.9,.92,64),vr(yr.range,.5)));let r=Sr(new $e(1.1,.06,.02),vr(yr.needle),13);r.position.x=.55;let o=new mt(new Ei(.91,.16,8,48));return o.visible=!1,e.add(i,r,o),{group:e,grip:o,turn:a=>i.rotation.z=-a}}function bT({lower:n,upper:t}){let e=new Te,i=new Te,s=Sr(new $e(.08,.08,1),vr(yr.range,.55));i.add(s);let r=[1,-1].map(c=>{let d=Sr(new Fi(.16,.36,16),vr(yr.needle),13);return d.rotation.x=c*Math.PI/2,d.position.z=.9*c,d}),o=Sr(new ze(.04,.04,1.6,8),vr(yr.needle),13);o.rotation.x=Math.PI/2;let a=new mt(new ze(.22,.22,2.2,8).rotateX(Math.PI/2));return a.visible=!1,e.add(i,o,...r,a),{group:e,grip:a,turn:(c,d)=>{s.scale.z=(t-n)/d,s.position.z=((t+n)/2-c)/d}}}function D_(n,t){let e=new P(...n.axis).normalize(),i=t.userData.mesh,r=(i?i.geometry.boundingSphere.center.toArray():[0,0,0]).map((l,c)=>l-n.point[c]),o=new P(...R_(n.axis,r)),a=new ne().makeBasis(o,new P().crossVectors(e,o),e);return a.setPosition(...n.point),a.premultiply(t.matrixWorld)}function N_(n,t){let e=null;function i(){if(!e)return;let{joint:c,body:d,shape:u}=e;d.userData.mesh&&(d.userData.mesh.geometry.boundingSphere??d.userData.mesh.geometry.computeBoundingSphere());let{camera:h,width:f}=n;e.radius=vT*(h.right-h.left)/(f*h.zoom);let p=new P,_=new Ie;D_(c,d).decompose(p,_,new P),u.group.position.copy(p),u.group.quaternion.copy(_),u.group.scale.setScalar(e.radius),u.turn(e.value,e.radius),u.group.updateMatrixWorld()}n.preparing.push(i);function s(c,d,u){e&&e.shape.group.removeFromParent(),e=c?{joint:c,body:d,value:u,shape:c.slides?bT(c):ST(c),radius:1}:null,e&&n.scene.add(e.shape.group),e&&i(),n.draw()}let r=({ray:c})=>({from:c.origin.toArray(),way:c.direction.toArray()});function o(c){if(!e||c.intersectObject(e.shape.grip).length===0)return null;let{joint:d,body:u,value:h,radius:f}=e,p=D_(d,u),_=new P().setFromMatrixColumn(p,2).normalize().toArray(),g=new P().setFromMatrixPosition(p).toArray(),m=P_({axis:_,point:g,slides:d.slides},r(c),f);return x=>t(d,gs(h+m(r(x)),d.lower,d.upper))}return{show:s,tell:c=>{e&&(e.value=c)},grab:o,rim:c=>(e.joint.slides?new P(0,0,.9+c):new P(.91*Math.cos(c),.91*Math.sin(c),0)).applyMatrix4(e.shape.group.matrixWorld),held:()=>e}}It.line={worldUnits:{value:1},linewidth:{value:1},resolution:{value:new $t},dashOffset:{value:0},dashScale:{value:1},dashSize:{value:1},gapSize:{value:1}};oi.line={uniforms:ml.merge([It.common,It.fog,It.line]),vertexShader:`
+		#include <common>
+		#include <color_pars_vertex>
+		#include <fog_pars_vertex>
+		#include <logdepthbuf_pars_vertex>
+		#include <clipping_planes_pars_vertex>
+
+		uniform float linewidth;
+		uniform vec2 resolution;
+
+		attribute vec3 instanceStart;
+		attribute vec3 instanceEnd;
+
+		attribute vec3 instanceColorStart;
+		attribute vec3 instanceColorEnd;
+
+		#ifdef WORLD_UNITS
+
+			varying vec4 worldPos;
+			varying vec3 worldStart;
+			varying vec3 worldEnd;
+
+			#ifdef USE_DASH
+
+				varying vec2 vUv;
+
+			#endif
+
+		#else
+
+			varying vec2 vUv;
+
+		#endif
+
+		#ifdef USE_DASH
+
+			uniform float dashScale;
+			attribute float instanceDistanceStart;
+			attribute float instanceDistanceEnd;
+			varying float vLineDistance;
+
+		#endif
+
+		float trimSegmentAlpha( const in vec4 start, const in vec4 end ) {
+
+			// compute the interpolation factor needed to trim the segment so it terminates
+			// between the camera plane and the near plane
+
+			// conservative estimate of the near plane
+			float a = projectionMatrix[ 2 ][ 2 ]; // 3nd entry in 3th column
+			float b = projectionMatrix[ 3 ][ 2 ]; // 3nd entry in 4th column
+
+			// we need different nearEstimate formula for reversed and default depth buffer
+			// a is positive with a reversed depth buffer so it can be used for controlling the code flow
+			float nearEstimate = ( a > 0.0 ) ? ( - b / ( a + 1.0 ) ) : ( - 0.5 * b / a );
+
+			return ( nearEstimate - start.z ) / ( end.z - start.z );
+
+		}
+
+		void main() {
+
+			#ifdef USE_COLOR
+
+				vColor.xyz = ( position.y < 0.5 ) ? instanceColorStart : instanceColorEnd;
+
+			#endif
+
+			float aspect = resolution.x / resolution.y;
+
+			// camera space
+			vec4 start = modelViewMatrix * vec4( instanceStart, 1.0 );
+			vec4 end = modelViewMatrix * vec4( instanceEnd, 1.0 );
+
+			#ifdef USE_DASH
+
+				float lineDistanceStart = dashScale * instanceDistanceStart;
+				float lineDistanceEnd = dashScale * instanceDistanceEnd;
+
+			#endif
+
+			#ifdef WORLD_UNITS
+
+				worldStart = start.xyz;
+				worldEnd = end.xyz;
+
+			#else
+
+				vUv = uv;
+
+			#endif
+
+			// special case for perspective projection, and segments that terminate either in, or behind, the camera plane
+			// clearly the gpu firmware has a way of addressing this issue when projecting into ndc space
+			// but we need to perform ndc-space calculations in the shader, so we must address this issue directly
+			// perhaps there is a more elegant solution -- WestLangley
+
+			bool perspective = ( projectionMatrix[ 2 ][ 3 ] == - 1.0 ); // 4th entry in the 3rd column
+
+			if ( perspective ) {
+
+				if ( start.z < 0.0 && end.z >= 0.0 ) {
+
+					float alpha = trimSegmentAlpha( start, end );
+					end.xyz = mix( start.xyz, end.xyz, alpha );
+
+					#ifdef USE_DASH
+
+						lineDistanceEnd = mix( lineDistanceStart, lineDistanceEnd, alpha );
+
+					#endif
+
+				} else if ( end.z < 0.0 && start.z >= 0.0 ) {
+
+					float alpha = trimSegmentAlpha( end, start );
+					start.xyz = mix( end.xyz, start.xyz, alpha );
+
+					#ifdef USE_DASH
+
+						lineDistanceStart = mix( lineDistanceEnd, lineDistanceStart, alpha );
+
+					#endif
+
+				}
+
+			}
+
+			#ifdef USE_DASH
+
+				vLineDistance = ( position.y < 0.5 ) ? lineDistanceStart : lineDistanceEnd;
+				vUv = uv;
+
+			#endif
+
+			// clip space
+			vec4 clipStart = projectionMatrix * start;
+			vec4 clipEnd = projectionMatrix * end;
+
+			// ndc space
+			vec3 ndcStart = clipStart.xyz / clipStart.w;
+			vec3 ndcEnd = clipEnd.xyz / clipEnd.w;
+
+			// direction
+			vec2 dir = ndcEnd.xy - ndcStart.xy;
+
+			// account for clip-space aspect ratio
+			dir.x *= aspect;
+			dir = normalize( dir );
+
+			#ifdef WORLD_UNITS
+
+				vec3 worldDir = normalize( end.xyz - start.xyz );
+				vec3 tmpFwd = perspective ? normalize( mix( start.xyz, end.xyz, 0.5 ) ) : vec3( 0.0, 0.0, - 1.0 );
+				vec3 worldUp = normalize( cross( worldDir, tmpFwd ) );
+				vec3 worldFwd = cross( worldDir, worldUp );
+				worldPos = position.y < 0.5 ? start: end;
+
+				// height offset
+				float hw = linewidth * 0.5;
+				worldPos.xyz += position.x < 0.0 ? hw * worldUp : - hw * worldUp;
+
+				// don't extend the line if we're rendering dashes because we
+				// won't be rendering the endcaps
+				#ifndef USE_DASH
+
+					// cap extension
+					worldPos.xyz += position.y < 0.5 ? - hw * worldDir : hw * worldDir;
+
+					// add width to the box
+					worldPos.xyz += worldFwd * hw;
+
+					// endcaps
+					if ( position.y > 1.0 || position.y < 0.0 ) {
+
+						worldPos.xyz -= worldFwd * 2.0 * hw;
+
+					}
+
+				#endif
+
+				// project the worldpos
+				vec4 clip = projectionMatrix * worldPos;
+
+				// shift the depth of the projected points so the line
+				// segments overlap neatly
+				vec3 clipPose = ( position.y < 0.5 ) ? ndcStart : ndcEnd;
+
+				// only shift the depth of vertices in front of the camera (#35137)
+				if ( clip.w > 0.0 ) clip.z = clipPose.z * clip.w;
+
+			#else
+
+				vec2 offset = vec2( dir.y, - dir.x );
+				// undo aspect ratio adjustment
+				dir.x /= aspect;
+				offset.x /= aspect;
+
+				// sign flip
+				if ( position.x < 0.0 ) offset *= - 1.0;
+
+				// endcaps
+				if ( position.y < 0.0 ) {
+
+					offset += - dir;
+
+				} else if ( position.y > 1.0 ) {
+
+					offset += dir;
+
+				}
+
+				// adjust for linewidth
+				offset *= linewidth;
+
+				// adjust for clip-space to screen-space conversion // maybe resolution should be based on viewport ...
+				offset /= resolution.y;
+
+				// select end
+				vec4 clip = ( position.y < 0.5 ) ? clipStart : clipEnd;
+
+				// back to clip space
+				offset *= clip.w;
+
+				clip.xy += offset;
+
+			#endif
+
+			gl_Position = clip;
+
+			vec4 mvPosition = ( position.y < 0.5 ) ? start : end; // this is an approximation
+
+			#include <logdepthbuf_vertex>
+			#include <clipping_planes_vertex>
+			#include <fog_vertex>
+
+		}
+		`,fragmentShader:`
+		uniform vec3 diffuse;
+		uniform float opacity;
+		uniform float linewidth;
+
+		#ifdef USE_DASH
+
+			uniform float dashOffset;
+			uniform float dashSize;
+			uniform float gapSize;
+
+		#endif
+
+		varying float vLineDistance;
+
+		#ifdef WORLD_UNITS
+
+			varying vec4 worldPos;
+			varying vec3 worldStart;
+			varying vec3 worldEnd;
+
+			#ifdef USE_DASH
+
+				varying vec2 vUv;
+
+			#endif
+
+		#else
+
+			varying vec2 vUv;
+
+		#endif
+
+		#include <common>
+		#include <color_pars_fragment>
+		#include <fog_pars_fragment>
+		#include <logdepthbuf_pars_fragment>
+		#include <clipping_planes_pars_fragment>
+
+		vec2 closestLineToLine(vec3 p1, vec3 p2, vec3 p3, vec3 p4) {
+
+			float mua;
+			float mub;
+
+			vec3 p13 = p1 - p3;
+			vec3 p43 = p4 - p3;
+
+			vec3 p21 = p2 - p1;
+
+			float d1343 = dot( p13, p43 );
+			float d4321 = dot( p43, p21 );
+			float d1321 = dot( p13, p21 );
+			float d4343 = dot( p43, p43 );
+			float d2121 = dot( p21, p21 );
+
+			float denom = d2121 * d4343 - d4321 * d4321;
+
+			float numer = d1343 * d4321 - d1321 * d4343;
+
+			mua = numer / denom;
+			mua = clamp( mua, 0.0, 1.0 );
+			mub = ( d1343 + d4321 * ( mua ) ) / d4343;
+			mub = clamp( mub, 0.0, 1.0 );
+
+			return vec2( mua, mub );
+
+		}
+
+		void main() {
+
+			float alpha = opacity;
+			vec4 diffuseColor = vec4( diffuse, alpha );
+
+			#include <clipping_planes_fragment>
+
+			#ifdef USE_DASH
+
+				if ( vUv.y < - 1.0 || vUv.y > 1.0 ) discard; // discard endcaps
+
+				if ( mod( vLineDistance + dashOffset, dashSize + gapSize ) > dashSize ) discard; // todo - FIX
+
+			#endif
+
+			#ifdef WORLD_UNITS
+
+				float len;
+
+				if ( isOrthographic ) {
+
+					// View rays are parallel to the z axis so the distance reduces to camera-space XY
+					vec2 lineDir = worldEnd.xy - worldStart.xy;
+					float t = clamp( dot( worldPos.xy - worldStart.xy, lineDir ) / dot( lineDir, lineDir ), 0.0, 1.0 );
+					len = length( worldStart.xy + lineDir * t - worldPos.xy );
+
+				} else {
+
+					// Find the closest points on the view ray and the line segment
+					vec3 rayEnd = normalize( worldPos.xyz ) * 1e5;
+					vec3 lineDir = worldEnd - worldStart;
+					vec2 params = closestLineToLine( worldStart, worldEnd, vec3( 0.0, 0.0, 0.0 ), rayEnd );
+
+					vec3 p1 = worldStart + lineDir * params.x;
+					vec3 p2 = rayEnd * params.y;
+					vec3 delta = p1 - p2;
+					len = length( delta );
+
+				}
+
+				float norm = len / linewidth;
+
+				#ifndef USE_DASH
+
+					#ifdef USE_ALPHA_TO_COVERAGE
+
+						float dnorm = fwidth( norm );
+						alpha = 1.0 - smoothstep( 0.5 - dnorm, 0.5 + dnorm, norm );
+
+					#else
+
+						if ( norm > 0.5 ) {
+
+							discard;
+
+						}
+
+					#endif
+
+				#endif
+
+			#else
+
+				#ifdef USE_ALPHA_TO_COVERAGE
+
+					// artifacts appear on some hardware if a derivative is taken within a conditional
+					float a = vUv.x;
+					float b = ( vUv.y > 0.0 ) ? vUv.y - 1.0 : vUv.y + 1.0;
+					float len2 = a * a + b * b;
+					float dlen = fwidth( len2 );
+
+					if ( abs( vUv.y ) > 1.0 ) {
+
+						alpha = 1.0 - smoothstep( 1.0 - dlen, 1.0 + dlen, len2 );
+
+					}
+
+				#else
+
+					if ( abs( vUv.y ) > 1.0 ) {
+
+						float a = vUv.x;
+						float b = ( vUv.y > 0.0 ) ? vUv.y - 1.0 : vUv.y + 1.0;
+						float len2 = a * a + b * b;
+
+						if ( len2 > 1.0 ) discard;
+
+					}
+
+				#endif
+
+			#endif
+
+			#include <logdepthbuf_fragment>
+			#include <color_fragment>
+
+			gl_FragColor = vec4( diffuseColor.rgb, alpha );
+
+			#include <tonemapping_fragment>
+			#include <colorspace_fragment>
+			#include <fog_fragment>
+			#include <premultiplied_alpha_fragment>
+
+		}
+		`};var _s=class extends ki{constructor(t){super({type:"LineMaterial",uniforms:ml.clone(oi.line.uniforms),vertexShader:oi.line.vertexShader,fragmentShader:oi.line.fragmentShader,clipping:!0}),this.isLineMaterial=!0,this.setValues(t)}get color(){return this.uniforms.diffuse.value}set color(t){this.uniforms.diffuse.value=t}get worldUnits(){return"WORLD_UNITS"in this.defines}set worldUnits(t){t===!0!==this.worldUnits&&(this.needsUpdate=!0),t===!0?this.defines.WORLD_UNITS="":delete this.defines.WORLD_UNITS}get linewidth(){return this.uniforms.linewidth.value}set linewidth(t){this.uniforms.linewidth&&(this.uniforms.linewidth.value=t)}get dashed(){return"USE_DASH"in this.defines}set dashed(t){t===!0!==this.dashed&&(this.needsUpdate=!0),t===!0?this.defines.USE_DASH="":delete this.defines.USE_DASH}get dashScale(){return this.uniforms.dashScale.value}set dashScale(t){this.uniforms.dashScale.value=t}get dashSize(){return this.uniforms.dashSize.value}set dashSize(t){this.uniforms.dashSize.value=t}get dashOffset(){return this.uniforms.dashOffset.value}set dashOffset(t){this.uniforms.dashOffset.value=t}get gapSize(){return this.uniforms.gapSize.value}set gapSize(t){this.uniforms.gapSize.value=t}get opacity(){return this.uniforms.opacity.value}set opacity(t){this.uniforms&&(this.uniforms.opacity.value=t)}get resolution(){return this.uniforms.resolution.value}set resolution(t){this.uniforms.resolution.value.copy(t)}get alphaToCoverage(){return"USE_ALPHA_TO_COVERAGE"in this.defines}set alphaToCoverage(t){this.defines&&(t===!0!==this.alphaToCoverage&&(this.needsUpdate=!0),t===!0?this.defines.USE_ALPHA_TO_COVERAGE="":delete this.defines.USE_ALPHA_TO_COVERAGE)}};var O_=new Qe,nu=new P,br=class extends sl{constructor(){super(),this.isLineSegmentsGeometry=!0,this.type="LineSegmentsGeometry";let t=[-1,2,0,1,2,0,-1,1,0,1,1,0,-1,0,0,1,0,0,-1,-1,0,1,-1,0],e=[-1,2,1,2,-1,1,1,1,-1,-1,1,-1,-1,-2,1,-2],i=[0,2,1,2,3,1,2,4,3,4,5,3,4,6,5,6,7,5];this.setIndex(i),this.setAttribute("position",new ie(t,3)),this.setAttribute("uv",new ie(e,2))}applyMatrix4(t){let e=this.attributes.instanceStart,i=this.attributes.instanceEnd;return e!==void 0&&(e.applyMatrix4(t),i.applyMatrix4(t),e.needsUpdate=!0),this.boundingBox!==null&&this.computeBoundingBox(),this.boundingSphere!==null&&this.computeBoundingSphere(),this}setPositions(t){let e;t instanceof Float32Array?e=t:Array.isArray(t)&&(e=new Float32Array(t));let i=new cr(e,6,1);return this.setAttribute("instanceStart",new Oi(i,3,0)),this.setAttribute("instanceEnd",new Oi(i,3,3)),this.instanceCount=this.attributes.instanceStart.count,this.computeBoundingBox(),this.computeBoundingSphere(),this}setColors(t){let e;t instanceof Float32Array?e=t:Array.isArray(t)&&(e=new Float32Array(t));let i=new cr(e,6,1);return this.setAttribute("instanceColorStart",new Oi(i,3,0)),this.setAttribute("instanceColorEnd",new Oi(i,3,3)),this}fromWireframeGeometry(t){return this.setPositions(t.attributes.position.array),this}fromEdgesGeometry(t){return this.setPositions(t.attributes.position.array),this}fromMesh(t){return this.fromWireframeGeometry(new Qa(t.geometry)),this}fromLineSegments(t){let e=t.geometry;return this.setPositions(e.attributes.position.array),this}computeBoundingBox(){this.boundingBox===null&&(this.boundingBox=new Qe);let t=this.attributes.instanceStart,e=this.attributes.instanceEnd;t!==void 0&&e!==void 0&&(this.boundingBox.setFromBufferAttribute(t),O_.setFromBufferAttribute(e),this.boundingBox.union(O_))}computeBoundingSphere(){this.boundingSphere===null&&(this.boundingSphere=new bi),this.boundingBox===null&&this.computeBoundingBox();let t=this.attributes.instanceStart,e=this.attributes.instanceEnd;if(t!==void 0&&e!==void 0){let i=this.boundingSphere.center;this.boundingBox.getCenter(i);let s=0;for(let r=0,o=t.count;r<o;r++)nu.fromBufferAttribute(t,r),s=Math.max(s,i.distanceToSquared(nu)),nu.fromBufferAttribute(e,r),s=Math.max(s,i.distanceToSquared(nu));this.boundingSphere.radius=Math.sqrt(s),isNaN(this.boundingSphere.radius)&&console.error("THREE.LineSegmentsGeometry.computeBoundingSphere(): Computed radius is NaN. The instanced position data is likely to have NaN values.",this)}}toJSON(){}};var Ff=new Le,U_=new P,F_=new P,Hn=new Le,Wn=new Le,xs=new Le,Bf=new P,kf=new ne,Xn=new rl,B_=new P,iu=new Qe,su=new bi,ys=new Le,vs,Qr;function k_(n,t,e){return ys.set(0,0,-t,1).applyMatrix4(n.projectionMatrix),ys.multiplyScalar(1/ys.w),ys.x=Qr/e.width,ys.y=Qr/e.height,ys.applyMatrix4(n.projectionMatrixInverse),ys.multiplyScalar(1/ys.w),Math.abs(Math.max(ys.x,ys.y))}function wT(n,t){let e=n.matrixWorld,i=n.geometry,s=i.attributes.instanceStart,r=i.attributes.instanceEnd,o=Math.min(i.instanceCount,s.count);for(let a=0,l=o;a<l;a++){Xn.start.fromBufferAttribute(s,a),Xn.end.fromBufferAttribute(r,a),Xn.applyMatrix4(e);let c=new P,d=new P;vs.distanceSqToSegment(Xn.start,Xn.end,d,c),d.distanceTo(c)<Qr*.5&&t.push({point:d,pointOnLine:c,distance:vs.origin.distanceTo(d),object:n,face:null,faceIndex:a,uv:null,uv1:null})}}function MT(n,t,e){let i=t.projectionMatrix,r=n.material.resolution,o=n.matrixWorld,a=n.geometry,l=a.attributes.instanceStart,c=a.attributes.instanceEnd,d=Math.min(a.instanceCount,l.count),u=-t.near;vs.at(1,xs),xs.w=1,xs.applyMatrix4(t.matrixWorldInverse),xs.applyMatrix4(i),xs.multiplyScalar(1/xs.w),xs.x*=r.x/2,xs.y*=r.y/2,xs.z=0,Bf.copy(xs),kf.multiplyMatrices(t.matrixWorldInverse,o);for(let h=0,f=d;h<f;h++){if(Hn.fromBufferAttribute(l,h),Wn.fromBufferAttribute(c,h),Hn.w=1,Wn.w=1,Hn.applyMatrix4(kf),Wn.applyMatrix4(kf),Hn.z>u&&Wn.z>u)continue;if(Hn.z>u){let b=Hn.z-Wn.z,y=(Hn.z-u)/b;Hn.lerp(Wn,y)}else if(Wn.z>u){let b=Wn.z-Hn.z,y=(Wn.z-u)/b;Wn.lerp(Hn,y)}Hn.applyMatrix4(i),Wn.applyMatrix4(i),Hn.multiplyScalar(1/Hn.w),Wn.multiplyScalar(1/Wn.w),Hn.x*=r.x/2,Hn.y*=r.y/2,Wn.x*=r.x/2,Wn.y*=r.y/2,Xn.start.copy(Hn),Xn.start.z=0,Xn.end.copy(Wn),Xn.end.z=0;let _=Xn.closestPointToPointParameter(Bf,!0);Xn.at(_,B_);let g=Qo.lerp(Hn.z,Wn.z,_),m=g>=-1&&g<=1,x=Bf.distanceTo(B_)<Qr*.5;if(m&&x){Xn.start.fromBufferAttribute(l,h),Xn.end.fromBufferAttribute(c,h),Xn.start.applyMatrix4(o),Xn.end.applyMatrix4(o);let b=new P,y=new P;vs.distanceSqToSegment(Xn.start,Xn.end,y,b),e.push({point:y,pointOnLine:b,distance:vs.origin.distanceTo(y),object:n,face:null,faceIndex:h,uv:null,uv1:null})}}}var aa=class extends mt{constructor(t=new br,e=new _s({color:Math.random()*16777215})){super(t,e),this.isLineSegments2=!0,this.type="LineSegments2"}computeLineDistances(){let t=this.geometry,e=t.attributes.instanceStart,i=t.attributes.instanceEnd,s=new Float32Array(2*e.count);for(let o=0,a=0,l=e.count;o<l;o++,a+=2)U_.fromBufferAttribute(e,o),F_.fromBufferAttribute(i,o),s[a]=a===0?0:s[a-1],s[a+1]=s[a]+U_.distanceTo(F_);let r=new cr(s,2,1);return t.setAttribute("instanceDistanceStart",new Oi(r,1,0)),t.setAttribute("instanceDistanceEnd",new Oi(r,1,1)),this}raycast(t,e){let i=this.material.worldUnits,s=t.camera;if(s===null&&!i&&console.error('LineSegments2: "Raycaster.camera" needs to be set in order to raycast against LineSegments2 while worldUnits is set to false.'),i===!1&&(this.material.resolution.x===0||this.material.resolution.y===0))return;let r=t.params.Line2!==void 0&&t.params.Line2.threshold||0;vs=t.ray;let o=this.matrixWorld,a=this.geometry,l=this.material;Qr=l.linewidth+r,a.boundingSphere===null&&a.computeBoundingSphere(),su.copy(a.boundingSphere).applyMatrix4(o);let c;if(i)c=Qr*.5;else{let u=Math.max(s.near,su.distanceToPoint(vs.origin));c=k_(s,u,l.resolution)}if(su.radius+=c,vs.intersectsSphere(su)===!1)return;a.boundingBox===null&&a.computeBoundingBox(),iu.copy(a.boundingBox).applyMatrix4(o);let d;if(i)d=Qr*.5;else{let u=Math.max(s.near,iu.distanceToPoint(vs.origin));d=k_(s,u,l.resolution)}iu.expandByScalar(d),vs.intersectsBox(iu)!==!1&&(i?wT(this,e):MT(this,s,e))}onBeforeRender(t){let e=this.material.uniforms;e&&e.resolution&&(t.getViewport(Ff),this.material.uniforms.resolution.value.set(Ff.z,Ff.w))}};var z_=1,ET=new Jt("#8a8f99"),zf={taut:{linewidth:3.2},slack:{linewidth:2.2,dashed:!0,dashSize:.003,gapSize:.002},unknown:{linewidth:1.3}},AT=n=>Number.isNaN(n)?"unknown":n>0?"taut":"slack";function TT(n){let t=n.reduce((e,i)=>i>e?i:e,0);return t>z_?xr(t):z_}function CT(n,t){let e=new br;e.setPositions(new Float32Array(6*t)),e.setColors(new Float32Array(6*t));let i=new aa(e,new _s({...zf[n],vertexColors:!0}));return i.computeLineDistances(),i.frustumCulled=!1,i.renderOrder=1,i.raycast=()=>{},i}function RT(n,t,e,i,s,r){let{instanceStart:o,instanceColorStart:a,instanceDistanceStart:l}=n.geometry.attributes,c=o.data.array;c.set(e,6*t),c.set(i,6*t+3);let d=a.data.array;s.toArray(d,6*t),s.toArray(d,6*t+3);let u=l.data.array,h=Math.hypot(i[0]-e[0],i[1]-e[1],i[2]-e[2]);return u[2*t]=r,u[2*t+1]=r+h,r+h}function PT(n,t){let{instanceStart:e,instanceColorStart:i,instanceDistanceStart:s}=n.geometry.attributes;n.geometry.instanceCount=t,n.visible=t>0;for(let{data:r}of[e,i,s])r.needsUpdate=!0}function G_(n){let t=new Te;n.add(t);let e=[],i={};return{show:a=>{e=a.lines;for(let c of Object.values(i))c.geometry.dispose(),c.material.dispose();t.clear();let l=e.reduce((c,{points:d})=>c+Math.max(0,d-1),0);i=l?Object.fromEntries(Object.keys(zf).map(c=>[c,CT(c,l)])):{},t.add(...Object.values(i))},pose:({tensions:a,points:l})=>{if(!Object.keys(i).length)return null;let c=TT(a),d={taut:0,slack:0,unknown:0},u=new Jt,h=0;e.forEach((f,p)=>{let _=AT(a[p]);_==="taut"?u.set(r_(a[p],{low:0,high:c})):u.copy(ET);let g=0;for(let m=h;m<h+f.points-1;++m){let[x,b]=[l.subarray(3*m,3*m+3),l.subarray(3*m+3,3*m+6)];g=RT(i[_],d[_]++,x,b,u,g)}h+=f.points});for(let[f,p]of Object.entries(d))PT(i[f],p);return d.taut+d.slack>0?c:null},sharpen:a=>Object.entries(i).forEach(([l,{material:c}])=>{c.linewidth=zf[l].linewidth*a}),visible:a=>t.visible=a}}var to=new Gr,gn=new P,wr=new P,on=new Ie,V_={X:new P(1,0,0),Y:new P(0,1,0),Z:new P(0,0,1)},Gf={type:"change"},H_={type:"mouseDown",mode:null},W_={type:"mouseUp",mode:null},X_={type:"objectChange"},cu=class extends Vr{constructor(t,e=null){super(void 0,e);let i=new Hf(this);this._root=i;let s=new Wf;this._gizmo=s,i.add(s);let r=new Xf;this._plane=r,i.add(r);let o=this;function a(b,y){let C=y;Object.defineProperty(o,b,{get:function(){return C!==void 0?C:y},set:function(E){C!==E&&(C=E,r[b]=E,s[b]=E,o.dispatchEvent({type:b+"-changed",value:E}),o.dispatchEvent(Gf))}}),o[b]=y,r[b]=y,s[b]=y}a("camera",t),a("object",void 0),a("enabled",!0),a("axis",null),a("mode","translate"),a("translationSnap",null),a("rotationSnap",null),a("scaleSnap",null),a("space","world"),a("size",1),this.viewport=null,a("dragging",!1),a("showX",!0),a("showY",!0),a("showZ",!0),a("showXY",!0),a("showYZ",!0),a("showXZ",!0),a("showXYZE",!0),a("showE",!0),a("minX",-1/0),a("maxX",1/0),a("minY",-1/0),a("maxY",1/0),a("minZ",-1/0),a("maxZ",1/0);let l=new P,c=new P,d=new Ie,u=new Ie,h=new P,f=new Ie,p=new P,_=new P,g=new P,m=0,x=new P;a("worldPosition",l),a("worldPositionStart",c),a("worldQuaternion",d),a("worldQuaternionStart",u),a("cameraPosition",h),a("cameraQuaternion",f),a("pointStart",p),a("pointEnd",_),a("rotationAxis",g),a("rotationAngle",m),a("eye",x),this._offset=new P,this._startNorm=new P,this._endNorm=new P,this._cameraScale=new P,this._parentPosition=new P,this._parentQuaternion=new Ie,this._parentQuaternionInv=new Ie,this._parentScale=new P,this._worldScaleStart=new P,this._worldQuaternionInv=new Ie,this._worldScale=new P,this._positionStart=new P,this._quaternionStart=new Ie,this._scaleStart=new P,this._getPointer=IT.bind(this),this._onPointerDown=DT.bind(this),this._onPointerHover=LT.bind(this),this._onPointerMove=NT.bind(this),this._onPointerUp=OT.bind(this),e!==null&&this.connect(e)}connect(t){super.connect(t),this.domElement.addEventListener("pointerdown",this._onPointerDown),this.domElement.addEventListener("pointermove",this._onPointerHover),this.domElement.addEventListener("pointerup",this._onPointerUp),this.domElement.style.touchAction="none"}disconnect(){this.domElement.removeEventListener("pointerdown",this._onPointerDown),this.domElement.removeEventListener("pointermove",this._onPointerHover),this.domElement.removeEventListener("pointermove",this._onPointerMove),this.domElement.removeEventListener("pointerup",this._onPointerUp),this.domElement.style.touchAction=""}getHelper(){return this._root}pointerHover(t){if(this.object===void 0||this.dragging===!0)return;t!==null&&to.setFromCamera(t,this.camera);let e=Vf(this._gizmo.picker[this.mode],to);e?this.axis=e.object.name:this.axis=null}pointerDown(t){if(!(this.object===void 0||this.dragging===!0||t!=null&&t.button!==0)&&this.axis!==null){t!==null&&to.setFromCamera(t,this.camera);let e=Vf(this._plane,to,!0);e&&(this.object.updateMatrixWorld(),this.object.parent.updateMatrixWorld(),this._positionStart.copy(this.object.position),this._quaternionStart.copy(this.object.quaternion),this._scaleStart.copy(this.object.scale),this.object.matrixWorld.decompose(this.worldPositionStart,this.worldQuaternionStart,this._worldScaleStart),this.pointStart.copy(e.point).sub(this.worldPositionStart)),this.dragging=!0,H_.mode=this.mode,this.dispatchEvent(H_)}}pointerMove(t){let e=this.axis,i=this.mode,s=this.object,r=this.space;if(i==="scale"?r="local":(e==="E"||e==="XYZE"||e==="XYZ")&&(r="world"),s===void 0||e===null||this.dragging===!1||t!==null&&t.button!==-1)return;t!==null&&to.setFromCamera(t,this.camera);let o=Vf(this._plane,to,!0);if(o){if(this.pointEnd.copy(o.point).sub(this.worldPositionStart),i==="translate")this._offset.copy(this.pointEnd).sub(this.pointStart),r==="local"&&e!=="XYZ"&&this._offset.applyQuaternion(this._worldQuaternionInv),e.indexOf("X")===-1&&(this._offset.x=0),e.indexOf("Y")===-1&&(this._offset.y=0),e.indexOf("Z")===-1&&(this._offset.z=0),r==="local"&&e!=="XYZ"?this._offset.applyQuaternion(this._quaternionStart).divide(this._parentScale):this._offset.applyQuaternion(this._parentQuaternionInv).divide(this._parentScale),s.position.copy(this._offset).add(this._positionStart),this.translationSnap&&(r==="local"&&(s.position.applyQuaternion(on.copy(this._quaternionStart).invert()),e.search("X")!==-1&&(s.position.x=Math.round(s.position.x/this.translationSnap)*this.translationSnap),e.search("Y")!==-1&&(s.position.y=Math.round(s.position.y/this.translationSnap)*this.translationSnap),e.search("Z")!==-1&&(s.position.z=Math.round(s.position.z/this.translationSnap)*this.translationSnap),s.position.applyQuaternion(this._quaternionStart)),r==="world"&&(s.getWorldPosition(gn),e.search("X")!==-1&&(gn.x=Math.round(gn.x/this.translationSnap)*this.translationSnap),e.search("Y")!==-1&&(gn.y=Math.round(gn.y/this.translationSnap)*this.translationSnap),e.search("Z")!==-1&&(gn.z=Math.round(gn.z/this.translationSnap)*this.translationSnap),s.position.copy(s.parent.worldToLocal(gn)))),s.position.x=Math.max(this.minX,Math.min(this.maxX,s.position.x)),s.position.y=Math.max(this.minY,Math.min(this.maxY,s.position.y)),s.position.z=Math.max(this.minZ,Math.min(this.maxZ,s.position.z));else if(i==="scale"){if(e.search("XYZ")!==-1){let a=this.pointEnd.length()/this.pointStart.length();this.pointEnd.dot(this.pointStart)<0&&(a*=-1),wr.set(a,a,a)}else gn.copy(this.pointStart),wr.copy(this.pointEnd),gn.applyQuaternion(this._worldQuaternionInv),wr.applyQuaternion(this._worldQuaternionInv),wr.divide(gn),e.search("X")===-1&&(wr.x=1),e.search("Y")===-1&&(wr.y=1),e.search("Z")===-1&&(wr.z=1);s.scale.copy(this._scaleStart).multiply(wr),this.scaleSnap&&(e.search("X")!==-1&&(s.scale.x=Math.round(s.scale.x/this.scaleSnap)*this.scaleSnap||this.scaleSnap),e.search("Y")!==-1&&(s.scale.y=Math.round(s.scale.y/this.scaleSnap)*this.scaleSnap||this.scaleSnap),e.search("Z")!==-1&&(s.scale.z=Math.round(s.scale.z/this.scaleSnap)*this.scaleSnap||this.scaleSnap))}else if(i==="rotate"){this._offset.copy(this.pointEnd).sub(this.pointStart);let a=20/this.worldPosition.distanceTo(gn.setFromMatrixPosition(this.camera.matrixWorld)),l=!1;e==="XYZE"?(this.rotationAxis.copy(this._offset).cross(this.eye).normalize(),this.rotationAngle=this._offset.dot(gn.copy(this.rotationAxis).cross(this.eye))*a):(e==="X"||e==="Y"||e==="Z")&&(this.rotationAxis.copy(V_[e]),gn.copy(V_[e]),r==="local"&&gn.applyQuaternion(this.worldQuaternion),gn.cross(this.eye),gn.length()===0?l=!0:this.rotationAngle=this._offset.dot(gn.normalize())*a),(e==="E"||l)&&(this.rotationAxis.copy(this.eye),this.rotationAngle=this.pointEnd.angleTo(this.pointStart),this._startNorm.copy(this.pointStart).normalize(),this._endNorm.copy(this.pointEnd).normalize(),this.rotationAngle*=this._endNorm.cross(this._startNorm).dot(this.eye)<0?1:-1),this.rotationSnap&&(this.rotationAngle=Math.round(this.rotationAngle/this.rotationSnap)*this.rotationSnap),r==="local"&&e!=="E"&&e!=="XYZE"?(s.quaternion.copy(this._quaternionStart),s.quaternion.multiply(on.setFromAxisAngle(this.rotationAxis,this.rotationAngle)).normalize()):(this.rotationAxis.applyQuaternion(this._parentQuaternionInv),s.quaternion.copy(on.setFromAxisAngle(this.rotationAxis,this.rotationAngle)),s.quaternion.multiply(this._quaternionStart).normalize())}this.dispatchEvent(Gf),this.dispatchEvent(X_)}}pointerUp(t){t!==null&&t.button!==0||(this.dragging&&this.axis!==null&&(W_.mode=this.mode,this.dispatchEvent(W_)),this.dragging=!1,this.axis=null)}dispose(){this.disconnect(),this._root.dispose()}attach(t){return this.object=t,this._root.visible=!0,this}detach(){return this.object=void 0,this.axis=null,this._root.visible=!1,this}reset(){this.enabled&&this.dragging&&(this.object.position.copy(this._positionStart),this.object.quaternion.copy(this._quaternionStart),this.object.scale.copy(this._scaleStart),this.dispatchEvent(Gf),this.dispatchEvent(X_),this.pointStart.copy(this.pointEnd))}getRaycaster(){return to}getMode(){return this.mode}setMode(t){this.mode=t}setTranslationSnap(t){this.translationSnap=t}setRotationSnap(t){this.rotationSnap=t}setScaleSnap(t){this.scaleSnap=t}setSize(t){this.size=t}setSpace(t){this.space=t}setColors(t,e,i,s){let r=this._gizmo.materialLib;r.xAxis.color.set(t),r.yAxis.color.set(e),r.zAxis.color.set(i),r.active.color.set(s),r.xAxisTransparent.color.set(t),r.yAxisTransparent.color.set(e),r.zAxisTransparent.color.set(i),r.activeTransparent.color.set(s),r.xAxis._color&&r.xAxis._color.set(t),r.yAxis._color&&r.yAxis._color.set(e),r.zAxis._color&&r.zAxis._color.set(i),r.active._color&&r.active._color.set(s),r.xAxisTransparent._color&&r.xAxisTransparent._color.set(t),r.yAxisTransparent._color&&r.yAxisTransparent._color.set(e),r.zAxisTransparent._color&&r.zAxisTransparent._color.set(i),r.activeTransparent._color&&r.activeTransparent._color.set(s)}};function IT(n){if(this.domElement.ownerDocument.pointerLockElement)return{x:0,y:0,button:n.button};{let t=this.domElement.getBoundingClientRect(),e=this.viewport,i,s,r,o;return e!==null?(i=e.x,s=t.height-e.y-e.w,r=e.z,o=e.w):(i=0,s=0,r=t.width,o=t.height),{x:(n.clientX-t.left-i)/r*2-1,y:-(n.clientY-t.top-s)/o*2+1,button:n.button}}}function LT(n){if(this.enabled)switch(n.pointerType){case"mouse":case"pen":this.pointerHover(this._getPointer(n));break}}function DT(n){this.enabled&&(document.pointerLockElement||this.domElement.setPointerCapture(n.pointerId),this.domElement.addEventListener("pointermove",this._onPointerMove),this.pointerHover(this._getPointer(n)),this.pointerDown(this._getPointer(n)))}function NT(n){this.enabled&&this.pointerMove(this._getPointer(n))}function OT(n){this.enabled&&(this.domElement.releasePointerCapture(n.pointerId),this.domElement.removeEventListener("pointermove",this._onPointerMove),this.pointerUp(this._getPointer(n)))}function Vf(n,t,e){let i=t.intersectObject(n,!0);for(let s=0;s<i.length;s++)if(i[s].object.visible||e)return i[s];return!1}var ru=new Ni,Ve=new P(0,1,0),$_=new P(0,0,0),Y_=new ne,ou=new Ie,lu=new Ie,Ss=new P,hu=new ne,Tl=new P(1,0,0),eo=new P(0,1,0),Cl=new P(0,0,1),au=new P,El=new P,Al=new P,Hf=class extends hn{constructor(t){super(),this.isTransformControlsRoot=!0,this.controls=t,this.visible=!1}updateMatrixWorld(t){let e=this.controls;e.object!==void 0&&(e.object.updateMatrixWorld(),e.object.parent===null?console.error("TransformControls: The attached 3D object must be a part of the scene graph."):e.object.parent.matrixWorld.decompose(e._parentPosition,e._parentQuaternion,e._parentScale),e.object.matrixWorld.decompose(e.worldPosition,e.worldQuaternion,e._worldScale),e._parentQuaternionInv.copy(e._parentQuaternion).invert(),e._worldQuaternionInv.copy(e.worldQuaternion).invert()),e.camera.updateMatrixWorld(),e.camera.matrixWorld.decompose(e.cameraPosition,e.cameraQuaternion,e._cameraScale),e.camera.isOrthographicCamera?e.camera.getWorldDirection(e.eye).negate():e.eye.copy(e.cameraPosition).sub(e.worldPosition).normalize(),this.parent&&(hu.copy(this.parent.matrixWorld).invert(),hu.decompose(this.position,this.quaternion,this.scale)),super.updateMatrixWorld(t)}dispose(){this.traverse(function(t){t.geometry&&t.geometry.dispose(),t.material&&t.material.dispose()})}},Wf=class extends hn{constructor(){super(),this.isTransformControlsGizmo=!0,this.type="TransformControlsGizmo";let t=new wi({depthTest:!1,depthWrite:!1,fog:!1,toneMapped:!1,transparent:!0}),e=new Ui({depthTest:!1,depthWrite:!1,fog:!1,toneMapped:!1,transparent:!0}),i=t.clone();i.opacity=.15;let s=e.clone();s.opacity=.5;let r=t.clone();r.color.setHex(16711680);let o=t.clone();o.color.setHex(65280);let a=t.clone();a.color.setHex(255);let l=t.clone();l.color.setHex(16711680),l.opacity=.5;let c=t.clone();c.color.setHex(65280),c.opacity=.5;let d=t.clone();d.color.setHex(255),d.opacity=.5;let u=t.clone();u.opacity=.25;let h=t.clone();h.color.setHex(16776960),h.opacity=.25;let f=t.clone();f.color.setHex(16776960);let p=t.clone();p.color.setHex(7895160),this.materialLib={xAxis:r,yAxis:o,zAxis:a,active:f,xAxisTransparent:l,yAxisTransparent:c,zAxisTransparent:d,activeTransparent:h};let _=new ze(0,.04,.1,12);_.translate(0,.05,0);let g=new $e(.08,.08,.08);g.translate(0,.04,0);let m=new we;m.setAttribute("position",new ie([0,0,0,1,0,0],3));let x=new ze(.0075,.0075,.5,3);x.translate(0,.25,0);function b(k,X){let V=new Ei(k,.0075,3,64,X*Math.PI*2);return V.rotateY(Math.PI/2),V.rotateX(Math.PI/2),V}function y(){let k=new we;return k.setAttribute("position",new ie([0,0,0,1,1,1],3)),k}let C={X:[[new mt(_,r),[.5,0,0],[0,0,-Math.PI/2]],[new mt(_,r),[-.5,0,0],[0,0,Math.PI/2]],[new mt(x,r),[0,0,0],[0,0,-Math.PI/2]]],Y:[[new mt(_,o),[0,.5,0]],[new mt(_,o),[0,-.5,0],[Math.PI,0,0]],[new mt(x,o)]],Z:[[new mt(_,a),[0,0,.5],[Math.PI/2,0,0]],[new mt(_,a),[0,0,-.5],[-Math.PI/2,0,0]],[new mt(x,a),null,[Math.PI/2,0,0]]],XYZ:[[new mt(new rr(.1,0),u),[0,0,0]]],XY:[[new mt(new $e(.15,.15,.01),d),[.15,.15,0]]],YZ:[[new mt(new $e(.15,.15,.01),l),[0,.15,.15],[0,Math.PI/2,0]]],XZ:[[new mt(new $e(.15,.15,.01),c),[.15,0,.15],[-Math.PI/2,0,0]]]},E={X:[[new mt(new ze(.2,0,.6,4),i),[.3,0,0],[0,0,-Math.PI/2]],[new mt(new ze(.2,0,.6,4),i),[-.3,0,0],[0,0,Math.PI/2]]],Y:[[new mt(new ze(.2,0,.6,4),i),[0,.3,0]],[new mt(new ze(.2,0,.6,4),i),[0,-.3,0],[0,0,Math.PI]]],Z:[[new mt(new ze(.2,0,.6,4),i),[0,0,.3],[Math.PI/2,0,0]],[new mt(new ze(.2,0,.6,4),i),[0,0,-.3],[-Math.PI/2,0,0]]],XYZ:[[new mt(new rr(.2,0),i)]],XY:[[new mt(new $e(.2,.2,.01),i),[.15,.15,0]]],YZ:[[new mt(new $e(.2,.2,.01),i),[0,.15,.15],[0,Math.PI/2,0]]],XZ:[[new mt(new $e(.2,.2,.01),i),[.15,0,.15],[-Math.PI/2,0,0]]]},v={START:[[new mt(new rr(.01,2),s),null,null,null,"helper"]],END:[[new mt(new rr(.01,2),s),null,null,null,"helper"]],DELTA:[[new Mi(y(),s),null,null,null,"helper"]],X:[[new Mi(m,s),[-1e3,0,0],null,[1e6,1,1],"helper"]],Y:[[new Mi(m,s),[0,-1e3,0],[0,0,Math.PI/2],[1e6,1,1],"helper"]],Z:[[new Mi(m,s),[0,0,-1e3],[0,-Math.PI/2,0],[1e6,1,1],"helper"]]},M={XYZE:[[new mt(b(.5,1),p),null,[0,Math.PI/2,0]]],X:[[new mt(b(.5,.5),r)]],Y:[[new mt(b(.5,.5),o),null,[0,0,-Math.PI/2]]],Z:[[new mt(b(.5,.5),a),null,[0,Math.PI/2,0]]],E:[[new mt(b(.75,1),h),null,[0,Math.PI/2,0]]]},O={AXIS:[[new Mi(m,s),[-1e3,0,0],null,[1e6,1,1],"helper"]]},R={XYZE:[[new mt(new Bi(.25,10,8),i)]],X:[[new mt(new Ei(.5,.1,4,24),i),[0,0,0],[0,-Math.PI/2,-Math.PI/2]]],Y:[[new mt(new Ei(.5,.1,4,24),i),[0,0,0],[Math.PI/2,0,0]]],Z:[[new mt(new Ei(.5,.1,4,24),i),[0,0,0],[0,0,-Math.PI/2]]],E:[[new mt(new Ei(.75,.1,2,24),i)]]},I={X:[[new mt(g,r),[.5,0,0],[0,0,-Math.PI/2]],[new mt(x,r),[0,0,0],[0,0,-Math.PI/2]],[new mt(g,r),[-.5,0,0],[0,0,Math.PI/2]]],Y:[[new mt(g,o),[0,.5,0]],[new mt(x,o)],[new mt(g,o),[0,-.5,0],[0,0,Math.PI]]],Z:[[new mt(g,a),[0,0,.5],[Math.PI/2,0,0]],[new mt(x,a),[0,0,0],[Math.PI/2,0,0]],[new mt(g,a),[0,0,-.5],[-Math.PI/2,0,0]]],XY:[[new mt(new $e(.15,.15,.01),d),[.15,.15,0]]],YZ:[[new mt(new $e(.15,.15,.01),l),[0,.15,.15],[0,Math.PI/2,0]]],XZ:[[new mt(new $e(.15,.15,.01),c),[.15,0,.15],[-Math.PI/2,0,0]]],XYZ:[[new mt(new $e(.1,.1,.1),u)]]},U={X:[[new mt(new ze(.2,0,.6,4),i),[.3,0,0],[0,0,-Math.PI/2]],[new mt(new ze(.2,0,.6,4),i),[-.3,0,0],[0,0,Math.PI/2]]],Y:[[new mt(new ze(.2,0,.6,4),i),[0,.3,0]],[new mt(new ze(.2,0,.6,4),i),[0,-.3,0],[0,0,Math.PI]]],Z:[[new mt(new ze(.2,0,.6,4),i),[0,0,.3],[Math.PI/2,0,0]],[new mt(new ze(.2,0,.6,4),i),[0,0,-.3],[-Math.PI/2,0,0]]],XY:[[new mt(new $e(.2,.2,.01),i),[.15,.15,0]]],YZ:[[new mt(new $e(.2,.2,.01),i),[0,.15,.15],[0,Math.PI/2,0]]],XZ:[[new mt(new $e(.2,.2,.01),i),[.15,0,.15],[-Math.PI/2,0,0]]],XYZ:[[new mt(new $e(.2,.2,.2),i),[0,0,0]]]},F={X:[[new Mi(m,s),[-1e3,0,0],null,[1e6,1,1],"helper"]],Y:[[new Mi(m,s),[0,-1e3,0],[0,0,Math.PI/2],[1e6,1,1],"helper"]],Z:[[new Mi(m,s),[0,0,-1e3],[0,-Math.PI/2,0],[1e6,1,1],"helper"]]};function L(k){let X=new hn;for(let V in k)for(let ot=k[V].length;ot--;){let $=k[V][ot][0].clone(),K=k[V][ot][1],et=k[V][ot][2],ht=k[V][ot][3],ut=k[V][ot][4];$.name=V,$.tag=ut,K&&$.position.set(K[0],K[1],K[2]),et&&$.rotation.set(et[0],et[1],et[2]),ht&&$.scale.set(ht[0],ht[1],ht[2]),$.updateMatrix();let Q=$.geometry.clone();Q.applyMatrix4($.matrix),$.geometry=Q,$.renderOrder=1/0,$.position.set(0,0,0),$.rotation.set(0,0,0),$.scale.set(1,1,1),X.add($)}return X}this.gizmo={},this.picker={},this.helper={},this.add(this.gizmo.translate=L(C)),this.add(this.gizmo.rotate=L(M)),this.add(this.gizmo.scale=L(I)),this.add(this.picker.translate=L(E)),this.add(this.picker.rotate=L(R)),this.add(this.picker.scale=L(U)),this.add(this.helper.translate=L(v)),this.add(this.helper.rotate=L(O)),this.add(this.helper.scale=L(F)),this.picker.translate.visible=!1,this.picker.rotate.visible=!1,this.picker.scale.visible=!1}updateMatrixWorld(t){let i=(this.mode==="scale"?"local":this.space)==="local"?this.worldQuaternion:lu;this.gizmo.translate.visible=this.mode==="translate",this.gizmo.rotate.visible=this.mode==="rotate",this.gizmo.scale.visible=this.mode==="scale",this.helper.translate.visible=this.mode==="translate",this.helper.rotate.visible=this.mode==="rotate",this.helper.scale.visible=this.mode==="scale";let s=[];s=s.concat(this.picker[this.mode].children),s=s.concat(this.gizmo[this.mode].children),s=s.concat(this.helper[this.mode].children);for(let r=0;r<s.length;r++){let o=s[r];o.visible=!0,o.rotation.set(0,0,0),o.position.copy(this.worldPosition);let a;if(this.camera.isOrthographicCamera?a=(this.camera.top-this.camera.bottom)/this.camera.zoom:a=this.worldPosition.distanceTo(this.cameraPosition)*Math.min(1.9*Math.tan(Math.PI*this.camera.fov/360)/this.camera.zoom,7),o.scale.set(1,1,1).multiplyScalar(a*this.size/4),o.tag==="helper"){o.visible=!1,o.name==="AXIS"?(o.visible=!!this.axis,this.axis==="X"&&(on.setFromEuler(ru.set(0,0,0)),o.quaternion.copy(i).multiply(on),Math.abs(Ve.copy(Tl).applyQuaternion(i).dot(this.eye))>.9&&(o.visible=!1)),this.axis==="Y"&&(on.setFromEuler(ru.set(0,0,Math.PI/2)),o.quaternion.copy(i).multiply(on),Math.abs(Ve.copy(eo).applyQuaternion(i).dot(this.eye))>.9&&(o.visible=!1)),this.axis==="Z"&&(on.setFromEuler(ru.set(0,Math.PI/2,0)),o.quaternion.copy(i).multiply(on),Math.abs(Ve.copy(Cl).applyQuaternion(i).dot(this.eye))>.9&&(o.visible=!1)),this.axis==="XYZE"&&(on.setFromEuler(ru.set(0,Math.PI/2,0)),Ve.copy(this.rotationAxis),o.quaternion.setFromRotationMatrix(Y_.lookAt($_,Ve,eo)),o.quaternion.multiply(on),o.visible=this.dragging),this.axis==="E"&&(o.visible=!1)):o.name==="START"?(o.position.copy(this.worldPositionStart),o.visible=this.dragging):o.name==="END"?(o.position.copy(this.worldPosition),o.visible=this.dragging):o.name==="DELTA"?(o.position.copy(this.worldPositionStart),o.quaternion.copy(this.worldQuaternionStart),gn.set(1e-10,1e-10,1e-10).add(this.worldPositionStart).sub(this.worldPosition).multiplyScalar(-1),gn.applyQuaternion(this.worldQuaternionStart.clone().invert()),o.scale.copy(gn),o.visible=this.dragging):(o.quaternion.copy(i),this.dragging?o.position.copy(this.worldPositionStart):o.position.copy(this.worldPosition),this.axis&&(o.visible=this.axis.search(o.name)!==-1));continue}o.quaternion.copy(i),this.mode==="translate"||this.mode==="scale"?(o.name==="X"&&Math.abs(Ve.copy(Tl).applyQuaternion(i).dot(this.eye))>.99&&(o.scale.set(1e-10,1e-10,1e-10),o.visible=!1),o.name==="Y"&&Math.abs(Ve.copy(eo).applyQuaternion(i).dot(this.eye))>.99&&(o.scale.set(1e-10,1e-10,1e-10),o.visible=!1),o.name==="Z"&&Math.abs(Ve.copy(Cl).applyQuaternion(i).dot(this.eye))>.99&&(o.scale.set(1e-10,1e-10,1e-10),o.visible=!1),o.name==="XY"&&Math.abs(Ve.copy(Cl).applyQuaternion(i).dot(this.eye))<.2&&(o.scale.set(1e-10,1e-10,1e-10),o.visible=!1),o.name==="YZ"&&Math.abs(Ve.copy(Tl).applyQuaternion(i).dot(this.eye))<.2&&(o.scale.set(1e-10,1e-10,1e-10),o.visible=!1),o.name==="XZ"&&Math.abs(Ve.copy(eo).applyQuaternion(i).dot(this.eye))<.2&&(o.scale.set(1e-10,1e-10,1e-10),o.visible=!1)):this.mode==="rotate"&&(ou.copy(i),Ve.copy(this.eye).applyQuaternion(on.copy(i).invert()),o.name.search("E")!==-1&&o.quaternion.setFromRotationMatrix(Y_.lookAt(this.eye,$_,eo)),o.name==="X"&&(on.setFromAxisAngle(Tl,Math.atan2(-Ve.y,Ve.z)),on.multiplyQuaternions(ou,on),o.quaternion.copy(on)),o.name==="Y"&&(on.setFromAxisAngle(eo,Math.atan2(Ve.x,Ve.z)),on.multiplyQuaternions(ou,on),o.quaternion.copy(on)),o.name==="Z"&&(on.setFromAxisAngle(Cl,Math.atan2(Ve.y,Ve.x)),on.multiplyQuaternions(ou,on),o.quaternion.copy(on))),o.visible=o.visible&&(o.name.indexOf("X")===-1||this.showX),o.visible=o.visible&&(o.name.indexOf("Y")===-1||this.showY),o.visible=o.visible&&(o.name.indexOf("Z")===-1||this.showZ),o.visible=o.visible&&(o.name.indexOf("E")===-1||this.showX&&this.showY&&this.showZ),o.visible=o.visible&&(o.name.indexOf("XY")===-1||this.showXY),o.visible=o.visible&&(o.name.indexOf("YZ")===-1||this.showYZ),o.visible=o.visible&&(o.name.indexOf("XZ")===-1||this.showXZ),o.visible=o.visible&&(o.name!=="E"||this.showE),o.visible=o.visible&&(o.name!=="XYZE"||this.showXYZE),o.material._color=o.material._color||o.material.color.clone(),o.material._opacity=o.material._opacity||o.material.opacity,o.material.color.copy(o.material._color),o.material.opacity=o.material._opacity,this.enabled&&this.axis&&(o.name===this.axis?(o.material.color.copy(this.materialLib.active.color),o.material.opacity=1):this.axis.split("").some(function(l){return o.name===l})&&(o.material.color.copy(this.materialLib.active.color),o.material.opacity=1))}super.updateMatrixWorld(t)}},Xf=class extends mt{constructor(){super(new Fr(1e5,1e5,2,2),new wi({visible:!1,wireframe:!0,side:Ye,transparent:!0,opacity:.1,toneMapped:!1})),this.isTransformControlsPlane=!0,this.type="TransformControlsPlane"}updateMatrixWorld(t){let e=this.space;switch(this.position.copy(this.worldPosition),this.mode==="scale"&&(e="local"),au.copy(Tl).applyQuaternion(e==="local"?this.worldQuaternion:lu),El.copy(eo).applyQuaternion(e==="local"?this.worldQuaternion:lu),Al.copy(Cl).applyQuaternion(e==="local"?this.worldQuaternion:lu),Ve.copy(El),this.mode){case"translate":case"scale":switch(this.axis){case"X":Ve.copy(this.eye).cross(au),Ss.copy(au).cross(Ve);break;case"Y":Ve.copy(this.eye).cross(El),Ss.copy(El).cross(Ve);break;case"Z":Ve.copy(this.eye).cross(Al),Ss.copy(Al).cross(Ve);break;case"XY":Ss.copy(Al);break;case"YZ":Ss.copy(au);break;case"XZ":Ve.copy(Al),Ss.copy(El);break;case"XYZ":case"E":Ss.set(0,0,0);break}break;default:Ss.set(0,0,0)}Ss.length()===0?this.quaternion.copy(this.cameraQuaternion):(hu.lookAt(gn.set(0,0,0),Ss,Ve),this.quaternion.setFromRotationMatrix(hu)),super.updateMatrixWorld(t)}};var UT=["#d55e00","#009e73","#0072b2","#e69f00"],FT=["E","XYZE","XYZ","XY","YZ","XZ"],q_={move:.01,turn:Math.PI/12},$f=({position:n,quaternion:{x:t,y:e,z:i,w:s}})=>({position:n.toArray(),rotation:[s,t,e,i]});function BT(n,{position:t,rotation:[e,i,s,r]}){n.position.set(...t),n.quaternion.set(i,s,r,e).normalize(),n.updateMatrixWorld()}function Z_(n,t){let e=new hn;n.scene.add(e);let i=null,s=new ne,r=(g,m)=>{let x=new cu(n.camera,n.canvas);x.setMode(g),x.setSpace(g==="rotate"?"local":"world"),x.setSize(m),x.addEventListener("change",n.draw),x.addEventListener("dragging-changed",({value:y})=>{n.controls.enabled=!y}),x.addEventListener("objectChange",()=>t($f(e))),x.setColors(...UT);let b=[];x.getHelper().traverse(y=>FT.includes(y.name)&&b.push(y));for(let y of b)y.removeFromParent();return n.scene.add(x.getHelper()),x},o=r("translate",.75),a=r("rotate",.95);o.addEventListener("axis-changed",({value:g})=>{o.dragging||(a.enabled=i!==null&&g===null)});let l=[o,a],c=g=>{o.setTranslationSnap(g?q_.move:null),a.setRotationSnap(g?q_.turn:null)};for(let g of["keydown","keyup"])addEventListener(g,({key:m})=>m==="Shift"&&c(g==="keydown"));let d=()=>l.some(g=>g.dragging),u=()=>{i=null;for(let g of l)g.detach(),g.enabled=!1;n.draw()},h=(g,m)=>{i=m,BT(e,g),s=i.matrixWorld.clone().invert().multiply(e.matrixWorld);for(let x of l)x.enabled=!0,x.attach(e);n.draw()},f=()=>{if(!i||d())return;i.matrixWorld.clone().multiply(s).decompose(e.position,e.quaternion,new P)},p=({by:g,about:m,angle:x})=>{if(!i)return null;g&&e.position.add(new P(...g)),m&&e.quaternion.premultiply(new Ie().setFromAxisAngle(new P(...m),x)),e.updateMatrixWorld();let b=$f(e);return t(b),b};return u(),{show:h,hide:u,goAlong:f,nudge:p,busy:()=>l.some(g=>g.enabled&&g.axis!==null),dragging:d,pose:()=>$f(e),shown:()=>i!==null}}var kT=5;function j_(n,t,{joint:e,place:i},s){let r=new Gr,o=h=>{let{x:f,y:p}=n.ray(h);return r.setFromCamera(new $t(f,p),n.camera),r},a=null,l=null,c=h=>{h.button===0&&(a={x:h.clientX,y:h.clientY},l=i.busy()?null:e.grab(o(h)),l&&(n.controls.enabled=!1,n.canvas.setPointerCapture(h.pointerId),n.canvas.classList.add("holding"),h.stopImmediatePropagation(),n.canvas.focus({preventScroll:!0})))},d=()=>{l&&(n.controls.enabled=!0),l=null,n.canvas.classList.remove("holding")},u=h=>{let f=a&&Math.hypot(h.clientX-a.x,h.clientY-a.y)<kT&&!l,p=i.dragging()||i.busy();if(a=null,d(),f&&!p&&h.type==="pointerup"){let[_]=o(h).intersectObjects(t.meshes(),!1);s(_?_.object.userData.body:-1)}};return n.canvas.addEventListener("pointerdown",c,{capture:!0}),n.canvas.addEventListener("pointermove",h=>l?.(o(h))),n.canvas.addEventListener("pointerup",u,{capture:!0}),n.canvas.addEventListener("pointercancel",u),n.canvas.addEventListener("pointerdown",()=>n.canvas.focus({preventScroll:!0})),{dragging:()=>l!==null}}var J_={type:"change"},qf={type:"start"},Q_={type:"end"},uu=new ir,K_=new yi,zT=Math.cos(70*Qo.DEG2RAD),Ln=new P,ui=2*Math.PI,Ce={NONE:-1,ROTATE:0,DOLLY:1,PAN:2,TOUCH_ROTATE:3,TOUCH_PAN:4,TOUCH_DOLLY_PAN:5,TOUCH_DOLLY_ROTATE:6},Yf=1e-6,la=class extends Vr{constructor(t,e=null){super(t,e),this.state=Ce.NONE,this.target=new P,this.cursor=new P,this.minDistance=0,this.maxDistance=1/0,this.minZoom=0,this.maxZoom=1/0,this.minTargetRadius=0,this.maxTargetRadius=1/0,this.minPolarAngle=0,this.maxPolarAngle=Math.PI,this.minAzimuthAngle=-1/0,this.maxAzimuthAngle=1/0,this.enableDamping=!1,this.dampingFactor=.05,this.enableZoom=!0,this.zoomSpeed=1,this.enableRotate=!0,this.rotateSpeed=1,this.keyRotateSpeed=1,this.enablePan=!0,this.panSpeed=1,this.screenSpacePanning=!0,this.keyPanSpeed=7,this.zoomToCursor=!1,this.autoRotate=!1,this.autoRotateSpeed=2,this.keys={LEFT:"ArrowLeft",UP:"ArrowUp",RIGHT:"ArrowRight",BOTTOM:"ArrowDown"},this.mouseButtons={LEFT:hr.ROTATE,MIDDLE:hr.DOLLY,RIGHT:hr.PAN},this.touches={ONE:ur.ROTATE,TWO:ur.DOLLY_PAN},this.target0=this.target.clone(),this.position0=this.object.position.clone(),this.zoom0=this.object.zoom,this._cursorStyle="auto",this._domElementKeyEvents=null,this._lastPosition=new P,this._lastQuaternion=new Ie,this._lastTargetPosition=new P,this._quat=new Ie().setFromUnitVectors(t.up,new P(0,1,0)),this._quatInverse=this._quat.clone().invert(),this._spherical=new qo,this._sphericalDelta=new qo,this._scale=1,this._panOffset=new P,this._rotateStart=new $t,this._rotateEnd=new $t,this._rotateDelta=new $t,this._panStart=new $t,this._panEnd=new $t,this._panDelta=new $t,this._dollyStart=new $t,this._dollyEnd=new $t,this._dollyDelta=new $t,this._dollyDirection=new P,this._mouse=new $t,this._performCursorZoom=!1,this._pointers=[],this._pointerPositions={},this._controlActive=!1,this._onPointerMove=VT.bind(this),this._onPointerDown=GT.bind(this),this._onPointerUp=HT.bind(this),this._onContextMenu=jT.bind(this),this._onMouseWheel=$T.bind(this),this._onKeyDown=YT.bind(this),this._onTouchStart=qT.bind(this),this._onTouchMove=ZT.bind(this),this._onMouseDown=WT.bind(this),this._onMouseMove=XT.bind(this),this._interceptControlDown=JT.bind(this),this._interceptControlUp=KT.bind(this),this.domElement!==null&&this.connect(this.domElement),this.update()}set cursorStyle(t){this._cursorStyle=t,t==="grab"?this.domElement.style.cursor="grab":this.domElement.style.cursor="auto"}get cursorStyle(){return this._cursorStyle}connect(t){super.connect(t),this.domElement.addEventListener("pointerdown",this._onPointerDown),this.domElement.addEventListener("pointercancel",this._onPointerUp),this.domElement.addEventListener("contextmenu",this._onContextMenu),this.domElement.addEventListener("wheel",this._onMouseWheel,{passive:!1}),this.domElement.ownerDocument.addEventListener("keydown",this._interceptControlDown,{passive:!0,capture:!0}),this.domElement.style.touchAction="none"}disconnect(){this.state=Ce.NONE,this.domElement.removeEventListener("pointerdown",this._onPointerDown),this.domElement.ownerDocument.removeEventListener("pointermove",this._onPointerMove),this.domElement.ownerDocument.removeEventListener("pointerup",this._onPointerUp),this.domElement.removeEventListener("pointercancel",this._onPointerUp),this.domElement.removeEventListener("wheel",this._onMouseWheel),this.domElement.removeEventListener("contextmenu",this._onContextMenu),this.stopListenToKeyEvents(),this.domElement.ownerDocument.removeEventListener("keydown",this._interceptControlDown,{capture:!0}),this.domElement.ownerDocument.removeEventListener("keyup",this._interceptControlUp,{capture:!0}),this._controlActive=!1,this._pointers.length=0,this._pointerPositions={},this.domElement.style.touchAction="",this.domElement.style.cursor="auto"}dispose(){this.disconnect()}getPolarAngle(){return this._spherical.phi}getAzimuthalAngle(){return this._spherical.theta}getDistance(){return this.object.position.distanceTo(this.target)}listenToKeyEvents(t){t.addEventListener("keydown",this._onKeyDown),this._domElementKeyEvents=t}stopListenToKeyEvents(){this._domElementKeyEvents!==null&&(this._domElementKeyEvents.removeEventListener("keydown",this._onKeyDown),this._domElementKeyEvents=null)}saveState(){this.target0.copy(this.target),this.position0.copy(this.object.position),this.zoom0=this.object.zoom}reset(){this.target.copy(this.target0),this.object.position.copy(this.position0),this.object.zoom=this.zoom0,this.object.updateProjectionMatrix(),this.dispatchEvent(J_),this.update(),this.state=Ce.NONE}pan(t,e){this._pan(t,e),this.update()}dollyIn(t){this._dollyIn(t),this.update()}dollyOut(t){this._dollyOut(t),this.update()}rotateLeft(t){this._rotateLeft(t),this.update()}rotateUp(t){this._rotateUp(t),this.update()}update(t=null){let e=this.object.position;Ln.copy(e).sub(this.target),Ln.applyQuaternion(this._quat),this._spherical.setFromVector3(Ln),this.autoRotate&&this.state===Ce.NONE&&this._rotateLeft(this._getAutoRotationAngle(t)),this.enableDamping?(this._spherical.theta+=this._sphericalDelta.theta*this.dampingFactor,this._spherical.phi+=this._sphericalDelta.phi*this.dampingFactor):(this._spherical.theta+=this._sphericalDelta.theta,this._spherical.phi+=this._sphericalDelta.phi);let i=this.minAzimuthAngle,s=this.maxAzimuthAngle;isFinite(i)&&isFinite(s)&&(i<-Math.PI?i+=ui:i>Math.PI&&(i-=ui),s<-Math.PI?s+=ui:s>Math.PI&&(s-=ui),i<=s?this._spherical.theta=Math.max(i,Math.min(s,this._spherical.theta)):this._spherical.theta=this._spherical.theta>(i+s)/2?Math.max(i,this._spherical.theta):Math.min(s,this._spherical.theta)),this._spherical.phi=Math.max(this.minPolarAngle,Math.min(this.maxPolarAngle,this._spherical.phi)),this._spherical.makeSafe(),this.enableDamping===!0?this.target.addScaledVector(this._panOffset,this.dampingFactor):this.target.add(this._panOffset),this.target.sub(this.cursor),this.target.clampLength(this.minTargetRadius,this.maxTargetRadius),this.target.add(this.cursor);let r=!1;if(this.zoomToCursor&&this._performCursorZoom||this.object.isOrthographicCamera)this._spherical.radius=this._clampDistance(this._spherical.radius);else{let o=this._spherical.radius;this._spherical.radius=this._clampDistance(this._spherical.radius*this._scale),r=o!=this._spherical.radius}if(Ln.setFromSpherical(this._spherical),Ln.applyQuaternion(this._quatInverse),e.copy(this.target).add(Ln),this.object.lookAt(this.target),this.enableDamping===!0?(this._sphericalDelta.theta*=1-this.dampingFactor,this._sphericalDelta.phi*=1-this.dampingFactor,this._panOffset.multiplyScalar(1-this.dampingFactor)):(this._sphericalDelta.set(0,0,0),this._panOffset.set(0,0,0)),this.zoomToCursor&&this._performCursorZoom){let o=null;if(this.object.isPerspectiveCamera){let a=Ln.length();o=this._clampDistance(a*this._scale);let l=a-o;this.object.position.addScaledVector(this._dollyDirection,l),this.object.updateMatrixWorld(),r=!!l}else if(this.object.isOrthographicCamera){let a=new P(this._mouse.x,this._mouse.y,0);a.unproject(this.object);let l=this.object.zoom;this.object.zoom=Math.max(this.minZoom,Math.min(this.maxZoom,this.object.zoom/this._scale)),this.object.updateProjectionMatrix(),r=l!==this.object.zoom;let c=new P(this._mouse.x,this._mouse.y,0);c.unproject(this.object),this.object.position.sub(c).add(a),this.object.updateMatrixWorld(),o=Ln.length()}else console.warn("WARNING: OrbitControls.js encountered an unknown camera type - zoom to cursor disabled."),this.zoomToCursor=!1;o!==null&&(this.screenSpacePanning?this.target.set(0,0,-1).transformDirection(this.object.matrix).multiplyScalar(o).add(this.object.position):(uu.origin.copy(this.object.position),uu.direction.set(0,0,-1).transformDirection(this.object.matrix),Math.abs(this.object.up.dot(uu.direction))<zT?this.object.lookAt(this.target):(K_.setFromNormalAndCoplanarPoint(this.object.up,this.target),uu.intersectPlane(K_,this.target))))}else if(this.object.isOrthographicCamera){let o=this.object.zoom;this.object.zoom=Math.max(this.minZoom,Math.min(this.maxZoom,this.object.zoom/this._scale)),o!==this.object.zoom&&(this.object.updateProjectionMatrix(),r=!0)}return this._scale=1,this._performCursorZoom=!1,r||this._lastPosition.distanceToSquared(this.object.position)>Yf||8*(1-this._lastQuaternion.dot(this.object.quaternion))>Yf||this._lastTargetPosition.distanceToSquared(this.target)>Yf?(this.dispatchEvent(J_),this._lastPosition.copy(this.object.position),this._lastQuaternion.copy(this.object.quaternion),this._lastTargetPosition.copy(this.target),!0):!1}_getAutoRotationAngle(t){return t!==null?ui/60*this.autoRotateSpeed*t:ui/60/60*this.autoRotateSpeed}_getZoomScale(t){let e=Math.abs(t*.01);return Math.pow(.95,this.zoomSpeed*e)}_rotateLeft(t){this._sphericalDelta.theta-=t}_rotateUp(t){this._sphericalDelta.phi-=t}_panLeft(t,e){Ln.setFromMatrixColumn(e,0),Ln.multiplyScalar(-t),this._panOffset.add(Ln)}_panUp(t,e){this.screenSpacePanning===!0?Ln.setFromMatrixColumn(e,1):(Ln.setFromMatrixColumn(e,0),Ln.crossVectors(this.object.up,Ln)),Ln.multiplyScalar(t),this._panOffset.add(Ln)}_pan(t,e){let i=this.domElement;if(this.object.isPerspectiveCamera){let s=this.object.position;Ln.copy(s).sub(this.target);let r=Ln.length();r*=Math.tan(this.object.fov/2*Math.PI/180),this._panLeft(2*t*r/i.clientHeight,this.object.matrix),this._panUp(2*e*r/i.clientHeight,this.object.matrix)}else this.object.isOrthographicCamera?(this._panLeft(t*(this.object.right-this.object.left)/this.object.zoom/i.clientWidth,this.object.matrix),this._panUp(e*(this.object.top-this.object.bottom)/this.object.zoom/i.clientHeight,this.object.matrix)):(console.warn("WARNING: OrbitControls.js encountered an unknown camera type - pan disabled."),this.enablePan=!1)}_dollyOut(t){this.object.isPerspectiveCamera||this.object.isOrthographicCamera?this._scale/=t:(console.warn("WARNING: OrbitControls.js encountered an unknown camera type - dolly/zoom disabled."),this.enableZoom=!1)}_dollyIn(t){this.object.isPerspectiveCamera||this.object.isOrthographicCamera?this._scale*=t:(console.warn("WARNING: OrbitControls.js encountered an unknown camera type - dolly/zoom disabled."),this.enableZoom=!1)}_updateZoomParameters(t,e){if(!this.zoomToCursor)return;this._performCursorZoom=!0;let i=this.domElement.getBoundingClientRect(),s=t-i.left,r=e-i.top,o=i.width,a=i.height;this._mouse.x=s/o*2-1,this._mouse.y=-(r/a)*2+1,this._dollyDirection.set(this._mouse.x,this._mouse.y,1).unproject(this.object).sub(this.object.position).normalize()}_clampDistance(t){return Math.max(this.minDistance,Math.min(this.maxDistance,t))}_handleMouseDownRotate(t){this._rotateStart.set(t.clientX,t.clientY)}_handleMouseDownDolly(t){this._updateZoomParameters(t.clientX,t.clientY),this._dollyStart.set(t.clientX,t.clientY)}_handleMouseDownPan(t){this._panStart.set(t.clientX,t.clientY)}_handleMouseMoveRotate(t){this._rotateEnd.set(t.clientX,t.clientY),this._rotateDelta.subVectors(this._rotateEnd,this._rotateStart).multiplyScalar(this.rotateSpeed);let e=this.domElement;this._rotateLeft(ui*this._rotateDelta.x/e.clientHeight),this._rotateUp(ui*this._rotateDelta.y/e.clientHeight),this._rotateStart.copy(this._rotateEnd),this.update()}_handleMouseMoveDolly(t){this._dollyEnd.set(t.clientX,t.clientY),this._dollyDelta.subVectors(this._dollyEnd,this._dollyStart),this._dollyDelta.y>0?this._dollyOut(this._getZoomScale(this._dollyDelta.y)):this._dollyDelta.y<0&&this._dollyIn(this._getZoomScale(this._dollyDelta.y)),this._dollyStart.copy(this._dollyEnd),this.zoomToCursor&&(this._performCursorZoom=!0,this._dollyDirection.set(this._mouse.x,this._mouse.y,1).unproject(this.object).sub(this.object.position).normalize()),this.update()}_handleMouseMovePan(t){this._panEnd.set(t.clientX,t.clientY),this._panDelta.subVectors(this._panEnd,this._panStart).multiplyScalar(this.panSpeed),this._pan(this._panDelta.x,this._panDelta.y),this._panStart.copy(this._panEnd),this.update()}_handleMouseWheel(t){this._updateZoomParameters(t.clientX,t.clientY),t.deltaY<0?this._dollyIn(this._getZoomScale(t.deltaY)):t.deltaY>0&&this._dollyOut(this._getZoomScale(t.deltaY)),this.update()}_handleKeyDown(t){let e=!1;switch(t.code){case this.keys.UP:t.ctrlKey||t.metaKey||t.shiftKey?this.enableRotate&&this._rotateUp(ui*this.keyRotateSpeed/this.domElement.clientHeight):this.enablePan&&this._pan(0,this.keyPanSpeed),e=!0;break;case this.keys.BOTTOM:t.ctrlKey||t.metaKey||t.shiftKey?this.enableRotate&&this._rotateUp(-ui*this.keyRotateSpeed/this.domElement.clientHeight):this.enablePan&&this._pan(0,-this.keyPanSpeed),e=!0;break;case this.keys.LEFT:t.ctrlKey||t.metaKey||t.shiftKey?this.enableRotate&&this._rotateLeft(ui*this.keyRotateSpeed/this.domElement.clientHeight):this.enablePan&&this._pan(this.keyPanSpeed,0),e=!0;break;case this.keys.RIGHT:t.ctrlKey||t.metaKey||t.shiftKey?this.enableRotate&&this._rotateLeft(-ui*this.keyRotateSpeed/this.domElement.clientHeight):this.enablePan&&this._pan(-this.keyPanSpeed,0),e=!0;break}e&&(t.preventDefault(),this.update())}_handleTouchStartRotate(t){if(this._pointers.length===1)this._rotateStart.set(t.pageX,t.pageY);else{let e=this._getSecondPointerPosition(t),i=.5*(t.pageX+e.x),s=.5*(t.pageY+e.y);this._rotateStart.set(i,s)}}_handleTouchStartPan(t){if(this._pointers.length===1)this._panStart.set(t.pageX,t.pageY);else{let e=this._getSecondPointerPosition(t),i=.5*(t.pageX+e.x),s=.5*(t.pageY+e.y);this._panStart.set(i,s)}}_handleTouchStartDolly(t){let e=this._getSecondPointerPosition(t),i=t.pageX-e.x,s=t.pageY-e.y,r=Math.sqrt(i*i+s*s);this._dollyStart.set(0,r)}_handleTouchStartDollyPan(t){this.enableZoom&&this._handleTouchStartDolly(t),this.enablePan&&this._handleTouchStartPan(t)}_handleTouchStartDollyRotate(t){this.enableZoom&&this._handleTouchStartDolly(t),this.enableRotate&&this._handleTouchStartRotate(t)}_handleTouchMoveRotate(t){if(this._pointers.length==1)this._rotateEnd.set(t.pageX,t.pageY);else{let i=this._getSecondPointerPosition(t),s=.5*(t.pageX+i.x),r=.5*(t.pageY+i.y);this._rotateEnd.set(s,r)}this._rotateDelta.subVectors(this._rotateEnd,this._rotateStart).multiplyScalar(this.rotateSpeed);let e=this.domElement;this._rotateLeft(ui*this._rotateDelta.x/e.clientHeight),this._rotateUp(ui*this._rotateDelta.y/e.clientHeight),this._rotateStart.copy(this._rotateEnd)}_handleTouchMovePan(t){if(this._pointers.length===1)this._panEnd.set(t.pageX,t.pageY);else{let e=this._getSecondPointerPosition(t),i=.5*(t.pageX+e.x),s=.5*(t.pageY+e.y);this._panEnd.set(i,s)}this._panDelta.subVectors(this._panEnd,this._panStart).multiplyScalar(this.panSpeed),this._pan(this._panDelta.x,this._panDelta.y),this._panStart.copy(this._panEnd)}_handleTouchMoveDolly(t){let e=this._getSecondPointerPosition(t),i=t.pageX-e.x,s=t.pageY-e.y,r=Math.sqrt(i*i+s*s);this._dollyEnd.set(0,r),this._dollyDelta.set(0,Math.pow(this._dollyEnd.y/this._dollyStart.y,this.zoomSpeed)),this._dollyOut(this._dollyDelta.y),this._dollyStart.copy(this._dollyEnd);let o=(t.pageX+e.x)*.5,a=(t.pageY+e.y)*.5;this._updateZoomParameters(o,a)}_handleTouchMoveDollyPan(t){this.enableZoom&&this._handleTouchMoveDolly(t),this.enablePan&&this._handleTouchMovePan(t)}_handleTouchMoveDollyRotate(t){this.enableZoom&&this._handleTouchMoveDolly(t),this.enableRotate&&this._handleTouchMoveRotate(t)}_addPointer(t){this._pointers.push(t.pointerId)}_removePointer(t){delete this._pointerPositions[t.pointerId];for(let e=0;e<this._pointers.length;e++)if(this._pointers[e]==t.pointerId){this._pointers.splice(e,1);return}}_isTrackingPointer(t){for(let e=0;e<this._pointers.length;e++)if(this._pointers[e]==t.pointerId)return!0;return!1}_trackPointer(t){let e=this._pointerPositions[t.pointerId];e===void 0&&(e=new $t,this._pointerPositions[t.pointerId]=e),e.set(t.pageX,t.pageY)}_getSecondPointerPosition(t){let e=t.pointerId===this._pointers[0]?this._pointers[1]:this._pointers[0];return this._pointerPositions[e]}_customWheelEvent(t){let e=t.deltaMode,i={clientX:t.clientX,clientY:t.clientY,deltaY:t.deltaY};switch(e){case 1:i.deltaY*=16;break;case 2:i.deltaY*=100;break}return t.ctrlKey&&!this._controlActive&&(i.deltaY*=10),i}};function GT(n){this.enabled!==!1&&(this._pointers.length===0&&(this.domElement.setPointerCapture(n.pointerId),this.domElement.ownerDocument.addEventListener("pointermove",this._onPointerMove),this.domElement.ownerDocument.addEventListener("pointerup",this._onPointerUp)),!this._isTrackingPointer(n)&&(this._addPointer(n),n.pointerType==="touch"?this._onTouchStart(n):this._onMouseDown(n),this._cursorStyle==="grab"&&(this.domElement.style.cursor="grabbing")))}function VT(n){this.enabled!==!1&&(n.pointerType==="touch"?this._onTouchMove(n):this._onMouseMove(n))}function HT(n){switch(this._removePointer(n),this._pointers.length){case 0:this.domElement.releasePointerCapture(n.pointerId),this.domElement.ownerDocument.removeEventListener("pointermove",this._onPointerMove),this.domElement.ownerDocument.removeEventListener("pointerup",this._onPointerUp),this.dispatchEvent(Q_),this.state=Ce.NONE,this._cursorStyle==="grab"&&(this.domElement.style.cursor="grab");break;case 1:let t=this._pointers[0],e=this._pointerPositions[t];this._onTouchStart({pointerId:t,pageX:e.x,pageY:e.y});break}}function WT(n){let t;switch(n.button){case 0:t=this.mouseButtons.LEFT;break;case 1:t=this.mouseButtons.MIDDLE;break;case 2:t=this.mouseButtons.RIGHT;break;default:t=-1}switch(t){case hr.DOLLY:if(this.enableZoom===!1)return;this._handleMouseDownDolly(n),this.state=Ce.DOLLY;break;case hr.ROTATE:if(n.ctrlKey||n.metaKey||n.shiftKey){if(this.enablePan===!1)return;this._handleMouseDownPan(n),this.state=Ce.PAN}else{if(this.enableRotate===!1)return;this._handleMouseDownRotate(n),this.state=Ce.ROTATE}break;case hr.PAN:if(n.ctrlKey||n.metaKey||n.shiftKey){if(this.enableRotate===!1)return;this._handleMouseDownRotate(n),this.state=Ce.ROTATE}else{if(this.enablePan===!1)return;this._handleMouseDownPan(n),this.state=Ce.PAN}break;default:this.state=Ce.NONE}this.state!==Ce.NONE&&this.dispatchEvent(qf)}function XT(n){switch(this.state){case Ce.ROTATE:if(this.enableRotate===!1)return;this._handleMouseMoveRotate(n);break;case Ce.DOLLY:if(this.enableZoom===!1)return;this._handleMouseMoveDolly(n);break;case Ce.PAN:if(this.enablePan===!1)return;this._handleMouseMovePan(n);break}}function $T(n){this.enabled===!1||this.enableZoom===!1||this.state!==Ce.NONE||(n.preventDefault(),this.dispatchEvent(qf),this._handleMouseWheel(this._customWheelEvent(n)),this.dispatchEvent(Q_))}function YT(n){this.enabled!==!1&&this._handleKeyDown(n)}function qT(n){switch(this._trackPointer(n),this._pointers.length){case 1:switch(this.touches.ONE){case ur.ROTATE:if(this.enableRotate===!1){this.state=Ce.NONE;break}this._handleTouchStartRotate(n),this.state=Ce.TOUCH_ROTATE;break;case ur.PAN:if(this.enablePan===!1){this.state=Ce.NONE;break}this._handleTouchStartPan(n),this.state=Ce.TOUCH_PAN;break;default:this.state=Ce.NONE}break;case 2:switch(this.touches.TWO){case ur.DOLLY_PAN:if(this.enableZoom===!1&&this.enablePan===!1)return;this._handleTouchStartDollyPan(n),this.state=Ce.TOUCH_DOLLY_PAN;break;case ur.DOLLY_ROTATE:if(this.enableZoom===!1&&this.enableRotate===!1)return;this._handleTouchStartDollyRotate(n),this.state=Ce.TOUCH_DOLLY_ROTATE;break;default:this.state=Ce.NONE}break;default:this.state=Ce.NONE}this.state!==Ce.NONE&&this.dispatchEvent(qf)}function ZT(n){switch(this._trackPointer(n),this.state){case Ce.TOUCH_ROTATE:if(this.enableRotate===!1)return;this._handleTouchMoveRotate(n),this.update();break;case Ce.TOUCH_PAN:if(this.enablePan===!1)return;this._handleTouchMovePan(n),this.update();break;case Ce.TOUCH_DOLLY_PAN:if(this.enableZoom===!1&&this.enablePan===!1)return;this._handleTouchMoveDollyPan(n),this.update();break;case Ce.TOUCH_DOLLY_ROTATE:if(this.enableZoom===!1&&this.enableRotate===!1)return;this._handleTouchMoveDollyRotate(n),this.update();break;default:this.state=Ce.NONE}}function jT(n){this.enabled!==!1&&n.preventDefault()}function JT(n){n.key==="Control"&&(this._controlActive=!0,this.domElement.ownerDocument.addEventListener("keyup",this._interceptControlUp,{passive:!0,capture:!0}))}function KT(n){n.key==="Control"&&(this._controlActive=!1,this.domElement.ownerDocument.removeEventListener("keyup",this._interceptControlUp,{passive:!0,capture:!0}))}var tx=1.12;function Rl(n){let t=Math.abs(n.x)<.9?new P(1,0,0):new P(0,1,0);return t.addScaledVector(n,-t.dot(n)).normalize(),new P().crossVectors(t,n).multiplyScalar(1).addScaledVector(t,.7).addScaledVector(n,.6).normalize()}function du(n){let t=new zr(-1,1,1,-1,.1,10);return t.up.copy(n),t}var QT=({min:n,max:t})=>[0,1,2,3,4,5,6,7].map(e=>new P(e&1?t.x:n.x,e&2?t.y:n.y,e&4?t.z:n.z));function tC(n,t,e){let i=new P,s=new P;n.matrixWorld.extractBasis(i,s,new P);let r=o=>Math.max(...QT(t).map(a=>Math.abs(a.sub(e).dot(o))));return{x:r(i),y:r(s)}}function ca(n,t){let e=n.userData.half??{x:1,y:1},i=Math.max(e.y,e.x/t);Object.assign(n,{left:-i*t,right:i*t,top:i,bottom:-i}),n.updateProjectionMatrix()}function Pl(n,t,e,i){let s=t.isEmpty()?new Qe(new P(-1,-1,-1),new P(1,1,1)):t,r=s.getCenter(new P),o=s.getSize(new P).length()/2||1;n.position.copy(r).addScaledVector(i??Rl(n.up),4*o),n.near=.01*o,n.far=20*o,n.zoom=1,n.lookAt(r),n.updateMatrixWorld();let a=tC(n,s,r);return n.userData.half={x:tx*a.x,y:tx*a.y},ca(n,e),r}var eC=new P(0,1,0);function fu(n,t,e){let i=xr(t/12),s=2*Math.ceil(.6*t/i),r=new ol(s*i,s,"#888888","#888888");r.material.transparent=!0,r.material.opacity=.28,r.quaternion.setFromUnitVectors(eC,e);let o=n.isEmpty()?new P:n.getCenter(new P),a=n.isEmpty()?0:n.getSize(new P).multiply(new P(...e.toArray().map(Math.abs))).length()/2;return r.position.copy(o).addScaledVector(e,-a),{grid:r,step:i}}var Zf=1024;function nC(n,{up:t,from:e,center:i,radius:s}){let r=new $o(16777215,1.9),o=new P().crossVectors(t,e),a=e.clone().addScaledVector(t,1.3).addScaledVector(o,-.8).normalize();r.position.copy(i).addScaledVector(a,2*s),r.target.position.copy(i),r.castShadow=!0,r.shadow.mapSize.set(Zf,Zf);let l={left:-s,right:s,top:s,bottom:-s};Object.assign(r.shadow.camera,l,{near:.2*s,far:4*s}),r.shadow.normalBias=4*s/Zf,r.shadow.radius=4,n.add(r,r.target)}function pu(n,t,e,i){let s=new nl(16777215,9080729,i?1.3:1.6);s.position.copy(e);let r=new $o(16777215,i?.7:1.8);r.position.set(-.6,.8,1),t.add(r),n.add(s,t),i&&nC(n,{...i,up:e})}var iC=[0,-1,1,-2,2,-3,3,-4,4],sC=(n,t)=>n.left<t.right&&t.left<n.right&&n.top<t.bottom&&t.top<n.bottom;function rC({x:n,y:t,width:e}){return iC.flatMap(i=>[n+6,n-6-e].map(s=>({left:s,right:s+e,top:t+(i-.5)*14,bottom:t+(i+.5)*14,far:i!==0})))}function ex(n,{width:t,height:e},i=[]){let s=[...i],r=({left:o,right:a,top:l,bottom:c})=>o>=2&&a<=t-2&&l>=1&&c<=e-1;return[...n].sort((o,a)=>o.depth-a.depth).flatMap(o=>{let a=rC(o).find(l=>r(l)&&!s.some(c=>sC(l,c)));return a?(s.push(a),[{label:o,place:a}]):[]})}var jf="system-ui, sans-serif",oC=[["x","#d55e00",new P(1,0,0)],["y","#009e73",new P(0,1,0)],["z","#0072b2",new P(0,0,1)]];function Jf(n,t,e,i,s,r){n.lineJoin="round",n.lineWidth=3.5,n.strokeStyle=r,n.strokeText(t,e,i),n.fillStyle=s,n.fillText(t,e,i)}function aC(n,t,e,i){let s=n.clone().project(t);return[(s.x+1)/2*e,(1-s.y)/2*i]}var lC=({width:n,height:t,compact:e})=>[{left:n-110,right:n,top:t-36,bottom:t},...e?[]:[{left:0,right:84,top:t-84,bottom:t}]];function mu(n,t,e,i,s=[]){let{width:r,height:o,ink:a,page:l,muted:c}=i;n.font=`600 12px ${jf}`,n.textBaseline="middle";let d=t.map(({position:h,text:f})=>{let p=h.clone().project(e),[_,g]=aC(h,e,r,o);return{x:_,y:g,depth:p.z,text:f,width:n.measureText(f).width}}),u=ex(d,i,[...lC(i),...s]);n.strokeStyle=c??a,n.lineWidth=1;for(let{label:h,place:f}of u.filter(p=>p.place.far))n.beginPath(),n.moveTo(h.x,h.y),n.lineTo(f.left>h.x?f.left-2:f.right+2,(f.top+f.bottom)/2),n.stroke();for(let{label:h,place:f}of u)Jf(n,h.text,f.left,(f.top+f.bottom)/2,a,l)}function gu(n,t,e,{width:i,height:s,ink:r,page:o}){let a=i*t.zoom/(t.right-t.left),l=xr(50/a),c=i-16,d=s-14;n.strokeStyle=r,n.lineWidth=2,n.beginPath();let u=c-l*a;n.moveTo(u,d-4),n.lineTo(u,d),n.lineTo(c,d),n.lineTo(c,d-4),n.stroke(),n.font=`12px ${jf}`,n.textAlign="center",Jf(n,`${Me(l)} ${e}`,(u+c)/2,d-10,r,o),n.textAlign="left"}function cC(n,t){let e=n.dot(t);return e>.999?" up":e<-.999?" down":""}function _u(n,t,{height:e,ink:i,page:s}){let r=[42,e-40],o=24,a=oC.map(([l,c,d])=>({name:l+cC(d,t.up),color:c,v:d.clone().transformDirection(t.matrixWorldInverse)}));n.font=`600 11px ${jf}`,n.textAlign="center",n.textBaseline="middle";for(let{name:l,color:c,v:d}of a.sort((u,h)=>u.v.z-h.v.z)){n.strokeStyle=c,n.lineWidth=2.5,n.beginPath(),n.moveTo(...r),n.lineTo(r[0]+o*d.x,r[1]-o*d.y),n.stroke();let u=o+9;Jf(n,l,r[0]+u*d.x,r[1]-u*d.y,i,s)}n.textAlign="left"}var xu=new P(0,0,1),nx=new Qe(new P(-.15,-.15,0),new P(.15,.15,.15)),hC=45,uC=.6,dC=250;function fC(n){let t=new ea({canvas:n,antialias:!0,alpha:!0});return t.setPixelRatio(1),t.shadowMap.enabled=!0,t.shadowMap.type=zs,t.shadowMap.autoUpdate=!1,t}function pC(n){let t=n.getContext(),e=t.getExtension("WEBGL_debug_renderer_info"),i=t.getParameter(e?e.UNMASKED_RENDERER_WEBGL:t.RENDERER);return/swiftshader|llvmpipe|software|basic render/i.test(String(i))}function mC(n,t){n.furniture.removeFromParent(),n.camera.clear();let e=t.getSize(new P).length()||1;n.furniture=new Te;let{grid:i}=fu(t,e,xu);i.visible=n.shown.grid,n.grid=i;let s=t.getCenter(new P),r={from:n.from,center:s,radius:.75*e},o=new Te;pu(o,n.camera,xu,r),n.sun=o.children.find(({castShadow:a})=>a),n.furniture.add(i,o),n.scene.add(n.furniture)}function gC(n,t,e){let{width:i,height:s,insets:r}=n,o=n.ratio;t.setTransform(o,0,0,o,0,0),t.clearRect(0,0,i,s);let a={...e(),width:i,height:s};mu(t,n.labels(),n.camera,a,n.covered()),t.translate(r.left,-r.bottom),_u(t,n.camera,a);let{left:l,right:c,zoom:d}=n.camera;t.translate(-r.left-r.right,0),gu(t,{left:1e3*l,right:1e3*c,zoom:d},"mm",a)}function Kf(n){let{camera:t,width:e,height:i,insets:s}=n,r={width:Math.max(80,e-s.left-s.right),height:Math.max(80,i-s.top-s.bottom)};ca(t,r.width/r.height);let[o,a]=[e/r.width,i/r.height];t.left*=o,t.right*=o,t.top*=a,t.bottom*=a;let l={x:(s.right-s.left)/2,y:(s.bottom-s.top)/2};t.setViewOffset(e,i,l.x,l.y,e,i)}function _C(n){let t=!1;return()=>{t||(t=!0,requestAnimationFrame(()=>{t=!1,n()}))}}function ix(n,t){let e=document.createElement("canvas");e.className="gl",e.tabIndex=0;let i=document.createElement("canvas");i.className="words",i.setAttribute("aria-hidden","true"),n.append(e,i);let s=fC(e),r=new Nr,o=du(xu),a={canvas:e,words:i,renderer:s,scene:r,camera:o,width:1,height:1,ratio:1,insets:{left:0,right:0,top:0,bottom:0},furniture:new Te,shown:{grid:!0,shadows:!0},from:Rl(xu),box:nx.clone(),labels:()=>[],covered:()=>[],preparing:[],painted:[],paints:0,cost:0},l=pC(s),c=null,d=f=>{let[p,_]=[a.width,a.height].map(g=>Math.max(1,Math.round(g*a.ratio*f)));(e.width!==p||e.height!==_)&&s.setSize(p,_,!1)};a.paintNow=(f=!(l||a.cost>hC))=>{let p=performance.now();d(f?1:uC);let _=a.shown.shadows&&f;s.shadowMap.needsUpdate=_,a.sun.shadow.intensity=_?1:0;for(let g of a.preparing)g();s.render(r,o),gC(a,i.getContext("2d"),t),f&&(a.cost=.5*a.cost+.5*(performance.now()-p)),++a.paints;for(let g of a.painted)g();clearTimeout(c),f||(c=setTimeout(()=>a.paintNow(!0),dC))},a.draw=_C(()=>a.paintNow());let u=new la(o,e);u.enableDamping=!1,u.addEventListener("change",a.draw),a.controls=u,a.look=f=>{a.box=f.isEmpty()?nx.clone():f,mC(a,a.box),a.draw()},a.fit=(f=a.from)=>{a.from=f.clone().normalize(),u.target.copy(Pl(o,a.box,1,a.from));let p=a.box.getSize(new P).length();o.position.copy(u.target).addScaledVector(a.from,20*p),o.near=p,o.far=60*p,Kf(a),u.update(),a.draw()},a.setInsets=f=>{a.insets={...a.insets,...f},Kf(a),a.draw()},a.ray=({clientX:f,clientY:p})=>{let _=e.getBoundingClientRect(),g=2*(f-_.left)/_.width-1,m=1-2*(p-_.top)/_.height;return{x:g,y:m}},a.pixel=f=>{let p=f.clone().project(o),_=e.getBoundingClientRect();return{x:_.left+(p.x+1)/2*_.width,y:_.top+(1-p.y)/2*_.height}},a.picture=()=>{a.paintNow(!0);let f=document.createElement("canvas");f.width=i.width,f.height=i.height;let p=f.getContext("2d");return p.fillStyle=t().page,p.fillRect(0,0,f.width,f.height),p.drawImage(e,0,0,f.width,f.height),p.drawImage(i,0,0),f};let h=()=>{a.width=Math.max(1,n.clientWidth),a.height=Math.max(1,n.clientHeight),a.ratio=Math.min(2,devicePixelRatio),i.width=Math.round(a.width*a.ratio),i.height=Math.round(a.height*a.ratio),Kf(a),a.paintNow()};return a.look(new Qe),a.fit(),new ResizeObserver(h).observe(n),h(),a}var xC=(n,t)=>!n||n.mode!==t.mode||n.bodies.length===0||!t.bodies.some(({owner:e})=>n.bodies.some(i=>i.owner===e)),yC=({eye:n,target:t})=>new P(...n).sub(new P(...t));async function vC(n){let t=await fetch(`/mesh/${n}${location.search}`);if(!t.ok)throw new Error(`mesh ${n}: ${t.status} ${t.statusText}`);return t.arrayBuffer()}function sx(n,t,e){let i=ix(n,t),s=g_(vC),r=__(i.scene,s,i.draw),o=G_(i.scene),a=E_(i.scene),l=A_(i.scene),c=y_(i.scene),d=N_(i,e.moveJoint),u=Z_(i,e.place),h=j_(i,r,{joint:d,place:u},e.select),f=null,p=null,_=!1,g=[],m=()=>i.box.getSize(new P).length()||1;function x(){p&&(i.look(r.box()),_&&i.fit(yC(f)),_=!1,b(p))}function b(E){p=E,r.pose(p),u.goAlong();let v=o.pose(p),{forceScale:M}=a.pose(p,m());g=l.pose(p,m());let{held:O}=d;O()&&d.tell(p.joints[f.joints.indexOf(O().joint)]),e.changed({tensionEnd:v,forceScale:M}),i.draw()}return{stage:i,bodies:r,lines:o,contacts:a,vectors:l,joint:d,place:u,pointer:h,show:E=>{_||(_=xC(f,E)),_&&a.forget();let v=d.held()?.joint;f=E,p=null;let M=r.show(f);o.show(f),o.sharpen(i.ratio),l.show(f),c.show(f,r.groups);let O=v&&f.joints.find(({name:R,hand:I})=>R===v.name&&I===v.hand);return d.show(O??null,O&&r.groups[O.body],d.held()?.value??0),M.then(x,e.failed)},pose:E=>{if(!f||!e_(f,E))return!1;let v=p===null;return b(E),v&&_&&x(),!0},tips:()=>g,frame:()=>p,fitting:()=>_,meshCount:s.size}}var SC=()=>({ink:sn("--ink"),page:sn("--page"),muted:sn("--muted")});function bC(){let{protocol:n,host:t,search:e}=location;return`${n==="https:"?"wss:":"ws:"}//${t}/ws${e}`}function wC(n){n.call=(t,e)=>n.link.call(t,e),n.ask=async(t,e={})=>{try{return await n.call(t,e)}catch(i){return i.code!=="lost"&&n.notices.error(`${t}: ${i.message}`),null}},n.mayLeave=async()=>!n.store.state?.world?.unsaved||jh("The world has changes that are not saved.","Go on without them"),n.newWorld=async()=>await n.mayLeave()&&n.ask("world.new"),n.save=()=>q0(n)}function MC(n){let{store:t}=n,e=Kr(({method:s,params:r})=>n.ask(s,r),Kh);n.canMove=()=>Df(t.scene?.mode,{},0)!==null,n.moveJoint=(s,r)=>{let o=Df(t.scene.mode,s,r);return o?(n.wanted={joint:s,value:r},n.notices.say(h_(t.scene,s,r)),e(o).finally(()=>{n.wanted?.joint===s&&n.wanted.value===r&&(n.wanted=null)})):null};let i=Kr(s=>n.ask("world.place",s));n.moveSelected=({position:s,rotation:r})=>t.selected&&i({name:t.selected.owner,position:s,rotation:r}),n.poseOf=s=>{let r=t.scene?.bodies.findIndex(o=>o.owner===s)??-1;return r<0||!t.frame?null:[...t.frame.bodies.subarray(7*r,7*r+3)]}}async function EC(n,t){let e=await n.ask("world.get");return[...e?.hands??[],...e?.bodies??[]].find(i=>i.name===t)??null}function AC(n){let{store:t}=n;n.select=async(e,{quiet:i=!1}={})=>{let{scene:s,frame:r}=t,o=e&&s?.bodies.some(({owner:h})=>h===e.owner),a=s?.joints.find(h=>h.hand===e?.owner&&h.name===e.joint),l=o||a?{owner:e.owner,joint:a?.name}:null;if(JSON.stringify(l)===JSON.stringify(t.selected))return;n.picture.bodies.select(l?.owner??null);let c=a&&r?r.joints[s.joints.indexOf(a)]:0;if(n.picture.joint.show(a??null,a&&n.picture.bodies.groups[a.body],c),n.picture.place.hide(),t.set({selected:l}),!l)return n.notices.say("nothing is selected");if(i||n.notices.say(`${l.joint??l.owner} selected`),a||s.mode!=="world")return;let d=_r(s).find(({name:h})=>h===l.owner);if(!d.movable)return;let u=await EC(n,l.owner);u&&t.selected===l&&n.picture.place.show(u,n.picture.bodies.groups[d.bodies[0]])},n.clicked=e=>{if(e<0)return n.select(null);let{scene:i}=t,s=i.joints[i_(i,e)],{owner:r}=i.bodies[e],o=s&&t.selected?.joint===s.name&&t.selected.owner===r;return n.select({owner:r,joint:o?void 0:s?.name})},n.hide=(e,i)=>{n.picture.bodies.hide(e,i),t.set({hidden:{}}),n.picture.stage.draw()}}function TC(n){let{picture:t}=n,{stage:e}=t,i=()=>{t.frame()&&t.pose(t.frame()),e.draw()};n.view={opacity:(s,r)=>{t.bodies.opacity(s,r),e.draw()},grid:s=>{e.shown.grid=s,e.grid.visible=s,e.draw()},shadows:s=>{e.shown.shadows=s,e.draw()},names:s=>{n.names=s,e.draw()},contacts:(s,r)=>{t.contacts.show[s]=r,i()},lines:s=>{t.lines.visible(s),e.draw()},vectors:s=>{t.vectors.visible(s),e.draw()},fit:()=>{e.look(t.bodies.box()),e.fit()}},e.labels=()=>CC(n)}function CC(n){let{scene:t}=n.store;if(!t)return[];let e=n.picture.tips().filter(({i:s})=>t.arrows[s].kind!=="axis").map(({position:s,i:r})=>({position:s,text:t.arrows[r].name})),i=n.names?n.picture.bodies.meshes().map(s=>({position:new P().setFromMatrixPosition(s.parent.matrixWorld),text:t.bodies[s.userData.body].name})):[];return[...e,...i]}function RC(n){let{store:t}=n,e=null,i=()=>{let a=e;e=null,a&&n.picture.pose(a)&&(t.set({frame:a}),!n.firstFrame&&!n.picture.fitting()&&rx(n))};n.heardFrame=a=>{let l=e!==null;e=J0(a),n.frameAt=performance.now(),l||requestAnimationFrame(i)};let o={scene:a=>{let l=t.selected,c=n.picture.show(a);t.set({scene:a,frame:null}),l&&!a.bodies.some(({owner:d})=>d===l.owner)?n.select(null):l&&(t.selected=null,n.select(l,{quiet:!0})),c.then(()=>n.picture.frame()&&!n.firstFrame&&rx(n))},state:a=>{t.set({state:a}),n.notices.busy(a.busy??null)},progress:n.notices.progress,ended:({reason:a})=>n.notices.error(`thenar ended: ${a??"no reason was given"}`),error:({message:a})=>n.notices.error(a??"an error without words")};n.heardNotice=(a,l)=>o[a]?.(l)}function rx(n){n.firstFrame=!0,requestAnimationFrame(()=>performance.mark("thenar first picture"))}function PC(n){let t=()=>n.store.state?.world?.name||"thenar",e=null;n.savePicture=()=>N0(n.picture,t()),n.saveGltf=()=>U0(n.ask,t()),n.saveCharts=()=>{O0()||n.notices.tell("No chart is shown: plot a sweep, or let time pass.")},n.film=async()=>{if(e){let i=e;return e=null,await i(t()),!1}return e=F0(n.picture),e||n.notices.error("This browser cannot record films."),e!==null},addEventListener("beforeprint",()=>{document.querySelector(".printed")?.remove();let i=n.picture.stage.picture();i.className="printed",document.body.append(i)}),addEventListener("afterprint",()=>document.querySelector(".printed")?.remove())}function ox(n,t){let e={store:t_({link:!1,scene:null,frame:null,state:null,selected:null,hidden:{},tab:"pose"}),names:!1,wanted:null};e.notices=l_(n,()=>e.ask("session.stop")),e.legend=a_(),n.append(e.legend),e.picture=sx(t,SC,{moveJoint:(i,s)=>e.moveJoint(i,s),place:i=>e.moveSelected(i),select:i=>e.clicked(i),failed:i=>e.notices.error(i.message),changed:i=>e.legend.show(i)});for(let i of[wC,MC,AC,TC,RC,PC])i(e);return e.importFiles=Y0(e),Mm(()=>{e.picture.stage.draw(),document.querySelectorAll(".chart").forEach(i=>i.redraw?.())}),e.connect=()=>{e.link=Q0(bC(),{frame:e.heardFrame,notice:e.heardNotice,link:i=>{e.notices.link(i),i.connected||e.notices.busy(null),e.store.set({link:i.connected})}})},e}function ax(n,t,e){let i=new la(n,t);return i.enableDamping=!1,i.enableZoom=!1,t.style.touchAction="pan-y",t.addEventListener("pointerdown",()=>t.focus({preventScroll:!0})),t.addEventListener("focus",()=>{i.enableZoom=!0}),t.addEventListener("blur",()=>{i.enableZoom=!1}),i.addEventListener("change",e),i}var yu=Math.PI/24,Qf=1.15;function vu(n,t,e){let i={ArrowLeft:()=>n.rotateLeft(yu),ArrowRight:()=>n.rotateLeft(-yu),ArrowUp:()=>n.rotateUp(yu),ArrowDown:()=>n.rotateUp(-yu),"+":()=>n.dollyOut(Qf),"=":()=>n.dollyOut(Qf),"-":()=>n.dollyIn(Qf),0:e,Home:e};t.addEventListener("keydown",s=>{s.ctrlKey||s.altKey||s.metaKey||!Object.hasOwn(i,s.key)||(s.preventDefault(),i[s.key]())})}var IC={x:[1,0,0],y:[0,1,0],z:[0,0,1]},tp={ArrowLeft:-1,ArrowRight:1,ArrowDown:-10,ArrowUp:10},LC=.001,DC=Math.PI/180,NC=["pose","grasp","tendons","fit","time"],OC=({target:n})=>n.matches?.("input, select, textarea")||document.querySelector("dialog[open]"),hx=({ctrlKey:n,altKey:t,metaKey:e})=>!n&&!t&&!e;function ux(n){let t=s=>document.getElementById(s)?.click(),e={z:s=>t(s.shiftKey?"redo":"undo"),y:()=>t("redo"),o:()=>t("open"),s:()=>t("save")},i={"?":()=>n.help(),Escape:()=>n.select(null),g:()=>t("do-grasp"),o:()=>t("do-open"),c:()=>t("do-close"),".":()=>n.stepTime(1)};NC.forEach((s,r)=>i[r+1]=()=>n.tabs.choose(s)),addEventListener("keydown",s=>{if(OC(s))return;let r=(s.ctrlKey||s.metaKey)&&!s.altKey,o=s.key.length===1?s.key.toLowerCase():s.key,a=r?e[o]:hx(s)?i[o]:null;if(a)return s.preventDefault(),a(s);s.key===" "&&!s.target.matches("button, summary, a")&&(s.preventDefault(),n.togglePlay())})}function lx(n,t){let e=_r(n.store.scene??{bodies:[]});if(!e.length)return;let i=e.findIndex(({name:r})=>r===n.store.selected?.owner),s=i<0?t>0?0:e.length-1:(i+t+e.length)%e.length;n.select({owner:e[s].name})}function cx(n,t){let{scene:e,selected:i}=n.store,s=i?.owner??e?.joints[0]?.hand,r=(e?.joints??[]).filter(l=>l.hand===s&&!l.led_by);if(!r.length)return;let o=r.findIndex(({name:l})=>l===i?.joint),a=o<0?t>0?0:r.length-1:(o+t+r.length)%r.length;n.select({owner:s,joint:r[a].name})}function UC(n,t){let{scene:e,frame:i,selected:s}=n.store,r=e.joints.findIndex(c=>c.hand===s.owner&&c.name===s.joint),o=e.joints[r];if(!o||!i)return;let a=n.wanted?.joint===o?n.wanted.value:i.joints[r],{scale:l}=mr(o);n.moveJoint(o,gs(a+t*l,o.lower,o.upper))}function dx(n){let{stage:t,place:e}=n.picture,i={axis:"x",turns:!1},s=()=>n.notices.say(`arrow keys ${i.turns?"turn about":"move along"} ${i.axis}`),r=c=>{let d=IC[i.axis],u=i.turns?e.nudge({about:d,angle:c*DC}):e.nudge({by:new P(...d).multiplyScalar(c*LC).toArray()});if(!u)return;t.draw();let h=u.position.map(f=>(f*1e3).toFixed(1)).join(", ");n.notices.say(`${n.store.selected.owner} at ${h} mm`)},o=c=>()=>{Object.assign(i,c),s()},a={x:o({axis:"x"}),y:o({axis:"y"}),z:o({axis:"z"}),t:o({turns:!1}),r:o({turns:!0}),PageDown:()=>lx(n,1),PageUp:()=>lx(n,-1),"]":()=>cx(n,1),"[":()=>cx(n,-1)},l={"+":1,"=":1,"-":-1,_:-1,"*":10};t.canvas.addEventListener("keydown",c=>{if(!hx(c))return;let{selected:d}=n.store,u=h=>{c.preventDefault(),c.stopImmediatePropagation(),h()};if(Object.hasOwn(a,c.key))return u(a[c.key]);if(d?.joint){let h=l[c.key]??tp[c.key];h&&u(()=>UC(n,h*(c.shiftKey&&h**2===1?10:1)))}else e.shown()&&tp[c.key]&&u(()=>r(tp[c.key]))},{capture:!0}),vu(t.controls,t.canvas,()=>n.view.fit())}function ep(n,t,e={}){let i=gr("menu");t.id=i,t.classList.add("items");let s=De(n,()=>o(s.getAttribute("aria-expanded")!=="true"),{class:"opener","aria-expanded":"false","aria-controls":i,...e}),r=q("div",{class:"menu"},s,t);function o(a){if(s.setAttribute("aria-expanded",String(a)),r.classList.toggle("open",a),a){let{left:l,bottom:c}=s.getBoundingClientRect();t.style.setProperty("--left",`${Math.max(8,Math.min(l,innerWidth-250))}px`),t.style.setProperty("--top",`${c+4}px`),t.querySelector("button, input")?.focus()}}return r.addEventListener("keydown",a=>{a.key!=="Escape"||!r.classList.contains("open")||(a.stopPropagation(),o(!1),s.focus())}),addEventListener("pointerdown",({target:a})=>r.contains(a)||o(!1)),r.addEventListener("click",({target:a})=>{a.closest(".items")&&a.matches("button")&&o(!1)}),r}function FC(n){let t=q("div",{},rn("New",n.newWorld,{id:"new",title:"An empty world"}),De("Open",()=>n.openDialog(),{id:"open",title:"Worlds, scenes, digits, hands, objects (Ctrl+O)"}),rn("Save",n.save,{id:"save",title:"Save or download the world (Ctrl+S)"}),De("Import",()=>n.importFiles(),{id:"import",title:"Meshes, robots, worlds; or drop files onto the picture"})),e=ep("File",t);return e.classList.add("file"),e}function BC(n){let t=rn("Begin a film (WebM)",async()=>{t.textContent=await n.film()?"End the film":"Begin a film (WebM)"},{id:"film"});return ep("Export",q("div",{},rn("Picture (PNG)",n.savePicture,{id:"export-png"}),rn("Scene (glTF)",n.saveGltf,{id:"export-gltf"}),rn("Charts (SVG)",n.saveCharts,{id:"export-svg"}),t,De("Print the picture",()=>print())))}function kC(n){let{picture:t,view:e}=n,i=(r,o)=>{let a=oa({name:r,lower:0,upper:1,quantity:qr.share},l=>e.opacity(o,l));return a.set(t.bodies.opacities[o]),a},s=(r,o,a)=>Sl(r,o,a);return ep("View",q("div",{class:"view-menu"},i("skin","hands"),i("objects","objects"),s("grid",!0,e.grid),s("shadows",!0,e.shadows),s("names",!1,e.names),s("contacts",!0,r=>e.contacts("contacts",r)),s("friction cones",!0,r=>e.contacts("cones",r)),s("contact forces",!0,r=>e.contacts("forces",r)),s("tendons",!0,e.lines),s("arrows",!0,e.vectors),De("Show everything",()=>e.fit())))}function fx(n){let{store:t}=n,e=q("span",{class:"world-name"}),i=q("span",{class:"link",role:"status"}),s=rn("Undo",()=>n.ask("session.undo"),{id:"undo"}),r=rn("Redo",()=>n.ask("session.redo"),{id:"redo"}),o=q("header",{class:"bar"},q("h1",{},"thenar"),FC(n),q("div",{class:"group"},s,r),BC(n),kC(n),De("?",()=>n.help(),{id:"help","aria-label":"Help: all keys",title:"Help (?)"}),e,i),a=()=>{let{state:l,link:c}=t;s.disabled=!l?.undo,r.disabled=!l?.redo,s.title=l?.undo?`Undo: ${l.undo} (Ctrl+Z)`:"Nothing to undo",r.title=l?.redo?`Redo: ${l.redo} (Ctrl+Y)`:"Nothing to redo";let d=l?.world??{};e.textContent=[d.name??"",d.unsaved?"(not saved)":""].filter(Boolean).join(" "),document.title=d.name?`${d.name} \u2013 thenar`:"thenar";let u=(l?.clients??1)-1;i.className=c?"link on":"link off",i.textContent=c?u>0?`connected, with ${u} more`:"connected":"not connected"};return t.on(["state","link"],a),a(),o}var Il=n=>n?n.map(t=>Me(t,2)).join(", "):"n/a",px=(n,t)=>typeof n=="string"?n:n.name??[t+1,n.muscle].filter(Boolean).join(" "),zC=n=>Object.entries(n).filter(([t])=>t!=="name"&&t!=="joint").map(([t,e])=>[t.replaceAll("_"," "),Array.isArray(e)?Il(e):z0(e)]);function mx(n){let{store:t}=n,e=q("p",{class:"hint"},"No fit is open: start thenar view with a fit's file, or call fit.open."),i=Jn("Trial",async u=>{await n.ask("fit.trial",{trial:Number(u)}),d()}),s=q("div",{}),r=Zr(["trial","measured [N]","predicted [N]"],[],"Forces"),o=q("div",{}),a=q("div",{},i,An("This trial",s),An("All trials",r),An("Axes",o)),l=q("div",{class:"page fit"},e,a);function c(u){let h=u.trials??[],f=u.trial??0;i.set(h.map((m,x)=>({value:String(m.index??x),text:px(m,x)})),String(f));let p=h.find((m,x)=>(m.index??x)===f)??{},_=u.measured??p.measured,g=u.predicted??p.predicted;s.replaceChildren(Jr([["Measured",`${Il(_)} N`],["Predicted",`${Il(g)} N`]])),jr(r.querySelector("tbody"),h.map((m,x)=>[px(m,x),Il(m.measured),Il(m.predicted)])),o.replaceChildren(...(u.axes??[]).map((m,x)=>An(m.name??m.joint??`axis ${x+1}`,Jr(zC(m)))))}async function d(){let u=t.scene?.mode==="fit";if(e.hidden=u,a.hidden=!u,!u||l.hidden)return;let h=await n.ask("fit.state");h&&c(h)}return t.on(["scene","tab"],d),d(),l}var GC=new P(0,1,0);function Ll(n,t,e){return n.position.copy(t).add(e).multiplyScalar(.5),n.quaternion.setFromUnitVectors(GC,e.clone().sub(t).normalize()),n}function gx({a:n,b:t,radius:e},{material:i,size:s}){let r=new P(...n),o=new P(...t),a=new mt(new Ur(e??.02*s,r.distanceTo(o),8,20),i);return Ll(a,r,o),a.userData.labelAt=a.position.clone(),a}function _x({positions:n,radius:t},{material:e,size:i}){let s=new Or(new Bi(t??.008*i,12,8),e,n.length);return n.forEach((r,o)=>s.setMatrixAt(o,new ne().makeTranslation(...r))),s.userData.labelAt=new P(...n[0]??[0,0,0]),s}var VC=.5;function xx({tip:n,axis:t,radius:e},{color:i}){let s=new P(...n),r=s.clone().add(new P(...t)),o=new ci({color:i,transparent:!0,opacity:VC,side:Ye,depthWrite:!1}),a=s.distanceTo(r),l=Ll(new mt(new Fi(e,a,28,1,!0),o),r,s);return l.userData.labelAt=s,l}function yx(n,t,e,i,s){let r=t.clone().sub(n),o=r.length(),a=new Te;if(o===0)return a;let l=Math.min(i,.5*o),c=t.clone().addScaledVector(r,-l/o);return a.add(Ll(new mt(new ze(e,e,o-l,12),s),n,c)),a.add(Ll(new mt(new Fi(2.6*e,l,16),s),c,t)),a}function vx({from:n,vector:t,radius:e},{material:i,size:s}){let r=new P(...n),o=r.clone().add(new P(...t)),a=yx(r,o,e??.005*s,.035*s,i);return a.userData.labelAt=o,a}function Sx({point:n,direction:t,length:e},{material:i,size:s}){let r=new P(...t).normalize().multiplyScalar((e??.2*s)/2),o=new P(...n),a=o.clone().add(r),l=yx(o.clone().sub(r),a,.0035*s,.025*s,i);return l.userData.labelAt=a,l}var HC=.3,bx=Math.PI/2,wx={cylinder:([n,t])=>new ze(n,n,2*t,40,1,!0).rotateX(bx),sphere:([n])=>new Bi(n,32,20),ellipsoid:([n,t,e])=>new Bi(1,32,20).scale(n,t,e),capsule:([n,t])=>new Ur(n,2*t,12,32).rotateX(bx),torus:([n,t])=>new Ei(t,n,16,48)},vU=Object.keys(wx);function Mx({shape:n,size:[t,e=0,i=0]}){return n==="cylinder"?Math.hypot(t,e):n==="ellipsoid"?Math.max(t,e,i):n==="sphere"?t:t+e}function Ex({shape:n,size:t,center:e,axes:i},{color:s}){let r=new ci({color:s,transparent:!0,opacity:HC,side:Ye,depthWrite:!1}),o=new mt(wx[n](t),r),[a,l,c]=i.map(d=>new P(...d));return o.applyMatrix4(new ne().makeBasis(a,l,c).setPosition(...e)),o.userData.hull=!0,o.userData.labelAt=new P(...e),o}var WC=65536,XC=.62,ip=n=>Uint8Array.from(atob(n),t=>t.charCodeAt(0)).buffer;function $C(n){let t=new Uint8Array(ip(n)),e=new Float32Array(t.length),i=new Jt;for(let s=0;s<t.length;s+=3)i.setRGB(t[s]/255,t[s+1]/255,t[s+2]/255,"srgb").toArray(e,s);return e}function YC({vertices:n,origin:t,step:e,triangles:i,crease:s,colors:r}){let o=new Int16Array(ip(n)),a=Float32Array.from(o,(d,u)=>t[u%3]+e*d),l=a.length/3>WC?Uint32Array:Uint16Array,c=new we;if(c.setAttribute("position",new cn(a,3)),r&&c.setAttribute("color",new cn($C(r),3)),c.setIndex(new cn(new l(ip(i)),1)),s===void 0)c.computeVertexNormals();else return Qh(c,s*Math.PI/180);return c}var np=new WeakMap;function Ax(n){return np.has(n)||np.set(n,YC(n)),np.get(n)}function Tx({rotation:n,position:t=[0,0,0]}){let[e,i,s]=n??[[1,0,0],[0,1,0],[0,0,1]],[[r,o,a],[l,c,d],[u,h,f]]=[e,i,s],[p,_,g]=t;return new ne().set(r,o,a,p,l,c,d,_,u,h,f,g,0,0,0,1)}function Cx(n,t){let e=Tx(t),{position:i}=Ax(t.mesh).attributes,s=new P;for(let r=0;r<i.count;++r)n.expandByPoint(s.fromBufferAttribute(i,r).applyMatrix4(e))}function qC(n,t,e){n.solids??(n.solids=new Map);let i=`${t} ${e}`;return n.solids.has(i)||n.solids.set(i,new kr({color:e?16777215:n.color,vertexColors:e,roughness:XC,transparent:t<1,opacity:t,depthWrite:t===1,side:t<1?Ye:0})),n.solids.get(i)}function Rx(n,t){let{mesh:e,opacity:i=1}=n,s=new mt(Ax(e),qC(t,i,e.colors!==void 0));return s.applyMatrix4(Tx(n)),s.castShadow=s.receiveShadow=!0,s.userData.hull=i<1,s.geometry.computeBoundingSphere(),s.userData.labelAt=s.geometry.boundingSphere.center.clone().applyMatrix4(s.matrix),s}var ha=class extends br{constructor(){super(),this.isLineGeometry=!0,this.type="LineGeometry"}setPositions(t){let e=t.length-3,i=new Float32Array(2*e);for(let s=0;s<e;s+=3)i[2*s]=t[s],i[2*s+1]=t[s+1],i[2*s+2]=t[s+2],i[2*s+3]=t[s+3],i[2*s+4]=t[s+4],i[2*s+5]=t[s+5];return super.setPositions(i),this}setColors(t){let e=t.length-3,i=new Float32Array(2*e);for(let s=0;s<e;s+=3)i[2*s]=t[s],i[2*s+1]=t[s+1],i[2*s+2]=t[s+2],i[2*s+3]=t[s+3],i[2*s+4]=t[s+4],i[2*s+5]=t[s+5];return super.setColors(i),this}setFromPoints(t){let e=t.length-1,i=new Float32Array(6*e);for(let s=0;s<e;s++)i[6*s]=t[s].x,i[6*s+1]=t[s].y,i[6*s+2]=t[s].z||0,i[6*s+3]=t[s+1].x,i[6*s+4]=t[s+1].y,i[6*s+5]=t[s+1].z||0;return super.setPositions(i),this}fromLine(t){let e=t.geometry;return this.setPositions(e.attributes.position.array),this}};var Su=class extends aa{constructor(t=new ha,e=new _s({color:Math.random()*16777215})){super(t,e),this.isLine2=!0,this.type="Line2"}};var ZC=.35,jC=.15,JC=2.5;function KC(n,t){let e=new we;e.setAttribute("position",new ie(n.flat(),3)),e.setIndex(t.flat());let i=e.toNonIndexed();return i.computeVertexNormals(),i}function Px({vertices:n,faces:t},{color:e}){let i=KC(n,t),s=new Te,r=new ci({color:e,transparent:!0,opacity:ZC,side:Ye,depthWrite:!1});return s.add(new mt(i,r),new Bs(new Ka(i,5),new Ui({color:e}))),s.children[0].userData.hull=!0,i.computeBoundingSphere(),s.userData.labelAt=i.boundingSphere?.center??new P,s}function Ix({positions:n,dashed:t=!1,width:e=JC},{color:i,size:s}){if(n.length<2)return new Te;let r=new _s({color:i,linewidth:e*(globalThis.devicePixelRatio??1),dashed:t,dashSize:.015*s,gapSize:.01*s}),o=new Su(new ha().setPositions(n.flat()),r);return o.computeLineDistances(),o.userData.labelAt=new P(...n[Math.floor(n.length/2)]),o}function Lx({positions:n,opacity:t=jC},{color:e}){let i=new we;i.setAttribute("position",new ie(n.flat(),3));let s=new Ui({color:e,transparent:!0,opacity:t,depthWrite:!1}),r=new Bs(i,s);return r.userData.labelAt=new P(...n[0]??[0,0,0]),r}var QC={segment:gx,axis:Sx,arrow:vx,hull:Px,points:_x,line:Ix,lines:Lx,surface:Ex,mesh:Rx,cone:xx},bu=n=>n!==null&&typeof n=="object"?Object.entries(n).every(([t,e])=>t==="label"||bu(e)):n!==null&&!Number.isNaN(n);function tR(n){let t=new Map;return e=>(t.has(e)||t.set(e,{color:new Jt(e),material:new ci({color:e}),size:n}),t.get(e))}function eR(n,t){let e=new Te,i=[],s=tR(t),r=n.items.filter(bu);for(let o of r){let a=QC[o.kind](o,s(o.color??n.color));e.add(a),o.label&&i.push({position:a.userData.labelAt,text:o.label})}return e.name=n.name,e.visible=n.visible!==!1,{group:e,labels:i,name:n.name,color:n.color,time:n.time??null,lost:n.items.length-r.length}}var Dx=(n,t)=>n.map(e=>eR(e,t));var sp=(n,t,e)=>n.map((i,s)=>i+e*t[s]);function nR(n){let t=Math.hypot(...n)||1;return n.map(e=>e/t)}function iR(n){return n.kind==="segment"?[n.a,n.b]:n.kind==="arrow"?[n.from,sp(n.from,n.vector,1)]:n.kind==="cone"?[n.tip,sp(n.tip,n.axis,1)]:n.kind==="axis"?[-.5,.5].map(t=>sp(n.point,nR(n.direction),t*(n.length??0))):n.kind==="surface"?[-1,1].map(t=>n.center.map(e=>e+t*Mx(n))):n.vertices??n.positions}function Nx(n){let t=new Qe,e=new P,i=n.filter(({fit:s})=>s!==!1);for(let s of i.flatMap(r=>r.items).filter(bu)){if(s.kind==="mesh"){Cx(t,s);continue}for(let r of iR(s))t.expandByPoint(e.fromArray(r));if(s.radius&&s.kind==="segment")for(let r of[s.a,s.b])for(let o of[-1,1])t.expandByPoint(e.fromArray(r).addScalar(o*s.radius))}return t}var Ox=n=>n.isEmpty()?1:n.getSize(new P).length()||1;var Mr=class n{constructor(t,e,i,s,r="div"){this.parent=t,this.object=e,this.property=i,this._disabled=!1,this._hidden=!1,this.initialValue=this.getValue(),this.domElement=document.createElement(r),this.domElement.classList.add("lil-controller"),this.domElement.classList.add(s),this.$name=document.createElement("div"),this.$name.classList.add("lil-name"),n.nextNameID=n.nextNameID||0,this.$name.id=`lil-gui-name-${++n.nextNameID}`,this.$widget=document.createElement("div"),this.$widget.classList.add("lil-widget"),this.$disable=this.$widget,this.domElement.appendChild(this.$name),this.domElement.appendChild(this.$widget),this.domElement.addEventListener("keydown",o=>o.stopPropagation()),this.domElement.addEventListener("keyup",o=>o.stopPropagation()),this.parent.children.push(this),this.parent.controllers.push(this),this.parent.$children.appendChild(this.domElement),this._listenCallback=this._listenCallback.bind(this),this.name(i)}name(t){return this._name=t,this.$name.textContent=t,this}onChange(t){return this._onChange=t,this}_callOnChange(){this.parent._callOnChange(this),this._onChange!==void 0&&this._onChange.call(this,this.getValue()),this._changed=!0}onFinishChange(t){return this._onFinishChange=t,this}_callOnFinishChange(){this._changed&&(this.parent._callOnFinishChange(this),this._onFinishChange!==void 0&&this._onFinishChange.call(this,this.getValue())),this._changed=!1}reset(){return this.setValue(this.initialValue),this._callOnFinishChange(),this}enable(t=!0){return this.disable(!t)}disable(t=!0){return t===this._disabled?this:(this._disabled=t,this.domElement.classList.toggle("lil-disabled",t),this.$disable.toggleAttribute("disabled",t),this)}show(t=!0){return this._hidden=!t,this.domElement.style.display=this._hidden?"none":"",this}hide(){return this.show(!1)}options(t){let e=this.parent.add(this.object,this.property,t);return e.name(this._name),this.destroy(),e}min(t){return this}max(t){return this}step(t){return this}decimals(t){return this}listen(t=!0){return this._listening=t,this._listenCallbackID!==void 0&&(cancelAnimationFrame(this._listenCallbackID),this._listenCallbackID=void 0),this._listening&&this._listenCallback(),this}_listenCallback(){this._listenCallbackID=requestAnimationFrame(this._listenCallback);let t=this.save();t!==this._listenPrevValue&&this.updateDisplay(),this._listenPrevValue=t}getValue(){return this.object[this.property]}setValue(t){return this.getValue()!==t&&(this.object[this.property]=t,this._callOnChange(),this.updateDisplay()),this}updateDisplay(){return this}load(t){return this.setValue(t),this._callOnFinishChange(),this}save(){return this.getValue()}destroy(){this.listen(!1),this.parent.children.splice(this.parent.children.indexOf(this),1),this.parent.controllers.splice(this.parent.controllers.indexOf(this),1),this.parent.$children.removeChild(this.domElement)}},rp=class extends Mr{constructor(t,e,i){super(t,e,i,"lil-boolean","label"),this.$input=document.createElement("input"),this.$input.setAttribute("type","checkbox"),this.$input.setAttribute("aria-labelledby",this.$name.id),this.$widget.appendChild(this.$input),this.$input.addEventListener("change",()=>{this.setValue(this.$input.checked),this._callOnFinishChange()}),this.$disable=this.$input,this.updateDisplay()}updateDisplay(){return this.$input.checked=this.getValue(),this}};function op(n){let t,e;return(t=n.match(/(#|0x)?([a-f0-9]{6})/i))?e=t[2]:(t=n.match(/rgb\(\s*(\d*)\s*,\s*(\d*)\s*,\s*(\d*)\s*\)/))?e=parseInt(t[1]).toString(16).padStart(2,0)+parseInt(t[2]).toString(16).padStart(2,0)+parseInt(t[3]).toString(16).padStart(2,0):(t=n.match(/^#?([a-f0-9])([a-f0-9])([a-f0-9])$/i))&&(e=t[1]+t[1]+t[2]+t[2]+t[3]+t[3]),e?"#"+e:!1}var sR={isPrimitive:!0,match:n=>typeof n=="string",fromHexString:op,toHexString:op},Nl={isPrimitive:!0,match:n=>typeof n=="number",fromHexString:n=>parseInt(n.substring(1),16),toHexString:n=>"#"+n.toString(16).padStart(6,0)},rR={isPrimitive:!1,match:n=>Array.isArray(n)||ArrayBuffer.isView(n),fromHexString(n,t,e=1){let i=Nl.fromHexString(n);t[0]=(i>>16&255)/255*e,t[1]=(i>>8&255)/255*e,t[2]=(i&255)/255*e},toHexString([n,t,e],i=1){i=255/i;let s=n*i<<16^t*i<<8^e*i<<0;return Nl.toHexString(s)}},oR={isPrimitive:!1,match:n=>Object(n)===n,fromHexString(n,t,e=1){let i=Nl.fromHexString(n);t.r=(i>>16&255)/255*e,t.g=(i>>8&255)/255*e,t.b=(i&255)/255*e},toHexString({r:n,g:t,b:e},i=1){i=255/i;let s=n*i<<16^t*i<<8^e*i<<0;return Nl.toHexString(s)}},aR=[sR,Nl,rR,oR];function lR(n){return aR.find(t=>t.match(n))}var ap=class extends Mr{constructor(t,e,i,s){super(t,e,i,"lil-color"),this.$input=document.createElement("input"),this.$input.setAttribute("type","color"),this.$input.setAttribute("tabindex",-1),this.$input.setAttribute("aria-labelledby",this.$name.id),this.$text=document.createElement("input"),this.$text.setAttribute("type","text"),this.$text.setAttribute("spellcheck","false"),this.$text.setAttribute("aria-labelledby",this.$name.id),this.$display=document.createElement("div"),this.$display.classList.add("lil-display"),this.$display.appendChild(this.$input),this.$widget.appendChild(this.$display),this.$widget.appendChild(this.$text),this._format=lR(this.initialValue),this._rgbScale=s,this._initialValueHexString=this.save(),this._textFocused=!1,this.$input.addEventListener("input",()=>{this._setValueFromHexString(this.$input.value)}),this.$input.addEventListener("blur",()=>{this._callOnFinishChange()}),this.$text.addEventListener("input",()=>{let r=op(this.$text.value);r&&this._setValueFromHexString(r)}),this.$text.addEventListener("focus",()=>{this._textFocused=!0,this.$text.select()}),this.$text.addEventListener("blur",()=>{this._textFocused=!1,this.updateDisplay(),this._callOnFinishChange()}),this.$disable=this.$text,this.updateDisplay()}reset(){return this._setValueFromHexString(this._initialValueHexString),this}_setValueFromHexString(t){if(this._format.isPrimitive){let e=this._format.fromHexString(t);this.setValue(e)}else this._format.fromHexString(t,this.getValue(),this._rgbScale),this._callOnChange(),this.updateDisplay()}save(){return this._format.toHexString(this.getValue(),this._rgbScale)}load(t){return this._setValueFromHexString(t),this._callOnFinishChange(),this}updateDisplay(){return this.$input.value=this._format.toHexString(this.getValue(),this._rgbScale),this._textFocused||(this.$text.value=this.$input.value.substring(1)),this.$display.style.backgroundColor=this.$input.value,this}},Dl=class extends Mr{constructor(t,e,i){super(t,e,i,"lil-function"),this.$button=document.createElement("button"),this.$button.appendChild(this.$name),this.$widget.appendChild(this.$button),this.$button.addEventListener("click",s=>{s.preventDefault(),this.getValue().call(this.object),this._callOnChange()}),this.$button.addEventListener("touchstart",()=>{},{passive:!0}),this.$disable=this.$button}},lp=class extends Mr{constructor(t,e,i,s,r,o){super(t,e,i,"lil-number"),this._initInput(),this.min(s),this.max(r);let a=o!==void 0;this.step(a?o:this._getImplicitStep(),a),this.updateDisplay()}decimals(t){return this._decimals=t,this.updateDisplay(),this}min(t){return this._min=t,this._onUpdateMinMax(),this}max(t){return this._max=t,this._onUpdateMinMax(),this}step(t,e=!0){return this._step=t,this._stepExplicit=e,this}updateDisplay(){let t=this.getValue();if(this._hasSlider){let e=(t-this._min)/(this._max-this._min);e=Math.max(0,Math.min(e,1)),this.$fill.style.width=e*100+"%"}return this._inputFocused||(this.$input.value=this._decimals===void 0?t:t.toFixed(this._decimals)),this}_initInput(){this.$input=document.createElement("input"),this.$input.setAttribute("type","text"),this.$input.setAttribute("aria-labelledby",this.$name.id),window.matchMedia("(pointer: coarse)").matches&&(this.$input.setAttribute("type","number"),this.$input.setAttribute("step","any")),this.$widget.appendChild(this.$input),this.$disable=this.$input;let e=()=>{let x=parseFloat(this.$input.value);isNaN(x)||(this._stepExplicit&&(x=this._snap(x)),this.setValue(this._clamp(x)))},i=x=>{let b=parseFloat(this.$input.value);isNaN(b)||(this._snapClampSetValue(b+x),this.$input.value=this.getValue())},s=x=>{x.key==="Enter"&&this.$input.blur(),x.code==="ArrowUp"&&(x.preventDefault(),i(this._step*this._arrowKeyMultiplier(x))),x.code==="ArrowDown"&&(x.preventDefault(),i(this._step*this._arrowKeyMultiplier(x)*-1))},r=x=>{this._inputFocused&&(x.preventDefault(),i(this._step*this._normalizeMouseWheel(x)))},o=!1,a,l,c,d,u,h=5,f=x=>{a=x.clientX,l=c=x.clientY,o=!0,d=this.getValue(),u=0,window.addEventListener("mousemove",p),window.addEventListener("mouseup",_)},p=x=>{if(o){let b=x.clientX-a,y=x.clientY-l;Math.abs(y)>h?(x.preventDefault(),this.$input.blur(),o=!1,this._setDraggingStyle(!0,"vertical")):Math.abs(b)>h&&_()}if(!o){let b=x.clientY-c;u-=b*this._step*this._arrowKeyMultiplier(x),d+u>this._max?u=this._max-d:d+u<this._min&&(u=this._min-d),this._snapClampSetValue(d+u)}c=x.clientY},_=()=>{this._setDraggingStyle(!1,"vertical"),this._callOnFinishChange(),window.removeEventListener("mousemove",p),window.removeEventListener("mouseup",_)},g=()=>{this._inputFocused=!0},m=()=>{this._inputFocused=!1,this.updateDisplay(),this._callOnFinishChange()};this.$input.addEventListener("input",e),this.$input.addEventListener("keydown",s),this.$input.addEventListener("wheel",r,{passive:!1}),this.$input.addEventListener("mousedown",f),this.$input.addEventListener("focus",g),this.$input.addEventListener("blur",m)}_initSlider(){this._hasSlider=!0,this.$slider=document.createElement("div"),this.$slider.classList.add("lil-slider"),this.$fill=document.createElement("div"),this.$fill.classList.add("lil-fill"),this.$slider.appendChild(this.$fill),this.$widget.insertBefore(this.$slider,this.$input),this.domElement.classList.add("lil-has-slider");let t=(m,x,b,y,C)=>(m-x)/(b-x)*(C-y)+y,e=m=>{let x=this.$slider.getBoundingClientRect(),b=t(m,x.left,x.right,this._min,this._max);this._snapClampSetValue(b)},i=m=>{this._setDraggingStyle(!0),e(m.clientX),window.addEventListener("mousemove",s),window.addEventListener("mouseup",r)},s=m=>{e(m.clientX)},r=()=>{this._callOnFinishChange(),this._setDraggingStyle(!1),window.removeEventListener("mousemove",s),window.removeEventListener("mouseup",r)},o=!1,a,l,c=m=>{m.preventDefault(),this._setDraggingStyle(!0),e(m.touches[0].clientX),o=!1},d=m=>{m.touches.length>1||(this._hasScrollBar?(a=m.touches[0].clientX,l=m.touches[0].clientY,o=!0):c(m),window.addEventListener("touchmove",u,{passive:!1}),window.addEventListener("touchend",h))},u=m=>{if(o){let x=m.touches[0].clientX-a,b=m.touches[0].clientY-l;Math.abs(x)>Math.abs(b)?c(m):(window.removeEventListener("touchmove",u),window.removeEventListener("touchend",h))}else m.preventDefault(),e(m.touches[0].clientX)},h=()=>{this._callOnFinishChange(),this._setDraggingStyle(!1),window.removeEventListener("touchmove",u),window.removeEventListener("touchend",h)},f=this._callOnFinishChange.bind(this),p=400,_,g=m=>{if(Math.abs(m.deltaX)<Math.abs(m.deltaY)&&this._hasScrollBar)return;m.preventDefault();let b=this._normalizeMouseWheel(m)*this._step;this._snapClampSetValue(this.getValue()+b),this.$input.value=this.getValue(),clearTimeout(_),_=setTimeout(f,p)};this.$slider.addEventListener("mousedown",i),this.$slider.addEventListener("touchstart",d,{passive:!1}),this.$slider.addEventListener("wheel",g,{passive:!1})}_setDraggingStyle(t,e="horizontal"){this.$slider&&this.$slider.classList.toggle("lil-active",t),document.body.classList.toggle("lil-dragging",t),document.body.classList.toggle(`lil-${e}`,t)}_getImplicitStep(){return this._hasMin&&this._hasMax?(this._max-this._min)/1e3:.1}_onUpdateMinMax(){!this._hasSlider&&this._hasMin&&this._hasMax&&(this._stepExplicit||this.step(this._getImplicitStep(),!1),this._initSlider(),this.updateDisplay())}_normalizeMouseWheel(t){let{deltaX:e,deltaY:i}=t;return Math.floor(t.deltaY)!==t.deltaY&&t.wheelDelta&&(e=0,i=-t.wheelDelta/120,i*=this._stepExplicit?1:10),e+-i}_arrowKeyMultiplier(t){let e=this._stepExplicit?1:10;return t.shiftKey?e*=10:t.altKey&&(e/=10),e}_snap(t){let e=0;return this._hasMin?e=this._min:this._hasMax&&(e=this._max),t-=e,t=Math.round(t/this._step)*this._step,t+=e,t=parseFloat(t.toPrecision(15)),t}_clamp(t){return t<this._min&&(t=this._min),t>this._max&&(t=this._max),t}_snapClampSetValue(t){this.setValue(this._clamp(this._snap(t)))}get _hasScrollBar(){let t=this.parent.root.$children;return t.scrollHeight>t.clientHeight}get _hasMin(){return this._min!==void 0}get _hasMax(){return this._max!==void 0}},cp=class extends Mr{constructor(t,e,i,s){super(t,e,i,"lil-option"),this.$select=document.createElement("select"),this.$select.setAttribute("aria-labelledby",this.$name.id),this.$display=document.createElement("div"),this.$display.classList.add("lil-display"),this.$select.addEventListener("change",()=>{this.setValue(this._values[this.$select.selectedIndex]),this._callOnFinishChange()}),this.$select.addEventListener("focus",()=>{this.$display.classList.add("lil-focus")}),this.$select.addEventListener("blur",()=>{this.$display.classList.remove("lil-focus")}),this.$widget.appendChild(this.$select),this.$widget.appendChild(this.$display),this.$disable=this.$select,this.options(s)}options(t){return this._values=Array.isArray(t)?t:Object.values(t),this._names=Array.isArray(t)?t:Object.keys(t),this.$select.replaceChildren(),this._names.forEach(e=>{let i=document.createElement("option");i.textContent=e,this.$select.appendChild(i)}),this.updateDisplay(),this}updateDisplay(){let t=this.getValue(),e=this._values.indexOf(t);return this.$select.selectedIndex=e,this.$display.textContent=e===-1?t:this._names[e],this}},hp=class extends Mr{constructor(t,e,i){super(t,e,i,"lil-string"),this.$input=document.createElement("input"),this.$input.setAttribute("type","text"),this.$input.setAttribute("spellcheck","false"),this.$input.setAttribute("aria-labelledby",this.$name.id),this.$input.addEventListener("input",()=>{this.setValue(this.$input.value)}),this.$input.addEventListener("keydown",s=>{s.code==="Enter"&&this.$input.blur()}),this.$input.addEventListener("blur",()=>{this._callOnFinishChange()}),this.$widget.appendChild(this.$input),this.$disable=this.$input,this.updateDisplay()}updateDisplay(){return this.$input.value=this.getValue(),this}},cR=`.lil-gui {
+  font-family: var(--font-family);
+  font-size: var(--font-size);
+  line-height: 1;
+  font-weight: normal;
+  font-style: normal;
+  text-align: left;
+  color: var(--text-color);
+  user-select: none;
+  -webkit-user-select: none;
+  touch-action: manipulation;
+  --background-color: #1f1f1f;
+  --text-color: #ebebeb;
+  --title-background-color: #111111;
+  --title-text-color: #ebebeb;
+  --widget-color: #424242;
+  --hover-color: #4f4f4f;
+  --focus-color: #595959;
+  --number-color: #2cc9ff;
+  --string-color: #a2db3c;
+  --font-size: 11px;
+  --input-font-size: 11px;
+  --font-family: -apple-system, BlinkMacSystemFont, "Segoe UI", Roboto, Arial, sans-serif;
+  --font-family-mono: Menlo, Monaco, Consolas, "Droid Sans Mono", monospace;
+  --padding: 4px;
+  --spacing: 4px;
+  --widget-height: 20px;
+  --title-height: calc(var(--widget-height) + var(--spacing) * 1.25);
+  --name-width: 45%;
+  --slider-knob-width: 2px;
+  --slider-input-width: 27%;
+  --color-input-width: 27%;
+  --slider-input-min-width: 45px;
+  --color-input-min-width: 45px;
+  --folder-indent: 7px;
+  --widget-padding: 0 0 0 3px;
+  --widget-border-radius: 2px;
+  --checkbox-size: calc(0.75 * var(--widget-height));
+  --scrollbar-width: 5px;
+}
+.lil-gui, .lil-gui * {
+  box-sizing: border-box;
+  margin: 0;
+  padding: 0;
+}
+.lil-gui.lil-root {
+  width: var(--width, 245px);
+  display: flex;
+  flex-direction: column;
+  background: var(--background-color);
+}
+.lil-gui.lil-root > .lil-title {
+  background: var(--title-background-color);
+  color: var(--title-text-color);
+}
+.lil-gui.lil-root > .lil-children {
+  overflow-x: hidden;
+  overflow-y: auto;
+}
+.lil-gui.lil-root > .lil-children::-webkit-scrollbar {
+  width: var(--scrollbar-width);
+  height: var(--scrollbar-width);
+  background: var(--background-color);
+}
+.lil-gui.lil-root > .lil-children::-webkit-scrollbar-thumb {
+  border-radius: var(--scrollbar-width);
+  background: var(--focus-color);
+}
+@media (pointer: coarse) {
+  .lil-gui.lil-allow-touch-styles, .lil-gui.lil-allow-touch-styles .lil-gui {
+    --widget-height: 28px;
+    --padding: 6px;
+    --spacing: 6px;
+    --font-size: 13px;
+    --input-font-size: 16px;
+    --folder-indent: 10px;
+    --scrollbar-width: 7px;
+    --slider-input-min-width: 50px;
+    --color-input-min-width: 65px;
+  }
+}
+.lil-gui.lil-force-touch-styles, .lil-gui.lil-force-touch-styles .lil-gui {
+  --widget-height: 28px;
+  --padding: 6px;
+  --spacing: 6px;
+  --font-size: 13px;
+  --input-font-size: 16px;
+  --folder-indent: 10px;
+  --scrollbar-width: 7px;
+  --slider-input-min-width: 50px;
+  --color-input-min-width: 65px;
+}
+.lil-gui.lil-auto-place, .lil-gui.autoPlace {
+  max-height: 100%;
+  position: fixed;
+  top: 0;
+  right: 15px;
+  z-index: 1001;
+}
+
+.lil-controller {
+  display: flex;
+  align-items: center;
+  padding: 0 var(--padding);
+  margin: var(--spacing) 0;
+}
+.lil-controller.lil-disabled {
+  opacity: 0.5;
+}
+.lil-controller.lil-disabled, .lil-controller.lil-disabled * {
+  pointer-events: none !important;
+}
+.lil-controller > .lil-name {
+  min-width: var(--name-width);
+  flex-shrink: 0;
+  white-space: pre;
+  padding-right: var(--spacing);
+  line-height: var(--widget-height);
+}
+.lil-controller .lil-widget {
+  position: relative;
+  display: flex;
+  align-items: center;
+  width: 100%;
+  min-height: var(--widget-height);
+}
+.lil-controller.lil-string input {
+  color: var(--string-color);
+}
+.lil-controller.lil-boolean {
+  cursor: pointer;
+}
+.lil-controller.lil-color .lil-display {
+  width: 100%;
+  height: var(--widget-height);
+  border-radius: var(--widget-border-radius);
+  position: relative;
+}
+@media (hover: hover) {
+  .lil-controller.lil-color .lil-display:hover:before {
+    content: " ";
+    display: block;
+    position: absolute;
+    border-radius: var(--widget-border-radius);
+    border: 1px solid #fff9;
+    top: 0;
+    right: 0;
+    bottom: 0;
+    left: 0;
+  }
+}
+.lil-controller.lil-color input[type=color] {
+  opacity: 0;
+  width: 100%;
+  height: 100%;
+  cursor: pointer;
+}
+.lil-controller.lil-color input[type=text] {
+  margin-left: var(--spacing);
+  font-family: var(--font-family-mono);
+  min-width: var(--color-input-min-width);
+  width: var(--color-input-width);
+  flex-shrink: 0;
+}
+.lil-controller.lil-option select {
+  opacity: 0;
+  position: absolute;
+  width: 100%;
+  max-width: 100%;
+}
+.lil-controller.lil-option .lil-display {
+  position: relative;
+  pointer-events: none;
+  border-radius: var(--widget-border-radius);
+  height: var(--widget-height);
+  line-height: var(--widget-height);
+  max-width: 100%;
+  overflow: hidden;
+  word-break: break-all;
+  padding-left: 0.55em;
+  padding-right: 1.75em;
+  background: var(--widget-color);
+}
+@media (hover: hover) {
+  .lil-controller.lil-option .lil-display.lil-focus {
+    background: var(--focus-color);
+  }
+}
+.lil-controller.lil-option .lil-display.lil-active {
+  background: var(--focus-color);
+}
+.lil-controller.lil-option .lil-display:after {
+  font-family: "lil-gui";
+  content: "\u2195";
+  position: absolute;
+  top: 0;
+  right: 0;
+  bottom: 0;
+  padding-right: 0.375em;
+}
+.lil-controller.lil-option .lil-widget,
+.lil-controller.lil-option select {
+  cursor: pointer;
+}
+@media (hover: hover) {
+  .lil-controller.lil-option .lil-widget:hover .lil-display {
+    background: var(--hover-color);
+  }
+}
+.lil-controller.lil-number input {
+  color: var(--number-color);
+}
+.lil-controller.lil-number.lil-has-slider input {
+  margin-left: var(--spacing);
+  width: var(--slider-input-width);
+  min-width: var(--slider-input-min-width);
+  flex-shrink: 0;
+}
+.lil-controller.lil-number .lil-slider {
+  width: 100%;
+  height: var(--widget-height);
+  background: var(--widget-color);
+  border-radius: var(--widget-border-radius);
+  padding-right: var(--slider-knob-width);
+  overflow: hidden;
+  cursor: ew-resize;
+  touch-action: pan-y;
+}
+@media (hover: hover) {
+  .lil-controller.lil-number .lil-slider:hover {
+    background: var(--hover-color);
+  }
+}
+.lil-controller.lil-number .lil-slider.lil-active {
+  background: var(--focus-color);
+}
+.lil-controller.lil-number .lil-slider.lil-active .lil-fill {
+  opacity: 0.95;
+}
+.lil-controller.lil-number .lil-fill {
+  height: 100%;
+  border-right: var(--slider-knob-width) solid var(--number-color);
+  box-sizing: content-box;
+}
+
+.lil-dragging .lil-gui {
+  --hover-color: var(--widget-color);
+}
+.lil-dragging * {
+  cursor: ew-resize !important;
+}
+.lil-dragging.lil-vertical * {
+  cursor: ns-resize !important;
+}
+
+.lil-gui .lil-title {
+  height: var(--title-height);
+  font-weight: 600;
+  padding: 0 var(--padding);
+  width: 100%;
+  text-align: left;
+  background: none;
+  text-decoration-skip: objects;
+}
+.lil-gui .lil-title:before {
+  font-family: "lil-gui";
+  content: "\u25BE";
+  padding-right: 2px;
+  display: inline-block;
+}
+.lil-gui .lil-title:active {
+  background: var(--title-background-color);
+  opacity: 0.75;
+}
+@media (hover: hover) {
+  body:not(.lil-dragging) .lil-gui .lil-title:hover {
+    background: var(--title-background-color);
+    opacity: 0.85;
+  }
+  .lil-gui .lil-title:focus {
+    text-decoration: underline var(--focus-color);
+  }
+}
+.lil-gui.lil-root > .lil-title:focus {
+  text-decoration: none !important;
+}
+.lil-gui.lil-closed > .lil-title:before {
+  content: "\u25B8";
+}
+.lil-gui.lil-closed > .lil-children {
+  transform: translateY(-7px);
+  opacity: 0;
+}
+.lil-gui.lil-closed:not(.lil-transition) > .lil-children {
+  display: none;
+}
+.lil-gui.lil-transition > .lil-children {
+  transition-duration: 300ms;
+  transition-property: height, opacity, transform;
+  transition-timing-function: cubic-bezier(0.2, 0.6, 0.35, 1);
+  overflow: hidden;
+  pointer-events: none;
+}
+.lil-gui .lil-children:empty:before {
+  content: "Empty";
+  padding: 0 var(--padding);
+  margin: var(--spacing) 0;
+  display: block;
+  height: var(--widget-height);
+  font-style: italic;
+  line-height: var(--widget-height);
+  opacity: 0.5;
+}
+.lil-gui.lil-root > .lil-children > .lil-gui > .lil-title {
+  border: 0 solid var(--widget-color);
+  border-width: 1px 0;
+  transition: border-color 300ms;
+}
+.lil-gui.lil-root > .lil-children > .lil-gui.lil-closed > .lil-title {
+  border-bottom-color: transparent;
+}
+.lil-gui + .lil-controller {
+  border-top: 1px solid var(--widget-color);
+  margin-top: 0;
+  padding-top: var(--spacing);
+}
+.lil-gui .lil-gui .lil-gui > .lil-title {
+  border: none;
+}
+.lil-gui .lil-gui .lil-gui > .lil-children {
+  border: none;
+  margin-left: var(--folder-indent);
+  border-left: 2px solid var(--widget-color);
+}
+.lil-gui .lil-gui .lil-controller {
+  border: none;
+}
+
+.lil-gui label, .lil-gui input, .lil-gui button {
+  -webkit-tap-highlight-color: transparent;
+}
+.lil-gui input {
+  border: 0;
+  outline: none;
+  font-family: var(--font-family);
+  font-size: var(--input-font-size);
+  border-radius: var(--widget-border-radius);
+  height: var(--widget-height);
+  background: var(--widget-color);
+  color: var(--text-color);
+  width: 100%;
+}
+@media (hover: hover) {
+  .lil-gui input:hover {
+    background: var(--hover-color);
+  }
+  .lil-gui input:active {
+    background: var(--focus-color);
+  }
+}
+.lil-gui input:disabled {
+  opacity: 1;
+}
+.lil-gui input[type=text],
+.lil-gui input[type=number] {
+  padding: var(--widget-padding);
+  -moz-appearance: textfield;
+}
+.lil-gui input[type=text]:focus,
+.lil-gui input[type=number]:focus {
+  background: var(--focus-color);
+}
+.lil-gui input[type=checkbox] {
+  appearance: none;
+  width: var(--checkbox-size);
+  height: var(--checkbox-size);
+  border-radius: var(--widget-border-radius);
+  text-align: center;
+  cursor: pointer;
+}
+.lil-gui input[type=checkbox]:checked:before {
+  font-family: "lil-gui";
+  content: "\u2713";
+  font-size: var(--checkbox-size);
+  line-height: var(--checkbox-size);
+}
+@media (hover: hover) {
+  .lil-gui input[type=checkbox]:focus {
+    box-shadow: inset 0 0 0 1px var(--focus-color);
+  }
+}
+.lil-gui button {
+  outline: none;
+  cursor: pointer;
+  font-family: var(--font-family);
+  font-size: var(--font-size);
+  color: var(--text-color);
+  width: 100%;
+  border: none;
+}
+.lil-gui .lil-controller button {
+  height: var(--widget-height);
+  text-transform: none;
+  background: var(--widget-color);
+  border-radius: var(--widget-border-radius);
+}
+@media (hover: hover) {
+  .lil-gui .lil-controller button:hover {
+    background: var(--hover-color);
+  }
+  .lil-gui .lil-controller button:focus {
+    box-shadow: inset 0 0 0 1px var(--focus-color);
+  }
+}
+.lil-gui .lil-controller button:active {
+  background: var(--focus-color);
+}
+
+@font-face {
+  font-family: "lil-gui";
+  src: url("data:application/font-woff2;charset=utf-8;base64,d09GMgABAAAAAALkAAsAAAAABtQAAAKVAAEAAAAAAAAAAAAAAAAAAAAAAAAAAAAAHFQGYACDMgqBBIEbATYCJAMUCwwABCAFhAoHgQQbHAbIDiUFEYVARAAAYQTVWNmz9MxhEgodq49wYRUFKE8GWNiUBxI2LBRaVnc51U83Gmhs0Q7JXWMiz5eteLwrKwuxHO8VFxUX9UpZBs6pa5ABRwHA+t3UxUnH20EvVknRerzQgX6xC/GH6ZUvTcAjAv122dF28OTqCXrPuyaDER30YBA1xnkVutDDo4oCi71Ca7rrV9xS8dZHbPHefsuwIyCpmT7j+MnjAH5X3984UZoFFuJ0yiZ4XEJFxjagEBeqs+e1iyK8Xf/nOuwF+vVK0ur765+vf7txotUi0m3N0m/84RGSrBCNrh8Ee5GjODjF4gnWP+dJrH/Lk9k4oT6d+gr6g/wssA2j64JJGP6cmx554vUZnpZfn6ZfX2bMwPPrlANsB86/DiHjhl0OP+c87+gaJo/gY084s3HoYL/ZkWHTRfBXvvoHnnkHvngKun4KBE/ede7tvq3/vQOxDXB1/fdNz6XbPdcr0Vhpojj9dG+owuSKFsslCi1tgEjirjXdwMiov2EioadxmqTHUCIwo8NgQaeIasAi0fTYSPTbSmwbMOFduyh9wvBrESGY0MtgRjtgQR8Q1bRPohn2UoCRZf9wyYANMXFeJTysqAe0I4mrherOekFdKMrYvJjLvOIUM9SuwYB5DVZUwwVjJJOaUnZCmcEkIZZrKqNvRGRMvmFZsmhP4VMKCSXBhSqUBxgMS7h0cZvEd71AWkEhGWaeMFcNnpqyJkyXgYL7PQ1MoSq0wDAkRtJIijkZSmqYTiSImfLiSWXIZwhRh3Rug2X0kk1Dgj+Iu43u5p98ghopcpSo0Uyc8SnjlYX59WUeaMoDqmVD2TOWD9a4pCRAzf2ECgwGcrHjPOWY9bNxq/OL3I/QjwEAAAA=") format("woff2");
+}`;function hR(n){let t=document.createElement("style");t.innerHTML=n;let e=document.querySelector("head link[rel=stylesheet], head style");e?document.head.insertBefore(t,e):document.head.appendChild(t)}var Ux=!1,wu=class n{constructor({parent:t,autoPlace:e=t===void 0,container:i,width:s,title:r="Controls",closeFolders:o=!1,injectStyles:a=!0,touchStyles:l=!0}={}){if(this.parent=t,this.root=t?t.root:this,this.children=[],this.controllers=[],this.folders=[],this._closed=!1,this._hidden=!1,this.domElement=document.createElement("div"),this.domElement.classList.add("lil-gui"),this.$title=document.createElement("button"),this.$title.classList.add("lil-title"),this.$title.setAttribute("aria-expanded",!0),this.$title.addEventListener("click",()=>this.openAnimated(this._closed)),this.$title.addEventListener("touchstart",()=>{},{passive:!0}),this.$children=document.createElement("div"),this.$children.classList.add("lil-children"),this.domElement.appendChild(this.$title),this.domElement.appendChild(this.$children),this.title(r),this.parent){this.parent.children.push(this),this.parent.folders.push(this),this.parent.$children.appendChild(this.domElement);return}this.domElement.classList.add("lil-root"),l&&this.domElement.classList.add("lil-allow-touch-styles"),!Ux&&a&&(hR(cR),Ux=!0),i?i.appendChild(this.domElement):e&&(this.domElement.classList.add("lil-auto-place","autoPlace"),document.body.appendChild(this.domElement)),s&&this.domElement.style.setProperty("--width",s+"px"),this._closeFolders=o}add(t,e,i,s,r){if(Object(i)===i)return new cp(this,t,e,i);let o=t[e];switch(typeof o){case"number":return new lp(this,t,e,i,s,r);case"boolean":return new rp(this,t,e);case"string":return new hp(this,t,e);case"function":return new Dl(this,t,e)}console.error(`gui.add failed
+	property:`,e,`
+	object:`,t,`
+	value:`,o)}addColor(t,e,i=1){return new ap(this,t,e,i)}addFolder(t){let e=new n({parent:this,title:t});return this.root._closeFolders&&e.close(),e}load(t,e=!0){return t.controllers&&this.controllers.forEach(i=>{i instanceof Dl||i._name in t.controllers&&i.load(t.controllers[i._name])}),e&&t.folders&&this.folders.forEach(i=>{i._title in t.folders&&i.load(t.folders[i._title])}),this}save(t=!0){let e={controllers:{},folders:{}};return this.controllers.forEach(i=>{if(!(i instanceof Dl)){if(i._name in e.controllers)throw new Error(`Cannot save GUI with duplicate property "${i._name}"`);e.controllers[i._name]=i.save()}}),t&&this.folders.forEach(i=>{if(i._title in e.folders)throw new Error(`Cannot save GUI with duplicate folder "${i._title}"`);e.folders[i._title]=i.save()}),e}open(t=!0){return this._setClosed(!t),this.$title.setAttribute("aria-expanded",!this._closed),this.domElement.classList.toggle("lil-closed",this._closed),this}close(){return this.open(!1)}_setClosed(t){this._closed!==t&&(this._closed=t,this._callOnOpenClose(this))}show(t=!0){return this._hidden=!t,this.domElement.style.display=this._hidden?"none":"",this}hide(){return this.show(!1)}openAnimated(t=!0){return this._setClosed(!t),this.$title.setAttribute("aria-expanded",!this._closed),requestAnimationFrame(()=>{let e=this.$children.clientHeight;this.$children.style.height=e+"px",this.domElement.classList.add("lil-transition");let i=r=>{r.target===this.$children&&(this.$children.style.height="",this.domElement.classList.remove("lil-transition"),this.$children.removeEventListener("transitionend",i))};this.$children.addEventListener("transitionend",i);let s=t?this.$children.scrollHeight:0;this.domElement.classList.toggle("lil-closed",!t),requestAnimationFrame(()=>{this.$children.style.height=s+"px"})}),this}title(t){return this._title=t,this.$title.textContent=t,this}reset(t=!0){return(t?this.controllersRecursive():this.controllers).forEach(i=>i.reset()),this}onChange(t){return this._onChange=t,this}_callOnChange(t){this.parent&&this.parent._callOnChange(t),this._onChange!==void 0&&this._onChange.call(this,{object:t.object,property:t.property,value:t.getValue(),controller:t})}onFinishChange(t){return this._onFinishChange=t,this}_callOnFinishChange(t){this.parent&&this.parent._callOnFinishChange(t),this._onFinishChange!==void 0&&this._onFinishChange.call(this,{object:t.object,property:t.property,value:t.getValue(),controller:t})}onOpenClose(t){return this._onOpenClose=t,this}_callOnOpenClose(t){this.parent&&this.parent._callOnOpenClose(t),this._onOpenClose!==void 0&&this._onOpenClose.call(this,t)}destroy(){this.parent&&(this.parent.children.splice(this.parent.children.indexOf(this),1),this.parent.folders.splice(this.parent.folders.indexOf(this),1)),this.domElement.parentElement&&this.domElement.parentElement.removeChild(this.domElement),Array.from(this.children).forEach(t=>t.destroy())}controllersRecursive(){let t=Array.from(this.controllers);return this.folders.forEach(e=>{t=t.concat(e.controllersRecursive())}),t}foldersRecursive(){let t=Array.from(this.folders);return this.folders.forEach(e=>{t=t.concat(e.foldersRecursive())}),t}};var uR=700,dR=400;function fR(n,{group:t,name:e,color:i},s){let r=n.add(t,"visible").name(e).onChange(s);r.domElement.style.setProperty("--layer",i),r.domElement.classList.add("layer")}function pR(n){let t=[];for(let{group:e}of n)e.traverse(i=>i.userData.hull&&t.push(i.material));return t}function mR(n,t,e){let i=pR(t);if(!i.length)return;let s={"surface opacity":i[0].opacity};n.add(s,"surface opacity",0,1,.05).onChange(r=>{for(let o of i)o.opacity=r;e()})}function Fx(n,t){let e=new wu({container:n,title:"Layers",width:190});for(let i of t.layers)i.time===null&&fR(e,i,t.draw);return mR(e,t.layers,t.draw),t.layers.some(i=>i.labels.length)&&e.add(t.show,"labels").onChange(t.draw),e.add(t.grid,"visible").name("grid").onChange(t.draw),e.add(t,"fit").name("fit view"),n.clientWidth<uR&&e.close(),e.onOpenClose(()=>setTimeout(t.draw,dR)),e}var up=new Map,dp=!1;function gR(n,t){let e=t.view.camera.position.clone().sub(t.controls.target),i=n.view.camera.position.distanceTo(n.controls.target);n.view.camera.position.copy(n.controls.target).addScaledVector(e.normalize(),i),n.view.camera.zoom=t.view.camera.zoom,n.view.camera.updateProjectionMatrix(),n.controls.update(),n.view.draw()}function Bx(n,t,e){let i=up.get(n)??[],s={view:t,controls:e};up.set(n,[...i,s]),e.addEventListener("change",()=>{dp||(dp=!0,up.get(n).filter(r=>r!==s).forEach(r=>gR(r,s)),dp=!1)})}var ua=null;function fp(){return ua||(ua=new ea({antialias:!0,alpha:!0}),ua.shadowMap.enabled=!0,ua.shadowMap.type=zs,ua)}function kx(n,t,e){let{width:i,height:s}=n.canvas,r=fp(),o=r.domElement;(o.width!==i||o.height!==s)&&r.setSize(i,s,!1),r.render(t,e),n.clearRect(0,0,i,s),n.drawImage(r.domElement,0,0)}function _R(n){let t=document.createElement("canvas");return t.tabIndex=0,t.setAttribute("role","img"),t.setAttribute("aria-label",`${n.dataset.label??"3D view"}; arrow keys turn, plus and minus zoom, 0 fits`),n.append(t),t}function xR(n,t,e,i){return!n.some(({items:r})=>r.some(({kind:o})=>o==="mesh"))||t.isEmpty()?null:{from:i,center:t.getCenter(new P),radius:.75*e}}function yR({layers:n,up:t=[0,0,1],view:e}){let i=Nx(n),s=Ox(i),r=new P(...t).normalize(),o=new Nr,a=du(r),l=Dx(n,s),{grid:c}=fu(i,s,r);c.visible=n.every(({fit:u})=>u!==!1),o.add(c,...l.map(u=>u.group));let d=e?new P(...e).normalize():Rl(r);return pu(o,a,r,xR(n,i,s,d)),{scene:o,camera:a,box:i,grid:c,layers:l,show:{labels:!0},from:d}}function vR(n){if(!n)return[];let{offsetLeft:t,offsetTop:e,offsetWidth:i,offsetHeight:s}=n.domElement;return[{left:t,top:e,right:t+i,bottom:e+s}]}function Vx(n,t,e,{unit:i="mm",compact:s},r,o){let{canvas:a}=t,l={width:a.width/r,height:a.height/r},c={...e(),...l,compact:s};kx(t,n.scene,n.camera),t.save(),t.scale(r,r);let d=n.layers.filter(u=>u.group.visible).flatMap(u=>u.labels);n.show.labels&&mu(t,d,n.camera,c,o),s||_u(t,n.camera,c),gu(t,n.camera,i,c),t.restore()}function zx(n,t){n.traverse(({material:e})=>{e?.isLineMaterial&&(e.linewidth*=t)})}function Hx(n,t,e,i,s){let r=document.createElement("canvas");r.width=Math.max(1,Math.round(t.width*s)),r.height=Math.max(1,Math.round(t.height*s));let o=r.getContext("2d"),a=s/devicePixelRatio;return zx(n.scene,a),ca(n.camera,r.width/r.height),Vx(n,o,e,i,s,[]),zx(n.scene,1/a),o.globalCompositeOperation="destination-over",o.fillStyle=e().page,o.fillRect(0,0,r.width,r.height),r}function SR(n,t,e,i,s){let r=n.camera.clone(!1);return Pl(r,n.box,t.width/t.height,n.from),Hx({...n,camera:r},t,e,{...i,compact:!0},s)}function Gx(n,t){return n.width=Math.max(1,Math.round(t.clientWidth*devicePixelRatio)),n.height=Math.max(1,Math.round(t.clientHeight*devicePixelRatio)),n.width/n.height}function bR(n){let t=!1;return()=>{t||(t=!0,requestAnimationFrame(()=>{t=!1,n()}))}}function Wx(n,t,e){fp();let i=_R(n),s=i.getContext("2d"),r=yR(t),o=()=>Vx(r,s,e,t,devicePixelRatio,vR(r.panel));r.draw=bR(o);let a=()=>({width:n.clientWidth,height:n.clientHeight});r.picture=c=>Hx(r,a(),e,t,c),r.still=(c,d)=>SR(r,c,e,t,d),r.paintNow=o;let l=ax(r.camera,i,r.draw);return r.fit=()=>{l.target.copy(Pl(r.camera,r.box,i.width/i.height,r.from)),l.update(),r.draw()},i.addEventListener("dblclick",r.fit),vu(l,i,r.fit),Gx(i,n),r.fit(),t.compact||(r.panel=Fx(n,r)),t.link&&Bx(t.link,r,l),new ResizeObserver(()=>{n.clientWidth&&(ca(r.camera,Gx(i,n)),o())}).observe(n),r.lost=r.layers.reduce((c,d)=>c+d.lost,0),r}var Xx=["Fx","Fy","Fz","Mx","My","Mz"],pp={"force, no moment":{axes:[0,1,2],kind:"slice"},"moment, no force":{axes:[3,4,5],kind:"slice"},"force, any moment":{axes:[0,1,2],kind:"projection"},"moment, any force":{axes:[3,4,5],kind:"projection"},"three axes":null},wR=[{limits:"geometric",title:"Contacts alone",color:"#0072b2"},{limits:"actuated",title:"With the hand's limits",color:"#d55e00"}],$x="#8a8f99";function MR(n,t){let e=s=>Math.max(1e-9,...n.map(r=>Math.abs(r[s]))),i=Math.max(e(0),e(1),e(2));return t.map((s,r)=>{let o=[0,0,0];return o[r]=1.15*Math.max(e(r),.25*i),{kind:"arrow",from:[0,0,0],vector:o,label:Xx[s],color:$x}})}function ER(n,t,e,i){let s=q("div",{class:"scene small"});s.dataset.label=`${n.title}: set of wrenches`;let r=t.vertices.length<4,o=t.failed?String(t.failed===!0?"The set could not be found.":t.failed):r?"The set has no volume along these axes.":"",a=q("figcaption",{},`${n.title} [${t.unit}]`);if(!r&&!t.failed){let l={kind:"hull",vertices:t.vertices,faces:t.triangles},d={layers:[{name:"set",color:n.color,items:[l]},{name:"axes",color:$x,items:MR(t.vertices,e)}],compact:!0,unit:t.unit,link:i};requestAnimationFrame(()=>Wx(s,d,()=>({ink:sn("--ink"),page:sn("--page")})))}else s.append(q("p",{class:"hint"},o));return q("figure",{class:"wrenches"},s,a)}var AR=0;function Yx(n,t){let e=q("div",{class:"pair"}),i=[0,1,2].map(l=>{let c=Jn(`Axis ${l+1}`,()=>{});return c.set(Xx.map((d,u)=>({value:String(u),text:d})),String(l)),c}),s=q("div",{class:"axes",hidden:!0},...i),r=Jn("Set",l=>s.hidden=pp[l]!==null);r.set(Object.keys(pp),"force, no moment");let o=()=>pp[r.value()]??{axes:i.map(l=>Number(l.value())),kind:"projection"};return An("Wrench space",r,s,q("div",{class:"buttons"},rn("Show",async()=>{let l=o();if(new Set(l.axes).size<3)return n.notices.error("Choose three different axes.");let c=`wrenches ${++AR}`,d=[];for(let u of wR){let h={...t(),...l,limits:u.limits},f=await n.ask("grasp.wrench_set",h);if(!f)return;d.push(ER(u,f,l.axes,c))}e.replaceChildren(...d)},{id:"show-wrenches"})),e)}var TR=350,Mu=(n,t)=>`(${n.map(e=>Me(e)).join(", ")}) ${t}`;function qx(n){return n?Array.isArray(n)&&n.length===6?`force ${Mu(n.slice(3),"N")}, moment ${Mu(n.slice(0,3),"N m")}`:n.force?`force ${Mu(n.force,"N")}, moment ${Mu(n.moment,"N m")}`:typeof n=="string"?n:JSON.stringify(n):null}function CR(n){if(!n.closed&&!n.epsilon)return[["Grasp",n.reason??n.verdict??"nothing is held"]];let t=[["Force closure",n.force_closure?"\u2713 yes":"\u2717 no: the grasp is unstable"]],{epsilon:e}=n;e&&(t.push(["Epsilon",Me(e.lower)]),t.push(["certified",`${Me(e.lower)} to ${Me(e.upper)}`])),n.verdict&&t.push(["Verdict",n.verdict]);let i=n.missing_direction;i&&t.push(["Cannot resist",i.words??qx(i.wrench??i)]);let s=n.worst_wrench;return s&&t.push(["Worst disturbance",s.words??qx(s.wrench??s)]),Number.isFinite(n.volume)&&t.push(["Volume",Me(n.volume)]),n.contacts!==void 0&&t.push(["Contacts",String(n.contacts.length??n.contacts)]),t}function RR({outcome:n,stopped:t=[]}){let e=t.map(i=>i.by?`${i.joint} by ${i.by}`:i.joint);return[n,e.length?`stopped: ${e.join("; ")}`:""].filter(Boolean).join("; ")}function Zx(n){let{store:t}=n,e=Jn("Hand",()=>h()),i=Jn("Object",()=>h()),s=q("p",{class:"outcome",role:"status"}),r=q("div",{class:"quality",role:"status",id:"quality"}),o=Sl("volume too (slower)",!1,()=>h()),a=Sl("follow every move",!0,()=>h()),l="",c=()=>({...e.value()?{hand:e.value()}:{},...i.value()?{object:i.value()}:{}}),d=x=>async()=>{let b=await n.ask(x,c());b&&(s.textContent=RR(b),s.textContent&&n.notices.say(s.textContent),await h())},u=()=>t.scene?.mode==="world"&&e.value()&&i.value()&&n.link.connected();async function h(){if(!u())return r.replaceChildren();if(l=f(),!t.frame?.contacts.length&&!o.box.checked)return g.quality=null,r.replaceChildren(q("p",{class:"hint"},"Nothing touches the object."));let x=l,b=await n.ask("grasp.quality",{...c(),volume:o.box.checked});!b||x!==l||(g.quality=b,r.classList.toggle("holds",!!b.force_closure),r.replaceChildren(Jr(CR(b))))}let f=()=>t.frame?`${t.frame.revision} ${t.frame.bodies.join()}`:"",p=Jh(()=>{!g.hidden&&a.box.checked&&f()!==l&&h()},TR),_=[["Open","hand.open"],["Approach","hand.approach"],["Close","hand.close"],["Grasp","hand.grasp"]].map(([x,b])=>rn(x,d(b),{id:`do-${x.toLowerCase()}`,class:x==="Grasp"?"main":null})),g=q("div",{class:"page grasp"},e,i,q("div",{class:"buttons"},..._),s,An("Quality",r,q("div",{class:"ticks"},a,o),q("div",{class:"buttons"},rn("Ask now",h,{id:"ask-quality"}))),Yx(n,c)),m=()=>{let x=t.scene?_r(t.scene):[],b=C=>x.filter(E=>E.kind===C).map(({name:E})=>E);e.set(b("hand")),i.set(b("object")),e.hidden=b("hand").length<2,i.hidden=b("object").length<2;let y=!b("hand").length||!b("object").length||t.scene?.mode!=="world";_.forEach((C,E)=>C.disabled=E===0?!b("hand").length:y),p()};return t.on(["scene"],m),t.on(["frame","tab"],p),m(),g}var mp={worlds:{title:"Worlds",verb:"Open",ask:n=>["world.load",{world:n}]},scenes:{title:"Scenes in time",verb:"Open",ask:n=>["motion.open",{scene:n}]},subjects:{title:"Digits with tendons",verb:"Open"},hands:{title:"Hands",verb:"Add",ask:n=>["world.add_hand",{hand:n}]},objects:{title:"Objects",verb:"Add",ask:n=>["world.add_object",{object:n}]}},PR=(n,t)=>{let e=[n.name,n.kind,n.about].join(" ").toLowerCase();return t.toLowerCase().split(/\s+/).every(i=>e.includes(i))},jx=({name:n,about:t},e,i)=>q("li",{},De(q("span",{},q("b",{},n),q("span",{class:"about"},t??"")),i,{"aria-label":`${e} ${n}`}));function Jx(n){let t=new Map,e=q("input",{type:"search",placeholder:"Search","aria-label":"Search",autocomplete:"off"}),i=q("ul",{class:"catalogue"}),s=gr("open"),r=q("div",{class:"kinds",role:"group","aria-label":"Kind"}),o=q("h2",{id:s},"Open or add"),a=q("dialog",{"aria-labelledby":s,class:"open-dialog"},q("div",{class:"dialog-head"},o,De("\xD7",()=>a.close(),{"aria-label":"Close"})),r,e,i),l="worlds";async function c(p){if(!t.has(p)){let _=await n.ask("catalogue.list",{what:p});if(!_)return[];t.set(p,_.entries)}return t.get(p)}async function d(p){let g=(await n.ask("catalogue.list",{what:"digits",of:p.name}))?.entries??[],m=x=>{a.close(),n.ask("tendons.open",{subject:p.name,...x?{digit:x}:{}})};if(g.length<2)return m(g[0]?.name);i.replaceChildren(...g.map(({name:x,about:b})=>jx({name:x,about:b||p.name},"Open",()=>m(x)))),i.querySelector("button").focus()}async function u(p){if(l==="subjects")return d(p);a.close();let[_,g]=mp[l].ask(p.name);l==="worlds"&&!await n.mayLeave()||await n.ask(_,g)}async function h(){let p=l,_=await c(p);if(p!==l)return;let g=_.filter(m=>PR(m,e.value));i.replaceChildren(...g.map(m=>jx(m,mp[p].verb,()=>u(m))),...g.length?[]:[q("li",{class:"hint"},"Nothing has that name.")])}function f(p){l=p;for(let _ of r.children)_.setAttribute("aria-pressed",String(_.dataset.kind===l));h()}for(let[p,{title:_}]of Object.entries(mp)){let g=De(_,()=>f(p),{class:"kind"});g.dataset.kind=p,r.append(g)}return e.addEventListener("input",h),e.addEventListener("keydown",p=>{p.key==="Enter"&&i.querySelector("button")?.click(),p.key==="ArrowDown"&&i.querySelector("button")?.focus()}),i.addEventListener("keydown",({key:p})=>{let _={ArrowDown:1,ArrowUp:-1}[p];if(!_)return;let g=[...i.querySelectorAll("button")];g[g.indexOf(document.activeElement)+_]?.focus()}),document.body.append(a),p=>{a.showModal(),e.value="",f(p??l),e.focus()}}var IR="uplot",LR="u-hz",DR="u-vt",NR="u-title",OR="u-wrap",UR="u-under",FR="u-over",BR="u-axis",so="u-off",kR="u-select",zR="u-cursor-x",GR="u-cursor-y",VR="u-cursor-pt",HR="u-legend",WR="u-live",XR="u-inline",$R="u-series",YR="u-marker",Kx="u-label",qR="u-value",Ul="width",Fl="height";var Qx="bottom",da="left",gp="right",Dp="#000",ty=Dp+"0",_p="mousemove",ey="mousedown",xp="mouseup",ny="mouseenter",iy="mouseleave",sy="dblclick",ZR="resize",jR="scroll",ry="change",Ru="dppxchange",Np="--",ya=typeof window<"u",wp=ya?document:null,pa=ya?window:null,JR=ya?navigator:null,Re,Eu;function Mp(){let n=devicePixelRatio;Re!=n&&(Re=n,Eu&&Ap(ry,Eu,Mp),Eu=matchMedia(`(min-resolution: ${Re-.001}dppx) and (max-resolution: ${Re+.001}dppx)`),ro(ry,Eu,Mp),pa.dispatchEvent(new CustomEvent(Ru)))}function Ti(n,t){if(t!=null){let e=n.classList;!e.contains(t)&&e.add(t)}}function Ep(n,t){let e=n.classList;e.contains(t)&&e.remove(t)}function tn(n,t,e){n.style[t]=e+"px"}function es(n,t,e,i){let s=wp.createElement(n);return t!=null&&Ti(s,t),e?.insertBefore(s,i),s}function Gi(n,t){return es("div",n,t)}var oy=new WeakMap;function bs(n,t,e,i,s){let r="translate("+t+"px,"+e+"px)",o=oy.get(n);r!=o&&(n.style.transform=r,oy.set(n,r),t<0||e<0||t>i||e>s?Ti(n,so):Ep(n,so))}var ay=new WeakMap;function ly(n,t,e){let i=t+e,s=ay.get(n);i!=s&&(ay.set(n,i),n.style.background=t,n.style.borderColor=e)}var cy=new WeakMap;function hy(n,t,e,i){let s=t+""+e,r=cy.get(n);s!=r&&(cy.set(n,s),n.style.height=e+"px",n.style.width=t+"px",n.style.marginLeft=i?-t/2+"px":0,n.style.marginTop=i?-e/2+"px":0)}var Op={passive:!0},KR={...Op,capture:!0};function ro(n,t,e,i){t.addEventListener(n,e,i?KR:Op)}function Ap(n,t,e,i){t.removeEventListener(n,e,Op)}ya&&Mp();function ns(n,t,e,i){let s;e=e||0,i=i||t.length-1;let r=i<=2147483647;for(;i-e>1;)s=r?e+i>>1:Ci((e+i)/2),t[s]<n?e=s:i=s;return n-t[e]<=t[i]-n?e:i}function By(n){return(e,i,s)=>{let r=-1,o=-1;for(let a=i;a<=s;a++)if(n(e[a])){r=a;break}for(let a=s;a>=i;a--)if(n(e[a])){o=a;break}return[r,o]}}var ky=n=>n!=null,zy=n=>n!=null&&n>0,Lu=By(ky),QR=By(zy);function tP(n,t,e,i=0,s=!1){let r=s?QR:Lu,o=s?zy:ky;[t,e]=r(n,t,e);let a=n[t],l=n[t];if(t>-1)if(i==1)a=n[t],l=n[e];else if(i==-1)a=n[e],l=n[t];else for(let c=t;c<=e;c++){let d=n[c];o(d)&&(d<a?a=d:d>l&&(l=d))}return[a??He,l??-He]}function Du(n,t,e,i){let s=fy(n),r=fy(t);n==t&&(s==-1?(n*=e,t/=e):(n/=e,t*=e));let o=e==10?Ws:Gy,a=s==1?Ci:Vi,l=r==1?Vi:Ci,c=a(o(Nn(n))),d=l(o(Nn(t))),u=ma(e,c),h=ma(e,d);return e==10&&(c<0&&(u=We(u,-c)),d<0&&(h=We(h,-d))),i||e==2?(n=u*s,t=h*r):(n=Xy(n,u),t=Nu(t,h)),[n,t]}function Up(n,t,e,i){let s=Du(n,t,e,i);return n==0&&(s[0]=0),t==0&&(s[1]=0),s}var Fp=.1,uy={mode:3,pad:Fp},kl={pad:0,soft:null,mode:0},eP={min:kl,max:kl};function Pu(n,t,e,i){return Ou(e)?dy(n,t,e):(kl.pad=e,kl.soft=i?0:null,kl.mode=i?3:0,dy(n,t,eP))}function Ee(n,t){return n??t}function nP(n,t,e){for(t=Ee(t,0),e=Ee(e,n.length-1);t<=e;){if(n[t]!=null)return!0;t++}return!1}function dy(n,t,e){let i=e.min,s=e.max,r=Ee(i.pad,0),o=Ee(s.pad,0),a=Ee(i.hard,-He),l=Ee(s.hard,He),c=Ee(i.soft,He),d=Ee(s.soft,-He),u=Ee(i.mode,0),h=Ee(s.mode,0),f=t-n,p=Ws(f),_=ai(Nn(n),Nn(t)),g=Ws(_),m=Nn(g-p);(f<1e-24||m>10)&&(f=0,(n==0||t==0)&&(f=1e-24,u==2&&c!=He&&(r=0),h==2&&d!=-He&&(o=0)));let x=f||_||1e3,b=Ws(x),y=ma(10,Ci(b)),C=x*(f==0?n==0?.1:1:r),E=We(Xy(n-C,y/10),24),v=n>=c&&(u==1||u==3&&E<=c||u==2&&E>=c)?c:He,M=ai(a,E<v&&n>=v?v:is(v,E)),O=x*(f==0?t==0?.1:1:o),R=We(Nu(t+O,y/10),24),I=t<=d&&(h==1||h==3&&R>=d||h==2&&R<=d)?d:-He,U=is(l,R>I&&t<=I?I:ai(I,R));return M==U&&M==0&&(U=100),[M,U]}var iP=new Intl.NumberFormat(ya?JR.language:"en-US"),Bp=n=>iP.format(n),Ri=Math,Cu=Ri.PI,Nn=Ri.abs,Ci=Ri.floor,Dn=Ri.round,Vi=Ri.ceil,is=Ri.min,ai=Ri.max,ma=Ri.pow,fy=Ri.sign,Ws=Ri.log10,Gy=Ri.log2,sP=(n,t=1)=>Ri.sinh(n)*t,yp=(n,t=1)=>Ri.asinh(n/t),He=1/0;function py(n){return(Ws((n^n>>31)-(n>>31))|0)+1}function Tp(n,t,e){return is(ai(n,t),e)}function Vy(n){return typeof n=="function"}function ve(n){return Vy(n)?n:()=>n}var rP=()=>{},Hy=n=>n,Wy=(n,t)=>t,oP=n=>null,my=n=>!0,gy=(n,t)=>n==t,aP=/\.\d*?(?=9{6,}|0{6,})/gm,oo=n=>{if(Yy(n)||Ar.has(n))return n;let t=`${n}`,e=t.match(aP);if(e==null)return n;let i=e[0].length-1;if(t.indexOf("e-")!=-1){let[s,r]=t.split("e");return+`${oo(s)}e${r}`}return We(n,i)};function no(n,t){return oo(We(oo(n/t))*t)}function Nu(n,t){return oo(Vi(oo(n/t))*t)}function Xy(n,t){return oo(Ci(oo(n/t))*t)}function We(n,t=0){if(Yy(n))return n;let e=10**t,i=n*e*(1+Number.EPSILON);return Dn(i)/e}var Ar=new Map;function $y(n){return((""+n).split(".")[1]||"").length}function Gl(n,t,e,i){let s=[],r=i.map($y);for(let o=t;o<e;o++){let a=Nn(o),l=We(ma(n,o),a);for(let c=0;c<i.length;c++){let d=n==10?+`${i[c]}e${o}`:i[c]*l,u=(o>=0?0:a)+(o>=r[c]?0:r[c]),h=n==10?d:We(d,u);s.push(h),Ar.set(h,u)}}return s}var zl={},kp=[],ga=[null,null],Er=Array.isArray,Yy=Number.isInteger,lP=n=>n===void 0;function _y(n){return typeof n=="string"}function Ou(n){let t=!1;if(n!=null){let e=n.constructor;t=e==null||e==Object}return t}function cP(n){return n!=null&&typeof n=="object"}var hP=Object.getPrototypeOf(Uint8Array),qy="__proto__";function _a(n,t=Ou){let e;if(Er(n)){let i=n.find(s=>s!=null);if(Er(i)||t(i)){e=Array(n.length);for(let s=0;s<n.length;s++)e[s]=_a(n[s],t)}else e=n.slice()}else if(n instanceof hP)e=n.slice();else if(t(n)){e={};for(let i in n)i!=qy&&(e[i]=_a(n[i],t))}else e=n;return e}function Tn(n){let t=arguments;for(let e=1;e<t.length;e++){let i=t[e];for(let s in i)s!=qy&&(Ou(n[s])?Tn(n[s],_a(i[s])):n[s]=_a(i[s]))}return n}var uP=0,dP=1,fP=2;function pP(n,t,e){for(let i=0,s,r=-1;i<t.length;i++){let o=t[i];if(o>r){for(s=o-1;s>=0&&n[s]==null;)n[s--]=null;for(s=o+1;s<e&&n[s]==null;)n[r=s++]=null}}}function mP(n,t){if(xP(n)){let o=n[0].slice();for(let a=1;a<n.length;a++)o.push(...n[a].slice(1));return yP(o[0])||(o=_P(o)),o}let e=new Set;for(let o=0;o<n.length;o++){let l=n[o][0],c=l.length;for(let d=0;d<c;d++)e.add(l[d])}let i=[Array.from(e).sort((o,a)=>o-a)],s=i[0].length,r=new Map;for(let o=0;o<s;o++)r.set(i[0][o],o);for(let o=0;o<n.length;o++){let a=n[o],l=a[0];for(let c=1;c<a.length;c++){let d=a[c],u=Array(s).fill(void 0),h=t?t[o][c]:dP,f=[];for(let p=0;p<d.length;p++){let _=d[p],g=r.get(l[p]);_===null?h!=uP&&(u[g]=_,h==fP&&f.push(g)):u[g]=_}pP(u,f,s),i.push(u)}}return i}var gP=typeof queueMicrotask>"u"?n=>Promise.resolve().then(n):queueMicrotask;function _P(n){let t=n[0],e=t.length,i=Array(e);for(let r=0;r<i.length;r++)i[r]=r;i.sort((r,o)=>t[r]-t[o]);let s=[];for(let r=0;r<n.length;r++){let o=n[r],a=Array(e);for(let l=0;l<e;l++)a[l]=o[i[l]];s.push(a)}return s}function xP(n){let t=n[0][0],e=t.length;for(let i=1;i<n.length;i++){let s=n[i][0];if(s.length!=e)return!1;if(s!=t){for(let r=0;r<e;r++)if(s[r]!=t[r])return!1}}return!0}function yP(n,t=100){let e=n.length;if(e<=1)return!0;let i=0,s=e-1;for(;i<=s&&n[i]==null;)i++;for(;s>=i&&n[s]==null;)s--;if(s<=i)return!0;let r=ai(1,Ci((s-i+1)/t));for(let o=n[i],a=i+r;a<=s;a+=r){let l=n[a];if(l!=null){if(l<=o)return!1;o=l}}return!0}var Zy=["January","February","March","April","May","June","July","August","September","October","November","December"],jy=["Sunday","Monday","Tuesday","Wednesday","Thursday","Friday","Saturday"];function Jy(n){return n.slice(0,3)}var vP=jy.map(Jy),SP=Zy.map(Jy),bP={MMMM:Zy,MMM:SP,WWWW:jy,WWW:vP};function Ol(n){return(n<10?"0":"")+n}function wP(n){return(n<10?"00":n<100?"0":"")+n}var MP={YYYY:n=>n.getFullYear(),YY:n=>(n.getFullYear()+"").slice(2),MMMM:(n,t)=>t.MMMM[n.getMonth()],MMM:(n,t)=>t.MMM[n.getMonth()],MM:n=>Ol(n.getMonth()+1),M:n=>n.getMonth()+1,DD:n=>Ol(n.getDate()),D:n=>n.getDate(),WWWW:(n,t)=>t.WWWW[n.getDay()],WWW:(n,t)=>t.WWW[n.getDay()],HH:n=>Ol(n.getHours()),H:n=>n.getHours(),h:n=>{let t=n.getHours();return t==0?12:t>12?t-12:t},AA:n=>n.getHours()>=12?"PM":"AM",aa:n=>n.getHours()>=12?"pm":"am",a:n=>n.getHours()>=12?"p":"a",mm:n=>Ol(n.getMinutes()),m:n=>n.getMinutes(),ss:n=>Ol(n.getSeconds()),s:n=>n.getSeconds(),fff:n=>wP(n.getMilliseconds())};function zp(n,t){t=t||bP;let e=[],i=/\{([a-z]+)\}|[^{]+/gi,s;for(;s=i.exec(n);)e.push(s[0][0]=="{"?MP[s[1]]:s[0]);return r=>{let o="";for(let a=0;a<e.length;a++)o+=typeof e[a]=="string"?e[a]:e[a](r,t);return o}}var EP=new Intl.DateTimeFormat().resolvedOptions().timeZone;function AP(n,t){let e;return t=="UTC"||t=="Etc/UTC"?e=new Date(+n+n.getTimezoneOffset()*6e4):t==EP?e=n:(e=new Date(n.toLocaleString("en-US",{timeZone:t})),e.setMilliseconds(n.getMilliseconds())),e}var Ky=n=>n%1==0,Iu=[1,2,2.5,5],TP=Gl(10,-32,0,Iu),Qy=Gl(10,0,32,Iu),CP=Qy.filter(Ky),io=TP.concat(Qy),Gp=`
+`,tv="{YYYY}",xy=Gp+tv,ev="{M}/{D}",Bl=Gp+ev,Au=Bl+"/{YY}",nv="{aa}",RP="{h}:{mm}",fa=RP+nv,yy=Gp+fa,vy=":{ss}",Ne=null;function iv(n){let t=n*1e3,e=t*60,i=e*60,s=i*24,r=s*30,o=s*365,l=(n==1?Gl(10,0,3,Iu).filter(Ky):Gl(10,-3,0,Iu)).concat([t,t*5,t*10,t*15,t*30,e,e*5,e*10,e*15,e*30,i,i*2,i*3,i*4,i*6,i*8,i*12,s,s*2,s*3,s*4,s*5,s*6,s*7,s*8,s*9,s*10,s*15,r,r*2,r*3,r*4,r*6,o,o*2,o*5,o*10,o*25,o*50,o*100]),c=[[o,tv,Ne,Ne,Ne,Ne,Ne,Ne,1],[s*28,"{MMM}",xy,Ne,Ne,Ne,Ne,Ne,1],[s,ev,xy,Ne,Ne,Ne,Ne,Ne,1],[i,"{h}"+nv,Au,Ne,Bl,Ne,Ne,Ne,1],[e,fa,Au,Ne,Bl,Ne,Ne,Ne,1],[t,vy,Au+" "+fa,Ne,Bl+" "+fa,Ne,yy,Ne,1],[n,vy+".{fff}",Au+" "+fa,Ne,Bl+" "+fa,Ne,yy,Ne,1]];function d(u){return(h,f,p,_,g,m)=>{let x=[],b=g>=o,y=g>=r&&g<o,C=u(p),E=We(C*n,3),v=vp(C.getFullYear(),b?0:C.getMonth(),y||b?1:C.getDate()),M=We(v*n,3);if(y||b){let O=y?g/r:0,R=b?g/o:0,I=E==M?E:We(vp(v.getFullYear()+R,v.getMonth()+O,1)*n,3),U=new Date(Dn(I/n)),F=U.getFullYear(),L=U.getMonth();for(let k=0;I<=_;k++){let X=vp(F+R*k,L+O*k,1),V=X-u(We(X*n,3));I=We((+X+V)*n,3),I<=_&&x.push(I)}}else{let O=g>=s?s:g,R=Ci(p)-Ci(E),I=M+R+Nu(E-M,O);x.push(I);let U=u(I),F=U.getHours()+U.getMinutes()/e+U.getSeconds()/i,L=g/i,k=h.axes[f]._space,X=m/k;for(;I=We(I+g,n==1?0:3),!(I>_);)if(L>1){let V=Ci(We(F+L,6))%24,K=u(I).getHours()-V;K>1&&(K=-1),I-=K*i,F=(F+L)%24;let et=x[x.length-1];We((I-et)/g,3)*X>=.7&&x.push(I)}else x.push(I)}return x}}return[l,c,d]}var[PP,IP,LP]=iv(1),[DP,NP,OP]=iv(.001);Gl(2,-53,53,[1]);function Sy(n,t){return n.map(e=>e.map((i,s)=>s==0||s==8||i==null?i:t(s==1||e[8]==0?i:e[1]+i)))}function by(n,t){return(e,i,s,r,o)=>{let a=t.find(p=>o>=p[0])||t[t.length-1],l,c,d,u,h,f;return i.map(p=>{let _=n(p),g=_.getFullYear(),m=_.getMonth(),x=_.getDate(),b=_.getHours(),y=_.getMinutes(),C=_.getSeconds(),E=g!=l&&a[2]||m!=c&&a[3]||x!=d&&a[4]||b!=u&&a[5]||y!=h&&a[6]||C!=f&&a[7]||a[1];return l=g,c=m,d=x,u=b,h=y,f=C,E(_)})}}function UP(n,t){let e=zp(t);return(i,s,r,o,a)=>s.map(l=>e(n(l)))}function vp(n,t,e){return new Date(n,t,e)}function wy(n,t){return t(n)}var FP="{YYYY}-{MM}-{DD} {h}:{mm}{aa}";function My(n,t){return(e,i,s,r)=>r==null?Np:t(n(i))}function BP(n,t){let e=n.series[t];return e.width?e.stroke(n,t):e.points.width?e.points.stroke(n,t):null}function kP(n,t){return n.series[t].fill(n,t)}var zP={show:!0,live:!0,isolate:!1,mount:rP,markers:{show:!0,width:2,stroke:BP,fill:kP,dash:"solid"},idx:null,idxs:null,values:[]};function GP(n,t){let e=n.cursor.points,i=Gi(),s=e.size(n,t);tn(i,Ul,s),tn(i,Fl,s);let r=s/-2;tn(i,"marginLeft",r),tn(i,"marginTop",r);let o=e.width(n,t,s);return o&&tn(i,"borderWidth",o),i}function VP(n,t){let e=n.series[t].points;return e._fill||e._stroke}function HP(n,t){let e=n.series[t].points;return e._stroke||e._fill}function WP(n,t){return n.series[t].points.size}var Sp=[0,0];function XP(n,t,e){return Sp[0]=t,Sp[1]=e,Sp}function Tu(n,t,e,i=!0){return s=>{s.button==0&&(!i||s.target==t)&&e(s)}}function bp(n,t,e,i=!0){return s=>{(!i||s.target==t)&&e(s)}}var $P={show:!0,x:!0,y:!0,lock:!1,move:XP,points:{one:!1,show:GP,size:WP,width:0,stroke:HP,fill:VP},bind:{mousedown:Tu,mouseup:Tu,click:Tu,dblclick:Tu,mousemove:bp,mouseleave:bp,mouseenter:bp},drag:{setScale:!0,x:!0,y:!1,dist:0,uni:null,click:(n,t)=>{t.stopPropagation(),t.stopImmediatePropagation()},_x:!1,_y:!1},focus:{dist:(n,t,e,i,s)=>i-s,prox:-1,bias:0},hover:{skip:[void 0],prox:null,bias:0},left:-10,top:-10,idx:null,dataIdx:null,idxs:null,event:null},sv={show:!0,stroke:"rgba(0,0,0,0.07)",width:2},Vp=Tn({},sv,{filter:Wy}),rv=Tn({},Vp,{size:10}),ov=Tn({},sv,{show:!1}),Hp='12px system-ui, -apple-system, "Segoe UI", Roboto, "Helvetica Neue", Arial, "Noto Sans", sans-serif, "Apple Color Emoji", "Segoe UI Emoji", "Segoe UI Symbol", "Noto Color Emoji"',av="bold "+Hp,lv=1.5,Ey={show:!0,scale:"x",stroke:Dp,space:50,gap:5,alignTo:1,size:50,labelGap:0,labelSize:30,labelFont:av,side:2,grid:Vp,ticks:rv,border:ov,font:Hp,lineGap:lv,rotate:0},YP="Value",qP="Time",Ay={show:!0,scale:"x",auto:!1,sorted:1,min:He,max:-He,idxs:[]};function ZP(n,t,e,i,s){return t.map(r=>r==null?"":Bp(r))}function jP(n,t,e,i,s,r,o){let a=[],l=Ar.get(s)||0;e=o?e:We(Nu(e,s),l);for(let c=e;c<=i;c=We(c+s,l))a.push(Object.is(c,-0)?0:c);return a}function Cp(n,t,e,i,s,r,o){let a=[],l=n.scales[n.axes[t].scale].log,c=l==10?Ws:Gy,d=Ci(c(e));s=ma(l,d),l==10&&(s=io[ns(s,io)]);let u=e,h=s*l;l==10&&(h=io[ns(h,io)]);do a.push(u),u=u+s,l==10&&!Ar.has(u)&&(u=We(u,Ar.get(s))),u>=h&&(s=u,h=s*l,l==10&&(h=io[ns(h,io)]));while(u<=i);return a}function JP(n,t,e,i,s,r,o){let l=n.scales[n.axes[t].scale].asinh,c=i>l?Cp(n,t,ai(l,e),i,s):[l],d=i>=0&&e<=0?[0]:[];return(e<-l?Cp(n,t,ai(l,-i),-e,s):[l]).reverse().map(h=>-h).concat(d,c)}var cv=/./,KP=/[12357]/,QP=/[125]/,Ty=/1/,Rp=(n,t,e,i)=>n.map((s,r)=>t==4&&s==0||r%i==0&&e.test(s.toExponential()[s<0?1:0])?s:null);function tI(n,t,e,i,s){let r=n.axes[e],o=r.scale,a=n.scales[o],l=n.valToPos,c=r._space,d=l(10,o),u=l(9,o)-d>=c?cv:l(7,o)-d>=c?KP:l(5,o)-d>=c?QP:Ty;if(u==Ty){let h=Nn(l(1,o)-d);if(h<c)return Rp(t.slice().reverse(),a.distr,u,Vi(c/h)).reverse()}return Rp(t,a.distr,u,1)}function eI(n,t,e,i,s){let r=n.axes[e],o=r.scale,a=r._space,l=n.valToPos,c=Nn(l(1,o)-l(2,o));return c<a?Rp(t.slice().reverse(),3,cv,Vi(a/c)).reverse():t}function nI(n,t,e,i){return i==null?Np:t==null?"":Bp(t)}var Cy={show:!0,scale:"y",stroke:Dp,space:30,gap:5,alignTo:1,size:50,labelGap:0,labelSize:30,labelFont:av,side:3,grid:Vp,ticks:rv,border:ov,font:Hp,lineGap:lv,rotate:0};function iI(n,t){let e=3+(n||1)*2;return We(e*t,3)}function sI(n,t){let{scale:e,idxs:i}=n.series[0],s=n._data[0],r=n.valToPos(s[i[0]],e,!0),o=n.valToPos(s[i[1]],e,!0),a=Nn(o-r),l=n.series[t],c=a/(l.points.space*Re);return i[1]-i[0]<=c}var Ry={scale:null,auto:!0,sorted:0,min:He,max:-He},hv=(n,t,e,i,s)=>s,Py={show:!0,auto:!0,sorted:0,gaps:hv,alpha:1,facets:[Tn({},Ry,{scale:"x"}),Tn({},Ry,{scale:"y"})]},Iy={scale:"y",auto:!0,sorted:0,show:!0,spanGaps:!1,gaps:hv,alpha:1,points:{show:sI,filter:null},values:null,min:He,max:-He,idxs:[],path:null,clip:null};function rI(n,t,e,i,s){return e/10}var uv={time:!0,auto:!0,distr:1,log:10,asinh:1,min:null,max:null,dir:1,ori:0},oI=Tn({},uv,{time:!1,ori:1}),Ly={};function dv(n,t){let e=Ly[n];return e||(e={key:n,plots:[],sub(i){e.plots.push(i)},unsub(i){e.plots=e.plots.filter(s=>s!=i)},pub(i,s,r,o,a,l,c){for(let d=0;d<e.plots.length;d++)e.plots[d]!=s&&e.plots[d].pub(i,s,r,o,a,l,c)}},n!=null&&(Ly[n]=e)),e}var xa=1,Pp=2;function ao(n,t,e){let i=n.mode,s=n.series[t],r=i==2?n._data[t]:n._data,o=n.scales,a=n.bbox,l=r[0],c=i==2?r[1]:r[t],d=i==2?o[s.facets[0].scale]:o[n.series[0].scale],u=i==2?o[s.facets[1].scale]:o[s.scale],h=a.left,f=a.top,p=a.width,_=a.height,g=n.valToPosH,m=n.valToPosV;return d.ori==0?e(s,l,c,d,u,g,m,h,f,p,_,Fu,va,ku,pv,gv):e(s,l,c,d,u,m,g,f,h,_,p,Bu,Sa,$p,mv,_v)}function Wp(n,t){let e=0,i=0,s=Ee(n.bands,kp);for(let r=0;r<s.length;r++){let o=s[r];o.series[0]==t?e=o.dir:o.series[1]==t&&(o.dir==1?i|=1:i|=2)}return[e,i==1?-1:i==2?1:i==3?2:0]}function aI(n,t,e,i,s){let r=n.mode,o=n.series[t],a=r==2?o.facets[1].scale:o.scale,l=n.scales[a];return s==-1?l.min:s==1?l.max:l.distr==3?l.dir==1?l.min:l.max:0}function Xs(n,t,e,i,s,r){return ao(n,t,(o,a,l,c,d,u,h,f,p,_,g)=>{let m=o.pxRound,x=c.dir*(c.ori==0?1:-1),b=c.ori==0?va:Sa,y,C;x==1?(y=e,C=i):(y=i,C=e);let E=m(u(a[y],c,_,f)),v=m(h(l[y],d,g,p)),M=m(u(a[C],c,_,f)),O=m(h(r==1?d.max:d.min,d,g,p)),R=new Path2D(s);return b(R,M,O),b(R,E,O),b(R,E,v),R})}function Uu(n,t,e,i,s,r){let o=null;if(n.length>0){o=new Path2D;let a=t==0?ku:$p,l=e;for(let u=0;u<n.length;u++){let h=n[u];if(h[1]>h[0]){let f=h[0]-l;f>0&&a(o,l,i,f,i+r),l=h[1]}}let c=e+s-l,d=10;c>0&&a(o,l,i-d/2,c,i+r+d)}return o}function lI(n,t,e){let i=n[n.length-1];i&&i[0]==t?i[1]=e:n.push([t,e])}function Xp(n,t,e,i,s,r,o){let a=[],l=n.length;for(let c=s==1?e:i;c>=e&&c<=i;c+=s)if(t[c]===null){let u=c,h=c;if(s==1)for(;++c<=i&&t[c]===null;)h=c;else for(;--c>=e&&t[c]===null;)h=c;let f=r(n[u]),p=h==u?f:r(n[h]),_=u-s;f=o<=0&&_>=0&&_<l?r(n[_]):f;let m=h+s;p=o>=0&&m>=0&&m<l?r(n[m]):p,p>=f&&a.push([f,p])}return a}function Dy(n){return n==0?Hy:n==1?Dn:t=>no(t,n)}function fv(n){let t=n==0?Fu:Bu,e=n==0?(s,r,o,a,l,c)=>{s.arcTo(r,o,a,l,c)}:(s,r,o,a,l,c)=>{s.arcTo(o,r,l,a,c)},i=n==0?(s,r,o,a,l)=>{s.rect(r,o,a,l)}:(s,r,o,a,l)=>{s.rect(o,r,l,a)};return(s,r,o,a,l,c=0,d=0)=>{c==0&&d==0?i(s,r,o,a,l):(c=is(c,a/2,l/2),d=is(d,a/2,l/2),t(s,r+c,o),e(s,r+a,o,r+a,o+l,c),e(s,r+a,o+l,r,o+l,d),e(s,r,o+l,r,o,d),e(s,r,o,r+a,o,c),s.closePath())}}var Fu=(n,t,e)=>{n.moveTo(t,e)},Bu=(n,t,e)=>{n.moveTo(e,t)},va=(n,t,e)=>{n.lineTo(t,e)},Sa=(n,t,e)=>{n.lineTo(e,t)},ku=fv(0),$p=fv(1),pv=(n,t,e,i,s,r)=>{n.arc(t,e,i,s,r)},mv=(n,t,e,i,s,r)=>{n.arc(e,t,i,s,r)},gv=(n,t,e,i,s,r,o)=>{n.bezierCurveTo(t,e,i,s,r,o)},_v=(n,t,e,i,s,r,o)=>{n.bezierCurveTo(e,t,s,i,o,r)};function xv(n){return(t,e,i,s,r)=>ao(t,e,(o,a,l,c,d,u,h,f,p,_,g)=>{let{pxRound:m,points:x}=o,b,y;c.ori==0?(b=Fu,y=pv):(b=Bu,y=mv);let C=We(x.width*Re,3),E=(x.size-x.width)/2*Re,v=We(E*2,3),M=new Path2D,O=new Path2D,{left:R,top:I,width:U,height:F}=t.bbox;ku(O,R-v,I-v,U+v*2,F+v*2);let L=k=>{if(l[k]!=null){let X=m(u(a[k],c,_,f)),V=m(h(l[k],d,g,p));b(M,X+E,V),y(M,X,V,E,0,Cu*2)}};if(r)r.forEach(L);else for(let k=i;k<=s;k++)L(k);return{stroke:C>0?M:null,fill:M,clip:O,flags:xa|Pp}})}function yv(n){return(t,e,i,s,r,o)=>{i!=s&&(r!=i&&o!=i&&n(t,e,i),r!=s&&o!=s&&n(t,e,s),n(t,e,o))}}var cI=yv(va),hI=yv(Sa);function vv(n){let t=Ee(n?.alignGaps,0);return(e,i,s,r)=>ao(e,i,(o,a,l,c,d,u,h,f,p,_,g)=>{[s,r]=Lu(l,s,r);let m=o.pxRound,x=F=>m(u(F,c,_,f)),b=F=>m(h(F,d,g,p)),y,C;c.ori==0?(y=va,C=cI):(y=Sa,C=hI);let E=c.dir*(c.ori==0?1:-1),v={stroke:new Path2D,fill:null,clip:null,band:null,gaps:null,flags:xa},M=v.stroke,O=!1;if(r-s>=_*4){let F=ut=>e.posToVal(ut,c.key,!0),L=null,k=null,X,V,ot,$=x(a[E==1?s:r]),K=x(a[s]),et=x(a[r]),ht=F(E==1?K+1:et-1);for(let ut=E==1?s:r;ut>=s&&ut<=r;ut+=E){let Q=a[ut],yt=(E==1?Q<ht:Q>ht)?$:x(Q),Ct=l[ut];yt==$?Ct!=null?(V=Ct,L==null?(y(M,yt,b(V)),X=L=k=V):V<L?L=V:V>k&&(k=V)):Ct===null&&(O=!0):(L!=null&&C(M,$,b(L),b(k),b(X),b(V)),Ct!=null?(V=Ct,y(M,yt,b(V)),L=k=X=V):(L=k=null,Ct===null&&(O=!0)),$=yt,ht=F($+E))}L!=null&&L!=k&&ot!=$&&C(M,$,b(L),b(k),b(X),b(V))}else for(let F=E==1?s:r;F>=s&&F<=r;F+=E){let L=l[F];L===null?O=!0:L!=null&&y(M,x(a[F]),b(L))}let[I,U]=Wp(e,i);if(o.fill!=null||I!=0){let F=v.fill=new Path2D(M),L=o.fillTo(e,i,o.min,o.max,I),k=b(L),X=x(a[s]),V=x(a[r]);E==-1&&([V,X]=[X,V]),y(F,V,k),y(F,X,k)}if(!o.spanGaps){let F=[];O&&F.push(...Xp(a,l,s,r,E,x,t)),v.gaps=F=o.gaps(e,i,s,r,F),v.clip=Uu(F,c.ori,f,p,_,g)}return U!=0&&(v.band=U==2?[Xs(e,i,s,r,M,-1),Xs(e,i,s,r,M,1)]:Xs(e,i,s,r,M,U)),v})}function uI(n){let t=Ee(n.align,1),e=Ee(n.ascDesc,!1),i=Ee(n.alignGaps,0),s=Ee(n.extend,!1);return(r,o,a,l)=>ao(r,o,(c,d,u,h,f,p,_,g,m,x,b)=>{[a,l]=Lu(u,a,l);let y=c.pxRound,{left:C,width:E}=r.bbox,v=K=>y(p(K,h,x,g)),M=K=>y(_(K,f,b,m)),O=h.ori==0?va:Sa,R={stroke:new Path2D,fill:null,clip:null,band:null,gaps:null,flags:xa},I=R.stroke,U=h.dir*(h.ori==0?1:-1),F=M(u[U==1?a:l]),L=v(d[U==1?a:l]),k=L,X=L;s&&t==-1&&(X=C,O(I,X,F)),O(I,L,F);for(let K=U==1?a:l;K>=a&&K<=l;K+=U){let et=u[K];if(et==null)continue;let ht=v(d[K]),ut=M(et);t==1?O(I,ht,F):O(I,k,ut),O(I,ht,ut),F=ut,k=ht}let V=k;s&&t==1&&(V=C+E,O(I,V,F));let[ot,$]=Wp(r,o);if(c.fill!=null||ot!=0){let K=R.fill=new Path2D(I),et=c.fillTo(r,o,c.min,c.max,ot),ht=M(et);O(K,V,ht),O(K,X,ht)}if(!c.spanGaps){let K=[];K.push(...Xp(d,u,a,l,U,v,i));let et=c.width*Re/2,ht=e||t==1?et:-et,ut=e||t==-1?-et:et;K.forEach(Q=>{Q[0]+=ht,Q[1]+=ut}),R.gaps=K=c.gaps(r,o,a,l,K),R.clip=Uu(K,h.ori,g,m,x,b)}return $!=0&&(R.band=$==2?[Xs(r,o,a,l,I,-1),Xs(r,o,a,l,I,1)]:Xs(r,o,a,l,I,$)),R})}function Ny(n,t,e,i,s,r,o=He){if(n.length>1){let a=null;for(let l=0,c=1/0;l<n.length;l++)if(t[l]!==void 0){if(a!=null){let d=Nn(n[l]-n[a]);d<c&&(c=d,o=Nn(e(n[l],i,s,r)-e(n[a],i,s,r)))}a=l}}return o}function dI(n){n=n||zl;let t=Ee(n.size,[.6,He,1]),e=n.align||0,i=n.gap||0,s=n.radius;s=s==null?[0,0]:typeof s=="number"?[s,0]:s;let r=ve(s),o=1-t[0],a=Ee(t[1],He),l=Ee(t[2],1),c=Ee(n.disp,zl),d=Ee(n.each,f=>{}),{fill:u,stroke:h}=c;return(f,p,_,g)=>ao(f,p,(m,x,b,y,C,E,v,M,O,R,I)=>{let U=m.pxRound,F=e,L=i*Re,k=a*Re,X=l*Re,V,ot;y.ori==0?[V,ot]=r(f,p):[ot,V]=r(f,p);let $=y.dir*(y.ori==0?1:-1),K=y.ori==0?ku:$p,et=y.ori==0?d:(Pt,Zt,le,Mt,Ge,Gt,Yt)=>{d(Pt,Zt,le,Ge,Mt,Yt,Gt)},ht=Ee(f.bands,kp).find(Pt=>Pt.series[0]==p),ut=ht!=null?ht.dir:0,Q=m.fillTo(f,p,m.min,m.max,ut),gt=U(v(Q,C,I,O)),yt,Ct,wt,Wt=R,ae=U(m.width*Re),Vt=!1,pe=null,ue=null,re=null,en=null;u!=null&&(ae==0||h!=null)&&(Vt=!0,pe=u.values(f,p,_,g),ue=new Map,new Set(pe).forEach(Pt=>{Pt!=null&&ue.set(Pt,new Path2D)}),ae>0&&(re=h.values(f,p,_,g),en=new Map,new Set(re).forEach(Pt=>{Pt!=null&&en.set(Pt,new Path2D)})));let{x0:Xe,size:yn}=c;if(Xe!=null&&yn!=null){F=1,x=Xe.values(f,p,_,g),Xe.unit==2&&(x=x.map(le=>f.posToVal(M+le*R,y.key,!0)));let Pt=yn.values(f,p,_,g);yn.unit==2?Ct=Pt[0]*R:Ct=E(Pt[0],y,R,M)-E(0,y,R,M),Wt=Ny(x,b,E,y,R,M,Wt),wt=Wt-Ct+L}else Wt=Ny(x,b,E,y,R,M,Wt),wt=Wt*o+L,Ct=Wt-wt;wt<1&&(wt=0),ae>=Ct/2&&(ae=0),wt<5&&(U=Hy);let Be=wt>0,On=Wt-wt-(Be?ae:0);Ct=U(Tp(On,X,k)),yt=(F==0?Ct/2:F==$?0:Ct)-F*$*((F==0?L/2:0)+(Be?ae/2:0));let Se={stroke:null,fill:null,clip:null,band:null,gaps:null,flags:0},Cn=Vt?null:new Path2D,un=null;if(ht!=null)un=f.data[ht.series[1]];else{let{y0:Pt,y1:Zt}=c;Pt!=null&&Zt!=null&&(b=Zt.values(f,p,_,g),un=Pt.values(f,p,_,g))}let vn=V*Ct,G=ot*Ct;for(let Pt=$==1?_:g;Pt>=_&&Pt<=g;Pt+=$){let Zt=b[Pt];if(Zt==null)continue;if(un!=null){let Y=un[Pt]??0;if(Zt-Y==0)continue;gt=v(Y,C,I,O)}let le=y.distr!=2||c!=null?x[Pt]:Pt,Mt=E(le,y,R,M),Ge=v(Ee(Zt,Q),C,I,O),Gt=U(Mt-yt),Yt=U(ai(Ge,gt)),D=U(is(Ge,gt)),w=Yt-D;if(Zt!=null){let Y=Zt<0?G:vn,dt=Zt<0?vn:G;Vt?(ae>0&&re[Pt]!=null&&K(en.get(re[Pt]),Gt,D+Ci(ae/2),Ct,ai(0,w-ae),Y,dt),pe[Pt]!=null&&K(ue.get(pe[Pt]),Gt,D+Ci(ae/2),Ct,ai(0,w-ae),Y,dt)):K(Cn,Gt,D+Ci(ae/2),Ct,ai(0,w-ae),Y,dt),et(f,p,Pt,Gt-ae/2,D,Ct+ae,w)}}return ae>0?Se.stroke=Vt?en:Cn:Vt||(Se._fill=m.width==0?m._fill:m._stroke??m._fill,Se.width=0),Se.fill=Vt?ue:Cn,Se})}function fI(n,t){let e=Ee(t?.alignGaps,0);return(i,s,r,o)=>ao(i,s,(a,l,c,d,u,h,f,p,_,g,m)=>{[r,o]=Lu(c,r,o);let x=a.pxRound,b=V=>x(h(V,d,g,p)),y=V=>x(f(V,u,m,_)),C,E,v;d.ori==0?(C=Fu,v=va,E=gv):(C=Bu,v=Sa,E=_v);let M=d.dir*(d.ori==0?1:-1),O=b(l[M==1?r:o]),R=O,I=[],U=[];for(let V=M==1?r:o;V>=r&&V<=o;V+=M)if(c[V]!=null){let $=l[V],K=b($);I.push(R=K),U.push(y(c[V]))}let F={stroke:n(I,U,C,v,E,x),fill:null,clip:null,band:null,gaps:null,flags:xa},L=F.stroke,[k,X]=Wp(i,s);if(a.fill!=null||k!=0){let V=F.fill=new Path2D(L),ot=a.fillTo(i,s,a.min,a.max,k),$=y(ot);v(V,R,$),v(V,O,$)}if(!a.spanGaps){let V=[];V.push(...Xp(l,c,r,o,M,b,e)),F.gaps=V=a.gaps(i,s,r,o,V),F.clip=Uu(V,d.ori,p,_,g,m)}return X!=0&&(F.band=X==2?[Xs(i,s,r,o,L,-1),Xs(i,s,r,o,L,1)]:Xs(i,s,r,o,L,X)),F})}function pI(n){return fI(mI,n)}function mI(n,t,e,i,s,r){let o=n.length;if(o<2)return null;let a=new Path2D;if(e(a,n[0],t[0]),o==2)i(a,n[1],t[1]);else{let l=Array(o),c=Array(o-1),d=Array(o-1),u=Array(o-1);for(let h=0;h<o-1;h++)d[h]=t[h+1]-t[h],u[h]=n[h+1]-n[h],c[h]=d[h]/u[h];l[0]=c[0];for(let h=1;h<o-1;h++)c[h]===0||c[h-1]===0||c[h-1]>0!=c[h]>0?l[h]=0:(l[h]=3*(u[h-1]+u[h])/((2*u[h]+u[h-1])/c[h-1]+(u[h]+2*u[h-1])/c[h]),isFinite(l[h])||(l[h]=0));l[o-1]=c[o-2];for(let h=0;h<o-1;h++)s(a,n[h]+u[h]/3,t[h]+l[h]*u[h]/3,n[h+1]-u[h]/3,t[h+1]-l[h+1]*u[h]/3,n[h+1],t[h+1])}return a}var Ip=new Set;function Oy(){for(let n of Ip)n.syncRect(!0)}ya&&(ro(ZR,pa,Oy),ro(jR,pa,Oy,!0),ro(Ru,pa,()=>{$n.pxRatio=Re}));var gI=vv(),_I=xv();function Uy(n,t,e,i){return(i?[n[0],n[1]].concat(n.slice(2)):[n[0]].concat(n.slice(1))).map((r,o)=>Lp(r,o,t,e))}function xI(n,t){return n.map((e,i)=>i==0?{}:Tn({},t,e))}function Lp(n,t,e,i){return Tn({},t==0?e:i,n)}function Sv(n,t,e){return t==null?ga:[t,e]}var yI=Sv;function vI(n,t,e){return t==null?ga:Pu(t,e,Fp,!0)}function bv(n,t,e,i){return t==null?ga:Du(t,e,n.scales[i].log,!1)}var SI=bv;function wv(n,t,e,i){return t==null?ga:Up(t,e,n.scales[i].log,!1)}var bI=wv;function wI(n,t,e,i,s){let r=ai(py(n),py(t)),o=t-n,a=ns(s/i*o,e);do{let l=e[a],c=i*l/o;if(c>=s&&r+(l<5?Ar.get(l):0)<=17)return[l,c]}while(++a<e.length);return[0,0]}function Fy(n){let t,e;return n=n.replace(/(\d+)px/,(i,s)=>(t=Dn((e=+s)*Re))+"px"),[n,t,e]}function MI(n){n.show&&[n.font,n.labelFont].forEach(t=>{let e=We(t[2]*Re,1);t[0]=t[0].replace(/[0-9.]+px/,e+"px"),t[1]=e})}function $n(n,t,e){let i={mode:Ee(n.mode,1)},s=i.mode;function r(S,A,N,B){let W=A.valToPct(S);return B+N*(A.dir==-1?1-W:W)}function o(S,A,N,B){let W=A.valToPct(S);return B+N*(A.dir==-1?W:1-W)}function a(S,A,N,B){return A.ori==0?r(S,A,N,B):o(S,A,N,B)}i.valToPosH=r,i.valToPosV=o;let l=!1;i.status=0;let c=i.root=Gi(IR);if(n.id!=null&&(c.id=n.id),Ti(c,n.class),n.title){let S=Gi(NR,c);S.textContent=n.title}let d=es("canvas"),u=i.ctx=d.getContext("2d"),h=Gi(OR,c);ro("click",h,S=>{S.target===p&&(Ze!=mo||nn!=go)&&Vn.click(i,S)},!0);let f=i.under=Gi(UR,h);h.appendChild(d);let p=i.over=Gi(FR,h);n=_a(n);let _=+Ee(n.pxAlign,1),g=Dy(_);(n.plugins||[]).forEach(S=>{S.opts&&(n=S.opts(i,n)||n)});let m=n.ms||.001,x=i.series=s==1?Uy(n.series||[],Ay,Iy,!1):xI(n.series||[null],Py),b=i.axes=Uy(n.axes||[],Ey,Cy,!0),y=i.scales={},C=i.bands=n.bands||[];C.forEach(S=>{S.fill=ve(S.fill||null),S.dir=Ee(S.dir,-1)});let E=s==2?x[1].facets[0].scale:x[0].scale,v={axes:Cs,series:ge},M=(n.drawOrder||["axes","series"]).map(S=>v[S]);function O(S){let A=S.distr==3?N=>Ws(N>0?N:S.clamp(i,N,S.min,S.max,S.key)):S.distr==4?N=>yp(N,S.asinh):S.distr==100?N=>S.fwd(N):N=>N;return N=>{let B=A(N),{_min:W,_max:J}=S,lt=J-W;return(B-W)/lt}}function R(S){let A=y[S];if(A==null){let N=(n.scales||zl)[S]||zl;if(N.from!=null){R(N.from);let B=Tn({},y[N.from],N,{key:S});B.valToPct=O(B),y[S]=B}else{A=y[S]=Tn({},S==E?uv:oI,N),A.key=S;let B=A.time,W=A.range,J=Er(W);if((S!=E||s==2&&!B)&&(J&&(W[0]==null||W[1]==null)&&(W={min:W[0]==null?uy:{mode:1,hard:W[0],soft:W[0]},max:W[1]==null?uy:{mode:1,hard:W[1],soft:W[1]}},J=!1),!J&&Ou(W))){let lt=W;W=(ft,St,Nt)=>St==null?ga:Pu(St,Nt,lt)}A.range=ve(W||(B?yI:S==E?A.distr==3?SI:A.distr==4?bI:Sv:A.distr==3?bv:A.distr==4?wv:vI)),A.auto=ve(J?!1:A.auto),A.clamp=ve(A.clamp||rI),A._min=A._max=null,A.valToPct=O(A)}}}R("x"),R("y"),s==1&&x.forEach(S=>{R(S.scale)}),b.forEach(S=>{R(S.scale)});for(let S in n.scales)R(S);let I=y[E],U=I.distr,F,L;I.ori==0?(Ti(c,LR),F=r,L=o):(Ti(c,DR),F=o,L=r);let k={};for(let S in y){let A=y[S];(A.min!=null||A.max!=null)&&(k[S]={min:A.min,max:A.max},A.min=A.max=null)}let X=n.tzDate||(S=>new Date(Dn(S/m))),V=n.fmtDate||zp,ot=m==1?LP(X):OP(X),$=by(X,Sy(m==1?IP:NP,V)),K=My(X,wy(FP,V)),et=[],ht=i.legend=Tn({},zP,n.legend),ut=i.cursor=Tn({},$P,{drag:{y:s==2}},n.cursor),Q=ht.show,gt=ut.show,yt=ht.markers;ht.idxs=et,yt.width=ve(yt.width),yt.dash=ve(yt.dash),yt.stroke=ve(yt.stroke),yt.fill=ve(yt.fill);let Ct,wt,Wt,ae=[],Vt=[],pe,ue=!1,re={};if(ht.live){let S=x[1]?x[1].values:null;ue=S!=null,pe=ue?S(i,1,0):{_:0};for(let A in pe)re[A]=Np}if(Q)if(Ct=es("table",HR,c),Wt=es("tbody",null,Ct),ht.mount(i,Ct),ue){wt=es("thead",null,Ct,Wt);let S=es("tr",null,wt);es("th",null,S);for(var en in pe)es("th",Kx,S).textContent=en}else Ti(Ct,XR),ht.live&&Ti(Ct,WR);let Xe={show:!0},yn={show:!1};function Be(S,A){if(A==0&&(ue||!ht.live||s==2))return ga;let N=[],B=es("tr",$R,Wt,Wt.childNodes[A]);Ti(B,S.class),S.show||Ti(B,so);let W=es("th",null,B);if(yt.show){let ft=Gi(YR,W);if(A>0){let St=yt.width(i,A);St&&(ft.style.border=St+"px "+yt.dash(i,A)+" "+yt.stroke(i,A)),ft.style.background=yt.fill(i,A)}}let J=Gi(Kx,W);S.label instanceof HTMLElement?J.appendChild(S.label):J.textContent=S.label,A>0&&(yt.show||(J.style.color=S.width>0?yt.stroke(i,A):yt.fill(i,A)),Se("click",W,ft=>{if(ut._lock)return;Kt(ft);let St=x.indexOf(S);if((ft.ctrlKey||ft.metaKey)!=ht.isolate){let Nt=x.some((Ot,Ft)=>Ft>0&&Ft!=St&&Ot.show);x.forEach((Ot,Ft)=>{Ft>0&&as(Ft,Nt?Ft==St?Xe:yn:Xe,!0,Mn.setSeries)})}else as(St,{show:!S.show},!0,Mn.setSeries)},!1),Qt&&Se(ny,W,ft=>{ut._lock||(Kt(ft),as(x.indexOf(S),xo,!0,Mn.setSeries))},!1));for(var lt in pe){let ft=es("td",qR,B);ft.textContent="--",N.push(ft)}return[B,N]}let On=new Map;function Se(S,A,N,B=!0){let W=On.get(A)||{},J=ut.bind[S](i,A,N,B);J&&(ro(S,A,W[S]=J),On.set(A,W))}function Cn(S,A,N){let B=On.get(A)||{};for(let W in B)(S==null||W==S)&&(Ap(W,A,B[W]),delete B[W]);S==null&&On.delete(A)}let un=0,vn=0,G=0,Pt=0,Zt=0,le=0,Mt=Zt,Ge=le,Gt=G,Yt=Pt,D=0,w=0,Y=0,dt=0;i.bbox={};let at=!1,xt=!1,vt=!1,nt=!1,st=!1,pt=!1;function z(S,A,N){(N||S!=i.width||A!=i.height)&&rt(S,A),de(!1),vt=!0,xt=!0,Yn()}function rt(S,A){i.width=un=G=S,i.height=vn=Pt=A,Zt=le=0,bt(),Ht();let N=i.bbox;D=N.left=no(Zt*Re,.5),w=N.top=no(le*Re,.5),Y=N.width=no(G*Re,.5),dt=N.height=no(Pt*Re,.5)}let it=3;function Et(){let S=!1,A=0;for(;!S;){A++;let N=uo(A),B=os(A);S=A==it||N&&B,S||(rt(i.width,i.height),xt=!0)}}function _t({width:S,height:A}){z(S,A)}i.setSize=_t;function bt(){let S=!1,A=!1,N=!1,B=!1;b.forEach((W,J)=>{if(W.show&&W._show){let{side:lt,_size:ft}=W,St=lt%2,Nt=W.label!=null?W.labelSize:0,Ot=ft+Nt;Ot>0&&(St?(G-=Ot,lt==3?(Zt+=Ot,B=!0):N=!0):(Pt-=Ot,lt==0?(le+=Ot,S=!0):A=!0))}}),ss[0]=S,ss[1]=N,ss[2]=A,ss[3]=B,G-=Hi[1]+Hi[3],Zt+=Hi[3],Pt-=Hi[2]+Hi[0],le+=Hi[0]}function Ht(){let S=Zt+G,A=le+Pt,N=Zt,B=le;function W(J,lt){switch(J){case 1:return S+=lt,S-lt;case 2:return A+=lt,A-lt;case 3:return N-=lt,N+lt;case 0:return B-=lt,B+lt}}b.forEach((J,lt)=>{if(J.show&&J._show){let ft=J.side;J._pos=W(ft,J._size),J.label!=null&&(J._lpos=W(ft,J.labelSize))}})}if(ut.dataIdx==null){let S=ut.hover,A=S.skip=new Set(S.skip??[]);A.add(void 0);let N=S.prox=ve(S.prox),B=S.bias??(S.bias=0);ut.dataIdx=(W,J,lt,ft)=>{if(J==0)return lt;let St=lt,Nt=N(W,J,lt,ft)??He,Ot=Nt>=0&&Nt<He,Ft=I.ori==0?G:Pt,oe=ut.left,Ae=t[0],be=t[J];if(A.has(be[lt])){St=null;let _e=null,jt=null,Xt;if(B==0||B==-1)for(Xt=lt;_e==null&&Xt-- >0;)A.has(be[Xt])||(_e=Xt);if(B==0||B==1)for(Xt=lt;jt==null&&Xt++<be.length;)A.has(be[Xt])||(jt=Xt);if(_e!=null||jt!=null)if(Ot){let Je=_e==null?-1/0:F(Ae[_e],I,Ft,0),pn=jt==null?1/0:F(Ae[jt],I,Ft,0),kn=oe-Je,ke=pn-oe;kn<=ke?kn<=Nt&&(St=_e):ke<=Nt&&(St=jt)}else St=jt==null?_e:_e==null?jt:lt-_e<=jt-lt?_e:jt}else Ot&&Nn(oe-F(Ae[lt],I,Ft,0))>Nt&&(St=null);return St}}let Kt=S=>{ut.event=S};ut.idxs=et,ut._lock=!1;let ct=ut.points;ct.show=ve(ct.show),ct.size=ve(ct.size),ct.stroke=ve(ct.stroke),ct.width=ve(ct.width),ct.fill=ve(ct.fill);let Bt=i.focus=Tn({},n.focus||{alpha:.3},ut.focus),Qt=Bt.prox>=0,Rt=Qt&&ct.one,he=[],qe=[],Kn=[];function ba(S,A){let N=ct.show(i,A);if(N instanceof HTMLElement)return Ti(N,VR),Ti(N,S.class),bs(N,-10,-10,G,Pt),p.insertBefore(N,he[A]),N}function lo(S,A){if(s==1||A>0){let N=s==1&&y[S.scale].time,B=S.value;S.value=N?_y(B)?My(X,wy(B,V)):B||K:B||nI,S.label=S.label||(N?qP:YP)}if(Rt||A>0){S.width=S.width==null?1:S.width,S.paths=S.paths||gI||oP,S.fillTo=ve(S.fillTo||aI),S.pxAlign=+Ee(S.pxAlign,_),S.pxRound=Dy(S.pxAlign),S.stroke=ve(S.stroke||null),S.fill=ve(S.fill||null),S._stroke=S._fill=S._paths=S._focus=null;let N=iI(ai(1,S.width),1),B=S.points=Tn({},{size:N,width:ai(1,N*.2),stroke:S.stroke,space:N*2,paths:_I,_stroke:null,_fill:null},S.points);B.show=ve(B.show),B.filter=ve(B.filter),B.fill=ve(B.fill),B.stroke=ve(B.stroke),B.paths=ve(B.paths),B.pxAlign=S.pxAlign}if(Q){let N=Be(S,A);ae.splice(A,0,N[0]),Vt.splice(A,0,N[1]),ht.values.push(null)}if(gt){et.splice(A,0,null);let N=null;Rt?A==0&&(N=ba(S,A)):A>0&&(N=ba(S,A)),he.splice(A,0,N),qe.splice(A,0,0),Kn.splice(A,0,0)}Bn("addSeries",A)}function Hu(S,A){A=A??x.length,S=s==1?Lp(S,A,Ay,Iy):Lp(S,A,{},Py),x.splice(A,0,S),lo(x[A],A)}i.addSeries=Hu;function Vl(S){if(x.splice(S,1),Q){ht.values.splice(S,1),Vt.splice(S,1);let A=ae.splice(S,1)[0];Cn(null,A.firstChild),A.remove()}gt&&(et.splice(S,1),he.splice(S,1)[0].remove(),qe.splice(S,1),Kn.splice(S,1)),Bn("delSeries",S)}i.delSeries=Vl;let ss=[!1,!1,!1,!1];function Es(S,A){if(S._show=S.show,S.show){let N=S.side%2,B=y[S.scale];B==null&&(S.scale=N?x[1].scale:E,B=y[S.scale]);let W=B.time;S.size=ve(S.size),S.space=ve(S.space),S.rotate=ve(S.rotate),Er(S.incrs)&&S.incrs.forEach(lt=>{!Ar.has(lt)&&Ar.set(lt,$y(lt))}),S.incrs=ve(S.incrs||(B.distr==2?CP:W?m==1?PP:DP:io)),S.splits=ve(S.splits||(W&&B.distr==1?ot:B.distr==3?Cp:B.distr==4?JP:jP)),S.stroke=ve(S.stroke),S.grid.stroke=ve(S.grid.stroke),S.ticks.stroke=ve(S.ticks.stroke),S.border.stroke=ve(S.border.stroke);let J=S.values;S.values=Er(J)&&!Er(J[0])?ve(J):W?Er(J)?by(X,Sy(J,V)):_y(J)?UP(X,J):J||$:J||ZP,S.filter=ve(S.filter||(B.distr>=3&&B.log==10?tI:B.distr==3&&B.log==2?eI:Wy)),S.font=Fy(S.font),S.labelFont=Fy(S.labelFont),S._size=S.size(i,null,A,0),S._space=S._rotate=S._incrs=S._found=S._splits=S._values=null,S._size>0&&(ss[A]=!0,S._el=Gi(BR,h))}}function As(S,A,N,B){let[W,J,lt,ft]=N,St=A%2,Nt=0;return St==0&&(ft||J)&&(Nt=A==0&&!W||A==2&&!lt?Dn(Ey.size/3):0),St==1&&(W||lt)&&(Nt=A==1&&!J||A==3&&!ft?Dn(Cy.size/2):0),Nt}let wa=i.padding=(n.padding||[As,As,As,As]).map(S=>ve(Ee(S,As))),Hi=i._padding=wa.map((S,A)=>S(i,A,ss,0)),dn,_n=null,xn=null,rs=s==1?x[0].idxs:null,di=null,$s=!1;function Ma(S,A){if(t=S??[],i.data=i._data=t,s==2){dn=0;for(let N=1;N<x.length;N++)dn+=t[N][0].length}else{t.length==0&&(i.data=i._data=t=[[]]),di=t[0],dn=di.length;let N=t;if(U==2){N=t.slice();let B=N[0]=Array(dn);for(let W=0;W<dn;W++)B[W]=W}i._data=t=N}if(de(!0),Bn("setData"),U==2&&(vt=!0),A!==!1){let N=I;N.auto(i,$s)?Ea():Zs(E,N.min,N.max),nt=nt||ut.left>=0,pt=!0,Yn()}}i.setData=Ma;function Ea(){$s=!0;let S,A;s==1&&(dn>0?(_n=rs[0]=0,xn=rs[1]=dn-1,S=t[0][_n],A=t[0][xn],U==2?(S=_n,A=xn):S==A&&(U==3?[S,A]=Du(S,S,I.log,!1):U==4?[S,A]=Up(S,S,I.log,!1):I.time?A=S+Dn(86400/m):[S,A]=Pu(S,A,Fp,!0))):(_n=rs[0]=S=null,xn=rs[1]=A=null)),Zs(E,S,A)}let co,Ys,ho,T,H,tt,Z,j,At,Lt;function Tt(S,A,N,B,W,J){S??(S=ty),N??(N=kp),B??(B="butt"),W??(W=ty),J??(J="round"),S!=co&&(u.strokeStyle=co=S),W!=Ys&&(u.fillStyle=Ys=W),A!=ho&&(u.lineWidth=ho=A),J!=H&&(u.lineJoin=H=J),B!=tt&&(u.lineCap=tt=B),N!=T&&u.setLineDash(T=N)}function Dt(S,A,N,B){A!=Ys&&(u.fillStyle=Ys=A),S!=Z&&(u.font=Z=S),N!=j&&(u.textAlign=j=N),B!=At&&(u.textBaseline=At=B)}function zt(S,A,N,B,W=0){if(B.length>0&&S.auto(i,$s)&&(A==null||A.min==null)){let J=Ee(_n,0),lt=Ee(xn,B.length-1),ft=N.min==null?tP(B,J,lt,W,S.distr==3):[N.min,N.max];S.min=is(S.min,N.min=ft[0]),S.max=ai(S.max,N.max=ft[1])}}let ee={min:null,max:null};function me(){for(let B in y){let W=y[B];k[B]==null&&(W.min==null||k[E]!=null&&W.auto(i,$s))&&(k[B]=ee)}for(let B in y){let W=y[B];k[B]==null&&W.from!=null&&k[W.from]!=null&&(k[B]=ee)}k[E]!=null&&de(!0);let S={};for(let B in k){let W=k[B];if(W!=null){let J=S[B]=_a(y[B],cP);if(W.min!=null)Tn(J,W);else if(B!=E||s==2)if(dn==0&&J.from==null){let lt=J.range(i,null,null,B);J.min=lt[0],J.max=lt[1]}else J.min=He,J.max=-He}}if(dn>0){x.forEach((B,W)=>{if(s==1){let J=B.scale,lt=k[J];if(lt==null)return;let ft=S[J];if(W==0){let St=ft.range(i,ft.min,ft.max,J);ft.min=St[0],ft.max=St[1],_n=ns(ft.min,t[0]),xn=ns(ft.max,t[0]),xn-_n>1&&(t[0][_n]<ft.min&&_n++,t[0][xn]>ft.max&&xn--),B.min=di[_n],B.max=di[xn]}else B.show&&B.auto&&zt(ft,lt,B,t[W],B.sorted);B.idxs[0]=_n,B.idxs[1]=xn}else if(W>0&&B.show&&B.auto){let[J,lt]=B.facets,ft=J.scale,St=lt.scale,[Nt,Ot]=t[W],Ft=S[ft],oe=S[St];Ft!=null&&zt(Ft,k[ft],J,Nt,J.sorted),oe!=null&&zt(oe,k[St],lt,Ot,lt.sorted),B.min=lt.min,B.max=lt.max}});for(let B in S){let W=S[B],J=k[B];if(W.from==null&&(J==null||J.min==null)){let lt=W.range(i,W.min==He?null:W.min,W.max==-He?null:W.max,B);W.min=lt[0],W.max=lt[1]}}}for(let B in S){let W=S[B];if(W.from!=null){let J=S[W.from];if(J.min==null)W.min=W.max=null;else{let lt=W.range(i,J.min,J.max,B);W.min=lt[0],W.max=lt[1]}}}let A={},N=!1;for(let B in S){let W=S[B],J=y[B];if(J.min!=W.min||J.max!=W.max){J.min=W.min,J.max=W.max;let lt=J.distr;J._min=lt==3?Ws(J.min):lt==4?yp(J.min,J.asinh):lt==100?J.fwd(J.min):J.min,J._max=lt==3?Ws(J.max):lt==4?yp(J.max,J.asinh):lt==100?J.fwd(J.max):J.max,A[B]=N=!0}}if(N){x.forEach((B,W)=>{s==2?W>0&&A.y&&(B._paths=null):A[B.scale]&&(B._paths=null)});for(let B in A)vt=!0,Bn("setScale",B);gt&&ut.left>=0&&(nt=pt=!0)}for(let B in k)k[B]=null}function kt(S){let A=Tp(_n-1,0,dn-1),N=Tp(xn+1,0,dn-1);for(;S[A]==null&&A>0;)A--;for(;S[N]==null&&N<dn-1;)N++;return[A,N]}function ge(){if(dn>0){let S=x.some(A=>A._focus)&&Lt!=Bt.alpha;S&&(u.globalAlpha=Lt=Bt.alpha),x.forEach((A,N)=>{if(N>0&&A.show&&(an(N,!1),an(N,!0),A._paths==null)){let B=Lt;Lt!=A.alpha&&(u.globalAlpha=Lt=A.alpha);let W=s==2?[0,t[N][0].length-1]:kt(t[N]);A._paths=A.paths(i,N,W[0],W[1]),Lt!=B&&(u.globalAlpha=Lt=B)}}),x.forEach((A,N)=>{if(N>0&&A.show){let B=Lt;Lt!=A.alpha&&(u.globalAlpha=Lt=A.alpha),A._paths!=null&&Oe(N,!1);{let W=A._paths!=null?A._paths.gaps:null,J=A.points.show(i,N,_n,xn,W),lt=A.points.filter(i,N,J,W);(J||lt)&&(A.points._paths=A.points.paths(i,N,_n,xn,lt),Oe(N,!0))}Lt!=B&&(u.globalAlpha=Lt=B),Bn("drawSeries",N)}}),S&&(u.globalAlpha=Lt=1)}}function an(S,A){let N=A?x[S].points:x[S];N._stroke=N.stroke(i,S),N._fill=N.fill(i,S)}function Oe(S,A){let N=A?x[S].points:x[S],{stroke:B,fill:W,clip:J,flags:lt,_stroke:ft=N._stroke,_fill:St=N._fill,_width:Nt=N.width}=N._paths;Nt=We(Nt*Re,3);let Ot=null,Ft=Nt%2/2;A&&St==null&&(St=Nt>0?"#fff":ft);let oe=N.pxAlign==1&&Ft>0;if(oe&&u.translate(Ft,Ft),!A){let Ae=D-Nt/2,be=w-Nt/2,_e=Y+Nt,jt=dt+Nt;Ot=new Path2D,Ot.rect(Ae,be,_e,jt)}A?Ut(ft,Nt,N.dash,N.cap,St,B,W,lt,J):Ue(S,ft,Nt,N.dash,N.cap,St,B,W,lt,Ot,J),oe&&u.translate(-Ft,-Ft)}function Ue(S,A,N,B,W,J,lt,ft,St,Nt,Ot){let Ft=!1;St!=0&&C.forEach((oe,Ae)=>{if(oe.series[0]==S){let be=x[oe.series[1]],_e=t[oe.series[1]],jt=(be._paths||zl).band;Er(jt)&&(jt=oe.dir==1?jt[0]:jt[1]);let Xt,Je=null;be.show&&jt&&nP(_e,_n,xn)?(Je=oe.fill(i,Ae)||J,Xt=be._paths.clip):jt=null,Ut(A,N,B,W,Je,lt,ft,St,Nt,Ot,Xt,jt),Ft=!0}}),Ft||Ut(A,N,B,W,J,lt,ft,St,Nt,Ot)}let Rn=xa|Pp;function Ut(S,A,N,B,W,J,lt,ft,St,Nt,Ot,Ft){Tt(S,A,N,B,W),(St||Nt||Ft)&&(u.save(),St&&u.clip(St),Nt&&u.clip(Nt)),Ft?(ft&Rn)==Rn?(u.clip(Ft),Ot&&u.clip(Ot),xe(W,lt),Sn(S,J,A)):ft&Pp?(xe(W,lt),u.clip(Ft),Sn(S,J,A)):ft&xa&&(u.save(),u.clip(Ft),Ot&&u.clip(Ot),xe(W,lt),u.restore(),Sn(S,J,A)):(xe(W,lt),Sn(S,J,A)),(St||Nt||Ft)&&u.restore()}function Sn(S,A,N){N>0&&(A instanceof Map?A.forEach((B,W)=>{u.strokeStyle=co=W,u.stroke(B)}):A!=null&&S&&u.stroke(A))}function xe(S,A){A instanceof Map?A.forEach((N,B)=>{u.fillStyle=Ys=B,u.fill(N)}):A!=null&&S&&u.fill(A)}function Ts(S,A,N,B){let W=b[S],J;if(B<=0)J=[0,0];else{let lt=W._space=W.space(i,S,A,N,B),ft=W._incrs=W.incrs(i,S,A,N,B,lt);J=wI(A,N,ft,B,lt)}return W._found=J}function bn(S,A,N,B,W,J,lt,ft,St,Nt){let Ot=lt%2/2;_==1&&u.translate(Ot,Ot),Tt(ft,lt,St,Nt,ft),u.beginPath();let Ft,oe,Ae,be,_e=W+(B==0||B==3?-J:J);N==0?(oe=W,be=_e):(Ft=W,Ae=_e);for(let jt=0;jt<S.length;jt++)A[jt]!=null&&(N==0?Ft=Ae=S[jt]:oe=be=S[jt],u.moveTo(Ft,oe),u.lineTo(Ae,be));u.stroke(),_==1&&u.translate(-Ot,-Ot)}function uo(S){let A=!0;return b.forEach((N,B)=>{if(!N.show)return;let W=y[N.scale];if(W.min==null){N._show&&(A=!1,N._show=!1,de(!1));return}else N._show||(A=!1,N._show=!0,de(!1));let J=N.side,lt=J%2,{min:ft,max:St}=W,[Nt,Ot]=Ts(B,ft,St,lt==0?G:Pt);if(Ot==0)return;let Ft=W.distr==2,oe=N._splits=N.splits(i,B,ft,St,Nt,Ot,Ft),Ae=W.distr==2?oe.map(Xt=>di[Xt]):oe,be=W.distr==2?di[oe[1]]-di[oe[0]]:Nt,_e=N._values=N.values(i,N.filter(i,Ae,B,Ot,be),B,Ot,be);N._rotate=J==2?N.rotate(i,_e,B,Ot):0;let jt=N._size;N._size=Vi(N.size(i,_e,B,S)),jt!=null&&N._size!=jt&&(A=!1)}),A}function os(S){let A=!0;return wa.forEach((N,B)=>{let W=N(i,B,ss,S);W!=Hi[B]&&(A=!1),Hi[B]=W}),A}function Cs(){for(let S=0;S<b.length;S++){let A=b[S];if(!A.show||!A._show)continue;let N=A.side,B=N%2,W,J,lt=A.stroke(i,S),ft=N==0||N==3?-1:1,[St,Nt]=A._found;if(A.label!=null){let ei=A.labelGap*ft,mi=Dn((A._lpos+ei)*Re);Dt(A.labelFont[0],lt,"center",N==2?"top":Qx),u.save(),B==1?(W=J=0,u.translate(mi,Dn(w+dt/2)),u.rotate((N==3?-Cu:Cu)/2)):(W=Dn(D+Y/2),J=mi);let Rr=Vy(A.label)?A.label(i,S,St,Nt):A.label;u.fillText(Rr,W,J),u.restore()}if(Nt==0)continue;let Ot=y[A.scale],Ft=B==0?Y:dt,oe=B==0?D:w,Ae=A._splits,be=Ot.distr==2?Ae.map(ei=>di[ei]):Ae,_e=Ot.distr==2?di[Ae[1]]-di[Ae[0]]:St,jt=A.ticks,Xt=A.border,Je=jt.show?jt.size:0,pn=Dn(Je*Re),kn=Dn((A.alignTo==2?A._size-Je-A.gap:A.gap)*Re),ke=A._rotate*-Cu/180,mn=g(A._pos*Re),fi=(pn+kn)*ft,ti=mn+fi;J=B==0?ti:0,W=B==1?ti:0;let Pi=A.font[0],Wi=A.align==1?da:A.align==2?gp:ke>0?da:ke<0?gp:B==0?"center":N==3?gp:da,cs=ke||B==1?"middle":N==2?"top":Qx;Dt(Pi,lt,Wi,cs);let pi=A.font[1]*A.lineGap,Ii=Ae.map(ei=>g(a(ei,Ot,Ft,oe))),Xi=A._values;for(let ei=0;ei<Xi.length;ei++){let mi=Xi[ei];if(mi!=null){B==0?W=Ii[ei]:J=Ii[ei],mi=""+mi;let Rr=mi.indexOf(`
+`)==-1?[mi]:mi.split(/\n/gm);for(let ni=0;ni<Rr.length;ni++){let ym=Rr[ni];ke?(u.save(),u.translate(W,J+ni*pi),u.rotate(ke),u.fillText(ym,0,0),u.restore()):u.fillText(ym,W,J+ni*pi)}}}jt.show&&bn(Ii,jt.filter(i,be,S,Nt,_e),B,N,mn,pn,We(jt.width*Re,3),jt.stroke(i,S),jt.dash,jt.cap);let hs=A.grid;hs.show&&bn(Ii,hs.filter(i,be,S,Nt,_e),B,B==0?2:1,B==0?w:D,B==0?dt:Y,We(hs.width*Re,3),hs.stroke(i,S),hs.dash,hs.cap),Xt.show&&bn([mn],[1],B==0?1:0,B==0?1:2,B==1?w:D,B==1?dt:Y,We(Xt.width*Re,3),Xt.stroke(i,S),Xt.dash,Xt.cap)}Bn("drawAxes")}function de(S){x.forEach((A,N)=>{N>0&&(A._paths=null,S&&(s==1?(A.min=null,A.max=null):A.facets.forEach(B=>{B.min=null,B.max=null})))})}let fn=!1,Qn=!1,Fe=[];function wn(){Qn=!1;for(let S=0;S<Fe.length;S++)Bn(...Fe[S]);Fe.length=0}function Yn(){fn||(gP(em),fn=!0)}function Hl(S,A=!1){fn=!0,Qn=A,S(i),em(),A&&Fe.length>0&&queueMicrotask(wn)}i.batch=Hl;function em(){if(at&&(me(),at=!1),vt&&(Et(),vt=!1),xt){if(tn(f,da,Zt),tn(f,"top",le),tn(f,Ul,G),tn(f,Fl,Pt),tn(p,da,Zt),tn(p,"top",le),tn(p,Ul,G),tn(p,Fl,Pt),tn(h,Ul,un),tn(h,Fl,vn),d.width=Dn(un*Re),d.height=Dn(vn*Re),b.forEach(({_el:S,_show:A,_size:N,_pos:B,side:W})=>{if(S!=null)if(A){let J=W===3||W===0?N:0,lt=W%2==1;tn(S,lt?"left":"top",B-J),tn(S,lt?"width":"height",N),tn(S,lt?"top":"left",lt?le:Zt),tn(S,lt?"height":"width",lt?Pt:G),Ep(S,so)}else Ti(S,so)}),co=Ys=ho=H=tt=Z=j=At=T=null,Lt=1,Ca(!0),Zt!=Mt||le!=Ge||G!=Gt||Pt!=Yt){de(!1);let S=G/Gt,A=Pt/Yt;if(gt&&!nt&&ut.left>=0){ut.left*=S,ut.top*=A,fo&&bs(fo,Dn(ut.left),0,G,Pt),po&&bs(po,0,Dn(ut.top),G,Pt);for(let N=0;N<he.length;N++){let B=he[N];B!=null&&(qe[N]*=S,Kn[N]*=A,bs(B,Vi(qe[N]),Vi(Kn[N]),G,Pt))}}if(je.show&&!st&&je.left>=0&&je.width>0){je.left*=S,je.width*=S,je.top*=A,je.height*=A;for(let N in Zu)tn(_o,N,je[N])}Mt=Zt,Ge=le,Gt=G,Yt=Pt}Bn("setSize"),xt=!1}un>0&&vn>0&&(u.clearRect(0,0,d.width,d.height),Bn("drawClear"),M.forEach(S=>S()),Bn("draw")),je.show&&st&&(Wl(je),st=!1),gt&&nt&&(Cr(null,!0,!1),nt=!1),ht.show&&ht.live&&pt&&(Yu(),pt=!1),l||(l=!0,i.status=1,Bn("ready")),$s=!1,fn=!1}i.redraw=(S,A)=>{vt=A||!1,S!==!1?Zs(E,I.min,I.max):Yn()};function Wu(S,A){let N=y[S];if(N.from==null){if(dn==0){let B=N.range(i,A.min,A.max,S);A.min=B[0],A.max=B[1]}if(A.min>A.max){let B=A.min;A.min=A.max,A.max=B}if(dn>1&&A.min!=null&&A.max!=null&&A.max-A.min<1e-16)return;S==E&&N.distr==2&&dn>0&&(A.min=ns(A.min,t[0]),A.max=ns(A.max,t[0]),A.min==A.max&&A.max++),k[S]=A,at=!0,Yn()}}i.setScale=Wu;let Xu,$u,fo,po,nm,im,mo,go,sm,rm,Ze,nn,qs=!1,Vn=ut.drag,Un=Vn.x,Fn=Vn.y;gt&&(ut.x&&(Xu=Gi(zR,p)),ut.y&&($u=Gi(GR,p)),I.ori==0?(fo=Xu,po=$u):(fo=$u,po=Xu),Ze=ut.left,nn=ut.top);let je=i.select=Tn({show:!0,over:!0,left:0,width:0,top:0,height:0},n.select),_o=je.show?Gi(kR,je.over?p:f):null;function Wl(S,A){if(je.show){for(let N in S)je[N]=S[N],N in Zu&&tn(_o,N,S[N]);A!==!1&&Bn("setSelect")}}i.setSelect=Wl;function sS(S){if(x[S].show)Q&&Ep(ae[S],so);else if(Q&&Ti(ae[S],so),gt){let N=Rt?he[0]:he[S];N!=null&&bs(N,-10,-10,G,Pt)}}function Zs(S,A,N){Wu(S,{min:A,max:N})}function as(S,A,N,B){A.focus!=null&&cS(S),A.show!=null&&x.forEach((W,J)=>{J>0&&(S==J||S==null)&&(W.show=A.show,sS(J),s==2?(Zs(W.facets[0].scale,null,null),Zs(W.facets[1].scale,null,null)):Zs(W.scale,null,null),Yn())}),N!==!1&&Bn("setSeries",S,A),B&&Ra("setSeries",i,S,A)}i.setSeries=as;function rS(S,A){Tn(C[S],A)}function oS(S,A){S.fill=ve(S.fill||null),S.dir=Ee(S.dir,-1),A=A??C.length,C.splice(A,0,S)}function aS(S){S==null?C.length=0:C.splice(S,1)}i.addBand=oS,i.setBand=rS,i.delBand=aS;function lS(S,A){x[S].alpha=A,gt&&he[S]!=null&&(he[S].style.opacity=A),Q&&ae[S]&&(ae[S].style.opacity=A)}let Rs,js,Tr,xo={focus:!0};function cS(S){if(S!=Tr){let A=S==null,N=Bt.alpha!=1;x.forEach((B,W)=>{if(s==1||W>0){let J=A||W==0||W==S;B._focus=A?null:J,N&&lS(W,J?1:Bt.alpha)}}),Tr=S,N&&Yn()}}Q&&Qt&&Se(iy,Ct,S=>{ut._lock||(Kt(S),Tr!=null&&as(null,xo,!0,Mn.setSeries))});function ls(S,A,N){let B=y[A];N&&(S=S/Re-(B.ori==1?le:Zt));let W=G;B.ori==1&&(W=Pt,S=W-S),B.dir==-1&&(S=W-S);let J=B._min,lt=B._max,ft=S/W,St=J+(lt-J)*ft,Nt=B.distr;return Nt==3?ma(10,St):Nt==4?sP(St,B.asinh):Nt==100?B.bwd(St):St}function hS(S,A){let N=ls(S,E,A);return ns(N,t[0],_n,xn)}i.valToIdx=S=>ns(S,t[0]),i.posToIdx=hS,i.posToVal=ls,i.valToPos=(S,A,N)=>y[A].ori==0?r(S,y[A],N?Y:G,N?D:0):o(S,y[A],N?dt:Pt,N?w:0),i.setCursor=(S,A,N)=>{Ze=S.left,nn=S.top,Cr(null,A,N)};function om(S,A){tn(_o,da,je.left=S),tn(_o,Ul,je.width=A)}function am(S,A){tn(_o,"top",je.top=S),tn(_o,Fl,je.height=A)}let Aa=I.ori==0?om:am,Ta=I.ori==1?om:am;function uS(){if(Q&&ht.live)for(let S=s==2?1:0;S<x.length;S++){if(S==0&&ue)continue;let A=ht.values[S],N=0;for(let B in A)Vt[S][N++].firstChild.nodeValue=A[B]}}function Yu(S,A){if(S!=null&&(S.idxs?S.idxs.forEach((N,B)=>{et[B]=N}):lP(S.idx)||et.fill(S.idx),ht.idx=et[0]),Q&&ht.live){for(let N=0;N<x.length;N++)(N>0||s==1&&!ue)&&dS(N,et[N]);uS()}pt=!1,A!==!1&&Bn("setLegend")}i.setLegend=Yu;function dS(S,A){let N=x[S],B=S==0&&U==2?di:t[S],W;ue?W=N.values(i,S,A)??re:(W=N.value(i,A==null?null:B[A],S,A),W=W==null?re:{_:W}),ht.values[S]=W}function Cr(S,A,N){sm=Ze,rm=nn,[Ze,nn]=ut.move(i,Ze,nn),ut.left=Ze,ut.top=nn,gt&&(fo&&bs(fo,Dn(Ze),0,G,Pt),po&&bs(po,0,Dn(nn),G,Pt));let B,W=_n>xn;Rs=He,js=null;let J=I.ori==0?G:Pt,lt=I.ori==1?G:Pt;if(Ze<0||dn==0||W){B=ut.idx=null;for(let ft=0;ft<x.length;ft++){let St=he[ft];St!=null&&bs(St,-10,-10,G,Pt)}Qt&&as(null,xo,!0,S==null&&Mn.setSeries),ht.live&&(et.fill(B),pt=!0)}else{let ft,St,Nt;s==1&&(ft=I.ori==0?Ze:nn,St=ls(ft,E),B=ut.idx=ns(St,t[0],_n,xn),Nt=F(t[0][B],I,J,0));let Ot=-10,Ft=-10,oe=0,Ae=0,be=!0,_e="",jt="";for(let Xt=s==2?1:0;Xt<x.length;Xt++){let Je=x[Xt],pn=et[Xt],kn=pn==null?null:s==1?t[Xt][pn]:t[Xt][1][pn],ke=ut.dataIdx(i,Xt,B,St),mn=ke==null?null:s==1?t[Xt][ke]:t[Xt][1][ke];if(pt=pt||mn!=kn||ke!=pn,et[Xt]=ke,Xt>0&&Je.show){let fi=ke==null?-10:ke==B?Nt:F(s==1?t[0][ke]:t[Xt][0][ke],I,J,0),ti=mn==null?-10:L(mn,s==1?y[Je.scale]:y[Je.facets[1].scale],lt,0);if(Qt&&mn!=null){let Pi=I.ori==1?Ze:nn,Wi=Nn(Bt.dist(i,Xt,ke,ti,Pi));if(Wi<Rs){let cs=Bt.bias;if(cs!=0){let pi=ls(Pi,Je.scale),Ii=mn>=0?1:-1,Xi=pi>=0?1:-1;Xi==Ii&&(Xi==1?cs==1?mn>=pi:mn<=pi:cs==1?mn<=pi:mn>=pi)&&(Rs=Wi,js=Xt)}else Rs=Wi,js=Xt}}if(pt||Rt){let Pi,Wi;I.ori==0?(Pi=fi,Wi=ti):(Pi=ti,Wi=fi);let cs,pi,Ii,Xi,hs,ei,mi=!0,Rr=ct.bbox;if(Rr!=null){mi=!1;let ni=Rr(i,Xt);Ii=ni.left,Xi=ni.top,cs=ni.width,pi=ni.height}else Ii=Pi,Xi=Wi,cs=pi=ct.size(i,Xt);if(ei=ct.fill(i,Xt),hs=ct.stroke(i,Xt),Rt)Xt==js&&Rs<=Bt.prox&&(Ot=Ii,Ft=Xi,oe=cs,Ae=pi,be=mi,_e=ei,jt=hs);else{let ni=he[Xt];ni!=null&&(qe[Xt]=Ii,Kn[Xt]=Xi,hy(ni,cs,pi,mi),ly(ni,ei,hs),bs(ni,Vi(Ii),Vi(Xi),G,Pt))}}}}if(Rt){let Xt=Bt.prox,Je=Tr==null?Rs<=Xt:Rs>Xt||js!=Tr;if(pt||Je){let pn=he[0];pn!=null&&(qe[0]=Ot,Kn[0]=Ft,hy(pn,oe,Ae,be),ly(pn,_e,jt),bs(pn,Vi(Ot),Vi(Ft),G,Pt))}}}if(je.show&&qs)if(S!=null){let[ft,St]=Mn.scales,[Nt,Ot]=Mn.match,[Ft,oe]=S.cursor.sync.scales,Ae=S.cursor.drag;if(Un=Ae._x,Fn=Ae._y,Un||Fn){let{left:be,top:_e,width:jt,height:Xt}=S.select,Je=S.scales[Ft].ori,pn=S.posToVal,kn,ke,mn,fi,ti,Pi=ft!=null&&Nt(ft,Ft),Wi=St!=null&&Ot(St,oe);Pi&&Un?(Je==0?(kn=be,ke=jt):(kn=_e,ke=Xt),mn=y[ft],fi=F(pn(kn,Ft),mn,J,0),ti=F(pn(kn+ke,Ft),mn,J,0),Aa(is(fi,ti),Nn(ti-fi))):Aa(0,J),Wi&&Fn?(Je==1?(kn=be,ke=jt):(kn=_e,ke=Xt),mn=y[St],fi=L(pn(kn,oe),mn,lt,0),ti=L(pn(kn+ke,oe),mn,lt,0),Ta(is(fi,ti),Nn(ti-fi))):Ta(0,lt)}else ju()}else{let ft=Nn(sm-nm),St=Nn(rm-im);if(I.ori==1){let oe=ft;ft=St,St=oe}Un=Vn.x&&ft>=Vn.dist,Fn=Vn.y&&St>=Vn.dist;let Nt=Vn.uni;Nt!=null?Un&&Fn&&(Un=ft>=Nt,Fn=St>=Nt,!Un&&!Fn&&(St>ft?Fn=!0:Un=!0)):Vn.x&&Vn.y&&(Un||Fn)&&(Un=Fn=!0);let Ot,Ft;Un&&(I.ori==0?(Ot=mo,Ft=Ze):(Ot=go,Ft=nn),Aa(is(Ot,Ft),Nn(Ft-Ot)),Fn||Ta(0,lt)),Fn&&(I.ori==1?(Ot=mo,Ft=Ze):(Ot=go,Ft=nn),Ta(is(Ot,Ft),Nn(Ft-Ot)),Un||Aa(0,J)),!Un&&!Fn&&(Aa(0,0),Ta(0,0))}if(Vn._x=Un,Vn._y=Fn,S==null){if(N){if(xm!=null){let[ft,St]=Mn.scales;Mn.values[0]=ft!=null?ls(I.ori==0?Ze:nn,ft):null,Mn.values[1]=St!=null?ls(I.ori==1?Ze:nn,St):null}Ra(_p,i,Ze,nn,G,Pt,B)}if(Qt){let ft=N&&Mn.setSeries,St=Bt.prox;Tr==null?Rs<=St&&as(js,xo,!0,ft):Rs>St?as(null,xo,!0,ft):js!=Tr&&as(js,xo,!0,ft)}}pt&&(ht.idx=B,Yu()),A!==!1&&Bn("setCursor")}let Js=null;Object.defineProperty(i,"rect",{get(){return Js==null&&Ca(!1),Js}});function Ca(S=!1){S?Js=null:(Js=p.getBoundingClientRect(),Bn("syncRect",Js))}function lm(S,A,N,B,W,J,lt){ut._lock||qs&&S!=null&&S.movementX==0&&S.movementY==0||(qu(S,A,N,B,W,J,lt,!1,S!=null),S!=null?Cr(null,!0,!0):Cr(A,!0,!1))}function qu(S,A,N,B,W,J,lt,ft,St){if(Js==null&&Ca(!1),Kt(S),S!=null)N=S.clientX-Js.left,B=S.clientY-Js.top;else{if(N<0||B<0){Ze=-10,nn=-10;return}let[Nt,Ot]=Mn.scales,Ft=A.cursor.sync,[oe,Ae]=Ft.values,[be,_e]=Ft.scales,[jt,Xt]=Mn.match,Je=A.axes[0].side%2==1,pn=I.ori==0?G:Pt,kn=I.ori==1?G:Pt,ke=Je?J:W,mn=Je?W:J,fi=Je?B:N,ti=Je?N:B;if(be!=null?N=jt(Nt,be)?a(oe,y[Nt],pn,0):-10:N=pn*(fi/ke),_e!=null?B=Xt(Ot,_e)?a(Ae,y[Ot],kn,0):-10:B=kn*(ti/mn),I.ori==1){let Pi=N;N=B,B=Pi}}St&&(A==null||A.cursor.event.type==_p)&&((N<=1||N>=G-1)&&(N=no(N,G)),(B<=1||B>=Pt-1)&&(B=no(B,Pt))),ft?(nm=N,im=B,[mo,go]=ut.move(i,N,B)):(Ze=N,nn=B)}let Zu={width:0,height:0,left:0,top:0};function ju(){Wl(Zu,!1)}let cm,hm,um,dm;function fm(S,A,N,B,W,J,lt){qs=!0,Un=Fn=Vn._x=Vn._y=!1,qu(S,A,N,B,W,J,lt,!0,!1),S!=null&&(Se(xp,wp,pm,!1),Ra(ey,i,mo,go,G,Pt,null));let{left:ft,top:St,width:Nt,height:Ot}=je;cm=ft,hm=St,um=Nt,dm=Ot}function pm(S,A,N,B,W,J,lt){qs=Vn._x=Vn._y=!1,qu(S,A,N,B,W,J,lt,!1,!0);let{left:ft,top:St,width:Nt,height:Ot}=je,Ft=Nt>0||Ot>0,oe=cm!=ft||hm!=St||um!=Nt||dm!=Ot;if(Ft&&oe&&Wl(je),Vn.setScale&&Ft&&oe){let Ae=ft,be=Nt,_e=St,jt=Ot;if(I.ori==1&&(Ae=St,be=Ot,_e=ft,jt=Nt),Un&&Zs(E,ls(Ae,E),ls(Ae+be,E)),Fn)for(let Xt in y){let Je=y[Xt];Xt!=E&&Je.from==null&&Je.min!=He&&Zs(Xt,ls(_e+jt,Xt),ls(_e,Xt))}ju()}else ut.lock&&(ut._lock=!ut._lock,Cr(A,!0,S!=null));S!=null&&(Cn(xp,wp),Ra(xp,i,Ze,nn,G,Pt,null))}function fS(S,A,N,B,W,J,lt){if(ut._lock)return;Kt(S);let ft=qs;if(qs){let St=!0,Nt=!0,Ot=10,Ft,oe;I.ori==0?(Ft=Un,oe=Fn):(Ft=Fn,oe=Un),Ft&&oe&&(St=Ze<=Ot||Ze>=G-Ot,Nt=nn<=Ot||nn>=Pt-Ot),Ft&&St&&(Ze=Ze<mo?0:G),oe&&Nt&&(nn=nn<go?0:Pt),Cr(null,!0,!0),qs=!1}Ze=-10,nn=-10,et.fill(null),Cr(null,!0,!0),ft&&(qs=ft)}function mm(S,A,N,B,W,J,lt){ut._lock||(Kt(S),Ea(),ju(),S!=null&&Ra(sy,i,Ze,nn,G,Pt,null))}function gm(){b.forEach(MI),z(i.width,i.height,!0)}ro(Ru,pa,gm);let yo={};yo.mousedown=fm,yo.mousemove=lm,yo.mouseup=pm,yo.dblclick=mm,yo.setSeries=(S,A,N,B)=>{let W=Mn.match[2];N=W(i,A,N),N!=-1&&as(N,B,!0,!1)},gt&&(Se(ey,p,fm),Se(_p,p,lm),Se(ny,p,S=>{Kt(S),Ca(!1)}),Se(iy,p,fS),Se(sy,p,mm),Ip.add(i),i.syncRect=Ca);let Xl=i.hooks=n.hooks||{};function Bn(S,A,N){Qn?Fe.push([S,A,N]):S in Xl&&Xl[S].forEach(B=>{B.call(null,i,A,N)})}(n.plugins||[]).forEach(S=>{for(let A in S.hooks)Xl[A]=(Xl[A]||[]).concat(S.hooks[A])});let _m=(S,A,N)=>N,Mn=Tn({key:null,setSeries:!1,filters:{pub:my,sub:my},scales:[E,x[1]?x[1].scale:null],match:[gy,gy,_m],values:[null,null]},ut.sync);Mn.match.length==2&&Mn.match.push(_m),ut.sync=Mn;let xm=Mn.key,Ju=dv(xm);function Ra(S,A,N,B,W,J,lt){Mn.filters.pub(S,A,N,B,W,J,lt)&&Ju.pub(S,A,N,B,W,J,lt)}Ju.sub(i);function pS(S,A,N,B,W,J,lt){Mn.filters.sub(S,A,N,B,W,J,lt)&&yo[S](null,A,N,B,W,J,lt)}i.pub=pS;function mS(){Ju.unsub(i),Ip.delete(i),On.clear(),Ap(Ru,pa,gm),c.remove(),Ct?.remove(),Bn("destroy")}i.destroy=mS;function Ku(){Bn("init",n,t),Ma(t||n.data,!1),k[E]?Wu(E,k[E]):Ea(),st=je.show&&(je.width>0||je.height>0),nt=pt=!0,z(n.width,n.height)}return x.forEach(lo),b.forEach(Es),e?e instanceof HTMLElement?(e.appendChild(c),Ku()):e(i,Ku):Ku(),i}$n.assign=Tn;$n.fmtNum=Bp;$n.rangeNum=Pu;$n.rangeLog=Du;$n.rangeAsinh=Up;$n.orient=ao;$n.pxRatio=Re;$n.join=mP;$n.fmtDate=zp,$n.tzDate=AP;$n.sync=dv;{$n.addGap=lI,$n.clipGaps=Uu;let n=$n.paths={points:xv};n.linear=vv,n.stepped=uI,n.bars=dI,n.spline=pI}var Ev=(n,t,...e)=>q("figure",{class:n},n==="table"?Mv(n,t):null,...e,n==="table"?null:Mv(n,t)),Mv=(n,t)=>q("figcaption",{class:`${n}-caption`},t??"");var Yp={width:26,height:4};function qp({color:n="var(--ink)",mark:t="box",dash:e}){if(t!=="line")return q("span",{class:`swatch ${t}`,style:`--swatch: ${n}`});let i=Yp.height/2;return ln("svg",{class:"swatch-line",...Yp,"aria-hidden":"true"},ln("line",{x1:0,x2:Yp.width,y1:i,y2:i,style:`stroke: ${n}`,"stroke-width":3,"stroke-dasharray":e?.join(" ")}))}function EI({name:n,...t},e){let i=q("button",{type:"button","aria-pressed":"true",title:`Hide or show ${n}`},qp(t),n);return i.addEventListener("click",()=>{let s=i.getAttribute("aria-pressed")!=="true";i.setAttribute("aria-pressed",String(s)),e(n,s)}),i}var Av=(n,t)=>q("div",{class:"legend",role:"group","aria-label":"Legend"},...n.map(e=>EI(e,t)));var Zp=(n,t)=>sa(n)&&(!t||n>0);function AI(n,{log_x:t,log_y:e}){return n.x.map((s,r)=>({x:s,y:Zp(n.y[r],e)?n.y[r]:null,low:Tv(n.band_low,r,e),high:Tv(n.band_high,r,e),label:n.labels?.[r],hint:n.hints?.[r]})).filter(({x:s})=>Zp(s,t)).sort((s,r)=>s.x-r.x)}var Tv=(n,t,e)=>n&&Zp(n[t],e)?n[t]:null;function TI(n){let t=new Map;for(let e of n){let i=new Map;for(let{x:s}of e)i.set(s,(i.get(s)??0)+1);for(let[s,r]of i)t.set(s,Math.max(r,t.get(s)??0))}return[...t].sort(([e],[i])=>e-i).flatMap(([e,i])=>Array(i).fill(e))}function CI(n,t,e){let i=0;return t.map(s=>i<n.length&&n[i].x===s?n[i++][e]:void 0)}function RI(n,t,e){return(e?["y","low","high"]:["y"]).map(i=>CI(n,t,i))}function jp(n){let t=n.series.map(o=>AI(o,n)),e=TI(t),i=[e],s=[],r=0;return n.series.forEach((o,a)=>{let l=!!(o.band_low&&o.band_high);i.push(...RI(t[a],e,l)),s.push({series:a,part:"y"},...l?[{series:a,part:"low"},{series:a,part:"high"}]:[]),r+=o.x.length-t[a].filter(({y:c})=>c!==null).length}),{data:i,plan:s,points:t,lost:r}}function Cv(n,t,e,i){let s=null;return n.forEach((r,o)=>{if(t[o])for(let a of r){if(a.y===null)continue;let l=e(a);(!s||l<s.d)&&(s={...a,s:o,d:l})}}),s&&s.d<i?s:null}var PI=({style:n="lines"})=>n!=="points";function Rv(n,t,e){let i=t.flatMap((s,r)=>e[r]&&PI(n.series[r])?s.filter(({y:o})=>o!==null).map(({x:o})=>o):[]);return[...new Set(i)].sort((s,r)=>s-r)}function Pv(n,t){let e=0,i=n.length-1;for(;i-e>1;){let s=e+i>>1;n[s]<=t?e=s:i=s}return Math.abs(n[i]-t)<Math.abs(n[e]-t)?n[i]:n[e]}function Jp(n,t,e){return n.flatMap((i,s)=>t[s]?i.filter(r=>r.x===e&&r.y!==null).map(r=>({...r,s})):[]).sort((i,s)=>s.y-i.y)}var Kp=["blue","vermillion","green","purple","orange","sky","ink","indigo","brown","wine"];var Iv=[void 0,[8,4],[2,3],[10,3,2,3]],II=n=>`var(--${Kp[n%Kp.length]})`,LI=n=>Iv[Math.floor(n/Kp.length)%Iv.length];function ws(n){let t=DI(n.filter(({faint:e})=>!e).map(({name:e})=>e));return n.map(({name:e,faint:i})=>i?{color:"var(--muted)",dash:void 0}:{color:II(t.get(e)),dash:LI(t.get(e))})}function DI(n){let t=new Map;for(let e of n)t.has(e)||t.set(e,t.size);return t}var Ms=null;function NI(n){let e=Ms.offsetWidth,i=Ms.offsetHeight,s=n.clientX+14+e>innerWidth?n.clientX-14-e:n.clientX+14,r=n.clientY+14+i>innerHeight?n.clientY-14-i:n.clientY+14;Ms.style.left=`${Math.max(0,s)}px`,Ms.style.top=`${Math.max(0,r)}px`}function Lv(n,t){Ms??(Ms=document.body.appendChild(q("div",{class:"tooltip",role:"status"}))),Ms.replaceChildren(...t.map((e,i)=>q(i===0?"strong":"div",{},e))),Ms.hidden=!1,NI(n)}var Dv=(n,t,e,i=!1)=>q("span",{class:i?"reading near":"reading"},qp({...n,mark:"line"}),q("span",{},t),q("span",{class:"value"},e));function Nv(){Ms&&(Ms.hidden=!0)}var OI=28,UI=14,Ov=(n,t)=>{let{name:e}=n.series[t.s];return t.label??t.hint?`${e}: ${t.label??t.hint}`:e};function FI(n,t){let e=n.log_y?0:Rf(t.flat().map(({y:i})=>i));return i=>{let s=o=>Me(o,void 0,e);return i.low!==null&&i.high!==null?`${s(i.y)} (${s(i.low)} to ${s(i.high)})`:s(i.y)}}var BI=(n,t,e)=>[Ov(n,t),`${n.x_label??"x"}: ${Me(t.x)}`,`${n.y_label??"y"}: ${e(t)}`];function kI(n,t,e,i,s){let r=t.slice(0,UI),o=r.map(l=>Dv(i[l.s],Ov(n,l),s(l),e?.s===l.s)),a=t.length-r.length;return[`${n.x_label??"x"}: ${Me(t[0].x)}`,...o,...a?[`and ${a} more`]:[]]}function zI(n,t,e,i,s,r,o,a){let c=Cv(e,i,f=>Math.hypot(n.valToPos(f.x,"x")-o,n.valToPos(f.y,"y")-a),OI),d=Rv(t,e,i);if(!d.length)return c&&{words:BI(t,c,r),at:c};let u=c?c.x:Pv(d,n.posToVal(o,"x")),h=Jp(e,i,u);return{words:kI(t,h,c,s,r),at:c??h[0]}}function Uv(n,t,e,i,s){let r=t.over.appendChild(q("span",{class:"ring",hidden:!0})),o=ws(e.series),a=FI(e,i),l=()=>{r.hidden=!0,Nv()},c=(u,h,f)=>{let p=zI(t,e,i,s,o,a,h,f);if(!p)return l();r.hidden=!1,r.style.left=`${t.valToPos(p.at.x,"x")}px`,r.style.top=`${t.valToPos(p.at.y,"y")}px`,Lv(u,p.words)};t.over.addEventListener("pointerleave",l),t.over.addEventListener("pointermove",u=>{let h=t.over.getBoundingClientRect();c(u,u.clientX-h.left,u.clientY-h.top)});let d=-1;n.addEventListener("blur",l),n.addEventListener("keydown",u=>{let h={ArrowLeft:-1,ArrowRight:1}[u.key];if(u.key==="Escape"&&l(),!h)return;u.preventDefault();let f=i.flatMap((b,y)=>s[y]?b.filter(C=>C.y!==null):[]),p=[...new Set(f.map(({x:b})=>b))].sort((b,y)=>b-y);if(!p.length)return;d=Math.min(p.length-1,Math.max(0,d+h));let[_]=Jp(i,s,p[d]),[g,m]=[t.valToPos(_.x,"x"),t.valToPos(_.y,"y")],x=t.over.getBoundingClientRect();c({clientX:x.left+g,clientY:x.top+m},g,m)})}var Fv=(n,t)=>n.left<t.right&&t.left<n.right&&n.top<t.bottom&&t.top<n.bottom,Bv=([n,t],{width:e,height:i})=>({left:n,top:t,right:n+e,bottom:t+i}),kv=(n,t)=>n.left>=t.left&&n.right<=t.left+t.width&&n.top>=t.top&&n.bottom<=t.top+t.height;function zv(n){let t=[];return n.forEach((e,i)=>{let s=n[i-1];if(!e)return;let r=s?Math.ceil(Math.hypot(e[0]-s[0],e[1]-s[1])/5):0;for(let o=1;o<r;++o)t.push(s.map((a,l)=>a+o/r*(e[l]-a)));t.push(e)}),t}function Gv([n,t],e,i,s){let r=.7*e.height;return[[n+r,t-e.height/2],[n-r-e.width,t-e.height/2],[n-e.width/2,t-r-e.height],[n-e.width/2,t+r]].map(o=>Bv(o,e)).find(o=>kv(o,i)&&!s.some(a=>Fv(o,a)))}function GI(n,t,e,i,s){let r=n==="y"?i.width-e.width:i.height-e.height,o=n==="y"?i.left:i.top,a=[0,1,.5,.25,.75].map(c=>o+s+c*(r-2*s)),l=n==="y"?[t-s-e.height,t+s]:[t+s,t-s-e.width];return a.flatMap(c=>l.map(d=>n==="y"?[c,d]:[d,c]))}function Vv({axis:n,at:t},e,i,s,r){let o=.4*e.height,a=l=>(kv(l,i)?0:1e6)+1e3*r.filter(c=>Fv(l,c)).length+s.filter(([c,d])=>c>l.left-o&&c<l.right+o&&d>l.top-o&&d<l.bottom+o).length;return GI(n,t,e,i,o).map(l=>Bv(l,e)).reduce((l,c)=>a(c)<a(l)?c:l)}var VI=12,Hv=n=>`${VI*n}px system-ui, sans-serif`,HI=(n,t)=>t.label??(n.x.length===1&&n.style==="points"?n.name:null),Wv=(n,t)=>t.map(({x:e,y:i})=>i===null?null:[n.valToPos(e,"x",!0),n.valToPos(i,"y",!0)]);function WI(n,t,e,i,s){let{left:r,top:o,width:a,height:l}=n.bbox,c={lines:[],texts:[]};for(let{axis:d="y",value:u,label:h}of t){let f=Math.round(n.valToPos(u,d,!0));if(c.lines.push(d==="y"?[r,f,r+a,f]:[f,o,f,o+l]),!h)continue;let p=Vv({axis:d,at:f},i(h),n.bbox,e,s);s.push(p),c.texts.push({text:h,place:p,color:"--muted"})}return c}function XI(n,t,e,i,s,r){let o=ws(t.series),a=[];return e.forEach((l,c)=>{if(!i[c])return;let d=Wv(n,l);l.forEach((u,h)=>{let f=HI(t.series[c],u);f&&d[h]&&a.push({text:f,at:d[h],color:o[c].color})})}),a.flatMap(({text:l,at:c,color:d})=>{let u=Gv(c,s(l),n.bbox,r);return u?(r.push(u),[{text:l,place:u,color:d}]):[]})}function zu(n,t,e,i){let s=devicePixelRatio;n.ctx.save(),n.ctx.font=Hv(s);let r=h=>({width:n.ctx.measureText(h).width,height:13*s}),o=e.map((h,f)=>i[f]?Wv(n,h):[]),a=4*s,l=o.flat().filter(Boolean).map(([h,f])=>({left:h-a,right:h+a,top:f-a,bottom:f+a})),c=o.flatMap((h,f)=>t.series[f].style==="points"?h.filter(Boolean):zv(h)),d=[],u=WI(n,t.reference_lines??[],c,r,d);return l.push(...d),u.texts.push(...XI(n,t,e,i,r,l)),n.ctx.restore(),u}function $I(n,{text:t,place:e,color:i},s){let r=(e.top+e.bottom)/2;n.lineWidth=4*s,n.strokeStyle=sn("--page"),n.strokeText(t,e.left,r),n.fillStyle=sn(i),n.fillText(t,e.left,r)}function Xv(n,{lines:t,texts:e}){let{ctx:i}=n,s=devicePixelRatio;i.save(),i.setLineDash([5*s,4*s]),i.lineWidth=s,i.strokeStyle=sn("--muted");for(let[r,o,a,l]of t)i.beginPath(),i.moveTo(r,o),i.lineTo(a,l),i.stroke();i.setLineDash([]),i.font=Hv(s),i.textAlign="left",i.textBaseline="middle";for(let r of e)$I(i,r,s);i.restore()}var YI=320,$v="12px system-ui, sans-serif",qI=1e-4;function ZI(n,{series:t,part:e},i,s){let r=n.series[t].style??"lines";return e!=="y"?{stroke:"transparent",width:0,points:{show:!1}}:{label:n.series[t].name,stroke:()=>i(t)+(n.series[t].faint?"a0":""),width:r==="points"?0:n.series[t].faint?1:2,dash:s,paths:r==="points"?()=>null:void 0,points:{show:r==="points"||r==="both",size:8,fill:()=>i(t),stroke:()=>i(t)}}}var jI=(n,t)=>n.flatMap(({series:e,part:i},s)=>i==="high"?[{series:[s+1,s],fill:()=>`${t(e)}33`}]:[]),Yv=(n,t)=>({label:n,labelSize:26,labelFont:$v,font:$v,stroke:()=>sn("--ink"),grid:{stroke:()=>sn("--faint"),width:1},ticks:{stroke:()=>sn("--faint")},...t?{splits:JI,filter:(e,i)=>i}:{},values:(e,i)=>t?i.map(s=>Me(s)):Pf(i)});function JI(n,t,e,i){let s=Math.floor(Math.log10(e)),r=Math.ceil(Math.log10(i)),o=Math.ceil((r-s)/9),a=r-s<=2?[1,2,5]:[1],l=[];for(let c=Math.ceil(s/o)*o;c<=r;c+=o)l.push(...a.map(d=>+`${d}e${c}`));return l.filter(c=>c>=e&&c<=i)}function qv(n,t){return(e,i,s)=>{let r=[i,s,...t].filter(a=>sa(a)&&(!n||a>0)),o=v_(n?r.map(Math.log10):r,.06,qI);return n?o.map(a=>10**a):o}}function Zv(n,t,e,i){let s=ws(n.series),r=a=>sn(s[a].color),o=a=>(n.reference_lines??[]).filter(l=>(l.axis??"y")===a).map(l=>l.value);return{width:i,height:n.height??YI,legend:{show:!1},padding:[12,16,0,0],cursor:{drag:{x:!0,y:!0,uni:20},points:{show:!1}},scales:{x:{time:!1,distr:n.log_x?3:1,range:qv(n.log_x,o("x"))},y:{distr:n.log_y?3:1,range:qv(n.log_y,o("y"))}},axes:[{...Yv(n.x_label,n.log_x),size:34},{...Yv(n.y_label,n.log_y),size:64}],series:[{},...t.plan.map(a=>ZI(n,a,r,s[a.series].dash))],bands:jI(t.plan,r),hooks:{draw:[a=>Xv(a,zu(a,n,t.points,e))]}}}function jv(n){let t="M";return n.map(([e,i])=>{if(!Number.isFinite(e)||!Number.isFinite(i))return t="M","";let s=`${t}${e.toFixed(1)} ${i.toFixed(1)}`;return t="L",s}).join("")}var KI=0,Qp=(n,t,e,i,s,r={})=>ln("line",{x1:n,y1:t,x2:e,y2:i,stroke:s,...r});function QI(n,t,{x_label:e,y_label:i}){let s=sn("--ink"),r=sn("--faint"),[o,a]=n.axes.map(({_splits:c,_values:d})=>(c??[]).map((u,h)=>({value:u,text:d[h]}))),l=(c,d)=>ln("text",{style:`fill: ${s}`,...c},d??"");return[...o.flatMap(({value:c,text:d})=>[Qp(t.x(c),t.top,t.x(c),t.bottom,r),l({x:t.x(c),y:t.bottom+18,"text-anchor":"middle"},d)]),...a.flatMap(({value:c,text:d})=>[Qp(t.left,t.y(c),t.right,t.y(c),r),l({x:t.left-8,y:t.y(c)+4,"text-anchor":"end"},d)]),l({x:(t.left+t.right)/2,y:t.bottom+46,"text-anchor":"middle"},e),l({"text-anchor":"middle",transform:`translate(14 ${(t.top+t.bottom)/2}) rotate(-90)`},i)]}function t2({style:n="lines",faint:t},e,{color:i,dash:s},r){let o=sn(i),a=d=>jv(e.map(u=>[r.x(u.x),u[d]===null?NaN:r.y(u[d])])),l=e.filter(({low:d,high:u})=>d!==null&&u!==null),c=d=>l.map(u=>`${r.x(u.x).toFixed(1)} ${r.y(u[d]).toFixed(1)}`);return[l.length>1?ln("path",{fill:o,"fill-opacity":.2,d:`M${[...c("low"),...c("high").reverse()].join("L")}Z`}):null,n==="points"?null:ln("path",{fill:"none",stroke:o,"stroke-width":t?1:2,"stroke-opacity":t?.63:1,"stroke-dasharray":s?.join(" "),d:a("y")}),...n==="lines"?[]:e.filter(({y:d})=>d!==null).map(d=>ln("circle",{fill:o,cx:r.x(d.x),cy:r.y(d.y),r:4}))]}function Jv(n,t,e,i){let s=devicePixelRatio,{left:r,top:o,width:a,height:l}=n.bbox,c={left:r/s,top:o/s,right:(r+a)/s,bottom:(o+l)/s,x:p=>n.valToPos(p,"x",!0)/s,y:p=>n.valToPos(p,"y",!0)/s},d=ws(t.series),u=zu(n,t,e,i),h=sn("--muted"),f=`chart-clip-${++KI}`;return ln("svg",{class:"plot",width:n.width,height:n.height,viewBox:`0 0 ${n.width} ${n.height}`},ln("clipPath",{id:f},ln("rect",{x:c.left,y:c.top,width:a/s,height:l/s})),...QI(n,c,t),ln("g",{"clip-path":`url(#${f})`},...t.series.flatMap((p,_)=>i[_]?t2(p,e[_],d[_],c):[])),...u.lines.map(p=>Qp(...p.map(_=>_/s),h,{"stroke-dasharray":"5 4"})),...u.texts.map(({text:p,place:_,color:g})=>ln("text",{style:`fill: ${sn(g)}`,x:_.left/s,y:(_.top+_.bottom)/2/s+4},p)))}function e2(n,t){let e=()=>{removeEventListener("beforeprint",e),i.disconnect(),n()},i=t(e);addEventListener("beforeprint",e)}var Kv=(n,t)=>e2(t,e=>{let i=new ResizeObserver(()=>n.clientWidth&&e());return i.observe(n),i});function Gu(n){let t={...n,type:"lines"},e=jp(t),i=t.series.map(()=>!0),s=q("div",{class:"chart",role:"img",tabindex:0,"aria-label":`${t.caption}: ${t.y_label} over ${t.x_label}; arrow keys tell values`}),r=null,o=(u,h)=>t.series.forEach((f,p)=>{f.name===u&&(i[p]=h,r?.setSeries(1+e.plan.findIndex(_=>_.series===p),{show:h}))});Kv(s,()=>{r=new $n(Zv(t,e,i,s.clientWidth),e.data,s),Uv(s,r,t,e.points,i),new ResizeObserver(()=>{let u=s.clientWidth;u&&u!==r.width&&r.setSize({width:u,height:r.height})}).observe(s),s.toSvg=()=>Jv(r,t,e.points,i),s.redraw=()=>r.redraw(!1,!0)});let a=ws(t.series),l=t.series.map(({name:u},h)=>({name:u,...a[h],mark:"line"})),c=Ev("figure",t.caption,Av(l,o),s),d=u=>{Object.assign(t,u);let h=jp(t);e.points.splice(0,e.points.length,...h.points),e.data=h.data,r&&r.setData(h.data)};return{figure:D0(t,c),update:d}}var n2=100,i2=200,s2=Math.PI/180,r2=n=>n.max_force??n.strength??n.upper??n2;function o2(n,t){let{scale:e,unit:i}=mr(t),s=n.x.map(c=>c/e),r=c=>Object.entries(c??{}).map(([d,u])=>({name:d,x:s,y:u.map(h=>h===null?null:h*1e3)})),o=c=>[{axis:"x",value:c/e}],l={x_label:`${t.name} [${i}]`,height:210};return{cursor:o,arms:{...l,caption:`Moment arms over ${t.name}`,y_label:"moment arm [mm]",series:r(n.arms)},lengths:{...l,caption:`Lengths over ${t.name}`,y_label:"longer than at 0\xB0 [mm]",series:r(n.lengths)}}}function a2(n,t){let e=o2(n,t),i=["arms","lengths"].filter(s=>e[s].series.length).map(s=>{let r={...e[s],reference_lines:e.cursor(n.x[0])};return{block:r,chart:Gu(r)}});return{joint:t,element:q("div",{class:"charts"},...i.map(({chart:s})=>s.figure)),cursor:s=>i.forEach(({block:r,chart:o})=>o.update({...r,reference_lines:e.cursor(s)}))}}function Qv(n){let{store:t}=n,e=q("div",{class:"hint"}),i=q("div",{}),s=q("div",{}),r=q("div",{}),o=Zr(["muscle","tension [N]","longer than at 0\xB0 [mm]"],[],"Tensions"),a=Zr(["band","tension [N]",""],[],"Bands"),l=q("div",{}),c=q("div",{}),d=Jn("Over",()=>{}),u=null,h={posture:[],tensions:[],excitations:[]},f=null,p=Kr(async({method:R,params:I})=>{let U=await n.ask(R,I);U&&b(U)},Kh),_=(R,I,U)=>p({method:"tendons.set",params:{[R]:{[I]:U}}});function g(){let R=t.scene.joints.filter(F=>!F.led_by),I=u.muscles??[],U=(F,L,k,X,V)=>{let ot=oa({name:L,lower:k,upper:X,quantity:V},$=>_(F,L,$));return{name:L,row:ot}};h={posture:R.map(F=>U("posture",F.name,F.lower,F.upper,mr(F))),tensions:I.map(F=>U("tensions",F.name,0,r2(F),qr.force)),excitations:I.map(F=>U("excitations",F.name,0,1,qr.share))},i.replaceChildren(...h.posture.map(({row:F})=>F)),s.replaceChildren(...h.tensions.map(({row:F})=>F)),r.replaceChildren(...h.excitations.map(({row:F})=>F)),d.set(R.map(({name:F})=>F)),c.replaceChildren(),f=null}function m(){let R=u.muscles??[];h.tensions.forEach(({row:F},L)=>F.set(R[L]?.tension)),h.excitations.forEach(({row:F},L)=>F.set(R[L]?.excitation??F.value())),jr(o.querySelector("tbody"),R.map(F=>[F.name,Me(F.tension,2),Me(F.length*1e3,2)]));let I=u.bands??[];a.hidden=I.length===0,jr(a.querySelector("tbody"),I.map(F=>[F.name,Me(F.tension,2),F.slack?"slack":""]));let U=[];if(u.tip_force){let[F,L,k]=u.tip_force;U.push(["Tip force",`${Me(Math.hypot(F,L,k),2)}\u202FN`]),U.push(["along x, y, z",`${[F,L,k].map(X=>Me(X,2)).join(", ")} N`])}for(let[F,L]of Object.entries(u.torques??{}))U.push([`Torque ${F}`,`${Me(L*1e3)} N mm`]);u.status&&U.push(["Status",String(u.status)]),l.replaceChildren(Jr(U),...(u.warnings??[]).map(F=>q("p",{class:"warning",role:"alert"},F)))}let x=Jh(async()=>{if(v.hidden||t.scene?.mode!=="tendons"||!n.link.connected())return;let R=await n.ask("tendons.state");R&&b(R)},i2);function b(R){let I=[R.subject,R.digit,R.muscles?.map(F=>F.name),t.scene.joints],U=JSON.stringify(I);u=R,v.dataset.key!==U&&g(),v.dataset.key=U,m()}async function y(){let R=t.scene.joints.find(({name:U})=>U===d.value());if(!R)return;let I=await n.ask("tendons.sweep",{joint:R.name,what:["arms","lengths"]});I&&(f=a2(I,R),c.replaceChildren(f.element),M())}let C=q("div",{class:"buttons"},rn("Open a digit\u2026",()=>n.openDialog("subjects"))),E=q("div",{},An("Posture",i),An("Tensions",s),An("Excitations",r),An("At rest",l,o,a),An("Over a joint",d,q("div",{class:"buttons"},rn("Plot",y,{id:"plot-sweep"})),c)),v=q("div",{class:"page tendons"},e,C,E);function M(){if(t.scene?.mode!=="tendons"||!t.frame)return;for(let{name:U,row:F}of h.posture){let L=t.scene.joints.findIndex(k=>k.name===U);F.set(t.frame.joints[L])}if(!f)return;let R=t.scene.joints.findIndex(({name:U})=>U===f.joint.name),I=t.frame.joints[R];Math.abs(I-(f.drawn??1/0))<.2*s2||(f.drawn=I,f.cursor(I))}let O=()=>{let R=t.scene?.mode==="tendons";E.hidden=!R,e.hidden=R,e.textContent="No digit with tendons is shown.",R&&x()};return t.on(["scene","tab"],O),t.on(["frame"],()=>{M(),v.hidden||x()}),O(),v}var tS=["0.05","0.1","0.25","0.5","1","2"],l2=200,eS=1500,c2=12,h2=n=>Object.fromEntries(Object.entries(n??{}).filter(([,t])=>Number.isFinite(t)));function u2(){let n={t:[],values:new Map};return n.add=(t,e)=>{for(;n.t.length&&n.t.at(-1)>=t;){n.t.pop();for(let i of n.values.values())i.pop()}for(let i of Object.keys(e))n.values.has(i)||n.values.set(i,n.t.map(()=>null));n.t.push(t);for(let[i,s]of n.values)s.push(e[i]??null);if(n.t.length>eS){let i=(s,r)=>r%2===0||r>eS/2;n.t=n.t.filter(i);for(let[s,r]of n.values)n.values.set(s,r.filter(i))}},n.clear=()=>{n.t=[],n.values=new Map},n.series=()=>[...n.values].map(([t,e])=>({name:t,x:n.t,y:e})),n}function d2(n){return{caption:"Energies",x_label:"time [s]",y_label:"energy [J]",height:200,series:n.series()}}function nS(n){let{store:t}=n,e=u2(),i=q("div",{class:"charts"}),s=Zr(["contact","force [N]","friction"],[],"Contacts"),r=q("output",{class:"clock"}),o=De("Play",()=>p(),{id:"play",class:"main"}),a=q("input",{type:"range",min:0,max:1,value:0,step:"any","aria-label":"Time [s]",class:"scrub"}),l=Jn("Speed",()=>h()?.playing&&n.ask("motion.play",{speed:Number(l.value())}));l.set(tS.map(I=>({value:I,text:`${I} \xD7`})),"1");let c=null,d=0,u=0,h=()=>t.state?.motion??null,f=Kr(I=>n.ask("motion.seek",{t:I}));a.addEventListener("input",()=>f(Number(a.value)));async function p(){h()&&(h().playing?await n.ask("motion.pause"):await n.ask("motion.play",{speed:Number(l.value())}))}let _=I=>n.ask("motion.step",{steps:I});async function g(){e.clear(),await n.ask("motion.open")}async function m(){e.clear(),u=0,await n.ask("motion.reset")}async function x(){let I=performance.now();if(R.hidden||h()?.recorded||I-d<l2)return;d=I;let U=await n.call("motion.state",{want:["energy"]}).catch(()=>null),F=h2(U?.energy);if(!U||!Object.keys(F).length)return;e.add(U.t,F);let L=[...e.values.keys()].join(),k=d2(e);c?.names===L?c.update(k):(c={...Gu(k),names:L},i.replaceChildren(c.figure))}function b(){if(R.hidden||!t.frame||!(t.scene?.mode==="motion"))return;let{time:U}=t.frame;u=Math.max(u,U,h()?.duration??0),a.max=u||1,a.value=U,a.setAttribute("aria-valuetext",`${U.toFixed(3)} s`),r.textContent=`${U.toFixed(3)}\u202Fs`;let F=t.frame.contacts.map(k=>({...k,size:Math.hypot(...k.force)})).sort((k,X)=>X.size-k.size),L=k=>t.scene.bodies[k]?.name??"world";jr(s.querySelector("tbody"),F.slice(0,c2).map(k=>[`${L(k.a)} on ${L(k.b)}`,Me(k.size,2),Me(k.friction,2)])),x()}let y=()=>{let I=h(),U=t.scene?.mode==="motion";O.hidden=!U,C.textContent=U?"":I?"A motion is open, but not shown.":"No motion is open: begin with the world as it stands, or open a scene.",E.hidden=U||!I,o.textContent=I?.playing?"Pause":"Play",o.setAttribute("aria-pressed",String(!!I?.playing)),I?.speed&&l.set(tS.map(F=>({value:F,text:`${F} \xD7`})),String(I.speed)),v.textContent=U?"Begin anew from the world":"Begin from this world";for(let F of M)F.hidden=!!I?.recorded},C=q("p",{class:"hint"}),E=rn("Show the motion",()=>n.ask("session.mode",{mode:"motion"})),v=rn("Begin from this world",g,{id:"begin-motion"}),M=[rn("Step",()=>_(1),{id:"step",title:"One step of time"}),rn("10 steps",()=>_(10)),rn("Reset",m,{title:"Back to the beginning"})],O=q("div",{},q("div",{class:"buttons"},o,...M),q("div",{class:"scrubber"},a,r),l,An("Contacts",s),An("Energy",i)),R=q("div",{class:"page time"},C,q("div",{class:"buttons"},E,v,rn("Open a scene\u2026",()=>n.openDialog("scenes"))),O);return t.on(["scene","state","tab"],y),t.on(["frame","tab"],b),t.on(["scene"],()=>{t.scene?.mode!=="motion"&&(e.clear(),u=0)}),n.togglePlay=p,n.stepTime=_,y(),R}var f2=[["hand","Hands"],["object","Objects"],["obstacle","Obstacles"]];function p2(n,{name:t,movable:e}){let{store:i,picture:s}=n,r=s.bodies.hidden.has(t),o=De(t,()=>n.select({owner:t}),{class:"pick","aria-pressed":String(i.selected?.owner===t),title:e?`Select ${t}`:`Select ${t}, which stands fast`}),a=De(r?"\u25CB":"\u25CF",()=>n.hide(t,!r),{class:"eye","aria-pressed":String(!r),"aria-label":`Show ${t}`,title:r?"Show":"Hide"}),l=De("\xD7",()=>n.ask("world.remove",{name:t}),{class:"away","aria-label":`Remove ${t}`,title:"Remove from the world"});return q("li",{},a,o,i.scene.mode==="world"?l:null)}function iS(n){let{store:t}=n,e=q("div",{class:"tree-body"}),i=q("nav",{class:"tree","aria-label":"World"},q("h2",{},"World"),e),s=()=>{let r=t.scene?_r(t.scene):[],o=document.activeElement?.closest(".tree")?document.activeElement:null,a=o&&[o.className,o.closest("li")?.textContent],l=f2.flatMap(([d,u])=>{let h=r.filter(f=>f.kind===d);return h.length?[q("h3",{},u),q("ul",{},...h.map(f=>p2(n,f)))]:[]}),c=q("p",{class:"hint"},"Nothing is here yet. Open a world, add a hand or an object, or drop files onto the picture.");e.replaceChildren(...l.length?l:[c]),a&&[...e.querySelectorAll("button")].find(d=>d.className===a[0]&&d.closest("li").textContent===a[1])?.focus()};return t.on(["scene","selected","hidden"],s),s(),i}var m2={world:"pose",motion:"time",tendons:"tendons",fit:"fit"},Vu=matchMedia("(max-width: 700px)");function g2(n,t){let e=[{id:"pose",title:"Pose",element:c_(n)},{id:"grasp",title:"Grasp",element:Zx(n)},{id:"tendons",title:"Tendons",element:Qv(n)},{id:"fit",title:"Fit",element:mx(n)},{id:"time",title:"Time",element:nS(n)},{id:"world",title:"World",element:q("div",{class:"page world"})}];n.tabs=H0(e,"Panels",l=>n.store.set({tab:l}));let i=De("\u25BE",()=>{let l=s.classList.toggle("folded");i.setAttribute("aria-expanded",String(!l)),i.textContent=l?"\u25B4":"\u25BE",tm(n)},{class:"fold-panel","aria-expanded":"true","aria-label":"Fold the panel"}),s=q("aside",{class:"side","aria-label":"Controls"},q("div",{class:"side-head"},n.tabs.list,i),q("div",{class:"pages"},...e.map(({element:l})=>l))),r=q("div",{class:"tree-home"}),o=()=>{(Vu.matches?e.at(-1).element:r).append(t),!Vu.matches&&n.tabs.chosen()==="world"&&n.tabs.choose("pose")};Vu.addEventListener("change",o),o(),n.tabs.choose("pose");let a="world";return n.store.on(["scene"],({scene:l})=>{l.mode!==a&&n.tabs.choose(m2[l.mode]??"pose"),a=l.mode}),{side:s,home:r}}function tm(n){let t=a=>document.querySelector(a)?.getBoundingClientRect(),[e,i,s]=[t(".bar"),t(".side"),t(".tree-home")],r=Vu.matches,o={top:e?.bottom??0,left:r||!s?.width?0:s.right,right:r?0:innerWidth-(i?.left??innerWidth),bottom:r?innerHeight-(i?.top??innerHeight):0};for(let[a,l]of Object.entries(o))document.documentElement.style.setProperty(`--inset-${a}`,`${l}px`);n.picture.stage.setInsets(o)}function _2(){let n=q("main",{class:"view","aria-label":"Picture"});document.body.append(n);let t=ox(document.body,n);t.help=W0(),t.openDialog=Jx(t);let{side:e,home:i}=g2(t,iS(t));document.body.prepend(fx(t),i),n.after(e),t.picture.stage.canvas.setAttribute("role","application"),t.picture.stage.canvas.setAttribute("aria-label","3D picture; press ? for its keys"),t.picture.stage.canvas.addEventListener("dblclick",()=>t.view.fit()),ux(t),dx(t),Em(),addEventListener("resize",()=>tm(t)),tm(t),t.connect(),globalThis.thenarLive=t}try{_2()}catch(n){throw document.body.append(q("p",{class:"broken",role:"alert"},`The page cannot be shown: ${n.message}`)),n}})();
+/*! Bundled license information:
+
+three/build/three.core.js:
+three/build/three.module.js:
+  (**
+   * @license
+   * Copyright 2010-2026 Three.js Authors
+   * SPDX-License-Identifier: MIT
+   *)
+
+lil-gui/dist/lil-gui.esm.js:
+  (**
+   * lil-gui
+   * https://lil-gui.georgealways.com
+   * @version 0.21.0
+   * @author George Michael Brower
+   * @license MIT
+   *)
+*/

@@ -1,4 +1,4 @@
-// The committed bundle is what the sources make, and can be embedded as it is.
+// The committed bundles are what the sources make, and can be embedded as they are.
 
 import assert from "node:assert/strict";
 import { readFileSync } from "node:fs";
@@ -18,6 +18,8 @@ for (const options of BUNDLES) {
     assert.ok(outputFiles[0].text === committed, "sources and bundle differ");
   });
 
+  // Pages of reports hold their bundle; the live page is served beside its own.
+  if (options.outfile.endsWith(".html")) continue;
   test(`${options.outfile} is plain ASCII and cannot end its element`, () => {
     assert.match(committed, /^[\x00-\x7f]*$/);
     assert.doesNotMatch(committed, /<\/?(script|style)|<!--/i);

@@ -1,0 +1,305 @@
+// The page as one thing: what it knows, what it asks of the server, and who is told.
+
+import { Vector3 } from "three";
+import { onThemeChange, themeColor } from "../report/theme.js";
+import * as exports from "./exports.js";
+import { saveWorld, takeFiles } from "./files.js";
+import { decodeFrame } from "./link/frame.js";
+import { latestWins } from "./link/latest.js";
+import { rpcClient } from "./link/rpc_client.js";
+import * as links from "./link/store.js";
+import { ask as askReader } from "./panels/dialogs.js";
+import { makeLegend } from "./panels/legend.js";
+import { makeNotices } from "./panels/notices.js";
+import { jointWords } from "./panels/pose_panel.js";
+import { makePicture } from "./view/picture.js";
+
+const theme = () => ({
+  ink: themeColor("--ink"),
+  page: themeColor("--page"),
+  muted: themeColor("--muted"),
+});
+
+/// The address of the server's WebSocket, with the token of the page's own address.
+function socketAddress() {
+  const { protocol, host, search } = location;
+  return `${protocol === "https:" ? "wss:" : "ws:"}//${host}/ws${search}`;
+}
+
+/// Requests, with errors told to the reader.
+function addRequests(app) {
+  app.call = (method, params) => app.link.call(method, params);
+  app.ask = async (method, params = {}) => {
+    try {
+      return await app.call(method, params);
+    } catch (error) {
+      // What was lost with the connection is told by the banner.
+      if (error.code !== "lost") app.notices.error(`${method}: ${error.message}`);
+      return null;
+    }
+  };
+  app.mayLeave = async () =>
+    !app.store.state?.world?.unsaved ||
+    askReader("The world has changes that are not saved.", "Go on without them");
+  app.newWorld = async () => (await app.mayLeave()) && app.ask("world.new");
+  app.save = () => saveWorld(app);
+}
+
+/// Joints and places that follow a hand.
+function addMoves(app) {
+  const { store } = app;
+  const sendJoints = latestWins(({ method, params }) => app.ask(method, params), links.mergeJoints);
+  app.canMove = () => links.jointRequest(store.scene?.mode, {}, 0) !== null;
+  app.moveJoint = (joint, value) => {
+    const request = links.jointRequest(store.scene.mode, joint, value);
+    if (!request) return null;
+    app.wanted = { joint, value };
+    app.notices.say(jointWords(store.scene, joint, value));
+    return sendJoints(request).finally(() => {
+      if (app.wanted?.joint === joint && app.wanted.value === value) app.wanted = null;
+    });
+  };
+  const sendPlace = latestWins((params) => app.ask("world.place", params));
+  app.moveSelected = ({ position, rotation }) =>
+    store.selected && sendPlace({ name: store.selected.owner, position, rotation });
+  app.poseOf = (owner) => {
+    const at = store.scene?.bodies.findIndex((body) => body.owner === owner) ?? -1;
+    return at < 0 || !store.frame ? null : [...store.frame.bodies.subarray(7 * at, 7 * at + 3)];
+  };
+}
+
+/// The pose that world.place would have to name to leave a thing where it is.
+async function placeOf(app, name) {
+  const world = await app.ask("world.get");
+  return (
+    [...(world?.hands ?? []), ...(world?.bodies ?? [])].find((one) => one.name === name) ?? null
+  );
+}
+
+/// Selection: a thing of the world, or a joint of a hand.
+function addSelection(app) {
+  const { store } = app;
+  app.select = async (wanted, { quiet = false } = {}) => {
+    const { scene, frame } = store;
+    const known = wanted && scene?.bodies.some(({ owner }) => owner === wanted.owner);
+    const joint = scene?.joints.find(
+      (one) => one.hand === wanted?.owner && one.name === wanted.joint,
+    );
+    const next = known || joint ? { owner: wanted.owner, joint: joint?.name } : null;
+    if (JSON.stringify(next) === JSON.stringify(store.selected)) return;
+    app.picture.bodies.select(next?.owner ?? null);
+    const value = joint && frame ? frame.joints[scene.joints.indexOf(joint)] : 0;
+    app.picture.joint.show(joint ?? null, joint && app.picture.bodies.groups[joint.body], value);
+    app.picture.place.hide();
+    store.set({ selected: next });
+    if (!next) return app.notices.say("nothing is selected");
+    if (!quiet) app.notices.say(`${next.joint ?? next.owner} selected`);
+    if (joint || scene.mode !== "world") return;
+    const bodies = links.ownersOf(scene).find(({ name }) => name === next.owner);
+    if (!bodies.movable) return;
+    const pose = await placeOf(app, next.owner);
+    if (pose && store.selected === next)
+      app.picture.place.show(pose, app.picture.bodies.groups[bodies.bodies[0]]);
+  };
+  app.clicked = (body) => {
+    if (body < 0) return app.select(null);
+    const { scene } = store;
+    const joint = scene.joints[links.jointAtBody(scene, body)];
+    const { owner } = scene.bodies[body];
+    // A second click on what is selected takes the whole hand.
+    const again = joint && store.selected?.joint === joint.name && store.selected.owner === owner;
+    return app.select({ owner, joint: again ? undefined : joint?.name });
+  };
+  app.hide = (owner, hidden) => {
+    app.picture.bodies.hide(owner, hidden);
+    store.set({ hidden: {} });
+    app.picture.stage.draw();
+  };
+}
+
+/// What of the picture is shown.
+function addView(app) {
+  const { picture } = app;
+  const { stage } = picture;
+  const again = () => {
+    if (picture.frame()) picture.pose(picture.frame());
+    stage.draw();
+  };
+  app.view = {
+    opacity: (layer, value) => {
+      picture.bodies.opacity(layer, value);
+      stage.draw();
+    },
+    grid: (on) => {
+      stage.shown.grid = on;
+      stage.grid.visible = on;
+      stage.draw();
+    },
+    shadows: (on) => {
+      stage.shown.shadows = on;
+      stage.draw();
+    },
+    names: (on) => {
+      app.names = on;
+      stage.draw();
+    },
+    contacts: (what, on) => {
+      picture.contacts.show[what] = on;
+      again();
+    },
+    lines: (on) => {
+      picture.lines.visible(on);
+      stage.draw();
+    },
+    vectors: (on) => {
+      picture.vectors.visible(on);
+      stage.draw();
+    },
+    fit: () => {
+      stage.look(picture.bodies.box());
+      stage.fit();
+    },
+  };
+  stage.labels = () => labelsOf(app);
+}
+
+/// Words on the picture: arrows, and names of bodies where the reader wants them.
+function labelsOf(app) {
+  const { scene } = app.store;
+  if (!scene) return [];
+  const arrows = app.picture
+    .tips()
+    .filter(({ i }) => scene.arrows[i].kind !== "axis")
+    .map(({ position, i }) => ({ position, text: scene.arrows[i].name }));
+  const bodies = !app.names
+    ? []
+    : app.picture.bodies.meshes().map((mesh) => ({
+        position: new Vector3().setFromMatrixPosition(mesh.parent.matrixWorld),
+        text: scene.bodies[mesh.userData.body].name,
+      }));
+  return [...arrows, ...bodies];
+}
+
+/// Messages of the server into the store and the picture. Frames that come faster than pictures are skipped.
+function addHearing(app) {
+  const { store } = app;
+  let latest = null;
+  const take = () => {
+    const frame = latest;
+    latest = null;
+    if (frame && app.picture.pose(frame)) {
+      store.set({ frame });
+      if (!app.firstFrame && !app.picture.fitting()) markFirst(app);
+    }
+  };
+  app.heardFrame = (buffer) => {
+    const waiting = latest !== null;
+    latest = decodeFrame(buffer);
+    app.frameAt = performance.now();
+    if (!waiting) requestAnimationFrame(take);
+  };
+  const scene = (params) => {
+    const kept = store.selected;
+    const ready = app.picture.show(params);
+    store.set({ scene: params, frame: null });
+    if (kept && !params.bodies.some(({ owner }) => owner === kept.owner)) app.select(null);
+    else if (kept) {
+      store.selected = null;
+      app.select(kept, { quiet: true });
+    }
+    ready.then(() => app.picture.frame() && !app.firstFrame && markFirst(app));
+  };
+  const state = (params) => {
+    store.set({ state: params });
+    app.notices.busy(params.busy ?? null);
+  };
+  const heard = {
+    scene,
+    state,
+    progress: app.notices.progress,
+    ended: ({ reason }) => app.notices.error(`thenar ended: ${reason ?? "no reason was given"}`),
+    error: ({ message }) => app.notices.error(message ?? "an error without words"),
+  };
+  app.heardNotice = (method, params) => heard[method]?.(params);
+}
+
+function markFirst(app) {
+  app.firstFrame = true;
+  requestAnimationFrame(() => performance.mark("thenar first picture"));
+}
+
+function addExports(app) {
+  const name = () => app.store.state?.world?.name || "thenar";
+  let endFilm = null;
+  app.savePicture = () => exports.savePng(app.picture, name());
+  app.saveGltf = () => exports.saveGltf(app.ask, name());
+  app.saveCharts = () => {
+    if (!exports.saveCharts())
+      app.notices.tell("No chart is shown: plot a sweep, or let time pass.");
+  };
+  /// Begins or ends a film; promises whether one is being made.
+  app.film = async () => {
+    if (endFilm) {
+      const end = endFilm;
+      endFilm = null;
+      await end(name());
+      return false;
+    }
+    endFilm = exports.startFilm(app.picture);
+    if (!endFilm) app.notices.error("This browser cannot record films.");
+    return endFilm !== null;
+  };
+  addEventListener("beforeprint", () => {
+    document.querySelector(".printed")?.remove();
+    const picture = app.picture.stage.picture();
+    picture.className = "printed";
+    document.body.append(picture);
+  });
+  addEventListener("afterprint", () => document.querySelector(".printed")?.remove());
+}
+
+/// Makes the app in `root`, whose part `view` takes the picture; connects last.
+export function makeApp(root, view) {
+  const app = {
+    store: links.makeStore({
+      link: false,
+      scene: null,
+      frame: null,
+      state: null,
+      selected: null,
+      hidden: {},
+      tab: "pose",
+    }),
+    names: false,
+    wanted: null,
+  };
+  app.notices = makeNotices(root, () => app.ask("session.stop"));
+  app.legend = makeLegend();
+  root.append(app.legend);
+  app.picture = makePicture(view, theme, {
+    moveJoint: (joint, value) => app.moveJoint(joint, value),
+    place: (pose) => app.moveSelected(pose),
+    select: (body) => app.clicked(body),
+    failed: (error) => app.notices.error(error.message),
+    changed: (what) => app.legend.show(what),
+  });
+  for (const add of [addRequests, addMoves, addSelection, addView, addHearing, addExports])
+    add(app);
+  app.importFiles = takeFiles(app);
+  onThemeChange(() => {
+    app.picture.stage.draw();
+    document.querySelectorAll(".chart").forEach((frame) => frame.redraw?.());
+  });
+  app.connect = () => {
+    app.link = rpcClient(socketAddress(), {
+      frame: app.heardFrame,
+      notice: app.heardNotice,
+      link: (link) => {
+        app.notices.link(link);
+        if (!link.connected) app.notices.busy(null);
+        app.store.set({ link: link.connected });
+      },
+    });
+  };
+  return app;
+}

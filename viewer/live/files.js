@@ -1,0 +1,96 @@
+// Files that are dropped onto the page or chosen, and worlds that are saved.
+
+import { el } from "../report/dom.js";
+import { download } from "../report/save.js";
+import { ask, askFile } from "./panels/dialogs.js";
+import { choice } from "./panels/controls.js";
+
+const CHUNK = 0x8000; // bytes that String.fromCharCode takes at once
+
+/// Bytes as base64.
+export function base64Of(bytes) {
+  let text = "";
+  for (let at = 0; at < bytes.length; at += CHUNK)
+    text += String.fromCharCode(...bytes.subarray(at, at + CHUNK));
+  return btoa(text);
+}
+
+/// What files most likely are: robots come as URDF or MJCF.
+export const guessKind = (names) =>
+  names.some((name) => /\.(urdf|xml|mjcf)$/i.test(name)) ? "hand" : "object";
+
+/// Asks what files are to be; promises "object", "obstacle", "hand", or null.
+async function askKind(names) {
+  let kind = guessKind(names);
+  const chosen = choice("As", (value) => (kind = value));
+  chosen.set(["object", "obstacle", "hand"], kind);
+  const words = el(
+    "span",
+    {},
+    `Import ${names.length === 1 ? names[0] : `${names.length} files`}`,
+    chosen,
+  );
+  return (await ask(words, "Import")) ? kind : null;
+}
+
+async function importAll(app, files) {
+  const names = files.map(({ name }) => name);
+  if (files.length === 1 && /\.toml$/i.test(names[0])) {
+    const text = await files[0].text();
+    if (await app.mayLeave())
+      await app.ask("world.load", { text, name: names[0].replace(/\.toml$/i, "") });
+    return;
+  }
+  const as = await askKind(names);
+  if (!as) return;
+  const sent = await Promise.all(
+    files.map(async (file) => ({
+      name: file.name,
+      data: base64Of(new Uint8Array(await file.arrayBuffer())),
+    })),
+  );
+  const made = await app.ask("world.import", { files: sent, as });
+  if (!made) return;
+  for (const words of made.warnings ?? []) app.notices.tell(words);
+  app.notices.tell(`${made.name} was imported.`);
+}
+
+/// Takes files that are dropped anywhere on the page; returns a function that lets a reader choose some.
+export function takeFiles(app) {
+  const input = el("input", { type: "file", multiple: true, hidden: true, id: "files" });
+  document.body.append(input);
+  const take = (files) =>
+    files.length && importAll(app, files).catch((e) => app.notices.error(e.message));
+  input.addEventListener("change", () => {
+    take([...input.files]);
+    input.value = "";
+  });
+  const over = (on) => document.body.classList.toggle("dropping", on);
+  addEventListener("dragover", (event) => {
+    event.preventDefault();
+    over(true);
+  });
+  addEventListener("dragleave", () => over(false));
+  addEventListener("drop", (event) => {
+    event.preventDefault();
+    over(false);
+    take([...event.dataTransfer.files]);
+  });
+  return () => input.click();
+}
+
+/// Saves the world below the server's folder, or downloads it.
+export async function saveWorld(app) {
+  const world = app.store.state?.world ?? {};
+  const before =
+    world.file && !world.file.startsWith("/") ? world.file : `${world.name || "world"}.toml`;
+  const wanted = await askFile(before);
+  if (!wanted) return;
+  if (wanted.where === "download") {
+    const got = await app.ask("world.text");
+    if (got) download(wanted.name.split("/").at(-1), got.toml, "application/toml");
+    return;
+  }
+  if (await app.ask("world.save", { file: wanted.name }))
+    app.notices.tell(`Saved as ${wanted.name}.`);
+}

@@ -1,0 +1,139 @@
+// Grasps: opening and closing a hand, what holds, and how well.
+
+import { el } from "../../report/dom.js";
+import { formatNumber } from "../../numbers/format.js";
+import { ownersOf } from "../link/store.js";
+import { whenQuiet } from "../link/latest.js";
+import { choice, facts, part, slowButton, tick } from "./controls.js";
+import { makeWrenchView } from "./wrench_view.js";
+
+const QUIET = 350; // after the last move the quality is asked for [ms]
+
+const vector = (v, unit) => `(${v.map((x) => formatNumber(x)).join(", ")}) ${unit}`;
+
+/// A wrench of six, moment or force first as the server names them.
+function wrenchWords(wrench) {
+  if (!wrench) return null;
+  if (Array.isArray(wrench) && wrench.length === 6)
+    return `force ${vector(wrench.slice(3), "N")}, moment ${vector(wrench.slice(0, 3), "N m")}`;
+  if (wrench.force)
+    return `force ${vector(wrench.force, "N")}, moment ${vector(wrench.moment, "N m")}`;
+  return typeof wrench === "string" ? wrench : JSON.stringify(wrench);
+}
+
+/// The lines that tell a quality as the server gives it.
+export function qualityFacts(quality) {
+  if (!quality.closed && !quality.epsilon)
+    return [["Grasp", quality.reason ?? quality.verdict ?? "nothing is held"]];
+  const told = [
+    ["Force closure", quality.force_closure ? "\u2713 yes" : "\u2717 no: the grasp is unstable"],
+  ];
+  const { epsilon } = quality;
+  if (epsilon) {
+    told.push(["Epsilon", formatNumber(epsilon.lower)]);
+    told.push(["certified", `${formatNumber(epsilon.lower)} to ${formatNumber(epsilon.upper)}`]);
+  }
+  if (quality.verdict) told.push(["Verdict", quality.verdict]);
+  const missing = quality.missing_direction;
+  if (missing)
+    told.push(["Cannot resist", missing.words ?? wrenchWords(missing.wrench ?? missing)]);
+  const worst = quality.worst_wrench;
+  if (worst) told.push(["Worst disturbance", worst.words ?? wrenchWords(worst.wrench ?? worst)]);
+  if (Number.isFinite(quality.volume)) told.push(["Volume", formatNumber(quality.volume)]);
+  if (quality.contacts !== undefined)
+    told.push(["Contacts", String(quality.contacts.length ?? quality.contacts)]);
+  return told;
+}
+
+/// What closing did, in a sentence.
+function outcomeWords({ outcome, stopped = [] }) {
+  const by = stopped.map((s) => (s.by ? `${s.joint} by ${s.by}` : s.joint));
+  return [outcome, by.length ? `stopped: ${by.join("; ")}` : ""].filter(Boolean).join("; ");
+}
+
+export function makeGraspPanel(app) {
+  const { store } = app;
+  const hand = choice("Hand", () => ask());
+  const object = choice("Object", () => ask());
+  const outcome = el("p", { class: "outcome", role: "status" });
+  const answer = el("div", { class: "quality", role: "status", id: "quality" });
+  const volume = tick("volume too (slower)", false, () => ask());
+  const always = tick("follow every move", true, () => ask());
+  let about = "";
+
+  const grasp = () => ({
+    ...(hand.value() ? { hand: hand.value() } : {}),
+    ...(object.value() ? { object: object.value() } : {}),
+  });
+  const doing = (method) => async () => {
+    const did = await app.ask(method, grasp());
+    if (!did) return;
+    outcome.textContent = outcomeWords(did);
+    if (outcome.textContent) app.notices.say(outcome.textContent);
+    await ask();
+  };
+  const possible = () =>
+    store.scene?.mode === "world" && hand.value() && object.value() && app.link.connected();
+
+  async function ask() {
+    if (!possible()) return answer.replaceChildren();
+    about = poses();
+    if (!store.frame?.contacts.length && !volume.box.checked) {
+      panel.quality = null;
+      return answer.replaceChildren(el("p", { class: "hint" }, "Nothing touches the object."));
+    }
+    const asked = about;
+    const quality = await app.ask("grasp.quality", { ...grasp(), volume: volume.box.checked });
+    if (!quality || asked !== about) return;
+    panel.quality = quality;
+    answer.classList.toggle("holds", Boolean(quality.force_closure));
+    answer.replaceChildren(facts(qualityFacts(quality)));
+  }
+  /// Where everything stands: an arrow of the quality itself must not ask for it again.
+  const poses = () => (store.frame ? `${store.frame.revision} ${store.frame.bodies.join()}` : "");
+  const soon = whenQuiet(() => {
+    if (!panel.hidden && always.box.checked && poses() !== about) ask();
+  }, QUIET);
+
+  const buttons = [
+    ["Open", "hand.open"],
+    ["Approach", "hand.approach"],
+    ["Close", "hand.close"],
+    ["Grasp", "hand.grasp"],
+  ].map(([words, method]) =>
+    slowButton(words, doing(method), {
+      id: `do-${words.toLowerCase()}`,
+      class: words === "Grasp" ? "main" : null,
+    }),
+  );
+  const panel = el(
+    "div",
+    { class: "page grasp" },
+    hand,
+    object,
+    el("div", { class: "buttons" }, ...buttons),
+    outcome,
+    part(
+      "Quality",
+      answer,
+      el("div", { class: "ticks" }, always, volume),
+      el("div", { class: "buttons" }, slowButton("Ask now", ask, { id: "ask-quality" })),
+    ),
+    makeWrenchView(app, grasp),
+  );
+  const fill = () => {
+    const owners = store.scene ? ownersOf(store.scene) : [];
+    const names = (kind) => owners.filter((one) => one.kind === kind).map(({ name }) => name);
+    hand.set(names("hand"));
+    object.set(names("object"));
+    hand.hidden = names("hand").length < 2;
+    object.hidden = names("object").length < 2;
+    const off = !names("hand").length || !names("object").length || store.scene?.mode !== "world";
+    buttons.forEach((one, i) => (one.disabled = i === 0 ? !names("hand").length : off));
+    soon();
+  };
+  store.on(["scene"], fill);
+  store.on(["frame", "tab"], soon);
+  fill();
+  return panel;
+}

@@ -1,0 +1,40 @@
+// What colours and lengths on the picture stand for.
+
+import { el } from "../../report/dom.js";
+import { formatNumber } from "../../numbers/format.js";
+import { cssGradient } from "../../scene/color_scale.js";
+
+export function makeLegend() {
+  const low = el("span", { class: "number" }, "0");
+  const high = el("span", { class: "number" });
+  const ramp = el("span", { class: "ramp" });
+  ramp.style.background = cssGradient();
+  const tensions = el(
+    "div",
+    { class: "color-bar", hidden: true },
+    el("span", {}, "tension [N]"),
+    low,
+    ramp,
+    high,
+    el("span", { class: "dashed" }, "slack"),
+  );
+  const forces = el("div", { class: "force-scale", hidden: true });
+  const legend = el(
+    "div",
+    { class: "key-box", "aria-label": "Legend", role: "group" },
+    tensions,
+    forces,
+  );
+  let shown = "";
+  legend.show = ({ tensionEnd, forceScale }) => {
+    const key = `${tensionEnd} ${forceScale}`;
+    if (key === shown) return;
+    shown = key;
+    tensions.hidden = tensionEnd === null;
+    forces.hidden = forceScale === null;
+    if (tensionEnd !== null) high.textContent = formatNumber(tensionEnd);
+    if (forceScale !== null)
+      forces.textContent = `arrows: 10\u202fmm stands for ${formatNumber(0.01 / forceScale)}\u202fN`;
+  };
+  return legend;
+}

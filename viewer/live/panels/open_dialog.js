@@ -1,0 +1,136 @@
+// What can be opened or added, by name, with a search.
+
+import { el } from "../../report/dom.js";
+import { button, freshId } from "./controls.js";
+
+// What each kind of the catalogue is for: the request that an entry of it makes.
+const KINDS = {
+  worlds: { title: "Worlds", verb: "Open", ask: (name) => ["world.load", { world: name }] },
+  scenes: {
+    title: "Scenes in time",
+    verb: "Open",
+    ask: (name) => ["motion.open", { scene: name }],
+  },
+  subjects: { title: "Digits with tendons", verb: "Open" },
+  hands: { title: "Hands", verb: "Add", ask: (name) => ["world.add_hand", { hand: name }] },
+  objects: { title: "Objects", verb: "Add", ask: (name) => ["world.add_object", { object: name }] },
+};
+
+/// Whether all words of a search are in an entry's texts.
+export const matches = (entry, search) => {
+  const text = [entry.name, entry.kind, entry.about].join(" ").toLowerCase();
+  return search
+    .toLowerCase()
+    .split(/\s+/)
+    .every((word) => text.includes(word));
+};
+
+/// An entry of the list.
+const rowOf = ({ name, about }, verb, work) =>
+  el(
+    "li",
+    {},
+    button(el("span", {}, el("b", {}, name), el("span", { class: "about" }, about ?? "")), work, {
+      "aria-label": `${verb} ${name}`,
+    }),
+  );
+
+/// The dialog; open(kind) shows it.
+export function makeOpenDialog(app) {
+  const cache = new Map();
+  const search = el("input", {
+    type: "search",
+    placeholder: "Search",
+    "aria-label": "Search",
+    autocomplete: "off",
+  });
+  const list = el("ul", { class: "catalogue" });
+  const id = freshId("open");
+  const kinds = el("div", { class: "kinds", role: "group", "aria-label": "Kind" });
+  const title = el("h2", { id }, "Open or add");
+  const dialog = el(
+    "dialog",
+    { "aria-labelledby": id, class: "open-dialog" },
+    el(
+      "div",
+      { class: "dialog-head" },
+      title,
+      button("\u00d7", () => dialog.close(), { "aria-label": "Close" }),
+    ),
+    kinds,
+    search,
+    list,
+  );
+  let kind = "worlds";
+
+  async function entriesOf(what) {
+    if (!cache.has(what)) {
+      const found = await app.ask("catalogue.list", { what });
+      if (!found) return [];
+      cache.set(what, found.entries);
+    }
+    return cache.get(what);
+  }
+  /// Digits of a subject, each as an entry that opens it; a subject of one is opened at once.
+  async function takeSubject(subject) {
+    const found = await app.ask("catalogue.list", { what: "digits", of: subject.name });
+    const digits = found?.entries ?? [];
+    const openDigit = (digit) => {
+      dialog.close();
+      app.ask("tendons.open", { subject: subject.name, ...(digit ? { digit } : {}) });
+    };
+    if (digits.length < 2) return openDigit(digits[0]?.name);
+    list.replaceChildren(
+      ...digits.map(({ name, about }) =>
+        rowOf({ name, about: about || subject.name }, "Open", () => openDigit(name)),
+      ),
+    );
+    list.querySelector("button").focus();
+  }
+  async function take(entry) {
+    if (kind === "subjects") return takeSubject(entry);
+    dialog.close();
+    const [method, params] = KINDS[kind].ask(entry.name);
+    if (kind === "worlds" && !(await app.mayLeave())) return;
+    await app.ask(method, params);
+  }
+  async function fill() {
+    const wanted = kind;
+    const all = await entriesOf(wanted);
+    if (wanted !== kind) return;
+    const found = all.filter((entry) => matches(entry, search.value));
+    list.replaceChildren(
+      ...found.map((entry) => rowOf(entry, KINDS[wanted].verb, () => take(entry))),
+      ...(found.length ? [] : [el("li", { class: "hint" }, "Nothing has that name.")]),
+    );
+  }
+  function choose(next) {
+    kind = next;
+    for (const one of kinds.children)
+      one.setAttribute("aria-pressed", String(one.dataset.kind === kind));
+    fill();
+  }
+  for (const [name, { title: words }] of Object.entries(KINDS)) {
+    const one = button(words, () => choose(name), { class: "kind" });
+    one.dataset.kind = name;
+    kinds.append(one);
+  }
+  search.addEventListener("input", fill);
+  search.addEventListener("keydown", (event) => {
+    if (event.key === "Enter") list.querySelector("button")?.click();
+    if (event.key === "ArrowDown") list.querySelector("button")?.focus();
+  });
+  list.addEventListener("keydown", ({ key }) => {
+    const by = { ArrowDown: 1, ArrowUp: -1 }[key];
+    if (!by) return;
+    const all = [...list.querySelectorAll("button")];
+    all[all.indexOf(document.activeElement) + by]?.focus();
+  });
+  document.body.append(dialog);
+  return (first) => {
+    dialog.showModal();
+    search.value = "";
+    choose(first ?? kind);
+    search.focus();
+  };
+}
