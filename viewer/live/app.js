@@ -207,7 +207,8 @@ function addHearing(app) {
       store.selected = null;
       app.select(kept, { quiet: true });
     }
-    ready.then(() => app.picture.frame() && !app.firstFrame && markFirst(app));
+    const nothing = params.bodies.length === 0;
+    ready.then(() => (app.picture.frame() || nothing) && !app.firstFrame && markFirst(app));
   };
   const state = (params) => {
     store.set({ state: params });
@@ -218,6 +219,7 @@ function addHearing(app) {
     state,
     progress: app.notices.progress,
     ended: ({ reason }) => app.notices.error(`thenar ended: ${reason ?? "no reason was given"}`),
+    failed: ({ text }) => app.notices.error(text),
     error: ({ message }) => app.notices.error(message ?? "an error without words"),
   };
   app.heardNotice = (method, params) => heard[method]?.(params);

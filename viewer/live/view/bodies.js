@@ -99,7 +99,7 @@ export function makeBodies(parent, shelf, told) {
     clear(bodies);
     scene = next;
     bodies.groups = groups;
-    parent.add(...groups);
+    for (const group of groups) parent.add(group);
     const looks = looksOf(scene);
     shelf.keepOnly(scene.bodies);
     return Promise.all(

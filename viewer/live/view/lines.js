@@ -83,7 +83,7 @@ export function makeLines(parent) {
     objects = most
       ? Object.fromEntries(Object.keys(KINDS).map((kind) => [kind, segments(kind, most)]))
       : {};
-    group.add(...Object.values(objects));
+    for (const object of Object.values(objects)) group.add(object);
   };
 
   const pose = ({ tensions, points }) => {

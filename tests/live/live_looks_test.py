@@ -1,0 +1,95 @@
+"""The page in three widths, light and dark: nothing overlaps or is cut; pictures are left to be looked at.
+
+Usage: live_looks_test.py PROGRAM [folder for pictures].
+"""
+
+import live_page
+from live_page import ROOT, LivePage
+
+WORLD = ROOT / "data/worlds/human_mug.toml"
+WIDTHS = {1400: 900, 1024: 700, 390: 800}
+
+# Buttons and inputs that are shown but do not lie in the window, or that another thing covers.
+LOST = """[...document.querySelectorAll('.bar button, .bar .link, .side-head button')].filter((node) => {
+  if (!node.offsetParent) return false;
+  const { left, right, top, bottom, width } = node.getBoundingClientRect();
+  if (!width) return false;
+  const seen = document.elementFromPoint((left + right) / 2, (top + bottom) / 2);
+  return left < 0 || right > innerWidth + 0.5 || top < 0 || bottom > innerHeight || !(seen && (node.contains(seen) || seen.contains(node)));
+}).map((node) => node.id || node.textContent)"""
+
+# Rows of sliders whose words or numbers do not fit.
+CUT = """[...document.querySelectorAll('.slider .value')].filter((node) => node.offsetParent && node.scrollWidth > node.clientWidth + 1)
+  .map((node) => node.getAttribute('aria-label'))"""
+
+
+class Looks(LivePage):
+    def tearDown(self):
+        self.browser.resize(1400, 900)
+        super().tearDown()
+
+    def look(self, name):
+        self.assertGreater(len(self.browser.screenshot(live_page.PICTURES / f"{name}.png")), 5000)
+        self.assertEqual(self.browser.value(LOST), [])
+        self.assertEqual(self.browser.value(CUT), [])
+        self.assertLessEqual(self.browser.value("document.documentElement.scrollWidth - innerWidth"), 0)
+
+    def rest(self):
+        self.settle()
+        self.browser.value("new Promise((done) => setTimeout(done, 600))")
+
+    def test_every_width_and_colour_scheme(self):
+        self.start(WORLD)
+        for width, height in WIDTHS.items():
+            for dark in (False, True):
+                with self.subTest(width=width, dark=dark):
+                    self.browser.resize(width, height, dark)
+                    self.browser.value("thenarLive.tabs.choose('pose')")
+                    self.browser.value("thenarLive.view.fit()")
+                    self.rest()
+                    self.look(f"world_{width}_{'dark' if dark else 'light'}")
+        self.assert_no_errors()
+
+    def test_a_grasp_with_its_wrench_sets(self):
+        self.start(WORLD)
+        self.browser.value("thenarLive.tabs.choose('grasp')")
+        self.browser.click("#do-grasp")
+        self.browser.wait("document.querySelector('.page.grasp').quality", "the quality")
+        self.browser.click("#show-wrenches")
+        self.browser.wait("document.querySelectorAll('.wrenches').length === 2", "two sets")
+        self.rest()
+        self.look("grasp_1400")
+        self.assert_no_errors()
+
+    def test_handles_and_dialogs(self):
+        self.start(WORLD)
+        self.browser.value("thenarLive.select({ owner: thenarLive.store.scene.bodies.find((b) => b.role === 'object').owner })")
+        self.browser.wait("thenarLive.picture.place.shown()")
+        self.rest()
+        self.look("placing_1400")
+        self.browser.value("(() => { const j = thenarLive.store.scene.joints.find((j) => !j.led_by);"
+                           "return thenarLive.select({ owner: j.hand, joint: j.name }); })()")
+        self.rest()
+        self.look("joint_1400")
+        self.browser.value("thenarLive.openDialog('hands')")
+        self.browser.wait("document.querySelector('.catalogue button')")
+        self.browser.screenshot(live_page.PICTURES / "open_1400.png")
+        self.browser.press("Escape")
+        self.browser.value("thenarLive.help()")
+        self.browser.screenshot(live_page.PICTURES / "help_1400.png")
+        self.browser.press("Escape")
+        self.assert_no_errors()
+
+    def test_paper_holds_the_picture_alone(self):
+        self.start(WORLD)
+        self.browser.value("dispatchEvent(new Event('beforeprint'))")
+        self.browser.send("Emulation.setEmulatedMedia", media="print")
+        self.assertEqual(self.browser.value("getComputedStyle(document.querySelector('.printed')).display"), "block")
+        self.assertEqual(self.browser.value("getComputedStyle(document.querySelector('.side')).display"), "none")
+        self.browser.send("Emulation.setEmulatedMedia", media="screen")
+        self.browser.value("dispatchEvent(new Event('afterprint'))")
+        self.assertIsNone(self.browser.value("document.querySelector('.printed')"))
+
+
+if __name__ == "__main__":
+    live_page.main()

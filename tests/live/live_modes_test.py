@@ -1,0 +1,90 @@
+"""Time, tendons and fits in a browser: every shipped scene opens, plays and is scrubbed; tendons follow sliders.
+
+Usage: live_modes_test.py PROGRAM [folder for pictures].
+"""
+
+import json
+
+import live_page
+from live_page import COLORED, ROOT, LivePage
+
+SUBJECT = "an_chao_middle"
+
+
+class Modes(LivePage):
+    def test_scenes_open_and_step(self):
+        self.start()
+        for scene in sorted(path.stem for path in (ROOT / "data/scenes").glob("*.toml")):
+            with self.subTest(scene=scene):
+                self.browser.errors.clear()
+                self.ask("motion.open", json.dumps({"scene": scene}))
+                self.browser.wait("thenarLive.store.scene.mode === 'motion' && thenarLive.store.frame", "a frame")
+                self.browser.wait("!thenarLive.picture.fitting()", "all meshes")
+                self.assertGreater(self.browser.value(COLORED), 0.002)
+                self.ask("motion.step", "{steps: 3}")
+                self.browser.wait("thenarLive.store.frame.time > 0", "time goes on")
+                self.assert_no_errors()
+
+    def test_play_pause_and_scrub(self):
+        self.start()
+        self.ask("motion.open", json.dumps({"scene": "pendulum"}))
+        self.browser.wait("thenarLive.store.scene.mode === 'motion' && thenarLive.tabs.chosen() === 'time'")
+        self.browser.click("#play")
+        self.browser.wait("thenarLive.store.frame?.time > 0.3", "time plays")
+        self.browser.wait("document.querySelector('.page.time .charts figure')", "the chart of energies")
+        self.browser.screenshot(live_page.PICTURES / "time_1400.png")
+        self.browser.click("#play")
+        self.browser.wait("thenarLive.store.state.motion.playing === false", "a pause")
+        self.settle()
+        self.browser.value("(() => { const s = document.querySelector('.scrub'); s.value = 0.1;"
+                           "s.dispatchEvent(new Event('input')); })()")
+        self.browser.wait("thenarLive.store.frame.time < 0.15", "an instant before")
+        self.assert_no_errors()
+
+    def test_a_world_begins_to_move(self):
+        self.start(ROOT / "data/worlds/jaw_box.toml")
+        self.browser.value("thenarLive.tabs.choose('time')")
+        self.browser.click("#begin-motion")
+        self.browser.wait("thenarLive.store.scene.mode === 'motion' && thenarLive.store.frame", "the world in time")
+        self.browser.click("#step")
+        self.browser.wait("thenarLive.store.frame.time > 0", "one step")
+
+    def test_tendons_follow_sliders(self):
+        self.start()
+        self.ask("tendons.open", json.dumps({"subject": SUBJECT}))
+        self.browser.wait("thenarLive.store.scene.mode === 'tendons' && thenarLive.store.frame", "a digit")
+        self.browser.wait("document.querySelectorAll('.page.tendons .table-frame tbody tr').length", "tensions")
+        muscle = self.ask("tendons.state")["muscles"][0]
+        self.browser.value(f"""(() => {{
+          const row = [...document.querySelectorAll('.page.tendons .part[aria-label=Tensions] .slider')]
+            .find((one) => one.dataset.name === {json.dumps(muscle['name'])});
+          const value = row.querySelector('.value');
+          value.focus(); value.value = '4.5'; value.dispatchEvent(new Event('change'));
+        }})()""")
+        self.browser.wait("thenarLive.store.frame.tensions.some((t) => Math.abs(t - 4.5) < 1e-4)", "a line under 4.5 N")
+        self.assertAlmostEqual(self.ask("tendons.state")["muscles"][0]["tension"], 4.5)
+        self.browser.click("#plot-sweep")
+        self.browser.wait("document.querySelectorAll('.page.tendons .charts figure .u-over').length === 2", "two charts")
+        self.browser.value("new Promise((done) => setTimeout(done, 600))")
+        self.browser.screenshot(live_page.PICTURES / "tendons_1400.png")
+        # The line that marks the posture goes with the joint.
+        joint = self.browser.value("thenarLive.store.scene.joints.find((j) => !j.led_by)")
+        self.ask("tendons.set", json.dumps({"posture": {joint["name"]: 0.5 * (joint["lower"] + joint["upper"])}}))
+        self.settle()
+        self.assert_no_errors()
+
+    def test_every_subject_opens(self):
+        self.start()
+        for subject in self.ask("catalogue.list", "{what: 'subjects'}")["entries"]:
+            digits = self.ask("catalogue.list", json.dumps({"what": "digits", "of": subject["name"]}))["entries"]
+            digit = {"digit": digits[-1]["name"]} if digits else {}
+            with self.subTest(subject=subject["name"], **digit):
+                self.ask("tendons.open", json.dumps({"subject": subject["name"], **digit}))
+                self.settle()
+                self.browser.wait("thenarLive.store.scene.mode === 'tendons' && !thenarLive.picture.fitting()")
+                self.assertGreater(self.browser.value(COLORED), 0.001)
+                self.assert_no_errors()
+
+
+if __name__ == "__main__":
+    live_page.main()

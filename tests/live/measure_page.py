@@ -1,0 +1,85 @@
+"""Measures the live page: first picture, from a slider to the picture, the script's memory while time plays.
+
+Usage: measure_page.py PROGRAM [minutes of play, default 10]. Prints a line a figure; see docs/live/README.md.
+"""
+
+import json
+import statistics
+import sys
+import time
+
+import live_page
+from browser import Browser
+
+# From the input of a slider to the picture that shows the joint there [ms].
+LATENCY = """(async (k) => {
+  const app = thenarLive;
+  const { store, picture } = app;
+  const index = store.scene.joints.findIndex((j) => !j.led_by);
+  const joint = store.scene.joints[index];
+  const goal = joint.lower + (joint.upper - joint.lower) * (0.2 + 0.6 * (k % 7) / 7);
+  const row = [...document.querySelectorAll('.page.pose .slider')].find((one) => one.dataset.joint === joint.name);
+  const slider = row.querySelector('input[type=range]');
+  const begin = performance.now();
+  return await new Promise((done) => {
+    const painted = () => {
+      if (Math.abs((picture.frame()?.joints[index] ?? NaN) - goal) > 1e-4) return;
+      picture.stage.painted.splice(picture.stage.painted.indexOf(painted), 1);
+      done(performance.now() - begin);
+    };
+    picture.stage.painted.push(painted);
+    slider.value = slider.min * 1 + (slider.max - slider.min) * (goal - joint.lower) / (joint.upper - joint.lower);
+    slider.dispatchEvent(new Event('input'));
+  });
+})"""
+
+# From a frame's arrival to its picture [ms].
+FRAME = """(() => new Promise((done) => {
+  const { stage } = thenarLive.picture;
+  const painted = () => {
+    stage.painted.splice(stage.painted.indexOf(painted), 1);
+    done(performance.now() - thenarLive.frameAt);
+  };
+  stage.painted.push(painted);
+  thenarLive.ask('motion.step', { steps: 1 });
+}))()"""
+
+
+def told(name, values, unit):
+    values = sorted(values)
+    print(f"{name}: median {statistics.median(values):.1f}, worst {values[-1]:.1f} {unit} of {len(values)}", flush=True)
+
+
+def first_picture(browser):
+    begin = time.monotonic()
+    program = live_page.Program("human:tendons")
+    started = time.monotonic()
+    browser.open(program.address)
+    browser.wait(live_page.FIRST, "the first picture")
+    page = browser.value("performance.getEntriesByName('thenar first picture')[0].startTime")
+    print(f"human:tendons: address after {1e3 * (started - begin):.0f} ms, first picture {page:.0f} ms after navigation")
+    return program
+
+
+def main():
+    live_page.PROGRAM = sys.argv[1]
+    minutes = float(sys.argv[2]) if len(sys.argv) > 2 else 10
+    with Browser() as browser:
+        program = first_picture(browser)
+        told("slider to picture", [browser.value(f"{LATENCY}({k})") for k in range(30)], "ms")
+        browser.value(f"thenarLive.call('motion.open', {json.dumps({'scene': 'pendulum'})})")
+        browser.wait("thenarLive.store.scene.mode === 'motion' && thenarLive.store.frame")
+        told("frame to picture", [browser.value(FRAME) for _ in range(30)], "ms")
+        browser.click("#play")
+        end = time.monotonic() + 60 * minutes
+        while time.monotonic() < end:
+            browser.send("HeapProfiler.collectGarbage")
+            heap = browser.value("performance.memory.usedJSHeapSize")
+            paints = browser.value("thenarLive.picture.stage.paints")
+            print(f"heap {heap / 1e6:.1f} MB after {paints} pictures, errors {browser.errors}", flush=True)
+            time.sleep(min(60, max(1, 60 * minutes / 5)))
+        program.close()
+
+
+if __name__ == "__main__":
+    main()

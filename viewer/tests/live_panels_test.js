@@ -1,0 +1,137 @@
+// What panels and the picture compute without a browser.
+
+import assert from "node:assert/strict";
+import test from "node:test";
+import { base64Of, guessKind } from "../live/files.js";
+import { makeHistory } from "../live/panels/time_panel.js";
+import { matches } from "../live/panels/open_dialog.js";
+import { qualityFacts } from "../live/panels/grasp_panel.js";
+import { keyed } from "../live/panels/controls.js";
+import { QUANTITIES } from "../live/link/quantities.js";
+import { floatsOf } from "../live/view/clouds.js";
+import { arrowScale } from "../live/view/contacts.js";
+import { kindOf, scaleEnd } from "../live/view/lines.js";
+import { looksOf } from "../live/view/looks.js";
+
+test("a history goes on, forgets what is done again, and stays small", () => {
+  const history = makeHistory();
+  for (let i = 0; i < 10; ++i) history.add(i, { kinetic: i });
+  history.add(5, { kinetic: -5 });
+  const [{ x, y }] = history.series();
+  assert.deepEqual(x, [0, 1, 2, 3, 4, 5]);
+  assert.equal(y.at(-1), -5);
+  for (let i = 6; i < 20000; ++i) history.add(i, { kinetic: i });
+  const [{ x: times, y: values }] = history.series();
+  assert.ok(times.length <= 1500 && times.length > 700, `${times.length} points`);
+  assert.equal(times.length, values.length);
+  assert.equal(times[0], 0);
+  assert.equal(times.at(-1), 19999);
+  assert.ok(times.every((t, i) => i === 0 || t > times[i - 1]));
+});
+
+test("a history takes names that come later", () => {
+  const history = makeHistory();
+  history.add(0, { a: 1 });
+  history.add(1, { a: 2, b: 3 });
+  assert.deepEqual(
+    history.series().map(({ name, y }) => [name, y]),
+    [
+      ["a", [1, 2]],
+      ["b", [null, 3]],
+    ],
+  );
+});
+
+test("tensions are slack, unknown or taut, on a round scale", () => {
+  assert.deepEqual([NaN, 0, 3].map(kindOf), ["unknown", "slack", "taut"]);
+  assert.equal(scaleEnd(new Float32Array([NaN, 3, 17])), 20);
+  assert.equal(scaleEnd(new Float32Array([NaN, 0])), 1);
+  assert.equal(scaleEnd(new Float32Array([])), 1);
+});
+
+test("arrows are of a round scale that stays while it fits", () => {
+  const scale = arrowScale(10, 1);
+  assert.ok(10 * scale <= 0.3 + 1e-12 && 10 * scale > 0.1);
+  assert.equal(arrowScale(9, 1, scale), scale);
+  assert.ok(arrowScale(40, 1, scale) < scale);
+  assert.ok(arrowScale(0.1, 1, scale) > scale);
+  assert.equal(arrowScale(0, 1, scale), scale);
+  assert.equal(arrowScale(0, 1), null);
+});
+
+test("clouds are floats, six a segment", () => {
+  const numbers = new Float32Array([1, 2, 3, 4, 5, 6]);
+  const text = base64Of(new Uint8Array(numbers.buffer));
+  assert.deepEqual([...floatsOf(text)], [1, 2, 3, 4, 5, 6]);
+  assert.throws(() => floatsOf(btoa("abcd")), /24 bytes/);
+});
+
+test("large files are base64 as Node has it", () => {
+  const bytes = Uint8Array.from({ length: 100003 }, (_, i) => (i * 7919) % 256);
+  assert.equal(base64Of(bytes), Buffer.from(bytes).toString("base64"));
+});
+
+test("files of robots are hands, others objects", () => {
+  assert.equal(guessKind(["a.stl", "b.URDF"]), "hand");
+  assert.equal(guessKind(["a.obj", "a.mtl"]), "object");
+});
+
+test("a search finds entries that have all its words", () => {
+  const entry = { name: "barrett_bobbin", kind: "world", about: "Barrett hand and a bobbin" };
+  assert.ok(matches(entry, "BOBBIN hand"));
+  assert.ok(matches(entry, ""));
+  assert.ok(!matches(entry, "bobbin mug"));
+});
+
+test("keys on sliders: steps, tenths, pages, limits", () => {
+  const limits = { lower: 0, upper: 1 };
+  const { angle } = QUANTITIES;
+  const key = (name, more = {}) => keyed({ key: name, ...more }, 0.5, limits, angle);
+  assert.ok(Math.abs(key("ArrowRight") - 0.5 - Math.PI / 180) < 1e-12);
+  assert.ok(Math.abs(key("ArrowLeft", { shiftKey: true }) - 0.5 + Math.PI / 1800) < 1e-12);
+  assert.ok(Math.abs(key("PageUp") - 0.5 - Math.PI / 18) < 1e-12);
+  assert.equal(key("Home"), 0);
+  assert.equal(key("End"), 1);
+  assert.equal(key("Tab"), null);
+  assert.equal(key("ArrowRight", { ctrlKey: true }), null);
+});
+
+const factsOf = (quality) => Object.fromEntries(qualityFacts(quality));
+
+test("a grasp that holds, and one that does not, are told apart in words", () => {
+  const holds = factsOf({ closed: true, force_closure: true, epsilon: { lower: 0.1, upper: 0.102 } });
+  assert.match(holds["Force closure"], /yes/);
+  assert.equal(holds.Epsilon, "0.1");
+  assert.equal(holds.certified, "0.1 to 0.102");
+  const loose = factsOf({
+    closed: true,
+    force_closure: false,
+    epsilon: { lower: 0, upper: 0 },
+    missing_direction: { words: "cannot be pushed along x" },
+  });
+  assert.match(loose["Force closure"], /unstable/);
+  assert.equal(loose["Cannot resist"], "cannot be pushed along x");
+  assert.deepEqual(qualityFacts({ closed: false, reason: "nothing touches" }), [
+    ["Grasp", "nothing touches"],
+  ]);
+});
+
+test("bodies look like what they are", () => {
+  const body = (more) => ({ owner: "h", digit: "", role: "link", material: "steel", ...more });
+  const scene = {
+    lines: [],
+    bodies: [
+      body({ digit: "index" }),
+      body({ digit: "middle" }),
+      body({ digit: "index", material: "skin" }),
+      body({ owner: "cup", role: "object" }),
+    ],
+  };
+  const looks = looksOf(scene);
+  assert.notEqual(looks[0].color, looks[1].color);
+  assert.equal(looks[2].color, "#dfab8f");
+  assert.deepEqual(looks.map(({ layer }) => layer), [null, null, null, "objects"]);
+  // Skin that has bones inside can be seen through.
+  scene.bodies.push(body({ role: "bone" }));
+  assert.equal(looksOf(scene)[2].layer, "hands");
+});
