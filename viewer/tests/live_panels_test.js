@@ -3,7 +3,7 @@
 import assert from "node:assert/strict";
 import test from "node:test";
 import { base64Of, guessKind } from "../live/files.js";
-import { makeHistory } from "../live/panels/time_panel.js";
+import { makeHistory } from "../live/panels/energy_chart.js";
 import { matches } from "../live/panels/open_dialog.js";
 import { qualityFacts } from "../live/panels/grasp_panel.js";
 import { keyed } from "../live/panels/controls.js";
@@ -99,7 +99,11 @@ test("keys on sliders: steps, tenths, pages, limits", () => {
 const factsOf = (quality) => Object.fromEntries(qualityFacts(quality));
 
 test("a grasp that holds, and one that does not, are told apart in words", () => {
-  const holds = factsOf({ closed: true, force_closure: true, epsilon: { lower: 0.1, upper: 0.102 } });
+  const holds = factsOf({
+    closed: true,
+    force_closure: true,
+    epsilon: { lower: 0.1, upper: 0.102 },
+  });
   assert.match(holds["Force closure"], /yes/);
   assert.equal(holds.Epsilon, "0.1");
   assert.equal(holds.certified, "0.1 to 0.102");
@@ -130,7 +134,10 @@ test("bodies look like what they are", () => {
   const looks = looksOf(scene);
   assert.notEqual(looks[0].color, looks[1].color);
   assert.equal(looks[2].color, "#dfab8f");
-  assert.deepEqual(looks.map(({ layer }) => layer), [null, null, null, "objects"]);
+  assert.deepEqual(
+    looks.map(({ layer }) => layer),
+    [null, null, null, "objects"],
+  );
   // Skin that has bones inside can be seen through.
   scene.bodies.push(body({ role: "bone" }));
   assert.equal(looksOf(scene)[2].layer, "hands");

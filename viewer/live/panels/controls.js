@@ -27,6 +27,15 @@ export function slowButton(words, work, more = {}) {
   return made;
 }
 
+/// A button that shows the world again, while something else is shown.
+export function backToWorld(app) {
+  const back = slowButton("Back to the world", () => app.ask("session.mode", { mode: "world" }));
+  const show = () => (back.hidden = (app.store.scene?.mode ?? "world") === "world");
+  app.store.on(["scene"], show);
+  show();
+  return back;
+}
+
 /// A titled part of a panel.
 export const part = (title, ...content) =>
   el("section", { class: "part", "aria-label": title }, el("h3", {}, title), ...content);

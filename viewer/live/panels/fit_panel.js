@@ -2,7 +2,7 @@
 
 import { el } from "../../report/dom.js";
 import { formatCell, formatNumber } from "../../numbers/format.js";
-import { choice, facts, part, plainTable, refill } from "./controls.js";
+import { backToWorld, choice, facts, part, plainTable, refill } from "./controls.js";
 
 const vector = (v) => (v ? v.map((x) => formatNumber(x, 2)).join(", ") : "n/a");
 
@@ -42,7 +42,7 @@ export function makeFitPanel(app) {
     part("All trials", table),
     part("Axes", axes),
   );
-  const panel = el("div", { class: "page fit" }, hint, body);
+  const panel = el("div", { class: "page fit" }, hint, backToWorld(app), body);
 
   function show(state) {
     const list = state.trials ?? [];

@@ -1,0 +1,78 @@
+// Where the energy of a moving scene is, over time.
+
+import { el } from "../../report/dom.js";
+import { liveChart } from "./live_chart.js";
+
+const ASK = 200; // at least between two questions for energies [ms]
+const MOST = 1500; // points of a chart
+
+/// Numbers of an object by name, also those one level down: { kinetic: 1 }.
+const numbersOf = (object) =>
+  Object.fromEntries(Object.entries(object ?? {}).filter(([, value]) => Number.isFinite(value)));
+
+/// Energies over time, which forget what comes after a step back.
+export function makeHistory() {
+  const history = { t: [], values: new Map() };
+  history.add = (t, values) => {
+    while (history.t.length && history.t.at(-1) >= t) {
+      history.t.pop();
+      for (const list of history.values.values()) list.pop();
+    }
+    for (const name of Object.keys(values))
+      if (!history.values.has(name))
+        history.values.set(
+          name,
+          history.t.map(() => null),
+        );
+    history.t.push(t);
+    for (const [name, list] of history.values) list.push(values[name] ?? null);
+    if (history.t.length > MOST) {
+      // Every second point of the older half goes: the whole run stays in sight.
+      const keep = (_, i) => i % 2 === 0 || i > MOST / 2;
+      history.t = history.t.filter(keep);
+      for (const [name, list] of history.values) history.values.set(name, list.filter(keep));
+    }
+  };
+  history.clear = () => {
+    history.t = [];
+    history.values = new Map();
+  };
+  history.series = () => [...history.values].map(([name, y]) => ({ name, x: history.t, y }));
+  return history;
+}
+
+function energyBlock(history) {
+  return {
+    caption: "Energies",
+    x_label: "time [s]",
+    y_label: "energy [J]",
+    height: 200,
+    series: history.series(),
+  };
+}
+
+/// The chart; follow() asks for the energies of now, not too often, and clear() forgets those before.
+export function makeEnergyChart(app) {
+  const history = makeHistory();
+  const element = el("div", { class: "charts" });
+  let chart = null;
+  let asked = 0;
+
+  async function follow() {
+    const now = performance.now();
+    if (now - asked < ASK) return;
+    asked = now;
+    const state = await app.call("motion.state", { want: ["energy"] }).catch(() => null);
+    const values = numbersOf(state?.energy);
+    if (!state || !Object.keys(values).length) return;
+    history.add(state.t, values);
+    const names = [...history.values.keys()].join();
+    const block = energyBlock(history);
+    if (chart?.names === names) chart.update(block);
+    else {
+      chart = { ...liveChart(block), names };
+      element.replaceChildren(chart.figure);
+    }
+  }
+  return { element, follow, clear: history.clear };
+}
