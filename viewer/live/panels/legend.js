@@ -34,7 +34,7 @@ export function makeLegend() {
     forces.hidden = forceScale === null;
     if (tensionEnd !== null) high.textContent = formatNumber(tensionEnd);
     if (forceScale !== null)
-      forces.textContent = `arrows: 10\u202fmm stands for ${formatNumber(0.01 / forceScale)}\u202fN`;
+      forces.textContent = `arrows: 10\u202fmm for ${formatNumber(0.01 / forceScale)}\u202fN`;
   };
   return legend;
 }

@@ -42,6 +42,7 @@ export function makePicture(container, theme, asked) {
   const joint = makeJointHandle(stage, asked.moveJoint);
   const place = makePlaceHandle(stage, asked.place);
   const pointer = usePointer(stage, bodies, { joint, place }, asked.select);
+  stage.preparing.push(() => lines.sharpen(stage.canvas.width / stage.width));
   let scene = null;
   let frame = null;
   let fitting = false; // until meshes and a frame are there
@@ -78,7 +79,6 @@ export function makePicture(container, theme, asked) {
     frame = null;
     const ready = bodies.show(scene);
     lines.show(scene);
-    lines.sharpen(stage.ratio);
     vectors.show(scene);
     clouds.show(scene, bodies.groups);
     // A joint that is still there stays selected.

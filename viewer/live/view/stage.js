@@ -2,10 +2,11 @@
 
 import { Box3, Group, PCFShadowMap, Scene, Vector3, WebGLRenderer } from "three";
 import { OrbitControls } from "three/addons/controls/OrbitControls.js";
-import { fitCamera, makeCamera, setAspect, slanted } from "../../scene/camera_fit.js";
+import { makeCamera, slanted } from "../../scene/camera_fit.js";
 import { buildGrid } from "../../scene/grid.js";
 import { addLights } from "../../scene/lights.js";
 import { drawLabels, drawScaleBar, drawTriad } from "../../scene/overlay.js";
+import { addCamera } from "./stage_camera.js";
 
 const UP = new Vector3(0, 0, 1);
 const EMPTY = new Box3(new Vector3(-0.15, -0.15, 0), new Vector3(0.15, 0.15, 0.15)); // [m]
@@ -34,6 +35,8 @@ function drawsInSoftware(renderer) {
 function furnish(stage, box) {
   stage.furniture.removeFromParent();
   stage.camera.clear();
+  stage.sun?.dispose();
+  stage.grid?.dispose();
   const size = box.getSize(new Vector3()).length() || 1;
   stage.furniture = new Group();
   const { grid } = buildGrid(box, size, UP);
@@ -64,24 +67,6 @@ function overlay(stage, context, theme) {
   drawScaleBar(context, { left: 1e3 * left, right: 1e3 * right, zoom }, "mm", look);
 }
 
-/// Shifts the picture into the room between the panels.
-function aim(stage) {
-  const { camera, width, height, insets } = stage;
-  const free = {
-    width: Math.max(80, width - insets.left - insets.right),
-    height: Math.max(80, height - insets.top - insets.bottom),
-  };
-  // The camera is fitted to the free part, then its picture is extended to the whole window.
-  setAspect(camera, free.width / free.height);
-  const [x, y] = [width / free.width, height / free.height];
-  camera.left *= x;
-  camera.right *= x;
-  camera.top *= y;
-  camera.bottom *= y;
-  const shift = { x: (insets.right - insets.left) / 2, y: (insets.bottom - insets.top) / 2 };
-  camera.setViewOffset(width, height, shift.x, shift.y, width, height);
-}
-
 /// Calls `work(now)` at most once a frame of the screen.
 function oncePerFrame(work) {
   let waiting = false;
@@ -93,6 +78,39 @@ function oncePerFrame(work) {
       work();
     });
   };
+}
+
+/// Gives a stage the functions paintNow(fine) and draw().
+function addPainting(stage, theme) {
+  const { canvas, words, renderer, scene, camera } = stage;
+  const software = drawsInSoftware(renderer);
+  let resting = null;
+
+  const setPixels = (share) => {
+    const [width, height] = [stage.width, stage.height].map((n) =>
+      Math.max(1, Math.round(n * stage.ratio * share)),
+    );
+    if (canvas.width !== width || canvas.height !== height) renderer.setSize(width, height, false);
+  };
+
+  /// Draws at once: fine, with shadows and all pixels, or plain. Where drawing is slow pictures are plain
+  /// while things move, and fine once they rest.
+  stage.paintNow = (fine = !(software || stage.cost > SLOW)) => {
+    const begin = performance.now();
+    setPixels(fine ? 1 : PLAIN);
+    const shadows = stage.shown.shadows && fine;
+    renderer.shadowMap.needsUpdate = shadows;
+    stage.sun.shadow.intensity = shadows ? 1 : 0;
+    for (const prepare of stage.preparing) prepare();
+    renderer.render(scene, camera);
+    overlay(stage, words.getContext("2d"), theme);
+    if (fine) stage.cost = 0.5 * stage.cost + 0.5 * (performance.now() - begin);
+    ++stage.paints;
+    for (const told of stage.painted) told();
+    clearTimeout(resting);
+    if (!fine) resting = setTimeout(() => stage.paintNow(true), REST);
+  };
+  stage.draw = oncePerFrame(() => stage.paintNow());
 }
 
 /// A canvas for WebGL and one for words over it, in `container`; `theme()` returns { ink, page, muted }.
@@ -123,34 +141,7 @@ export function makeStage(container, theme) {
     paints: 0,
     cost: 0, // of the last picture [ms]
   };
-  const software = drawsInSoftware(renderer);
-  let resting = null;
-
-  const setPixels = (share) => {
-    const [width, height] = [stage.width, stage.height].map((n) =>
-      Math.max(1, Math.round(n * stage.ratio * share)),
-    );
-    if (canvas.width !== width || canvas.height !== height) renderer.setSize(width, height, false);
-  };
-
-  /// Draws at once: fine, with shadows and all pixels, or plain. Where drawing is slow pictures are plain
-  /// while things move, and fine once they rest.
-  stage.paintNow = (fine = !(software || stage.cost > SLOW)) => {
-    const begin = performance.now();
-    setPixels(fine ? 1 : PLAIN);
-    const shadows = stage.shown.shadows && fine;
-    renderer.shadowMap.needsUpdate = shadows;
-    stage.sun.shadow.intensity = shadows ? 1 : 0;
-    for (const prepare of stage.preparing) prepare();
-    renderer.render(scene, camera);
-    overlay(stage, words.getContext("2d"), theme);
-    if (fine) stage.cost = 0.5 * stage.cost + 0.5 * (performance.now() - begin);
-    ++stage.paints;
-    for (const told of stage.painted) told();
-    clearTimeout(resting);
-    if (!fine) resting = setTimeout(() => stage.paintNow(true), REST);
-  };
-  stage.draw = oncePerFrame(() => stage.paintNow());
+  addPainting(stage, theme);
 
   const controls = new OrbitControls(camera, canvas);
   controls.enableDamping = false;
@@ -161,38 +152,6 @@ export function makeStage(container, theme) {
     stage.box = box.isEmpty() ? EMPTY.clone() : box;
     furnish(stage, stage.box);
     stage.draw();
-  };
-  stage.fit = (direction = stage.from) => {
-    stage.from = direction.clone().normalize();
-    controls.target.copy(fitCamera(camera, stage.box, 1, stage.from));
-    // The camera stands far off, so that nothing that is dragged out of the first box is cut.
-    const reach = stage.box.getSize(new Vector3()).length();
-    camera.position.copy(controls.target).addScaledVector(stage.from, 20 * reach);
-    camera.near = reach;
-    camera.far = 60 * reach;
-    aim(stage);
-    controls.update();
-    stage.draw();
-  };
-  stage.setInsets = (insets) => {
-    stage.insets = { ...stage.insets, ...insets };
-    aim(stage);
-    stage.draw();
-  };
-  stage.ray = ({ clientX, clientY }) => {
-    const room = canvas.getBoundingClientRect();
-    const x = (2 * (clientX - room.left)) / room.width - 1;
-    const y = 1 - (2 * (clientY - room.top)) / room.height;
-    return { x, y };
-  };
-  /// Where a point of the scene is seen, in CSS pixels of the window.
-  stage.pixel = (point) => {
-    const seen = point.clone().project(camera);
-    const room = canvas.getBoundingClientRect();
-    return {
-      x: room.left + ((seen.x + 1) / 2) * room.width,
-      y: room.top + ((1 - seen.y) / 2) * room.height,
-    };
   };
   stage.picture = () => {
     stage.paintNow(true);
@@ -212,9 +171,10 @@ export function makeStage(container, theme) {
     stage.ratio = Math.min(2, devicePixelRatio);
     words.width = Math.round(stage.width * stage.ratio);
     words.height = Math.round(stage.height * stage.ratio);
-    aim(stage);
+    stage.aim();
     stage.paintNow();
   };
+  addCamera(stage);
   stage.look(new Box3());
   stage.fit();
   new ResizeObserver(resize).observe(container);
