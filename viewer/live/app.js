@@ -20,6 +20,9 @@ const theme = () => ({
   muted: themeColor("--muted"),
 });
 
+// Methods whose warnings have no place of their own on the page.
+const TELLING = /^(world\.|motion\.open|motion\.record|hand\.|fit\.open)/;
+
 /// The address of the server's WebSocket, with the token of the page's own address.
 function socketAddress() {
   const { protocol, host, search } = location;
@@ -31,7 +34,9 @@ function addRequests(app) {
   app.call = (method, params) => app.link.call(method, params);
   app.ask = async (method, params = {}) => {
     try {
-      return await app.call(method, params);
+      const result = await app.call(method, params);
+      if (TELLING.test(method)) for (const words of result?.warnings ?? []) app.notices.tell(words);
+      return result;
     } catch (error) {
       // What was lost with the connection is told by the banner.
       if (error.code !== "lost") app.notices.error(`${method}: ${error.message}`);

@@ -51,7 +51,6 @@ async function importAll(app, files) {
   );
   const made = await app.ask("world.import", { files: sent, as });
   if (!made) return;
-  for (const words of made.warnings ?? []) app.notices.tell(words);
   app.notices.tell(`${made.name} was imported.`);
 }
 

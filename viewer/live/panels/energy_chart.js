@@ -1,5 +1,6 @@
 // Where the energy of a moving scene is, over time.
 
+import { formatNumber } from "../../numbers/format.js";
 import { el } from "../../report/dom.js";
 import { liveChart } from "./live_chart.js";
 
@@ -55,8 +56,20 @@ function energyBlock(history) {
 export function makeEnergyChart(app) {
   const history = makeHistory();
   const element = el("div", { class: "charts" });
+  const warning = el("p", { class: "warning", role: "alert", hidden: true });
   let chart = null;
   let asked = 0;
+  let unsolved = 0; // steps since the beginning
+
+  /// Contact problems that were left with an error are never passed over.
+  function warn(state) {
+    unsolved += state.unsolved ?? 0;
+    warning.hidden = unsolved === 0;
+    if (unsolved)
+      warning.textContent =
+        `${unsolved} steps were not solved; the last ones leave ` +
+        `${formatNumber(state.worst_residual ?? NaN)} of what contacts need.`;
+  }
 
   async function follow() {
     const now = performance.now();
@@ -64,6 +77,7 @@ export function makeEnergyChart(app) {
     asked = now;
     const state = await app.call("motion.state", { want: ["energy"] }).catch(() => null);
     const values = numbersOf(state?.energy);
+    if (state) warn(state);
     if (!state || !Object.keys(values).length) return;
     history.add(state.t, values);
     const names = [...history.values.keys()].join();
@@ -74,5 +88,10 @@ export function makeEnergyChart(app) {
       element.replaceChildren(chart.figure);
     }
   }
-  return { element, follow, clear: history.clear };
+  const clear = () => {
+    history.clear();
+    unsolved = 0;
+    warning.hidden = true;
+  };
+  return { element, warning, follow, clear };
 }

@@ -5,6 +5,7 @@ import { formatNumber } from "../../numbers/format.js";
 import { latestWins } from "../link/latest.js";
 import { backToWorld, button, choice, part, plainTable, refill, slowButton } from "./controls.js";
 import { makeEnergyChart } from "./energy_chart.js";
+import { makeMotionInputs } from "./motion_inputs.js";
 
 const SPEEDS = ["0.05", "0.1", "0.25", "0.5", "1", "2"];
 const ROWS = 12; // contacts in the table
@@ -28,6 +29,7 @@ export function contactRows(scene, { contacts }) {
 export function makeTimePanel(app) {
   const { store } = app;
   const energy = makeEnergyChart(app);
+  const inputs = makeMotionInputs(app);
   const contacts = plainTable(["contact", "force [N]", "friction"], [], "Contacts");
   const clock = el("output", { class: "clock" });
   const play = button("Play", () => toggle(), { id: "play", class: "main" });
@@ -105,6 +107,8 @@ export function makeTimePanel(app) {
     el("div", { class: "buttons" }, play, ...live),
     el("div", { class: "scrubber" }, scrub, clock),
     speed,
+    energy.warning,
+    inputs.element,
     part("Contacts", contacts),
     part("Energy", energy.element),
   );
@@ -125,7 +129,11 @@ export function makeTimePanel(app) {
   store.on(["scene", "state", "tab"], state);
   store.on(["frame", "tab"], follow);
   store.on(["scene"], () => {
-    if (store.scene?.mode === "motion") return;
+    if (store.scene?.mode === "motion") {
+      inputs.element.hidden = Boolean(motion()?.recorded);
+      if (!motion()?.recorded) inputs.refill();
+      return;
+    }
     energy.clear();
     furthest = 0;
   });
