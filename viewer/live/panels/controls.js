@@ -36,6 +36,21 @@ export function backToWorld(app) {
   return back;
 }
 
+/// A row that opens a file of the server's folder by its name; `open(file)` hears of it.
+export function fileRow(label, open) {
+  const id = freshId("file");
+  const input = el("input", { id, type: "text", autocomplete: "off", placeholder: "file" });
+  const take = () => input.value.trim() && open(input.value.trim());
+  input.addEventListener("keydown", ({ key }) => key === "Enter" && take());
+  return el(
+    "div",
+    { class: "choice file-row" },
+    el("label", { for: id }, label),
+    input,
+    slowButton("Open", take, { "aria-label": `Open ${label.toLowerCase()}` }),
+  );
+}
+
 /// A titled part of a panel.
 export const part = (title, ...content) =>
   el("section", { class: "part", "aria-label": title }, el("h3", {}, title), ...content);

@@ -2,7 +2,7 @@
 
 import { el } from "../../report/dom.js";
 import { formatCell, formatNumber } from "../../numbers/format.js";
-import { backToWorld, choice, facts, part, plainTable, refill } from "./controls.js";
+import { backToWorld, choice, facts, fileRow, part, plainTable, refill } from "./controls.js";
 
 const vector = (v) => (v ? v.map((x) => formatNumber(x, 2)).join(", ") : "n/a");
 
@@ -22,11 +22,8 @@ const axisFacts = (axis) =>
 
 export function makeFitPanel(app) {
   const { store } = app;
-  const hint = el(
-    "p",
-    { class: "hint" },
-    "No fit is open: start thenar view with a fit's file, or call fit.open.",
-  );
+  const hint = el("p", { class: "hint" }, "No fit is shown.");
+  const open = fileRow("Fit", (file) => app.ask("fit.open", { file }));
   const trials = choice("Trial", async (value) => {
     await app.ask("fit.trial", { trial: Number(value) });
     refresh();
@@ -42,7 +39,7 @@ export function makeFitPanel(app) {
     part("All trials", table),
     part("Axes", axes),
   );
-  const panel = el("div", { class: "page fit" }, hint, backToWorld(app), body);
+  const panel = el("div", { class: "page fit" }, hint, open, backToWorld(app), body);
 
   function show(state) {
     const list = state.trials ?? [];

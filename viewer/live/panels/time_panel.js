@@ -3,7 +3,16 @@
 import { el } from "../../report/dom.js";
 import { formatNumber } from "../../numbers/format.js";
 import { latestWins } from "../link/latest.js";
-import { backToWorld, button, choice, part, plainTable, refill, slowButton } from "./controls.js";
+import {
+  backToWorld,
+  button,
+  choice,
+  fileRow,
+  part,
+  plainTable,
+  refill,
+  slowButton,
+} from "./controls.js";
 import { makeEnergyChart } from "./energy_chart.js";
 import { makeMotionInputs } from "./motion_inputs.js";
 
@@ -124,6 +133,7 @@ export function makeTimePanel(app) {
       slowButton("Open a scene\u2026", () => app.openDialog("scenes")),
       backToWorld(app),
     ),
+    fileRow("Run", (file) => app.ask("motion.record", { file })),
     running,
   );
   store.on(["scene", "state", "tab"], state);
