@@ -111,10 +111,11 @@ test("a grasp that holds, and one that does not, are told apart in words", () =>
     closed: true,
     force_closure: false,
     epsilon: { lower: 0, upper: 0 },
-    missing_direction: { words: "cannot be pushed along x" },
+    missing_direction: [1, 0, 0, 0, 0, 0],
+    missing_direction_words: "fx",
   });
   assert.match(loose["Force closure"], /unstable/);
-  assert.equal(loose["Cannot resist"], "cannot be pushed along x");
+  assert.equal(loose["Cannot resist"], "fx");
   assert.deepEqual(qualityFacts({ closed: false, reason: "nothing touches" }), [
     ["Grasp", "nothing touches"],
   ]);

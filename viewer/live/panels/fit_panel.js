@@ -1,24 +1,34 @@
 // A fit: its trials, its joint axes, forces measured and predicted.
 
 import { el } from "../../report/dom.js";
-import { formatCell, formatNumber } from "../../numbers/format.js";
+import { formatNumber } from "../../numbers/format.js";
 import { backToWorld, choice, facts, fileRow, part, plainTable, refill } from "./controls.js";
 
 const vector = (v) => (v ? v.map((x) => formatNumber(x, 2)).join(", ") : "n/a");
 
-const trialName = (trial, i) =>
-  typeof trial === "string"
-    ? trial
-    : (trial.name ?? [i + 1, trial.muscle].filter(Boolean).join(" "));
+const trialName = ({ trial, specimen, posture, loads }) =>
+  [`${trial + 1}`, specimen, posture, loads].filter((word) => word && word !== "").join(" ");
 
-/// Whatever else the server says of an axis, one fact a line.
-const axisFacts = (axis) =>
-  Object.entries(axis)
-    .filter(([key]) => key !== "name" && key !== "joint")
-    .map(([key, value]) => [
-      key.replaceAll("_", " "),
-      Array.isArray(value) ? vector(value) : formatCell(value),
-    ]);
+const DEGREE = Math.PI / 180;
+
+/// An estimate with its interval, where that is not the estimate itself.
+function intervalWords({ value, lower, upper }, scale, unit) {
+  const shown = (v) => formatNumber(v === null ? NaN : v / scale, 1);
+  const between = lower === upper ? "" : ` (${shown(lower)} to ${shown(upper)})`;
+  return `${shown(value)}${between}${unit}`;
+}
+
+/// How two axes stand to each other.
+const pairFacts = ({ angle, distance, beyond }) => [
+  ["Angle", intervalWords(angle, DEGREE, "\u00b0")],
+  ["Distance", intervalWords(distance, 1e-3, "\u202fmm")],
+  ["Beyond", intervalWords(beyond, 1e-3, "\u202fmm")],
+];
+
+const axisFacts = ({ direction, point }) => [
+  ["Direction", vector(direction)],
+  ["Point", `${vector(point.map((x) => x * 1e3))} mm`],
+];
 
 export function makeFitPanel(app) {
   const { store } = app;
@@ -42,29 +52,32 @@ export function makeFitPanel(app) {
   const panel = el("div", { class: "page fit" }, hint, open, backToWorld(app), body);
 
   function show(state) {
-    const list = state.trials ?? [];
-    const chosen = state.trial ?? 0;
+    const list = state.trials;
     trials.set(
-      list.map((trial, i) => ({ value: String(trial.index ?? i), text: trialName(trial, i) })),
-      String(chosen),
+      list.map((one) => ({ value: String(one.trial), text: trialName(one) })),
+      String(state.trial),
     );
-    const trial = list.find((one, i) => (one.index ?? i) === chosen) ?? {};
-    const measured = state.measured ?? trial.measured;
-    const predicted = state.predicted ?? trial.predicted;
+    const trial = list.find((one) => one.trial === state.trial);
     now.replaceChildren(
-      facts([
-        ["Measured", `${vector(measured)} N`],
-        ["Predicted", `${vector(predicted)} N`],
-      ]),
+      facts(
+        trial
+          ? [
+              ["Measured", `${vector(trial.measured)} N`],
+              ["Predicted", `${vector(trial.predicted)} N`],
+              ["Sd", `${vector(trial.sd)} N`],
+              ["Direction off by", `${formatNumber(trial.direction_error / DEGREE, 1)}\u00b0`],
+            ]
+          : [],
+      ),
+      ...(state.warnings ?? []).map((words) => el("p", { class: "warning" }, words)),
     );
     refill(
       table.querySelector("tbody"),
-      list.map((one, i) => [trialName(one, i), vector(one.measured), vector(one.predicted)]),
+      list.map((one) => [trialName(one), vector(one.measured), vector(one.predicted)]),
     );
     axes.replaceChildren(
-      ...(state.axes ?? []).map((axis, i) =>
-        part(axis.name ?? axis.joint ?? `axis ${i + 1}`, facts(axisFacts(axis))),
-      ),
+      ...state.pairs.map((pair) => part(pair.axes, facts(pairFacts(pair)))),
+      ...state.axes.map((axis) => part(axis.joint, facts(axisFacts(axis)))),
     );
   }
   async function refresh() {

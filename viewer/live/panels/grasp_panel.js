@@ -5,50 +5,49 @@ import { formatNumber } from "../../numbers/format.js";
 import { ownersOf } from "../link/store.js";
 import { whenQuiet } from "../link/latest.js";
 import { choice, facts, part, slowButton, tick } from "./controls.js";
+import { makePadPart } from "./pad_part.js";
 import { makeWrenchView } from "./wrench_view.js";
 
 const QUIET = 350; // after the last move the quality is asked for [ms]
 
-const vector = (v, unit) => `(${v.map((x) => formatNumber(x)).join(", ")}) ${unit}`;
+const AXES = ["fx", "fy", "fz", "tx", "ty", "tz"]; // torques over the object's reach
 
-/// A wrench of six, moment or force first as the server names them.
-function wrenchWords(wrench) {
-  if (!wrench) return null;
-  if (Array.isArray(wrench) && wrench.length === 6)
-    return `force ${vector(wrench.slice(3), "N")}, moment ${vector(wrench.slice(0, 3), "N m")}`;
-  if (wrench.force)
-    return `force ${vector(wrench.force, "N")}, moment ${vector(wrench.moment, "N m")}`;
-  return typeof wrench === "string" ? wrench : JSON.stringify(wrench);
-}
+/// A direction of six in the server's words, or else in numbers.
+const directionWords = (words, direction) =>
+  words ?? direction.map((x, i) => `${AXES[i]} ${formatNumber(x, 3)}`).join(", ");
 
 /// The lines that tell a quality as the server gives it.
 export function qualityFacts(quality) {
-  if (!quality.closed && !quality.epsilon)
+  const { closed, epsilon, volume } = quality;
+  if (!closed || !epsilon)
     return [["Grasp", quality.reason ?? quality.verdict ?? "nothing is held"]];
   const told = [
     ["Force closure", quality.force_closure ? "\u2713 yes" : "\u2717 no: the grasp is unstable"],
+    ["Epsilon", formatNumber(epsilon.lower)],
+    ["certified", `${formatNumber(epsilon.lower)} to ${formatNumber(epsilon.upper)}`],
   ];
-  const { epsilon } = quality;
-  if (epsilon) {
-    told.push(["Epsilon", formatNumber(epsilon.lower)]);
-    told.push(["certified", `${formatNumber(epsilon.lower)} to ${formatNumber(epsilon.upper)}`]);
-  }
-  if (quality.verdict) told.push(["Verdict", quality.verdict]);
-  const missing = quality.missing_direction;
-  if (missing)
-    told.push(["Cannot resist", missing.words ?? wrenchWords(missing.wrench ?? missing)]);
-  const worst = quality.worst_wrench;
-  if (worst) told.push(["Worst disturbance", worst.words ?? wrenchWords(worst.wrench ?? worst)]);
-  if (Number.isFinite(quality.volume)) told.push(["Volume", formatNumber(quality.volume)]);
-  if (quality.contacts !== undefined)
-    told.push(["Contacts", String(quality.contacts.length ?? quality.contacts)]);
+  if (quality.missing_direction)
+    told.push([
+      "Cannot resist",
+      directionWords(quality.missing_direction_words, quality.missing_direction),
+    ]);
+  if (quality.worst_wrench)
+    told.push([
+      "Worst disturbance",
+      directionWords(quality.worst_wrench_words, quality.worst_wrench),
+    ]);
+  if (volume)
+    told.push(["Volume", `${formatNumber(volume.lower)} to ${formatNumber(volume.upper)}`]);
+  if (quality.contacts !== undefined) told.push(["Contacts", String(quality.contacts)]);
   return told;
 }
 
 /// What closing did, in a sentence.
-function outcomeWords({ outcome, stopped = [] }) {
-  const by = stopped.map((s) => (s.by ? `${s.joint} by ${s.by}` : s.joint));
-  return [outcome, by.length ? `stopped: ${by.join("; ")}` : ""].filter(Boolean).join("; ");
+export function outcomeWords({ outcome, explanation, stopped = [] }) {
+  const by = stopped.map(({ joint, by: what }) => `${joint}: ${what}`);
+  return [explanation || outcome, by.length ? `Joints stopped by: ${by.join(", ")}` : ""]
+    .filter(Boolean)
+    .join("\n");
 }
 
 export function makeGraspPanel(app) {
@@ -87,7 +86,10 @@ export function makeGraspPanel(app) {
     if (!quality || asked !== about) return;
     panel.quality = quality;
     answer.classList.toggle("holds", Boolean(quality.force_closure));
-    answer.replaceChildren(facts(qualityFacts(quality)));
+    answer.replaceChildren(
+      facts(qualityFacts(quality)),
+      ...(quality.warnings ?? []).map((words) => el("p", { class: "warning" }, words)),
+    );
   }
   /// Where everything stands: an arrow of the quality itself must not ask for it again.
   const poses = () => (store.frame ? `${store.frame.revision} ${store.frame.bodies.join()}` : "");
@@ -120,6 +122,7 @@ export function makeGraspPanel(app) {
       el("div", { class: "buttons" }, slowButton("Ask now", ask, { id: "ask-quality" })),
     ),
     makeWrenchView(app, grasp),
+    makePadPart(app, grasp),
   );
   const fill = () => {
     const owners = store.scene ? ownersOf(store.scene) : [];

@@ -5,12 +5,12 @@ import { themeColor } from "../../report/theme.js";
 import { mountScene } from "../../scene/view.js";
 import { choice, part, slowButton } from "./controls.js";
 
-const NAMES = ["Fx", "Fy", "Fz", "Mx", "My", "Mz"];
+const NAMES = ["Fx", "Fy", "Fz", "Tx", "Ty", "Tz"]; // torques over the object's reach
 const SETS = {
-  "force, no moment": { axes: [0, 1, 2], kind: "slice" },
-  "moment, no force": { axes: [3, 4, 5], kind: "slice" },
-  "force, any moment": { axes: [0, 1, 2], kind: "projection" },
-  "moment, any force": { axes: [3, 4, 5], kind: "projection" },
+  "force, no torque": { axes: [0, 1, 2], kind: "slice" },
+  "torque, no force": { axes: [3, 4, 5], kind: "slice" },
+  "force, any torque": { axes: [0, 1, 2], kind: "projection" },
+  "torque, any force": { axes: [3, 4, 5], kind: "projection" },
   "three axes": null,
 };
 const SIDES = [
@@ -34,19 +34,16 @@ function draw(side, set, axes, group) {
   const frame = el("div", { class: "scene small" });
   frame.dataset.label = `${side.title}: set of wrenches`;
   const flat = set.vertices.length < 4;
-  const words = set.failed
-    ? String(set.failed === true ? "The set could not be found." : set.failed)
-    : flat
-      ? "The set has no volume along these axes."
-      : "";
-  const caption = el("figcaption", {}, `${side.title} [${set.unit}]`);
-  if (!flat && !set.failed) {
+  const words = "The set has no volume along these axes.";
+  const open = set.failed ? `; ${set.failed} directions have no bound` : "";
+  const caption = el("figcaption", {}, `${side.title} [${set.unit}]${open}`);
+  if (!flat) {
     const hull = { kind: "hull", vertices: set.vertices, faces: set.triangles };
     const layers = [
       { name: "set", color: side.color, items: [hull] },
       { name: "axes", color: AXIS, items: axesItems(set.vertices, axes) },
     ];
-    const spec = { layers, compact: true, unit: set.unit, link: group };
+    const spec = { layers, compact: true, unit: set.unit.split(" ")[0], link: group };
     // The frame needs its size before the scene is mounted.
     requestAnimationFrame(() =>
       mountScene(frame, spec, () => ({ ink: themeColor("--ink"), page: themeColor("--page") })),
@@ -70,7 +67,7 @@ export function makeWrenchView(app, grasp) {
   });
   const freely = el("div", { class: "axes", hidden: true }, ...axes);
   const kind = choice("Set", (name) => (freely.hidden = SETS[name] !== null));
-  kind.set(Object.keys(SETS), "force, no moment");
+  kind.set(Object.keys(SETS), "force, no torque");
   const chosen = () =>
     SETS[kind.value()] ?? { axes: axes.map((one) => Number(one.value())), kind: "projection" };
   const show = async () => {

@@ -7,6 +7,7 @@ import { makeClouds } from "./clouds.js";
 import { makeContacts, makeVectors } from "./contacts.js";
 import { makeJointHandle } from "./joint_handle.js";
 import { makeLines } from "./lines.js";
+import { makePads } from "./pads.js";
 import { makePlaceHandle } from "./place_handle.js";
 import { usePointer } from "./pointer.js";
 import { makeStage } from "./stage.js";
@@ -39,6 +40,7 @@ export function makePicture(container, theme, asked) {
   const contacts = makeContacts(stage.scene);
   const vectors = makeVectors(stage.scene);
   const clouds = makeClouds(stage.scene);
+  const pads = makePads(stage.scene, stage.draw);
   const joint = makeJointHandle(stage, asked.moveJoint);
   const place = makePlaceHandle(stage, asked.place);
   const pointer = usePointer(stage, bodies, { joint, place }, asked.select);
@@ -59,6 +61,8 @@ export function makePicture(container, theme, asked) {
   }
 
   function draw(next) {
+    // Pads are of the posture in which they were pressed.
+    if (frame && next.bodies.some((value, i) => value !== frame.bodies[i])) pads.clear();
     frame = next;
     bodies.pose(frame);
     place.goAlong();
@@ -95,7 +99,7 @@ export function makePicture(container, theme, asked) {
     return true;
   };
   return {
-    ...{ stage, bodies, lines, contacts, vectors, joint, place, pointer, show, pose },
+    ...{ stage, bodies, lines, contacts, vectors, pads, joint, place, pointer, show, pose },
     tips: () => tips,
     frame: () => frame,
     fitting: () => fitting,
