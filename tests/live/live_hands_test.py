@@ -56,15 +56,14 @@ class Hands(LivePage):
         self.assert_no_errors()
 
     def test_the_quality_shown_is_that_of_the_command(self):
-        program = self.start(WORLD)
+        self.start(WORLD)
         self.browser.value("thenarLive.tabs.choose('grasp')")
         self.browser.click("#do-grasp")
         self.browser.wait("document.querySelector('.page.grasp').quality", "the quality")
         shown = self.browser.value("document.querySelector('.page.grasp').quality")
-        self.ask("world.save", "{file: 'held.toml'}")
-        said = command("grasp", pathlib.Path(program.folder) / "held.toml", "--start", "here", "--json")
-        self.assertAlmostEqual(shown["epsilon"]["lower"], said["epsilon"]["lower"], places=9)
-        self.assertAlmostEqual(shown["epsilon"]["upper"], said["epsilon"]["upper"], places=9)
+        said = command("grasp", WORLD, "--json")
+        self.assertAlmostEqual(shown["epsilon"]["lower"], said["epsilon"]["lower"], places=12)
+        self.assertAlmostEqual(shown["epsilon"]["upper"], said["epsilon"]["upper"], places=12)
         text = self.browser.value("document.querySelector('#quality').textContent")
         self.assertIn("\u2713 yes" if said["force_closure"] else "\u2717 no", text)
         self.assert_no_errors()
@@ -81,7 +80,6 @@ class Hands(LivePage):
 
     def test_a_saved_world_comes_back(self):
         program = self.start(WORLD)
-        self.select_joint()
         joint = self.select_joint()
         middle = 0.5 * (joint["lower"] + joint["upper"])
         self.browser.value(f"thenarLive.moveJoint(thenarLive.store.scene.joints[{joint['index']}], {middle})")
@@ -97,7 +95,6 @@ class Hands(LivePage):
         self.ask("world.load", json.dumps({"world": str(file)}))
         self.browser.wait("thenarLive.store.scene.bodies.length > 0", "the world again")
         self.assertEqual(self.ask("world.text")["toml"], before)
-        self.assertEqual(self.ask("world.get"), self.ask("world.get"))
         self.assert_no_errors()
 
     def test_undo_and_redo(self):
