@@ -3,6 +3,7 @@
 import { csvOf } from "./csv.js";
 import { el } from "./dom.js";
 import { fileName, figureTable } from "./figure_csv.js";
+import { pngOf } from "./figure_png.js";
 import { figureSvg } from "./figure_svg.js";
 import { canRecord } from "./movie.js";
 
@@ -22,9 +23,11 @@ const button = (words, what, save) =>
 function chartButtons(block, figure) {
   const name = fileName(block.caption, block.type);
   const svg = () => download(`${name}.svg`, figureSvg(figure), "image/svg+xml");
+  const png = async () => download(`${name}.png`, await pngOf(figureSvg(figure)));
   const csv = () => download(`${name}.csv`, csvOf(figureTable(block)), "text/csv");
   return [
     button("SVG", "the figure as a drawing", svg),
+    button("PNG", "the figure as a picture", png),
     button("CSV", "the numbers of the figure", csv),
   ];
 }

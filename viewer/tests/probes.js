@@ -133,7 +133,8 @@ export async function foldAll() {
   return { open, folded, linked, again: height() };
 }
 
-/// What the buttons below the figures of a type of block save: the beginning of each file.
+/// What the buttons below the figures of a type of block save: the beginning of each file, and of
+/// pictures how many colours they have.
 export async function savedFiles(selector) {
   const blobs = [];
   const make = URL.createObjectURL;
@@ -143,11 +144,23 @@ export async function savedFiles(selector) {
   };
   const figure = document.querySelector(selector).closest("figure");
   figure.querySelectorAll(".tools.save button").forEach((button) => button.click());
-  await new Promise((resolve) => setTimeout(resolve, 800));
+  for (let i = 0; i < 50 && !blobs.some(({ type }) => type === "image/png"); ++i)
+    await new Promise((resolve) => setTimeout(resolve, 100));
   URL.createObjectURL = make;
-  return Promise.all(
-    blobs.map(async (blob) => ({ type: blob.type, start: (await blob.text()).slice(0, 60) })),
-  );
+  const colors = async (blob) => {
+    const image = await createImageBitmap(blob);
+    const context = new OffscreenCanvas(image.width, image.height).getContext("2d");
+    context.drawImage(image, 0, 0);
+    const { data } = context.getImageData(0, 0, image.width, image.height);
+    return new Set(new Uint32Array(data.buffer)).size;
+  };
+  const told = async (blob) => ({
+    type: blob.type,
+    start: (await blob.text()).slice(0, 60),
+    colors: blob.type === "image/png" ? await colors(blob) : null,
+  });
+  // The drawing that becomes a picture is no file of its own.
+  return Promise.all(blobs.filter((blob, i) => i === 0 || blob.type !== blobs[0].type).map(told));
 }
 
 /// The still pictures of a motion: times, shares that something is painted on, how many differ.
