@@ -8,6 +8,7 @@ import { el } from "./dom.js";
 import { errorBox, figure, remark } from "./figure.js";
 import { hexColor } from "./palette.js";
 import { playerOf } from "./player.js";
+import { followScene } from "./scene_reading.js";
 import { stripOf } from "./strip.js";
 import { isPrinting, onThemeChange, themeColor } from "./theme.js";
 import { whenNear, whenShown } from "./when_shown.js";
@@ -47,6 +48,7 @@ function fillFrame(frame, block, below) {
   const view = mountScene(frame, { ...block, layers }, theme);
   onThemeChange(view.draw);
   printPicture(frame, view);
+  followScene(view, block);
   frame.toPng = (done) => {
     const picture = view.picture(PRINTED);
     const scale = block.color_scale;

@@ -29,3 +29,18 @@ export function colored(layers, scale) {
     Number.isFinite(item.value) ? { color: colorOf(item.value, scale), ...item } : item;
   return layers.map((layer) => ({ ...layer, items: layer.items.map(paint) }));
 }
+
+const STEPS = 600; // of the search along the scale
+const NEAR = 12; // of a colour, in bytes of each channel, within which it is one of the scale
+
+/// The value that a colour [r, g, b] in bytes of sRGB stands for on a scale { low, high }, to a
+/// 600th of it; null for colours that are not of the scale.
+export function valueOf(color, { low, high }) {
+  let best = { apart: Infinity };
+  for (let i = 0; i <= STEPS; ++i) {
+    const there = channels(colorAt(i / STEPS));
+    const apart = Math.max(...there.map((c, k) => Math.abs(c - color[k])));
+    if (apart < best.apart) best = { apart, fraction: i / STEPS };
+  }
+  return best.apart <= NEAR ? low + best.fraction * (high - low) : null;
+}

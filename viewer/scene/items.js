@@ -49,6 +49,7 @@ function buildLayer(layer, size) {
   const complete = layer.items.filter(isComplete);
   for (const item of complete) {
     const object = BUILD[item.kind](item, look(item.color ?? layer.color));
+    object.userData.item = item;
     group.add(object);
     if (item.label) labels.push({ position: object.userData.labelAt, text: item.label });
   }

@@ -89,12 +89,12 @@ function sense(axis, up) {
 }
 
 /// Directions of the axes as the camera sees them, in the lower left corner, and which of them is
-/// up.
-export function drawTriad(context, camera, { height, ink, page }) {
+/// up. @param axes  words for x, y and z, each may be empty
+export function drawTriad(context, camera, { height, ink, page }, axes = []) {
   const origin = [42, height - 40];
   const length = 24;
-  const seen = TRIAD.map(([name, color, axis]) => ({
-    name: name + sense(axis, camera.up),
+  const seen = TRIAD.map(([name, color, axis], i) => ({
+    name: (axes[i] ? `${name} ${axes[i]}` : name) + sense(axis, camera.up),
     color,
     v: axis.clone().transformDirection(camera.matrixWorldInverse),
   }));

@@ -10,6 +10,7 @@ import { buildLayers } from "./items.js";
 import { addLights } from "./lights.js";
 import { drawLabels, drawScaleBar, drawTriad } from "./overlay.js";
 import { link } from "./linked.js";
+import { pick } from "./pick.js";
 import { renderTo, sharedRenderer } from "./renderer.js";
 
 function makeCanvas(container) {
@@ -62,7 +63,7 @@ function coveredBy(panel) {
 }
 
 /// Draws the scene and what is written on it, with so many device pixels to each of CSS.
-function paint(view, context, theme, { unit = "mm", compact }, ratio, covered) {
+function paint(view, context, theme, { unit = "mm", compact, axes }, ratio, covered) {
   const { canvas } = context;
   const size = { width: canvas.width / ratio, height: canvas.height / ratio };
   const look = { ...theme(), ...size, compact };
@@ -73,7 +74,7 @@ function paint(view, context, theme, { unit = "mm", compact }, ratio, covered) {
     .filter((layer) => layer.group.visible)
     .flatMap((layer) => layer.labels);
   if (view.show.labels) drawLabels(context, labels, view.camera, look, covered);
-  if (!compact) drawTriad(context, view.camera, look);
+  if (!compact) drawTriad(context, view.camera, look, axes);
   drawScaleBar(context, view.camera, unit, look);
   context.restore();
 }
@@ -130,10 +131,10 @@ function oncePerFrame(work) {
   };
 }
 
-/// Draws `spec` = { layers, unit, up, view, compact } into `container`; `theme()` returns the
+/// Draws `spec` = { layers, unit, up, view, compact, axes } into `container`; `theme()` returns the
 /// colours { ink, page }. Returns the view: draw(), paintNow() that does so at once, fit(),
-/// picture(ratio), still(size, ratio), its layers, and `lost`, the number of items with missing
-/// coordinates.
+/// picture(ratio), still(size, ratio), at(event) as pick() tells what is below the pointer, its
+/// layers, its canvas, and `lost`, the number of items with missing coordinates.
 /// Throws where the browser has no WebGL.
 export function mountScene(container, spec, theme) {
   sharedRenderer();
@@ -146,6 +147,12 @@ export function mountScene(container, spec, theme) {
   view.picture = (ratio) => pictureOf(view, shown(), theme, spec, ratio);
   view.still = (size, ratio) => stillOf(view, size, theme, spec, ratio);
   view.paintNow = paintNow;
+  view.canvas = canvas;
+  view.at = ({ clientX, clientY }) => {
+    const { left, top, width, height } = canvas.getBoundingClientRect();
+    const place = { x: (2 * (clientX - left)) / width - 1, y: 1 - (2 * (clientY - top)) / height };
+    return pick(view, place, height / 2);
+  };
   const controls = addControls(view.camera, canvas, view.draw);
   view.fit = () => {
     controls.target.copy(fitCamera(view.camera, view.box, canvas.width / canvas.height, view.from));
