@@ -9,6 +9,7 @@ import { drawChains } from "./chains.js";
 import { drawCorner } from "./corner.js";
 import { drawInterval } from "./interval.js";
 import { drawLines } from "./lines.js";
+import { isPage } from "./opening.js";
 import { drawPredictive } from "./predictive.js";
 import { withSaving } from "./save.js";
 import { drawScene } from "./scene_block.js";
@@ -17,7 +18,7 @@ import { drawVectors } from "./vectors.js";
 
 /// A link goes to a page beside this one, nowhere else.
 const linkTo = ({ file, text }) =>
-  /^[\w-]+\.html$/.test(file) ? el("p", {}, el("a", { href: file }, text ?? file)) : null;
+  isPage(file) ? el("p", {}, el("a", { href: file }, text ?? file)) : null;
 
 const drawText = (block) =>
   el("div", { class: "prose" }, ...paragraphs(block.text), block.link ? linkTo(block.link) : null);

@@ -170,13 +170,31 @@ export function faults(block) {
   return block.type === "table" && !found.length ? raggedRow(block) : found;
 }
 
+const isOpening = (v) =>
+  v === undefined ||
+  (v !== null &&
+    typeof v === "object" &&
+    ["asked", "done", "learnt"].every((key) => isText(v[key])));
+const optional = (test) => (v) => v === undefined || test(v);
+
+// What stands around the sections, if anything does.
+const AROUND = {
+  opening: [isOpening, "{asked, done, learnt}"],
+  summary: [optional(list(shape({ text: isText }))), "a list of {text}"],
+  pages: [optional(list(shape({ file: isText, title: isText }))), "a list of {file, title}"],
+};
+
 /// The same for a whole report, rows opened; each fault starts with its section.
 export function reportFaults(report) {
   if (!isText(report?.title)) return ['report: "title" must be a string'];
   if (!isArray(report.sections)) return ['report: "sections" must be a list'];
+  const around = Object.entries(AROUND)
+    .filter(([key, [ok]]) => !ok(report[key]))
+    .map(([key, [, wanted]]) => `report: "${key}" must be ${wanted}`);
   const deep = (block) =>
     block?.type === "row" && isArray(block.blocks) ? block.blocks.flatMap(deep) : faults(block);
-  return withMeshes(report).sections.flatMap((section) =>
+  const inside = withMeshes(report).sections.flatMap((section) =>
     (section.blocks ?? []).flatMap(deep).map((fault) => `section "${section.id}": ${fault}`),
   );
+  return [...around, ...inside];
 }

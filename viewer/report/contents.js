@@ -39,15 +39,15 @@ function switcher(page, list) {
     button.textContent = shown ? "Contents \u2039" : "\u203a Contents";
   };
   button.addEventListener("click", () => set(list.hidden));
-  const narrow = matchMedia("(max-width: 900px)");
+  const narrow = matchMedia("(max-width: 1100px)");
   narrow.addEventListener("change", () => set(!narrow.matches));
   set(!narrow.matches);
   return button;
 }
 
-/// Links to `sections`, whose drawn `elements` tell what is in view; `tools` stand below them, and
-/// `page` is the element that makes room for the list.
-export function tableOfContents(page, sections, elements, tools) {
+/// Links to `sections`, whose drawn `elements` tell what is in view; `tools` stand below them, the
+/// list of `pages` above them if there is one, and `page` is the element that makes room for it all.
+export function tableOfContents(page, sections, elements, tools, pages) {
   const links = sections.map(({ id }) => el("a", { href: `#${id}` }));
   const entry = ({ index, title }) => {
     links[index].textContent = title;
@@ -68,6 +68,7 @@ export function tableOfContents(page, sections, elements, tools) {
       : entry(group),
   );
   if (links.length) follow(links, elements);
-  const list = el("div", { class: "contents-list" }, el("ol", {}, ...groups), tools);
+  const here = pages ? el("p", {}, "On this page") : null;
+  const list = el("div", { class: "contents-list" }, pages, here, el("ol", {}, ...groups), tools);
   return el("nav", { class: "contents", "aria-label": "Contents" }, switcher(page, list), list);
 }

@@ -5,6 +5,7 @@ import { el, paragraphs } from "./dom.js";
 import { errorBox } from "./figure.js";
 import { foldingTitle, startFolding } from "./folding.js";
 import { withMeshes } from "./meshes.js";
+import { neighbours, openingParagraph, pageList, summaryList } from "./opening.js";
 import { tableOfContents } from "./contents.js";
 
 const heading = (report) =>
@@ -64,11 +65,14 @@ export function drawPage(root, report) {
   );
   root.replaceChildren(
     heading(report),
-    tableOfContents(root, report.sections, sections, tools),
+    tableOfContents(root, report.sections, sections, tools, pageList(report.pages, report.file)),
     el(
       "div",
       { class: "sections" },
+      openingParagraph(report.opening) ?? "",
+      summaryList(report.summary) ?? "",
       ...(sections.length ? sections : [errorBox("This report has no sections.")]),
+      neighbours(report.pages, report.file) ?? "",
     ),
     provenance(report.provenance),
   );

@@ -22,6 +22,20 @@ const report = {
     Eigen: "3.4.0",
     Ceres: "2.1.0",
   },
+  file: "report.html",
+  pages: [
+    { file: "report.html", title: "The sample" },
+    { file: "other.html", title: "Another page" },
+  ],
+  opening: {
+    asked: "Where are the axes of a middle finger, and what do forces at its tip tell of them?",
+    done: "A finger was invented and fitted to invented forces.",
+    learnt: "Nothing about fingers; but each kind of block was seen.",
+  },
+  summary: [
+    { text: "The forces are explained within their noise." },
+    { text: "Another page would say more.", file: "other.html", link: "Another page" },
+  ],
   meshes: MESHES,
   sections: [forces(), evidence(), axes(), speed(), meshes(), ...posterior()],
 };

@@ -211,7 +211,7 @@ const qualities = () => ({
 
 const wide = () => ({
   type: "table",
-  caption: "A wide table scrolls sideways.",
+  caption: "A wide table becomes denser, and on a phone its rows become cards.",
   best: "highest",
   highlight_best: 2,
   columns: [
