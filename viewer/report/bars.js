@@ -1,7 +1,8 @@
 // Horizontal bars in groups, as SVG.
 
-import { el, svg } from "./dom.js";
+import { svg } from "./dom.js";
 import { figure } from "./figure.js";
+import { fluid } from "./fluid.js";
 import { legend } from "./legend.js";
 import { formatNumber, isNumber, MISSING, sizeOf } from "../numbers/format.js";
 import { cssColor, indexByName } from "./palette.js";
@@ -11,7 +12,9 @@ import { axisBelow, references, textWidth } from "./svg_axis.js";
 
 const BAR = 15;
 const GAP = 12;
-const WIDTH = 900;
+const HEAD = 18; // of a group whose name stands above its bars
+const NARROW = 520; // where names have no room beside the bars
+const VALUE = 56; // that numbers need at the right
 const TOP = 26;
 const BOTTOM = 42; // [px]
 
@@ -52,35 +55,55 @@ function bar(v, name, x, y, color, size) {
   return describe(group, [`${name}, ${v.series}`, told(v.value), ...interval]);
 }
 
-/// Bars of one group below each other, its name at their left.
-function group(g, top, x, left, color, size) {
+/// Where the columns of a chart of this width stand.
+function layoutOf(block, width) {
+  const names = 14 + Math.max(60, ...block.groups.map((g) => textWidth(g.name)));
+  const narrow = width < NARROW || width - names < NARROW / 2;
+  const left = narrow ? 4 : names;
+  const range = rangeOf(block);
+  const x = linear(range, [left, width - VALUE]);
+  const count = Math.min(6, Math.max(2, Math.floor((width - VALUE - left) / 70)));
+  return { x, range, left, narrow, width, count };
+}
+
+/// Bars of one group below each other, its name at their left; in a narrow chart above them.
+function group(g, top, { x, left, narrow }, color, size) {
   const middle = top + (g.values.length * BAR) / 2 + 4;
+  const name = narrow
+    ? { x: left, y: top + HEAD - 5 }
+    : { x: left - 8, y: middle, "text-anchor": "end" };
+  const first = top + (narrow ? HEAD : 0);
   return [
-    svg("text", { class: "name", x: left - 8, y: middle, "text-anchor": "end" }, g.name),
-    ...g.values.map((v, i) => bar(v, g.name, x, top + i * BAR, color(v.series), size)),
+    svg("text", { class: "name", ...name }, g.name),
+    ...g.values.map((v, i) => bar(v, g.name, x, first + i * BAR, color(v.series), size)),
   ];
 }
 
-function chart(block, index) {
-  const left = 14 + Math.max(60, ...block.groups.map((g) => textWidth(g.name)));
-  const range = rangeOf(block);
-  const x = linear(range, [left, WIDTH - 56]);
+/// @param hidden  names of series that are not shown
+function chart(block, index, hidden, width) {
+  const at = layoutOf(block, width);
+  const { x, range, left, count } = at;
   const size = sizeOf(block.groups.flatMap((g) => g.values.map((v) => v.value)));
   let top = TOP;
   const rows = block.groups.flatMap((g) => {
-    const drawn = group(g, top, x, left, (name) => cssColor(index.get(name)), size);
-    top += g.values.length * BAR + GAP;
+    const drawn = group(g, top, at, (name) => cssColor(index.get(name)), size);
+    top += (at.narrow ? HEAD : 0) + g.values.length * BAR + GAP;
     return drawn;
   });
+  rows
+    .filter((node) => hidden.has(node.dataset.group))
+    .forEach((node) => (node.style.display = "none"));
   return svg(
     "svg",
     {
       class: "plot",
-      viewBox: `0 0 ${WIDTH} ${top + BOTTOM}`,
+      width,
+      height: top + BOTTOM,
+      viewBox: `0 0 ${width} ${top + BOTTOM}`,
       role: "group",
       "aria-label": block.caption ?? "Bars",
     },
-    ...axisBelow(x, ticks(...range, 6), TOP - 4, top, block.x_label, (left + WIDTH - 56) / 2),
+    ...axisBelow(x, ticks(...range, count), TOP - 4, top, block.x_label, (left + width - VALUE) / 2),
     ...rows,
     ...references(x, block.reference_lines ?? [], TOP - 4, top),
   );
@@ -89,11 +112,13 @@ function chart(block, index) {
 export function drawBars(block) {
   const names = block.groups.flatMap((g) => g.values.map((v) => v.series));
   const index = indexByName(names);
-  const frame = el("div", { class: "chart" }, chart(block, index));
-  const toggle = (name, shown) =>
-    frame.querySelectorAll(".bar").forEach((node) => {
-      if (node.dataset.group === name) node.style.display = shown ? "" : "none";
-    });
+  const hidden = new Set();
+  const frame = fluid({ class: "chart" }, (width) => [chart(block, index, hidden, width)]);
+  const toggle = (name, shown) => {
+    if (shown) hidden.delete(name);
+    else hidden.add(name);
+    frame.redraw();
+  };
   const entries = [...index].map(([name, i]) => ({ name, color: cssColor(i) }));
   return figure(
     "figure",

@@ -104,8 +104,8 @@ const words = (row) => [
 function line(row, top, { x, most, left, right, width, narrow, row: height }) {
   const y = narrow ? top + 24 : top + height / 2;
   const text = narrow ? top + 14 : y + 4;
-  const name = narrow ? { x: 0 } : { x: left - 10, "text-anchor": "end" };
-  const side = narrow ? { x: width, "text-anchor": "end" } : { x: right + 12 };
+  const name = narrow ? { x: 2 } : { x: left - 10, "text-anchor": "end" };
+  const side = narrow ? { x: width - 2, "text-anchor": "end" } : { x: right + 12 };
   const group = svg(
     "g",
     { class: `interval-row ${row.null ? "null" : ""}`, style: `color: ${INK}`, role: "img" },

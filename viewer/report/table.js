@@ -5,6 +5,7 @@ import { el } from "./dom.js";
 import { figure } from "./figure.js";
 import { fileName } from "./figure_csv.js";
 import { download } from "./save.js";
+import { keepFitting } from "./table_fit.js";
 import { formatCell, sizeOf } from "../numbers/format.js";
 import { bestRows, isNumeric, matching, sortedBy } from "./table_model.js";
 
@@ -14,11 +15,15 @@ const LONG_TEXT = 40; // characters
 /// Sentences are broken into lines; names and numbers are not.
 const isWords = (value) => typeof value === "string" && value.length > LONG_TEXT;
 
+const withUnit = ({ name, unit }) => (unit ? `${name} [${unit}]` : name);
+
+/// On cards the name of its column stands beside a cell.
 const cell = (block, c, value, best, size) =>
   el(
     "td",
     {
       class: `${isNumeric(block, c) ? "number" : ""} ${best ? "best" : ""} ${isWords(value) ? "words" : ""}`,
+      "data-column": withUnit(block.columns[c]),
     },
     formatCell(value, block.columns[c].digits, size),
     best ? el("span", { class: "hidden-words" }, " (best)") : null,
@@ -65,7 +70,7 @@ const searchBox = (onSearch) =>
     oninput: (event) => onSearch(event.target.value),
   });
 
-function foldButton(frame, count) {
+function foldButton(frame, count, refit) {
   if (count <= FOLDED_ROWS) return null;
   frame.classList.add("long", "folded");
   const button = el(
@@ -77,6 +82,7 @@ function foldButton(frame, count) {
     const folded = frame.classList.toggle("folded");
     button.textContent = folded ? `Show all ${count} rows` : `Show the first ${FOLDED_ROWS} rows`;
     button.setAttribute("aria-expanded", String(!folded));
+    refit();
   });
   return button;
 }
@@ -121,6 +127,7 @@ export function drawTable(block) {
     el("table", {}, el("thead", {}, el("tr", {}, ...heads)), body),
   );
   fillBody();
+  const refit = keepFitting(frame);
   const tools = el(
     "div",
     { class: "tools" },
@@ -128,9 +135,10 @@ export function drawTable(block) {
       ? searchBox((text) => {
           view.text = text;
           fillBody();
+          refit();
         })
       : null,
-    foldButton(frame, block.rows.length),
+    foldButton(frame, block.rows.length, refit),
     saveButton(block),
   );
   return figure("table", block.caption, withEdges(frame), tools);

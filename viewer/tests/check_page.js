@@ -9,9 +9,11 @@ import { join } from "node:path";
 import { pageOf } from "../sample/page.js";
 import { startBrowser } from "./browser.js";
 import {
+  beginning,
   boxOf,
   chartWithoutSeries,
   chooseQuantity,
+  clippedParts,
   compactCanvases,
   foldAll,
   focusSeen,
@@ -22,8 +24,9 @@ import { printedShares, savedFiles, savedFilm, stills, tooltipText } from "./pro
 
 const SHOTS = join(import.meta.dirname, "screenshots");
 const VIEWS = {
-  light: { width: 1280, scheme: "light" },
-  dark: { width: 1280, scheme: "dark" },
+  light: { width: 1400, scheme: "light" },
+  dark: { width: 1400, scheme: "dark" },
+  tablet: { width: 1024, scheme: "light" },
   phone: { width: 390, scheme: "light" },
 };
 const LEAST_COVERED = 0.02; // of a scene's canvas; labels, triad and scale bar alone stay below it
@@ -115,6 +118,27 @@ async function checkTooltip(browser) {
     await browser.send("Input.dispatchMouseEvent", { type: "mouseMoved", x: x + dx, y });
   await pause(SETTLE);
   assert.match(await ask(browser, tooltipText), /measured.*predicted.*difference/s);
+}
+
+/// The pointer over a scene tells what is below it, and where.
+async function checkReading(browser) {
+  const { x, y } = await ask(browser, middleOf, ".scene canvas");
+  const told = [];
+  for (let step = 0; step < 80; ++step) {
+    const place = { x: x - 200 + 50 * (step % 8), y: y - 120 + 24 * Math.floor(step / 8) };
+    await browser.send("Input.dispatchMouseEvent", { type: "mouseMoved", ...place });
+    await pause(50);
+    told.push(await ask(browser, tooltipText));
+  }
+  assert.match(told.join("\n"), /x .*, y .*, z .* mm/, "nothing below the pointer was told");
+}
+
+/// A page begins with what was asked, and leads to the others.
+async function checkBeginning(browser) {
+  const { first, lines, pages, marked, next } = await ask(browser, beginning);
+  assert.match(first, /^Asked\..*Done\..*Learnt\./s);
+  assert.deepEqual([lines, marked, next], [2, "report.html", ["other.html"]]);
+  assert.deepEqual(pages, ["report.html", "other.html"]);
 }
 
 /// The reader chooses which quantities to see.
@@ -212,6 +236,7 @@ try {
   for (const [name, view] of Object.entries(VIEWS)) {
     await open(browser, path, view);
     const seen = await ask(browser, look);
+    assert.deepEqual(await ask(browser, clippedParts), [], `${name}: what is clipped`);
     await shootAll(browser, name, report.sections);
     judge(name, seen);
     const shares = seen.scenes.map(({ covered }) => `${(100 * covered).toFixed(1)} %`);
@@ -221,6 +246,8 @@ try {
   await checkCompact(browser);
   await checkTurning(browser);
   await checkTooltip(browser);
+  await checkReading(browser);
+  await checkBeginning(browser);
   assert.ok(await ask(browser, chartWithoutSeries), "a legend switches its series off");
   assert.equal(
     await ask(browser, hideFirstTendon),

@@ -124,7 +124,7 @@ export async function foldAll() {
   fold.click();
   await frame();
   const folded = height();
-  const link = document.querySelector(".contents-list a:last-of-type");
+  const link = document.querySelector(".contents-list a[href^='#']");
   link.click();
   await frame();
   const linked = height();
@@ -212,4 +212,57 @@ export function focusSeen() {
   const element = document.activeElement;
   const { outlineStyle } = getComputedStyle(element);
   return { inPanel: element.closest(".lil-gui") !== null, outline: outlineStyle };
+}
+
+/// What a reader cannot see whole: parts beyond the window that cannot be scrolled to, words that
+/// their box cuts, words of drawings beyond the drawing, and tables that go on beyond their frame.
+export function clippedParts() {
+  const seen = (element) => {
+    const { width, height } = element.getBoundingClientRect();
+    return width > 0 && height > 0 && !element.closest(".hidden-words, [hidden]");
+  };
+  const says = (element) => `${element.tagName} ${element.getAttribute("class")} "${element.textContent.trim().slice(0, 40)}"`;
+  const all = (selector) => [...document.querySelectorAll(selector)].filter(seen);
+  const scrolls = (element) => ["auto", "scroll"].includes(getComputedStyle(element).overflowX);
+  const inScroller = (element) => {
+    for (let up = element.parentElement; up; up = up.parentElement) if (scrolls(up)) return true;
+    return false;
+  };
+  const width = document.documentElement.clientWidth;
+  const beyond = all("#report *").filter((element) => {
+    const { left, right } = element.getBoundingClientRect();
+    return (right > width + 1 || left < -1) && !inScroller(element);
+  });
+  const cut = all("#report *").filter((element) => {
+    const { overflowX } = getComputedStyle(element);
+    const hides = overflowX === "hidden" || overflowX === "clip";
+    return hides && element.clientWidth > 0 && element.scrollWidth > element.clientWidth + 1;
+  });
+  const drawn = all("svg.plot").flatMap((plot) => {
+    const box = plot.getBoundingClientRect();
+    return [...plot.querySelectorAll("text")].filter((text) => {
+      const { left, right, top, bottom, width: wide } = text.getBoundingClientRect();
+      const out = left < box.left - 2 || right > box.right + 2;
+      return wide > 0 && (out || top < box.top - 2 || bottom > box.bottom + 2);
+    });
+  });
+  const wide = all(".table-frame, .chart, .corner").filter(
+    (frame) => frame.scrollWidth > frame.clientWidth + 1,
+  );
+  const sizes = (e) => `${says(e)} ${e.scrollWidth} in ${e.clientWidth}`;
+  return [...[...beyond, ...drawn].map(says), ...[...cut, ...wide].map(sizes)];
+}
+
+/// How the page begins and how it leads on: its first paragraph, how many lines its summary has, and
+/// where the links to other pages go.
+export function beginning() {
+  const links = (selector) =>
+    [...document.querySelectorAll(`${selector} a`)].map((link) => link.getAttribute("href"));
+  return {
+    first: document.querySelector(".sections p").textContent,
+    lines: document.querySelectorAll(".summary li").length,
+    pages: links(".page-list"),
+    marked: document.querySelector(".page-list [aria-current='page']").getAttribute("href"),
+    next: links(".neighbours"),
+  };
 }
