@@ -118,6 +118,7 @@ Json pad_scene(const PressedPad& pressed, MeshTable& meshes) {
           {"caption",
            "The deformed pad, palm up, and what presses on it; x is distal, y radial, z palmar"},
           {"up", {0, 0, 1}},
+          {"axes", {"distal", "radial", "palmar"}},
           {"view", {0.5, -1, 0.7}},
           {"color_scale", pressure_scale(pressed)},
           {"layers", std::move(layers)}};
@@ -164,9 +165,13 @@ Json patch_maps(const PressedPad& pressed, MeshTable& meshes) {
     Json layers = Json::array(
         {layer("skin", kSkinColor, Json::array({smooth_item(mesh, std::move(colors), meshes)})),
          layer("elements", kEdgeColor, Json::array({edges_of(skin)}))});
-    return Json{{"type", "scene"}, {"caption", caption},
-                {"up", {1, 0, 0}}, {"view", numbers3(-pressed.touch.along)},
-                {"link", "patch"}, {"layers", std::move(layers)}};
+    return Json{{"type", "scene"},
+                {"caption", caption},
+                {"up", {1, 0, 0}},
+                {"axes", {"distal", "radial", "palmar"}},
+                {"view", numbers3(-pressed.touch.along)},
+                {"link", "patch"},
+                {"layers", std::move(layers)}};
   };
   Json pressure =
       map("Pressure on the skin, seen from the object, distal up",

@@ -8,6 +8,7 @@
 #include "report/answers/digit_words.h"
 #include "report/provenance.h"
 #include "report/scene/digit_layers.h"
+#include "report/scene/skin_layer.h"
 
 namespace thenar {
 namespace {
@@ -19,13 +20,15 @@ constexpr std::array<const char*, kDrawnPostures> kTints{"#b8a48a", "#7fa8c9", "
 
 }  // namespace
 
-Json digit_page(const DigitSweep& about, const std::string& what, Json sections) {
+Json digit_page(const DigitSweep& about, const std::string& what, Json sections,
+                const MeshTable& meshes) {
   const Fidelity fidelity = about.tendons ? about.tendons->digit().fidelity : Fidelity{};
   Json provenance = provenance_json(about.sources, fidelity);
   provenance["fidelity"] = about.built;
   return {{"title", fmt::format("thenar: {} of {}, {}", what, about.subject, about.digit)},
           {"subtitle", about.built},
           {"provenance", provenance},
+          {"meshes", meshes.json()},
           {"sections", std::move(sections)}};
 }
 
@@ -36,7 +39,8 @@ std::string digit_introduction(const DigitSweep& about, const std::string& words
   return text;
 }
 
-Json digit_scene(const DigitSweep& about, const std::string& caption, const AddLayers& add) {
+Json digit_scene(const DigitSweep& about, const std::string& caption, MeshTable& meshes,
+                 const AddLayers& add) {
   if (!about.tendons) return nullptr;
   const TendonDigit& digit = about.tendons->digit();
   const SweepAxes axes = axes_of(about);
@@ -53,11 +57,16 @@ Json digit_scene(const DigitSweep& about, const std::string& caption, const AddL
     if (tint == 1 && digit.fidelity.path == Path::kViaPoint && !tendons["items"].empty())
       layers.push_back(tendons);
     add(i, color, layers);
+    if (tint > 1 || about.sources.empty()) continue;
+    const SourceText& source = about.sources.front();
+    const Subject subject = parse_subject(source.text, source.path);
+    add_skin({subject, digit, pose_tree(digit.model.tree, q)}, meshes, layers);
   }
   const Eigen::Matrix3d& tip = digit.model.tip_axes;
   return {{"type", "scene"},
           {"caption", caption},
           {"up", numbers3(tip.col(1))},
+          {"axes", axis_words(tip)},
           {"view", numbers3(tip.col(2) + 0.35 * tip.col(1))},
           {"layers", layers}};
 }

@@ -12,7 +12,7 @@
 #include "api/pose.h"
 #include "api/tip_force.h"
 #include "base/numbers.h"
-#include "report/blocks.h"
+#include "report/scene/mesh_table.h"
 #include "report/sweep_axes.h"
 
 namespace thenar {
@@ -27,8 +27,9 @@ namespace thenar {
 /// The largest forces in space, what limits them, over the joints that vary.
 [[nodiscard]] Json page_of(const FeasibleForceAnswer& answer);
 
-/// The frame of such a page. @param what  "Tip force"
-[[nodiscard]] Json digit_page(const DigitSweep& about, const std::string& what, Json sections);
+/// The frame of such a page. @param what  "Tip force";  @param meshes  that its scenes name
+[[nodiscard]] Json digit_page(const DigitSweep& about, const std::string& what, Json sections,
+                              const MeshTable& meshes);
 
 /// The text of a first section: what was asked at which postures, and every warning.
 [[nodiscard]] std::string digit_introduction(const DigitSweep& about, const std::string& words);
@@ -37,9 +38,11 @@ namespace thenar {
 using AddLayers = std::function<void(std::size_t point, const std::string& tint, Json& layers)>;
 
 /// Bones at up to five of the postures, each a layer, and tendons where they run straight; null for
-/// a map. @param layers  adds to each posture's bones
+/// a map. The first posture is within the subject's skin.
+/// @param meshes  gets those of the skin
+/// @param add     adds to each posture's bones
 [[nodiscard]] Json digit_scene(const DigitSweep& about, const std::string& caption,
-                               const AddLayers& add);
+                               MeshTable& meshes, const AddLayers& add);
 
 /// Arrows from the tip: how long one newton is drawn [mm/N], so that the largest force is 40 mm.
 [[nodiscard]] double arrow_scale(double largest);

@@ -82,7 +82,7 @@ double drawn_force(const FeasibleForceAnswer& answer) {
   return largest;
 }
 
-Json force_scene(const FeasibleForceAnswer& answer) {
+Json force_scene(const FeasibleForceAnswer& answer, MeshTable& meshes) {
   const double scale = arrow_scale(drawn_force(answer));
   const SweepAxes axes = axes_of(answer.about);
   bool first = true;
@@ -91,7 +91,7 @@ Json force_scene(const FeasibleForceAnswer& answer) {
       answer.direction ? "its largest " + words.one : fmt::format("all {} of its tip", words.many);
   return digit_scene(
       answer.about,
-      fmt::format("The digit, and {}: 10 mm are {:.3g} {}.", what, 10 / scale, words.unit),
+      fmt::format("The digit, and {}: 10 mm are {:.3g} {}.", what, 10 / scale, words.unit), meshes,
       [&](std::size_t i, const std::string& tint, Json& layers) {
         const FeasibleForcePoint& point = answer.points[i];
         if (!point.failure.empty()) return;
@@ -139,7 +139,8 @@ std::string question_words(const FeasibleForceAnswer& answer) {
 Json page_of(const FeasibleForceAnswer& answer) {
   const LoadWords words = words_of(answer.load);
   Json blocks = Json::array();
-  if (const Json scene = force_scene(answer); !scene.is_null()) blocks.push_back(scene);
+  MeshTable meshes;
+  if (const Json scene = force_scene(answer, meshes); !scene.is_null()) blocks.push_back(scene);
   if (answer.about.single() && answer.points.front().largest)
     blocks.push_back(
         table_block(fmt::format("Muscles at the largest {}, and what a newton more of their F0 "
@@ -157,7 +158,7 @@ Json page_of(const FeasibleForceAnswer& answer) {
     if (answer.points.front().whole) add_set_charts(answer, axes, charts);
     sections.push_back(section("curves", "Over the posture", "", paired(charts)));
   }
-  return digit_page(answer.about, "feasible " + words.many, sections);
+  return digit_page(answer.about, "feasible " + words.many, sections, meshes);
 }
 
 }  // namespace thenar

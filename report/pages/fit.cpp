@@ -12,6 +12,7 @@
 #include "report/pages/prediction.h"
 #include "report/parameter_words.h"
 #include "report/scene/digit_layers.h"
+#include "report/scene/skin_layer.h"
 
 namespace thenar {
 namespace {
@@ -265,10 +266,10 @@ std::string introduction(const FitResult& result) {
                      : " What counts is the error of forces that a fit has not seen.");
 }
 
-Json digit_section(const Fit& fit) {
+Json digit_section(const Fit& fit, MeshTable& meshes) {
   Json scenes = Json::array();
   for (int s = 0; s < static_cast<int>(fit.problem.specimens().size()); ++s)
-    scenes.push_back(fitted_scene(fit, s));
+    scenes.push_back(fitted_scene(fit, s, meshes));
   return section("digit", "The fitted digit",
                  "Joint axes and tendon runs; the layers can be switched. Scenes turn together.",
                  Json::array({row_block(scenes)}));
@@ -345,7 +346,7 @@ Json open_directions(const Fit& fit, const std::string& whose) {
       {{"direction, in prior sds", ""}}, rows);
 }
 
-Json fitted_scene(const Fit& fit, int specimen) {
+Json fitted_scene(const Fit& fit, int specimen, MeshTable& meshes) {
   const TendonDigit& before = fit.problem.digit_of(specimen);
   const TendonDigit after = fitted_digit(fit, specimen);
   const std::string& name = fit.problem.specimens()[static_cast<std::size_t>(specimen)];
@@ -356,18 +357,25 @@ Json fitted_scene(const Fit& fit, int specimen) {
   const ExperimentPlan& plan =
       fit.problem.plans()[static_cast<std::size_t>(own - experiments.begin())];
   const Eigen::VectorXd q = plan.postures.front();
+  Json layers = Json::array({bone_layer(before, q, "#b8a48a"),
+                             axis_layer(before, q, "axes before", "#999999", 0.03, false),
+                             axis_layer(after, q, "axes fitted", "#0072b2", 0.03, true),
+                             tendon_layer(before, q, "tendons before", "#999999", false),
+                             tendon_layer(after, q, "tendons fitted", "#d55e00", true)});
+  if (fit.inputs.scaling == Scaling::kSubject) {
+    const SourceText& source = fit.inputs.subject;
+    const Subject subject = parse_subject(source.text, source.path);
+    add_skin({subject, before, pose_tree(before.model.tree, q)}, meshes, layers);
+  }
   return {
       {"type", "scene"},
       {"caption",
        fmt::format("{} in posture {}: grey before the fit; tendons orange and axes blue after it",
                    name, plan.posture_names.front())},
       {"link", "fingers"},
-      {"up", {0, 1, 0}},
-      {"layers", Json::array({bone_layer(before, q, "#b8a48a"),
-                              axis_layer(before, q, "axes before", "#999999", 0.03, false),
-                              axis_layer(after, q, "axes fitted", "#0072b2", 0.03, true),
-                              tendon_layer(before, q, "tendons before", "#999999", false),
-                              tendon_layer(after, q, "tendons fitted", "#d55e00", true)})}};
+      {"up", numbers3(before.model.tip_axes.col(1))},
+      {"axes", axis_words(before.model.tip_axes)},
+      {"layers", std::move(layers)}};
 }
 
 Json page_of(const FitResult& result) {
@@ -389,7 +397,8 @@ Json page_of(const FitResult& result) {
                                "Directions along which no measured force changes are named, not "
                                "hidden.",
                                Json::array({open_directions(fit, whose)})));
-  sections.push_back(digit_section(fit));
+  MeshTable meshes;
+  sections.push_back(digit_section(fit, meshes));
   // write_page() adds the run that fitted and wrote the page.
   Json provenance = fit_provenance(fit.inputs, {}, fit.problem.digit().fidelity, {});
   provenance["seed"] = fmt::format("{}", fit.seed);
@@ -397,6 +406,7 @@ Json page_of(const FitResult& result) {
       {"title", "thenar: fit of " + whose},
       {"subtitle", fmt::format("{}, started from {}", digit_words(fit), fit.inputs.subject.path)},
       {"provenance", provenance},
+      {"meshes", meshes.json()},
       {"sections", sections}};
 }
 

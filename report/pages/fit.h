@@ -5,7 +5,7 @@
 #include <string>
 
 #include "api/fit.h"
-#include "report/blocks.h"
+#include "report/scene/mesh_table.h"
 
 namespace thenar {
 
@@ -21,8 +21,10 @@ namespace thenar {
 [[nodiscard]] Json open_directions(const Fit& fit, const std::string& whose);
 
 /// Bones, axes and tendons of a specimen before and after the fit, in the first posture of its
-/// experiments. @param specimen  index in fit.problem.specimens()
-[[nodiscard]] Json fitted_scene(const Fit& fit, int specimen);
+/// experiments, within the subject's skin where the digit has the subject's size.
+/// @param specimen  index in fit.problem.specimens()
+/// @param meshes    gets those of the skin
+[[nodiscard]] Json fitted_scene(const Fit& fit, int specimen, MeshTable& meshes);
 
 /// What the names of the parameters that move mean, for the text of a section; kinds that do not
 /// occur are left out.

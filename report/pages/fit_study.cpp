@@ -185,13 +185,14 @@ Json parameter_page(const std::vector<SpecimenStudy>& studies) {
                  blocks);
 }
 
-Json finger_page(const std::vector<SpecimenStudy>& studies) {
+Json finger_page(const std::vector<SpecimenStudy>& studies, MeshTable& meshes) {
   Json scenes = Json::array();
-  for (const SpecimenStudy& study : studies) scenes.push_back(fitted_scene(study.fit, 0));
-  return section("finger", "The fitted finger",
-                 "Joint axes and straight tendon runs; the layers can be switched. The scenes turn "
-                 "together.",
-                 Json::array({row_block(scenes)}));
+  for (const SpecimenStudy& study : studies) scenes.push_back(fitted_scene(study.fit, 0, meshes));
+  return section(
+      "finger", "The fitted finger",
+      "Joint axes and straight tendon runs within the skin; the layers can be switched. The "
+      "scenes turn together.",
+      Json::array({row_block(scenes)}));
 }
 
 Json population_page(const PopulationStudy& study, const std::vector<SpecimenStudy>& studies) {

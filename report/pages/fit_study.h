@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "kinematics_fit/fit_study.h"
-#include "report/blocks.h"
+#include "report/scene/mesh_table.h"
 
 namespace thenar {
 
@@ -25,7 +25,7 @@ namespace thenar {
 [[nodiscard]] Json population_page(const PopulationStudy& study,
                                    const std::vector<SpecimenStudy>& studies);
 
-/// The fitted finger in 3D, its axes before and after.
-[[nodiscard]] Json finger_page(const std::vector<SpecimenStudy>& studies);
+/// The fitted finger in 3D, its axes before and after. @param meshes  gets those of its skin
+[[nodiscard]] Json finger_page(const std::vector<SpecimenStudy>& studies, MeshTable& meshes);
 
 }  // namespace thenar

@@ -66,8 +66,9 @@ Json time_charts(const std::vector<HoodComparison>& comparisons) {
 
 }  // namespace
 
-Json hood_page(const TendonSweep& sweep, const std::vector<HoodComparison>& comparisons) {
-  Json blocks = net_scenes(sweep, 2);
+Json hood_page(const TendonSweep& sweep, const std::vector<HoodComparison>& comparisons,
+               MeshTable& meshes) {
+  Json blocks = net_scenes(sweep, 2, meshes);
   for (const Json& block : slip_charts(sweep)) blocks.push_back(block);
   blocks.push_back(error_table(comparisons));
   for (const Json& charts : time_charts(comparisons)) blocks.push_back(charts);

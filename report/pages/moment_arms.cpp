@@ -41,7 +41,8 @@ Json arm_charts_of(const MomentArmAnswer& answer) {
 
 Json page_of(const MomentArmAnswer& answer) {
   Json blocks = Json::array();
-  const Json scene = digit_scene(answer.about, "The digit and its tendons.",
+  MeshTable meshes;
+  const Json scene = digit_scene(answer.about, "The digit and its tendons.", meshes,
                                  [](std::size_t, const std::string&, Json&) {});
   if (!scene.is_null()) blocks.push_back(scene);
   blocks.push_back(table_block("Arms and length changes.", table_of(answer)));
@@ -55,7 +56,7 @@ Json page_of(const MomentArmAnswer& answer) {
         section("curves", "Moment arms over the posture", "", arm_charts_of(answer)));
   sections.insert(sections.begin(),
                   section("arms", "Moment arms", digit_introduction(answer.about, words), blocks));
-  return digit_page(answer.about, "moment arms", sections);
+  return digit_page(answer.about, "moment arms", sections, meshes);
 }
 
 }  // namespace thenar

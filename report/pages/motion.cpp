@@ -6,6 +6,7 @@
 #include "report/pages/tendons.h"
 #include "report/provenance.h"
 #include "report/scene/digit_layers.h"
+#include "report/scene/skin_layer.h"
 
 namespace thenar {
 namespace {
@@ -54,8 +55,11 @@ Eigen::Vector3d dorsal_axis(const TendonDigit& digit) {
   return up;
 }
 
-Json scene(const TendonDigit& digit, const Trajectory& trajectory) {
+Json scene(const SimulatedMotion& motion, MeshTable& meshes) {
   constexpr Index kInstants = 48;
+  const TendonDigit& digit = motion.tendons->digit();
+  const Trajectory& trajectory = motion.trajectory;
+  const Subject subject = parse_subject(motion.sources.front().text, motion.sources.front().path);
   Json layers = Json::array();
   for (const Index i : shown_instants(trajectory.time.size(), kInstants)) {
     const Eigen::VectorXd q = trajectory.angle.row(i);
@@ -63,7 +67,9 @@ Json scene(const TendonDigit& digit, const Trajectory& trajectory) {
     bones["name"] = fmt::format("bones at {:.3g} s", trajectory.time[i]);
     Json tendons = tendon_layer(digit, q, fmt::format("tendons at {:.3g} s", trajectory.time[i]),
                                 "#cc79a7", false);
-    for (Json* instant : {&bones, &tendons}) {
+    Json skin = skin_layer({subject, digit, pose_tree(digit.model.tree, q)}, meshes);
+    for (Json* instant : {&bones, &tendons, &skin}) {
+      if (instant->is_null()) continue;
       (*instant)["time"] = trajectory.time[i];
       layers.push_back(std::move(*instant));
     }
@@ -76,12 +82,14 @@ Json scene(const TendonDigit& digit, const Trajectory& trajectory) {
   return {{"type", "scene"},
           {"caption", "The digit over time: bones, tendons, and the path of its tip"},
           {"up", numbers3(dorsal_axis(digit))},
+          {"axes", axis_words(digit.model.tip_axes)},
           {"layers", layers}};
 }
 
-Json motion_section(const DigitTendons& tendons, const Trajectory& t) {
+Json motion_section(const SimulatedMotion& motion, MeshTable& meshes) {
+  const Trajectory& t = motion.trajectory;
   Json blocks =
-      Json::array({scene(tendons.digit(), t),
+      Json::array({scene(motion, meshes),
                    lines("Angles of the joints", "angle [deg]", t, t.joints, t.angle / kDegree),
                    lines("Position of the fingertip in the subject's frame", "position [mm]", t,
                          {"x", "y", "z"}, 1e3 * t.tip)});
@@ -125,11 +133,14 @@ Json energy_section(const Trajectory& t) {
 
 Json page_of(const SimulatedMotion& motion) {
   const Trajectory& t = motion.trajectory;
+  MeshTable meshes;
+  Json sections =
+      Json::array({motion_section(motion, meshes), muscle_section(t), energy_section(t)});
   return {{"title", fmt::format("The {} of {} in motion", motion.digit, motion.subject)},
           {"subtitle", describe(t.fidelity)},
           {"provenance", provenance_json(motion.sources, t.fidelity)},
-          {"sections", Json::array({motion_section(*motion.tendons, t), muscle_section(t),
-                                    energy_section(t)})}};
+          {"meshes", meshes.json()},
+          {"sections", std::move(sections)}};
 }
 
 }  // namespace thenar

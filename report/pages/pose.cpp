@@ -8,6 +8,7 @@
 #include "report/answers/pose.h"
 #include "report/blocks.h"
 #include "report/provenance.h"
+#include "report/scene/digit_layers.h"
 
 namespace thenar {
 namespace {
@@ -109,15 +110,33 @@ Json pose_sections(const Poses& poses, const std::string& text, const std::strin
   return sections;
 }
 
+/// The coordinate axis nearest to the backs of the straight fingers, of the thumb where there are
+/// none, and words for the axes.
+void orient(const SubjectPoses& poses, Json& scene) {
+  const SourceText& source = poses.sources.front();
+  const Skeleton hand = build_skeleton(parse_subject(source.text, source.path));
+  Eigen::Matrix3d sum = Eigen::Matrix3d::Zero();
+  for (const SkeletonTip& tip : hand.tips) sum += tip.digit == "thumb" ? 1e-3 * tip.axes : tip.axes;
+  Eigen::Matrix3d directions = sum.colwise().normalized();
+  Eigen::Index most = 2;
+  directions.col(1).cwiseAbs().maxCoeff(&most);
+  Eigen::Vector3d up = Eigen::Vector3d::Zero();
+  up[most] = directions(most, 1) < 0 ? -1 : 1;
+  scene["up"] = numbers3(up);
+  scene["axes"] = axis_words(directions);
+}
+
 }  // namespace
 
 Json page_of(const SubjectPoses& poses) {
   Json provenance = provenance_json(poses.sources, {});
   provenance.erase("fidelity");
+  Json sections = pose_sections(poses, "World frame of the subject, millimetres.",
+                                "Bones, and the joint axes and tips of the first posture.");
+  orient(poses, sections[0]["blocks"][0]);
   return {{"title", "thenar: pose of " + poses.subject},
           {"provenance", provenance},
-          {"sections", pose_sections(poses, "World frame of the subject, millimetres.",
-                                     "Bones, and the joint axes and tips of the first posture.")}};
+          {"sections", std::move(sections)}};
 }
 
 Json page_of(const RobotPoses& poses) {

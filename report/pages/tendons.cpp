@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include <fmt/format.h>
 
@@ -10,6 +11,7 @@
 #include "report/provenance.h"
 #include "report/scene/digit_layers.h"
 #include "report/scene/net_layers.h"
+#include "report/scene/skin_layer.h"
 
 namespace thenar {
 namespace {
@@ -90,18 +92,30 @@ double round_up(double value) {
   return 10 * power;
 }
 
-Json scene_of(const TendonSweep& sweep, const NetTendons& net, const DigitPoint& point,
-              double highest) {
+/// A scene of the net at a posture.
+struct NetPicture {
+  const TendonSweep& sweep;
+  const NetTendons& net;
+  std::optional<Subject> subject;  // whose skin is drawn
+  double highest;                  // tension of the scale [N]
+};
+
+Json scene_of(const NetPicture& picture, const DigitPoint& point, MeshTable& meshes) {
+  const auto& [sweep, net, subject, highest] = picture;
   const TreeState<double> state = pose_tree(net.digit().model.tree, point.q);
   Json layers = Json::array({finger_layer(net, state), surface_layer(net, state)});
   for (const Json& bands : band_layers(net, state, point.rest)) layers.push_back(bands);
   layers.push_back(muscle_layer(net, state, sweep.loaded.t));
+  if (subject) add_skin({*subject, net.digit(), state}, meshes, layers);
   const FingerBone& palm = net.net().frame.bone(BoneRole::kMetacarpal);
+  Eigen::Matrix3d directions;
+  directions << palm.along, palm.dorsal, palm.radial;
   const Eigen::Vector3d view = 0.75 * palm.dorsal + palm.radial - 0.2 * palm.along;
   return {{"type", "scene"},
           {"caption", title(sweep, point) + (point.snapped ? "; the net has just snapped" : "") +
                           (point.pull.warning.empty() ? "" : "; " + point.pull.warning)},
           {"up", numbers3(palm.dorsal)},
+          {"axes", axis_words(directions)},
           {"view", numbers3(view)},
           {"link", "net"},
           {"color_scale",
@@ -186,8 +200,8 @@ std::string trouble_line(const TendonSweep& sweep) {
                      title(sweep, *first), first->pull.warning);
 }
 
-Json net_section(const TendonSweep& sweep, const NetTendons& net) {
-  Json blocks = net_scenes(sweep);
+Json net_section(const TendonSweep& sweep, const NetTendons& net, MeshTable& meshes) {
+  Json blocks = net_scenes(sweep, 4, meshes);
   if (sweep.loaded.grid.row > 1)
     for (const Json& block : slip_charts(sweep)) blocks.push_back(block);
   blocks.push_back(band_table(sweep, net.net().net, shown_points(sweep.points.size(), 4)));
@@ -201,14 +215,14 @@ Json net_section(const TendonSweep& sweep, const NetTendons& net) {
       blocks);
 }
 
-Json sections_of(const TendonSweep& sweep) {
+Json sections_of(const TendonSweep& sweep, MeshTable& meshes) {
   Json sections = Json::array();
   const std::string warning = trouble_line(sweep);
   if (!warning.empty())
     sections.push_back(
         section("trouble", "Not to be trusted", "", Json::array({text_block(warning)})));
   const NetTendons* net = sweep.loaded.net();
-  if (net != nullptr) sections.push_back(net_section(sweep, *net));
+  if (net != nullptr) sections.push_back(net_section(sweep, *net, meshes));
   if (sweep.loaded.grid.row < 2) return sections;
   if (net == nullptr && sweep.loaded.bones().model.hood)
     sections.push_back(section("slips", "Slips of the hood", "", slip_charts(sweep)));
@@ -225,16 +239,19 @@ Json sections_of(const TendonSweep& sweep) {
 
 }  // namespace
 
-Json net_scenes(const TendonSweep& sweep, std::size_t most) {
+Json net_scenes(const TendonSweep& sweep, std::size_t most, MeshTable& meshes) {
   const NetTendons* net = sweep.loaded.net();
   if (net == nullptr) return Json::array();
   const std::vector<std::size_t> shown = shown_points(sweep.points.size(), most);
   double highest = 0;
   for (const std::size_t i : shown)
     highest = std::max(highest, sweep.points[i].rest.tension.maxCoeff());
+  NetPicture picture{sweep, *net, {}, round_up(highest)};
+  if (const std::vector<SourceText>& sources = sweep.loaded.sources; !sources.empty())
+    picture.subject = parse_subject(sources.front().text, sources.front().path);
   Json rows = Json::array(), row = Json::array();
   for (const std::size_t i : shown) {
-    row.push_back(scene_of(sweep, *net, sweep.points[i], round_up(highest)));
+    row.push_back(scene_of(picture, sweep.points[i], meshes));
     if (row.size() < 2) continue;
     rows.push_back(row_block(row));
     row = Json::array();
@@ -271,10 +288,13 @@ Json page_of(const TendonSweep& sweep) {
   Json provenance = provenance_json(loaded.sources, loaded.bones().fidelity);
   provenance["tensions"] = tensions_in_words(loaded) + " N";
   if (loaded.net() != nullptr) provenance["net"] = loaded.net()->net().net.name;
+  MeshTable meshes;
+  Json sections = sections_of(sweep, meshes);
   return {{"title", fmt::format("Tendons of the {} of {}", loaded.digit, loaded.subject)},
           {"subtitle", fmt::format("under {} N", tensions_in_words(loaded))},
           {"provenance", provenance},
-          {"sections", sections_of(sweep)}};
+          {"sections", std::move(sections)},
+          {"meshes", meshes.json()}};
 }
 
 Json page_of(const TendonSolution& solution) {

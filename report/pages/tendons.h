@@ -8,12 +8,13 @@
 #include "api/tendon_infer.h"
 #include "api/tendon_solve.h"
 #include "kinematics_fit/hoods/hood_comparison.h"
-#include "report/blocks.h"
+#include "report/scene/mesh_table.h"
 
 namespace thenar {
 
-/// Scenes of the net at some of the postures, linked, bands coloured by tension.
-[[nodiscard]] Json net_scenes(const TendonSweep& sweep, std::size_t most = 4);
+/// Scenes of the net at some of the postures, linked, bands coloured by tension, within the skin
+/// where the sweep has the source of its subject. @param meshes  gets those of the skin
+[[nodiscard]] Json net_scenes(const TendonSweep& sweep, std::size_t most, MeshTable& meshes);
 
 /// Ratio of terminal to central slip over the angle that varies along a row, one line a row; and
 /// the tension of every slip.
@@ -32,7 +33,8 @@ namespace thenar {
 /// A section with the extensor mechanism on every rung: the net in space and its slips over a
 /// sweep, and the errors of predicted tip forces of every specimen beside the time that a posture
 /// takes: hood.cpp.
+/// @param meshes  gets those of the skin
 [[nodiscard]] Json hood_page(const TendonSweep& sweep,
-                             const std::vector<HoodComparison>& comparisons);
+                             const std::vector<HoodComparison>& comparisons, MeshTable& meshes);
 
 }  // namespace thenar

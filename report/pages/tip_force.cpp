@@ -48,7 +48,7 @@ Json tip_charts(const TipForceAnswer& answer) {
   return paired(charts);
 }
 
-Json tip_scene(const TipForceAnswer& answer) {
+Json tip_scene(const TipForceAnswer& answer, MeshTable& meshes) {
   double largest = 0;
   for (const TipForcePoint& point : answer.points)
     if (!point.singular) largest = std::max(largest, point.force.norm());
@@ -57,7 +57,7 @@ Json tip_scene(const TipForceAnswer& answer) {
       answer.about,
       fmt::format("The digit, and the force of its tip on the world: 10 mm are {:.3g} N.",
                   10 / scale),
-      [&](std::size_t i, const std::string&, Json& layers) {
+      meshes, [&](std::size_t i, const std::string&, Json& layers) {
         const TipForcePoint& point = answer.points[i];
         if (point.failure.empty() && !point.singular)
           layers.push_back(arrow_layer("force", "#d55e00", point.tip, scale * point.force));
@@ -81,13 +81,14 @@ Json page_of(const TipForceAnswer& answer) {
                   answer.hold == TipHold::kRigid ? "clamped, so that it also bears a moment"
                                                  : "pinned by a point, which bears no moment");
   Json blocks = Json::array();
-  if (const Json scene = tip_scene(answer); !scene.is_null()) blocks.push_back(scene);
+  MeshTable meshes;
+  if (const Json scene = tip_scene(answer, meshes); !scene.is_null()) blocks.push_back(scene);
   blocks.push_back(table_block("The force at every posture.", table_of(answer)));
   Json sections = Json::array({section("force", "Force of the fingertip",
                                        digit_introduction(answer.about, words), blocks)});
   if (!answer.about.single() && !answer.points.empty())
     sections.push_back(section("curves", "Over the posture", "", tip_charts(answer)));
-  return digit_page(answer.about, "tip force", sections);
+  return digit_page(answer.about, "tip force", sections, meshes);
 }
 
 }  // namespace thenar

@@ -74,7 +74,8 @@ Json axis_cloud_scene(const TendonDigit& start, const Eigen::VectorXd& q,
   return {{"type", "scene"},
           {"caption", caption},
           {"link", "axis-clouds"},
-          {"up", {0, 1, 0}},
+          {"up", numbers3(start.model.tip_axes.col(1))},
+          {"axes", axis_words(start.model.tip_axes)},
           {"layers", layers}};
 }
 

@@ -1,5 +1,8 @@
 #include "report/scene/digit_layers.h"
 
+#include <cmath>
+
+#include "base/units.h"
 #include "tendons/neighbouring_axes.h"
 
 namespace thenar {
@@ -10,6 +13,17 @@ Eigen::Vector3d tip_of(const TendonModel<double>& model, const TreeState<double>
 }
 
 }  // namespace
+
+Json axis_words(const Eigen::Matrix3d& directions) {
+  static constexpr const char* kWords[3][2] = {
+      {"proximal", "distal"}, {"dorsal", "palmar"}, {"radial", "ulnar"}};
+  const double near = std::cos(30 * kDegree);
+  Json words = Json::array({"", "", ""});
+  for (Eigen::Index axis = 0; axis < 3; ++axis)
+    for (Eigen::Index k = 0; k < 3; ++k)
+      if (std::abs(directions(axis, k)) > near) words[axis] = kWords[k][directions(axis, k) < 0];
+  return words;
+}
 
 Json bone_layer(const TendonDigit& digit, const Eigen::VectorXd& q, const std::string& color) {
   const TreeState<double> state = pose_tree(digit.model.tree, q);

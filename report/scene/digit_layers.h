@@ -8,6 +8,11 @@
 
 namespace thenar {
 
+/// What the x, y and z of a scene are called on a digit, as `axes` of the scene: "proximal",
+/// "dorsal", "radial" or their opposites; empty where none is within 30 deg.
+/// @param directions  columns proximal, dorsal, radial; of length 0: not known (3, 3)
+[[nodiscard]] Json axis_words(const Eigen::Matrix3d& directions);
+
 /// Bones from joint to joint to the tip. @param q  posture [rad]
 [[nodiscard]] Json bone_layer(const TendonDigit& digit, const Eigen::VectorXd& q,
                               const std::string& color);

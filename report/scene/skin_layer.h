@@ -1,0 +1,28 @@
+#pragma once
+
+/// The skin of a digit as a layer of a 3D scene, seen through, with its nail.
+
+#include "data/io/subject.h"
+#include "report/scene/mesh_table.h"
+#include "tendons/tendon_model.h"
+
+namespace thenar {
+
+/// A digit whose skin is drawn.
+struct SkinnedDigit {
+  const Subject& subject;       // whose skin it is
+  const TendonDigit& tendons;   // the digit before a fit: where its segments are
+  const TreeState<double>& at;  // of its links as they are drawn
+};
+
+/// A mesh for each segment of the digit that has flesh, translucent, so that bones are seen within
+/// it; skin and nail have their own colours.
+///
+/// Null where the subject has too few bones for a skin, as find_anatomy() has it.
+/// @param meshes  gets those that are drawn
+[[nodiscard]] Json skin_layer(const SkinnedDigit& digit, MeshTable& meshes);
+
+/// Adds that layer behind the layers of a scene, if there is one.
+void add_skin(const SkinnedDigit& digit, MeshTable& meshes, Json& layers);
+
+}  // namespace thenar
