@@ -83,6 +83,7 @@ DemoHood bend_hood(const StudyInputs& inputs) {
   loaded.grid.postures = postures_between(q, bent, 24);
   loaded.grid.varied = {static_cast<int>(pip)};
   loaded.grid.row = loaded.grid.postures.size();
+  loaded.sources = {inputs.population_subject};
   hood.sweep.points = sweep_digit(*loaded.tendons, loaded.grid.postures, loaded.t);
 
   // All rungs of hood beside the measured forces.

@@ -106,12 +106,13 @@ MAY_SEE |= {
     "report/explain": REPORT,
     "report/pads": PAGES,
     "report/pages": PAGES,
+    "report/demo": PAGES + ["report/pages", "report/pads"],
     "server": PAGES + ["report/pages", "report/pads"],
     "server/methods": PAGES + ["report/pages", "report/pads", "report/explain", "server"],
-    "apps": PAGES + ["report/explain", "report/pads", "report/pages", "server", "server/methods"],
+    "apps": PAGES + ["report/explain", "report/pads", "report/pages", "report/demo", "server", "server/methods"],
     "python": LIBRARIES + API,
     "bench": PAGES + ["report/pages", "tests"],  # charts; the sample scenes
-    "tests": PAGES + ["report/explain", "report/pads", "report/pages", "server", "server/methods"],
+    "tests": PAGES + ["report/explain", "report/pads", "report/pages", "report/demo", "server", "server/methods"],
 }
 WITH_SUBFOLDERS = ["sampling/run", "apps", "bench", "tests"]  # folders that are one floor
 

@@ -1,15 +1,18 @@
-#include "report/pages/demo.h"
+#include "report/demo/demo.h"
 
 #include <cmath>
+#include <iterator>
 
 #include <fmt/format.h>
 
+#include "report/demo/demo_findings.h"
 #include "report/pages/fit_study.h"
 #include "report/pages/posterior.h"
 #include "report/pages/tendons.h"
 #include "report/pages/thumb_study.h"
 #include "report/provenance.h"
 #include "report/scene/digit_layers.h"
+#include "report/scene/skin_layer.h"
 #include "tendons/forces/feasible_force_set.h"
 #include "tendons/forces/max_tip_force.h"
 #include "tendons/tendon_model.h"
@@ -38,19 +41,24 @@ ShownThumb prepare(const DemoThumb& of) {
   return {of, std::move(digit), q, std::move(statics), std::move(set)};
 }
 
-Json thumb_scene(const ShownThumb& thumb) {
-  return {
-      {"type", "scene"},
-      {"caption", fmt::format("{}: joint axes and feasible thumbtip forces, {} mm per newton",
-                              thumb.of.title, kMmPerNewton)},
-      // Scenes of one frame turn together.
-      {"link", fmt::format("thumbs-{}", thumb.of.dorsal.z() > thumb.of.dorsal.y() ? "z" : "y")},
-      {"up", numbers3(thumb.of.dorsal)},
-      {"layers",
-       Json::array({bone_layer(thumb.digit, thumb.q, "#b8a48a"),
-                    axis_layer(thumb.digit, thumb.q, "joint axes", "#0072b2", 0.03, true),
-                    tendon_layer(thumb.digit, thumb.q, "tendons", "#cc79a7", false),
-                    force_set_layer(thumb.digit, thumb.q, thumb.set, kMmPerNewton, "#e69f00")})}};
+Json thumb_scene(const ShownThumb& thumb, MeshTable& meshes) {
+  Json layers =
+      Json::array({bone_layer(thumb.digit, thumb.q, "#b8a48a"),
+                   axis_layer(thumb.digit, thumb.q, "joint axes", "#0072b2", 0.03, true),
+                   tendon_layer(thumb.digit, thumb.q, "tendons", "#cc79a7", false),
+                   force_set_layer(thumb.digit, thumb.q, thumb.set, kMmPerNewton, "#e69f00")});
+  add_skin({thumb.of.subject, thumb.digit, pose_tree(thumb.digit.model.tree, thumb.q)}, meshes,
+           layers);
+  Eigen::Matrix3d palm = Eigen::Matrix3d::Zero();
+  palm.col(1) = thumb.of.dorsal;
+  return {{"type", "scene"},
+          {"caption", fmt::format("{}: joint axes and feasible thumbtip forces, {} mm per newton",
+                                  thumb.of.title, kMmPerNewton)},
+          // Scenes of one frame turn together.
+          {"link", fmt::format("thumbs-{}", thumb.of.dorsal.z() > thumb.of.dorsal.y() ? "z" : "y")},
+          {"up", numbers3(thumb.of.dorsal)},
+          {"axes", axis_words(palm)},
+          {"layers", std::move(layers)}};
 }
 
 /// Largest force along the six directions of the tip [N].
@@ -111,11 +119,11 @@ Json provenance_of(const DemoResult& demo, double seconds) {
 
 }  // namespace
 
-Json thumb_page(const std::vector<DemoThumb>& thumbs) {
+Json thumb_page(const std::vector<DemoThumb>& thumbs, MeshTable& meshes) {
   Json scenes = Json::array(), rows = Json::array();
   for (const DemoThumb& of : thumbs) {
     const ShownThumb thumb = prepare(of);
-    scenes.push_back(thumb_scene(thumb));
+    scenes.push_back(thumb_scene(thumb, meshes));
     rows.push_back(thumb_row(thumb));
   }
   std::vector<BlockColumn> columns{
@@ -176,30 +184,111 @@ Json posteriors_at_a_glance(const std::vector<DemoPosterior>& posteriors) {
                                runs)}));
 }
 
-Json demo_page(const DemoResult& demo, const Json& more, double seconds) {
-  Json sections =
-      Json::array({accuracy_page(demo.specimens), force_page(demo.specimens),
-                   solver_page(demo.specimens), parameter_page(demo.specimens),
-                   finger_page(demo.specimens), population_page(demo.population, demo.specimens),
-                   hood_page(demo.hood.sweep, demo.hood.rungs), thumb_page(demo.thumbs),
-                   posteriors_at_a_glance(demo.posteriors)});
-  for (const DemoPosterior& posterior : demo.posteriors) {
+namespace {
+
+/// A page of some sections.
+SetPage question(const std::string& file, const std::string& title, const Finding& finding,
+                 Json sections, const MeshTable& meshes = {}) {
+  return {file,
+          title,
+          finding.opening,
+          finding.line,
+          {{"title", title}, {"meshes", meshes.json()}, {"sections", std::move(sections)}},
+          nullptr};
+}
+
+/// Pages on the fitted fingers.
+std::vector<SetPage> finger_pages(const DemoResult& demo) {
+  const std::vector<SpecimenStudy>& studies = demo.specimens;
+  SetPage forces =
+      question("forces.html", "How well are fingertip forces predicted?", force_finding(studies),
+               Json::array({accuracy_page(studies), force_page(studies), solver_page(studies)}));
+  forces.figure = first_block(forces.page, "bars");
+  MeshTable meshes;
+  Json in_space = finger_page(studies, meshes);
+  SetPage finger =
+      question("finger.html", "What do forces tell about a finger?", finger_finding(studies),
+               Json::array({std::move(in_space), parameter_page(studies)}), meshes);
+  finger.figure = first_block(finger.page, "scene");
+  SetPage population = question("population.html", "Does it carry to another hand?",
+                                population_finding(demo.population),
+                                Json::array({population_page(demo.population, studies)}));
+  population.figure = first_block(population.page, "vectors");
+  return {std::move(forces), std::move(finger), std::move(population)};
+}
+
+/// All posteriors at a glance, and a page of each.
+std::vector<SetPage> posterior_pages(const std::vector<DemoPosterior>& posteriors) {
+  std::vector<SetPage> pages{question("posteriors.html", "How sure are we?",
+                                      posterior_finding(posteriors),
+                                      Json::array({posteriors_at_a_glance(posteriors)}))};
+  for (const DemoPosterior& posterior : posteriors) {
     PictureOptions options;
     options.title = "Posterior of " + posterior.name;
-    options.prefix = "posterior-" + posterior.name + "-";
-    for (Json& part : posterior_sections(posterior_picture(posterior.run, options)))
-      sections.push_back(std::move(part));
+    pages.push_back(question("posterior_" + posterior.name + ".html", options.title,
+                             posterior_finding(posterior),
+                             posterior_sections(posterior_picture(posterior.run, options))));
+    if (pages.front().figure.is_null())
+      pages.front().figure = first_block(pages.back().page, "corner");
   }
-  sections.push_back(thumb_study_section(demo.thumb_study.study));
-  MeshTable meshes;
-  for (Json& part : moving_scene_sections(demo.motion, meshes)) sections.push_back(std::move(part));
-  sections.insert(sections.end(), more.begin(), more.end());
+  return pages;
+}
+
+/// Pages on hoods and thumbs.
+std::vector<SetPage> model_pages(const DemoResult& demo) {
+  MeshTable hood_meshes;
+  Json nets = hood_page(demo.hood.sweep, demo.hood.rungs, hood_meshes);
+  SetPage hood = question("hood.html", "How should the extensor hood be modelled?",
+                          hood_finding(demo.hood), Json::array({std::move(nets)}), hood_meshes);
+  hood.figure = first_block(hood.page, "row");
+  MeshTable thumb_meshes;
+  const Json thumbs = thumb_page(demo.thumbs, thumb_meshes);
+  const ThumbStudy& study = demo.thumb_study.study;
+  SetPage thumb =
+      question("thumbs.html", "What do skewed axes cost a thumb?", thumb_finding(study, thumbs),
+               Json::array({thumbs, thumb_study_section(study)}), thumb_meshes);
+  thumb.figure = first_block(thumb.page, "row");
+  return {std::move(hood), std::move(thumb)};
+}
+
+/// The front page, without what sums up the others.
+SetPage front_of(double seconds) {
+  const char* const title = "thenar: what the demo asked, did and learnt";
   return {
-      {"title", "thenar: a finger fitted to its forces"},
-      {"subtitle", "Middle fingers of two human hands [Synek2019], thumbs, and hands in motion"},
-      {"provenance", provenance_of(demo, seconds)},
-      {"meshes", meshes.json()},
-      {"sections", sections}};
+      kFrontPage,
+      "Summary",
+      {"What do measured fingertip forces tell of a hand, and what can models of hands then do?",
+       fmt::format("In {:.0f} s fingers were fitted to measured forces, posteriors were sampled, "
+                   "thumbs and hoods compared, scenes moved, objects grasped and pads pressed.",
+                   seconds),
+       "Ten lines follow, each with a page of its own; below them stands a figure for each."},
+      "",
+      {{"title", title},
+       {"subtitle", "Middle fingers of two human hands [Synek2019], thumbs, and hands in motion"}},
+      nullptr};
+}
+
+}  // namespace
+
+std::vector<SetPage> demo_pages(const DemoResult& demo, std::vector<SetPage> more, double seconds) {
+  std::vector<SetPage> pages;
+  const auto add = [&](std::vector<SetPage> some) {
+    std::move(some.begin(), some.end(), std::back_inserter(pages));
+  };
+  add(finger_pages(demo));
+  add(posterior_pages(demo.posteriors));
+  add(model_pages(demo));
+  add(moving_scene_pages(demo.motion));
+  add(std::move(more));
+  SetPage front = front_of(seconds);
+  sum_up(pages, front);
+  pages.insert(pages.begin(), std::move(front));
+  link_pages(pages);
+  // Pages that say nothing of their origin have that of the whole.
+  const Json provenance = provenance_of(demo, seconds);
+  for (SetPage& page : pages)
+    if (!page.page.contains("provenance")) page.page["provenance"] = provenance;
+  return pages;
 }
 
 std::string demo_text(const DemoResult& demo, const std::string& page, double seconds) {

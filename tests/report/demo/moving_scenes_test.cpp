@@ -1,13 +1,15 @@
-// Tests for report/pages/moving_scenes.cpp, on the scenes of the demo.
+// Tests for report/demo/moving_scenes.cpp, on the scenes of the demo.
 
-#include "report/pages/demo.h"
+#include "report/demo/demo.h"
 
 #include <algorithm>
 #include <cmath>
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include "base/units.h"
+#include "report/demo/demo_findings.h"
 #include "tests/data_folder.h"
 
 namespace thenar {
@@ -52,19 +54,25 @@ TEST(MovingScenes, EventsAreMoreAccurateForTheirSteps) {
 }
 
 TEST(MovingScenes, FilmsNameMeshesThatThePageHas) {
-  MeshTable meshes;
-  const Json sections = moving_scene_sections(motion(), meshes);
-  ASSERT_EQ(sections.size(), 3u);
-  for (const std::size_t s : {0u, 1u}) {
-    const Json& film = sections[s]["blocks"][1];
-    ASSERT_EQ(film["type"], "scene");
+  const std::vector<SetPage> pages = moving_scene_pages(motion());
+  ASSERT_EQ(pages.size(), 3u);
+  for (const std::size_t p : {0u, 1u}) {
+    const Json film = first_block(pages[p].page, "scene");
     EXPECT_GE(film["strip"].size(), 6u);
     for (const Json& layer : film["layers"])
       for (const Json& item : layer["items"])
         if (item["kind"] == "mesh") {
-          EXPECT_TRUE(meshes.json().contains(item["mesh"].get<std::string>()));
+          EXPECT_TRUE(pages[p].page["meshes"].contains(item["mesh"].get<std::string>()));
         }
   }
+}
+
+// The chart, and with it the page, says what the numbers say.
+TEST(MovingScenes, FindingTellsHowFarThePadTurned) {
+  const std::vector<PadState>& pad = motion().pad;
+  const double turned = (pad.front().angle - pad.back().angle) / kDegree;
+  EXPECT_NE(thumb_mug_finding(motion()).line.find(fmt::format("{:.1f} degrees", turned)),
+            std::string::npos);
 }
 
 }  // namespace

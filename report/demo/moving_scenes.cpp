@@ -1,4 +1,4 @@
-#include "report/pages/demo.h"
+#include "report/demo/demo.h"
 
 #include <cmath>
 
@@ -6,38 +6,11 @@
 
 #include "base/units.h"
 #include "report/answers/simulate_scene.h"
+#include "report/demo/demo_findings.h"
 #include "report/pages/scene_run.h"
 
 namespace thenar {
 namespace {
-
-constexpr Eigen::Index kFilmInstants = 100;  // of each film in a page of several
-
-Json page_link(const char* file, const std::string& name) {
-  return {{"type", "text"},
-          {"text", "Played with more instants, places, contact forces and energies over time:"},
-          {"link", {{"file", file}, {"text", name}}}};
-}
-
-/// What the text says of the glass is what the run says.
-Json glass_section(const SimulatedScene& glass, MeshTable& meshes) {
-  const Mechanism& mechanism = glass.built->scene.mechanism;
-  const auto body = static_cast<std::size_t>(body_named(mechanism, "glass"));
-  const Eigen::Vector3d com = mechanism.bodies[body].mass.com;
-  const auto height = [&](const std::vector<Pose<double>>& X) { return (X[body] * com).z(); };
-  const double fallen =
-      height(glass.measures.X_WB.front()) - height(glass.measures.X_WB.back());  // [m]
-  return section(
-      "wine-glass", "Scenes in motion: a wine glass is squeezed out",
-      fmt::format(
-          "Figure 3 of [Miller2005]: a Barrett hand closes on a wine glass that lies on a table. "
-          "Its bowl is tapered and slippery (friction 0.1), so that the fingers squeeze it out; it "
-          "rolls, and its centre has fallen by {:.0f} mm at the end. The film can be played, "
-          "turned, and saved as a video.",
-          fallen / kMm),
-      Json::array({run_banner(glass), film_of(glass, kFilmInstants, meshes),
-                   page_link(kGlassPage, "The wine glass in full")}));
-}
 
 Json pad_series(const std::string& name, const std::vector<PadState>& states) {
   Json force = Json::array(), angle = Json::array();
@@ -48,24 +21,23 @@ Json pad_series(const std::string& name, const std::vector<PadState>& states) {
   return {{"name", name}, {"x", std::move(force)}, {"y", std::move(angle)}, {"style", "both"}};
 }
 
-Json thumb_section(const DemoMotion& motion, MeshTable& meshes) {
+/// The angle of the pad over the force of the grip.
+Json pad_chart(const DemoMotion& motion) {
+  return lines_block(
+      "Angle between the normal of the thumb's pad and the direction to the mug, over the force of "
+      "the grip",
+      "force [N]", "angle [deg]",
+      Json::array(
+          {pad_series("joints that give", motion.pad), pad_series("pins", motion.pad_on_pins)}));
+}
+
+Json pad_section(const DemoMotion& motion) {
   return section(
-      "thumb-mug", "Scenes in motion: a thumb rolls towards its pad",
-      "Figure 8 of [Miller2005]: a thumb meets a mug on its ulnar side, and the grip tightens to "
-      "30 N. Muscles balance the force on ideal hinges, so that there the thumb stays as it is. "
-      "Where joints give, by capsules around the skewed axes, it rolls towards its pad. Stiffness "
-      "of joints is measured in part and assumed in part [ShaftelThumbMcp].",
-      Json::array({run_banner(motion.thumb),
-                   film_of(motion.thumb, kFilmInstants, meshes),
-                   {{"type", "lines"},
-                    {"caption",
-                     "Angle between the normal of the thumb's pad and the direction to "
-                     "the mug, over the force of the grip"},
-                    {"x_label", "force [N]"},
-                    {"y_label", "angle [deg]"},
-                    {"series", Json::array({pad_series("joints that give", motion.pad),
-                                            pad_series("pins", motion.pad_on_pins)})}},
-                   page_link(kThumbPage, "The thumb on the mug in full")}));
+      "pad-angle", "How the pad turns",
+      "Muscles balance the force on ideal hinges, so that there the thumb stays as it is. Where "
+      "joints give, by capsules around the skewed axes, it rolls towards its pad. Stiffness of "
+      "joints is measured in part and assumed in part [ShaftelThumbMcp].",
+      Json::array({pad_chart(motion)}));
 }
 
 /// One line of the chart and its rows of the table.
@@ -93,7 +65,7 @@ Json work_section(const std::vector<WorkPoint>& points) {
   for (const SteppingMethod method : {SteppingMethod::kEvents, SteppingMethod::kTimeStepping})
     series.push_back(work_series(points, method, rows));
   return section(
-      "work-precision", "Scenes in motion: accuracy over time",
+      "work-precision", "Accuracy over time",
       "A ball rolls off another for 0.25 s without slip; elliptic integrals give where it ends. "
       "The method events keeps the error of its steps below a tolerance by steps of high order; "
       "time-stepping takes steps of a fixed length and is of second order: ten times the work for "
@@ -117,9 +89,23 @@ Json work_section(const std::vector<WorkPoint>& points) {
 
 }  // namespace
 
-Json moving_scene_sections(const DemoMotion& motion, MeshTable& meshes) {
-  return Json::array({glass_section(motion.glass, meshes), thumb_section(motion, meshes),
-                      work_section(motion.work)});
+std::vector<SetPage> moving_scene_pages(const DemoMotion& motion) {
+  const auto page = [](const char* file, const char* title, Finding finding, Json whole) {
+    return SetPage{file,  title,  std::move(finding.opening), std::move(finding.line),
+                   whole, nullptr};
+  };
+  SetPage glass = page("wine_glass.html", "A wine glass is squeezed out",
+                       glass_finding(motion.glass), page_of(motion.glass));
+  glass.figure = first_block(glass.page, "scene");
+  SetPage thumb = page("thumb_mug.html", "A thumb rolls onto its pad", thumb_mug_finding(motion),
+                       page_of(motion.thumb));
+  thumb.page["sections"].insert(thumb.page["sections"].begin(), pad_section(motion));
+  thumb.figure = pad_chart(motion);
+  const Json work = work_section(motion.work);
+  SetPage stepping =
+      page("stepping.html", "How accurate steps in time are", stepping_finding(motion.work),
+           {{"title", "How accurate steps in time are"}, {"sections", Json::array({work})}});
+  return {std::move(glass), std::move(thumb), std::move(stepping)};
 }
 
 }  // namespace thenar
