@@ -4,6 +4,7 @@
 #include <cmath>
 #include <map>
 #include <mutex>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -23,13 +24,20 @@ namespace {
 
 using Eigen::Vector3d;
 
+/// Where a body is cut flat; what lies along the direction from there is left out.
+struct FlatCut {
+  Vector3d point, outward;  // [m], unit (3)
+};
+
 /// A soft body as far as mesh_from_distance() asks.
 class SoftShape final : public Shape {
  public:
-  explicit SoftShape(const ImplicitBody& body) : body_(body), bounds_(implicit_bounds(body)) {}
+  explicit SoftShape(const ImplicitBody& body, const std::optional<FlatCut>& cut = {})
+      : body_(body), bounds_(implicit_bounds(body)), cut_(cut) {}
 
   [[nodiscard]] double distance(const Vector3d& p) const override {
-    return implicit_height(body_, p);
+    const double height = implicit_height(body_, p);
+    return cut_ ? std::max(height, cut_->outward.dot(p - cut_->point)) : height;
   }
   [[nodiscard]] NearestSurface nearest(const Vector3d& p) const override {
     // Gradient by central differences.
@@ -44,6 +52,7 @@ class SoftShape final : public Shape {
  private:
   const ImplicitBody& body_;
   Eigen::AlignedBox3d bounds_;
+  std::optional<FlatCut> cut_;
 };
 
 const Segment& find_segment(const Subject& subject, const std::string& name) {
@@ -134,6 +143,44 @@ class SkinMaker {
   std::vector<LinkSurface> surfaces_;
 };
 
+/// Triangles of a body, cut flat if it is. @throws InputError below 100 triangles
+TriangleMesh mesh_of(const ImplicitBody& body, const std::optional<FlatCut>& cut, int triangles) {
+  require(triangles >= 100, "a link's skin wants at least 100 triangles, got {}", triangles);
+  std::string key = fmt::format("{}\n", triangles) + bytes_of(body);
+  if (cut) {
+    append_bytes(key, cut->point.data(), 3);
+    append_bytes(key, cut->outward.data(), 3);
+  }
+  return cached_mesh("skin mesh 1", key, [&] {
+    const SoftShape shape(body, cut);
+    // A body of this box has about the area of an ellipsoid in it; two triangles a cell.
+    const Vector3d size = shape.bounds().sizes();
+    const double area = (size.x() * size.y() + size.y() * size.z() + size.z() * size.x()) * 1.2;
+    double cell = std::sqrt(2 * area / triangles);
+    // Larger cells until there are few enough triangles.
+    for (;;) {
+      TriangleMesh mesh = mesh_from_distance(shape, cell);
+      if (mesh.triangles.cols() <= triangles) return mesh;
+      cell *= 1.02 * std::sqrt(static_cast<double>(mesh.triangles.cols()) / triangles);
+    }
+  });
+}
+
+/// The picture of a palm goes on to a wrist of about two thirds of its breadth, which is cut flat a
+/// third of that behind the wrist's centre: priors, chosen by eye. It touches nothing.
+TriangleMesh palm_picture(const PalmAnatomy& palm, ImplicitBody body, int triangles) {
+  const double breadth = 0.66 * palm.breadth, depth = 0.68 * breadth, reach = 0.34 * palm.breadth;
+  Lump wrist;
+  wrist.radius = {std::sqrt(breadth * depth) / 2, std::sqrt(breadth * depth) / 2};
+  const Vector3d end = palm.wrist - reach * palm.distal;
+  wrist.core = {palm.wrist + 0.1 * palm.breadth * palm.distal, end, end};
+  wrist.flat = palm.dorsal;
+  wrist.aspect = breadth / depth;
+  wrist.blend = palm.thickness / 2;
+  body.push_back(wrist);
+  return mesh_of(body, FlatCut{end, -palm.distal}, triangles);
+}
+
 std::string digit_of(const HandAnatomy& hand, const std::string& segment) {
   for (const DigitAnatomy& digit : hand.digits)
     for (const DigitBone& bone : digit.bones)
@@ -166,7 +213,10 @@ std::vector<Skin> skins_of(const HandAnatomy& hand, const Skeleton& skeleton,
       options.progress(done++ / static_cast<double>(skins.size()), "skin of " + skin.segment);
     }
     const int share = skin.digit.empty() ? 2 : 1;  // the palm has ten times the area of a phalanx
-    if (options.drawn > 0) skin.picture = skin_mesh(skin.body, share * options.drawn);
+    if (options.drawn > 0)
+      skin.picture = skin.digit.empty() && hand.palm
+                         ? palm_picture(*hand.palm, skin.body, share * options.drawn)
+                         : skin_mesh(skin.body, share * options.drawn);
     skin.mesh = skin_mesh(skin.body, share * options.triangles);
   });
   return skins;
@@ -175,20 +225,7 @@ std::vector<Skin> skins_of(const HandAnatomy& hand, const Skeleton& skeleton,
 }  // namespace
 
 TriangleMesh skin_mesh(const ImplicitBody& body, int triangles) {
-  require(triangles >= 100, "a link's skin wants at least 100 triangles, got {}", triangles);
-  return cached_mesh("skin mesh 1", fmt::format("{}\n", triangles) + bytes_of(body), [&] {
-    const SoftShape shape(body);
-    // A body of this box has about the area of an ellipsoid in it; two triangles a cell.
-    const Vector3d size = shape.bounds().sizes();
-    const double area = (size.x() * size.y() + size.y() * size.z() + size.z() * size.x()) * 1.2;
-    double cell = std::sqrt(2 * area / triangles);
-    // Larger cells until there are few enough triangles.
-    for (;;) {
-      TriangleMesh mesh = mesh_from_distance(shape, cell);
-      if (mesh.triangles.cols() <= triangles) return mesh;
-      cell *= 1.02 * std::sqrt(static_cast<double>(mesh.triangles.cols()) / triangles);
-    }
-  });
+  return mesh_of(body, {}, triangles);
 }
 
 std::vector<LinkSurface> human_surfaces(const Subject& subject, const Skeleton& skeleton,

@@ -143,11 +143,15 @@ Json hands_section(const std::vector<ComparePicture>& pictures, MeshTable& meshe
                     hand.layout().coordinates.size(), hand.layout().actuators.size()),
         Eigen::Vector3d(1, -0.25, 0.35), hand_layers(shown, meshes));
     blocks.push_back(std::move(block));
+    if (picture.patches.empty()) continue;
+    blocks.push_back(thumbnail_block(picture.hand + " from the back, with its nails",
+                                     Eigen::Vector3d(-1, 0.25, 0.35), hand_layers(shown, meshes)));
   }
   Json row = row_block(std::move(blocks));
   row["narrow"] = true;
   return section("hands", "The hands",
-                 "Open as they begin to close, seen at the palm; fingers point up, z.",
+                 "Open as they begin to close, seen at the palm, human hands from the back, too; "
+                 "fingers point up, z.",
                  Json::array({row}));
 }
 

@@ -59,6 +59,42 @@ TEST(HumanSurfaces, AreDrawnFinerThanTheyTouch) {
 }
 
 // Links of digits are one capsule each, drawn as skin; how far they are from it is told.
+// The picture of a palm has a wrist that ends in a plane, across which it is broader than deep;
+// what touches is that of a palm without.
+TEST(HumanSurfaces, EndInAWristThatIsDrawnOnly) {
+  const Subject subject = sample::scaled();
+  const Skeleton skeleton = build_skeleton(subject);
+  SkinOptions options;
+  options.drawn = 2500;
+  const PalmAnatomy palm = *find_anatomy(subject).palm;
+  const auto palm_of = [&](const SkinOptions& with) {
+    for (const LinkSurface& surface : human_surfaces(subject, skeleton, with))
+      if (surface.digit.empty()) return surface;
+    throw InputError("no palm");
+  };
+  const LinkSurface plain = palm_of({}), drawn = palm_of(options);
+  const auto lowest = [&](const TriangleMesh& mesh) {
+    return (palm.distal.transpose() * (mesh.vertices.colwise() - palm.wrist)).minCoeff();
+  };
+  EXPECT_EQ(plain.solid->shape->bounds().min(), drawn.solid->shape->bounds().min());
+  const TriangleMesh& picture = drawn.solid->visual;
+  const double end = lowest(picture);
+  EXPECT_LT(end, lowest(plain.solid->visual) - 5e-3);
+  // Corners in the plane of the end, and how far they reach across it.
+  double broad = 0, deep = 0;
+  int corners = 0;
+  for (const auto& p : picture.vertices.colwise()) {
+    const Eigen::Vector3d r = p - palm.wrist;
+    if (r.dot(palm.distal) > end + 0.5e-3) continue;
+    ++corners;
+    broad = std::max(broad, std::abs(r.dot(palm.radial)));
+    deep = std::max(deep, std::abs(r.dot(palm.dorsal)));
+  }
+  EXPECT_GT(corners, 20);
+  EXPECT_GT(broad, 0.25 * palm.breadth);
+  EXPECT_GT(broad, 1.2 * deep);
+}
+
 TEST(HumanSurfaces, AreCapsulesOnRequest) {
   const Subject subject = sample::subject("mirakhorlo2016");
   const Skeleton skeleton = build_skeleton(subject);

@@ -177,5 +177,16 @@ TEST(ComparePage, SharesMeshesBetweenPictures) {
     for (const Json& item : layer["items"]) EXPECT_TRUE(meshes.json().contains(item["mesh"]));
 }
 
+// Nails are on the back of a hand, where a look at the palm does not show them.
+TEST(ComparePage, ShowsHandsWithNailsFromTheBackToo) {
+  const auto jaws =
+      std::make_shared<RobotHand>(read_robot(THENAR_DATA_DIR "/robots/parallel_jaw.toml"));
+  MeshTable meshes;
+  const Json blocks = hands_section({{"nails", jaws, {SkinPatch{}}}, {"none", jaws, {}}},
+                                    meshes)["blocks"][0]["blocks"];
+  ASSERT_EQ(blocks.size(), 3U);
+  EXPECT_LT(blocks[0]["view"][0].get<double>() * blocks[1]["view"][0].get<double>(), 0);
+}
+
 }  // namespace
 }  // namespace thenar
