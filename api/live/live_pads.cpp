@@ -16,10 +16,11 @@ namespace thenar {
 namespace {
 
 constexpr double kPieceOfSkin = 7e-4;   // longest side of a spring's piece of skin [m]
-constexpr double kReachOfBed = 12e-3;   // of the springs around a contact [m]
+constexpr double kReachOfBed = 10e-3;   // of the springs around a contact [m]
 constexpr double kWeightOfMass = 9.81;  // [m/s^2]
-constexpr int kBisections = 50;
-constexpr double kNearForce = 0.98;  // of the force that was asked for [1]
+constexpr int kPressBisections = 36;    // of a press, down to picometres
+constexpr int kShearBisections = 60;    // of a way across, which costs nothing
+constexpr double kNearForce = 0.98;     // of the force that was asked for [1]
 
 /// What the pad's material says of its springs; nothing: it is rigid.
 std::optional<FoundationConstants> springs_of(const Material& material) {
@@ -113,7 +114,7 @@ struct BedPress {
 /// or be pressed flat.
 double depth_of_force(const BedPress& press, double force, double thickness) {
   double from = -thickness, to = thickness;
-  for (int i = 0; i < kBisections; ++i) {
+  for (int i = 0; i < kPressBisections; ++i) {
     const double middle = (from + to) / 2;
     const BedContact contact = press.bed.press(press.object, press.moved(middle));
     (contact.force < force && !contact.behind ? from : to) = middle;
@@ -219,7 +220,7 @@ ShearShares share_shear(const Eigen::VectorXd& normal, const Eigen::VectorXd& st
   for (Eigen::Index i = 0; i < most.size(); ++i)
     if (most[i] > 0) to = std::max(to, most[i] / stiffness[i]);
   if (load < borne(to))
-    for (int i = 0; i < kBisections; ++i) {
+    for (int i = 0; i < kShearBisections; ++i) {
       const double middle = (from + to) / 2;
       (borne(middle) < load ? from : to) = middle;
     }

@@ -63,7 +63,8 @@ CLI::Option* add_live_options(CLI::App& command, LiveArguments& arguments, int c
 
 OpeningRequest opening_request(const std::string& name, const std::string& data) {
   // Versions of human hands are no files: "human:tendons".
-  if (name.rfind("human", 0) == 0 && !is_file(name)) return {"world.add_hand", {{"hand", name}}};
+  if ((name == "human" || name.rfind("human:", 0) == 0) && !is_file(name))
+    return {"world.add_hand", {{"hand", name}}};
   const std::string path = named_thing(name, data);
   const std::string kind = contents_of(path).kind;
   const auto* const found =

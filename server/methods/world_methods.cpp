@@ -6,6 +6,7 @@
 #include "api/live/world_files.h"
 #include "api/live/world_import.h"
 #include "base/error.h"
+#include "server/frame.h"
 #include "server/methods/method_table.h"
 #include "server/methods/world_requests.h"
 
@@ -55,7 +56,7 @@ OrderedJson hand_json(const LiveWorld& live, const PlacedHand& placed) {
   OrderedJson out{{"name", placed.name},
                   {"file", imported.empty() ? placed.file : "imported/" + imported},
                   {"position", to_json(placed.X_WH.p)},
-                  {"rotation", quaternion_json(placed.X_WH.R)},
+                  {"rotation", to_json(quaternion_of(placed.X_WH.R))},
                   {"carrier", placed.carrier},
                   {"carrier_link", placed.carrier_link},
                   {"joints", OrderedJson::object()}};
@@ -87,7 +88,7 @@ OrderedJson get(Session& session, const Json& /*params*/, const Progress& /*prog
   for (const StateBody& body : state.bodies)
     bodies.push_back({{"name", body.built->placed.body.name},
                       {"position", to_json(body.X_WB.p)},
-                      {"rotation", quaternion_json(body.X_WB.R)},
+                      {"rotation", to_json(quaternion_of(body.X_WB.R))},
                       {"dynamic", body.built->placed.dynamic},
                       {"material", body.built->scene.material},
                       {"mass", mass_json(state, body.built->placed.body)}});

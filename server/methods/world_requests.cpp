@@ -76,12 +76,6 @@ Pose<double> pose_param(const Json& params) {
           position_param(params).value_or(Eigen::Vector3d::Zero())};
 }
 
-Json quaternion_json(const Eigen::Matrix3d& R) {
-  Eigen::Quaterniond q(R);
-  if (q.w() < 0) q.coeffs() *= -1;
-  return {q.w(), q.x(), q.y(), q.z()};
-}
-
 std::string from_base64(const std::string& text) {
   static const std::array<int, 256> values = letter_values();
   require(text.size() % 4 == 0, "wanted base64, whose length is a multiple of 4, got {} letters",

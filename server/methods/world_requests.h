@@ -39,9 +39,6 @@ inline constexpr double kFarthest = 1000;  // of a position [m]
 /// Both; the origin and no turn where they are left out.
 [[nodiscard]] Pose<double> pose_param(const Json& params);
 
-/// [w, x, y, z] of a rotation, w >= 0.
-[[nodiscard]] Json quaternion_json(const Eigen::Matrix3d& R);
-
 /// Bytes of a text in base64 (RFC 4648, padded). @throws InputError where it is none
 [[nodiscard]] std::string from_base64(const std::string& text);
 

@@ -2,8 +2,9 @@
 
 #include "api/live/live_grasp.h"
 
-#include <chrono>
+#include <algorithm>
 #include <cmath>
+#include <ctime>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -193,13 +194,12 @@ TEST(LiveGrasp, AnInstantOfAHumanHandTakesNoLongerThanAFrameAllows) {
   double best = 1;
   for (int i = 0; i < 5; ++i) {
     place_thing(*live, "mug", live->state().bodies[0].X_WB.p + Eigen::Vector3d(0, 0, 1e-6), {});
-    const auto start = std::chrono::steady_clock::now();
+    const std::clock_t start = std::clock();
     EXPECT_FALSE(live->instant().contacts.empty());
-    best = std::min(
-        best, std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count());
+    best = std::min(best, static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC);
   }
-  RecordProperty("instant_ms", static_cast<int>(1000 * best));
-  EXPECT_LT(best, 0.25);  // 10 ms is the aim; sanitizers and other programs take their time
+  RecordProperty("instant_us", static_cast<int>(1e6 * best));
+  EXPECT_LT(best, 0.25);  // processor time; 10 ms is the aim, sanitizers take theirs
 }
 
 // ---- quality

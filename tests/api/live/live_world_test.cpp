@@ -2,7 +2,6 @@
 
 #include "api/live/live_world.h"
 
-#include <chrono>
 #include <cmath>
 #include <filesystem>
 #include <fstream>
