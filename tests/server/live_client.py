@@ -19,8 +19,9 @@ from patience import FACTOR  # noqa: E402: slower machines and sanitizers
 class Server:
     """`thenar view` or `thenar serve` on free ports."""
 
-    def __init__(self, thenar, *words, remote=True, token=None):
-        self.process = subprocess.Popen([thenar, *words], stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
+    def __init__(self, thenar, *words, remote=True, token=None, folder=None):
+        command = [pathlib.Path(thenar).resolve(), *words]
+        self.process = subprocess.Popen(command, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True, cwd=folder)
         self.lines = [self.process.stdout.readline()]
         found = re.search(r":(\d+)", self.lines[0])
         if found is None:

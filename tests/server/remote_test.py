@@ -72,11 +72,13 @@ class Protocol(unittest.TestCase):
 
     @classmethod
     def setUpClass(cls):
-        cls.server = Server(THENAR, "serve", "--port", "0")
+        cls.folder = tempfile.TemporaryDirectory()  # examples save worlds
+        cls.server = Server(THENAR, "serve", "--port", "0", folder=cls.folder.name)
 
     @classmethod
     def tearDownClass(cls):
         code, _, _ = cls.server.stop()
+        cls.folder.cleanup()
         assert code == 0, code
 
     def reply(self, text):
