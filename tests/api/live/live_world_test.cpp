@@ -279,7 +279,7 @@ void edit_at_random(LiveWorld& live, std::mt19937& random) {
   try {
     switch (draw(9)) {
       case 0:
-        add_object(live, pick({"box", "bobbin", "cube_50"}), draw(2) == 0, {R, p});
+        add_object(live, pick({"box", "sphere_25", "cube_50"}), draw(2) == 0, {R, p});
         break;
       case 1:
         add_hand(live, pick({"barrett", "parallel_jaw", "shadow"}), {R, p});
@@ -293,7 +293,7 @@ void edit_at_random(LiveWorld& live, std::mt19937& random) {
         new_world(live);
         break;
       case 4:
-        (void)load_world(live, pick({"arm_cube", "barrett_bobbin", "jaw_box"}));
+        (void)load_world(live, pick({"arm_cube", "jaw_box"}));
         break;
       case 5:
       case 6:
