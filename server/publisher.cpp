@@ -1,6 +1,7 @@
 #include "server/publisher.h"
 
 #include <algorithm>
+#include <utility>
 
 #include <nlohmann/json.hpp>
 
@@ -47,19 +48,18 @@ Publisher::Clock::time_point Publisher::publish(Session& session, const EngineCl
   // Too soon: whoever calls comes again when it is time, and sends the latest then.
   const auto now = Clock::now();
   if (pictured && now < next_) return next_;
+  // Whatever fails below is not tried again before something changes.
+  const bool everything = !std::exchange(told_, true);
   if (pictured) {
     next_ = now + kFrame;
-    publish_picture(session, clients);
+    publish_picture(session, clients, everything);
   }
-  const auto again = publish_state(session, clients);
-  told_ = true;
-  return again;
+  return publish_state(session, clients, everything);
 }
 
-void Publisher::publish_picture(Session& session, const EngineClients& clients) {
+void Publisher::publish_picture(Session& session, const EngineClients& clients, bool everything) {
   const LiveModel* model = session.shown();
-  const bool new_scene = !told_ || session.revision() != revision_;
-  // Remembered before anything is made, so that a picture that fails is not tried again for ever.
+  const bool new_scene = everything || session.revision() != revision_;
   revision_ = session.revision();
   changes_ = model == nullptr ? 0 : model->changes();
   if (new_scene) tell_watchers(clients, rpc_notification("scene", scene_message(session)));
@@ -73,14 +73,15 @@ void Publisher::publish_picture(Session& session, const EngineClients& clients) 
 }
 
 Publisher::Clock::time_point Publisher::publish_state(const Session& session,
-                                                      const EngineClients& clients) {
+                                                      const EngineClients& clients,
+                                                      bool everything) {
   OrderedJson state = state_message(session, clients.size());
   const std::lock_guard<std::mutex> lock(state_mutex_);
-  if (told_ && state == state_) return kNever;
+  if (!everything && state == state_) return kNever;
   // Time alone is told ten times a second; frames carry it, too.
   const auto now = Clock::now();
   const auto due = state_at_ + kClockTick;
-  if (told_ && now < due && timeless(state) == timeless(state_)) return due;
+  if (!everything && now < due && timeless(state) == timeless(state_)) return due;
   state_ = std::move(state);
   state_at_ = now;
   tell_watchers(clients, rpc_notification("state", state_));

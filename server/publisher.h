@@ -46,8 +46,9 @@ class Publisher {
   void tell_busy(const EngineClients& clients, const std::string& text);
 
  private:
-  void publish_picture(Session& session, const EngineClients& clients);
-  Clock::time_point publish_state(const Session& session, const EngineClients& clients);
+  void publish_picture(Session& session, const EngineClients& clients, bool everything);
+  Clock::time_point publish_state(const Session& session, const EngineClients& clients,
+                                  bool everything);
 
   std::mutex state_mutex_;
   OrderedJson state_;  // told last
