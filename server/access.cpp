@@ -29,6 +29,15 @@ bool is_numeric(const std::string& name) {
   });
 }
 
+/// "[::1]" of "[::1]:80"; as it is where no port follows.
+std::string without_port(const std::string& host) {
+  const std::size_t colon = host.rfind(':');
+  if (colon == std::string::npos || host.find(']', colon) != std::string::npos) return host;
+  const bool digits = std::all_of(host.begin() + static_cast<std::ptrdiff_t>(colon) + 1, host.end(),
+                                  [](unsigned char c) { return std::isdigit(c) != 0; });
+  return digits ? host.substr(0, colon) : host;
+}
+
 }  // namespace
 
 bool is_loopback(const std::string& address) {
@@ -73,12 +82,8 @@ std::string url_of(const ServerAccess& access, int port) {
   return fmt::format("http://{}:{}", in_url(reachable), port);
 }
 
-bool is_host_ours(const ServerAccess& access, int port, const std::string& host) {
-  const std::string ending = fmt::format(":{}", port);
-  if (host.size() <= ending.size() ||
-      host.compare(host.size() - ending.size(), ending.size(), ending) != 0)
-    return false;
-  const std::string name = host.substr(0, host.size() - ending.size());
+bool is_host_ours(const ServerAccess& access, const std::string& host) {
+  const std::string name = without_port(host);
   if (name == in_url(access.address)) return true;
   if (is_everywhere(access.address)) return is_numeric(name) || name == "localhost";
   return is_loopback(access.address) &&

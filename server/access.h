@@ -34,9 +34,10 @@ void require_safe(const ServerAccess& access);
 /// @param port  that the server got
 [[nodiscard]] std::string url_of(const ServerAccess& access, int port);
 
-/// Whether the header Host names this server: the address it listens at, localhost, or, where it
-/// listens everywhere, any numeric address; with the port.
-[[nodiscard]] bool is_host_ours(const ServerAccess& access, int port, const std::string& host);
+/// Whether the header Host names this server: the address it listens at, names of this machine
+/// where that is one of them, or, where it listens everywhere, any numeric address. The port may be
+/// another one, as where it is forwarded.
+[[nodiscard]] bool is_host_ours(const ServerAccess& access, const std::string& host);
 
 /// Whether the header Origin of a WebSocket is a page of this server. Programs that are no browsers
 /// send none.

@@ -61,8 +61,7 @@ std::string path_of(const WebQuestion& question) {
 
 std::optional<WebAnswer> refusal_of(const ServerAccess& access, int port,
                                     const WebQuestion& question) {
-  if (!is_host_ours(access, port, question.host))
-    return refusal(403, "this server has another name");
+  if (!is_host_ours(access, question.host)) return refusal(403, "this server has another name");
   if (!has_token(access, port, question))
     return refusal(401, "wanted ?token=.., as it was printed where the server was started");
   if (question.method != "GET" && question.method != "HEAD") return refusal(405, "wanted GET");

@@ -12,21 +12,24 @@ namespace {
 const ServerAccess kHere{"127.0.0.1", 0, ""};
 
 TEST(Access, KnowsItsOwnNames) {
-  for (const char* host : {"127.0.0.1:80", "localhost:80", "[::1]:80"})
-    EXPECT_TRUE(is_host_ours(kHere, 80, host)) << host;
-  for (const char* host : {"", ":80", "127.0.0.1", "127.0.0.1:81", "evil.example:80",
-                           "127.0.0.1.evil.example:80", "localhost:80:80", "192.0.2.1:80"})
-    EXPECT_FALSE(is_host_ours(kHere, 80, host)) << host;
+  // A port that is forwarded from another machine keeps that machine's number.
+  for (const char* host : {"127.0.0.1:80", "localhost:80", "[::1]:80", "localhost:9000",
+                           "127.0.0.1", "localhost", "[::1]"})
+    EXPECT_TRUE(is_host_ours(kHere, host)) << host;
+  for (const char* host : {"", ":80", "evil.example:80", "evil.example",
+                           "127.0.0.1.evil.example:80", "localhost:80:80", "localhost:80a",
+                           "localhost.evil.example", "192.0.2.1:80", "[::1]evil:80", "evil:[::1]"})
+    EXPECT_FALSE(is_host_ours(kHere, host)) << host;
 }
 
 TEST(Access, TakesNumbersAloneWhereItListensEverywhere) {
   const ServerAccess everywhere{"0.0.0.0", 0, "0123456789abcdef"};
-  EXPECT_TRUE(is_host_ours(everywhere, 80, "192.0.2.1:80"));
-  EXPECT_TRUE(is_host_ours(everywhere, 80, "localhost:80"));
-  EXPECT_FALSE(is_host_ours(everywhere, 80, "evil.example:80"));  // it may have been rebound
+  EXPECT_TRUE(is_host_ours(everywhere, "192.0.2.1:80"));
+  EXPECT_TRUE(is_host_ours(everywhere, "localhost:80"));
+  EXPECT_FALSE(is_host_ours(everywhere, "evil.example:80"));  // it may have been rebound
   const ServerAccess one{"192.0.2.1", 0, "0123456789abcdef"};
-  EXPECT_TRUE(is_host_ours(one, 80, "192.0.2.1:80"));
-  EXPECT_FALSE(is_host_ours(one, 80, "127.0.0.1:80"));
+  EXPECT_TRUE(is_host_ours(one, "192.0.2.1:80"));
+  EXPECT_FALSE(is_host_ours(one, "127.0.0.1:80"));
 }
 
 TEST(Access, LetsItsOwnPagesAndNoOthersOpenSockets) {
