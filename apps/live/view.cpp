@@ -9,9 +9,10 @@
 #include <string>
 #include <vector>
 
+#include <fcntl.h>
 #include <fmt/format.h>
 #include <spawn.h>
-#include <sys/wait.h>
+#include <unistd.h>
 
 #include "apps/commands.h"
 #include "apps/live/live_options.h"
@@ -32,15 +33,23 @@ struct ViewArguments {
   std::optional<int> remote;  // port for programs
 };
 
-/// Lets the desktop open an address; where there is none, nothing happens.
+/// Lets the desktop open an address; where there is none, nothing happens. A browser that was
+/// started so outlives Ctrl-C, and writes nothing here.
 void open_browser(const std::string& address) {
   if (std::getenv("DISPLAY") == nullptr && std::getenv("WAYLAND_DISPLAY") == nullptr) return;
   std::string program = "xdg-open", argument = address;
   std::vector<char*> words{program.data(), argument.data(), nullptr};
+  posix_spawn_file_actions_t files;
+  posix_spawnattr_t group;
+  posix_spawn_file_actions_init(&files);
+  posix_spawnattr_init(&group);
+  for (const int file : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO})
+    posix_spawn_file_actions_addopen(&files, file, "/dev/null", O_RDWR, 0);
+  posix_spawnattr_setflags(&group, POSIX_SPAWN_SETPGROUP);
   pid_t child = 0;
-  // It hands the address over and ends at once.
-  if (posix_spawnp(&child, program.c_str(), nullptr, nullptr, words.data(), environ) == 0)
-    waitpid(child, nullptr, 0);
+  (void)posix_spawnp(&child, program.c_str(), &files, &group, words.data(), environ);
+  posix_spawnattr_destroy(&group);
+  posix_spawn_file_actions_destroy(&files);
 }
 
 void run_view(const ViewArguments& options) {
