@@ -1,7 +1,11 @@
 #include "server/stdio_server.h"
 
+#include <algorithm>
 #include <array>
+#include <atomic>
 #include <cerrno>
+#include <chrono>
+#include <climits>
 #include <condition_variable>
 #include <cstring>
 #include <memory>
@@ -41,12 +45,18 @@ class StreamClient final : public EngineClient {
   void write_line(const std::string& text) {
     const std::lock_guard<std::mutex> lock(writing_);
     const std::string line = text + "\n";
-    for (std::size_t done = 0; done < line.size() && error_ == 0;) {
-      const ssize_t count = ::write(output_, line.data() + done, line.size() - done);
+    for (std::size_t done = 0; done < line.size() && error_ == 0 && !gives_up_;) {
+      // As much as a pipe takes at once, so that nobody waits here who is to end.
+      pollfd waits{output_, POLLOUT, 0};
+      if (poll(&waits, 1, kPoll) <= 0) continue;
+      const ssize_t count =
+          ::write(output_, line.data() + done, std::min<std::size_t>(line.size() - done, PIPE_BUF));
       if (count >= 0) done += static_cast<std::size_t>(count);
-      if (count < 0 && errno != EINTR) error_ = errno;
+      if (count < 0 && errno != EINTR && errno != EAGAIN) error_ = errno;
     }
   }
+  /// Writes no more, whoever may wait for it.
+  void give_up() { gives_up_ = true; }
 
   void ask() {
     const std::lock_guard<std::mutex> lock(mutex_);
@@ -57,17 +67,15 @@ class StreamClient final : public EngineClient {
     std::unique_lock<std::mutex> lock(mutex_);
     while (asked_ >= most && !ended()) answered_.wait_for(lock, std::chrono::milliseconds(kPoll));
   }
-  [[nodiscard]] int error() {
-    const std::lock_guard<std::mutex> lock(writing_);
-    return error_;
-  }
+  [[nodiscard]] int error() const { return error_; }
 
  private:
   int output_;
   std::mutex mutex_, writing_;
   std::condition_variable answered_;
   std::size_t asked_ = 0;
-  int error_ = 0;  // of writing
+  std::atomic<int> error_{0};  // of writing
+  std::atomic<bool> gives_up_{false};
 };
 
 void take_line(Engine& engine, int number, StreamClient& client, const SplitLine& line) {
@@ -104,6 +112,7 @@ void serve_stream(Engine& engine, int input, int output, const std::function<boo
     client->wait_below(kMostUnansweredLines, ended);
   }
   client->wait_below(1, ended);
+  if (ended()) client->give_up();
   engine.leave(number);
   const int error = client->error();
   require(error == 0, "cannot write replies: {}", std::strerror(error));

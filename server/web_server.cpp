@@ -184,7 +184,7 @@ class WebClient final : public EngineClient,
   }
 
   void write() {
-    if (writing_ || number_ < 0) return;
+    if (writing_ || number_ <= 0) return;
     std::shared_ptr<const std::string> next;
     if (!texts_.empty()) {
       next = std::move(texts_.front());

@@ -363,13 +363,15 @@ class Access(unittest.TestCase):
         with Server(THENAR, "view", "--no-open") as server:
             port = server.port
             self.assertEqual(http(port)[0], 200)
-            for host in ("evil.example", f"evil.example:{port}", "127.0.0.1", f"127.0.0.1:{port + 1}", ""):
+            for host in ("evil.example", f"evil.example:{port}", f"127.0.0.1.evil.example:{port}", f"192.0.2.7:{port}", ""):
                 self.assertEqual(http(port, host=host)[0], 403, host)
                 self.assertEqual(WebSocket(port, host=host).status, 403, host)
             for origin in ("http://evil.example", "null", f"http://127.0.0.1:{port + 1}", f"https://127.0.0.1:{port}"):
                 self.assertEqual(WebSocket(port, origin=origin).status, 403, origin)
             self.assertEqual(WebSocket(port, origin=f"http://127.0.0.1:{port}").status, 101)
             self.assertEqual(WebSocket(port, host=f"localhost:{port}", origin=f"http://localhost:{port}").status, 101)
+            self.assertEqual(WebSocket(port, host="localhost:9", origin="http://localhost:9").status, 101)  # forwarded
+            self.assertEqual(WebSocket(port, host="evil.example", origin="http://evil.example").status, 403)  # rebound
             self.assertEqual(http(port, method="POST")[0], 405)
             self.assertEqual(http(port, "/../../etc/passwd")[0], 404)
             self.assertEqual(http(port, "/mesh/" + "0" * 32)[0], 404)
@@ -442,6 +444,16 @@ class Command(unittest.TestCase):
             file.seek(0)
             done = subprocess.run([THENAR, "serve", "--stdio"], stdin=file, capture_output=True, text=True, timeout=60 * FACTOR)
             self.assertEqual(len(done.stdout.splitlines()), 500)
+
+    def test_who_reads_nothing_does_not_keep_it_from_its_end(self):
+        process = subprocess.Popen([THENAR, "serve", "--stdio"], stdin=subprocess.PIPE, stdout=subprocess.PIPE, stderr=subprocess.PIPE)
+        process.stdin.write((line(**{**HELLO, "method": "session.methods"}) * 50).encode())
+        process.stdin.flush()
+        time.sleep(0.5)
+        process.send_signal(signal.SIGINT)
+        process.wait(timeout=20)
+        self.assertEqual(process.returncode, 0)
+        process.communicate()
 
     def test_logs_are_repeated(self):
         with tempfile.TemporaryDirectory() as folder:
