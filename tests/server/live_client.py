@@ -10,6 +10,7 @@ import socket
 import struct
 import subprocess
 import sys
+import tempfile
 import time
 
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent.parent / "apps"))
@@ -17,16 +18,17 @@ from patience import FACTOR  # noqa: E402: slower machines and sanitizers
 
 
 class Server:
-    """`thenar view` or `thenar serve` on free ports."""
+    """`thenar view` or `thenar serve` on free ports, in an empty folder that what it saves goes to."""
 
-    def __init__(self, thenar, *words, remote=True, token=None, folder=None):
-        command = [pathlib.Path(thenar).resolve(), *words]
-        self.process = subprocess.Popen(command, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True, cwd=folder)
+    def __init__(self, thenar, *words, folder=None):
+        self.folder = None if folder else tempfile.TemporaryDirectory()
+        self.process = subprocess.Popen([pathlib.Path(thenar).resolve(), *words], stdout=subprocess.PIPE, stderr=subprocess.PIPE,
+                                        text=True, cwd=folder or self.folder.name)
         self.lines = [self.process.stdout.readline()]
         found = re.search(r":(\d+)", self.lines[0])
         if found is None:
             raise AssertionError(f"no address: {self.lines} {self.process.stderr.read()}")
-        self.port, self.token = int(found[1]), token
+        self.port = int(found[1])
 
     def memory(self):
         """Resident memory [kB]."""
@@ -37,6 +39,8 @@ class Server:
         """Ends it by a signal. Returns exit code, the rest of its output, and its errors."""
         self.process.send_signal(number)
         out, err = self.process.communicate(timeout=20)
+        if self.folder:
+            self.folder.cleanup()
         return self.process.returncode, out, err
 
     def __enter__(self):

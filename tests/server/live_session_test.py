@@ -15,7 +15,7 @@ import unittest
 
 from live_client import FACTOR, Lines, Server, WebSocket, http, until
 
-THENAR = sys.argv.pop(1)
+THENAR = str(pathlib.Path(sys.argv.pop(1)).resolve())
 
 
 def revision(frame):
@@ -80,7 +80,7 @@ class Sessions(unittest.TestCase):
         rng = random.Random(5)
         with tempfile.TemporaryDirectory() as folder:
             log = os.path.join(folder, "session.jsonl")
-            with Server(THENAR, "serve", "jaw_box", "--port", "0", "--log", log) as server:
+            with Server(THENAR, "serve", "jaw_box", "--port", "0", "--log", log, folder=folder) as server:
                 client = Lines(server.port)
                 joints = client.ask("hand.get")["result"]["joints"]
                 for _ in range(60):
@@ -92,7 +92,8 @@ class Sessions(unittest.TestCase):
                         ("world.text", {}), ("hand.set_joints", {"joints": {"no such": 1}})])
                     client.ask(method, **params)
                 self.assertEqual(server.stop()[0], 0)
-            done = subprocess.run([THENAR, "serve", "--replay", log], capture_output=True, text=True, timeout=120 * FACTOR)
+            done = subprocess.run([THENAR, "serve", "--replay", log], capture_output=True, text=True, timeout=120 * FACTOR,
+                                  cwd=folder)
             self.assertEqual((done.returncode, done.stderr), (0, ""), done.stdout)
             self.assertIn("all replies are as they were", done.stdout)
             self.assertEqual(len(pathlib.Path(log).read_text().splitlines()), 62)

@@ -21,12 +21,12 @@ from live_client import FACTOR, Lines, Server, WebSocket, connect, http, until
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[2] / "clients" / "python"))
 from thenar_remote import Remote, RemoteError  # noqa: E402
 
-THENAR = sys.argv.pop(1)
+THENAR = str(pathlib.Path(sys.argv.pop(1)).resolve())
 HELLO = {"jsonrpc": "2.0", "id": 7, "method": "session.hello", "params": {}}
 
 
-def run(*words, text="", code=0):
-    done = subprocess.run([THENAR, *words], input=text, capture_output=True, text=True, timeout=60 * FACTOR)
+def run(*words, text="", code=0, folder=None):
+    done = subprocess.run([THENAR, *words], input=text, capture_output=True, text=True, timeout=60 * FACTOR, cwd=folder)
     if done.returncode != code:
         raise AssertionError(f"{words}: exit code {done.returncode}, {done.stderr}")
     return done.stdout, done.stderr
@@ -458,7 +458,7 @@ class Command(unittest.TestCase):
     def test_logs_are_repeated(self):
         with tempfile.TemporaryDirectory() as folder:
             log = os.path.join(folder, "session.jsonl")
-            with Server(THENAR, "serve", "--port", "0", "--log", log) as server:
+            with Server(THENAR, "serve", "--port", "0", "--log", log, folder=folder) as server:
                 client = Lines(server.port)
                 client.ask("catalogue.list", what="worlds")
                 client.ask("session.mode", mode="fit")  # refused
@@ -470,16 +470,16 @@ class Command(unittest.TestCase):
             methods = [json.loads(text)["request"]["method"] for text in text.splitlines()]
             self.assertEqual(methods[-3:], ["catalogue.list", "session.mode", "session.methods"])
             again = os.path.join(folder, "again.jsonl")
-            self.assertIn("all replies are as they were", run("serve", "--replay", log, "--log", again)[0])
+            self.assertIn("all replies are as they were", run("serve", "--replay", log, "--log", again, folder=folder)[0])
             self.assertEqual(pathlib.Path(again).read_text(), text)
             # A reply that was another one is found where it stands.
             lines = text.splitlines()
             last = json.loads(lines[-1])
             last["reply"] = "0" * 64
             pathlib.Path(log).write_text("\n".join([*lines[:-1], json.dumps(last)]) + "\n")
-            self.assertIn(f"1 replies differ, the first at {log}:{len(lines)}", run("serve", "--replay", log, code=1)[0])
+            self.assertIn(f"1 replies differ, the first at {log}:{len(lines)}", run("serve", "--replay", log, code=1, folder=folder)[0])
             pathlib.Path(log).write_text(lines[0] + "\n{}\n")
-            self.assertIn(f"{log}:2:", run("serve", "--replay", log, code=1)[1])
+            self.assertIn(f"{log}:2:", run("serve", "--replay", log, code=1, folder=folder)[1])
 
     def test_what_watches_is_told_the_end(self):
         for number in (signal.SIGINT, signal.SIGTERM):
