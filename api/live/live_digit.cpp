@@ -10,6 +10,7 @@
 #include "base/numbers.h"
 #include "tendons/net/build_tendons.h"
 #include "tendons/net/net_continuation.h"
+#include "tendons/net/net_derivatives.h"
 
 namespace thenar {
 namespace {
@@ -147,6 +148,7 @@ void LiveDigit::solve(const Eigen::VectorXd& q, const Eigen::VectorXd& excitatio
     solved_tension_ = now.tension;
   }
   now.point = point_at(q, now.tension);
+  now.arms = arms_at(now.point);
   now.length = lengths_at(now.point, now.tension) - zero_length_;
   // Doubts about this posture.
   now.warnings = muscles_->warnings(excitation);
@@ -169,6 +171,16 @@ DigitPoint LiveDigit::point_at(const Eigen::VectorXd& q, const Eigen::VectorXd& 
   point.pull = net.torque_at_rest(q, t, point.rest);
   point.tip = tip_force(tip_statics(net.digit(), q, t, point.pull), t);
   return point;
+}
+
+Eigen::MatrixXd LiveDigit::arms_at(const DigitPoint& point) const {
+  Eigen::MatrixXd arms = point.pull.R;
+  if (!trusted(point.pull.status)) return arms.setConstant(kNaN);
+  if (case_.net == nullptr || why_not_differentiable(case_.net->net().net, point.rest).empty())
+    return arms;
+  for (const NetMuscle& muscle : case_.net->net().muscles)
+    arms.row(muscle.muscle).setConstant(kNaN);
+  return arms;
 }
 
 Eigen::VectorXd LiveDigit::lengths_at(const DigitPoint& point, const Eigen::VectorXd& t) const {
@@ -230,7 +242,7 @@ DigitCurves LiveDigit::net_curves(const std::string& joint, const PostureGrid& g
     if (!point.pull.warning.empty() && doubtful++ == 0)
       curves.warnings.push_back("first doubt over the sweep: " + point.pull.warning);
     if (!trusted(point.pull.status)) continue;
-    curves.arms.col(k) = point.pull.R.col(varied);
+    curves.arms.col(k) = arms_at(point).col(varied);
     curves.lengths.col(k) = lengths_at(point, t) - zero_length_;
   }
   return curves;

@@ -47,9 +47,10 @@ OrderedJson muscles_json(const LiveDigit& digit) {
                        {"excitation", number_or_null(now.excitation[row])},
                        {"max_force", number_or_null(bones.max_tension[row])},
                        {"length", number_or_null(now.length[row])}};
-    muscle["arms"] = trusted(now.point.pull.status)
-                         ? to_json(bones.names.coordinates, now.point.pull.R.row(row).transpose())
-                         : OrderedJson();
+    muscle["arms"] = OrderedJson::object();
+    for (std::size_t j = 0; j < bones.names.coordinates.size(); ++j)
+      muscle["arms"][bones.names.coordinates[j]] =
+          number_or_null(now.arms(row, static_cast<Eigen::Index>(j)));
     muscles.push_back(std::move(muscle));
   }
   return muscles;

@@ -251,6 +251,40 @@ TEST(LiveDigit, StandsOnItsCurves) {
   }
 }
 
+// Of a net: d torque / d tension by central differences at most postures; where it has a corner, an
+// arm is unknown and not 0.
+TEST(LiveDigit, ArmsOfANetAreSlopesOfTorqueOrUnknown) {
+  DigitRequest request;
+  request.subject = kData + "/subjects/human_hand.toml";
+  request.digit = "index";
+  request.hood = Hood::kFloatingNet;
+  LiveDigit digit(request);
+  int known = 0;
+  for (const double pip : {-0.5, 0.1, 0.6, 1.1}) {
+    digit.set({{{"PIP2", pip}}, {{"EDC2", 4}, {"FDP2", 6}}, {}});
+    const DigitNow now = digit.now();
+    const auto& names = digit.about().bones().names.muscles;
+    for (const char* name : {"EDC2", "FDP2"}) {
+      const Eigen::Index m = std::find(names.begin(), names.end(), name) - names.begin();
+      if (now.arms.row(m).array().isNaN().any()) {
+        EXPECT_THAT(now.warnings, testing::Not(IsEmpty()));
+        continue;
+      }
+      ++known;
+      constexpr double kStep = 1e-3;  // [N]
+      digit.set({{}, {{name, now.tension[m] + kStep}}, {}});
+      const Eigen::VectorXd more = digit.now().point.pull.tau;
+      digit.set({{}, {{name, now.tension[m] - kStep}}, {}});
+      const Eigen::VectorXd less = digit.now().point.pull.tau;
+      digit.set({{}, {{name, now.tension[m]}}, {}});
+      // 1e-9 N of the search for rest at arms of 1e-2 m, over the step.
+      EXPECT_TRUE(matrix_near(now.arms.row(m).transpose(), (more - less) / (2 * kStep), 1e-6))
+          << name << ' ' << pip;
+    }
+  }
+  EXPECT_GE(known, 6);
+}
+
 TEST(LiveDigit, SweepsNoJointThatIsNotThere) {
   const LiveDigit digit(middle(Hood::kSeparate));
   EXPECT_THAT(message_of([&] { (void)digit.sweep("PIP2", 10); }), HasSubstr("PIP3"));
