@@ -94,7 +94,13 @@ MotionQuality LiveMotion::step(long count, const Progress& progress) {
       if (progress.stop()) break;
       progress(static_cast<double>(i) / static_cast<double>(count), "stepping");
     }
-    stepper_.step();
+    try {
+      stepper_.step();
+    } catch (const Error&) {
+      // As where numbers are too large for contacts to be looked for.
+      stand_still();
+      throw;
+    }
     good = is_finite(stepper_.now().state);
     if (!good) continue;
     keep();
@@ -109,12 +115,16 @@ MotionQuality LiveMotion::step(long count, const Progress& progress) {
   quality_.worst_residual = std::max(quality_.worst_residual, out.worst_residual);
   quality_.deepest = std::max(quality_.deepest, out.deepest);
   if (good) return out;
-  stepper_.go_to(shown());
-  playing_ = false;
+  stand_still();
   throw InputError(fmt::format(
       "after {:.6g} s positions or speeds are not finite any more: the motion stands where they "
       "were last; try shorter steps or smaller inputs",
       shown().state.t));
+}
+
+void LiveMotion::stand_still() {
+  stepper_.go_to(shown());
+  playing_ = false;
 }
 
 double LiveMotion::seek(double t) {

@@ -77,6 +77,7 @@ class LiveMotion final : public LiveTimeline {
   void check_targets(const std::map<std::string, double>& values) const;
   void keep();
   void begin();
+  void stand_still();  // at the last good instant, after a step that failed
   [[nodiscard]] std::vector<ContactSample> contacts() const;
   [[nodiscard]] std::vector<Pose<double>> poses() const;
   [[nodiscard]] MotionEnergy energy() const;

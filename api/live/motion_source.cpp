@@ -1,5 +1,6 @@
 #include "api/live/motion_source.h"
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
@@ -7,6 +8,13 @@
 
 namespace thenar {
 namespace {
+
+constexpr double kMostParts = 256;  // of a step: what moves too fast for more is let through
+
+/// Bounds the time that one step takes, however fast things move.
+void bound_steps(SceneOptions& options) {
+  options.shortest = std::max(options.shortest, options.step / kMostParts);
+}
 
 /// Makes every step as long as was asked for, to the last digits, though the scene's time may be no
 /// whole number of such steps.
@@ -31,6 +39,7 @@ MotionSource scene_motion(const SceneRequest& request) {
         stepping_names()[static_cast<std::size_t>(options.method)], 1e3 * options.step));
   options.method = SteppingMethod::kTimeStepping;
   if (request.step) step_by(*request.step, options);
+  bound_steps(options);
   out.built = std::make_shared<const BuiltScene>(std::move(read.open.built));
   return out;
 }
@@ -39,6 +48,7 @@ MotionSource world_motion(const WorldSpec& world, const std::string& data, World
                           std::optional<double> step) {
   BuiltScene built = build_world_scene(world, data, drives);
   if (step) step_by(*step, built.options);
+  bound_steps(built.options);
   MotionSource out;
   out.name = world.name;
   out.camera = world.camera;

@@ -1,9 +1,13 @@
+#include <memory>
+#include <optional>
 #include <set>
 
 #include <Eigen/Geometry>
 
 #include "api/live/live_motion.h"
-#include "api/scenes/simulate_scene.h"
+#include "api/live/live_world.h"
+#include "api/live/recorded_motion.h"
+#include "base/nearest_name.h"
 #include "server/methods/method_table.h"
 
 namespace thenar::internal {
@@ -170,16 +174,41 @@ OrderedJson play_json(const LiveTimeline& motion) {
 
 // Handlers.
 
-OrderedJson open_motion(Session& session, const Json& params, const Progress& /*progress*/) {
+MotionSource source_of(const Session& session, const Json& params) {
+  const std::string& data = session.places().data;
+  std::optional<double> step;
+  if (params.contains("step")) step = params.at("step").get<double>();
+  if (!params.contains("scene")) {
+    require(!params.contains("pads"), "a world has no pads that deform: open a scene with [[pad]]");
+    const std::string drives = params.value("drives", "hold");
+    const auto& world = session.model<LiveWorld>(LiveMode::kWorld);
+    return world_motion(
+        spec_of(world.state()), data,
+        static_cast<WorldDrives>(index_of_name(drives, world_drive_names(), "drives")), step);
+  }
+  require(!params.contains("drives"), "'drives' are of a world: a scene has its own");
   SceneRequest request;
   request.scene = params.at("scene").get<std::string>();
-  request.data = session.places().data;
-  if (params.contains("step")) request.step = params.at("step").get<double>();
+  request.data = data;
+  request.step = step;
   if (params.contains("pads")) request.pads = params.at("pads").get<std::string>();
-  auto motion = std::make_shared<LiveMotion>(scene_motion(request));
-  const OrderedJson reply = opened_json(*motion);
+  return scene_motion(request);
+}
+
+/// Shows a motion from now on. @return what is told of it
+OrderedJson show_motion(Session& session, std::shared_ptr<LiveTimeline> motion) {
+  OrderedJson reply = opened_json(*motion);
   session.open(LiveMode::kMotion, std::move(motion));
   return reply;
+}
+
+OrderedJson open_motion(Session& session, const Json& params, const Progress& /*progress*/) {
+  return show_motion(session, std::make_shared<LiveMotion>(source_of(session, params)));
+}
+
+OrderedJson open_record(Session& session, const Json& params, const Progress& /*progress*/) {
+  return show_motion(session, std::make_shared<RecordedMotion>(read_scene_run(
+                                  params.at("file").get<std::string>(), session.places().data)));
 }
 
 OrderedJson step_motion(Session& session, const Json& params, const Progress& progress) {
@@ -258,12 +287,20 @@ std::string with_quality(const std::string& of) {
 
 void add_opening_methods(MethodTable& table) {
   const std::string opened = "name, step [s], duration [s] or null, warnings";
-  table.add({"motion.open", "Opens a scene, to be moved step by step.",
-             object_schema({{"scene", text_schema(), "Name or file of the scene.", true},
+  table.add({"motion.open", "Opens a scene, or the world as it stands, to be moved step by step.",
+             object_schema({{"scene", text_schema(),
+                             "Name or file of the scene; left out: the world as it stands."},
                             step_member(),
                             {"pads", word_schema(pad_rung_names()),
-                             "Rung of all its pads; left out: as the scene says."}}),
+                             "Rung of all pads of the scene; left out: as the scene says."},
+                            {"drives", word_schema(world_drive_names()),
+                             "What moves the hands of a world: drives that hold them where they "
+                             "stand (hold, if left out), tendons of human hands, or nothing."}}),
              opened, R"({"scene": "pinch", "step": 0.002})", open_motion});
+  table.add({"motion.record",
+             "Opens a run of a scene that `thenar simulate SCENE -o run.h5` wrote.",
+             object_schema({{"file", text_schema(), "The run.", true}}), opened,
+             R"({"file": "run.h5"})", open_record});
 }
 
 void add_stepping_methods(MethodTable& table) {

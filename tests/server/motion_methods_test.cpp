@@ -20,6 +20,7 @@ class MotionMethods : public testing::Test {
  protected:
   MotionMethods() {
     internal::add_motion_methods(table_);
+    internal::add_world_methods(table_);
     SessionPlaces places;
     places.data = kData;
     session_ = std::make_unique<Session>(places);
@@ -43,7 +44,7 @@ class MotionMethods : public testing::Test {
 
 TEST_F(MotionMethods, ExamplesAreAnswered) {
   for (const RpcMethod& row : table_.all()) {
-    if (row.name == "motion.record") continue;  // its file is elsewhere
+    if (row.name == "motion.record" || row.name.rfind("motion.", 0) != 0) continue;
     SCOPED_TRACE(row.name);
     (void)call("motion.open", {{"scene", "pinch"}});
     EXPECT_NO_THROW((void)call(row.name, Json::parse(row.example)));
@@ -90,6 +91,21 @@ TEST_F(MotionMethods, AllInputsAreSetOrNone) {
   EXPECT_EQ(call("motion.state")["joints"]["left"][2], 9.0);
   (void)call("motion.set", {{"release", {"left"}}});
   EXPECT_EQ(call("motion.state")["joints"]["left"][2], 2.0);
+}
+
+TEST_F(MotionMethods, WorldsMoveAsTheyStand) {
+  EXPECT_THAT(refusal("motion.open"), HasSubstr("call world.new or world.load"));
+  (void)call("world.load", {{"world", "jaw_box"}});
+  EXPECT_THAT(refusal("motion.open", {{"pads", "elements"}}), HasSubstr("no pads"));
+  EXPECT_THAT(refusal("motion.open", {{"scene", "pinch"}, {"drives", "hold"}}),
+              HasSubstr("of a world"));
+  const OrderedJson opened = call("motion.open", {{"step", 0.002}, {"drives", "hold"}});
+  EXPECT_EQ(opened["name"], "jaw_box");
+  EXPECT_EQ(opened["step"], 0.002);
+  EXPECT_EQ(session_->mode(), LiveMode::kMotion);
+  const OrderedJson reply = call("motion.step", {{"steps", 100}, {"want", {"joints", "bodies"}}});
+  EXPECT_EQ(reply["unsolved"], 0);
+  EXPECT_GT(reply["joints"].size(), 0u);
 }
 
 // The same requests have the same replies, to the last bit.

@@ -1,0 +1,145 @@
+// Tests for api/live/recorded_motion.cpp and api/scenes/read_scene_run.cpp.
+
+#include "api/live/recorded_motion.h"
+
+#include <limits>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "base/file_io.h"
+#include "data/io/result_file.h"
+#include "tests/data_folder.h"
+#include "tests/message_of.h"
+#include "tests/temporary_folder.h"
+
+namespace thenar {
+namespace {
+
+using testing::HasSubstr;
+
+class RecordedRunFile : public TemporaryFolder {
+ protected:
+  /// Simulates a scene for a while and writes the run.
+  SimulatedScene record(const std::string& scene, double seconds, const std::string& file) const {
+    SceneRequest request;
+    request.scene = scene;
+    request.data = kData;
+    request.seconds = seconds;
+    SimulatedScene run = run_scene(request);
+    write_scene_run(run, path(file));
+    return run;
+  }
+  [[nodiscard]] RecordedScene read(const std::string& file) const {
+    return read_scene_run(path(file), kData);
+  }
+  /// What reading says once something in the file is another one.
+  template <typename Change>
+  std::string trouble_with(const Change& change) const {
+    ResultFile file = read_result(path("run.h5"));
+    change(file);
+    write_result(file, path("changed.h5"));
+    try {
+      (void)read("changed.h5");
+    } catch (const Error& error) {
+      return error.what();
+    }
+    return "nothing was thrown";
+  }
+};
+
+TEST_F(RecordedRunFile, HoldsTheInstantsOfTheRun) {
+  for (const char* scene : {"pinch", "wine_glass", "loose_joint"}) {
+    SCOPED_TRACE(scene);
+    const SimulatedScene run = record(scene, 0.05, "run.h5");
+    const RecordedScene got = read("run.h5");
+    EXPECT_EQ(got.name, scene);
+    ASSERT_EQ(got.samples.size(), run.run.samples.size());
+    for (std::size_t i = 0; i < got.samples.size(); ++i) {
+      const SceneSample &a = got.samples[i], &b = run.run.samples[i];
+      EXPECT_EQ(a.t, b.t);
+      EXPECT_EQ(a.q, b.q);
+      EXPECT_EQ(a.v, b.v);
+      ASSERT_EQ(a.contacts.size(), b.contacts.size());
+      for (std::size_t k = 0; k < a.contacts.size(); ++k) {
+        EXPECT_EQ(a.contacts[k].force, b.contacts[k].force);
+        EXPECT_EQ(a.contacts[k].mode, b.contacts[k].mode);
+      }
+    }
+    EXPECT_EQ(got.steps, run.run.cost.steps);
+    EXPECT_EQ(got.worst_residual, run.run.cost.worst_residual);
+    RecordedMotion motion(got);
+    EXPECT_NO_THROW(check_instant(motion.shape(), motion.instant()));
+    EXPECT_EQ(motion.seek(10), run.run.samples.back().t);
+    EXPECT_NO_THROW(check_instant(motion.shape(), motion.instant()));
+  }
+}
+
+// Half way between two instants of a fall a body is half way between their places.
+TEST_F(RecordedRunFile, ShowsWhatIsBetweenInstants) {
+  const SimulatedScene run = record("falling_ball", 0.1, "run.h5");
+  RecordedMotion motion(read("run.h5"));
+  const double a = run.run.samples[3].t, b = run.run.samples[4].t;
+  std::vector<double> heights;
+  for (const double t : {a, 0.5 * (a + b), b}) {
+    EXPECT_DOUBLE_EQ(motion.seek(t), t);
+    const LiveInstant instant = motion.instant();
+    EXPECT_DOUBLE_EQ(instant.time, t);
+    for (std::size_t i = 0; i < motion.shape().bodies.size(); ++i)
+      if (motion.shape().bodies[i].role == LiveRole::kObject)
+        heights.push_back(instant.bodies[i].p.z());
+  }
+  ASSERT_EQ(heights.size(), 3u);
+  EXPECT_GT(heights[0], heights[2]);
+  EXPECT_NEAR(heights[1], 0.5 * (heights[0] + heights[2]), 1e-12);
+}
+
+TEST_F(RecordedRunFile, PlaysToItsEnd) {
+  (void)record("pendulum", 0.1, "run.h5");
+  RecordedMotion motion(read("run.h5"));
+  motion.play(1);
+  EXPECT_TRUE(motion.live_time().recorded);
+  EXPECT_EQ(motion.live_time().duration, 0.1);
+  (void)motion.step(12, {});
+  EXPECT_NEAR(motion.live_time().t, 0.05, 1e-12);
+  EXPECT_TRUE(motion.live_time().playing);
+  (void)motion.step(12, {});
+  EXPECT_EQ(motion.live_time().t, 0.1);
+  EXPECT_FALSE(motion.live_time().playing);
+  motion.reset();
+  EXPECT_EQ(motion.live_time().t, 0);
+}
+
+TEST_F(RecordedRunFile, RefusesWhatDoesNotFitTogether) {
+  (void)record("pinch", 0.05, "run.h5");
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  const auto set = [](const char* key, std::size_t at, double value) {
+    return [=](ResultFile& file) { file.arrays.at(key).values.at(at) = value; };
+  };
+  EXPECT_EQ(trouble_with([](ResultFile&) {}), "nothing was thrown");
+  EXPECT_THAT(trouble_with(set("time", 2, nan)), HasSubstr("'time'"));
+  EXPECT_THAT(trouble_with(set("time", 2, 0)), HasSubstr("does not rise"));
+  EXPECT_THAT(trouble_with(set("position", 5, nan)), HasSubstr("'position' has numbers"));
+  EXPECT_THAT(trouble_with(set("position", 0, 9)), HasSubstr("not length 1"));
+  EXPECT_THAT(trouble_with(set("contact_body_a", 0, 99)), HasSubstr("'contact_body_a'"));
+  EXPECT_THAT(trouble_with(set("contact_body_b", 0, -1)), HasSubstr("'contact_body_b'"));
+  EXPECT_THAT(trouble_with(set("contact_mode", 0, 0.5)), HasSubstr("'contact_mode'"));
+  EXPECT_THAT(trouble_with(set("contact_instant", 0, 1e300)), HasSubstr("'contact_instant'"));
+  EXPECT_THAT(trouble_with(set("body_position", 0, 1)), HasSubstr("stands elsewhere now"));
+  for (const char* key : {"time", "position", "speed", "energy", "body_position", "contact_force"})
+    EXPECT_NE(trouble_with([&](ResultFile& file) { file.arrays.erase(key); }), "nothing was thrown")
+        << key;
+  EXPECT_THAT(trouble_with([](ResultFile& file) { file.texts["format"] = {"thenar motion 1"}; }),
+              HasSubstr("wanted a run of a scene"));
+  EXPECT_THAT(trouble_with([](ResultFile& file) { file.texts["varied"] = {"friction"}; }),
+              HasSubstr("several runs"));
+  EXPECT_THAT(trouble_with([](ResultFile& file) { file.texts.at("name/body")[0] = "lid"; }),
+              HasSubstr("its bodies are not those"));
+  EXPECT_THAT(trouble_with([](ResultFile& file) { file.texts["inputs/1/text"] = {"name = 3"}; }),
+              HasSubstr("cannot be built again"));
+  EXPECT_THAT(trouble_with([](ResultFile& file) { file.texts.erase("inputs/1/text"); }),
+              HasSubstr("does not keep the text"));
+}
+
+}  // namespace
+}  // namespace thenar
