@@ -40,16 +40,16 @@ class Program:
     def __init__(self, *words, port=0, folder=None):
         self.folder = folder or tempfile.mkdtemp(prefix="thenar-live-")
         command = [PROGRAM, "view", *map(str, words), "--port", str(port), "--no-open"]
-        self.process = subprocess.Popen(command, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True,
-                                        cwd=self.folder)
+        self.process = subprocess.Popen(command, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, cwd=self.folder)
         self.said, end = "", time.monotonic() + PATIENCE
-        while not (found := re.search(r"(http://127\.0\.0\.1:(\d+)/\S*)", self.said)):
-            ready, _, _ = select.select([self.process.stdout], [], [], max(0, end - time.monotonic()))
-            line = self.process.stdout.readline() if ready else ""
-            if not line:
+        out = self.process.stdout.fileno()
+        while not (found := re.search(r"(http://127\.0\.0\.1:(\d+)/\S*)\s", self.said)):
+            ready, _, _ = select.select([out], [], [], max(0, end - time.monotonic()))
+            part = os.read(out, 65536) if ready else b""
+            if not part:
                 self.close()
                 raise RuntimeError(f"{' '.join(command)} gives no address: {self.said}")
-            self.said += line
+            self.said += part.decode()
         self.address, self.port = found[1], int(found[2])
 
     def kill(self):

@@ -12,7 +12,7 @@ class Worlds(LivePage):
         for world in WORLDS:
             with self.subTest(world=world.stem):
                 self.start(world)
-                self.assertGreater(self.browser.value(COLORED), 0.004)
+                self.assertGreater(self.browser.value(COLORED), 0.0005)
                 meshes = self.browser.value("thenarLive.store.scene.bodies.filter((b) => b.mesh).length")
                 drawn = self.browser.value("thenarLive.picture.bodies.meshes().length")
                 self.assertEqual(drawn, meshes)

@@ -35,7 +35,8 @@ function addRequests(app) {
   app.ask = async (method, params = {}) => {
     try {
       const result = await app.call(method, params);
-      if (TELLING.test(method)) for (const words of result?.warnings ?? []) app.notices.tell(words);
+      if (TELLING.test(method) && result?.warnings?.length)
+        app.notices.tell(result.warnings.join("\n"));
       return result;
     } catch (error) {
       // What was lost with the connection is told by the banner.
@@ -166,6 +167,16 @@ function addView(app) {
     },
   };
   stage.labels = () => labelsOf(app);
+  // No words below the panels.
+  stage.covered = () => {
+    const { width, height, insets } = stage;
+    return [
+      { left: 0, right: insets.left, top: 0, bottom: height },
+      { left: width - insets.right, right: width, top: 0, bottom: height },
+      { left: 0, right: width, top: 0, bottom: insets.top },
+      { left: 0, right: width, top: height - insets.bottom, bottom: height },
+    ];
+  };
 }
 
 /// Words on the picture: arrows, and names of bodies where the reader wants them.

@@ -205,6 +205,16 @@ export function tabs(pages, label, changed) {
   return { list, choose, chosen: () => chosen };
 }
 
+/// What was assumed or could not be done: a line where it is one, else to be unfolded.
+export function warnings(words) {
+  if (!words?.length) return [];
+  const lines = words.map((text) => el("p", { class: "warning" }, text));
+  if (lines.length === 1) return lines;
+  return [
+    el("details", { class: "warnings" }, el("summary", {}, `${lines.length} remarks`), ...lines),
+  ];
+}
+
 /// A table of plain cells; the first row is its head.
 export const plainTable = (head, rows, label) =>
   el(

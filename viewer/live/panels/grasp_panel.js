@@ -4,7 +4,7 @@ import { el } from "../../report/dom.js";
 import { formatNumber } from "../../numbers/format.js";
 import { ownersOf } from "../link/store.js";
 import { whenQuiet } from "../link/latest.js";
-import { choice, facts, part, slowButton, tick } from "./controls.js";
+import { choice, facts, part, slowButton, tick, warnings } from "./controls.js";
 import { makePadPart } from "./pad_part.js";
 import { makeWrenchView } from "./wrench_view.js";
 
@@ -86,10 +86,7 @@ export function makeGraspPanel(app) {
     if (!quality || asked !== about) return;
     panel.quality = quality;
     answer.classList.toggle("holds", Boolean(quality.force_closure));
-    answer.replaceChildren(
-      facts(qualityFacts(quality)),
-      ...(quality.warnings ?? []).map((words) => el("p", { class: "warning" }, words)),
-    );
+    answer.replaceChildren(facts(qualityFacts(quality)), ...warnings(quality.warnings));
   }
   /// Where everything stands: an arrow of the quality itself must not ask for it again.
   const poses = () => (store.frame ? `${store.frame.revision} ${store.frame.bodies.join()}` : "");

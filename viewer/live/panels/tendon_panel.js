@@ -5,7 +5,16 @@ import { formatNumber } from "../../numbers/format.js";
 import { QUANTITIES, quantityOf } from "../link/quantities.js";
 import { latestWins, whenQuiet } from "../link/latest.js";
 import { mergeJoints } from "../link/store.js";
-import { backToWorld, facts, part, plainTable, refill, sliderRow, slowButton } from "./controls.js";
+import {
+  backToWorld,
+  facts,
+  part,
+  plainTable,
+  refill,
+  sliderRow,
+  slowButton,
+  warnings,
+} from "./controls.js";
 import { makeSweep } from "./tendon_sweep.js";
 
 const MOST = 100; // end of a tension's slider where no largest force is known [N]
@@ -88,10 +97,7 @@ export function makeTendonPanel(app) {
       bands.querySelector("tbody"),
       net.map((b) => [b.name, formatNumber(b.tension, 2), b.slack ? "slack" : ""]),
     );
-    tip.replaceChildren(
-      facts(restFacts(state)),
-      ...(state.warnings ?? []).map((words) => el("p", { class: "warning", role: "alert" }, words)),
-    );
+    tip.replaceChildren(facts(restFacts(state)), ...warnings(state.warnings));
   }
 
   const refresh = whenQuiet(async () => {

@@ -73,7 +73,7 @@ function clear(bodies) {
 /// Bodies under `parent`. show(scene) builds, promising when all meshes are there; pose(frame) moves;
 /// hide(owner, hidden), select(owner), opacity(layer, value), box().
 export function makeBodies(parent, shelf, told) {
-  const bodies = { groups: [], hidden: new Set(), opacities: { hands: 0.4, objects: 1 } };
+  const bodies = { groups: [], hidden: new Set(), opacities: { hands: 0.5, objects: 1 } };
   let scene = null;
   let selected = null;
 

@@ -28,7 +28,7 @@ const ARROWS = {
   disturbance: "#cc79a7",
 };
 const LONGEST = 0.3; // of the largest arrow, in sizes of the scene
-const CONE = 0.07; // height of friction cones, in sizes of the scene
+const CONE = 0.05; // height of friction cones, in sizes of the scene
 
 /// The length on the picture of one unit [m], round, so that the largest vector is LONGEST of the size;
 /// `before` stays while the largest fits and is not small.

@@ -48,12 +48,13 @@ export function makePicture(container, theme, asked) {
   let scene = null;
   let frame = null;
   let fitting = false; // until meshes and a frame are there
+  let complete = false; // whether all meshes are
   let tips = [];
 
   const size = () => stage.box.getSize(new Vector3()).length() || 1;
 
   function settle() {
-    if (!frame) return;
+    if (!frame || !complete) return;
     stage.look(bodies.box());
     if (fitting) stage.fit(directionOf(scene));
     fitting = false;
@@ -81,7 +82,10 @@ export function makePicture(container, theme, asked) {
     const held = joint.held()?.joint;
     scene = next;
     frame = null;
-    const ready = bodies.show(scene);
+    complete = false;
+    const ready = bodies.show(scene).then(() => {
+      complete = scene === next;
+    });
     lines.show(scene);
     vectors.show(scene);
     clouds.show(scene, bodies.groups);
