@@ -109,11 +109,11 @@ class Browser:
         return answer["result"].get("value")
 
     def wait(self, expression, what=None, patience=PATIENCE):
-        """Waits until an expression is true, and returns its value."""
+        """Waits until an expression, or what it promises, is true."""
         end = time.monotonic() + patience
         while True:
             try:
-                found = self.value(expression)
+                found = self.value(f"Promise.resolve({expression}).then(Boolean)")
                 problem = ""
             except PageError as error:  # while the page loads there is nothing to ask
                 found, problem = None, f" ({error})"

@@ -74,7 +74,7 @@ export function rpcClient(
 
   function call(method, params = {}) {
     if (!socket)
-      return Promise.reject(new RpcError(`${method}: thenar is not connected`, "not connected"));
+      return Promise.reject(new RpcError("thenar is not connected", "not connected"));
     const id = next++;
     return new Promise((resolve, reject) => {
       flying.set(id, { method, resolve, reject });
