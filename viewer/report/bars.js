@@ -59,7 +59,7 @@ function bar(v, name, x, y, color, size) {
 function layoutOf(block, width) {
   const names = 14 + Math.max(60, ...block.groups.map((g) => textWidth(g.name)));
   const narrow = width < NARROW || width - names < NARROW / 2;
-  const left = narrow ? 4 : names;
+  const left = narrow ? 12 : names;
   const range = rangeOf(block);
   const x = linear(range, [left, width - VALUE]);
   const count = Math.min(6, Math.max(2, Math.floor((width - VALUE - left) / 70)));

@@ -91,7 +91,7 @@ function sense(axis, up) {
 /// Directions of the axes as the camera sees them, in the lower left corner, and which of them is
 /// up. @param axes  words for x, y and z, each may be empty
 export function drawTriad(context, camera, { height, ink, page }, axes = []) {
-  const origin = [42, height - 40];
+  const origin = [axes.some(Boolean) ? 64 : 42, height - 40];
   const length = 24;
   const seen = TRIAD.map(([name, color, axis], i) => ({
     name: (axes[i] ? `${name} ${axes[i]}` : name) + sense(axis, camera.up),
@@ -109,7 +109,11 @@ export function drawTriad(context, camera, { height, ink, page }, axes = []) {
     context.lineTo(origin[0] + length * v.x, origin[1] - length * v.y);
     context.stroke();
     const away = length + 9;
-    halo(context, name, origin[0] + away * v.x, origin[1] - away * v.y, ink, page);
+    const half = context.measureText(name).width / 2 + 3;
+    // Words stand beside what they name, and within the picture.
+    const beside = Math.sign(v.x) * Math.max(0, half - 9) * Math.min(1, 2 * Math.abs(v.x));
+    const x = Math.max(half, origin[0] + away * v.x + beside);
+    halo(context, name, x, origin[1] - away * v.y, ink, page);
   }
   context.textAlign = "left";
 }

@@ -266,3 +266,15 @@ export function beginning() {
     next: links(".neighbours"),
   };
 }
+
+/// Whether the page has drawn its frame.
+export const isDrawn = () =>
+  document.readyState === "complete" && document.querySelector("#report > header") !== null;
+
+/// Opens all sections; tells what could not be drawn.
+export async function openEverything() {
+  const open = [...document.querySelectorAll(".contents-list .tools button")][0];
+  open?.click();
+  await new Promise((resolve) => setTimeout(resolve, 1000));
+  return [...document.querySelectorAll(".error")].map((box) => `error: ${box.textContent}`);
+}
