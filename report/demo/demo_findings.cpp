@@ -174,11 +174,12 @@ Finding hood_finding(const DemoHood& hood) {
     const HoodRung& least =
         *std::min_element(comparison.rungs.begin(), comparison.rungs.end(), less);
     const HoodRung& finest = comparison.rungs.back();
-    best.push_back(fmt::format(
-        "{:.3f} of {} by {} in {:.3g} \u00b5s (the finest, {}: {:.3f} in "
-        "{:.3g} \u00b5s)",
-        least.prediction.error.relative, comparison.experiment, least.name, 1e6 * least.seconds,
-        finest.name, finest.prediction.error.relative, 1e6 * finest.seconds));
+    best.push_back(fmt::format("{:.3f} of {} by {} in {:.3g} \u00b5s",
+                               least.prediction.error.relative, comparison.experiment, least.name,
+                               1e6 * least.seconds));
+    if (&least != &finest)
+      best.back() += fmt::format(" (the finest, {}: {:.3f} in {:.3g} \u00b5s)", finest.name,
+                                 finest.prediction.error.relative, 1e6 * finest.seconds);
   }
   const std::string errors = fmt::format("{}", fmt::join(best, ", and "));
   return {{"How should the extensor hood be modelled: by separate tendons, by fixed fractions, or "

@@ -70,8 +70,10 @@ Finding glass_finding(const SimulatedScene& glass) {
 }
 
 Finding thumb_mug_finding(const DemoMotion& motion) {
-  const auto turned = [](const std::vector<PadState>& states) {
-    return states.empty() ? NAN : (states.front().angle - states.back().angle) / kDegree;
+  const auto turned = [](const std::vector<PadState>& states) -> double {
+    if (states.empty()) return NAN;
+    // No minus before what rounds to zero.
+    return std::round(10 * (states.front().angle - states.back().angle) / kDegree) / 10 + 0.0;
   };
   const double force = motion.pad.empty() ? NAN : motion.pad.back().force;
   return {
@@ -155,7 +157,7 @@ Finding pencil_finding(const RungComparison& pencil) {
   std::vector<std::string> parts;
   for (const RungRun& run : pencil.runs)
     if (&run != &pencil.runs[pencil.finest])
-      parts.push_back(fmt::format("{} {:.2g} % in {:.2g} s", run.rung, 100 * run.error.force_end,
+      parts.push_back(fmt::format("{} {:.3g} % in {:.2g} s", run.rung, 100 * run.error.force_end,
                                   cpu_per_second(run)));
   return {{"What do models of finger pads cost when a pencil is pinched, and how far are they off?",
            fmt::format("A pencil was pinched between thumb and index finger on {} rungs of pads.",

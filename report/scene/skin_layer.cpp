@@ -44,8 +44,9 @@ std::vector<MeshColor> nail_colors(const TriangleMesh& mesh, const std::vector<S
 }  // namespace
 
 Json skin_layer(const SkinnedDigit& digit, MeshTable& meshes) {
-  const std::optional<HandAnatomy> anatomy = anatomy_of(digit.subject);
+  std::optional<HandAnatomy> anatomy = anatomy_of(digit.subject);
   if (!anatomy) return nullptr;
+  anatomy->palm.reset();  // without its web, which would hang in the air
   const Skeleton& skeleton = digit.tendons.skeleton;
   const DigitAnatomy* own = digit_named(*anatomy, skeleton.tips.front().digit);
   if (own == nullptr) return nullptr;
