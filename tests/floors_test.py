@@ -88,7 +88,7 @@ MAY_SEE["dynamics/pads"] = MAY_SEE["dynamics/stepping"] + ["dynamics/stepping"] 
 MAY_SEE["dynamics/scene"] = MAY_SEE["dynamics/human"] + PADS + [
     "data/io/scene", "dynamics/ligament", "dynamics/human", "dynamics/pads"]
 LIBRARIES = list(MAY_SEE)
-API = ["api", "api/named", "api/pads", "api/scenes", "api/live"]
+API = ["api", "api/named", "api/pads", "api/scenes", "api/live", "api/live/world"]
 MAY_SEE["thenar"] = LIBRARIES + API  # the header of all public headers
 # The questions that a person asks, and their answers as words, tables, JSON and pages.
 REPORT = LIBRARIES + API + ["report"]
@@ -99,6 +99,7 @@ MAY_SEE |= {
     "api/scenes": LIBRARIES + ["api/named"],
     "api": LIBRARIES + ["api/named", "api/pads", "api/scenes"],
     "api/live": LIBRARIES + ["api/named", "api/pads", "api/scenes", "api"],
+    "api/live/world": LIBRARIES + ["api/named", "api/pads", "api/scenes", "api", "api/live"],
     "report": LIBRARIES + API,
     "report/scene": REPORT,
     "report/draws": REPORT,

@@ -23,22 +23,22 @@ namespace {
 constexpr std::chrono::milliseconds kLook{20};  // between two looks for a signal
 
 /// What opens a file of a kind, and what its parameter is called.
-struct Opening {
+struct FileOpener {
   const char* kind;
   const char* method;
   const char* param;
 };
 
-constexpr std::array<Opening, 10> kOpenings{{{"world", "world.load", "world"},
-                                             {"robot", "world.add_hand", "hand"},
-                                             {"object", "world.add_object", "object"},
-                                             {"mesh", "world.add_object", "object"},
-                                             {"scene", "motion.open", "scene"},
-                                             {"subject", "tendons.open", "subject"},
-                                             {"scene run", "motion.record", "file"},
-                                             {"motion", "motion.record", "file"},
-                                             {"fit", "fit.open", "file"},
-                                             {"posterior", "fit.open", "file"}}};
+constexpr std::array<FileOpener, 10> kFileOpeners{{{"world", "world.load", "world"},
+                                                   {"robot", "world.add_hand", "hand"},
+                                                   {"object", "world.add_object", "object"},
+                                                   {"mesh", "world.add_object", "object"},
+                                                   {"scene", "motion.open", "scene"},
+                                                   {"subject", "tendons.open", "subject"},
+                                                   {"scene run", "motion.record", "file"},
+                                                   {"motion", "motion.record", "file"},
+                                                   {"fit", "fit.open", "file"},
+                                                   {"posterior", "fit.open", "file"}}};
 
 }  // namespace
 
@@ -68,9 +68,9 @@ OpeningRequest opening_request(const std::string& name, const std::string& data)
   const std::string path = named_thing(name, data);
   const std::string kind = contents_of(path).kind;
   const auto* const found =
-      std::find_if(kOpenings.begin(), kOpenings.end(),
-                   [&](const Opening& opening) { return kind == opening.kind; });
-  require(found != kOpenings.end(),
+      std::find_if(kFileOpeners.begin(), kFileOpeners.end(),
+                   [&](const FileOpener& opening) { return kind == opening.kind; });
+  require(found != kFileOpeners.end(),
           "{}: wanted a world, hand, object, mesh, scene, subject, run, fit or posterior{}", path,
           kind.empty() ? "" : ", got " + kind);
   return {found->method, {{found->param, path}}};

@@ -2,8 +2,8 @@
 
 #include <nlohmann/json.hpp>
 
-#include "api/live/live_pads.h"
-#include "api/live/live_quality.h"
+#include "api/live/world/live_pads.h"
+#include "api/live/world/live_quality.h"
 #include "base/progress_parts.h"
 #include "grasp/closing/describe_grasp.h"
 #include "grasp/quality/volume.h"

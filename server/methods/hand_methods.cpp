@@ -2,8 +2,8 @@
 
 #include <nlohmann/json.hpp>
 
-#include "api/live/live_quality.h"
-#include "api/live/world_edits.h"
+#include "api/live/world/live_quality.h"
+#include "api/live/world/world_edits.h"
 #include "grasp/closing/describe_grasp.h"
 #include "report/answers/grasp.h"
 #include "server/methods/method_table.h"

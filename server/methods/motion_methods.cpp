@@ -5,8 +5,8 @@
 #include <Eigen/Geometry>
 
 #include "api/live/live_motion.h"
-#include "api/live/live_world.h"
 #include "api/live/recorded_motion.h"
+#include "api/live/world/live_world.h"
 #include "base/nearest_name.h"
 #include "server/methods/method_table.h"
 
@@ -270,7 +270,7 @@ OrderedJson reset_motion(Session& session, const Json& /*params*/, const Progres
 
 // Rows.
 
-const char* const kStateWords =
+const char* const kMotionWords =
     "t [s]; as wanted: joints {name: [value, rate, effort]} [rad, rad/s, N m or m, m/s, N], bodies "
     "{name: {position [m], rotation [w, x, y, z], velocity of the centre of mass [m/s], spin "
     "[rad/s]}}, contacts [{a, b, point [m], normal, force on a [N], torsion [N m], gap [m], "
@@ -282,7 +282,7 @@ const char* const kPlayWords = "t [s], playing, speed [1]";
 
 std::string with_quality(const std::string& of) {
   return "steps, unsolved contact problems, worst_residual [1], deepest penetration [m] " + of +
-         "; " + kStateWords;
+         "; " + kMotionWords;
 }
 
 void add_opening_methods(MethodTable& table) {

@@ -2,9 +2,9 @@
 
 #include <nlohmann/json.hpp>
 
-#include "api/live/world_edits.h"
-#include "api/live/world_files.h"
-#include "api/live/world_import.h"
+#include "api/live/world/world_edits.h"
+#include "api/live/world/world_files.h"
+#include "api/live/world/world_import.h"
 #include "base/error.h"
 #include "server/frame.h"
 #include "server/methods/method_table.h"

@@ -5,8 +5,8 @@
 #include <optional>
 #include <string>
 
-#include "api/live/live_grasp.h"
-#include "api/live/live_world.h"
+#include "api/live/world/live_grasp.h"
+#include "api/live/world/live_world.h"
 #include "base/spatial.h"
 #include "server/schema.h"
 #include "server/session.h"

@@ -1,4 +1,4 @@
-#include "api/live/live_grasp.h"
+#include "api/live/world/live_grasp.h"
 
 #include <cmath>
 #include <utility>

@@ -1,4 +1,4 @@
-#include "api/live/live_world.h"
+#include "api/live/world/live_world.h"
 
 #include <cstdlib>
 #include <filesystem>

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "api/live/live_world.h"
+#include "api/live/world/live_world.h"
 #include "base/progress.h"
 
 namespace thenar {

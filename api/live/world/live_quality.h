@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "api/live/live_grasp.h"
+#include "api/live/world/live_grasp.h"
 #include "grasp/quality/wrench_set_mesh.h"
 
 namespace thenar {

@@ -1,4 +1,4 @@
-#include "api/live/live_pads.h"
+#include "api/live/world/live_pads.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,6 +1,6 @@
 // Tests for api/live/live_pads.cpp.
 
-#include "api/live/live_pads.h"
+#include "api/live/world/live_pads.h"
 
 #include <algorithm>
 #include <cmath>
@@ -8,7 +8,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "api/live/world_files.h"
+#include "api/live/world/world_files.h"
 #include "base/error.h"
 #include "tests/data_folder.h"
 

@@ -1,4 +1,4 @@
-#include "api/live/live_hand.h"
+#include "api/live/world/live_hand.h"
 
 #include <algorithm>
 #include <filesystem>
@@ -7,7 +7,7 @@
 
 #include <fmt/format.h>
 
-#include "api/live/nail_mesh.h"
+#include "api/live/world/nail_mesh.h"
 #include "api/named/material_names.h"
 #include "base/progress_parts.h"
 #include "hand/skin/human_surfaces.h"

@@ -1,4 +1,4 @@
-#include "api/live/world_files.h"
+#include "api/live/world/world_files.h"
 
 #include <algorithm>
 #include <filesystem>

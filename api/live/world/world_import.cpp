@@ -1,4 +1,4 @@
-#include "api/live/world_import.h"
+#include "api/live/world/world_import.h"
 
 #include <algorithm>
 #include <filesystem>

@@ -1,4 +1,4 @@
-#include "api/live/hand_touch.h"
+#include "api/live/world/hand_touch.h"
 
 #include <algorithm>
 

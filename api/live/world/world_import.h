@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "api/live/world_edits.h"
+#include "api/live/world/world_edits.h"
 
 namespace thenar {
 

@@ -1,4 +1,4 @@
-#include "api/live/nail_mesh.h"
+#include "api/live/world/nail_mesh.h"
 
 #include <algorithm>
 #include <map>

@@ -1,6 +1,6 @@
 // Tests for api/live/live_grasp.cpp, live_quality.cpp and hand_touch.cpp.
 
-#include "api/live/live_grasp.h"
+#include "api/live/world/live_grasp.h"
 
 #include <algorithm>
 #include <cmath>
@@ -10,9 +10,9 @@
 #include <gtest/gtest.h>
 
 #include "api/close.h"
-#include "api/live/live_quality.h"
-#include "api/live/world_edits.h"
-#include "api/live/world_files.h"
+#include "api/live/world/live_quality.h"
+#include "api/live/world/world_edits.h"
+#include "api/live/world/world_files.h"
 #include "base/error.h"
 #include "base/progress_parts.h"
 #include "tests/data_folder.h"

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "api/live/live_hand.h"
+#include "api/live/world/live_hand.h"
 #include "grasp/closing/scene.h"
 
 namespace thenar {

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "api/grasp.h"
-#include "api/live/live_world.h"
+#include "api/live/world/live_world.h"
 
 namespace thenar {
 

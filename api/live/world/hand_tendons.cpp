@@ -1,4 +1,4 @@
-#include "api/live/hand_tendons.h"
+#include "api/live/world/hand_tendons.h"
 
 #include <cmath>
 

@@ -1,4 +1,4 @@
-#include "api/live/world_state.h"
+#include "api/live/world/world_state.h"
 
 #include <algorithm>
 

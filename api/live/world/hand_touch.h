@@ -6,7 +6,7 @@
 #include <memory>
 #include <vector>
 
-#include "api/live/world_state.h"
+#include "api/live/world/world_state.h"
 #include "grasp/closing/collision_hand.h"
 #include "grasp/contact/contact.h"
 

@@ -1,4 +1,4 @@
-#include "api/live/hand_joints.h"
+#include "api/live/world/hand_joints.h"
 
 #include <Eigen/Geometry>
 

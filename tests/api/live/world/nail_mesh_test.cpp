@@ -1,6 +1,6 @@
 // Tests for api/live/nail_mesh.cpp.
 
-#include "api/live/nail_mesh.h"
+#include "api/live/world/nail_mesh.h"
 
 #include <cmath>
 

@@ -1,6 +1,6 @@
 // Tests for api/live/hand_joints.cpp.
 
-#include "api/live/hand_joints.h"
+#include "api/live/world/hand_joints.h"
 
 #include <cmath>
 #include <filesystem>

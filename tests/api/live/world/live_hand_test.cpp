@@ -1,6 +1,6 @@
 // Tests for api/live/live_hand.cpp and hand_tendons.cpp.
 
-#include "api/live/live_hand.h"
+#include "api/live/world/live_hand.h"
 
 #include <cmath>
 #include <set>

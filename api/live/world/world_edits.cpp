@@ -1,4 +1,4 @@
-#include "api/live/world_edits.h"
+#include "api/live/world/world_edits.h"
 
 #include <algorithm>
 #include <filesystem>
@@ -6,8 +6,8 @@
 
 #include <fmt/format.h>
 
-#include "api/live/world_files.h"
-#include "api/live/world_import.h"
+#include "api/live/world/world_files.h"
+#include "api/live/world/world_import.h"
 #include "api/named/data_folders.h"
 #include "api/named/files.h"
 #include "base/error.h"

@@ -9,10 +9,10 @@
 #include <string>
 #include <vector>
 
-#include "api/live/hand_touch.h"
 #include "api/live/live_abilities.h"
 #include "api/live/live_picture.h"
-#include "api/live/world_state.h"
+#include "api/live/world/hand_touch.h"
+#include "api/live/world/world_state.h"
 #include "grasp/closing/close_hand.h"
 #include "grasp/contact/wrench_set.h"
 

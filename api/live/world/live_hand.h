@@ -6,9 +6,9 @@
 #include <string>
 #include <vector>
 
-#include "api/live/hand_joints.h"
-#include "api/live/hand_tendons.h"
 #include "api/live/live_picture.h"
+#include "api/live/world/hand_joints.h"
+#include "api/live/world/hand_tendons.h"
 #include "api/named/worlds.h"
 #include "geometry/collision/collision_tree.h"
 

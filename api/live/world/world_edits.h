@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "api/live/live_world.h"
+#include "api/live/world/live_world.h"
 
 namespace thenar {
 

@@ -1,6 +1,6 @@
 // Tests for api/live/live_world.cpp, world_state.cpp, world_files.cpp and world_edits.cpp.
 
-#include "api/live/live_world.h"
+#include "api/live/world/live_world.h"
 
 #include <cmath>
 #include <filesystem>
@@ -11,8 +11,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "api/live/world_edits.h"
-#include "api/live/world_files.h"
+#include "api/live/world/world_edits.h"
+#include "api/live/world/world_files.h"
 #include "api/named/files.h"
 #include "base/error.h"
 #include "tests/data_folder.h"

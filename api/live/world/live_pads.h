@@ -8,7 +8,7 @@
 
 #include <Eigen/Core>
 
-#include "api/live/live_quality.h"
+#include "api/live/world/live_quality.h"
 
 namespace thenar {
 

@@ -1,4 +1,4 @@
-#include "api/live/live_quality.h"
+#include "api/live/world/live_quality.h"
 
 #include <algorithm>
 #include <utility>
