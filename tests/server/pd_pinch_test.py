@@ -1,0 +1,24 @@
+"""The example of a controller in Python holds its cube, by a server of its own.
+
+Usage: pd_pinch_test.py THENAR
+"""
+import pathlib
+import re
+import subprocess
+import sys
+
+ROOT = pathlib.Path(__file__).resolve().parents[2]
+
+server = subprocess.Popen([sys.argv[1], "serve", "--port", "0", "--data", str(ROOT / "data")], stdout=subprocess.PIPE,
+                          text=True)
+try:
+    port = re.search(r":(\d+)", server.stdout.readline()).group(1)
+    done = subprocess.run([sys.executable, str(ROOT / "clients" / "python" / "examples" / "pd_pinch.py"), port],
+                          capture_output=True, text=True, timeout=120)
+    print(done.stdout, done.stderr)
+    rate = int(re.search(r": (\d+) a second", done.stdout).group(1))
+    if done.returncode != 0 or rate < 500:
+        sys.exit("wanted the cube to be held at 500 steps a second or more")
+finally:
+    server.terminate()
+    server.wait()
