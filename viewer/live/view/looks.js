@@ -1,6 +1,6 @@
 // Colours and materials of bodies by what they are; the same colours as in reports.
 
-import { DoubleSide, MeshStandardMaterial } from "three";
+import { MeshLambertMaterial } from "three";
 
 const SKIN = "#dfab8f";
 const NAIL = "#f0d3c6";
@@ -10,7 +10,6 @@ const OBJECT = "#e6a83c";
 const OBSTACLE = "#b9c0c9";
 const DIGITS = ["#6fa8cf", "#8dbb95", "#c7a6d1", "#d3a15f", "#7cc0c4", "#b0a37a"];
 const GLOW = 0x3a3010; // of what is selected
-const ROUGHNESS = 0.62;
 
 const isSkin = ({ role, material }) =>
   role === "link" && (material === "skin" || material === "fingertip");
@@ -57,8 +56,7 @@ export function looksOf(scene) {
   }));
 }
 
-export const bodyMaterial = (color) =>
-  new MeshStandardMaterial({ color, roughness: ROUGHNESS, side: DoubleSide });
+export const bodyMaterial = (color) => new MeshLambertMaterial({ color });
 
 /// What is translucent hides what stands behind it only after all that is solid has been drawn.
 export function setOpacity(mesh, opacity) {

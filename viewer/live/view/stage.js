@@ -100,7 +100,7 @@ function addPainting(stage, theme) {
     setPixels(fine ? 1 : PLAIN);
     const shadows = stage.shown.shadows && fine;
     renderer.shadowMap.needsUpdate = shadows;
-    stage.sun.shadow.intensity = shadows ? 1 : 0;
+    stage.sun.castShadow = shadows;
     for (const prepare of stage.preparing) prepare();
     renderer.render(scene, camera);
     overlay(stage, words.getContext("2d"), theme);
