@@ -148,7 +148,7 @@ void LiveDigit::solve(const Eigen::VectorXd& q, const Eigen::VectorXd& excitatio
     solved_tension_ = now.tension;
   }
   now.point = point_at(q, now.tension);
-  now.arms = arms_at(now.point);
+  now.arms = arms_at(now.point, now.tension);
   now.length = lengths_at(now.point, now.tension) - zero_length_;
   // Doubts about this posture.
   now.warnings = muscles_->warnings(excitation);
@@ -173,13 +173,14 @@ DigitPoint LiveDigit::point_at(const Eigen::VectorXd& q, const Eigen::VectorXd& 
   return point;
 }
 
-Eigen::MatrixXd LiveDigit::arms_at(const DigitPoint& point) const {
+Eigen::MatrixXd LiveDigit::arms_at(const DigitPoint& point, const Eigen::VectorXd& t) const {
   Eigen::MatrixXd arms = point.pull.R;
   if (!trusted(point.pull.status)) return arms.setConstant(kNaN);
-  if (case_.net == nullptr || why_not_differentiable(case_.net->net().net, point.rest).empty())
-    return arms;
+  if (case_.net == nullptr) return arms;
+  // A slack muscle of a net has no arm: where its lines lie, nothing decides.
+  const bool known = why_not_differentiable(case_.net->net().net, point.rest).empty();
   for (const NetMuscle& muscle : case_.net->net().muscles)
-    arms.row(muscle.muscle).setConstant(kNaN);
+    if (!known || t[muscle.muscle] < kNoTension) arms.row(muscle.muscle).setConstant(kNaN);
   return arms;
 }
 
@@ -242,7 +243,7 @@ DigitCurves LiveDigit::net_curves(const std::string& joint, const PostureGrid& g
     if (!point.pull.warning.empty() && doubtful++ == 0)
       curves.warnings.push_back("first doubt over the sweep: " + point.pull.warning);
     if (!trusted(point.pull.status)) continue;
-    curves.arms.col(k) = arms_at(point).col(varied);
+    curves.arms.col(k) = arms_at(point, t).col(varied);
     curves.lengths.col(k) = lengths_at(point, t) - zero_length_;
   }
   return curves;

@@ -34,8 +34,8 @@ struct DigitNow {
                                // muscle of a net [m] (muscles)
   DigitPoint point;            // read point.pull.status first: trusted()
   Eigen::MatrixXd arms;  // moment arms, flexion and radial +; NaN where not to be trusted, and
-                         // of muscles of a net whose torque has a corner there [m/rad]
-                         // (muscles, coordinates)
+                         // of muscles of a net that are slack, or whose torque has a corner there
+                         // [m/rad] (muscles, coordinates)
   std::vector<std::string> warnings;  // of this posture and these tensions
 };
 
@@ -92,7 +92,7 @@ class LiveDigit final : public LiveModel {
   [[nodiscard]] Eigen::VectorXd with_excitations(const DigitInputs& inputs) const;
   void solve(const Eigen::VectorXd& q, const Eigen::VectorXd& excitation, const Eigen::VectorXd& t);
   [[nodiscard]] DigitPoint point_at(const Eigen::VectorXd& q, const Eigen::VectorXd& t) const;
-  [[nodiscard]] Eigen::MatrixXd arms_at(const DigitPoint& point) const;
+  [[nodiscard]] Eigen::MatrixXd arms_at(const DigitPoint& point, const Eigen::VectorXd& t) const;
   [[nodiscard]] Eigen::VectorXd lengths_at(const DigitPoint& point, const Eigen::VectorXd& t) const;
   [[nodiscard]] DigitCurves net_curves(const std::string& joint, const PostureGrid& grid,
                                        const Progress& progress) const;

@@ -243,9 +243,10 @@ TEST(LiveDigit, StandsOnItsCurves) {
     digit.set({{{"PIP3", curves.angle[7]}}, {}, {}});
     const auto pip = static_cast<Eigen::Index>(2);
     ASSERT_EQ(digit.about().bones().names.coordinates[2], "PIP3");
-    EXPECT_TRUE(matrix_near(digit.now().point.pull.R.col(pip), curves.arms.col(7), 1e-9));
     for (Eigen::Index m = 0; m < curves.lengths.rows(); ++m) {
+      EXPECT_EQ(std::isnan(curves.arms(m, 7)), std::isnan(curves.lengths(m, 7))) << m;
       if (std::isnan(curves.lengths(m, 7))) continue;
+      EXPECT_NEAR(digit.now().point.pull.R(m, pip), curves.arms(m, 7), 1e-9) << m;
       EXPECT_NEAR(digit.now().length[m], curves.lengths(m, 7), 1e-9) << m;
     }
   }
@@ -283,6 +284,19 @@ TEST(LiveDigit, ArmsOfANetAreSlopesOfTorqueOrUnknown) {
     }
   }
   EXPECT_GE(known, 6);
+}
+
+// An arm of 0 would be a wrong number: pulled by ever so little, the extensor has one of
+// millimetres.
+TEST(LiveDigit, AMuscleThatIsSlackInANetHasNoArm) {
+  LiveDigit digit(middle(Hood::kFloatingNet));
+  const auto& names = digit.about().bones().names.muscles;
+  const Eigen::Index edc = std::find(names.begin(), names.end(), "EDC") - names.begin();
+  digit.set({kBent, {{"EDC", 0}, {"FDP", 5}}, {}});
+  EXPECT_TRUE(digit.now().arms.row(edc).array().isNaN().all());
+  EXPECT_TRUE(digit.sweep("PIP3", 5).arms.row(edc).array().isNaN().all());
+  digit.set({kBent, {{"EDC", 1e-3}, {"FDP", 5}}, {}});
+  EXPECT_LT(digit.now().arms(edc, 0), -1e-3);
 }
 
 TEST(LiveDigit, SweepsNoJointThatIsNotThere) {
