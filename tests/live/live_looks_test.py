@@ -80,6 +80,31 @@ class Looks(LivePage):
         self.browser.press("Escape")
         self.assert_no_errors()
 
+    def test_what_moves_is_drawn_plainly_and_what_rests_finely(self):
+        self.start("human:tendons")
+        self.rest()
+        state = """(() => {
+          const { stage, bodies } = thenarLive.picture;
+          const triangles = bodies.meshes().map(({ geometry }) => geometry.index?.count ?? 0);
+          const skin = bodies.meshes().filter(({ userData }) => userData.layer === "hands");
+          return { share: stage.canvas.width / stage.width, shadows: stage.sun.castShadow,
+                   triangles: triangles.reduce((a, b) => a + b) / 3,
+                   veils: skin.every(({ userData }) => userData.veil.visible),
+                   order: skin.map(({ renderOrder }) => renderOrder) };
+        })()"""
+        fine = self.browser.value(state)
+        self.browser.value("thenarLive.picture.stage.paintNow(false)")
+        plain = self.browser.value(state)
+        self.rest()
+        self.assertEqual(self.browser.value(state), fine)
+        self.assertGreaterEqual(fine["share"], 1)
+        self.assertLess(plain["share"], 1)
+        self.assertLess(plain["triangles"], 0.4 * fine["triangles"])
+        self.assertEqual([fine["veils"], fine["shadows"], plain["veils"], plain["shadows"]], [True, True, False, False])
+        # Near bodies first, each in a place of its own.
+        self.assertEqual(len(set(plain["order"])), len(plain["order"]))
+        self.assert_no_errors()
+
     def test_paper_holds_the_picture_alone(self):
         self.start(WORLD)
         self.browser.value("dispatchEvent(new Event('beforeprint'))")

@@ -1,9 +1,10 @@
-"""Measures the live page: first picture, from a slider to the picture, the script's memory while time plays.
+"""Measures the live page: first picture, from a slider to the picture, memory of script and server while time plays.
 
 Usage: measure_page.py PROGRAM [minutes of play, default 10]. Prints a line a figure; see docs/live/README.md.
 """
 
 import json
+import os
 import statistics
 import sys
 import time
@@ -11,10 +12,13 @@ import time
 import live_page
 from browser import Browser
 
-# From the input of a slider to the picture that shows the joint there [ms].
+# From the input of a slider until the frame that shows the joint there is decoded, its picture is given to
+# the browser, and its pixels are finished [ms].
 LATENCY = """(async (k) => {
   const app = thenarLive;
   const { store, picture } = app;
+  const { stage } = picture;
+  const gl = stage.renderer.getContext();
   const index = store.scene.joints.findIndex((j) => !j.led_by);
   const joint = store.scene.joints[index];
   const goal = joint.lower + (joint.upper - joint.lower) * (0.2 + 0.6 * (k % 7) / 7);
@@ -24,10 +28,12 @@ LATENCY = """(async (k) => {
   return await new Promise((done) => {
     const painted = () => {
       if (Math.abs((picture.frame()?.joints[index] ?? NaN) - goal) > 1e-4) return;
-      picture.stage.painted.splice(picture.stage.painted.indexOf(painted), 1);
-      done(performance.now() - begin);
+      stage.painted.splice(stage.painted.indexOf(painted), 1);
+      const given = performance.now();
+      gl.readPixels(0, 0, 1, 1, gl.RGBA, gl.UNSIGNED_BYTE, new Uint8Array(4)); // waits for the pixels
+      done([app.frameAt, given, performance.now()].map((at) => at - begin));
     };
-    picture.stage.painted.push(painted);
+    stage.painted.push(painted);
     slider.value = slider.min * 1 + (slider.max - slider.min) * (goal - joint.lower) / (joint.upper - joint.lower);
     slider.dispatchEvent(new Event('input'));
   });
@@ -50,6 +56,25 @@ def told(name, values, unit):
     print(f"{name}: median {statistics.median(values):.1f}, worst {values[-1]:.1f} {unit} of {len(values)}", flush=True)
 
 
+SIZES = [(1400, 900), (1024, 700)]  # of the window [px]
+
+
+def latencies(browser):
+    for width, height in SIZES:
+        browser.resize(width, height)
+        browser.value("new Promise((done) => setTimeout(done, 1500))")  # the fine picture is over
+        found = [browser.value(f"{LATENCY}({k})") for k in range(30)]
+        for what, values in zip(("frame decoded", "picture given", "pixels finished"), zip(*found)):
+            told(f"{width} x {height}, from slider to {what}", values, "ms")
+    browser.resize(*SIZES[0])
+
+
+def resident(program):
+    """Memory of the server that is in use [MB]."""
+    with open(f"/proc/{program.process.pid}/statm") as file:
+        return int(file.read().split()[1]) * os.sysconf("SC_PAGE_SIZE") / 1e6
+
+
 def first_picture(browser):
     begin = time.monotonic()
     program = live_page.Program("human:tendons")
@@ -66,7 +91,7 @@ def main():
     minutes = float(sys.argv[2]) if len(sys.argv) > 2 else 10
     with Browser() as browser:
         program = first_picture(browser)
-        told("slider to picture", [browser.value(f"{LATENCY}({k})") for k in range(30)], "ms")
+        latencies(browser)
         browser.value(f"thenarLive.call('motion.open', {json.dumps({'scene': 'pendulum'})})")
         browser.wait("thenarLive.store.scene.mode === 'motion' && thenarLive.store.frame")
         told("frame to picture", [browser.value(FRAME) for _ in range(30)], "ms")
@@ -76,7 +101,8 @@ def main():
             browser.send("HeapProfiler.collectGarbage")
             heap = browser.value("performance.memory.usedJSHeapSize")
             paints = browser.value("thenarLive.picture.stage.paints")
-            print(f"heap {heap / 1e6:.1f} MB after {paints} pictures, errors {browser.errors}", flush=True)
+            print(f"heap {heap / 1e6:.1f} MB, server {resident(program):.1f} MB after {paints} pictures, "
+                  f"errors {browser.errors}", flush=True)
             time.sleep(min(60, max(1, 60 * minutes / 5)))
         program.close()
 

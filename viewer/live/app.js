@@ -14,11 +14,18 @@ import { makeNotices } from "./panels/notices.js";
 import { jointWords } from "./panels/pose_panel.js";
 import { makePicture } from "./view/picture.js";
 
-const theme = () => ({
-  ink: themeColor("--ink"),
-  page: themeColor("--page"),
-  muted: themeColor("--muted"),
-});
+/// The colours of words on the picture; kept, for the browser lays out the page to tell them.
+function themeColors() {
+  let kept = null;
+  const theme = () =>
+    (kept ??= {
+      ink: themeColor("--ink"),
+      page: themeColor("--page"),
+      muted: themeColor("--muted"),
+    });
+  theme.forget = () => (kept = null);
+  return theme;
+}
 
 // Methods whose warnings have no place of their own on the page.
 const TELLING = /^(world\.|motion\.open|motion\.record|hand\.|fit\.open)/;
@@ -204,6 +211,8 @@ function addHearing(app) {
     const frame = latest;
     latest = null;
     if (frame && app.picture.pose(frame)) {
+      // Drawn in this frame of the screen, before panels follow.
+      app.picture.stage.paintNow();
       store.set({ frame });
       if (!app.firstFrame && !app.picture.fitting()) markFirst(app);
     }
@@ -294,6 +303,7 @@ export function makeApp(root, view) {
   app.notices = makeNotices(root, () => app.ask("session.stop"));
   app.legend = makeLegend();
   root.append(app.legend);
+  const theme = themeColors();
   app.picture = makePicture(view, theme, {
     moveJoint: (joint, value) => app.moveJoint(joint, value),
     place: (pose) => app.moveSelected(pose),
@@ -305,6 +315,7 @@ export function makeApp(root, view) {
     add(app);
   app.importFiles = takeFiles(app);
   onThemeChange(() => {
+    theme.forget();
     app.picture.stage.draw();
     document.querySelectorAll(".chart").forEach((frame) => frame.redraw?.());
   });

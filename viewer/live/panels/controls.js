@@ -161,7 +161,7 @@ export function sliderRow({ name, title, lower, upper, quantity, note, off }, ch
   );
   row.dataset.name = name;
   row.set = (next) => {
-    if (held || !Number.isFinite(next)) return;
+    if (held || !Number.isFinite(next) || next === value) return;
     value = next;
     show();
   };

@@ -1,9 +1,18 @@
 // Bodies of the scene: meshes that are fetched once each, and poses that come with every frame.
 
-import { Box3, BufferAttribute, BufferGeometry, Group, Mesh, MeshBasicMaterial } from "three";
+import {
+  Box3,
+  BufferAttribute,
+  BufferGeometry,
+  Group,
+  Mesh,
+  MeshBasicMaterial,
+  Vector3,
+} from "three";
 import { toCreasedNormals } from "three/addons/utils/BufferGeometryUtils.js";
 import { decodeMesh } from "../link/frame.js";
-import { bodyMaterial, looksOf, setGlow, setOpacity } from "./looks.js";
+import { coarseOf } from "./coarse.js";
+import { bodyMaterial, layer, looksOf, setGlow, setOpacity } from "./looks.js";
 
 /// Smooth, or sharp at edges beyond `crease` [deg].
 function geometryOf({ positions, triangles }, crease) {
@@ -56,10 +65,16 @@ function veilOf(geometry) {
 function fill(group, geometry, look, index) {
   const mesh = new Mesh(geometry, bodyMaterial(look.color));
   mesh.castShadow = mesh.receiveShadow = true;
-  mesh.userData = { body: index, layer: look.layer, veil: veilOf(geometry) };
+  mesh.userData = { ...look, body: index, surface: geometry, veil: veilOf(geometry) };
   group.add(mesh, mesh.userData.veil);
   group.userData.mesh = mesh;
   return mesh;
+}
+
+/// How far along a direction the middle of a mesh stands [m].
+function depthOf({ geometry, matrixWorld }, way) {
+  geometry.boundingSphere ?? geometry.computeBoundingSphere();
+  return geometry.boundingSphere.center.clone().applyMatrix4(matrixWorld).dot(way);
 }
 
 function clear(bodies) {
@@ -136,6 +151,20 @@ export function makeBodies(parent, shelf, told) {
   bodies.opacity = (layer, value) => {
     bodies.opacities[layer] = value;
     meshes().forEach(dress);
+  };
+  /// Prepares bodies for a fine picture, or for a plain one from this camera.
+  bodies.prepare = (fine, camera) => {
+    const all = meshes();
+    for (const mesh of all) {
+      const { surface } = mesh.userData;
+      mesh.geometry = fine ? surface : (surface.userData.coarse ??= coarseOf(surface));
+    }
+    const through = all.filter(({ material }) => material.opacity < 1);
+    if (fine) return through.forEach((mesh) => layer(mesh, true));
+    const way = camera.getWorldDirection(new Vector3());
+    const depths = new Map(through.map((mesh) => [mesh, depthOf(mesh, way)]));
+    through.sort((a, b) => depths.get(a) - depths.get(b));
+    through.forEach((mesh, i) => layer(mesh, false, i / through.length));
   };
   bodies.meshes = () => meshes().filter((mesh) => mesh.parent.visible);
   /// The room that all takes, obstacles apart where there is anything else.

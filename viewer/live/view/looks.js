@@ -1,6 +1,6 @@
 // Colours and materials of bodies by what they are; the same colours as in reports.
 
-import { MeshLambertMaterial } from "three";
+import { MeshLambertMaterial, NotEqualStencilFunc, ReplaceStencilOp } from "three";
 
 const SKIN = "#dfab8f";
 const NAIL = "#f0d3c6";
@@ -47,28 +47,46 @@ const layerOf = (scene, body) => {
     : null;
 };
 
-/// { color, layer } of every body of a scene.
+/// What a layer's surfaces write where they were drawn once; 0 for what is drawn upon them.
+const onceOf = (body, layer) => (body.role === "nail" ? 0 : ({ hands: 1, objects: 2 }[layer] ?? 0));
+
+/// { color, layer, once } of every body of a scene.
 export function looksOf(scene) {
   const digits = digitColors(scene.bodies);
-  return scene.bodies.map((body, i) => ({
-    color: colorOf(body, digits[i]),
-    layer: layerOf(scene, body),
-  }));
+  return scene.bodies.map((body, i) => {
+    const layer = layerOf(scene, body);
+    return { color: colorOf(body, digits[i]), layer, once: onceOf(body, layer) };
+  });
 }
 
-export const bodyMaterial = (color) => new MeshLambertMaterial({ color });
+export const bodyMaterial = (color) =>
+  new MeshLambertMaterial({
+    color,
+    stencilFunc: NotEqualStencilFunc,
+    stencilZPass: ReplaceStencilOp,
+  });
 
-/// What is translucent hides what stands behind it only after all that is solid has been drawn.
+/// Of what is translucent the nearest surface alone is seen. In a fine picture a veil that writes depth is
+/// drawn before it. In a plain one, where drawing twice costs too much, bodies are drawn in the order of
+/// `nearness`, from 0 to 1, and what a layer has covered it does not cover again, nails apart.
+export function layer(mesh, fine, nearness = 0) {
+  const { material, userData } = mesh;
+  const through = material.opacity < 1;
+  if (userData.veil) userData.veil.visible = through && fine;
+  material.depthWrite = !through || !fine;
+  material.stencilWrite = through && !fine && userData.once > 0;
+  material.stencilRef = userData.once;
+  mesh.renderOrder = through ? 3 + nearness : 0;
+}
+
+/// What is translucent is drawn after all that is solid.
 export function setOpacity(mesh, opacity) {
   const { material } = mesh;
   material.transparent = opacity < 1;
   material.opacity = opacity;
-  material.depthWrite = opacity === 1;
   material.needsUpdate = true;
   mesh.castShadow = opacity > 0.2;
-  // Where the surface is seen through, its nearest layer alone is drawn: see `veil`.
-  if (mesh.userData.veil) mesh.userData.veil.visible = opacity < 1;
-  mesh.renderOrder = opacity < 1 ? 3 : 0;
+  layer(mesh, true);
 }
 
 export const setGlow = (mesh, on) => mesh.material.emissive.setHex(on ? GLOW : 0);

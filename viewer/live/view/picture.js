@@ -44,6 +44,7 @@ export function makePicture(container, theme, asked) {
   const joint = makeJointHandle(stage, asked.moveJoint);
   const place = makePlaceHandle(stage, asked.place);
   const pointer = usePointer(stage, bodies, { joint, place }, asked.select);
+  stage.preparing.push((fine) => bodies.prepare(fine, stage.camera));
   stage.preparing.push(() => lines.sharpen(stage.canvas.width / stage.width));
   let scene = null;
   let frame = null;
