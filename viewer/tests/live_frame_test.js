@@ -53,6 +53,15 @@ test("a frame is read as it was written", () => {
   near(frame.points[4], -0.25 - 0.32768);
 });
 
+test("points of lines are counted in the step that the frame names", () => {
+  const buffer = sample();
+  new DataView(buffer).setUint16(36, 25, true); // in 1e-6 m
+  const { points } = decodeFrame(buffer);
+  near(points[0], 0.5 + 100 * 25e-6);
+  near(points[3], 0.5 + 32767 * 25e-6);
+  near(points[4], -0.25 - 32768 * 25e-6);
+});
+
 test("frames that are cut off, too long or of another kind are refused", () => {
   const whole = sample();
   for (const length of [0, 3, 51, 52, whole.byteLength - 1])

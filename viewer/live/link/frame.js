@@ -4,7 +4,8 @@
 const MAGIC = "THF1";
 const HEADER = 52; // bytes before the bodies
 const CONTACT = 44; // bytes
-const POINT_STEP = 1e-5; // of line points [m]
+const POINT_UNIT = 1e-6; // of the step of line points [m]
+const POINT_STEP = 10; // where a frame says nothing of it [POINT_UNIT]
 const NONE = 0xffff; // a contact's second body that is not there
 
 /// Tells a message that is cut off or not a frame from one that is.
@@ -30,6 +31,7 @@ function headerOf(view) {
       arrows: count(32),
       points: count(34),
     },
+    step: POINT_UNIT * (count(36) || POINT_STEP),
     origin: [40, 44, 48].map((at) => view.getFloat32(at, true)),
   };
 }
@@ -52,7 +54,7 @@ function contactAt(view, at) {
 /// vector, points: Float32Array [m] of all lines }. Throws where the message is not a frame.
 export function decodeFrame(buffer) {
   const view = new DataView(buffer);
-  const { counts, origin, ...head } = headerOf(view);
+  const { counts, step, origin, ...head } = headerOf(view);
   const sizes = {
     bodies: 28 * counts.bodies,
     joints: 4 * counts.joints,
@@ -79,7 +81,7 @@ export function decodeFrame(buffer) {
       contactAt(view, starts.contacts + CONTACT * i),
     ),
     arrows: floats("arrows"),
-    points: Float32Array.from(steps, (step, i) => origin[i % 3] + POINT_STEP * step),
+    points: Float32Array.from(steps, (count, i) => origin[i % 3] + step * count),
   };
 }
 
