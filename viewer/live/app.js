@@ -166,7 +166,7 @@ function addView(app) {
     },
     vectors: (on) => {
       picture.vectors.visible(on);
-      stage.draw();
+      again(); // words go with their arrows
     },
     fit: () => {
       stage.look(picture.bodies.box());
@@ -210,6 +210,7 @@ function addHearing(app) {
   const take = () => {
     const frame = latest;
     latest = null;
+    app.picture.stage.draw();
     if (frame && app.picture.pose(frame)) {
       // Drawn in this frame of the screen, before panels follow.
       app.picture.stage.paintNow();
@@ -221,6 +222,7 @@ function addHearing(app) {
     const waiting = latest !== null;
     latest = decodeFrame(buffer);
     app.frameAt = performance.now();
+    app.picture.stage.expecting = true;
     if (!waiting) requestAnimationFrame(take);
   };
   const scene = (params) => {
@@ -273,8 +275,7 @@ function addExports(app) {
       return false;
     }
     endFilm = exports.startFilm(app.picture);
-    if (!endFilm) app.notices.error("This browser cannot record films.");
-    return endFilm !== null;
+    return true;
   };
   addEventListener("beforeprint", () => {
     document.querySelector(".printed")?.remove();

@@ -7,7 +7,7 @@ const SLOW = 45; // where pictures take longer they are plain while things move 
 const PLAIN = 0.6; // pixels of a plain picture to each of the window, along either side // pixels of a plain picture to each of the window, along either side
 const REST = 250; // until the picture counts as at rest [ms]
 const GRID = 0.28; // opacity of the grid
-const MOST = 2; // pixels of the finest picture to each of the window, along either side
+const MOST = 1.5; // pixels of the finest picture to each of the window, along either side
 
 /// Whether the processor draws in place of a graphics card.
 export function drawsInSoftware() {
@@ -49,10 +49,15 @@ export function addPainting(stage, software, overlay) {
     stage.grid.material.opacity = GRID * Math.min(MOST, share);
   };
 
+  /// A fine picture only where none is to come: it would hold that up, and the next one after it again.
+  const rest = () => {
+    if (waiting === null && !stage.expecting) stage.paintNow(true);
+  };
   stage.paintNow = (fine = !(software || cost > SLOW)) => {
     const begin = performance.now();
     cancelAnimationFrame(waiting);
     waiting = null;
+    stage.expecting = false;
     setPixels(fine);
     const shadows = stage.shown.shadows && fine;
     renderer.shadowMap.needsUpdate = shadows;
@@ -64,7 +69,7 @@ export function addPainting(stage, software, overlay) {
     ++stage.paints;
     for (const told of stage.painted) told();
     clearTimeout(resting);
-    if (!fine) resting = setTimeout(() => stage.paintNow(true), REST);
+    if (!fine) resting = setTimeout(rest, REST);
   };
   stage.draw = () => {
     waiting ??= requestAnimationFrame(() => stage.paintNow());

@@ -72,7 +72,6 @@ export function makeStage(container, theme) {
   words.setAttribute("aria-hidden", "true");
   container.append(canvas, words);
   const software = drawsInSoftware();
-  container.classList.toggle("software", software);
   const renderer = makeRenderer(canvas, software);
   const scene = new Scene();
   const camera = makeCamera(UP);
@@ -87,6 +86,7 @@ export function makeStage(container, theme) {
     covered: () => [],
     preparing: [], // called before every picture
     painted: [], // and after
+    expecting: false, // whether whoever calls paintNow() has something to be drawn in the next frame of the screen
     paints: 0,
     written: null, // what the words on the picture were drawn of
   };
