@@ -55,6 +55,12 @@ class Looks(LivePage):
         self.browser.value("thenarLive.tabs.choose('grasp')")
         self.browser.click("#do-grasp")
         self.browser.wait("document.querySelector('.page.grasp').quality", "the quality")
+        # Words go with their arrows.
+        words = "thenarLive.picture.stage.labels().map(({ text }) => text).filter((text) => /worst/.test(text)).length"
+        self.browser.wait(f"{words} > 0", "words at the worst disturbance")
+        self.browser.value("thenarLive.view.vectors(false)")
+        self.assertEqual(self.browser.value(words), 0)
+        self.browser.value("thenarLive.view.vectors(true)")
         self.browser.click("#show-wrenches")
         self.browser.wait("document.querySelectorAll('.wrenches').length === 2", "two sets")
         self.rest()

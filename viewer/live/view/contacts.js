@@ -27,7 +27,13 @@ const ARROWS = {
   predicted: "#d55e00",
   disturbance: "#cc79a7",
 };
+// Radii of arrows, in sizes of the scene: a prediction that is right lies within what was measured.
+const THICK = {
+  ...{ force: 0.0045, moment: 0.0045, axis: 0.0022 },
+  ...{ measured: 0.006, predicted: 0.0035, disturbance: 0.0045 },
+};
 const LONGEST = 0.3; // of the largest arrow, in sizes of the scene
+const SEEN = 0.01; // shorter arrows have no words, in sizes of the scene
 const CONE = 0.05; // height of friction cones, in sizes of the scene
 
 /// The length on the picture of one unit [m], round, so that the largest vector is LONGEST of the size;
@@ -148,7 +154,7 @@ export function makeContacts(parent) {
   return { pose, show, forget: () => (scale = null) };
 }
 
-/// Arrows that a scene names, one colour a kind; returns what lengths stand for.
+/// Arrows that a scene names, one colour a kind; pose(frame, size) returns the tips of those that are seen.
 export function makeVectors(parent) {
   const group = new Group();
   parent.add(group);
@@ -187,15 +193,16 @@ export function makeVectors(parent) {
     for (const [kind, draw] of Object.entries(pools))
       draw(
         all.filter((arrow) => arrow.kind === kind),
-        (kind === "axis" ? 0.0022 : 0.0045) * size,
+        THICK[kind] * size,
       );
+    if (!group.visible) return [];
     return all
       .map(({ from, vector }, i) => ({
         position: from.clone().add(vector),
         long: vector.length(),
         i,
       }))
-      .filter(({ long }) => long > 0);
+      .filter(({ long }) => long > SEEN * size);
   };
   return { show, pose, visible: (on) => (group.visible = on) };
 }
