@@ -39,6 +39,14 @@ class Modes(LivePage):
         self.browser.value("(() => { const s = document.querySelector('.scrub'); s.value = 0.1;"
                            "s.dispatchEvent(new Event('input')); })()")
         self.browser.wait("thenarLive.store.frame.time < 0.15", "an instant before")
+        self.assertGreater(self.browser.value("Number(document.querySelector('.scrub').max)"), 0.3)
+        # Another scene has an end of its own.
+        self.ask("motion.open", json.dumps({"scene": "incline_stick"}))
+        self.browser.wait("thenarLive.store.frame?.time === 0 && thenarLive.store.state.motion.t === 0", "the other scene")
+        self.assertEqual(self.browser.value("document.querySelector('.scrub').max"), "1")
+        self.ask("motion.step", "{steps: 2}")
+        self.browser.wait("thenarLive.store.frame.time > 0", "time goes on")
+        self.assertLess(self.browser.value("Number(document.querySelector('.scrub').max)"), 0.3)
         self.assert_no_errors()
 
     def test_a_world_begins_to_move(self):

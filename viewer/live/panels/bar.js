@@ -59,9 +59,9 @@ function fileGroup(app) {
 
 function exportMenu(app) {
   const film = slowButton(
-    "Begin a film (WebM)",
+    "Begin a film",
     async () => {
-      film.textContent = (await app.film()) ? "End the film" : "Begin a film (WebM)";
+      film.textContent = (await app.film()) ? "End the film" : "Begin a film";
     },
     { id: "film" },
   );

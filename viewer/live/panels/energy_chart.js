@@ -59,16 +59,14 @@ export function makeEnergyChart(app) {
   const warning = el("p", { class: "warning", role: "alert", hidden: true });
   let chart = null;
   let asked = 0;
-  let unsolved = 0; // steps since the beginning
 
   /// Contact problems that were left with an error are never passed over.
   function warn(state) {
-    unsolved += state.unsolved ?? 0;
-    warning.hidden = unsolved === 0;
-    if (unsolved)
+    warning.hidden = !state.unsolved;
+    if (state.unsolved)
       warning.textContent =
-        `${unsolved} steps were not solved; the last ones leave ` +
-        `${formatNumber(state.worst_residual ?? NaN)} of what contacts need.`;
+        `${state.unsolved} of ${state.steps} steps missed the tolerance of their contacts; the ` +
+        `largest residual is ${formatNumber(state.worst_residual ?? NaN)}.`;
   }
 
   async function follow() {
@@ -90,7 +88,6 @@ export function makeEnergyChart(app) {
   }
   const clear = () => {
     history.clear();
-    unsolved = 0;
     warning.hidden = true;
   };
   return { element, warning, follow, clear };

@@ -43,7 +43,7 @@ export function makeFitPanel(app) {
   const axes = el("div", {});
   const body = el(
     "div",
-    {},
+    { class: "parts" },
     trials,
     part("This trial", now),
     part("All trials", table),

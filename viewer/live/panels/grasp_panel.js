@@ -50,61 +50,96 @@ export function outcomeWords({ outcome, explanation, stopped = [] }) {
     .join("\n");
 }
 
-export function makeGraspPanel(app) {
-  const { store } = app;
-  const hand = choice("Hand", () => ask());
-  const object = choice("Object", () => ask());
-  const outcome = el("p", { class: "outcome", role: "status" });
-  const answer = el("div", { class: "quality", role: "status", id: "quality" });
-  const volume = tick("volume too (slower)", false, () => ask());
-  const always = tick("follow every move", true, () => ask());
-  let about = "";
+const DEEDS = {
+  Open: "hand.open",
+  Approach: "hand.approach",
+  Close: "hand.close",
+  Grasp: "hand.grasp",
+};
 
-  const grasp = () => ({
-    ...(hand.value() ? { hand: hand.value() } : {}),
-    ...(object.value() ? { object: object.value() } : {}),
-  });
-  const doing = (method) => async () => {
-    const did = await app.ask(method, grasp());
-    if (!did) return;
-    outcome.textContent = outcomeWords(did);
-    if (outcome.textContent) app.notices.say(outcome.textContent);
-    await ask();
-  };
-  const possible = () =>
-    store.scene?.mode === "world" && hand.value() && object.value() && app.link.connected();
-
-  async function ask() {
-    if (!possible()) return answer.replaceChildren();
-    about = poses();
-    if (!store.frame?.contacts.length && !volume.box.checked) {
-      panel.quality = null;
-      return answer.replaceChildren(el("p", { class: "hint" }, "Nothing touches the object."));
-    }
-    const asked = about;
-    const quality = await app.ask("grasp.quality", { ...grasp(), volume: volume.box.checked });
-    if (!quality || asked !== about) return;
-    panel.quality = quality;
-    answer.classList.toggle("holds", Boolean(quality.force_closure));
-    answer.replaceChildren(facts(qualityFacts(quality)), ...warnings(quality.warnings));
-  }
-  /// Where everything stands: an arrow of the quality itself must not ask for it again.
-  const poses = () => (store.frame ? `${store.frame.revision} ${store.frame.bodies.join()}` : "");
-  const soon = whenQuiet(() => {
-    if (!panel.hidden && always.box.checked && poses() !== about) ask();
-  }, QUIET);
-
-  const buttons = [
-    ["Open", "hand.open"],
-    ["Approach", "hand.approach"],
-    ["Close", "hand.close"],
-    ["Grasp", "hand.grasp"],
-  ].map(([words, method]) =>
+/// Buttons that move the hand; `doing(method)` gives what each does.
+const deedButtons = (doing) =>
+  Object.entries(DEEDS).map(([words, method]) =>
     slowButton(words, doing(method), {
       id: `do-${words.toLowerCase()}`,
       class: words === "Grasp" ? "main" : null,
     }),
   );
+
+/// The hand and the object that a grasp is of: { hand, object, named(), fill(owners) }, where choices of one
+/// are hidden.
+function makeChoices(changed) {
+  const hand = choice("Hand", changed);
+  const object = choice("Object", changed);
+  const named = () => ({
+    ...(hand.value() ? { hand: hand.value() } : {}),
+    ...(object.value() ? { object: object.value() } : {}),
+  });
+  const fill = (owners) => {
+    for (const [kind, row] of Object.entries({ hand, object })) {
+      const names = owners.filter((one) => one.kind === kind).map(({ name }) => name);
+      row.set(names);
+      row.hidden = names.length < 2;
+    }
+  };
+  return { hand, object, named, fill };
+}
+
+/// How good the grasp is: { element, ask(), soon() }, asked for again once what moves has come to rest;
+/// `of` has named() and possible().
+function makeQuality(app, of) {
+  const { store } = app;
+  const answer = el("div", { class: "quality", role: "status", id: "quality" });
+  const volume = tick("volume too (slower)", false, () => ask());
+  const always = tick("follow every move", true, () => ask());
+  const page = () => element.closest(".page");
+  let about = "";
+
+  /// Where everything stands: an arrow of the quality itself must not ask for it again.
+  const poses = () => (store.frame ? `${store.frame.revision} ${store.frame.bodies.join()}` : "");
+  async function ask() {
+    if (!of.possible()) return answer.replaceChildren();
+    about = poses();
+    if (!store.frame?.contacts.length && !volume.box.checked) {
+      page().quality = null;
+      return answer.replaceChildren(el("p", { class: "hint" }, "Nothing touches the object."));
+    }
+    const asked = about;
+    const quality = await app.ask("grasp.quality", { ...of.named(), volume: volume.box.checked });
+    if (!quality || asked !== about) return;
+    page().quality = quality;
+    answer.classList.toggle("holds", Boolean(quality.force_closure));
+    answer.replaceChildren(facts(qualityFacts(quality)), ...warnings(quality.warnings));
+  }
+  const soon = whenQuiet(() => {
+    if (!page().hidden && always.box.checked && poses() !== about) ask();
+  }, QUIET);
+  const element = part(
+    "Quality",
+    answer,
+    el("div", { class: "ticks" }, always, volume),
+    el("div", { class: "buttons" }, slowButton("Ask now", ask, { id: "ask-quality" })),
+  );
+  return { element, ask, soon };
+}
+
+export function makeGraspPanel(app) {
+  const { store } = app;
+  const choices = makeChoices(() => quality.ask());
+  const { hand, object, named } = choices;
+  const outcome = el("p", { class: "outcome", role: "status" });
+  const inWorld = () => store.scene?.mode === "world";
+  const quality = makeQuality(app, {
+    named,
+    possible: () => inWorld() && hand.value() && object.value() && app.link.connected(),
+  });
+  const buttons = deedButtons((method) => async () => {
+    const did = await app.ask(method, named());
+    if (!did) return;
+    outcome.textContent = outcomeWords(did);
+    if (outcome.textContent) app.notices.say(outcome.textContent);
+    await quality.ask();
+  });
   const panel = el(
     "div",
     { class: "page grasp" },
@@ -112,28 +147,18 @@ export function makeGraspPanel(app) {
     object,
     el("div", { class: "buttons" }, ...buttons),
     outcome,
-    part(
-      "Quality",
-      answer,
-      el("div", { class: "ticks" }, always, volume),
-      el("div", { class: "buttons" }, slowButton("Ask now", ask, { id: "ask-quality" })),
-    ),
-    makeWrenchView(app, grasp),
-    makePadPart(app, grasp),
+    quality.element,
+    makeWrenchView(app, named),
+    makePadPart(app, named),
   );
   const fill = () => {
-    const owners = store.scene ? ownersOf(store.scene) : [];
-    const names = (kind) => owners.filter((one) => one.kind === kind).map(({ name }) => name);
-    hand.set(names("hand"));
-    object.set(names("object"));
-    hand.hidden = names("hand").length < 2;
-    object.hidden = names("object").length < 2;
-    const off = !names("hand").length || !names("object").length || store.scene?.mode !== "world";
-    buttons.forEach((one, i) => (one.disabled = i === 0 ? !names("hand").length : off));
-    soon();
+    choices.fill(store.scene ? ownersOf(store.scene) : []);
+    const off = !hand.value() || !object.value() || !inWorld();
+    buttons.forEach((one, i) => (one.disabled = i === 0 ? !hand.value() : off));
+    quality.soon();
   };
   store.on(["scene"], fill);
-  store.on(["frame", "tab"], soon);
+  store.on(["frame", "tab"], quality.soon);
   fill();
   return panel;
 }

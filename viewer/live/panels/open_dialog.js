@@ -35,61 +35,87 @@ const rowOf = ({ name, about }, verb, work) =>
     }),
   );
 
-/// The dialog; open(kind) shows it.
-export function makeOpenDialog(app) {
-  const cache = new Map();
-  const search = el("input", {
-    type: "search",
-    placeholder: "Search",
-    "aria-label": "Search",
-    autocomplete: "off",
-  });
+/// The list, in which arrows go from entry to entry, and Enter in the search takes the first.
+function makeCatalogue(search) {
   const list = el("ul", { class: "catalogue" });
-  const id = freshId("open");
-  const kinds = el("div", { class: "kinds", role: "group", "aria-label": "Kind" });
-  const title = el("h2", { id }, "Open or add");
-  const dialog = el(
-    "dialog",
-    { "aria-labelledby": id, class: "open-dialog" },
-    el(
-      "div",
-      { class: "dialog-head" },
-      title,
-      button("\u00d7", () => dialog.close(), { "aria-label": "Close" }),
-    ),
-    kinds,
-    search,
-    list,
-  );
-  let kind = "worlds";
+  search.addEventListener("keydown", ({ key }) => {
+    if (key === "Enter") list.querySelector("button")?.click();
+    if (key === "ArrowDown") list.querySelector("button")?.focus();
+  });
+  list.addEventListener("keydown", ({ key }) => {
+    const by = { ArrowDown: 1, ArrowUp: -1 }[key];
+    if (!by) return;
+    const all = [...list.querySelectorAll("button")];
+    all[all.indexOf(document.activeElement) + by]?.focus();
+  });
+  return list;
+}
 
-  async function entriesOf(what) {
+/// What the catalogue says of a kind; asked for once.
+function entriesFrom(app) {
+  const cache = new Map();
+  return async (what) => {
     if (!cache.has(what)) {
       const found = await app.ask("catalogue.list", { what });
       if (!found) return [];
       cache.set(what, found.entries);
     }
     return cache.get(what);
-  }
-  /// Digits of a subject, each as an entry that opens it; a subject of one is opened at once.
-  async function takeSubject(subject) {
-    const found = await app.ask("catalogue.list", { what: "digits", of: subject.name });
-    const digits = found?.entries ?? [];
-    const openDigit = (digit) => {
-      dialog.close();
-      app.ask("tendons.open", { subject: subject.name, ...(digit ? { digit } : {}) });
-    };
-    if (digits.length < 2) return openDigit(digits[0]?.name);
-    list.replaceChildren(
-      ...digits.map(({ name, about }) =>
-        rowOf({ name, about: about || subject.name }, "Open", () => openDigit(name)),
-      ),
-    );
-    list.querySelector("button").focus();
-  }
+  };
+}
+
+/// Digits of a subject, each as an entry of the list that opens it; where there is one it is opened at once.
+async function takeSubject(app, subject, list, close) {
+  const found = await app.ask("catalogue.list", { what: "digits", of: subject.name });
+  const digits = found?.entries ?? [];
+  const openDigit = (digit) => {
+    close();
+    app.ask("tendons.open", { subject: subject.name, ...(digit ? { digit } : {}) });
+  };
+  if (digits.length < 2) return openDigit(digits[0]?.name);
+  const row = ({ name, about }) =>
+    rowOf({ name, about: about || subject.name }, "Open", () => openDigit(name));
+  list.replaceChildren(...digits.map(row));
+  list.querySelector("button").focus();
+}
+
+/// The buttons of the kinds; `choose(name)` hears which is pressed.
+const kindButtons = (choose) =>
+  Object.entries(KINDS).map(([name, { title }]) => {
+    const one = button(title, () => choose(name), { class: "kind" });
+    one.dataset.kind = name;
+    return one;
+  });
+
+/// The dialog; open(kind) shows it.
+export function makeOpenDialog(app) {
+  const entriesOf = entriesFrom(app);
+  const search = el("input", {
+    ...{ type: "search", placeholder: "Search", "aria-label": "Search", autocomplete: "off" },
+  });
+  const list = makeCatalogue(search);
+  const id = freshId("open");
+  const kinds = kindButtons(choose);
+  const close = () => dialog.close();
+  const head = el(
+    "div",
+    { class: "dialog-head" },
+    el("h2", { id }, "Open or add"),
+    button("\u00d7", close, { "aria-label": "Close" }),
+  );
+  const dialog = el(
+    "dialog",
+    { "aria-labelledby": id, class: "open-dialog" },
+    head,
+    el("div", { class: "kinds", role: "group", "aria-label": "Kind" }, ...kinds),
+    search,
+    list,
+  );
+  let kind = "worlds";
+
   async function take(entry) {
-    if (kind === "subjects") return takeSubject(entry);
-    dialog.close();
+    if (kind === "subjects") return takeSubject(app, entry, list, close);
+    close();
     const [method, params] = KINDS[kind].ask(entry.name);
     if (kind === "worlds" && !(await app.mayLeave())) return;
     await app.ask(method, params);
@@ -106,26 +132,10 @@ export function makeOpenDialog(app) {
   }
   function choose(next) {
     kind = next;
-    for (const one of kinds.children)
-      one.setAttribute("aria-pressed", String(one.dataset.kind === kind));
+    for (const one of kinds) one.setAttribute("aria-pressed", String(one.dataset.kind === kind));
     fill();
   }
-  for (const [name, { title: words }] of Object.entries(KINDS)) {
-    const one = button(words, () => choose(name), { class: "kind" });
-    one.dataset.kind = name;
-    kinds.append(one);
-  }
   search.addEventListener("input", fill);
-  search.addEventListener("keydown", (event) => {
-    if (event.key === "Enter") list.querySelector("button")?.click();
-    if (event.key === "ArrowDown") list.querySelector("button")?.focus();
-  });
-  list.addEventListener("keydown", ({ key }) => {
-    const by = { ArrowDown: 1, ArrowUp: -1 }[key];
-    if (!by) return;
-    const all = [...list.querySelectorAll("button")];
-    all[all.indexOf(document.activeElement) + by]?.focus();
-  });
   document.body.append(dialog);
   return (first) => {
     dialog.showModal();

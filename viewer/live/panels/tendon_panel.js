@@ -48,48 +48,42 @@ function inputRows(joints, muscles, change) {
   };
 }
 
-export function makeTendonPanel(app) {
-  const { store } = app;
-  const hint = el("div", { class: "hint" });
-  const posture = el("div", {});
-  const tensions = el("div", {});
-  const excitations = el("div", {});
-  const numbers = plainTable(
-    ["muscle", "tension [N]", "longer than at 0\u00b0 [mm]"],
-    [],
-    "Tensions",
-  );
-  const bands = plainTable(["band", "tension [N]", ""], [], "Bands");
-  const tip = el("div", {});
-  const sweep = makeSweep(app);
-  let state = null;
+/// The sliders: { elements, build(joints, muscles), show(muscles), follow(valueOf) }.
+function makeInputs(change) {
+  const boxes = { posture: el("div", {}), tensions: el("div", {}), excitations: el("div", {}) };
   let rows = { posture: [], tensions: [], excitations: [] };
-
-  const set = latestWins(async ({ method, params }) => {
-    const next = await app.ask(method, params);
-    if (next) take(next);
-  }, mergeJoints);
-  const change = (what, name, value) =>
-    set({ method: "tendons.set", params: { [what]: { [name]: value } } });
-
-  function build() {
-    const joints = store.scene.joints.filter((joint) => !joint.led_by);
-    const muscles = state.muscles ?? [];
+  const build = (joints, muscles) => {
     rows = inputRows(joints, muscles, change);
-    posture.replaceChildren(...rows.posture.map(({ row: one }) => one));
-    tensions.replaceChildren(...rows.tensions.map(({ row: one }) => one));
-    excitations.replaceChildren(...rows.excitations.map(({ row: one }) => one));
-    sweep.offer(joints);
-    sweep.clear();
-  }
-
-  function show() {
-    const muscles = state.muscles ?? [];
+    for (const [what, box] of Object.entries(boxes))
+      box.replaceChildren(...rows[what].map(({ row }) => row));
+  };
+  const show = (muscles) => {
     rows.tensions.forEach(({ row }, i) => row.set(muscles[i]?.tension));
     rows.excitations.forEach(({ row }, i) => row.set(muscles[i]?.excitation ?? row.value()));
+  };
+  const follow = (valueOf) => rows.posture.forEach(({ name, row }) => row.set(valueOf(name)));
+  const elements = [
+    part("Posture", boxes.posture),
+    part("Tensions", boxes.tensions),
+    part("Excitations", boxes.excitations),
+  ];
+  return { elements, build, show, follow };
+}
+
+/// What the server says of the digit: { element, show(state) }.
+function makeRest() {
+  const head = ["muscle", "tension [N]", "longer than at 0\u00b0 [mm]"];
+  const numbers = plainTable(head, [], "Tensions");
+  const bands = plainTable(["band", "tension [N]", ""], [], "Bands");
+  const tip = el("div", {});
+  const show = (state) => {
     refill(
       numbers.querySelector("tbody"),
-      muscles.map((m) => [m.name, formatNumber(m.tension, 2), formatNumber(m.length * 1e3, 2)]),
+      (state.muscles ?? []).map((m) => [
+        m.name,
+        formatNumber(m.tension, 2),
+        formatNumber(m.length * 1e3, 2),
+      ]),
     );
     const net = state.bands ?? [];
     bands.hidden = net.length === 0;
@@ -98,57 +92,64 @@ export function makeTendonPanel(app) {
       net.map((b) => [b.name, formatNumber(b.tension, 2), b.slack ? "slack" : ""]),
     );
     tip.replaceChildren(facts(restFacts(state)), ...warnings(state.warnings));
-  }
+  };
+  return { element: part("At rest", tip, numbers, bands), show };
+}
 
-  const refresh = whenQuiet(async () => {
-    if (panel.hidden || store.scene?.mode !== "tendons" || !app.link.connected()) return;
-    const next = await app.ask("tendons.state");
+export function makeTendonPanel(app) {
+  const { store } = app;
+  const set = latestWins(async ({ method, params }) => {
+    const next = await app.ask(method, params);
     if (next) take(next);
-  }, QUIET);
-
-  function take(next) {
-    const names = [next.subject, next.digit, next.muscles?.map((m) => m.name), store.scene.joints];
-    const key = JSON.stringify(names);
-    state = next;
-    if (panel.dataset.key !== key) build();
-    panel.dataset.key = key;
-    show();
-  }
-
+  }, mergeJoints);
+  const inputs = makeInputs((what, name, value) =>
+    set({ method: "tendons.set", params: { [what]: { [name]: value } } }),
+  );
+  const rest = makeRest();
+  const sweep = makeSweep(app);
+  const hint = el("div", { class: "hint" }, "No digit with tendons is shown.");
   const open = el(
     "div",
     { class: "buttons" },
     slowButton("Open a digit\u2026", () => app.openDialog("subjects")),
     backToWorld(app),
   );
-  const body = el(
-    "div",
-    {},
-    part("Posture", posture),
-    part("Tensions", tensions),
-    part("Excitations", excitations),
-    part("At rest", tip, numbers, bands),
-    sweep.element,
-  );
+  const body = el("div", { class: "parts" }, ...inputs.elements, rest.element, sweep.element);
   const panel = el("div", { class: "page tendons" }, hint, open, body);
 
-  function follow() {
-    if (store.scene?.mode !== "tendons" || !store.frame) return;
-    const valueOf = (name) =>
-      store.frame.joints[store.scene.joints.findIndex((joint) => joint.name === name)];
-    for (const { name, row } of rows.posture) row.set(valueOf(name));
-    sweep.follow(valueOf);
+  const here = () => store.scene?.mode === "tendons";
+  function take(next) {
+    const muscles = next.muscles ?? [];
+    const { joints } = store.scene;
+    const key = JSON.stringify([next.subject, next.digit, muscles.map((m) => m.name), joints]);
+    if (panel.dataset.key !== key) {
+      const leading = joints.filter((joint) => !joint.led_by);
+      inputs.build(leading, muscles);
+      sweep.offer(leading);
+      sweep.clear();
+    }
+    panel.dataset.key = key;
+    inputs.show(muscles);
+    rest.show(next);
   }
+  const refresh = whenQuiet(async () => {
+    if (panel.hidden || !here() || !app.link.connected()) return;
+    const next = await app.ask("tendons.state");
+    if (next) take(next);
+  }, QUIET);
   const changeMode = () => {
-    const here = store.scene?.mode === "tendons";
-    body.hidden = !here;
-    hint.hidden = here;
-    hint.textContent = "No digit with tendons is shown.";
-    if (here) refresh();
+    body.hidden = !here();
+    hint.hidden = here();
+    if (here()) refresh();
   };
   store.on(["scene", "tab"], changeMode);
   store.on(["frame"], () => {
-    follow();
+    if (here() && store.frame) {
+      const valueOf = (name) =>
+        store.frame.joints[store.scene.joints.findIndex((joint) => joint.name === name)];
+      inputs.follow(valueOf);
+      sweep.follow(valueOf);
+    }
     if (!panel.hidden) refresh();
   });
   changeMode();

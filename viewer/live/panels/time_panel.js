@@ -35,120 +35,133 @@ export function contactRows(scene, { contacts }) {
     ]);
 }
 
-export function makeTimePanel(app) {
-  const { store } = app;
-  const energy = makeEnergyChart(app);
-  const inputs = makeMotionInputs(app);
-  const contacts = plainTable(["contact", "force [N]", "friction"], [], "Contacts");
+/// Play, steps, the slider of time and the speed; `energy` forgets what a reset undoes. Returns { element,
+/// follow(frame), show(motion), forget(), toggle(), step(steps) }.
+function makePlayer(app, energy) {
+  const motion = () => app.store.state?.motion ?? null;
   const clock = el("output", { class: "clock" });
   const play = button("Play", () => toggle(), { id: "play", class: "main" });
   const scrub = el("input", {
     ...{ type: "range", min: 0, max: 1, value: 0, step: "any" },
     ...{ "aria-label": "Time [s]", class: "scrub" },
   });
-  const speed = choice(
-    "Speed",
-    () => motion()?.playing && app.ask("motion.play", { speed: Number(speed.value()) }),
-  );
+  const asked = () => ({ speed: Number(speed.value()) });
+  const speed = choice("Speed", () => motion()?.playing && app.ask("motion.play", asked()));
   speed.set(speedWords, "1");
-  let furthest = 0;
-
-  const motion = () => store.state?.motion ?? null;
   const seek = latestWins((t) => app.ask("motion.seek", { t }));
   scrub.addEventListener("input", () => seek(Number(scrub.value)));
+  let furthest = 0;
 
   async function toggle() {
     if (!motion()) return;
     if (motion().playing) await app.ask("motion.pause");
-    else await app.ask("motion.play", { speed: Number(speed.value()) });
+    else await app.ask("motion.play", asked());
   }
   const step = (steps) => app.ask("motion.step", { steps });
-  async function start() {
-    energy.clear();
-    await app.ask("motion.open");
-  }
+  const forget = () => (furthest = 0);
   async function back() {
     energy.clear();
-    furthest = 0;
+    forget();
     await app.ask("motion.reset");
   }
-
-  function follow() {
-    if (panel.hidden || !store.frame) return;
-    const here = store.scene?.mode === "motion";
-    if (!here) return;
-    const { time } = store.frame;
-    furthest = Math.max(furthest, time, motion()?.duration ?? 0);
-    scrub.max = furthest || 1;
-    scrub.value = time;
-    scrub.setAttribute("aria-valuetext", `${time.toFixed(3)} s`);
-    clock.textContent = `${time.toFixed(3)}\u202fs`;
-    refill(contacts.querySelector("tbody"), contactRows(store.scene, store.frame));
-    if (!motion()?.recorded) energy.follow();
-  }
-  const state = () => {
-    const open = motion();
-    const here = store.scene?.mode === "motion";
-    running.hidden = !here;
-    hint.textContent = here
-      ? ""
-      : open
-        ? "A motion is open, but not shown."
-        : "No motion is open: begin with the world as it stands, or open a scene.";
-    resume.hidden = here || !open;
-    play.textContent = open?.playing ? "Pause" : "Play";
-    play.setAttribute("aria-pressed", String(Boolean(open?.playing)));
-    if (open?.speed) speed.set(speedWords, String(open.speed));
-    fresh.textContent = here ? "Begin anew from the world" : "Begin from this world";
-    for (const one of live) one.hidden = Boolean(open?.recorded);
-  };
-  const hint = el("p", { class: "hint" });
-  const resume = slowButton("Show the motion", () => app.ask("session.mode", { mode: "motion" }));
-  const fresh = slowButton("Begin from this world", start, { id: "begin-motion" });
   const live = [
     slowButton("Step", () => step(1), { id: "step", title: "One step of time" }),
     slowButton("10 steps", () => step(10)),
     slowButton("Reset", back, { title: "Back to the beginning" }),
   ];
-  const running = el(
-    "div",
-    {},
+  const follow = ({ time }) => {
+    furthest = Math.max(furthest, time, motion()?.duration ?? 0);
+    scrub.max = furthest || 1;
+    scrub.value = time;
+    scrub.setAttribute("aria-valuetext", `${time.toFixed(3)} s`);
+    clock.textContent = `${time.toFixed(3)}\u202fs`;
+  };
+  const show = (open) => {
+    play.textContent = open?.playing ? "Pause" : "Play";
+    play.setAttribute("aria-pressed", String(Boolean(open?.playing)));
+    if (open?.speed) speed.set(speedWords, String(open.speed));
+    for (const one of live) one.hidden = Boolean(open?.recorded);
+  };
+  const element = [
     el("div", { class: "buttons" }, play, ...live),
     el("div", { class: "scrubber" }, scrub, clock),
     speed,
+  ];
+  return { element, follow, show, forget, toggle, step };
+}
+
+/// What begins a motion, or shows it again: { hint, buttons, show(here, motion) }.
+function makeBeginning(app, energy) {
+  const start = () => {
+    energy.clear();
+    return app.ask("motion.open");
+  };
+  const hint = el("p", { class: "hint" });
+  const resume = slowButton("Show the motion", () => app.ask("session.mode", { mode: "motion" }));
+  const fresh = slowButton("Begin from this world", start, { id: "begin-motion" });
+  const scenes = slowButton("Open a scene\u2026", () => app.openDialog("scenes"));
+  const show = (here, open) => {
+    hint.textContent = here
+      ? ""
+      : open
+        ? "A motion is open, but not shown."
+        : "No motion is open: begin with the world as it stands, or open a scene.";
+    hint.hidden = here;
+    resume.hidden = here || !open;
+    fresh.textContent = here ? "Begin anew from the world" : "Begin from this world";
+  };
+  const buttons = el("div", { class: "buttons" }, resume, fresh, scenes, backToWorld(app));
+  return { hint, buttons, show };
+}
+
+export function makeTimePanel(app) {
+  const { store } = app;
+  const energy = makeEnergyChart(app);
+  const inputs = makeMotionInputs(app);
+  const player = makePlayer(app, energy);
+  const beginning = makeBeginning(app, energy);
+  const contacts = plainTable(["contact", "force [N]", "friction"], [], "Contacts");
+  const running = el(
+    "div",
+    { class: "parts" },
+    ...player.element,
     energy.warning,
     inputs.element,
     part("Contacts", contacts),
     part("Energy", energy.element),
   );
+  const run = fileRow("Run", (file) => app.ask("motion.record", { file }));
   const panel = el(
     "div",
     { class: "page time" },
-    hint,
-    el(
-      "div",
-      { class: "buttons" },
-      resume,
-      fresh,
-      slowButton("Open a scene\u2026", () => app.openDialog("scenes")),
-      backToWorld(app),
-    ),
-    fileRow("Run", (file) => app.ask("motion.record", { file })),
-    running,
+    ...[beginning.hint, beginning.buttons, run, running],
   );
-  store.on(["scene", "state", "tab"], state);
+
+  const here = () => store.scene?.mode === "motion";
+  const motion = () => store.state?.motion ?? null;
+  const follow = () => {
+    if (panel.hidden || !store.frame || !here()) return;
+    player.follow(store.frame);
+    refill(contacts.querySelector("tbody"), contactRows(store.scene, store.frame));
+    if (!motion()?.recorded) energy.follow();
+  };
+  const show = () => {
+    running.hidden = !here();
+    beginning.show(here(), motion());
+    player.show(motion());
+  };
+  store.on(["scene", "state", "tab"], show);
   store.on(["frame", "tab"], follow);
   store.on(["scene"], () => {
-    if (store.scene?.mode === "motion") {
-      inputs.element.hidden = Boolean(motion()?.recorded);
-      if (!motion()?.recorded) inputs.refill();
-      return;
-    }
+    // Another scene has energies and an end of its own.
     energy.clear();
-    furthest = 0;
+    player.forget();
+    if (!here()) return;
+    inputs.element.hidden = Boolean(motion()?.recorded);
+    if (!motion()?.recorded) inputs.refill();
   });
-  app.togglePlay = toggle;
-  app.stepTime = step;
-  state();
+  app.togglePlay = player.toggle;
+  app.stepTime = player.step;
+  show();
   return panel;
 }
