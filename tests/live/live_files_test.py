@@ -98,13 +98,27 @@ class Files(LivePage):
     def test_a_film_is_recorded(self):
         self.start(WORLD)
         self.browser.value("thenarLive.film()")
-        for k in range(10):
-            self.browser.value(f"(thenarLive.picture.stage.controls.rotateLeft({0.02 * (k + 1)}),"
-                               "new Promise((done) => setTimeout(done, 60)))")
+        turn = "(thenarLive.picture.stage.controls.rotateLeft(0.1), thenarLive.picture.stage.paints)"
+        begin = self.browser.value(turn)
+        self.browser.wait(f"{turn} > {begin + 20}", "twenty pictures")
         self.browser.value("thenarLive.film()")
         film = self.saved("*.webm").read_bytes()
         self.assertEqual(film[:4], b"\x1a\x45\xdf\xa3")
         self.assertGreater(len(film), 2000)
+
+    def test_a_film_is_pictures_where_the_browser_cannot_record(self):
+        self.start(WORLD)
+        self.browser.value("(window.MediaRecorder = undefined, thenarLive.film())")
+        self.browser.value("new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done)))")
+        for k in range(2):
+            self.browser.value(f"(thenarLive.picture.stage.controls.rotateLeft({0.1 * (k + 1)}),"
+                               "thenarLive.picture.stage.paintNow(false))")
+        self.browser.value("thenarLive.film()")
+        first, second = self.saved("*_0001.png").read_bytes(), self.saved("*_0002.png").read_bytes()
+        for picture in (first, second):
+            self.assertEqual(picture[:8], b"\x89PNG\r\n\x1a\n")
+            self.assertEqual(int.from_bytes(picture[16:20], "big"), 1400)
+        self.assertNotEqual(first, second)
 
     def test_charts_are_saved_as_drawings(self):
         self.start()

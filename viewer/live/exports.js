@@ -33,29 +33,68 @@ export async function saveGltf(ask, name) {
   return Boolean(made);
 }
 
-/// Begins a film of every picture that is drawn; returns a function that ends it and promises the file, or
-/// null where the browser cannot record.
-export function startFilm(picture) {
-  if (!canRecord()) return null;
-  const { stage } = picture;
+const MOST_PICTURES = 600; // of a film that is saved as pictures
+
+/// A canvas that shows what the stage does; take() brings it up to date, over `page` where a colour is given.
+function copyOf({ canvas, words }, page) {
   const copy = document.createElement("canvas");
-  copy.width = stage.words.width;
-  copy.height = stage.words.height;
+  copy.width = words.width;
+  copy.height = words.height;
   const context = copy.getContext("2d");
-  const film = record(copy, themeColor("--page"));
   const take = () => {
     context.clearRect(0, 0, copy.width, copy.height);
-    context.drawImage(stage.canvas, 0, 0, copy.width, copy.height);
-    context.drawImage(stage.words, 0, 0, copy.width, copy.height);
+    if (page) {
+      context.fillStyle = page;
+      context.fillRect(0, 0, copy.width, copy.height);
+    }
+    context.drawImage(canvas, 0, 0, copy.width, copy.height);
+    context.drawImage(words, 0, 0, copy.width, copy.height);
+  };
+  return { copy, take };
+}
+
+/// Records WebM.
+function recordFilm(stage) {
+  const { copy, take } = copyOf(stage);
+  const film = record(copy, themeColor("--page"));
+  const frame = () => {
+    take();
     film.frame();
   };
-  stage.painted.push(take);
-  stage.draw();
-  return async (name) => {
-    stage.painted.splice(stage.painted.indexOf(take), 1);
+  const end = async (name) => {
     film.stop();
     const blob = await film.film;
     download(`${name}.webm`, blob);
     return blob.size;
+  };
+  return { frame, end };
+}
+
+/// Keeps pictures, and saves them as PNG, a file each, in their order.
+function keepPictures(stage) {
+  const { copy, take } = copyOf(stage, themeColor("--page"));
+  const pictures = [];
+  const frame = () => {
+    if (pictures.length >= MOST_PICTURES) return;
+    take();
+    pictures.push(new Promise((done) => copy.toBlob(done, "image/png")));
+  };
+  const end = async (name) => {
+    const blobs = await Promise.all(pictures);
+    blobs.forEach((blob, i) => download(`${name}_${String(i + 1).padStart(4, "0")}.png`, blob));
+    return blobs.length;
+  };
+  return { frame, end };
+}
+
+/// Begins a film of every picture that is drawn, as WebM, or as pictures where the browser cannot record;
+/// returns a function that ends it and promises that the files were offered.
+export function startFilm({ stage }) {
+  const { frame, end } = canRecord() ? recordFilm(stage) : keepPictures(stage);
+  stage.painted.push(frame);
+  stage.draw();
+  return (name) => {
+    stage.painted.splice(stage.painted.indexOf(frame), 1);
+    return end(name);
   };
 }
