@@ -92,7 +92,7 @@ def main():
     with Browser() as browser:
         program = first_picture(browser)
         latencies(browser)
-        browser.value(f"thenarLive.call('motion.open', {json.dumps({'scene': 'pendulum'})})")
+        browser.value(f"thenarLive.call('motion.open', {json.dumps({'scene': 'stack'})})")
         browser.wait("thenarLive.store.scene.mode === 'motion' && thenarLive.store.frame")
         told("frame to picture", [browser.value(FRAME) for _ in range(30)], "ms")
         browser.click("#play")
