@@ -85,8 +85,51 @@ function clear(bodies) {
   }
 }
 
+/// Prepares meshes for a fine picture, or for a plain one from this camera.
+function prepare(meshes, fine, camera) {
+  for (const mesh of meshes) {
+    const { surface } = mesh.userData;
+    mesh.geometry = fine ? surface : (surface.userData.coarse ??= coarseOf(surface));
+  }
+  const through = meshes.filter(({ material }) => material.opacity < 1);
+  if (fine) return through.forEach((mesh) => layer(mesh, true));
+  const way = camera.getWorldDirection(new Vector3());
+  const depths = new Map(through.map((mesh) => [mesh, depthOf(mesh, way)]));
+  through.sort((a, b) => depths.get(a) - depths.get(b));
+  through.forEach((mesh, i) => layer(mesh, false, i / through.length));
+}
+
+/// Empty groups for the bodies of the next scene; until the first frame comes each stands where its namesake
+/// stood.
+const groupsOf = (next, { groups, hidden }) =>
+  next.bodies.map(({ name, owner }, index) => {
+    const group = new Group();
+    group.name = name;
+    group.visible = !hidden.has(owner);
+    const before = groups.find((old) => old.name === name);
+    if (before) group.position.copy(before.position);
+    if (before) group.quaternion.copy(before.quaternion);
+    group.userData.index = index;
+    return group;
+  });
+
+/// The room that all takes, obstacles apart where there is anything else.
+function boxOf(scene, meshes) {
+  const boxes = { object: new Box3(), obstacle: new Box3() };
+  for (const mesh of meshes) {
+    const { geometry, parent, userData } = mesh;
+    geometry.boundingBox ?? geometry.computeBoundingBox();
+    parent.updateMatrixWorld();
+    const { role } = scene.bodies[userData.body];
+    boxes[role === "obstacle" ? role : "object"].union(
+      geometry.boundingBox.clone().applyMatrix4(parent.matrixWorld),
+    );
+  }
+  return boxes.object.isEmpty() ? boxes.obstacle : boxes.object;
+}
+
 /// Bodies under `parent`. show(scene) builds, promising when all meshes are there; pose(frame) moves;
-/// hide(owner, hidden), select(owner), opacity(layer, value), box().
+/// hide(owner, hidden), select(owner), opacity(layer, value), prepare(fine, camera), box().
 export function makeBodies(parent, shelf, told) {
   const bodies = { groups: [], hidden: new Set(), opacities: { hands: 0.5, objects: 1 } };
   let scene = null;
@@ -100,17 +143,7 @@ export function makeBodies(parent, shelf, told) {
   const meshes = () => bodies.groups.flatMap(({ userData }) => userData.mesh ?? []);
 
   bodies.show = (next) => {
-    const groups = next.bodies.map(({ name, owner }, index) => {
-      const group = new Group();
-      group.name = name;
-      group.visible = !bodies.hidden.has(owner);
-      // Until the first frame comes it stands where its namesake stood.
-      const before = bodies.groups.find((old) => old.name === name);
-      if (before) group.position.copy(before.position);
-      if (before) group.quaternion.copy(before.quaternion);
-      group.userData.index = index;
-      return group;
-    });
+    const groups = groupsOf(next, bodies);
     clear(bodies);
     scene = next;
     bodies.groups = groups;
@@ -152,33 +185,8 @@ export function makeBodies(parent, shelf, told) {
     bodies.opacities[layer] = value;
     meshes().forEach(dress);
   };
-  /// Prepares bodies for a fine picture, or for a plain one from this camera.
-  bodies.prepare = (fine, camera) => {
-    const all = meshes();
-    for (const mesh of all) {
-      const { surface } = mesh.userData;
-      mesh.geometry = fine ? surface : (surface.userData.coarse ??= coarseOf(surface));
-    }
-    const through = all.filter(({ material }) => material.opacity < 1);
-    if (fine) return through.forEach((mesh) => layer(mesh, true));
-    const way = camera.getWorldDirection(new Vector3());
-    const depths = new Map(through.map((mesh) => [mesh, depthOf(mesh, way)]));
-    through.sort((a, b) => depths.get(a) - depths.get(b));
-    through.forEach((mesh, i) => layer(mesh, false, i / through.length));
-  };
+  bodies.prepare = (fine, camera) => prepare(meshes(), fine, camera);
   bodies.meshes = () => meshes().filter((mesh) => mesh.parent.visible);
-  /// The room that all takes, obstacles apart where there is anything else.
-  bodies.box = () => {
-    const boxes = { object: new Box3(), obstacle: new Box3() };
-    for (const mesh of meshes()) {
-      mesh.geometry.boundingBox ?? mesh.geometry.computeBoundingBox();
-      mesh.parent.updateMatrixWorld();
-      const { role } = scene.bodies[mesh.userData.body];
-      boxes[role === "obstacle" ? role : "object"].union(
-        mesh.geometry.boundingBox.clone().applyMatrix4(mesh.parent.matrixWorld),
-      );
-    }
-    return boxes.object.isEmpty() ? boxes.obstacle : boxes.object;
-  };
+  bodies.box = () => boxOf(scene, meshes());
   return bodies;
 }

@@ -19,6 +19,25 @@ function setPose(object, { position, rotation: [w, x, y, z] }) {
   object.updateMatrixWorld();
 }
 
+/// Arrows or discs of a size; moved() hears of every drag.
+function makeControls(stage, mode, size, moved) {
+  const controls = new TransformControls(stage.camera, stage.canvas);
+  controls.setMode(mode);
+  controls.setSpace(mode === "rotate" ? "local" : "world");
+  controls.setSize(size);
+  controls.addEventListener("change", stage.draw);
+  controls.addEventListener("dragging-changed", ({ value }) => {
+    stage.controls.enabled = !value;
+  });
+  controls.addEventListener("objectChange", moved);
+  controls.setColors(...COLORS);
+  const spare = [];
+  controls.getHelper().traverse((part) => SPARE.includes(part.name) && spare.push(part));
+  for (const part of spare) part.removeFromParent();
+  stage.scene.add(controls.getHelper());
+  return controls;
+}
+
 /// Handles of stage.scene. show(pose, body) puts them at a pose that goes with a body, hide() away;
 /// `move(pose)` is asked for where it is dragged.
 export function makePlaceHandle(stage, move) {
@@ -26,25 +45,9 @@ export function makePlaceHandle(stage, move) {
   stage.scene.add(proxy);
   let body = null;
   let relative = new Matrix4(); // from the body to what is placed
-  const make = (mode, size) => {
-    const controls = new TransformControls(stage.camera, stage.canvas);
-    controls.setMode(mode);
-    controls.setSpace(mode === "rotate" ? "local" : "world");
-    controls.setSize(size);
-    controls.addEventListener("change", stage.draw);
-    controls.addEventListener("dragging-changed", ({ value }) => {
-      stage.controls.enabled = !value;
-    });
-    controls.addEventListener("objectChange", () => move(poseOf(proxy)));
-    controls.setColors(...COLORS);
-    const spare = [];
-    controls.getHelper().traverse((part) => SPARE.includes(part.name) && spare.push(part));
-    for (const part of spare) part.removeFromParent();
-    stage.scene.add(controls.getHelper());
-    return controls;
-  };
-  const arrows = make("translate", 0.75);
-  const discs = make("rotate", 0.95);
+  const moved = () => move(poseOf(proxy));
+  const arrows = makeControls(stage, "translate", 0.75, moved);
+  const discs = makeControls(stage, "rotate", 0.95, moved);
   // Arrows stand before discs: where the pointer is on one, no disc is taken.
   arrows.addEventListener("axis-changed", ({ value }) => {
     if (!arrows.dragging) discs.enabled = body !== null && value === null;
