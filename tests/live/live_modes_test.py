@@ -4,6 +4,8 @@ Usage: live_modes_test.py PROGRAM [folder for pictures].
 """
 
 import json
+import subprocess
+import tempfile
 
 import live_page
 from live_page import COLORED, ROOT, LivePage, PageError
@@ -79,6 +81,26 @@ class Modes(LivePage):
         joint = self.browser.value("thenarLive.store.scene.joints.find((j) => !j.led_by)")
         self.ask("tendons.set", json.dumps({"posture": {joint["name"]: 0.5 * (joint["lower"] + joint["upper"])}}))
         self.settle()
+        self.assert_no_errors()
+
+    def test_a_fit_shows_its_trials(self):
+        folder = tempfile.mkdtemp(prefix="thenar-fit-")
+        subprocess.run([live_page.PROGRAM, "fit", "synek2019_H01", "--subject", SUBJECT, "-o", "fit.h5"], cwd=folder,
+                       check=True, stdout=subprocess.DEVNULL, timeout=120)
+        self.start("fit.h5", folder=folder)
+        self.browser.wait("thenarLive.tabs.chosen() === 'fit' && thenarLive.store.frame", "the fit")
+        state = self.ask("fit.state")
+        self.browser.wait(f"document.querySelectorAll('.page.fit .table-frame tbody tr').length === {len(state['trials'])}")
+        kinds = self.browser.value("thenarLive.store.scene.arrows.map(({ kind }) => kind)")
+        # Components are the experiment's: lengths and the angle between arrows are those of the chosen trial's forces.
+        for trial in (state["trials"][0], state["trials"][-1]):
+            self.ask("fit.trial", json.dumps({"trial": trial["trial"]}))
+            self.settle()
+            numbers = self.browser.value("[...thenarLive.store.frame.arrows]")
+            drawn = {k: numbers[6 * kinds.index(k) + 3:][:3] for k in ("measured", "predicted")}
+            for one, other in (("measured", "measured"), ("predicted", "predicted"), ("measured", "predicted")):
+                wanted = sum(a * b for a, b in zip(trial[one], trial[other]))
+                self.assertAlmostEqual(sum(a * b for a, b in zip(drawn[one], drawn[other])), wanted, places=4)
         self.assert_no_errors()
 
     def test_every_subject_opens_or_says_why_not(self):

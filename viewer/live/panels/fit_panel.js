@@ -40,7 +40,7 @@ export function makeFitPanel(app) {
   });
   const now = el("div", {});
   const table = plainTable(["trial", "measured [N]", "predicted [N]"], [], "Forces");
-  const axes = el("div", {});
+  const axes = el("div", { class: "parts" });
   const body = el(
     "div",
     { class: "parts" },

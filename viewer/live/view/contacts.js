@@ -33,6 +33,7 @@ const THICK = {
   ...{ measured: 0.006, predicted: 0.0035, disturbance: 0.0045 },
 };
 const LONGEST = 0.3; // of the largest arrow, in sizes of the scene
+const ARROW = 6; // in the order of drawing
 const SEEN = 0.01; // shorter arrows have no words, in sizes of the scene
 const CONE = 0.05; // height of friction cones, in sizes of the scene
 
@@ -47,7 +48,7 @@ export function arrowScale(largest, size, before) {
 }
 
 /// Room for as many copies as are asked for; it grows.
-function pool(parent, geometry, material) {
+function pool(parent, geometry, material, order = 4) {
   let mesh = null;
   const ensure = (count) => {
     if (mesh && mesh.instanceMatrix.count >= count) return mesh;
@@ -57,7 +58,7 @@ function pool(parent, geometry, material) {
     mesh.instanceMatrix.setUsage(DynamicDrawUsage);
     mesh.frustumCulled = false;
     mesh.raycast = () => {};
-    mesh.renderOrder = material.depthTest ? 4 : 6;
+    mesh.renderOrder = order;
     parent.add(mesh);
     return mesh;
   };
@@ -79,7 +80,7 @@ function between(from, to, radius) {
 }
 
 /// Shafts and heads of arrows of one colour.
-function arrowPool(parent, color) {
+function arrowPool(parent, color, order = ARROW) {
   // Arrows are seen through whatever stands before them.
   const look = { depthTest: false, transparent: true };
   const material = new MeshLambertMaterial({
@@ -88,8 +89,8 @@ function arrowPool(parent, color) {
     emissive: color,
     emissiveIntensity: 0.25,
   });
-  const shafts = pool(parent, new CylinderGeometry(1, 1, 1, 10), material);
-  const heads = pool(parent, new ConeGeometry(1, 1, 14), material);
+  const shafts = pool(parent, new CylinderGeometry(1, 1, 1, 10), material, order);
+  const heads = pool(parent, new ConeGeometry(1, 1, 14), material, order);
   return (arrows, radius) => {
     const parts = arrows
       .filter(({ vector }) => vector.lengthSq() > 0)
@@ -119,7 +120,7 @@ export function makeContacts(parent) {
   parent.add(group);
   group.add(cones);
   const dots = new MeshBasicMaterial({ color: CONTACT, depthTest: false, transparent: true });
-  const points = pool(group, new SphereGeometry(1, 12, 8), dots);
+  const points = pool(group, new SphereGeometry(1, 12, 8), dots, ARROW);
   const coneMaterial = new MeshLambertMaterial({
     ...{ color: CONTACT, transparent: true, opacity: 0.3, side: DoubleSide, depthWrite: false },
   });
@@ -159,7 +160,10 @@ export function makeVectors(parent) {
   const group = new Group();
   parent.add(group);
   const pools = Object.fromEntries(
-    Object.entries(ARROWS).map(([kind, color]) => [kind, arrowPool(group, color)]),
+    Object.entries(ARROWS).map(([kind, color]) => [
+      kind,
+      arrowPool(group, color, kind === "predicted" ? ARROW + 0.5 : ARROW),
+    ]),
   );
   let kinds = [];
   let scales = {};
