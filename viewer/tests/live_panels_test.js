@@ -112,10 +112,9 @@ test("a grasp that holds, and one that does not, are told apart in words", () =>
     force_closure: false,
     epsilon: { lower: 0, upper: 0 },
     missing_direction: [1, 0, 0, 0, 0, 0],
-    missing_direction_words: "fx",
   });
   assert.match(loose["Force closure"], /unstable/);
-  assert.equal(loose["Cannot resist"], "fx");
+  assert.equal(loose["Cannot resist"], "force along +x (the object's axes)");
   assert.deepEqual(qualityFacts({ closed: false, reason: "nothing touches" }), [
     ["Grasp", "nothing touches"],
   ]);

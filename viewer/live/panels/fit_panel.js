@@ -2,6 +2,7 @@
 
 import { el } from "../../report/dom.js";
 import { formatNumber } from "../../numbers/format.js";
+import { rotated } from "../link/directions.js";
 import { backToWorld, choice, facts, fileRow, part, plainTable, refill } from "./controls.js";
 
 const vector = (v) => (v ? v.map((x) => formatNumber(x, 2)).join(", ") : "n/a");
@@ -9,6 +10,9 @@ const vector = (v) => (v ? v.map((x) => formatNumber(x, 2)).join(", ") : "n/a");
 const trialName = ({ trial, specimen, posture, loads }) =>
   [`${trial + 1}`, specimen, posture, loads].filter((word) => word && word !== "").join(" ");
 
+const COMPONENTS =
+  "Components along the experiment's own axes; arrows show the same forces in the picture.";
+const FRAME = "Reference posture; along x, y, z of the picture, from the subject's origin.";
 const DEGREE = Math.PI / 180;
 
 /// An estimate with its interval, where that is not the estimate itself.
@@ -25,9 +29,10 @@ const pairFacts = ({ angle, distance, beyond }) => [
   ["Beyond", intervalWords(beyond, 1e-3, "\u202fmm")],
 ];
 
-const axisFacts = ({ direction, point }) => [
-  ["Direction", vector(direction)],
-  ["Point", `${vector(point.map((x) => x * 1e3))} mm`],
+/// An axis along the triad of the picture; points have the subject's origin.
+export const axisFacts = ({ direction, point }, rotation) => [
+  ["Direction", vector(rotated(direction, rotation))],
+  ["Point", `${vector(rotated(point, rotation).map((x) => x * 1e3))} mm`],
 ];
 
 export function makeFitPanel(app) {
@@ -45,9 +50,9 @@ export function makeFitPanel(app) {
     "div",
     { class: "parts" },
     trials,
-    part("This trial", now),
+    part("This trial", now, el("p", { class: "hint" }, COMPONENTS)),
     part("All trials", table),
-    part("Axes", axes),
+    part("Axes", el("p", { class: "hint" }, FRAME), axes),
   );
   const panel = el("div", { class: "page fit" }, hint, open, backToWorld(app), body);
 
@@ -77,7 +82,7 @@ export function makeFitPanel(app) {
     );
     axes.replaceChildren(
       ...state.pairs.map((pair) => part(pair.axes, facts(pairFacts(pair)))),
-      ...state.axes.map((axis) => part(axis.joint, facts(axisFacts(axis)))),
+      ...state.axes.map((axis) => part(axis.joint, facts(axisFacts(axis, state.rotation)))),
     );
   }
   async function refresh() {

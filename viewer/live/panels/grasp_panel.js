@@ -2,6 +2,7 @@
 
 import { el } from "../../report/dom.js";
 import { formatNumber } from "../../numbers/format.js";
+import { rotatedWrench, rotationOf, wrenchWords } from "../link/directions.js";
 import { ownersOf } from "../link/store.js";
 import { whenQuiet } from "../link/latest.js";
 import { choice, facts, part, slowButton, tick, warnings } from "./controls.js";
@@ -10,14 +11,14 @@ import { makeWrenchView } from "./wrench_view.js";
 
 const QUIET = 350; // after the last move the quality is asked for [ms]
 
-const AXES = ["fx", "fy", "fz", "tx", "ty", "tz"]; // torques over the object's reach
+/// A wrench of the object's frame in words: in the picture's frame, where the object's rotation is known.
+const directionWords = (wrench, rotation) =>
+  rotation
+    ? wrenchWords(rotatedWrench(wrench, rotation))
+    : `${wrenchWords(wrench)} (the object's axes)`;
 
-/// A direction of six in the server's words, or else in numbers.
-const directionWords = (words, direction) =>
-  words ?? direction.map((x, i) => `${AXES[i]} ${formatNumber(x, 3)}`).join(", ");
-
-/// The lines that tell a quality as the server gives it.
-export function qualityFacts(quality) {
+/// The lines that tell a quality as the server gives it; `rotation` of the object in the picture.
+export function qualityFacts(quality, rotation = null) {
   const { closed, epsilon, volume } = quality;
   if (!closed || !epsilon)
     return [["Grasp", quality.reason ?? quality.verdict ?? "nothing is held"]];
@@ -27,15 +28,9 @@ export function qualityFacts(quality) {
     ["certified", `${formatNumber(epsilon.lower)} to ${formatNumber(epsilon.upper)}`],
   ];
   if (quality.missing_direction)
-    told.push([
-      "Cannot resist",
-      directionWords(quality.missing_direction_words, quality.missing_direction),
-    ]);
+    told.push(["Cannot resist", directionWords(quality.missing_direction, rotation)]);
   if (quality.worst_wrench)
-    told.push([
-      "Worst disturbance",
-      directionWords(quality.worst_wrench_words, quality.worst_wrench),
-    ]);
+    told.push(["Worst disturbance", directionWords(quality.worst_wrench, rotation)]);
   if (volume)
     told.push(["Volume", `${formatNumber(volume.lower)} to ${formatNumber(volume.upper)}`]);
   if (quality.contacts !== undefined) told.push(["Contacts", String(quality.contacts)]);
@@ -95,6 +90,7 @@ function makeQuality(app, of) {
   const page = () => element.closest(".page");
   let about = "";
 
+  const objectBody = (name) => store.scene.bodies.findIndex(({ owner }) => owner === name);
   /// Where everything stands: an arrow of the quality itself must not ask for it again.
   const poses = () => (store.frame ? `${store.frame.revision} ${store.frame.bodies.join()}` : "");
   async function ask() {
@@ -109,7 +105,8 @@ function makeQuality(app, of) {
     if (!quality || asked !== about) return;
     page().quality = quality;
     answer.classList.toggle("holds", Boolean(quality.force_closure));
-    answer.replaceChildren(facts(qualityFacts(quality)), ...warnings(quality.warnings));
+    const turn = rotationOf(store.frame, objectBody(quality.object));
+    answer.replaceChildren(facts(qualityFacts(quality, turn)), ...warnings(quality.warnings));
   }
   const soon = whenQuiet(() => {
     if (!page().hidden && always.box.checked && poses() !== about) ask();

@@ -3,6 +3,7 @@
 import { el } from "../../report/dom.js";
 import { formatNumber } from "../../numbers/format.js";
 import { QUANTITIES, quantityOf } from "../link/quantities.js";
+import { rotated } from "../link/directions.js";
 import { latestWins, whenQuiet } from "../link/latest.js";
 import { mergeJoints } from "../link/store.js";
 import {
@@ -22,12 +23,14 @@ const QUIET = 200; // after the last move the table is asked for [ms]
 
 const most = (muscle) => muscle.max_force ?? muscle.strength ?? muscle.upper ?? MOST;
 
-/// What the server says of the digit at rest, as terms.
-function restFacts({ tip_force: force, torques, status }) {
+/// What the server says of the digit at rest, as terms; the force is turned from the subject's frame into
+/// the picture's, whose axes the triad shows.
+export function restFacts({ tip_force: force, rotation, torques, status }) {
   const entries = [];
   if (force) {
+    const seen = rotated(force, rotation);
     entries.push(["Tip force", `${formatNumber(Math.hypot(...force), 2)}\u202fN`]);
-    entries.push(["along x, y, z", `${force.map((v) => formatNumber(v, 2)).join(", ")} N`]);
+    entries.push(["along x, y, z", `${seen.map((v) => formatNumber(v, 2)).join(", ")} N`]);
   }
   for (const [name, torque] of Object.entries(torques ?? {}))
     entries.push([`Torque ${name}`, `${formatNumber(torque * 1e3)} N mm`]);
