@@ -2,14 +2,16 @@
 
 import assert from "node:assert/strict";
 import test from "node:test";
+import { Group } from "three";
 import { base64Of, guessKind } from "../live/files.js";
 import { makeHistory } from "../live/panels/energy_chart.js";
 import { matches } from "../live/panels/open_dialog.js";
 import { qualityFacts } from "../live/panels/grasp_panel.js";
+import { restFacts } from "../live/panels/tendon_panel.js";
 import { keyed } from "../live/panels/controls.js";
 import { QUANTITIES } from "../live/link/quantities.js";
 import { floatsOf } from "../live/view/clouds.js";
-import { arrowScale } from "../live/view/contacts.js";
+import { arrowScale, leastForce, makeVectors } from "../live/view/contacts.js";
 import { kindOf, scaleEnd } from "../live/view/lines.js";
 import { looksOf } from "../live/view/looks.js";
 
@@ -57,6 +59,32 @@ test("arrows are of a round scale that stays while it fits", () => {
   assert.ok(arrowScale(0.1, 1, scale) > scale);
   assert.equal(arrowScale(0, 1, scale), scale);
   assert.equal(arrowScale(0, 1), null);
+});
+
+test("what rounding leaves of a force is neither an arrow nor a number", () => {
+  assert.equal(arrowScale(3.6e-12, 1, null, leastForce([10])), null);
+  assert.equal(arrowScale(5e-6, 1, null, leastForce([10])), null);
+  assert.ok(arrowScale(2e-5, 1, null, leastForce([NaN, 10, 3])) > 0);
+  assert.equal(leastForce([]), 1e-6);
+  const told = (state) => Object.fromEntries(restFacts({ rotation: [1, 0, 0, 0], ...state }));
+  const muscles = [{ tension: 10 }];
+  const none = told({ tip_force: [3.6e-12, 0, -1e-12], torques: { pip: -1.212e-13 }, muscles });
+  assert.equal(none["Tip force"], "0.00\u202fN");
+  assert.equal(none["along x, y, z"], "0.00, 0.00, 0.00 N");
+  assert.equal(none["Torque pip"], "0 N mm");
+  const some = told({ tip_force: [2e-8, 0, 0], torques: { pip: 2e-10 }, muscles });
+  assert.notEqual(some["Tip force"], "0.00\u202fN");
+  assert.equal(some["Torque pip"], "2e\u22127 N mm");
+});
+
+test("a digit's arrow of rounding is not drawn, nor its label", () => {
+  const vectors = makeVectors(new Group());
+  vectors.show({ arrows: [{ kind: "force", name: "tip force" }] });
+  const tips = (force) =>
+    vectors.pose({ arrows: new Float32Array([0, 0, 0, force, 0, 0]), tensions: [10] }, 1);
+  assert.equal(tips(3.6e-12).length, 0);
+  assert.ok(tips(5)[0].long > 0.1);
+  assert.equal(tips(3.6e-12).length, 0);
 });
 
 test("clouds are floats, six a segment", () => {

@@ -42,3 +42,6 @@ export function wrenchWords(wrench) {
   const about = largeParts(wrench.slice(3), largest).map((axis) => `torque about ${axis}`);
   return [...along, ...about].join(", ") || "none";
 }
+
+/// What rounding leaves of zero reads 0: less than 1e-9 of `scale`, the size of what went in.
+export const steady = (value, scale) => (Math.abs(value) < 1e-9 * scale ? 0 : value);

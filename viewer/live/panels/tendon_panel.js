@@ -3,7 +3,7 @@
 import { el } from "../../report/dom.js";
 import { formatNumber } from "../../numbers/format.js";
 import { QUANTITIES, quantityOf } from "../link/quantities.js";
-import { rotated } from "../link/directions.js";
+import { rotated, steady } from "../link/directions.js";
 import { latestWins, whenQuiet } from "../link/latest.js";
 import { mergeJoints } from "../link/store.js";
 import {
@@ -19,21 +19,25 @@ import {
 import { makeSweep } from "./tendon_sweep.js";
 
 const MOST = 100; // end of a tension's slider where no largest force is known [N]
+const ARM = 0.01; // about as large as moment arms of tendons [m]
 const QUIET = 200; // after the last move the table is asked for [ms]
 
 const most = (muscle) => muscle.max_force ?? muscle.strength ?? muscle.upper ?? MOST;
 
 /// What the server says of the digit at rest, as terms; the force is turned from the subject's frame into
 /// the picture's, whose axes the triad shows.
-export function restFacts({ tip_force: force, rotation, torques, status }) {
+export function restFacts({ tip_force, rotation, torques, status, muscles = [] }) {
   const entries = [];
-  if (force) {
-    const seen = rotated(force, rotation);
+  // Forces are as large as tensions, torques as tensions by moment arms: less is rounding.
+  const pull = Math.max(1, ...muscles.map(({ tension }) => tension ?? 0));
+  if (tip_force) {
+    const force = tip_force.map((v) => steady(v, pull));
+    const seen = rotated(force, rotation).map((v) => steady(v, pull));
     entries.push(["Tip force", `${formatNumber(Math.hypot(...force), 2)}\u202fN`]);
     entries.push(["along x, y, z", `${seen.map((v) => formatNumber(v, 2)).join(", ")} N`]);
   }
   for (const [name, torque] of Object.entries(torques ?? {}))
-    entries.push([`Torque ${name}`, `${formatNumber(torque * 1e3)} N mm`]);
+    entries.push([`Torque ${name}`, `${formatNumber(steady(torque, pull * ARM) * 1e3)} N mm`]);
   if (status) entries.push(["Status", String(status)]);
   return entries;
 }

@@ -35,12 +35,17 @@ const THICK = {
 const LONGEST = 0.3; // of the largest arrow, in sizes of the scene
 const ARROW = 6; // in the order of drawing
 const SEEN = 0.01; // shorter arrows have no words, in sizes of the scene
+const LEAST = 1e-6; // of the largest tension, or of 1 N: forces below are not drawn
 const CONE = 0.05; // height of friction cones, in sizes of the scene
 
+/// The size of a force up to which it is what rounding leaves of none [N], under `tensions` [N].
+export const leastForce = (tensions = []) =>
+  LEAST * tensions.reduce((most, t) => (t > most ? t : most), 1);
+
 /// The length on the picture of one unit [m], round, so that the largest vector is LONGEST of the size;
-/// `before` stays while the largest fits and is not small.
-export function arrowScale(largest, size, before) {
-  if (!(largest > 0)) return before ?? null;
+/// `before` stays while the largest fits and is not small, and where the largest is no more than `least`.
+export function arrowScale(largest, size, before, least = 0) {
+  if (!(largest > least)) return before ?? null;
   const wanted = (LONGEST * size) / largest;
   if (before && before <= wanted * 1.001 && before > 0.2 * wanted) return before;
   const round = 1 / niceStep(1 / wanted);
@@ -141,7 +146,8 @@ export function makeContacts(parent) {
       show.cones ? shown.filter((c) => c.friction > 0).map((c) => coneAt(c, CONE * size)) : [],
     );
     const largest = Math.max(0, ...contacts.map(({ force }) => Math.hypot(...force)));
-    scale = arrowScale(largest, size, scale);
+    const least = leastForce();
+    scale = arrowScale(largest, size, scale, least);
     const arrows = show.forces && scale ? contacts : [];
     forces(
       arrows.map(({ point, force }) => ({
@@ -150,7 +156,7 @@ export function makeContacts(parent) {
       })),
       0.004 * size,
     );
-    return { forceScale: largest > 0 ? scale : null };
+    return { forceScale: largest > least ? scale : null };
   };
   return { pose, show, forget: () => (scale = null) };
 }
@@ -176,23 +182,25 @@ export function makeVectors(parent) {
     }));
     scales = {};
   };
-  const pose = ({ arrows }, size) => {
+  const pose = ({ arrows, tensions }, size) => {
     const all = kinds.map(({ kind, unit }, i) => ({
       kind,
       unit,
       from: new Vector3(...arrows.subarray(6 * i, 6 * i + 3)),
       vector: new Vector3(...arrows.subarray(6 * i + 3, 6 * i + 6)),
     }));
+    const force = leastForce(tensions);
+    const least = { force, moment: force * size };
     for (const unit of ["force", "moment"]) {
       const largest = Math.max(
         0,
         ...all.filter((a) => a.unit === unit).map((a) => a.vector.length()),
       );
-      scales[unit] = arrowScale(largest, size, scales[unit]);
+      scales[unit] = arrowScale(largest, size, scales[unit], least[unit]);
     }
     for (const { unit, vector } of all) {
       if (unit === "axis") vector.setLength(vector.length() > 0 ? 0.12 * size : 0);
-      else vector.multiplyScalar(scales[unit] ?? 0);
+      else vector.multiplyScalar(vector.length() > least[unit] ? (scales[unit] ?? 0) : 0);
     }
     for (const [kind, draw] of Object.entries(pools))
       draw(
