@@ -87,6 +87,29 @@ test("a digit's arrow of rounding is not drawn, nor its label", () => {
   assert.equal(tips(3.6e-12).length, 0);
 });
 
+test("force and moment of a disturbance are in proportion, over the object's radius", () => {
+  const vectors = makeVectors(new Group());
+  const arrows = ["force", "moment"].map((part) => ({
+    kind: "disturbance",
+    name: `worst disturbance: ${part}`,
+  }));
+  vectors.show({ arrows });
+  // A force of 0.6 and a moment of 0.8 over 50 mm.
+  const frame = { arrows: new Float32Array([0, 0, 0, 0.6, 0, 0, 0, 0, 0, 0, 0.04, 0]), tensions: [] };
+  assert.equal(vectors.momentRadius(), null);
+  vectors.radius(0.05);
+  const [force, moment] = vectors.pose(frame, 0.3);
+  assert.ok(Math.abs(moment.long / force.long - 0.8 / 0.6) < 1e-6);
+  assert.ok(moment.long <= 0.09 + 1e-9 && moment.long > 0.03);
+  assert.equal(vectors.momentRadius(), 0.05);
+  frame.arrows.fill(0);
+  assert.equal(vectors.pose(frame, 0.3).length, 0);
+  assert.equal(vectors.momentRadius(), null);
+  // Another scene has another object.
+  vectors.show({ arrows });
+  assert.equal(vectors.momentRadius(), null);
+});
+
 test("clouds are floats, six a segment", () => {
   const numbers = new Float32Array([1, 2, 3, 4, 5, 6]);
   const text = base64Of(new Uint8Array(numbers.buffer));

@@ -104,6 +104,9 @@ function makeQuality(app, of) {
     const quality = await app.ask("grasp.quality", { ...of.named(), volume: volume.box.checked });
     if (!quality || asked !== about) return;
     page().quality = quality;
+    // The arrows were drawn when the frame came, without the length that moments are divided by.
+    app.picture.vectors.radius(quality.torque_scale);
+    if (store.frame) app.picture.pose(store.frame);
     answer.classList.toggle("holds", Boolean(quality.force_closure));
     const turn = rotationOf(store.frame, objectBody(quality.object));
     answer.replaceChildren(facts(qualityFacts(quality, turn)), ...warnings(quality.warnings));

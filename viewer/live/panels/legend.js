@@ -19,22 +19,29 @@ export function makeLegend() {
     el("span", { class: "dashed" }, "slack"),
   );
   const forces = el("div", { class: "force-scale", hidden: true });
+  const moment = el("div", { class: "moment-scale", hidden: true });
   const legend = el(
     "div",
     { class: "key-box", "aria-label": "Legend", role: "group" },
     tensions,
     forces,
+    moment,
   );
   let shown = "";
-  legend.show = ({ tensionEnd, forceScale }) => {
-    const key = `${tensionEnd} ${forceScale}`;
+  legend.show = ({ tensionEnd, forceScale, momentRadius = null }) => {
+    const key = `${tensionEnd} ${forceScale} ${momentRadius}`;
     if (key === shown) return;
     shown = key;
     tensions.hidden = tensionEnd === null;
     forces.hidden = forceScale === null;
+    moment.hidden = momentRadius === null;
     if (tensionEnd !== null) high.textContent = formatNumber(tensionEnd);
     if (forceScale !== null)
       forces.textContent = `arrows: 10\u202fmm for ${formatNumber(0.01 / forceScale)}\u202fN`;
+    if (momentRadius !== null)
+      moment.textContent =
+        "disturbance: moment over the object's radius, " +
+        `${formatNumber(1e3 * momentRadius, 1)}\u202fmm`;
   };
   return legend;
 }

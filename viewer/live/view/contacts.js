@@ -161,7 +161,34 @@ export function makeContacts(parent) {
   return { pose, show, forget: () => (scale = null) };
 }
 
+/// What an arrow's numbers are, of which all have one scale.
+const unitOf = ({ kind, name }) => {
+  const turns = kind === "moment" || /moment/i.test(name);
+  if (kind === "disturbance") return turns ? "disturbance moment" : "disturbance";
+  return turns ? "moment" : kind === "axis" ? "axis" : "force";
+};
+
+/// Over the object's radius [m] a disturbance's moment is a force, and has the scale of one; returns the
+/// moments of which this is so.
+function overRadius(arrows, radius) {
+  const turns = radius ? arrows.filter(({ unit }) => unit === "disturbance moment") : [];
+  for (const arrow of turns) {
+    arrow.vector.divideScalar(radius);
+    arrow.unit = "disturbance";
+  }
+  return turns;
+}
+
+/// Up to which size arrows are what rounding leaves, by their unit; a disturbance has the size 1.
+function leastOf(tensions, size) {
+  const force = leastForce(tensions);
+  const [moment, disturbance] = [force * size, LEAST];
+  return { force, moment, disturbance, "disturbance moment": LEAST * size };
+}
+
 /// Arrows that a scene names, one colour a kind; pose(frame, size) returns the tips of those that are seen.
+/// radius(r) is the length [m] that moments of a disturbance are divided by, null where none is known:
+/// then they have a scale of their own.
 export function makeVectors(parent) {
   const group = new Group();
   parent.add(group);
@@ -173,14 +200,13 @@ export function makeVectors(parent) {
   );
   let kinds = [];
   let scales = {};
+  let radius = null;
+  let drawn = false; // whether a moment over the radius is
 
-  const unitOf = (kind) => (kind === "moment" ? "moment" : kind === "axis" ? "axis" : "force");
   const show = (scene) => {
-    kinds = scene.arrows.map(({ kind, name }) => ({
-      kind,
-      unit: /moment/i.test(name) ? "moment" : unitOf(kind),
-    }));
+    kinds = scene.arrows.map((arrow) => ({ kind: arrow.kind, unit: unitOf(arrow) }));
     scales = {};
+    radius = null;
   };
   const pose = ({ arrows, tensions }, size) => {
     const all = kinds.map(({ kind, unit }, i) => ({
@@ -189,9 +215,9 @@ export function makeVectors(parent) {
       from: new Vector3(...arrows.subarray(6 * i, 6 * i + 3)),
       vector: new Vector3(...arrows.subarray(6 * i + 3, 6 * i + 6)),
     }));
-    const force = leastForce(tensions);
-    const least = { force, moment: force * size };
-    for (const unit of ["force", "moment"]) {
+    const turns = overRadius(all, radius);
+    const least = leastOf(tensions, size);
+    for (const unit of Object.keys(least)) {
       const largest = Math.max(
         0,
         ...all.filter((a) => a.unit === unit).map((a) => a.vector.length()),
@@ -202,6 +228,7 @@ export function makeVectors(parent) {
       if (unit === "axis") vector.setLength(vector.length() > 0 ? 0.12 * size : 0);
       else vector.multiplyScalar(vector.length() > least[unit] ? (scales[unit] ?? 0) : 0);
     }
+    drawn = turns.some(({ vector }) => vector.lengthSq() > 0);
     for (const [kind, draw] of Object.entries(pools))
       draw(
         all.filter((arrow) => arrow.kind === kind),
@@ -216,5 +243,8 @@ export function makeVectors(parent) {
       }))
       .filter(({ long }) => long > SEEN * size);
   };
-  return { show, pose, visible: (on) => (group.visible = on) };
+  return {
+    ...{ show, pose, visible: (on) => (group.visible = on), radius: (length) => (radius = length) },
+    momentRadius: () => (drawn ? radius : null),
+  };
 }

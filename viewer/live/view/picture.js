@@ -30,7 +30,7 @@ async function fetchMesh(id) {
 }
 
 /// `asked` has functions moveJoint(joint, value), place(pose), select(body), failed(error),
-/// changed({ tensionEnd, forceScale }).
+/// changed({ tensionEnd, forceScale, momentRadius }).
 /// Returns the picture: stage, show(scene), pose(frame), and its parts.
 export function makePicture(container, theme, asked) {
   const stage = makeStage(container, theme);
@@ -73,7 +73,7 @@ export function makePicture(container, theme, asked) {
     tips = vectors.pose(frame, size());
     const { held } = joint;
     if (held()) joint.tell(frame.joints[scene.joints.indexOf(held().joint)]);
-    asked.changed({ tensionEnd, forceScale });
+    asked.changed({ tensionEnd, forceScale, momentRadius: vectors.momentRadius() });
     stage.draw();
   }
 
