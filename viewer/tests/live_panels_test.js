@@ -4,7 +4,8 @@ import assert from "node:assert/strict";
 import test from "node:test";
 import { Group } from "three";
 import { base64Of, guessKind } from "../live/files.js";
-import { makeHistory } from "../live/panels/energy_chart.js";
+import { makeEnergyChart, makeHistory } from "../live/panels/energy_chart.js";
+import { sparse } from "../live/panels/live_chart.js";
 import { matches } from "../live/panels/open_dialog.js";
 import { qualityFacts } from "../live/panels/grasp_panel.js";
 import { restFacts } from "../live/panels/tendon_panel.js";
@@ -29,6 +30,31 @@ test("a history goes on, forgets what is done again, and stays small", () => {
   assert.equal(times[0], 0);
   assert.equal(times.at(-1), 19999);
   assert.ok(times.every((t, i) => i === 0 || t > times[i - 1]));
+});
+
+test("samples beside a long gap are marked, those of a dense line are not", () => {
+  const dense = Array.from({ length: 100 }, (_, i) => i / 100);
+  const xs = [...dense, 1.5, 2];
+  const all = xs.map(() => 1);
+  // The first has no neighbour on its left; 0.99 is far from 1.5.
+  assert.deepEqual(sparse(xs, all), [0, 99, 100, 101]);
+  assert.deepEqual(sparse([0, 1, 2], [1, null, 2]), [0, 2]);
+  assert.deepEqual(sparse([3], [1]), [0]);
+  assert.deepEqual(sparse([], []), []);
+});
+
+test("energies are asked for at every frame that comes after the answer to the last", async () => {
+  const waiting = [];
+  const app = { call: () => new Promise((done) => waiting.push(done)) };
+  globalThis.document ??= { createElement: () => ({ append() {}, setAttribute() {} }) };
+  const chart = makeEnergyChart(app);
+  const first = chart.follow();
+  chart.follow();
+  assert.equal(waiting.length, 1);
+  waiting[0]({ t: 0, energy: {} });
+  await first;
+  chart.follow();
+  assert.equal(waiting.length, 2);
 });
 
 test("a history takes names that come later", () => {

@@ -4,7 +4,7 @@ import { formatNumber } from "../../numbers/format.js";
 import { el } from "../../report/dom.js";
 import { liveChart } from "./live_chart.js";
 
-const ASK = 200; // at least between two questions for energies [ms]
+const DRAW = 200; // at least between two drawings of the chart [ms]
 const MOST = 1500; // points of a chart
 
 /// Numbers of an object by name, also those one level down: { kinetic: 1 }.
@@ -52,13 +52,15 @@ function energyBlock(history) {
   };
 }
 
-/// The chart; follow() asks for the energies of now, not too often, and clear() forgets those before.
+/// The chart; follow() asks for the energies of now, clear() forgets those before. Every frame is asked for,
+/// so that no impact falls between two samples, but not before the last answer came.
 export function makeEnergyChart(app) {
   const history = makeHistory();
   const element = el("div", { class: "charts" });
   const warning = el("p", { class: "warning", role: "alert", hidden: true });
   let chart = null;
-  let asked = 0;
+  let asking = false;
+  let redraw = null;
 
   /// Contact problems that were left with an error are never passed over.
   function warn(state) {
@@ -69,15 +71,9 @@ export function makeEnergyChart(app) {
         `largest residual is ${formatNumber(state.worst_residual ?? NaN)}.`;
   }
 
-  async function follow() {
-    const now = performance.now();
-    if (now - asked < ASK) return;
-    asked = now;
-    const state = await app.call("motion.state", { want: ["energy"] }).catch(() => null);
-    const values = numbersOf(state?.energy);
-    if (state) warn(state);
-    if (!state || !Object.keys(values).length) return;
-    history.add(state.t, values);
+  function draw() {
+    redraw = null;
+    if (!history.t.length) return;
     const names = [...history.values.keys()].join();
     const block = energyBlock(history);
     if (chart?.names === names) chart.update(block);
@@ -85,6 +81,17 @@ export function makeEnergyChart(app) {
       chart = { ...liveChart(block), names };
       element.replaceChildren(chart.figure);
     }
+  }
+  async function follow() {
+    if (asking) return;
+    asking = true;
+    const state = await app.call("motion.state", { want: ["energy"] }).catch(() => null);
+    asking = false;
+    const values = numbersOf(state?.energy);
+    if (state) warn(state);
+    if (!state || !Object.keys(values).length) return;
+    history.add(state.t, values);
+    redraw ??= setTimeout(draw, DRAW);
   }
   const clear = () => {
     history.clear();

@@ -12,6 +12,26 @@ import { seriesLooks } from "../../report/palette.js";
 import { withSaving } from "../../report/save.js";
 import { whenShown } from "../../report/when_shown.js";
 
+const LONG = 1 / 60; // of the span of x: where samples are farther apart they are marked
+
+/// Which samples have a neighbour so far off that the line between them says little: their indices.
+export function sparse(xs, values) {
+  const here = xs.map((_, i) => i).filter((i) => Number.isFinite(values[i]));
+  const least = LONG * (xs.at(-1) - xs[0]);
+  const far = (a, b) => a === undefined || b === undefined || xs[b] - xs[a] > least;
+  return here.filter((i, k) => far(here[k - 1], i) || far(i, here[k + 1]));
+}
+
+/// uPlot's options of a live chart: lines, with points where samples are far apart.
+function liveOptions(block, model, shown, width) {
+  const options = chartOptions(block, model, shown, width);
+  for (const { points } of options.series.slice(1)) {
+    points.size = 5;
+    points.filter = (plot, s) => sparse(plot.data[0], plot.data[s]);
+  }
+  return options;
+}
+
 /// Draws a block of the kind "lines" as viewer/README.md has it. Returns { figure, update(block) }, where
 /// the new block has series of the same names.
 export function liveChart(given) {
@@ -30,7 +50,7 @@ export function liveChart(given) {
       plot?.setSeries(1 + model.plan.findIndex((column) => column.series === s), { show: on });
     });
   whenShown(frame, () => {
-    plot = new uPlot(chartOptions(block, model, shown, frame.clientWidth), model.data, frame);
+    plot = new uPlot(liveOptions(block, model, shown, frame.clientWidth), model.data, frame);
     followPointer(frame, plot, block, model.points, shown);
     new ResizeObserver(() => {
       const width = frame.clientWidth;
