@@ -19,9 +19,12 @@ class Modes(LivePage):
         for scene in sorted(path.stem for path in (ROOT / "data/scenes").glob("*.toml")):
             with self.subTest(scene=scene):
                 self.browser.errors.clear()
+                before = self.browser.value("thenarLive.store.scene?.revision ?? -1")
                 self.ask("motion.open", json.dumps({"scene": scene}))
-                self.browser.wait("thenarLive.store.scene.mode === 'motion' && thenarLive.store.frame", "a frame")
-                self.browser.wait("!thenarLive.picture.fitting()", "all meshes")
+                # The scene may come after the answer, while that of before is shown.
+                self.browser.wait(f"thenarLive.store.scene.revision !== {before} && thenarLive.store.scene.mode === 'motion' "
+                                  "&& thenarLive.store.frame", "a frame")
+                self.browser.wait("thenarLive.picture.complete() && !thenarLive.picture.fitting()", "all meshes")
                 self.assertGreater(self.browser.value(COLORED), 0.002)
                 self.ask("motion.step", "{steps: 3}")
                 self.browser.wait("thenarLive.store.frame.time > 0", "time goes on")
@@ -115,7 +118,8 @@ class Modes(LivePage):
                     self.assertRegex(str(refused), "no muscle|has no bones")
                     continue
                 self.settle()
-                self.browser.wait("thenarLive.store.scene.mode === 'tendons' && !thenarLive.picture.fitting()")
+                self.browser.wait("thenarLive.store.scene.mode === 'tendons' && thenarLive.picture.complete()"
+                                  " && !thenarLive.picture.fitting()")
                 self.assertGreater(self.browser.value(COLORED), 0.001)
                 self.assert_no_errors()
 

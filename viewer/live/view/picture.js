@@ -108,6 +108,7 @@ export function makePicture(container, theme, asked) {
     tips: () => tips,
     frame: () => frame,
     fitting: () => fitting,
+    complete: () => complete && frame !== null,
     meshCount: shelf.size,
   };
 }
