@@ -12,6 +12,7 @@ import { ask as askReader } from "./panels/dialogs.js";
 import { makeLegend } from "./panels/legend.js";
 import { makeNotices } from "./panels/notices.js";
 import { jointWords } from "./panels/pose_panel.js";
+import { coveredBoxes } from "./view/covered.js";
 import { makePicture } from "./view/picture.js";
 
 /// The colours of words on the picture; kept, for the browser lays out the page to tell them.
@@ -174,16 +175,7 @@ function addView(app) {
     },
   };
   stage.labels = () => labelsOf(app);
-  // No words below the panels.
-  stage.covered = () => {
-    const { width, height, insets } = stage;
-    return [
-      { left: 0, right: insets.left, top: 0, bottom: height },
-      { left: width - insets.right, right: width, top: 0, bottom: height },
-      { left: 0, right: width, top: 0, bottom: insets.top },
-      { left: 0, right: width, top: height - insets.bottom, bottom: height },
-    ];
-  };
+  stage.covered = () => coveredBoxes(stage, app.legend.box());
 }
 
 /// Words on the picture: arrows, and names of bodies where the reader wants them.

@@ -75,6 +75,7 @@ function arrange(app) {
   };
   for (const [name, value] of Object.entries(insets))
     document.documentElement.style.setProperty(`--inset-${name}`, `${value}px`);
+  app.legend.measure();
   app.picture.stage.setInsets(insets);
 }
 

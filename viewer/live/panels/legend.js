@@ -4,6 +4,8 @@ import { el } from "../../report/dom.js";
 import { formatNumber } from "../../numbers/format.js";
 import { cssGradient } from "../../scene/color_scale.js";
 
+/// The legend: show({ tensionEnd, forceScale, momentRadius }) fills it; box() is where it stands in the
+/// window, as measure() last found it.
 export function makeLegend() {
   const low = el("span", { class: "number" }, "0");
   const high = el("span", { class: "number" });
@@ -28,6 +30,14 @@ export function makeLegend() {
     moment,
   );
   let shown = "";
+  let box = null;
+  // Kept, for the browser lays out the page to tell it.
+  legend.measure = () => {
+    const { left, right, top, bottom } = legend.getBoundingClientRect();
+    box = right > left && bottom > top ? { left, right, top, bottom } : null;
+  };
+  legend.box = () => box;
+  new ResizeObserver(legend.measure).observe(legend);
   legend.show = ({ tensionEnd, forceScale, momentRadius = null }) => {
     const key = `${tensionEnd} ${forceScale} ${momentRadius}`;
     if (key === shown) return;
