@@ -180,10 +180,11 @@ test("a grasp that holds, and one that does not, are told apart in words", () =>
     closed: true,
     force_closure: true,
     epsilon: { lower: 0.1, upper: 0.102 },
+    volume: { lower: 0.25, upper: null },
   });
+  assert.equal(holds["Volume [(N per N)\u2076]"], "at least 0.25 (certified)");
   assert.match(holds["Force closure"], /yes/);
-  assert.equal(holds.Epsilon, "0.1");
-  assert.equal(holds.certified, "0.1 to 0.102");
+  assert.equal(holds["Epsilon [N per N]"], "between 0.1 and 0.102 (certified)");
   const loose = factsOf({
     closed: true,
     force_closure: false,

@@ -26,7 +26,7 @@ function intervalWords({ value, lower, upper }, scale, unit) {
 const pairFacts = ({ angle, distance, beyond }) => [
   ["Angle", intervalWords(angle, DEGREE, "\u00b0")],
   ["Distance", intervalWords(distance, 1e-3, "\u202fmm")],
-  ["Beyond", intervalWords(beyond, 1e-3, "\u202fmm")],
+  ["Second lies distal by", intervalWords(beyond, 1e-3, "\u202fmm")],
 ];
 
 /// An axis along the triad of the picture; points have the subject's origin.
@@ -69,7 +69,7 @@ export function makeFitPanel(app) {
           ? [
               ["Measured", `${vector(trial.measured)} N`],
               ["Predicted", `${vector(trial.predicted)} N`],
-              ["Sd", `${vector(trial.sd)} N`],
+              ["Standard deviation", `${vector(trial.sd)} N`],
               ["Direction off by", `${formatNumber(trial.direction_error / DEGREE, 1)}\u00b0`],
             ]
           : [],

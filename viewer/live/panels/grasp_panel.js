@@ -17,6 +17,12 @@ const directionWords = (wrench, rotation) =>
     ? wrenchWords(rotatedWrench(wrench, rotation))
     : `${wrenchWords(wrench)} (the object's axes)`;
 
+/// The bounds between which a number is certified to lie; there may be none above.
+const certified = ({ lower, upper }) =>
+  Number.isFinite(upper)
+    ? `between ${formatNumber(lower)} and ${formatNumber(upper)} (certified)`
+    : `at least ${formatNumber(lower)} (certified)`;
+
 /// The lines that tell a quality as the server gives it; `rotation` of the object in the picture.
 export function qualityFacts(quality, rotation = null) {
   const { closed, epsilon, volume } = quality;
@@ -24,15 +30,13 @@ export function qualityFacts(quality, rotation = null) {
     return [["Grasp", quality.reason ?? quality.verdict ?? "nothing is held"]];
   const told = [
     ["Force closure", quality.force_closure ? "\u2713 yes" : "\u2717 no: the grasp is unstable"],
-    ["Epsilon", formatNumber(epsilon.lower)],
-    ["certified", `${formatNumber(epsilon.lower)} to ${formatNumber(epsilon.upper)}`],
+    ["Epsilon [N per N]", certified(epsilon)],
   ];
   if (quality.missing_direction)
     told.push(["Cannot resist", directionWords(quality.missing_direction, rotation)]);
   if (quality.worst_wrench)
     told.push(["Worst disturbance", directionWords(quality.worst_wrench, rotation)]);
-  if (volume)
-    told.push(["Volume", `${formatNumber(volume.lower)} to ${formatNumber(volume.upper)}`]);
+  if (volume) told.push(["Volume [(N per N)\u2076]", certified(volume)]);
   if (quality.contacts !== undefined) told.push(["Contacts", String(quality.contacts)]);
   return told;
 }
@@ -49,15 +53,15 @@ const DEEDS = {
   Open: "hand.open",
   Approach: "hand.approach",
   Close: "hand.close",
-  Grasp: "hand.grasp",
+  "Auto-grasp": "hand.grasp",
 };
 
 /// Buttons that move the hand; `doing(method)` gives what each does.
 const deedButtons = (doing) =>
   Object.entries(DEEDS).map(([words, method]) =>
     slowButton(words, doing(method), {
-      id: `do-${words.toLowerCase()}`,
-      class: words === "Grasp" ? "main" : null,
+      id: method.replace("hand.", "do-"),
+      class: method === "hand.grasp" ? "main" : null,
     }),
   );
 
@@ -118,7 +122,7 @@ function makeQuality(app, of) {
     "Quality",
     answer,
     el("div", { class: "ticks" }, always, volume),
-    el("div", { class: "buttons" }, slowButton("Ask now", ask, { id: "ask-quality" })),
+    el("div", { class: "buttons" }, slowButton("Find the quality", ask, { id: "ask-quality" })),
   );
   return { element, ask, soon };
 }
