@@ -18,6 +18,10 @@ def command(*words):
     return json.loads(subprocess.run([live_page.PROGRAM, *map(str, words)], capture_output=True, text=True,
                                      check=True).stdout)
 
+# What the panel says of the grasp: { term: words }.
+FACTS = """Object.fromEntries([...document.querySelectorAll('#quality dt')].map((term) =>
+  [term.textContent, term.nextElementSibling.textContent]))"""
+
 
 class Hands(LivePage):
     def select_joint(self):
@@ -64,8 +68,31 @@ class Hands(LivePage):
         said = command("grasp", WORLD, "--json")
         self.assertAlmostEqual(shown["epsilon"]["lower"], said["epsilon"]["lower"], places=12)
         self.assertAlmostEqual(shown["epsilon"]["upper"], said["epsilon"]["upper"], places=12)
-        text = self.browser.value("document.querySelector('#quality').textContent")
-        self.assertIn("\u2713 yes" if said["force_closure"] else "\u2717 no", text)
+        # What is read on the page, in four figures.
+        facts = self.browser.value(FACTS)
+        bounds = [f"{said['epsilon'][end]:.4g}" for end in ("lower", "upper")]
+        self.assertEqual(facts["Epsilon [N per N]"], f"between {bounds[0]} and {bounds[1]} (certified)")
+        self.assertIn("\u2713 yes" if said["force_closure"] else "\u2717 no", facts["Force closure"])
+        self.assertEqual(facts["Contacts"], str(len(said["contacts"])))
+        self.assert_no_errors()
+
+    def test_the_worst_disturbance_is_told_as_its_arrows_point(self):
+        self.start(WORLD)
+        self.browser.value("thenarLive.tabs.choose('grasp')")
+        self.browser.click("#do-grasp")
+        self.browser.wait("document.querySelector('.page.grasp').quality", "the quality")
+        arrows = ("thenarLive.store.scene.arrows.map(({ name }, i) => "
+                  "[name, [...thenarLive.store.frame.arrows.slice(6 * i + 3, 6 * i + 6)]])")
+        self.browser.wait(f"({arrows}).some(([, v]) => Math.hypot(...v) > 0)", "arrows of the disturbance")
+        drawn = dict(self.browser.value(arrows))
+        scale = self.browser.value("document.querySelector('.page.grasp').quality.torque_scale")
+        wrench = drawn["worst disturbance: force"] + [m / scale for m in drawn["worst disturbance: moment"]]
+        largest = max(map(abs, wrench))
+        told = self.browser.value(FACTS)["Worst disturbance"]
+        for k, part in enumerate(wrench):
+            word = f"{'force along' if k < 3 else 'torque about'} {'+' if part > 0 else chr(0x2212)}{'xyz'[k % 3]}"
+            if abs(abs(part) - largest / 3) > 1e-3 * largest:  # too near to the limit to say
+                self.assertEqual(word in told, abs(part) > largest / 3, f"{word} in {told}")
         self.assert_no_errors()
 
     def test_wrench_sets_are_drawn(self):

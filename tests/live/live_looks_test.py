@@ -22,6 +22,29 @@ LOST = """[...document.querySelectorAll('.bar button, .bar .link, .side-head but
 CUT = """[...document.querySelectorAll('.slider .value')].filter((node) => node.offsetParent && node.scrollWidth > node.clientWidth + 1)
   .map((node) => node.getAttribute('aria-label'))"""
 
+# Parts of the page that is shown beside the picture which are wider than it.
+WIDE = """(() => {
+  const pages = document.querySelector('.pages');
+  const room = pages.getBoundingClientRect().left + pages.clientWidth + 0.5;
+  if (pages.scrollWidth <= pages.clientWidth) return [];
+  return [...pages.querySelectorAll('.page:not([hidden]) *')]
+    .filter((node) => node.offsetParent && node.getBoundingClientRect().right > room)
+    .map((node) => `${node.tagName} ${node.className}`).slice(0, 8).concat([`${pages.scrollWidth} in ${pages.clientWidth}`]);
+})()"""
+
+# The tabs that are offered, which are more in a narrow window.
+TABS = "[...document.querySelectorAll('.tabs button')].filter((b) => b.offsetParent).map((b) => b.id.slice(4))"
+
+# Whether the legend lies below the triad or the scale bar.
+LEGEND = """(() => {
+  const { width, height, insets } = thenarLive.picture.stage;
+  const box = document.querySelector('.key-box').getBoundingClientRect();
+  const [right, bottom] = [width - insets.right, height - insets.bottom];
+  const triad = box.left < insets.left + 84 && box.bottom > bottom - 84;
+  const bar = box.right > right - 110 && box.bottom > bottom - 36;
+  return box.width > 0 && (triad || bar) ? [box.left, box.right, box.bottom, right, bottom] : [];
+})()"""
+
 
 class Looks(LivePage):
     def tearDown(self):
@@ -32,6 +55,8 @@ class Looks(LivePage):
         self.assertGreater(len(self.browser.screenshot(live_page.PICTURES / f"{name}.png")), 5000)
         self.assertEqual(self.browser.value(LOST), [])
         self.assertEqual(self.browser.value(CUT), [])
+        self.assertEqual(self.browser.value(WIDE), [])
+        self.assertEqual(self.browser.value(LEGEND), [])
         self.assertLessEqual(self.browser.value("document.documentElement.scrollWidth - innerWidth"), 0)
 
     def rest(self):
@@ -65,6 +90,35 @@ class Looks(LivePage):
         self.browser.wait("document.querySelectorAll('.wrenches').length === 2", "two sets")
         self.rest()
         self.look("grasp_1400")
+        self.assert_no_errors()
+
+    def every_tab(self, name):
+        """Looks at each tab while the window goes from wide to narrow."""
+        for width, height in WIDTHS.items():
+            self.browser.resize(width, height)
+            for tab in self.browser.value(TABS):
+                with self.subTest(width=width, tab=tab):
+                    self.browser.value(f"thenarLive.tabs.choose('{tab}')")
+                    self.rest()
+                    self.look(f"{name}_{tab}_{width}")
+
+    def test_panels_with_charts_are_not_cut_as_the_window_narrows(self):
+        self.start()
+        self.browser.value("thenarLive.call('tendons.open', { subject: 'an_chao_middle' })")
+        self.browser.wait("thenarLive.store.scene.mode === 'tendons' && thenarLive.store.frame", "a digit")
+        self.browser.wait("document.querySelectorAll('.page.tendons .table-frame tbody tr').length", "tensions")
+        self.browser.click("#plot-sweep")
+        self.browser.wait("document.querySelectorAll('.page.tendons .charts figure .u-over').length === 2", "two charts")
+        self.every_tab("tendons")
+        self.assert_no_errors()
+
+    def test_panels_of_a_motion_are_not_cut_as_the_window_narrows(self):
+        self.start()
+        self.browser.value("thenarLive.call('motion.open', { scene: 'pendulum' })")
+        self.browser.wait("thenarLive.store.scene.mode === 'motion' && thenarLive.tabs.chosen() === 'time'")
+        self.browser.value("thenarLive.call('motion.step', { steps: 20 })")
+        self.browser.wait("document.querySelector('.page.time .charts figure .u-over')", "the chart of energies")
+        self.every_tab("motion")
         self.assert_no_errors()
 
     def test_handles_and_dialogs(self):

@@ -12,6 +12,9 @@ from live_page import COLORED, ROOT, LivePage, PageError
 
 SUBJECT = "an_chao_middle"
 
+TIP_FORCE = """[...document.querySelectorAll('.page.tendons dt')]
+  .find((term) => term.textContent === 'along x, y, z')?.nextElementSibling.textContent"""
+
 
 class Modes(LivePage):
     def test_scenes_open_and_step(self):
@@ -76,6 +79,14 @@ class Modes(LivePage):
         }})()""")
         self.browser.wait("thenarLive.store.frame.tensions.some((t) => Math.abs(t - 4.5) < 1e-4)", "a line under 4.5 N")
         self.assertAlmostEqual(self.ask("tendons.state")["muscles"][0]["tension"], 4.5)
+        # The tip force is told as its arrow points, in the frame of the triad.
+        self.browser.wait(f"({TIP_FORCE})", "a tip force")
+        told = [float(v.replace(chr(0x2212), "-")) for v in self.browser.value(TIP_FORCE).split(" N")[0].split(",")]
+        drawn = self.browser.value("(() => { const i = thenarLive.store.scene.arrows.findIndex(({ name }) => name === 'tip force');"
+                                   "return [...thenarLive.store.frame.arrows.slice(6 * i + 3, 6 * i + 6)]; })()")
+        self.assertGreater(max(map(abs, drawn)), 0.1)
+        for a, b in zip(told, drawn):
+            self.assertAlmostEqual(a, b, delta=0.00501)  # two decimals are shown
         self.browser.click("#plot-sweep")
         self.browser.wait("document.querySelectorAll('.page.tendons .charts figure .u-over').length === 2", "two charts")
         self.browser.value("new Promise((done) => setTimeout(done, 600))")
