@@ -89,7 +89,11 @@ class Looks(LivePage):
         self.browser.click("#show-wrenches")
         self.browser.wait("document.querySelectorAll('.wrenches').length === 2", "two sets")
         self.rest()
-        self.look("grasp_1400")
+        for width, height in WIDTHS.items():
+            with self.subTest(width=width):
+                self.browser.resize(width, height)
+                self.rest()
+                self.look(f"grasp_{width}")
         self.assert_no_errors()
 
     def every_tab(self, name):
