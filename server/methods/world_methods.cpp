@@ -45,7 +45,8 @@ OrderedJson text(Session& session, const Json& /*params*/, const Progress& /*pro
 OrderedJson save(Session& session, const Json& params, const Progress& /*progress*/) {
   LiveWorld& live = live_world(session);
   const std::string file = params["file"].get<std::string>();
-  (void)save_live_world(live, file);
+  const bool overwrites = params["overwrite"].get<bool>();
+  (void)save_live_world(live, file, overwrites ? SaveOver::kAnything : SaveOver::kNothing);
   return {{"file", file}};
 }
 
@@ -142,10 +143,13 @@ void add_file_rows(MethodTable& table) {
        "name: of the world; warnings: what was assumed", R"({"world": "jaw_box"})", load});
   table.add({"world.text", "The world as the text of its file.", object_schema({}),
              "toml: a text that world.load takes", "{}", text});
-  table.add({"world.save", "Saves the world in the working folder, with files of imported hands.",
-             object_schema({{"file", text_schema(kPathLength),
-                             "Within the working folder, ending in .toml.", true}}),
-             "file: that was written", R"({"file": "my_world.toml"})", save});
+  table.add(
+      {"world.save", "Saves the world in the working folder, with files of imported hands.",
+       object_schema(
+           {{"file", text_schema(kPathLength), "Within the working folder, ending in .toml.", true},
+            {"overwrite", flag_schema(), "true: replaces also a file that is not of this world.",
+             false, false}}),
+       "file: that was written", R"({"file": "my_world.toml"})", save});
   table.add({"world.get", "Everything that stands in the world, and where.", object_schema({}),
              "name; hands: name, file, position [m], rotation, carrier, carrier_link, joints "
              "[rad or m]; bodies: name, position [m], rotation, dynamic, material, mass [kg] or "

@@ -206,6 +206,12 @@ TEST(WorldMethods, ImportARobotWithItsMeshesAndSaveItAlong) {
   for (const auto& warning : added["warnings"])
     EXPECT_THAT(warning.get<std::string>(), testing::Not(HasSubstr("/tmp")));
   EXPECT_EQ(client.ask("hand.get")["joints"].size(), 2U);
+  // A folder of somebody else beside the file stays as it is.
+  fs::create_directories(client.folder() + "/held_files/1");
+  EXPECT_THAT(client.refusal("world.save", {{"file", "held.toml"}}), HasSubstr("held_files"));
+  EXPECT_TRUE(fs::is_empty(client.folder() + "/held_files/1"));
+  EXPECT_EQ(client.refusal("world.save", {{"file", "held.toml"}, {"overwrite", true}}), "");
+  EXPECT_TRUE(fs::exists(client.folder() + "/held_files/1/pack/robot.urdf"));
   // Saved, and loaded by another session once the first one is gone.
   (void)client.ask("world.save", {{"file", "kept.toml"}});
   const std::string toml = bytes_of_file(client.folder() + "/kept.toml");

@@ -90,6 +90,19 @@ export async function saveWorld(app) {
     if (got) download(wanted.name.split("/").at(-1), got.toml, "application/toml");
     return;
   }
-  if (await app.ask("world.save", { file: wanted.name }))
-    app.notices.tell(`Saved as ${wanted.name}.`);
+  if (await saveAs(app, wanted.name)) app.notices.tell(`Saved as ${wanted.name}.`);
+}
+
+/// Saves the world on the server; a reader is asked before a file of others is replaced.
+export async function saveAs(app, file, replace = (question) => ask(question, "Replace it")) {
+  try {
+    return await app.call("world.save", { file });
+  } catch (error) {
+    if (/is there already/.test(error.message))
+      return (await replace(`${error.message.split(": 'overwrite'")[0]}.`))
+        ? app.ask("world.save", { file, overwrite: true })
+        : null;
+    if (error.code !== "lost") app.notices.error(`world.save: ${error.message}`);
+    return null;
+  }
 }

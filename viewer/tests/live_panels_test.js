@@ -3,7 +3,7 @@
 import assert from "node:assert/strict";
 import test from "node:test";
 import { Group } from "three";
-import { base64Of, guessKind } from "../live/files.js";
+import { base64Of, guessKind, saveAs } from "../live/files.js";
 import { makeEnergyChart, makeHistory } from "../live/panels/energy_chart.js";
 import { sparse } from "../live/panels/live_chart.js";
 import { matches } from "../live/panels/open_dialog.js";
@@ -219,4 +219,26 @@ test("bodies look like what they are", () => {
   // Skin that has bones inside can be seen through.
   scene.bodies.push(body({ role: "bone" }));
   assert.equal(looksOf(scene)[2].layer, "hands");
+});
+
+test("a file of others is replaced only where the reader says so", async () => {
+  const there = "'x.toml' is there already and is not of this world: 'overwrite' replaces it";
+  const saved = async (yes) => {
+    const asked = [];
+    const sent = [];
+    const save = (_, params) => {
+      sent.push(params);
+      if (!params.overwrite) throw new Error(there);
+      return { file: params.file };
+    };
+    const app = { call: save, ask: save, notices: { error: (text) => asked.push(text) } };
+    const result = await saveAs(app, "x.toml", (question) => (asked.push(question), yes));
+    return { result, asked, sent };
+  };
+  const question = "'x.toml' is there already and is not of this world.";
+  const no = await saved(false);
+  assert.deepEqual(no, { result: null, asked: [question], sent: [{ file: "x.toml" }] });
+  const yes = await saved(true);
+  assert.deepEqual(yes.sent.at(-1), { file: "x.toml", overwrite: true });
+  assert.deepEqual(yes.result, { file: "x.toml" });
 });

@@ -90,6 +90,24 @@ std::string checked_target(const std::string& folder, const std::string& file) {
   return whole.string();
 }
 
+/// Whether a world was loaded from a file, or saved to it. @param target  canonical
+bool is_file_of(const LiveWorld& live, const fs::path& target) {
+  std::error_code failed;
+  const std::string& own = live.state().file;
+  return !own.empty() && fs::weakly_canonical(own, failed) == target && !failed;
+}
+
+/// @throws InputError if saving would replace what is not of this world
+void require_free(const LiveWorld& live, const SavedWorld& saved, const std::string& target,
+                  const std::string& file) {
+  if (is_file_of(live, target)) return;
+  const std::string advice = "is there already and is not of this world: 'overwrite' replaces it";
+  require(!fs::exists(target), "'{}' {}", file, advice);
+  for (const auto& [from, to] : saved.copies)
+    require(!fs::exists(to), "the folder '{}' beside '{}' {}",
+            files_folder(target).filename().string(), file, advice);
+}
+
 }  // namespace
 
 std::string imported_file(const LiveWorld& live, const PlacedHand& hand) {
@@ -154,9 +172,10 @@ std::string world_text(const LiveWorld& live) {
   return world_toml(seen_from_folder(with_files_in(live, folder).world, live.places().folder));
 }
 
-std::string save_live_world(LiveWorld& live, const std::string& file) {
+std::string save_live_world(LiveWorld& live, const std::string& file, SaveOver over) {
   const std::string target = checked_target(live.places().folder, file);
   const SavedWorld saved = with_files_in(live, files_folder(target));
+  if (over == SaveOver::kNothing) require_free(live, saved, target, file);
   require_writable(target);
   for (const auto& [from, to] : saved.copies) {
     std::error_code failed;

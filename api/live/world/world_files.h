@@ -30,11 +30,17 @@ std::vector<std::string> load_world_text(LiveWorld& live, const std::string& tex
 /// save_live_world() would put them, beside "untitled.toml".
 [[nodiscard]] std::string world_text(const LiveWorld& live);
 
+/// What saving may replace beside the file of the world itself.
+enum class SaveOver { kNothing, kAnything };
+
 /// Saves the world, and the files of imported hands in a folder "NAME_files" beside it.
 /// @param file  relative to the working folder, within it, ".toml"
+/// @param over  kNothing: a file that the world was neither loaded from nor saved to stays
 /// @return the path that was written
-/// @throws InputError if it is elsewhere, leads out through a link, or cannot be written
-std::string save_live_world(LiveWorld& live, const std::string& file);
+/// @throws InputError if it is elsewhere, leads out through a link, would replace what `over` lets
+///         stay, or cannot be written
+std::string save_live_world(LiveWorld& live, const std::string& file,
+                            SaveOver over = SaveOver::kNothing);
 
 /// The state of a world that was read: its hands built, or taken where they were built before.
 /// @param path  for messages

@@ -15,6 +15,7 @@
 #include "api/live/world/world_files.h"
 #include "api/named/files.h"
 #include "base/error.h"
+#include "base/file_io.h"
 #include "tests/data_folder.h"
 #include "tests/matrix_near.h"
 
@@ -111,6 +112,31 @@ TEST(LiveWorld, SavesNowhereButInItsFolder) {
                            "link/x.toml", "a/b/../../../x.toml"})
     EXPECT_THROW((void)save_live_world(live, file), InputError) << file;
   EXPECT_TRUE(fs::is_empty(other));
+}
+
+// The file that a world was loaded from or saved to is its own; any other one is somebody else's.
+TEST(LiveWorld, ReplacesNoFileOfOthersUnlessToldTo) {
+  const std::string folder = working_folder("over");
+  write_file(folder + "/scene.toml", "# somebody else's\n");
+
+  LiveWorld live(places(folder));
+  (void)load_world(live, "jaw_box");
+  EXPECT_THAT([&] { (void)save_live_world(live, "scene.toml"); },
+              ThrowsMessage<InputError>(HasSubstr("'overwrite' replaces it")));
+  EXPECT_EQ(read_source(folder + "/scene.toml").text, "# somebody else's\n");
+  // A new file, then the same one again, also by another name of it.
+  (void)save_live_world(live, "new.toml");
+  place_thing(live, "box", Eigen::Vector3d(1, 0, 0), {});
+  (void)save_live_world(live, "./new.toml");
+  LiveWorld again(places(folder));
+  (void)load_world(again, folder + "/new.toml");
+  (void)save_live_world(again, "new.toml");
+  // Another world does not take its place, a new one of the same session neither.
+  new_world(again);
+  EXPECT_THROW((void)save_live_world(again, "new.toml"), InputError);
+  EXPECT_EQ(read_world(folder + "/new.toml").hands.size(), 1U);
+  (void)save_live_world(again, "new.toml", SaveOver::kAnything);
+  EXPECT_TRUE(read_world(folder + "/new.toml").hands.empty());
 }
 
 TEST(LiveWorld, StaysAsItWasWhereALoadFails) {
