@@ -2,6 +2,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "api/live/world/imported_files.h"
 #include "api/live/world/world_edits.h"
 #include "api/live/world/world_files.h"
 #include "api/live/world/world_import.h"

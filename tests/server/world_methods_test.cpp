@@ -13,6 +13,7 @@
 
 #include "api/grasp.h"
 #include "base/error.h"
+#include "base/file_io.h"
 #include "report/answers/grasp.h"
 #include "report/scene/mesh_table.h"
 #include "server/methods/method_table.h"
@@ -208,10 +209,9 @@ TEST(WorldMethods, ImportARobotWithItsMeshesAndSaveItAlong) {
   EXPECT_EQ(client.ask("hand.get")["joints"].size(), 2U);
   // A folder of somebody else beside the file stays as it is.
   fs::create_directories(client.folder() + "/held_files/1");
-  EXPECT_THAT(client.refusal("world.save", {{"file", "held.toml"}}), HasSubstr("held_files"));
+  (void)client.ask("world.save", {{"file", "held.toml"}});
   EXPECT_TRUE(fs::is_empty(client.folder() + "/held_files/1"));
-  EXPECT_EQ(client.refusal("world.save", {{"file", "held.toml"}, {"overwrite", true}}), "");
-  EXPECT_TRUE(fs::exists(client.folder() + "/held_files/1/pack/robot.urdf"));
+  EXPECT_TRUE(fs::exists(client.folder() + "/held_files/2/pack/robot.urdf"));
   // Saved, and loaded by another session once the first one is gone.
   (void)client.ask("world.save", {{"file", "kept.toml"}});
   const std::string toml = bytes_of_file(client.folder() + "/kept.toml");
@@ -220,6 +220,36 @@ TEST(WorldMethods, ImportARobotWithItsMeshesAndSaveItAlong) {
   (void)other.ask("world.load", {{"world", client.folder() + "/kept.toml"}});
   EXPECT_EQ(other.ask("hand.get")["joints"].size(), 2U);
   EXPECT_GE(other.session().shown()->shape().bodies.size(), 3U);
+}
+
+// Each session numbers what is dropped into it from 1 on: a world that came with files has that
+// number already.
+TEST(WorldMethods, KeepFilesOfHandsThatWereSavedBefore) {
+  Client first("keep");
+  const Json drop{dropped("robot.urdf", small_urdf())};
+  (void)first.ask("world.import", {{"files", drop}, {"as", "hand"}});
+  (void)first.ask("world.save", {{"file", "kept.toml"}});
+  // In a second session, another hand of the same name joins it.
+  Client second("keep_again");
+  fs::copy(first.folder(), second.folder(), fs::copy_options::recursive);
+  std::string wider = small_urdf();
+  wider.replace(wider.find("0.1 0.1 0.02"), 12, "0.2 0.1 0.02");
+  (void)second.ask("world.load", {{"world", second.folder() + "/kept.toml"}});
+  (void)second.ask("world.import", {{"files", {dropped("robot.urdf", wider)}}, {"as", "hand"}});
+  for (int times = 0; times < 3; ++times) {
+    (void)second.ask("world.save", {{"file", "kept.toml"}});
+    EXPECT_EQ(bytes_of_file(second.folder() + "/kept_files/1/robot.urdf"), small_urdf());
+    EXPECT_EQ(bytes_of_file(second.folder() + "/kept_files/2/robot.urdf"), wider);
+    EXPECT_FALSE(fs::exists(second.folder() + "/kept_files/3"));
+  }
+  const std::string toml = bytes_of_file(second.folder() + "/kept.toml");
+  EXPECT_THAT(toml, HasSubstr("\"kept_files/1/robot.urdf\""));
+  EXPECT_THAT(toml, HasSubstr("\"kept_files/2/robot.urdf\""));
+  // What somebody changed there by hand is not lost either, nor where all may be replaced.
+  write_file(second.folder() + "/kept_files/2/robot.urdf", "<robot name='mine'/>");
+  (void)second.ask("world.save", {{"file", "kept.toml"}, {"overwrite", true}});
+  EXPECT_EQ(bytes_of_file(second.folder() + "/kept_files/2/robot.urdf"), "<robot name='mine'/>");
+  EXPECT_EQ(bytes_of_file(second.folder() + "/kept_files/3/robot.urdf"), wider);
 }
 
 TEST(WorldMethods, ImportAMeshAndForgetWhereItCameFrom) {

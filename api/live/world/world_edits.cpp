@@ -6,7 +6,7 @@
 
 #include <fmt/format.h>
 
-#include "api/live/world/world_files.h"
+#include "api/live/world/imported_files.h"
 #include "api/live/world/world_import.h"
 #include "api/named/data_folders.h"
 #include "api/named/files.h"

@@ -2,12 +2,12 @@
 
 #include <algorithm>
 #include <filesystem>
-#include <iterator>
 #include <memory>
 #include <utility>
 
 #include <fmt/format.h>
 
+#include "api/live/world/imported_files.h"
 #include "base/error.h"
 #include "base/file_io.h"
 
@@ -45,33 +45,6 @@ fs::path files_folder(const std::string& file) {
   return fs::path(file).parent_path() / (fs::path(file).stem().string() + "_files");
 }
 
-fs::path whole_path(const WorldSpec& world, const PlacedHand& hand) {
-  return fs::absolute(fs::path(world.folder) / hand.file).lexically_normal();
-}
-
-/// A world to be saved, and the folders of imported files that are to go with it.
-struct SavedWorld {
-  WorldSpec world;
-  std::vector<std::pair<fs::path, fs::path>> copies;  // from, to
-};
-
-/// The world with imported files named as they stand in `folder`: of OWN/3/robot.urdf all of OWN/3
-/// goes to FOLDER/3.
-SavedWorld with_files_in(const LiveWorld& live, const fs::path& folder) {
-  SavedWorld saved{spec_of(live.state()), {}};
-  for (PlacedHand& hand : saved.world.hands) {
-    const fs::path inside = imported_file(live, hand);
-    if (inside.empty()) continue;
-    const fs::path whole = whole_path(saved.world, hand);
-    fs::path from = whole;
-    for (auto part = std::next(inside.begin()); part != inside.end(); ++part)
-      from = from.parent_path();
-    saved.copies.emplace_back(from, folder / *inside.begin());
-    hand.file = file_seen_from(saved.world.folder, (folder / inside).string());
-  }
-  return saved;
-}
-
 /// @throws InputError unless a file to write is within the working folder, links followed
 std::string checked_target(const std::string& folder, const std::string& file) {
   const fs::path asked(file);
@@ -97,29 +70,13 @@ bool is_file_of(const LiveWorld& live, const fs::path& target) {
   return !own.empty() && fs::weakly_canonical(own, failed) == target && !failed;
 }
 
-/// @throws InputError if saving would replace what is not of this world
-void require_free(const LiveWorld& live, const SavedWorld& saved, const std::string& target,
-                  const std::string& file) {
-  if (is_file_of(live, target)) return;
-  const std::string advice = "is there already and is not of this world: 'overwrite' replaces it";
-  require(!fs::exists(target), "'{}' {}", file, advice);
-  for (const auto& [from, to] : saved.copies)
-    require(!fs::exists(to), "the folder '{}' beside '{}' {}",
-            files_folder(target).filename().string(), file, advice);
+/// @throws InputError if saving would replace a file that is not of this world
+void require_free(const LiveWorld& live, const std::string& target, const std::string& file) {
+  require(is_file_of(live, target) || !fs::exists(target),
+          "'{}' is there already and is not of this world: 'overwrite' replaces it", file);
 }
 
 }  // namespace
-
-std::string imported_file(const LiveWorld& live, const PlacedHand& hand) {
-  if (hand.file.empty()) return "";
-  return live.in_own_folder(whole_path(*live.state().header, hand).string());
-}
-
-std::string file_seen_from(const std::string& folder, const std::string& file) {
-  return fs::proximate(fs::absolute(file).lexically_normal(),
-                       fs::absolute(folder.empty() ? "." : folder).lexically_normal())
-      .generic_string();
-}
 
 WorldState state_of_world(LiveWorld& live, const WorldSpec& world, const std::string& path,
                           const Progress& progress) {
@@ -174,17 +131,10 @@ std::string world_text(const LiveWorld& live) {
 
 std::string save_live_world(LiveWorld& live, const std::string& file, SaveOver over) {
   const std::string target = checked_target(live.places().folder, file);
-  const SavedWorld saved = with_files_in(live, files_folder(target));
-  if (over == SaveOver::kNothing) require_free(live, saved, target, file);
+  if (over == SaveOver::kNothing) require_free(live, target, file);
   require_writable(target);
-  for (const auto& [from, to] : saved.copies) {
-    std::error_code failed;
-    fs::create_directories(to, failed);
-    if (!failed)
-      fs::copy(from, to, fs::copy_options::recursive | fs::copy_options::overwrite_existing,
-               failed);
-    require(!failed, "'{}' cannot be written: {}", to.string(), failed.message());
-  }
+  const SavedWorld saved = with_files_in(live, files_folder(target));
+  write_copies(saved);
   save_world(saved.world, target);
   live.mark_saved(target);
   return target;

@@ -33,7 +33,8 @@ std::vector<std::string> load_world_text(LiveWorld& live, const std::string& tex
 /// What saving may replace beside the file of the world itself.
 enum class SaveOver { kNothing, kAnything };
 
-/// Saves the world, and the files of imported hands in a folder "NAME_files" beside it.
+/// Saves the world, and the files of imported hands in a folder "NAME_files" beside it, each in a
+/// folder of its own there: files that were there before stay, whatever `over` says.
 /// @param file  relative to the working folder, within it, ".toml"
 /// @param over  kNothing: a file that the world was neither loaded from nor saved to stays
 /// @return the path that was written
@@ -46,12 +47,5 @@ std::string save_live_world(LiveWorld& live, const std::string& file,
 /// @param path  for messages
 [[nodiscard]] WorldState state_of_world(LiveWorld& live, const WorldSpec& world,
                                         const std::string& path, const Progress& progress = {});
-
-/// The file of a hand that was dropped into the world, as seen from the world's own folder:
-/// "1/hand/robot.urdf"; "" of others.
-[[nodiscard]] std::string imported_file(const LiveWorld& live, const PlacedHand& hand);
-
-/// A file as worlds in a folder name it. @param file  relative to where the program runs
-[[nodiscard]] std::string file_seen_from(const std::string& folder, const std::string& file);
 
 }  // namespace thenar
