@@ -171,6 +171,18 @@ FitParameters choose_parameters(const TendonDigit& digit, const std::vector<std:
   return fit;
 }
 
+std::vector<double> values_with(const FitParameters& parameters, const std::vector<int>& moving,
+                                const Eigen::Ref<const Eigen::VectorXd>& values) {
+  require(static_cast<Eigen::Index>(moving.size()) == values.size(),
+          "{} parameters move, but there are values of {}", moving.size(), values.size());
+  std::vector<double> all;
+  all.reserve(parameters.all.size());
+  for (const Parameter& parameter : parameters.all) all.push_back(parameter.mean);
+  for (std::size_t k = 0; k < moving.size(); ++k)
+    all[static_cast<std::size_t>(moving[k])] = values[static_cast<Eigen::Index>(k)];
+  return all;
+}
+
 std::vector<std::string> fixed_geometry_warnings(const FitParameters& parameters) {
   // How many there are of each kind, and whether one of them moves.
   int arms = 0, points = 0;

@@ -5,6 +5,8 @@
 #include <string>
 #include <vector>
 
+#include <Eigen/Core>
+
 #include "data/io/fit_settings.h"
 #include "kinematics_fit/model/parameter.h"
 
@@ -40,6 +42,14 @@ struct FitParameters {
 /// zero do not count) and none of them may move: what the tendons' geometry gets wrong then goes
 /// into parameters that may.
 [[nodiscard]] std::vector<std::string> fixed_geometry_warnings(const FitParameters& parameters);
+
+/// Value of every parameter where only some move: those as given, all others at their mean [SI]
+/// (all).
+/// @param moving  indices in `all`
+/// @param values  of them [SI] (moving)
+[[nodiscard]] std::vector<double> values_with(const FitParameters& parameters,
+                                              const std::vector<int>& moving,
+                                              const Eigen::Ref<const Eigen::VectorXd>& values);
 
 /// Value of every parameter for coordinates u  [SI] (all).
 template <typename T, typename U>

@@ -38,14 +38,10 @@ Eigen::MatrixXd axis_offsets(const HandPosterior& posterior,
   const FitParameters& parameters = posterior.problem().parameters();
   const std::vector<int> moving = posterior.moving_parameters();
   Eigen::MatrixXd offsets(values.cols(), 3 * static_cast<Eigen::Index>(pairs.size()));
-  std::vector<double> all;
-  for (const Parameter& parameter : parameters.all) all.push_back(parameter.mean);
   for (Eigen::Index k = 0; k < values.cols(); ++k) {
     // The digit at this point, then its axes.
-    for (std::size_t i = 0; i < moving.size(); ++i)
-      all[static_cast<std::size_t>(moving[i])] = values(static_cast<Eigen::Index>(i), k);
-    const SpecimenModel<double> at =
-        specimen_model<double>(posterior.problem().digit(), parameters, all);
+    const SpecimenModel<double> at = specimen_model<double>(
+        posterior.problem().digit(), parameters, values_with(parameters, moving, values.col(k)));
     for (std::size_t i = 0; i < pairs.size(); ++i) {
       const AxisOffset offset = axis_offset(at.digit, pairs[i]);
       const auto column = 3 * static_cast<Eigen::Index>(i);

@@ -59,28 +59,22 @@ class DrawnModels {
   DrawnModels(const HandPosterior& posterior, const Eigen::MatrixXd& x)
       : posterior_(posterior),
         moving_(posterior.moving_parameters()),
-        values_(posterior.values(x).specimens.front()) {
-    // Parameters that do not move keep their mean.
-    for (const Parameter& parameter : posterior.problem().parameters().all)
-      all_values_.push_back(parameter.mean);
-  }
+        values_(posterior.values(x).specimens.front()) {}
 
   [[nodiscard]] long count() const { return values_.cols(); }
 
   /// The model at draw k.
   [[nodiscard]] TendonModel<double> at(long k) const {
-    std::vector<double> values = all_values_;
-    for (std::size_t i = 0; i < moving_.size(); ++i)
-      values[static_cast<std::size_t>(moving_[i])] = values_(static_cast<Eigen::Index>(i), k);
     const FitProblem& problem = posterior_.problem();
-    return specimen_model(problem.digit(), problem.parameters(), values).digit;
+    return specimen_model(problem.digit(), problem.parameters(),
+                          values_with(problem.parameters(), moving_, values_.col(k)))
+        .digit;
   }
 
  private:
   const HandPosterior& posterior_;
   std::vector<int> moving_;
   Eigen::MatrixXd values_;
-  std::vector<double> all_values_;
 };
 
 /// Tasks by digits at some of the draws; the misfits of each task are averaged over draws.

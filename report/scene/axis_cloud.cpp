@@ -46,16 +46,10 @@ Json cloud_layer(const TendonDigit& start, const Eigen::VectorXd& q, const AxisC
 AxisCloud axis_cloud(const std::string& name, const TendonDigit& digit,
                      const FitParameters& parameters, const std::vector<int>& moving,
                      const Eigen::Ref<const Eigen::MatrixXd>& values, Eigen::Index most) {
-  require(static_cast<Eigen::Index>(moving.size()) == values.rows(),
-          "{} parameters move, but there are values of {}", moving.size(), values.rows());
   AxisCloud cloud{name, {}};
-  for (const Eigen::Index j : spread(values.cols(), most)) {
-    std::vector<double> all;
-    for (const Parameter& parameter : parameters.all) all.push_back(parameter.mean);
-    for (std::size_t k = 0; k < moving.size(); ++k)
-      all[static_cast<std::size_t>(moving[k])] = values(static_cast<Eigen::Index>(k), j);
-    cloud.drawn.push_back(specimen_model(digit, parameters, all).digit);
-  }
+  for (const Eigen::Index j : spread(values.cols(), most))
+    cloud.drawn.push_back(
+        specimen_model(digit, parameters, values_with(parameters, moving, values.col(j))).digit);
   return cloud;
 }
 

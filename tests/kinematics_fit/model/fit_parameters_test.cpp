@@ -42,6 +42,16 @@ std::vector<std::string> free_names(const FitParameters& parameters) {
   return names;
 }
 
+TEST(FitParameters, ParametersThatDoNotMoveKeepTheirMean) {
+  const FitParameters chosen = choose("");
+  const std::vector<double> all = values_with(chosen, {2, 0}, Eigen::Vector2d(7, 8));
+  ASSERT_EQ(all.size(), chosen.all.size());
+  EXPECT_EQ(all[0], 8);
+  EXPECT_EQ(all[2], 7);
+  EXPECT_EQ(all[1], chosen.all[1].mean);
+  EXPECT_THROW((void)values_with(chosen, {0}, Eigen::Vector2d(7, 8)), InputError);
+}
+
 TEST(ChooseParameters, LaterRulesWin) {
   const FitParameters chosen = choose(R"(
 [[parameter]]
