@@ -1,6 +1,7 @@
 #include "api/live/fit_source.h"
 
 #include <algorithm>
+#include <iterator>
 #include <utility>
 
 #include <fmt/format.h>
@@ -31,18 +32,21 @@ FitSource fit_at(const std::string& path) {
         {parameter_values<double>(
              fit.problem.parameters(),
              displacements(fit.problem.coordinates(), fit.solution.z, static_cast<int>(s))),
+         {},
          {}});
   return source;
 }
 
-/// All parameters, those that move by one column of draws or their mean.
-std::vector<double> all_values(const FitParameters& parameters, const std::vector<int>& moving,
-                               const Eigen::Ref<const Eigen::VectorXd>& values) {
-  std::vector<double> all;
-  for (const Parameter& parameter : parameters.all) all.push_back(parameter.mean);
-  for (std::size_t k = 0; k < moving.size(); ++k)
-    all[static_cast<std::size_t>(moving[k])] = values[static_cast<Eigen::Index>(k)];
-  return all;
+/// How axes of one specimen lie, where it moves them.
+std::vector<PosteriorAxes> axes_of(const std::vector<PosteriorAxes>& all, const FitProblem& problem,
+                                   std::size_t specimen) {
+  // The only specimen has no name there, where there are several that is the population.
+  const std::vector<std::string>& names = problem.specimens();
+  const std::string whose = names.size() > 1 ? names[specimen] : "";
+  std::vector<PosteriorAxes> own;
+  std::copy_if(all.begin(), all.end(), std::back_inserter(own),
+               [&](const PosteriorAxes& axes) { return axes.whose == whose; });
+  return own;
 }
 
 FitSource posterior_at(const std::string& path) {
@@ -60,12 +64,15 @@ FitSource posterior_at(const std::string& path) {
   // Means of all draws, and some of them evenly spread.
   const PosteriorValues values = posterior.values(pooled(run.draws));
   const std::vector<int> moving = posterior.moving_parameters();
+  const std::vector<PosteriorAxes> axes = posterior_axes(run);
   for (const Eigen::MatrixXd& of : values.specimens) {
-    SpecimenValues specimen{all_values(problem.parameters(), moving, of.rowwise().mean()), {}};
+    SpecimenValues specimen{values_with(problem.parameters(), moving, of.rowwise().mean()),
+                            {},
+                            axes_of(axes, problem, source.specimens.size())};
     const Eigen::Index shown = std::min<Eigen::Index>(of.cols(), kShownDraws);
     for (Eigen::Index k = 0; k < shown; ++k)
       specimen.drawn.push_back(
-          all_values(problem.parameters(), moving, of.col(k * of.cols() / shown)));
+          values_with(problem.parameters(), moving, of.col(k * of.cols() / shown)));
     source.specimens.push_back(std::move(specimen));
   }
   // As predict_by_draws() does.

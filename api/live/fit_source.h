@@ -8,6 +8,7 @@
 
 #include "kinematics_fit/fit.h"
 #include "kinematics_fit/prediction.h"
+#include "posterior/run/posterior_axes.h"
 
 namespace thenar {
 
@@ -15,6 +16,7 @@ namespace thenar {
 struct SpecimenValues {
   std::vector<double> estimate;            // fitted, or the means of draws [SI] (all)
   std::vector<std::vector<double>> drawn;  // of some draws; none of a fit [SI] (draws) of (all)
+  std::vector<PosteriorAxes> axes;         // of all draws; only pairs of which an axis moves
 };
 
 /// A fit or a posterior, read.

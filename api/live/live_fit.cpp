@@ -1,10 +1,10 @@
 #include "api/live/live_fit.h"
 
 #include <algorithm>
-#include <cmath>
 #include <utility>
 
 #include "base/error.h"
+#include "base/units.h"
 #include "kinematics_fit/model/net_trials.h"
 #include "tendons/linear_tendons.h"
 #include "tendons/net/net_continuation.h"
@@ -12,9 +12,8 @@
 namespace thenar {
 namespace {
 
-constexpr double kDrawnAxis = 0.03;     // length of an axis of a draw [m]
-constexpr double kSameAxis = 1e-9;      // from draw to draw [m]
-constexpr double kShareOutside = 0.05;  // of the draws to either side of an interval [1]
+constexpr double kDrawnAxis = 0.03;  // length of an axis of a draw [m]
+constexpr double kSameAxis = 1e-9;   // from draw to draw [m]
 
 /// Tendons of a fitted digit: through the points of its model, with a net if it has one.
 std::shared_ptr<const DigitTendons> tendons_of_fit(const TendonDigit& digit) {
@@ -63,28 +62,20 @@ std::vector<LiveCloud> axis_clouds(const std::vector<TendonModel<double>>& drawn
   return clouds;
 }
 
-/// The number that a share of them lies below.
-double quantile(std::vector<double> numbers, double share) {
-  const auto last = static_cast<double>(numbers.size() - 1);
-  const auto at = numbers.begin() + static_cast<std::ptrdiff_t>(std::lround(share * last));
-  std::nth_element(numbers.begin(), at, numbers.end());
-  return *at;
-}
-
-std::vector<LiveAxisPair> pairs_of(const TendonDigit& digit,
-                                   const std::vector<TendonModel<double>>& drawn) {
+/// Offsets of neighbouring axes: means and quantiles of all draws where they move, else of the
+/// model.
+std::vector<LiveAxisPair> pairs_of(const TendonDigit& digit, const SpecimenValues& values) {
   std::vector<LiveAxisPair> pairs;
   for (const NeighbouringAxes& axes : neighbouring_axes(digit)) {
-    const AxisOffset estimate = axis_offset(digit.model, axes);
-    LiveAxisPair pair{axes, estimate, estimate, estimate};
-    for (double AxisOffset::*number :
-         {&AxisOffset::angle, &AxisOffset::distance, &AxisOffset::beyond}) {
-      std::vector<double> all;
-      for (const TendonModel<double>& model : drawn)
-        all.push_back(axis_offset(model, axes).*number);
-      if (all.empty()) continue;
-      pair.low.*number = quantile(all, kShareOutside);
-      pair.high.*number = quantile(all, 1 - kShareOutside);
+    const AxisOffset fitted = axis_offset(digit.model, axes);
+    LiveAxisPair pair{axes, fitted, fitted, fitted};
+    for (const PosteriorAxes& drawn : values.axes) {
+      if (drawn.axes.name != axes.name) continue;
+      const auto offset = [&](double Estimate::*of) {
+        return AxisOffset{radians(drawn.angle.*of), 1e-3 * (drawn.distance.*of),
+                          1e-3 * (drawn.beyond.*of)};
+      };
+      pair = {axes, offset(&Estimate::mean), offset(&Estimate::q05), offset(&Estimate::q95)};
     }
     pairs.push_back(std::move(pair));
   }
@@ -126,7 +117,7 @@ LiveFit::Look LiveFit::look_of(int specimen) const {
   std::vector<TendonModel<double>> drawn;
   for (const std::vector<double>& draw : values.drawn)
     drawn.push_back(specimen_model<double>(before, problem.parameters(), draw).digit);
-  look.pairs = pairs_of(digit, drawn);
+  look.pairs = pairs_of(digit, values);
   look.shape.bodies = look.bodies.bodies;
   look.shape.joints = look.bodies.joints;
   look.shape.lines = look.lines->lines();

@@ -26,8 +26,8 @@ struct LiveTrial {
 /// How two neighbouring axes lie to each other, and where 90 % of the draws lie.
 struct LiveAxisPair {
   NeighbouringAxes axes;
-  AxisOffset estimate;   // [rad], [m]
-  AxisOffset low, high;  // 5 and 95 % of the draws, each number by itself; the estimate of a fit
+  AxisOffset estimate;   // of a fit, or means of the draws, each number by itself [rad], [m]
+  AxisOffset low, high;  // 5 and 95 % of the draws; the estimate of a fit
 };
 
 /// A live fit. It shows one trial: the digit of its specimen with the fitted axes and tendons, in

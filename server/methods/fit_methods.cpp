@@ -102,8 +102,8 @@ constexpr const char* kFitWords =
     "where not measured, direction_error [rad]; posture: angles with their fitted errors [rad]; "
     "axes of the specimen that is shown, subject's frame, reference posture: joint, direction, "
     "point [m]; pairs of neighbouring axes: angle [rad], distance [m] and how far the second lies "
-    "distal of the first [m], each value, lower and upper: 90 % of the draws of a posterior; "
-    "warnings.";
+    "distal of the first [m], each value (of a posterior the mean of its draws), lower and upper "
+    "(90 % of its draws lie between); warnings";
 
 constexpr int kMostTrials = 1000000;
 

@@ -9,6 +9,7 @@
 
 #include "api/posterior.h"
 #include "base/error.h"
+#include "posterior/run/posterior_file.h"
 #include "tests/api/small_fit.h"
 #include "tests/data_folder.h"
 #include "tests/matrix_near.h"
@@ -204,6 +205,33 @@ TEST_F(LiveFitFile, IntervalsOfAxesHoldTheirDraws) {
     EXPECT_LE(pair.low.distance, pair.high.distance) << pair.axes.name;
     const bool moves = pair.axes.name.find("PIP3") != std::string::npos;
     EXPECT_EQ(pair.low.angle < pair.high.angle, moves) << pair.axes.name;
+    EXPECT_LE(pair.low.angle, pair.estimate.angle) << pair.axes.name;
+    EXPECT_LE(pair.estimate.angle, pair.high.angle) << pair.axes.name;
+  }
+}
+
+// The angle at the mean of the parameters is another one than the mean of the angles.
+TEST_F(LiveFitFile, AxesOfAPosteriorAreMeansOverAllItsDraws) {
+  (void)drawn();
+  const LiveFit live(path("P.nc"));
+  const PosteriorRun run = read_posterior(path("P.nc"));
+  const HandPosterior& posterior = *run.posterior;
+  const FitParameters& parameters = posterior.problem().parameters();
+  const Eigen::MatrixXd values = posterior.values(pooled(run.draws)).specimens.front();
+  const std::vector<int> moving = posterior.moving_parameters();
+  for (const LiveAxisPair& pair : live.axis_pairs()) {
+    double angles = 0, distances = 0;
+    for (Eigen::Index k = 0; k < values.cols(); ++k) {
+      std::vector<double> all;
+      for (const Parameter& parameter : parameters.all) all.push_back(parameter.mean);
+      for (std::size_t i = 0; i < moving.size(); ++i) all[moving[i]] = values(i, k);
+      const AxisOffset offset = axis_offset(
+          specimen_model(posterior.problem().digit(), parameters, all).digit, pair.axes);
+      angles += offset.angle / static_cast<double>(values.cols());
+      distances += offset.distance / static_cast<double>(values.cols());
+    }
+    EXPECT_NEAR(pair.estimate.angle, angles, 1e-12) << pair.axes.name;
+    EXPECT_NEAR(pair.estimate.distance, distances, 1e-14) << pair.axes.name;
   }
 }
 
