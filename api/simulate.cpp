@@ -16,6 +16,8 @@
 namespace thenar {
 namespace {
 
+constexpr std::size_t kPathRow = 2, kHoodRow = 3;  // of explain()
+
 /// Slack lengths of tendons that the subject does not state, or others.
 void set_slack(const std::map<std::string, double>& slack, Subject& subject) {
   std::vector<std::string> names;
@@ -59,6 +61,23 @@ void add_instants(const Trajectory& t, ResultFile& file) {
   file.add("lost", t.dissipated, "J", {"instant"});
 }
 
+/// By what the digit is built again.
+void add_rungs(const TendonOptions& rungs, ResultFile& file) {
+  const std::vector<RungWords> words = explain(Fidelity(rungs.path, rungs.hood));
+  file.add("rungs/path", words[kPathRow].rung);
+  file.add("rungs/hood", words[kHoodRow].rung);
+  file.add("rungs/wrist", rungs.wrist_mode == WristMode::kFree ? "free" : "welded");
+  if (rungs.frozen.empty()) return;
+  std::vector<std::string> joints;
+  Eigen::VectorXd angles(static_cast<Eigen::Index>(rungs.frozen.size()));
+  for (const auto& [joint, angle] : rungs.frozen) {
+    angles[static_cast<Eigen::Index>(joints.size())] = angle;
+    joints.push_back(joint);
+  }
+  file.add("name/frozen", joints);
+  file.add("rungs/frozen", angles, "rad", {"frozen"});
+}
+
 }  // namespace
 
 SimulatedMotion simulate_digit(const MotionRequest& request, const Progress& progress) {
@@ -67,7 +86,8 @@ SimulatedMotion simulate_digit(const MotionRequest& request, const Progress& pro
   require(at.map.empty(), "digit '{}' of '{}' has no bones, only tip map '{}'; it cannot move",
           at.digit, at.subject.name, at.map);
   set_slack(request.tendon_slack, at.subject);
-  SimulatedMotion motion{at.subject.name, at.digit, at.tendons, {}, at.sources, at.warnings};
+  SimulatedMotion motion{at.subject.name, at.digit,    at.tendons, {},
+                         at.sources,      at.warnings, at.rungs};
   const TendonDigit& digit = at.bones();
   const std::vector<std::string>& muscles = digit.names.muscles;
   require(!muscles.empty(), "no muscle of subject '{}' crosses a free joint of this digit",
@@ -102,6 +122,7 @@ void write_motion(const SimulatedMotion& motion, const std::string& path, const 
   file.add("digit", motion.digit);
   file.add("name/joint", t.joints);
   file.add("name/muscle", t.muscles);
+  add_rungs(motion.rungs, file);
   add_instants(t, file);
   file.add("energy_error", t.balance.error, "J");
   file.add("turned_over", t.balance.turned_over, "J");

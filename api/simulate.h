@@ -39,6 +39,7 @@ struct [[nodiscard]] SimulatedMotion {
   Trajectory trajectory;                        // read trajectory.status first
   std::vector<SourceText> sources;              // subject, net, excitation file
   std::vector<std::string> warnings;  // of the start: limits, tendons too close to a joint
+  TendonOptions rungs{};              // by which `tendons` were built
 };
 
 /// Simulates the digit from rest at request.digit.posture; all activations start at 0.
@@ -46,8 +47,8 @@ struct [[nodiscard]] SimulatedMotion {
 [[nodiscard]] SimulatedMotion simulate_digit(const MotionRequest& request,
                                              const Progress& progress = {});
 
-/// Writes all instants as HDF5, dimensions labelled as xarray expects, with the texts and hashes of
-/// all sources and the record of the run.
+/// Writes all instants as HDF5, dimensions labelled as xarray expects, with the rungs of the digit,
+/// the texts and hashes of all sources and the record of the run; read_motion() reads it.
 /// @throws InputError if the file cannot be written.
 void write_motion(const SimulatedMotion& motion, const std::string& path,
                   const RunRecord& run = {});

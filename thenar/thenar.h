@@ -319,6 +319,7 @@
 #include "api/posterior.h"
 #include "api/predict.h"
 #include "api/quality.h"
+#include "api/read_motion.h"
 #include "api/robot_pose.h"
 #include "api/scenes/compare_rungs.h"
 #include "api/scenes/read_scene_run.h"

@@ -68,7 +68,6 @@ LiveDigit::LiveDigit(const DigitRequest& request) {
   const TendonDigit& digit = case_.bones();
   for (std::string& warning : lower_rungs(request, digit.fidelity))
     warnings_.push_back(std::move(warning));
-  lines_ = std::make_unique<DigitLines>(case_.subject, case_.digit, case_.tendons);
   muscles_ = std::make_unique<ExcitedMuscles>(case_.subject, case_.tendons);
   build_shape();
   // No muscle pulls at first.
@@ -80,16 +79,11 @@ LiveDigit::LiveDigit(const DigitRequest& request) {
 }
 
 void LiveDigit::build_shape() {
-  const TendonDigit& digit = case_.bones();
-  bodies_ = digit_bodies(case_.subject, case_.digit, digit, DigitLook::kAnatomy);
-  warnings_.insert(warnings_.end(), bodies_.warnings.begin(), bodies_.warnings.end());
-  shape_.bodies = bodies_.bodies;
-  shape_.joints = bodies_.joints;
-  shape_.lines = lines_->lines();
-  shape_.arrows = axis_arrows(digit.names.hinges);
+  picture_ = std::make_unique<DigitPicture>(case_.subject, case_.digit, case_.tendons,
+                                            case_.grid.postures.front());
+  warnings_.insert(warnings_.end(), picture_->warnings().begin(), picture_->warnings().end());
+  shape_ = picture_->shape();
   shape_.arrows.push_back({"tip force", LiveArrowKind::kForce});
-  aim_at_digit(bodies_, digit.model, pose_tree(digit.model.tree, case_.grid.postures.front()),
-               shape_);
 }
 
 Eigen::VectorXd LiveDigit::with_angles(const std::map<std::string, double>& posture,
@@ -252,17 +246,11 @@ DigitCurves LiveDigit::net_curves(const std::string& joint, const PostureGrid& g
 LiveInstant LiveDigit::instant() const {
   const TendonModel<double>& model = case_.bones().model;
   const DigitPoint& point = now_.point;
-  const TreeState<double> state = pose_tree(model.tree, point.q);
-  LiveInstant instant;
-  instant.bodies = body_poses(bodies_, state);
-  instant.joints = hinge_angles(model, point.q);
-  instant.line_points = lines_->points(state, point.rest);
-  for (Eigen::Vector3d& p : instant.line_points) p = bodies_.X_WS * p;
-  instant.tensions = lines_->tensions(point.q, now_.tension, point.rest);
-  instant.arrows = axis_vectors(bodies_, model, state);
+  LiveInstant instant = picture_->instant(point.q, now_.tension, point.rest);
   // A force that is not to be trusted is not drawn.
-  LiveVector force{bodies_.X_WS * moved(state, model.tip_link, model.tip), {0, 0, 0}};
-  if (trusted(point.pull.status)) force.vector = bodies_.X_WS.R * point.tip.f_W;
+  const Eigen::Vector3d tip = moved(pose_tree(model.tree, point.q), model.tip_link, model.tip);
+  LiveVector force{placed() * tip, {0, 0, 0}};
+  if (trusted(point.pull.status)) force.vector = placed().R * point.tip.f_W;
   instant.arrows.push_back(force);
   return instant;
 }

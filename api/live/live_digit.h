@@ -8,8 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "api/live/digit_bodies.h"
-#include "api/live/digit_lines.h"
+#include "api/live/digit_picture.h"
 #include "api/live/excited_muscles.h"
 #include "api/live/live_picture.h"
 #include "api/named/digits.h"
@@ -78,7 +77,7 @@ class LiveDigit final : public LiveModel {
   /// Of how it was built.
   [[nodiscard]] const std::vector<std::string>& warnings() const { return warnings_; }
   /// The subject's frame in the picture; everything but the picture is in the subject's frame.
-  [[nodiscard]] const Pose<double>& placed() const { return bodies_.X_WS; }
+  [[nodiscard]] const Pose<double>& placed() const { return picture_->placed(); }
 
   [[nodiscard]] const LiveShape& shape() const override { return shape_; }
   [[nodiscard]] LiveInstant instant() const override;
@@ -99,8 +98,7 @@ class LiveDigit final : public LiveModel {
 
   DigitCase case_;
   std::vector<std::string> warnings_;
-  DigitBodies bodies_;
-  std::unique_ptr<DigitLines> lines_;
+  std::unique_ptr<DigitPicture> picture_;
   std::unique_ptr<ExcitedMuscles> muscles_;
   LiveShape shape_;
   DigitNow now_;

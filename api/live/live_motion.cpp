@@ -55,6 +55,14 @@ LiveMotion::LiveMotion(MotionSource source, const HistoryLimits& limits)
     if (stepper_.model().bodies[i].link >= 0 && (body.mass.mass > 0 || body.solid))
       moving_.push_back(i);
   }
+  readings_ = stepper_.readings();
+  for (const std::string& muscle : picture_.tendons.muscles()) {
+    const auto found =
+        std::find_if(readings_.begin(), readings_.end(),
+                     [&](const ElementValue& value) { return value.name == muscle; });
+    require(found != readings_.end(), "no element says what pulls '{}'", muscle);
+    tension_at_.push_back(static_cast<std::size_t>(found - readings_.begin()));
+  }
   begin();
 }
 
@@ -75,12 +83,25 @@ void LiveMotion::keep() {
         pads.begin() + static_cast<std::ptrdiff_t>(
                            contact_samples(stepper_.now().active, stepper_.now().part).size()));
   }
-  history_.add(stepper_.now(), pads);
+  std::vector<double> readings;
+  if (!readings_.empty())
+    for (const ElementValue& value : stepper_.readings()) readings.push_back(value.value);
+  history_.add(stepper_.now(), pads, readings);
   shown_ = history_.size() - 1;
   ++changes_;
 }
 
 // Time.
+
+bool LiveMotion::step_once(const Progress& progress) {
+  try {
+    return stepper_.step(progress);
+  } catch (const Error&) {
+    // As where numbers are too large for contacts to be looked for.
+    stand_still();
+    throw;
+  }
+}
 
 MotionQuality LiveMotion::step(long count, const Progress& progress) {
   if (!is_newest()) {
@@ -88,38 +109,44 @@ MotionQuality LiveMotion::step(long count, const Progress& progress) {
     stepper_.go_to(shown());
   }
   MotionQuality out;
+  // What a step tells is a part of the whole.
+  long made = 0;
+  Progress within = progress;
+  within.report = [&](double part, const std::string& what) {
+    progress((static_cast<double>(made) + part) / static_cast<double>(count), what);
+  };
   bool good = true;
-  for (long i = 0; i < count && good; ++i) {
-    if (i % kStepsBetweenLooks == 0) {
+  for (; made < count && good; ++made) {
+    if (made % kStepsBetweenLooks == 0) {
       if (progress.stop()) break;
-      progress(static_cast<double>(i) / static_cast<double>(count), "stepping");
+      within(0, "stepping");
     }
-    try {
-      stepper_.step();
-    } catch (const Error&) {
-      // As where numbers are too large for contacts to be looked for.
-      stand_still();
-      throw;
-    }
+    if (!step_once(within)) break;
     good = is_finite(stepper_.now().state);
     if (!good) continue;
     keep();
     ++out.steps;
   }
-  const SceneCost cost = stepper_.take_cost();
-  out.unsolved = cost.unsolved;
-  out.worst_residual = cost.worst_residual;
-  out.deepest = cost.deepest;
-  quality_.steps += out.steps;
-  quality_.unsolved += out.unsolved;
-  quality_.worst_residual = std::max(quality_.worst_residual, out.worst_residual);
-  quality_.deepest = std::max(quality_.deepest, out.deepest);
+  take_quality(out);
   if (good) return out;
   stand_still();
   throw InputError(fmt::format(
       "after {:.6g} s positions or speeds are not finite any more: the motion stands where they "
       "were last; try shorter steps or smaller inputs",
       shown().state.t));
+}
+
+void LiveMotion::take_quality(MotionQuality& of) {
+  const SceneCost cost = stepper_.take_cost();
+  of.unsolved = cost.unsolved;
+  of.leaps = cost.leaps;
+  of.worst_residual = cost.worst_residual;
+  of.deepest = cost.deepest;
+  quality_.steps += of.steps;
+  quality_.unsolved += of.unsolved;
+  quality_.leaps += of.leaps;
+  quality_.worst_residual = std::max(quality_.worst_residual, of.worst_residual);
+  quality_.deepest = std::max(quality_.deepest, of.deepest);
 }
 
 void LiveMotion::stand_still() {
@@ -258,7 +285,20 @@ LiveInstant LiveMotion::instant() const {
   const SceneState& state = shown().state;
   const std::vector<Pose<double>> X_WB = poses();
   return scene_instant(picture_, scene(), stepper_.model().layout,
-                       {state.t, state.q, X_WB, contacts()});
+                       {state.t, state.q, X_WB, contacts(), tension()});
+}
+
+std::vector<ElementValue> LiveMotion::muscles() const {
+  std::vector<ElementValue> out = readings_;
+  for (std::size_t i = 0; i < out.size(); ++i) out[i].value = history_.at(shown_).readings[i];
+  return out;
+}
+
+Eigen::VectorXd LiveMotion::tension() const {
+  Eigen::VectorXd out(static_cast<Eigen::Index>(tension_at_.size()));
+  for (std::size_t m = 0; m < tension_at_.size(); ++m)
+    out[static_cast<Eigen::Index>(m)] = history_.at(shown_).readings[tension_at_[m]];
+  return out;
 }
 
 void LiveMotion::add_joints(TimelineState& out) const {
@@ -282,7 +322,7 @@ void LiveMotion::add_bodies(TimelineState& out) const {
 MotionEnergy LiveMotion::energy() const {
   const SceneSample sample = stepper_.sample_of(shown());
   return {sample.energy.kinetic, sample.energy.weight, sample.energy.springs,
-          flow_balance(start_, sample)};
+          flow_balance(start_, sample), sample.energy.total()};
 }
 
 TimelineState LiveMotion::state(const MotionParts& parts) const {
@@ -295,7 +335,7 @@ TimelineState LiveMotion::state(const MotionParts& parts) const {
     for (const MechanismBody& body : scene().mechanism.bodies) out.body_names.push_back(body.name);
   }
   if (parts.energy) out.energy = energy();
-  if (parts.muscles && is_newest()) out.muscles = stepper_.readings();
+  if (parts.muscles) out.muscles = muscles();
   return out;
 }
 

@@ -52,6 +52,7 @@ class LiveMotion final : public LiveTimeline {
   [[nodiscard]] std::vector<std::string> warnings() const override { return source_.warnings; }
 
   /// With the inputs that are set.
+  /// A step that is divided tells and asks between its parts; stopped there, it is not made.
   /// @throws InputError if the state is not finite any more: the motion then stands where it was
   ///         good last.
   MotionQuality step(long count, const Progress& progress) override;
@@ -63,7 +64,6 @@ class LiveMotion final : public LiveTimeline {
   double seek(double t) override;
   /// Without inputs, without a past.
   void reset() override;
-  /// What muscles do is known of the newest instant alone.
   [[nodiscard]] TimelineState state(const MotionParts& parts) const override;
 
   [[nodiscard]] const SceneInstant& shown() const { return history_.at(shown_).at; }
@@ -76,10 +76,15 @@ class LiveMotion final : public LiveTimeline {
   void check_controls(const std::map<std::string, double>& values, const std::string& unit) const;
   void check_targets(const std::map<std::string, double>& values) const;
   void keep();
+  /// @return false if it was stopped
+  [[nodiscard]] bool step_once(const Progress& progress);
+  void take_quality(MotionQuality& of);  // of the steps since it was taken last
   void begin();
   void stand_still();  // at the last good instant, after a step that failed
   [[nodiscard]] std::vector<ContactSample> contacts() const;
   [[nodiscard]] std::vector<Pose<double>> poses() const;
+  [[nodiscard]] std::vector<ElementValue> muscles() const;
+  [[nodiscard]] Eigen::VectorXd tension() const;
   [[nodiscard]] MotionEnergy energy() const;
   void add_joints(TimelineState& out) const;
   void add_bodies(TimelineState& out) const;
@@ -95,6 +100,8 @@ class LiveMotion final : public LiveTimeline {
   std::size_t shown_ = 0;  // of the history
   SceneSample start_;
   MotionQuality quality_;
+  std::vector<ElementValue> readings_;   // at the start: their names and units
+  std::vector<std::size_t> tension_at_;  // of the picture's muscles: entry of readings_
   std::vector<std::size_t> moving_;  // bodies with mass or surface that are not fixed to the world
   unsigned long changes_ = 0;
 };

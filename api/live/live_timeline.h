@@ -37,8 +37,9 @@ struct BodyState {
 
 /// Energies of a scene, and what became of them since the start.
 struct MotionEnergy {
-  double kinetic = 0, weight = 0, springs = 0;  // [J]
+  double kinetic = 0, weight = 0, springs = 0;  // NaN: not known one by one [J]
   std::optional<FlowBalance> balance;           // nothing: not recorded
+  double total = 0;                             // [J]
 };
 
 /// A motion at the instant that is shown; of what was not asked for, nothing.
@@ -49,7 +50,7 @@ struct TimelineState {
   std::vector<ContactSample> contacts;
   std::vector<std::string> body_names;  // by which contacts number them
   std::optional<MotionEnergy> energy;
-  std::vector<ElementValue> muscles;  // tensions and activations; none: not known of that instant
+  std::vector<ElementValue> muscles;  // tensions and activations
 };
 
 /// How well steps were solved.
@@ -58,6 +59,8 @@ struct MotionQuality {
   long unsolved = 0;          // contact problems that missed their tolerance
   double worst_residual = 0;  // [1]
   double deepest = 0;         // penetration [m]
+  long leaps = 0;  // steps in which surfaces moved so far that they may have gone through
+                   // each other: SceneCost::leaps
 };
 
 /// A model on a line of time.

@@ -12,6 +12,7 @@ namespace thenar {
 struct PastInstant {
   SceneInstant at;
   std::vector<ContactSample> pads;  // contacts that elements stood for then
+  std::vector<double> readings;     // what elements said of themselves then (readings)
 };
 
 /// How much is kept; what is older is forgotten.
@@ -26,7 +27,8 @@ class MotionHistory {
  public:
   explicit MotionHistory(const HistoryLimits& limits = {}) : limits_(limits) {}
 
-  void add(const SceneInstant& instant, const std::vector<ContactSample>& pads);
+  void add(const SceneInstant& instant, const std::vector<ContactSample>& pads,
+           const std::vector<double>& readings = {});
   void clear();
   /// Forgets all instants behind one.
   void cut_behind(std::size_t index);

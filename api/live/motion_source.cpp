@@ -24,6 +24,12 @@ void step_by(double step, SceneOptions& options) {
   if (std::abs(adjusted - step) > 1e-12 * step) options.seconds = step;
 }
 
+bool has_pads_of_elements(const SceneSpec& spec, const SceneRequest& request) {
+  return std::any_of(spec.pads.begin(), spec.pads.end(), [&](const ScenePadSpec& pad) {
+    return (request.pads.empty() ? pad.rung : request.pads) == "elements";
+  });
+}
+
 }  // namespace
 
 MotionSource scene_motion(const SceneRequest& request) {
@@ -37,6 +43,11 @@ MotionSource scene_motion(const SceneRequest& request) {
     out.warnings.push_back(fmt::format(
         "the scene asks for '{}': live it takes steps of {:g} ms, in which nothing bounces",
         stepping_names()[static_cast<std::size_t>(options.method)], 1e3 * options.step));
+  if (has_pads_of_elements(read.spec, request))
+    out.warnings.emplace_back(
+        "pads of finite elements: once they touch, a step may take seconds; a session can be "
+        "stopped "
+        "between parts of a step, and other rungs of pads are faster");
   options.method = SteppingMethod::kTimeStepping;
   if (request.step) step_by(*request.step, options);
   bound_steps(options);

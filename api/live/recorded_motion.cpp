@@ -5,10 +5,16 @@
 
 #include <Eigen/Geometry>
 
+#include "base/numbers.h"
+
 namespace thenar {
 namespace {
 
-constexpr double kShownStep = 1.0 / 240;  // of play [s]
+std::vector<double> times_of(const std::vector<SceneSample>& samples) {
+  std::vector<double> times;
+  for (const SceneSample& sample : samples) times.push_back(sample.t);
+  return times;
+}
 
 /// The positions a share of the way from one instant to the next.
 Eigen::VectorXd positions_between(const Mechanism& mechanism, const MechanismLayout& layout,
@@ -31,56 +37,32 @@ Eigen::VectorXd positions_between(const Mechanism& mechanism, const MechanismLay
 }  // namespace
 
 RecordedMotion::RecordedMotion(RecordedScene run)
-    : run_(std::move(run)),
+    : RecordedTimeline(times_of(run.samples)),
+      run_(std::move(run)),
       picture_(scene_picture(run_.built, run_.camera)),
-      model_(tree_model(run_.built.scene.mechanism)),
-      t_(run_.samples.front().t) {}
+      model_(tree_model(run_.built.scene.mechanism)) {
+  for (const std::string& muscle : picture_.tendons.muscles()) {
+    const auto found = std::find(run_.muscles.begin(), run_.muscles.end(), muscle);
+    tension_of_.push_back(found == run_.muscles.end() ? -1 : found - run_.muscles.begin());
+  }
+}
 
-LiveTime RecordedMotion::live_time() const {
-  LiveTime out;
-  out.t = t_;
-  out.step = kShownStep;
-  out.playing = playing_;
-  out.speed = speed_;
-  out.duration = end();
-  out.recorded = true;
+Eigen::VectorXd RecordedMotion::tension() const {
+  Eigen::VectorXd out =
+      Eigen::VectorXd::Constant(static_cast<Eigen::Index>(tension_of_.size()), kNaN);
+  if (run_.muscles.empty()) return out;
+  const Eigen::VectorXd recorded = straight(run_.tension);
+  for (std::size_t m = 0; m < tension_of_.size(); ++m)
+    if (tension_of_[m] >= 0) out[static_cast<Eigen::Index>(m)] = recorded[tension_of_[m]];
   return out;
-}
-
-MotionQuality RecordedMotion::step(long count, const Progress& /*progress*/) {
-  (void)seek(t_ + kShownStep * static_cast<double>(count));
-  if (t_ >= end()) playing_ = false;
-  MotionQuality out;
-  out.steps = count;
-  return out;
-}
-
-double RecordedMotion::seek(double t) {
-  const std::vector<SceneSample>& samples = run_.samples;
-  t_ = std::clamp(t, samples.front().t, end());
-  const auto behind =
-      std::lower_bound(samples.begin(), samples.end(), t_,
-                       [](const SceneSample& sample, double time) { return sample.t < time; });
-  nearest_ = static_cast<std::size_t>(behind - samples.begin());
-  if (nearest_ > 0 && t_ - samples[nearest_ - 1].t < samples[nearest_].t - t_) --nearest_;
-  ++changes_;
-  return t_;
-}
-
-void RecordedMotion::reset() {
-  playing_ = false;
-  (void)seek(run_.samples.front().t);
 }
 
 Eigen::VectorXd RecordedMotion::positions() const {
-  const std::vector<SceneSample>& samples = run_.samples;
-  const SceneSample& near = nearest();
-  const bool before = near.t <= t_;
-  const std::size_t other = before ? nearest_ + 1 : nearest_ - 1;  // on the other side of t
-  if (near.t == t_ || other >= samples.size()) return near.q;
-  const SceneSample &from = before ? near : samples[other], &to = before ? samples[other] : near;
-  return positions_between(run_.built.scene.mechanism, model_.layout, from.q, to.q,
-                           (t_ - from.t) / (to.t - from.t));
+  const Between at = between();
+  const Eigen::VectorXd& from = run_.samples[at.from].q;
+  if (at.from == at.to) return from;
+  return positions_between(run_.built.scene.mechanism, model_.layout, from, run_.samples[at.to].q,
+                           at.share);
 }
 
 std::vector<Pose<double>> RecordedMotion::poses(const Eigen::VectorXd& q) const {
@@ -96,15 +78,15 @@ LiveInstant RecordedMotion::instant() const {
   const Eigen::VectorXd q = positions();
   const std::vector<Pose<double>> X_WB = poses(q);
   return scene_instant(picture_, run_.built.scene, model_.layout,
-                       {t_, q, X_WB, nearest().contacts});
+                       {shown(), q, X_WB, nearest_sample().contacts, tension()});
 }
 
 TimelineState RecordedMotion::state(const MotionParts& parts) const {
   const Mechanism& mechanism = run_.built.scene.mechanism;
-  const SceneSample& near = nearest();
+  const SceneSample& near = nearest_sample();
   const Eigen::VectorXd q = positions();
   TimelineState out;
-  out.t = t_;
+  out.t = shown();
   if (parts.joints)
     for (std::size_t c = 0; c < mechanism.coordinates.size(); ++c)
       out.joints.push_back({mechanism.coordinates[c].name, q[model_.layout.coordinate_q[c]],
@@ -123,12 +105,13 @@ TimelineState RecordedMotion::state(const MotionParts& parts) const {
     for (const MechanismBody& body : mechanism.bodies) out.body_names.push_back(body.name);
   }
   if (parts.energy)
-    out.energy = MotionEnergy{near.energy.kinetic, near.energy.weight, near.energy.springs, {}};
+    out.energy = MotionEnergy{
+        near.energy.kinetic, near.energy.weight, near.energy.springs, {}, near.energy.total()};
   if (parts.muscles)
     for (std::size_t m = 0; m < run_.muscles.size(); ++m)
       out.muscles.push_back(
           {run_.muscles[m], "N",
-           run_.tension(static_cast<Eigen::Index>(nearest_), static_cast<Eigen::Index>(m))});
+           run_.tension(static_cast<Eigen::Index>(nearest()), static_cast<Eigen::Index>(m))});
   return out;
 }
 

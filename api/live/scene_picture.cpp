@@ -149,6 +149,8 @@ ScenePicture scene_picture(const BuiltScene& built, const std::optional<Camera>&
                                 is_moment ? LiveArrowKind::kMoment : LiveArrowKind::kForce});
     out.is_moment.push_back(is_moment);
   }
+  out.tendons = SceneTendons(built);
+  out.shape.lines = out.tendons.lines();
   if (camera) {
     out.shape.eye = camera->eye;
     out.shape.target = camera->target;
@@ -167,6 +169,8 @@ LiveInstant scene_instant(const ScenePicture& picture, const MovingScene& scene,
     const double u = view.q[layout.first_q[i]];
     out.joints.push_back(picture.leads[k] ? u : joint_value(scene.mechanism.joints[i], u).value);
   }
+  out.line_points = picture.tendons.points(view.q, view.X_WB);
+  out.tensions = picture.tendons.tensions(view.q, view.tension);
   for (std::size_t k = 0; k < scene.forces.size(); ++k) {
     const SceneForce& force = scene.forces[k];
     const Eigen::Vector3d at = pose(force.body) * force.point;

@@ -1,11 +1,12 @@
 #pragma once
 
-/// Moving scenes as live pictures: bodies, joints, forces that act, contacts.
+/// Moving scenes as live pictures: bodies, joints, tendons, forces that act, contacts.
 
 #include <optional>
 #include <vector>
 
 #include "api/live/live_picture.h"
+#include "api/live/scene_tendons.h"
 #include "dynamics/scene/build_scene.h"
 
 namespace thenar {
@@ -18,12 +19,13 @@ struct ScenePicture {
   std::vector<int> joint_of;    // of shape's joints: joint of the mechanism
   std::vector<bool> leads;      // of shape's joints: it is called after its coordinate
   std::vector<bool> is_moment;  // of shape's arrows, one of each force of the scene
+  SceneTendons tendons;         // shape's lines
 };
 
 /// The picture of a scene. Bodies without a surface are left out, but for those that carry a joint.
 /// The first joint that a coordinate moves is called after it, and its value is the coordinate's;
 /// other joints of that coordinate are led by it. Joints that no coordinate moves (balls, free
-/// bodies) are none. Forces of the scene are arrows.
+/// bodies) are none. Forces of the scene are arrows, tendons that are pulled are lines.
 [[nodiscard]] ScenePicture scene_picture(const BuiltScene& built,
                                          const std::optional<Camera>& camera);
 
@@ -33,6 +35,7 @@ struct SceneView {
   const Eigen::VectorXd& q;                    // positions (q)
   const std::vector<Pose<double>>& X_WB;       // (bodies of the mechanism)
   const std::vector<ContactSample>& contacts;  //
+  const Eigen::VectorXd& tension;              // of SceneTendons::muscles() [N] (muscles)
 };
 
 /// The instant of a picture.

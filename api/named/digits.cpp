@@ -64,12 +64,13 @@ void build_tendons_of(const DigitRequest& request, Hood default_hood, DigitCase&
       request.hood || !request.net.empty() ? request.hood : std::optional<Hood>(default_hood);
   const std::string name = net_meant(hood, request.net);
   if (name.empty()) {
-    at.tendons = build_digit_tendons(at.subject, at.digit, rungs_of(request, at.subject, *hood));
+    at.rungs = rungs_of(request, at.subject, *hood);
+    at.tendons = build_digit_tendons(at.subject, at.digit, at.rungs);
   } else {
-    const TendonOptions rungs = rungs_of(request, at.subject, Hood::kFloatingNet);
+    at.rungs = rungs_of(request, at.subject, Hood::kFloatingNet);
     at.sources.push_back(net_source(name));
     const NetDescription net = parse_net(at.sources.back().text, at.sources.back().path);
-    at.tendons = build_digit_tendons(at.subject, at.digit, rungs, &net);
+    at.tendons = build_digit_tendons(at.subject, at.digit, at.rungs, &net);
   }
   at.net = dynamic_cast<const NetTendons*>(at.tendons.get());
   require(!at.bones().names.muscles.empty(),

@@ -43,6 +43,7 @@ struct DigitCase {
   Subject subject;
   std::string digit;
   std::string map;                              // empty: built from bones
+  TendonOptions rungs;                          // by which tendons were built
   std::shared_ptr<const DigitTendons> tendons;  // shared with results; null for a map
   const NetTendons* net = nullptr;              // the same where its hood is a net, else null
   PostureGrid grid;                             // empty for a map

@@ -115,6 +115,8 @@ class DigitPull final : public ForceElement {
   /// Tension of each muscle [N], and "human/index/FDP2 activation" of each that contracts [1].
   [[nodiscard]] std::vector<ElementValue> readings(const ElementInput& at) override;
 
+  /// What it was built from.
+  [[nodiscard]] const DigitPullModel& model() const { return *model_; }
   /// Names of the muscles.
   [[nodiscard]] const std::vector<std::string>& muscles() const;
   /// Whether a muscle contracts.

@@ -80,12 +80,15 @@ class TendonGroup {
   /// digit.
   [[nodiscard]] Excursion excursion(const Eigen::VectorXd& q) const;
 
- private:
-  friend class GroupArms;
+  /// One of its digits.
   struct Digit {
     std::shared_ptr<const DigitTendons> tendons;
     std::vector<int> coordinates, muscles;  // of the group
   };
+  [[nodiscard]] const std::vector<Digit>& digits() const { return digits_; }
+
+ private:
+  friend class GroupArms;
   std::vector<Digit> digits_;
   std::vector<std::string> coordinates_, muscles_;
   bool has_net_ = false, has_friction_ = false;

@@ -90,9 +90,9 @@ void pass_sample(Stream& stream, SceneSample& sample) {
 
 template <typename Stream>
 void pass_cost(Stream& stream, SceneCost& cost) {
-  auto& [steps, rejected, substeps, impacts, passed, unsolved, coarse, residual, deepest, asleep,
-         cpu] = cost;
-  for (long* each : {&steps, &rejected, &substeps, &impacts, &passed, &unsolved, &coarse})
+  auto& [steps, rejected, substeps, impacts, passed, unsolved, leaps, coarse, residual, deepest,
+         asleep, cpu] = cost;
+  for (long* each : {&steps, &rejected, &substeps, &impacts, &passed, &unsolved, &leaps, &coarse})
     stream.plain(*each);
   for (double* each : {&residual, &deepest, &asleep, &cpu}) stream.plain(*each);
 }

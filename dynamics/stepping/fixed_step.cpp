@@ -5,7 +5,8 @@
 namespace thenar {
 
 double FixedStep::take(ContactStep& step, double h, const SceneOptions& options, SceneState& state,
-                       std::vector<ActiveContact>& last, SceneCost& cost) {
+                       std::vector<ActiveContact>& last, SceneCost& cost,
+                       const Progress& progress) {
   const SceneState before = state;
   const std::vector<ActiveContact> start = last;
   for (int parts = 1;; parts *= 2) {
@@ -13,6 +14,12 @@ double FixedStep::take(ContactStep& step, double h, const SceneOptions& options,
     double motion = 0, residual = 0;
     long unsolved = 0;
     for (int i = 0; i < parts; ++i) {
+      if (parts > 1 && progress.stop()) {
+        state = before;
+        last = start;
+        return 0;
+      }
+      if (parts > 1) progress(static_cast<double>(i) / parts, "a step in parts");
       const SceneState from = state;
       step.time_step(state, part, last, options.recovery, outcome_);
       ++cost.substeps;
@@ -22,6 +29,7 @@ double FixedStep::take(ContactStep& step, double h, const SceneOptions& options,
       motion = std::max(motion, step.motion_between(from, state, last));
     }
     if (motion <= 1 || part <= options.shortest || !is_finite(state)) {
+      if (motion > 1) ++cost.leaps;
       cost.unsolved += unsolved;
       cost.worst_residual = std::max(cost.worst_residual, residual);
       return part;

@@ -17,9 +17,10 @@ class FixedStep {
   /// @param state  from the beginning to the end of the step
   /// @param last   contacts of the part before, then of the last part of this step
   /// @param cost   counts the parts of all trials, and what the step that is kept left unsolved
-  /// @return the length of a part [s]
+  /// @param progress  told and asked before each part but the first
+  /// @return the length of a part [s]; 0: it was stopped, and is where it began
   double take(ContactStep& step, double h, const SceneOptions& options, SceneState& state,
-              std::vector<ActiveContact>& last, SceneCost& cost);
+              std::vector<ActiveContact>& last, SceneCost& cost, const Progress& progress = {});
 
  private:
   StepOutcome outcome_;

@@ -36,30 +36,39 @@ SceneStepper::SceneStepper(const MovingScene& scene, const SceneOptions& options
   now_.state = step_.start();
 }
 
-void SceneStepper::step() {
-  if (!is_finite(now_.state)) return;
+bool SceneStepper::step(const Progress& progress) {
+  if (!is_finite(now_.state)) return true;
+  const SceneInstant before = now_;
   // A step ends where something begins or ends to act; what differs by rounding is one instant.
   double end = length_ * static_cast<double>(now_.steps + 1);
   const double near = kSameInstant * length_;
   const auto behind = std::lower_bound(switches_.begin(), switches_.end(), end + near);
   if (behind != switches_.begin() && *(behind - 1) > end - near) end = *(behind - 1);
+  bool whole = true;
   for (auto t = std::upper_bound(switches_.begin(), switches_.end(), now_.state.t);
-       t != switches_.end() && *t < end; ++t)
-    part_step(*t);
-  part_step(end);
-  ++now_.steps;
+       whole && t != switches_.end() && *t < end; ++t)
+    whole = part_step(*t, progress);
+  whole = whole && part_step(end, progress);
+  if (whole)
+    ++now_.steps;
+  else
+    go_to(before);
+  return whole;
 }
 
-void SceneStepper::part_step(double end) {
+bool SceneStepper::part_step(double end, const Progress& progress) {
   const bool is_first = now_.state.t == 0;
   step_.act_as_at(now_.state.t);
-  now_.part = fixed_.take(step_, end - now_.state.t, options_, now_.state, now_.active, cost_);
+  now_.part =
+      fixed_.take(step_, end - now_.state.t, options_, now_.state, now_.active, cost_, progress);
+  if (now_.part == 0) return false;
   now_.state.t = end;
   if (is_finite(now_.state)) step_.accept(now_.state);
   ++cost_.steps;
   for (const ActiveContact& contact : now_.active)
     if (!is_first && contact.kind == ActiveContact::Kind::kContact)
       cost_.deepest = std::max(cost_.deepest, -contact.gap);
+  return true;
 }
 
 SceneSample SceneStepper::sample() { return sample_of(now_); }

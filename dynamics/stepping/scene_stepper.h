@@ -29,7 +29,9 @@ class SceneStepper {
   explicit SceneStepper(const MovingScene& scene, const SceneOptions& options = {});
 
   /// One step. Where the state is not finite any more, nothing happens.
-  void step();
+  /// @param progress  told and asked between parts of a step that is divided
+  /// @return false if it was stopped: then it goes back to where the step began, by go_to()
+  bool step(const Progress& progress = {});
   [[nodiscard]] const SceneInstant& now() const { return now_; }
   [[nodiscard]] double length() const { return length_; }  // of a step [s]
   [[nodiscard]] const MovingScene& scene() const { return step_.scene(); }
@@ -77,7 +79,7 @@ class SceneStepper {
 
  private:
   [[nodiscard]] std::size_t checked(int coordinate) const;
-  void part_step(double end);
+  [[nodiscard]] bool part_step(double end, const Progress& progress);
   void use_drives();
   void use_controls();
 

@@ -33,7 +33,7 @@ struct SceneOptions {
                             // moves by 0.1 mm [s]
   double tolerance = 1e-9;  // the same: error of a step, in positions [m], [rad], and in speeds
                             // over 100 [m/s], [rad/s]
-  double shortest = 1e-9;   // kEvents: no step is halved below this [s]
+  double shortest = 1e-9;   // kEvents, kTimeStepping: no step is halved below this [s]
   double touch = 1e-9;      // kEvents: gaps below this touch [m]
   double recovery = 0.1;    // speed at which depth at the start is pushed out [m/s]
   ContactSolverOptions contacts{};  // kPyramid: the complementarity problem of [Miller2005]; the
@@ -76,6 +76,8 @@ struct SceneCost {
   long impacts = 0;
   long passed = 0;            // piles of events that steps of fixed length went through
   long unsolved = 0;          // contact problems beyond the tolerance
+  long leaps = 0;             // steps of fixed length in parts as short as can be in which surfaces
+                              // moved so far that they may have gone through each other
   long coarse = 0;            // steps as short as can be whose error is beyond the tolerance
   double worst_residual = 0;  // ContactResidual::natural over all steps [1]
   double deepest = 0;         // penetration at the end of any step, after the first [m]

@@ -329,6 +329,10 @@ std::vector<std::string> warnings_of(const SimulatedScene& scene) {
         "events followed each other without end {} times: fixed steps went on by 1 ms each time, "
         "without an estimate of their error",
         scene.run.cost.passed));
+  if (scene.run.cost.leaps > 0)
+    warnings.push_back(fmt::format(
+        "in {} steps surfaces moved so fast that they may have gone through each other",
+        scene.run.cost.leaps));
   if (scene.run.cost.deepest > kDeep && has_contact_problems(scene))
     warnings.push_back(fmt::format(
         "surfaces were up to {:.3g} mm inside each other: forces there are not to be trusted, "

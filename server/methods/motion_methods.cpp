@@ -5,8 +5,10 @@
 #include <Eigen/Geometry>
 
 #include "api/live/live_motion.h"
+#include "api/live/recorded_digit_motion.h"
 #include "api/live/recorded_motion.h"
 #include "api/live/world/live_world.h"
+#include "api/named/files.h"
 #include "base/nearest_name.h"
 #include "server/methods/method_table.h"
 
@@ -95,9 +97,10 @@ OrderedJson contact_json(const ContactSample& contact, const std::vector<std::st
 
 OrderedJson energy_json(const MotionEnergy& energy) {
   OrderedJson out;
-  out["kinetic"] = energy.kinetic;
-  out["weight"] = energy.weight;
-  out["springs"] = energy.springs;
+  out["kinetic"] = number_or_null(energy.kinetic);
+  out["weight"] = number_or_null(energy.weight);
+  out["springs"] = number_or_null(energy.springs);
+  out["total"] = energy.total;
   if (!energy.balance) return out;
   out["work"] = energy.balance->work;
   out["dissipated"] = energy.balance->dissipated;
@@ -141,6 +144,7 @@ OrderedJson quality_json(const MotionQuality& quality) {
   out["unsolved"] = quality.unsolved;
   out["worst_residual"] = number_or_null(quality.worst_residual);
   out["deepest"] = quality.deepest;
+  out["leaps"] = quality.leaps;
   return out;
 }
 
@@ -207,8 +211,12 @@ OrderedJson open_motion(Session& session, const Json& params, const Progress& /*
 }
 
 OrderedJson open_record(Session& session, const Json& params, const Progress& /*progress*/) {
-  return show_motion(session, std::make_shared<RecordedMotion>(read_scene_run(
-                                  params.at("file").get<std::string>(), session.places().data)));
+  const std::string file = params.at("file").get<std::string>();
+  require_kind(file, {"scene run", "motion"});
+  if (contents_of(file).kind == "motion")
+    return show_motion(session, std::make_shared<RecordedDigitMotion>(read_motion(file)));
+  return show_motion(session,
+                     std::make_shared<RecordedMotion>(read_scene_run(file, session.places().data)));
 }
 
 OrderedJson step_motion(Session& session, const Json& params, const Progress& progress) {
@@ -275,14 +283,15 @@ const char* const kMotionWords =
     "{name: {position [m], rotation [w, x, y, z], velocity of the centre of mass [m/s], spin "
     "[rad/s]}}, contacts [{a, b, point [m], normal, force on a [N], torsion [N m], gap [m], "
     "mode}], "
-    "energy {kinetic, weight, springs, work, dissipated, error since the start} [J], muscles "
-    "{name: "
-    "tension [N], or activation}";
+    "energy {kinetic, weight, springs, total, work, dissipated, error since the start} [J], "
+    "muscles "
+    "{name: tension [N], or activation}; null: not known";
 const char* const kPlayWords = "t [s], playing, speed [1]";
 
 std::string with_quality(const std::string& of) {
-  return "steps, unsolved contact problems, worst_residual [1], deepest penetration [m] " + of +
-         "; " + kMotionWords;
+  return "steps, unsolved contact problems, worst_residual [1], deepest penetration [m], leaps "
+         "(steps in which surfaces may have gone through each other) " +
+         of + "; " + kMotionWords;
 }
 
 void add_opening_methods(MethodTable& table) {
@@ -297,10 +306,11 @@ void add_opening_methods(MethodTable& table) {
                              "What moves the hands of a world: drives that hold them where they "
                              "stand (hold, if left out), tendons of human hands, or nothing."}}),
              opened, R"({"scene": "pinch", "step": 0.002})", open_motion});
-  table.add({"motion.record",
-             "Opens a run of a scene that `thenar simulate SCENE -o run.h5` wrote.",
-             object_schema({{"file", text_schema(), "The run.", true}}), opened,
-             R"({"file": "run.h5"})", open_record});
+  table.add(
+      {"motion.record",
+       "Opens a run of a scene or a motion of a digit that `thenar simulate .. -o run.h5` wrote.",
+       object_schema({{"file", text_schema(), "The run.", true}}), opened, R"({"file": "run.h5"})",
+       open_record});
 }
 
 void add_stepping_methods(MethodTable& table) {

@@ -1,31 +1,11 @@
 #include "api/live/world/hand_tendons.h"
 
-#include <cmath>
+#include <utility>
 
 #include "tendons/human/tendon_hand.h"
 
 namespace thenar {
 namespace {
-
-/// Nodes up to the first one that stands still.
-TendonPath<double> moving_part(const TendonPath<double>& path) {
-  TendonPath<double> part;
-  for (const PathNode<double>& node : path) {
-    part.push_back(node);
-    if (node.link < 0) break;
-  }
-  return part;
-}
-
-/// Both ends, and nodes evenly between them.
-TendonPath<double> thinned(const TendonPath<double>& path) {
-  if (path.size() <= kLinePoints) return path;
-  TendonPath<double> thin;
-  for (int i = 0; i < kLinePoints; ++i)
-    thin.push_back(path[static_cast<std::size_t>(
-        std::lround(i * static_cast<double>(path.size() - 1) / (kLinePoints - 1)))]);
-  return thin;
-}
 
 /// A muscle that two digits share runs through both: each strand is drawn once.
 bool is_drawn(const std::vector<HandTendon>& tendons, const HandTendon& tendon) {
@@ -43,11 +23,9 @@ std::vector<HandTendon> hand_tendons(const Hand& hand) {
   for (std::size_t d = 0; d < pulled->digits().size(); ++d) {
     const TendonDigit& digit = pulled->digits()[d]->digit();
     const std::string name = digit.skeleton.tips.empty() ? "" : digit.skeleton.tips[0].digit;
-    for (std::size_t s = 0; s < digit.model.paths.size(); ++s) {
-      HandTendon tendon{digit.names.strands[s], name, d,
-                        thinned(moving_part(digit.model.paths[s]))};
-      if (tendon.nodes.size() > 1 && !is_drawn(tendons, tendon))
-        tendons.push_back(std::move(tendon));
+    for (StrandPath& path : strand_paths(digit)) {
+      HandTendon tendon{std::move(path.name), name, d, std::move(path.nodes)};
+      if (!is_drawn(tendons, tendon)) tendons.push_back(std::move(tendon));
     }
   }
   return tendons;

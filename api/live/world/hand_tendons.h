@@ -7,25 +7,20 @@
 
 #include <Eigen/Core>
 
+#include "api/live/strand_paths.h"
 #include "hand/hand.h"
-#include "tendons/path.h"
 
 namespace thenar {
 
-/// Most points of a line, so that a frame stays small.
-inline constexpr int kLinePoints = 8;
-
-/// The path of one strand of a digit, from its end on the bone towards the muscle.
+/// The path of one strand of a digit.
 struct HandTendon {
   std::string name;  // of the strand
   std::string digit;
   std::size_t of = 0;        // entry of TendonHand::digits()
-  TendonPath<double> nodes;  // 2 to kLinePoints of its via points, links of the digit's own tree
+  TendonPath<double> nodes;  // as StrandPath::nodes
 };
 
-/// Tendons of a hand that tendons move, none of others. The muscle's way up the forearm ends at the
-/// first point that no joint of the digit moves. Strands without a path are left out; on the rungs
-/// `fitted` and `wrapped` lines run straight through via points, too.
+/// Tendons of a hand that tendons move, none of others: strand_paths() of its digits.
 [[nodiscard]] std::vector<HandTendon> hand_tendons(const Hand& hand);
 
 /// Points of all lines in a posture, one line after the other, in the hand's frame [m].

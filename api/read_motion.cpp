@@ -1,0 +1,205 @@
+#include "api/read_motion.h"
+
+#include <algorithm>
+#include <array>
+#include <optional>
+#include <utility>
+
+#include "api/named/digits.h"
+#include "base/error.h"
+#include "base/nearest_name.h"
+#include "data/io/result_file.h"
+#include "tendons/net/build_tendons.h"
+
+namespace thenar {
+namespace {
+
+using Eigen::Index;
+
+constexpr const char* kMotionFormat = "thenar motion 1";
+constexpr double kSameTip = 1e-6;       // of a tip, now and in the file [m]
+constexpr double kMostAngle = 10;       // of a joint that moves on [rad]
+constexpr double kNoPull = 1e-6;        // of a tension that rounding made negative [N]
+constexpr std::size_t kPathLadder = 2;  // of explain() and describe()
+constexpr std::size_t kHoodLadder = 3;
+
+constexpr std::array kPaths{Path::kConstant, Path::kViaPoint, Path::kFitted, Path::kWrapped};
+constexpr std::array kHoods{Hood::kSeparate, Hood::kFractions, Hood::kFloatingNet};
+
+std::vector<std::string> parts_of(const std::string& text) {
+  std::vector<std::string> parts;
+  for (std::size_t from = 0; from <= text.size();) {
+    const std::size_t to = std::min(text.find(", ", from), text.size());
+    parts.push_back(text.substr(from, to - from));
+    from = to + 2;
+  }
+  return parts;
+}
+
+/// The rung of a ladder that explain() calls so; nothing: none.
+template <typename Rungs>
+auto rung_called(const Rungs& rungs, std::size_t ladder, const std::string& name)
+    -> std::optional<typename Rungs::value_type> {
+  for (const auto rung : rungs)
+    if (explain(Fidelity(rung))[ladder].rung == name) return rung;
+  return {};
+}
+
+/// What reads one file.
+class MotionReader {
+ public:
+  explicit MotionReader(const std::string& path) : path_(path), file_(read_result(path)) {}
+
+  RecordedDigit read() {
+    const std::string format = text_or_none("format");
+    if (format != kMotionFormat)
+      fail(fmt::format("wanted a motion of a digit ('{}'), got '{}'", kMotionFormat, format));
+    try {
+      build();
+    } catch (const Error& error) {
+      fail(fmt::format("its digit cannot be built again: {}", error.what()));
+    }
+    compare_names();
+    read_instants();
+    compare_tips();
+    tell_outcome();
+    return std::move(out_);
+  }
+
+ private:
+  [[noreturn]] void fail(const std::string& what) const { throw DataError(path_, 1, what); }
+
+  /// A text that may be missing.
+  [[nodiscard]] std::string text_or_none(const std::string& key) const {
+    const auto found = file_.texts.find(key);
+    return found == file_.texts.end() || found->second.empty() ? "" : found->second.front();
+  }
+
+  // ---- the digit
+
+  [[nodiscard]] TendonOptions rungs() const {
+    TendonOptions rungs;
+    std::string path = text_or_none("rungs/path"), hood = text_or_none("rungs/hood");
+    const bool named = !path.empty();
+    if (!named) {
+      // Of an older file: what was built, which a digit with constant arms alone is by itself.
+      const std::vector<std::string> built = parts_of(text_or_none("provenance/fidelity"));
+      require(built.size() > kHoodLadder, "it does not say on which rungs");
+      path = built[kPathLadder];
+      hood = built[kHoodLadder];
+    }
+    const auto path_rung = rung_called(kPaths, kPathLadder, path);
+    const auto hood_rung = rung_called(kHoods, kHoodLadder, hood);
+    require(path_rung && hood_rung, "there are no rungs '{}' and '{}'", path, hood);
+    rungs.path = !named && *path_rung == Path::kConstant ? Path::kViaPoint : *path_rung;
+    rungs.hood = *hood_rung;
+    if (text_or_none("rungs/wrist") == "free") rungs.wrist_mode = WristMode::kFree;
+    if (file_.texts.count("name/frozen") == 0) return rungs;
+    const std::vector<std::string>& joints = file_.list("name/frozen");
+    const Eigen::MatrixXd angles = table("rungs/frozen", static_cast<Index>(joints.size()), 1);
+    for (std::size_t i = 0; i < joints.size(); ++i)
+      rungs.frozen[joints[i]] = angles(static_cast<Index>(i));
+    return rungs;
+  }
+
+  void build() {
+    const std::string text = text_or_none("inputs/1/text");
+    require(!text.empty(), "it does not keep the text of its subject");
+    out_.subject = parse_subject(text, text_or_none("inputs/1/path"));
+    out_.digit = choose_digit(out_.subject, file_.text("digit"));
+    const TendonOptions options = rungs();
+    if (options.hood != Hood::kFloatingNet) {
+      out_.tendons = build_digit_tendons(out_.subject, out_.digit, options);
+      return;
+    }
+    const std::string net = text_or_none("inputs/2/text");
+    require(!net.empty(), "it does not keep the text of its net");
+    const NetDescription description = parse_net(net, text_or_none("inputs/2/path"));
+    out_.tendons = build_digit_tendons(out_.subject, out_.digit, options, &description);
+  }
+
+  void compare_names() const {
+    const TendonNames& names = out_.tendons->digit().names;
+    const auto compare = [&](const char* key, const std::vector<std::string>& now) {
+      const std::vector<std::string>& then = file_.list(key);
+      if (then != now)
+        fail(fmt::format("'{}': its digit has {} now, in the file {}", key, listed(now),
+                         listed(then)));
+    };
+    try {
+      compare("name/joint", names.coordinates);
+      compare("name/muscle", names.muscles);
+    } catch (const InputError& error) {
+      fail(error.what());
+    }
+  }
+
+  // ---- instants
+
+  /// A matrix of finite numbers with so many rows and columns.
+  [[nodiscard]] Eigen::MatrixXd table(const std::string& key, Index rows, Index columns) const {
+    const auto found = file_.arrays.find(key);
+    if (found == file_.arrays.end()) fail(fmt::format("it has no '{}'", key));
+    const Eigen::MatrixXd values = file_.matrix(key);
+    if (values.rows() != rows || values.cols() != columns)
+      fail(fmt::format("'{}': wanted {} x {} numbers, got {} x {}", key, rows, columns,
+                       values.rows(), values.cols()));
+    if (!values.allFinite()) fail(fmt::format("'{}' has numbers that are not finite", key));
+    return values;
+  }
+
+  void read_instants() {
+    const TendonNames& names = out_.tendons->digit().names;
+    const auto joints = static_cast<Index>(names.coordinates.size());
+    const auto muscles = static_cast<Index>(names.muscles.size());
+    if (file_.arrays.count("time") == 0) fail("it has no 'time'");
+    const auto count = static_cast<Index>(file_.arrays.at("time").values.size());
+    if (count < 1) fail("'time': wanted instants, at least one");
+    out_.time = table("time", count, 1);
+    for (Index i = 1; i < count; ++i)
+      if (!(out_.time[i] > out_.time[i - 1])) fail("'time' does not rise");
+    out_.angle = table("angle", count, joints);
+    out_.speed = table("speed", count, joints);
+    out_.activation = table("activation", count, muscles);
+    out_.tension = table("tension", count, muscles);
+    out_.energy = table("energy", count, 1);
+    out_.work = table("work", count, 1);
+    out_.dissipated = table("lost", count, 1);
+    if ((out_.angle.array().abs() > kMostAngle).any())
+      fail(fmt::format("'angle': wanted up to {} rad", kMostAngle));
+    if ((out_.tension.array() < -kNoPull).any() || (out_.tension.array() > kMaxTension).any())
+      fail(fmt::format("'tension': wanted 0 to {} N", kMaxTension));
+    out_.tension = out_.tension.cwiseMax(0);
+  }
+
+  /// Holds the tip against that of the file.
+  void compare_tips() const {
+    const TendonModel<double>& model = out_.tendons->digit().model;
+    const Eigen::MatrixXd tip = table("tip", out_.time.size(), 3);
+    for (Index i = 0; i < out_.time.size(); ++i) {
+      const Eigen::VectorXd q = out_.angle.row(i);
+      const Eigen::Vector3d now = moved(pose_tree(model.tree, q), model.tip_link, model.tip);
+      if (!((now - tip.row(i).transpose()).norm() <= kSameTip))
+        fail(
+            fmt::format("at {} s the tip of its digit is {:.3g} mm from where it was: it is not "
+                        "the digit of the motion, as where joints were frozen",
+                        out_.time[i], 1e3 * (now - tip.row(i).transpose()).norm()));
+    }
+  }
+
+  void tell_outcome() {
+    const std::string status = text_or_none("status"), trouble = text_or_none("trouble");
+    if (status != "done") out_.warnings.push_back(fmt::format("the motion ended so: {}", status));
+    if (!trouble.empty()) out_.warnings.push_back(trouble);
+  }
+
+  const std::string& path_;
+  ResultFile file_;
+  RecordedDigit out_;
+};
+
+}  // namespace
+
+RecordedDigit read_motion(const std::string& path) { return MotionReader(path).read(); }
+
+}  // namespace thenar
