@@ -96,7 +96,7 @@ class MotionReader {
     if (text_or_none("rungs/wrist") == "free") rungs.wrist_mode = WristMode::kFree;
     if (file_.texts.count("name/frozen") == 0) return rungs;
     const std::vector<std::string>& joints = file_.list("name/frozen");
-    const Eigen::MatrixXd angles = table("rungs/frozen", static_cast<Index>(joints.size()), 1);
+    const Eigen::MatrixXd angles = table("rungs/frozen_angle", static_cast<Index>(joints.size()), 1);
     for (std::size_t i = 0; i < joints.size(); ++i)
       rungs.frozen[joints[i]] = angles(static_cast<Index>(i));
     return rungs;

@@ -75,7 +75,7 @@ void add_rungs(const TendonOptions& rungs, ResultFile& file) {
     joints.push_back(joint);
   }
   file.add("name/frozen", joints);
-  file.add("rungs/frozen", angles, "rad", {"frozen"});
+  file.add("rungs/frozen_angle", angles, "rad", {"frozen"});
 }
 
 }  // namespace

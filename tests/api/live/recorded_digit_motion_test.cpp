@@ -71,7 +71,11 @@ class RecordedDigitFile : public TemporaryFolder {
 TEST_F(RecordedDigitFile, ShowsWhatALiveDigitShows) {
   for (const std::string net : {"", "chao_an"}) {
     SCOPED_TRACE("net '" + net + "'");
-    const MotionRequest request = flexing_index(net);
+    MotionRequest request = flexing_index(net);
+    // Far from limits, at which a live digit would end.
+    request.digit.posture.named = {{"MCP2_FE", 0.4}, {"PIP2", 0.4}, {"DIP2", 0.4}};
+    request.seconds = 0.012;
+    request.sample = 1e-3;
     const SimulatedMotion motion = record(request);
     const Trajectory& t = motion.trajectory;
     RecordedDigitMotion recorded(read());
@@ -87,7 +91,7 @@ TEST_F(RecordedDigitFile, ShowsWhatALiveDigitShows) {
         inputs.posture[t.joints[j]] = t.angle(i, static_cast<Eigen::Index>(j));
       for (std::size_t m = 0; m < t.muscles.size(); ++m)
         inputs.tension[t.muscles[m]] = t.tension(i, static_cast<Eigen::Index>(m));
-      ASSERT_TRUE(live.set(inputs).empty());
+      ASSERT_THAT(live.set(inputs), testing::IsEmpty()) << i;
       const LiveInstant instant = recorded.instant();
       EXPECT_NO_THROW(check_instant(recorded.shape(), instant));
       EXPECT_EQ(instant.time, t.time[i]);
@@ -134,7 +138,7 @@ TEST_F(RecordedDigitFile, BuildsFrozenJointsAgain) {
   const RecordedDigit got = read();
   EXPECT_EQ(got.tendons->digit().names.coordinates, motion.trajectory.joints);
   EXPECT_THAT(trouble_with([](ResultFile& file) {
-                file.arrays.at("rungs/frozen").values[0] = 10 * kDegree;
+                file.arrays.at("rungs/frozen_angle").values[0] = 10 * kDegree;
               }),
               HasSubstr("the tip of its digit"));
 }
