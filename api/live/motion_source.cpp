@@ -45,9 +45,8 @@ MotionSource scene_motion(const SceneRequest& request) {
         stepping_names()[static_cast<std::size_t>(options.method)], 1e3 * options.step));
   if (has_pads_of_elements(read.spec, request))
     out.warnings.emplace_back(
-        "pads of finite elements: once they touch, a step may take seconds; a session can be "
-        "stopped "
-        "between parts of a step, and other rungs of pads are faster");
+        "pads of finite elements: where they touch, single steps take tenths of a second; other "
+        "rungs of pads are faster");
   options.method = SteppingMethod::kTimeStepping;
   if (request.step) step_by(*request.step, options);
   bound_steps(options);

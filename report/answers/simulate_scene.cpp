@@ -202,6 +202,7 @@ OrderedJson outcome_json(const SimulatedScene& scene) {
           {"substeps", cost.substeps},
           {"impacts", cost.impacts},
           {"unsolved", cost.unsolved},
+          {"leaps", cost.leaps},
           {"coarse_steps", cost.coarse},
           {"worst_residual",
            has_contact_problems(scene) ? number_or_null(cost.worst_residual) : Json()},

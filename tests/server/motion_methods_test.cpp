@@ -1,11 +1,14 @@
 // Tests for server/methods/motion_methods.cpp: requests as a client sends them.
 
 #include <chrono>
+#include <cstdio>
 #include <limits>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "api/simulate.h"
+#include "server/frame.h"
 #include "server/methods/method_table.h"
 #include "tests/data_folder.h"
 #include "tests/message_of.h"
@@ -150,6 +153,54 @@ TEST_F(MotionMethods, PinchTakesAThousandClosedLoopStepsASecond) {
   EXPECT_LT(best, 1e-3);
   RecordProperty("microseconds", static_cast<int>(1e6 * best));
   std::cout << "one closed-loop step of pinch: " << 1e6 * best << " us\n";
+}
+
+// What the page draws of a hand with tendons in one frame.
+TEST_F(MotionMethods, FramesOfHandsWithTendonsAreSmall) {
+  (void)call("motion.open", {{"scene", "human_cylinder"}, {"step", 0.002}});
+  (void)call("motion.step", {{"steps", 20}});
+  const LiveInstant instant = session_->shown()->instant();
+  EXPECT_GT(instant.tensions.size(), 30u);
+  EXPECT_LT(encode_frame(instant, 1, 1).size(), 4000u);
+}
+
+TEST_F(MotionMethods, RecordedMotionsOfDigitsAreShown) {
+  MotionRequest request;
+  request.digit.subject = kData + "/subjects/an_chao_index.toml";
+  request.excitation = {{"FDP", 0.2}};
+  request.muscle = Muscle::kBounds;
+  request.seconds = 0.02;
+  const std::string file = testing::TempDir() + "recorded_digit.h5";
+  write_motion(simulate_digit(request), file);
+  const OrderedJson opened = call("motion.record", {{"file", file}});
+  EXPECT_EQ(opened["name"], "an_chao_index/index");
+  EXPECT_EQ(opened["duration"], 0.02);
+  EXPECT_EQ(session_->mode(), LiveMode::kMotion);
+  (void)call("motion.seek", {{"t", 0.01}});
+  const OrderedJson state = call("motion.state", {{"want", {"joints", "muscles", "energy"}}});
+  EXPECT_EQ(state["joints"].size(), 4u);
+  EXPECT_EQ(state["joints"]["PIP2"][2], nullptr);
+  EXPECT_GT(state["muscles"]["FDP"].get<double>(), 0);
+  EXPECT_EQ(state["energy"]["kinetic"], nullptr);
+  EXPECT_THAT(refusal("motion.set", {{"efforts", {{"PIP2", 1}}}}), HasSubstr("recorded run"));
+  EXPECT_THAT(refusal("motion.record", {{"file", kData + "/scenes/pinch.toml"}}),
+              HasSubstr("wanted a scene run or a motion"));
+  std::remove(file.c_str());
+}
+
+// A digit's first contact divides a step: there it is stopped, and the motion stands before it.
+TEST_F(MotionMethods, StopsWithinAStep) {
+  (void)call("motion.open", {{"scene", "thumb_key"}});
+  Json params{{"steps", 5}, {"want", Json::array()}};
+  int asked = 0;
+  Progress progress;
+  progress.stop_requested = [&] { return ++asked == 20; };
+  const RpcMethod& row = table_.at("motion.step");
+  const OrderedJson reply = row.handler(*session_, checked(row.params, params, "params"), progress);
+  EXPECT_EQ(asked, 20);
+  EXPECT_LT(reply["steps"], 5);
+  EXPECT_DOUBLE_EQ(reply["t"].get<double>(), 1e-3 * reply["steps"].get<double>());
+  EXPECT_EQ(call("motion.step", {{"steps", 1}})["steps"], 1);
 }
 
 }  // namespace

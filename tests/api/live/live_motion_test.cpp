@@ -2,6 +2,7 @@
 
 #include "api/live/live_motion.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include <gmock/gmock.h>
@@ -267,6 +268,41 @@ TEST(LiveMotion, TendonsOfAWorldPull) {
   for (const ElementValue& value : motion.state({false, false, false, false, true}).muscles)
     told = told || (value.name == inputs.tensions.begin()->first && value.value >= 4);
   EXPECT_TRUE(told);
+}
+
+// What is seen live is what `simulate --method time-stepping` computes, to the last bit.
+TEST(LiveMotion, StepsAreThoseOfSimulatedScenes) {
+  for (const char* name : {"wine_glass", "mug_lift"}) {
+    SCOPED_TRACE(name);
+    LiveMotion motion(scene_called(name));
+    SceneRequest request;
+    request.scene = name;
+    request.data = kData;
+    request.method = "time-stepping";
+    request.step = motion.live_time().step;
+    request.seconds = 0.2;
+    const SimulatedScene wanted = run_scene(request);
+    const MotionQuality quality = motion.step(std::lround(0.2 / motion.live_time().step), {});
+    EXPECT_EQ(motion.shown().state.q, wanted.run.samples.back().q);
+    EXPECT_EQ(motion.shown().state.v, wanted.run.samples.back().v);
+    EXPECT_EQ(quality.leaps, 0);
+    EXPECT_EQ(quality.worst_residual, wanted.run.cost.worst_residual);
+  }
+}
+
+TEST(LiveMotion, WarnsOfPadsOfElements) {
+  SceneRequest request;
+  request.scene = "soft_jaws";
+  request.data = kData;
+  for (const std::string pads : {"elements", "hard-point"}) {
+    request.pads = pads;
+    const std::vector<std::string> warnings = LiveMotion(scene_motion(request)).warnings();
+    EXPECT_EQ(std::count_if(warnings.begin(), warnings.end(),
+                            [](const std::string& text) {
+                              return text.find("finite elements") != std::string::npos;
+                            }),
+              pads == "elements" ? 1 : 0);
+  }
 }
 
 }  // namespace
