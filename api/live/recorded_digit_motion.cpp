@@ -26,15 +26,17 @@ LiveInstant RecordedDigitMotion::instant() const {
 }
 
 MotionEnergy RecordedDigitMotion::energy() const {
-  const auto i = static_cast<Eigen::Index>(nearest());
+  const auto now = [&](const auto& all) {
+    return straight_number([&](std::size_t i) { return all[static_cast<Eigen::Index>(i)]; });
+  };
   MotionEnergy out;
   out.kinetic = out.weight = out.springs = kNaN;
-  out.total = run_.energy[i];
+  out.total = now(run_.energy);
   FlowBalance balance;
-  balance.work = run_.work[i];
-  balance.dissipated = run_.dissipated[i];
-  balance.error = out.total - run_.energy[0] - (run_.work[i] - run_.work[0]) +
-                  (run_.dissipated[i] - run_.dissipated[0]);
+  balance.work = now(run_.work);
+  balance.dissipated = now(run_.dissipated);
+  balance.error = out.total - run_.energy[0] - (balance.work - run_.work[0]) +
+                  (balance.dissipated - run_.dissipated[0]);
   out.balance = balance;
   return out;
 }

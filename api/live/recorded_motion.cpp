@@ -65,6 +65,22 @@ Eigen::VectorXd RecordedMotion::positions() const {
                            at.share);
 }
 
+Eigen::VectorXd RecordedMotion::speeds() const {
+  const Between at = between();
+  const Eigen::VectorXd& from = run_.samples[at.from].v;
+  return at.from == at.to ? from : from + at.share * (run_.samples[at.to].v - from);
+}
+
+MotionEnergy RecordedMotion::energy() const {
+  using Energy = decltype(SceneSample::energy);
+  const auto now = [&](double Energy::*part) {
+    return straight_number([&](std::size_t i) { return run_.samples[i].energy.*part; });
+  };
+  MotionEnergy out{now(&Energy::kinetic), now(&Energy::weight), now(&Energy::springs), {}, 0};
+  out.total = out.kinetic + out.weight + out.springs;
+  return out;
+}
+
 std::vector<Pose<double>> RecordedMotion::poses(const Eigen::VectorXd& q) const {
   TreeMotion<double> motion(model_);
   motion.set_position(q);
@@ -83,35 +99,29 @@ LiveInstant RecordedMotion::instant() const {
 
 TimelineState RecordedMotion::state(const MotionParts& parts) const {
   const Mechanism& mechanism = run_.built.scene.mechanism;
-  const SceneSample& near = nearest_sample();
-  const Eigen::VectorXd q = positions();
+  const Eigen::VectorXd q = positions(), v = speeds();
   TimelineState out;
   out.t = shown();
   if (parts.joints)
     for (std::size_t c = 0; c < mechanism.coordinates.size(); ++c)
       out.joints.push_back({mechanism.coordinates[c].name, q[model_.layout.coordinate_q[c]],
-                            near.v[model_.layout.coordinate_v[c]], std::nullopt});
+                            v[model_.layout.coordinate_v[c]], std::nullopt});
   if (parts.bodies) {
     const std::vector<Pose<double>> X_WB = poses(q);
-    const std::vector<SceneVelocity> velocities =
-        body_velocities(mechanism, model_, near.q, near.v);
-    for (std::size_t i = 0; i < mechanism.bodies.size(); ++i)
-      if (model_.bodies[i].link >= 0 &&
-          (mechanism.bodies[i].mass.mass > 0 || mechanism.bodies[i].solid))
-        out.bodies.push_back({mechanism.bodies[i].name, X_WB[i], velocities[i]});
+    const std::vector<SceneVelocity> velocities = body_velocities(mechanism, model_, q, v);
+    for (const std::size_t i : moving_bodies(mechanism, model_))
+      out.bodies.push_back({mechanism.bodies[i].name, X_WB[i], velocities[i]});
   }
   if (parts.contacts) {
-    out.contacts = near.contacts;
+    out.contacts = nearest_sample().contacts;
     for (const MechanismBody& body : mechanism.bodies) out.body_names.push_back(body.name);
   }
-  if (parts.energy)
-    out.energy = MotionEnergy{
-        near.energy.kinetic, near.energy.weight, near.energy.springs, {}, near.energy.total()};
-  if (parts.muscles)
+  if (parts.energy) out.energy = energy();
+  if (parts.muscles && !run_.muscles.empty()) {
+    const Eigen::VectorXd tensions = straight(run_.tension);
     for (std::size_t m = 0; m < run_.muscles.size(); ++m)
-      out.muscles.push_back(
-          {run_.muscles[m], "N",
-           run_.tension(static_cast<Eigen::Index>(nearest()), static_cast<Eigen::Index>(m))});
+      out.muscles.push_back({run_.muscles[m], "N", tensions[static_cast<Eigen::Index>(m)]});
+  }
   return out;
 }
 

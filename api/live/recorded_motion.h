@@ -9,8 +9,9 @@
 
 namespace thenar {
 
-/// A recorded run on its line of time. Between two instants that it kept, positions go straight and
-/// bodies turn evenly; contacts are those of the nearer instant.
+/// A recorded run on its line of time. Between two instants that it kept, positions, speeds,
+/// energies and tensions go straight and bodies turn evenly; contacts are those of the nearer
+/// instant.
 class RecordedMotion final : public RecordedTimeline {
  public:
   explicit RecordedMotion(RecordedScene run);
@@ -18,7 +19,7 @@ class RecordedMotion final : public RecordedTimeline {
   [[nodiscard]] const LiveShape& shape() const override { return picture_.shape; }
   [[nodiscard]] LiveInstant instant() const override;
 
-  /// Speeds, efforts and the balance of energy are of the nearest instant, or not recorded.
+  /// Efforts and the balance of energy were not recorded.
   [[nodiscard]] TimelineState state(const MotionParts& parts) const override;
   [[nodiscard]] MotionQuality quality() const override;
   [[nodiscard]] std::vector<std::string> warnings() const override { return run_.warnings; }
@@ -27,6 +28,8 @@ class RecordedMotion final : public RecordedTimeline {
  private:
   [[nodiscard]] const SceneSample& nearest_sample() const { return run_.samples[nearest()]; }
   [[nodiscard]] Eigen::VectorXd positions() const;
+  [[nodiscard]] Eigen::VectorXd speeds() const;
+  [[nodiscard]] MotionEnergy energy() const;
   [[nodiscard]] Eigen::VectorXd tension() const;
   [[nodiscard]] std::vector<Pose<double>> poses(const Eigen::VectorXd& q) const;
 

@@ -36,6 +36,13 @@ class RecordedTimeline : public LiveTimeline {
     double share = 0;              // [1]
   };
   [[nodiscard]] Between between() const;
+  /// A number that goes straight between two instants. @param at  its value at an instant
+  template <class At>
+  [[nodiscard]] double straight_number(const At& at) const {
+    const Between now = between();
+    const double from = at(now.from);
+    return now.from == now.to ? from : from + now.share * (at(now.to) - from);
+  }
   /// What goes straight between two instants. @param rows  (instants, numbers)
   [[nodiscard]] Eigen::VectorXd straight(const Eigen::MatrixXd& rows) const;
 

@@ -197,6 +197,15 @@ FlowBalance flow_balance(const SceneSample& first, const SceneSample& last) {
   return out;
 }
 
+std::vector<std::size_t> moving_bodies(const Mechanism& mechanism, const TreeModel& model) {
+  std::vector<std::size_t> moving;
+  for (std::size_t i = 0; i < mechanism.bodies.size(); ++i) {
+    const MechanismBody& body = mechanism.bodies[i];
+    if (model.bodies[i].link >= 0 && (body.mass.mass > 0 || body.solid)) moving.push_back(i);
+  }
+  return moving;
+}
+
 RunMeasures measure_run(const MovingScene& scene, const SceneRun& run) {
   RunMeasures out;
   if (run.samples.empty()) return out;
@@ -205,12 +214,7 @@ RunMeasures measure_run(const MovingScene& scene, const SceneRun& run) {
   for (std::size_t k = 0; k < run.samples.size(); ++k)
     step.poses({run.samples[k].t, run.samples[k].q, run.samples[k].v}, out.X_WB[k]);
   const MechanismLayout& layout = step.model().layout;
-  for (std::size_t i = 0; i < step.model().bodies.size(); ++i) {
-    // Frames of joints have neither mass nor surface.
-    const MechanismBody& body = scene.mechanism.bodies[i];
-    if (step.model().bodies[i].link >= 0 && (body.mass.mass > 0 || body.solid))
-      out.moving.push_back(i);
-  }
+  out.moving = moving_bodies(scene.mechanism, step.model());
   const bool has_flows = run.samples.back().w.size() > 0;
   std::map<Pair, PairMeasure> pairs;
   for (std::size_t k = 0; k < run.samples.size(); ++k) {

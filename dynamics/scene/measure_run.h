@@ -33,10 +33,14 @@ struct RunMeasures {
   double energy_error = 0;         // energy at the start + work - dissipated - energy at the end
                                    // [J]; not a number where the method has no flows of energy
   std::vector<std::vector<Pose<double>>> X_WB;  // (instants, bodies)
-  std::vector<std::size_t> moving;  // bodies with mass or surface that are not fixed to the world
-  RunPulls pulls;                   // of human hands
+  std::vector<std::size_t> moving;              // moving_bodies()
+  RunPulls pulls;                               // of human hands
   std::vector<SceneVelocity> velocity;  // of the bodies at the end, centres of mass (bodies)
 };
+
+/// Bodies with mass or surface that are not fixed to the world; frames of joints have neither.
+[[nodiscard]] std::vector<std::size_t> moving_bodies(const Mechanism& mechanism,
+                                                     const TreeModel& model);
 
 /// Velocities of all bodies at positions and speeds: of their centres of mass, those of bodies that
 /// are fixed to the world 0 (bodies).

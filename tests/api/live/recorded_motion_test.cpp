@@ -94,6 +94,25 @@ TEST_F(RecordedRunFile, ShowsWhatIsBetweenInstants) {
   EXPECT_NEAR(heights[1], 0.5 * (heights[0] + heights[2]), 1e-12);
 }
 
+// A free fall between instants: speed -g t, and as much kinetic energy as weight has lost.
+TEST_F(RecordedRunFile, SpeedsAndEnergiesGoOnBetweenInstants) {
+  const SimulatedScene run = record("falling_ball", 0.1, "run.h5");
+  RecordedMotion motion(read("run.h5"));
+  const double a = run.run.samples[3].t, b = run.run.samples[4].t;
+  const TimelineState start = motion.state({false, false, false, true, false});
+  for (const double share : {0.0, 0.25, 0.5, 0.75, 1.0}) {
+    const double t = motion.seek(a + share * (b - a));
+    const TimelineState state = motion.state({false, true, false, true, false});
+    const auto ball = std::find_if(state.bodies.begin(), state.bodies.end(),
+                                   [](const BodyState& body) { return body.name == "ball"; });
+    ASSERT_NE(ball, state.bodies.end());
+    EXPECT_NEAR(ball->velocity.linear.z(), -9.81 * t, 1e-9) << share;
+    EXPECT_NEAR(state.energy->total, start.energy->total, 1e-9) << share;
+    EXPECT_EQ(state.energy->total,
+              state.energy->kinetic + state.energy->weight + state.energy->springs);
+  }
+}
+
 TEST_F(RecordedRunFile, PlaysToItsEnd) {
   (void)record("pendulum", 0.1, "run.h5");
   RecordedMotion motion(read("run.h5"));
