@@ -36,7 +36,8 @@ struct LiveTime {
   double step = 1e-3;              // that one step of `motion.step` takes [s]
   bool playing = false;            // whether it goes on by itself
   double speed = 1;                // of play, 1: real time [1]
-  std::optional<double> duration;  // of a recorded run [s]; none: it has no end
+  std::optional<double> duration;  // where play pauses, once: of a scene or recorded run; none: it
+                                   // has no end [s]
   bool recorded = false;           // a run that is shown again
 };
 

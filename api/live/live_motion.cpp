@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <utility>
 
 #include "base/error.h"
@@ -12,6 +11,7 @@ namespace thenar {
 namespace {
 
 constexpr long kStepsBetweenLooks = 16;  // at whether to stop
+constexpr double kLargestInput = 1e6;    // of any kind: beyond, it is a mistake [N m], [N], [rad]
 
 /// Whether a coordinate's first joint slides.
 bool slides_along(const MovingScene& scene, int coordinate) {
@@ -19,22 +19,6 @@ bool slides_along(const MovingScene& scene, int coordinate) {
     if (is_scalar(joint.kind) && joint.coordinate == coordinate)
       return joint.kind == JointKind::kSlide;
   return false;
-}
-
-/// The drive that a target goes to; null: none has stiffness.
-const SceneDrive* drive_of(const MovingScene& scene, int coordinate) {
-  for (const SceneDrive& drive : scene.drives)
-    if (drive.coordinate == coordinate && drive.stiffness > 0) return &drive;
-  return nullptr;
-}
-
-double largest_effort(const MovingScene& scene, int coordinate) {
-  double most = 0;
-  for (const SceneDrive& drive : scene.drives)
-    if (drive.coordinate == coordinate) most = std::max(most, drive.max_effort);
-  const double motor = scene.mechanism.coordinates[static_cast<std::size_t>(coordinate)].max_effort;
-  if (most == 0) most = motor;
-  return most > 0 ? most : std::numeric_limits<double>::infinity();
 }
 
 }  // namespace
@@ -50,11 +34,7 @@ LiveMotion::LiveMotion(MotionSource source, const HistoryLimits& limits)
     index_of_[coordinates[c].name] = static_cast<int>(c);
   }
   for (ElementControl& control : stepper_.controls()) controls_[control.name] = control;
-  for (std::size_t i = 0; i < scene().mechanism.bodies.size(); ++i) {
-    const MechanismBody& body = scene().mechanism.bodies[i];
-    if (stepper_.model().bodies[i].link >= 0 && (body.mass.mass > 0 || body.solid))
-      moving_.push_back(i);
-  }
+  moving_ = moving_bodies(scene().mechanism, stepper_.model());
   readings_ = stepper_.readings();
   for (const std::string& muscle : picture_.tendons.muscles()) {
     const auto found =
@@ -75,18 +55,15 @@ void LiveMotion::begin() {
 }
 
 void LiveMotion::keep() {
-  std::vector<ContactSample> pads;
-  if (source_.built->pads > 0) {
-    pads = stepper_.sample().contacts;
-    pads.erase(
-        pads.begin(),
-        pads.begin() + static_cast<std::ptrdiff_t>(
-                           contact_samples(stepper_.now().active, stepper_.now().part).size()));
-  }
-  std::vector<double> readings;
+  newest_.at = stepper_.now();
+  if (source_.built->pads > 0) newest_.pads = stepper_.element_contacts();
+  newest_.readings.clear();
   if (!readings_.empty())
-    for (const ElementValue& value : stepper_.readings()) readings.push_back(value.value);
-  history_.add(stepper_.now(), pads, readings);
+    for (const ElementValue& value : stepper_.readings()) newest_.readings.push_back(value.value);
+  newest_.efforts.clear();
+  for (std::size_t c = 0; c < coordinates_.size(); ++c)
+    newest_.efforts.push_back(stepper_.effort(static_cast<int>(c), newest_.at));
+  history_.add(newest_);
   shown_ = history_.size() - 1;
   ++changes_;
 }
@@ -126,6 +103,10 @@ MotionQuality LiveMotion::step(long count, const Progress& progress) {
     if (!good) continue;
     keep();
     ++out.steps;
+    if (playing_ && passes_end()) {
+      playing_ = false;
+      break;
+    }
   }
   take_quality(out);
   if (good) return out;
@@ -134,6 +115,12 @@ MotionQuality LiveMotion::step(long count, const Progress& progress) {
       "after {:.6g} s positions or speeds are not finite any more: the motion stands where they "
       "were last; try shorter steps or smaller inputs",
       shown().state.t));
+}
+
+bool LiveMotion::passes_end() const {
+  const double end = source_.duration.value_or(-1), near = 0.5 * stepper_.length();
+  const double to = shown().state.t, from = to - stepper_.length();
+  return from + near < end && end <= to + near;
 }
 
 void LiveMotion::take_quality(MotionQuality& of) {
@@ -175,6 +162,7 @@ LiveTime LiveMotion::live_time() const {
   out.step = stepper_.length();
   out.playing = playing_;
   out.speed = speed_;
+  out.duration = source_.duration;
   return out;
 }
 
@@ -207,7 +195,7 @@ void LiveMotion::check_controls(const std::map<std::string, double>& values,
 
 void LiveMotion::check_targets(const std::map<std::string, double>& values) const {
   for (const auto& [name, value] : values)
-    require(drive_of(scene(), coordinate_named(name)) != nullptr,
+    require(stepper_.stiff_drive(coordinate_named(name)) != nullptr,
             "no drive with stiffness moves '{}': set its effort instead", name);
 }
 
@@ -218,7 +206,8 @@ void LiveMotion::set(const MotionInputs& inputs) {
   for (const auto* values :
        {&inputs.efforts, &inputs.targets, &inputs.tensions, &inputs.excitations})
     for (const auto& [name, value] : *values)
-      require(std::isfinite(value), "'{}': wanted a finite number, got {}", name, value);
+      require(std::abs(value) <= kLargestInput, "'{}': wanted a number within {:g}, got {}", name,
+              kLargestInput, value);
   check_targets(inputs.targets);
   check_controls(inputs.tensions, "N");
   check_controls(inputs.excitations, "1");
@@ -254,9 +243,9 @@ std::vector<MotionInput> LiveMotion::inputs() const {
     const std::string& name = coordinates_[c];
     const int index = static_cast<int>(c);
     const bool slides = slides_along(scene(), index);
-    const double most = largest_effort(scene(), index);
+    const double most = stepper_.largest_effort(index);
     out.push_back({name, "effort", slides ? "N" : "N m", -most, most, given(efforts_, name)});
-    if (drive_of(scene(), index) != nullptr)
+    if (stepper_.stiff_drive(index) != nullptr)
       out.push_back({name, "target", slides ? "m" : "rad", ranges[c].lower, ranges[c].upper,
                      given(targets_, name)});
   }
@@ -304,10 +293,12 @@ Eigen::VectorXd LiveMotion::tension() const {
 void LiveMotion::add_joints(TimelineState& out) const {
   const MechanismLayout& layout = stepper_.model().layout;
   const SceneState& state = shown().state;
+  // Efforts of the present follow inputs as they are set, those of the past stay.
   for (std::size_t c = 0; c < coordinates_.size(); ++c)
     out.joints.push_back({coordinates_[c], state.q[layout.coordinate_q[c]],
                           state.v[layout.coordinate_v[c]],
-                          stepper_.effort(static_cast<int>(c), shown())});
+                          is_newest() ? stepper_.effort(static_cast<int>(c), shown())
+                                      : history_.at(shown_).efforts[c]});
 }
 
 void LiveMotion::add_bodies(TimelineState& out) const {

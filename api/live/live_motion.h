@@ -52,6 +52,7 @@ class LiveMotion final : public LiveTimeline {
   [[nodiscard]] std::vector<std::string> warnings() const override { return source_.warnings; }
 
   /// With the inputs that are set.
+  /// Play pauses once where the time of the scene ends, after the step that comes there.
   /// A step that is divided tells and asks between its parts; stopped there, it is not made.
   /// @throws InputError if the state is not finite any more: the motion then stands where it was
   ///         good last.
@@ -78,7 +79,8 @@ class LiveMotion final : public LiveTimeline {
   void keep();
   /// @return false if it was stopped
   [[nodiscard]] bool step_once(const Progress& progress);
-  void take_quality(MotionQuality& of);  // of the steps since it was taken last
+  [[nodiscard]] bool passes_end() const;  // of the scene, by the step that was made last
+  void take_quality(MotionQuality& of);   // of the steps since it was taken last
   void begin();
   void stand_still();  // at the last good instant, after a step that failed
   [[nodiscard]] std::vector<ContactSample> contacts() const;
@@ -97,12 +99,13 @@ class LiveMotion final : public LiveTimeline {
   std::map<std::string, int> index_of_;              // of coordinates
   std::map<std::string, ElementControl> controls_;   // as they were at the start
   MotionHistory history_;
+  PastInstant newest_;     // its room
   std::size_t shown_ = 0;  // of the history
   SceneSample start_;
   MotionQuality quality_;
   std::vector<ElementValue> readings_;   // at the start: their names and units
   std::vector<std::size_t> tension_at_;  // of the picture's muscles: entry of readings_
-  std::vector<std::size_t> moving_;  // bodies with mass or surface that are not fixed to the world
+  std::vector<std::size_t> moving_;      // bodies: moving_bodies()
   unsigned long changes_ = 0;
 };
 

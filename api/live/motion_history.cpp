@@ -14,13 +14,13 @@ std::size_t bytes_of(const PastInstant& past) {
   const auto numbers = static_cast<std::size_t>(state.q.size() + state.v.size() + state.z.size());
   return sizeof(PastInstant) + numbers * sizeof(double) +
          past.at.active.capacity() * sizeof(ActiveContact) +
-         past.pads.capacity() * sizeof(ContactSample) + past.readings.capacity() * sizeof(double);
+         past.pads.capacity() * sizeof(ContactSample) +
+         (past.readings.capacity() + past.efforts.capacity()) * sizeof(double);
 }
 
 }  // namespace
 
-void MotionHistory::add(const SceneInstant& instant, const std::vector<ContactSample>& pads,
-                        const std::vector<double>& readings) {
+void MotionHistory::add(const PastInstant& instant) {
   // The room of the oldest, if there is no more.
   PastInstant room;
   while (!past_.empty() && (past_.size() >= limits_.instants || bytes_ >= limits_.bytes)) {
@@ -28,9 +28,7 @@ void MotionHistory::add(const SceneInstant& instant, const std::vector<ContactSa
     past_.pop_front();
     bytes_ -= bytes_of(room);
   }
-  room.at = instant;
-  room.pads = pads;
-  room.readings = readings;
+  room = instant;
   bytes_ += bytes_of(room);
   past_.push_back(std::move(room));
 }

@@ -13,6 +13,7 @@ struct PastInstant {
   SceneInstant at;
   std::vector<ContactSample> pads;  // contacts that elements stood for then
   std::vector<double> readings;     // what elements said of themselves then (readings)
+  std::vector<double> efforts;      // of drives, by the inputs of then [N m], [N] (coordinates)
 };
 
 /// How much is kept; what is older is forgotten.
@@ -27,8 +28,7 @@ class MotionHistory {
  public:
   explicit MotionHistory(const HistoryLimits& limits = {}) : limits_(limits) {}
 
-  void add(const SceneInstant& instant, const std::vector<ContactSample>& pads,
-           const std::vector<double>& readings = {});
+  void add(const PastInstant& instant);
   void clear();
   /// Forgets all instants behind one.
   void cut_behind(std::size_t index);

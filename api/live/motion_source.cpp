@@ -39,6 +39,7 @@ MotionSource scene_motion(const SceneRequest& request) {
   out.camera = read.spec.camera;
   out.warnings = read.open.built.warnings;
   SceneOptions& options = read.open.built.options;
+  out.duration = options.seconds;
   if (options.method != SteppingMethod::kTimeStepping)
     out.warnings.push_back(fmt::format(
         "the scene asks for '{}': live it takes steps of {:g} ms, in which nothing bounces",

@@ -18,6 +18,7 @@ struct MotionSource {
   std::shared_ptr<const BuiltScene> built;  // never null
   std::optional<Camera> camera;
   std::vector<std::string> warnings;  // what was assumed
+  std::optional<double> duration;     // of the scene; none: it has no end [s]
 };
 
 /// A scene of a file. Whatever its method, it is stepped by a fixed length: that of the request, of

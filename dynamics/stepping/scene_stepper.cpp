@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 #include "base/error.h"
@@ -10,17 +11,6 @@ namespace thenar {
 namespace {
 
 constexpr double kSameInstant = 1e-6;  // instants that differ by less of a step are one [1]
-
-/// The largest effort of a coordinate: that of its drives, or of its motor; infinite: not known.
-double most_effort(const MovingScene& scene, const std::vector<SceneDrive>& drives,
-                   int coordinate) {
-  double most = 0;
-  for (const SceneDrive& drive : drives)
-    if (drive.coordinate == coordinate) most = std::max(most, drive.max_effort);
-  if (most > 0) return most;
-  const double known = scene.mechanism.coordinates[static_cast<std::size_t>(coordinate)].max_effort;
-  return known > 0 ? known : std::numeric_limits<double>::infinity();
-}
 
 }  // namespace
 
@@ -71,6 +61,12 @@ bool SceneStepper::part_step(double end, const Progress& progress) {
   return true;
 }
 
+std::vector<ContactSample> SceneStepper::element_contacts() {
+  std::vector<ContactSample> out;
+  step_.add_element_contacts(now_.state, out);
+  return out;
+}
+
 SceneSample SceneStepper::sample() { return sample_of(now_); }
 
 SceneSample SceneStepper::sample_of(const SceneInstant& instant) {
@@ -111,13 +107,30 @@ std::size_t SceneStepper::checked(int coordinate) const {
   return static_cast<std::size_t>(coordinate);
 }
 
+double SceneStepper::largest_effort(int coordinate) const {
+  const std::size_t c = checked(coordinate);
+  double most = 0;
+  for (const SceneDrive& drive : drives_)
+    if (drive.coordinate == coordinate) most = std::max(most, drive.max_effort);
+  if (most > 0) return most;
+  const double of_motor = scene().mechanism.coordinates[c].max_effort;
+  return of_motor > 0 ? of_motor : std::numeric_limits<double>::infinity();
+}
+
+const SceneDrive* SceneStepper::stiff_drive(int coordinate) const {
+  const auto found = std::find_if(drives_.begin(), drives_.end(), [&](const SceneDrive& drive) {
+    return drive.coordinate == coordinate && drive.stiffness > 0;
+  });
+  return found == drives_.end() ? nullptr : &*found;
+}
+
 void SceneStepper::set_effort(int coordinate, double effort) {
   const std::string& name = scene().mechanism.coordinates[checked(coordinate)].name;
   require(std::isfinite(effort), "effort of '{}': wanted a finite number, got {}", name, effort);
   SceneDrive drive;
   drive.coordinate = coordinate;
   drive.bias = effort;
-  drive.max_effort = most_effort(scene(), drives_, coordinate);
+  drive.max_effort = largest_effort(coordinate);
   overrides_[coordinate] = drive;
   use_drives();
 }
@@ -125,12 +138,9 @@ void SceneStepper::set_effort(int coordinate, double effort) {
 void SceneStepper::set_target(int coordinate, double target) {
   const std::string& name = scene().mechanism.coordinates[checked(coordinate)].name;
   require(std::isfinite(target), "target of '{}': wanted a finite number, got {}", name, target);
-  const auto found = std::find_if(drives_.begin(), drives_.end(), [&](const SceneDrive& drive) {
-    return drive.coordinate == coordinate && drive.stiffness > 0;
-  });
-  require(found != drives_.end(), "no drive with stiffness moves '{}': set its effort instead",
-          name);
-  SceneDrive drive = *found;
+  const SceneDrive* stiff = stiff_drive(coordinate);
+  require(stiff != nullptr, "no drive with stiffness moves '{}': set its effort instead", name);
+  SceneDrive drive = *stiff;
   drive.target = target;
   drive.speed = 0;
   drive.when = {};

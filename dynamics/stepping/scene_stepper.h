@@ -39,6 +39,8 @@ class SceneStepper {
 
   /// The present as runs keep it: contacts with forces, energies.
   [[nodiscard]] SceneSample sample();
+  /// Contacts at the present that elements stand for, as those of pads.
+  [[nodiscard]] std::vector<ContactSample> element_contacts();
   /// Another instant of this stepper as runs keep it.
   [[nodiscard]] SceneSample sample_of(const SceneInstant& instant);
   /// Poses of all bodies at an instant.
@@ -47,6 +49,12 @@ class SceneStepper {
   [[nodiscard]] double effort(int coordinate, const SceneInstant& instant) const;
   /// What elements say of themselves at the present, as tensions of muscles.
   [[nodiscard]] std::vector<ElementValue> readings() { return step_.readings(now_.state); }
+
+  /// The largest effort of a coordinate: that of the scene's drives, or of its motor; infinite
+  /// where neither is known [N m] or [N].
+  [[nodiscard]] double largest_effort(int coordinate) const;
+  /// The first drive of the scene at a coordinate that has stiffness; null: there is none.
+  [[nodiscard]] const SceneDrive* stiff_drive(int coordinate) const;
 
   /// From now on this effort alone drives a coordinate, in place of its drives. It is cut to the
   /// largest effort of these, or of the motor where that is known.

@@ -103,6 +103,9 @@ def main():
             paints = browser.value("thenarLive.picture.stage.paints")
             print(f"heap {heap / 1e6:.1f} MB, server {resident(program):.1f} MB after {paints} pictures, "
                   f"errors {browser.errors}", flush=True)
+            # A scene pauses where its time ends.
+            if not browser.value("thenarLive.store.state.motion.playing"):
+                browser.click("#play")
             time.sleep(min(60, max(1, 60 * minutes / 5)))
         program.close()
 

@@ -174,10 +174,16 @@ TEST(LiveMotion, TellsWhatBecameOfEnergy) {
   EXPECT_NEAR(state.energy->balance->error, 0, 1e-6 * state.energy->balance->work);
 }
 
-TEST(LiveMotion, InfiniteInputsStopAtTheLastGoodInstant) {
-  LiveMotion motion(scene_called("pinch"));
-  motion.step(5, {});
-  motion.set(effort("left", -1e307));
+TEST(LiveMotion, InfiniteEffortsStopAtTheLastGoodInstant) {
+  MotionSource source = scene_called("pinch");
+  BuiltScene blown = *source.built;
+  SceneDrive drive;
+  drive.coordinate = 0;
+  drive.bias = -1e307;
+  drive.when.from = 0.02;
+  blown.scene.drives.push_back(drive);
+  source.built = std::make_shared<const BuiltScene>(blown);
+  LiveMotion motion(source);
   motion.play(1);
   EXPECT_THAT(message_of([&] { (void)motion.step(5000, {}); }), HasSubstr("finite"));
   EXPECT_FALSE(motion.live_time().playing);
@@ -185,6 +191,54 @@ TEST(LiveMotion, InfiniteInputsStopAtTheLastGoodInstant) {
   EXPECT_NO_THROW(check_instant(motion.shape(), motion.instant()));
   motion.reset();
   EXPECT_EQ(motion.step(10, {}).steps, 10);
+}
+
+TEST(LiveMotion, PlayPausesOnceWhereTheSceneEnds) {
+  LiveMotion motion(scene_called("pinch"));
+  const double end = motion.live_time().duration.value();
+  EXPECT_EQ(end, 10);  // duration_s of the file
+  motion.play(1);
+  EXPECT_EQ(motion.step(9900, {}).steps, 9900);
+  EXPECT_TRUE(motion.live_time().playing);
+  EXPECT_EQ(motion.step(400, {}).steps, 100);
+  EXPECT_FALSE(motion.live_time().playing);
+  EXPECT_NEAR(motion.live_time().t, end, 1e-9);
+  // Told to, it goes on; steps that are asked for do not pause either.
+  motion.play(1);
+  EXPECT_EQ(motion.step(400, {}).steps, 400);
+  EXPECT_TRUE(motion.live_time().playing);
+  motion.reset();
+  EXPECT_EQ(motion.step(700, {}).steps, 700);
+  // Worlds have no end.
+  EXPECT_FALSE(LiveMotion(world_called("jaw_box")).live_time().duration);
+}
+
+TEST(LiveMotion, RefusesInputsThatAreMistakes) {
+  LiveMotion motion(scene_called("pinch"));
+  for (const double value : {1e308, -2e6, std::nan(""), -HUGE_VAL})
+    EXPECT_THAT(message_of([&] { motion.set(effort("left", value)); }),
+                HasSubstr("'left': wanted a number within 1e+06, got"));
+  EXPECT_NO_THROW(motion.set(effort("left", 1e6)));
+}
+
+// What was driven then, whatever is set now.
+TEST(LiveMotion, EffortsOfThePastStay) {
+  LiveMotion motion(scene_called("pinch"));
+  const auto told = [&] { return motion.state({true, false, false, false, false}).joints; };
+  motion.set(effort("left", 6));
+  motion.step(10, {});
+  motion.set(effort("left", 2));
+  EXPECT_EQ(told()[0].name, "left");
+  EXPECT_EQ(told()[0].effort, 2);  // of the step to come
+  motion.step(10, {});
+  (void)motion.seek(0.005);
+  EXPECT_EQ(told()[0].effort, 6);
+  motion.set(effort("left", 3));
+  EXPECT_EQ(told()[0].effort, 6);
+  (void)motion.seek(0.015);
+  EXPECT_EQ(told()[0].effort, 2);
+  motion.step(1, {});
+  EXPECT_EQ(told()[0].effort, 3);
 }
 
 TEST(LiveMotion, NamesWhatCanBeSet) {

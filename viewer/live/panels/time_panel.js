@@ -70,11 +70,13 @@ function makePlayer(app, energy) {
     slowButton("Reset", back, { title: "Back to the beginning" }),
   ];
   const follow = ({ time }) => {
-    furthest = Math.max(furthest, time, motion()?.duration ?? 0);
+    const { duration, recorded } = motion() ?? {};
+    furthest = Math.max(furthest, time, (recorded && duration) || 0);
     scrub.max = furthest || 1;
     scrub.value = time;
     scrub.setAttribute("aria-valuetext", `${time.toFixed(3)} s`);
-    clock.textContent = `${time.toFixed(3)}\u202fs`;
+    const end = duration && time <= duration + 1e-9 ? ` of ${duration.toFixed(3)}` : "";
+    clock.textContent = `${time.toFixed(3)}${end}\u202fs`;
   };
   const show = (open) => {
     play.textContent = open?.playing ? "Pause" : "Play";
