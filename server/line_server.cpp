@@ -21,8 +21,10 @@ namespace {
 namespace net = boost::asio;
 using net::ip::tcp;
 
-constexpr std::size_t kMostUnread = 64UL << 20U;  // replies that a client does not take [bytes]
-constexpr std::size_t kMostUnanswered = 256;      // requests without a reply; then it waits
+constexpr std::size_t kMostUnread = 64UL << 20U;   // replies that a client does not take [bytes]
+constexpr std::size_t kMostUnanswered = 256;       // requests without a reply; then it waits
+constexpr std::size_t kMostUngreeted = 256;        // connections that have not shown the token
+constexpr std::chrono::seconds kGreetingTime{10};  // that they have for it
 constexpr std::chrono::milliseconds kLastWords{300};
 
 class LineClient;
@@ -37,6 +39,7 @@ struct LineNet {
   ServerAccess access;
   net::io_context context{1};
   PeerSet<LineClient> clients;
+  std::size_t ungreeted = 0;  // connections that have not shown the token
 };
 
 /// A program that is connected. The server's thread uses all members; what the engine calls hands
@@ -44,7 +47,7 @@ struct LineNet {
 class LineClient final : public EngineClient, public std::enable_shared_from_this<LineClient> {
  public:
   LineClient(tcp::socket socket, std::shared_ptr<LineNet> shared)
-      : net_(std::move(shared)), socket_(std::move(socket)) {}
+      : net_(std::move(shared)), socket_(std::move(socket)), greeting_(net_->context) {}
   ~LineClient() override { net_->clients.remove(this); }
   LineClient(const LineClient&) = delete;
   LineClient& operator=(const LineClient&) = delete;
@@ -53,12 +56,18 @@ class LineClient final : public EngineClient, public std::enable_shared_from_thi
     boost::system::error_code ignored;
     socket_.set_option(tcp::no_delay(true), ignored);
     socket_.set_option(net::socket_base::keep_alive(true), ignored);
-    greeted_ = net_->access.token.empty();
-    try {
-      number_ = net_->engine.join(shared_from_this());
-    } catch (const InputError& error) {
-      return refuse(error.what());
+    if (net_->access.token.empty()) {
+      if (join()) read();
+      return;
     }
+    // Strangers take no place of a client, and are bounded by themselves.
+    if (net_->ungreeted >= kMostUngreeted) return drop();
+    waits_ = true;
+    ++net_->ungreeted;
+    greeting_.expires_after(kGreetingTime);
+    greeting_.async_wait([self = shared_from_this()](boost::system::error_code stopped) {
+      if (!stopped && self->waits_) self->drop();
+    });
     read();
   }
 
@@ -82,12 +91,31 @@ class LineClient final : public EngineClient, public std::enable_shared_from_thi
   void drop() {
     boost::system::error_code ignored;
     socket_.close(ignored);
+    end_waiting();
     if (number_ > 0) net_->engine.leave(number_);
     number_ = -1;
     texts_.clear();
   }
 
  private:
+  /// Becomes a client of the engine. @returns whether there was room
+  bool join() {
+    greeted_ = true;
+    try {
+      number_ = net_->engine.join(shared_from_this());
+      return true;
+    } catch (const InputError& error) {
+      refuse(error.what());
+      return false;
+    }
+  }
+  /// Is a stranger no longer.
+  void end_waiting() {
+    if (!std::exchange(waits_, false)) return;
+    --net_->ungreeted;
+    greeting_.cancel();
+  }
+
   void read() {
     reading_ = true;
     socket_.async_read_some(
@@ -123,7 +151,10 @@ class LineClient final : public EngineClient, public std::enable_shared_from_thi
       refuse("wanted session.hello with the token first");
       return false;
     }
-    greeted_ = true;
+    if (!greeted_) {
+      end_waiting();
+      if (!join()) return false;
+    }
     ++asked_;
     if (line.too_long)
       reply(too_long_reply());
@@ -176,10 +207,12 @@ class LineClient final : public EngineClient, public std::enable_shared_from_thi
 
   std::shared_ptr<LineNet> net_;
   tcp::socket socket_;
+  net::steady_timer greeting_;
   std::array<char, 65536> piece_{};
   LineSplitter lines_{kLongestLine};
   int number_ = 0;  // of the engine; -1: gone
   std::size_t asked_ = 0, unread_ = 0;
+  bool waits_ = false;  // among the strangers
   bool begun_ = false, greeted_ = false, ended_ = false, reading_ = false, writing_ = false;
   std::deque<std::string> texts_;
 };

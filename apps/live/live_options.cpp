@@ -48,6 +48,7 @@ CLI::Option* add_live_options(CLI::App& command, LiveArguments& arguments, int c
       .add_option(
           "file", arguments.files,
           "World, hand, object, mesh, scene, subject, run, fit or posterior, by file or name")
+      ->type_name("FILE")
       ->expected(0, count);
   CLI::Option* option = command.add_option("--port", arguments.access.port, port);
   option->check(CLI::Range(0, 65535));

@@ -75,6 +75,8 @@ void run_serve(const ServeArguments& options) {
   require(ways == 1, "wanted one of --port N, --stdio, --replay LOG and --methods");
   if (!options.methods.empty()) return print_answer(methods_markdown(method_table()));
   if (!options.replay.empty()) return run_replay(options);
+  require(!options.stdio || options.live.access.token.empty(),
+          "--stdio has one client, which started it: wanted no --token, or --port");
   if (options.stdio) return run_stdio(options);
   run_port(options);
 }

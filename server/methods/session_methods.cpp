@@ -67,6 +67,8 @@ OrderedJson log_text(Session& session, const Json& /*params*/, const Progress& /
 }
 
 OrderedJson catalogue(Session& session, const Json& params, const Progress& /*progress*/) {
+  require(!params.contains("of") || params.contains("what"),
+          "params: 'of' has parts of several kinds: 'what' is missing, such as 'joints'");
   CatalogueRequest request;
   request.what = params.value("what", "");
   request.of = params.value("of", "");

@@ -107,6 +107,10 @@ class Protocol(unittest.TestCase):
         self.assertIn("did you mean 'session.hello'?", self.reply(cases[9][0])["error"]["message"])
         self.assertIn("did you mean 'mode'?", self.reply(cases[11][0])["error"]["message"])
 
+    def test_parts_of_a_subject_want_their_kind(self):
+        reply = self.reply(line(id=1, method="catalogue.list", params={"of": "human_hand"}).strip())
+        self.assertIn("'what' is missing", reply["error"]["message"])
+
     def test_ids_come_back_as_they_were(self):
         for number in (0, -5, 2**53 + 1, 0.5, "", "\u00e9\u2603", None):
             reply = self.reply(line(id=number, method="session.hello").strip())
@@ -341,6 +345,25 @@ class Hostile(unittest.TestCase):
             until(comes_in, "there is room again")
             self.assertEqual(server.stop()[0], 0)
 
+    def test_who_shows_no_token_takes_no_place_of_others(self):
+        token = "0123456789abcdef"
+        with Server(THENAR, "serve", "--port", "0", "--token", token) as server:
+            silent = [connect(server.port) for _ in range(100)]
+            begin = time.monotonic()
+            with Remote(port=server.port, token=token) as good:
+                self.assertEqual(good.session.hello()["program"], "thenar")
+                # Silent ones are hung up on after 10 s; who has shown the token stays.
+                for connection in silent:
+                    self.assertEqual(connection.recv(1), b"")
+                    connection.close()
+                self.assertGreater(time.monotonic() - begin, 9)
+                self.assertEqual(good.session.hello()["program"], "thenar")
+            crowd = [connect(server.port) for _ in range(257)]  # 256 are held
+            self.assertEqual(crowd[-1].recv(1), b"")
+            for connection in crowd:
+                connection.close()
+            self.assertEqual(server.stop()[0], 0)
+
     def test_who_reads_nothing_is_dropped(self):
         with Server(THENAR, "serve", "--port", "0") as server:
             client = Lines(server.port)
@@ -408,6 +431,10 @@ class Access(unittest.TestCase):
                 self.assertEqual(good.session.hello()["program"], "thenar")
                 self.assertNotIn(token, good.session.log()["log"])
             self.assertEqual(server.stop()[0], 0)
+
+    def test_a_token_is_of_no_use_to_standard_input(self):
+        _, error = run("serve", "--stdio", "--token", "0123456789abcdef", code=1)
+        self.assertIn("wanted no --token", error)
 
     def test_other_machines_come_in_with_a_token_alone(self):
         _, error = run("view", "--bind", "0.0.0.0", "--no-open", code=1)

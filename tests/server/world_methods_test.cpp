@@ -207,6 +207,8 @@ TEST(WorldMethods, ImportARobotWithItsMeshesAndSaveItAlong) {
   for (const auto& warning : added["warnings"])
     EXPECT_THAT(warning.get<std::string>(), testing::Not(HasSubstr("/tmp")));
   EXPECT_EQ(client.ask("hand.get")["joints"].size(), 2U);
+  // A text without its files would not load again.
+  EXPECT_THAT(client.refusal("world.text"), HasSubstr("'robot' were imported"));
   // A folder of somebody else beside the file stays as it is.
   fs::create_directories(client.folder() + "/held_files/1");
   (void)client.ask("world.save", {{"file", "held.toml"}});

@@ -54,8 +54,11 @@ std::string checked_target(const std::string& folder, const std::string& file) {
   require(
       std::none_of(asked.begin(), asked.end(), [](const fs::path& part) { return part == ".."; }),
       "wanted a file within the working folder, got '{}'", file);
-  const fs::path root = fs::weakly_canonical(folder);
-  const fs::path whole = fs::weakly_canonical(root / asked);
+  // Names may be longer than the system takes, and links may lead in a circle.
+  std::error_code failed;
+  const fs::path root = fs::weakly_canonical(folder, failed);
+  const fs::path whole = failed ? root : fs::weakly_canonical(root / asked, failed);
+  require(!failed, "'{}' cannot be written: {}", file, failed.message());
   const fs::path inside = whole.lexically_relative(root);
   require(!inside.empty() && *inside.begin() != "..",
           "wanted a file within the working folder, '{}' leads to {}", file, whole.string());
@@ -125,8 +128,13 @@ std::vector<std::string> load_world_text(LiveWorld& live, const std::string& tex
 }
 
 std::string world_text(const LiveWorld& live) {
-  const fs::path folder = fs::path(live.places().folder) / files_folder("untitled.toml");
-  return world_toml(seen_from_folder(with_files_in(live, folder).world, live.places().folder));
+  const WorldSpec world = spec_of(live.state());
+  for (const PlacedHand& hand : world.hands)
+    require(imported_file(live, hand).empty(),
+            "the files of the hand '{}' were imported, and no text holds them: save the world, "
+            "which writes them beside it",
+            hand.name);
+  return world_toml(seen_from_folder(world, live.places().folder));
 }
 
 std::string save_live_world(LiveWorld& live, const std::string& file, SaveOver over) {

@@ -26,8 +26,9 @@ std::vector<std::string> load_world(LiveWorld& live, const std::string& world,
 std::vector<std::string> load_world_text(LiveWorld& live, const std::string& text,
                                          const std::string& name, const Progress& progress = {});
 
-/// The world as the text of a file in the working folder. Files of imported hands are named as
-/// save_live_world() would put them, beside "untitled.toml".
+/// The world as the text of a file in the working folder.
+/// @throws InputError if files of a hand were imported: a text does not hold them, and they go with
+///         the session
 [[nodiscard]] std::string world_text(const LiveWorld& live);
 
 /// What saving may replace beside the file of the world itself.

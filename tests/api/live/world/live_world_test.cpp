@@ -114,6 +114,17 @@ TEST(LiveWorld, SavesNowhereButInItsFolder) {
   EXPECT_TRUE(fs::is_empty(other));
 }
 
+TEST(LiveWorld, RefusesNamesThatTheSystemDoesNotTake) {
+  const std::string folder = working_folder("names");
+  fs::create_symlink("circle.toml", fs::path(folder) / "circle.toml");
+  LiveWorld live(places(folder));
+  for (const std::string& file :
+       {std::string(600, 'a') + ".toml", std::string(600, 'a') + "/x.toml",
+        std::string("circle.toml")})
+    EXPECT_THAT([&] { (void)save_live_world(live, file); },
+                ThrowsMessage<InputError>(HasSubstr("cannot be written: "))) << file;
+}
+
 // The file that a world was loaded from or saved to is its own; any other one is somebody else's.
 TEST(LiveWorld, ReplacesNoFileOfOthersUnlessToldTo) {
   const std::string folder = working_folder("over");
