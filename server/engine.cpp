@@ -230,10 +230,24 @@ Publisher::Clock::time_point Engine::play() {
   RpcRequest request;
   request.method = "motion.step";
   request.params = {{"steps", static_cast<long>(steps)}, {"want", Json::array()}};
-  const RpcAnswer answer = run(0, request, {});
+  Progress progress;
+  progress.stop_requested = [this] { return stop_.load(); };
+  {
+    // session.stop and the end reach it as they reach a request.
+    const std::lock_guard<std::mutex> lock(mutex_);
+    running_ = 0;
+    stop_ = ending_;
+  }
+  const RpcAnswer answer = run(0, request, progress);
+  const bool stopped = stop_;
+  {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    running_ = -1;
+  }
   seconds_of_step_ = seconds_between(now, EngineClock::now()) / steps;
-  if (answer.failure) {
-    tell_trouble(fmt::format("the motion was paused: {}", answer.failure->text));
+  if (answer.failure || stopped) {
+    if (answer.failure)
+      tell_trouble(fmt::format("the motion was paused: {}", answer.failure->text));
     request.method = "motion.pause";
     request.params = Json::object();
     (void)run(0, request, {});

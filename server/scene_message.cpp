@@ -57,15 +57,15 @@ OrderedJson cloud_json(const LiveCloud& cloud) {
 }
 
 OrderedJson motion_json(const Session& session) {
-  if (session.mode() != LiveMode::kMotion) return nullptr;
-  const auto* clock = dynamic_cast<const LiveClock*>(session.shown());
+  const auto* clock = session.find<LiveClock>(LiveMode::kMotion);
   if (clock == nullptr) return nullptr;
   const LiveTime now = clock->live_time();
   return {{"t", now.t},
           {"playing", now.playing},
           {"speed", now.speed},
           {"duration", now.duration ? OrderedJson(*now.duration) : OrderedJson()},
-          {"recorded", now.recorded}};
+          {"recorded", now.recorded},
+          {"shown", session.mode() == LiveMode::kMotion}};
 }
 
 OrderedJson text_or_null(const std::optional<std::string>& text) {

@@ -2,6 +2,8 @@
 
 #include <utility>
 
+#include "api/live/live_abilities.h"
+
 namespace thenar {
 
 const std::vector<std::string>& live_mode_names() {
@@ -44,6 +46,8 @@ unsigned long Session::revision() const {
 
 void Session::open(LiveMode mode, std::shared_ptr<LiveModel> model) {
   const unsigned long seen = revision();
+  auto* clock = dynamic_cast<LiveClock*>(models_[place_of(mode_)].get());
+  if (mode != mode_ && clock != nullptr) clock->pause();
   models_[place_of(mode)] = std::move(model);
   mode_ = mode;
   switches_ = 0;

@@ -36,7 +36,7 @@ class Session {
   [[nodiscard]] LiveMode mode() const { return mode_; }
   /// "world"
   [[nodiscard]] const std::string& mode_name() const { return live_mode_names()[place_of(mode_)]; }
-  /// Replaces the model of a mode, and shows it.
+  /// Replaces the model of a mode, and shows it. A motion that is shown no longer pauses.
   void open(LiveMode mode, std::shared_ptr<LiveModel> model);
   /// Shows a model that is open. @throws InputError if there is none in that mode.
   void show(LiveMode mode);

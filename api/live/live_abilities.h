@@ -48,6 +48,8 @@ class LiveClock {
  public:
   virtual ~LiveClock() = default;
   [[nodiscard]] virtual LiveTime live_time() const = 0;
+  /// Goes on no longer by itself.
+  virtual void pause() = 0;
 };
 
 }  // namespace thenar

@@ -86,7 +86,7 @@ class LiveTimeline : public LiveModel, public LiveClock {
     speed_ = speed;
     playing_ = true;
   }
-  void pause() { playing_ = false; }
+  void pause() override { playing_ = false; }
 
  protected:
   bool playing_ = false;

@@ -107,6 +107,21 @@ TEST(StateMessage, SaysWhatCanBeUndoneAndWhereTimeStands) {
   EXPECT_TRUE(state_message(session, 1)["motion"]["duration"].is_null());
 }
 
+TEST(StateMessage, TellsOfAMotionThatIsNotShownAndPauses) {
+  Session session({});
+  session.open(LiveMode::kWorld, std::make_shared<SmallModel>());
+  auto motion = std::make_shared<SmallModel>();
+  session.open(LiveMode::kMotion, motion);
+  motion->playing = true;
+  EXPECT_EQ(state_message(session, 1)["motion"]["shown"], true);
+  session.show(LiveMode::kMotion);  // is shown already, and goes on
+  EXPECT_EQ(state_message(session, 1)["motion"]["playing"], true);
+  session.show(LiveMode::kWorld);
+  const OrderedJson state = state_message(session, 1);
+  EXPECT_EQ(state["motion"]["shown"], false);
+  EXPECT_EQ(state["motion"]["playing"], false);
+}
+
 // Corners of the file, turned as its nodes say, are the corners of the picture with y up.
 TEST(Gltf, HasTheBodiesWhereTheyStand) {
   SmallModel model;

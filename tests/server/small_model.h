@@ -91,6 +91,8 @@ class SmallModel final : public LiveModel, public LiveEdits, public LiveClock {
     return time;
   }
 
+  void pause() override { playing = false; }
+
   void lift(double height) {
     height_ = height;
     ++changes_;

@@ -35,10 +35,16 @@ export function contactRows(scene, { contacts }) {
     ]);
 }
 
+/// The motion of the session, if it is what is shown.
+function shownMotion(app) {
+  const motion = app.store.state?.motion;
+  return motion?.shown ? motion : null;
+}
+
 /// Play, steps, the slider of time and the speed; `energy` forgets what a reset undoes. Returns { element,
 /// follow(frame), show(motion), forget(), toggle(), step(steps) }.
 function makePlayer(app, energy) {
-  const motion = () => app.store.state?.motion ?? null;
+  const motion = () => shownMotion(app);
   const clock = el("output", { class: "clock" });
   const play = button("Play", () => toggle(), { id: "play", class: "main" });
   const scrub = el("input", {
@@ -140,7 +146,7 @@ export function makeTimePanel(app) {
   );
 
   const here = () => store.scene?.mode === "motion";
-  const motion = () => store.state?.motion ?? null;
+  const motion = () => shownMotion(app);
   const follow = () => {
     if (panel.hidden || !store.frame || !here()) return;
     player.follow(store.frame);
@@ -149,7 +155,7 @@ export function makeTimePanel(app) {
   };
   const show = () => {
     running.hidden = !here();
-    beginning.show(here(), motion());
+    beginning.show(here(), store.state?.motion ?? null);
     player.show(motion());
   };
   store.on(["scene", "state", "tab"], show);
