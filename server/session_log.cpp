@@ -3,6 +3,7 @@
 #include <cerrno>
 #include <cstring>
 #include <sstream>
+#include <utility>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -14,8 +15,8 @@
 namespace thenar {
 namespace {
 
-constexpr std::size_t kKept = 32UL << 20U;  // of a log in memory [bytes]
-constexpr std::size_t kMost = 1UL << 30U;   // of a log that is read [bytes]
+constexpr std::size_t kLongestText = 32UL << 20U;  // of a log in a reply [bytes]
+constexpr std::size_t kMost = 1UL << 30U;          // of a log that is read [bytes]
 
 std::string line_of(const LoggedRequest& request) {
   OrderedJson line{{"client", request.client},
@@ -63,35 +64,49 @@ std::vector<LoggedRequest> read_log(const std::string& path) {
 }
 
 void SessionLog::open(const std::string& path) {
-  require(!too_long_, "the log is too long to begin a file now");
+  const std::string before = all();
   require_writable(path);
-  file_.reset(std::fopen(path.c_str(), "w"));
-  require(file_ != nullptr, "cannot write {}: {}", path, std::strerror(errno));
+  std::unique_ptr<std::FILE, Close> file(std::fopen(path.c_str(), "w+"));
+  require(file != nullptr, "cannot write {}: {}", path, std::strerror(errno));
+  require(write(*file, before) && std::fflush(file.get()) == 0, "cannot write {}: {}", path,
+          std::strerror(errno));
   path_ = path;
-  write(text_);
+  file_ = std::move(file);
 }
 
-void SessionLog::write(const std::string& lines) {
-  const bool written = std::fwrite(lines.data(), 1, lines.size(), file_.get()) == lines.size() &&
-                       std::fflush(file_.get()) == 0;
-  require(written, "cannot write {}: {}", path_, std::strerror(errno));
+bool SessionLog::write(std::FILE& file, const std::string& lines) {
+  return std::fwrite(lines.data(), 1, lines.size(), &file) == lines.size();
 }
 
 void SessionLog::add(const LoggedRequest& request) {
   const std::string line = line_of(request);
-  if (file_ != nullptr) write(line);
-  // Memory is bounded: a session may play for days.
-  too_long_ = too_long_ || text_.size() + line.size() > kKept;
-  if (too_long_)
-    text_ = std::string();
-  else
-    text_ += line;
+  if (!path_.empty()) {
+    // Who named the file may read it at any time.
+    require(write(*file_, line) && std::fflush(file_.get()) == 0, "cannot write {}: {}", path_,
+            std::strerror(errno));
+  } else if (!lost_) {
+    // Nobody asked for this one: without room for it the session goes on.
+    if (file_ == nullptr) file_.reset(std::tmpfile());
+    lost_ = file_ == nullptr || !write(*file_, line);
+  }
+  bytes_ += line.size();
 }
 
-const std::string& SessionLog::text() const {
-  require(!too_long_, "the log is longer than {} MB: start with --log FILE to keep all of it",
-          kKept >> 20U);
-  return text_;
+std::string SessionLog::all() const {
+  require(!lost_, "there was no room for the log among temporary files");
+  if (file_ == nullptr) return "";
+  std::string text(bytes_, '\0');
+  std::rewind(file_.get());
+  const bool read = std::fread(text.data(), 1, bytes_, file_.get()) == bytes_;
+  const bool back = std::fseek(file_.get(), 0, SEEK_END) == 0;
+  require(read && back, "cannot read the log: {}", std::strerror(errno));
+  return text;
+}
+
+std::string SessionLog::text() const {
+  require(bytes_ <= kLongestText, "the log is longer than {} MB: start with --log FILE to have it",
+          kLongestText >> 20U);
+  return all();
 }
 
 }  // namespace thenar

@@ -37,28 +37,32 @@ struct LoggedRequest {
 /// A log as text. @throws DataError `path:line: ..` if a line is none of a log.
 [[nodiscard]] std::vector<LoggedRequest> read_log(const std::string& path);
 
-/// The requests so far, in memory and, where a file was named, on the disk.
+/// The requests so far, in a file: a session that plays for a day writes a gigabyte. Where none was
+/// named it is a temporary one without a name, which goes with the program.
 class SessionLog {
  public:
   /// Writes what was added so far and all that follows to a file, each line at once.
   /// @throws InputError if it cannot be written.
   void open(const std::string& path);
-  /// @throws InputError if the disk is full.
+  /// @throws InputError if the disk of a named file is full.
   void add(const LoggedRequest& request);
-  /// All lines. @throws InputError if there were more than 32 MB, which are not kept.
-  [[nodiscard]] const std::string& text() const;
+  /// All lines. @throws InputError if there are more than 32 MB, which no reply holds, or there was
+  /// no room for them.
+  [[nodiscard]] std::string text() const;
 
  private:
-  void write(const std::string& lines);
+  [[nodiscard]] std::string all() const;
 
   struct Close {
     void operator()(std::FILE* file) const { std::fclose(file); }
   };
 
-  std::string text_;
-  bool too_long_ = false;
-  std::string path_;
-  std::unique_ptr<std::FILE, Close> file_;
+  static bool write(std::FILE& file, const std::string& lines);
+
+  std::string path_;  // "" of a temporary file
+  std::size_t bytes_ = 0;
+  bool lost_ = false;                       // no room among temporary files
+  std::unique_ptr<std::FILE, Close> file_;  // null: nothing was added
 };
 
 }  // namespace thenar

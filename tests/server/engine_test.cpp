@@ -184,6 +184,39 @@ TEST(Engine, PlaysAtTheSpeedOfTheClock) {
   (void)watcher->reply_of(1);
 }
 
+// A step of a motion that plays may take long: it hears session.stop, and the motion pauses.
+TEST(Engine, StopsAMotionThatPlays) {
+  MethodTable table;
+  const MethodTable small = small_table();
+  for (RpcMethod method : small.all()) {
+    if (method.name == "motion.step")
+      method.handler = [](Session&, const Json&, const Progress& progress) -> OrderedJson {
+        const auto end = std::chrono::steady_clock::now() + std::chrono::seconds(20);
+        while (!progress.stop() && std::chrono::steady_clock::now() < end)
+          std::this_thread::sleep_for(std::chrono::milliseconds(1));
+        return {{"stopped", progress.stop()}};
+      };
+    table.add(method);
+  }
+  Engine engine(table, {});
+  const auto watcher = std::make_shared<Listener>(true);
+  const int number = engine.join(watcher);
+  engine.receive(number, request("small.open", {{"playing", true}}));
+  (void)watcher->reply_of(0);
+  // The first tick comes soon; until then nothing runs that could be stopped.
+  const auto begin = std::chrono::steady_clock::now();
+  for (std::size_t asked = 1;; ++asked) {
+    std::this_thread::sleep_for(std::chrono::milliseconds(5));
+    engine.receive(number, request("session.stop"));
+    if (watcher->reply_of(asked)["result"]["asked"] == true) break;
+    ASSERT_LT(asked, 2000U);
+  }
+  (void)watcher->notification("state", [](const Json& state) {
+    return state["motion"].is_object() && state["motion"]["playing"] == false;
+  });
+  EXPECT_LT(std::chrono::steady_clock::now() - begin, std::chrono::seconds(15));
+}
+
 TEST(Engine, LetsNoMoreClientsInThanItMay) {
   EngineOptions options;
   options.clients = 2;
@@ -252,6 +285,25 @@ TEST_F(Replay, GivesTheSameRepliesAndFindsThoseThatDiffer) {
   log[1].params["height"] = 0.25;
   Session other({});
   EXPECT_THAT(replay(log, table, other).differ, testing::ElementsAre(2U));
+}
+
+// Lines are the same in a temporary file, in a named one, and where it is named in between.
+TEST_F(SessionLogFile, ReadsWhatWasWrittenAndGoesOn) {
+  SessionLog temporary, named;
+  named.open(path("named.jsonl"));
+  EXPECT_EQ(temporary.text(), "");
+  for (int i = 0; i < 2000; ++i) {
+    LoggedRequest request{i, "motion.step", {{"steps", i}}, std::string(64, 'a'), {}};
+    temporary.add(request);
+    named.add(request);
+    if (i == 1000) temporary.open(path("later.jsonl"));
+    if (i % 500 == 0) {
+      EXPECT_EQ(temporary.text(), named.text());
+    }
+  }
+  EXPECT_EQ(temporary.text(), named.text());
+  EXPECT_EQ(read_file(path("later.jsonl"), 1 << 20), named.text());
+  EXPECT_EQ(read_log(path("named.jsonl")).size(), 2000U);
 }
 
 TEST_F(SessionLogFile, RefusesLinesThatAreNone) {
