@@ -3,10 +3,19 @@
 #include <algorithm>
 #include <utility>
 
+#include <nlohmann/json.hpp>
+
 #include "base/error.h"
 #include "base/nearest_name.h"
 
 namespace thenar {
+
+std::map<std::string, double> named_numbers(const Json& params, const std::string& member) {
+  std::map<std::string, double> numbers;
+  if (!params.contains(member)) return numbers;
+  for (const auto& [name, value] : params.at(member).items()) numbers[name] = value.get<double>();
+  return numbers;
+}
 
 void MethodTable::add(RpcMethod method) {
   require(!has(method.name), "there are two methods '{}'", method.name);

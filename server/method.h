@@ -4,6 +4,7 @@
 /// and what it does. Validation, the list that clients are given, and docs/remote.md come from it.
 
 #include <functional>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -31,6 +32,10 @@ struct RpcMethod {
   std::string example;  // params as JSON, which tests send
   Handler handler;
 };
+
+/// A member of names and numbers; empty if it was left out. @param params  validated
+[[nodiscard]] std::map<std::string, double> named_numbers(const Json& params,
+                                                          const std::string& member);
 
 /// A table of methods by name, in the order in which they are documented.
 class MethodTable {

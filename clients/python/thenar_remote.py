@@ -7,7 +7,7 @@
         print(thenar.grasp.quality()["epsilon"])
 
     with Remote("127.0.0.1", 8081) as thenar:            # `thenar view jaw_box --remote 8081`: watch it in the browser
-        thenar.hand.set_joints(joints={"jaw": 0.01})
+        thenar.hand.set_joints(joints={"opening": 0.01})
 
 Every method of docs/remote.md is called by its name, with its parameters by name, and returns its result as Python has
 JSON: dicts, lists, numbers. SI units and radians; positions [x, y, z], rotations [w, x, y, z].

@@ -2,6 +2,7 @@
 #include <memory>
 
 #include "api/live/live_fit.h"
+#include "server/frame.h"
 #include "server/methods/method_table.h"
 
 namespace thenar::internal {
@@ -63,11 +64,10 @@ OrderedJson pairs_json(const LiveFit& fit) {
 }
 
 OrderedJson fit_state_json(const LiveFit& fit) {
-  const Eigen::Quaterniond turn(fit.placed().R);
   OrderedJson json{{"kind", fit.source().kind},
                    {"subject", fit.source().subject.name},
                    {"digit", fit.source().problem.experiments().front().digit},
-                   {"rotation", {turn.w(), turn.x(), turn.y(), turn.z()}},
+                   {"rotation", to_json(quaternion_of(fit.placed().R))},
                    {"trial", fit.shown()},
                    {"trials", OrderedJson::array()}};
   for (int i = 0; i < static_cast<int>(fit.trials().size()); ++i)

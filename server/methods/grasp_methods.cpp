@@ -154,11 +154,13 @@ void add_quality_rows(MethodTable& table) {
              "closed: whether anything touches, else reason; contacts: how many; epsilon: lower, "
              "upper [N per N]; force_closure; verdict; missing_direction, worst_wrench (6, torques "
              "over torque_scale, the object's frame), each in words; volume or null; rank; "
-             "centre_of_mass [m]; torque_scale [m]; warnings",
+             "centre_of_mass, of the object in the world [m]; torque_scale [m]; warnings",
              "{}", quality});
   table.add({"grasp.measure", "All measures, as `thenar grasp --json` gives them.",
-             object_schema(quality_members()), "as `thenar grasp --json`, units in its keys", "{}",
-             measure});
+             object_schema(quality_members()),
+             "as `thenar grasp --json`, units in its keys; its centre_of_mass_m is in the object's "
+             "frame",
+             "{}", measure});
 }
 
 }  // namespace

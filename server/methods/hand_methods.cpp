@@ -60,9 +60,8 @@ OrderedJson get_joints(Session& session, const Json& params, const Progress& /*p
 }
 
 OrderedJson put_joints(Session& session, const Json& params, const Progress& /*progress*/) {
-  std::map<std::string, double> joints;
-  for (const auto& [name, value] : params["joints"].items()) joints[name] = value.get<double>();
-  const SetJoints set = set_joints(live_world(session), text_param(params, "hand"), joints);
+  const SetJoints set =
+      set_joints(live_world(session), text_param(params, "hand"), named_numbers(params, "joints"));
   return {{"joints", set.joints}, {"limited", set.limited}};
 }
 
@@ -108,13 +107,15 @@ void add_hand_methods(MethodTable& table) {
   table.add({"hand.get", "All joints of a hand.", object_schema({hand_member()}),
              "hand; joints: name, value [rad or m], lower, upper, slides, led_by", "{}",
              get_joints});
-  table.add({"hand.set_joints",
-             "Sets joints within their limits; joints of one drive follow its first.",
-             object_schema({hand_member(),
-                            {"joints", map_schema(number_schema("rad or m", -1000, 1000)),
-                             "Joint -> value.", true}}),
-             "joints: all of the hand [rad or m]; limited: those that stopped at a limit",
-             R"({"joints": {"opening": 0.03}})", put_joints});
+  table.add(
+      {"hand.set_joints",
+       "Sets joints within their limits; joints of one drive follow its first, unless they are "
+       "named themselves, as a clutch that has opened leaves them.",
+       object_schema({hand_member(),
+                      {"joints", map_schema(number_schema("rad or m", -1000, 1000)),
+                       "Joint -> value.", true}}),
+       "joints: all of the hand [rad or m]; limited: those that stopped at a limit",
+       R"({"joints": {"opening": 0.03}})", put_joints});
   table.add({"hand.open", "Opens a hand; an arm that carries it stays.",
              object_schema({hand_member()}), "joints: all of the hand [rad or m]", "{}", open});
   table.add({"hand.approach", "Moves a free hand along its palm until it meets the object.",

@@ -2,14 +2,13 @@
 #include <optional>
 #include <set>
 
-#include <Eigen/Geometry>
-
 #include "api/live/live_motion.h"
 #include "api/live/recorded_digit_motion.h"
 #include "api/live/recorded_motion.h"
 #include "api/live/world/live_world.h"
 #include "api/named/files.h"
 #include "base/nearest_name.h"
+#include "server/frame.h"
 #include "server/methods/method_table.h"
 
 namespace thenar::internal {
@@ -50,18 +49,11 @@ MotionParts wanted_parts(const Json& params) {
           want.count("energy") > 0, want.count("muscles") > 0};
 }
 
-std::map<std::string, double> numbers_of(const Json& params, const char* name) {
-  std::map<std::string, double> out;
-  if (!params.contains(name)) return out;
-  for (const auto& [key, value] : params.at(name).items()) out[key] = value.get<double>();
-  return out;
-}
-
 MotionInputs inputs_of(const Json& params) {
-  MotionInputs inputs{numbers_of(params, "efforts"),
-                      numbers_of(params, "targets"),
-                      numbers_of(params, "tensions"),
-                      numbers_of(params, "excitations"),
+  MotionInputs inputs{named_numbers(params, "efforts"),
+                      named_numbers(params, "targets"),
+                      named_numbers(params, "tensions"),
+                      named_numbers(params, "excitations"),
                       {}};
   if (params.contains("release"))
     for (const Json& name : params.at("release")) inputs.release.push_back(name);
@@ -75,11 +67,6 @@ bool has_inputs(const Json& params) {
 }
 
 // Replies.
-
-OrderedJson quaternion_json(const Eigen::Matrix3d& R) {
-  const Eigen::Quaterniond turn(R);
-  return {turn.w(), turn.x(), turn.y(), turn.z()};
-}
 
 OrderedJson contact_json(const ContactSample& contact, const std::vector<std::string>& names) {
   static const char* const kModes[] = {"open", "stick", "slide"};
@@ -122,7 +109,7 @@ void add_state(const LiveTimeline& motion, const MotionParts& parts, OrderedJson
     OrderedJson& bodies = out["bodies"] = OrderedJson::object();
     for (const BodyState& each : state.bodies)
       bodies[each.name] = {{"position", to_json(each.X_WB.p)},
-                           {"rotation", quaternion_json(each.X_WB.R)},
+                           {"rotation", to_json(quaternion_of(each.X_WB.R))},
                            {"velocity", to_json(each.velocity.linear)},
                            {"spin", to_json(each.velocity.angular)}};
   }
@@ -254,6 +241,7 @@ OrderedJson motion_inputs(Session& session, const Json& /*params*/, const Progre
 
 OrderedJson play_motion(Session& session, const Json& params, const Progress& /*progress*/) {
   LiveTimeline& motion = timeline_of(session);
+  session.show(LiveMode::kMotion);
   motion.play(params.at("speed").get<double>());
   return play_json(motion);
 }
@@ -337,7 +325,7 @@ void add_stepping_methods(MethodTable& table) {
 
 void add_playing_methods(MethodTable& table) {
   table.add(
-      {"motion.play", "Lets time go on by itself.",
+      {"motion.play", "Shows the motion, and lets time go on by itself.",
        object_schema({{"speed", number_schema("1", 1e-3, 100), "Times real time.", false, 1}}),
        kPlayWords, R"({"speed": 0.5})", play_motion});
   table.add({"motion.pause", "Stops time.", object_schema({}), kPlayWords, "{}", pause_motion});

@@ -6,6 +6,7 @@
 #include "base/progress_parts.h"
 #include "base/rung_names.h"
 #include "report/answers/tendon_solve.h"
+#include "server/frame.h"
 #include "server/methods/method_table.h"
 #include "tendons/net/band_course.h"
 
@@ -103,13 +104,12 @@ std::vector<std::string> warnings_of(const LiveDigit& digit) {
 OrderedJson state_json(const LiveDigit& digit) {
   const DigitCase& about = digit.about();
   const DigitNow& now = digit.now();
-  const Eigen::Quaterniond turn(digit.placed().R);
   OrderedJson json{
       {"subject", about.subject.name},
       {"digit", about.digit},
       {"built", describe(about.bones().fidelity)},
       {"net", about.net != nullptr ? OrderedJson(about.net->net().net.name) : OrderedJson()},
-      {"rotation", {turn.w(), turn.x(), turn.y(), turn.z()}}};
+      {"rotation", to_json(quaternion_of(digit.placed().R))}};
   json["joints"] = joints_json(digit);
   json["muscles"] = muscles_json(digit);
   json["bands"] = bands_json(digit);
@@ -123,12 +123,6 @@ OrderedJson state_json(const LiveDigit& digit) {
   json["trusted"] = trusted(now.point.pull.status);
   json["warnings"] = warnings_of(digit);
   return json;
-}
-
-/// Names and values of a member that may be absent.
-std::map<std::string, double> named_values(const Json& params, const char* member) {
-  return params.contains(member) ? params[member].get<std::map<std::string, double>>()
-                                 : std::map<std::string, double>{};
 }
 
 OrderedJson open_digit_of(Session& session, const Json& params, const Progress& progress) {
@@ -148,8 +142,8 @@ OrderedJson open_digit_of(Session& session, const Json& params, const Progress& 
 OrderedJson set_digit(Session& session, const Json& params, const Progress& /*progress*/) {
   auto& digit = session.model<LiveDigit>(LiveMode::kTendons);
   const std::vector<std::string> limited =
-      digit.set({named_values(params, "posture"), named_values(params, "tensions"),
-                 named_values(params, "excitations")});
+      digit.set({named_numbers(params, "posture"), named_numbers(params, "tensions"),
+                 named_numbers(params, "excitations")});
   OrderedJson json = state_json(digit);
   json["limited"] = limited;
   return json;
