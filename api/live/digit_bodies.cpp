@@ -65,8 +65,7 @@ Pose<double> upright(const TendonDigit& digit) {
 
 void add_bones(const Subject& subject, const TendonDigit& digit, BodyList& list) {
   for (const LinkSurface& bone : bone_surfaces(subject, digit.skeleton))
-    list.add(bone.name + " bone", LiveRole::kBone, bone.link,
-             std::shared_ptr<const TriangleMesh>(bone.solid, &bone.solid->visual));
+    list.add(bone.name + " bone", LiveRole::kBone, bone.link, picture_of_solid(bone.solid));
 }
 
 /// Skin of the digit's own bones; that of the palm would hide where its tendons come from.

@@ -34,6 +34,15 @@ bool is_finite(const LiveInstant& instant) {
 
 }  // namespace
 
+std::shared_ptr<const TriangleMesh> picture_of_solid(const std::shared_ptr<const Solid>& solid) {
+  return {solid, &solid->visual};
+}
+
+double crease_of(const std::string& material) {
+  const bool smooth = material == "skin" || material == "fingertip" || material == "bone";
+  return smooth ? -1 : 35;
+}
+
 void check_instant(const LiveShape& shape, const LiveInstant& instant) {
   // As many of everything.
   const auto points = static_cast<std::size_t>(

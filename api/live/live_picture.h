@@ -15,7 +15,7 @@
 #include <Eigen/Core>
 
 #include "base/spatial.h"
-#include "geometry/triangle_mesh.h"
+#include "geometry/solid.h"
 
 namespace thenar {
 
@@ -105,6 +105,14 @@ struct LiveInstant {
   std::vector<LiveVector> arrows;            // as LiveShape::arrows
   std::vector<LiveContact> contacts;         // as many as there are
 };
+
+/// The mesh of a solid that others own, without a copy.
+[[nodiscard]] std::shared_ptr<const TriangleMesh> picture_of_solid(
+    const std::shared_ptr<const Solid>& solid);
+
+/// LiveBody::crease of a material: skin and bones are smooth, other edges sharper than 35 deg are
+/// not.
+[[nodiscard]] double crease_of(const std::string& material);
 
 /// Throws InputError, saying what is off, unless an instant has as many entries as its shape, its
 /// contacts are of bodies that are there, and all but tensions is finite.

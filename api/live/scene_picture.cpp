@@ -9,12 +9,6 @@
 namespace thenar {
 namespace {
 
-constexpr double kSharpEdge = 35;  // of bodies that are no skin: sharper edges look sharp [deg]
-
-bool is_skin(const std::string& material) {
-  return material == "skin" || material == "fingertip" || material == "bone";
-}
-
 /// The joint by which people turn a coordinate: the first that turns as it does, else the first.
 int leader_of(const Mechanism& mechanism, int coordinate) {
   int first = -1;
@@ -47,10 +41,8 @@ LiveBody body_of_picture(const BuiltScene& built, std::size_t i) {
     out.role = body.material == "bone" ? LiveRole::kBone : LiveRole::kLink;
   else if (stands_still(built.scene.mechanism, i))
     out.role = LiveRole::kObstacle;
-  if (!is_skin(body.material)) out.crease = kSharpEdge;
-  // The mesh belongs to the solid, which lives as long as somebody holds it.
-  if (body.solid && !body.solid->visual.empty())
-    out.mesh = std::shared_ptr<const TriangleMesh>(body.solid, &body.solid->visual);
+  out.crease = crease_of(body.material);
+  if (body.solid && !body.solid->visual.empty()) out.mesh = picture_of_solid(body.solid);
   return out;
 }
 

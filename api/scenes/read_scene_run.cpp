@@ -15,7 +15,6 @@ namespace fs = std::filesystem;
 
 using Eigen::Index;
 
-constexpr const char* kFormat = "thenar scene run 1";
 constexpr double kSamePlace = 1e-6;   // of a body, now and in the file [m]
 constexpr double kUnitLength = 1e-6;  // of quaternions, off 1 [1]
 
@@ -33,8 +32,8 @@ class RunReader {
 
   RecordedScene read() {
     const std::string format = text_or_none(file_, "format");
-    if (format != kFormat)
-      fail(fmt::format("wanted a run of a scene ('{}'), got '{}'", kFormat, format));
+    if (format != kSceneRunFormat)
+      fail(fmt::format("wanted a run of a scene ('{}'), got '{}'", kSceneRunFormat, format));
     if (file_.texts.count("varied") > 0)
       fail("it holds several runs, with numbers that vary: wanted one run");
     out_.name = file_.text("scene");

@@ -475,7 +475,7 @@ void add_outcome(const SimulatedScene& scene, const std::string& group, ResultFi
 /// What all runs of a scene have in common.
 void add_names(const SimulatedScene& scene, ResultFile& file) {
   const Mechanism& mechanism = scene.built->scene.mechanism;
-  file.add("format", "thenar scene run 1");
+  file.add("format", kSceneRunFormat);
   file.add("scene", scene.name);
   file.add("name/body", names_of_bodies(mechanism));
   const std::vector<std::string> q = entry_names(mechanism, true);

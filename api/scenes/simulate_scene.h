@@ -109,6 +109,9 @@ struct RequestedScene {
                                                    const Progress& progress = {});
 inline constexpr std::size_t kMostRuns = 10000;
 
+/// What files of runs say that they are.
+inline constexpr const char* kSceneRunFormat = "thenar scene run 1";
+
 /// Writes all instants as HDF5, dimensions labelled as xarray expects, with the texts and hashes of
 /// all sources and the record of the run; of a sweep a summary of all runs, and each in a group.
 /// @throws InputError if the file cannot be written.

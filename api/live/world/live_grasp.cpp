@@ -10,12 +10,9 @@
 namespace thenar {
 namespace {
 
-/// A hand and an object of a state, and all that closing asks for.
+/// A hand, an object, and how the hand closes.
 struct Setting {
-  std::size_t hand, object;
-  const StateHand& stands;
-  const CollisionHand& collision;
-  Scene scene;
+  LiveMeeting at;
   GraspOptions options;
 };
 
@@ -29,16 +26,11 @@ ClosingRates stopping_rates(ClosingRates rates, const Progress& progress) {
 }
 
 Setting setting_of(const LiveWorld& live, const LivePair& pair, const Progress& progress) {
-  const WorldState& state = live.state();
-  const std::size_t hand = hand_index(state, pair.hand), object = object_index(state, pair.object);
-  const StateHand& stands = state.hands[hand];
-  require(!stands.built->model().surfaces().empty(), "hand '{}' has no surface that could touch",
-          name_of(state, stands));
-  report_or_stop(progress, 0, "surfaces of " + name_of(state, stands));
-  Setting setting{
-      hand, object, stands, live.touch().collision_of(state, stands), scene_of(state, object), {}};
-  setting.options.pads.contact = stands.built->hand.named.contact;
-  setting.options.close.rates = stopping_rates(stands.built->hand.named.rates, progress);
+  report_or_stop(progress, 0, "surfaces of the hand");
+  Setting setting{meeting_of(live, pair), {}};
+  const NamedHand& named = setting.at.stands.built->hand.named;
+  setting.options.pads.contact = named.contact;
+  setting.options.close.rates = stopping_rates(named.rates, progress);
   return setting;
 }
 
@@ -57,20 +49,29 @@ bool moves_hand(GraspOutcome outcome) {
 /// Takes over how a grasp ended, as one edit.
 HandClosing take_over(LiveWorld& live, const Setting& setting, Grasp grasp,
                       const std::string& text) {
-  HandClosing closing{setting.hand, setting.object, grasp.outcome, std::move(grasp.approached),
-                      std::move(grasp.closed)};
+  HandClosing closing{setting.at.hand, setting.at.object, grasp.outcome,
+                      std::move(grasp.approached), std::move(grasp.closed)};
   if (moves_hand(closing.outcome)) {
     WorldState next = live.state();
-    if (!is_mounted(setting.stands))
-      next = with_hand_placed(std::move(next), setting.hand, closing.approached.X_WH);
-    next = with_posture(std::move(next), setting.hand, closing.closed.q);
-    live.apply(std::move(next), text + " " + name_of(live.state(), setting.stands));
+    if (!is_mounted(setting.at.stands))
+      next = with_hand_placed(std::move(next), setting.at.hand, closing.approached.X_WH);
+    next = with_posture(std::move(next), setting.at.hand, closing.closed.q);
+    live.apply(std::move(next), text + " " + name_of(live.state(), setting.at.stands));
   }
   live.set_closing(closing);
   return closing;
 }
 
 }  // namespace
+
+LiveMeeting meeting_of(const LiveWorld& live, const LivePair& pair) {
+  const WorldState& state = live.state();
+  const std::size_t hand = hand_index(state, pair.hand), object = object_index(state, pair.object);
+  const StateHand& stands = state.hands[hand];
+  require(!stands.built->model().surfaces().empty(), "hand '{}' has no surface that could touch",
+          name_of(state, stands));
+  return {hand, object, stands, live.touch().collision_of(state, stands), scene_of(state, object)};
+}
 
 void open_hand(LiveWorld& live, const std::string& hand) {
   const std::size_t index = hand_index(live.state(), hand);
@@ -85,15 +86,15 @@ ApproachResult approach_object(LiveWorld& live, const LivePair& pair, double dis
                                const Progress& progress) {
   require_distance(distance);
   const Setting setting = setting_of(live, pair, progress);
-  const std::string name = name_of(live.state(), setting.stands);
-  require(!is_mounted(setting.stands), "hand '{}' is mounted on '{}': it does not approach", name,
-          root_of(live.state(), setting.stands));
-  const double aside = setting.options.side_step * setting.scene.object.torque_scale;
-  ApproachResult met =
-      yielding_approach(setting.collision, setting.stands.stand.X_WH, setting.stands.stand.q,
-                        setting.scene, {distance, aside}, setting.options.close);
+  const std::string name = name_of(live.state(), setting.at.stands);
+  require(!is_mounted(setting.at.stands), "hand '{}' is mounted on '{}': it does not approach",
+          name, root_of(live.state(), setting.at.stands));
+  const double aside = setting.options.side_step * setting.at.scene.object.torque_scale;
+  ApproachResult met = yielding_approach(setting.at.collision, setting.at.stands.stand.X_WH,
+                                         setting.at.stands.stand.q, setting.at.scene,
+                                         {distance, aside}, setting.options.close);
   if (met.touches)
-    live.apply(with_hand_placed(live.state(), setting.hand, met.X_WH), "approach with " + name);
+    live.apply(with_hand_placed(live.state(), setting.at.hand, met.X_WH), "approach with " + name);
   return met;
 }
 
@@ -102,8 +103,8 @@ HandClosing close_on_object(LiveWorld& live, const LivePair& pair, const Progres
   report_or_stop(progress, 0.1, "closing the hand");
   GraspOptions here = setting.options;
   here.approach_distance = 0;
-  Grasp closed = grasp(setting.collision, setting.stands.stand.X_WH, setting.stands.stand.q,
-                       setting.scene, here);
+  Grasp closed = grasp(setting.at.collision, setting.at.stands.stand.X_WH,
+                       setting.at.stands.stand.q, setting.at.scene, here);
   return take_over(live, setting, std::move(closed), "close");
 }
 
@@ -111,10 +112,10 @@ HandClosing grasp_object(LiveWorld& live, const LivePair& pair, double distance,
                          const Progress& progress) {
   require_distance(distance);
   const Setting setting = setting_of(live, pair, progress);
-  if (is_mounted(setting.stands)) return close_on_object(live, pair, progress);
+  if (is_mounted(setting.at.stands)) return close_on_object(live, pair, progress);
   report_or_stop(progress, 0.1, "approaching and closing the hand");
-  const Pregrasp start{setting.stands.stand.X_WH, setting.stands.stand.q, distance};
-  Grasp found = attempt_grasp(setting.collision, start, setting.scene, setting.options);
+  const Pregrasp start{setting.at.stands.stand.X_WH, setting.at.stands.stand.q, distance};
+  Grasp found = attempt_grasp(setting.at.collision, start, setting.at.scene, setting.options);
   return take_over(live, setting, std::move(found), "grasp with");
 }
 

@@ -15,6 +15,17 @@ struct LivePair {
   std::string hand, object;
 };
 
+/// Such a pair as it stands, and the collision model of the hand.
+struct LiveMeeting {
+  std::size_t hand, object;  // of WorldState
+  const StateHand& stands;
+  const CollisionHand& collision;
+  Scene scene;
+};
+
+/// @throws InputError if there is no such hand or object, or the hand has no surface
+[[nodiscard]] LiveMeeting meeting_of(const LiveWorld& live, const LivePair& pair);
+
 /// Opens a hand: its coordinates go where closing begins; what carries it stays. One edit.
 /// @throws InputError if there is no such hand
 void open_hand(LiveWorld& live, const std::string& hand);

@@ -18,16 +18,6 @@ namespace {
 
 constexpr int kSmoothSkin = 2500;  // triangles of a link that look smooth
 
-/// The mesh of a solid that others own, without a copy.
-std::shared_ptr<const TriangleMesh> picture_of_solid(const std::shared_ptr<const Solid>& solid) {
-  return {solid, &solid->visual};
-}
-
-bool is_smooth(const LinkSurface& surface) {
-  return surface.material == "skin" || surface.material == "fingertip" ||
-         surface.material == "bone";
-}
-
 HandBody body_of_surface(const LinkSurface& surface, LiveRole role, const std::string& name) {
   HandBody body;
   body.look.name = name;
@@ -35,7 +25,7 @@ HandBody body_of_surface(const LinkSurface& surface, LiveRole role, const std::s
   body.look.material = surface.material;
   body.look.role = role;
   body.look.mesh = picture_of_solid(surface.solid);
-  body.look.crease = is_smooth(surface) ? -1 : kLiveCrease;
+  body.look.crease = crease_of(surface.material);
   body.link = surface.link;
   return body;
 }

@@ -14,9 +14,6 @@
 
 namespace thenar {
 
-/// Edges of bodies that are sharper than this look sharp; skin and bones are smooth [deg].
-inline constexpr double kLiveCrease = 35;
-
 /// A body of a hand. Its frame is the hand's at the reference posture, as of LinkSurface.
 struct HandBody {
   LiveBody look;         // `name` without the hand's; owner and movable are left to the world

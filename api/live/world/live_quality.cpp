@@ -12,29 +12,12 @@
 namespace thenar {
 namespace {
 
-/// A hand at an object, and its collision model.
-struct Meeting {
-  std::size_t hand, object;
-  const StateHand& stands;
-  const CollisionHand& collision;
-  Scene scene;
-};
-
-Meeting meeting_of(const LiveWorld& live, const LivePair& pair) {
-  const WorldState& state = live.state();
-  const std::size_t hand = hand_index(state, pair.hand), object = object_index(state, pair.object);
-  const StateHand& stands = state.hands[hand];
-  require(!stands.built->model().surfaces().empty(), "hand '{}' has no surface that could touch",
-          name_of(state, stands));
-  return {hand, object, stands, live.touch().collision_of(state, stands), scene_of(state, object)};
-}
-
-PosedCollisionHand posed(const Meeting& meeting) {
+PosedCollisionHand posed(const LiveMeeting& meeting) {
   return {meeting.collision, meeting.stands.stand.X_WH,
           meeting.stands.built->model().pose(meeting.stands.stand.q)};
 }
 
-std::vector<HandContact> contacts_at(const LiveWorld& live, const Meeting& meeting) {
+std::vector<HandContact> contacts_at(const LiveWorld& live, const LiveMeeting& meeting) {
   const double within = ContactPatchOptions{}.tolerance;
   if (!may_touch(meeting.stands, live.state().bodies[meeting.object], within)) return {};
   PadOptions pads;
@@ -42,13 +25,13 @@ std::vector<HandContact> contacts_at(const LiveWorld& live, const Meeting& meeti
   return find_contacts(posed(meeting), meeting.scene, {}, pads);
 }
 
-const LinkSurface& surface_named(const Meeting& meeting, const std::string& name) {
+const LinkSurface& surface_named(const LiveMeeting& meeting, const std::string& name) {
   const std::vector<LinkSurface>& surfaces = meeting.stands.built->model().surfaces();
   return *std::find_if(surfaces.begin(), surfaces.end(),
                        [&](const LinkSurface& surface) { return surface.name == name; });
 }
 
-std::vector<std::string> deep_overlaps(const Meeting& meeting) {
+std::vector<std::string> deep_overlaps(const LiveMeeting& meeting) {
   std::vector<std::string> warnings;
   for (const Overlap& overlap : find_overlaps(posed(meeting), meeting.scene, 1e-5)) {
     const double soft =
@@ -61,7 +44,7 @@ std::vector<std::string> deep_overlaps(const Meeting& meeting) {
 }
 
 /// The world as grasp_in_world() has it.
-WorldCase case_of(const LiveWorld& live, const Meeting& meeting) {
+WorldCase case_of(const LiveWorld& live, const LiveMeeting& meeting) {
   const WorldState& state = live.state();
   WorldCase setting;
   setting.path = state.file.empty() ? state.header->name : state.file;
@@ -80,7 +63,7 @@ WorldCase case_of(const LiveWorld& live, const Meeting& meeting) {
 }
 
 /// How the hand came to where it stands, if that is known of this very posture and object.
-void tell_closing(const LiveWorld& live, const Meeting& meeting, Grasp& grasp) {
+void tell_closing(const LiveWorld& live, const LiveMeeting& meeting, Grasp& grasp) {
   grasp.approached.X_WH = meeting.stands.stand.X_WH;
   grasp.closed.q = meeting.stands.stand.q;
   const std::optional<HandClosing>& closing = live.closing();
@@ -95,7 +78,7 @@ void tell_closing(const LiveWorld& live, const Meeting& meeting, Grasp& grasp) {
 }  // namespace
 
 LiveContacts contacts_of(const LiveWorld& live, const LivePair& pair) {
-  const Meeting meeting = meeting_of(live, pair);
+  const LiveMeeting meeting = meeting_of(live, pair);
   LiveContacts out;
   out.contacts = contacts_at(live, meeting);
   out.X_WO = meeting.scene.object.X_WB;
@@ -110,7 +93,7 @@ GraspResult standing_grasp(const LiveWorld& live, const LivePair& pair,
                            const LiveQualityRequest& request) {
   require(request.tolerance > 0, "wanted a tolerance of epsilon above 0, got {}",
           request.tolerance);
-  const Meeting meeting = meeting_of(live, pair);
+  const LiveMeeting meeting = meeting_of(live, pair);
   GraspResult result{};
   result.request.approach = false;
   result.request.limit = request.norm;

@@ -33,7 +33,7 @@ LiveBody look_of_body(const BuiltBody& built) {
   look.role = built.placed.dynamic ? LiveRole::kObject : LiveRole::kObstacle;
   look.movable = true;
   look.mesh = built.picture;
-  look.crease = kLiveCrease;
+  look.crease = crease_of(look.material);
   return look;
 }
 

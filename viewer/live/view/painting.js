@@ -4,7 +4,7 @@
 import { PCFShadowMap, WebGLRenderer } from "three";
 
 const SLOW = 45; // where pictures take longer they are plain while things move [ms]
-const PLAIN = 0.6; // pixels of a plain picture to each of the window, along either side // pixels of a plain picture to each of the window, along either side
+const PLAIN = 0.6; // pixels of a plain picture to each of the window, along either side
 const REST = 250; // until the picture counts as at rest [ms]
 const GRID = 0.28; // opacity of the grid
 const MOST = 1.5; // pixels of the finest picture to each of the window, along either side
