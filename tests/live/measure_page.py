@@ -87,7 +87,7 @@ def first_picture(browser):
 
 
 def main():
-    live_page.PROGRAM = sys.argv[1]
+    live_page.PROGRAM = os.path.abspath(sys.argv[1])
     minutes = float(sys.argv[2]) if len(sys.argv) > 2 else 10
     with Browser() as browser:
         program = first_picture(browser)
