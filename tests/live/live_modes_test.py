@@ -57,6 +57,33 @@ class Modes(LivePage):
         self.assertLess(self.browser.value("Number(document.querySelector('.scrub').max)"), 0.3)
         self.assert_no_errors()
 
+    def test_the_camera_steps_back_from_what_leaves_the_picture(self):
+        self.start()
+        self.ask("motion.open", json.dumps({"scene": "pendulum"}))
+        self.browser.wait("thenarLive.store.scene.mode === 'motion' && thenarLive.store.frame && thenarLive.picture.complete()"
+                          "&& !thenarLive.picture.fitting()", "the pendulum")
+        # Corners of the rod's box in pixels, against the part of the window that no panel covers.
+        outside = """(() => {
+          const { stage, bodies } = thenarLive.picture, box = bodies.box(), points = [];
+          for (const x of [box.min.x, box.max.x]) for (const y of [box.min.y, box.max.y])
+            for (const z of [box.min.z, box.max.z]) points.push(stage.pixel(box.min.clone().set(x, y, z)));
+          const { insets } = stage, room = stage.canvas.getBoundingClientRect();
+          return points.filter(({ x, y }) => x < room.left + insets.left || x > room.right - insets.right
+            || y < room.top + insets.top || y > room.bottom - insets.bottom).length; })()"""
+        self.assertEqual(self.browser.value(outside), 0)
+        for _ in range(10):
+            self.ask("motion.step", "{steps: 50}")
+            self.settle()
+            self.assertEqual(self.browser.value(outside), 0)
+        # Half a period later it has been on the other side; who zooms in by hand stays there.
+        zoom = "thenarLive.picture.stage.camera.zoom"
+        self.browser.value("(() => { const { camera } = thenarLive.picture.stage; camera.zoom = 3; "
+                           "camera.updateProjectionMatrix(); })()")
+        self.ask("motion.step", "{steps: 200}")
+        self.settle()
+        self.assertEqual(self.browser.value(zoom), 3)
+        self.assert_no_errors()
+
     def test_a_world_begins_to_move(self):
         self.start(ROOT / "data/worlds/jaw_box.toml")
         self.browser.value("thenarLive.tabs.choose('time')")

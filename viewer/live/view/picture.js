@@ -1,6 +1,6 @@
 // The whole picture of a scene and its frames: bodies, lines, contacts, arrows, clouds, handles.
 
-import { Vector3 } from "three";
+import { Box3, Vector3 } from "three";
 import { fits } from "../link/store.js";
 import { makeBodies, meshShelf } from "./bodies.js";
 import { makeClouds } from "./clouds.js";
@@ -18,6 +18,12 @@ const another = (before, next) =>
   before.mode !== next.mode ||
   before.bodies.length === 0 ||
   !next.bodies.some(({ owner }) => before.bodies.some((body) => body.owner === owner));
+
+const FARTHEST = 4; // sizes of what is seen at first: what flies farther away is let go
+
+/// A box and what lies around it. @param share  of its size
+const roomAround = (box, share) =>
+  box.clone().expandByScalar(share * box.getSize(new Vector3()).length());
 
 /// Where a scene wants to be seen from.
 const directionOf = ({ eye, target }) => new Vector3(...eye).sub(new Vector3(...target));
@@ -51,6 +57,7 @@ export function makePicture(container, theme, asked) {
   let fitting = false; // until meshes and a frame are there
   let complete = false; // whether all meshes are
   let tips = [];
+  let room = new Box3(); // of a motion, that is seen
 
   const size = () => stage.box.getSize(new Vector3()).length() || 1;
 
@@ -58,8 +65,18 @@ export function makePicture(container, theme, asked) {
     if (!frame || !complete) return;
     stage.look(bodies.box());
     if (fitting) stage.fit(directionOf(scene));
+    if (fitting) room = roomAround(stage.box, 0.03);
     fitting = false;
     draw(frame);
+  }
+
+  /// Steps back from a motion that leaves the picture, as long as nobody has moved the camera.
+  function stepBack() {
+    if (scene.mode !== "motion" || !complete || !stage.isFitted()) return;
+    const box = bodies.box();
+    if (room.containsBox(box) || !roomAround(stage.box, FARTHEST).containsBox(box)) return;
+    room.union(roomAround(box, 0.15));
+    stage.fit(stage.from, room);
   }
 
   function draw(next) {
@@ -68,6 +85,7 @@ export function makePicture(container, theme, asked) {
     frame = next;
     bodies.pose(frame);
     place.goAlong();
+    stepBack();
     const tensionEnd = lines.pose(frame);
     const { forceScale } = contacts.pose(frame, size());
     tips = vectors.pose(frame, size());

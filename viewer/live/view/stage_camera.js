@@ -3,6 +3,8 @@
 import { Vector3 } from "three";
 import { fitCamera, setAspect } from "../../scene/camera_fit.js";
 
+const SAME = 1e-6; // of what is seen: closer than this nobody moved the camera
+
 /// Shifts the picture into the room between the panels.
 function aim(stage) {
   const { camera, width, height, insets } = stage;
@@ -21,22 +23,31 @@ function aim(stage) {
   camera.setViewOffset(width, height, shift.x, shift.y, width, height);
 }
 
-/// Gives a stage the functions fit(direction), setInsets(insets), ray(event) and pixel(point), and aim().
+/// Gives a stage the functions fit(direction, box), isFitted(), setInsets(insets), ray(event) and pixel(point), and
+/// aim().
 export function addCamera(stage) {
   const { camera, canvas, controls } = stage;
   stage.aim = () => aim(stage);
-  stage.fit = (direction = stage.from) => {
+  let fitted = null; // where the camera was put
+  stage.fit = (direction = stage.from, box = stage.box) => {
     stage.from = direction.clone().normalize();
-    controls.target.copy(fitCamera(camera, stage.box, 1, stage.from));
+    controls.target.copy(fitCamera(camera, box, 1, stage.from));
     // The camera stands far off, so that nothing that is dragged out of the first box is cut.
-    const reach = stage.box.getSize(new Vector3()).length();
+    const reach = box.getSize(new Vector3()).length();
     camera.position.copy(controls.target).addScaledVector(stage.from, 20 * reach);
     camera.near = reach;
     camera.far = 60 * reach;
     aim(stage);
     controls.update();
+    fitted = { position: camera.position.clone(), target: controls.target.clone() };
     stage.draw();
   };
+  /// Whether nobody has turned, shifted or zoomed since.
+  stage.isFitted = () =>
+    fitted !== null &&
+    camera.zoom === 1 &&
+    camera.position.distanceTo(fitted.position) < SAME * camera.near &&
+    controls.target.distanceTo(fitted.target) < SAME * camera.near;
   stage.setInsets = (insets) => {
     stage.insets = { ...stage.insets, ...insets };
     aim(stage);
