@@ -315,6 +315,45 @@ struct ContactStep::Parts {
     problem.W.noalias() = Y.transpose() * Y;
   }
 
+  /// What contacts ask of the speeds after a midpoint step beyond their laws: gaps, and the mean of
+  /// both ends where they went on.
+  void add_speeds_before(const Eigen::VectorXd& v, double h, double recovery,
+                         std::vector<ActiveContact>& list) {
+    int at = 0;
+    for (std::size_t k = 0; k < list.size(); ++k) {
+      ActiveContact& contact = list[k];
+      const int rows = rows_of(problem.blocks[k].law);
+      BeforeSpeeds now;
+      if (contact.kind != Kind::kJointFriction) {
+        double gap_speed = contact.gap / h;
+        if (contact.mode != ContactMode::kOpen) {
+          now.closing = 2 * gap_speed;
+          gap_speed = settled(now.closing, contact.before.closing);
+        }
+        problem.b[at] += std::max(gap_speed, -recovery);
+      }
+      if (contact.kind == Kind::kContact && contact.mode == ContactMode::kStick && rows > 1) {
+        const Tangents sides = tangents(contact.normal);
+        now.drift = J.col(at + 1).dot(v) * sides.e1 + J.col(at + 2).dot(v) * sides.e2;
+        Eigen::Vector3d drift;
+        for (int i = 0; i < 3; ++i) drift[i] = settled(now.drift[i], contact.before.drift[i]);
+        problem.b[at + 1] += sides.e1.dot(drift);
+        problem.b[at + 2] += sides.e2.dot(drift);
+        if (rows > 3) {
+          now.spin = J.col(at + 3).dot(v);
+          problem.b[at + 3] += settled(now.spin, contact.before.spin);
+        }
+      }
+      contact.before = now;
+      at += rows;
+    }
+  }
+
+  /// Without what alternates from step to step. @param before  NaN: there was none
+  static double settled(double now, double before) {
+    return std::isnan(before) ? now : 0.75 * now + 0.25 * before;
+  }
+
   [[nodiscard]] ContactBlock block_of(const ActiveContact& contact, double h) const {
     if (contact.kind == Kind::kJointFriction) {
       const double most = h * scene.mechanism.joints[static_cast<std::size_t>(contact.a)].friction;
@@ -596,23 +635,14 @@ void ContactStep::time_step(SceneState& state, double h, const std::vector<Activ
         contact.impulse = old.impulse;
         contact.torsion = old.torsion;
         contact.mode = old.mode;
+        contact.before = old.before;
       }
   if (outcome.active.empty()) {
     state.v = p.v_free;
   } else {
     p.set_rows(outcome.active, h);
     p.problem.b.noalias() = p.J.transpose() * p.v_free;
-    int at = 0;
-    for (std::size_t k = 0; k < outcome.active.size(); ++k) {
-      const ActiveContact& contact = outcome.active[k];
-      const int rows = rows_of(p.problem.blocks[k].law);
-      if (contact.kind != Kind::kJointFriction)
-        p.problem.b[at] += std::max(2 * contact.gap / h, -recovery);
-      // What stuck goes on to stick in the mean, as its gap stays closed in the mean.
-      if (contact.kind == Kind::kContact && contact.mode == ContactMode::kStick)
-        for (int i = 1; i < rows; ++i) p.problem.b[at + i] += p.J.col(at + i).dot(state.v);
-      at += rows;
-    }
+    p.add_speeds_before(state.v, h, recovery, outcome.active);
     p.solve(outcome.active, state, outcome, p.rounding_of_gaps(h));
   }
   outcome.solved = p.end_elements(h, state) && outcome.solved;

@@ -3,6 +3,7 @@
 /// One short step of a scene with contacts, and impacts.
 
 #include <cstdint>
+#include <limits>
 #include <memory>
 #include <vector>
 
@@ -29,6 +30,15 @@ struct SceneState {
   EnergyFlows w{0, 0, 0, 0};  // by steps so far; they steer nothing [J]
 };
 
+/// Speeds of a contact at the beginning of a step, by the Jacobian of its middle; NaN: it did not
+/// touch, or did not stick, before that step.
+struct BeforeSpeeds {
+  static constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
+  double closing = kNone;                      // 2 gap / h [m/s], [rad/s]
+  Eigen::Vector3d drift{kNone, kNone, kNone};  // along the surface, world [m/s] (3)
+  double spin = kNone;                         // about the normal [rad/s]
+};
+
 /// A contact point of two bodies, a joint limit, or the dry friction of a joint.
 struct ActiveContact {
   enum class Kind { kContact, kLowerLimit, kUpperLimit, kJointFriction };
@@ -45,6 +55,7 @@ struct ActiveContact {
   double torsion = 0;                // about the normal [N m s]
   double slip = 0;                   // tangential velocity [m/s]
   double approach = 0;               // normal velocity, negative: they come closer [m/s]
+  BeforeSpeeds before{};             // of the last time_step()
 
   /// Whether both are one contact: the same features touch, though a trial in between lost sight of
   /// it, or the point went over from one feature to the next.
@@ -110,8 +121,14 @@ class ContactStep {
   /// A = M(q_m) + h/2 D + h^2/4 K with the damping D and stiffness K of joints and drives,
   /// f with springs and dampers at v, and the velocity product at the mean of v and of the speeds
   /// without impulses. It is of second order while no
-  /// mode changes. A contact may close its gap within the step, u_n+ >= -2 gap(q_m) / h, and depth
-  /// is pushed out at no more than `recovery`; nothing bounces. Source: [Moreau1988].
+  /// mode changes. A contact may close its gap within a step of middles, u_n+ >= -gap(q_m) / h, and
+  /// depth is pushed out at no more than `recovery`; nothing bounces. Source: [Moreau1988].
+  ///
+  /// A contact that touched or stuck before goes on in the mean of both ends, u+ = -u~, which keeps
+  /// second order where its Jacobian turns; u~ is 2 gap(q_m) / h or J(q_m)' v. By itself that would
+  /// let speeds and forces alternate for ever, as v+ = -v is at rest in the mean. So u~ is 3/4 of
+  /// this step's and 1/4 of that of the step before: what alternates becomes less by sqrt(1/2) a
+  /// step along the normal and by 1/2 across it, and what is smooth stays to second order.
   ///
   /// The contact problem is solved towards the rounding of gaps, as speeds over those of the
   /// problem: what one step leaves over stays in the gaps, and contacts that are more than the

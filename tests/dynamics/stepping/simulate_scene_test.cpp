@@ -255,6 +255,71 @@ TEST(SimulateScene, TimeSteppingIsOfSecondOrder) {
   EXPECT_NEAR(errors[1] / errors[2], 4, 0.3);
 }
 
+/// A body of 100 g above a floor, as it falls by fixed steps of 1 ms.
+struct Fall {
+  MovingScene scene;
+  int body = 0;
+  SceneRun run;
+};
+
+Fall fall(const ShapeSpec& shape, const Pose<double>& X_WB, double seconds) {
+  Fall out;
+  Pose<double> X;
+  X.p.z() = -0.05;
+  sample::add_body(out.scene, "floor", primitive(ShapeKind::kBox, {1, 1, 0.1}), 0, X);
+  out.body = sample::add_body(out.scene, "body", shape, 0.1, X_WB);
+  out.scene.friction.coefficient = 0.5;
+  SceneOptions options;
+  options.method = SteppingMethod::kTimeStepping;
+  options.seconds = seconds;
+  options.step = options.sample = 1e-3;
+  out.run = simulate_scene(out.scene, options);
+  return out;
+}
+
+/// What the floor bears at an instant [N].
+double borne(const SceneSample& at) {
+  double force = 0;
+  for (const ContactSample& contact : at.contacts) force += std::abs(contact.force.z());
+  return force;
+}
+
+// A ball that lands stays where it landed, borne with its weight from the third step on.
+TEST(SimulateScene, FixedStepsDoNotBounce) {
+  for (const double height : {1e-4, 1e-3, 0.02, 0.1, 0.5}) {
+    SCOPED_TRACE(height);
+    Pose<double> X;
+    X.p.z() = 0.02 + height;
+    const Fall ball = fall(primitive(ShapeKind::kSphere, {0.02, 0.02, 0.02}), X, 0.6);
+    const std::vector<SceneSample>& samples = ball.run.samples;
+    const auto lands = std::find_if(samples.begin(), samples.end(),
+                                    [](const SceneSample& at) { return borne(at) > 0; });
+    ASSERT_NE(lands, samples.end());
+    EXPECT_NEAR(lands->t, std::sqrt(2 * height / kG), 2.1e-3);
+    for (auto at = lands + 3; at < samples.end(); ++at) {
+      EXPECT_NEAR(centre(ball.scene, ball.body, *at).z(), 0.02, 1e-12);
+      EXPECT_NEAR(borne(*at), 0.1 * kG, 1e-8);
+      EXPECT_LT(at->v.norm(), 1e-9);
+    }
+  }
+}
+
+// A box that falls on a corner rocks until it lies; then nothing alternates from step to step.
+TEST(SimulateScene, FixedStepsComeToRest) {
+  Pose<double> X;
+  X.p.z() = 0.06;
+  X.R = (Eigen::AngleAxisd(0.3, Eigen::Vector3d::UnitX()) *
+         Eigen::AngleAxisd(0.2, Eigen::Vector3d::UnitY()))
+            .toRotationMatrix();
+  const Fall box = fall(primitive(ShapeKind::kBox, {0.06, 0.05, 0.04}), X, 2);
+  const std::vector<SceneSample>& samples = box.run.samples;
+  EXPECT_NEAR(centre(box.scene, box.body, samples.back()).z(), 0.02, 1e-9);
+  for (auto at = samples.end() - 100; at < samples.end(); ++at) {
+    EXPECT_NEAR(borne(*at), 0.1 * kG, 1e-6);
+    EXPECT_LT(at->v.norm(), 1e-6);
+  }
+}
+
 // Eleven contacts have more rows than ball, palm and fingers have freedoms. What a step of 10 ms
 // leaves of its problem is within the solver's own tolerance, as gaps are known to a rounding of
 // 2e-16 m and ask for 4e-14 m/s, 4e-13 of the 0.1 m/s that gravity gives in a step.
