@@ -11,7 +11,6 @@ namespace thenar {
 namespace {
 
 constexpr long kStepsBetweenLooks = 16;  // at whether to stop
-constexpr double kLargestInput = 1e6;    // of any kind: beyond, it is a mistake [N m], [N], [rad]
 
 /// Whether a coordinate's first joint slides.
 bool slides_along(const MovingScene& scene, int coordinate) {
@@ -19,6 +18,14 @@ bool slides_along(const MovingScene& scene, int coordinate) {
     if (is_scalar(joint.kind) && joint.coordinate == coordinate)
       return joint.kind == JointKind::kSlide;
   return false;
+}
+
+/// @throws InputError, also for what is no number
+void check_size(const std::map<std::string, double>& values, const std::string& kind,
+                const std::string& unit, double most) {
+  for (const auto& [name, value] : values)
+    require(std::abs(value) <= most, "{} of '{}': wanted a number within {:g} {}, got {}", kind,
+            name, most, unit, value);
 }
 
 }  // namespace
@@ -33,7 +40,10 @@ LiveMotion::LiveMotion(MotionSource source, const HistoryLimits& limits)
     coordinates_.push_back(coordinates[c].name);
     index_of_[coordinates[c].name] = static_cast<int>(c);
   }
-  for (ElementControl& control : stepper_.controls()) controls_[control.name] = control;
+  for (ElementControl& control : stepper_.controls()) {
+    if (control.unit == "N") control.upper = std::min(control.upper, kLargestTension);
+    controls_[control.name] = control;
+  }
   moving_ = moving_bodies(scene().mechanism, stepper_.model());
   readings_ = stepper_.readings();
   for (const std::string& muscle : picture_.tendons.muscles()) {
@@ -203,11 +213,8 @@ void LiveMotion::set(const MotionInputs& inputs) {
   // Everything is looked at before anything is set.
   for (const auto& [name, value] : inputs.efforts) (void)coordinate_named(name);
   for (const std::string& name : inputs.release) (void)coordinate_named(name);
-  for (const auto* values :
-       {&inputs.efforts, &inputs.targets, &inputs.tensions, &inputs.excitations})
-    for (const auto& [name, value] : *values)
-      require(std::abs(value) <= kLargestInput, "'{}': wanted a number within {:g}, got {}", name,
-              kLargestInput, value);
+  check_size(inputs.efforts, "effort", "N m or N", kLargestEffort);
+  check_size(inputs.targets, "target", "rad or m", kFarthestTarget);
   check_targets(inputs.targets);
   check_controls(inputs.tensions, "N");
   check_controls(inputs.excitations, "1");

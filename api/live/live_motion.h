@@ -15,6 +15,11 @@
 
 namespace thenar {
 
+/// Largest inputs of a motion: beyond them is a mistake, and steps take longer than anybody waits.
+inline constexpr double kLargestEffort = 1e4;   // [N m], of sliding coordinates [N]
+inline constexpr double kFarthestTarget = 1e3;  // either way from zero [rad] or [m]
+inline constexpr double kLargestTension = 5e3;  // [N]
+
 /// What drives a scene from now on, by names; what is not named stays as it is set.
 struct MotionInputs {
   std::map<std::string, double> efforts;      // of coordinates, in place of drives [N m] or [N]
@@ -29,7 +34,7 @@ struct MotionInput {
   std::string name;
   std::string kind;             // "effort", "target", "tension", "excitation"
   std::string unit;             // "N m", "N", "rad", "m", "1"
-  double lower = 0, upper = 0;  // infinite: no limit is known
+  double lower = 0, upper = 0;  // of the thing itself; infinite: no limit is known
   std::optional<double> set;    // absent: it is as the scene has it
 };
 
@@ -58,7 +63,8 @@ class LiveMotion final : public LiveTimeline {
   ///         good last.
   MotionQuality step(long count, const Progress& progress) override;
   /// Sets inputs, all or, where one is refused, none.
-  /// @throws InputError with the nearest name of what is not there, or where a value is impossible.
+  /// @throws InputError with the nearest name of what is not there, or where a value is impossible
+  ///         or beyond the largest inputs above.
   void set(const MotionInputs& inputs);
   [[nodiscard]] std::vector<MotionInput> inputs() const;
 
@@ -97,7 +103,7 @@ class LiveMotion final : public LiveTimeline {
   std::vector<std::string> coordinates_;
   std::map<std::string, double> efforts_, targets_;  // that are set, by coordinate
   std::map<std::string, int> index_of_;              // of coordinates
-  std::map<std::string, ElementControl> controls_;   // as they were at the start
+  std::map<std::string, ElementControl> controls_;   // what each may be set to
   MotionHistory history_;
   PastInstant newest_;     // its room
   std::size_t shown_ = 0;  // of the history

@@ -18,7 +18,10 @@ constexpr double kMostSteps = 1e6;  // of one request
 
 // Parameters.
 
-Schema numbers_by_name(const std::string& unit) { return map_schema(number_schema(unit)); }
+/// @param least, most  in the unit
+Schema numbers_by_name(const std::string& unit, double least, double most) {
+  return map_schema(number_schema(unit, least, most));
+}
 
 SchemaMember step_member() {
   return {"step", number_schema("s", 1e-6, 0.1),
@@ -26,12 +29,14 @@ SchemaMember step_member() {
 }
 
 std::vector<SchemaMember> input_members() {
-  return {{"efforts", numbers_by_name("N m or N"),
+  return {{"efforts", numbers_by_name("N m or N", -kLargestEffort, kLargestEffort),
            "Coordinate -> effort, in place of its drives, cut to their largest."},
-          {"targets", numbers_by_name("rad or m"),
-           "Coordinate -> target of its drive, which must have stiffness."},
-          {"tensions", numbers_by_name("N"), "Muscle -> tension: human:skewed/index/FDP2."},
-          {"excitations", numbers_by_name("1"), "Muscle that contracts -> excitation, 0 to 1."},
+          {"targets", numbers_by_name("rad or m", -kFarthestTarget, kFarthestTarget),
+           "Coordinate -> target of its drive, which must have stiffness; one beyond the limits of "
+           "a joint presses against its stop."},
+          {"tensions", numbers_by_name("N", 0, kLargestTension),
+           "Muscle -> tension: human:skewed/index/FDP2."},
+          {"excitations", numbers_by_name("1", 0, 1), "Muscle that contracts -> excitation."},
           {"release", list_schema(text_schema(), 0, 1000),
            "Coordinates that go back to the drives of the scene."}};
 }
@@ -319,7 +324,7 @@ void add_stepping_methods(MethodTable& table) {
   table.add(
       {"motion.inputs", "Names what can be set.", object_schema({}),
        "inputs [{name, kind: effort, target, tension or excitation, unit, lower, upper, set}]; "
-       "null: no limit is known, nothing is set",
+       "null: no limit of its own is known, nothing is set",
        "{}", motion_inputs});
 }
 

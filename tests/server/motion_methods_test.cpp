@@ -3,6 +3,9 @@
 #include <chrono>
 #include <cstdio>
 #include <limits>
+#include <string>
+#include <tuple>
+#include <vector>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -109,6 +112,33 @@ TEST_F(MotionMethods, WorldsMoveAsTheyStand) {
   const OrderedJson reply = call("motion.step", {{"steps", 100}, {"want", {"joints", "bodies"}}});
   EXPECT_EQ(reply["unsolved"], 0);
   EXPECT_GT(reply["joints"].size(), 0u);
+}
+
+TEST_F(MotionMethods, RefuseInputsFarOutOfSense) {
+  (void)call("motion.open", {{"scene", "human_cylinder"}});
+  const std::string joint = "human:skewed/PIP2", muscle = "human:skewed/index/FDP2";
+  const std::vector<std::tuple<const char*, std::string, double, const char*>> refused{
+      {"efforts", joint, 1e308, "-10000 to 10000"},
+      {"targets", joint, -1e6, "-1000 to 1000"},
+      {"tensions", muscle, -1, "0 to 5000"},
+      {"tensions", muscle, 1e6, "0 to 5000"},
+      {"excitations", muscle, 1.5, "0 to 1"}};
+  for (const char* method : {"motion.set", "motion.step"})
+    for (const auto& [kind, name, value, range] : refused) {
+      // What comes along with it is not set either.
+      Json params{{"efforts", {{"human:skewed/DIP2", 0.1}}}};
+      params[kind][name] = value;
+      EXPECT_THAT(
+          refusal(method, params),
+          testing::AllOf(HasSubstr("params." + std::string(kind) + "." + name), HasSubstr(range)))
+          << method;
+    }
+  EXPECT_EQ(call("motion.state")["t"], 0.0);
+  const OrderedJson inputs = call("motion.inputs");
+  EXPECT_GT(inputs["inputs"].size(), 50U);
+  for (const OrderedJson& input : inputs["inputs"]) {
+    EXPECT_EQ(input["set"], nullptr) << input["name"];
+  }
 }
 
 // The same requests have the same replies, to the last bit.

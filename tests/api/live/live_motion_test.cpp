@@ -215,10 +215,26 @@ TEST(LiveMotion, PlayPausesOnceWhereTheSceneEnds) {
 
 TEST(LiveMotion, RefusesInputsThatAreMistakes) {
   LiveMotion motion(scene_called("pinch"));
-  for (const double value : {1e308, -2e6, std::nan(""), -HUGE_VAL})
+  for (const double value : {1e308, -10001.0, std::nan(""), -HUGE_VAL})
     EXPECT_THAT(message_of([&] { motion.set(effort("left", value)); }),
-                HasSubstr("'left': wanted a number within 1e+06, got"));
-  EXPECT_NO_THROW(motion.set(effort("left", 1e6)));
+                HasSubstr("effort of 'left': wanted a number within 10000 N m or N, got"));
+  EXPECT_NO_THROW(motion.set(effort("left", 1e4)));
+  // A target beyond the limits of a joint presses against its stop.
+  LiveMotion held(world_called("jaw_box"));
+  EXPECT_NO_THROW(held.set({{}, {{"parallel_jaw/opening", 1}}, {}, {}, {}}));
+  EXPECT_THAT(message_of([&] {
+                held.set({{}, {{"parallel_jaw/opening", -1001}}, {}, {}, {}});
+              }),
+              HasSubstr("wanted a number within 1000 rad or m, got -1001"));
+  // Steps under twenty thousand newtons do not end, nor hear that they are to stop.
+  LiveMotion pulled(scene_called("human_cylinder"));
+  const std::string muscle = "human:skewed/thumb/EPL";
+  for (const double value : {-1.0, 5001.0, 1e308, std::nan("")})
+    EXPECT_THAT(message_of([&] {
+                  pulled.set({{}, {}, {{muscle, value}}, {}, {}});
+                }),
+                HasSubstr("must be 0 to 5000 N, got"));
+  EXPECT_NO_THROW(pulled.set({{}, {}, {{muscle, 5000}}, {}, {}}));
 }
 
 // What was driven then, whatever is set now.
