@@ -62,7 +62,7 @@ OrderedJson get_joints(Session& session, const Json& params, const Progress& /*p
 OrderedJson put_joints(Session& session, const Json& params, const Progress& /*progress*/) {
   const SetJoints set =
       set_joints(live_world(session), text_param(params, "hand"), named_numbers(params, "joints"));
-  return {{"joints", set.joints}, {"limited", set.limited}};
+  return {{"joints", set.joints}, {"limited", set.limited}, {"parted", set.parted}};
 }
 
 OrderedJson open(Session& session, const Json& params, const Progress& /*progress*/) {
@@ -109,12 +109,14 @@ void add_hand_methods(MethodTable& table) {
              get_joints});
   table.add(
       {"hand.set_joints",
-       "Sets joints within their limits; joints of one drive follow its first, unless they are "
-       "named themselves, as a clutch that has opened leaves them.",
+       "Sets joints within their limits. One that is named alone of its drive moves all joints of "
+       "the drive; several that are named part, as a clutch that has opened leaves them.",
        object_schema({hand_member(),
                       {"joints", map_schema(number_schema("rad or m", -1000, 1000)),
                        "Joint -> value.", true}}),
-       "joints: all of the hand [rad or m]; limited: those that stopped at a limit",
+       "joints: all of the hand [rad or m]; limited: those that stopped at a limit; parted: those "
+       "of "
+       "the hand that do not stand where their drive would take them",
        R"({"joints": {"opening": 0.03}})", put_joints});
   table.add({"hand.open", "Opens a hand; an arm that carries it stays.",
              object_schema({hand_member()}), "joints: all of the hand [rad or m]", "{}", open});

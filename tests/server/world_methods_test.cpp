@@ -124,6 +124,21 @@ TEST(WorldMethods, PlaceByQuaternions) {
   EXPECT_EQ(box["position"][2], 0.12);  // stays
 }
 
+// The gears of a finger of the Barrett hand turn J3 by a third of J2, until a clutch opens.
+TEST(HandMethods, MoveBothJointsOfABarrettFingerAndTellWhereTheyPart) {
+  Client client;
+  (void)client.ask("world.load", {{"world", "barrett_bobbin"}});
+  const OrderedJson led = client.ask("hand.set_joints", {{"joints", {{"finger 1 J3", 0.3}}}});
+  EXPECT_EQ(led["joints"]["finger 1 J3"], 0.3);
+  EXPECT_NEAR(led["joints"]["finger 1 J2"].get<double>(), 0.9, 1e-8);
+  EXPECT_EQ(led["joints"]["finger 2 J2"], 0.0);
+  EXPECT_EQ(led["parted"], OrderedJson::array());
+  const OrderedJson open =
+      client.ask("hand.set_joints", {{"joints", {{"finger 1 J2", 0.6}, {"finger 1 J3", 0.3}}}});
+  EXPECT_EQ(open["joints"]["finger 1 J2"], 0.6);
+  EXPECT_EQ(open["parted"], OrderedJson({"finger 1 J3"}));
+}
+
 TEST(GraspMethods, AnswerAsTheCommandDoes) {
   for (const char* world : {"barrett_bobbin", "jaw_box", "human_mug"}) {
     Client client;

@@ -1,7 +1,9 @@
 #include "api/live/world/world_edits.h"
 
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
+#include <map>
 #include <utility>
 
 #include <fmt/format.h>
@@ -94,13 +96,42 @@ Pose<double> moved_to(const Pose<double>& X, const std::optional<Eigen::Vector3d
   return {R.value_or(X.R), position.value_or(X.p)};
 }
 
-/// Values of followers for what their leaders are set to, then what is named itself.
+/// The joint that leads the drive of a joint: itself, unless another one does.
+int leader_of(const LiveHand& hand, int coordinate) {
+  const int leader = hand.leads[static_cast<std::size_t>(coordinate)].leader;
+  return leader < 0 ? coordinate : leader;
+}
+
+/// Joints that are named, and what goes with them: a joint that is named alone of its drive moves
+/// all of it, the followers of a leader that is named with others go with the leader.
 void put_joints(const LiveHand& hand, const std::vector<std::pair<int, double>>& named,
                 Eigen::VectorXd& q) {
-  for (const auto& [c, value] : named)
+  std::map<int, int> named_of_drive;  // leader -> how many are named
+  for (const auto& [c, value] : named) ++named_of_drive[leader_of(hand, c)];
+  for (const auto& [c, value] : named) {
+    const int leader = leader_of(hand, c);
+    if (c != leader && named_of_drive[leader] > 1) continue;
+    const double ratio = c == leader ? 1 : hand.leads[static_cast<std::size_t>(c)].ratio;
+    if (ratio == 0) continue;
+    q[leader] = value / ratio;
     for (std::size_t f = 0; f < hand.leads.size(); ++f)
-      if (hand.leads[f].leader == c) q[static_cast<Eigen::Index>(f)] = hand.leads[f].ratio * value;
+      if (hand.leads[f].leader == leader)
+        q[static_cast<Eigen::Index>(f)] = hand.leads[f].ratio * q[leader];
+  }
   for (const auto& [c, value] : named) q[c] = value;
+}
+
+/// Followers that do not stand where their leader would take them.
+std::vector<std::string> parted_joints(const LiveHand& hand, const Eigen::VectorXd& q) {
+  constexpr double kSame = 1e-9;  // [rad] or [m]
+  std::vector<std::string> parted;
+  for (std::size_t f = 0; f < hand.leads.size(); ++f) {
+    const JointLead& lead = hand.leads[f];
+    if (lead.leader >= 0 &&
+        std::abs(q[static_cast<Eigen::Index>(f)] - lead.ratio * q[lead.leader]) > kSame)
+      parted.push_back(hand.model().layout().coordinates[f]);
+  }
+  return parted;
 }
 
 }  // namespace
@@ -248,6 +279,7 @@ SetJoints set_joints(LiveWorld& live, const std::string& hand,
     live.apply(with_posture(live.state(), index, q),
                "move joints of " + name_of(live.state(), found), key);
   set.joints = joints_of(live.state(), index);
+  set.parted = parted_joints(*live.state().hands[index].built, q);
   return set;
 }
 

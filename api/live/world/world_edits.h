@@ -49,10 +49,13 @@ void place_thing(LiveWorld& live, const std::string& name,
 struct SetJoints {
   std::map<std::string, double> joints;  // all of the hand [rad] or [m]
   std::vector<std::string> limited;      // those that came to rest at a limit before their target
+  std::vector<std::string> parted;       // of the hand: not where the leader of their drive takes
+                                         // them, as where a clutch has opened
 };
 
-/// Sets joints of a hand, within their limits. Joints that a drive moves follow the first of it,
-/// in the ratio of their gears, unless they are named themselves.
+/// Sets joints of a hand, within their limits. A joint that is named alone of its drive moves all
+/// joints of the drive, in the ratio of their gears; several that are named stand where they are
+/// told to, and the others go with the first of the drive if that is among them.
 /// @param hand  name; empty: the only one
 /// @throws InputError for a joint that the hand has not, with the nearest name
 SetJoints set_joints(LiveWorld& live, const std::string& hand,

@@ -118,11 +118,11 @@ TEST(LiveWorld, RefusesNamesThatTheSystemDoesNotTake) {
   const std::string folder = working_folder("names");
   fs::create_symlink("circle.toml", fs::path(folder) / "circle.toml");
   LiveWorld live(places(folder));
-  for (const std::string& file :
-       {std::string(600, 'a') + ".toml", std::string(600, 'a') + "/x.toml",
-        std::string("circle.toml")})
+  for (const std::string& file : {std::string(600, 'a') + ".toml",
+                                  std::string(600, 'a') + "/x.toml", std::string("circle.toml")})
     EXPECT_THAT([&] { (void)save_live_world(live, file); },
-                ThrowsMessage<InputError>(HasSubstr("cannot be written: "))) << file;
+                ThrowsMessage<InputError>(HasSubstr("cannot be written: ")))
+        << file;
 }
 
 // The file that a world was loaded from or saved to is its own; any other one is somebody else's.
@@ -232,14 +232,31 @@ TEST(LiveWorld, CoupledJointsFollowTheirLeader) {
   (void)load_world(live, "barrett_bobbin");
   const LiveHand& hand = *live.state().hands[0].built;
   const std::vector<std::string>& names = hand.model().layout().coordinates;
+  int pairs = 0;
   for (std::size_t f = 0; f < names.size(); ++f) {
     if (hand.leads[f].leader < 0) continue;
     const std::string leader = names[static_cast<std::size_t>(hand.leads[f].leader)];
     const SetJoints set = set_joints(live, "", {{leader, 0.9}});
     EXPECT_NEAR(set.joints.at(names[f]), 0.9 * hand.leads[f].ratio, 1e-15);
-    // A posture in which the clutch is open can be set as a whole.
-    EXPECT_EQ(set_joints(live, "", {{leader, 0.9}, {names[f], 0.5}}).joints.at(names[f]), 0.5);
+    EXPECT_TRUE(set.parted.empty());
+    // A posture in which the clutch is open can be set as a whole, and is told.
+    const SetJoints open = set_joints(live, "", {{leader, 0.9}, {names[f], 0.5}});
+    EXPECT_EQ(open.joints.at(leader), 0.9);
+    EXPECT_EQ(open.joints.at(names[f]), 0.5);
+    EXPECT_THAT(open.parted, testing::ElementsAre(names[f]));
+    EXPECT_THAT(set_joints(live, "", {{"spread", 0.1}}).parted, testing::ElementsAre(names[f]));
+    // One motor moves both: the follower alone takes its leader along.
+    const SetJoints led = set_joints(live, "", {{names[f], 0.25}});
+    EXPECT_EQ(led.joints.at(names[f]), 0.25);
+    EXPECT_NEAR(led.joints.at(leader), 0.25 / hand.leads[f].ratio, 1e-15);
+    EXPECT_TRUE(led.parted.empty());
+    // Beyond its limit both stop where the drive does.
+    const SetJoints limited = set_joints(live, "", {{names[f], 5}});
+    EXPECT_THAT(limited.limited, testing::UnorderedElementsAre(leader, names[f]));
+    EXPECT_TRUE(limited.parted.empty());
+    ++pairs;
   }
+  EXPECT_EQ(pairs, 3);  // three fingers
 }
 
 TEST(LiveWorld, AddsObjectsAndHandsUnderNamesThatAreFree) {
