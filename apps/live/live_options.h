@@ -24,7 +24,7 @@ struct LiveArguments {
 };
 
 /// FILE, --port, --bind, --token, --log, --data. @returns --port
-/// @param count  how many files there may be;  @param port  what --port is for
+/// @param count  how many files there may be; -1: any number;  @param port  what --port is for
 CLI::Option* add_live_options(CLI::App& command, LiveArguments& arguments, int count,
                               const std::string& port);
 

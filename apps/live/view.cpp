@@ -79,7 +79,7 @@ void add_view(CLI::App& app) {
   auto options = std::make_shared<ViewArguments>();
   CLI::App* command = app.add_subcommand(
       "view", "Show and move worlds, motions, digits and fits in the browser; Ctrl-C ends it");
-  add_live_options(*command, options->live, 100, "Port of the page; 0 takes a free one");
+  add_live_options(*command, options->live, -1, "Port of the page; 0 takes a free one");
   command
       ->add_option("--remote", options->remote,
                    "Port at which programs control what the page shows; 0 takes a free one")

@@ -436,6 +436,10 @@ class Access(unittest.TestCase):
         _, error = run("serve", "--stdio", "--token", "0123456789abcdef", code=1)
         self.assertIn("wanted no --token", error)
 
+    def test_help_says_how_many_files_there_may_be(self):
+        self.assertIn("thenar view [OPTIONS] [file...]\n", run("view", "--help")[0])
+        self.assertIn("thenar serve [OPTIONS] [file]\n", run("serve", "--help")[0])
+
     def test_other_machines_come_in_with_a_token_alone(self):
         _, error = run("view", "--bind", "0.0.0.0", "--no-open", code=1)
         self.assertIn("--token", error)
