@@ -142,8 +142,11 @@ void add_file_rows(MethodTable& table) {
             {"text", text_schema(kWorldText), "The world itself as TOML."},
             {"name", text_schema(kNameLength), "How messages call the text.", false, "text"}}),
        "name: of the world; warnings: what was assumed", R"({"world": "jaw_box"})", load});
-  table.add({"world.text", "The world as the text of its file.", object_schema({}),
-             "toml: a text that world.load takes", "{}", text});
+  table.add(
+      {"world.text",
+       "The world as the text of its file. Refused while hands were imported: no text holds their "
+       "files, save the world and load what was saved.",
+       object_schema({}), "toml: a text that world.load takes", "{}", text});
   table.add(
       {"world.save", "Saves the world in the working folder, with files of imported hands.",
        object_schema(

@@ -237,6 +237,14 @@ TEST(WorldMethods, ImportARobotWithItsMeshesAndSaveItAlong) {
   (void)other.ask("world.load", {{"world", client.folder() + "/kept.toml"}});
   EXPECT_EQ(other.ask("hand.get")["joints"].size(), 2U);
   EXPECT_GE(other.session().shown()->shape().bodies.size(), 3U);
+  // What the refusal of a text advises: what was saved is loaded, and has a text.
+  EXPECT_THAT(client.refusal("world.text"), HasSubstr("load what was saved"));
+  (void)client.ask("hand.set_joints", {{"joints", {{"j_left", 0.02}}}});
+  (void)client.ask("world.save", {{"file", "kept.toml"}});
+  (void)client.ask("world.load", {{"world", client.folder() + "/kept.toml"}});
+  const OrderedJson text = client.ask("world.text");
+  (void)client.ask("world.load", {{"text", text["toml"]}});
+  EXPECT_EQ(client.ask("world.get")["hands"][0]["joints"]["j_left"], 0.02);
 }
 
 // Each session numbers what is dropped into it from 1 on: a world that came with files has that

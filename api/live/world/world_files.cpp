@@ -132,7 +132,7 @@ std::string world_text(const LiveWorld& live) {
   for (const PlacedHand& hand : world.hands)
     require(imported_file(live, hand).empty(),
             "the files of the hand '{}' were imported, and no text holds them: save the world, "
-            "which writes them beside it",
+            "which writes them beside it, and load what was saved",
             hand.name);
   return world_toml(seen_from_folder(world, live.places().folder));
 }
