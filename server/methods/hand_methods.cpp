@@ -115,8 +115,7 @@ void add_hand_methods(MethodTable& table) {
                       {"joints", map_schema(number_schema("rad or m", -1000, 1000)),
                        "Joint -> value.", true}}),
        "joints: all of the hand [rad or m]; limited: those that stopped at a limit; parted: those "
-       "of "
-       "the hand that do not stand where their drive would take them",
+       "of the hand that do not stand where their drive would take them",
        R"({"joints": {"opening": 0.03}})", put_joints});
   table.add({"hand.open", "Opens a hand; an arm that carries it stays.",
              object_schema({hand_member()}), "joints: all of the hand [rad or m]", "{}", open});
