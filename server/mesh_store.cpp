@@ -10,8 +10,9 @@
 namespace thenar {
 namespace {
 
-constexpr unsigned long kScenesKept = 8;  // a client may still fetch what an older scene named
-constexpr std::size_t kIdDigits = 32;     // of the SHA-256 in hexadecimal: 128 bits
+constexpr unsigned long kScenesKept = 8;      // a client may still fetch what an older scene named
+constexpr Eigen::Index kFewVertices = 65536;  // that two bytes count
+constexpr std::size_t kIdDigits = 32;         // of the SHA-256 in hexadecimal: 128 bits
 
 }  // namespace
 
@@ -19,12 +20,17 @@ std::string mesh_bytes(const TriangleMesh& mesh) {
   constexpr auto kMost = std::numeric_limits<std::uint32_t>::max();
   require(mesh.vertices.cols() <= kMost && mesh.triangles.cols() <= kMost,
           "a mesh of {} vertices is too large to be shown", mesh.vertices.cols());
-  LittleEndian out(
-      static_cast<std::size_t>(8 + 12 * (mesh.vertices.cols() + mesh.triangles.cols())));
+  const bool few = mesh.vertices.cols() <= kFewVertices;
+  LittleEndian out(static_cast<std::size_t>(8 + 12 * mesh.vertices.cols() +
+                                            (few ? 6 : 12) * mesh.triangles.cols()));
   out.add<std::uint32_t>(mesh.vertices.cols());
   out.add<std::uint32_t>(mesh.triangles.cols());
   for (const double coordinate : mesh.vertices.reshaped()) out.add<float>(coordinate);
-  for (const int corner : mesh.triangles.reshaped()) out.add<std::uint32_t>(corner);
+  for (const int corner : mesh.triangles.reshaped())
+    if (few)
+      out.add<std::uint16_t>(corner);
+    else
+      out.add<std::uint32_t>(corner);
   return out.take();
 }
 

@@ -12,7 +12,8 @@
 namespace thenar {
 
 /// A mesh as clients read it, little-endian: u32 vertices, u32 triangles, then of every vertex f32
-/// x, y, z [m], then of every triangle three u32 that count vertices from 0.
+/// x, y, z [m], then of every triangle three numbers that count vertices from 0: u16 where there
+/// are up to 65536 vertices, else u32.
 /// @throws InputError if there are more than 2^32 - 1 of either.
 [[nodiscard]] std::string mesh_bytes(const TriangleMesh& mesh);
 

@@ -51,6 +51,11 @@ FRAME = """(() => new Promise((done) => {
 }))()"""
 
 
+# What came over the network: page, scripts, styles, meshes [bytes].
+TRANSFERRED = """[...performance.getEntriesByType('navigation'), ...performance.getEntriesByType('resource')]
+  .reduce((sum, entry) => sum + entry.encodedBodySize, 0)"""
+
+
 def told(name, values, unit):
     values = sorted(values)
     print(f"{name}: median {statistics.median(values):.1f}, worst {values[-1]:.1f} {unit} of {len(values)}", flush=True)
@@ -59,11 +64,21 @@ def told(name, values, unit):
 SIZES = [(1400, 900), (1024, 700)]  # of the window [px]
 
 
+def slider_ways(browser, count):
+    """Frame decoded, picture given, pixels finished [ms] of each of so many moves of a slider."""
+    browser.value("new Promise((done) => setTimeout(done, 1500))")  # the fine picture is over
+    return [browser.value(f"{LATENCY}({k})") for k in range(count)]
+
+
+def slider_to_pixels(browser, count):
+    """The median of so many [ms]."""
+    return statistics.median(way[-1] for way in slider_ways(browser, count))
+
+
 def latencies(browser):
     for width, height in SIZES:
         browser.resize(width, height)
-        browser.value("new Promise((done) => setTimeout(done, 1500))")  # the fine picture is over
-        found = [browser.value(f"{LATENCY}({k})") for k in range(30)]
+        found = slider_ways(browser, 30)
         for what, values in zip(("frame decoded", "picture given", "pixels finished"), zip(*found)):
             told(f"{width} x {height}, from slider to {what}", values, "ms")
     browser.resize(*SIZES[0])
@@ -75,14 +90,20 @@ def resident(program):
         return int(file.read().split()[1]) * os.sysconf("SC_PAGE_SIZE") / 1e6
 
 
+def first_picture_of(browser, program):
+    """Opens the page of a program; when its first picture was there after navigation [ms]."""
+    browser.open(program.address)
+    browser.wait(live_page.FIRST, "the first picture")
+    return browser.value("performance.getEntriesByName('thenar first picture')[0].startTime")
+
+
 def first_picture(browser):
     begin = time.monotonic()
     program = live_page.Program("human:tendons")
     started = time.monotonic()
-    browser.open(program.address)
-    browser.wait(live_page.FIRST, "the first picture")
-    page = browser.value("performance.getEntriesByName('thenar first picture')[0].startTime")
-    print(f"human:tendons: address after {1e3 * (started - begin):.0f} ms, first picture {page:.0f} ms after navigation")
+    page = first_picture_of(browser, program)
+    print(f"human:tendons: address after {1e3 * (started - begin):.0f} ms, first picture {page:.0f} ms after navigation, "
+          f"{browser.value(TRANSFERRED) / 1e6:.2f} MB")
     return program
 
 

@@ -49,8 +49,9 @@ class Sessions(unittest.TestCase):
             for mesh in meshes:
                 status, _, data = http(server.port, "/mesh/" + mesh)
                 vertices, triangles = struct.unpack_from("<II", data)
-                self.assertEqual((status, len(data)), (200, 8 + 12 * (vertices + triangles)))
-                corners = struct.unpack_from(f"<{3 * triangles}I", data, 8 + 12 * vertices)
+                self.assertLess(vertices, 65536)
+                self.assertEqual((status, len(data)), (200, 8 + 12 * vertices + 6 * triangles))
+                corners = struct.unpack_from(f"<{3 * triangles}H", data, 8 + 12 * vertices)
                 self.assertLess(max(corners), vertices)
             self.assertEqual(server.stop()[0], 0)
 

@@ -54,8 +54,8 @@ TEST(SceneMessage, NamesMeshesByTheirContent) {
   EXPECT_EQ(number_at<std::uint32_t>(*bytes, 4), 4U);
   EXPECT_EQ(number_at<float>(*bytes, 8 + 12), 1.0F);
   EXPECT_EQ(number_at<float>(*bytes, 8 + 3 * 12 + 8), 3.0F);
-  EXPECT_EQ(number_at<std::uint32_t>(*bytes, 8 + 4 * 12 + 4), 2U);
-  EXPECT_EQ(bytes->size(), 8U + 4 * 12 + 4 * 12);
+  EXPECT_EQ(number_at<std::uint16_t>(*bytes, 8 + 4 * 12 + 2), 2U);
+  EXPECT_EQ(bytes->size(), 8U + 4 * 12 + 4 * 6);
 }
 
 TEST(SceneMessage, HasCloudsAsNumbers) {
@@ -120,6 +120,25 @@ TEST(StateMessage, TellsOfAMotionThatIsNotShownAndPauses) {
   const OrderedJson state = state_message(session, 1);
   EXPECT_EQ(state["motion"]["shown"], false);
   EXPECT_EQ(state["motion"]["playing"], false);
+}
+
+// Two bytes count up to 65536 vertices, four count more.
+TEST(MeshBytes, CountVerticesByAsManyBytesAsTheyNeed) {
+  for (const Eigen::Index vertices : {3, 65536, 65537}) {
+    TriangleMesh mesh;
+    mesh.vertices.setZero(3, vertices);
+    mesh.triangles.resize(3, 1);
+    mesh.triangles.col(0) << 0, 1, static_cast<int>(vertices - 1);
+    const std::string bytes = mesh_bytes(mesh);
+    const std::size_t start = 8 + 12 * static_cast<std::size_t>(vertices);
+    std::uint32_t last = 0;
+    const std::size_t width = vertices > 65536 ? 4 : 2;
+    ASSERT_EQ(bytes.size(), start + 3 * width);
+    for (std::size_t i = 0; i < width; ++i)
+      last |= static_cast<std::uint32_t>(static_cast<unsigned char>(bytes[start + 2 * width + i]))
+              << (8 * i);
+    EXPECT_EQ(last, vertices - 1);
+  }
 }
 
 // Corners of the file, turned as its nodes say, are the corners of the picture with y up.

@@ -74,15 +74,25 @@ test("frames that are cut off, too long or of another kind are refused", () => {
   assert.throws(() => decodeFrame(other), /THF2/);
 });
 
-test("a mesh is read, and one that names missing corners is refused", () => {
-  const buffer = new ArrayBuffer(8 + 36 + 12);
-  new Uint32Array(buffer, 0, 2).set([3, 1]);
+/// A mesh of one triangle as the server sends it.
+function meshOf(vertices, corners, Corners) {
+  const buffer = new ArrayBuffer(8 + 12 * vertices + 3 * Corners.BYTES_PER_ELEMENT);
+  new Uint32Array(buffer, 0, 2).set([vertices, 1]);
   new Float32Array(buffer, 8, 9).set([0, 0, 0, 1, 0, 0, 0, 1, 0]);
-  new Uint32Array(buffer, 44, 3).set([0, 1, 2]);
-  const { positions, triangles } = decodeMesh(buffer);
+  new Corners(buffer, 8 + 12 * vertices, 3).set(corners);
+  return buffer;
+}
+
+test("a mesh is read, and one that names missing corners is refused", () => {
+  const { positions, triangles } = decodeMesh(meshOf(3, [0, 1, 2], Uint16Array));
   assert.deepEqual([...positions], [0, 0, 0, 1, 0, 0, 0, 1, 0]);
   assert.deepEqual([...triangles], [0, 1, 2]);
-  new Uint32Array(buffer, 44, 3).set([0, 1, 3]);
-  assert.throws(() => decodeMesh(buffer), /beyond the 3/);
-  assert.throws(() => decodeMesh(buffer.slice(0, 40)), /wanted a mesh/);
+  assert.throws(() => decodeMesh(meshOf(3, [0, 1, 3], Uint16Array)), /beyond the 3/);
+  assert.throws(() => decodeMesh(meshOf(3, [0, 1, 2], Uint16Array).slice(0, 40)), /wanted a mesh/);
+});
+
+test("meshes of more than 65536 vertices count them by four bytes", () => {
+  assert.deepEqual([...decodeMesh(meshOf(65536, [0, 1, 65535], Uint16Array)).triangles], [0, 1, 65535]);
+  assert.deepEqual([...decodeMesh(meshOf(65537, [0, 1, 65536], Uint32Array)).triangles], [0, 1, 65536]);
+  assert.throws(() => decodeMesh(meshOf(65537, [0, 1, 2], Uint16Array)), /wanted a mesh/);
 });

@@ -85,14 +85,17 @@ export function decodeFrame(buffer) {
   };
 }
 
-/// A mesh: { positions: Float32Array [m], triangles: Uint32Array }, checked so that no triangle names
+const FEW = 65536; // vertices that two bytes count
+
+/// A mesh: { positions: Float32Array [m], triangles: Uint16Array or Uint32Array }, checked so that no triangle names
 /// a corner that is not there.
 export function decodeMesh(buffer) {
   const view = new DataView(buffer);
   if (view.byteLength < 8) throw new Error("a mesh has 8 bytes at least");
   const [vertices, triangles] = [view.getUint32(0, true), view.getUint32(4, true)];
-  wantLength(view, 8 + 12 * (vertices + triangles), "a mesh");
-  const corners = new Uint32Array(buffer, 8 + 12 * vertices, 3 * triangles);
+  const Corners = vertices <= FEW ? Uint16Array : Uint32Array;
+  wantLength(view, 8 + 12 * vertices + 3 * Corners.BYTES_PER_ELEMENT * triangles, "a mesh");
+  const corners = new Corners(buffer, 8 + 12 * vertices, 3 * triangles);
   if (corners.some((corner) => corner >= vertices))
     throw new Error(`a triangle names a corner beyond the ${vertices} of its mesh`);
   return { positions: new Float32Array(buffer, 8, 3 * vertices), triangles: corners };
