@@ -19,6 +19,10 @@ Json number_or_text(const std::string& cell) {
 
 }  // namespace
 
+Json opening_json(const std::string& asked, const std::string& done, const std::string& learnt) {
+  return {{"asked", asked}, {"done", done}, {"learnt", learnt}};
+}
+
 Json section(const std::string& id, const std::string& title, const std::string& text,
              Json blocks) {
   return {{"id", id}, {"title", title}, {"text", text}, {"blocks", std::move(blocks)}};

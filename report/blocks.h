@@ -19,6 +19,9 @@ struct BlockColumn {
   int digits = -1;   // after the point; -1: four significant
 };
 
+/// The first paragraph of a page, its "opening": what was asked, done and learnt, in sentences.
+[[nodiscard]] Json opening_json(const std::string& asked, const std::string& done,
+                                const std::string& learnt);
 [[nodiscard]] Json section(const std::string& id, const std::string& title, const std::string& text,
                            Json blocks);
 [[nodiscard]] Json text_block(const std::string& text);

@@ -61,6 +61,7 @@ def draw_tendons(browser):
     with Picture(browser, "an_chao_middle") as page:
         page.ask("tendons.set", posture={"MCP3_FE": 0.6, "PIP3": 0.7, "DIP3": 0.35}, tensions={"EDC": 3, "FDP": 12, "FDS": 6})
         browser.value("thenarLive.tabs.choose('tendons')")
+        browser.wait("[...document.querySelectorAll('.page.tendons option')].some((one) => one.value === 'PIP3')", "joints")
         browser.click("#plot-sweep")
         browser.wait("document.querySelectorAll('.page.tendons .charts figure .u-over').length === 2", "two charts")
         browser.value("document.querySelector('#plot-sweep').scrollIntoView()")

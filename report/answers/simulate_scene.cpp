@@ -174,10 +174,6 @@ OrderedJson varied_json(const SimulatedScene& scene) {
   return object;
 }
 
-std::string method_of(const SimulatedScene& scene) {
-  return stepping_names()[static_cast<std::size_t>(scene.built->options.method)];
-}
-
 /// The worst residual of its contact problems.
 std::string residual_words(const SimulatedScene& scene) {
   return has_contact_problems(scene) ? fmt::format("{:.2g}", scene.run.cost.worst_residual) : "n/a";
@@ -211,6 +207,10 @@ OrderedJson outcome_json(const SimulatedScene& scene) {
 }
 
 }  // namespace
+
+std::string method_of(const SimulatedScene& scene) {
+  return stepping_names()[static_cast<std::size_t>(scene.built->options.method)];
+}
 
 std::string varied_words(const SimulatedScene& scene) {
   std::vector<std::string> words;
@@ -331,9 +331,9 @@ std::vector<std::string> warnings_of(const SimulatedScene& scene) {
         "without an estimate of their error",
         scene.run.cost.passed));
   if (scene.run.cost.leaps > 0)
-    warnings.push_back(fmt::format(
-        "in {} steps surfaces moved so fast that they may have gone through each other",
-        scene.run.cost.leaps));
+    warnings.push_back(
+        fmt::format("in {} steps surfaces moved so fast that they may have gone through each other",
+                    scene.run.cost.leaps));
   if (scene.run.cost.deepest > kDeep && has_contact_problems(scene))
     warnings.push_back(fmt::format(
         "surfaces were up to {:.3g} mm inside each other: forces there are not to be trusted, "

@@ -30,6 +30,9 @@ namespace thenar {
 [[nodiscard]] std::string refusal_of(const SimulatedScene& scene);
 [[nodiscard]] std::string refusal_of(const SceneSweep& sweep);
 
+/// "events", "time-stepping" ..
+[[nodiscard]] std::string method_of(const SimulatedScene& scene);
+
 /// "friction 0.5, step 0.001": the numbers of a run that are not as in the file.
 [[nodiscard]] std::string varied_words(const SimulatedScene& scene);
 

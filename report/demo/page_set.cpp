@@ -76,9 +76,8 @@ void link_pages(std::vector<SetPage>& pages) {
   for (SetPage& page : pages) {
     page.page["file"] = page.file;
     page.page["pages"] = list;
-    page.page["opening"] = {{"asked", page.opening.asked},
-                            {"done", page.opening.done},
-                            {"learnt", page.opening.learnt}};
+    page.page["opening"] =
+        opening_json(page.opening.asked, page.opening.done, page.opening.learnt);
   }
 }
 

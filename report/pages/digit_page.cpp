@@ -21,15 +21,30 @@ constexpr std::array<const char*, kDrawnPostures> kTints{"#b8a48a", "#7fa8c9", "
 }  // namespace
 
 Json digit_page(const DigitSweep& about, const std::string& what, Json sections,
-                const MeshTable& meshes) {
+                const MeshTable& meshes, const std::string& learnt) {
   const Fidelity fidelity = about.tendons ? about.tendons->digit().fidelity : Fidelity{};
   Json provenance = provenance_json(about.sources, fidelity);
   provenance["fidelity"] = about.built;
   return {{"title", fmt::format("thenar: {} of {}, {}", what, about.subject, about.digit)},
           {"subtitle", about.built},
+          {"opening",
+           opening_json(
+               fmt::format("What are the {} of the {} of {}?", what, about.digit, about.subject),
+               fmt::format(
+                   "{} computed with {}.",
+                   about.single() ? "One posture was" : fmt::format("{} postures were", about.done),
+                   about.built),
+               learnt)},
           {"provenance", provenance},
           {"meshes", meshes.json()},
           {"sections", std::move(sections)}};
+}
+
+std::string range_words(const std::vector<double>& values, const std::string& unit) {
+  if (values.empty()) return "not to be had";
+  const auto [least, most] = std::minmax_element(values.begin(), values.end());
+  const std::string low = fmt::format("{:.3g}", *least), high = fmt::format("{:.3g}", *most);
+  return (low == high ? low : low + " to " + high) + " " + unit;
 }
 
 std::string digit_introduction(const DigitSweep& about, const std::string& words) {

@@ -27,9 +27,13 @@ namespace thenar {
 /// The largest forces in space, what limits them, over the joints that vary.
 [[nodiscard]] Json page_of(const FeasibleForceAnswer& answer);
 
-/// The frame of such a page. @param what  "Tip force";  @param meshes  that its scenes name
+/// The frame of such a page. @param what  "tip forces";  @param meshes  that its scenes name
+/// @param learnt  for its first paragraph, in sentences
 [[nodiscard]] Json digit_page(const DigitSweep& about, const std::string& what, Json sections,
-                              const MeshTable& meshes);
+                              const MeshTable& meshes, const std::string& learnt);
+
+/// "0.31 N", "0.21 to 0.42 N": the least and the largest of them; "not to be had": there is none.
+[[nodiscard]] std::string range_words(const std::vector<double>& values, const std::string& unit);
 
 /// The text of a first section: what was asked at which postures, and every warning.
 [[nodiscard]] std::string digit_introduction(const DigitSweep& about, const std::string& words);

@@ -158,7 +158,15 @@ Json page_of(const FeasibleForceAnswer& answer) {
     if (answer.points.front().whole) add_set_charts(answer, axes, charts);
     sections.push_back(section("curves", "Over the posture", "", paired(charts)));
   }
-  return digit_page(answer.about, "feasible " + words.many, sections, meshes);
+  std::vector<double> largest;
+  for (const FeasibleForcePoint& point : answer.points)
+    if (point.largest && point.largest->status == Status::kSolved)
+      largest.push_back(point.largest->component);
+  return digit_page(
+      answer.about, "feasible " + words.many, sections, meshes,
+      answer.direction ? fmt::format("The largest {} along the direction that was asked for is {}.",
+                                     words.one, range_words(largest, words.unit))
+                       : "All that muscles can make is drawn below.");
 }
 
 }  // namespace thenar

@@ -266,6 +266,26 @@ std::string introduction(const FitResult& result) {
                      : " What counts is the error of forces that a fit has not seen.");
 }
 
+Json opening_of(const FitResult& result) {
+  const Fit& fit = result.fit;
+  std::vector<std::string> errors;
+  for (const Prediction& each : result.in_sample)
+    errors.push_back(fmt::format("{:.3f} ({})", each.error.relative, each.experiment));
+  const std::string found =
+      fmt::format("The relative error in sample is {}; the data determine {:.1f} parameters.",
+                  fmt::join(errors, ", "), fit.covariance.effective_parameters);
+  return opening_json(
+      fmt::format("What do measured forces tell about a {}?", digit_words(fit)),
+      fmt::format("{} force components were fitted by {}; {} coordinates moved within their "
+                  "priors, {} evaluations.",
+                  measured_numbers(fit.problem), name_of(fit.method), fit.problem.size(),
+                  fit.solution.evaluations),
+      fit.solution.status == Status::kSolved
+          ? found
+          : "The fit did not converge (" + convergence_word(fit.solution) +
+                "): its numbers are those of where it stopped.");
+}
+
 Json digit_section(const Fit& fit, MeshTable& meshes) {
   Json scenes = Json::array();
   for (int s = 0; s < static_cast<int>(fit.problem.specimens().size()); ++s)
@@ -405,6 +425,7 @@ Json page_of(const FitResult& result) {
   return {
       {"title", "thenar: fit of " + whose},
       {"subtitle", fmt::format("{}, started from {}", digit_words(fit), fit.inputs.subject.path)},
+      {"opening", opening_of(result)},
       {"provenance", provenance},
       {"meshes", meshes.json()},
       {"sections", sections}};

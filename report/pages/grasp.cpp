@@ -171,13 +171,24 @@ Json grasp_layers(const HandPicture& picture, const Scene& scene,
 
 Json page_of(const GraspResult& result) {
   MeshTable meshes;
+  const std::string &hand = result.setting.hand.named.name,
+                    &object = result.setting.scene.object.name;
+  const Epsilon& quality = result.grasp.quality;
+  const bool closed = result.grasp.outcome == GraspOutcome::kGrasped;
   const Json sections = sections_of(result, meshes);
-  return {{"title", fmt::format("{} and {}", result.setting.hand.named.name,
-                                result.setting.scene.object.name)},
-          {"subtitle", result.setting.world.description},
-          {"provenance", provenance_of(result)},
-          {"meshes", meshes.json()},
-          {"sections", sections}};
+  return {
+      {"title", fmt::format("{} and {}", hand, object)},
+      {"subtitle", result.setting.world.description},
+      {"opening", opening_json(fmt::format("Does {} hold {}, and against what?", hand, object),
+                               fmt::format("The hand was closed in {}; {} contacts were found.",
+                                           result.setting.world.name, result.grasp.contacts.size()),
+                               fmt::format("The end was: {}.", explanation(result)) +
+                                   (closed ? fmt::format(" Epsilon is {:.4g} to {:.4g}.",
+                                                         quality.lower, quality.upper)
+                                           : ""))},
+      {"provenance", provenance_of(result)},
+      {"meshes", meshes.json()},
+      {"sections", sections}};
 }
 
 Json page_of(const CloseResult& result) { return page_of(result.grasp); }

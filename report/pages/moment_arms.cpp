@@ -56,7 +56,12 @@ Json page_of(const MomentArmAnswer& answer) {
         section("curves", "Moment arms over the posture", "", arm_charts_of(answer)));
   sections.insert(sections.begin(),
                   section("arms", "Moment arms", digit_introduction(answer.about, words), blocks));
-  return digit_page(answer.about, "moment arms", sections, meshes);
+  std::vector<double> arms;
+  for (const MomentArmPoint& point : answer.points)
+    if (point.failure.empty())
+      for (const double arm : point.arms.reshaped()) arms.push_back(arm / kMm);
+  return digit_page(answer.about, "moment arms", sections, meshes,
+                    fmt::format("They are {}.", range_words(arms, "mm")));
 }
 
 }  // namespace thenar

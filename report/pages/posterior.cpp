@@ -8,10 +8,10 @@
 
 #include "kinematics_fit/prediction.h"
 #include "posterior/run/predict_draws.h"
-#include "report/sampling_advice.h"
 #include "report/draws/chains.h"
 #include "report/pages/prediction.h"
 #include "report/parameter_words.h"
+#include "report/sampling_advice.h"
 
 namespace thenar {
 namespace {
@@ -267,6 +267,14 @@ Json page_of(const PosteriorResult& result) {
   provenance["seed"] = fmt::format("{}", run.settings.run.sampler.seed);
   return {{"title", "thenar: posterior of " + title},
           {"subtitle", describe_run(run)},
+          {"opening",
+           opening_json("Which digits agree with the measured forces, and how sure are we?",
+                        describe_run(run) + ".",
+                        run.convergence.warnings.empty()
+                            ? fmt::format("The chains agree: the worst R-hat is {:.3f}, the least "
+                                          "effective sample {:.0f}.",
+                                          run.convergence.worst_r_hat, run.convergence.min_bulk_ess)
+                            : "The chains have not converged: do not use these draws.")},
           {"provenance", provenance},
           {"sections", posterior_sections(posterior_picture(run))}};
 }

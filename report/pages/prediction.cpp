@@ -164,6 +164,13 @@ Json prediction_sections(const PredictResult& result, const std::string& prefix)
 }
 
 Json page_of(const PredictResult& result) {
+  std::vector<std::string> errors;
+  std::size_t trials = 0;
+  for (const PredictedExperiment& each : result.experiments) {
+    trials += each.prediction.trials.size();
+    errors.push_back(
+        fmt::format("{:.3f} ({})", each.prediction.error.relative, each.prediction.experiment));
+  }
   Json sections = prediction_sections(result);
   if (!result.warnings.empty())
     sections[0]["blocks"].insert(sections[0]["blocks"].begin(),
@@ -174,6 +181,11 @@ Json page_of(const PredictResult& result) {
                                       {"reasons", result.warnings}});
   return {{"title", "thenar: predicted fingertip forces"},
           {"subtitle", "by " + result.file},
+          {"opening",
+           opening_json(
+               "Which fingertip forces follow from " + result.file + "?",
+               fmt::format("{} trials were predicted and put beside what was measured.", trials),
+               fmt::format("The relative error is {}.", fmt::join(errors, ", ")))},
           {"provenance",
            fit_provenance(result.inputs, result.sources, result.fidelity, result.fitted_by)},
           {"sections", sections}};

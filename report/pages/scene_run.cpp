@@ -316,6 +316,25 @@ Json run_banner(const SimulatedScene& scene) {
           {"reasons", warnings}};
 }
 
+Json opening_of(const SimulatedScene& scene) {
+  // Who touches at the end, with the force of each pair.
+  const std::vector<MechanismBody>& bodies = scene.built->scene.mechanism.bodies;
+  std::vector<std::string> touching;
+  for (const PairMeasure& pair : scene.measures.pairs)
+    if (pair.points > 0)
+      touching.push_back(
+          fmt::format("{} and {} ({:.3g} N)", bodies[static_cast<std::size_t>(pair.a)].name,
+                      bodies[static_cast<std::size_t>(pair.b)].name, pair.force.norm()));
+  return opening_json(
+      "What happens in this scene: " + scene.description + "?",
+      fmt::format("{:.6g} s were simulated by {}, {} steps.", scene.run.samples.back().t,
+                  method_of(scene), scene.run.cost.steps),
+      refusal_of(scene).empty() ? (touching.empty() ? "At the end nothing touches."
+                                                    : fmt::format("At the end these touch: {}.",
+                                                                  fmt::join(touching, ", ")))
+                                : "The motion is not to be used: " + refusal_of(scene) + ".");
+}
+
 Json page_of(const SimulatedScene& scene) {
   MeshTable meshes;
   Json blocks = Json::array({run_banner(scene)});
@@ -334,6 +353,7 @@ Json page_of(const SimulatedScene& scene) {
   return {{"title", fmt::format("Scene {}", scene.name)},
           {"subtitle",
            fmt::format("{} after {:.6g} s", name_of(scene.run.status), scene.run.samples.back().t)},
+          {"opening", opening_of(scene)},
           {"provenance", provenance_json(scene.sources)},
           {"meshes", meshes.json()},
           {"sections", std::move(sections)}};

@@ -88,7 +88,12 @@ Json page_of(const TipForceAnswer& answer) {
                                        digit_introduction(answer.about, words), blocks)});
   if (!answer.about.single() && !answer.points.empty())
     sections.push_back(section("curves", "Over the posture", "", tip_charts(answer)));
-  return digit_page(answer.about, "tip force", sections, meshes);
+  std::vector<double> sizes;
+  for (const TipForcePoint& point : answer.points)
+    if (point.failure.empty()) sizes.push_back(point.force.norm());
+  return digit_page(
+      answer.about, "tip forces", sections, meshes,
+      fmt::format("The force of the tip on the world is {}.", range_words(sizes, "N")));
 }
 
 }  // namespace thenar
