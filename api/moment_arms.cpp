@@ -1,5 +1,6 @@
 #include "api/moment_arms.h"
 
+#include "api/named/digits.h"
 #include "base/error.h"
 
 namespace thenar {
@@ -61,7 +62,9 @@ MomentArmAnswer moment_arms_of(const DigitCase& digit, const Progress& progress)
     require(trusted(pull.status), "tendon paths are not to be trusted here: {}", pull.warning);
     answer.points.push_back(point_at(tendons, q, pull));
     answer.points.back().length_change -= start;
-    return pull.warning.empty() ? std::vector<std::string>{} : std::vector{pull.warning};
+    if (!pull.warning.empty()) return {pull.warning};
+    return tendons.digit().fidelity.path == Path::kViaPoint ? collapse_warnings(tendons, q)
+                                                            : std::vector<std::string>{};
   };
   ask_postures(answer.about, ask, kept_in(answer.points), progress);
 

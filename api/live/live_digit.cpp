@@ -8,6 +8,7 @@
 #include "base/error.h"
 #include "base/nearest_name.h"
 #include "base/numbers.h"
+#include "base/units.h"
 #include "tendons/net/build_tendons.h"
 #include "tendons/net/net_continuation.h"
 #include "tendons/net/net_derivatives.h"
@@ -234,8 +235,14 @@ DigitCurves LiveDigit::net_curves(const std::string& joint, const PostureGrid& g
   for (Eigen::Index k = 0; k < postures; ++k) {
     const DigitPoint& point = points[static_cast<std::size_t>(k)];
     curves.angle[k] = point.q[varied];
-    if (!point.pull.warning.empty() && doubtful++ == 0)
-      curves.warnings.push_back("first doubt over the sweep: " + point.pull.warning);
+    std::vector<std::string> doubts;
+    if (!point.pull.warning.empty())
+      doubts.push_back(point.pull.warning);
+    else if (case_.bones().fidelity.path == Path::kViaPoint)
+      doubts = collapse_warnings(case_.net->linear(), point.q);
+    if (!doubts.empty() && doubtful++ == 0)
+      curves.warnings.push_back(fmt::format("first doubt over the sweep, at {:.4g} deg: {}",
+                                            degrees(curves.angle[k]), doubts.front()));
     if (!trusted(point.pull.status)) continue;
     curves.arms.col(k) = arms_at(point, t).col(varied);
     curves.lengths.col(k) = lengths_at(point, t) - zero_length_;

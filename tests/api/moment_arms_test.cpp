@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <gtest/gtest.h>
 
 #include "base/units.h"
@@ -99,6 +101,25 @@ TEST(MomentArms, AreOfJointsThatAreCrossed) {
   EXPECT_FALSE(answer.crosses(row("FDS"), 3));
   EXPECT_TRUE(answer.crosses(row("FDP"), 3));
   EXPECT_TRUE(answer.points.front().length_change.isZero(1e-15));  // at the reference itself
+}
+
+// Straight runs cut through a joint that bends far: a flexor extends it there, as no sheath lets
+// it.
+TEST(MomentArms, TellWhereARunHasPassedItsJoint) {
+  for (const double angle : {0.0, 60.0, 86.0}) {
+    DigitRequest request;
+    request.subject = kData + "/subjects/an_chao_middle.toml";
+    request.digit = "middle";
+    request.posture.named = {{"MCP3_FE", angle * kDegree}};
+    const MomentArmAnswer answer = ask_moment_arms(request);
+    const auto flexor = static_cast<Eigen::Index>(
+        std::find(answer.about.muscles.begin(), answer.about.muscles.end(), "FDS") -
+        answer.about.muscles.begin());
+    const bool passed = angle > 80;
+    EXPECT_EQ(answer.points.front().arms(flexor, 0) < 0, passed);
+    const std::string all = fmt::format("{}", fmt::join(answer.about.warnings, "\n"));
+    EXPECT_EQ(all.find("arms of FDS at MCP3_FE") != std::string::npos, passed) << all;
+  }
 }
 
 TEST(MomentArms, AreNotThoseOfANetOrAMap) {
