@@ -15,6 +15,15 @@ SUBJECT = "an_chao_middle"
 TIP_FORCE = """[...document.querySelectorAll('.page.tendons dt')]
   .find((term) => term.textContent === 'along x, y, z')?.nextElementSibling.textContent"""
 
+# Corners of the bodies' box in pixels that are not in the part of the window that no panel covers.
+OUTSIDE = """(() => {
+  const { stage, bodies } = thenarLive.picture, box = bodies.box(), points = [];
+  for (const x of [box.min.x, box.max.x]) for (const y of [box.min.y, box.max.y])
+    for (const z of [box.min.z, box.max.z]) points.push(stage.pixel(box.min.clone().set(x, y, z)));
+  const { insets } = stage, room = stage.canvas.getBoundingClientRect();
+  return points.filter(({ x, y }) => x < room.left + insets.left || x > room.right - insets.right
+    || y < room.top + insets.top || y > room.bottom - insets.bottom).length; })()"""
+
 
 class Modes(LivePage):
     def test_scenes_open_and_step(self):
@@ -57,24 +66,39 @@ class Modes(LivePage):
         self.assertLess(self.browser.value("Number(document.querySelector('.scrub').max)"), 0.3)
         self.assert_no_errors()
 
+    def test_play_pauses_where_the_scene_ends_and_says_so(self):
+        self.start()
+        self.ask("motion.open", json.dumps({"scene": "falling_ball"}))
+        self.browser.wait("thenarLive.store.scene.mode === 'motion' && thenarLive.tabs.chosen() === 'time' && thenarLive.store.frame")
+        words = "!document.querySelector('#scene-end').hidden"
+        self.assertFalse(self.browser.value(words))
+        self.browser.click("#play")
+        self.browser.wait(words, "words of the end")
+        self.assertEqual(self.browser.value("document.querySelector('#play').textContent"), "Play")
+        self.assertAlmostEqual(self.browser.value("thenarLive.store.frame.time"), 0.6, 9)  # duration_s of the file
+        # Play goes on from there, and an instant before is no end.
+        self.browser.click("#play")
+        self.browser.wait("thenarLive.store.frame.time > 0.7", "time goes on")
+        self.assertFalse(self.browser.value(words))
+        self.browser.click("#play")
+        self.browser.wait("thenarLive.store.state.motion.playing === false", "a pause")
+        self.ask("motion.seek", "{t: 0.3}")
+        self.browser.wait("thenarLive.store.frame.time < 0.35", "an instant before")
+        self.assertFalse(self.browser.value(words))
+        self.ask("motion.seek", "{t: 0.6}")
+        self.browser.wait(words, "words of the end, sought")
+        self.assert_no_errors()
+
     def test_the_camera_steps_back_from_what_leaves_the_picture(self):
         self.start()
         self.ask("motion.open", json.dumps({"scene": "pendulum"}))
         self.browser.wait("thenarLive.store.scene.mode === 'motion' && thenarLive.store.frame && thenarLive.picture.complete()"
                           "&& !thenarLive.picture.fitting()", "the pendulum")
-        # Corners of the rod's box in pixels, against the part of the window that no panel covers.
-        outside = """(() => {
-          const { stage, bodies } = thenarLive.picture, box = bodies.box(), points = [];
-          for (const x of [box.min.x, box.max.x]) for (const y of [box.min.y, box.max.y])
-            for (const z of [box.min.z, box.max.z]) points.push(stage.pixel(box.min.clone().set(x, y, z)));
-          const { insets } = stage, room = stage.canvas.getBoundingClientRect();
-          return points.filter(({ x, y }) => x < room.left + insets.left || x > room.right - insets.right
-            || y < room.top + insets.top || y > room.bottom - insets.bottom).length; })()"""
-        self.assertEqual(self.browser.value(outside), 0)
+        self.assertEqual(self.browser.value(OUTSIDE), 0)
         for _ in range(10):
             self.ask("motion.step", "{steps: 50}")
             self.settle()
-            self.assertEqual(self.browser.value(outside), 0)
+            self.assertEqual(self.browser.value(OUTSIDE), 0)
         # Half a period later it has been on the other side; who zooms in by hand stays there.
         zoom = "thenarLive.picture.stage.camera.zoom"
         self.browser.value("(() => { const { camera } = thenarLive.picture.stage; camera.zoom = 3; "

@@ -8,6 +8,7 @@ import { makeEnergyChart, makeHistory } from "../live/panels/energy_chart.js";
 import { sparse } from "../live/panels/live_chart.js";
 import { matches } from "../live/panels/open_dialog.js";
 import { qualityFacts } from "../live/panels/grasp_panel.js";
+import { standsAtEnd } from "../live/panels/time_panel.js";
 import { restFacts } from "../live/panels/tendon_panel.js";
 import { keyed } from "../live/panels/controls.js";
 import { QUANTITIES } from "../live/link/quantities.js";
@@ -241,4 +242,17 @@ test("a file of others is replaced only where the reader says so", async () => {
   const yes = await saved(true);
   assert.deepEqual(yes.sent.at(-1), { file: "x.toml", overwrite: true });
   assert.deepEqual(yes.result, { file: "x.toml" });
+});
+
+test("a scene stands at its end where it paused there, not while it plays or beside it", () => {
+  const paused = { duration: 2, playing: false, recorded: false };
+  assert.equal(standsAtEnd(paused, 2), true);
+  // The last of 8000 steps of 0.25 ms, as they are summed up.
+  assert.equal(standsAtEnd(paused, 8000 * 0.00025), true);
+  for (const time of [0, 1.999, 2.001, NaN]) assert.equal(standsAtEnd(paused, time), false);
+  assert.equal(standsAtEnd({ ...paused, playing: true }, 2), false);
+  // The slider of a recorded run ends with it; worlds have no end.
+  assert.equal(standsAtEnd({ ...paused, recorded: true }, 2), false);
+  assert.equal(standsAtEnd({ ...paused, duration: null }, 0), false);
+  assert.equal(standsAtEnd(null, 2), false);
 });

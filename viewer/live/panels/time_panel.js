@@ -18,6 +18,7 @@ import { makeMotionInputs } from "./motion_inputs.js";
 
 const SPEEDS = ["0.05", "0.1", "0.25", "0.5", "1", "2"];
 const ROWS = 12; // contacts in the table
+const SAME_TIME = 1e-9; // [s]
 
 const speedWords = SPEEDS.map((value) => ({ value, text: `${value} \u00d7` }));
 
@@ -41,6 +42,12 @@ function shownMotion(app) {
   return motion?.shown ? motion : null;
 }
 
+/// Whether a scene stands where its time ends, so that play has paused there or would.
+export function standsAtEnd(motion, time) {
+  if (!motion || motion.playing || motion.recorded || motion.duration == null) return false;
+  return Math.abs(time - motion.duration) <= SAME_TIME;
+}
+
 /// Play, steps, the slider of time and the speed; `energy` forgets what a reset undoes. Returns { element,
 /// follow(frame), show(motion), forget(), toggle(), step(steps) }.
 function makePlayer(app, energy) {
@@ -57,6 +64,12 @@ function makePlayer(app, energy) {
   const seek = latestWins((t) => app.ask("motion.seek", { t }));
   scrub.addEventListener("input", () => seek(Number(scrub.value)));
   let furthest = 0;
+  const end = el(
+    "p",
+    { class: "hint", id: "scene-end", role: "status", hidden: true },
+    "The time of the scene ends here. Play goes on.",
+  );
+  const tellEnd = (time) => (end.hidden = !standsAtEnd(motion(), time));
 
   async function toggle() {
     if (!motion()) return;
@@ -81,18 +94,22 @@ function makePlayer(app, energy) {
     scrub.max = furthest || 1;
     scrub.value = time;
     scrub.setAttribute("aria-valuetext", `${time.toFixed(3)} s`);
-    const end = duration && time <= duration + 1e-9 ? ` of ${duration.toFixed(3)}` : "";
-    clock.textContent = `${time.toFixed(3)}${end}\u202fs`;
+    const whole = duration && time <= duration + SAME_TIME ? ` of ${duration.toFixed(3)}` : "";
+    clock.textContent = `${time.toFixed(3)}${whole}\u202fs`;
+    tellEnd(time);
   };
   const show = (open) => {
     play.textContent = open?.playing ? "Pause" : "Play";
     play.setAttribute("aria-pressed", String(Boolean(open?.playing)));
     if (open?.speed) speed.set(speedWords, String(open.speed));
     for (const one of live) one.hidden = Boolean(open?.recorded);
+    // The state that tells of the pause comes after the frame of it.
+    tellEnd(app.store.frame?.time ?? NaN);
   };
   const element = [
     el("div", { class: "buttons" }, play, ...live),
     el("div", { class: "scrubber" }, scrub, clock),
+    end,
     speed,
   ];
   return { element, follow, show, forget, toggle, step };
