@@ -50,11 +50,13 @@ Publisher::Clock::time_point Publisher::publish(Session& session, const EngineCl
   if (pictured && now < next_) return next_;
   // Whatever fails below is not tried again before something changes.
   const bool everything = !std::exchange(told_, true);
+  // State goes first, so that whoever sees a scene knows what it is of.
+  const auto due = publish_state(session, clients, everything);
   if (pictured) {
     next_ = now + kFrame;
     publish_picture(session, clients, everything);
   }
-  return publish_state(session, clients, everything);
+  return due;
 }
 
 void Publisher::publish_picture(Session& session, const EngineClients& clients, bool everything) {

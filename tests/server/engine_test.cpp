@@ -54,6 +54,17 @@ class Listener final : public EngineClient {
     };
     return wait([&] { return found() != nullptr; }, [&] { return *found(); });
   }
+  /// The state that was told last before the first scene with bodies; null: none was.
+  Json state_before_bodies() {
+    (void)notification("scene", [](const Json& s) { return !s["bodies"].empty(); });
+    const std::lock_guard<std::mutex> lock(mutex_);
+    Json state;
+    for (const Json& message : told_) {
+      if (message["method"] == "state") state = message["params"];
+      if (message["method"] == "scene" && !message["params"]["bodies"].empty()) break;
+    }
+    return state;
+  }
   /// The last frame, when there are this many.
   std::string frame(std::size_t count) {
     return wait([&] { return frames_.size() >= count; }, [&] { return frames_.back(); });
@@ -108,6 +119,24 @@ TEST(Engine, AnswersAndShowsWhatHasChanged) {
   float joint = 0;
   std::memcpy(&joint, watcher->frame(2).data() + 108, 4);
   EXPECT_EQ(joint, 0.25F);
+}
+
+// A page that hears of a scene asks what its motion takes: it has to know which motion it is.
+TEST(Engine, TellsTheStateBeforeTheSceneThatItIsOf) {
+  Engine engine(small_table(), {});
+  const auto watcher = std::make_shared<Listener>(true), late = std::make_shared<Listener>(true);
+  const int number = engine.join(watcher);
+  EXPECT_TRUE(watcher->notification("state")["motion"].is_null());
+  engine.receive(number, request("small.open"));
+  // Both who was there and who comes later.
+  for (const auto& one : {watcher, late}) {
+    if (one == late) (void)engine.join(late);
+    const Json state = one->state_before_bodies();
+    ASSERT_TRUE(state.is_object());
+    EXPECT_EQ(state["mode"], "motion");
+    ASSERT_TRUE(state["motion"].is_object());
+    EXPECT_TRUE(state["motion"]["shown"]);
+  }
 }
 
 TEST(Engine, SendsTheLatestFrameAndFewOfThem) {
