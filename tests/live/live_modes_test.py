@@ -108,6 +108,19 @@ class Modes(LivePage):
         self.assertEqual(self.browser.value(zoom), 3)
         self.assert_no_errors()
 
+    def test_the_camera_steps_back_in_recorded_runs(self):
+        folder = tempfile.mkdtemp(prefix="thenar-live-")
+        subprocess.run([live_page.PROGRAM, "simulate", "pendulum", "-o", f"{folder}/run.h5"], check=True, capture_output=True)
+        self.start(f"{folder}/run.h5")
+        self.browser.wait("thenarLive.store.scene.mode === 'motion' && thenarLive.store.frame && thenarLive.picture.complete()"
+                          "&& !thenarLive.picture.fitting()", "the run")
+        # Also where the run is sought far from what was shown before.
+        for t in (0, 1.9, 0.3, 1.2, 0.6, 0.9):
+            self.ask("motion.seek", json.dumps({"t": t}))
+            self.settle()
+            self.assertEqual(self.browser.value(OUTSIDE), 0, f"at {t} s")
+        self.assert_no_errors()
+
     def test_a_world_begins_to_move(self):
         self.start(ROOT / "data/worlds/jaw_box.toml")
         self.browser.value("thenarLive.tabs.choose('time')")
