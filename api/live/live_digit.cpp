@@ -222,6 +222,13 @@ DigitCurves LiveDigit::sweep(const std::string& joint, int count, const Progress
   return curves;
 }
 
+std::string LiveDigit::doubt_at(const DigitPoint& point) const {
+  if (!point.pull.warning.empty()) return point.pull.warning;
+  if (case_.bones().fidelity.path != Path::kViaPoint) return "";
+  const std::vector<std::string> doubts = collapse_warnings(case_.net->linear(), point.q);
+  return doubts.empty() ? "" : doubts.front();
+}
+
 DigitCurves LiveDigit::net_curves(const std::string& joint, const PostureGrid& grid,
                                   const Progress& progress) const {
   const Eigen::VectorXd& t = now_.tension;
@@ -231,18 +238,17 @@ DigitCurves LiveDigit::net_curves(const std::string& joint, const PostureGrid& g
                      Eigen::MatrixXd::Constant(t.size(), postures, kNaN),
                      Eigen::MatrixXd::Constant(t.size(), postures, kNaN), grid.warnings};
   const int varied = grid.varied.front();
-  std::size_t doubtful = 0;
+  bool doubtful = false;
   for (Eigen::Index k = 0; k < postures; ++k) {
     const DigitPoint& point = points[static_cast<std::size_t>(k)];
     curves.angle[k] = point.q[varied];
-    std::vector<std::string> doubts;
-    if (!point.pull.warning.empty())
-      doubts.push_back(point.pull.warning);
-    else if (case_.bones().fidelity.path == Path::kViaPoint)
-      doubts = collapse_warnings(case_.net->linear(), point.q);
-    if (!doubts.empty() && doubtful++ == 0)
-      curves.warnings.push_back(fmt::format("first doubt over the sweep, at {:.4g} deg: {}",
-                                            degrees(curves.angle[k]), doubts.front()));
+    if (!doubtful) {
+      const std::string doubt = doubt_at(point);
+      doubtful = !doubt.empty();
+      if (doubtful)
+        curves.warnings.push_back(fmt::format("first doubt over the sweep, at {:.4g} deg: {}",
+                                              degrees(curves.angle[k]), doubt));
+    }
     if (!trusted(point.pull.status)) continue;
     curves.arms.col(k) = arms_at(point, t).col(varied);
     curves.lengths.col(k) = lengths_at(point, t) - zero_length_;

@@ -18,6 +18,7 @@ constexpr double kNothing = 1e-150;  // slower is at rest: squares are no number
 constexpr double kRoughest = 1e-9;   // tolerance of contact problems, whatever rounding is [1]
 constexpr double kRoundings = 8;     // of positions, in gaps [1]
 constexpr double kLeastSize = 0.1;   // of a scene, for its rounding [m]
+constexpr double kNow = 0.75;        // share of this step in what the mean takes up [1]
 
 /// Notes a contact that was not closed before.
 void note_deeper(const ActiveContact& contact, StepOutcome& outcome) {
@@ -351,7 +352,7 @@ struct ContactStep::Parts {
 
   /// Without what alternates from step to step. @param before  NaN: there was none
   static double settled(double now, double before) {
-    return std::isnan(before) ? now : 0.75 * now + 0.25 * before;
+    return std::isnan(before) ? now : kNow * now + (1 - kNow) * before;
   }
 
   [[nodiscard]] ContactBlock block_of(const ActiveContact& contact, double h) const {

@@ -120,9 +120,9 @@ class ContactStep {
   ///   q_m = q + h/2 v,   v+ = v + A^-1 (h f(q_m) + J(q_m)' P),   q+ = q_m + h/2 v+,
   /// A = M(q_m) + h/2 D + h^2/4 K with the damping D and stiffness K of joints and drives,
   /// f with springs and dampers at v, and the velocity product at the mean of v and of the speeds
-  /// without impulses. It is of second order while no
-  /// mode changes. A contact may close its gap within a step of middles, u_n+ >= -gap(q_m) / h, and
-  /// depth is pushed out at no more than `recovery`; nothing bounces. Source: [Moreau1988].
+  /// without impulses. It is of second order while no mode changes. A contact may close its gap by
+  /// the next middle, u_n+ >= -gap(q_m) / h, and depth is pushed out at no more than `recovery`;
+  /// nothing bounces. Source: [Moreau1988].
   ///
   /// A contact that touched or stuck before goes on in the mean of both ends, u+ = -u~, which keeps
   /// second order where its Jacobian turns; u~ is 2 gap(q_m) / h or J(q_m)' v. By itself that would

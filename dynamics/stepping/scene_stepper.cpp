@@ -28,7 +28,7 @@ SceneStepper::SceneStepper(const MovingScene& scene, const SceneOptions& options
 
 bool SceneStepper::step(const Progress& progress) {
   if (!is_finite(now_.state)) return true;
-  const SceneInstant before = now_;
+  before_ = now_;
   // A step ends where something begins or ends to act; what differs by rounding is one instant.
   double end = length_ * static_cast<double>(now_.steps + 1);
   const double near = kSameInstant * length_;
@@ -42,7 +42,7 @@ bool SceneStepper::step(const Progress& progress) {
   if (whole)
     ++now_.steps;
   else
-    go_to(before);
+    go_to(before_);
   return whole;
 }
 

@@ -100,6 +100,7 @@ class SceneStepper {
   std::vector<double> switches_;  // [s]
   double length_ = 0;             // of a step [s]
   SceneInstant now_;
+  SceneInstant before_;  // a step; its room
   SceneCost cost_;
 };
 

@@ -213,13 +213,18 @@ MovingScene shot(double speed, double aside) {
   return scene;
 }
 
+/// Steps of 1 ms that may be divided into so many parts at most.
+SceneOptions in_parts(int parts) {
+  SceneOptions options = by_steps_of(1e-3);
+  options.shortest = options.step / parts;
+  return options;
+}
+
 // At 120 m/s the middle of a step of 1 ms lies behind the plate: in one part the ball goes through,
 // in two it is caught.
 TEST(SceneStepper, CountsStepsThatPassThroughSomething) {
   for (const int parts : {1, 256}) {
-    SceneOptions options = by_steps_of(1e-3);
-    options.shortest = options.step / parts;
-    SceneStepper stepper(shot(120, 0), options);
+    SceneStepper stepper(shot(120, 0), in_parts(parts));
     stepper.step();
     EXPECT_EQ(stepper.now().state.q[4] > 0.05, parts == 1);
     EXPECT_EQ(stepper.take_cost().leaps, parts == 1 ? 1 : 0);
@@ -231,9 +236,7 @@ TEST(SceneStepper, CountsStepsThatPassThroughSomething) {
 // not.
 TEST(SceneStepper, CountsStepsThatMayHavePassedSomething) {
   for (const int parts : {16, 256}) {
-    SceneOptions options = by_steps_of(1e-3);
-    options.shortest = options.step / parts;
-    SceneStepper stepper(shot(40, 0.13), options);
+    SceneStepper stepper(shot(40, 0.13), in_parts(parts));
     stepper.step();
     EXPECT_NEAR(stepper.now().state.q[4], 0.04, 1e-12);
     EXPECT_EQ(stepper.cost().leaps, parts == 16 ? 1 : 0);
