@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "api/named/digits.h"
+#include "api/simulate.h"
 #include "base/error.h"
 #include "base/nearest_name.h"
 #include "data/io/result_file.h"
@@ -16,12 +17,9 @@ namespace {
 
 using Eigen::Index;
 
-constexpr const char* kMotionFormat = "thenar motion 1";
-constexpr double kSameTip = 1e-6;       // of a tip, now and in the file [m]
-constexpr double kMostAngle = 10;       // of a joint that moves on [rad]
-constexpr double kNoPull = 1e-6;        // of a tension that rounding made negative [N]
-constexpr std::size_t kPathLadder = 2;  // of explain() and describe()
-constexpr std::size_t kHoodLadder = 3;
+constexpr double kSameTip = 1e-6;  // of a tip, now and in the file [m]
+constexpr double kMostAngle = 10;  // of a joint that moves on [rad]
+constexpr double kNoPull = 1e-6;   // of a tension that rounding made negative [N]
 
 constexpr std::array kPaths{Path::kConstant, Path::kViaPoint, Path::kFitted, Path::kWrapped};
 constexpr std::array kHoods{Hood::kSeparate, Hood::kFractions, Hood::kFloatingNet};
@@ -51,7 +49,7 @@ class MotionReader {
   explicit MotionReader(const std::string& path) : path_(path), file_(read_result(path)) {}
 
   RecordedDigit read() {
-    const std::string format = text_or_none("format");
+    const std::string format = file_.text_or_none("format");
     if (format != kMotionFormat)
       fail(fmt::format("wanted a motion of a digit ('{}'), got '{}'", kMotionFormat, format));
     try {
@@ -69,21 +67,15 @@ class MotionReader {
  private:
   [[noreturn]] void fail(const std::string& what) const { throw DataError(path_, 1, what); }
 
-  /// A text that may be missing.
-  [[nodiscard]] std::string text_or_none(const std::string& key) const {
-    const auto found = file_.texts.find(key);
-    return found == file_.texts.end() || found->second.empty() ? "" : found->second.front();
-  }
-
   // ---- the digit
 
   [[nodiscard]] TendonOptions rungs() const {
     TendonOptions rungs;
-    std::string path = text_or_none("rungs/path"), hood = text_or_none("rungs/hood");
+    std::string path = file_.text_or_none("rungs/path"), hood = file_.text_or_none("rungs/hood");
     const bool named = !path.empty();
     if (!named) {
       // Of an older file: what was built, which a digit with constant arms alone is by itself.
-      const std::vector<std::string> built = parts_of(text_or_none("provenance/fidelity"));
+      const std::vector<std::string> built = parts_of(file_.text_or_none("provenance/fidelity"));
       require(built.size() > kHoodLadder, "it does not say on which rungs");
       path = built[kPathLadder];
       hood = built[kHoodLadder];
@@ -93,28 +85,29 @@ class MotionReader {
     require(path_rung && hood_rung, "there are no rungs '{}' and '{}'", path, hood);
     rungs.path = !named && *path_rung == Path::kConstant ? Path::kViaPoint : *path_rung;
     rungs.hood = *hood_rung;
-    if (text_or_none("rungs/wrist") == "free") rungs.wrist_mode = WristMode::kFree;
+    if (file_.text_or_none("rungs/wrist") == "free") rungs.wrist_mode = WristMode::kFree;
     if (file_.texts.count("name/frozen") == 0) return rungs;
     const std::vector<std::string>& joints = file_.list("name/frozen");
-    const Eigen::MatrixXd angles = table("rungs/frozen_angle", static_cast<Index>(joints.size()), 1);
+    const Eigen::MatrixXd angles =
+        table("rungs/frozen_angle", static_cast<Index>(joints.size()), 1);
     for (std::size_t i = 0; i < joints.size(); ++i)
       rungs.frozen[joints[i]] = angles(static_cast<Index>(i));
     return rungs;
   }
 
   void build() {
-    const std::string text = text_or_none("inputs/1/text");
+    const std::string text = file_.text_or_none("inputs/1/text");
     require(!text.empty(), "it does not keep the text of its subject");
-    out_.subject = parse_subject(text, text_or_none("inputs/1/path"));
+    out_.subject = parse_subject(text, file_.text_or_none("inputs/1/path"));
     out_.digit = choose_digit(out_.subject, file_.text("digit"));
     const TendonOptions options = rungs();
     if (options.hood != Hood::kFloatingNet) {
       out_.tendons = build_digit_tendons(out_.subject, out_.digit, options);
       return;
     }
-    const std::string net = text_or_none("inputs/2/text");
+    const std::string net = file_.text_or_none("inputs/2/text");
     require(!net.empty(), "it does not keep the text of its net");
-    const NetDescription description = parse_net(net, text_or_none("inputs/2/path"));
+    const NetDescription description = parse_net(net, file_.text_or_none("inputs/2/path"));
     out_.tendons = build_digit_tendons(out_.subject, out_.digit, options, &description);
   }
 
@@ -136,16 +129,8 @@ class MotionReader {
 
   // ---- instants
 
-  /// A matrix of finite numbers with so many rows and columns.
   [[nodiscard]] Eigen::MatrixXd table(const std::string& key, Index rows, Index columns) const {
-    const auto found = file_.arrays.find(key);
-    if (found == file_.arrays.end()) fail(fmt::format("it has no '{}'", key));
-    const Eigen::MatrixXd values = file_.matrix(key);
-    if (values.rows() != rows || values.cols() != columns)
-      fail(fmt::format("'{}': wanted {} x {} numbers, got {} x {}", key, rows, columns,
-                       values.rows(), values.cols()));
-    if (!values.allFinite()) fail(fmt::format("'{}' has numbers that are not finite", key));
-    return values;
+    return finite_matrix(file_, path_, key, rows, columns);
   }
 
   void read_instants() {
@@ -188,7 +173,8 @@ class MotionReader {
   }
 
   void tell_outcome() {
-    const std::string status = text_or_none("status"), trouble = text_or_none("trouble");
+    const std::string status = file_.text_or_none("status"),
+                      trouble = file_.text_or_none("trouble");
     if (status != "done") out_.warnings.push_back(fmt::format("the motion ended so: {}", status));
     if (!trouble.empty()) out_.warnings.push_back(trouble);
   }

@@ -16,8 +16,6 @@
 namespace thenar {
 namespace {
 
-constexpr std::size_t kPathRow = 2, kHoodRow = 3;  // of explain()
-
 /// Slack lengths of tendons that the subject does not state, or others.
 void set_slack(const std::map<std::string, double>& slack, Subject& subject) {
   std::vector<std::string> names;
@@ -64,8 +62,8 @@ void add_instants(const Trajectory& t, ResultFile& file) {
 /// By what the digit is built again.
 void add_rungs(const TendonOptions& rungs, ResultFile& file) {
   const std::vector<RungWords> words = explain(Fidelity(rungs.path, rungs.hood));
-  file.add("rungs/path", words[kPathRow].rung);
-  file.add("rungs/hood", words[kHoodRow].rung);
+  file.add("rungs/path", words[kPathLadder].rung);
+  file.add("rungs/hood", words[kHoodLadder].rung);
   file.add("rungs/wrist", rungs.wrist_mode == WristMode::kFree ? "free" : "welded");
   if (rungs.frozen.empty()) return;
   std::vector<std::string> joints;
@@ -115,7 +113,7 @@ SimulatedMotion simulate_digit(const MotionRequest& request, const Progress& pro
 void write_motion(const SimulatedMotion& motion, const std::string& path, const RunRecord& run) {
   const Trajectory& t = motion.trajectory;
   ResultFile file;
-  file.add("format", "thenar motion 1");
+  file.add("format", kMotionFormat);
   file.add("status", name_of(t.status));
   file.add("trouble", t.warning);
   file.add("subject", motion.subject);

@@ -47,6 +47,10 @@ struct [[nodiscard]] SimulatedMotion {
 [[nodiscard]] SimulatedMotion simulate_digit(const MotionRequest& request,
                                              const Progress& progress = {});
 
+/// What files of motions say that they are, and which entries of explain() they keep as rungs.
+inline constexpr const char* kMotionFormat = "thenar motion 1";
+inline constexpr std::size_t kPathLadder = 2, kHoodLadder = 3;
+
 /// Writes all instants as HDF5, dimensions labelled as xarray expects, with the rungs of the digit,
 /// the texts and hashes of all sources and the record of the run; read_motion() reads it.
 /// @throws InputError if the file cannot be written.

@@ -22,11 +22,6 @@ int base_of(const BuiltScene& built, int place) {
   throw InputError("wanted a joint for every coordinate that tendons move");
 }
 
-/// "index": the digit of a skeleton of one.
-std::string digit_name(const TendonDigit& digit) {
-  return digit.skeleton.tips.empty() ? "" : digit.skeleton.tips[0].digit;
-}
-
 /// Tension of every strand [N] (strands). @param t  of muscles, NaN: unknown [N] (muscles)
 Eigen::VectorXd strand_tensions_of(const TendonDigit& digit, const Eigen::VectorXd& q,
                                    const Eigen::VectorXd& t) {

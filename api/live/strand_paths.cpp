@@ -28,6 +28,10 @@ TendonPath<double> thinned(const TendonPath<double>& path) {
 
 }  // namespace
 
+std::string digit_name(const TendonDigit& digit) {
+  return digit.skeleton.tips.empty() ? "" : digit.skeleton.tips[0].digit;
+}
+
 std::vector<StrandPath> strand_paths(const TendonDigit& digit) {
   std::vector<StrandPath> paths;
   for (std::size_t s = 0; s < digit.model.paths.size(); ++s) {

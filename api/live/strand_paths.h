@@ -19,6 +19,9 @@ struct StrandPath {
   TendonPath<double> nodes;  // 2 to kLinePoints of its via points, links of the digit's own tree
 };
 
+/// "index": the name of a digit; empty if its skeleton has no tip.
+[[nodiscard]] std::string digit_name(const TendonDigit& digit);
+
 /// Paths of all strands of a digit. The muscle's way up the forearm ends at the first point that no
 /// joint of the digit moves. Strands without a path are left out; on the rungs `fitted` and
 /// `wrapped` lines run straight through via points, too.

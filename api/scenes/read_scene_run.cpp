@@ -18,12 +18,6 @@ using Eigen::Index;
 constexpr double kSamePlace = 1e-6;   // of a body, now and in the file [m]
 constexpr double kUnitLength = 1e-6;  // of quaternions, off 1 [1]
 
-/// A text that may be missing.
-std::string text_or_none(const ResultFile& file, const std::string& key) {
-  const auto found = file.texts.find(key);
-  return found == file.texts.end() || found->second.empty() ? "" : found->second.front();
-}
-
 /// What reads one file.
 class RunReader {
  public:
@@ -31,7 +25,7 @@ class RunReader {
       : path_(path), data_(data), file_(read_result(path)) {}
 
   RecordedScene read() {
-    const std::string format = text_or_none(file_, "format");
+    const std::string format = file_.text_or_none("format");
     if (format != kSceneRunFormat)
       fail(fmt::format("wanted a run of a scene ('{}'), got '{}'", kSceneRunFormat, format));
     if (file_.texts.count("varied") > 0)
@@ -49,14 +43,8 @@ class RunReader {
  private:
   [[noreturn]] void fail(const std::string& what) const { throw DataError(path_, 1, what); }
 
-  /// A matrix of finite numbers with so many rows and columns.
   Eigen::MatrixXd table(const std::string& key, Index rows, Index columns) const {
-    const Eigen::MatrixXd values = file_.matrix(key);
-    if (values.rows() != rows || values.cols() != columns)
-      fail(fmt::format("'{}': wanted {} x {} numbers, got {} x {}", key, rows, columns,
-                       values.rows(), values.cols()));
-    if (!values.allFinite()) fail(fmt::format("'{}' has numbers that are not finite", key));
-    return values;
+    return finite_matrix(file_, path_, key, rows, columns);
   }
 
   // ---- the scene
@@ -64,7 +52,7 @@ class RunReader {
   /// The folders in which the scene may have stood.
   [[nodiscard]] std::vector<std::string> folders(const std::string& scene) const {
     std::vector<std::string> out;
-    const fs::path from = text_or_none(file_, "provenance/folder");
+    const fs::path from = file_.text_or_none("provenance/folder");
     out.push_back((from / scene).lexically_normal().parent_path().string());
     for (const std::string& place : data_folders(data_))
       out.push_back((fs::path(place) / "scenes").string());
@@ -73,8 +61,8 @@ class RunReader {
   }
 
   void rebuild() {
-    const std::string scene = text_or_none(file_, "inputs/1/path");
-    const std::string text = text_or_none(file_, "inputs/1/text");
+    const std::string scene = file_.text_or_none("inputs/1/path");
+    const std::string text = file_.text_or_none("inputs/1/text");
     if (text.empty()) fail("it does not keep the text of its scene");
     std::string first;
     for (const std::string& folder : folders(scene)) {
@@ -205,7 +193,7 @@ class RunReader {
     out_.unsolved = count("unsolved");
     out_.worst_residual = number("worst_residual");
     out_.deepest = number("deepest");
-    const std::string status = text_or_none(file_, "status");
+    const std::string status = file_.text_or_none("status");
     if (status != "done") out_.warnings.push_back(fmt::format("the run ended so: {}", status));
   }
 

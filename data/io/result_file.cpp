@@ -280,6 +280,24 @@ Eigen::MatrixXd ResultFile::matrix(const std::string& key) const {
   return Eigen::Map<const RowMajor>(array.values.data(), rows, columns);
 }
 
+Eigen::MatrixXd finite_matrix(const ResultFile& file, const std::string& path,
+                              const std::string& key, Eigen::Index rows, Eigen::Index columns) {
+  if (file.arrays.count(key) == 0) throw DataError(path, 1, fmt::format("it has no '{}'", key));
+  const Eigen::MatrixXd values = file.matrix(key);
+  if (values.rows() != rows || values.cols() != columns)
+    throw DataError(path, 1,
+                    fmt::format("'{}': wanted {} x {} numbers, got {} x {}", key, rows, columns,
+                                values.rows(), values.cols()));
+  if (!values.allFinite())
+    throw DataError(path, 1, fmt::format("'{}' has numbers that are not finite", key));
+  return values;
+}
+
+std::string ResultFile::text_or_none(const std::string& key) const {
+  const auto found = texts.find(key);
+  return found == texts.end() || found->second.empty() ? "" : found->second.front();
+}
+
 double ResultFile::number(const std::string& key) const {
   const Eigen::MatrixXd value = matrix(key);
   require(value.size() == 1, "result '{}' is not a single number", key);

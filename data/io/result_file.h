@@ -35,6 +35,7 @@ struct ResultFile {
   [[nodiscard]] Eigen::MatrixXd matrix(const std::string& key) const;
   [[nodiscard]] double number(const std::string& key) const;
   [[nodiscard]] const std::string& text(const std::string& key) const;
+  [[nodiscard]] std::string text_or_none(const std::string& key) const;  // "" if it is absent
   [[nodiscard]] const std::vector<std::string>& list(const std::string& key) const;
 };
 
@@ -46,5 +47,11 @@ void write_result(const ResultFile& file, const std::string& path);
 /// Reads a file. @throws DataError if it is missing, not ours, damaged, or promises more than it
 /// has.
 [[nodiscard]] ResultFile read_result(const std::string& path);
+
+/// A matrix of finite numbers with so many rows and columns. @param path  of the file, for messages
+/// @throws DataError `path:1: ..` if it is absent, of another shape, or has other numbers.
+[[nodiscard]] Eigen::MatrixXd finite_matrix(const ResultFile& file, const std::string& path,
+                                            const std::string& key, Eigen::Index rows,
+                                            Eigen::Index columns);
 
 }  // namespace thenar

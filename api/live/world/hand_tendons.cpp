@@ -22,7 +22,7 @@ std::vector<HandTendon> hand_tendons(const Hand& hand) {
   if (pulled == nullptr) return tendons;
   for (std::size_t d = 0; d < pulled->digits().size(); ++d) {
     const TendonDigit& digit = pulled->digits()[d]->digit();
-    const std::string name = digit.skeleton.tips.empty() ? "" : digit.skeleton.tips[0].digit;
+    const std::string name = digit_name(digit);
     for (StrandPath& path : strand_paths(digit)) {
       HandTendon tendon{std::move(path.name), name, d, std::move(path.nodes)};
       if (!is_drawn(tendons, tendon)) tendons.push_back(std::move(tendon));

@@ -12,6 +12,7 @@
 #include "api/simulate.h"
 #include "base/units.h"
 #include "data/io/result_file.h"
+#include "tests/api/live/changed_result.h"
 #include "tests/data_folder.h"
 #include "tests/message_of.h"
 #include "tests/temporary_folder.h"
@@ -55,15 +56,9 @@ class RecordedDigitFile : public TemporaryFolder {
   /// What reading says once something in the file is another one.
   template <typename Change>
   std::string trouble_with(const Change& change) const {
-    ResultFile file = read_result(path("motion.h5"));
-    change(file);
-    write_result(file, path("changed.h5"));
-    try {
-      (void)RecordedDigitMotion(read_motion(path("changed.h5"))).instant();
-    } catch (const Error& error) {
-      return error.what();
-    }
-    return "nothing was thrown";
+    return trouble_with_change(
+        path("motion.h5"), path("changed.h5"), change,
+        [](const std::string& file) { (void)RecordedDigitMotion(read_motion(file)).instant(); });
   }
 };
 
@@ -158,21 +153,15 @@ TEST_F(RecordedDigitFile, ReadsFilesWithoutRungs) {
 TEST_F(RecordedDigitFile, RefusesWhatDoesNotFitTogether) {
   (void)record(flexing_index());
   const double nan = std::numeric_limits<double>::quiet_NaN();
-  const auto set = [](const char* key, std::size_t at, double value) {
-    return [=](ResultFile& file) { file.arrays.at(key).values.at(at) = value; };
-  };
-  const auto text = [](const char* key, const char* value) {
-    return [=](ResultFile& file) { file.texts[key] = {value}; };
-  };
   EXPECT_EQ(trouble_with([](ResultFile&) {}), "nothing was thrown");
-  EXPECT_THAT(trouble_with(set("time", 2, nan)), HasSubstr("'time'"));
-  EXPECT_THAT(trouble_with(set("time", 2, 0)), HasSubstr("does not rise"));
-  EXPECT_THAT(trouble_with(set("angle", 5, nan)), HasSubstr("'angle' has numbers"));
-  EXPECT_THAT(trouble_with(set("angle", 5, 1e300)), HasSubstr("'angle': wanted up to"));
-  EXPECT_THAT(trouble_with(set("angle", 5, 0.5)), HasSubstr("the tip of its digit"));
-  EXPECT_THAT(trouble_with(set("tension", 0, -1)), HasSubstr("'tension': wanted 0 to"));
-  EXPECT_THAT(trouble_with(set("tension", 0, 1e9)), HasSubstr("'tension': wanted 0 to"));
-  EXPECT_THAT(trouble_with(set("speed", 0, nan)), HasSubstr("'speed'"));
+  EXPECT_THAT(trouble_with(set_number("time", 2, nan)), HasSubstr("'time'"));
+  EXPECT_THAT(trouble_with(set_number("time", 2, 0)), HasSubstr("does not rise"));
+  EXPECT_THAT(trouble_with(set_number("angle", 5, nan)), HasSubstr("'angle' has numbers"));
+  EXPECT_THAT(trouble_with(set_number("angle", 5, 1e300)), HasSubstr("'angle': wanted up to"));
+  EXPECT_THAT(trouble_with(set_number("angle", 5, 0.5)), HasSubstr("the tip of its digit"));
+  EXPECT_THAT(trouble_with(set_number("tension", 0, -1)), HasSubstr("'tension': wanted 0 to"));
+  EXPECT_THAT(trouble_with(set_number("tension", 0, 1e9)), HasSubstr("'tension': wanted 0 to"));
+  EXPECT_THAT(trouble_with(set_number("speed", 0, nan)), HasSubstr("'speed'"));
   for (const char* key :
        {"time", "angle", "speed", "activation", "tension", "tip", "energy", "work", "lost"}) {
     EXPECT_THAT(trouble_with([&](ResultFile& file) { file.arrays.erase(key); }), HasSubstr(key));
@@ -184,18 +173,19 @@ TEST_F(RecordedDigitFile, RefusesWhatDoesNotFitTogether) {
                 HasSubstr("wanted"))
         << key;
   }
-  EXPECT_THAT(trouble_with(text("format", "thenar scene run 1")), HasSubstr("wanted a motion"));
-  EXPECT_THAT(trouble_with(text("digit", "thumb")), HasSubstr("cannot be built again"));
-  EXPECT_THAT(trouble_with(text("rungs/hood", "silk")), HasSubstr("cannot be built again"));
-  EXPECT_THAT(trouble_with(text("rungs/hood", "floating net")), HasSubstr("text of its net"));
-  EXPECT_THAT(trouble_with(text("inputs/1/text", "name = 3")), HasSubstr("cannot be built again"));
+  EXPECT_THAT(trouble_with(set_text("format", "thenar scene run 1")), HasSubstr("wanted a motion"));
+  EXPECT_THAT(trouble_with(set_text("digit", "thumb")), HasSubstr("cannot be built again"));
+  EXPECT_THAT(trouble_with(set_text("rungs/hood", "silk")), HasSubstr("cannot be built again"));
+  EXPECT_THAT(trouble_with(set_text("rungs/hood", "floating net")), HasSubstr("text of its net"));
+  EXPECT_THAT(trouble_with(set_text("inputs/1/text", "name = 3")),
+              HasSubstr("cannot be built again"));
   EXPECT_THAT(trouble_with([](ResultFile& file) { file.texts.erase("inputs/1/text"); }),
               HasSubstr("does not keep the text"));
   EXPECT_THAT(trouble_with([](ResultFile& file) { file.texts.erase("name/joint"); }),
               HasSubstr("name/joint"));
   EXPECT_THAT(trouble_with([](ResultFile& file) { file.texts.at("name/muscle")[0] = "biceps"; }),
               HasSubstr("biceps"));
-  EXPECT_THAT(trouble_with(text("name/frozen", "PIP2")), HasSubstr("cannot be built again"));
+  EXPECT_THAT(trouble_with(set_text("name/frozen", "PIP2")), HasSubstr("cannot be built again"));
 }
 
 TEST_F(RecordedDigitFile, SaysHowTheMotionEnded) {

@@ -9,6 +9,7 @@
 
 #include "base/file_io.h"
 #include "data/io/result_file.h"
+#include "tests/api/live/changed_result.h"
 #include "tests/data_folder.h"
 #include "tests/message_of.h"
 #include "tests/temporary_folder.h"
@@ -36,15 +37,8 @@ class RecordedRunFile : public TemporaryFolder {
   /// What reading says once something in the file is another one.
   template <typename Change>
   std::string trouble_with(const Change& change) const {
-    ResultFile file = read_result(path("run.h5"));
-    change(file);
-    write_result(file, path("changed.h5"));
-    try {
-      (void)read("changed.h5");
-    } catch (const Error& error) {
-      return error.what();
-    }
-    return "nothing was thrown";
+    return trouble_with_change(path("run.h5"), path("changed.h5"), change,
+                               [](const std::string& file) { (void)read_scene_run(file, kData); });
   }
 };
 
@@ -132,29 +126,26 @@ TEST_F(RecordedRunFile, PlaysToItsEnd) {
 TEST_F(RecordedRunFile, RefusesWhatDoesNotFitTogether) {
   (void)record("pinch", 0.05, "run.h5");
   const double nan = std::numeric_limits<double>::quiet_NaN();
-  const auto set = [](const char* key, std::size_t at, double value) {
-    return [=](ResultFile& file) { file.arrays.at(key).values.at(at) = value; };
-  };
   EXPECT_EQ(trouble_with([](ResultFile&) {}), "nothing was thrown");
-  EXPECT_THAT(trouble_with(set("time", 2, nan)), HasSubstr("'time'"));
-  EXPECT_THAT(trouble_with(set("time", 2, 0)), HasSubstr("does not rise"));
-  EXPECT_THAT(trouble_with(set("position", 5, nan)), HasSubstr("'position' has numbers"));
-  EXPECT_THAT(trouble_with(set("position", 0, 9)), HasSubstr("not length 1"));
-  EXPECT_THAT(trouble_with(set("contact_body_a", 0, 99)), HasSubstr("'contact_body_a'"));
-  EXPECT_THAT(trouble_with(set("contact_body_b", 0, -1)), HasSubstr("'contact_body_b'"));
-  EXPECT_THAT(trouble_with(set("contact_mode", 0, 0.5)), HasSubstr("'contact_mode'"));
-  EXPECT_THAT(trouble_with(set("contact_instant", 0, 1e300)), HasSubstr("'contact_instant'"));
-  EXPECT_THAT(trouble_with(set("body_position", 0, 1)), HasSubstr("stands elsewhere now"));
+  EXPECT_THAT(trouble_with(set_number("time", 2, nan)), HasSubstr("'time'"));
+  EXPECT_THAT(trouble_with(set_number("time", 2, 0)), HasSubstr("does not rise"));
+  EXPECT_THAT(trouble_with(set_number("position", 5, nan)), HasSubstr("'position' has numbers"));
+  EXPECT_THAT(trouble_with(set_number("position", 0, 9)), HasSubstr("not length 1"));
+  EXPECT_THAT(trouble_with(set_number("contact_body_a", 0, 99)), HasSubstr("'contact_body_a'"));
+  EXPECT_THAT(trouble_with(set_number("contact_body_b", 0, -1)), HasSubstr("'contact_body_b'"));
+  EXPECT_THAT(trouble_with(set_number("contact_mode", 0, 0.5)), HasSubstr("'contact_mode'"));
+  EXPECT_THAT(trouble_with(set_number("contact_instant", 0, 1e300)),
+              HasSubstr("'contact_instant'"));
+  EXPECT_THAT(trouble_with(set_number("body_position", 0, 1)), HasSubstr("stands elsewhere now"));
   for (const char* key : {"time", "position", "speed", "energy", "body_position", "contact_force"})
     EXPECT_NE(trouble_with([&](ResultFile& file) { file.arrays.erase(key); }), "nothing was thrown")
         << key;
-  EXPECT_THAT(trouble_with([](ResultFile& file) { file.texts["format"] = {"thenar motion 1"}; }),
+  EXPECT_THAT(trouble_with(set_text("format", "thenar motion 1")),
               HasSubstr("wanted a run of a scene"));
-  EXPECT_THAT(trouble_with([](ResultFile& file) { file.texts["varied"] = {"friction"}; }),
-              HasSubstr("several runs"));
+  EXPECT_THAT(trouble_with(set_text("varied", "friction")), HasSubstr("several runs"));
   EXPECT_THAT(trouble_with([](ResultFile& file) { file.texts.at("name/body")[0] = "lid"; }),
               HasSubstr("its bodies are not those"));
-  EXPECT_THAT(trouble_with([](ResultFile& file) { file.texts["inputs/1/text"] = {"name = 3"}; }),
+  EXPECT_THAT(trouble_with(set_text("inputs/1/text", "name = 3")),
               HasSubstr("cannot be built again"));
   EXPECT_THAT(trouble_with([](ResultFile& file) { file.texts.erase("inputs/1/text"); }),
               HasSubstr("does not keep the text"));
