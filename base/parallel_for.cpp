@@ -7,6 +7,8 @@
 #include <thread>
 #include <vector>
 
+#include "base/stop_scope.h"
+
 namespace thenar {
 
 void parallel_for(std::size_t count, const std::function<void(std::size_t)>& work) {
@@ -32,7 +34,12 @@ void parallel_for(std::size_t count, const std::function<void(std::size_t)>& wor
   // The caller works, too.
   const std::size_t cores = std::max(1U, std::thread::hardware_concurrency());
   std::vector<std::thread> others;
-  for (std::size_t k = 1; k < std::min(cores, count); ++k) others.emplace_back(labour);
+  const StopScope::Request* stop = StopScope::current();
+  for (std::size_t k = 1; k < std::min(cores, count); ++k)
+    others.emplace_back([&labour, stop] {
+      const StopScope scope(stop);
+      labour();
+    });
   labour();
   for (std::thread& thread : others) thread.join();
   if (failure) std::rethrow_exception(failure);

@@ -2,7 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
+
+#include "base/stop_scope.h"
 
 namespace thenar {
 namespace {
@@ -221,30 +224,85 @@ Moments moments_of(const ConvexBody& body) {
 
 namespace {
 
-// NOLINTNEXTLINE(misc-no-recursion): as deep as polyhedra lie over each other
-Moments add_union(const std::vector<ConvexBody>& bodies, double tolerance, double& left) {
-  Moments sum;
-  // Inclusion and exclusion: each body, less its overlap with those before.
-  for (std::size_t i = 0; i < bodies.size() && left > 0; ++i) {
-    sum += moments_of(bodies[i]);
-    std::vector<ConvexBody> common;
-    for (std::size_t j = 0; j < i; ++j) {
-      if (!bodies[i].box.intersects(bodies[j].box)) continue;
-      left -= static_cast<double>(bodies[j].sides.size() * bodies[i].faces.size());
-      ConvexBody both = intersection(bodies[i], bodies[j], tolerance);
-      if (!both.empty()) common.push_back(std::move(both));
+/// Heights of a polyhedron over a plane.
+struct HeightRange {
+  double least, most;  // [m]
+};
+
+HeightRange heights_over(const ConvexBody& body, const HalfSpace& side) {
+  HeightRange range{std::numeric_limits<double>::infinity(),
+                    -std::numeric_limits<double>::infinity()};
+  for (const Polygon& face : body.faces)
+    for (const Vector3d& p : face) {
+      const double h = side.n.dot(p) - side.offset;
+      range = {std::min(range.least, h), std::max(range.most, h)};
     }
-    if (!common.empty()) sum -= add_union(common, tolerance, left);
+  return range;
+}
+
+/// Puts what of a piece stands outside of another body into `pieces`, as polyhedra that share no
+/// more than faces. @param work  counts the faces that were looked at
+void add_difference(const ConvexBody& piece, const ConvexBody& other, double tolerance,
+                    std::vector<ConvexBody>& pieces, double& work) {
+  const std::size_t before = pieces.size();
+  ConvexBody rest = piece;
+  end_if_stopped();
+  for (const HalfSpace& side : other.sides) {
+    work += static_cast<double>(rest.faces.size());
+    const HeightRange height = heights_over(rest, side);
+    if (height.most <= tolerance) continue;
+    // What is beyond this side is a piece; what is left is held against the next one.
+    if (height.least < -tolerance) {
+      work += static_cast<double>(2 * rest.faces.size());
+      ConvexBody beyond = rest;
+      cut(beyond, {-side.n, -side.offset}, tolerance);
+      if (!beyond.empty()) pieces.push_back(std::move(beyond));
+      cut(rest, side, tolerance);
+    } else {
+      rest = {};
+    }
+    // They have nothing in common, so that the piece stays whole.
+    if (rest.empty()) {
+      pieces.resize(before);
+      pieces.push_back(piece);
+      return;
+    }
   }
-  return sum;
 }
 
 }  // namespace
 
 UnionMoments union_moments(const std::vector<ConvexBody>& bodies, double tolerance, double most) {
+  // The largest first: what lies within it is gone at once.
+  std::vector<std::pair<Moments, const ConvexBody*>> sorted;
+  for (const ConvexBody& body : bodies) sorted.emplace_back(moments_of(body), &body);
+  std::stable_sort(sorted.begin(), sorted.end(),
+                   [](const auto& a, const auto& b) { return a.first.volume > b.first.volume; });
   UnionMoments result;
-  result.moments = add_union(bodies, tolerance, most);
-  result.complete = most > 0;
+  for (std::size_t i = 0; i < sorted.size(); ++i) {
+    std::vector<ConvexBody> pieces{*sorted[i].second};
+    bool whole = true;
+    for (std::size_t j = 0; j < i && !pieces.empty(); ++j) {
+      const ConvexBody& other = *sorted[j].second;
+      result.work += 1;
+      if (!other.box.intersects(sorted[i].second->box)) continue;
+      // Each piece, less that body.
+      std::vector<ConvexBody> outside;
+      for (ConvexBody& piece : pieces) {
+        result.work += 1;
+        if (other.box.intersects(piece.box))
+          add_difference(piece, other, tolerance, outside, result.work);
+        else
+          outside.push_back(std::move(piece));
+        if (result.work > most) return {{}, false, result.work};
+      }
+      pieces = std::move(outside);
+      whole = false;
+    }
+    if (whole) result.moments += sorted[i].first;
+    if (!whole)
+      for (const ConvexBody& piece : pieces) result.moments += moments_of(piece);
+  }
   return result;
 }
 

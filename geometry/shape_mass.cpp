@@ -1,13 +1,17 @@
 #include "geometry/shape_mass.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <map>
 #include <memory>
+#include <optional>
 #include <utility>
 
 #include <fmt/format.h>
 
 #include "base/error.h"
+#include "base/stop_scope.h"
 #include "base/units.h"
 #include "geometry/convex_body.h"
 #include "geometry/mesh_check.h"
@@ -133,11 +137,14 @@ namespace {
 using Eigen::Vector3d;
 
 constexpr int kDepth = 7;           // cubes of the tree are halved so often
+constexpr int kFirstDepth = 3;      // and at least so often
 constexpr double kRounding = 1e-9;  // of the extent: what parts may touch by without overlapping
-constexpr double kMaxFaces = 2e7;   // of convex parts that are cut out of each other
-constexpr double kMaxLooks = 1e7;   // at distances of primitives to middles of cubes
-constexpr double kMeshLook = 10;    // at one of a mesh or superellipsoid, which takes longer
-constexpr int kCoarseDepth = 4;     // for what no closed form weighs, where work is too much
+constexpr double kMaxFaces = 5e6;   // of convex parts that are cut out of each other
+constexpr double kFaceLook = 0.3;   // at such a face, in looks at distances
+constexpr std::size_t kFewParts = 2000;  // that are compared in pairs
+constexpr double kMaxLooks = 1e7;        // at distances of primitives to middles of cubes
+constexpr double kMeshLook = 10;         // at one of a mesh or superellipsoid, which takes longer
+constexpr int kCoarseDepth = 4;          // for what no closed form weighs, where work is too much
 
 /// One of the shapes whose union is asked for.
 struct UnionPart {
@@ -180,11 +187,34 @@ UnionPart part_of(const ShapeSpec& spec) {
   return part;
 }
 
+/// Whether two parts are the same points.
+bool is_same(const ShapeSpec& a, const ShapeSpec& b) {
+  return a.kind == b.kind && a.size == b.size && a.exponents == b.exponents &&
+         a.X_BS.p == b.X_BS.p && a.X_BS.R == b.X_BS.R &&
+         a.mesh.vertices.cols() == b.mesh.vertices.cols() &&
+         a.mesh.triangles.cols() == b.mesh.triangles.cols() && a.mesh.vertices == b.mesh.vertices &&
+         a.mesh.triangles == b.mesh.triangles;
+}
+
+/// The shapes whose union is asked for, each once.
 std::vector<UnionPart> parts_of(const std::vector<ShapeSpec>& shapes) {
   std::vector<UnionPart> parts;
+  std::map<std::array<double, 6>, std::vector<ShapeSpec>> known;  // by the corners of their boxes
+  const auto add = [&](const ShapeSpec& shape) {
+    UnionPart part = part_of(shape);
+    std::array<double, 6> corners;
+    for (int k = 0; k < 3; ++k)
+      corners[2 * k] = part.box.min()[k], corners[2 * k + 1] = part.box.max()[k];
+    std::vector<ShapeSpec>& alike = known[corners];
+    if (std::any_of(alike.begin(), alike.end(),
+                    [&](const ShapeSpec& other) { return is_same(other, shape); }))
+      return;
+    alike.push_back(shape);
+    parts.push_back(std::move(part));
+  };
   for (const ShapeSpec& shape : shapes) {
     if (shape.kind != ShapeKind::kMesh) {
-      parts.push_back(part_of(shape));
+      add(shape);
       continue;
     }
     // A mesh counts as the solids that it bounds.
@@ -193,7 +223,7 @@ std::vector<UnionPart> parts_of(const std::vector<ShapeSpec>& shapes) {
       one.kind = ShapeKind::kMesh;
       one.mesh = std::move(mesh);
       one.X_BS = shape.X_BS;
-      parts.push_back(part_of(one));
+      add(one);
     }
   }
   return parts;
@@ -207,8 +237,45 @@ Eigen::AlignedBox3d common_box(const UnionPart& a, const UnionPart& b) {
   return !box.isEmpty() && box.sizes().minCoeff() > least ? box : Eigen::AlignedBox3d();
 }
 
+using Parts = std::vector<const UnionPart*>;
+
+/// Parts whose shadows on an axis overlap, directly or through others.
+std::vector<Parts> split_along(int axis, Parts parts) {
+  std::sort(parts.begin(), parts.end(), [&](const UnionPart* a, const UnionPart* b) {
+    return a->box.min()[axis] < b->box.min()[axis];
+  });
+  std::vector<Parts> groups;
+  double reach = 0;
+  for (const UnionPart* part : parts) {
+    if (groups.empty() || part->box.min()[axis] > reach) {
+      groups.emplace_back();
+      reach = part->box.max()[axis];
+    }
+    groups.back().push_back(part);
+    reach = std::max(reach, part->box.max()[axis]);
+  }
+  return groups;
+}
+
+/// Groups of very many parts, between which nothing overlaps; within them something may not.
+std::vector<Parts> coarse_clusters_of(const std::vector<UnionPart>& parts) {
+  Parts all;
+  for (const UnionPart& part : parts) all.push_back(&part);
+  std::vector<Parts> groups{all};
+  // Axis by axis, until none divides a group any more.
+  for (int axis = 0, vain = 0; vain < 3; axis = (axis + 1) % 3) {
+    std::vector<Parts> next;
+    for (Parts& group : groups)
+      for (Parts& part : split_along(axis, std::move(group))) next.push_back(std::move(part));
+    vain = next.size() > groups.size() ? 0 : vain + 1;
+    groups = std::move(next);
+  }
+  return groups;
+}
+
 /// Parts whose boxes overlap, directly or through others.
-std::vector<std::vector<const UnionPart*>> clusters_of(const std::vector<UnionPart>& parts) {
+std::vector<Parts> clusters_of(const std::vector<UnionPart>& parts) {
+  if (parts.size() > kFewParts) return coarse_clusters_of(parts);
   // Merge the groups of all parts that overlap.
   std::vector<std::size_t> group(parts.size());
   for (std::size_t i = 0; i < parts.size(); ++i) {
@@ -219,7 +286,7 @@ std::vector<std::vector<const UnionPart*>> clusters_of(const std::vector<UnionPa
       std::replace(group.begin(), group.begin() + static_cast<std::ptrdiff_t>(i) + 1, from, to);
     }
   }
-  std::vector<std::vector<const UnionPart*>> clusters(parts.size());
+  std::vector<Parts> clusters(parts.size());
   for (std::size_t i = 0; i < parts.size(); ++i) clusters[group[i]].push_back(&parts[i]);
   return clusters;
 }
@@ -234,6 +301,8 @@ class CubeSum {
 
   /// Whether it got to the end; else what it summed means nothing.
   [[nodiscard]] bool complete() const { return left_ >= 0; }
+  /// Looks that it did not take.
+  [[nodiscard]] double left() const { return left_; }
 
   Moments over(const Eigen::AlignedBox3d& box) {
     sum_ = {};
@@ -249,6 +318,7 @@ class CubeSum {
     // Parts that fill the cube, and those whose surfaces may pass through it.
     const double reach = box.diagonal().norm() / 2;
     std::vector<const UnionPart*> through;
+    end_if_stopped();
     left_ -= kPass * static_cast<double>(above.size());
     if (!complete()) return;
     for (const UnionPart* part : above) {
@@ -256,6 +326,7 @@ class CubeSum {
       left_ -= part->look;
       const double distance = part->shape->distance(box.center()), slack = part->shape->accuracy();
       if (distance < -reach - slack) ++whole;
+      if (!excess_ && whole > 0) break;
       if (std::abs(distance) <= reach + slack) through.push_back(part);
     }
     const auto passing = static_cast<int>(through.size());
@@ -292,9 +363,11 @@ class CubeSum {
     }
     // Union of the parts in the cube, or how often it is counted too often.
     if (whole == 0) {
-      const Moments all = union_moments(filled, tolerance_).moments;
-      if (!excess_) sum_ += all;
-      if (excess_) sum_ -= all;
+      const UnionMoments all = union_moments(filled, tolerance_, left_ / kFaceLook);
+      left_ -= kFaceLook * all.work;
+      if (!all.complete) left_ = -1;
+      if (!excess_) sum_ += all.moments;
+      if (excess_) sum_ -= all.moments;
     } else if (excess_) {
       const Moments cube = moments_of(convex_box(box));
       for (int i = 1; i < whole; ++i) sum_ += cube;
@@ -316,6 +389,7 @@ class CubeSum {
 /// A cube around all that two parts may have in common, or around all parts.
 Eigen::AlignedBox3d cube_around(const std::vector<const UnionPart*>& parts, bool excess) {
   Eigen::AlignedBox3d box;
+  excess = excess && parts.size() <= kFewParts;
   for (const UnionPart* a : parts) {
     if (!excess) box.extend(a->box);
     for (const UnionPart* b : parts)
@@ -331,16 +405,21 @@ struct Summed {
   double error = 0;  // [m^3]
 };
 
+/// Of a part without a closed form, by coarse cubes; where they take too long, of its box.
+Moments coarse_moments(const UnionPart& part, double looks) {
+  const std::vector<const UnionPart*> alone{&part};
+  CubeSum cubes(alone, false, kCoarseDepth, looks);
+  const Moments sum = cubes.over(cube_around(alone, false));
+  return cubes.complete() ? sum : moments_of(convex_box(part.box));
+}
+
 /// The sum of the parts, however they overlap: their union is at least the largest of them.
 Summed upper_bound(const std::vector<const UnionPart*>& parts) {
+  const double looks = kMaxLooks / static_cast<double>(parts.size());
   Summed result;
   double largest = 0;
   for (const UnionPart* part : parts) {
-    const std::vector<const UnionPart*> alone{part};
-    const Moments own =
-        part->has_moments
-            ? part->moments
-            : CubeSum(alone, false, kCoarseDepth, kMaxLooks).over(cube_around(alone, false));
+    const Moments own = part->has_moments ? part->moments : coarse_moments(*part, looks);
     result.moments += own;
     largest = std::max(largest, own.volume);
   }
@@ -348,26 +427,38 @@ Summed upper_bound(const std::vector<const UnionPart*>& parts) {
   return result;
 }
 
-/// @param looks  that it may take; else it is the upper bound
+/// Sums over finer and finer cubes, as far as the work goes; the change at the last step is the
+/// error. Where not even coarse cubes can be summed it is the upper bound.
+/// @param looks  that it may take
 Summed sum_cubes(const std::vector<const UnionPart*>& parts, double looks) {
-  // The excess of the parts is smaller than their union, and so is its error.
-  const bool excess = std::all_of(parts.begin(), parts.end(),
-                                  [](const UnionPart* part) { return part->has_moments; });
-  const Eigen::AlignedBox3d cube = cube_around(parts, excess);
-  CubeSum fine(parts, excess, kDepth, looks), coarse(parts, excess, kDepth - 1, looks);
-  // Coarse and fine sum: their difference is the error.
-  const double before = coarse.over(cube).volume;
-  if (!coarse.complete()) return upper_bound(parts);
-  Summed result{fine.over(cube), 0};
-  if (!fine.complete()) return upper_bound(parts);
-  result.error = std::abs(result.moments.volume - before);
-  if (!excess) return result;
-  // Sum of the parts less the excess.
   Moments all;
   for (const UnionPart* part : parts) all += part->moments;
-  all -= result.moments;
-  result.moments = all;
-  return result;
+  // The excess of parts that overlap little is smaller than their union, and so is its error.
+  bool excess = std::all_of(parts.begin(), parts.end(),
+                            [](const UnionPart* part) { return part->has_moments; });
+  std::optional<Summed> result;
+  double before = 0;  // volume of the sum at the depth before [m^3]
+  for (int depth = kFirstDepth; depth <= kDepth; ++depth) {
+    CubeSum cubes(parts, excess, depth, looks);
+    const Moments sum = cubes.over(cube_around(parts, excess));
+    if (!cubes.complete()) break;
+    looks = cubes.left();
+    if (depth == kFirstDepth && excess && sum.volume > all.volume / 2) {
+      // They overlap more than they are: their union is the smaller sum.
+      excess = false;
+      depth = kFirstDepth - 1;
+      continue;
+    }
+    if (depth > kFirstDepth) {
+      result = Summed{sum, std::abs(sum.volume - before)};
+      if (excess) {
+        result->moments = all;
+        result->moments -= sum;
+      }
+    }
+    before = sum.volume;
+  }
+  return result ? *result : upper_bound(parts);
 }
 
 /// @param share  of all work that these parts may take

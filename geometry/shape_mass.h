@@ -33,9 +33,11 @@ struct UnionMass {
 /// (union_moments()). Otherwise the part that is counted too often, or the whole where there is no
 /// closed form, is summed over cubes of a tree that is finest at the surfaces, 1/128 of its box: a
 /// cube without a surface counts fully, the smallest are cut by the planes nearest to their
-/// middles. Work is limited to a few seconds, shared among groups of overlapping parts by their
-/// numbers: where that is too little, the sum of the parts stands for their union, and `error` says
-/// by how much that may be smaller, since the union holds the largest part.
+/// middles. Work is limited to about a second, shared among groups of overlapping parts by their
+/// numbers: where that is too little, cubes stay coarser, and `error` says how much the last
+/// halving changed. Where not even cubes of 1/16 can be summed, the sum of the parts stands for
+/// their union, and `error` says by how much that may be smaller, since the union holds the largest
+/// part.
 /// @throws InputError as build_solid()
 [[nodiscard]] UnionMass union_mass(const std::vector<ShapeSpec>& shapes);
 

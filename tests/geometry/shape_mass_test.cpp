@@ -2,7 +2,7 @@
 
 #include "geometry/shape_mass.h"
 
-#include <ctime>
+#include <algorithm>
 #include <random>
 #include <vector>
 
@@ -16,7 +16,6 @@
 #include "tests/geometry/random_points.h"
 #include "tests/geometry/sample_meshes.h"
 #include "tests/matrix_near.h"
-#include "tests/patience.h"
 
 namespace thenar {
 namespace {
@@ -73,24 +72,29 @@ TEST(UnionMass, OfSuperellipsoidsIsThatOfTheSolidsAmongThem) {
               {2 * kPi * abc / 3, {0, 0, 0}, Matrix3d(cones.asDiagonal())}, 1e-12);
 }
 
-// Boxes of a third of a cube's edge, so many that each overlaps with dozens: their union is between
-// the largest and the sum.
-TEST(UnionMass, HasALimitOfWork) {
+// Boxes of a third of a cube's edge, so many that each overlaps with dozens, against random points.
+TEST(UnionMass, OfHundredsOfBoxesIsThatOfRandomPoints) {
   std::mt19937 rng(3);
-  std::uniform_real_distribution<double> along(0, 0.1);
+  std::uniform_real_distribution<double> along(0, 0.1), across(0, 0.15);
   std::vector<TriangleMesh> boxes;
+  std::vector<Vector3d> lows;
   for (int i = 0; i < 400; ++i) {
-    const Vector3d low(along(rng), along(rng), along(rng));
-    boxes.push_back(box_between(low, low + Vector3d(0.05, 0.05, 0.05)));
+    lows.emplace_back(along(rng), along(rng), along(rng));
+    boxes.push_back(box_between(lows.back(), lows.back() + Vector3d(0.05, 0.05, 0.05)));
   }
-  const std::clock_t begin = std::clock();
   const UnionMass found = union_mass({mesh_of(joined(boxes))});
-  EXPECT_LT(static_cast<double>(std::clock() - begin) / CLOCKS_PER_SEC, 8 * kPatience);
-  // All lie within a cube of 0.15; in the middle of it there is always one.
-  const double least = found.mass.mass * (1 - found.error);
-  EXPECT_LE(least, 0.15 * 0.15 * 0.15);
-  EXPECT_GE(found.mass.mass, 0.05 * 0.05 * 0.05);
-  EXPECT_GT(found.error, 0);
+  EXPECT_EQ(found.error, 0);
+  const int count = 100000;
+  int hits = 0;
+  for (int i = 0; i < count; ++i) {
+    const Vector3d p(across(rng), across(rng), across(rng));
+    hits += std::any_of(lows.begin(), lows.end(), [&](const Vector3d& low) {
+      return (p.array() >= low.array()).all() && (p.array() <= low.array() + 0.05).all();
+    });
+  }
+  const double share = static_cast<double>(hits) / count;
+  EXPECT_NEAR(found.mass.mass / std::pow(0.15, 3), share,
+              4 * std::sqrt(share * (1 - share) / count));
 }
 
 // Boxes of 40 x 20 x 20 mm and 20 x 20 x 60 mm that share 20 x 20 x 20 mm: an L of 32 cm^3.
@@ -135,6 +139,116 @@ TEST(UnionMass, OfTheSameShapesAgainIsThatOfOne) {
   const UnionMass found = union_mass({hull, hull, hull});
   EXPECT_EQ(found.error, 0);
   expect_mass(found.mass, mass_at_unit_density(hull), 1e-9);
+}
+
+/// Corners at the origin and at `edge` on the axes.
+TriangleMesh corner_of(double edge) {
+  TriangleMesh mesh{Eigen::Matrix3Xd(3, 4), Eigen::Matrix3Xi(3, 4)};
+  mesh.vertices << 0, edge, 0, 0, 0, 0, edge, 0, 0, 0, 0, edge;
+  mesh.triangles << 0, 0, 0, 1, 2, 1, 3, 2, 1, 3, 2, 3;
+  return mesh;
+}
+
+// A mesh of n solids that coincide is one of them: e^3 / 6. Half of them lie within the others.
+TEST(UnionMass, OfSolidsThatCoincideIsThatOfOne) {
+  for (const int n : {2, 24, 200}) {
+    std::vector<TriangleMesh> solids;
+    for (int i = 0; i < n; ++i) solids.push_back(corner_of(i % 2 == 0 ? 0.03 : 0.02));
+    const UnionMass found = union_mass({mesh_of(joined(solids))});
+    EXPECT_EQ(found.error, 0) << n;
+    EXPECT_NEAR(found.mass.mass / (0.03 * 0.03 * 0.03 / 6), 1, 1e-12) << n;
+    expect_mass(found.mass, signed_moments(corner_of(0.03)), 1e-12);
+  }
+}
+
+// Unit boxes each shifted by a hundredth of the one before: a bar.
+TEST(UnionMass, OfABarOfOverlappingBoxesIsThatOfTheBar) {
+  std::vector<ShapeSpec> boxes;
+  for (int i = 0; i < 100; ++i)
+    boxes.push_back(spec(ShapeKind::kBox, {0.1, 0.1, 0.1}, {0.05 + 0.001 * i, 0, 0}));
+  const UnionMass found = union_mass(boxes);
+  EXPECT_EQ(found.error, 0);
+  expect_mass(found.mass,
+              mass_at_unit_density(spec(ShapeKind::kBox, {0.199, 0.1, 0.1}, {0.0995, 0, 0})),
+              1e-11);
+}
+
+// Boxes with corners at whole numbers fill whole cells, which are counted.
+TEST(ConvexBody, UnionOfBoxesIsThatOfTheirCells) {
+  std::mt19937 rng(5);
+  std::uniform_int_distribution<int> corner(0, 9), edge(1, 5);
+  constexpr int kCells = 15;
+  std::vector<ConvexBody> boxes;
+  std::vector<bool> filled(kCells * kCells * kCells, false);
+  for (int i = 0; i < 60; ++i) {
+    const Eigen::Vector3i low(corner(rng), corner(rng), corner(rng)),
+        high = low + Eigen::Vector3i(edge(rng), edge(rng), edge(rng));
+    boxes.push_back(convex_box({low.cast<double>(), high.cast<double>()}));
+    for (int x = low.x(); x < high.x(); ++x)
+      for (int y = low.y(); y < high.y(); ++y)
+        for (int z = low.z(); z < high.z(); ++z) filled[(x * kCells + y) * kCells + z] = true;
+  }
+  Moments cells;
+  for (int x = 0; x < kCells; ++x)
+    for (int y = 0; y < kCells; ++y)
+      for (int z = 0; z < kCells; ++z)
+        if (filled[(x * kCells + y) * kCells + z])
+          cells += moments_of(convex_box({Vector3d(x, y, z), Vector3d(x + 1, y + 1, z + 1)}));
+  const UnionMoments found = union_moments(boxes, 1e-12, 1e7);
+  ASSERT_TRUE(found.complete);
+  EXPECT_NEAR(found.moments.volume / cells.volume, 1, 1e-12);
+  EXPECT_TRUE(matrix_near(found.moments.first / cells.volume, cells.first / cells.volume, 1e-10));
+  EXPECT_TRUE(matrix_near(found.moments.second / cells.volume, cells.second / cells.volume, 1e-9));
+}
+
+// Four faces against four sides for each pair, not a subset of all; and no more than is allowed.
+TEST(ConvexBody, UnionsTakeWorkByPairsAndEndWhereItIsTooMuch) {
+  std::vector<ConvexBody> same(60, convex_body(corner_of(1)));
+  const UnionMoments found = union_moments(same, 1e-12, 1e7);
+  EXPECT_TRUE(found.complete);
+  EXPECT_LT(found.work, 60 * 60 * 4 * 4);
+  std::mt19937 rng(6);
+  std::vector<ConvexBody> boxes;
+  for (int i = 0; i < 200; ++i) {
+    ShapeSpec box = spec(ShapeKind::kBox, {1, 1, 1}, 0.2 * random_in_cube(rng));
+    boxes.push_back(convex_box({box.X_BS.p - box.size / 2, box.X_BS.p + box.size / 2}));
+    for (int k = 0; k < 20; ++k)  // 26 sides each
+      cut(boxes.back(), {random_in_cube(rng).normalized(), 0.5 + random_in_cube(rng).x() / 10},
+          1e-12);
+  }
+  const UnionMoments cut_short = union_moments(boxes, 1e-12, 1e5);
+  EXPECT_FALSE(cut_short.complete);
+  EXPECT_LT(cut_short.work, 1.2e5);
+}
+
+// Neither balls nor mugs are polyhedra that can be cut; of shapes that are there again, one counts.
+TEST(UnionMass, OfRoundSolidsThatCoincideIsThatOfOne) {
+  const ShapeSpec ball = spec(ShapeKind::kSphere, {0.03, 0, 0}, {0.01, 0, 0}), cup = mesh_of(mug());
+  for (const ShapeSpec& one : {ball, cup})
+    for (const std::size_t n : {2u, 20u, 200u}) {
+      const UnionMass found = union_mass(std::vector<ShapeSpec>(n, one));
+      EXPECT_EQ(found.error, 0);
+      expect_mass(found.mass, mass_at_unit_density(one), 1e-14);
+    }
+}
+
+// Balls about one middle, all but one a little smaller: cubes count them, as finely as the work for
+// so many allows, and say how well.
+TEST(UnionMass, OfBallsWithinABallIsThatOfTheBallWithinItsError) {
+  const MassProperties wanted =
+      mass_at_unit_density(spec(ShapeKind::kSphere, {0.03, 0, 0}, {0.01, 0, 0}));
+  for (const int n : {2, 200}) {
+    std::vector<ShapeSpec> balls;
+    for (int i = 0; i < n; ++i)
+      balls.push_back(spec(ShapeKind::kSphere, {0.03 * (1 - 1e-3 * i / n), 0, 0}, {0.01, 0, 0}));
+    const UnionMass found = union_mass(balls);
+    EXPECT_GT(found.error, 0) << n;
+    EXPECT_LT(found.error, 0.02) << n;
+    EXPECT_LT(std::abs(found.mass.mass / wanted.mass - 1), found.error) << n;
+    const double trace = wanted.inertia.trace();
+    EXPECT_TRUE(matrix_near(found.mass.inertia / trace, wanted.inertia / trace, 2 * found.error))
+        << n;
+  }
 }
 
 TEST(UnionMass, OfShapesApartIsTheirSum) {
