@@ -18,6 +18,9 @@ namespace {
 
 using Eigen::Vector2d, Eigen::Vector3d;
 
+// Sizes and places beyond these are of no thing that a hand meets, and lose all their digits.
+constexpr double kLeastSize = 1e-9, kLargestSize = 1e6;  // [m]
+
 /// How many entries of `size` a kind uses.
 int sizes_of(ShapeKind kind) {
   switch (kind) {
@@ -36,18 +39,19 @@ int sizes_of(ShapeKind kind) {
 void check(const ShapeSpec& spec) {
   // Sizes and exponents in range.
   for (int i = 0; i < sizes_of(spec.kind); ++i)
-    require(spec.size(i) > 0 && std::isfinite(spec.size(i)),
-            "size {} of a {} must be positive and finite, got {} m", i, name_of(spec.kind),
-            spec.size(i));
+    require(spec.size(i) >= kLeastSize && spec.size(i) <= kLargestSize,
+            "size {} of a {}: wanted {:g} to {:g} m, got {} m", i, name_of(spec.kind), kLeastSize,
+            kLargestSize, spec.size(i));
   if (spec.kind == ShapeKind::kSuperellipsoid)
     require(spec.exponents.minCoeff() >= 0.1 && spec.exponents.maxCoeff() <= 2,
             "exponents of a superellipsoid must lie in [0.1, 2], got {} and {}", spec.exponents(0),
             spec.exponents(1));
   // A proper rotation.
   const Pose<double>& X = spec.X_BS;
-  require(X.p.allFinite() && X.R.allFinite() && (X.R * X.R.transpose()).isIdentity(1e-9) &&
-              X.R.determinant() > 0,
-          "a {} must be placed by a rotation and a finite way", name_of(spec.kind));
+  require(X.R.allFinite() && (X.R * X.R.transpose()).isIdentity(1e-9) && X.R.determinant() > 0,
+          "a {} must be placed by a rotation", name_of(spec.kind));
+  require((X.p.array().abs() <= kLargestSize).all(), "a {} must be placed at most {:g} m away",
+          name_of(spec.kind), kLargestSize);
 }
 
 std::shared_ptr<const Shape> shape_of(const ShapeSpec& spec) {

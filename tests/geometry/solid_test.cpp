@@ -138,12 +138,12 @@ TEST(BuildSolid, RefusesSizesThatAreNone) {
   EXPECT_EQ(message_of([] {
               (void)build_solid({spec(ShapeKind::kBox, {0.1, 0, 0.1})});
             }),
-            "size 1 of a box must be positive and finite, got 0 m");
+            "size 1 of a box: wanted 1e-09 to 1e+06 m, got 0 m");
   const double nan = std::numeric_limits<double>::quiet_NaN();
   EXPECT_EQ(message_of([&] {
               (void)build_solid({spec(ShapeKind::kSphere, {nan, 0, 0})});
             }),
-            "size 0 of a sphere must be positive and finite, got nan m");
+            "size 0 of a sphere: wanted 1e-09 to 1e+06 m, got nan m");
   ShapeSpec star = spec(ShapeKind::kSuperellipsoid, {0.1, 0.1, 0.1});
   star.exponents = {3, 1};
   EXPECT_EQ(message_of([&] { (void)build_solid({star}); }),
@@ -151,7 +151,7 @@ TEST(BuildSolid, RefusesSizesThatAreNone) {
   ShapeSpec stretched = spec(ShapeKind::kSphere, {0.1, 0, 0});
   stretched.X_BS.R *= 2;
   EXPECT_EQ(message_of([&] { (void)build_solid({stretched}); }),
-            "a sphere must be placed by a rotation and a finite way");
+            "a sphere must be placed by a rotation");
 }
 
 }  // namespace
