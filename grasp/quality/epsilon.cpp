@@ -8,6 +8,7 @@
 #include <Eigen/QR>
 
 #include "base/error.h"
+#include "base/stop_scope.h"
 #include "grasp/quality/support_function.h"
 #include "grasp/quality/support_proof.h"
 #include "solvers/incremental_hull.h"
@@ -119,6 +120,7 @@ class EpsilonSearch {
     int next_proof = kPolishAt;
     while (upper_ > 0 && hull.facets() <= options_.max_facets) {
       // The nearest facet bounds epsilon from below; facets beyond the bar cannot matter.
+      end_if_stopped();
       hull.set_bar(bar());
       const int facet = hull.pop_nearest();
       if (facet < 0) {  // all are beyond the bar
@@ -313,6 +315,7 @@ MinNorm min_norm(const SupportFunction& support, double gap) {
   corral.weights(0) = 1;
   ScaledWrench x = out.x;
   while (out.supports < kMaxSupports) {
+    end_if_stopped();
     const double length = x.norm();
     if (length < out.x.norm()) out.x = x;
     // x = 0 to rounding: the origin is in the set.

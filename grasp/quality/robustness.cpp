@@ -6,6 +6,7 @@
 
 #include "base/error.h"
 #include "base/spatial.h"
+#include "base/stop_scope.h"
 #include "base/units.h"
 #include "grasp/contact/contact.h"
 #include "grasp/contact/friction_pyramid.h"
@@ -113,6 +114,7 @@ Robustness robustness(const std::function<std::vector<Contact>(std::mt19937&)>& 
   int closed = 0;
   for (int i = 0; i < options.draws; ++i) {
     // One possible grasp; without contacts it is a miss.
+    end_if_stopped();
     const std::vector<Contact> contacts = draw(rng);
     if (contacts.empty()) {
       ++result.misses;

@@ -8,6 +8,7 @@
 #include <Eigen/Dense>
 
 #include "base/numbers.h"
+#include "base/stop_scope.h"
 #include "grasp/quality/support_function.h"
 #include "solvers/matrix_inequality.h"
 
@@ -284,6 +285,7 @@ SupportProof prove_support(const SupportFunction& support, double r, int max_par
   // Parts of the sphere, each until a proof or a counterexample is found.
   while (!parts.empty()) {
     if (++proof.parts > max_parts) return proof;
+    end_if_stopped();
     const std::vector<Cone> part = std::move(parts.back());
     parts.pop_back();
     // Positive definite F: this part is proven.

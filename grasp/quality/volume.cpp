@@ -1,13 +1,16 @@
 #include "grasp/quality/volume.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <optional>
+#include <set>
 
 #include <Eigen/SVD>
 
 #include "base/error.h"
 #include "base/numbers.h"
+#include "base/stop_scope.h"
 #include "grasp/contact/friction_pyramid.h"
 #include "grasp/quality/minkowski_volume.h"
 #include "grasp/quality/support_function.h"
@@ -24,6 +27,7 @@ constexpr int kFacetsBeforeSum = 100000;  // of a hull, before a way without hul
 constexpr double kSharpVolume = 1e-9;     // error of a volume that needs no other way [1]
 constexpr double kFolded = 1e-4;  // error of a larger hull of a sum: faces that are parallel up to
                                   // rounding fold it; 1.3e-5 was met [1]
+constexpr double kLostVolume = 0.1;     // error beyond which a volume is not known [1]
 constexpr double kExactVolume = 1e-12;  // error of a volume that counts as exact [1]
 constexpr double kMaxChoices = 2e7;     // of faces of a sum: takes some seconds
 constexpr double kSumError = 1e-6;  // of the volume of a sum that is not in general position [1]
@@ -86,15 +90,30 @@ PolytopeVolume hull_volume(const WrenchSet& set, const VolumeOptions& options, i
   internal::Hull hull(simplex.points);
   double off = 0;
   int facet = 0;
+  // A point is put in once. Where it seems to lie beyond a facet again, that is rounding: so narrow
+  // a set has been stretched that it is more than kBeyond.
+  std::set<std::array<double, 6>> vertices;
+  const auto is_new = [&](const ScaledWrench& p) {
+    std::array<double, 6> key;
+    std::copy(p.data(), p.data() + 6, key.begin());
+    return vertices.insert(key).second;
+  };
+  for (const ScaledWrench& p : simplex.points) (void)is_new(p);
   // Refine facets until no support point lies beyond any.
   while ((facet = hull.pop_nearest()) >= 0 && hull.facets() <= max_facets &&
          !options.progress.stop()) {
+    end_if_stopped();
     const internal::Hull::Plane plane = hull.plane(facet);
     const internal::SupportPoint reach = support(plane.n);
-    if (reach.h > plane.d + kBeyond * support.size() && hull.insert(reach.p, facet)) continue;
+    if (reach.h > plane.d + kBeyond * support.size() && is_new(reach.p) &&
+        hull.insert(reach.p, facet))
+      continue;
     off = std::max(off, reach.h - plane.d);
   }
-  return {hull.volume() * round.shrunk, facet < 0, hull.facets(), error_of(hull, off)};
+  const double error = error_of(hull, off);
+  // Of so narrow a set rounding leaves no volume that could be told.
+  if (!(error <= kLostVolume)) return {0, false, hull.facets(), 1};
+  return {hull.volume() * round.shrunk, facet < 0, hull.facets(), error};
 }
 
 /// Volume of a Minkowski sum without its hull, where that is possible.

@@ -86,6 +86,53 @@ TEST(Volume, EstimatesWithinOnePercentOfManyEdges) {
   }
 }
 
+std::vector<Contact> soft_fingers_at(const Eigen::Vector3d& a, const Eigen::Vector3d& b) {
+  Contact one;
+  one.p = a;
+  one.n = Eigen::Vector3d::UnitX();
+  one.friction = 0.5;
+  one.torsion = 0.004;
+  Contact other = one;
+  other.p = b;
+  other.n = -one.n;
+  return {one, other};
+}
+
+// Torques about another centre are a shear of all wrenches, which keeps volumes. From far away the
+// set is as narrow as its wrenches are rounded: then its volume is not known, but its bounds hold.
+TEST(Volume, IsTheSameAboutAnyCentre) {
+  const auto fingers = soft_fingers_at({-0.03, 0, 0}, {0.03, 0, 0});
+  const auto about = [&](const Eigen::Vector3d& centre) {
+    return volume_of(wrench_set(fingers, centre, 0.05), ForceNorm::kL1);
+  };
+  const Volume near = about({0, 0, 0});
+  for (const Eigen::Vector3d& centre :
+       {Eigen::Vector3d(0.1, 0.2, 0.3), Eigen::Vector3d(0, 1, 0), Eigen::Vector3d(1, -3, 2)}) {
+    const Volume v = about(centre);
+    EXPECT_TRUE(v.complete) << centre.transpose();
+    EXPECT_NEAR(v.estimate / near.estimate, 1, 1e-4) << centre.transpose();
+  }
+  for (const Eigen::Vector3d& centre : {Eigen::Vector3d(0, 100, 0), Eigen::Vector3d(3, 40, -100)}) {
+    const Volume v = about(centre);
+    EXPECT_LE(v.lower, near.upper) << centre.transpose();
+    EXPECT_GE(v.upper, near.lower) << centre.transpose();
+    EXPECT_TRUE(!v.complete || std::abs(v.estimate / near.estimate - 1) < 1e-2);
+  }
+}
+
+// Each point of a hull is put in once, however far its planes are rounded.
+TEST(Volume, OfAFingerFarAwayEnds) {
+  for (const double d : {1.0, 10.0, 100.0, 1e4}) {
+    const Volume v = volume_of(
+        wrench_set(soft_fingers_at({-0.03, d, 0}, {0.03, 0, 0}), Eigen::Vector3d::Zero(), 0.05),
+        ForceNorm::kL1);
+    EXPECT_TRUE(v.complete || d > 10) << d;
+    EXPECT_GE(v.lower, 0) << d;
+    EXPECT_LE(v.lower, v.upper) << d;
+    EXPECT_LT(v.facets, 20000) << d;
+  }
+}
+
 // The join of balls: (3!)^2 / 6! of the product of their volumes 4 pi / 3.
 TEST(Volume, OfOrthogonalBallsComesAsNearAsThatOfDiscs) {
   const double known = 36.0 / 720 * std::pow(4 * M_PI / 3, 2);
