@@ -9,7 +9,7 @@
 #include "api/simulate.h"
 #include "base/error.h"
 #include "base/nearest_name.h"
-#include "data/io/result_file.h"
+#include "data/io/result_layout.h"
 #include "tendons/net/build_tendons.h"
 
 namespace thenar {
@@ -137,10 +137,8 @@ class MotionReader {
     const TendonNames& names = out_.tendons->digit().names;
     const auto joints = static_cast<Index>(names.coordinates.size());
     const auto muscles = static_cast<Index>(names.muscles.size());
-    if (file_.arrays.count("time") == 0) fail("it has no 'time'");
-    const auto count = static_cast<Index>(file_.arrays.at("time").values.size());
-    if (count < 1) fail("'time': wanted instants, at least one");
-    out_.time = table("time", count, 1);
+    out_.time = vector_in(file_, "time");
+    const Index count = out_.time.size();
     for (Index i = 1; i < count; ++i)
       if (!(out_.time[i] > out_.time[i - 1])) fail("'time' does not rise");
     out_.angle = table("angle", count, joints);

@@ -9,6 +9,7 @@
 #include "api/named/material_names.h"
 #include "api/scenes/simulate_scene.h"
 #include "base/error.h"
+#include "base/progress_parts.h"
 #include "data/io/mesh/repair_shape.h"
 #include "data/io/robot/import_robot.h"
 #include "geometry/solid.h"
@@ -74,6 +75,8 @@ FileVerdict verdict_of(const std::string& name, const std::string& data, const M
              table))
       verdict.warnings.push_back(std::move(unknown));
     verdict.thing = std::move(thing);
+  } catch (const Stopped&) {
+    throw;
   } catch (const Error& error) {
     verdict.error = error.what();
   }

@@ -9,6 +9,7 @@
 #include "base/error.h"
 #include "base/provenance.h"
 #include "data/io/net_description.h"
+#include "data/io/result_layout.h"
 #include "kinematics_fit/fit_residuals.h"
 #include "kinematics_fit/prediction.h"
 #include "kinematics_fit/specimen_prior.h"
@@ -265,10 +266,9 @@ Fit fit_of(const ResultFile& file) {
   // The problem is built anew from the inputs; the estimate must belong to it.
   const FitInputs inputs = inputs_of(file);
   FitProblem problem = build_problem(inputs);
-  const Eigen::VectorXd z = file.matrix("fit/z");
+  const Eigen::VectorXd z = vector_in(file, "fit/z");
   require(z.size() == problem.size(), "the fit has {} coordinates, its inputs give {}", z.size(),
           problem.size());
-  require(z.allFinite(), "fit/z is not finite");
   const std::vector<std::string>& names = file.list("fit/name");
   const std::vector<std::string> wanted = problem.coordinates().names();
   for (std::size_t i = 0; i < wanted.size(); ++i)
@@ -343,7 +343,7 @@ void write_fit(const Fit& fit, const std::string& path) {
 
 Fit read_fit(const std::string& path) {
   const ResultFile file = read_result(path);
-  if (file.texts.count("format") == 0 || file.text("format") != kFormat)
+  if (file.text_or_none("format") != kFormat)
     throw DataError(path, 1, fmt::format("wanted a '{}' file", kFormat));
   try {
     return fit_of(file);

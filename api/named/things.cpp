@@ -10,6 +10,7 @@
 #include "base/file_io.h"
 #include "base/nearest_name.h"
 #include "base/run_record.h"
+#include "data/io/result_layout.h"
 #include "data/io/robot/import_robot.h"
 #include "posterior/run/posterior_file.h"
 
@@ -23,6 +24,16 @@ std::vector<std::string> all_names(const std::vector<std::string>& places) {
     for (std::string& name : names_in(places, kind.folder, kind.ending))
       names.push_back(std::move(name));
   return names;
+}
+
+/// A motion of a digit or a run of a scene.
+ResultFile read_run(const std::string& path) {
+  ResultFile file = read_result(path);
+  if (!has_layout(file))
+    throw DataError(path, 1,
+                    fmt::format("wanted a motion or a run of a scene, got a file of format '{}'",
+                                file.text_or_none("format")));
+  return file;
 }
 
 Thing read_robot_of(const std::string& path, const std::string& format) {
@@ -83,7 +94,7 @@ Thing read_thing(const std::string& path) {
   if (file.kind == "presses of a pad") return read_pad_data(path);
   if (file.kind == "fit") return read_fit(path);
   if (file.kind == "posterior") return read_posterior(path);
-  if (file.kind == "motion" || file.kind == "scene run") return read_result(path);
+  if (file.kind == "motion" || file.kind == "scene run") return read_run(path);
   if (file.format == "HDF5") return read_fit(path);  // damaged: its reader says how
   if (file.format.find("XML") != std::string::npos && !file.kind.empty())
     throw InputError(fmt::format("'{}' is a {} of another format: thenar import {} reads it", path,

@@ -5,7 +5,8 @@
 
 #include "api/named/data_folders.h"
 #include "base/error.h"
-#include "data/io/result_file.h"
+#include "base/progress_parts.h"
+#include "data/io/result_layout.h"
 #include "dynamics/mechanism/tree_motion.h"
 
 namespace thenar {
@@ -73,6 +74,8 @@ class RunReader {
           if (build_from(text, (fs::path(folder) / fs::path(scene).filename()).string(), on_pins))
             return;
           if (first.empty()) first = "its bodies are not those of its scene";
+        } catch (const Stopped&) {
+          throw;
         } catch (const Error& error) {
           if (first.empty()) first = error.what();
         }
@@ -104,9 +107,8 @@ class RunReader {
 
   void read_instants() {
     const MovingScene& scene = out_.built.scene;
-    const Eigen::MatrixXd time = file_.matrix("time");
+    const Eigen::VectorXd time = vector_in(file_, "time");
     const Index count = time.size();
-    if (count < 1 || !time.allFinite()) fail("'time': wanted finite instants, at least one");
     // What has no position at all has no columns in the file.
     const Eigen::MatrixXd q =
         scene.q.size() > 0 ? table("position", count, scene.q.size()) : Eigen::MatrixXd(count, 0);
@@ -141,7 +143,7 @@ class RunReader {
 
   void read_contacts() {
     if (file_.arrays.count("contact_instant") == 0) return;
-    const Index count = file_.matrix("contact_instant").size();
+    const Index count = vector_in(file_, "contact_instant").size();
     const auto column = [&](const char* key) { return table(key, count, 1); };
     const auto vectors = [&](const char* key) { return table(key, count, 3); };
     const Eigen::MatrixXd instant = column("contact_instant"), a = column("contact_body_a"),
@@ -201,17 +203,13 @@ class RunReader {
   void compare_places() const {
     const Mechanism& mechanism = out_.built.scene.mechanism;
     const std::size_t bodies = mechanism.bodies.size();
-    const auto found = file_.arrays.find("body_position");
-    if (found == file_.arrays.end() ||
-        found->second.shape != std::vector<std::size_t>{out_.samples.size(), bodies, 3})
-      fail("'body_position': wanted a place of every body at every instant");
+    const std::vector<double>& places = file_.arrays.at("body_position").values;
     const TreeModel model = tree_model(mechanism);
     TreeMotion<double> motion(model);
     for (const std::size_t i : {std::size_t{0}, out_.samples.size() - 1}) {
       motion.set_position(out_.samples[i].q);
       for (std::size_t b = 0; b < bodies; ++b) {
-        const Eigen::Map<const Eigen::Vector3d> there(found->second.values.data() +
-                                                      3 * (i * bodies + b));
+        const Eigen::Map<const Eigen::Vector3d> there(places.data() + 3 * (i * bodies + b));
         if (!((motion.pose(static_cast<int>(b)).p - there).norm() <= kSamePlace))
           fail(
               fmt::format("'{}' stands elsewhere now: what the scene is built from has changed "

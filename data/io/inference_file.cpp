@@ -16,6 +16,7 @@
 #include "data/io/checked_file.h"
 #include "data/io/file_guard.h"
 #include "data/io/hdf5_guard.h"
+#include "data/io/result_layout.h"
 
 namespace thenar {
 namespace {
@@ -414,7 +415,9 @@ InferenceFile read_inference(const std::string& path) {
   const Checksum checksum = take_checksum(bytes, path);
   try_in_fork(path, seconds_to_read(bytes.size()),
               [&] { (void)read_inference_image(bytes, checksum, path); });
-  return read_inference_image(bytes, checksum, path);
+  InferenceFile file = read_inference_image(bytes, checksum, path);
+  check_layout(file, path);
+  return file;
 }
 
 }  // namespace thenar

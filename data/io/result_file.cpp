@@ -11,6 +11,7 @@
 #include "data/io/checked_file.h"
 #include "data/io/file_guard.h"
 #include "data/io/hdf5_guard.h"
+#include "data/io/result_layout.h"
 
 namespace thenar {
 namespace {
@@ -335,7 +336,9 @@ ResultFile read_result(const std::string& path) {
   const Checksum checksum = take_checksum(bytes, path);
   try_in_fork(path, seconds_to_read(bytes.size()),
               [&] { (void)read_image(bytes, checksum, path); });
-  return read_image(bytes, checksum, path);
+  ResultFile file = read_image(bytes, checksum, path);
+  check_layout(file, path);
+  return file;
 }
 
 }  // namespace thenar

@@ -1,5 +1,6 @@
 #include "posterior/run/posterior_file.h"
 
+#include <cmath>
 #include <ctime>
 #include <sstream>
 #include <type_traits>
@@ -8,6 +9,7 @@
 
 #include "base/error.h"
 #include "base/provenance.h"
+#include "data/io/result_layout.h"
 #include "posterior/run/posterior_groups.h"
 #include "posterior/run/posterior_quantities.h"
 #include "posterior/run/sample_posterior.h"
@@ -204,15 +206,20 @@ const InferenceArray& array(const InferenceFile& file, const std::string& group,
   return values->second;
 }
 
+/// The layout of posteriors says how many lengths it has.
+std::vector<std::size_t> shape_of(const InferenceFile& file, const std::string& group,
+                                  const std::string& name) {
+  return shape_in(file.groups.at(group), array(file, group, name));
+}
+
 /// x of every chain (n, draws).
 std::vector<Eigen::MatrixXd> chains_of(const InferenceFile& file, int n) {
   // Do the draws belong to the inputs?
   const std::vector<double>& values = array(file, "unconstrained_posterior", "x").values;
-  const InferenceGroup& group = file.groups.at("unconstrained_posterior");
-  const auto chains = group.lengths.at("chain"), draws = group.lengths.at("draw");
-  require(group.lengths.at("coordinate") == static_cast<std::size_t>(n),
-          "the draws have {} coordinates, the inputs in the file give {}",
-          group.lengths.at("coordinate"), n);
+  const std::vector<std::size_t> shape = shape_of(file, "unconstrained_posterior", "x");
+  const std::size_t chains = shape[0], draws = shape[1];
+  require(shape[2] == static_cast<std::size_t>(n),
+          "the draws have {} coordinates, the inputs in the file give {}", shape[2], n);
 
   // One chain behind the other in the file.
   std::vector<Eigen::MatrixXd> x;
@@ -234,7 +241,7 @@ std::vector<std::vector<StepStats>> stats_of(const InferenceFile& file, std::siz
     for (std::size_t c = 0; c < chains; ++c)
       for (std::size_t k = 0; k < draws; ++k) {
         auto& to = stats[c][k].*field;
-        to = static_cast<std::decay_t<decltype(to)>>(values.at(c * draws + k));
+        to = static_cast<std::decay_t<decltype(to)>>(values[c * draws + k]);
       }
   };
   fill("log_prior", &StepStats::log_prior);
@@ -260,11 +267,12 @@ Draws draws_of(const InferenceFile& file, const AttributeReader& given, int n) {
   const std::vector<double>& beta = array(file, "sample_stats", "temper").values;
   draws.beta =
       Eigen::Map<const Eigen::VectorXd>(beta.data(), static_cast<Eigen::Index>(beta.size()));
-  const InferenceGroup& stats = file.groups.at("sample_stats");
-  if (const auto rates = stats.arrays.find("swap_rate"); rates != stats.arrays.end())
+  if (file.groups.at("sample_stats").arrays.count("swap_rate") > 0) {
+    const std::vector<std::size_t> shape = shape_of(file, "sample_stats", "swap_rate");
     draws.swap_rate = Eigen::Map<const Eigen::MatrixXd>(
-        rates->second.values.data(), static_cast<Eigen::Index>(stats.lengths.at("neighbours")),
-        static_cast<Eigen::Index>(stats.lengths.at("ladder")));
+        array(file, "sample_stats", "swap_rate").values.data(), static_cast<Eigen::Index>(shape[1]),
+        static_cast<Eigen::Index>(shape[0]));
+  }
   // How the run went.
   draws.warm_up = static_cast<long>(given.number("warm_up"));
   draws.complete = given.text("complete") == "yes";
@@ -294,6 +302,10 @@ PosteriorRun run_of(const InferenceFile& file) {
   require(given.has("thenar_format") && given.text("thenar_format") == internal::kPosteriorFormat,
           "not a '{}' file", internal::kPosteriorFormat);
   // Inputs and settings, and the posterior built from them anew.
+  for (const auto& [name, text] : file.attributes)
+    require(name.rfind("setting_", 0) != 0 || name == "setting_sampler" ||
+                std::abs(std::stod(text)) < 2147483648.0,
+            "the attribute '{}': wanted a number below 2^31, got {}", name, text);
   PosteriorRun run;
   run.inputs = internal::inputs_of(given);
   run.settings = internal::settings_of(given);
@@ -305,8 +317,11 @@ PosteriorRun run_of(const InferenceFile& file) {
     std::istringstream abandoned(given.text("abandoned_target_acceptances"));
     for (double target; abandoned >> target;) run.abandoned.push_back(target);
   }
-  run.modes = modes_of(file, *run.posterior);
   run.draws = draws_of(file, given, run.posterior->size());
+  require(run.draws.beta.size() == run.settings.run.temperatures,
+          "'sample_stats/temper': wanted {} numbers, as the settings say, got {}",
+          run.settings.run.temperatures, run.draws.beta.size());
+  run.modes = modes_of(file, *run.posterior);
   assess_run(run);
   return run;
 }

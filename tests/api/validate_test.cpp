@@ -2,13 +2,23 @@
 
 #include "api/validate.h"
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "api/scenes/simulate_scene.h"
+#include "api/simulate.h"
+#include "base/error.h"
+#include "tests/data/mutated_arrays.h"
 #include "tests/data_folder.h"
 #include "tests/message_of.h"
+#include "tests/temporary_folder.h"
 
 namespace thenar {
 namespace {
+
+using testing::AnyOf;
+using testing::HasSubstr;
+using testing::IsSubsetOf;
 
 ValidateRequest things_for(const std::vector<std::string>& things, const std::string& subject) {
   return {things, subject, "", kData};
@@ -32,6 +42,58 @@ TEST(Validate, HoldsExperimentsToASubject) {
   EXPECT_FALSE(index.valid());
   EXPECT_EQ(message_of([] { (void)validate(things_for({"winslow"}, "an_chao_index")); }),
             "--subject is what experiments are held to; none of the files is an experiment");
+}
+
+class ValidateResults : public TemporaryFolder {
+ protected:
+  /// Changes of a result that validate does not refuse.
+  [[nodiscard]] MutationVerdicts accepted(const std::string& file) const {
+    const MutationVerdicts verdicts =
+        verdicts_on_mutations(read_result(path(file)), path(file), [](const std::string& changed) {
+          const Validation found = validate(things_for({changed}, ""));
+          require(found.valid(), "{}", found.files.front().error);
+        });
+    EXPECT_GT(verdicts.size(), 100u);
+    return read_all_the_same(verdicts);
+  }
+};
+
+TEST_F(ValidateResults, MotionsWithAnyArrayChangedAreRefused) {
+  MotionRequest request;
+  request.digit.subject = kData + "/subjects/an_chao_index.toml";
+  request.excitation = {{"FDP", 0.2}};
+  request.seconds = 0.02;
+  write_motion(simulate_digit(request), path("motion.h5"));
+  EXPECT_TRUE(validate(things_for({path("motion.h5")}, "")).valid());
+  // Fibres are rigid, and nothing strays, in some motions.
+  EXPECT_THAT(accepted("motion.h5"), IsSubsetOf({"fibre missing", "stray not a number"}));
+}
+
+TEST_F(ValidateResults, RunsOfScenesWithAnyArrayChangedAreRefused) {
+  SceneRequest request;
+  request.scene = "wine_glass";
+  request.data = kData;
+  request.seconds = 0.02;
+  const SimulatedScene run = run_scene(request);
+  write_scene_run(run, path("run.h5"));
+  EXPECT_TRUE(validate(things_for({path("run.h5")}, "")).valid());
+  EXPECT_THAT(accepted("run.h5"),
+              IsSubsetOf({"element_state missing", "energy_error missing", "worst_residual missing",
+                          "worst_residual not a number"}));
+}
+
+TEST_F(ValidateResults, SweepsWithAnyArrayChangedAreRefused) {
+  SceneRequest request;
+  request.scene = "falling_ball";
+  request.data = kData;
+  request.seconds = 0.02;
+  request.vary = {{"mass/ball", 0.1, 0.2, 2}};
+  const std::optional<SceneSweep> sweep = vary_scene(request);
+  ASSERT_TRUE(sweep.has_value());
+  write_scene_sweep(*sweep, path("sweep.h5"));
+  EXPECT_TRUE(validate(things_for({path("sweep.h5")}, "")).valid());
+  for (const std::string& change : accepted("sweep.h5"))
+    EXPECT_THAT(change, AnyOf(HasSubstr("energy_error missing"), HasSubstr("worst_residual")));
 }
 
 }  // namespace

@@ -467,7 +467,7 @@ class BadInput(WithFolder):
         bare = self.output.read_bytes()
         digest = hashlib.sha256(bare).hexdigest().encode()
         self.output.write_bytes(bare + b"\nthenar sha256 " + digest + b"\n")
-        self.assertIn("P.nc:0: not a posterior of thenar: chain 1 has draws that are not finite",
+        self.assertIn("P.nc:1: 'unconstrained_posterior/x': it has numbers that are not finite",
                       self.complaint("posterior", "summary", self.output))
 
 

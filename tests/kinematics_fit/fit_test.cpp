@@ -4,9 +4,11 @@
 #include <filesystem>
 #include <fstream>
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "base/error.h"
+#include "tests/data/mutated_arrays.h"
 #include "tests/kinematics_fit/fit_samples.h"
 #include "tests/temporary_folder.h"
 
@@ -14,6 +16,9 @@ namespace thenar {
 namespace {
 
 namespace fs = std::filesystem;
+
+using testing::Contains;
+using testing::HasSubstr;
 
 FitInputs small_inputs() {
   FitInputs inputs = sample::finger_inputs("synek2019_middle", {"H01"});
@@ -104,6 +109,19 @@ TEST_F(FitFile, RefusesWhatIsNotAFit) {
   }
 }
 
+// No array may reach the reader in another shape, or with numbers that it cannot be asked for.
+TEST_F(FitFile, IsRefusedWithAnyArrayChanged) {
+  const std::string path = (folder_ / "fit.h5").string();
+  write_fit(run_fit(small_inputs()), path);
+  const MutationVerdicts verdicts = verdicts_on_mutations(
+      read_result(path), path, [](const std::string& file) { (void)read_fit(file); });
+  EXPECT_GT(verdicts.size(), 100u);
+  // What may be absent is not missed, and says nothing that is asked for.
+  EXPECT_EQ(read_all_the_same(verdicts),
+            (MutationVerdicts{"predictions/synek2019_H01/start_has_seen_specimen missing"}));
+  EXPECT_THAT(verdicts, Contains(HasSubstr("fit.h5:1: 'fit/z': wanted ")));
+}
+
 /// What read_fit() says of a fit whose file was changed.
 std::string refusal(const std::string& path, const ResultFile& file) {
   write_result(file, path);
@@ -127,7 +145,7 @@ TEST_F(FitFile, RefusesWhatWasTamperedWith) {
 
   bad = good;
   bad.arrays.at("fit/z").values[0] = std::nan("");
-  EXPECT_EQ(refusal(path, bad), path + ":1: fit/z is not finite");
+  EXPECT_EQ(refusal(path, bad), path + ":1: 'fit/z': it has numbers that are not finite");
 
   bad = good;
   bad.texts.at("fit/name")[0] = "gain/FDP";

@@ -5,9 +5,11 @@
 #include <filesystem>
 #include <string>
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "base/error.h"
+#include "tests/data/mutated_arrays.h"
 #include "tests/posterior/run/small_run.h"
 
 namespace thenar {
@@ -15,6 +17,11 @@ namespace {
 
 using sample::sampled;
 using sample::temporary_path;
+using testing::AllOf;
+using testing::AnyOf;
+using testing::EndsWith;
+using testing::Not;
+using testing::StartsWith;
 
 TEST(PosteriorFile, ComesBackWithEveryDrawAndVerdict) {
   const std::string path = temporary_path("thenar_posterior_test.nc");
@@ -54,6 +61,21 @@ TEST(PosteriorFile, RefusesOtherFiles) {
   write_inference(other, path);
   EXPECT_THROW((void)read_posterior(path), DataError);
   std::filesystem::remove(path);
+}
+
+// Of what only people read, numbers need not be known; everything else is refused.
+TEST(PosteriorFile, IsRefusedWithAnyArrayChanged) {
+  const std::string path = temporary_path("thenar_posterior_changed.nc");
+  const MutationVerdicts verdicts =
+      verdicts_on_mutations(describe_posterior(sampled()), path,
+                            [](const std::string& file) { (void)read_posterior(file); });
+  std::filesystem::remove(path);
+  EXPECT_GT(verdicts.size(), 150u);
+  for (const std::string& verdict : read_all_the_same(verdicts))
+    EXPECT_THAT(verdict,
+                AnyOf(StartsWith("prior/"), AllOf(StartsWith("posterior/"), EndsWith(" missing")),
+                      AllOf(Not(StartsWith("sample_stats/")), Not(StartsWith("unconst")),
+                            EndsWith(" not a number"))));
 }
 
 TEST(PosteriorFile, HasNoPopulationOfOneSpecimen) {
