@@ -225,10 +225,15 @@ DigitAtPosture without_muscles(DigitAtPosture at, const std::vector<std::string>
   return at;
 }
 
-/// The digit with its wrist as it is asked for.
+/// The digit with its wrist as it is asked for. What ligaments do at a stop is the stop's torque: the
+/// passive moment there is a part of it, and does not come on top.
 DigitAtPosture with_wrist(DigitAtPosture whole, const HeldJoints& held, WristLoad load) {
   DigitAtPosture at = without_muscles(std::move(whole), held.others);
   TipStatics& statics = at.statics;
+  for (const JointStop& stop : held.stops) {
+    statics.tau_0[stop.coordinate] = 0;
+    for (StaticsDerivative& slope : at.slopes) slope.tau_0[stop.coordinate] = 0;
+  }
   if (load != WristLoad::kPinch) return at;
   statics = without_load_on(std::move(statics), held.wrist);
   at.slopes = without_load_on(std::move(at.slopes), held.wrist);

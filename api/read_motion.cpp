@@ -98,7 +98,10 @@ class MotionReader {
   void build() {
     const std::string text = file_.text_or_none("inputs/1/text");
     require(!text.empty(), "it does not keep the text of its subject");
-    out_.subject = parse_subject(text, file_.text_or_none("inputs/1/path"));
+    // Older files say nothing of passive moments: none were counted.
+    out_.subject = with_passive(
+        parse_subject(text, file_.text_or_none("inputs/1/path")),
+        file_.text_or_none("rungs/passive") == "on" ? PassiveMoments::kOn : PassiveMoments::kOff);
     out_.digit = choose_digit(out_.subject, file_.text("digit"));
     const TendonOptions options = rungs();
     if (options.hood != Hood::kFloatingNet) {

@@ -60,11 +60,12 @@ void add_instants(const Trajectory& t, ResultFile& file) {
 }
 
 /// By what the digit is built again.
-void add_rungs(const TendonOptions& rungs, ResultFile& file) {
+void add_rungs(const TendonOptions& rungs, PassiveMoments passive, ResultFile& file) {
   const std::vector<RungWords> words = explain(Fidelity(rungs.path, rungs.hood));
   file.add("rungs/path", words[kPathLadder].rung);
   file.add("rungs/hood", words[kHoodLadder].rung);
   file.add("rungs/wrist", rungs.wrist_mode == WristMode::kFree ? "free" : "welded");
+  file.add("rungs/passive", passive == PassiveMoments::kOn ? "on" : "off");
   if (rungs.frozen.empty()) return;
   std::vector<std::string> joints;
   Eigen::VectorXd angles(static_cast<Eigen::Index>(rungs.frozen.size()));
@@ -85,7 +86,7 @@ SimulatedMotion simulate_digit(const MotionRequest& request, const Progress& pro
           at.digit, at.subject.name, at.map);
   set_slack(request.tendon_slack, at.subject);
   SimulatedMotion motion{at.subject.name, at.digit,    at.tendons, {},
-                         at.sources,      at.warnings, at.rungs};
+                         at.sources,      at.warnings, at.rungs,   at.passive};
   const TendonDigit& digit = at.bones();
   const std::vector<std::string>& muscles = digit.names.muscles;
   require(!muscles.empty(), "no muscle of subject '{}' crosses a free joint of this digit",
@@ -120,7 +121,7 @@ void write_motion(const SimulatedMotion& motion, const std::string& path, const 
   file.add("digit", motion.digit);
   file.add("name/joint", t.joints);
   file.add("name/muscle", t.muscles);
-  add_rungs(motion.rungs, file);
+  add_rungs(motion.rungs, motion.passive, file);
   add_instants(t, file);
   file.add("energy_error", t.balance.error, "J");
   file.add("turned_over", t.balance.turned_over, "J");

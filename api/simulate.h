@@ -40,6 +40,7 @@ struct [[nodiscard]] SimulatedMotion {
   std::vector<SourceText> sources;              // subject, net, excitation file
   std::vector<std::string> warnings;  // of the start: limits, tendons too close to a joint
   TendonOptions rungs{};              // by which `tendons` were built
+  PassiveMoments passive = PassiveMoments::kOn;  // as asked for
 };
 
 /// Simulates the digit from rest at request.digit.posture; all activations start at 0.

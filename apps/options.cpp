@@ -86,6 +86,12 @@ void add_path_option(CLI::App& command, std::optional<Path>& path) {
           listed(path_names()));
 }
 
+void add_passive_option(CLI::App& command, PassiveMoments& passive) {
+  command.add_option_function<std::string>(
+      "--passive", [&passive](const std::string& word) { passive = passive_named(word); },
+      "Passive moments of human joints, where the subject states some: on (default) or off");
+}
+
 void add_posture_option(CLI::App& command, PostureRequest& posture, const std::string& help) {
   posture.unit = PostureUnit::kTyped;  // also of --vary, where no posture is given
   command.add_option_function<std::vector<std::string>>(
@@ -135,6 +141,7 @@ CLI::Option* add_named_numbers(CLI::App& command, const std::string& option,
 namespace {
 
 void add_subject_options(CLI::App& command, DigitRequest& request) {
+  add_passive_option(command, request.passive);
   command.add_option("subject", request.subject, "A subject: its name, or its file (TOML)")
       ->required();
   command.add_option("--digit", request.digit, "thumb, index, middle, ring or little");
@@ -161,6 +168,7 @@ void add_world_options(CLI::App& command, WorldRequest& request) {
   command.add_option("world", request.world, "A world: its name, or its file (TOML)")->required();
   command.add_option("--hand", request.hand, "Which hand, where there are several");
   command.add_option("--object", request.object, "Which object, where there are several");
+  add_passive_option(command, request.passive);
   add_data_option(command, request.data);
 }
 

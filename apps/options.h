@@ -40,6 +40,8 @@ void add_materials_option(CLI::App& command, std::string& file);
 void add_data_option(CLI::App& command, std::string& data);
 /// --path via|fitted|wrapped
 void add_path_option(CLI::App& command, std::optional<Path>& path);
+/// --passive on|off
+void add_passive_option(CLI::App& command, PassiveMoments& passive);
 /// --posture JOINT=degrees ..
 void add_posture_option(
     CLI::App& command, PostureRequest& posture,

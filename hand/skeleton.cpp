@@ -7,6 +7,7 @@
 #include "base/error.h"
 #include "base/nearest_name.h"
 #include "base/units.h"
+#include "hand/passive_moment.h"
 
 namespace thenar {
 namespace {
@@ -128,6 +129,9 @@ class Builder {
       skeleton_.limits.push_back(
           {joint.lower, joint.upper, joint.rest, joint.stiffness, joint.damping});
     }
+    if (joint.flexing.moment > 0 || joint.extending.moment > 0)
+      skeleton_.limits[static_cast<std::size_t>(coordinate)].ends.push_back(
+          {ratio, offset, joint.rest, joint.flexing, joint.extending});
     // Hinge, with the mass still to come.
     skeleton_.hinge_names.push_back(joint.name);
     skeleton_.tree.push_back({parent, coordinate, ratio, offset, direction, point});
@@ -233,7 +237,7 @@ Eigen::VectorXd passive_torque(const Skeleton& skeleton,
                                const Eigen::Ref<const Eigen::VectorXd>& q) {
   Eigen::VectorXd tau(skeleton.coordinates());
   for (int i = 0; i < skeleton.coordinates(); ++i)
-    tau[i] = -skeleton.limits[i].stiffness * (q[i] - skeleton.limits[i].rest);
+    tau[i] = passive_moment(skeleton.limits[static_cast<std::size_t>(i)], q[i]);
   return tau;
 }
 

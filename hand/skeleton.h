@@ -19,14 +19,23 @@ struct SkeletonOptions {
   std::map<std::string, double> frozen;  // joint -> the angle it is frozen at [rad]
 };
 
+/// Ends of the passive moment of one hinge, which stands at  ratio * coordinate + offset.
+struct PassiveHinge {
+  double ratio = 1;               // [rad/rad]
+  double offset = 0;              // [rad]
+  double rest = 0;                // of the hinge [rad]
+  PassiveEnd flexing, extending;  // beyond rest, and short of it
+};
+
 /// Range of a coordinate and its passive resistance. Springs and dampers of coupled hinges are
 /// included, referred to the coordinate that drives them; limits are those of this coordinate.
 struct CoordinateLimits {
   double lower;      // of the range [rad]
   double upper;      // of the range [rad]
   double rest;       // angle at which the spring makes no torque [rad]
-  double stiffness;  // passive torque = -stiffness (q - rest) [N m/rad]
+  double stiffness;  // passive torque = -stiffness (q - rest) [N m/rad], and that of the ends
   double damping;    // [N m s/rad]
+  std::vector<PassiveHinge> ends = {};  // of all hinges of the coordinate that have some
 };
 
 /// Mass of everything welded to one link, at the reference posture.
@@ -78,7 +87,7 @@ struct Skeleton {
 /// The tip of the named digit. @throws InputError naming the digits there are.
 [[nodiscard]] const SkeletonTip& tip(const Skeleton& skeleton, const std::string& digit);
 
-/// Passive joint torque  -stiffness (q - rest)  [N m] (coordinates).
+/// Passive joint torque, passive_moment() of every coordinate  [N m] (coordinates).
 [[nodiscard]] Eigen::VectorXd passive_torque(const Skeleton& skeleton,
                                              const Eigen::Ref<const Eigen::VectorXd>& q);
 

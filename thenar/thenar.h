@@ -124,6 +124,7 @@
 #include "hand/chain.h"
 #include "hand/hand.h"
 #include "hand/multibody.h"
+#include "hand/passive_moment.h"
 #include "hand/skeleton.h"
 #include "hand/skeleton_hand.h"
 #include "hand/tip_manipulability.h"

@@ -110,7 +110,9 @@ SourceText subject_source(const std::string& name_or_path, const std::string& da
 DigitCase build_digit(const DigitRequest& request, Hood default_hood) {
   DigitCase at;
   at.sources = {subject_source(request.subject, request.data)};
-  at.subject = parse_subject(at.sources.front().text, at.sources.front().path);
+  at.passive = request.passive;
+  at.subject = with_passive(parse_subject(at.sources.front().text, at.sources.front().path),
+                            request.passive);
   at.digit = choose_digit(at.subject, request.digit);
   if (!request.map.empty() || !has_bones(at.subject, at.digit)) {
     at.map = find_tip_map(at.subject, at.digit, request.map).name;

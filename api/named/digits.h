@@ -35,6 +35,7 @@ struct DigitRequest {
   std::string net;           // name or file; empty: extensor_hood if the hood is a net
   std::string map;           // a published tip map; empty: the bones, or the first map
   WristMode wrist = WristMode::kWelded;  // joints that digits share: welded, or coordinates too
+  PassiveMoments passive = PassiveMoments::kOn;  // whether those of the subject are counted
 };
 
 /// The digit, built.
@@ -44,6 +45,7 @@ struct DigitCase {
   std::string digit;
   std::string map;                              // empty: built from bones
   TendonOptions rungs;                          // by which tendons were built
+  PassiveMoments passive = PassiveMoments::kOn;  // as asked for: already in `subject`
   std::shared_ptr<const DigitTendons> tendons;  // shared with results; null for a map
   const NetTendons* net = nullptr;              // the same where its hood is a net, else null
   PostureGrid grid;                             // empty for a map

@@ -84,10 +84,24 @@ std::string current_version(const std::string& version) {
   return version.empty() ? "" : human_versions()[static_cast<std::size_t>(human_version(version))];
 }
 
+constexpr const char* kPassiveOff = "passive-off";
+
 /// A name, its version and its tendon paths; the last two may be empty.
 struct HandName {
   std::string base, version, path;
+  PassiveMoments passive = PassiveMoments::kOn;
 };
+
+/// Parts what stands behind a version: tendon paths, passive moments left out, or both.
+void read_tail(const std::string& tail, HandName& name) {
+  const std::size_t end = tail.rfind(':');
+  const std::string last = end == std::string::npos ? tail : tail.substr(end + 1);
+  name.path = tail;
+  if (last != kPassiveOff) return;
+  name.passive = PassiveMoments::kOff;
+  name.path = end == std::string::npos ? "" : tail.substr(0, end);
+}
+
 HandName split_name(const std::string& name) {
   // The last word between colons that is a version: files may have colons in their names.
   for (std::size_t at = name.rfind(':'); at != std::string::npos && at > 0;
@@ -95,7 +109,9 @@ HandName split_name(const std::string& name) {
     const std::size_t path = name.find(':', at + 1);
     const std::string word = name.substr(at + 1, path == std::string::npos ? path : path - at - 1);
     if (!is_human_version(word)) continue;
-    return {name.substr(0, at), word, path == std::string::npos ? "" : name.substr(path + 1)};
+    HandName found{name.substr(0, at), word, ""};
+    if (path != std::string::npos) read_tail(name.substr(path + 1), found);
+    return found;
   }
   return {name, "", ""};
 }
@@ -107,8 +123,12 @@ std::string robot_file(const std::string& name, const std::vector<std::string>& 
   return find_in(places, (fs::path("robots") / (name + ".toml")).string());
 }
 
-HandSource find_hand(const std::string& name, const std::vector<std::string>& places) {
-  const auto [base, typed, path] = split_name(name);
+namespace {
+
+/// The source without a word on passive moments.
+HandSource find_source(const std::string& name, const HandName& parts,
+                       const std::vector<std::string>& places) {
+  const auto& [base, typed, path, passive] = parts;
   const std::string version = current_version(typed);
   if (!path.empty()) (void)path_named(path);  // refuses others
   if (base == kHuman) return {true, "", version.empty() ? kTendons : version, path};
@@ -127,10 +147,20 @@ HandSource find_hand(const std::string& name, const std::vector<std::string>& pl
                                places_words(places)));
 }
 
+}  // namespace
+
+HandSource find_hand(const std::string& name, const std::vector<std::string>& places) {
+  const HandName parts = split_name(name);
+  HandSource found = find_source(name, parts, places);
+  found.passive = parts.passive;
+  return found;
+}
+
 std::string current_hand_name(const std::string& name) {
-  const auto [base, version, path] = split_name(name);
+  const auto [base, version, path, passive] = split_name(name);
   if (version.empty()) return name;
-  return base + ":" + current_version(version) + (path.empty() ? "" : ":" + path);
+  return base + ":" + current_version(version) + (path.empty() ? "" : ":" + path) +
+         (passive == PassiveMoments::kOn ? "" : std::string(":") + kPassiveOff);
 }
 
 std::string version_of_hand(const std::string& name) {
@@ -144,6 +174,7 @@ NamedHand hand_by_name(const std::string& name, const std::vector<std::string>& 
   const Subject subject = source.file.empty() ? default_human() : read_subject(source.file);
   HumanHandOptions human_options = options;
   if (!source.path.empty()) human_options.path = path_named(source.path);
+  if (source.passive == PassiveMoments::kOff) human_options.passive = source.passive;
   NamedHand hand = human(current_hand_name(name), subject, source.version, human_options);
   hand.file = source.file;
   if (!source.file.empty()) hand.files = digests_of({source.file});

@@ -33,6 +33,7 @@ struct HandSource {
   std::string file;     // empty: the built-in human
   std::string version;  // of a human hand: one of human_versions()
   std::string path;     // of its tendons: "via", "fitted" or "wrapped"; empty: via
+  PassiveMoments passive = PassiveMoments::kOn;  // of its joints
 };
 
 /// The hand called
@@ -42,6 +43,8 @@ struct HandSource {
 ///                            needs no tendons
 ///   "human:tendons:wrapped"  the same on another model of tendon paths: via (if left out), fitted
 ///                            or wrapped
+///   "human:skewed:passive-off", "human:tendons:wrapped:passive-off"
+///                            the same without passive moments of joints
 ///   "human:tier1" ..         the old names of the four versions, in this order
 ///   "barrett"                robots/barrett.toml of the first place that has it
 ///   a path                   a robot of any kind that import_robot() reads

@@ -30,6 +30,7 @@ struct WorldRequest {
   std::string hand, object;  // names; empty: the only ones
   std::string data;          // folder with worlds/, robots/ ..; empty: the usual ones
   bool pictures = false;     // whether it will be drawn: human hands finer than they touch
+  PassiveMoments passive = PassiveMoments::kOn;  // of human hands whose names do not leave them out
 };
 
 /// A world with one of its hands, ready to be asked.

@@ -50,7 +50,7 @@ SceneHand hand_of(const SceneSpec& scene, const SceneHandSpec& hand,
   if (!hand.version.empty()) name += ":" + hand.version;
   const HandSource source = at_line(scene.path, hand.line, [&] { return find_hand(name, places); });
   if (!source.human) {
-    if (hand.skin_triangles > 0 || hand.skin_capsules)
+    if (hand.skin_triangles > 0 || hand.skin_capsules || hand.passive)
       throw DataError(scene.path, hand.line,
                       fmt::format("'{}' is no human hand with a skin", name));
     Thing thing = read_thing(source.file);
@@ -63,6 +63,8 @@ SceneHand hand_of(const SceneSpec& scene, const SceneHandSpec& hand,
   HumanModel human{source.file.empty() ? default_human() : read_subject(source.file),
                    human_version(source.version)};
   if (!source.path.empty()) human.options.path = path_named(source.path);
+  human.options.passive =
+      hand.passive.value_or(true) ? source.passive : PassiveMoments::kOff;
   human.options.skin.drawn = kDrawnSkin;
   if (hand.skin_triangles > 0) human.options.skin.triangles = hand.skin_triangles;
   human.options.skin.capsules = hand.skin_capsules.value_or(false);

@@ -9,8 +9,10 @@
 #include "api/scenes/simulate_scene.h"
 #include "base/error.h"
 #include "base/units.h"
+#include "dynamics/human/joint_stops.h"
 #include "dynamics/mechanism/build_mechanism.h"
 #include "dynamics/mechanism/composite_body.h"
+#include "hand/passive_moment.h"
 
 namespace thenar {
 namespace {
@@ -225,6 +227,12 @@ class WorldBuilder {
     inverse.efforts(motion, scene.gravity, Eigen::VectorXd::Zero(model.layout.v), weight);
     MassMatrix<double> mass(model);
     require(mass.set(motion), "masses of '{}' are too unequal", world_.name);
+    // What the ends of passive moments do, which are elements of the scene.
+    for (const std::shared_ptr<const ForceElement>& element : scene.elements)
+      if (const auto* stops = dynamic_cast<const JointStops*>(element.get()))
+        for (std::size_t i = 0; i < stops->ranges().size(); ++i)
+          weight[stops->places().v[i]] -=
+              passive_moment(stops->ranges()[i], scene.q[stops->places().q[i]]);
     for (SceneDrive& drive : scene.drives) {
       const auto c = static_cast<std::size_t>(drive.coordinate);
       const int row = model.layout.coordinate_v[c];

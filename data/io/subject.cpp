@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "base/error.h"
 #include "data/io/subject_parts.h"
 
 namespace thenar {
@@ -55,6 +56,24 @@ bool has_seen(const std::vector<CalibratedOn>& seen, const std::string& experime
   });
 }
 
+PassiveMoments passive_named(const std::string& word) {
+  require(word == "on" || word == "off", "wanted passive moments on or off, got '{}'", word);
+  return word == "on" ? PassiveMoments::kOn : PassiveMoments::kOff;
+}
+
+bool has_passive(const JointAxis& joint) {
+  return joint.stiffness > 0 || joint.flexing.moment > 0 || joint.extending.moment > 0;
+}
+
+Subject with_passive(Subject subject, PassiveMoments passive) {
+  if (passive == PassiveMoments::kOn) return subject;
+  for (JointAxis& joint : subject.joints) {
+    joint.rest = joint.stiffness = joint.passive_spread = 0;
+    joint.flexing = joint.extending = {};
+  }
+  return subject;
+}
+
 Subject parse_subject(const std::string& text, const std::string& path) {
   const TomlFile file(text, path);
   TomlTable top = file.top();
@@ -64,6 +83,7 @@ Subject parse_subject(const std::string& text, const std::string& path) {
   internal::read_segments(top, draft);
   internal::read_joints(top, draft);
   internal::read_dh_chains(top, draft);
+  internal::read_passive(top, draft);
   internal::read_frames(top, draft);
   internal::read_surfaces(top, draft);
   internal::read_strands(top, draft);

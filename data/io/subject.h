@@ -35,6 +35,16 @@ struct Coupling {
   double offset = 0;   // [rad]
 };
 
+/// One end of a joint's passive moment: capsule, ligaments and skin that stiffen as the joint turns
+/// by x past its rest,  moment (exp(x / width) - 1), against the turn.
+struct PassiveEnd {
+  double moment = 0;  // [N m]; 0: none
+  double width = 1;   // turn by which the moment grows e-fold [rad], above 0
+};
+
+/// Whether the joints' passive moments are counted.
+enum class PassiveMoments { kOn, kOff };
+
 /// A hinge about a general (skewed) axis. A universal joint is two hinges in a row.
 struct JointAxis {
   std::string name;                    // in our files "MCP3_FE", "PIP3", "CMC1_AA"
@@ -47,7 +57,10 @@ struct JointAxis {
   double lower = -kPi;                 // joint limit [rad]
   double upper = kPi;                  // joint limit [rad]
   double rest = 0;                     // angle without passive torque [rad]
-  double stiffness = 0;                // passive torque = -stiffness (q - rest) [N m/rad]
+  double stiffness = 0;                // passive torque = -stiffness (q - rest) [N m/rad], less
+  PassiveEnd flexing, extending;       // what these ends take of it, see passive_moment()
+  double passive_spread = 0;           // of passive moments between people: sd of their logarithm
+                                       // [1]; 0 if unknown
   double damping = 0;                  // [N m s/rad]
   std::optional<Coupling> coupling;    // absent: the joint is free
 };
@@ -167,6 +180,15 @@ struct Subject {
   std::map<std::string, double> lengths;    // hand length, breadth... [m]
   std::vector<CalibratedOn> calibrated_on;  // empty: no number was fitted to measured forces
 };
+
+/// "on" or "off" as people type it. @throws InputError for any other word
+[[nodiscard]] PassiveMoments passive_named(const std::string& word);
+
+/// The subject with joints that turn without passive moments, dampers apart, or as it is.
+[[nodiscard]] Subject with_passive(Subject subject, PassiveMoments passive);
+
+/// Whether a joint has a passive moment.
+[[nodiscard]] bool has_passive(const JointAxis& joint);
 
 /// Reads a subject from TOML; the format is in docs/data_format.md.
 /// @throws DataError  `path:line: what was wanted, what came`.

@@ -31,10 +31,11 @@ struct SubjectDraft {
   std::map<std::string, Eigen::Vector3d> chain_ends;  // digit -> end of its DH chain [m] (3)
 };
 
-/// Readers of the parts: segments, joints, frames, surfaces, strands, muscles, digits and tip maps.
+/// Readers of the parts: segments, joints and their passive moments, frames, surfaces, strands, muscles, digits and tip maps.
 void read_segments(TomlTable& top, SubjectDraft& draft);
 void read_joints(TomlTable& top, SubjectDraft& draft);
 void read_dh_chains(TomlTable& top, SubjectDraft& draft);
+void read_passive(TomlTable& top, SubjectDraft& draft);
 void read_frames(TomlTable& top, SubjectDraft& draft);
 void read_surfaces(TomlTable& top, SubjectDraft& draft);
 void read_strands(TomlTable& top, SubjectDraft& draft);

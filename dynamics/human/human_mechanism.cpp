@@ -16,7 +16,7 @@ namespace {
 
 /// The subject with all masses, and with the axes of the version.
 Subject weighed_subject(const HumanModel& model, std::vector<std::string>& warnings) {
-  Subject subject = with_skin_masses(model.subject);
+  Subject subject = with_skin_masses(with_passive(model.subject, model.options.passive));
   std::vector<std::string> assumed;
   for (std::size_t i = 0; i < subject.segments.size(); ++i)
     if (subject.segments[i].mass != model.subject.segments[i].mass)

@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "base/error.h"
+#include "hand/passive_moment.h"
 
 namespace thenar {
 
@@ -29,9 +30,10 @@ bool JointStops::act(const ElementInput& at, ElementAction& out) {
     const CoordinateLimits& limits = limits_.limits[i];
     const double angle = at.q[places_.q[i]];
     const int v = places_.v[i];
-    out.tau[v] += stop_torque(resistance_, limits, angle);
+    out.tau[v] += stop_torque(resistance_, limits, angle) + passive_moment(limits, angle);
     if (at.need == ElementNeed::kAll)
-      out.stiffness(v, v) -= stop_derivative(resistance_, limits, angle);
+      out.stiffness(v, v) -=
+          stop_derivative(resistance_, limits, angle) + passive_moment_slope(limits, angle);
   }
   return true;
 }

@@ -15,8 +15,8 @@ struct CoordinatePlaces {
   std::vector<int> q, v;  // entries of positions and of speeds (coordinates)
 };
 
-/// Stops at the ends of the joints' ranges, as JointResistance has them; they store energy. Springs
-/// and dampers of the joints are the mechanism's.
+/// Stops at the ends of the joints' ranges, as JointResistance has them, and the ends of passive
+/// moments; both store energy. Springs and dampers of the joints are the mechanism's.
 class JointStops final : public ForceElement {
  public:
   JointStops(std::string name, Skeleton skeleton, CoordinatePlaces places,
@@ -33,7 +33,7 @@ class JointStops final : public ForceElement {
 
  private:
   std::string name_;
-  Skeleton limits_;  // ranges alone
+  Skeleton limits_;  // ranges and ends of passive moments alone
   CoordinatePlaces places_;
   JointResistance resistance_;
 };

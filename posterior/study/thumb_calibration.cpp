@@ -81,8 +81,9 @@ ThumbCalibration calibrate_thumb(const ThumbStudyInputs& inputs,
   sampling.mode_starts = settings.mode_starts;
 
   // The protocol, its sds from the thumb at the start, and the prior of the fit.
+  const Subject subject = parse_subject(inputs.start.text, inputs.start.path);
   const TendonDigit start =
-      build_tendon_digit(parse_subject(inputs.start.text, inputs.start.path), "thumb");
+      build_tendon_digit(with_passive(subject, PassiveMoments::kOff), "thumb");
   SimulatedPullOptions pulls;
   pulls.noise = settings.thumb.noise;
   pulls.postures = settings.thumb.postures;

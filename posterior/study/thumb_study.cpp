@@ -83,8 +83,10 @@ std::string describe_fit(const ThumbFitSettings& settings) {
 
 namespace {
 
+/// Load cells are zeroed under the thumb at rest: forces are those of tendons alone.
 TendonDigit thumb_of(const SourceText& source) {
-  return build_tendon_digit(parse_subject(source.text, source.path), "thumb");
+  const Subject subject = parse_subject(source.text, source.path);
+  return build_tendon_digit(with_passive(subject, PassiveMoments::kOff), "thumb");
 }
 
 Experiment tasks_at(const TendonDigit& truth, double noise, unsigned seed) {

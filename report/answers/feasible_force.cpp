@@ -8,6 +8,7 @@
 
 #include "base/units.h"
 #include "report/answers/digit_words.h"
+#include "report/answers/passive_words.h"
 #include "tendons/forces/posture_sensitivity.h"
 
 namespace thenar {
@@ -587,7 +588,7 @@ std::string note_of(const FeasibleForceAnswer& answer, const FeasibleForcePoint&
 }
 
 std::string text_of(const FeasibleForceAnswer& answer) {
-  std::string text = text_header(answer.about) + "\n";
+  std::string text = text_header(answer.about) + passive_line(answer.about) + "\n";
   if (!answer.about.single()) return text + many_postures(answer);
   const FeasibleForcePoint& point = answer.points.front();
   if (point.largest) text += largest_text(answer, point) + loss_text(answer, point);
@@ -597,6 +598,7 @@ std::string text_of(const FeasibleForceAnswer& answer) {
 
 OrderedJson json_of(const FeasibleForceAnswer& answer) {
   OrderedJson json = digit_json(answer.about, [&](std::size_t i, OrderedJson& point) {
+    add_passive(answer.about, i, point);
     add_point(answer, answer.points[i], point);
   });
   if (!answer.without.empty()) json["without"] = answer.without;

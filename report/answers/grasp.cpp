@@ -10,8 +10,10 @@
 #include "grasp/limits/force_set.h"
 #include "grasp/quality/grasp_matrix.h"
 #include "grasp/quality/wrench_set_mesh.h"
+#include "hand/passive_moment.h"
 #include "report/answers/grasp_measures.h"
 #include "report/answers/grasp_words.h"
+#include "report/answers/passive_words.h"
 
 namespace thenar {
 namespace {
@@ -259,6 +261,8 @@ std::string text_of(const GraspResult& result) {
   if (result.measures) text += "\n" + measures_text(measure_rows(*result.measures));
   if (result.robustness) text += measures_text(robustness_rows(result));
   text += joints_text(result);
+  if (const auto& bones = result.setting.hand.named.skeleton; bones && has_passive(*bones))
+    text += "passive moments of joints are counted\n";
   if (!result.grasp.contacts.empty()) text += "\n" + contacts_text(result);
   std::for_each(light, warnings.end(), add_warning);
   return text;
@@ -290,6 +294,8 @@ OrderedJson json_of(const GraspResult& result) {
   }
   json["hand_pose"] = {{"position_m", to_json(X.p)}, {"rotation", to_json(X.R)}};
   json["coordinates"] = coordinates_json(result);
+  if (const auto& bones = result.setting.hand.named.skeleton; bones && grasp.closed.q.size() > 0)
+    add_passive(*bones, grasp.closed.q, json);
   if (result.request.starts > 0) json["starts"] = starts_json(result);
   json["warnings"] = result.warnings;
   json["complete"] = result.complete;

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "base/units.h"
+#include "report/answers/passive_words.h"
 #include "tendons/muscle/trajectory_table.h"
 
 namespace thenar {
@@ -70,6 +71,7 @@ std::string text_of(const SimulatedMotion& motion) {
       1e3 * t.balance.turned_over);
   text += fmt::format("largest drift of an excursion from the length of its tendon: {}\n",
                       t.drift ? fmt::format("{:.2g} mm", *t.drift / kMm) : "-");
+  text += passive_line(motion.tendons->digit().skeleton, t.angle.row(last));
   return text + fmt::format("{} steps to a tolerance of {:.2g}\n", t.counts.steps, t.tolerance);
 }
 
@@ -81,6 +83,7 @@ OrderedJson json_of(const SimulatedMotion& motion) {
       {"status", name_of(t.status)}, {"trouble", t.warning},  {"warning", t.warning},
       {"instants", t.time.size()}};
   json["last"] = end_state(t);
+  add_passive(motion.tendons->digit().skeleton, t.angle.row(last), json["last"]);
   json["work_J"] = t.work[last];
   json["lost_J"] = t.dissipated[last];
   json["energy_error_J"] = t.balance.error;

@@ -7,6 +7,8 @@
 #include <fmt/format.h>
 
 #include "base/units.h"
+#include "hand/passive_moment.h"
+#include "report/answers/passive_words.h"
 #include "report/words.h"
 #include "tendons/forces/posture_sensitivity.h"
 #include "tendons/net/band_course.h"
@@ -304,6 +306,7 @@ std::string text_of(const TendonSolution& solution) {
   const TendonNames& names = loaded.bones().names;
   std::string text = tendon_title(loaded) + "\n";
   text += titled("Posture [deg]", {names.coordinates, {cells((point.q / kDegree).eval(), 2)}});
+  text += passive_line(loaded.bones().skeleton, point.q);
   if (loaded.net() != nullptr) text += net_text(loaded, point);
   if (loaded.net() != nullptr || loaded.bones().model.hood) text += slip_text(point.pull.slips);
   // Torques.
@@ -329,6 +332,7 @@ OrderedJson json_of(const TendonSolution& solution) {
   const TendonNames& names = loaded.bones().names;
   OrderedJson json = tendon_header(loaded);
   json["posture_deg"] = to_json(names.coordinates, point.q / kDegree);
+  add_passive(loaded.bones().skeleton, point.q, json);
   if (loaded.net() != nullptr) add_net(loaded, point, json);
   if (!point.pull.warning.empty())
     for (const char* member : {"trouble", "warning"}) json[member] = point.pull.warning;
@@ -372,6 +376,7 @@ std::string text_of(const TendonSweep& sweep) {
                           shown(*low, 4), shown(*high, 4)});
   }
   std::string text = tendon_title(loaded);
+  if (has_passive(loaded.bones().skeleton)) text += "passive moments of joints are counted\n";
   if (!sweep.points.empty())
     text +=
         fmt::format("{}, from {} to {}\n", counted(sweep.points.size(), "posture"),

@@ -4,6 +4,7 @@
 
 #include "base/units.h"
 #include "report/answers/digit_words.h"
+#include "report/answers/passive_words.h"
 
 namespace thenar {
 namespace {
@@ -123,13 +124,14 @@ std::string note_of(const TipForceAnswer& answer, const TipForcePoint& point) {
 }
 
 std::string text_of(const TipForceAnswer& answer) {
-  return text_header(answer.about) + "\n" +
+  return text_header(answer.about) + passive_line(answer.about) + "\n" +
          (answer.about.single() ? one_posture(answer, answer.points.front())
                                 : many_postures(answer));
 }
 
 OrderedJson json_of(const TipForceAnswer& answer) {
   return digit_json(answer.about, [&](std::size_t i, OrderedJson& json) {
+    add_passive(answer.about, i, json);
     add_point(answer, answer.points[i], json);
   });
 }

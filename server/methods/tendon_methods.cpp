@@ -5,6 +5,7 @@
 #include "api/live/live_digit.h"
 #include "base/progress_parts.h"
 #include "base/rung_names.h"
+#include "report/answers/passive_words.h"
 #include "report/answers/tendon_solve.h"
 #include "server/frame.h"
 #include "server/methods/method_table.h"
@@ -87,6 +88,7 @@ void add_tip(const LiveDigit& digit, OrderedJson& json) {
         to_json({"proximal", "dorsal", "radial"}, axes.transpose() * point.tip.f_W);
   }
   const std::vector<std::string>& joints = digit.about().bones().names.coordinates;
+  add_passive(digit.about().bones().skeleton, point.q, json);
   json["torques"] = sound ? to_json(joints, point.pull.tau) : OrderedJson();
   json["unbalanced_torques"] = sound ? to_json(joints, point.tip.tau_residual) : OrderedJson();
   json["condition"] = number_or_null(point.tip.condition);
@@ -133,6 +135,7 @@ OrderedJson open_digit_of(Session& session, const Json& params, const Progress& 
   request.net = params.value("net", "");
   if (params.contains("hood")) request.hood = hood_named(params["hood"].get<std::string>());
   if (params.contains("path")) request.path = path_named(params["path"].get<std::string>());
+  request.passive = passive_named(params.value("passive", "on"));
   progress(0, "building the digit");
   const auto digit = std::make_shared<LiveDigit>(request);
   session.open(LiveMode::kTendons, digit);
@@ -175,7 +178,9 @@ Schema open_params() {
         "How tensions spread over the extensor hood; left out: a net where the digit can carry "
         "one, else fixed fractions."},
        {"path", word_schema(path_names()), "Rung of tendon paths; left out: via points."},
-       {"net", text_schema(), "Name or file of the net; left out: extensor_hood."}});
+       {"net", text_schema(), "Name or file of the net; left out: extensor_hood."},
+       {"passive", word_schema({"on", "off"}),
+        "Whether passive moments of the subject's joints are counted.", false, "on"}});
 }
 
 Schema set_params() {
@@ -201,8 +206,9 @@ constexpr const char* kStateWords =
     "value, lower, upper [rad], led_by; muscles: name, tension [N], excitation or null, max_force "
     "[N], length: longer than with all joints at 0 [m], arms: joint -> moment arm, flexion and "
     "radial positive [m]; bands of a net: name, tension [N], slack; slips [N]; tip_force in the "
-    "subject's frame and tip_force_axes [N]; torques and unbalanced_torques [N m]; condition; "
-    "status, trusted, warnings. What is not to be trusted is null.";
+    "subject's frame and tip_force_axes [N]; passive_moment_Nm of joints, where they have some; "
+    "torques of tendons and unbalanced_torques [N m]; condition; status, trusted, warnings. What is "
+    "not to be trusted is null.";
 
 }  // namespace
 

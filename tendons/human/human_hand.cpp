@@ -198,8 +198,9 @@ int find_version(const std::string& name) {
 
 }  // namespace
 
-HumanHand build_human_hand(const Subject& subject, HumanVersion version,
+HumanHand build_human_hand(const Subject& measured, HumanVersion version,
                            const HumanHandOptions& options) {
+  const Subject subject = with_passive(measured, options.passive);
   const Subject variant =
       version == HumanVersion::kOrthogonalThumb ? orthogonal_thumb(subject) : subject;
   // Skin lies around the joints as measured, whatever becomes of the thumb's axes.

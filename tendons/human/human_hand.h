@@ -38,6 +38,7 @@ struct HumanHandOptions {
   SkinOptions skin;
   Path path = Path::kViaPoint;           // of tendons; subjects with arms alone have these
   std::map<std::string, double> frozen;  // joint -> the angle it is frozen at [rad]; the wrist: 0
+  PassiveMoments passive = PassiveMoments::kOn;  // whether those of the subject are counted
 };
 
 /// A hand with all that comparisons need.

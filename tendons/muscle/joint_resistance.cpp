@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "hand/passive_moment.h"
+
 namespace thenar {
 namespace {
 
@@ -53,7 +55,7 @@ VectorXd resistance_derivative(const Skeleton& skeleton, const JointResistance& 
                                const VectorXd& q) {
   return VectorXd::NullaryExpr(q.size(), [&](Eigen::Index i) {
     const CoordinateLimits& limits = skeleton.limits[static_cast<std::size_t>(i)];
-    return -limits.stiffness + stop_derivative(resistance, limits, q[i]);
+    return passive_moment_slope(limits, q[i]) + stop_derivative(resistance, limits, q[i]);
   });
 }
 
@@ -62,9 +64,7 @@ double resistance_energy(const Skeleton& skeleton, const JointResistance& resist
   double energy = 0;
   for (Eigen::Index i = 0; i < q.size(); ++i) {
     const CoordinateLimits& limits = skeleton.limits[static_cast<std::size_t>(i)];
-    const double stretch = q[i] - limits.rest;
-    energy +=
-        limits.stiffness * stretch * stretch / 2 + limit_energy(resistance, beyond(limits, q[i]));
+    energy += passive_energy(limits, q[i]) + limit_energy(resistance, beyond(limits, q[i]));
   }
   return energy;
 }

@@ -1,6 +1,6 @@
 #pragma once
 
-/// Passive torques of joints in motion: springs, stops at their limits, dampers.
+/// Passive torques of joints in motion: passive_moment(), stops at their limits, dampers.
 
 #include "hand/skeleton.h"
 
@@ -25,7 +25,7 @@ struct JointResistance {
 [[nodiscard]] double stop_derivative(const JointResistance& resistance,
                                      const CoordinateLimits& limits, double angle);
 
-/// Torque of springs and stops [N m] (coordinates); the damping is apart.
+/// Torque of passive moments and stops [N m] (coordinates); the damping is apart.
 [[nodiscard]] Eigen::VectorXd resistance_torque(const Skeleton& skeleton,
                                                 const JointResistance& resistance,
                                                 const Eigen::VectorXd& q);
@@ -35,7 +35,7 @@ struct JointResistance {
                                                     const JointResistance& resistance,
                                                     const Eigen::VectorXd& q);
 
-/// Energy stored in springs and stops; its derivative is minus the torque [J].
+/// Energy stored in passive joints and stops; its derivative is minus the torque [J].
 [[nodiscard]] double resistance_energy(const Skeleton& skeleton, const JointResistance& resistance,
                                        const Eigen::VectorXd& q);
 

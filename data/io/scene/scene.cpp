@@ -46,6 +46,7 @@ SceneHandSpec read_scene_hand(TomlTable& table, const SceneSpec& scene) {
       table.fail(fmt::format("wanted 'skin' triangles or capsules, got '{}'", skin), "skin");
     hand.skin_capsules = skin == "capsules";
   }
+  if (table.has("passive")) hand.passive = table.choice("passive", {"on", "off"}) == "on";
   hand.placed.X_WH = read_pose_keys(table);
   hand.placed.posture = internal::read_posture(table);
   hand.joint = internal::read_scene_joint(table, SceneJointKind::kWeld);

@@ -61,6 +61,7 @@ struct SceneHandSpec {
   std::string version;     // of a human hand from a file: "skewed", "tendons:wrapped"; may be empty
   int skin_triangles = 0;  // of a human hand: of each link, at most; 0: as usual
   std::optional<bool> skin_capsules;  // the same: links of digits are tapered capsules
+  std::optional<bool> passive;        // the same: its joints have their passive moments
   PlacedHand placed;                  // its pose in the world; its carrier is the joint's parent
   SceneJointSpec joint;               // of its base; welds if it is not stated
   SceneVelocity velocity;

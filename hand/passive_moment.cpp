@@ -1,0 +1,62 @@
+#include "hand/passive_moment.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace thenar {
+namespace {
+
+/// Moment of one end, turned by x towards it [N m].
+double end_moment(const PassiveEnd& end, double x) {
+  const double s = x / end.width, curved = std::min(s, kStraightPast);
+  return end.moment * (std::expm1(curved) + std::exp(curved) * (s - curved));
+}
+
+double end_slope(const PassiveEnd& end, double x) {
+  return end.moment / end.width * std::exp(std::min(x / end.width, kStraightPast));
+}
+
+double end_energy(const PassiveEnd& end, double x) {
+  const double s = x / end.width, curved = std::min(s, kStraightPast), past = s - curved;
+  return end.moment * end.width *
+         (std::expm1(curved) - curved + past * (std::expm1(curved) + std::exp(curved) * past / 2));
+}
+
+}  // namespace
+
+double passive_moment(const CoordinateLimits& limits, double q) {
+  double moment = -limits.stiffness * (q - limits.rest);
+  for (const PassiveHinge& hinge : limits.ends) {
+    const double x = hinge.ratio * q + hinge.offset - hinge.rest;
+    moment += hinge.ratio * (end_moment(hinge.extending, -x) - end_moment(hinge.flexing, x));
+  }
+  return moment;
+}
+
+double passive_moment_slope(const CoordinateLimits& limits, double q) {
+  double slope = -limits.stiffness;
+  for (const PassiveHinge& hinge : limits.ends) {
+    const double x = hinge.ratio * q + hinge.offset - hinge.rest;
+    slope -= hinge.ratio * hinge.ratio *
+             (end_slope(hinge.extending, -x) + end_slope(hinge.flexing, x));
+  }
+  return slope;
+}
+
+double passive_energy(const CoordinateLimits& limits, double q) {
+  const double stretch = q - limits.rest;
+  double energy = limits.stiffness * stretch * stretch / 2;
+  for (const PassiveHinge& hinge : limits.ends) {
+    const double x = hinge.ratio * q + hinge.offset - hinge.rest;
+    energy += end_energy(hinge.extending, -x) + end_energy(hinge.flexing, x);
+  }
+  return energy;
+}
+
+bool has_passive(const Skeleton& skeleton) {
+  return std::any_of(
+      skeleton.limits.begin(), skeleton.limits.end(),
+      [](const CoordinateLimits& each) { return each.stiffness > 0 || !each.ends.empty(); });
+}
+
+}  // namespace thenar

@@ -1,0 +1,37 @@
+#include "report/answers/passive_words.h"
+
+#include <fmt/format.h>
+
+#include "base/units.h"
+#include "hand/passive_moment.h"
+
+namespace thenar {
+
+std::string passive_line(const Skeleton& skeleton, const Eigen::VectorXd& q) {
+  if (!has_passive(skeleton)) return "";
+  const Eigen::VectorXd tau = passive_torque(skeleton, q);
+  std::string line = "passive moments of joints, counted [N mm]:";
+  for (Eigen::Index i = 0; i < tau.size(); ++i)
+    line += fmt::format("{} {} {:.3g}", i == 0 ? "" : ",",
+                        skeleton.coordinate_names[static_cast<std::size_t>(i)], tau[i] / kNmm);
+  return line + "\n";
+}
+
+std::string passive_line(const DigitSweep& about) {
+  if (!about.tendons || !has_passive(about.tendons->digit().skeleton)) return "";
+  if (about.single())
+    return passive_line(about.tendons->digit().skeleton, about.grid.postures.front());
+  return "passive moments of joints are counted\n";
+}
+
+void add_passive(const Skeleton& skeleton, const Eigen::VectorXd& q, OrderedJson& json) {
+  if (has_passive(skeleton))
+    json["passive_moment_Nm"] = to_json(skeleton.coordinate_names, passive_torque(skeleton, q));
+}
+
+void add_passive(const DigitSweep& about, std::size_t point, OrderedJson& json) {
+  if (about.tendons)
+    add_passive(about.tendons->digit().skeleton, about.grid.postures[point], json);
+}
+
+}  // namespace thenar

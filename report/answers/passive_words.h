@@ -1,0 +1,27 @@
+#pragma once
+
+/// Phrases about passive moments of joints that an answer counts.
+
+#include <string>
+
+#include <Eigen/Core>
+
+#include "api/named/digit_sweep.h"
+#include "hand/skeleton.h"
+#include "report/json.h"
+
+namespace thenar {
+
+/// "passive moments of joints, counted [N mm]: MCP2_FE -12.1, PIP2 3.2" as a line of text; empty
+/// where no joint has any.
+/// @param q  [rad] (coordinates)
+[[nodiscard]] std::string passive_line(const Skeleton& skeleton, const Eigen::VectorXd& q);
+/// The same of one posture of a sweep; of several without numbers.
+[[nodiscard]] std::string passive_line(const DigitSweep& about);
+
+/// Adds "passive_moment_Nm", by coordinate, where a joint has any.
+void add_passive(const Skeleton& skeleton, const Eigen::VectorXd& q, OrderedJson& json);
+/// The same at a posture of a sweep. @param point  its place in the sweep
+void add_passive(const DigitSweep& about, std::size_t point, OrderedJson& json);
+
+}  // namespace thenar
