@@ -13,6 +13,8 @@ int main() {
   request.digit.posture.named = {{"MCP2_FE", 30}, {"PIP2", 45}, {"DIP2", 20}};
   request.digit.posture.unit = thenar::PostureUnit::kTyped;
   request.tension = {{"FDP", 10}};
+  // What tendons add to a finger at rest; left out, passive moments of its joints count as well.
+  request.digit.passive = thenar::PassiveMoments::kOff;
 
   // The force of the tip on the world, along its own directions.
   const thenar::TipForcePoint at = thenar::ask_tip_force(request).points.front();

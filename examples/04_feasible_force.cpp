@@ -16,6 +16,7 @@ int main() {
   request.digit.subject = "an_chao_index";
   request.digit.posture.named = {{"MCP2_FE", 30}, {"PIP2", 45}, {"DIP2", 20}};
   request.digit.posture.unit = thenar::PostureUnit::kTyped;
+  request.digit.passive = thenar::PassiveMoments::kOff;  // of tendons alone
   request.frame = thenar::DirectionFrame::kTip;
   request.direction = Eigen::Vector3d(0, -1, 0);
   const thenar::FeasibleForceAnswer answer = thenar::ask_feasible_force(request);

@@ -18,6 +18,7 @@ int main() {
   // muscles depend on length and velocity, tendons are rigid.
   thenar::MotionRequest request;
   request.digit.subject = "an_chao_index";
+  request.digit.passive = thenar::PassiveMoments::kOff;  // as far as its stops
   request.excitation = {{"FDP", 0.1}, {"EDC", 0.05}};
   request.seconds = 0.3;
   request.sample = 0.05;

@@ -34,6 +34,7 @@ HEAD = """\
 # Ranges    Of the thumb, from neutral. CMC [MyoHand], whose axes are those of [McFarland2023]: 73 and 85
 #           deg in all, where others measured 53 and 42 [Cooney1981]. MCP [ThumbMcpRange]: means of 300
 #           hands. IP [EHand].
+# Passive   moments as in the specimen's file; the thumb's rest is told from neutral.
 # Tip       Of the thumb: the middle of its pad, four tenths of the distal phalanx before its end, on the
 #           bone's line. Thumbs press with their pads; fingers keep the end of the bone.
 
@@ -45,6 +46,7 @@ source = "Mirakhorlo2016"
 
 [sources]
 Fit = "Calibrated: see above, Axes and paths. Mirakhorlo2016, Smutz1998, Nakajima2022, McFarland2023"
+PassiveGuess = "Judgement: no measurement was found; spread is how far it may be off"
 
 """
 
@@ -77,6 +79,9 @@ ARMS = {"FPL": (15.6, 0, 10.9, 6.3), "EPL": (-8.6, -9.0, -7.6, -5.2),
         "OPP": (4.1, 1.2, None, None)}
 DATA = [(muscle, joint, arm) for table in (SMUTZ, ARMS) for muscle, row in table.items()
         for joint, arm in enumerate(row) if arm is not None]
+
+# Where passive moments of the thumb vanish, from neutral [deg]; as in the specimen's file.
+REST = (0, 0, 15, 15)
 
 # Bones of the ARMS thumb, the first straight out from the CMC joint in its neutral posture.
 NEUTRAL_MC1 = np.array([16.5, -29.2, -12.7])
@@ -282,6 +287,9 @@ def main():
     for j, name in enumerate(JOINTS):
         text = replaced(text, "joint", name,
                         joint_text(name, axes[j], reach[j], neutral[j], sources[j]))
+        text, count = re.subn(rf'(joints = \["{name}"\]\nrest_deg = )\[[^]]*\]',
+                              rf"\g<1>{numbers([neutral[j] + REST[j]], 1)}", text)
+        assert count == 1, name
     for muscle in MUSCLES[:-1]:  # nothing is known of the last, which stays as it is
         text = replaced(text, "strand", muscle, strand_text(muscle, paths[muscle]))
     for name, force in WRIST_F0.items():

@@ -294,7 +294,8 @@ class FeasibleForce(Near):
         # By another simplex method, with cuts of its own.
         for cone, certain in ((0, 30.396), (1, 30.47), (5, 30.77), (10, 31.15), (40, 31.26)):
             answer = ask("feasible-force", INDEX, "--posture", "MCP2_FE=45", "PIP2=45", "DIP2=10",
-                         "--axes", "tip", "--direction", 0, -1, 0, "--tolerance-deg", cone)
+                         "--passive", "off", "--axes", "tip", "--direction", 0, -1, 0,
+                         "--tolerance-deg", cone)
             self.assertAlmostEqual(answer["component_N"], certain, delta=0.006)
             self.assertLess(answer["certificate"]["gap_N"], 1e-9)
             self.assertLess(answer["certificate"]["imbalance_N_mm"], 1e-9)
@@ -309,7 +310,7 @@ class FeasibleForce(Near):
 
     def test_force_is_what_its_limits_are_worth(self):
         # Strong duality, with F0 from the table of the text.
-        words = ("feasible-force", INDEX, "--posture", "MCP2_FE=45", "PIP2=45", "DIP2=10", "--axes",
+        words = ("feasible-force", INDEX, "--passive", "off", "--posture", "MCP2_FE=45", "PIP2=45", "DIP2=10", "--axes",
                  "tip", "--direction", 0, -1, 0)
         answer = ask(*words)
         text = run(*words).stdout
@@ -425,8 +426,8 @@ class Simulate(Near):
             self.assertLess(answer["energy_error_J"], 1e-6)
 
     def test_energy_that_comes_of_nothing_is_no_answer(self):
-        words = ["simulate", INDEX, "--muscle", "rigid-tendon", "--excitation", "FDP=0.3",
-                 "--posture", 11, 11, 11, 11, "--seconds", 0.2, "--tolerance"]
+        words = ["simulate", INDEX, "--passive", "off", "--muscle", "rigid-tendon",
+                 "--excitation", "FDP=0.3", "--posture", 11, 11, 11, 11, "--seconds", 0.2, "--tolerance"]
         for tolerance, what in ((10, "energy does not balance: "), (1000, "the motion is stuck: ")):
             result = run(*words, tolerance)
             self.assertEqual(result.returncode, 1, result.stdout)

@@ -167,6 +167,7 @@ gravity_m_s2 = [0, 0, 0]
 Mine = "Own"
 [[hand]]
 name = "human:skewed"
+passive = "off"
 skin_triangles = 100
 [[muscle]]
 hand = "human:skewed"

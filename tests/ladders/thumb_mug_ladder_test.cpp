@@ -28,6 +28,7 @@ ThumbOnMug scene_of_file(bool compliant) {
   if (!compliant) spec.compliances.clear();
   HumanModel model{default_human(), HumanVersion::kSkewedThumb};
   model.options.skin.triangles = spec.hands.front().skin_triangles;
+  model.options.passive = PassiveMoments::kOff;  // as the scene says
   BuiltScene built = build_scene(spec, {model});
   ThumbOnMug out = sample::thumb_on_mug({});  // for the bone and the pad
   out.scene = std::move(built.scene);

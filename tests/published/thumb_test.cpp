@@ -25,9 +25,12 @@ namespace {
 using Eigen::Vector3d;
 using Eigen::VectorXd;
 
-const Subject& thumb_subject() {
-  static const Subject subject = read_subject(kData + "/subjects/human_hand.toml");
-  return subject;
+/// With the passive moments of its joints, as living thumbs have them, or of tendons alone, as load
+/// cells show it that are zeroed under a thumb at rest.
+const Subject& thumb_subject(PassiveMoments passive) {
+  static const Subject living = read_subject(kData + "/subjects/human_hand.toml"),
+                       tendons = with_passive(living, PassiveMoments::kOff);
+  return passive == PassiveMoments::kOn ? living : tendons;
 }
 
 /// Where MCP and IP are straight and metacarpal I is neutral, of the subject's file.
@@ -48,8 +51,9 @@ struct Thumb {
   }
 };
 
-Thumb thumb_at(const std::map<std::string, double>& angles, const TendonOptions& options = {}) {
-  Thumb thumb{build_tendon_digit(thumb_subject(), "thumb", options), {}};
+Thumb thumb_at(const std::map<std::string, double>& angles, const TendonOptions& options = {},
+               PassiveMoments passive = PassiveMoments::kOn) {
+  Thumb thumb{build_tendon_digit(thumb_subject(passive), "thumb", options), {}};
   std::map<std::string, double> free = angles;
   for (const auto& [joint, angle] : options.frozen) free.erase(joint);
   thumb.q = posture(thumb.digit.skeleton, free);
@@ -140,7 +144,7 @@ std::map<std::string, double> key_pinch(double abduction, double mcp, double ip)
 /// dorsal and radial [1]. The clamp weighs moments by half a distal phalanx, as TipWrenchOptions
 /// has it for the index finger: 32 mm / 2 of the thumb [Mirakhorlo2016].
 Vector3d force_of(const std::string& muscle) {
-  const Thumb thumb = thumb_at(key_pinch(17.5, 10, 20));
+  const Thumb thumb = thumb_at(key_pinch(17.5, 10, 20), {}, PassiveMoments::kOff);
   const std::vector<std::string>& muscles = thumb.digit.names.muscles;
   VectorXd t = VectorXd::Zero(static_cast<Eigen::Index>(muscles.size()));
   t[std::find(muscles.begin(), muscles.end(), muscle) - muscles.begin()] = 1;
@@ -162,7 +166,7 @@ TEST(PublishedThumb, FplPushesObliquelyProximal) {
 
 /// The same of FPL with other moment arms of its own [mm] (4).
 Vector3d force_of_fpl(const Eigen::Vector4d& arms_mm) {
-  const Thumb thumb = thumb_at(key_pinch(17.5, 10, 20));
+  const Thumb thumb = thumb_at(key_pinch(17.5, 10, 20), {}, PassiveMoments::kOff);
   TipStatics statics = thumb.statics();
   statics.R = kMm * arms_mm.transpose();
   statics.max_tension = VectorXd::Ones(1);
@@ -197,6 +201,7 @@ struct Held {
       false;  // it is straightened to the end of its range, 15 deg beyond straight
   double dropped_wrist_Nm = 0;  // the wrist hangs at 90 deg of flexion, by ligaments of so much;
                                 // 0: it is held
+  PassiveMoments passive = PassiveMoments::kOn;
 };
 
 constexpr double kIpStop = -15;       // from straight [deg]
@@ -212,7 +217,7 @@ Thumb pinching_thumb(double abduction, double mcp, double ip, const Held& held) 
     options.frozen["WRIST_AA"] = 0;
     angles["WRIST_FE"] = kWristDropped * kDegree;
   }
-  return thumb_at(angles, options);
+  return thumb_at(angles, options, held.passive);
 }
 
 /// Largest palmar force in a cone of 20 deg, with some muscles paralysed [N].
@@ -222,8 +227,10 @@ double pinch(const Thumb& thumb, const std::vector<std::string>& without, const 
     if (std::count(without.begin(), without.end(), statics.muscles[i]) > 0)
       statics.max_tension[static_cast<Eigen::Index>(i)] = 0;
   TipLoadOptions options{TipLoad::kForce, 20 * kDegree};
-  if (held.ip_at_its_stop)
+  if (held.ip_at_its_stop) {  // the passive moment there is a part of what the stop does
     options.stops.push_back({static_cast<int>(statics.J.cols()) - 1, kInfinity});
+    statics.tau_0.tail<1>().setZero();
+  }
   if (held.dropped_wrist_Nm > 0) {
     options.stops.push_back({0, -held.dropped_wrist_Nm});
     statics = without_load_on(statics, {0});
@@ -303,17 +310,29 @@ TEST(PublishedThumb, BlocksAreMetWithTheIpJointAtItsStop) {
   EXPECT_GT(median, radial);
 }
 
-// The same numbers from another program: joints, arms and Jacobian written by hand in numpy, the
-// cone as 180 planes, solved by scipy.optimize.linprog (HiGHS).
+// The same numbers from another program: joints, arms, Jacobian and passive moments written by hand
+// in numpy, the cone as 180 planes, solved by scipy.optimize.linprog (HiGHS).
 TEST(PublishedThumb, BlocksAreThoseOfAnIndependentProgram) {
   const Held stop{false, true};
-  EXPECT_NEAR(key_pinch_loss(kUlnar), 0.849, 1e-3);
-  EXPECT_NEAR(key_pinch_loss(kMedian), 0.592, 1e-3);
+  EXPECT_NEAR(key_pinch_loss(kUlnar), 0.853, 1e-3);
+  EXPECT_NEAR(key_pinch_loss(kMedian), 0.532, 1e-3);
+  EXPECT_NEAR(key_pinch_loss(kUlnar, stop), 0.634, 1e-3);
+  EXPECT_NEAR(key_pinch_loss(kMedian, stop), 0.560, 1e-3);
+  EXPECT_NEAR(key_pinch_loss({"FPL"}, stop), 0.432, 1e-3);
+  EXPECT_NEAR(key_pinch_loss(kRadial, {false, true, 0.5}), 0.387, 1e-3);
+  EXPECT_NEAR(key_pinch_loss(kRadial, {false, false, 0.5}), 0.756, 1e-3);
+}
+
+TEST(PublishedThumb, BlocksOfTendonsAloneAreThoseOfAnIndependentProgram) {
+  const Held free{false, false, 0, PassiveMoments::kOff},
+      stop{false, true, 0, PassiveMoments::kOff};
+  EXPECT_NEAR(key_pinch_loss(kUlnar, free), 0.849, 1e-3);
+  EXPECT_NEAR(key_pinch_loss(kMedian, free), 0.592, 1e-3);
   EXPECT_NEAR(key_pinch_loss(kUlnar, stop), 0.663, 1e-3);
   EXPECT_NEAR(key_pinch_loss(kMedian, stop), 0.632, 1e-3);
   EXPECT_NEAR(key_pinch_loss({"FPL"}, stop), 0.449, 1e-3);
-  EXPECT_NEAR(key_pinch_loss(kRadial, {false, true, 0.5}), 0.435, 1e-3);
-  EXPECT_NEAR(key_pinch_loss(kRadial, {false, false, 0.5}), 0.758, 1e-3);
+  EXPECT_NEAR(key_pinch_loss(kRadial, {false, true, 0.5, PassiveMoments::kOff}), 0.435, 1e-3);
+  EXPECT_NEAR(key_pinch_loss(kRadial, {false, false, 0.5, PassiveMoments::kOff}), 0.758, 1e-3);
 }
 
 // [FplBlock2012]: alike with the IP joint splinted. Without a splint and away from its stop,

@@ -32,9 +32,30 @@ TEST(FindHand, RefusesWhatIsNoVersion) {
   EXPECT_THROW((void)find_hand("human:soft:curved", {kData}), InputError);
 }
 
+TEST(FindHand, KnowsHandsWithoutPassiveMoments) {
+  for (const auto& [name, path] : {std::pair{"human:tendons:passive-off", ""},
+                                   std::pair{"human:tier4:wrapped:passive-off", "wrapped"}}) {
+    const HandSource source = find_hand(name, {kData});
+    EXPECT_EQ(source.passive, PassiveMoments::kOff) << name;
+    EXPECT_EQ(source.path, path) << name;
+  }
+  EXPECT_EQ(find_hand("human:tendons:wrapped", {kData}).passive, PassiveMoments::kOn);
+  EXPECT_THROW((void)find_hand("human:tendons:passive-off:wrapped", {kData}), InputError);
+  HumanHandOptions bare;
+  bare.cover = Cover::kNone;
+  const NamedHand on = hand_by_name("human:skewed", {kData}, bare),
+                  off = hand_by_name("human:skewed:passive-off", {kData}, bare);
+  const Eigen::VectorXd q = Eigen::VectorXd::Zero(on.skeleton->coordinates());
+  EXPECT_GT(on.hand->actuation(q).tau_0.norm(), 0.01);  // [N m]
+  EXPECT_TRUE(off.hand->actuation(q).tau_0.isZero(0));
+  EXPECT_EQ(off.name, "human:skewed:passive-off");
+}
+
 TEST(CurrentHandName, RenamesVersionsAlone) {
   EXPECT_EQ(current_hand_name("human:tier1"), "human:orthogonal");
   EXPECT_EQ(current_hand_name("a/b.toml:tier4:wrapped"), "a/b.toml:tendons:wrapped");
+  EXPECT_EQ(current_hand_name("human:tier4:wrapped:passive-off"),
+            "human:tendons:wrapped:passive-off");
   EXPECT_EQ(current_hand_name("human:skewed"), "human:skewed");
   EXPECT_EQ(current_hand_name("barrett"), "barrett");
   EXPECT_EQ(version_of_hand("human:tendons:wrapped"), ":tendons:wrapped");

@@ -183,7 +183,8 @@ class EveryRungOfMuscles : public testing::TestWithParam<Muscle> {};
 
 // Two programs, one physics: recursions and extrapolation here, Simbody and SUNDIALS there.
 TEST_P(EveryRungOfMuscles, MovesAFingerAsTheIntegratorOfSingleDigitsDoes) {
-  const Mover mover(sample::index_finger(), GetParam());
+  const Subject subject = sample::index_finger(PassiveMoments::kOn);
+  const Mover mover(subject, GetParam());
   MotionModel model = mover.model();
   model.gravity = {0, -9.81, 0};
   VectorXd excitation = mover.excited(0.05);
@@ -191,7 +192,7 @@ TEST_P(EveryRungOfMuscles, MovesAFingerAsTheIntegratorOfSingleDigitsDoes) {
   const VectorXd q = VectorXd::Constant(4, 0.2);
   const Trajectory path = by_integrator(model, excitation, q, 0.3);
   ASSERT_EQ(path.status, MotionStatus::kCompleted) << path.warning;
-  Mover owned(sample::index_finger(), GetParam());
+  Mover owned(subject, GetParam());
   const DigitScene digit =
       scene_of(model, std::move(owned.tendons), std::move(owned.contraction), excitation, q);
   const SceneRun run = simulate_scene(digit.scene, lasting(0.3));
@@ -355,6 +356,23 @@ TEST_P(NeedsOfPulls, ChangeNoBitOfWhatIsAskedFor) {
 INSTANTIATE_TEST_SUITE_P(Muscles, NeedsOfPulls,
                          testing::Values(Muscle::kBounds, Muscle::kRigidTendon,
                                          Muscle::kElasticTendon));
+
+// The line of passive moments is the mechanism's, their ends are the stops'; none is left out.
+TEST(JointStops, ActWithTheMechanismAsPassiveMoments) {
+  const std::shared_ptr<const DigitTendons> tendons =
+      build_linear_tendons(sample::index_finger(PassiveMoments::kOn), "index");
+  const Skeleton& skeleton = tendons->digit().skeleton;
+  const DigitScene digit(tendons, {}, {0, 0, 0});
+  JointStops stops("stops", skeleton, digit.places);
+  const ElementAt at{0, Eigen::Vector4d(0.7, 0.1, 0.2, -0.05), VectorXd::Zero(4), VectorXd()};
+  VectorXd tau = action_at(stops, tree_model(digit.scene.mechanism), at).tau;
+  EXPECT_GT(tau.cwiseAbs().minCoeff(), 0);
+  for (int j = 0; j < 4; ++j) {
+    const MechanismJoint& joint = digit.scene.mechanism.joints[static_cast<std::size_t>(j)];
+    tau[j] -= joint.stiffness * (at.q[j] - joint.rest);
+  }
+  EXPECT_TRUE(matrix_near(tau, passive_torque(skeleton, at.q), 1e-15));
+}
 
 // Within ranges, in the toe and beyond it; torque is minus the slope of energy, too.
 TEST(JointStops, SlopesAreDifferences) {

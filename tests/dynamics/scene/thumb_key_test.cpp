@@ -23,6 +23,7 @@ struct TurnedKey {
     point = spec.hands.front().joint.point;
     HumanModel model{default_human(), HumanVersion::kSkewedThumb};
     model.options.skin.triangles = spec.hands.front().skin_triangles;
+    model.options.passive = PassiveMoments::kOff;  // as the scene says
     const BuiltScene built = build_scene(spec, {model});
     const Mechanism& mechanism = built.scene.mechanism;
     key = body_named(mechanism, "key");

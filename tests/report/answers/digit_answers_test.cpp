@@ -83,6 +83,7 @@ FeasibleForceAnswer palmar_forces_over_pip() {
   request.digit.subject = "an_chao_index";
   request.digit.data = kData;
   request.digit.posture = {{{"MCP2_FE", 30}, {"DIP2", 20}}, {}, PostureUnit::kTyped};
+  request.digit.passive = PassiveMoments::kOff;
   request.digit.vary = {{"PIP2", 0, 60, 30}};
   request.direction = Eigen::Vector3d(0, -1, 0);
   request.frame = DirectionFrame::kTip;

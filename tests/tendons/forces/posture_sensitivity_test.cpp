@@ -24,12 +24,13 @@ using Eigen::Vector3d;
 using Eigen::VectorXd;
 
 std::unique_ptr<DigitTendons> finger(const std::string& subject = "an_chao_index",
-                                     Path path = Path::kViaPoint) {
+                                     Path path = Path::kViaPoint,
+                                     PassiveMoments passive = PassiveMoments::kOff) {
   TendonOptions options;
   options.path = path;
-  return build_linear_tendons(
-      read_subject(std::string(THENAR_DATA_DIR "/subjects/") + subject + ".toml"), "index",
-      options);
+  const Subject read =
+      read_subject(std::string(THENAR_DATA_DIR "/subjects/") + subject + ".toml");
+  return build_linear_tendons(with_passive(read, passive), "index", options);
 }
 
 /// MCP flexion and abduction, PIP, DIP.
@@ -62,10 +63,11 @@ MatrixXd differences(const VectorXd& q, double step, const Answer& answer) {
   return result;
 }
 
-// On every rung of paths: arms that wrap or are fitted change otherwise than via points' do.
+// On every rung of paths: arms that wrap or are fitted change otherwise than via points' do. Passive
+// moments change, too.
 TEST(PostureSlopes, PinnedForceAgreesWithDifferences) {
   for (const Path path : {Path::kViaPoint, Path::kFitted, Path::kWrapped}) {
-    const auto tendons = finger("mirakhorlo2016", path);
+    const auto tendons = finger("mirakhorlo2016", path, PassiveMoments::kOn);
     const VectorXd q = bent(tendons->digit(), 40, 20), t = pulls(tendons->digit());
     const MatrixXd slopes =
         tip_force_jacobian(tip_statics(*tendons, q), statics_derivatives(*tendons, q), t);

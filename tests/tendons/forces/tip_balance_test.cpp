@@ -30,9 +30,10 @@ int postures(int few) {
   return asked == nullptr ? few : std::atoi(asked);
 }
 
+/// Tendons alone: without passive moments no force at all is feasible, too.
 TendonDigit digit_of(const std::string& subject, const std::string& digit) {
-  return build_tendon_digit(read_subject(std::string(THENAR_DATA_DIR "/subjects/") + subject),
-                            digit);
+  const Subject read = read_subject(std::string(THENAR_DATA_DIR "/subjects/") + subject);
+  return build_tendon_digit(with_passive(read, PassiveMoments::kOff), digit);
 }
 
 VectorXd draw_posture(const TendonDigit& digit, std::mt19937& rng) {

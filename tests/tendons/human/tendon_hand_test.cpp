@@ -40,6 +40,11 @@ int find_index(const std::vector<std::string>& names, const std::string& name) {
   return static_cast<int>(std::find(names.begin(), names.end(), name) - names.begin());
 }
 
+/// The specimen, of whose joints passive moments are left out.
+Subject tendons_alone() {
+  return with_passive(sample::subject("mirakhorlo2016"), PassiveMoments::kOff);
+}
+
 TEST(TendonHand, ObeysTheLawsOfHands) {
   const Subject subject = sample::subject("mirakhorlo2016");
   expect_hand_laws(TendonHand(build_skeleton(subject, {{"thumb", "index"}, still_wrist()}),
@@ -49,7 +54,7 @@ TEST(TendonHand, ObeysTheLawsOfHands) {
 
 // Linear tendons: B is the transposed moment arms, joint by joint and muscle by muscle.
 TEST(TendonHand, PullsByMomentArms) {
-  const Subject subject = sample::subject("mirakhorlo2016");
+  const Subject subject = tendons_alone();
   const TendonHand hand(build_skeleton(subject, {{"index", "middle"}, still_wrist()}),
                         tendons_of(subject, {"index", "middle"}));
   const auto middle = build_digit_tendons(subject, "middle", {Path::kViaPoint, Hood::kSeparate});
@@ -65,7 +70,22 @@ TEST(TendonHand, PullsByMomentArms) {
                   pull.R(static_cast<int>(m), static_cast<int>(j)), 1e-15);
   EXPECT_TRUE(actuation.lower.isZero(0));
   EXPECT_TRUE((actuation.upper.array() == 100).all());
-  EXPECT_LT(actuation.tau_0.norm(), 1e-12);  // this subject's joints state no stiffness
+  EXPECT_LT(actuation.tau_0.norm(), 1e-12);
+}
+
+// What passive moments do without tension is that of the skeleton, and applied with any tension.
+TEST(TendonHand, CountsPassiveMoments) {
+  const Subject subject = sample::subject("mirakhorlo2016");
+  const Skeleton bones = build_skeleton(subject, {{"index"}, still_wrist()});
+  const TendonHand hand(bones, tendons_of(subject, {"index"}));
+  const Eigen::Vector4d q(0.8, 0.1, 0.6, 0.3);
+  EXPECT_GT(passive_torque(bones, q).norm(), 0.05);  // [N m]
+  EXPECT_TRUE(matrix_near(hand.actuation(q).tau_0, passive_torque(bones, q), 1e-15));
+  const Eigen::VectorXd t = Eigen::VectorXd::Constant(hand.max_force().size(), 3);
+  const TendonHand bare(build_skeleton(tendons_alone(), {{"index"}, still_wrist()}),
+                        tendons_of(tendons_alone(), {"index"}));
+  EXPECT_TRUE(matrix_near(hand.applied_torque(q, t).tau,
+                          bare.applied_torque(q, t).tau + passive_torque(bones, q), 1e-15));
 }
 
 // The first dorsal interosseus runs from the thumb's metacarpal to the index finger.
@@ -83,7 +103,7 @@ TEST(TendonHand, HasOneActuatorForAMuscleOfTwoDigits) {
 
 /// The middle finger with a net, up to 50 N a muscle; actuation() is taken at 15 N.
 TendonHand net_hand() {
-  const Subject subject = sample::subject("mirakhorlo2016");
+  const Subject subject = tendons_alone();
   const NetDescription net = read_net(THENAR_DATA_DIR "/nets/winslow.toml");
   HandTendons tendons;
   tendons.digits.push_back(
@@ -109,8 +129,7 @@ TEST(TendonHand, TakesNetsByASecantThatIsRightAtNoTensionAndAtWork) {
   EXPECT_TRUE(matrix_near(Eigen::VectorXd(actuation.B * t + actuation.tau_0),
                           solved(hand, kBent, t), 1e-9));
   EXPECT_TRUE(matrix_near(actuation.tau_0, solved(hand, kBent, 0 * t), 1e-9));
-  // This subject's joints state no stiffness: slack tendons do nothing, where the tangent's offset
-  // was up to 178 N mm.
+  // Slack tendons do nothing, where the tangent's offset was up to 178 N mm.
   EXPECT_LT(actuation.tau_0.cwiseAbs().maxCoeff(), 1e-3);  // [N m]
 }
 

@@ -54,7 +54,7 @@ class EverySlope : public testing::TestWithParam<Muscle> {
 };
 
 TEST_P(EverySlope, IsThatOfSeparateTendons) {
-  const sample::Mover mover(sample::index_finger(), GetParam());
+  const sample::Mover mover(sample::index_finger(PassiveMoments::kOn), GetParam());
   FingerMotion motion(mover.model());
   EXPECT_LT(mismatch(motion, moving(motion), VectorXd::Constant(7, 0.27)), 1e-4);
 }

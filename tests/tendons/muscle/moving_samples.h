@@ -56,8 +56,10 @@ struct Pendulum {
 };
 
 /// The index finger of data/subjects, with a slack length of every tendon.
-inline Subject index_finger() {
-  Subject s = read_subject(std::string(THENAR_DATA_DIR) + "/subjects/an_chao_index.toml");
+/// Muscles alone, or with the passive moments of its joints.
+inline Subject index_finger(PassiveMoments passive = PassiveMoments::kOff) {
+  Subject s = with_passive(
+      read_subject(std::string(THENAR_DATA_DIR) + "/subjects/an_chao_index.toml"), passive);
   for (MuscleUnit& unit : s.muscles) unit.tendon_slack = 0.2;  // [m]
   return s;
 }
