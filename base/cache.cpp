@@ -15,6 +15,7 @@
 
 #include <fmt/format.h>
 
+#include "base/private_folder.h"
 #include "base/provenance.h"
 
 namespace thenar {
@@ -126,7 +127,8 @@ std::string environment(const char* name) {
 
 void write_entry(const CacheOptions& options, const std::string& name, const std::string& result) {
   static std::atomic<int> count{0};
-  fs::create_directories(options.folder);
+  make_private_folder(options.folder,
+                      options.own ? ExistingFolder::kIsClosed : ExistingFolder::kStays);
   const fs::path folder = options.folder;
   // Under a name of this process, renamed when complete.
   const fs::path unfinished =
@@ -161,8 +163,10 @@ CacheOptions cache_options_of_user() {
     options.folder = std::string(folder) == "off" ? "" : folder;
   } else if (const std::string cache = environment("XDG_CACHE_HOME"); !cache.empty()) {
     options.folder = cache + "/thenar";
+    options.own = true;
   } else if (const std::string home = environment("HOME"); !home.empty()) {
     options.folder = home + "/.cache/thenar";
+    options.own = true;
   }
   const double megabytes = std::strtod(environment("THENAR_CACHE_MB").c_str(), nullptr);
   if (megabytes > 0 && megabytes < 1e9)

@@ -9,8 +9,10 @@
 namespace thenar {
 
 struct CacheOptions {
-  std::string folder;                    // empty: nothing is kept
+  std::string folder;                    // empty: nothing is kept; made with mode 700
   std::uintmax_t max_bytes = 500000000;  // of all entries; the least recently used give way
+  bool own =
+      false;  // the folder is thenar's alone, and becomes of mode 700 also where it was there
 };
 
 /// Sets the folder that kept() and keep() of this process use from now on. A program asks for it;
