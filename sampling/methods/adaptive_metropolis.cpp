@@ -1,5 +1,7 @@
 #include <cmath>
 
+#include "sampling/methods/saved_shape.h"
+
 #include "sampling/methods/metropolis.h"
 
 namespace thenar::internal {
@@ -88,8 +90,8 @@ class AdaptiveMetropolis final : public Metropolis {
 
   void restore_learnt(StateReader& from) override {
     for (ProposalShape& shape : shapes_) {
-      shape.mean = from.matrix();
-      shape.L = from.matrix();
+      shape.mean = saved_vector(from, "mean of a chain", size());
+      shape.L = saved_matrix(from, "covariance factor of a chain", size(), size());
       shape.log_scale = from.number();
     }
   }

@@ -3,6 +3,7 @@
 
 #include "base/error.h"
 #include "sampling/methods/metropolis.h"
+#include "sampling/methods/saved_shape.h"
 
 namespace thenar::internal {
 namespace {
@@ -172,10 +173,13 @@ class DreamZs final : public Metropolis {
 
   void restore_learnt(StateReader& from) override {
     const Eigen::MatrixXd archive = from.matrix();
+    require(archive.rows() == size() && archive.cols() >= first_,
+            "saved state, archive: wanted {} rows and at least {} columns, got {} x {}", size(),
+            first_, archive.rows(), archive.cols());
     archive_.assign(archive.data(), archive.data() + archive.size());
-    carried_ = from.matrix();
-    used_ = from.matrix();
-    share_ = from.matrix();
+    carried_ = saved_vector(from, "distances of crossovers", kCrossovers);
+    used_ = saved_vector(from, "jumps of crossovers", kCrossovers);
+    share_ = saved_vector(from, "shares of crossovers", kCrossovers);
   }
 
   Eigen::MatrixXd root_;            // of the guessed covariance (n, n)

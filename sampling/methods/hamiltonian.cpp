@@ -6,6 +6,7 @@
 #include "sampling/methods/hamiltonian_trajectory.h"
 #include "sampling/methods/hamiltonian_warm_up.h"
 #include "sampling/methods/sampler.h"
+#include "sampling/methods/saved_shape.h"
 #include "sampling/methods/target.h"
 
 namespace thenar::internal {
@@ -289,14 +290,15 @@ void Hamiltonian::restore(StateReader& from) {
   // Steps, position and densities.
   steps_ = from.integer();
   known_ = from.integer() != 0;
-  current_.x = from.matrix();
-  current_.y = from.matrix();
-  current_.at.log_prior = from.matrix();
-  current_.at.log_likelihood = from.matrix();
-  current_.at.prior_gradient = from.matrix();
-  current_.at.likelihood_gradient = from.matrix();
-  require(current_.x.size() == positions_.rows(), "saved chain has {} coordinates, this one {}",
-          current_.x.size(), positions_.rows());
+  // Before the first density is known there is none.
+  const Eigen::Index n = positions_.rows(), one = known_ ? 1 : 0;
+  current_.x = saved_vector(from, "position", n);
+  current_.y = saved_vector(from, "whitened position", n);
+  current_.at.log_prior = saved_vector(from, "log prior", one);
+  current_.at.log_likelihood = saved_vector(from, "log likelihood", one);
+  current_.at.prior_gradient = saved_matrix(from, "gradient of the log prior", one * n, one);
+  current_.at.likelihood_gradient =
+      saved_matrix(from, "gradient of the log likelihood", one * n, one);
   // Metric and step size; all else follows from the position.
   warm_up_.restore(from);
   positions_.col(0) = current_.x;

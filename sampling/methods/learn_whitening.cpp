@@ -11,6 +11,7 @@
 #include <Eigen/QR>
 
 #include "base/error.h"
+#include "sampling/methods/saved_shape.h"
 
 namespace thenar::internal {
 
@@ -31,11 +32,10 @@ void WindowDraws::save(StateWriter& to) const {
 }
 
 void WindowDraws::restore(StateReader& from) {
+  const Eigen::Index n = x_.rows();
   x_ = from.matrix();
-  gradient_ = from.matrix();
-  require(x_.rows() == gradient_.rows() && x_.cols() == gradient_.cols(),
-          "saved draws have {} x {} numbers, their gradients {} x {}", x_.rows(), x_.cols(),
-          gradient_.rows(), gradient_.cols());
+  require(x_.rows() == n, "saved state, draws of a window: wanted {} rows, got {}", n, x_.rows());
+  gradient_ = saved_matrix(from, "gradients of a window", n, x_.cols());
   count_ = x_.cols();
 }
 

@@ -6,6 +6,7 @@
 #include <Eigen/Cholesky>
 
 #include "base/error.h"
+#include "sampling/methods/saved_shape.h"
 #include "sampling/methods/target.h"
 
 namespace thenar::internal {
@@ -140,15 +141,12 @@ void Metropolis::restore(StateReader& from) {
   // Steps and positions.
   steps_ = static_cast<long>(from.integer());
   begun_ = from.integer() != 0;
-  const Eigen::MatrixXd x = from.matrix();
-  require(x.rows() == x_.rows() && x.cols() == x_.cols(),
-          "saved state has {} x {} positions, the sampler {} x {}", x.rows(), x.cols(), x_.rows(),
-          x_.cols());
-  x_ = x;
-  before_ = x;
+  x_ = saved_matrix(from, "positions", x_.rows(), x_.cols());
+  before_ = x_;
   round_ = 0;
   // Statistics of the last step.
-  const Eigen::VectorXd prior = from.matrix(), likelihood = from.matrix();
+  const Eigen::VectorXd prior = saved_vector(from, "log priors", chains());
+  const Eigen::VectorXd likelihood = saved_vector(from, "log likelihoods", chains());
   for (int k = 0; k < chains(); ++k) {
     StepStats& stats = stats_[static_cast<std::size_t>(k)];
     stats = {};

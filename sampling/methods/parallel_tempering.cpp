@@ -5,6 +5,7 @@
 
 #include "base/error.h"
 #include "base/random_stream.h"
+#include "sampling/methods/saved_shape.h"
 
 namespace thenar {
 namespace {
@@ -96,9 +97,10 @@ void SwapCounts::save(StateWriter& to) const {
 }
 
 void SwapCounts::restore(StateReader& from) {
-  tried = from.matrix();
-  accepted = from.matrix();
-  probability = from.matrix();
+  const Eigen::Index pairs = tried.size();
+  tried = internal::saved_vector(from, "swaps that were tried", pairs);
+  accepted = internal::saved_vector(from, "swaps that were accepted", pairs);
+  probability = internal::saved_vector(from, "probabilities of swaps", pairs);
 }
 
 Eigen::VectorXd adapted_ladder(const Eigen::VectorXd& beta, const Eigen::VectorXd& rejection_rate) {

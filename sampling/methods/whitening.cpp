@@ -1,9 +1,12 @@
 #include "sampling/methods/whitening.h"
 
+#include <algorithm>
+
 #include <Eigen/Cholesky>
 #include <Eigen/LU>
 
 #include "base/error.h"
+#include "sampling/methods/saved_shape.h"
 
 namespace thenar::internal {
 
@@ -122,11 +125,17 @@ void Whitening::save(StateWriter& to) const {
 }
 
 void Whitening::restore(StateReader& from) {
-  const Eigen::VectorXd centre = from.matrix();
-  const Eigen::MatrixXd factor = from.matrix();
+  const Eigen::Index n = size();
+  const Eigen::VectorXd centre = saved_vector(from, "centre of the metric", n);
+  const Eigen::MatrixXd factor = saved_matrix(from, "metric", n, dense() ? n : 1);
+  // A bend has an entry for each pair of its drivers.
   Bend bend;
-  bend.drivers = static_cast<int>(from.integer());
-  bend.strength = from.matrix();
+  const std::int64_t drivers = from.integer(), most = std::min<std::int64_t>(Bend::kMaxDrivers, n);
+  require(drivers >= 0 && drivers <= most, "saved state: wanted 0 to {} drivers of a bend, got {}",
+          most, drivers);
+  bend.drivers = static_cast<int>(drivers);
+  bend.strength =
+      drivers == 0 ? from.matrix() : saved_matrix(from, "bend", n, drivers * (drivers + 1) / 2);
   const bool orbits = from.integer() != 0;
   if (!dense()) {
     centre_ = centre;

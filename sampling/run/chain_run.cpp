@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "base/error.h"
+#include "sampling/methods/saved_shape.h"
 #include "sampling/run/communicator.h"
 #include "sampling/run/draws.h"
 
@@ -37,7 +38,7 @@ void ChainRun::resume() {
   StateReader reader(state);
   const long step = reader.integer();
   seconds_before_ = reader.number();
-  const Eigen::MatrixXd beta = reader.matrix();
+  const Eigen::VectorXd beta = saved_vector(reader, "temperatures", options_.temperatures);
   std::vector<std::string> all;
   while (!reader.done()) all.push_back(reader.bytes());
   const int wanted = options_.groups * options_.temperatures;

@@ -3,7 +3,9 @@
 
 #include "sampling/methods/sampler.h"
 
+#include <algorithm>
 #include <cmath>
+#include <cstring>
 
 #include <gtest/gtest.h>
 
@@ -187,6 +189,51 @@ TEST_P(EverySampler, GoesOnAfterRestoreAsIfNothingHappened) {
     whole[0]->save(expected);
     EXPECT_EQ(end.bytes(), expected.bytes()) << at;
   }
+}
+
+// Counts and shapes are the words of a saved state that are small as integers; each is made another
+// one in turn, and neighbours change places, as of a matrix that was transposed.
+TEST_P(EverySampler, RefusesStatesOfOtherShapesOrReadsThem) {
+  const auto known = sample::gaussian(3, 4);
+  SamplerOptions options;
+  options.warm_up = 60;
+  const auto early = build(known.target, options);
+  advance({early[0].get()}, known.target, 37);
+  StateWriter saved;
+  early[0]->save(saved);
+  const std::string& good = saved.bytes();
+  const auto word = [](const std::string& bytes, std::size_t at) {
+    std::int64_t value;
+    std::memcpy(&value, bytes.data() + at, sizeof value);
+    return value;
+  };
+  int tried = 0, refused = 0;
+  const auto attempt = [&](const std::string& bytes) {
+    ++tried;
+    const auto late = build(known.target, options);
+    StateReader reader(bytes);
+    try {
+      late[0]->restore(reader);
+      advance({late[0].get()}, known.target, late[0]->steps() + 3);
+    } catch (const InputError&) {
+      ++refused;
+    }
+  };
+  for (std::size_t at = 0; at + 8 <= good.size(); at += 8) {
+    const std::int64_t value = word(good, at);
+    if (value <= 0 || value > 1000) continue;
+    for (const std::int64_t other : {value + 1, value - 1, std::int64_t{0}, std::int64_t{-1}}) {
+      std::string bytes = good;
+      std::memcpy(&bytes[at], &other, sizeof other);
+      attempt(bytes);
+    }
+    if (at + 16 > good.size() || word(good, at + 8) == value) continue;
+    std::string bytes = good;
+    std::swap_ranges(&bytes[at], &bytes[at] + 8, &bytes[at + 8]);
+    attempt(bytes);
+  }
+  // Positions and their densities alone have six lengths, each of which is made four others.
+  EXPECT_GE(refused, 24) << tried;
 }
 
 // The number of steps stands first in the saved state. Of 2^32 steps the last that has random
