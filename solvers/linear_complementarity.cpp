@@ -6,6 +6,7 @@
 #include <Eigen/LU>
 
 #include "base/error.h"
+#include "base/stop_scope.h"
 
 namespace thenar {
 namespace {
@@ -206,6 +207,7 @@ ComplementaritySolution solve_complementarity(const LinearComplementarity& probl
   const Index most = options.max_pivots > 0 ? options.max_pivots : 50 * (n + 1);
   while (true) {
     const Index left = tableau.in_row(row);
+    end_if_stopped();
     tableau.pivot(row, entering);
     ++out.pivots;
     if (left == tableau.artificial() || tableau.is_covered()) break;

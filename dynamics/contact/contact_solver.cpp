@@ -5,6 +5,7 @@
 #include "base/error.h"
 #include "base/numbers.h"
 #include "base/random_stream.h"
+#include "base/stop_scope.h"
 #include "dynamics/contact/contact_newton.h"
 #include "dynamics/contact/friction_pyramids.h"
 #include "dynamics/contact/gauss_seidel.h"
@@ -123,6 +124,7 @@ bool ContactSolver::Workspace::run_newton(Damped damped) {
   residual = contacts.residual(f(), u());
   for (int idle = 0; idle < kPatience && solution.newton_steps < options.max_newton_steps;) {
     ++solution.newton_steps;
+    end_if_stopped();
     const double before = residual;
     if (!newton.step(contacts, damping * std::min(residual, 1.0), f(), u())) return false;
     if (measure()) {

@@ -1,5 +1,7 @@
 #include "dynamics/contact/gauss_seidel.h"
 
+#include "base/stop_scope.h"
+
 namespace thenar::internal {
 
 void GaussSeidel::assign(const ScaledContacts& contacts) {
@@ -16,6 +18,7 @@ void GaussSeidel::sweep(const ScaledContacts& contacts, int sweeps,
   const auto A = contacts.A();
   const auto b = contacts.b();
   for (int k = 0; k < sweeps; ++k) {
+    end_if_stopped();
     auto local = local_.begin();
     for (const ScaledBlock& block : contacts.blocks()) {
       const int i = block.start;

@@ -2,9 +2,17 @@
 
 #include <cmath>
 
+#include "base/stop_scope.h"
+
 namespace thenar {
 
 using Eigen::Index;
+
+namespace {
+
+constexpr Index kLarge = 200;  // rows of a block that takes long: a column of it, microseconds
+
+}  // namespace
 
 void InPlaceLu::find_blocks(const Eigen::Ref<const Eigen::MatrixXd>& R) {
   const Index n = R.rows();
@@ -27,6 +35,7 @@ bool InPlaceLu::factor(Eigen::Ref<Eigen::MatrixXd> R) {
   find_blocks(R);
   for (const auto [begin, end] : blocks_)
     for (Index k = begin; k < end; ++k) {
+      if (end - begin > kLarge) end_if_stopped();
       // The largest entry left in the column comes up.
       Index at = 0;
       const double largest = R.col(k).segment(k, end - k).cwiseAbs().maxCoeff(&at);

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "base/numbers.h"
+#include "base/stop_scope.h"
 
 namespace thenar::internal {
 namespace {
@@ -333,6 +334,7 @@ int InteriorContact::run(const ScaledContacts& contacts, Coupling coupling, int 
   double least = kInfinity;
   for (int step = 0; step < max_steps; ++step) {
     if (tau_ <= tolerance * size * size && missing_ <= tolerance * size) return step;
+    end_if_stopped();
     scale_cones();
     if (!factor(contacts)) return step;
     find_step();

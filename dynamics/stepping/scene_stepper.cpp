@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "base/error.h"
+#include "base/progress_parts.h"
 
 namespace thenar {
 namespace {
@@ -35,10 +36,14 @@ bool SceneStepper::step(const Progress& progress) {
   const auto behind = std::lower_bound(switches_.begin(), switches_.end(), end + near);
   if (behind != switches_.begin() && *(behind - 1) > end - near) end = *(behind - 1);
   bool whole = true;
-  for (auto t = std::upper_bound(switches_.begin(), switches_.end(), now_.state.t);
-       whole && t != switches_.end() && *t < end; ++t)
-    whole = part_step(*t, progress);
-  whole = whole && part_step(end, progress);
+  try {
+    for (auto t = std::upper_bound(switches_.begin(), switches_.end(), now_.state.t);
+         whole && t != switches_.end() && *t < end; ++t)
+      whole = part_step(*t, progress);
+    whole = whole && part_step(end, progress);
+  } catch (const Stopped&) {
+    whole = false;
+  }
   if (whole)
     ++now_.steps;
   else

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "base/error.h"
+#include "base/progress_parts.h"
 #include "base/thread_seconds.h"
 #include "dynamics/stepping/extrapolation.h"
 #include "dynamics/stepping/free_step.h"
@@ -61,7 +62,11 @@ class Simulation {
   }
 
   SceneRun run() {
-    run_events();
+    try {
+      run_events();
+    } catch (const Stopped&) {
+      run_.status = SceneStatus::kStopped;  // within a step, which does not count
+    }
     return std::move(run_);
   }
 
@@ -636,7 +641,10 @@ SceneRun run_fixed(const MovingScene& scene, const SceneOptions& options,
   keep();
   const long steps = fixed_steps(options);
   for (long i = 0; i < steps && run.status == SceneStatus::kDone; ++i) {
-    stepper.step();
+    if (!stepper.step()) {
+      run.status = SceneStatus::kStopped;
+      break;
+    }
     const double t = stepper.now().state.t;
     if (!is_finite(stepper.now().state)) {
       run.status = SceneStatus::kNotFinite;

@@ -8,6 +8,7 @@
 
 #include "base/error.h"
 #include "base/file_io.h"
+#include "base/progress_parts.h"
 #include "data/io/graspit/graspit_transform.h"
 #include "data/io/robot/import_robot.h"
 #include "data/io/world/graspit_body.h"
@@ -133,6 +134,8 @@ class WorldReader {
       RobotSpec robot = import_robot(path);
       append(path, robot.warnings);
       return robot;
+    } catch (const Stopped&) {
+      throw;
     } catch (const Error& error) {
       warn(node.child("filename"), fmt::format("UNREADABLE ROBOT, left out: {}", error.what()));
       return {};

@@ -6,6 +6,8 @@
 
 #include <random>
 
+#include "base/progress_parts.h"
+#include "base/stop_scope.h"
 #include "tests/matrix_near.h"
 
 namespace thenar {
@@ -27,6 +29,23 @@ TEST(InPlaceLu, SolvesWhatItWasGiven) {
     lu.solve(factors, y);
     EXPECT_TRUE(matrix_near(y, x, 1e-11));
   }
+}
+
+// Large systems are asked at every column whether to go on, small ones never.
+TEST(InPlaceLu, IsStoppedAmidALargeSystem) {
+  std::mt19937 rng(2);
+  std::normal_distribution<double> normal;
+  int asked = 0;
+  Progress progress;
+  progress.stop_requested = [&] { return ++asked > 100; };
+  const StopScope scope(progress);
+  InPlaceLu lu;
+  MatrixXd large = MatrixXd::NullaryExpr(300, 300, [&] { return normal(rng); });
+  EXPECT_THROW((void)lu.factor(large), Stopped);
+  EXPECT_EQ(asked, 101);
+  MatrixXd small = MatrixXd::NullaryExpr(40, 40, [&] { return normal(rng); });
+  EXPECT_TRUE(lu.factor(small));
+  EXPECT_EQ(asked, 101);
 }
 
 // [0 1; 1 0] has no pivot without an exchange of rows.

@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "base/error.h"
+#include "base/stop_scope.h"
 #include "tests/dynamics/stepping/sample_scenes.h"
 #include "tests/message_of.h"
 
@@ -68,6 +69,28 @@ TEST(SceneStepper, MakesTheStepsOfSimulateScene) {
   // Two instants within steps divide them: 101 steps in 103 parts.
   EXPECT_EQ(run.cost.steps, 102);
   EXPECT_EQ(stepper.cost().steps, 103);
+}
+
+// A contact problem hears of it within a step, which then has never begun.
+TEST(SceneStepper, GoesBackWhereAContactProblemIsStopped) {
+  SceneStepper stepper(pushed_pinch(), by_steps_of(1e-3)), other(pushed_pinch(), by_steps_of(1e-3));
+  for (int i = 0; i < 5; ++i) {
+    ASSERT_TRUE(stepper.step());
+    ASSERT_TRUE(other.step());
+  }
+  stepper.set_effort(0, 1);  // so that there is something to solve
+  other.set_effort(0, 1);
+  const SceneState before = stepper.now().state;
+  {
+    Progress progress;
+    progress.stop_requested = [] { return true; };
+    const StopScope scope(progress);
+    EXPECT_FALSE(stepper.step());
+  }
+  expect_same(stepper.now().state, before);
+  EXPECT_TRUE(stepper.step());
+  EXPECT_TRUE(other.step());
+  expect_same(stepper.now().state, other.now().state);
 }
 
 // The midpoint rule is exact for constant acceleration.
