@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <map>
 #include <optional>
-#include <set>
 
 #include <Eigen/SVD>
 
@@ -27,6 +27,7 @@ constexpr int kFacetsBeforeSum = 100000;  // of a hull, before a way without hul
 constexpr double kSharpVolume = 1e-9;     // error of a volume that needs no other way [1]
 constexpr double kFolded = 1e-4;  // error of a larger hull of a sum: faces that are parallel up to
                                   // rounding fold it; 1.3e-5 was met [1]
+constexpr int kMostTimes = 20;    // that a point is put into a hull [1]
 constexpr double kLostVolume = 0.1;     // error beyond which a volume is not known [1]
 constexpr double kExactVolume = 1e-12;  // error of a volume that counts as exact [1]
 constexpr double kMaxChoices = 2e7;     // of faces of a sum: takes some seconds
@@ -90,22 +91,21 @@ PolytopeVolume hull_volume(const WrenchSet& set, const VolumeOptions& options, i
   internal::Hull hull(simplex.points);
   double off = 0;
   int facet = 0;
-  // A point is put in once. Where it seems to lie beyond a facet again, that is rounding: so narrow
-  // a set has been stretched that it is more than kBeyond.
-  std::set<std::array<double, 6>> vertices;
-  const auto is_new = [&](const ScaledWrench& p) {
+  // A point that seems to lie beyond a facet again mends a plane that rounding has moved; where it
+  // does so time and again, the set is as narrow as its points are rounded.
+  std::map<std::array<double, 6>, int> times;
+  const auto may_come = [&](const ScaledWrench& p) {
     std::array<double, 6> key;
     std::copy(p.data(), p.data() + 6, key.begin());
-    return vertices.insert(key).second;
+    return ++times[key] <= kMostTimes;
   };
-  for (const ScaledWrench& p : simplex.points) (void)is_new(p);
   // Refine facets until no support point lies beyond any.
   while ((facet = hull.pop_nearest()) >= 0 && hull.facets() <= max_facets &&
          !options.progress.stop()) {
     end_if_stopped();
     const internal::Hull::Plane plane = hull.plane(facet);
     const internal::SupportPoint reach = support(plane.n);
-    if (reach.h > plane.d + kBeyond * support.size() && is_new(reach.p) &&
+    if (reach.h > plane.d + kBeyond * support.size() && may_come(reach.p) &&
         hull.insert(reach.p, facet))
       continue;
     off = std::max(off, reach.h - plane.d);

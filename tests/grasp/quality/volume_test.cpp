@@ -120,7 +120,7 @@ TEST(Volume, IsTheSameAboutAnyCentre) {
   }
 }
 
-// Each point of a hull is put in once, however far its planes are rounded.
+// Each point of a hull is put in a few times, however far its planes are rounded.
 TEST(Volume, OfAFingerFarAwayEnds) {
   for (const double d : {1.0, 10.0, 100.0, 1e4}) {
     const Volume v = volume_of(
