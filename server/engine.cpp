@@ -25,6 +25,10 @@ constexpr double kLeastStep = 1e-6;                      // of a motion [s]
 constexpr std::chrono::milliseconds kProgressEvery{50};  // a client is told of progress
 constexpr std::chrono::milliseconds kBusyAfter{250};     // others are told that it takes long
 constexpr std::chrono::hours kLongest{1};                // that the thread sleeps
+constexpr std::size_t kMostReplies = 32UL << 20U;        // of a batch; then no more is done [bytes]
+
+constexpr const char* kHello = "session.hello";
+constexpr const char* kStatus = "session.status";
 
 double seconds_between(EngineClock::time_point from, EngineClock::time_point to) {
   return std::chrono::duration<double>(to - from).count();
@@ -50,7 +54,7 @@ int Engine::join(std::shared_ptr<EngineClient> client) {
   require(clients_.size() < options_.clients, "there are {} clients already, the most there may be",
           options_.clients);
   clients_[++last_client_] = std::move(client);
-  jobs_.push_back({last_client_, [this] { publisher_.tell_all(); }});
+  jobs_.push_back({0, [this] { publisher_.tell_all(); }});  // of nobody: it keeps none waiting
   called_.notify_one();
   return last_client_;
 }
@@ -77,6 +81,15 @@ void Engine::put(int client, std::function<void()> work) {
 void Engine::receive(int client, std::string message) {
   if (const auto request = short_request(message, "session.stop"))
     return stop_running(client, *request);
+  for (const char* method : {kHello, kStatus}) {
+    const auto request = short_request(message, method);
+    if (!request || waits(client)) continue;
+    const auto to = client_of(client);
+    if (to == nullptr) return;
+    return to->reply(request->notification
+                         ? ""
+                         : json_text(rpc_reply(request->id, answer_at_once(*request)), -1));
+  }
   put(client, [this, client, message = std::move(message)] { answer(client, message); });
 }
 
@@ -91,6 +104,41 @@ void Engine::stop_running(int client, const RpcRequest& request) {
   if (to == nullptr) return;
   RpcAnswer answer{{{"asked", asked}}, request.failure};
   to->reply(request.notification ? "" : json_text(rpc_reply(request.id, answer), -1));
+}
+
+bool Engine::waits(int client) {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  return hello_.is_null() || running_ == client ||
+         std::any_of(jobs_.begin(), jobs_.end(),
+                     [&](const Job& job) { return job.client == client; });
+}
+
+RpcAnswer Engine::answer_at_once(const RpcRequest& request) {
+  if (request.failure) return {{}, request.failure};
+  try {
+    (void)checked(table_.at(request.method).params, request.params, "params");
+  } catch (const Error& error) {
+    return {{}, RpcFailure{RpcCode::kInvalidParams, error.what()}};
+  }
+  const std::lock_guard<std::mutex> lock(mutex_);
+  if (request.method == kHello) return {hello_, std::nullopt};
+  const bool busy = !runs_.method.empty();
+  const double seconds = busy ? seconds_between(runs_.since, EngineClock::now()) : 0;
+  return {status_json(runs_.method, seconds, runs_.fraction, runs_.text, jobs_.size()),
+          std::nullopt};
+}
+
+void Engine::note_running(const std::string& method) {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  runs_ = {method, EngineClock::now(), 0, ""};
+}
+
+void Engine::note_session() {
+  OrderedJson hello = table_.has(kHello) ? table_.at(kHello).handler(session_, Json::object(), {})
+                                         : OrderedJson::object();
+  const std::lock_guard<std::mutex> lock(mutex_);
+  hello_ = std::move(hello);
+  running_ = -1;
 }
 
 OrderedJson Engine::ask(const std::string& method, const Json& params, const Progress& progress) {
@@ -137,6 +185,7 @@ void Engine::end(const std::string& reason) {
 
 void Engine::work() {
   auto wake = EngineClock::now();
+  note_session();
   while (true) {
     Job job;
     {
@@ -152,10 +201,7 @@ void Engine::work() {
     }
     if (job.work) job.work();
     job = {};
-    {
-      const std::lock_guard<std::mutex> lock(mutex_);
-      running_ = -1;
-    }
+    note_session();
     const auto tick = play();
     wake = std::min({tick, publish(), EngineClock::now() + kLongest});
   }
@@ -163,18 +209,28 @@ void Engine::work() {
 
 void Engine::answer(int client, const std::string& message) {
   const RpcMessage read = read_rpc(message, options_.limits);
-  OrderedJson replies = OrderedJson::array();
+  std::string replies;
   for (const RpcRequest& request : read.requests) {
-    const RpcAnswer answer = run(client, request, progress_of(client, request.id));
-    if (!request.notification) replies.push_back(rpc_reply(request.id, answer));
+    // Replies of a batch travel together: their memory is bounded.
+    const RpcAnswer answer = replies.size() <= kMostReplies
+                                 ? run(client, request, progress_of(client, request.id))
+                                 : RpcAnswer{{},
+                                             RpcFailure{RpcCode::kTooLarge,
+                                                        "the replies before it in its batch "
+                                                        "hold too much: send it by itself"}};
+    if (request.notification) continue;
+    if (!replies.empty()) replies += ",";
+    replies += json_text(rpc_reply(request.id, answer), -1);
   }
   const auto to = client_of(client);
   if (to == nullptr) return;
-  to->reply(replies.empty() ? "" : json_text(read.batch ? replies : replies.front(), -1));
+  to->reply(read.batch && !replies.empty() ? "[" + replies + "]" : replies);
 }
 
 RpcAnswer Engine::run(int client, const RpcRequest& request, const Progress& progress) {
+  note_running(request.method);
   const Execution execution = execute(request, table_, session_, progress);
+  note_running("");
   if (request.failure || !is_logged(request.method)) return execution.answer;
   try {
     session_.log().add(logged(client, request, execution));
@@ -198,6 +254,11 @@ Progress Engine::progress_of(int client, const Json& id) {
     const auto now = EngineClock::now();
     if (now - told->last < kProgressEvery) return;
     told->last = now;
+    {
+      const std::lock_guard<std::mutex> running(mutex_);
+      runs_.fraction = fraction;
+      runs_.text = what;
+    }
     const auto to = client_of(client);
     if (to != nullptr && to->watches())
       to->tell(std::make_shared<const std::string>(rpc_notification(
@@ -240,10 +301,7 @@ Publisher::Clock::time_point Engine::play() {
   }
   const RpcAnswer answer = run(0, request, progress);
   const bool stopped = stop_;
-  {
-    const std::lock_guard<std::mutex> lock(mutex_);
-    running_ = -1;
-  }
+  note_session();
   seconds_of_step_ = seconds_between(now, EngineClock::now()) / steps;
   if (answer.failure || stopped) {
     if (answer.failure)

@@ -1,7 +1,8 @@
 #pragma once
 
 /// One thread that does what all clients ask, in the order in which it came, and tells those who
-/// watch what has changed. While a motion plays, it asks for the steps itself.
+/// watch what has changed. While a motion plays, it asks for the steps itself. What asks for
+/// nothing of the session is answered at once, however long the request before it takes.
 
 #include <atomic>
 #include <condition_variable>
@@ -28,6 +29,14 @@ struct EngineOptions {
   std::function<void(const std::string& text)> on_trouble;  // what no client is told of
 };
 
+/// What an engine is busy with, for session.status.
+struct RunningRequest {
+  std::string method;  // "": nothing runs
+  Publisher::Clock::time_point since;
+  double fraction = 0;  // as it told last
+  std::string text;
+};
+
 /// A session behind a queue. All functions may be called from any thread.
 class Engine {
  public:
@@ -42,7 +51,8 @@ class Engine {
   int join(std::shared_ptr<EngineClient> client);
   /// Forgets a client and what it has asked for, and asks what it waits for to stop.
   void leave(int client);
-  /// Puts a message of a client into the queue. session.stop does not wait there.
+  /// Puts a message of a client into the queue. session.stop does not wait there; nor do
+  /// session.hello and session.status of a client that waits for nothing else.
   void receive(int client, std::string message);
   /// Asks in the name of the program, and waits.
   /// @returns the result  @throws InputError with what was refused, Stopped
@@ -64,6 +74,10 @@ class Engine {
   RpcAnswer run(int client, const RpcRequest& request, const Progress& progress);
   [[nodiscard]] Progress progress_of(int client, const Json& id);
   void stop_running(int client, const RpcRequest& request);
+  [[nodiscard]] bool waits(int client);
+  [[nodiscard]] RpcAnswer answer_at_once(const RpcRequest& request);
+  void note_running(const std::string& method);
+  void note_session();
   Publisher::Clock::time_point play();
   Publisher::Clock::time_point publish();
   void tell_trouble(const std::string& text);
@@ -87,6 +101,8 @@ class Engine {
   std::map<int, std::shared_ptr<EngineClient>> clients_;
   int last_client_ = 0;
   int running_ = -1;  // client whose request runs; -1: none
+  RunningRequest runs_;
+  OrderedJson hello_;  // what session.hello said when the last request had ended
   bool ending_ = false;
   std::atomic<bool> stop_{false};
   std::thread thread_;

@@ -3,6 +3,8 @@
 #include <array>
 #include <chrono>
 #include <deque>
+#include <list>
+#include <optional>
 #include <thread>
 #include <utility>
 
@@ -21,11 +23,21 @@ namespace {
 namespace net = boost::asio;
 using net::ip::tcp;
 
-constexpr std::size_t kMostUnread = 64UL << 20U;   // replies that a client does not take [bytes]
-constexpr std::size_t kMostUnanswered = 256;       // requests without a reply; then it waits
-constexpr std::size_t kMostUngreeted = 256;        // connections that have not shown the token
-constexpr std::chrono::seconds kGreetingTime{10};  // that they have for it
+// Of what a client has asked without a reply so far, and of replies that it has not taken: beyond
+// these it is read no further. Replies that nobody takes end its connection.
+constexpr std::size_t kMostUnanswered = 256;           // requests
+constexpr std::size_t kMostAskedBytes = kLongestLine;  // [bytes]
+constexpr std::size_t kMostUnread = 64UL << 20U;       // [bytes]
+// Of all clients together; then only those are read that have no request without a reply.
+constexpr std::size_t kMostAskedOfAll = 32UL << 20U;    // [bytes]
+constexpr std::size_t kMostUnreadOfAll = 128UL << 20U;  // [bytes]
+// Of connections that have not asked for anything, where a token is wanted.
+constexpr std::size_t kMostStrangers = 64;         // also where none is wanted
+constexpr std::size_t kLongestGreeting = 4096;     // [bytes]
+constexpr std::chrono::seconds kGreetingTime{10};  // until the token is shown
 constexpr std::chrono::milliseconds kLastWords{300};
+
+const std::string kNoGreeting = "wanted session.hello with the token first";
 
 class LineClient;
 
@@ -39,7 +51,9 @@ struct LineNet {
   ServerAccess access;
   net::io_context context{1};
   PeerSet<LineClient> clients;
-  std::size_t ungreeted = 0;  // connections that have not shown the token
+  std::list<LineClient*> strangers;  // the oldest first; each takes itself out
+  std::size_t asked = 0;             // of all clients [bytes]
+  std::size_t unread = 0;            // of all clients [bytes]
 };
 
 /// A program that is connected. The server's thread uses all members; what the engine calls hands
@@ -48,7 +62,10 @@ class LineClient final : public EngineClient, public std::enable_shared_from_thi
  public:
   LineClient(tcp::socket socket, std::shared_ptr<LineNet> shared)
       : net_(std::move(shared)), socket_(std::move(socket)), greeting_(net_->context) {}
-  ~LineClient() override { net_->clients.remove(this); }
+  ~LineClient() override {
+    end_waiting();
+    net_->clients.remove(this);
+  }
   LineClient(const LineClient&) = delete;
   LineClient& operator=(const LineClient&) = delete;
 
@@ -56,24 +73,23 @@ class LineClient final : public EngineClient, public std::enable_shared_from_thi
     boost::system::error_code ignored;
     socket_.set_option(tcp::no_delay(true), ignored);
     socket_.set_option(net::socket_base::keep_alive(true), ignored);
-    if (net_->access.token.empty()) {
-      if (join()) read();
-      return;
+    // Strangers take no place of a client, nor of who comes after them.
+    if (net_->strangers.size() >= kMostStrangers) {
+      const auto oldest = net_->strangers.front()->shared_from_this();
+      oldest->drop();
     }
-    // Strangers take no place of a client, and are bounded by themselves.
-    if (net_->ungreeted >= kMostUngreeted) return drop();
-    waits_ = true;
-    ++net_->ungreeted;
+    stranger_ = net_->strangers.insert(net_->strangers.end(), this);
+    read();
+    if (net_->access.token.empty()) return;
     greeting_.expires_after(kGreetingTime);
     greeting_.async_wait([self = shared_from_this()](boost::system::error_code stopped) {
-      if (!stopped && self->waits_) self->drop();
+      if (!stopped && self->stranger_) self->drop();
     });
-    read();
   }
 
   void reply(std::string text) override {
     net::post(socket_.get_executor(), [self = shared_from_this(), text = std::move(text)] {
-      --self->asked_;
+      self->end_asking();
       if (!text.empty()) self->put(text);
       self->go_on();
     });
@@ -94,13 +110,17 @@ class LineClient final : public EngineClient, public std::enable_shared_from_thi
     end_waiting();
     if (number_ > 0) net_->engine.leave(number_);
     number_ = -1;
+    // Whoever is gone holds nothing.
+    while (!asked_.empty()) end_asking();
     texts_.clear();
+    count_unread(-static_cast<std::ptrdiff_t>(unread_));
   }
+  [[nodiscard]] std::size_t unread() const { return unread_; }
 
  private:
   /// Becomes a client of the engine. @returns whether there was room
   bool join() {
-    greeted_ = true;
+    end_waiting();
     try {
       number_ = net_->engine.join(shared_from_this());
       return true;
@@ -111,8 +131,8 @@ class LineClient final : public EngineClient, public std::enable_shared_from_thi
   }
   /// Is a stranger no longer.
   void end_waiting() {
-    if (!std::exchange(waits_, false)) return;
-    --net_->ungreeted;
+    if (!stranger_) return;
+    net_->strangers.erase(*std::exchange(stranger_, std::nullopt));
     greeting_.cancel();
   }
 
@@ -134,6 +154,8 @@ class LineClient final : public EngineClient, public std::enable_shared_from_thi
     lines_.add(piece_.data(), count);
     while (const auto line = lines_.next())
       if (!take(*line)) return;
+    if (stranger_ && !net_->access.token.empty() && lines_.held() > kLongestGreeting)
+      return refuse(kNoGreeting);
     go_on();
   }
 
@@ -147,20 +169,28 @@ class LineClient final : public EngineClient, public std::enable_shared_from_thi
 
   /// @returns whether the client stays
   bool take(const SplitLine& line) {
-    if (!greeted_ && !greets_with(line.text, net_->access.token)) {
-      refuse("wanted session.hello with the token first");
+    const std::string& token = net_->access.token;
+    if (stranger_ && !token.empty() && !greets_with(line.text, token)) {
+      refuse(kNoGreeting);
       return false;
     }
-    if (!greeted_) {
-      end_waiting();
-      if (!join()) return false;
-    }
-    ++asked_;
+    if (stranger_ && !join()) return false;
+    asked_.push_back(line.text.size());
+    asked_bytes_ += line.text.size();
+    net_->asked += line.text.size();
     if (line.too_long)
       reply(too_long_reply());
     else
       net_->engine.receive(number_, line.text);
     return true;
+  }
+
+  /// The request that was asked first has its reply.
+  void end_asking() {
+    if (asked_.empty()) return;
+    asked_bytes_ -= asked_.front();
+    net_->asked -= asked_.front();
+    asked_.pop_front();
   }
 
   /// Says why, and ends.
@@ -172,20 +202,41 @@ class LineClient final : public EngineClient, public std::enable_shared_from_thi
   /// Reads on where few requests wait; ends where nothing is left to do.
   void go_on() {
     if (number_ < 0) return;
-    if (!ended_ && !reading_ && asked_ < kMostUnanswered) return read();
-    if (ended_ && asked_ == 0 && texts_.empty() && !writing_) drop();
+    if (!ended_ && !reading_ && has_room()) return read();
+    if (ended_ && asked_.empty() && texts_.empty() && !writing_) drop();
+  }
+
+  /// Whether more may be asked before there are replies, and before these are taken.
+  [[nodiscard]] bool has_room() const {
+    if (unread_ >= kMostAskedBytes) return false;
+    return asked_.empty() || (asked_.size() < kMostUnanswered && asked_bytes_ < kMostAskedBytes &&
+                              net_->asked < kMostAskedOfAll);
   }
 
   void put(const std::string& text) {
     if (number_ < 0) return;
     texts_.push_back(text + "\n");
-    unread_ += texts_.back().size();
+    count_unread(static_cast<std::ptrdiff_t>(texts_.back().size()));
     if (unread_ > kMostUnread) return drop();
+    if (net_->unread > kMostUnreadOfAll) drop_worst();
     write();
   }
 
+  void count_unread(std::ptrdiff_t bytes) {
+    unread_ += static_cast<std::size_t>(bytes);
+    net_->unread += static_cast<std::size_t>(bytes);
+  }
+
+  /// Ends the connection with the most replies that nobody takes.
+  void drop_worst() {
+    std::shared_ptr<LineClient> worst;
+    for (const auto& client : net_->clients.all())
+      if (worst == nullptr || client->unread() > worst->unread()) worst = client;
+    if (worst != nullptr) worst->drop();
+  }
+
   void write() {
-    if (writing_ || texts_.empty()) return;
+    if (writing_ || texts_.empty() || number_ < 0) return;
     writing_ = true;
     // A short reply goes out with those that wait beside it.
     auto out = std::make_shared<std::string>();
@@ -199,7 +250,7 @@ class LineClient final : public EngineClient, public std::enable_shared_from_thi
           self->writing_ = false;
           if (self->number_ < 0) return;
           if (error) return self->drop();
-          self->unread_ -= out->size();
+          self->count_unread(-static_cast<std::ptrdiff_t>(out->size()));
           self->write();
           self->go_on();
         });
@@ -210,10 +261,11 @@ class LineClient final : public EngineClient, public std::enable_shared_from_thi
   net::steady_timer greeting_;
   std::array<char, 65536> piece_{};
   LineSplitter lines_{kLongestLine};
-  int number_ = 0;  // of the engine; -1: gone
-  std::size_t asked_ = 0, unread_ = 0;
-  bool waits_ = false;  // among the strangers
-  bool begun_ = false, greeted_ = false, ended_ = false, reading_ = false, writing_ = false;
+  int number_ = 0;                                            // of the engine; -1: gone
+  std::deque<std::size_t> asked_;                             // bytes of each request
+  std::size_t asked_bytes_ = 0, unread_ = 0;                  // [bytes]
+  std::optional<std::list<LineClient*>::iterator> stranger_;  // among them; until it is greeted
+  bool begun_ = false, ended_ = false, reading_ = false, writing_ = false;
   std::deque<std::string> texts_;
 };
 

@@ -24,6 +24,8 @@ class LineSplitter {
   /// The next whole line that is not blank; nothing if more bytes are needed. A line that is too
   /// long is told as soon as that shows, and what follows up to its end is dropped.
   [[nodiscard]] std::optional<SplitLine> next();
+  /// Bytes of lines that were not given out yet.
+  [[nodiscard]] std::size_t held() const { return bytes_.size() - begin_; }
   /// What stands behind the last end of a line: the last line of a stream that has ended.
   [[nodiscard]] std::optional<SplitLine> rest();
 

@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "base/progress_parts.h"
+#include "base/stop_scope.h"
 
 namespace thenar {
 namespace {
@@ -117,6 +118,7 @@ RpcAnswer answer_request(const RpcRequest& request, const MethodTable& table, Se
     code = RpcCode::kInvalidParams;
     const Json params = checked(method.params, request.params, "params");
     code = RpcCode::kRefused;
+    const StopScope scope(progress);
     return {method.handler(session, params, progress), std::nullopt};
   } catch (const Stopped& stopped) {
     return {{}, RpcFailure{RpcCode::kStopped, stopped.what()}};
@@ -137,6 +139,17 @@ OrderedJson rpc_reply(const Json& id, const RpcAnswer& answer) {
   else
     reply["result"] = answer.result;
   return reply;
+}
+
+OrderedJson status_json(const std::string& method, double seconds, double fraction,
+                        const std::string& text, std::size_t waiting) {
+  OrderedJson runs;
+  if (!method.empty()) runs = method;
+  return {{"runs", runs},
+          {"seconds", seconds},
+          {"fraction", number_or_null(fraction)},
+          {"text", text},
+          {"waiting", waiting}};
 }
 
 std::string rpc_notification(const std::string& method, const OrderedJson& params) {

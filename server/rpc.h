@@ -72,6 +72,11 @@ struct RpcAnswer {
 /// The reply to a request: {"jsonrpc": "2.0", "id", "result" or "error": {"code", "message"}}.
 [[nodiscard]] OrderedJson rpc_reply(const Json& id, const RpcAnswer& answer);
 
+/// What session.status says. @param method  of the request that runs; "": none
+/// @param seconds  since it began;  @param waiting  requests behind it
+[[nodiscard]] OrderedJson status_json(const std::string& method, double seconds, double fraction,
+                                      const std::string& text, std::size_t waiting);
+
 /// A message to a client that wants no reply, as text.
 [[nodiscard]] std::string rpc_notification(const std::string& method, const OrderedJson& params);
 

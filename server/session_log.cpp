@@ -15,8 +15,8 @@
 namespace thenar {
 namespace {
 
-constexpr std::size_t kLongestText = 32UL << 20U;  // of a log in a reply [bytes]
-constexpr std::size_t kMost = 1UL << 30U;          // of a log that is read [bytes]
+constexpr std::size_t kLongestText = 32UL
+                                     << 20U;  // of a log in a reply, and without a name [bytes]
 
 std::string line_of(const LoggedRequest& request) {
   OrderedJson line{{"client", request.client},
@@ -45,11 +45,12 @@ std::string reply_hash(const OrderedJson& result_or_error) {
 }
 
 bool is_logged(const std::string& method) {
-  return method != "session.hello" && method != "session.stop" && method != "session.log";
+  return method != "session.hello" && method != "session.stop" && method != "session.status" &&
+         method != "session.log";
 }
 
 std::vector<LoggedRequest> read_log(const std::string& path) {
-  std::istringstream lines(read_file(path, kMost));
+  std::istringstream lines(read_file(path, kLongestLog));
   std::vector<LoggedRequest> requests;
   int number = 0;
   for (std::string line; std::getline(lines, line);) {
@@ -79,21 +80,30 @@ bool SessionLog::write(std::FILE& file, const std::string& lines) {
 }
 
 void SessionLog::add(const LoggedRequest& request) {
+  if (lost_) return;
   const std::string line = line_of(request);
   if (!path_.empty()) {
+    // What stands there can be repeated, as far as it goes.
+    lost_ = bytes_ + line.size() > most_;
+    require(!lost_, "the log {} is full ({} bytes): this request and those after it are not in it",
+            path_, bytes_);
     // Who named the file may read it at any time.
-    require(write(*file_, line) && std::fflush(file_.get()) == 0, "cannot write {}: {}", path_,
-            std::strerror(errno));
-  } else if (!lost_) {
+    lost_ = !write(*file_, line) || std::fflush(file_.get()) != 0;
+    require(!lost_, "cannot write {}: {}; nothing more is logged", path_, std::strerror(errno));
+  } else {
     // Nobody asked for this one: without room for it the session goes on.
     if (file_ == nullptr) file_.reset(std::tmpfile());
-    lost_ = file_ == nullptr || !write(*file_, line);
+    lost_ = file_ == nullptr || bytes_ + line.size() > kLongestText || !write(*file_, line);
+    if (lost_) file_ = nullptr;
   }
   bytes_ += line.size();
 }
 
 std::string SessionLog::all() const {
-  require(!lost_, "there was no room for the log among temporary files");
+  require(!lost_ || !path_.empty(),
+          "the log became longer than {} MB, or there was no room for it: start with --log FILE to "
+          "have it",
+          kLongestText >> 20U);
   if (file_ == nullptr) return "";
   std::string text(bytes_, '\0');
   std::rewind(file_.get());
@@ -104,8 +114,8 @@ std::string SessionLog::all() const {
 }
 
 std::string SessionLog::text() const {
-  require(bytes_ <= kLongestText, "the log is longer than {} MB: start with --log FILE to have it",
-          kLongestText >> 20U);
+  require(path_.empty() || bytes_ <= kLongestText, "the log is longer than {} MB: it is in {}",
+          kLongestText >> 20U, path_);
   return all();
 }
 

@@ -5,8 +5,8 @@
 ///
 /// A line is {"client": 2, "request": {..}, "reply": SHA-256 of the result or the error}. Client 0
 /// is the program itself, as it plays a motion. Of a request that was asked to stop, "stopped_at"
-/// counts how often it had asked before. Not in a log: session.hello, session.stop and session.log,
-/// which change nothing.
+/// counts how often it had asked before. Not in a log: session.hello, session.stop, session.status
+/// and session.log, which change nothing.
 
 #include <cstddef>
 #include <cstdio>
@@ -18,6 +18,9 @@
 #include "report/json.h"
 
 namespace thenar {
+
+/// What a log holds that is written or read [bytes].
+inline constexpr std::size_t kLongestLog = 1UL << 30U;
 
 /// A line of a log.
 struct LoggedRequest {
@@ -37,17 +40,22 @@ struct LoggedRequest {
 /// A log as text. @throws DataError `path:line: ..` if a line is none of a log.
 [[nodiscard]] std::vector<LoggedRequest> read_log(const std::string& path);
 
-/// The requests so far, in a file: a session that plays for a day writes a gigabyte. Where none was
-/// named it is a temporary one without a name, which goes with the program.
+/// The requests so far, in a file: a session that plays for a day writes a gigabyte, which is the
+/// most that is kept. Where none was named it is a temporary one without a name, which goes with
+/// the program, and holds no more than a reply does.
 class SessionLog {
  public:
+  /// @param most  that a named file holds [bytes]
+  explicit SessionLog(std::size_t most = kLongestLog) : most_(most) {}
+
   /// Writes what was added so far and all that follows to a file, each line at once.
   /// @throws InputError if it cannot be written.
   void open(const std::string& path);
-  /// @throws InputError if the disk of a named file is full.
+  /// @throws InputError once, where a named file has become full, or its disk has: it then ends
+  /// with the request before this one.
   void add(const LoggedRequest& request);
-  /// All lines. @throws InputError if there are more than 32 MB, which no reply holds, or there was
-  /// no room for them.
+  /// All lines. @throws InputError if there are or were more than 32 MB, which no reply holds, or
+  /// there was no room for them.
   [[nodiscard]] std::string text() const;
 
  private:
@@ -59,9 +67,10 @@ class SessionLog {
 
   static bool write(std::FILE& file, const std::string& lines);
 
+  std::size_t most_;  // [bytes]
   std::string path_;  // "" of a temporary file
   std::size_t bytes_ = 0;
-  bool lost_ = false;                       // no room among temporary files
+  bool lost_ = false;                       // it had become too long, or there was no room
   std::unique_ptr<std::FILE, Close> file_;  // null: nothing was added
 };
 

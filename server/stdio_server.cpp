@@ -25,6 +25,7 @@ namespace {
 
 constexpr int kPoll = 100;  // [ms]
 constexpr std::size_t kMostUnansweredLines = 256;
+constexpr std::size_t kMostUnansweredBytes = 8UL << 20U;  // of these lines
 
 /// Writes replies from the engine's thread: whoever is at the other end is the only client, and
 /// keeps nobody waiting but itself.
@@ -35,7 +36,7 @@ class StreamClient final : public EngineClient {
   void reply(std::string text) override {
     if (!text.empty()) write_line(text);
     const std::lock_guard<std::mutex> lock(mutex_);
-    --asked_;
+    if (--asked_ == 0) bytes_ = 0;
     answered_.notify_all();
   }
   void tell(std::shared_ptr<const std::string> /*text*/) override {}
@@ -58,14 +59,16 @@ class StreamClient final : public EngineClient {
   /// Writes no more, whoever may wait for it.
   void give_up() { gives_up_ = true; }
 
-  void ask() {
+  void ask(std::size_t bytes) {
     const std::lock_guard<std::mutex> lock(mutex_);
     ++asked_;
+    bytes_ += bytes;
   }
-  /// Waits until fewer requests than these are without a reply, or `ended`.
+  /// Waits until fewer requests than these are without a reply, and few bytes, or `ended`.
   void wait_below(std::size_t most, const std::function<bool()>& ended) {
     std::unique_lock<std::mutex> lock(mutex_);
-    while (asked_ >= most && !ended()) answered_.wait_for(lock, std::chrono::milliseconds(kPoll));
+    while ((asked_ >= most || bytes_ >= kMostUnansweredBytes) && !ended())
+      answered_.wait_for(lock, std::chrono::milliseconds(kPoll));
   }
   [[nodiscard]] int error() const { return error_; }
 
@@ -73,14 +76,14 @@ class StreamClient final : public EngineClient {
   int output_;
   std::mutex mutex_, writing_;
   std::condition_variable answered_;
-  std::size_t asked_ = 0;
-  std::atomic<int> error_{0};  // of writing
+  std::size_t asked_ = 0, bytes_ = 0;  // requests without a reply; bytes since there were none
+  std::atomic<int> error_{0};          // of writing
   std::atomic<bool> gives_up_{false};
 };
 
 void take_line(Engine& engine, int number, StreamClient& client, const SplitLine& line) {
   if (line.too_long) return client.write_line(too_long_reply());
-  client.ask();
+  client.ask(line.text.size());
   engine.receive(number, line.text);
 }
 

@@ -39,7 +39,8 @@ WebAnswer protected_answer(int status, const std::string& type, std::string body
            {"Cross-Origin-Resource-Policy", "same-origin"},
            {"Cross-Origin-Opener-Policy", "same-origin"},
            {"Referrer-Policy", "no-referrer"}},
-          std::move(body)};
+          std::move(body),
+          nullptr};
 }
 
 WebAnswer refusal(int status, const std::string& why) {
@@ -84,7 +85,8 @@ WebAnswer answer_to(const ServerAccess& access, int port, const WebQuestion& que
   if (path.rfind("/mesh/", 0) == 0) {
     const auto bytes = meshes(path.substr(6));
     if (bytes == nullptr) return refusal(404, "no such mesh is shown");
-    WebAnswer answer = protected_answer(200, "application/octet-stream", *bytes, question.host);
+    WebAnswer answer = protected_answer(200, "application/octet-stream", "", question.host);
+    answer.mesh = bytes;
     answer.headers.emplace_back("Cache-Control", "private, max-age=31536000, immutable");
     return answer;
   }

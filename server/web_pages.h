@@ -25,6 +25,7 @@ struct WebAnswer {
   int status = 200;
   std::vector<std::pair<std::string, std::string>> headers;
   std::string body;
+  std::shared_ptr<const std::string> mesh;  // in the place of the body; it is not copied
 };
 
 /// Gives the bytes of a mesh; null if there is none.

@@ -2,6 +2,7 @@
 
 #include <chrono>
 #include <deque>
+#include <list>
 #include <optional>
 #include <thread>
 #include <utility>
@@ -28,16 +29,23 @@ using tcp = asio::ip::tcp;
 
 constexpr std::size_t kLongestMessage = 80UL << 20U;  // of a WebSocket; ours refuses less than that
 constexpr std::size_t kWritePiece = 65536;            // that is sent at a time [bytes]
-constexpr std::size_t kMostWaiting = 64UL << 20U;     // in either direction [bytes]
-constexpr std::size_t kMostAsked = 256;               // requests without a reply; then it waits
-constexpr std::size_t kMostConnections = 256;
-constexpr std::chrono::seconds kRequestTime{30};     // that a request may take to arrive
-constexpr std::chrono::milliseconds kFarewell{300};  // that texts have to leave at the end
+// Of what a page has asked without a reply so far: beyond these it is read no further. Texts that
+// it does not take end its connection.
+constexpr std::size_t kMostAsked = 256;                  // requests
+constexpr std::size_t kMostAskedTogether = 1UL << 20U;   // [bytes]
+constexpr std::size_t kMostWaiting = 64UL << 20U;        // texts that it does not take [bytes]
+constexpr std::size_t kMostWaitingOfAll = 128UL << 20U;  // replies, of all pages [bytes]
+constexpr std::chrono::seconds kLongMessageTime{60};     // that a longer message may take
+constexpr std::size_t kMostFileConnections = 64;         // that ask for files
+constexpr std::chrono::seconds kRequestTime{10};         // that a request may take to arrive
+constexpr std::chrono::milliseconds kFarewell{300};      // that texts have to leave at the end
 
 using Request = http::request<http::string_body>;
-using Response = http::response<http::string_body>;
+using Response = http::response<http::span_body<const char>>;
 
 class WebPeer;
+class WebClient;
+class WebConnection;
 
 /// What all connections of a server share. It holds the context that they run on, so that one which
 /// the engine still knows does not outlive it.
@@ -50,6 +58,11 @@ struct Web {
   asio::io_context context{1};
   int port = 0;
   PeerSet<WebPeer> peers;
+  std::list<WebConnection*> files;  // connections that ask for files, the oldest first
+  // Messages of more than kMostAskedTogether come one after the other.
+  std::weak_ptr<WebClient> long_message;
+  std::deque<std::weak_ptr<WebClient>> want_long_message;
+  std::size_t waiting = 0;  // replies that pages do not take [bytes]
 };
 
 /// A connection, known to its server for as long as it lives.
@@ -89,8 +102,8 @@ class WebClient final : public EngineClient,
                         public WebPeer,
                         public std::enable_shared_from_this<WebClient> {
  public:
-  WebClient(tcp::socket socket, std::shared_ptr<Web> web)
-      : WebPeer(std::move(web)), stream_(std::move(socket)) {}
+  WebClient(tcp::socket socket, std::shared_ptr<Web> its_web)
+      : WebPeer(std::move(its_web)), stream_(std::move(socket)), patience_(web()->context) {}
 
   void accept(const Request& request) {
     // A page may be quiet for days; the system finds out whether its machine is gone.
@@ -109,13 +122,14 @@ class WebClient final : public EngineClient,
 
   void reply(std::string text) override {
     asio::post(stream_.get_executor(), [self = shared_from_this(), text = std::move(text)] {
-      if (!text.empty()) self->put(std::make_shared<const std::string>(text));
       self->on_answered();
+      if (!text.empty()) self->put({std::make_shared<const std::string>(text), text.size()});
     });
   }
   void tell(std::shared_ptr<const std::string> text) override {
-    asio::post(stream_.get_executor(),
-               [self = shared_from_this(), text = std::move(text)] { self->put(text); });
+    asio::post(stream_.get_executor(), [self = shared_from_this(), text = std::move(text)] {
+      self->put({text, 0});
+    });
   }
   void show(std::shared_ptr<const std::string> frame) override {
     asio::post(stream_.get_executor(), [self = shared_from_this(), frame = std::move(frame)] {
@@ -149,47 +163,104 @@ class WebClient final : public EngineClient,
     read();
   }
 
+  /// A text that waits. What all are told is one memory, and counts as nobody's.
+  struct Waiting {
+    std::shared_ptr<const std::string> text;
+    std::size_t own = 0;  // [bytes]
+  };
+
   void read() {
-    stream_.async_read(buffer_, [self = shared_from_this()](beast::error_code error, std::size_t) {
-      if (error) return self->leave();
-      self->on_message();
+    stream_.async_read_some(buffer_, kWritePiece,
+                            [self = shared_from_this()](beast::error_code error, std::size_t) {
+                              if (error) return self->leave();
+                              if (self->number_ < 0) return;
+                              if (self->stream_.is_message_done()) return self->on_message();
+                              if (self->buffer_.size() <= kMostAskedTogether || self->may_be_long())
+                                self->read();
+                            });
+  }
+
+  /// Whether this message may be longer than many together; if not yet, it is read on in its turn.
+  bool may_be_long() {
+    const auto other = web()->long_message.lock();
+    if (other != nullptr && other.get() != this) {
+      web()->want_long_message.push_back(weak_from_this());
+      return false;
+    }
+    if (other != nullptr) return true;
+    web()->long_message = weak_from_this();
+    patience_.expires_after(kLongMessageTime);
+    patience_.async_wait([self = shared_from_this()](beast::error_code stopped) {
+      if (!stopped) self->drop();
     });
+    return true;
+  }
+
+  /// The long message has its reply, or is not wanted any more: the next one may come.
+  void end_long_message() {
+    if (web()->long_message.lock().get() != this) return;
+    web()->long_message.reset();
+    patience_.cancel();
+    while (!web()->want_long_message.empty()) {
+      const auto next = web()->want_long_message.front().lock();
+      web()->want_long_message.pop_front();
+      if (next != nullptr && next->number_ > 0 && next->may_be_long()) return next->read();
+    }
   }
 
   void on_message() {
+    patience_.cancel();
     std::string message = beast::buffers_to_string(buffer_.data());
     buffer_ = {};  // a long message does not keep its memory
     ++asked_;
     asked_bytes_ += message.size();
     web()->engine.receive(number_, std::move(message));
-    if (asked_ < kMostAsked && asked_bytes_ < kMostWaiting) return read();
+    if (asked_ < kMostAsked && asked_bytes_ < kMostAskedTogether) return read();
     paused_ = true;
   }
 
   void on_answered() {
     --asked_;
-    if (asked_ == 0) asked_bytes_ = 0;
-    if (!paused_ || asked_ > kMostAsked / 2 || asked_bytes_ >= kMostWaiting) return;
+    if (asked_ == 0) {
+      asked_bytes_ = 0;
+      end_long_message();
+    }
+    if (!paused_ || asked_ > kMostAsked / 2 || asked_bytes_ >= kMostAskedTogether) return;
     paused_ = false;
     if (number_ > 0) read();
   }
 
-  void put(std::shared_ptr<const std::string> text) {
+  void put(Waiting next) {
     if (number_ < 0) return;
-    waiting_ += text->size();
-    texts_.push_back(std::move(text));
+    waiting_ += next.text->size();
+    own_ += next.own;
+    web()->waiting += next.own;
+    texts_.push_back(std::move(next));
     // Nobody reads at the other end.
     if (waiting_ > kMostWaiting) return drop();
+    if (web()->waiting > kMostWaitingOfAll) drop_worst();
     write();
+  }
+
+  /// Ends the connection with the most replies that nobody takes.
+  void drop_worst() {
+    std::shared_ptr<WebClient> worst;
+    for (const auto& peer : web()->peers.all())
+      if (const auto client = std::dynamic_pointer_cast<WebClient>(peer))
+        if (worst == nullptr || client->own_ > worst->own_) worst = client;
+    if (worst != nullptr) worst->drop();
   }
 
   void write() {
     if (writing_ || number_ <= 0) return;
     std::shared_ptr<const std::string> next;
     if (!texts_.empty()) {
-      next = std::move(texts_.front());
+      next = std::move(texts_.front().text);
+      const std::size_t own = texts_.front().own;
       texts_.pop_front();
       waiting_ -= next->size();
+      own_ -= own;
+      web()->waiting -= own;
       stream_.text(true);
     } else if (frame_ != nullptr) {
       next = std::exchange(frame_, nullptr);
@@ -215,27 +286,38 @@ class WebClient final : public EngineClient,
     if (number_ < 0) return;
     web()->engine.leave(number_);
     number_ = -1;
+    web()->waiting -= std::exchange(own_, 0);
     texts_.clear();
     frame_.reset();
+    end_long_message();
   }
 
   websocket::stream<tcp::socket> stream_;
   beast::flat_buffer buffer_;
-  int number_ = 0;  // of the engine; -1: gone
-  std::size_t asked_ = 0, asked_bytes_ = 0, waiting_ = 0;
+  int number_ = 0;               // of the engine; -1: gone
+  asio::steady_timer patience_;  // with a long message
+  std::size_t asked_ = 0, asked_bytes_ = 0, waiting_ = 0, own_ = 0;
   bool paused_ = false, writing_ = false, finishing_ = false;
-  std::deque<std::shared_ptr<const std::string>> texts_;
+  std::deque<Waiting> texts_;
   std::shared_ptr<const std::string> frame_;  // the latest
 };
 
 /// A connection that asks for files, until it becomes a WebSocket.
 class WebConnection final : public WebPeer, public std::enable_shared_from_this<WebConnection> {
  public:
-  WebConnection(tcp::socket socket, std::shared_ptr<Web> web)
-      : WebPeer(std::move(web)), stream_(std::move(socket)) {}
+  /// Where there are too many, the oldest makes room: it may be one that never asks.
+  WebConnection(tcp::socket socket, std::shared_ptr<Web> its_web)
+      : WebPeer(std::move(its_web)), stream_(std::move(socket)) {
+    if (web()->files.size() >= kMostFileConnections) web()->files.front()->drop();
+    place_ = web()->files.insert(web()->files.end(), this);
+  }
+  ~WebConnection() override { leave_place(); }
 
   void finish() override { drop(); }
-  void drop() override { stream_.close(); }
+  void drop() override {
+    stream_.close();
+    leave_place();
+  }
 
   void read() {
     parser_.emplace();
@@ -258,6 +340,7 @@ class WebConnection final : public WebPeer, public std::enable_shared_from_this<
     if (auto refused = socket_refusal_of(access, web()->port, question))
       return write(*std::move(refused));
     stream_.expires_never();
+    leave_place();
     const auto client = std::make_shared<WebClient>(stream_.release_socket(), web());
     web()->peers.add(client);
     client->accept(request);
@@ -268,23 +351,32 @@ class WebConnection final : public WebPeer, public std::enable_shared_from_this<
     Response response(static_cast<http::status>(answer.status), 11);
     for (const auto& [name, value] : answer.headers) response.set(name, value);
     response.set(http::field::server, "thenar");
-    response.body() = std::move(answer.body);
+    const auto body = answer.mesh != nullptr
+                          ? answer.mesh
+                          : std::make_shared<const std::string>(std::move(answer.body));
+    response.body() = {body->data(), body->size()};
     response.keep_alive(request.keep_alive());
     response.prepare_payload();
     // HEAD is told the length, and nothing else.
-    if (request.method() == http::verb::head) response.body().clear();
+    if (request.method() == http::verb::head) response.body() = {};
     auto kept = std::make_shared<Response>(std::move(response));
     stream_.expires_after(kRequestTime);
-    http::async_write(stream_, *kept,
-                      [self = shared_from_this(), kept](beast::error_code error, std::size_t) {
-                        if (error) return;
-                        if (kept->keep_alive()) return self->read();
-                        self->stream_.socket().shutdown(tcp::socket::shutdown_send, error);
-                      });
+    http::async_write(
+        stream_, *kept,
+        [self = shared_from_this(), kept, body](beast::error_code error, std::size_t) {
+          if (error) return;
+          if (kept->keep_alive()) return self->read();
+          self->stream_.socket().shutdown(tcp::socket::shutdown_send, error);
+        });
+  }
+
+  void leave_place() {
+    if (place_) web()->files.erase(*std::exchange(place_, std::nullopt));
   }
 
   beast::tcp_stream stream_;
   beast::flat_buffer buffer_;
+  std::optional<std::list<WebConnection*>::iterator> place_;
   std::optional<http::request_parser<http::string_body>> parser_;
 };
 
@@ -339,7 +431,7 @@ class WebServer::Network {
   void accept() {
     acceptor_.async_accept([this](beast::error_code error, tcp::socket socket) {
       if (!acceptor_.is_open()) return;
-      if (!error && web_->peers.size() < kMostConnections) {
+      if (!error) {
         const auto connection = std::make_shared<WebConnection>(std::move(socket), web_);
         web_->peers.add(connection);
         connection->read();

@@ -12,6 +12,7 @@
 #include "server/frame.h"
 #include "server/gltf.h"
 #include "server/methods/method_table.h"
+#include "server/rpc.h"
 #include "server/scene_message.h"
 
 namespace thenar::internal {
@@ -45,6 +46,11 @@ OrderedJson methods(Session& /*session*/, const Json& /*params*/, const Progress
 /// In a batch, behind other requests, nothing runs that it could stop.
 OrderedJson stop(Session& /*session*/, const Json& /*params*/, const Progress& /*progress*/) {
   return {{"asked", false}};
+}
+
+/// Behind other requests of its client nothing runs by the time of its turn.
+OrderedJson status(Session& /*session*/, const Json& /*params*/, const Progress& /*progress*/) {
+  return status_json("", 0, 0, "", 0);
 }
 
 OrderedJson undo(Session& session, const Json& /*params*/, const Progress& /*progress*/) {
@@ -135,6 +141,12 @@ void add_session_methods(MethodTable& table) {
       {"session.stop",
        "Asks the request that runs to stop and keep what it has; it does not wait for others.",
        object_schema({}), "asked: whether one was running", "{}", stop});
+  table.add({"session.status",
+             "Says what runs; it does not wait for it, unless its own client has asked for that.",
+             object_schema({}),
+             "runs (a method; null: nothing), seconds since it began, fraction and text as it told "
+             "last, waiting (requests behind it)",
+             "{}", status});
   table.add({"session.undo", "Takes back the last edit of the world.", object_schema({}),
              "did: what was undone", "{}", undo});
   table.add({"session.redo", "Does again what was undone last.", object_schema({}),

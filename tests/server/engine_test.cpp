@@ -16,6 +16,7 @@
 #include "base/file_io.h"
 #include "base/progress_parts.h"
 #include "server/replay.h"
+#include "tests/message_of.h"
 #include "tests/patience.h"
 #include "tests/server/small_model.h"
 #include "tests/temporary_folder.h"
@@ -176,6 +177,66 @@ TEST(Engine, StopsWhatRunsAndOnlyThat) {
       "state", [](const Json& s) { return s["busy"].is_null() && s["mode"] == "motion"; });
 }
 
+/// The small table, and what a session says of itself.
+MethodTable greeting_table() {
+  MethodTable table = small_table();
+  for (const char* name : {"session.hello", "session.status"})
+    table.add({name, "Says.", object_schema({}), "something", "{}",
+               [](Session& session, const Json&, const Progress&) -> OrderedJson {
+                 return {{"mode", session.shown() == nullptr ? "" : session.mode_name()}};
+               }});
+  return table;
+}
+
+// Nobody has to wait for others to learn who is there and what runs.
+TEST(Engine, SaysWhatRunsWhileItRuns) {
+  Engine engine(greeting_table(), {});
+  const auto one = std::make_shared<Listener>(true), other = std::make_shared<Listener>(false);
+  const int first = engine.join(one), second = engine.join(other);
+  engine.receive(first, request("small.open"));
+  EXPECT_EQ(one->reply_of(0)["result"], Json::object());
+  engine.receive(first, request("small.wait", Json::object(), 5));
+  (void)one->notification("progress");
+  engine.receive(second, request("session.hello"));
+  engine.receive(second, request("session.status"));
+  engine.receive(second, request("session.status", {{"more", 1}}));
+  EXPECT_EQ(other->reply_of(0)["result"]["mode"], "motion");
+  const Json status = other->reply_of(1)["result"];
+  EXPECT_EQ(status["runs"], "small.wait");
+  EXPECT_EQ(status["text"], "waiting");
+  EXPECT_EQ(status["fraction"], 0.5);
+  EXPECT_EQ(other->reply_of(2)["error"]["code"], -32602);
+  // Replies of one client keep the order of its requests.
+  engine.receive(first, request("session.hello", Json::object(), 6));
+  engine.receive(second, request("session.stop"));
+  EXPECT_EQ(one->reply_of(1)["id"], 5);
+  EXPECT_EQ(one->reply_of(2)["id"], 6);
+}
+
+// Of a batch whose replies would take more memory than there is, the last are refused.
+TEST(Engine, BoundsTheRepliesOfABatch) {
+  MethodTable table;
+  int done = 0;
+  table.add({"small.tell", "Tells much.", object_schema({}), "text", "{}",
+             [&done](Session&, const Json&, const Progress&) -> OrderedJson {
+               ++done;
+               return {{"text", std::string(10UL << 20U, 'a')}};
+             }});
+  Engine engine(std::move(table), {});
+  const auto client = std::make_shared<Listener>(false);
+  const int number = engine.join(client);
+  Json batch = Json::array();
+  for (int i = 0; i < 100; ++i)
+    batch.push_back({{"jsonrpc", "2.0"}, {"id", i}, {"method", "small.tell"}});
+  engine.receive(number, batch.dump());
+  const Json replies = client->reply_of(0);
+  ASSERT_EQ(replies.size(), 100U);
+  EXPECT_EQ(done, 4);  // of 10 MB each, beyond 32 MB
+  EXPECT_EQ(replies[3]["result"]["text"].get<std::string>().size(), 10UL << 20U);
+  EXPECT_EQ(replies[4]["error"]["code"], -32002);
+  EXPECT_EQ(replies[99]["id"], 99);
+}
+
 TEST(Engine, ForgetsWhoLeavesAndStopsWhatHeWaitedFor) {
   Engine engine(small_table(), {});
   const auto gone = std::make_shared<Listener>(true), other = std::make_shared<Listener>(false);
@@ -333,6 +394,40 @@ TEST_F(SessionLogFile, ReadsWhatWasWrittenAndGoesOn) {
   EXPECT_EQ(temporary.text(), named.text());
   EXPECT_EQ(read_file(path("later.jsonl"), 1 << 20), named.text());
   EXPECT_EQ(read_log(path("named.jsonl")).size(), 2000U);
+}
+
+// A full log can be repeated as far as it goes, and says so once.
+TEST_F(SessionLogFile, EndsWhereItIsFull) {
+  SessionLog log(1000);
+  log.open(path("log.jsonl"));
+  const LoggedRequest request{1, "motion.step", {{"steps", 1}}, std::string(64, 'a'), {}};
+  int added = 0, refused = 0;
+  for (int i = 0; i < 20; ++i) {
+    try {
+      log.add(request);
+      ++added;
+    } catch (const InputError&) {
+      refused += 1;
+    }
+  }
+  EXPECT_EQ(refused, 1);
+  EXPECT_EQ(added, 19);  // without a word after the first
+  const std::string text = read_file(path("log.jsonl"), 2000);
+  EXPECT_LE(text.size(), 1000U);
+  EXPECT_GT(text.size(), 800U);
+  EXPECT_EQ(log.text(), text);
+  EXPECT_GT(read_log(path("log.jsonl")).size(), 3U);
+}
+
+// One without a name holds no more than a reply does; the disk that it lies on may be memory.
+TEST_F(SessionLogFile, WithoutANameIsLetGoWhereItGrowsTooLong) {
+  SessionLog log;
+  const LoggedRequest request{
+      1, "world.import", {{"bytes", std::string(1UL << 20U, 'a')}}, std::string(64, 'a'), {}};
+  for (int i = 0; i < 31; ++i) log.add(request);
+  EXPECT_GT(log.text().size(), 31UL << 20U);
+  for (int i = 0; i < 5; ++i) log.add(request);
+  EXPECT_NE(message_of([&] { (void)log.text(); }).find("start with --log FILE"), std::string::npos);
 }
 
 TEST_F(SessionLogFile, RefusesLinesThatAreNone) {

@@ -43,7 +43,7 @@ TEST(WebPages, GivesThePageWithItsHeaders) {
 
 TEST(WebPages, GivesMeshesAndNothingElse) {
   const WebAnswer answer = ask(get("/mesh/abc"));
-  EXPECT_EQ(answer.body, "bytes");
+  EXPECT_EQ(*answer.mesh, "bytes");
   EXPECT_THAT(header(answer, "Cache-Control"), HasSubstr("immutable"));
   for (const char* target :
        {"/mesh/", "/mesh/abcd", "/mesh/../live.js", "/..", "", "*", "/etc/passwd", "//"})

@@ -12,6 +12,7 @@
 #include <nlohmann/json.hpp>
 
 #include "api/grasp.h"
+#include "api/live/world/live_world.h"
 #include "base/error.h"
 #include "base/file_io.h"
 #include "report/answers/grasp.h"
@@ -291,6 +292,22 @@ TEST(WorldMethods, ImportAMeshAndForgetWhereItCameFrom) {
   Client other("mesh2");
   (void)other.ask("world.load", {{"text", text["toml"]}});
   EXPECT_EQ(other.session().shown()->shape().bodies[0].mesh->triangles.cols(), 12);
+}
+
+// A world keeps the files of hands for undone steps; they must not fill the disk.
+TEST(WorldMethods, KeepImportedHandsUpToALimit) {
+  Client client("many");
+  const Json files{dropped("pack/meshes/tip.obj", cube_obj()),
+                   dropped("pack/robot.urdf", small_urdf())};
+  const Json import{{"files", files}, {"as", "hand"}};
+  EXPECT_EQ(client.refusal("world.import", import), "");
+  auto& live = client.session().model<LiveWorld>(LiveMode::kWorld);
+  const std::string filler = live.own_folder() + "/1/filler";
+  std::ofstream(filler) << "x";
+  fs::resize_file(filler, 256UL << 20U);  // a hole, which takes no room
+  EXPECT_THAT(client.refusal("world.import", import), HasSubstr("at most 256 MB in all"));
+  fs::remove(filler);
+  EXPECT_EQ(client.refusal("world.import", import), "");
 }
 
 TEST(WorldMethods, RefuseDropsThatLeadElsewhereOrAreNothing) {

@@ -19,8 +19,9 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::size_t kMostFiles = 1000;   // of one drop
-constexpr std::size_t kLongestName = 300;  // of a dropped file [bytes]
+constexpr std::size_t kMostFiles = 1000;            // of one drop
+constexpr std::size_t kLongestName = 300;           // of a dropped file [bytes]
+constexpr std::uintmax_t kMostKept = 256UL << 20U;  // of all hands that a world keeps [bytes]
 
 /// The path of a dropped file within its folder. @throws InputError if it leads out of it
 fs::path checked_name(const std::string& name) {
@@ -92,6 +93,27 @@ class DropFolder {
   bool kept_ = false;
 };
 
+/// Bytes of all files in a folder and below it.
+std::uintmax_t bytes_below(const fs::path& folder) {
+  std::uintmax_t sum = 0;
+  std::error_code none;
+  for (const fs::directory_entry& entry : fs::recursive_directory_iterator(folder, none))
+    if (entry.is_regular_file(none)) sum += entry.file_size(none);
+  return sum;
+}
+
+/// Refuses files for which a world has no room beside the hands that it keeps for undone steps.
+void require_room(const std::string& folder, const std::vector<DroppedFile>& files) {
+  std::uintmax_t sum = 0;
+  for (const DroppedFile& file : files) sum += file.bytes.size();
+  const std::uintmax_t kept = bytes_below(folder);
+  require(kept + sum <= kMostKept,
+          "wanted files of at most {} MB in all, got {:.3g} MB beside {:.3g} MB of hands that were "
+          "imported before: save the world and load it in a new session",
+          kMostKept >> 20U, static_cast<double>(sum) / (1UL << 20U),
+          static_cast<double>(kept) / (1UL << 20U));
+}
+
 /// Writes files into a folder, and returns their paths there in the order given.
 std::vector<fs::path> written(const fs::path& folder, const std::vector<DroppedFile>& files) {
   require(!files.empty() && files.size() <= kMostFiles, "wanted 1 to {} files, got {}", kMostFiles,
@@ -152,6 +174,7 @@ ImportedBody imported_body(const std::string& file) {
 
 AddedThing import_dropped(LiveWorld& live, const std::vector<DroppedFile>& files, DroppedAs as,
                           const Progress& progress) {
+  require_room(live.own_folder(), files);
   DropFolder folder(live.own_folder());
   const auto told = [&](const std::string& text) {
     return without(text, folder.path().string() + "/");
