@@ -30,7 +30,7 @@ struct SpanRate {
 };
 
 SpanRate rated(const PathSpan& span, const Vector3d& a_dot, const Vector3d& b_dot) {
-  const Vector3d u = direction(span), move = b_dot - a_dot;
+  const Vector3d u = span.u, move = b_dot - a_dot;
   const double stretch = u.dot(move);
   Vector3d turn = Vector3d::Zero();
   if (span.length > 0) turn = (move - stretch * u) / span.length;
@@ -194,13 +194,14 @@ void span_rates(const TreeVelocity& rate, const PathShape& shape,
   }
 }
 
-/// Whether all touch points are determined, and all runs between links have a direction.
+/// Whether all touch points are determined, and all runs between links are long enough to tell how
+/// they turn.
 bool has_slopes(const PathShape& shape, const std::vector<RunChain>& chains) {
   if (shape.status != PathStatus::kTaut) return false;
   for (const RunChain& chain : chains)
     if (!chain.tangent.regular()) return false;
   return std::all_of(shape.spans.begin(), shape.spans.end(), [](const PathSpan& span) {
-    return span.length > 0 || span.link_a == span.link_b;
+    return span.length > kShortRun || span.link_a == span.link_b;
   });
 }
 

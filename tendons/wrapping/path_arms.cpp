@@ -30,7 +30,7 @@ void add_span(const Tree<double>& tree, const TreeState<double>& state, const Pa
   int a = span.link_a, b = span.link_b;
   if (a == b) return;
   // Direction and moment of the run's line.
-  const Vector3d u = scale * direction(span);
+  const Vector3d u = scale * span.u;
   const Vector3d moment = span.a.cross(u);  // of the run's line about the origin
   // Climb both branches up to the common ancestor.
   while (a != b) {
@@ -58,9 +58,10 @@ Ride ride_of(const PathSet& set, const std::vector<PathShape>& shapes, std::size
   ride.carrier = &shapes[static_cast<std::size_t>(set.paths[path].carrier)];
   ride.span = &ride.carrier->spans[static_cast<std::size_t>(rider.ride_span)];
   ride.p = rider.spans.back().b;
-  ride.u = direction(rider.spans.back());
-  ride.v = direction(*ride.span);
-  ride.share = (ride.p - ride.span->a).dot(ride.v) / ride.span->length;
+  ride.u = rider.spans.back().u;
+  ride.v = ride.span->u;
+  const double length = ride.span->length;
+  ride.share = length > 0 ? (ride.p - ride.span->a).dot(ride.v) / length : 0;
   return ride;
 }
 
@@ -88,7 +89,7 @@ void add_path(const Tree<double>& tree, const TreeState<double>& state, const Pa
       add_span(tree, state, span, 1, row);
       continue;
     }
-    add_motion(tree, state, span.link_a, span.a, direction(span), row);
+    add_motion(tree, state, span.link_a, span.a, span.u, row);
     add_riding(tree, state, set, shapes, path, row);
   }
 }
@@ -177,7 +178,7 @@ void add_part(const TreeState<double>& state, const PathSet& set, const PathPart
   // Ends of spans that are fixed points are pulled along the span.
   for (std::size_t s = 0; s < spans; ++s) {
     const PathSpan& span = shape.spans[s];
-    const Vector3d pull = tension * direction(span);
+    const Vector3d pull = tension * span.u;
     if (!touches(s, false)) wrenches.add(span.link_a, span.a, pull);
     if (!(cut && s + 1 == spans) && span.link_b != kRiding && !touches(s, true))
       wrenches.add(span.link_b, span.b, -pull);

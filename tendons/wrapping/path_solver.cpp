@@ -51,7 +51,7 @@ Ridden ride_on(const PathSet& set, const TreeState<double>& state, const PathSha
   for (std::size_t s = 0; s < spans; ++s) {
     const double length = carrier.spans[s].length;
     if (ride <= length || s + 1 == spans)  // beyond the origin it goes on straight
-      return {carrier.spans[s].a + ride * direction(carrier.spans[s]), static_cast<int>(s), false};
+      return {carrier.spans[s].a + ride * carrier.spans[s].u, static_cast<int>(s), false};
     ride -= length;
     for (; arc != carrier.arcs.end() && arc->after == static_cast<int>(s); ++arc) {
       if (ride <= arc->arc.length) {
@@ -81,7 +81,7 @@ void add_span(PathShape& shape, int link_a, int link_b, const Vector3d& a, const
               double length) {
   if (length < 0) length = (b - a).norm();
   shape.length += length;
-  shape.spans.push_back({link_a, link_b, a, b, length});
+  shape.spans.push_back({link_a, link_b, a, b, length, (length > 0 ? 1 / length : 0.0) * (b - a)});
 }
 
 /// Moves the starts of arcs somewhat, differently in every attempt and not at all in the first.
@@ -187,11 +187,25 @@ void PathSolver::solve_path(std::size_t k, const TreeState<double>& state, bool 
     }
     add_run(path.bends[i], ends, shape);
   }
+  set_directions(shape);
   // The worst finding decides the status.
   if (!std::isfinite(shape.length)) shape.error = 1;
   if (crossed_) shape.status = PathStatus::kFarSideWrap;
   if (!(shape.error <= kTangent)) shape.status = PathStatus::kStalled;
   if (!(shape.depth <= kInside)) shape.status = PathStatus::kPointInside;
+}
+
+/// Gives short runs next to an arc its tangent: a point on the surface that the tendon bends over,
+/// or inside it by rounding, has no run of its own that tells where the tendon pulls it.
+void PathSolver::set_directions(PathShape& shape) const {
+  for (const PathArc& arc : shape.arcs) {
+    const auto i = static_cast<std::size_t>(arc.surface);
+    PathSpan& before = shape.spans[static_cast<std::size_t>(arc.after)];
+    PathSpan& after = shape.spans[static_cast<std::size_t>(arc.after) + 1];
+    if (before.length < kShortRun) before.u = X_[i].R * arc.arc.start.t;
+    if (after.length < kShortRun)
+      after.u = X_[i].R * follow_geodesic(set_->surfaces[i], arc.arc.start, arc.arc.length).ray.t;
+  }
 }
 
 /// Moves the origin of a path that rides to its carrier.

@@ -24,17 +24,17 @@ enum class PathStatus {
 /// Link of an origin that rides on another tendon.
 inline constexpr int kRiding = -2;
 
+/// Length of a run below which rounding of its ends may decide its direction [m].
+inline constexpr double kShortRun = 1e-7;
+
 /// A straight run of a tendon, from insertion to origin, world.
 struct PathSpan {
   int link_a, link_b;    // that carry its ends; -1: the base; kRiding
   Eigen::Vector3d a, b;  // [m] (3)
   double length;         // [m]
+  Eigen::Vector3d u;  // unit, from a to b; next to an arc, where the run is too short to tell, the
+                      // arc's tangent there; zero of a run without length or arc (3)
 };
-
-/// Unit vector from a to b; zero where the run has no length (3).
-[[nodiscard]] inline Eigen::Vector3d direction(const PathSpan& span) {
-  return (span.length > 0 ? 1 / span.length : 0.0) * (span.b - span.a);
-}
 
 /// A stretch of tendon on a surface.
 struct PathArc {
@@ -113,6 +113,7 @@ class PathSolver {
   void start_over_sides(const std::vector<PathWrap>& bends);
   void take_chain(const std::vector<PathWrap>& bends);
   static void set_touches(Slot& slot);
+  void set_directions(PathShape& shape) const;
 
   const PathSet* set_;
   std::vector<Pose<double>> X_;             // X_WS of each surface

@@ -100,10 +100,69 @@ Tangency tangency_of(const Vector3d& a, const Vector3d& b, const Ends& ends, int
   return system;
 }
 
-Tangency tangency(const Vector3d& a, const Vector3d& b, const std::vector<ChainArc>& chain) {
+/// An end of the string on the surface that the string bends over next, or near it.
+struct StringEnd {
+  Vector3d p;         // world [m] (3)
+  bool near = false;  // within kNearby of that surface
+  double height = 0;  // over it [m]
+};
+
+constexpr double kNearby = 1e-6;     // [m]
+constexpr double kRounding = 4e-18;  // height that rounding of places leaves to a point on it [m]
+constexpr double kClearRun = 1e-6;   // run whose length is known to more digits than wanted [m]
+
+double least_size(const BoneSurface& surface) {
+  return surface.shape == SurfaceShape::kEllipsoid ? surface.size.minCoeff() : surface.size[0];
+}
+
+/// Two rows in place of add_rows() at an end of the string that is near the surface: its run is too
+/// short to tell a direction. With s the way along the string from there to the touch point, D the
+/// height of the end over the tangent plane and c the curvature along the string,
+///   s = sqrt(s^2 + 2 D / c)  if and only if  D = 0,
+/// where the right side stays the same as the touch point moves along a circle. An end on the
+/// surface, or inside it, is the touch point: s = 0. Rounding of D changes short runs as 1 / s, by
+/// which the equation counts less.
+/// @param scale  size of the surface [m]
+/// @param sign   1 if the string comes from that end, -1 if it goes there
+void set_near_rows(Tangency& system, int row, int own, const ArcEnd& end, const StringEnd& at,
+                   double scale, double sign) {
+  const Vector3d off = end.p - at.p;
+  const double s = sign * off.dot(end.t), curvature = end.t.dot(end.dn.col(0));
+  const bool lifted = curvature > 0 && at.height > kRounding;
+  const double square = lifted ? s * s - 2 * off.dot(end.n) / curvature : 0;
+  const double run = std::sqrt(std::max(square, 0.0));
+  const double weight =
+      lifted ? std::min(1.0, std::sqrt(2 * at.height * scale) / kClearRun) / scale : 1 / scale;
+  // Along the string.
+  Row4 slope = sign * end.t.transpose() * end.dp;
+  if (run > 0) slope -= (s * slope - off.transpose() * end.dn / curvature) / run;
+  system.J.middleRows<2>(row).setZero();
+  system.f[row] = weight * (s - run);
+  system.J.block<1, 4>(row, own) = weight * slope;
+  // Across it.
+  system.f[row + 1] = off.dot(end.b) / scale;
+  system.J.block<1, 4>(row + 1, own) =
+      (end.b.transpose() * end.dp + off.transpose() * end.db) / scale;
+}
+
+Tangency tangency(const StringEnd& a, const StringEnd& b, const std::vector<ChainArc>& chain) {
   std::array<ArcEnds, kMaxWraps> ends;
-  for (std::size_t i = 0; i < chain.size(); ++i) ends[i] = ends_of(chain[i]);
-  return tangency_of(a, b, ends, static_cast<int>(chain.size()));
+  const std::size_t last = chain.size() - 1;
+  for (std::size_t i = 0; i <= last; ++i) ends[i] = ends_of(chain[i]);
+  Tangency system = tangency_of(a.p, b.p, ends, static_cast<int>(chain.size()));
+  // Ends near their surfaces.
+  const int own = 4 * static_cast<int>(last);
+  if (a.near) set_near_rows(system, 0, 0, ends[0].on, a, least_size(*chain[0].surface), 1);
+  if (b.near)
+    set_near_rows(system, own + 2, own, ends[last].off, b, least_size(*chain[last].surface), -1);
+  return system;
+}
+
+/// An end of the string, which begins on the first or ends on the last arc of the chain.
+StringEnd string_end(const ChainArc& link, const Vector3d& p) {
+  const Vector3d p_S = link.X.inverse() * p;
+  if (!(std::abs(level(*link.surface, p_S)) < kNearby)) return {p};
+  return {p, true, probe(*link.surface, p_S).gap};
 }
 
 /// Moves one arc by (along, across, turn, lengthen).
@@ -122,9 +181,7 @@ double longest_step(const std::vector<ChainArc>& chain, const Unknowns& step) {
   double most = 1;
   for (std::size_t i = 0; i < chain.size(); ++i) {
     const auto by = step.segment<4>(4 * static_cast<Eigen::Index>(i));
-    const double radius = chain[i].surface->shape == SurfaceShape::kEllipsoid
-                              ? chain[i].surface->size.minCoeff()
-                              : chain[i].surface->size[0];
+    const double radius = least_size(*chain[i].surface);
     const double shift = std::max({std::abs(by[0]), std::abs(by[1]), std::abs(by[3])}) / radius;
     most = std::max({most, 2 * shift, 2 * std::abs(by[2])});
   }
@@ -136,8 +193,15 @@ double largest_kink(const Unknowns& f) { return f.allFinite() ? f.lpNorm<Eigen::
 
 }  // namespace
 
-ChainFit solve_tangency(const Vector3d& a, const Vector3d& b, std::vector<ChainArc>& chain) {
+ChainFit solve_tangency(const Vector3d& from, const Vector3d& to, std::vector<ChainArc>& chain) {
   constexpr int kSteps = 60;
+  const StringEnd a = string_end(chain.front(), from), b = string_end(chain.back(), to);
+  // An arc that begins at a near end starts there.
+  if (a.near) {
+    ChainArc& first = chain.front();
+    first.arc.start =
+        project_to_surface(*first.surface, {first.X.inverse() * from, first.arc.start.t});
+  }
   Tangency now = tangency(a, b, chain);
   double size = now.f.squaredNorm();
   ChainFit fit{largest_kink(now.f), 0};

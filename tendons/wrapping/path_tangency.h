@@ -32,9 +32,11 @@ struct ChainFit {
 /// where e is the run that arrives or leaves, n the normal and b the direction across the string.
 /// The exact Jacobian comes from the natural variations of a geodesic (shift along, shift across,
 /// turn, lengthen) by its Jacobi fields. Derivation: docs/theory/wrapping.md. Source: [Scholz2016].
-/// @param a, b    ends of the string, world [m] (3)
-/// @param chain   start of the iteration, changed in place to where it ends; at most kMaxWraps
-[[nodiscard]] ChainFit solve_tangency(const Eigen::Vector3d& a, const Eigen::Vector3d& b,
+/// An end of the string may lie on the surface of the arc next to it: there the arc begins or ends.
+/// @param from, to  ends of the string, world [m] (3)
+/// @param chain     start of the iteration, changed in place to where it ends; at least one arc, at
+///                  most kMaxWraps
+[[nodiscard]] ChainFit solve_tangency(const Eigen::Vector3d& from, const Eigen::Vector3d& to,
                                       std::vector<ChainArc>& chain);
 
 namespace internal {

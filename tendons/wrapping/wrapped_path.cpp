@@ -149,7 +149,7 @@ PathPlace nearest_place(const PathShape& shape, const Vector3d& p) {
   // Nearest point of every straight run.
   for (std::size_t s = 0; s < shape.spans.size(); ++s) {
     const PathSpan& span = shape.spans[s];
-    const Vector3d u = direction(span);
+    const Vector3d u = span.u;
     const double length = span.length, along = std::clamp((p - span.a).dot(u), 0.0, length);
     const double off = (span.a + along * u - p).norm();
     if (off < nearest.off) nearest = {off, before + along};

@@ -201,11 +201,12 @@ INSTANTIATE_TEST_SUITE_P(AnyShape, PathSolverInLine,
                                          surface(SurfaceShape::kEllipsoid, {0.007, 0.005, 0.006})),
                          [](const auto& test) { return "Shape" + std::to_string(test.index); });
 
-// An end where the arc starts: the run to it has no direction, and no kink is known.
-TEST(PathSolver, TakesARunWithoutADirectionForTheLargestKink) {
+// From the top, seen from the far end at twice the radius: 90 deg less the 60 deg of its tangent.
+TEST(PathSolver, StartsTheArcAtAnEndThatLiesOnTheSurface) {
   const Vector3d top(0, 0.005, 0);
   std::vector<ChainArc> chain{{&kSphere, {}, {{top, Vector3d::UnitX()}, 0.001}}};
-  EXPECT_EQ(solve_tangency(top, kRight, chain).error, 1);
+  EXPECT_LT(solve_tangency(top, kRight, chain).error, 1e-11);
+  EXPECT_NEAR(chain[0].arc.length, 0.005 * kPi / 6, kRounding);
 }
 
 TEST(PathSolver, NeverTakesALengthThatIsNoNumberForTaut) {
