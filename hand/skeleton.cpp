@@ -107,10 +107,11 @@ class Builder {
     std::optional<double> angle;
     if (asked != options_.frozen.end()) {
       angle = asked->second;
-    } else if (joint.coupling && welded_.count(joint.coupling->leader) > 0) {
-      angle = joint.coupling->ratio * welded_[joint.coupling->leader] + joint.coupling->offset;
+    } else if (joint.coupling && skeleton_.frozen.count(joint.coupling->leader) > 0) {
+      angle =
+          joint.coupling->ratio * skeleton_.frozen[joint.coupling->leader] + joint.coupling->offset;
     }
-    if (angle) welded_[joint.name] = *angle;
+    if (angle) skeleton_.frozen[joint.name] = *angle;
     return angle;
   }
 
@@ -124,6 +125,7 @@ class Builder {
       ratio = joint.coupling->ratio;
       offset = joint.coupling->offset;
       add_passive(skeleton_.limits[coordinate], joint, *joint.coupling);
+      narrow(skeleton_.limits[coordinate], joint, *joint.coupling);
     } else {
       skeleton_.coordinate_names.push_back(joint.name);
       skeleton_.limits.push_back(
@@ -148,6 +150,24 @@ class Builder {
     leader.stiffness += stiffness;
     leader.damping += by.ratio * by.ratio * joint.damping;
     if (leader.stiffness > 0) leader.rest = moment / leader.stiffness;
+  }
+
+  /// Takes what a follower's own range does not allow off the range of its leader; a joint without
+  /// a range allows all.
+  static void narrow(CoordinateLimits& leader, const JointAxis& joint, const Coupling& by) {
+    if (by.ratio == 0 || joint.upper - joint.lower > 2 * kPi - 1e-9) return;
+    // The follower's range, seen from the leader.
+    double lower = (joint.lower - by.offset) / by.ratio,
+           upper = (joint.upper - by.offset) / by.ratio;
+    if (lower > upper) std::swap(lower, upper);
+    lower = std::max(lower, leader.lower);
+    upper = std::min(upper, leader.upper);
+    require(lower <= upper,
+            "joint '{}' has the range {} .. {} rad, which it never has while it "
+            "follows '{}' in its range {} .. {} rad",
+            joint.name, joint.lower, joint.upper, by.leader, leader.lower, leader.upper);
+    leader.lower = lower;
+    leader.upper = upper;
   }
 
   /// Throws if the leader moves digits, but none that is kept.
@@ -189,7 +209,6 @@ class Builder {
   const SkeletonOptions& options_;
   std::set<std::string> kept_;
   std::map<std::string, std::string> carrier_;  // segment -> the one that its joints hang on
-  std::map<std::string, double> welded_;        // joint -> angle it is frozen at [rad]
   Skeleton skeleton_;
 };
 

@@ -27,8 +27,8 @@ struct PassiveHinge {
   PassiveEnd flexing, extending;  // beyond rest, and short of it
 };
 
-/// Range of a coordinate and its passive resistance. Springs and dampers of coupled hinges are
-/// included, referred to the coordinate that drives them; limits are those of this coordinate.
+/// Range of a coordinate and its passive resistance. Springs, dampers and ranges of coupled hinges
+/// are included, referred to the coordinate that drives them.
 struct CoordinateLimits {
   double lower;      // of the range [rad]
   double upper;      // of the range [rad]
@@ -65,6 +65,7 @@ struct Skeleton {
   std::map<std::string, int> link_of_segment;      // -1: the base
   std::map<std::string, Pose<double>> segment_at;  // displacement of each segment at q = 0,
                                                    // by frozen joints
+  std::map<std::string, double> frozen;  // joint, by name or by its leader -> where it stands [rad]
   std::vector<SkeletonTip> tips;
 
   [[nodiscard]] int coordinates() const { return static_cast<int>(coordinate_names.size()); }

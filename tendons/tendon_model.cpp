@@ -174,12 +174,15 @@ class DigitBuilder {
     return constant ? Path::kConstant : std::min(options_.path, Path::kViaPoint);
   }
 
-  /// Constant arms of a strand at the kept coordinates [m/rad].
+  /// Constant arms of a strand at the kept coordinates; a coupled joint adds its own, times its
+  /// ratio, to its leader's [m/rad].
   [[nodiscard]] Eigen::RowVectorXd arms_of(const Strand& strand) const {
     Eigen::RowVectorXd arms = Eigen::RowVectorXd::Zero(built_.model.coordinates);
     for (const auto& [joint, arm] : strand.arms) {
-      const int j = find(built_.names.coordinates, joint);
-      if (j >= 0) arms[j] = arm;
+      const int i = find(built_.names.hinges, joint);
+      if (i < 0) continue;  // welded
+      const Hinge<double>& hinge = built_.model.tree[static_cast<std::size_t>(i)];
+      arms[hinge.coordinate] += hinge.ratio * arm;
     }
     return arms;
   }

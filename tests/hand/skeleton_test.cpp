@@ -151,6 +151,33 @@ TEST(Skeleton, LeaderFeelsTheSpringOfItsFollower) {
   EXPECT_NEAR(skeleton.limits[2].damping, pip.damping + 4.0 / 9.0 * dip.damping, 1e-16);
 }
 
+// By hand: DIP = 2/3 PIP + 0.1 stays in 0 .. 0.9 while PIP stays in -0.15 .. 1.2.
+TEST(Skeleton, LeaderHasTheRangeThatItsFollowerAllows) {
+  Subject subject = sample::coupled_digit();
+  JointAxis &pip = subject.joints[2], &dip = subject.joints[3];
+  pip.lower = 0, pip.upper = 2;
+  dip.lower = 0, dip.upper = 0.9;
+  EXPECT_NEAR(build_skeleton(subject).limits[2].lower, 0, 1e-16);
+  EXPECT_NEAR(build_skeleton(subject).limits[2].upper, 1.2, 1e-15);
+  // The other way round: DIP = -2/3 PIP + 0.1 needs PIP in -1.2 .. 0.15.
+  dip.coupling->ratio = -2.0 / 3.0;
+  EXPECT_NEAR(build_skeleton(subject).limits[2].upper, 0.15, 1e-15);
+  // A joint without a range allows all.
+  dip.lower = -kPi, dip.upper = kPi;
+  EXPECT_EQ(build_skeleton(subject).limits[2].upper, 2);
+}
+
+TEST(Skeleton, SaysWhichFollowerCanNeverBeInItsRange) {
+  Subject subject = sample::coupled_digit();
+  JointAxis &pip = subject.joints[2], &dip = subject.joints[3];
+  pip.lower = 0, pip.upper = 1;
+  dip.lower = 1, dip.upper = 2;
+  EXPECT_EQ(
+      message([&] { (void)build_skeleton(subject); }),
+      "joint 'DIP' has the range 1 .. 2 rad, which it never has while it follows 'PIP' in its "
+      "range 0 .. 1 rad");
+}
+
 TEST(Skeleton, SaysWhichDigitIsUnknown) {
   SkeletonOptions options;
   options.digits = {"index", "tail"};

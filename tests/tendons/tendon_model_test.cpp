@@ -9,6 +9,7 @@
 #include <gtest/gtest.h>
 
 #include "base/error.h"
+#include "base/units.h"
 #include "tests/matrix_near.h"
 
 namespace thenar {
@@ -106,6 +107,54 @@ TEST(TendonModel, FrozenKnuckleKeepsTheInterosseiInTheHood) {
   options.frozen = {{"MCP3_FE", 0.6}, {"MCP3_AA", 0.1}};
   const TendonDigit frozen = build_tendon_digit(an_chao_finger(), "middle", options);
   EXPECT_EQ(frozen.names.muscles.size(), 6U);
+}
+
+/// A finger whose end joint turns by 0.7 of its middle joint and 5 degrees.
+Subject coupled_finger() {
+  Subject subject = an_chao_finger();
+  joint_of(subject, "DIP3").coupling = Coupling{"PIP3", 0.7, 5 * kDegree};
+  return subject;
+}
+
+// By hand: while the middle joint turns by 1 the end joint turns by 0.7, so 8 + 0.7 x 5 = 11.5 mm.
+TEST(TendonModel, ConstantArmsAtACoupledJointCountAtItsLeader) {
+  Subject subject = coupled_finger();
+  for (Strand& strand : subject.strands) strand.arms = {{"PIP3", 0.008}, {"DIP3", 0.005}};
+  TendonOptions options;
+  options.path = Path::kConstant;
+  for (const Hood hood : {Hood::kSeparate, Hood::kFractions}) {
+    options.hood = hood;
+    const TendonDigit digit = build_tendon_digit(subject, "middle", options);
+    ASSERT_EQ(digit.model.coordinates, 3);
+    for (Eigen::Index s = 0; s < digit.model.constant_arms.rows(); ++s)
+      EXPECT_TRUE(
+          matrix_near(digit.model.constant_arms.row(s), Eigen::RowVector3d(0, 0, 0.0115), 1e-16));
+  }
+}
+
+TEST(TendonModel, AStrandOfACoupledJointAloneIsKept) {
+  Subject subject = coupled_finger();
+  for (Strand& strand : subject.strands) strand.arms = {{"DIP3", -0.004}};
+  TendonOptions options;
+  options.path = Path::kConstant;
+  options.hood = Hood::kSeparate;
+  const TendonDigit digit = build_tendon_digit(subject, "middle", options);
+  ASSERT_EQ(digit.names.strands.size(), subject.strands.size());
+  EXPECT_TRUE(matrix_near(digit.model.constant_arms.col(2),
+                          Eigen::VectorXd::Constant(digit.model.constant_arms.rows(), -0.0028),
+                          1e-16));
+}
+
+// Welded joints turn by nothing: their arms do not count, whether welded by name or by their
+// leader.
+TEST(TendonModel, ConstantArmsAtAWeldedFollowerDoNotCount) {
+  Subject subject = coupled_finger();
+  for (Strand& strand : subject.strands) strand.arms = {{"MCP3_FE", 0.01}, {"DIP3", 0.005}};
+  TendonOptions options;
+  options.path = Path::kConstant;
+  options.frozen = {{"PIP3", 0.3}};
+  const TendonDigit digit = build_tendon_digit(subject, "middle", options);
+  EXPECT_TRUE(matrix_near(digit.model.constant_arms.row(0), Eigen::RowVector2d(0.01, 0), 1e-16));
 }
 
 TEST(TendonModel, WristIsWeldedForAQuestionOfOneFingertip) {
