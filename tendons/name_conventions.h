@@ -2,6 +2,7 @@
 
 /// Kinds of joints and muscles by their names: "MCP2_AA" abducts, "RU_PS" pronates, "FDP2" flexes.
 
+#include <initializer_list>
 #include <string>
 
 namespace thenar {
@@ -19,6 +20,24 @@ namespace thenar {
 /// FDS, FDP or FPL of any digit: muscles that run in a sheath along the flexor side of every joint.
 [[nodiscard]] inline bool is_long_flexor(const std::string& muscle) {
   return muscle.rfind("FDS", 0) == 0 || muscle.rfind("FDP", 0) == 0 || muscle.rfind("FPL", 0) == 0;
+}
+
+/// What a muscle does to a finger's or a thumb's joint of flexion by its name: 1 flexes it, -1
+/// extends it, 0 where the name does not say. Long flexors and extensors do the same at every joint
+/// but the carpometacarpal ones of the thumb, whose axes are skew; intrinsic muscles of fingers
+/// flex the metacarpophalangeal joint and extend those beyond.
+[[nodiscard]] inline int named_action(const std::string& muscle, const std::string& joint) {
+  const auto begins = [](const std::string& text, std::initializer_list<const char*> with) {
+    for (const char* start : with)
+      if (text.rfind(start, 0) == 0) return true;
+    return false;
+  };
+  if (!is_flexion_joint(joint) || begins(joint, {"CMC", "TMC"})) return 0;
+  if (is_long_flexor(muscle)) return 1;
+  if (begins(muscle, {"ED", "EIP", "EPL"}) || muscle == "EI") return -1;
+  if (!begins(muscle, {"LU", "DI", "PI"}) && muscle != "RI" && muscle != "UI") return 0;
+  if (begins(joint, {"MCP"})) return 1;
+  return begins(joint, {"PIP", "DIP"}) ? -1 : 0;
 }
 
 }  // namespace thenar

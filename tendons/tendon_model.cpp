@@ -4,6 +4,7 @@
 #include <limits>
 
 #include "base/error.h"
+#include "tendons/name_conventions.h"
 
 namespace thenar {
 namespace {
@@ -59,17 +60,15 @@ std::map<std::string, double> frozen_joints(const Subject& subject, const Tendon
 class DigitBuilder {
  public:
   DigitBuilder(const Subject& subject, const std::string& name, const TendonOptions& options)
-      : subject_(subject),
-        digit_(digit_of(subject, name)),
-        options_(options),
-        frozen_(frozen_joints(subject, options)) {
+      : subject_(subject), digit_(digit_of(subject, name)), options_(options) {
     // Bones first, then strands, muscles and the hood that joins them.
-    built_.skeleton = build_skeleton(subject, {{name}, frozen_});
+    built_.skeleton = build_skeleton(subject, {{name}, frozen_joints(subject, options)});
     built_.calibrated_on = subject.calibrated_on;
     set_bones();
     set_bends();
     for (const Strand& strand : subject.strands) add_strand(strand);
     for (const MuscleUnit& muscle : subject.muscles) add_muscle(muscle);
+    set_actions();
     if (digit_.hood && options.hood == Hood::kFractions) add_hood_rule(*digit_.hood);
     // Arrays, and the rungs that were really built.
     built_.max_tension = Eigen::Map<const Eigen::VectorXd>(
@@ -105,20 +104,15 @@ class DigitBuilder {
   }
 
   /// The angle that a joint of the digit takes, or is frozen at.
-  // NOLINTNEXTLINE(misc-no-recursion): as deep as joints follow each other
   [[nodiscard]] PostureAngle angle_of(const JointAxis& joint) const {
-    // A hinge of the model, a joint frozen by name, or a follower of a frozen one.
     const int i = find(built_.names.hinges, joint.name);
     if (i >= 0) {
       const Hinge<double>& hinge = built_.model.tree[static_cast<std::size_t>(i)];
       return {hinge.coordinate, hinge.ratio, hinge.offset};
     }
-    const auto asked = frozen_.find(joint.name);
-    if (asked != frozen_.end()) return {-1, 0, asked->second};
-    for (const JointAxis& leader : subject_.joints)  // it follows a frozen joint
-      if (joint.coupling && leader.name == joint.coupling->leader)
-        return {-1, 0, joint.coupling->ratio * angle_of(leader).offset + joint.coupling->offset};
-    return {};
+    const auto& frozen = built_.skeleton.frozen;
+    const auto at = frozen.find(joint.name);
+    return at == frozen.end() ? PostureAngle{} : PostureAngle{-1, 0, at->second};
   }
 
   void set_bends() {
@@ -202,6 +196,14 @@ class DigitBuilder {
            std::any_of(rule.branches.begin(), rule.branches.end(), pulls);
   }
 
+  /// Is it pulled by a muscle that counts whatever it crosses?
+  [[nodiscard]] bool is_kept(const std::string& strand) const {
+    const std::vector<std::string>& kept = options_.kept;
+    return std::any_of(subject_.muscles.begin(), subject_.muscles.end(), [&](const auto& m) {
+      return m.strand == strand && std::count(kept.begin(), kept.end(), m.name) > 0;
+    });
+  }
+
   void add_strand(const Strand& strand) {
     TendonModel<double>& model = built_.model;
     // Path and constant arms; without either the strand crosses nothing.
@@ -210,7 +212,7 @@ class DigitBuilder {
     if (options_.path != Path::kConstant || strand.arms.empty())
       path = kept_path(built_.skeleton, strand);
     if (!crosses_a_joint(path)) path.clear();
-    if (path.empty() && arms.isZero(0) && !in_hood(strand.name)) return;
+    if (path.empty() && arms.isZero(0) && !in_hood(strand.name) && !is_kept(strand.name)) return;
     // Constant arms were asked for, and there are none.
     require(path.empty() || options_.path != Path::kConstant,
             "strand '{}' of subject '{}' has no constant moment arms (arms_mm)", strand.name,
@@ -229,6 +231,38 @@ class DigitBuilder {
     built_.model.pulls.push_back(strand);
     built_.names.muscles.push_back(muscle.name);
     max_tension_.push_back(muscle.max_force.value_or(std::numeric_limits<double>::infinity()));
+  }
+
+  /// What each muscle should do at each joint.
+  void set_actions() {
+    const TendonNames& names = built_.names;
+    built_.actions.setZero(static_cast<Eigen::Index>(names.muscles.size()),
+                           built_.model.coordinates);
+    for (const JointAxis& joint : subject_.joints) {
+      const int j = find(names.coordinates, joint.name);
+      if (j < 0) continue;
+      const double flexes = flexion(joint);
+      for (std::size_t m = 0; m < names.muscles.size(); ++m) {
+        const int strand = built_.model.pulls[m];
+        int& action = built_.actions(static_cast<Eigen::Index>(m), j);
+        // A stated arm has a sign; a name says what a joint of flexion does.
+        const double arm = stated_arm(names.strands[static_cast<std::size_t>(strand)], joint.name);
+        if (arm != 0)
+          action = arm > 0 ? 1 : -1;
+        else if (std::abs(flexes) > kFlexion)
+          action = (flexes > 0 ? 1 : -1) * named_action(names.muscles[m], joint.name);
+      }
+    }
+  }
+
+  /// The subject's constant arm of a strand at a joint, 0 without one [m/rad].
+  [[nodiscard]] double stated_arm(const std::string& strand, const std::string& joint) const {
+    for (const Strand& each : subject_.strands)
+      if (each.name == strand) {
+        const auto arm = each.arms.find(joint);
+        return arm == each.arms.end() ? 0 : arm->second;
+      }
+    return 0;
   }
 
   [[nodiscard]] int hood_row(const std::string& strand) const {
@@ -256,7 +290,6 @@ class DigitBuilder {
   const Subject& subject_;
   const Digit& digit_;
   const TendonOptions& options_;
-  std::map<std::string, double> frozen_;  // joint -> angle [rad]
   std::vector<double> max_tension_;
   TendonDigit built_;
 };

@@ -77,6 +77,9 @@ struct TendonDigit {
   std::vector<CalibratedOn> calibrated_on{};  // forces that the subject was fitted to before
   std::shared_ptr<const BuiltNet> net{};      // a floating net in place of a hood; null: none. It
                                               // is shared by copies of the digit, and constant
+  Eigen::MatrixXi actions{};  // of each muscle at each joint, by the sign of the subject's arms_mm
+                              // or by its name: 1 positive arm, -1 negative, 0 unknown (muscles,
+                              // coordinates)
 };
 
 /// Treatment of joints that digits share: the wrist.
@@ -91,6 +94,8 @@ struct TendonOptions {
   Hood hood = Hood::kFractions;            // kSeparate: every muscle pulls its own strand only
   std::map<std::string, double> frozen{};  // joint -> the angle it is frozen at [rad]
   WristMode wrist_mode = WristMode::kWelded;
+  std::vector<std::string> kept{};  // muscles that count even where the digit has none of their
+                                    // joints: those that pull a net
 };
 
 /// Builds one digit of a subject with every muscle that crosses one of its joints.

@@ -38,4 +38,15 @@ std::vector<VanishingArm> vanishing_arms(const DigitTendons& tendons, const Eige
   return found;
 }
 
+std::vector<ReversedArm> reversed_arms(const TendonDigit& digit, const Eigen::MatrixXd& R) {
+  constexpr double kAcross = 5e-4;  // arm of a tendon that runs across its joint [m/rad]
+  std::vector<ReversedArm> found;
+  for (Eigen::Index m = 0; m < digit.actions.rows(); ++m)
+    for (Eigen::Index j = 0; j < digit.actions.cols(); ++j)
+      if (digit.actions(m, j) * R(m, j) < -kAcross)
+        found.push_back({digit.names.muscles[static_cast<std::size_t>(m)],
+                         digit.names.coordinates[static_cast<std::size_t>(j)], R(m, j)});
+  return found;
+}
+
 }  // namespace thenar

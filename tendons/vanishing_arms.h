@@ -1,6 +1,6 @@
 #pragma once
 
-/// Joints at which straight runs of a path pass so close that a moment arm vanishes.
+/// Joints at which a path passes so close that a moment arm vanishes, or on the wrong side.
 
 #include <string>
 #include <vector>
@@ -9,7 +9,7 @@
 
 namespace thenar {
 
-/// A moment arm that nearly vanishes, or changes sign, at a posture.
+/// A moment arm of a long flexor that nearly vanishes at a posture.
 struct VanishingArm {
   std::string muscle, joint;
   double arm;   // here, flexion + [m/rad]
@@ -23,5 +23,17 @@ struct VanishingArm {
 /// @param tendons  without a net
 [[nodiscard]] std::vector<VanishingArm> vanishing_arms(const DigitTendons& tendons,
                                                        const Eigen::VectorXd& q);
+
+/// A moment arm whose sign is against what the subject's arms_mm or the muscle's name says.
+struct ReversedArm {
+  std::string muscle, joint;
+  double arm;  // here [m/rad]
+};
+
+/// Returns arms of the wrong sign by TendonDigit::actions and at least 0.5 mm, so that a tendon
+/// that runs across its joint is not told.
+/// @param R  moment arms at one posture (muscles, coordinates) [m/rad]
+[[nodiscard]] std::vector<ReversedArm> reversed_arms(const TendonDigit& digit,
+                                                     const Eigen::MatrixXd& R);
 
 }  // namespace thenar
