@@ -11,10 +11,21 @@ namespace {
 
 constexpr long kCheckedDraws = 2000;  // replicated for the predictive checks, at most
 
+/// Covariances of all draws and of two halves: whole chains, or ends of a chain that is alone.
+PosteriorCovariances covariances_of(const Draws& draws) {
+  const Eigen::MatrixXd all = pooled(draws);
+  const Eigen::Index chains = draws.chains();
+  const Eigen::Index half = chains > 1 ? chains / 2 * draws.draws() : all.cols() / 2;
+  if (half < 2 || all.cols() - half < 2)
+    return {covariance_of(all), covariance_of(all), covariance_of(all)};
+  return {covariance_of(all), covariance_of(all.leftCols(half)),
+          covariance_of(all.rightCols(all.cols() - half))};
+}
+
 /// The prior of the sampled coordinates is standard normal, by their making.
 LearntDirections directions_of(const PosteriorRun& run) {
   const Eigen::Index n = run.draws.size();
-  return learnt_directions(run.posterior->names(), covariance_of(pooled(run.draws)),
+  return learnt_directions(run.posterior->names(), covariances_of(run.draws),
                            Eigen::MatrixXd::Identity(n, n));
 }
 

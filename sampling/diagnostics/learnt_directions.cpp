@@ -48,34 +48,48 @@ LearntDirections learnt_directions(const std::vector<std::string>& names,
                                    const Eigen::Ref<const Eigen::MatrixXd>& S,
                                    const Eigen::Ref<const Eigen::MatrixXd>& P,
                                    double decided_below) {
+  return learnt_directions(names, PosteriorCovariances{S, S, S}, P, decided_below);
+}
+
+LearntDirections learnt_directions(const std::vector<std::string>& names,
+                                   const PosteriorCovariances& S,
+                                   const Eigen::Ref<const Eigen::MatrixXd>& P,
+                                   double decided_below) {
   const auto n = Eigen::Index(names.size());
-  require(S.rows() == n && S.cols() == n && P.rows() == n && P.cols() == n,
-          "{} names for covariances of {} x {} and {} x {}", n, S.rows(), S.cols(), P.rows(),
-          P.cols());
-  require(S.allFinite() && P.allFinite(), "covariances must be finite");
+  for (const Eigen::MatrixXd* each : {&S.all, &S.first, &S.second}) {
+    require(each->rows() == n && each->cols() == n && P.rows() == n && P.cols() == n,
+            "{} names for covariances of {} x {} and {} x {}", n, each->rows(), each->cols(),
+            P.rows(), P.cols());
+    require(each->allFinite() && P.allFinite(), "covariances must be finite");
+  }
 
   // In prior sds first, so that units of very different size do no harm.
   const Eigen::VectorXd scale = P.diagonal().cwiseSqrt().cwiseInverse();
   require(scale.allFinite(), "the prior covariance is not positive definite");
-  const Eigen::MatrixXd prior = scale.asDiagonal() * P * scale.asDiagonal();
-  const Eigen::MatrixXd posterior = scale.asDiagonal() * S * scale.asDiagonal();
-  require(Eigen::LLT<Eigen::MatrixXd>(prior).info() == Eigen::Success,
-          "the prior covariance is not positive definite");
-  const Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::MatrixXd> eigen(posterior, prior);
+  const auto scaled = [&scale](const Eigen::MatrixXd& C) -> Eigen::MatrixXd {
+    return scale.asDiagonal() * C * scale.asDiagonal();
+  };
+  const Eigen::MatrixXd prior = scaled(P), measured = scaled(S.second);
+  const Eigen::LLT<Eigen::MatrixXd> factor(prior);
+  require(factor.info() == Eigen::Success, "the prior covariance is not positive definite");
+  const Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::MatrixXd> eigen(scaled(S.first), prior);
 
-  // Eigenvalues rise: the best learnt direction comes first.
+  // Directions of one half, as long as one prior sd, with their variances in the other half.
   LearntDirections of;
   for (Eigen::Index k = 0; k < n; ++k) {
     LearntDirection direction;
     const Eigen::VectorXd w = eigen.eigenvectors().col(k);
-    direction.sd_ratio = std::sqrt(std::max(0.0, eigen.eigenvalues()[k]));
+    direction.sd_ratio = std::sqrt(std::max(0.0, w.dot(measured * w)));
     direction.v = scale.cwiseProduct(w);
     direction.share = w.cwiseAbs2() / w.squaredNorm();
     direction.text = tell(names, direction);
     of.decided += direction.sd_ratio < decided_below ? 1 : 0;
-    of.effective_parameters += std::max(0.0, 1 - eigen.eigenvalues()[k]);
     of.directions.push_back(direction);
   }
+  std::stable_sort(
+      of.directions.begin(), of.directions.end(),
+      [](const LearntDirection& a, const LearntDirection& b) { return a.sd_ratio < b.sd_ratio; });
+  of.effective_parameters = std::max(0.0, double(n) - factor.solve(scaled(S.all)).trace());
   return of;
 }
 

@@ -65,6 +65,40 @@ TEST(Directions, FromDraws) {
   EXPECT_EQ(of.decided, 1);
 }
 
+/// Covariances of normal draws, all and in two halves (n, count).
+PosteriorCovariances covariances_of(const Eigen::MatrixXd& x) {
+  const Eigen::Index half = x.cols() / 2;
+  return {covariance_of(x), covariance_of(x.leftCols(half)), covariance_of(x.rightCols(half))};
+}
+
+// Draws from the prior alone have learnt nothing, however few there are for how many directions. A
+// sum of max(0, 1 - r^2) over the directions of 600 draws would count some 70 parameters.
+TEST(Directions, OfThePriorItselfAreNotLearnt) {
+  constexpr Eigen::Index kSize = 250, kCount = 600;
+  RandomStream random(2, 0, 0);
+  const Eigen::MatrixXd z =
+      Eigen::MatrixXd::NullaryExpr(kSize, kCount, [&] { return random.normal(); });
+  const LearntDirections of =
+      learnt_directions(std::vector<std::string>(kSize, "z"), covariances_of(z),
+                        Eigen::MatrixXd::Identity(kSize, kSize));
+  EXPECT_EQ(of.decided, 0);
+  // The trace has the sd sqrt(2 n / N); 4 of them.
+  EXPECT_LT(of.effective_parameters, 4 * std::sqrt(2.0 * kSize / kCount));
+}
+
+// Ten of 250 directions are measured with an sd of 0.1 prior sds: 10 (1 - 0.01) parameters.
+TEST(Directions, CountWhatWasMeasuredAmongManyThatWereNot) {
+  constexpr Eigen::Index kSize = 250, kCount = 2000;
+  RandomStream random(3, 0, 0);
+  Eigen::MatrixXd z = Eigen::MatrixXd::NullaryExpr(kSize, kCount, [&] { return random.normal(); });
+  z.topRows(10) *= 0.1;
+  const LearntDirections of =
+      learnt_directions(std::vector<std::string>(kSize, "z"), covariances_of(z),
+                        Eigen::MatrixXd::Identity(kSize, kSize));
+  EXPECT_EQ(of.decided, 10);
+  EXPECT_NEAR(of.effective_parameters, 9.9, 4 * std::sqrt(2.0 * kSize / kCount));
+}
+
 TEST(Directions, RefusesAPriorThatIsFlat) {
   const Eigen::Matrix3d flat = Eigen::Vector3d(1, 0, 1).asDiagonal();
   EXPECT_THROW((void)learnt_directions(kNames, kPosterior, flat), InputError);
