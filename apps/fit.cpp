@@ -144,7 +144,9 @@ void add_chain_options(CLI::App& command, FitArguments& options) {
       ->check(CLI::Range(1, 30));
   add("--warm-up", chains.warm_up, "Steps that adapt and are thrown away")
       ->check(CLI::NonNegativeNumber);
-  add("--draws", chains.draws, "Draws of each chain (1000, of stretch 100)")
+  add("--draws", chains.draws,
+      "Draws of each chain (1000, of stretch 100; doubled up to twice where the chains do "
+      "not agree yet and more may help)")
       ->check(CLI::PositiveNumber)
       ->default_str("");
   add("--thin", chains.thin, "Steps a draw (1, of stretch 10)")

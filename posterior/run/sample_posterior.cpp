@@ -1,13 +1,17 @@
 #include "posterior/run/sample_posterior.h"
 
+#include <algorithm>
 #include <cmath>
 #include <optional>
+#include <set>
 
 #include <fmt/format.h>
 
 #include "base/error.h"
 #include "base/provenance.h"
 #include "kinematics_fit/fit_residuals.h"
+#include "posterior/run/posterior_quantities.h"
+#include "posterior/run/predict_draws.h"
 #include "sampling/methods/laplace_covariance.h"
 #include "sampling/methods/parallel_tempering.h"
 #include "sampling/run/communicator.h"
@@ -167,14 +171,23 @@ PosteriorRun sample_posterior(const FitInputs& inputs, const PosteriorSettings& 
   const Eigen::MatrixXd starts = broadcast(ranks, beginning->starts, n);
   options.sampler.covariance = broadcast(ranks, beginning->covariance, n);
 
-  // Sample, and judge the draws.
+  // Sample, and judge the draws: more of them where that may help.
   options.fingerprint = fingerprint(inputs, run.settings);
-  RetriedDraws retried =
-      retry_divergent(*run.posterior, starts, options, settings.retry_acceptances, ranks);
-  run.draws = std::move(retried.draws);
-  run.abandoned = std::move(retried.abandoned);
-  run.settings.run.sampler.target_acceptance = retried.target_acceptance;
-  collective_call(ranks, [&] { assess_run(run); });
+  for (bool enough = false; !enough;) {
+    RetriedDraws retried =
+        retry_divergent(*run.posterior, starts, options, settings.retry_acceptances, ranks);
+    run.draws = std::move(retried.draws);
+    run.abandoned = std::move(retried.abandoned);
+    run.settings.run.sampler.target_acceptance = retried.target_acceptance;
+    run.settings.run.draws = options.draws;
+    collective_call(ranks, [&] { assess_run(run); });
+
+    // The first rank alone has draws to judge.
+    const bool more = !options.folder.empty() && options.draws < settings.max_draws &&
+                      run.draws.complete && run.convergence.draws_may_help;
+    enough = ranks.all_gather(Eigen::VectorXd::Constant(1, more ? 1 : 0)).maxCoeff() == 0;
+    if (!enough) options.draws = std::min(2 * options.draws, settings.max_draws);
+  }
   return run;
 }
 
@@ -182,12 +195,40 @@ PosteriorRun sample_posterior(const FitInputs& inputs, const PosteriorSettings& 
   return sample_posterior(inputs, settings, *single_process());
 }
 
+namespace {
+
+/// Estimates of the forces of all fitted trials, of each specimen and of a new one [N].
+std::vector<Estimate> force_estimates(const PosteriorRun& run) {
+  const FitProblem& problem = run.posterior->problem();
+  std::vector<Estimate> estimates;
+  const auto add = [&](const Experiment& experiment, int specimen) {
+    const Eigen::MatrixXd forces =
+        predict_draws(run, experiment, specimen, run.draws.draws() * run.draws.chains()).expected;
+    for (const auto& row : forces.rowwise())
+      estimates.push_back(estimate(experiment.name, by_chain(row.transpose(), run.draws.chains()),
+                                   run.draws.group));
+  };
+  for (const Experiment& experiment : problem.experiments()) {
+    if (experiment.trials.empty()) continue;
+    add(experiment, find_specimen(problem, experiment.specimen));
+    if (problem.specimens().size() > 1) add(experiment, kUnfittedSpecimen);
+  }
+  return estimates;
+}
+
+}  // namespace
+
 void assess_run(PosteriorRun& run) {
   if (run.draws.draws() == 0) return;
-  // Do the chains agree?
+  // Do the chains agree, at least on what they were asked for?
   ConvergenceLimits limits = run.settings.limits;
   limits.max_depth = run.settings.run.sampler.max_depth;
   run.convergence = assess(run.draws, run.posterior->names(), limits);
+  if (run.convergence.draws_may_help) {
+    const long groups = long(std::set<int>(run.draws.group.begin(), run.draws.group.end()).size());
+    run.convergence = settled_by_answers(std::move(run.convergence), force_estimates(run),
+                                         "forces of all fitted trials", groups, limits);
+  }
   // Which mode is each draw in?
   std::vector<KnownMode> known;
   for (const Mode& mode : run.modes) {

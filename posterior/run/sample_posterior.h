@@ -30,12 +30,15 @@ struct PosteriorSettings {
   std::vector<double>
       retry_acceptances;  // target acceptances of retry_divergent(); empty: none [1]
   ConvergenceLimits limits;
+  long max_draws = 0;  // of each chain, to which run.draws is doubled while more draws may help;
+                       // run must have a folder to go on from. Below run.draws: never [1]
 };
 
 /// Draws from the posterior of a digit.
 struct PosteriorRun {
   FitInputs inputs;
-  PosteriorSettings settings;     // with the target acceptance of the attempt that made the draws
+  PosteriorSettings settings;     // with the target acceptance of the attempt that made the draws,
+                                  // and their number
   std::vector<double> abandoned;  // target acceptances of attempts that ended at a divergence [1]
   std::shared_ptr<const HandPosterior> posterior;  // shared by copies of the run
   std::vector<Mode> modes;                         // found before sampling, best first
@@ -66,7 +69,8 @@ struct PosteriorRun {
 [[nodiscard]] Eigen::MatrixXd pooled(const Draws& draws);
 
 /// Assesses the draws of a run and assigns them to its modes: fills `convergence` and `mode_table`.
-/// Does nothing without draws.
+/// The answers that settle coordinates (settled_by_answers()) are the forces of all fitted trials,
+/// of each specimen and, where there are several, of a new one. Does nothing without draws.
 void assess_run(PosteriorRun& run);
 
 }  // namespace thenar

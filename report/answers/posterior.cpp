@@ -202,6 +202,7 @@ Json convergence_json(const PosteriorRun& run) {
           {"converged", c.warnings.empty()},
           {"reasons", c.warnings},
           {"cautions", c.cautions},
+          {"unsettled", c.unsettled},
           {"advice", advice_json(run)},
           {"worst_r_hat", c.worst_r_hat},
           {"least_bulk_ess", c.min_bulk_ess},

@@ -245,6 +245,11 @@ void find_worst(Convergence& result) {
   }
 }
 
+/// Whether an estimate keeps the limits of R-hat and of both effective sizes; NaN keeps none.
+bool keeps_limits(const Estimate& of, double r_hat, double least_size) {
+  return of.r_hat <= r_hat && of.bulk_ess >= least_size && of.tail_ess >= least_size;
+}
+
 }  // namespace
 
 Convergence assess(const Draws& draws, const std::vector<std::string>& names,
@@ -271,12 +276,48 @@ Convergence assess(const Draws& draws, const std::vector<std::string>& names,
   // Figures against their limits.
   const double least = limits.ess_per_chain * double(groups);
   judge_draws(result.estimates, result.warnings);
+  judge_swaps(draws, limits.swap_rate, result.warnings);
+  const bool sound = result.warnings.empty();
   judge_agreement(result.estimates, limits.r_hat, result.warnings);
   judge_size(result.estimates, "bulk", &Estimate::bulk_ess, least, result.warnings);
   judge_size(result.estimates, "tail", &Estimate::tail_ess, least, result.warnings);
-  judge_swaps(draws, limits.swap_rate, result.warnings);
+  for (const Estimate& of : result.estimates)
+    if (!keeps_limits(of, limits.r_hat, least)) result.unsettled.push_back(of.name);
+  const std::size_t of_coordinates = result.warnings.size();
   judge_steps(draws.draws() * draws.chains(), limits.divergent_share, result);
+  result.draws_may_help = sound && of_coordinates > 0 && result.warnings.size() == of_coordinates;
   return result;
+}
+
+Convergence settled_by_answers(Convergence of, const std::vector<Estimate>& answers,
+                               const std::string& what, long groups,
+                               const ConvergenceLimits& limits) {
+  const double least = limits.ess_per_chain * double(groups);
+  const bool answered =
+      !answers.empty() && std::all_of(answers.begin(), answers.end(), [&](const Estimate& answer) {
+        return answer.sd == 0 || keeps_limits(answer, limits.r_hat, least);
+      });
+  if (!of.draws_may_help || !answered || !(of.worst_r_hat <= limits.nuisance_r_hat)) return of;
+
+  // The sentences stay, beside the figures of what does not mind them.
+  double worst = 0, size = std::numeric_limits<double>::infinity();
+  for (const Estimate& answer : answers) {
+    if (answer.sd == 0) continue;
+    worst = std::max(worst, answer.r_hat);
+    size = std::min({size, answer.bulk_ess, answer.tail_ess});
+  }
+  std::string caution;
+  for (const std::string& warning : of.warnings) caution += warning + "; ";
+  of.cautions.push_back(fmt::format(
+      "{}the {} have converged all the same (R-hat at most {:.4f}, effective sizes at least "
+      "{:.0f}): use "
+      "them, but not {}",
+      caution, what, worst, size,
+      of.unsettled.size() == 1 ? of.unsettled.front()
+                               : fmt::format("these {} numbers themselves", of.unsettled.size())));
+  of.warnings.clear();
+  of.draws_may_help = false;
+  return of;
 }
 
 }  // namespace thenar

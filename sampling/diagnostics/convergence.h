@@ -60,6 +60,7 @@ struct Estimate {
 /// Limits that a converged run keeps.
 struct ConvergenceLimits {
   double r_hat = 1.01;            // largest allowed [1]
+  double nuisance_r_hat = 1.1;    // largest allowed of a coordinate that no answer depends on [1]
   double ess_per_chain = 100;     // least bulk and tail ESS, to be multiplied by the groups [1]
   double divergent_share = 0.01;  // largest share of divergent draws that is a caution [1]
   double swap_rate = 0.05;        // least between neighbours [1]
@@ -72,13 +73,27 @@ struct Convergence {
   std::vector<Estimate> estimates;  // of every entry of x, as named
   double worst_r_hat = 0, min_bulk_ess = 0, min_tail_ess = 0;
   long divergent = 0, non_finite = 0, depth_limit = 0;  // steps [1]
-  std::vector<std::string> warnings;  // each a sentence with the figure and its limit
-  std::vector<std::string> cautions;  // for readers of converged draws: a few divergent ones
+  std::vector<std::string> warnings;   // each a sentence with the figure and its limit
+  std::vector<std::string> cautions;   // for readers of converged draws: a few divergent ones, or
+                                       // coordinates that no answer depends on
+  std::vector<std::string> unsettled;  // coordinates beyond a limit of R-hat or effective size
+  bool draws_may_help = false;  // nothing speaks against convergence but `unsettled` coordinates
 };
 
 /// Computes all diagnostics and compares them with their limits.
 /// @param names  of the coordinates
 [[nodiscard]] Convergence assess(const Draws& draws, const std::vector<std::string>& names,
                                  const ConvergenceLimits& limits = {});
+
+/// Turns the warnings of unsettled coordinates into one caution where all answers keep the limits
+/// that they miss, nothing else is wrong, and no coordinate's R-hat is above `nuisance_r_hat`:
+/// forces may have converged though a tilt that they feel by its square alone, or a factor that
+/// they hardly feel, has not. Those numbers themselves stay unfit for use, as the caution says.
+/// @param answers  estimates of what the run was asked for; none: nothing changes
+/// @param what     what they are, for the caution: "forces"
+/// @param groups   independent chains or ensembles [1]
+[[nodiscard]] Convergence settled_by_answers(Convergence of, const std::vector<Estimate>& answers,
+                                             const std::string& what, long groups,
+                                             const ConvergenceLimits& limits = {});
 
 }  // namespace thenar

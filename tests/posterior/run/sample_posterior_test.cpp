@@ -38,6 +38,28 @@ TEST(SamplePosterior, DependsOnNothingButTheSeed) {
   EXPECT_NE(pooled(one.draws), pooled(sample_posterior(small_inputs(), settings).draws));
 }
 
+// Forty draws are too few to believe: they are doubled, to the draws of one run as long, and the
+// run that is asked again, as after an interruption, ends there too.
+TEST(SamplePosterior, GoesOnByItselfWhereMoreDrawsMayHelp) {
+  PosteriorSettings settings = quick_settings(160);
+  settings.run.sampler.warm_up = 100;
+  const PosteriorRun whole = sample_posterior(small_inputs(), settings);
+  settings.run.draws = 40;
+  settings.max_draws = 160;
+  EXPECT_EQ(sample_posterior(small_inputs(), settings).draws.draws(),
+            40);  // no folder to go on from
+  settings.run.folder = temporary_path("thenar_growing_draws");
+  std::filesystem::remove_all(settings.run.folder);
+  for (int times = 0; times < 2; ++times) {
+    const PosteriorRun grown = sample_posterior(small_inputs(), settings);
+    ASSERT_GT(grown.draws.draws(), 40);
+    EXPECT_EQ(grown.settings.run.draws, grown.draws.draws());
+    EXPECT_EQ(grown.draws.x[1], whole.draws.x[1].leftCols(grown.draws.draws()));
+    EXPECT_TRUE(grown.draws.draws() == 160 || grown.convergence.warnings.empty());
+  }
+  std::filesystem::remove_all(settings.run.folder);
+}
+
 // The first rank alone searches for modes; all start from what it found.
 TEST(SamplePosterior, DrawsAlikeOnSeveralRanks) {
   PosteriorSettings settings = quick_settings(40);

@@ -119,5 +119,54 @@ TEST(Assess, WantsANameForEveryCoordinate) {
   EXPECT_THROW((void)assess(good_draws(), {"a"}), InputError);
 }
 
+/// Two coordinates, of which "b" creeps: its effective size is below 400, chains hardly disagree.
+Draws creeping_draws() {
+  Draws draws = good_draws(2000);
+  const Eigen::MatrixXd slow = sample::autoregressive(0.98, 2000, 4, 3);
+  for (std::size_t chain = 0; chain < 4; ++chain)
+    draws.x[chain].row(1) = slow.col(static_cast<Eigen::Index>(chain)).transpose();
+  return draws;
+}
+
+std::vector<Estimate> answers_of(const Draws& draws, int coordinate) {
+  return {estimate("force", draws.coordinate(coordinate), draws.group)};
+}
+
+TEST(SettledByAnswers, ANuisanceDoesNotForbidWhatHasConverged) {
+  const Draws draws = creeping_draws();
+  const Convergence before = assess(draws, {"a", "b"});
+  ASSERT_FALSE(before.warnings.empty());
+  EXPECT_TRUE(before.draws_may_help);
+  EXPECT_THAT(before.unsettled, ElementsAre("b"));
+  ASSERT_LT(before.worst_r_hat, ConvergenceLimits{}.nuisance_r_hat);
+
+  const Convergence settled = settled_by_answers(before, answers_of(draws, 0), "forces", 4);
+  EXPECT_THAT(settled.warnings, IsEmpty());
+  EXPECT_THAT(settled.unsettled, ElementsAre("b"));
+  ASSERT_EQ(settled.cautions.size(), 1U);
+  EXPECT_THAT(settled.cautions[0], testing::HasSubstr("effective sample size of b is "));
+  EXPECT_THAT(settled.cautions[0], testing::HasSubstr("the forces have converged all the same"));
+  EXPECT_THAT(settled.cautions[0], testing::EndsWith("use them, but not b"));
+}
+
+// An answer that creeps itself, no answer, chains that are apart, and divergent steps: no excuse.
+TEST(SettledByAnswers, NothingElseIsExcused) {
+  const Draws draws = creeping_draws();
+  const Convergence of = assess(draws, {"a", "b"});
+  EXPECT_EQ(settled_by_answers(of, answers_of(draws, 1), "forces", 4).warnings, of.warnings);
+  EXPECT_EQ(settled_by_answers(of, {}, "forces", 4).warnings, of.warnings);
+
+  Draws apart = draws;
+  apart.x[3].row(1).array() += 100;
+  EXPECT_FALSE(settled_by_answers(assess(apart, {"a", "b"}), answers_of(draws, 0), "forces", 4)
+                   .warnings.empty());
+  Draws divergent = draws;
+  for (int i = 0; i < 200; ++i) divergent.stats[0][i].divergent = true;
+  const Convergence broken = assess(divergent, {"a", "b"});
+  EXPECT_FALSE(broken.draws_may_help);
+  EXPECT_EQ(settled_by_answers(broken, answers_of(draws, 0), "forces", 4).warnings,
+            broken.warnings);
+}
+
 }  // namespace
 }  // namespace thenar
