@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <chrono>
 
+#include "api/fit.h"
 #include "api/named/digits.h"
 #include "base/error.h"
 #include "base/nearest_name.h"
@@ -108,9 +109,7 @@ void add_parameters(const TendonDigit& built, const SourceText& settings, DigitE
 DigitExplained explain_digit_of(const Subject& subject, const ExplainRequest& request) {
   DigitExplained out;
   out.digit = choose_digit(subject, request.digit);
-  const SourceText settings = request.settings.empty()
-                                  ? built_in_settings(out.digit)
-                                  : SourceText{request.settings, read_text_file(request.settings)};
+  const SourceText settings = fit_settings_source(request.settings, out.digit, request.data);
   const bool bones = std::any_of(subject.digits.begin(), subject.digits.end(),
                                  [&](const Digit& each) { return each.name == out.digit; });
   if (!bones) return out;

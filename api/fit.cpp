@@ -166,6 +166,13 @@ std::string experiment_file(const std::string& name_or_path, const std::string& 
   return file;
 }
 
+SourceText fit_settings_source(const std::string& settings, const std::string& digit,
+                               const std::string& data) {
+  if (settings.empty()) return built_in_settings(digit);
+  return read_source(
+      named_file("file of fit settings", settings, "fits", ".toml", data_folders(data)));
+}
+
 FitInputs read_fit_inputs(const FitSources& sources) {
   require(!sources.experiments.empty(), "a fit needs at least one experiment");
   FitInputs inputs;
@@ -173,10 +180,8 @@ FitInputs read_fit_inputs(const FitSources& sources) {
   for (const std::string& name : sources.experiments)
     inputs.experiments.push_back(read_source(experiment_file(name, sources.data)));
   const SourceText& first = inputs.experiments.front();
-  inputs.settings = sources.settings.empty()
-                        ? built_in_settings(parse_experiment(first.text, first.path).digit)
-                        : read_source(named_file("file of fit settings", sources.settings, "fits",
-                                                 ".toml", data_folders(sources.data)));
+  inputs.settings = fit_settings_source(
+      sources.settings, parse_experiment(first.text, first.path).digit, sources.data);
   inputs.also_free = sources.also_free;
   inputs.scaling = scaling_named(sources.scale);
   if (!sources.net.empty())

@@ -66,6 +66,12 @@ struct FitResult {
   std::optional<FractionsFit> fractions = {};
 };
 
+/// Reads fit settings by name or file; without a name those that are built in for the digit.
+/// @param data  folder with fits/; empty: the usual ones
+/// @throws InputError if there are none of that name, or they cannot be read.
+[[nodiscard]] SourceText fit_settings_source(const std::string& settings, const std::string& digit,
+                                             const std::string& data);
+
 /// The texts of the inputs. Without settings those that are built in for the digit.
 /// @throws InputError or DataError for a source that is not there or cannot be read.
 [[nodiscard]] FitInputs read_fit_inputs(const FitSources& sources);

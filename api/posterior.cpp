@@ -39,6 +39,8 @@ PosteriorSettings settings_of(const SampleRequest& request, const FitInputs& inp
   const int sparse = run.method == SamplingMethod::kStretchMove ? 10 : 1;
   run.thin = request.thin > 0 ? request.thin : sparse;
   run.draws = request.draws > 0 ? request.draws : 1000 / sparse;
+  constexpr long kMaxGrowth = 4;  // most draws over the first ones, where nobody says how many [1]
+  if (request.draws == 0) settings.max_draws = kMaxGrowth * run.draws;
   run.threads = request.threads;
   run.folder = request.output + ".chains";
   run.checkpoint_every = request.checkpoint_every;
@@ -155,7 +157,8 @@ PosteriorPrediction predict_by_draws(const PosteriorPredictRequest& request) {
     Prediction prediction = summarise(predict_draws(
         run, experiment, by == PredictedBy::kOwn ? fitted : kUnfittedSpecimen, request.draws));
     result.sources.push_back(source);
-    result.experiments.push_back({experiment, std::move(prediction), by});
+    result.experiments.push_back(
+        {experiment, beside_trivial_forces(std::move(prediction), experiment, problem, by), by});
   }
   return out;
 }

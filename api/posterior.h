@@ -22,7 +22,8 @@ struct SampleRequest {
   int chains = 4;                  // independent chains, or ensembles [1]
   int walkers = 0;                 // chains of one ensemble; 0: as the sampler needs [1]
   long warm_up = 1000;             // steps that adapt and are thrown away [1]
-  long draws = 0;                  // of each chain; 0: 1000 steps in all [1]
+  long draws = 0;                  // of each chain; 0: 1000 steps in all, which are doubled up to
+                                   // twice where more of them may make the chains agree [1]
   int thin = 0;                    // steps a draw; 0: 1, of ensembles of many walkers 10 [1]
   double target_acceptance = 0.9;  // of nuts and hmc: thumbs bend more than textbook posteriors [1]
   std::vector<double> retry_acceptances{0.95, 0.99};  // begin anew at the next once a trajectory

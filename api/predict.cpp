@@ -21,10 +21,10 @@ PredictResult answer_of(const PredictRequest& request, const Fit& fit) {
   return result;
 }
 
-/// What one could say without a model: of a specimen that was not fitted the mean of those that
-/// were, of combined loads on a fitted one the sum of its own forces.
-void add_trivial(Prediction& prediction, const Experiment& experiment, const FitProblem& fitted,
-                 PredictedBy by) {
+}  // namespace
+
+Prediction beside_trivial_forces(Prediction prediction, const Experiment& experiment,
+                                 const FitProblem& fitted, PredictedBy by) {
   for (std::size_t i = 0; i < prediction.trials.size(); ++i) {
     const Trial& trial = experiment.trials[i];
     if (by == PredictedBy::kStranger)
@@ -32,9 +32,8 @@ void add_trivial(Prediction& prediction, const Experiment& experiment, const Fit
     if (by == PredictedBy::kOwn)
       prediction.trials[i].trivial = superposed_force(experiment, trial, fitted.experiments());
   }
+  return prediction;
 }
-
-}  // namespace
 
 PredictedBy predicted_by(int specimen, bool population) {
   if (specimen < 0) return PredictedBy::kStranger;
@@ -63,9 +62,10 @@ PredictResult predict_forces(const PredictRequest& request) {
     Prediction prediction =
         predict_experiment(fit.problem, fit.solution.z, fit.covariance.C, experiment,
                            by == PredictedBy::kOwn ? fitted : kUnfittedSpecimen);
-    add_trivial(prediction, experiment, fit.problem, by);
     result.sources.push_back(source);
-    result.experiments.push_back({experiment, std::move(prediction), by});
+    result.experiments.push_back(
+        {experiment, beside_trivial_forces(std::move(prediction), experiment, fit.problem, by),
+         by});
   }
   return result;
 }

@@ -51,6 +51,11 @@ struct PredictResult {
 /// @param population  asked for, also of a fitted specimen
 [[nodiscard]] PredictedBy predicted_by(int specimen, bool population);
 
+/// Adds what one could say of each trial without a model: of a specimen that was not fitted the
+/// mean of those that were, of combined loads on a fitted one the sum of its own forces.
+[[nodiscard]] Prediction beside_trivial_forces(Prediction prediction, const Experiment& experiment,
+                                               const FitProblem& fitted, PredictedBy by);
+
 /// What to know before trusting a prediction of the experiment by this fit.
 [[nodiscard]] std::vector<std::string> prediction_warnings(const FitProblem& fitted,
                                                            const Experiment& experiment);

@@ -1,4 +1,4 @@
-// thenar explain FILE|NAME [--digit D] [--settings FITS.toml] [--path P] [--json] [-o FILE]
+// thenar explain FILE|NAME [--digit D] [--settings NAME|FITS.toml] [--path P] [--json] [-o FILE]
 //
 // What a file makes thenar do: what is built and dropped, assumed and spent, fitted and found.
 
@@ -41,8 +41,7 @@ void add_explain(CLI::App& app) {
                       "Digit of a subject to explain; the only one if left out");
   add_path_option(*command, options->request.path);
   command->add_option("--settings", options->request.settings,
-                      "Fit settings for a subject (TOML); if left out, those that are built in for "
-                      "the digit");
+                      "Fit settings for a subject: name or file (built in for the digit if left out)");
   add_data_option(*command, options->request.data);
   add_output_options(*command, options->outputs, {});
   add_examples(*command, {"explain synek2019_middle", "explain mirakhorlo2016 --digit index",

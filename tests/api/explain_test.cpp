@@ -28,6 +28,19 @@ TEST(ExplainThing, BuildsAndTimesTheDigitOfASubject) {
   EXPECT_TRUE(found.digit->settings_trouble.empty());
 }
 
+// A name, as a fit takes it, and the file of that name are the same settings.
+TEST(ExplainThing, TakesSettingsByName) {
+  ExplainRequest request = request_for("an_chao_index");
+  request.settings = "finger_arms";
+  const ThingExplained by_name = explain_thing(request);
+  request.settings = kData + "/fits/finger_arms.toml";
+  const ThingExplained by_file = explain_thing(request);
+  EXPECT_EQ(by_name.digit->settings, by_file.digit->settings);
+  EXPECT_EQ(by_name.digit->parameters.coordinates(), by_file.digit->parameters.coordinates());
+  EXPECT_NE(by_name.digit->parameters.coordinates(),
+            explain_thing(request_for("an_chao_index")).digit->parameters.coordinates());
+}
+
 TEST(ExplainThing, LeavesMapsWithoutBones) {
   const ThingExplained found = explain_thing(request_for("valero_cuevas_index"));
   EXPECT_EQ(found.digit->tendons, nullptr);

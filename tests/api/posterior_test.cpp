@@ -57,6 +57,12 @@ TEST_F(PosteriorQuestion, PredictsByTheMeansOfDraws) {
   const PosteriorPrediction answer = predict_by_draws(asked);
   EXPECT_EQ(answer.predicted.experiments[0].by, PredictedBy::kOwn);
   EXPECT_EQ(answer.predicted.experiments[1].by, PredictedBy::kStranger);
+  // Beside a stranger's stand the forces that the fitted specimen showed; its own loads were
+  // single.
+  const PredictedTrial& stranger = answer.predicted.experiments[1].prediction.trials.front();
+  ASSERT_TRUE(stranger.trivial);
+  EXPECT_EQ(*stranger.trivial, answer.predicted.experiments[0].prediction.trials.front().measured);
+  EXPECT_FALSE(answer.predicted.experiments[0].prediction.trials.front().trivial);
   EXPECT_EQ(answer.posterior.run.draws.draws(), 20);
   EXPECT_GT(answer.predicted.experiments[0].prediction.trials[0].sd.minCoeff(), 0);
 }
