@@ -10,6 +10,7 @@
 #include "api/scenes/simulate_scene.h"
 #include "base/error.h"
 #include "base/progress_parts.h"
+#include "data/io/doubled_trials.h"
 #include "data/io/mesh/repair_shape.h"
 #include "data/io/robot/import_robot.h"
 #include "geometry/solid.h"
@@ -74,6 +75,9 @@ FileVerdict verdict_of(const std::string& name, const std::string& data, const M
              verdict.path, std::visit([](const auto& each) { return materials_in(each); }, thing),
              table))
       verdict.warnings.push_back(std::move(unknown));
+    if (const auto* experiment = std::get_if<Experiment>(&thing))
+      for (std::string& doubled : doubled_trial_warnings({*experiment}))
+        verdict.warnings.push_back(std::move(doubled));
     verdict.thing = std::move(thing);
   } catch (const Stopped&) {
     throw;
