@@ -1,10 +1,12 @@
 #include "kinematics_fit/fit_problem.h"
 
 #include <algorithm>
+#include <set>
 
 #include <fmt/ranges.h>
 
 #include "base/error.h"
+#include "data/io/doubled_trials.h"
 #include "kinematics_fit/model/experiment_plan.h"
 
 namespace thenar {
@@ -42,8 +44,19 @@ FitProblem::FitProblem(TendonDigit digit, FitParameters parameters,
     const TendonDigit& sized = digit_of(specimen_of_[e]);
     plans_.push_back(plan_experiment(sized, this->parameters(), experiments_[e]));
     kernels_.push_back(compile_forces(sized, this->parameters(), plans_[e]));
+    add_activations(sized, e);
   }
   find_axes();
+}
+
+void FitProblem::add_activations(const TendonDigit& sized, std::size_t e) {
+  // A net's forces are not linear in tensions: its rows are left aside, as warnings() says.
+  const ExperimentPlan bare = without_trials(plans_[e]);
+  activations_.push_back(sized.net ? ActivationPlan{bare, 0, {}}
+                                   : plan_activations(sized, bare, experiments_[e]));
+  const ActivationPlan& rows = activations_.back();
+  activation_kernels_.push_back(
+      rows.tasks.empty() ? nullptr : compile_forces(sized, parameters(), rows.plan));
 }
 
 void FitProblem::size_specimens() {
@@ -105,6 +118,10 @@ std::vector<std::string> FitProblem::warnings() const {
     for (std::string& warning : experiment_warnings(digit_, plans_[e], experiments_[e]))
       all.push_back(std::move(warning));
 
+  // Rows that count twice.
+  for (std::string& warning : doubled_trial_warnings(experiments_))
+    all.push_back(std::move(warning));
+
   // Data that least squares leaves aside.
   for (const Experiment& experiment : experiments_)
     if (!experiment.outside_length.empty() && scaling_ == Scaling::kSubject)
@@ -113,10 +130,12 @@ std::vector<std::string> FitProblem::warnings() const {
           "outside uses it",
           experiment.name));
   for (const Experiment& experiment : experiments_)
-    if (!experiment.activations.empty())
-      all.push_back(fmt::format(
-          "experiment '{}': {} activation rows are not fitted, only a posterior uses them",
-          experiment.name, experiment.activations.size()));
+    if (digit_.net && !experiment.activations.empty())
+      all.push_back(
+          fmt::format("experiment '{}': {} activation rows are not fitted, as forces of a net are "
+                      "not linear in "
+                      "tensions",
+                      experiment.name, experiment.activations.size()));
 
   // Tendons that cannot move.
   for (std::string& warning : fixed_geometry_warnings(parameters()))
@@ -124,15 +143,34 @@ std::vector<std::string> FitProblem::warnings() const {
   return all;
 }
 
+namespace {
+
+std::set<std::string> postures_of(const std::vector<Trial>& trials) {
+  std::set<std::string> names;
+  for (const Trial& trial : trials) names.insert(trial.posture);
+  return names;
+}
+
+}  // namespace
+
 FitProblem subset(const FitProblem& problem,
                   const std::function<bool(const Experiment&, const Trial&)>& keep) {
   std::vector<Experiment> kept;
   for (Experiment experiment : problem.experiments()) {
-    // Trials that the caller does not keep are removed.
+    // Trials that the caller does not keep are removed, and rows of activations in postures of
+    // which no trial is left: they were measured there, too.
     std::vector<Trial>& trials = experiment.trials;
+    const std::set<std::string> before = postures_of(trials);
     trials.erase(std::remove_if(trials.begin(), trials.end(),
                                 [&](const Trial& trial) { return !keep(experiment, trial); }),
                  trials.end());
+    const std::set<std::string> after = postures_of(trials);
+    std::vector<ActivationRow>& rows = experiment.activations;
+    rows.erase(std::remove_if(rows.begin(), rows.end(),
+                              [&](const ActivationRow& row) {
+                                return before.count(row.posture) > after.count(row.posture);
+                              }),
+               rows.end());
     if (!trials.empty()) kept.push_back(std::move(experiment));
   }
   return {problem.digit(),        problem.parameters(),     std::move(kept),

@@ -10,6 +10,7 @@
 #include "data/io/experiment.h"
 #include "kinematics_fit/fit_coordinates.h"
 #include "kinematics_fit/force_jacobian.h"
+#include "kinematics_fit/model/activation_plan.h"
 #include "kinematics_fit/outside_scale.h"
 
 namespace thenar {
@@ -55,19 +56,28 @@ class FitProblem {
   [[nodiscard]] const ForceKernel* kernel_of(int experiment) const {
     return kernels_.at(static_cast<std::size_t>(experiment)).get();
   }
+  /// Activation rows of an experiment as unit pulls, which are all trials of its plan; no tasks
+  /// where there are none, or a net makes forces that are not linear in tensions.
+  [[nodiscard]] const ActivationPlan& activations_of(int experiment) const {
+    return activations_.at(static_cast<std::size_t>(experiment));
+  }
+  [[nodiscard]] const ForceKernel* activation_kernel_of(int experiment) const {
+    return activation_kernels_.at(static_cast<std::size_t>(experiment)).get();
+  }
   [[nodiscard]] double robust_scale() const { return robust_scale_; }  // [1]
 
   /// Bounds on distances between axes, as given and by hinges of the digit.
   [[nodiscard]] const std::vector<AxisDistance>& axis_distances() const { return axis_distances_; }
   [[nodiscard]] const std::vector<AxisPair>& axis_pairs() const { return axis_pairs_; }
 
-  /// Warnings to read before the fit is trusted: experiment_warnings(), activations that least
-  /// squares leaves aside, fixed_geometry_warnings().
+  /// Warnings to read before the fit is trusted: experiment_warnings(), doubled_trial_warnings(),
+  /// activations that least squares leaves aside, fixed_geometry_warnings().
   [[nodiscard]] std::vector<std::string> warnings() const;
 
  private:
   void find_axes();
   void size_specimens();
+  void add_activations(const TendonDigit& sized, std::size_t e);
 
   TendonDigit digit_;
   std::vector<Experiment> experiments_;
@@ -77,13 +87,16 @@ class FitProblem {
   std::vector<int> specimen_of_;       // of each experiment
   std::vector<TendonDigit> digits_;    // of each specimen in its size; none if not scaled
   std::vector<std::shared_ptr<const ForceKernel>>
-      kernels_;          // of each experiment; constant, so that copies of the problem share them
-  double robust_scale_;  // [1]
+      kernels_;  // of each experiment; constant, so that copies of the problem share them
+  std::vector<ActivationPlan> activations_;                             // of each experiment
+  std::vector<std::shared_ptr<const ForceKernel>> activation_kernels_;  // null without tasks
+  double robust_scale_;                                                 // [1]
   std::vector<AxisDistance> axis_distances_;
   std::vector<AxisPair> axis_pairs_;
 };
 
-/// The problem with a part of its trials; experiments without any are dropped.
+/// The problem with a part of its trials; experiments without any are dropped, and so are rows of
+/// activations in a posture that has lost all its trials.
 /// @param keep  keep(experiment, trial)
 [[nodiscard]] FitProblem subset(const FitProblem& problem,
                                 const std::function<bool(const Experiment&, const Trial&)>& keep);

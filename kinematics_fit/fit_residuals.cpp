@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "base/error.h"
+#include "kinematics_fit/activation_residuals.h"
 #include "kinematics_fit/specimen_prior.h"
 
 namespace thenar {
@@ -28,48 +29,115 @@ int data_rows(const FitProblem& problem) {
   int rows = 0;
   for (const ExperimentPlan& plan : problem.plans())
     rows += 3 * static_cast<int>(plan.force.cols());
+  for (std::size_t e = 0; e < problem.plans().size(); ++e)
+    rows += 4 * static_cast<int>(problem.activations_of(static_cast<int>(e)).tasks.size());
   return rows;
+}
+
+int force_rows(const FitProblem& problem, int e) {
+  return 3 * static_cast<int>(problem.plans()[e].force.cols() +
+                              static_cast<Eigen::Index>(problem.activations_of(e).tasks.size()));
 }
 
 int measured_numbers(const FitProblem& problem) {
   int count = 0;
   for (const ExperimentPlan& plan : problem.plans())
     count += plan.measured * static_cast<int>(plan.force.cols());
+  for (std::size_t e = 0; e < problem.plans().size(); ++e)
+    count += problem.plans()[e].measured *
+             static_cast<int>(problem.activations_of(static_cast<int>(e)).tasks.size());
   return count;
 }
 
+namespace {
+
+/// Forces of a plan at the coordinates of its specimen, with their slopes if wanted.
+ForceJacobian forces_at(const FitProblem& problem, int e, const ExperimentPlan& plan,
+                        const ForceKernel* kernel, const Eigen::VectorXd& u, WithJacobian want) {
+  const TendonDigit& digit = problem.digit_of(problem.specimen_of(e));
+  if (want == WithJacobian::kYes)
+    return force_jacobian(digit, problem.parameters(), plan, u, kernel);
+  return {force_values(digit, problem.parameters(), plan, u, kernel), {}};
+}
+
+/// Chain rule from coordinates to the entries of z that move the specimen: two of them at most move
+/// a coordinate.
+Eigen::MatrixXd by_entries(const FitCoordinates& coordinates, const CoordinateMotion& at,
+                           const Eigen::MatrixXd& J) {
+  Eigen::MatrixXd out =
+      Eigen::MatrixXd::Zero(J.rows(), coordinates.population_entries() + coordinates.deviations());
+  for (Eigen::Index c = 0; c < J.cols(); ++c) {
+    const CoordinateEntries& of = coordinates.entries(static_cast<int>(c));
+    if (of.population >= 0) out.col(of.population) += at.by_population[c] * J.col(c);
+    if (of.deviation >= 0) out.col(of.deviation) += at.by_deviation[c] * J.col(c);
+  }
+  return out;
+}
+
+/// Residuals of the activation rows of experiment e with slopes by coordinates: three of each row's
+/// force, row by row, then one of each row's width.
+Residuals activation_rows(const FitProblem& problem, int e, const Eigen::VectorXd& u,
+                          WithJacobian want) {
+  const ActivationPlan& rows = problem.activations_of(e);
+  const auto count = static_cast<Eigen::Index>(rows.tasks.size());
+  const ForceJacobian unit =
+      forces_at(problem, e, rows.plan, problem.activation_kernel_of(e), u, want);
+  Residuals out;
+  out.r.resize(4 * count);
+  const bool jacobian = want == WithJacobian::kYes;
+  if (jacobian) out.J.resize(4 * count, unit.J.cols());
+  for (Eigen::Index k = 0; k < count; ++k) {
+    // Forces of the row's own unit pulls.
+    const ActivationTask& task = rows.tasks[static_cast<std::size_t>(k)];
+    const auto pulls = static_cast<Eigen::Index>(task.pulls.size());
+    Eigen::Matrix3Xd A(3, pulls);
+    Eigen::MatrixXd A_u(3 * pulls, out.J.cols());
+    for (Eigen::Index j = 0; j < pulls; ++j) {
+      const Eigen::Index column = task.pulls[static_cast<std::size_t>(j)].column;
+      A.col(j) = unit.force.col(column);
+      if (jacobian) A_u.middleRows(3 * j, 3) = unit.J.middleRows(3 * column, 3);
+    }
+    const Residuals one = activation_residuals(task, A, A_u);
+    out.r.segment<3>(3 * k) = one.r.head<3>();
+    out.r[3 * count + k] = one.r[3];
+    if (!jacobian) continue;
+    out.J.middleRows<3>(3 * k) = one.J.topRows<3>();
+    out.J.row(3 * count + k) = one.J.row(3);
+  }
+  return out;
+}
+
+}  // namespace
+
 Residuals data_residuals(const FitProblem& problem, const Eigen::VectorXd& z, int e,
                          WithJacobian want) {
-  // Forces, and their slopes by the coordinates of the specimen.
+  // Forces, and their slopes by the entries of z that move the specimen.
   const FitCoordinates& coordinates = problem.coordinates();
-  const FitParameters& parameters = problem.parameters();
   const ExperimentPlan& plan = problem.plans()[e];
   const CoordinateMotion at = coordinate_motion(coordinates, z, problem.specimen_of(e));
   const bool jacobian = want == WithJacobian::kYes;
-  const TendonDigit& digit = problem.digit_of(problem.specimen_of(e));
-  const ForceKernel* kernel = problem.kernel_of(e);
-  const ForceJacobian forces =
-      jacobian ? force_jacobian(digit, parameters, plan, at.u, kernel)
-               : ForceJacobian{force_values(digit, parameters, plan, at.u, kernel), {}};
-
-  // Chain rule to the entries of z: two of them at most move a coordinate.
-  const Eigen::Index rows = forces.force.size();
+  const ForceJacobian forces = forces_at(problem, e, plan, problem.kernel_of(e), at.u, want);
   Residuals out;
   out.r = (forces.force - plan.force).cwiseQuotient(plan.sd).reshaped();
-  if (jacobian) {
-    out.J =
-        Eigen::MatrixXd::Zero(rows, coordinates.population_entries() + coordinates.deviations());
-    for (int c = 0; c < parameters.coordinates(); ++c) {
-      const CoordinateEntries& of = coordinates.entries(c);
-      if (of.population >= 0) out.J.col(of.population) += at.by_population[c] * forces.J.col(c);
-      if (of.deviation >= 0) out.J.col(of.deviation) += at.by_deviation[c] * forces.J.col(c);
+  if (jacobian)
+    out.J = plan.sd.reshaped().cwiseInverse().asDiagonal() * by_entries(coordinates, at, forces.J);
+
+  // Rows of activations follow the trials.
+  if (!problem.activations_of(e).tasks.empty()) {
+    const Residuals rows = activation_rows(problem, e, at.u, want);
+    out.r.conservativeResize(out.r.size() + rows.r.size());
+    out.r.tail(rows.r.size()) = rows.r;
+    if (jacobian) {
+      const Eigen::MatrixXd J = by_entries(coordinates, at, rows.J);
+      out.J.conservativeResize(out.r.size(), J.cols());
+      out.J.bottomRows(J.rows()) = J;
     }
-    out.J = plan.sd.reshaped().cwiseInverse().asDiagonal() * out.J;
   }
 
-  // Robust loss, trial by trial.
+  // Robust loss, force by force.
   const double scale = problem.robust_scale();
-  for (Eigen::Index row = 0; row < rows && scale > 0; row += 3)
+  const Eigen::Index forces_end = force_rows(problem, e);
+  for (Eigen::Index row = 0; row < forces_end && scale > 0; row += 3)
     apply_cauchy_loss(scale, out.r.segment<3>(row),
                       out.J.middleRows(jacobian ? row : 0, jacobian ? 3 : 0));
   return out;

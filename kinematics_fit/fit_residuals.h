@@ -6,17 +6,22 @@
 
 namespace thenar {
 
-/// Number of residuals that are data, three a trial; the others are priors.
+/// Number of residuals that are data, three a trial and four a row of activations; the others are
+/// priors.
 [[nodiscard]] int data_rows(const FitProblem& problem);
-/// Number of force components that are fitted, two or three a trial.
+/// Number of residuals of experiment `e` that are force components: three a trial, then three a row
+/// of activations. What follows are the rows' widths (activation_residuals()).
+[[nodiscard]] int force_rows(const FitProblem& problem, int e);
+/// Number of force components that are fitted, two or three a trial or row of activations.
 [[nodiscard]] int measured_numbers(const FitProblem& problem);
 
 /// Data residuals of experiment `e`, (predicted - measured) / sd; with a robust scale c, r of each
 /// trial is shrunk so that |r|^2 becomes c^2 log(1 + |r|^2 / c^2) (Cauchy's loss). A component that
-/// is not fitted has residual 0.
+/// is not fitted has residual 0. Rows of activations follow the trials: three residuals of each
+/// row's force, then one of each row's width (activation_residuals()).
 /// @param z  (size)
 /// @return   r (3 trials), and with kYes its Jacobian by the entries of z that move the specimen:
-///           population_entries(), then deviations() of that specimen (3 trials, both)
+///           population_entries(), then deviations() of that specimen (data rows, both)
 [[nodiscard]] Residuals data_residuals(const FitProblem& problem, const Eigen::VectorXd& z, int e,
                                        WithJacobian want);
 

@@ -24,9 +24,11 @@ double plain_squares(const Eigen::VectorXd& r, double c) {
   return sum;
 }
 
-/// Force components of finite sd.
-int fitted_numbers(const ExperimentPlan& plan) {
-  return static_cast<int>((plan.sd.array() < HUGE_VAL).count());
+/// Force components of finite sd, of trials and of rows of activations.
+int fitted_numbers(const FitProblem& problem, int e) {
+  const ExperimentPlan& plan = problem.plans()[static_cast<std::size_t>(e)];
+  return static_cast<int>((plan.sd.array() < HUGE_VAL).count()) +
+         plan.measured * static_cast<int>(problem.activations_of(e).tasks.size());
 }
 
 }  // namespace
@@ -55,10 +57,11 @@ std::vector<Misfit> misfits(const FitProblem& problem, const Eigen::VectorXd& z,
   for (int e = 0; e < static_cast<int>(problem.experiments().size()); ++e) {
     // Residuals, and how much of them the parameters that move this specimen take up.
     const Residuals data = data_residuals(problem, z, e, WithJacobian::kYes);
-    const Eigen::MatrixXd C = covariance.C.of(problem.specimen_of(e));
-    const double effective = (data.J * C).cwiseProduct(data.J).sum();
-    all.push_back(misfit(plain_squares(data.r, problem.robust_scale()),
-                         fitted_numbers(problem.plans()[e]), effective));
+    const int forces = force_rows(problem, e);
+    const Eigen::MatrixXd C = covariance.C.of(problem.specimen_of(e)), J = data.J.topRows(forces);
+    const double effective = (J * C).cwiseProduct(J).sum();
+    all.push_back(misfit(plain_squares(data.r.head(forces), problem.robust_scale()),
+                         fitted_numbers(problem, e), effective));
   }
   return all;
 }

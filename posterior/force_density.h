@@ -6,6 +6,8 @@
 
 #include <Eigen/Core>
 
+#include "kinematics_fit/model/activation_plan.h"
+
 namespace thenar {
 
 /// Distribution of measured forces about predicted forces.
@@ -28,13 +30,6 @@ struct ForceNoise {
     double log_density, weight;
   };
   [[nodiscard]] Tail tail(double m) const;
-};
-
-/// Distribution of a muscle's tension in a task.
-struct MuscleTension {
-  int column;       // of the unit pulls' forces
-  double tension;   // F0 a, expected [N]
-  double variance;  // (F0 sd)^2 [N^2]
 };
 
 /// Log density of one measured force and its derivatives.

@@ -1,77 +1,11 @@
 #include "posterior/posterior_data.h"
 
-#include <algorithm>
 #include <cmath>
 
-#include <fmt/ranges.h>
-
-#include "base/error.h"
 #include "posterior/simd_loops.h"
 
 namespace thenar {
 namespace {
-
-/// Gives an experiment's plan its unit pulls.
-class TaskPlanner {
- public:
-  TaskPlanner(const TendonDigit& digit, const Experiment& experiment, ObservedForces& out)
-      : digit_(digit), experiment_(experiment), out_(out) {}
-
-  [[nodiscard]] ObservedTask plan(const ActivationRow& row) {
-    ObservedTask task{{}, row.force, force_sd(experiment_, row)};
-    // The posture by name.
-    const std::vector<std::string>& postures = out_.plan.posture_names;
-    const auto posture = std::find(postures.begin(), postures.end(), row.posture);
-    require(posture != postures.end(), "activation row names posture '{}', which is not defined",
-            row.posture);
-    for (const auto& [name, activation] : row.activation) {
-      // A muscle that is surely silent adds nothing.
-      const double sd = row.sd.at(name);
-      if (activation == 0 && sd == 0) continue;
-      const int muscle = find_muscle(name);
-      const double most = digit_.max_tension[muscle];
-      require(std::isfinite(most),
-              "experiment '{}' states the activation of '{}', whose max_force the subject does not "
-              "say",
-              experiment_.name, name);
-      // Expected tension, and its variance.
-      task.pulls.push_back({column(static_cast<int>(posture - postures.begin()), muscle),
-                            most * activation, std::pow(most * sd, 2)});
-    }
-    return task;
-  }
-
- private:
-  [[nodiscard]] int find_muscle(const std::string& name) const {
-    const std::vector<std::string>& names = digit_.names.muscles;
-    const auto found = std::find(names.begin(), names.end(), name);
-    require(found != names.end(), "no muscle '{}' pulls on this digit; there are {}", name,
-            fmt::join(names, ", "));
-    return static_cast<int>(found - names.begin());
-  }
-
-  /// The column of a unit pull, made when it is first asked for.
-  int column(int posture, int muscle) {
-    // Known already?
-    ExperimentPlan& plan = out_.plan;
-    const Eigen::VectorXd unit = Eigen::VectorXd::Unit(digit_.max_tension.size(), muscle);
-    for (int i = out_.trials; i < static_cast<int>(plan.tension.size()); ++i)
-      if (plan.posture_of_trial[i] == posture && plan.tension[i] == unit) return i;
-    // A further column of the plan, without a measured force.
-    plan.posture_of_trial.push_back(posture);
-    plan.tension.push_back(unit);
-    const auto columns = static_cast<Eigen::Index>(plan.tension.size());
-    plan.force.conservativeResize(3, columns);
-    plan.sd.conservativeResize(3, columns);
-    plan.force.col(columns - 1).setZero();
-    plan.sd.col(columns - 1).setOnes();
-    return static_cast<int>(columns) - 1;
-  }
-
-  const TendonDigit& digit_;
-  const Experiment& experiment_;
-  ObservedForces& out_;
-};
 
 /// Normal noise: all trials are one sum of squares.
 DataDensity normal_density(const ObservedForces& data, const double* forces, double log_noise,
@@ -117,15 +51,13 @@ DataDensity trials_density(const ForceNoise& model, const ObservedForces& data,
 ObservedForces observed_forces(const TendonDigit& digit, const ExperimentPlan& plan,
                                const Experiment& experiment, const ForceNoise& model) {
   // Constants of the trials, then the unit pulls of the tasks.
-  ObservedForces out{plan, static_cast<int>(plan.force.cols()), {}, {}, {}, 0};
+  ObservedForces out{plan_activations(digit, plan, experiment), {}, {}, 0};
   out.precision = plan.sd.cwiseAbs2().cwiseInverse();
   Eigen::Matrix3Xd known = plan.sd;  // log 1 = 0: components that are not fitted add nothing
   known.bottomRows(3 - plan.measured).setOnes();
   out.log_scale =
       model.log_constant(plan.measured) - known.array().log().colwise().sum().transpose();
   out.log_peak = out.log_scale.sum();
-  TaskPlanner planner(digit, experiment, out);
-  for (const ActivationRow& row : experiment.activations) out.tasks.push_back(planner.plan(row));
   return out;
 }
 
@@ -142,7 +74,7 @@ DataDensity data_density(const ForceNoise& model, const ObservedForces& data, co
   Eigen::Map<Eigen::Matrix3Xd> by(by_force, 3, columns);
   by.rightCols(columns - data.trials).setZero();
   for (std::size_t t = 0; t < data.tasks.size(); ++t) {
-    const ObservedTask& task = data.tasks[t];
+    const ActivationTask& task = data.tasks[t];
     Eigen::Matrix3Xd unit(3, static_cast<Eigen::Index>(task.pulls.size()));
     for (std::size_t j = 0; j < task.pulls.size(); ++j)
       unit.col(static_cast<Eigen::Index>(j)) =

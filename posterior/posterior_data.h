@@ -7,17 +7,9 @@
 
 namespace thenar {
 
-/// One task with electromyography.
-struct ObservedTask {
-  std::vector<MuscleTension> pulls;  // column: of all columns of ObservedForces::plan
-  Eigen::Vector3d force, sd;         // [N] (3)
-};
-
-/// Trials of an experiment, followed by unit tensions of muscles in the postures of its tasks.
-struct ObservedForces {
-  ExperimentPlan plan;  // with the unit tensions as further trials
-  int trials = 0;       // measured trials, the first of the plan [1]
-  std::vector<ObservedTask> tasks;
+/// Measured trials, followed by unit tensions of muscles in the postures of its tasks, with what
+/// their density needs.
+struct ObservedForces : ActivationPlan {
   Eigen::Matrix3Xd precision;  // 1 / sd^2 of the trials, 0 if not fitted [1/N^2] (3, trials)
   Eigen::VectorXd log_scale;   // log density of each trial at its measured force (trials)
   double log_peak = 0;         // their sum [1]

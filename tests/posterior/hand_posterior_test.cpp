@@ -51,17 +51,29 @@ PosteriorOptions plain() {
   return options;
 }
 
+/// Two rows of activations in postures of the experiment.
+void add_activations(Experiment& experiment) {
+  ActivationRow row;
+  row.posture = experiment.postures[1].name;
+  row.activation = {{"FDS", 0.05}, {"EDC", 0.02}, {"FDP", 0.0}};
+  row.sd = {{"FDS", 0.02}, {"EDC", 0.01}, {"FDP", 0.03}};
+  row.force = {-1, -2, 0.2};
+  experiment.activations = {row, row};
+  experiment.activations[1].posture = experiment.postures[2].name;
+}
+
 /// Two specimens with everything that a posterior knows: bounds, specimen_scales, tasks.
 FitProblem two_specimens(double robust_scale = 0) {
   FitSetup setup = middle_finger(kAll);
   setup.experiments.push_back(sample::experiment("H02"));
-  ActivationRow row;
-  row.posture = setup.experiments[0].postures[1].name;
-  row.activation = {{"FDS", 0.05}, {"EDC", 0.02}, {"FDP", 0.0}};
-  row.sd = {{"FDS", 0.02}, {"EDC", 0.01}, {"FDP", 0.03}};
-  row.force = {-1, -2, 0.2};
-  setup.experiments[0].activations = {row, row};
-  setup.experiments[0].activations[1].posture = setup.experiments[0].postures[2].name;
+  add_activations(setup.experiments[0]);
+  return setup.problem(robust_scale);
+}
+
+/// One specimen with trials and rows of activations.
+FitProblem with_activations(double robust_scale) {
+  FitSetup setup = middle_finger(kAxes);
+  add_activations(setup.experiments.front());
   return setup.problem(robust_scale);
 }
 
@@ -128,8 +140,9 @@ state = "free"
 range_mm = 2
 )");
   for (const double robust : {0.0, 2.5}) {
-    for (const FitProblem& problem : {setup.problem(robust), sample::thumb_problem(),
-                                      sample::planar_finger().problem(robust)}) {
+    for (const FitProblem& problem :
+         {setup.problem(robust), sample::thumb_problem(), with_activations(robust),
+          sample::planar_finger().problem(robust)}) {
       const HandPosterior posterior(problem, plain());
       ASSERT_EQ(posterior.size(), problem.size());
       for (const unsigned seed : {1U, 2U}) {
@@ -152,8 +165,9 @@ TEST(HandPosterior, RefusesANet) {
 }
 
 TEST(HandPosterior, LikelihoodIsTheCostOfTheFit) {
-  for (const double robust : {0.0, 2.5}) {
-    const FitProblem problem = middle_finger(kAxes).problem(robust);
+  for (const FitProblem& problem :
+       {middle_finger(kAxes).problem(0), middle_finger(kAxes).problem(2.5), with_activations(0),
+        with_activations(2.5)}) {
     const HandPosterior posterior(problem, plain());
     const auto cost = [&](const VectorXd& x) {
       const VectorXd z = posterior.fit_coordinates(x);
@@ -186,7 +200,7 @@ TEST(HandPosterior, PointwiseAddsUpToTheLikelihood) {
   const HandPosterior posterior(problem);
   const VectorXd x = some_point(posterior);
   const MatrixXd summands = posterior.pointwise(x);
-  EXPECT_EQ(summands.rows(), data_rows(problem) / 3 + 2);
+  EXPECT_EQ(summands.rows(), (force_rows(problem, 0) + force_rows(problem, 1)) / 3);
   const double whole = at(posterior, x).second;
   EXPECT_NEAR(summands.sum(), whole, 1e-12 * std::abs(whole));
 }

@@ -1,0 +1,96 @@
+#include "kinematics_fit/model/activation_plan.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/ranges.h>
+
+#include "base/error.h"
+
+namespace thenar {
+namespace {
+
+/// Gives an experiment's plan its unit pulls.
+class TaskPlanner {
+ public:
+  TaskPlanner(const TendonDigit& digit, const Experiment& experiment, ActivationPlan& out)
+      : digit_(digit), experiment_(experiment), out_(out) {}
+
+  [[nodiscard]] ActivationTask plan(const ActivationRow& row) {
+    ActivationTask task{{}, row.force, force_sd(experiment_, row)};
+    // The posture by name.
+    const std::vector<std::string>& postures = out_.plan.posture_names;
+    const auto posture = std::find(postures.begin(), postures.end(), row.posture);
+    require(posture != postures.end(), "activation row names posture '{}', which is not defined",
+            row.posture);
+    for (const auto& [name, activation] : row.activation) {
+      // A muscle that is surely silent adds nothing.
+      const double sd = row.sd.at(name);
+      if (activation == 0 && sd == 0) continue;
+      const int muscle = find_muscle(name);
+      const double most = digit_.max_tension[muscle];
+      require(std::isfinite(most),
+              "experiment '{}' states the activation of '{}', whose max_force the subject does not "
+              "say",
+              experiment_.name, name);
+      // Expected tension, and its variance.
+      task.pulls.push_back({column(static_cast<int>(posture - postures.begin()), muscle),
+                            most * activation, std::pow(most * sd, 2)});
+    }
+    return task;
+  }
+
+ private:
+  [[nodiscard]] int find_muscle(const std::string& name) const {
+    const std::vector<std::string>& names = digit_.names.muscles;
+    const auto found = std::find(names.begin(), names.end(), name);
+    require(found != names.end(), "no muscle '{}' pulls on this digit; there are {}", name,
+            fmt::join(names, ", "));
+    return static_cast<int>(found - names.begin());
+  }
+
+  /// The column of a unit pull, made when it is first asked for.
+  int column(int posture, int muscle) {
+    // Known already?
+    ExperimentPlan& plan = out_.plan;
+    const Eigen::VectorXd unit = Eigen::VectorXd::Unit(digit_.max_tension.size(), muscle);
+    for (int i = out_.trials; i < static_cast<int>(plan.tension.size()); ++i)
+      if (plan.posture_of_trial[i] == posture && plan.tension[i] == unit) return i;
+    // A further column of the plan, without a measured force.
+    plan.posture_of_trial.push_back(posture);
+    plan.tension.push_back(unit);
+    const auto columns = static_cast<Eigen::Index>(plan.tension.size());
+    plan.force.conservativeResize(3, columns);
+    plan.sd.conservativeResize(3, columns);
+    plan.force.col(columns - 1).setZero();
+    plan.sd.col(columns - 1).setOnes();
+    return static_cast<int>(columns) - 1;
+  }
+
+  const TendonDigit& digit_;
+  const Experiment& experiment_;
+  ActivationPlan& out_;
+};
+
+}  // namespace
+
+ActivationPlan plan_activations(const TendonDigit& digit, const ExperimentPlan& plan,
+                                const Experiment& experiment) {
+  ActivationPlan out{plan, static_cast<int>(plan.force.cols()), {}};
+  TaskPlanner planner(digit, experiment, out);
+  for (const ActivationRow& row : experiment.activations) out.tasks.push_back(planner.plan(row));
+  return out;
+}
+
+ExperimentPlan without_trials(ExperimentPlan plan) {
+  plan.posture_of_trial.clear();
+  plan.tension.clear();
+  plan.sites.clear();
+  plan.site_of_trial.clear();
+  plan.net_start.clear();
+  plan.force.resize(3, 0);
+  plan.sd.resize(3, 0);
+  return plan;
+}
+
+}  // namespace thenar
