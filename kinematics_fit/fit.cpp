@@ -155,13 +155,17 @@ void add_inputs(const FitInputs& inputs, ResultFile& file) {
 /// What the fit has seen: the experiments it was fitted to, and those that its start was.
 void add_seen(const FitProblem& problem, ResultFile& file) {
   // The experiments of this fit.
-  std::vector<std::string> experiments, specimens;
+  std::vector<std::string> experiments, specimens, sources;
   for (const Experiment& experiment : problem.experiments()) {
     experiments.push_back(experiment.name);
     specimens.push_back(experiment.specimen);
   }
   // Those of earlier fits that the subject comes from.
   for (const CalibratedOn& on : problem.digit().calibrated_on) {
+    if (!on.source.empty()) {
+      sources.push_back(on.source);
+      continue;
+    }
     if (std::find(experiments.begin(), experiments.end(), on.experiment) != experiments.end())
       continue;
     experiments.push_back(on.experiment);
@@ -169,6 +173,7 @@ void add_seen(const FitProblem& problem, ResultFile& file) {
   }
   file.add("fit/calibrated_on/experiment", experiments);
   file.add("fit/calibrated_on/specimen", specimens);
+  if (!sources.empty()) file.add("fit/calibrated_on/source", sources);
 }
 
 FitInputs inputs_of(const ResultFile& file) {

@@ -105,7 +105,7 @@ std::string describe_loads(const Trial& trial) {
 }
 
 bool calibrated_on_specimen(const TendonDigit& digit, const Experiment& experiment) {
-  return has_seen(digit.calibrated_on, experiment.name, experiment.specimen);
+  return has_seen(digit.calibrated_on, experiment);
 }
 
 Prediction compare_forces(const Experiment& experiment, const Eigen::Matrix3Xd& predicted,

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "base/error.h"
+#include "data/io/experiment.h"
 #include "data/io/subject_parts.h"
 
 namespace thenar {
@@ -13,10 +14,18 @@ using internal::SubjectDraft;
 /// Reads the experiments to which the numbers were fitted, each once.
 void read_calibration(TomlTable& top, Subject& subject) {
   for (TomlTable& row : top.tables("calibrated_on")) {
-    CalibratedOn seen{row.text("experiment"), row.text("specimen")};
-    for (const CalibratedOn& other : subject.calibrated_on)
-      if (other.experiment == seen.experiment)
-        row.fail(fmt::format("experiment '{}' is named twice", seen.experiment), "experiment");
+    // All specimens of a publication, or one.
+    CalibratedOn seen;
+    seen.source = row.text_or("source", "");
+    if (seen.source.empty()) {
+      seen.experiment = row.text("experiment");
+      seen.specimen = row.text("specimen");
+    }
+    for (const CalibratedOn& other : subject.calibrated_on) {
+      if (other.experiment != seen.experiment || other.source != seen.source) continue;
+      const char* key = seen.source.empty() ? "experiment" : "source";
+      row.fail(fmt::format("{} '{}' is named twice", key, seen.experiment + seen.source), key);
+    }
     row.done();
     subject.calibrated_on.push_back(std::move(seen));
   }
@@ -49,10 +58,10 @@ void check_segments_move(const TomlTable& top, const Subject& subject) {
 
 }  // namespace
 
-bool has_seen(const std::vector<CalibratedOn>& seen, const std::string& experiment,
-              const std::string& specimen) {
+bool has_seen(const std::vector<CalibratedOn>& seen, const Experiment& experiment) {
   return std::any_of(seen.begin(), seen.end(), [&](const CalibratedOn& on) {
-    return on.experiment == experiment || on.specimen == specimen;
+    if (!on.source.empty()) return on.source == experiment.source;
+    return on.experiment == experiment.name || on.specimen == experiment.specimen;
   });
 }
 

@@ -152,16 +152,20 @@ struct TipMap {
   Eigen::MatrixXd A;                 // tip wrench per unit tension (rows, muscles) [1], [m]
 };
 
-/// An experiment to whose forces a subject's numbers were fitted.
+struct Experiment;
+
+/// Forces to which a subject's numbers were fitted: those of an experiment, or of all specimens of
+/// a publication.
 struct CalibratedOn {
-  std::string experiment;  // "synek2019_H01"
-  std::string specimen;    // "H01"
+  std::string experiment;   // "synek2019_H01"; empty: all of `source`
+  std::string specimen;     // "H01"
+  std::string source = {};  // citation key, "Synek2019"; empty: this experiment alone
 };
 
-/// Whether one of `seen` is this experiment, or another one on the same specimen. Predictions of
-/// its forces are then not independent of the data.
-[[nodiscard]] bool has_seen(const std::vector<CalibratedOn>& seen, const std::string& experiment,
-                            const std::string& specimen);
+/// Returns whether one of `seen` is this experiment, another one on the same specimen, or all of
+/// the publication that it comes from. Predictions of its forces are then not independent of the
+/// data.
+[[nodiscard]] bool has_seen(const std::vector<CalibratedOn>& seen, const Experiment& experiment);
 
 /// A whole subject; joints are in order from the wrist to the tips.
 struct Subject {

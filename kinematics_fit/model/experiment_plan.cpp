@@ -88,8 +88,9 @@ void warn_of_calibration(const TendonDigit& digit, const Experiment& experiment,
   // Calibrations that used this specimen.
   std::string names;
   for (const CalibratedOn& on : digit.calibrated_on)
-    if (has_seen({on}, experiment.name, experiment.specimen))
-      names += (names.empty() ? "'" : ", '") + on.experiment + "'";
+    if (has_seen({on}, experiment))
+      names += (names.empty() ? "" : ", ") +
+               (on.source.empty() ? "'" + on.experiment + "'" : "all specimens of " + on.source);
   if (!names.empty())
     warnings.push_back(
         fmt::format("the subject has seen specimen {}: it was calibrated on {}. Errors of its "

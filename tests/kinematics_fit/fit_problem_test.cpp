@@ -19,15 +19,17 @@ using sample::FitSetup;
 using sample::kAxesAndPaths;
 using sample::middle_finger;
 
-// The published middle finger was calibrated on H01, H02 and B01, the normative one on nobody.
+// The published middle finger was calibrated on all specimens of its study, the normative one on
+// nobody.
 TEST(FitProblem, SaysWhichSpecimensItsSubjectHasSeen) {
   for (const char* specimen : {"H01", "H02", "B01"}) {
     const FitProblem seen = middle_finger(kAxesAndPaths, specimen).problem();
     const std::string name = std::string("synek2019_") + specimen;
     EXPECT_EQ(seen.warnings(),
               std::vector<std::string>{"experiment '" + name + "': the subject has seen specimen " +
-                                       specimen + ": it was calibrated on '" + name +
-                                       "'. Errors of its forces, also left out, do not tell how "
+                                       specimen +
+                                       ": it was calibrated on all specimens of Synek2019. Errors "
+                                       "of its forces, also left out, do not tell how "
                                        "well strangers are predicted"});
     const Eigen::VectorXd z = Eigen::VectorXd::Zero(seen.size());
     EXPECT_TRUE(predict_fitted(seen, z, 0).calibrated_on_specimen);

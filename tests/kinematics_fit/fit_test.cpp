@@ -76,10 +76,9 @@ TEST_F(FitFile, CarriesWhatItHasSeen) {
   const std::string path = (folder_ / "fit.h5").string();
   write_fit(run_fit(inputs), path);
   const ResultFile file = read_result(path);
-  EXPECT_EQ(file.list("fit/calibrated_on/experiment"),
-            (std::vector<std::string>{"synek2019_H02", "synek2019_H01", "synek2019_B01"}));
-  EXPECT_EQ(file.list("fit/calibrated_on/specimen"),
-            (std::vector<std::string>{"H02", "H01", "B01"}));
+  EXPECT_EQ(file.list("fit/calibrated_on/experiment"), std::vector<std::string>{"synek2019_H02"});
+  EXPECT_EQ(file.list("fit/calibrated_on/specimen"), std::vector<std::string>{"H02"});
+  EXPECT_EQ(file.list("fit/calibrated_on/source"), std::vector<std::string>{"Synek2019"});
   const Fit back = read_fit(path);
   const Experiment stranger = sample::experiment("B01");
   EXPECT_TRUE(predict_experiment(back.problem, back.solution.z, back.covariance.C, stranger, -1)
@@ -239,7 +238,7 @@ TEST(Fit, OfManySpecimensConverges) {
   EXPECT_LT(found.newton_step, 0.01);
 }
 
-// The second specimen has activations alone, which a fit leaves aside.
+// The second specimen has one row of activations alone: three components and a width.
 TEST(Fit, TakesAnExperimentWithoutTrials) {
   FitInputs inputs = sample::finger_inputs("an_chao_middle", {"H01", "H02"});
   std::string& text = inputs.experiments[1].text;
@@ -248,10 +247,11 @@ TEST(Fit, TakesAnExperimentWithoutTrials) {
          "activation_sd = 0.1\nforce_N = [-1, -1, 0]\n";
   const FitProblem problem = build_problem(inputs);
   ASSERT_EQ(problem.plans()[1].force.cols(), 0);
-  const Residuals none =
+  const Residuals row =
       data_residuals(problem, Eigen::VectorXd::Zero(problem.size()), 1, WithJacobian::kYes);
-  EXPECT_EQ(none.r.size(), 0);
-  EXPECT_EQ(none.J.rows(), 0);
+  EXPECT_EQ(row.r.size(), 4);
+  EXPECT_EQ(row.J.rows(), 4);
+  EXPECT_EQ(force_rows(problem, 1), 3);
   EXPECT_EQ(run_fit(inputs, {}).solution.status, Status::kSolved);
 }
 

@@ -177,6 +177,16 @@ TEST(PredictExperiment, MarksPredictionsOfSpecimensItsSubjectHasSeen) {
   EXPECT_FALSE(predict_fitted(problem, z, 0).calibrated_on_specimen);  // H01
 }
 
+// A publication's subject has seen each of its specimens, those too whose names it does not list.
+TEST(CalibratedOnASource, HasSeenEverySpecimenOfIt) {
+  Experiment unnamed = sample::experiment("H02");
+  unnamed.name = unnamed.specimen = "H99";
+  EXPECT_TRUE(has_seen({{"", "", "Synek2019"}}, unnamed));
+  EXPECT_FALSE(has_seen({{"", "", "An1979"}}, unnamed));
+  unnamed.source = "";
+  EXPECT_FALSE(has_seen({{"", "", "Synek2019"}}, unnamed));
+}
+
 // By hand: r = 0.3, 0 and -0.1 N of sds 0.1, 0.2 and 0.1 N; log sqrt(2 pi) = 0.918939.
 TEST(ForceError, HasTheLogLossOfNormalErrors) {
   PredictedTrial trial;
