@@ -14,19 +14,19 @@
 namespace thenar::internal {
 namespace {
 
-std::string words_of(const std::vector<std::size_t>& shape, bool texts) {
+std::string shape_words(const std::vector<std::size_t>& shape, bool texts) {
   const char* what = texts ? "text" : "number";
   if (shape.empty()) return fmt::format("one {}", what);
   return fmt::format("{} {}s", fmt::join(shape, " x "), what);
 }
 
-bool is_number(const std::string& word) {
+bool is_fixed_length(const std::string& word) {
   return word.find_first_not_of("0123456789") == std::string::npos;
 }
 
 /// Names of lengths as a message has them: " (instant x joint)"; nothing where all are numbers.
-std::string names_of(const std::vector<std::string>& shape) {
-  if (std::all_of(shape.begin(), shape.end(), is_number)) return "";
+std::string length_names(const std::vector<std::string>& shape) {
+  if (std::all_of(shape.begin(), shape.end(), is_fixed_length)) return "";
   std::string names = fmt::format(" ({})", fmt::join(shape, " x "));
   names.erase(std::remove(names.begin(), names.end(), '+'), names.end());
   return names;
@@ -131,7 +131,7 @@ class LayoutCheck {
 
   /// The length of a name, which is the one found if it is the first.
   std::size_t length_of(const std::string& word, std::size_t found, Lengths& own) {
-    if (is_number(word)) return static_cast<std::size_t>(std::stoul(word));
+    if (is_fixed_length(word)) return static_cast<std::size_t>(std::stoul(word));
     const bool some = word.back() == '+';
     const std::string name = some ? word.substr(0, word.size() - 1) : word;
     if (const auto known = of_file_.find(name); known != of_file_.end()) return known->second;
@@ -150,8 +150,8 @@ class LayoutCheck {
     const bool long_enough = open ? found.shape.size() >= rank : found.shape.size() == rank;
     if (long_enough && std::equal(wanted.begin(), wanted.end(), found.shape.begin())) return;
     const bool texts = found.numbers == nullptr;
-    fail(key, fmt::format("wanted {}{}, got {}", words_of(wanted, texts), names_of(row.shape),
-                          words_of(found.shape, texts)));
+    fail(key, fmt::format("wanted {}{}, got {}", shape_words(wanted, texts),
+                          length_names(row.shape), shape_words(found.shape, texts)));
   }
 
   void check_numbers(const LayoutRow& row, const std::string& key,
