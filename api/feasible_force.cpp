@@ -225,8 +225,8 @@ DigitAtPosture without_muscles(DigitAtPosture at, const std::vector<std::string>
   return at;
 }
 
-/// The digit with its wrist as it is asked for. What ligaments do at a stop is the stop's torque: the
-/// passive moment there is a part of it, and does not come on top.
+/// The digit with its wrist as it is asked for. What ligaments do at a stop is the stop's torque:
+/// the passive moment there is a part of it, and does not come on top.
 DigitAtPosture with_wrist(DigitAtPosture whole, const HeldJoints& held, WristLoad load) {
   DigitAtPosture at = without_muscles(std::move(whole), held.others);
   TipStatics& statics = at.statics;

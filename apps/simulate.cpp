@@ -162,8 +162,8 @@ void refuse_options(const CLI::App& command, const std::vector<std::string>& opt
 void simulate_scene_of(const CLI::App& command, const SimulateArguments& options) {
   refuse_options(
       command,
-      {"--digit", "--posture", "--frozen", "--path", "--passive", "--hood", "--net",
-       "--excitation", "--excitation-file", "--muscle", "--tendon-slack", "--damping", "--blend", "--gravity"},
+      {"--digit", "--posture", "--frozen", "--path", "--passive", "--hood", "--net", "--excitation",
+       "--excitation-file", "--muscle", "--tendon-slack", "--damping", "--blend", "--gravity"},
       "subjects", "a scene");
   SceneRequest request;
   request.scene = options.request.digit.subject;

@@ -37,8 +37,8 @@ double passive_moment_slope(const CoordinateLimits& limits, double q) {
   double slope = -limits.stiffness;
   for (const PassiveHinge& hinge : limits.ends) {
     const double x = hinge.ratio * q + hinge.offset - hinge.rest;
-    slope -= hinge.ratio * hinge.ratio *
-             (end_slope(hinge.extending, -x) + end_slope(hinge.flexing, x));
+    slope -=
+        hinge.ratio * hinge.ratio * (end_slope(hinge.extending, -x) + end_slope(hinge.flexing, x));
   }
   return slope;
 }

@@ -43,13 +43,13 @@ struct DigitCase {
   std::vector<SourceText> sources;  // of the subject, and of a net
   Subject subject;
   std::string digit;
-  std::string map;                              // empty: built from bones
-  TendonOptions rungs;                          // by which tendons were built
+  std::string map;                               // empty: built from bones
+  TendonOptions rungs;                           // by which tendons were built
   PassiveMoments passive = PassiveMoments::kOn;  // as asked for: already in `subject`
-  std::shared_ptr<const DigitTendons> tendons;  // shared with results; null for a map
-  const NetTendons* net = nullptr;              // the same where its hood is a net, else null
-  PostureGrid grid;                             // empty for a map
-  std::vector<std::string> warnings;            // of limits and of tendons too close to a joint
+  std::shared_ptr<const DigitTendons> tendons;   // shared with results; null for a map
+  const NetTendons* net = nullptr;               // the same where its hood is a net, else null
+  PostureGrid grid;                              // empty for a map
+  std::vector<std::string> warnings;             // of limits and of tendons too close to a joint
 
   [[nodiscard]] const TendonDigit& bones() const { return tendons->digit(); }
 };

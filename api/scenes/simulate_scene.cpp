@@ -63,8 +63,7 @@ SceneHand hand_of(const SceneSpec& scene, const SceneHandSpec& hand,
   HumanModel human{source.file.empty() ? default_human() : read_subject(source.file),
                    human_version(source.version)};
   if (!source.path.empty()) human.options.path = path_named(source.path);
-  human.options.passive =
-      hand.passive.value_or(true) ? source.passive : PassiveMoments::kOff;
+  human.options.passive = hand.passive.value_or(true) ? source.passive : PassiveMoments::kOff;
   human.options.skin.drawn = kDrawnSkin;
   if (hand.skin_triangles > 0) human.options.skin.triangles = hand.skin_triangles;
   human.options.skin.capsules = hand.skin_capsules.value_or(false);

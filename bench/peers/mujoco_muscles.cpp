@@ -34,8 +34,8 @@ const Eigen::Vector3d kBarPlace(0.035, -0.115, -0.05);  // middle, hand's frame 
 
 /// The specimen's hand, with all that muscles need; origins do not ride, as MuJoCo has none such.
 Subject subject_of_both() {
-  Subject subject = with_passive(
-      read_subject(THENAR_DATA_DIR "/subjects/mirakhorlo2016.toml"), PassiveMoments::kOff);
+  Subject subject = with_passive(read_subject(THENAR_DATA_DIR "/subjects/mirakhorlo2016.toml"),
+                                 PassiveMoments::kOff);
   for (Strand& strand : subject.strands)
     if (!strand.path.empty()) strand.path.back().rides_on.clear();
   for (MuscleUnit& unit : subject.muscles)

@@ -31,7 +31,8 @@ struct SubjectDraft {
   std::map<std::string, Eigen::Vector3d> chain_ends;  // digit -> end of its DH chain [m] (3)
 };
 
-/// Readers of the parts: segments, joints and their passive moments, frames, surfaces, strands, muscles, digits and tip maps.
+/// Readers of the parts: segments, joints and their passive moments, frames, surfaces, strands,
+/// muscles, digits and tip maps.
 void read_segments(TomlTable& top, SubjectDraft& draft);
 void read_joints(TomlTable& top, SubjectDraft& draft);
 void read_dh_chains(TomlTable& top, SubjectDraft& draft);

@@ -30,8 +30,7 @@ void add_passive(const Skeleton& skeleton, const Eigen::VectorXd& q, OrderedJson
 }
 
 void add_passive(const DigitSweep& about, std::size_t point, OrderedJson& json) {
-  if (about.tendons)
-    add_passive(about.tendons->digit().skeleton, about.grid.postures[point], json);
+  if (about.tendons) add_passive(about.tendons->digit().skeleton, about.grid.postures[point], json);
 }
 
 }  // namespace thenar

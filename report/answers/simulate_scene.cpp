@@ -8,6 +8,8 @@
 #include <Eigen/Geometry>
 
 #include "base/units.h"
+#include "dynamics/human/joint_stops.h"
+#include "hand/passive_moment.h"
 
 namespace thenar {
 namespace {
@@ -114,6 +116,34 @@ OrderedJson coordinates_json(const SimulatedScene& scene) {
                     {"end", scene.run.samples.back().q[layout.coordinate_q[c]]},
                     {"speed", scene.run.samples.back().v[layout.coordinate_v[c]]}});
   return list;
+}
+
+/// Passive moments of the joints of human hands at the end, by coordinate [N m]; null: none has
+/// any. Their lines are springs of the mechanism, their ends are in the elements that stop joints.
+OrderedJson passive_json(const SimulatedScene& scene) {
+  OrderedJson json;
+  const Mechanism& mechanism = scene.built->scene.mechanism;
+  const MechanismLayout layout = layout_of(mechanism);
+  const Eigen::VectorXd& q = scene.run.samples.back().q;
+  for (const auto& element : scene.built->scene.elements) {
+    const auto* stops = dynamic_cast<const JointStops*>(element.get());
+    if (stops == nullptr) continue;
+    for (std::size_t i = 0; i < stops->ranges().size(); ++i) {
+      const int place = stops->places().q[i];
+      const auto c = static_cast<int>(
+          std::find(layout.coordinate_q.begin(), layout.coordinate_q.end(), place) -
+          layout.coordinate_q.begin());
+      double moment = passive_moment(stops->ranges()[i], q[place]);
+      bool some = !stops->ranges()[i].ends.empty();
+      for (const MechanismJoint& joint : mechanism.joints) {
+        if (!is_scalar(joint.kind) || joint.coordinate != c || joint.stiffness == 0) continue;
+        moment -= joint.stiffness * (q[place] - joint.rest);
+        some = true;
+      }
+      if (some) json[mechanism.coordinates[static_cast<std::size_t>(c)].name] = moment;
+    }
+  }
+  return json;
 }
 
 OrderedJson pairs_json(const SimulatedScene& scene) {
@@ -238,6 +268,7 @@ std::string text_of(const SimulatedScene& scene) {
       "drives {:.6g} mJ, dissipated {:.3g} mJ\n",
       1e3 * start.total(), 1e3 * end.total(), 1e3 * scene.measures.work,
       1e3 * scene.measures.dissipated);
+  if (!passive_json(scene).is_null()) text += "passive moments of human joints are counted\n";
   text += fmt::format("largest penetration {:.2g} mm; worst residual of a contact problem {}\n",
                       cost.deepest / kMm, residual_words(scene));
   return text + fmt::format("CPU {:.3g} ms a simulated second\n", 1e3 * cpu_per_second(scene));
@@ -251,6 +282,8 @@ OrderedJson json_of(const SimulatedScene& scene) {
   json.update(outcome_json(scene));
   json["bodies"] = bodies_json(scene);
   json["coordinates"] = coordinates_json(scene);
+  if (const OrderedJson passive = passive_json(scene); !passive.is_null())
+    json["passive_moment_Nm"] = passive;
   json["pairs"] = pairs_json(scene);
   if (!scene.measures.pulls.muscles.empty()) json["muscles"] = muscles_json(scene);
   json["warnings"] = warnings_of(scene);

@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "report/answers/digit_words.h"
+#include "report/answers/passive_words.h"
 #include "report/provenance.h"
 #include "report/scene/digit_layers.h"
 #include "report/scene/skin_layer.h"
@@ -50,6 +51,7 @@ std::string range_words(const std::vector<double>& values, const std::string& un
 std::string digit_introduction(const DigitSweep& about, const std::string& words) {
   std::string text = text_header(about);
   text = text.substr(0, text.find('\n')) + ".\n\n" + words;
+  if (!passive_line(about).empty()) text += "\n\nPassive moments of the joints are counted.";
   for (const std::string& warning : about.warnings) text += "\n\nWarning: " + warning + ".";
   return text;
 }

@@ -207,7 +207,8 @@ constexpr const char* kStateWords =
     "[N], length: longer than with all joints at 0 [m], arms: joint -> moment arm, flexion and "
     "radial positive [m]; bands of a net: name, tension [N], slack; slips [N]; tip_force in the "
     "subject's frame and tip_force_axes [N]; passive_moment_Nm of joints, where they have some; "
-    "torques of tendons and unbalanced_torques [N m]; condition; status, trusted, warnings. What is "
+    "torques of tendons and unbalanced_torques [N m]; condition; status, trusted, warnings. What "
+    "is "
     "not to be trusted is null.";
 
 }  // namespace

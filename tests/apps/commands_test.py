@@ -310,8 +310,8 @@ class FeasibleForce(Near):
 
     def test_force_is_what_its_limits_are_worth(self):
         # Strong duality, with F0 from the table of the text.
-        words = ("feasible-force", INDEX, "--passive", "off", "--posture", "MCP2_FE=45", "PIP2=45", "DIP2=10", "--axes",
-                 "tip", "--direction", 0, -1, 0)
+        words = ("feasible-force", INDEX, "--passive", "off", "--posture", "MCP2_FE=45", "PIP2=45",
+                 "DIP2=10", "--axes", "tip", "--direction", 0, -1, 0)
         answer = ask(*words)
         text = run(*words).stdout
         F0 = {line.split()[0]: float(line.split()[3]) for line in text.splitlines()

@@ -62,9 +62,9 @@ TEST(SubjectPassive, RefusesWhatIsNoLaw) {
     return message_of<DataError>([&] { (void)with_table(table); });
   };
   EXPECT_EQ(refusal("joints = [\"MCP2\"]\nrest_deg = [3]\n"),
-            "two.toml:22: wanted 'stiffness', 'flexing' or 'extending' above 0");
+            "two.toml:23: wanted 'stiffness', 'flexing' or 'extending' above 0");
   EXPECT_EQ(refusal("joints = [\"MCP2\", \"MCP2\"]\nrest_deg = [3, 3]\nstiffness_Nm_per_rad = 1\n"),
-            "two.toml:23: joint 'MCP2' has a passive moment already");
+            "two.toml:24: joint 'MCP2' has a passive moment already");
 }
 
 TEST(SubjectPassive, IsLeftOutOnRequest) {

@@ -37,8 +37,8 @@ Vector3d bone_of(const Subject& subject, const std::string& name) {
 /// The thumb on pins, in a posture.
 struct Thumb {
   explicit Thumb(const ThumbOnMugOptions& options)
-      : subject(with_passive(read_subject(kData + "/subjects/human_hand.toml"),
-                             PassiveMoments::kOff)),
+      : subject(
+            with_passive(read_subject(kData + "/subjects/human_hand.toml"), PassiveMoments::kOff)),
         skeleton(build_skeleton(subject, {{"thumb"}, {{"WRIST_FE", 0}, {"WRIST_AA", 0}}})),
         mechanism(skeleton_mechanism(skeleton)),
         model(tree_model(mechanism)),

@@ -295,8 +295,8 @@ TEST(FeasibleLoadSet, SplitsOffWhatARigidHoldCarries) {
 }
 
 TEST(MaxTipLoad, SlopeAgreesWithDifferences) {
-  const Subject subject = with_passive(
-      read_subject(THENAR_DATA_DIR "/subjects/an_chao_index.toml"), PassiveMoments::kOff);
+  const Subject subject = with_passive(read_subject(THENAR_DATA_DIR "/subjects/an_chao_index.toml"),
+                                       PassiveMoments::kOff);
   const auto tendons = build_linear_tendons(subject, "index", TendonOptions());
   const VectorXd q = VectorXd::Constant(tendons->digit().model.coordinates, radians(30));
   const Vector3d d(0.3, -1, 0.2);

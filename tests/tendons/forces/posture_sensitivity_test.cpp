@@ -28,8 +28,7 @@ std::unique_ptr<DigitTendons> finger(const std::string& subject = "an_chao_index
                                      PassiveMoments passive = PassiveMoments::kOff) {
   TendonOptions options;
   options.path = path;
-  const Subject read =
-      read_subject(std::string(THENAR_DATA_DIR "/subjects/") + subject + ".toml");
+  const Subject read = read_subject(std::string(THENAR_DATA_DIR "/subjects/") + subject + ".toml");
   return build_linear_tendons(with_passive(read, passive), "index", options);
 }
 
@@ -63,8 +62,8 @@ MatrixXd differences(const VectorXd& q, double step, const Answer& answer) {
   return result;
 }
 
-// On every rung of paths: arms that wrap or are fitted change otherwise than via points' do. Passive
-// moments change, too.
+// On every rung of paths: arms that wrap or are fitted change otherwise than via points' do.
+// Passive moments change, too.
 TEST(PostureSlopes, PinnedForceAgreesWithDifferences) {
   for (const Path path : {Path::kViaPoint, Path::kFitted, Path::kWrapped}) {
     const auto tendons = finger("mirakhorlo2016", path, PassiveMoments::kOn);

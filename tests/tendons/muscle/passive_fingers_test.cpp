@@ -54,7 +54,7 @@ Eigen::Vector3d bend(const std::string& name, Muscle muscle, const std::string& 
 // Mean of ten index fingers, each tendon at 10 % of its force potential [Nimbarte2008]. The sd of
 // the ten was not read: 8 deg is assumed, a fifth to two fifths of the means.
 const Eigen::Vector3d kByFdp{19.7, 41.8, 29.4}, kByFds{24.8, 47.9, 0};  // MCP, PIP, DIP [deg]
-constexpr double kFingersDiffer = 8;                                     // [deg]
+constexpr double kFingersDiffer = 8;                                    // [deg]
 
 // The ends of the passive moments were set by FDP, in human_hand.
 TEST(PassiveFingers, FdpAloneBendsThemAsThoseOfCadavers) {
@@ -81,8 +81,7 @@ TEST(PassiveFingers, FdsAloneBendsThemAsThoseOfCadavers) {
 // Without muscles, living MCP joints rest at 16 to 44 deg [McpStiffness].
 TEST(PassiveFingers, RestBetweenTheirStops) {
   const Subject subject = shipped("an_chao_index");
-  const Eigen::VectorXd q =
-      posture_under(subject, "index", Muscle::kRigidTendon, "FDP", 0);
+  const Eigen::VectorXd q = posture_under(subject, "index", Muscle::kRigidTendon, "FDP", 0);
   const Skeleton bones = build_skeleton(subject);
   for (Eigen::Index i = 0; i < q.size(); ++i) {
     const CoordinateLimits& limits = bones.limits[static_cast<std::size_t>(i)];
@@ -93,13 +92,28 @@ TEST(PassiveFingers, RestBetweenTheirStops) {
   EXPECT_LT(q[0], 44 * kDegree);
 }
 
-// At the stops of PIP and DIP without passive moments, as an independent program has it: scipy's
-// integrator on moment arms by differences of path lengths, with the same muscles.
-TEST(PassiveFingers, BendToTheirStopsWithout) {
-  const Subject bare = with_passive(shipped("an_chao_index"), PassiveMoments::kOff);
-  const Eigen::VectorXd q =
-      posture_under(bare, "index", Muscle::kRigidTendon, "FDP", 0.1) / kDegree;
-  EXPECT_TRUE(matrix_near(q, Eigen::Vector4d(39.93, -9.45, 97.62, 81.85), 0.1));
+// By an independent program: scipy's integrator on moment arms by differences of path lengths, with
+// the same muscles, passive moments and stops, all written by hand. Without passive moments PIP and
+// DIP go to their stops.
+TEST(PassiveFingers, EndWhereAnIndependentProgramSays) {
+  struct Case {
+    const char* subject;
+    PassiveMoments passive;
+    Muscle muscle;
+    const char* pulled;
+    Eigen::Vector4d q;  // [deg] (4)
+  };
+  constexpr auto kOn = PassiveMoments::kOn, kOff = PassiveMoments::kOff;
+  for (const Case& c :
+       {Case{"an_chao_index", kOff, Muscle::kRigidTendon, "FDP", {39.93, -9.45, 97.62, 81.85}},
+        Case{"an_chao_index", kOn, Muscle::kRigidTendon, "FDP", {36.35, -0.13, 53.22, 29.03}},
+        Case{"an_chao_index", kOn, Muscle::kBounds, "FDP", {44.20, -0.05, 62.25, 36.59}},
+        Case{"human_hand", kOn, Muscle::kBounds, "FDP2", {38.59, -2.18, 41.03, 23.21}},
+        Case{"human_hand", kOn, Muscle::kBounds, "FDS2", {44.10, -2.91, 41.76, -9}}}) {
+    const Subject subject = with_passive(shipped(c.subject), c.passive);
+    const Eigen::VectorXd q = posture_under(subject, "index", c.muscle, c.pulled, 0.1) / kDegree;
+    EXPECT_TRUE(matrix_near(q, c.q, 0.1)) << c.subject << " " << c.pulled;
+  }
 }
 
 TEST(PassiveFingers, AreStatedOfAllJointsOfWholeHandsButTheWrist) {
