@@ -16,6 +16,9 @@ namespace thenar {
 
 class Session;
 
+/// What a method leaves behind. The folder of what is dropped into a session goes with it.
+enum class MethodWrites { kNothing, kFiles };
+
 /// One method of JSON-RPC.
 struct RpcMethod {
   /// @param params    validated, defaults filled in
@@ -31,6 +34,7 @@ struct RpcMethod {
   std::string returns;  // what the result holds, with units
   std::string example;  // params as JSON, which tests send
   Handler handler;
+  MethodWrites writes = MethodWrites::kNothing;
 };
 
 /// A member of names and numbers; empty if it was left out. @param params  validated

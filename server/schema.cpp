@@ -77,6 +77,13 @@ bool fits_text(const Schema& schema, const Json& value) {
   return std::find(schema.words.begin(), schema.words.end(), text) != schema.words.end();
 }
 
+/// @throws InputError for a name or path that nothing may be called by
+void require_name(const std::string& text, OutsideUse use, const std::string& where) {
+  const std::optional<std::string> fault = outside_fault(text, use);
+  require(!fault, "{}: wanted a name or a path{}, got one with {}", where,
+          use == OutsideUse::kInside ? " within the working folder" : "", fault.value_or(""));
+}
+
 /// Whether four numbers are a quaternion of length 1; three numbers need not be anything.
 void require_unit(const Schema& schema, const Json& value, const std::string& where) {
   if (schema.unit != "quaternion") return;
@@ -101,8 +108,10 @@ Json checked_list(const Schema& schema, const Json& value, const std::string& wh
 Json checked_map(const Schema& schema, const Json& value, const std::string& where) {
   if (!value.is_object() || !is_within(schema, value.size())) refuse(schema, value, where);
   Json out = Json::object();
-  for (const auto& [name, entry] : value.items())
+  for (const auto& [name, entry] : value.items()) {
+    require_name(name, OutsideUse::kRead, where);
     out[name] = checked(*schema.each, entry, where + "." + name);
+  }
   return out;
 }
 
@@ -160,6 +169,18 @@ Schema text_schema(std::size_t most) {
   return schema;
 }
 
+Schema saved_file_schema() {
+  Schema schema = text_schema(kLongestOutsidePath);
+  schema.use = OutsideUse::kInside;
+  return schema;
+}
+
+Schema content_schema(std::size_t most) {
+  Schema schema = text_schema(most);
+  schema.use.reset();
+  return schema;
+}
+
 Schema word_schema(std::vector<std::string> words) {
   Schema schema = text_schema();
   schema.words = std::move(words);
@@ -210,6 +231,7 @@ Json checked(const Schema& schema, const Json& value, const std::string& where) 
       return value;
     case Schema::Kind::kText:
       if (!fits_text(schema, value)) refuse(schema, value, where);
+      if (schema.use) require_name(value.get_ref<const std::string&>(), *schema.use, where);
       return value;
     case Schema::Kind::kFlag:
       if (!value.is_boolean()) refuse(schema, value, where);

@@ -4,9 +4,11 @@
 
 #include <limits>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "base/outside_path.h"
 #include "report/json.h"
 
 namespace thenar {
@@ -21,6 +23,7 @@ struct Schema {
   double lower = -std::numeric_limits<double>::infinity();  // of numbers
   double upper = std::numeric_limits<double>::infinity();   // of numbers
   std::vector<std::string> words;                           // of texts: one of these; empty: any
+  std::optional<OutsideUse> use = OutsideUse::kRead;        // of texts; nothing: any bytes
   std::size_t least = 0;               // length of texts (bytes), lists and maps
   std::size_t most = 1000;             // the same
   std::shared_ptr<const Schema> each;  // of the entries of a list, or the values of a map
@@ -40,8 +43,14 @@ struct SchemaMember {
                                    double lower = -std::numeric_limits<double>::infinity(),
                                    double upper = std::numeric_limits<double>::infinity());
 [[nodiscard]] Schema integer_schema(double lower, double upper);
+/// A name or a path: without control characters, whatever it is used for.
 /// @param most  bytes
 [[nodiscard]] Schema text_schema(std::size_t most = 1000);
+/// The path of a file to be written in the working folder.
+[[nodiscard]] Schema saved_file_schema();
+/// A text of several lines, or bytes: never a name.
+/// @param most  bytes
+[[nodiscard]] Schema content_schema(std::size_t most);
 [[nodiscard]] Schema word_schema(std::vector<std::string> words);
 [[nodiscard]] Schema flag_schema();
 [[nodiscard]] Schema list_schema(const Schema& each, std::size_t least, std::size_t most);

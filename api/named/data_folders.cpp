@@ -10,6 +10,7 @@
 #include "base/error.h"
 #include "base/file_io.h"
 #include "base/nearest_name.h"
+#include "base/outside_path.h"
 
 namespace thenar {
 namespace {
@@ -70,6 +71,8 @@ std::vector<std::string> data_folders(const std::string& given, const std::strin
 }
 
 std::string find_in(const std::vector<std::string>& places, const std::string& what) {
+  // Names do not lead out of the folders.
+  if (outside_fault(what, OutsideUse::kInside)) return "";
   std::error_code none;
   for (const std::string& place : places)
     if (fs::exists(fs::path(place) / what, none)) return (fs::path(place) / what).string();

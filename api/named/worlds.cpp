@@ -341,9 +341,13 @@ WorldSpec seen_from_folder(WorldSpec world, const std::string& folder) {
   return world;
 }
 
-void save_world(WorldSpec world, const std::string& path) {
+std::string world_file_text(WorldSpec world, const std::string& path) {
   const fs::path to = "." / fs::path(path).parent_path();
-  write_file(path, world_toml(seen_from_folder(std::move(world), to.string())));
+  return world_toml(seen_from_folder(std::move(world), to.string()));
+}
+
+void save_world(WorldSpec world, const std::string& path) {
+  write_file(path, world_file_text(std::move(world), path));
 }
 
 }  // namespace thenar

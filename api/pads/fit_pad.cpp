@@ -10,6 +10,7 @@
 #include "api/named/files.h"
 #include "base/error.h"
 #include "base/file_io.h"
+#include "base/outside_path.h"
 #include "base/progress_parts.h"
 #include "pads/pad_fit_problem.h"
 
@@ -39,9 +40,11 @@ NamedPad open_pad_of(const PadFitRequest& request, const PadData& data) {
   pad.data = request.data;
   pad.pad = request.pad;
   if (!pad.pad.empty()) return open_pad(pad);
-  const std::string beside = (fs::path(data.path).parent_path() / data.pad).string();
-  pad.pad = is_file(beside) ? beside : data.pad;
-  return of_file(data, [&] { return open_pad(pad); });
+  return of_file(data, [&] {
+    const std::string beside = linked_path(fs::path(data.path).parent_path().string(), data.pad);
+    pad.pad = is_file(beside) ? beside : data.pad;
+    return open_pad(pad);
+  });
 }
 
 double imposed(const PressLoad& load) { return load.force.value_or(load.indentation); }

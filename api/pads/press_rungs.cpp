@@ -8,6 +8,8 @@
 #include <fmt/format.h>
 
 #include "api/pads/press_pad.h"
+#include "base/file_io.h"
+#include "base/outside_path.h"
 #include "base/thread_seconds.h"
 #include "base/units.h"
 #include "data/io/pad/law_file.h"
@@ -32,7 +34,7 @@ LawsFound find_laws(const PressedPad& pressed) {
     return {{}, "laws are calibrated for the tissue of the pad's file, and another was asked for"};
   const std::filesystem::path file =
       std::filesystem::path(pressed.pad.path).parent_path() / "laws" / (name + ".toml");
-  if (!std::filesystem::exists(file))
+  if (outside_fault(name, OutsideUse::kInside) || !is_file(file.string()))
     return {{},
             fmt::format("no laws were calibrated for '{}': there is no laws/{}.toml", name, name)};
   CalibratedLaws laws = read_laws(file.string());

@@ -5,6 +5,7 @@
 
 #include "api/named/data_folders.h"
 #include "base/error.h"
+#include "base/outside_path.h"
 #include "base/progress_parts.h"
 #include "data/io/result_layout.h"
 #include "dynamics/mechanism/tree_motion.h"
@@ -50,10 +51,15 @@ class RunReader {
 
   // ---- the scene
 
+  /// A path that the file states, which may be one of another machine.
+  [[nodiscard]] std::string recorded_path(const char* key) const {
+    return outside_path(file_.text_or_none(key), OutsideUse::kRead);
+  }
+
   /// The folders in which the scene may have stood.
   [[nodiscard]] std::vector<std::string> folders(const std::string& scene) const {
     std::vector<std::string> out;
-    const fs::path from = file_.text_or_none("provenance/folder");
+    const fs::path from = recorded_path("provenance/folder");
     out.push_back((from / scene).lexically_normal().parent_path().string());
     for (const std::string& place : data_folders(data_))
       out.push_back((fs::path(place) / "scenes").string());
@@ -62,7 +68,7 @@ class RunReader {
   }
 
   void rebuild() {
-    const std::string scene = file_.text_or_none("inputs/1/path");
+    const std::string scene = recorded_path("inputs/1/path");
     const std::string text = file_.text_or_none("inputs/1/text");
     if (text.empty()) fail("it does not keep the text of its scene");
     std::string first;

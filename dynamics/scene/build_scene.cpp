@@ -2,11 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <filesystem>
 #include <map>
 
 #include "base/error.h"
 #include "base/nearest_name.h"
+#include "base/outside_path.h"
 #include "base/units.h"
 #include "data/io/toml_node.h"
 #include "dynamics/mechanism/build_mechanism.h"
@@ -374,7 +374,7 @@ class SceneBuilder {
   /// The targets of a drive over time; null: it has no table.
   [[nodiscard]] std::shared_ptr<const TargetTable> table_of(const SceneDriveSpec& spec) const {
     if (spec.target_file.empty()) return nullptr;
-    const std::string path = (std::filesystem::path(spec_.folder) / spec.target_file).string();
+    const std::string path = linked_path(spec_.folder, spec.target_file);
     return std::make_shared<TargetTable>(
         without_straight_knots(parse_target_table(read_text_file(path), path, spec)));
   }

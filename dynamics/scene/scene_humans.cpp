@@ -1,13 +1,13 @@
 #include "dynamics/scene/scene_humans.h"
 
 #include <algorithm>
-#include <filesystem>
 #include <limits>
 #include <set>
 #include <utility>
 
 #include "base/error.h"
 #include "base/nearest_name.h"
+#include "base/outside_path.h"
 #include "base/rung_names.h"
 #include "base/units.h"
 #include "data/io/toml_node.h"
@@ -48,7 +48,7 @@ std::vector<GivenMuscle> given_by(const SceneMuscleSpec& spec, const SceneSpec& 
                    spec.line});
   }
   if (spec.file.empty()) return out;
-  const std::string path = (std::filesystem::path(scene.folder) / spec.file).string();
+  const std::string path = linked_path(scene.folder, spec.file);
   const double most = spec.tensions ? std::numeric_limits<double>::infinity() : 1;
   const Excitation table = parse_excitation(read_text_file(path), path, names, most);
   for (std::size_t m = 0; m < names.size(); ++m) {

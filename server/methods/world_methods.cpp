@@ -139,7 +139,7 @@ void add_file_rows(MethodTable& table) {
       {"world.load", "Loads a world by name or file, or from the text of a file.",
        object_schema(
            {{"world", text_schema(kPathLength), "Name of a world, or path of its file."},
-            {"text", text_schema(kWorldText), "The world itself as TOML."},
+            {"text", content_schema(kWorldText), "The world itself as TOML."},
             {"name", text_schema(kNameLength), "How messages call the text.", false, "text"}}),
        "name: of the world; warnings: what was assumed", R"({"world": "jaw_box"})", load});
   table.add(
@@ -150,10 +150,10 @@ void add_file_rows(MethodTable& table) {
   table.add(
       {"world.save", "Saves the world in the working folder, with files of imported hands.",
        object_schema(
-           {{"file", text_schema(kPathLength), "Within the working folder, ending in .toml.", true},
+           {{"file", saved_file_schema(), "Within the working folder, ending in .toml.", true},
             {"overwrite", flag_schema(), "true: replaces also a file that is not of this world.",
              false, false}}),
-       "file: that was written", R"({"file": "my_world.toml"})", save});
+       "file: that was written", R"({"file": "my_world.toml"})", save, MethodWrites::kFiles});
   table.add({"world.get", "Everything that stands in the world, and where.", object_schema({}),
              "name; hands: name, file, position [m], rotation, carrier, carrier_link, joints "
              "[rad or m]; bodies: name, position [m], rotation, dynamic, material, mass [kg] or "
@@ -178,7 +178,7 @@ void add_thing_rows(MethodTable& table) {
              R"({"hand": "barrett", "position": [0, 0.5, 0.3]})", put_hand});
   const Schema file =
       object_schema({{"name", name, "Path within what was dropped.", true},
-                     {"data", text_schema(kDroppedText), "Its bytes in base64.", true}});
+                     {"data", content_schema(kDroppedText), "Its bytes in base64.", true}});
   table.add(
       {"world.import", "Adds what was dropped: a robot with its meshes, an object, a mesh.",
        object_schema({{"files", list_schema(file, 1, kDroppedFiles), "All files.", true},

@@ -19,7 +19,7 @@ namespace thenar::internal {
 LiveWorld& open_live_world(Session& session);
 
 /// Most characters of a name, and of a path.
-inline constexpr std::size_t kNameLength = 300, kPathLength = 4000;
+inline constexpr std::size_t kNameLength = 300, kPathLength = kLongestOutsidePath;
 inline constexpr double kFarthest = 1000;  // of a position [m]
 
 /// Where things are put: "position" and "rotation" of a request, of which each may be left out.

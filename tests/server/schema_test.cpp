@@ -37,6 +37,23 @@ TEST(Schema, FillsInWhatIsLeftOut) {
                                  "rotation": [1, 0, 0, 0], "norm": "l1"})"));
 }
 
+TEST(Schema, TakesNoControlCharactersInNames) {
+  Json given = Json::parse(R"({"name": "mug", "position": [0, 0, 0]})");
+  for (const std::string& name : {std::string("a\0b", 3), std::string("a\nb"),
+                                  std::string("\x1b[2J"), std::string("\xC2\x9B")}) {
+    given["name"] = name;
+    EXPECT_THAT(refusal(given), HasSubstr("params.name: wanted a name or a path, got one with a "
+                                          "control character at byte "));
+  }
+  given["name"] = "m\xC3\xBCg \xE2\x98\x83";  // other letters are welcome
+  EXPECT_EQ(refusal(given), "");
+  given["joints"] = {{"a\nb", 1}};
+  EXPECT_THAT(refusal(given), HasSubstr("params.joints: "));
+  EXPECT_NO_THROW((void)checked(content_schema(10), "a\nb", "params"));
+  for (const char* file : {"../x", "/x", ".x", "a/.x/y", "a/", ""})
+    EXPECT_THROW((void)checked(saved_file_schema(), file, "params"), InputError) << file;
+}
+
 TEST(Schema, SaysWhereWhatWasWantedAndWhatCame) {
   const auto with = [](const char* member, const Json& value) {
     Json given = Json::parse(R"({"name": "mug", "position": [0, 0, 0]})");

@@ -310,11 +310,100 @@ TEST(WorldMethods, KeepImportedHandsUpToALimit) {
   EXPECT_EQ(client.refusal("world.import", import), "");
 }
 
+/// Members of a schema whose texts may hold anything, as "params.files.data".
+// NOLINTNEXTLINE(misc-no-recursion): as deep as the schema
+void add_contents(const Schema& schema, const std::string& where, std::vector<std::string>& found) {
+  if (schema.kind == Schema::Kind::kText && schema.words.empty() && !schema.use)
+    found.push_back(where);
+  if (schema.each != nullptr) add_contents(*schema.each, where, found);
+  for (const SchemaMember& member : schema.members)
+    add_contents(member.schema, where + "." + member.name, found);
+}
+
+// A new method that takes a name or a path has it checked, unless it is added here.
+TEST(WorldMethods, TextsOfAllMethodsAreNamesButForContents) {
+  std::vector<std::string> found;
+  const MethodTable table = method_table();
+  for (const RpcMethod& method : table.all()) add_contents(method.params, method.name, found);
+  EXPECT_THAT(found, testing::ElementsAre("world.load.text", "world.import.files.data"));
+}
+
+// What is dropped names files of the same drop alone, however it asks for others.
+TEST(WorldMethods, ADropNamesNothingElsewhere) {
+  const std::string other = (fs::path(testing::TempDir()) / "thenar_secret").string();
+  fs::create_directories(other);
+  write_file(other + "/secret.obj", cube_obj());
+  Client client("fence");
+  const std::string climb = "../../../../../../../../../../..";
+  for (const std::string& name :
+       {other + "/secret.obj", climb + other + "/secret.obj", "file://" + other + "/secret.obj",
+        std::string("package://thenar_secret/secret.obj"),
+        "package://x/" + climb + other + "/secret.obj",
+        std::string("../../thenar_secret/secret.obj"),
+        std::string("model://thenar_secret/secret.obj")}) {
+    std::string urdf = small_urdf();
+    const std::string tip = "package://pack/meshes/tip.obj";
+    for (std::size_t at = 0; (at = urdf.find(tip)) != std::string::npos;)
+      urdf.replace(at, tip.size(), name);
+    const OrderedJson added =
+        client.ask("world.import", {{"files", {dropped("robot.urdf", urdf)}}, {"as", "hand"}});
+    EXPECT_THAT(json_text(added["warnings"], -1), HasSubstr("MISSING MESH '" + name));
+    EXPECT_THAT(json_text(added["warnings"], -1), testing::Not(HasSubstr("did you mean")));
+    (void)client.ask("world.remove", {{"name", added["name"]}});
+  }
+  // Objects of ours and bodies of GraspIt!.
+  const std::string toml =
+      "name = 'x'\nsource = 'Mine'\n[sources]\nMine = 'x'\n[[shape]]\nkind = 'mesh'\nfile = '" +
+      climb + other + "/secret.obj'\n";
+  EXPECT_THAT(
+      client.refusal("world.import", {{"files", {dropped("x.toml", toml)}}, {"as", "object"}}),
+      HasSubstr("leads out of the folder that was dropped"));
+  EXPECT_THAT(client.refusal("world.import",
+                             {{"files",
+                               {dropped("x.toml",
+                                        "name = 'x'\nsource = 'Mine'\n[sources]\nMine = 'x'\n"
+                                        "[[shape]]\nkind = 'mesh'\n"
+                                        "file = \"x.stl\\u0000.obj\"\n")}},
+                              {"as", "object"}}),
+              HasSubstr("x.toml:7: "));
+  const std::string xml =
+      "<root><geometryFile type='obj'>" + climb + other + "/secret.obj</geometryFile></root>";
+  EXPECT_THAT(
+      client.refusal("world.import", {{"files", {dropped("x.xml", xml)}}, {"as", "object"}}),
+      HasSubstr("leads out of the folder that was dropped"));
+}
+
+TEST(WorldMethods, LeaveHiddenFilesOfADropOut) {
+  Client client("hidden");
+  const OrderedJson added =
+      client.ask("world.import", {{"files",
+                                   {dropped(".DS_Store", "x"), dropped("r.urdf", small_urdf()),
+                                    dropped("__MACOSX/._r.urdf", "x")}},
+                                  {"as", "hand"}});
+  EXPECT_THAT(json_text(added["warnings"], -1), HasSubstr("2 hidden files"));
+}
+
+// Methods that leave files behind say so, or a log of a stranger would write them.
+TEST(WorldMethods, ThoseThatWriteFilesAreMarked) {
+  const MethodTable table = method_table();
+  for (const RpcMethod& method : table.all()) {
+    Client client("writes");
+    (void)client.ask("world.load", {{"world", "jaw_box"}});
+    try {
+      (void)client.ask(method.name, Json::parse(method.example));
+    } catch (const Error&) {
+      continue;  // it wants something else to be open
+    }
+    EXPECT_EQ(fs::is_empty(client.folder()), method.writes == MethodWrites::kNothing)
+        << method.name;
+  }
+}
+
 TEST(WorldMethods, RefuseDropsThatLeadElsewhereOrAreNothing) {
   Client client("hostile");
   const std::string urdf = small_urdf();
   for (const char* name : {"../x.urdf", "/etc/x.urdf", "a/../../x.urdf", "", ".", "a\nb.urdf", "..",
-                           "a/", "a\\b.urdf"})
+                           "a/", "a\\b.urdf", ".git/x.urdf", "a/../b.urdf"})
     EXPECT_NE(client.refusal("world.import", {{"files", {dropped(name, urdf)}}, {"as", "hand"}}),
               "")
         << name;

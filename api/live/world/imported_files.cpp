@@ -6,11 +6,14 @@
 #include <set>
 
 #include "base/error.h"
+#include "base/file_io.h"
 
 namespace thenar {
 namespace {
 
 namespace fs = std::filesystem;
+
+constexpr std::size_t kMostCopied = 1UL << 30U;  // of a file that was dropped [bytes]
 
 fs::path whole_path(const WorldSpec& world, const PlacedHand& hand) {
   return fs::absolute(fs::path(world.folder) / hand.file).lexically_normal();
@@ -84,15 +87,19 @@ SavedWorld with_files_in(const LiveWorld& live, const fs::path& folder) {
   return saved;
 }
 
-void write_copies(const SavedWorld& saved) {
+void write_copies(const SavedWorld& saved, const InsideFolder& folder) {
   for (const auto& [from, to] : saved.copies) {
-    std::error_code failed, ignored;
+    const fs::path name = to.lexically_relative(folder.path());
     // The same files, there from before.
-    if (fs::exists(to, failed)) continue;
-    if (!failed) fs::create_directories(to, failed);
-    if (!failed) fs::copy(from, to, fs::copy_options::recursive, failed);
-    if (failed) fs::remove_all(to, ignored);
-    require(!failed, "'{}' cannot be written: {}", to.string(), failed.message());
+    if (folder.entry(name.string()) != InsideFolder::Entry::kNothing) continue;
+    try {
+      for (const fs::path& file : files_below(from))
+        folder.write((name / file).string(), read_file((from / file).string(), kMostCopied));
+    } catch (const Error&) {
+      std::error_code ignored;
+      fs::remove_all(to, ignored);
+      throw;
+    }
   }
 }
 

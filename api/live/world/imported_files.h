@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "api/live/world/live_world.h"
+#include "base/inside_folder.h"
 
 namespace thenar {
 
@@ -31,7 +32,8 @@ struct SavedWorld {
 [[nodiscard]] SavedWorld with_files_in(const LiveWorld& live, const std::filesystem::path& folder);
 
 /// Copies the files. What was there before stays as it is; of a copy that fails nothing stays.
+/// @param folder  that the world is saved in, or below
 /// @throws InputError if they cannot be written
-void write_copies(const SavedWorld& saved);
+void write_copies(const SavedWorld& saved, const InsideFolder& folder);
 
 }  // namespace thenar

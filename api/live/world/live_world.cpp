@@ -171,6 +171,7 @@ const std::string& LiveWorld::own_folder() {
   require(mkdtemp(name.data()) != nullptr, "no folder of its own can be made in {}",
           fs::temp_directory_path().string());
   own_folder_ = name;
+  fence_.emplace(own_folder_);
   return own_folder_;
 }
 

@@ -13,6 +13,7 @@
 #include "api/live/live_picture.h"
 #include "api/live/world/hand_touch.h"
 #include "api/live/world/world_state.h"
+#include "base/outside_path.h"
 #include "grasp/closing/close_hand.h"
 #include "grasp/contact/wrench_set.h"
 
@@ -78,7 +79,8 @@ class LiveWorld final : public LiveModel, public LiveEdits {
   /// What hands touch, and their collision models.
   [[nodiscard]] HandTouch& touch() const { return touch_; }
 
-  /// A folder of this world alone, made when it is first asked for and removed with it.
+  /// A folder of this world alone, made when it is first asked for and removed with it. Files in
+  /// one of its subfolders name no files elsewhere.
   [[nodiscard]] const std::string& own_folder();
   /// The path of a file as seen from that folder; "" if it is elsewhere.
   [[nodiscard]] std::string in_own_folder(const std::string& file) const;
@@ -107,6 +109,7 @@ class LiveWorld final : public LiveModel, public LiveEdits {
   std::deque<Step> undo_, redo_;
   std::map<std::string, std::shared_ptr<const LiveHand>> built_;  // by live_hand_key()
   std::string own_folder_;
+  std::optional<LinkFence> fence_;  // around it
   LiveShape shape_;
   unsigned long shape_changes_ = 0, changes_ = 0;
   unsigned long moves_ = 0;  // of hands and bodies, apart from what is said of them

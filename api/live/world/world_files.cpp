@@ -9,7 +9,8 @@
 
 #include "api/live/world/imported_files.h"
 #include "base/error.h"
-#include "base/file_io.h"
+#include "base/inside_folder.h"
+#include "base/outside_path.h"
 
 namespace thenar {
 namespace {
@@ -45,25 +46,13 @@ fs::path files_folder(const std::string& file) {
   return fs::path(file).parent_path() / (fs::path(file).stem().string() + "_files");
 }
 
-/// @throws InputError unless a file to write is within the working folder, links followed
-std::string checked_target(const std::string& folder, const std::string& file) {
-  const fs::path asked(file);
-  require(!asked.empty() && asked.is_relative() && asked.extension() == ".toml" &&
-              !asked.stem().empty(),
-          "wanted a file that ends in .toml, relative to the working folder, got '{}'", file);
-  require(
-      std::none_of(asked.begin(), asked.end(), [](const fs::path& part) { return part == ".."; }),
-      "wanted a file within the working folder, got '{}'", file);
-  // Names may be longer than the system takes, and links may lead in a circle.
-  std::error_code failed;
-  const fs::path root = fs::weakly_canonical(folder, failed);
-  const fs::path whole = failed ? root : fs::weakly_canonical(root / asked, failed);
-  require(!failed, "'{}' cannot be written: {}", file, failed.message());
-  const fs::path inside = whole.lexically_relative(root);
-  require(!inside.empty() && *inside.begin() != "..",
-          "wanted a file within the working folder, '{}' leads to {}", file, whole.string());
-  require(!fs::is_directory(whole), "'{}' is a folder", file);
-  return whole.string();
+/// The name of a file in the working folder that a world may be saved as.
+/// @throws InputError if it is none
+std::string checked_target(const std::string& file) {
+  std::string name = outside_path(file, OutsideUse::kInside);
+  require(fs::path(name).extension() == ".toml", "wanted a file that ends in .toml, got '{}'",
+          name);
+  return name;
 }
 
 /// Whether a world was loaded from a file, or saved to it. @param target  canonical
@@ -74,9 +63,10 @@ bool is_file_of(const LiveWorld& live, const fs::path& target) {
 }
 
 /// @throws InputError if saving would replace a file that is not of this world
-void require_free(const LiveWorld& live, const std::string& target, const std::string& file) {
-  require(is_file_of(live, target) || !fs::exists(target),
-          "'{}' is there already and is not of this world: 'overwrite' replaces it", file);
+void require_free(const LiveWorld& live, const InsideFolder& folder, const std::string& name) {
+  require(
+      folder.entry(name) != InsideFolder::Entry::kFile || is_file_of(live, folder.path_of(name)),
+      "'{}' is there already and is not of this world: 'overwrite' replaces it", name);
 }
 
 }  // namespace
@@ -119,7 +109,8 @@ std::vector<std::string> load_world(LiveWorld& live, const std::string& world,
 
 std::vector<std::string> load_world_text(LiveWorld& live, const std::string& text,
                                          const std::string& name, const Progress& progress) {
-  const std::string path = (fs::path(live.places().folder) / (name + ".toml")).string();
+  const fs::path file = outside_path(name + ".toml", OutsideUse::kInside);
+  const std::string path = (fs::path(live.places().folder) / file).string();
   const WorldSpec spec = parse_world(text, path);
   WorldState state = state_of_world(live, spec, path, progress);
   std::vector<std::string> warnings = load_warnings(state, spec);
@@ -138,12 +129,14 @@ std::string world_text(const LiveWorld& live) {
 }
 
 std::string save_live_world(LiveWorld& live, const std::string& file, SaveOver over) {
-  const std::string target = checked_target(live.places().folder, file);
-  if (over == SaveOver::kNothing) require_free(live, target, file);
-  require_writable(target);
+  const std::string name = checked_target(file);
+  const InsideFolder folder(live.places().folder);
+  if (over == SaveOver::kNothing) require_free(live, folder, name);
+  folder.require_writable(name);
+  const std::string target = folder.path_of(name);
   const SavedWorld saved = with_files_in(live, files_folder(target));
-  write_copies(saved);
-  save_world(saved.world, target);
+  write_copies(saved, folder);
+  folder.write(name, world_file_text(saved.world, target));
   live.mark_saved(target);
   return target;
 }

@@ -36,11 +36,11 @@ enum class SaveOver { kNothing, kAnything };
 
 /// Saves the world, and the files of imported hands in a folder "NAME_files" beside it, each in a
 /// folder of its own there: files that were there before stay, whatever `over` says.
-/// @param file  relative to the working folder, within it, ".toml"
+/// @param file  a name in the working folder as OutsideUse::kInside, ".toml"
 /// @param over  kNothing: a file that the world was neither loaded from nor saved to stays
 /// @return the path that was written
-/// @throws InputError if it is elsewhere, leads out through a link, would replace what `over` lets
-///         stay, or cannot be written
+/// @throws InputError if it is elsewhere or behind a link, would replace what `over` lets stay, or
+///         cannot be written
 std::string save_live_world(LiveWorld& live, const std::string& file,
                             SaveOver over = SaveOver::kNothing);
 

@@ -10,7 +10,8 @@
 
 #include "api/import.h"
 #include "base/error.h"
-#include "base/file_io.h"
+#include "base/inside_folder.h"
+#include "base/outside_path.h"
 #include "base/progress_parts.h"
 #include "data/io/mesh/mesh_file.h"
 
@@ -25,14 +26,15 @@ constexpr std::uintmax_t kMostKept = 256UL << 20U;  // of all hands that a world
 
 /// The path of a dropped file within its folder. @throws InputError if it leads out of it
 fs::path checked_name(const std::string& name) {
-  const fs::path path = fs::path(name).lexically_normal();
-  const bool plain = std::none_of(
-      name.begin(), name.end(), [](unsigned char c) { return c < 0x20 || c == 0x7F || c == '\\'; });
-  require(!name.empty() && name.size() <= kLongestName && plain && path.is_relative() &&
-              path.has_filename() && path != "." && *path.begin() != "..",
-          "wanted the name of a dropped file, like 'meshes/tip.stl', got '{}'",
-          name.substr(0, kLongestName));
-  return path;
+  require(name.size() <= kLongestName, "wanted names of dropped files of at most {} bytes, got {}",
+          kLongestName, name.size());
+  return outside_path(name, OutsideUse::kInside);
+}
+
+/// Whether a system keeps something for itself in a file: ".DS_Store", "__MACOSX/._tip.stl".
+bool is_hidden(const std::string& name) {
+  const std::string last = name.substr(name.rfind('/') + 1);
+  return last.size() > 1 && last.front() == '.' && last != "..";
 }
 
 /// Lower case, as endings are compared.
@@ -114,16 +116,18 @@ void require_room(const std::string& folder, const std::vector<DroppedFile>& fil
           static_cast<double>(kept) / (1UL << 20U));
 }
 
-/// Writes files into a folder, and returns their paths there in the order given.
+/// Writes files into a folder, but for hidden ones. @returns their paths there in the order given
 std::vector<fs::path> written(const fs::path& folder, const std::vector<DroppedFile>& files) {
   require(!files.empty() && files.size() <= kMostFiles, "wanted 1 to {} files, got {}", kMostFiles,
           files.size());
+  const InsideFolder inside(folder.string());
   std::vector<fs::path> paths;
   for (const DroppedFile& file : files) {
+    if (is_hidden(file.name)) continue;
     const fs::path path = checked_name(file.name);
     require(std::find(paths.begin(), paths.end(), path) == paths.end(),
             "the file '{}' was dropped twice", file.name);
-    write_file((folder / path).string(), file.bytes);
+    inside.write(path.string(), file.bytes);
     paths.push_back(path);
   }
   return paths;
@@ -183,6 +187,11 @@ AddedThing import_dropped(LiveWorld& live, const std::vector<DroppedFile>& files
     AddedThing added =
         add_written(live, folder.path(), written(folder.path(), files), as, progress);
     for (std::string& warning : added.warnings) warning = told(warning);
+    const auto hidden = std::count_if(files.begin(), files.end(),
+                                      [](const DroppedFile& file) { return is_hidden(file.name); });
+    if (hidden > 0)
+      added.warnings.push_back(
+          fmt::format("{} hidden files, whose names begin with a dot, were left out", hidden));
     // A hand is built again from there when undone steps come back, and saved from there.
     if (as == DroppedAs::kHand) folder.keep();
     return added;

@@ -32,7 +32,8 @@ struct ImportedBody {
 /// Adds what was dropped at the origin. One of the files is the thing, the others are what it
 /// names: of a hand the first robot (URDF, MJCF, GraspIt! XML, TOML), else the first object file
 /// (TOML, XML), else the first mesh. They are written to the world's own folder and removed with
-/// it; worlds that are saved take those of hands along. A world keeps at most 256 MB of them.
+/// it; worlds that are saved take those of hands along. A world keeps at most 256 MB of them. Hidden
+/// files, whose names begin with a dot, are left out; a file names others of the same drop alone.
 /// @throws InputError for more, for no file, a name that leads elsewhere or is given twice, or none
 /// that is
 ///         such a thing; DataError where one is wrong. The world stays as it was then.

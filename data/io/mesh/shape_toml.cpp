@@ -7,7 +7,7 @@
 #include <filesystem>
 
 #include "base/error.h"
-#include "base/file_io.h"
+#include "data/io/linked_file.h"
 #include "data/io/mesh/mesh_file.h"
 #include "data/io/toml_text.h"
 
@@ -74,10 +74,9 @@ void read_mesh_keys(TomlTable& table, const std::string& path, ShapeSpec& shape)
     shape.mesh = read_triangles(table);
     return;
   }
-  const std::string file =
-      (std::filesystem::path(path).parent_path() / shape.mesh_file).lexically_normal().string();
-  if (!is_file(file)) table.fail(fmt::format("there is no mesh '{}'", file), "file");
-  shape.mesh = read_mesh(file, shape.mesh_scale);
+  const std::string folder = std::filesystem::path(path).parent_path().string();
+  shape.mesh =
+      read_mesh(linked_file(table, "file", shape.mesh_file, folder, "mesh"), shape.mesh_scale);
 }
 
 /// Number of entries of `size` for a kind.

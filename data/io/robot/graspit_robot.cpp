@@ -11,6 +11,7 @@
 
 #include "base/error.h"
 #include "base/file_io.h"
+#include "base/outside_path.h"
 #include "base/units.h"
 #include "data/io/graspit/graspit_link.h"
 #include "data/io/graspit/graspit_transform.h"
@@ -82,10 +83,11 @@ class GraspitTranslation {
   }
 
   [[nodiscard]] std::string find_body(const std::string& name) const {
+    if (outside_fault(name, OutsideUse::kRead)) return "";
     const fs::path folder = fs::path(file_.path()).parent_path();
     // GraspIt! keeps bodies in a folder of their own.
     for (const fs::path& path : {folder / "iv" / name, folder / name})
-      if (is_file(path)) return path.string();
+      if (may_link(folder.string(), path.string()) && is_file(path)) return path.string();
     return "";
   }
 

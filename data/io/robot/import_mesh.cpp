@@ -7,6 +7,7 @@
 #include "base/error.h"
 #include "base/file_io.h"
 #include "base/nearest_name.h"
+#include "base/outside_path.h"
 
 namespace thenar::internal {
 namespace {
@@ -24,8 +25,10 @@ std::string without_scheme(const std::string& name) {
   return name;
 }
 
-std::string existing(const fs::path& path) {
-  return is_file(path) ? path.lexically_normal().string() : "";
+/// Whether a robot's file may name another: what was dropped names nothing elsewhere.
+bool may_name(const std::string& robot_file, const fs::path& path) {
+  return may_link(fs::absolute(robot_file).parent_path().string(),
+                  path.lexically_normal().string());
 }
 
 /// Paths that the name of a mesh may stand for, in the order of search.
@@ -55,22 +58,25 @@ std::vector<fs::path> places_of_mesh(const std::string& name, const std::string&
 }  // namespace
 
 std::string find_mesh(const std::string& name, const std::string& robot_file) {
-  for (const fs::path& path : places_of_mesh(name, robot_file)) {
-    std::string found = existing(path);
-    if (!found.empty()) return found;
-  }
+  if (outside_fault(name, OutsideUse::kRead)) return "";
+  for (const fs::path& path : places_of_mesh(name, robot_file))
+    if (may_name(robot_file, path) && is_file(path.lexically_normal().string()))
+      return path.lexically_normal().string();
   return "";
 }
 
 std::string lost_mesh_words(const std::string& name, const std::string& robot_file) {
+  if (const auto fault = outside_fault(name, OutsideUse::kRead))
+    return fmt::format("its name has {}", *fault);
   // Files that are where it should be.
   const std::vector<fs::path> places = places_of_mesh(name, robot_file);
   std::vector<std::string> beside;
   std::error_code none;
   for (const fs::path& path : places)
-    for (const fs::directory_entry& entry : fs::directory_iterator(path.parent_path(), none))
-      if (is_mesh_file(entry.path().filename().string()))
-        beside.push_back(entry.path().filename().string());
+    if (may_name(robot_file, path))
+      for (const fs::directory_entry& entry : fs::directory_iterator(path.parent_path(), none))
+        if (is_mesh_file(entry.path().filename().string()))
+          beside.push_back(entry.path().filename().string());
   const std::string file = places.front().filename().string();
   const bool above = places.size() > 1;
   return fmt::format("looked {} '{}'{}{}", above ? "beside" : "for",

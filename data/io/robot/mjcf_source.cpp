@@ -11,6 +11,7 @@
 
 #include "base/error.h"
 #include "base/file_io.h"
+#include "base/outside_path.h"
 #include "base/units.h"
 #include "data/io/file_guard.h"
 #include "data/io/graspit/xml_file.h"
@@ -44,6 +45,8 @@ pugi::xml_node expand(const XmlFile& file, const pugi::xml_node& include,
                       std::set<std::string>& open) {
   // The file must be in the model's folder, and included once.
   const std::string name = required_text(file, include, "file");
+  if (const auto fault = outside_fault(name, OutsideUse::kRead))
+    file.fail(include, "the name of an included file has " + *fault);
   const fs::path wanted = fs::path(file.path()).parent_path() / name;
   const std::string path = wanted.lexically_normal().string();
   if (!is_in_folder_of(file.path(), wanted.string()))

@@ -8,6 +8,7 @@
 
 #include "base/error.h"
 #include "base/file_io.h"
+#include "base/outside_path.h"
 #include "data/io/graspit/graspit_transform.h"
 
 namespace thenar {
@@ -71,8 +72,12 @@ std::vector<ShapeSpec> read_geometry(const XmlFile& file, MeshReader& meshes,
                           "with a <geometryFile>, got <{}>",
                           file.root_name()));
   // The file beside the body.
-  const std::string path =
-      (fs::path(file.path()).parent_path() / file.text(geometry)).lexically_normal().string();
+  std::string path;
+  try {
+    path = linked_path(fs::path(file.path()).parent_path().string(), file.text(geometry));
+  } catch (const InputError& error) {
+    file.fail(geometry, error.what());
+  }
   if (!is_file(path)) file.fail(geometry, fmt::format("there is no geometry file '{}'", path));
   std::vector<ShapeSpec> shapes = read_shapes(path, scale_of(file, geometry), meshes);
   // Its pose in the body.

@@ -8,6 +8,7 @@
 
 #include "base/error.h"
 #include "base/file_io.h"
+#include "base/outside_path.h"
 #include "base/progress_parts.h"
 #include "data/io/graspit/graspit_transform.h"
 #include "data/io/robot/import_robot.h"
@@ -88,9 +89,11 @@ class WorldReader {
     std::string written = file_.text(name);
     std::replace(written.begin(), written.end(), '\\', '/');
     // The folder of the world, then every folder above it.
-    fs::path folder = fs::absolute(file_.path()).parent_path();
-    for (;; folder = folder.parent_path()) {
-      if (is_file(folder / written)) return (folder / written).lexically_normal().string();
+    const fs::path start = fs::absolute(file_.path()).parent_path();
+    for (fs::path folder = start; !outside_fault(written, OutsideUse::kRead);
+         folder = folder.parent_path()) {
+      const std::string path = (folder / written).lexically_normal().string();
+      if (may_link(start.string(), path) && is_file(path)) return path;
       if (folder == folder.parent_path()) break;
     }
     warn(name, fmt::format("MISSING {} '{}': there is no such file; it is left out", what,

@@ -7,8 +7,8 @@
 #include <string_view>
 
 #include "base/error.h"
-#include "base/file_io.h"
 #include "base/nearest_name.h"
+#include "data/io/linked_file.h"
 #include "data/io/pad/law_file.h"
 #include "data/io/toml_table.h"
 #include "pads/laws/point_laws.h"
@@ -170,8 +170,8 @@ Materials parse_materials(const std::string& text, const std::string& path,
   // Laws are beside the file.
   FileDigests files = below.files;
   Materials read = parse(text, path, below, [&](TomlTable& table, const std::string& file) {
-    const std::string whole = (std::filesystem::path(path).parent_path() / file).string();
-    if (!is_file(whole)) table.fail(fmt::format("there is no file '{}'", whole), "laws");
+    const std::string whole =
+        linked_file(table, "laws", file, std::filesystem::path(path).parent_path().string());
     files.merge(digests_of({whole}));
     return read_laws(whole);
   });

@@ -4,8 +4,8 @@
 #include <filesystem>
 
 #include "base/error.h"
-#include "base/file_io.h"
 #include "base/nearest_name.h"
+#include "data/io/linked_file.h"
 #include "data/io/mesh/shape_toml.h"
 #include "data/io/world/body_toml.h"
 
@@ -31,9 +31,7 @@ void check_material(const TomlTable& table, const BodySpec& body, const Material
 }  // namespace
 
 std::string file_beside(TomlTable& table, const std::string& key, const std::string& folder) {
-  std::string path = (std::filesystem::path(folder) / table.text(key)).lexically_normal().string();
-  if (!is_file(path)) table.fail(fmt::format("there is no file '{}'", path), key);
-  return path;
+  return linked_file(table, key, table.text(key), folder);
 }
 
 std::map<std::string, double> read_posture(TomlTable& table) {

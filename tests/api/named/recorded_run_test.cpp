@@ -84,8 +84,11 @@ TEST_F(Recorded, RefusesWhatIsNoCommand) {
   const auto words = [&] { require_repeatable(other, {"pose", "rerun"}); };
   EXPECT_EQ(message_of(words),
             "'a.json' records 'thenar rerun a.json', which is no command to run again");
-  other.run.arguments = {"--version"};
-  EXPECT_THROW(words(), InputError);
+  const auto of_servers = [&] { require_repeatable(other, {"pose", "view", "serve"}); };
+  for (const char* name : {"--version", "view", "serve"}) {
+    other.run.arguments = {name, "--port", "0"};
+    EXPECT_THROW(of_servers(), InputError) << name;
+  }
   other.run = {{"pose"}, "/nowhere/at/all", "", ""};
   EXPECT_THROW(words(), InputError);
 }

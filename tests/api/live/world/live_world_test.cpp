@@ -7,6 +7,7 @@
 #include <fstream>
 #include <limits>
 #include <random>
+#include <set>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -107,11 +108,26 @@ TEST(LiveWorld, TextLoadsFromTheWorkingFolder) {
 TEST(LiveWorld, SavesNowhereButInItsFolder) {
   const std::string folder = working_folder("inside"), other = working_folder("outside");
   fs::create_directory_symlink(other, fs::path(folder) / "link");
+  // Links that lead nowhere yet, and to a file of somebody else.
+  fs::create_symlink(other + "/new.toml", fs::path(folder) / "dangling.toml");
+  fs::create_directory_symlink(other + "/deep", fs::path(folder) / "gone");
+  fs::create_symlink("within.toml", fs::path(folder) / "alias.toml");
   LiveWorld live(places(folder));
-  for (const char* file : {"", "/tmp/x.toml", "../x.toml", "a/../../x.toml", "x.txt", ".toml",
-                           "link/x.toml", "a/b/../../../x.toml"})
+  for (const std::string& file :
+       {std::string(), std::string("/tmp/x.toml"), std::string("../x.toml"),
+        std::string("a/../../x.toml"), std::string("x.txt"), std::string(".toml"),
+        std::string("link/x.toml"), std::string("a/b/../../../x.toml"),
+        std::string("dangling.toml"), std::string("gone/x.toml"), std::string("alias.toml"),
+        std::string(".x.toml"), std::string(".config/x.toml"), std::string(".bashrc\0.toml", 13),
+        std::string("x\0.toml", 7), std::string("x\n.toml"), std::string("x.toml/")}) {
     EXPECT_THROW((void)save_live_world(live, file), InputError) << file;
+    EXPECT_THROW((void)save_live_world(live, file, SaveOver::kAnything), InputError) << file;
+  }
   EXPECT_TRUE(fs::is_empty(other));
+  std::set<std::string> names;
+  for (const fs::directory_entry& entry : fs::directory_iterator(folder))
+    names.insert(entry.path().filename().string());
+  EXPECT_THAT(names, testing::ElementsAre("alias.toml", "dangling.toml", "gone", "link"));
 }
 
 TEST(LiveWorld, RefusesNamesThatTheSystemDoesNotTake) {
