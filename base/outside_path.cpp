@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <iterator>
 #include <mutex>
 #include <system_error>
 #include <vector>
@@ -14,6 +15,8 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::size_t kShownName = 300;  // of a name in a message [bytes]
+constexpr std::ptrdiff_t kDeepest =
+    32;  // parts of a name; programs that tidy up give up on deeper ones
 
 /// The place of the first control character, of C1 (U+0080 to U+009F in UTF-8) too; npos: none.
 std::size_t find_control(const std::string& text) {
@@ -35,6 +38,8 @@ std::optional<std::string> fault_inside(const std::string& text) {
     if (part == "..") return "'..', which leads out of the folder";
     if (part != "." && part.string().front() == '.') return "a part that begins with a dot";
   }
+  if (std::distance(path.begin(), path.end()) > kDeepest)
+    return fmt::format("more than {} parts", kDeepest);
   if (!path.has_filename() || path.filename() == ".") return "no name of a file";
   return std::nullopt;
 }

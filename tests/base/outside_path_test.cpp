@@ -59,6 +59,11 @@ TEST(OutsidePath, TellsFaultsWithoutWhatATerminalObeys) {
 TEST(OutsidePath, IsOfBoundedLength) {
   EXPECT_FALSE(outside_fault(std::string(kLongestOutsidePath, 'x'), OutsideUse::kRead));
   EXPECT_TRUE(outside_fault(std::string(kLongestOutsidePath + 1, 'x'), OutsideUse::kRead));
+  // Nor does a client grow a tree that nobody can remove.
+  std::string deep = "x";
+  for (int i = 0; i < 31; ++i) deep.insert(0, "a/");
+  EXPECT_FALSE(outside_fault(deep, OutsideUse::kInside));
+  EXPECT_TRUE(outside_fault("a/" + deep, OutsideUse::kInside));
 }
 
 class Links : public TemporaryFolder {
