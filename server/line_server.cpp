@@ -150,7 +150,11 @@ class LineClient final : public EngineClient, public std::enable_shared_from_thi
   }
 
   void on_bytes(std::size_t count) {
-    if (!std::exchange(begun_, true) && looks_like_http({piece_.data(), 1})) return drop();
+    if (!begun_) {
+      const StreamStart start = stream_start({piece_.data(), count});
+      if (start == StreamStart::kOther) return drop();
+      begun_ = start == StreamStart::kRequest;
+    }
     lines_.add(piece_.data(), count);
     while (const auto line = lines_.next())
       if (!take(*line)) return;

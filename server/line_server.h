@@ -3,7 +3,8 @@
 /// JSON-RPC as lines of text, for programs: over TCP, or through standard input and output.
 ///
 /// A line is a message, of at most 1 MB; a reply is a line. There are no notifications. What begins
-/// like HTTP is hung up on, so that no page of a browser reaches a server of lines.
+/// with anything but '{', '[' or white space is hung up on, so that no page of a browser, and
+/// nobody else who means another server, reaches a server of lines.
 
 #include <functional>
 #include <memory>

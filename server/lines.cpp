@@ -1,13 +1,14 @@
 #include "server/lines.h"
 
-#include <cctype>
 #include <utility>
 
 namespace thenar {
 namespace {
 
+constexpr const char* kBlanks = " \t\r\n";
+
 bool is_blank(const std::string& text) {
-  return text.find_first_not_of(" \t\r\n") == std::string::npos;
+  return text.find_first_not_of(kBlanks) == std::string::npos;
 }
 
 }  // namespace
@@ -50,8 +51,10 @@ std::optional<SplitLine> LineSplitter::rest() {
   return line;
 }
 
-bool looks_like_http(const std::string& begin) {
-  return !begin.empty() && std::isupper(static_cast<unsigned char>(begin.front())) != 0;
+StreamStart stream_start(std::string_view begin) {
+  const std::size_t first = begin.find_first_not_of(kBlanks);
+  if (first == std::string_view::npos) return StreamStart::kBlank;
+  return begin[first] == '{' || begin[first] == '[' ? StreamStart::kRequest : StreamStart::kOther;
 }
 
 }  // namespace thenar

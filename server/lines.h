@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <optional>
 #include <string>
+#include <string_view>
 
 namespace thenar {
 
@@ -36,8 +37,9 @@ class LineSplitter {
   bool dropping_ = false;
 };
 
-/// Whether a stream begins as a request of HTTP does ("GET /", "POST /"): a browser that was sent
-/// here by a page of somebody else. JSON begins with no letter that is an upper case one.
-[[nodiscard]] bool looks_like_http(const std::string& begin);
+/// How a stream begins: with white space so far, with a request of JSON-RPC ('{' or '['), or with
+/// anything else: a browser that was sent here by a page of somebody else, TLS, mail.
+enum class StreamStart { kBlank, kRequest, kOther };
+[[nodiscard]] StreamStart stream_start(std::string_view begin);
 
 }  // namespace thenar

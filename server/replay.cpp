@@ -33,9 +33,17 @@ LoggedRequest logged(int client, const RpcRequest& request, const Execution& exe
 }
 
 ReplayResult replay(const std::vector<LoggedRequest>& log, const MethodTable& table,
-                    Session& session, const Progress& progress) {
+                    Session& session, ReplayWrites writes, const Progress& progress) {
   ReplayResult result;
-  for (const LoggedRequest& then : log) {
+  for (std::size_t line = 1; line <= log.size() && !result.differs; ++line) {
+    const LoggedRequest& then = log[line - 1];
+    // Files are written for those alone who said so.
+    const bool would_write =
+        table.has(then.method) && table.at(then.method).writes == MethodWrites::kFiles;
+    if (would_write && writes == ReplayWrites::kSkipped) {
+      ++result.skipped;
+      continue;
+    }
     RpcRequest request;
     request.method = then.method;
     request.params = then.params;
@@ -43,13 +51,12 @@ ReplayResult replay(const std::vector<LoggedRequest>& log, const MethodTable& ta
     long asked = 0;
     Progress same;
     same.stop_requested = [&] { return then.stopped_at && asked++ >= *then.stopped_at; };
-    const Execution now = execute(request, table, session, same);
-    session.log().add(logged(then.client, request, now));
+    const LoggedRequest now = logged(then.client, request, execute(request, table, session, same));
+    session.log().add(now);
     ++result.requests;
-    if (logged(then.client, request, now).reply != then.reply)
-      result.differ.push_back(result.requests);
-    report_or_stop(progress, static_cast<double>(result.requests) / static_cast<double>(log.size()),
-                   fmt::format("{} of {} requests", result.requests, log.size()));
+    if (now.reply != then.reply) result.differs = line;
+    report_or_stop(progress, static_cast<double>(line) / static_cast<double>(log.size()),
+                   fmt::format("{} of {} requests", line, log.size()));
   }
   return result;
 }

@@ -28,15 +28,21 @@ struct Execution {
 [[nodiscard]] LoggedRequest logged(int client, const RpcRequest& request,
                                    const Execution& execution);
 
+/// What becomes of requests that write files: a log may be a stranger's.
+enum class ReplayWrites { kSkipped, kDone };
+
 /// How a repetition went.
 struct ReplayResult {
-  std::size_t requests = 0;         // repeated
-  std::vector<std::size_t> differ;  // lines of the log, from 1, whose replies are others now
+  std::size_t requests = 0;            // repeated
+  std::size_t skipped = 0;             // that write files
+  std::optional<std::size_t> differs;  // line of the log, from 1, whose reply is another one now
 };
 
-/// Executes the requests of a log in order; one that was stopped is stopped at the same question.
+/// Executes the requests of a log in order, up to the first whose reply is another one now; one
+/// that was stopped is stopped at the same question.
 /// @throws Stopped if progress says so
 [[nodiscard]] ReplayResult replay(const std::vector<LoggedRequest>& log, const MethodTable& table,
-                                  Session& session, const Progress& progress = {});
+                                  Session& session, ReplayWrites writes,
+                                  const Progress& progress = {});
 
 }  // namespace thenar

@@ -2,6 +2,7 @@
 
 #include <cerrno>
 #include <cstring>
+#include <filesystem>
 #include <sstream>
 #include <utility>
 
@@ -10,6 +11,7 @@
 
 #include "base/error.h"
 #include "base/file_io.h"
+#include "base/outside_path.h"
 #include "base/provenance.h"
 
 namespace thenar {
@@ -50,7 +52,7 @@ bool is_logged(const std::string& method) {
 }
 
 std::vector<LoggedRequest> read_log(const std::string& path) {
-  std::istringstream lines(read_file(path, kLongestLog));
+  std::istringstream lines(read_file(outside_path(path, OutsideUse::kRead), kLongestLog));
   std::vector<LoggedRequest> requests;
   int number = 0;
   for (std::string line; std::getline(lines, line);) {
@@ -66,6 +68,11 @@ std::vector<LoggedRequest> read_log(const std::string& path) {
 
 void SessionLog::open(const std::string& path) {
   const std::string before = all();
+  // A link that leads nowhere yet may lead anywhere.
+  std::error_code none;
+  const bool dangles = std::filesystem::is_symlink(outside_path(path, OutsideUse::kRead), none) &&
+                       !std::filesystem::exists(path, none);
+  require(!dangles, "cannot write {}: it is a link to a file that is not there", path);
   require_writable(path);
   std::unique_ptr<std::FILE, Close> file(std::fopen(path.c_str(), "w+"));
   require(file != nullptr, "cannot write {}: {}", path, std::strerror(errno));

@@ -56,6 +56,16 @@ const char* type_of(const std::string& file) {
 
 }  // namespace
 
+HttpStart http_start(std::string_view begin) {
+  HttpStart found = HttpStart::kOther;
+  for (const std::string_view method :
+       {"GET ", "HEAD ", "POST ", "PUT ", "DELETE ", "CONNECT ", "OPTIONS ", "TRACE ", "PATCH "}) {
+    if (begin.substr(0, method.size()) == method) return HttpStart::kMethod;
+    if (method.substr(0, begin.size()) == begin) found = HttpStart::kOpen;
+  }
+  return found;
+}
+
 std::string path_of(const WebQuestion& question) {
   return question.target.substr(0, question.target.find('?'));
 }

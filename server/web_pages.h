@@ -6,6 +6,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -30,6 +31,10 @@ struct WebAnswer {
 
 /// Gives the bytes of a mesh; null if there is none.
 using MeshSource = std::function<std::shared_ptr<const std::string>(const std::string& id)>;
+
+/// Whether bytes begin with a method of HTTP and a space: not yet, yes, or never.
+enum class HttpStart { kOpen, kMethod, kOther };
+[[nodiscard]] HttpStart http_start(std::string_view begin);
 
 /// "/mesh/0123": a target without what follows '?'.
 [[nodiscard]] std::string path_of(const WebQuestion& question);

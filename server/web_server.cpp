@@ -39,6 +39,7 @@ constexpr std::chrono::seconds kLongMessageTime{60};     // that a longer messag
 constexpr std::size_t kMostFileConnections = 64;         // that ask for files
 constexpr std::chrono::seconds kRequestTime{10};         // that a request may take to arrive
 constexpr std::chrono::milliseconds kFarewell{300};      // that texts have to leave at the end
+constexpr std::size_t kFirstPiece = 1024;                // that shows whether HTTP is spoken [bytes]
 
 using Request = http::request<http::string_body>;
 using Response = http::response<http::span_body<const char>>;
@@ -57,6 +58,7 @@ struct Web {
   ServerAccess access;
   asio::io_context context{1};
   int port = 0;
+  std::string once;  // the target that shows the page without the token, once; empty: none any more
   PeerSet<WebPeer> peers;
   std::list<WebConnection*> files;  // connections that ask for files, the oldest first
   // Messages of more than kMostAskedTogether come one after the other.
@@ -319,6 +321,22 @@ class WebConnection final : public WebPeer, public std::enable_shared_from_this<
     leave_place();
   }
 
+  /// Reads until it is clear that HTTP is spoken; whoever speaks anything else is hung up on.
+  void begin() {
+    stream_.expires_after(kRequestTime);
+    stream_.async_read_some(
+        buffer_.prepare(kFirstPiece),
+        [self = shared_from_this()](beast::error_code error, std::size_t count) {
+          if (error) return;
+          self->buffer_.commit(count);
+          const HttpStart start = http_start(beast::buffers_to_string(self->buffer_.data()));
+          if (start == HttpStart::kOther) return self->drop();
+          if (start == HttpStart::kOpen) return self->begin();
+          self->read();
+        });
+  }
+
+ private:
   void read() {
     parser_.emplace();
     parser_->body_limit(1024);
@@ -329,10 +347,15 @@ class WebConnection final : public WebPeer, public std::enable_shared_from_this<
                      });
   }
 
- private:
   void on_request() {
     const Request& request = parser_->get();
-    const WebQuestion question = question_of(request);
+    if (request.method() == http::verb::unknown) return drop();
+    WebQuestion question = question_of(request);
+    // The browser that the program has opened shows its code once, in place of the token.
+    if (!web()->once.empty() && same_token(question.target, web()->once)) {
+      question.target = "/?token=" + web()->access.token;
+      web()->once.clear();
+    }
     const ServerAccess& access = web()->access;
     if (path_of(question) != "/ws" || !websocket::is_upgrade(request))
       return write(answer_to(access, web()->port, question,
@@ -400,6 +423,8 @@ class WebServer::Network {
       throw InputError(fmt::format("cannot listen at {}, port {}: {}; --port 0 takes a free one",
                                    access.address, access.port, error.code().message()));
     }
+    opening_ = access.token.empty() ? "/" : "/?once=" + random_token();
+    if (!access.token.empty()) web_->once = opening_;
     accept();
     thread_ = std::thread([this] { web_->context.run(); });
   }
@@ -422,6 +447,7 @@ class WebServer::Network {
   Network& operator=(const Network&) = delete;
 
   [[nodiscard]] int port() const { return web_->port; }
+  [[nodiscard]] const std::string& opening() const { return opening_; }
 
  private:
   void drop_all() {
@@ -434,7 +460,7 @@ class WebServer::Network {
       if (!error) {
         const auto connection = std::make_shared<WebConnection>(std::move(socket), web_);
         web_->peers.add(connection);
-        connection->read();
+        connection->begin();
       }
       if (!error) return accept();
       // No file is left for a connection: it is tried again in a while.
@@ -446,6 +472,7 @@ class WebServer::Network {
   }
 
   std::shared_ptr<Web> web_;
+  std::string opening_;
   tcp::acceptor acceptor_;
   asio::steady_timer pause_;
   std::thread thread_;
@@ -457,5 +484,7 @@ WebServer::WebServer(Engine& engine, const ServerAccess& access)
 WebServer::~WebServer() = default;
 
 int WebServer::port() const { return network_->port(); }
+
+std::string WebServer::opening() const { return network_->opening(); }
 
 }  // namespace thenar

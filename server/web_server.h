@@ -5,7 +5,7 @@
 /// GET / is the page, /live.js and /live.css belong to it, /mesh/ID is a mesh of the scene
 /// (mesh_store.h), /ws the WebSocket: JSON-RPC as text in both directions, frames (frame.h) as
 /// binary messages to the client. A token comes as ?token=, or as the cookie that the page was sent
-/// with.
+/// with. What does not begin with a method of HTTP is hung up on.
 
 #include <memory>
 #include <string>
@@ -27,6 +27,9 @@ class WebServer {
 
   /// That it listens at.
   [[nodiscard]] int port() const;
+  /// The target of the page for the browser that is opened here: it counts once, so that the list
+  /// of processes tells nobody the token. "/" where none is wanted.
+  [[nodiscard]] std::string opening() const;
 
  private:
   class Network;

@@ -54,8 +54,11 @@ CLI::Option* add_live_options(CLI::App& command, LiveArguments& arguments, int c
   option->check(CLI::Range(0, 65535));
   command.add_option("--bind", arguments.access.address,
                      "Address to listen at; other machines need --token");
-  command.add_option("--token", arguments.access.token,
-                     "What clients have to show: a text, or auto, which makes and prints one");
+  CLI::Option* token = command.add_option(
+      "--token", arguments.access.token,
+      "What clients have to show: a text, or auto, which makes and prints one; made if left out");
+  command.add_flag("--no-token", arguments.no_token, "Let all users of this machine in")
+      ->excludes(token);
   command.add_option("--log", arguments.log,
                      "File that every request is written to; `serve --replay` repeats them");
   add_data_option(command, arguments.data);
@@ -79,9 +82,21 @@ OpeningRequest opening_request(const std::string& name, const std::string& data)
 
 ServerAccess checked_access(const LiveArguments& arguments) {
   ServerAccess access = arguments.access;
-  if (access.token == "auto") access.token = random_token();
+  const bool here = is_loopback(access.address);
+  if (access.token == "auto" || (access.token.empty() && here && !arguments.no_token))
+    access.token = random_token();
   require_safe(access);
   return access;
+}
+
+std::unique_ptr<TokenFile> keep_token(const ServerAccess& access, int port) {
+  if (access.token.empty()) return nullptr;
+  try {
+    return std::make_unique<TokenFile>(port, access.token);
+  } catch (const InputError& error) {
+    print_warnings({error.what()});
+    return nullptr;
+  }
 }
 
 std::unique_ptr<Engine> open_engine(const LiveArguments& arguments, const Progress& progress) {

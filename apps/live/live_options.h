@@ -12,6 +12,7 @@
 #include "report/json.h"
 #include "server/access.h"
 #include "server/engine.h"
+#include "server/token_file.h"
 
 namespace thenar {
 
@@ -19,11 +20,12 @@ namespace thenar {
 struct LiveArguments {
   std::vector<std::string> files;  // files or names
   ServerAccess access;
-  std::string log;   // file; empty: none
-  std::string data;  // folder with worlds/ ..; empty: the usual ones
+  bool no_token = false;  // nobody is asked for one
+  std::string log;        // file; empty: none
+  std::string data;       // folder with worlds/ ..; empty: the usual ones
 };
 
-/// FILE, --port, --bind, --token, --log, --data. @returns --port
+/// FILE, --port, --bind, --token, --no-token, --log, --data. @returns --port
 /// @param count  how many files there may be; -1: any number;  @param port  what --port is for
 CLI::Option* add_live_options(CLI::App& command, LiveArguments& arguments, int count,
                               const std::string& port);
@@ -40,9 +42,13 @@ struct OpeningRequest {
 /// @throws InputError if it is none of these, or not to be found.
 [[nodiscard]] OpeningRequest opening_request(const std::string& name, const std::string& data);
 
-/// Makes a token where one is wanted, and checks that no other machine comes in without.
+/// Makes a token where none is given, and checks that no other machine comes in without.
 /// @throws InputError as require_safe()
 [[nodiscard]] ServerAccess checked_access(const LiveArguments& arguments);
+
+/// Keeps the token of a server where programs of this user find it. A warning is printed, and null
+/// comes back, where it can be kept nowhere; null also where no token is wanted.
+[[nodiscard]] std::unique_ptr<TokenFile> keep_token(const ServerAccess& access, int port);
 
 /// An engine that has opened all that was named.
 /// @throws InputError with what was refused, Stopped

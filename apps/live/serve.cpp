@@ -30,26 +30,35 @@ struct ServeArguments {
   LiveArguments live;
   CLI::Option* port = nullptr;
   bool stdio = false;
-  std::string replay;   // a log; empty: none
-  std::string methods;  // form in which they are printed; empty: not at all
+  std::string replay;         // a log; empty: none
+  std::string replay_writes;  // folder that its requests may write to; empty: they write nothing
+  std::string methods;        // form in which they are printed; empty: not at all
 };
 
-/// Repeats a log. Replies that differ are an error of whoever changed what they depend on.
+/// Repeats a log. A reply that differs is an error of whoever changed what it depends on.
 void run_replay(const ServeArguments& options) {
   SessionPlaces places;
   places.data = options.live.data;
+  if (!options.replay_writes.empty()) places.folder = options.replay_writes;
   Session session(std::move(places));
   if (!options.live.log.empty()) session.log().open(options.live.log);
+  const ReplayWrites writes =
+      options.replay_writes.empty() ? ReplayWrites::kSkipped : ReplayWrites::kDone;
   const ReplayResult result =
-      replay(read_log(options.replay), method_table(), session, terminal_progress());
-  if (result.differ.empty()) {
-    print_answer(
-        fmt::format("{} requests repeated, all replies are as they were\n", result.requests));
+      replay(read_log(options.replay), method_table(), session, writes, terminal_progress());
+  const std::string skipped =
+      result.skipped == 0 ? ""
+                          : fmt::format(
+                                "; {} that write files were skipped (--replay-writes FOLDER "
+                                "lets them write there)",
+                                result.skipped);
+  if (!result.differs) {
+    print_answer(fmt::format("{} requests repeated, all replies are as they were{}\n",
+                             result.requests, skipped));
     return;
   }
-  print_answer(fmt::format("{} requests repeated, {} replies differ, the first at {}:{}\n",
-                           result.requests, result.differ.size(), options.replay,
-                           result.differ.front()));
+  print_answer(fmt::format("{} requests repeated, the last reply differs: {}:{}{}\n",
+                           result.requests, options.replay, *result.differs, skipped));
   throw CLI::RuntimeError(1);
 }
 
@@ -62,8 +71,9 @@ void run_port(const ServeArguments& options) {
   const ServerAccess access = checked_access(options.live);
   const auto engine = open_engine(options.live, terminal_progress());
   const LineServer server(*engine, access);
+  const auto kept = keep_token(access, server.port());
   print_answer(fmt::format("listening at {}:{}\n", access.address, server.port()));
-  if (options.live.access.token == "auto") print_answer("token " + access.token + "\n");
+  if (access.token != options.live.access.token) print_answer("token " + access.token + "\n");
   std::fflush(stdout);
   wait_for_end();
   engine->end("thenar was stopped");
@@ -91,8 +101,14 @@ void add_serve(CLI::App& app) {
                                    "Port of TCP that programs connect to; 0 takes a free one");
   command->add_flag("--stdio", options->stdio,
                     "Take requests from standard input, and write replies to standard output");
-  command->add_option("--replay", options->replay,
-                      "Repeat the requests of a log; it fails if replies differ");
+  CLI::Option* replay = command->add_option("--replay", options->replay,
+                                            "Repeat the requests of a log but those that write "
+                                            "files, up to the first reply that differs");
+  command
+      ->add_option("--replay-writes", options->replay_writes,
+                   "Folder in which requests of the log may write files")
+      ->check(CLI::ExistingDirectory)
+      ->needs(replay);
   command->add_option("--methods", options->methods, "Print all methods")
       ->check(CLI::IsMember({"markdown"}));
   add_examples(*command, {"serve jaw_box --port 8081", "serve --stdio --log session.jsonl",

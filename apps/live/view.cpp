@@ -1,4 +1,5 @@
-// thenar view [FILE ...] [--port N] [--no-open] [--remote PORT] [--bind ADDRESS --token TEXT]
+// thenar view [FILE ...] [--port N] [--no-open] [--remote PORT] [--bind ADDRESS] [--token TEXT |
+// --no-token]
 //
 // A page in the browser that shows worlds, motions, digits and fits, and moves them.
 
@@ -57,18 +58,20 @@ void run_view(const ViewArguments& options) {
   const ServerAccess access = checked_access(options.live);
   const auto engine = open_engine(options.live, progress);
   const WebServer server(*engine, access);
+  const auto kept = keep_token(access, server.port());
   std::optional<LineServer> remote;
+  std::unique_ptr<TokenFile> kept_of_remote;
   if (options.remote) {
     ServerAccess of_programs = access;
     of_programs.port = *options.remote;
     remote.emplace(*engine, of_programs);
+    kept_of_remote = keep_token(access, remote->port());
   }
-  const std::string address =
-      url_of(access, server.port()) + (access.token.empty() ? "/" : "/?token=" + access.token);
-  print_answer(address + "\n");
+  const std::string address = url_of(access, server.port());
+  print_answer(address + (access.token.empty() ? "/" : "/?token=" + access.token) + "\n");
   if (remote) print_answer(fmt::format("programs: {}:{}\n", access.address, remote->port()));
   std::fflush(stdout);
-  if (!options.closed) open_browser(address);
+  if (!options.closed) open_browser(address + server.opening());
   wait_for_end();
   engine->end("thenar was stopped");
 }

@@ -23,7 +23,7 @@ classdef ThenarRemote < handle
 
   methods
     function self = ThenarRemote(host, port, token)
-      % Connects; token is what the server printed, where it wants one.
+      % Connects; token is what the server printed. Left out, it is what a server of this user on this machine keeps.
       self.octave = exist('OCTAVE_VERSION', 'builtin') ~= 0;
       self.bytes = zeros(1, 0, 'uint8');
       if self.octave
@@ -31,7 +31,13 @@ classdef ThenarRemote < handle
       end
       self.connection = tcpclient(host, port);
       params = struct();
-      if nargin > 2
+      if nargin < 3
+        token = '';
+        if strcmp(host, 'localhost') || strcmp(host, '::1') || strncmp(host, '127.', 4)
+          token = ThenarRemote.stored_token(port);
+        end
+      end
+      if ~isempty(token)
         params.token = token;
       end
       self.hello = self.call('session.hello', params);
@@ -63,6 +69,23 @@ classdef ThenarRemote < handle
 
     function delete(self)
       self.connection = [];
+    end
+  end
+
+  methods (Static)
+    function token = stored_token(port)
+      % The token that a server of this user at a port of this machine keeps in a file; empty if there is none.
+      token = '';
+      newest = -Inf;
+      places = {'XDG_RUNTIME_DIR', 'thenar'; 'XDG_CACHE_HOME', 'thenar'; 'HOME', fullfile('.cache', 'thenar')};
+      for i = 1:size(places, 1)
+        file = fullfile(getenv(places{i, 1}), places{i, 2}, sprintf('%d.token', port));
+        about = dir(file);
+        if ~isempty(getenv(places{i, 1})) && numel(about) == 1 && about.datenum > newest
+          token = strtrim(fileread(file));
+          newest = about.datenum;
+        end
+      end
     end
   end
 

@@ -12,8 +12,10 @@
 Every method of docs/remote.md is called by its name, with its parameters by name, and returns its result as Python has
 JSON: dicts, lists, numbers. SI units and radians; positions [x, y, z], rotations [w, x, y, z].
 """
+import ipaddress
 import itertools
 import json
+import os
 import queue
 import socket
 import subprocess
@@ -27,6 +29,30 @@ class RemoteError(Exception):
     def __init__(self, message, code=None):
         super().__init__(message)
         self.code = code
+
+
+def stored_token(port):
+    """The token that a server of this user at a port of this machine keeps in a file; None if there is none."""
+    found = []
+    for variable, below in (("XDG_RUNTIME_DIR", "thenar"), ("XDG_CACHE_HOME", "thenar"), ("HOME", ".cache/thenar")):
+        if not os.environ.get(variable):
+            continue
+        try:
+            with open(os.path.join(os.environ[variable], below, f"{port}.token"), encoding="ascii") as file:
+                about = os.fstat(file.fileno())
+                # What others may have written is no token of ours.
+                if about.st_uid == os.getuid() and about.st_mode & 0o077 == 0:
+                    found.append((about.st_mtime_ns, file.read().strip()))
+        except (OSError, ValueError):
+            pass
+    return max(found)[1] if found else None
+
+
+def _is_this_machine(host):
+    try:
+        return host == "localhost" or ipaddress.ip_address(host).is_loopback
+    except ValueError:
+        return False
 
 
 class _Group:
@@ -80,9 +106,12 @@ class Remote:
     def __init__(self, host="127.0.0.1", port=8081, token=None, timeout=60.0):
         """Connects to `thenar serve --port` or `thenar view --remote`.
 
-        token: as the server printed it, where it wants one. timeout: for a reply [s]; None waits for ever.
+        token: as the server printed it; None: as it keeps it for programs of this user on this machine.
+        timeout: for a reply [s]; None waits for ever.
         Raises RemoteError if nobody listens, or the token is another one.
         """
+        if token is None and _is_this_machine(host):
+            token = stored_token(port)
         try:
             connection = socket.create_connection((host, port), timeout=timeout)
         except OSError as error:

@@ -81,14 +81,15 @@ class Keys(LivePage):
         self.assert_no_errors()
 
     def test_a_server_that_comes_back_is_found_again(self):
-        program = self.start(WORLD)
+        token = ["--token", "0123456789abcdef"]  # one that is made is another one every time
+        program = self.start(WORLD, *token)
         self.browser.value("globalThis.stillHere = true")
         program.kill()
         self.browser.wait("!document.querySelector('.lost').hidden", "the banner")
         self.assertIn("lost", self.browser.value("document.querySelector('.lost').textContent"))
         self.browser.value("thenarLive.ask('world.get')")
         self.browser.wait("document.querySelector('.note-box.error')", "a note that nobody is there")
-        again = live_page.Program(WORLD, port=program.port)
+        again = live_page.Program(WORLD, *token, port=program.port)
         self.programs.append(again)
         self.browser.wait("document.querySelector('.lost').hidden && thenarLive.link.connected()", "the link again")
         self.browser.wait("thenarLive.store.frame", "a frame of the new server")

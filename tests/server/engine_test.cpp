@@ -367,14 +367,35 @@ TEST_F(Replay, GivesTheSameRepliesAndFindsThoseThatDiffer) {
   EXPECT_GT(log[3].stopped_at.value(), 0);
   Session again({});
   const MethodTable table = small_table();
-  const ReplayResult same = replay(log, table, again);
+  const ReplayResult same = replay(log, table, again, ReplayWrites::kSkipped);
   EXPECT_EQ(same.requests, 5U);
-  EXPECT_TRUE(same.differ.empty());
+  EXPECT_FALSE(same.differs);
   EXPECT_NEAR(again.model<SmallModel>(LiveMode::kMotion).live_time().t, 7e-3, 1e-15);
   EXPECT_EQ(again.log().text(), read_file(file, 1 << 20));
   log[1].params["height"] = 0.25;
   Session other({});
-  EXPECT_THAT(replay(log, table, other).differ, testing::ElementsAre(2U));
+  const ReplayResult another = replay(log, table, other, ReplayWrites::kSkipped);
+  EXPECT_EQ(another.differs, 2U);
+  EXPECT_EQ(another.requests, 2U);  // none behind it
+}
+
+// A method that writes is left out, whatever comes of it; told to, it is done.
+TEST_F(Replay, WritesNothingUnlessToldTo) {
+  int written = 0;
+  MethodTable table;
+  const auto count = [&](Session&, const Json&, const Progress&) -> OrderedJson {
+    return {{"written", ++written}};
+  };
+  table.add({"small.save", "Counts.", object_schema({}), "", "{}", count, MethodWrites::kFiles});
+  const std::string reply = reply_hash(rpc_reply(nullptr, {{{"written", 1}}, std::nullopt}));
+  const std::vector<LoggedRequest> log{{1, "small.save", Json::object(), reply, std::nullopt}};
+  Session session({});
+  const ReplayResult skipped = replay(log, table, session, ReplayWrites::kSkipped);
+  EXPECT_EQ(skipped.skipped, 1U);
+  EXPECT_EQ(skipped.requests, 0U);
+  EXPECT_EQ(written, 0);
+  EXPECT_FALSE(replay(log, table, session, ReplayWrites::kDone).differs);
+  EXPECT_EQ(written, 1);
 }
 
 // Lines are the same in a temporary file, in a named one, and where it is named in between.

@@ -40,9 +40,14 @@ TEST(LineSplitter, DropsTheRestOfALineThatIsTooLong) {
   EXPECT_THAT(lines_of("\n\n", 10, 1), testing::IsEmpty());
 }
 
-TEST(LooksLikeHttp, TellsMethodsFromJson) {
-  for (const char* text : {"GET /", "POST", "OPTIONS", "P"}) EXPECT_TRUE(looks_like_http(text));
-  for (const char* text : {"{", "[", " {", "", "\x16\x03"}) EXPECT_FALSE(looks_like_http(text));
+TEST(StreamStart, TellsRequestsFromEverythingElse) {
+  for (const char* text : {"{", "[", " {", "\r\n\t[1]"})
+    EXPECT_EQ(stream_start(text), StreamStart::kRequest) << text;
+  for (const char* text : {"", " ", "\r\n\t "}) EXPECT_EQ(stream_start(text), StreamStart::kBlank);
+  for (const char* text :
+       {"GET /", " POST", "\x16\x03\x01", "SSH-2.0", "\"x\"", "1", "\xEF\xBB\xBF{"})
+    EXPECT_EQ(stream_start(text), StreamStart::kOther) << text;
+  EXPECT_EQ(stream_start(std::string_view("\0{", 2)), StreamStart::kOther);
 }
 
 }  // namespace

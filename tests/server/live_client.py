@@ -13,8 +13,13 @@ import sys
 import tempfile
 import time
 
-sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent.parent / "apps"))
+sys.path[:0] = [str(pathlib.Path(__file__).resolve().parents[i] / folder) for i, folder in ((1, "apps"), (2, "clients/python"))]
 from patience import FACTOR  # noqa: E402: slower machines and sanitizers
+from thenar_remote import stored_token  # noqa: E402
+
+# Tokens of these tests are kept among no others.
+RUNTIME = tempfile.TemporaryDirectory()
+os.environ["XDG_RUNTIME_DIR"] = RUNTIME.name
 
 
 class Server:
@@ -58,9 +63,22 @@ def connect(port, timeout=20):
     return found
 
 
-def http(port, target="/", host=None, method="GET", headers=()):
+def with_token(target, token):
+    """A target with the token that is wanted there. None leaves it as it is."""
+    return target if token is None else target + ("&" if "?" in target else "?") + "token=" + token
+
+
+KEPT = object()  # the token that the server keeps in a file, as its clients take it
+
+
+def token_of(port, token):
+    return stored_token(port) if token is KEPT else token
+
+
+def http(port, target="/", host=None, method="GET", headers=(), token=KEPT):
     """(status, headers, body) of one request on a connection of its own."""
     host = f"127.0.0.1:{port}" if host is None else host
+    target = with_token(target, token_of(port, token))
     with connect(port) as connection:
         lines = [f"{method} {target} HTTP/1.1", f"Host: {host}", "Connection: close", *headers, "", ""]
         connection.sendall("\r\n".join(lines).encode())
@@ -77,8 +95,9 @@ class WebSocket:
 
     TEXT, BINARY, CLOSE, PING, PONG = 1, 2, 8, 9, 10
 
-    def __init__(self, port, host=None, origin=None, target="/ws", cookie=None):
+    def __init__(self, port, host=None, origin=None, target="/ws", cookie=None, token=KEPT):
         self.connection = connect(port)
+        target = with_token(target, token_of(port, token))
         self.bytes = b""
         self.last_id, self.kept = 0, []
         host = f"127.0.0.1:{port}" if host is None else host
@@ -172,12 +191,15 @@ class WebSocket:
 
 
 class Lines:
-    """JSON-RPC as lines of TCP."""
+    """JSON-RPC as lines of TCP. Shows the token of the server at once, where it keeps one."""
 
-    def __init__(self, port):
+    def __init__(self, port, token=KEPT):
         self.connection = connect(port)
         self.file = self.connection.makefile("rb")
         self.last_id = 0
+        token = token_of(port, token)
+        if token is not None:
+            assert "result" in self.ask("session.hello", token=token)
 
     def send(self, text):
         self.connection.sendall(text if isinstance(text, bytes) else text.encode())

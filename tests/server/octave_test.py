@@ -14,7 +14,8 @@ CLIENT = pathlib.Path(__file__).resolve().parents[2] / "clients" / "matlab"
 TOKEN = "0123456789abcdef"
 SCRIPT = r"""
 addpath('CLIENT');
-thenar = ThenarRemote('127.0.0.1', PORT, 'TOKEN');
+delete(ThenarRemote('127.0.0.1', PORT, 'TOKEN'));
+thenar = ThenarRemote('127.0.0.1', PORT);   % which finds the token by itself
 assert(thenar.hello.protocol, 1);
 assert(thenar.call('session.hello').program, 'thenar');
 found = thenar.call('catalogue.list', struct('what', 'worlds'));

@@ -2,11 +2,15 @@
 
 Usage: pd_pinch_test.py THENAR
 """
+import os
 import pathlib
 import re
 import subprocess
 import sys
+import tempfile
 
+RUNTIME = tempfile.TemporaryDirectory()
+os.environ["XDG_RUNTIME_DIR"] = RUNTIME.name  # where the server leaves its token, and the example finds it
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 
 server = subprocess.Popen([sys.argv[1], "serve", "--port", "0", "--data", str(ROOT / "data")], stdout=subprocess.PIPE,

@@ -18,8 +18,7 @@ import time
 import unittest
 
 from live_client import FACTOR, Lines, Server, WebSocket, connect, http, until
-sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[2] / "clients" / "python"))
-from thenar_remote import Remote, RemoteError  # noqa: E402
+from thenar_remote import Remote, RemoteError, stored_token
 
 THENAR = str(pathlib.Path(sys.argv.pop(1)).resolve())
 HELLO = {"jsonrpc": "2.0", "id": 7, "method": "session.hello", "params": {}}
@@ -34,6 +33,21 @@ def run(*words, text="", code=0, folder=None):
 
 def line(**message):
     return json.dumps({"jsonrpc": "2.0", **message}) + "\n"
+
+
+# How TLS, SSH, mail, databases and floods begin: bytes after which a server of something else hangs up.
+OTHER_PROTOCOLS = [b"\x16\x03\x01\x02\x00\x01\x00\x01\xfc\x03\x03", b"\x16", b"SSH-2.0-OpenSSH_9.2\r\n", b"EHLO mail.example\r\n",
+                   b"\x00\x00\x00\x00", b"\xff\xfe{", b"\xef\xbb\xbf{}", b"*1\r\n$4\r\nPING\r\n", b"A" * 100000, b"\"x\"\n", b"1\n"]
+
+
+def hangs_up(port, begin):
+    """Whether a server ends a connection that begins so, within the time that it would wait for the rest."""
+    with connect(port, timeout=8) as connection:
+        try:
+            connection.sendall(begin)
+            return connection.recv(100) == b""
+        except (ConnectionResetError, BrokenPipeError):
+            return True
 
 
 def mutated(rng, text):
@@ -141,19 +155,17 @@ class Protocol(unittest.TestCase):
 
     def test_who_ends_its_half_still_gets_replies(self):
         with connect(self.server.port) as connection:
-            connection.sendall((line(**HELLO) * 3).encode()[:-1])  # the last line has no end
+            hello = line(**{**HELLO, "params": {"token": stored_token(self.server.port)}})
+            connection.sendall((hello * 3).encode()[:-1])  # the last line has no end
             connection.shutdown(socket.SHUT_WR)
             with connection.makefile("rb") as file:
                 self.assertEqual(len(file.read().splitlines()), 3)
 
-    def test_browsers_are_hung_up_on(self):
-        for begin in (b"GET / HTTP/1.1\r\nHost: x\r\n\r\n", b"POST / HTTP/1.1\r\nContent-Length: 9\r\n\r\n" + line(**HELLO).encode()):
-            with connect(self.server.port) as connection:
-                connection.sendall(begin)
-                try:
-                    self.assertEqual(connection.recv(100), b"")
-                except ConnectionResetError:
-                    pass
+    def test_other_protocols_are_hung_up_on(self):
+        for begin in OTHER_PROTOCOLS + [b"GET / HTTP/1.1\r\nHost: x\r\n\r\n", b" \r\n\tGET / HTTP/1.1\r\n",
+                                        b"POST / HTTP/1.1\r\nContent-Length: 9\r\n\r\n" + line(**HELLO).encode()]:
+            self.assertTrue(hangs_up(self.server.port, begin), begin)
+        self.assertIn("result", Lines(self.server.port).ask("session.hello"))
 
     def test_examples_of_all_methods_are_what_they_take(self):
         client = Lines(self.server.port)
@@ -251,7 +263,7 @@ class Hostile(unittest.TestCase):
     def test_damaged_requests_of_http_do_not_end_it(self):
         rng = random.Random(4)
         with Server(THENAR, "view", "--no-open") as server:
-            valid = f"GET /ws HTTP/1.1\r\nHost: 127.0.0.1:{server.port}\r\nUpgrade: websocket\r\nConnection: Upgrade\r\n" \
+            valid = f"GET /ws?token={stored_token(server.port)} HTTP/1.1\r\nHost: 127.0.0.1:{server.port}\r\nUpgrade: websocket\r\nConnection: Upgrade\r\n" \
                     "Sec-WebSocket-Version: 13\r\nSec-WebSocket-Key: AAAAAAAAAAAAAAAAAAAAAA==\r\nCookie: a=b; c\r\n\r\n"
             first = None
             for i in range(1000):
@@ -326,7 +338,7 @@ class Hostile(unittest.TestCase):
             self.assertEqual(server.stop()[0], 0)
 
     def test_no_more_than_64_clients_come_in(self):
-        with Server(THENAR, "serve", "--port", "0") as server:
+        with Server(THENAR, "serve", "--port", "0", "--no-token") as server:
             clients = [Lines(server.port) for _ in range(64)]
             for client in clients:
                 client.ask("session.hello")
@@ -411,19 +423,19 @@ class Access(unittest.TestCase):
             port, remote = server.port, int(server.process.stdout.readline().rsplit(":", 1)[1])
             self.assertIn("?token=" + token, server.lines[0])
             for target in ("/", "/?token=0123456789abcdeF", "/?token=", "/live.js", "/mesh/1?token=" + token[:-1]):
-                self.assertEqual(http(port, target)[0], 401, target)
-            status, headers, _ = http(port, "/?token=" + token)
+                self.assertEqual(http(port, target, token=None)[0], 401, target)
+            status, headers, _ = http(port, "/?token=" + token, token=None)
             self.assertEqual(status, 200)
             cookie = headers["set-cookie"].split(";")[0]
             self.assertIn("HttpOnly", headers["set-cookie"])
-            self.assertEqual(http(port, "/live.js", headers=["Cookie: " + cookie])[0], 200)
-            self.assertEqual(WebSocket(port).status, 401)
-            self.assertEqual(WebSocket(port, cookie=cookie[:-1] + "0").status, 401)
-            self.assertEqual(WebSocket(port, cookie=cookie).status, 101)
-            self.assertEqual(WebSocket(port, target="/ws?token=" + token).status, 101)
+            self.assertEqual(http(port, "/live.js", headers=["Cookie: " + cookie], token=None)[0], 200)
+            self.assertEqual(WebSocket(port, token=None).status, 401)
+            self.assertEqual(WebSocket(port, cookie=cookie[:-1] + "0", token=None).status, 401)
+            self.assertEqual(WebSocket(port, cookie=cookie, token=None).status, 101)
+            self.assertEqual(WebSocket(port, target="/ws?token=" + token, token=None).status, 101)
             for first in (line(id=1, method="session.methods"), line(id=1, method="session.hello", params={"token": "x" * 16}),
                           line(id=1, method="session.hello", params={"token": 3}), "[]\n"):
-                client = Lines(remote)
+                client = Lines(remote, token=None)
                 client.send(first + line(id=2, method="session.methods"))
                 self.assertIn("token", client.receive()["error"]["message"])
                 with self.assertRaises(ConnectionError):
@@ -435,6 +447,100 @@ class Access(unittest.TestCase):
                 self.assertNotIn(token, good.session.log()["log"])
             self.assertEqual(server.stop()[0], 0)
 
+    def test_users_of_this_machine_need_the_token_too(self):
+        with Server(THENAR, "view", "--no-open", "--remote", "0") as server:
+            remote = int(server.process.stdout.readline().rsplit(":", 1)[1])
+            token = server.lines[0].strip().partition("?token=")[2]
+            self.assertEqual(len(token), 32)
+            for port in (server.port, remote):
+                file = pathlib.Path(os.environ["XDG_RUNTIME_DIR"], "thenar", f"{port}.token")
+                self.assertEqual(file.read_text(), token + "\n")
+                self.assertEqual((file.stat().st_mode & 0o777, file.parent.stat().st_mode & 0o777), (0o600, 0o700))
+            self.assertEqual([http(server.port, token=None)[0], WebSocket(server.port, token=None).status], [401, 401])
+            with self.assertRaises(RemoteError):
+                Remote(port=remote, token="")
+            for host in ("127.0.0.1", "localhost"):
+                with Remote(host, remote) as good:
+                    self.assertEqual(good.hello["program"], "thenar")
+            self.assertEqual(server.stop()[0], 0)
+            self.assertEqual(list(file.parent.iterdir()), [])
+        with Server(THENAR, "serve", "--port", "0", "--no-token") as server:
+            self.assertEqual(list(file.parent.iterdir()), [])
+            with Remote(port=server.port, token="") as anybody:
+                self.assertEqual(anybody.hello["program"], "thenar")
+            out = server.stop()[1]
+            self.assertNotIn("token", out)
+
+    def test_a_file_that_was_left_behind_or_planted_gives_way(self):
+        folder = pathlib.Path(os.environ["XDG_RUNTIME_DIR"], "thenar")
+        with Server(THENAR, "serve", "--port", "0") as server:
+            port = server.port
+            folder.chmod(0o755)  # others may have looked in
+            self.assertEqual(server.stop(signal.SIGKILL)[0], -signal.SIGKILL)
+        self.assertTrue((folder / f"{port}.token").exists())
+        with tempfile.TemporaryDirectory() as elsewhere:
+            victim = pathlib.Path(elsewhere, "victim")
+            victim.write_text("own words")
+            (folder / f"{port}.token").unlink()
+            (folder / f"{port}.token").symlink_to(victim)
+            with Server(THENAR, "serve", "--port", str(port)) as server:
+                self.assertEqual(server.port, port)
+                self.assertEqual((folder.stat().st_mode & 0o777, (folder / f"{port}.token").is_symlink()), (0o700, False))
+                self.assertIn("result", Lines(port).ask("session.hello"))
+                self.assertEqual(server.stop()[0], 0)
+            self.assertEqual(victim.read_text(), "own words")
+
+    def test_a_server_runs_without_a_place_for_its_token(self):
+        places = {name: os.environ.get(name) for name in ("XDG_RUNTIME_DIR", "XDG_CACHE_HOME", "HOME")}
+        try:
+            for name in places:
+                os.environ[name] = "/proc/nowhere"
+            with Server(THENAR, "serve", "--port", "0") as server:
+                token = server.process.stdout.readline().split()[1]
+                with Remote(port=server.port, token=token) as good:
+                    self.assertEqual(good.hello["program"], "thenar")
+                self.assertIn("the token is kept in no file", server.stop()[2])
+        finally:
+            for name, value in places.items():
+                os.environ.pop(name)
+                if value is not None:
+                    os.environ[name] = value
+
+    def test_the_page_hangs_up_on_other_protocols(self):
+        with Server(THENAR, "view", "--no-open") as server:
+            for begin in OTHER_PROTOCOLS + [b"{}", b"get / HTTP/1.1\r\n", b"GETS / HTTP/1.1\r\n\r\n", b"\r\nGET / HTTP/1.1\r\n\r\n"]:
+                self.assertTrue(hangs_up(server.port, begin), begin)
+            with connect(server.port) as slow:  # byte by byte it is still HTTP
+                for byte in f"GET /?token={stored_token(server.port)} HTTP/1.1\r\nHost: 127.0.0.1\r\n\r\n".encode():
+                    slow.sendall(bytes([byte]))
+                self.assertTrue(slow.recv(100).startswith(b"HTTP/1.1 200"))
+            self.assertEqual(server.stop()[0], 0)
+
+    def test_the_browser_is_sent_to_an_address_without_the_token(self):
+        with tempfile.TemporaryDirectory() as folder:
+            told = pathlib.Path(folder, "told")
+            opener = pathlib.Path(folder, "xdg-open")
+            opener.write_text(f"#!/bin/sh\necho \"$1\" > {told}.new\nmv {told}.new {told}\n")
+            opener.chmod(0o755)
+            before = os.environ["PATH"], os.environ.get("DISPLAY")
+            os.environ.update(PATH=folder + os.pathsep + before[0], DISPLAY=":0")
+            try:
+                with Server(THENAR, "view") as server:
+                    until(told.exists, "the browser is opened")
+                    target = told.read_text().strip().partition(f":{server.port}")[2]
+                    token = stored_token(server.port)
+                    self.assertNotIn(token, target)
+                    status, headers, _ = http(server.port, target, token=None)
+                    self.assertEqual(status, 200)
+                    self.assertIn(token, headers["set-cookie"])
+                    self.assertEqual(http(server.port, target, token=None)[0], 401)  # it counts once
+                    self.assertEqual(server.stop()[0], 0)
+            finally:
+                os.environ["PATH"] = before[0]
+                os.environ.pop("DISPLAY")
+                if before[1] is not None:
+                    os.environ["DISPLAY"] = before[1]
+
     def test_a_token_is_of_no_use_to_standard_input(self):
         _, error = run("serve", "--stdio", "--token", "0123456789abcdef", code=1)
         self.assertIn("wanted no --token", error)
@@ -444,15 +550,16 @@ class Access(unittest.TestCase):
         self.assertIn("thenar serve [OPTIONS] [file]\n", run("serve", "--help")[0])
 
     def test_other_machines_come_in_with_a_token_alone(self):
-        _, error = run("view", "--bind", "0.0.0.0", "--no-open", code=1)
-        self.assertIn("--token", error)
+        for more in ([], ["--no-token"]):
+            _, error = run("view", "--bind", "0.0.0.0", "--no-open", *more, code=1)
+            self.assertIn("--token", error)
         _, error = run("serve", "--port", "0", "--token", "short", code=1)
         self.assertIn("at least 16 characters", error)
         with Server(THENAR, "view", "--bind", "0.0.0.0", "--token", "auto", "--no-open") as server:
             token = server.lines[0].strip().rsplit("=", 1)[1]
             self.assertEqual(len(token), 32)
-            self.assertEqual(http(server.port, "/?token=" + token, host=f"192.0.2.7:{server.port}")[0], 200)
-            self.assertEqual(http(server.port, "/?token=" + token, host=f"evil.example:{server.port}")[0], 403)
+            self.assertEqual(http(server.port, host=f"192.0.2.7:{server.port}", token=token)[0], 200)
+            self.assertEqual(http(server.port, host=f"evil.example:{server.port}", token=token)[0], 403)
             self.assertEqual(server.stop()[0], 0)
 
 
@@ -511,9 +618,31 @@ class Command(unittest.TestCase):
             last = json.loads(lines[-1])
             last["reply"] = "0" * 64
             pathlib.Path(log).write_text("\n".join([*lines[:-1], json.dumps(last)]) + "\n")
-            self.assertIn(f"1 replies differ, the first at {log}:{len(lines)}", run("serve", "--replay", log, code=1, folder=folder)[0])
+            self.assertIn(f"the last reply differs: {log}:{len(lines)}\n", run("serve", "--replay", log, code=1, folder=folder)[0])
+            # Nothing behind it is repeated.
+            pathlib.Path(log).write_text("\n".join([json.dumps(last), *lines[1:]]) + "\n")
+            self.assertIn(f"1 requests repeated, the last reply differs: {log}:1\n", run("serve", "--replay", log, code=1, folder=folder)[0])
             pathlib.Path(log).write_text(lines[0] + "\n{}\n")
             self.assertIn(f"{log}:2:", run("serve", "--replay", log, code=1, folder=folder)[1])
+
+    def test_a_log_writes_nothing_unless_told_to(self):
+        with tempfile.TemporaryDirectory() as folder, tempfile.TemporaryDirectory() as other:
+            log = os.path.join(other, "session.jsonl")
+            with Server(THENAR, "serve", "--port", "0", "--log", log, folder=folder) as server:
+                client = Lines(server.port)
+                client.ask("world.save", file="saved.toml")
+                client.ask("world.save", file="../escaped.toml")  # refused
+                client.ask("world.get")
+                self.assertEqual(server.stop()[0], 0)
+            pathlib.Path(folder, "saved.toml").unlink()
+            out, _ = run("serve", "--replay", log, folder=folder)
+            self.assertIn("all replies are as they were; 2 that write files were skipped", out)
+            self.assertEqual(os.listdir(folder), [])
+            chosen = pathlib.Path(other, "chosen")
+            chosen.mkdir()
+            out, _ = run("serve", "--replay", log, "--replay-writes", str(chosen), folder=folder)
+            self.assertIn("all replies are as they were\n", out)
+            self.assertEqual((os.listdir(folder), os.listdir(chosen)), ([], ["saved.toml"]))
 
     def test_what_watches_is_told_the_end(self):
         for number in (signal.SIGINT, signal.SIGTERM):

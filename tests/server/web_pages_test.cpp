@@ -29,6 +29,16 @@ std::string header(const WebAnswer& answer, const std::string& name) {
   return "";
 }
 
+TEST(HttpStart, WaitsForAMethodAndHangsUpOnAnythingElse) {
+  for (const char* text : {"", "G", "GET", "O", "OPTIONS", "P", "PA"})
+    EXPECT_EQ(http_start(text), HttpStart::kOpen) << text;
+  for (const char* text : {"GET ", "GET / HTTP/1.1\r\n", "HEAD /", "PATCH / "})
+    EXPECT_EQ(http_start(text), HttpStart::kMethod) << text;
+  for (const char* text :
+       {"get ", "GETS /", "GET\t/", "\x16\x03\x01", "SSH-2.0", "EHLO x", "{", "\r\nGET /"})
+    EXPECT_EQ(http_start(text), HttpStart::kOther) << text;
+}
+
 TEST(WebPages, GivesThePageWithItsHeaders) {
   const WebAnswer answer = ask(get("/"));
   EXPECT_EQ(answer.status, 200);
