@@ -61,7 +61,8 @@ OrderedJson get_joints(Session& session, const Json& params, const Progress& /*p
 
 OrderedJson put_joints(Session& session, const Json& params, const Progress& /*progress*/) {
   const SetJoints set =
-      set_joints(live_world(session), text_param(params, "hand"), named_numbers(params, "joints"));
+      set_joints(live_world(session), text_param(params, "hand"), named_numbers(params, "joints"),
+                 text_param(params, "gesture"));
   return {{"joints", set.joints}, {"limited", set.limited}, {"parted", set.parted}};
 }
 
@@ -113,7 +114,8 @@ void add_hand_methods(MethodTable& table) {
        "the drive; several that are named part, as a clutch that has opened leaves them.",
        object_schema({hand_member(),
                       {"joints", map_schema(number_schema("rad or m", -1000, 1000)),
-                       "Joint -> value.", true}}),
+                       "Joint -> value.", true},
+                      gesture_member()}),
        "joints: all of the hand [rad or m]; limited: those that stopped at a limit; parted: those "
        "of the hand that do not stand where their drive would take them",
        R"({"joints": {"opening": 0.03}})", put_joints});

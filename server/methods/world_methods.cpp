@@ -128,7 +128,8 @@ OrderedJson remove(Session& session, const Json& params, const Progress& /*progr
 OrderedJson place(Session& session, const Json& params, const Progress& /*progress*/) {
   LiveWorld& live = live_world(session);
   const std::string name = params["name"].get<std::string>();
-  place_thing(live, name, position_param(params), rotation_param(params));
+  place_thing(live, name, position_param(params), rotation_param(params),
+              text_param(params, "gesture"));
   return {{"placed", name}};
 }
 
@@ -188,8 +189,10 @@ void add_thing_rows(MethodTable& table) {
        import});
   table.add(
       {"world.place", "Puts an object, an obstacle or a free hand somewhere else.",
-       object_schema(
-           {{"name", name, "Of what is placed.", true}, position_member(), rotation_member()}),
+       object_schema({{"name", name, "Of what is placed.", true},
+                      position_member(),
+                      rotation_member(),
+                      gesture_member()}),
        "placed: its name", R"({"name": "mug", "position": [0.3, 0.1, 0.1]})", place});
   table.add({"world.remove", "Removes an object, an obstacle or a hand.",
              object_schema({{"name", name, "Of what goes.", true}}), "removed: its name",

@@ -52,6 +52,12 @@ SchemaMember object_member() {
   return {"object", text_schema(kNameLength), "Which object; may be left out where there is one."};
 }
 
+SchemaMember gesture_member() {
+  return {"gesture", text_schema(kNameLength),
+          "A name of your own: moves of one thing that follow each other with the same one, as of a "
+          "drag, are undone as one. Without it each is undone by itself."};
+}
+
 std::string text_param(const Json& params, const std::string& name) {
   return params.contains(name) ? params[name].get<std::string>() : std::string();
 }

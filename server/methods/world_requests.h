@@ -28,6 +28,8 @@ inline constexpr double kFarthest = 1000;  // of a position [m]
 /// "hand" and "object": names, which may be left out where there is only one.
 [[nodiscard]] SchemaMember hand_member();
 [[nodiscard]] SchemaMember object_member();
+/// "gesture": moves of one thing that name the same one are undone together.
+[[nodiscard]] SchemaMember gesture_member();
 
 /// Both of them.
 [[nodiscard]] LivePair pair_param(const Json& params);

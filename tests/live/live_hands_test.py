@@ -38,17 +38,43 @@ class Hands(LivePage):
         return self.browser.value(f"(() => {{ const p = thenarLive.picture; return p.stage.pixel(p.joint.rim({angle}));"
                                   "})()")
 
-    def test_a_joint_is_dragged_to_its_limit(self):
-        self.start(WORLD)
-        joint = self.select_joint()
-        # From the needle on round the rim, well past the upper limit.
-        way = joint["upper"] - joint["value"] + 0.5
+    def drag(self, way):
+        """Drags the needle of the joint that is selected round the rim."""
         points = [self.rim(way * k / 24) for k in range(25)]
         self.browser.mouse("mouseMoved", **points[0])
         self.browser.mouse("mousePressed", **points[0], buttons=1)
         for point in points[1:]:
             self.browser.mouse("mouseMoved", **point, buttons=1)
         self.browser.mouse("mouseReleased", **points[-1])
+        self.settle()
+
+    def test_undo_takes_back_a_drag_and_no_more(self):
+        self.start(WORLD)
+        joint = self.select_joint()
+        now = f"thenarLive.store.frame.joints[{joint['index']}]"
+        values = [joint["value"]]
+        for _ in range(2):  # the disc turns with the joint
+            self.drag(0.2)
+            values.append(self.browser.value(now))
+        # Two pulls of its slider.
+        for share in (0.7, 0.9):
+            self.browser.value("(() => { const s = document.querySelector('.slider.marked input[type=range]');"
+                               f"for (const part of [0.98, 0.99, 1]) {{ s.value = s.min * 1 + {share} * part * (s.max - s.min);"
+                               "s.dispatchEvent(new Event('input', { bubbles: true })); }"
+                               "s.dispatchEvent(new Event('change', { bubbles: true })); })()")
+            self.settle()
+            values.append(self.browser.value(now))
+        self.assertEqual(values, sorted(set(values)))
+        for before in reversed(values[:-1]):
+            self.browser.click("#undo")
+            self.browser.wait(f"Math.abs({now} - {before}) < 1e-6", f"the joint back at {before}")
+        self.assert_no_errors()
+
+    def test_a_joint_is_dragged_to_its_limit(self):
+        self.start(WORLD)
+        joint = self.select_joint()
+        # Well past the upper limit.
+        self.drag(joint["upper"] - joint["value"] + 0.5)
         self.browser.wait(f"Math.abs(thenarLive.store.frame.joints[{joint['index']}] - {joint['upper']}) < 1e-6",
                           "the joint at its limit")
         self.settle()

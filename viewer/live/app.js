@@ -59,13 +59,40 @@ function addRequests(app) {
   app.save = () => saveWorld(app);
 }
 
+/// Names of gestures: of all moves until the pointer, or else the key, is let go. Tools that set a slider without
+/// either tell of a change at its end.
+function addGestures(app) {
+  const page = Math.random().toString(36).slice(2); // tells pages of one session apart
+  let count = 0;
+  const held = { pointers: new Set(), keys: new Set() };
+  const end = () => (count += 1);
+  app.gesture = () => `${page} ${count}`;
+  addEventListener("pointerdown", ({ pointerId }) => held.pointers.add(pointerId), true);
+  addEventListener("keydown", ({ code }) => held.keys.add(code), true);
+  for (const kind of ["pointerup", "pointercancel"])
+    addEventListener(kind, ({ pointerId }) => {
+      held.pointers.delete(pointerId);
+      end();
+    });
+  addEventListener("keyup", ({ code }) => {
+    held.keys.delete(code);
+    if (held.pointers.size === 0) end();
+  });
+  addEventListener("blur", () => {
+    held.pointers.clear();
+    held.keys.clear();
+    end();
+  });
+  addEventListener("change", () => held.pointers.size + held.keys.size === 0 && end());
+}
+
 /// Joints and places that follow a hand.
 function addMoves(app) {
   const { store } = app;
   const sendJoints = latestWins(({ method, params }) => app.ask(method, params), links.mergeJoints);
   app.canMove = () => links.jointRequest(store.scene?.mode, {}, 0) !== null;
   app.moveJoint = (joint, value) => {
-    const request = links.jointRequest(store.scene.mode, joint, value);
+    const request = links.jointRequest(store.scene.mode, joint, value, app.gesture());
     if (!request) return null;
     app.wanted = { joint, value };
     app.notices.say(jointWords(store.scene, joint, value));
@@ -73,9 +100,10 @@ function addMoves(app) {
       if (app.wanted?.joint === joint && app.wanted.value === value) app.wanted = null;
     });
   };
-  const sendPlace = latestWins((params) => app.ask("world.place", params));
+  const sendPlace = latestWins((params) => app.ask("world.place", params), links.newerPlace);
   app.moveSelected = ({ position, rotation }) =>
-    store.selected && sendPlace({ name: store.selected.owner, position, rotation });
+    store.selected &&
+    sendPlace({ name: store.selected.owner, position, rotation, gesture: app.gesture() });
   app.poseOf = (owner) => {
     const at = store.scene?.bodies.findIndex((body) => body.owner === owner) ?? -1;
     return at < 0 || !store.frame ? null : [...store.frame.bodies.subarray(7 * at, 7 * at + 3)];
@@ -304,8 +332,8 @@ export function makeApp(root, view) {
     failed: (error) => app.notices.error(error.message),
     changed: (what) => app.legend.show(what),
   });
-  for (const add of [addRequests, addMoves, addSelection, addView, addHearing, addExports])
-    add(app);
+  const parts = [addRequests, addGestures, addMoves, addSelection, addView, addHearing, addExports];
+  for (const add of parts) add(app);
   app.importFiles = takeFiles(app);
   onThemeChange(() => {
     theme.forget();

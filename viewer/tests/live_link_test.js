@@ -116,6 +116,16 @@ test("one request is in flight, and the latest waits", async () => {
   assert.equal(await after, "four");
 });
 
+test("what does not belong to the value that waits goes behind it", async () => {
+  const sent = [];
+  const push = latestWins(
+    async (value) => void sent.push(value),
+    (waiting, next) => (waiting[0] === next[0] ? next : null),
+  );
+  await Promise.all(["a1", "a2", "a3", "b1", "b2", "a4"].map(push));
+  assert.deepEqual(sent, ["a1", "a3", "b2", "a4"]);
+});
+
 test("work waits until all is quiet", () => {
   const timers = new Map();
   let next = 0;
@@ -181,11 +191,14 @@ test("a frame of another revision or shape does not fit", () => {
 });
 
 test("joints that wait are joined, but not those of two hands", () => {
-  const one = store.jointRequest("world", { name: "a", hand: "h" }, 1);
-  const two = store.jointRequest("world", { name: "b", hand: "h" }, 2);
-  const other = store.jointRequest("world", { name: "b", hand: "g" }, 2);
-  assert.deepEqual(store.mergeJoints(one, two).params, { hand: "h", joints: { a: 1, b: 2 } });
-  assert.deepEqual(store.mergeJoints(one, other), other);
+  const one = store.jointRequest("world", { name: "a", hand: "h" }, 1, "first");
+  const two = store.jointRequest("world", { name: "b", hand: "h" }, 2, "first");
+  const other = store.jointRequest("world", { name: "b", hand: "g" }, 2, "first");
+  const later = store.jointRequest("world", { name: "b", hand: "h" }, 2, "second");
+  const joints = { a: 1, b: 2 };
+  assert.deepEqual(store.mergeJoints(one, two).params, { hand: "h", joints, gesture: "first" });
+  assert.equal(store.mergeJoints(one, other), null);
+  assert.equal(store.mergeJoints(one, later), null);
   assert.equal(store.jointRequest("fit", { name: "a" }, 1), null);
   assert.deepEqual(store.jointRequest("tendons", { name: "a" }, 1).params, { posture: { a: 1 } });
 });

@@ -91,6 +91,11 @@ WorldState without_placed(WorldState state, std::size_t removed) {
   return state;
 }
 
+/// By which the moves of a gesture are undone as one. @param what  is moved, and how
+std::string gesture_key(const std::string& what, const std::string& gesture) {
+  return gesture.empty() ? "" : what + "\n" + gesture;
+}
+
 Pose<double> moved_to(const Pose<double>& X, const std::optional<Eigen::Vector3d>& position,
                       const std::optional<Eigen::Matrix3d>& R) {
   return {R.value_or(X.R), position.value_or(X.p)};
@@ -217,10 +222,10 @@ void remove_thing(LiveWorld& live, const std::string& name) {
 
 void place_thing(LiveWorld& live, const std::string& name,
                  const std::optional<Eigen::Vector3d>& position,
-                 const std::optional<Eigen::Matrix3d>& R) {
+                 const std::optional<Eigen::Matrix3d>& R, const std::string& gesture) {
   require(!position || position->allFinite(), "wanted a finite position of '{}'", name);
   WorldState next = live.state();
-  const std::string key = "place " + name;
+  const std::string key = gesture_key("place " + name, gesture);
   if (const std::size_t body = body_index(next, name); body < next.bodies.size()) {
     next.bodies[body].X_WB = moved_to(next.bodies[body].X_WB, position, R);
     live.apply(std::move(next), "move " + name, key);
@@ -255,16 +260,14 @@ std::map<std::string, double> joints_of(const WorldState& state, std::size_t han
 }
 
 SetJoints set_joints(LiveWorld& live, const std::string& hand,
-                     const std::map<std::string, double>& joints) {
+                     const std::map<std::string, double>& joints, const std::string& gesture) {
   const std::size_t index = hand_index(live.state(), hand);
   const StateHand& found = live.state().hands[index];
   const HandLayout& layout = found.built->model().layout();
   std::vector<std::pair<int, double>> named;
-  std::string key = "joints of " + name_of(live.state(), found);
   for (const auto& [name, value] : joints) {
     require(std::isfinite(value), "wanted a finite value of joint '{}'", name);
     named.emplace_back(static_cast<int>(index_of_name(name, layout.coordinates, "joint")), value);
-    key += "\n" + name;
   }
   Eigen::VectorXd q = found.stand.q;
   put_joints(*found.built, named, q);
@@ -277,7 +280,8 @@ SetJoints set_joints(LiveWorld& live, const std::string& hand,
   }
   if (!joints.empty())
     live.apply(with_posture(live.state(), index, q),
-               "move joints of " + name_of(live.state(), found), key);
+               "move joints of " + name_of(live.state(), found),
+               gesture_key("joints of " + name_of(live.state(), found), gesture));
   set.joints = joints_of(live.state(), index);
   set.parted = parted_joints(*live.state().hands[index].built, q);
   return set;

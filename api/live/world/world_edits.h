@@ -1,7 +1,8 @@
 #pragma once
 
 /// Edits of a live world: what is added, removed, placed, and how joints are set. Each can be
-/// undone; one that throws leaves the world as it was.
+/// undone; one that throws leaves the world as it was. Moves of one thing that name the same
+/// gesture, one right after the other, are undone together: a drag, a slider, a key that is held.
 
 #include <map>
 #include <optional>
@@ -40,10 +41,11 @@ void remove_thing(LiveWorld& live, const std::string& name);
 
 /// Puts an object, an obstacle, a free hand, or what carries hands, somewhere else.
 /// @param position  stays where it is if left out [m] (3);  @param R  the same (3, 3)
+/// @param gesture   of which the move is a part; empty: it stands alone
 /// @throws InputError if there is none of that name, or it is mounted, saying on what
 void place_thing(LiveWorld& live, const std::string& name,
                  const std::optional<Eigen::Vector3d>& position,
-                 const std::optional<Eigen::Matrix3d>& R);
+                 const std::optional<Eigen::Matrix3d>& R, const std::string& gesture = "");
 
 /// What became of joints that were set.
 struct SetJoints {
@@ -56,10 +58,11 @@ struct SetJoints {
 /// Sets joints of a hand, within their limits. A joint that is named alone of its drive moves all
 /// joints of the drive, in the ratio of their gears; several that are named stand where they are
 /// told to, and the others go with the first of the drive if that is among them.
-/// @param hand  name; empty: the only one
+/// @param hand     name; empty: the only one
+/// @param gesture  of which the move is a part; empty: it stands alone
 /// @throws InputError for a joint that the hand has not, with the nearest name
 SetJoints set_joints(LiveWorld& live, const std::string& hand,
-                     const std::map<std::string, double>& joints);
+                     const std::map<std::string, double>& joints, const std::string& gesture = "");
 
 /// All joints of a hand. @param hand  of WorldState::hands
 [[nodiscard]] std::map<std::string, double> joints_of(const WorldState& state, std::size_t hand);

@@ -1,31 +1,33 @@
 // Requests that follow a hand: never more than one in flight, and only the newest of those that wait.
 
 /// `send(value)` returns a promise. The function that is returned takes the next value; values that
-/// come while one is in flight are joined by `merge(waiting, next)`, by default the newest stays.
-/// It promises when the value, or a newer one in its place, has been answered.
+/// come while one is in flight are joined by `merge(waiting, next)`, by default the newest stays;
+/// null: they do not belong together, and the next one waits behind. It promises when the value, or
+/// a newer one in its place, has been answered.
 export function latestWins(send, merge = (_, next) => next) {
   let flying = null;
-  let waiting = null;
+  const waiting = [];
 
   async function work() {
-    while (waiting) {
-      const { value, settled } = waiting;
-      waiting = null;
+    while (waiting.length > 0) {
+      const { value, settled } = waiting.shift();
       await send(value).then(settled.resolve, settled.reject);
     }
     flying = null;
   }
 
   return (value) => {
-    if (waiting) waiting.value = merge(waiting.value, value);
+    const last = waiting.at(-1);
+    const merged = last ? merge(last.value, value) : null;
+    if (merged !== null) last.value = merged;
     else {
       const settled = {};
       settled.promise = new Promise((resolve, reject) =>
         Object.assign(settled, { resolve, reject }),
       );
-      waiting = { value, settled };
+      waiting.push({ value, settled });
     }
-    const { promise } = waiting.settled;
+    const { promise } = waiting.at(-1).settled;
     flying ??= work();
     return promise;
   };

@@ -62,18 +62,25 @@ export function jointAtBody(scene, body) {
 }
 
 /// What a change of one joint is called, by what is open: { method, params } for the server, and null
-/// where joints cannot be moved.
-export function jointRequest(mode, joint, value) {
+/// where joints cannot be moved. Of a world it is a part of a gesture.
+export function jointRequest(mode, joint, value, gesture) {
   const joints = { [joint.name]: value };
-  if (mode === "world") return { method: "hand.set_joints", params: { hand: joint.hand, joints } };
+  if (mode === "world")
+    return { method: "hand.set_joints", params: { hand: joint.hand, joints, gesture } };
   if (mode === "tendons") return { method: "tendons.set", params: { posture: joints } };
   if (mode === "motion") return { method: "motion.set", params: { targets: joints } };
   return null;
 }
 
-/// Two requests of the same method whose joints are joined; others replace each other.
+/// Whether both are of the same thing and gesture.
+const belong = (a, b) => a.hand === b.hand && a.name === b.name && a.gesture === b.gesture;
+
+/// The newer of two places of a thing in one gesture; null of others.
+export const newerPlace = (waiting, next) => (belong(waiting, next) ? next : null);
+
+/// Two requests of the same method, hand and gesture as one with the joints of both; null of others.
 export function mergeJoints(waiting, next) {
-  if (waiting.method !== next.method || waiting.params.hand !== next.params.hand) return next;
+  if (waiting.method !== next.method || !belong(waiting.params, next.params)) return null;
   const joined = { ...next.params };
   for (const name of ["joints", "posture", "targets", "tensions", "excitations"])
     if (waiting.params[name] || next.params[name])

@@ -309,18 +309,47 @@ TEST(LiveWorld, RemovesAHandAndLeavesItsArm) {
 
 // ---- undo
 
-TEST(LiveWorld, MergesADragIntoOneStep) {
+TEST(LiveWorld, UndoesAGestureAsOneStep) {
   LiveWorld live(places());
   (void)load_world(live, "jaw_box");
-  for (int i = 0; i < 10; ++i) place_thing(live, "box", Eigen::Vector3d(0.01 * i, 0, 0), {});
-  for (int i = 0; i < 10; ++i) (void)set_joints(live, "", {{"opening", 0.001 * i}});
-  place_thing(live, "box", Eigen::Vector3d(1, 0, 0), {});
-  int steps = 0;
-  while (live.edit_state().undo) {
-    (void)live.undo();
-    ++steps;
+  const auto drag_box = [&](double to, const std::string& gesture) {
+    for (int i = 1; i <= 10; ++i)
+      place_thing(live, "box", Eigen::Vector3d(0.1 * to * i, 0, 0), {}, gesture);
+  };
+  drag_box(0.5, "first drag");
+  drag_box(1, "second drag");
+  for (int i = 1; i <= 10; ++i) (void)set_joints(live, "", {{"opening", 0.001 * i}}, "slider");
+  drag_box(2, "second drag");  // something came between
+  const auto x = [&] { return live.state().bodies[0].X_WB.p.x(); };
+  EXPECT_EQ(x(), 2);
+  (void)live.undo();
+  EXPECT_EQ(x(), 1);
+  EXPECT_EQ(joints_of(live.state(), 0)["opening"], 0.01);
+  (void)live.undo();
+  EXPECT_EQ(joints_of(live.state(), 0)["opening"], 0.05);  // as the world has it
+  (void)live.undo();
+  EXPECT_EQ(x(), 0.5);
+  (void)live.undo();
+  EXPECT_EQ(x(), 0);
+}
+
+TEST(LiveWorld, UndoesMovesOfNoGestureOneByOne) {
+  LiveWorld live(places());
+  (void)load_world(live, "jaw_box");
+  for (const double x : {0.1, 0.2, 0.3}) {
+    place_thing(live, "box", Eigen::Vector3d(x, 0, 0), {});
+    (void)set_joints(live, "", {{"opening", 0.1 * x}});
+    (void)set_joints(live, "", {{"opening", 0.05 * x}});
   }
-  EXPECT_EQ(steps, 4);  // a drag of the box, one of the joint, one of the box, the load
+  for (const double x : {0.3, 0.2, 0.1}) {
+    EXPECT_EQ(joints_of(live.state(), 0)["opening"], 0.05 * x);
+    (void)live.undo();
+    EXPECT_EQ(joints_of(live.state(), 0)["opening"], 0.1 * x);
+    (void)live.undo();
+    EXPECT_EQ(live.state().bodies[0].X_WB.p.x(), x);
+    (void)live.undo();
+  }
+  EXPECT_EQ(live.state().bodies[0].X_WB.p.x(), 0);
 }
 
 TEST(LiveWorld, AnEditAfterUndoIsOneOfItsOwn) {
