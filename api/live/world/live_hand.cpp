@@ -10,6 +10,7 @@
 #include "api/live/world/nail_mesh.h"
 #include "api/named/material_names.h"
 #include "base/progress_parts.h"
+#include "base/provenance.h"
 #include "hand/skin/human_surfaces.h"
 #include "tendons/human/human_hand.h"
 
@@ -116,18 +117,17 @@ std::shared_ptr<const LiveHand> build_live_hand(const WorldSpec& world, const st
   return hand;
 }
 
-std::string live_hand_key(const WorldSpec& world, std::size_t hand) {
+std::string live_hand_key(const WorldSpec& world, std::size_t hand,
+                          const std::vector<std::string>& data) {
   std::string key;
-  const auto file_key = [&](const std::string& file) -> std::string {
-    if (file.empty()) return "";
-    const std::filesystem::path whole = std::filesystem::path(world.folder) / file;
-    std::error_code gone;  // a file that is not there has no time, and is refused where it is read
-    const auto time = std::filesystem::last_write_time(whole, gone).time_since_epoch().count();
-    return fmt::format("{} {}", whole.lexically_normal().string(), time);
+  const auto file_of = [&](const PlacedHand& placed) {
+    return placed.file.empty()
+               ? robot_file(placed.name, data)
+               : (std::filesystem::path(world.folder) / placed.file).lexically_normal().string();
   };
   for (std::size_t steps = 0; steps <= world.hands.size(); ++steps) {
     const PlacedHand& placed = world.hands[hand];
-    key += fmt::format("{}\n{}\n{}\n", current_hand_name(placed.name), file_key(placed.file),
+    key += fmt::format("{}\n{}\n{}\n", current_hand_name(placed.name), file_of(placed),
                        placed.carrier_link);
     if (placed.carrier.empty()) return key;
     // A mount is part of the robot.
@@ -141,6 +141,17 @@ std::string live_hand_key(const WorldSpec& world, std::size_t hand) {
     hand = static_cast<std::size_t>(carrier - world.hands.begin());
   }
   return key;
+}
+
+bool is_up_to_date(const LiveHand& hand) {
+  const FileDigests& files = hand.hand.named.files;
+  std::vector<std::string> paths;
+  for (const auto& [path, digest] : files) paths.push_back(path);
+  try {
+    return digests_of(paths) == files;
+  } catch (const DataError&) {
+    return false;  // one is gone
+  }
 }
 
 void add_hand_shape(const LiveHand& hand, const std::string& name, const std::string& root,

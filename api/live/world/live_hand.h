@@ -47,7 +47,12 @@ struct LiveHand {
 
 /// What tells whether two worlds have the same hand of a name: files, mounts and carriers, not
 /// where they stand.
-[[nodiscard]] std::string live_hand_key(const WorldSpec& world, std::size_t hand);
+/// @param data  as hand_of_world()
+[[nodiscard]] std::string live_hand_key(const WorldSpec& world, std::size_t hand,
+                                        const std::vector<std::string>& data);
+
+/// Whether all files that a hand was built from, its meshes among them, are as they were then.
+[[nodiscard]] bool is_up_to_date(const LiveHand& hand);
 
 /// A ball that holds a mesh, about the middle of its box [m].
 [[nodiscard]] Ball ball_around(const TriangleMesh& mesh);

@@ -158,10 +158,10 @@ void LiveWorld::mark_saved(const std::string& file) {
 std::shared_ptr<const LiveHand> LiveWorld::hand_of(const WorldSpec& world, std::size_t placed,
                                                    const std::string& path,
                                                    const Progress& progress) {
-  std::shared_ptr<const LiveHand>& hand = built_[live_hand_key(world, placed)];
-  if (hand == nullptr)
-    hand = build_live_hand(world, world.hands[placed].name, path,
-                           data_for(world.folder, places_.data), progress);
+  const std::vector<std::string> data = data_for(world.folder, places_.data);
+  std::shared_ptr<const LiveHand>& hand = built_[live_hand_key(world, placed, data)];
+  if (hand == nullptr || !is_up_to_date(*hand))
+    hand = build_live_hand(world, world.hands[placed].name, path, data, progress);
   return hand;
 }
 

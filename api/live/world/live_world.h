@@ -63,7 +63,7 @@ class LiveWorld final : public LiveModel, public LiveEdits {
 
   /// Makes an edit: `next` is the world from now on.
   /// @param text  what was done, for people: "move mug"
-  /// @param key   edits of one key, one right after the other, are undone as one; empty: never
+  /// @param key   edits of one key, one right after the other, are undone as one; empty: alone
   void apply(WorldState next, const std::string& text, const std::string& key = "");
   [[nodiscard]] LiveEditState edit_state() const override;
   std::string undo() override;
@@ -71,7 +71,7 @@ class LiveWorld final : public LiveModel, public LiveEdits {
   /// Says that the world stands in a file as it is, now and where edits are taken back.
   void mark_saved(const std::string& file);
 
-  /// Builds a hand unless it was built before. @throws as build_live_hand()
+  /// Builds a hand unless it was built before, of the same files. @throws as build_live_hand()
   [[nodiscard]] std::shared_ptr<const LiveHand> hand_of(const WorldSpec& world, std::size_t placed,
                                                         const std::string& path,
                                                         const Progress& progress);

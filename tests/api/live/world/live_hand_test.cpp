@@ -7,6 +7,7 @@
 
 #include <gtest/gtest.h>
 
+#include "api/named/worlds.h"
 #include "base/error.h"
 #include "tests/data_folder.h"
 #include "tests/matrix_near.h"
@@ -130,12 +131,13 @@ TEST(LiveHand, JointsAreDrawnOnBodiesOfTheirLinks) {
 
 TEST(LiveHand, KeysTellHandsApartByWhatIsBuilt) {
   WorldSpec world = world_with("barrett");
-  const std::string before = live_hand_key(world, 0);
+  const std::vector<std::string> data = data_for("", kData);
+  const std::string before = live_hand_key(world, 0, data);
   world.hands[0].X_WH.p.x() = 1;
   world.hands[0].posture["finger 1 proximal"] = 1;
-  EXPECT_EQ(live_hand_key(world, 0), before);
+  EXPECT_EQ(live_hand_key(world, 0, data), before);
   world.hands[0].name = "shadow";
-  EXPECT_NE(live_hand_key(world, 0), before);
+  EXPECT_NE(live_hand_key(world, 0, data), before);
 }
 
 }  // namespace

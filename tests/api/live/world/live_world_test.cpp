@@ -9,6 +9,7 @@
 #include <random>
 #include <set>
 
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -178,6 +179,43 @@ TEST(LiveWorld, StaysAsItWasWhereALoadFails) {
       Error);
   EXPECT_EQ(world_toml(spec_of(live.state())), before);
   EXPECT_EQ(live.changes(), changes);
+}
+
+/// A robot whose palm is a tetrahedron of this height [m], in a file beside it.
+void write_mesh_robot(const std::string& folder, double height) {
+  write_file(folder + "/palm.obj", fmt::format("v 0 0 0\nv .02 0 0\nv 0 .02 0\nv 0 0 {}\n"
+                                               "f 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n",
+                                               height));
+  write_file(folder + "/own.urdf",
+             "<robot name='own'><link name='palm'><collision><geometry><mesh filename='palm.obj'/>"
+             "</geometry></collision></link><link name='finger'><collision><geometry>"
+             "<box size='.01 .01 .03'/></geometry></collision></link>"
+             "<joint name='bend' type='revolute'><parent link='palm'/><child link='finger'/>"
+             "<origin xyz='0 0 .05'/><axis xyz='1 0 0'/><limit lower='0' upper='1' effort='1'"
+             " velocity='1'/></joint></robot>");
+  write_file(folder + "/own.toml",
+             "name = 'own'\nsource = 'Scene'\n[sources]\nScene = 'Made up'\n"
+             "[camera]\neye_m = [1, 0, 0]\ntarget_m = [0, 0, 0]\n"
+             "[[hand]]\nname = 'own'\nfile = 'own.urdf'\n");
+}
+
+/// The highest corner of the first body of a world [m].
+double top_of(const LiveWorld& live) {
+  return live.shape().bodies.at(0).mesh->vertices.row(2).maxCoeff();
+}
+
+TEST(LiveWorld, ReadsAHandAnewWhoseMeshWasEdited) {
+  const std::string folder = working_folder("edited");
+  write_mesh_robot(folder, 0.03);
+  LiveWorld live(places(folder));
+  (void)load_world(live, folder + "/own.toml");
+  EXPECT_NEAR(top_of(live), 0.03, 1e-9);
+  write_mesh_robot(folder, 0.04);
+  (void)load_world(live, folder + "/own.toml");
+  EXPECT_NEAR(top_of(live), 0.04, 1e-9);
+  // A step back shows what was there.
+  (void)live.undo();
+  EXPECT_NEAR(top_of(live), 0.03, 1e-9);
 }
 
 // ---- edits
