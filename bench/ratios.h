@@ -71,5 +71,14 @@ struct Patience {
 [[nodiscard]] Row ratio_net_kinsol();
 [[nodiscard]] Row ratio_net_masses();
 [[nodiscard]] Row ratio_net_tuned_masses();  // no error control
+[[nodiscard]] Row ratio_growth_of_guard();   // ratio_growth.cpp; the rival is ours on half a file
+[[nodiscard]] Row ratio_growth_of_keys();
+[[nodiscard]] Row ratio_growth_of_errors();
+[[nodiscard]] Row ratio_growth_of_unknowns();
+[[nodiscard]] Row ratio_growth_of_soup();
+[[nodiscard]] Row ratio_closed_loop();  // ratio_live.cpp; the rival is ours by a longer way
+[[nodiscard]] Row ratio_digit_slider();
+[[nodiscard]] Row ratio_hand_instant();
+[[nodiscard]] Row ratio_pad_laws();
 
 }  // namespace thenar::bench

@@ -112,7 +112,7 @@ MAY_SEE |= {
     "server/methods": PAGES + ["report/pages", "report/pads", "report/explain", "server"],
     "apps": PAGES + ["report/explain", "report/pads", "report/pages", "report/demo", "server", "server/methods"],
     "python": LIBRARIES + API,
-    "bench": PAGES + ["report/pages", "tests"],  # charts; the sample scenes
+    "bench": PAGES + ["report/pages", "server", "server/methods", "tests"],  # charts; the sample scenes
     "tests": PAGES + ["report/explain", "report/pads", "report/pages", "report/demo", "server", "server/methods"],
 }
 WITH_SUBFOLDERS = ["sampling/run", "apps", "bench", "tests"]  # folders that are one floor
@@ -160,7 +160,7 @@ FENCES = {
 }
 # Everywhere: Eigen, fmt, the standard library, POSIX, processor intrinsics.
 ANYWHERE = (r"Eigen/.*|fmt/.*|[a-z_0-9]+"
-            r"|(unistd|fcntl|dlfcn|poll|pthread|spawn|immintrin|cpuid)\.h"
+            r"|(unistd|fcntl|dlfcn|malloc|poll|pthread|spawn|immintrin|cpuid)\.h"
             r"|sys/(file|random|resource|stat|prctl|wait)\.h")
 
 

@@ -12,11 +12,10 @@ import signal
 import subprocess
 import sys
 import tempfile
-import time
 import tomllib
 import unittest
 
-import patience  # longer limits under sanitizers
+from patience import stopped
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 SUBJECTS = ROOT / "data/subjects"
@@ -482,12 +481,10 @@ class Simulate(Near):
                 f"{k / 5},{0.1 * (k % 2)},{0.1 - 0.1 * (k % 2)}\n" for k in range(10000)))
             words = ["simulate", INDEX, "--excitation-file", restless, "--seconds", 2000,
                      "--sample-ms", 100, "-o", table]
-            with subprocess.Popen([PROGRAM, *map(str, words)], stdout=subprocess.PIPE,
-                                  stderr=subprocess.PIPE, text=True) as program:
-                time.sleep(1)
-                program.send_signal(signal.SIGINT)
-                _, said = program.communicate(timeout=60)
-            self.assertEqual(program.returncode, 130)
+            code, _, said = stopped(
+                [PROGRAM, *words], signal.SIGINT,
+                lambda *_: table.exists() and len(table.read_text().splitlines()) > 2)
+            self.assertEqual(code, 130)
             self.assertIn("stopped", said)
             self.assertGreater(len(table.read_text().splitlines()), 2)
 
@@ -703,12 +700,8 @@ class Tendon(Near):
 
     def test_interrupted_inference_says_what_it_has(self):
         words = ["tendon", "infer", H01, "--subject", SYNEK, "--method", "explore", "--json"]
-        with subprocess.Popen([PROGRAM, *words], stdout=subprocess.PIPE, stderr=subprocess.PIPE,
-                              text=True) as program:
-            time.sleep(1)
-            program.send_signal(signal.SIGINT)
-            printed, said = program.communicate(timeout=60)
-        self.assertEqual(program.returncode, 130)
+        code, printed, said = stopped([PROGRAM, *words], signal.SIGINT, lambda code, out: code == 130 and out)
+        self.assertEqual(code, 130)
         self.assertIn("stopped", said)
         self.assertGreater(len(json.loads(printed)["bands"]), 10)
 

@@ -15,7 +15,7 @@ import tempfile
 import time
 import unittest
 
-import patience  # longer limits under sanitizers
+from patience import HANG
 
 PROGRAM = os.environ.get("THENAR", "thenar")
 DATA = pathlib.Path(__file__).resolve().parents[2] / "data"
@@ -69,7 +69,7 @@ class Compare(unittest.TestCase):
 
     def run_it(self, *more, **choice):
         return subprocess.run(self.words(*more, **choice), capture_output=True, text=True,
-                              check=False, timeout=120)
+                              check=False, timeout=HANG)
 
     def keep(self, *more, **choice):
         result = self.run_it(*more, **choice)
@@ -131,7 +131,7 @@ class Compare(unittest.TestCase):
                 time.sleep(0.002)
             work.send_signal(signal.SIGINT)
             answer = work.stderr.readline()
-            words = work.communicate(timeout=60)[1]
+            words = work.communicate(timeout=HANG)[1]
         self.assertIn(f"stopping: finished pairs are kept in '{self.out}'", answer)
         self.assertEqual(work.returncode, 128 + signal.SIGINT, words)
         kept = json.loads(self.out.read_text())
@@ -153,7 +153,7 @@ class Compare(unittest.TestCase):
             while self.out.stat().st_mtime_ns == begun and work.poll() is None:
                 time.sleep(0.002)
             work.send_signal(signal.SIGINT)
-            words = work.communicate(timeout=60)[1]
+            words = work.communicate(timeout=HANG)[1]
         self.assertEqual(work.returncode, 128 + signal.SIGINT, words)
         self.assertEqual(len(json.loads(self.out.read_text())["cells"]), 6)
         self.keep(**choice)
@@ -310,7 +310,7 @@ class Compare(unittest.TestCase):
         mesh, made = self.folder / "wedge.obj", self.folder / "wedge.toml"
         mesh.write_text(MESH.format(x=60))
         subprocess.run([PROGRAM, "import", str(mesh), "--units", "mm", "--out", str(made)],
-                       check=True, capture_output=True, timeout=120)
+                       check=True, capture_output=True, timeout=HANG)
         self.assertIn("state mass_g or density_kg_m3", self.refusal(objects=str(made)))
         made.write_text("mass_g = 100\n" + made.read_text())
         self.keep(objects=str(made))

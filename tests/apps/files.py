@@ -4,8 +4,6 @@ import pathlib
 import tempfile
 import unittest
 
-import patience  # longer limits under sanitizers
-
 # What earlier runs kept in the user's folder shall change no test.
 os.environ.setdefault("THENAR_CACHE", "off")
 

@@ -14,6 +14,7 @@ import numpy as np
 
 import commands_test as finger
 from files import Files
+from patience import HANG
 
 PROGRAM = sys.argv.pop(1)
 POSTURES = [(20, 30, 20), (45, 60, 35), (10, 80, 50), (60, 20, 40)]  # [deg]
@@ -114,7 +115,7 @@ class PlanarFit(Files):
         result = subprocess.run(
             [PROGRAM, "fit", self.experiment(), "--subject", finger.MIDDLE, "--settings",
              self.path("few.toml", settings()), "-o", output, "--json", *more],
-            capture_output=True, text=True, check=False, timeout=60)
+            capture_output=True, text=True, check=False, timeout=HANG)
         self.assertEqual(result.returncode, 0, result.stderr)
         with h5py.File(output) as file:
             names = [name.decode() for name in file["parameters/name"]]

@@ -12,6 +12,7 @@ import sys
 import unittest
 
 from files import Files
+from patience import HANG
 
 PROGRAM = os.environ.get("THENAR", "thenar")
 
@@ -47,7 +48,7 @@ CORNER = "OFF\n4 {} 0\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n3 0 2 1\n3 0 1 3\n3 0 3 2\n{}
 class Import(Files):
     def thenar(self, *arguments, code=0):
         done = subprocess.run([PROGRAM, "import", *arguments], capture_output=True, text=True,
-                              timeout=60)
+                              timeout=HANG)
         self.assertEqual(done.returncode, code, done.stderr)
         return done
 
@@ -109,7 +110,7 @@ class Import(Files):
             '<box size="0.1 0.1 0.3"/>', '<mesh filename="open.OFF" scale="0.1 0.1 0.1"/>'))
         told = self.thenar(arm, "--out", self.path("arm.toml"))
         self.assertIn("MENDED mesh 'open.OFF' of link 'upper': 1 hole(s) closed", told.stdout)
-        subprocess.run([PROGRAM, "validate", self.path("arm.toml")], check=True, timeout=60,
+        subprocess.run([PROGRAM, "validate", self.path("arm.toml")], check=True, timeout=HANG,
                        stdout=subprocess.DEVNULL)
         again = self.report(self.path("arm.toml"))
         self.assertEqual(again["links"][1]["shapes"], 1)
@@ -241,7 +242,7 @@ class Import(Files):
         words = "mesh 'turned.off' of {} 'b': 3 edges lie between triangles"
         self.assertIn(words.format("body"), self.report(body)["warnings"][0])
         checked = subprocess.run([PROGRAM, "validate", body], capture_output=True, text=True,
-                                 timeout=60, check=True)
+                                 timeout=HANG, check=True)
         self.assertIn(words.format("object"), checked.stdout)
         told = self.report(turned, "--repair")
         self.assertEqual((told["reversed_edges"], told["watertight"]), (0, True))
@@ -351,13 +352,13 @@ class Import(Files):
         self.path("open.off", CORNER.format(3, ""))
         robot = self.path("robot.toml", 'name = "r"\nsource = "x"\n[sources]\nx = "y"\n[[link]]\n'
                           'name = "palm"\n[[link.shape]]\nkind = "mesh"\nfile = "open.off"\n')
-        done = subprocess.run([PROGRAM, "validate", robot], capture_output=True, text=True, timeout=60)
+        done = subprocess.run([PROGRAM, "validate", robot], capture_output=True, text=True, timeout=HANG)
         self.assertEqual(done.returncode, 1)
         self.assertIn("mesh 'open.off' of link 'palm': a mesh bounds no solid: 1 hole(s)", done.stdout)
 
     def test_validate_says_which_kinds_it_reads(self):
         done = subprocess.run([PROGRAM, "validate", self.path("c.json", "{}")], capture_output=True,
-                              text=True, timeout=60)
+                              text=True, timeout=HANG)
         self.assertEqual(done.returncode, 1)
         self.assertIn("c.json:1: wanted TOML or HDF5", done.stdout)
 
@@ -375,7 +376,7 @@ class Import(Files):
     def solids(self, name, text, *arguments):
         """The report of a scene, skipped where there is no reader for it."""
         done = subprocess.run([PROGRAM, "import", self.path(name, text), *arguments, "--json"],
-                              capture_output=True, text=True, timeout=60)
+                              capture_output=True, text=True, timeout=HANG)
         if "libcoin-dev" in done.stderr:
             self.skipTest("built without Coin")
         self.assertEqual(done.returncode, 0, done.stderr)

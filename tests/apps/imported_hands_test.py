@@ -11,6 +11,7 @@ import sys
 import unittest
 
 from files import Files
+from patience import HANG
 
 PROGRAM = os.environ.get("THENAR", "thenar")
 
@@ -102,7 +103,7 @@ size_mm = [40]
 
 class ImportedHands(Files):
     def thenar(self, *arguments):
-        done = subprocess.run([PROGRAM, *arguments], capture_output=True, text=True, timeout=120)
+        done = subprocess.run([PROGRAM, *arguments], capture_output=True, text=True, timeout=HANG)
         self.assertEqual(done.returncode, 0, done.stderr)
         return done.stdout
 
@@ -191,7 +192,7 @@ class ImportedHands(Files):
         text = JAWS_MJCF.replace("<equality>", '<equality><connect body1="left" body2="right" '
                                  'anchor="0 0 0.08"/>')
         done = subprocess.run([PROGRAM, "grasp", self.world("loop.xml", text)], capture_output=True,
-                              text=True, timeout=60)
+                              text=True, timeout=HANG)
         self.assertEqual(done.returncode, 1, done.stdout)
         self.assertIn("cannot grasp: its parts form loops that are not solved", done.stderr)
         self.assertIn("<connect> of 'left' and 'right'", done.stderr)
@@ -200,7 +201,7 @@ class ImportedHands(Files):
 
     def test_name_a_description_that_is_not_read(self):
         done = subprocess.run([PROGRAM, "import", self.path("a.sdf", "<sdf version='1.6'><model/></sdf>")],
-                              capture_output=True, text=True, timeout=60)
+                              capture_output=True, text=True, timeout=HANG)
         self.assertEqual(done.returncode, 1)
         self.assertIn("a.sdf:1: SDF is not read", done.stderr)
 
@@ -210,7 +211,7 @@ class PosedRobots(Files):
 
     def pose(self, *arguments, code=0):
         done = subprocess.run([PROGRAM, "pose", *arguments, "--json"], capture_output=True, text=True,
-                              timeout=60)
+                              timeout=HANG)
         self.assertEqual(done.returncode, code, done.stderr)
         return json.loads(done.stdout) if code == 0 else done.stderr
 

@@ -1,38 +1,32 @@
-"""thenar on robots and objects of many triangles: how much of the processor it takes, what it keeps, what it weighs.
+"""thenar on robots and objects of many triangles: whether it reads them, what it keeps, what it weighs.
 
 Usage: python3 mesh_hands_test.py THENAR
 """
 import json
 import os
-import resource
 import signal
 import subprocess
 import sys
-import time
 import unittest
 
 import mesh_hands
 from files import Files
+from patience import HANG, stopped
 
 THENAR = sys.argv.pop(1)
 
 
 def run(*arguments, **environment):
-    """Output and seconds of the processor."""
-    before = resource.getrusage(resource.RUSAGE_CHILDREN)
-    done = subprocess.run([THENAR, *arguments], capture_output=True, text=True, timeout=280,
+    return subprocess.run([THENAR, *arguments], capture_output=True, text=True, timeout=HANG,
                           env={**os.environ, **environment})
-    after = resource.getrusage(resource.RUSAGE_CHILDREN)
-    return done, after.ru_utime + after.ru_stime - before.ru_utime - before.ru_stime
 
 
 class MeshHands(Files):
-    def test_imports_a_hand_of_meshes_without_filling_every_list(self):
-        """17 links of 7,938 triangles: filling all lists of nearest triangles alone takes 20 s, and was done thrice."""
+    def test_imports_a_hand_of_meshes(self):
+        """17 links of 7,938 triangles; how long it takes is a row of bench/program_ratios.py."""
         hand = mesh_hands.hand(self.folder.name)
-        done, seconds = run("import", hand, "--out", self.path("hand.toml"))
+        done = run("import", hand, "--out", self.path("hand.toml"))
         self.assertEqual(done.returncode, 0, done.stderr)
-        self.assertLess(seconds, 15)
 
     def test_ends_at_once_while_it_reads_a_hand(self):
         """Nothing is kept by then: it ends by the signal, and leaves no reader of meshes behind."""
@@ -41,12 +35,8 @@ class MeshHands(Files):
                           'name = "hand"\nfile = "mesh_gripper.urdf"\n[[body]]\nrole = "object"\nname = "ball"\n'
                           'mass_g = 9\n[[body.shape]]\nkind = "sphere"\nsize_mm = [30]\n')
         for number in [signal.SIGINT, signal.SIGTERM]:
-            process = subprocess.Popen([THENAR, "grasp", world], stdout=subprocess.PIPE, stderr=subprocess.PIPE,
-                                       text=True)
-            time.sleep(0.25)
-            process.send_signal(number)
-            process.communicate(timeout=60)
-            self.assertEqual(process.returncode, -number)
+            code, _, _ = stopped([THENAR, "grasp", world], number, pause=0.25)
+            self.assertEqual(code, -number)
 
     def test_weighs_two_overlapping_boxes_as_their_union(self):
         """An L of 32 cm^3 from boxes of 16 and 24: its centre is at 25, 0, 15 mm."""
@@ -57,7 +47,7 @@ class MeshHands(Files):
             for face in [(0, 2, 3, 1), (4, 5, 7, 6), (0, 1, 5, 4), (2, 6, 7, 3), (0, 4, 6, 2), (1, 3, 7, 5)]:
                 text += "f " + " ".join(str(first + corner) for corner in face) + "\n"
             first += 8
-        done, _ = run("import", self.path("boxes.obj", text), "--json")
+        done = run("import", self.path("boxes.obj", text), "--json")
         told = json.loads(done.stdout)
         self.assertEqual(told["parts"], 2)
         self.assertAlmostEqual(told["volume_m3"], 3.2e-5, 15)

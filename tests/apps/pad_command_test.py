@@ -12,10 +12,10 @@ import re
 import signal
 import subprocess
 import sys
-import time
 import unittest
 
 from files import Files
+from patience import HANG, stopped
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 PROGRAM = os.environ.get("THENAR", "thenar")
@@ -92,17 +92,13 @@ through = 2
 
 def run(*words, command="press"):
     return subprocess.run([PROGRAM, "pad", command, *map(str, words)], capture_output=True, text=True,
-                          check=False, cwd=ROOT, timeout=300)
+                          check=False, cwd=ROOT, timeout=HANG)
 
 
 def interrupted(test, command, *words):
-    """What a command prints that gets Ctrl-C after three seconds and writes no file of its own."""
-    work = subprocess.Popen([PROGRAM, "pad", command, *map(str, words)], stdout=subprocess.PIPE,
-                            stderr=subprocess.PIPE, text=True, cwd=ROOT)
-    time.sleep(3)
-    work.send_signal(signal.SIGINT)
-    out, told = work.communicate(timeout=120)
-    test.assertEqual(work.returncode, 130, told)
+    """What a command prints that gets Ctrl-C once it works, and writes no file of its own."""
+    code, out, told = stopped([PROGRAM, "pad", command, *words], signal.SIGINT, lambda code, _: code == 130, cwd=ROOT)
+    test.assertEqual(code, 130, told)
     test.assertIn("was not written", told)
     return out
 
@@ -236,13 +232,9 @@ class Refusals(Files):
         self.assertIn(f"{answer['depth_mm']:.4g} mm", result.stderr)
 
     def test_interrupt_keeps_what_there_is(self):
-        press = subprocess.Popen([PROGRAM, "pad", "press", "--depth", "1.5", "--error", "3", "--points", "400",
-                                  "--json"], stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True,
-                                 cwd=ROOT)
-        time.sleep(5)
-        press.send_signal(signal.SIGINT)
-        out, told = press.communicate(timeout=120)
-        self.assertEqual(press.returncode, 130, told)
+        command = [PROGRAM, "pad", "press", "--depth", "1.5", "--error", "3", "--points", "400", "--json"]
+        code, out, told = stopped(command, signal.SIGINT, lambda code, out: code == 130 and out, cwd=ROOT)
+        self.assertEqual(code, 130, told)
         answer = json.loads(out)
         self.assertEqual(answer["status"], "stopped")
         self.assertLess(len(answer["instants"]), 400)

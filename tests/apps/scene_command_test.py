@@ -14,6 +14,7 @@ import time
 import unittest
 
 from files import Files
+from patience import HANG, stopped
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 SCENES = ROOT / "data/scenes"
@@ -375,7 +376,7 @@ class Processes(Files):
             self.skipTest("no MPI")
         start = [MPIEXEC, "-n", str(ranks), "--oversubscribe"] if ranks else []
         return subprocess.run([*start, PROGRAM, "simulate", *map(str, words)], capture_output=True,
-                              text=True, check=False, cwd=ROOT, timeout=120,
+                              text=True, check=False, cwd=ROOT, timeout=HANG,
                               env={**os.environ, "SOURCE_DATE_EPOCH": "0",
                                    **(self.ENVIRONMENT if ranks else {})})
 
@@ -450,13 +451,10 @@ class Refusals(Files):
 class Signals(Files):
     def test_interrupt_keeps_what_is_there(self):
         out = self.path("run.h5")
-        process = subprocess.Popen(
-            [PROGRAM, "simulate", "swinging_pinch", "--seconds", "5000", "--json", "-o", out],
-            stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True, cwd=ROOT)
-        time.sleep(1)
-        process.send_signal(signal.SIGINT)
-        stdout, stderr = process.communicate(timeout=60)
-        self.assertNotEqual(process.returncode, 0)
+        command = [PROGRAM, "simulate", "swinging_pinch", "--seconds", "5000", "--json", "-o", out]
+        code, stdout, stderr = stopped(
+            command, signal.SIGINT, lambda _, out: out and json.loads(out)["simulated_s"] > 0, cwd=ROOT)
+        self.assertNotEqual(code, 0)
         answer = json.loads(stdout)
         self.assertEqual(answer["status"], "stopped")
         self.assertGreater(answer["simulated_s"], 0)

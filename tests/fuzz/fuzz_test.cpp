@@ -1,9 +1,8 @@
-// Files of every kind, changed at random: each is read or refused, soon and without much memory.
+// Files of every kind, changed at random: each is read or refused, without much memory.
 //
 // THENAR_MUTATIONS sets how many of all kinds together; 510 otherwise.
 
 #include <cstdlib>
-#include <ctime>
 
 #include <gtest/gtest.h>
 
@@ -18,7 +17,6 @@ namespace thenar {
 namespace {
 
 constexpr double kMaxMemory = 1.5e9;  // [bytes]
-constexpr double kMaxSeconds = 15;    // of the processor, for one file [s]
 
 class Mutations : public TemporaryFolder, public testing::WithParamInterface<std::size_t> {};
 
@@ -37,7 +35,6 @@ TEST_P(Mutations, DoNoHarm) {
     const std::string& other = kind.seeds[below(rng, kind.seeds.size())].text;
     const std::string text = mutated(seed.text, other, rng);
     write_file(path(seed.name), text);
-    const std::clock_t begin = std::clock();
     try {
       read_harmlessly(kind, path(seed.name));
     } catch (const std::exception& harm) {
@@ -45,7 +42,6 @@ TEST_P(Mutations, DoNoHarm) {
       write_file(kept, text);
       FAIL() << "copy " << i << ", kept as " << kept << ": " << harm.what();
     }
-    EXPECT_LT(static_cast<double>(std::clock() - begin) / CLOCKS_PER_SEC, kMaxSeconds) << i;
   }
   rusage used{};
   (void)getrusage(RUSAGE_SELF, &used);

@@ -15,7 +15,7 @@ FLAGS = ["--headless=new", "--no-sandbox", "--disable-quic", "--no-first-run", "
          "--disable-background-networking", "--disable-component-update", "--disable-sync", "--use-gl=angle",
          "--use-angle=swiftshader", "--enable-unsafe-swiftshader", "--remote-debugging-pipe",
          "--force-device-scale-factor=1", "--enable-precise-memory-info"]
-PATIENCE = float(os.environ.get("LIVE_PATIENCE", "60"))  # for anything that the page is waited for [s]
+PATIENCE = 240  # that the page is waited for [s]: guards against hangs alone, and decides nothing else
 
 
 def chromium():

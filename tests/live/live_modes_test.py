@@ -164,7 +164,7 @@ class Modes(LivePage):
     def test_a_fit_shows_its_trials(self):
         folder = tempfile.mkdtemp(prefix="thenar-fit-")
         subprocess.run([live_page.PROGRAM, "fit", "synek2019_H01", "--subject", SUBJECT, "-o", "fit.h5"], cwd=folder,
-                       check=True, stdout=subprocess.DEVNULL, timeout=120)
+                       check=True, stdout=subprocess.DEVNULL)
         self.start("fit.h5", folder=folder)
         self.browser.wait("thenarLive.tabs.chosen() === 'fit' && thenarLive.store.frame", "the fit")
         state = self.ask("fit.state")

@@ -1,7 +1,6 @@
 #include "tests/pads/stability_trials.h"
 
 #include <cmath>
-#include <ctime>
 
 #include <fmt/format.h>
 
@@ -121,13 +120,10 @@ class TrialRun {
   PressReport& report_;
 };
 
-double seconds_of_processor() { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }
-
 }  // namespace
 
 PressReport run_trial(const StabilityTrial& trial) {
   PressReport report;
-  const double begin = seconds_of_processor();
   PadPressOptions options;
   options.force_error = 0.05;
   options.max_elements = trial.max_elements;
@@ -152,7 +148,6 @@ PressReport run_trial(const StabilityTrial& trial) {
            run.move(-in, trial.steps) && run.move(off, 1);
     if (good) report.left = press.state().x.lpNorm<Eigen::Infinity>();
   }
-  report.seconds = seconds_of_processor() - begin;
   return report;
 }
 

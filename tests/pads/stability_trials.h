@@ -48,7 +48,6 @@ struct PressReport {
   double push = 0;                 // largest force [N]
   std::size_t elements = 0;
   int iterations = 0;
-  double seconds = 0;  // of the processor
 };
 
 [[nodiscard]] PressReport run_trial(const StabilityTrial& trial);

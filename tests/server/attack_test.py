@@ -15,7 +15,7 @@ import sys
 import tempfile
 import unittest
 
-from live_client import FACTOR, Lines, Server, WebSocket, connect, http, stored_token
+from live_client import HANG, Lines, Server, WebSocket, connect, http, stored_token
 
 THENAR = str(pathlib.Path(sys.argv.pop(1)).resolve())
 ROUNDS = int(sys.argv.pop(1)) if len(sys.argv) > 1 and sys.argv[1].isdigit() else 60
@@ -101,7 +101,7 @@ class Attack(unittest.TestCase):
 
     def run_thenar(self, *words):
         """A command in the working folder. Returns its exit code and what it said."""
-        done = subprocess.run([THENAR, *words], capture_output=True, text=True, timeout=60 * FACTOR, cwd=self.work, errors="replace",
+        done = subprocess.run([THENAR, *words], capture_output=True, text=True, timeout=HANG, cwd=self.work, errors="replace",
                               stdin=subprocess.DEVNULL)
         self.assertGreaterEqual(done.returncode, 0, done.stderr)  # no signal ended it
         return done.returncode, done.stdout + done.stderr

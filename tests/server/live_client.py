@@ -14,7 +14,7 @@ import tempfile
 import time
 
 sys.path[:0] = [str(pathlib.Path(__file__).resolve().parents[i] / folder) for i, folder in ((1, "apps"), (2, "clients/python"))]
-from patience import FACTOR  # noqa: E402: slower machines and sanitizers
+from patience import HANG  # noqa: E402
 from thenar_remote import stored_token  # noqa: E402
 
 # Tokens of these tests are kept among no others.
@@ -43,7 +43,7 @@ class Server:
     def stop(self, number=signal.SIGINT):
         """Ends it by a signal. Returns exit code, the rest of its output, and its errors."""
         self.process.send_signal(number)
-        out, err = self.process.communicate(timeout=20)
+        out, err = self.process.communicate(timeout=HANG)
         if self.folder:
             self.folder.cleanup()
         return self.process.returncode, out, err
@@ -57,8 +57,8 @@ class Server:
             self.process.communicate()
 
 
-def connect(port, timeout=20):
-    found = socket.create_connection(("127.0.0.1", port), timeout=timeout * FACTOR)
+def connect(port):
+    found = socket.create_connection(("127.0.0.1", port), timeout=HANG)
     found.setsockopt(socket.IPPROTO_TCP, socket.TCP_NODELAY, 1)
     return found
 
@@ -219,9 +219,9 @@ class Lines:
         self.connection.close()
 
 
-def until(true, what, seconds=10):
+def until(true, what):
     """Waits until true() says so."""
-    end = time.monotonic() + seconds * FACTOR
+    end = time.monotonic() + HANG
     while not true():
         if time.monotonic() > end:
             raise AssertionError("waited too long until " + what)

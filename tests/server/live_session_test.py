@@ -10,10 +10,9 @@ import struct
 import subprocess
 import sys
 import tempfile
-import time
 import unittest
 
-from live_client import FACTOR, Lines, Server, WebSocket, http, until
+from live_client import HANG, Lines, Server, WebSocket, http, until
 
 THENAR = str(pathlib.Path(sys.argv.pop(1)).resolve())
 
@@ -23,21 +22,16 @@ def revision(frame):
 
 
 def first_frame(thenar_words):
-    """Seconds from the start of the process to the first frame that has a body, and the frame."""
-    begin = time.perf_counter()
     with Server(THENAR, "view", *thenar_words, "--no-open") as server:
-        client = WebSocket(server.port)
-        frame = client.frame()
-        seconds = time.perf_counter() - begin
+        frame = WebSocket(server.port).frame()
         assert server.stop()[0] == 0
-        return seconds, frame
+        return frame
 
 
 class Sessions(unittest.TestCase):
-    def test_frames_are_small_and_come_soon(self):
+    def test_frames_are_small(self):
         for name in ("jaw_box", "human:tendons"):
-            seconds, frame = first_frame([name])
-            print(f"{name}: first frame after {seconds:.2f} s, {len(frame)} bytes")
+            frame = first_frame([name])
             self.assertGreater(struct.unpack_from("<H", frame, 24)[0], 0)  # bodies
             self.assertLess(len(frame), 4096)
 
@@ -66,14 +60,12 @@ class Sessions(unittest.TestCase):
             value = 0.5 * (joint["lower"] + joint["upper"])
             reply = remote.ask("hand.set_joints", joints={joint["name"]: value})
             self.assertIn("result", reply, reply)
-            begin = time.perf_counter()
 
             def shown():
                 frame = page.frame()
                 return revision(frame) == scene["revision"] and abs(struct.unpack_from("<f", frame, start)[0] - value) < 1e-6
 
             until(shown, "the page shows the joint")
-            print(f"a page shows a joint {1e3 * (time.perf_counter() - begin):.1f} ms after the program was answered")
             self.assertIsNotNone(page.notification("state"))
             self.assertEqual(server.stop()[0], 0)
 
@@ -93,7 +85,7 @@ class Sessions(unittest.TestCase):
                         ("world.text", {}), ("hand.set_joints", {"joints": {"no such": 1}})])
                     client.ask(method, **params)
                 self.assertEqual(server.stop()[0], 0)
-            done = subprocess.run([THENAR, "serve", "--replay", log], capture_output=True, text=True, timeout=120 * FACTOR,
+            done = subprocess.run([THENAR, "serve", "--replay", log], capture_output=True, text=True, timeout=HANG,
                                   cwd=folder)
             self.assertEqual((done.returncode, done.stderr), (0, ""), done.stdout)
             self.assertIn("all replies are as they were", done.stdout)

@@ -1,8 +1,6 @@
 // Tests for server/methods/motion_methods.cpp: requests as a client sends them.
 
-#include <chrono>
 #include <cstdio>
-#include <limits>
 #include <string>
 #include <tuple>
 #include <vector>
@@ -166,23 +164,6 @@ TEST_F(MotionMethods, NumbersAreWholeDoubles) {
   const Json read = Json::parse(json_text(reply, -1));
   EXPECT_EQ(read["joints"].begin().value()[0].get<double>(),
             reply["joints"].begin().value()[0].get<double>());
-}
-
-// A closed loop in a client: text in, step, text out. The bound is loose for busy machines.
-TEST_F(MotionMethods, PinchTakesAThousandClosedLoopStepsASecond) {
-  (void)call("motion.open", {{"scene", "pinch"}, {"step", 0.002}});
-  double best = std::numeric_limits<double>::infinity();
-  for (int trial = 0; trial < 5; ++trial) {
-    const auto begin = std::chrono::steady_clock::now();
-    for (int i = 0; i < 100; ++i)
-      (void)call_text("motion.step",
-                      R"({"efforts": {"left": 2.5, "right": -2.5}, "want": ["joints", "bodies"]})");
-    const std::chrono::duration<double> took = std::chrono::steady_clock::now() - begin;
-    best = std::min(best, took.count() / 100);
-  }
-  EXPECT_LT(best, 1e-3);
-  RecordProperty("microseconds", static_cast<int>(1e6 * best));
-  std::cout << "one closed-loop step of pinch: " << 1e6 * best << " us\n";
 }
 
 // What the page draws of a hand with tendons in one frame.

@@ -8,7 +8,7 @@ import subprocess
 import sys
 import tempfile
 
-from live_client import FACTOR, Server
+from live_client import HANG, Server
 
 CLIENT = pathlib.Path(__file__).resolve().parents[2] / "clients" / "matlab"
 TOKEN = "0123456789abcdef"
@@ -58,7 +58,7 @@ if octave is None:
 with Server(sys.argv[1], "serve", "--port", "0", "--token", TOKEN) as server, tempfile.TemporaryDirectory() as folder:
     script = pathlib.Path(folder) / "remote.m"
     script.write_text(SCRIPT.replace("CLIENT", str(CLIENT)).replace("PORT", str(server.port)).replace("TOKEN", TOKEN))
-    done = subprocess.run([octave, "-q", str(script)], capture_output=True, text=True, timeout=120 * FACTOR)
+    done = subprocess.run([octave, "-q", str(script)], capture_output=True, text=True, timeout=HANG)
     print(done.stdout)
     if done.returncode != 0 or "all holds" not in done.stdout:
         sys.exit(done.stderr)

@@ -6,9 +6,9 @@ import json
 import os
 import pathlib
 import random
+import select
 import signal
 import socket
-import statistics
 import struct
 import subprocess
 import sys
@@ -17,7 +17,7 @@ import threading
 import time
 import unittest
 
-from live_client import FACTOR, Lines, Server, WebSocket, connect, http, until
+from live_client import HANG, Lines, Server, WebSocket, connect, http, until
 from thenar_remote import Remote, RemoteError, stored_token
 
 THENAR = str(pathlib.Path(sys.argv.pop(1)).resolve())
@@ -25,7 +25,7 @@ HELLO = {"jsonrpc": "2.0", "id": 7, "method": "session.hello", "params": {}}
 
 
 def run(*words, text="", code=0, folder=None):
-    done = subprocess.run([THENAR, *words], input=text, capture_output=True, text=True, timeout=60 * FACTOR, cwd=folder)
+    done = subprocess.run([THENAR, *words], input=text, capture_output=True, text=True, timeout=HANG, cwd=folder)
     if done.returncode != code:
         raise AssertionError(f"{words}: exit code {done.returncode}, {done.stderr}")
     return done.stdout, done.stderr
@@ -195,18 +195,6 @@ class Protocol(unittest.TestCase):
             thread.join()
         self.assertEqual(wrong, [])
 
-    def test_a_round_trip_takes_less_than_a_millisecond(self):
-        client = Lines(self.server.port)
-        times = []
-        for _ in range(2000):
-            begin = time.perf_counter()
-            client.ask("session.hello")
-            times.append(1e3 * (time.perf_counter() - begin))
-        client.close()
-        times.sort()
-        print(f"round trip over TCP: median {times[1000]:.3f} ms, p99 {times[1980]:.3f} ms")
-        self.assertLess(statistics.median(times), FACTOR)
-
 
 class Hostile(unittest.TestCase):
     """What is broken, or ends in the middle."""
@@ -363,14 +351,13 @@ class Hostile(unittest.TestCase):
         token = "0123456789abcdef"
         with Server(THENAR, "serve", "--port", "0", "--token", token) as server:
             silent = [connect(server.port) for _ in range(100)]
-            begin = time.monotonic()
             with Remote(port=server.port, token=token) as good:
                 self.assertEqual(good.session.hello()["program"], "thenar")
-                # Silent ones are hung up on after 10 s; who has shown the token stays.
+                # Silent ones are hung up on after a while; who has shown the token stays.
+                self.assertEqual(select.select(silent, [], [], 0)[0], [])
                 for connection in silent:
                     self.assertEqual(connection.recv(1), b"")
                     connection.close()
-                self.assertGreater(time.monotonic() - begin, 9)
                 self.assertEqual(good.session.hello()["program"], "thenar")
             crowd = [connect(server.port) for _ in range(300)]  # 64 are held; the oldest make room
             self.assertEqual(crowd[0].recv(1), b"")
@@ -583,7 +570,7 @@ class Command(unittest.TestCase):
             file.write(line(**HELLO) * 500)
             file.flush()
             file.seek(0)
-            done = subprocess.run([THENAR, "serve", "--stdio"], stdin=file, capture_output=True, text=True, timeout=60 * FACTOR)
+            done = subprocess.run([THENAR, "serve", "--stdio"], stdin=file, capture_output=True, text=True, timeout=HANG)
             self.assertEqual(len(done.stdout.splitlines()), 500)
 
     def test_who_reads_nothing_does_not_keep_it_from_its_end(self):
@@ -592,7 +579,7 @@ class Command(unittest.TestCase):
         process.stdin.flush()
         time.sleep(0.5)
         process.send_signal(signal.SIGINT)
-        process.wait(timeout=20)
+        process.wait(timeout=HANG)
         self.assertEqual(process.returncode, 0)
         process.communicate()
 

@@ -3,7 +3,6 @@
 #include "api/live/live_digit.h"
 
 #include <algorithm>
-#include <ctime>
 #include <random>
 
 #include <gmock/gmock.h>
@@ -18,7 +17,6 @@
 #include "tests/data_folder.h"
 #include "tests/matrix_near.h"
 #include "tests/message_of.h"
-#include "tests/patience.h"
 
 namespace thenar {
 namespace {
@@ -401,22 +399,6 @@ TEST(LiveDigit, FitsIntoASmallFrame) {
     request.hood = Hood::kFloatingNet;
     EXPECT_LT(frame_bytes(LiveDigit(request).instant()), 4000U) << digit;
   }
-}
-
-// A slider drags a joint: each change is solved and drawn within 5 ms of this thread's time.
-TEST(LiveDigit, KeepsUpWithASlider) {
-  LiveDigit digit(middle(Hood::kFloatingNet));
-  digit.set({kBent, kPull, {}});
-  std::vector<double> seconds;
-  for (int k = 0; k < 60; ++k) {
-    const std::clock_t begin = std::clock();
-    digit.set({{{"PIP3", 0.02 * k}}, {}, {}});
-    (void)digit.instant();
-    seconds.push_back(static_cast<double>(std::clock() - begin) / CLOCKS_PER_SEC);
-  }
-  std::nth_element(seconds.begin(), seconds.begin() + 30, seconds.end());
-  RecordProperty("median_microseconds", static_cast<int>(1e6 * seconds[30]));
-  EXPECT_LT(seconds[30], 5e-3 * kPatience);
 }
 
 // What there is.

@@ -280,7 +280,6 @@ TEST(PressPad, ComparesTheLawsOfItsPad) {
     EXPECT_TRUE(rungs[i].failure.empty()) << rungs[i].failure;
     EXPECT_THAT(rungs[i].note, HasSubstr("index_pad"));
     EXPECT_GT(rungs[i].cpu, 0);
-    EXPECT_LT(rungs[i].cpu, 0.1);
   }
   // A force that was asked for is one that a hard point bears, without a patch.
   pressed.request.force = force;

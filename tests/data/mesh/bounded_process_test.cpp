@@ -2,7 +2,6 @@
 
 #include "data/io/mesh/bounded_process.h"
 
-#include <chrono>
 #include <csignal>
 
 #include <gmock/gmock.h>
@@ -37,12 +36,10 @@ TEST(BoundedProcess, SurvivesACrash) {
 }
 
 TEST(BoundedProcess, EndsWhatTakesTooLongOrSaysTooMuch) {
-  const auto begin = std::chrono::steady_clock::now();
-  EXPECT_EQ(run_shell("exec sleep 100", 0.1).failure(), "took too long");
+  EXPECT_EQ(run_shell("exec sleep infinity", 0.1).failure(), "took too long");
   const ProcessEnd endless = run_shell("while :; do echo more; done");
   EXPECT_EQ(endless.failure(), "gave too much");
   EXPECT_LE(endless.output.size(), 1000U + (1U << 16));
-  EXPECT_LT(std::chrono::steady_clock::now() - begin, std::chrono::seconds(10));
 }
 
 // Neither files that we hold open nor signals that we ignore come along.

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cstdlib>
-#include <ctime>
 #include <map>
 
 #include <gtest/gtest.h>
@@ -84,15 +83,12 @@ TEST(NetMotionStability, EveryMotionFromRestEndsAndBalancesOrSaysNot) {
   std::map<std::string, std::unique_ptr<DigitTendons>> nets;
   for (const char* net : kNets) nets[net] = net_of(subject, net);
 
-  std::vector<double> cpu;
   std::map<MotionStatus, int> ends;
   double worst = 0;
   for (int k = 0; k < count; ++k) {
     const std::string net = kNets[k % 3];
     const Muscle rung = kRungs[k / 3 % 3];
-    const std::clock_t start = std::clock();
     const Trajectory path = motion(k, *nets[net], subject, seconds);
-    cpu.push_back(static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC);
     ++ends[path.status];
 
     SCOPED_TRACE(
@@ -107,13 +103,10 @@ TEST(NetMotionStability, EveryMotionFromRestEndsAndBalancesOrSaysNot) {
     EXPECT_LE(path.balance.error, 1e-4 * path.balance.turned_over + 1e-9);
     worst = std::max(worst, path.balance.error / path.balance.turned_over);
   }
-  std::sort(cpu.begin(), cpu.end());
   fmt::print("{} motions of {} s; energy of nothing at most {:.2g} of what was turned over\n",
              count, seconds, worst);
   for (const auto& [end, motions] : ends)
     fmt::print("  {} {}\n", motions, kEnds[static_cast<int>(end)]);
-  fmt::print("  {:.3g} s of a core in the median, {:.3g} s at most\n", cpu[cpu.size() / 2],
-             cpu.back());
   EXPECT_GE(ends[MotionStatus::kCompleted], count * 9 / 10);
 }
 

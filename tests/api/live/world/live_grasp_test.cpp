@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <ctime>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -185,21 +184,6 @@ TEST(LiveGrasp, DeepOverlapsAreTold) {
   const LiveContacts found = contacts_of(*live, {});
   ASSERT_EQ(found.warnings.size(), 1U);
   EXPECT_THAT(found.warnings[0], testing::ContainsRegex("is (4[.]9|5[.]0) mm deep in box"));
-}
-
-TEST(LiveGrasp, AnInstantOfAHumanHandTakesNoLongerThanAFrameAllows) {
-  const auto live = loaded_world("human_mug");
-  (void)grasp_object(*live, {}, 1);
-  (void)live->instant();
-  double best = 1;
-  for (int i = 0; i < 5; ++i) {
-    place_thing(*live, "mug", live->state().bodies[0].X_WB.p + Eigen::Vector3d(0, 0, 1e-6), {});
-    const std::clock_t start = std::clock();
-    EXPECT_FALSE(live->instant().contacts.empty());
-    best = std::min(best, static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC);
-  }
-  RecordProperty("instant_us", static_cast<int>(1e6 * best));
-  EXPECT_LT(best, 0.25);  // processor time; 10 ms is the aim, sanitizers take theirs
 }
 
 // ---- quality

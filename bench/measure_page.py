@@ -5,12 +5,14 @@ Usage: measure_page.py PROGRAM [minutes of play, default 10]. Prints a line a fi
 
 import json
 import os
+import pathlib
 import statistics
 import sys
 import time
 
-import live_page
-from browser import Browser
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / "tests" / "live"))
+import live_page  # noqa: E402
+from browser import Browser  # noqa: E402
 
 # From the input of a slider until the frame that shows the joint there is decoded, its picture is given to
 # the browser, and its pixels are finished [ms].
