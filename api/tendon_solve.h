@@ -42,7 +42,7 @@ struct [[nodiscard]] TendonSolution {
   DigitPoint point;  // read point.pull.status first: trusted()
 };
 
-/// The answers at a grid of postures; each net comes from its neighbour in the same row.
+/// The answers at a grid of postures, each the one that solve_tendons() gives.
 struct [[nodiscard]] TendonSweep {
   LoadedDigit loaded;
   std::vector<DigitPoint> points;  // in the order of loaded.grid.postures; fewer if stopped
@@ -54,8 +54,7 @@ struct [[nodiscard]] TendonSweep {
 [[nodiscard]] TendonSolution solve_tendons(const TendonRequest& request,
                                            const Progress& progress = {});
 
-/// Solves the digit over the postures of request.digit.vary, row by row; each row starts from the
-/// straight finger.
+/// Solves the digit over the postures of request.digit.vary, row by row.
 /// @throws InputError or DataError saying what is unknown or missing.
 [[nodiscard]] TendonSweep sweep_tendons(const TendonRequest& request,
                                         const Progress& progress = {});

@@ -24,6 +24,7 @@ enum class TendonStatus {
   kOutOfRange,      // fitted paths are asked outside of their joints' ranges, where they run wild
   kInvalidPath,     // a wrapped path is not taut, has a point in bone or went round the far side
   kUnstable,        // a net at a saddle: any disturbance moves it elsewhere
+  kOverstrained,    // a net balanced by bands that bear more than tissue can
   kUnbalanced       // a net without equilibrium: its torques are those of no balance
 };
 

@@ -162,7 +162,9 @@ DigitPoint LiveDigit::point_at(const Eigen::VectorXd& q, const Eigen::VectorXd& 
   const NetTendons& net = *case_.net;
   DigitPoint point;
   point.q = q;
-  point.rest = follow_net(net, straight_rest_, {net.net().frame.straight, t}, {q, t}).rest;
+  point.rest = net.free_finger().tendons
+                   ? follow_from_straight(net, q, t).rest
+                   : follow_net(net, straight_rest_, {net.net().frame.straight, t}, {q, t}).rest;
   point.pull = net.torque_at_rest(q, t, point.rest);
   point.tip = tip_force(tip_statics(net.digit(), q, t, point.pull), t);
   return point;

@@ -47,6 +47,26 @@ double slip_ratio(const SlipTension& slips) {
   return slips.central > kTaut ? slips.terminal / slips.central : std::nan("");
 }
 
+/// Terminal per central slip that publications give of an extensor's pull: fractions of 0.4945 to
+/// the central slip [Synek2019], and measured forces [Lee2008]. They are a factor of 1.66 apart, by
+/// which either may be off.
+constexpr double kLeastRatio = (1 - 0.4945) / 0.4945, kMostRatio = 1.7 * 1.7 / kLeastRatio;
+
+/// What to say of a share of the slips that no publication knows; empty: nothing.
+std::string slip_doubt(const LoadedDigit& loaded, const DigitPoint& point) {
+  const SlipTension& slips = point.pull.slips;
+  if (loaded.net() == nullptr || !trusted(point.pull.status) ||
+      slips.central + slips.terminal < kTaut)
+    return "";
+  if (slips.terminal >= kLeastRatio * slips.central && slips.terminal <= kMostRatio * slips.central)
+    return "";
+  return fmt::format(
+      "the terminal slip has {:.3g} N where the central one has {:.3g} N: publications give {:.2g} "
+      "to "
+      "1.7 times as much",
+      slips.terminal, slips.central, kLeastRatio);
+}
+
 /// A tension with four decimals; "0" of what is slack.
 std::string shown_tension(double tension) {
   return std::abs(tension) > kTaut ? shown(tension, 4) : "0";
@@ -73,6 +93,7 @@ std::string tendon_title(const LoadedDigit& loaded) {
 void add_net(const LoadedDigit& loaded, const DigitPoint& point, OrderedJson& json) {
   const Net& net = loaded.net()->net().net;
   json["status"] = name_of(point.rest.status);
+  json["snapped"] = point.snapped;
   json["residual_N"] = point.rest.residual;
   json["iterations"] = point.rest.iterations;
   // Bands.
@@ -355,6 +376,7 @@ OrderedJson json_of(const TendonSolution& solution) {
   json["leftover_torque_N_mm"] = to_json(names.coordinates, point.tip.tau_residual / kNmm);
   json["condition"] = number_or_null(point.tip.condition);
   if (const std::string note = tip_note(point.tip); !note.empty()) json["note"] = note;
+  json["warnings"] = warnings_of(solution);
   return json;
 }
 
@@ -395,6 +417,7 @@ OrderedJson json_of(const TendonSweep& sweep) {
     json["trouble"].push_back(point.pull.warning);
     for (const SweepColumn& column : columns) json[column.name].push_back(column.value(point));
   }
+  json["warnings"] = warnings_of(sweep);
   return json;
 }
 
@@ -407,7 +430,12 @@ Table table_of(const TendonSweep& sweep) {
 std::vector<std::string> warnings_of(const TendonSolution& solution) {
   std::vector<std::string> warnings = solution.loaded.warnings;
   const TendonTorque& pull = solution.point.pull;
+  if (solution.point.snapped)
+    warnings.push_back(
+        "the hood snaps to another equilibrium on the way here from the straight finger");
   if (!pull.warning.empty() && trusted(pull.status)) warnings.push_back(pull.warning);
+  const std::string doubt = slip_doubt(solution.loaded, solution.point);
+  if (!doubt.empty()) warnings.push_back(doubt);
   return warnings;
 }
 
@@ -422,9 +450,19 @@ std::vector<std::string> warnings_of(const TendonSweep& sweep) {
                                    std::count_if(first, sweep.points.end(), doubtful),
                                    sweep.points.size(), place_of(loaded, *first),
                                    tip_note(first->tip)));
+  // Shares of the slips, likewise.
+  const auto odd = [&](const DigitPoint& point) { return !slip_doubt(loaded, point).empty(); };
+  const auto first_odd = std::find_if(sweep.points.begin(), sweep.points.end(), odd);
+  if (first_odd != sweep.points.end())
+    warnings.push_back(fmt::format(
+        "at {} of {} postures, first at {}: {}", std::count_if(first_odd, sweep.points.end(), odd),
+        sweep.points.size(), place_of(loaded, *first_odd), slip_doubt(loaded, *first_odd)));
   // Snaps and doubts, posture by posture.
-  for (const DigitPoint& point : sweep.points) {
-    if (point.snapped)
+  for (std::size_t i = 0; i < sweep.points.size(); ++i) {
+    const DigitPoint& point = sweep.points[i];
+    // Each row comes from the straight finger; once snapped, it stays so.
+    const bool before = i % loaded.grid.row > 0 && sweep.points[i - 1].snapped;
+    if (point.snapped && !before)
       warnings.push_back(fmt::format("the hood snaps to another equilibrium on the way to {}",
                                      place_of(loaded, point)));
     if (!point.pull.warning.empty())
@@ -466,6 +504,8 @@ std::string name_of(TendonStatus status) {
       return "astray";
     case TendonStatus::kUnstable:
       return "unstable";
+    case TendonStatus::kOverstrained:
+      return "overstrained";
     case TendonStatus::kUnbalanced:
       return "unbalanced";
   }
@@ -484,6 +524,8 @@ std::string name_of(NetStatus status) {
       return "stalled";
     case NetStatus::kFarSideWrap:
       return "wound round";
+    case NetStatus::kOverstrained:
+      return "overstrained";
   }
   return "";
 }

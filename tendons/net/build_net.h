@@ -55,8 +55,9 @@ struct BuiltNet {
   FingerFrame frame;
 };
 
-/// Lays a net on a finger. Points scale along a bone with the length of the bone, and across it
-/// with the distance of the extensor tendon from the joint axes, so that the straight finger has
+/// Lays a net on a finger with all its joints free, whichever of the digit's are frozen: where a
+/// joint stands changes no band. Points scale along a bone with the length of the bone, and across
+/// it with the distance of the extensor tendon from the joint axes, so that the straight finger has
 /// the moment arms measured on the subject. Capsules, the wrapping surfaces of bone shafts, scale
 /// by the smaller ratio of the two ends of their bone, so that no shaft is thicker than the bone's
 /// head.
@@ -64,6 +65,11 @@ struct BuiltNet {
 [[nodiscard]] BuiltNet build_net(const Subject& subject, const TendonDigit& digit,
                                  const NetDescription& description,
                                  const NetBuildOptions& options = {});
+
+/// The digit with every joint free, which a net is laid on: separate tendons, straight between
+/// their points, of muscles that cross joints of its own. Joints that digits share stay welded at
+/// the reference posture if they are in `digit`.
+[[nodiscard]] TendonDigit free_digit(const Subject& subject, const TendonDigit& digit);
 
 /// Returns the net without one of its bands. @throws InputError if it has no such band.
 [[nodiscard]] BuiltNet cut(const BuiltNet& built, const std::string& band);

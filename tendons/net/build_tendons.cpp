@@ -1,10 +1,66 @@
 #include "tendons/net/build_tendons.h"
 
+#include <algorithm>
+
 #include "base/error.h"
 #include "tendons/linear_tendons.h"
 #include "tendons/net/net_tendons.h"
 
 namespace thenar {
+namespace {
+
+/// Where the coordinates of a digit with all joints free stand in the same digit with some frozen;
+/// empty if a joint there is frozen apart from the one that it follows.
+std::vector<PostureAngle> angles_of(const TendonDigit& whole, const TendonDigit& digit) {
+  const auto& names = digit.names.coordinates;
+  for (std::size_t i = 0; i < whole.names.hinges.size(); ++i) {
+    const std::string& leader =
+        whole.names.coordinates[static_cast<std::size_t>(whole.model.tree[i].coordinate)];
+    if (digit.skeleton.frozen.count(whole.names.hinges[i]) > 0 &&
+        digit.skeleton.frozen.count(leader) == 0)
+      return {};
+  }
+  std::vector<PostureAngle> angles;
+  for (const std::string& joint : whole.names.coordinates) {
+    const auto frozen = digit.skeleton.frozen.find(joint);
+    if (frozen != digit.skeleton.frozen.end())
+      angles.push_back({-1, 0, frozen->second});
+    else
+      angles.push_back(
+          {static_cast<int>(std::find(names.begin(), names.end(), joint) - names.begin()), 1, 0});
+  }
+  return angles;
+}
+
+/// Muscles of the digit that have a role in the net.
+std::vector<std::string> pulling_muscles(const TendonDigit& digit,
+                                         const NetDescription& description) {
+  std::vector<std::string> pulling;
+  for (const NetMusclePlan& role : description.muscles)
+    for (const std::string& muscle : muscles_of(digit, role)) pulling.push_back(muscle);
+  return pulling;
+}
+
+/// The digit with all joints free, if one of its own is frozen.
+FreeFinger free_finger(const Subject& subject, const TendonDigit& digit,
+                       const NetDescription& description, const NetBuildOptions& net) {
+  TendonDigit whole = free_digit(subject, digit);
+  if (whole.model.coordinates == digit.model.coordinates) return {};
+  FreeFinger free;
+  free.angles = angles_of(whole, digit);
+  if (free.angles.empty()) return {};
+  // Its muscles, by their names.
+  const auto& names = digit.names.muscles;
+  for (const std::string& muscle : whole.names.muscles) {
+    const auto at = std::find(names.begin(), names.end(), muscle);
+    free.muscles.push_back(at == names.end() ? -1 : static_cast<int>(at - names.begin()));
+  }
+  BuiltNet built = build_net(subject, whole, description, net);
+  free.tendons = std::make_shared<NetTendons>(straight_tendons(std::move(whole)), std::move(built));
+  return free;
+}
+
+}  // namespace
 
 std::unique_ptr<DigitTendons> build_digit_tendons(const Subject& subject, const std::string& digit,
                                                   const TendonOptions& options,
@@ -26,8 +82,17 @@ std::unique_ptr<DigitTendons> build_net_tendons(const Subject& subject, const st
   TendonOptions separate = options;
   separate.hood = Hood::kSeparate;
   std::unique_ptr<DigitTendons> linear = build_linear_tendons(subject, digit, separate);
+  // What pulls the net counts even where all joints that it crosses itself are frozen.
+  separate.kept = pulling_muscles(free_digit(subject, linear->digit()), description);
+  const auto& names = linear->digit().names.muscles;
+  if (std::any_of(separate.kept.begin(), separate.kept.end(), [&](const std::string& muscle) {
+        return std::count(names.begin(), names.end(), muscle) == 0;
+      }))
+    linear = build_linear_tendons(subject, digit, separate);
   BuiltNet built = build_net(subject, linear->digit(), description, net);
-  return std::make_unique<NetTendons>(std::move(linear), std::move(built));
+  FreeFinger free = free_finger(subject, linear->digit(), description, net);
+  return std::make_unique<NetTendons>(std::move(linear), std::move(built), NetSolverOptions{},
+                                      std::move(free));
 }
 
 TipStatics tip_statics(const TendonDigit& digit, const Eigen::VectorXd& q, const Eigen::VectorXd& t,

@@ -46,7 +46,8 @@ double fit_slack(Net& net, const TreeState<double>& state, const Eigen::VectorXd
   for (int round = 0; round < rounds; ++round) {
     // Equilibrium under the load, from the one before.
     const NetEquilibrium rest = solver.solve(state, {load, {}}, round == 0 ? nullptr : &start);
-    if (rest.status != NetStatus::kBalanced && rest.status != NetStatus::kNodeCollapsed)
+    if (rest.status != NetStatus::kBalanced && rest.status != NetStatus::kOverstrained &&
+        rest.status != NetStatus::kNodeCollapsed)
       return std::numeric_limits<double>::infinity();
     const auto strain = [&](int b) {
       const double slack = net.bands[static_cast<std::size_t>(b)].slack;

@@ -2,6 +2,7 @@
 
 /// An extensor mechanism as a net of tension-only bands that floats on moving bones.
 
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -35,6 +36,7 @@ struct NetBand {
   double EA = 0;                  // modulus times area: tension per strain [N]
   double toe = 0;                 // strain up to which fibres are recruited [1]
   int muscle = -1;                // that pulls it; -1: a passive band
+  double most_strain = std::numeric_limits<double>::infinity();  // that its tissue bears [1]
 };
 
 /// A net; constant once built.
@@ -47,6 +49,8 @@ struct Net {
   double friction = 0;               // of nodes on bone (Coulomb); not 0: see net_friction.h [1]
   double blend = 0;  // strain over which passive bands go from slack to taut (band_law.h), with
                      // tension, though little, at any length; 0: at once [1]
+  double most_load = std::numeric_limits<double>::infinity();  // tension of a passive band, per sum
+                                                               // of the muscles' pulls [1]
 };
 
 /// Inputs by which muscles drive the net.

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "tendons/net/net_derivatives.h"
+#include "tendons/net/net_search.h"
 #include "tendons/net/tangent_net.h"
 
 namespace thenar {
@@ -177,10 +178,22 @@ NetContinuation follow_net(const NetTendons& tendons, const NetEquilibrium& rest
   return NetWalk(tendons, rest, from, to, options).run();
 }
 
+// NOLINTNEXTLINE(misc-no-recursion): once, for the finger without frozen joints
 NetContinuation follow_from_straight(const NetTendons& tendons, const VectorXd& q,
                                      const VectorXd& t, const NetContinuationOptions& options) {
+  // A finger with frozen joints goes the way of the one that can bend them.
+  const FreeFinger& free = tendons.free_finger();
+  if (free.tendons) {
+    NetContinuation walk =
+        follow_from_straight(*free.tendons, free.posture(q), free.tensions(t), options);
+    walk.rest = tendons.rest(q, t, walk.rest.x);
+    return walk;
+  }
   const VectorXd straight = tendons.net().frame.straight;
-  return follow_net(tendons, tendons.rest(straight, t, {}), {straight, t}, {q, t}, options);
+  NetContinuation walk =
+      follow_net(tendons, tendons.rest(straight, t, {}), {straight, t}, {q, t}, options);
+  if (is_sound(walk.rest)) return walk;
+  return search_rest(tendons, q, t, std::move(walk), options);
 }
 
 }  // namespace thenar

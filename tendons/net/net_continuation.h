@@ -43,7 +43,9 @@ NetContinuation follow_net(const NetTendons& tendons, const NetEquilibrium& rest
                            const NetContinuationOptions& options = {});
 
 /// Equilibrium of a net at (q, t) that came there from the straight finger under these tensions:
-/// the one that every question about a single posture means.
+/// the one that every question about a single posture means. Joints that are frozen bend on the way
+/// as if they were free. If that is not balanced or more than tissue bears, other ways are tried,
+/// see search_rest(); one that leads to a sound rest counts as a snap.
 NetContinuation follow_from_straight(const NetTendons& tendons, const Eigen::VectorXd& q,
                                      const Eigen::VectorXd& t,
                                      const NetContinuationOptions& options = {});

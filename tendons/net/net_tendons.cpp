@@ -1,5 +1,6 @@
 #include "tendons/net/net_tendons.h"
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
@@ -32,6 +33,21 @@ std::string drawn_in(const Net& net, const NetEquilibrium& rest) {
                                 net.nodes[static_cast<std::size_t>(band.a)].name));
   }
   return fmt::format("net '{}' does not hold: {}", net.name, fmt::join(which, ", "));
+}
+
+/// The band that bears most of those that bear too much.
+std::string overstrained(const Net& net, const NetEquilibrium& rest) {
+  const int worst =
+      *std::max_element(rest.overstrained.begin(), rest.overstrained.end(),
+                        [&](int a, int b) { return rest.tension[a] < rest.tension[b]; });
+  const NetBand& band = net.bands[static_cast<std::size_t>(worst)];
+  double pull = 0;
+  for (std::size_t b = 0; b < net.bands.size(); ++b)
+    if (net.bands[b].muscle >= 0) pull += rest.tension[static_cast<Eigen::Index>(b)];
+  return fmt::format(
+      "net '{}' is balanced only by bands that bear more than tissue can: '{}' has {:.3g} N under "
+      "pulls of {:.3g} N, and a strain of {:.2g} %",
+      net.name, band.name, rest.tension[worst], pull, 100 * (rest.length[worst] / band.slack - 1));
 }
 
 /// The first band in tension that ends inside the bone over which it bends; empty: none.
@@ -82,6 +98,8 @@ TendonStatus net_status(const Net& net, const TreeState<double>& state,
       return TendonStatus::kUnbalanced;
     case NetStatus::kUnstable:
       return TendonStatus::kUnstable;
+    case NetStatus::kOverstrained:
+      return TendonStatus::kOverstrained;
     case NetStatus::kNodeCollapsed:
       return TendonStatus::kNodeCollapsed;
     case NetStatus::kBalanced:
@@ -121,6 +139,8 @@ std::string net_warning(const Net& net, const TreeState<double>& state,
                          net.bands[static_cast<std::size_t>(rest.far_side_bands.front())].name);
     case NetStatus::kUnstable:
       return fmt::format("net '{}' is at a saddle: the least push moves it elsewhere", net.name);
+    case NetStatus::kOverstrained:
+      return overstrained(net, rest);
     case NetStatus::kNodeCollapsed:
       return drawn_in(net, rest);
     case NetStatus::kBalanced:
@@ -129,11 +149,28 @@ std::string net_warning(const Net& net, const TreeState<double>& state,
   return buried_band(net, state, rest);
 }
 
+VectorXd FreeFinger::posture(const VectorXd& q) const {
+  VectorXd all(static_cast<Eigen::Index>(angles.size()));
+  for (Eigen::Index j = 0; j < all.size(); ++j)
+    all[j] = angle_at(angles[static_cast<std::size_t>(j)], q);
+  return all;
+}
+
+VectorXd FreeFinger::tensions(const VectorXd& t) const {
+  VectorXd all(static_cast<Eigen::Index>(muscles.size()));
+  for (Eigen::Index m = 0; m < all.size(); ++m) {
+    const int of = muscles[static_cast<std::size_t>(m)];
+    all[m] = of < 0 ? 0 : t[of];
+  }
+  return all;
+}
+
 NetTendons::NetTendons(std::shared_ptr<const DigitTendons> linear, BuiltNet net,
-                       const NetSolverOptions& options)
+                       const NetSolverOptions& options, FreeFinger free)
     : linear_(std::move(linear)),
       net_(std::move(net)),
       options_(options),
+      free_(std::move(free)),
       digit_(linear_->digit()) {
   // Shares of the muscles in the pulls of the net.
   digit_.fidelity.hood = Hood::kFloatingNet;
@@ -147,7 +184,14 @@ std::unique_ptr<DigitTendons> NetTendons::smoothed(double strain) const {
   require(strain >= 0 && std::isfinite(strain), "strain must be >= 0, got {}", strain);
   BuiltNet net = net_;
   net.net.blend = strain;
-  return std::make_unique<NetTendons>(linear_, std::move(net), options_);
+  // The finger that it comes from is as smooth.
+  FreeFinger free = free_;
+  if (free.tendons) {
+    BuiltNet whole = free.tendons->net_;
+    whole.net.blend = strain;
+    free.tendons = std::make_shared<NetTendons>(free.tendons->linear_, std::move(whole), options_);
+  }
+  return std::make_unique<NetTendons>(linear_, std::move(net), options_, std::move(free));
 }
 
 NetEquilibrium NetTendons::rest(const VectorXd& q, const VectorXd& t,

@@ -25,6 +25,19 @@ class NetSolverPool {
   std::vector<std::unique_ptr<NetSolver>> idle_;
 };
 
+class NetTendons;
+
+/// A finger with joints frozen, seen as the same finger with all of them free: it comes from the
+/// straight finger to where its joints are frozen as the other does, and so finds the same rest.
+struct FreeFinger {
+  std::shared_ptr<const NetTendons> tendons;  // with all joints free; null: they are
+  std::vector<PostureAngle> angles;           // of its coordinates, by those of the frozen finger
+  std::vector<int> muscles;                   // of the frozen finger, or -1; of each of its own
+
+  [[nodiscard]] Eigen::VectorXd posture(const Eigen::VectorXd& q) const;
+  [[nodiscard]] Eigen::VectorXd tensions(const Eigen::VectorXd& t) const;
+};
+
 /// Muscles of the net pull it where it leaves their own paths, with their share of the tension:
 ///   tau = tau_net(q, D t) + R_own' diag(to_net) t + R' diag(1 - to_net) t,
 /// D (pulls, muscles) the shares, R_own the moment arms of the paths from the net to the origins, R
@@ -33,11 +46,15 @@ class NetSolverPool {
 class NetTendons : public DigitTendons {
  public:
   /// @param linear  all tendons, separate; its rung of paths is that of whole tendons
+  /// @param free    if joints are frozen: the finger in which they are not
   NetTendons(std::shared_ptr<const DigitTendons> linear, BuiltNet net,
-             const NetSolverOptions& options = {});
+             const NetSolverOptions& options = {}, FreeFinger free = {});
 
   [[nodiscard]] const TendonDigit& digit() const override { return digit_; }
   [[nodiscard]] const BuiltNet& net() const { return net_; }
+
+  /// The finger in which no joint is frozen; without tendons if this is that finger.
+  [[nodiscard]] const FreeFinger& free_finger() const { return free_; }
 
   /// All tendons as separate ones, without the net.
   [[nodiscard]] const DigitTendons& linear() const { return *linear_; }
@@ -104,6 +121,7 @@ class NetTendons : public DigitTendons {
   std::shared_ptr<const DigitTendons> linear_;
   BuiltNet net_;
   NetSolverOptions options_;
+  FreeFinger free_;
   mutable NetSolverPool solvers_;
   TendonDigit digit_;
   Eigen::MatrixXd shares_;  // D (pulls, muscles)

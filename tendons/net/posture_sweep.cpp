@@ -94,35 +94,21 @@ double band_arm(const NetTendons& tendons, const SweepPoint& point, int band, in
                     model.coordinates)[coordinate];
 }
 
-namespace {
-
-/// The net at rest at the first posture, by way of the straight finger; whether it snapped on the
-/// way in is not part of the question.
-SweepPoint sweep_in(const NetTendons& net, const Eigen::VectorXd& q, const Eigen::VectorXd& t) {
-  SweepPoint point;
-  point.q = q;
-  point.rest = follow_from_straight(net, q, t).rest;
-  return point;
-}
-
-}  // namespace
-
 std::vector<DigitPoint> sweep_digit(const DigitTendons& tendons,
                                     const std::vector<Eigen::VectorXd>& postures,
                                     const Eigen::VectorXd& t, const Progress& progress) {
   const auto* net = dynamic_cast<const NetTendons*>(&tendons);
-  SweepPoint now;  // of a net
   std::vector<DigitPoint> points;
   for (std::size_t i = 0; i < postures.size() && !progress.stop(); ++i) {
     progress(static_cast<double>(i) / static_cast<double>(postures.size()), "postures");
     DigitPoint point;
     point.q = postures[i];
-    // A net continues from the posture before.
+    // A net comes from the straight finger, whatever the posture before.
     if (net != nullptr) {
-      now = i == 0 ? sweep_in(*net, point.q, t) : sweep_on(*net, &now, point.q, t);
-      point.rest = now.rest;
-      point.snapped = now.snapped;
-      point.pull = net->torque_at_rest(point.q, t, now.rest);
+      NetContinuation walk = follow_from_straight(*net, point.q, t);
+      point.snapped = walk.snaps > 0;
+      point.rest = std::move(walk.rest);
+      point.pull = net->torque_at_rest(point.q, t, point.rest);
     } else {
       point.pull = tendons.evaluate(point.q, t);
     }

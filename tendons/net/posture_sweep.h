@@ -63,11 +63,11 @@ struct DigitPoint {
   TendonTorque pull;     // joint torque, moment arms, slips, warning
   TipForce tip;          // of a pinned tip
   NetEquilibrium rest;   // of the net; without nodes on rungs that have none
-  bool snapped = false;  // the net left the course it had followed since the point before
+  bool snapped = false;  // on its way from the straight finger the net has left its course
 };
 
-/// Solves all postures in order. A net comes to the first one from the straight finger, and to each
-/// other from the one before.
+/// Solves all postures in order. A net comes to each from the straight finger, so that a posture in
+/// a row is told what it is told alone; sweep_net() follows a net from one to the next.
 /// @param t         tension of each muscle [N] (muscles)
 /// @param progress  may stop it: the points that are done come back
 /// @throws InputError as DigitTendons::evaluate().

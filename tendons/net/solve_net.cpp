@@ -8,6 +8,28 @@
 
 namespace thenar {
 
+namespace {
+
+/// Looks for passive bands that bear more than they can, where a net is balanced.
+void find_overstrained(const Net& net, NetEquilibrium& rest) {
+  constexpr double kNoLoad = 0.1;  // tension below which a ratio to the pull says nothing [N]
+  if (rest.status != NetStatus::kBalanced) return;
+  double pull = 0;
+  for (std::size_t b = 0; b < net.bands.size(); ++b)
+    if (net.bands[b].muscle >= 0) pull += rest.tension[static_cast<Eigen::Index>(b)];
+  for (std::size_t b = 0; b < net.bands.size(); ++b) {
+    const NetBand& band = net.bands[b];
+    const auto i = static_cast<Eigen::Index>(b);
+    if (band.muscle >= 0 || rest.tension[i] <= 0) continue;
+    const bool loaded = rest.tension[i] > std::max(net.most_load * pull, kNoLoad);
+    if (loaded || rest.length[i] > (1 + band.most_strain) * band.slack)
+      rest.overstrained.push_back(static_cast<int>(b));
+  }
+  if (!rest.overstrained.empty()) rest.status = NetStatus::kOverstrained;
+}
+
+}  // namespace
+
 struct NetSolver::Workspace {
   Workspace(const Net& net, const NetSolverOptions& options) : descent(net, options) {}
   internal::NetDescent descent;
@@ -28,7 +50,9 @@ NetEquilibrium NetSolver::solve(const TreeState<double>& state, const NetDrive& 
   require(start == nullptr || start->cols() == nodes, "net {} has {} nodes, start has {}", net.name,
           nodes, start ? start->cols() : 0);
   require(start == nullptr || start->allFinite(), "net {}: start is not finite", net.name);
-  return work_->descent.run(state, drive, start);
+  NetEquilibrium rest = work_->descent.run(state, drive, start);
+  find_overstrained(net, rest);
+  return rest;
 }
 
 std::vector<NetEquilibrium> solve_postures(NetSolver& solver, const Tree<double>& tree,

@@ -25,8 +25,10 @@ enum class NetStatus {
   kNodeCollapsed,  // balanced only because a muscle has collapsed a node into its exit: the net
                    // does not hold
   kStalled,        // not balanced: see the residual
-  kFarSideWrap  // not balanced: a band has turned to the far side of its cylinder, where its length
-                // jumps (`far_side_bands`): there is no minimum on this side
+  kFarSideWrap,    // not balanced: a band has turned to the far side of its cylinder, where its
+                 // length jumps (`far_side_bands`): there is no minimum on this side
+  kOverstrained  // balanced by passive bands that bear more than Net::most_load or strain by more
+                 // than NetBand::most_strain (`overstrained`): no tissue does that
 };
 
 struct NetSolverOptions {
@@ -63,6 +65,7 @@ struct [[nodiscard]] NetEquilibrium {
                                   // has more than ten times the tolerance of tension
   std::vector<CollapsedBand> collapsed;  // bands of no length under a pull: kNodeCollapsed
   std::vector<int> far_side_bands;       // bands on the far side of a cylinder: kFarSideWrap
+  std::vector<int> overstrained;         // bands that bear more than they can: kOverstrained
   std::vector<int> pushed_out;  // nodes that started inside a bone and were moved to its surface
   double energy = 0;            // E [J]
 };

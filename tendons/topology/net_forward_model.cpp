@@ -35,6 +35,7 @@ std::vector<std::pair<int, int>> places_of(const CandidateNet& candidate,
 bool carries_loads(const Net& net, const NetEquilibrium& rest) {
   // Balanced, or nearly so.
   const bool still = rest.status == NetStatus::kBalanced ||
+                     rest.status == NetStatus::kOverstrained ||
                      (rest.status == NetStatus::kStalled && rest.residual < kSettledNet);
   if (!still || !rest.x.allFinite()) return false;
   // A muscle that has collapsed its node is not held.

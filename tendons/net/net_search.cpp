@@ -1,0 +1,76 @@
+#include "tendons/net/net_search.h"
+
+#include <algorithm>
+#include <functional>
+#include <utility>
+#include <vector>
+
+namespace thenar {
+namespace {
+
+using Eigen::Index;
+using Eigen::VectorXd;
+
+/// Follows a net through postures and loads in turn, from its rest at the first of them.
+NetContinuation follow_ways(const NetTendons& tendons, const std::vector<PostureAndLoad>& places,
+                            const NetContinuationOptions& options) {
+  NetContinuation walk{tendons.rest(places.front().q, places.front().t, {}), 0, 1};
+  for (std::size_t i = 1; i < places.size(); ++i) {
+    NetContinuation leg = follow_net(tendons, walk.rest, places[i - 1], places[i], options);
+    walk = {std::move(leg.rest), walk.snaps + leg.snaps, walk.solves + leg.solves};
+  }
+  return walk;
+}
+
+/// From the straight finger with its joints bent one after the other.
+enum class BendOrder { kFromTip, kFromBase };
+std::vector<PostureAndLoad> joint_by_joint(const VectorXd& straight, const VectorXd& q,
+                                           const VectorXd& t, BendOrder order) {
+  std::vector<PostureAndLoad> places{{straight, t}};
+  for (Index i = 0; i < q.size(); ++i) {
+    const Index j = order == BendOrder::kFromTip ? q.size() - 1 - i : i;
+    places.push_back(places.back());
+    places.back().q[j] = q[j];
+  }
+  return places;
+}
+
+/// Under an even pull of all muscles of the net, which takes its place as the last thing.
+std::vector<PostureAndLoad> under_even_load(const NetTendons& tendons, const VectorXd& straight,
+                                            const VectorXd& q, const VectorXd& t) {
+  VectorXd even = t;
+  const double most = std::max(1.0, t.maxCoeff());
+  for (const NetMuscle& muscle : tendons.net().muscles) even[muscle.muscle] = most;
+  return {{straight, even}, {q, even}, {q, t}};
+}
+
+}  // namespace
+
+NetContinuation search_rest(const NetTendons& tendons, const VectorXd& q, const VectorXd& t,
+                            NetContinuation found, const NetContinuationOptions& options) {
+  constexpr int kSolves = 100;  // on one leg of a way: a course that takes more is none
+  const VectorXd& straight = tendons.net().frame.straight;
+  NetContinuationOptions quick = options;
+  quick.max_solves = std::min(options.max_solves, kSolves);
+  const std::vector<std::function<NetContinuation()>> ways{
+      [&] {
+        return NetContinuation{tendons.rest(q, t, {}), 0, 1};
+      },
+      [&] { return follow_ways(tendons, under_even_load(tendons, straight, q, t), quick); },
+      [&] {
+        return follow_ways(tendons, joint_by_joint(straight, q, t, BendOrder::kFromTip), quick);
+      },
+      [&] {
+        return follow_ways(tendons, joint_by_joint(straight, q, t, BendOrder::kFromBase), quick);
+      }};
+  for (const auto& way : ways) {
+    NetContinuation other = way();
+    found.solves += other.solves;
+    if (!is_sound(other.rest)) continue;
+    // It is not on the straight way: the net has jumped there.
+    return {std::move(other.rest), std::max(1, found.snaps), found.solves};
+  }
+  return found;
+}
+
+}  // namespace thenar
