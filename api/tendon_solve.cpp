@@ -13,6 +13,9 @@ LoadedDigit loaded_digit(const TendonRequest& request) {
   require(at.map.empty(), "digit '{}' of '{}' has no bones, only tip map '{}': ask tip-force",
           at.digit, at.subject.name, at.map);
   const Eigen::VectorXd t = tensions(at, request.tension);
+  for (std::string& warning :
+       overload_warnings(at.bones().names.muscles, at.bones().max_tension, t))
+    at.warnings.push_back(std::move(warning));
   return {at.subject.name,       at.digit, at.tendons, t, std::move(at.grid), std::move(at.sources),
           std::move(at.warnings)};
 }

@@ -1,5 +1,7 @@
 #include "api/tip_force.h"
 
+#include <utility>
+
 #include "base/error.h"
 #include "tendons/forces/posture_sensitivity.h"
 #include "tendons/forces/tip_force.h"
@@ -43,6 +45,10 @@ TipForceAnswer ask_tip_force(const TipForceRequest& request, const Progress& pro
           "tip map '{}' gives forces whatever the hold; leave out --hold rigid", digit.map);
   TipForceAnswer answer{
       sweep_of(digit), request.hold, request.hold_length, tensions(digit, request.tension), {}};
+  const Eigen::VectorXd limits =
+      digit.map.empty() ? digit.bones().max_tension : digit_at(digit, {}).statics.max_tension;
+  for (std::string& warning : overload_warnings(answer.about.muscles, limits, answer.tension))
+    answer.about.warnings.push_back(std::move(warning));
 
   const auto ask = [&](const Eigen::VectorXd& q) {
     const DigitAtPosture at = digit_at(digit, q);

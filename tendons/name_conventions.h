@@ -24,8 +24,9 @@ namespace thenar {
 
 /// What a muscle does to a finger's or a thumb's joint of flexion by its name: 1 flexes it, -1
 /// extends it, 0 where the name does not say. Long flexors and extensors do the same at every joint
-/// but the carpometacarpal ones of the thumb, whose axes are skew; intrinsic muscles of fingers
-/// flex the metacarpophalangeal joint and extend those beyond.
+/// but the carpometacarpal ones of the thumb, whose axes are skew; interosseous muscles of fingers
+/// flex the metacarpophalangeal joint and extend those beyond, as lumbricals do, which at the
+/// former unload the deep flexor by what they pull.
 [[nodiscard]] inline int named_action(const std::string& muscle, const std::string& joint) {
   const auto begins = [](const std::string& text, std::initializer_list<const char*> with) {
     for (const char* start : with)
@@ -36,7 +37,7 @@ namespace thenar {
   if (is_long_flexor(muscle)) return 1;
   if (begins(muscle, {"ED", "EIP", "EPL"}) || muscle == "EI") return -1;
   if (!begins(muscle, {"LU", "DI", "PI"}) && muscle != "RI" && muscle != "UI") return 0;
-  if (begins(joint, {"MCP"})) return 1;
+  if (begins(joint, {"MCP"})) return begins(muscle, {"LU"}) ? 0 : 1;
   return begins(joint, {"PIP", "DIP"}) ? -1 : 0;
 }
 

@@ -148,6 +148,13 @@ void LiveDigit::solve(const Eigen::VectorXd& q, const Eigen::VectorXd& excitatio
   // Doubts about this posture.
   now.warnings = muscles_->warnings(excitation);
   add_doubts(now.point, now.warnings);
+  const TendonDigit& bones = case_.bones();
+  for (std::string& warning :
+       overload_warnings(bones.names.muscles, bones.max_tension, now.tension))
+    now.warnings.push_back(std::move(warning));
+  for (std::string& warning : reversal_warnings(
+           case_.net != nullptr ? case_.net->linear() : *case_.tendons, {{}, 1, {q}, {}}))
+    now.warnings.push_back(std::move(warning));
   if (case_.bones().fidelity.path == Path::kViaPoint) {
     const DigitTendons& linear = case_.net != nullptr ? case_.net->linear() : *case_.tendons;
     for (std::string& warning : collapse_warnings(linear, q))

@@ -10,6 +10,7 @@
 #include <fmt/ranges.h>
 
 #include "api/named/data_folders.h"
+#include "api/named/digit_sweep.h"
 #include "api/named/files.h"
 #include "base/error.h"
 #include "base/file_io.h"
@@ -84,6 +85,8 @@ void add_warnings(const DigitRequest& request, DigitCase& at) {
   const DigitTendons& linear = at.net != nullptr ? at.net->linear() : *at.tendons;
   const Eigen::VectorXd q = posture_of(at.bones().skeleton, request.posture);
   for (std::string& warning : collapse_warnings(linear, q))
+    at.warnings.push_back(std::move(warning));
+  for (std::string& warning : reversal_warnings(linear, at.grid))
     at.warnings.push_back(std::move(warning));
 }
 
@@ -203,6 +206,47 @@ std::vector<std::string> collapse_warnings(const DigitTendons& linear, const Eig
       "tendons run too close to a joint here: arms of {}; {}", fmt::join(arms, "; "),
       via ? "straight runs cut through it, and --path wrapped helps where the subject has a surface"
           : "the subject has no surface there")};
+}
+
+std::vector<std::string> reversal_warnings(const DigitTendons& linear, const PostureGrid& grid) {
+  const TendonDigit& digit = linear.digit();
+  constexpr std::size_t kLookedAt = 1000;  // postures of a grid, evenly spaced
+  const std::size_t stride = 1 + (grid.postures.size() - 1) / kLookedAt;
+  std::vector<std::string> first;
+  Eigen::VectorXd where;
+  std::size_t count = 0, of = 0;
+  for (std::size_t i = 0; i < grid.postures.size(); i += stride, ++of) {
+    const Eigen::VectorXd& q = grid.postures[i];
+    const TendonTorque pull = linear.evaluate(
+        q, Eigen::VectorXd::Zero(static_cast<Eigen::Index>(digit.names.muscles.size())));
+    const std::vector<ReversedArm> arms = reversed_arms(digit, pull.R);
+    if (!trusted(pull.status) || arms.empty() || count++ > 0) continue;
+    // The first posture is told in full.
+    where = q;
+    for (const ReversedArm& arm : arms)
+      first.push_back(fmt::format("{} at {} ({:.2g} mm)", arm.muscle, arm.joint, 1e3 * arm.arm));
+  }
+  if (count == 0) return {};
+  const std::string place = grid.varied.empty()
+                                ? "here"
+                                : fmt::format("at {} of {} postures{}, first at {}", count, of,
+                                              stride > 1 ? " looked at" : "",
+                                              varied_angles(digit.names.coordinates, grid, where));
+  return {
+      fmt::format("moment arms have the wrong sign {}: {}; the subject's arms_mm or the muscles' "
+                  "names say the other one",
+                  place, fmt::join(first, ", "))};
+}
+
+std::vector<std::string> overload_warnings(const std::vector<std::string>& muscles,
+                                           const Eigen::VectorXd& max_tension,
+                                           const Eigen::VectorXd& t) {
+  std::vector<std::string> over;
+  for (Eigen::Index m = 0; m < t.size(); ++m)
+    if (t[m] > max_tension[m] * (1 + 1e-9))
+      over.push_back(fmt::format("{} is pulled with {:.4g} N, but can make {:.4g} N",
+                                 muscles[static_cast<std::size_t>(m)], t[m], max_tension[m]));
+  return over;
 }
 
 std::vector<std::string> known_nets() {

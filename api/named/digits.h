@@ -106,6 +106,18 @@ inline constexpr double kMaxTension = 1e4;  // [N]
 [[nodiscard]] std::vector<std::string> collapse_warnings(const DigitTendons& linear,
                                                          const Eigen::VectorXd& q);
 
+/// Arms of the wrong sign, see reversed_arms(): at how many of the postures, and at the first of
+/// them.
+/// @param linear  tendons of the digit without a net
+[[nodiscard]] std::vector<std::string> reversal_warnings(const DigitTendons& linear,
+                                                         const PostureGrid& grid);
+
+/// Muscles that are to pull more than the subject says they can.
+/// @param t  tension of each muscle [N] (muscles)
+[[nodiscard]] std::vector<std::string> overload_warnings(const std::vector<std::string>& muscles,
+                                                         const Eigen::VectorXd& max_tension,
+                                                         const Eigen::VectorXd& t);
+
 /// "chao_an", "dogadov2017", "extensor_hood", "winslow": nets that the library carries along.
 [[nodiscard]] std::vector<std::string> known_nets();
 

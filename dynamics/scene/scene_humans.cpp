@@ -105,6 +105,7 @@ class HandPuller {
       if (each.hand == human_.name) read(each);
     bool any = false;
     for (const std::vector<const HumanDigit*>& group : groups()) any = add(group) || any;
+    warn_of_tensions();
     return any;
   }
 
@@ -125,6 +126,25 @@ class HandPuller {
         (each.tensions ? tensions_ : excitations_).push_back(std::move(given));
     } catch (const InputError& error) {
       fail(error.what());
+    }
+  }
+
+  /// Tells muscles that are to pull more than they can make.
+  void warn_of_tensions() {
+    for (const std::string& name : names_) {
+      // The largest tension that is given, and the largest force.
+      double most = 0, can = std::numeric_limits<double>::infinity();
+      for (const GivenMuscle& each : tensions_)
+        if (each.muscle == name) most = std::max(most, each.schedule.value.maxCoeff());
+      for (const HumanDigit& digit : human_.hand.digits) {
+        const std::vector<std::string>& muscles = digit.tendons->digit().names.muscles;
+        for (std::size_t m = 0; m < muscles.size(); ++m)
+          if (muscles[m] == name) can = digit.max_force[m];
+      }
+      if (most > can * (1 + 1e-9))
+        built_.warnings.push_back(
+            fmt::format("hand '{}': {} is pulled with {:.4g} N, but can make {:.4g} N", human_.name,
+                        name, most, can));
     }
   }
 

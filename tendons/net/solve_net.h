@@ -26,9 +26,9 @@ enum class NetStatus {
                    // does not hold
   kStalled,        // not balanced: see the residual
   kFarSideWrap,    // not balanced: a band has turned to the far side of its cylinder, where its
-                 // length jumps (`far_side_bands`): there is no minimum on this side
-  kOverstrained  // balanced by passive bands that bear more than Net::most_load or strain by more
-                 // than NetBand::most_strain (`overstrained`): no tissue does that
+                   // length jumps (`far_side_bands`): there is no minimum on this side
+  kOverstrained    // balanced by passive bands that bear more than Net::most_load or strain by more
+                   // than NetBand::most_strain (`overstrained`): no tissue does that
 };
 
 struct NetSolverOptions {

@@ -600,13 +600,29 @@ class Tendon(Near):
     # One rule for both: a sweep fails if and only if solving one of its postures does.
     def test_sweep_refuses_what_solve_refuses(self):
         words = (SUBJECTS / "mirakhorlo2016.toml", "--digit", "little", "--net", "dogadov2017",
-                 "--tension", "ADM=20")
-        for angle, code in ((0, 0), (60, 1)):
-            solved = run("tendon", "solve", *words, "--posture", f"MCP5_FE={angle}")
-            swept = run("tendon", "sweep", *words, "--vary", f"MCP5_FE={angle}:{angle}:1")
+                 "--tension")
+        for tension, code in ((2, 0), (20, 1)):
+            pulled = (*words, f"ADM={tension}")
+            solved = run("tendon", "solve", *pulled, "--posture", "MCP5_FE=60")
+            swept = run("tendon", "sweep", *pulled, "--vary", "MCP5_FE=60:60:1")
             self.assertEqual(solved.returncode, code, solved.stderr)
             self.assertEqual(swept.returncode, code, swept.stderr)
-        self.assertIn("wound round", swept.stderr)
+        self.assertIn("more than tissue can", swept.stderr)
+
+    def test_freezing_a_joint_where_it_stands_changes_no_slip(self):
+        words = ("tendon", "solve", "human_hand", "--digit", "index", "--tension", "EDC2=2.9", "--posture",
+                 "MCP2_FE=0", "PIP2=45")
+        free = ask(*words, "DIP2=30")["slips_N"]
+        frozen = ask(*words, "--frozen", "DIP2=30")["slips_N"]
+        for slip, tension in free.items():
+            self.assertAlmostEqual(tension, frozen[slip], 6)
+
+    def test_more_than_a_muscle_can_make_is_told(self):
+        said = "FDP2 is pulled with 1000 N, but can make"
+        words = (SUBJECTS / "human_hand.toml", "--digit", "index", "--tension", "FDP2=1000")
+        for question in ("tip-force", "tendon solve"):
+            self.assertIn(said, run(*question.split(), *words).stderr)
+            self.assertIn(said, " ".join(ask(*question.split(), *words)["warnings"]))
 
     def test_paths_can_be_chosen_and_are_told(self):
         words = (SUBJECTS / "mirakhorlo2016.toml", "--digit", "middle", "--posture", "MCP3_FE=60",

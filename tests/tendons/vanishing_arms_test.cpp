@@ -128,7 +128,9 @@ TEST(NamedAction, IsThatOfTheHand) {
   EXPECT_EQ(named_action("EIP", "MCP2_FE"), -1);
   EXPECT_EQ(named_action("FDP3", "DIP3"), 1);
   EXPECT_EQ(named_action("EPL", "IP1"), -1);
-  EXPECT_EQ(named_action("LU1", "MCP2_FE"), 1);
+  EXPECT_EQ(named_action("LU1", "PIP2"), -1);
+  EXPECT_EQ(named_action("LU1", "MCP2_FE"), 0);
+  EXPECT_EQ(named_action("DI1", "MCP2_FE"), 1);
   EXPECT_EQ(named_action("DI3", "PIP3"), -1);
   EXPECT_EQ(named_action("EDC2", "MCP2_AA"), 0);
   EXPECT_EQ(named_action("FPL", "CMC1_FE"), 0);
