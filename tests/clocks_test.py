@@ -16,8 +16,11 @@ MAY = {
     "tests/live/live_files_test.py": "guards against hangs: minutes",
     "tests/live/live_page.py": "guards against hangs: minutes",
     "tests/sampling/kill_test.py": "runs are killed at moments of how long one takes that is left alone",
+    "tests/server/attack_test.py": "guards against hangs: an ended connection reads at once",
     "tests/server/engine_test.cpp": "frames and motions keep to the clock: bounds from above, which slow machines meet",
+    "tests/server/flood_test.py": "a server that reads no further is told by a send that waits: slow machines wait, too",
     "tests/server/live_client.py": "guards against hangs: minutes",
+    "tests/server/remote_test.py": "as flood_test.py; an ended connection reads at once",
 }
 
 bad, found = [], set()
