@@ -48,6 +48,17 @@ class Hands(LivePage):
         self.browser.mouse("mouseReleased", **points[-1])
         self.settle()
 
+    def test_the_first_picture_is_drawn_once_and_of_little_data(self):
+        self.start("human:tendons")
+        self.assertEqual(self.browser.value("performance.getEntriesByName('thenar first picture')[0].detail.paints"), 1)
+        # Page, scripts, fonts and meshes together.
+        came = self.browser.value("[...performance.getEntriesByType('navigation'), "
+                                  "...performance.getEntriesByType('resource')]"
+                                  ".reduce((sum, entry) => sum + entry.encodedBodySize, 0)")
+        self.assertGreater(came, 1e5)
+        self.assertLess(came, 2e6)
+        self.assert_no_errors()
+
     def test_undo_takes_back_a_drag_and_no_more(self):
         self.start(WORLD)
         joint = self.select_joint()

@@ -233,7 +233,7 @@ function addHearing(app) {
     app.picture.stage.draw();
     if (frame && app.picture.pose(frame)) {
       // Drawn in this frame of the screen, before panels follow.
-      app.picture.stage.paintNow();
+      if (!app.picture.stage.isHeld()) app.picture.stage.paintNow();
       store.set({ frame });
       if (!app.firstFrame && !app.picture.fitting()) markFirst(app);
     }
@@ -274,7 +274,10 @@ function addHearing(app) {
 
 function markFirst(app) {
   app.firstFrame = true;
-  requestAnimationFrame(() => performance.mark("thenar first picture"));
+  requestAnimationFrame(() => {
+    const { paints } = app.picture.stage;
+    performance.mark("thenar first picture", { detail: { paints } });
+  });
 }
 
 function addExports(app) {
@@ -306,7 +309,7 @@ function addExports(app) {
   addEventListener("afterprint", () => document.querySelector(".printed")?.remove());
 }
 
-/// Makes the app in `root`, whose part `view` takes the picture; connects last.
+/// Makes the app in `root`, whose part `view` takes the picture; connects.
 export function makeApp(root, view) {
   const app = {
     store: links.makeStore({
@@ -321,6 +324,17 @@ export function makeApp(root, view) {
     names: false,
     wanted: null,
   };
+  // Connects at once: nothing is heard before the page is laid out.
+  app.link = rpcClient(socketAddress(), {
+    frame: (buffer) => app.heardFrame(buffer),
+    notice: (method, params) => app.heardNotice(method, params),
+    link: (link) => {
+      app.notices.link(link);
+      if (!link.connected) app.notices.busy(null);
+      if (!link.connected) app.picture.stage.hold(false); // nothing comes
+      app.store.set({ link: link.connected });
+    },
+  });
   app.notices = makeNotices(root, () => app.ask("session.stop"));
   app.legend = makeLegend();
   root.append(app.legend);
@@ -340,16 +354,5 @@ export function makeApp(root, view) {
     app.picture.stage.draw();
     document.querySelectorAll(".chart").forEach((frame) => frame.redraw?.());
   });
-  app.connect = () => {
-    app.link = rpcClient(socketAddress(), {
-      frame: app.heardFrame,
-      notice: app.heardNotice,
-      link: (link) => {
-        app.notices.link(link);
-        if (!link.connected) app.notices.busy(null);
-        app.store.set({ link: link.connected });
-      },
-    });
-  };
   return app;
 }

@@ -96,7 +96,6 @@ function start() {
   watchTheme();
   addEventListener("resize", () => arrange(app));
   arrange(app);
-  app.connect();
   // For tests, and for whoever looks at the page from its console.
   globalThis.thenarLive = app;
 }

@@ -96,7 +96,8 @@ export function decodeMesh(buffer) {
   const Corners = vertices <= FEW ? Uint16Array : Uint32Array;
   wantLength(view, 8 + 12 * vertices + 3 * Corners.BYTES_PER_ELEMENT * triangles, "a mesh");
   const corners = new Corners(buffer, 8 + 12 * vertices, 3 * triangles);
-  if (corners.some((corner) => corner >= vertices))
-    throw new Error(`a triangle names a corner beyond the ${vertices} of its mesh`);
+  for (let i = 0; i < corners.length; ++i)
+    if (corners[i] >= vertices)
+      throw new Error(`a triangle names a corner beyond the ${vertices} of its mesh`);
   return { positions: new Float32Array(buffer, 8, 3 * vertices), triangles: corners };
 }

@@ -1,28 +1,17 @@
 // Bodies of the scene: meshes that are fetched once each, and poses that come with every frame.
 
-import {
-  Box3,
-  BufferAttribute,
-  BufferGeometry,
-  Group,
-  Mesh,
-  MeshBasicMaterial,
-  Vector3,
-} from "three";
+import { Box3, Group, Mesh, MeshBasicMaterial, Vector3 } from "three";
 import { toCreasedNormals } from "three/addons/utils/BufferGeometryUtils.js";
 import { decodeMesh } from "../link/frame.js";
 import { coarseOf } from "./coarse.js";
 import { bodyMaterial, layer, looksOf, setGlow, setOpacity } from "./looks.js";
+import { smoothGeometry } from "./surface.js";
 
 /// Smooth, or sharp at edges beyond `crease` [deg].
-function geometryOf({ positions, triangles }, crease) {
-  const geometry = new BufferGeometry();
-  geometry.setAttribute("position", new BufferAttribute(positions, 3));
-  geometry.setIndex(new BufferAttribute(triangles, 1));
+function geometryOf(mesh, crease) {
+  const geometry = smoothGeometry(mesh);
   const creased = crease !== null && crease !== undefined && crease >= 0;
-  if (creased) return toCreasedNormals(geometry, (crease * Math.PI) / 180);
-  geometry.computeVertexNormals();
-  return geometry;
+  return creased ? toCreasedNormals(geometry, (crease * Math.PI) / 180) : geometry;
 }
 
 /// Geometries by mesh and crease, fetched once; those that no scene shows any more are freed.
@@ -128,10 +117,22 @@ function boxOf(scene, meshes) {
   return boxes.object.isEmpty() ? boxes.obstacle : boxes.object;
 }
 
+/// A solid and a translucent body of no size, by which all are drawn.
+function samples() {
+  const group = new Group();
+  const geometry = smoothGeometry({
+    positions: new Float32Array(9),
+    triangles: new Uint16Array([0, 1, 2]),
+  });
+  for (const opacity of [1, 0.5]) setOpacity(fill(group, geometry, {}, -1), opacity);
+  return group;
+}
+
 /// Bodies under `parent`. show(scene) builds, promising when all meshes are there; pose(frame) moves;
 /// hide(owner, hidden), select(owner), opacity(layer, value), prepare(fine, camera), box().
 export function makeBodies(parent, shelf, told) {
   const bodies = { groups: [], hidden: new Set(), opacities: { hands: 0.5, objects: 1 } };
+  bodies.samples = samples();
   let scene = null;
   let selected = null;
 

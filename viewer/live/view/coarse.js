@@ -11,25 +11,38 @@ function meanEdge(positions, triangles) {
   let sum = 0;
   for (let t = 0; t < triangles.length; t += 3) {
     const [a, b] = [3 * triangles[t], 3 * triangles[t + 1]];
-    sum += Math.hypot(...[0, 1, 2].map((k) => positions[a + k] - positions[b + k]));
+    const x = positions[a] - positions[b];
+    const y = positions[a + 1] - positions[b + 1];
+    const z = positions[a + 2] - positions[b + 2];
+    sum += Math.sqrt(x * x + y * y + z * z);
   }
   return sum / Math.max(1, triangles.length / 3);
 }
 
 /// The vertex that stands for each: the first that was met in the cell of a grid of this width.
 function representatives(positions, cell) {
-  const first = new Map();
   const count = positions.length / 3;
+  const cells = new Int32Array(positions.length);
+  for (let i = 0; i < positions.length; ++i)
+    cells[i] = (Math.floor(positions[i] / cell) + CELLS / 2) % CELLS;
+  // A table of vertices by their cells, twice as large as need be; a place that is taken leads to the next.
+  const places = 2 ** Math.ceil(Math.log2(2 * count + 1));
+  const table = new Int32Array(places).fill(-1);
   const chosen = new Uint32Array(count);
-  const place = (value) => (Math.floor(value / cell) + CELLS / 2) % CELLS;
   for (let i = 0; i < count; ++i) {
-    const [x, y, z] = [0, 1, 2].map((k) => place(positions[3 * i + k]));
-    // Two numbers name a cell; a third of 20 bits does not fit into a whole number.
-    const plane = first.get(z) ?? new Map();
-    first.set(z, plane);
-    const key = x * CELLS + y;
-    if (!plane.has(key)) plane.set(key, i);
-    chosen[i] = plane.get(key);
+    const [x, y, z] = [cells[3 * i], cells[3 * i + 1], cells[3 * i + 2]];
+    const hash = Math.imul(x, 73856093) ^ Math.imul(y, 19349663) ^ Math.imul(z, 83492791);
+    let at = (hash ^ (hash >>> 15)) & (places - 1);
+    let there = table[at];
+    while (
+      there >= 0 &&
+      (cells[3 * there] !== x || cells[3 * there + 1] !== y || cells[3 * there + 2] !== z)
+    ) {
+      at = (at + 1) & (places - 1);
+      there = table[at];
+    }
+    if (there < 0) table[at] = there = i;
+    chosen[i] = there;
   }
   return chosen;
 }
@@ -40,7 +53,9 @@ export function coarseTriangles(positions, triangles, cell) {
   const chosen = representatives(positions, cell);
   const kept = [];
   for (let t = 0; t < triangles.length; t += 3) {
-    const [a, b, c] = [0, 1, 2].map((k) => chosen[triangles[t + k]]);
+    const a = chosen[triangles[t]];
+    const b = chosen[triangles[t + 1]];
+    const c = chosen[triangles[t + 2]];
     if (a !== b && b !== c && c !== a) kept.push(a, b, c);
   }
   return Uint32Array.from(kept);
@@ -56,6 +71,8 @@ export function coarseOf(geometry) {
   const coarse = new BufferGeometry();
   for (const [name, attribute] of Object.entries(attributes)) coarse.setAttribute(name, attribute);
   coarse.setIndex(new BufferAttribute(coarseTriangles(positions, index.array, cell), 1));
+  coarse.boundingBox = geometry.boundingBox;
+  coarse.boundingSphere = geometry.boundingSphere;
   geometry.addEventListener("dispose", () => coarse.dispose());
   return coarse;
 }

@@ -71,6 +71,7 @@ function pool(parent, geometry, material, order = 4) {
     const target = ensure(matrices.length);
     matrices.forEach((matrix, i) => target.setMatrixAt(i, matrix));
     target.count = matrices.length;
+    target.visible = matrices.length > 0; // else its program is translated for nothing
     target.instanceMatrix.needsUpdate = true;
   };
 }

@@ -65,7 +65,7 @@ function finish(object, count) {
 }
 
 /// Lines under `parent`: show(scene), pose(frame) which returns the end of the colour scale [N] or null
-/// where no tension is known, visible(on).
+/// where no tension is known, visible(on), plain(): one of them, by whose program most are drawn.
 export function makeLines(parent) {
   const group = new Group();
   parent.add(group);
@@ -114,5 +114,5 @@ export function makeLines(parent) {
     Object.entries(objects).forEach(([kind, { material }]) => {
       material.linewidth = KINDS[kind].linewidth * ratio;
     });
-  return { show, pose, sharpen, visible: (on) => (group.visible = on) };
+  return { show, pose, sharpen, visible: (on) => (group.visible = on), plain: () => objects.unknown };
 }

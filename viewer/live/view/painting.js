@@ -30,14 +30,16 @@ export function makeRenderer(canvas, software) {
   return renderer;
 }
 
-/// Gives a stage the functions paintNow(fine), and draw(), which paints once in the next frame of the screen;
-/// `overlay()` draws what stands on the picture. What is in `stage.preparing` hears before every picture
+/// Gives a stage the functions paintNow(fine), and draw(), which paints once in the next frame of the screen, and
+/// hold(true), until which is taken back nothing is drawn: half a picture costs as much as the whole one that comes
+/// behind it; setPixels() gives the canvas its size meanwhile. `overlay()` draws what stands on the picture. What is in `stage.preparing` hears before every picture
 /// whether it is to be fine, what is in `stage.painted` is called after it.
 export function addPainting(stage, software, overlay) {
   const { canvas, renderer, scene, camera } = stage;
   let resting = null;
   let waiting = null;
   let cost = 0; // of fine pictures [ms]
+  let held = false;
 
   const setPixels = (fine) => {
     const share = !fine ? PLAIN : software ? MOST / stage.ratio : 1;
@@ -72,6 +74,21 @@ export function addPainting(stage, software, overlay) {
     if (!fine) resting = setTimeout(rest, REST);
   };
   stage.draw = () => {
-    waiting ??= requestAnimationFrame(() => stage.paintNow());
+    if (!held) waiting ??= requestAnimationFrame(() => stage.paintNow());
+  };
+  stage.hold = (on) => {
+    if (on === held) return;
+    held = on;
+    if (on) cancelAnimationFrame(waiting);
+    if (on) waiting = null;
+    else stage.draw();
+  };
+  stage.isHeld = () => held;
+  stage.setPixels = () => setPixels(!software);
+  /// Lets the browser translate the programs that such objects are drawn by, while other work goes on.
+  stage.warm = (objects) => {
+    const shadows = stage.shown.shadows && !software;
+    stage.sun.castShadow = shadows;
+    renderer.compile(objects, camera, scene);
   };
 }

@@ -52,6 +52,8 @@ export function makePicture(container, theme, asked) {
   const pointer = usePointer(stage, bodies, { joint, place }, asked.select);
   stage.preparing.push((fine) => bodies.prepare(fine, stage.camera));
   stage.preparing.push(() => lines.sharpen(stage.canvas.width / stage.width));
+  stage.warm(bodies.samples);
+  stage.warm(stage.grid);
   let scene = null;
   let frame = null;
   let fitting = false; // until meshes and a frame are there
@@ -63,6 +65,7 @@ export function makePicture(container, theme, asked) {
 
   function settle() {
     if (!frame || !complete) return;
+    stage.hold(false);
     stage.look(bodies.box());
     if (fitting) stage.fit(directionOf(scene));
     if (fitting) room = roomAround(stage.box, 0.03);
@@ -102,17 +105,23 @@ export function makePicture(container, theme, asked) {
     scene = next;
     frame = null;
     complete = false;
+    // The camera is led to all of it at once.
+    stage.hold(fitting && scene.bodies.length > 0);
     const ready = bodies.show(scene).then(() => {
       complete = scene === next;
     });
     lines.show(scene);
+    if (stage.isHeld() && lines.plain()) stage.warm(lines.plain());
     vectors.show(scene);
     clouds.show(scene, bodies.groups);
     // A joint that is still there stays selected.
     const same =
       held && scene.joints.find(({ name, hand }) => name === held.name && hand === held.hand);
     joint.show(same ?? null, same && bodies.groups[same.body], joint.held()?.value ?? 0);
-    return ready.then(settle, asked.failed);
+    return ready.then(settle, (error) => {
+      stage.hold(false); // what there is
+      asked.failed(error);
+    });
   };
   const pose = (next) => {
     if (!scene || !fits(scene, next)) return false;

@@ -46,16 +46,19 @@ export function makePlaceHandle(stage, move) {
   let body = null;
   let relative = new Matrix4(); // from the body to what is placed
   const moved = () => move(poseOf(proxy));
-  const arrows = makeControls(stage, "translate", 0.75, moved);
-  const discs = makeControls(stage, "rotate", 0.95, moved);
-  // Arrows stand before discs: where the pointer is on one, no disc is taken.
-  arrows.addEventListener("axis-changed", ({ value }) => {
-    if (!arrows.dragging) discs.enabled = body !== null && value === null;
-  });
-  const both = [arrows, discs];
+  const both = []; // arrows and discs, once something is to be moved
+  const make = () => {
+    const arrows = makeControls(stage, "translate", 0.75, moved);
+    const discs = makeControls(stage, "rotate", 0.95, moved);
+    // Arrows stand before discs: where the pointer is on one, no disc is taken.
+    arrows.addEventListener("axis-changed", ({ value }) => {
+      if (!arrows.dragging) discs.enabled = body !== null && value === null;
+    });
+    both.push(arrows, discs);
+  };
   const snap = (on) => {
-    arrows.setTranslationSnap(on ? STEPS.move : null);
-    discs.setRotationSnap(on ? STEPS.turn : null);
+    both[0]?.setTranslationSnap(on ? STEPS.move : null);
+    both[1]?.setRotationSnap(on ? STEPS.turn : null);
   };
   for (const kind of ["keydown", "keyup"])
     addEventListener(kind, ({ key }) => key === "Shift" && snap(kind === "keydown"));
@@ -70,6 +73,7 @@ export function makePlaceHandle(stage, move) {
     stage.draw();
   };
   const show = (pose, carrier) => {
+    if (both.length === 0) make();
     body = carrier;
     setPose(proxy, pose);
     relative = body.matrixWorld.clone().invert().multiply(proxy.matrixWorld);

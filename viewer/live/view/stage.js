@@ -122,9 +122,11 @@ export function makeStage(container, theme) {
     words.height = Math.round(stage.height * stage.ratio);
     stage.written = null; // a canvas of another size is empty
     stage.aim();
-    stage.paintNow();
+    if (stage.isHeld()) stage.setPixels();
+    else stage.paintNow();
   };
   addCamera(stage);
+  stage.hold(true); // until there is something to be seen
   stage.look(new Box3());
   stage.fit();
   new ResizeObserver(resize).observe(container);
