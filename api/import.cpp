@@ -8,6 +8,7 @@
 
 #include "api/named/files.h"
 #include "api/named/material_names.h"
+#include "api/named/portable_world.h"
 #include "base/error.h"
 #include "base/file_io.h"
 #include "base/nearest_name.h"
@@ -216,7 +217,7 @@ Imported import_toml(const ImportRequest& request) {
   const FileKind kind = kind_of_toml(path);
   if (kind == FileKind::kRobot) return import_robot_file(request);
   if (kind == FileKind::kObject) return import_body(read_object(path), "object", request, {});
-  if (kind == FileKind::kWorld) return import_world(read_world(path), "world", request, {});
+  if (kind == FileKind::kWorld) return import_world(read_world_at(path, ""), "world", request, {});
   throw DataError(path, 1,
                   fmt::format("wanted a robot, an object, a world or a mesh, got a file "
                               "of kind '{}'",

@@ -310,6 +310,7 @@
 #include "api/named/files.h"
 #include "api/named/hands.h"
 #include "api/named/pads.h"
+#include "api/named/portable_world.h"
 #include "api/named/posture.h"
 #include "api/named/worlds.h"
 #include "api/pads/calibrate_pad.h"

@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "api/named/shipped_data.h"
 #include "base/error.h"
 #include "base/file_io.h"
 #include "base/nearest_name.h"
@@ -16,14 +17,6 @@ namespace thenar {
 namespace {
 
 namespace fs = std::filesystem;
-
-/// Where `cmake --install` puts data, seen from the program; "" if the system does not tell.
-std::string installed_data() {
-  std::error_code unknown;
-  const fs::path program = fs::read_symlink("/proc/self/exe", unknown);
-  if (unknown) return "";
-  return (program.parent_path().parent_path() / "share" / "thenar").string();
-}
 
 /// What the files of a folder are, and which command asks about them.
 struct KnownFolder {
@@ -62,9 +55,9 @@ std::vector<std::string> data_folders(const std::string& given, const std::strin
   require(given.empty() || fs::is_directory(given, none), "--data: there is no folder {}", given);
   const char* named = std::getenv("THENAR_DATA");
   std::vector<std::string> places;
-  for (const std::string& place :
-       {given, std::string(named == nullptr ? "" : named), std::string("data"), near,
-        installed_data(), std::string(THENAR_SOURCE_DATA)})
+  std::vector<std::string> all{given, named == nullptr ? "" : named, "data", near};
+  for (const std::string& shipped : shipped_data()) all.push_back(shipped);
+  for (const std::string& place : all)
     if (!place.empty() && std::find(places.begin(), places.end(), place) == places.end())
       places.push_back(place);
   return places;

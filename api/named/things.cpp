@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "api/named/data_folders.h"
+#include "api/named/portable_world.h"
 #include "base/error.h"
 #include "base/file_io.h"
 #include "base/nearest_name.h"
@@ -87,7 +88,7 @@ Thing read_thing(const std::string& path) {
   if (file.kind == "materials") return read_materials(path, built_in_materials());
   if (file.kind == "robot") return read_robot_of(path, file.format);
   if (file.kind == "object" && file.format == "TOML") return read_object(path);
-  if (file.kind == "world" && file.format == "TOML") return read_world(path);
+  if (file.kind == "world" && file.format == "TOML") return read_world_at(path, "");
   if (file.kind == "scene") return read_scene(path);
   if (file.kind == "pad") return read_pad(path);
   if (file.kind == "laws of a pad") return read_laws(path);

@@ -9,6 +9,7 @@
 #include "api/named/data_folders.h"
 #include "api/named/files.h"
 #include "api/named/material_names.h"
+#include "api/named/portable_world.h"
 #include "base/error.h"
 #include "base/file_io.h"
 #include "base/nearest_name.h"
@@ -254,7 +255,7 @@ WorldCase open_world(const WorldRequest& request, bool hand_from_elsewhere,
                      const Progress& progress) {
   WorldCase found;
   found.path = world_file(request);
-  found.world = read_world(found.path);
+  found.world = read_world_at(found.path, request.data);
   found.files = found.world.files;
   found.data = data_for(found.world.folder, request.data);
   found.scene = build_scene(found.world, request.object);
@@ -273,7 +274,8 @@ WorldCase open_world(const WorldRequest& request, bool hand_from_elsewhere,
 }
 
 bool has_hand(const WorldRequest& request) {
-  const std::vector<std::string> names = names_of(read_world(world_file(request)));
+  const std::vector<std::string> names =
+      names_of(read_world_at(world_file(request), request.data));
   return std::find(names.begin(), names.end(), current_hand_name(request.hand)) != names.end();
 }
 
@@ -339,15 +341,6 @@ WorldSpec seen_from_folder(WorldSpec world, const std::string& folder) {
   world.materials_file = rebased(world.materials_file, from, to);
   world.folder = folder;
   return world;
-}
-
-std::string world_file_text(WorldSpec world, const std::string& path) {
-  const fs::path to = "." / fs::path(path).parent_path();
-  return world_toml(seen_from_folder(std::move(world), to.string()));
-}
-
-void save_world(WorldSpec world, const std::string& path) {
-  write_file(path, world_file_text(std::move(world), path));
 }
 
 }  // namespace thenar

@@ -93,9 +93,6 @@ struct WorldCase {
 /// The world with the files that it names as seen from another folder.
 [[nodiscard]] WorldSpec seen_from_folder(WorldSpec world, const std::string& folder);
 
-/// The text of a world in a file at `path`, whose folder its files are relative to.
-[[nodiscard]] std::string world_file_text(WorldSpec world, const std::string& path);
-
 /// Writes a world so that what its files are relative to is the folder of `path`.
 /// @throws InputError if it cannot be written.
 void save_world(WorldSpec world, const std::string& path);

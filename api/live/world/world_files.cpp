@@ -8,9 +8,11 @@
 #include <fmt/format.h>
 
 #include "api/live/world/imported_files.h"
+#include "api/named/portable_world.h"
 #include "base/error.h"
 #include "base/inside_folder.h"
 #include "base/outside_path.h"
+#include "data/io/world/named_parts.h"
 
 namespace thenar {
 namespace {
@@ -39,11 +41,6 @@ std::vector<std::string> load_warnings(const WorldState& state, const WorldSpec&
     for (const std::string& warning : hand.built->hand.named.warnings)
       warnings.push_back(name_of(state, hand) + ": " + warning);
   return warnings;
-}
-
-/// Where files of imported hands go, beside a world of that file name.
-fs::path files_folder(const std::string& file) {
-  return fs::path(file).parent_path() / (fs::path(file).stem().string() + "_files");
 }
 
 /// The name of a file in the working folder that a world may be saved as.
@@ -98,7 +95,7 @@ std::vector<std::string> load_world(LiveWorld& live, const std::string& world,
   request.world = world;
   request.data = live.places().data;
   const std::string file = world_file(request);
-  const WorldSpec spec = read_world(file);
+  const WorldSpec spec = read_world_at(file, live.places().data);
   WorldState state = state_of_world(live, spec, file, progress);
   state.file = file;
   std::vector<std::string> warnings = load_warnings(state, spec);
@@ -111,7 +108,8 @@ std::vector<std::string> load_world_text(LiveWorld& live, const std::string& tex
                                          const std::string& name, const Progress& progress) {
   const fs::path file = outside_path(name + ".toml", OutsideUse::kInside);
   const std::string path = (fs::path(live.places().folder) / file).string();
-  const WorldSpec spec = parse_world(text, path);
+  const WorldSpec spec =
+      parse_world(text, path, data_for(live.places().folder, live.places().data));
   WorldState state = state_of_world(live, spec, path, progress);
   std::vector<std::string> warnings = load_warnings(state, spec);
   live.apply(std::move(state), "load " + spec.name);
@@ -125,7 +123,7 @@ std::string world_text(const LiveWorld& live) {
             "the files of the hand '{}' were imported, and no text holds them: save the world, "
             "which writes them beside it, and load what was saved",
             hand.name);
-  return world_toml(seen_from_folder(world, live.places().folder));
+  return world_toml(with_shipped_names(world, live.places().folder));
 }
 
 std::string save_live_world(LiveWorld& live, const std::string& file, SaveOver over) {
@@ -134,9 +132,10 @@ std::string save_live_world(LiveWorld& live, const std::string& file, SaveOver o
   if (over == SaveOver::kNothing) require_free(live, folder, name);
   folder.require_writable(name);
   const std::string target = folder.path_of(name);
-  const SavedWorld saved = with_files_in(live, files_folder(target));
-  write_copies(saved, folder);
-  folder.write(name, world_file_text(saved.world, target));
+  const PortableWorld portable =
+      portable_world(spec_of(live.state()), target, imported_folders(live));
+  write_copies(portable, folder);
+  folder.write(name, world_toml(portable.world));
   live.mark_saved(target);
   return target;
 }

@@ -34,8 +34,9 @@ std::vector<std::string> load_world_text(LiveWorld& live, const std::string& tex
 /// What saving may replace beside the file of the world itself.
 enum class SaveOver { kNothing, kAnything };
 
-/// Saves the world, and the files of imported hands in a folder "NAME_files" beside it, each in a
-/// folder of its own there: files that were there before stay, whatever `over` says.
+/// Saves the world so that it can be moved, as portable_world(): things that come with thenar by
+/// their names, files of hands and objects from elsewhere in a folder "NAME_files" beside it. Files
+/// that were there before stay, whatever `over` says.
 /// @param file  a name in the working folder as OutsideUse::kInside, ".toml"
 /// @param over  kNothing: a file that the world was neither loaded from nor saved to stays
 /// @return the path that was written

@@ -11,6 +11,7 @@
 #include "data/io/mesh/shape_toml.h"
 #include "data/io/toml_text.h"
 #include "data/io/world/body_toml.h"
+#include "data/io/world/named_parts.h"
 #include "data/io/world/world_keys.h"
 #include "geometry/shape_mass.h"
 
@@ -42,13 +43,13 @@ std::string object_toml(const BodySpec& body) {
 
 namespace {
 
-PlacedHand read_hand(TomlTable& table, const WorldSpec& world) {
+PlacedHand read_hand(TomlTable& table, const WorldSpec& world,
+                     const std::vector<std::string>& places) {
   PlacedHand hand;
   hand.name = table.text("name");
-  if (table.has("file")) {
-    hand.file = table.text("file");
-    (void)internal::file_beside(table, "file", world.folder);
-  }
+  if (table.has("file"))
+    hand.file =
+        internal::file_or_name(table, "file", world.folder, {"robots", "subjects"}, places);
   hand.X_WH = read_pose_keys(table);
   hand.posture = internal::read_posture(table);
   hand.carrier = table.text_or("carrier", "");
@@ -57,9 +58,10 @@ PlacedHand read_hand(TomlTable& table, const WorldSpec& world) {
   return hand;
 }
 
-PlacedBody read_body(TomlTable& table, const WorldSpec& world, const std::string& path) {
+PlacedBody read_body(TomlTable& table, const WorldSpec& world, const std::string& path,
+                     const std::vector<std::string>& places) {
   const bool dynamic = table.choice("role", {"object", "obstacle"}) == "object";
-  PlacedBody placed = internal::read_placed_body(table, path, world.materials);
+  PlacedBody placed = internal::read_placed_body(table, path, world.materials, places);
   placed.dynamic = dynamic;
   table.done();
   return placed;
@@ -85,7 +87,8 @@ void check_names(TomlTable& top, const WorldSpec& world) {
 
 }  // namespace
 
-WorldSpec parse_world(const std::string& text, const std::string& path) {
+WorldSpec parse_world(const std::string& text, const std::string& path,
+                      const std::vector<std::string>& places) {
   const TomlFile file(text, path);
   TomlTable top = file.top();
   // Header and materials.
@@ -99,15 +102,22 @@ WorldSpec parse_world(const std::string& text, const std::string& path) {
   world.materials = internal::read_materials_key(top, world.folder);
   // Camera, hands and bodies.
   world.camera = internal::read_camera(top);
-  for (TomlTable& table : top.tables("hand")) world.hands.push_back(read_hand(table, world));
-  for (TomlTable& table : top.tables("body")) world.bodies.push_back(read_body(table, world, path));
+  for (TomlTable& table : top.tables("hand")) world.hands.push_back(read_hand(table, world, places));
+  for (TomlTable& table : top.tables("body"))
+    world.bodies.push_back(read_body(table, world, path, places));
   top.done();
   check_names(top, world);
   return world;
 }
 
-WorldSpec read_world(const std::string& path) {
-  WorldSpec world = parse_world(read_text_file(path), path);
+WorldSpec parse_world(const std::string& text, const std::string& path) {
+  return parse_world(text, path, {});
+}
+
+WorldSpec read_world(const std::string& path) { return read_world(path, {}); }
+
+WorldSpec read_world(const std::string& path, const std::vector<std::string>& places) {
+  WorldSpec world = parse_world(read_text_file(path), path, places);
   world.files = digests_of({path});
   if (!world.materials_file.empty())
     world.files.merge(

@@ -3,6 +3,9 @@
 #include <algorithm>
 #include <filesystem>
 
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
 #include "base/error.h"
 #include "base/nearest_name.h"
 #include "data/io/linked_file.h"
@@ -34,6 +37,27 @@ std::string file_beside(TomlTable& table, const std::string& key, const std::str
   return linked_file(table, key, table.text(key), folder);
 }
 
+std::string file_or_name(TomlTable& table, const std::string& key, const std::string& folder,
+                         const std::vector<std::string>& kinds,
+                         const std::vector<std::string>& places) {
+  namespace fs = std::filesystem;
+  const std::string name = table.text(key);
+  const bool is_path = name.find_first_of("/.") != std::string::npos;
+  if (is_path || places.empty() || is_file((fs::path(folder) / name).string())) {
+    (void)file_beside(table, key, folder);
+    return name;
+  }
+  for (const std::string& kind : kinds)
+    for (const std::string& place : places)
+      if (const fs::path file = fs::path(place) / kind / (name + ".toml"); is_file(file.string()))
+        return fs::proximate(fs::absolute(file).lexically_normal(),
+                             fs::absolute(folder.empty() ? "." : folder).lexically_normal())
+            .generic_string();
+  table.fail(fmt::format("'{}' is neither a file nor one of {}; looked in {}", name,
+                         fmt::join(kinds, " and "), fmt::join(places, ", ")),
+             key);
+}
+
 std::map<std::string, double> read_posture(TomlTable& table) {
   std::map<std::string, double> posture = table.named(Dimension::kNumber, "posture_si");
   for (const auto& [dimension, key] :
@@ -44,12 +68,17 @@ std::map<std::string, double> read_posture(TomlTable& table) {
   return posture;
 }
 
-PlacedBody read_placed_body(TomlTable& table, const std::string& path, const Materials& materials) {
+PlacedBody read_placed_body(TomlTable& table, const std::string& path, const Materials& materials,
+                            const std::vector<std::string>& places) {
   PlacedBody placed;
-  placed.file = table.text_or("file", "");
   const std::string folder = std::filesystem::path(path).parent_path().string();
-  placed.body = placed.file.empty() ? read_body_keys(table, path)
-                                    : read_filed_body(table, file_beside(table, "file", folder));
+  if (table.has("file")) {
+    placed.file = file_or_name(table, "file", folder, {"objects"}, places);
+    placed.body = read_filed_body(
+        table, (std::filesystem::path(folder) / placed.file).lexically_normal().string());
+  } else {
+    placed.body = read_body_keys(table, path);
+  }
   if (placed.file.empty()) placed.body.files = mesh_files(placed.body.shapes, path);
   check_material(table, placed.body, materials);
   placed.X_WB = read_pose_keys(table);

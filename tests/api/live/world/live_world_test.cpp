@@ -16,6 +16,7 @@
 #include "api/live/world/world_edits.h"
 #include "api/live/world/world_files.h"
 #include "api/named/files.h"
+#include "api/named/portable_world.h"
 #include "base/error.h"
 #include "base/file_io.h"
 #include "tests/data_folder.h"
@@ -26,6 +27,7 @@ namespace {
 
 namespace fs = std::filesystem;
 using testing::HasSubstr;
+using testing::Not;
 using testing::ThrowsMessage;
 
 /// A working folder of the test, empty at first.
@@ -76,7 +78,11 @@ TEST(LiveWorld, IsTheSameAfterSavingAndLoadingElsewhere) {
     LiveWorld live(places(folder));
     (void)load_world(live, name);
     const LiveInstant before = live.instant();
-    const std::string file = save_live_world(live, "deep/er/saved.toml");
+    std::string file = save_live_world(live, "deep/er/saved.toml");
+    EXPECT_THAT(read_source(file).text, Not(HasSubstr("..")));
+    // Moved to a folder of another depth.
+    fs::rename(fs::path(folder) / "deep" / "er", fs::path(folder) / "moved");
+    file = folder + "/moved/saved.toml";
     LiveWorld again(places(folder));
     (void)load_world(again, file);
     const LiveInstant after = again.instant();
@@ -87,7 +93,7 @@ TEST(LiveWorld, IsTheSameAfterSavingAndLoadingElsewhere) {
     }
     EXPECT_EQ(after.joints, before.joints);
     // Saved once more it is the same text; seen from where it came from, that of the original.
-    EXPECT_EQ(read_source(save_live_world(again, "deep/er/twice.toml")).text,
+    EXPECT_EQ(read_source(save_live_world(again, "moved/twice.toml")).text,
               read_source(file).text);
     const std::string home = kData + "/worlds";
     EXPECT_EQ(world_toml(seen_from_folder(spec_of(again.state()), home)),
@@ -162,7 +168,7 @@ TEST(LiveWorld, ReplacesNoFileOfOthersUnlessToldTo) {
   // Another world does not take its place, a new one of the same session neither.
   new_world(again);
   EXPECT_THROW((void)save_live_world(again, "new.toml"), InputError);
-  EXPECT_EQ(read_world(folder + "/new.toml").hands.size(), 1U);
+  EXPECT_EQ(read_world_at(folder + "/new.toml", kData).hands.size(), 1U);
   (void)save_live_world(again, "new.toml", SaveOver::kAnything);
   EXPECT_TRUE(read_world(folder + "/new.toml").hands.empty());
 }
