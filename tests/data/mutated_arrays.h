@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <functional>
 #include <limits>
+#include <set>
 #include <string>
 #include <utility>
 #include <vector>
@@ -143,9 +144,12 @@ inline MutationVerdicts read_all_the_same(const MutationVerdicts& verdicts) {
   return read;
 }
 
-/// The same of a posterior: each array gets dimensions of its own of the wanted lengths.
+/// The same of a posterior: each array gets dimensions of its own of the wanted lengths. Those that
+/// only people read are transposed or missing, which is enough and soon done.
+/// @param computed_with  groups that the program goes on with
 template <typename Read>
 MutationVerdicts verdicts_on_mutations(const InferenceFile& good, const std::string& path,
+                                       const std::set<std::string>& computed_with,
                                        const Read& read) {
   MutationVerdicts verdicts;
   const auto attempt = [&](const InferenceFile& file, const std::string& key, const char* what) {
@@ -162,6 +166,7 @@ MutationVerdicts verdicts_on_mutations(const InferenceFile& good, const std::str
     for (const auto& [name, array] : group.arrays) {
       const std::string key = group_name + "/" + name;
       for (const ArrayMutation& mutation : array_mutations()) {
+        if (computed_with.count(group_name) == 0 && &mutation != &array_mutations().front()) break;
         InferenceFile file = good;
         InferenceGroup& to = file.groups.at(group_name);
         InferenceArray& changed = to.arrays.at(name);
