@@ -2,17 +2,15 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
-#include <map>
 #include <optional>
 
 #include <fmt/ranges.h>
 #include <Eigen/Geometry>
 
 #include "base/error.h"
-#include "base/units.h"
-#include "tendons/net/band_course.h"
+#include "tendons/net/band_sides.h"
 #include "tendons/net/fit_slack.h"
+#include "tendons/net/free_digit.h"
 
 namespace thenar {
 namespace {
@@ -48,8 +46,6 @@ BoneSurface surface_on(const FingerFrame& frame, const NetSurface& plan) {
   return surface;
 }
 
-constexpr int kSideSteps = 12;  // through a joint's range, in which no end turns by half a turn
-
 /// Lays the parts of a net in order: surfaces, nodes, bands, muscles.
 class NetBuilder {
  public:
@@ -64,7 +60,7 @@ class NetBuilder {
     for (const NetNodePlan& node : plan.nodes) add_node(node);
     for (const NetBandPlan& band : plan.bands) add_band(band);
     for (const NetMusclePlan& muscle : plan.muscles) add_role(muscle);
-    for (NetBand& band : built_.net.bands) centre_side(band);
+    centre_sides(digit_.skeleton, built_.frame.straight, built_.net);
     // Bands of the slips by name.
     const auto slip = [&](const std::vector<std::string>& names) {
       std::vector<int> bands;
@@ -165,64 +161,6 @@ class NetBuilder {
     return path;
   }
 
-  /// Angles about a cylinder's axis, seen from a side [rad].
-  struct AngleSpan {
-    double least = std::numeric_limits<double>::infinity();
-    double most = -std::numeric_limits<double>::infinity();
-    void add(double angle) {
-      least = std::min(least, angle);
-      most = std::max(most, angle);
-    }
-  };
-
-  /// Adds the angles of a node about a cylinder in the straight finger, and while each joint
-  /// between them goes through its range.
-  void add_angles(const NetNode& node, const BoneSurface& surface, const Vector3d& side,
-                  AngleSpan& span) const {
-    const Tree<double>& tree = digit_.skeleton.tree;
-    const auto angle_at = [&](const Eigen::VectorXd& q) {
-      const TreeState<double> state = pose_tree(tree, q);
-      const Vector3d p = surface_pose(surface, state).inverse() * moved(state, node.link, node.p);
-      return std::atan2(side.x() * p.y() - side.y() * p.x(), side.x() * p.x() + side.y() * p.y());
-    };
-    const Eigen::VectorXd& straight = built_.frame.straight;
-    const double start = angle_at(straight);
-    span.add(start);
-    // Joints between the two, each to both of its ends in steps, so that no turn is lost.
-    for (int a = node.link, b = surface.link; a != b;) {
-      int& deeper = a > b ? a : b;
-      const Hinge<double>& hinge = tree[static_cast<std::size_t>(deeper)];
-      const CoordinateLimits& limits =
-          digit_.skeleton.limits[static_cast<std::size_t>(hinge.coordinate)];
-      const bool ranges = limits.upper - limits.lower < 2 * kPi - 1e-9;
-      for (const double end : {limits.lower, limits.upper}) {
-        double before = start;
-        for (int step = 1; ranges && step <= kSideSteps; ++step) {
-          Eigen::VectorXd q = straight;
-          q[hinge.coordinate] += (end - q[hinge.coordinate]) * step / kSideSteps;
-          before += std::remainder(angle_at(q) - before, 2 * kPi);
-          span.add(before);
-        }
-      }
-      deeper = hinge.parent;
-    }
-  }
-
-  /// Turns the side of a band over a cylinder to the middle of the angles that its ends take, so
-  /// that no end comes to the half plane opposite to it, where the band would be taken to run round
-  /// the far side.
-  void centre_side(NetBand& band) const {
-    if (band.over < 0) return;
-    const BoneSurface& surface = built_.net.surfaces[static_cast<std::size_t>(band.over)];
-    if (surface.shape != SurfaceShape::kCylinder) return;
-    AngleSpan span;
-    for (const int end : {band.a, band.b})
-      add_angles(built_.net.nodes[static_cast<std::size_t>(end)], surface, band.side, span);
-    if (!(span.most - span.least < 2 * kPi)) return;
-    band.side =
-        rotation_about(Vector3d(Vector3d::UnitZ()), 0.5 * (span.least + span.most)) * band.side;
-  }
-
   /// Share of a muscle that enters the hood, as the subject says, or as the net does.
   [[nodiscard]] double share_of(const NetMusclePlan& role, const std::string& muscle,
                                 double stated) const {
@@ -308,104 +246,6 @@ NetDescription straightened(NetDescription plan) {
   return plan;
 }
 
-/// Moves the parts of a net from the links of a digit with all joints free to those of the same
-/// digit with some of them frozen, on which bones are displaced.
-class NetCarrier {
- public:
-  NetCarrier(const TendonDigit& whole, const TendonDigit& digit) : whole_(whole), digit_(digit) {
-    // Every link of the whole digit that carries a bone, and where that bone is in the other.
-    for (const auto& [segment, link] : whole.skeleton.link_of_segment) {
-      if (link < 0) continue;
-      link_[link] = digit.skeleton.link_of_segment.at(segment);
-      moved_[link] =
-          digit.skeleton.segment_at.at(segment) * whole.skeleton.segment_at.at(segment).inverse();
-    }
-  }
-
-  BuiltNet carry(BuiltNet built) const {
-    for (NetNode& node : built.net.nodes) carry(node.link, node.p);
-    for (BoneSurface& surface : built.net.surfaces) {
-      if (surface.link >= 0) surface.X = moved_.at(surface.link) * surface.X;
-      surface.link = link(surface.link);
-    }
-    carry_muscles(built);
-    carry_frame(built.frame);
-    return built;
-  }
-
- private:
-  [[nodiscard]] int link(int whole) const { return whole < 0 ? -1 : link_.at(whole); }
-
-  void carry(int& on, Vector3d& p) const {
-    if (on >= 0) p = moved_.at(on) * p;
-    on = link(on);
-  }
-
-  /// Muscles by their numbers in the digit; those that it has not pull with nothing.
-  void carry_muscles(BuiltNet& built) const {
-    const auto number = [&](int muscle) {
-      return index_in(digit_.names.muscles, whole_.names.muscles[static_cast<std::size_t>(muscle)]);
-    };
-    for (MuscleAttachment& pull : built.pulls) {
-      pull.muscle = number(pull.muscle);
-      if (pull.muscle < 0) pull = {0, 0};
-    }
-    std::vector<NetMuscle> muscles;
-    for (NetMuscle& muscle : built.muscles) {
-      muscle.muscle = number(muscle.muscle);
-      for (PathNode<double>& point : muscle.own) carry(point.link, point.p);
-      if (muscle.muscle >= 0) muscles.push_back(std::move(muscle));
-    }
-    built.muscles = std::move(muscles);
-  }
-
-  void carry_frame(FingerFrame& frame) const {
-    for (FingerBone& bone : frame.bones) {
-      if (bone.link >= 0)
-        for (Vector3d* direction : {&bone.along, &bone.dorsal, &bone.radial})
-          *direction = moved_.at(bone.link).R * *direction;
-      int proximal = bone.link;
-      carry(proximal, bone.proximal);
-      carry(bone.link, bone.distal);
-    }
-    // Of the straight posture, the angles that are left.
-    Eigen::VectorXd straight(digit_.model.coordinates);
-    for (Eigen::Index j = 0; j < straight.size(); ++j)
-      straight[j] = frame.straight[index_in(whole_.names.coordinates,
-                                            digit_.names.coordinates[static_cast<std::size_t>(j)])];
-    frame.straight = straight;
-  }
-
-  static int index_in(const std::vector<std::string>& names, const std::string& name) {
-    const auto found = std::find(names.begin(), names.end(), name);
-    return found == names.end() ? -1 : static_cast<int>(found - names.begin());
-  }
-
-  const TendonDigit &whole_, &digit_;
-  std::map<int, int> link_;
-  std::map<int, Pose<double>> moved_;
-};
-
-/// The digit with those of its muscles that are named.
-TendonDigit with_muscles(TendonDigit digit, const std::vector<std::string>& named) {
-  const TendonDigit all = digit;
-  digit.names.muscles.clear();
-  digit.model.pulls.clear();
-  for (std::size_t m = 0; m < all.names.muscles.size(); ++m) {
-    if (std::count(named.begin(), named.end(), all.names.muscles[m]) == 0) continue;
-    digit.max_tension[static_cast<Eigen::Index>(digit.model.pulls.size())] =
-        all.max_tension[static_cast<Eigen::Index>(m)];
-    digit.actions.row(static_cast<Eigen::Index>(digit.model.pulls.size())) =
-        all.actions.row(static_cast<Eigen::Index>(m));
-    digit.names.muscles.push_back(all.names.muscles[m]);
-    digit.model.pulls.push_back(all.model.pulls[m]);
-  }
-  const auto muscles = static_cast<Eigen::Index>(digit.model.pulls.size());
-  digit.max_tension.conservativeResize(muscles);
-  digit.actions.conservativeResize(muscles, digit.actions.cols());
-  return digit;
-}
-
 constexpr double kMostLoad = 3;  // tension of a band per sum of pulls: one that bears more holds
                                  // by its strain what no muscle pulls; a choice of ours [1]
 constexpr double kSlackLeft = 1e-5;  // strain by which fitted bands may miss: 0.1 um of a band [1]
@@ -464,21 +304,7 @@ BuiltNet build_net(const Subject& subject, const TendonDigit& digit,
           "by {:.2g} in the straight finger",
           description.name, subject.name, off);
   built.net.most_load = kMostLoad;
-  return NetCarrier(whole, digit).carry(std::move(built));
-}
-
-TendonDigit free_digit(const Subject& subject, const TendonDigit& digit) {
-  TendonOptions options{Path::kViaPoint, Hood::kSeparate};
-  for (const std::string& joint : shared_joints(subject)) {
-    const auto at = digit.skeleton.frozen.find(joint);
-    if (at == digit.skeleton.frozen.end() || at->second != 0) options.wrist_mode = WristMode::kFree;
-  }
-  const std::string& name = digit.skeleton.tips.front().digit;
-  TendonDigit whole = build_tendon_digit(subject, name, options);
-  if (options.wrist_mode == WristMode::kWelded) return whole;
-  // Tendons of other fingers cross the wrist as well.
-  const TendonDigit own = build_tendon_digit(subject, name, {Path::kViaPoint, Hood::kSeparate});
-  return with_muscles(std::move(whole), own.names.muscles);
+  return carried(std::move(built), whole, digit);
 }
 
 BuiltNet cut(const BuiltNet& built, const std::string& band) {

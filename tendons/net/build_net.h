@@ -66,11 +66,6 @@ struct BuiltNet {
                                  const NetDescription& description,
                                  const NetBuildOptions& options = {});
 
-/// The digit with every joint free, which a net is laid on: separate tendons, straight between
-/// their points, of muscles that cross joints of its own. Joints that digits share stay welded at
-/// the reference posture if they are in `digit`.
-[[nodiscard]] TendonDigit free_digit(const Subject& subject, const TendonDigit& digit);
-
 /// Returns the net without one of its bands. @throws InputError if it has no such band.
 [[nodiscard]] BuiltNet cut(const BuiltNet& built, const std::string& band);
 

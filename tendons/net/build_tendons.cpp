@@ -4,6 +4,7 @@
 
 #include "base/error.h"
 #include "tendons/linear_tendons.h"
+#include "tendons/net/free_digit.h"
 #include "tendons/net/net_tendons.h"
 
 namespace thenar {

@@ -1,0 +1,90 @@
+#include "tendons/net/band_sides.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "base/units.h"
+#include "tendons/net/band_course.h"
+
+namespace thenar {
+namespace {
+
+using Eigen::Vector3d;
+using Eigen::VectorXd;
+
+constexpr int kSideSteps = 12;  // through a joint's range, in which no end turns by half a turn
+
+/// Angles about a cylinder's axis, seen from a side [rad].
+struct AngleSpan {
+  double least = std::numeric_limits<double>::infinity();
+  double most = -std::numeric_limits<double>::infinity();
+  void add(double angle) {
+    least = std::min(least, angle);
+    most = std::max(most, angle);
+  }
+};
+
+/// A finger, and a cylinder with the side that angles are counted from.
+struct SideView {
+  const Skeleton& skeleton;
+  const VectorXd& straight;
+  const BoneSurface& surface;
+  Vector3d side;
+
+  [[nodiscard]] double angle_of(const NetNode& node, const VectorXd& q) const {
+    const TreeState<double> state = pose_tree(skeleton.tree, q);
+    const Vector3d p = surface_pose(surface, state).inverse() * moved(state, node.link, node.p);
+    return std::atan2(side.x() * p.y() - side.y() * p.x(), side.x() * p.x() + side.y() * p.y());
+  }
+};
+
+/// Adds the angles of a node while one coordinate goes from the straight finger to an end of its
+/// range, in steps so that no turn is lost.
+void add_turn(const SideView& view, const NetNode& node, int coordinate, double end,
+              AngleSpan& span) {
+  VectorXd q = view.straight;
+  double angle = view.angle_of(node, q);
+  for (int step = 1; step <= kSideSteps; ++step) {
+    q[coordinate] =
+        view.straight[coordinate] + (end - view.straight[coordinate]) * step / kSideSteps;
+    angle += std::remainder(view.angle_of(node, q) - angle, 2 * kPi);
+    span.add(angle);
+  }
+}
+
+/// Adds the angles of a node in the straight finger, and through the ranges of the joints between
+/// it and the cylinder. Joints without a range stand still.
+void add_angles(const SideView& view, const NetNode& node, AngleSpan& span) {
+  span.add(view.angle_of(node, view.straight));
+  for (int a = node.link, b = view.surface.link; a != b;) {
+    int& deeper = a > b ? a : b;
+    const Hinge<double>& hinge = view.skeleton.tree[static_cast<std::size_t>(deeper)];
+    const CoordinateLimits& limits =
+        view.skeleton.limits[static_cast<std::size_t>(hinge.coordinate)];
+    if (limits.upper - limits.lower < 2 * kPi - 1e-9)
+      for (const double end : {limits.lower, limits.upper})
+        add_turn(view, node, hinge.coordinate, end, span);
+    deeper = hinge.parent;
+  }
+}
+
+}  // namespace
+
+void centre_sides(const Skeleton& skeleton, const VectorXd& straight, Net& net) {
+  for (NetBand& band : net.bands) {
+    if (band.over < 0) continue;
+    const BoneSurface& surface = net.surfaces[static_cast<std::size_t>(band.over)];
+    if (surface.shape != SurfaceShape::kCylinder) continue;
+    // Angles of both ends, and the middle of them.
+    AngleSpan span;
+    const SideView view{skeleton, straight, surface, band.side};
+    for (const int end : {band.a, band.b})
+      add_angles(view, net.nodes[static_cast<std::size_t>(end)], span);
+    if (span.most - span.least < 2 * kPi)
+      band.side =
+          rotation_about(Vector3d(Vector3d::UnitZ()), 0.5 * (span.least + span.most)) * band.side;
+  }
+}
+
+}  // namespace thenar

@@ -1,0 +1,130 @@
+#include "tendons/net/free_digit.h"
+
+#include <algorithm>
+#include <map>
+#include <utility>
+
+namespace thenar {
+namespace {
+
+using Eigen::Vector3d;
+
+/// The digit with those of its muscles that are named.
+TendonDigit with_muscles(TendonDigit digit, const std::vector<std::string>& named) {
+  const TendonDigit all = digit;
+  digit.names.muscles.clear();
+  digit.model.pulls.clear();
+  for (std::size_t m = 0; m < all.names.muscles.size(); ++m) {
+    if (std::count(named.begin(), named.end(), all.names.muscles[m]) == 0) continue;
+    digit.max_tension[static_cast<Eigen::Index>(digit.model.pulls.size())] =
+        all.max_tension[static_cast<Eigen::Index>(m)];
+    digit.actions.row(static_cast<Eigen::Index>(digit.model.pulls.size())) =
+        all.actions.row(static_cast<Eigen::Index>(m));
+    digit.names.muscles.push_back(all.names.muscles[m]);
+    digit.model.pulls.push_back(all.model.pulls[m]);
+  }
+  const auto muscles = static_cast<Eigen::Index>(digit.model.pulls.size());
+  digit.max_tension.conservativeResize(muscles);
+  digit.actions.conservativeResize(muscles, digit.actions.cols());
+  return digit;
+}
+
+/// Moves the parts of a net from the links of a digit with all joints free to those of the same
+/// digit with some of them frozen, on which bones are displaced.
+class NetCarrier {
+ public:
+  NetCarrier(const TendonDigit& whole, const TendonDigit& digit) : whole_(whole), digit_(digit) {
+    // Every link of the whole digit that carries a bone, and where that bone is in the other.
+    for (const auto& [segment, link] : whole.skeleton.link_of_segment) {
+      if (link < 0) continue;
+      link_[link] = digit.skeleton.link_of_segment.at(segment);
+      moved_[link] =
+          digit.skeleton.segment_at.at(segment) * whole.skeleton.segment_at.at(segment).inverse();
+    }
+  }
+
+  BuiltNet carry(BuiltNet built) const {
+    for (NetNode& node : built.net.nodes) carry(node.link, node.p);
+    for (BoneSurface& surface : built.net.surfaces) {
+      if (surface.link >= 0) surface.X = moved_.at(surface.link) * surface.X;
+      surface.link = link(surface.link);
+    }
+    carry_muscles(built);
+    carry_frame(built.frame);
+    return built;
+  }
+
+ private:
+  [[nodiscard]] int link(int whole) const { return whole < 0 ? -1 : link_.at(whole); }
+
+  void carry(int& on, Vector3d& p) const {
+    if (on >= 0) p = moved_.at(on) * p;
+    on = link(on);
+  }
+
+  /// Muscles by their numbers in the digit; those that it has not pull with nothing.
+  void carry_muscles(BuiltNet& built) const {
+    const auto number = [&](int muscle) {
+      return index_in(digit_.names.muscles, whole_.names.muscles[static_cast<std::size_t>(muscle)]);
+    };
+    for (MuscleAttachment& pull : built.pulls) {
+      pull.muscle = number(pull.muscle);
+      if (pull.muscle < 0) pull = {0, 0};
+    }
+    std::vector<NetMuscle> muscles;
+    for (NetMuscle& muscle : built.muscles) {
+      muscle.muscle = number(muscle.muscle);
+      for (PathNode<double>& point : muscle.own) carry(point.link, point.p);
+      if (muscle.muscle >= 0) muscles.push_back(std::move(muscle));
+    }
+    built.muscles = std::move(muscles);
+  }
+
+  void carry_frame(FingerFrame& frame) const {
+    for (FingerBone& bone : frame.bones) {
+      if (bone.link >= 0)
+        for (Vector3d* direction : {&bone.along, &bone.dorsal, &bone.radial})
+          *direction = moved_.at(bone.link).R * *direction;
+      int proximal = bone.link;
+      carry(proximal, bone.proximal);
+      carry(bone.link, bone.distal);
+    }
+    // Of the straight posture, the angles that are left.
+    Eigen::VectorXd straight(digit_.model.coordinates);
+    for (Eigen::Index j = 0; j < straight.size(); ++j)
+      straight[j] = frame.straight[index_in(whole_.names.coordinates,
+                                            digit_.names.coordinates[static_cast<std::size_t>(j)])];
+    frame.straight = straight;
+  }
+
+  static int index_in(const std::vector<std::string>& names, const std::string& name) {
+    const auto found = std::find(names.begin(), names.end(), name);
+    return found == names.end() ? -1 : static_cast<int>(found - names.begin());
+  }
+
+  const TendonDigit &whole_, &digit_;
+  std::map<int, int> link_;
+  std::map<int, Pose<double>> moved_;
+};
+
+}  // namespace
+
+TendonDigit free_digit(const Subject& subject, const TendonDigit& digit) {
+  TendonOptions options{Path::kViaPoint, Hood::kSeparate};
+  for (const std::string& joint : shared_joints(subject)) {
+    const auto at = digit.skeleton.frozen.find(joint);
+    if (at == digit.skeleton.frozen.end() || at->second != 0) options.wrist_mode = WristMode::kFree;
+  }
+  const std::string& name = digit.skeleton.tips.front().digit;
+  TendonDigit whole = build_tendon_digit(subject, name, options);
+  if (options.wrist_mode == WristMode::kWelded) return whole;
+  // Tendons of other fingers cross the wrist as well.
+  const TendonDigit own = build_tendon_digit(subject, name, {Path::kViaPoint, Hood::kSeparate});
+  return with_muscles(std::move(whole), own.names.muscles);
+}
+
+BuiltNet carried(BuiltNet built, const TendonDigit& whole, const TendonDigit& digit) {
+  return NetCarrier(whole, digit).carry(std::move(built));
+}
+
+}  // namespace thenar
