@@ -24,16 +24,16 @@ namespace thenar {
 
 /// What a muscle does to a finger's or a thumb's joint of flexion by its name: 1 flexes it, -1
 /// extends it, 0 where the name does not say. Long flexors and extensors do the same at every joint
-/// but the carpometacarpal ones of the thumb, whose axes are skew; interosseous muscles of fingers
-/// flex the metacarpophalangeal joint and extend those beyond, as lumbricals do, which at the
-/// former unload the deep flexor by what they pull.
+/// but the wrist and the carpometacarpal ones of the thumb, whose axes are skew to the digit's;
+/// interosseous muscles of fingers flex the metacarpophalangeal joint and extend those beyond, as
+/// lumbricals do, which at the former unload the deep flexor by what they pull.
 [[nodiscard]] inline int named_action(const std::string& muscle, const std::string& joint) {
   const auto begins = [](const std::string& text, std::initializer_list<const char*> with) {
     for (const char* start : with)
       if (text.rfind(start, 0) == 0) return true;
     return false;
   };
-  if (!is_flexion_joint(joint) || begins(joint, {"CMC", "TMC"})) return 0;
+  if (!is_flexion_joint(joint) || begins(joint, {"CMC", "TMC", "WRIST", "RC_"})) return 0;
   if (is_long_flexor(muscle)) return 1;
   if (begins(muscle, {"ED", "EIP", "EPL"}) || muscle == "EI") return -1;
   if (!begins(muscle, {"LU", "DI", "PI"}) && muscle != "RI" && muscle != "UI") return 0;

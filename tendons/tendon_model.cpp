@@ -238,10 +238,12 @@ class DigitBuilder {
     const TendonNames& names = built_.names;
     built_.actions.setZero(static_cast<Eigen::Index>(names.muscles.size()),
                            built_.model.coordinates);
+    const std::vector<std::string> shared = shared_joints(subject_);
     for (const JointAxis& joint : subject_.joints) {
       const int j = find(names.coordinates, joint.name);
       if (j < 0) continue;
-      const double flexes = flexion(joint);
+      // The digit's sense of flexion is no other digit's.
+      const double flexes = find(shared, joint.name) < 0 ? flexion(joint) : 0;
       for (std::size_t m = 0; m < names.muscles.size(); ++m) {
         const int strand = built_.model.pulls[m];
         int& action = built_.actions(static_cast<Eigen::Index>(m), j);
