@@ -16,6 +16,7 @@
 #include "base/file_io.h"
 #include "base/provenance.h"
 #include "base/run_record.h"
+#include "base/rung_names.h"
 #include "data/io/mesh/mesh_file.h"
 #include "data/io/robot/import_robot.h"
 #include "grasp/compare/compare_hands.h"
@@ -95,6 +96,7 @@ std::string program_hash() {
 /// The hands by their names; fewer if it is stopped.
 std::vector<NamedHand> hands_of(const CompareRequest& request, const Progress& progress) {
   HumanHandOptions human;
+  human.path = request.path;
   human.skin.drawn = kFine;
   std::vector<NamedHand> hands;
   for (const std::string& name : request.hands) {
@@ -191,6 +193,7 @@ JsonNode inputs_of(const CompareRequest& request, const std::vector<BodySpec>& o
       .set("best", request.best)
       .set("seed", request.seed)
       .set("normalise_size", request.normalise_size)
+      .set("paths", asked_paths(request.path))
       .set("contents", content_hashes(request, objects, materials))
       .set("program", program_hash())
       .set("versions", texts_node(versions()));
@@ -204,6 +207,7 @@ std::map<std::string, std::string> input_texts(const JsonNode& inputs, unsigned 
   for (std::size_t i = 0; i < contents.names.size(); ++i)
     texts[contents.names[i]] = "read as " + contents.items[i].text;
   texts["program"] = "build " + inputs.find("program")->text;
+  texts["paths"] = inputs.find("paths")->text;
   texts["seed"] = std::to_string(seed);
   return texts;
 }

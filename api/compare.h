@@ -4,6 +4,7 @@
 /// what is done.
 
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -29,6 +30,8 @@ struct CompareRequest {
   int best = 3;                 // number of grasps of each pair whose loads are computed
   int threads = 1;              // the answer is the same with any number
   unsigned seed = 1;            // of the approaches
+  std::optional<Path> path;     // of tendons of human hands whose names state none; absent:
+                                // default_path()
   std::string materials;        // file of materials and friction, over the built-in table; or ""
   bool normalise_size = false;  // objects scaled by the reach of the digits over the first hand's
   std::string file;             // (.json) written after every pair; one that is there is gone on

@@ -190,9 +190,11 @@ void write_fits(const DemoRequest& request, DemoResult& demo) {
 
 }  // namespace
 
-DemoMotion move_demo_scenes(const std::string& data, const Progress& progress) {
+DemoMotion move_demo_scenes(const std::string& data, const Progress& progress,
+                            const std::optional<Path>& path) {
   SceneRequest glass, thumb;
   glass.data = thumb.data = data;
+  glass.path = thumb.path = path;
   glass.scene = "wine_glass";
   thumb.scene = "thumb_mug";
   DemoMotion motion;
@@ -217,7 +219,7 @@ DemoResult run_demo_study(const DemoRequest& request, const Progress& progress) 
   thumb.data = request.data;
   thumb.quick = true;
   demo.thumb_study = ask_thumb_study(thumb, progress);
-  demo.motion = move_demo_scenes(request.data, progress);
+  demo.motion = move_demo_scenes(request.data, progress, request.path);
   demo.stopped = progress.stop();
   if (demo.stopped) return demo;
   write_fits(request, demo);

@@ -19,9 +19,10 @@
 namespace thenar {
 
 struct DemoRequest {
-  std::string data;    // folder with subjects/, fits/ and experiments/
-  std::string output;  // folder for results: NAME.h5 of fits, NAME.nc of posteriors
-  RunRecord run;       // for the files
+  std::string data;               // folder with subjects/, fits/ and experiments/
+  std::string output;             // folder for results: NAME.h5 of fits, NAME.nc of posteriors
+  RunRecord run;                  // for the files
+  std::optional<Path> path = {};  // of tendons of human hands in scenes; absent: default_path()
 };
 
 /// A posterior that the demo sampled.
@@ -74,6 +75,8 @@ struct DemoResult {
 
 /// Simulates the scenes of the demo: some seconds.
 /// @param data  folder with scenes/, robots/ ..; empty: the usual ones
-[[nodiscard]] DemoMotion move_demo_scenes(const std::string& data, const Progress& progress = {});
+/// @param path  as of DemoRequest
+[[nodiscard]] DemoMotion move_demo_scenes(const std::string& data, const Progress& progress = {},
+                                          const std::optional<Path>& path = {});
 
 }  // namespace thenar

@@ -11,6 +11,7 @@
 #include "data/io/toml_node.h"
 #include "tendons/forces/feasible_force_set.h"
 #include "tendons/forces/max_tip_force.h"
+#include "tendons/forces/posture_sensitivity.h"
 #include "tendons/forces/tip_force.h"
 #include "tendons/forces/tip_wrench.h"
 
@@ -55,15 +56,20 @@ Eigen::VectorXd middle_posture(const TendonDigit& digit) {
 /// Statics by the rung of paths and hood; rungs that the subject has no data for are left out.
 void add_rung_costs(const Subject& subject, const std::string& name,
                     std::vector<QuestionCost>& costs) {
-  for (const Path path : {Path::kConstant, Path::kViaPoint})
+  std::vector<Path> paths{Path::kConstant, Path::kViaPoint};
+  if (default_path(subject) == Path::kWrapped) paths.push_back(Path::kWrapped);
+  for (const Path path : paths)
     for (const Hood hood : {Hood::kSeparate, Hood::kFractions}) try {
-        const TendonDigit digit = build_tendon_digit(subject, name, {path, hood, {}});
+        const auto tendons = build_linear_tendons(subject, name, {path, hood, {}});
+        const TendonDigit& digit = tendons->digit();
         const bool asked = digit.fidelity.path == path && digit.fidelity.hood == hood;
         if (!asked || digit.names.muscles.empty()) continue;
         const Eigen::VectorXd q = middle_posture(digit);
         const std::vector<RungWords> rungs = explain(digit.fidelity);
-        costs.push_back({"Jacobians and moment arms", rungs[2].rung + ", " + rungs[3].rung,
-                         median_seconds([&] { keep(tip_statics(digit, q)); })});
+        costs.push_back(
+            {"Jacobians and moment arms", rungs[2].rung + ", " + rungs[3].rung, median_seconds([&] {
+               keep(path == Path::kWrapped ? tip_statics(*tendons, q) : tip_statics(digit, q));
+             })});
       } catch (const InputError&) {
         continue;  // the subject lacks what this rung needs
       }
@@ -114,7 +120,7 @@ DigitExplained explain_digit_of(const Subject& subject, const ExplainRequest& re
                                  [&](const Digit& each) { return each.name == out.digit; });
   if (!bones) return out;
   TendonOptions options;
-  options.path = request.path.value_or(Path::kViaPoint);
+  options.path = request.path.value_or(default_path(subject));
   out.tendons = build_linear_tendons(subject, out.digit, options);
   const TendonDigit& built = out.tendons->digit();
   out.parts = explain_digit(subject, out.digit, options, built);
@@ -141,7 +147,9 @@ FitExplained explain_fit_of(const Fit& fit, const std::string& path) {
 ThingExplained explain_thing(const ExplainRequest& request) {
   const std::string path = named_thing(request.thing, request.data);
   const std::string kind = contents_of(path).kind;
-  require(kind == "subject" || (request.digit.empty() && request.settings.empty() && !request.path),
+  if (kind == "fit") require_fit_path(request.path);
+  const bool straight = request.path.value_or(Path::kViaPoint) == Path::kViaPoint;
+  require(kind == "subject" || (request.digit.empty() && request.settings.empty() && straight),
           "--digit, --settings and --path explain subjects; '{}' is of kind: {}", path, kind);
   require(kind != "posterior" && kind != "motion" && kind != "scene run", "'{}' is a {}: {}", path,
           kind, listed(contents_of(path).commands));

@@ -22,7 +22,7 @@ struct ExplainRequest {
   std::string thing;         // a file, or the name of something that comes with thenar
   std::string digit;         // of a subject; empty: the only one that it has
   std::string settings;      // fit settings for a subject, file or name; empty: the built-in ones
-  std::optional<Path> path;  // of a subject's tendons; absent: via points
+  std::optional<Path> path;  // of a subject's tendons; absent: default_path()
   std::string data;          // folder with subjects/ ..; empty: the usual ones
 };
 

@@ -9,6 +9,7 @@
 #include "api/named/digits.h"
 #include "api/named/files.h"
 #include "base/error.h"
+#include "base/rung_names.h"
 #include "kinematics_fit/model/net_trials.h"
 #include "kinematics_fit/specimen_prior.h"
 
@@ -173,7 +174,24 @@ SourceText fit_settings_source(const std::string& settings, const std::string& d
       named_file("file of fit settings", settings, "fits", ".toml", data_folders(data)));
 }
 
+void require_fit_path(const std::optional<Path>& path) {
+  require(!path || *path == Path::kViaPoint,
+          "the force model of a fit runs tendons straight between via points, as its kernel does "
+          "not wrap: wanted paths 'via', got '{}'",
+          path ? name_of(*path) : "");
+}
+
+std::vector<std::string> path_cautions(const FitInputs& inputs) {
+  const Subject subject = parse_subject(inputs.subject.text, inputs.subject.path);
+  if (default_path(subject) != Path::kWrapped) return {};
+  return {fmt::format(
+      "subject '{}' states surfaces, over which tendons wrap in other questions: this fit, and "
+      "what comes from it, runs them straight between via points",
+      subject.name)};
+}
+
 FitInputs read_fit_inputs(const FitSources& sources) {
+  require_fit_path(sources.path);
   require(!sources.experiments.empty(), "a fit needs at least one experiment");
   FitInputs inputs;
   inputs.subject = subject_source(sources.subject, sources.data);
@@ -210,6 +228,8 @@ FitResult fit_forces(const FitRequest& request, const Progress& progress) {
     result.warnings.push_back(std::move(warning));
   for (std::string& warning : net_warnings(fit)) result.warnings.push_back(std::move(warning));
   for (std::string& warning : stray_warnings(fit.covariance))
+    result.warnings.push_back(std::move(warning));
+  for (std::string& warning : path_cautions(fit.inputs))
     result.warnings.push_back(std::move(warning));
   if (!request.output.empty()) write_fit(result.fit, request.output);
 

@@ -26,6 +26,7 @@ struct FitSources {
                                          // place of the subject's hood; empty: none
   std::string scale = "subject";         // sizes of the digit: the subject's own, or of "outside"
   std::string data;                      // folder with subjects/ ..; empty: the usual ones
+  std::optional<Path> path = {};         // as require_fit_path() allows
 };
 
 struct FitRequest {
@@ -71,6 +72,16 @@ struct FitResult {
 /// @throws InputError if there are none of that name, or they cannot be read.
 [[nodiscard]] SourceText fit_settings_source(const std::string& settings, const std::string& digit,
                                              const std::string& data);
+
+// Paths of a fit run straight between via points, on whatever rung questions about its subject are.
+
+/// @throws InputError for paths that the force model of a fit cannot have; absent ones and via
+/// points are its own.
+void require_fit_path(const std::optional<Path>& path);
+
+/// A sentence where questions about the subject wrap by default and its fit does not; none
+/// elsewhere.
+[[nodiscard]] std::vector<std::string> path_cautions(const FitInputs& inputs);
 
 /// The texts of the inputs. Without settings those that are built in for the digit.
 /// @throws InputError or DataError for a source that is not there or cannot be read.

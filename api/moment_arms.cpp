@@ -63,8 +63,8 @@ MomentArmAnswer moment_arms_of(const DigitCase& digit, const Progress& progress)
     answer.points.push_back(point_at(tendons, q, pull));
     answer.points.back().length_change -= start;
     if (!pull.warning.empty()) return {pull.warning};
-    return tendons.digit().fidelity.path == Path::kViaPoint ? collapse_warnings(tendons, q)
-                                                            : std::vector<std::string>{};
+    return tendons.digit().fidelity.path == Path::kFitted ? std::vector<std::string>{}
+                                                          : collapse_warnings(tendons, q);
   };
   ask_postures(answer.about, ask, kept_in(answer.points), progress);
 

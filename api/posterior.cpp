@@ -101,6 +101,7 @@ PosteriorResult sample_together(const SampleRequest& request, const Progress& pr
   });
   PosteriorResult result{request.output, sample(inputs, settings, ranks), {}, {}};
   result.files = source_digests(sources_of(inputs));
+  result.warnings = path_cautions(inputs);
   result.run.run = request.run;
   collective_call(ranks, [&] {
     if (ranks.rank() == 0) keep(result, request);
@@ -131,12 +132,15 @@ PosteriorResult open_posterior(const std::string& path) {
   require_kind(path, {"posterior"});
   PosteriorResult result{path, read_posterior(path), {}, checksum_warnings(path)};
   result.files = digests_of({path});
+  for (std::string& warning : path_cautions(result.run.inputs))
+    result.warnings.push_back(std::move(warning));
   result.summary = summarise_posterior(result.run);
   return result;
 }
 
 PosteriorPrediction predict_by_draws(const PosteriorPredictRequest& request) {
   require(!request.experiments.empty(), "wanted at least one experiment to predict");
+  require_fit_path(request.path);
   require_kind(request.posterior, {"posterior"});
   PosteriorPrediction out{
       {request.posterior, {}, {}, {}, {}, {}, checksum_warnings(request.posterior)},
@@ -147,6 +151,8 @@ PosteriorPrediction predict_by_draws(const PosteriorPredictRequest& request) {
   result.inputs = run.inputs;
   result.fitted_by = run.run;
   result.fidelity = problem.digit().fidelity;
+  for (std::string& warning : path_cautions(run.inputs))
+    result.warnings.push_back(std::move(warning));
   for (const std::string& name : request.experiments) {
     const SourceText source = read_source(experiment_file(name, request.data));
     const Experiment experiment = parse_experiment(source.text, source.path);

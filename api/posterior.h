@@ -70,6 +70,7 @@ struct PosteriorPredictRequest {
   bool population = false;               // predict a fitted specimen as if it had never been seen
   long draws = 2000;                     // to predict with [1]
   std::string data;                      // folder with experiments/; empty: the usual ones
+  std::optional<Path> path = {};         // as require_fit_path() allows
 };
 
 /// What draws predict, and the posterior that they are of.

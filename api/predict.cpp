@@ -18,6 +18,8 @@ PredictResult answer_of(const PredictRequest& request, const Fit& fit) {
   if (fit.solution.status != Status::kSolved)
     result.warnings.push_back(fmt::format("the fit in '{}' did not converge: {}", request.fit,
                                           convergence_word(fit.solution)));
+  for (std::string& warning : path_cautions(fit.inputs))
+    result.warnings.push_back(std::move(warning));
   return result;
 }
 
@@ -49,6 +51,7 @@ std::vector<std::string> prediction_warnings(const FitProblem& fitted,
 
 PredictResult predict_forces(const PredictRequest& request) {
   require(!request.experiments.empty(), "wanted at least one experiment to predict");
+  require_fit_path(request.path);
   require_kind(request.fit, {"fit"});
   const Fit fit = read_fit(request.fit);
   PredictResult result = answer_of(request, fit);

@@ -2,6 +2,7 @@
 
 /// What forces does a fit predict, also of specimens that it has never seen?
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -24,6 +25,7 @@ struct PredictRequest {
   std::vector<std::string> experiments;  // files, or names of experiments/
   bool population = false;               // predict a fitted specimen as if it had never been seen
   std::string data;                      // folder with experiments/; empty: the usual ones
+  std::optional<Path> path = {};         // as require_fit_path() allows
 };
 
 /// One experiment with its prediction.

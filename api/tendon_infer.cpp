@@ -54,7 +54,7 @@ InferenceCase read_case(const InferNetRequest& request, NetInference& answer) {
   // The digit with all candidate bands.
   TendonOptions tendons;
   tendons.hood = Hood::kFloatingNet;
-  tendons.path = request.path.value_or(Path::kViaPoint);
+  tendons.path = request.path.value_or(default_path(subject));
   const auto built = build_digit_tendons(subject, experiment.digit, tendons, &net);
   const auto& netted = dynamic_cast<const NetTendons&>(*built);
   InferenceCase at{candidate_of(netted),
@@ -176,8 +176,7 @@ std::vector<std::string> doubts_of(const BandPosterior& posterior) {
 void infer_free(const InferNetRequest& request, const Progress& progress, NetInference& answer) {
   require(request.method == InferMethod::kSparse,
           "--method explore holds slack lengths and paths; leave out --free or the method");
-  require(!request.path,
-          "the settings of a fit say where tendons run; leave out --free or the path");
+  require_fit_path(request.path);
   const BandProblems problems = free_problems(request, answer);
   ProgressParts parts(progress, 1);
   std::mt19937 random(request.seed);

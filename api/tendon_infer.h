@@ -31,7 +31,7 @@ struct InferNetRequest {
   std::string subject;          // a file, or the name of one of subjects/
   std::string data;             // folder with subjects/ ..; empty: the usual ones
   std::string net = "winslow";  // all candidate bands: name or file
-  std::optional<Path> path;     // of tendons outside of the net; absent: via points
+  std::optional<Path> path;     // of tendons outside of the net; absent: default_path()
   InferMethod method = InferMethod::kSparse;
   unsigned seed = 1;  // of kExplore, and of draws and sampled sets with `free`
   int propose = 3;    // tests to propose, at most

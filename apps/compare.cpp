@@ -87,6 +87,7 @@ void add_compare(CLI::App& app) {
       ->check(at_least(1));
   command->add_flag("--normalise-size", request.normalise_size,
                     "Scale objects by the reach of the digits over the first hand's");
+  add_hand_path_option(*command, request.path);
   add_materials_option(*command, request.materials);
   add_data_option(*command, request.data);
   add_output_options(*command, options->outputs, {true, true, true, {}});

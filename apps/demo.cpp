@@ -11,6 +11,7 @@
 #include <chrono>
 #include <filesystem>
 #include <memory>
+#include <optional>
 
 #include "api/compare.h"
 #include "api/named/data_folders.h"
@@ -35,6 +36,7 @@ namespace {
 
 struct DemoArguments {
   std::string data;
+  std::optional<Path> path;
   std::string output = "out";
 };
 
@@ -51,6 +53,7 @@ std::vector<SetPage> compare_some_hands(const DemoArguments& options, const Prog
   request.hands = {"human:skewed", "barrett", "shadow", "parallel_jaw"};
   request.objects = {"sphere_70", "cube_50"};
   request.approaches = 8;
+  request.path = options.path;
   request.data = options.data;
   const HandComparison result = compare_hands(request, progress);
   if (!result.comparison.complete) return {};
@@ -72,6 +75,7 @@ std::vector<SetPage> compare_pads(const DemoArguments& options, const Progress& 
   SceneRequest scene;
   scene.scene = "pencil_pinch";
   scene.data = options.data;
+  scene.path = options.path;
   const RungComparison pencil = compare_rungs(scene, pad_rung_names(), progress);
   if (progress.stop()) return {};
   return {page_for("pad.html", "What does a finger pad do under a ball?", pad_finding(pressed),
@@ -85,7 +89,8 @@ void run_demo(const DemoArguments& options) {
   const Progress progress = terminal_progress();
   const std::string path = options.output + "/" + kFrontPage;
   require_writable(path);
-  const DemoResult demo = run_demo_study({options.data, options.output, this_run()}, progress);
+  const DemoResult demo =
+      run_demo_study({options.data, options.output, this_run(), options.path}, progress);
   if (demo.stopped) throw Stopped("stopped before the report was complete");
   std::vector<SetPage> more = compare_some_hands(options, progress);
   for (SetPage& page : compare_pads(options, progress)) more.push_back(std::move(page));
@@ -102,6 +107,7 @@ void run_demo(const DemoArguments& options) {
 void add_demo(CLI::App& app) {
   auto options = std::make_shared<DemoArguments>();  // lives as long as the callback
   CLI::App* command = app.add_subcommand("demo", "Fit real data and write a report");
+  add_hand_path_option(*command, options->path);
   add_data_option(*command, options->data);
   command->add_option("-o,--out,--output", options->output, "Folder for the report");
   add_examples(*command, {"demo -o out"});

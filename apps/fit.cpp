@@ -109,6 +109,7 @@ void sample_posterior_of(FitArguments& options) {
   if (result->run.draws.draws() > 0) deliver(options.outputs, *result);
   std::fflush(stdout);
   require_complete(*result);
+  print_warnings(result->warnings);
   print_warnings(noise_cautions(*result));
   print_warnings(convergence_cautions(result->run));
   const std::string complaint = convergence_complaint(result->run, options.allow_unconverged);
@@ -222,6 +223,7 @@ void add_fit(CLI::App& app) {
       ->check(CLI::NonNegativeNumber);
   command->add_flag("--allow-unconverged", options->allow_unconverged,
                     "Exit without error though the fit or the chains have not converged");
+  add_fit_path_option(*command, sources.path);
   add_data_option(*command, sources.data);
   add_output_options(*command, options->outputs, {true, true, true, {".h5", ".nc", ".toml"}});
   add_chain_options(*command, *options);

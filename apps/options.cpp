@@ -81,8 +81,8 @@ void add_materials_option(CLI::App& command, std::string& file) {
 void add_path_option(CLI::App& command, std::optional<Path>& path) {
   command.add_option_function<std::string>(
       "--path", [&path](const std::string& name) { path = path_named(name); },
-      "Tendon paths: straight between via points (default), wrapped over the subject's surfaces, "
-      "or polynomials fitted to these: " +
+      "Tendon paths: straight between via points, polynomials fitted to wrapped ones, or wrapped "
+      "over the subject's surfaces, as they are if left out where it states some: " +
           listed(path_names()));
 }
 
@@ -90,6 +90,20 @@ void add_passive_option(CLI::App& command, PassiveMoments& passive) {
   command.add_option_function<std::string>(
       "--passive", [&passive](const std::string& word) { passive = passive_named(word); },
       "Passive moments of human joints, where the subject states some: on (default) or off");
+}
+
+void add_hand_path_option(CLI::App& command, std::optional<Path>& path) {
+  add_path_option(command, path);
+  command.get_option("--path")->description(
+      "Tendon paths of human hands whose names state none; wrapped if left out where the subject "
+      "states surfaces: " +
+      listed(path_names()));
+}
+
+void add_fit_path_option(CLI::App& command, std::optional<Path>& path) {
+  add_path_option(command, path);
+  command.get_option("--path")->description(
+      "Tendon paths of a fit: via, straight between via points; its force model has no others");
 }
 
 void add_posture_option(CLI::App& command, PostureRequest& posture, const std::string& help) {
@@ -169,6 +183,7 @@ void add_world_options(CLI::App& command, WorldRequest& request) {
   command.add_option("--hand", request.hand, "Which hand, where there are several");
   command.add_option("--object", request.object, "Which object, where there are several");
   add_passive_option(command, request.passive);
+  add_hand_path_option(command, request.path);
   add_data_option(command, request.data);
 }
 

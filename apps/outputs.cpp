@@ -55,6 +55,7 @@ void add_run(AnyJson& json, const FileDigests& files) {
   provenance["folder"] = run.folder;
   provenance["date"] = run.date;
   if (!run.commit.empty()) provenance["commit"] = run.commit;
+  provenance["thenar"] = versions().at("thenar");
   for (const auto& [path, digest] : files) provenance[path] = "sha256 " + digest;
 }
 

@@ -98,6 +98,7 @@ void add_posterior(CLI::App& app) {
       ->check(CLI::PositiveNumber);
   third->add_flag("--population", options->request.population,
                   "Predict a fitted specimen as if it had never been seen");
+  add_fit_path_option(*third, options->request.path);
   add_data_option(*third, options->request.data);
   add_output_options(*third, options->outputs, {true, true, true});
   add_examples(*third, {make, "posterior predict out/P.nc synek2019_H02 --csv"});

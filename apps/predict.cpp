@@ -39,6 +39,7 @@ void add_predict(CLI::App& app) {
       ->default_str("");
   command->add_flag("--population", request.population,
                     "Predict a fitted specimen as if it had never been seen");
+  add_fit_path_option(*command, request.path);
   add_data_option(*command, request.data);
   add_output_options(*command, options->outputs, {true, true, true});
   add_examples(*command, {"fit synek2019_H01 --subject an_chao_middle -o out/fit.h5",

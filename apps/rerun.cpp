@@ -42,9 +42,24 @@ struct RerunArguments {
   throw InputError(fmt::format("cannot start thenar again: {}", std::strerror(errno)));
 }
 
-void run_rerun(const RerunArguments& options, const std::vector<std::string>& commands) {
-  const RecordedRun recorded = read_recorded_run(options.file);
-  require_repeatable(recorded, commands);
+/// Whether the command of a run has the option --path.
+bool takes_path(const CLI::App& app, const std::vector<std::string>& arguments) {
+  const CLI::App* command = &app;
+  for (const std::string& word : arguments) {
+    const std::vector<const CLI::App*> below =
+        command->get_subcommands([&](const CLI::App* each) { return each->get_name() == word; });
+    if (below.empty()) break;
+    command = below.front();
+  }
+  return command->get_option_no_throw("--path") != nullptr;
+}
+
+void run_rerun(const RerunArguments& options, const CLI::App& app) {
+  const RecordedRun written = read_recorded_run(options.file);
+  std::vector<std::string> commands;
+  for (const CLI::App* each : app.get_subcommands({})) commands.push_back(each->get_name());
+  require_repeatable(written, commands);
+  const RecordedRun recorded = on_its_paths(written, takes_path(app, written.run.arguments));
   if (options.print || options.outputs.json) return deliver(options.outputs, recorded);
   fmt::print(stderr, "{}", text_of(recorded));
   become(recorded.run);
@@ -63,11 +78,7 @@ void add_rerun(CLI::App& app) {
                     "Only print the command, its folder, date and commit, and what has changed");
   add_output_options(*command, options->outputs, {});
   add_examples(*command, {"explain barrett -o out/barrett.json", "rerun out/barrett.json --print"});
-  command->callback([options, &app] {
-    std::vector<std::string> commands;
-    for (const CLI::App* each : app.get_subcommands({})) commands.push_back(each->get_name());
-    run_rerun(*options, commands);
-  });
+  command->callback([options, &app] { run_rerun(*options, app); });
 }
 
 }  // namespace thenar

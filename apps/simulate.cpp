@@ -162,12 +162,13 @@ void refuse_options(const CLI::App& command, const std::vector<std::string>& opt
 void simulate_scene_of(const CLI::App& command, const SimulateArguments& options) {
   refuse_options(
       command,
-      {"--digit", "--posture", "--frozen", "--path", "--passive", "--hood", "--net", "--excitation",
+      {"--digit", "--posture", "--frozen", "--passive", "--hood", "--net", "--excitation",
        "--excitation-file", "--muscle", "--tendon-slack", "--damping", "--blend", "--gravity"},
       "subjects", "a scene");
   SceneRequest request;
   request.scene = options.request.digit.subject;
   request.data = options.request.digit.data;
+  request.path = options.request.digit.path;
   request.method = options.scene.method;
   request.vary = options.scene.vary;
   if (command.count("--seconds") > 0) request.seconds = options.request.seconds;

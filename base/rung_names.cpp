@@ -36,6 +36,14 @@ Rung rung_named(const NamedRung<Rung> (&rungs)[n], const std::string& name,
 
 std::vector<std::string> path_names() { return names_of(kPathNames); }
 Path path_named(const std::string& name) { return rung_named(kPathNames, name, "path"); }
+std::string name_of(Path path) {
+  for (const NamedRung<Path>& each : kPathNames)
+    if (each.rung == path) return each.name;
+  return path == Path::kConstant ? "constant" : "none";
+}
+std::string asked_paths(const std::optional<Path>& asked) {
+  return asked ? name_of(*asked) : kSubjectsPaths;
+}
 
 std::vector<std::string> hood_names() { return names_of(kHoodNames); }
 Hood hood_named(const std::string& name) { return rung_named(kHoodNames, name, "hood"); }

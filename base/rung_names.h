@@ -2,6 +2,7 @@
 
 /// Rungs of the ladders of base/fidelity.h by the names that people type.
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -13,6 +14,12 @@ namespace thenar {
 [[nodiscard]] std::vector<std::string> path_names();
 /// @throws InputError with the nearest name and all others, as hood_named() and muscle_named().
 [[nodiscard]] Path path_named(const std::string& name);
+/// "via", "fitted", "wrapped"; "none" and "constant" of rungs that nobody asks for.
+[[nodiscard]] std::string name_of(Path path);
+/// What a result records of the paths that it was asked for: the name of the rung, or where it is
+/// left to subjects kSubjectsPaths.
+[[nodiscard]] std::string asked_paths(const std::optional<Path>& asked);
+inline constexpr const char* kSubjectsPaths = "wrapped where surfaces are stated";
 
 /// "separate", "fractions", "net".
 [[nodiscard]] std::vector<std::string> hood_names();

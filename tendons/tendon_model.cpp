@@ -298,6 +298,15 @@ class DigitBuilder {
 
 }  // namespace
 
+Path default_path(const Subject& subject) {
+  const auto rides = [](const Strand& strand) {
+    return !strand.path.empty() && !strand.path.back().rides_on.empty();
+  };
+  const bool more = !subject.surfaces.empty() ||
+                    std::any_of(subject.strands.begin(), subject.strands.end(), rides);
+  return more ? Path::kWrapped : Path::kViaPoint;
+}
+
 TendonDigit build_tendon_digit(const Subject& subject, const std::string& digit,
                                const TendonOptions& options) {
   return DigitBuilder(subject, digit, options).take();

@@ -88,7 +88,13 @@ enum class WristMode {
   kFree     // they move, and every tendon across them counts
 };
 
-/// Which tendons to build.
+/// The rung of paths where none is asked for: wrapped where the subject states what straight paths
+/// leave out, surfaces or origins that ride on other tendons; straight between via points
+/// elsewhere.
+[[nodiscard]] Path default_path(const Subject& subject);
+
+/// Which tendons to build, as a builder is told: where a question leaves `path` open, it is
+/// default_path().
 struct TendonOptions {
   Path path = Path::kViaPoint;             // kConstant: only the subject's constant arms
   Hood hood = Hood::kFractions;            // kSeparate: every muscle pulls its own strand only
@@ -98,7 +104,8 @@ struct TendonOptions {
                                     // joints: those that pull a net
 };
 
-/// Builds one digit of a subject with every muscle that crosses one of its joints.
+/// Builds one digit of a subject with every muscle that crosses one of its joints. Its own paths
+/// are straight, whatever the rung: build_linear_tendons() wraps them.
 /// @throws InputError if the digit, or an arm or path of a crossing strand, is missing.
 [[nodiscard]] TendonDigit build_tendon_digit(const Subject& subject, const std::string& digit,
                                              const TendonOptions& options = {});

@@ -1,5 +1,7 @@
 #include "tendons/vanishing_arms.h"
 
+#include <memory>
+
 #include "base/units.h"
 #include "tendons/name_conventions.h"
 
@@ -13,9 +15,18 @@ std::vector<VanishingArm> vanishing_arms(const DigitTendons& tendons, const Eige
   const TendonDigit& digit = tendons.digit();
   if (digit.fidelity.path < Path::kViaPoint) return found;
   // Arms do not depend on tension.
+  const std::unique_ptr<ArmSolver> solver = tendons.arm_solver();
   const Eigen::VectorXd t =
       Eigen::VectorXd::Zero(static_cast<Eigen::Index>(digit.names.muscles.size()));
-  const Eigen::MatrixXd here = tendons.evaluate(q, t).R;
+  TendonTorque pull;
+  const auto arms_at = [&](const Eigen::VectorXd& there) -> const Eigen::MatrixXd& {
+    if (solver)
+      solver->solve(there, pull);
+    else
+      pull = tendons.evaluate(there, t);
+    return pull.R;
+  };
+  const Eigen::MatrixXd here = arms_at(q);
   for (Eigen::Index j = 0; j < q.size(); ++j) {
     // Flexion joints with a range.
     const std::string& joint = digit.names.coordinates[static_cast<std::size_t>(j)];
@@ -26,7 +37,7 @@ std::vector<VanishingArm> vanishing_arms(const DigitTendons& tendons, const Eige
     for (int k = 0; k < kPlaces; ++k) {
       Eigen::VectorXd there = q;
       there[j] = limit.lower + k * (limit.upper - limit.lower) / (kPlaces - 1);
-      most = most.cwiseMax(tendons.evaluate(there, t).R.col(j));
+      most = most.cwiseMax(arms_at(there).col(j));
     }
     // Long flexors whose arm is a small part of that.
     for (Eigen::Index m = 0; m < most.size(); ++m) {

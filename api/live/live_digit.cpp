@@ -155,7 +155,7 @@ void LiveDigit::solve(const Eigen::VectorXd& q, const Eigen::VectorXd& excitatio
   for (std::string& warning : reversal_warnings(
            case_.net != nullptr ? case_.net->linear() : *case_.tendons, {{}, 1, {q}, {}}))
     now.warnings.push_back(std::move(warning));
-  if (case_.bones().fidelity.path == Path::kViaPoint) {
+  if (case_.bones().fidelity.path != Path::kFitted) {
     const DigitTendons& linear = case_.net != nullptr ? case_.net->linear() : *case_.tendons;
     for (std::string& warning : collapse_warnings(linear, q))
       now.warnings.push_back(std::move(warning));
@@ -233,7 +233,7 @@ DigitCurves LiveDigit::sweep(const std::string& joint, int count, const Progress
 
 std::string LiveDigit::doubt_at(const DigitPoint& point) const {
   if (!point.pull.warning.empty()) return point.pull.warning;
-  if (case_.bones().fidelity.path != Path::kViaPoint) return "";
+  if (case_.bones().fidelity.path == Path::kFitted) return "";
   const std::vector<std::string> doubts = collapse_warnings(case_.net->linear(), point.q);
   return doubts.empty() ? "" : doubts.front();
 }

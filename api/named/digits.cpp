@@ -53,10 +53,35 @@ std::vector<std::string> digits_with_tendons(const Subject& subject) {
 TendonOptions rungs_of(const DigitRequest& request, const Subject& subject, Hood hood) {
   TendonOptions rungs;
   rungs.hood = hood;
-  rungs.path = request.path.value_or(Path::kViaPoint);
+  rungs.path = request.path.value_or(default_path(subject));
   rungs.frozen = frozen_joints(subject, request.frozen);
   rungs.wrist_mode = request.wrist;
   return rungs;
+}
+
+bool can_run_straight(const DigitCase& at, const NetDescription* net) {
+  TendonOptions rungs = at.rungs;
+  rungs.path = Path::kViaPoint;
+  try {
+    (void)build_digit_tendons(at.subject, at.digit, rungs, net);
+    return true;
+  } catch (const InputError&) {
+    return false;
+  }
+}
+
+/// Builds the digit's tendons. Wrapped paths that nobody asked for may be refused, as where a point
+/// lies inside a surface: then it says which are not.
+std::shared_ptr<const DigitTendons> tendons_on_rungs(const DigitCase& at, bool path_asked,
+                                                     const NetDescription* net) {
+  try {
+    return build_digit_tendons(at.subject, at.digit, at.rungs, net);
+  } catch (const InputError& error) {
+    if (path_asked || at.rungs.path != Path::kWrapped || !can_run_straight(at, net)) throw;
+    throw InputError(fmt::format(
+        "{}; paths wrap where the subject states surfaces: straight ones, 'via', leave them out",
+        error.what()));
+  }
 }
 
 /// Tendons on the rungs that are asked for; adds the text of a net to the sources.
@@ -66,12 +91,12 @@ void build_tendons_of(const DigitRequest& request, Hood default_hood, DigitCase&
   const std::string name = net_meant(hood, request.net);
   if (name.empty()) {
     at.rungs = rungs_of(request, at.subject, *hood);
-    at.tendons = build_digit_tendons(at.subject, at.digit, at.rungs);
+    at.tendons = tendons_on_rungs(at, request.path.has_value(), nullptr);
   } else {
     at.rungs = rungs_of(request, at.subject, Hood::kFloatingNet);
     at.sources.push_back(net_source(name));
     const NetDescription net = parse_net(at.sources.back().text, at.sources.back().path);
-    at.tendons = build_digit_tendons(at.subject, at.digit, at.rungs, &net);
+    at.tendons = tendons_on_rungs(at, request.path.has_value(), &net);
   }
   at.net = dynamic_cast<const NetTendons*>(at.tendons.get());
   require(!at.bones().names.muscles.empty(),
@@ -119,11 +144,11 @@ DigitCase build_digit(const DigitRequest& request, Hood default_hood) {
   at.digit = choose_digit(at.subject, request.digit);
   if (!request.map.empty() || !has_bones(at.subject, at.digit)) {
     at.map = find_tip_map(at.subject, at.digit, request.map).name;
-    require(
-        request.posture.empty() && request.frozen.empty() && request.vary.empty() && !request.path,
-        "tip map '{}' stands for one posture of its own; leave out --posture, --frozen and "
-        "--path",
-        at.map);
+    const bool straight = request.path.value_or(Path::kViaPoint) == Path::kViaPoint;
+    require(request.posture.empty() && request.frozen.empty() && request.vary.empty() && straight,
+            "tip map '{}' stands for one posture of its own; leave out --posture, --frozen and "
+            "--path",
+            at.map);
     return at;
   }
   build_tendons_of(request, default_hood, at);
@@ -205,7 +230,7 @@ std::vector<std::string> collapse_warnings(const DigitTendons& linear, const Eig
   return {fmt::format(
       "tendons run too close to a joint here: arms of {}; {}", fmt::join(arms, "; "),
       via ? "straight runs cut through it, and --path wrapped helps where the subject has a surface"
-          : "the subject has no surface there")};
+          : "they bend over no surface there")};
 }
 
 std::vector<std::string> reversal_warnings(const DigitTendons& linear, const PostureGrid& grid) {

@@ -30,7 +30,7 @@ struct DigitRequest {
   PostureRequest posture;    // joints not named are at 0
   PostureRequest frozen;     // joints welded there
   std::vector<Vary> vary;    // in the unit of the posture; the last one varies fastest
-  std::optional<Path> path;  // of tendons outside of a net; absent: via points
+  std::optional<Path> path;  // of tendons outside of a net; absent: default_path()
   std::optional<Hood> hood;  // absent: the question's own default, or a net where one is named
   std::string net;           // name or file; empty: extensor_hood if the hood is a net
   std::string map;           // a published tip map; empty: the bones, or the first map

@@ -37,6 +37,7 @@ NamedHand human(const std::string& name, const Subject& subject, const std::stri
   hand.name = name;
   hand.hand = std::move(built.hand);
   hand.contact = built.contact;
+  hand.path = built.path;
   hand.patches = std::move(built.patches);
   hand.skeleton = std::make_shared<const Skeleton>(std::move(built.skeleton));
   hand.targets = std::move(built.targets);

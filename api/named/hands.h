@@ -23,6 +23,7 @@ struct NamedHand {
   std::vector<OppositionTarget> targets;     // of Kapandji's score, of a human hand
   ClosingRates rates;                        // of a hand that tendons close; empty: its drives do
   std::shared_ptr<const Skeleton> skeleton;  // of a human hand; null: a robot
+  Path path = Path::kNone;                   // of a human hand: HumanHand::path
   std::vector<std::string> warnings;         // what was assumed or left out
   FileDigests files;                         // that were read for it
 };
@@ -32,7 +33,7 @@ struct HandSource {
   bool human = false;   // of a subject; else a robot
   std::string file;     // empty: the built-in human
   std::string version;  // of a human hand: one of human_versions()
-  std::string path;     // of its tendons: "via", "fitted" or "wrapped"; empty: via
+  std::string path;     // of its tendons: "via", "fitted" or "wrapped"; empty: default_path()
   PassiveMoments passive = PassiveMoments::kOn;  // of its joints
 };
 
@@ -41,9 +42,9 @@ struct HandSource {
 ///                            a version of default_human(); "human" is "human:tendons"
 ///   "FILE.toml:skewed" ..    the same of a subject file; without a version it is "skewed", which
 ///                            needs no tendons
-///   "human:tendons:wrapped"  the same on another model of tendon paths: via (if left out), fitted
-///                            or wrapped
-///   "human:skewed:passive-off", "human:tendons:wrapped:passive-off"
+///   "human:tendons:via"      the same on another model of tendon paths: via, fitted or wrapped; if
+///                            left out, wrapped where the subject states surfaces
+///   "human:skewed:passive-off", "human:tendons:via:passive-off"
 ///                            the same without passive moments of joints
 ///   "human:tier1" ..         the old names of the four versions, in this order
 ///   "barrett"                robots/barrett.toml of the first place that has it
@@ -53,17 +54,18 @@ struct HandSource {
 ///         that is no hand; DataError where a file is wrong.
 [[nodiscard]] HandSource find_hand(const std::string& name, const std::vector<std::string>& places);
 
-/// Builds the hand that find_hand() finds. @throws InputError, DataError as find_hand()
+/// Builds the hand that find_hand() finds. Paths that its name states prevail over those of the
+/// options. @throws InputError, DataError as find_hand()
 [[nodiscard]] NamedHand hand_by_name(const std::string& name,
                                      const std::vector<std::string>& places,
                                      const HumanHandOptions& options = {});
 
-/// The name of a hand, with an old name of its version replaced: "human:tier4:wrapped" becomes
-/// "human:tendons:wrapped". Other names stay as they are.
+/// The name of a hand, with an old name of its version replaced: "human:tier4:via" becomes
+/// "human:tendons:via". Other names stay as they are.
 [[nodiscard]] std::string current_hand_name(const std::string& name);
 
 /// The end of a name that says which version of a human hand is meant, and which tendon paths:
-/// ":tendons:wrapped"; "" if it says none.
+/// ":tendons:via"; "" if it says none.
 [[nodiscard]] std::string version_of_hand(const std::string& name);
 
 /// The file of the robot of that name, PLACE/robots/NAME.toml; "" if there is none.

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <sstream>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -48,6 +50,7 @@ void add_json_record(const std::string& path, const std::string& text, RecordedR
   out.run.folder = first_text(members, "folder");
   out.run.date = first_text(members, "date");
   out.run.commit = first_text(members, "commit");
+  out.version = first_text(members, "thenar");
   const std::string start = "sha256 ";
   for (const auto& [name, texts] : members)
     if (texts.size() == 1 && texts.front().compare(0, start.size(), start) == 0)
@@ -74,6 +77,7 @@ void add_result_record(const std::string& path, RecordedRun& out) {
   add_inputs(texts, "/", out);
   out.run = {arguments_of(texts["provenance/command"]), texts["provenance/folder"],
              texts["provenance/commit"], texts["provenance/date"]};
+  out.version = texts["provenance/versions/thenar"];
 }
 
 void add_posterior_record(const std::string& path, RecordedRun& out) {
@@ -81,6 +85,7 @@ void add_posterior_record(const std::string& path, RecordedRun& out) {
   add_inputs(texts, "_", out);
   out.run = {arguments_of(texts["run_command"]), texts["run_folder"], texts["run_commit"],
              texts["run_date"]};
+  out.version = texts["version_thenar"];
 }
 
 /// Whether an input that is not there was a file, and not the name of what is built in.
@@ -108,6 +113,15 @@ void compare_commits(RecordedRun& out) {
   if (out.run.commit.empty() || now.empty() || out.run.commit == now) return;
   out.warnings.push_back(fmt::format("it was written by commit {}, this program is of commit {}",
                                      out.run.commit.substr(0, kShown), now.substr(0, kShown)));
+}
+
+/// Whether a version, "0.1.0", came before another; one that is not told did.
+bool is_before(const std::string& version, int major, int minor) {
+  int its_major = 0, its_minor = 0;
+  char dot = 0;
+  std::istringstream numbers(version);
+  if (!(numbers >> its_major >> dot >> its_minor)) return true;
+  return std::make_pair(its_major, its_minor) < std::make_pair(major, minor);
 }
 
 }  // namespace
@@ -141,6 +155,20 @@ void require_repeatable(const RecordedRun& recorded, const std::vector<std::stri
   require(fs::is_directory(recorded.run.folder, none),
           "the folder of the run, '{}', is gone; the command was: {}", recorded.run.folder,
           command_line(recorded.run));
+}
+
+RecordedRun on_its_paths(RecordedRun recorded, bool takes_path) {
+  std::vector<std::string>& arguments = recorded.run.arguments;
+  const bool stated =
+      std::any_of(arguments.begin(), arguments.end(), [](const std::string& argument) {
+        return argument == "--path" || argument.rfind("--path=", 0) == 0;
+      });
+  if (!takes_path || stated || !is_before(recorded.version, 0, 2)) return recorded;
+  arguments.insert(arguments.end(), {"--path", "via"});
+  recorded.warnings.emplace_back(
+      "before version 0.2 tendons ran straight where no paths were asked for: '--path via' is "
+      "added");
+  return recorded;
 }
 
 }  // namespace thenar

@@ -14,6 +14,7 @@ namespace thenar {
 struct RecordedRun {
   std::string file;                           // that records it
   RunRecord run;                              // arguments, folder, commit and date
+  std::string version;                        // of thenar that wrote it; empty: it does not say
   std::map<std::string, std::string> inputs;  // path, as the run saw it -> SHA-256
   int compared = 0;                           // inputs that are files, or were
   int changed = 0;                            // of these: others now, or gone
@@ -29,5 +30,10 @@ struct RecordedRun {
 /// @param commands  names of the subcommands: "fit", "pose" ..
 /// @throws InputError so, or if the folder of the run is gone.
 void require_repeatable(const RecordedRun& recorded, const std::vector<std::string>& commands);
+
+/// The run with its tendon paths stated. Where none were asked for they were straight before
+/// version 0.2 and are default_path() since: "--path via" is added to a run of before, and told.
+/// @param takes_path  whether the command has the option --path
+[[nodiscard]] RecordedRun on_its_paths(RecordedRun recorded, bool takes_path);
 
 }  // namespace thenar

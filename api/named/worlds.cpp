@@ -32,6 +32,7 @@ constexpr double kOutside = 1e-9;  // of limits that is still inside, as closing
 HumanHandOptions human_of(const WorldRequest& request, const Progress& progress) {
   HumanHandOptions human;
   human.passive = request.passive;
+  human.path = request.path;
   human.skin.drawn = request.pictures ? kSmooth : 0;
   human.skin.progress = progress;
   return human;

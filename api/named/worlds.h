@@ -2,6 +2,7 @@
 
 /// Worlds by name, and their hands, built, with the arms that carry them.
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -31,6 +32,8 @@ struct WorldRequest {
   std::string data;          // folder with worlds/, robots/ ..; empty: the usual ones
   bool pictures = false;     // whether it will be drawn: human hands finer than they touch
   PassiveMoments passive = PassiveMoments::kOn;  // of human hands whose names do not leave them out
+  std::optional<Path> path;  // of tendons of a human hand whose name states none; absent:
+                             // default_path()
 };
 
 /// A world with one of its hands, ready to be asked.

@@ -7,6 +7,7 @@
 #include "base/error.h"
 #include "base/outside_path.h"
 #include "base/progress_parts.h"
+#include "base/rung_names.h"
 #include "data/io/result_layout.h"
 #include "dynamics/mechanism/tree_motion.h"
 
@@ -67,6 +68,15 @@ class RunReader {
     return out;
   }
 
+  /// Rung of tendon paths of human hands that the scene leaves open. Older files name none: their
+  /// tendons ran straight.
+  [[nodiscard]] std::optional<Path> path_asked() const {
+    const std::string name = file_.text_or_none("rungs/path");
+    if (name.empty()) return Path::kViaPoint;
+    if (name == kSubjectsPaths) return {};
+    return path_named(name);
+  }
+
   void rebuild() {
     const std::string scene = recorded_path("inputs/1/path");
     const std::string text = file_.text_or_none("inputs/1/text");
@@ -97,7 +107,8 @@ class RunReader {
     if (on_pins) spec.compliances.clear();
     // Rungs of pads change no body; this one needs no file but the scene's.
     for (ScenePadSpec& pad : spec.pads) pad.rung = "hard-point";
-    BuiltScene built = build_scene(spec, hands_of_scene(spec, data_, spec.files));
+    out_.path = path_asked();
+    BuiltScene built = build_scene(spec, hands_of_scene(spec, data_, spec.files, out_.path));
     const std::vector<std::string>& names = file_.list("name/body");
     const std::vector<MechanismBody>& bodies = built.scene.mechanism.bodies;
     if (names.size() != bodies.size()) return false;

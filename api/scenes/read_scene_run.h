@@ -12,8 +12,9 @@ namespace thenar {
 
 /// A run as write_scene_run() wrote it, with its scene built again.
 struct RecordedScene {
-  std::string name;  // of the scene
-  BuiltScene built;  // from the texts that the file keeps, and what they name
+  std::string name;          // of the scene
+  BuiltScene built;          // from the texts that the file keeps, and what they name
+  std::optional<Path> path;  // SceneRequest::path of the run; via points in files of before 0.2
   std::optional<Camera> camera;
   std::vector<SceneSample> samples;  // at least one, by rising time; z and w are not kept
   std::vector<std::string> muscles;  // "human:skewed/index/FDP2"

@@ -41,9 +41,11 @@ std::string scene_file(const SceneRequest& request) {
 }
 
 /// What a hand is built from, by its file or name.
+/// @param path   of tendons of a human hand that states none
 /// @param files  get those that were read for it
 SceneHand hand_of(const SceneSpec& scene, const SceneHandSpec& hand,
-                  const std::vector<std::string>& places, FileDigests& files) {
+                  const std::optional<Path>& path, const std::vector<std::string>& places,
+                  FileDigests& files) {
   std::string name = hand.placed.file.empty()
                          ? hand.placed.name
                          : (fs::path(scene.folder) / hand.placed.file).string();
@@ -62,7 +64,7 @@ SceneHand hand_of(const SceneSpec& scene, const SceneHandSpec& hand,
   }
   HumanModel human{source.file.empty() ? default_human() : read_subject(source.file),
                    human_version(source.version)};
-  if (!source.path.empty()) human.options.path = path_named(source.path);
+  human.options.path = source.path.empty() ? path : path_named(source.path);
   human.options.passive = hand.passive.value_or(true) ? source.passive : PassiveMoments::kOff;
   human.options.skin.drawn = kDrawnSkin;
   if (hand.skin_triangles > 0) human.options.skin.triangles = hand.skin_triangles;
@@ -107,6 +109,7 @@ SimulatedScene simulated(const RequestedScene& read,
   out.sources = read.open.sources;
   out.files = read.open.files;
   out.varied = numbers;
+  out.path = read.path;
   auto built = std::make_shared<BuiltScene>(read.open.built);
   for (const auto& [name, value] : numbers) set_number(*built, name, value);
   out.run = done ? std::move(*done) : simulate_by_method(built->scene, built->options, progress);
@@ -187,31 +190,32 @@ bool is_scene(const std::string& name_or_path, const std::string& data) {
 }
 
 std::vector<SceneHand> hands_of_scene(const SceneSpec& scene, const std::string& data,
-                                      FileDigests& files) {
+                                      FileDigests& files, const std::optional<Path>& path) {
   const std::vector<std::string> places = data_for(scene.folder, data);
   std::vector<SceneHand> hands;
   for (const SceneHandSpec& hand : scene.hands)
-    hands.push_back(hand_of(scene, hand, places, files));
+    hands.push_back(hand_of(scene, hand, path, places, files));
   return hands;
 }
 
-OpenScene open_scene(const SceneSpec& scene, const std::string& data) {
+OpenScene open_scene(const SceneSpec& scene, const std::string& data,
+                     const std::optional<Path>& path) {
   OpenScene out;
   out.files = scene.files;
-  out.built = build_scene(scene, hands_of_scene(scene, data, out.files));
+  out.built = build_scene(scene, hands_of_scene(scene, data, out.files, path));
   out.sources = texts_of(scene.path, out.files);
   return out;
 }
 
 RequestedScene open_requested_scene(const SceneRequest& request) {
-  RequestedScene read{read_scene(scene_file(request)), {}};
+  RequestedScene read{read_scene(scene_file(request)), {}, request.path};
   if (request.on_pins) read.spec.compliances.clear();
   if (!request.pads.empty()) {
     (void)index_of_name(request.pads, pad_rung_names(), "rung of pads");
     require(!read.spec.pads.empty(), "'{}' has no [[pad]]", read.spec.name);
     for (ScenePadSpec& pad : read.spec.pads) pad.rung = request.pads;
   }
-  read.open = open_scene(read.spec, request.data);
+  read.open = open_scene(read.spec, request.data, request.path);
   SceneOptions& options = read.open.built.options;
   if (!request.method.empty())
     options.method =
@@ -491,6 +495,7 @@ void add_names(const SimulatedScene& scene, ResultFile& file) {
   file.add("name/energy_part", std::vector<std::string>{"kinetic", "weight", "springs"});
   file.add("name/contact_mode", std::vector<std::string>{"open", "stick", "slide"});
   file.add("method", stepping_names()[static_cast<std::size_t>(scene.built->options.method)]);
+  file.add("rungs/path", asked_paths(scene.path));
 }
 
 }  // namespace

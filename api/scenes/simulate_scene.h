@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "base/fidelity.h"
 #include "base/progress.h"
 #include "base/run_record.h"
 #include "dynamics/scene/build_scene.h"
@@ -33,6 +34,8 @@ struct SceneRequest {
   std::string data;   // folder with scenes/, robots/ ..; empty: the usual ones
   std::string method;
   std::string pads;                  // rung of all its [[pad]], of pad_rung_names()
+  std::optional<Path> path = {};     // of tendons of human hands that state none; absent:
+                                     // default_path()
   bool on_pins = false;              // without its [[compliance]]: no joint gives
   std::optional<double> seconds;     // how long [s]
   std::optional<double> sample;      // between the instants that are kept [s]
@@ -47,6 +50,7 @@ struct [[nodiscard]] SimulatedScene {
   std::optional<Camera> camera;
   std::shared_ptr<const BuiltScene> built;  // what moved, and what was assumed; never null
   std::vector<std::pair<std::string, double>> varied;  // numbers that are not as in the file
+  std::optional<Path> path;                            // as of the request
   SceneRun run;                                        // read run.status first
   RunMeasures measures;
   std::vector<SourceText> sources;  // scene, hands, objects, materials; meshes are in `files` only
@@ -75,24 +79,28 @@ struct OpenScene {
   FileDigests files;
 };
 /// @param data  folder with robots/ ..; empty: the usual ones
+/// @param path  of tendons of human hands that state none; absent: default_path()
 /// @throws DataError at the line of what does not fit, InputError if a hand is not to be found.
-[[nodiscard]] OpenScene open_scene(const SceneSpec& scene, const std::string& data = "");
+[[nodiscard]] OpenScene open_scene(const SceneSpec& scene, const std::string& data = "",
+                                   const std::optional<Path>& path = {});
 
 /// A scene as its file and a request have it.
 struct RequestedScene {
   SceneSpec spec;
   OpenScene open;
+  std::optional<Path> path = {};  // as of the request
 };
 /// Reads and opens the scene that is asked for, with the method, pads and times of the request.
 /// @throws as open_scene(), or InputError where the request names what is not there.
 [[nodiscard]] RequestedScene open_requested_scene(const SceneRequest& request);
 
 /// What the hands of a scene are built from, in their order.
-/// @param data   as of open_scene()
+/// @param data, path  as of open_scene()
 /// @param files  get those that were read for them
 /// @throws as open_scene()
 [[nodiscard]] std::vector<SceneHand> hands_of_scene(const SceneSpec& scene, const std::string& data,
-                                                    FileDigests& files);
+                                                    FileDigests& files,
+                                                    const std::optional<Path>& path = {});
 
 /// Simulates one run of a scene; `request.vary` must be empty.
 /// @throws InputError or DataError saying what is unknown or wrong.

@@ -435,6 +435,7 @@ JsonNode next_provenance(const JsonNode& before, const RunRecord& run, const Fil
   JsonNode next;
   next.set("command", command_line(run)).set("folder", run.folder).set("date", run.date);
   if (!run.commit.empty()) next.set("commit", run.commit);
+  next.set("thenar", versions().at("thenar"));
   for (const auto& [path, digest] : files) next.set(path, kFileMark + digest);
   if (!earlier.items.empty()) next.set(kEarlierRuns, earlier);
   return next;

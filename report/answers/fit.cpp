@@ -265,6 +265,7 @@ OrderedJson json_of(const FitResult& result) {
            {"seconds", fit.solution.seconds},
            {"free_coordinates", fit.problem.size()},
            {"effective_parameters", fit.covariance.effective_parameters},
+           {"fidelity", describe(fit.problem.digit().fidelity)},
            {"warnings", result.warnings}};
   if (fit.solution.status == Status::kSolved) out["learnt"] = learnt_json(fit);
   for (std::size_t e = 0; e < result.in_sample.size(); ++e)

@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "base/rung_names.h"
 #include "data/io/robot/import_robot.h"
 #include "grasp/closing/closing_drives.h"
 #include "grasp/limits/force_set.h"
@@ -180,6 +181,11 @@ OrderedJson mesh_json(const WrenchSetMesh& picture) {
           {"triangles", to_json(Eigen::MatrixXi(picture.mesh.triangles.transpose()))}};
 }
 
+/// Rung of the tendon paths of a human hand; null of a robot.
+OrderedJson paths_json(const NamedHand& hand) {
+  return hand.path == Path::kNone ? OrderedJson(nullptr) : OrderedJson(name_of(hand.path));
+}
+
 /// -0 is no answer.
 void drop_signs_of_zeros(OrderedJson& json) {
   // The whole, its parts and theirs.
@@ -276,6 +282,7 @@ OrderedJson json_of(const GraspResult& result) {
   OrderedJson json{
       {"world", result.setting.path},
       {"hand", result.setting.hand.named.name},
+      {"tendon_paths", paths_json(result.setting.hand.named)},
       {"object", result.setting.scene.object.name},
       {"outcome", grasp.outcome == GraspOutcome::kGrasped && !grasp.quality.force_closure
                       ? "touched"

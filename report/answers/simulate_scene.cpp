@@ -7,6 +7,7 @@
 #include <fmt/ranges.h>
 #include <Eigen/Geometry>
 
+#include "base/rung_names.h"
 #include "base/units.h"
 #include "dynamics/human/joint_stops.h"
 #include "hand/passive_moment.h"
@@ -285,7 +286,10 @@ OrderedJson json_of(const SimulatedScene& scene) {
   if (const OrderedJson passive = passive_json(scene); !passive.is_null())
     json["passive_moment_Nm"] = passive;
   json["pairs"] = pairs_json(scene);
-  if (!scene.measures.pulls.muscles.empty()) json["muscles"] = muscles_json(scene);
+  if (!scene.measures.pulls.muscles.empty()) {
+    json["tendon_paths"] = asked_paths(scene.path);
+    json["muscles"] = muscles_json(scene);
+  }
   json["warnings"] = warnings_of(scene);
   return json;
 }

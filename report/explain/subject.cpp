@@ -97,7 +97,11 @@ Section explain_questions(const TendonDigit& built) {
        {{"pose", "posed, hinge axes", "yes"},
         {"tip-force", "static, constant moment arms or richer", tendons},
         {"feasible-force", "static, constant moment arms or richer, F0 of every muscle", limits},
-        {"fit, predict", "static, constant moment arms or richer, an experiment", tendons}}}};
+        {"fit, predict",
+         built.fidelity.path < Path::kFitted
+             ? "static, constant moment arms or richer, an experiment"
+             : "static, constant moment arms or via points, on which they stay, an experiment",
+         tendons}}}};
 }
 
 Section explain_muscles(const Subject& subject, const std::vector<std::string>& kept) {

@@ -46,22 +46,26 @@ std::map<std::string, double> frozen_joints(const Subject& subject,
 
 bool has_tendons(const Subject& subject) { return !subject.muscles.empty(); }
 
-/// Path rung that the digit's strands can stand on.
+/// Path rung that the subject's strands can stand on: those that state arms instead of points have
+/// no path.
+Path path_of(const Subject& subject, const std::optional<Path>& asked) {
+  const bool arms = std::all_of(subject.strands.begin(), subject.strands.end(),
+                                [](const Strand& strand) { return strand.path.empty(); });
+  return arms ? Path::kConstant : asked.value_or(default_path(subject));
+}
+
 TendonOptions tendon_options(const Subject& subject, const std::string& digit,
-                             const std::map<std::string, double>& frozen, Path path) {
+                             const std::map<std::string, double>& frozen,
+                             const std::optional<Path>& path) {
   TendonOptions options;
   // Frozen joints that this subject has.
-  options.path = path;
+  options.path = path_of(subject, path);
   for (const auto& [joint, angle] : frozen)
     for (const JointAxis& each : subject.joints)
       if (each.name == joint) options.frozen[joint] = angle;
   // Its hood, if the subject states one.
   for (const Digit& each : subject.digits)
     if (each.name == digit) options.hood = each.hood ? Hood::kFractions : Hood::kSeparate;
-  // Subjects that state arms instead of points have strands without a path.
-  if (std::all_of(subject.strands.begin(), subject.strands.end(),
-                  [](const Strand& strand) { return strand.path.empty(); }))
-    options.path = Path::kConstant;
   return options;
 }
 
@@ -82,8 +86,8 @@ std::unique_ptr<DigitTendons> net_or_less(const Subject& subject, const std::str
 enum class Extensors { kLinear, kNet };
 
 HandTendons hand_tendons(const Subject& subject, Extensors extensors,
-                         const std::map<std::string, double>& frozen, Path path,
-                         std::vector<std::string>& warnings) {
+                         const std::map<std::string, double>& frozen,
+                         const std::optional<Path>& path, std::vector<std::string>& warnings) {
   HandTendons tendons;
   std::vector<std::string> muscles;
   // Tendons of each digit, and all muscles once.
@@ -118,20 +122,28 @@ std::map<std::string, std::pair<double, double>> named_strength(const Skeleton& 
   return strength;
 }
 
-const std::map<std::string, std::pair<double, double>>& default_strength() {
-  static const auto strength = [] {
+/// Strength of the joints of default_human() on a rung of paths.
+const std::map<std::string, std::pair<double, double>>& default_strength(
+    const std::optional<Path>& path) {
+  const auto on = [](const std::optional<Path>& rung) {
     const Subject& human = default_human();
     const auto frozen = frozen_joints(human, {});
     std::vector<std::string> unheard;
     return named_strength(build_skeleton(human, {{}, frozen}),
-                          hand_tendons(human, Extensors::kNet, frozen, Path::kViaPoint, unheard));
-  }();
-  return strength;
+                          hand_tendons(human, Extensors::kNet, frozen, rung, unheard));
+  };
+  // Fitted paths are near wrapped ones, and dear to build.
+  if (path == Path::kViaPoint) {
+    static const auto straight = on(Path::kViaPoint);
+    return straight;
+  }
+  static const auto wrapped = on({});
+  return wrapped;
 }
 
 TorqueLimits motor_limits(const Subject& subject, const HandAnatomy& anatomy,
                           const Skeleton& skeleton, const std::map<std::string, double>& frozen,
-                          Path path, std::vector<std::string>& warnings) {
+                          const std::optional<Path>& path, std::vector<std::string>& warnings) {
   // Limits from the subject's own tendons.
   std::map<std::string, std::pair<double, double>> own;
   if (has_tendons(subject)) try {
@@ -151,9 +163,9 @@ TorqueLimits motor_limits(const Subject& subject, const HandAnatomy& anatomy,
     auto found = own.find(joint);
     double by = 1;
     if (found == own.end()) {
-      const auto other = default_strength().find(joint);
-      require(other != default_strength().end(), "nothing tells how strong joint '{}' of '{}' is",
-              joint, subject.name);
+      const auto other = default_strength(path).find(joint);
+      require(other != default_strength(path).end(),
+              "nothing tells how strong joint '{}' of '{}' is", joint, subject.name);
       found = own.emplace(joint, other->second).first;
       by = scale;
       borrowed += (borrowed.empty() ? "" : ", ") + joint;
@@ -214,6 +226,8 @@ HumanHand build_human_hand(const Subject& measured, HumanVersion version,
   human.patches = skin_patches(anatomy, skeleton);
   human.targets = kapandji_targets(anatomy, skeleton);
   human.skeleton = skeleton;
+  human.path = has_tendons(variant) ? path_of(variant, options.path)
+                                    : path_of(default_human(), options.path);
   human.warnings = anatomy.warnings;
   std::vector<LinkSurface> surfaces = covered(subject, skeleton, options);
   if (version >= HumanVersion::kSoftPads) put_pads(anatomy, surfaces);

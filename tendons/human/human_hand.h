@@ -4,6 +4,7 @@
 
 #include <map>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -36,7 +37,8 @@ enum class Cover {
 struct HumanHandOptions {
   Cover cover = Cover::kSkin;
   SkinOptions skin;
-  Path path = Path::kViaPoint;           // of tendons; subjects with arms alone have these
+  std::optional<Path> path;  // of tendons; absent: default_path(). Subjects with arms alone have
+                             // these
   std::map<std::string, double> frozen;  // joint -> the angle it is frozen at [rad]; the wrist: 0
   PassiveMoments passive = PassiveMoments::kOn;  // whether those of the subject are counted
 };
@@ -46,6 +48,7 @@ struct HumanHand {
   std::unique_ptr<Hand> hand;
   Skeleton skeleton;                      // its bones
   ContactModel contact;                   // hard points, or soft fingers from kSoftPads on
+  Path path = Path::kNone;                // of the tendons that move it, or give its motors' limits
   std::vector<SkinPatch> patches;         // pads and nails
   std::vector<OppositionTarget> targets;  // of Kapandji's score
   std::vector<std::string> warnings;      // what was assumed, left out or put on a lower rung

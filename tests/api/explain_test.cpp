@@ -41,6 +41,14 @@ TEST(ExplainThing, TakesSettingsByName) {
             explain_thing(request_for("an_chao_index")).digit->parameters.coordinates());
 }
 
+TEST(ExplainThing, BuildsTheDefaultPathsOfTheSubject) {
+  const auto path_of = [](const std::string& subject) {
+    return explain_thing(request_for(subject, "index")).digit->tendons->digit().fidelity.path;
+  };
+  EXPECT_EQ(path_of("mirakhorlo2016"), Path::kWrapped);
+  EXPECT_EQ(path_of("an_chao_index"), Path::kViaPoint);
+}
+
 TEST(ExplainThing, LeavesMapsWithoutBones) {
   const ThingExplained found = explain_thing(request_for("valero_cuevas_index"));
   EXPECT_EQ(found.digit->tendons, nullptr);

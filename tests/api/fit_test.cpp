@@ -26,6 +26,28 @@ TEST_F(FitQuestion, TakesSubjectsAndExperimentsByName) {
   EXPECT_THROW((void)read_fit_inputs(other), InputError);
 }
 
+// Their force kernel does not wrap.
+TEST_F(FitQuestion, RefusesPathsThatAFitCannotHave) {
+  FitSources wrapped = sources();
+  wrapped.path = Path::kWrapped;
+  EXPECT_EQ(message_of([&] { (void)read_fit_inputs(wrapped); }),
+            "the force model of a fit runs tendons straight between via points, as its kernel does "
+            "not wrap: wanted paths 'via', got 'wrapped'");
+  EXPECT_NO_THROW(require_fit_path(Path::kViaPoint));
+  EXPECT_NO_THROW(require_fit_path({}));
+  EXPECT_THROW(require_fit_path(Path::kFitted), InputError);
+}
+
+// A fit of a subject with surfaces stays on straight paths, and says so.
+TEST_F(FitQuestion, TellsWhereOtherQuestionsWrap) {
+  FitInputs inputs;
+  inputs.subject = read_source(THENAR_DATA_DIR "/subjects/synek2019_middle.toml");
+  EXPECT_TRUE(path_cautions(inputs).empty());
+  inputs.subject = read_source(THENAR_DATA_DIR "/subjects/mirakhorlo2016.toml");
+  ASSERT_EQ(path_cautions(inputs).size(), 1U);
+  EXPECT_NE(path_cautions(inputs).front().find("straight between via points"), std::string::npos);
+}
+
 // A fit cannot be worse on what it has seen than where it started, priors included.
 TEST_F(FitQuestion, WritesItsFileWithTheRunAndPredictsWhatItHasSeen) {
   FitRequest request;

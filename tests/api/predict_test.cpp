@@ -47,6 +47,15 @@ TEST_F(PredictQuestion, PredictsAsTheFitDoesAndAStrangerLessSurely) {
             own.experiments[0].prediction.trials[0].sd.norm());
 }
 
+TEST_F(PredictQuestion, RefusesWrappedPathsWithTheReason) {
+  PredictRequest request;
+  request.fit = "fit.h5";
+  request.experiments = {"synek2019_H01"};
+  request.path = Path::kWrapped;
+  EXPECT_NE(message_of([&] { (void)predict_forces(request); }).find("kernel does not wrap"),
+            std::string::npos);
+}
+
 TEST_F(PredictQuestion, RefusesAnythingButAFit) {
   PredictRequest request;
   request.fit = THENAR_DATA_DIR "/subjects/synek2019_middle.toml";

@@ -54,6 +54,38 @@ TEST(AskTipForce, KeepsWhatIsDoneWhenStopped) {
   EXPECT_EQ(answer.about.asked(), 7u);
 }
 
+/// The index finger of the whole hand of [Mirakhorlo2016], pulled by its deep flexor and the
+/// lumbrical that rides on it.
+TipForceRequest pulled_index_finger() {
+  TipForceRequest request;
+  request.digit.subject = "mirakhorlo2016";
+  request.digit.digit = "index";
+  request.digit.data = kData;
+  request.digit.posture = {{{"MCP2_FE", 60}, {"PIP2", 60}, {"DIP2", 30}}, {}, PostureUnit::kTyped};
+  request.tension = {{"FDP2", 10}, {"LU1", 5}};
+  return request;
+}
+
+// Proximal, dorsal, radial [N], by a program of its own: lengths of strings over cylinders in
+// closed form, the lumbrical's origin at its place along the flexor, arms as differences of
+// lengths, along the axes of the tip as the file rounds them, to six digits.
+TEST(AskTipForce, WrapsWhereTheSubjectStatesSurfaces) {
+  const TipForceAnswer answer = ask_tip_force(pulled_index_finger());
+  const TipForcePoint& point = answer.points.front();
+  EXPECT_TRUE(matrix_near(Eigen::Vector3d(point.tip_axes->transpose() * point.force),
+                          Eigen::Vector3d(-1.909196, -0.292375, 0.511426), 5e-6));
+  EXPECT_NE(answer.about.built.find("wrapped"), std::string::npos);
+}
+
+// Straight paths leave the lumbrical's origin on the metacarpal: it has no arm at PIP and DIP.
+TEST(AskTipForce, RunsStraightWhereThatIsAsked) {
+  TipForceRequest request = pulled_index_finger();
+  request.digit.path = Path::kViaPoint;
+  const TipForcePoint point = ask_tip_force(request).points.front();
+  EXPECT_TRUE(matrix_near(Eigen::Vector3d(point.tip_axes->transpose() * point.force),
+                          Eigen::Vector3d(-2.22, -1.07, -0.26), 0.005));
+}
+
 TEST(AskTipForce, RefusesATensionThatNoTendonBears) {
   TipForceRequest request = flexed_middle_finger();
   request.tension["FDP"] = 1e6;

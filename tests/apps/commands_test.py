@@ -633,6 +633,29 @@ class Tendon(Near):
         self.assertNotAlmostEqual(answers["via"]["magnitude_N"],
                                   answers["wrapped"]["magnitude_N"], 3)
 
+    def test_every_question_wraps_unless_another_path_is_named(self):
+        finger = ("--digit", "index", "--posture", "MCP2_FE=60", "PIP2=60", "DIP2=30")
+        pulled = (*finger, "--tension", "FDP2=3", "LU1=1")
+        questions = {
+            "explain": lambda *path: ask("explain", "mirakhorlo2016", "--digit", "index", *path)["fidelity"],
+            "moment-arms": lambda *path: ask("moment-arms", "mirakhorlo2016", *finger, *path),
+            "tip-force": lambda *path: ask("tip-force", "mirakhorlo2016", *pulled, *path),
+            "feasible-force": lambda *path: ask("feasible-force", "mirakhorlo2016", *finger, "--direction", 0, -1, 0,
+                                                "--axes", "tip", *path),
+            "tendon solve": lambda *path: ask("tendon", "solve", "mirakhorlo2016", *pulled, "--hood", "separate", *path),
+            "simulate": lambda *path: ask("simulate", "mirakhorlo2016", "--digit", "index", "--excitation", "LU1=0.1",
+                                          "--muscle", "bounds", "--seconds", 0.02, *path)}
+        for name, question in questions.items():
+            with self.subTest(question=name):
+                unasked = question()
+                self.assertEqual(unasked, question("--path", "wrapped"))
+                self.assertNotEqual(unasked, question("--path", "via"))
+
+    def test_a_fit_refuses_to_wrap_and_says_why(self):
+        for words in (("fit", H01, "--subject", MIDDLE), ("predict", "fit.h5", H01),
+                      ("posterior", "predict", "P.nc", H01)):
+            self.assertIn("kernel does not wrap", complaint(*words, "--path", "wrapped"))
+
     def test_collapsing_arm_is_told(self):
         words = ("tip-force", SUBJECTS / "mirakhorlo2016.toml", "--digit", "index", "--tension",
                  "FDP2=10", "--posture")
@@ -864,6 +887,25 @@ class Rerun(unittest.TestCase):
             again = run("rerun", pathlib.Path(folder) / "b.json")
             self.assertEqual(again.returncode, 0, again.stderr)
             self.assertEqual(json.loads(file.read_text())["trials"], first["trials"])
+
+    def test_repeats_older_answers_on_straight_paths(self):
+        words = ["tip-force", "mirakhorlo2016", "--digit", "index", "--posture", "MCP2_FE=60", "PIP2=60", "DIP2=30",
+                 "--tension", "FDP2=10", "LU1=5", "-o", "a.json"]
+        with tempfile.TemporaryDirectory() as name:
+            file = pathlib.Path(name) / "a.json"
+            subprocess.run([PROGRAM, *words], cwd=name, check=True, capture_output=True)
+            answer = json.loads(file.read_text())
+            self.assertIn("wrapped", answer["fidelity"])
+            self.assertEqual(ask("rerun", file)["arguments"], words)
+            # Before 0.2 files of this kind named no version.
+            del answer["provenance"]["thenar"]
+            old = pathlib.Path(name) / "old.json"
+            old.write_text(json.dumps(answer))
+            told = ask("rerun", old)
+            self.assertEqual(told["arguments"], [*words, "--path", "via"])
+            self.assertIn("'--path via' is added", told["warnings"][-1])
+            self.assertEqual(run("rerun", old).returncode, 0)
+            self.assertIn("via points", json.loads(file.read_text())["fidelity"])
 
     def test_names_every_input_that_changed(self):
         # A world names a robot and an object, and the object a mesh: four files in all.

@@ -3,6 +3,9 @@
 #include "tendons/linear_tendons.h"
 
 #include <algorithm>
+#include <cmath>
+#include <random>
+#include <string>
 
 #include <gtest/gtest.h>
 
@@ -117,6 +120,74 @@ TEST(LinearTendons, FitsStayNearTheWrappedPaths) {
 TEST(LinearTendons, SayThatTheyWrap) {
   const auto wrapped = build_linear_tendons(whole_hand(), "index", rung(Path::kWrapped));
   EXPECT_EQ(wrapped->digit().fidelity.path, Path::kWrapped);
+}
+
+TEST(DefaultPath, WrapsWhereTheSubjectStatesSurfaces) {
+  EXPECT_EQ(default_path(whole_hand()), Path::kWrapped);
+  EXPECT_EQ(default_path(middle_finger()), Path::kViaPoint);
+}
+
+TEST(DefaultPath, WrapsWhereATendonRidesOnAnother) {
+  Subject hand = whole_hand();
+  hand.surfaces.clear();
+  for (Strand& strand : hand.strands) {
+    auto& path = strand.path;
+    path.erase(std::remove_if(path.begin(), path.end(),
+                              [](const PathPoint& point) { return !point.surface.empty(); }),
+               path.end());
+  }
+  EXPECT_EQ(default_path(hand), Path::kWrapped);
+  for (Strand& strand : hand.strands)
+    if (!strand.path.empty()) strand.path.back().rides_on.clear();
+  EXPECT_EQ(default_path(hand), Path::kViaPoint);
+}
+
+// Virtual work, of every digit of the subjects that state surfaces: R = -dL/dq. Central differences
+// of 1e-5 rad leave some 1e-12 m/rad of the lengths' rounding and 1e-10 of their third derivatives;
+// where a path jumps or has a step nearby, two differences disagree and the posture is left out.
+TEST(LinearTendons, ArmsAreMinusSlopesOfLengths) {
+  constexpr double kStep = 1e-5;   // [rad]
+  constexpr double kAlike = 1e-8;  // of two differences [m/rad]
+  std::mt19937 random(7);
+  std::uniform_real_distribution<double> share(0.02, 0.98);
+  int compared = 0, left_out = 0;
+  for (const char* name : {"mirakhorlo2016", "human_hand", "myohand_thumb"}) {
+    const Subject subject =
+        read_subject(std::string(THENAR_DATA_DIR "/subjects/") + name + ".toml");
+    for (const Digit& digit : subject.digits) {
+      const auto tendons = build_linear_tendons(subject, digit.name, rung(default_path(subject)));
+      ASSERT_EQ(tendons->digit().fidelity.path, Path::kWrapped);
+      const auto& limits = tendons->digit().skeleton.limits;
+      const VectorXd t = VectorXd::Zero(tendons->digit().names.muscles.size());
+      for (int trial = 0; trial < 20; ++trial) {
+        VectorXd q(tendons->digit().model.coordinates);
+        for (Eigen::Index j = 0; j < q.size(); ++j)
+          q[j] = limits[j].lower + share(random) * (limits[j].upper - limits[j].lower);
+        const TendonTorque pull = tendons->evaluate(q, t);
+        if (pull.status != TendonStatus::kValid) continue;
+        for (Eigen::Index j = 0; j < q.size(); ++j) {
+          const auto slope = [&](double h) -> VectorXd {
+            const VectorXd step = h * VectorXd::Unit(q.size(), j);
+            return (tendons->lengths(q - step, t, pull) - tendons->lengths(q + step, t, pull)) /
+                   (2 * h);
+          };
+          const VectorXd once = slope(kStep), twice = slope(2 * kStep);
+          for (Eigen::Index m = 0; m < t.size(); ++m) {
+            if (std::abs(once[m] - twice[m]) > kAlike) {
+              ++left_out;
+              continue;
+            }
+            ++compared;
+            EXPECT_NEAR(pull.R(m, j), once[m], kAlike)
+                << name << " " << tendons->digit().names.muscles[m] << " about "
+                << tendons->digit().names.coordinates[j];
+          }
+        }
+      }
+    }
+  }
+  EXPECT_GT(compared, 5000);
+  EXPECT_LT(left_out, compared / 100);
 }
 
 }  // namespace

@@ -69,6 +69,42 @@ TEST_F(RecordedRunFile, HoldsTheInstantsOfTheRun) {
   }
 }
 
+// Files of before 0.2 name no rung of tendon paths: they were straight.
+TEST_F(RecordedRunFile, IsBuiltAgainOnThePathsOfItsRun) {
+  const auto path_without = [&](const char* key) {
+    ResultFile file = read_result(path("run.h5"));
+    file.texts.erase(key);
+    write_result(file, path("old.h5"));
+    return read("old.h5").path;
+  };
+  (void)record("pendulum", 0.05, "run.h5");
+  EXPECT_EQ(read("run.h5").path, std::nullopt);
+  EXPECT_EQ(path_without("rungs/path"), Path::kViaPoint);
+  SceneRequest request;
+  request.scene = "pendulum";
+  request.data = kData;
+  request.seconds = 0.05;
+  request.path = Path::kWrapped;
+  write_scene_run(run_scene(request), path("run.h5"));
+  EXPECT_EQ(read("run.h5").path, Path::kWrapped);
+}
+
+TEST_F(RecordedRunFile, HandsTakeThePathsThatAreAskedForUnlessTheyNameOthers) {
+  const auto path_of = [&](const std::string& name, const std::optional<Path>& asked) {
+    const std::string file = path("hand.toml");
+    write_file(file,
+               "name = \"hand\"\nsource = \"Scene\"\n[sources]\nScene = \"Arranged\"\n"
+               "[[hand]]\nname = \"" +
+                   name + "\"\n[stepping]\nduration_s = 1\n");
+    SceneSpec spec = read_scene(file);
+    const std::vector<SceneHand> hands = hands_of_scene(spec, kData, spec.files, asked);
+    return std::get<HumanModel>(hands.front()).options.path;
+  };
+  EXPECT_EQ(path_of("human:skewed", {}), std::nullopt);
+  EXPECT_EQ(path_of("human:skewed", Path::kViaPoint), Path::kViaPoint);
+  EXPECT_EQ(path_of("human:tendons:wrapped", Path::kViaPoint), Path::kWrapped);
+}
+
 // Half way between two instants of a fall a body is half way between their places.
 TEST_F(RecordedRunFile, ShowsWhatIsBetweenInstants) {
   const SimulatedScene run = record("falling_ball", 0.1, "run.h5");

@@ -4,10 +4,13 @@
 
 #include <gtest/gtest.h>
 
+#include "base/file_io.h"
+#include "data/io/toml_node.h"
 #include "tendons/forces/tip_force.h"
 #include "tests/data_folder.h"
 #include "tests/matrix_near.h"
 #include "tests/message_of.h"
+#include "tests/temporary_folder.h"
 
 namespace thenar {
 namespace {
@@ -41,6 +44,45 @@ TEST(BuildDigit, BuildsANetWhereOneIsNamed) {
   ASSERT_NE(at.net, nullptr);
   EXPECT_EQ(at.sources.back().path, "winslow.toml");
   request.hood = Hood::kSeparate;
+  EXPECT_THROW((void)build_digit(request, Hood::kFractions), InputError);
+}
+
+TEST(BuildDigit, KeepsTheRungThatTheSubjectChose) {
+  DigitRequest request;
+  request.subject = "mirakhorlo2016";
+  request.digit = "index";
+  request.data = kData;
+  EXPECT_EQ(build_digit(request, Hood::kFractions).rungs.path, Path::kWrapped);
+  request.path = Path::kViaPoint;
+  EXPECT_EQ(build_digit(request, Hood::kFractions).rungs.path, Path::kViaPoint);
+  EXPECT_EQ(build_digit(middle_finger(), Hood::kFractions).rungs.path, Path::kViaPoint);
+}
+
+using DigitFile = TemporaryFolder;
+
+// A point of the extensor inside the knuckle's cylinder: no path, and no other in its place.
+TEST_F(DigitFile, RefusesPathsThatCannotWrapAndNamesOthers) {
+  std::string text = read_text_file(kData + "/subjects/mirakhorlo2016.toml");
+  const std::string radius = "radius_mm = 12.53";
+  text.replace(text.find(radius), radius.size(), "radius_mm = 20");
+  write_file(path("thick.toml"), text);
+  DigitRequest request;
+  request.subject = path("thick.toml");
+  request.digit = "index";
+  const std::string refusal = message_of([&] { (void)build_digit(request, Hood::kFractions); });
+  EXPECT_NE(refusal.find("MCP2_head"), std::string::npos) << refusal;
+  EXPECT_NE(refusal.find("straight ones, 'via', leave them out"), std::string::npos) << refusal;
+  request.path = Path::kViaPoint;
+  EXPECT_EQ(build_digit(request, Hood::kFractions).rungs.path, Path::kViaPoint);
+}
+
+TEST(BuildDigit, HasNoPathsInAMapButStraightOnes) {
+  DigitRequest request;
+  request.subject = "valero_cuevas_index";
+  request.data = kData;
+  request.path = Path::kViaPoint;
+  EXPECT_FALSE(build_digit(request, Hood::kFractions).map.empty());
+  request.path = Path::kWrapped;
   EXPECT_THROW((void)build_digit(request, Hood::kFractions), InputError);
 }
 

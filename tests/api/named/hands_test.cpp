@@ -19,6 +19,20 @@ TEST(FindHand, KnowsVersionsByTheirNamesAndByTheOldOnes) {
   EXPECT_EQ(find_hand("human:tier4:wrapped", {kData}).path, "wrapped");
 }
 
+TEST(HandByName, WrapsUnlessItsNameOrTheOptionsSayOtherwise) {
+  HumanHandOptions bare;
+  bare.cover = Cover::kNone;
+  const auto path_of = [&](const std::string& name) {
+    return hand_by_name(name, {kData}, bare).path;
+  };
+  EXPECT_EQ(path_of("human:tendons"), Path::kWrapped);
+  EXPECT_EQ(path_of("human:skewed"), Path::kWrapped);  // the rung of its motors' limits
+  EXPECT_EQ(path_of("human:tendons:via"), Path::kViaPoint);
+  bare.path = Path::kViaPoint;
+  EXPECT_EQ(path_of("human:tendons"), Path::kViaPoint);
+  EXPECT_EQ(path_of("human:tendons:wrapped"), Path::kWrapped);
+}
+
 TEST(FindHand, TakesSubjectsFromFiles) {
   const std::string file = std::string(kData) + "/subjects/mirakhorlo2016.toml";
   EXPECT_EQ(find_hand(file, {kData}).version, "skewed");  // which wants no tendons

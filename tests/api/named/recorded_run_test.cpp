@@ -73,6 +73,54 @@ TEST_F(Recorded, IsReadFromBinaryResults) {
   EXPECT_EQ(read_recorded_run(path("P.nc")).run.arguments.back(), "hand.toml");
 }
 
+// What asked for no paths had straight ones before 0.2.
+TEST_F(Recorded, RunsOfBeforeAreRepeatedOnStraightPaths) {
+  RecordedRun run;
+  run.run.arguments = {"tip-force", "mirakhorlo2016"};
+  for (const char* version : {"", "0.1.0"}) {
+    run.version = version;
+    const RecordedRun again = on_its_paths(run, true);
+    EXPECT_EQ(command_line(again.run), "thenar tip-force mirakhorlo2016 --path via") << version;
+    EXPECT_EQ(again.warnings.size(), 1U);
+    EXPECT_EQ(on_its_paths(run, false).run.arguments, run.run.arguments);
+  }
+  for (const char* version : {"0.2.0", "0.10.1", "1.0.0"}) {
+    run.version = version;
+    EXPECT_EQ(on_its_paths(run, true).run.arguments, run.run.arguments) << version;
+  }
+}
+
+TEST_F(Recorded, KeepsThePathsThatWereStated) {
+  for (const std::vector<std::string>& stated :
+       {std::vector<std::string>{"--path", "wrapped"}, {"--path=fitted"}}) {
+    RecordedRun run;
+    run.run.arguments = {"tip-force", "mirakhorlo2016"};
+    run.run.arguments.insert(run.run.arguments.end(), stated.begin(), stated.end());
+    EXPECT_EQ(on_its_paths(run, true).run.arguments, run.run.arguments);
+  }
+}
+
+TEST_F(Recorded, KnowsTheVersionOfEveryKindOfFile) {
+  EXPECT_EQ(read_recorded_run(written("old.json", provenance("a"))).version, "");
+  std::string versioned = provenance("a");
+  versioned.insert(versioned.find("\"date\""), "\"thenar\": \"0.2.0\", ");
+  EXPECT_EQ(read_recorded_run(written("new.json", versioned)).version, "0.2.0");
+  ResultFile motion;
+  motion.add("fit/z", Eigen::VectorXd::Zero(2), "1", {"coordinate"});
+  motion.add("provenance/command", "thenar fit hand.toml");
+  motion.add("provenance/folder", path(""));
+  motion.add("provenance/versions/thenar", "0.1.0");
+  write_result(motion, path("fit.h5"));
+  EXPECT_EQ(read_recorded_run(path("fit.h5")).version, "0.1.0");
+  InferenceFile posterior;
+  posterior.groups["posterior"].arrays["x"] = {{1}, {}, "1", "", false, false};
+  posterior.attributes = {{"run_command", "thenar fit hand.toml"},
+                          {"run_folder", path("")},
+                          {"version_thenar", "0.2.1"}};
+  write_inference(posterior, path("P.nc"));
+  EXPECT_EQ(read_recorded_run(path("P.nc")).version, "0.2.1");
+}
+
 TEST_F(Recorded, RefusesWhatIsNoCommand) {
   EXPECT_NE(message_of([&] {
               (void)read_recorded_run(written("b.json", "{}"));
