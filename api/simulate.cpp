@@ -59,6 +59,23 @@ void add_instants(const Trajectory& t, ResultFile& file) {
   file.add("lost", t.dissipated, "J", {"instant"});
 }
 
+/// Snaps of a net; nothing where there are none.
+void add_snaps(const Trajectory& t, ResultFile& file) {
+  if (t.snaps.empty()) return;
+  const auto count = static_cast<Eigen::Index>(t.snaps.size());
+  std::vector<std::string> bands;
+  Eigen::VectorXd time(count), moved(count), released(count);
+  for (Eigen::Index i = 0; i < count; ++i) {
+    const MotionSnap& snap = t.snaps[static_cast<std::size_t>(i)];
+    bands.push_back(snap.band);
+    time[i] = snap.time, moved[i] = snap.moved, released[i] = snap.released;
+  }
+  file.add("snap/band", bands);
+  file.add("snap/time", time, "s", {"snap"});
+  file.add("snap/moved", moved, "m", {"snap"});
+  file.add("snap/released", released, "J", {"snap"});
+}
+
 /// By what the digit is built again.
 void add_rungs(const TendonOptions& rungs, PassiveMoments passive, ResultFile& file) {
   const std::vector<RungWords> words = explain(Fidelity(rungs.path, rungs.hood));
@@ -126,6 +143,7 @@ void write_motion(const SimulatedMotion& motion, const std::string& path, const 
   file.add("energy_error", t.balance.error, "J");
   file.add("turned_over", t.balance.turned_over, "J");
   file.add("stray", t.drift.value_or(std::nan("")), "m");
+  add_snaps(t, file);
   file.add("tolerance", t.tolerance, "1");
   add_origin(motion.sources, run, file);
   file.add("provenance/fidelity", describe(motion.trajectory.fidelity));

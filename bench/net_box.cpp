@@ -98,7 +98,7 @@ void follow_pair(const NetTendons& tendons, const VectorXd& t, const VectorXd& f
       out.steepest = change;
       out.where = next;
     }
-    out.snaps += walk.snaps;
+    out.snaps += static_cast<int>(walk.snaps.size());
     ++out.steps;
     rest = walk.rest;
     at = next;

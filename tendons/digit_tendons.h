@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <memory>
 #include <string>
+#include <vector>
 
 #include <Eigen/Core>
 
@@ -50,6 +51,7 @@ struct [[nodiscard]] TendonTorque {
   SlipTension slips;       // zero without a hood
   Eigen::Matrix3Xd nodes;  // of a net at rest, world; hand it on as the next start [m] (3, nodes)
   std::shared_ptr<const NetEquilibrium> rest;  // equilibrium of the net; null without a net
+  long effort = 0;                             // evaluations of a net's energy that it took
   std::string warning;                         // why not to trust it; may be empty
   TendonStatus status = TendonStatus::kValid;  // the same, for decisions
 };
@@ -79,6 +81,39 @@ class ArmSolver {
   virtual void solve(const Eigen::VectorXd& q, TendonTorque& out) = 0;
   /// Writes slopes of the arms over those of `out`. @throws InputError as solve().
   virtual void slopes(const Eigen::VectorXd& q, ArmSlopes& out) = 0;
+};
+
+/// A jump of a net to another equilibrium at one posture under the same tensions.
+struct NetSnap {
+  double share = 1;      // of the way since the state before at which it happened [1]
+  std::string band;      // whose tension changed most
+  double moved = 0;      // furthest way of a knot [m]
+  double released = 0;   // energy that net and muscles lost, as heat, as a net has no mass [J]
+};
+
+/// What became of a net since the state before.
+struct NetStep {
+  std::vector<NetSnap> snaps;  // the first one first
+  double unexplained = 0;      // potential of the net that neither its torque and lengths nor its
+                               // snaps account for [J]
+};
+
+/// Tendons of one digit in motion, whose net is where it came to from the state accepted last.
+class TendonFollower {
+ public:
+  virtual ~TendonFollower() = default;
+
+  /// Torque at a state near the one accepted last; its torque is infinite where the net could not
+  /// be followed there, so that whoever asks comes nearer. The first one comes from the straight
+  /// digit under the same tensions.
+  /// @throws InputError as DigitTendons::evaluate().
+  virtual TendonTorque at(const Eigen::VectorXd& q, const Eigen::VectorXd& t) = 0;
+
+  /// Whether the net snaps on its way to the state last asked for.
+  [[nodiscard]] virtual bool snapped() const = 0;
+
+  /// Goes on from here.
+  virtual NetStep accept(const Eigen::VectorXd& q, const Eigen::VectorXd& t) = 0;
 };
 
 /// One digit with its tendons. On linear rungs  tau = R' t;  with a net tau is not linear in t.
@@ -125,6 +160,9 @@ class DigitTendons {
   [[nodiscard]] virtual std::unique_ptr<DigitTendons> smoothed(double /*strain*/) const {
     return nullptr;
   }
+
+  /// Follows a net from state to state, for as long as this lives; null without a net.
+  [[nodiscard]] virtual std::unique_ptr<TendonFollower> follower() const { return nullptr; }
 
   /// Derivatives and lengths of tendons without a net, in closed form. A muscle's length is that of
   /// strands, each weighted with the share of tension that it carries; friction in sheaths is left

@@ -36,6 +36,31 @@ Table muscle_summary(const Trajectory& t) {
   return table;
 }
 
+/// The first snaps of the net.
+Table snap_table(const Trajectory& t) {
+  constexpr std::size_t kShown = 10;
+  Table table{{"time_s", "band", "moved_mm", "released_mJ"}, {}};
+  for (std::size_t i = 0; i < std::min(t.snaps.size(), kShown); ++i) {
+    const MotionSnap& snap = t.snaps[i];
+    table.rows.push_back({shown(snap.time, 6), snap.band, shown(snap.moved / kMm, 3),
+                          shown(1e3 * snap.released, 4)});
+  }
+  if (t.snaps.size() > kShown)
+    table.rows.push_back({fmt::format("{} more", t.snaps.size() - kShown), "", "", ""});
+  return table;
+}
+
+/// All snaps of the net.
+OrderedJson snaps_json(const Trajectory& t) {
+  OrderedJson list = OrderedJson::array();
+  for (const MotionSnap& snap : t.snaps)
+    list.push_back({{"time_s", snap.time},
+                    {"band", snap.band},
+                    {"moved_mm", snap.moved / kMm},
+                    {"released_J", snap.released}});
+  return list;
+}
+
 /// The state at the last instant.
 OrderedJson end_state(const Trajectory& t) {
   const Eigen::Index last = t.time.size() - 1;
@@ -72,6 +97,7 @@ std::string text_of(const SimulatedMotion& motion) {
   text += fmt::format("largest drift of an excursion from the length of its tendon: {}\n",
                       t.drift ? fmt::format("{:.2g} mm", *t.drift / kMm) : "-");
   text += passive_line(motion.tendons->digit().skeleton, t.angle.row(last));
+  if (!t.snaps.empty()) text += titled("Snaps of the net to another rest", snap_table(t));
   return text + fmt::format("{} steps to a tolerance of {:.2g}\n", t.counts.steps, t.tolerance);
 }
 
@@ -91,9 +117,12 @@ OrderedJson json_of(const SimulatedMotion& motion) {
   const Json drift = t.drift ? number_or_null(*t.drift / kMm) : Json();
   json["stray_mm"] = drift;
   json["drift_mm"] = drift;
+  json["snaps"] = snaps_json(t);
+  json["released_J"] = released_energy(t);
   json["tolerance"] = t.tolerance;
   json["steps"] = t.counts.steps;
   json["slopes"] = t.counts.slopes;
+  json["net_evaluations"] = t.effort;
   return json;
 }
 

@@ -262,7 +262,7 @@ std::string text_of(const SimulatedScene& scene) {
   if (const Table patches = patch_table(scene); !patches.rows.empty())
     text += titled("Patches of pads at the end", patches);
   if (!scene.measures.pulls.muscles.empty())
-    text += titled("Tendons at the end (under a net with the 5 mN that keep it taut)",
+    text += titled("Tendons at the end (under a net with the 20 mN that keep it taut)",
                    muscle_table(scene));
   text += fmt::format(
       "energy {:.6g} mJ at the start, {:.6g} mJ at the end, work of forces and "

@@ -287,7 +287,7 @@ Json muscle_charts(const SimulatedScene& scene) {
   Json blocks = Json::array();
   if (!tensions.empty())
     blocks.push_back(
-        tensions.block("Tensions (under a net with the 5 mN that keep it taut)", "tension [N]"));
+        tensions.block("Tensions (under a net with the 20 mN that keep it taut)", "tension [N]"));
   if (!activations.empty()) blocks.push_back(activations.block("Activations", "activation [1]"));
   return blocks;
 }

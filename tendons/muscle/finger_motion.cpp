@@ -3,7 +3,6 @@
 #include <cmath>
 
 #include <Eigen/Cholesky>
-#include <Eigen/LU>
 
 #include "base/error.h"
 #include "tendons/digit_tendons.h"
@@ -66,7 +65,7 @@ MotionOnset FingerMotion::start(const VectorXd& q, const VectorXd& q_dot,
   require(q.allFinite() && q_dot.allFinite(), "the start has an angle or speed that is not finite");
   require((activation.array() >= 0 && activation.array() <= 1).all(),
           "activations must be in 0..1");
-  last_nodes_.resize(3, 0);  // of another motion
+  follower_ = tendons().follower();  // of this motion alone
   // Excursion from the reference posture, along a walk of the net.
   const Excursion way =
       excursion(tendons(), VectorXd::Zero(joints), q, VectorXd::Ones(muscles));  // [N]
@@ -80,18 +79,16 @@ MotionOnset FingerMotion::start(const VectorXd& q, const VectorXd& q_dot,
           contraction().isometric_projected_fibre(m, activation[m], muscle_state(state, m).length);
     state.projected_fibre = projected_fibre;
   }
-  // Lengths of lines where excursions are zero, for the correction of drift.
-  slack_length_.resize(0);
-  if (has_net(model_) && tendons().digit().model.friction.isZero(0)) {
+  // Lengths of lines where excursions are zero.
+  if (has_net(model_)) {
     const MotionInstant now = at(state);
     slack_length_ = tendons().lengths(q, now.tension, now.pull) - state.excursion;
   }
   return {state, warning};
 }
 
-VectorXd FingerMotion::drift(const MotionState& state, const MotionInstant& now) const {
-  if (slack_length_.size() == 0) return VectorXd::Zero(muscles_);
-  return state.excursion + slack_length_ - tendons().lengths(state.q, now.tension, now.pull);
+VectorXd FingerMotion::line_excursion(const MotionState& state, const MotionInstant& now) const {
+  return tendons().lengths(state.q, now.tension, now.pull) - slack_length_;
 }
 
 MuscleState FingerMotion::muscle_state(const MotionState& state, int m) const {
@@ -109,8 +106,11 @@ VectorXd FingerMotion::tension(const MotionState& state, const VectorXd& velocit
   });
 }
 
+TendonTorque FingerMotion::pull_at(const VectorXd& q, const VectorXd& t) const {
+  return follower_ ? follower_->at(q, t) : tendons().evaluate(q, t, {});
+}
+
 MotionInstant FingerMotion::at(const MotionState& state) const {
-  const DigitTendons& tendons = this->tendons();
   const VectorXd none = VectorXd::Zero(muscles_);
   MotionInstant now;
   // Fibre lengths follow from the states.
@@ -120,8 +120,7 @@ MotionInstant FingerMotion::at(const MotionState& state) const {
   // On rigid tendons velocity comes first, from arms without tension.
   const bool feels = contraction().depends_on_velocity();
   now.tension =
-      tension(state, feels ? VectorXd(-tendons.evaluate(state.q, none, last_nodes_).R * state.q_dot)
-                           : none);
+      tension(state, feels ? VectorXd(-pull_at(state.q, none).R * state.q_dot) : none);
   if (!now.tension.allFinite()) {  // a trial of the integrator far off: it takes a shorter step
     const Index joints = state.q.size();
     now.pull.tau = VectorXd::Constant(joints, HUGE_VAL);
@@ -129,44 +128,25 @@ MotionInstant FingerMotion::at(const MotionState& state) const {
     return now;
   }
   // Torque and arms at these tensions.
-  now.pull = tendons.evaluate(state.q, now.tension, last_nodes_);
+  now.pull = pull_at(state.q, now.tension);
   return now;
 }
 
-FingerMotion::TensionRate FingerMotion::tension_rate(const MotionState& state,
-                                                     const MotionInstant& now,
-                                                     const VectorXd& excitation) const {
-  TensionRate out;
-  // Without a net: excursion' = -R q'.
-  out.excursion = -now.pull.R * state.q_dot;
-  if (!has_net(model_)) return out;
-  // Derivatives of tension, and its rate at constant length.
-  VectorXd by_length(muscles_), rest(muscles_);
-  for (Index i = 0; i < muscles_; ++i) {
-    const int m = static_cast<int>(i);
-    const MuscleState muscle = muscle_state(state, m);
-    const TensionDerivatives slopes = contraction().tension_derivatives(m, muscle);
-    by_length[i] = slopes.by_length;
-    rest[i] = slopes.by_activation *
-                  activation_rate(excitation[i], state.activation[i], model_.activation) +
-              slopes.by_projected_fibre * contraction().projected_fibre_rate(m, muscle);
-  }
-  // Compliance of the net, and the linear system for excursion'.
-  out.G = tendons().compliance(state.q, now.tension, now.pull);
-  out.A = out.G * by_length.asDiagonal();
-  out.A.diagonal().array() += 1;
-  // Correction of drift, then the solution.
-  out.excursion -= kBaumgarteRate * drift(state, now);
-  out.excursion = out.A.partialPivLu().solve(out.excursion - out.G * rest);
-  out.tension = by_length.cwiseProduct(out.excursion) + rest;
-  return out;
+VectorXd FingerMotion::excursion_rate(const MotionState& state, const MotionInstant& now) const {
+  const VectorXd by_posture = -now.pull.R * state.q_dot;
+  if (!has_net(model_)) return by_posture;
+  return by_posture + kFollowRate * (line_excursion(state, now) - state.excursion);
 }
 
 MotionState FingerMotion::slope(const MotionState& state, const VectorXd& excitation) {
   // A trial state far off: an infinite rate makes the integrator take a shorter step.
   const MotionInstant now = at(state);
-  if (!now.pull.tau.allFinite() || !now.tension.allFinite())
+  effort_ += now.pull.effort;
+  obstacle_.clear();
+  if (!now.pull.tau.allFinite() || !now.tension.allFinite()) {
+    obstacle_ = now.pull.warning;
     return unpack(VectorXd::Constant(pack(state).size(), HUGE_VAL));
+  }
   // Torque of tendons, resistance and damping.
   const VectorXd damped = damping_.cwiseProduct(state.q_dot);
   const VectorXd tau =
@@ -181,18 +161,29 @@ MotionState FingerMotion::slope(const MotionState& state, const VectorXd& excita
     if (rate.projected_fibre.size() > 0)
       rate.projected_fibre[m] = contraction().projected_fibre_rate(m, muscle_state(state, m));
   }
-  rate.excursion = tension_rate(state, now, excitation).excursion;
+  rate.excursion = excursion_rate(state, now);
   rate.work = now.pull.tau.dot(state.q_dot);
   rate.dissipated = damped.dot(state.q_dot);
   return rate;
 }
 
+bool FingerMotion::snaps_before(const MotionState& state) const {
+  if (!follower_) return false;
+  (void)at(state);
+  return follower_->snapped();
+}
+
 FingerMotion::Accepted FingerMotion::accept(const MotionState& state) {
   const MotionInstant now = at(state);
-  last_nodes_ = now.pull.nodes;
-  if (slack_length_.size() == 0) return {now.pull.warning, {}};
-  const VectorXd drift = this->drift(state, now);
-  return {now.pull.warning, (now.tension.array() <= base_tension_ + kPulls).select(0, drift)};
+  effort_ += now.pull.effort;
+  Accepted out;
+  out.warning = now.pull.warning;
+  if (follower_) out.net = follower_->accept(state.q, now.tension);
+  if (!has_net(model_)) return out;
+  // Excursions of muscles that pull against the lengths of their lines.
+  const VectorXd drift = state.excursion - line_excursion(state, now);
+  out.drift = (now.tension.array() <= base_tension_ + kPulls).select(0, drift);
+  return out;
 }
 
 double FingerMotion::energy(const MotionState& state) {
@@ -250,44 +241,19 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-/// How moment arms and what tendons give change: d(R q' + G t')/d. at fixed q' and t', one column a
-/// posture angle or tension.
-struct ArmRateDerivatives {
-  MatrixXd by_q, by_t;  // (muscles, coordinates) [m/s/rad], (muscles, muscles) [m/s/N]
-};
-
-/// Differences of what is itself a slope.
-/// @param t      tensions [N] (muscles)
-/// @param t_dot  their rates [N/s] (muscles)
-ArmRateDerivatives arm_derivatives(const DigitTendons& tendons, const MotionState& state,
-                                   const VectorXd& t, const VectorXd& t_dot,
-                                   const TendonTorque& here) {
-  constexpr double kStep = 1e-5;               // of an angle [rad]
-  constexpr double kPart = 1e-3, kMin = 0.01;  // of a tension and [N]
-  const Index joints = state.q.size(), muscles = t.size();
-  const bool net = tendons.digit().fidelity.hood == Hood::kFloatingNet;
-  // The quantity whose derivative is sought: R q' + G t'.
-  const auto rate = [&](const VectorXd& q, const VectorXd& at, const TendonTorque& pull) {
-    VectorXd v = pull.R * state.q_dot;
-    if (net) v += tendons.compliance(q, at, pull) * t_dot;
-    return v;
-  };
-  const VectorXd v = rate(state.q, t, here);
-  ArmRateDerivatives out{MatrixXd(muscles, joints), MatrixXd::Zero(muscles, muscles)};
-  // One column for each angle.
-  for (Index j = 0; j < joints; ++j) {
+/// d(R q')/dq at fixed q' and tensions t, by differences of what is itself a slope [m/s/rad]
+/// (muscles, coordinates).
+MatrixXd arm_derivatives(const DigitTendons& tendons, const MotionState& state, const VectorXd& t,
+                         const TendonTorque& here) {
+  constexpr double kStep = 1e-5;  // of an angle [rad]
+  const VectorXd v = here.R * state.q_dot;
+  MatrixXd by_q(t.size(), state.q.size());
+  for (Index j = 0; j < state.q.size(); ++j) {
     VectorXd q = state.q;
     q[j] += kStep;
-    out.by_q.col(j) = (rate(q, t, tendons.evaluate(q, t, here.nodes)) - v) / kStep;
+    by_q.col(j) = (tendons.evaluate(q, t).R * state.q_dot - v) / kStep;
   }
-  // With a net, one column for each tension.
-  for (Index m = 0; net && m < muscles; ++m) {
-    VectorXd more = t;
-    more[m] += kPart * (t[m] + kMin);
-    const TendonTorque pull = tendons.evaluate(state.q, more, here.nodes);
-    out.by_t.col(m) = (rate(state.q, more, pull) - v) / (more[m] - t[m]);
-  }
-  return out;
+  return by_q;
 }
 
 /// Slopes of the bones' acceleration at fixed torques, by central differences, one column a posture
@@ -316,17 +282,15 @@ MatrixXd acceleration_slopes(const MotionState& state, const Acceleration& bones
 MatrixXd FingerMotion::jacobian(const MotionState& state, const VectorXd& excitation) {
   const Index n = state.q.size(), m = muscles_, size = pack(state).size();
   const Index a = 2 * n, e = a + m, r = e + m;
-  constexpr double kStretch = 1e-8;  // [m]
   const Skeleton& skeleton = model_.tendons.digit().skeleton;
-  // The instant, its rates, and derivatives of the arms.
+  // The instant.
   const MotionInstant now = at(state);
+  effort_ += now.pull.effort;
+  if (!now.pull.tau.allFinite()) return MatrixXd::Constant(size, size, HUGE_VAL);
   const MatrixXd& R = now.pull.R;
-  const TensionRate rate = tension_rate(state, now, excitation);
-  const ArmRateDerivatives arms =
-      arm_derivatives(tendons(), state, now.tension, rate.tension, now.pull);
 
-  // Tensions by all states, the way through R q' apart; and their rates, but by that of excursion.
-  MatrixXd t_y = MatrixXd::Zero(m, size), J = MatrixXd::Zero(size, size), rest_y = t_y;
+  // Tensions by all states, the way through R q' apart.
+  MatrixXd t_y = MatrixXd::Zero(m, size), J = MatrixXd::Zero(size, size);
   VectorXd by_velocity(m);
   for (Index i = 0; i < m; ++i) {
     const int k = static_cast<int>(i);
@@ -342,40 +306,28 @@ MatrixXd FingerMotion::jacobian(const MotionState& state, const VectorXd& excita
       J(r + i, a + i) = projected_fibre.by_activation;
       J(r + i, e + i) = projected_fibre.by_length;
       J(r + i, r + i) = projected_fibre.by_projected_fibre;
-      rest_y.row(i) = slopes.by_projected_fibre * J.row(r + i);
-      // A tendon's stiffness depends on length - projected_fibre.
-      MuscleState longer = muscle;
-      longer.length += kStretch;
-      const double bend =
-          (contraction().tension_derivatives(k, longer).by_length - slopes.by_length) / kStretch;
-      const double turn =
-          bend * (rate.excursion[i] - contraction().projected_fibre_rate(k, muscle));
-      rest_y(i, e + i) += turn;
-      rest_y(i, r + i) -= turn;
     }
     J(a + i, a + i) =
         activation_rate_derivative(excitation[i], state.activation[i], model_.activation);
-    rest_y(i, a + i) += slopes.by_activation * J(a + i, a + i);
   }
 
-  // R q' by all states, and what tendons give; for a net by tensions, too.
-  MatrixXd v_y = MatrixXd::Zero(m, size), tau_y = MatrixXd::Zero(n, size);
-  v_y.leftCols(n) = arms.by_q;
-  v_y.middleCols(n, n) = R;
-  v_y += arms.by_t * t_y;
-  t_y -= by_velocity.asDiagonal() * v_y;
-  if (slack_length_.size() > 0) {  // excursions that have strayed return
-    v_y.leftCols(n) += kBaumgarteRate * R;
-    v_y.middleCols(e, m).diagonal().array() += kBaumgarteRate;
-    v_y += kBaumgarteRate * rate.G * t_y;
+  // Excursions:  -R q',  which tensions may feel; under a net they follow its lines, too, so fast
+  // that the slopes of R do not count.
+  J.block(e, n, m, n) = -R;
+  if (has_net(model_)) {
+    J.middleRows(e, m) -=
+        kFollowRate * (tendons().compliance(state.q, now.tension, now.pull) * t_y);
+    J.block(e, 0, m, n) -= kFollowRate * R;
+    J.block(e, e, m, m).diagonal().array() -= kFollowRate;
+  } else {
+    J.block(e, 0, m, n) = -arm_derivatives(tendons(), state, now.tension, now.pull);
+    t_y += by_velocity.asDiagonal() * J.middleRows(e, m);
   }
 
   // Torques of the tendons.
+  MatrixXd tau_y = MatrixXd::Zero(n, size);
   tau_y.leftCols(n) = tendons().torque_by_posture(state.q, now.tension, now.pull);
   tau_y += R.transpose() * t_y;
-  J.block(e, 0, m, size) = rate.G.size() > 0
-                               ? MatrixXd(-rate.A.partialPivLu().solve(v_y + rate.G * rest_y))
-                               : MatrixXd(-v_y);
   J.row(size - 2) = state.q_dot.transpose() * tau_y;
   J.row(size - 2).segment(n, n) += now.pull.tau.transpose();
   J.row(size - 1).segment(n, n) = 2 * damping_.cwiseProduct(state.q_dot).transpose();

@@ -15,16 +15,17 @@ namespace thenar {
 inline constexpr double kBlend = 1e-3;
 
 /// Tension that is added to that of every muscle of a digit with a net in motion, so that no band
-/// goes fully slack: numerical, not the tone of a muscle; a choice of ours [N].
-inline constexpr double kBaseTension = 5e-3;
+/// goes fully slack: numerical, not the tone of a muscle; a choice of ours [N]: see
+/// docs/theory/muscles.md.
+inline constexpr double kBaseTension = 20e-3;
 
 /// Stretch at F0 of the tendon that stands for a rigid one under a net, over the optimal length of
 /// the fibre, a choice of ours [1]: see docs/theory/muscles.md.
 inline constexpr double kRigidStrain = 0.01;
 
-/// Rate at which excursions that have drifted from the lengths of lines are drawn back, a choice of
-/// ours [1/s]: within the time that a fibre takes to follow.
-inline constexpr double kBaumgarteRate = 1e3;
+/// Rate at which excursions follow the lines of a net, a choice of ours [1/s]: within 0.01 ms, a
+/// tenth of what a fibre takes to follow.
+inline constexpr double kFollowRate = 1e5;
 
 /// The constants of a digit in motion. Refers to the tendons and the contraction, which must
 /// outlive it; temporaries are refused.
@@ -70,16 +71,17 @@ struct MotionInstant {
 
 /// States change by
 ///   M q'' = tau_tendons + tau_springs_and_stops - damping q' + weights and inertia,
-///   a' by activation_rate,  excursion' = -R q' - G t' - kBaumgarteRate drift,  projected_fibre' by
-///   the contraction, work' = tau_tendons . q',  dissipated' = q' . damping q'.
+///   a' by activation_rate,  excursion' by excursion_rate(),  projected_fibre' by the contraction,
+///   work' = tau_tendons . q',  dissipated' = q' . damping q'.
 /// A muscle and its tendon are musculotendon_length_at_optimum() + excursion long: by a choice of
 /// ours every fibre is at its optimal length at the subject's reference posture, as no subject says
 /// better.
 ///
-/// Bones move by Simbody; nets are massless and at rest at every instant, each search starting from
-/// last accepted state. On rigid tendons tension depends on velocity, and velocity, by a net's
-/// moment arms, on tension; under a net a rigid tendon is therefore replaced by one that stretches
-/// by kRigidStrain, so that the projected fibre is a state and tension follows from states alone.
+/// Bones move by Simbody; nets are massless and at rest at every instant, where they come to from
+/// the last accepted state: TendonFollower. On rigid tendons tension depends on velocity, and
+/// velocity, by a net's moment arms, on tension; under a net a rigid tendon is therefore replaced
+/// by one that stretches by kRigidStrain, so that the projected fibre is a state and tension follows
+/// from states alone.
 class FingerMotion {
  public:
   /// @throws InputError if the contraction has other muscles than the digit.
@@ -108,12 +110,22 @@ class FingerMotion {
   /// Tendons in an accepted state.
   struct Accepted {
     std::string warning;    // why they may be wrong; may be empty
-    Eigen::VectorXd drift;  // of muscles that pull; 0 of slack ones [m] (muscles); empty without a
-                            // net, and where friction in sheaths takes part of R: not measured
+    Eigen::VectorXd drift;  // of excursions from the lines of muscles that pull; 0 of slack ones
+                            // [m] (muscles); empty without a net
+    NetStep net;            // since the state accepted before
   };
 
-  /// Accepts a state: later searches for the net's equilibrium start from here.
+  /// Whether a net snaps between the state accepted last and this one.
+  [[nodiscard]] bool snaps_before(const MotionState& state) const;
+
+  /// Accepts a state: from here the net is followed on.
   Accepted accept(const MotionState& state);
+
+  /// Evaluations of a net's energy so far: the work that a motion takes, counted.
+  [[nodiscard]] long effort() const { return effort_; }
+
+  /// Why the rates last asked for are not finite; may be empty.
+  [[nodiscard]] const std::string& obstacle() const { return obstacle_; }
 
   /// Energy of motion, weights, springs and stops [J].
   [[nodiscard]] double energy(const MotionState& state);
@@ -130,6 +142,7 @@ class FingerMotion {
   [[nodiscard]] Eigen::VectorXd scale() const;
 
  private:
+  [[nodiscard]] TendonTorque pull_at(const Eigen::VectorXd& q, const Eigen::VectorXd& t) const;
   [[nodiscard]] MuscleState muscle_state(const MotionState& state, int m) const;
   [[nodiscard]] const DigitTendons& tendons() const {
     return blended_ ? *blended_ : model_.tendons;
@@ -140,23 +153,15 @@ class FingerMotion {
   [[nodiscard]] Eigen::VectorXd tension(const MotionState& state,
                                         const Eigen::VectorXd& velocity) const;
 
-  /// Difference between excursions and lengths of lines, less that at the start: what integration
-  /// has added, and what a net that jumped to another equilibrium has changed. Zero without a net,
-  /// and where friction in sheaths takes part of R [m] (muscles).
-  [[nodiscard]] Eigen::VectorXd drift(const MotionState& state, const MotionInstant& now) const;
+  /// Lengths of lines since the reference posture, as they are where the net rests [m] (muscles).
+  [[nodiscard]] Eigen::VectorXd line_excursion(const MotionState& state,
+                                               const MotionInstant& now) const;
 
-  /// Rates of excursions and tensions. Under a net t' depends in turn on excursion':
-  ///   A excursion' = -R q' - kBaumgarteRate drift - G (t' at excursion' = 0),  A = 1 + G
-  ///   dt/dexcursion.
-  /// The lengths of lines then change by  -R q' - G t',  so that  drift' = -kBaumgarteRate drift.
-  /// Source: [Baumgarte1972].
-  struct TensionRate {
-    Eigen::VectorXd excursion;  // [m/s] (muscles)
-    Eigen::VectorXd tension;    // under a net [N/s] (muscles)
-    Eigen::MatrixXd G, A;       // under a net [m/N], [1] (muscles, muscles)
-  };
-  [[nodiscard]] TensionRate tension_rate(const MotionState& state, const MotionInstant& now,
-                                         const Eigen::VectorXd& excitation) const;
+  /// Rates of excursions:  -R q',  and under a net  kFollowRate (x - excursion)  beside it, x the
+  /// lengths of lines where it rests. As these fall with tension, and tension rises with excursion,
+  /// excursions come to the one balance of both [m/s] (muscles).
+  [[nodiscard]] Eigen::VectorXd excursion_rate(const MotionState& state,
+                                               const MotionInstant& now) const;
 
   MotionModel model_;
   std::unique_ptr<DigitTendons> blended_;   // null: the model's own
@@ -165,8 +170,10 @@ class FingerMotion {
   Eigen::VectorXd damping_;  // [N m s/rad] (coordinates)
   double base_tension_;      // [N]
   Eigen::Index muscles_;
-  Eigen::Matrix3Xd last_nodes_;   // [m] (3, nodes)
-  Eigen::VectorXd slack_length_;  // of lines where excursions are 0 [m] (muscles; empty: not held)
+  std::unique_ptr<TendonFollower> follower_;  // null: no net
+  long effort_ = 0;
+  std::string obstacle_;
+  Eigen::VectorXd slack_length_;  // of lines where excursions are 0 [m] (muscles; empty: no net)
 };
 
 }  // namespace thenar

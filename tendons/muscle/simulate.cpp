@@ -13,12 +13,27 @@ namespace {
 using Eigen::Index;
 using Eigen::VectorXd;
 
-constexpr double kJump = 1e-4;    // of a line, beyond what integration leaves [m]
+constexpr double kStray = 1e-4;   // of an excursion, beyond what integration leaves [m]
 constexpr double kFiner = 0.01;   // tolerance of the second integration over that of the first
+constexpr int kPieces = 16;       // of a step in which a net snaps
+constexpr int kObstacles = 30;    // trials without rest of a net that end a motion
 constexpr double kMoreSteps = 5;  // of the second over the first, which a smooth motion needs
 
-/// Whether a net went to another equilibrium, as far as its lines tell.
-bool has_jumped(const Trajectory& path) { return !(path.drift.value_or(0) <= kJump); }
+/// Whether excursions came off their lines, though no snap tells why.
+bool has_strayed(const Trajectory& path) {
+  return path.snaps.empty() && !(path.drift.value_or(0) <= kStray);
+}
+
+/// The first snap of a net, and how many there were.
+std::string snap_words(const Trajectory& path) {
+  const MotionSnap& first = path.snaps.front();
+  return fmt::format(
+      "the net snapped to another rest, band '{}' first, a knot by {:.2g} mm; {} released {:.2g} "
+      "mJ",
+      first.band, 1e3 * first.moved,
+      path.snaps.size() == 1 ? "it" : fmt::format("{} snaps", path.snaps.size()),
+      1e3 * released_energy(path));
+}
 
 /// Instants that are kept, in a trajectory with room for all.
 class Recorder {
@@ -86,14 +101,18 @@ class Recorder {
 
   void note_accepted(const FingerMotion::Accepted& accepted, double time) {
     note(accepted.warning, time);
+    for (const NetSnap& snap : accepted.net.snaps)
+      kept_.snaps.push_back({reached_ + snap.share * (time - reached_), snap.band, snap.moved,
+                             snap.released});
+    reached_ = time;
     if (accepted.drift.size() == 0) return;
     // Muscle of the largest drift.
     Index most = 0;
     const double drift = accepted.drift.cwiseAbs().maxCoeff<Eigen::PropagateNaN>(&most);
     const double before = kept_.drift.value_or(0);
     if (kept_.drift && (drift <= before || std::isnan(before))) return;
-    // First instant at which the drift shows a jump.
-    if (before <= kJump) jumped_ = time;
+    // First instant at which the drift is too large.
+    if (before <= kStray) strayed_ = time;
     kept_.drift = drift;
     strays_ = kept_.muscles[static_cast<std::size_t>(most)];
   }
@@ -108,13 +127,13 @@ class Recorder {
 
   Trajectory take(MotionStatus status, const std::string& why, const StiffOde& ode,
                   const EnergyBalance& balance) {
-    // A jump of the net is part of the ending's story.
-    if (has_jumped(kept_))
-      note_end(fmt::format("the net jumped to another rest, the line of '{}' by up to {:.2g} mm: "
-                           "what that sets free is in no balance, and the motion after it may "
-                           "hang on the tolerance",
-                           strays_, 1e3 * *kept_.drift),
-               jumped_);
+    if (has_strayed(kept_))
+      note_end(fmt::format("the excursion of '{}' came off its line by up to {:.2g} mm", strays_,
+                           1e3 * *kept_.drift),
+               strayed_);
+    // Snaps of the net are part of the ending's story.
+    if (!kept_.snaps.empty())
+      note_end(snap_words(kept_), kept_.snaps.front().time);
     note_end(why, ode.time());
     kept_.status = status;
     kept_.balance = balance;
@@ -138,9 +157,16 @@ class Recorder {
   FingerMotion& motion_;
   double sample_, seconds_, tolerance_;
   Index room_, next_ = 0;
-  double jumped_ = 0;   // when the drift first was beyond kJump [s]
+  double strayed_ = 0;  // when the drift first was beyond kStray [s]
+  double reached_ = 0;  // time of the last state [s]
   std::string strays_;  // muscle of the largest drift
   Trajectory kept_;
+};
+
+/// Why a motion ends, thrown where that is found.
+struct Ending {
+  MotionStatus status;
+  std::string why;
 };
 
 const char* reason(OdeStatus status) {
@@ -163,18 +189,26 @@ const char* reason(OdeStatus status) {
   return "the integrator failed";
 }
 
+/// The same, with what stood in the way of the last trial.
+std::string reason(OdeStatus status, const FingerMotion& motion) {
+  const std::string& obstacle = motion.obstacle();
+  return reason(status) + (obstacle.empty() ? "" : ": " + obstacle);
+}
+
 /// Adds up what became of energy from step to step.
 class Account {
  public:
   Account(FingerMotion& motion, const MotionState& first)
       : motion_(motion), begin_(motion.energy(first)), work_(first.work) {
-    add(first);
+    add(first, {});
   }
 
-  void add(const MotionState& state) {
-    // Energy drift, kinetic energy, and the work turned over.
+  void add(const MotionState& state, const NetStep& net) {
+    // What bones, and a net, have gained of nothing.
+    of_net_ += net.unexplained;
     const double made = motion_.energy(state) - begin_ - state.work + state.dissipated;
-    error_ = max_or_nan(error_, std::abs(made));
+    error_ = max_or_nan({error_, std::abs(made), std::abs(of_net_)});
+    // Kinetic energy, and the work turned over.
     kinetic_ = max_or_nan(kinetic_, motion_.kinetic_energy(state));
     turned_ += std::abs(state.work - work_);
     work_ = state.work;
@@ -185,7 +219,7 @@ class Account {
 
  private:
   FingerMotion& motion_;
-  double begin_, work_, lost_ = 0, error_ = 0, kinetic_ = 0, turned_ = 0;
+  double begin_, work_, of_net_ = 0, lost_ = 0, error_ = 0, kinetic_ = 0, turned_ = 0;
 };
 
 /// Whether the last steps have got anywhere.
@@ -225,63 +259,130 @@ MotionStatus end_of(OdeStatus status) {
   return status == OdeStatus::kLimit ? MotionStatus::kLimit : MotionStatus::kIntegratorFailed;
 }
 
-/// One integration.
-Trajectory integrate(const MotionModel& model, const std::vector<ExcitationPiece>& pieces,
-                     const MotionStart& start, const SimulateOptions& options) {
-  // First state, with activations of the first excitation if none are given.
-  const ExcitationPiece* piece = &pieces.front();
-  FingerMotion motion(model);
+/// Activations of the first excitation, and no speed, if none are given.
+MotionOnset onset(FingerMotion& motion, const MotionStart& start, const VectorXd& excitation) {
   const VectorXd still = VectorXd::Zero(start.q.size());
-  const auto [first, warning] =
-      motion.start(start.q, start.q_dot.size() > 0 ? start.q_dot : still,
-                   start.activation.size() > 0 ? start.activation : piece->first);
-  // Everything that is recorded begins with the first instant.
-  Recorder recorder(model, motion, options);
-  recorder.note(warning, 0);
-  recorder.note(motion.accept(first).warning, 0);
-  recorder.keep(first, piece->first);
-  Account account(motion, first);
-  Patience stall_steps(options.stall_steps);
-
-  // Rates and their derivatives for the integrator.
-  const auto slope = [&](double time, const VectorXd& y) {
-    return motion.pack(motion.slope(motion.unpack(y), piece->at(time)));
-  };
-  const auto jacobian = [&](double time, const VectorXd& y) {
-    return motion.jacobian(motion.unpack(y), piece->at(time));
-  };
-  StiffOde ode(
-      slope, 0, motion.pack(first),
-      {options.tolerance, options.tolerance * motion.scale(), options.max_steps, jacobian});
-  const auto take = [&](MotionStatus status, const std::string& why) {
-    return recorder.take(status, why, ode, account.balance());
-  };
-
-  // Integrate piece by piece of the excitation.
-  for (const ExcitationPiece& next : pieces) {
-    piece = &next;
-    if (piece->jumps) ode.restart();
-    while (ode.time() < piece->end) {
-      const OdeStatus status = ode.step(piece->end);
-      if (status != OdeStatus::kStepped) return take(end_of(status), reason(status));
-      // Instants to keep lie within the last step.
-      for (; recorder.next() <= ode.time();)
-        recorder.keep(motion.unpack(ode.state_at(recorder.next())), piece->at(recorder.next()));
-      // Accept the step, and account for its energy.
-      const MotionState now = motion.unpack(ode.state());
-      recorder.note_accepted(motion.accept(now), ode.time());
-      account.add(now);
-      // Progress, stopping and stalling.
-      options.progress(ode.time() / options.seconds, "simulating");
-      if (options.progress.stop()) return take(MotionStatus::kStopped, "");
-      if (!stall_steps.go_on(ode.time()))
-        return take(MotionStatus::kNoProgress,
-                    fmt::format("{} steps took it less than {:.2g} s on, so it gave up",
-                                options.stall_steps, kStallTime));
-    }
-  }
-  return take(MotionStatus::kCompleted, "");
+  return motion.start(start.q, start.q_dot.size() > 0 ? start.q_dot : still,
+                      start.activation.size() > 0 ? start.activation : excitation);
 }
+
+/// One integration, piece by piece of the excitation.
+class Integration {
+ public:
+  Integration(const MotionModel& model, const std::vector<ExcitationPiece>& pieces,
+              const MotionStart& start, const SimulateOptions& options)
+      : pieces_(pieces),
+        options_(options),
+        piece_(&pieces.front()),
+        motion_(model),
+        first_(onset(motion_, start, piece_->first)),
+        begun_(motion_.accept(first_.state)),
+        recorder_(model, motion_, options),
+        account_(motion_, first_.state),
+        stall_steps_(options.stall_steps),
+        ode_([this](double time, const VectorXd& y) { return slope(time, y); }, 0,
+             motion_.pack(first_.state),
+             {options.tolerance, options.tolerance * motion_.scale(), options.max_steps,
+              [this](double time, const VectorXd& y) { return jacobian(time, y); }}) {}
+
+  Trajectory run() {
+    recorder_.note(first_.warning, 0);
+    recorder_.note_accepted(begun_, 0);
+    recorder_.keep(first_.state, piece_->first);
+    Ending end{MotionStatus::kCompleted, ""};
+    try {
+      for (const ExcitationPiece& next : pieces_) {
+        piece_ = &next;
+        if (piece_->jumps) ode_.restart();
+        while (ode_.time() < piece_->end) step();
+      }
+    } catch (const Ending& early) {
+      end = early;
+    }
+    Trajectory path = recorder_.take(end.status, end.why, ode_, account_.balance());
+    path.effort = motion_.effort();
+    return path;
+  }
+
+ private:
+  /// Ends the motion from within a step, too.
+  void look() const {
+    if (options_.progress.stop()) throw Ending{MotionStatus::kStopped, ""};
+    if (motion_.effort() > options_.max_effort)
+      throw Ending{MotionStatus::kLimit,
+                   fmt::format("its net took more than {} evaluations of energy, so it gave up",
+                               options_.max_effort)};
+  }
+
+  VectorXd slope(double time, const VectorXd& y) {
+    look();
+    const VectorXd rates = motion_.pack(motion_.slope(motion_.unpack(y), piece_->at(time)));
+    if (!motion_.obstacle().empty()) count_obstacle();
+    return rates;
+  }
+
+  /// Ends the motion where trial after trial, however close, finds no rest of the net.
+  void count_obstacle() {
+    if (ode_.time() - obstacle_since_ >= kStallTime) {
+      obstacle_since_ = ode_.time();
+      obstacles_ = 0;
+    }
+    if (++obstacles_ >= kObstacles)
+      throw Ending{MotionStatus::kIntegratorFailed,
+                   motion_.obstacle() + ", however short the step"};
+  }
+
+  Eigen::MatrixXd jacobian(double time, const VectorXd& y) {
+    look();
+    return motion_.jacobian(motion_.unpack(y), piece_->at(time));
+  }
+
+  void step() {
+    const OdeStatus status = ode_.step(piece_->end);
+    if (status != OdeStatus::kStepped) throw Ending{end_of(status), reason(status, motion_)};
+    // Instants to keep lie within the last step.
+    for (; recorder_.next() <= ode_.time();)
+      recorder_.keep(motion_.unpack(ode_.state_at(recorder_.next())),
+                     piece_->at(recorder_.next()));
+    // A net that snaps is followed through the step in pieces, which tell when.
+    const MotionState now = motion_.unpack(ode_.state());
+    if (motion_.snaps_before(now))
+      for (int i = 1; i < kPieces; ++i) {
+        const double time = accepted_ + (ode_.time() - accepted_) * i / kPieces;
+        accept(motion_.unpack(ode_.state_at(time)), time);
+      }
+    accept(now, ode_.time());
+    // Progress, stopping and stalling.
+    options_.progress(ode_.time() / options_.seconds, "simulating");
+    look();
+    if (!stall_steps_.go_on(ode_.time()))
+      throw Ending{MotionStatus::kNoProgress,
+                   fmt::format("{} steps took it less than {:.2g} s on, so it gave up",
+                               options_.stall_steps, kStallTime)};
+  }
+
+  /// Goes on from a state, and accounts for its energy.
+  void accept(const MotionState& state, double time) {
+    const FingerMotion::Accepted accepted = motion_.accept(state);
+    recorder_.note_accepted(accepted, time);
+    account_.add(state, accepted.net);
+    accepted_ = time;
+  }
+
+  const std::vector<ExcitationPiece>& pieces_;
+  const SimulateOptions& options_;
+  const ExcitationPiece* piece_;
+  FingerMotion motion_;
+  MotionOnset first_;
+  FingerMotion::Accepted begun_;
+  Recorder recorder_;
+  Account account_;
+  Patience stall_steps_;
+  int obstacles_ = 0;          // trials without rest of the net ...
+  double obstacle_since_ = 0;  // ... since this time [s]
+  double accepted_ = 0;        // time of the last state [s]
+  StiffOde ode_;
+};
 
 }  // namespace
 
@@ -294,17 +395,18 @@ Trajectory simulate(const MotionModel& model, const Excitation& excitation,
   const std::vector<ExcitationPiece> pieces = excitation_pieces(excitation, options.seconds);
 
   // First integration.
-  Trajectory path = integrate(model, pieces, start, options);
+  Trajectory path = Integration(model, pieces, start, options).run();
   const bool balanced = path.balance.holds();
-  if (path.status != MotionStatus::kCompleted || (balanced && !has_jumped(path))) return path;
-  // Energy does not balance, or the net jumped: once more with a smaller tolerance.
+  if (path.status != MotionStatus::kCompleted || (balanced && !has_strayed(path))) return path;
+  // Energy does not balance, or excursions strayed: once more with a smaller tolerance.
   SimulateOptions finer = options;
   finer.tolerance *= kFiner;
-  // Smaller steps do not help a net that jumps by itself.
+  finer.max_effort -= path.effort;
+  // Smaller steps do not help where excursions stray by themselves.
   if (balanced)
     finer.max_steps = static_cast<int>(
         std::min<double>(options.max_steps, kMoreSteps * static_cast<double>(path.counts.steps)));
-  Trajectory again = integrate(model, pieces, start, finer);
+  Trajectory again = Integration(model, pieces, start, finer).run();
   if (again.status == MotionStatus::kStopped) return again;
   // Keep the better one.
   const bool better = again.status == MotionStatus::kCompleted && again.balance.holds() &&
@@ -312,6 +414,12 @@ Trajectory simulate(const MotionModel& model, const Excitation& excitation,
   if (better) path = std::move(again);
   if (!path.balance.holds()) path.status = MotionStatus::kUnbalanced;
   return path;
+}
+
+double released_energy(const Trajectory& trajectory) {
+  double sum = 0;
+  for (const MotionSnap& snap : trajectory.snaps) sum += snap.released;
+  return sum;
 }
 
 VectorXd energy_drift(const Trajectory& trajectory) {

@@ -23,6 +23,7 @@ struct SimulateOptions {
   double sample = 0.005;    // between the instants that are kept [s]
   double tolerance = 1e-6;  // error of one step, of each state's size [1]
   int max_steps = 1000000;  // of one integration
+  long max_effort = 2000000;  // evaluations of a net's energy, of both integrations together
   int stall_steps = 500;  // steps after which it gives up, if together they advance it by less than
                           // kStallTime
   Progress progress{};
@@ -38,7 +39,7 @@ inline constexpr double kEnergyShare = 1e-4, kNoEnergy = 1e-9;
 enum class MotionStatus {
   kCompleted,         // all the time that was asked for, and its energy balances
   kStopped,           // the caller asked to stop; holds all up to then
-  kLimit,             // max_steps are done; holds all up to then
+  kLimit,             // max_steps or max_effort are done; holds all up to then
   kIntegratorFailed,  // the integrator found no step; holds all up to then, `warning` says why
   kNoProgress,        // see SimulateOptions::stall_steps; holds all up to then
   kUnbalanced         // all the time, but energy is not conserved: not to be believed
@@ -46,9 +47,18 @@ enum class MotionStatus {
 
 /// Energy balance of an integration, over all its steps and not only the instants kept.
 struct EnergyBalance {
-  double error = 0;        // largest |energy - energy at the start - work + dissipated| [J]
+  double error = 0;        // largest |energy - energy at the start - work + dissipated|, or, if
+                           // more, of a net: |sum of NetStep::unexplained| [J]
   double turned_over = 0;  // largest kinetic energy, plus loss, plus all |work| of the steps [J]
   [[nodiscard]] bool holds() const { return error <= kEnergyShare * turned_over + kNoEnergy; }
+};
+
+/// A jump of a net to another equilibrium.
+struct MotionSnap {
+  double time;       // [s]
+  std::string band;  // whose tension changed most
+  double moved;      // furthest way of a knot [m]
+  double released;   // energy that net and muscles lost [J]
 };
 
 /// A digit over time; one row an instant.
@@ -74,14 +84,16 @@ struct [[nodiscard]] Trajectory {
   std::optional<double> drift;  // largest of an excursion from the length of its line, over all
                                 // steps; absent where nothing measures it:
                                 // FingerMotion::Accepted [m]
-  double tolerance = 0;         // that it was integrated to [1]
-  OdeCounts counts;             // work of the integrator
+  std::vector<MotionSnap> snaps;  // of a net, the first one first
+  double tolerance = 0;           // that it was integrated to [1]
+  OdeCounts counts;               // work of the integrator
+  long effort = 0;                // evaluations of a net's energy
 };
 
-/// Integrates to the tolerance. If energy then does not balance, or a net has jumped to another
-/// equilibrium (`drift` above 0.1 mm), it integrates once more, to a hundredth of the tolerance. A
-/// net that jumps there, too, or needs many more steps, does so by itself: `warning` says when.
-/// A motion that is stopped or stalls keeps all instants up to then, and says so.
+/// Integrates to the tolerance. If energy then does not balance, or excursions have drifted by more
+/// than 0.1 mm from their lines though no net snapped, it integrates once more, to a hundredth of
+/// the tolerance. A motion that is stopped, stalls or has done all the work that it may keeps all
+/// instants up to then, and `warning` says why.
 /// @throws InputError if the model or the start does not fit, a joint moves nothing that has mass,
 /// or an option is not positive.
 Trajectory simulate(const MotionModel& model, const Excitation& excitation,
@@ -90,6 +102,9 @@ Trajectory simulate(const MotionModel& model, const Excitation& excitation,
 /// energy - energy at the start - work + dissipated:  the numerical energy drift up to each instant
 /// [J] (instants).
 [[nodiscard]] Eigen::VectorXd energy_drift(const Trajectory& trajectory);
+
+/// Energy that all snaps of a net released [J].
+[[nodiscard]] double released_energy(const Trajectory& trajectory);
 
 /// Largest absolute energy drift [J].
 [[nodiscard]] double energy_error(const Trajectory& trajectory);

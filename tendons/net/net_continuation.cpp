@@ -6,6 +6,7 @@
 
 #include "tendons/net/net_derivatives.h"
 #include "tendons/net/net_search.h"
+#include "tendons/net/net_statics.h"
 #include "tendons/net/tangent_net.h"
 
 namespace thenar {
@@ -91,7 +92,7 @@ class NetWalk {
         turn_(to.q - from.q),
         load_(to.t - from.t),
         options_(options),
-        walk_{rest, 0, 0} {
+        walk_{rest, {}, 0, 0, true} {
     // The least part of the way that counts as a step.
     const double most = std::max({largest(from.t), largest(to.t), 1e-3});
     const double turned = largest(turn_.cwiseAbs()) / options.min_turn;
@@ -116,6 +117,7 @@ class NetWalk {
                            turn_, load_);
     else
       step_ = 1 - done_;
+    if (walk_.solves >= options_.max_solves) walk_.followed = false;
     for (;;) {
       const double end = step_ >= 1 - done_ ? 1 : done_ + step_;
       const Matrix3Xd start = walk_.rest.x + (end - done_) * rate;
@@ -125,7 +127,7 @@ class NetWalk {
       const double off = judged ? largest_deviation(net, walk_.rest.undetermined, start, next) : 0;
       const bool astray = off > options_.stray || (follows && !judged);
       if (!astray || !(end - done_ > least_) || walk_.solves >= options_.max_solves) {
-        if (off > options_.stray) ++walk_.snaps;
+        if (off > options_.stray) note_snap(next, end, off);
         return accept(std::move(next), end, off);
       }
       const double shorter = judged ? std::min(next_step(off), 0.5) : 0.5;
@@ -143,8 +145,42 @@ class NetWalk {
   }
 
   [[nodiscard]] NetEquilibrium rest_at(double place, const Matrix3Xd& start) {
+    NetEquilibrium rest =
+        tendons_.rest(from_.q + place * turn_, from_.t + place * load_, start);
     ++walk_.solves;
-    return tendons_.rest(from_.q + place * turn_, from_.t + place * load_, start);
+    walk_.effort += rest.evaluations;
+    return rest;
+  }
+
+  /// Strain energy and what the pulls t hold,  strain + t L,  of the net alone [J].
+  [[nodiscard]] double potential(const NetEquilibrium& rest, const VectorXd& t) const {
+    const Net& net = tendons_.net().net;
+    return strain_energy(net, rest) + tendons_.drive(t).dot(muscle_band_length(net, rest));
+  }
+
+  /// Notes a jump to `next`, at the end of a step so short that the net would have followed it by
+  /// its slopes,  d(strain + t L) = -tau dq + L dt.
+  void note_snap(const NetEquilibrium& next, double end, double moved) {
+    const Net& net = tendons_.net().net;
+    const TendonModel<double>& model = tendons_.digit().model;
+    const NetEquilibrium& rest = walk_.rest;
+    const VectorXd q = from_.q + done_ * turn_, t = from_.t + done_ * load_;
+    const double step = end - done_;
+    // Energy that it would have there, less what it has.
+    const VectorXd tau =
+        net_torque(net, model.tree, pose_tree(model.tree, q), rest, model.coordinates);
+    const double led = potential(rest, t) - step * tau.dot(turn_) +
+                       step * tendons_.drive(load_).dot(muscle_band_length(net, rest));
+    NetJump snap;
+    snap.from = done_, snap.share = end;
+    snap.before = rest, snap.after = next;
+    snap.moved = moved;
+    snap.released = led - potential(next, t + step * load_);
+    // Band whose tension changed most.
+    Eigen::Index most = 0;
+    (next.tension - rest.tension).cwiseAbs().maxCoeff(&most);
+    snap.band = net.bands[static_cast<std::size_t>(most)].name;
+    walk_.snaps.push_back(std::move(snap));
   }
 
   /// Takes the equilibrium at the end of a step, `off` from its prediction [m].
@@ -154,7 +190,9 @@ class NetWalk {
       NetEquilibrium cold = rest_at(end, {});
       if (!unbalanced(cold)) {
         next = std::move(cold);
-        ++walk_.snaps;
+        const double moved = largest_deviation(tendons_.net().net, walk_.rest.undetermined,
+                                               walk_.rest.x, next);
+        if (moved > options_.stray) note_snap(next, end, moved);
       }
     }
     walk_.rest = std::move(next);

@@ -16,7 +16,7 @@ struct NetContinuationOptions {
   double stray = 2e-4;     // from where a knot was predicted; more is a shorter step, or a snap [m]
   double min_turn = 1e-5;  // of any joint in a step that is not shortened [rad]
   double min_load = 1e-5;  // change of tension in such a step, per largest tension [1]
-  int max_solves = 1000;   // then the rest is gone in one step, and counts as a snap
+  int max_solves = 1000;   // then the rest is gone in one step, and snaps are not judged
 };
 
 /// What a net is asked to follow.
@@ -25,17 +25,26 @@ struct PostureAndLoad {
   Eigen::VectorXd t;  // tension of each muscle (muscles) [N]
 };
 
+/// A snap on the way: of no length, but for the least step.
+struct NetJump : NetSnap {
+  double from = 0;  // share of the way before it, `share` behind it [1]
+  NetEquilibrium before, after;
+};
+
 /// An equilibrium, and how it was reached.
 struct [[nodiscard]] NetContinuation {
   NetEquilibrium rest;
-  int snaps = 0;   // jumps on the way
-  int solves = 0;  // searches for rest
+  std::vector<NetJump> snaps;  // on the way, the first one first
+  int solves = 0;              // searches for rest
+  long effort = 0;             // evaluations of the net's energy in them
+  bool followed = true;        // false: max_solves did not suffice
 };
 
 /// Follows a net from its equilibrium at one posture and load to another. Where no equilibrium is
-/// found near the prediction, the solver starts from scratch; that counts as a snap. Where the net
-/// is not differentiable, see why_not_differentiable(), or no muscle pulls it at either end, so
-/// that nothing determines its knots, it is moved in one step and snaps are not judged.
+/// found near the prediction, the solver starts from scratch; what it finds elsewhere is a snap.
+/// Where the net is not differentiable, see why_not_differentiable(), or no muscle pulls it at
+/// either end, so that nothing determines its knots, it is moved in one step and snaps are not
+/// judged.
 /// @param rest   at `from`, as found before
 /// @throws InputError as DigitTendons::evaluate().
 NetContinuation follow_net(const NetTendons& tendons, const NetEquilibrium& rest,

@@ -72,6 +72,11 @@ void NetDescent::accept() {
   std::swap(at_, next_);
 }
 
+void NetDescent::measure(NetEnergy& energy, const std::vector<Vector3d>& x) {
+  evaluate(plan_, scene_, x, energy);
+  ++evaluations_;
+}
+
 NetStatus NetDescent::descend(int patience) {
   definite_ = false;
   radius_ = kLongest;
@@ -79,17 +84,17 @@ NetStatus NetDescent::descend(int patience) {
     // Forces left out of balance, and collapsed nodes that their pull no longer holds.
     balance();
     if (release_from_exit()) {
-      evaluate(plan_, scene_, x_, at_);
+      measure(at_, x_);
       balance();
     }
     // Balanced: update the multipliers, then tell a minimum from a saddle.
     if (residual_ <= options_.tolerance) {
       if (update_multipliers()) {
-        evaluate(plan_, scene_, x_, at_);
+        measure(at_, x_);
         balance();
       } else if (is_minimum()) {
         return NetStatus::kBalanced;
-      } else if (!leave_saddle()) {
+      } else if (iterations_ >= patience || !leave_saddle()) {
         return NetStatus::kUnstable;
       } else {
         continue;
@@ -108,7 +113,7 @@ NetStatus NetDescent::settle(const TreeState<double>& state, const NetDrive& dri
   scene_ = pose_scene(plan_.net, state, drive);
   draws_.assign(plan_.bands.size(), 0);
   place(state, start);
-  evaluate(plan_, scene_, x_, at_);
+  measure(at_, x_);
   return descend(patience);
 }
 
@@ -137,6 +142,7 @@ NetStatus NetDescent::load_continuation(const TreeState<double>& state, const Ne
 
 NetEquilibrium NetDescent::run(const TreeState<double>& state, const NetDrive& drive,
                                const Eigen::Matrix3Xd* start) {
+  evaluations_ = 0;
   // Half of the steps directly; then from strong pulls; then the rest of the steps.
   NetStatus status = settle(state, drive, start, options_.max_iterations / 2);
   if (status == NetStatus::kStalled && far_side_bands().empty())
@@ -375,7 +381,7 @@ bool NetDescent::try_step(double part, double& slope) {
     const bool hit = contact_next_[k].touching > contact_[k].pressed;
     slope += hit ? at_.g[k].dot(x_next_[i] - x_[i]) : straight;
   }
-  evaluate(plan_, scene_, x_next_, next_);
+  measure(next_, x_next_);
   return true;
 }
 

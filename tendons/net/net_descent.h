@@ -35,6 +35,7 @@ class NetDescent {
   void place(const TreeState<double>& state, const Eigen::Matrix3Xd* start);
   void project_start(int k);
   void accept();
+  void measure(NetEnergy& energy, const std::vector<Eigen::Vector3d>& x);
   NetStatus descend(int patience);
   NetStatus settle(const TreeState<double>& state, const NetDrive& drive,
                    const Eigen::Matrix3Xd* start, int patience);
@@ -89,6 +90,7 @@ class NetDescent {
   double longest_ = 0;      // move of a node in the last step [m]
   bool definite_ = false;   // stiffness at the last step
   int iterations_ = 0;
+  int evaluations_ = 0;  // of the energy, in all descents of a run
 };
 
 }  // namespace thenar::internal

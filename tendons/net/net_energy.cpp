@@ -51,9 +51,7 @@ WrappedString penalty_chord(double t, double penalty, const Vector3d& multiplier
 
 BandResponse law(const Net& net, const NetScene& scene, int i, double L) {
   if (scene.pull[i] >= 0) return {scene.pull[i] * L, scene.pull[i], 0};
-  const NetBand& band = net.bands[i];
-  if (net.blend > 0) return smoothed_response(L, scene.slack[i], band.EA, band.toe, net.blend);
-  return band_response(L, scene.slack[i], band.EA, band.toe);
+  return elastic_response(net, net.bands[i], scene.slack[i], L);
 }
 
 /// Stiffness that bands can set against a is_regularised node: sum EA / slack at both ends, and
@@ -72,6 +70,11 @@ double penalty_of(const Net& net, const NetScene& scene, int i) {
 }
 
 }  // namespace
+
+BandResponse elastic_response(const Net& net, const NetBand& band, double slack, double length) {
+  if (net.blend > 0) return smoothed_response(length, slack, band.EA, band.toe, net.blend);
+  return band_response(length, slack, band.EA, band.toe);
+}
 
 bool is_regularised(const NetScene& scene, int i, double length) {
   return scene.pull[i] > 0 &&

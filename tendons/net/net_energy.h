@@ -52,6 +52,10 @@ struct NetScene {
 [[nodiscard]] NetScene pose_scene(const Net& net, const TreeState<double>& state,
                                   const NetDrive& drive);
 
+/// Response of a band that follows its law, with the net's blend.
+[[nodiscard]] BandResponse elastic_response(const Net& net, const NetBand& band, double slack,
+                                            double length);
+
 /// Whether band i, straight and of constant pull, is so short that the penalty replaces its energy.
 [[nodiscard]] bool is_regularised(const NetScene& scene, int i, double length);
 

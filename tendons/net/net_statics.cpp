@@ -1,6 +1,7 @@
 #include "tendons/net/net_statics.h"
 
 #include "base/error.h"
+#include "tendons/net/band_law.h"
 #include "tendons/net/net_energy.h"
 
 namespace thenar {
@@ -50,6 +51,16 @@ LinkWrenches wrenches(const Net& net, const TreeState<double>& state, const NetE
 }
 
 }  // namespace
+
+double strain_energy(const Net& net, const NetEquilibrium& rest) {
+  double energy = 0;
+  for (std::size_t b = 0; b < net.bands.size(); ++b)
+    if (net.bands[b].muscle < 0)
+      energy += internal::elastic_response(net, net.bands[b], net.bands[b].slack,
+                                           rest.length[static_cast<Eigen::Index>(b)])
+                    .energy;
+  return energy;
+}
 
 std::vector<LinkWrench> net_wrenches(const Net& net, const TreeState<double>& state,
                                      const NetEquilibrium& rest) {

@@ -18,6 +18,9 @@ namespace thenar {
                                          const TreeState<double>& state, const NetEquilibrium& rest,
                                          int coordinates);
 
+/// Energy stored in the passive bands [J]; muscles' bands store none.
+[[nodiscard]] double strain_energy(const Net& net, const NetEquilibrium& rest);
+
 /// Wrenches on all links that the net touches, the base included. They sum to zero up to the exits
 /// of muscles given by tension, whose bodies are links as well.
 [[nodiscard]] std::vector<LinkWrench> net_wrenches(const Net& net, const TreeState<double>& state,

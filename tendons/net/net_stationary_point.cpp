@@ -209,6 +209,7 @@ NetEquilibrium NetDescent::report(NetStatus status) const {
   out.status = status;
   out.residual = residual_;
   out.iterations = iterations_;
+  out.evaluations = evaluations_;
   out.energy = at_.energy;
   out.pushed_out = pushed_out_;
   if (status == NetStatus::kStalled) out.far_side_bands = far_side_bands();

@@ -9,6 +9,7 @@
 #include "base/error.h"
 #include "tendons/net/band_course.h"
 #include "tendons/net/net_derivatives.h"
+#include "tendons/net/net_follower.h"
 #include "tendons/net/net_statics.h"
 #include "tendons/path.h"
 
@@ -194,6 +195,10 @@ std::unique_ptr<DigitTendons> NetTendons::smoothed(double strain) const {
   return std::make_unique<NetTendons>(linear_, std::move(net), options_, std::move(free));
 }
 
+std::unique_ptr<TendonFollower> NetTendons::follower() const {
+  return std::make_unique<NetFollower>(*this);
+}
+
 NetEquilibrium NetTendons::rest(const VectorXd& q, const VectorXd& t,
                                 const Eigen::Matrix3Xd& start) const {
   require(start.cols() == 0 || start.cols() == static_cast<Eigen::Index>(net_.net.nodes.size()),
@@ -293,6 +298,7 @@ TendonTorque NetTendons::torque_at_rest(const VectorXd& q, const VectorXd& t,
   pull.tau += net_torque(net_.net, model.tree, state, rest, model.coordinates);
   pull.slips = slip_tension(net_, rest);
   pull.nodes = rest.x;
+  pull.effort = rest.evaluations;
   // Status and warning of the worst part.
   add_warning(net_warning(net_.net, state, rest), pull);
   pull.status = worse(pull.status, net_status(net_.net, state, rest));

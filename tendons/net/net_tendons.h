@@ -79,6 +79,8 @@ class NetTendons : public DigitTendons {
   [[nodiscard]] Eigen::VectorXd lengths(const Eigen::VectorXd& q, const Eigen::VectorXd& t,
                                         const TendonTorque& at) const override;
 
+  [[nodiscard]] std::unique_ptr<TendonFollower> follower() const override;
+
   /// A copy with Net::blend.
   [[nodiscard]] std::unique_ptr<DigitTendons> smoothed(double strain) const override;
 

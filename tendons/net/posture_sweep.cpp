@@ -66,7 +66,7 @@ SweepPoint sweep_on(const NetTendons& tendons, const SweepPoint* before, const E
   // From the point before, along the net's course.
   NetContinuation walk = follow_net(tendons, before->rest, {before->q, t}, {q, t}, options);
   SweepPoint point = point_at(tendons, q, t, std::move(walk.rest));
-  point.snapped = walk.snaps > 0;
+  point.snapped = !walk.snaps.empty();
   compare_places(tendons.net().net, *before, point);
   return point;
 }

@@ -79,8 +79,8 @@ void TendonActuator::move_net(const VectorXd& q, const VectorXd& t) {
   // Otherwise follow the net in smaller steps.
   NetContinuation walk = follow_net(*net_, rest_, {q_, t_}, {q, t}, options_);
   rest_ = std::move(walk.rest);
-  action_.snapped = walk.snaps > 0;
-  snaps_ += walk.snaps;
+  action_.snapped = !walk.snaps.empty();
+  snaps_ += static_cast<int>(walk.snaps.size());
 }
 
 /// Adds torque, slopes and lengths of the net where it rests, and keeps the state.

@@ -352,7 +352,7 @@ TEST_P(ExtensorHood, ComesBackUnderALoneLumbrical) {
   bent[0] += 80 * kDegree;
   const NetContinuation there = follow_from_straight(tendons, bent, t);
   const NetContinuation back = follow_net(tendons, there.rest, {bent, t}, {straight, t});
-  EXPECT_EQ(there.snaps + back.snaps, 0);
+  EXPECT_EQ(there.snaps.size() + back.snaps.size(), 0U);
   const NetEquilibrium direct = tendons.rest(straight, t, {});
   EXPECT_NEAR(back.rest.energy, direct.energy, 1e-9);  // [J], of 0.06
   EXPECT_TRUE(matrix_near(tendons.torque(straight, t, back.rest),

@@ -1,0 +1,101 @@
+// Tests for tendons/net/net_follower.cpp: a knot on a round bone between two exits inside of it.
+
+#include "tendons/net/net_follower.h"
+
+#include <gtest/gtest.h>
+
+#include "tendons/linear_tendons.h"
+#include "tests/matrix_near.h"
+#include "tests/hand/sample_subjects.h"
+#include "tests/tendons/net/sample_nets.h"
+
+namespace thenar {
+namespace {
+
+using Eigen::Vector2d;
+using Eigen::VectorXd;
+
+constexpr double kRadius = 6e-3, kAside = 3e-3;  // of the bone, and of the exits from its axis [m]
+
+/// The knot lies on the bone at an angle theta from the first exit. With r the radius and d the
+/// distance of the exits from the axis its energy is
+///   t1 sqrt(r^2 + d^2 - 2 r d cos theta) + t2 sqrt(r^2 + d^2 + 2 r d cos theta),
+/// so that theta = 0 is a minimum while  t1 / (r - d) > t2 / (r + d),  and pi while
+/// t2 / (r - d) > t1 / (r + d):  both, for pulls that differ by less than a factor of 3.
+NetTendons two_exits() {
+  // A rod on a hinge, which the net does not pull.
+  Subject subject;
+  subject.name = "rod";
+  subject.side = "right";
+  subject.base = "Base";
+  subject.segments = {sample::bone("Base", {0, 0, 0}, {0, 0, 0}, 0),
+                      sample::bone("Rod", {0, 0, 0}, {0, -0.08, 0}, 0)};
+  subject.joints = {sample::hinge("J1", "Base", "Rod", {0, 0, 1}, {0, 0, 0})};
+  for (const char* name : {"FLX", "EXT"}) {
+    Strand strand;
+    strand.name = name;
+    strand.arms = {{"J1", 0.01}};
+    subject.strands.push_back(strand);
+    MuscleUnit muscle;
+    muscle.name = muscle.strand = name;
+    muscle.max_force = 2;
+    subject.muscles.push_back(muscle);
+  }
+  subject.digits = {sample::digit("index", "Rod", {0, -0.08, 0})};
+  auto linear = build_linear_tendons(subject, "index");
+  BuiltNet built;
+  Net& net = built.net;
+  net.name = "two exits";
+  net.surfaces = {{"bone", -1, SurfaceShape::kCylinder, {kRadius, 0.01, 0}, {}}};
+  net.muscles = {"FLX", "EXT"};
+  const int knot = add_node(net, true, -1, {kRadius, 0, 0}, {0});
+  add_pull(net, knot, add_node(net, false, -1, {kAside, 0, 0}), 0);
+  add_pull(net, knot, add_node(net, false, -1, {-kAside, 0, 0}), 1);
+  built.pulls = {{0, 1}, {1, 1}};
+  built.muscles = {{0, 1, {}}, {1, 1, {}}};
+  built.frame.straight = VectorXd::Zero(1);
+  return {std::move(linear), std::move(built)};
+}
+
+const VectorXd kStill = VectorXd::Zero(1);
+
+double side_of(const TendonTorque& pull) { return pull.nodes(0, 0); }
+
+// Where it snaps and what that releases, in closed form: as t1 falls from 1 N to 0.2 N under
+// t2 = 1 N, at t1 = (r - d) / (r + d) N,  2 d (t2 - t1).
+TEST(NetFollower, SnapsWhereTheEnergyFoldsAndTellsWhatThatReleases) {
+  const NetTendons tendons = two_exits();
+  NetFollower net(tendons);
+  EXPECT_TRUE(net.accept(kStill, Vector2d(1, 1)).snaps.empty());
+  const std::vector<NetSnap> snaps = net.accept(kStill, Vector2d(0.2, 1)).snaps;
+  ASSERT_EQ(snaps.size(), 1U);
+  const double fold = (kRadius - kAside) / (kRadius + kAside);  // [N]
+  EXPECT_NEAR(snaps[0].share, (1 - fold) / 0.8, 1e-4);          // of stiffness lost in rounding
+  EXPECT_NEAR(snaps[0].released, 2 * kAside * (1 - fold), 1e-6);
+  EXPECT_NEAR(snaps[0].moved, 2 * kRadius, 1e-6);
+  EXPECT_NEAR(side_of(net.at(kStill, Vector2d(0.2, 1))), -kRadius, 1e-9);
+}
+
+// Between the folds either side is at rest: that from which it came.
+TEST(NetFollower, RemembersFromWhichSideItCame) {
+  const NetTendons tendons = two_exits();
+  NetFollower net(tendons);
+  (void)net.accept(kStill, Vector2d(1, 1));
+  EXPECT_TRUE(net.accept(kStill, Vector2d(0.5, 1)).snaps.empty());
+  EXPECT_NEAR(side_of(net.at(kStill, Vector2d(0.5, 1))), kRadius, 1e-9);
+  (void)net.accept(kStill, Vector2d(0.2, 1));
+  EXPECT_TRUE(net.accept(kStill, Vector2d(1, 1)).snaps.empty());
+  EXPECT_NEAR(side_of(net.at(kStill, Vector2d(1, 1))), -kRadius, 1e-9);
+}
+
+// Trials of an integrator leave no trace.
+TEST(NetFollower, ForgetsWhatWasNotAccepted) {
+  const NetTendons tendons = two_exits();
+  NetFollower net(tendons);
+  (void)net.accept(kStill, Vector2d(1, 1));
+  EXPECT_NEAR(side_of(net.at(kStill, Vector2d(0.2, 1))), -kRadius, 1e-9);
+  EXPECT_NEAR(side_of(net.at(kStill, Vector2d(0.9, 1))), kRadius, 1e-9);
+}
+
+}  // namespace
+}  // namespace thenar
