@@ -15,6 +15,7 @@ MAY = {
     "tests/live/browser.py": "guards against hangs: minutes",
     "tests/live/live_files_test.py": "guards against hangs: minutes",
     "tests/live/live_page.py": "guards against hangs: minutes",
+    "tests/tendons/muscle/net_excitation_test.cpp": "the processor's time is told, and decides nothing",
     "tests/sampling/kill_test.py": "runs are killed at moments of how long one takes that is left alone",
     "tests/server/attack_test.py": "guards against hangs: an ended connection reads at once",
     "tests/server/engine_test.cpp": "frames and motions keep to the clock: bounds from above, which slow machines meet",

@@ -19,7 +19,6 @@ JOINS = re.compile(r"(path\([^()]*(\(\))?[^()]*\)|[Ff]older\w*(\(\))?|parent_pat
 OPENED = {
     "server/session_log.cpp": (4, "a log that the command line names, checked by outside_path(); an unnamed temporary file"),
     "server/token_file.cpp": (6, "the token: a name made of the port, in a folder of the user's own"),
-    "api/live/world/imported_files.cpp": (3, "dropped files below the session's own folder, whose names were checked; a copy that failed goes"),
     "api/live/world/live_world.cpp": (2, "the session's own folder"),
     "api/live/world/world_files.cpp": (1, "require_writable() of InsideFolder"),
     "api/live/world/world_import.cpp": (2, "a numbered folder in the session's own"),
@@ -35,9 +34,11 @@ OPENED = {
 }
 CHECKED_AT_READING = "it went through linked_file() when its file was read"
 JOINED = {
-    "api/named/data_folders.cpp": (6, "names are looked for by find_in(), which calls outside_fault(); folders of ours"),
+    "api/named/data_folders.cpp": (5, "names are looked for by find_in(), which calls outside_fault(); folders of ours"),
     "api/named/hands.cpp": (1, "a name for find_in()"),
+    "api/named/portable_world.cpp": (8, "numbers of ours; files that went through linked_file(), written through InsideFolder"),
     "api/named/recorded_run.cpp": (1, "an input of a recorded run: its digest is compared, nothing else"),
+    "api/named/shipped_data.cpp": (1, "a folder of ours"),
     "api/named/worlds.cpp": (1, "a hand's file, " + CHECKED_AT_READING),
     "api/pads/fit_pad.cpp": (1, "a mesh to be named in a new file, " + CHECKED_AT_READING),
     "api/pads/press_rungs.cpp": (1, "outside_fault() stands below it"),
@@ -46,7 +47,7 @@ JOINED = {
     "api/live/world/imported_files.cpp": (2, "a hand's file below the session's own folder; a number; both written through InsideFolder"),
     "api/live/world/live_hand.cpp": (1, "a key of the cache, " + CHECKED_AT_READING),
     "api/live/world/live_world.cpp": (1, "the session's own folder"),
-    "api/live/world/world_files.cpp": (2, "NAME_files beside a checked name; a name that went through outside_path()"),
+    "api/live/world/world_files.cpp": (1, "a name that went through outside_path()"),
     "api/live/world/world_import.cpp": (2, "a number; a name that went through outside_path()"),
     "data/io/graspit/graspit_link.cpp": (1, "a mesh that find_mesh() looks at before it is read"),
     "data/io/mesh/foreign_mesh.cpp": (4, "the program that reads meshes, by a name of ours"),
@@ -59,6 +60,7 @@ JOINED = {
     "data/io/scene/scene.cpp": (2, CHECKED_AT_READING),
     "data/io/world/graspit_world.cpp": (1, "outside_fault() and may_link() stand around it"),
     "data/io/world/world.cpp": (1, CHECKED_AT_READING),
+    "data/io/world/world_keys.cpp": (3, "outside_fault() stands above a name of the catalogue; " + CHECKED_AT_READING),
 }
 FOLDERS = ["server", "api/live", "report", "apps"]                     # texts of clients, logs, drops
 LINKS = ["server", "api", "report", "apps", "data/io", "dynamics/scene"]  # names that files hold, too

@@ -8,6 +8,7 @@
 
 #include "base/error.h"
 #include "base/nearest_name.h"
+#include "base/outside_path.h"
 #include "data/io/linked_file.h"
 #include "data/io/mesh/shape_toml.h"
 #include "data/io/world/body_toml.h"
@@ -42,6 +43,7 @@ std::string file_or_name(TomlTable& table, const std::string& key, const std::st
                          const std::vector<std::string>& places) {
   namespace fs = std::filesystem;
   const std::string name = table.text(key);
+  if (const auto fault = outside_fault(name, OutsideUse::kRead)) table.fail(*fault, key);
   const bool is_path = name.find_first_of("/.") != std::string::npos;
   if (is_path || places.empty() || is_file((fs::path(folder) / name).string())) {
     (void)file_beside(table, key, folder);
