@@ -80,8 +80,8 @@ struct MotionInstant {
 /// Bones move by Simbody; nets are massless and at rest at every instant, where they come to from
 /// the last accepted state: TendonFollower. On rigid tendons tension depends on velocity, and
 /// velocity, by a net's moment arms, on tension; under a net a rigid tendon is therefore replaced
-/// by one that stretches by kRigidStrain, so that the projected fibre is a state and tension follows
-/// from states alone.
+/// by one that stretches by kRigidStrain, so that the projected fibre is a state and tension
+/// follows from states alone.
 class FingerMotion {
  public:
   /// @throws InputError if the contraction has other muscles than the digit.

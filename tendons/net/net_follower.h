@@ -11,7 +11,8 @@ namespace thenar {
 
 /// Where the net was accepted, knots move with  x + dx/dq dq + dx/dt dt.  Where one is found
 /// further than NetContinuationOptions::stray from there, the net is followed in shorter steps:
-/// what still strays has snapped. So the net has a memory, and where it rests does not depend on trials.
+/// what still strays has snapped. So the net has a memory, and where it rests does not depend on
+/// trials.
 class NetFollower : public TendonFollower {
  public:
   /// @param tendons  must outlive it
