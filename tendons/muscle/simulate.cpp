@@ -339,6 +339,11 @@ class Integration {
 
   void step() {
     const OdeStatus status = ode_.step(piece_->end);
+    // Where no step is short enough it starts anew, with what it knows of here alone.
+    if (status == OdeStatus::kTooStiff && ode_.time() > renewed_) {
+      renewed_ = ode_.time();
+      return ode_.restart();
+    }
     if (status != OdeStatus::kStepped) throw Ending{end_of(status), reason(status, motion_)};
     // Instants to keep lie within the last step.
     for (; recorder_.next() <= ode_.time();)
@@ -381,6 +386,7 @@ class Integration {
   int obstacles_ = 0;          // trials without rest of the net ...
   double obstacle_since_ = 0;  // ... since this time [s]
   double accepted_ = 0;        // time of the last state [s]
+  double renewed_ = -1;        // time at which the integrator was last started anew [s]
   StiffOde ode_;
 };
 
