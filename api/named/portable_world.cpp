@@ -87,7 +87,7 @@ FileDigests files_of_hand(const std::string& file) {
 class Gathering {
  public:
   Gathering(const std::string& path, const std::vector<std::string>& wholes)
-      : beside_(fs::absolute(fs::path(path).parent_path()).lexically_normal()),
+      : beside_(fs::absolute("." / fs::path(path).parent_path()).lexically_normal()),
         folder_(beside_ / (fs::path(path).stem().string() + "_files")) {
     for (const std::string& whole : wholes) wholes_.push_back(whole_path("", whole));
   }
@@ -191,7 +191,7 @@ WorldSpec with_shipped_names(const WorldSpec& world, const std::string& folder) 
 
 PortableWorld portable_world(const WorldSpec& world, const std::string& path,
                              const std::vector<std::string>& wholes) {
-  const fs::path folder = fs::path(path).parent_path();
+  const fs::path folder = "." / fs::path(path).parent_path();
   PortableWorld portable{with_shipped_names(world, folder.string()), {}};
   Gathering gathering(path, wholes);
   const auto seen = [&](const std::string& file) {

@@ -95,6 +95,16 @@ TEST_F(PortableWorlds, AreReadWhereTheyWereMovedTo) {
   EXPECT_FALSE(fs::exists(path("moved/again_files")));
 }
 
+TEST_F(PortableWorlds, AreSavedInTheWorkingFolder) {
+  const WorldSpec world = read(own_world());
+  const fs::path before = fs::current_path();
+  fs::current_path(path("tables"));
+  save_world(world, "kept.toml");
+  fs::current_path(before);
+  EXPECT_EQ(tops(read(path("tables/kept.toml"))), tops(world));
+  EXPECT_TRUE(fs::exists(path("tables/kept_files/1")));
+}
+
 TEST_F(PortableWorlds, TakeTheFolderThatHasTheSameFiles) {
   const std::string own = own_world();
   save_world(read(own), path("out/kept.toml"));
