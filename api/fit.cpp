@@ -10,7 +10,9 @@
 #include "api/named/files.h"
 #include "base/error.h"
 #include "base/rung_names.h"
+#include "kinematics_fit/axis_doubts.h"
 #include "kinematics_fit/model/net_trials.h"
+#include "kinematics_fit/prior_scales.h"
 #include "kinematics_fit/specimen_prior.h"
 
 namespace thenar {
@@ -53,6 +55,21 @@ std::vector<std::string> misfit_warnings(const FitResult& result) {
       warnings.push_back(fmt::format("experiment '{}': {}",
                                      result.fit.problem.experiments()[e].name,
                                      describe(result.misfits[e])));
+  return warnings;
+}
+
+/// Specimens whose forces ask for much more noise than is stated.
+std::vector<std::string> noise_warnings(const FitResult& result) {
+  const FitProblem& problem = result.fit.problem;
+  std::vector<std::string> warnings;
+  const std::vector<NoiseEvidence> noise = noise_evidence(problem, result.fit.solution.z);
+  for (std::size_t s = 0; s < noise.size(); ++s)
+    if (noise[s].understated())
+      warnings.push_back(fmt::format(
+          "specimen '{}': its forces scatter as if their noise were {:.3g} times the stated one, "
+          "whatever priors allow (log evidence {:.1f} beyond that of the stated one): was it stated "
+          "too small?",
+          problem.specimens()[s], noise[s].factor, noise[s].gain));
   return warnings;
 }
 
@@ -225,6 +242,10 @@ FitResult fit_forces(const FitRequest& request, const Progress& progress) {
   result.misfits = misfits(fit.problem, fit.solution.z, fit.covariance);
   result.warnings = fit.problem.warnings();
   for (std::string& warning : misfit_warnings(result))
+    result.warnings.push_back(std::move(warning));
+  for (std::string& warning : noise_warnings(result)) result.warnings.push_back(std::move(warning));
+  for (std::string& warning :
+       describe(find_axis_doubts(fit.problem, fit.solution.z, fit.covariance)))
     result.warnings.push_back(std::move(warning));
   for (std::string& warning : net_warnings(fit)) result.warnings.push_back(std::move(warning));
   for (std::string& warning : stray_warnings(fit.covariance))

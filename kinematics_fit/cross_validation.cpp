@@ -5,7 +5,7 @@
 
 #include "base/error.h"
 #include "kinematics_fit/covariance.h"
-#include "kinematics_fit/fit_residuals.h"
+#include "kinematics_fit/prior_scales.h"
 #include "kinematics_fit/trivial_prediction.h"
 
 namespace thenar {
@@ -92,12 +92,13 @@ CrossValidation cross_validate(const FitProblem& problem, LeaveOut what,
       return !in_fold(what, fold, experiment, trial);
     });
     if (prepare) rest = prepare(rest, fold);
-    const Solution fit = solve(least_squares(rest), Eigen::VectorXd::Zero(rest.size()), options);
+    const ScaledFit scaled = fit_with_scales(rest, options);
+    const Solution& fit = scaled.solution;
     // A half-way fit has learnt less than its fold would say.
     out.stopped = fit.status == Status::kStopped;
     if (out.stopped) break;
     out.not_converged += fit.status == Status::kSolved ? 0 : 1;
-    predict_fold(rest, fit.z, what, fold, problem.experiments(), out.experiments);
+    predict_fold(scaled.problem, fit.z, what, fold, problem.experiments(), out.experiments);
     ++out.folds_done;
   }
 

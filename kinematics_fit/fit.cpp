@@ -12,6 +12,7 @@
 #include "data/io/result_layout.h"
 #include "kinematics_fit/fit_residuals.h"
 #include "kinematics_fit/prediction.h"
+#include "kinematics_fit/prior_scales.h"
 #include "kinematics_fit/specimen_prior.h"
 #include "tendons/net/build_net.h"
 
@@ -47,6 +48,16 @@ TendonDigit build_digit(const FitInputs& inputs, const std::string& name) {
   // Shares of a muscle among its pulls may depend on the knuckle, as those of a hood do.
   digit.model.knuckle = build_tendon_digit(subject, name).model.knuckle;
   return digit;
+}
+
+/// Inputs whose settings have the factors of the problem's prior scales in force.
+FitInputs with_factors_of(FitInputs inputs, const FitProblem& problem) {
+  std::vector<double> factors;
+  for (const ScaledPriors& scale : problem.parameters().scales) factors.push_back(scale.factor);
+  if (factors.empty()) return inputs;
+  const FitSettings settings = parse_fit_settings(inputs.settings.text, inputs.settings.path);
+  inputs.settings.text = with_scale_factors(inputs.settings.text, settings, factors);
+  return inputs;
 }
 
 }  // namespace
@@ -95,11 +106,20 @@ FitProblem build_problem(const FitInputs& inputs) {
 }
 
 Fit run_fit(const FitInputs& inputs, const SolveOptions& options) {
-  FitProblem problem = build_problem(inputs);
-  Solution solution = solve(least_squares(problem), Eigen::VectorXd::Zero(problem.size()), options);
-  Covariance covariance = posterior_covariance(problem, solution.z);
-  return {inputs,       std::move(problem),  options.method,
-          options.seed, std::move(solution), std::move(covariance)};
+  ScaledFit scaled = fit_with_scales(build_problem(inputs), options);
+  Covariance covariance = posterior_covariance(scaled.problem, scaled.solution.z);
+  return {with_factors_of(inputs, scaled.problem),
+          std::move(scaled.problem),
+          options.method,
+          options.seed,
+          std::move(scaled.solution),
+          std::move(covariance)};
+}
+
+FitInputs with_inferred_scales(const FitInputs& inputs, const SolveOptions& options) {
+  const FitProblem problem = build_problem(inputs);
+  if (problem.parameters().scales.empty()) return inputs;
+  return with_factors_of(inputs, fit_with_scales(problem, options).problem);
 }
 
 FittedValues fitted_values(const Fit& fit, int specimen) {

@@ -54,9 +54,14 @@ struct Fit {
 /// @throws DataError or InputError as the readers and builders do.
 [[nodiscard]] FitProblem build_problem(const FitInputs& inputs);
 
-/// Builds the problem, solves it and computes the covariance. A stop request still gives a valid
-/// (unconverged) fit.
+/// Builds the problem, solves it, its prior scales being inferred, and computes the covariance. The
+/// settings of the fit have the scales' factors. A stop request still gives a valid (unconverged)
+/// fit.
 [[nodiscard]] Fit run_fit(const FitInputs& inputs, const SolveOptions& options = {});
+
+/// Inputs whose settings have the factors of prior scales that their forces make likeliest.
+[[nodiscard]] FitInputs with_inferred_scales(const FitInputs& inputs,
+                                             const SolveOptions& options = {});
 
 /// Fitted parameters in display units, see display_unit().
 struct FittedValues {

@@ -143,6 +143,22 @@ Residuals data_residuals(const FitProblem& problem, const Eigen::VectorXd& z, in
   return out;
 }
 
+Residuals specimen_residuals(const FitProblem& problem, const Eigen::VectorXd& z, int specimen) {
+  const FitCoordinates& coordinates = problem.coordinates();
+  Residuals out;
+  out.J.resize(0, coordinates.population_entries() + coordinates.deviations());
+  for (int e = 0; e < static_cast<int>(problem.experiments().size()); ++e) {
+    if (problem.specimen_of(e) != specimen) continue;
+    const Residuals one = data_residuals(problem, z, e, WithJacobian::kYes);
+    const Eigen::Index forces = force_rows(problem, e), rows = out.r.size() + forces;
+    out.r.conservativeResize(rows);
+    out.r.tail(forces) = one.r.head(forces);
+    out.J.conservativeResize(rows, Eigen::NoChange);
+    out.J.bottomRows(forces) = one.J.topRows(forces);
+  }
+  return out;
+}
+
 Residuals fit_residuals(const FitProblem& problem, const Eigen::VectorXd& z, WithJacobian want) {
   const int size = problem.size();
   require(z.size() == size, "fit has {} coordinates, got {}", size, z.size());

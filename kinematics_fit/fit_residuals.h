@@ -25,6 +25,11 @@ namespace thenar {
 [[nodiscard]] Residuals data_residuals(const FitProblem& problem, const Eigen::VectorXd& z, int e,
                                        WithJacobian want);
 
+/// Force components among data_residuals() of all experiments of a specimen, one below the other; J by
+/// the entries of z that move it, entries_of_specimen().
+[[nodiscard]] Residuals specimen_residuals(const FitProblem& problem, const Eigen::VectorXd& z,
+                                           int specimen);
+
 /// All residuals: data of every experiment in turn, then the priors r = z.
 /// @throws InputError if z has another size or is not finite.
 [[nodiscard]] Residuals fit_residuals(const FitProblem& problem, const Eigen::VectorXd& z,

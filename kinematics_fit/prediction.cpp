@@ -85,6 +85,7 @@ FitParameters add_posture_errors(FitParameters fitted, const Experiment& experim
       p.between_sd = std::sqrt(belief.variance);
       fitted.coordinate.push_back(belief.variance > 0 ? fitted.coordinates() : -1);
       fitted.ratio.push_back(1);
+      fitted.scale.push_back(-1);
       if (belief.variance > 0) fitted.leader.push_back(static_cast<int>(fitted.all.size()));
       fitted.all.push_back(std::move(p));
     }

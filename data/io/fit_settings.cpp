@@ -109,6 +109,22 @@ SettingChoice read_choice(TomlTable& table) {
   return choice;
 }
 
+PriorScale read_prior_scale(TomlTable& table) {
+  PriorScale scale;
+  scale.line = table.line();
+  scale.name = table.text("name");
+  scale.match = table.texts("match");
+  const auto number = [&](const char* key, double otherwise) {
+    return table.number_or(Dimension::kNumber, key, otherwise, Range::kPositive);
+  };
+  scale.likeliest = number("likeliest", scale.likeliest);
+  scale.spread = number("spread", scale.spread);
+  scale.largest = number("largest", scale.largest);
+  scale.factor = number("factor", scale.factor);
+  table.done();
+  return scale;
+}
+
 AxisDistance read_axis_distance(TomlTable& table) {
   const std::vector<std::string> joints = table.texts("joints");
   if (joints.size() != 2) table.fail(fmt::format("wanted 2 'joints', got {}", joints.size()));
@@ -155,6 +171,7 @@ FitSettings parse_fit_settings(const std::string& text, const std::string& path)
     settings.choices.push_back(read_choice(row));
     set_choice(settings, settings.choices.size() - 1, settings.choices.back().chosen);
   }
+  for (TomlTable& row : top.tables("prior_scale")) settings.scales.push_back(read_prior_scale(row));
   top.done();
   return settings;
 }
@@ -166,26 +183,45 @@ void set_choice(FitSettings& settings, std::size_t at, std::size_t value) {
   if (choice.key == ChoiceKey::kRobustScale) settings.robust_scale = choice.values.at(value);
 }
 
-std::string with_choices(const std::string& text, const FitSettings& settings) {
-  // The line of each choice's table, where its new key follows.
-  std::map<int, std::size_t> chosen;
-  for (const SettingChoice& choice : settings.choices) chosen[choice.line] = choice.chosen + 1;
+namespace {
+
+/// Text in which the tables that begin in these lines have a key of this value, in place of an old
+/// one.
+std::string with_key(const std::string& text, const std::string& key,
+                     const std::map<int, std::string>& values) {
   std::istringstream in(text);
   std::string out, line;
-  bool inside = false;  // a choice's table, where the old key goes
+  bool inside = false;  // such a table, where the old key goes
   for (int number = 1; std::getline(in, line); ++number) {
     const std::size_t first = line.find_first_not_of(" \t");
     const std::string_view rest =
         first == std::string::npos ? std::string_view() : std::string_view(line).substr(first);
     if (!rest.empty() && rest.front() == '[') inside = false;
-    const bool old = inside && rest.rfind("chosen", 0) == 0;
+    const bool old = inside && rest.rfind(key, 0) == 0;
     if (!old) out += line + "\n";
-    const auto found = chosen.find(number);
-    if (found == chosen.end()) continue;
-    out += fmt::format("chosen = {}\n", found->second);
+    const auto found = values.find(number);
+    if (found == values.end()) continue;
+    out += fmt::format("{} = {}\n", key, found->second);
     inside = true;
   }
   return out;
+}
+
+}  // namespace
+
+std::string with_choices(const std::string& text, const FitSettings& settings) {
+  std::map<int, std::string> chosen;
+  for (const SettingChoice& choice : settings.choices)
+    chosen[choice.line] = fmt::format("{}", choice.chosen + 1);
+  return with_key(text, "chosen", chosen);
+}
+
+std::string with_scale_factors(const std::string& text, const FitSettings& settings,
+                               const std::vector<double>& factors) {
+  std::map<int, std::string> values;
+  for (std::size_t i = 0; i < settings.scales.size(); ++i)
+    values[settings.scales[i].line] = fmt::format("{}", factors.at(i));
+  return with_key(text, "factor", values);
 }
 
 FitSettings read_fit_settings(const std::string& path) {

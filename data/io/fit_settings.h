@@ -2,6 +2,7 @@
 
 /// Fit settings: which parameters a fit may move, how far, and their priors.
 
+#include <limits>
 #include <optional>
 #include <string>
 #include <vector>
@@ -62,6 +63,19 @@ struct SettingChoice {
   [[nodiscard]] double value() const { return values[chosen]; }  // [SI]
 };
 
+/// Parameters whose prior sds share a factor that the forces of a fit decide, see fit_with_scales().
+/// It is in force after all rules and choices.
+struct PriorScale {
+  std::string name;                // in plain words: "load cell"
+  std::vector<std::string> match;  // globs on parameter names; what matches nothing is no error
+  double likeliest = 1;            // factor beforehand, where forces speak against 1 [1]
+  double spread = std::numeric_limits<double>::infinity();  // sd of the logarithm of the factor
+                                                            // about it; infinite: all alike [1]
+  double largest = 1;                                       // bound of the factor [1]
+  double factor = 1;                                        // in force: as a fit has left it [1]
+  int line = 0;                                             // of its table, for messages
+};
+
 /// Settings of one kind of fit.
 struct FitSettings {
   std::string path;  // of the file, for messages
@@ -73,6 +87,7 @@ struct FitSettings {
                                              // sum, per tension [1]
   PosteriorPriors posterior;
   std::vector<SettingChoice> choices;
+  std::vector<PriorScale> scales;
 };
 
 /// Puts another value of a choice in force.
@@ -82,6 +97,11 @@ void set_choice(FitSettings& settings, std::size_t at, std::size_t value);
 /// Text of a settings file in which these choices are in force: only its `chosen` keys change.
 /// @param text  that `settings` was parsed from
 [[nodiscard]] std::string with_choices(const std::string& text, const FitSettings& settings);
+
+/// The same with other factors of the prior scales: only their `factor` keys change.
+/// @param factors  of settings.scales [1]
+[[nodiscard]] std::string with_scale_factors(const std::string& text, const FitSettings& settings,
+                                             const std::vector<double>& factors);
 
 /// Reads fit settings from TOML; the format is in docs/data_format.md.
 /// @throws DataError  `path:line: what was wanted, what came`.

@@ -88,6 +88,21 @@ std::vector<ParameterRule> rules_of(const SettingChoice& choice) {
   return rules;
 }
 
+/// Notes which scale each parameter belongs to, the last that matches, and puts factors in force.
+void apply_scales(const std::vector<PriorScale>& scales, FitParameters& fit) {
+  fit.scale.assign(fit.all.size(), -1);
+  std::vector<double> factors;
+  for (std::size_t s = 0; s < scales.size(); ++s) {
+    fit.scales.push_back(
+        {scales[s].name, scales[s].likeliest, scales[s].spread, scales[s].largest});
+    factors.push_back(scales[s].factor);
+    for (std::size_t p = 0; p < fit.all.size(); ++p)
+      for (const std::string& glob : scales[s].match)
+        if (matches_glob(glob, fit.all[p].name)) fit.scale[p] = static_cast<int>(s);
+  }
+  fit = with_scale_factors(std::move(fit), factors);
+}
+
 /// A leader must not carry those tied to it beyond their own bounds.
 void bound_leader(const Parameter& tied, double ratio, Parameter& leader) {
   if (ratio == 0) return;
@@ -165,10 +180,24 @@ FitParameters choose_parameters(const TendonDigit& digit, const std::vector<std:
   fit.coordinate.assign(all.size(), -1);
   fit.ratio.assign(all.size(), 1);
   fit.all = std::move(all);
+  apply_scales(settings.scales, fit);
   number_coordinates(choices, fit);
   require_laid(digit, fit);
   require_movable(fit);
   return fit;
+}
+
+FitParameters with_scale_factors(FitParameters parameters, const std::vector<double>& factors) {
+  for (std::size_t p = 0; p < parameters.all.size(); ++p) {
+    if (parameters.scale[p] < 0) continue;
+    const auto at = static_cast<std::size_t>(parameters.scale[p]);
+    const double change = factors.at(at) / parameters.scales[at].factor;
+    parameters.all[p].sd *= change;
+    parameters.all[p].between_sd *= change;
+  }
+  for (std::size_t s = 0; s < parameters.scales.size(); ++s)
+    parameters.scales[s].factor = factors.at(s);
+  return parameters;
 }
 
 std::vector<double> values_with(const FitParameters& parameters, const std::vector<int>& moving,

@@ -12,6 +12,15 @@
 
 namespace thenar {
 
+/// What parameters of one prior scale share: see PriorScale.
+struct ScaledPriors {
+  std::string name;
+  double likeliest;   // factor beforehand [1]
+  double spread;      // sd of the logarithm of the factor about it; infinite: all alike [1]
+  double largest;     // bound of the factor [1]
+  double factor = 1;  // in force, in the sds of its parameters [1]
+};
+
 /// A choice of free, fixed and tied parameters. A free parameter p has the value
 ///   mean_p + ratio_p u,   u = sd z_population + between_sd z_specimen,
 /// with standard normal z beforehand. Tied parameters share the u of their leader, whose bounds are
@@ -22,6 +31,8 @@ struct FitParameters {
   std::vector<int> coordinate;        // of each parameter; -1: fixed
   std::vector<double> ratio;          // of each parameter to its coordinate [1]
   std::vector<int> leader;            // parameter that owns each coordinate
+  std::vector<ScaledPriors> scales;   // groups of parameters, see fit_with_scales()
+  std::vector<int> scale;             // of each parameter, in `scales`; -1: none
   double misfit = 0;                  // sd of what the model misses of each component of a force,
                                       // in every trial anew, per newton of tension [1]
   double superposition = 0;           // the same of trials under several loads alone [1]
@@ -37,6 +48,10 @@ struct FitParameters {
                                               const std::vector<std::string>& postures,
                                               const FitSettings& settings,
                                               const std::vector<std::string>& also_free = {});
+
+/// The same with other factors on the prior sds of each scale [1] (scales).
+[[nodiscard]] FitParameters with_scale_factors(FitParameters parameters,
+                                               const std::vector<double>& factors);
 
 /// A warning for moment arms, and another for points of tendons, where the digit has some (arms of
 /// zero do not count) and none of them may move: what the tendons' geometry gets wrong then goes

@@ -152,8 +152,10 @@ PosteriorRun sample_posterior(const FitInputs& inputs, const PosteriorSettings& 
   RunOptions options = settings.run;
   std::optional<Beginning> beginning;
   collective_call(ranks, [&] {
+    // Prior scales are those of a fit; a posterior has no nets, and refuses them at once.
+    if (!inputs.net) run.inputs = with_inferred_scales(inputs);
     run.posterior =
-        std::make_shared<const HandPosterior>(build_problem(inputs), settings.posterior);
+        std::make_shared<const HandPosterior>(build_problem(run.inputs), settings.posterior);
     if (options.walkers == 0) options.walkers = min_walkers(options.method, run.posterior->size());
     if (run.settings.mode_starts == 0)
       run.settings.mode_starts =
@@ -172,7 +174,7 @@ PosteriorRun sample_posterior(const FitInputs& inputs, const PosteriorSettings& 
   options.sampler.covariance = broadcast(ranks, beginning->covariance, n);
 
   // Sample, and judge the draws: more of them where that may help.
-  options.fingerprint = fingerprint(inputs, run.settings);
+  options.fingerprint = fingerprint(run.inputs, run.settings);
   for (bool enough = false; !enough;) {
     RetriedDraws retried =
         retry_divergent(*run.posterior, starts, options, settings.retry_acceptances, ranks);

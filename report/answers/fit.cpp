@@ -146,6 +146,17 @@ std::string noise_words(const FitResult& result, std::size_t e) {
   return fmt::format(", {:.1f} times the stated noise", result.misfits[e].times_noise);
 }
 
+/// "prior sds as the forces ask for: tendons x 0.01, .."; empty where they are as stated.
+std::string scale_text(const Fit& fit) {
+  std::string text;
+  bool changed = false;
+  for (const ScaledPriors& scale : fit.problem.parameters().scales) {
+    changed = changed || scale.factor != 1;
+    text += fmt::format("{} {} x {:.4g}", text.empty() ? "" : ",", scale.name, scale.factor);
+  }
+  return changed ? "prior sds as the forces ask for:" + text + "\n" : "";
+}
+
 /// A value of a choice in the unit in which people write it: "4 deg".
 std::string choice_words(const SettingChoice& choice, std::size_t at) {
   const double value = choice.values[at];
@@ -270,6 +281,8 @@ OrderedJson json_of(const FitResult& result) {
   if (fit.solution.status == Status::kSolved) out["learnt"] = learnt_json(fit);
   for (std::size_t e = 0; e < result.in_sample.size(); ++e)
     out["in_sample"].push_back(in_sample_json(result, e));
+  for (const ScaledPriors& scale : fit.problem.parameters().scales)
+    out["prior_scales"].push_back({{"name", scale.name}, {"factor", scale.factor}});
   if (result.chosen) out["chosen_settings"] = choices_json(*result.chosen);
   for (const FoldChoice& fold : result.fold_choices) {
     out["fold_settings"].push_back(choices_json(fold.settings));
@@ -312,7 +325,7 @@ std::string text_of(const FitResult& result) {
   for (const CrossValidation& validation : result.left_out) text += left_out_text(validation);
   text += published_text(result);
   text += hood_row_text(result);
-  text += chosen_text(result);
+  text += chosen_text(result) + scale_text(fit);
   if (fit.solution.status == Status::kSolved) text += learnt_text(fit);
   return text + open_text(fit) + "\n";
 }

@@ -193,5 +193,48 @@ TEST(FitSettingsErrors, OfChoicesSayWhatWasWanted) {
   EXPECT_NE(with("misfit = [-1]").find("fit.toml:28: "), std::string::npos);
 }
 
+TEST(FitSettingsFile, KeepsFactorsOfPriorScalesAndNothingElse) {
+  const std::string text = kGoodSettings + R"(
+[[prior_scale]]
+name = "load cell"
+match = ["sensor/*"]
+[[prior_scale]]
+name = "axes"
+match = ["axis/*"]
+likeliest = 2.5
+spread = 0.5
+largest = 5
+factor = 0.4
+)";
+  const FitSettings settings = parse_fit_settings(text, "fit.toml");
+  ASSERT_EQ(settings.scales.size(), 2U);
+  EXPECT_EQ(settings.scales[0].name, "load cell");
+  EXPECT_EQ(settings.scales[0].likeliest, 1);
+  EXPECT_TRUE(std::isinf(settings.scales[0].spread));
+  EXPECT_EQ(settings.scales[0].largest, 1);
+  EXPECT_EQ(settings.scales[0].factor, 1);
+  EXPECT_EQ(settings.scales[1].match, std::vector<std::string>{"axis/*"});
+  EXPECT_EQ(settings.scales[1].likeliest, 2.5);
+  EXPECT_EQ(settings.scales[1].spread, 0.5);
+  EXPECT_EQ(settings.scales[1].largest, 5);
+  EXPECT_EQ(settings.scales[1].factor, 0.4);
+
+  const std::string kept = with_scale_factors(text, settings, {0.0125, 2});
+  EXPECT_EQ(kept, kGoodSettings + R"(
+[[prior_scale]]
+factor = 0.0125
+name = "load cell"
+match = ["sensor/*"]
+[[prior_scale]]
+factor = 2
+name = "axes"
+match = ["axis/*"]
+likeliest = 2.5
+spread = 0.5
+largest = 5
+)");
+  EXPECT_EQ(with_scale_factors(kept, parse_fit_settings(kept, "fit.toml"), {0.0125, 2}), kept);
+}
+
 }  // namespace
 }  // namespace thenar

@@ -1,0 +1,113 @@
+#include "kinematics_fit/axis_doubts.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "kinematics_fit/fit_residuals.h"
+#include "kinematics_fit/prior_scales.h"
+
+namespace thenar {
+namespace {
+
+constexpr double kUndecided = 0.9;  // of the prior sd [1]
+constexpr double kTraded = 0.8;     // correlation [1]
+
+/// Entries of a specimen, the population's and its own, that move parameters of one kind.
+std::vector<int> entries_of_kind(const FitCoordinates& coordinates, ParameterKind kind) {
+  const FitParameters& parameters = coordinates.parameters();
+  std::vector<int> found;
+  for (int c = 0; c < parameters.coordinates(); ++c) {
+    if (parameters.all[static_cast<std::size_t>(parameters.leader[c])].kind != kind) continue;
+    const CoordinateEntries& of = coordinates.entries(c);
+    if (of.population >= 0) found.push_back(of.population);
+    if (of.deviation >= 0) found.push_back(of.deviation);
+  }
+  return found;
+}
+
+/// Correlations of a specimen's entries in the posterior of its own forces, scales of the load
+/// cell's tilts being 1.
+Eigen::MatrixXd correlations(const FitProblem& problem, const Eigen::VectorXd& z, int specimen,
+                             const std::vector<int>& cell) {
+  const std::vector<ScaledPriors>& scales = problem.parameters().scales;
+  const std::vector<int> scale = scale_of_entries(problem.coordinates());
+  Eigen::MatrixXd J = specimen_residuals(problem, z, specimen).J;
+  for (const int k : cell)
+    if (scale[static_cast<std::size_t>(k)] >= 0)
+      J.col(k) /= scales[static_cast<std::size_t>(scale[static_cast<std::size_t>(k)])].factor;
+  const Eigen::MatrixXd C = (J.transpose() * J + Eigen::MatrixXd::Identity(J.cols(), J.cols()))
+                                .llt()
+                                .solve(Eigen::MatrixXd::Identity(J.cols(), J.cols()));
+  const Eigen::VectorXd inverse_sd = C.diagonal().cwiseSqrt().cwiseInverse();
+  return inverse_sd.asDiagonal() * C * inverse_sd.asDiagonal();
+}
+
+/// "a, b and 3 more".
+std::string some_of(const std::vector<std::string>& names) {
+  constexpr std::size_t kNamed = 4;
+  std::string text;
+  for (std::size_t i = 0; i < std::min(kNamed, names.size()); ++i)
+    text += (i > 0 ? ", " : "") + names[i];
+  if (names.size() > kNamed) text += fmt::format(" and {} more", names.size() - kNamed);
+  return text;
+}
+
+}  // namespace
+
+AxisDoubts find_axis_doubts(const FitProblem& problem, const Eigen::VectorXd& z,
+                            const Covariance& covariance) {
+  const FitCoordinates& coordinates = problem.coordinates();
+  const std::vector<int> axes = entries_of_kind(coordinates, ParameterKind::kAxisDirection);
+  const std::vector<int> cell = entries_of_kind(coordinates, ParameterKind::kSensorTilt);
+  const std::vector<std::string> names = coordinates.names();
+  AxisDoubts out;
+  for (int specimen = 0; specimen < static_cast<int>(problem.specimens().size()); ++specimen) {
+    const std::vector<int> entries = coordinates.entries_of_specimen(specimen);
+    const auto entry = [&](int k) { return static_cast<std::size_t>(entries[k]); };
+    // Tilts that keep their priors; the population's are told once.
+    for (const int k : axes) {
+      if (specimen > 0 && k < coordinates.population_entries()) continue;
+      ++out.tilts;
+      const CoordinateEstimate& learnt = covariance.learnt[entry(k)];
+      if (learnt.sd > kUndecided) out.undecided.push_back(learnt);
+    }
+    if (axes.empty() || cell.empty()) continue;
+    // Tilts of axes and of the load cell that make the same forces.
+    const Eigen::MatrixXd correlation = correlations(problem, z, specimen, cell);
+    for (const int a : axes)
+      for (const int b : cell)
+        if (std::abs(correlation(a, b)) > kTraded)
+          out.traded.push_back({names[entry(a)], names[entry(b)], correlation(a, b)});
+  }
+  std::sort(out.traded.begin(), out.traded.end(), [](const TradedTilt& a, const TradedTilt& b) {
+    return std::abs(a.correlation) > std::abs(b.correlation);
+  });
+  return out;
+}
+
+std::vector<std::string> describe(const AxisDoubts& doubts) {
+  std::vector<std::string> warnings;
+  if (!doubts.undecided.empty()) {
+    std::vector<std::string> names;
+    for (const CoordinateEstimate& tilt : doubts.undecided) names.push_back(tilt.name);
+    warnings.push_back(fmt::format(
+        "{} of {} tilts of axes are not told by the forces, they keep more than {:.1f} of their "
+        "prior sd: {}",
+        names.size(), doubts.tilts, kUndecided, some_of(names)));
+  }
+  if (!doubts.traded.empty()) {
+    std::vector<std::string> pairs;
+    for (const TradedTilt& pair : doubts.traded)
+      pairs.push_back(
+          fmt::format("{} and {} ({:+.2f})", pair.axis, pair.cell, pair.correlation));
+    warnings.push_back(fmt::format(
+        "an axis and the load cell trade places where both may tilt as far as the settings say, "
+        "in brackets their posterior correlation: {}",
+        some_of(pairs)));
+  }
+  return warnings;
+}
+
+}  // namespace thenar

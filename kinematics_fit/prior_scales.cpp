@@ -1,0 +1,308 @@
+#include "kinematics_fit/prior_scales.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <random>
+#include <utility>
+
+#include <Eigen/Cholesky>
+
+#include "kinematics_fit/fit_residuals.h"
+
+namespace thenar {
+namespace {
+
+/// Preferred numbers of a decade, R10 of ISO 3: steps of a tenth of it, in few digits [1].
+constexpr std::array kPreferred{1.0, 1.25, 1.6, 2.0, 2.5, 3.15, 4.0, 5.0, 6.3, 8.0};
+constexpr int kTen = kPreferred.size();
+constexpr int kSmallest = -2 * kTen;  // step of the smallest factor, 0.01
+
+/// Preferred number `step` steps from 1.
+double preferred(int step) {
+  const int decade = step >= 0 ? step / kTen : -((kTen - 1 - step) / kTen);
+  return kPreferred[static_cast<std::size_t>(step - decade * kTen)] * std::pow(10.0, decade);
+}
+
+std::vector<double> factors_at(const std::vector<int>& steps) {
+  std::vector<double> factors;
+  for (const int step : steps) factors.push_back(preferred(step));
+  return factors;
+}
+
+/// The largest step of a factor of no more than `most`.
+int last_step(double most) {
+  int step = kSmallest;
+  while (preferred(step + 1) <= most * (1 + 1e-12)) ++step;
+  return step;
+}
+
+/// The step whose preferred number is nearest to a factor.
+int nearest_step(double factor) {
+  const int step = static_cast<int>(std::lround(kTen * std::log10(factor)));
+  return std::max(step, kSmallest);
+}
+
+/// Log evidence of specimens, by steps of the factors.
+class Evidence {
+ public:
+  Evidence(const std::vector<LinearForces>& specimens, const std::vector<ScaledPriors>& scales)
+      : specimens_(specimens), scales_(scales) {}
+
+  /// With what is believed of the factors beforehand.
+  [[nodiscard]] double at(const std::vector<int>& steps, int noise_step) const {
+    std::vector<double> factors;
+    double belief = 0;
+    for (std::size_t g = 0; g < scales_.size(); ++g) {
+      factors.push_back(preferred(steps[g]));
+      belief -= 0.5 * std::pow(std::log(factors[g] / scales_[g].likeliest) / scales_[g].spread, 2);
+    }
+    return belief + of(factors, preferred(noise_step));
+  }
+
+  /// Of the forces alone.
+  [[nodiscard]] double of(const std::vector<double>& factors, double noise = 1) const {
+    double sum = 0;
+    for (const LinearForces& one : specimens_) sum += log_evidence(one, factors, noise);
+    return sum;
+  }
+
+  [[nodiscard]] std::size_t scales() const { return scales_.size(); }
+  [[nodiscard]] int last(std::size_t scale) const { return last_step(scales_[scale].largest); }
+
+  /// Steps to start from: `step` for every scale about which nothing is believed.
+  [[nodiscard]] std::vector<int> start(int step) const {
+    std::vector<int> steps;
+    for (std::size_t g = 0; g < scales_.size(); ++g)
+      steps.push_back(std::min(
+          std::isfinite(scales_[g].spread) ? nearest_step(scales_[g].likeliest) : step, last(g)));
+    return steps;
+  }
+
+ private:
+  const std::vector<LinearForces>& specimens_;
+  const std::vector<ScaledPriors>& scales_;
+};
+
+/// A maximum of the evidence.
+struct EvidencePeak {
+  std::vector<int> steps;  // of the factors
+  int noise = 0;           // step of the noise
+  double evidence = 0;     // [nat]
+};
+
+/// The steps of a range of noise; a single one keeps it as it is.
+struct NoiseRange {
+  int first = 0, last = 0;
+};
+
+/// Climbs from a start, one factor after the other over all its steps, until none is bettered.
+EvidencePeak climb(const Evidence& evidence, EvidencePeak from, NoiseRange noise = {}) {
+  from.evidence = evidence.at(from.steps, from.noise);
+  const std::size_t scales = from.steps.size();
+  std::size_t since_change = 0;
+  for (std::size_t g = 0; since_change <= scales; g = (g + 1) % (scales + 1)) {
+    // All values of one factor, or of the noise.
+    EvidencePeak best = from;
+    const int first = g < scales ? kSmallest : noise.first;
+    const int last = g < scales ? evidence.last(g) : noise.last;
+    for (int step = first; step <= last; ++step) {
+      EvidencePeak other = from;
+      (g < scales ? other.steps[g] : other.noise) = step;
+      other.evidence = evidence.at(other.steps, other.noise);
+      if (other.evidence > best.evidence) best = std::move(other);
+    }
+    since_change = best.evidence > from.evidence ? 1 : since_change + 1;
+    from = std::move(best);
+  }
+  return from;
+}
+
+/// The higher of the maxima above two starts: wide priors with little noise, and narrow ones with
+/// much.
+EvidencePeak highest(const Evidence& evidence, NoiseRange noise = {}) {
+  EvidencePeak wide = climb(evidence, {evidence.start(0), 0}, noise);
+  EvidencePeak narrow =
+      climb(evidence, {evidence.start(kSmallest), std::min(kTen, noise.last)}, noise);
+  return wide.evidence >= narrow.evidence ? wide : narrow;
+}
+
+FitProblem with_factors(const FitProblem& problem, const std::vector<double>& factors) {
+  return {problem.digit(),
+          with_scale_factors(problem.parameters(), factors),
+          problem.experiments(),
+          problem.robust_scale(),
+          problem.axis_distances(),
+          problem.scaling()};
+}
+
+Solution fitted(const FitProblem& problem, const SolveOptions& options) {
+  return solve(least_squares(problem), Eigen::VectorXd::Zero(problem.size()), options);
+}
+
+/// The fit by the method asked for, on from where Ceres got.
+ScaledFit by_method(ScaledFit fit, const SolveOptions& options) {
+  if (options.method != LeastSquaresMethod::kCeres && fit.solution.status != Status::kStopped)
+    fit.solution = solve(least_squares(fit.problem), fit.solution.z, options);
+  return fit;
+}
+
+/// The same displacements under other factors of the scales.
+Eigen::VectorXd carried(const FitProblem& from, Eigen::VectorXd z, const FitProblem& to) {
+  const FitCoordinates& coordinates = from.coordinates();
+  const std::vector<int> scale = scale_of_entries(coordinates);
+  for (int specimen = 0; specimen < static_cast<int>(from.specimens().size()); ++specimen) {
+    const std::vector<int> entries = coordinates.entries_of_specimen(specimen);
+    const int first = specimen == 0 ? 0 : coordinates.population_entries();
+    for (std::size_t k = static_cast<std::size_t>(first); k < entries.size(); ++k)
+      if (scale[k] >= 0)
+        z[entries[k]] *= from.parameters().scales[static_cast<std::size_t>(scale[k])].factor /
+                         to.parameters().scales[static_cast<std::size_t>(scale[k])].factor;
+  }
+  return z;
+}
+
+/// Where a fit from draws of the prior gets lowest, from the prior means first: narrow priors leave
+/// few ways around a local minimum, as between axes that tilt to the one side or to the other.
+Eigen::VectorXd best_start(const FitProblem& problem, const SolveOptions& options) {
+  constexpr int kDraws = 40;
+  SolveOptions rough = options;
+  rough.max_evaluations = 40;
+  rough.tolerance = 1e-4;
+  const double numbers = measured_numbers(problem);
+  const double by_chance = 0.5 * (numbers + 3 * std::sqrt(2 * numbers));  // a cost that chance has
+  std::mt19937 rng(1);
+  std::normal_distribution<double> normal;
+  Solution best = fitted(problem, rough);
+  for (int k = 0; k < kDraws && best.cost > by_chance && best.status != Status::kStopped; ++k) {
+    const Eigen::VectorXd draw =
+        Eigen::VectorXd::NullaryExpr(problem.size(), [&] { return normal(rng); });
+    Solution other = solve(least_squares(problem), draw, rough);
+    if (other.cost < best.cost) best = std::move(other);
+  }
+  return best.z;
+}
+
+/// A fit by some factors, and its evidence with what is believed of them.
+struct FittedScales {
+  ScaledFit fit;
+  std::vector<int> steps;
+  double evidence = -HUGE_VAL;  // [nat]
+};
+
+/// Fits by the factors of these steps, chooses them anew by its slopes, until they stay.
+/// @param z  where the first fit starts, under these factors
+FittedScales settle(const FitProblem& start, std::vector<int> steps, const Eigen::VectorXd& z,
+                    const SolveOptions& options) {
+  constexpr int kRounds = 12;
+  FittedScales out{{start, solve(least_squares(start), z, options)}, std::move(steps)};
+  for (int round = 1;; ++round) {
+    if (out.fit.solution.status == Status::kStopped) return out;
+    const std::vector<LinearForces> forces = linear_forces(out.fit.problem, out.fit.solution.z);
+    const Evidence evidence(forces, start.parameters().scales);
+    out.evidence = evidence.at(out.steps, 0);
+    EvidencePeak peak = highest(evidence);
+    out.fit.settled = peak.steps == out.steps;
+    if (out.fit.settled || round == kRounds) return out;
+    // On from where this fit is.
+    out.steps = std::move(peak.steps);
+    FitProblem next = with_factors(start, factors_at(out.steps));
+    const Eigen::VectorXd from = carried(out.fit.problem, out.fit.solution.z, next);
+    out.fit.solution = solve(least_squares(next), from, options);
+    out.fit.problem = std::move(next);
+  }
+}
+
+}  // namespace
+
+std::vector<int> scale_of_entries(const FitCoordinates& coordinates) {
+  const FitParameters& parameters = coordinates.parameters();
+  std::vector<int> scale(coordinates.population_entries() + coordinates.deviations(), -1);
+  for (int c = 0; c < parameters.coordinates(); ++c) {
+    const CoordinateEntries& of = coordinates.entries(c);
+    const int at = parameters.scale[static_cast<std::size_t>(parameters.leader[c])];
+    if (of.population >= 0) scale[of.population] = at;
+    if (of.deviation >= 0) scale[of.deviation] = at;
+  }
+  return scale;
+}
+
+std::vector<LinearForces> linear_forces(const FitProblem& problem, const Eigen::VectorXd& z) {
+  const std::vector<ScaledPriors>& scales = problem.parameters().scales;
+  const std::vector<int> scale = scale_of_entries(problem.coordinates());
+  std::vector<LinearForces> all;
+  for (int specimen = 0; specimen < static_cast<int>(problem.specimens().size()); ++specimen) {
+    const Residuals data = specimen_residuals(problem, z, specimen);
+    const Eigen::VectorXd own_z = z(problem.coordinates().entries_of_specimen(specimen));
+    // Covariances that the entries of each scale add, at a factor of 1.
+    const auto covariance_of = [&](int wanted, double factor) -> Eigen::MatrixXd {
+      std::vector<int> columns;
+      for (std::size_t k = 0; k < scale.size(); ++k)
+        if (scale[k] == wanted) columns.push_back(static_cast<int>(k));
+      const Eigen::MatrixXd part = data.J(Eigen::all, columns) / factor;
+      return part * part.transpose();
+    };
+    LinearForces one{data.J * own_z - data.r, covariance_of(-1, 1), {}};
+    for (std::size_t g = 0; g < scales.size(); ++g)
+      one.scaled.push_back(covariance_of(static_cast<int>(g), scales[g].factor));
+    all.push_back(std::move(one));
+  }
+  return all;
+}
+
+double log_evidence(const LinearForces& forces, const std::vector<double>& factors, double noise) {
+  Eigen::MatrixXd V = forces.unscaled;
+  V.diagonal().array() += noise * noise;
+  for (std::size_t g = 0; g < factors.size(); ++g)
+    V += factors[g] * factors[g] * forces.scaled[g];
+  const Eigen::LLT<Eigen::MatrixXd> factor(std::move(V));
+  if (factor.info() != Eigen::Success) return -HUGE_VAL;
+  return -0.5 * factor.matrixL().solve(forces.b).squaredNorm() -
+         factor.matrixLLT().diagonal().array().log().sum();
+}
+
+ScaledFit fit_with_scales(const FitProblem& problem, const SolveOptions& options) {
+  const std::vector<ScaledPriors>& scales = problem.parameters().scales;
+  if (scales.empty()) return {problem, fitted(problem, options)};
+
+  // As stated.
+  SolveOptions rounds = options;
+  rounds.method = LeastSquaresMethod::kCeres;
+  const std::vector<double> ones(scales.size(), 1);
+  ScaledFit out{with_factors(problem, ones), {}};
+  out.solution = fitted(out.problem, rounds);
+  if (out.solution.status == Status::kStopped) return out;
+  const std::vector<LinearForces> forces = linear_forces(out.problem, out.solution.z);
+  const Evidence stated(forces, scales);
+
+  // By other factors: on from the stated fit, and from the narrowest.
+  const std::vector<int> asked = highest(stated).steps;
+  const FitProblem wide = with_factors(problem, factors_at(asked));
+  FittedScales best =
+      settle(wide, asked, carried(out.problem, out.solution.z, wide), rounds);
+  out.gain = best.evidence - stated.of(ones);
+  if (best.fit.solution.status == Status::kStopped || out.gain <= kScaleGain)
+    return by_method(std::move(out), options);
+  const std::vector<int> least = stated.start(kSmallest);
+  const FitProblem narrow = with_factors(problem, factors_at(least));
+  FittedScales other = settle(narrow, least, best_start(narrow, rounds), rounds);
+  if (other.fit.solution.status == Status::kStopped) return out;
+  if (other.evidence > best.evidence) best = std::move(other);
+  out = std::move(best.fit);
+  out.gain = best.evidence - stated.of(ones);
+  return by_method(std::move(out), options);
+}
+
+std::vector<NoiseEvidence> noise_evidence(const FitProblem& problem, const Eigen::VectorXd& z) {
+  constexpr NoiseRange kRange{-3, 2 * kTen};  // half to a hundred times the stated noise
+  std::vector<NoiseEvidence> all;
+  for (const LinearForces& one : linear_forces(problem, z)) {
+    const std::vector<LinearForces> alone{one};
+    const Evidence evidence(alone, problem.parameters().scales);
+    const EvidencePeak stated = highest(evidence), free = highest(evidence, kRange);
+    all.push_back({preferred(free.noise), free.evidence - stated.evidence});
+  }
+  return all;
+}
+
+}  // namespace thenar
