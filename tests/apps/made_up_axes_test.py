@@ -18,7 +18,7 @@ import h5py
 import numpy as np
 
 import made_up_digits
-import patience  # longer limits under sanitizers
+import patience
 
 PROGRAM = sys.argv.pop(1)
 FOLDER = pathlib.Path(sys.argv.pop(1)) if len(sys.argv) > 1 else None
@@ -38,7 +38,8 @@ def fit(made, noise):
         result = subprocess.run(
             [PROGRAM, "fit", str(folder / "forces.toml"), "--subject",
              str(folder / "subject.toml"), "-o", str(folder / "fit.h5"), "--json",
-             "--allow-unconverged"], capture_output=True, text=True, check=False, timeout=300)
+             "--allow-unconverged"], capture_output=True, text=True, check=False,
+            timeout=patience.HANG)
         if result.returncode != 0:
             raise AssertionError(result.stderr)
         with h5py.File(folder / "fit.h5") as file:
