@@ -11,13 +11,26 @@ namespace {
 using Eigen::Index;
 using Eigen::VectorXd;
 
+/// The rest that a search from scratch finds.
+NetContinuation rest_found(const NetTendons& tendons, const VectorXd& q, const VectorXd& t) {
+  NetContinuation found;
+  found.rest = tendons.rest(q, t, {});
+  found.solves = 1;
+  found.effort = found.rest.evaluations;
+  return found;
+}
+
 /// Follows a net through postures and loads in turn, from its rest at the first of them.
 NetContinuation follow_ways(const NetTendons& tendons, const std::vector<PostureAndLoad>& places,
                             const NetContinuationOptions& options) {
-  NetContinuation walk{tendons.rest(places.front().q, places.front().t, {}), 0, 1};
+  NetContinuation walk = rest_found(tendons, places.front().q, places.front().t);
   for (std::size_t i = 1; i < places.size(); ++i) {
     NetContinuation leg = follow_net(tendons, walk.rest, places[i - 1], places[i], options);
-    walk = {std::move(leg.rest), walk.snaps + leg.snaps, walk.solves + leg.solves};
+    walk.rest = std::move(leg.rest);
+    walk.snaps.insert(walk.snaps.end(), leg.snaps.begin(), leg.snaps.end());
+    walk.solves += leg.solves;
+    walk.effort += leg.effort;
+    walk.followed = walk.followed && leg.followed;
   }
   return walk;
 }
@@ -53,9 +66,7 @@ NetContinuation search_rest(const NetTendons& tendons, const VectorXd& q, const 
   NetContinuationOptions quick = options;
   quick.max_solves = std::min(options.max_solves, kSolves);
   const std::vector<std::function<NetContinuation()>> ways{
-      [&] {
-        return NetContinuation{tendons.rest(q, t, {}), 0, 1};
-      },
+      [&] { return rest_found(tendons, q, t); },
       [&] { return follow_ways(tendons, under_even_load(tendons, straight, q, t), quick); },
       [&] {
         return follow_ways(tendons, joint_by_joint(straight, q, t, BendOrder::kFromTip), quick);
@@ -66,9 +77,18 @@ NetContinuation search_rest(const NetTendons& tendons, const VectorXd& q, const 
   for (const auto& way : ways) {
     NetContinuation other = way();
     found.solves += other.solves;
+    found.effort += other.effort;
     if (!is_sound(other.rest)) continue;
-    // It is not on the straight way: the net has jumped there.
-    return {std::move(other.rest), std::max(1, found.snaps), found.solves};
+    // It is not on the straight way: the net has jumped there, at its end.
+    if (found.snaps.empty()) {
+      NetJump jump;
+      jump.from = 1;
+      jump.before = found.rest;
+      jump.after = other.rest;
+      found.snaps.push_back(std::move(jump));
+    }
+    found.rest = std::move(other.rest);
+    return found;
   }
   return found;
 }

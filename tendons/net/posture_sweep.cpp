@@ -106,7 +106,7 @@ std::vector<DigitPoint> sweep_digit(const DigitTendons& tendons,
     // A net comes from the straight finger, whatever the posture before.
     if (net != nullptr) {
       NetContinuation walk = follow_from_straight(*net, point.q, t);
-      point.snapped = walk.snaps > 0;
+      point.snapped = !walk.snaps.empty();
       point.rest = std::move(walk.rest);
       point.pull = net->torque_at_rest(point.q, t, point.rest);
     } else {

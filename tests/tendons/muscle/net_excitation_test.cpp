@@ -158,7 +158,7 @@ TEST_P(NetExcitation, MovesToTheEndOrSaysWhyNot) {
 
 INSTANTIATE_TEST_SUITE_P(Nets, NetExcitation,
                          testing::Values("extensor_hood", "winslow", "dogadov2017", "chao_an"),
-                         [](const auto& info) { return std::string(info.param); });
+                         [](const auto& net) { return std::string(net.param); });
 
 }  // namespace
 }  // namespace thenar
