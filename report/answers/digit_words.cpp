@@ -85,6 +85,7 @@ OrderedJson digit_json(const DigitSweep& about,
       json["map"] = about.map;
     json["fidelity"] = about.built;
     add(0, json);
+    json["warnings"] = about.warnings;
     return json;
   }
   json["fidelity"] = about.built;

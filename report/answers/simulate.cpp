@@ -96,7 +96,8 @@ std::string text_of(const SimulatedMotion& motion) {
       1e3 * t.balance.turned_over);
   text += fmt::format("largest drift of an excursion from the length of its tendon: {}\n",
                       t.drift ? fmt::format("{:.2g} mm", *t.drift / kMm) : "-");
-  text += passive_line(motion.tendons->digit().skeleton, t.angle.row(last));
+  if (motion.tendons)
+    text += passive_line(motion.tendons->digit().skeleton, t.angle.row(last));
   if (!t.snaps.empty()) text += titled("Snaps of the net to another rest", snap_table(t));
   return text + fmt::format("{} steps to a tolerance of {:.2g}\n", t.counts.steps, t.tolerance);
 }
@@ -109,7 +110,8 @@ OrderedJson json_of(const SimulatedMotion& motion) {
       {"status", name_of(t.status)}, {"trouble", t.warning},  {"warning", t.warning},
       {"instants", t.time.size()}};
   json["last"] = end_state(t);
-  add_passive(motion.tendons->digit().skeleton, t.angle.row(last), json["last"]);
+  if (motion.tendons)
+    add_passive(motion.tendons->digit().skeleton, t.angle.row(last), json["last"]);
   json["work_J"] = t.work[last];
   json["lost_J"] = t.dissipated[last];
   json["energy_error_J"] = t.balance.error;

@@ -25,6 +25,7 @@ FeasibleForceRequest request_of(const Asked& asked) {
   request.digit.data = kData;
   request.digit.digit = asked.digit;
   request.digit.posture = {{}, asked.posture_deg, PostureUnit::kTyped};
+  request.digit.passive = PassiveMoments::kOff;
   request.direction = Eigen::Vector3d(0, -1, 0);
   request.frame = DirectionFrame::kTip;
   return request;

@@ -63,6 +63,7 @@ TipForceRequest pulled_index_finger() {
   request.digit.data = kData;
   request.digit.posture = {{{"MCP2_FE", 60}, {"PIP2", 60}, {"DIP2", 30}}, {}, PostureUnit::kTyped};
   request.tension = {{"FDP2", 10}, {"LU1", 5}};
+  request.digit.passive = PassiveMoments::kOff;
   return request;
 }
 

@@ -336,7 +336,7 @@ class FeasibleForce(Near):
         # Without FPL no muscle flexes IP; its stop in extension does, and one in flexion does not.
         words = ("feasible-force", HUMAN, "--digit", "thumb", "--axes", "tip", "--direction",
                  0, -1, 0, "--tolerance-deg", 20, "--posture", "CMC1_FE=5", "CMC1_AA=10",
-                 "MCP1_FE=26", "IP1=-38.8", "--without", "FPL")
+                 "MCP1_FE=26", "IP1=-38.8", "--without", "FPL", "--passive", "off")
         self.assertEqual(ask(*words)["status"], "no force")
         self.assertEqual(ask(*words, "--stop", "IP1=-inf")["status"], "no force")
         answer = ask(*words, "--stop", "IP1=inf")

@@ -87,8 +87,9 @@ TEST(SubjectErrors, Calibration) {
   EXPECT_EQ(with("{specimen = 'A'},\n"), "s.toml:5: [[calibrated_on]] needs 'experiment' (a text)");
   EXPECT_EQ(with("{experiment = 'a', specimen = 'A'},\n{experiment = 'a', specimen = 'B'},\n"),
             "s.toml:6: experiment 'a' is named twice");
-  EXPECT_EQ(with("{source = 'k'},\n{source = 'k'},\n"), "s.toml:6: source 'k' is named twice");
-  EXPECT_EQ(with("{source = 'k', specimen = 'A'},\n"), "s.toml:5: unknown key 'specimen'");
+  EXPECT_EQ(with("{source = 'An1979'},\n{source = 'An1979'},\n"),
+            "s.toml:6: source 'An1979' is named twice");
+  EXPECT_EQ(with("{source = 'An1979', specimen = 'A'},\n"), "s.toml:5: unknown key 'specimen'");
   EXPECT_EQ(with("{experiment = 'a', specimens = 'A'},\n"),
             "s.toml:5: unknown key 'specimens', did you mean 'specimen'?");
   EXPECT_EQ(with("{experiment = 'a', specimen = 'A', trials = 3},\n"),

@@ -145,7 +145,8 @@ TEST(HoodLadder, NetOfFixedFractionsIsFixedFractions) {
   std::mt19937 rng(3);
   for (int trial = 0; trial < 50; ++trial) {
     const VectorXd q = any_posture(rng, 4);
-    const VectorXd t = any_tension(rng, fractions->digit().names.muscles.size());
+    // Half of them, as the terminal band strains by more than 10 % under all of some.
+    const VectorXd t = 0.5 * any_tension(rng, fractions->digit().names.muscles.size());
     const TendonTorque net_pull = floating->evaluate(q, t), linear = fractions->evaluate(q, t);
     EXPECT_EQ(net_pull.warning, "");
     // The subject states its fractions with four digits, the net their products.

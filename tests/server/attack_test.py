@@ -136,7 +136,7 @@ class Attack(unittest.TestCase):
             # Bytes that are nothing, at both ports.
             for _ in range(ROUNDS):
                 for port in (page, remote):
-                    with connect(port, timeout=5) as connection:
+                    with connect(port) as connection:
                         try:
                             connection.sendall(rng.randbytes(rng.randint(1, 3000)))
                             connection.shutdown(socket.SHUT_WR)

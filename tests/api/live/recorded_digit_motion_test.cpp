@@ -156,7 +156,7 @@ TEST_F(RecordedDigitFile, RefusesWhatDoesNotFitTogether) {
   EXPECT_EQ(trouble_with([](ResultFile&) {}), "nothing was thrown");
   EXPECT_THAT(trouble_with(set_number("time", 2, nan)), HasSubstr("'time'"));
   EXPECT_THAT(trouble_with(set_number("time", 2, 0)), HasSubstr("does not rise"));
-  EXPECT_THAT(trouble_with(set_number("angle", 5, nan)), HasSubstr("'angle' has numbers"));
+  EXPECT_THAT(trouble_with(set_number("angle", 5, nan)), HasSubstr("'angle': it has numbers"));
   EXPECT_THAT(trouble_with(set_number("angle", 5, 1e300)), HasSubstr("'angle': wanted up to"));
   EXPECT_THAT(trouble_with(set_number("angle", 5, 0.5)), HasSubstr("the tip of its digit"));
   EXPECT_THAT(trouble_with(set_number("tension", 0, -1)), HasSubstr("'tension': wanted 0 to"));
@@ -173,7 +173,7 @@ TEST_F(RecordedDigitFile, RefusesWhatDoesNotFitTogether) {
                 HasSubstr("wanted"))
         << key;
   }
-  EXPECT_THAT(trouble_with(set_text("format", "thenar scene run 1")), HasSubstr("wanted a motion"));
+  EXPECT_THAT(trouble_with(set_text("format", "thenar scene run 1")), HasSubstr("it is missing"));
   EXPECT_THAT(trouble_with(set_text("digit", "thumb")), HasSubstr("cannot be built again"));
   EXPECT_THAT(trouble_with(set_text("rungs/hood", "silk")), HasSubstr("cannot be built again"));
   EXPECT_THAT(trouble_with(set_text("rungs/hood", "floating net")), HasSubstr("text of its net"));
@@ -185,7 +185,8 @@ TEST_F(RecordedDigitFile, RefusesWhatDoesNotFitTogether) {
               HasSubstr("name/joint"));
   EXPECT_THAT(trouble_with([](ResultFile& file) { file.texts.at("name/muscle")[0] = "biceps"; }),
               HasSubstr("biceps"));
-  EXPECT_THAT(trouble_with(set_text("name/frozen", "PIP2")), HasSubstr("cannot be built again"));
+  EXPECT_THAT(trouble_with(set_text("name/frozen", "PIP2")),
+              HasSubstr("'rungs/frozen_angle': it is missing"));
 }
 
 TEST_F(RecordedDigitFile, SaysHowTheMotionEnded) {

@@ -165,7 +165,7 @@ TEST_F(RecordedRunFile, RefusesWhatDoesNotFitTogether) {
   EXPECT_EQ(trouble_with([](ResultFile&) {}), "nothing was thrown");
   EXPECT_THAT(trouble_with(set_number("time", 2, nan)), HasSubstr("'time'"));
   EXPECT_THAT(trouble_with(set_number("time", 2, 0)), HasSubstr("does not rise"));
-  EXPECT_THAT(trouble_with(set_number("position", 5, nan)), HasSubstr("'position' has numbers"));
+  EXPECT_THAT(trouble_with(set_number("position", 5, nan)), HasSubstr("'position': it has numbers"));
   EXPECT_THAT(trouble_with(set_number("position", 0, 9)), HasSubstr("not length 1"));
   EXPECT_THAT(trouble_with(set_number("contact_body_a", 0, 99)), HasSubstr("'contact_body_a'"));
   EXPECT_THAT(trouble_with(set_number("contact_body_b", 0, -1)), HasSubstr("'contact_body_b'"));
@@ -176,9 +176,8 @@ TEST_F(RecordedRunFile, RefusesWhatDoesNotFitTogether) {
   for (const char* key : {"time", "position", "speed", "energy", "body_position", "contact_force"})
     EXPECT_NE(trouble_with([&](ResultFile& file) { file.arrays.erase(key); }), "nothing was thrown")
         << key;
-  EXPECT_THAT(trouble_with(set_text("format", "thenar motion 1")),
-              HasSubstr("wanted a run of a scene"));
-  EXPECT_THAT(trouble_with(set_text("varied", "friction")), HasSubstr("several runs"));
+  EXPECT_THAT(trouble_with(set_text("format", "thenar motion 1")), HasSubstr("it is missing"));
+  EXPECT_THAT(trouble_with(set_text("varied", "friction")), HasSubstr("'value': it is missing"));
   EXPECT_THAT(trouble_with([](ResultFile& file) { file.texts.at("name/body")[0] = "lid"; }),
               HasSubstr("its bodies are not those"));
   EXPECT_THAT(trouble_with(set_text("inputs/1/text", "name = 3")),

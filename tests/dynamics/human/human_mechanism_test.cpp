@@ -45,6 +45,16 @@ BuiltScene built(const std::string& text) {
                      std::vector<SceneHand>{bare(HumanVersion::kSkewedThumb)});
 }
 
+/// The same without passive moments of joints.
+BuiltScene built_tendons_alone(const std::string& text) {
+  HumanModel model = bare(HumanVersion::kSkewedThumb);
+  model.options.passive = PassiveMoments::kOff;
+  const std::string head =
+      "name = \"x\"\nsource = \"Mine\"\n[sources]\nMine = \"Own\"\n[stepping]\nduration_s = 1\n"
+      "[[hand]]\nname = \"h\"\n";
+  return build_scene(parse_scene(head + text, "s.toml"), std::vector<SceneHand>{model});
+}
+
 // Bodies on one joint, and roots of digits in one web, never touch; all others of a hand may.
 TEST(HumanMechanism, NeighboursInFleshAreApart) {
   HumanModel model{default_human(), HumanVersion::kSkewedThumb};
@@ -133,7 +143,8 @@ TEST(HumanScene, BeginsWhereTheFileSaysWithStopsAndPulls) {
 
 // Tensions at the start are torques by the moment arms of the digit.
 TEST(HumanScene, TensionsActByTheirMomentArms) {
-  const BuiltScene scene = built("[[tendon]]\nhand = \"h\"\ntension_N = {FDP2 = 5, FPL = 2}\n");
+  const BuiltScene scene =
+      built_tendons_alone("[[tendon]]\nhand = \"h\"\ntension_N = {FDP2 = 5, FPL = 2}\n");
   SceneElements elements(scene.scene.elements, scene.scene.v.size());
   const TreeModel model = tree_model(scene.scene.mechanism);
   const TreeMotion<double> motion(model);
