@@ -19,7 +19,7 @@ using Eigen::VectorXd;
 constexpr double kFarAngle = 0.02;     // at which slopes by posture are found anew [rad]
 constexpr double kFarTension = 0.1;    // likewise, of the tension [1], and
 constexpr double kSomeTension = 0.1;   // of what counts as any [N]
-constexpr double kBaumgarteRate = 1e4;  // at which excursions return to lines of a net [1/s]
+constexpr double kBaumgarteRate = 1e3;  // at which excursions return to lines of a net [1/s]
 constexpr double kSettledRate = 1e-9;  // of activation [1/s], of a fibre [optimal lengths/s]
 
 SchedulePiece constant_piece(double begin, double value) {
