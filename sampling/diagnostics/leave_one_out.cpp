@@ -10,6 +10,7 @@
 
 #include "base/error.h"
 #include "sampling/diagnostics/convergence.h"
+#include "sampling/diagnostics/importance.h"
 
 namespace thenar {
 namespace {
@@ -121,7 +122,7 @@ LeaveOneOut leave_one_out(const Eigen::Ref<const Eigen::MatrixXd>& log_likelihoo
 
   // Limit of k for this many draws.
   LeaveOneOut of;
-  of.good_k = std::min(1 - 1 / std::log10(double(draws)), 0.7);
+  of.good_k = good_pareto_shape(double(draws));
   of.pointwise.resize(observations);
   of.k.resize(observations);
   for (Eigen::Index i = 0; i < observations; ++i) {
