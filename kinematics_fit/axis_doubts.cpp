@@ -11,8 +11,7 @@
 namespace thenar {
 namespace {
 
-constexpr double kUndecided = 0.9;  // of the prior sd [1]
-constexpr double kTraded = 0.8;     // correlation [1]
+constexpr double kTraded = 0.8;  // correlation [1]
 
 /// Entries of a specimen, the population's and its own, that move parameters of one kind.
 std::vector<int> entries_of_kind(const FitCoordinates& coordinates, ParameterKind kind) {
@@ -71,7 +70,7 @@ AxisDoubts find_axis_doubts(const FitProblem& problem, const Eigen::VectorXd& z,
       if (specimen > 0 && k < coordinates.population_entries()) continue;
       ++out.tilts;
       const CoordinateEstimate& learnt = covariance.learnt[entry(k)];
-      if (learnt.sd > kUndecided) out.undecided.push_back(learnt);
+      if (learnt.sd > kUndecidedShare) out.undecided.push_back(learnt);
     }
     if (axes.empty() || cell.empty()) continue;
     // Tilts of axes and of the load cell that make the same forces.
@@ -95,13 +94,12 @@ std::vector<std::string> describe(const AxisDoubts& doubts) {
     warnings.push_back(fmt::format(
         "{} of {} tilts of axes are not told by the forces, they keep more than {:.1f} of their "
         "prior sd: {}",
-        names.size(), doubts.tilts, kUndecided, some_of(names)));
+        names.size(), doubts.tilts, kUndecidedShare, some_of(names)));
   }
   if (!doubts.traded.empty()) {
     std::vector<std::string> pairs;
     for (const TradedTilt& pair : doubts.traded)
-      pairs.push_back(
-          fmt::format("{} and {} ({:+.2f})", pair.axis, pair.cell, pair.correlation));
+      pairs.push_back(fmt::format("{} and {} ({:+.2f})", pair.axis, pair.cell, pair.correlation));
     warnings.push_back(fmt::format(
         "an axis and the load cell trade places where both may tilt as far as the settings say, "
         "in brackets their posterior correlation: {}",

@@ -15,10 +15,14 @@ struct TradedTilt {
   double correlation;      // of both in the posterior, prior scales of both being 1 [1]
 };
 
+/// A tilt, or another number, that keeps more than this of its prior sd was not told by the data
+/// [1].
+inline constexpr double kUndecidedShare = 0.9;
+
 /// Doubts about the tilts of axes that a fit reports.
 struct AxisDoubts {
   int tilts = 0;                              // entries of z that tilt an axis [1]
-  std::vector<CoordinateEstimate> undecided;  // tilts that keep more than 0.9 of their prior sd
+  std::vector<CoordinateEstimate> undecided;  // tilts that keep more than kUndecidedShare
   std::vector<TradedTilt> traded;             // correlated by more than 0.8, the worst first
 };
 
