@@ -57,6 +57,13 @@ std::string summary(const DigitVariability& digit) {
                      digit.mean_subject);
 }
 
+std::string summary(const PinchLosses& losses) {
+  std::vector<std::string> nerves;
+  for (const NerveBlock& block : losses.blocks) nerves.push_back(block.nerve);
+  return fmt::format("losses of pinch '{}': {} under {} ({})", losses.name, losses.digit,
+                     counted(losses.blocks.size(), "nerve block"), listed(nerves));
+}
+
 std::string summary(const NetDescription& net) {
   return fmt::format("net '{}': {}, {}, {}", net.name, counted(net.nodes.size(), "node"),
                      counted(net.bands.size(), "band"), counted(net.muscles.size(), "muscle"));

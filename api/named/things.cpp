@@ -84,6 +84,7 @@ Thing read_thing(const std::string& path) {
   if (file.kind == "fit settings") return read_fit_settings(path);
   if (file.kind == "proportions") return read_proportions(path);
   if (file.kind == "variability of axes") return read_variability(path);
+  if (file.kind == "losses of pinch") return read_pinch_losses(path);
   if (file.kind == "net") return read_net(path);
   if (file.kind == "materials") return read_materials(path, built_in_materials());
   if (file.kind == "robot") return read_robot_of(path, file.format);

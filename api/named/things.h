@@ -22,14 +22,16 @@
 #include "data/io/world/world.h"
 #include "kinematics_fit/fit.h"
 #include "posterior/run/sample_posterior.h"
+#include "posterior/study/key_pinch.h"
 
 namespace thenar {
 
 /// The content of a file; a ResultFile is a motion or a run of a scene, as `thenar simulate` writes
 /// them.
-using Thing = std::variant<Subject, Experiment, FitSettings, HandProportions, DigitVariability,
-                           NetDescription, Materials, RobotSpec, BodySpec, WorldSpec, SceneSpec,
-                           PadSpec, CalibratedLaws, PadData, Fit, PosteriorRun, ResultFile>;
+using Thing =
+    std::variant<Subject, Experiment, FitSettings, HandProportions, DigitVariability, PinchLosses,
+                 NetDescription, Materials, RobotSpec, BodySpec, WorldSpec, SceneSpec, PadSpec,
+                 CalibratedLaws, PadData, Fit, PosteriorRun, ResultFile>;
 
 /// What a name that commands take stands for.
 struct ThingKind {

@@ -43,6 +43,8 @@ std::string name_of(FileKind kind) {
       return "proportions";
     case FileKind::kAxisVariability:
       return "variability of axes";
+    case FileKind::kPinchLosses:
+      return "losses of pinch";
     case FileKind::kNet:
       return "net";
     case FileKind::kResult:
@@ -77,6 +79,7 @@ FileKind find_file_kind(const std::string& path) {
   if (has_any(top, {"soft_finger", "elastic_foundation"})) return FileKind::kPadLaws;
   if (has_list(top, "press") || has_list(top, "constant")) return FileKind::kPadPresses;
   if (has_any(top, {"mean_subject"})) return FileKind::kAxisVariability;
+  if (has_any(top, {"pinch"})) return FileKind::kPinchLosses;
   if (has_proportions(top)) return FileKind::kProportions;
   if (has_any(top, {"bone_lengths", "node", "band"})) return FileKind::kNet;
   if (has_any(top, {"link", "dof"})) return FileKind::kRobot;
@@ -91,7 +94,8 @@ FileKind find_file_kind(const std::string& path) {
       path, 1,
       "wanted a subject ([[joint]], [[muscle]] ..), an experiment ([protocol], "
       "[trials]), fit settings ([[parameter]]), proportions ([[digit]]), variability of axes "
-      "(mean_subject), a net ([[band]]), a robot ([[link]]), an object ([[shape]]), a world "
+      "(mean_subject), losses of pinch ([pinch], [[block]]), a net ([[band]]), a robot ([[link]]), "
+      "an object ([[shape]]), a world "
       "([[hand]], [[body]]), a scene ([stepping], [[body]]), a pad ([pulp]), laws of a pad "
       "([soft_finger]), presses of a pad ([[press]]) or materials ([[material]]), "
       "got none");

@@ -12,6 +12,7 @@ enum class FileKind {
   kFitSettings,
   kProportions,
   kAxisVariability,
+  kPinchLosses,
   kNet,
   kResult,
   kObject,
@@ -24,8 +25,9 @@ enum class FileKind {
   kPadPresses
 };
 
-/// "subject", "experiment", "fit settings", "proportions", "variability of axes", "net", "result",
-/// "object", "world", "materials", "robot", "scene", "pad", "laws of a pad" or "presses of a pad".
+/// "subject", "experiment", "fit settings", "proportions", "variability of axes", "losses of
+/// pinch", "net", "result", "object", "world", "materials", "robot", "scene", "pad", "laws of a
+/// pad" or "presses of a pad".
 [[nodiscard]] std::string name_of(FileKind kind);
 
 /// Finds the kind of a file: an HDF5 result by its first bytes, a TOML file by its top-level keys.

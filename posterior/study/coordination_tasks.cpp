@@ -14,27 +14,15 @@
 #include "tendons/forces/tip_force.h"
 
 namespace thenar {
+
+using internal::angles_of;
+using internal::tip_axes;
+
 namespace {
 
 constexpr std::uint32_t kHabit = 211, kTaskReading = 212;  // purposes of random streams
 constexpr double kTorque = 0.1;                            // weighs torque against activation [N m]
 constexpr double kThrift = 0.1;                            // weighs activation [1]
-
-/// Proximal, dorsal and radial of the tip at a posture, world frame (3, 3).
-Eigen::Matrix3d tip_axes(const TendonDigit& digit, const Eigen::VectorXd& q) {
-  return pose_tree(digit.model.tree, q)[static_cast<std::size_t>(digit.model.tip_link)].X.R *
-         digit.model.tip_axes;
-}
-
-Eigen::VectorXd angles_of(const TendonDigit& digit, const PostureRecord& record) {
-  Eigen::VectorXd q = Eigen::VectorXd::Zero(digit.model.coordinates);
-  for (Eigen::Index j = 0; j < q.size(); ++j) {
-    // Joints that a posture does not name are at zero.
-    const auto found = record.angles.find(digit.names.coordinates[static_cast<std::size_t>(j)]);
-    if (found != record.angles.end()) q[j] = found->second;
-  }
-  return q;
-}
 
 /// Activations of least cost, see simulate_tasks().
 Eigen::VectorXd share_load(const TipStatics& statics, const Eigen::Vector3d& f,

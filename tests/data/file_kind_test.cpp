@@ -30,6 +30,7 @@ TEST_F(FileKinds, AreToldByWhatDataFilesHold) {
   EXPECT_EQ(find_file_kind(kData + "/anthropometry/buchholz1992.toml"), FileKind::kProportions);
   EXPECT_EQ(find_file_kind(kData + "/studies/thumb_axes_variability.toml"),
             FileKind::kAxisVariability);
+  EXPECT_EQ(find_file_kind(kData + "/studies/key_pinch_blocks.toml"), FileKind::kPinchLosses);
   EXPECT_EQ(find_file_kind(kData + "/nets/winslow.toml"), FileKind::kNet);
   EXPECT_EQ(find_file_kind(kData + "/objects/mug.toml"), FileKind::kObject);
   EXPECT_EQ(find_file_kind(kData + "/worlds/jaw_box.toml"), FileKind::kWorld);
