@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "posterior/run/predict_draws.h"
+#include "posterior/study/drawn_models.h"
 #include "posterior/study/thumb_truth.h"
 
 namespace thenar::internal {
@@ -52,46 +53,18 @@ void score_pulls(const ThumbData& data, ThumbFit& out) {
   out.relative_error = std::sqrt(off / truth.squaredNorm());
 }
 
-/// Models of the digit at draws of a posterior.
-class DrawnModels {
- public:
-  /// @param x  draws, as columns
-  DrawnModels(const HandPosterior& posterior, const Eigen::MatrixXd& x)
-      : posterior_(posterior),
-        moving_(posterior.moving_parameters()),
-        values_(posterior.values(x).specimens.front()) {}
-
-  [[nodiscard]] long count() const { return values_.cols(); }
-
-  /// The model at draw k.
-  [[nodiscard]] TendonModel<double> at(long k) const {
-    const FitProblem& problem = posterior_.problem();
-    return specimen_model(problem.digit(), problem.parameters(),
-                          values_with(problem.parameters(), moving_, values_.col(k)))
-        .digit;
-  }
-
- private:
-  const HandPosterior& posterior_;
-  std::vector<int> moving_;
-  Eigen::MatrixXd values_;
-};
-
 /// Tasks by digits at some of the draws; the misfits of each task are averaged over draws.
 void score_tasks(const ThumbData& data, int draws, ThumbFit& out) {
   // Some of the draws.
   const HandPosterior& posterior = *out.run.posterior;
-  const Eigen::MatrixXd all = pooled(out.run.draws);
-  const long count = std::min<long>(draws, all.cols());
-  Eigen::MatrixXd x(all.rows(), count);
-  for (long k = 0; k < count; ++k) x.col(k) = all.col(k * all.cols() / count);
-  const DrawnModels models(posterior, x);
+  const DrawnModels models(posterior, thinned(pooled(out.run.draws), draws));
+  const Eigen::Index count = models.count();
 
   // Misfits of every task, averaged over the draws.
   std::vector<TaskMisfit> sum(data.tasks.activations.size(), {0, 0, 0});
   double explained = 0;
   TendonDigit drawn = posterior.problem().digit();
-  for (long k = 0; k < count; ++k) {
+  for (Eigen::Index k = 0; k < count; ++k) {
     drawn.model = models.at(k);
     const std::vector<TaskMisfit> misfits = task_misfits(drawn, data.tasks);
     explained += task_scores(misfits).explained / static_cast<double>(count);
@@ -110,7 +83,7 @@ Eigen::VectorXi types_at(const ThumbData& data, const HandPosterior& posterior,
   const std::vector<std::string>& hinges = posterior.problem().digit().names.hinges;
   const DrawnModels models(posterior, x);
   Eigen::VectorXi types(models.count());
-  for (long k = 0; k < models.count(); ++k)
+  for (Eigen::Index k = 0; k < models.count(); ++k)
     types[k] =
         classify_thumb(data.criteria, thumb_axes(data.criteria, models.at(k), hinges)).index();
   return types;
@@ -159,6 +132,11 @@ std::vector<LearntNumber> learnt_numbers(const ThumbData& data, const ThumbFit& 
 }
 
 }  // namespace
+
+TendonDigit thumb_of(const SourceText& source) {
+  const Subject subject = parse_subject(source.text, source.path);
+  return build_tendon_digit(with_passive(subject, PassiveMoments::kOff), "thumb");
+}
 
 DirectionErrors direction_errors(const Prediction& prediction) {
   Eigen::ArrayXd angle(static_cast<Eigen::Index>(prediction.trials.size()));

@@ -17,6 +17,10 @@ struct ThumbData {
   MeanThumb criteria{};  // by which types are told
 };
 
+/// The thumb of a subject without passive moments: load cells are zeroed under the thumb at rest,
+/// so that forces are those of tendons alone.
+[[nodiscard]] TendonDigit thumb_of(const SourceText& source);
+
 /// Mean and sd over trials of the angle between predicted and measured force [rad].
 struct DirectionErrors {
   double mean, sd;

@@ -83,12 +83,6 @@ std::string describe_fit(const ThumbFitSettings& settings) {
 
 namespace {
 
-/// Load cells are zeroed under the thumb at rest: forces are those of tendons alone.
-TendonDigit thumb_of(const SourceText& source) {
-  const Subject subject = parse_subject(source.text, source.path);
-  return build_tendon_digit(with_passive(subject, PassiveMoments::kOff), "thumb");
-}
-
 Experiment tasks_at(const TendonDigit& truth, double noise, unsigned seed) {
   TaskOptions options;
   options.noise = noise;
@@ -174,8 +168,8 @@ ThumbStudy study_thumb(const ThumbStudyInputs& inputs, const ThumbStudySettings&
   ThumbStudy study;
   // Both thumbs in one frame, and those that no fit improves.
   study.inputs = inputs;
-  study.start = thumb_of(inputs.start);
-  study.truth = in_frame_of(study.start, thumb_of(inputs.truth));
+  study.start = internal::thumb_of(inputs.start);
+  study.truth = in_frame_of(study.start, internal::thumb_of(inputs.truth));
   study.criteria = mean_thumb(parse_variability(inputs.criteria.text, inputs.criteria.path),
                               parse_subject(inputs.start.text, inputs.start.path));
   for (const ThumbFitSettings& one : settings.fits) add_reference(one, settings.seed, study);

@@ -1,0 +1,39 @@
+#pragma once
+
+/// Digits at points of a posterior of one specimen.
+
+#include <Eigen/Core>
+
+#include "posterior/hand_posterior.h"
+#include "tendons/tendon_model.h"
+
+namespace thenar::internal {
+
+/// Models of the digit at points of a posterior, which must outlive it.
+class DrawnModels {
+ public:
+  /// @param x  points of the posterior as columns (size, count)
+  DrawnModels(const HandPosterior& posterior, const Eigen::Ref<const Eigen::MatrixXd>& x);
+
+  [[nodiscard]] Eigen::Index count() const { return values_.cols(); }
+
+  /// The model of the first specimen at point k, 0 .. count() - 1.
+  [[nodiscard]] TendonModel<double> at(Eigen::Index k) const;
+
+  /// Values of parameters of one kind at all points [SI] (parameters that move, count).
+  [[nodiscard]] Eigen::MatrixXd values(ParameterKind kind) const;
+
+  /// Names of the rows of values().
+  [[nodiscard]] std::vector<std::string> names(ParameterKind kind) const;
+
+ private:
+  const HandPosterior& posterior_;
+  std::vector<int> moving_;
+  Eigen::MatrixXd values_;  // [SI] (parameters that move, count)
+};
+
+/// At most `most` columns, evenly spread over all: every k-th draw of every chain.
+[[nodiscard]] Eigen::MatrixXd thinned(const Eigen::Ref<const Eigen::MatrixXd>& x,
+                                      Eigen::Index most);
+
+}  // namespace thenar::internal

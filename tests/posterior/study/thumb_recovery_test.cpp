@@ -1,0 +1,107 @@
+// Tests for posterior/study/thumb_recovery.cpp.
+
+#include "posterior/study/thumb_recovery.h"
+
+#include <cmath>
+
+#include <gtest/gtest.h>
+
+#include "base/error.h"
+#include "base/units.h"
+#include "tests/posterior/study/study_inputs.h"
+
+namespace thenar {
+namespace {
+
+/// Good data, short chains.
+ThumbRecoverySettings good_data() {
+  ThumbRecoverySettings settings;
+  settings.noise = 0.02;
+  settings.draws = settings.warm_up = 400;
+  settings.retries = 0;
+  settings.mode_starts = 4;
+  return settings;
+}
+
+const ThumbRecovery& recovered() {
+  static const ThumbRecovery made = recover_thumb(sample::study_inputs(), good_data());
+  return made;
+}
+
+// Five axes of two tilts and two shifts. If intervals are as wide as errors, the odds that three or
+// more of 20 truths lie outside of their 95 % are 8 %, and four or more 1.6 %.
+TEST(ThumbRecovery, TrueAxesLieWithinTheIntervals) {
+  ASSERT_TRUE(recovered().complete);
+  ASSERT_EQ(recovered().numbers.size(), 20u);
+  EXPECT_GE(recovered().agreement.fit_covers, 17);
+  EXPECT_GE(recovered().agreement.drawn_cover, 17);
+}
+
+// Both methods take each axis nearer to the truth than the mechanic's thumb has it, and know it
+// better than the prior does.
+TEST(ThumbRecovery, EveryAxisIsFoundByBothMethods) {
+  ASSERT_EQ(recovered().axes.size(), 5u);
+  for (const RecoveredAxis& axis : recovered().axes) {
+    EXPECT_LT(axis.fit_error, axis.start_error) << axis.joint;
+    EXPECT_LT(axis.drawn_error, axis.start_error) << axis.joint;
+    EXPECT_LT(axis.fit_left, kUndecidedShare) << axis.joint;
+    EXPECT_LT(axis.drawn_left, kUndecidedShare) << axis.joint;
+    EXPECT_GT(axis.drawn_within, 0) << axis.joint;
+  }
+  EXPECT_EQ(recovered().doubts.tilts, 10);
+  EXPECT_TRUE(recovered().doubts.undecided.empty());
+}
+
+// Data that fix a model nearly linearly: the best point is the mean, to a part of the spread.
+TEST(ThumbRecovery, BothMethodsAgree) {
+  EXPECT_LT(recovered().agreement.rms, 0.5);
+  EXPECT_GT(recovered().agreement.least_sd_ratio, 0.5);
+  EXPECT_LT(recovered().agreement.most_sd_ratio, 2);
+}
+
+// Pulls of nine muscles in four postures; eight people with five tasks in two postures.
+TEST(ThumbRecovery, DataAreForcesAndMuscleActivity) {
+  EXPECT_EQ(recovered().made_up.trials.size(), 36u);
+  EXPECT_EQ(recovered().made_up.activations.size(), 80u);
+  EXPECT_EQ(recovered().fit->problem.experiments().front().activations.size(), 80u);
+}
+
+// Of a fit that keeps the prior both methods say that they were not told.
+TEST(ThumbRecovery, NamesTiltsThatNoiseHides) {
+  ThumbRecoverySettings settings = good_data();
+  settings.noise = 30;  // of each force
+  settings.people = 0;
+  settings.postures = 1;
+  const ThumbRecovery hidden = recover_thumb(sample::study_inputs(), settings);
+  EXPECT_EQ(hidden.doubts.undecided.size(), 10u);
+  EXPECT_EQ(hidden.undecided.size(), 20u);
+}
+
+RecoveredNumber number(const char* name, RecoveredValue fit, RecoveredValue drawn) {
+  return {name, "deg", 0, 15, fit, drawn};
+}
+
+// By hand: differences 1 / 2 and 3 / 1 sds; ratios of sds 4 / 2 and 1 / 1; the truth is 0.
+TEST(ThumbRecovery, AgreementIsThatByHand) {
+  const MethodAgreement agreement = compare_methods(
+      {number("a", {1, 4, -7, 9}, {2, 2, -2, 6}), number("b", {4, 1, 2, 6}, {1, 1, -1, 3})});
+  EXPECT_NEAR(agreement.rms, std::sqrt((0.25 + 9) / 2), 1e-12);
+  EXPECT_NEAR(agreement.worst, 3, 1e-12);
+  EXPECT_EQ(agreement.worst_name, "b");
+  EXPECT_NEAR(agreement.least_sd_ratio, 1, 1e-12);
+  EXPECT_NEAR(agreement.most_sd_ratio, 2, 1e-12);
+  EXPECT_EQ(agreement.fit_covers, 1);
+  EXPECT_EQ(agreement.drawn_cover, 2);
+  EXPECT_THROW((void)compare_methods({}), InputError);
+}
+
+TEST(ThumbRecovery, StopsWhenAsked) {
+  ThumbRecoverySettings settings = good_data();
+  settings.progress.stop_requested = [] { return true; };
+  const ThumbRecovery stopped = recover_thumb(sample::study_inputs(), settings);
+  EXPECT_FALSE(stopped.complete);
+  EXPECT_TRUE(stopped.numbers.empty());
+}
+
+}  // namespace
+}  // namespace thenar
