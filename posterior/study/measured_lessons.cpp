@@ -1,0 +1,163 @@
+#include "posterior/study/measured_lessons.h"
+
+#include <cmath>
+
+#include "base/error.h"
+#include "base/numbers.h"
+#include "base/parallel_for.h"
+#include "data/io/toml_node.h"
+#include "posterior/run/posterior_quantities.h"
+#include "posterior/study/drawn_models.h"
+#include "posterior/study/thumb_experiment.h"
+
+namespace thenar {
+namespace {
+
+/// Forces that a digit makes in all trials, with another hold, along the experiment's components
+/// [N] (3 trials).
+Eigen::VectorXd forces_with(const TendonDigit& digit, Experiment experiment, TipConstraint hold) {
+  experiment.hold = hold;
+  return true_forces(digit, experiment).reshaped();
+}
+
+/// The models of all points of a posterior.
+std::vector<TendonModel<double>> all_models(const internal::DrawnModels& drawn) {
+  std::vector<TendonModel<double>> models;
+  models.reserve(static_cast<std::size_t>(drawn.count()));
+  for (Eigen::Index k = 0; k < drawn.count(); ++k) models.push_back(drawn.at(k));
+  return models;
+}
+
+/// A belief by its draws, and what each addition makes of it.
+ThumbBelief weigh_belief(const std::string& name, const HandPosterior& posterior,
+                         const Eigen::MatrixXd& x, const MeasuredLessons& of,
+                         const Progress& progress) {
+  // What every draw says of the measurements.
+  ThumbBelief belief;
+  belief.name = name;
+  const internal::DrawnModels drawn(posterior, x);
+  belief.names = drawn.names(ParameterKind::kAxisDirection);
+  belief.tilts = drawn.values(ParameterKind::kAxisDirection);
+  belief.predicted = predict_measured(posterior.problem().digit(), all_models(drawn), of.force,
+                                      of.losses, progress);
+  if (progress.stop()) return belief;
+
+  // Its draws weighed by them.
+  for (const AddedData& added : additions_to_ask()) {
+    const Eigen::VectorXd log_l = log_likelihood(belief.predicted, of.force, of.losses, added);
+    const ImportanceWeights weights = importance_weights(log_l);
+    belief.lessons.push_back({added, weights, weighted_spread(belief.tilts, weights.weight)});
+  }
+  return belief;
+}
+
+}  // namespace
+
+MeasuredThumbInputs measured_thumb_inputs(const std::string& data) {
+  const auto read = [&](const char* file) {
+    const std::string path = data + "/" + file;
+    return SourceText{path, read_text_file(path)};
+  };
+  return {read("experiments/towles2004_fpl.toml"), read("studies/key_pinch_blocks.toml")};
+}
+
+std::vector<AddedData> additions_to_ask() {
+  return {{"the force of FPL", true, false},
+          {"the losses under nerve blocks", false, true},
+          {"both", true, true},
+          {"both, the force's sd halved", true, true, 0.5},
+          {"both, the force's sd doubled", true, true, 2},
+          {"both, the tip clamped", true, true, 1, true}};
+}
+
+MeasuredPredictions predict_measured(const TendonDigit& digit,
+                                     const std::vector<TendonModel<double>>& models,
+                                     const Experiment& force, const PinchLosses& losses,
+                                     const Progress& progress) {
+  // Room for every draw.
+  const auto count = static_cast<Eigen::Index>(models.size()),
+             rows = static_cast<Eigen::Index>(3 * force.trials.size());
+  MeasuredPredictions out;
+  out.force = out.clamped = Eigen::MatrixXd::Zero(rows, count);
+  out.intact = Eigen::VectorXd::Zero(count);
+  out.loss = Eigen::MatrixXd::Zero(static_cast<Eigen::Index>(losses.blocks.size()), count);
+
+  // Draw by draw, in parts between which progress is told.
+  constexpr std::size_t kPart = 100;
+  for (std::size_t begin = 0; begin < models.size(); begin += kPart) {
+    progress(static_cast<double>(begin) / static_cast<double>(models.size()),
+             "what measurements teach of a thumb");
+    if (progress.stop()) return out;
+    parallel_for(std::min(kPart, models.size() - begin), [&](std::size_t i) {
+      const auto k = static_cast<Eigen::Index>(begin + i);
+      TendonDigit drawn = digit;
+      drawn.model = models[begin + i];
+      out.force.col(k) = forces_with(drawn, force, TipConstraint::kPinned);
+      out.clamped.col(k) = forces_with(drawn, force, TipConstraint::kRigid);
+      const PinchStrength pinch = measure_pinch(drawn, losses);
+      out.intact[k] = pinch.intact;
+      out.loss.col(k) = pinch.loss;
+    });
+  }
+  return out;
+}
+
+Eigen::VectorXd log_likelihood(const MeasuredPredictions& predicted, const Experiment& force,
+                               const PinchLosses& losses, const AddedData& added) {
+  const Eigen::Index draws = predicted.force.cols();
+  Eigen::VectorXd log_l = Eigen::VectorXd::Zero(draws);
+  // Forces, component by component.
+  const Eigen::MatrixXd& f = added.clamped ? predicted.clamped : predicted.force;
+  for (std::size_t i = 0; added.force && i < force.trials.size(); ++i) {
+    const Eigen::Array3d sd = added.sd_factor * force_sd(force, force.trials[i]).array();
+    for (Eigen::Index k = 0; k < draws; ++k)
+      log_l[k] -=
+          ((f.col(k).segment<3>(3 * static_cast<Eigen::Index>(i)) - force.trials[i].force).array() /
+           sd)
+              .square()
+              .sum() /
+          2;
+  }
+  // Losses; of a thumb without a pinch there are none.
+  for (std::size_t b = 0; added.losses && b < losses.blocks.size(); ++b)
+    for (Eigen::Index k = 0; k < draws; ++k) {
+      const double loss = predicted.loss(static_cast<Eigen::Index>(b), k);
+      const double off = (loss - losses.blocks[b].loss) / losses.blocks[b].sd;
+      log_l[k] -= std::isnan(loss) ? kInfinity : off * off / 2;
+    }
+  return log_l;
+}
+
+MeasuredLessons weigh_measurements(const MeasuredThumbInputs& inputs, const PosteriorRun& run,
+                                   const TendonDigit& truth,
+                                   const MeasuredLessonsSettings& settings) {
+  // What was measured, and what the thumb of the made-up data says of it.
+  MeasuredLessons out;
+  out.inputs = inputs;
+  out.force = parse_experiment(inputs.force.text, inputs.force.path);
+  out.losses = parse_pinch_losses(inputs.losses.text, inputs.losses.path);
+  out.truth = predict_measured(truth, {truth.model}, out.force, out.losses);
+
+  // The prior, then the posterior of the made-up data.
+  const HandPosterior& posterior = *run.posterior;
+  const auto total = static_cast<double>(settings.prior_draws + settings.posterior_draws);
+  const auto part = [&](double begin, long draws) {
+    Progress one = settings.progress;
+    one.report = [&, begin, draws](double fraction, const std::string& what) {
+      settings.progress((begin + fraction * static_cast<double>(draws)) / total, what);
+    };
+    return one;
+  };
+  out.beliefs.push_back(weigh_belief("before any data", posterior,
+                                     prior_draws(run, static_cast<int>(settings.prior_draws)), out,
+                                     part(0, settings.prior_draws)));
+  if (settings.progress.stop()) return out;
+  out.beliefs.push_back(
+      weigh_belief("after the made-up data", posterior,
+                   internal::thinned(pooled(run.draws), settings.posterior_draws), out,
+                   part(static_cast<double>(settings.prior_draws), settings.posterior_draws)));
+  out.complete = !settings.progress.stop();
+  return out;
+}
+
+}  // namespace thenar

@@ -1,0 +1,102 @@
+#pragma once
+
+/// What the few published measurements of a thumb's force teach of its axes: draws of a belief are
+/// weighed by how well they say what was measured.
+
+#include <string>
+#include <vector>
+
+#include "posterior/run/sample_posterior.h"
+#include "posterior/study/key_pinch.h"
+#include "sampling/diagnostics/importance.h"
+
+namespace thenar {
+
+/// Files of the measurements.
+struct MeasuredThumbInputs {
+  SourceText force;   // an experiment: forces of the tip under tendon loads, with sds
+  SourceText losses;  // losses of pinch under nerve blocks
+};
+
+/// From a folder with experiments/ and studies/. @throws DataError if a file cannot be read.
+[[nodiscard]] MeasuredThumbInputs measured_thumb_inputs(const std::string& data);
+
+/// What models say of the measurements, a column a draw.
+struct MeasuredPredictions {
+  Eigen::MatrixXd force;    // of all trials, tip pinned; proximal, dorsal, radial of the
+                            // experiment's components [N] (3 trials, draws)
+  Eigen::MatrixXd clamped;  // the same with the tip clamped [N] (3 trials, draws)
+  Eigen::VectorXd intact;   // pinch with all muscles [N] (draws)
+  Eigen::MatrixXd loss;     // of pinch, NaN where `intact` is below kNoPinch [1] (blocks, draws)
+};
+
+/// What is added to a belief.
+struct AddedData {
+  std::string name;      // "FPL's force", in words
+  bool force = false;    // the experiment's forces
+  bool losses = false;   // the losses of pinch
+  double sd_factor = 1;  // on the sds of forces [1]
+  bool clamped = false;  // forces of a clamped tip in place of a pinned one
+};
+
+/// Both measurements, each alone, and forces with other sds or another hold.
+[[nodiscard]] std::vector<AddedData> additions_to_ask();
+
+/// What an addition made of a belief.
+struct Lesson {
+  AddedData added;
+  ImportanceWeights weights;  // of the draws
+  WeightedSpread tilts;       // of ThumbBelief::tilts [rad]
+};
+
+/// Draws of a belief, and what additions make of it.
+struct ThumbBelief {
+  std::string name;                // "before any data"
+  std::vector<std::string> names;  // of tilts: "axis/CMC1_FE/direction/1"
+  Eigen::MatrixXd tilts;           // values of these parameters [rad] (tilts, draws)
+  MeasuredPredictions predicted;
+  std::vector<Lesson> lessons;  // of additions_to_ask(), in this order
+};
+
+/// Measurements, and what they teach beside made-up data and without.
+struct MeasuredLessons {
+  MeasuredThumbInputs inputs;
+  Experiment force;
+  PinchLosses losses;
+  MeasuredPredictions truth;         // of the thumb that made-up data are of: one column
+  std::vector<ThumbBelief> beliefs;  // the prior, and the posterior of made-up data
+  bool complete = false;
+};
+
+struct MeasuredLessonsSettings {
+  long prior_draws = 10000;     // [1]
+  long posterior_draws = 3000;  // at most, evenly thinned [1]
+  Progress progress;
+};
+
+/// What digits say of both measurements.
+/// @param digit   whose model the draws replace
+/// @param models  a model each
+/// @throws InputError if the experiment or the losses do not fit the digit.
+[[nodiscard]] MeasuredPredictions predict_measured(const TendonDigit& digit,
+                                                   const std::vector<TendonModel<double>>& models,
+                                                   const Experiment& force,
+                                                   const PinchLosses& losses,
+                                                   const Progress& progress = {});
+
+/// Log likelihood of the measurements that are added, up to a constant [1] (draws):
+///   - 1/2 sum ((f - f_measured) / (factor sd))^2 - 1/2 sum ((loss - measured) / sd)^2,
+/// -inf where losses are added and there is no pinch to lose.
+[[nodiscard]] Eigen::VectorXd log_likelihood(const MeasuredPredictions& predicted,
+                                             const Experiment& force, const PinchLosses& losses,
+                                             const AddedData& added);
+
+/// Weighs draws of the prior of a run, and of its posterior, by the measurements. Same run, same
+/// bits.
+/// @param run    of a digit of one specimen, whose settings free tilts of axes
+/// @param truth  the digit whose made-up data the run is of
+[[nodiscard]] MeasuredLessons weigh_measurements(const MeasuredThumbInputs& inputs,
+                                                 const PosteriorRun& run, const TendonDigit& truth,
+                                                 const MeasuredLessonsSettings& settings);
+
+}  // namespace thenar
