@@ -213,12 +213,15 @@ DemoResult run_demo_study(const DemoRequest& request, const Progress& progress) 
   const StudyInputs inputs = inputs_of(request.data);
   std::vector<SpecimenStudy> specimens = study_specimens(inputs, progress);
   DemoResult demo{
-      inputs, std::move(specimens), study_population(inputs, progress), {}, {}, {}, {}, {}, {}};
+      inputs, std::move(specimens), study_population(inputs, progress), {}, {}, {}, {}, {}, {}, {}};
   sample_all(request, progress, demo);
   ThumbStudyRequest thumb;
   thumb.data = request.data;
   thumb.quick = true;
   demo.thumb_study = ask_thumb_study(thumb, progress);
+  ThumbRecoveryRequest recovery;
+  recovery.data = request.data;
+  if (!progress.stop()) demo.thumb_recovery = ask_thumb_recovery(recovery, progress);
   demo.motion = move_demo_scenes(request.data, progress, request.path);
   demo.stopped = progress.stop();
   if (demo.stopped) return demo;

@@ -61,6 +61,7 @@ struct DemoResult {
   PopulationStudy population;             // both together
   std::vector<DemoPosterior> posteriors;  // of each alone, and of both
   ThumbStudyResult thumb_study;
+  ThumbRecoveryResult thumb_recovery;  // made-up data, and measurements
   DemoHood hood;
   std::vector<DemoThumb> thumbs;
   DemoMotion motion;
@@ -69,7 +70,8 @@ struct DemoResult {
 };
 
 /// Fits by every solver, cross-validates, predicts what was not seen, samples posteriors, asks what
-/// forces tell of a thumb's axes, and bends a finger with its hood. Some minutes.
+/// forces tell of a thumb's axes, finds a thumb again from made-up forces and muscle activity and
+/// adds measurements, and bends a finger with its hood. Some minutes.
 /// @throws InputError if data are missing or the folder cannot be written.
 [[nodiscard]] DemoResult run_demo_study(const DemoRequest& request, const Progress& progress = {});
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "api/named/data_folders.h"
+#include "base/progress_parts.h"
 
 namespace thenar {
 namespace {
@@ -42,6 +43,31 @@ ThumbTypesResult ask_thumb_types(const ThumbTypesRequest& request, const Progres
   settings.progress = progress;
   return {study_thumb_types(thumb_types_inputs(data_with("studies", request.data)), settings),
           request.seed};
+}
+
+ThumbRecoveryResult ask_thumb_recovery(const ThumbRecoveryRequest& request,
+                                       const Progress& progress) {
+  // Roughly what both take on two cores.
+  constexpr double kRecovery = 9, kLessons = 11;  // [s]
+  ProgressParts parts(progress, kRecovery + kLessons);
+  const std::string data = data_with("fits", request.data);
+  ThumbRecoverySettings recovery;
+  if (request.draws > 0) recovery.draws = recovery.warm_up = request.draws;
+  recovery.seed = request.seed;
+  recovery.progress = parts.next(kRecovery);
+  ThumbRecoveryResult result;
+  result.recovery = recover_thumb(thumb_study_inputs(data), recovery);
+  result.stopped = !result.recovery.complete;
+  if (result.stopped) return result;
+
+  // Draws of its prior and posterior, weighed by what was measured.
+  MeasuredLessonsSettings lessons;
+  if (request.weighed > 0) lessons.prior_draws = request.weighed;
+  lessons.progress = parts.next(kLessons);
+  result.lessons = weigh_measurements(measured_thumb_inputs(data), result.recovery.run,
+                                      result.recovery.truth, lessons);
+  result.stopped = !result.lessons.complete;
+  return result;
 }
 
 std::size_t unconverged_fits(const ThumbStudy& study) {

@@ -1,13 +1,16 @@
 #pragma once
 
 /// What do forces tell of a thumb's axes? A made-up experiment whose answer is known. And which
-/// types of thumbs does the spread of axes between people make?
+/// types of thumbs does the spread of axes between people make? And what of a thumb is found again
+/// from forces and muscle activity, and what do published measurements add?
 
 #include <optional>
 #include <string>
 
 #include "base/progress.h"
+#include "posterior/study/measured_lessons.h"
 #include "posterior/study/thumb_calibration.h"
+#include "posterior/study/thumb_recovery.h"
 #include "posterior/study/thumb_study.h"
 #include "posterior/study/thumb_types.h"
 
@@ -48,6 +51,26 @@ struct ThumbTypesResult {
 /// bits. @throws InputError if no data folder has studies/, or draws is not positive.
 [[nodiscard]] ThumbTypesResult ask_thumb_types(const ThumbTypesRequest& request,
                                                const Progress& progress = {});
+
+struct ThumbRecoveryRequest {
+  std::string data;   // folder with fits/, studies/, experiments/, subjects/; empty: the usual
+                      // ones
+  long draws = 0;     // of each of 4 chains, and of warm-up; 0: as the study has them [1]
+  long weighed = 0;   // draws of the prior that measurements weigh; 0: likewise [1]
+  unsigned seed = 1;  // of noise and chains
+};
+
+struct ThumbRecoveryResult {
+  ThumbRecovery recovery;   // from made-up data
+  MeasuredLessons lessons;  // of published measurements
+  bool stopped = false;     // by request; what was finished by then is here
+};
+
+/// Finds a thumb again from made-up forces and muscle activity, by least squares and by chains, and
+/// adds what was published of people's thumbs. Some 20 s. Same request, same bits.
+/// @throws InputError if no data folder has fits/, DataError if a file is missing or wrong.
+[[nodiscard]] ThumbRecoveryResult ask_thumb_recovery(const ThumbRecoveryRequest& request,
+                                                     const Progress& progress = {});
 
 /// Fits whose chains have not converged.
 [[nodiscard]] std::size_t unconverged_fits(const ThumbStudy& study);

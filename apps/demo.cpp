@@ -2,7 +2,8 @@
 //
 // The main job on real data: fits the middle fingers of two hands to measured forces by every
 // solver, cross-validates, predicts what was not seen, samples their posteriors, asks
-// what forces tell of a thumb's axes, compares two thumbs, moves two scenes, lets hands grasp,
+// what forces tell of a thumb's axes, finds a thumb again from made-up forces and muscle activity
+// and adds what was measured in people, compares two thumbs, moves two scenes, lets hands grasp,
 // presses a finger pad, pinches a pencil on every rung of pads, and writes a page for each
 // question, and a front page that sums them up.
 

@@ -7,8 +7,10 @@
 
 #include "report/demo/demo_findings.h"
 #include "report/pages/fit_study.h"
+#include "report/pages/measured_lessons.h"
 #include "report/pages/posterior.h"
 #include "report/pages/tendons.h"
+#include "report/pages/thumb_recovery.h"
 #include "report/pages/thumb_study.h"
 #include "report/provenance.h"
 #include "report/scene/digit_layers.h"
@@ -114,6 +116,17 @@ Json provenance_of(const DemoResult& demo, double seconds) {
   Json out = provenance_json(sources, demo.specimens.front().fit.problem.digit().fidelity);
   out["seed"] = fmt::format("{}", SolveOptions{}.seed);
   out["wall time of the whole"] = fmt::format("{:.1f} s", seconds);
+  return out;
+}
+
+/// Files of the made-up thumb and of the measurements.
+Json provenance_of(const ThumbRecoveryResult& result) {
+  const ThumbStudyInputs& made_up = result.recovery.inputs;
+  const MeasuredThumbInputs& measured = result.lessons.inputs;
+  Json out = provenance_json(
+      {made_up.truth, made_up.start, made_up.skewed, measured.force, measured.losses},
+      result.recovery.truth.fidelity);
+  out["seed"] = fmt::format("{}", result.recovery.settings.seed);
   return out;
 }
 
@@ -248,7 +261,14 @@ std::vector<SetPage> model_pages(const DemoResult& demo) {
       question("thumbs.html", "What do skewed axes cost a thumb?", thumb_finding(study, thumbs),
                Json::array({thumbs, thumb_study_section(study)}), thumb_meshes);
   thumb.figure = first_block(thumb.page, "row");
-  return {std::move(hood), std::move(thumb)};
+  const ThumbRecoveryResult& recovery = demo.thumb_recovery;
+  SetPage founding = question(
+      "founding_thumb.html", "The thumb, the founding way: are its axes found?",
+      thumb_recovery_finding(recovery),
+      Json::array({thumb_recovery_section(recovery.recovery), measured_lessons_section(recovery)}));
+  founding.figure = first_block(founding.page, "scene");
+  founding.page["provenance"] = provenance_of(recovery);
+  return {std::move(hood), std::move(thumb), std::move(founding)};
 }
 
 /// The front page, without what sums up the others.
@@ -261,7 +281,7 @@ SetPage front_of(double seconds) {
        fmt::format("In {:.0f} s fingers were fitted to measured forces, posteriors were sampled, "
                    "thumbs and hoods compared, scenes moved, objects grasped and pads pressed.",
                    seconds),
-       "Ten lines follow, each with a page of its own; below them stands a figure for each."},
+       "A line on each question follows, with a page of its own; below stands a figure for each."},
       "",
       {{"title", title},
        {"subtitle", "Middle fingers of two human hands [Synek2019], thumbs, and hands in motion"}},

@@ -33,6 +33,8 @@ struct Finding {
 [[nodiscard]] Finding hood_finding(const DemoHood& hood);
 /// What skewed axes cost a thumb. @param page  its sections, whose table has the sets
 [[nodiscard]] Finding thumb_finding(const ThumbStudy& study, const Json& page);
+/// Whether a thumb is found again from made-up data, and what measurements add.
+[[nodiscard]] Finding thumb_recovery_finding(const ThumbRecoveryResult& result);
 /// What becomes of a wine glass, of a thumb on a mug, and how accurate steps are.
 [[nodiscard]] Finding glass_finding(const SimulatedScene& glass);
 [[nodiscard]] Finding thumb_mug_finding(const DemoMotion& motion);

@@ -1,0 +1,29 @@
+#pragma once
+
+/// What published measurements add to what is believed of a thumb's axes.
+
+#include <string>
+
+#include "api/study.h"
+#include "report/blocks.h"
+
+namespace thenar {
+
+/// What published measurements are, what models say of them, and what is left of the sds of tilts
+/// once they are added, to the prior and to the posterior of made-up data.
+[[nodiscard]] Json measured_lessons_section(const ThumbRecoveryResult& result);
+
+/// Share of its plain sd that each tilt keeps under a lesson: rms over tilts, least and most.
+struct KeptShares {
+  double rms, least, most;         // [1]
+  std::string least_name;          // "CMC1_AA tilt 2"
+  double largest_shift;            // of a mean, in plain sds [1]
+  std::string largest_shift_name;  // likewise
+  int narrower = 0;                // tilts that keep less than 1 by two errors [1]
+};
+[[nodiscard]] KeptShares kept_shares(const ThumbBelief& belief, const Lesson& lesson);
+
+/// The lesson of both measurements as they are stated.
+[[nodiscard]] const Lesson& lesson_of_both(const ThumbBelief& belief);
+
+}  // namespace thenar

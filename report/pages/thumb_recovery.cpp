@@ -1,0 +1,210 @@
+#include "report/pages/thumb_recovery.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "base/units.h"
+#include "report/pages/posterior.h"
+
+namespace thenar {
+namespace {
+
+/// Prior sd of the first parameter of a kind that was free [display unit].
+double stated_sd(const ThumbRecovery& of, ParameterKind kind) {
+  const std::vector<Parameter>& all = of.fit->problem.parameters().all;
+  const auto first =
+      std::find_if(all.begin(), all.end(), [&](const Parameter& p) { return p.kind == kind; });
+  return first == all.end() ? 0 : first->sd * display_scale(*first);
+}
+
+/// How the data were made up, and with which thumb.
+std::string introduction(const ThumbRecovery& of) {
+  const std::vector<ActivationRow>& tasks = of.made_up.activations;
+  const double activation_sd = tasks.empty() ? 0 : tasks.front().sd.begin()->second;
+  return fmt::format(
+             "[Miller2005] came to the axes of its thumb by Markov chain Monte Carlo, fitted in a "
+             "least-squares sense to thumbtip forces and electromyography. Those data are not at "
+             "hand, so such data are made up here, with a thumb whose axes are known: the shipped "
+             "arms_five_axis_thumb [McFarland2023] [Hollister1995], nine muscles with constant "
+             "moment arms and five skew axes.\n\nData: 10 N on one muscle at a time, tip pinned, "
+             "in {} postures ({} trials), and {} tasks of {} people who push in five directions in "
+             "two postures, their muscles read by electromyography. The sd of a force is {:.0f} % "
+             "of it, that of an activation {:.2f}; the seed is {}. In all {} numbers.\n\n",
+             of.settings.postures, of.made_up.trials.size(), tasks.size(), of.settings.people,
+             100 * of.settings.noise, activation_sd, of.settings.seed, made_up_numbers(of)) +
+         fmt::format(
+             "Both methods start from a thumb with axes at right angles and free all five: two "
+             "tilts (prior sd {:.0f} degrees) and two shifts ({:.0f} mm) each, moment arms being "
+             "known. Least squares is the default fit with its covariance; chains are NUTS on the "
+             "same data and priors, with a factor on the noise. What the data were made with is "
+             "marked as the truth.",
+             stated_sd(of, ParameterKind::kAxisDirection),
+             stated_sd(of, ParameterKind::kAxisPoint));
+}
+
+/// "a, b" or "none".
+std::string listed_parameters(const std::vector<std::string>& names) {
+  std::vector<std::string> words;
+  words.reserve(names.size());
+  for (const std::string& name : names) words.push_back(words_of_axis_parameter(name));
+  return words.empty() ? "none" : fmt::format("{}", fmt::join(words, ", "));
+}
+
+/// What keeps its prior by least squares.
+std::vector<std::string> undecided_by_fit(const ThumbRecovery& of) {
+  std::vector<std::string> names;
+  for (const RecoveredNumber& number : of.numbers)
+    if (number.fit.sd > kUndecidedShare * number.prior_sd) names.push_back(number.name);
+  return names;
+}
+
+Json axis_table(const ThumbRecovery& of) {
+  Json rows = Json::array();
+  for (const RecoveredAxis& axis : of.axes)
+    rows.push_back({axis.joint, degrees(axis.start_error), degrees(axis.fit_error),
+                    degrees(axis.drawn_error), degrees(axis.drawn_within),
+                    axis.covered() ? "yes" : "NO", 100 * axis.fit_left, 100 * axis.drawn_left});
+  return table_block(
+      "Directions of the five axes: angles from the true axis, before and after. 95 % of the draws "
+      "lie within the stated angle of their mean. What is left of the prior's sd is the rms of "
+      "both tilts",
+      {{"axis", ""},
+       {"start is off", "deg", 1},
+       {"least squares is off", "deg", 1},
+       {"chains are off", "deg", 1},
+       {"95 % of draws within", "deg", 1},
+       {"truth among them", ""},
+       {"least squares keeps", "% of prior sd", 0},
+       {"chains keep", "% of prior sd", 0}},
+      std::move(rows));
+}
+
+/// A row of an interval chart: one method's word on one number.
+Json interval_of(const RecoveredNumber& number, const char* method, const RecoveredValue& of) {
+  return {{"name", fmt::format("{}, {}", words_of_axis_parameter(number.name), method)},
+          {"estimate", of.value},
+          {"low", of.low},
+          {"high", of.high},
+          {"prior_low", -kNormal95 * number.prior_sd},
+          {"prior_high", kNormal95 * number.prior_sd},
+          {"truth", number.truth},
+          {"unit", number.unit}};
+}
+
+/// Tilts or shifts by both methods.
+Json interval_chart(const ThumbRecovery& of, const char* unit, const char* what) {
+  Json rows = Json::array();
+  for (const RecoveredNumber& number : of.numbers) {
+    if (number.unit != unit) continue;
+    rows.push_back(interval_of(number, "least squares", number.fit));
+    rows.push_back(interval_of(number, "chains", number.drawn));
+  }
+  return {{"type", "interval"},
+          {"caption", fmt::format("{} of the axes from those of the start, with 95 % intervals of "
+                                  "both methods, of the prior, and the truth",
+                                  what)},
+          {"x_label", fmt::format("from the start [{}]", unit)},
+          {"rows", std::move(rows)}};
+}
+
+Json number_table(const ThumbRecovery& of) {
+  Json rows = Json::array();
+  for (const RecoveredNumber& number : of.numbers)
+    rows.push_back({words_of_axis_parameter(number.name), number.unit, number.truth,
+                    number.fit.value, number.fit.sd, number.drawn.value, number.drawn.sd,
+                    100 * number.fit.sd / number.prior_sd,
+                    100 * number.drawn.sd / number.prior_sd});
+  return table_block("Every tilt and shift beside the truth",
+                     {{"number", ""},
+                      {"unit", ""},
+                      {"truth", "", 2},
+                      {"least squares", "", 2},
+                      {"sd", "", 2},
+                      {"mean of draws", "", 2},
+                      {"sd", "", 2},
+                      {"least squares keeps", "% of prior sd", 0},
+                      {"chains keep", "% of prior sd", 0}},
+                     std::move(rows));
+}
+
+/// Agreement of both methods and what they could not tell, in words.
+std::string agreement_words(const ThumbRecovery& of) {
+  const MethodAgreement& a = of.agreement;
+  const bool few = a.rms < 0.5;
+  return fmt::format(
+      "Agreement: the best point of least squares and the mean of the chains differ by {:.2f} sds "
+      "of the posterior (rms over {} numbers), at most by {:.2f}, in {}; sds of least squares are "
+      "{:.2f} to {:.2f} times those of the chains. {} Of the {} true numbers {} lie within the 95 "
+      "% intervals of least squares and {} within those of the chains.\n\nWhat could not be told "
+      "(more than {:.0f} % of the prior's sd is left): by least squares {}; by the chains {}.",
+      a.rms, of.numbers.size(), a.worst, words_of_axis_parameter(a.worst_name), a.least_sd_ratio,
+      a.most_sd_ratio,
+      few ? "Where they differ most the posterior is skewed, so that its mean is not its best "
+            "point."
+          : "They do NOT agree: the posterior is not the Gaussian that least squares takes it for.",
+      of.numbers.size(), a.fit_covers, a.drawn_cover, 100 * kUndecidedShare,
+      listed_parameters(undecided_by_fit(of)), listed_parameters(of.undecided));
+}
+
+/// Says whether the search of least squares ended at a minimum.
+Json fit_banner(const ThumbRecovery& of) {
+  const Solution& solution = of.fit->solution;
+  const bool ok = solution.status == Status::kSolved;
+  return {
+      {"type", "banner"},
+      {"ok", ok},
+      {"title", ok ? "Least squares has converged" : "Least squares has NOT converged"},
+      {"reasons", ok ? Json::array() : Json::array({solution.message})},
+      {"text", fmt::format("{} evaluations, {:.1f} s", solution.evaluations, solution.seconds)}};
+}
+
+Json clouds_of(const ThumbRecovery& of) {
+  const HandPosterior& posterior = *of.run.posterior;
+  const AxisCloud cloud = axis_cloud(
+      "chains", posterior.problem().digit(), posterior.problem().parameters(),
+      posterior.moving_parameters(), posterior.values(pooled(of.run.draws)).specimens.front());
+  return axis_cloud_scene(
+      of.start, Eigen::VectorXd::Zero(of.start.model.coordinates), {cloud}, of.truth.model,
+      "Axes of the thumb at draws of the posterior of made-up forces and muscle activity; the axes "
+      "of the start by name, and the true ones");
+}
+
+}  // namespace
+
+std::string words_of_axis_parameter(const std::string& name) {
+  // "axis", the joint, what of it, which.
+  const std::size_t joint = name.find('/') + 1, what = name.find('/', joint) + 1,
+                    which = name.rfind('/') + 1;
+  if (name.rfind("axis/", 0) != 0 || what == 0 || which == what) return name;
+  return fmt::format("{} {} {}", name.substr(joint, what - 1 - joint),
+                     name.substr(what, which - 1 - what) == "direction" ? "tilt" : "shift",
+                     name.substr(which));
+}
+
+std::size_t made_up_numbers(const ThumbRecovery& of) {
+  return 3 * (of.made_up.trials.size() + of.made_up.activations.size());
+}
+
+KeptAxes kept_axes(const ThumbRecovery& recovery) {
+  KeptAxes kept{1, 0};
+  for (const RecoveredAxis& axis : recovery.axes) {
+    kept.least = std::min(kept.least, axis.drawn_left);
+    kept.most = std::max(kept.most, axis.drawn_left);
+  }
+  return kept;
+}
+
+Json thumb_recovery_section(const ThumbRecovery& recovery) {
+  return section(
+      "founding-thumb", "The thumb, the founding way: from made-up data", introduction(recovery),
+      Json::array({convergence_banner(recovery.run.convergence, describe_run(recovery.run)),
+                   fit_banner(recovery), axis_table(recovery),
+                   text_block(agreement_words(recovery)), interval_chart(recovery, "deg", "Tilts"),
+                   interval_chart(recovery, "mm", "Shifts"), number_table(recovery),
+                   clouds_of(recovery)}));
+}
+
+}  // namespace thenar
