@@ -110,10 +110,13 @@ Json interval_chart(const ThumbRecovery& of, const char* unit, const char* what)
           {"rows", std::move(rows)}};
 }
 
+/// The start states its places to 0.01 mm: what is less is its rounding, and no truth.
+double to_hundredths(double value) { return std::round(100 * value) / 100; }
+
 Json number_table(const ThumbRecovery& of) {
   Json rows = Json::array();
   for (const RecoveredNumber& number : of.numbers)
-    rows.push_back({words_of_axis_parameter(number.name), number.unit, number.truth,
+    rows.push_back({words_of_axis_parameter(number.name), number.unit, to_hundredths(number.truth),
                     number.fit.value, number.fit.sd, number.drawn.value, number.drawn.sd,
                     100 * number.fit.sd / number.prior_sd,
                     100 * number.drawn.sd / number.prior_sd});
