@@ -58,5 +58,5 @@ install(DIRECTORY ${PROJECT_SOURCE_DIR}/data/subjects ${PROJECT_SOURCE_DIR}/data
                   ${PROJECT_SOURCE_DIR}/data/worlds ${PROJECT_SOURCE_DIR}/data/contacts
                   ${PROJECT_SOURCE_DIR}/data/fits ${PROJECT_SOURCE_DIR}/data/nets
                   ${PROJECT_SOURCE_DIR}/data/scenes ${PROJECT_SOURCE_DIR}/data/pads
-                  ${PROJECT_SOURCE_DIR}/data/presses
+                  ${PROJECT_SOURCE_DIR}/data/presses ${PROJECT_SOURCE_DIR}/data/studies
   DESTINATION ${CMAKE_INSTALL_DATADIR}/thenar)

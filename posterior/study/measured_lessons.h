@@ -23,8 +23,8 @@ struct MeasuredThumbInputs {
 
 /// What models say of the measurements, a column a draw.
 struct MeasuredPredictions {
-  Eigen::MatrixXd force;    // of all trials, tip pinned; proximal, dorsal, radial of the
-                            // experiment's components [N] (3 trials, draws)
+  Eigen::MatrixXd force;    // of all trials, tip pinned, in the experiment's components [N] (3
+                            // trials, draws)
   Eigen::MatrixXd clamped;  // the same with the tip clamped [N] (3 trials, draws)
   Eigen::VectorXd intact;   // pinch with all muscles [N] (draws)
   Eigen::MatrixXd loss;     // of pinch, NaN where `intact` is below kNoPinch [1] (blocks, draws)
