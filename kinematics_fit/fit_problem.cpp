@@ -8,6 +8,7 @@
 #include "base/error.h"
 #include "data/io/doubled_trials.h"
 #include "kinematics_fit/model/experiment_plan.h"
+#include "kinematics_fit/model/shared_postures.h"
 
 namespace thenar {
 namespace {
@@ -29,7 +30,9 @@ FitProblem::FitProblem(TendonDigit digit, FitParameters parameters,
     : digit_(std::move(digit)),
       experiments_(std::move(experiments)),
       scaling_(scaling),
-      coordinates_(std::move(parameters), specimen_names(experiments_)),
+      coordinates_(share_same_postures(with_fitted_tensions(std::move(parameters), experiments_),
+                                       experiments_),
+                   specimen_names(experiments_)),
       robust_scale_(robust_scale),
       axis_distances_(std::move(axis_distances)) {
   require(this->parameters().coordinates() > 0, "nothing to fit: every parameter is fixed");

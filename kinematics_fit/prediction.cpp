@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "base/error.h"
+#include "kinematics_fit/model/shared_postures.h"
 #include "kinematics_fit/predictive_moments.h"
 #include "kinematics_fit/specimen_prior.h"
 
@@ -171,10 +172,11 @@ Prediction predict_fitted(const FitProblem& problem, const Eigen::VectorXd& z, i
 Prediction predict_experiment(const FitProblem& fitted, const Eigen::VectorXd& z,
                               const ArrowMatrix& C, const Experiment& experiment, int specimen) {
   // Parameters and plan, with those of postures that the fit does not know.
-  const FitParameters parameters = add_posture_errors(fitted.parameters(), experiment);
+  const Experiment named = with_own_postures(experiment, fitted.experiments());
+  const FitParameters parameters = add_posture_errors(fitted.parameters(), named);
   const int known = fitted.parameters().coordinates(), all = parameters.coordinates();
   const TendonDigit digit = fitted.sized_digit(experiment);
-  const ExperimentPlan plan = plan_experiment(digit, parameters, experiment);
+  const ExperimentPlan plan = plan_experiment(digit, parameters, named);
 
   // Displacements of the specimen, or of the population.
   Eigen::VectorXd u = Eigen::VectorXd::Zero(all);

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "base/units.h"
+#include "kinematics_fit/model/shared_postures.h"
 
 namespace thenar {
 namespace {
@@ -31,29 +31,6 @@ bool same_loads(const std::map<std::string, double>& a, const std::map<std::stri
     const double share = one.second / total_a;
     return one.first == other.first && std::abs(other.second / total_b - share) <= kSame * share;
   });
-}
-
-const PostureRecord* posture_of(const Experiment& experiment, const std::string& name) {
-  const auto& all = experiment.postures;
-  const auto found =
-      std::find_if(all.begin(), all.end(), [&](const auto& one) { return one.name == name; });
-  return found == all.end() ? nullptr : &*found;
-}
-
-double angle_of(const PostureRecord& posture, const std::string& joint) {
-  const auto found = posture.angles.find(joint);
-  return found == posture.angles.end() ? 0 : found->second;
-}
-
-/// Whether all joints stand alike; a joint that one of the two does not name is at 0 there.
-bool same_posture(const PostureRecord* a, const PostureRecord* b) {
-  const double kSame = radians(2);
-  if (a == nullptr || b == nullptr) return false;
-  const auto alike = [&](const auto& joint) {
-    return std::abs(angle_of(*a, joint.first) - angle_of(*b, joint.first)) <= kSame;
-  };
-  return std::all_of(a->angles.begin(), a->angles.end(), alike) &&
-         std::all_of(b->angles.begin(), b->angles.end(), alike);
 }
 
 /// Sum and number of forces per tension, in axes of the digit.
@@ -95,7 +72,7 @@ struct MeansOfLoads {
 MeansOfLoads means_of(const Experiment& experiment, const Trial& trial,
                       const std::vector<Experiment>& seen) {
   const std::map<std::string, double> pulls = pulls_of(trial);
-  const PostureRecord* posture = posture_of(experiment, trial.posture);
+  const PostureRecord* posture = find_posture(experiment, trial.posture);
   MeansOfLoads means;
   for (const Experiment& other : seen) {
     if (other.components < experiment.components || other.digit != experiment.digit) continue;
@@ -104,7 +81,7 @@ MeansOfLoads means_of(const Experiment& experiment, const Trial& trial,
       if (!same_loads(pulls, others) || !(row.site == trial.site)) continue;
       const Eigen::Vector3d force =
           other.axes_of_digit.cast<double>().transpose() * row.force / total(others);
-      const bool here = same_posture(posture, posture_of(other, row.posture));
+      const bool here = same_posture(posture, find_posture(other, row.posture));
       const bool self = other.specimen == experiment.specimen;
       if (here) means.here.add(force);
       if (here && self) means.self.add(force);

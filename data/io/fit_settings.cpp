@@ -161,6 +161,7 @@ FitSettings parse_fit_settings(const std::string& text, const std::string& path)
   settings.misfit = top.number_or(Dimension::kNumber, "misfit", 0, Range::kNotNegative);
   settings.superposition =
       top.number_or(Dimension::kNumber, "superposition", 0, Range::kNotNegative);
+  settings.linearity = top.number_or(Dimension::kNumber, "linearity", 0, Range::kNotNegative);
   // Rules stay in the order of the file: later ones win.
   for (TomlTable& row : top.tables("parameter")) settings.rules.push_back(read_rule(row));
   for (TomlTable& row : top.tables("axis_distance"))

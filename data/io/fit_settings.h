@@ -85,6 +85,8 @@ struct FitSettings {
   double misfit = 0;                         // sd of a force that the model misses, per tension [1]
   double superposition = 0;                  // sd by which several loads at once differ from their
                                              // sum, per tension [1]
+  double linearity = 0;  // sd by which a force per tension changes where the load is e times one
+                         // that was measured [1]
   PosteriorPriors posterior;
   std::vector<SettingChoice> choices;
   std::vector<PriorScale> scales;

@@ -79,10 +79,7 @@ Eigen::Matrix3Xd noise_variance(const BandProblems& problems, const Experiment& 
   for (Eigen::Index i = 0; i < force.cols(); ++i) {
     Trial trial = pool.trials[static_cast<std::size_t>(i)];
     trial.force = force.col(i);
-    double sum = 0;
-    for (const auto& [muscle, tension] : trial.tension) sum += tension;
-    const double missed = sum * std::hypot(parameters.misfit,
-                                           trial.tension.size() > 1 ? parameters.superposition : 0);
+    const double missed = missed_force_sd(parameters, trial.tension);
     variance.col(i) = force_sd(pool, trial).array().square() + missed * missed;
   }
   return variance;

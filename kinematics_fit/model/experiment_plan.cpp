@@ -334,10 +334,7 @@ ExperimentPlan plan_experiment(const TendonDigit& digit, const FitParameters& pa
   for (Eigen::Index i = 0; i < plan.force.cols(); ++i) {
     const Trial& trial = experiment.trials[i];
     plan.force.col(i) = trial.force;
-    const Eigen::VectorXd& t = plan.tension[static_cast<std::size_t>(i)];
-    const bool several = (t.array() > 0).count() > 1;
-    const double missed =
-        t.sum() * std::hypot(parameters.misfit, several ? parameters.superposition : 0);
+    const double missed = missed_force_sd(parameters, trial.tension);
     plan.sd.col(i) =
         (force_sd(experiment, trial).array().square() + missed * missed).sqrt().matrix();
   }

@@ -1,6 +1,7 @@
 #include "kinematics_fit/model/fit_parameters.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include <fmt/format.h>
 
@@ -163,6 +164,7 @@ FitParameters choose_parameters(const TendonDigit& digit, const std::vector<std:
   fit.postures = postures;
   fit.misfit = settings.misfit;
   fit.superposition = settings.superposition;
+  fit.linearity = settings.linearity;
   std::vector<Parameter> all = list_parameters(digit, postures);
   std::vector<Choice> choices(all.size());
   for (const ParameterRule& rule : settings.rules) apply_rule(rule, settings.path, all, choices);
@@ -198,6 +200,41 @@ FitParameters with_scale_factors(FitParameters parameters, const std::vector<dou
   for (std::size_t s = 0; s < parameters.scales.size(); ++s)
     parameters.scales[s].factor = factors.at(s);
   return parameters;
+}
+
+FitParameters with_fitted_tensions(FitParameters parameters,
+                                   const std::vector<Experiment>& experiments) {
+  parameters.fitted_tension.clear();
+  for (const Experiment& experiment : experiments)
+    for (const Trial& trial : experiment.trials)
+      for (const auto& [muscle, tension] : trial.tension) {
+        if (tension <= 0) continue;
+        TensionRange& range =
+            parameters.fitted_tension.try_emplace(muscle, TensionRange{tension, tension})
+                .first->second;
+        range.least = std::min(range.least, tension);
+        range.largest = std::max(range.largest, tension);
+      }
+  return parameters;
+}
+
+double missed_force_sd(const FitParameters& parameters,
+                       const std::map<std::string, double>& tension) {
+  // All tensions together, and what each muscle's load is away from those that were fitted.
+  double sum = 0, unlike = 0;
+  int pulling = 0;
+  for (const auto& [muscle, t] : tension) {
+    if (t <= 0) continue;
+    sum += t;
+    ++pulling;
+    const auto fitted = parameters.fitted_tension.find(muscle);
+    if (fitted == parameters.fitted_tension.end()) continue;
+    const double nearest = std::clamp(t, fitted->second.least, fitted->second.largest);
+    unlike += std::pow(t * std::log(t / nearest), 2);
+  }
+  const double superposition = pulling > 1 ? parameters.superposition : 0;
+  return std::hypot(sum * std::hypot(parameters.misfit, superposition),
+                    parameters.linearity * std::sqrt(unlike));
 }
 
 std::vector<double> values_with(const FitParameters& parameters, const std::vector<int>& moving,

@@ -2,11 +2,13 @@
 
 /// Free, fixed and tied parameters of a digit, and the coordinates of a fit that move them.
 
+#include <map>
 #include <string>
 #include <vector>
 
 #include <Eigen/Core>
 
+#include "data/io/experiment.h"
 #include "data/io/fit_settings.h"
 #include "kinematics_fit/model/parameter.h"
 
@@ -19,6 +21,11 @@ struct ScaledPriors {
   double spread;      // sd of the logarithm of the factor about it; infinite: all alike [1]
   double largest;     // bound of the factor [1]
   double factor = 1;  // in force, in the sds of its parameters [1]
+};
+
+/// Tensions of one muscle, from the least to the largest.
+struct TensionRange {
+  double least, largest;  // [N]
 };
 
 /// A choice of free, fixed and tied parameters. A free parameter p has the value
@@ -36,6 +43,9 @@ struct FitParameters {
   double misfit = 0;                  // sd of what the model misses of each component of a force,
                                       // in every trial anew, per newton of tension [1]
   double superposition = 0;           // the same of trials under several loads alone [1]
+  double linearity = 0;               // sd by which the force of a muscle per newton of tension
+                                      // changes where its load is e times a fitted one [1]
+  std::map<std::string, TensionRange> fitted_tension;  // of every muscle that the fit has seen pull
 
   [[nodiscard]] int coordinates() const { return static_cast<int>(leader.size()); }
 };
@@ -52,6 +62,18 @@ struct FitParameters {
 /// The same with other factors on the prior sds of each scale [1] (scales).
 [[nodiscard]] FitParameters with_scale_factors(FitParameters parameters,
                                                const std::vector<double>& factors);
+
+/// The same with the range of tensions that each muscle has in these experiments, where it pulls.
+[[nodiscard]] FitParameters with_fitted_tensions(FitParameters parameters,
+                                                 const std::vector<Experiment>& experiments);
+
+/// Sd of each component of a force by what the model misses under these tensions [N]: with T their
+/// sum and b the fitted tension of a muscle that is nearest to its tension t,
+///   sd^2 = (misfit T)^2 + (superposition T)^2 + sum over muscles of (linearity t ln(t / b))^2,
+/// the second where several muscles pull, the third of muscles that the fit has seen pull.
+/// @param tension  muscle -> tendon tension [N]
+[[nodiscard]] double missed_force_sd(const FitParameters& parameters,
+                                     const std::map<std::string, double>& tension);
 
 /// A warning for moment arms, and another for points of tendons, where the digit has some (arms of
 /// zero do not count) and none of them may move: what the tendons' geometry gets wrong then goes

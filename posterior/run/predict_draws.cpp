@@ -5,6 +5,7 @@
 
 #include "base/error.h"
 #include "base/random_stream.h"
+#include "kinematics_fit/model/shared_postures.h"
 #include "kinematics_fit/specimen_prior.h"
 #include "posterior/force_density.h"
 
@@ -117,8 +118,9 @@ PredictedDraws predict_draws(const PosteriorRun& run, const Experiment& experime
   // The experiment on the fitted digit, and some of the draws.
   const HandPosterior& posterior = *run.posterior;
   const TendonDigit& digit = posterior.problem().digit();
-  const FitParameters parameters = add_posture_errors(posterior.problem().parameters(), experiment);
-  const ExperimentPlan plan = plan_experiment(digit, parameters, experiment);
+  const Experiment named = with_own_postures(experiment, posterior.problem().experiments());
+  const FitParameters parameters = add_posture_errors(posterior.problem().parameters(), named);
+  const ExperimentPlan plan = plan_experiment(digit, parameters, named);
   const Eigen::MatrixXd x = thinned_columns(pooled(run.draws), draws);
   const PosteriorValues values = posterior.values(x);
 

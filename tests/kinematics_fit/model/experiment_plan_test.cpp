@@ -67,6 +67,34 @@ TEST(ExperimentPlan, AddsToTheNoiseOfLoadsThatDoNotAddUp) {
   EXPECT_TRUE(plan.sd.col(1).isApprox(Eigen::Vector3d(0.3, 0.3, 0.3), 1e-15)) << plan.sd;
 }
 
+// Of loads unlike those of the fit: sd^2 = stated^2 + sum of (linearity t ln(t / nearest fitted))^2. The
+// fit has seen 2 to 4 N of FDS and 5 N of FDP: 4 e N is a factor of e too much, 3 N is within, 5 / e N
+// of FDP a factor of e too little; of UI it has seen nothing.
+TEST(ExperimentPlan, AddsToTheNoiseOfLoadsUnlikeThoseFitted) {
+  FitSetup setup = middle_finger("linearity = 0.02\n" + kAxes);
+  Experiment& experiment = setup.experiments.front();
+  experiment.trials.resize(3);
+  experiment.trials[0].tension = {{"FDS", 2}};
+  experiment.trials[1].tension = {{"FDS", 4}, {"UI", 0}};
+  experiment.trials[2].tension = {{"FDP", 5}};
+  const FitParameters parameters = setup.problem().parameters();
+  EXPECT_EQ(parameters.fitted_tension.size(), 2U);
+  const double e = std::exp(1.0);
+  EXPECT_NEAR(missed_force_sd(parameters, {{"FDS", 4 * e}}), 0.02 * 4 * e, 1e-15);
+  EXPECT_EQ(missed_force_sd(parameters, {{"FDS", 3}, {"UI", 7}}), 0);
+  EXPECT_NEAR(missed_force_sd(parameters, {{"FDS", 2 / e}, {"FDP", 5 / e}}),
+              0.02 / e * std::hypot(2, 5), 1e-15);
+
+  // In the plan of an experiment that is predicted, beside what was stated; none in the fit's own.
+  experiment.trials.resize(1);
+  experiment.trials[0].tension = {{"FDS", 4 * e}};
+  experiment.trials[0].sd = Eigen::Vector3d(0.3, 0.3, 0.3);
+  const ExperimentPlan plan = plan_experiment(setup.digit, parameters, experiment);
+  const double sd = std::hypot(0.3, 0.08 * e);
+  EXPECT_TRUE(plan.sd.isApprox(Eigen::Vector3d(sd, sd, sd), 1e-14)) << plan.sd;
+  EXPECT_TRUE(setup.problem().plans()[0].sd.isApprox(Eigen::Vector3d(0.3, 0.3, 0.3), 1e-15));
+}
+
 TEST(ExperimentPlan, SaysThatMomentsAreNotFitted) {
   FitSetup setup = middle_finger(kAxesAndPaths);
   setup.digit.calibrated_on.clear();

@@ -1,0 +1,33 @@
+#pragma once
+
+/// Which postures of several experiments are one: what the geometry does not explain of a force in
+/// one posture is shared between people only where they stand alike.
+
+#include <string>
+#include <vector>
+
+#include "data/io/experiment.h"
+#include "kinematics_fit/model/fit_parameters.h"
+
+namespace thenar {
+
+/// The posture of this name, or null.
+[[nodiscard]] const PostureRecord* find_posture(const Experiment& experiment,
+                                                const std::string& name);
+
+/// Whether all joints stand alike within 2 degrees; a joint that one of the two does not name is at
+/// 0 there. Null is like nothing.
+[[nodiscard]] bool same_posture(const PostureRecord* a, const PostureRecord* b);
+
+/// The parameters, what postures have of their own kept to each specimen, sd 0 and the whole
+/// variance between specimens, wherever two experiments have a posture of one name at other angles.
+[[nodiscard]] FitParameters share_same_postures(FitParameters parameters,
+                                                const std::vector<Experiment>& experiments);
+
+/// The experiment, with " (SPECIMEN)" after the names of postures by which one of `known` has other
+/// angles, so that nothing which is known of those is taken for these. Among experiments of its own
+/// specimen, where they have such a name, only these count.
+[[nodiscard]] Experiment with_own_postures(Experiment experiment,
+                                           const std::vector<Experiment>& known);
+
+}  // namespace thenar
