@@ -55,7 +55,12 @@ void silent(int, const char*, const char*, char*, void*) {}
 
 struct __attribute__((visibility("hidden"))) StiffOde::Parts {
   Parts(OdeRightHandSide f, double t, const Eigen::VectorXd& y, const StiffOdeOptions& o)
-      : slope(std::move(f)), jacobian(o.jacobian), max_steps(o.max_steps), time(t) {
+      : slope(std::move(f)),
+        jacobian(o.jacobian),
+        relative(o.relative),
+        absolute(o.absolute),
+        max_steps(o.max_steps),
+        time(t) {
     require(SUNContext_Create(nullptr, &context) == 0, "CVODE has no memory");
     // Vectors, matrix and solver of CVODE.
     state = N_VNew_Serial(y.size(), context);
@@ -132,6 +137,8 @@ struct __attribute__((visibility("hidden"))) StiffOde::Parts {
 
   OdeRightHandSide slope;
   OdeJacobian jacobian;
+  double relative;           // error of a step [1]
+  Eigen::VectorXd absolute;  // the same of small states; their units
   int max_steps;
   double time;
   std::exception_ptr thrown;
@@ -170,9 +177,12 @@ OdeStatus StiffOde::step(double stop) {
   return status_of(flag);
 }
 
-void StiffOde::restart() {
+void StiffOde::restart(double looser) {
   parts_->before = parts_->counts();
-  require(CVodeReInit(parts_->cvode, parts_->time, parts_->state) == CV_SUCCESS,
+  values(parts_->scratch) = looser * parts_->absolute;
+  require(CVodeReInit(parts_->cvode, parts_->time, parts_->state) == CV_SUCCESS &&
+              CVodeSVtolerances(parts_->cvode, looser * parts_->relative, parts_->scratch) ==
+                  CV_SUCCESS,
           "CVODE could not start anew at {} s", parts_->time);
 }
 

@@ -58,8 +58,9 @@ class StiffOde {
   /// is kStepped, time() and state() are those before.
   [[nodiscard]] OdeStatus step(double stop);
 
-  /// Starts anew from here, where f jumps.
-  void restart();
+  /// Starts anew from here, where f jumps, with the errors of a step that the options allow times
+  /// `looser`, up to the next restart.
+  void restart(double looser = 1);
 
   [[nodiscard]] double time() const;
   [[nodiscard]] Eigen::VectorXd state() const;

@@ -18,6 +18,8 @@ constexpr double kFiner = 0.01;   // tolerance of the second integration over th
 constexpr int kPieces = 16;       // of a step in which a net snaps
 constexpr int kObstacles = 30;    // trials without rest of a net that end a motion
 constexpr double kMoreSteps = 5;  // of the second over the first, which a smooth motion needs
+constexpr double kLooser = 100;   // error of a step over the tolerance, where it does not get on ...
+constexpr double kLooseTime = 10 * kStallTime;  // ... and for how long [s]
 
 /// Whether excursions came off their lines, though no snap tells why.
 bool has_strayed(const Trajectory& path) {
@@ -357,13 +359,30 @@ class Integration {
         accept(motion_.unpack(ode_.state_at(time)), time);
       }
     accept(now, ode_.time());
-    // Progress, stopping and stalling.
     options_.progress(ode_.time() / options_.seconds, "simulating");
     look();
-    if (!stall_steps_.go_on(ode_.time()))
+    get_on();
+  }
+
+  /// Where rates jump so that no step of the tolerance gets on, as where bands of a net lift off by
+  /// the dozen, larger errors carry it past; the balance of energy counts them.
+  void get_on() {
+    if (ode_.time() > loose_until_) {
+      loose_until_ = HUGE_VAL;
+      ode_.restart();
+    }
+    if (stall_steps_.go_on(ode_.time())) return;
+    if (loose_until_ != HUGE_VAL)
       throw Ending{MotionStatus::kNoProgress,
-                   fmt::format("{} steps took it less than {:.2g} s on, so it gave up",
-                               options_.stall_steps, kStallTime)};
+                   fmt::format("{} steps took it less than {:.2g} s on, also with {:.2g} times the "
+                               "error, so it gave up",
+                               options_.stall_steps, kStallTime, kLooser)};
+    recorder_.note(fmt::format("its rates jump, so that for {:.2g} s steps have {:.2g} times the "
+                               "error of the tolerance",
+                               kLooseTime, kLooser),
+                   ode_.time());
+    loose_until_ = ode_.time() + kLooseTime;
+    ode_.restart(kLooser);
   }
 
   /// Goes on from a state, and accounts for its energy.
@@ -387,6 +406,7 @@ class Integration {
   double obstacle_since_ = 0;  // ... since this time [s]
   double accepted_ = 0;        // time of the last state [s]
   double renewed_ = -1;        // time at which the integrator was last started anew [s]
+  double loose_until_ = HUGE_VAL;  // until then steps have kLooser times the error; never [s]
   StiffOde ode_;
 };
 

@@ -63,6 +63,24 @@ TEST(StiffOde, StopsAndRestartsWhereSlopeJumps) {
   EXPECT_GT(ode.counts().steps, steps);
 }
 
+// Of y' = -y, errors of steps a hundred times as large take fewer steps, and end with the restart.
+TEST(StiffOde, RestartsWithLargerErrors) {
+  const auto steps_to_5 = [](double looser) {
+    StiffOde ode([](double, const VectorXd& y) { return VectorXd(-y); }, 0, one(1),
+                 tolerance(1, 1e-10));
+    ode.restart(100);
+    ode.restart(looser);
+    run_to(ode, 5);
+    EXPECT_NEAR(ode.state()[0], std::exp(-5.0), looser * 1e-9);
+    return ode.counts().steps;
+  };
+  StiffOde plain([](double, const VectorXd& y) { return VectorXd(-y); }, 0, one(1),
+                 tolerance(1, 1e-10));
+  run_to(plain, 5);
+  EXPECT_EQ(steps_to_5(1), plain.counts().steps);
+  EXPECT_LT(steps_to_5(100), plain.counts().steps);
+}
+
 // A slope that jumps unannounced makes steps fail; a straight line does not.
 TEST(StiffOde, CountsStepsThatItRejects) {
   for (const double after : {1.0, -100.0}) {
