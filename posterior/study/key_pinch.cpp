@@ -47,10 +47,12 @@ void read_pinch(TomlTable& table, PinchLosses& losses) {
 /// A loss to what two certified forces leave of its digits, so that equal losses are equal [1].
 double rounded_loss(double loss) { return std::clamp(std::round(loss * 1e9), 0.0, 1e9) / 1e9; }
 
-/// The largest component of the tip's force along d in a cone; 0 where there is none [N].
+/// The largest component of the tip's force along d in a cone; 0 where no force is in balance, NaN
+/// where it is unbounded or was not found [N].
 double strength(const TipStatics& statics, const Eigen::Vector3d& d, double tolerance) {
   const MaxTipForce largest = max_tip_load(statics, d, {TipLoad::kForce, tolerance}).largest;
-  return largest.status == Status::kSolved ? std::max(0.0, largest.component) : 0;
+  if (largest.status == Status::kInfeasible) return 0;
+  return largest.status == Status::kSolved ? std::max(0.0, largest.component) : kNaN;
 }
 
 /// Statics with what a block leaves of the muscles' strength.
@@ -96,14 +98,18 @@ PinchStrength measure_pinch(const TendonDigit& digit, const PinchLosses& losses)
   const Eigen::Vector3d d = internal::tip_axes(digit, q) * losses.direction;
   PinchStrength out;
   out.intact = strength(statics, d, losses.tolerance);
+  out.undecided = std::isnan(out.intact) ? 1 : 0;
   out.loss = Eigen::VectorXd::Constant(static_cast<Eigen::Index>(losses.blocks.size()), kNaN);
 
   // What each block takes of it.
   for (std::size_t b = 0; b < losses.blocks.size(); ++b) {
     const TipStatics left = blocked(statics, losses.blocks[b], digit.names.muscles);
-    if (out.intact < kNoPinch) continue;
-    out.loss[static_cast<Eigen::Index>(b)] =
-        rounded_loss(1 - strength(left, d, losses.tolerance) / out.intact);
+    if (!(out.intact >= kNoPinch)) continue;
+    const double pinch = strength(left, d, losses.tolerance);
+    if (std::isnan(pinch))
+      ++out.undecided;
+    else
+      out.loss[static_cast<Eigen::Index>(b)] = rounded_loss(1 - pinch / out.intact);
   }
   return out;
 }

@@ -42,16 +42,19 @@ struct PinchLosses {
 
 /// Pinch of a model.
 struct PinchStrength {
-  double intact = 0;     // with all muscles [N]
+  double intact = 0;     // with all muscles [N]; NaN: its program is undecided
   Eigen::VectorXd loss;  // 1 - blocked / intact, 0..1, to 1e-9 [1] (blocks); NaN: `intact` is below
-                         // kNoPinch
+                         // kNoPinch, or a program is undecided
+  int undecided = 0;     // programs, of the intact digit and of blocks, whose force is unbounded or
+                         // was not found [1]
 };
 
 /// An intact pinch below this is none: nothing can be lost of it [N].
 inline constexpr double kNoPinch = 1e-6;
 
 /// The largest component of the pinned tip's force along the pinch, within its cone and with every
-/// joint in balance (max_tip_load()), with all muscles and under every block.
+/// joint in balance (max_tip_load()), with all muscles and under every block. It is 0 where no
+/// force is in balance.
 /// @param digit  with every F0 finite
 /// @throws InputError if a block names a muscle that the digit has not.
 [[nodiscard]] PinchStrength measure_pinch(const TendonDigit& digit, const PinchLosses& losses);

@@ -81,6 +81,7 @@ MeasuredPredictions predict_measured(const TendonDigit& digit,
   out.force = out.clamped = Eigen::MatrixXd::Zero(rows, count);
   out.intact = Eigen::VectorXd::Zero(count);
   out.loss = Eigen::MatrixXd::Zero(static_cast<Eigen::Index>(losses.blocks.size()), count);
+  out.undecided = Eigen::VectorXi::Zero(count);
 
   // Draw by draw, in parts between which progress is told.
   constexpr std::size_t kPart = 100;
@@ -97,6 +98,7 @@ MeasuredPredictions predict_measured(const TendonDigit& digit,
       const PinchStrength pinch = measure_pinch(drawn, losses);
       out.intact[k] = pinch.intact;
       out.loss.col(k) = pinch.loss;
+      out.undecided[k] = pinch.undecided;
     });
   }
   return out;
@@ -118,7 +120,7 @@ Eigen::VectorXd log_likelihood(const MeasuredPredictions& predicted, const Exper
               .sum() /
           2;
   }
-  // Losses; of a thumb without a pinch there are none.
+  // Losses; of a thumb without a pinch, or whose pinch is undecided, there are none.
   for (std::size_t b = 0; added.losses && b < losses.blocks.size(); ++b)
     for (Eigen::Index k = 0; k < draws; ++k) {
       const double loss = predicted.loss(static_cast<Eigen::Index>(b), k);

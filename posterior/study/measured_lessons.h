@@ -23,11 +23,13 @@ struct MeasuredThumbInputs {
 
 /// What models say of the measurements, a column a draw.
 struct MeasuredPredictions {
-  Eigen::MatrixXd force;    // of all trials, tip pinned, in the experiment's components [N] (3
-                            // trials, draws)
-  Eigen::MatrixXd clamped;  // the same with the tip clamped [N] (3 trials, draws)
-  Eigen::VectorXd intact;   // pinch with all muscles [N] (draws)
-  Eigen::MatrixXd loss;     // of pinch, NaN where `intact` is below kNoPinch [1] (blocks, draws)
+  Eigen::MatrixXd force;      // of all trials, tip pinned, in the experiment's components [N] (3
+                              // trials, draws)
+  Eigen::MatrixXd clamped;    // the same with the tip clamped [N] (3 trials, draws)
+  Eigen::VectorXd intact;     // pinch with all muscles [N] (draws); NaN: undecided
+  Eigen::MatrixXd loss;       // of pinch, NaN where `intact` is below kNoPinch or a program is
+                              // undecided [1] (blocks, draws)
+  Eigen::VectorXi undecided;  // programs of each draw, PinchStrength::undecided [1] (draws)
 };
 
 /// What is added to a belief.
@@ -86,7 +88,7 @@ struct MeasuredLessonsSettings {
 
 /// Log likelihood of the measurements that are added, up to a constant [1] (draws):
 ///   - 1/2 sum ((f - f_measured) / (factor sd))^2 - 1/2 sum ((loss - measured) / sd)^2,
-/// -inf where losses are added and there is no pinch to lose.
+/// -inf where losses are added and there is no pinch to lose, or a loss is undecided.
 [[nodiscard]] Eigen::VectorXd log_likelihood(const MeasuredPredictions& predicted,
                                              const Experiment& force, const PinchLosses& losses,
                                              const AddedData& added);

@@ -225,6 +225,16 @@ std::string doubt_of(const Lesson& lesson) {
   return lesson.weights.reliable() ? "" : " (NOT reliable: Pareto k is above its limit)";
 }
 
+/// Draws whose pinch linear programming did not decide; "" if there are none.
+std::string undecided_words(const ThumbBelief& belief) {
+  const Eigen::Index draws = (belief.predicted.undecided.array() > 0).count();
+  return draws == 0 ? ""
+                    : fmt::format(
+                          " Of {} draws {} the pinch is UNDECIDED (unbounded, or not found by "
+                          "linear programming): they have no weight once losses are added.",
+                          draws, belief.name);
+}
+
 /// How little was learnt alone, in words.
 std::string alone_words(const ThumbRecoveryResult& result) {
   const MeasuredLessons& of = result.lessons;
@@ -237,11 +247,12 @@ std::string alone_words(const ThumbRecoveryResult& result) {
       "the rms{}, where the {} made-up numbers leave {:.0f} to {:.0f} % of an axis. {} of {} tilts "
       "are narrower by two errors or more. The largest change is one of place: the mean of {} "
       "moves by {:.1f} prior sds. Of {} thumbs of the prior {} cannot press in key pinch at all "
-      "and have no weight: that people can is a part of what is learnt.\n\n",
+      "and have no weight: that people can is a part of what is learnt.{}\n\n",
       3 + of.losses.blocks.size(), 100 * kept.least, 100 * kept.most, 100 * kept.rms,
       doubt_of(both), made_up_numbers(result.recovery), 100 * made_up.least, 100 * made_up.most,
       kept.narrower, prior.names.size(), kept.largest_shift_name, std::abs(kept.largest_shift),
-      prior.tilts.cols(), (prior.predicted.intact.array() < kNoPinch).count());
+      prior.tilts.cols(), (prior.predicted.intact.array() < kNoPinch).count(),
+      undecided_words(prior));
 }
 
 /// What is added to the made-up data, and that both are not of one thumb.
@@ -255,9 +266,9 @@ std::string beside_words(const MeasuredLessons& of) {
       "the rms{}); a ratio above 1 is no error, as numbers that disagree with a belief may widen "
       "it. And they do disagree: the made-up data are of the shipped thumb, which misses the "
       "measured numbers by {:.1f} assumed sds (rms), most of all {} by {:.1f}. What moves there is "
-      "conflict between two thumbs, not knowledge of one.\n\n",
+      "conflict between two thumbs, not knowledge of one.{}\n\n",
       100 * kept.least, 100 * kept.most, 100 * kept.rms, doubt_of(both), misses.rms,
-      misses.worst_name, misses.worst);
+      misses.worst_name, misses.worst, undecided_words(posterior));
 }
 
 /// Additions whose weights are not to be believed, and what would have to be measured.

@@ -112,6 +112,18 @@ TEST(KeyPinch, OfAThumbThatCannotPressNothingIsLost) {
   EXPECT_TRUE(std::isnan(pinch.loss[0]));
 }
 
+// A straight finger carries any force along itself: no number is the largest one, and nothing is
+// known of what is lost of it.
+TEST(KeyPinch, UnboundedPinchIsUndecidedAndCounted) {
+  PinchLosses losses = pinch_of_hinge({{"E", 0}});
+  losses.direction = {-1, 0, 0};
+  const PinchStrength pinch = measure_pinch(hinge(), losses);
+  EXPECT_TRUE(std::isnan(pinch.intact));
+  EXPECT_TRUE(std::isnan(pinch.loss[0]));
+  EXPECT_EQ(pinch.undecided, 1);
+  EXPECT_EQ(measure_pinch(hinge(), pinch_of_hinge({{"E", 0}})).undecided, 0);
+}
+
 TEST(KeyPinch, NamesAMuscleThatIsNotThere) {
   EXPECT_EQ(message_of<InputError>([] {
               (void)measure_pinch(hinge(), pinch_of_hinge({{"ADP", 0}}));
