@@ -23,6 +23,7 @@ NerveBlock read_block(TomlTable& table) {
   block.loss = table.number(Dimension::kNumber, "loss", Range::kFraction);
   block.sd = table.number(Dimension::kNumber, "sd", Range::kPositive);
   block.source = table.source();
+  block.line = table.line();
 
   // Only what stands in this table can be assumed.
   if (table.has("assumed")) block.assumed = table.texts("assumed");
@@ -41,6 +42,7 @@ void read_pinch(TomlTable& table, PinchLosses& losses) {
       directions.at(table.choice("direction", {"palmar", "distal", "radial", "ulnar"}));
   losses.tolerance = table.number(Dimension::kAngle, "tolerance", Range::kNotNegative);
   if (losses.tolerance >= kPi / 2) table.fail("wanted a cone below 90 deg", "tolerance");
+  losses.of_pinch = table.line();
   table.done();
 }
 
@@ -55,13 +57,35 @@ double strength(const TipStatics& statics, const Eigen::Vector3d& d, double tole
   return largest.status == Status::kSolved ? std::max(0.0, largest.component) : kNaN;
 }
 
+/// Says what does not fit the digit, and where it stands.
+[[noreturn]] void refuse(const PinchLosses& losses, int line, const std::string& what) {
+  if (losses.path.empty()) throw InputError(what);
+  throw DataError(losses.path, line, what);
+}
+
+/// Angles of the pinch, of the digit that it is of [rad] (n).
+Eigen::VectorXd angles_of_pinch(const TendonDigit& digit, const PinchLosses& losses) {
+  const std::string& built = digit.skeleton.tips.front().digit;
+  if (losses.digit != built)
+    refuse(losses, losses.line,
+           fmt::format("losses of pinch are of the {}, but the digit built is the {}", losses.digit,
+                       built));
+  try {
+    return posture(digit.skeleton, losses.posture.angles);
+  } catch (const InputError& error) {
+    refuse(losses, losses.of_pinch, error.what());
+  }
+}
+
 /// Statics with what a block leaves of the muscles' strength.
-TipStatics blocked(TipStatics statics, const NerveBlock& block,
+TipStatics blocked(TipStatics statics, const PinchLosses& losses, const NerveBlock& block,
                    const std::vector<std::string>& muscles) {
   for (const auto& [muscle, left] : block.left) {
     const auto at = std::find(muscles.begin(), muscles.end(), muscle);
-    require(at != muscles.end(), "the block of the {} nerve weakens '{}', which the digit has not",
-            block.nerve, muscle);
+    if (at == muscles.end())
+      refuse(losses, block.line,
+             fmt::format("the block of the {} nerve weakens '{}', which the digit has not",
+                         block.nerve, muscle));
     statics.max_tension[at - muscles.begin()] *= left;
   }
   return statics;
@@ -76,6 +100,8 @@ PinchLosses parse_pinch_losses(const std::string& text, const std::string& path)
   losses.name = top.text("name");
   losses.description = top.text_or("description", "");
   losses.digit = top.text("digit");
+  losses.path = path;
+  losses.line = top.line();
   // How people pinched.
   std::optional<TomlTable> pinch = top.table("pinch");
   if (!pinch) top.fail("wanted [pinch]: posture, direction and tolerance, got none");
@@ -93,7 +119,7 @@ PinchLosses read_pinch_losses(const std::string& path) {
 
 PinchStrength measure_pinch(const TendonDigit& digit, const PinchLosses& losses) {
   // The intact digit in the posture of the pinch.
-  const Eigen::VectorXd q = internal::angles_of(digit, losses.posture);
+  const Eigen::VectorXd q = angles_of_pinch(digit, losses);
   const TipStatics statics = tip_statics(digit, q);
   const Eigen::Vector3d d = internal::tip_axes(digit, q) * losses.direction;
   PinchStrength out;
@@ -103,7 +129,7 @@ PinchStrength measure_pinch(const TendonDigit& digit, const PinchLosses& losses)
 
   // What each block takes of it.
   for (std::size_t b = 0; b < losses.blocks.size(); ++b) {
-    const TipStatics left = blocked(statics, losses.blocks[b], digit.names.muscles);
+    const TipStatics left = blocked(statics, losses, losses.blocks[b], digit.names.muscles);
     if (!(out.intact >= kNoPinch)) continue;
     const double pinch = strength(left, d, losses.tolerance);
     if (std::isnan(pinch))

@@ -22,6 +22,7 @@ struct NerveBlock {
   double sd = 0;                       // of the measured loss about that of a model [1]
   std::string source;                  // citation keys
   std::vector<std::string> assumed;    // keys of the file whose numbers are nobody's measurements
+  int line = 0;                        // of its table in the file [1]
 };
 
 /// Measured losses of one pinch.
@@ -32,6 +33,8 @@ struct PinchLosses {
   Eigen::Vector3d direction{0, -1, 0};  // of the force, along proximal, dorsal, radial (3) [1]
   double tolerance = 0;                 // half angle of the cone about it [rad]
   std::vector<NerveBlock> blocks;
+  std::string path;            // of the file; empty: made in code
+  int line = 0, of_pinch = 0;  // of `digit`'s table and of [pinch] in it [1]
 };
 
 /// Reads data/studies/key_pinch_blocks.toml; the format is in docs/data_format.md.
@@ -56,7 +59,8 @@ inline constexpr double kNoPinch = 1e-6;
 /// joint in balance (max_tip_load()), with all muscles and under every block. It is 0 where no
 /// force is in balance.
 /// @param digit  with every F0 finite
-/// @throws InputError if a block names a muscle that the digit has not.
+/// @throws DataError at the file's line, or InputError if losses are of no file: they are of
+/// another digit, their posture names a joint, or a block a muscle, that the digit has not.
 [[nodiscard]] PinchStrength measure_pinch(const TendonDigit& digit, const PinchLosses& losses);
 
 }  // namespace thenar

@@ -88,6 +88,7 @@ dorsal = [0, 1, 0]
 /// A pinch of that digit, straight.
 PinchLosses pinch_of_hinge(const std::map<std::string, double>& left) {
   PinchLosses losses;
+  losses.digit = "thumb";
   losses.posture = {"straight", {}};
   losses.blocks = {{"flexor's", left, 0.5, 0.1, "", {}}};
   return losses;
@@ -129,6 +130,28 @@ TEST(KeyPinch, NamesAMuscleThatIsNotThere) {
               (void)measure_pinch(hinge(), pinch_of_hinge({{"ADP", 0}}));
             }),
             "the block of the flexor's nerve weakens 'ADP', which the digit has not");
+}
+
+// What does not fit the digit is named where it stands in the file.
+TEST(KeyPinch, RefusesJointsAndDigitsThatAreNotThere) {
+  PinchLosses losses = pinch_of_hinge({{"E", 0}});
+  losses.posture.angles = {{"K", 0.1}};
+  const auto told = [&] { (void)measure_pinch(hinge(), losses); };
+  EXPECT_EQ(message_of<InputError>(told), "no joint 'K' to pose; there are J");
+  losses.path = "pinch.toml";
+  losses.of_pinch = 22;
+  EXPECT_EQ(message_of<DataError>(told), "pinch.toml:22: no joint 'K' to pose; there are J");
+  losses.digit = "index";
+  losses.line = 1;
+  EXPECT_EQ(message_of<DataError>(told),
+            "pinch.toml:1: losses of pinch are of the index, but the digit built is the thumb");
+  // Lines are those of the file.
+  const std::string text = read_text_file(kData + "/studies/key_pinch_blocks.toml");
+  const auto line_of = [&](const char* what) {
+    return 1 + std::count(text.begin(), text.begin() + text.find(what), '\n');
+  };
+  EXPECT_EQ(published().of_pinch, line_of("\n[pinch]") + 1);
+  EXPECT_EQ(block(published(), "ulnar").line, line_of("\n[[block]]") + 1);
 }
 
 // The shipped thumb presses, and what both blocks take is no less than what either does.
