@@ -64,7 +64,7 @@ ThumbRecoveryResult ask_thumb_recovery(const ThumbRecoveryRequest& request,
   MeasuredLessonsSettings lessons;
   if (request.weighed > 0) lessons.prior_draws = request.weighed;
   lessons.progress = parts.next(kLessons);
-  result.lessons = weigh_measurements(measured_thumb_inputs(data), result.recovery.run,
+  result.lessons = reweight_by_measurements(measured_thumb_inputs(data), result.recovery.run,
                                       result.recovery.truth, lessons);
   result.stopped = !result.lessons.complete;
   return result;

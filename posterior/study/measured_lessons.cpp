@@ -28,27 +28,27 @@ std::vector<TendonModel<double>> all_models(const internal::DrawnModels& drawn) 
   return models;
 }
 
-/// A belief by its draws, and what each addition makes of it.
-ThumbBelief weigh_belief(const std::string& name, const HandPosterior& posterior,
-                         const Eigen::MatrixXd& x, const MeasuredLessons& of,
-                         const Progress& progress) {
+/// Draws of a prior or a posterior, updated by each addition.
+ReweightedDraws reweight_draws(const std::string& name, const HandPosterior& posterior,
+                               const Eigen::MatrixXd& x, const MeasuredLessons& of,
+                               const Progress& progress) {
   // What every draw says of the measurements.
-  ThumbBelief belief;
-  belief.name = name;
+  ReweightedDraws draws;
+  draws.name = name;
   const internal::DrawnModels drawn(posterior, x);
-  belief.names = drawn.names(ParameterKind::kAxisDirection);
-  belief.tilts = drawn.values(ParameterKind::kAxisDirection);
-  belief.predicted = predict_measured(posterior.problem().digit(), all_models(drawn), of.force,
-                                      of.losses, progress);
-  if (progress.stop()) return belief;
+  draws.names = drawn.names(ParameterKind::kAxisDirection);
+  draws.tilts = drawn.values(ParameterKind::kAxisDirection);
+  draws.predicted = predict_measured(posterior.problem().digit(), all_models(drawn), of.force,
+                                     of.losses, progress);
+  if (progress.stop()) return draws;
 
   // Its draws weighed by them.
   for (const AddedData& added : additions_to_ask()) {
-    const Eigen::VectorXd log_l = log_likelihood(belief.predicted, of.force, of.losses, added);
+    const Eigen::VectorXd log_l = log_likelihood(draws.predicted, of.force, of.losses, added);
     const ImportanceWeights weights = importance_weights(log_l);
-    belief.lessons.push_back({added, weights, weighted_spread(belief.tilts, weights.weight)});
+    draws.updates.push_back({added, weights, weighted_spread(draws.tilts, weights.weight)});
   }
-  return belief;
+  return draws;
 }
 
 }  // namespace
@@ -130,9 +130,9 @@ Eigen::VectorXd log_likelihood(const MeasuredPredictions& predicted, const Exper
   return log_l;
 }
 
-MeasuredLessons weigh_measurements(const MeasuredThumbInputs& inputs, const PosteriorRun& run,
-                                   const TendonDigit& truth,
-                                   const MeasuredLessonsSettings& settings) {
+MeasuredLessons reweight_by_measurements(const MeasuredThumbInputs& inputs, const PosteriorRun& run,
+                                         const TendonDigit& truth,
+                                         const MeasuredLessonsSettings& settings) {
   // What was measured, and what the thumb of the made-up data says of it.
   MeasuredLessons out;
   out.inputs = inputs;
@@ -150,14 +150,14 @@ MeasuredLessons weigh_measurements(const MeasuredThumbInputs& inputs, const Post
     };
     return one;
   };
-  out.beliefs.push_back(weigh_belief("before any data", posterior,
-                                     prior_draws(run, static_cast<int>(settings.prior_draws)), out,
-                                     part(0, settings.prior_draws)));
+  out.reweighted.push_back(reweight_draws("before any data", posterior,
+                                          prior_draws(run, static_cast<int>(settings.prior_draws)),
+                                          out, part(0, settings.prior_draws)));
   if (settings.progress.stop()) return out;
-  out.beliefs.push_back(
-      weigh_belief("after the made-up data", posterior,
-                   internal::thinned(pooled(run.draws), settings.posterior_draws), out,
-                   part(static_cast<double>(settings.prior_draws), settings.posterior_draws)));
+  out.reweighted.push_back(
+      reweight_draws("after the made-up data", posterior,
+                     internal::thinned(pooled(run.draws), settings.posterior_draws), out,
+                     part(static_cast<double>(settings.prior_draws), settings.posterior_draws)));
   out.complete = !settings.progress.stop();
   return out;
 }

@@ -1,7 +1,7 @@
 #pragma once
 
-/// What the few published measurements of a thumb's force teach of its axes: draws of a belief are
-/// weighed by how well they say what was measured.
+/// What the few published measurements of a thumb's force teach of its axes: draws of a prior or
+/// a posterior are weighed by how well they say what was measured.
 
 #include <string>
 #include <vector>
@@ -32,7 +32,7 @@ struct MeasuredPredictions {
   Eigen::VectorXi undecided;  // programs of each draw, PinchStrength::undecided [1] (draws)
 };
 
-/// What is added to a belief.
+/// What is added to a prior or a posterior.
 struct AddedData {
   std::string name;      // "FPL's force", in words
   bool force = false;    // the experiment's forces
@@ -44,20 +44,20 @@ struct AddedData {
 /// Both measurements, each alone, and forces with other sds or another hold.
 [[nodiscard]] std::vector<AddedData> additions_to_ask();
 
-/// What an addition made of a belief.
-struct Lesson {
+/// Draws updated by an addition.
+struct DataUpdate {
   AddedData added;
   ImportanceWeights weights;  // of the draws
-  WeightedSpread tilts;       // of ThumbBelief::tilts [rad]
+  WeightedSpread tilts;       // of ReweightedDraws::tilts [rad]
 };
 
-/// Draws of a belief, and what additions make of it.
-struct ThumbBelief {
+/// Draws of a prior or a posterior, and their updates.
+struct ReweightedDraws {
   std::string name;                // "before any data"
   std::vector<std::string> names;  // of tilts: "axis/CMC1_FE/direction/1"
   Eigen::MatrixXd tilts;           // values of these parameters [rad] (tilts, draws)
   MeasuredPredictions predicted;
-  std::vector<Lesson> lessons;  // of additions_to_ask(), in this order
+  std::vector<DataUpdate> updates;  // of additions_to_ask(), in this order
 };
 
 /// Measurements, and what they teach beside made-up data and without.
@@ -65,8 +65,8 @@ struct MeasuredLessons {
   MeasuredThumbInputs inputs;
   Experiment force;
   PinchLosses losses;
-  MeasuredPredictions truth;         // of the thumb that made-up data are of: one column
-  std::vector<ThumbBelief> beliefs;  // the prior, and the posterior of made-up data
+  MeasuredPredictions truth;                // of the thumb that made-up data are of: one column
+  std::vector<ReweightedDraws> reweighted;  // the prior, and the posterior of made-up data
   bool complete = false;
 };
 
@@ -97,8 +97,9 @@ struct MeasuredLessonsSettings {
 /// bits.
 /// @param run    of a digit of one specimen, whose settings free tilts of axes
 /// @param truth  the digit whose made-up data the run is of
-[[nodiscard]] MeasuredLessons weigh_measurements(const MeasuredThumbInputs& inputs,
-                                                 const PosteriorRun& run, const TendonDigit& truth,
-                                                 const MeasuredLessonsSettings& settings);
+[[nodiscard]] MeasuredLessons reweight_by_measurements(const MeasuredThumbInputs& inputs,
+                                                       const PosteriorRun& run,
+                                                       const TendonDigit& truth,
+                                                       const MeasuredLessonsSettings& settings);
 
 }  // namespace thenar

@@ -147,7 +147,7 @@ std::vector<RecoveredAxis> compare_axes(const ThumbRecovery& of) {
 }  // namespace
 
 MethodAgreement compare_methods(const std::vector<RecoveredNumber>& numbers) {
-  require(!numbers.empty(), "there are no numbers to compare {}", "two methods by");
+  require(!numbers.empty(), "wanted numbers of two methods to compare, got {}", numbers.size());
   MethodAgreement out;
   out.least_sd_ratio = out.most_sd_ratio = numbers.front().fit.sd / numbers.front().drawn.sd;
   for (const RecoveredNumber& number : numbers) {
@@ -163,8 +163,8 @@ MethodAgreement compare_methods(const std::vector<RecoveredNumber>& numbers) {
     const auto holds = [&](const RecoveredValue& of) {
       return of.low <= number.truth && number.truth <= of.high;
     };
-    out.fit_covers += holds(number.fit) ? 1 : 0;
-    out.drawn_cover += holds(number.drawn) ? 1 : 0;
+    out.fit_covered += holds(number.fit) ? 1 : 0;
+    out.drawn_covered += holds(number.drawn) ? 1 : 0;
   }
   out.rms = std::sqrt(out.rms);
   return out;

@@ -56,7 +56,7 @@ struct MethodAgreement {
   double rms = 0, worst = 0;                     // |fit - mean of draws| / sd of draws [1]
   std::string worst_name;                        // of the number
   double least_sd_ratio = 0, most_sd_ratio = 0;  // sd of the fit over that of the draws [1]
-  int fit_covers = 0, drawn_cover = 0;           // truths within their 95 % intervals [1]
+  int fit_covered = 0, drawn_covered = 0;        // truths within their 95 % intervals [1]
 };
 
 /// A thumb, its made-up data, and what both methods found.

@@ -233,8 +233,8 @@ Finding thumb_recovery_finding(const ThumbRecoveryResult& result) {
     drawn = std::max(drawn, axis.drawn_error);
   }
   const KeptAxes made_up = kept_axes(recovery);
-  const ThumbBelief& prior = result.lessons.beliefs.front();
-  const KeptShares kept = kept_shares(prior, lesson_of_both(prior));
+  const ReweightedDraws& prior = result.lessons.reweighted.front();
+  const KeptShares kept = kept_shares(prior, update_by_both(prior));
   const std::string left = fmt::format(
       "made-up forces and muscle activity leave {:.0f} to {:.0f} % of the prior's sd "
       "of an axis, what was measured in people {:.0f} % (rms over tilts)",

@@ -26,20 +26,20 @@ Json mean_and_sd(const Eigen::RowVectorXd& values) {
   return {mean, std::sqrt(std::max(0.0, squares / count - mean * mean))};
 }
 
-/// A row of the table of measurements: measured, and by each belief.
+/// A row of the table of measurements: measured, and by the draws of each.
 Json measured_row(const std::string& name, double measured, double sd, double truth,
-                  const std::vector<Eigen::RowVectorXd>& by_belief, const std::string& source) {
+                  const std::vector<Eigen::RowVectorXd>& by_draws, const std::string& source) {
   Json row{name, measured, sd, std::isnan(truth) ? Json(nullptr) : Json(truth)};
-  for (const Eigen::RowVectorXd& values : by_belief)
+  for (const Eigen::RowVectorXd& values : by_draws)
     for (const Json& cell : mean_and_sd(values)) row.push_back(cell);
   row.push_back(source);
   return row;
 }
 
 Json measured_table(const MeasuredLessons& of) {
-  const auto of_beliefs = [&](auto row) {
+  const auto of_draws = [&](auto row) {
     std::vector<Eigen::RowVectorXd> rows;
-    for (const ThumbBelief& belief : of.beliefs) rows.push_back(row(belief.predicted));
+    for (const ReweightedDraws& draws : of.reweighted) rows.push_back(row(draws.predicted));
     return rows;
   };
   Json rows = Json::array();
@@ -50,7 +50,7 @@ Json measured_table(const MeasuredLessons& of) {
   for (int i = 0; i < 3; ++i)
     rows.push_back(measured_row(fmt::format("FPL 10 N: force, {} [N]", kComponents[i]),
                                 trial.force[i], sd[i], of.truth.force(i, 0),
-                                of_beliefs([&](const MeasuredPredictions& p) -> Eigen::RowVectorXd {
+                                of_draws([&](const MeasuredPredictions& p) -> Eigen::RowVectorXd {
                                   return p.force.row(i);
                                 }),
                                 of.force.source));
@@ -60,34 +60,35 @@ Json measured_table(const MeasuredLessons& of) {
     const auto row = static_cast<Eigen::Index>(b);
     rows.push_back(measured_row(fmt::format("pinch lost, {} block [1]", block.nerve), block.loss,
                                 block.sd, of.truth.loss(row, 0),
-                                of_beliefs([&](const MeasuredPredictions& p) -> Eigen::RowVectorXd {
+                                of_draws([&](const MeasuredPredictions& p) -> Eigen::RowVectorXd {
                                   return p.loss.row(row);
                                 }),
                                 block.source));
   }
   std::vector<BlockColumn> columns{
       {"measured", ""}, {"value", "", 2}, {"sd, assumed", "", 2}, {"the shipped thumb", "", 2}};
-  for (const ThumbBelief& belief : of.beliefs) {
-    columns.push_back({belief.name + ": mean", "", 2});
+  for (const ReweightedDraws& draws : of.reweighted) {
+    columns.push_back({draws.name + ": mean", "", 2});
     columns.push_back({"sd", "", 2});
   }
   columns.push_back({"source", ""});
   return table_block(
       "What was measured in people, and what thumbs say of it: the shipped one, and the draws of "
-      "both beliefs, means and sds over draws. Of thumbs that cannot press in key pinch nothing is "
+      "prior and posterior, means and sds over draws. Of thumbs that cannot press in key pinch "
+      "nothing is "
       "lost; they are left out of the means of losses",
       columns, std::move(rows));
 }
 
-Json lesson_table(const MeasuredLessons& of) {
+Json update_table(const MeasuredLessons& of) {
   Json rows = Json::array();
-  for (const ThumbBelief& belief : of.beliefs)
-    for (const Lesson& lesson : belief.lessons) {
-      const KeptShares kept = kept_shares(belief, lesson);
-      rows.push_back({belief.name, lesson.added.name, lesson.weights.weight.size(),
-                      lesson.weights.effective_size,
-                      std::isfinite(lesson.weights.k) ? Json(lesson.weights.k) : Json(nullptr),
-                      lesson.weights.good_k, lesson.weights.reliable() ? "yes" : "NO",
+  for (const ReweightedDraws& draws : of.reweighted)
+    for (const DataUpdate& update : draws.updates) {
+      const KeptShares kept = kept_shares(draws, update);
+      rows.push_back({draws.name, update.added.name, update.weights.weight.size(),
+                      update.weights.effective_size,
+                      std::isfinite(update.weights.k) ? Json(update.weights.k) : Json(nullptr),
+                      update.weights.good_k, update.weights.reliable() ? "yes" : "NO",
                       100 * kept.rms, 100 * kept.least, kept.least_name, 100 * kept.most,
                       kept.largest_shift, kept.largest_shift_name});
     }
@@ -95,9 +96,9 @@ Json lesson_table(const MeasuredLessons& of) {
       "What each addition leaves of the sds of ten tilts, by self-normalised importance weights "
       "over draws. Effective size: 1 over the sum of squared weights. Where Pareto k is above its "
       "limit the row is not to be believed: too few draws say what was measured",
-      {{"belief", ""},
+      {{"draws of", ""},
        {"added", ""},
-       {"draws", "", 0},
+       {"how many", "", 0},
        {"effective size", "", 0},
        {"Pareto k", "", 2},
        {"limit", "", 2},
@@ -113,18 +114,18 @@ Json lesson_table(const MeasuredLessons& of) {
 
 Json tilt_table(const MeasuredLessons& of) {
   std::vector<BlockColumn> columns{{"tilt", ""}};
-  for (const ThumbBelief& belief : of.beliefs) {
-    columns.push_back({"sd " + belief.name, "deg", 1});
+  for (const ReweightedDraws& draws : of.reweighted) {
+    columns.push_back({"sd " + draws.name, "deg", 1});
     columns.push_back({"with both measurements", "deg", 1});
     columns.push_back({"ratio", "", 2});
     columns.push_back({"its error", "", 2});
   }
   Json rows = Json::array();
-  for (std::size_t i = 0; i < of.beliefs.front().names.size(); ++i) {
+  for (std::size_t i = 0; i < of.reweighted.front().names.size(); ++i) {
     const auto at = static_cast<Eigen::Index>(i);
-    Json row{words_of_axis_parameter(of.beliefs.front().names[i])};
-    for (const ThumbBelief& belief : of.beliefs) {
-      const WeightedSpread& with = lesson_of_both(belief).tilts;
+    Json row{words_of_axis_parameter(of.reweighted.front().names[i])};
+    for (const ReweightedDraws& draws : of.reweighted) {
+      const WeightedSpread& with = update_by_both(draws).tilts;
       row.push_back(degrees(with.sd[at] / with.sd_ratio[at]));
       row.push_back(degrees(with.sd[at]));
       row.push_back(with.sd_ratio[at]);
@@ -138,15 +139,15 @@ Json tilt_table(const MeasuredLessons& of) {
       columns, std::move(rows));
 }
 
-/// What is left of every tilt's sd, belief by belief.
+/// What is left of every tilt's sd, by the draws of each.
 Json kept_chart(const MeasuredLessons& of) {
   Json rows = Json::array();
-  for (std::size_t i = 0; i < of.beliefs.front().names.size(); ++i)
-    for (const ThumbBelief& belief : of.beliefs) {
-      const WeightedSpread& with = lesson_of_both(belief).tilts;
+  for (std::size_t i = 0; i < of.reweighted.front().names.size(); ++i)
+    for (const ReweightedDraws& draws : of.reweighted) {
+      const WeightedSpread& with = update_by_both(draws).tilts;
       const auto at = static_cast<Eigen::Index>(i);
       rows.push_back(
-          {{"name", fmt::format("{}, {}", words_of_axis_parameter(belief.names[i]), belief.name)},
+          {{"name", fmt::format("{}, {}", words_of_axis_parameter(draws.names[i]), draws.name)},
            {"estimate", with.sd_ratio[at]},
            {"low", with.sd_ratio[at] - kNormal95 * with.sd_ratio_error[at]},
            {"high", with.sd_ratio[at] + kNormal95 * with.sd_ratio_error[at]}});
@@ -221,25 +222,25 @@ Misses misses_of_truth(const MeasuredLessons& of) {
 }
 
 /// " (NOT reliable ..)" where weights are not.
-std::string doubt_of(const Lesson& lesson) {
-  return lesson.weights.reliable() ? "" : " (NOT reliable: Pareto k is above its limit)";
+std::string doubt_of(const DataUpdate& update) {
+  return update.weights.reliable() ? "" : " (NOT reliable: Pareto k is above its limit)";
 }
 
 /// Draws whose pinch linear programming did not decide; "" if there are none.
-std::string undecided_words(const ThumbBelief& belief) {
-  const Eigen::Index draws = (belief.predicted.undecided.array() > 0).count();
-  return draws == 0 ? ""
-                    : fmt::format(
-                          " Of {} draws {} the pinch is UNDECIDED (unbounded, or not found by "
-                          "linear programming): they have no weight once losses are added.",
-                          draws, belief.name);
+std::string undecided_words(const ReweightedDraws& draws) {
+  const Eigen::Index undecided = (draws.predicted.undecided.array() > 0).count();
+  return undecided == 0 ? ""
+                        : fmt::format(
+                              " Of {} draws {} the pinch is UNDECIDED (unbounded, or not found by "
+                              "linear programming): they have no weight once losses are added.",
+                              undecided, draws.name);
 }
 
 /// How little was learnt alone, in words.
 std::string alone_words(const ThumbRecoveryResult& result) {
   const MeasuredLessons& of = result.lessons;
-  const ThumbBelief& prior = of.beliefs.front();
-  const Lesson& both = lesson_of_both(prior);
+  const ReweightedDraws& prior = of.reweighted.front();
+  const DataUpdate& both = update_by_both(prior);
   const KeptShares kept = kept_shares(prior, both);
   const KeptAxes made_up = kept_axes(result.recovery);
   return fmt::format(
@@ -257,14 +258,14 @@ std::string alone_words(const ThumbRecoveryResult& result) {
 
 /// What is added to the made-up data, and that both are not of one thumb.
 std::string beside_words(const MeasuredLessons& of) {
-  const ThumbBelief& posterior = of.beliefs.back();
-  const Lesson& both = lesson_of_both(posterior);
+  const ReweightedDraws& posterior = of.reweighted.back();
+  const DataUpdate& both = update_by_both(posterior);
   const KeptShares kept = kept_shares(posterior, both);
   const Misses misses = misses_of_truth(of);
   return fmt::format(
       "Beside the made-up data they leave {:.0f} to {:.0f} % of what those had left ({:.0f} % in "
-      "the rms{}); a ratio above 1 is no error, as numbers that disagree with a belief may widen "
-      "it. And they do disagree: the made-up data are of the shipped thumb, which misses the "
+      "the rms{}); a ratio above 1 is no error, as numbers that disagree with a posterior may "
+      "widen it. And they do disagree: the made-up data are of the shipped thumb, which misses the "
       "measured numbers by {:.1f} assumed sds (rms), most of all {} by {:.1f}. What moves there is "
       "conflict between two thumbs, not knowledge of one.{}\n\n",
       100 * kept.least, 100 * kept.most, 100 * kept.rms, doubt_of(both), misses.rms,
@@ -274,11 +275,11 @@ std::string beside_words(const MeasuredLessons& of) {
 /// Additions whose weights are not to be believed, and what would have to be measured.
 std::string limits_words(const MeasuredLessons& of) {
   std::vector<std::string> doubtful;
-  for (const ThumbBelief& belief : of.beliefs)
-    for (const Lesson& lesson : belief.lessons)
-      if (!lesson.weights.reliable())
-        doubtful.push_back(fmt::format("{} ({}, effective size {:.0f})", lesson.added.name,
-                                       belief.name, lesson.weights.effective_size));
+  for (const ReweightedDraws& draws : of.reweighted)
+    for (const DataUpdate& update : draws.updates)
+      if (!update.weights.reliable())
+        doubtful.push_back(fmt::format("{} ({}, effective size {:.0f})", update.added.name,
+                                       draws.name, update.weights.effective_size));
   const std::string unreliable =
       doubtful.empty() ? "All weights are reliable by their Pareto k."
                        : fmt::format("Not to be believed by their Pareto k are the weights of {}.",
@@ -292,26 +293,25 @@ std::string limits_words(const MeasuredLessons& of) {
 
 }  // namespace
 
-const Lesson& lesson_of_both(const ThumbBelief& belief) {
-  return *std::find_if(belief.lessons.begin(), belief.lessons.end(), [](const Lesson& lesson) {
-    return lesson.added.force && lesson.added.losses && lesson.added.sd_factor == 1 &&
-           !lesson.added.clamped;
+const DataUpdate& update_by_both(const ReweightedDraws& draws) {
+  return *std::find_if(draws.updates.begin(), draws.updates.end(), [](const DataUpdate& update) {
+    return update.added.force && update.added.losses && update.added.sd_factor == 1 &&
+           !update.added.clamped;
   });
 }
 
-KeptShares kept_shares(const ThumbBelief& belief, const Lesson& lesson) {
+KeptShares kept_shares(const ReweightedDraws& draws, const DataUpdate& update) {
   // Extremes over the tilts, by name.
-  const WeightedSpread& tilts = lesson.tilts;
+  const WeightedSpread& tilts = update.tilts;
   Eigen::Index least = 0, shifted = 0;
   KeptShares kept{};
   kept.rms = std::sqrt(tilts.sd_ratio.array().square().mean());
   kept.least = tilts.sd_ratio.minCoeff(&least);
   kept.most = tilts.sd_ratio.maxCoeff();
   (void)tilts.mean_shift.cwiseAbs().maxCoeff(&shifted);
-  kept.least_name = words_of_axis_parameter(belief.names[static_cast<std::size_t>(least)]);
+  kept.least_name = words_of_axis_parameter(draws.names[static_cast<std::size_t>(least)]);
   kept.largest_shift = tilts.mean_shift[shifted];
-  kept.largest_shift_name =
-      words_of_axis_parameter(belief.names[static_cast<std::size_t>(shifted)]);
+  kept.largest_shift_name = words_of_axis_parameter(draws.names[static_cast<std::size_t>(shifted)]);
   kept.narrower =
       static_cast<int>((tilts.sd_ratio.array() + 2 * tilts.sd_ratio_error.array() < 1).count());
   return kept;
@@ -323,7 +323,7 @@ Json measured_lessons_section(const ThumbRecoveryResult& result) {
                  Json::array({text_block(alone_words(result) + beside_words(result.lessons) +
                                          limits_words(result.lessons)),
                               kept_chart(result.lessons), tilt_table(result.lessons),
-                              lesson_table(result.lessons), measured_table(result.lessons)}));
+                              update_table(result.lessons), measured_table(result.lessons)}));
 }
 
 }  // namespace thenar

@@ -13,7 +13,7 @@ namespace thenar {
 /// once they are added, to the prior and to the posterior of made-up data.
 [[nodiscard]] Json measured_lessons_section(const ThumbRecoveryResult& result);
 
-/// Share of its plain sd that each tilt keeps under a lesson: rms over tilts, least and most.
+/// Share of its plain sd that each tilt keeps under an update: rms over tilts, least and most.
 struct KeptShares {
   double rms, least, most;         // [1]
   std::string least_name;          // "CMC1_AA tilt 2"
@@ -21,9 +21,9 @@ struct KeptShares {
   std::string largest_shift_name;  // likewise
   int narrower = 0;                // tilts that keep less than 1 by two errors [1]
 };
-[[nodiscard]] KeptShares kept_shares(const ThumbBelief& belief, const Lesson& lesson);
+[[nodiscard]] KeptShares kept_shares(const ReweightedDraws& draws, const DataUpdate& update);
 
-/// The lesson of both measurements as they are stated.
-[[nodiscard]] const Lesson& lesson_of_both(const ThumbBelief& belief);
+/// The update of both measurements as they are stated.
+[[nodiscard]] const DataUpdate& update_by_both(const ReweightedDraws& draws);
 
 }  // namespace thenar

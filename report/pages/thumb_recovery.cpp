@@ -148,7 +148,7 @@ std::string agreement_words(const ThumbRecovery& of) {
       few ? "Where they differ most the posterior is skewed, so that its mean is not its best "
             "point."
           : "They do NOT agree: the posterior is not the Gaussian that least squares takes it for.",
-      of.numbers.size(), a.fit_covers, a.drawn_cover, 100 * kUndecidedShare,
+      of.numbers.size(), a.fit_covered, a.drawn_covered, 100 * kUndecidedShare,
       listed_parameters(undecided_by_fit(of)), listed_parameters(of.undecided));
 }
 

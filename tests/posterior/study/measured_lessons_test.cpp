@@ -138,8 +138,8 @@ const MeasuredLessons& lessons_beside_chains() {
     MeasuredLessonsSettings settings;
     settings.prior_draws = 3000;
     settings.posterior_draws = 500;
-    return weigh_measurements(measured_thumb_inputs(kData), chains_of_fpl(),
-                              sample::true_thumb(sample::study_inputs()), settings);
+    return reweight_by_measurements(measured_thumb_inputs(kData), chains_of_fpl(),
+                                    sample::true_thumb(sample::study_inputs()), settings);
   }();
   return made;
 }
@@ -149,11 +149,11 @@ const MeasuredLessons& lessons_beside_chains() {
 TEST(MeasuredLessons, WeightsAgreeWithChains) {
   const MeasuredLessons& lessons = lessons_beside_chains();
   ASSERT_TRUE(lessons.complete);
-  const Lesson& force = lessons.beliefs.front().lessons.front();
+  const DataUpdate& force = lessons.reweighted.front().updates.front();
   ASSERT_TRUE(force.added.force && !force.added.losses);
   EXPECT_TRUE(force.weights.reliable());
-  const Eigen::MatrixXd& before = lessons.beliefs.front().tilts;
-  const Eigen::MatrixXd& after = lessons.beliefs.back().tilts;
+  const Eigen::MatrixXd& before = lessons.reweighted.front().tilts;
+  const Eigen::MatrixXd& after = lessons.reweighted.back().tilts;
   ASSERT_EQ(before.rows(), 10);
   for (Eigen::Index i = 0; i < before.rows(); ++i) {
     const auto sd = [&](const Eigen::MatrixXd& x) {
@@ -161,15 +161,15 @@ TEST(MeasuredLessons, WeightsAgreeWithChains) {
     };
     const double chains = sd(after) / sd(before);
     const double error = std::hypot(force.tilts.sd_ratio_error[i], chains / std::sqrt(2.0 * 500));
-    EXPECT_NEAR(force.tilts.sd_ratio[i], chains, 4 * error) << lessons.beliefs.front().names[i];
+    EXPECT_NEAR(force.tilts.sd_ratio[i], chains, 4 * error) << lessons.reweighted.front().names[i];
   }
 }
 
 // What has been learnt once is not learnt again.
-TEST(MeasuredLessons, BeliefIsMovedLessByWhatItKnows) {
+TEST(MeasuredLessons, PosteriorIsMovedLessByWhatItKnows) {
   const MeasuredLessons& lessons = lessons_beside_chains();
-  const Lesson &fresh = lessons.beliefs.front().lessons.front(),
-               &again = lessons.beliefs.back().lessons.front();
+  const DataUpdate &fresh = lessons.reweighted.front().updates.front(),
+                   &again = lessons.reweighted.back().updates.front();
   EXPECT_GT(again.tilts.sd_ratio.minCoeff(), fresh.tilts.sd_ratio.minCoeff());
   EXPECT_GT(again.weights.effective_size / 500, fresh.weights.effective_size / 3000);
 }

@@ -8,6 +8,7 @@
 
 #include "base/error.h"
 #include "base/units.h"
+#include "tests/message_of.h"
 #include "tests/posterior/study/study_inputs.h"
 
 namespace thenar {
@@ -33,8 +34,8 @@ const ThumbRecovery& recovered() {
 TEST(ThumbRecovery, TrueAxesLieWithinTheIntervals) {
   ASSERT_TRUE(recovered().complete);
   ASSERT_EQ(recovered().numbers.size(), 20u);
-  EXPECT_GE(recovered().agreement.fit_covers, 17);
-  EXPECT_GE(recovered().agreement.drawn_cover, 17);
+  EXPECT_GE(recovered().agreement.fit_covered, 17);
+  EXPECT_GE(recovered().agreement.drawn_covered, 17);
 }
 
 // Both methods take each axis nearer to the truth than the mechanic's thumb has it, and know it
@@ -90,9 +91,10 @@ TEST(ThumbRecovery, AgreementIsThatByHand) {
   EXPECT_EQ(agreement.worst_name, "b");
   EXPECT_NEAR(agreement.least_sd_ratio, 1, 1e-12);
   EXPECT_NEAR(agreement.most_sd_ratio, 2, 1e-12);
-  EXPECT_EQ(agreement.fit_covers, 1);
-  EXPECT_EQ(agreement.drawn_cover, 2);
-  EXPECT_THROW((void)compare_methods({}), InputError);
+  EXPECT_EQ(agreement.fit_covered, 1);
+  EXPECT_EQ(agreement.drawn_covered, 2);
+  EXPECT_EQ(message_of<InputError>([] { (void)compare_methods({}); }),
+            "wanted numbers of two methods to compare, got 0");
 }
 
 TEST(ThumbRecovery, StopsWhenAsked) {

@@ -31,8 +31,8 @@ TEST(ThumbRecoveryFinding, TellsErrorsAndWhatIsLeft) {
   EXPECT_NE(finding.opening.learnt.find(fmt::format("by {:.1f} degrees", off / kDegree)),
             std::string::npos);
   const KeptAxes made_up = kept_axes(result.recovery);
-  const ThumbBelief& prior = result.lessons.beliefs.front();
-  const KeptShares measured = kept_shares(prior, lesson_of_both(prior));
+  const ReweightedDraws& prior = result.lessons.reweighted.front();
+  const KeptShares measured = kept_shares(prior, update_by_both(prior));
   for (const double share : {made_up.most, measured.rms})
     EXPECT_NE(finding.line.find(fmt::format("{:.0f} %", 100 * share)), std::string::npos);
 }

@@ -40,13 +40,13 @@ TEST(ThumbRecoveryPage, NamesTiltsAndShifts) {
 
 // By hand: rms of 0.6 and 1 is sqrt(0.68); the first is narrower by more than two errors.
 TEST(ThumbRecoveryPage, KeptSharesAreThoseByHand) {
-  ThumbBelief belief;
-  belief.names = {"axis/IP1/direction/1", "axis/IP1/direction/2"};
-  Lesson lesson;
-  lesson.tilts.sd_ratio = Eigen::Vector2d(0.6, 1);
-  lesson.tilts.sd_ratio_error = Eigen::Vector2d(0.1, 0.1);
-  lesson.tilts.mean_shift = Eigen::Vector2d(0.2, -0.9);
-  const KeptShares kept = kept_shares(belief, lesson);
+  ReweightedDraws draws;
+  draws.names = {"axis/IP1/direction/1", "axis/IP1/direction/2"};
+  DataUpdate update;
+  update.tilts.sd_ratio = Eigen::Vector2d(0.6, 1);
+  update.tilts.sd_ratio_error = Eigen::Vector2d(0.1, 0.1);
+  update.tilts.mean_shift = Eigen::Vector2d(0.2, -0.9);
+  const KeptShares kept = kept_shares(draws, update);
   EXPECT_NEAR(kept.rms, std::sqrt(0.68), 1e-12);
   EXPECT_EQ(kept.least, 0.6);
   EXPECT_EQ(kept.least_name, "IP1 tilt 1");
@@ -74,7 +74,7 @@ TEST(ThumbRecoveryPage, ShowsBothMethodsBesideTheTruth) {
   EXPECT_NE(words.find("What could not be told"), std::string::npos);
 }
 
-// A row for each tilt, for each addition to both beliefs, and for each measured number.
+// A row for each tilt, for each addition to prior and posterior, and for each measured number.
 TEST(ThumbRecoveryPage, ShowsWhatMeasurementsLeave) {
   const Json page = measured_lessons_section(recovered());
   EXPECT_EQ(block_of(page, "table", 0).at("rows").size(), 10u);
@@ -90,8 +90,8 @@ TEST(ThumbRecoveryPage, ShowsWhatMeasurementsLeave) {
 
 // Numbers in words are those of the results.
 TEST(ThumbRecoveryPage, WordsAreTheNumbers) {
-  const ThumbBelief& prior = recovered().lessons.beliefs.front();
-  const KeptShares kept = kept_shares(prior, lesson_of_both(prior));
+  const ReweightedDraws& prior = recovered().lessons.reweighted.front();
+  const KeptShares kept = kept_shares(prior, update_by_both(prior));
   const std::string verdict = block_of(measured_lessons_section(recovered()), "text").at("text");
   EXPECT_NE(
       verdict.find(fmt::format("leave {:.0f} to {:.0f} %", 100 * kept.least, 100 * kept.most)),
