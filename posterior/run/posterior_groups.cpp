@@ -132,16 +132,6 @@ void add_readings(const FitProblem& problem, const std::string& name,
       by_draw(fitted_components(problem, all)), {"trial", "component"}, "N", description};
 }
 
-/// Draws of every chain, evenly thinned to at most `most`. (size, chains * draws)
-Eigen::MatrixXd thinned(const Draws& draws, long most) {
-  const long kept = std::min(most, draws.draws());
-  Eigen::MatrixXd x(draws.size(), kept * draws.chains());
-  for (int c = 0; c < draws.chains(); ++c)
-    for (long k = 0; k < kept; ++k)
-      x.col(c * kept + k) = draws.x[static_cast<std::size_t>(c)].col(k * draws.draws() / kept);
-  return x;
-}
-
 }  // namespace
 
 InferenceGroup parameter_group(const HandPosterior& posterior, const Eigen::MatrixXd& x,
@@ -248,7 +238,7 @@ InferenceGroup predictive_group(const PosteriorRun& run) {
   InferenceGroup group;
   // Fewer draws of each chain where there are many chains.
   const long most = std::clamp(kAllPredicted / run.draws.chains(), 1L, kPredictedDraws);
-  const Eigen::MatrixXd x = thinned(run.draws, most);
+  const Eigen::MatrixXd x = thinned(pooled(run.draws), most * run.draws.chains());
   const long draws = x.cols() / run.draws.chains();
   add_draws(group, run.draws.chains(), draws);
   add_names(group, "trial", observation_names(run.posterior->problem(), Observed::kForces));

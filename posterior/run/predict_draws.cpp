@@ -14,14 +14,6 @@ namespace {
 
 enum Purpose : std::uint32_t { kReplicate = 101, kNewSpecimen, kMeasure };
 
-/// At most `count` columns, taken evenly from all draws (size, columns).
-Eigen::MatrixXd thinned_columns(const Eigen::MatrixXd& all, long count) {
-  const long kept = std::min<long>(count, all.cols());
-  Eigen::MatrixXd x(all.rows(), kept);
-  for (long k = 0; k < kept; ++k) x.col(k) = all.col(k * all.cols() / kept);
-  return x;
-}
-
 /// Factor of the draw on the sd between specimens of each coordinate (coordinates).
 Eigen::VectorXd specimen_scale_of(const HandPosterior& posterior, const FitParameters& parameters,
                                   const PosteriorValues& values, Eigen::Index draw) {
@@ -121,7 +113,7 @@ PredictedDraws predict_draws(const PosteriorRun& run, const Experiment& experime
   const Experiment named = with_own_postures(experiment, posterior.problem().experiments());
   const FitParameters parameters = add_posture_errors(posterior.problem().parameters(), named);
   const ExperimentPlan plan = plan_experiment(digit, parameters, named);
-  const Eigen::MatrixXd x = thinned_columns(pooled(run.draws), draws);
+  const Eigen::MatrixXd x = thinned(pooled(run.draws), draws);
   const PosteriorValues values = posterior.values(x);
 
   // Expected forces at each of them.

@@ -143,6 +143,13 @@ Eigen::MatrixXd pooled(const Draws& draws) {
   return all;
 }
 
+Eigen::MatrixXd thinned(const Eigen::Ref<const Eigen::MatrixXd>& x, Eigen::Index most) {
+  const Eigen::Index count = std::min(most, x.cols());
+  Eigen::MatrixXd out(x.rows(), count);
+  for (Eigen::Index k = 0; k < count; ++k) out.col(k) = x.col(k * x.cols() / count);
+  return out;
+}
+
 PosteriorRun sample_posterior(const FitInputs& inputs, const PosteriorSettings& settings,
                               const Communicator& ranks) {
   // Every rank builds the posterior; the first alone searches.

@@ -68,6 +68,11 @@ struct PosteriorRun {
 /// All draws of all chains side by side, chain by chain (size, chains * draws).
 [[nodiscard]] Eigen::MatrixXd pooled(const Draws& draws);
 
+/// At most `most` columns, evenly spread over all: of pooled() chains as many draws of each, if
+/// `most` is a multiple of their number (size, columns).
+[[nodiscard]] Eigen::MatrixXd thinned(const Eigen::Ref<const Eigen::MatrixXd>& x,
+                                      Eigen::Index most);
+
 /// Assesses the draws of a run and assigns them to its modes: fills `convergence` and `mode_table`.
 /// The answers that settle coordinates (settled_by_answers()) are the forces of all fitted trials,
 /// of each specimen and, where there are several, of a new one. Does nothing without draws.

@@ -1,7 +1,5 @@
 #include "posterior/study/drawn_models.h"
 
-#include <algorithm>
-
 #include "kinematics_fit/model/predict_forces.h"
 
 namespace thenar::internal {
@@ -33,13 +31,6 @@ std::vector<std::string> DrawnModels::names(ParameterKind kind) const {
     if (parameter.kind == kind) found.push_back(parameter.name);
   }
   return found;
-}
-
-Eigen::MatrixXd thinned(const Eigen::Ref<const Eigen::MatrixXd>& x, Eigen::Index most) {
-  const Eigen::Index count = std::min(most, x.cols());
-  Eigen::MatrixXd out(x.rows(), count);
-  for (Eigen::Index k = 0; k < count; ++k) out.col(k) = x.col(k * x.cols() / count);
-  return out;
 }
 
 }  // namespace thenar::internal

@@ -32,8 +32,4 @@ class DrawnModels {
   Eigen::MatrixXd values_;  // [SI] (parameters that move, count)
 };
 
-/// At most `most` columns, evenly spread over all: every k-th draw of every chain.
-[[nodiscard]] Eigen::MatrixXd thinned(const Eigen::Ref<const Eigen::MatrixXd>& x,
-                                      Eigen::Index most);
-
 }  // namespace thenar::internal

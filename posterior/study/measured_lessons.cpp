@@ -156,7 +156,7 @@ MeasuredLessons reweight_by_measurements(const MeasuredThumbInputs& inputs, cons
   if (settings.progress.stop()) return out;
   out.reweighted.push_back(
       reweight_draws("after the made-up data", posterior,
-                     internal::thinned(pooled(run.draws), settings.posterior_draws), out,
+                     thinned(pooled(run.draws), settings.posterior_draws), out,
                      part(static_cast<double>(settings.prior_draws), settings.posterior_draws)));
   out.complete = !settings.progress.stop();
   return out;

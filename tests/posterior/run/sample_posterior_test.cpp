@@ -112,5 +112,14 @@ TEST(SamplePosterior, StartsFactorsApartForEveryWalker) {
   EXPECT_GT((noise.array() - noise.mean()).abs().maxCoeff(), 0.01);
 }
 
+// Two chains of six draws thinned to six: every second one of each.
+TEST(SamplePosterior, ThinsAsManyDrawsOfEachChain) {
+  const Eigen::RowVectorXd x = Eigen::RowVectorXd::LinSpaced(12, 0, 11);
+  Eigen::RowVectorXd wanted(6);
+  wanted << 0, 2, 4, 6, 8, 10;
+  EXPECT_EQ(thinned(x, 6), wanted);
+  EXPECT_EQ(thinned(x, 100), x);
+}
+
 }  // namespace
 }  // namespace thenar
