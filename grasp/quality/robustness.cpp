@@ -6,6 +6,7 @@
 
 #include "base/error.h"
 #include "base/spatial.h"
+#include "base/special_functions.h"
 #include "base/stop_scope.h"
 #include "base/units.h"
 #include "grasp/contact/contact.h"
@@ -14,8 +15,6 @@
 
 namespace thenar {
 namespace {
-
-constexpr double kNormal95 = 1.959963984540054;  // quantile 0.975 of the normal distribution
 
 /// Uniform in the open interval (0, 1).
 double uniform(std::mt19937& rng) { return (static_cast<double>(rng()) + 0.5) / 4294967296.0; }

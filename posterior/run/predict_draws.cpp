@@ -5,6 +5,7 @@
 
 #include "base/error.h"
 #include "base/random_stream.h"
+#include "base/special_functions.h"
 #include "kinematics_fit/model/shared_postures.h"
 #include "kinematics_fit/specimen_prior.h"
 #include "posterior/force_density.h"
@@ -99,7 +100,7 @@ double robust_sd(Eigen::VectorXd row) {
   const auto at = [&](double share) {
     return row[static_cast<Eigen::Index>(std::lround(share * last))];
   };
-  return (at(0.975) - at(0.025)) / (2 * 1.959963984540054);
+  return (at(0.975) - at(0.025)) / (2 * kNormal95);
 }
 
 }  // namespace

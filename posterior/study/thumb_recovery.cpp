@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "base/error.h"
+#include "base/special_functions.h"
 #include "kinematics_fit/specimen_prior.h"
 #include "posterior/study/drawn_models.h"
 #include "posterior/study/thumb_fit.h"
@@ -12,8 +13,6 @@
 
 namespace thenar {
 namespace {
-
-constexpr double kHalfWidth95 = 1.959964;  // of a normal 95 % interval, in sds [1]
 
 /// Pulls of single muscles and tasks with electromyography, read with noise.
 internal::ThumbData make_up(const ThumbRecovery& of) {
@@ -80,7 +79,7 @@ std::vector<RecoveredNumber> compare_numbers(const ThumbRecovery& of) {
                        quantity.unit,
                        *truth * display_scale(*parameter),
                        prior_sd(quantity),
-                       {value, sd, value - kHalfWidth95 * sd, value + kHalfWidth95 * sd},
+                       {value, sd, value - kNormal95 * sd, value + kNormal95 * sd},
                        summary_of(quantity.draws)});
   }
   return numbers;

@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "base/special_functions.h"
 #include "base/units.h"
 #include "report/pages/thumb_recovery.h"
 

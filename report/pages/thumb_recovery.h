@@ -7,9 +7,6 @@
 
 namespace thenar {
 
-/// Half of a normal 95 % interval, in sds [1].
-inline constexpr double kNormal95 = 1.959964;
-
 /// What was made up, and what least squares and chains found of it beside the truth: axes, every
 /// tilt and shift with its 95 % interval, how well both methods agree, what could not be told, and
 /// the axes in space.
