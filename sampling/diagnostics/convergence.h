@@ -31,6 +31,10 @@ namespace thenar {
 [[nodiscard]] double mean_ess(const Eigen::Ref<const Eigen::MatrixXd>& x,
                               const std::vector<int>& group);
 
+/// mean_ess() over the number of draws [1]; 1 if they do not vary.
+[[nodiscard]] double mean_efficiency(const Eigen::Ref<const Eigen::MatrixXd>& x,
+                                     const std::vector<int>& group = {});
+
 /// Monte Carlo standard errors, in the unit of x.
 [[nodiscard]] double mean_mcse(const Eigen::Ref<const Eigen::MatrixXd>& x);
 [[nodiscard]] double mean_mcse(const Eigen::Ref<const Eigen::MatrixXd>& x,

@@ -110,6 +110,11 @@ double mean_ess(const Eigen::Ref<const Eigen::MatrixXd>& x, const std::vector<in
   return std::min(of_chains, ensemble_ess(x, group));
 }
 
+double mean_efficiency(const Eigen::Ref<const Eigen::MatrixXd>& x, const std::vector<int>& group) {
+  const double size = mean_ess(x, group);
+  return std::isnan(size) ? 1 : size / static_cast<double>(x.size());
+}
+
 double quantile_ess(const Eigen::Ref<const Eigen::MatrixXd>& x, double share) {
   (void)split_chains(x);  // enough draws?
   if (!finite_and_varying(x)) return kNaN;

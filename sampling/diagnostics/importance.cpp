@@ -6,13 +6,27 @@
 
 #include "base/error.h"
 #include "base/numbers.h"
+#include "sampling/diagnostics/convergence.h"
 #include "sampling/diagnostics/leave_one_out.h"
 
 namespace thenar {
 
+namespace {
+
+/// Efficiency of the mean of draws, chain by chain; 1: independent ones.
+double efficiency_of_draws(const Eigen::VectorXd& x, int chains) {
+  if (chains == 0) return 1;
+  require(chains > 0 && x.size() % chains == 0 && x.size() / chains >= 4,
+          "wanted {} chains of one length, of 4 draws or more, got {} draws", chains, x.size());
+  return mean_efficiency(x.reshaped(x.size() / chains, chains));
+}
+
+}  // namespace
+
 double good_pareto_shape(double draws) { return std::min(1 - 1 / std::log10(draws), 0.7); }
 
-ImportanceWeights importance_weights(const Eigen::Ref<const Eigen::VectorXd>& log_ratio) {
+ImportanceWeights importance_weights(const Eigen::Ref<const Eigen::VectorXd>& log_ratio,
+                                     int chains) {
   // Draws where the other distribution has mass.
   std::vector<Eigen::Index> inside;
   for (Eigen::Index i = 0; i < log_ratio.size(); ++i) {
@@ -27,7 +41,8 @@ ImportanceWeights importance_weights(const Eigen::Ref<const Eigen::VectorXd>& lo
   Eigen::VectorXd finite(static_cast<Eigen::Index>(inside.size()));
   for (std::size_t i = 0; i < inside.size(); ++i)
     finite[static_cast<Eigen::Index>(i)] = log_ratio[inside[i]];
-  const SmoothedWeights smoothed = smooth_weights(finite);
+  const Eigen::VectorXd ratio = (log_ratio.array() - finite.maxCoeff()).exp();
+  const SmoothedWeights smoothed = smooth_weights(finite, efficiency_of_draws(ratio, chains));
 
   // All others have no weight.
   ImportanceWeights out;
@@ -41,7 +56,7 @@ ImportanceWeights importance_weights(const Eigen::Ref<const Eigen::VectorXd>& lo
 }
 
 WeightedSpread weighted_spread(const Eigen::Ref<const Eigen::MatrixXd>& x,
-                               const Eigen::Ref<const Eigen::VectorXd>& weight) {
+                               const Eigen::Ref<const Eigen::VectorXd>& weight, int chains) {
   const Eigen::Index N = x.cols();
   require(weight.size() == N && N >= 2, "{} draws cannot have {} weights", N, weight.size());
   WeightedSpread out;
@@ -60,8 +75,9 @@ WeightedSpread weighted_spread(const Eigen::Ref<const Eigen::MatrixXd>& x,
     out.mean_shift[i] = (out.mean[i] - plain_mean) / std::sqrt(plain_variance);
     out.sd_ratio[i] = std::sqrt(variance / plain_variance);
     const Eigen::ArrayXd a = about.array() / variance - 1, b = plain.array() / plain_variance - 1;
+    const Eigen::VectorXd terms = weight.array() * a - b / static_cast<double>(N);
     out.sd_ratio_error[i] =
-        out.sd_ratio[i] / 2 * (weight.array() * a - b / static_cast<double>(N)).matrix().norm();
+        out.sd_ratio[i] / 2 * terms.norm() / std::sqrt(efficiency_of_draws(terms, chains));
   }
   return out;
 }

@@ -106,8 +106,7 @@ double error_of_sum(const Eigen::VectorXd& terms) {
 double efficiency_of(const Eigen::VectorXd& log_likelihood, int chains,
                      const std::vector<int>& group) {
   const Eigen::VectorXd likelihood = (log_likelihood.array() - log_likelihood.maxCoeff()).exp();
-  const double ess = mean_ess(likelihood.reshaped(likelihood.size() / chains, chains), group);
-  return std::isnan(ess) ? 1 : ess / double(likelihood.size());
+  return mean_efficiency(likelihood.reshaped(likelihood.size() / chains, chains), group);
 }
 
 }  // namespace

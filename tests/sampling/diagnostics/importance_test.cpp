@@ -9,6 +9,7 @@
 #include "base/error.h"
 #include "base/numbers.h"
 #include "base/random_stream.h"
+#include "sampling/diagnostics/convergence.h"
 #include "sampling/diagnostics/leave_one_out.h"
 #include "tests/matrix_near.h"
 
@@ -116,6 +117,26 @@ TEST(Importance, RefusesWhatCannotBeWeighed) {
   EXPECT_THROW((void)weighted_spread(normal_draws(3), Eigen::Vector2d(0.5, 0.5)), InputError);
   EXPECT_THROW((void)weighted_spread(Eigen::MatrixXd::Ones(1, 2), Eigen::Vector2d(0.5, 0.5)),
                InputError);
+}
+
+// Two chains that stay four steps at each draw know no more than those draws, so that the error of
+// a ratio is theirs; their tail is longer by the same efficiency.
+TEST(Importance, ChainsThatRepeatDrawsKnowNoMore) {
+  const int count = 4000, times = 4, chains = 2;
+  const Eigen::MatrixXd x = normal_draws(count);
+  Eigen::MatrixXd repeated(2, count * times);
+  for (int i = 0; i < count * times; ++i) repeated.col(i) = x.col(i / times);
+  const Eigen::VectorXd log_ratio = reading(x, 1, 1), of_repeated = reading(repeated, 1, 1);
+  const WeightedSpread once = weighted_spread(x, importance_weights(log_ratio).weight);
+  const ImportanceWeights weights = importance_weights(of_repeated, chains);
+  const WeightedSpread spread = weighted_spread(repeated, weights.weight, chains);
+  for (int i = 0; i < 2; ++i)  // an effective size is known to some 5 %
+    EXPECT_NEAR(spread.sd_ratio_error[i] / once.sd_ratio_error[i], 1, 0.1) << i;
+  const Eigen::VectorXd ratio = of_repeated.array().exp();
+  const double efficiency = mean_efficiency(ratio.reshaped(count * times / chains, chains));
+  EXPECT_NEAR(efficiency, 1.0 / times, 0.1 / times);
+  EXPECT_NEAR(weights.k, smooth_weights(of_repeated, efficiency).k, 1e-12);
+  EXPECT_THROW((void)importance_weights(of_repeated, 3), InputError);
 }
 
 }  // namespace
