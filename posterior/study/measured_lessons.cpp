@@ -2,7 +2,8 @@
 
 #include <cmath>
 
-#include "base/error.h"
+#include <fmt/format.h>
+
 #include "base/numbers.h"
 #include "base/parallel_for.h"
 #include "data/io/toml_node.h"
@@ -12,6 +13,8 @@
 
 namespace thenar {
 namespace {
+
+constexpr double kOneDraw = 1 + 1e-6;  // an effective size below this is that of one draw [1]
 
 /// Forces that a digit makes in all trials, with another hold, along the experiment's components
 /// [N] (3 trials).
@@ -30,7 +33,7 @@ std::vector<TendonModel<double>> all_models(const internal::DrawnModels& drawn) 
 
 /// Draws of a prior or a posterior, updated by each addition.
 ReweightedDraws reweight_draws(const std::string& name, const HandPosterior& posterior,
-                               const Eigen::MatrixXd& x, const MeasuredLessons& of,
+                               const Eigen::MatrixXd& x, int chains, const MeasuredLessons& of,
                                const Progress& progress) {
   // What every draw says of the measurements.
   ReweightedDraws draws;
@@ -42,12 +45,10 @@ ReweightedDraws reweight_draws(const std::string& name, const HandPosterior& pos
                                      of.losses, progress);
   if (progress.stop()) return draws;
 
-  // Its draws weighed by them.
-  for (const AddedData& added : additions_to_ask()) {
-    const Eigen::VectorXd log_l = log_likelihood(draws.predicted, of.force, of.losses, added);
-    const ImportanceWeights weights = importance_weights(log_l);
-    draws.updates.push_back({added, weights, weighted_spread(draws.tilts, weights.weight)});
-  }
+  // Draws weighed by them.
+  for (const AddedData& added : additions_to_ask())
+    draws.updates.push_back(update_tilts(
+        added, draws.tilts, log_likelihood(draws.predicted, of.force, of.losses, added), chains));
   return draws;
 }
 
@@ -130,6 +131,23 @@ Eigen::VectorXd log_likelihood(const MeasuredPredictions& predicted, const Exper
   return log_l;
 }
 
+DataUpdate update_tilts(const AddedData& added, const Eigen::Ref<const Eigen::MatrixXd>& tilts,
+                        const Eigen::Ref<const Eigen::VectorXd>& log_likelihood, int chains) {
+  // Draws that can say what was measured at all.
+  DataUpdate update{added, "", {}, {}};
+  if (!(log_likelihood.array() > -kInfinity).any()) {
+    update.untold = fmt::format("none of {} draws can have weight", tilts.cols());
+    return update;
+  }
+  // A single draw has no spread.
+  update.weights = importance_weights(log_likelihood, chains);
+  if (update.weights.effective_size < kOneDraw)
+    update.untold = "one draw takes all the weight";
+  else
+    update.tilts = weighted_spread(tilts, update.weights.weight, chains);
+  return update;
+}
+
 MeasuredLessons reweight_by_measurements(const MeasuredThumbInputs& inputs, const PosteriorRun& run,
                                          const TendonDigit& truth,
                                          const MeasuredLessonsSettings& settings) {
@@ -152,12 +170,13 @@ MeasuredLessons reweight_by_measurements(const MeasuredThumbInputs& inputs, cons
   };
   out.reweighted.push_back(reweight_draws("before any data", posterior,
                                           prior_draws(run, static_cast<int>(settings.prior_draws)),
-                                          out, part(0, settings.prior_draws)));
+                                          0, out, part(0, settings.prior_draws)));
   if (settings.progress.stop()) return out;
-  out.reweighted.push_back(
-      reweight_draws("after the made-up data", posterior,
-                     thinned(pooled(run.draws), settings.posterior_draws), out,
-                     part(static_cast<double>(settings.prior_draws), settings.posterior_draws)));
+  const int chains = run.draws.chains();  // as many draws of each
+  out.reweighted.push_back(reweight_draws(
+      "after the made-up data", posterior,
+      thinned(pooled(run.draws), settings.posterior_draws / chains * chains), chains, out,
+      part(static_cast<double>(settings.prior_draws), settings.posterior_draws)));
   out.complete = !settings.progress.stop();
   return out;
 }

@@ -47,6 +47,7 @@ struct AddedData {
 /// Draws updated by an addition.
 struct DataUpdate {
   AddedData added;
+  std::string untold;         // why weights tell nothing of tilts, which are empty; "": they do
   ImportanceWeights weights;  // of the draws
   WeightedSpread tilts;       // of ReweightedDraws::tilts [rad]
 };
@@ -92,6 +93,16 @@ struct MeasuredLessonsSettings {
 [[nodiscard]] Eigen::VectorXd log_likelihood(const MeasuredPredictions& predicted,
                                              const Experiment& force, const PinchLosses& losses,
                                              const AddedData& added);
+
+/// Updates tilts by weights in proportion to a likelihood. Bad luck is told in `untold`: no draw
+/// has a likelihood above 0, or one draw takes all the weight.
+/// @param tilts           draws as columns (tilts, draws)
+/// @param log_likelihood  of each draw [1] (draws)
+/// @param chains          that the draws are of, chain by chain; 0: draws are independent
+[[nodiscard]] DataUpdate update_tilts(const AddedData& added,
+                                      const Eigen::Ref<const Eigen::MatrixXd>& tilts,
+                                      const Eigen::Ref<const Eigen::VectorXd>& log_likelihood,
+                                      int chains);
 
 /// Weighs draws of the prior of a run, and of its posterior, by the measurements. Same run, same
 /// bits.

@@ -164,6 +164,10 @@ MethodAgreement compare_methods(const std::vector<RecoveredNumber>& numbers) {
     };
     out.fit_covered += holds(number.fit) ? 1 : 0;
     out.drawn_covered += holds(number.drawn) ? 1 : 0;
+    // What keeps its prior.
+    const double undecided = kUndecidedShare * number.prior_sd;
+    if (number.fit.sd > undecided) out.fit_undecided.push_back(number.name);
+    if (number.drawn.sd > undecided) out.drawn_undecided.push_back(number.name);
   }
   out.rms = std::sqrt(out.rms);
   return out;
@@ -180,7 +184,7 @@ ThumbRecovery recover_thumb(const ThumbStudyInputs& inputs, const ThumbRecoveryS
   out.made_up = data.pulls;
   out.made_up.activations = data.tasks.activations;
 
-  // Least squares, the default fit.
+  // Least squares with settings of the study.
   const FitInputs fit = internal::thumb_fit_inputs(inputs, free_axes(settings), data);
   settings.progress(0, "a made-up thumb: least squares");
   SolveOptions options;
@@ -197,9 +201,6 @@ ThumbRecovery recover_thumb(const ThumbStudyInputs& inputs, const ThumbRecoveryS
   out.numbers = compare_numbers(out);
   out.axes = compare_axes(out);
   out.agreement = compare_methods(out.numbers);
-  out.doubts = find_axis_doubts(out.fit->problem, out.fit->solution.z, out.fit->covariance);
-  for (const RecoveredNumber& number : out.numbers)
-    if (number.drawn.sd > kUndecidedShare * number.prior_sd) out.undecided.push_back(number.name);
   out.complete = true;
   return out;
 }

@@ -57,6 +57,8 @@ struct MethodAgreement {
   std::string worst_name;                        // of the number
   double least_sd_ratio = 0, most_sd_ratio = 0;  // sd of the fit over that of the draws [1]
   int fit_covered = 0, drawn_covered = 0;        // truths within their 95 % intervals [1]
+  std::vector<std::string> fit_undecided, drawn_undecided;  // numbers that keep more than
+                                                            // kUndecidedShare of their prior sd
 };
 
 /// A thumb, its made-up data, and what both methods found.
@@ -69,9 +71,6 @@ struct ThumbRecovery {
   PosteriorRun run;                      // without complete draws: stopped before
   std::vector<RecoveredNumber> numbers;  // of axes: two tilts and two shifts each
   std::vector<RecoveredAxis> axes;       // from base to tip
-  AxisDoubts doubts;                     // of least squares
-  std::vector<std::string> undecided;    // numbers that keep more than kUndecidedShare of
-                                         // their prior sd by draws
   MethodAgreement agreement;
   bool complete = false;
 };

@@ -20,8 +20,14 @@ struct KeptShares {
   double largest_shift;            // of a mean, in plain sds [1]
   std::string largest_shift_name;  // likewise
   int narrower = 0;                // tilts that keep less than 1 by two errors [1]
+  int undecided = 0;               // tilts that keep more than kUndecidedShare [1]
 };
+/// @param update  whose weights tell something
 [[nodiscard]] KeptShares kept_shares(const ReweightedDraws& draws, const DataUpdate& update);
+
+/// "" if weights are to be believed; else " (NOT reliable ..)", or " (NOT told ..)" without
+/// numbers.
+[[nodiscard]] std::string doubt_of(const DataUpdate& update);
 
 /// The update of both measurements as they are stated.
 [[nodiscard]] const DataUpdate& update_by_both(const ReweightedDraws& draws);

@@ -2,10 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "base/numbers.h"
 #include "base/special_functions.h"
 #include "base/units.h"
 #include "report/pages/posterior.h"
@@ -21,29 +23,49 @@ double stated_sd(const ThumbRecovery& of, ParameterKind kind) {
   return first == all.end() ? 0 : first->sd * display_scale(*first);
 }
 
+/// "five_axis_skewed" of "data/fits/five_axis_skewed.toml".
+std::string stem_of(const SourceText& file) {
+  return std::filesystem::path(file.path).stem().string();
+}
+
+/// "10 N" on each muscle of the trials, or "5 to 10 N".
+std::string pulled_with(const std::vector<Trial>& trials) {
+  double least = kInfinity, most = 0;
+  for (const Trial& trial : trials)
+    for (const auto& [muscle, tension] : trial.tension) {
+      least = std::min(least, tension);
+      most = std::max(most, tension);
+    }
+  return least < most ? fmt::format("{:g} to {:g} N", least, most) : fmt::format("{:g} N", most);
+}
+
 /// How the data were made up, and with which thumb.
 std::string introduction(const ThumbRecovery& of) {
   const std::vector<ActivationRow>& tasks = of.made_up.activations;
   const double activation_sd = tasks.empty() ? 0 : tasks.front().sd.begin()->second;
+  const MadeUpNumbers numbers = made_up_numbers(of);
   return fmt::format(
-             "[Miller2005] came to the axes of its thumb by Markov chain Monte Carlo, fitted in a "
-             "least-squares sense to thumbtip forces and electromyography. Those data are not at "
-             "hand, so such data are made up here, with a thumb whose axes are known: the shipped "
-             "arms_five_axis_thumb [McFarland2023] [Hollister1995], nine muscles with constant "
-             "moment arms and five skew axes.\n\nData: 10 N on one muscle at a time, tip pinned, "
-             "in {} postures ({} trials), and {} tasks of {} people who push in five directions in "
-             "two postures, their muscles read by electromyography. The sd of a force is {:.0f} % "
-             "of it, that of an activation {:.2f}; the seed is {}. In all {} numbers.\n\n",
-             of.settings.postures, of.made_up.trials.size(), tasks.size(), of.settings.people,
-             100 * of.settings.noise, activation_sd, of.settings.seed, made_up_numbers(of)) +
+             "[Miller2005] (sec. 3.2) came to the axes of its thumb by Markov chain Monte Carlo, "
+             "fitted in a least-squares sense to thumbtip forces and electromyography. Those data "
+             "are not at hand, so such data are made up here, with a thumb whose axes are known: "
+             "the shipped {} [McFarland2023] [Hollister1995], {} muscles with constant moment arms "
+             "and {} skew axes.\n\nData: {} on one muscle at a time, tip pinned, in {} postures "
+             "({} trials), and {} tasks of {} people who push in several directions and postures, "
+             "their muscles read by electromyography. The sd of a force is {:.0f} % of it, that of "
+             "an activation {:.2f}; the seed is {}. In all {} components of force and {} "
+             "activations.\n\n",
+             stem_of(of.inputs.truth), of.truth.names.muscles.size(), of.axes.size(),
+             pulled_with(of.made_up.trials), of.settings.postures, of.made_up.trials.size(),
+             tasks.size(), of.settings.people, 100 * of.settings.noise, activation_sd,
+             of.settings.seed, numbers.forces, numbers.activations) +
          fmt::format(
-             "Both methods start from a thumb with axes at right angles and free all five: two "
+             "Both methods start from a thumb with axes at right angles and free all of them: two "
              "tilts (prior sd {:.0f} degrees) and two shifts ({:.0f} mm) each, moment arms being "
-             "known. Least squares is the default fit with its covariance; chains are NUTS on the "
-             "same data and priors, with a factor on the noise. What the data were made with is "
-             "marked as the truth.",
-             stated_sd(of, ParameterKind::kAxisDirection),
-             stated_sd(of, ParameterKind::kAxisPoint));
+             "known. Least squares has the priors of {}, not those of the default fit, and its "
+             "sds are those of the covariance; chains are NUTS on the same data and priors, with "
+             "a factor on the noise. What the data were made with is marked as the truth.",
+             stated_sd(of, ParameterKind::kAxisDirection), stated_sd(of, ParameterKind::kAxisPoint),
+             stem_of(of.inputs.skewed));
 }
 
 /// "a, b" or "none".
@@ -54,14 +76,6 @@ std::string listed_parameters(const std::vector<std::string>& names) {
   return words.empty() ? "none" : fmt::format("{}", fmt::join(words, ", "));
 }
 
-/// What keeps its prior by least squares.
-std::vector<std::string> undecided_by_fit(const ThumbRecovery& of) {
-  std::vector<std::string> names;
-  for (const RecoveredNumber& number : of.numbers)
-    if (number.fit.sd > kUndecidedShare * number.prior_sd) names.push_back(number.name);
-  return names;
-}
-
 Json axis_table(const ThumbRecovery& of) {
   Json rows = Json::array();
   for (const RecoveredAxis& axis : of.axes)
@@ -69,7 +83,7 @@ Json axis_table(const ThumbRecovery& of) {
                     degrees(axis.drawn_error), degrees(axis.drawn_within),
                     axis.covered() ? "yes" : "NO", 100 * axis.fit_left, 100 * axis.drawn_left});
   return table_block(
-      "Directions of the five axes: angles from the true axis, before and after. 95 % of the draws "
+      "Directions of the axes: angles from the true axis, before and after. 95 % of the draws "
       "lie within the stated angle of their mean. What is left of the prior's sd is the rms of "
       "both tilts",
       {{"axis", ""},
@@ -134,23 +148,34 @@ Json number_table(const ThumbRecovery& of) {
                      std::move(rows));
 }
 
+/// How far the draws of a number reach to either side of their mean, in words.
+std::string skew_words(const ThumbRecovery& of, const std::string& name) {
+  const auto worst =
+      std::find_if(of.numbers.begin(), of.numbers.end(),
+                   [&](const RecoveredNumber& number) { return number.name == name; });
+  if (worst == of.numbers.end()) return "";
+  const RecoveredValue& drawn = worst->drawn;
+  return fmt::format(
+      " There 95 % of the draws reach from {:.1f} sds below their mean to {:.1f} above it (a "
+      "normal "
+      "distribution: {:.1f} both).",
+      (drawn.value - drawn.low) / drawn.sd, (drawn.high - drawn.value) / drawn.sd, kNormal95);
+}
+
 /// Agreement of both methods and what they could not tell, in words.
 std::string agreement_words(const ThumbRecovery& of) {
   const MethodAgreement& a = of.agreement;
-  const bool few = a.rms < 0.5;
   return fmt::format(
       "Agreement: the best point of least squares and the mean of the chains differ by {:.2f} sds "
       "of the posterior (rms over {} numbers), at most by {:.2f}, in {}; sds of least squares are "
-      "{:.2f} to {:.2f} times those of the chains. {} Of the {} true numbers {} lie within the 95 "
+      "{:.2f} to {:.2f} times those of the chains.{}{} Of the {} true numbers {} lie within the 95 "
       "% intervals of least squares and {} within those of the chains.\n\nWhat could not be told "
       "(more than {:.0f} % of the prior's sd is left): by least squares {}; by the chains {}.",
       a.rms, of.numbers.size(), a.worst, words_of_axis_parameter(a.worst_name), a.least_sd_ratio,
-      a.most_sd_ratio,
-      few ? "Where they differ most the posterior is skewed, so that its mean is not its best "
-            "point."
-          : "They do NOT agree: the posterior is not the Gaussian that least squares takes it for.",
-      of.numbers.size(), a.fit_covered, a.drawn_covered, 100 * kUndecidedShare,
-      listed_parameters(undecided_by_fit(of)), listed_parameters(of.undecided));
+      a.most_sd_ratio, a.rms < 0.5 ? "" : " They do NOT agree to half a sd.",
+      skew_words(of, a.worst_name), of.numbers.size(), a.fit_covered, a.drawn_covered,
+      100 * kUndecidedShare, listed_parameters(a.fit_undecided),
+      listed_parameters(a.drawn_undecided));
 }
 
 /// Says whether the search of least squares ended at a minimum.
@@ -188,8 +213,20 @@ std::string words_of_axis_parameter(const std::string& name) {
                      name.substr(which));
 }
 
-std::size_t made_up_numbers(const ThumbRecovery& of) {
-  return 3 * (of.made_up.trials.size() + of.made_up.activations.size());
+MadeUpNumbers made_up_numbers(const ThumbRecovery& of) {
+  MadeUpNumbers numbers;
+  numbers.forces = 3 * (of.made_up.trials.size() + of.made_up.activations.size());
+  for (const ActivationRow& row : of.made_up.activations)
+    numbers.activations += row.activation.size();
+  return numbers;
+}
+
+std::string recovery_doubts(const ThumbRecovery& recovery) {
+  std::string doubts;
+  if (!recovery.run.convergence.warnings.empty()) doubts += " The chains have NOT converged.";
+  if (recovery.fit->solution.status != Status::kSolved)
+    doubts += " Least squares has NOT converged.";
+  return doubts;
 }
 
 KeptAxes kept_axes(const ThumbRecovery& recovery) {

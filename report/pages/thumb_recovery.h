@@ -2,6 +2,9 @@
 
 /// A thumb found again from made-up forces and muscle activity.
 
+#include <cstddef>
+#include <string>
+
 #include "api/study.h"
 #include "report/blocks.h"
 
@@ -12,8 +15,15 @@ namespace thenar {
 /// the axes in space.
 [[nodiscard]] Json thumb_recovery_section(const ThumbRecovery& recovery);
 
-/// Numbers that were made up: three of each trial and each task [1].
-[[nodiscard]] std::size_t made_up_numbers(const ThumbRecovery& of);
+/// Numbers that were made up: three components of the force of each trial and each task, and an
+/// activation of each muscle that a task read [1].
+struct MadeUpNumbers {
+  std::size_t forces = 0, activations = 0;
+};
+[[nodiscard]] MadeUpNumbers made_up_numbers(const ThumbRecovery& of);
+
+/// Sentences on what did not converge, each after a space; "" if both methods did.
+[[nodiscard]] std::string recovery_doubts(const ThumbRecovery& recovery);
 
 /// Shares of the prior's sd that made-up data leave of an axis, by the draws: least and most [1].
 struct KeptAxes {

@@ -2,6 +2,7 @@
 
 #include "posterior/study/thumb_recovery.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include <gtest/gtest.h>
@@ -49,8 +50,8 @@ TEST(ThumbRecovery, EveryAxisIsFoundByBothMethods) {
     EXPECT_LT(axis.drawn_left, kUndecidedShare) << axis.joint;
     EXPECT_GT(axis.drawn_within, 0) << axis.joint;
   }
-  EXPECT_EQ(recovered().doubts.tilts, 10);
-  EXPECT_TRUE(recovered().doubts.undecided.empty());
+  EXPECT_TRUE(recovered().agreement.fit_undecided.empty());
+  EXPECT_TRUE(recovered().agreement.drawn_undecided.empty());
 }
 
 // Data that fix a model nearly linearly: the best point is the mean, to a part of the spread.
@@ -67,32 +68,42 @@ TEST(ThumbRecovery, DataAreForcesAndMuscleActivity) {
   EXPECT_EQ(recovered().fit->problem.experiments().front().activations.size(), 80u);
 }
 
-// Of a fit that keeps the prior both methods say that they were not told.
-TEST(ThumbRecovery, NamesTiltsThatNoiseHides) {
+// Of tilts that keep their prior both methods say that they were not told; chains say so of shifts,
+// too, of which the covariance at the best point of least squares thinks some decided.
+TEST(ThumbRecovery, NamesNumbersThatNoiseHides) {
   ThumbRecoverySettings settings = good_data();
   settings.noise = 30;  // of each force
   settings.people = 0;
   settings.postures = 1;
   const ThumbRecovery hidden = recover_thumb(sample::study_inputs(), settings);
-  EXPECT_EQ(hidden.doubts.undecided.size(), 10u);
-  EXPECT_EQ(hidden.undecided.size(), 20u);
+  const std::vector<std::string>& by_fit = hidden.agreement.fit_undecided;
+  EXPECT_EQ(std::count_if(by_fit.begin(), by_fit.end(),
+                          [](const std::string& name) {
+                            return name.find("/direction/") != std::string::npos;
+                          }),
+            10);
+  EXPECT_EQ(hidden.agreement.drawn_undecided.size(), 20u);
 }
 
 RecoveredNumber number(const char* name, RecoveredValue fit, RecoveredValue drawn) {
   return {name, "deg", 0, 15, fit, drawn};
 }
 
-// By hand: differences 1 / 2 and 3 / 1 sds; ratios of sds 4 / 2 and 1 / 1; the truth is 0.
+// By hand: differences 1 / 2, 3 / 1 and 0 sds; ratios of sds 4 / 2, 1 / 1 and 14 / 13; the truth is
+// 0, and 0.9 of the prior's sd of 15 are 13.5.
 TEST(ThumbRecovery, AgreementIsThatByHand) {
   const MethodAgreement agreement = compare_methods(
-      {number("a", {1, 4, -7, 9}, {2, 2, -2, 6}), number("b", {4, 1, 2, 6}, {1, 1, -1, 3})});
-  EXPECT_NEAR(agreement.rms, std::sqrt((0.25 + 9) / 2), 1e-12);
+      {number("a", {1, 4, -7, 9}, {2, 2, -2, 6}), number("b", {4, 1, 2, 6}, {1, 1, -1, 3}),
+       number("c", {1, 14, -27, 29}, {1, 13, -25, 27})});
+  EXPECT_NEAR(agreement.rms, std::sqrt((0.25 + 9) / 3), 1e-12);
   EXPECT_NEAR(agreement.worst, 3, 1e-12);
   EXPECT_EQ(agreement.worst_name, "b");
   EXPECT_NEAR(agreement.least_sd_ratio, 1, 1e-12);
   EXPECT_NEAR(agreement.most_sd_ratio, 2, 1e-12);
-  EXPECT_EQ(agreement.fit_covered, 1);
-  EXPECT_EQ(agreement.drawn_covered, 2);
+  EXPECT_EQ(agreement.fit_covered, 2);
+  EXPECT_EQ(agreement.drawn_covered, 3);
+  EXPECT_EQ(agreement.fit_undecided, std::vector<std::string>{"c"});
+  EXPECT_TRUE(agreement.drawn_undecided.empty());
   EXPECT_EQ(message_of<InputError>([] { (void)compare_methods({}); }),
             "wanted numbers of two methods to compare, got 0");
 }
