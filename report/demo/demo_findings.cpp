@@ -225,8 +225,22 @@ Finding thumb_finding(const ThumbStudy& study, const Json& page) {
 }
 
 Finding thumb_recovery_finding(const ThumbRecoveryResult& result) {
-  // Errors of directions, and what both kinds of data leave of their tilts.
+  // The question, and what was done.
   const ThumbRecovery& recovery = result.recovery;
+  Finding finding{
+      {"Are the axes of a thumb found as [Miller2005] found them, from fingertip forces and "
+       "muscle activity, and what do the few published measurements teach of them?",
+       fmt::format("Forces and muscle activity were made up with a thumb of known axes and "
+                   "fitted by least squares and by chains with all {} axes free. Then measured "
+                   "forces of {} loads and {} losses of pinch under nerve blocks were added, to "
+                   "the prior and to the posterior, by weights on draws.",
+                   recovery.axes.size(), result.lessons.force.trials.size(),
+                   result.lessons.losses.blocks.size()),
+       "It was stopped before it was finished."},
+      "Thumb, the founding way: stopped before it was finished."};
+  if (!recovery.complete || !result.lessons.complete) return finding;
+
+  // Errors of directions, and what both kinds of data leave of their tilts.
   double fit = 0, drawn = 0;
   for (const RecoveredAxis& axis : recovery.axes) {
     fit = std::max(fit, axis.fit_error);
@@ -234,23 +248,25 @@ Finding thumb_recovery_finding(const ThumbRecoveryResult& result) {
   }
   const KeptAxes made_up = kept_axes(recovery);
   const ReweightedDraws& prior = result.lessons.reweighted.front();
-  const KeptShares kept = kept_shares(prior, update_by_both(prior));
+  const DataUpdate& both = update_by_both(prior);
+  std::string measured = fmt::format("is not told ({})", both.untold);
+  if (both.untold.empty()) {
+    const KeptShares kept = kept_shares(prior, both);
+    measured = fmt::format("{:.0f} % (rms over {} tilts, of which {} keep more than {:.0f} %){}",
+                           100 * kept.rms, prior.names.size(), kept.undecided,
+                           100 * kUndecidedShare, doubt_of(both));
+  }
   const std::string left = fmt::format(
-      "made-up forces and muscle activity leave {:.0f} to {:.0f} % of the prior's sd "
-      "of an axis, what was measured in people {:.0f} % (rms over tilts)",
-      100 * made_up.least, 100 * made_up.most, 100 * kept.rms);
-  return {{"Are the axes of a thumb found as [Miller2005] found them, from fingertip forces and "
-           "muscle activity, and what do the few published measurements teach of them?",
-           fmt::format("Forces and muscle activity were made up with a thumb of known axes and "
-                       "fitted by least squares and by chains with all five axes free. Then a "
-                       "measured force of FPL and {} losses of pinch under nerve blocks were "
-                       "added, to the prior and to the posterior, by weights on draws.",
-                       result.lessons.losses.blocks.size()),
-           fmt::format("Least squares is off the true axes by {:.1f} degrees at most, the mean of "
-                       "the chains by {:.1f}; they differ by {:.2f} posterior sds (rms). In sds, "
-                       "{}: the measurements alone do not find five axes.",
-                       degrees(fit), degrees(drawn), recovery.agreement.rms, left)},
-          fmt::format("Thumb, the founding way: {}.", left)};
+      "made-up forces and muscle activity leave {:.0f} to {:.0f} % of the prior's sd of an axis, "
+      "what was measured in people {}",
+      100 * made_up.least, 100 * made_up.most, measured);
+  const std::string doubts = recovery_doubts(recovery);
+  finding.opening.learnt = fmt::format(
+      "Least squares is off the true axes by {:.1f} degrees at most, the mean of the chains by "
+      "{:.1f}; they differ by {:.2f} posterior sds (rms). In sds, {}.{}",
+      degrees(fit), degrees(drawn), recovery.agreement.rms, left, doubts);
+  finding.line = fmt::format("Thumb, the founding way: {}.{}", left, doubts);
+  return finding;
 }
 
 }  // namespace thenar
