@@ -1,7 +1,7 @@
 #pragma once
 
 /// A thumb found again from forces and muscle activity that were made up with it, by least squares
-/// and by draws: the way in which [Miller2005] came to its thumb, with the answer known.
+/// and by draws: the way in which [Miller2005] (sec. 3.2) came to its thumb, with the answer known.
 
 #include <optional>
 #include <string>
@@ -49,6 +49,10 @@ struct RecoveredAxis {
   /// Whether the truth is among the 95 %.
   [[nodiscard]] bool covered() const { return drawn_error <= drawn_within; }
 };
+
+/// Two methods agree if their estimates differ by less than this in the rms: half of what the data
+/// leave open anyway [sds of the draws].
+inline constexpr double kMethodsAgree = 0.5;
 
 /// How well two methods agree: differences of their estimates in sds of the draws, and ratios of
 /// their sds.

@@ -172,7 +172,9 @@ std::string agreement_words(const ThumbRecovery& of) {
       "% intervals of least squares and {} within those of the chains.\n\nWhat could not be told "
       "(more than {:.0f} % of the prior's sd is left): by least squares {}; by the chains {}.",
       a.rms, of.numbers.size(), a.worst, words_of_axis_parameter(a.worst_name), a.least_sd_ratio,
-      a.most_sd_ratio, a.rms < 0.5 ? "" : " They do NOT agree to half a sd.",
+      a.most_sd_ratio,
+      a.rms < kMethodsAgree ? std::string()
+                            : fmt::format(" They do NOT agree to {:.1f} sds.", kMethodsAgree),
       skew_words(of, a.worst_name), of.numbers.size(), a.fit_covered, a.drawn_covered,
       100 * kUndecidedShare, listed_parameters(a.fit_undecided),
       listed_parameters(a.drawn_undecided));

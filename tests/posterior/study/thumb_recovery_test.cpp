@@ -2,8 +2,9 @@
 
 #include "posterior/study/thumb_recovery.h"
 
-#include <algorithm>
 #include <cmath>
+#include <cstdlib>
+#include <iostream>
 
 #include <gtest/gtest.h>
 
@@ -54,11 +55,14 @@ TEST(ThumbRecovery, EveryAxisIsFoundByBothMethods) {
   EXPECT_TRUE(recovered().agreement.drawn_undecided.empty());
 }
 
-// Data that fix a model nearly linearly: the best point is the mean, to a part of the spread.
+// Good data leave 0.03 to 0.37 of the prior's sd, so that the model is nearly linear where the
+// posterior is, and the best point is the mean to a part of its sd. Sds of chains are known to
+// 1 / sqrt(2 400) = 3.5 % where the effective size is 400; 0.8 and 1.2 leave them that, four times
+// over, and some more for the one tilt that keeps most.
 TEST(ThumbRecovery, BothMethodsAgree) {
-  EXPECT_LT(recovered().agreement.rms, 0.5);
-  EXPECT_GT(recovered().agreement.least_sd_ratio, 0.5);
-  EXPECT_LT(recovered().agreement.most_sd_ratio, 2);
+  EXPECT_LT(recovered().agreement.rms, kMethodsAgree);
+  EXPECT_GT(recovered().agreement.least_sd_ratio, 0.8);
+  EXPECT_LT(recovered().agreement.most_sd_ratio, 1.2);
 }
 
 // Pulls of nine muscles in four postures; eight people with five tasks in two postures.
@@ -68,21 +72,19 @@ TEST(ThumbRecovery, DataAreForcesAndMuscleActivity) {
   EXPECT_EQ(recovered().fit->problem.experiments().front().activations.size(), 80u);
 }
 
-// Of tilts that keep their prior both methods say that they were not told; chains say so of shifts,
-// too, of which the covariance at the best point of least squares thinks some decided.
+// Both methods keep the priors of a thumb that noise hides. Least squares has the stated sds; tilts
+// of draws have up to 17 deg for 15.
 TEST(ThumbRecovery, NamesNumbersThatNoiseHides) {
   ThumbRecoverySettings settings = good_data();
   settings.noise = 30;  // of each force
   settings.people = 0;
   settings.postures = 1;
   const ThumbRecovery hidden = recover_thumb(sample::study_inputs(), settings);
-  const std::vector<std::string>& by_fit = hidden.agreement.fit_undecided;
-  EXPECT_EQ(std::count_if(by_fit.begin(), by_fit.end(),
-                          [](const std::string& name) {
-                            return name.find("/direction/") != std::string::npos;
-                          }),
-            10);
   EXPECT_EQ(hidden.agreement.drawn_undecided.size(), 20u);
+  for (const RecoveredNumber& number : hidden.numbers) {
+    const double stated = number.unit == "deg" ? 15 : 5;  // data/fits/five_axis_skewed.toml
+    EXPECT_NEAR(number.fit.sd / stated, 1, 1e-3) << number.name;
+  }
 }
 
 RecoveredNumber number(const char* name, RecoveredValue fit, RecoveredValue drawn) {
@@ -106,6 +108,27 @@ TEST(ThumbRecovery, AgreementIsThatByHand) {
   EXPECT_TRUE(agreement.drawn_undecided.empty());
   EXPECT_EQ(message_of<InputError>([] { (void)compare_methods({}); }),
             "wanted numbers of two methods to compare, got 0");
+}
+
+// Over seeds 1 to N, asked for by THENAR_THUMBS=N, the share of truths within the 95 % intervals of
+// either method: 160 or more, of which 90 % lie within if intervals are as wide as errors, some
+// slack being left for numbers of one thumb, which are not independent.
+TEST(ThumbRecovery, TruthsAreCoveredOverSeeds) {
+  const char* asked = std::getenv("THENAR_THUMBS");
+  if (asked == nullptr) GTEST_SKIP() << "asks for THENAR_THUMBS=N";
+  int fit = 0, drawn = 0, all = 0;
+  for (unsigned seed = 1; seed <= static_cast<unsigned>(std::atoi(asked)); ++seed) {
+    ThumbRecoverySettings settings;
+    settings.draws = settings.warm_up = 500;
+    settings.seed = seed;
+    const ThumbRecovery made = recover_thumb(sample::study_inputs(), settings);
+    fit += made.agreement.fit_covered;
+    drawn += made.agreement.drawn_covered;
+    all += static_cast<int>(made.numbers.size());
+  }
+  std::cout << fit << " (least squares) and " << drawn << " (chains) of " << all << '\n';
+  EXPECT_GE(fit, 0.9 * all);
+  EXPECT_GE(drawn, 0.9 * all);
 }
 
 TEST(ThumbRecovery, StopsWhenAsked) {
