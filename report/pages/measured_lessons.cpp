@@ -29,14 +29,14 @@ Json mean_and_sd(const Eigen::RowVectorXd& values) {
 }
 
 /// What a row of the table of measurements begins with.
-struct Measured {
+struct MeasuredNumber {
   std::string name;
   double value, sd, truth;  // `truth` is what the thumb of the made-up data says
   std::string source, assumed;
 };
 
 /// A row of the table of measurements: measured, and by the draws of each.
-Json measured_row(const Measured& of, const std::vector<Eigen::RowVectorXd>& by_draws) {
+Json measured_row(const MeasuredNumber& of, const std::vector<Eigen::RowVectorXd>& by_draws) {
   Json row{of.name, of.value, of.sd, std::isnan(of.truth) ? Json(nullptr) : Json(of.truth)};
   for (const Eigen::RowVectorXd& values : by_draws)
     for (const Json& cell : mean_and_sd(values)) row.push_back(cell);
