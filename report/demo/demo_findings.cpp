@@ -232,8 +232,8 @@ Finding thumb_recovery_finding(const ThumbRecoveryResult& result) {
        "muscle activity, and what do the few published measurements teach of them?",
        fmt::format("Forces and muscle activity were made up with a thumb of known axes and "
                    "fitted by least squares and by chains with all {} axes free. Then measured "
-                   "forces of {} loads and {} losses of pinch under nerve blocks were added, to "
-                   "the prior and to the posterior, by weights on draws.",
+                   "forces (trials: {}) and losses of pinch under nerve blocks (blocks: {}) were "
+                   "added, to the prior and to the posterior, by weights on draws.",
                    recovery.axes.size(), result.lessons.force.trials.size(),
                    result.lessons.losses.blocks.size()),
        "It was stopped before it was finished."},
