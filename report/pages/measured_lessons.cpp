@@ -308,11 +308,11 @@ Misses misses_of_truth(const MeasuredLessons& of) {
 /// Draws whose pinch linear programming did not decide; "" if there are none.
 std::string undecided_words(const ReweightedDraws& draws) {
   const Eigen::Index undecided = (draws.predicted.undecided.array() > 0).count();
-  return undecided == 0 ? ""
-                        : fmt::format(
-                              " Of {} draws {} the pinch is UNDECIDED (unbounded, or not found by "
-                              "linear programming): they have no weight once losses are added.",
-                              undecided, draws.name);
+  if (undecided == 0) return "";
+  return fmt::format(
+      " Draws {} whose pinch is UNDECIDED (unbounded, or not found by linear programming), so that "
+      "they have no weight once losses are added: {}.",
+      draws.name, undecided);
 }
 
 /// What was learnt alone, in words.

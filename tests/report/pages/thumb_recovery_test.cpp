@@ -133,7 +133,7 @@ TEST(ThumbRecoveryPage, TellsWeightsThatTellNothing) {
   result.lessons.reweighted.front().predicted.undecided[0] = 1;
   EXPECT_THAT(words_of(result), HasSubstr("teach alone is not told: none of 400 draws can have "
                                           "weight. Of 400 thumbs of the prior"));
-  EXPECT_THAT(words_of(result), HasSubstr("Of 1 draws before any data the pinch is UNDECIDED"));
+  EXPECT_THAT(words_of(result), HasSubstr("Draws before any data whose pinch is UNDECIDED"));
   const Json page = measured_lessons_section(result);
   EXPECT_TRUE(block_of(page, "table", 0).at("rows")[0][2].is_null());
   EXPECT_EQ(block_of(page, "table", 1).at("rows")[2][6], "NO: none of 400 draws can have weight");
