@@ -65,7 +65,7 @@ ThumbRecoveryResult ask_thumb_recovery(const ThumbRecoveryRequest& request,
   if (request.weighed > 0) lessons.prior_draws = request.weighed;
   lessons.progress = parts.next(kLessons);
   result.lessons = reweight_by_measurements(measured_thumb_inputs(data), result.recovery.run,
-                                      result.recovery.truth, lessons);
+                                            result.recovery.truth, lessons);
   result.stopped = !result.lessons.complete;
   return result;
 }
