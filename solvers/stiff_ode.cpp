@@ -1,5 +1,6 @@
 #include "solvers/stiff_ode.h"
 
+#include <cmath>
 #include <exception>
 #include <utility>
 
@@ -178,6 +179,8 @@ OdeStatus StiffOde::step(double stop) {
 }
 
 void StiffOde::restart(double looser) {
+  require(looser > 0 && std::isfinite(looser), "errors of steps must be positive, got {} times",
+          looser);
   parts_->before = parts_->counts();
   values(parts_->scratch) = looser * parts_->absolute;
   require(CVodeReInit(parts_->cvode, parts_->time, parts_->state) == CV_SUCCESS &&

@@ -59,7 +59,7 @@ class StiffOde {
   [[nodiscard]] OdeStatus step(double stop);
 
   /// Starts anew from here, where f jumps, with the errors of a step that the options allow times
-  /// `looser`, up to the next restart.
+  /// `looser`, up to the next restart. @throws InputError unless it is positive.
   void restart(double looser = 1);
 
   [[nodiscard]] double time() const;

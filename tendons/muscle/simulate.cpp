@@ -20,6 +20,7 @@ constexpr int kObstacles = 30;    // trials without rest of a net that end a mot
 constexpr double kMoreSteps = 5;  // of the second over the first, which a smooth motion needs
 constexpr double kLooser = 100;   // error of a step over the tolerance, where it does not get on ...
 constexpr double kLooseTime = 10 * kStallTime;  // ... and for how long [s]
+constexpr int kMostLoose = 20;                  // places where it may [1]
 
 /// Whether excursions came off their lines, though no snap tells why.
 bool has_strayed(const Trajectory& path) {
@@ -295,12 +296,13 @@ class Integration {
     try {
       for (const ExcitationPiece& next : pieces_) {
         piece_ = &next;
-        if (piece_->jumps) ode_.restart();
+        if (piece_->jumps) restart();
         while (ode_.time() < piece_->end) step();
       }
     } catch (const Ending& early) {
       end = early;
     }
+    tell_loose();
     Trajectory path = recorder_.take(end.status, end.why, ode_, account_.balance());
     path.effort = motion_.effort();
     return path;
@@ -310,10 +312,10 @@ class Integration {
   /// Ends the motion from within a step, too.
   void look() const {
     if (options_.progress.stop()) throw Ending{MotionStatus::kStopped, ""};
-    if (motion_.effort() > options_.max_effort)
+    if (motion_.effort() > allowed_effort(options_))
       throw Ending{MotionStatus::kLimit,
                    fmt::format("its net took more than {} evaluations of energy, so it gave up",
-                               options_.max_effort)};
+                               allowed_effort(options_))};
   }
 
   VectorXd slope(double time, const VectorXd& y) {
@@ -344,7 +346,7 @@ class Integration {
     // Where no step is short enough it starts anew, with what it knows of here alone.
     if (status == OdeStatus::kTooStiff && ode_.time() > renewed_) {
       renewed_ = ode_.time();
-      return ode_.restart();
+      return restart();
     }
     if (status != OdeStatus::kStepped) throw Ending{end_of(status), reason(status, motion_)};
     // Instants to keep lie within the last step.
@@ -364,25 +366,37 @@ class Integration {
     get_on();
   }
 
+  /// Starts the integrator anew, with the errors that are allowed here.
+  void restart() { ode_.restart(loose_ ? kLooser : 1); }
+
   /// Where rates jump so that no step of the tolerance gets on, as where bands of a net lift off by
   /// the dozen, larger errors carry it past; the balance of energy counts them.
   void get_on() {
-    if (ode_.time() > loose_until_) {
-      loose_until_ = HUGE_VAL;
-      ode_.restart();
+    // The end of such a place.
+    if (loose_ && ode_.time() - loose_since_ >= kLooseTime) {
+      loose_ = false;
+      restart();
     }
     if (stall_steps_.go_on(ode_.time())) return;
-    if (loose_until_ != HUGE_VAL)
+    // One more, if there may be.
+    if (loose_ || loose_places_ == kMostLoose)
       throw Ending{MotionStatus::kNoProgress,
-                   fmt::format("{} steps took it less than {:.2g} s on, also with {:.2g} times the "
-                               "error, so it gave up",
-                               options_.stall_steps, kStallTime, kLooser)};
-    recorder_.note(fmt::format("its rates jump, so that for {:.2g} s steps have {:.2g} times the "
-                               "error of the tolerance",
-                               kLooseTime, kLooser),
-                   ode_.time());
-    loose_until_ = ode_.time() + kLooseTime;
-    ode_.restart(kLooser);
+                   fmt::format("{} steps took it less than {:.2g} s on, so it gave up",
+                               options_.stall_steps, kStallTime)};
+    loose_ = true;
+    loose_since_ = ode_.time();
+    ++loose_places_;
+    restart();
+  }
+
+  /// Tells where steps had larger errors.
+  void tell_loose() {
+    if (loose_places_ == 0) return;
+    recorder_.note_end(
+        fmt::format("its rates jump: in {} stretches of {:.2g} s steps had {:.2g} times the error "
+                    "of the tolerance, the last",
+                    loose_places_, kLooseTime, kLooser),
+        loose_since_);
   }
 
   /// Goes on from a state, and accounts for its energy.
@@ -406,7 +420,9 @@ class Integration {
   double obstacle_since_ = 0;  // ... since this time [s]
   double accepted_ = 0;        // time of the last state [s]
   double renewed_ = -1;        // time at which the integrator was last started anew [s]
-  double loose_until_ = HUGE_VAL;  // until then steps have kLooser times the error; never [s]
+  bool loose_ = false;         // steps have kLooser times the error ...
+  double loose_since_ = 0;     // ... since this time [s]
+  int loose_places_ = 0;       // how often that was [1]
   StiffOde ode_;
 };
 
@@ -427,7 +443,7 @@ Trajectory simulate(const MotionModel& model, const Excitation& excitation,
   // Energy does not balance, or excursions strayed: once more with a smaller tolerance.
   SimulateOptions finer = options;
   finer.tolerance *= kFiner;
-  finer.max_effort -= path.effort;
+  finer.max_effort = std::max(1L, allowed_effort(options) - path.effort);
   // Smaller steps do not help where excursions stray by themselves.
   if (balanced)
     finer.max_steps = static_cast<int>(
@@ -440,6 +456,11 @@ Trajectory simulate(const MotionModel& model, const Excitation& excitation,
   if (better) path = std::move(again);
   if (!path.balance.holds()) path.status = MotionStatus::kUnbalanced;
   return path;
+}
+
+long allowed_effort(const SimulateOptions& options) {
+  if (options.max_effort > 0) return options.max_effort;
+  return kLeastEffort + std::lround(kEffortPerSecond * options.seconds);
 }
 
 double released_energy(const Trajectory& trajectory) {

@@ -23,15 +23,21 @@ struct SimulateOptions {
   double sample = 0.005;    // between the instants that are kept [s]
   double tolerance = 1e-6;  // error of one step, of each state's size [1]
   int max_steps = 1000000;  // of one integration
-  long max_effort = 2000000;  // evaluations of a net's energy, of both integrations together
-  int stall_steps = 500;  // steps after which it gives up, if together they advance it by less than
-                          // kStallTime
+  long max_effort = 0;  // evaluations of a net's energy, of both integrations together; 0: of its
+                        // length, see allowed_effort()
+  int stall_steps = 500;  // steps that must advance it by kStallTime; where they do not, errors of
+                          // steps may be larger for a while, and if that does not help it gives up
   Progress progress{};
 };
 
 /// Time by which `stall_steps` steps must advance a motion [s]: a hundredth of the fastest time
 /// constant of a finger.
 inline constexpr double kStallTime = 2e-5;
+
+/// Evaluations of a net's energy that a motion may take without being asked, and more for each second
+/// of it [1], [1/s]: 10 s of processor time for half a second.
+inline constexpr long kLeastEffort = 400'000;
+inline constexpr double kEffortPerSecond = 800'000;
 
 /// Numerical energy drift that is accepted: a share of the energy turned over [1], and a rest [J].
 inline constexpr double kEnergyShare = 1e-4, kNoEnergy = 1e-9;
@@ -102,6 +108,9 @@ Trajectory simulate(const MotionModel& model, const Excitation& excitation,
 /// energy - energy at the start - work + dissipated:  the numerical energy drift up to each instant
 /// [J] (instants).
 [[nodiscard]] Eigen::VectorXd energy_drift(const Trajectory& trajectory);
+
+/// Evaluations of a net's energy that a motion may take.
+[[nodiscard]] long allowed_effort(const SimulateOptions& options);
 
 /// Energy that all snaps of a net released [J].
 [[nodiscard]] double released_energy(const Trajectory& trajectory);

@@ -77,6 +77,8 @@ TEST(StiffOde, RestartsWithLargerErrors) {
   StiffOde plain([](double, const VectorXd& y) { return VectorXd(-y); }, 0, one(1),
                  tolerance(1, 1e-10));
   run_to(plain, 5);
+  for (const double senseless : {0.0, -1.0, std::nan("")})
+    EXPECT_THROW(plain.restart(senseless), InputError);
   EXPECT_EQ(steps_to_5(1), plain.counts().steps);
   EXPECT_LT(steps_to_5(100), plain.counts().steps);
 }

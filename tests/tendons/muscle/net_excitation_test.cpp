@@ -91,6 +91,13 @@ VectorXd excitation_of(int k, Eigen::Index muscles) {
   return e;
 }
 
+/// Half a second.
+SimulateOptions motion_options() {
+  SimulateOptions options;
+  options.seconds = 0.5;
+  return options;
+}
+
 class NetExcitation : public testing::TestWithParam<const char*> {
  protected:
   NetExcitation()
@@ -104,11 +111,9 @@ class NetExcitation : public testing::TestWithParam<const char*> {
     const auto contraction =
         build_contraction(musculotendons(subject_, tendons_->digit(), rung), rung);
     const VectorXd excitation = excitation_of(k, 7);
-    SimulateOptions options;
-    options.seconds = 0.5;
     const std::clock_t start = std::clock();
     const Trajectory path = simulate({*tendons_, *contraction}, constant_excitation(excitation),
-                                     {VectorXd::Zero(4), {}, VectorXd::Zero(7)}, options);
+                                     {VectorXd::Zero(4), {}, VectorXd::Zero(7)}, motion_options());
     Outcome out;
     out.cpu = static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC;
     out.status = path.status;
@@ -133,7 +138,7 @@ TEST_P(NetExcitation, MovesToTheEndOrSaysWhyNot) {
   for (int k = 0; k < count; ++k)
     if (kept.outcomes.count(k) == 0) kept.add(k, outcome_of(k));
   // Verdict on each, and the sum of all.
-  const long most = SimulateOptions().max_effort;
+  const long most = allowed_effort(motion_options());
   int ended = 0, snapped = 0;
   double error = 0, cpu = 0;
   long effort = 0;
