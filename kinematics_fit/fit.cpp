@@ -12,6 +12,7 @@
 #include "data/io/result_layout.h"
 #include "kinematics_fit/fit_residuals.h"
 #include "kinematics_fit/prediction.h"
+#include "kinematics_fit/model/shared_postures.h"
 #include "kinematics_fit/prior_scales.h"
 #include "kinematics_fit/specimen_prior.h"
 #include "tendons/net/build_net.h"
@@ -95,6 +96,15 @@ FitProblem build_problem(const FitInputs& inputs) {
     for (std::size_t other = 0; other < e; ++other)
       require(experiments[e].name != experiments[other].name,
               "experiment '{}' is given twice: it would count twice", experiments[e].name);
+
+  // Another posture of the same name, in another experiment on the same specimen, gets a name of its own.
+  for (std::size_t e = 0; e < experiments.size(); ++e) {
+    std::vector<Experiment> before;
+    for (std::size_t other = 0; other < e; ++other)
+      if (experiments[other].specimen == experiments[e].specimen)
+        before.push_back(experiments[other]);
+    experiments[e] = with_own_postures(std::move(experiments[e]), before);
+  }
 
   // The digit, and which of its parameters are free.
   TendonDigit digit = build_digit(inputs, experiments.front().digit);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include <fmt/format.h>
 
@@ -207,14 +208,8 @@ FitParameters with_fitted_tensions(FitParameters parameters,
   parameters.fitted_tension.clear();
   for (const Experiment& experiment : experiments)
     for (const Trial& trial : experiment.trials)
-      for (const auto& [muscle, tension] : trial.tension) {
-        if (tension <= 0) continue;
-        TensionRange& range =
-            parameters.fitted_tension.try_emplace(muscle, TensionRange{tension, tension})
-                .first->second;
-        range.least = std::min(range.least, tension);
-        range.largest = std::max(range.largest, tension);
-      }
+      for (const auto& [muscle, tension] : trial.tension)
+        if (tension > 0) parameters.fitted_tension[muscle].insert(tension);
   return parameters;
 }
 
@@ -229,8 +224,9 @@ double missed_force_sd(const FitParameters& parameters,
     ++pulling;
     const auto fitted = parameters.fitted_tension.find(muscle);
     if (fitted == parameters.fitted_tension.end()) continue;
-    const double nearest = std::clamp(t, fitted->second.least, fitted->second.largest);
-    unlike += std::pow(t * std::log(t / nearest), 2);
+    double apart = std::numeric_limits<double>::infinity();  // from the nearest, as a logarithm
+    for (const double b : fitted->second) apart = std::min(apart, std::abs(std::log(t / b)));
+    unlike += std::pow(t * apart, 2);
   }
   const double superposition = pulling > 1 ? parameters.superposition : 0;
   return std::hypot(sum * std::hypot(parameters.misfit, superposition),

@@ -3,6 +3,7 @@
 /// Free, fixed and tied parameters of a digit, and the coordinates of a fit that move them.
 
 #include <map>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -23,11 +24,6 @@ struct ScaledPriors {
   double factor = 1;  // in force, in the sds of its parameters [1]
 };
 
-/// Tensions of one muscle, from the least to the largest.
-struct TensionRange {
-  double least, largest;  // [N]
-};
-
 /// A choice of free, fixed and tied parameters. A free parameter p has the value
 ///   mean_p + ratio_p u,   u = sd z_population + between_sd z_specimen,
 /// with standard normal z beforehand. Tied parameters share the u of their leader, whose bounds are
@@ -45,7 +41,8 @@ struct FitParameters {
   double superposition = 0;           // the same of trials under several loads alone [1]
   double linearity = 0;               // sd by which the force of a muscle per newton of tension
                                       // changes where its load is e times a fitted one [1]
-  std::map<std::string, TensionRange> fitted_tension;  // of every muscle that the fit has seen pull
+  std::map<std::string, std::set<double>> fitted_tension;  // of every muscle that pulls in a fitted
+                                                           // trial [N]
 
   [[nodiscard]] int coordinates() const { return static_cast<int>(leader.size()); }
 };
@@ -63,14 +60,15 @@ struct FitParameters {
 [[nodiscard]] FitParameters with_scale_factors(FitParameters parameters,
                                                const std::vector<double>& factors);
 
-/// The same with the range of tensions that each muscle has in these experiments, where it pulls.
+/// The same with the tensions that each muscle has in trials of these experiments, where it pulls.
 [[nodiscard]] FitParameters with_fitted_tensions(FitParameters parameters,
                                                  const std::vector<Experiment>& experiments);
 
 /// Sd of each component of a force by what the model misses under these tensions [N]: with T their
-/// sum and b the fitted tension of a muscle that is nearest to its tension t,
+/// sum and b the fitted tension of a muscle that is nearest to its tension t by ratio,
 ///   sd^2 = (misfit T)^2 + (superposition T)^2 + sum over muscles of (linearity t ln(t / b))^2,
-/// the second where several muscles pull, the third of muscles that the fit has seen pull.
+/// the second where several muscles pull, the third of muscles that pull in a fitted trial: of
+/// others nothing was learnt that could be out of proportion.
 /// @param tension  muscle -> tendon tension [N]
 [[nodiscard]] double missed_force_sd(const FitParameters& parameters,
                                      const std::map<std::string, double>& tension);

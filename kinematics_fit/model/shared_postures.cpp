@@ -13,16 +13,36 @@ double angle_of(const PostureRecord& posture, const std::string& joint) {
   return found == posture.angles.end() ? 0 : found->second;
 }
 
-/// Whether two of the experiments have a posture of this name at other angles.
+/// Whether any two of the experiments have a posture of this name at other angles. Being the same
+/// within 2 degrees is not handed on from one to the next, so that all pairs count.
 bool differs(const std::string& name, const std::vector<Experiment>& experiments) {
-  const PostureRecord* first = nullptr;
+  std::vector<const PostureRecord*> seen;
   for (const Experiment& experiment : experiments) {
     const PostureRecord* here = find_posture(experiment, name);
     if (here == nullptr) continue;
-    if (first == nullptr) first = here;
-    if (!same_posture(first, here)) return true;
+    for (const PostureRecord* there : seen)
+      if (!same_posture(there, here)) return true;
+    seen.push_back(here);
   }
   return false;
+}
+
+/// Whether a posture stands elsewhere in the known experiments: see with_own_postures().
+bool stands_elsewhere(const PostureRecord& posture, const std::string& specimen,
+                      const std::vector<Experiment>& known) {
+  int own = 0, own_alike = 0, others_unlike = 0;
+  for (const Experiment& other : known) {
+    const PostureRecord* there = find_posture(other, posture.name);
+    if (there == nullptr) continue;
+    const bool alike = same_posture(there, &posture);
+    if (other.specimen == specimen) {
+      ++own;
+      own_alike += alike ? 1 : 0;
+    } else {
+      others_unlike += alike ? 0 : 1;
+    }
+  }
+  return own > 0 ? own_alike == 0 : others_unlike > 0;
 }
 
 }  // namespace
@@ -61,20 +81,10 @@ FitParameters share_same_postures(FitParameters parameters,
 
 Experiment with_own_postures(Experiment experiment, const std::vector<Experiment>& known) {
   for (PostureRecord& posture : experiment.postures) {
-    // Those of the same specimen that have the name; of nobody else then.
+    if (!stands_elsewhere(posture, experiment.specimen, known)) continue;
+    // The new name, in the posture and in all that stands in it.
     const std::string name = posture.name;
-    const auto own = [&](const Experiment& other) {
-      return other.specimen == experiment.specimen && find_posture(other, name) != nullptr;
-    };
-    const bool by_own = std::any_of(known.begin(), known.end(), own);
-    const bool taken = std::any_of(known.begin(), known.end(), [&](const Experiment& other) {
-      const PostureRecord* there = find_posture(other, name);
-      return there != nullptr && (!by_own || own(other)) && !same_posture(there, &posture);
-    });
-    if (!taken) continue;
-
-    // The name, in the posture and in all that stands in it.
-    posture.name += " (" + experiment.specimen + ")";
+    posture.name += " (" + experiment.name + ")";
     for (Trial& trial : experiment.trials)
       if (trial.posture == name) trial.posture = posture.name;
     for (ActivationRow& row : experiment.activations)

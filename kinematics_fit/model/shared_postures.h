@@ -20,13 +20,14 @@ namespace thenar {
 [[nodiscard]] bool same_posture(const PostureRecord* a, const PostureRecord* b);
 
 /// The parameters, what postures have of their own kept to each specimen, sd 0 and the whole
-/// variance between specimens, wherever two experiments have a posture of one name at other angles.
+/// variance between specimens, wherever two of the experiments have a posture of one name at other
+/// angles.
 [[nodiscard]] FitParameters share_same_postures(FitParameters parameters,
                                                 const std::vector<Experiment>& experiments);
 
-/// The experiment, with " (SPECIMEN)" after the names of postures by which one of `known` has other
-/// angles, so that nothing which is known of those is taken for these. Among experiments of its own
-/// specimen, where they have such a name, only these count.
+/// The experiment, with " (EXPERIMENT)" after the names of postures that stand elsewhere in `known`, so
+/// that nothing which is known of those is taken for these: where experiments of its own specimen have
+/// the name, in all of them, else in any.
 [[nodiscard]] Experiment with_own_postures(Experiment experiment,
                                            const std::vector<Experiment>& known);
 

@@ -19,8 +19,8 @@ namespace thenar {
 /// The same as lines of text, with the count of free numbers; "" without rows.
 [[nodiscard]] std::string hood_row_text(const FitResult& result);
 
-/// "fixed fractions: 471 coordinates move, 23 of them of the hood; the data determine 78.5
-/// parameters, 3.1 of them of the hood" of a fit.
+/// "fixed fractions: 519 coordinates move, 23 of them of the hood; the data determine 76.0
+/// parameters, 3.8 of them of the hood" of a fit.
 [[nodiscard]] std::string hood_count_words(const Fit& fit);
 
 /// The same in full, numbers as they are, or null.

@@ -18,7 +18,7 @@ const std::string& specimen_of(const SpecimenStudy& study) {
   return study.fit.problem.specimens().front();
 }
 
-/// "0.295 (H01) and 0.374 (H02)": a number for each specimen.
+/// "0.295 (H01) and 0.371 (H02)": a number for each specimen.
 template <typename Value>
 std::string of_each(const std::vector<SpecimenStudy>& studies, const Value& value) {
   std::vector<std::string> parts;

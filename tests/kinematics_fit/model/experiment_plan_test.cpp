@@ -2,6 +2,7 @@
 
 #include "kinematics_fit/model/experiment_plan.h"
 
+#include <cmath>
 #include <map>
 #include <string>
 #include <vector>
@@ -68,8 +69,8 @@ TEST(ExperimentPlan, AddsToTheNoiseOfLoadsThatDoNotAddUp) {
 }
 
 // Of loads unlike those of the fit: sd^2 = stated^2 + sum of (linearity t ln(t / nearest fitted))^2. The
-// fit has seen 2 to 4 N of FDS and 5 N of FDP: 4 e N is a factor of e too much, 3 N is within, 5 / e N
-// of FDP a factor of e too little; of UI it has seen nothing.
+// fit has seen 2 and 4 N of FDS and 5 N of FDP: 4 e N is a factor of e too much, 3 N is nearer to 4 N by
+// ratio, 5 / e N of FDP a factor of e too little; of UI it has seen nothing.
 TEST(ExperimentPlan, AddsToTheNoiseOfLoadsUnlikeThoseFitted) {
   FitSetup setup = middle_finger("linearity = 0.02\n" + kAxes);
   Experiment& experiment = setup.experiments.front();
@@ -81,7 +82,8 @@ TEST(ExperimentPlan, AddsToTheNoiseOfLoadsUnlikeThoseFitted) {
   EXPECT_EQ(parameters.fitted_tension.size(), 2U);
   const double e = std::exp(1.0);
   EXPECT_NEAR(missed_force_sd(parameters, {{"FDS", 4 * e}}), 0.02 * 4 * e, 1e-15);
-  EXPECT_EQ(missed_force_sd(parameters, {{"FDS", 3}, {"UI", 7}}), 0);
+  EXPECT_NEAR(missed_force_sd(parameters, {{"FDS", 3}}), 0.02 * 3 * std::log(4.0 / 3), 1e-15);
+  EXPECT_EQ(missed_force_sd(parameters, {{"FDS", 4}, {"UI", 7}}), 0);
   EXPECT_NEAR(missed_force_sd(parameters, {{"FDS", 2 / e}, {"FDP", 5 / e}}),
               0.02 / e * std::hypot(2, 5), 1e-15);
 

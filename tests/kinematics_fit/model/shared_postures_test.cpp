@@ -2,7 +2,9 @@
 
 #include "kinematics_fit/model/shared_postures.h"
 
-#include <cmath>
+#include <algorithm>
+#include <stdexcept>
+#include <string>
 
 #include <gtest/gtest.h>
 
@@ -63,6 +65,41 @@ TEST(SharedPostures, OfOneNameAtOtherAnglesAreNotShared) {
   EXPECT_EQ(parameter(problem.parameters(), "force/FDS/dorsal/Hook").sd, 0);
   EXPECT_NEAR(parameter(problem.parameters(), "force/FDS/dorsal/Hook").between_sd, 0.05, 1e-15);
   EXPECT_EQ(parameter(problem.parameters(), "force/FDS/dorsal/MinorFlex").sd, 0.03);
+}
+
+/// An experiment of one posture at this angle.
+Experiment held_at(const std::string& name, const std::string& specimen, double degrees) {
+  Experiment e;
+  e.name = name;
+  e.specimen = specimen;
+  e.postures = {{"Hook", {{"PIP3", radians(degrees)}}}};
+  e.trials.resize(1);
+  e.trials[0].posture = "Hook";
+  return e;
+}
+
+// Of one's own experiments one that stands alike is enough, of others' all must; the order of files
+// does not matter: 0 and 2, and 0 and -2 degrees are the same posture, 2 and -2 are not.
+TEST(SharedPostures, AreKnownByOnesOwnOrByAllOthers) {
+  const Experiment a = held_at("a", "H01", 0), b = held_at("b", "H01", 10), c = held_at("c", "H02", 2);
+  EXPECT_EQ(with_own_postures(held_at("x", "H01", 10), {a, b}).trials[0].posture, "Hook");
+  EXPECT_EQ(with_own_postures(held_at("x", "H01", 5), {a, b}).trials[0].posture, "Hook (x)");
+  EXPECT_EQ(with_own_postures(held_at("x", "H01", 5), {a, b}).postures[0].name, "Hook (x)");
+  EXPECT_EQ(with_own_postures(held_at("x", "H03", 0), {a, c}).trials[0].posture, "Hook");
+  EXPECT_EQ(with_own_postures(held_at("x", "H03", 0), {a, b, c}).trials[0].posture, "Hook (x)");
+  EXPECT_EQ(with_own_postures(held_at("x", "H03", 0), {}).trials[0].posture, "Hook");
+
+  FitParameters parameters;
+  parameters.postures = {"Hook"};
+  parameters.all = {{"force/FDS/dorsal/Hook", ParameterKind::kPostureForce}};
+  parameters.all[0].sd = 0.03;
+  std::vector<Experiment> three{a, c, held_at("d", "H03", -2)};
+  std::sort(three.begin(), three.end(), [](const auto& x, const auto& y) { return x.name < y.name; });
+  do {
+    EXPECT_EQ(share_same_postures(parameters, three).all[0].sd, 0);
+  } while (std::next_permutation(three.begin(), three.end(),
+                                 [](const auto& x, const auto& y) { return x.name < y.name; }));
+  EXPECT_EQ(share_same_postures(parameters, {a, c}).all[0].sd, 0.03);
 }
 
 // A stranger whose Hook stands elsewhere is predicted as if it had another name.
