@@ -259,6 +259,10 @@ FitResult fit_forces(const FitRequest& request, const Progress& progress) {
   LeftOut left_out = leave_out(request, result.fit.problem, prepared, options);
   result.left_out = std::move(left_out.validations);
   result.fold_choices = std::move(left_out.choices);
+  for (const CrossValidation& validation : result.left_out)
+    for (const Prediction& prediction : validation.experiments)
+      for (std::string& warning : unsteady_force_warnings(prediction))
+        result.warnings.push_back(name_of(validation.what) + " left out: " + warning);
   if (!result.left_out.empty()) {
     result.published = published_predictions(result.fit, request.sources.data);
     result.fractions = fit_fractions(request, asked, options);

@@ -65,6 +65,8 @@ PredictResult predict_forces(const PredictRequest& request) {
     Prediction prediction =
         predict_experiment(fit.problem, fit.solution.z, fit.covariance.C, experiment,
                            by == PredictedBy::kOwn ? fitted : kUnfittedSpecimen);
+    for (std::string& warning : unsteady_force_warnings(prediction))
+      result.warnings.push_back(std::move(warning));
     result.sources.push_back(source);
     result.experiments.push_back(
         {experiment, beside_trivial_forces(std::move(prediction), experiment, fit.problem, by),

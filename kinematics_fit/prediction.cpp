@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include <fmt/format.h>
+
 #include "base/error.h"
 #include "kinematics_fit/model/shared_postures.h"
 #include "kinematics_fit/predictive_moments.h"
@@ -194,9 +196,25 @@ Prediction predict_experiment(const FitProblem& fitted, const Eigen::VectorXd& z
   const PredictiveMoments moments = predictive_moments(digit, parameters, plan, u, V);
   const Eigen::VectorXd sd =
       (moments.variance + plan.sd.reshaped().cwiseAbs2().matrix()).cwiseSqrt();
-  return compare_forces(experiment, moments.mean,
-                        Eigen::Map<const Eigen::Matrix3Xd>(sd.data(), 3, moments.mean.cols()),
-                        calibrated_on_specimen(fitted.digit(), experiment));
+  Prediction out =
+      compare_forces(experiment, moments.mean,
+                     Eigen::Map<const Eigen::Matrix3Xd>(sd.data(), 3, moments.mean.cols()),
+                     calibrated_on_specimen(fitted.digit(), experiment));
+  for (std::size_t i = 0; i < out.trials.size(); ++i)
+    out.trials[i].by_draws = moments.by_draws[i];
+  return out;
+}
+
+std::vector<std::string> unsteady_force_warnings(const Prediction& prediction) {
+  const auto unsteady = [](const PredictedTrial& trial) { return trial.by_draws; };
+  const auto& trials = prediction.trials;
+  const auto first = std::find_if(trials.begin(), trials.end(), unsteady);
+  if (first == trials.end()) return {};
+  return {fmt::format("experiment '{}': predicted forces of {} of {} trials, first under {} in "
+                      "posture '{}', hang on angles and axes by more than these are known: they "
+                      "are medians of draws, and their sds tell how far off they may be",
+                      prediction.experiment, std::count_if(first, trials.end(), unsteady),
+                      trials.size(), first->loads, first->posture)};
 }
 
 int find_specimen(const FitProblem& fitted, const std::string& specimen) {

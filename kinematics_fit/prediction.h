@@ -25,6 +25,8 @@ struct PredictedTrial {
   int components = 3;         // that are fitted, 2 or 3; the others are 0, of infinite sd [1]
   std::optional<Eigen::Vector3d> trivial = {};  // predicted without a model, see trivial_force();
                                                 // empty: not asked for, or nobody can [N] (3)
+  bool by_draws = false;  // its force hangs on what is uncertain so that it is a median of draws:
+                          // see predictive_moments()
 };
 
 /// Angle between the predicted and the measured force, 0 where either is zero [rad].
@@ -88,6 +90,9 @@ inline constexpr int kUnfittedSpecimen = -1;
 /// The parameters, followed by what every posture of the experiment that they do not name yet has
 /// of its own: errors of angles and unexplained forces, with the mean prior of the named postures.
 [[nodiscard]] FitParameters add_posture_errors(FitParameters fitted, const Experiment& experiment);
+
+/// A warning that names the first trial whose force is a median of draws, and how many there are.
+[[nodiscard]] std::vector<std::string> unsteady_force_warnings(const Prediction& prediction);
 
 /// Index of a fitted specimen, or kUnfittedSpecimen.
 [[nodiscard]] int find_specimen(const FitProblem& fitted, const std::string& specimen);

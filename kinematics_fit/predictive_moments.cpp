@@ -2,8 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <tuple>
+#include <utility>
 
 #include "base/error.h"
+#include "base/random_stream.h"
 
 namespace thenar {
 namespace {
@@ -63,6 +66,45 @@ Eigen::VectorXd within_bounds(const FitParameters& parameters, const Eigen::Vect
   return u;
 }
 
+/// Forces at draws of u ~ N(center, V), each coordinate within its bounds, two draws on either side of the
+/// centre [N] (3 trials, kMomentDraws).
+Eigen::MatrixXd drawn_forces(const TendonDigit& digit, const FitParameters& parameters,
+                             const ExperimentPlan& plan, const Eigen::VectorXd& center,
+                             const Eigen::MatrixXd& V, const ForceKernel* kernel) {
+  const Eigen::MatrixXd root = first_columns_of_root(V, V.cols());
+  RandomStream random(1, 0, 0);
+  Eigen::MatrixXd u(center.size(), kMomentDraws);
+  for (Eigen::Index k = 0; k < u.cols(); k += 2) {
+    Eigen::VectorXd z(V.cols());
+    for (double& each : z) each = random.normal();
+    const Eigen::VectorXd step = root * z;
+    u.col(k) = within_bounds(parameters, center, step);
+    u.col(k + 1) = within_bounds(parameters, center, -step);
+  }
+  if (kernel != nullptr) return kernel->forces(u);
+  Eigen::MatrixXd forces(3 * plan.force.cols(), u.cols());
+  for (Eigen::Index k = 0; k < u.cols(); ++k)
+    forces.col(k) =
+        force_values(digit, parameters, plan, Eigen::VectorXd(u.col(k)), nullptr).reshaped();
+  return forces;
+}
+
+/// Median of a component, and the square of half the width of its central 95 % over that of a standard
+/// normal; draws without a force are left out.
+std::pair<double, double> robust_moments(const Eigen::VectorXd& row) {
+  constexpr double kHalf95 = 1.959963984540054;  // of a standard normal
+  std::vector<double> values;
+  for (const double f : row)
+    if (std::isfinite(f)) values.push_back(f);
+  if (values.empty()) return {std::nan(""), std::nan("")};
+  std::sort(values.begin(), values.end());
+  const auto at = [&](double share) {
+    return values[static_cast<std::size_t>(
+        std::lround(share * static_cast<double>(values.size() - 1)))];
+  };
+  return {at(0.5), std::pow((at(0.975) - at(0.025)) / (2 * kHalf95), 2)};
+}
+
 }  // namespace
 
 PredictiveMoments predictive_moments(const TendonDigit& digit, const FitParameters& parameters,
@@ -75,25 +117,36 @@ PredictiveMoments predictive_moments(const TendonDigit& digit, const FitParamete
   // First order: the force at the centre, and its slopes.
   const std::shared_ptr<const ForceKernel> kernel = compile_forces(digit, parameters, plan);
   const ForceJacobian at = force_jacobian(digit, parameters, plan, center, kernel.get());
-  PredictiveMoments out{at.force, (at.J * V).cwiseProduct(at.J).rowwise().sum()};
+  PredictiveMoments out{at.force, (at.J * V).cwiseProduct(at.J).rowwise().sum(), {}};
 
-  // Second order: how forces bend along each column of the root of V.
+  // Second order: how forces bend along each column of the root of V, and how uneven both sides are.
   const CoordinateOrder order = order_of(parameters, digit);
   const Eigen::MatrixXd L = first_columns_of_root(V(order.all, order.all), order.bent);
   Eigen::VectorXd step(n);
+  Eigen::VectorXd uneven = Eigen::VectorXd::Zero(out.variance.size());  // [N^2] (3 trials)
   for (Eigen::Index k = 0; k < order.bent; ++k) {
     if (L(k, k) == 0) continue;
     step(order.all) = L.col(k);
-    const auto force = [&](double sign) {
-      return force_values(digit, parameters, plan,
-                          within_bounds(parameters, center, Eigen::VectorXd(sign * step)),
-                          kernel.get());
-    };
-    const Eigen::Matrix3Xd bend = (force(1) + force(-1)) / 2 - at.force;
-    if (!bend.allFinite()) continue;  // a singular tip beside the centre has no mean
+    const Eigen::VectorXd up = within_bounds(parameters, center, step),
+                          down = within_bounds(parameters, center, -step);
+    const Eigen::Matrix3Xd above = force_values(digit, parameters, plan, up, kernel.get()),
+                           below = force_values(digit, parameters, plan, down, kernel.get());
+    const Eigen::Matrix3Xd bend = (above + below) / 2 - at.force;
     out.mean += bend;
     out.variance += 2 * bend.reshaped().cwiseAbs2();
+    uneven += ((above - below).reshaped() - at.J * (up - down)).cwiseAbs2() / 4;
   }
+
+  // Trials that the expansion does not tell.
+  const auto trials = out.mean.cols();
+  for (Eigen::Index i = 0; i < trials; ++i)
+    out.by_draws.push_back(!(uneven.segment<3>(3 * i).sum() <=
+                             kUneven * kUneven * out.variance.segment<3>(3 * i).sum()));
+  if (std::find(out.by_draws.begin(), out.by_draws.end(), true) == out.by_draws.end()) return out;
+  const Eigen::MatrixXd draws = drawn_forces(digit, parameters, plan, center, V, kernel.get());
+  for (Eigen::Index row = 0; row < 3 * trials; ++row)
+    if (out.by_draws[static_cast<std::size_t>(row / 3)])
+      std::tie(out.mean.reshaped()[row], out.variance[row]) = robust_moments(draws.row(row));
   return out;
 }
 

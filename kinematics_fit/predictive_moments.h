@@ -2,14 +2,21 @@
 
 /// Mean and variance of predicted forces where the parameters of the digit are uncertain.
 
+#include <vector>
+
 #include "kinematics_fit/force_jacobian.h"
 
 namespace thenar {
 
+/// How uneven steps may be, in sds of a force [1], and draws of what is more uneven.
+inline constexpr double kUneven = 0.25;
+inline constexpr int kMomentDraws = 1000;
+
 /// Of each force component, without noise.
 struct PredictiveMoments {
-  Eigen::Matrix3Xd mean;     // [N] (3, trials)
-  Eigen::VectorXd variance;  // [N^2] (3 trials)
+  Eigen::Matrix3Xd mean;       // [N] (3, trials)
+  Eigen::VectorXd variance;    // [N^2] (3 trials)
+  std::vector<bool> by_draws;  // whose forces bend too much for the expansion (trials)
 };
 
 /// Moments of f(u), u ~ N(center, V), to second order. With V = L L', l a column of L, and
@@ -19,6 +26,13 @@ struct PredictiveMoments {
 /// part of mixed second derivatives is left out. A load cell tilted by an unknown angle of 12
 /// degrees about each of two axes shortens the mean force by 4 %.
 /// Steps end at the bounds of their parameters.
+///
+/// Near a posture in which the tip is singular that expansion may point the opposite way. Where odd
+/// parts of the steps differ from their slopes,
+///   sum_l |(f(center + l) - f(center - l)) / 2 - J l|^2 > kUneven^2 sum of the variances of a trial,
+/// or a step has no force, the trial is told by kMomentDraws draws of u: the median of each component,
+/// and half the width of its central 95 % over that of a standard normal. Such forces need have no
+/// mean.
 /// @param V  [SI^2] (coordinates, coordinates), positive semidefinite
 [[nodiscard]] PredictiveMoments predictive_moments(const TendonDigit& digit,
                                                    const FitParameters& parameters,

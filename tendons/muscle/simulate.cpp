@@ -393,9 +393,9 @@ class Integration {
   void tell_loose() {
     if (loose_places_ == 0) return;
     recorder_.note_end(
-        fmt::format("its rates jump: in {} stretches of {:.2g} s steps had {:.2g} times the error "
-                    "of the tolerance, the last",
-                    loose_places_, kLooseTime, kLooser),
+        fmt::format("its rates jump: in {} stretch{} of {:.2g} s steps had {} times the error of "
+                    "the tolerance, the last",
+                    loose_places_, loose_places_ == 1 ? "" : "es", kLooseTime, kLooser),
         loose_since_);
   }
 
