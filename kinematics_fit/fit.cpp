@@ -11,8 +11,8 @@
 #include "data/io/net_description.h"
 #include "data/io/result_layout.h"
 #include "kinematics_fit/fit_residuals.h"
-#include "kinematics_fit/prediction.h"
 #include "kinematics_fit/model/shared_postures.h"
+#include "kinematics_fit/prediction.h"
 #include "kinematics_fit/prior_scales.h"
 #include "kinematics_fit/specimen_prior.h"
 #include "tendons/net/build_net.h"
@@ -97,7 +97,8 @@ FitProblem build_problem(const FitInputs& inputs) {
       require(experiments[e].name != experiments[other].name,
               "experiment '{}' is given twice: it would count twice", experiments[e].name);
 
-  // Another posture of the same name, in another experiment on the same specimen, gets a name of its own.
+  // Another posture of the same name, in another experiment on the same specimen, gets a name of
+  // its own.
   for (std::size_t e = 0; e < experiments.size(); ++e) {
     std::vector<Experiment> before;
     for (std::size_t other = 0; other < e; ++other)

@@ -200,8 +200,7 @@ Prediction predict_experiment(const FitProblem& fitted, const Eigen::VectorXd& z
       compare_forces(experiment, moments.mean,
                      Eigen::Map<const Eigen::Matrix3Xd>(sd.data(), 3, moments.mean.cols()),
                      calibrated_on_specimen(fitted.digit(), experiment));
-  for (std::size_t i = 0; i < out.trials.size(); ++i)
-    out.trials[i].by_draws = moments.by_draws[i];
+  for (std::size_t i = 0; i < out.trials.size(); ++i) out.trials[i].by_draws = moments.by_draws[i];
   return out;
 }
 
@@ -210,11 +209,12 @@ std::vector<std::string> unsteady_force_warnings(const Prediction& prediction) {
   const auto& trials = prediction.trials;
   const auto first = std::find_if(trials.begin(), trials.end(), unsteady);
   if (first == trials.end()) return {};
-  return {fmt::format("experiment '{}': predicted forces of {} of {} trials, first under {} in "
-                      "posture '{}', hang on angles and axes by more than these are known: they "
-                      "are medians of draws, and their sds tell how far off they may be",
-                      prediction.experiment, std::count_if(first, trials.end(), unsteady),
-                      trials.size(), first->loads, first->posture)};
+  return {
+      fmt::format("experiment '{}': predicted forces of {} of {} trials, first under {} in "
+                  "posture '{}', hang on angles and axes by more than these are known: they "
+                  "are medians of draws, and their sds tell how far off they may be",
+                  prediction.experiment, std::count_if(first, trials.end(), unsteady),
+                  trials.size(), first->loads, first->posture)};
 }
 
 int find_specimen(const FitProblem& fitted, const std::string& specimen) {

@@ -66,8 +66,8 @@ Eigen::VectorXd within_bounds(const FitParameters& parameters, const Eigen::Vect
   return u;
 }
 
-/// Forces at draws of u ~ N(center, V), each coordinate within its bounds, two draws on either side of the
-/// centre [N] (3 trials, kMomentDraws).
+/// Forces at draws of u ~ N(center, V), each coordinate within its bounds, two draws on either side
+/// of the centre [N] (3 trials, kMomentDraws).
 Eigen::MatrixXd drawn_forces(const TendonDigit& digit, const FitParameters& parameters,
                              const ExperimentPlan& plan, const Eigen::VectorXd& center,
                              const Eigen::MatrixXd& V, const ForceKernel* kernel) {
@@ -89,8 +89,8 @@ Eigen::MatrixXd drawn_forces(const TendonDigit& digit, const FitParameters& para
   return forces;
 }
 
-/// Median of a component, and the square of half the width of its central 95 % over that of a standard
-/// normal; draws without a force are left out.
+/// Median of a component, and the square of half the width of its central 95 % over that of a
+/// standard normal; draws without a force are left out.
 std::pair<double, double> robust_moments(const Eigen::VectorXd& row) {
   constexpr double kHalf95 = 1.959963984540054;  // of a standard normal
   std::vector<double> values;
@@ -119,7 +119,8 @@ PredictiveMoments predictive_moments(const TendonDigit& digit, const FitParamete
   const ForceJacobian at = force_jacobian(digit, parameters, plan, center, kernel.get());
   PredictiveMoments out{at.force, (at.J * V).cwiseProduct(at.J).rowwise().sum(), {}};
 
-  // Second order: how forces bend along each column of the root of V, and how uneven both sides are.
+  // Second order: how forces bend along each column of the root of V, and how uneven both sides
+  // are.
   const CoordinateOrder order = order_of(parameters, digit);
   const Eigen::MatrixXd L = first_columns_of_root(V(order.all, order.all), order.bent);
   Eigen::VectorXd step(n);

@@ -29,10 +29,11 @@ struct PredictiveMoments {
 ///
 /// Near a posture in which the tip is singular that expansion may point the opposite way. Where odd
 /// parts of the steps differ from their slopes,
-///   sum_l |(f(center + l) - f(center - l)) / 2 - J l|^2 > kUneven^2 sum of the variances of a trial,
-/// or a step has no force, the trial is told by kMomentDraws draws of u: the median of each component,
-/// and half the width of its central 95 % over that of a standard normal. Such forces need have no
-/// mean.
+///   sum_l |(f(center + l) - f(center - l)) / 2 - J l|^2 > kUneven^2 sum of the variances of a
+///   trial,
+/// or a step has no force, the trial is told by kMomentDraws draws of u: the median of each
+/// component, and half the width of its central 95 % over that of a standard normal. Such forces
+/// need have no mean.
 /// @param V  [SI^2] (coordinates, coordinates), positive semidefinite
 [[nodiscard]] PredictiveMoments predictive_moments(const TendonDigit& digit,
                                                    const FitParameters& parameters,

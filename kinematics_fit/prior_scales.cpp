@@ -129,12 +129,9 @@ EvidencePeak highest(const Evidence& evidence, NoiseRange noise = {}) {
 }
 
 FitProblem with_factors(const FitProblem& problem, const std::vector<double>& factors) {
-  return {problem.digit(),
-          with_scale_factors(problem.parameters(), factors),
-          problem.experiments(),
-          problem.robust_scale(),
-          problem.axis_distances(),
-          problem.scaling()};
+  return {problem.digit(),          with_scale_factors(problem.parameters(), factors),
+          problem.experiments(),    problem.robust_scale(),
+          problem.axis_distances(), problem.scaling()};
 }
 
 Solution fitted(const FitProblem& problem, const SolveOptions& options) {
@@ -254,8 +251,7 @@ std::vector<LinearForces> linear_forces(const FitProblem& problem, const Eigen::
 double log_evidence(const LinearForces& forces, const std::vector<double>& factors, double noise) {
   Eigen::MatrixXd V = forces.unscaled;
   V.diagonal().array() += noise * noise;
-  for (std::size_t g = 0; g < factors.size(); ++g)
-    V += factors[g] * factors[g] * forces.scaled[g];
+  for (std::size_t g = 0; g < factors.size(); ++g) V += factors[g] * factors[g] * forces.scaled[g];
   const Eigen::LLT<Eigen::MatrixXd> factor(std::move(V));
   if (factor.info() != Eigen::Success) return -HUGE_VAL;
   return -0.5 * factor.matrixL().solve(forces.b).squaredNorm() -
@@ -282,8 +278,7 @@ ScaledFit chosen_scales(const FitProblem& problem, const SolveOptions& options) 
   // By other factors: on from the stated fit, and from the narrowest.
   const std::vector<int> asked = highest(stated).steps;
   const FitProblem wide = with_factors(problem, factors_at(asked));
-  FittedScales best =
-      settle(wide, asked, carried(out.problem, out.solution.z, wide), rounds);
+  FittedScales best = settle(wide, asked, carried(out.problem, out.solution.z, wide), rounds);
   out.gain = best.evidence - stated.of(ones);
   if (best.fit.solution.status == Status::kStopped || out.gain <= kScaleGain)
     return by_method(std::move(out), options);

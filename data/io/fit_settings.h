@@ -63,8 +63,8 @@ struct SettingChoice {
   [[nodiscard]] double value() const { return values[chosen]; }  // [SI]
 };
 
-/// Parameters whose prior sds share a factor that the forces of a fit decide, see fit_with_scales().
-/// It is in force after all rules and choices.
+/// Parameters whose prior sds share a factor that the forces of a fit decide, see
+/// fit_with_scales(). It is in force after all rules and choices.
 struct PriorScale {
   std::string name;                // in plain words: "load cell"
   std::vector<std::string> match;  // globs on parameter names; what matches nothing is no error

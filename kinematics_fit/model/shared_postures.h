@@ -25,9 +25,9 @@ namespace thenar {
 [[nodiscard]] FitParameters share_same_postures(FitParameters parameters,
                                                 const std::vector<Experiment>& experiments);
 
-/// The experiment, with " (EXPERIMENT)" after the names of postures that stand elsewhere in `known`, so
-/// that nothing which is known of those is taken for these: where experiments of its own specimen have
-/// the name, in all of them, else in any.
+/// The experiment, with " (EXPERIMENT)" after the names of postures that stand elsewhere in
+/// `known`, so that nothing which is known of those is taken for these: where experiments of its
+/// own specimen have the name, in all of them, else in any.
 [[nodiscard]] Experiment with_own_postures(Experiment experiment,
                                            const std::vector<Experiment>& known);
 

@@ -61,7 +61,8 @@ std::string slip_doubt(const LoadedDigit& loaded, const DigitPoint& point) {
   if (slips.terminal >= kLeastRatio * slips.central && slips.terminal <= kMostRatio * slips.central)
     return "";
   return fmt::format(
-      "the terminal slip has {:.4g} N where the central one has {:.4g} N: publications give {:.3g} to "
+      "the terminal slip has {:.4g} N where the central one has {:.4g} N: publications give {:.3g} "
+      "to "
       "1.7 times as much",
       slips.terminal, slips.central, kLeastRatio);
 }

@@ -18,7 +18,7 @@ constexpr double kFiner = 0.01;   // tolerance of the second integration over th
 constexpr int kPieces = 16;       // of a step in which a net snaps
 constexpr int kObstacles = 30;    // trials without rest of a net that end a motion
 constexpr double kMoreSteps = 5;  // of the second over the first, which a smooth motion needs
-constexpr double kLooser = 100;   // error of a step over the tolerance, where it does not get on ...
+constexpr double kLooser = 100;  // error of a step over the tolerance, where it does not get on ...
 constexpr double kLooseTime = 10 * kStallTime;  // ... and for how long [s]
 constexpr int kMostLoose = 20;                  // places where it may [1]
 
@@ -105,8 +105,8 @@ class Recorder {
   void note_accepted(const FingerMotion::Accepted& accepted, double time) {
     note(accepted.warning, time);
     for (const NetSnap& snap : accepted.net.snaps)
-      kept_.snaps.push_back({reached_ + snap.share * (time - reached_), snap.band, snap.moved,
-                             snap.released});
+      kept_.snaps.push_back(
+          {reached_ + snap.share * (time - reached_), snap.band, snap.moved, snap.released});
     reached_ = time;
     if (accepted.drift.size() == 0) return;
     // Muscle of the largest drift.
@@ -135,8 +135,7 @@ class Recorder {
                            1e3 * *kept_.drift),
                strayed_);
     // Snaps of the net are part of the ending's story.
-    if (!kept_.snaps.empty())
-      note_end(snap_words(kept_), kept_.snaps.front().time);
+    if (!kept_.snaps.empty()) note_end(snap_words(kept_), kept_.snaps.front().time);
     note_end(why, ode.time());
     kept_.status = status;
     kept_.balance = balance;
@@ -296,13 +295,13 @@ class Integration {
     try {
       for (const ExcitationPiece& next : pieces_) {
         piece_ = &next;
-        if (piece_->jumps) restart();
+        if (piece_->jumps) ode_.restart();
         while (ode_.time() < piece_->end) step();
       }
     } catch (const Ending& early) {
       end = early;
     }
-    tell_loose();
+    tell_plain_steps();
     Trajectory path = recorder_.take(end.status, end.why, ode_, account_.balance());
     path.effort = motion_.effort();
     return path;
@@ -346,13 +345,12 @@ class Integration {
     // Where no step is short enough it starts anew, with what it knows of here alone.
     if (status == OdeStatus::kTooStiff && ode_.time() > renewed_) {
       renewed_ = ode_.time();
-      return restart();
+      return ode_.restart();
     }
     if (status != OdeStatus::kStepped) throw Ending{end_of(status), reason(status, motion_)};
     // Instants to keep lie within the last step.
     for (; recorder_.next() <= ode_.time();)
-      recorder_.keep(motion_.unpack(ode_.state_at(recorder_.next())),
-                     piece_->at(recorder_.next()));
+      recorder_.keep(motion_.unpack(ode_.state_at(recorder_.next())), piece_->at(recorder_.next()));
     // A net that snaps is followed through the step in pieces, which tell when.
     const MotionState now = motion_.unpack(ode_.state());
     if (motion_.snaps_before(now))
@@ -366,37 +364,48 @@ class Integration {
     get_on();
   }
 
-  /// Starts the integrator anew, with the errors that are allowed here.
-  void restart() { ode_.restart(loose_ ? kLooser : 1); }
-
-  /// Where rates jump so that no step of the tolerance gets on, as where bands of a net lift off by
-  /// the dozen, larger errors carry it past; the balance of energy counts them.
+  /// Where rates jump so often that no step of the tolerance gets on, as where a net goes to and
+  /// fro between two rests, plain steps carry it past. The balance of energy counts their errors.
   void get_on() {
-    // The end of such a place.
-    if (loose_ && ode_.time() - loose_since_ >= kLooseTime) {
-      loose_ = false;
-      restart();
-    }
     if (stall_steps_.go_on(ode_.time())) return;
-    // One more, if there may be.
-    if (loose_ || loose_places_ == kMostLoose)
-      throw Ending{MotionStatus::kNoProgress,
-                   fmt::format("{} steps took it less than {:.2g} s on, so it gave up",
-                               options_.stall_steps, kStallTime)};
-    loose_ = true;
-    loose_since_ = ode_.time();
-    ++loose_places_;
-    restart();
+    if (++plain_places_ > kMostPlaces)
+      throw Ending{
+          MotionStatus::kNoProgress,
+          fmt::format("{} steps took it less than {:.2g} s on, in more than {} places, so it "
+                      "gave up",
+                      options_.stall_steps, kStallTime, kMostPlaces)};
+    plain_since_ = ode_.time();
+    for (int i = 0; i < kPlainSteps && ode_.time() < piece_->end; ++i) plain_step();
   }
 
-  /// Tells where steps had larger errors.
-  void tell_loose() {
-    if (loose_places_ == 0) return;
+  /// One step of Heun's method, short beside all time constants of a finger.
+  void plain_step() {
+    const double from = ode_.time(), to = std::min(from + kPlainStep, piece_->end);
+    const VectorXd y = ode_.state(), begin = slope(from, y);
+    const VectorXd end = slope(to, VectorXd(y + (to - from) * begin));
+    const VectorXd next = y + (to - from) / 2 * (begin + end);
+    if (!next.allFinite())
+      throw Ending{MotionStatus::kIntegratorFailed, reason(OdeStatus::kNotFinite, motion_)};
+    // Instants to keep lie on the straight line between both ends.
+    for (; recorder_.next() <= to;) {
+      const double share = (recorder_.next() - from) / (to - from);
+      recorder_.keep(motion_.unpack(VectorXd(y + share * (next - y))),
+                     piece_->at(recorder_.next()));
+    }
+    ode_.restart(to, next);
+    accept(motion_.unpack(next), to);
+    look();
+  }
+
+  /// Tells where plain steps were taken.
+  void tell_plain_steps() {
+    if (plain_places_ == 0) return;
     recorder_.note_end(
-        fmt::format("its rates jump: in {} stretch{} of {:.2g} s steps had {} times the error of "
-                    "the tolerance, the last",
-                    loose_places_, loose_places_ == 1 ? "" : "es", kLooseTime, kLooser),
-        loose_since_);
+        fmt::format("its rates jump: in {} place{} it went on by plain steps of {:.2g} "
+                    "s for {:.2g} s, the last",
+                    plain_places_, plain_places_ == 1 ? "" : "s", kPlainStep,
+                    kPlainSteps * kPlainStep),
+        plain_since_);
   }
 
   /// Goes on from a state, and accounts for its energy.
@@ -420,9 +429,8 @@ class Integration {
   double obstacle_since_ = 0;  // ... since this time [s]
   double accepted_ = 0;        // time of the last state [s]
   double renewed_ = -1;        // time at which the integrator was last started anew [s]
-  bool loose_ = false;         // steps have kLooser times the error ...
-  double loose_since_ = 0;     // ... since this time [s]
-  int loose_places_ = 0;       // how often that was [1]
+  int plain_places_ = 0;       // where it went on by plain steps [1] ...
+  double plain_since_ = 0;     // ... the last since this time [s]
   StiffOde ode_;
 };
 

@@ -110,23 +110,24 @@ TEST(PredictiveMoments, KeepsStepsWithinTheBoundsOfParameters) {
   EXPECT_TRUE(matrix_near(moments.mean, (at_zero + beyond) / 2, 1e-12));
 }
 
-// A finger almost straight at PIP and DIP, whose angles are known to 4 degrees: within an sd the tip is
-// singular, and forces turn round. There the expansion points anywhere; medians of plain draws, and half
-// the width of their central 95 %, are what is told. Bent, the expansion is good.
+// A finger almost straight at PIP and DIP, whose angles are known to 4 degrees: within an sd the
+// tip is singular, and forces turn round. There the expansion points anywhere; medians of plain
+// draws, and half the width of their central 95 %, are what is told. Bent, the expansion is good.
 TEST(PredictiveMoments, NearASingularPostureAreThoseOfDraws) {
   for (const bool straight : {true, false}) {
-    sample::FitSetup setup = sample::middle_finger(
-        "[[parameter]]\nmatch='angle/*/*'\nstate='free'\nsd_deg=4\n");
+    sample::FitSetup setup =
+        sample::middle_finger("[[parameter]]\nmatch='angle/*/*'\nstate='free'\nsd_deg=4\n");
     Experiment& experiment = setup.experiments.front();
     experiment.hold = TipConstraint::kPinned;
     for (PostureRecord& posture : experiment.postures)
-      posture.angles = {{"MCP3_FE", radians(30)}, {"PIP3", radians(straight ? 4 : 60)},
+      posture.angles = {{"MCP3_FE", radians(30)},
+                        {"PIP3", radians(straight ? 4 : 60)},
                         {"DIP3", radians(straight ? 3 : 40)}};
     const ExperimentPlan plan = plan_experiment(setup.digit, setup.parameters, experiment);
     const Eigen::Index n = setup.parameters.coordinates();
     const MatrixXd V = MatrixXd(sample::population_sds(setup.parameters).cwiseAbs2().asDiagonal());
-    const PredictiveMoments moments = predictive_moments(
-        setup.digit, setup.parameters, plan, VectorXd::Zero(n), V);
+    const PredictiveMoments moments =
+        predictive_moments(setup.digit, setup.parameters, plan, VectorXd::Zero(n), V);
     std::mt19937 rng(11);
     const VectorXd sd = sample::population_sds(setup.parameters);
     constexpr int kDraws = 4001;
@@ -143,8 +144,8 @@ TEST(PredictiveMoments, NearASingularPostureAreThoseOfDraws) {
         std::sort(sorted.begin(), sorted.end());
         const double median = sorted[kDraws / 2];
         const double width = (sorted[kDraws * 975 / 1000] - sorted[kDraws * 25 / 1000]) / 3.92;
-        // Of a median of 1000 draws the standard error is 0.04 sds of a normal; of a width, of tails as
-        // of 1 / x, some tenths.
+        // Of a median of 1000 draws the standard error is 0.04 sds of a normal; of a width, of
+        // tails as of 1 / x, some tenths.
         EXPECT_NEAR(moments.mean.reshaped()[row], median, 0.25 * width + 1e-9) << straight << row;
         EXPECT_NEAR(std::sqrt(moments.variance[row]), width, 0.4 * width + 1e-9) << straight << row;
       }

@@ -68,9 +68,9 @@ TEST(ExperimentPlan, AddsToTheNoiseOfLoadsThatDoNotAddUp) {
   EXPECT_TRUE(plan.sd.col(1).isApprox(Eigen::Vector3d(0.3, 0.3, 0.3), 1e-15)) << plan.sd;
 }
 
-// Of loads unlike those of the fit: sd^2 = stated^2 + sum of (linearity t ln(t / nearest fitted))^2. The
-// fit has seen 2 and 4 N of FDS and 5 N of FDP: 4 e N is a factor of e too much, 3 N is nearer to 4 N by
-// ratio, 5 / e N of FDP a factor of e too little; of UI it has seen nothing.
+// Of loads unlike those of the fit: sd^2 = stated^2 + sum of (linearity t ln(t / nearest
+// fitted))^2. The fit has seen 2 and 4 N of FDS and 5 N of FDP: 4 e N is a factor of e too much, 3
+// N is nearer to 4 N by ratio, 5 / e N of FDP a factor of e too little; of UI it has seen nothing.
 TEST(ExperimentPlan, AddsToTheNoiseOfLoadsUnlikeThoseFitted) {
   FitSetup setup = middle_finger("linearity = 0.02\n" + kAxes);
   Experiment& experiment = setup.experiments.front();

@@ -1,4 +1,5 @@
-// Tests for kinematics_fit/model/shared_postures.cpp: postures are one by their angles, not by name.
+// Tests for kinematics_fit/model/shared_postures.cpp: postures are one by their angles, not by
+// name.
 
 #include "kinematics_fit/model/shared_postures.h"
 
@@ -16,8 +17,8 @@
 namespace thenar {
 namespace {
 
-using sample::FitSetup;
 using sample::fit_precisely;
+using sample::FitSetup;
 using sample::kAxes;
 using sample::middle_finger;
 
@@ -54,8 +55,8 @@ TEST(SharedPostures, AreOneByTheirAngles) {
   EXPECT_FALSE(same_posture(&a, nullptr));
 }
 
-// What people share in a posture is kept to each of them where one name stands for two postures: the
-// whole variance, .03^2 + .04^2 = .05^2, is then between them. Other postures keep theirs.
+// What people share in a posture is kept to each of them where one name stands for two postures:
+// the whole variance, .03^2 + .04^2 = .05^2, is then between them. Other postures keep theirs.
 TEST(SharedPostures, OfOneNameAtOtherAnglesAreNotShared) {
   FitSetup setup = two_people();
   EXPECT_EQ(parameter(setup.problem().parameters(), "force/FDS/dorsal/Hook").sd, 0.03);
@@ -81,7 +82,8 @@ Experiment held_at(const std::string& name, const std::string& specimen, double 
 // Of one's own experiments one that stands alike is enough, of others' all must; the order of files
 // does not matter: 0 and 2, and 0 and -2 degrees are the same posture, 2 and -2 are not.
 TEST(SharedPostures, AreKnownByOnesOwnOrByAllOthers) {
-  const Experiment a = held_at("a", "H01", 0), b = held_at("b", "H01", 10), c = held_at("c", "H02", 2);
+  const Experiment a = held_at("a", "H01", 0), b = held_at("b", "H01", 10),
+                   c = held_at("c", "H02", 2);
   EXPECT_EQ(with_own_postures(held_at("x", "H01", 10), {a, b}).trials[0].posture, "Hook");
   EXPECT_EQ(with_own_postures(held_at("x", "H01", 5), {a, b}).trials[0].posture, "Hook (x)");
   EXPECT_EQ(with_own_postures(held_at("x", "H01", 5), {a, b}).postures[0].name, "Hook (x)");
@@ -94,7 +96,8 @@ TEST(SharedPostures, AreKnownByOnesOwnOrByAllOthers) {
   parameters.all = {{"force/FDS/dorsal/Hook", ParameterKind::kPostureForce}};
   parameters.all[0].sd = 0.03;
   std::vector<Experiment> three{a, c, held_at("d", "H03", -2)};
-  std::sort(three.begin(), three.end(), [](const auto& x, const auto& y) { return x.name < y.name; });
+  std::sort(three.begin(), three.end(),
+            [](const auto& x, const auto& y) { return x.name < y.name; });
   do {
     EXPECT_EQ(share_same_postures(parameters, three).all[0].sd, 0);
   } while (std::next_permutation(three.begin(), three.end(),

@@ -102,9 +102,9 @@ class NetExcitation : public testing::TestWithParam<const char*> {
  protected:
   NetExcitation()
       : subject_(sample::index_finger()),
-        tendons_(build_net_tendons(subject_, "index", {Path::kViaPoint, Hood::kFloatingNet},
-                                   read_net(THENAR_DATA_DIR "/nets/" + std::string(GetParam()) +
-                                            ".toml"))) {}
+        tendons_(build_net_tendons(
+            subject_, "index", {Path::kViaPoint, Hood::kFloatingNet},
+            read_net(THENAR_DATA_DIR "/nets/" + std::string(GetParam()) + ".toml"))) {}
 
   [[nodiscard]] Outcome outcome_of(int k) const {
     const Muscle rung = k / 4 % 2 == 0 ? Muscle::kRigidTendon : Muscle::kBounds;
@@ -155,9 +155,10 @@ TEST_P(NetExcitation, MovesToTheEndOrSaysWhyNot) {
     effort = std::max(effort, outcome.effort);
     cpu = std::max(cpu, outcome.cpu);
   }
-  fmt::print("{}: {} of {} motions end, {} with snaps; energy of nothing at most {:.2g} of what "
-             "was turned over; at most {} evaluations, {:.3g} s of a core\n",
-             GetParam(), ended, count, snapped, error, effort, cpu);
+  fmt::print(
+      "{}: {} of {} motions end, {} with snaps; energy of nothing at most {:.2g} of what "
+      "was turned over; at most {} evaluations, {:.3g} s of a core\n",
+      GetParam(), ended, count, snapped, error, effort, cpu);
   EXPECT_GE(ended, std::floor(0.97 * count));
 }
 
