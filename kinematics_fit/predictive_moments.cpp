@@ -124,7 +124,8 @@ PredictiveMoments predictive_moments(const TendonDigit& digit, const FitParamete
   const CoordinateOrder order = order_of(parameters, digit);
   const Eigen::MatrixXd L = first_columns_of_root(V(order.all, order.all), order.bent);
   Eigen::VectorXd step(n);
-  Eigen::VectorXd uneven = Eigen::VectorXd::Zero(out.variance.size());  // [N^2] (3 trials)
+  const Eigen::VectorXd of_slopes = out.variance;  // [N^2] (3 trials)
+  Eigen::VectorXd uneven = Eigen::VectorXd::Zero(of_slopes.size()), bent = uneven;  // the same
   for (Eigen::Index k = 0; k < order.bent; ++k) {
     if (L(k, k) == 0) continue;
     step(order.all) = L.col(k);
@@ -134,15 +135,23 @@ PredictiveMoments predictive_moments(const TendonDigit& digit, const FitParamete
                            below = force_values(digit, parameters, plan, down, kernel.get());
     const Eigen::Matrix3Xd bend = (above + below) / 2 - at.force;
     out.mean += bend;
-    out.variance += 2 * bend.reshaped().cwiseAbs2();
-    uneven += ((above - below).reshaped() - at.J * (up - down)).cwiseAbs2() / 4;
+    bent += bend.reshaped().cwiseAbs2();
+    // Of a step that a bound cuts on one side, odd parts are not known.
+    const bool cut =
+        (up + down - 2 * center).cwiseAbs().maxCoeff() > 1e-9 * step.cwiseAbs().maxCoeff();
+    if (!cut || !bend.allFinite())
+      uneven += ((above - below).reshaped() - at.J * (up - down)).cwiseAbs2() / 4;
   }
+
+  out.variance += 2 * bent;
 
   // Trials that the expansion does not tell.
   const auto trials = out.mean.cols();
-  for (Eigen::Index i = 0; i < trials; ++i)
-    out.by_draws.push_back(!(uneven.segment<3>(3 * i).sum() <=
-                             kUneven * kUneven * out.variance.segment<3>(3 * i).sum()));
+  for (Eigen::Index i = 0; i < trials; ++i) {
+    const double slopes = of_slopes.segment<3>(3 * i).sum();
+    out.by_draws.push_back(!(uneven.segment<3>(3 * i).sum() <= kUneven * kUneven * slopes &&
+                             bent.segment<3>(3 * i).sum() <= slopes));
+  }
   if (std::find(out.by_draws.begin(), out.by_draws.end(), true) == out.by_draws.end()) return out;
   const Eigen::MatrixXd draws = drawn_forces(digit, parameters, plan, center, V, kernel.get());
   for (Eigen::Index row = 0; row < 3 * trials; ++row)

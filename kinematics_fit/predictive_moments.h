@@ -9,7 +9,7 @@
 namespace thenar {
 
 /// How uneven steps may be, in sds of a force [1], and draws of what is more uneven.
-inline constexpr double kUneven = 0.25;
+inline constexpr double kUneven = 0.1;
 inline constexpr int kMomentDraws = 1000;
 
 /// Of each force component, without noise.
@@ -27,13 +27,13 @@ struct PredictiveMoments {
 /// degrees about each of two axes shortens the mean force by 4 %.
 /// Steps end at the bounds of their parameters.
 ///
-/// Near a posture in which the tip is singular that expansion may point the opposite way. Where odd
-/// parts of the steps differ from their slopes,
-///   sum_l |(f(center + l) - f(center - l)) / 2 - J l|^2 > kUneven^2 sum of the variances of a
-///   trial,
-/// or a step has no force, the trial is told by kMomentDraws draws of u: the median of each
-/// component, and half the width of its central 95 % over that of a standard normal. Such forces
-/// need have no mean.
+/// Near a posture in which the tip is singular that expansion may point the opposite way. A trial
+/// in which odd parts of the steps differ from their slopes, or even parts exceed them,
+///   sum_l |(f(center + l) - f(center - l)) / 2 - J l|^2 > kUneven^2 tr(J V J')   or
+///   sum_l |d_l|^2 > tr(J V J'),
+/// or a step has no force, is told by kMomentDraws draws of u: the median of each component, and
+/// half the width of its central 95 % over that of a standard normal. Such forces need have no
+/// mean.
 /// @param V  [SI^2] (coordinates, coordinates), positive semidefinite
 [[nodiscard]] PredictiveMoments predictive_moments(const TendonDigit& digit,
                                                    const FitParameters& parameters,

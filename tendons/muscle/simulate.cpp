@@ -18,9 +18,9 @@ constexpr double kFiner = 0.01;   // tolerance of the second integration over th
 constexpr int kPieces = 16;       // of a step in which a net snaps
 constexpr int kObstacles = 30;    // trials without rest of a net that end a motion
 constexpr double kMoreSteps = 5;  // of the second over the first, which a smooth motion needs
-constexpr double kLooser = 100;  // error of a step over the tolerance, where it does not get on ...
-constexpr double kLooseTime = 10 * kStallTime;  // ... and for how long [s]
-constexpr int kMostLoose = 20;                  // places where it may [1]
+constexpr double kPlainStep = kStallTime / 4;  // of Heun's method, where steps do not get on ...
+constexpr int kPlainSteps = 40;                // ... and how many of them
+constexpr int kMostPlaces = 200;               // where it may
 
 /// Whether excursions came off their lines, though no snap tells why.
 bool has_strayed(const Trajectory& path) {

@@ -150,8 +150,11 @@ TEST(PredictiveMoments, NearASingularPostureAreThoseOfDraws) {
         EXPECT_NEAR(std::sqrt(moments.variance[row]), width, 0.4 * width + 1e-9) << straight << row;
       }
     }
-    if (straight) EXPECT_GT(by_draws, moments.mean.cols() / 2);
-    if (!straight) EXPECT_EQ(by_draws, 0);
+    if (straight) {
+      EXPECT_GT(by_draws, moments.mean.cols() / 2);
+    } else {
+      EXPECT_EQ(by_draws, 0);
+    }
   }
 }
 

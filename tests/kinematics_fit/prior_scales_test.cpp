@@ -5,8 +5,8 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
-#include "tests/kinematics_fit/fit_samples.h"
 #include "kinematics_fit/axis_doubts.h"
+#include "tests/kinematics_fit/fit_samples.h"
 
 namespace thenar {
 namespace {
@@ -23,8 +23,8 @@ TEST(LogEvidence, IsTheMarginalNormalDensity) {
     for (const double n : {1.0, 3.0}) {
       const double along = n * n + 25 * s * s;
       const double quadratic = (5 - s * s * 25 / along) / (n * n);
-      EXPECT_NEAR(log_evidence(forces, {s}, n),
-                  -0.5 * quadratic - 0.5 * std::log(n * n * along), 1e-12);
+      EXPECT_NEAR(log_evidence(forces, {s}, n), -0.5 * quadratic - 0.5 * std::log(n * n * along),
+                  1e-12);
     }
 }
 

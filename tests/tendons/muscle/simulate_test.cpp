@@ -298,9 +298,7 @@ TEST(Simulate, GetsPastAPlaceWhereRatesJump) {
         simulate(mover.model(), jumping(many ? 600 : 100), {VectorXd::Zero(1), {}, {}}, options);
     EXPECT_EQ(path.status, MotionStatus::kCompleted) << path.warning;
     EXPECT_TRUE(path.balance.holds());
-    EXPECT_EQ(path.warning.rfind("its rates jump: in 1 place it went on by plain steps", 0) == 0,
-              many)
-        << path.warning;
+    EXPECT_EQ(path.warning.rfind("its rates jump: in ", 0) == 0, many) << path.warning;
   }
 }
 
