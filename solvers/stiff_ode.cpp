@@ -56,7 +56,12 @@ void silent(int, const char*, const char*, char*, void*) {}
 
 struct __attribute__((visibility("hidden"))) StiffOde::Parts {
   Parts(OdeRightHandSide f, double t, const Eigen::VectorXd& y, const StiffOdeOptions& o)
-      : slope(std::move(f)), jacobian(o.jacobian), max_steps(o.max_steps), time(t) {
+      : slope(std::move(f)),
+        jacobian(o.jacobian),
+        relative(o.relative),
+        absolute(o.absolute),
+        max_steps(o.max_steps),
+        time(t) {
     require(SUNContext_Create(nullptr, &context) == 0, "CVODE has no memory");
     // Vectors, matrix and solver of CVODE.
     state = N_VNew_Serial(y.size(), context);
@@ -133,6 +138,8 @@ struct __attribute__((visibility("hidden"))) StiffOde::Parts {
 
   OdeRightHandSide slope;
   OdeJacobian jacobian;
+  double relative;           // error of a step [1]
+  Eigen::VectorXd absolute;  // the same of small states; their units
   int max_steps;
   double time;
   std::exception_ptr thrown;
@@ -171,15 +178,15 @@ OdeStatus StiffOde::step(double stop) {
   return status_of(flag);
 }
 
-void StiffOde::restart(double time, const Eigen::VectorXd& y) {
-  require(y.size() == NV_LENGTH_S(parts_->state) && y.allFinite() && std::isfinite(time),
-          "wanted a finite state of {} numbers at a finite time, got {} at {} s",
-          NV_LENGTH_S(parts_->state), y.size(), time);
+void StiffOde::restart(double looser) {
+  require(looser > 0 && std::isfinite(looser), "errors of steps must be positive, got {} times",
+          looser);
   parts_->before = parts_->counts();
-  parts_->time = time;
-  values(parts_->state) = y;
-  require(CVodeReInit(parts_->cvode, time, parts_->state) == CV_SUCCESS,
-          "CVODE could not start anew at {} s", time);
+  values(parts_->scratch) = looser * parts_->absolute;
+  require(CVodeReInit(parts_->cvode, parts_->time, parts_->state) == CV_SUCCESS &&
+              CVodeSVtolerances(parts_->cvode, looser * parts_->relative, parts_->scratch) ==
+                  CV_SUCCESS,
+          "CVODE could not start anew at {} s", parts_->time);
 }
 
 double StiffOde::time() const { return parts_->time; }

@@ -58,11 +58,9 @@ class StiffOde {
   /// is kStepped, time() and state() are those before.
   [[nodiscard]] OdeStatus step(double stop);
 
-  /// Starts anew from here, where f jumps.
-  void restart() { restart(time(), state()); }
-  /// Starts anew from another state, which other steps have reached.
-  /// @throws InputError unless it is finite and of the same length (n).
-  void restart(double time, const Eigen::VectorXd& y);
+  /// Starts anew from here, where f jumps, with the errors of a step that the options allow times
+  /// `looser`, up to the next restart. @throws InputError unless it is positive.
+  void restart(double looser = 1);
 
   [[nodiscard]] double time() const;
   [[nodiscard]] Eigen::VectorXd state() const;

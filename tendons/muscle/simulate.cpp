@@ -18,9 +18,9 @@ constexpr double kFiner = 0.01;   // tolerance of the second integration over th
 constexpr int kPieces = 16;       // of a step in which a net snaps
 constexpr int kObstacles = 30;    // trials without rest of a net that end a motion
 constexpr double kMoreSteps = 5;  // of the second over the first, which a smooth motion needs
-constexpr double kPlainStep = kStallTime / 4;  // of Heun's method, where steps do not get on ...
-constexpr int kPlainSteps = 40;                // ... and how many of them
-constexpr int kMostPlaces = 200;               // where it may
+constexpr double kLooser = 100;  // error of a step over the tolerance, where it does not get on ...
+constexpr double kLooseTime = 10 * kStallTime;  // ... and for how long [s]
+constexpr int kMostLoose = 20;                  // places where it may [1]
 
 /// Whether excursions came off their lines, though no snap tells why.
 bool has_strayed(const Trajectory& path) {
@@ -295,13 +295,13 @@ class Integration {
     try {
       for (const ExcitationPiece& next : pieces_) {
         piece_ = &next;
-        if (piece_->jumps) ode_.restart();
+        if (piece_->jumps) restart();
         while (ode_.time() < piece_->end) step();
       }
     } catch (const Ending& early) {
       end = early;
     }
-    tell_plain_steps();
+    tell_loose();
     Trajectory path = recorder_.take(end.status, end.why, ode_, account_.balance());
     path.effort = motion_.effort();
     return path;
@@ -345,7 +345,7 @@ class Integration {
     // Where no step is short enough it starts anew, with what it knows of here alone.
     if (status == OdeStatus::kTooStiff && ode_.time() > renewed_) {
       renewed_ = ode_.time();
-      return ode_.restart();
+      return restart();
     }
     if (status != OdeStatus::kStepped) throw Ending{end_of(status), reason(status, motion_)};
     // Instants to keep lie within the last step.
@@ -364,48 +364,37 @@ class Integration {
     get_on();
   }
 
-  /// Where rates jump so often that no step of the tolerance gets on, as where a net goes to and
-  /// fro between two rests, plain steps carry it past. The balance of energy counts their errors.
+  /// Starts the integrator anew, with the errors that are allowed here.
+  void restart() { ode_.restart(loose_ ? kLooser : 1); }
+
+  /// Where rates jump so that no step of the tolerance gets on, as where bands of a net lift off by
+  /// the dozen, larger errors carry it past; the balance of energy counts them.
   void get_on() {
-    if (stall_steps_.go_on(ode_.time())) return;
-    if (++plain_places_ > kMostPlaces)
-      throw Ending{
-          MotionStatus::kNoProgress,
-          fmt::format("{} steps took it less than {:.2g} s on, in more than {} places, so it "
-                      "gave up",
-                      options_.stall_steps, kStallTime, kMostPlaces)};
-    plain_since_ = ode_.time();
-    for (int i = 0; i < kPlainSteps && ode_.time() < piece_->end; ++i) plain_step();
-  }
-
-  /// One step of Heun's method, short beside all time constants of a finger.
-  void plain_step() {
-    const double from = ode_.time(), to = std::min(from + kPlainStep, piece_->end);
-    const VectorXd y = ode_.state(), begin = slope(from, y);
-    const VectorXd end = slope(to, VectorXd(y + (to - from) * begin));
-    const VectorXd next = y + (to - from) / 2 * (begin + end);
-    if (!next.allFinite())
-      throw Ending{MotionStatus::kIntegratorFailed, reason(OdeStatus::kNotFinite, motion_)};
-    // Instants to keep lie on the straight line between both ends.
-    for (; recorder_.next() <= to;) {
-      const double share = (recorder_.next() - from) / (to - from);
-      recorder_.keep(motion_.unpack(VectorXd(y + share * (next - y))),
-                     piece_->at(recorder_.next()));
+    // The end of such a place.
+    if (loose_ && ode_.time() - loose_since_ >= kLooseTime) {
+      loose_ = false;
+      restart();
     }
-    ode_.restart(to, next);
-    accept(motion_.unpack(next), to);
-    look();
+    if (stall_steps_.go_on(ode_.time())) return;
+    // One more, if there may be.
+    if (loose_ || loose_places_ == kMostLoose)
+      throw Ending{MotionStatus::kNoProgress,
+                   fmt::format("{} steps took it less than {:.2g} s on, so it gave up",
+                               options_.stall_steps, kStallTime)};
+    loose_ = true;
+    loose_since_ = ode_.time();
+    ++loose_places_;
+    restart();
   }
 
-  /// Tells where plain steps were taken.
-  void tell_plain_steps() {
-    if (plain_places_ == 0) return;
+  /// Tells where steps had larger errors.
+  void tell_loose() {
+    if (loose_places_ == 0) return;
     recorder_.note_end(
-        fmt::format("its rates jump: in {} place{} it went on by plain steps of {:.2g} "
-                    "s for {:.2g} s, the last",
-                    plain_places_, plain_places_ == 1 ? "" : "s", kPlainStep,
-                    kPlainSteps * kPlainStep),
-        plain_since_);
+        fmt::format("its rates jump: in {} stretch{} of {:.2g} s steps had {} times the error of "
+                    "the tolerance, the last",
+                    loose_places_, loose_places_ == 1 ? "" : "es", kLooseTime, kLooser),
+        loose_since_);
   }
 
   /// Goes on from a state, and accounts for its energy.
@@ -429,8 +418,9 @@ class Integration {
   double obstacle_since_ = 0;  // ... since this time [s]
   double accepted_ = 0;        // time of the last state [s]
   double renewed_ = -1;        // time at which the integrator was last started anew [s]
-  int plain_places_ = 0;       // where it went on by plain steps [1] ...
-  double plain_since_ = 0;     // ... the last since this time [s]
+  bool loose_ = false;         // steps have kLooser times the error ...
+  double loose_since_ = 0;     // ... since this time [s]
+  int loose_places_ = 0;       // how often that was [1]
   StiffOde ode_;
 };
 
