@@ -162,6 +162,8 @@ PosteriorPrediction predict_by_draws(const PosteriorPredictRequest& request) {
     const PredictedBy by = predicted_by(fitted, request.population);
     Prediction prediction = summarise(predict_draws(
         run, experiment, by == PredictedBy::kOwn ? fitted : kUnfittedSpecimen, request.draws));
+    for (std::string& warning : unsteady_force_warnings(prediction))
+      result.warnings.push_back(std::move(warning));
     result.sources.push_back(source);
     result.experiments.push_back(
         {experiment, beside_trivial_forces(std::move(prediction), experiment, problem, by), by});

@@ -2,11 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <tuple>
-#include <utility>
 
 #include "base/error.h"
+#include "base/numbers.h"
 #include "base/random_stream.h"
+#include "base/special_functions.h"
 
 namespace thenar {
 namespace {
@@ -89,23 +89,20 @@ Eigen::MatrixXd drawn_forces(const TendonDigit& digit, const FitParameters& para
   return forces;
 }
 
-/// Median of a component, and the square of half the width of its central 95 % over that of a
-/// standard normal; draws without a force are left out.
-std::pair<double, double> robust_moments(const Eigen::VectorXd& row) {
-  constexpr double kHalf95 = 1.959963984540054;  // of a standard normal
-  std::vector<double> values;
-  for (const double f : row)
-    if (std::isfinite(f)) values.push_back(f);
-  if (values.empty()) return {std::nan(""), std::nan("")};
-  std::sort(values.begin(), values.end());
-  const auto at = [&](double share) {
-    return values[static_cast<std::size_t>(
-        std::lround(share * static_cast<double>(values.size() - 1)))];
-  };
-  return {at(0.5), std::pow((at(0.975) - at(0.025)) / (2 * kHalf95), 2)};
-}
-
 }  // namespace
+
+RobustMoments robust_moments(const Eigen::VectorXd& draws) {
+  std::vector<double> values;
+  for (const double draw : draws)
+    if (std::isfinite(draw)) values.push_back(draw);
+  if (values.empty()) return {kNaN, kNaN};
+  std::sort(values.begin(), values.end());
+  const auto last = static_cast<double>(values.size() - 1);
+  const auto at = [&](double share) {
+    return values[static_cast<std::size_t>(std::lround(share * last))];
+  };
+  return {at(0.5), (at(0.975) - at(0.025)) / (2 * kNormal95)};
+}
 
 PredictiveMoments predictive_moments(const TendonDigit& digit, const FitParameters& parameters,
                                      const ExperimentPlan& plan, const Eigen::VectorXd& center,
@@ -139,8 +136,7 @@ PredictiveMoments predictive_moments(const TendonDigit& digit, const FitParamete
     // Of a step that a bound cuts on one side, odd parts are not known.
     const bool cut =
         (up + down - 2 * center).cwiseAbs().maxCoeff() > 1e-9 * step.cwiseAbs().maxCoeff();
-    if (!cut || !bend.allFinite())
-      uneven += ((above - below).reshaped() - at.J * (up - down)).cwiseAbs2() / 4;
+    if (!cut) uneven += ((above - below).reshaped() - at.J * (up - down)).cwiseAbs2() / 4;
   }
 
   out.variance += 2 * bent;
@@ -154,9 +150,12 @@ PredictiveMoments predictive_moments(const TendonDigit& digit, const FitParamete
   }
   if (std::find(out.by_draws.begin(), out.by_draws.end(), true) == out.by_draws.end()) return out;
   const Eigen::MatrixXd draws = drawn_forces(digit, parameters, plan, center, V, kernel.get());
-  for (Eigen::Index row = 0; row < 3 * trials; ++row)
-    if (out.by_draws[static_cast<std::size_t>(row / 3)])
-      std::tie(out.mean.reshaped()[row], out.variance[row]) = robust_moments(draws.row(row));
+  for (Eigen::Index row = 0; row < 3 * trials; ++row) {
+    if (!out.by_draws[static_cast<std::size_t>(row / 3)]) continue;
+    const RobustMoments moments = robust_moments(draws.row(row));
+    out.mean.reshaped()[row] = moments.median;
+    out.variance[row] = moments.sd * moments.sd;
+  }
   return out;
 }
 

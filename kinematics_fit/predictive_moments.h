@@ -12,6 +12,16 @@ namespace thenar {
 inline constexpr double kUneven = 0.1;
 inline constexpr int kMomentDraws = 1000;
 
+/// Where draws of a number lie, and how wide, whatever their tails.
+struct RobustMoments {
+  double median;
+  double
+      sd;  // half the width of the central 95 % over that of a standard normal: the sd, if normal
+};
+
+/// Of the finite values; NaN without any.
+[[nodiscard]] RobustMoments robust_moments(const Eigen::VectorXd& draws);
+
 /// Of each force component, without noise.
 struct PredictiveMoments {
   Eigen::Matrix3Xd mean;       // [N] (3, trials)

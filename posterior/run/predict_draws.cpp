@@ -5,8 +5,8 @@
 
 #include "base/error.h"
 #include "base/random_stream.h"
-#include "base/special_functions.h"
 #include "kinematics_fit/model/shared_postures.h"
+#include "kinematics_fit/predictive_moments.h"
 #include "kinematics_fit/specimen_prior.h"
 #include "posterior/force_density.h"
 
@@ -93,16 +93,6 @@ void add_noise(const ForceNoise& noise, int components, const Eigen::VectorXd& s
   }
 }
 
-/// Half the width of the central 95 % of a row over that of a standard normal: its sd, if normal.
-double robust_sd(Eigen::VectorXd row) {
-  std::sort(row.begin(), row.end());
-  const auto last = static_cast<double>(row.size() - 1);
-  const auto at = [&](double share) {
-    return row[static_cast<Eigen::Index>(std::lround(share * last))];
-  };
-  return (at(0.975) - at(0.025)) / (2 * kNormal95);
-}
-
 }  // namespace
 
 PredictedDraws predict_draws(const PosteriorRun& run, const Experiment& experiment, int specimen,
@@ -142,16 +132,25 @@ PredictedDraws predict_draws(const PosteriorRun& run, const Experiment& experime
 }
 
 Prediction summarise(const PredictedDraws& predicted) {
-  // Means without noise, intervals with it.
-  const Eigen::VectorXd mean = predicted.expected.rowwise().mean();
-  Eigen::VectorXd sd(mean.size());
-  for (Eigen::Index i = 0; i < sd.size(); ++i)
+  // Means without noise, or medians where tails carry the mean away; intervals with noise.
+  Eigen::VectorXd centre = predicted.expected.rowwise().mean(), sd(centre.size());
+  const Eigen::Index trials = centre.size() / 3;
+  std::vector<bool> unsteady(static_cast<std::size_t>(trials));
+  for (Eigen::Index i = 0; i < sd.size(); ++i) {
+    const RobustMoments middle = robust_moments(predicted.expected.row(i));
+    const double rounding = 1e-9 * std::abs(middle.median);  // of a mean of equal numbers [N]
+    if (!(std::abs(centre[i] - middle.median) <= middle.sd + rounding)) {
+      centre[i] = middle.median;
+      unsteady[static_cast<std::size_t>(i / 3)] = true;
+    }
     sd[i] = std::isinf(predicted.sd(i, 0)) ? predicted.sd(i, 0)
-                                           : robust_sd(predicted.replicated.row(i));
-  const Eigen::Index trials = mean.size() / 3;
-  return compare_forces(
-      predicted.experiment, Eigen::Map<const Eigen::Matrix3Xd>(mean.data(), 3, trials),
+                                           : robust_moments(predicted.replicated.row(i)).sd;
+  }
+  Prediction out = compare_forces(
+      predicted.experiment, Eigen::Map<const Eigen::Matrix3Xd>(centre.data(), 3, trials),
       Eigen::Map<const Eigen::Matrix3Xd>(sd.data(), 3, trials), predicted.calibrated_on_specimen);
+  for (std::size_t i = 0; i < out.trials.size(); ++i) out.trials[i].by_draws = unsteady[i];
+  return out;
 }
 
 Eigen::MatrixXd replicated_forces(const HandPosterior& posterior, const Eigen::MatrixXd& x,

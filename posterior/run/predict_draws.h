@@ -31,8 +31,10 @@ struct PredictedDraws {
 [[nodiscard]] PredictedDraws predict_draws(const PosteriorRun& run, const Experiment& experiment,
                                            int specimen, long draws = 2000);
 
-/// Means of the draws beside the measured forces. The sds are half the central 95 % range of the
-/// replicated forces over 1.96, which exists also for robust noise of infinite variance.
+/// Means of the draws beside the measured forces, of a component whose mean is further than an sd
+/// of its robust_moments() from its median, as near a singular tip, the median. The sds are half
+/// the central 95 % range of the replicated forces over 1.96, which exists also for robust noise of
+/// infinite variance.
 [[nodiscard]] Prediction summarise(const PredictedDraws& predicted);
 
 /// Replicated forces of the fitted trials at every column of x [N] (3 trials of all experiments,

@@ -15,7 +15,6 @@
 
 namespace thenar {
 
-using internal::angles_of;
 using internal::tip_axes;
 
 namespace {
@@ -90,7 +89,7 @@ Experiment simulate_tasks(const TendonDigit& truth, const TaskOptions& options) 
     for (double& c : cost) c = std::exp(options.habit * habit.normal());
     for (const PostureRecord& record : tasks.postures) {
       // The same tasks in every posture.
-      const Eigen::VectorXd q = angles_of(truth, record);
+      const Eigen::VectorXd q = posture(truth.skeleton, record.angles);
       const Eigen::Matrix3d axes = tip_axes(truth, q);
       for (const Eigen::Vector3d& direction : directions) {
         const Eigen::VectorXd activation =
@@ -110,7 +109,7 @@ std::vector<TaskMisfit> task_misfits(const TendonDigit& model, const Experiment&
   std::vector<TaskMisfit> misfits;
   for (const PostureRecord& record : tasks.postures) {
     // Forces of unit tensions in this posture.
-    const Eigen::VectorXd q = angles_of(model, record);
+    const Eigen::VectorXd q = posture(model.skeleton, record.angles);
     const TipStatics statics = tip_statics(model, q);
     const Eigen::Matrix3d axes = tip_axes(model, q);
     Eigen::Matrix3Xd unit(3, muscles);  // tip force per tension

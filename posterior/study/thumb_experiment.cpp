@@ -134,16 +134,6 @@ std::string experiment_text(const Experiment& experiment) {
 
 namespace thenar::internal {
 
-Eigen::VectorXd angles_of(const TendonDigit& digit, const PostureRecord& record) {
-  Eigen::VectorXd q = Eigen::VectorXd::Zero(digit.model.coordinates);
-  for (Eigen::Index j = 0; j < q.size(); ++j) {
-    // Joints that a posture does not name are at zero.
-    const auto found = record.angles.find(digit.names.coordinates[static_cast<std::size_t>(j)]);
-    if (found != record.angles.end()) q[j] = found->second;
-  }
-  return q;
-}
-
 Eigen::Matrix3d tip_axes(const TendonDigit& digit, const Eigen::VectorXd& q) {
   return pose_tree(digit.model.tree, q)[static_cast<std::size_t>(digit.model.tip_link)].X.R *
          digit.model.tip_axes;

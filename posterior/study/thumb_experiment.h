@@ -41,9 +41,6 @@ struct SimulatedPullOptions {
 
 namespace thenar::internal {
 
-/// Angles of a digit's coordinates in a posture; those that it does not name are 0 [rad] (n).
-[[nodiscard]] Eigen::VectorXd angles_of(const TendonDigit& digit, const PostureRecord& record);
-
 /// Proximal, dorsal and radial of the tip at posture q as columns, world frame (3, 3).
 [[nodiscard]] Eigen::Matrix3d tip_axes(const TendonDigit& digit, const Eigen::VectorXd& q);
 

@@ -64,5 +64,25 @@ TEST(PredictDraws, AStrangerIsLessSureThanTheFitted) {
   EXPECT_GT(spread(-1), 1.5 * spread(0));
 }
 
+// Of 101 draws one is a million times the others: their mean is 9902, which none is near, and what
+// is told is their median, 1, with a warning. Of draws without such a tail it is the mean, 5.
+TEST(Summarise, TellsMediansWhereTailsCarryMeansAway) {
+  PredictedDraws predicted;
+  predicted.experiment = sample::experiment("H01");
+  predicted.experiment.trials.resize(2);
+  predicted.expected = Eigen::MatrixXd::Ones(6, 101);
+  predicted.expected.row(1)[100] = 1e6;
+  for (Eigen::Index k = 0; k < 101; ++k) predicted.expected(4, k) = static_cast<double>(k) / 10;
+  predicted.replicated = predicted.expected;
+  predicted.sd = Eigen::MatrixXd::Ones(6, 101);
+  const Prediction told = summarise(predicted);
+  EXPECT_NEAR(predicted.expected.row(1).mean(), (100 + 1e6) / 101, 1e-6);
+  EXPECT_EQ(told.trials[0].predicted, Eigen::Vector3d::Ones());
+  EXPECT_TRUE(told.trials[0].by_draws);
+  EXPECT_NEAR(told.trials[1].predicted[1], 5, 1e-12);
+  EXPECT_FALSE(told.trials[1].by_draws);
+  EXPECT_EQ(unsteady_force_warnings(told).size(), 1U);
+}
+
 }  // namespace
 }  // namespace thenar
