@@ -68,8 +68,7 @@ std::vector<std::string> noise_warnings(const FitResult& result) {
       warnings.push_back(fmt::format(
           "specimen '{}': its forces scatter as if their noise were {:.3g} times the stated one, "
           "whatever priors allow (log evidence {:.1f} beyond that of the stated one): was it "
-          "stated "
-          "too small?",
+          "stated too small?",
           problem.specimens()[s], noise[s].factor, noise[s].gain));
   return warnings;
 }

@@ -47,7 +47,7 @@ ThumbTypesResult ask_thumb_types(const ThumbTypesRequest& request, const Progres
 
 ThumbRecoveryResult ask_thumb_recovery(const ThumbRecoveryRequest& request,
                                        const Progress& progress) {
-  // Roughly what both take on two cores.
+  // Shares of the time that each takes.
   constexpr double kRecovery = 9, kLessons = 11;  // [s]
   ProgressParts parts(progress, kRecovery + kLessons);
   const std::string data = data_with("fits", request.data);

@@ -147,8 +147,7 @@ Json update_table(const MeasuredLessons& of) {
       "What each addition leaves of the sds of tilts, by self-normalised importance weights over "
       "draws. Effective size: 1 over the sum of squared weights; draws of the posterior are of "
       "chains, whose efficiency counts in Pareto k and in errors of ratios, not in this size. "
-      "Where "
-      "Pareto k is above its limit the row is not to be believed: too few draws say what was "
+      "Where Pareto k is above its limit the row is not to be believed: too few draws say what was "
       "measured",
       {{"draws of", ""},
        {"added", ""},

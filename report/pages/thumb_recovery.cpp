@@ -157,8 +157,7 @@ std::string skew_words(const ThumbRecovery& of, const std::string& name) {
   const RecoveredValue& drawn = worst->drawn;
   return fmt::format(
       " There 95 % of the draws reach from {:.1f} sds below their mean to {:.1f} above it (a "
-      "normal "
-      "distribution: {:.1f} both).",
+      "normal distribution: {:.1f} both).",
       (drawn.value - drawn.low) / drawn.sd, (drawn.high - drawn.value) / drawn.sd, kNormal95);
 }
 

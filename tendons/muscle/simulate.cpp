@@ -359,6 +359,7 @@ class Integration {
         accept(motion_.unpack(ode_.state_at(time)), time);
       }
     accept(now, ode_.time());
+    // Progress, stopping and stalling.
     options_.progress(ode_.time() / options_.seconds, "simulating");
     look();
     get_on();
