@@ -53,6 +53,18 @@ std::pair<int, bool> nearest_direction(const Eigen::Vector3d& v) {
   return {static_cast<int>(i), v[i] < 0};
 }
 
+/// "(0.71 proximal, 0.71 dorsal, 0.00 radial)" of a direction that is more than 20 degrees off all
+/// three;
+/// "" where one of them names it.
+std::string oblique_words(const Eigen::Vector3d& v) {
+  constexpr double kNamed = 0.9396926207859084;  // cos 20 degrees [1]
+  const Eigen::Vector3d u = v.normalized();
+  if (u.cwiseAbs().maxCoeff() >= kNamed) return "";
+  const Eigen::Array3d shown = (100 * u.array()).round() / 100 + 0.0;  // without a -0
+  return fmt::format("({:.2f} proximal, {:.2f} dorsal, {:.2f} radial)", shown.x(), shown.y(),
+                     shown.z());
+}
+
 std::string axis_words(const Parts& parts, const TendonDigit* digit) {
   if (parts.size() != 4) return "";
   const std::string axis = joint_words(parts[1]) + " axis";
@@ -61,13 +73,17 @@ std::string axis_words(const Parts& parts, const TendonDigit* digit) {
     constexpr const char* kAbout[] = {"the digit's length", "the dorsal direction",
                                       "the radial direction"};
     if (!frame) return fmt::format("{}: tilt {} of 2", axis, parts[3]);
-    return fmt::format("{}: tilt about {}", axis,
-                       kAbout[nearest_direction(frame->d.cross(frame->e)).first]);
+    const Eigen::Vector3d about = frame->d.cross(frame->e);
+    if (const std::string oblique = oblique_words(about); !oblique.empty())
+      return fmt::format("{}: tilt about {}", axis, oblique);
+    return fmt::format("{}: tilt about {}", axis, kAbout[nearest_direction(about).first]);
   }
   constexpr const char* kTowards[] = {"proximally", "dorsally", "radially"};
   constexpr const char* kAway[] = {"distally", "palmarly", "ulnarly"};
   if (parts[3] == "along") return axis + ": shift along itself, which moves nothing";
   if (!frame) return fmt::format("{}: shift {} of 2", axis, parts[3]);
+  if (const std::string oblique = oblique_words(frame->e); !oblique.empty())
+    return fmt::format("{}: shift along {}", axis, oblique);
   const auto [direction, away] = nearest_direction(frame->e);
   return fmt::format("{}: shift {}", axis, (away ? kAway : kTowards)[direction]);
 }

@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "base/spatial.h"
+#include "base/units.h"
 
 namespace thenar {
 namespace {
@@ -38,6 +39,26 @@ TEST(ParameterWords, NameTheDirectionsOfTheDigit) {
   EXPECT_EQ(meaning_of("axis/DIP3/point/1", digit), "DIP axis: shift proximally");
   EXPECT_EQ(meaning_of("axis/DIP3/point/2", digit), "DIP axis: shift dorsally");
   EXPECT_EQ(meaning_of("axis/DIP3/direction/1"), "DIP axis: tilt 1 of 2");
+}
+
+// In a frame turned by 45 degrees about z, x is (1, -1, 0) and y is (1, 1, 0) of the digit, over
+// the root of 2: no one direction names them. Turned by 10 degrees the nearest still does.
+TEST(ParameterWords, NameObliqueDirectionsByTheirComponents) {
+  TendonDigit digit = digit_about(Eigen::Vector3d::UnitZ());
+  const auto turn = [&](double degrees) {
+    digit.model.tip_axes =
+        Eigen::AngleAxisd(radians(degrees), Eigen::Vector3d::UnitZ()).toRotationMatrix();
+  };
+  turn(45);
+  EXPECT_EQ(meaning_of("axis/DIP3/direction/1", digit),
+            "DIP axis: tilt about (0.71 proximal, 0.71 dorsal, 0.00 radial)");
+  EXPECT_EQ(meaning_of("axis/DIP3/direction/2", digit),
+            "DIP axis: tilt about (-0.71 proximal, 0.71 dorsal, 0.00 radial)");
+  EXPECT_EQ(meaning_of("axis/DIP3/point/1", digit),
+            "DIP axis: shift along (0.71 proximal, -0.71 dorsal, 0.00 radial)");
+  turn(10);
+  EXPECT_EQ(meaning_of("axis/DIP3/direction/1", digit),
+            "DIP axis: tilt about the dorsal direction");
 }
 
 TEST(ParameterWords, LeaveJointsOfOtherNamesAsTheyAre) {
