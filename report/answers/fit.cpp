@@ -140,10 +140,20 @@ std::string open_text(const Fit& fit) {
   return text;
 }
 
-/// ", 0.8 times the stated noise".
+/// ", 0.8 times the stated noise", and what else is counted than the forces and their noise.
 std::string noise_words(const FitResult& result, std::size_t e) {
   if (e >= result.misfits.size() || result.misfits[e].degrees_of_freedom == 0) return "";
-  return fmt::format(", {:.1f} times the stated noise", result.misfits[e].times_noise);
+  std::string words = fmt::format(", {:.1f} times the stated noise", result.misfits[e].times_noise);
+  const FitProblem& problem = result.fit.problem;
+  if (!problem.activations_of(static_cast<int>(e)).tasks.empty())
+    words += " of forces and activations";
+  // Sds that the settings widen, as those of several loads at once.
+  const Experiment& experiment = problem.experiments()[e];
+  const Eigen::Matrix3Xd& sd = problem.plans()[e].sd;
+  for (std::size_t i = 0; i < experiment.trials.size(); ++i)
+    if (sd(0, static_cast<Eigen::Index>(i)) > 1.001 * force_sd(experiment, experiment.trials[i])[0])
+      return words + " and what the model is said to miss";
+  return words;
 }
 
 /// "prior sds as the forces ask for: tendons x 0.01, .."; empty where they are as stated.

@@ -79,6 +79,27 @@ TEST_F(FitAnswer, PutsArmsThatNobodyCanKnowBeforeTilts) {
   EXPECT_LT(std::max(deep, superficial), tilts);
 }
 
+// One of the two trials is under both muscles: where settings widen its noise, "times the stated
+// noise" is of the widened one, and says so.
+TEST_F(FitAnswer, SaysThatSettingsWidenTheNoise) {
+  std::ofstream(path("planar.toml")) << sample::planar_finger_of_arms();
+  std::ofstream(path("trials.toml"))
+      << sample::planar_trials("components = ['proximal', 'dorsal']", "[-0.6, -1.2]", "[-0.9, -1]");
+  for (const bool widened : {false, true}) {
+    std::ofstream(path("arms.toml")) << (widened ? "superposition = 0.05\n" : "")
+                                     << "source = 'Synek2019'\n[[parameter]]\nmatch = 'gain/*'\n"
+                                        "state = 'free'\nsd = 0.1\n";
+    FitRequest request;
+    request.sources.subject = path("planar.toml");
+    request.sources.experiments = {path("trials.toml")};
+    request.sources.settings = path("arms.toml");
+    const std::string text = text_of(fit_forces(request));
+    EXPECT_NE(text.find("times the stated noise"), std::string::npos) << text;
+    EXPECT_EQ(text.find("and what the model is said to miss") != std::string::npos, widened)
+        << text;
+  }
+}
+
 TEST(SeenWords, MarkWhatIsNotOfAStranger) {
   Prediction prediction;
   EXPECT_EQ(seen_words(prediction), "");
