@@ -81,6 +81,32 @@ double noise_factor(const PosteriorRun& run, const PosteriorValues& values,
   return options.learn_noise ? std::exp(options.noise_sd * random.normal()) : 1;
 }
 
+/// Whether the mean of draws tells of few that lie far out: their sd is kLongTail times that of
+/// their central 95 %, or the mean kSkew of that from the median, as Pearson's second skewness
+/// measures it.
+bool has_long_tails(const Eigen::VectorXd& draws, double mean, const RobustMoments& middle) {
+  constexpr double kLongTail = 1.5;  // 1 of a normal, 1.07 of an exponential distribution [1]
+  constexpr double kSkew = 0.25;     // 0 of a normal, 0.33 of an exponential distribution [1]
+  const double rounding = 1e-9 * std::abs(middle.median);  // of equal numbers [N]
+  const double sd = std::sqrt((draws.array() - mean).square().mean());
+  return !(sd <= kLongTail * middle.sd + rounding &&
+           std::abs(mean - middle.median) <= kSkew * middle.sd + rounding);
+}
+
+/// Sds of a measurement: the stated noise times a factor, and what the model misses beside it, of
+/// which that factor knows nothing [N] (3 trials).
+Eigen::VectorXd measured_sd(double factor, const ExperimentPlan& plan,
+                            const FitParameters& parameters, const Experiment& experiment) {
+  Eigen::VectorXd sd = plan.sd.reshaped();
+  for (Eigen::Index i = 0; i < sd.size(); ++i) {
+    const Trial& trial = experiment.trials[static_cast<std::size_t>(i / 3)];
+    const double missed = missed_force_sd(parameters, trial.tension);
+    const double stated = std::sqrt(std::max(0.0, sd[i] * sd[i] - missed * missed));
+    sd[i] = std::hypot(factor * stated, missed);
+  }
+  return sd;
+}
+
 /// One measurement about the expected forces of each trial: normal, or where the noise is robust
 /// Student's t, whose components share one chi-square. Those that are not fitted stay 0.
 void add_noise(const ForceNoise& noise, int components, const Eigen::VectorXd& sd,
@@ -124,8 +150,8 @@ PredictedDraws predict_draws(const PosteriorRun& run, const Experiment& experime
   const ForceNoise noise(posterior.problem().robust_scale());
   for (Eigen::Index k = 0; k < x.cols(); ++k) {
     RandomStream random(run.settings.run.sampler.seed, static_cast<std::uint32_t>(k), 0, kMeasure);
-    out.sd.col(k) =
-        noise_factor(run, values, experiment.name, specimen, k, random) * plan.sd.reshaped();
+    const double factor = noise_factor(run, values, experiment.name, specimen, k, random);
+    out.sd.col(k) = measured_sd(factor, plan, parameters, experiment);
     add_noise(noise, plan.measured, out.sd.col(k), random, out.replicated.col(k));
   }
   return out;
@@ -137,9 +163,9 @@ Prediction summarise(const PredictedDraws& predicted) {
   const Eigen::Index trials = centre.size() / 3;
   std::vector<bool> unsteady(static_cast<std::size_t>(trials));
   for (Eigen::Index i = 0; i < sd.size(); ++i) {
-    const RobustMoments middle = robust_moments(predicted.expected.row(i));
-    const double rounding = 1e-9 * std::abs(middle.median);  // of a mean of equal numbers [N]
-    if (!(std::abs(centre[i] - middle.median) <= middle.sd + rounding)) {
+    const Eigen::VectorXd draws = predicted.expected.row(i);
+    const RobustMoments middle = robust_moments(draws);
+    if (has_long_tails(draws, centre[i], middle)) {
       centre[i] = middle.median;
       unsteady[static_cast<std::size_t>(i / 3)] = true;
     }

@@ -25,14 +25,16 @@ struct PredictedDraws {
 /// thinned.
 ///
 /// The noise of an experiment that was not fitted, or of a new specimen, is the stated noise times
-/// a factor drawn from the prior, since every experiment has its own factor.
+/// a factor drawn from the prior, since every experiment has its own factor. What the model misses
+/// under its loads, missed_force_sd(), is added to that as it is.
 /// @param specimen  index in problem().specimens(), or kUnfittedSpecimen: a new specimen
 /// @throws InputError if the experiment does not fit the digit, or there are no draws.
 [[nodiscard]] PredictedDraws predict_draws(const PosteriorRun& run, const Experiment& experiment,
                                            int specimen, long draws = 2000);
 
-/// Means of the draws beside the measured forces, of a component whose mean is further than an sd
-/// of its robust_moments() from its median, as near a singular tip, the median. The sds are half
+/// Means of the draws beside the measured forces; of a component whose draws have a long tail, as
+/// near a singular tip, the median. A tail is long where the sd is more than 1.5 times that of
+/// robust_moments(), or the mean further from the median than a quarter of that. The sds are half
 /// the central 95 % range of the replicated forces over 1.96, which exists also for robust noise of
 /// infinite variance.
 [[nodiscard]] Prediction summarise(const PredictedDraws& predicted);

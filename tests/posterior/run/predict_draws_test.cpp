@@ -64,6 +64,29 @@ TEST(PredictDraws, AStrangerIsLessSureThanTheFitted) {
   EXPECT_GT(spread(-1), 1.5 * spread(0));
 }
 
+// A load e times the fitted one: what forces are out of proportion by, 0.02 t, stands beside the
+// noise of every draw, whose factor does not touch it. Draws of the same number have the same
+// factor.
+TEST(PredictDraws, NoiseFactorsLeaveWhatTheModelMisses) {
+  FitInputs inputs = small_inputs();
+  inputs.settings.text = "linearity = 0.02\n" + inputs.settings.text;
+  const PosteriorRun run = sample_posterior(inputs, quick_settings(100));
+  const Experiment& fitted = run.posterior->problem().experiments()[0];
+  Experiment heavier = fitted;
+  const double e = std::exp(1.0);
+  for (Trial& trial : heavier.trials)
+    for (auto& [muscle, tension] : trial.tension) tension *= e;
+  const Eigen::MatrixXd as_fitted = predict_draws(run, fitted, 0, 50).sd,
+                        with_missed = predict_draws(run, heavier, 0, 50).sd;
+  for (std::size_t i = 0; i < fitted.trials.size(); ++i) {
+    const double t = fitted.trials[i].tension.begin()->second;  // [N]
+    for (Eigen::Index k = 0; k < 50; ++k)
+      EXPECT_NEAR(with_missed(static_cast<Eigen::Index>(3 * i), k),
+                  std::hypot(as_fitted(static_cast<Eigen::Index>(3 * i), k), 0.02 * e * t), 1e-12);
+  }
+  EXPECT_GT((as_fitted.row(0).array() - as_fitted(0, 0)).abs().maxCoeff(), 0.001);
+}
+
 // Of 101 draws one is a million times the others: their mean is 9902, which none is near, and what
 // is told is their median, 1, with a warning. Of draws without such a tail it is the mean, 5.
 TEST(Summarise, TellsMediansWhereTailsCarryMeansAway) {
