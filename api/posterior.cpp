@@ -153,9 +153,14 @@ PosteriorPrediction predict_by_draws(const PosteriorPredictRequest& request) {
   result.fidelity = problem.digit().fidelity;
   for (std::string& warning : path_cautions(run.inputs))
     result.warnings.push_back(std::move(warning));
+  const long kept = static_cast<long>(pooled(run.draws).cols());
+  if (kept < request.draws)
+    result.warnings.push_back(fmt::format(
+        "the posterior has {} draws, fewer than the {} that were asked for: all of them predict",
+        kept, request.draws));
   for (const std::string& name : request.experiments) {
     const SourceText source = read_source(experiment_file(name, request.data));
-    const Experiment experiment = parse_experiment(source.text, source.path);
+    const Experiment experiment = read_trials(source);
     for (const std::string& warning : prediction_warnings(problem, experiment))
       result.warnings.push_back(warning);
     const int fitted = find_specimen(problem, experiment.specimen);

@@ -42,6 +42,14 @@ PredictedBy predicted_by(int specimen, bool population) {
   return population ? PredictedBy::kOwnPopulation : PredictedBy::kOwn;
 }
 
+Experiment read_trials(const SourceText& source) {
+  Experiment experiment = parse_experiment(source.text, source.path);
+  require(!experiment.trials.empty(),
+          "{}: wanted trials, whose forces could be predicted, got rows of activations alone",
+          source.path);
+  return experiment;
+}
+
 std::vector<std::string> prediction_warnings(const FitProblem& fitted,
                                              const Experiment& experiment) {
   const TendonDigit digit = fitted.sized_digit(experiment);
@@ -57,7 +65,7 @@ PredictResult predict_forces(const PredictRequest& request) {
   PredictResult result = answer_of(request, fit);
   for (const std::string& name : request.experiments) {
     const SourceText source = read_source(experiment_file(name, request.data));
-    const Experiment experiment = parse_experiment(source.text, source.path);
+    const Experiment experiment = read_trials(source);
     for (const std::string& warning : prediction_warnings(fit.problem, experiment))
       result.warnings.push_back(warning);
     const int fitted = find_specimen(fit.problem, experiment.specimen);

@@ -58,6 +58,10 @@ struct PredictResult {
 [[nodiscard]] Prediction beside_trivial_forces(Prediction prediction, const Experiment& experiment,
                                                const FitProblem& fitted, PredictedBy by);
 
+/// An experiment whose trials are to be predicted.
+/// @throws DataError as parse_experiment(); InputError if it has no trials.
+[[nodiscard]] Experiment read_trials(const SourceText& source);
+
 /// What to know before trusting a prediction of the experiment by this fit.
 [[nodiscard]] std::vector<std::string> prediction_warnings(const FitProblem& fitted,
                                                            const Experiment& experiment);

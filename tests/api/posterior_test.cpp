@@ -2,6 +2,7 @@
 
 #include "api/posterior.h"
 
+#include <algorithm>
 #include <filesystem>
 
 #include "base/error.h"
@@ -65,6 +66,16 @@ TEST_F(PosteriorQuestion, PredictsByTheMeansOfDraws) {
   EXPECT_FALSE(answer.predicted.experiments[0].prediction.trials.front().trivial);
   EXPECT_EQ(answer.posterior.run.draws.draws(), 20);
   EXPECT_GT(answer.predicted.experiments[0].prediction.trials[0].sd.minCoeff(), 0);
+  // Fewer draws than are asked for are told.
+  const auto told = [](const PosteriorPrediction& of) {
+    return std::any_of(
+        of.predicted.warnings.begin(), of.predicted.warnings.end(), [](const std::string& warning) {
+          return warning.find("fewer than the 2000 that were asked for") != std::string::npos;
+        });
+  };
+  EXPECT_TRUE(told(answer));
+  asked.draws = 10;
+  EXPECT_FALSE(told(predict_by_draws(asked)));
 }
 
 TEST_F(PosteriorQuestion, StoppedInItsSearchItHasNothing) {
