@@ -76,8 +76,9 @@ CrossValidation cross_validate(const FitProblem& problem, LeaveOut what,
   CrossValidation out;
   out.what = what;
   out.folds = list_folds(problem, what);
+  require(!out.folds.empty(), "to {}, wanted trials, got rows of activations alone", name_of(what));
   require(out.folds.size() >= 2, "to {}, there must be two or more; there is only '{}'",
-          name_of(what), out.folds.empty() ? "" : out.folds.front());
+          name_of(what), out.folds.front());
   for (const Experiment& experiment : problem.experiments())
     out.experiments.push_back(
         {experiment.name, {}, {}, calibrated_on_specimen(problem.digit(), experiment)});

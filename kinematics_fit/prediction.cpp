@@ -121,7 +121,7 @@ Prediction compare_forces(const Experiment& experiment, const Eigen::Matrix3Xd& 
     out.trials.push_back({trial.posture, describe_loads(trial), trial.force, predicted.col(i),
                           sd.col(i), experiment.components});
   }
-  out.error = force_error(out.trials);
+  if (!out.trials.empty()) out.error = force_error(out.trials);
   return out;
 }
 

@@ -60,7 +60,7 @@ struct Prediction {
 /// Returns whether the digit's subject was calibrated on the experiment's specimen.
 [[nodiscard]] bool calibrated_on_specimen(const TendonDigit& digit, const Experiment& experiment);
 
-/// Predicted forces beside the measured forces, with their errors.
+/// Predicted forces beside the measured forces, with their errors; without trials, without these.
 /// @param predicted, sd   [N] (3, trials)
 /// @param calibrated_on_specimen  of the digit that predicted
 [[nodiscard]] Prediction compare_forces(const Experiment& experiment,

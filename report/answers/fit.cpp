@@ -17,10 +17,14 @@ namespace {
 constexpr std::size_t kLearntShown = 8, kOpenShown = 4;  // lines of the text
 
 Json error_json(const Prediction& prediction) {
+  const ForceError& error = prediction.error;
+  const auto of_trials = [&](double value) {
+    return error.trials > 0 ? Json(value) : Json(nullptr);
+  };
   return {{"experiment", prediction.experiment},
-          {"rms_error_N", prediction.error.rms},
-          {"relative_error", prediction.error.relative},
-          {"relative_error_flexion_plane", prediction.error.relative_flexion},
+          {"rms_error_N", of_trials(error.rms)},
+          {"relative_error", of_trials(error.relative)},
+          {"relative_error_flexion_plane", of_trials(error.relative_flexion)},
           {"start_has_seen_specimen", prediction.calibrated_on_specimen}};
 }
 
@@ -329,8 +333,11 @@ std::string text_of(const FitResult& result) {
       fit.solution.seconds, fit.problem.size(), fit.covariance.effective_parameters);
   for (std::size_t e = 0; e < result.in_sample.size(); ++e) {
     const Prediction& p = result.in_sample[e];
-    text += fmt::format("  {:<20} in sample: RMS error {:.3f} N, relative {:.3f}{}\n", p.experiment,
-                        p.error.rms, p.error.relative, noise_words(result, e));
+    const std::string error =
+        p.error.trials > 0
+            ? fmt::format("RMS error {:.3f} N, relative {:.3f}", p.error.rms, p.error.relative)
+            : counted(fit.problem.experiments()[e].activations.size(), "row") + " of activations";
+    text += fmt::format("  {:<20} in sample: {}{}\n", p.experiment, error, noise_words(result, e));
   }
   for (const CrossValidation& validation : result.left_out) text += left_out_text(validation);
   text += published_text(result);

@@ -131,14 +131,17 @@ Json ending_blocks(const FitResult& result) {
 Json error_row(const Prediction& prediction, const std::string& what, const Json& noise) {
   const ForceError& error = prediction.error;
   const Json trivial = trivial_json(prediction);
+  const auto of_trials = [&](double value) {
+    return error.trials > 0 ? Json(value) : Json(nullptr);
+  };
   return {prediction.experiment + seen_words(prediction),
           what,
           error.trials,
-          error.rms,
-          error.relative,
-          error.relative_flexion,
+          of_trials(error.rms),
+          of_trials(error.relative),
+          of_trials(error.relative_flexion),
           trivial.is_null() ? trivial : trivial["relative_error"],
-          degrees(error.direction),
+          of_trials(degrees(error.direction)),
           noise,
           error.covered ? Json(100 * *error.covered) : Json(nullptr)};
 }
@@ -197,11 +200,12 @@ Json force_section(const FitResult& result) {
   if (std::optional<Json> hood = hood_row_block(result)) blocks.push_back(*hood);
   const std::vector<Experiment>& experiments = result.fit.problem.experiments();
   for (std::size_t e = 0; e < result.in_sample.size(); ++e)
-    blocks.push_back(
-        force_panels(in_digit_axes(result.in_sample[e], experiments[e]),
-                     result.in_sample[e].experiment +
-                         ", in sample. Measured solid, predicted dashed; ellipses hold 95 % of the "
-                         "predictive distribution"));
+    if (!result.in_sample[e].trials.empty())
+      blocks.push_back(force_panels(
+          in_digit_axes(result.in_sample[e], experiments[e]),
+          result.in_sample[e].experiment +
+              ", in sample. Measured solid, predicted dashed; ellipses hold 95 % of the "
+              "predictive distribution"));
   for (const CrossValidation& validation : result.left_out)
     for (std::size_t e = 0; e < validation.experiments.size(); ++e) {
       if (validation.experiments[e].trials.empty()) continue;

@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "api/named/files.h"
+#include "api/predict.h"
 #include "base/error.h"
 #include "data/io/toml_node.h"
 #include "tests/api/small_fit.h"
@@ -114,6 +115,33 @@ TEST_F(FitQuestion, WarnsOfForcesThatItMisses) {
   std::ofstream(path("turned.toml")) << text;
   request.sources.experiments = {path("turned.toml")};
   EXPECT_TRUE(misses());
+}
+
+// Electromyography alone: it is fitted, has no force to be left out or predicted, and says so.
+TEST_F(FitQuestion, FitsRowsOfActivationsAlone) {
+  FitRequest request;
+  request.sources = sources();
+  request.sources.subject = THENAR_DATA_DIR "/subjects/an_chao_middle.toml";
+  std::string text = read_text_file(request.sources.experiments.front());
+  text = text.substr(0, text.find("[trials]")) +
+         "[[activation]]\nposture = 'MinorFlex'\nactivation = {FDS = 0.2}\n"
+         "activation_sd = 0.1\nforce_N = [-1, -1, 0]\n";
+  std::ofstream(path("rows.toml")) << text;
+  request.sources.experiments = {path("rows.toml")};
+  request.output = path("fit.h5");
+  const FitResult result = fit_forces(request);
+  EXPECT_EQ(result.fit.solution.status, Status::kSolved);
+  EXPECT_EQ(result.in_sample.at(0).error.trials, 0);
+  EXPECT_EQ(result.misfits.at(0).numbers, 3);
+  PredictRequest predict;
+  predict.fit = request.output;
+  predict.experiments = request.sources.experiments;
+  EXPECT_EQ(message_of([&] { (void)predict_forces(predict); }),
+            path("rows.toml") +
+                ": wanted trials, whose forces could be predicted, got rows of activations alone");
+  request.leave_out = {LeaveOut::kPosture};
+  EXPECT_EQ(message_of([&] { (void)fit_forces(request); }),
+            "to leave one posture out, wanted trials, got rows of activations alone");
 }
 
 TEST_F(FitQuestion, StopsWithTheBestPointSoFar) {
