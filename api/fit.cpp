@@ -12,6 +12,7 @@
 #include "base/rung_names.h"
 #include "kinematics_fit/axis_doubts.h"
 #include "kinematics_fit/model/net_trials.h"
+#include "kinematics_fit/odd_trials.h"
 #include "kinematics_fit/prior_scales.h"
 #include "kinematics_fit/specimen_prior.h"
 
@@ -242,6 +243,9 @@ FitResult fit_forces(const FitRequest& request, const Progress& progress) {
   result.misfits = misfits(fit.problem, fit.solution.z, fit.covariance);
   result.warnings = fit.problem.warnings();
   for (std::string& warning : misfit_warnings(result))
+    result.warnings.push_back(std::move(warning));
+  for (std::string& warning :
+       describe(fit.problem, odd_trials(fit.problem, fit.solution.z, fit.covariance)))
     result.warnings.push_back(std::move(warning));
   for (std::string& warning : noise_warnings(result)) result.warnings.push_back(std::move(warning));
   for (std::string& warning :

@@ -144,6 +144,27 @@ TEST_F(FitQuestion, FitsRowsOfActivationsAlone) {
             "to leave one posture out, wanted trials, got rows of activations alone");
 }
 
+// Of a force turned round the fit says which it is.
+TEST_F(FitQuestion, NamesATrialThatDoesNotGoWithTheOthers) {
+  FitRequest request;
+  request.sources = sources();
+  const auto odd = [&] {
+    std::string told;
+    for (const std::string& warning : fit_forces(request).warnings)
+      if (warning.find("what all other trials tell of them") != std::string::npos) told += warning;
+    return told;
+  };
+  const std::string named = "them: FDS in posture 'MinorFlex' (";
+  EXPECT_EQ(odd().find(named), std::string::npos) << odd();
+  std::string text = read_text_file(request.sources.experiments.front());
+  const std::size_t row = text.find("{posture = \"MinorFlex\", load_g = {FDS = 950}");
+  ASSERT_NE(row, std::string::npos);
+  text.erase(text.find("[-", row) + 1, 1);
+  std::ofstream(path("odd.toml")) << text;
+  request.sources.experiments = {path("odd.toml")};
+  EXPECT_NE(odd().find(named), std::string::npos) << odd();
+}
+
 TEST_F(FitQuestion, StopsWithTheBestPointSoFar) {
   FitRequest request;
   request.sources = sources();
