@@ -10,6 +10,7 @@
 #include "api/named/files.h"
 #include "base/error.h"
 #include "base/rung_names.h"
+#include "data/io/subject_doubts.h"
 #include "kinematics_fit/axis_doubts.h"
 #include "kinematics_fit/model/net_trials.h"
 #include "kinematics_fit/odd_trials.h"
@@ -241,7 +242,8 @@ FitResult fit_forces(const FitRequest& request, const Progress& progress) {
   result.fit.run = request.run;
   const Fit& fit = result.fit;
   result.misfits = misfits(fit.problem, fit.solution.z, fit.covariance);
-  result.warnings = fit.problem.warnings();
+  result.warnings = subject_doubts(parse_subject(fit.inputs.subject.text, fit.inputs.subject.path));
+  for (std::string& warning : fit.problem.warnings()) result.warnings.push_back(std::move(warning));
   for (std::string& warning : misfit_warnings(result))
     result.warnings.push_back(std::move(warning));
   for (std::string& warning :

@@ -13,16 +13,34 @@
 #include "data/io/doubled_trials.h"
 #include "data/io/mesh/repair_shape.h"
 #include "data/io/robot/import_robot.h"
+#include "data/io/subject_doubts.h"
 #include "geometry/solid.h"
 #include "pads/build_pad.h"
+#include "tendons/linear_tendons.h"
 #include "tendons/tendon_model.h"
 
 namespace thenar {
 namespace {
 
 /// Builds what a thing says; throws where its parts do not fit together.
-void build_thing(const Subject& subject, FileVerdict& /*verdict*/) {
-  for (const Digit& digit : subject.digits) (void)build_tendon_digit(subject, digit.name);
+void build_thing(const Subject& subject, FileVerdict& verdict) {
+  for (std::string& doubt : subject_doubts(subject)) verdict.warnings.push_back(std::move(doubt));
+  for (const Digit& digit : subject.digits) {
+    (void)build_tendon_digit(subject, digit.name);
+    // Its tendons as other questions run them, at the reference posture.
+    TendonOptions options;
+    options.path = default_path(subject);
+    const auto tendons = build_linear_tendons(subject, digit.name, options);
+    const TendonNames& names = tendons->digit().names;
+    const auto zeros = [](const std::vector<std::string>& of) -> Eigen::VectorXd {
+      return Eigen::VectorXd::Zero(static_cast<Eigen::Index>(of.size()));
+    };
+    const TendonTorque there =
+        tendons->evaluate(zeros(names.coordinates), zeros(names.muscles), {});
+    if (!there.warning.empty())
+      verdict.warnings.push_back(
+          fmt::format("digit '{}' at the reference posture: {}", digit.name, there.warning));
+  }
 }
 void build_thing(const BodySpec& body, FileVerdict& verdict) {
   (void)build_solid(body.shapes);  // throws if a mesh has holes

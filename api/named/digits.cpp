@@ -15,6 +15,7 @@
 #include "base/error.h"
 #include "base/file_io.h"
 #include "base/nearest_name.h"
+#include "data/io/subject_doubts.h"
 #include "hand/tip_manipulability.h"
 #include "tendons/forces/tip_map.h"
 #include "tendons/net/build_tendons.h"
@@ -106,7 +107,8 @@ void build_tendons_of(const DigitRequest& request, Hood default_hood, DigitCase&
 
 /// Limits of all postures, and arms that collapse where the joints that vary are not moved yet.
 void add_warnings(const DigitRequest& request, DigitCase& at) {
-  at.warnings = at.grid.warnings;
+  at.warnings = subject_doubts(at.subject);
+  at.warnings.insert(at.warnings.end(), at.grid.warnings.begin(), at.grid.warnings.end());
   const DigitTendons& linear = at.net != nullptr ? at.net->linear() : *at.tendons;
   const Eigen::VectorXd q = posture_of(at.bones().skeleton, request.posture);
   for (std::string& warning : collapse_warnings(linear, q))

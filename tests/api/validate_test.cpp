@@ -2,12 +2,15 @@
 
 #include "api/validate.h"
 
+#include <fstream>
+
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "api/scenes/simulate_scene.h"
 #include "api/simulate.h"
 #include "base/error.h"
+#include "data/io/toml_node.h"
 #include "tests/data/mutated_arrays.h"
 #include "tests/data_folder.h"
 #include "tests/message_of.h"
@@ -42,6 +45,21 @@ TEST(Validate, HoldsExperimentsToASubject) {
   EXPECT_FALSE(index.valid());
   EXPECT_EQ(message_of([] { (void)validate(things_for({"winslow"}, "an_chao_index")); }),
             "--subject is what experiments are held to; none of the files is an experiment");
+}
+
+class ValidateSubjects : public TemporaryFolder {};
+
+// A path point inside the surface that its tendon bends over: other questions refuse it, too.
+TEST_F(ValidateSubjects, WhosePointsLieInsideSurfacesAreRefused) {
+  std::string text = read_text_file(std::string(kData) + "/subjects/human_hand.toml");
+  const std::string point = "{segment = \"MC2\", point_mm = [50.7, -84, 11.3]}";
+  const std::size_t at = text.find(point);
+  ASSERT_NE(at, std::string::npos);
+  text.replace(at, point.size(), "{segment = \"MC2\", point_mm = [48.0, -86, 7.0]}");
+  std::ofstream(path("inside.toml")) << text;
+  const Validation found = validate(things_for({path("inside.toml")}, ""));
+  EXPECT_THAT(found.files.front().error,
+              HasSubstr("point 7 of strand 'EDC2' lies 2.69 mm inside surface 'MCP2_head'"));
 }
 
 class ValidateResults : public TemporaryFolder {
