@@ -6,6 +6,7 @@
 #include "api/named/files.h"
 #include "base/error.h"
 #include "kinematics_fit/model/experiment_plan.h"
+#include "kinematics_fit/model/shared_postures.h"
 #include "kinematics_fit/trivial_prediction.h"
 
 namespace thenar {
@@ -53,8 +54,12 @@ Experiment read_trials(const SourceText& source) {
 std::vector<std::string> prediction_warnings(const FitProblem& fitted,
                                              const Experiment& experiment) {
   const TendonDigit digit = fitted.sized_digit(experiment);
-  return experiment_warnings(digit, plan_experiment(digit, fitted.parameters(), experiment),
-                             experiment);
+  std::vector<std::string> warnings = experiment_warnings(
+      digit, plan_experiment(digit, fitted.parameters(), experiment), experiment);
+  for (std::string& warning :
+       posture_name_warnings({with_own_postures(experiment, fitted.experiments())}))
+    warnings.push_back(std::move(warning));
+  return warnings;
 }
 
 PredictResult predict_forces(const PredictRequest& request) {

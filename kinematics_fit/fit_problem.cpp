@@ -121,6 +121,10 @@ std::vector<std::string> FitProblem::warnings() const {
     for (std::string& warning : experiment_warnings(digit_, plans_[e], experiments_[e]))
       all.push_back(std::move(warning));
 
+  // One name for two postures.
+  for (std::string& warning : posture_name_warnings(experiments_))
+    all.push_back(std::move(warning));
+
   // Rows that count twice.
   for (std::string& warning : doubled_trial_warnings(experiments_))
     all.push_back(std::move(warning));

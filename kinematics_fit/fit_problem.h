@@ -70,8 +70,9 @@ class FitProblem {
   [[nodiscard]] const std::vector<AxisDistance>& axis_distances() const { return axis_distances_; }
   [[nodiscard]] const std::vector<AxisPair>& axis_pairs() const { return axis_pairs_; }
 
-  /// Warnings to read before the fit is trusted: experiment_warnings(), doubled_trial_warnings(),
-  /// activations that least squares leaves aside, fixed_geometry_warnings().
+  /// Warnings to read before the fit is trusted: experiment_warnings(), posture_name_warnings(),
+  /// doubled_trial_warnings(), activations that least squares leaves aside,
+  /// fixed_geometry_warnings().
   [[nodiscard]] std::vector<std::string> warnings() const;
 
  private:

@@ -2,6 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
+#include <utility>
+
+#include <fmt/format.h>
 
 #include "base/units.h"
 
@@ -13,19 +17,24 @@ double angle_of(const PostureRecord& posture, const std::string& joint) {
   return found == posture.angles.end() ? 0 : found->second;
 }
 
-/// Whether any two of the experiments have a posture of this name at other angles. Being the same
+/// Two experiments that have a posture of this name at other angles, or nulls. Being the same
 /// within 2 degrees is not handed on from one to the next, so that all pairs count.
-bool differs(const std::string& name, const std::vector<Experiment>& experiments) {
-  std::vector<const PostureRecord*> seen;
-  for (const Experiment& experiment : experiments) {
-    const PostureRecord* here = find_posture(experiment, name);
+std::pair<const Experiment*, const Experiment*> differing(
+    const std::string& name, const std::vector<Experiment>& experiments) {
+  for (std::size_t e = 0; e < experiments.size(); ++e) {
+    const PostureRecord* here = find_posture(experiments[e], name);
     if (here == nullptr) continue;
-    for (const PostureRecord* there : seen)
-      if (!same_posture(there, here)) return true;
-    seen.push_back(here);
+    for (std::size_t other = 0; other < e; ++other) {
+      const PostureRecord* there = find_posture(experiments[other], name);
+      if (there != nullptr && !same_posture(there, here))
+        return {&experiments[other], &experiments[e]};
+    }
   }
-  return false;
+  return {nullptr, nullptr};
 }
+
+/// What with_own_postures() adds to the names of an experiment's postures.
+std::string own_suffix(const Experiment& experiment) { return " (" + experiment.name + ")"; }
 
 /// Whether a posture stands elsewhere in the known experiments: see with_own_postures().
 bool stands_elsewhere(const PostureRecord& posture, const std::string& specimen,
@@ -67,7 +76,7 @@ bool same_posture(const PostureRecord* a, const PostureRecord* b) {
 FitParameters share_same_postures(FitParameters parameters,
                                   const std::vector<Experiment>& experiments) {
   for (std::size_t key = 0; key < parameters.postures.size(); ++key) {
-    if (!differs(parameters.postures[key], experiments)) continue;
+    if (differing(parameters.postures[key], experiments).first == nullptr) continue;
     for (Parameter& p : parameters.all) {
       const bool of_posture =
           p.kind == ParameterKind::kPostureAngle || p.kind == ParameterKind::kPostureForce;
@@ -84,13 +93,40 @@ Experiment with_own_postures(Experiment experiment, const std::vector<Experiment
     if (!stands_elsewhere(posture, experiment.specimen, known)) continue;
     // The new name, in the posture and in all that stands in it.
     const std::string name = posture.name;
-    posture.name += " (" + experiment.name + ")";
+    posture.name += own_suffix(experiment);
     for (Trial& trial : experiment.trials)
       if (trial.posture == name) trial.posture = posture.name;
     for (ActivationRow& row : experiment.activations)
       if (row.posture == name) row.posture = posture.name;
   }
   return experiment;
+}
+
+std::vector<std::string> posture_name_warnings(const std::vector<Experiment>& experiments) {
+  std::vector<std::string> warnings;
+  std::set<std::string> names;
+  for (const Experiment& experiment : experiments)
+    for (const PostureRecord& posture : experiment.postures) {
+      // Renamed ones, once each.
+      names.insert(posture.name);
+      const std::string suffix = own_suffix(experiment);
+      const std::size_t length = posture.name.size() - std::min(suffix.size(), posture.name.size());
+      if (posture.name.substr(length) == suffix)
+        warnings.push_back(fmt::format(
+            "experiment '{}': posture '{}' stands more than 2 degrees from that of the same name "
+            "in other experiments: it is taken for another one",
+            experiment.name, posture.name.substr(0, length)));
+    }
+  // Those of several people.
+  for (const std::string& name : names) {
+    const auto [one, other] = differing(name, experiments);
+    if (one != nullptr)
+      warnings.push_back(fmt::format(
+          "posture '{}' of experiments '{}' and '{}' is not one, as angles differ by more than 2 "
+          "degrees: nothing that is missed in it is shared between people",
+          name, one->name, other->name));
+  }
+  return warnings;
 }
 
 }  // namespace thenar

@@ -31,4 +31,9 @@ namespace thenar {
 [[nodiscard]] Experiment with_own_postures(Experiment experiment,
                                            const std::vector<Experiment>& known);
 
+/// Warnings where one name stands for postures at different angles, a sentence each: those renamed
+/// by with_own_postures(), and those of several experiments that share_same_postures() keeps apart.
+[[nodiscard]] std::vector<std::string> posture_name_warnings(
+    const std::vector<Experiment>& experiments);
+
 }  // namespace thenar
