@@ -66,6 +66,15 @@ Eigen::VectorXd within_bounds(const FitParameters& parameters, const Eigen::Vect
   return u;
 }
 
+/// The step, each coordinate shortened so that it stays within the bounds of its parameter to
+/// either side of the centre.
+Eigen::VectorXd shortened(const FitParameters& parameters, const Eigen::VectorXd& center,
+                          const Eigen::VectorXd& step) {
+  const Eigen::VectorXd up = within_bounds(parameters, center, step) - center,
+                        down = center - within_bounds(parameters, center, -step);
+  return (up.array().abs() < down.array().abs()).select(up, down);
+}
+
 /// Forces at draws of u ~ N(center, V), each coordinate within its bounds, two draws on either side
 /// of the centre [N] (3 trials, kMomentDraws).
 Eigen::MatrixXd drawn_forces(const TendonDigit& digit, const FitParameters& parameters,
@@ -126,17 +135,15 @@ PredictiveMoments predictive_moments(const TendonDigit& digit, const FitParamete
   for (Eigen::Index k = 0; k < order.bent; ++k) {
     if (L(k, k) == 0) continue;
     step(order.all) = L.col(k);
-    const Eigen::VectorXd up = within_bounds(parameters, center, step),
-                          down = within_bounds(parameters, center, -step);
-    const Eigen::Matrix3Xd above = force_values(digit, parameters, plan, up, kernel.get()),
-                           below = force_values(digit, parameters, plan, down, kernel.get());
+    const Eigen::VectorXd way = shortened(parameters, center, step);
+    const Eigen::Matrix3Xd above =
+                               force_values(digit, parameters, plan, center + way, kernel.get()),
+                           below =
+                               force_values(digit, parameters, plan, center - way, kernel.get());
     const Eigen::Matrix3Xd bend = (above + below) / 2 - at.force;
     out.mean += bend;
     bent += bend.reshaped().cwiseAbs2();
-    // Of a step that a bound cuts on one side, odd parts are not known.
-    const bool cut =
-        (up + down - 2 * center).cwiseAbs().maxCoeff() > 1e-9 * step.cwiseAbs().maxCoeff();
-    if (!cut) uneven += ((above - below).reshaped() - at.J * (up - down)).cwiseAbs2() / 4;
+    uneven += ((above - below).reshaped() / 2 - at.J * way).cwiseAbs2();
   }
 
   out.variance += 2 * bent;

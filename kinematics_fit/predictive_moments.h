@@ -35,7 +35,8 @@ struct PredictiveMoments {
 /// The mean is that of the quadratic that f is taken for (1/2 tr H V beyond f); of its variance the
 /// part of mixed second derivatives is left out. A load cell tilted by an unknown angle of 12
 /// degrees about each of two axes shortens the mean force by 4 %.
-/// Steps end at the bounds of their parameters.
+/// Steps end at the bounds of their parameters, alike on both sides: what a bound holds stays there,
+/// as data push it, and the mean does not hang on which root L is.
 ///
 /// Near a posture in which the tip is singular that expansion may point the opposite way. A trial
 /// in which odd parts of the steps differ from their slopes, or even parts exceed them,

@@ -100,14 +100,37 @@ TEST(PredictiveMoments, AgreeWithMeansOverDraws) {
             0.05 * variance.cwiseSqrt().norm());
 }
 
+// At a bound, that its data push against, the mean is the force there; 0.05 within it, of the steps
+// of 0.05 that both sides have.
 TEST(PredictiveMoments, KeepsStepsWithinTheBoundsOfParameters) {
   const MomentScene scene(
       "[[parameter]]\nmatch='friction/FDP'\nstate='free'\nmean=0\nlower=0\nupper=0.5\n");
-  const PredictiveMoments moments =
-      scene.moments(VectorXd::Zero(1), MatrixXd::Constant(1, 1, 0.2 * 0.2));
-  const Eigen::Matrix3Xd at_zero = scene.forces(VectorXd::Zero(1)),
-                         beyond = scene.forces(VectorXd::Constant(1, 0.2));
-  EXPECT_TRUE(matrix_near(moments.mean, (at_zero + beyond) / 2, 1e-12));
+  const MatrixXd V = MatrixXd::Constant(1, 1, 0.2 * 0.2);
+  const auto forces = [&](double friction) {
+    return scene.forces(VectorXd::Constant(1, friction));
+  };
+  EXPECT_TRUE(matrix_near(scene.moments(VectorXd::Zero(1), V).mean, forces(0), 1e-12));
+  EXPECT_TRUE(matrix_near(scene.moments(VectorXd::Constant(1, 0.05), V).mean,
+                          (forces(0) + forces(0.1)) / 2, 1e-12));
+}
+
+// Which of two correlated coordinates comes first changes the root of their covariance: with one at
+// its bound, means stay but for what is of second order.
+TEST(PredictiveMoments, DoNotHangOnTheOrderOfCoordinates) {
+  const std::string friction =
+      "[[parameter]]\nmatch='friction/FDP'\nstate='free'\nmean=0\nlower=0\nupper=0.5\n";
+  const std::string tilt = "[[parameter]]\nmatch='axis/PIP3/direction/1'\nstate='free'\n";
+  const MomentScene scene(friction + tilt);
+  const int n = scene.setup.parameters.coordinates();
+  ASSERT_EQ(n, 2);
+  const double sd = 1e-3;  // of both: [1], [rad]
+  for (const double correlation : {0.9, -0.9}) {
+    MatrixXd V(2, 2);
+    V << 1, correlation, correlation, 1;
+    V *= sd * sd;
+    const Eigen::Matrix3Xd at = scene.forces(VectorXd::Zero(2));
+    EXPECT_LT((scene.moments(VectorXd::Zero(2), V).mean - at).cwiseAbs().maxCoeff(), 1e-5);
+  }
 }
 
 // A finger almost straight at PIP and DIP, whose angles are known to 4 degrees: within an sd the
