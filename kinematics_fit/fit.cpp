@@ -10,6 +10,7 @@
 #include "base/provenance.h"
 #include "data/io/net_description.h"
 #include "data/io/result_layout.h"
+#include "kinematics_fit/axis_pivots.h"
 #include "kinematics_fit/fit_residuals.h"
 #include "kinematics_fit/model/shared_postures.h"
 #include "kinematics_fit/prediction.h"
@@ -37,8 +38,8 @@ std::vector<std::string> posture_names(const std::vector<Experiment>& experiment
 /// The digit with its tendons; a net takes the place of the hood. Load cells are zeroed under the
 /// digit at rest, so that measured forces are those of tendons, without passive moments.
 TendonDigit build_digit(const FitInputs& inputs, const std::string& name) {
-  const Subject subject =
-      with_passive(parse_subject(inputs.subject.text, inputs.subject.path), PassiveMoments::kOff);
+  const Subject subject = with_points_at_tendons(
+      with_passive(parse_subject(inputs.subject.text, inputs.subject.path), PassiveMoments::kOff));
   if (!inputs.net) return build_tendon_digit(subject, name);
   TendonOptions separate;
   separate.hood = Hood::kSeparate;

@@ -1,0 +1,16 @@
+#pragma once
+
+/// Where on its axis a joint's tilt turns.
+
+#include "data/io/subject.h"
+
+namespace thenar {
+
+/// The subject with points of its axes beside the tendons that cross them. Any point of an axis
+/// states the same joint, but a fit tilts the axis about it: about one far away, as a motion
+/// capture gives it, a tilt would move the axis out of the finger. A point that lies further than
+/// 10 mm along its axis from the middle of these tendons is moved to that middle; joints that no
+/// path crosses keep theirs. No force of the subject changes.
+[[nodiscard]] Subject with_points_at_tendons(Subject subject);
+
+}  // namespace thenar
