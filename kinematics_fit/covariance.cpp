@@ -141,23 +141,25 @@ void name_nulls(const ArrowLayout& layout, const ArrowNullSpace& null_directions
       add(alone[b].rows.row(k).transpose(), layout.first(b));
 }
 
-/// (J'J)^-1 of data and priors together; the factor of J keeps digits that J'J would lose.
-ArrowMatrix inverse_blocks(const DataRows& data) {
+/// The factor of data and priors together; that of J keeps digits that J'J would lose.
+ArrowFactor factor_of(const DataRows& data) {
   std::vector<ArrowRows> all = prior_rows(data.layout);
   all.insert(all.end(), data.rows.begin(), data.rows.end());
-  return ArrowFactor(data.layout, all).inverse_blocks();
+  return {data.layout, all};
 }
 
 }  // namespace
 
 ArrowMatrix laplace_blocks(const FitProblem& problem, const Eigen::VectorXd& z) {
-  return inverse_blocks(rows_of_data(problem, z));
+  return factor_of(rows_of_data(problem, z)).inverse_blocks();
 }
 
 Covariance posterior_covariance(const FitProblem& problem, const Eigen::VectorXd& z) {
   const DataRows data = rows_of_data(problem, z);
   Covariance out;
-  out.C = inverse_blocks(data);
+  const ArrowFactor factor = factor_of(data);
+  out.C = factor.inverse_blocks();
+  for (const ArrowRows& rows : data.rows) out.leverage.push_back(factor.whiten(rows));
   const Eigen::VectorXd variance = out.C.diagonal();
   out.effective_parameters = static_cast<double>(z.size()) - variance.sum();
 

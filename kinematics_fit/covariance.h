@@ -35,6 +35,8 @@ struct Covariance {
   std::vector<CoordinateEstimate> learnt;  // one per entry of z
   std::vector<NullDirection> null_directions;  // data curvature below 1e-9 of a prior's
   double effective_parameters = 0;             // trace of data curvature times C [1]
+  std::vector<Eigen::MatrixXd> leverage;       // W of each experiment, its data rows J having
+                                               // J C J' = W'W to the last digits (., data rows) [1]
 };
 
 /// Covariance::C alone: who only predicts needs no names of directions.

@@ -56,10 +56,10 @@ std::vector<Misfit> misfits(const FitProblem& problem, const Eigen::VectorXd& z,
   std::vector<Misfit> all;
   for (int e = 0; e < static_cast<int>(problem.experiments().size()); ++e) {
     // Residuals, and how much of them the parameters that move this specimen take up.
-    const Residuals data = data_residuals(problem, z, e, WithJacobian::kYes);
+    const Residuals data = data_residuals(problem, z, e, WithJacobian::kNo);
     const int forces = force_rows(problem, e);
-    const Eigen::MatrixXd C = covariance.C.of(problem.specimen_of(e)), J = data.J.topRows(forces);
-    const double effective = (J * C).cwiseProduct(J).sum();
+    const double effective =
+        covariance.leverage[static_cast<std::size_t>(e)].leftCols(forces).squaredNorm();
     all.push_back(misfit(plain_squares(data.r.head(forces), problem.robust_scale()),
                          fitted_numbers(problem, e), effective));
   }

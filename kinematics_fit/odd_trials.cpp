@@ -22,30 +22,48 @@ Eigen::Vector3d plain_residual(const Eigen::Vector3d& r, double c) {
   return r * std::sqrt(c * c * std::expm1(squared / (c * c)) / squared);
 }
 
+/// "FDS in posture 'Hook'", or "activation row 2 in posture 'Hook'".
+std::string name_of(const Experiment& experiment, std::size_t row) {
+  const std::size_t trials = experiment.trials.size();
+  if (row >= trials)
+    return fmt::format("activation row {} in posture '{}'", row - trials + 1,
+                       experiment.activations[row - trials].posture);
+  const Trial& trial = experiment.trials[row];
+  return fmt::format("{} in posture '{}'", describe_loads(trial), trial.posture);
+}
+
 /// Squared distance of a trial from what all others tell of it, see odd_trials() [1].
-double squared_distance(const Eigen::Vector3d& r, const Eigen::MatrixXd& J,
-                        const Eigen::MatrixXd& C) {
-  const Eigen::Matrix3d rest = Eigen::Matrix3d::Identity() - J * C * J.transpose();
+/// @param W  with H = W'W (., 3)
+double squared_distance(const Eigen::Vector3d& r, const Eigen::MatrixXd& W) {
+  const Eigen::Matrix3d rest = Eigen::Matrix3d::Identity() - W.transpose() * W;
   return r.dot(rest.llt().solve(r));
 }
+
+/// Trials and rows of activations of an experiment, as data_residuals() has them.
+Eigen::Index rows_of(const FitProblem& problem, int e) { return force_rows(problem, e) / 3; }
 
 }  // namespace
 
 std::vector<OddTrial> odd_trials(const FitProblem& problem, const Eigen::VectorXd& z,
                                  const Covariance& covariance) {
   std::vector<OddTrial> odd;
-  double trials = 0;
-  for (const ExperimentPlan& plan : problem.plans()) trials += static_cast<double>(plan.sd.cols());
-  for (int e = 0; e < static_cast<int>(problem.experiments().size()); ++e) {
+  const int experiments = static_cast<int>(problem.experiments().size());
+  double rows = 0;
+  for (int e = 0; e < experiments; ++e) rows += static_cast<double>(rows_of(problem, e));
+  for (int e = 0; e < experiments; ++e) {
     const ExperimentPlan& plan = problem.plans()[static_cast<std::size_t>(e)];
-    const Residuals data = data_residuals(problem, z, e, WithJacobian::kYes);
-    const Eigen::MatrixXd C = covariance.C.of(problem.specimen_of(e));
-    for (Eigen::Index i = 0; i < plan.sd.cols(); ++i) {
-      // Residuals that are not fitted are 0, and so are their slopes.
-      const Eigen::Vector3d r = plain_residual(data.r.segment<3>(3 * i), problem.robust_scale());
-      const double squared = squared_distance(r, data.J.middleRows<3>(3 * i), C);
-      const auto fitted = static_cast<double>((plan.sd.col(i).array() < HUGE_VAL).count());
-      const double tail = std::min(1.0, trials * chi_square_tail(squared, fitted));
+    const Eigen::VectorXd all = data_residuals(problem, z, e, WithJacobian::kNo).r;
+    const Eigen::MatrixXd& W = covariance.leverage[static_cast<std::size_t>(e)];
+    for (Eigen::Index i = 0; i < rows_of(problem, e); ++i) {
+      // Residuals that are not fitted are 0, and so are their slopes; only trials are robust.
+      const bool trial = i < plan.sd.cols();
+      const Eigen::Vector3d r =
+          plain_residual(all.segment<3>(3 * i), trial ? problem.robust_scale() : 0);
+      const double squared = squared_distance(r, W.middleCols<3>(3 * i));
+      const auto fitted =
+          trial ? (plan.sd.col(i).array() < HUGE_VAL).count() : Eigen::Index{plan.measured};
+      const double tail =
+          std::min(1.0, rows * chi_square_tail(squared, static_cast<double>(fitted)));
       if (!(tail >= kOdd)) odd.push_back({e, static_cast<int>(i), std::sqrt(squared), tail});
     }
   }
@@ -64,9 +82,9 @@ std::vector<std::string> describe(const FitProblem& problem, const std::vector<O
     int found = 0;
     for (const OddTrial& each : odd) {
       if (each.experiment != e || ++found > kNamed) continue;
-      const Trial& trial = experiment.trials[static_cast<std::size_t>(each.trial)];
-      names += fmt::format("{}{} in posture '{}' ({:.1f} sds)", found > 1 ? ", " : "",
-                           describe_loads(trial), trial.posture, each.distance);
+      names +=
+          fmt::format("{}{} ({:.1f} sds)", found > 1 ? ", " : "",
+                      name_of(experiment, static_cast<std::size_t>(each.trial)), each.distance);
     }
     if (found == 0) continue;
     if (found > kNamed) names += fmt::format(" and {} more", found - kNamed);

@@ -41,6 +41,7 @@ MatrixXd triangle(const MatrixXd& A) {
 }
 
 MatrixXd below(const MatrixXd& top, const MatrixXd& bottom) {
+  if (top.size() == 0) return bottom;
   MatrixXd all(top.rows() + bottom.rows(), top.cols());
   all << top, bottom;
   return all;
@@ -119,6 +120,16 @@ VectorXd ArrowFactor::whiten(const VectorXd& g) const {
   }
   y.head(layout_.shared) = shared_.transpose().triangularView<Eigen::Lower>().solve(shared);
   return y;
+}
+
+MatrixXd ArrowFactor::whiten(const ArrowRows& rows) const {
+  MatrixXd own, shared = rows.shared.transpose();
+  if (rows.block >= 0) {
+    const Block& block = blocks_[static_cast<std::size_t>(rows.block)];
+    own = block.R.transpose().triangularView<Eigen::Lower>().solve(rows.own.transpose());
+    shared -= block.S.transpose() * own;
+  }
+  return below(own, shared_.transpose().triangularView<Eigen::Lower>().solve(shared));
 }
 
 VectorXd ArrowFactor::colour(const VectorXd& v) const {

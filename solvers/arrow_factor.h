@@ -52,6 +52,9 @@ class ArrowFactor {
 
   /// R^-T g, so that |whiten(g)|^2 = g' (J'J)^-1 g  (size).
   [[nodiscard]] Eigen::VectorXd whiten(const Eigen::VectorXd& g) const;
+  /// W = R^-T rows', so that rows (J'J)^-1 rows' = W'W, without the zeros of other blocks; of rows
+  /// among those of J no column is longer than 1 (own + shared coordinates, rows).
+  [[nodiscard]] Eigen::MatrixXd whiten(const ArrowRows& rows) const;
   /// R^-1 v, of covariance (J'J)^-1 where v is standard normal  (size).
   [[nodiscard]] Eigen::VectorXd colour(const Eigen::VectorXd& v) const;
   [[nodiscard]] Eigen::MatrixXd inverse() const;                      // (J'J)^-1 (size, size)

@@ -7,6 +7,7 @@
 
 #include <gtest/gtest.h>
 
+#include "base/units.h"
 #include "tests/kinematics_fit/fit_samples.h"
 
 namespace thenar {
@@ -58,6 +59,23 @@ TEST(Misfit, SharesEffectiveParametersAmongExperiments) {
     shared += each.numbers - each.degrees_of_freedom;
   }
   EXPECT_NEAR(shared, covariance.effective_parameters, 1e-8);
+}
+
+// Next to a posture in which the tip is singular slopes are 1e15 and more: nearer still, no number
+// is determined that was not before.
+TEST(Misfit, CountsDegreesOfFreedomWhereSlopesAreSteep) {
+  FitSetup setup =
+      middle_finger("[[parameter]]\nmatch='angle/*/*'\nstate='free'\nsd_deg=4\n" + kAxes);
+  Experiment& experiment = setup.experiments.front();
+  experiment.hold = TipConstraint::kPinned;
+  const auto freedom = [&](double degrees) {
+    for (PostureRecord& posture : experiment.postures)
+      posture.angles = {{"PIP3", radians(degrees)}, {"DIP3", radians(degrees)}};
+    const FitProblem problem = setup.problem();
+    const VectorXd z = VectorXd::Zero(problem.size());
+    return misfits(problem, z, posterior_covariance(problem, z)).front().degrees_of_freedom;
+  };
+  EXPECT_NEAR(freedom(1e-7), freedom(1e-5), 1e-5);
 }
 
 // Truth from the prior, noise as stated: sums of chi-squares come to the sum of degrees of freedom.

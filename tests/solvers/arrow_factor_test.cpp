@@ -47,6 +47,23 @@ TEST(ArrowFactor, IsThatOfTheDenseJacobian) {
   EXPECT_NEAR(factor.squared_norm(v), (J * v).squaredNorm(), 1e-12);
   EXPECT_NEAR(factor.whiten(v).squaredNorm(), v.dot(H.inverse() * v), 1e-12);
   EXPECT_NEAR(factor.squared_norm(factor.colour(v)), v.squaredNorm(), 1e-12 * v.squaredNorm());
+  for (const ArrowRows& part : rows) {
+    const MatrixXd W = factor.whiten(part), own = dense(kLayout, {part});
+    EXPECT_TRUE(matrix_near(W.transpose() * W, own * H.inverse() * own.transpose(), 1e-12));
+  }
+}
+
+// A row 1e9 times as long as the others takes up all of one direction: the inverse has lost it, as
+// 1e18 times 1e-18 in rounding, whitened rows have not.
+TEST(ArrowFactor, KeepsTheLeverageOfLongRows) {
+  std::mt19937 rng(4);
+  std::vector<ArrowRows> rows = random_rows(true, rng);
+  rows.front().shared.row(0) *= 1e9;
+  if (rows.front().block >= 0) rows.front().own.row(0) *= 1e9;
+  const ArrowFactor factor(kLayout, rows);
+  for (const ArrowRows& part : rows)
+    EXPECT_LE(factor.whiten(part).colwise().squaredNorm().maxCoeff(), 1 + 1e-12);
+  EXPECT_NEAR(factor.whiten(rows.front()).col(0).squaredNorm(), 1, 1e-9);
 }
 
 TEST(ArrowFactor, TakesADenseProblemForSharedCoordinatesAlone) {
