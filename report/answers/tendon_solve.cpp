@@ -60,11 +60,12 @@ std::string slip_doubt(const LoadedDigit& loaded, const DigitPoint& point) {
     return "";
   if (slips.terminal >= kLeastRatio * slips.central && slips.terminal <= kMostRatio * slips.central)
     return "";
+  // Of what is slack no rounding is told.
+  const auto taut = [](double tension) { return tension > kTaut ? tension : 0; };
   return fmt::format(
       "the terminal slip has {:.4g} N where the central one has {:.4g} N: publications give {:.3g} "
-      "to "
-      "1.7 times as much",
-      slips.terminal, slips.central, kLeastRatio);
+      "to 1.7 times as much",
+      taut(slips.terminal), taut(slips.central), kLeastRatio);
 }
 
 /// A tension with four decimals; "0" of what is slack.
