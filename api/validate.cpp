@@ -13,6 +13,7 @@
 #include "data/io/doubled_trials.h"
 #include "data/io/mesh/repair_shape.h"
 #include "data/io/robot/import_robot.h"
+#include "data/io/robot/robot_doubts.h"
 #include "data/io/subject_doubts.h"
 #include "geometry/solid.h"
 #include "pads/build_pad.h"
@@ -60,8 +61,9 @@ void build_thing(const SceneSpec& scene, FileVerdict& verdict) {
 void build_thing(const PadSpec& pad, FileVerdict& /*verdict*/) { (void)build_pad(pad); }
 void build_thing(const RobotSpec& robot, FileVerdict& verdict) {
   std::vector<std::string> found = robot.warnings;
-  for (std::string& doubt : size_doubts(robot))
-    if (!is_said(found, doubt)) found.push_back(std::move(doubt));
+  for (const std::vector<std::string>& doubts : {robot_doubts(robot), mass_doubts(robot)})
+    for (const std::string& doubt : doubts)
+      if (!is_said(found, doubt)) found.push_back(doubt);
   verdict.warnings.insert(verdict.warnings.end(), found.begin(), found.end());
   for (const RobotLink& link : robot.links)
     for (const ShapeSpec& shape : link.shapes)

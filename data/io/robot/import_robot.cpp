@@ -13,6 +13,7 @@
 #include "data/io/mesh/repair_shape.h"
 #include "data/io/robot/graspit_robot.h"
 #include "data/io/robot/mjcf_parts.h"
+#include "data/io/robot/robot_doubts.h"
 #include "data/io/robot/urdf.h"
 #include "data/io/toml_node.h"
 
@@ -76,45 +77,11 @@ void mend_inertias(RobotSpec& robot) {
     }
 }
 
-constexpr double kLargest = 10;  // shape or offset: larger ones are in another unit [m]
-
-/// Longest side of a mesh, otherwise the largest size of a shape, such as a radius [m].
-double across(const ShapeSpec& shape) {
-  if (shape.kind != ShapeKind::kMesh) return shape.size.maxCoeff();
-  return (shape.mesh.vertices.rowwise().maxCoeff() - shape.mesh.vertices.rowwise().minCoeff())
-      .maxCoeff();
-}
-
 bool holds(const std::string& text, const char* words) {
   return text.find(words) != std::string::npos;
 }
 
 }  // namespace
-
-std::vector<std::string> size_doubts(const RobotSpec& robot) {
-  std::vector<std::string> doubts;
-  // Shapes of implausible size, and joints far from their parents.
-  for (const RobotLink& link : robot.links)
-    for (const ShapeSpec& shape : link.shapes) {
-      const double size = across(shape);
-      if (!(size > kLargest)) continue;
-      doubts.push_back(
-          shape.kind == ShapeKind::kMesh
-              ? fmt::format("a mesh of link '{}' is {:.4g} m across: are its numbers millimetres, "
-                            "and its scale (0.001) not given?",
-                            link.name, size)
-              : fmt::format("a {} of link '{}' has a size of {:.4g} m: are its numbers "
-                            "millimetres? Lengths are read as metres",
-                            name_of(shape.kind), link.name, size));
-    }
-  for (const RobotJoint& joint : robot.joints)
-    if (joint.X_PJ.p.norm() > kLargest)
-      doubts.push_back(fmt::format(
-          "joint '{}' lies {:.4g} m from its parent's frame: are its numbers millimetres? Lengths "
-          "are read as metres",
-          joint.name, joint.X_PJ.p.norm()));
-  return doubts;
-}
 
 bool is_said(const std::vector<std::string>& warnings, const std::string& doubt) {
   return std::any_of(warnings.begin(), warnings.end(), [&](const std::string& warning) {
@@ -125,7 +92,7 @@ bool is_said(const std::vector<std::string>& warnings, const std::string& doubt)
 bool is_grave(const std::string& warning) {
   const auto has = [&](const char* words) { return holds(warning, words); };
   return has("MISSING") || has("UNREADABLE") || has("INCOMPLETE") || has("LEFT OUT") ||
-         has("millimetres");
+         has("millimetres") || has("are its limits degrees") || has("cannot move");
 }
 
 bool names_missing_part(const std::string& warning) { return holds(warning, "MISSING"); }
@@ -158,14 +125,19 @@ RobotFileKind find_robot_kind(const std::string& path) {
 
 RobotSpec import_robot(const std::string& path) {
   // Read by kind, then make the robot usable.
-  RobotSpec robot = read_kind(path, find_robot_kind(path));
+  const RobotFileKind kind = find_robot_kind(path);
+  RobotSpec robot = read_kind(path, kind);
   robot.files.merge(digests_of({path}));
   if (robot.name.empty()) robot.name = std::filesystem::path(path).stem();
   mend_inertias(robot);
+  if (kind == RobotFileKind::kUrdf || kind == RobotFileKind::kMjcf) doubt_efforts(robot);
   for (RobotLink& link : robot.links)
     repair_shapes(link.shapes, fmt::format("link '{}'", link.name), robot.warnings);
   const std::vector<std::string> said = robot.warnings;
-  for (std::string& doubt : size_doubts(robot))
+  std::vector<std::string> doubts = robot_doubts(robot);
+  if (kind != RobotFileKind::kToml)
+    for (std::string& doubt : mass_doubts(robot)) doubts.push_back(std::move(doubt));
+  for (std::string& doubt : doubts)
     if (!is_said(said, doubt)) robot.warnings.push_back(std::move(doubt));
   robot.warnings = internal::by_severity(robot.warnings);
   // What remains wrong is an error of the file.

@@ -28,14 +28,11 @@ enum class RobotFileKind { kToml, kUrdf, kMjcf, kGraspit };
 [[nodiscard]] RobotSpec import_robot(const std::string& path);
 
 /// Whether a warning says that the robot is not the one that was meant: parts of it are missing
-/// or unreadable, or its lengths are in another unit.
+/// or unreadable, its lengths or angles are in another unit, or joints cannot move.
 [[nodiscard]] bool is_grave(const std::string& warning);
 
 /// Whether a warning says that a file which the robot names is missing.
 [[nodiscard]] bool names_missing_part(const std::string& warning);
-
-/// Shapes and offsets of joints beyond 10 m, a sentence each: "a box of link 'palm' ..".
-[[nodiscard]] std::vector<std::string> size_doubts(const RobotSpec& robot);
 
 /// Whether warnings of a robot, which may have been written after it was read, say so already,
 /// perhaps with a count.
