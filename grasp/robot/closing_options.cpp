@@ -21,19 +21,20 @@ struct SenseEvidence {
 SenseEvidence evidence_of(int group, const HandLayout& layout, const Eigen::VectorXd& rest,
                           const DriveGroups& groups,
                           const std::function<double(const std::vector<double>&)>& apart) {
-  // Ranges of its motors in both senses.
+  // Ranges of its motors in both senses, of those that turn.
   double up = 0, down = 0;
   std::vector<double> closing(layout.drives.size(), 0), opening(layout.drives.size(), 0);
   for (std::size_t d = 0; d < layout.drives.size(); ++d) {
     if (groups.group[d] != group) continue;
+    closing[d] = groups.orientation[d];
+    opening[d] = -groups.orientation[d];
+    if (!groups.slides.empty() && groups.slides[d]) continue;
     const DrivenCoordinate& first = layout.drives[d].moves.front();
     const double r = groups.orientation[d] * first.ratio, at = rest[first.coordinate];
     const double above = (layout.upper[first.coordinate] - at) / std::abs(r),
                  below = (at - layout.lower[first.coordinate]) / std::abs(r);
     up += r > 0 ? above : below;
     down += r > 0 ? below : above;
-    closing[d] = groups.orientation[d];
-    opening[d] = -groups.orientation[d];
   }
   // How near the tips come in both.
   const double near = apart(closing), far = apart(opening);

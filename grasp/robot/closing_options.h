@@ -21,9 +21,13 @@ struct SenseOption {
 struct DriveGroups {
   std::vector<double> orientation;  // of each drive: the sign with which its group curls together
   std::vector<int> group;           // of each drive; -1: it does not curl
+  std::vector<bool> slides{};       // of each drive, whether it turns nothing: how far it goes
+                                    // from 0 tells nothing of closing, as jaws begin open or
+                                    // closed; empty: all turn
 };
 
-/// Finds the ways to close that are worth a try: each group in the sense of its larger range, each
+/// Finds the ways to close that are worth a try: each group that turns in the sense of its larger
+/// range, each
 /// in the sense that brings the tips nearer, each doubtful group reversed, and all reversed.
 /// @param rest   posture from which the hand closes [rad] or [m] (coordinates)
 /// @param apart  sum of distances between tips [m] with drives half-way in these senses

@@ -171,6 +171,10 @@ double DigitMotion::sign_against(std::size_t outer, std::size_t drive, const Dig
 void DigitMotion::orient() {
   groups_.orientation.assign(drives_.size(), 0);
   groups_.group.assign(drives_.size(), -1);
+  for (std::size_t d = 0; d < drives_.size(); ++d)
+    groups_.slides.push_back(std::all_of(digits_.begin(), digits_.end(), [&](const Digit& digit) {
+      return spin(d, digit).norm() < kNothing;
+    }));
   int groups = 0;
   for (const Digit& digit : digits_) {
     if (digit.curls.empty()) continue;

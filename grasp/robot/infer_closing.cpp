@@ -24,6 +24,7 @@ constexpr double kOfReach = 0.35;  // its radius by the length of a finger, for 
 constexpr double kHumanSize[] = {0.5, 2};  // range of human size, by kBall [1]
 constexpr int kCoarse = 24, kFine = 60;    // steps of closing
 constexpr std::size_t kTried = 12;         // candidates that are tried on three balls
+constexpr int kHalvings = 4;               // of a ball that no digits face each other across
 
 /// A way of closing, and its score.
 struct Candidate {
@@ -51,19 +52,37 @@ class ClosingSearch {
   }
 
   InferredClosing run() {
-    // All candidates coarsely, then the best ones on three balls.
+    // Where no digit touches the ball, as between jaws of a short stroke, smaller ones.
+    Candidate best = best_on_ball();
+    const double first = ball_;
+    for (int halved = 1; !faces(best) && halved <= kHalvings; ++halved) {
+      ball_ = std::ldexp(first, -halved);
+      best = best_on_ball();
+    }
+    if (!faces(best)) {
+      ball_ = first;
+      best = best_on_ball();
+    }
+    return guess_of(best);
+  }
+
+ private:
+  /// Whether any digits face each other across the ball.
+  static bool faces(const Candidate& best) { return best.score + best.against > 0; }
+
+  /// All candidates coarsely, then the best ones on three balls.
+  Candidate best_on_ball() {
+    tried_.clear();
     for (std::size_t option = 0; option < motion_.options().size(); ++option) try_option(option);
     std::stable_sort(tried_.begin(), tried_.end(),
                      [](const Candidate& a, const Candidate& b) { return a.score > b.score; });
     if (tried_.size() > kTried) tried_.resize(kTried);
     for (Candidate& candidate : tried_) candidate.score = fine_score(candidate);
-    const auto best =
-        std::max_element(tried_.begin(), tried_.end(),
-                         [](const Candidate& a, const Candidate& b) { return a.score < b.score; });
-    return guess_of(*best);
+    return *std::max_element(
+        tried_.begin(), tried_.end(),
+        [](const Candidate& a, const Candidate& b) { return a.score < b.score; });
   }
 
- private:
   void try_option(std::size_t option) {
     const DigitRoles roles = motion_.roles(option);
     const std::vector<VectorXd> opens = motion_.openings(option, roles, known_.closing);

@@ -55,6 +55,14 @@ TEST(ClosingOptions, RangesAndTipsThatDisagreeAreBothTried) {
   EXPECT_NEAR(options[1].against, 0.4 * 2.0 / 3, 1e-15);
 }
 
+// Jaws that begin closed go one way alone, which is not that of closing.
+TEST(ClosingOptions, RangesOfSlidesSayNothing) {
+  const std::vector<SenseOption> options = options_of(layout_of({{-1, 0}}), {{1}, {0}, {true}});
+  ASSERT_EQ(options.size(), 1U);
+  EXPECT_EQ(options[0].speed, Speeds{1});
+  EXPECT_EQ(options[0].against, 0);
+}
+
 TEST(ClosingOptions, DrivesOfOneGroupKeepTheirSignsToEachOther) {
   // The tips say nothing: what one drive brings nearer, the other takes away.
   const std::vector<SenseOption> options =

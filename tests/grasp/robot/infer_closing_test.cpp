@@ -167,6 +167,51 @@ RobotSpec three_fingers(const std::array<double, 3>& lengths = {0.045, 0.045, 0.
   return robot;
 }
 
+/// Two jaws that slide along y, `aperture` apart where open [m]; value 0 is open or closed, and
+/// they close upwards or downwards.
+RobotSpec jaws(double aperture, bool begins_open, bool upwards) {
+  RobotSpec robot;
+  robot.name = "jaws";
+  robot.closing_stated = robot.approach_stated = false;
+  robot.links.resize(1);
+  robot.links[0].name = "palm";
+  robot.links[0].shapes = {
+      sample::shape(ShapeKind::kBox, {0.06, aperture + 0.04, 0.04}, {0, 0, 0.02})};
+  for (const double side : {1.0, -1.0}) {
+    RobotLink link;
+    link.name = side > 0 ? "left" : "right";
+    link.shapes = {sample::shape(ShapeKind::kBox, {0.02, 0.01, 0.06}, {0, side * 0.005, 0.07})};
+    RobotJoint joint;
+    joint.name = joint.dof = link.name;
+    joint.kind = RobotJointKind::kPrismatic;
+    joint.parent = "palm";
+    joint.child = link.name;
+    joint.X_PJ.p = {0, begins_open ? side * aperture / 2 : 0, 0};
+    joint.axis = {0, upwards ? -side : side, 0};
+    const bool positive = begins_open == upwards;  // values from 0 upwards
+    joint.lower = positive ? 0 : -aperture / 2;
+    joint.upper = positive ? aperture / 2 : 0;
+    RobotDof dof;
+    dof.name = joint.dof;
+    dof.lower = joint.lower;
+    dof.upper = joint.upper;
+    dof.speed = 1;
+    robot.links.push_back(link);
+    robot.joints.push_back(joint);
+    robot.dofs.push_back(dof);
+  }
+  return robot;
+}
+
+// Whatever their stroke, where they begin, and which sense of their motors closes them.
+TEST(GuessClosing, ClosesJawsOfAnyStroke) {
+  for (const double aperture : {0.008, 0.02, 0.05, 0.07, 0.14})
+    for (const bool begins_open : {true, false})
+      for (const bool upwards : {true, false})
+        for (const RobotDof& dof : graspable(jaws(aperture, begins_open, upwards)).dofs)
+          EXPECT_EQ(dof.speed, upwards ? 1 : -1) << aperture << begins_open << dof.name;
+}
+
 // Turned about +y the tips go outwards: all curl downwards, none the other way.
 TEST(GuessClosing, CurlsFingersOfOneKindOneWay) {
   const RobotSpec robot = graspable(three_fingers());
