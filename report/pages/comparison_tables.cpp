@@ -4,6 +4,7 @@
 #include <cmath>
 #include <functional>
 #include <iterator>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -53,23 +54,58 @@ const HandAbilities* abilities_of(const Comparison& comparison, const std::strin
   return nullptr;
 }
 
+/// Force closures of a hand on all objects.
+struct ClosureCount {
+  int closures = 0, approaches = 0;
+  [[nodiscard]] double share() const { return static_cast<double>(closures) / approaches; }
+  [[nodiscard]] ConfidenceInterval interval() const {
+    return wilson_interval(closures, approaches);
+  }
+};
+
+ClosureCount count_closures(const Comparison& comparison, const std::string& hand) {
+  ClosureCount count;
+  for (const HandOnObject* cell : cells_of(comparison, hand)) {
+    count.closures += cell->closures;
+    count.approaches += cell->approaches;
+  }
+  return count;
+}
+
 Json glance_row(const Comparison& comparison, const std::string& hand) {
   std::vector<double> best, limited;
-  int closures = 0, approaches = 0, held = 0;
+  int held = 0;
   for (const HandOnObject* cell : cells_of(comparison, hand)) {
-    closures += cell->closures;
-    approaches += cell->approaches;
     held += cell->closures > 0 ? 1 : 0;
     best.push_back(cell->quantile(1));
     limited.push_back(cell->best_hand_epsilon().max);
   }
   const HandAbilities* abilities = abilities_of(comparison, hand);
+  const ClosureCount count = count_closures(comparison, hand);
+  Json share, interval;
+  if (count.approaches > 0) {
+    const auto [lower, upper] = count.interval();
+    share = 100 * count.share();
+    interval = fmt::format("{:.0f} to {:.0f}", 100 * lower, 100 * upper);
+  }
   return {hand,
-          approaches > 0 ? Json(100.0 * closures / approaches) : Json(),
+          share,
+          interval,
           held,
           finite(median(best)),
           finite(median(limited)),
           abilities == nullptr ? Json() : Json(abilities->types.size())};
+}
+
+/// Whether one hand has more force closures than the others beyond chance: its 95 % interval leaves
+/// out the share of the second.
+bool has_winner(const Comparison& comparison) {
+  std::vector<std::pair<double, double>> shares;  // share, and the lower end of its interval
+  for (const std::string& hand : comparison.hands)
+    if (const ClosureCount count = count_closures(comparison, hand); count.approaches > 0)
+      shares.emplace_back(count.share(), count.interval().lower);
+  std::sort(shares.rbegin(), shares.rend());
+  return shares.size() > 1 && shares[0].second > shares[1].first;
 }
 
 Json banner(const Comparison& comparison) {
@@ -316,23 +352,26 @@ Json glance_section(const Comparison& comparison) {
       "disturbance. Epsilon: the largest disturbance that they balance whatever its direction, per "
       "unit of contact force; within hand limits: the same in newtons, with the efforts of the "
       "hand's motors or tendons and its rigid structure. Both are of the best grasp of each "
-      "object, "
-      "and of these the median.",
+      "object, and of these the median. Bold: more force closures than those of any other hand, "
+      "beyond what its 95 % interval leaves to chance.",
       {{"hand", "", -1},
        {"force closure", "%", 1},
+       {"95 % interval", "%", -1},
        {"objects grasped", "", 0},
        {"epsilon", "", 3},
        {"epsilon within hand limits", "N", 2},
        {"types of grasp", "", 0}},
       rows);
-  table["highlight_best"] = 1;
-  table["best"] = "highest";
+  if (has_winner(comparison)) {
+    table["highlight_best"] = 1;
+    table["best"] = "highest";
+  }
   Json blocks = Json::array({banner(comparison), table});
   for (const std::string& line : version_lines(comparison)) blocks.push_back(text_block(line));
   return section(
       "glance", "At a glance",
       "Every hand approaches every object from the same random directions and closes until "
-      "it can close no farther; then its contacts are measured. More force closures: the "
+      "no digit can close further; then its contacts are measured. More force closures: the "
       "hand need not be aimed so well. A larger epsilon: the grasp resists more before it "
       "slips.",
       std::move(blocks));

@@ -54,10 +54,27 @@ TEST(ComparePage, CountsOverAllObjects) {
   const Json page = compare_page(sample(), {}, {}, meshes);
   const Json& row = section_of(page, "glance")["blocks"][1]["rows"][0];
   EXPECT_EQ(row[0], "jaws");
-  EXPECT_EQ(row[1], 37.5);  // 3 of 8 approaches
-  EXPECT_EQ(row[2], 1);     // of two objects
-  EXPECT_EQ(row[3], 0.4);   // the best on the only object held
-  EXPECT_TRUE(row[4].is_null());
+  EXPECT_EQ(row[1], 37.5);        // 3 of 8 approaches
+  EXPECT_EQ(row[2], "14 to 69");  // of Wilson, 95 %
+  EXPECT_EQ(row[3], 1);           // of two objects
+  EXPECT_EQ(row[4], 0.4);         // the best on the only object held
+  EXPECT_TRUE(row[5].is_null());
+}
+
+// The interval of 3 in 8 begins at 14 %: above 1 in 8, 12.5 %, but not above 2 in 8.
+TEST(ComparePage, MarksAWinnerOnlyBeyondChance) {
+  for (const auto& [second, wins] : {std::pair(0, true), std::pair(1, true), std::pair(2, false)}) {
+    Comparison comparison = sample();
+    comparison.hands.emplace_back("other");
+    for (HandOnObject cell : sample().cells) {
+      cell.hand = "other";
+      cell.closures = cell.object == "ball" ? second : 0;
+      comparison.cells.push_back(cell);
+    }
+    MeshTable meshes;
+    const Json page = compare_page(comparison, {}, {}, meshes);
+    EXPECT_EQ(section_of(page, "glance")["blocks"][1].contains("highlight_best"), wins) << second;
+  }
 }
 
 TEST(ComparePage, ShowsQuantilesWhereThereAreGrasps) {
