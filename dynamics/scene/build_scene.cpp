@@ -251,7 +251,8 @@ class SceneBuilder {
         built_.warnings.push_back(fmt::format("nothing drives '{}': it moves freely", name));
       else if (!coordinate.backdrivable)
         built_.warnings.push_back(fmt::format(
-            "motor '{}' cannot be driven back, but is here: its drive alone resists", name));
+            "motor '{}' is not backdrivable, but in this scene only its drive resists a load",
+            name));
       for (const RobotDof& dof : robot.dofs)
         if (dof.name == coordinate.name && dof.kind != RobotDofKind::kRigid && is_driven(name))
           built_.warnings.push_back(fmt::format(

@@ -326,11 +326,11 @@ OrderedJson json_of(const FitResult& result) {
 
 std::string text_of(const FitResult& result) {
   const Fit& fit = result.fit;
-  std::string text = fmt::format(
-      "{}: {} after {} evaluations, {:.2f} s; {} coordinates move, the data determine {:.1f} "
-      "parameters\n",
-      name_of(fit.method), convergence_word(fit.solution), fit.solution.evaluations,
-      fit.solution.seconds, fit.problem.size(), fit.covariance.effective_parameters);
+  std::string text =
+      fmt::format("{}: {} after {}, {:.2f} s; {} free, the data determine {:.1f} parameters\n",
+                  name_of(fit.method), convergence_word(fit.solution),
+                  counted(fit.solution.evaluations, "evaluation"), fit.solution.seconds,
+                  counted(fit.problem.size(), "coordinate"), fit.covariance.effective_parameters);
   for (std::size_t e = 0; e < result.in_sample.size(); ++e) {
     const Prediction& p = result.in_sample[e];
     const std::string error =

@@ -124,10 +124,10 @@ Table hood_row_table(const FitResult& result) {
 std::string hood_count_words(const Fit& fit) {
   const HoodCount count = count_hood(fit.covariance);
   return fmt::format(
-      "{} ({}): {} coordinates move, {} of them of the hood; the data determine {:.1f} parameters, "
+      "{} ({}): {} free, {} of them of the hood; the data determine {:.1f} parameters, "
       "{:.1f} of them of the hood",
-      hood_name(fit), convergence_word(fit.solution), fit.problem.size(), count.entries,
-      fit.covariance.effective_parameters, count.effective);
+      hood_name(fit), convergence_word(fit.solution), counted(fit.problem.size(), "coordinate"),
+      count.entries, fit.covariance.effective_parameters, count.effective);
 }
 
 std::string hood_row_text(const FitResult& result) {

@@ -216,11 +216,11 @@ Finding thumb_finding(const ThumbStudy& study, const Json& page) {
            "The largest forces of three thumbs that differ in their axes were found, and made-up "
            "forces of a skewed thumb were explained by a model with orthogonal and by one with "
            "skewed axes.",
-           fmt::format("The forces that the thumbtip can make fill {}. At 10 % noise in two "
-                       "postures, fitted models are off the true forces by {}.",
+           fmt::format("The set of forces that the thumbtip can make has a volume of {}. At 10 % "
+                       "noise in two postures, fitted models miss the true forces by {}.",
                        volumes, errors)},
-          fmt::format("Thumb: feasible forces fill {}; fitted to a skewed thumb, models are off by "
-                      "{}.",
+          fmt::format("Thumb: its feasible forces have a volume of {}; fitted to a skewed thumb, "
+                      "models miss its forces by {}.",
                       volumes, errors)};
 }
 

@@ -84,9 +84,10 @@ Finding thumb_mug_finding(const DemoMotion& motion) {
        fmt::format("At {:.0f} N its pad has turned towards the mug by {:.1f} degrees where joints "
                    "give, and by {:.1f} degrees on pins.",
                    force, turned(motion.pad), turned(motion.pad_on_pins))},
-      fmt::format("Thumb on a mug: joints that give turn its pad by {:.1f} degrees at {:.0f} N, "
-                  "pins by {:.1f}.",
-                  turned(motion.pad), force, turned(motion.pad_on_pins))};
+      fmt::format(
+          "Thumb on a mug: at {1:.0f} N its pad turns by {0:.1f} degrees on compliant joints, "
+          "by {2:.1f} on ideal hinges.",
+          turned(motion.pad), force, turned(motion.pad_on_pins))};
 }
 
 Finding stepping_finding(const std::vector<WorkPoint>& points) {
@@ -122,8 +123,8 @@ Finding hands_finding(const Comparison& comparison) {
        fmt::format("Approaches that end in force closure: {}. The largest epsilon, {:.3f}, is "
                    "that of {}.",
                    shares, widest, widest_hand)},
-      fmt::format("Hands: force closure after {} of approaches; the largest epsilon, {:.3f}, is "
-                  "that of {}.",
+      fmt::format("Hands: approaches that end in force closure: {}; the largest epsilon, {:.3f}, "
+                  "is that of {}.",
                   shares, widest, widest_hand)};
 }
 

@@ -13,15 +13,16 @@ namespace {
 
 Section explain_status(const Fit& fit) {
   const Solution& found = fit.solution;
-  return {"status",
-          fmt::format("Fit of the {}", fit.problem.experiments().front().digit),
-          {fmt::format("{} by {}: {}", convergence_word(found), name_of(fit.method), found.message),
-           fmt::format("cost {:.5g} after {} evaluations in {:.2g} s; seed {}", found.cost,
-                       found.evaluations, found.seconds, fit.seed),
-           fmt::format("{} coordinates, worth {:.3g} parameters that the data determine",
-                       fit.problem.size(), fit.covariance.effective_parameters),
-           fmt::format("model: {}", describe(fit.problem.digit().fidelity))},
-          {}};
+  return {
+      "status",
+      fmt::format("Fit of the {}", fit.problem.experiments().front().digit),
+      {fmt::format("{} by {}: {}", convergence_word(found), name_of(fit.method), found.message),
+       fmt::format("cost {:.5g} after {} evaluations in {:.2g} s; seed {}", found.cost,
+                   found.evaluations, found.seconds, fit.seed),
+       fmt::format("{}, worth {:.3g} parameters that the data determine",
+                   counted(fit.problem.size(), "coordinate"), fit.covariance.effective_parameters),
+       fmt::format("model: {}", describe(fit.problem.digit().fidelity))},
+      {}};
 }
 
 Section explain_error(const FitExplained& found) {

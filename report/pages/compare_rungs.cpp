@@ -82,8 +82,9 @@ Json rung_banner(const RungComparison& comparison) {
   return {{"type", "banner"},
           {"ok", true},
           {"caution", !warnings.empty()},
-          {"title", fmt::format("On {} all contact problems were solved",
-                                comparison.runs[comparison.finest].rung)},
+          {"title", fmt::format("On {} all contact problems were solved{}",
+                                comparison.runs[comparison.finest].rung,
+                                warnings.empty() ? "" : ", with cautions")},
           {"reasons", warnings}};
 }
 

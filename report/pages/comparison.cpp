@@ -138,10 +138,11 @@ Json hands_section(const std::vector<ComparePicture>& pictures, MeshTable& meshe
     const Hand& hand = *picture.drawn;
     const Eigen::VectorXd q = open_posture(hand.layout());
     const HandPicture shown{hand, q, upright(hand, q), picture.patches};
-    Json block = thumbnail_block(
-        fmt::format("{}: {} coordinates, {} actuators", picture.hand,
-                    hand.layout().coordinates.size(), hand.layout().actuators.size()),
-        Eigen::Vector3d(1, -0.25, 0.35), hand_layers(shown, meshes));
+    Json block =
+        thumbnail_block(fmt::format("{}: {}, {}", picture.hand,
+                                    counted(hand.layout().coordinates.size(), "coordinate"),
+                                    counted(hand.layout().actuators.size(), "actuator")),
+                        Eigen::Vector3d(1, -0.25, 0.35), hand_layers(shown, meshes));
     blocks.push_back(std::move(block));
     if (picture.patches.empty()) continue;
     blocks.push_back(thumbnail_block(picture.hand + " from the back, with its nails",

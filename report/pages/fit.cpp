@@ -106,11 +106,13 @@ Json ending_banner(const FitResult& result) {
       {"type", "banner"},
       {"ok", converged && missed <= kFar},
       {"title", title},
-      {"text", fmt::format("{} by {} after {} evaluations, {:.2f} s: {}. {} coordinates move; the "
-                           "data determine as much as {:.1f} parameters",
-                           convergence_word(found), name_of(result.fit.method), found.evaluations,
-                           found.seconds, found.message, result.fit.problem.size(),
-                           result.fit.covariance.effective_parameters)}};
+      {"text",
+       fmt::format("{} by {} after {}, {:.2f} s: {}. {} free; the data determine as much as "
+                   "{:.1f} parameters",
+                   convergence_word(found), name_of(result.fit.method),
+                   counted(found.evaluations, "evaluation"), found.seconds, found.message,
+                   counted(result.fit.problem.size(), "coordinate"),
+                   result.fit.covariance.effective_parameters)}};
   if (converged && missed > 0 && missed <= kFar) banner["caution"] = true;
   return banner;
 }
@@ -278,16 +280,16 @@ Json opening_of(const FitResult& result) {
   const std::string found =
       fmt::format("The relative error in sample is {}; the data determine {:.1f} parameters.",
                   fmt::join(errors, ", "), fit.covariance.effective_parameters);
-  return opening_json(
-      fmt::format("What do measured forces tell about a {}?", digit_words(fit)),
-      fmt::format("{} force components were fitted by {}; {} coordinates moved within their "
-                  "priors, {} evaluations.",
-                  measured_numbers(fit.problem), name_of(fit.method), fit.problem.size(),
-                  fit.solution.evaluations),
-      fit.solution.status == Status::kSolved
-          ? found
-          : "The fit did not converge (" + convergence_word(fit.solution) +
-                "): its numbers are those of where it stopped.");
+  return opening_json(fmt::format("What do measured forces tell about {} {}?",
+                                  digit_words(fit).front() == 'i' ? "an" : "a", digit_words(fit)),
+                      fmt::format("{} were fitted by {}, within priors, with {} free, in {}.",
+                                  counted(measured_numbers(fit.problem), "force component"),
+                                  name_of(fit.method), counted(fit.problem.size(), "coordinate"),
+                                  counted(fit.solution.evaluations, "evaluation")),
+                      fit.solution.status == Status::kSolved
+                          ? found
+                          : "The fit did not converge (" + convergence_word(fit.solution) +
+                                "): its numbers are those of where it stopped.");
 }
 
 Json digit_section(const Fit& fit, MeshTable& meshes) {

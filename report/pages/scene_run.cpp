@@ -306,13 +306,15 @@ Json run_banner(const SimulatedScene& scene) {
             {"title", "Do not use this motion"},
             {"reasons", Json::array({refusal})}};
   const std::vector<std::string> warnings = warnings_of(scene);
+  const std::string solved =
+      has_contact_problems(scene)
+          ? fmt::format("All contact problems were solved; worst residual {:.2g}",
+                        scene.run.cost.worst_residual)
+          : "Contacts are springs: the error of each step is below the tolerance";
   return {{"type", "banner"},
           {"ok", true},
           {"caution", !warnings.empty()},
-          {"title", has_contact_problems(scene)
-                        ? fmt::format("All contact problems were solved; worst residual {:.2g}",
-                                      scene.run.cost.worst_residual)
-                        : "Contacts are springs: the error of each step is below the tolerance"},
+          {"title", (warnings.empty() ? "" : "Read the cautions below. ") + solved},
           {"reasons", warnings}};
 }
 

@@ -55,7 +55,7 @@ Json tip_scene(const TipForceAnswer& answer, MeshTable& meshes) {
   const double scale = arrow_scale(largest);
   return digit_scene(
       answer.about,
-      fmt::format("The digit, and the force of its tip on the world: 10 mm are {:.3g} N.",
+      fmt::format("The digit, and the force of its tip on the world: 10 mm stand for {:.3g} N.",
                   10 / scale),
       meshes, [&](std::size_t i, const std::string&, Json& layers) {
         const TipForcePoint& point = answer.points[i];

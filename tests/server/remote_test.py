@@ -383,7 +383,7 @@ class Hostile(unittest.TestCase):
 
 
 class Access(unittest.TestCase):
-    """Who comes in: other names, other pages, tokens."""
+    """Access: other names, other pages, tokens."""
 
     def test_other_names_and_pages_are_refused(self):
         with Server(THENAR, "view", "--no-open") as server:

@@ -71,8 +71,8 @@ void mend_inertias(RobotSpec& robot) {
     if (!is_body_inertia(link.inertia)) {
       const Eigen::Matrix3d mended = bodily(link.inertia);
       robot.warnings.push_back(
-          fmt::format("inertia of link '{}' is no body's; cut down by {:.3g} kg m^2", link.name,
-                      (mended - link.inertia).norm()));
+          fmt::format("inertia of link '{}' is that of no rigid body: reduced by {:.3g} kg m^2",
+                      link.name, (mended - link.inertia).norm()));
       link.inertia = mended;
     }
 }
