@@ -25,7 +25,7 @@ MAY_SEE = {
     "data/io/pad": ["base", "solvers", "geometry", "geometry/collision", "data/io", "data/io/mesh", "pads/laws"],
     "data/io/graspit": ["base", "data/io"],
     "data/io/foreign_mesh": ["base", "data/io", "data/io/mesh", "data/io/graspit"],
-    "data/io/robot": ["base", "geometry", "data/io", "data/io/mesh", "data/io/graspit"],
+    "data/io/robot": ["base", "solvers", "geometry", "data/io", "data/io/mesh", "data/io/graspit"],
     "data/io/world": ["base", "geometry", "data/io", "data/io/mesh", "data/io/graspit", "data/io/robot", "data/io/pad", "pads/laws"],
     "data/io/scene": ["base", "geometry", "data/io", "data/io/mesh", "data/io/pad", "data/io/world", "pads/laws"],
     "hand": ["base", "geometry", "data/io"],

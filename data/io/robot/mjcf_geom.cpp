@@ -9,6 +9,7 @@
 #include "base/error.h"
 #include "data/io/mesh/repair_shape.h"
 #include "data/io/robot/import_mesh.h"
+#include "solvers/convex_hull.h"
 
 namespace thenar::internal {
 namespace {
@@ -55,9 +56,28 @@ void apply_from_to(const MjcfElement& geom, Pose<double>& X, std::vector<double>
   size.push_back(half);
 }
 
-/// Sets a mesh from vertices and triangles in the file itself. @returns false if there are none
+/// Triangles of the convex hull of points, counterclockwise from outside (3, triangles); none of
+/// points in a plane.
+std::vector<double> hull_faces(const std::vector<double>& corners) {
+  if (corners.size() < 12) return {};
+  const ConvexHull hull =
+      convex_hull(Eigen::Map<const Eigen::Matrix3Xd>(corners.data(), 3,
+                                                     static_cast<Eigen::Index>(corners.size() / 3))
+                      .transpose());
+  std::vector<double> faces;
+  for (const HullFacet& facet : hull.facets)
+    for (std::size_t i = 2; i < facet.ring.size(); ++i)
+      for (const int corner : {facet.ring[0], facet.ring[i - 1], facet.ring[i]})
+        faces.push_back(corner);
+  return faces;
+}
+
+/// Sets a mesh from vertices and triangles in the file itself; of vertices alone their convex hull,
+/// as MuJoCo takes them. @returns false if there are none, or all are in a plane
 bool set_written_mesh(ShapeSpec& shape, const MjcfElement& mesh, const MeshPlacement& placement) {
-  const std::vector<double> corners = mesh.numbers("vertex"), faces = mesh.numbers("face");
+  const std::vector<double> corners = mesh.numbers("vertex");
+  std::vector<double> faces = mesh.numbers("face");
+  if (faces.empty() && corners.size() % 3 == 0) faces = hull_faces(corners);
   if (corners.empty() || faces.empty()) return false;
   if (corners.size() % 3 != 0 || faces.size() % 3 != 0)
     mesh.fail("vertex and face want three numbers each");
@@ -105,9 +125,10 @@ bool set_mesh(ShapeSpec& shape, const MjcfSource& source, const MjcfMeshes& mesh
   // Written in the file itself, or in a file of its own.
   if (!mesh.has("file")) {
     if (set_written_mesh(shape, mesh, placement)) return true;
-    warnings.push_back(fmt::format(
-        "MISSING MESH '{}', which has neither file nor faces: link '{}' goes without it", name,
-        body));
+    warnings.push_back(
+        fmt::format("MISSING MESH '{}', which has neither file nor faces nor vertices in space: "
+                    "link '{}' goes without it",
+                    name, body));
     return false;
   }
   std::filesystem::path file = mesh.text("file");

@@ -370,6 +370,19 @@ TEST_F(Mjcf, WeighsALeakyMeshAsMended) {
   EXPECT_DOUBLE_EQ(robot.links[0].mass, 16);
 }
 
+// Of vertices alone the hull is meant: the corner of a cube of edge 1, with a point inside that
+// does not count, weighs a sixth. Four points of a plane have none.
+TEST_F(Mjcf, TakesTheHullOfVerticesWithoutFaces) {
+  const auto cloud = [&](const std::string& vertices) {
+    return palm("<geom type='mesh' mesh='m' density='6'/>",
+                "<asset><mesh name='m' vertex='" + vertices + "'/></asset>");
+  };
+  const RobotSpec robot = cloud("0 0 0  1 0 0  0 1 0  0 0 1  0.1 0.1 0.1");
+  EXPECT_NEAR(robot.links[0].mass, 1, kMjcfRounding);
+  EXPECT_TRUE(matrix_near(robot.links[0].com, Eigen::Vector3d::Constant(0.25), kMjcfRounding));
+  EXPECT_THAT(cloud("0 0 0  1 0 0  0 1 0  1 1 0").warnings, Contains(HasSubstr("MISSING MESH")));
+}
+
 TEST_F(Mjcf, CarriesFramesOut) {
   const RobotSpec robot = palm(
       "<frame pos='0 0 1' euler='0 0 90'><geom size='0.1' pos='1 0 0'/>"
