@@ -145,15 +145,30 @@ BodySpec object_of(const MeshContent& content, const ImportRequest& request, boo
   return body;
 }
 
+/// "1 place", "2 places".
+std::string counted(long count, const std::string& thing) {
+  return fmt::format("{} {}{}", count, thing, count == 1 ? "" : "s");
+}
+
+/// Why triangles bound no volume, with what mends them.
+std::string why_no_volume(const MeshReport& surface) {
+  if (!surface.holes.empty())
+    return fmt::format("its surface is open in {}; --repair closes it",
+                       counted(static_cast<long>(surface.holes.size()), "place"));
+  if (surface.nonmanifold_edges > 0)
+    return fmt::format("{} of its surface {} more than two triangles; --repair mends this",
+                       counted(surface.nonmanifold_edges, "edge"),
+                       surface.nonmanifold_edges == 1 ? "has" : "have");
+  if (surface.reversed_edges > 0)
+    return fmt::format("its triangles face opposite ways along {}; --repair turns them",
+                       counted(surface.reversed_edges, "edge"));
+  return "its surface is flat, or turned inside out; --repair turns it";
+}
+
 /// @throws InputError where there is no volume that a mass could fill
 void require_volume(const ImportRequest& request, const MeshFacts& facts) {
-  if (facts.solid) return;
-  const std::size_t holes = facts.surface.holes.size();
-  throw InputError(fmt::format(
-      "'{}' has no volume that a mass could fill: its surface is {}", request.file,
-      holes > 0
-          ? fmt::format("open in {} place{}; --repair closes it", holes, holes == 1 ? "" : "s")
-          : "flat, or turned; --repair turns it"));
+  require(facts.solid, "'{}' has no volume that a mass could fill: {}", request.file,
+          why_no_volume(facts.surface));
 }
 
 /// What is doubtful of the mass of a mesh with a material, and whether there is none.

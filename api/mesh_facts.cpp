@@ -56,8 +56,10 @@ std::vector<std::string> surface_warnings(const MeshReport& found) {
         fmt::format("{} edges lie between triangles that face opposite ways; --repair turns them",
                     found.reversed_edges));
   if (found.nonmanifold_edges > 0)
-    warnings.push_back(
-        fmt::format("{} edges have more than two triangles", found.nonmanifold_edges));
+    warnings.push_back(fmt::format("{} more than two triangles; --repair mends this",
+                                   found.nonmanifold_edges == 1
+                                       ? "1 edge has"
+                                       : fmt::format("{} edges have", found.nonmanifold_edges)));
   if (found.degenerate > 0)
     warnings.push_back(fmt::format("{} triangles have no area", found.degenerate));
   return warnings;

@@ -2,6 +2,8 @@
 
 #include "api/import.h"
 
+#include <fstream>
+
 #include <gtest/gtest.h>
 
 #include "base/file_io.h"
@@ -66,6 +68,20 @@ TEST_F(ImportMesh, RefusesAMassWithoutAVolume) {
                 "closes it");
   request.repair = true;
   EXPECT_DOUBLE_EQ(import_file(request).body->mass->mass, 3);
+}
+
+// Two tetrahedra on either side of a triangle that is there twice: its edges have four triangles.
+TEST_F(ImportMesh, SaysWhichEdgesLeaveNoVolume) {
+  std::ofstream(path("twin.obj")) << "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nv 0 0 -1\n"
+                                     "f 1 2 3\nf 1 4 2\nf 2 4 3\nf 3 4 1\n"
+                                     "f 1 2 5\nf 2 3 5\nf 3 1 5\n";
+  ImportRequest request;
+  request.file = path("twin.obj");
+  request.mass = 3;
+  const std::string message = message_of([&] { (void)import_file(request); });
+  EXPECT_EQ(message, "'" + request.file +
+                         "' has no volume that a mass could fill: 3 edges of its surface have more "
+                         "than two triangles; --repair mends this");
 }
 
 TEST_F(ImportMesh, RefusesUnknownMaterialsAndTwoMasses) {
