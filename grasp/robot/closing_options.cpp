@@ -6,9 +6,11 @@
 namespace thenar {
 namespace {
 
-constexpr double kUndecided = 0.1;     // difference of ranges that is no evidence [1]
-constexpr double kHardlyNear = 1e-3;   // difference of nearness that is no evidence [1]
-constexpr double kAgainst = 0.4;       // weight of ranges as evidence against a way of closing [1]
+constexpr double kUndecided = 0.1;    // difference of ranges that is no evidence [1]
+constexpr double kHardlyNear = 1e-3;  // difference of nearness that is no evidence [1]
+constexpr double kAgainst = 0.4;      // weight of evidence against a way of closing [1]
+constexpr double kNear = 0.1;  // difference of nearness that counts with its whole weight [1]
+constexpr double kMostAgainst = 0.6;   // of all evidence: less than a trial can tell for it [1]
 constexpr double kDoubtful = 0.35;     // difference of ranges up to which both ways are tried [1]
 constexpr double kClearlyNear = 0.05;  // difference of nearness that leaves no doubt [1]
 
@@ -83,16 +85,20 @@ std::vector<SenseOption> closing_options(
   // Stated speeds keep their magnitudes.
   const bool paced = std::any_of(drives.begin(), drives.end(),
                                  [](const Drive& drive) { return drive.speed != 0; });
-  // Each candidate once, with the ranges that speak against it.
+  // Each candidate once, with the ranges and the nearness that speak against it.
   std::vector<SenseOption> options;
   std::vector<std::vector<double>> had;
   for (const std::vector<double>& senses : candidate_senses(evidence)) {
     if (std::find(had.begin(), had.end(), senses) != had.end()) continue;
     had.push_back(senses);
     SenseOption option;
-    for (std::size_t g = 0; g < senses.size(); ++g)
+    for (std::size_t g = 0; g < senses.size(); ++g) {
       if (senses[g] * evidence[g].range < 0)
         option.against += kAgainst * std::abs(evidence[g].range);
+      if (senses[g] * evidence[g].nearness < 0)
+        option.against += kAgainst * std::min(1.0, std::abs(evidence[g].nearness) / kNear);
+    }
+    option.against = std::min(option.against, kMostAgainst);
     for (std::size_t d = 0; d < drives.size(); ++d)
       option.speed.push_back(groups.group[d] < 0
                                  ? 0

@@ -14,7 +14,8 @@ namespace thenar {
 /// One way in which drives may close.
 struct SenseOption {
   std::vector<double> speed;  // of every drive [rad/s] or [m/s]; 0: it stands still
-  double against = 0;         // evidence against it from the ranges of motors [1]
+  double against = 0;         // evidence against it from ranges of motors and nearness of tips,
+                              // at most 0.6 [1]
 };
 
 /// Drives that curl a digit together.

@@ -45,7 +45,8 @@ struct InferredClosing {
 /// The score of a way of closing is
 ///   mean over digits of  max over others of  -n_i . n_j,  n the normals where they touch the ball
 /// (others: digits, and the palm where digits curl at each other), plus the best pair of a finger
-/// and an opposed digit, for three sizes of the ball, less the evidence against it from the ranges.
+/// and an opposed digit, for three sizes of the ball, less the evidence against it from ranges
+/// and nearness, at most 0.6.
 /// Surfaces are points (BallGrasp): no solids are built.
 /// @param robot  with at least one digit
 [[nodiscard]] InferredClosing infer_closing(const RobotSpec& robot, const StatedClosing& known);

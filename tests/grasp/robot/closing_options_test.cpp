@@ -43,14 +43,15 @@ TEST(ClosingOptions, RangesAndTipsThatAgreeComeFirstThenTheReverse) {
   EXPECT_EQ(options[0].speed, (Speeds{1, 1}));
   EXPECT_EQ(options[0].against, 0);
   EXPECT_EQ(options[1].speed, (Speeds{-1, -1}));
-  EXPECT_NEAR(options[1].against, 0.4 * (2.0 / 3 + 2.0 / 3), 1e-15);
+  EXPECT_EQ(options[1].against, 0.6);  // 0.4 (2 / 3 + 2 / 3) and 0.4 (1 + 1), but no more than this
 }
 
+// Tips 1.5 and 2.5 m apart are evidence of 1 / 4, which counts whole.
 TEST(ClosingOptions, RangesAndTipsThatDisagreeAreBothTried) {
   const std::vector<SenseOption> options = options_of(layout_of({{-1, 0.2}}), {{1}, {0}});
   ASSERT_EQ(options.size(), 2U);
   EXPECT_EQ(options[0].speed, Speeds{-1});
-  EXPECT_EQ(options[0].against, 0);
+  EXPECT_EQ(options[0].against, 0.4);
   EXPECT_EQ(options[1].speed, Speeds{1});
   EXPECT_NEAR(options[1].against, 0.4 * 2.0 / 3, 1e-15);
 }

@@ -212,6 +212,36 @@ TEST(GuessClosing, ClosesJawsOfAnyStroke) {
           EXPECT_EQ(dof.speed, upwards ? 1 : -1) << aperture << begins_open << dof.name;
 }
 
+/// The same on hinges: jaws of 90 mm that turn by 0.8 rad.
+RobotSpec turning_jaws(bool begins_open, bool upwards) {
+  RobotSpec robot = jaws(0.01, begins_open, upwards);
+  for (std::size_t i = 0; i < robot.joints.size(); ++i) {
+    RobotJoint& joint = robot.joints[i];
+    const double side = i == 0 ? 1 : -1;
+    joint.kind = RobotJointKind::kRevolute;
+    // Turned about +x by -0.8 rad the left one, of y > 0, stands open.
+    joint.X_PJ = {rotation_about<double>(Eigen::Vector3d::UnitX(), begins_open ? -0.8 * side : 0),
+                  {0, side * 0.004, 0.04}};
+    joint.axis = {upwards ? side : -side, 0, 0};
+    const bool positive = begins_open == upwards;
+    joint.lower = positive ? 0 : -0.8;
+    joint.upper = positive ? 0.8 : 0;
+    robot.dofs[i].lower = joint.lower;
+    robot.dofs[i].upper = joint.upper;
+    robot.links[i + 1].shapes = {
+        sample::shape(ShapeKind::kBox, {0.02, 0.006, 0.09}, {0, side * 0.003, 0.045})};
+  }
+  return robot;
+}
+
+// Where value 0 is closed their ranges say the wrong, and their tips the right.
+TEST(GuessClosing, ClosesJawsThatTurnWhereverTheyBegin) {
+  for (const bool begins_open : {true, false})
+    for (const bool upwards : {true, false})
+      for (const RobotDof& dof : graspable(turning_jaws(begins_open, upwards)).dofs)
+        EXPECT_EQ(dof.speed, upwards ? 1 : -1) << begins_open << dof.name;
+}
+
 // Turned about +y the tips go outwards: all curl downwards, none the other way.
 TEST(GuessClosing, CurlsFingersOfOneKindOneWay) {
   const RobotSpec robot = graspable(three_fingers());
