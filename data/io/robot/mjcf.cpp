@@ -258,6 +258,9 @@ class BodyTree {
     joint.friction = element.number("frictionloss", 0);
     joint.stiffness = element.number("stiffness", 0);
     joint.rest = unit * element.number("springref", 0);
+    if (element.has("actuatorfrcrange") && element.text("actuatorfrclimited") != "false")
+      source_.unread.note(part.node,
+                          "actuatorfrcrange of joints is not read: efforts are those of actuators");
     add(joint, ref);
   }
 

@@ -370,6 +370,17 @@ TEST_F(Mjcf, WeighsALeakyMeshAsMended) {
   EXPECT_DOUBLE_EQ(robot.links[0].mass, 16);
 }
 
+TEST_F(Mjcf, TellsOfLimitsOfActuatorForcesThatItDoesNotRead) {
+  const auto warnings = [&](const std::string& attributes) {
+    return palm("<body name='b'><joint name='j' " + attributes + "/><geom size='0.1'/></body>")
+        .warnings;
+  };
+  EXPECT_THAT(warnings("actuatorfrcrange='-0.9 0.9'"),
+              Contains(HasSubstr("actuatorfrcrange of joints is not read")));
+  EXPECT_THAT(warnings("actuatorfrcrange='-0.9 0.9' actuatorfrclimited='false'"),
+              Not(Contains(HasSubstr("actuatorfrcrange"))));
+}
+
 // Of vertices alone the hull is meant: the corner of a cube of edge 1, with a point inside that
 // does not count, weighs a sixth. Four points of a plane have none.
 TEST_F(Mjcf, TakesTheHullOfVerticesWithoutFaces) {
