@@ -10,6 +10,7 @@
 #include "api/named/files.h"
 #include "base/error.h"
 #include "base/rung_names.h"
+#include "base/words.h"
 #include "data/io/subject_doubts.h"
 #include "kinematics_fit/axis_doubts.h"
 #include "kinematics_fit/model/net_trials.h"
@@ -92,22 +93,20 @@ std::vector<std::string> net_warnings(const Fit& fit) {
 
 /// Parameters that were moved farther than their priors believe possible, in one sentence.
 std::vector<std::string> stray_warnings(const Covariance& covariance) {
-  constexpr double kFarMoved = 3;    // prior sds [1]
-  constexpr std::size_t kNamed = 4;  // the others are counted
+  constexpr double kFarMoved = 3;  // prior sds [1]
   std::vector<const CoordinateEstimate*> far;
   for (const CoordinateEstimate& learnt : covariance.learnt)
     if (std::abs(learnt.z) > kFarMoved) far.push_back(&learnt);
   if (far.empty()) return {};
   std::sort(far.begin(), far.end(),
             [](const auto* a, const auto* b) { return std::abs(a->z) > std::abs(b->z); });
-  std::string names;
-  for (std::size_t i = 0; i < std::min(kNamed, far.size()); ++i)
-    names += fmt::format("{}{} ({:+.1f})", i > 0 ? ", " : "", far[i]->name, far[i]->z);
-  if (far.size() > kNamed) names += fmt::format(" and {} more", far.size() - kNamed);
+  std::vector<std::string> names;
+  for (const CoordinateEstimate* each : far)
+    names.push_back(fmt::format("{} ({:+.1f})", each->name, each->z));
   return {fmt::format(
       "moved by more than {:.0f} prior sds: {}. Is a sign or a unit of the subject or the "
       "experiment wrong, or the prior too narrow?",
-      kFarMoved, names)};
+      kFarMoved, some_of(names))};
 }
 
 /// Inputs with their settings chosen, if that was asked for.

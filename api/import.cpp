@@ -13,6 +13,7 @@
 #include "base/file_io.h"
 #include "base/nearest_name.h"
 #include "base/run_record.h"
+#include "base/words.h"
 #include "data/io/file_kind.h"
 #include "data/io/graspit/xml_file.h"
 #include "data/io/mesh/repair_shape.h"
@@ -145,16 +146,11 @@ BodySpec object_of(const MeshContent& content, const ImportRequest& request, boo
   return body;
 }
 
-/// "1 place", "2 places".
-std::string counted(long count, const std::string& thing) {
-  return fmt::format("{} {}{}", count, thing, count == 1 ? "" : "s");
-}
-
 /// Why triangles bound no volume, with what mends them.
 std::string why_no_volume(const MeshReport& surface) {
   if (!surface.holes.empty())
     return fmt::format("its surface is open in {}; --repair closes it",
-                       counted(static_cast<long>(surface.holes.size()), "place"));
+                       counted(surface.holes.size(), "place"));
   if (surface.nonmanifold_edges > 0)
     return fmt::format("{} of its surface {} more than two triangles; --repair mends this",
                        counted(surface.nonmanifold_edges, "edge"),

@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include "base/error.h"
+#include "base/words.h"
 #include "geometry/mesh_parts.h"
 #include "geometry/shape_mass.h"
 
@@ -48,18 +49,16 @@ std::vector<std::string> surface_warnings(const MeshReport& found) {
   std::vector<std::string> warnings;
   if (!found.holes.empty())
     warnings.push_back(
-        fmt::format("the surface is open in {} place{}: it has no volume; --repair "
-                    "closes it",
-                    found.holes.size(), found.holes.size() == 1 ? "" : "s"));
+        fmt::format("the surface is open in {}: it has no volume; --repair closes it",
+                    counted(found.holes.size(), "place")));
   if (found.reversed_edges > 0)
     warnings.push_back(
         fmt::format("{} edges lie between triangles that face opposite ways; --repair turns them",
                     found.reversed_edges));
   if (found.nonmanifold_edges > 0)
-    warnings.push_back(fmt::format("{} more than two triangles; --repair mends this",
-                                   found.nonmanifold_edges == 1
-                                       ? "1 edge has"
-                                       : fmt::format("{} edges have", found.nonmanifold_edges)));
+    warnings.push_back(fmt::format("{} {} more than two triangles; --repair mends this",
+                                   counted(found.nonmanifold_edges, "edge"),
+                                   found.nonmanifold_edges == 1 ? "has" : "have"));
   if (found.degenerate > 0)
     warnings.push_back(fmt::format("{} triangles have no area", found.degenerate));
   return warnings;

@@ -16,6 +16,7 @@
 #include "apps/options.h"
 #include "apps/outputs.h"
 #include "base/error.h"
+#include "base/words.h"
 #include "report/answers/import.h"
 #include "report/table.h"
 

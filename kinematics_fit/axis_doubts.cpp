@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include "base/words.h"
 #include "kinematics_fit/fit_residuals.h"
 #include "kinematics_fit/prior_scales.h"
 
@@ -41,16 +42,6 @@ Eigen::MatrixXd correlations(const FitProblem& problem, const Eigen::VectorXd& z
                                 .solve(Eigen::MatrixXd::Identity(J.cols(), J.cols()));
   const Eigen::VectorXd inverse_sd = C.diagonal().cwiseSqrt().cwiseInverse();
   return inverse_sd.asDiagonal() * C * inverse_sd.asDiagonal();
-}
-
-/// "a, b and 3 more".
-std::string some_of(const std::vector<std::string>& names) {
-  constexpr std::size_t kNamed = 4;
-  std::string text;
-  for (std::size_t i = 0; i < std::min(kNamed, names.size()); ++i)
-    text += (i > 0 ? ", " : "") + names[i];
-  if (names.size() > kNamed) text += fmt::format(" and {} more", names.size() - kNamed);
-  return text;
 }
 
 }  // namespace

@@ -7,6 +7,7 @@
 
 #include "base/nearest_name.h"
 #include "base/units.h"
+#include "base/words.h"
 #include "report/table.h"
 
 namespace thenar {

@@ -88,8 +88,4 @@ std::vector<std::string> row(const std::vector<std::vector<std::string>>& parts)
   return result;
 }
 
-std::string counted(std::size_t count, const std::string& thing) {
-  return fmt::format("{} {}{}", count, thing, count == 1 ? "" : "s");
-}
-
 }  // namespace thenar

@@ -48,7 +48,4 @@ template <typename Vector>
   return text.empty() ? "-" : text;
 }
 
-/// "1 thing", "2 things".
-[[nodiscard]] std::string counted(std::size_t count, const std::string& thing);
-
 }  // namespace thenar

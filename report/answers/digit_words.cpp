@@ -8,6 +8,7 @@
 #include <fmt/ranges.h>
 
 #include "base/units.h"
+#include "base/words.h"
 #include "report/table.h"
 #include "tendons/forces/posture_sensitivity.h"
 

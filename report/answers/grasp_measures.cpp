@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include "base/units.h"
+#include "base/words.h"
 #include "grasp/closing/describe_grasp.h"
 #include "report/answers/grasp_words.h"
 #include "report/table.h"

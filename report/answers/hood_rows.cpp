@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include "base/words.h"
 #include "data/io/net_description.h"
 #include "kinematics_fit/hood_rows.h"
 

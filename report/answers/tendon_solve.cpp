@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "base/units.h"
+#include "base/words.h"
 #include "hand/passive_moment.h"
 #include "report/answers/passive_words.h"
 #include "report/words.h"

@@ -4,6 +4,7 @@
 
 #include "base/nearest_name.h"
 #include "base/units.h"
+#include "base/words.h"
 #include "report/explain/explanation.h"
 
 namespace thenar {

@@ -8,6 +8,7 @@
 
 #include "base/nearest_name.h"
 #include "base/units.h"
+#include "base/words.h"
 #include "report/explain/explanation.h"
 #include "report/summary.h"
 

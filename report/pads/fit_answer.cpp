@@ -7,6 +7,7 @@
 
 #include "base/provenance.h"
 #include "base/units.h"
+#include "base/words.h"
 #include "report/pads/press_answer.h"
 
 namespace thenar {

@@ -7,6 +7,7 @@
 #include <fmt/ranges.h>
 
 #include "base/units.h"
+#include "base/words.h"
 #include "grasp/closing/closing_drives.h"
 #include "report/pages/comparison_tables.h"
 #include "report/pages/grasp.h"

@@ -91,8 +91,8 @@ Json force_scene(const FeasibleForceAnswer& answer, MeshTable& meshes) {
       answer.direction ? "its largest " + words.one : fmt::format("all {} of its tip", words.many);
   return digit_scene(
       answer.about,
-      fmt::format("The digit, and {}: 10 mm stand for {:.3g} {}.", what, 10 / scale, words.unit), meshes,
-      [&](std::size_t i, const std::string& tint, Json& layers) {
+      fmt::format("The digit, and {}: 10 mm stand for {:.3g} {}.", what, 10 / scale, words.unit),
+      meshes, [&](std::size_t i, const std::string& tint, Json& layers) {
         const FeasibleForcePoint& point = answer.points[i];
         if (!point.failure.empty()) return;
         if (makes_force(point))

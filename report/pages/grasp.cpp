@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include "base/words.h"
 #include "data/io/robot/import_robot.h"
 #include "grasp/closing/describe_grasp.h"
 #include "report/answers/grasp.h"

@@ -31,7 +31,6 @@ TEST(Table, IsCsv) {
 TEST(Table, ShowsNoNegativeZero) {
   EXPECT_EQ(shown(-0.001, 2), "0.00");
   EXPECT_EQ(shown(-std::numeric_limits<double>::infinity(), 2), "-inf");
-  EXPECT_EQ(counted(1, "joint") + counted(2, "joint"), "1 joint2 joints");
 }
 
 }  // namespace

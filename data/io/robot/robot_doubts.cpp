@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "base/units.h"
+#include "base/words.h"
 
 namespace thenar {
 namespace {
@@ -22,13 +23,10 @@ double across(const ShapeSpec& shape) {
 }
 
 /// "joint 'a'", "joints 'a', 'b' and 3 more".
-std::string some_of(const std::string& what, const std::vector<std::string>& names) {
-  constexpr std::size_t kNamed = 4;
-  std::string text = what + (names.size() == 1 ? "" : "s");
-  for (std::size_t i = 0; i < std::min(kNamed, names.size()); ++i)
-    text += fmt::format("{} '{}'", i > 0 ? "," : "", names[i]);
-  if (names.size() > kNamed) text += fmt::format(" and {} more", names.size() - kNamed);
-  return text;
+std::string these(const std::string& what, const std::vector<std::string>& names) {
+  std::vector<std::string> quoted;
+  for (const std::string& name : names) quoted.push_back("'" + name + "'");
+  return what + (names.size() == 1 ? " " : "s ") + some_of(quoted);
 }
 
 /// Shapes of implausible size, and joints far from their parents.
@@ -67,7 +65,7 @@ void doubt_joints(const RobotSpec& robot, std::vector<std::string>& doubts) {
   }
   if (!stuck.empty())
     doubts.push_back(
-        fmt::format("{} cannot move: the upper limit is the lower one", some_of("joint", stuck)));
+        fmt::format("{} cannot move: the upper limit is the lower one", these("joint", stuck)));
 }
 
 }  // namespace
@@ -88,7 +86,7 @@ std::vector<std::string> mass_doubts(const RobotSpec& robot) {
     if (i > 0 && !(link.mass > 0) && !link.shapes.empty()) massless.push_back(link.name);
   }
   if (!any || massless.empty()) return {};
-  return {fmt::format("{} {} shapes and no mass", some_of("link", massless),
+  return {fmt::format("{} {} shapes and no mass", these("link", massless),
                       massless.size() == 1 ? "has" : "have")};
 }
 

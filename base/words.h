@@ -1,0 +1,17 @@
+#pragma once
+
+/// Words of messages: numbers of things, and lists that are cut short.
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+namespace thenar {
+
+/// "1 thing", "2 things".
+[[nodiscard]] std::string counted(std::size_t count, const std::string& thing);
+
+/// "a, b and 3 more": at most so many names, the others counted.
+[[nodiscard]] std::string some_of(const std::vector<std::string>& names, std::size_t named = 4);
+
+}  // namespace thenar
