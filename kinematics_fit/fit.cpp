@@ -248,6 +248,7 @@ void add_predictions(const Fit& fit, ResultFile& file) {
   for (std::size_t e = 0; e < fit.problem.experiments().size(); ++e) {
     // Forces as matrices, trials as rows.
     const Prediction prediction = predict_fitted(fit.problem, fit.solution.z, static_cast<int>(e));
+    if (prediction.trials.empty()) continue;  // rows of activations alone
     const std::string group = "predictions/" + prediction.experiment;
     const auto trials = static_cast<Eigen::Index>(prediction.trials.size());
     Eigen::MatrixXd measured(trials, 3), predicted(trials, 3);

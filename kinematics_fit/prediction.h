@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "base/numbers.h"
 #include "kinematics_fit/fit_residuals.h"
 
 namespace thenar {
@@ -34,10 +35,11 @@ struct PredictedTrial {
 
 /// Errors of predicted forces.
 struct ForceError {
-  double rms = 0;                  // root of the mean squared |predicted - measured| [N]
-  double relative = 0;             // rms / root of the mean squared |measured| [1]
-  double relative_flexion = 0;     // relative error of the first two components [1]
-  double direction = 0;            // median angle between them where neither is zero [rad]
+  double rms = kNaN;               // root of the mean squared |predicted - measured| [N]; all are
+                                   // NaN without trials
+  double relative = kNaN;          // rms / root of the mean squared |measured| [1]
+  double relative_flexion = kNaN;  // relative error of the first two components [1]
+  double direction = kNaN;         // median angle between them where neither is zero [rad]
   std::optional<double> covered;   // share of components within 1.96 predictive sds; empty: no sds
   std::optional<double> log_loss;  // mean over components of -log N(measured; predicted, sd^2), the
                                    // density per newton: it judges errors and sds together [nat]

@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "base/units.h"
+#include "base/words.h"
 #include "kinematics_fit/trivial_prediction.h"
 #include "report/answers/hood_rows.h"
 #include "report/parameter_words.h"
@@ -18,13 +19,10 @@ constexpr std::size_t kLearntShown = 8, kOpenShown = 4;  // lines of the text
 
 Json error_json(const Prediction& prediction) {
   const ForceError& error = prediction.error;
-  const auto of_trials = [&](double value) {
-    return error.trials > 0 ? Json(value) : Json(nullptr);
-  };
   return {{"experiment", prediction.experiment},
-          {"rms_error_N", of_trials(error.rms)},
-          {"relative_error", of_trials(error.relative)},
-          {"relative_error_flexion_plane", of_trials(error.relative_flexion)},
+          {"rms_error_N", error.rms},
+          {"relative_error", error.relative},
+          {"relative_error_flexion_plane", error.relative_flexion},
           {"start_has_seen_specimen", prediction.calibrated_on_specimen}};
 }
 

@@ -5,6 +5,7 @@
 #include "base/nearest_name.h"
 #include "base/provenance.h"
 #include "base/units.h"
+#include "base/words.h"
 #include "report/explain/explanation.h"
 #include "report/parameter_words.h"
 
@@ -32,11 +33,13 @@ Section explain_error(const FitExplained& found) {
                   {{"experiment", "trials", "rms_N", "relative_percent", "flexion_plane_percent",
                     "direction_deg"},
                    {}}};
-  for (const Prediction& at : found.predictions)
+  for (const Prediction& at : found.predictions) {
+    if (at.trials.empty()) continue;  // rows of activations alone
     section.table.rows.push_back({at.experiment, std::to_string(at.trials.size()),
                                   shown(at.error.rms, 4), shown(100 * at.error.relative, 1),
                                   shown(100 * at.error.relative_flexion, 1),
                                   shown(at.error.direction / kDegree, 1)});
+  }
   return section;
 }
 

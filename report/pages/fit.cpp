@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "base/units.h"
+#include "base/words.h"
 #include "kinematics_fit/fit_residuals.h"
 #include "report/answers/fit.h"
 #include "report/answers/hood_rows.h"
@@ -133,17 +134,14 @@ Json ending_blocks(const FitResult& result) {
 Json error_row(const Prediction& prediction, const std::string& what, const Json& noise) {
   const ForceError& error = prediction.error;
   const Json trivial = trivial_json(prediction);
-  const auto of_trials = [&](double value) {
-    return error.trials > 0 ? Json(value) : Json(nullptr);
-  };
   return {prediction.experiment + seen_words(prediction),
           what,
           error.trials,
-          of_trials(error.rms),
-          of_trials(error.relative),
-          of_trials(error.relative_flexion),
+          error.rms,
+          error.relative,
+          error.relative_flexion,
           trivial.is_null() ? trivial : trivial["relative_error"],
-          of_trials(degrees(error.direction)),
+          degrees(error.direction),
           noise,
           error.covered ? Json(100 * *error.covered) : Json(nullptr)};
 }
@@ -276,10 +274,13 @@ Json opening_of(const FitResult& result) {
   const Fit& fit = result.fit;
   std::vector<std::string> errors;
   for (const Prediction& each : result.in_sample)
-    errors.push_back(fmt::format("{:.3f} ({})", each.error.relative, each.experiment));
-  const std::string found =
-      fmt::format("The relative error in sample is {}; the data determine {:.1f} parameters.",
-                  fmt::join(errors, ", "), fit.covariance.effective_parameters);
+    if (!each.trials.empty())
+      errors.push_back(fmt::format("{:.3f} ({})", each.error.relative, each.experiment));
+  std::string found =
+      fmt::format("The data determine {:.1f} parameters.", fit.covariance.effective_parameters);
+  if (!errors.empty())
+    found = fmt::format("The relative error in sample is {}; the data determine {:.1f} parameters.",
+                        fmt::join(errors, ", "), fit.covariance.effective_parameters);
   return opening_json(fmt::format("What do measured forces tell about {} {}?",
                                   digit_words(fit).front() == 'i' ? "an" : "a", digit_words(fit)),
                       fmt::format("{} were fitted by {}, within priors, with {} free, in {}.",

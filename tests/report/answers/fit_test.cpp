@@ -7,6 +7,7 @@
 
 #include <fmt/format.h>
 
+#include "data/io/toml_node.h"
 #include "tests/api/small_fit.h"
 #include "tests/kinematics_fit/fit_samples.h"
 
@@ -36,6 +37,22 @@ TEST_F(FitAnswer, SaysTheSameInWordsAndNumbers) {
   ASSERT_EQ(table.rows.size(), json["learnt"].size());
   for (std::size_t i = 1; i < table.rows.size(); ++i)
     EXPECT_LE(std::stod(table.rows[i - 1][3]), std::stod(table.rows[i][3]));
+}
+
+// No error of forces is told where there are none but those of activation rows.
+TEST_F(FitAnswer, TellsNoErrorOfRowsOfActivations) {
+  FitRequest request;
+  request.sources = sources();
+  request.sources.subject = THENAR_DATA_DIR "/subjects/an_chao_middle.toml";
+  std::string text = read_text_file(request.sources.experiments.front());
+  text = text.substr(0, text.find("[trials]")) +
+         "[[activation]]\nposture = 'MinorFlex'\nactivation = {FDS = 0.2}\n"
+         "activation_sd = 0.1\nforce_N = [-1, -1, 0]\n";
+  std::ofstream(path("rows.toml")) << text;
+  request.sources.experiments = {path("rows.toml")};
+  const FitResult result = fit_forces(request);
+  EXPECT_NE(text_of(result).find("in sample: 1 row of activations"), std::string::npos);
+  EXPECT_TRUE(OrderedJson::parse(json_of(result).dump())["in_sample"][0]["rms_error_N"].is_null());
 }
 
 TEST_F(FitAnswer, ComplainsOfAFitThatHasNotConverged) {
