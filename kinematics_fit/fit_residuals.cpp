@@ -109,6 +109,12 @@ Residuals activation_rows(const FitProblem& problem, int e, const Eigen::VectorX
 
 }  // namespace
 
+Eigen::Vector3d plain_residual(const Eigen::Vector3d& r, double c) {
+  const double squared = r.squaredNorm();
+  if (c <= 0 || squared == 0) return r;
+  return r * std::sqrt(c * c * std::expm1(squared / (c * c)) / squared);
+}
+
 Residuals data_residuals(const FitProblem& problem, const Eigen::VectorXd& z, int e,
                          WithJacobian want) {
   // Forces, and their slopes by the entries of z that move the specimen.

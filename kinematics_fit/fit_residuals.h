@@ -25,8 +25,12 @@ namespace thenar {
 [[nodiscard]] Residuals data_residuals(const FitProblem& problem, const Eigen::VectorXd& z, int e,
                                        WithJacobian want);
 
-/// Force components among data_residuals() of all experiments of a specimen, one below the other; J by
-/// the entries of z that move it, entries_of_specimen().
+/// The residual of one force of which a robust loss of scale c made r, (3): the inverse of
+/// |r|^2 -> c^2 log(1 + |r|^2 / c^2). c = 0: plain squares.
+[[nodiscard]] Eigen::Vector3d plain_residual(const Eigen::Vector3d& r, double c);
+
+/// Force components among data_residuals() of all experiments of a specimen, one below the other; J
+/// by the entries of z that move it, entries_of_specimen().
 [[nodiscard]] Residuals specimen_residuals(const FitProblem& problem, const Eigen::VectorXd& z,
                                            int specimen);
 

@@ -14,13 +14,11 @@ namespace {
 constexpr double kChance = 1e-4;        // tail probability that is no chance any more [1]
 constexpr double kNoiseStraySds = 0.5;  // prior sd of the logarithm of a factor on the noise [1]
 
-/// Sum of squares of residuals of which a robust loss of scale c made r, trial by trial: the
-/// inverse of |r|^2 -> c^2 log(1 + |r|^2 / c^2). c = 0: plain squares.
-double plain_squares(const Eigen::VectorXd& r, double c) {
-  if (c <= 0) return r.squaredNorm();
+/// Sum of squares of residuals without the robust loss, force by force.
+double plain_squares(const Eigen::VectorXd& r, double robust_scale) {
   double sum = 0;
   for (Eigen::Index row = 0; row < r.size(); row += 3)
-    sum += c * c * std::expm1(r.segment<3>(row).squaredNorm() / (c * c));
+    sum += plain_residual(r.segment<3>(row), robust_scale).squaredNorm();
   return sum;
 }
 

@@ -7,6 +7,7 @@
 #include <Eigen/Cholesky>
 
 #include "base/special_functions.h"
+#include "base/words.h"
 #include "kinematics_fit/fit_residuals.h"
 #include "kinematics_fit/prediction.h"
 
@@ -14,13 +15,6 @@ namespace thenar {
 namespace {
 
 constexpr double kOdd = 1e-3;  // tail probability of an odd trial [1]
-
-/// The residual of a trial of which a robust loss of scale c made r.
-Eigen::Vector3d plain_residual(const Eigen::Vector3d& r, double c) {
-  const double squared = r.squaredNorm();
-  if (c <= 0 || squared == 0) return r;
-  return r * std::sqrt(c * c * std::expm1(squared / (c * c)) / squared);
-}
 
 /// "FDS in posture 'Hook'", or "activation row 2 in posture 'Hook'".
 std::string name_of(const Experiment& experiment, std::size_t row) {
@@ -55,13 +49,11 @@ std::vector<OddTrial> odd_trials(const FitProblem& problem, const Eigen::VectorX
     const Eigen::VectorXd all = data_residuals(problem, z, e, WithJacobian::kNo).r;
     const Eigen::MatrixXd& W = covariance.leverage[static_cast<std::size_t>(e)];
     for (Eigen::Index i = 0; i < rows_of(problem, e); ++i) {
-      // Residuals that are not fitted are 0, and so are their slopes; only trials are robust.
-      const bool trial = i < plan.sd.cols();
-      const Eigen::Vector3d r =
-          plain_residual(all.segment<3>(3 * i), trial ? problem.robust_scale() : 0);
+      // Residuals that are not fitted are 0, and so are their slopes.
+      const Eigen::Vector3d r = plain_residual(all.segment<3>(3 * i), problem.robust_scale());
       const double squared = squared_distance(r, W.middleCols<3>(3 * i));
-      const auto fitted =
-          trial ? (plan.sd.col(i).array() < HUGE_VAL).count() : Eigen::Index{plan.measured};
+      const auto fitted = i < plan.sd.cols() ? (plan.sd.col(i).array() < HUGE_VAL).count()
+                                             : Eigen::Index{plan.measured};
       const double tail =
           std::min(1.0, rows * chi_square_tail(squared, static_cast<double>(fitted)));
       if (!(tail >= kOdd)) odd.push_back({e, static_cast<int>(i), std::sqrt(squared), tail});
@@ -73,26 +65,23 @@ std::vector<OddTrial> odd_trials(const FitProblem& problem, const Eigen::VectorX
 }
 
 std::vector<std::string> describe(const FitProblem& problem, const std::vector<OddTrial>& odd) {
-  constexpr int kNamed = 3;  // of an experiment; the others are counted
+  constexpr std::size_t kNamed = 3;  // of an experiment; the others are counted
   std::vector<std::string> warnings;
   for (int e = 0; e < static_cast<int>(problem.experiments().size()); ++e) {
     const Experiment& experiment = problem.experiments()[static_cast<std::size_t>(e)];
     // The oddest by name.
-    std::string names;
-    int found = 0;
-    for (const OddTrial& each : odd) {
-      if (each.experiment != e || ++found > kNamed) continue;
-      names +=
-          fmt::format("{}{} ({:.1f} sds)", found > 1 ? ", " : "",
-                      name_of(experiment, static_cast<std::size_t>(each.trial)), each.distance);
-    }
-    if (found == 0) continue;
-    if (found > kNamed) names += fmt::format(" and {} more", found - kNamed);
+    std::vector<std::string> names;
+    for (const OddTrial& each : odd)
+      if (each.experiment == e)
+        names.push_back(fmt::format("{} ({:.1f} sds)",
+                                    name_of(experiment, static_cast<std::size_t>(each.trial)),
+                                    each.distance));
+    if (names.empty()) continue;
     warnings.push_back(fmt::format(
         "experiment '{}': forces are far from what all other trials tell of them: {}. Is a row "
         "turned, of another load or posture, or in another unit? One such row can move all that is "
         "fitted",
-        experiment.name, names));
+        experiment.name, some_of(names, kNamed)));
   }
   return warnings;
 }

@@ -57,9 +57,7 @@ TEST(PosteriorCovariance, EstimatesScatterAsTheirCovarianceSays) {
   constexpr int kDraws = 40;
   double chi_squared = 0, count = 0;
   for (int draw = 0; draw < kDraws; ++draw) {
-    const VectorXd sd =
-        (population_sds(setup.parameters).cwiseAbs2() + between_sds(setup.parameters).cwiseAbs2())
-            .cwiseSqrt();
+    const VectorXd sd = sample::person_sds(setup.parameters);
     const VectorXd z_true = sample::normal(sd.size(), rng);
     sample::simulate(setup, sd.cwiseProduct(z_true), 0.02, rng, setup.experiments.front());
     const FitProblem problem = setup.problem();

@@ -41,9 +41,7 @@ TEST(FitResiduals, RecoversPredictionsAndIdentifiableParametersWithoutNoise) {
   const Eigen::Matrix3Xd force = predict_trials(problem, found.z, 0);
   EXPECT_LT((force - problem.plans()[0].force).cwiseAbs().maxCoeff(), 1e-8);  // [N]
 
-  const VectorXd total =
-      (population_sds(setup.parameters).cwiseAbs2() + between_sds(setup.parameters).cwiseAbs2())
-          .cwiseSqrt();
+  const VectorXd total = sample::person_sds(setup.parameters);
   const VectorXd z_true = truth.cwiseQuotient(total);
   int identifiable = 0;
   const Covariance covariance = posterior_covariance(problem, found.z);

@@ -250,6 +250,11 @@ inline Eigen::VectorXd between_sds(const FitParameters& parameters) {
   return sd;
 }
 
+/// Prior sds of a person about the prior means [SI] (coordinates).
+inline Eigen::VectorXd person_sds(const FitParameters& parameters) {
+  return (population_sds(parameters).cwiseAbs2() + between_sds(parameters).cwiseAbs2()).cwiseSqrt();
+}
+
 /// A person's displacements, drawn from the prior about a population [SI] (coordinates).
 inline Eigen::VectorXd draw_person(const FitParameters& parameters,
                                    const Eigen::VectorXd& population, std::mt19937& rng) {

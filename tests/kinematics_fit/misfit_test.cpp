@@ -85,9 +85,7 @@ TEST(Misfit, ExpectsAsMuchAsItsDegreesOfFreedom) {
   std::mt19937 rng(12);
   double chi_square = 0, freedom = 0;
   for (int draw = 0; draw < 30; ++draw) {
-    const VectorXd sd = (sample::population_sds(setup.parameters).cwiseAbs2() +
-                         sample::between_sds(setup.parameters).cwiseAbs2())
-                            .cwiseSqrt();
+    const VectorXd sd = sample::person_sds(setup.parameters);
     const VectorXd u = sd.cwiseProduct(sample::normal(sd.size(), rng));
     sample::simulate(setup, u, 0.02, rng, setup.experiments.front());
     const FitProblem problem = setup.problem();

@@ -31,9 +31,7 @@ between_sd_deg = 0.3
 FitSetup drawn(std::mt19937& rng) {
   FitSetup setup = middle_finger(kSteadyAxes);
   setup.experiments.front().sd_floor = 0.02;  // [N]
-  const VectorXd sd = (sample::population_sds(setup.parameters).cwiseAbs2() +
-                       sample::between_sds(setup.parameters).cwiseAbs2())
-                          .cwiseSqrt();
+  const VectorXd sd = sample::person_sds(setup.parameters);
   const VectorXd u = sd.cwiseProduct(sample::normal(sd.size(), rng));
   sample::simulate(setup, u, 0.02, rng, setup.experiments.front());
   return setup;
