@@ -7,6 +7,7 @@
 #include "base/units.h"
 #include "report/demo/demo_findings.h"
 #include "report/pages/compare_rungs.h"
+#include "report/pages/comparison_tables.h"
 
 namespace thenar {
 namespace {
@@ -29,19 +30,17 @@ std::string accuracy_words(const WorkPoint* point) {
 /// What a hand did on all objects.
 struct HandScore {
   std::string hand;
-  int closures = 0, approaches = 0;
+  ClosureCount count;
   double epsilon = 0;  // largest of any grasp [1]
 };
 
 std::vector<HandScore> scores_of(const Comparison& comparison) {
   std::vector<HandScore> scores;
   for (const std::string& hand : comparison.hands) {
-    HandScore score{hand};
+    HandScore score{hand, count_closures(comparison, hand)};
     for (const HandOnObject& cell : comparison.cells) {
-      if (cell.hand != hand) continue;
-      score.closures += cell.closures;
-      score.approaches += cell.approaches;
-      if (cell.closures > 0) score.epsilon = std::max(score.epsilon, cell.quantile(1));
+      if (cell.hand == hand && cell.closures > 0)
+        score.epsilon = std::max(score.epsilon, cell.quantile(1));
     }
     scores.push_back(score);
   }
@@ -106,9 +105,7 @@ Finding hands_finding(const Comparison& comparison) {
   double widest = 0;
   std::string widest_hand;
   for (const HandScore& score : scores) {
-    closures.push_back(
-        fmt::format("{} {:.0f} %", score.hand,
-                    score.approaches > 0 ? 100.0 * score.closures / score.approaches : 0.0));
+    closures.push_back(fmt::format("{} {:.0f} %", score.hand, 100 * score.count.share()));
     if (score.epsilon <= widest) continue;
     widest = score.epsilon;
     widest_hand = score.hand;

@@ -54,22 +54,9 @@ const HandAbilities* abilities_of(const Comparison& comparison, const std::strin
   return nullptr;
 }
 
-/// Force closures of a hand on all objects.
-struct ClosureCount {
-  int closures = 0, approaches = 0;
-  [[nodiscard]] double share() const { return static_cast<double>(closures) / approaches; }
-  [[nodiscard]] ConfidenceInterval interval() const {
-    return wilson_interval(closures, approaches);
-  }
-};
-
-ClosureCount count_closures(const Comparison& comparison, const std::string& hand) {
-  ClosureCount count;
-  for (const HandOnObject* cell : cells_of(comparison, hand)) {
-    count.closures += cell->closures;
-    count.approaches += cell->approaches;
-  }
-  return count;
+/// "22 to 78" [%].
+std::string percent_words(const ConfidenceInterval& interval) {
+  return fmt::format("{:.0f} to {:.0f}", 100 * interval.lower, 100 * interval.upper);
 }
 
 Json glance_row(const Comparison& comparison, const std::string& hand) {
@@ -82,15 +69,9 @@ Json glance_row(const Comparison& comparison, const std::string& hand) {
   }
   const HandAbilities* abilities = abilities_of(comparison, hand);
   const ClosureCount count = count_closures(comparison, hand);
-  Json share, interval;
-  if (count.approaches > 0) {
-    const auto [lower, upper] = count.interval();
-    share = 100 * count.share();
-    interval = fmt::format("{:.0f} to {:.0f}", 100 * lower, 100 * upper);
-  }
   return {hand,
-          share,
-          interval,
+          count.approaches > 0 ? Json(100 * count.share()) : Json(),
+          count.approaches > 0 ? Json(percent_words(count.interval())) : Json(),
           held,
           finite(median(best)),
           finite(median(limited)),
@@ -154,11 +135,10 @@ std::vector<BlockColumn> load_columns(const Comparison& comparison) {
 }
 
 Json success_row(const HandOnObject& cell, const std::vector<BlockColumn>& loads) {
-  Json row = Json::array(
-      {cell.hand, cell.object, 100 * cell.success,
-       fmt::format("{:.0f} to {:.0f}", 100 * cell.interval.lower, 100 * cell.interval.upper),
-       finite(cell.quantile(0.5)), finite(cell.quantile(1)), finite(cell.best_hand_epsilon().max),
-       finite(cell.min_grasp_force()), finite(cell.standing_grasp_force())});
+  Json row = Json::array({cell.hand, cell.object, 100 * cell.success, percent_words(cell.interval),
+                          finite(cell.quantile(0.5)), finite(cell.quantile(1)),
+                          finite(cell.best_hand_epsilon().max), finite(cell.min_grasp_force()),
+                          finite(cell.standing_grasp_force())});
   for (const BlockColumn& column : loads)
     row.push_back(load(cell.load(grasp_task(column.name)).max));
   return row;
@@ -339,6 +319,21 @@ Json chart(const Comparison& comparison, const std::string& object, const std::s
 }
 
 }  // namespace
+
+double ClosureCount::share() const {
+  return approaches > 0 ? static_cast<double>(closures) / approaches : 0;
+}
+
+ConfidenceInterval ClosureCount::interval() const { return wilson_interval(closures, approaches); }
+
+ClosureCount count_closures(const Comparison& comparison, const std::string& hand) {
+  ClosureCount count;
+  for (const HandOnObject* cell : cells_of(comparison, hand)) {
+    count.closures += cell->closures;
+    count.approaches += cell->approaches;
+  }
+  return count;
+}
 
 double quantile_of(const Eigen::VectorXd& ascending, double p) {
   return ascending.size() == 0 ? NAN : quantile(ascending, p);
