@@ -153,7 +153,7 @@ PosteriorPrediction predict_by_draws(const PosteriorPredictRequest& request) {
   result.fidelity = problem.digit().fidelity;
   for (std::string& warning : path_cautions(run.inputs))
     result.warnings.push_back(std::move(warning));
-  const long kept = static_cast<long>(pooled(run.draws).cols());
+  const long kept = run.draws.chains() * run.draws.draws();
   if (kept < request.draws)
     result.warnings.push_back(fmt::format(
         "the posterior has {} draws, fewer than the {} that were asked for: all of them predict",

@@ -27,7 +27,6 @@ namespace {
 void build_thing(const Subject& subject, FileVerdict& verdict) {
   for (std::string& doubt : subject_doubts(subject)) verdict.warnings.push_back(std::move(doubt));
   for (const Digit& digit : subject.digits) {
-    (void)build_tendon_digit(subject, digit.name);
     // Its tendons as other questions run them, at the reference posture.
     TendonOptions options;
     options.path = default_path(subject);

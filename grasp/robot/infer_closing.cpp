@@ -53,17 +53,15 @@ class ClosingSearch {
 
   InferredClosing run() {
     // Where no digit touches the ball, as between jaws of a short stroke, smaller ones.
-    Candidate best = best_on_ball();
     const double first = ball_;
-    for (int halved = 1; !faces(best) && halved <= kHalvings; ++halved) {
-      ball_ = std::ldexp(first, -halved);
-      best = best_on_ball();
+    const Candidate on_first = best_on_ball();
+    for (int halved = 0; halved <= kHalvings; ++halved) {
+      const Candidate best = halved == 0 ? on_first : best_on_ball();
+      if (faces(best)) return guess_of(best);
+      ball_ /= 2;
     }
-    if (!faces(best)) {
-      ball_ = first;
-      best = best_on_ball();
-    }
-    return guess_of(best);
+    ball_ = first;
+    return guess_of(on_first);
   }
 
  private:

@@ -93,18 +93,20 @@ bool has_long_tails(const Eigen::VectorXd& draws, double mean, const RobustMomen
            std::abs(mean - middle.median) <= kSkew * middle.sd + rounding);
 }
 
-/// Sds of a measurement: the stated noise times a factor, and what the model misses beside it, of
-/// which that factor knows nothing [N] (3 trials).
-Eigen::VectorXd measured_sd(double factor, const ExperimentPlan& plan,
-                            const FitParameters& parameters, const Experiment& experiment) {
-  Eigen::VectorXd sd = plan.sd.reshaped();
-  for (Eigen::Index i = 0; i < sd.size(); ++i) {
-    const Trial& trial = experiment.trials[static_cast<std::size_t>(i / 3)];
-    const double missed = missed_force_sd(parameters, trial.tension);
-    const double stated = std::sqrt(std::max(0.0, sd[i] * sd[i] - missed * missed));
-    sd[i] = std::hypot(factor * stated, missed);
-  }
-  return sd;
+/// Variances of measured components [N^2] (3 trials): of the stated noise, and of what the model
+/// misses beside it, of which a factor on the noise knows nothing.
+struct MeasuredVariance {
+  Eigen::ArrayXd stated, missed;
+};
+
+MeasuredVariance measured_variance(const ExperimentPlan& plan, const FitParameters& parameters,
+                                   const Experiment& experiment) {
+  MeasuredVariance out{plan.sd.reshaped().array().square(), Eigen::ArrayXd(plan.sd.size())};
+  for (std::size_t i = 0; i < experiment.trials.size(); ++i)
+    out.missed.segment<3>(3 * static_cast<Eigen::Index>(i)) =
+        std::pow(missed_force_sd(parameters, experiment.trials[i].tension), 2);
+  out.stated = (out.stated - out.missed).max(0);
+  return out;
 }
 
 /// One measurement about the expected forces of each trial: normal, or where the noise is robust
@@ -148,10 +150,11 @@ PredictedDraws predict_draws(const PosteriorRun& run, const Experiment& experime
   out.replicated = out.expected;
   out.sd.resize(out.expected.rows(), out.expected.cols());
   const ForceNoise noise(posterior.problem().robust_scale());
+  const MeasuredVariance measured = measured_variance(plan, parameters, experiment);
   for (Eigen::Index k = 0; k < x.cols(); ++k) {
     RandomStream random(run.settings.run.sampler.seed, static_cast<std::uint32_t>(k), 0, kMeasure);
     const double factor = noise_factor(run, values, experiment.name, specimen, k, random);
-    out.sd.col(k) = measured_sd(factor, plan, parameters, experiment);
+    out.sd.col(k) = (factor * factor * measured.stated + measured.missed).sqrt();
     add_noise(noise, plan.measured, out.sd.col(k), random, out.replicated.col(k));
   }
   return out;
