@@ -106,14 +106,14 @@ PostureAndLoad at_pull(const NetTendons& tendons, const Pull& pull) {
                     VectorXd::Zero(static_cast<Eigen::Index>(muscles.size()))};
   at.q += kDegree * (VectorXd(4) << pull.mcp, 0, pull.pip, pull.dip).finished();
   for (std::size_t m = 0; m < muscles.size(); ++m)
-    if (muscles[m] == pull.muscle) at.t[static_cast<Eigen::Index>(m)] = pull.tension;
+    if (muscles[m] == pull.muscle) at.load[static_cast<Eigen::Index>(m)] = pull.tension;
   return at;
 }
 
 /// Slips of the net on a finger under a pull.
 SlipTension slips_under(const NetTendons& tendons, const Pull& pull) {
   const PostureAndLoad at = at_pull(tendons, pull);
-  const NetEquilibrium rest = tendons.rest(at.q, at.t, start_from_straight(tendons, at.q, at.t));
+  const NetEquilibrium rest = tendons.rest(at.q, at.load, start_from_straight(tendons, at.q, at.load));
   if (rest.status != NetStatus::kBalanced) return {NAN, NAN, NAN, NAN};
   return slip_tension(tendons.net(), rest);
 }
@@ -121,7 +121,7 @@ SlipTension slips_under(const NetTendons& tendons, const Pull& pull) {
 /// Torque about the middle joint [N m].
 double middle_torque(const NetTendons& tendons, const Pull& pull) {
   const PostureAndLoad at = at_pull(tendons, pull);
-  return tendons.evaluate(at.q, at.t, start_from_straight(tendons, at.q, at.t)).tau[2];
+  return tendons.evaluate(at.q, at.load, start_from_straight(tendons, at.q, at.load)).tau[2];
 }
 
 double value_of(const NetTendons& tendons, const Target& target) {

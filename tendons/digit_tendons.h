@@ -11,6 +11,7 @@
 
 #include "base/error.h"
 #include "tendons/tendon_model.h"
+#include "tendons/tension_law.h"
 
 namespace thenar {
 
@@ -51,8 +52,10 @@ struct [[nodiscard]] TendonTorque {
   SlipTension slips;       // zero without a hood
   Eigen::Matrix3Xd nodes;  // of a net at rest, world; hand it on as the next start [m] (3, nodes)
   std::shared_ptr<const NetEquilibrium> rest;  // equilibrium of the net; null without a net
-  long effort = 0;                             // evaluations of a net's energy that it took
-  std::string warning;                         // why not to trust it; may be empty
+  Eigen::VectorXd tension, length;  // of muscles on tendons that stretch [N], [m] (muscles); empty:
+                                    // their tensions are given. `R` is empty where these are not
+  long effort = 0;                  // evaluations of a net's energy that it took
+  std::string warning;              // why not to trust it; may be empty
   TendonStatus status = TendonStatus::kValid;  // the same, for decisions
 };
 
@@ -85,10 +88,10 @@ class ArmSolver {
 
 /// A jump of a net to another equilibrium at one posture under the same tensions.
 struct NetSnap {
-  double share = 1;      // of the way since the state before at which it happened [1]
-  std::string band;      // whose tension changed most
-  double moved = 0;      // furthest way of a knot [m]
-  double released = 0;   // energy that net and muscles lost, as heat, as a net has no mass [J]
+  double share = 1;     // of the way since the state before at which it happened [1]
+  std::string band;     // whose tension changed most
+  double moved = 0;     // furthest way of a knot [m]
+  double released = 0;  // energy that net and muscles lost, as heat, as a net has no mass [J]
 };
 
 /// What became of a net since the state before.
@@ -96,6 +99,17 @@ struct NetStep {
   std::vector<NetSnap> snaps;  // the first one first
   double unexplained = 0;      // potential of the net that neither its torque and lengths nor its
                                // snaps account for [J]
+};
+
+/// Slopes of a digit whose muscles hang on tendons that stretch, by posture and by the ends of
+/// these tendons.
+struct EndSlopes {
+  Eigen::MatrixXd torque_by_posture;   // [N m/rad] (coordinates, coordinates)
+  Eigen::MatrixXd torque_by_end;       // [N] (coordinates, muscles)
+  Eigen::MatrixXd tension_by_posture;  // [N/rad] (muscles, coordinates)
+  Eigen::MatrixXd tension_by_end;      // [N/m] (muscles, muscles)
+  Eigen::MatrixXd length_by_posture;   // of the muscles' lines [m/rad] (muscles, coordinates)
+  Eigen::MatrixXd length_by_end;       // [1] (muscles, muscles)
 };
 
 /// Tendons of one digit in motion, whose net is where it came to from the state accepted last.
@@ -106,14 +120,32 @@ class TendonFollower {
   /// Torque at a state near the one accepted last; its torque is infinite where the net could not
   /// be followed there, so that whoever asks comes nearer. The first one comes from the straight
   /// digit under the same tensions.
+  /// @param load  tension of each muscle [N], or, of DigitTendons::follower_on_tendons(), end of
+  /// its
+  ///              tendon [m] (muscles)
   /// @throws InputError as DigitTendons::evaluate().
-  virtual TendonTorque at(const Eigen::VectorXd& q, const Eigen::VectorXd& t) = 0;
+  virtual TendonTorque at(const Eigen::VectorXd& q, const Eigen::VectorXd& load) = 0;
 
   /// Whether the net snaps on its way to the state last asked for.
   [[nodiscard]] virtual bool snapped() const = 0;
 
   /// Goes on from here.
-  virtual NetStep accept(const Eigen::VectorXd& q, const Eigen::VectorXd& t) = 0;
+  virtual NetStep accept(const Eigen::VectorXd& q, const Eigen::VectorXd& load) = 0;
+
+  /// Slopes at at(q, load), of muscles on tendons.
+  [[nodiscard]] virtual EndSlopes slopes(const Eigen::VectorXd& /*q*/,
+                                         const Eigen::VectorXd& /*load*/) {
+    return {};
+  }
+};
+
+/// A digit at rest with its muscles on tendons that stretch. A line L is taken up by muscle and
+/// tendon: its tendon is  L - end  long.
+struct TendonEnds {
+  std::vector<std::shared_ptr<const TensionLaw>> laws;  // of each tendon (muscles)
+  const Eigen::VectorXd& q;                             // [rad] (coordinates)
+  const Eigen::VectorXd& load;                          // end of each tendon [m] (muscles)
+  const TendonTorque& at;                               // there, under the tensions of these laws
 };
 
 /// One digit with its tendons. On linear rungs  tau = R' t;  with a net tau is not linear in t.
@@ -163,6 +195,13 @@ class DigitTendons {
 
   /// Follows a net from state to state, for as long as this lives; null without a net.
   [[nodiscard]] virtual std::unique_ptr<TendonFollower> follower() const { return nullptr; }
+
+  /// Follows a net from a rest under muscles on tendons that stretch: both rest in the least of one
+  /// energy. Null without a net, and where a muscle pulls more than one of its bands.
+  [[nodiscard]] virtual std::unique_ptr<TendonFollower> follower_on_tendons(
+      const TendonEnds& /*ends*/) const {
+    return nullptr;
+  }
 
   /// Derivatives and lengths of tendons without a net, in closed form. A muscle's length is that of
   /// strands, each weighted with the share of tension that it carries; friction in sheaths is left

@@ -4,14 +4,9 @@
 
 #include <cmath>
 
-namespace thenar {
+#include "tendons/tension_law.h"
 
-/// Response of a band at some length.
-struct BandResponse {
-  double energy;     // integral of the tension over the length [J]
-  double tension;    // >= 0 [N]
-  double stiffness;  // d tension / d length [N/m]
-};
+namespace thenar {
 
 /// Tension at strain  e = (length - slack) / slack:
 ///   0                    for e <= 0

@@ -76,6 +76,9 @@ void check_drive(const Net& net, const NetDrive& drive) {
           muscles, drive.tension.size());
   require(drive.length.size() == muscles || drive.length.size() == 0,
           "net {} has {} muscles, drive has {} lengths", net.name, muscles, drive.length.size());
+  const auto laws = static_cast<Eigen::Index>(drive.law.size());
+  require(laws == muscles || laws == 0, "net {} has {} muscles, drive has {} laws", net.name,
+          muscles, laws);
   // Each value is possible, and a length needs a stiffness to act on.
   for (Eigen::Index m = 0; m < muscles; ++m) {
     const bool by_length = drive.length.size() > 0 && std::isfinite(drive.length(m));

@@ -3,12 +3,14 @@
 /// An extensor mechanism as a net of tension-only bands that floats on moving bones.
 
 #include <limits>
+#include <memory>
 #include <string>
 #include <vector>
 
 #include <Eigen/Core>
 
 #include "hand/chain.h"
+#include "tendons/tension_law.h"
 #include "tendons/wrapping/bone_surface.h"
 
 namespace thenar {
@@ -58,6 +60,8 @@ struct NetDrive {
   Eigen::VectorXd tension;  // of each muscle, >= 0 [N] (muscles)
   Eigen::VectorXd length;   // finite: this musculotendon length instead of a tension [m] (muscles);
                             // empty: all by tension
+  std::vector<std::shared_ptr<const TensionLaw>> law{};  // by the length of its band instead of
+                                                         // either (muscles); null or empty: none
 };
 
 /// @throws InputError naming the node, band or surface that is wrong: an index out of range, a

@@ -6,7 +6,6 @@
 
 #include "tendons/net/net_derivatives.h"
 #include "tendons/net/net_search.h"
-#include "tendons/net/net_statics.h"
 #include "tendons/net/tangent_net.h"
 
 namespace thenar {
@@ -15,33 +14,31 @@ namespace {
 using Eigen::Matrix3Xd;
 using Eigen::VectorXd;
 
-/// Velocity of all nodes of a net at rest while posture and tensions change; none without slopes.
-Matrix3Xd node_velocity(const NetTendons& tendons, const NetEquilibrium& rest, const VectorXd& q,
-                        const VectorXd& t, const VectorXd& q_dot, const VectorXd& t_dot) {
-  const Net& net = tendons.net().net;
-  const Tree<double>& tree = tendons.digit().model.tree;
+/// Velocity of all nodes of a net at rest while posture and loads change; none without slopes.
+Matrix3Xd node_velocity(const NetPull& pull, const NetEquilibrium& rest, const PostureAndLoad& at,
+                        const PostureAndLoad& rate) {
+  const Net& net = pull.tendons().net().net;
+  const Tree<double>& tree = pull.tendons().digit().model.tree;
   // The perturbation is the sum of all joint velocities ...
-  const TreeState<double> state = pose_tree(tree, q);
-  const internal::TangentNet tangent(net, state, {tendons.drive(t), {}}, rest);
+  const TreeState<double> state = pose_tree(tree, at.q);
+  const internal::TangentNet tangent(net, state, pull.drive(at), rest);
   internal::NetPerturbation input = internal::still(net, tree.size());
-  for (Eigen::Index j = 0; j < q_dot.size(); ++j) {
-    if (q_dot[j] == 0) continue;
+  for (Eigen::Index j = 0; j < rate.q.size(); ++j) {
+    if (rate.q[j] == 0) continue;
     const internal::NetPerturbation turn =
         internal::joint_perturbation(net, tree, state, static_cast<int>(j));
     for (std::size_t i = 0; i < input.link.size(); ++i) {
-      input.link[i].v += q_dot[j] * turn.link[i].v;
-      input.link[i].w += q_dot[j] * turn.link[i].w;
+      input.link[i].v += rate.q[j] * turn.link[i].v;
+      input.link[i].w += rate.q[j] * turn.link[i].w;
     }
     for (std::size_t i = 0; i < input.axis.size(); ++i) {
-      input.axis[i] += q_dot[j] * turn.axis[i];
-      input.point[i] += q_dot[j] * turn.point[i];
+      input.axis[i] += rate.q[j] * turn.axis[i];
+      input.point[i] += rate.q[j] * turn.point[i];
     }
   }
   // ... and of the rates of the pulls.
-  const VectorXd drive_dot = tendons.drive(t_dot);
-  for (std::size_t b = 0; b < net.bands.size(); ++b)
-    if (net.bands[b].muscle >= 0)
-      input.tension[static_cast<Eigen::Index>(b)] = drive_dot[net.bands[b].muscle];
+  const PullRates by = pull.rates(at, rest);
+  internal::tighten(net, by.by_posture * rate.q + by.by_load * rate.load, input);
   return internal::node_rates(tangent, input);
 }
 
@@ -52,13 +49,6 @@ bool settled(const Net& net, const NetEquilibrium& rest) {
 
 bool unbalanced(const NetEquilibrium& rest) {
   return rest.status == NetStatus::kStalled || rest.status == NetStatus::kFarSideWrap;
-}
-
-/// Whether a muscle pulls the net, so that its knots have a place.
-bool pulled(const NetTendons& tendons, const VectorXd& t) {
-  constexpr double kSlack = 1e-6;  // [N]
-  const VectorXd drive = tendons.drive(t);
-  return drive.size() > 0 && drive.maxCoeff() > kSlack;
 }
 
 }  // namespace
@@ -84,19 +74,19 @@ double largest(const VectorXd& entries) { return entries.size() > 0 ? entries.ma
 /// A net under way. Its place is the share of the way that is done, 0 to 1.
 class NetWalk {
  public:
-  NetWalk(const NetTendons& tendons, const NetEquilibrium& rest, const PostureAndLoad& from,
+  NetWalk(const NetPull& pull, const NetEquilibrium& rest, const PostureAndLoad& from,
           const PostureAndLoad& to, const NetContinuationOptions& options)
-      : tendons_(tendons),
+      : pull_(pull),
+        net_(pull.tendons().net().net),
         from_(from),
         to_(to),
-        turn_(to.q - from.q),
-        load_(to.t - from.t),
+        way_{to.q - from.q, to.load - from.load},
         options_(options),
         walk_{rest, {}, 0, 0, true} {
     // The least part of the way that counts as a step.
-    const double most = std::max({largest(from.t), largest(to.t), 1e-3});
-    const double turned = largest(turn_.cwiseAbs()) / options.min_turn;
-    const double loaded = largest(load_.cwiseAbs()) / (options.min_load * most);
+    const double turned = largest(way_.q.cwiseAbs()) / options.min_turn;
+    const double loaded =
+        largest(way_.load.cwiseAbs()) / pull.least_change(from.load, to.load, options.min_load);
     least_ = 1 / std::max({turned, loaded, 1.0});
   }
 
@@ -108,13 +98,11 @@ class NetWalk {
  private:
   /// Predicts and corrects, with a step so short that the correction is small.
   void take_step() {
-    const Net& net = tendons_.net().net;
-    const bool follows = settled(net, walk_.rest) && pulled(tendons_, from_.t + done_ * load_) &&
-                         pulled(tendons_, to_.t) && walk_.solves < options_.max_solves;
+    const bool follows = settled(net_, walk_.rest) && pull_.pulls(at(done_).load) &&
+                         pull_.pulls(to_.load) && walk_.solves < options_.max_solves;
     Matrix3Xd rate = Matrix3Xd::Zero(3, walk_.rest.x.cols());
     if (follows)
-      rate = node_velocity(tendons_, walk_.rest, from_.q + done_ * turn_, from_.t + done_ * load_,
-                           turn_, load_);
+      rate = node_velocity(pull_, walk_.rest, at(done_), way_);
     else
       step_ = 1 - done_;
     if (walk_.solves >= options_.max_solves) walk_.followed = false;
@@ -123,8 +111,8 @@ class NetWalk {
       const Matrix3Xd start = walk_.rest.x + (end - done_) * rate;
       NetEquilibrium next = rest_at(end, start);
       // Distance between prediction and equilibrium.
-      const bool judged = follows && settled(net, next);
-      const double off = judged ? largest_deviation(net, walk_.rest.undetermined, start, next) : 0;
+      const bool judged = follows && settled(net_, next);
+      const double off = judged ? largest_deviation(net_, walk_.rest.undetermined, start, next) : 0;
       const bool astray = off > options_.stray || (follows && !judged);
       if (!astray || !(end - done_ > least_) || walk_.solves >= options_.max_solves) {
         if (off > options_.stray) note_snap(next, end, off);
@@ -145,41 +133,34 @@ class NetWalk {
   }
 
   [[nodiscard]] NetEquilibrium rest_at(double place, const Matrix3Xd& start) {
-    NetEquilibrium rest =
-        tendons_.rest(from_.q + place * turn_, from_.t + place * load_, start);
+    NetEquilibrium rest = pull_.rest(at(place), start);
     ++walk_.solves;
     walk_.effort += rest.evaluations;
     return rest;
   }
 
-  /// Strain energy and what the pulls t hold,  strain + t L,  of the net alone [J].
-  [[nodiscard]] double potential(const NetEquilibrium& rest, const VectorXd& t) const {
-    const Net& net = tendons_.net().net;
-    return strain_energy(net, rest) + tendons_.drive(t).dot(muscle_band_length(net, rest));
+  /// What is asked at a share of the way.
+  [[nodiscard]] PostureAndLoad at(double place) const {
+    return {from_.q + place * way_.q, from_.load + place * way_.load};
   }
 
   /// Notes a jump to `next`, at the end of a step so short that the net would have followed it by
-  /// its slopes,  d(strain + t L) = -tau dq + L dt.
+  /// the slopes of its potential.
   void note_snap(const NetEquilibrium& next, double end, double moved) {
-    const Net& net = tendons_.net().net;
-    const TendonModel<double>& model = tendons_.digit().model;
     const NetEquilibrium& rest = walk_.rest;
-    const VectorXd q = from_.q + done_ * turn_, t = from_.t + done_ * load_;
-    const double step = end - done_;
     // Energy that it would have there, less what it has.
-    const VectorXd tau =
-        net_torque(net, model.tree, pose_tree(model.tree, q), rest, model.coordinates);
-    const double led = potential(rest, t) - step * tau.dot(turn_) +
-                       step * tendons_.drive(load_).dot(muscle_band_length(net, rest));
+    const NetPotential here = pull_.potential(at(done_), rest);
+    const double led =
+        here.energy + (end - done_) * (here.by_load.dot(way_.load) - here.tau.dot(way_.q));
     NetJump snap;
     snap.from = done_, snap.share = end;
     snap.before = rest, snap.after = next;
     snap.moved = moved;
-    snap.released = led - potential(next, t + step * load_);
+    snap.released = led - pull_.potential(at(end), next).energy;
     // Band whose tension changed most.
     Eigen::Index most = 0;
     (next.tension - rest.tension).cwiseAbs().maxCoeff(&most);
-    snap.band = net.bands[static_cast<std::size_t>(most)].name;
+    snap.band = net_.bands[static_cast<std::size_t>(most)].name;
     walk_.snaps.push_back(std::move(snap));
   }
 
@@ -190,8 +171,7 @@ class NetWalk {
       NetEquilibrium cold = rest_at(end, {});
       if (!unbalanced(cold)) {
         next = std::move(cold);
-        const double moved = largest_deviation(tendons_.net().net, walk_.rest.undetermined,
-                                               walk_.rest.x, next);
+        const double moved = largest_deviation(net_, walk_.rest.undetermined, walk_.rest.x, next);
         if (moved > options_.stray) note_snap(next, end, moved);
       }
     }
@@ -200,9 +180,10 @@ class NetWalk {
     done_ = end;
   }
 
-  const NetTendons& tendons_;
+  const NetPull& pull_;
+  const Net& net_;
   const PostureAndLoad &from_, &to_;
-  VectorXd turn_, load_;  // whole change of posture [rad] and tension [N]
+  PostureAndLoad way_;  // whole change
   const NetContinuationOptions& options_;
   NetContinuation walk_;
   double least_ = 0, done_ = 0, step_ = 1;  // shares of the way [1]
@@ -213,7 +194,13 @@ class NetWalk {
 NetContinuation follow_net(const NetTendons& tendons, const NetEquilibrium& rest,
                            const PostureAndLoad& from, const PostureAndLoad& to,
                            const NetContinuationOptions& options) {
-  return NetWalk(tendons, rest, from, to, options).run();
+  return follow_net(PullByTension(tendons), rest, from, to, options);
+}
+
+NetContinuation follow_net(const NetPull& pull, const NetEquilibrium& rest,
+                           const PostureAndLoad& from, const PostureAndLoad& to,
+                           const NetContinuationOptions& options) {
+  return NetWalk(pull, rest, from, to, options).run();
 }
 
 // NOLINTNEXTLINE(misc-no-recursion): once, for the finger without frozen joints

@@ -8,7 +8,7 @@
 /// What a prediction is off grows with the square of the step, which tells how long the next one
 /// may be.
 
-#include "tendons/net/net_tendons.h"
+#include "tendons/net/net_pull.h"
 
 namespace thenar {
 
@@ -17,12 +17,6 @@ struct NetContinuationOptions {
   double min_turn = 1e-5;  // of any joint in a step that is not shortened [rad]
   double min_load = 1e-5;  // change of tension in such a step, per largest tension [1]
   int max_solves = 1000;   // then the rest is gone in one step, and snaps are not judged
-};
-
-/// What a net is asked to follow.
-struct PostureAndLoad {
-  Eigen::VectorXd q;  // (coordinates) [rad]
-  Eigen::VectorXd t;  // tension of each muscle (muscles) [N]
 };
 
 /// A snap on the way: of no length, but for the least step.
@@ -45,9 +39,13 @@ struct [[nodiscard]] NetContinuation {
 /// Where the net is not differentiable, see why_not_differentiable(), or no muscle pulls it at
 /// either end, so that nothing determines its knots, it is moved in one step and snaps are not
 /// judged.
-/// @param rest   at `from`, as found before
+/// @param tendons  pulled by tensions
+/// @param rest     at `from`, as found before
 /// @throws InputError as DigitTendons::evaluate().
 NetContinuation follow_net(const NetTendons& tendons, const NetEquilibrium& rest,
+                           const PostureAndLoad& from, const PostureAndLoad& to,
+                           const NetContinuationOptions& options = {});
+NetContinuation follow_net(const NetPull& pull, const NetEquilibrium& rest,
                            const PostureAndLoad& from, const PostureAndLoad& to,
                            const NetContinuationOptions& options = {});
 

@@ -131,7 +131,7 @@ NetStatus NetDescent::load_continuation(const TreeState<double>& state, const Ne
     Eigen::Matrix3Xd from(3, static_cast<Eigen::Index>(x_.size()));
     for (std::size_t i = 0; i < x_.size(); ++i) from.col(static_cast<Eigen::Index>(i)) = x_[i];
     const int patience = times == 1 ? options_.max_iterations : options_.max_iterations / 5;
-    status = settle(state, {times * drive.tension, drive.length}, &from, patience);
+    status = settle(state, {times * drive.tension, drive.length, drive.law}, &from, patience);
     spent += iterations_;
   }
   // The answer counts all steps and the nodes of the first placement.

@@ -51,6 +51,7 @@ WrappedString penalty_chord(double t, double penalty, const Vector3d& multiplier
 
 BandResponse law(const Net& net, const NetScene& scene, int i, double L) {
   if (scene.pull[i] >= 0) return {scene.pull[i] * L, scene.pull[i], 0};
+  if (scene.law[i]) return scene.law[i]->at(L);
   return elastic_response(net, net.bands[i], scene.slack[i], L);
 }
 
@@ -97,7 +98,9 @@ NetScene pose_scene(const Net& net, const TreeState<double>& state, const NetDri
     const bool by_length =
         band.muscle >= 0 && drive.length.size() > 0 && std::isfinite(drive.length(band.muscle));
     scene.slack.push_back(by_length ? drive.length(band.muscle) : band.slack);
-    scene.pull.push_back(band.muscle < 0 || by_length ? -1 : drive.tension(band.muscle));
+    scene.law.push_back(band.muscle < 0 || drive.law.empty() ? nullptr : drive.law[band.muscle]);
+    const bool by_tension = band.muscle >= 0 && !by_length && !scene.law.back();
+    scene.pull.push_back(by_tension ? drive.tension(band.muscle) : -1);
   }
   // Nothing has collapsed yet.
   scene.multiplier.assign(net.bands.size(), Vector3d::Zero());

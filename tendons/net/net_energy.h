@@ -41,6 +41,8 @@ struct NetScene {
   std::vector<Pose<double>> surface;  // world from S
   std::vector<double> pull;           // constant tension of each band; < 0: it follows its law [N]
   std::vector<double> slack;          // of each band [m]
+  std::vector<std::shared_ptr<const TensionLaw>> law;  // of each band of a muscle on a tendon;
+                                                       // null: others
   // A constant pull t has no derivative at length zero, where the node is collapsed into the exit.
   // Its energy  t |d|, d = a - b,  is written as an augmented Lagrangian,
   //   max_{|p| <= t} p.d - |p - multiplier|^2 / (2 penalty).

@@ -1,10 +1,10 @@
 #include "tendons/net/net_follower.h"
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
 #include "tendons/net/net_derivatives.h"
-#include "tendons/net/net_statics.h"
 #include "tendons/net/tangent_net.h"
 
 namespace thenar {
@@ -18,9 +18,12 @@ using Eigen::VectorXd;
 /// A net out of balance by more than this share of its largest pull has no torque [1].
 constexpr double kOutOfBalance = 1e-6;
 
-bool is_balanced(const NetEquilibrium& rest, const VectorXd& drive) {
+bool is_balanced(const Net& net, const NetEquilibrium& rest) {
   if (rest.status != NetStatus::kStalled && rest.status != NetStatus::kFarSideWrap) return true;
-  return rest.residual <= kOutOfBalance * drive.maxCoeff();
+  double largest = 0;
+  for (std::size_t b = 0; b < net.bands.size(); ++b)
+    if (net.bands[b].muscle >= 0) largest = std::max(largest, rest.tension[static_cast<Index>(b)]);
+  return rest.residual <= kOutOfBalance * largest;
 }
 
 /// A torque that no integrator accepts.
@@ -42,20 +45,32 @@ NetContinuationOptions follower_options() {
 }
 
 NetFollower::NetFollower(const NetTendons& tendons, const NetContinuationOptions& options)
-    : tendons_(tendons), options_(options) {}
+    : pull_(std::make_unique<PullByTension>(tendons)), tendons_(tendons), options_(options) {}
+
+NetFollower::NetFollower(std::unique_ptr<PullByTendon> pull, PostureAndLoad here,
+                         const NetEquilibrium& rest)
+    : pull_(std::move(pull)),
+      tendons_(pull_->tendons()),
+      options_(follower_options()),
+      known_(true),
+      here_(std::move(here)),
+      // The same net, with the last digits that its tendons ask for.
+      rest_(pull_->rest(here_, rest.x)) {
+  find_slopes();
+}
 
 void NetFollower::reach(const PostureAndLoad& to) {
-  if (asked_.q.size() > 0 && asked_.q == to.q && asked_.t == to.t) return;
+  if (asked_.q.size() > 0 && asked_.q == to.q && asked_.load == to.load) return;
   asked_ = to;
   if (!known_) {
-    reached_ = follow_from_straight(tendons_, to.q, to.t);
+    reached_ = follow_from_straight(tendons_, to.q, to.load);
     return;
   }
   // One search from where slopes say suffices for short steps.
   if (by_posture_.size() > 0) {
-    const VectorXd move = by_posture_ * (to.q - here_.q) + by_load_ * (to.t - here_.t);
+    const VectorXd move = by_posture_ * (to.q - here_.q) + by_load_ * (to.load - here_.load);
     const Matrix3Xd start = rest_.x + Map<const Matrix3Xd>(move.data(), 3, rest_.x.cols());
-    NetEquilibrium next = tendons_.rest(to.q, to.t, start);
+    NetEquilibrium next = pull_->rest(to, start);
     const Net& net = tendons_.net().net;
     const double off = largest_deviation(net, rest_.undetermined, start, next);
     if (off <= options_.stray && why_not_differentiable(net, next).empty()) {
@@ -65,74 +80,72 @@ void NetFollower::reach(const PostureAndLoad& to) {
     }
   }
   // Otherwise in shorter ones.
-  reached_ = follow_net(tendons_, rest_, here_, to, options_);
+  reached_ = follow_net(*pull_, rest_, here_, to, options_);
 }
 
-TendonTorque NetFollower::at(const VectorXd& q, const VectorXd& t) {
-  reach({q, t});
+TendonTorque NetFollower::at(const VectorXd& q, const VectorXd& load) {
+  reach({q, load});
   TendonTorque pull;
-  if (reached_.followed && is_balanced(reached_.rest, tendons_.drive(t))) {
-    pull = tendons_.torque_at_rest(q, t, reached_.rest);
+  const Net& net = tendons_.net().net;
+  if (reached_.followed && is_balanced(net, reached_.rest)) {
+    pull = pull_->torque({q, load}, reached_.rest);
   } else {
-    const Net& net = tendons_.net().net;
     const TreeState<double> state = pose_tree(tendons_.digit().model.tree, q);
     const std::string why = net_warning(net, state, reached_.rest);
-    pull = no_torque(q.size(), t.size(),
+    pull = no_torque(q.size(), load.size(),
                      why.empty() ? fmt::format("net '{}' moves too far in a step", net.name) : why);
   }
   pull.effort = reached_.effort;
   return pull;
 }
 
-NetStep NetFollower::accept(const VectorXd& q, const VectorXd& t) {
-  reach({q, t});
+NetStep NetFollower::accept(const VectorXd& q, const VectorXd& load) {
+  reach({q, load});
   NetStep step;
   if (known_) {
     // From here to the first snap, from snap to snap, and on to there.
-    const VectorXd turn = q - here_.q, load = t - here_.t;
+    const VectorXd turn = q - here_.q, more = load - here_.load;
+    const auto at = [&](double share) -> PostureAndLoad {
+      return {here_.q + share * turn, here_.load + share * more};
+    };
     PostureAndLoad from = here_;
     const NetEquilibrium* rest = &rest_;
     for (const NetJump& snap : reached_.snaps) {
-      step.unexplained += unexplained(
-          from, *rest, {here_.q + snap.from * turn, here_.t + snap.from * load}, snap.before);
+      step.unexplained += unexplained(from, *rest, at(snap.from), snap.before);
       step.snaps.push_back(snap);
-      from = {here_.q + snap.share * turn, here_.t + snap.share * load};
+      from = at(snap.share);
       rest = &snap.after;
     }
-    step.unexplained += unexplained(from, *rest, {q, t}, reached_.rest);
+    step.unexplained += unexplained(from, *rest, {q, load}, reached_.rest);
   }
   known_ = true;
-  here_ = {q, t};
+  here_ = {q, load};
   rest_ = reached_.rest;
   reached_.snaps.clear();
   find_slopes();
   return step;
 }
 
-NetFollower::Potential NetFollower::potential(const PostureAndLoad& at,
-                                              const NetEquilibrium& rest) const {
-  const Net& net = tendons_.net().net;
-  const TendonModel<double>& model = tendons_.digit().model;
-  Potential out;
-  out.L = tendons_.shares().transpose() * muscle_band_length(net, rest);
-  out.energy = strain_energy(net, rest) + at.t.dot(out.L);
-  out.tau = net_torque(net, model.tree, pose_tree(model.tree, at.q), rest, model.coordinates);
-  return out;
+EndSlopes NetFollower::slopes(const VectorXd& q, const VectorXd& load) {
+  const auto* pull = dynamic_cast<const PullByTendon*>(pull_.get());
+  if (pull == nullptr) return {};
+  reach({q, load});
+  return pull->slopes({q, load}, reached_.rest);
 }
 
-/// Change of the potential between two states less  -tau dq + L dt,  by the trapezoid between them;
-/// where that leaves more than `kRound`, by Simpson's rule.
+/// Change of the potential between two states less what its slopes say, by the trapezoid between
+/// them; where that leaves more than `kRound`, by Simpson's rule.
 double NetFollower::unexplained(const PostureAndLoad& from, const NetEquilibrium& rest,
                                 const PostureAndLoad& to, const NetEquilibrium& there) const {
   constexpr double kRound = 1e-11;  // [J]
-  const VectorXd turn = to.q - from.q, load = to.t - from.t;
-  const auto rate = [&](const Potential& at) { return at.L.dot(load) - at.tau.dot(turn); };
-  const Potential first = potential(from, rest), last = potential(to, there);
+  const VectorXd turn = to.q - from.q, load = to.load - from.load;
+  const auto rate = [&](const NetPotential& at) { return at.by_load.dot(load) - at.tau.dot(turn); };
+  const NetPotential first = pull_->potential(from, rest), last = pull_->potential(to, there);
   const double gained = last.energy - first.energy, ends = rate(first) + rate(last);
   if (std::abs(gained - ends / 2) <= kRound) return gained - ends / 2;
-  const PostureAndLoad middle{from.q + turn / 2, from.t + load / 2};
-  const NetEquilibrium between = tendons_.rest(middle.q, middle.t, (rest.x + there.x) / 2);
-  return gained - (ends + 4 * rate(potential(middle, between))) / 6;
+  const PostureAndLoad middle{from.q + turn / 2, from.load + load / 2};
+  const NetEquilibrium between = pull_->rest(middle, (rest.x + there.x) / 2);
+  return gained - (ends + 4 * rate(pull_->potential(middle, between))) / 6;
 }
 
 void NetFollower::find_slopes() {
@@ -141,24 +154,26 @@ void NetFollower::find_slopes() {
   if (!why_not_differentiable(net, rest_).empty()) return;
   const Tree<double>& tree = tendons_.digit().model.tree;
   const TreeState<double> state = pose_tree(tree, here_.q);
-  const internal::TangentNet tangent(net, state, {tendons_.drive(here_.t), {}}, rest_);
+  const internal::TangentNet tangent(net, state, pull_->drive(here_), rest_);
+  const PullRates by = pull_->rates(here_, rest_);
   // One column a joint.
   by_posture_.resize(rest_.x.size(), here_.q.size());
   for (Index j = 0; j < here_.q.size(); ++j) {
-    const Matrix3Xd v = internal::node_rates(
-        tangent, internal::joint_perturbation(net, tree, state, static_cast<int>(j)));
+    internal::NetPerturbation input =
+        internal::joint_perturbation(net, tree, state, static_cast<int>(j));
+    internal::tighten(net, by.by_posture.col(j), input);
+    const Matrix3Xd v = internal::node_rates(tangent, input);
     by_posture_.col(j) = Map<const VectorXd>(v.data(), v.size());
   }
-  // One column a pull, then shares of the digit's muscles.
+  // One column a pull, then what loads do to these.
   Eigen::MatrixXd by_pull(rest_.x.size(), static_cast<Index>(net.muscles.size()));
   for (Index m = 0; m < by_pull.cols(); ++m) {
     internal::NetPerturbation input = internal::still(net, tree.size());
-    for (std::size_t b = 0; b < net.bands.size(); ++b)
-      if (net.bands[b].muscle == m) input.tension[static_cast<Index>(b)] = 1;
+    internal::tighten(net, VectorXd::Unit(by_pull.cols(), m), input);
     const Matrix3Xd v = internal::node_rates(tangent, input);
     by_pull.col(m) = Map<const VectorXd>(v.data(), v.size());
   }
-  by_load_ = by_pull * tendons_.shares();
+  by_load_ = by_pull * by.by_load;
 }
 
 }  // namespace thenar

@@ -2,6 +2,8 @@
 
 /// A net in motion, found at any state by way of the one that was accepted last.
 
+#include <memory>
+
 #include "tendons/net/net_continuation.h"
 
 namespace thenar {
@@ -9,33 +11,31 @@ namespace thenar {
 /// How far a net is followed in one step of a motion.
 [[nodiscard]] NetContinuationOptions follower_options();
 
-/// Where the net was accepted, knots move with  x + dx/dq dq + dx/dt dt.  Where one is found
-/// further than NetContinuationOptions::stray from there, the net is followed in shorter steps:
-/// what still strays has snapped. So the net has a memory, and where it rests does not depend on
-/// trials.
+/// Where the net was accepted, knots move with  x + dx/dq dq + dx/dp dp,  p the load.  Where one is
+/// found further than NetContinuationOptions::stray from there, the net is followed in shorter
+/// steps: what still strays has snapped. So the net has a memory, and where it rests does not
+/// depend on trials.
 class NetFollower : public TendonFollower {
  public:
   /// @param tendons  must outlive it
   explicit NetFollower(const NetTendons& tendons,
                        const NetContinuationOptions& options = follower_options());
 
-  TendonTorque at(const Eigen::VectorXd& q, const Eigen::VectorXd& t) override;
+  /// From a rest under muscles on tendons, whose ends are the loads.
+  NetFollower(std::unique_ptr<PullByTendon> pull, PostureAndLoad here, const NetEquilibrium& rest);
+
+  TendonTorque at(const Eigen::VectorXd& q, const Eigen::VectorXd& load) override;
   [[nodiscard]] bool snapped() const override { return known_ && !reached_.snaps.empty(); }
-  NetStep accept(const Eigen::VectorXd& q, const Eigen::VectorXd& t) override;
+  NetStep accept(const Eigen::VectorXd& q, const Eigen::VectorXd& load) override;
+  [[nodiscard]] EndSlopes slopes(const Eigen::VectorXd& q, const Eigen::VectorXd& load) override;
 
  private:
-  /// Potential of the net,  strain energy + t L,  and what it changes by:  -tau dq + L dt.
-  struct Potential {
-    double energy = 0;    // [J]
-    Eigen::VectorXd tau;  // of the net [N m] (coordinates)
-    Eigen::VectorXd L;    // of the bands that muscles pull, by muscle [m] (muscles)
-  };
-  [[nodiscard]] Potential potential(const PostureAndLoad& at, const NetEquilibrium& rest) const;
   [[nodiscard]] double unexplained(const PostureAndLoad& from, const NetEquilibrium& rest,
                                    const PostureAndLoad& to, const NetEquilibrium& there) const;
   void reach(const PostureAndLoad& to);
   void find_slopes();
 
+  std::unique_ptr<const NetPull> pull_;
   const NetTendons& tendons_;
   NetContinuationOptions options_;
   bool known_ = false;

@@ -23,7 +23,7 @@ NetContinuation rest_found(const NetTendons& tendons, const VectorXd& q, const V
 /// Follows a net through postures and loads in turn, from its rest at the first of them.
 NetContinuation follow_ways(const NetTendons& tendons, const std::vector<PostureAndLoad>& places,
                             const NetContinuationOptions& options) {
-  NetContinuation walk = rest_found(tendons, places.front().q, places.front().t);
+  NetContinuation walk = rest_found(tendons, places.front().q, places.front().load);
   for (std::size_t i = 1; i < places.size(); ++i) {
     NetContinuation leg = follow_net(tendons, walk.rest, places[i - 1], places[i], options);
     walk.rest = std::move(leg.rest);

@@ -10,6 +10,7 @@
 #include "tendons/net/band_course.h"
 #include "tendons/net/net_derivatives.h"
 #include "tendons/net/net_follower.h"
+#include "tendons/net/net_pull.h"
 #include "tendons/net/net_statics.h"
 #include "tendons/path.h"
 
@@ -199,11 +200,22 @@ std::unique_ptr<TendonFollower> NetTendons::follower() const {
   return std::make_unique<NetFollower>(*this);
 }
 
+std::unique_ptr<TendonFollower> NetTendons::follower_on_tendons(const TendonEnds& ends) const {
+  if (!pulls_one_band_each(*this) || !ends.at.rest) return nullptr;
+  return std::make_unique<NetFollower>(std::make_unique<PullByTendon>(*this, ends.laws),
+                                       PostureAndLoad{ends.q, ends.load}, *ends.at.rest);
+}
+
 NetEquilibrium NetTendons::rest(const VectorXd& q, const VectorXd& t,
+                                const Eigen::Matrix3Xd& start) const {
+  return rest(q, NetDrive{drive(t), {}}, start);
+}
+
+NetEquilibrium NetTendons::rest(const VectorXd& q, const NetDrive& drive,
                                 const Eigen::Matrix3Xd& start) const {
   require(start.cols() == 0 || start.cols() == static_cast<Eigen::Index>(net_.net.nodes.size()),
           "start has {} nodes, net '{}' {}", start.cols(), net_.net.name, net_.net.nodes.size());
-  return solvers_.solve(net_.net, options_, pose_tree(digit_.model.tree, q), {drive(t), {}},
+  return solvers_.solve(net_.net, options_, pose_tree(digit_.model.tree, q), drive,
                         start.cols() == 0 ? nullptr : &start);
 }
 
@@ -280,16 +292,21 @@ MatrixXd NetTendons::compliance(const VectorXd& q, const VectorXd& t,
   return -shares_.transpose() * muscle_compliance(net_.net, state, {drive(t), {}}, *rest) * shares_;
 }
 
-VectorXd NetTendons::lengths(const VectorXd& q, const VectorXd& t, const TendonTorque& at) const {
+VectorXd NetTendons::lengths_outside(const VectorXd& q) const {
   const TreeState<double> state = pose_tree(digit_.model.tree, q);
-  // Whole tendons and own paths in their shares, then the bands of the net.
-  VectorXd length = linear_->lengths(q, t, {});
+  // Whole tendons and own paths in their shares.
+  VectorXd length = linear_->lengths(q, VectorXd::Zero(shares_.cols()), {});
   for (const NetMuscle& m : net_.muscles)
     length[m.muscle] = (1 - m.to_net) * length[m.muscle] + m.to_net * path_length(state, m.own);
-  return length + shares_.transpose() * muscle_band_length(net_.net, *rest_of(at, q, t));
+  return length;
 }
 
-TendonTorque NetTendons::torque_at_rest(const VectorXd& q, const VectorXd& t,
+VectorXd NetTendons::lengths(const VectorXd& q, const VectorXd& t, const TendonTorque& at) const {
+  return lengths_outside(q) +
+         shares_.transpose() * muscle_band_length(net_.net, *rest_of(at, q, t));
+}
+
+TendonTorque NetTendons::torque_of_rest(const VectorXd& q, const VectorXd& t,
                                         NetEquilibrium rest) const {
   // Tendons outside of the net, then the net.
   const TendonModel<double>& model = digit_.model;
@@ -302,15 +319,23 @@ TendonTorque NetTendons::torque_at_rest(const VectorXd& q, const VectorXd& t,
   // Status and warning of the worst part.
   add_warning(net_warning(net_.net, state, rest), pull);
   pull.status = worse(pull.status, net_status(net_.net, state, rest));
+  pull.rest = std::make_shared<const NetEquilibrium>(std::move(rest));
+  return pull;
+}
+
+TendonTorque NetTendons::torque_at_rest(const VectorXd& q, const VectorXd& t,
+                                        NetEquilibrium rest) const {
+  TendonTorque pull = torque_of_rest(q, t, std::move(rest));
+  const TendonModel<double>& model = digit_.model;
+  const TreeState<double> state = pose_tree(model.tree, q);
   // Arms of the net where it is differentiable.
-  if (why_not_differentiable(net_.net, rest).empty())
-    pull.R +=
-        (torque_by_drive(net_.net, model.tree, state, {drive(t), {}}, rest, model.coordinates) *
-         shares_)
-            .transpose();
+  if (why_not_differentiable(net_.net, *pull.rest).empty())
+    pull.R += (torque_by_drive(net_.net, model.tree, state, {drive(t), {}}, *pull.rest,
+                               model.coordinates) *
+               shares_)
+                  .transpose();
   else
     add_warning("moment arms are without the net", pull);
-  pull.rest = std::make_shared<const NetEquilibrium>(std::move(rest));
   return pull;
 }
 

@@ -81,6 +81,9 @@ class NetTendons : public DigitTendons {
 
   [[nodiscard]] std::unique_ptr<TendonFollower> follower() const override;
 
+  [[nodiscard]] std::unique_ptr<TendonFollower> follower_on_tendons(
+      const TendonEnds& ends) const override;
+
   /// A copy with Net::blend.
   [[nodiscard]] std::unique_ptr<DigitTendons> smoothed(double strain) const override;
 
@@ -88,8 +91,14 @@ class NetTendons : public DigitTendons {
   [[nodiscard]] TendonTorque torque_at_rest(const Eigen::VectorXd& q, const Eigen::VectorXd& t,
                                             NetEquilibrium rest) const;
 
+  /// The same without the net's share of moment arms.
+  [[nodiscard]] TendonTorque torque_of_rest(const Eigen::VectorXd& q, const Eigen::VectorXd& t,
+                                            NetEquilibrium rest) const;
+
   /// Equilibrium of the net, for pictures and tensions of bands. Arguments as of evaluate().
   [[nodiscard]] NetEquilibrium rest(const Eigen::VectorXd& q, const Eigen::VectorXd& t,
+                                    const Eigen::Matrix3Xd& start) const;
+  [[nodiscard]] NetEquilibrium rest(const Eigen::VectorXd& q, const NetDrive& drive,
                                     const Eigen::Matrix3Xd& start) const;
 
   /// Joint torque of all tendons, with the net at `rest` [N m] (coordinates).
@@ -106,7 +115,10 @@ class NetTendons : public DigitTendons {
   [[nodiscard]] TendonTorque torque_outside(const Eigen::VectorXd& q,
                                             const Eigen::VectorXd& t) const;
 
-  /// Their derivatives, with the lengths of the muscles outside of the net.
+  /// Lengths of what runs outside of the net, up to a constant [m] (muscles).
+  [[nodiscard]] Eigen::VectorXd lengths_outside(const Eigen::VectorXd& q) const;
+
+  /// Derivatives of tendons outside of the net, with the lengths of the muscles outside of the net.
   [[nodiscard]] TendonDerivatives derivatives_outside(const Eigen::VectorXd& q,
                                                       const Eigen::VectorXd& t) const;
 

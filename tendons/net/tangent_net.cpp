@@ -149,6 +149,12 @@ NetPerturbation still(const Net& net, std::size_t links) {
   return with_bones(net, {std::vector<BodyTwist>(links + 1), none, none});
 }
 
+void tighten(const Net& net, const Eigen::VectorXd& pull, NetPerturbation& input) {
+  for (std::size_t b = 0; b < net.bands.size(); ++b)
+    if (net.bands[b].muscle >= 0)
+      input.tension[static_cast<Eigen::Index>(b)] += pull[net.bands[b].muscle];
+}
+
 NetPerturbation joint_perturbation(const Net& net, const Tree<double>& tree,
                                    const TreeState<double>& state, int coordinate) {
   return with_bones(net, joint_velocity_tree(tree, state, coordinate));

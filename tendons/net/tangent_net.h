@@ -77,6 +77,9 @@ struct NetPerturbation : TreeVelocity {
 /// The perturbation that moves nothing and changes no tension.
 [[nodiscard]] NetPerturbation still(const Net& net, std::size_t links);
 
+/// Adds rates of the pulls at fixed lengths of their bands [N] (muscles of the net).
+void tighten(const Net& net, const Eigen::VectorXd& pull, NetPerturbation& input);
+
 /// One joint coordinate turns by 1 rad.
 [[nodiscard]] NetPerturbation joint_perturbation(const Net& net, const Tree<double>& tree,
                                                  const TreeState<double>& state, int coordinate);

@@ -5,8 +5,8 @@
 #include <gtest/gtest.h>
 
 #include "tendons/linear_tendons.h"
-#include "tests/matrix_near.h"
 #include "tests/hand/sample_subjects.h"
+#include "tests/matrix_near.h"
 #include "tests/tendons/net/sample_nets.h"
 
 namespace thenar {
@@ -95,6 +95,50 @@ TEST(NetFollower, ForgetsWhatWasNotAccepted) {
   (void)net.accept(kStill, Vector2d(1, 1));
   EXPECT_NEAR(side_of(net.at(kStill, Vector2d(0.2, 1))), -kRadius, 1e-9);
   EXPECT_NEAR(side_of(net.at(kStill, Vector2d(0.9, 1))), kRadius, 1e-9);
+}
+
+/// A tendon as stiff as a muscle's.
+class Spring : public TensionLaw {
+ public:
+  [[nodiscard]] BandResponse at(double length) const override {
+    constexpr double kStiffness = 1e5;  // [N/m]
+    return length > 0
+               ? BandResponse{kStiffness * length * length / 2, kStiffness * length, kStiffness}
+               : BandResponse{0, 0, 0};
+  }
+};
+
+// On stiff tendons of one law it rests between the exits, where under tensions that stay its energy
+// is greatest. In closed form: tensions k (L - p) in balance on the bone are as the lengths L, so
+// L1 / L2 = p1 / p2, and with s = r^2 + d^2 + w^2, w the radius of the exits,
+//   2 r d cos theta = s (p2^2 - p1^2) / (p2^2 + p1^2).
+TEST(NetFollower, RestsOnTendonsWhereTensionsAloneDoNotHoldIt) {
+  const NetTendons tendons = two_exits();
+  const double s = kRadius * kRadius + kAside * kAside + kExitRadius * kExitRadius;
+  const double product = 2 * kRadius * kAside;
+  // Ends of tendons stretched by 20 um and more with the knot at cos theta.
+  const auto ends = [&](double cosine) {
+    return Vector2d((1 - 5e-3) * std::sqrt(s - product * cosine),
+                    (1 - 5e-3) * std::sqrt(s + product * cosine));
+  };
+  // A rest beside the first exit, by tensions that hold it there.
+  NetFollower held(tendons);
+  (void)held.accept(kStill, Vector2d(2, 1));
+  const VectorXd first = ends(1);
+  const TendonTorque at = held.at(kStill, Vector2d(2, 1));
+  const auto spring = std::make_shared<const Spring>();
+  const auto net = tendons.follower_on_tendons({{spring, spring}, kStill, first, at});
+  ASSERT_TRUE(net);
+  // All the way round without a snap.
+  for (double cosine = 0.95; cosine > -0.96; cosine -= 0.05) {
+    const NetStep step = net->accept(kStill, ends(cosine));
+    EXPECT_TRUE(step.snaps.empty()) << cosine;
+    EXPECT_NEAR(step.unexplained, 0, 1e-8);  // [J]
+    const TendonTorque now = net->at(kStill, ends(cosine));
+    EXPECT_NEAR(side_of(now), kRadius * cosine, 1e-8);
+    EXPECT_NEAR(now.tension[0] / now.tension[1],
+                std::sqrt((s - product * cosine) / (s + product * cosine)), 1e-6);
+  }
 }
 
 }  // namespace

@@ -1,0 +1,267 @@
+#include "tendons/net/net_pull.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include <fmt/ranges.h>
+
+#include "base/error.h"
+#include "tendons/net/net_derivatives.h"
+#include "tendons/net/net_statics.h"
+#include "tendons/net/tangent_net.h"
+
+namespace thenar {
+namespace {
+
+using Eigen::Index;
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
+
+/// Length of a band over its exit,  sqrt(L^2 + kExitRadius^2),  and its slope by L.
+struct OverExit {
+  explicit OverExit(double L) : length(std::hypot(L, kExitRadius)), slope(L / length) {}
+  double length, slope;
+};
+
+/// A band that carries a share of the tension of a tendon.
+class ShareOfTendon : public TensionLaw {
+ public:
+  /// @param beyond  length of the tendon less the band's share of it [m]
+  ShareOfTendon(std::shared_ptr<const TensionLaw> tendon, double share, double beyond)
+      : tendon_(std::move(tendon)), share_(share), beyond_(beyond) {}
+  [[nodiscard]] BandResponse at(double length) const override {
+    const OverExit over(length);
+    const BandResponse whole = tendon_->at(share_ * over.length + beyond_);
+    const double slope = share_ * over.slope, turn = 1 - over.slope * over.slope;
+    return {whole.energy, slope * whole.tension,
+            slope * slope * whole.stiffness + share_ * whole.tension * turn / over.length};
+  }
+
+ private:
+  std::shared_ptr<const TensionLaw> tendon_;
+  double share_, beyond_;
+};
+
+/// Lengths over their exits of the bands that pull (pulls).
+std::vector<OverExit> over_exits(const NetTendons& tendons, const NetEquilibrium& rest) {
+  std::vector<OverExit> all;
+  for (const double L : muscle_band_length(tendons.net().net, rest)) all.emplace_back(L);
+  return all;
+}
+
+/// Which bands have drawn a knot into their exit; may be empty.
+std::string drawn_in(const Net& net, const NetEquilibrium& rest) {
+  std::vector<std::string> which;
+  for (std::size_t b = 0; b < net.bands.size(); ++b) {
+    const NetBand& band = net.bands[b];
+    if (band.muscle < 0 || rest.length[static_cast<Index>(b)] > kExitRadius) continue;
+    which.push_back(fmt::format("'{}' has drawn in '{}'", band.name,
+                                net.nodes[static_cast<std::size_t>(band.a)].name));
+  }
+  if (which.empty()) return "";
+  return fmt::format("net '{}' does not hold: {}", net.name, fmt::join(which, ", "));
+}
+
+}  // namespace
+
+NetDrive PullByTension::drive(const PostureAndLoad& at) const {
+  return {tendons().drive(at.load), {}};
+}
+
+PullRates PullByTension::rates(const PostureAndLoad& at, const NetEquilibrium& /*rest*/) const {
+  return {MatrixXd::Zero(tendons().shares().rows(), at.q.size()), tendons().shares()};
+}
+
+NetPotential PullByTension::potential(const PostureAndLoad& at, const NetEquilibrium& rest) const {
+  const Net& net = tendons().net().net;
+  const TendonModel<double>& model = tendons().digit().model;
+  NetPotential out;
+  out.by_load = tendons().shares().transpose() * muscle_band_length(net, rest);
+  out.energy = strain_energy(net, rest) + at.load.dot(out.by_load);
+  out.tau = net_torque(net, model.tree, pose_tree(model.tree, at.q), rest, model.coordinates);
+  return out;
+}
+
+TendonTorque PullByTension::torque(const PostureAndLoad& at, NetEquilibrium rest) const {
+  return tendons().torque_at_rest(at.q, at.load, std::move(rest));
+}
+
+bool PullByTension::pulls(const VectorXd& load) const {
+  constexpr double kSlack = 1e-6;  // [N]
+  const VectorXd drive = tendons().drive(load);
+  return drive.size() > 0 && drive.maxCoeff() > kSlack;
+}
+
+double PullByTension::least_change(const VectorXd& from, const VectorXd& to, double share) const {
+  constexpr double kLittle = 1e-3;  // [N]
+  double most = kLittle;
+  if (from.size() > 0) most = std::max({most, from.maxCoeff(), to.maxCoeff()});
+  return share * most;
+}
+
+bool pulls_one_band_each(const NetTendons& tendons) {
+  // Bands of each pull, and pulls of each muscle.
+  const Net& net = tendons.net().net;
+  VectorXd bands = VectorXd::Zero(static_cast<Index>(net.muscles.size()));
+  for (const NetBand& band : net.bands)
+    if (band.muscle >= 0) bands[band.muscle] += 1;
+  const VectorXd pulls = (tendons.shares().array() != 0).cast<double>().matrix().colwise().sum();
+  return (bands.array() == 1).all() && (pulls.array() <= 1).all();
+}
+
+PullByTendon::PullByTendon(const NetTendons& tendons,
+                           std::vector<std::shared_ptr<const TensionLaw>> laws)
+    : NetPull(tendons), laws_(std::move(laws)) {
+  require(laws_.size() == tendons.digit().names.muscles.size(), "{} tendons for {} muscles",
+          laws_.size(), tendons.digit().names.muscles.size());
+  require(pulls_one_band_each(tendons), "net '{}' has a muscle that pulls more than one band",
+          tendons.net().net.name);
+}
+
+NetDrive PullByTendon::drive(const PostureAndLoad& at) const {
+  const VectorXd outside = tendons().lengths_outside(at.q);
+  const std::vector<MuscleAttachment>& pulls = tendons().net().pulls;
+  NetDrive drive;
+  drive.tension = VectorXd::Zero(static_cast<Index>(pulls.size()));
+  for (const MuscleAttachment& pull : pulls)
+    drive.law.push_back(std::make_shared<const ShareOfTendon>(
+        laws_[static_cast<std::size_t>(pull.muscle)], pull.share,
+        outside[pull.muscle] - at.load[pull.muscle]));
+  return drive;
+}
+
+VectorXd PullByTendon::lengths(const PostureAndLoad& at, const NetEquilibrium& rest) const {
+  VectorXd length = tendons().lengths_outside(at.q);
+  const std::vector<OverExit> over = over_exits(tendons(), rest);
+  for (std::size_t p = 0; p < over.size(); ++p) {
+    const MuscleAttachment& pull = tendons().net().pulls[p];
+    length[pull.muscle] += pull.share * over[p].length;
+  }
+  return length;
+}
+
+std::vector<BandResponse> PullByTendon::responses(const PostureAndLoad& at,
+                                                  const VectorXd& length) const {
+  std::vector<BandResponse> all;
+  for (std::size_t m = 0; m < laws_.size(); ++m) {
+    const auto i = static_cast<Index>(m);
+    all.push_back(laws_[m]->at(length[i] - at.load[i]));
+  }
+  return all;
+}
+
+PullRates PullByTendon::rates(const PostureAndLoad& at, const NetEquilibrium& rest) const {
+  // A pull rises by share stiffness (dL - dp) of what runs outside of the net.
+  const VectorXd none = VectorXd::Zero(at.load.size());
+  const MatrixXd R = tendons().torque_outside(at.q, none).R;
+  const std::vector<BandResponse> now = responses(at, lengths(at, rest));
+  const std::vector<MuscleAttachment>& pulls = tendons().net().pulls;
+  const std::vector<OverExit> over = over_exits(tendons(), rest);
+  const auto count = static_cast<Index>(pulls.size());
+  PullRates out{MatrixXd::Zero(count, at.q.size()), MatrixXd::Zero(count, at.load.size())};
+  for (Index p = 0; p < count; ++p) {
+    const MuscleAttachment& pull = pulls[static_cast<std::size_t>(p)];
+    const double k = pull.share * over[static_cast<std::size_t>(p)].slope *
+                     now[static_cast<std::size_t>(pull.muscle)].stiffness;
+    out.by_posture.row(p) = -k * R.row(pull.muscle);
+    out.by_load(p, pull.muscle) = -k;
+  }
+  return out;
+}
+
+TendonTorque PullByTendon::torque(const PostureAndLoad& at, NetEquilibrium rest) const {
+  const VectorXd length = lengths(at, rest);
+  VectorXd tension(length.size());
+  Index m = 0;
+  for (const BandResponse& each : responses(at, length)) tension[m++] = each.tension;
+  const std::string drawn = drawn_in(tendons().net().net, rest);
+  TendonTorque pull = tendons().torque_of_rest(at.q, tension, std::move(rest));
+  if (!drawn.empty()) {
+    pull.status = worse(pull.status, TendonStatus::kNodeCollapsed);
+    pull.warning += (pull.warning.empty() ? "" : "; ") + drawn;
+  }
+  pull.R.resize(0, 0);
+  pull.tension = tension;
+  pull.length = length;
+  return pull;
+}
+
+NetPotential PullByTendon::potential(const PostureAndLoad& at, const NetEquilibrium& rest) const {
+  NetPotential out;
+  out.energy = strain_energy(tendons().net().net, rest);
+  VectorXd tension(at.load.size());
+  Index m = 0;
+  for (const BandResponse& each : responses(at, lengths(at, rest))) {
+    out.energy += each.energy;
+    tension[m++] = each.tension;
+  }
+  out.tau = tendons().torque(at.q, tension, rest);
+  out.by_load = -tension;
+  return out;
+}
+
+double PullByTendon::least_change(const VectorXd& /*from*/, const VectorXd& /*to*/,
+                                  double /*share*/) const {
+  return 1e-7;  // 0.02 N of a tendon of 2e5 N/m [m]
+}
+
+EndSlopes PullByTendon::slopes(const PostureAndLoad& at, const NetEquilibrium& rest) const {
+  const Net& net = tendons().net().net;
+  const TendonModel<double>& model = tendons().digit().model;
+  const Index joints = at.q.size(), muscles = at.load.size();
+  // Tendons outside of the net.
+  const std::vector<BandResponse> now = responses(at, lengths(at, rest));
+  VectorXd tension(muscles), stiffness(muscles);
+  for (Index m = 0; m < muscles; ++m) {
+    tension[m] = now[static_cast<std::size_t>(m)].tension;
+    stiffness[m] = now[static_cast<std::size_t>(m)].stiffness;
+  }
+  const MatrixXd R = tendons().torque_outside(at.q, tension).R;
+  EndSlopes out;
+  out.torque_by_posture = tendons().derivatives_outside(at.q, tension).by_posture;
+  out.length_by_posture = -R;
+  out.length_by_end = MatrixXd::Zero(muscles, muscles);
+  // The net, by one joint or end at a time.
+  if (why_not_differentiable(net, rest).empty()) {
+    const TreeState<double> state = pose_tree(model.tree, at.q);
+    const internal::TangentNet tangent(net, state, drive(at), rest);
+    const PullRates rate = rates(at, rest);
+    const std::vector<OverExit> over = over_exits(tendons(), rest);
+    const auto length_rates = [&](const internal::NetPerturbation& input,
+                                  const Eigen::Matrix3Xd& v) {
+      VectorXd of_pulls = VectorXd::Zero(rate.by_load.rows());
+      for (std::size_t b = 0; b < net.bands.size(); ++b) {
+        const int p = net.bands[b].muscle;
+        if (p < 0) continue;
+        of_pulls[p] = over[static_cast<std::size_t>(p)].slope *
+                      internal::band_rate(tangent, static_cast<Index>(b), input, v).length;
+      }
+      return VectorXd(tendons().shares().transpose() * of_pulls);
+    };
+    for (Index j = 0; j < joints; ++j) {
+      internal::NetPerturbation input =
+          internal::joint_perturbation(net, model.tree, state, static_cast<int>(j));
+      internal::tighten(net, rate.by_posture.col(j), input);
+      const Eigen::Matrix3Xd v = internal::node_rates(tangent, input);
+      out.torque_by_posture.col(j) +=
+          internal::torque_rate(tangent, model.tree, state, input, v, model.coordinates);
+      out.length_by_posture.col(j) += length_rates(input, v);
+    }
+    for (Index m = 0; m < muscles; ++m) {
+      internal::NetPerturbation input = internal::still(net, model.tree.size());
+      internal::tighten(net, rate.by_load.col(m), input);
+      out.length_by_end.col(m) = length_rates(input, internal::node_rates(tangent, input));
+    }
+  }
+  // Tensions by the laws; torques by ends as tensions by postures, since both are second
+  // derivatives of one energy.
+  out.tension_by_posture = stiffness.asDiagonal() * out.length_by_posture;
+  out.tension_by_end =
+      stiffness.asDiagonal() * (out.length_by_end - MatrixXd::Identity(muscles, muscles));
+  out.torque_by_posture += R.transpose() * out.tension_by_posture;
+  out.torque_by_end = out.tension_by_posture.transpose();
+  return out;
+}
+
+}  // namespace thenar

@@ -1,0 +1,133 @@
+#pragma once
+
+/// How muscles pull a net: by given tensions, or by tendons that stretch from given ends.
+
+#include <memory>
+#include <vector>
+
+#include "tendons/net/net_tendons.h"
+
+namespace thenar {
+
+/// Radius of the exit over which a tendon leaves the net, a choice of ours: a knot that is drawn in
+/// rests within it, where the pull of a tendon to a point would have no slope [m].
+inline constexpr double kExitRadius = 1e-4;
+
+/// A posture, and what each muscle is given: its tension [N], or the place of the far end of its
+/// tendon along its line, up to a constant [m], as a NetPull says.
+struct PostureAndLoad {
+  Eigen::VectorXd q;     // (coordinates) [rad]
+  Eigen::VectorXd load;  // (muscles)
+};
+
+/// Rates of the net's pulls while its bands keep their lengths.
+struct PullRates {
+  Eigen::MatrixXd by_posture;  // [N/rad] (pulls, coordinates)
+  Eigen::MatrixXd by_load;     // (pulls, muscles)
+};
+
+/// Potential energy of a net and its load, and what it changes by:  -tau dq + by_load dload.
+struct NetPotential {
+  double energy = 0;        // [J]
+  Eigen::VectorXd tau;      // [N m] (coordinates)
+  Eigen::VectorXd by_load;  // (muscles)
+};
+
+/// A way to pull a net.
+class NetPull {
+ public:
+  /// @param tendons  must outlive it
+  explicit NetPull(const NetTendons& tendons) : tendons_(tendons) {}
+  NetPull(const NetPull&) = delete;
+  NetPull& operator=(const NetPull&) = delete;
+  virtual ~NetPull() = default;
+
+  [[nodiscard]] const NetTendons& tendons() const { return tendons_; }
+
+  [[nodiscard]] virtual NetDrive drive(const PostureAndLoad& at) const = 0;
+
+  [[nodiscard]] virtual PullRates rates(const PostureAndLoad& at,
+                                        const NetEquilibrium& rest) const = 0;
+
+  [[nodiscard]] virtual NetPotential potential(const PostureAndLoad& at,
+                                               const NetEquilibrium& rest) const = 0;
+
+  [[nodiscard]] virtual TendonTorque torque(const PostureAndLoad& at,
+                                            NetEquilibrium rest) const = 0;
+
+  /// Whether a muscle pulls the net, so that its knots have a place.
+  [[nodiscard]] virtual bool pulls(const Eigen::VectorXd& load) const = 0;
+
+  /// The least change of loads that counts as a step.
+  /// @param share  of the largest tension, where loads are tensions [1]
+  [[nodiscard]] virtual double least_change(const Eigen::VectorXd& from, const Eigen::VectorXd& to,
+                                            double share) const = 0;
+
+  /// Equilibrium of the net, searched from `start` (3, nodes), or if empty from where links carry
+  /// its nodes.
+  [[nodiscard]] NetEquilibrium rest(const PostureAndLoad& at, const Eigen::Matrix3Xd& start) const {
+    return tendons_.rest(at.q, drive(at), start);
+  }
+
+ private:
+  const NetTendons& tendons_;
+};
+
+/// Loads are tensions [N].
+class PullByTension : public NetPull {
+ public:
+  using NetPull::NetPull;
+  [[nodiscard]] NetDrive drive(const PostureAndLoad& at) const override;
+  [[nodiscard]] PullRates rates(const PostureAndLoad& at,
+                                const NetEquilibrium& rest) const override;
+
+  /// Of the net alone:  strain + t L.
+  [[nodiscard]] NetPotential potential(const PostureAndLoad& at,
+                                       const NetEquilibrium& rest) const override;
+  [[nodiscard]] TendonTorque torque(const PostureAndLoad& at, NetEquilibrium rest) const override;
+  [[nodiscard]] bool pulls(const Eigen::VectorXd& load) const override;
+  [[nodiscard]] double least_change(const Eigen::VectorXd& from, const Eigen::VectorXd& to,
+                                    double share) const override;
+};
+
+/// Loads are ends p of tendons [m]: each has the tension of its law at the length  L - p,  L that
+/// of its line. Net and tendons rest in the least of one energy,  strain + sum U(L - p),  so a net
+/// is found, too, where it would not rest under tensions that stay while it moves.
+class PullByTendon : public NetPull {
+ public:
+  /// @param laws  of the tendon of each muscle (muscles)
+  /// @throws InputError if a muscle pulls more than one band, see pulls_one_band_each().
+  PullByTendon(const NetTendons& tendons, std::vector<std::shared_ptr<const TensionLaw>> laws);
+
+  [[nodiscard]] NetDrive drive(const PostureAndLoad& at) const override;
+  [[nodiscard]] PullRates rates(const PostureAndLoad& at,
+                                const NetEquilibrium& rest) const override;
+
+  /// Of net and tendons:  strain + sum U(L - p).
+  [[nodiscard]] NetPotential potential(const PostureAndLoad& at,
+                                       const NetEquilibrium& rest) const override;
+
+  /// With tensions and lengths, without moment arms.
+  [[nodiscard]] TendonTorque torque(const PostureAndLoad& at, NetEquilibrium rest) const override;
+  [[nodiscard]] bool pulls(const Eigen::VectorXd& /*load*/) const override { return true; }
+  [[nodiscard]] double least_change(const Eigen::VectorXd& from, const Eigen::VectorXd& to,
+                                    double share) const override;
+
+  /// How torque, tensions and lengths change; as if knots stayed where the net is not
+  /// differentiable.
+  [[nodiscard]] EndSlopes slopes(const PostureAndLoad& at, const NetEquilibrium& rest) const;
+
+ private:
+  /// Lengths of all lines, up to a constant [m] (muscles).
+  [[nodiscard]] Eigen::VectorXd lengths(const PostureAndLoad& at, const NetEquilibrium& rest) const;
+  /// Laws of the tendons at these lengths of lines (muscles).
+  [[nodiscard]] std::vector<BandResponse> responses(const PostureAndLoad& at,
+                                                    const Eigen::VectorXd& length) const;
+
+  std::vector<std::shared_ptr<const TensionLaw>> laws_;
+};
+
+/// Whether every muscle pulls a net by one band at most.
+[[nodiscard]] bool pulls_one_band_each(const NetTendons& tendons);
+
+}  // namespace thenar
