@@ -53,6 +53,21 @@ class Bounds : public Contraction {
   [[nodiscard]] double fibre(int, const MuscleState&) const override { return 0; }
 };
 
+class TendonLaw : public TensionLaw {
+ public:
+  TendonLaw(const Musculotendon& muscle, double strain, double base)
+      : F0_(muscle.F0), slack_(muscle.slack), strain_(strain), base_(base) {}
+  [[nodiscard]] BandResponse at(double length) const override {
+    const double l = length / slack_;
+    return {base_ * length + F0_ * slack_ * tendon_energy(l, strain_),
+            base_ + F0_ * tendon_force(l, strain_),
+            F0_ / slack_ * tendon_force_derivative(l, strain_)};
+  }
+
+ private:
+  double F0_, slack_, strain_, base_;
+};
+
 class ElasticTendon : public Contraction {
  public:
   ElasticTendon(std::vector<Musculotendon> muscles, const HillOptions& options)
@@ -79,6 +94,9 @@ class ElasticTendon : public Contraction {
   [[nodiscard]] double isometric_projected_fibre(int m, double activation,
                                                  double length) const override {
     return thenar::isometric_projected_fibre(muscle(m), options_, activation, length);
+  }
+  [[nodiscard]] std::shared_ptr<const TensionLaw> tendon_law(int m, double base) const override {
+    return std::make_shared<const TendonLaw>(muscle(m), options_.tendon_strain, base);
   }
   [[nodiscard]] double fibre(int m, const MuscleState& state) const override {
     return normalised_fibre_length(muscle(m), state.projected_fibre);

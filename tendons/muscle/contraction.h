@@ -8,6 +8,7 @@
 #include "base/fidelity.h"
 #include "tendons/muscle/musculotendon.h"
 #include "tendons/tendon_model.h"
+#include "tendons/tension_law.h"
 
 namespace thenar {
 
@@ -93,6 +94,13 @@ class Contraction {
   /// that tension is a function of states alone; null where it does not depend on velocity.
   [[nodiscard]] virtual std::unique_ptr<Contraction> with_compliant_tendon(
       double /*strain*/) const {
+    return nullptr;
+  }
+
+  /// Law of the tendon of muscle m, which carries `base` beside its own tension [N]; null where the
+  /// fibre is no state.
+  [[nodiscard]] virtual std::shared_ptr<const TensionLaw> tendon_law(int /*m*/,
+                                                                     double /*base*/) const {
     return nullptr;
   }
 

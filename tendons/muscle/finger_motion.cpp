@@ -66,6 +66,7 @@ MotionOnset FingerMotion::start(const VectorXd& q, const VectorXd& q_dot,
   require((activation.array() >= 0 && activation.array() <= 1).all(),
           "activations must be in 0..1");
   follower_ = tendons().follower();  // of this motion alone
+  on_tendons_ = false;
   // Excursion from the reference posture, along a walk of the net.
   const Excursion way =
       excursion(tendons(), VectorXd::Zero(joints), q, VectorXd::Ones(muscles));  // [N]
@@ -75,32 +76,54 @@ MotionOnset FingerMotion::start(const VectorXd& q, const VectorXd& q_dot,
   if (contraction().has_fibre_state()) {
     VectorXd projected_fibre(muscles);
     for (int m = 0; m < muscles; ++m)
-      projected_fibre[m] =
-          contraction().isometric_projected_fibre(m, activation[m], muscle_state(state, m).length);
+      projected_fibre[m] = contraction().isometric_projected_fibre(
+          m, activation[m], muscle_state(state, state.excursion, m).length);
     state.projected_fibre = projected_fibre;
   }
   // Lengths of lines where excursions are zero.
   if (has_net(model_)) {
     const MotionInstant now = at(state);
     slack_length_ = tendons().lengths(q, now.tension, now.pull) - state.excursion;
+    rest_on_tendons(state, now);
   }
   return {state, warning};
+}
+
+void FingerMotion::rest_on_tendons(MotionState& state, const MotionInstant& now) {
+  if (!contraction().has_fibre_state()) return;
+  std::vector<std::shared_ptr<const TensionLaw>> laws;
+  for (int m = 0; m < muscles_; ++m) laws.push_back(contraction().tendon_law(m, base_tension_));
+  auto follower =
+      tendons().follower_on_tendons({laws, state.q, tendon_ends(state.projected_fibre), now.pull});
+  if (!follower) return;
+  follower_ = std::move(follower);
+  on_tendons_ = true;
+  state.excursion.resize(0);
+}
+
+VectorXd FingerMotion::tendon_ends(const VectorXd& projected_fibre) const {
+  VectorXd ends = slack_length_ + projected_fibre;
+  for (Index m = 0; m < muscles_; ++m)
+    ends[m] -=
+        musculotendon_length_at_optimum(contraction().muscles()[static_cast<std::size_t>(m)]);
+  return ends;
 }
 
 VectorXd FingerMotion::line_excursion(const MotionState& state, const MotionInstant& now) const {
   return tendons().lengths(state.q, now.tension, now.pull) - slack_length_;
 }
 
-MuscleState FingerMotion::muscle_state(const MotionState& state, int m) const {
+MuscleState FingerMotion::muscle_state(const MotionState& state, const VectorXd& excursion,
+                                       int m) const {
   const Musculotendon& muscle = contraction().muscles()[static_cast<std::size_t>(m)];
   const double projected_fibre = state.projected_fibre.size() > 0 ? state.projected_fibre[m] : 0;
-  return {state.activation[m], musculotendon_length_at_optimum(muscle) + state.excursion[m], 0,
+  return {state.activation[m], musculotendon_length_at_optimum(muscle) + excursion[m], 0,
           projected_fibre};
 }
 
 VectorXd FingerMotion::tension(const MotionState& state, const VectorXd& velocity) const {
   return VectorXd::NullaryExpr(muscles_, [&](Index m) {
-    MuscleState muscle = muscle_state(state, static_cast<int>(m));
+    MuscleState muscle = muscle_state(state, state.excursion, static_cast<int>(m));
     muscle.velocity = velocity[m];
     return base_tension_ + contraction().tension(static_cast<int>(m), muscle);
   });
@@ -110,23 +133,40 @@ TendonTorque FingerMotion::pull_at(const VectorXd& q, const VectorXd& t) const {
   return follower_ ? follower_->at(q, t) : tendons().evaluate(q, t, {});
 }
 
+VectorXd FingerMotion::fibres(const MotionState& state, const VectorXd& excursion) const {
+  return VectorXd::NullaryExpr(muscles_, [&](Index m) {
+    return contraction().fibre(static_cast<int>(m),
+                               muscle_state(state, excursion, static_cast<int>(m)));
+  });
+}
+
+MotionInstant FingerMotion::far_off(MotionInstant now) const {
+  now.pull.tau = VectorXd::Constant(damping_.size(), HUGE_VAL);
+  now.pull.R = Eigen::MatrixXd::Zero(muscles_, damping_.size());
+  return now;
+}
+
 MotionInstant FingerMotion::at(const MotionState& state) const {
   const VectorXd none = VectorXd::Zero(muscles_);
   MotionInstant now;
-  // Fibre lengths follow from the states.
-  now.fibre = VectorXd::NullaryExpr(muscles_, [&](Index m) {
-    return contraction().fibre(static_cast<int>(m), muscle_state(state, static_cast<int>(m)));
-  });
-  // On rigid tendons velocity comes first, from arms without tension.
-  const bool feels = contraction().depends_on_velocity();
-  now.tension =
-      tension(state, feels ? VectorXd(-pull_at(state.q, none).R * state.q_dot) : none);
-  if (!now.tension.allFinite()) {  // a trial of the integrator far off: it takes a shorter step
-    const Index joints = state.q.size();
-    now.pull.tau = VectorXd::Constant(joints, HUGE_VAL);
-    now.pull.R = Eigen::MatrixXd::Zero(muscles_, joints);
+  // Net and tendons in one rest tell lengths and tensions.
+  if (on_tendons_) {
+    const VectorXd ends = tendon_ends(state.projected_fibre);
+    now.excursion = now.tension = VectorXd::Constant(muscles_, HUGE_VAL);
+    now.fibre = fibres(state, none);
+    if (!ends.allFinite() || !state.q.allFinite()) return far_off(std::move(now));
+    now.pull = follower_->at(state.q, ends);
+    if (!now.pull.tau.allFinite()) return now;
+    now.tension = now.pull.tension;
+    now.excursion = now.pull.length - slack_length_;
     return now;
   }
+  now.excursion = state.excursion;
+  now.fibre = fibres(state, now.excursion);
+  // On rigid tendons velocity comes first, from arms without tension.
+  const bool feels = contraction().depends_on_velocity();
+  now.tension = tension(state, feels ? VectorXd(-pull_at(state.q, none).R * state.q_dot) : none);
+  if (!now.tension.allFinite()) return far_off(std::move(now));
   // Torque and arms at these tensions.
   now.pull = pull_at(state.q, now.tension);
   return now;
@@ -159,9 +199,10 @@ MotionState FingerMotion::slope(const MotionState& state, const VectorXd& excita
   for (int m = 0; m < excitation.size(); ++m) {
     rate.activation[m] = activation_rate(excitation[m], state.activation[m], model_.activation);
     if (rate.projected_fibre.size() > 0)
-      rate.projected_fibre[m] = contraction().projected_fibre_rate(m, muscle_state(state, m));
+      rate.projected_fibre[m] =
+          contraction().projected_fibre_rate(m, muscle_state(state, now.excursion, m));
   }
-  rate.excursion = excursion_rate(state, now);
+  if (!on_tendons_) rate.excursion = excursion_rate(state, now);
   rate.work = now.pull.tau.dot(state.q_dot);
   rate.dissipated = damped.dot(state.q_dot);
   return rate;
@@ -178,8 +219,8 @@ FingerMotion::Accepted FingerMotion::accept(const MotionState& state) {
   effort_ += now.pull.effort;
   Accepted out;
   out.warning = now.pull.warning;
-  if (follower_) out.net = follower_->accept(state.q, now.tension);
-  if (!has_net(model_)) return out;
+  if (follower_) out.net = follower_->accept(state.q, load(state, now));
+  if (!has_net(model_) || on_tendons_) return out;
   // Excursions of muscles that pull against the lengths of their lines.
   const VectorXd drift = state.excursion - line_excursion(state, now);
   out.drift = (now.tension.array() <= base_tension_ + kPulls).select(0, drift);
@@ -198,7 +239,8 @@ double FingerMotion::kinetic_energy(const MotionState& state) {
 
 // NOLINTNEXTLINE(readability-convert-member-functions-to-static): the inverse of unpack()
 VectorXd FingerMotion::pack(const MotionState& state) const {
-  VectorXd y(2 * state.q.size() + 2 * state.activation.size() + state.projected_fibre.size() + 2);
+  VectorXd y(2 * state.q.size() + state.activation.size() + state.excursion.size() +
+             state.projected_fibre.size() + 2);
   y << state.q, state.q_dot, state.activation, state.excursion, state.projected_fibre, state.work,
       state.dissipated;
   return y;
@@ -215,7 +257,7 @@ MotionState FingerMotion::unpack(const VectorXd& y) const {
   state.q = take(joints);
   state.q_dot = take(joints);
   state.activation = take(muscles);
-  state.excursion = take(muscles);
+  state.excursion = take(on_tendons_ ? 0 : muscles);
   state.projected_fibre = take(contraction().has_fibre_state() ? muscles : 0);
   state.work = y[next];
   state.dissipated = y[next + 1];
@@ -225,9 +267,9 @@ MotionState FingerMotion::unpack(const VectorXd& y) const {
 VectorXd FingerMotion::scale() const {
   const Index joints = damping_.size(), muscles = muscles_;
   const VectorXd one = VectorXd::Ones(joints), each = VectorXd::Ones(muscles);
-  const VectorXd projected_fibre =
-      contraction().has_fibre_state() ? VectorXd(0.01 * each) : VectorXd();
-  return pack({one, one, each, 0.01 * each, projected_fibre, 1e-3, 1e-3});
+  const VectorXd length = 0.01 * each;
+  return pack({one, one, each, on_tendons_ ? VectorXd() : length,
+               contraction().has_fibre_state() ? length : VectorXd(), 1e-3, 1e-3});
 }
 
 }  // namespace thenar
@@ -279,22 +321,19 @@ MatrixXd acceleration_slopes(const MotionState& state, const Acceleration& bones
 
 }  // namespace
 
-MatrixXd FingerMotion::jacobian(const MotionState& state, const VectorXd& excitation) {
-  const Index n = state.q.size(), m = muscles_, size = pack(state).size();
+/// Slopes of fibres and excursions, into their rows of J, and of the torque of tendons by all
+/// states (coordinates, states). Tensions follow from states.
+MatrixXd FingerMotion::slopes_of_states(const MotionState& state, const MotionInstant& now,
+                                        MatrixXd& J) const {
+  const Index n = state.q.size(), m = muscles_, size = J.rows();
   const Index a = 2 * n, e = a + m, r = e + m;
-  const Skeleton& skeleton = model_.tendons.digit().skeleton;
-  // The instant.
-  const MotionInstant now = at(state);
-  effort_ += now.pull.effort;
-  if (!now.pull.tau.allFinite()) return MatrixXd::Constant(size, size, HUGE_VAL);
   const MatrixXd& R = now.pull.R;
-
   // Tensions by all states, the way through R q' apart.
-  MatrixXd t_y = MatrixXd::Zero(m, size), J = MatrixXd::Zero(size, size);
+  MatrixXd t_y = MatrixXd::Zero(m, size);
   VectorXd by_velocity(m);
   for (Index i = 0; i < m; ++i) {
     const int k = static_cast<int>(i);
-    MuscleState muscle = muscle_state(state, k);
+    MuscleState muscle = muscle_state(state, state.excursion, k);
     if (contraction().depends_on_velocity()) muscle.velocity = -R.row(i).dot(state.q_dot);
     const TensionDerivatives slopes = contraction().tension_derivatives(k, muscle);
     by_velocity[i] = slopes.by_velocity;
@@ -307,8 +346,6 @@ MatrixXd FingerMotion::jacobian(const MotionState& state, const VectorXd& excita
       J(r + i, e + i) = projected_fibre.by_length;
       J(r + i, r + i) = projected_fibre.by_projected_fibre;
     }
-    J(a + i, a + i) =
-        activation_rate_derivative(excitation[i], state.activation[i], model_.activation);
   }
 
   // Excursions:  -R q',  which tensions may feel; under a net they follow its lines, too, so fast
@@ -325,9 +362,44 @@ MatrixXd FingerMotion::jacobian(const MotionState& state, const VectorXd& excita
   }
 
   // Torques of the tendons.
-  MatrixXd tau_y = MatrixXd::Zero(n, size);
-  tau_y.leftCols(n) = tendons().torque_by_posture(state.q, now.tension, now.pull);
-  tau_y += R.transpose() * t_y;
+  MatrixXd tau_y = R.transpose() * t_y;
+  tau_y.leftCols(n) += tendons().torque_by_posture(state.q, now.tension, now.pull);
+  return tau_y;
+}
+
+/// The same where tensions and lengths follow from the ends of tendons.
+MatrixXd FingerMotion::slopes_on_tendons(const MotionState& state, const MotionInstant& now,
+                                         MatrixXd& J) const {
+  const Index n = state.q.size(), m = muscles_, a = 2 * n, r = a + m;
+  const EndSlopes slopes = follower_->slopes(state.q, tendon_ends(state.projected_fibre));
+  for (Index i = 0; i < m; ++i) {
+    const int k = static_cast<int>(i);
+    const FibreRateDerivatives rate =
+        contraction().fibre_rate_derivatives(k, muscle_state(state, now.excursion, k));
+    J(r + i, a + i) = rate.by_activation;
+    J.row(r + i).head(n) = rate.by_length * slopes.length_by_posture.row(i);
+    J.row(r + i).segment(r, m) = rate.by_length * slopes.length_by_end.row(i);
+    J(r + i, r + i) += rate.by_projected_fibre;
+  }
+  MatrixXd tau_y = MatrixXd::Zero(n, J.rows());
+  tau_y.leftCols(n) = slopes.torque_by_posture;
+  tau_y.middleCols(r, m) = slopes.torque_by_end;
+  return tau_y;
+}
+
+MatrixXd FingerMotion::jacobian(const MotionState& state, const VectorXd& excitation) {
+  const Index n = state.q.size(), m = muscles_, size = pack(state).size();
+  const Index a = 2 * n;
+  const Skeleton& skeleton = model_.tendons.digit().skeleton;
+  // The instant.
+  const MotionInstant now = at(state);
+  effort_ += now.pull.effort;
+  if (!now.pull.tau.allFinite()) return MatrixXd::Constant(size, size, HUGE_VAL);
+  MatrixXd J = MatrixXd::Zero(size, size);
+  for (Index i = 0; i < m; ++i)
+    J(a + i, a + i) =
+        activation_rate_derivative(excitation[i], state.activation[i], model_.activation);
+  MatrixXd tau_y = on_tendons_ ? slopes_on_tendons(state, now, J) : slopes_of_states(state, now, J);
   J.row(size - 2) = state.q_dot.transpose() * tau_y;
   J.row(size - 2).segment(n, n) += now.pull.tau.transpose();
   J.row(size - 1).segment(n, n) = 2 * damping_.cwiseProduct(state.q_dot).transpose();

@@ -50,7 +50,8 @@ struct MotionState {
   Eigen::VectorXd q;                // posture [rad] (coordinates)
   Eigen::VectorXd q_dot;            // [rad/s] (coordinates)
   Eigen::VectorXd activation;       // [1] (muscles)
-  Eigen::VectorXd excursion;        // lengthening since the reference posture [m] (muscles)
+  Eigen::VectorXd excursion;        // lengthening since the reference posture [m] (muscles; empty
+                                    // where it is no state)
   Eigen::VectorXd projected_fibre;  // of the fibres [m] (muscles; empty where it is no state)
   double work = 0;                  // of the tendons on the joints [J]
   double dissipated = 0;            // in the dampers of the joints [J]
@@ -64,8 +65,9 @@ struct [[nodiscard]] MotionOnset {
 
 /// Quantities that follow from a state.
 struct MotionInstant {
-  Eigen::VectorXd tension;  // [N] (muscles)
-  Eigen::VectorXd fibre;    // length over optimal fibre length [1] (muscles)
+  Eigen::VectorXd tension;    // [N] (muscles)
+  Eigen::VectorXd excursion;  // lengthening since the reference posture [m] (muscles)
+  Eigen::VectorXd fibre;      // length over optimal fibre length [1] (muscles)
   TendonTorque pull;
 };
 
@@ -81,7 +83,8 @@ struct MotionInstant {
 /// the last accepted state: TendonFollower. On rigid tendons tension depends on velocity, and
 /// velocity, by a net's moment arms, on tension; under a net a rigid tendon is therefore replaced
 /// by one that stretches by kRigidStrain, so that the projected fibre is a state and tension
-/// follows from states alone.
+/// follows from states alone. Net and tendons then rest in the least of one energy, and excursions
+/// follow from where they do: as no state, where every muscle pulls the net by one band at most.
 class FingerMotion {
  public:
   /// @throws InputError if the contraction has other muscles than the digit.
@@ -143,7 +146,9 @@ class FingerMotion {
 
  private:
   [[nodiscard]] TendonTorque pull_at(const Eigen::VectorXd& q, const Eigen::VectorXd& t) const;
-  [[nodiscard]] MuscleState muscle_state(const MotionState& state, int m) const;
+  /// @param excursion  (muscles)
+  [[nodiscard]] MuscleState muscle_state(const MotionState& state, const Eigen::VectorXd& excursion,
+                                         int m) const;
   [[nodiscard]] const DigitTendons& tendons() const {
     return blended_ ? *blended_ : model_.tendons;
   }
@@ -152,6 +157,31 @@ class FingerMotion {
   }
   [[nodiscard]] Eigen::VectorXd tension(const MotionState& state,
                                         const Eigen::VectorXd& velocity) const;
+
+  /// Ends of tendons, so long as their lines less these [m] (muscles).
+  [[nodiscard]] Eigen::VectorXd tendon_ends(const Eigen::VectorXd& projected_fibre) const;
+
+  /// Loads that the net is asked to follow: tensions, or ends of tendons.
+  [[nodiscard]] Eigen::VectorXd load(const MotionState& state, const MotionInstant& now) const {
+    return on_tendons_ ? tendon_ends(state.projected_fibre) : now.tension;
+  }
+
+  /// Hangs muscles on tendons from a state at rest, where the net can; then excursions are no
+  /// state.
+  void rest_on_tendons(MotionState& state, const MotionInstant& now);
+
+  /// Fibre lengths over optimal fibre lengths [1] (muscles).
+  [[nodiscard]] Eigen::VectorXd fibres(const MotionState& state,
+                                       const Eigen::VectorXd& excursion) const;
+
+  /// Of a trial of the integrator far off: torques that make it take a shorter step.
+  [[nodiscard]] MotionInstant far_off(MotionInstant now) const;
+
+  [[nodiscard]] Eigen::MatrixXd slopes_of_states(const MotionState& state, const MotionInstant& now,
+                                                 Eigen::MatrixXd& J) const;
+  [[nodiscard]] Eigen::MatrixXd slopes_on_tendons(const MotionState& state,
+                                                  const MotionInstant& now,
+                                                  Eigen::MatrixXd& J) const;
 
   /// Lengths of lines since the reference posture, as they are where the net rests [m] (muscles).
   [[nodiscard]] Eigen::VectorXd line_excursion(const MotionState& state,
@@ -171,6 +201,7 @@ class FingerMotion {
   double base_tension_;      // [N]
   Eigen::Index muscles_;
   std::unique_ptr<TendonFollower> follower_;  // null: no net
+  bool on_tendons_ = false;                   // it has net and tendons in one energy
   long effort_ = 0;
   std::string obstacle_;
   Eigen::VectorXd slack_length_;  // of lines where excursions are 0 [m] (muscles; empty: no net)

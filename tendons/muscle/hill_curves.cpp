@@ -85,6 +85,11 @@ double tendon_force_derivative(double length, double strain) {
   return 7 * kTendonStrain / strain * std::exp(35 * (published + 0.005));
 }
 
+double tendon_energy(double length, double strain) {
+  const double more = length - taut_tendon(strain), steep = 35 * kTendonStrain / strain;
+  return more > 0 ? 0.25 * (std::expm1(steep * more) / steep - more) : 0;
+}
+
 double taut_tendon(double strain) {
   return 1 + (std::log(0.25 / 0.2) / 35 - 0.005) * strain / kTendonStrain;
 }

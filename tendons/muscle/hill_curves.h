@@ -45,6 +45,9 @@ inline constexpr double kTendonStrain = 0.047359470392808856;
 /// d tendon_force / d length.
 [[nodiscard]] double tendon_force_derivative(double length, double strain = kTendonStrain);
 
+/// Integral of tendon_force over the length from 0 on.
+[[nodiscard]] double tendon_energy(double length, double strain = kTendonStrain);
+
 /// Length up to which that is 0, over the slack length [1].
 [[nodiscard]] double taut_tendon(double strain = kTendonStrain);
 

@@ -81,7 +81,7 @@ class Recorder {
     kept_.excitation.row(i) = excitation;
     kept_.activation.row(i) = state.activation;
     kept_.tension.row(i) = now.tension;
-    kept_.excursion.row(i) = state.excursion;
+    kept_.excursion.row(i) = now.excursion;
     kept_.fibre.row(i) = now.fibre;
     // Slips of the hood, and the tip.
     const SlipTension& slips = now.pull.slips;

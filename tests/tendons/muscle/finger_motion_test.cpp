@@ -59,18 +59,21 @@ TEST_P(EverySlope, IsThatOfSeparateTendons) {
   EXPECT_LT(mismatch(motion, moving(motion), VectorXd::Constant(7, 0.27)), 1e-4);
 }
 
+// With muscles that pull several bands, and with one band each.
 TEST_P(EverySlope, IsThatOfANet) {
   const Subject subject = sample::index_finger();
   TendonOptions rungs;
   rungs.hood = Hood::kFloatingNet;
-  const auto tendons =
-      build_net_tendons(subject, "index", rungs, read_net(THENAR_DATA_DIR "/nets/chao_an.toml"));
-  const auto contraction =
-      build_contraction(musculotendons(subject, tendons->digit(), GetParam()), GetParam());
-  FingerMotion motion({*tendons, *contraction});
-  MotionState state = moving(motion);
-  (void)motion.accept(state);
-  EXPECT_LT(mismatch(motion, state, VectorXd::Constant(7, 0.27)), 1e-3);
+  for (const char* name : {"chao_an", "dogadov2017"}) {
+    const auto tendons = build_net_tendons(
+        subject, "index", rungs, read_net(THENAR_DATA_DIR "/nets/" + std::string(name) + ".toml"));
+    const auto contraction =
+        build_contraction(musculotendons(subject, tendons->digit(), GetParam()), GetParam());
+    FingerMotion motion({*tendons, *contraction});
+    MotionState state = moving(motion);
+    (void)motion.accept(state);
+    EXPECT_LT(mismatch(motion, state, VectorXd::Constant(7, 0.27)), 1e-3) << name;
+  }
 }
 
 INSTANTIATE_TEST_SUITE_P(Muscles, EverySlope,
