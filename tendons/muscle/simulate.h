@@ -23,8 +23,8 @@ struct SimulateOptions {
   double sample = 0.005;    // between the instants that are kept [s]
   double tolerance = 1e-6;  // error of one step, of each state's size [1]
   int max_steps = 1000000;  // of one integration
-  long max_effort = 0;  // evaluations of a net's energy, of both integrations together; 0: of its
-                        // length, see allowed_effort()
+  long max_effort = 0;    // evaluations of a net's energy, of both integrations together; 0: of its
+                          // length, see allowed_effort()
   int stall_steps = 500;  // steps that must advance it by kStallTime; where they do not, errors of
                           // steps may be larger for a while, and if that does not help it gives up
   Progress progress{};
@@ -34,8 +34,8 @@ struct SimulateOptions {
 /// constant of a finger.
 inline constexpr double kStallTime = 2e-5;
 
-/// Evaluations of a net's energy that a motion may take without being asked, and more for each second
-/// of it [1], [1/s]: 10 s of processor time for half a second.
+/// Evaluations of a net's energy that a motion may take without being asked, and more for each
+/// second of it [1], [1/s]: 10 s of processor time for half a second.
 inline constexpr long kLeastEffort = 400'000;
 inline constexpr double kEffortPerSecond = 800'000;
 

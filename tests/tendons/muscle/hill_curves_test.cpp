@@ -79,6 +79,23 @@ TEST(HillCurves, SlackTendonCarriesNothing) {
 
 // Whole arrays give what single fibres do: to rounding of numbers of the size of F0, or of the
 // curve where that is larger; no force is negative, and lengths beyond doubles stay infinite.
+// By Simpson's rule over a hundred pieces from where the tendon is just taut.
+TEST(HillCurves, EnergyOfATendonIsTheIntegralOfItsForce) {
+  for (const double strain : {0.01, kTendonStrain}) {
+    const double begin = taut_tendon(strain), end = 1 + 1.2 * strain;
+    const int pieces = 100;
+    double sum = 0;
+    for (int i = 0; i <= 2 * pieces; ++i)
+      sum += (i == 0 || i == 2 * pieces ? 1
+              : i % 2 == 1              ? 4
+                                        : 2) *
+             tendon_force(begin + (end - begin) * i / (2 * pieces), strain);
+    const double integral = sum * (end - begin) / (6 * pieces);
+    EXPECT_NEAR(tendon_energy(end, strain), integral, 1e-8 * integral);
+    EXPECT_EQ(tendon_energy(0.999, strain), 0);
+  }
+}
+
 TEST(HillCurves, ArraysAgreeWithSingleFibres) {
   constexpr double kRounding = 1e-14;
   const auto expect_near = [](double a, double b, double at) {

@@ -33,15 +33,46 @@ NetEquilibrium solve(const Net& net, const NetDrive& drive) {
   return NetSolver(net).solve({}, drive);
 }
 
-// Two bands at +-60 degrees from the pull share it: 2 T cos 60 = t.
-TEST(SolveNet, SharesAPullBetweenTwoBands) {
+constexpr double kPull = 3;  // [N]
+
+/// Two bands at +-60 degrees from a pull, which share it: 2 T cos 60 = kPull.
+Net two_bands() {
   Net net{"Y", {floating({0, 0, 0}), fixed({0.01, 0, 0})}, {}, {}, {"pull"}, 0};
-  const double c = 0.5, s = std::sqrt(0.75), L = 0.02, EA = 200, t = 3;
-  const double slack = L / (1 + t / EA);  // so that T = t at length L
+  const double c = 0.5, s = std::sqrt(0.75), L = 0.02, EA = 200;
+  const double slack = L / (1 + kPull / EA);  // so that T = kPull at length L
   net.nodes.push_back(fixed({-L * c, L * s, 0}));
   net.nodes.push_back(fixed({-L * c, -L * s, 0}));
   net.bands = {pulled(0, 1, 0), passive(0, 2, slack, EA), passive(0, 3, slack, EA)};
-  const NetEquilibrium rest = solve(net, tensions(Eigen::VectorXd::Constant(1, t)));
+  return net;
+}
+
+/// Pulls with kPull at the length that its band has there.
+class Spring : public TensionLaw {
+ public:
+  [[nodiscard]] BandResponse at(double length) const override {
+    constexpr double kStiffness = 1e5;  // [N/m]
+    const double T = kPull + kStiffness * (length - 0.01);
+    return T > 0 ? BandResponse{T * T / (2 * kStiffness), T, kStiffness} : BandResponse{0, 0, 0};
+  }
+};
+
+TEST(SolveNet, TakesTheTensionOfAMuscleFromALaw) {
+  Net net = two_bands();
+  net.nodes[0].p = {2e-3, 1e-3, 0};  // a start beside the rest
+  NetDrive drive = tensions(Eigen::VectorXd::Zero(1));
+  drive.law = {std::make_shared<const Spring>()};
+  const NetEquilibrium rest = solve(net, drive);
+  EXPECT_EQ(rest.status, NetStatus::kBalanced);
+  EXPECT_TRUE(matrix_near(rest.x.col(0), Vector3d::Zero(), 1e-12));
+  EXPECT_TRUE(matrix_near(rest.tension, Vector3d(kPull, kPull, kPull), 1e-9));
+  // As many laws as muscles, or none.
+  drive.law.push_back(nullptr);
+  EXPECT_THROW(solve(net, drive), InputError);
+}
+
+TEST(SolveNet, SharesAPullBetweenTwoBands) {
+  const double t = kPull;
+  const NetEquilibrium rest = solve(two_bands(), tensions(Eigen::VectorXd::Constant(1, t)));
   EXPECT_EQ(rest.status, NetStatus::kBalanced);
   EXPECT_TRUE(matrix_near(rest.x.col(0), Vector3d::Zero(), 1e-12));
   EXPECT_TRUE(matrix_near(rest.tension, Vector3d(t, t, t), 1e-9));
