@@ -93,6 +93,29 @@ ConfidenceInterval wilson_interval(int hits, int trials) {
   return {hits == 0 ? 0 : middle - half, hits == trials ? 1 : middle + half};
 }
 
+double fisher_exact_p(const HitCount& a, const HitCount& b) {
+  for (const HitCount& each : {a, b})
+    require(each.trials > 0 && each.hits >= 0 && each.hits <= each.trials, "{} hits in {} trials",
+            each.hits, each.trials);
+  // Logarithms of the hypergeometric distribution, up to a constant.
+  const int hits = a.hits + b.hits;
+  const auto weight = [&](int of_a) {
+    const int of_b = hits - of_a;
+    return -std::lgamma(of_a + 1.0) - std::lgamma(a.trials - of_a + 1.0) - std::lgamma(of_b + 1.0) -
+           std::lgamma(b.trials - of_b + 1.0);
+  };
+  // Equal ones differ by rounding.
+  constexpr double kEqual = 1e-9;
+  const double found = weight(a.hits);
+  double all = 0, unlikely = 0;
+  for (int of_a = std::max(0, hits - b.trials); of_a <= std::min(hits, a.trials); ++of_a) {
+    const double each = weight(of_a) - found;
+    all += std::exp(each);
+    if (each <= kEqual) unlikely += std::exp(each);
+  }
+  return unlikely / all;
+}
+
 double Robustness::quantile(double p) const {
   // Linear interpolation between order statistics; misses are infinitely bad.
   require(p >= 0 && p <= 1, "a quantile is in [0, 1], got {}", p);

@@ -64,4 +64,14 @@ struct ConfidenceInterval {
 /// Wilson's 95 % interval of a probability, from `hits` in `trials`. Source: [Wilson1927].
 [[nodiscard]] ConfidenceInterval wilson_interval(int hits, int trials);
 
+/// Two counts of hits in trials.
+struct HitCount {
+  int hits = 0, trials = 0;
+};
+/// Fisher's exact test, two-sided: how likely counts at least as unlikely as these are, given their
+/// sums, if both have the same probability. Below 0.05 in at most 5 % of equal pairs, however few
+/// the trials. [1]
+/// @throws InputError if a count has no trials, or hits outside of them. Source: [Fisher1935].
+[[nodiscard]] double fisher_exact_p(const HitCount& a, const HitCount& b);
+
 }  // namespace thenar

@@ -10,6 +10,7 @@
 
 #include "api/named/hands.h"
 #include "data/io/robot/import_robot.h"
+#include "grasp/compare/closure_counts.h"
 #include "grasp/compare/comparison_file.h"
 
 namespace thenar {
@@ -121,6 +122,20 @@ Table hand_table(const Comparison& comparison) {
                           std::to_string(hand.types.size()), number_or_dash(force)});
   }
   return table;
+}
+
+/// Which hand has the most force closures, if that is more than chance.
+std::string most_closures_words(const Comparison& comparison) {
+  if (!comparison.complete || comparison.hands.size() < 2) return "";
+  const std::string hand = hand_of_most_closures(comparison);
+  if (hand.empty())
+    return "Over all objects no hand has more force closures than each other one beyond chance "
+           "(Fisher's exact\ntest, 95 %).\n\n";
+  const ClosureCount count = count_closures(comparison, hand);
+  return fmt::format(
+      "Over all objects {} has more force closures than each other hand, beyond chance (Fisher's "
+      "exact\ntest, 95 %): {} of {} approaches.\n\n",
+      hand, count.closures, count.approaches);
 }
 
 /// The tree with members in the order of the file.
@@ -241,6 +256,7 @@ std::string text_of(const HandComparison& result) {
           "axis of the\nobject both ways; `thenar grasp` asks as the object stands.\n"
           "-: nothing closed, or not known. 0: nothing is borne; the page and JSON say why.\n"
           "inf: joint limits or drives that do not run back bear it.\n\n";
+  text += most_closures_words(comparison);
   text += titled("Where nothing closed: how the approaches ended", outcome_table(comparison));
   text +=
       titled("Hands by themselves; closing_force: of the strongest tip", hand_table(comparison));
@@ -250,7 +266,10 @@ std::string text_of(const HandComparison& result) {
 }
 
 OrderedJson json_of(const HandComparison& result) {
-  return ordered(comparison_node(result.comparison));
+  OrderedJson json = ordered(comparison_node(result.comparison));
+  const std::string hand = hand_of_most_closures(result.comparison);
+  json["most_closures"] = hand.empty() ? OrderedJson() : OrderedJson(hand);
+  return json;
 }
 
 Table table_of(const HandComparison& result) { return cell_table(result.comparison); }

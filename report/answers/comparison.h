@@ -15,7 +15,8 @@ namespace thenar {
 /// themselves, and warnings. Loads by the same rule as on the page.
 [[nodiscard]] std::string text_of(const HandComparison& result);
 
-/// Members as docs/data_format.md has them; null: not known; "infinite".
+/// Members as docs/data_format.md has them; null: not known; "infinite". most_closures: the hand
+/// that has more than each other beyond chance, null if none.
 [[nodiscard]] OrderedJson json_of(const HandComparison& result);
 
 /// A row for each hand on each object.

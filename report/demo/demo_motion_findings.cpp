@@ -5,6 +5,7 @@
 #include <fmt/ranges.h>
 
 #include "base/units.h"
+#include "grasp/compare/closure_counts.h"
 #include "report/demo/demo_findings.h"
 #include "report/pages/compare_rungs.h"
 #include "report/pages/comparison_tables.h"

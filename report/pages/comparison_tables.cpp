@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 
 #include "data/io/robot/import_robot.h"
+#include "grasp/compare/closure_counts.h"
 #include "report/answers/comparison.h"
 #include "sampling/diagnostics/order_statistics.h"
 
@@ -76,17 +77,6 @@ Json glance_row(const Comparison& comparison, const std::string& hand) {
           finite(median(best)),
           finite(median(limited)),
           abilities == nullptr ? Json() : Json(abilities->types.size())};
-}
-
-/// Whether one hand has more force closures than the others beyond chance: its 95 % interval leaves
-/// out the share of the second.
-bool has_winner(const Comparison& comparison) {
-  std::vector<std::pair<double, double>> shares;  // share, and the lower end of its interval
-  for (const std::string& hand : comparison.hands)
-    if (const ClosureCount count = count_closures(comparison, hand); count.approaches > 0)
-      shares.emplace_back(count.share(), count.interval().lower);
-  std::sort(shares.rbegin(), shares.rend());
-  return shares.size() > 1 && shares[0].second > shares[1].first;
 }
 
 Json banner(const Comparison& comparison) {
@@ -320,21 +310,6 @@ Json chart(const Comparison& comparison, const std::string& object, const std::s
 
 }  // namespace
 
-double ClosureCount::share() const {
-  return approaches > 0 ? static_cast<double>(closures) / approaches : 0;
-}
-
-ConfidenceInterval ClosureCount::interval() const { return wilson_interval(closures, approaches); }
-
-ClosureCount count_closures(const Comparison& comparison, const std::string& hand) {
-  ClosureCount count;
-  for (const HandOnObject* cell : cells_of(comparison, hand)) {
-    count.closures += cell->closures;
-    count.approaches += cell->approaches;
-  }
-  return count;
-}
-
 double quantile_of(const Eigen::VectorXd& ascending, double p) {
   return ascending.size() == 0 ? NAN : quantile(ascending, p);
 }
@@ -347,8 +322,8 @@ Json glance_section(const Comparison& comparison) {
       "disturbance. Epsilon: the largest disturbance that they balance whatever its direction, per "
       "unit of contact force; within hand limits: the same in newtons, with the efforts of the "
       "hand's motors or tendons and its rigid structure. Both are of the best grasp of each "
-      "object, and of these the median. Bold: more force closures than those of any other hand, "
-      "beyond what its 95 % interval leaves to chance.",
+      "object, and of these the median. Bold: more force closures than those of each other hand, "
+      "beyond chance (Fisher's exact test, p < 0.05; intervals may overlap all the same).",
       {{"hand", "", -1},
        {"force closure", "%", 1},
        {"95 % interval", "%", -1},
@@ -357,7 +332,7 @@ Json glance_section(const Comparison& comparison) {
        {"epsilon within hand limits", "N", 2},
        {"types of grasp", "", 0}},
       rows);
-  if (has_winner(comparison)) {
+  if (!hand_of_most_closures(comparison).empty()) {
     table["highlight_best"] = 1;
     table["best"] = "highest";
   }

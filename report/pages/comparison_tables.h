@@ -10,14 +10,6 @@ namespace thenar {
 /// A quantile by linear interpolation; NaN of no values. @param p  in [0, 1]
 [[nodiscard]] double quantile_of(const Eigen::VectorXd& ascending, double p);
 
-/// Force closures of a hand on all objects.
-struct ClosureCount {
-  int closures = 0, approaches = 0;
-  [[nodiscard]] double share() const;  // [1]; 0 without approaches
-  [[nodiscard]] ConfidenceInterval interval() const;
-};
-[[nodiscard]] ClosureCount count_closures(const Comparison& comparison, const std::string& hand);
-
 /// A line for every hand over all objects, and whether the comparison is whole.
 [[nodiscard]] Json glance_section(const Comparison& comparison);
 

@@ -44,6 +44,16 @@ TEST(Robustness, IntervalIsWilsons) {
   EXPECT_EQ(wilson_interval(10, 10).upper, 1);
 }
 
+// Fisher's lady: 3 of 4 cups against 1 of 4 has (16 + 1) / 70 on each side, all right 1 / 70. The
+// sums of 3 of 3 against 0 of 1 leave one more table, three times as likely.
+TEST(Robustness, DifferenceOfSharesIsFishers) {
+  EXPECT_NEAR(fisher_exact_p({3, 4}, {1, 4}), 34.0 / 70, 1e-12);
+  EXPECT_NEAR(fisher_exact_p({4, 4}, {0, 4}), 2.0 / 70, 1e-12);
+  EXPECT_NEAR(fisher_exact_p({3, 3}, {0, 1}), 0.25, 1e-12);
+  EXPECT_EQ(fisher_exact_p({0, 9}, {0, 4}), 1);
+  EXPECT_THROW((void)fisher_exact_p({1, 0}, {0, 4}), InputError);
+}
+
 TEST(Robustness, OfWhatIsKnownIsCertain) {
   const Robustness sure = of(three(0.5), {}, 1, 20);
   EXPECT_EQ(sure.closure, 1);

@@ -48,6 +48,26 @@ TEST(ComparisonAnswer, TellsHowApproachesEndedWhereNothingClosed) {
   EXPECT_NE(text.find("warning: an effort is a guess"), std::string::npos);
 }
 
+TEST(ComparisonAnswer, NamesAHandOfMostClosuresOnlyBeyondChance) {
+  HandComparison result = sample();
+  result.comparison.complete = true;
+  result.comparison.hands = {"jaw", "claw"};
+  result.comparison.cells[0].closures = 20;
+  for (HandOnObject& cell : result.comparison.cells) cell.approaches = 20;
+  HandOnObject claw = result.comparison.cells[0];
+  claw.hand = "claw";
+  claw.approaches = 40;
+  for (const auto& [closures, named] : {std::pair(14, false), std::pair(10, true)}) {
+    claw.closures = closures;
+    HandComparison both = result;
+    both.comparison.cells.push_back(claw);
+    const std::string text = text_of(both);
+    EXPECT_EQ(text.find("jaw has more force closures than each other") != text.npos, named) << text;
+    EXPECT_EQ(text.find("no hand has more force closures") != text.npos, !named) << text;
+    EXPECT_EQ(json_of(both)["most_closures"], named ? OrderedJson("jaw") : OrderedJson());
+  }
+}
+
 TEST(ComparisonAnswer, HasNullAndInfiniteInJson) {
   const OrderedJson json = json_of(sample());
   EXPECT_EQ(json["cells"][0]["best"][0]["margin"]["pull_N"], "infinite");

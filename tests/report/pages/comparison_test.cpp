@@ -61,12 +61,15 @@ TEST(ComparePage, CountsOverAllObjects) {
   EXPECT_TRUE(row[5].is_null());
 }
 
-// The interval of 3 in 8 begins at 14 %: above 1 in 8, 12.5 %, but not above 2 in 8.
+// 20 of 40 against 14 of 40: the interval of the first begins at 35.2 %, above the second's share
+// of 35 %, but so large a difference comes by chance in a quarter of equal pairs.
 TEST(ComparePage, MarksAWinnerOnlyBeyondChance) {
-  for (const auto& [second, wins] : {std::pair(0, true), std::pair(1, true), std::pair(2, false)}) {
+  for (const auto& [second, wins] : {std::pair(10, true), std::pair(14, false)}) {
     Comparison comparison = sample();
     comparison.hands.emplace_back("other");
-    for (HandOnObject cell : sample().cells) {
+    for (HandOnObject& cell : comparison.cells) cell.approaches = cell.closures = 20;
+    comparison.cells[1].closures = 0;
+    for (HandOnObject cell : std::vector<HandOnObject>(comparison.cells)) {
       cell.hand = "other";
       cell.closures = cell.object == "ball" ? second : 0;
       comparison.cells.push_back(cell);
