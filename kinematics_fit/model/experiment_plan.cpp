@@ -40,6 +40,19 @@ void warn_of_postures(const TendonDigit& digit, const ExperimentPlan& plan, Warn
   }
 }
 
+/// Postures in radians under a key that says degrees: all angles are tiny, and not all are 0.
+void warn_of_angle_units(const Experiment& experiment, Warnings& warnings) {
+  constexpr double kTiny = 3.2 * kDegree;  // 180 degrees in radians, read as degrees [rad]
+  double most = 0;
+  for (const PostureRecord& posture : experiment.postures)
+    for (const auto& [joint, angle] : posture.angles) most = std::max(most, std::abs(angle));
+  if (most > 0 && most < kTiny)
+    warnings.push_back(
+        fmt::format("no joint is turned by more than {:.3g} degrees in any posture: are the angles "
+                    "of the unit that their key names?",
+                    degrees(most)));
+}
+
 void warn_of_tensions(const TendonDigit& digit, const ExperimentPlan& plan, Warnings& warnings) {
   for (Eigen::Index m = 0; m < digit.max_tension.size(); ++m) {
     // Largest tension of the muscle over all trials.
@@ -104,6 +117,7 @@ std::vector<std::string> experiment_warnings(const TendonDigit& digit, const Exp
                                              const Experiment& experiment) {
   // Postures, tensions, hold and calibration.
   Warnings warnings;
+  warn_of_angle_units(experiment, warnings);
   warn_of_postures(digit, plan, warnings);
   warn_of_tensions(digit, plan, warnings);
   warn_of_hold(digit, plan, warnings);

@@ -60,10 +60,10 @@ struct ExperimentPlan {
   return trial < plan.site_of_trial.size() ? plan.site_of_trial[trial] : -1;
 }
 
-/// Warnings about an experiment on this digit: postures beyond the joint limits or in which the
-/// held tip is nearly singular, tensions far above those that the muscle can make, a pinned tip of
-/// more than two joints in one plane, a subject that was calibrated on the specimen, moments that
-/// no fit uses.
+/// Warnings about an experiment on this digit: angles that look like another unit, postures beyond
+/// the joint limits or in which the held tip is nearly singular, tensions far above those that the
+/// muscle can make, a pinned tip of more than two joints in one plane, a subject that was
+/// calibrated on the specimen, moments that no fit uses.
 [[nodiscard]] std::vector<std::string> experiment_warnings(const TendonDigit& digit,
                                                            const ExperimentPlan& plan,
                                                            const Experiment& experiment);

@@ -118,6 +118,23 @@ TEST(ExperimentPlan, SaysWhichAnglesAndTensionsNoFingerHas) {
                 "experiment 'synek2019_H01': FDS was pulled with 950.0 N, but can make 189.0 N"}));
 }
 
+// 0.7 rad, read as 0.7 degrees; a file whose finger is straight throughout says nothing.
+TEST(ExperimentPlan, SaysThatPosturesLookLikeRadians) {
+  FitSetup setup = middle_finger(kAxesAndPaths);
+  setup.digit.calibrated_on.clear();
+  const auto told = [&](double factor) {
+    FitSetup scaled = setup;
+    for (PostureRecord& posture : scaled.experiments.front().postures)
+      for (auto& [joint, angle] : posture.angles) angle *= factor;
+    int count = 0;
+    for (const std::string& warning : scaled.problem().warnings())
+      count += warning.find("are the angles of the unit that their key names?") != warning.npos;
+    return count;
+  };
+  EXPECT_EQ(told(1), 0);
+  EXPECT_EQ(told(kDegree), 1);
+}
+
 // A fifth of a degree from straight at both joints: far from singular to rounding, and not to a
 // goniometer.
 TEST(ExperimentPlan, SaysWhichPosturesAreNearlyStraight) {
