@@ -1,5 +1,6 @@
 #include "api/import.h"
 
+#include <algorithm>
 #include <filesystem>
 #include <map>
 #include <set>
@@ -21,6 +22,7 @@
 #include "data/io/toml_node.h"
 #include "data/io/world/graspit_body.h"
 #include "data/io/world/graspit_world.h"
+#include "geometry/mesh_faults.h"
 #include "geometry/repair_to_solid.h"
 #include "grasp/robot/infer_hand.h"
 
@@ -38,7 +40,11 @@ void settle_meshes(BodySpec& body, const std::string& file, bool mend,
     try {
       for (const ShapeSpec& shape : body.shapes) require_solid(shape, owner);
     } catch (const InputError& error) {
-      throw DataError(file, 1, fmt::format("{}; --repair mends it", error.what()));
+      const bool flat = std::any_of(
+          body.shapes.begin(), body.shapes.end(),
+          [](const ShapeSpec& shape) { return !shape.mesh.empty() && is_flat(shape.mesh); });
+      throw DataError(file, 1,
+                      fmt::format("{}{}", error.what(), flat ? "" : "; --repair mends it"));
     }
     note_turned(body.shapes, owner, warnings);
     return;
@@ -146,11 +152,25 @@ BodySpec object_of(const MeshContent& content, const ImportRequest& request, boo
   return body;
 }
 
-/// Why triangles bound no volume, with what mends them.
-std::string why_no_volume(const MeshReport& surface) {
-  if (!surface.holes.empty())
+/// Why triangles bound no volume, the first cause, with what mends it.
+std::string why_no_volume(const MeshFacts& facts) {
+  const MeshReport& surface = facts.surface;
+  const MeshFaults& faults = facts.faults;
+  if (faults.flat)
+    return "it is flat, all its triangles lie in one plane; no repair gives it a thickness";
+  if (faults.holes > 0)
     return fmt::format("its surface is open in {}; --repair closes it",
-                       counted(surface.holes.size(), "place"));
+                       counted(static_cast<std::size_t>(faults.holes), "place"));
+  if (faults.seams > 0)
+    return fmt::format("corners of its triangles lie on edges of others in {}; --repair cuts these",
+                       counted(static_cast<std::size_t>(faults.seams), "place"));
+  if (faults.flaps > 0)
+    return fmt::format("{} of fins or sheets {} nothing; --repair leaves them out",
+                       counted(static_cast<std::size_t>(faults.flaps), "triangle"),
+                       faults.flaps == 1 ? "encloses" : "enclose");
+  if (!surface.holes.empty() && surface.degenerate > 0)
+    return fmt::format("edges are open beside {} of no area; --repair drops such triangles",
+                       counted(surface.degenerate, "triangle"));
   if (surface.nonmanifold_edges > 0)
     return fmt::format("{} of its surface {} more than two triangles; --repair mends this",
                        counted(surface.nonmanifold_edges, "edge"),
@@ -158,13 +178,13 @@ std::string why_no_volume(const MeshReport& surface) {
   if (surface.reversed_edges > 0)
     return fmt::format("its triangles face opposite ways along {}; --repair turns them",
                        counted(surface.reversed_edges, "edge"));
-  return "its surface is flat, or turned inside out; --repair turns it";
+  return "its surface is turned inside out; --repair turns it";
 }
 
 /// @throws InputError where there is no volume that a mass could fill
 void require_volume(const ImportRequest& request, const MeshFacts& facts) {
   require(facts.solid, "'{}' has no volume that a mass could fill: {}", request.file,
-          why_no_volume(facts.surface));
+          why_no_volume(facts));
 }
 
 /// What is doubtful of the mass of a mesh with a material, and whether there is none.
@@ -180,9 +200,13 @@ Imported import_mesh(const ImportRequest& request) {
   const std::size_t holes = check_mesh(content.mesh).holes.size();
   std::string repaired;
   if (request.repair) {
-    RepairedSolid mended = watertight_mesh(content.mesh);
-    content.mesh = std::move(mended.mesh);
-    repaired = mended.done;
+    try {
+      RepairedSolid mended = watertight_mesh(content.mesh);
+      content.mesh = std::move(mended.mesh);
+      repaired = mended.done;
+    } catch (const InputError& error) {
+      throw InputError(fmt::format("'{}': {}", request.file, error.what()));
+    }
   }
   MeshFacts facts = look_at_mesh(content);
   facts.closed = holes - facts.surface.holes.size();

@@ -45,22 +45,44 @@ std::string mesh_size_warning(const TriangleMesh& mesh) {
   return fmt::format("{:.4g} m across: are its numbers millimetres? --units mm", across);
 }
 
-std::vector<std::string> surface_warnings(const MeshReport& found) {
+/// What keeps the surface from bounding a volume, the causes first, and what mends it.
+std::vector<std::string> surface_warnings(const MeshReport& found, const MeshFaults& faults) {
   std::vector<std::string> warnings;
-  if (!found.holes.empty())
+  if (faults.flat)
+    return {
+        "the surface is flat: all its triangles lie in one plane, so that it has no volume, and "
+        "no repair gives it one"};
+  if (faults.holes > 0)
     warnings.push_back(
         fmt::format("the surface is open in {}: it has no volume; --repair closes it",
-                    counted(found.holes.size(), "place")));
+                    counted(static_cast<std::size_t>(faults.holes), "place")));
+  if (faults.seams > 0)
+    warnings.push_back(
+        fmt::format("corners of triangles lie on edges of others in {}: the surface does not close "
+                    "there, and has no volume; --repair cuts these triangles",
+                    counted(static_cast<std::size_t>(faults.seams), "place")));
+  if (faults.flaps > 0)
+    warnings.push_back(fmt::format(
+        "{} of fins or sheets that enclose nothing: with them the surface has no volume; "
+        "--repair leaves them out",
+        counted(static_cast<std::size_t>(faults.flaps), "triangle")));
   if (found.reversed_edges > 0)
     warnings.push_back(
         fmt::format("{} edges lie between triangles that face opposite ways; --repair turns them",
                     found.reversed_edges));
-  if (found.nonmanifold_edges > 0)
+  if (faults.nonmanifold_edges > 0)
     warnings.push_back(fmt::format("{} {} more than two triangles; --repair mends this",
-                                   counted(found.nonmanifold_edges, "edge"),
-                                   found.nonmanifold_edges == 1 ? "has" : "have"));
+                                   counted(faults.nonmanifold_edges, "edge"),
+                                   faults.nonmanifold_edges == 1 ? "has" : "have"));
   if (found.degenerate > 0)
-    warnings.push_back(fmt::format("{} triangles have no area", found.degenerate));
+    warnings.push_back(
+        fmt::format("{} no area{}; --repair drops {}",
+                    found.degenerate == 1 ? "1 triangle has"
+                                          : fmt::format("{} triangles have", found.degenerate),
+                    found.holes.empty() || faults.holes + faults.seams + faults.flaps > 0
+                        ? ""
+                        : ", which leaves the surface without a volume",
+                    found.degenerate == 1 ? "it" : "them"));
   return warnings;
 }
 
@@ -99,10 +121,10 @@ void weigh_triangles(const TriangleMesh& mesh, MeshFacts& facts) {
   const MeshMass found = mass_of_parts(mesh, parts);
   facts.unit_mass = found.all.mass;
   facts.solid = facts.unit_mass.mass > 0;
-  if (found.closed && !facts.solid)
+  if (found.closed && !facts.solid && !facts.faults.flat)
     facts.warnings.emplace_back(found.enclosed < 0
                                     ? "inside out: the surface faces inwards, --repair turns it"
-                                    : "no volume: the surface is flat");
+                                    : "no volume: the surface encloses nothing");
   constexpr double kOverlap = 1e-6;  // of the volume, that parts may share by rounding [1]
   if (facts.solid && found.enclosed > (1 + kOverlap) * facts.unit_mass.mass)
     facts.warnings.push_back(fmt::format(
@@ -132,7 +154,8 @@ MeshFacts look_at_mesh(const MeshContent& content) {
   MeshFacts facts;
   facts.surface = check_mesh(content.mesh);
   facts.across = extent_of(content.mesh);
-  facts.warnings = surface_warnings(facts.surface);
+  facts.faults = find_mesh_faults(content.mesh);
+  facts.warnings = surface_warnings(facts.surface, facts.faults);
   if (const std::string size = mesh_size_warning(content.mesh); !size.empty())
     facts.warnings.push_back(size);
   weigh_triangles(content.mesh, facts);

@@ -11,6 +11,7 @@
 #include "data/io/world/world.h"
 #include "geometry/mass_properties.h"
 #include "geometry/mesh_check.h"
+#include "geometry/mesh_faults.h"
 #include "geometry/shape_spec.h"
 
 namespace thenar {
@@ -21,6 +22,7 @@ inline constexpr double kLargestThing = 10;
 /// A mesh, looked at.
 struct MeshFacts {
   MeshReport surface;                 // as it is now
+  MeshFaults faults;                  // what its holes come from
   std::size_t parts = 0;              // connected [1]
   std::size_t closed = 0;             // holes that were closed [1]
   std::string repaired;               // what was mended, in words; empty: nothing

@@ -6,6 +6,7 @@
 
 #include "base/error.h"
 #include "geometry/mesh_check.h"
+#include "geometry/mesh_parts.h"
 
 namespace thenar {
 
@@ -38,7 +39,7 @@ MassProperties mass_properties(const TriangleMesh& mesh, double density) {
   require(density > 0 && std::isfinite(density), "a density must be positive and finite, got {}",
           density);
   const MeshReport report = check_mesh(mesh);
-  require(report.holes.empty(), "a mesh bounds no solid: {}", describe(report));
+  if (!report.holes.empty()) throw InputError("a mesh bounds no solid: " + why_open(mesh, report));
   require(report.volume > 0, "a mesh encloses {} m^3", report.volume);
   MassProperties result = signed_moments(mesh);
   result.mass *= density;

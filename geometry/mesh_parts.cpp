@@ -5,12 +5,14 @@
 #include <cstdlib>
 #include <utility>
 
+#include <fmt/format.h>
 #include <Eigen/Geometry>
 #include <Eigen/LU>
 
 #include "base/error.h"
 #include "base/units.h"
 #include "geometry/mesh_check.h"
+#include "geometry/mesh_faults.h"
 #include "geometry/triangle_mesh.h"
 
 namespace thenar {
@@ -81,7 +83,8 @@ bool is_within(const Part& inner, const Part& outer) {
 Part closed_part(TriangleMesh mesh) {
   const MeshReport report = check_mesh(mesh);
   require(report.watertight(), "a mesh bounds no solid: {}", describe(report));
-  require(report.volume != 0, "a mesh bounds no solid: no volume");
+  require(report.volume != 0, "a mesh bounds no solid: {}",
+          is_flat(mesh) ? describe(find_mesh_faults(mesh)) : "no volume");
   Part part{std::move(mesh), report.volume, {}};
   for (Eigen::Index i = 0; i < part.mesh.vertices.cols(); ++i)
     part.box.extend(Vector3d(part.mesh.vertices.col(i)));
@@ -164,16 +167,24 @@ std::vector<TriangleMesh> connected_parts(const TriangleMesh& mesh) {
   return parts;
 }
 
+std::string why_open(const TriangleMesh& mesh, const MeshReport& found) {
+  const MeshFaults faults = find_mesh_faults(mesh);
+  const std::string cause = describe(faults);
+  if (cause.empty()) return describe(found);
+  return faults.holes == 0 ? cause : fmt::format("{}; {}", cause, describe(found));
+}
+
 std::vector<TriangleMesh> solid_parts(const TriangleMesh& mesh) {
   // Closed or not at all.
   require(!mesh.empty(), "a mesh has no triangle");
   const MeshReport found = check_mesh(mesh);
-  require(found.holes.empty(), "a mesh bounds no solid: {}", describe(found));
+  if (!found.holes.empty()) throw InputError("a mesh bounds no solid: " + why_open(mesh, found));
   const bool sound = found.watertight() && found.volume > 0;
   // Put right first, if it is not sound.
   std::vector<TriangleMesh> meshes =
       connected_parts(sound ? mesh : repair_mesh(mesh, MeshHoles::kKeep).mesh);
-  require(!meshes.empty(), "a mesh bounds no solid: no volume");
+  require(!meshes.empty(), "a mesh bounds no solid: {}",
+          is_flat(mesh) ? describe(find_mesh_faults(mesh)) : "no volume");
   if (sound && meshes.size() == 1) return meshes;
   std::vector<Part> parts;
   parts.reserve(meshes.size());

@@ -2,8 +2,10 @@
 
 /// Decomposition of a mesh into the closed surfaces it is made of.
 
+#include <string>
 #include <vector>
 
+#include "geometry/mesh_check.h"
 #include "geometry/triangle_mesh.h"
 
 namespace thenar {
@@ -14,11 +16,15 @@ namespace thenar {
 /// Splits a mesh into parts connected over edges of exactly two triangles, each with own vertices.
 [[nodiscard]] std::vector<TriangleMesh> connected_parts(const TriangleMesh& mesh);
 
+/// Why a mesh with holes bounds no solid: causes of describe(MeshFaults), and the holes if they are
+/// not left by these. @param found  check_mesh() of it
+[[nodiscard]] std::string why_open(const TriangleMesh& mesh, const MeshReport& found);
+
 /// The solids whose union a mesh bounds. Triangles that face inwards are turned, those of no area
 /// or there twice are dropped. A surface that faces inwards within another is a cavity and stays
 /// with it; elsewhere it is turned outwards. Parts may overlap.
-/// @throws InputError if the mesh has no triangle, has holes (naming them), an edge of a part has
-/// more than two triangles, or a part encloses nothing.
+/// @throws InputError if the mesh has no triangle, is flat, has holes (naming their cause), an edge
+/// of a part has more than two triangles, or a part encloses nothing.
 [[nodiscard]] std::vector<TriangleMesh> solid_parts(const TriangleMesh& mesh);
 
 }  // namespace thenar

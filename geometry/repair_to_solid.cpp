@@ -19,6 +19,7 @@
 #include "base/error.h"
 #include "geometry/cached_mesh.h"
 #include "geometry/mesh_check.h"
+#include "geometry/mesh_faults.h"
 #include "geometry/mesh_parts.h"
 
 namespace thenar {
@@ -224,7 +225,9 @@ bool encloses_little(const MeshReport& report, const TriangleMesh& mesh) {
 
 RepairedSolid hull_of(const TriangleMesh& mesh) {
   RepairedSolid hull{hull_mesh(mesh.vertices), "replaced by its convex hull"};
-  require(!hull.mesh.empty(), "a mesh bounds no solid, and its convex hull is flat");
+  require(
+      !hull.mesh.empty(),
+      "a mesh bounds no solid, and its convex hull is thinner than a ten-thousandth of its extent");
   return hull;
 }
 
@@ -320,6 +323,9 @@ RepairedSolid repair_to_solid(const TriangleMesh& mesh) {
   require(!mesh.empty(), "a mesh has no triangle");
   (void)check_mesh(mesh);
   if (is_solid(mesh)) return {mesh, ""};
+  require(
+      !is_flat(mesh),
+      "the mesh is flat: all its triangles lie in one plane, and no repair gives it a thickness");
   // Large meshes are kept on disk with the words of their repair.
   constexpr Eigen::Index kMany = 2000;  // triangles, which take longer to mend than to look up
   if (mesh.triangles.cols() < kMany) return mended(mesh);

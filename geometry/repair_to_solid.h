@@ -21,8 +21,8 @@ struct RepairedSolid {
 /// to agree; holes are closed by fans; parts that enclose nothing are left out. Parts that are
 /// still no solid, and the whole if most of its area would be left out, are replaced by their
 /// convex hulls.
-/// @throws InputError if even the convex hull of the whole is flat, or a corner is no vertex or not
-/// finite.
+/// @throws InputError if the mesh is flat, even the convex hull of the whole is, or a corner is no
+/// vertex or not finite.
 [[nodiscard]] RepairedSolid repair_to_solid(const TriangleMesh& mesh);
 
 /// repair_to_solid(), and the repair of what build_solid() tolerates: triangles that face inwards

@@ -3,12 +3,14 @@
 #include <algorithm>
 #include <array>
 
+#include <fmt/format.h>
 #include <Eigen/Eigenvalues>
 
 #include "base/error.h"
 #include "base/nearest_name.h"
 #include "data/io/world/world.h"
 #include "geometry/mass_properties.h"
+#include "geometry/mesh_faults.h"
 
 namespace thenar {
 namespace {
@@ -40,8 +42,11 @@ Solid solid_of(const BodySpec& body) {
     for (const ShapeSpec& shape : body.shapes)
       if (!shape.mesh_file.empty()) files += (files.empty() ? "" : ", ") + shape.mesh_file;
     if (files.empty()) throw InputError(fmt::format("body '{}': {}", body.name, error.what()));
-    throw InputError(fmt::format("body '{}' of {}: {}; `thenar import MESH --repair` mends a mesh",
-                                 body.name, files, error.what()));
+    const bool flat = std::any_of(
+        body.shapes.begin(), body.shapes.end(),
+        [](const ShapeSpec& shape) { return !shape.mesh.empty() && is_flat(shape.mesh); });
+    throw InputError(fmt::format("body '{}' of {}: {}{}", body.name, files, error.what(),
+                                 flat ? "" : "; `thenar import MESH --repair` mends a mesh"));
   }
 }
 

@@ -70,6 +70,37 @@ TEST_F(ImportMesh, RefusesAMassWithoutAVolume) {
   EXPECT_DOUBLE_EQ(import_file(request).body->mass->mass, 3);
 }
 
+// A square has no thickness that a repair could find, and a closed corner with a fin is not open.
+TEST_F(ImportMesh, SaysWhatIsWrongRatherThanThatItIsOpen) {
+  std::ofstream(path("flat.obj")) << "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nf 1 2 3\nf 1 3 4\n";
+  std::ofstream(path("fin.obj")) << "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nv 1 1 1\n"
+                                    "f 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\nf 2 3 5\n";
+  ImportRequest request;
+  request.file = path("flat.obj");
+  EXPECT_EQ(import_file(request).warnings,
+            std::vector<std::string>{"the surface is flat: all its triangles lie in one plane, so "
+                                     "that it has no volume, and no repair gives it one"});
+  request.repair = true;
+  EXPECT_EQ(message_of([&] { (void)import_file(request); }),
+            "'" + request.file +
+                "': the mesh is flat: all its triangles lie in one plane, and no repair gives it a "
+                "thickness");
+  request = {};
+  request.file = path("fin.obj");
+  EXPECT_EQ(
+      import_file(request).warnings,
+      (std::vector<std::string>{"1 triangle of fins or sheets that enclose nothing: with them "
+                                "the surface has no volume; --repair leaves them out",
+                                "1 edge has more than two triangles; --repair mends this"}));
+  request.mass = 1;
+  EXPECT_EQ(message_of([&] { (void)import_file(request); }),
+            "'" + request.file +
+                "' has no volume that a mass could fill: 1 triangle of fins or sheets encloses "
+                "nothing; --repair leaves them out");
+  request.repair = true;
+  EXPECT_NEAR(import_file(request).body->mass->mass, 1, 1e-12);
+}
+
 // Two tetrahedra on either side of a triangle that is there twice: its edges have four triangles.
 TEST_F(ImportMesh, SaysWhichEdgesLeaveNoVolume) {
   std::ofstream(path("twin.obj")) << "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nv 0 0 -1\n"

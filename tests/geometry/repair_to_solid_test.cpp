@@ -124,7 +124,8 @@ TEST(MendMesh, LeavesOutSheets) {
   EXPECT_EQ(mended.done, "1 part(s) that enclose nothing left out");
   EXPECT_NEAR(enclosed_volume(mended.mesh), 8e-6, 1e-18);
   EXPECT_EQ(message_of([&] { (void)repair_to_solid(sheet); }),
-            "a mesh bounds no solid, and its convex hull is flat");
+            "the mesh is flat: all its triangles lie in one plane, and no repair gives it a "
+            "thickness");
 }
 
 // Faces that nothing joins enclose nothing: their hull stands for them.

@@ -73,7 +73,8 @@ std::vector<double> hull_faces(const std::vector<double>& corners) {
 }
 
 /// Sets a mesh from vertices and triangles in the file itself; of vertices alone their convex hull,
-/// as MuJoCo takes them. @returns false if there are none, or all are in a plane
+/// as MuJoCo takes them. @returns false if there are no faces, and no hull as all vertices are in a
+/// plane
 bool set_written_mesh(ShapeSpec& shape, const MjcfElement& mesh, const MeshPlacement& placement) {
   const std::vector<double> corners = mesh.numbers("vertex");
   std::vector<double> faces = mesh.numbers("face");
@@ -126,9 +127,13 @@ bool set_mesh(ShapeSpec& shape, const MjcfSource& source, const MjcfMeshes& mesh
   if (!mesh.has("file")) {
     if (set_written_mesh(shape, mesh, placement)) return true;
     warnings.push_back(
-        fmt::format("MISSING MESH '{}', which has neither file nor faces nor vertices in space: "
-                    "link '{}' goes without it",
-                    name, body));
+        mesh.numbers("vertex").empty()
+            ? fmt::format("MISSING MESH '{}', which has neither file nor vertices: link '{}' goes "
+                          "without it",
+                          name, body)
+            : fmt::format("LEFT OUT mesh '{}' of link '{}': the mesh is flat: all its vertices lie "
+                          "in one plane, so that their hull has no thickness",
+                          name, body));
     return false;
   }
   std::filesystem::path file = mesh.text("file");

@@ -391,7 +391,9 @@ TEST_F(Mjcf, TakesTheHullOfVerticesWithoutFaces) {
   const RobotSpec robot = cloud("0 0 0  1 0 0  0 1 0  0 0 1  0.1 0.1 0.1");
   EXPECT_NEAR(robot.links[0].mass, 1, kMjcfRounding);
   EXPECT_TRUE(matrix_near(robot.links[0].com, Eigen::Vector3d::Constant(0.25), kMjcfRounding));
-  EXPECT_THAT(cloud("0 0 0  1 0 0  0 1 0  1 1 0").warnings, Contains(HasSubstr("MISSING MESH")));
+  EXPECT_THAT(cloud("0 0 0  1 0 0  0 1 0  1 1 0").warnings,
+              Contains(HasSubstr("LEFT OUT mesh 'm' of link 'palm': the mesh is flat")));
+  EXPECT_THAT(cloud("").warnings, Contains(HasSubstr("MISSING MESH 'm', which has neither file")));
 }
 
 TEST_F(Mjcf, CarriesFramesOut) {

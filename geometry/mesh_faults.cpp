@@ -1,0 +1,92 @@
+#include "geometry/mesh_faults.h"
+
+#include <cmath>
+
+#include <fmt/format.h>
+#include <Eigen/Eigenvalues>
+
+#include "geometry/mesh_check.h"
+#include "geometry/mesh_parts.h"
+
+namespace thenar {
+namespace {
+
+constexpr double kFlat = 1e-6;  // of the extent, above the rounding of single precision [1]
+
+/// The corners that triangles use (3, n).
+Eigen::Matrix3Xd used_corners(const TriangleMesh& mesh) {
+  Eigen::Matrix3Xd corners(3, mesh.triangles.size());
+  for (Eigen::Index i = 0; i < mesh.triangles.size(); ++i)
+    corners.col(i) = mesh.vertices.col(mesh.triangles(i));
+  return corners;
+}
+
+/// A hole that a corner on an edge leaves: all its corners are in line.
+bool is_seam(const TriangleMesh& mesh, const MeshHole& hole) {
+  Eigen::Matrix3Xd loop(3, static_cast<Eigen::Index>(hole.loop.size()));
+  for (Eigen::Index i = 0; i < loop.cols(); ++i)
+    loop.col(i) = mesh.vertices.col(hole.loop[static_cast<std::size_t>(i)]);
+  // The corner farthest from the first gives the line.
+  Eigen::Index far = 0;
+  const Eigen::Matrix3Xd r = loop.colwise() - loop.col(0);
+  const double length = std::sqrt(r.colwise().squaredNorm().maxCoeff(&far));
+  if (!(length > 0)) return true;
+  const Eigen::Vector3d along = r.col(far) / length;
+  return (r - along * (along.transpose() * r)).colwise().norm().maxCoeff() <= kFlat * length;
+}
+
+}  // namespace
+
+bool is_flat(const TriangleMesh& mesh) {
+  if (mesh.empty()) return true;
+  const Eigen::Matrix3Xd corners = used_corners(mesh);
+  const Eigen::Matrix3Xd r = corners.colwise() - Eigen::Vector3d(corners.rowwise().mean());
+  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> axes(r * r.transpose());
+  const Eigen::Matrix3Xd along = axes.eigenvectors().transpose() * r;
+  const Eigen::Vector3d extent = along.rowwise().maxCoeff() - along.rowwise().minCoeff();
+  return extent.minCoeff() <= kFlat * extent.maxCoeff();
+}
+
+MeshFaults find_mesh_faults(const TriangleMesh& mesh) {
+  MeshFaults faults;
+  const MeshReport whole = check_mesh(mesh);
+  faults.flat = is_flat(mesh);
+  if (faults.flat) return faults;
+  faults.nonmanifold_edges = whole.nonmanifold_edges;
+  if (whole.holes.empty()) return faults;
+  faults.degenerate = whole.degenerate;
+  const TriangleMesh kept = repair_mesh(mesh, MeshHoles::kKeep).mesh;
+  faults.nonmanifold_edges = check_mesh(kept).nonmanifold_edges;
+  int flat_holes = 0;
+  bool all_flat = true;
+  for (const TriangleMesh& part : connected_parts(kept)) {
+    const bool flat = is_flat(part);
+    all_flat = all_flat && flat;
+    const MeshReport report = check_mesh(part);
+    for (const MeshHole& hole : report.holes)
+      ++(flat ? flat_holes : is_seam(part, hole) ? faults.seams : faults.holes);
+    if (flat) faults.flaps += static_cast<int>(part.triangles.cols());
+  }
+  // Faces that nothing joins: together they may be a solid.
+  if (all_flat) {
+    faults.holes = flat_holes;
+    faults.flaps = 0;
+  }
+  return faults;
+}
+
+std::string describe(const MeshFaults& faults) {
+  if (faults.flat)
+    return "it is flat: all its triangles lie in one plane, and no repair gives it a thickness";
+  std::string text;
+  const auto add = [&](int count, const char* what) {
+    if (count > 0) text += fmt::format("{}{} {}", text.empty() ? "" : "; ", count, what);
+  };
+  add(faults.flaps, "triangle(s) of fins or sheets that enclose nothing");
+  add(faults.seams, "seam(s) where corners of triangles lie on edges of others");
+  if (faults.flaps + faults.seams + faults.holes == 0)
+    add(faults.degenerate, "triangle(s) of no area, which leave edges open");
+  return text;
+}
+
+}  // namespace thenar
