@@ -3,7 +3,10 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <map>
+#include <optional>
 #include <set>
+#include <vector>
 
 namespace thenar {
 namespace {
@@ -11,6 +14,8 @@ namespace {
 using Eigen::Vector3d;
 
 constexpr double kFar = 0.01;  // from the middle of the tendons, about a finger's radius [m]
+constexpr double kFarFromAxes = 0.015;  // the same of the axes beside it, which tell less [m]
+constexpr double kAcross = 0.5;         // sine of the angle from which axes are not parallel [1]
 
 /// Segments that a joint moves.
 std::set<std::string> moved_by(const Subject& subject, const JointAxis& joint) {
@@ -32,28 +37,76 @@ double passing(const JointAxis& joint, const Vector3d& a, const Vector3d& b) {
   return (a + part * run - joint.point).dot(joint.direction);
 }
 
+/// Along an axis from its point, the middle of the tendons that cross it; nothing if no path does.
+std::optional<double> middle_of_tendons(const Subject& subject, const JointAxis& joint) {
+  const std::set<std::string> moved = moved_by(subject, joint);
+  double lowest = HUGE_VAL, highest = -HUGE_VAL;
+  for (const Strand& strand : subject.strands) {
+    // Points of the path, without the surfaces between them.
+    const PathPoint* before = nullptr;
+    for (const PathPoint& point : strand.path) {
+      if (!point.surface.empty() || !point.rides_on.empty()) continue;
+      if (before != nullptr && moved.count(before->segment) != moved.count(point.segment)) {
+        const double along = passing(joint, before->p, point.p);
+        lowest = std::fmin(lowest, along);
+        highest = std::fmax(highest, along);
+      }
+      before = &point;
+    }
+  }
+  if (!(lowest <= highest)) return std::nullopt;
+  return (lowest + highest) / 2;
+}
+
+/// The joints between the base and the tip of a digit, the last first.
+std::vector<const JointAxis*> chain_of(const Subject& subject, const Digit& digit) {
+  std::vector<const JointAxis*> chain;
+  std::string segment = digit.tip_segment;
+  for (auto joint = subject.joints.rbegin(); joint != subject.joints.rend(); ++joint)
+    if (joint->child == segment) {
+      chain.push_back(&*joint);
+      segment = joint->parent;
+    }
+  return chain;
+}
+
+/// Along joint i of a chain from its point, the place nearest to the axes next to it, in least
+/// squares; nearest to the tip if these are about parallel to it. No stated point counts.
+double nearest_to_chain(const std::vector<const JointAxis*>& chain, std::size_t i,
+                        const Vector3d& tip) {
+  const JointAxis& joint = *chain[i];
+  double square = 0, product = 0;
+  for (const std::size_t next : {i - 1, i + 1}) {  // i - 1 of the tip's is beyond the end
+    if (next >= chain.size()) continue;
+    const Vector3d& other = chain[next]->direction;
+    const auto across = [&](const Vector3d& v) -> Vector3d { return v - v.dot(other) * other; };
+    const Vector3d way = across(joint.direction);
+    if (way.norm() < kAcross) continue;
+    square += way.squaredNorm();
+    product += way.dot(across(chain[next]->point - joint.point));
+  }
+  return square > 0 ? product / square : (tip - joint.point).dot(joint.direction);
+}
+
 }  // namespace
 
-Subject with_points_at_tendons(Subject subject) {
-  for (JointAxis& joint : subject.joints) {
-    const std::set<std::string> moved = moved_by(subject, joint);
-    double lowest = HUGE_VAL, highest = -HUGE_VAL;
-    for (const Strand& strand : subject.strands) {
-      // Points of the path, without the surfaces between them.
-      const PathPoint* before = nullptr;
-      for (const PathPoint& point : strand.path) {
-        if (!point.surface.empty() || !point.rides_on.empty()) continue;
-        if (before != nullptr && moved.count(before->segment) != moved.count(point.segment)) {
-          const double along = passing(joint, before->p, point.p);
-          lowest = std::fmin(lowest, along);
-          highest = std::fmax(highest, along);
-        }
-        before = &point;
-      }
-    }
-    const double middle = (lowest + highest) / 2;
-    if (lowest <= highest && std::abs(middle) > kFar) joint.point += middle * joint.direction;
+Subject with_points_at_tendons(Subject subject, const std::string& digit) {
+  // By the points as they are stated, before any moves.
+  std::map<std::string, double> ways;
+  for (const Digit& each : subject.digits) {
+    if (each.name != digit) continue;
+    const std::vector<const JointAxis*> chain = chain_of(subject, each);
+    for (std::size_t i = 0; i < chain.size(); ++i)
+      if (const double way = nearest_to_chain(chain, i, each.tip); std::abs(way) > kFarFromAxes)
+        ways[chain[i]->name] = way;
   }
+  // Tendons tell more than axes.
+  for (const JointAxis& joint : subject.joints)
+    if (const std::optional<double> middle = middle_of_tendons(subject, joint))
+      ways[joint.name] = std::abs(*middle) > kFar ? *middle : 0;
+  for (JointAxis& joint : subject.joints)
+    if (const auto way = ways.find(joint.name); way != ways.end() && way->second != 0)
+      joint.point += way->second * joint.direction;
   return subject;
 }
 

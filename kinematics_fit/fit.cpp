@@ -39,7 +39,8 @@ std::vector<std::string> posture_names(const std::vector<Experiment>& experiment
 /// digit at rest, so that measured forces are those of tendons, without passive moments.
 TendonDigit build_digit(const FitInputs& inputs, const std::string& name) {
   const Subject subject = with_points_at_tendons(
-      with_passive(parse_subject(inputs.subject.text, inputs.subject.path), PassiveMoments::kOff));
+      with_passive(parse_subject(inputs.subject.text, inputs.subject.path), PassiveMoments::kOff),
+      name);
   if (!inputs.net) return build_tendon_digit(subject, name);
   TendonOptions separate;
   separate.hood = Hood::kSeparate;

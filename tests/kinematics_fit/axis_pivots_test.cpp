@@ -29,9 +29,9 @@ Subject slid(Subject subject, double way) {
 // same.
 TEST(AxisPivots, AreTheSameWhicheverPointIsStated) {
   const Subject hand = read("mirakhorlo2016");
-  const Subject near = with_points_at_tendons(slid(hand, 0.03));
+  const Subject near = with_points_at_tendons(slid(hand, 0.03), "middle");
   for (const double way : {0.06, -0.045}) {
-    const Subject other = with_points_at_tendons(slid(hand, way));
+    const Subject other = with_points_at_tendons(slid(hand, way), "middle");
     for (std::size_t i = 0; i < hand.joints.size(); ++i)
       EXPECT_TRUE(matrix_near(other.joints[i].point, near.joints[i].point, 1e-12))
           << hand.joints[i].name;
@@ -61,14 +61,60 @@ TEST(AxisPivots, LieInTheMiddleOfTheTendons) {
   };
   subject.strands = {{"S", {point("B", 0, 0.008), point("A", 0, -0.008)}, {}},
                      {"T", {point("B", 0.004, 0.008), point("A", 0.008, -0.008)}, {}}};
-  EXPECT_TRUE(
-      matrix_near(with_points_at_tendons(subject).joints[0].point, Vector3d(0.003, 0, 0), 1e-15));
-  // Within a finger's radius the stated point holds, and so it does where no path crosses.
+  EXPECT_TRUE(matrix_near(with_points_at_tendons(subject, "").joints[0].point,
+                          Vector3d(0.003, 0, 0), 1e-15));
+  // Within a finger's radius the stated point holds, and so it does of a joint of no digit that no
+  // path crosses.
   subject.joints[0].point.x() = 0.012;
-  EXPECT_EQ(with_points_at_tendons(subject).joints[0].point.x(), 0.012);
+  EXPECT_EQ(with_points_at_tendons(subject, "").joints[0].point.x(), 0.012);
   subject.strands.clear();
   subject.joints[0].point.x() = 0.05;
-  EXPECT_EQ(with_points_at_tendons(subject).joints[0].point.x(), 0.05);
+  EXPECT_EQ(with_points_at_tendons(subject, "").joints[0].point.x(), 0.05);
+}
+
+// Moment arms of constants leave no tendons: axes that are not parallel have the place where they
+// pass each other, here the origin and (0, 40, 0) mm; one that is parallel to its neighbour lies
+// opposite the tip.
+TEST(AxisPivots, LieAtTheNextAxesWithoutPaths) {
+  Subject subject;
+  const auto joint = [](const std::string& name, const std::string& parent,
+                        const std::string& child, const Vector3d& direction,
+                        const Vector3d& point) {
+    JointAxis out;
+    out.name = name, out.parent = parent, out.child = child;
+    out.direction = direction, out.point = point;
+    return out;
+  };
+  subject.joints = {joint("FE", "A", "B", {1, 0, 0}, {-0.06, 0, 0}),
+                    joint("AA", "B", "C", {0, 0, 1}, {0, 0, 0.05}),
+                    joint("PIP", "C", "D", {1, 0, 0}, {0.03, 0.04, 0}),
+                    joint("DIP", "D", "E", {1, 0, 0}, {0.03, 0.06, 0})};
+  Digit digit;
+  digit.name = "index", digit.tip_segment = "E", digit.tip = {0.002, 0.08, 0};
+  subject.digits = {digit};
+  subject.strands = {{"S", {}, {{"FE", 0.01}, {"PIP", 0.008}}}};
+  const Subject moved = with_points_at_tendons(subject, "index");
+  EXPECT_TRUE(matrix_near(moved.joints[0].point, Vector3d(0, 0, 0), 1e-15));
+  EXPECT_TRUE(matrix_near(moved.joints[1].point, Vector3d(0, 0, 0), 1e-15));
+  EXPECT_TRUE(matrix_near(moved.joints[2].point, Vector3d(0, 0.04, 0), 1e-15));
+  EXPECT_TRUE(matrix_near(moved.joints[3].point, Vector3d(0.002, 0.06, 0), 1e-15));
+}
+
+// Thumbs that state constant arms, with points 30, 60 and -60 mm along their axes.
+TEST(AxisPivots, AreTheSameWithoutPaths) {
+  for (const std::string name : {"arms_thumb", "arms_five_axis_thumb"}) {
+    const Subject near = with_points_at_tendons(slid(read(name), 0.03), "thumb");
+    for (const double way : {0.06, -0.06}) {
+      const Subject other = with_points_at_tendons(slid(read(name), way), "thumb");
+      for (std::size_t i = 0; i < near.joints.size(); ++i)
+        EXPECT_TRUE(matrix_near(other.joints[i].point, near.joints[i].point, 1e-12))
+            << name << " " << near.joints[i].name;
+    }
+    // The shipped points are those of joints already.
+    const Subject kept = with_points_at_tendons(read(name), "thumb");
+    for (std::size_t i = 0; i < near.joints.size(); ++i)
+      EXPECT_EQ(kept.joints[i].point, read(name).joints[i].point);
+  }
 }
 
 // Of points 30 and 60 mm along z, the direction of the flexion axes, the whole fit is one.
