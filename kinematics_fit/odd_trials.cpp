@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include <fmt/format.h>
 #include <Eigen/Cholesky>
@@ -14,7 +15,8 @@
 namespace thenar {
 namespace {
 
-constexpr double kOdd = 1e-3;  // tail probability of an odd trial [1]
+constexpr double kOdd = 1e-3;   // tail probability of an odd trial [1]
+constexpr double kRival = 0.5;  // of its distance, from which another one may be wrong instead [1]
 
 /// "FDS in posture 'Hook'", or "activation row 2 in posture 'Hook'".
 std::string name_of(const Experiment& experiment, std::size_t row) {
@@ -26,15 +28,71 @@ std::string name_of(const Experiment& experiment, std::size_t row) {
   return fmt::format("{} in posture '{}'", describe_loads(trial), trial.posture);
 }
 
-/// Squared distance of a trial from what all others tell of it, see odd_trials() [1].
-/// @param W  with H = W'W (., 3)
-double squared_distance(const Eigen::Vector3d& r, const Eigen::MatrixXd& W) {
-  const Eigen::Matrix3d rest = Eigen::Matrix3d::Identity() - W.transpose() * W;
-  return r.dot(rest.llt().solve(r));
+/// Residuals r of an experiment and W with H = W'W, three columns a trial.
+struct Leverage {
+  Eigen::VectorXd r;
+  const Eigen::MatrixXd& W;
+};
+
+/// Squared distance of trial i from what all others tell of it that are not left out: without those
+/// of S,
+///   r -> r + H_iS (I - H_SS)^-1 r_S,   H_ii -> H_ii + H_iS (I - H_SS)^-1 H_Si.
+double squared_distance(const Leverage& of, Eigen::Index i, const std::vector<Eigen::Index>& out) {
+  Eigen::Vector3d r = of.r.segment<3>(3 * i);
+  const auto W = of.W.middleCols<3>(3 * i);
+  Eigen::Matrix3d H = W.transpose() * W;
+  if (!out.empty()) {
+    const auto rows = 3 * static_cast<Eigen::Index>(out.size());
+    Eigen::MatrixXd A(of.W.rows(), rows);
+    Eigen::VectorXd r_out(rows);
+    for (std::size_t k = 0; k < out.size(); ++k) {
+      A.middleCols<3>(3 * static_cast<Eigen::Index>(k)) = of.W.middleCols<3>(3 * out[k]);
+      r_out.segment<3>(3 * static_cast<Eigen::Index>(k)) = of.r.segment<3>(3 * out[k]);
+    }
+    const Eigen::MatrixXd cross = A.transpose() * W;
+    const Eigen::LLT<Eigen::MatrixXd> rest(Eigen::MatrixXd::Identity(rows, rows) -
+                                           A.transpose() * A);
+    r += cross.transpose() * rest.solve(r_out);
+    H += cross.transpose() * rest.solve(cross);
+  }
+  return r.dot((Eigen::Matrix3d::Identity() - H).llt().solve(r));
 }
 
 /// Trials and rows of activations of an experiment, as data_residuals() has them.
 Eigen::Index rows_of(const FitProblem& problem, int e) { return force_rows(problem, e) / 3; }
+
+}  // namespace
+
+namespace {
+
+/// Odd trials of an experiment, the furthest first, without those that are odd for the sake of
+/// further ones alone.
+std::vector<OddTrial> odd_of(const FitProblem& problem, int e, const Leverage& of, double rows) {
+  const ExperimentPlan& plan = problem.plans()[static_cast<std::size_t>(e)];
+  const auto tail_of = [&](Eigen::Index i, double squared) {
+    const auto fitted = i < plan.sd.cols() ? (plan.sd.col(i).array() < HUGE_VAL).count()
+                                           : Eigen::Index{plan.measured};
+    return std::min(1.0, rows * chi_square_tail(squared, static_cast<double>(fitted)));
+  };
+  std::vector<OddTrial> all;
+  for (Eigen::Index i = 0; i < rows_of(problem, e); ++i) {
+    const double squared = squared_distance(of, i, {}), tail = tail_of(i, squared);
+    if (!(tail >= kOdd)) all.push_back({e, static_cast<int>(i), std::sqrt(squared), tail, -1});
+  }
+  std::stable_sort(all.begin(), all.end(),
+                   [](const OddTrial& a, const OddTrial& b) { return a.distance > b.distance; });
+  std::vector<OddTrial> odd;
+  std::vector<Eigen::Index> out;
+  for (const OddTrial& each : all) {
+    if (!(tail_of(each.trial, squared_distance(of, each.trial, out)) >= kOdd)) {
+      odd.push_back(each);
+      out.push_back(each.trial);
+    } else if (odd.front().instead < 0 && each.distance > kRival * odd.front().distance) {
+      odd.front().instead = each.trial;
+    }
+  }
+  return odd;
+}
 
 }  // namespace
 
@@ -45,22 +103,16 @@ std::vector<OddTrial> odd_trials(const FitProblem& problem, const Eigen::VectorX
   double rows = 0;
   for (int e = 0; e < experiments; ++e) rows += static_cast<double>(rows_of(problem, e));
   for (int e = 0; e < experiments; ++e) {
-    const ExperimentPlan& plan = problem.plans()[static_cast<std::size_t>(e)];
-    const Eigen::VectorXd all = data_residuals(problem, z, e, WithJacobian::kNo).r;
-    const Eigen::MatrixXd& W = covariance.leverage[static_cast<std::size_t>(e)];
-    for (Eigen::Index i = 0; i < rows_of(problem, e); ++i) {
-      // Residuals that are not fitted are 0, and so are their slopes.
-      const Eigen::Vector3d r = plain_residual(all.segment<3>(3 * i), problem.robust_scale());
-      const double squared = squared_distance(r, W.middleCols<3>(3 * i));
-      const auto fitted = i < plan.sd.cols() ? (plan.sd.col(i).array() < HUGE_VAL).count()
-                                             : Eigen::Index{plan.measured};
-      const double tail =
-          std::min(1.0, rows * chi_square_tail(squared, static_cast<double>(fitted)));
-      if (!(tail >= kOdd)) odd.push_back({e, static_cast<int>(i), std::sqrt(squared), tail});
-    }
+    // Residuals that are not fitted are 0, and so are their slopes.
+    Leverage of{data_residuals(problem, z, e, WithJacobian::kNo).r,
+                covariance.leverage[static_cast<std::size_t>(e)]};
+    for (Eigen::Index i = 0; i < rows_of(problem, e); ++i)
+      of.r.segment<3>(3 * i) =
+          plain_residual(Eigen::Vector3d(of.r.segment<3>(3 * i)), problem.robust_scale());
+    for (const OddTrial& each : odd_of(problem, e, of, rows)) odd.push_back(each);
   }
-  std::sort(odd.begin(), odd.end(),
-            [](const OddTrial& a, const OddTrial& b) { return a.distance > b.distance; });
+  std::stable_sort(odd.begin(), odd.end(),
+                   [](const OddTrial& a, const OddTrial& b) { return a.distance > b.distance; });
   return odd;
 }
 
@@ -73,9 +125,12 @@ std::vector<std::string> describe(const FitProblem& problem, const std::vector<O
     std::vector<std::string> names;
     for (const OddTrial& each : odd)
       if (each.experiment == e)
-        names.push_back(fmt::format("{} ({:.1f} sds)",
-                                    name_of(experiment, static_cast<std::size_t>(each.trial)),
-                                    each.distance));
+        names.push_back(fmt::format(
+            "{} ({:.1f} sds{})", name_of(experiment, static_cast<std::size_t>(each.trial)),
+            each.distance,
+            each.instead < 0 ? ""
+                             : ", or in its stead " +
+                                   name_of(experiment, static_cast<std::size_t>(each.instead))));
     if (names.empty()) continue;
     warnings.push_back(fmt::format(
         "experiment '{}': forces are far from what all other trials tell of them: {}. Is a row "

@@ -83,6 +83,20 @@ TEST(OddTrials, AreFarFromWhatAFitWithoutThemPredicts) {
   }
 }
 
+// One row turned by far more than its noise pulls sound rows along; they are not accused for it.
+TEST(OddTrials, AccuseNoTrialForTheSakeOfAnother) {
+  std::mt19937 rng(8);
+  for (int draw = 0; draw < 10; ++draw) {
+    FitSetup setup = drawn(rng);
+    const int turned = draw % static_cast<int>(setup.experiments.front().trials.size());
+    setup.experiments.front().trials[static_cast<std::size_t>(turned)].force +=
+        Eigen::Vector3d(0.4, -0.5, 0.3);  // [N], of sd 0.02
+    const Found found = find_odd(setup);
+    ASSERT_EQ(found.odd.size(), 1U) << draw;
+    EXPECT_EQ(found.odd.front().trial, turned);
+  }
+}
+
 TEST(OddTrials, AreNamedWithTheirLoadsAndPostures) {
   std::mt19937 rng(7);
   FitSetup setup = drawn(rng);
