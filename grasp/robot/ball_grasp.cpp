@@ -1,7 +1,9 @@
 #include "grasp/robot/ball_grasp.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <map>
 #include <utility>
 
 #include "base/numbers.h"
@@ -74,24 +76,31 @@ Matrix3Xd points_on(const TriangleMesh& mesh, int count) {
   return all;
 }
 
-/// Points of all shapes of a link, in its frame.
-Matrix3Xd points_of(const RobotLink& link) {
-  // Points of each shape, meshes as they are and primitives by their surface.
-  std::vector<Matrix3Xd> parts;
-  Eigen::Index count = 0;
-  const int each = std::max(30, kPoints / static_cast<int>(link.shapes.size()));
-  for (const ShapeSpec& shape : link.shapes) {
-    Matrix3Xd points;
-    if (shape.kind == ShapeKind::kMesh) {
-      if (shape.mesh.triangles.cols() == 0) continue;
-      points = (shape.X_BS.R * points_on(shape.mesh, each)).colwise() + shape.X_BS.p;
-    } else {
-      points = points_on(build_solid({shape}).visual, each);
-    }
-    count += points.cols();
-    parts.push_back(std::move(points));
+/// Normals of triangles times areas, those of one direction summed. (3, directions) [m^2]
+Matrix3Xd faces_of(const TriangleMesh& mesh) {
+  constexpr double kCell = 1e-3;  // of normals that are one [1]
+  std::map<std::array<long, 3>, Vector3d> sums;
+  for (Eigen::Index t = 0; t < mesh.triangles.cols(); ++t) {
+    const Vector3d a = mesh.vertices.col(mesh.triangles(0, t));
+    const Vector3d area = (mesh.vertices.col(mesh.triangles(1, t)) - a)
+                              .cross(mesh.vertices.col(mesh.triangles(2, t)) - a) /
+                          2;
+    const double size = area.norm();
+    if (!(size > 0)) continue;
+    const auto cell = [&](int k) { return std::lround(area[k] / size / kCell); };
+    const auto at = sums.try_emplace({cell(0), cell(1), cell(2)}, Vector3d::Zero()).first;
+    at->second += area;
   }
-  // All in one matrix.
+  Matrix3Xd faces(3, static_cast<Eigen::Index>(sums.size()));
+  Eigen::Index i = 0;
+  for (const auto& [cell, sum] : sums) faces.col(i++) = sum;
+  return faces;
+}
+
+/// All in one matrix. (3, columns)
+Matrix3Xd side_by_side_of(const std::vector<Matrix3Xd>& parts) {
+  Eigen::Index count = 0;
+  for (const Matrix3Xd& part : parts) count += part.cols();
   Matrix3Xd all(3, count);
   Eigen::Index at = 0;
   for (const Matrix3Xd& part : parts) {
@@ -99,6 +108,29 @@ Matrix3Xd points_of(const RobotLink& link) {
     at += part.cols();
   }
   return all;
+}
+
+/// Points and faces of all shapes of a link, in its frame.
+struct LinkSamples {
+  Matrix3Xd points, faces;
+};
+
+LinkSamples samples_of(const RobotLink& link) {
+  // Of each shape, meshes as they are and primitives by their surface.
+  std::vector<Matrix3Xd> points, faces;
+  const int each = std::max(30, kPoints / static_cast<int>(link.shapes.size()));
+  for (const ShapeSpec& shape : link.shapes) {
+    if (shape.kind == ShapeKind::kMesh) {
+      if (shape.mesh.triangles.cols() == 0) continue;
+      points.emplace_back((shape.X_BS.R * points_on(shape.mesh, each)).colwise() + shape.X_BS.p);
+      faces.emplace_back(shape.X_BS.R * faces_of(shape.mesh));
+    } else {
+      const TriangleMesh surface = build_solid({shape}).visual;
+      points.push_back(points_on(surface, each));
+      faces.push_back(faces_of(surface));
+    }
+  }
+  return {side_by_side_of(points), side_by_side_of(faces)};
 }
 
 Vector3d at(const std::vector<Pose<double>>& links, int link, const Vector3d& p) {
@@ -141,8 +173,10 @@ BallGrasp::BallGrasp(const RobotSpec& robot) : hand_(without_shapes(robot)) {
     surface.name = link.name;
     surface.digit = link.digit;
     // Points at the reference posture, with their bounding ball.
-    surface.p = (frames[i].R * points_of(link)).colwise() + frames[i].p;
+    const LinkSamples samples = samples_of(link);
+    surface.p = (frames[i].R * samples.points).colwise() + frames[i].p;
     if (surface.p.cols() == 0) continue;
+    surface.faces = frames[i].R * samples.faces;
     surface.centre = (surface.p.rowwise().minCoeff() + surface.p.rowwise().maxCoeff()) / 2;
     surface.radius = (surface.p.colwise() - surface.centre).colwise().norm().maxCoeff();
     // Coordinates that move the surface.

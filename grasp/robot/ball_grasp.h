@@ -29,7 +29,9 @@ struct SampledSurface {
   std::string name;                 // of the robot's link
   std::string digit;                // empty: palm or arm
   Eigen::Matrix3Xd p;               // hand frame, reference posture [m] (3, points)
-  Eigen::Vector3d centre{0, 0, 0};  // of a ball around them [m] (3)
+  Eigen::Matrix3Xd faces;           // outward normals times areas, of flat faces and of pieces of
+                                    // rounded ones, hand frame, reference posture [m^2] (3, faces)
+  Eigen::Vector3d centre{0, 0, 0};  // of a ball around the points [m] (3)
   double radius = 0;                // of this ball [m]
   std::vector<int> moved_by;        // coordinates that move the link
 };

@@ -21,24 +21,10 @@ constexpr double kOpposition = 0.6;     // range from which a turning motor may 
 constexpr double kFarther = 1.4;        // smallest ratio to the ranges of the others [1]
 constexpr double kBack = 0.6;           // farthest that fingers bend backwards to open [rad]
 constexpr double kAsFar = 0.85;  // share of a tip's motion from which another moves as far [1]
-// Smallest cosine at which a direction is taken for an axis of the hand's frame [1]: for the palm's
-// normal, and for the direction from the palm to half-closed ends, which says less.
-constexpr double kSnapNormal = 0.9925, kSnapAhead = 0.96;
+constexpr double kNearNormal = 0.9925;  // least cosine to a flat face of the palm's normal [1]
 
 /// Number of positions at which each of so many turning motors is tried.
 int places(std::size_t motors) { return motors <= 1 ? 9 : motors == 2 ? 5 : 3; }
-
-int depth_of(const HandLayout& layout, int link) {
-  int depth = 0;
-  for (; link >= 0; link = layout.parents[static_cast<std::size_t>(link)]) ++depth;
-  return depth;
-}
-
-Vector3d snapped(const Vector3d& direction, double cosine) {
-  Eigen::Index largest = 0;
-  if (direction.cwiseAbs().maxCoeff(&largest) < cosine) return direction;
-  return (direction[largest] < 0 ? -1 : 1) * Vector3d::Unit(largest);
-}
 
 }  // namespace
 
@@ -61,14 +47,21 @@ DigitMotion::DigitMotion(const BallGrasp& grip, bool closing)
   }
 }
 
-void DigitMotion::find_digits() {
+/// Number of moving joints from the base to a link.
+int DigitMotion::depth_of(int link) const {
   const HandLayout& layout = grip_.hand().layout();
+  int depth = 0;
+  for (; link >= 0; link = layout.parents[static_cast<std::size_t>(link)]) ++depth;
+  return depth;
+}
+
+void DigitMotion::find_digits() {
   const std::vector<Pose<double>> links = grip_.hand().pose(rest_);
   const std::vector<SampledSurface>& surfaces = grip_.surfaces();
   std::vector<int> depth;
   depth.reserve(surfaces.size());
   // Innermost and outermost surface of each digit, by depth in the tree.
-  for (const SampledSurface& surface : surfaces) depth.push_back(depth_of(layout, surface.link));
+  for (const SampledSurface& surface : surfaces) depth.push_back(depth_of(surface.link));
   for (std::size_t s = 0; s < surfaces.size(); ++s) {
     if (surfaces[s].digit.empty()) continue;
     auto digit = std::find_if(digits_.begin(), digits_.end(),
@@ -334,7 +327,11 @@ DigitRoles DigitMotion::roles(std::size_t option) const {
     roles.root += digits_[i].root / static_cast<double>(fingers.size());
     roles.length += (digits_[i].tip - digits_[i].root).norm() / static_cast<double>(fingers.size());
   }
-  roles.normal = snapped(normal.normalized(), kSnapNormal);
+  const std::vector<Pose<double>> links = grip_.hand().pose(rest_);
+  roles.normal = normal.normalized();
+  roles.normal = without_rounding(
+      facing_direction(faces_of(palm_surfaces(), links), roles.normal, kNearNormal, {})
+          .value_or(roles.normal));
   along -= along.dot(roles.normal) * roles.normal;
   // A palm needs fingers and an opposed digit.
   roles.palm = fingers.size() < count && along.norm() > kNothing;
@@ -441,54 +438,6 @@ VectorXd DigitMotion::half_closed(std::size_t option) const {
         q[driven.coordinate] =
             (layout.lower[driven.coordinate] + layout.upper[driven.coordinate]) / 2;
   return q;
-}
-
-/// Bounding box of surfaces with the links posed. @param links  RobotHand::pose()
-Eigen::AlignedBox3d DigitMotion::box_of(const std::vector<std::size_t>& surfaces,
-                                        const std::vector<Pose<double>>& links) const {
-  Eigen::AlignedBox3d box;
-  for (const std::size_t s : surfaces) {
-    const SampledSurface& surface = grip_.surfaces()[s];
-    for (Eigen::Index i = 0; i < surface.p.cols(); ++i) {
-      const Vector3d p = surface.p.col(i);
-      box.extend(surface.link < 0 ? p
-                                  : Vector3d(links[static_cast<std::size_t>(surface.link)] * p));
-    }
-  }
-  return box;
-}
-
-/// The palm: links without digit on the outermost link that has such.
-std::vector<std::size_t> DigitMotion::palm_surfaces() const {
-  const HandLayout& layout = grip_.hand().layout();
-  std::vector<std::size_t> palm;
-  for (std::size_t s = 0; s < grip_.surfaces().size(); ++s) {
-    const SampledSurface& surface = grip_.surfaces()[s];
-    if (!surface.digit.empty()) continue;
-    const int depth = depth_of(layout, surface.link);
-    if (!palm.empty() && depth > depth_of(layout, grip_.surfaces()[palm.front()].link))
-      palm.clear();
-    if (palm.empty() || surface.link == grip_.surfaces()[palm.front()].link) palm.push_back(s);
-  }
-  return palm;
-}
-
-PalmApproach DigitMotion::ahead(std::size_t option) const {
-  const std::vector<Pose<double>> links = grip_.hand().pose(half_closed(option));
-  // Mean position of the ends.
-  Vector3d ends = Vector3d::Zero();
-  for (const Digit& digit : digits_)
-    ends += box_of({digit.last}, links).center() / static_cast<double>(digits_.size());
-  PalmApproach approach;
-  const Eigen::AlignedBox3d box = box_of(palm_surfaces(), links);
-  if (!box.isEmpty()) approach.point = box.center();
-  // From the centre of the palm towards the ends, starting at its box.
-  const Vector3d ahead = ends - approach.point;
-  if (ahead.norm() > 1e-6) approach.direction = snapped(ahead.normalized(), kSnapAhead);
-  if (!box.isEmpty())
-    approach.point += (box.sizes().array() / 2 / approach.direction.array().abs()).minCoeff() *
-                      approach.direction;
-  return approach;
 }
 
 }  // namespace thenar

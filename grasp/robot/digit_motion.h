@@ -8,6 +8,7 @@
 #include <Eigen/Core>
 #include <Eigen/Geometry>
 
+#include "grasp/robot/approach_direction.h"
 #include "grasp/robot/ball_grasp.h"
 #include "grasp/robot/closing_options.h"
 
@@ -41,7 +42,8 @@ class DigitMotion {
   /// Postures in which closing may begin: closing drives open, opposed digits turned in all ways.
   [[nodiscard]] std::vector<Eigen::VectorXd> openings(std::size_t option, const DigitRoles& roles,
                                                       bool only_one) const;
-  /// Approach from the end of the palm's box, on the line from its centre to the half-closed ends.
+  /// Approach from the end of the palm's box, from its centre to the half-closed ends: across the
+  /// axes about which digits close, and along flat faces of jaws that slide or of the palm.
   [[nodiscard]] PalmApproach ahead(std::size_t option) const;
 
  private:
@@ -72,7 +74,17 @@ class DigitMotion {
   [[nodiscard]] Eigen::VectorXd outer_open(std::size_t option, Eigen::VectorXd open) const;
   [[nodiscard]] std::vector<std::size_t> palm_surfaces() const;
   [[nodiscard]] Eigen::AlignedBox3d box_of(const std::vector<std::size_t>& surfaces,
-                                           const std::vector<Pose<double>>& links) const;
+                                           const std::vector<Pose<double>>& links,
+                                           const Eigen::Matrix3d& R) const;
+  [[nodiscard]] Eigen::Matrix3Xd faces_of(const std::vector<std::size_t>& surfaces,
+                                          const std::vector<Pose<double>>& links) const;
+  [[nodiscard]] Eigen::Matrix3Xd closing_axes(const Digit& digit, std::size_t option,
+                                              const Eigen::VectorXd& q) const;
+  [[nodiscard]] bool slides_only(const Digit& digit, std::size_t option) const;
+  [[nodiscard]] Eigen::Vector3d approach_near(const Eigen::Vector3d& rough, std::size_t option,
+                                              const ClosingAxes& axes,
+                                              const std::vector<Pose<double>>& links) const;
+  [[nodiscard]] int depth_of(int link) const;
   [[nodiscard]] Eigen::VectorXd half_closed(std::size_t option) const;
   [[nodiscard]] std::vector<std::size_t> find_fingers(const std::vector<Eigen::Vector3d>& ways,
                                                       const std::vector<double>& turns) const;

@@ -54,6 +54,11 @@ class RobotHand final : public Hand {
     return movers_[static_cast<std::size_t>(link)].is_prismatic;
   }
 
+  /// Entry of q that moves the joint that carries a link of the Hand.
+  [[nodiscard]] int coordinate_of(int link) const {
+    return movers_[static_cast<std::size_t>(link)].coordinate;
+  }
+
   /// Link of the Hand that a link of the robot belongs to; -1: the base.
   [[nodiscard]] int mover_of(std::size_t link) const { return mover_of_[link]; }
 

@@ -242,6 +242,53 @@ TEST(GuessClosing, ClosesJawsThatTurnWhereverTheyBegin) {
         EXPECT_EQ(dof.speed, upwards ? 1 : -1) << begins_open << dof.name;
 }
 
+/// The robot turned in its base link: what the base holds, and the joints that it carries.
+RobotSpec turned(RobotSpec robot, const Eigen::Matrix3d& R) {
+  for (ShapeSpec& shape : robot.links[0].shapes) shape.X_BS = {R * shape.X_BS.R, R * shape.X_BS.p};
+  for (RobotJoint& joint : robot.joints)
+    if (joint.parent == robot.links[0].name) joint.X_PJ = {R * joint.X_PJ.R, R * joint.X_PJ.p};
+  return robot;
+}
+
+/// Grippers that approach along z of their base link: jaws that slide and that turn, and fingers
+/// round a palm.
+std::vector<RobotSpec> straight_grippers() {
+  return {jaws(0.05, true, true), turning_jaws(true, true), turning_jaws(false, false),
+          three_fingers()};
+}
+
+// Turned by 3 to 14 deg, less than what would be taken for another way up.
+TEST(GuessClosing, ApproachesAlongGrippersThatStandObliquelyOnTheirBase) {
+  for (const double tilt : {3.0, 6.0, 10.0, 14.0})
+    for (const Eigen::Vector3d& axis :
+         {Eigen::Vector3d(1, 0, 0), Eigen::Vector3d(0, 1, 0), Eigen::Vector3d(0.6, 0.48, 0.64)})
+      for (const RobotSpec& straight : straight_grippers()) {
+        const Eigen::Matrix3d R = rotation_about<double>(axis, tilt * kPi / 180);
+        const Eigen::Vector3d found = graspable(turned(straight, R)).approach.direction;
+        EXPECT_LT((found - R.col(2)).norm(), 1e-9) << tilt << " deg about " << axis.transpose();
+      }
+}
+
+// A plate that stands straight under an oblique gripper, as where a bracket mounts it.
+TEST(GuessClosing, ApproachesAlongAGripperOnAStraightPlate) {
+  const Eigen::Matrix3d R = rotation_about<double>(Eigen::Vector3d(0.6, 0.8, 0), 8 * kPi / 180);
+  for (const RobotSpec& straight : {jaws(0.05, true, true), turning_jaws(true, true)}) {
+    RobotSpec robot = turned(straight, R);
+    robot.links[0].shapes.push_back(
+        sample::shape(ShapeKind::kBox, {0.07, 0.1, 0.01}, {0, 0, -0.03}));
+    EXPECT_LT((graspable(robot).approach.direction - R.col(2)).norm(), 1e-9);
+  }
+}
+
+// A camera on one side moves the middle of the palm's box, not the way in which jaws point.
+TEST(GuessClosing, ApproachesStraightWithAPalmThatIsHeavierOnOneSide) {
+  for (RobotSpec robot : {jaws(0.05, true, true), turning_jaws(true, true)}) {
+    robot.links[0].shapes.push_back(
+        sample::shape(ShapeKind::kBox, {0.02, 0.03, 0.03}, {0.04, 0.01, 0.02}));
+    EXPECT_EQ(graspable(robot).approach.direction, Eigen::Vector3d::UnitZ());
+  }
+}
+
 // Turned about +y the tips go outwards: all curl downwards, none the other way.
 TEST(GuessClosing, CurlsFingersOfOneKindOneWay) {
   const RobotSpec robot = graspable(three_fingers());

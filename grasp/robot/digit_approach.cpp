@@ -1,0 +1,181 @@
+#include <algorithm>
+#include <cmath>
+
+#include "grasp/robot/approach_direction.h"
+#include "grasp/robot/digit_motion.h"
+
+namespace thenar {
+namespace {
+
+using Eigen::Matrix3Xd;
+using Eigen::Vector3d;
+using Eigen::VectorXd;
+
+// Least cosine of the approach to the direction from the palm to half-closed ends [1].
+constexpr double kNearAhead = 0.96;
+constexpr double kTwoHinges = 1e-3;  // least distance of hinges that are two [m]
+constexpr double kNoSpin = 1e-9;     // rotation per unit of a drive that counts as none [1]
+
+/// All in one matrix. (3, columns)
+Matrix3Xd all_of(const std::vector<Matrix3Xd>& parts) {
+  Eigen::Index count = 0;
+  for (const Matrix3Xd& part : parts) count += part.cols();
+  Matrix3Xd all(3, count);
+  Eigen::Index at = 0;
+  for (const Matrix3Xd& part : parts) {
+    all.middleCols(at, part.cols()) = part;
+    at += part.cols();
+  }
+  return all;
+}
+
+/// Rotation whose third column is a direction, and whose first is across it, near `side`. (3, 3)
+Eigen::Matrix3d frame_along(const Vector3d& direction, const Vector3d& side) {
+  Eigen::Index least = 0;
+  direction.cwiseAbs().minCoeff(&least);
+  const bool parallel = side.cross(direction).norm() < 0.1;
+  Eigen::Matrix3d R;
+  R.col(0) = across(parallel ? Vector3d(Vector3d::Unit(least)) : side, direction);
+  R.col(1) = direction.cross(R.col(0));
+  R.col(2) = direction;
+  return R;
+}
+
+}  // namespace
+
+/// Bounding box of surfaces with the links posed, its sides along the columns of R.
+/// @param links  RobotHand::pose()
+Eigen::AlignedBox3d DigitMotion::box_of(const std::vector<std::size_t>& surfaces,
+                                        const std::vector<Pose<double>>& links,
+                                        const Eigen::Matrix3d& R) const {
+  Eigen::AlignedBox3d box;
+  for (const std::size_t s : surfaces) {
+    const SampledSurface& surface = grip_.surfaces()[s];
+    for (Eigen::Index i = 0; i < surface.p.cols(); ++i) {
+      const Vector3d p = surface.p.col(i);
+      box.extend(
+          R.transpose() *
+          (surface.link < 0 ? p : Vector3d(links[static_cast<std::size_t>(surface.link)] * p)));
+    }
+  }
+  return box;
+}
+
+/// The palm: links without digit on the outermost link that has such.
+std::vector<std::size_t> DigitMotion::palm_surfaces() const {
+  std::vector<std::size_t> palm;
+  for (std::size_t s = 0; s < grip_.surfaces().size(); ++s) {
+    const SampledSurface& surface = grip_.surfaces()[s];
+    if (!surface.digit.empty()) continue;
+    const int depth = depth_of(surface.link);
+    if (!palm.empty() && depth > depth_of(grip_.surfaces()[palm.front()].link)) palm.clear();
+    if (palm.empty() || surface.link == grip_.surfaces()[palm.front()].link) palm.push_back(s);
+  }
+  return palm;
+}
+
+/// Faces of surfaces with the links posed, in the hand's frame. (3, faces) [m^2]
+/// @param links  RobotHand::pose()
+Matrix3Xd DigitMotion::faces_of(const std::vector<std::size_t>& surfaces,
+                                const std::vector<Pose<double>>& links) const {
+  std::vector<Matrix3Xd> faces;
+  for (const std::size_t s : surfaces) {
+    const SampledSurface& surface = grip_.surfaces()[s];
+    faces.push_back(surface.faces);
+    if (surface.link >= 0)
+      faces.back() = links[static_cast<std::size_t>(surface.link)].R * surface.faces;
+  }
+  return all_of(faces);
+}
+
+/// Axes of the hinges of a digit that closing drives move; of a digit without, its slide. (3, axes)
+Matrix3Xd DigitMotion::closing_axes(const Digit& digit, std::size_t option,
+                                    const VectorXd& q) const {
+  if (slides_only(digit, option)) return curl_way(digit, option);
+  const RobotHand& hand = grip_.hand();
+  std::vector<bool> closing(hand.layout().coordinates.size(), false);
+  for (std::size_t d = 0; d < drives_.size(); ++d)
+    for (const DrivenCoordinate& driven : drives_[d].moves)
+      if (options_[option].speed[d] != 0)
+        closing[static_cast<std::size_t>(driven.coordinate)] = true;
+  std::vector<Matrix3Xd> axes;
+  for (int link = grip_.surfaces()[digit.last].link; link >= 0;
+       link = hand.layout().parents[static_cast<std::size_t>(link)])
+    if (!hand.is_prismatic(link) && closing[static_cast<std::size_t>(hand.coordinate_of(link))])
+      axes.emplace_back(hand.axis(q, link));
+  return all_of(axes);
+}
+
+/// Whether a digit closes along slides alone.
+bool DigitMotion::slides_only(const Digit& digit, std::size_t option) const {
+  const auto is_slide = [&](int link) { return grip_.hand().is_prismatic(link); };
+  bool any_hinge = false;
+  for (int link = grip_.surfaces()[digit.last].link; link >= 0;
+       link = grip_.hand().layout().parents[static_cast<std::size_t>(link)])
+    any_hinge = any_hinge || !is_slide(link);
+  return !curl_way(digit, option).isZero(0) &&
+         std::all_of(
+             digit.curls.begin(), digit.curls.end(),
+             [&](int d) { return spin(static_cast<std::size_t>(d), digit).norm() < kNoSpin; }) &&
+         !any_hinge;
+}
+
+/// The direction of approach near a rough one: across the axes about which digits close, along
+/// faces of jaws that slide or of the palm, or through the middle of two parallel hinges. (3)
+Vector3d DigitMotion::approach_near(const Vector3d& rough, std::size_t option,
+                                    const ClosingAxes& axes,
+                                    const std::vector<Pose<double>>& links) const {
+  // The only direction across all axes.
+  if (axes.normal) {
+    const double along = axes.normal->dot(rough);
+    if (std::abs(along) >= kNearAhead) return std::copysign(1.0, along) * *axes.normal;
+  }
+  // Faces of sliding jaws, then those of the palm.
+  const Vector3d near = axes.line ? across(rough, *axes.line) : rough;
+  std::vector<std::size_t> sliding;
+  for (const Digit& digit : digits_)
+    for (std::size_t s = 0; s < grip_.surfaces().size(); ++s)
+      if (grip_.surfaces()[s].digit == digit.name && slides_only(digit, option))
+        sliding.push_back(s);
+  for (const std::vector<std::size_t>& surfaces : {sliding, palm_surfaces()})
+    if (const auto found = facing_direction(faces_of(surfaces, links), near, kNearAhead, axes.line))
+      return *found;
+  // Across the line between two parallel hinges.
+  if (axes.line && digits_.size() == 2) {
+    const Vector3d middle = (digits_[1].root - digits_[0].root).cross(*axes.line);
+    const double along = middle.normalized().dot(near);
+    if (middle.norm() > kTwoHinges && std::abs(along) >= kNearAhead)
+      return std::copysign(1.0, along) * middle.normalized();
+  }
+  return near;
+}
+
+PalmApproach DigitMotion::ahead(std::size_t option) const {
+  const VectorXd q = half_closed(option);
+  const std::vector<Pose<double>> links = grip_.hand().pose(q);
+  // Roughly from the centre of the palm towards the ends.
+  const Eigen::Matrix3d hand = Eigen::Matrix3d::Identity();
+  Vector3d ends = Vector3d::Zero();
+  for (const Digit& digit : digits_)
+    ends += box_of({digit.last}, links, hand).center() / static_cast<double>(digits_.size());
+  const Eigen::AlignedBox3d palm = box_of(palm_surfaces(), links, hand);
+  const Vector3d centre = palm.isEmpty() ? Vector3d(0, 0, 0) : Vector3d(palm.center());
+  const Vector3d rough = ends - centre;
+  // Along what faces near it tell, and axes where digits close at each other.
+  std::vector<Matrix3Xd> all;
+  if (!roles(option).palm)
+    for (const Digit& digit : digits_) all.push_back(closing_axes(digit, option, q));
+  const Matrix3Xd axes = all_of(all);
+  PalmApproach approach;
+  if (rough.norm() > 1e-6)
+    approach.direction =
+        without_rounding(approach_near(rough.normalized(), option, find_closing_axes(axes), links));
+  // From the end of the palm's box.
+  const Eigen::Matrix3d R =
+      frame_along(approach.direction, axes.cols() > 0 ? Vector3d(axes.col(0)) : Vector3d::Zero());
+  const Eigen::AlignedBox3d box = box_of(palm_surfaces(), links, R);
+  if (!box.isEmpty()) approach.point = R * (box.center() + Vector3d(0, 0, box.sizes().z() / 2));
+  return approach;
+}
+
+}  // namespace thenar
