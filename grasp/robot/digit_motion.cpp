@@ -341,24 +341,30 @@ DigitRoles DigitMotion::roles(std::size_t option) const {
 }
 
 /// The posture in which drives that close start at the limit from which they come. (coordinates)
-VectorXd DigitMotion::open_at(std::size_t option, bool only_one) const {
+/// @param others    posture of the other drives (coordinates)
+/// @param farthest  that drives which turn open from rest, where their range goes farther [rad]
+VectorXd DigitMotion::open_at(std::size_t option, const VectorXd& others, double farthest) const {
   const HandLayout& layout = grip_.hand().layout();
-  VectorXd open = rest_;
-  if (only_one && layout.open.size() > 0) open = layout.open;
+  VectorXd open = others;
   for (std::size_t d = 0; d < drives_.size(); ++d) {
-    // Fingers that also bend backwards do not open so far that they lie behind the palm.
-    const double farthest = !only_one && turns(d) ? kBack : kInfinity;
+    const double back = turns(d) ? farthest : kInfinity;
     for (const DrivenCoordinate& driven : drives_[d].moves) {
       const double rate = options_[option].speed[d] * driven.ratio;
       if (rate == 0) continue;
       const Eigen::Index c = driven.coordinate;
       const double lower = layout.lower[c], upper = layout.upper[c];
       open[c] = rate > 0 ? lower : upper;
-      if (std::min(std::abs(lower - rest_[c]), std::abs(upper - rest_[c])) > farthest)
-        open[c] = rest_[c] - std::copysign(farthest, rate);
+      if (std::min(std::abs(lower - rest_[c]), std::abs(upper - rest_[c])) > back)
+        open[c] = rest_[c] - std::copysign(back, rate);
     }
   }
   return open;
+}
+
+/// Whether every digit has one drive that curls it, as jaws have.
+bool DigitMotion::are_jaws() const {
+  return std::all_of(digits_.begin(), digits_.end(),
+                     [](const Digit& digit) { return digit.curls.size() <= 1; });
 }
 
 /// Up to three motors with the largest ranges that turn opposed digits.
@@ -393,9 +399,13 @@ std::vector<VectorXd> DigitMotion::motor_positions(const VectorXd& before, std::
 
 std::vector<VectorXd> DigitMotion::openings(std::size_t option, const DigitRoles& roles,
                                             bool only_one) const {
-  const VectorXd open = open_at(option, only_one);
+  // A stated closing opens as stated; jaws open as far as they go.
+  const VectorXd& stated = grip_.hand().layout().open;
+  if (only_one) return {open_at(option, stated.size() > 0 ? stated : rest_, kInfinity)};
+  if (!roles.palm && are_jaws()) return {open_at(option, rest_, kInfinity)};
+  // Fingers that also bend backwards do not open so far that they lie behind the palm.
+  const VectorXd open = open_at(option, rest_, kBack);
   std::vector<VectorXd> openings{open};
-  if (only_one) return openings;
   // Digits that curl at each other may start with outer joints open.
   if (!roles.palm)
     for (const VectorXd& inner : {open, rest_}) openings.push_back(outer_open(option, inner));

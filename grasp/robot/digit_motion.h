@@ -66,7 +66,9 @@ class DigitMotion {
   [[nodiscard]] double sign_against(std::size_t outer, std::size_t drive, const Digit& digit) const;
   [[nodiscard]] Eigen::VectorXd moved(const std::vector<double>& senses, double share) const;
   [[nodiscard]] double apart(const Eigen::VectorXd& q) const;
-  [[nodiscard]] Eigen::VectorXd open_at(std::size_t option, bool only_one) const;
+  [[nodiscard]] Eigen::VectorXd open_at(std::size_t option, const Eigen::VectorXd& others,
+                                        double farthest) const;
+  [[nodiscard]] bool are_jaws() const;
   [[nodiscard]] std::vector<std::size_t> opposing_motors(const DigitRoles& roles) const;
   [[nodiscard]] std::vector<Eigen::VectorXd> motor_positions(const Eigen::VectorXd& before,
                                                              std::size_t motor,

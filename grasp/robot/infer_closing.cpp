@@ -24,7 +24,8 @@ constexpr double kOfReach = 0.35;  // its radius by the length of a finger, for 
 constexpr double kHumanSize[] = {0.5, 2};  // range of human size, by kBall [1]
 constexpr int kCoarse = 24, kFine = 60;    // steps of closing
 constexpr std::size_t kTried = 12;         // candidates that are tried on three balls
-constexpr int kHalvings = 4;               // of a ball that no digits face each other across
+// Sizes of further balls, where no digits face each other across the first one [1].
+constexpr double kFurther[] = {1.0 / 2, 1.0 / 4, 1.0 / 8, 1.0 / 16, 1.5, 2.25, 3.4};
 
 /// A way of closing, and its score.
 struct Candidate {
@@ -52,13 +53,15 @@ class ClosingSearch {
   }
 
   InferredClosing run() {
-    // Where no digit touches the ball, as between jaws of a short stroke, smaller ones.
+    // Where no digits face each other across it, smaller ones, for jaws of a short stroke, and
+    // larger ones, for jaws that stay apart.
     const double first = ball_;
     const Candidate on_first = best_on_ball();
-    for (int halved = 0; halved <= kHalvings; ++halved) {
-      const Candidate best = halved == 0 ? on_first : best_on_ball();
+    if (faces(on_first)) return guess_of(on_first);
+    for (const double size : kFurther) {
+      ball_ = size * first;
+      const Candidate best = best_on_ball();
       if (faces(best)) return guess_of(best);
-      ball_ /= 2;
     }
     ball_ = first;
     return guess_of(on_first);
@@ -231,7 +234,8 @@ class ClosingSearch {
           guess.closing.push_back(
               fmt::format("{} {}", dof.name, dof.speed > 0 ? "upwards" : "downwards"));
         }
-        // Motors that start elsewhere than without a stated posture.
+        // Motors that start elsewhere than without a stated posture; a stated one is kept.
+        if (dof.open) continue;
         const DrivenCoordinate& first = drive.moves.front();
         const double at = open[first.coordinate] / first.ratio;
         if (std::abs(open[first.coordinate] - unsaid_open(first, dof.speed)) < 1e-9) continue;

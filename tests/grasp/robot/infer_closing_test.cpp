@@ -12,6 +12,7 @@
 
 #include "base/file_io.h"
 #include "data/io/robot/import_robot.h"
+#include "data/io/robot/link_poses.h"
 #include "data/io/robot/urdf.h"
 #include "grasp/closing/grasp.h"
 #include "grasp/robot/infer_hand.h"
@@ -240,6 +241,42 @@ TEST(GuessClosing, ClosesJawsThatTurnWhereverTheyBegin) {
     for (const bool upwards : {true, false})
       for (const RobotDof& dof : graspable(turning_jaws(begins_open, upwards)).dofs)
         EXPECT_EQ(dof.speed, upwards ? 1 : -1) << begins_open << dof.name;
+}
+
+/// The same jaws with value 0 in the middle of their ranges.
+RobotSpec from_the_middle(RobotSpec robot) {
+  for (std::size_t i = 0; i < robot.joints.size(); ++i) {
+    RobotJoint& joint = robot.joints[i];
+    const double middle = (joint.lower + joint.upper) / 2;
+    joint.X_PJ = joint.X_PJ * joint_motion(joint, middle);
+    joint.lower = robot.dofs[i].lower -= middle;
+    joint.upper = robot.dofs[i].upper -= middle;
+  }
+  return robot;
+}
+
+// Jaws open as far as they go, wherever 0 is: at 0 they may be closed, or half closed.
+TEST(GuessClosing, OpensJawsToTheLimitThatTheyLeave) {
+  for (const bool begins_open : {true, false})
+    for (const bool upwards : {true, false})
+      for (const RobotSpec& jaws :
+           {jaws(0.05, begins_open, upwards), turning_jaws(begins_open, upwards)})
+        for (const RobotSpec& robot : {jaws, from_the_middle(jaws)}) {
+          const HandLayout layout = RobotHand(graspable(robot)).layout();
+          EXPECT_EQ(open_posture(layout), upwards ? layout.lower : layout.upper)
+              << begins_open << upwards;
+        }
+}
+
+// Closed at 0 they are 80 mm apart: nothing smaller tells which way closes them.
+TEST(GuessClosing, ClosesJawsThatStayApart) {
+  for (const bool upwards : {true, false}) {
+    RobotSpec robot = turning_jaws(false, upwards);
+    robot.joints[0].X_PJ.p.y() = 0.04;
+    robot.joints[1].X_PJ.p.y() = -0.04;
+    for (const RobotDof& dof : graspable(robot).dofs)
+      EXPECT_EQ(dof.speed, upwards ? 1 : -1) << dof.name;
+  }
 }
 
 /// The robot turned in its base link: what the base holds, and the joints that it carries.
