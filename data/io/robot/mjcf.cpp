@@ -57,6 +57,8 @@ class BodyTree {
       robot_.warnings.push_back(
           fmt::format("geoms that do not collide stand for the missing collision geoms of {}",
                       fmt::join(shown_, ", ")));
+    name_endless(endless_hinges_, kPi, "rad");
+    name_endless(endless_slides_, kUnknownTravel, "m");
   }
 
   [[nodiscard]] const std::vector<double>& ref() const { return ref_; }
@@ -280,9 +282,17 @@ class BodyTree {
     // Without limits: one turn, or a metre.
     joint.upper = joint.kind == RobotJointKind::kRevolute ? kPi : kUnknownTravel;
     joint.lower = -joint.upper;
-    robot_.warnings.push_back(fmt::format("joint '{}' has no limits; it gets {:.6g} to {:.6g} {}",
-                                          joint.name, joint.lower, joint.upper,
-                                          joint.kind == RobotJointKind::kRevolute ? "rad" : "m"));
+    (joint.kind == RobotJointKind::kRevolute ? endless_hinges_ : endless_slides_)
+        .push_back(joint.name);
+  }
+
+  /// Warns of joints without limits, all of a kind at once.
+  void name_endless(const std::vector<std::string>& names, double upper, const char* unit) {
+    if (names.empty()) return;
+    const bool alone = names.size() == 1;
+    robot_.warnings.push_back(fmt::format("{} {} no limits; {} {:.6g} to {:.6g} {}",
+                                          internal::these("joint", names), alone ? "has" : "have",
+                                          alone ? "it gets" : "they get", -upper, upper, unit));
   }
 
   void add(const RobotJoint& joint, double ref) {
@@ -308,6 +318,7 @@ class BodyTree {
   RobotSpec& robot_;
   std::vector<double> ref_;  // value of each joint in the file's posture [rad] or [m]
   std::set<std::string> names_, joint_names_;
+  std::vector<std::string> endless_hinges_, endless_slides_;  // joints without limits
   std::vector<std::string> shown_;  // links with geoms that do not collide, only
 };
 

@@ -93,6 +93,10 @@ class UrdfTranslation {
     if (!shown_.empty())
       robot_.warnings.push_back(fmt::format(
           "visual shapes stand for the missing collision shapes of {}", fmt::join(shown_, ", ")));
+    if (!endless_.empty())
+      robot_.warnings.push_back(fmt::format("{} {} one turn, -pi to pi",
+                                            internal::these("continuous joint", endless_),
+                                            endless_.size() == 1 ? "gets" : "get"));
     robot_.files.merge(meshes_.files());
   }
 
@@ -182,8 +186,7 @@ class UrdfTranslation {
     if (joint.type == urdf::Joint::CONTINUOUS) {
       ours.lower = -kPi;
       ours.upper = kPi;
-      robot_.warnings.push_back(
-          fmt::format("continuous joint '{}' gets one turn, -pi to pi", joint.name));
+      endless_.push_back(joint.name);
     } else if (joint.limits && ours.kind != RobotJointKind::kFixed) {
       ours.lower = joint.limits->lower;
       ours.upper = joint.limits->upper;
@@ -214,7 +217,8 @@ class UrdfTranslation {
   const XmlFile& file_;
   RobotSpec& robot_;
   std::vector<FollowerCoupling> couplings_;
-  std::vector<std::string> shown_;  // links that only have visual shapes
+  std::vector<std::string> shown_;    // links that only have visual shapes
+  std::vector<std::string> endless_;  // continuous joints
   MeshReader meshes_;
 };
 

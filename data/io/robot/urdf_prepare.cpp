@@ -153,18 +153,28 @@ void settle_link(const XmlFile& file, UnreadElements& unread, pugi::xml_node lin
     set_default(inertia, entry, "0");
 }
 
-void settle_limits(UnreadElements& unread, pugi::xml_node joint) {
+/// Notes joints of a type that have no limits, all at once.
+void note_unlimited(UnreadElements& unread, pugi::xml_node robot, const std::string& type,
+                    const std::string& taken, const std::string& all_taken) {
+  std::vector<std::string> names;
+  pugi::xml_node first;
+  for (const pugi::xml_node joint : robot.children("joint")) {
+    if (joint.attribute("type").value() != type || joint.child("limit")) continue;
+    if (names.empty()) first = joint;
+    names.emplace_back(joint.attribute("name").value());
+  }
+  if (!names.empty())
+    unread.note(first, fmt::format("{} {} no <limit>: {}", these(type + " joint", names),
+                                   names.size() == 1 ? "has" : "have",
+                                   names.size() == 1 ? taken : all_taken));
+}
+
+void settle_limits(pugi::xml_node joint) {
   const std::string type = joint.attribute("type").value();
-  const std::string name = joint.attribute("name").value();
   pugi::xml_node limit = joint.child("limit");
   // Missing limits: a continuous joint, or one that stays.
-  if (!limit && type == "revolute") {
-    unread.note(joint,
-                fmt::format("revolute joint '{}' has no <limit>: taken as continuous", name));
-    joint.attribute("type") = "continuous";
-  }
+  if (!limit && type == "revolute") joint.attribute("type") = "continuous";
   if (!limit && type == "prismatic") {
-    unread.note(joint, fmt::format("prismatic joint '{}' has no <limit>: it stays at zero", name));
     if (!joint.child("mimic").empty())
       limit = joint.append_child("limit");  // widened by its coupling
     else
@@ -175,8 +185,7 @@ void settle_limits(UnreadElements& unread, pugi::xml_node joint) {
   set_default(limit, "velocity", "0");
 }
 
-void settle_joint(const XmlFile& file, UnreadElements& unread, pugi::xml_node joint,
-                  const std::set<std::string>& links) {
+void settle_joint(const XmlFile& file, pugi::xml_node joint, const std::set<std::string>& links) {
   const std::string name = required_text(file, joint, "name");
   const std::string type = required_text(file, joint, "type");
   // Known type, and ends that exist.
@@ -197,7 +206,7 @@ void settle_joint(const XmlFile& file, UnreadElements& unread, pugi::xml_node jo
       axis && type != "fixed" && type != "floating")
     if (parse_vector3(file, axis, axis.attribute("xyz").value(), "<axis> xyz").isZero(0))
       file.fail(axis, fmt::format("axis of joint '{}' has no length", name));
-  settle_limits(unread, joint);
+  settle_limits(joint);
 }
 
 /// Names of one kind of element, each of which may occur once.
@@ -236,8 +245,9 @@ std::string prepare_urdf(const XmlFile& file, UnreadElements& unread) {
   (void)unique_names(file, robot, "joint");
   // Each element in the form that urdfdom accepts.
   for (const pugi::xml_node link : robot.children("link")) settle_link(file, unread, link);
-  for (const pugi::xml_node joint : robot.children("joint"))
-    settle_joint(file, unread, joint, links);
+  note_unlimited(unread, robot, "revolute", "taken as continuous", "taken as continuous");
+  note_unlimited(unread, robot, "prismatic", "it stays at zero", "they stay at zero");
+  for (const pugi::xml_node joint : robot.children("joint")) settle_joint(file, joint, links);
   require_one_parent(file, robot);
   if (*robot.attribute("name").value() == 0) {  // urdfdom needs a name
     robot.remove_attribute("name");

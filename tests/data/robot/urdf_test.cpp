@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <iterator>
 
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 
 #include "base/error.h"
@@ -424,6 +425,27 @@ TEST_F(Urdf, GivesContinuousJointsOneTurn) {
   EXPECT_EQ(robot.dofs[0].lower, -kPi);
   EXPECT_EQ(robot.dofs[0].upper, kPi);
   EXPECT_EQ(robot.joints[0].axis, Eigen::Vector3d::UnitX());  // the format's default
+}
+
+TEST_F(Urdf, NamesJointsWithoutLimitsOnce) {
+  std::string text = "<robot name='r'><link name='base'/>";
+  for (int i = 0; i < 6; ++i)
+    text += fmt::format(
+        "<link name='l{0}'/><joint name='j{0}' type='{1}'><parent link='base'/>"
+        "<child link='l{0}'/></joint>",
+        i,
+        i < 3   ? "continuous"
+        : i < 5 ? "revolute"
+                : "prismatic");
+  const RobotSpec robot = read(text + "</robot>");
+  EXPECT_THAT(robot.warnings,
+              Contains("continuous joints 'j0', 'j1', 'j2', 'j3' and 1 more get one turn, -pi to "
+                       "pi"));
+  EXPECT_THAT(robot.warnings,
+              Contains(HasSubstr("revolute joints 'j3', 'j4' have no <limit>: taken as "
+                                 "continuous")));
+  EXPECT_THAT(robot.warnings,
+              Contains(HasSubstr("prismatic joint 'j5' has no <limit>: it stays at zero")));
 }
 
 TEST_F(Urdf, HoldsFloatingAndPlanarJointsAndSaysSo) {
