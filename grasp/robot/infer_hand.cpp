@@ -12,6 +12,7 @@
 #include <fmt/ranges.h>
 
 #include "base/error.h"
+#include "base/words.h"
 #include "grasp/robot/infer_closing.h"
 
 namespace thenar {
@@ -47,6 +48,24 @@ void tell_digits(RobotSpec& robot) {
       fmt::format("no digits are stated: {} guessed: {}", digits.size(), fmt::join(names, ", ")));
 }
 
+/// Takes efforts in the direction of closing, where a file's differ by direction, and says so.
+void take_closing_efforts(RobotSpec& robot) {
+  std::vector<std::string> taken, none;
+  for (RobotDof& dof : robot.dofs) {
+    if (!take_effort_of_speed(dof)) continue;
+    if (dof.max_effort > 0)
+      taken.push_back(fmt::format("{:.4g} for '{}'", dof.max_effort, dof.name));
+    else
+      none.push_back("'" + dof.name + "'");
+  }
+  if (!taken.empty())
+    robot.warnings.push_back(
+        fmt::format("efforts are those of the direction that closes: {}", some_of(taken)));
+  if (!none.empty())
+    robot.warnings.push_back(
+        fmt::format("no effort in the direction that closes: {}; it is unknown", some_of(none)));
+}
+
 /// The robot with the closing of infer_closing(), and warnings that say what was inferred.
 RobotSpec with_closing(const RobotSpec& robot, const StatedClosing& known, bool digits_guessed) {
   InferredClosing guess = infer_closing(robot, known);
@@ -74,6 +93,7 @@ RobotSpec with_closing(const RobotSpec& robot, const StatedClosing& known, bool 
     warnings.push_back(fmt::format("closed on a ball of {:.0f} mm, {} touch{} nothing",
                                    2e3 * guess.ball, fmt::join(guess.idle, ", "),
                                    guess.idle.size() == 1 ? "es" : ""));
+  take_closing_efforts(guess.robot);
   // From now on the robot states both.
   guess.robot.closing_stated = guess.robot.approach_stated = true;
   return std::move(guess.robot);

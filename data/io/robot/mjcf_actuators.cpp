@@ -9,26 +9,29 @@
 namespace thenar::internal {
 namespace {
 
-/// Largest force: of the force range; or gear times gain times the largest control, for motors
-/// and general actuators that act like motors.
-double effort_of(const MjcfElement& actuator, const std::string& kind) {
-  const auto largest = [&](const char* range) {
-    const std::vector<double> ends = actuator.numbers(range);
-    return ends.size() == 2 ? std::max(std::abs(ends[0]), std::abs(ends[1])) : 0;
-  };
+/// Largest forces: of the force range; or gear times gain times the controls, for motors and
+/// general actuators that act like motors.
+EffortRange effort_of(const MjcfElement& actuator, const std::string& kind) {
   const std::vector<double> gear = actuator.numbers("gear");
-  const double ratio = gear.empty() ? 1 : std::abs(gear[0]);
+  const double ratio = gear.empty() ? 1 : gear[0];
+  const auto within = [&](const char* range, double gain) {
+    const std::vector<double> ends = actuator.numbers(range);
+    if (ends.size() != 2) return EffortRange{};
+    return EffortRange{std::max(0.0, std::max(ends[0], ends[1])),
+                       std::max(0.0, -std::min(ends[0], ends[1]))}
+        .through(gain * ratio);
+  };
   // A force range is explicit.
   if (actuator.text("forcelimited") != "false" && actuator.has("forcerange"))
-    return largest("forcerange") * ratio;
+    return within("forcerange", 1);
   // Otherwise the control range decides, if the gain is constant.
-  if (actuator.text("ctrllimited") == "false") return 0;
-  if (kind == "motor") return largest("ctrlrange") * ratio;
+  if (actuator.text("ctrllimited") == "false") return {};
+  if (kind == "motor") return within("ctrlrange", 1);
   const std::string gain = actuator.text("gaintype", "fixed"),
                     bias = actuator.text("biastype", "none");
-  if (kind != "general" || gain != "fixed" || bias != "none") return 0;
+  if (kind != "general" || gain != "fixed" || bias != "none") return {};
   const std::vector<double> gains = actuator.numbers("gainprm");
-  return largest("ctrlrange") * ratio * std::abs(gains.empty() ? 1 : gains[0]);
+  return within("ctrlrange", gains.empty() ? 1 : gains[0]);
 }
 
 bool has_tendon(const std::vector<FixedTendon>& tendons, const std::string& name) {
@@ -60,6 +63,17 @@ FixedTendon read_fixed_tendon(const MjcfSource& source, const RobotSpec& robot,
 }
 
 }  // namespace
+
+EffortRange EffortRange::through(double ratio) const {
+  return ratio < 0 ? EffortRange{-ratio * down, -ratio * up}
+                   : EffortRange{ratio * up, ratio * down};
+}
+
+EffortRange& EffortRange::operator+=(const EffortRange& other) {
+  up += other.up;
+  down += other.down;
+  return *this;
+}
 
 bool has_joint(const MjcfSource& source, const RobotSpec& robot, const pugi::xml_node& node,
                const std::string& name) {

@@ -26,11 +26,20 @@ struct FixedTendon {
   std::optional<JointRange> limits;  // of its length
 };
 
+/// Largest efforts in both directions; both 0: unknown.
+struct EffortRange {
+  double up = 0, down = 0;  // at least 0 [N m] or [N]
+
+  /// Of what moves by 1 / ratio: times its size, the directions exchanged where it is negative.
+  [[nodiscard]] EffortRange through(double ratio) const;
+  EffortRange& operator+=(const EffortRange& other);
+};
+
 /// An actuator on a joint or a fixed tendon.
 struct MjcfActuator {
   std::string name;
   std::string joint, tendon;  // one of these
-  double effort = 0;          // [N m] or [N]; 0 if unknown
+  EffortRange effort;         // on the joint or tendon
 };
 
 /// Whether an element names a hinge or slide of the robot. In an incomplete model it may name

@@ -11,6 +11,7 @@
 #include <pugixml.hpp>
 
 #include "base/error.h"
+#include "base/words.h"
 #include "data/io/robot/import_couplings.h"
 #include "data/io/robot/link_poses.h"
 #include "data/io/robot/mjcf_actuators.h"
@@ -18,6 +19,7 @@
 namespace thenar::internal {
 namespace {
 
+constexpr double kSameEffort = 1e-6;  // relative difference of efforts that are one [1]
 constexpr double kTight = 0.1;  // largest share of a tendon's travel that its limits leave [1]
 
 /// Gives joints their couplings, degrees of freedom and efforts.
@@ -41,6 +43,7 @@ class MjcfDrive {
       if (!actuator.tendon.empty()) drive_through_tendon(actuator);
     for (const MjcfActuator& actuator : actuators_)
       if (!actuator.joint.empty()) drive_joint(actuator);
+    set_efforts();
     // Names for the user, and loops last, as they need the motors.
     name_shared();
     close_loops(robot_, loops_, moved_);
@@ -245,9 +248,32 @@ class MjcfDrive {
       return;
     }
     // Efforts on one degree of freedom add up.
-    dof->max_effort += actuator.effort * std::abs(driven.ratio);
+    efforts_[dof->name] += actuator.effort.through(driven.ratio);
     moved_.insert(dof->name);
     by_dof_[dof->name].push_back(actuator.name);
+  }
+
+  /// Gives motors their efforts; of different ones in both directions the smaller, as long as
+  /// nothing says which way closes, and the only one of motors that pull one way.
+  void set_efforts() {
+    std::vector<std::string> uneven;
+    for (RobotDof& dof : robot_.dofs) {
+      const EffortRange effort = efforts_[dof.name];
+      const double least = std::min(effort.up, effort.down),
+                   most = std::max(effort.up, effort.down);
+      const bool even = most - least <= kSameEffort * most;
+      dof.max_effort = even || least == 0 ? most : least;
+      if (even) continue;
+      dof.effort_up = effort.up;
+      dof.effort_down = effort.down;
+      uneven.push_back(
+          fmt::format("'{}' {:.4g} upwards and {:.4g} downwards, of which {:.4g} is taken",
+                      dof.name, effort.up, effort.down, dof.max_effort));
+    }
+    if (!uneven.empty())
+      robot_.warnings.push_back(
+          fmt::format("efforts differ by direction, unless closing is inferred and decides: {}",
+                      some_of(uneven)));
   }
 
   /// Warns of degrees of freedom with several actuators, which count as one motor.
@@ -279,7 +305,7 @@ class MjcfDrive {
     // One degree of freedom: the actuator is its motor.
     if (by_dof.size() == 1) {
       RobotDof& dof = *find_dof(robot_, by_dof.begin()->first);
-      dof.max_effort += actuator.effort * std::sqrt(squares);
+      efforts_[dof.name] += actuator.effort.through(by_dof.begin()->second);
       moved_.insert(dof.name);
       by_dof_[dof.name].push_back(actuator.name);
       return;
@@ -313,7 +339,7 @@ class MjcfDrive {
     while (find_dof(robot_, shared.name) != nullptr) shared.name += " tendon";
     shared.kind = RobotDofKind::kCompliant;
     shared.speed = 1;
-    shared.max_effort = actuator.effort;
+    efforts_[shared.name] = actuator.effort;
     shared.lower = -std::numeric_limits<double>::infinity();
     shared.upper = std::numeric_limits<double>::infinity();
     // Joints follow it as equal springs would let them.
@@ -365,6 +391,7 @@ class MjcfDrive {
   std::vector<FollowerCoupling> couplings_, held_;
   std::vector<MjcfActuator> actuators_;
   std::set<std::string> moved_;                             // degrees of freedom with an actuator
+  std::map<std::string, EffortRange> efforts_;              // of each degree of freedom
   std::map<std::string, std::vector<std::string>> by_dof_;  // actuators of each degree of freedom
 };
 

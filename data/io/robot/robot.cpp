@@ -25,6 +25,12 @@ std::string name_of(RobotJointKind kind) {
   return "prismatic";
 }
 
+bool take_effort_of_speed(RobotDof& dof) {
+  if (dof.effort_up == dof.effort_down || dof.speed == 0) return false;
+  dof.max_effort = dof.speed > 0 ? dof.effort_up : dof.effort_down;
+  return true;
+}
+
 bool slides(const RobotJoint& joint) { return joint.kind == RobotJointKind::kPrismatic; }
 
 bool slides(const RobotSpec& robot, const RobotDof& dof) {

@@ -76,6 +76,8 @@ struct RobotDof {
   bool nominal_effort = false;  // max_effort is a model's placeholder, not a published number
   std::optional<double> open;   // value when closing begins [rad] or [m]; nothing: the limit from
                                 // which it closes, or for speed 0 zero or the nearest limit
+  double effort_up = 0;         // where a file's efforts differ by direction, both; otherwise 0;
+  double effort_down = 0;       //   not written to files [N m] or [N]
 };
 
 /// Approach of a hand towards an object: a point of the palm and its direction.
@@ -110,6 +112,10 @@ struct RobotSpec {
 [[nodiscard]] bool slides(const RobotJoint& joint);
 /// Whether the joints of a degree of freedom slide: as its first joint does.
 [[nodiscard]] bool slides(const RobotSpec& robot, const RobotDof& dof);
+
+/// Takes the effort of a degree of freedom in the direction of its speed, where its efforts differ
+/// by direction; 0, unknown, where it has none that way. @returns whether they differed
+bool take_effort_of_speed(RobotDof& dof);
 
 /// Reads a robot from TOML; docs/data_format.md describes the format. Mesh files are beside it.
 /// @throws DataError  `path:line: what was wanted, what came`.

@@ -21,7 +21,6 @@
 namespace thenar {
 namespace {
 
-using testing::AllOf;
 using testing::Contains;
 using testing::ElementsAre;
 using testing::HasSubstr;
@@ -237,7 +236,7 @@ TEST_F(Mjcf, SharesATendonAsEqualSpringsWould) {
       kFinger,
       "<tendon><fixed name='t'><joint joint='2' coef='1'/><joint joint='3' "
       "coef='1'/></fixed></tendon>"
-      "<actuator><position joint='1' forcerange='-3 2'/><position tendon='t' forcerange='-4 4'/>"
+      "<actuator><position joint='1' forcerange='-3 3'/><position tendon='t' forcerange='-4 4'/>"
       "</actuator>");
   ASSERT_THAT(names(robot.dofs), ElementsAre("1", "t"));
   EXPECT_EQ(robot.dofs[0].max_effort, 3);
@@ -339,17 +338,57 @@ TEST_F(Mjcf, TakesEffortsFromForceRangesOrMotorsGears) {
 TEST_F(Mjcf, TakesEffortsOfGeneralActuatorsThatAreMotors) {
   const RobotSpec robot =
       palm(kFinger,
-           "<actuator><general name='A' joint='1' gainprm='3' gear='5' ctrlrange='-1 2'/>"
+           "<actuator><general name='A' joint='1' gainprm='3' gear='5' ctrlrange='-2 2'/>"
            "<general name='B' joint='2' gainprm='3' biastype='affine' ctrlrange='0 1'/>"
            "</actuator>");
   EXPECT_EQ(robot.dofs[0].max_effort, 30);
   EXPECT_EQ(robot.dofs[1].max_effort, 0);
 }
 
+// Directions are those of the joint: a gear of -2 turns them round.
+TEST_F(Mjcf, TakesTheSmallerOfEffortsThatDifferByDirection) {
+  const RobotSpec robot =
+      palm(kFinger,
+           "<actuator><position joint='1' forcerange='-60 20'/>"
+           "<motor joint='2' gear='-2' ctrlrange='-3 5'/><motor joint='3' ctrlrange='-60 0'/>"
+           "</actuator>");
+  EXPECT_EQ(robot.dofs[0].max_effort, 20);
+  EXPECT_EQ(robot.dofs[0].effort_down, 60);
+  EXPECT_EQ(robot.dofs[1].max_effort, 6);
+  EXPECT_EQ(robot.dofs[1].effort_down, 10);
+  EXPECT_EQ(robot.dofs[2].max_effort, 60);
+  EXPECT_EQ(robot.dofs[2].effort_up, 0);
+  EXPECT_THAT(
+      robot.warnings,
+      Contains("efforts differ by direction, unless closing is inferred and decides: '1' 20 "
+               "upwards and 60 downwards, of which 20 is taken, '2' 6 upwards and 10 downwards, of "
+               "which 6 is taken, '3' 0 upwards and 60 downwards, of which 60 is taken"));
+}
+
+// One motor flexes with 5 N m, another extends with 2: not 7 either way.
+TEST_F(Mjcf, AddsEffortsInEachDirection) {
+  const RobotSpec robot =
+      palm(kFinger,
+           "<actuator><motor joint='1' ctrlrange='0 5'/><motor joint='1' ctrlrange='-2 0'/>"
+           "</actuator>");
+  EXPECT_EQ(robot.dofs[0].effort_up, 5);
+  EXPECT_EQ(robot.dofs[0].effort_down, 2);
+  EXPECT_EQ(robot.dofs[0].max_effort, 2);
+}
+
+TEST_F(Mjcf, NamesJointsWithoutLimitsOnce) {
+  const auto body = [](const std::string& name, const std::string& type) {
+    return "<body><joint name='" + name + "' type='" + type + "'/><geom size='0.1'/></body>";
+  };
+  EXPECT_THAT(palm(body("a", "hinge") + body("b", "hinge") + body("c", "slide")).warnings,
+              AllOf(Contains("joints 'a', 'b' have no limits; they get -3.14159 to 3.14159 rad"),
+                    Contains("joint 'c' has no limits; it gets -1 to 1 m")));
+}
+
 TEST_F(Mjcf, NamesTheActuatorsThatShareAJoint) {
   const RobotSpec robot =
       palm(kFinger,
-           "<actuator><motor name='A' joint='1' ctrlrange='0 2'/><position name='B' "
+           "<actuator><motor name='A' joint='1' ctrlrange='-2 2'/><position name='B' "
            "joint='1' forcerange='-3 3'/><motor name='C' joint='2' ctrlrange='0 1'/>"
            "</actuator>");
   EXPECT_EQ(robot.dofs[0].max_effort, 5);

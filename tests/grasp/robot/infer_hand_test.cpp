@@ -60,6 +60,22 @@ TEST(GuessHand, GuessesTheClosingThatNoFileStates) {
   EXPECT_EQ(graspable(robot).dofs[0].speed, -1);
 }
 
+// These jaws close downwards. A motor that only pulls upwards has nothing to close them with.
+TEST(GuessHand, TakesTheEffortOfTheDirectionThatCloses) {
+  RobotSpec robot = bare_jaws();
+  robot.dofs[0].max_effort = robot.dofs[0].effort_up = 20;
+  robot.dofs[0].effort_down = 60;
+  const RobotSpec found = graspable(robot);
+  EXPECT_EQ(found.dofs[0].max_effort, 60);
+  EXPECT_THAT(found.warnings,
+              Contains("efforts are those of the direction that closes: 60 for 'motor'"));
+  robot.dofs[0].effort_down = 0;
+  const RobotSpec opening = graspable(robot);
+  EXPECT_EQ(opening.dofs[0].max_effort, 0);
+  EXPECT_THAT(opening.warnings,
+              Contains("no effort in the direction that closes: 'motor'; it is unknown"));
+}
+
 TEST(GuessHand, SaysWhichEffortsAreNominal) {
   RobotSpec robot = sample::jaws();
   robot.dofs[0].nominal_effort = true;
