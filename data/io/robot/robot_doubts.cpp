@@ -1,18 +1,26 @@
 #include "data/io/robot/robot_doubts.h"
 
 #include <algorithm>
+#include <cctype>
 #include <cmath>
+#include <set>
 
 #include <fmt/format.h>
 
 #include "base/units.h"
 #include "base/words.h"
+#include "data/io/robot/import_xml.h"
 
 namespace thenar {
 namespace {
 
-constexpr double kLargest = 10;        // shape or offset: larger ones are in another unit [m]
+using internal::these;
+
+constexpr double kLargest = 10;  // shape or offset: larger ones are in another unit [m]
+// Of a slide from 0; of one that carries the whole robot, as of a vehicle [m].
+constexpr double kMostTravel = 1, kMostWay = 100;
 constexpr double kMostTurn = 4 * kPi;  // of a hinge between its limits [rad]
+constexpr double kFarAbove = 20;       // ratio of a placeholder to the efforts of others [1]
 constexpr double kLeastTorque = 100, kLeastForce = 1000;  // of placeholders [N m], [N]
 
 /// Longest side of a mesh, otherwise the largest size of a shape, such as a radius [m].
@@ -20,13 +28,6 @@ double across(const ShapeSpec& shape) {
   if (shape.kind != ShapeKind::kMesh) return shape.size.maxCoeff();
   return (shape.mesh.vertices.rowwise().maxCoeff() - shape.mesh.vertices.rowwise().minCoeff())
       .maxCoeff();
-}
-
-/// "joint 'a'", "joints 'a', 'b' and 3 more".
-std::string these(const std::string& what, const std::vector<std::string>& names) {
-  std::vector<std::string> quoted;
-  for (const std::string& name : names) quoted.push_back("'" + name + "'");
-  return what + (names.size() == 1 ? " " : "s ") + some_of(quoted);
 }
 
 /// Shapes of implausible size, and joints far from their parents.
@@ -52,8 +53,19 @@ void doubt_sizes(const RobotSpec& robot, std::vector<std::string>& doubts) {
           joint.name, joint.X_PJ.p.norm()));
 }
 
+/// Whether a joint carries every link that has shapes.
+bool carries_all(const RobotSpec& robot, const RobotJoint& carrier) {
+  std::set<std::string> carried{carrier.child};
+  for (const RobotJoint& joint : robot.joints)
+    if (carried.count(joint.parent) > 0) carried.insert(joint.child);
+  return std::all_of(robot.links.begin(), robot.links.end(), [&](const RobotLink& link) {
+    return link.shapes.empty() || carried.count(link.name) > 0;
+  });
+}
+
 void doubt_joints(const RobotSpec& robot, std::vector<std::string>& doubts) {
-  std::vector<std::string> stuck;
+  std::vector<std::string> stuck, far;
+  double farthest = 0;
   for (const RobotJoint& joint : robot.joints) {
     const double range = joint.upper - joint.lower;
     if (joint.kind == RobotJointKind::kRevolute && range > kMostTurn && std::isfinite(range))
@@ -61,11 +73,106 @@ void doubt_joints(const RobotSpec& robot, std::vector<std::string>& doubts) {
           fmt::format("hinge '{}' turns by {:.4g} degrees: are its limits degrees? Angles are read "
                       "as radians",
                       joint.name, degrees(range)));
+    const double travel = std::max(std::abs(joint.lower), std::abs(joint.upper));
+    if (slides(joint) && travel > (carries_all(robot, joint) ? kMostWay : kMostTravel)) {
+      far.push_back(joint.name);
+      farthest = std::max(farthest, travel);
+    }
     if (!joint.dof.empty() && range == 0) stuck.push_back(joint.name);
   }
+  if (!far.empty())
+    doubts.push_back(
+        fmt::format("{} {} {:.4g} m: are {} limits millimetres? Lengths are read as metres",
+                    these("joint", far), far.size() == 1 ? "slides by" : "slide by up to", farthest,
+                    far.size() == 1 ? "its" : "their"));
   if (!stuck.empty())
     doubts.push_back(
         fmt::format("{} cannot move: the upper limit is the lower one", these("joint", stuck)));
+}
+
+/// Whether a text has a name as a word of its own.
+bool names(const std::string& text, const std::string& name) {
+  const auto part_of_word = [&](std::size_t i) {
+    return i < text.size() && (std::isalnum(static_cast<unsigned char>(text[i])) || text[i] == '_');
+  };
+  for (std::size_t at = text.find(name); at != std::string::npos; at = text.find(name, at + 1))
+    if (!(at > 0 && part_of_word(at - 1)) && !part_of_word(at + name.size())) return true;
+  return false;
+}
+
+/// Warns of efforts of 0 beside others.
+void doubt_missing_efforts(RobotSpec& robot) {
+  std::vector<std::string> missing;
+  for (const RobotDof& dof : robot.dofs) {
+    const bool said =
+        std::any_of(robot.warnings.begin(), robot.warnings.end(), [&](const std::string& warning) {
+          return warning.find("unknown") != std::string::npos && names(warning, dof.name);
+        });
+    if (dof.max_effort == 0 && !said) missing.push_back(dof.name);
+  }
+  if (!missing.empty())
+    robot.warnings.push_back(fmt::format("{} {} no effort, unlike others: it is unknown",
+                                         these("joint", missing),
+                                         missing.size() == 1 ? "has" : "have"));
+}
+
+/// Joints of one kind, hinges or slides, whose efforts are equal, round, and far beyond the others.
+std::vector<RobotDof*> far_above_others(RobotSpec& robot, bool sliding) {
+  double most = 0, next = 0;
+  for (const RobotDof& dof : robot.dofs)
+    if (slides(robot, dof) == sliding) most = std::max(most, dof.max_effort);
+  std::vector<RobotDof*> above;
+  for (RobotDof& dof : robot.dofs) {
+    if (slides(robot, dof) != sliding) continue;
+    if (dof.max_effort == most)
+      above.push_back(&dof);
+    else
+      next = std::max(next, dof.max_effort);
+  }
+  const bool placeholder = most >= (sliding ? kLeastForce : kLeastTorque) &&
+                           std::fmod(most, 10) == 0 && next > 0 && most >= kFarAbove * next;
+  if (!placeholder || above.size() < 2) above.clear();
+  return above;
+}
+
+/// Takes efforts for placeholders that are too large for any hand, and all the same or round, or
+/// the same in several joints and far above those of the others.
+void doubt_placeholders(RobotSpec& robot) {
+  const auto all = [&](const auto& is) {
+    return std::all_of(robot.dofs.begin(), robot.dofs.end(), is);
+  };
+  const bool large = all([&](const RobotDof& dof) {
+    return dof.max_effort >= (slides(robot, dof) ? kLeastForce : kLeastTorque);
+  });
+  const double first = robot.dofs.front().max_effort;
+  const bool equal = all([&](const RobotDof& dof) { return dof.max_effort == first; });
+  const bool round = all([](const RobotDof& dof) { return std::fmod(dof.max_effort, 10) == 0; });
+  if (large && (equal || round)) {
+    double least = first;
+    for (RobotDof& dof : robot.dofs) {
+      dof.nominal_effort = true;
+      least = std::min(least, dof.max_effort);
+    }
+    robot.warnings.push_back(fmt::format(
+        "efforts of {:.4g} {}in all joints are taken for placeholders: they are unknown", least,
+        equal ? "" : "and more "));
+    return;
+  }
+  // Beside true values.
+  for (const bool sliding : {false, true}) {
+    std::vector<std::string> names;
+    double effort = 0;
+    for (RobotDof* dof : far_above_others(robot, sliding)) {
+      dof->nominal_effort = true;
+      effort = dof->max_effort;
+      names.push_back(dof->name);
+    }
+    if (!names.empty())
+      robot.warnings.push_back(fmt::format(
+          "efforts of {:.4g} at {}, far above all others, are taken for placeholders: they are "
+          "unknown",
+          effort, these("joint", names)));
+  }
 }
 
 }  // namespace
@@ -85,6 +192,11 @@ std::vector<std::string> mass_doubts(const RobotSpec& robot) {
     any = any || link.mass > 0;
     if (i > 0 && !(link.mass > 0) && !link.shapes.empty()) massless.push_back(link.name);
   }
+  const bool moves =
+      std::any_of(robot.joints.begin(), robot.joints.end(),
+                  [](const RobotJoint& joint) { return joint.kind != RobotJointKind::kFixed; });
+  if (!any && moves && !massless.empty())
+    return {"no link has a mass: nothing tells how the robot moves, or how heavy it is"};
   if (!any || massless.empty()) return {};
   return {fmt::format("{} {} shapes and no mass", these("link", massless),
                       massless.size() == 1 ? "has" : "have")};
@@ -102,22 +214,8 @@ void doubt_efforts(RobotSpec& robot) {
     if (!said) robot.warnings.emplace_back("no joint has an effort: all are of unknown effort");
     return;
   }
-  // Too large for any hand, and all the same or round.
-  const bool large = all([&](const RobotDof& dof) {
-    return dof.max_effort >= (slides(robot, dof) ? kLeastForce : kLeastTorque);
-  });
-  const double first = robot.dofs.front().max_effort;
-  const bool equal = all([&](const RobotDof& dof) { return dof.max_effort == first; });
-  const bool round = all([](const RobotDof& dof) { return std::fmod(dof.max_effort, 10) == 0; });
-  if (!large || !(equal || round)) return;
-  double least = first;
-  for (RobotDof& dof : robot.dofs) {
-    dof.nominal_effort = true;
-    least = std::min(least, dof.max_effort);
-  }
-  robot.warnings.push_back(
-      fmt::format("efforts of {:.4g} {}in all joints are taken for placeholders: they are unknown",
-                  least, equal ? "" : "and more "));
+  doubt_missing_efforts(robot);
+  doubt_placeholders(robot);
 }
 
 }  // namespace thenar

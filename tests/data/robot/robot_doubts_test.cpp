@@ -67,6 +67,15 @@ TEST_F(RobotDoubts, AreOfLimitsInDegrees) {
   EXPECT_THAT(robot("prismatic", "90", "3 5").warnings, Not(Contains(HasSubstr("degrees"))));
 }
 
+TEST_F(RobotDoubts, AreOfTravelInMillimetres) {
+  const RobotSpec hand = robot("prismatic", "30", "30 50");
+  EXPECT_THAT(hand.warnings,
+              ElementsAre("joints 'left_j', 'right_j' slide by up to 30 m: are their limits "
+                          "millimetres? Lengths are read as metres"));
+  EXPECT_TRUE(is_grave(hand.warnings[0]));
+  EXPECT_THAT(robot("prismatic", "0.9", "30 50").warnings, IsEmpty());
+}
+
 TEST_F(RobotDoubts, AreOfJointsThatCannotMove) {
   const RobotSpec hand = robot("prismatic", "0", "3 5");
   EXPECT_THAT(hand.warnings, ElementsAre("joints 'left_j', 'right_j' cannot move: the upper limit "
@@ -77,6 +86,18 @@ TEST_F(RobotDoubts, AreOfJointsThatCannotMove) {
 TEST_F(RobotDoubts, AreOfLinksWithoutMass) {
   EXPECT_THAT(robot("revolute", "1.5", "3 5", "0").warnings,
               ElementsAre("links 'left', 'right' have shapes and no mass"));
+}
+
+TEST_F(RobotDoubts, AreOfRobotsThatWeighNothing) {
+  RobotSpec hand = robot("revolute", "1.5", "3 5");
+  for (RobotLink& link : hand.links) link.mass = 0;
+  EXPECT_THAT(mass_doubts(hand), ElementsAre("no link has a mass: nothing tells how the robot "
+                                             "moves, or how heavy it is"));
+}
+
+TEST_F(RobotDoubts, AreOfAnEffortThatOneJointLacks) {
+  EXPECT_THAT(robot("revolute", "1.5", "0 5").warnings,
+              ElementsAre("joint 'left_j' has no effort, unlike others: it is unknown"));
 }
 
 // Efforts of 1000 at every joint, or round ones of 100 and more, are no motor's.
@@ -98,8 +119,25 @@ TEST_F(RobotDoubts, AreOfEffortsThatStandForUnknownOnes) {
   EXPECT_THAT(none.warnings, ElementsAre("no joint has an effort: all are of unknown effort"));
 }
 
-// Robots that come with thenar have none, but for the first link of a Puma, which turns about an
-// upright axis and whose mass nobody has published.
+// 1000 at every second joint of a hand of 2.5 and 3 N m; an arm's shoulder may well have 330 N m
+// beside 56.
+TEST_F(RobotDoubts, AreOfPlaceholdersBesideTrueEfforts) {
+  RobotSpec hand = robot("revolute", "1.5", "1000 2.5");
+  hand.dofs.insert(hand.dofs.end(), {hand.dofs[0], hand.dofs[1]});
+  hand.dofs[3].max_effort = 3;
+  doubt_efforts(hand);
+  EXPECT_THAT(hand.warnings, Contains(HasSubstr("efforts of 1000 at joints 'left_j', 'left_j', far "
+                                                "above all others, are taken for placeholders")));
+  EXPECT_TRUE(hand.dofs[0].nominal_effort && hand.dofs[2].nominal_effort);
+  EXPECT_FALSE(hand.dofs[1].nominal_effort || hand.dofs[3].nominal_effort);
+  RobotSpec arm = robot("revolute", "1.5", "330 56");
+  arm.dofs.insert(arm.dofs.end(), {arm.dofs[0], arm.dofs[1]});
+  doubt_efforts(arm);
+  EXPECT_THAT(arm.warnings, IsEmpty());
+}
+
+// Robots that come with thenar have none, but for masses that nobody has published: of the first
+// link of a Puma, which turns about an upright axis, and of all of the Rutgers hand.
 TEST(RobotDoubtsShipped, AreNone) {
   for (const auto& file : std::filesystem::directory_iterator(std::string(kData) + "/robots")) {
     if (file.path().extension() != ".toml") continue;
@@ -107,6 +145,8 @@ TEST(RobotDoubtsShipped, AreNone) {
     EXPECT_THAT(robot_doubts(robot), IsEmpty()) << file.path();
     if (file.path().stem() == "puma560") {
       EXPECT_THAT(mass_doubts(robot), ElementsAre("link 'link 1' has shapes and no mass"));
+    } else if (file.path().stem() == "rutgers") {
+      EXPECT_THAT(mass_doubts(robot), ElementsAre(HasSubstr("no link has a mass")));
     } else {
       EXPECT_THAT(mass_doubts(robot), IsEmpty()) << file.path();
     }
