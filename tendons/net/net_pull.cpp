@@ -51,7 +51,7 @@ std::vector<OverExit> over_exits(const NetTendons& tendons, const NetEquilibrium
 }
 
 /// Which bands have drawn a knot into their exit; may be empty.
-std::string drawn_in(const Net& net, const NetEquilibrium& rest) {
+std::string knots_in_exits(const Net& net, const NetEquilibrium& rest) {
   std::vector<std::string> which;
   for (std::size_t b = 0; b < net.bands.size(); ++b) {
     const NetBand& band = net.bands[b];
@@ -175,7 +175,7 @@ TendonTorque PullByTendon::torque(const PostureAndLoad& at, NetEquilibrium rest)
   VectorXd tension(length.size());
   Index m = 0;
   for (const BandResponse& each : responses(at, length)) tension[m++] = each.tension;
-  const std::string drawn = drawn_in(tendons().net().net, rest);
+  const std::string drawn = knots_in_exits(tendons().net().net, rest);
   TendonTorque pull = tendons().torque_of_rest(at.q, tension, std::move(rest));
   if (!drawn.empty()) {
     pull.status = worse(pull.status, TendonStatus::kNodeCollapsed);

@@ -47,7 +47,7 @@ Net two_bands() {
 }
 
 /// Pulls with kPull at the length that its band has there.
-class Spring : public TensionLaw {
+class PullAtRest : public TensionLaw {
  public:
   [[nodiscard]] BandResponse at(double length) const override {
     constexpr double kStiffness = 1e5;  // [N/m]
@@ -60,7 +60,7 @@ TEST(SolveNet, TakesTheTensionOfAMuscleFromALaw) {
   Net net = two_bands();
   net.nodes[0].p = {2e-3, 1e-3, 0};  // a start beside the rest
   NetDrive drive = tensions(Eigen::VectorXd::Zero(1));
-  drive.law = {std::make_shared<const Spring>()};
+  drive.law = {std::make_shared<const PullAtRest>()};
   const NetEquilibrium rest = solve(net, drive);
   EXPECT_EQ(rest.status, NetStatus::kBalanced);
   EXPECT_TRUE(matrix_near(rest.x.col(0), Vector3d::Zero(), 1e-12));
