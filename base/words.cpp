@@ -18,4 +18,11 @@ std::string some_of(const std::vector<std::string>& names, std::size_t named) {
   return text;
 }
 
+std::string these(const std::string& what, const std::vector<std::string>& names) {
+  std::vector<std::string> quoted;
+  quoted.reserve(names.size());
+  for (const std::string& name : names) quoted.push_back("'" + name + "'");
+  return what + (names.size() == 1 ? " " : "s ") + some_of(quoted);
+}
+
 }  // namespace thenar

@@ -14,4 +14,7 @@ namespace thenar {
 /// "a, b and 3 more": at most so many names, the others counted.
 [[nodiscard]] std::string some_of(const std::vector<std::string>& names, std::size_t named = 4);
 
+/// "joint 'a'", "joints 'a', 'b' and 3 more".
+[[nodiscard]] std::string these(const std::string& what, const std::vector<std::string>& names);
+
 }  // namespace thenar

@@ -8,8 +8,6 @@
 #include <fmt/format.h>
 #include <pugixml.hpp>
 
-#include "base/words.h"
-
 namespace thenar::internal {
 namespace {
 
@@ -76,13 +74,6 @@ std::string required_text(const XmlFile& file, const pugi::xml_node& node, const
   std::string text = node.attribute(attribute).value();
   if (text.empty()) file.fail(node, fmt::format("<{}> wants {}=\"..\"", node.name(), attribute));
   return text;
-}
-
-std::string these(const std::string& what, const std::vector<std::string>& names) {
-  std::vector<std::string> quoted;
-  quoted.reserve(names.size());
-  for (const std::string& name : names) quoted.push_back("'" + name + "'");
-  return what + (names.size() == 1 ? " " : "s ") + some_of(quoted);
 }
 
 void UnreadElements::note(const pugi::xml_node& node, const std::string& what) {

@@ -38,9 +38,6 @@ namespace thenar::internal {
 [[nodiscard]] std::string required_text(const XmlFile& file, const pugi::xml_node& node,
                                         const char* attribute);
 
-/// "joint 'a'", "joints 'a', 'b' and 3 more".
-[[nodiscard]] std::string these(const std::string& what, const std::vector<std::string>& names);
-
 /// Collects elements that are not read, each message once with its lines; `file` must outlive it:
 /// "<transmission> is not read (2 times: lines 12, 30)".
 class UnreadElements {

@@ -10,6 +10,7 @@
 
 #include "base/error.h"
 #include "base/units.h"
+#include "base/words.h"
 #include "data/io/robot/import_couplings.h"
 #include "data/io/robot/link_poses.h"
 #include "data/io/robot/mjcf_source.h"
@@ -291,7 +292,7 @@ class BodyTree {
     if (names.empty()) return;
     const bool alone = names.size() == 1;
     robot_.warnings.push_back(fmt::format("{} {} no limits; {} {:.6g} to {:.6g} {}",
-                                          internal::these("joint", names), alone ? "has" : "have",
+                                          these("joint", names), alone ? "has" : "have",
                                           alone ? "it gets" : "they get", -upper, upper, unit));
   }
 

@@ -9,12 +9,9 @@
 
 #include "base/units.h"
 #include "base/words.h"
-#include "data/io/robot/import_xml.h"
 
 namespace thenar {
 namespace {
-
-using internal::these;
 
 constexpr double kLargest = 10;  // shape or offset: larger ones are in another unit [m]
 // Of a slide from 0; of one that carries the whole robot, as of a vehicle [m].

@@ -11,6 +11,7 @@
 
 #include "base/error.h"
 #include "base/units.h"
+#include "base/words.h"
 #include "data/io/robot/import_couplings.h"
 #include "data/io/robot/import_mesh.h"
 #include "data/io/robot/import_xml.h"
@@ -95,7 +96,7 @@ class UrdfTranslation {
           "visual shapes stand for the missing collision shapes of {}", fmt::join(shown_, ", ")));
     if (!endless_.empty())
       robot_.warnings.push_back(fmt::format("{} {} one turn, -pi to pi",
-                                            internal::these("continuous joint", endless_),
+                                            these("continuous joint", endless_),
                                             endless_.size() == 1 ? "gets" : "get"));
     robot_.files.merge(meshes_.files());
   }

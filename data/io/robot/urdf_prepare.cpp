@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 #include <pugixml.hpp>
 
+#include "base/words.h"
 #include "data/io/graspit/xml_file.h"
 #include "data/io/robot/robot.h"
 
