@@ -97,19 +97,6 @@ Matrix3Xd faces_of(const TriangleMesh& mesh) {
   return faces;
 }
 
-/// All in one matrix. (3, columns)
-Matrix3Xd side_by_side_of(const std::vector<Matrix3Xd>& parts) {
-  Eigen::Index count = 0;
-  for (const Matrix3Xd& part : parts) count += part.cols();
-  Matrix3Xd all(3, count);
-  Eigen::Index at = 0;
-  for (const Matrix3Xd& part : parts) {
-    all.middleCols(at, part.cols()) = part;
-    at += part.cols();
-  }
-  return all;
-}
-
 /// Points and faces of all shapes of a link, in its frame.
 struct LinkSamples {
   Matrix3Xd points, faces;
@@ -130,7 +117,7 @@ LinkSamples samples_of(const RobotLink& link) {
       faces.push_back(faces_of(surface));
     }
   }
-  return {side_by_side_of(points), side_by_side_of(faces)};
+  return {side_by_side(points), side_by_side(faces)};
 }
 
 Vector3d at(const std::vector<Pose<double>>& links, int link, const Vector3d& p) {
@@ -160,6 +147,18 @@ HandLayout with_drives(HandLayout layout, const std::vector<Drive>& drives) {
 }
 
 }  // namespace
+
+Matrix3Xd side_by_side(const std::vector<Matrix3Xd>& parts) {
+  Eigen::Index count = 0;
+  for (const Matrix3Xd& part : parts) count += part.cols();
+  Matrix3Xd all(3, count);
+  Eigen::Index at = 0;
+  for (const Matrix3Xd& part : parts) {
+    all.middleCols(at, part.cols()) = part;
+    at += part.cols();
+  }
+  return all;
+}
 
 BallGrasp::BallGrasp(const RobotSpec& robot) : hand_(without_shapes(robot)) {
   const std::vector<Pose<double>> frames = hand_.link_frames(

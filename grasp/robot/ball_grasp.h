@@ -11,6 +11,9 @@
 
 namespace thenar {
 
+/// All columns in one matrix (3, columns).
+[[nodiscard]] Eigen::Matrix3Xd side_by_side(const std::vector<Eigen::Matrix3Xd>& parts);
+
 /// A ball to close on, in the hand's frame.
 struct ProbeBall {
   Eigen::Vector3d centre{0, 0, 0};  // [m] (3)

@@ -16,19 +16,6 @@ constexpr double kNearAhead = 0.96;
 constexpr double kTwoHinges = 1e-3;  // least distance of hinges that are two [m]
 constexpr double kNoSpin = 1e-9;     // rotation per unit of a drive that counts as none [1]
 
-/// All in one matrix. (3, columns)
-Matrix3Xd all_of(const std::vector<Matrix3Xd>& parts) {
-  Eigen::Index count = 0;
-  for (const Matrix3Xd& part : parts) count += part.cols();
-  Matrix3Xd all(3, count);
-  Eigen::Index at = 0;
-  for (const Matrix3Xd& part : parts) {
-    all.middleCols(at, part.cols()) = part;
-    at += part.cols();
-  }
-  return all;
-}
-
 /// Rotation whose third column is a direction, and whose first is across it, near `side`. (3, 3)
 Eigen::Matrix3d frame_along(const Vector3d& direction, const Vector3d& side) {
   Eigen::Index least = 0;
@@ -85,7 +72,7 @@ Matrix3Xd DigitMotion::faces_of(const std::vector<std::size_t>& surfaces,
     if (surface.link >= 0)
       faces.back() = links[static_cast<std::size_t>(surface.link)].R * surface.faces;
   }
-  return all_of(faces);
+  return side_by_side(faces);
 }
 
 /// Axes of the hinges of a digit that closing drives move; of a digit without, its slide. (3, axes)
@@ -103,7 +90,7 @@ Matrix3Xd DigitMotion::closing_axes(const Digit& digit, std::size_t option,
        link = hand.layout().parents[static_cast<std::size_t>(link)])
     if (!hand.is_prismatic(link) && closing[static_cast<std::size_t>(hand.coordinate_of(link))])
       axes.emplace_back(hand.axis(q, link));
-  return all_of(axes);
+  return side_by_side(axes);
 }
 
 /// Whether a digit closes along slides alone.
@@ -165,7 +152,7 @@ PalmApproach DigitMotion::ahead(std::size_t option) const {
   std::vector<Matrix3Xd> all;
   if (!roles(option).palm)
     for (const Digit& digit : digits_) all.push_back(closing_axes(digit, option, q));
-  const Matrix3Xd axes = all_of(all);
+  const Matrix3Xd axes = side_by_side(all);
   PalmApproach approach;
   if (rough.norm() > 1e-6)
     approach.direction =
