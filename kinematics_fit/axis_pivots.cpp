@@ -58,18 +58,6 @@ std::optional<double> middle_of_tendons(const Subject& subject, const JointAxis&
   return (lowest + highest) / 2;
 }
 
-/// The joints between the base and the tip of a digit, the last first.
-std::vector<const JointAxis*> chain_of(const Subject& subject, const Digit& digit) {
-  std::vector<const JointAxis*> chain;
-  std::string segment = digit.tip_segment;
-  for (auto joint = subject.joints.rbegin(); joint != subject.joints.rend(); ++joint)
-    if (joint->child == segment) {
-      chain.push_back(&*joint);
-      segment = joint->parent;
-    }
-  return chain;
-}
-
 /// Along joint i of a chain from its point, the place nearest to the axes next to it, in least
 /// squares; nearest to the tip if these are about parallel to it. No stated point counts.
 double nearest_to_chain(const std::vector<const JointAxis*>& chain, std::size_t i,
@@ -95,7 +83,7 @@ Subject with_points_at_tendons(Subject subject, const std::string& digit) {
   std::map<std::string, double> ways;
   for (const Digit& each : subject.digits) {
     if (each.name != digit) continue;
-    const std::vector<const JointAxis*> chain = chain_of(subject, each);
+    const std::vector<const JointAxis*> chain = joints_to(subject, each.tip_segment);
     for (std::size_t i = 0; i < chain.size(); ++i)
       if (const double way = nearest_to_chain(chain, i, each.tip); std::abs(way) > kFarFromAxes)
         ways[chain[i]->name] = way;

@@ -70,6 +70,16 @@ PassiveMoments passive_named(const std::string& word) {
   return word == "on" ? PassiveMoments::kOn : PassiveMoments::kOff;
 }
 
+std::vector<const JointAxis*> joints_to(const Subject& subject, std::string segment) {
+  std::vector<const JointAxis*> found;
+  for (auto joint = subject.joints.rbegin(); joint != subject.joints.rend(); ++joint)
+    if (joint->child == segment) {
+      found.push_back(&*joint);
+      segment = joint->parent;
+    }
+  return found;
+}
+
 bool has_passive(const JointAxis& joint) {
   return joint.stiffness > 0 || joint.flexing.moment > 0 || joint.extending.moment > 0;
 }

@@ -191,6 +191,9 @@ struct Subject {
 /// The subject with joints that turn without passive moments, dampers apart, or as it is.
 [[nodiscard]] Subject with_passive(Subject subject, PassiveMoments passive);
 
+/// The joints between the base and a segment, the last first; they point into the subject.
+[[nodiscard]] std::vector<const JointAxis*> joints_to(const Subject& subject, std::string segment);
+
 /// Whether a joint has a passive moment.
 [[nodiscard]] bool has_passive(const JointAxis& joint);
 

@@ -41,17 +41,6 @@ void tell(const std::vector<std::string>& found, const std::string& kind,
   doubts.push_back(fmt::format("{} ({} more {} are alike)", found.front(), found.size() - 1, kind));
 }
 
-/// The joints between the base and a segment, the last first.
-std::vector<const JointAxis*> joints_to(const Subject& subject, std::string segment) {
-  std::vector<const JointAxis*> found;
-  for (auto joint = subject.joints.rbegin(); joint != subject.joints.rend(); ++joint)
-    if (joint->child == segment) {
-      found.push_back(&*joint);
-      segment = joint->parent;
-    }
-  return found;
-}
-
 double distance_to_axis(const Eigen::Vector3d& point, const JointAxis& joint) {
   return (point - joint.point).cross(joint.direction).norm();
 }
