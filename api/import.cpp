@@ -40,11 +40,9 @@ void settle_meshes(BodySpec& body, const std::string& file, bool mend,
     try {
       for (const ShapeSpec& shape : body.shapes) require_solid(shape, owner);
     } catch (const InputError& error) {
-      const bool flat = std::any_of(
-          body.shapes.begin(), body.shapes.end(),
-          [](const ShapeSpec& shape) { return !shape.mesh.empty() && is_flat(shape.mesh); });
-      throw DataError(file, 1,
-                      fmt::format("{}{}", error.what(), flat ? "" : "; --repair mends it"));
+      throw DataError(
+          file, 1,
+          fmt::format("{}{}", error.what(), any_is_flat(body.shapes) ? "" : "; --repair mends it"));
     }
     note_turned(body.shapes, owner, warnings);
     return;

@@ -1,5 +1,6 @@
 #include "geometry/mesh_faults.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include <fmt/format.h>
@@ -45,6 +46,12 @@ bool is_flat(const TriangleMesh& mesh) {
   const Eigen::Matrix3Xd along = axes.eigenvectors().transpose() * r;
   const Eigen::Vector3d extent = along.rowwise().maxCoeff() - along.rowwise().minCoeff();
   return extent.minCoeff() <= kFlat * extent.maxCoeff();
+}
+
+bool any_is_flat(const std::vector<ShapeSpec>& shapes) {
+  return std::any_of(shapes.begin(), shapes.end(), [](const ShapeSpec& shape) {
+    return !shape.mesh.empty() && is_flat(shape.mesh);
+  });
 }
 
 MeshFaults find_mesh_faults(const TriangleMesh& mesh) {

@@ -3,7 +3,9 @@
 /// Causes that keep a surface from bounding a solid, beside the open edges that they leave.
 
 #include <string>
+#include <vector>
 
+#include "geometry/shape_spec.h"
 #include "geometry/triangle_mesh.h"
 
 namespace thenar {
@@ -11,6 +13,9 @@ namespace thenar {
 /// Whether all triangles lie in one plane, or on a line: no thickness beyond a millionth of
 /// their extent, as files in single precision round.
 [[nodiscard]] bool is_flat(const TriangleMesh& mesh);
+
+/// Whether one of the shapes is a flat mesh.
+[[nodiscard]] bool any_is_flat(const std::vector<ShapeSpec>& shapes);
 
 /// What is wrong where check_mesh() finds holes. Where it finds none, only `flat` and edges count.
 struct MeshFaults {

@@ -80,11 +80,16 @@ bool is_within(const Part& inner, const Part& outer) {
   return true;
 }
 
+/// @throws InputError saying why a mesh without holes encloses nothing
+[[noreturn]] void fail_without_volume(const TriangleMesh& mesh) {
+  throw InputError("a mesh bounds no solid: " +
+                   (is_flat(mesh) ? describe(find_mesh_faults(mesh)) : "no volume"));
+}
+
 Part closed_part(TriangleMesh mesh) {
   const MeshReport report = check_mesh(mesh);
   require(report.watertight(), "a mesh bounds no solid: {}", describe(report));
-  require(report.volume != 0, "a mesh bounds no solid: {}",
-          is_flat(mesh) ? describe(find_mesh_faults(mesh)) : "no volume");
+  if (report.volume == 0) fail_without_volume(mesh);
   Part part{std::move(mesh), report.volume, {}};
   for (Eigen::Index i = 0; i < part.mesh.vertices.cols(); ++i)
     part.box.extend(Vector3d(part.mesh.vertices.col(i)));
@@ -183,8 +188,7 @@ std::vector<TriangleMesh> solid_parts(const TriangleMesh& mesh) {
   // Put right first, if it is not sound.
   std::vector<TriangleMesh> meshes =
       connected_parts(sound ? mesh : repair_mesh(mesh, MeshHoles::kKeep).mesh);
-  require(!meshes.empty(), "a mesh bounds no solid: {}",
-          is_flat(mesh) ? describe(find_mesh_faults(mesh)) : "no volume");
+  if (meshes.empty()) fail_without_volume(mesh);
   if (sound && meshes.size() == 1) return meshes;
   std::vector<Part> parts;
   parts.reserve(meshes.size());
