@@ -26,20 +26,21 @@ ClosureCount count_closures(const Comparison& comparison, const std::string& han
 }
 
 std::string hand_of_most_closures(const Comparison& comparison) {
-  const auto count = [&](const std::string& hand) { return count_closures(comparison, hand); };
-  const auto& hands = comparison.hands;
-  if (!comparison.complete || hands.size() < 2) return "";
-  const std::string first = *std::max_element(
-      hands.begin(), hands.end(),
-      [&](const auto& a, const auto& b) { return count(a).share() < count(b).share(); });
-  const ClosureCount most = count(first);
-  const bool beats_all = std::all_of(hands.begin(), hands.end(), [&](const std::string& hand) {
-    const ClosureCount other = count(hand);
-    return hand == first || (most.approaches > 0 && other.approaches > 0 &&
-                             fisher_exact_p({most.closures, most.approaches},
-                                            {other.closures, other.approaches}) < kChance);
-  });
-  return beats_all ? first : "";
+  if (!comparison.complete || comparison.hands.size() < 2) return "";
+  std::vector<ClosureCount> counts;
+  for (const std::string& hand : comparison.hands)
+    counts.push_back(count_closures(comparison, hand));
+  const auto most = std::max_element(
+      counts.begin(), counts.end(),
+      [](const ClosureCount& a, const ClosureCount& b) { return a.share() < b.share(); });
+  for (auto other = counts.begin(); other != counts.end(); ++other) {
+    if (other == most) continue;
+    if (most->approaches == 0 || other->approaches == 0 ||
+        fisher_exact_p({most->closures, most->approaches}, {other->closures, other->approaches}) >=
+            kChance)
+      return "";
+  }
+  return comparison.hands[static_cast<std::size_t>(most - counts.begin())];
 }
 
 }  // namespace thenar
