@@ -61,10 +61,6 @@ double squared_distance(const Leverage& of, Eigen::Index i, const std::vector<Ei
 /// Trials and rows of activations of an experiment, as data_residuals() has them.
 Eigen::Index rows_of(const FitProblem& problem, int e) { return force_rows(problem, e) / 3; }
 
-}  // namespace
-
-namespace {
-
 /// Odd trials of an experiment, the furthest first, without those that are odd for the sake of
 /// further ones alone.
 std::vector<OddTrial> odd_of(const FitProblem& problem, int e, const Leverage& of, double rows) {
