@@ -127,10 +127,8 @@ NetStep NetFollower::accept(const VectorXd& q, const VectorXd& load) {
 }
 
 EndSlopes NetFollower::slopes(const VectorXd& q, const VectorXd& load) {
-  const auto* pull = dynamic_cast<const PullByTendon*>(pull_.get());
-  if (pull == nullptr) return {};
   reach({q, load});
-  return pull->slopes({q, load}, reached_.rest);
+  return pull_->slopes({q, load}, reached_.rest);
 }
 
 /// Change of the potential between two states less what its slopes say, by the trapezoid between

@@ -4,8 +4,6 @@
 #include <cmath>
 #include <utility>
 
-#include <fmt/ranges.h>
-
 #include "base/error.h"
 #include "tendons/net/net_derivatives.h"
 #include "tendons/net/net_statics.h"
@@ -43,24 +41,13 @@ class ShareOfTendon : public TensionLaw {
   double share_, beyond_;
 };
 
-/// Lengths over their exits of the bands that pull (pulls).
-std::vector<OverExit> over_exits(const NetTendons& tendons, const NetEquilibrium& rest) {
-  std::vector<OverExit> all;
-  for (const double L : muscle_band_length(tendons.net().net, rest)) all.emplace_back(L);
-  return all;
-}
-
-/// Which bands have drawn a knot into their exit; may be empty.
-std::string knots_in_exits(const Net& net, const NetEquilibrium& rest) {
-  std::vector<std::string> which;
-  for (std::size_t b = 0; b < net.bands.size(); ++b) {
-    const NetBand& band = net.bands[b];
-    if (band.muscle < 0 || rest.length[static_cast<Index>(b)] > kExitRadius) continue;
-    which.push_back(fmt::format("'{}' has drawn in '{}'", band.name,
-                                net.nodes[static_cast<std::size_t>(band.a)].name));
-  }
-  if (which.empty()) return "";
-  return fmt::format("net '{}' does not hold: {}", net.name, fmt::join(which, ", "));
+/// Bands that have drawn their knots into their exits.
+std::vector<int> bands_in_exits(const Net& net, const NetEquilibrium& rest) {
+  std::vector<int> bands;
+  for (std::size_t b = 0; b < net.bands.size(); ++b)
+    if (net.bands[b].muscle >= 0 && rest.length[static_cast<Index>(b)] <= kExitRadius)
+      bands.push_back(static_cast<int>(b));
+  return bands;
 }
 
 }  // namespace
@@ -131,74 +118,68 @@ NetDrive PullByTendon::drive(const PostureAndLoad& at) const {
   return drive;
 }
 
-VectorXd PullByTendon::lengths(const PostureAndLoad& at, const NetEquilibrium& rest) const {
-  VectorXd length = tendons().lengths_outside(at.q);
-  const std::vector<OverExit> over = over_exits(tendons(), rest);
-  for (std::size_t p = 0; p < over.size(); ++p) {
-    const MuscleAttachment& pull = tendons().net().pulls[p];
-    length[pull.muscle] += pull.share * over[p].length;
+PullByTendon::Stretched PullByTendon::stretched(const PostureAndLoad& at,
+                                                const NetEquilibrium& rest) const {
+  // Lines, in the net over their exits.
+  Stretched now;
+  now.length = tendons().lengths_outside(at.q);
+  now.over_exit = muscle_band_length(tendons().net().net, rest);
+  for (Index p = 0; p < now.over_exit.size(); ++p) {
+    const OverExit over(now.over_exit[p]);
+    const MuscleAttachment& pull = tendons().net().pulls[static_cast<std::size_t>(p)];
+    now.length[pull.muscle] += pull.share * over.length;
+    now.over_exit[p] = over.slope;
   }
-  return length;
+  // Tendons by their laws.
+  now.tension.resize(now.length.size());
+  now.stiffness.resize(now.length.size());
+  for (Index m = 0; m < now.length.size(); ++m) {
+    const BandResponse tendon = laws_[static_cast<std::size_t>(m)]->at(now.length[m] - at.load[m]);
+    now.energy += tendon.energy;
+    now.tension[m] = tendon.tension;
+    now.stiffness[m] = tendon.stiffness;
+  }
+  return now;
 }
 
-std::vector<BandResponse> PullByTendon::responses(const PostureAndLoad& at,
-                                                  const VectorXd& length) const {
-  std::vector<BandResponse> all;
-  for (std::size_t m = 0; m < laws_.size(); ++m) {
-    const auto i = static_cast<Index>(m);
-    all.push_back(laws_[m]->at(length[i] - at.load[i]));
-  }
-  return all;
-}
-
-PullRates PullByTendon::rates(const PostureAndLoad& at, const NetEquilibrium& rest) const {
+PullRates PullByTendon::rates_of(const Stretched& now, const MatrixXd& R) const {
   // A pull rises by share stiffness (dL - dp) of what runs outside of the net.
-  const VectorXd none = VectorXd::Zero(at.load.size());
-  const MatrixXd R = tendons().torque_outside(at.q, none).R;
-  const std::vector<BandResponse> now = responses(at, lengths(at, rest));
   const std::vector<MuscleAttachment>& pulls = tendons().net().pulls;
-  const std::vector<OverExit> over = over_exits(tendons(), rest);
   const auto count = static_cast<Index>(pulls.size());
-  PullRates out{MatrixXd::Zero(count, at.q.size()), MatrixXd::Zero(count, at.load.size())};
+  PullRates out{MatrixXd::Zero(count, R.cols()), MatrixXd::Zero(count, R.rows())};
   for (Index p = 0; p < count; ++p) {
     const MuscleAttachment& pull = pulls[static_cast<std::size_t>(p)];
-    const double k = pull.share * over[static_cast<std::size_t>(p)].slope *
-                     now[static_cast<std::size_t>(pull.muscle)].stiffness;
+    const double k = pull.share * now.over_exit[p] * now.stiffness[pull.muscle];
     out.by_posture.row(p) = -k * R.row(pull.muscle);
     out.by_load(p, pull.muscle) = -k;
   }
   return out;
 }
 
+PullRates PullByTendon::rates(const PostureAndLoad& at, const NetEquilibrium& rest) const {
+  const Stretched now = stretched(at, rest);
+  return rates_of(now, tendons().torque_outside(at.q, now.tension).R);
+}
+
 TendonTorque PullByTendon::torque(const PostureAndLoad& at, NetEquilibrium rest) const {
-  const VectorXd length = lengths(at, rest);
-  VectorXd tension(length.size());
-  Index m = 0;
-  for (const BandResponse& each : responses(at, length)) tension[m++] = each.tension;
-  const std::string drawn = knots_in_exits(tendons().net().net, rest);
-  TendonTorque pull = tendons().torque_of_rest(at.q, tension, std::move(rest));
-  if (!drawn.empty()) {
+  Stretched now = stretched(at, rest);
+  TendonTorque pull = tendons().torque_of_rest(at.q, now.tension, std::move(rest));
+  // Knots within their exits.
+  const Net& net = tendons().net().net;
+  if (const std::string drawn = drawn_in(net, bands_in_exits(net, *pull.rest)); !drawn.empty()) {
     pull.status = worse(pull.status, TendonStatus::kNodeCollapsed);
-    pull.warning += (pull.warning.empty() ? "" : "; ") + drawn;
+    add_warning(drawn, pull);
   }
   pull.R.resize(0, 0);
-  pull.tension = tension;
-  pull.length = length;
+  pull.tension = std::move(now.tension);
+  pull.length = std::move(now.length);
   return pull;
 }
 
 NetPotential PullByTendon::potential(const PostureAndLoad& at, const NetEquilibrium& rest) const {
-  NetPotential out;
-  out.energy = strain_energy(tendons().net().net, rest);
-  VectorXd tension(at.load.size());
-  Index m = 0;
-  for (const BandResponse& each : responses(at, lengths(at, rest))) {
-    out.energy += each.energy;
-    tension[m++] = each.tension;
-  }
-  out.tau = tendons().torque(at.q, tension, rest);
-  out.by_load = -tension;
-  return out;
+  const Stretched now = stretched(at, rest);
+  return {strain_energy(tendons().net().net, rest) + now.energy,
+          tendons().torque(at.q, now.tension, rest), -now.tension};
 }
 
 double PullByTendon::least_change(const VectorXd& /*from*/, const VectorXd& /*to*/,
@@ -211,31 +192,25 @@ EndSlopes PullByTendon::slopes(const PostureAndLoad& at, const NetEquilibrium& r
   const TendonModel<double>& model = tendons().digit().model;
   const Index joints = at.q.size(), muscles = at.load.size();
   // Tendons outside of the net.
-  const std::vector<BandResponse> now = responses(at, lengths(at, rest));
-  VectorXd tension(muscles), stiffness(muscles);
-  for (Index m = 0; m < muscles; ++m) {
-    tension[m] = now[static_cast<std::size_t>(m)].tension;
-    stiffness[m] = now[static_cast<std::size_t>(m)].stiffness;
-  }
-  const MatrixXd R = tendons().torque_outside(at.q, tension).R;
+  const Stretched now = stretched(at, rest);
+  const MatrixXd R = tendons().torque_outside(at.q, now.tension).R;
   EndSlopes out;
-  out.torque_by_posture = tendons().derivatives_outside(at.q, tension).by_posture;
+  out.torque_by_posture = tendons().derivatives_outside(at.q, now.tension).by_posture;
   out.length_by_posture = -R;
   out.length_by_end = MatrixXd::Zero(muscles, muscles);
   // The net, by one joint or end at a time.
   if (why_not_differentiable(net, rest).empty()) {
     const TreeState<double> state = pose_tree(model.tree, at.q);
     const internal::TangentNet tangent(net, state, drive(at), rest);
-    const PullRates rate = rates(at, rest);
-    const std::vector<OverExit> over = over_exits(tendons(), rest);
+    const PullRates rate = rates_of(now, R);
     const auto length_rates = [&](const internal::NetPerturbation& input,
                                   const Eigen::Matrix3Xd& v) {
       VectorXd of_pulls = VectorXd::Zero(rate.by_load.rows());
       for (std::size_t b = 0; b < net.bands.size(); ++b) {
         const int p = net.bands[b].muscle;
         if (p < 0) continue;
-        of_pulls[p] = over[static_cast<std::size_t>(p)].slope *
-                      internal::band_rate(tangent, static_cast<Index>(b), input, v).length;
+        of_pulls[p] =
+            now.over_exit[p] * internal::band_rate(tangent, static_cast<Index>(b), input, v).length;
       }
       return VectorXd(tendons().shares().transpose() * of_pulls);
     };
@@ -256,9 +231,9 @@ EndSlopes PullByTendon::slopes(const PostureAndLoad& at, const NetEquilibrium& r
   }
   // Tensions by the laws; torques by ends as tensions by postures, since both are second
   // derivatives of one energy.
-  out.tension_by_posture = stiffness.asDiagonal() * out.length_by_posture;
+  out.tension_by_posture = now.stiffness.asDiagonal() * out.length_by_posture;
   out.tension_by_end =
-      stiffness.asDiagonal() * (out.length_by_end - MatrixXd::Identity(muscles, muscles));
+      now.stiffness.asDiagonal() * (out.length_by_end - MatrixXd::Identity(muscles, muscles));
   out.torque_by_posture += R.transpose() * out.tension_by_posture;
   out.torque_by_end = out.tension_by_posture.transpose();
   return out;

@@ -55,6 +55,13 @@ class NetPull {
   [[nodiscard]] virtual TendonTorque torque(const PostureAndLoad& at,
                                             NetEquilibrium rest) const = 0;
 
+  /// How torque, tensions and lengths change with posture and ends of tendons, as if knots stayed
+  /// where the net is not differentiable; none where loads are tensions.
+  [[nodiscard]] virtual EndSlopes slopes(const PostureAndLoad& /*at*/,
+                                         const NetEquilibrium& /*rest*/) const {
+    return {};
+  }
+
   /// Whether a muscle pulls the net, so that its knots have a place.
   [[nodiscard]] virtual bool pulls(const Eigen::VectorXd& load) const = 0;
 
@@ -113,16 +120,22 @@ class PullByTendon : public NetPull {
   [[nodiscard]] double least_change(const Eigen::VectorXd& from, const Eigen::VectorXd& to,
                                     double share) const override;
 
-  /// How torque, tensions and lengths change; as if knots stayed where the net is not
-  /// differentiable.
-  [[nodiscard]] EndSlopes slopes(const PostureAndLoad& at, const NetEquilibrium& rest) const;
+  [[nodiscard]] EndSlopes slopes(const PostureAndLoad& at,
+                                 const NetEquilibrium& rest) const override;
 
  private:
-  /// Lengths of all lines, up to a constant [m] (muscles).
-  [[nodiscard]] Eigen::VectorXd lengths(const PostureAndLoad& at, const NetEquilibrium& rest) const;
-  /// Laws of the tendons at these lengths of lines (muscles).
-  [[nodiscard]] std::vector<BandResponse> responses(const PostureAndLoad& at,
-                                                    const Eigen::VectorXd& length) const;
+  /// Tendons where the net rests.
+  struct Stretched {
+    Eigen::VectorXd length;     // of lines, up to a constant [m] (muscles)
+    Eigen::VectorXd over_exit;  // slope of each band's length over its exit by its own [1] (pulls)
+    Eigen::VectorXd tension;    // [N] (muscles)
+    Eigen::VectorXd stiffness;  // [N/m] (muscles)
+    double energy = 0;          // [J]
+  };
+  [[nodiscard]] Stretched stretched(const PostureAndLoad& at, const NetEquilibrium& rest) const;
+
+  /// @param R  arms of what runs outside of the net (muscles, coordinates)
+  [[nodiscard]] PullRates rates_of(const Stretched& now, const Eigen::MatrixXd& R) const;
 
   std::vector<std::shared_ptr<const TensionLaw>> laws_;
 };

@@ -26,15 +26,10 @@ double sum_of(const VectorXd& tension, const std::vector<int>& bands) {
   return sum;
 }
 
-/// Which bands have collapsed which knots.
-std::string drawn_in(const Net& net, const NetEquilibrium& rest) {
-  std::vector<std::string> which;
-  for (const CollapsedBand& collapsed : rest.collapsed) {
-    const NetBand& band = net.bands[static_cast<std::size_t>(collapsed.band)];
-    which.push_back(fmt::format("'{}' has drawn in '{}'", band.name,
-                                net.nodes[static_cast<std::size_t>(band.a)].name));
-  }
-  return fmt::format("net '{}' does not hold: {}", net.name, fmt::join(which, ", "));
+std::vector<int> collapsed_bands(const NetEquilibrium& rest) {
+  std::vector<int> bands;
+  for (const CollapsedBand& collapsed : rest.collapsed) bands.push_back(collapsed.band);
+  return bands;
 }
 
 /// The band that bears most of those that bear too much.
@@ -72,12 +67,23 @@ std::string buried_band(const Net& net, const TreeState<double>& state,
   return "";
 }
 
+}  // namespace
+
 void add_warning(const std::string& more, TendonTorque& pull) {
   if (!pull.warning.empty() && !more.empty()) pull.warning += "; ";
   pull.warning += more;
 }
 
-}  // namespace
+std::string drawn_in(const Net& net, const std::vector<int>& bands) {
+  if (bands.empty()) return "";
+  std::vector<std::string> which;
+  for (const int b : bands) {
+    const NetBand& band = net.bands[static_cast<std::size_t>(b)];
+    which.push_back(fmt::format("'{}' has drawn in '{}'", band.name,
+                                net.nodes[static_cast<std::size_t>(band.a)].name));
+  }
+  return fmt::format("net '{}' does not hold: {}", net.name, fmt::join(which, ", "));
+}
 
 VectorXd muscle_band_length(const Net& net, const NetEquilibrium& rest) {
   VectorXd length = VectorXd::Zero(static_cast<Eigen::Index>(net.muscles.size()));
@@ -144,7 +150,7 @@ std::string net_warning(const Net& net, const TreeState<double>& state,
     case NetStatus::kOverstrained:
       return overstrained(net, rest);
     case NetStatus::kNodeCollapsed:
-      return drawn_in(net, rest);
+      return drawn_in(net, collapsed_bands(rest));
     case NetStatus::kBalanced:
       break;
   }

@@ -147,6 +147,12 @@ class NetTendons : public DigitTendons {
 /// Sum of the tensions in the bands of each slip [N].
 [[nodiscard]] SlipTension slip_tension(const BuiltNet& net, const NetEquilibrium& rest);
 
+/// Which bands have drawn their knots into their exits, in words; empty: none.
+[[nodiscard]] std::string drawn_in(const Net& net, const std::vector<int>& bands);
+
+/// Adds to the warning of a torque; nothing if there is no more.
+void add_warning(const std::string& more, TendonTorque& pull);
+
 /// How far an equilibrium can be trusted.
 [[nodiscard]] TendonStatus net_status(const Net& net, const TreeState<double>& state,
                                       const NetEquilibrium& rest);
