@@ -197,7 +197,8 @@ class DigitTendons {
   [[nodiscard]] virtual std::unique_ptr<TendonFollower> follower() const { return nullptr; }
 
   /// Follows a net from a rest under muscles on tendons that stretch: both rest in the least of one
-  /// energy. Null without a net, and where a muscle pulls more than one of its bands.
+  /// energy. Null without a net, where a muscle pulls more than one of its bands or its sheath
+  /// rubs, and where `ends.at` states no rest.
   [[nodiscard]] virtual std::unique_ptr<TendonFollower> follower_on_tendons(
       const TendonEnds& /*ends*/) const {
     return nullptr;

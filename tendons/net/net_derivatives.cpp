@@ -16,6 +16,8 @@ using internal::TangentNet;
 
 TangentNet tangent_at(const Net& net, const TreeState<double>& state, const NetDrive& drive,
                       const NetEquilibrium& rest, double settled = 0) {
+  require(drive.law.empty(), "net {}: slopes of tendons on laws are those of PullByTendon",
+          net.name);
   const std::string why = why_not_differentiable(net, rest, settled);
   require(why.empty(), "net {}: no slopes, since {}", net.name, why);
   return {net, state, drive, rest};

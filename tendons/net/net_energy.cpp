@@ -65,7 +65,7 @@ double penalty_of(const Net& net, const NetScene& scene, int i) {
     const NetBand& other = net.bands[j];
     const bool meets =
         other.a == band.a || other.a == band.b || other.b == band.a || other.b == band.b;
-    if (meets && scene.pull[j] < 0) against += 20 * other.EA / scene.slack[j];
+    if (meets && scene.pull[j] < 0 && !scene.law[j]) against += 20 * other.EA / scene.slack[j];
   }
   return against;
 }

@@ -61,12 +61,15 @@ NetFollower::NetFollower(std::unique_ptr<PullByTendon> pull, PostureAndLoad here
 
 void NetFollower::reach(const PostureAndLoad& to) {
   if (asked_.q.size() > 0 && asked_.q == to.q && asked_.load == to.load) return;
+  asked_ = {};  // if the search throws
+  reached_ = way_to(to);
   asked_ = to;
-  if (!known_) {
-    reached_ = follow_from_straight(tendons_, to.q, to.load);
-    return;
-  }
+}
+
+NetContinuation NetFollower::way_to(const PostureAndLoad& to) const {
+  if (!known_) return follow_from_straight(tendons_, to.q, to.load);
   // One search from where slopes say suffices for short steps.
+  long spent = 0;
   if (by_posture_.size() > 0) {
     const VectorXd move = by_posture_ * (to.q - here_.q) + by_load_ * (to.load - here_.load);
     const Matrix3Xd start = rest_.x + Map<const Matrix3Xd>(move.data(), 3, rest_.x.cols());
@@ -75,12 +78,14 @@ void NetFollower::reach(const PostureAndLoad& to) {
     const double off = largest_deviation(net, rest_.undetermined, start, next);
     if (off <= options_.stray && why_not_differentiable(net, next).empty()) {
       const long effort = next.evaluations;
-      reached_ = {std::move(next), {}, 1, effort, true};
-      return;
+      return {std::move(next), {}, 1, effort, true};
     }
+    spent = next.evaluations;
   }
   // Otherwise in shorter ones.
-  reached_ = follow_net(*pull_, rest_, here_, to, options_);
+  NetContinuation way = follow_net(*pull_, rest_, here_, to, options_);
+  way.effort += spent;
+  return way;
 }
 
 TendonTorque NetFollower::at(const VectorXd& q, const VectorXd& load) {

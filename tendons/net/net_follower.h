@@ -32,6 +32,7 @@ class NetFollower : public TendonFollower {
  private:
   [[nodiscard]] double unexplained(const PostureAndLoad& from, const NetEquilibrium& rest,
                                    const PostureAndLoad& to, const NetEquilibrium& there) const;
+  [[nodiscard]] NetContinuation way_to(const PostureAndLoad& to) const;
   void reach(const PostureAndLoad& to);
   void find_slopes();
 

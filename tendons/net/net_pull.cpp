@@ -41,13 +41,20 @@ class ShareOfTendon : public TensionLaw {
   double share_, beyond_;
 };
 
-/// Bands that have drawn their knots into their exits.
-std::vector<int> bands_in_exits(const Net& net, const NetEquilibrium& rest) {
-  std::vector<int> bands;
-  for (std::size_t b = 0; b < net.bands.size(); ++b)
-    if (net.bands[b].muscle >= 0 && rest.length[static_cast<Index>(b)] <= kExitRadius)
-      bands.push_back(static_cast<int>(b));
-  return bands;
+/// What each exit lengthens the line of its muscle by [m] (muscles).
+VectorXd lengthened_by_exits(const NetTendons& tendons, const NetEquilibrium& rest) {
+  const VectorXd band = muscle_band_length(tendons.net().net, rest);
+  const VectorXd more = band.unaryExpr([](double L) { return OverExit(L).length - L; });
+  return tendons.shares().transpose() * more;
+}
+
+/// A state that no integrator accepts, since a tendon would be stretched without bounds.
+TendonTorque overstretched(Index joints) {
+  TendonTorque pull;
+  pull.tau = VectorXd::Constant(joints, HUGE_VAL);
+  pull.status = TendonStatus::kUnbalanced;
+  pull.warning = "a tendon is stretched beyond all bounds";
+  return pull;
 }
 
 }  // namespace
@@ -98,16 +105,29 @@ bool pulls_one_band_each(const NetTendons& tendons) {
 }
 
 PullByTendon::PullByTendon(const NetTendons& tendons,
-                           std::vector<std::shared_ptr<const TensionLaw>> laws)
+                           std::vector<std::shared_ptr<const TensionLaw>> laws,
+                           const NetEquilibrium& first)
     : NetPull(tendons), laws_(std::move(laws)) {
   require(laws_.size() == tendons.digit().names.muscles.size(), "{} tendons for {} muscles",
           laws_.size(), tendons.digit().names.muscles.size());
   require(pulls_one_band_each(tendons), "net '{}' has a muscle that pulls more than one band",
           tendons.net().net.name);
+  lengthened_ = lengthened_by_exits(tendons, first);
+}
+
+VectorXd PullByTendon::lengths_outside(const VectorXd& q) const {
+  return tendons().lengths_outside(q) - lengthened_;
+}
+
+MatrixXd PullByTendon::arms_outside(const VectorXd& q) const {
+  return tendons().torque_outside(q, VectorXd::Zero(lengthened_.size())).R;
 }
 
 NetDrive PullByTendon::drive(const PostureAndLoad& at) const {
-  const VectorXd outside = tendons().lengths_outside(at.q);
+  require(at.load.size() == lengthened_.size() && at.load.allFinite(),
+          "wanted {} ends of tendons, got {}, all finite: {}", lengthened_.size(), at.load.size(),
+          at.load.allFinite());
+  const VectorXd outside = lengths_outside(at.q);
   const std::vector<MuscleAttachment>& pulls = tendons().net().pulls;
   NetDrive drive;
   drive.tension = VectorXd::Zero(static_cast<Index>(pulls.size()));
@@ -122,13 +142,14 @@ PullByTendon::Stretched PullByTendon::stretched(const PostureAndLoad& at,
                                                 const NetEquilibrium& rest) const {
   // Lines, in the net over their exits.
   Stretched now;
-  now.length = tendons().lengths_outside(at.q);
-  now.over_exit = muscle_band_length(tendons().net().net, rest);
-  for (Index p = 0; p < now.over_exit.size(); ++p) {
-    const OverExit over(now.over_exit[p]);
+  now.length = lengths_outside(at.q);
+  const VectorXd band = muscle_band_length(tendons().net().net, rest);
+  now.exit_slope.resize(band.size());
+  for (Index p = 0; p < band.size(); ++p) {
+    const OverExit over(band[p]);
     const MuscleAttachment& pull = tendons().net().pulls[static_cast<std::size_t>(p)];
     now.length[pull.muscle] += pull.share * over.length;
-    now.over_exit[p] = over.slope;
+    now.exit_slope[p] = over.slope;
   }
   // Tendons by their laws.
   now.tension.resize(now.length.size());
@@ -149,7 +170,7 @@ PullRates PullByTendon::rates_of(const Stretched& now, const MatrixXd& R) const 
   PullRates out{MatrixXd::Zero(count, R.cols()), MatrixXd::Zero(count, R.rows())};
   for (Index p = 0; p < count; ++p) {
     const MuscleAttachment& pull = pulls[static_cast<std::size_t>(p)];
-    const double k = pull.share * now.over_exit[p] * now.stiffness[pull.muscle];
+    const double k = pull.share * now.exit_slope[p] * now.stiffness[pull.muscle];
     out.by_posture.row(p) = -k * R.row(pull.muscle);
     out.by_load(p, pull.muscle) = -k;
   }
@@ -158,15 +179,31 @@ PullRates PullByTendon::rates_of(const Stretched& now, const MatrixXd& R) const 
 
 PullRates PullByTendon::rates(const PostureAndLoad& at, const NetEquilibrium& rest) const {
   const Stretched now = stretched(at, rest);
-  return rates_of(now, tendons().torque_outside(at.q, now.tension).R);
+  return rates_of(now, arms_outside(at.q));
+}
+
+std::vector<int> PullByTendon::drawn_bands(const Stretched& now) const {
+  constexpr double kShare = 0.01;  // of a pull that a net may miss [1]
+  constexpr double kPull = 0.05;   // that it may miss [N]
+  const NetTendons& all = tendons();
+  std::vector<int> bands;
+  for (std::size_t b = 0; b < all.net().net.bands.size(); ++b) {
+    const int p = all.net().net.bands[b].muscle;
+    if (p < 0) continue;
+    const MuscleAttachment& pull = all.net().pulls[static_cast<std::size_t>(p)];
+    const double missing = 1 - now.exit_slope[p];
+    if (missing > kShare && missing * pull.share * now.tension[pull.muscle] > kPull)
+      bands.push_back(static_cast<int>(b));
+  }
+  return bands;
 }
 
 TendonTorque PullByTendon::torque(const PostureAndLoad& at, NetEquilibrium rest) const {
   Stretched now = stretched(at, rest);
+  if (!now.tension.allFinite()) return overstretched(at.q.size());
   TendonTorque pull = tendons().torque_of_rest(at.q, now.tension, std::move(rest));
-  // Knots within their exits.
-  const Net& net = tendons().net().net;
-  if (const std::string drawn = drawn_in(net, bands_in_exits(net, *pull.rest)); !drawn.empty()) {
+  // Knots that the net does not hold.
+  if (const std::string drawn = drawn_in(tendons().net().net, drawn_bands(now)); !drawn.empty()) {
     pull.status = worse(pull.status, TendonStatus::kNodeCollapsed);
     add_warning(drawn, pull);
   }
@@ -178,6 +215,7 @@ TendonTorque PullByTendon::torque(const PostureAndLoad& at, NetEquilibrium rest)
 
 NetPotential PullByTendon::potential(const PostureAndLoad& at, const NetEquilibrium& rest) const {
   const Stretched now = stretched(at, rest);
+  if (!now.tension.allFinite()) return {HUGE_VAL, VectorXd::Zero(at.q.size()), -now.tension};
   return {strain_energy(tendons().net().net, rest) + now.energy,
           tendons().torque(at.q, now.tension, rest), -now.tension};
 }
@@ -193,9 +231,9 @@ EndSlopes PullByTendon::slopes(const PostureAndLoad& at, const NetEquilibrium& r
   const Index joints = at.q.size(), muscles = at.load.size();
   // Tendons outside of the net.
   const Stretched now = stretched(at, rest);
-  const MatrixXd R = tendons().torque_outside(at.q, now.tension).R;
+  const MatrixXd R = arms_outside(at.q);
   EndSlopes out;
-  out.torque_by_posture = tendons().derivatives_outside(at.q, now.tension).by_posture;
+  out.torque_by_posture = tendons().torque_by_posture_outside(at.q, now.tension);
   out.length_by_posture = -R;
   out.length_by_end = MatrixXd::Zero(muscles, muscles);
   // The net, by one joint or end at a time.
@@ -209,8 +247,8 @@ EndSlopes PullByTendon::slopes(const PostureAndLoad& at, const NetEquilibrium& r
       for (std::size_t b = 0; b < net.bands.size(); ++b) {
         const int p = net.bands[b].muscle;
         if (p < 0) continue;
-        of_pulls[p] =
-            now.over_exit[p] * internal::band_rate(tangent, static_cast<Index>(b), input, v).length;
+        of_pulls[p] = now.exit_slope[p] *
+                      internal::band_rate(tangent, static_cast<Index>(b), input, v).length;
       }
       return VectorXd(tendons().shares().transpose() * of_pulls);
     };

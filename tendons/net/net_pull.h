@@ -17,20 +17,20 @@ inline constexpr double kExitRadius = 1e-4;
 /// tendon along its line, up to a constant [m], as a NetPull says.
 struct PostureAndLoad {
   Eigen::VectorXd q;     // (coordinates) [rad]
-  Eigen::VectorXd load;  // (muscles)
+  Eigen::VectorXd load;  // [N] or [m] (muscles)
 };
 
 /// Rates of the net's pulls while its bands keep their lengths.
 struct PullRates {
   Eigen::MatrixXd by_posture;  // [N/rad] (pulls, coordinates)
-  Eigen::MatrixXd by_load;     // (pulls, muscles)
+  Eigen::MatrixXd by_load;     // [1] or [N/m] (pulls, muscles)
 };
 
 /// Potential energy of a net and its load, and what it changes by:  -tau dq + by_load dload.
 struct NetPotential {
   double energy = 0;        // [J]
   Eigen::VectorXd tau;      // [N m] (coordinates)
-  Eigen::VectorXd by_load;  // (muscles)
+  Eigen::VectorXd by_load;  // lengths of lines [m], or -tension [N] (muscles)
 };
 
 /// A way to pull a net.
@@ -55,8 +55,8 @@ class NetPull {
   [[nodiscard]] virtual TendonTorque torque(const PostureAndLoad& at,
                                             NetEquilibrium rest) const = 0;
 
-  /// How torque, tensions and lengths change with posture and ends of tendons, as if knots stayed
-  /// where the net is not differentiable; none where loads are tensions.
+  /// How torque, tensions and lengths change with posture and ends of tendons; without the net
+  /// where it is not differentiable; none where loads are tensions.
   [[nodiscard]] virtual EndSlopes slopes(const PostureAndLoad& /*at*/,
                                          const NetEquilibrium& /*rest*/) const {
     return {};
@@ -88,7 +88,7 @@ class PullByTension : public NetPull {
   [[nodiscard]] PullRates rates(const PostureAndLoad& at,
                                 const NetEquilibrium& rest) const override;
 
-  /// Of the net alone:  strain + t L.
+  /// Potential of the net alone:  strain + t L.
   [[nodiscard]] NetPotential potential(const PostureAndLoad& at,
                                        const NetEquilibrium& rest) const override;
   [[nodiscard]] TendonTorque torque(const PostureAndLoad& at, NetEquilibrium rest) const override;
@@ -102,19 +102,22 @@ class PullByTension : public NetPull {
 /// is found, too, where it would not rest under tensions that stay while it moves.
 class PullByTendon : public NetPull {
  public:
-  /// @param laws  of the tendon of each muscle (muscles)
-  /// @throws InputError if a muscle pulls more than one band, see pulls_one_band_each().
-  PullByTendon(const NetTendons& tendons, std::vector<std::shared_ptr<const TensionLaw>> laws);
+  /// @param laws   of the tendon of each muscle; one law may serve several (muscles)
+  /// @param first  where the net rests at first: lines over exits are measured from there, so that
+  ///               they begin as long as DigitTendons::lengths() says
+  /// @throws InputError if a muscle does not pull just one band, see pulls_one_band_each().
+  PullByTendon(const NetTendons& tendons, std::vector<std::shared_ptr<const TensionLaw>> laws,
+               const NetEquilibrium& first);
 
   [[nodiscard]] NetDrive drive(const PostureAndLoad& at) const override;
   [[nodiscard]] PullRates rates(const PostureAndLoad& at,
                                 const NetEquilibrium& rest) const override;
 
-  /// Of net and tendons:  strain + sum U(L - p).
+  /// Potential of net and tendons:  strain + sum U(L - p);  infinite if a law says so.
   [[nodiscard]] NetPotential potential(const PostureAndLoad& at,
                                        const NetEquilibrium& rest) const override;
 
-  /// With tensions and lengths, without moment arms.
+  /// Torque with tensions and lengths, without moment arms; infinite if a law says so.
   [[nodiscard]] TendonTorque torque(const PostureAndLoad& at, NetEquilibrium rest) const override;
   [[nodiscard]] bool pulls(const Eigen::VectorXd& /*load*/) const override { return true; }
   [[nodiscard]] double least_change(const Eigen::VectorXd& from, const Eigen::VectorXd& to,
@@ -126,21 +129,28 @@ class PullByTendon : public NetPull {
  private:
   /// Tendons where the net rests.
   struct Stretched {
-    Eigen::VectorXd length;     // of lines, up to a constant [m] (muscles)
-    Eigen::VectorXd over_exit;  // slope of each band's length over its exit by its own [1] (pulls)
-    Eigen::VectorXd tension;    // [N] (muscles)
-    Eigen::VectorXd stiffness;  // [N/m] (muscles)
-    double energy = 0;          // [J]
+    Eigen::VectorXd length;      // of lines, up to a constant [m] (muscles)
+    Eigen::VectorXd exit_slope;  // of each band's length over its exit by its own [1] (pulls)
+    Eigen::VectorXd tension;     // infinite if a law says so [N] (muscles)
+    Eigen::VectorXd stiffness;   // [N/m] (muscles)
+    double energy = 0;           // [J]
   };
   [[nodiscard]] Stretched stretched(const PostureAndLoad& at, const NetEquilibrium& rest) const;
+
+  [[nodiscard]] Eigen::VectorXd lengths_outside(const Eigen::VectorXd& q) const;
+  [[nodiscard]] Eigen::MatrixXd arms_outside(const Eigen::VectorXd& q) const;
+
+  /// Bands that have drawn their knots so near to their exits that the net misses part of the pull.
+  [[nodiscard]] std::vector<int> drawn_bands(const Stretched& now) const;
 
   /// @param R  arms of what runs outside of the net (muscles, coordinates)
   [[nodiscard]] PullRates rates_of(const Stretched& now, const Eigen::MatrixXd& R) const;
 
   std::vector<std::shared_ptr<const TensionLaw>> laws_;
+  Eigen::VectorXd lengthened_;  // lines at first, by their exits [m] (muscles)
 };
 
-/// Whether every muscle pulls a net by one band at most.
+/// Whether every muscle of a net pulls it by one band, and every muscle of the digit once at most.
 [[nodiscard]] bool pulls_one_band_each(const NetTendons& tendons);
 
 }  // namespace thenar

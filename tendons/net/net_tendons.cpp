@@ -207,9 +207,12 @@ std::unique_ptr<TendonFollower> NetTendons::follower() const {
 }
 
 std::unique_ptr<TendonFollower> NetTendons::follower_on_tendons(const TendonEnds& ends) const {
-  if (!pulls_one_band_each(*this) || !ends.at.rest) return nullptr;
-  return std::make_unique<NetFollower>(std::make_unique<PullByTendon>(*this, ends.laws),
-                                       PostureAndLoad{ends.q, ends.load}, *ends.at.rest);
+  // Sheaths that rub have no energy.
+  const bool rubs = !digit_.model.friction.isZero(0);
+  if (rubs || !pulls_one_band_each(*this) || !ends.at.rest) return nullptr;
+  return std::make_unique<NetFollower>(
+      std::make_unique<PullByTendon>(*this, ends.laws, *ends.at.rest),
+      PostureAndLoad{ends.q, ends.load}, *ends.at.rest);
 }
 
 NetEquilibrium NetTendons::rest(const VectorXd& q, const VectorXd& t,
@@ -274,6 +277,19 @@ TendonTorque NetTendons::evaluate(const VectorXd& q, const VectorXd& t,
 std::shared_ptr<const NetEquilibrium> NetTendons::rest_of(const TendonTorque& at, const VectorXd& q,
                                                           const VectorXd& t) const {
   return at.rest ? at.rest : std::make_shared<const NetEquilibrium>(rest(q, t, at.nodes));
+}
+
+MatrixXd NetTendons::torque_by_posture_outside(const VectorXd& q, const VectorXd& t) const {
+  constexpr double kStep = 1e-6;  // [rad]
+  const TendonDerivatives slopes = derivatives_outside(q, t);
+  if (slopes.exist) return slopes.by_posture;
+  MatrixXd by_posture(q.size(), q.size());
+  for (Eigen::Index j = 0; j < q.size(); ++j) {
+    const VectorXd step = kStep * VectorXd::Unit(q.size(), j);
+    by_posture.col(j) =
+        (torque_outside(q + step, t).tau - torque_outside(q - step, t).tau) / (2 * kStep);
+  }
+  return by_posture;
 }
 
 MatrixXd NetTendons::torque_by_posture(const VectorXd& q, const VectorXd& t,

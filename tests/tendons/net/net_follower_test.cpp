@@ -4,10 +4,7 @@
 
 #include <gtest/gtest.h>
 
-#include "tendons/linear_tendons.h"
-#include "tests/hand/sample_subjects.h"
-#include "tests/matrix_near.h"
-#include "tests/tendons/net/sample_nets.h"
+#include "tests/tendons/net/net_on_rod.h"
 
 namespace thenar {
 namespace {
@@ -23,38 +20,14 @@ constexpr double kRadius = 6e-3, kAside = 3e-3;  // of the bone, and of the exit
 /// so that theta = 0 is a minimum while  t1 / (r - d) > t2 / (r + d),  and pi while
 /// t2 / (r - d) > t1 / (r + d):  both, for pulls that differ by less than a factor of 3.
 NetTendons two_exits() {
-  // A rod on a hinge, which the net does not pull.
-  Subject subject;
-  subject.name = "rod";
-  subject.side = "right";
-  subject.base = "Base";
-  subject.segments = {sample::bone("Base", {0, 0, 0}, {0, 0, 0}, 0),
-                      sample::bone("Rod", {0, 0, 0}, {0, -0.08, 0}, 0)};
-  subject.joints = {sample::hinge("J1", "Base", "Rod", {0, 0, 1}, {0, 0, 0})};
-  for (const char* name : {"FLX", "EXT"}) {
-    Strand strand;
-    strand.name = name;
-    strand.arms = {{"J1", 0.01}};
-    subject.strands.push_back(strand);
-    MuscleUnit muscle;
-    muscle.name = muscle.strand = name;
-    muscle.max_force = 2;
-    subject.muscles.push_back(muscle);
-  }
-  subject.digits = {sample::digit("index", "Rod", {0, -0.08, 0})};
-  auto linear = build_linear_tendons(subject, "index");
-  BuiltNet built;
-  Net& net = built.net;
+  Net net;
   net.name = "two exits";
   net.surfaces = {{"bone", -1, SurfaceShape::kCylinder, {kRadius, 0.01, 0}, {}}};
   net.muscles = {"FLX", "EXT"};
   const int knot = add_node(net, true, -1, {kRadius, 0, 0}, {0});
   add_pull(net, knot, add_node(net, false, -1, {kAside, 0, 0}), 0);
   add_pull(net, knot, add_node(net, false, -1, {-kAside, 0, 0}), 1);
-  built.pulls = {{0, 1}, {1, 1}};
-  built.muscles = {{0, 1, {}}, {1, 1, {}}};
-  built.frame.straight = VectorXd::Zero(1);
-  return {std::move(linear), std::move(built)};
+  return sample::net_on_rod(std::move(net));
 }
 
 const VectorXd kStill = VectorXd::Zero(1);
@@ -97,17 +70,6 @@ TEST(NetFollower, ForgetsWhatWasNotAccepted) {
   EXPECT_NEAR(side_of(net.at(kStill, Vector2d(0.9, 1))), kRadius, 1e-9);
 }
 
-/// A tendon as stiff as a muscle's.
-class Spring : public TensionLaw {
- public:
-  [[nodiscard]] BandResponse at(double length) const override {
-    constexpr double kStiffness = 1e5;  // [N/m]
-    return length > 0
-               ? BandResponse{kStiffness * length * length / 2, kStiffness * length, kStiffness}
-               : BandResponse{0, 0, 0};
-  }
-};
-
 // On stiff tendons of one law it rests between the exits, where under tensions that stay its energy
 // is greatest. In closed form: tensions k (L - p) in balance on the bone are as the lengths L, so
 // L1 / L2 = p1 / p2, and with s = r^2 + d^2 + w^2, w the radius of the exits,
@@ -116,17 +78,21 @@ TEST(NetFollower, RestsOnTendonsWhereTensionsAloneDoNotHoldIt) {
   const NetTendons tendons = two_exits();
   const double s = kRadius * kRadius + kAside * kAside + kExitRadius * kExitRadius;
   const double product = 2 * kRadius * kAside;
-  // Ends of tendons stretched by 20 um and more with the knot at cos theta.
-  const auto ends = [&](double cosine) {
-    return Vector2d((1 - 5e-3) * std::sqrt(s - product * cosine),
-                    (1 - 5e-3) * std::sqrt(s + product * cosine));
+  const auto lines = [&](double cosine) {
+    return Vector2d(std::sqrt(s - product * cosine), std::sqrt(s + product * cosine));
+  };
+  // Ends of tendons stretched by 15 um and more with the knot at cos theta; lines begin as long as
+  // they are without exits.
+  const Vector2d lengthened = lines(1) - Vector2d(kRadius - kAside, kRadius + kAside);
+  const auto ends = [&](double cosine) -> Vector2d {
+    return (1 - 5e-3) * lines(cosine) - lengthened;
   };
   // A rest beside the first exit, by tensions that hold it there.
   NetFollower held(tendons);
   (void)held.accept(kStill, Vector2d(2, 1));
   const VectorXd first = ends(1);
   const TendonTorque at = held.at(kStill, Vector2d(2, 1));
-  const auto spring = std::make_shared<const Spring>();
+  const auto spring = std::make_shared<const sample::Spring>();
   const auto net = tendons.follower_on_tendons({{spring, spring}, kStill, first, at});
   ASSERT_TRUE(net);
   // All the way round without a snap.
@@ -139,6 +105,21 @@ TEST(NetFollower, RestsOnTendonsWhereTensionsAloneDoNotHoldIt) {
     EXPECT_NEAR(now.tension[0] / now.tension[1],
                 std::sqrt((s - product * cosine) / (s + product * cosine)), 1e-6);
   }
+}
+
+// An error leaves nothing that the same question would be answered with.
+TEST(NetFollower, RefusesTheSameEndsAgain) {
+  const NetTendons tendons = two_exits();
+  NetFollower held(tendons);
+  (void)held.accept(kStill, Vector2d(2, 1));
+  const auto spring = std::make_shared<const sample::Spring>();
+  const VectorXd first = Vector2d(kRadius - kAside, kRadius + kAside) - Vector2d(2e-5, 1e-5);
+  const auto net = tendons.follower_on_tendons(
+      {{spring, spring}, kStill, first, held.at(kStill, Vector2d(2, 1))});
+  const Vector2d wrong(first[0], std::nan(""));
+  EXPECT_THROW((void)net->at(kStill, wrong), InputError);
+  EXPECT_THROW((void)net->at(kStill, wrong), InputError);
+  EXPECT_TRUE(net->at(kStill, first).tau.allFinite());
 }
 
 }  // namespace
