@@ -203,8 +203,8 @@ std::vector<std::string> path_cautions(const FitInputs& inputs) {
   const Subject subject = parse_subject(inputs.subject.text, inputs.subject.path);
   if (default_path(subject) != Path::kWrapped) return {};
   return {fmt::format(
-      "subject '{}' states surfaces, over which tendons wrap in other questions: this fit, and "
-      "what comes from it, runs them straight between via points",
+      "subject '{}' has tendons that wrap over surfaces or originate from others in other "
+      "questions: this fit, and what comes from it, runs them straight between via points",
       subject.name)};
 }
 

@@ -95,8 +95,8 @@ void add_passive_option(CLI::App& command, PassiveMoments& passive) {
 void add_hand_path_option(CLI::App& command, std::optional<Path>& path) {
   add_path_option(command, path);
   command.get_option("--path")->description(
-      "Tendon paths of human hands whose names state none; wrapped if left out where the subject "
-      "states surfaces: " +
+      "Tendon paths of human hands whose names state none; wrapped if left out where tendons "
+      "name surfaces: " +
       listed(path_names()));
 }
 

@@ -299,11 +299,13 @@ class DigitBuilder {
 }  // namespace
 
 Path default_path(const Subject& subject) {
-  const auto rides = [](const Strand& strand) {
-    return !strand.path.empty() && !strand.path.back().rides_on.empty();
+  const auto bends = [](const PathPoint& point) {
+    return !point.surface.empty() || !point.rides_on.empty();
   };
-  const bool more = !subject.surfaces.empty() ||
-                    std::any_of(subject.strands.begin(), subject.strands.end(), rides);
+  const bool more =
+      std::any_of(subject.strands.begin(), subject.strands.end(), [&](const Strand& strand) {
+        return std::any_of(strand.path.begin(), strand.path.end(), bends);
+      });
   return more ? Path::kWrapped : Path::kViaPoint;
 }
 

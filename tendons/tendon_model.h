@@ -88,9 +88,8 @@ enum class WristMode {
   kFree     // they move, and every tendon across them counts
 };
 
-/// The rung of paths where none is asked for: wrapped where the subject states what straight paths
-/// leave out, surfaces or origins that ride on other tendons; straight between via points
-/// elsewhere.
+/// The rung of paths where none is asked for: wrapped where a tendon bends over a surface or
+/// originates from another tendon; straight between via points elsewhere.
 [[nodiscard]] Path default_path(const Subject& subject);
 
 /// Which tendons to build, as a builder is told: where a question leaves `path` open, it is

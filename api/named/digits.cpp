@@ -80,7 +80,7 @@ std::shared_ptr<const DigitTendons> tendons_on_rungs(const DigitCase& at, bool p
   } catch (const InputError& error) {
     if (path_asked || at.rungs.path != Path::kWrapped || !can_run_straight(at, net)) throw;
     throw InputError(fmt::format(
-        "{}; paths wrap where the subject states surfaces: straight ones, 'via', leave them out",
+        "{}; paths wrap where tendons name surfaces: straight ones, 'via', leave them out",
         error.what()));
   }
 }

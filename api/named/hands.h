@@ -43,7 +43,7 @@ struct HandSource {
 ///   "FILE.toml:skewed" ..    the same of a subject file; without a version it is "skewed", which
 ///                            needs no tendons
 ///   "human:tendons:via"      the same on another model of tendon paths: via, fitted or wrapped; if
-///                            left out, wrapped where the subject states surfaces
+///                            left out, wrapped where its tendons name surfaces
 ///   "human:skewed:passive-off", "human:tendons:via:passive-off"
 ///                            the same without passive moments of joints
 ///   "human:tier1" ..         the old names of the four versions, in this order

@@ -178,7 +178,8 @@ Schema open_params() {
         "How tensions spread over the extensor hood; left out: a net where the digit can carry "
         "one, else fixed fractions."},
        {"path", word_schema(path_names()),
-        "Rung of tendon paths; left out: wrapped where the subject states surfaces, else via."},
+        "Rung of tendon paths; left out: wrapped where tendons of the subject name surfaces, else "
+        "via."},
        {"net", text_schema(), "Name or file of the net; left out: extensor_hood."},
        {"passive", word_schema({"on", "off"}),
         "Whether passive moments of the subject's joints are counted.", false, "on"}});

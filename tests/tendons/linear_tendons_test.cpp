@@ -122,14 +122,19 @@ TEST(LinearTendons, SayThatTheyWrap) {
   EXPECT_EQ(wrapped->digit().fidelity.path, Path::kWrapped);
 }
 
-TEST(DefaultPath, WrapsWhereTheSubjectStatesSurfaces) {
+TEST(DefaultPath, WrapsWhereATendonBendsOverASurface) {
   EXPECT_EQ(default_path(whole_hand()), Path::kWrapped);
   EXPECT_EQ(default_path(middle_finger()), Path::kViaPoint);
 }
 
+TEST(DefaultPath, RunsStraightBesideSurfacesThatNoTendonNames) {
+  Subject finger = middle_finger();
+  finger.surfaces = whole_hand().surfaces;
+  EXPECT_EQ(default_path(finger), Path::kViaPoint);
+}
+
 TEST(DefaultPath, WrapsWhereATendonRidesOnAnother) {
   Subject hand = whole_hand();
-  hand.surfaces.clear();
   for (Strand& strand : hand.strands) {
     auto& path = strand.path;
     path.erase(std::remove_if(path.begin(), path.end(),
