@@ -8,56 +8,13 @@
 #include <Eigen/Geometry>
 
 #include "dynamics/mechanism/tree_motion.h"
+#include "dynamics/scene/pair_slip.h"
 
 namespace thenar {
 namespace {
 
 using Poses = std::vector<Pose<double>>;
 using Pair = std::pair<int, int>;
-
-constexpr double kSamePoint = 1e-5;  // nearer points are one contact [m]
-
-/// Two points of a pair of bodies that were one at an instant, at the next.
-struct MaterialPoints {
-  Eigen::Vector3d of_a, of_b;  // [m] (3)
-
-  /// Their distance across a normal [m].
-  [[nodiscard]] double across(const Eigen::Vector3d& normal) const {
-    const Eigen::Vector3d apart = of_a - of_b;
-    return (apart - apart.dot(normal) * normal).norm();
-  }
-};
-MaterialPoints moved_points(const ContactSample& contact, const Poses& before, const Poses& after) {
-  const auto moved = [&](int body) {
-    const auto i = static_cast<std::size_t>(body);
-    return Eigen::Vector3d(after[i] * (before[i].inverse() * contact.point));
-  };
-  return {moved(contact.a), moved(contact.b)};
-}
-
-/// Whether a contact goes on: by its identity, or where it went with one of the bodies, as it is
-/// given a new identity when a pair was out of sight for a moment.
-bool goes_on(const ContactSample& contact, const MaterialPoints& moved,
-             const std::vector<ContactSample>& contacts) {
-  return std::any_of(contacts.begin(), contacts.end(), [&](const ContactSample& each) {
-    return each.a == contact.a && each.b == contact.b &&
-           (each.id == contact.id || (each.point - moved.of_a).norm() < kSamePoint ||
-            (each.point - moved.of_b).norm() < kSamePoint);
-  });
-}
-
-/// Adds what the pairs slid from one instant to the next.
-void add_slips(const SceneSample& from, const SceneSample& to, const Poses& X_from,
-               const Poses& X_to, std::map<Pair, PairMeasure>& pairs) {
-  std::map<Pair, double> ways;
-  for (const ContactSample& contact : from.contacts) {
-    const MaterialPoints moved = moved_points(contact, X_from, X_to);
-    if (!goes_on(contact, moved, to.contacts)) continue;
-    double& way = ways[{contact.a, contact.b}];
-    way = std::max(way, moved.across(contact.normal));
-  }
-  for (const auto& [pair, way] : ways) pairs[pair].slip += way;
-}
 
 /// Notes what the pairs do at an instant.
 void note_contacts(const SceneSample& sample, bool last, std::map<Pair, PairMeasure>& pairs) {
@@ -169,6 +126,15 @@ SceneSample with_touching(const SceneSample& sample, ContactStep& step) {
   return out;
 }
 
+/// What slips_between() asks of an instant.
+SlipInstant slip_instant(const MovingScene& scene, const TreeModel& model, const SceneSample& at,
+                         const Poses& X_WB) {
+  SlipInstant out{at.t, at.contacts, X_WB, {}, body_velocities(scene.mechanism, model, at.q, at.v)};
+  for (std::size_t i = 0; i < X_WB.size(); ++i)
+    out.centre.push_back(X_WB[i] * scene.mechanism.bodies[i].mass.com);
+  return out;
+}
+
 }  // namespace
 
 std::vector<SceneVelocity> body_velocities(const Mechanism& mechanism, const TreeModel& model,
@@ -217,12 +183,16 @@ RunMeasures measure_run(const MovingScene& scene, const SceneRun& run) {
   out.moving = moving_bodies(scene.mechanism, step.model());
   const bool has_flows = run.samples.back().w.size() > 0;
   std::map<Pair, PairMeasure> pairs;
+  SlipInstant before = slip_instant(scene, step.model(), run.samples.front(), out.X_WB.front());
   for (std::size_t k = 0; k < run.samples.size(); ++k) {
     note_contacts(run.samples[k], k + 1 == run.samples.size(), pairs);
     if (k == 0) continue;
     const SceneSample &from = run.samples[k - 1], &to = run.samples[k];
     const bool bare = k == 1 && from.contacts.empty();
-    add_slips(bare ? with_touching(from, step) : from, to, out.X_WB[k - 1], out.X_WB[k], pairs);
+    if (bare) before.contacts = with_touching(from, step).contacts;
+    SlipInstant now = slip_instant(scene, step.model(), to, out.X_WB[k]);
+    for (const auto& [pair, way] : slips_between(before, now)) pairs[pair].slip += way;
+    before = std::move(now);
     if (!has_flows) out.work += work_between(scene, layout, from, to, out.X_WB[k - 1], out.X_WB[k]);
   }
   for (const auto& [bodies, pair] : pairs) out.pairs.push_back(pair);

@@ -14,7 +14,7 @@ namespace thenar {
 struct PairMeasure {
   int a = 0, b = 0;                       // bodies, a < b
   double first = 0, last = 0;             // instants with contact [s]
-  double slip = 0;                        // way that material points slid [m]
+  double slip = 0;                        // way that one slid on the other [m]
   double largest_force = 0;               // of the instants: sum of the normal forces [N]
   Eigen::Vector3d force{0, 0, 0};         // on a at the end [N] (3)
   int points = 0;                         // with a force at the end
@@ -59,12 +59,7 @@ struct FlowBalance {
 
 /// Measures a run from the instants that it kept.
 ///
-/// Slip of a pair: from one instant to the next, each contact point that is there at both is
-/// followed as a point of either body (it is the same by its id, or where one body took it), and
-/// the distance of the two points at the end, across the normal, is the way that it slid; the
-/// largest of the pair's points counts, and these ways are added up. It is the length of the way
-/// where the pair slides straight on between instants, leaves out rolling but for its third order,
-/// and contacts that are shorter than two instants.
+/// Slip of a pair is the sum of slips_between() its instants.
 ///
 /// Work and dissipation are those of the steps, whatever instants were kept (SceneSample::w).
 ///

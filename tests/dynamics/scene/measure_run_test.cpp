@@ -74,14 +74,33 @@ TEST(MeasureRun, IdentitiesMayChange) {
   EXPECT_EQ(measure_run(scene, run).pairs.at(0).slip, 0);
 }
 
-// A ball that rolls by r a moves its lowest point by r (a - sin a) only.
+/// A ball that is turned by these angles while its centre goes on by these ways, with the speeds of
+/// an even motion.
+SceneRun even_motion(const MovingScene& scene, double turn, double way, int instants) {
+  SceneRun run;
+  const double step = 0.01;  // [s]
+  for (int k = 0; k <= instants; ++k) {
+    run.samples.push_back(instant(scene, step * k, {way * k, 0, 0.01}, turn * k));
+    run.samples.back().v << 0, turn / step, 0, way / step, 0, 0;
+  }
+  return run;
+}
+
 TEST(MeasureRun, RollingIsNoSlip) {
   const MovingScene scene = ball_on_floor();
-  SceneRun run;
-  const double a = 0.01;
-  for (int k = 0; k <= 100; ++k)
-    run.samples.push_back(instant(scene, 0.01 * k, {0.01 * a * k, 0, 0.01}, a * k));
-  EXPECT_NEAR(measure_run(scene, run).pairs.at(0).slip, 100 * 0.01 * (a - std::sin(a)), 1e-13);
+  for (const double turn : {0.01, 0.3, 1.0, 1.9, -1.9, 2.1, 50.0})
+    EXPECT_NEAR(measure_run(scene, even_motion(scene, turn, 0.01 * turn, 100)).pairs.at(0).slip, 0,
+                1e-12)
+        << turn;
+}
+
+// A ball that skids slides by what it goes on less what it rolls, or more if it turns backwards.
+TEST(MeasureRun, SlipIsTheWayLessRolling) {
+  const MovingScene scene = ball_on_floor();
+  for (const double turn : {0.0, 0.3, 1.0, -1.0, 1.9, 2.1, -8.0})
+    EXPECT_NEAR(measure_run(scene, even_motion(scene, turn, 0.004, 100)).pairs.at(0).slip,
+                100 * std::abs(0.004 - 0.01 * turn), 1e-12)
+        << turn;
 }
 
 TEST(MeasureRun, WhatIsApartAtOneEndDoesNotSlip) {
