@@ -284,4 +284,10 @@ std::shared_ptr<const Shape> build_superellipsoid(const Vector3d& semi_axes,
   return std::make_shared<Superellipsoid>(semi_axes, exponents);
 }
 
+Vector3d superellipsoid_support(const Vector3d& semi_axes, const Vector2d& exponents,
+                                const Vector3d& n) {
+  const Vector3d octant = n.unaryExpr([](double d) { return std::copysign(1.0, d); });
+  return octant.cwiseProduct(Norm(semi_axes, exponents).support(n.cwiseAbs()));
+}
+
 }  // namespace thenar

@@ -26,4 +26,9 @@ namespace thenar {
 [[nodiscard]] std::shared_ptr<const Shape> build_superellipsoid(const Eigen::Vector3d& semi_axes,
                                                                 const Eigen::Vector2d& exponents);
 
+/// Point of a superellipsoid farthest along a direction n, which need not be a unit vector [m] (3).
+[[nodiscard]] Eigen::Vector3d superellipsoid_support(const Eigen::Vector3d& semi_axes,
+                                                     const Eigen::Vector2d& exponents,
+                                                     const Eigen::Vector3d& n);
+
 }  // namespace thenar

@@ -11,13 +11,10 @@
 #include "data/io/world/world.h"
 #include "geometry/mass_properties.h"
 #include "geometry/mesh_faults.h"
+#include "geometry/shape_reach.h"
 
 namespace thenar {
 namespace {
-
-double reach_of(const TriangleMesh& mesh, const Eigen::Vector3d& com) {
-  return (mesh.vertices.colwise() - com).colwise().norm().maxCoeff();
-}
 
 /// Centroid of the volume: of the union, if shapes or parts of meshes overlap [m] (3)
 Eigen::Vector3d volume_centre(const BodySpec& body) {
@@ -62,7 +59,8 @@ SceneBody build_body(const PlacedBody& placed) {
   body.X_WB = placed.X_WB;
   // The centre of mass, or of volume if the mass is unknown.
   body.com = placed.body.mass ? placed.body.mass->com : volume_centre(placed.body);
-  body.torque_scale = reach_of(body.solid.visual, body.com);
+  for (const ShapeSpec& shape : placed.body.shapes)
+    body.torque_scale = std::max(body.torque_scale, reach_of(shape, body.com));
   body.box = body_box(body.solid.visual);
   return body;
 }
