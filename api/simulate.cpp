@@ -33,8 +33,11 @@ void set_slack(const std::map<std::string, double>& slack, Subject& subject) {
 /// The excitation asked for; adds its file to the sources.
 Excitation excitation_of(const MotionRequest& request, const std::vector<std::string>& muscles,
                          std::vector<SourceText>& sources) {
-  require(request.excitation.empty() != request.excitation_file.empty(),
-          "wanted either --excitation MUSCLE=0..1 ... or --excitation-file");
+  require(request.excitation.empty() || request.excitation_file.empty(),
+          "wanted excitations of muscles or a file of them, got both");
+  require(
+      !request.excitation.empty() || !request.excitation_file.empty() || !request.gravity.isZero(0),
+      "wanted what moves the digit: excitations of muscles, a file of them, or gravity");
   if (request.excitation_file.empty())
     return constant_excitation(in_order(request.excitation, muscles, "muscle"));
   sources.push_back(read_source(request.excitation_file));
@@ -94,6 +97,24 @@ void add_rungs(const TendonOptions& rungs, PassiveMoments passive, ResultFile& f
   file.add("rungs/frozen_angle", angles, "rad", {"frozen"});
 }
 
+/// The rung of muscles asked for; else rigid tendons where the subject states the fibre lengths of
+/// all, else bounds, with a warning.
+Muscle muscle_rung(const MotionRequest& request, const Subject& subject, const TendonDigit& digit,
+                   std::vector<std::string>& warnings) {
+  if (request.muscle) return *request.muscle;
+  const std::string without = muscle_without_fibre(subject, digit);
+  if (without.empty()) return Muscle::kRigidTendon;
+  require(request.tendon_slack.empty(),
+          "slack lengths of tendons are those of fibres: subject '{}' states no 'fibre_length_mm' "
+          "of '{}'",
+          subject.name, without);
+  warnings.push_back(
+      fmt::format("muscles pull by their bounds alone, whatever their length and speed, as subject "
+                  "'{}' states no 'fibre_length_mm' of '{}'",
+                  subject.name, without));
+  return Muscle::kBounds;
+}
+
 }  // namespace
 
 SimulatedMotion simulate_digit(const MotionRequest& request, const Progress& progress) {
@@ -112,8 +133,8 @@ SimulatedMotion simulate_digit(const MotionRequest& request, const Progress& pro
                           {},
                           Eigen::VectorXd::Zero(static_cast<Eigen::Index>(muscles.size()))};
   // The physics.
-  const auto contraction =
-      build_contraction(musculotendons(at.subject, digit, request.muscle), request.muscle);
+  const Muscle rung = muscle_rung(request, at.subject, digit, motion.warnings);
+  const auto contraction = build_contraction(musculotendons(at.subject, digit, rung), rung);
   MotionModel model{*motion.tendons, *contraction};
   model.gravity = request.gravity;
   model.resistance.damping = request.damping;

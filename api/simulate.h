@@ -19,9 +19,11 @@ namespace thenar {
 /// Which digit, which excitations, which physics.
 struct MotionRequest {
   DigitRequest digit;                          // hood absent: fixed force fractions
-  std::map<std::string, double> excitation;    // muscle -> 0..1 from the start on; others are 0
+  std::map<std::string, double> excitation;    // muscle -> 0..1 from the start on; others are 0;
+                                               // needed unless a file or gravity moves the digit
   std::string excitation_file;                 // CSV time_s,MUSCLE,.. instead of `excitation`
-  Muscle muscle = Muscle::kRigidTendon;        // how muscles pull
+  std::optional<Muscle> muscle;                // how muscles pull; absent: on rigid tendons where
+                                               // all state fibres, else by bounds
   std::map<std::string, double> tendon_slack;  // muscle -> slack length of its tendon [m]; others
                                                // as the subject says
   Eigen::Vector3d gravity{0, 0, 0};            // of free fall, subject's frame [m/s^2] (3)

@@ -192,7 +192,8 @@ void add_physics_options(CLI::App& command, SimulateArguments& options) {
   MotionRequest& request = options.request;
   command.add_option_function<std::string>(
       "--muscle", [&request](const std::string& name) { request.muscle = muscle_named(name); },
-      "Muscles: " + listed(muscle_names()) + "; rigid-tendon if left out");
+      "Muscles: " + listed(muscle_names()) +
+          "; rigid-tendon if left out, bounds where the subject states no fibre lengths");
   add_named_numbers(command, "--tendon-slack", options.slack_mm, "MUSCLE=mm",
                     "MUSCLE=mm ...: slack lengths of tendons, for elastic ones");
   command

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "base/error.h"
+#include "base/rung_names.h"
 #include "tendons/muscle/rigid_tensions.h"
 
 namespace thenar {
@@ -150,6 +151,15 @@ const MuscleUnit& unit(const Subject& subject, const std::string& name) {
   return *found;
 }
 
+std::string rung_word(Muscle rung) { return muscle_names()[static_cast<std::size_t>(rung)]; }
+
+/// "; 'bounds' does without", if a key is first needed by this rung.
+std::string lower_rung(Muscle rung) {
+  if (rung == Muscle::kBounds) return "";
+  return fmt::format("; '{}' does without",
+                     rung_word(static_cast<Muscle>(static_cast<int>(rung) - 1)));
+}
+
 }  // namespace
 
 void MuscleStates::clear(Eigen::Index muscles) {
@@ -173,19 +183,27 @@ std::unique_ptr<Contraction> build_contraction(std::vector<Musculotendon> muscle
   return std::make_unique<Bounds>(std::move(muscles));
 }
 
+std::string muscle_without_fibre(const Subject& subject, const TendonDigit& digit) {
+  for (const std::string& name : digit.names.muscles)
+    if (!(unit(subject, name).fibre_length > 0)) return name;
+  return "";
+}
+
 std::vector<Musculotendon> musculotendons(const Subject& subject, const TendonDigit& digit,
                                           Muscle rung) {
   std::vector<Musculotendon> muscles;
   for (const std::string& name : digit.names.muscles) {
     const MuscleUnit& muscle = unit(subject, name);
-    const auto require_key = [&](bool known, const char* key) {
-      require(known, "muscle '{}' of subject '{}' needs '{}' to pull on this rung of muscles", name,
-              subject.name, key);
+    const auto require_key = [&](bool known, const char* key, Muscle first) {
+      require(known, "muscle '{}' of subject '{}' needs '{}' to pull as '{}'{}", name, subject.name,
+              key, rung_word(rung), lower_rung(first));
     };
     // Each rung needs the keys of the one below.
-    require_key(muscle.max_force.has_value(), "max_force_N");
-    if (rung >= Muscle::kRigidTendon) require_key(muscle.fibre_length > 0, "fibre_length_mm");
-    if (rung >= Muscle::kElasticTendon) require_key(muscle.tendon_slack > 0, "tendon_slack_mm");
+    require_key(muscle.max_force.has_value(), "max_force_N", Muscle::kBounds);
+    if (rung >= Muscle::kRigidTendon)
+      require_key(muscle.fibre_length > 0, "fibre_length_mm", Muscle::kRigidTendon);
+    if (rung >= Muscle::kElasticTendon)
+      require_key(muscle.tendon_slack > 0, "tendon_slack_mm", Muscle::kElasticTendon);
     muscles.push_back(
         {name, *muscle.max_force, muscle.fibre_length, muscle.tendon_slack, muscle.pennation});
   }

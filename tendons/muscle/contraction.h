@@ -122,6 +122,9 @@ class Contraction {
                                                              Muscle rung,
                                                              const HillOptions& options = {});
 
+/// The first muscle of a digit whose subject states no length of its fibres; "" if there is none.
+[[nodiscard]] std::string muscle_without_fibre(const Subject& subject, const TendonDigit& digit);
+
 /// Constants of the muscles of a digit, in its order.
 /// @throws InputError naming a muscle and the key that its subject lacks: every rung needs
 /// max_force; a rigid tendon needs fibre_length, too; an elastic one tendon_slack besides.

@@ -4,6 +4,8 @@
 
 #include <cmath>
 
+#include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <gtest/gtest.h>
 
 #include "data/io/result_file.h"
@@ -50,11 +52,44 @@ TEST_F(SimulateDigit, MeasuresDriftOfNetsOnly) {
   EXPECT_EQ(motion.sources.size(), 2U);       // subject and net
 }
 
+// No thumb muscle of human_hand states a fibre length; all of an_chao_index do.
+TEST_F(SimulateDigit, PullsByBoundsWhereNoFibresAreStated) {
+  MotionRequest request;
+  request.digit.subject = kData + "/subjects/human_hand.toml";
+  request.digit.digit = "thumb";
+  request.excitation = {{"EPL", 0.1}};
+  request.seconds = 0.01;
+  const SimulatedMotion motion = simulate_digit(request);
+  EXPECT_EQ(motion.trajectory.fidelity.muscle, Muscle::kBounds);
+  EXPECT_NE(fmt::format("{}", fmt::join(motion.warnings, "; ")).find("states no 'fibre_length_mm'"),
+            std::string::npos);
+  request.digit = index_finger().digit;
+  request.excitation = index_finger().excitation;
+  EXPECT_EQ(simulate_digit(request).trajectory.fidelity.muscle, Muscle::kRigidTendon);
+}
+
+// Without passive moments nothing but weight moves it, the other way if gravity is turned round.
+TEST_F(SimulateDigit, FallsWithoutExcitation) {
+  MotionRequest request = index_finger();
+  request.excitation.clear();
+  request.digit.passive = PassiveMoments::kOff;
+  request.seconds = 0.005;
+  const auto speeds = [&](const Eigen::Vector3d& gravity) -> Eigen::VectorXd {
+    request.gravity = gravity;
+    const Trajectory t = simulate_digit(request).trajectory;
+    EXPECT_EQ(t.activation.cwiseAbs().maxCoeff(), 0);
+    return t.speed.row(t.speed.rows() - 1);
+  };
+  const Eigen::Vector3d down(0, -9.81, 0);  // palmar
+  const Eigen::VectorXd fall = speeds(down), rise = speeds(-down);
+  EXPECT_GT(fall.cwiseAbs().maxCoeff(), 0.1);  // [rad/s]
+  for (Eigen::Index j = 0; j < fall.size(); ++j) EXPECT_LE(fall[j] * rise[j], 0) << j;
+}
+
 TEST_F(SimulateDigit, WantsOneKindOfExcitation) {
   MotionRequest request = index_finger();
   request.excitation_file = "e.csv";
-  EXPECT_NE(message_of([&] { (void)simulate_digit(request); }).find("wanted either --excitation"),
-            std::string::npos);
+  EXPECT_NE(message_of([&] { (void)simulate_digit(request); }).find("got both"), std::string::npos);
   request.excitation.clear();
   request.excitation_file.clear();
   EXPECT_THROW((void)simulate_digit(request), InputError);

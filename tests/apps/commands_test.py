@@ -496,7 +496,7 @@ class Simulate(Near):
                                 "elastic-tendon"))
         self.assertIn("moves nothing that has mass",
                       complaint("simulate", MIDDLE, "--excitation", "FDP=1", "--muscle", "bounds"))
-        self.assertIn("--excitation-file", complaint("simulate", INDEX))
+        self.assertIn("excitations of muscles, a file of them, or gravity", complaint("simulate", INDEX))
         self.assertIn("--net winslow needs a hood that is a net, got --hood fractions",
                       complaint("simulate", INDEX, "--excitation", "FDP=1", "--net", "winslow",
                                 "--hood", "fractions"))

@@ -27,16 +27,22 @@ TEST(Contraction, NamesMuscleAndKeyThatARungLacks) {
   Subject subject = bare_index();
   EXPECT_EQ(complaint(subject, Muscle::kRigidTendon), "");
   EXPECT_EQ(complaint(subject, Muscle::kElasticTendon),
-            "muscle 'EDC' of subject 'an_chao_index' needs 'tendon_slack_mm' to pull on this rung "
-            "of muscles");
+            "muscle 'EDC' of subject 'an_chao_index' needs 'tendon_slack_mm' to pull as "
+            "'elastic-tendon'; 'rigid-tendon' does without");
   subject.muscles[2].fibre_length = 0;
   EXPECT_EQ(complaint(subject, Muscle::kRigidTendon),
-            "muscle 'FDP' of subject 'an_chao_index' needs 'fibre_length_mm' to pull on this rung "
-            "of muscles");
+            "muscle 'FDP' of subject 'an_chao_index' needs 'fibre_length_mm' to pull as "
+            "'rigid-tendon'; 'bounds' does without");
+  EXPECT_EQ(complaint(subject, Muscle::kElasticTendon),
+            "muscle 'EDC' of subject 'an_chao_index' needs 'tendon_slack_mm' to pull as "
+            "'elastic-tendon'; 'rigid-tendon' does without");
   subject.muscles[1].max_force.reset();
   EXPECT_EQ(complaint(subject, Muscle::kBounds),
-            "muscle 'EIP' of subject 'an_chao_index' needs 'max_force_N' to pull on this rung of "
-            "muscles");
+            "muscle 'EIP' of subject 'an_chao_index' needs 'max_force_N' to pull as 'bounds'");
+  subject.muscles[0].fibre_length = 1;
+  EXPECT_EQ(
+      complaint(subject, Muscle::kRigidTendon),
+      "muscle 'EIP' of subject 'an_chao_index' needs 'max_force_N' to pull as 'rigid-tendon'");
 }
 
 // F0 = PCSA times specific tension, 4.79 cm^2 30 N/cm^2; pennation 12.1 deg.
