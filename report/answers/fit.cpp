@@ -9,6 +9,7 @@
 #include "base/units.h"
 #include "base/words.h"
 #include "kinematics_fit/trivial_prediction.h"
+#include "report/answers/fitted_value.h"
 #include "report/answers/hood_rows.h"
 #include "report/parameter_words.h"
 
@@ -45,24 +46,34 @@ Json learnt_json(const Fit& fit) {
   Json learnt = Json::array();
   for (const int i : sorted_by_sd(fit.covariance)) {
     const CoordinateEstimate& one = fit.covariance.learnt[static_cast<std::size_t>(i)];
-    learnt.push_back({{"name", one.name},
-                      {"meaning", meaning_of(one.name, fit.problem.digit())},
-                      {"estimate_prior_sds", one.z},
-                      {"sd_prior_sds", one.sd},
-                      {"at_bound", one.at_bound}});
+    Json row{{"name", one.name},
+             {"meaning", meaning_of(one.name, fit.problem.digit())},
+             {"estimate_prior_sds", one.z},
+             {"sd_prior_sds", one.sd},
+             {"at_bound", one.at_bound}};
+    if (const auto value = value_in_unit(fit, i)) {
+      row["value"] = value->value;
+      row["sd"] = value->sd;
+      row["prior_sd"] = value->prior_sd;
+      row["unit"] = value->unit;
+    }
+    learnt.push_back(std::move(row));
   }
   return learnt;
 }
 
 std::string learnt_text(const Fit& fit) {
   std::string text =
-      "\nthe data tell most about (estimate and sd in prior sds; sd 1: nothing was learnt):\n";
+      "\nthe data tell most about (estimate and sd in prior sds; sd 1: nothing was learnt; "
+      "value):\n";
   const std::vector<int> order = sorted_by_sd(fit.covariance);
   for (std::size_t k = 0; k < std::min(kLearntShown, order.size()); ++k) {
     const CoordinateEstimate& learnt = fit.covariance.learnt[static_cast<std::size_t>(order[k])];
-    text += fmt::format("  {:<34} {:+6.2f} +- {:.2f}  {}{}\n", learnt.name, learnt.z, learnt.sd,
-                        meaning_of(learnt.name, fit.problem.digit()),
-                        learnt.at_bound ? "; at its bound" : "");
+    const auto value = value_in_unit(fit, order[k]);
+    text +=
+        fmt::format("  {:<34} {:+6.2f} +- {:.2f}  {:<18}  {}{}\n", learnt.name, learnt.z, learnt.sd,
+                    value ? words_of(*value) : "", meaning_of(learnt.name, fit.problem.digit()),
+                    learnt.at_bound ? "; at its bound" : "");
   }
   return text;
 }

@@ -9,6 +9,7 @@
 #include "base/words.h"
 #include "kinematics_fit/fit_residuals.h"
 #include "report/answers/fit.h"
+#include "report/answers/fitted_value.h"
 #include "report/answers/hood_rows.h"
 #include "report/pages/prediction.h"
 #include "report/parameter_words.h"
@@ -17,38 +18,6 @@
 
 namespace thenar {
 namespace {
-
-/// The coordinate that an entry of z moves, of the population or as a deviation from it.
-struct MovedCoordinate {
-  int coordinate = 0;
-  bool deviation = false;
-};
-
-MovedCoordinate moved_by(const Fit& fit, int entry) {
-  const FitCoordinates& all = fit.problem.coordinates();
-  for (int c = 0; c < all.parameters().coordinates(); ++c) {
-    const CoordinateEntries& of = all.entries(c);
-    if (of.population == entry) return {c, false};
-    if (of.deviation >= 0 && entry >= of.deviation &&
-        (entry - of.deviation) % std::max(1, all.deviations()) == 0)
-      return {c, true};
-  }
-  return {};
-}
-
-/// The value in its own unit; "" of a deviation from a population, which bounds may bend.
-std::string value_in_unit(const Fit& fit, int entry) {
-  const MovedCoordinate moved = moved_by(fit, entry);
-  const bool alone = fit.problem.specimens().size() == 1;
-  if (moved.deviation && !alone) return "";
-  const FitParameters& parameters = fit.problem.parameters();
-  const Parameter& p =
-      parameters.all[static_cast<std::size_t>(parameters.leader[moved.coordinate])];
-  const double unit = (alone ? std::hypot(p.sd, p.between_sd) : p.sd) * display_scale(p);
-  const CoordinateEstimate& learnt = fit.covariance.learnt[static_cast<std::size_t>(entry)];
-  return fmt::format("{:+.2f} \u00b1 {:.2f} {}", p.mean * display_scale(p) + unit * learnt.z,
-                     unit * learnt.sd, display_unit(p) == "1" ? "" : display_unit(p));
-}
 
 Json interval_row(const Fit& fit, int entry) {
   const CoordinateEstimate& learnt = fit.covariance.learnt[static_cast<std::size_t>(entry)];
@@ -59,8 +28,7 @@ Json interval_row(const Fit& fit, int entry) {
            {"prior_low", -1.96},
            {"prior_high", 1.96},
            {"null", learnt.null_share > 0.99}};
-  const std::string value = value_in_unit(fit, entry);
-  if (!value.empty()) row["display"] = value;
+  if (const auto value = value_in_unit(fit, entry)) row["display"] = words_of(*value);
   return row;
 }
 
@@ -68,8 +36,9 @@ Json coordinate_table(const Fit& fit) {
   Json rows = Json::array();
   for (const int i : sorted_by_sd(fit.covariance)) {
     const CoordinateEstimate& learnt = fit.covariance.learnt[static_cast<std::size_t>(i)];
+    const auto value = value_in_unit(fit, i);
     rows.push_back({learnt.name, meaning_of(learnt.name, fit.problem.digit()), learnt.z, learnt.sd,
-                    value_in_unit(fit, i), learnt.at_bound ? "yes" : ""});
+                    value ? words_of(*value) : "", learnt.at_bound ? "yes" : ""});
   }
   Json table = table_block(
       "Every coordinate of the fit, the best known first; sd 1: nothing was learnt about it",

@@ -39,6 +39,32 @@ TEST_F(FitAnswer, SaysTheSameInWordsAndNumbers) {
     EXPECT_LE(std::stod(table.rows[i - 1][3]), std::stod(table.rows[i][3]));
 }
 
+// The value told is the fitted parameter of that name; its distance from the prior mean is the
+// estimate times the prior's sd.
+TEST_F(FitAnswer, TellsCoordinatesInTheirUnits) {
+  FitRequest request;
+  request.sources = sources();
+  const FitResult result = fit_forces(request);
+  const FittedValues values = fitted_values(result.fit, 0);
+  const std::vector<Parameter>& all = result.fit.problem.parameters().all;
+  int compared = 0;
+  const OrderedJson json = json_of(result);
+  for (const auto& row : json["learnt"]) {
+    const auto named = std::find_if(all.begin(), all.end(), [&](const Parameter& parameter) {
+      return parameter.name == without_specimen(row["name"].get<std::string>());
+    });
+    if (named == all.end() || !row.contains("value")) continue;
+    const double scale = display_scale(*named);
+    EXPECT_NEAR(row["value"], values.value[named - all.begin()], 1e-9) << named->name;
+    EXPECT_NEAR(row["sd"], values.sd[named - all.begin()], 1e-9) << named->name;
+    EXPECT_NEAR(row["value"].get<double>() - named->mean * scale,
+                row["prior_sd"].get<double>() * row["estimate_prior_sds"].get<double>(), 1e-9)
+        << named->name;
+    ++compared;
+  }
+  EXPECT_GT(compared, 4);
+}
+
 // No error of forces is told where there are none but those of activation rows.
 TEST_F(FitAnswer, TellsNoErrorOfRowsOfActivations) {
   FitRequest request;
