@@ -42,8 +42,8 @@ namespace {
 
 using Eigen::Vector3d;
 
-/// Largest error of published, rounded directions that should be perpendicular.
-constexpr double kSquare = 0.05;  // [rad]
+/// Largest cosine of published, rounded directions that should be perpendicular, 3 deg [1].
+constexpr double kSquare = 0.05;
 
 HoodBranch read_branch(TomlTable& table, const SubjectDraft& draft) {
   HoodBranch branch;
@@ -65,8 +65,8 @@ void read_directions(TomlTable& table, const std::string& side, Digit& digit) {
   // Rounded directions are accepted, skew ones are not.
   if (std::abs(digit.proximal.dot(dorsal)) > kSquare)
     table.fail(fmt::format("'dorsal' of digit '{}' is not perpendicular to 'proximal': their "
-                           "cosine is {:.3g}",
-                           digit.name, digit.proximal.dot(dorsal)),
+                           "cosine is {:.3g}, wanted at most {} either way",
+                           digit.name, digit.proximal.dot(dorsal), kSquare),
                "dorsal");
   digit.dorsal = (dorsal - digit.proximal * digit.proximal.dot(dorsal)).normalized();
   digit.radial = digit.proximal.cross(digit.dorsal) * (side == "right" ? 1 : -1);

@@ -186,7 +186,7 @@ TEST(SubjectErrors, MuscleWithoutStrand) {
 TEST(SubjectErrors, SlantedDirections) {
   EXPECT_EQ(subject_refusal("dorsal = [0, 1, 0]", "dorsal = [1, 1, 0]"),
             "s.toml:30: 'dorsal' of digit 'index' is not perpendicular to 'proximal': their cosine "
-            "is 0.707");
+            "is 0.707, wanted at most 0.05 either way");
   EXPECT_EQ(subject_refusal("dorsal = [0, 1, 0]", "dorsal = [0, 1, 0]\nradial = [0, 0, -1]"),
             "s.toml:31: 'radial' of digit 'index' does not complete 'proximal' and 'dorsal' of a "
             "right hand");
