@@ -22,7 +22,8 @@ enum class TendonStatus {
   kValid,           // paths are taut, a net is at equilibrium at a minimum
   kApproximate,     // fitted arms may be off by more than 1 mm/rad, or an origin rides on a bend
   kBandInsideBone,  // a band in tension ends inside the bone over which it bends
-  kNodeCollapsed,   // a muscle has pulled a knot into its exit: the net does not hold it
+  kNodeCollapsed,   // a muscle has pulled a knot to its exit: the net does not hold it, or takes
+                    // part of the pull
   kOutOfRange,      // fitted paths are asked outside of their joints' ranges, where they run wild
   kInvalidPath,     // a wrapped path is not taut, has a point in bone or went round the far side
   kUnstable,        // a net at a saddle: any disturbance moves it elsewhere

@@ -41,8 +41,8 @@ class ShareOfTendon : public TensionLaw {
   double share_, beyond_;
 };
 
-/// What each exit lengthens the line of its muscle by [m] (muscles).
-VectorXd lengthened_by_exits(const NetTendons& tendons, const NetEquilibrium& rest) {
+/// What exits add to the lines of their muscles [m] (muscles).
+VectorXd excess_of_exits(const NetTendons& tendons, const NetEquilibrium& rest) {
   const VectorXd band = muscle_band_length(tendons.net().net, rest);
   const VectorXd more = band.unaryExpr([](double L) { return OverExit(L).length - L; });
   return tendons.shares().transpose() * more;
@@ -110,24 +110,25 @@ PullByTendon::PullByTendon(const NetTendons& tendons,
     : NetPull(tendons), laws_(std::move(laws)) {
   require(laws_.size() == tendons.digit().names.muscles.size(), "{} tendons for {} muscles",
           laws_.size(), tendons.digit().names.muscles.size());
-  require(pulls_one_band_each(tendons), "net '{}' has a muscle that pulls more than one band",
+  require(pulls_one_band_each(tendons),
+          "net '{}' has a muscle that does not pull just one band, or pulls it twice",
           tendons.net().net.name);
-  lengthened_ = lengthened_by_exits(tendons, first);
+  first_excess_ = excess_of_exits(tendons, first);
 }
 
-VectorXd PullByTendon::lengths_outside(const VectorXd& q) const {
-  return tendons().lengths_outside(q) - lengthened_;
+VectorXd PullByTendon::line_offsets(const VectorXd& q) const {
+  return tendons().lengths_outside(q) - first_excess_;
 }
 
 MatrixXd PullByTendon::arms_outside(const VectorXd& q) const {
-  return tendons().torque_outside(q, VectorXd::Zero(lengthened_.size())).R;
+  return tendons().torque_outside(q, VectorXd::Zero(first_excess_.size())).R;
 }
 
 NetDrive PullByTendon::drive(const PostureAndLoad& at) const {
-  require(at.load.size() == lengthened_.size() && at.load.allFinite(),
-          "wanted {} ends of tendons, got {}, all finite: {}", lengthened_.size(), at.load.size(),
+  require(at.load.size() == first_excess_.size() && at.load.allFinite(),
+          "wanted {} ends of tendons, got {}, all finite: {}", first_excess_.size(), at.load.size(),
           at.load.allFinite());
-  const VectorXd outside = lengths_outside(at.q);
+  const VectorXd outside = line_offsets(at.q);
   const std::vector<MuscleAttachment>& pulls = tendons().net().pulls;
   NetDrive drive;
   drive.tension = VectorXd::Zero(static_cast<Index>(pulls.size()));
@@ -142,7 +143,7 @@ PullByTendon::Stretched PullByTendon::stretched(const PostureAndLoad& at,
                                                 const NetEquilibrium& rest) const {
   // Lines, in the net over their exits.
   Stretched now;
-  now.length = lengths_outside(at.q);
+  now.length = line_offsets(at.q);
   const VectorXd band = muscle_band_length(tendons().net().net, rest);
   now.exit_slope.resize(band.size());
   for (Index p = 0; p < band.size(); ++p) {
@@ -184,7 +185,7 @@ PullRates PullByTendon::rates(const PostureAndLoad& at, const NetEquilibrium& re
 
 std::vector<int> PullByTendon::drawn_bands(const Stretched& now) const {
   constexpr double kShare = 0.01;  // of a pull that a net may miss [1]
-  constexpr double kPull = 0.05;   // that it may miss [N]
+  constexpr double kPull = 0.05;   // force that it may miss [N]
   const NetTendons& all = tendons();
   std::vector<int> bands;
   for (std::size_t b = 0; b < all.net().net.bands.size(); ++b) {
@@ -200,7 +201,7 @@ std::vector<int> PullByTendon::drawn_bands(const Stretched& now) const {
 
 TendonTorque PullByTendon::torque(const PostureAndLoad& at, NetEquilibrium rest) const {
   Stretched now = stretched(at, rest);
-  if (!now.tension.allFinite()) return overstretched(at.q.size());
+  if (!now.finite()) return overstretched(at.q.size());
   TendonTorque pull = tendons().torque_of_rest(at.q, now.tension, std::move(rest));
   // Knots that the net does not hold.
   if (const std::string drawn = drawn_in(tendons().net().net, drawn_bands(now)); !drawn.empty()) {
@@ -215,7 +216,7 @@ TendonTorque PullByTendon::torque(const PostureAndLoad& at, NetEquilibrium rest)
 
 NetPotential PullByTendon::potential(const PostureAndLoad& at, const NetEquilibrium& rest) const {
   const Stretched now = stretched(at, rest);
-  if (!now.tension.allFinite()) return {HUGE_VAL, VectorXd::Zero(at.q.size()), -now.tension};
+  if (!now.finite()) return {HUGE_VAL, VectorXd::Zero(at.q.size()), -now.tension};
   return {strain_energy(tendons().net().net, rest) + now.energy,
           tendons().torque(at.q, now.tension, rest), -now.tension};
 }

@@ -2,6 +2,7 @@
 
 /// How muscles pull a net: by given tensions, or by tendons that stretch from given ends.
 
+#include <cmath>
 #include <memory>
 #include <vector>
 
@@ -113,11 +114,12 @@ class PullByTendon : public NetPull {
   [[nodiscard]] PullRates rates(const PostureAndLoad& at,
                                 const NetEquilibrium& rest) const override;
 
-  /// Potential of net and tendons:  strain + sum U(L - p);  infinite if a law says so.
+  /// Potential of net and tendons:  strain + sum U(L - p);  infinite where a law is.
   [[nodiscard]] NetPotential potential(const PostureAndLoad& at,
                                        const NetEquilibrium& rest) const override;
 
-  /// Torque with tensions and lengths, without moment arms; infinite if a law says so.
+  /// Torque without moment arms, with tensions and lengths; infinite, without these, where a law
+  /// is.
   [[nodiscard]] TendonTorque torque(const PostureAndLoad& at, NetEquilibrium rest) const override;
   [[nodiscard]] bool pulls(const Eigen::VectorXd& /*load*/) const override { return true; }
   [[nodiscard]] double least_change(const Eigen::VectorXd& from, const Eigen::VectorXd& to,
@@ -131,13 +133,19 @@ class PullByTendon : public NetPull {
   struct Stretched {
     Eigen::VectorXd length;      // of lines, up to a constant [m] (muscles)
     Eigen::VectorXd exit_slope;  // of each band's length over its exit by its own [1] (pulls)
-    Eigen::VectorXd tension;     // infinite if a law says so [N] (muscles)
+    Eigen::VectorXd tension;     // [N] (muscles)
     Eigen::VectorXd stiffness;   // [N/m] (muscles)
     double energy = 0;           // [J]
+
+    /// Whether the laws of all tendons say numbers.
+    [[nodiscard]] bool finite() const {
+      return tension.allFinite() && stiffness.allFinite() && std::isfinite(energy);
+    }
   };
   [[nodiscard]] Stretched stretched(const PostureAndLoad& at, const NetEquilibrium& rest) const;
 
-  [[nodiscard]] Eigen::VectorXd lengths_outside(const Eigen::VectorXd& q) const;
+  /// Lengths of lines but for what runs in the net over exits [m] (muscles).
+  [[nodiscard]] Eigen::VectorXd line_offsets(const Eigen::VectorXd& q) const;
   [[nodiscard]] Eigen::MatrixXd arms_outside(const Eigen::VectorXd& q) const;
 
   /// Bands that have drawn their knots so near to their exits that the net misses part of the pull.
@@ -147,7 +155,7 @@ class PullByTendon : public NetPull {
   [[nodiscard]] PullRates rates_of(const Stretched& now, const Eigen::MatrixXd& R) const;
 
   std::vector<std::shared_ptr<const TensionLaw>> laws_;
-  Eigen::VectorXd lengthened_;  // lines at first, by their exits [m] (muscles)
+  Eigen::VectorXd first_excess_;  // what exits add to lines at the first rest [m] (muscles)
 };
 
 /// Whether every muscle of a net pulls it by one band, and every muscle of the digit once at most.

@@ -207,7 +207,7 @@ std::unique_ptr<TendonFollower> NetTendons::follower() const {
 }
 
 std::unique_ptr<TendonFollower> NetTendons::follower_on_tendons(const TendonEnds& ends) const {
-  // Sheaths that rub have no energy.
+  // Friction in sheaths has no potential, so net and tendons would have no common minimum.
   const bool rubs = !digit_.model.friction.isZero(0);
   if (rubs || !pulls_one_band_each(*this) || !ends.at.rest) return nullptr;
   return std::make_unique<NetFollower>(

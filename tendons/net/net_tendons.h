@@ -122,8 +122,8 @@ class NetTendons : public DigitTendons {
   [[nodiscard]] TendonDerivatives derivatives_outside(const Eigen::VectorXd& q,
                                                       const Eigen::VectorXd& t) const;
 
-  /// d tau / d q of the tendons outside of the net at these tensions, by differences where there is
-  /// no other way [N m/rad] (coordinates, coordinates).
+  /// d tau / d q of the tendons outside of the net at these tensions, by central
+  /// differences where derivatives_outside() do not exist [N m/rad] (coordinates, coordinates).
   [[nodiscard]] Eigen::MatrixXd torque_by_posture_outside(const Eigen::VectorXd& q,
                                                           const Eigen::VectorXd& t) const;
 

@@ -14,7 +14,7 @@
 
 namespace thenar::sample {
 
-/// Muscles that bend the rod by 10 mm, each with all of its tension in the net.
+/// Muscles with arms of 10 mm at the rod, each with all of its tension in the net.
 inline NetTendons net_on_rod(Net net) {
   Subject subject;
   subject.name = "rod";

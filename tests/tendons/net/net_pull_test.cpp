@@ -169,6 +169,8 @@ TEST(PullByTendon, TellsKnotsThatTheNetDoesNotHold) {
   EXPECT_EQ(drawn.status, TendonStatus::kNodeCollapsed);
   EXPECT_NE(drawn.warning.find("has drawn in"), std::string::npos) << drawn.warning;
   EXPECT_EQ(held_at(0.5 * kExitRadius).status, TendonStatus::kNodeCollapsed);
+  EXPECT_EQ(held_at(6.5 * kExitRadius).status, TendonStatus::kNodeCollapsed);  // 1.2 %
+  EXPECT_EQ(held_at(8 * kExitRadius).status, TendonStatus::kValid);            // 0.8 %
   EXPECT_EQ(held_at(20 * kExitRadius).status, TendonStatus::kValid);
   EXPECT_EQ(held_at(3 * kExitRadius, 1e-4).warning, "");
 }
@@ -203,7 +205,7 @@ class Endless : public TensionLaw {
   }
 };
 
-// An integrator comes nearer where torques are infinite, and ends where one throws.
+// An infinite torque makes the integrator shorten its step; an exception would end the motion.
 TEST(PullByTendon, TorqueIsInfiniteWhereALawIs) {
   const NetTendons tendons = knot_before_exit();
   const VectorXd q = VectorXd::Zero(1);
