@@ -201,17 +201,17 @@ MatrixXd torque_map(const Hand& hand, const VectorXd& q, const std::vector<HandC
     const auto surface = static_cast<std::size_t>(contacts[i].surface);
     require(surface < hand.surfaces().size(), "contact {} is at surface {} of {}", i,
             contacts[i].surface, hand.surfaces().size());
-    // The contact seen from the hand.
-    Contact contact_H = contacts[i].contact;
-    contact_H.p = X_HO * contact_H.p;
-    contact_H.n = X_HO.R * contact_H.n;
+    // Point and loads seen from the hand. The loads are those of the wrench set, whose tangents are
+    // the object's: a normal that is turned has others.
+    const Eigen::Vector3d p_H = X_HO * contacts[i].contact.p;
+    MatrixXd loads = local_loads(contacts[i].contact);
+    loads.topRows<3>() = X_HO.R * loads.topRows<3>();
+    loads.bottomRows<3>() = X_HO.R * loads.bottomRows<3>();
     const int link = hand.surfaces()[surface].link;
-    const MatrixXd loads = local_loads(contact_H);
     MatrixXd torques = MatrixXd::Zero(q.size(), loads.cols());
     // Transposed Jacobian of the contact point; a palm that cannot move has none.
     if (link >= 0) {
-      const Eigen::Vector3d reference =
-          poses[static_cast<std::size_t>(link)].inverse() * contact_H.p;
+      const Eigen::Vector3d reference = poses[static_cast<std::size_t>(link)].inverse() * p_H;
       torques = hand.jacobian(q, link, reference).transpose() * loads;
     }
     T.conservativeResize(q.size(), T.cols() + loads.cols());

@@ -69,6 +69,27 @@ TEST(ForceSet, ObjectsFrameDoesNotMatter) {
   EXPECT_NEAR(torque_map(Crank(), kTurned, {contact}, X_HO)(0, 0), 0.06, 1e-15);
 }
 
+// The torque of each variable is the moment, about the crank's axis, of what it stands for in the
+// wrench set, wherever the hand looks at the object from.
+TEST(ForceSet, TorquesAreOfTheForcesOfTheWrenchSet) {
+  for (const double turn : {0.0, 1.1, -2.0})
+    for (const Eigen::Vector3d& axis : {Eigen::Vector3d(0.6, 0, 0.8), Eigen::Vector3d(0, 1, 0)}) {
+      const Pose<double> X_HO{rotation_about<double>(axis, turn), {0.1, 0.2, -0.3}};
+      HandContact contact = at_lever(0.06, 0.5, 0.01, 1);
+      contact.contact.p = X_HO.inverse() * contact.contact.p;
+      contact.contact.n = Eigen::Vector3d(0.36, -0.48, 0.8);
+      const WrenchCap cap = wrench_set({contact.contact}, {0, 0, 0}, 1).caps.at(0);
+      const Eigen::MatrixXd T = torque_map(Crank(), kTurned, {contact}, X_HO);
+      ASSERT_EQ(T.cols(), 1 + cap.A.cols());
+      for (Eigen::Index k = 0; k < T.cols(); ++k) {
+        const ScaledWrench w = k == 0 ? cap.c : ScaledWrench(cap.A.col(k - 1));
+        const Eigen::Vector3d force = X_HO.R * w.head<3>();
+        const Eigen::Vector3d moment = X_HO.R * w.tail<3>() + X_HO.p.cross(force);
+        EXPECT_NEAR(T(0, k), moment.z(), 1e-15) << turn << ' ' << k;
+      }
+    }
+}
+
 TEST(ForceSet, BaseFeelsNothing) {
   EXPECT_TRUE(torque_map(Crank(), kTurned, {at_lever(0.06, 0.5, 0, 0)}, {}).isZero(0));
 }
