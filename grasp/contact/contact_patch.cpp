@@ -297,6 +297,7 @@ using Eigen::Vector3d;
 
 constexpr double kAround = 1e-4;                   // [m]
 constexpr double kCosFlat = 0.984807753012208;     // of 10 degrees [1]
+constexpr double kSinFlat = 0.17364817766693;      // of 10 degrees [1]
 constexpr double kCosSharp = 0.86602540378443865;  // of 30 degrees [1]
 
 /// Normals of B at a point and around it.
@@ -361,12 +362,54 @@ Vector3d common(const std::vector<Vector3d>& normals) {
   return sum.stableNormalized();
 }
 
+/// An edge between two faces, by their outward normals.
+struct Edge {
+  Vector3d first, second;  // normals that differ most, unit (3)
+  Vector3d along;          // unit, or zero: no edge, but a corner or a face (3)
+
+  /// Whether a direction across the edge points out between its faces.
+  [[nodiscard]] bool lets_out(const Vector3d& way) const {
+    const Vector3d turn = first.cross(second);
+    return first.cross(way).dot(turn) > 0 && way.cross(second).dot(turn) > 0;
+  }
+};
+
+Edge edge_of(const std::vector<Vector3d>& normals) {
+  Edge edge{Vector3d::Zero(), Vector3d::Zero(), Vector3d::Zero()};
+  double least = kCosSharp;
+  for (const Vector3d& x : normals)
+    for (const Vector3d& y : normals)
+      if (x.dot(y) < least) least = x.dot(y), edge.first = x, edge.second = y;
+  edge.along = edge.first.cross(edge.second).stableNormalized();
+  // A corner has normals beside the plane of these two.
+  for (const Vector3d& n : normals)
+    if (std::abs(n.dot(edge.along)) > kSinFlat) edge.along.setZero();
+  return edge;
+}
+
+/// Direction across two edges that cross, into B; zero where there are none, or they are parallel
+/// or do not face each other.
+Vector3d across_edges(const Around& near, const Eigen::Matrix3d& R_BA,
+                      const std::vector<Vector3d>& normals_A) {
+  const Edge of_a = edge_of(normals_A), of_b = edge_of(near.normals);
+  Vector3d n = (R_BA * of_a.along).cross(of_b.along);
+  if (n.norm() < kSinFlat) return Vector3d::Zero();
+  n.normalize();
+  if (n.dot(near.middle) > 0) n = -n;
+  // Triangles of A may be flipped.
+  const Vector3d n_A = R_BA.transpose() * n;
+  const bool face = (of_a.lets_out(n_A) || of_a.lets_out(-n_A)) && of_b.lets_out(-n);
+  return face ? n : Vector3d::Zero();
+}
+
 /// Contact direction between two sharp places. First choice: normal of the face of A that lies most
 /// nearly on a face of B. Second: the inward normal of the face of B that looks most nearly as a
-/// face of A does, as the sides of flush blocks do. Last: the mean normal into B.
+/// face of A does, as the sides of flush blocks do. Third: across two edges. Last: the mean normal
+/// into B.
 Vector3d of_face(const Around& near, const Eigen::Matrix3d& R_BA,
                  const std::vector<Vector3d>& normals_A) {
-  Vector3d on = -near.middle, beside = -near.middle;
+  const Vector3d across = across_edges(near, R_BA, normals_A);
+  Vector3d on = -near.middle, beside = across.isZero(0) ? Vector3d(-near.middle) : across;
   double most_on = kCosFlat, most_beside = kCosFlat;
   for (const Vector3d& n : near.normals)
     for (const Vector3d& of_a : normals_A) {

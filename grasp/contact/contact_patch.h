@@ -75,7 +75,8 @@ ContactPatches contact_patches(const CollisionTree& a, const Pose<double>& X_WA,
 ///   B sharp, A sharp too:    the normal of a face of A that lies on a face of B, within 10
 ///   degrees;
 ///                            otherwise the inward normal of a face of B that looks the same way as
-///                            a face of A; without such a pair the mean inward normal of B there
+///                            a face of A; without such a pair the normal of two edges that cross,
+///                            or, at corners, the mean inward normal of B there
 ///
 /// B is sharp where its normals at points 0.1 mm around turn away from each other by more than 30
 /// degrees; A is sharp where the normals of its triangles within 0.1 mm do.

@@ -132,6 +132,38 @@ TEST(ContactPatch, OfFlushBlocksPressesNowhereAlongTheirSides) {
   }
 }
 
+// Where edges cross the normal is across both, wherever the middle of the faces' normals points.
+TEST(ContactPatch, TakesTheNormalAcrossTwoEdges) {
+  // The top edge of a roof along x, whose faces slope by 30 and 60 degrees.
+  constexpr double kSlope = 0.5235987755982988;  // [rad]
+  const Eigen::Matrix3d about_x = rotation_about<double>({1, 0, 0}, kSlope);
+  const Solid roof = solid_of([about_x](const Eigen::Vector3d& p) {
+    return box_distance({0.1, 0.02, 0.02}, about_x * p);
+  });
+  const Eigen::Vector3d top = about_x.transpose() * Eigen::Vector3d(0, -0.01, 0.01);
+  ASSERT_GT(top.z(), (about_x.transpose() * Eigen::Vector3d(0, 0.01, 0.01)).z());
+  // The lowest edge of a block, which crosses it aslant.
+  const Eigen::Matrix3d about_y = rotation_about<double>({0, 1, 0}, kSlope);
+  const Eigen::Vector3d lowest = about_y * Eigen::Vector3d(0.01, 0, -0.01);
+  ASSERT_LT(lowest.z(), (about_y * Eigen::Vector3d(-0.01, 0, -0.01)).z());
+  for (const double yaw : {-0.4, 0.0, 0.4})
+    for (const double rise : {-0.2, 0.0, 0.3})
+      for (const double gap : {-2e-5, 0.0, 1e-6, 8e-5}) {
+        const Eigen::Matrix3d turned =
+            rotation_about<double>({0, 0, 1}, yaw) * rotation_about<double>({1, 0, 0}, rise);
+        const Eigen::Vector3d edge = turned * Eigen::Vector3d(0, 1, 0);
+        const Eigen::Vector3d n = edge.cross(Eigen::Vector3d(1, 0, 0)).normalized();
+        ASSERT_LT(n.z(), 0);
+        const ContactPatch patch =
+            the_patch(touching({{block_mesh({0.02, 0.1, 0.02}), 0}}),
+                      {turned * about_y, top - gap * n - turned * lowest}, roof);
+        ASSERT_EQ(patch.contacts.size(), 1U);
+        EXPECT_TRUE(matrix_near(patch.contacts[0].contact.p, top, 2e-4));
+        EXPECT_TRUE(matrix_near(patch.contacts[0].contact.n, n, 1e-6))
+            << yaw << ' ' << rise << ' ' << gap;
+      }
+}
+
 // Edge across edge: both sharp. The middle of B's normals points straight in.
 TEST(ContactPatch, TakesTheMiddleOfNormalsWhereEdgesCross) {
   const double up = 0.01 * std::sqrt(2.0);
