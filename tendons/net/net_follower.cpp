@@ -26,16 +26,6 @@ bool is_balanced(const Net& net, const NetEquilibrium& rest) {
   return rest.residual <= kOutOfBalance * largest;
 }
 
-/// A torque that no integrator accepts.
-TendonTorque no_torque(Index joints, Index muscles, std::string why) {
-  TendonTorque pull;
-  pull.tau = VectorXd::Constant(joints, HUGE_VAL);
-  pull.R = Eigen::MatrixXd::Zero(muscles, joints);
-  pull.status = TendonStatus::kUnbalanced;
-  pull.warning = std::move(why);
-  return pull;
-}
-
 }  // namespace
 
 NetContinuationOptions follower_options() {

@@ -48,16 +48,16 @@ VectorXd excess_of_exits(const NetTendons& tendons, const NetEquilibrium& rest) 
   return tendons.shares().transpose() * more;
 }
 
-/// A state that no integrator accepts, since a tendon would be stretched without bounds.
-TendonTorque overstretched(Index joints) {
+}  // namespace
+
+TendonTorque no_torque(Index joints, Index muscles, std::string why) {
   TendonTorque pull;
   pull.tau = VectorXd::Constant(joints, HUGE_VAL);
+  pull.R = MatrixXd::Zero(muscles, joints);
   pull.status = TendonStatus::kUnbalanced;
-  pull.warning = "a tendon is stretched beyond all bounds";
+  pull.warning = std::move(why);
   return pull;
 }
-
-}  // namespace
 
 NetDrive PullByTension::drive(const PostureAndLoad& at) const {
   return {tendons().drive(at.load), {}};
@@ -201,7 +201,8 @@ std::vector<int> PullByTendon::drawn_bands(const Stretched& now) const {
 
 TendonTorque PullByTendon::torque(const PostureAndLoad& at, NetEquilibrium rest) const {
   Stretched now = stretched(at, rest);
-  if (!now.finite()) return overstretched(at.q.size());
+  if (!now.finite())
+    return no_torque(at.q.size(), at.load.size(), "a tendon is stretched beyond all bounds");
   TendonTorque pull = tendons().torque_of_rest(at.q, now.tension, std::move(rest));
   // Knots that the net does not hold.
   if (const std::string drawn = drawn_in(tendons().net().net, drawn_bands(now)); !drawn.empty()) {

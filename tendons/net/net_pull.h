@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <memory>
+#include <string>
 #include <vector>
 
 #include "tendons/net/net_tendons.h"
@@ -33,6 +34,9 @@ struct NetPotential {
   Eigen::VectorXd tau;      // [N m] (coordinates)
   Eigen::VectorXd by_load;  // lengths of lines [m], or -tension [N] (muscles)
 };
+
+/// A torque that no integrator accepts, infinite, and why.
+[[nodiscard]] TendonTorque no_torque(Eigen::Index joints, Eigen::Index muscles, std::string why);
 
 /// A way to pull a net.
 class NetPull {

@@ -233,19 +233,33 @@ TendonTorque NetTendons::torque_outside(const VectorXd& q, const VectorXd& t) co
 }
 
 TendonDerivatives NetTendons::derivatives_outside(const VectorXd& q, const VectorXd& t) const {
-  const TendonModel<double>& model = digit_.model;
-  // Whole tendons carry what does not enter the net.
-  VectorXd whole = VectorXd::Ones(t.size());  // share of each muscle that runs as one tendon
-  for (const NetMuscle& m : net_.muscles) whole[m.muscle] = 1 - m.to_net;
+  const VectorXd whole = whole_shares();
   TendonDerivatives slopes = linear_->derivatives(q, whole.cwiseProduct(t));
-  const TreeState<double> state = pose_tree(model.tree, q);
+  const TreeState<double> state = pose_tree(digit_.model.tree, q);
   // Muscles of the net add the path from their exit to their origin.
+  slopes.by_posture += own_path_slopes(state, t);
   slopes.length = whole.cwiseProduct(slopes.length);
-  for (const NetMuscle& m : net_.muscles) {
-    slopes.by_posture +=
-        m.to_net * t[m.muscle] * arm_derivatives(model.tree, state, m.own, model.coordinates);
+  for (const NetMuscle& m : net_.muscles)
     slopes.length[m.muscle] += m.to_net * path_length(state, m.own);
-  }
+  return slopes;
+}
+
+MatrixXd NetTendons::torque_by_posture_outside(const VectorXd& q, const VectorXd& t) const {
+  return linear_->torque_by_posture(q, whole_shares().cwiseProduct(t), {}) +
+         own_path_slopes(pose_tree(digit_.model.tree, q), t);
+}
+
+VectorXd NetTendons::whole_shares() const {
+  VectorXd whole = VectorXd::Ones(shares_.cols());
+  for (const NetMuscle& m : net_.muscles) whole[m.muscle] = 1 - m.to_net;
+  return whole;
+}
+
+MatrixXd NetTendons::own_path_slopes(const TreeState<double>& state, const VectorXd& t) const {
+  const TendonModel<double>& model = digit_.model;
+  MatrixXd slopes = MatrixXd::Zero(model.coordinates, model.coordinates);
+  for (const NetMuscle& m : net_.muscles)
+    slopes += m.to_net * t[m.muscle] * arm_derivatives(model.tree, state, m.own, model.coordinates);
   return slopes;
 }
 
@@ -279,30 +293,16 @@ std::shared_ptr<const NetEquilibrium> NetTendons::rest_of(const TendonTorque& at
   return at.rest ? at.rest : std::make_shared<const NetEquilibrium>(rest(q, t, at.nodes));
 }
 
-MatrixXd NetTendons::torque_by_posture_outside(const VectorXd& q, const VectorXd& t) const {
-  constexpr double kStep = 1e-6;  // [rad]
-  const TendonDerivatives slopes = derivatives_outside(q, t);
-  if (slopes.exist) return slopes.by_posture;
-  MatrixXd by_posture(q.size(), q.size());
-  for (Eigen::Index j = 0; j < q.size(); ++j) {
-    const VectorXd step = kStep * VectorXd::Unit(q.size(), j);
-    by_posture.col(j) =
-        (torque_outside(q + step, t).tau - torque_outside(q - step, t).tau) / (2 * kStep);
-  }
-  return by_posture;
-}
-
 MatrixXd NetTendons::torque_by_posture(const VectorXd& q, const VectorXd& t,
                                        const TendonTorque& at) const {
   const TendonModel<double>& model = digit_.model;
-  // Both the net and the rest must be differentiable.
   const TreeState<double> state = pose_tree(model.tree, q);
   const std::shared_ptr<const NetEquilibrium> rest = rest_of(at, q, t);
-  const TendonDerivatives outside = derivatives_outside(q, t);
-  if (!outside.exist || !why_not_differentiable(net_.net, *rest).empty())
+  if (!why_not_differentiable(net_.net, *rest).empty())
     return DigitTendons::torque_by_posture(q, t, at);
-  return outside.by_posture + thenar::torque_by_posture(net_.net, model.tree, state, {drive(t), {}},
-                                                        *rest, model.coordinates);
+  return torque_by_posture_outside(q, t) + thenar::torque_by_posture(net_.net, model.tree, state,
+                                                                     {drive(t), {}}, *rest,
+                                                                     model.coordinates);
 }
 
 MatrixXd NetTendons::compliance(const VectorXd& q, const VectorXd& t,

@@ -122,12 +122,19 @@ class NetTendons : public DigitTendons {
   [[nodiscard]] TendonDerivatives derivatives_outside(const Eigen::VectorXd& q,
                                                       const Eigen::VectorXd& t) const;
 
-  /// d tau / d q of the tendons outside of the net at these tensions, by central
-  /// differences where derivatives_outside() do not exist [N m/rad] (coordinates, coordinates).
+  /// d tau / d q of the tendons outside of the net at these tensions, of whole
+  /// tendons as DigitTendons::torque_by_posture() finds it [N m/rad] (coordinates, coordinates).
   [[nodiscard]] Eigen::MatrixXd torque_by_posture_outside(const Eigen::VectorXd& q,
                                                           const Eigen::VectorXd& t) const;
 
  private:
+  /// Share of each muscle that runs as one tendon, past the net [1] (muscles).
+  [[nodiscard]] Eigen::VectorXd whole_shares() const;
+
+  /// d tau / d q of the muscles' own paths from their exits [N m/rad] (coordinates, coordinates).
+  [[nodiscard]] Eigen::MatrixXd own_path_slopes(const TreeState<double>& state,
+                                                const Eigen::VectorXd& t) const;
+
   /// Torque and moment arms of all tendons outside of the net, with their warning.
   [[nodiscard]] TendonTorque torque_outside(const Eigen::VectorXd& q, const Eigen::VectorXd& t,
                                             const TreeState<double>& state) const;
