@@ -196,8 +196,7 @@ RunMeasures measure_run(const MovingScene& scene, const SceneRun& run) {
     if (!has_flows) out.work += work_between(scene, layout, from, to, out.X_WB[k - 1], out.X_WB[k]);
   }
   for (const auto& [bodies, pair] : pairs) out.pairs.push_back(pair);
-  out.velocity =
-      body_velocities(scene.mechanism, step.model(), run.samples.back().q, run.samples.back().v);
+  out.velocity = std::move(before.velocity);  // the last instant's
   out.pulls = measure_pulls(scene, run);
   if (has_flows) {
     const FlowBalance balance = flow_balance(run.samples.front(), run.samples.back());

@@ -20,18 +20,22 @@ Vector3d across(const Vector3d& way, const Vector3d& normal) {
 class ContactWay {
  public:
   ContactWay(const ContactSample& contact, const SlipInstant& from, const SlipInstant& to)
-      : contact_(contact), from_(from), to_(to) {
+      : contact_(contact),
+        from_(from),
+        to_(to),
+        moved_a_(moved(contact.a)),
+        moved_b_(moved(contact.b)) {
     // By its identity; where a pair was out of sight for a moment and given another, by its place.
     for (const ContactSample& next : to.contacts) {
       if (next.a != contact.a || next.b != contact.b) continue;
-      const auto went_with = [&](int body) {
-        return (next.point - moved(body) * contact.point).norm() < kSamePoint;
+      const auto went_with = [&](const Pose<double>& body) {
+        return (next.point - body * contact.point).norm() < kSamePoint;
       };
       if (next.id == contact.id) {
         next_ = &next;
         break;
       }
-      if (next_ == nullptr && (went_with(contact.a) || went_with(contact.b))) next_ = &next;
+      if (next_ == nullptr && (went_with(moved_a_) || went_with(moved_b_))) next_ = &next;
     }
   }
 
@@ -40,10 +44,10 @@ class ContactWay {
   /// Sliding way [m].
   [[nodiscard]] double slip() const {
     const double time = to_.t - from_.t;
-    const double turn = std::max({time * turning(from_), time * turning(to_),
-                                  normal_turn(contact_.a), normal_turn(contact_.b)});
+    const double turn = std::max(
+        {time * turning(from_), time * turning(to_), normal_turn(moved_a_), normal_turn(moved_b_)});
     if (turn > kLargestTurn) return time * (sliding(from_, contact_) + sliding(to_, *next_)) / 2;
-    return (way_over(contact_.a) - way_over(contact_.b)).norm();
+    return (way_over(moved_a_) - way_over(moved_b_)).norm();
   }
 
  private:
@@ -53,16 +57,16 @@ class ContactWay {
     return to_.X_WB[i] * from_.X_WB[i].inverse();
   }
 
-  /// Turn of the normal over a body [rad].
-  [[nodiscard]] double normal_turn(int body) const {
-    const Vector3d normal = moved(body).R * contact_.normal;
+  /// Turn of the normal over a body that moved so [rad].
+  [[nodiscard]] double normal_turn(const Pose<double>& body) const {
+    const Vector3d normal = body.R * contact_.normal;
     return std::atan2(normal.cross(next_->normal).norm(), normal.dot(next_->normal));
   }
 
-  /// Way of the contact over a body, across the normal at its end [m].
-  [[nodiscard]] Vector3d way_over(int body) const {
-    const Pose<double> X = moved(body);
-    const Vector3d chord = next_->point - X * contact_.point, normal = X.R * contact_.normal;
+  /// Way of the contact over a body that moved so, across the normal at its end [m].
+  [[nodiscard]] Vector3d way_over(const Pose<double>& body) const {
+    const Vector3d chord = next_->point - body * contact_.point;
+    const Vector3d normal = body.R * contact_.normal;
     const double half = normal_turn(body) / 2;
     if (2 * half < kStraightTurn) return across(chord, next_->normal);
     // Straight on along the axis about which the normal turns, by the arc across it.
@@ -90,6 +94,7 @@ class ContactWay {
 
   const ContactSample& contact_;
   const SlipInstant &from_, &to_;
+  const Pose<double> moved_a_, moved_b_;  // motions of both bodies, world
   const ContactSample* next_ = nullptr;
 };
 
