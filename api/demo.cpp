@@ -8,14 +8,20 @@
 #include "api/named/data_folders.h"
 #include "api/named/files.h"
 #include "base/error.h"
+#include "base/parallel_tasks.h"
 #include "base/units.h"
-#include "hand/skin/skin_landmarks.h"
+#include "data/io/scene/scene_pad.h"
 #include "posterior/run/posterior_file.h"
 #include "posterior/run/predict_draws.h"
 #include "tendons/net/build_tendons.h"
 
 namespace thenar {
 namespace {
+
+// What each part takes on one core of 2.5 GHz [s].
+constexpr double kSpecimen = 14, kPopulation = 0.5, kPosteriorAlone = 5.5, kPosteriorTogether = 120,
+                 kHood = 0.3, kThumbStudy = 4.5, kThumbRecovery = 18, kHands = 8, kPad = 5.5,
+                 kPencil = 14;
 
 /// How long chains run.
 struct ChainLengths {
@@ -121,60 +127,132 @@ void judge(const std::vector<Experiment>& unseen, DemoPosterior& posterior) {
   posterior.left_out = std::move(*left_out);
 }
 
-void sample_all(const DemoRequest& request, const Progress& progress, DemoResult& demo) {
-  std::vector<Experiment> unseen;
-  for (const SourceText& source : demo.inputs.unseen)
-    unseen.push_back(parse_experiment(source.text, source.path));
-  const auto add = [&](const std::string& name, const FitInputs& of, const ChainLengths& lengths) {
-    if (progress.stop()) return;
-    progress(0, "posterior of " + name);
-    DemoPosterior posterior{name, sampled(of, lengths, progress), {}, {}, {}};
-    if (!posterior.run.draws.complete) return;
-    posterior.run.run = request.run;
-    demo.files.push_back(fmt::format("{}/{}.nc", request.output, name));
-    write_posterior(posterior.run, demo.files.back());
-    judge(unseen, posterior);
-    demo.posteriors.push_back(std::move(posterior));
-  };
-  for (const SourceText& experiment : demo.inputs.specimen.experiments) {
-    FitInputs alone = demo.inputs.specimen;
+/// The three posteriors that the demo samples: each specimen alone, and both together.
+struct SampledPosterior {
+  std::string name;
+  FitInputs inputs;
+  ChainLengths lengths;
+  double seconds;  // that it takes, roughly [s]
+};
+
+std::vector<SampledPosterior> posteriors_of(const StudyInputs& inputs) {
+  std::vector<SampledPosterior> all;
+  for (const SourceText& experiment : inputs.specimen.experiments) {
+    FitInputs alone = inputs.specimen;
     alone.experiments = {experiment};
-    add(parse_experiment(experiment.text, experiment.path).name, alone, kAlone);
+    all.push_back(
+        {parse_experiment(experiment.text, experiment.path).name, alone, kAlone, kPosteriorAlone});
   }
-  FitInputs together = demo.inputs.specimen;
-  together.subject = demo.inputs.population_subject;
-  add("population", together, kTogether);
+  FitInputs together = inputs.specimen;
+  together.subject = inputs.population_subject;
+  all.push_back({"population", together, kTogether, kPosteriorTogether});
+  return all;
 }
 
-std::vector<PadState> thumb_pad_on_mug(const SimulatedScene& scene) {
-  const Mechanism& mechanism = scene.built->scene.mechanism;
-  const Subject& subject = default_human();
-  const Eigen::Vector3d pad =
-      pad_normal(subject, build_skeleton(subject, {{"thumb"}, {}}), "thumb");
-  return pad_angles(scene.run, scene.measures, body_named(mechanism, "human:skewed/DP1"),
-                    body_named(mechanism, "mug"), pad);
+/// Draws of a posterior, judged; none where it was stopped.
+std::optional<DemoPosterior> sample_one(const SampledPosterior& of, const StudyInputs& inputs,
+                                        const RunRecord& run, const Progress& progress) {
+  progress(0, "posterior of " + of.name);
+  DemoPosterior posterior{of.name, sampled(of.inputs, of.lengths, progress), {}, {}, {}};
+  if (!posterior.run.draws.complete) return {};
+  posterior.run.run = run;
+  std::vector<Experiment> unseen;
+  for (const SourceText& source : inputs.unseen)
+    unseen.push_back(parse_experiment(source.text, source.path));
+  judge(unseen, posterior);
+  return posterior;
 }
 
-/// Both steppers on a ball that rolls off another, over a wide range of settings.
-std::vector<WorkPoint> roll_ball(const std::string& data) {
-  const std::string file =
-      named_file("scene", "ball_on_ball", "scenes", ".toml", data_folders(data));
-  const BuiltScene built = open_scene(read_scene(file), data).built;
-  const auto ball = static_cast<std::size_t>(body_named(built.scene.mechanism, "ball"));
-  // The exact end, from where it starts.
-  ContactStep step(built.scene);
-  std::vector<Pose<double>> X;
-  step.poses(step.start(), X);
-  const Eigen::Vector3d p = X[ball].p;
-  const double angle = rolled_angle(std::atan2(p.x(), p.z()), built.options.seconds, p.norm());
-  const Eigen::Vector3d end = p.norm() * Eigen::Vector3d(std::sin(angle), 0, std::cos(angle));
-  WorkSettings settings;
-  settings.tolerances = {1e-5, 1e-6, 1e-7, 1e-8, 1e-9, 1e-10, 1e-11};
-  settings.steps = {1e-2, 5e-3, 2e-3, 1e-3, 5e-4, 2e-4, 1e-4, 5e-5, 2e-5, 1e-5};
-  return work_precision(built.scene, built.options, settings, [&](const SceneSample& sample) {
-    step.poses({sample.t, sample.q, sample.v, sample.z}, X);
-    return (X[ball].p - end).norm();
-  });
+/// Hands that grasp.
+HandComparison compare_some_hands(const DemoRequest& request, const Progress& progress) {
+  CompareRequest compare;
+  compare.hands = {"human:skewed", "barrett", "shadow", "parallel_jaw"};
+  compare.objects = {"sphere_70", "cube_50"};
+  compare.approaches = 8;
+  compare.path = request.path;
+  compare.data = request.data;
+  return compare_hands(compare, progress);
+}
+
+/// The default finger pad under a ball, by elements and by every cheaper model.
+PressedPad press_some_pad(const DemoRequest& request, const Progress& progress) {
+  PressRequest press;
+  press.object.name = "sphere";
+  press.pad.data = request.data;
+  press.depth = 1 * kMm;
+  press.points = 6;
+  press.force_error = 0.1;
+  press.rungs = true;
+  return press_pad(press, progress);
+}
+
+/// A pencil that pads pinch, on every rung.
+RungComparison pinch_pencil(const DemoRequest& request, const Progress& progress) {
+  SceneRequest scene;
+  scene.scene = "pencil_pinch";
+  scene.data = request.data;
+  scene.path = request.path;
+  return compare_rungs(scene, pad_rung_names(), progress);
+}
+
+/// What tasks fill in, each a place of its own.
+struct Places {
+  std::vector<std::optional<SpecimenStudy>> specimens;
+  std::vector<std::optional<DemoPosterior>> posteriors;
+};
+
+/// Fits, posteriors and hoods of fingers.
+std::vector<ParallelTask> finger_tasks(const DemoRequest& request, DemoResult& demo,
+                                       Places& places) {
+  std::vector<ParallelTask> tasks;
+  const StudyInputs& inputs = demo.inputs;
+  const std::vector<SourceText>& experiments = inputs.specimen.experiments;
+  places.specimens.resize(experiments.size());
+  for (std::size_t i = 0; i < experiments.size(); ++i)
+    tasks.push_back({kSpecimen, [&, i](const Progress& progress) {
+                       places.specimens[i] = study_specimen(inputs, experiments[i], progress);
+                     }});
+  tasks.push_back({kPopulation, [&](const Progress& progress) {
+                     demo.population = study_population(inputs, progress);
+                   }});
+  const std::vector<SampledPosterior> posteriors = posteriors_of(inputs);
+  places.posteriors.resize(posteriors.size());
+  for (std::size_t i = 0; i < posteriors.size(); ++i)
+    tasks.push_back({posteriors[i].seconds, [&, i, of = posteriors[i]](const Progress& progress) {
+                       places.posteriors[i] = sample_one(of, inputs, request.run, progress);
+                     }});
+  tasks.push_back({kHood, [&](const Progress&) { demo.hood = bend_hood(inputs); }});
+  return tasks;
+}
+
+/// Thumbs, hands that grasp and pads that are pressed.
+std::vector<ParallelTask> other_tasks(const DemoRequest& request, DemoResult& demo) {
+  const auto study = [&](const Progress& progress) {
+    ThumbStudyRequest thumb;
+    thumb.data = request.data;
+    thumb.quick = true;
+    demo.thumb_study = ask_thumb_study(thumb, progress);
+  };
+  const auto recover = [&](const Progress& progress) {
+    ThumbRecoveryRequest recovery;
+    recovery.data = request.data;
+    demo.thumb_recovery = ask_thumb_recovery(recovery, progress);
+  };
+  return {{kThumbStudy, study},
+          {kThumbRecovery, recover},
+          {kHands, [&](const Progress& told) { demo.hands = compare_some_hands(request, told); }},
+          {kPad, [&](const Progress& told) { demo.pad = press_some_pad(request, told); }},
+          {kPencil, [&](const Progress& told) { demo.pencil = pinch_pencil(request, told); }}};
+}
+
+/// Keeps posteriors that are whole. HDF5 is for one thread at a time.
+void write_posteriors(const DemoRequest& request, Places& places, DemoResult& demo) {
+  for (std::optional<DemoPosterior>& posterior : places.posteriors) {
+    if (!posterior) continue;
+    demo.files.push_back(fmt::format("{}/{}.nc", request.output, posterior->name));
+    write_posterior(posterior->run, demo.files.back());
+    demo.posteriors.push_back(std::move(*posterior));
+  }
 }
 
 /// Fits are kept once all is done.
@@ -185,49 +263,29 @@ void write_fits(const DemoRequest& request, DemoResult& demo) {
     write_fit(fit, demo.files.back());
   };
   for (SpecimenStudy& study : demo.specimens) write(study.fit, study.in_sample.experiment);
-  write(demo.population.fit, "population");
+  write(demo.population->fit, "population");
 }
 
 }  // namespace
 
-DemoMotion move_demo_scenes(const std::string& data, const Progress& progress,
-                            const std::optional<Path>& path) {
-  SceneRequest glass, thumb;
-  glass.data = thumb.data = data;
-  glass.path = thumb.path = path;
-  glass.scene = "wine_glass";
-  thumb.scene = "thumb_mug";
-  DemoMotion motion;
-  motion.glass = run_scene(glass, progress);
-  motion.thumb = run_scene(thumb, progress);
-  thumb.on_pins = true;
-  motion.thumb_on_pins = run_scene(thumb, progress);
-  if (progress.stop()) return motion;
-  motion.pad = thumb_pad_on_mug(motion.thumb);
-  motion.pad_on_pins = thumb_pad_on_mug(motion.thumb_on_pins);
-  motion.work = roll_ball(data);
-  return motion;
-}
-
 DemoResult run_demo_study(const DemoRequest& request, const Progress& progress) {
-  const StudyInputs inputs = inputs_of(request.data);
-  std::vector<SpecimenStudy> specimens = study_specimens(inputs, progress);
-  DemoResult demo{
-      inputs, std::move(specimens), study_population(inputs, progress), {}, {}, {}, {}, {}, {}, {}};
-  sample_all(request, progress, demo);
-  ThumbStudyRequest thumb;
-  thumb.data = request.data;
-  thumb.quick = true;
-  demo.thumb_study = ask_thumb_study(thumb, progress);
-  ThumbRecoveryRequest recovery;
-  recovery.data = request.data;
-  if (!progress.stop()) demo.thumb_recovery = ask_thumb_recovery(recovery, progress);
-  demo.motion = move_demo_scenes(request.data, progress, request.path);
+  DemoResult demo;
+  demo.inputs = inputs_of(request.data);
+  demo.thumbs = thumbs_of(request.data);
+  // All that needs nothing of the others, side by side.
+  Places places;
+  std::vector<ParallelTask> tasks = finger_tasks(request, demo, places);
+  for (const std::vector<ParallelTask>& more :
+       {other_tasks(request, demo), demo_scene_tasks(request.data, request.path, demo.motion)})
+    tasks.insert(tasks.end(), more.begin(), more.end());
+  run_tasks(std::move(tasks), progress);
+  // Files, one by one.
+  write_posteriors(request, places, demo);
   demo.stopped = progress.stop();
   if (demo.stopped) return demo;
+  for (std::optional<SpecimenStudy>& specimen : places.specimens)
+    demo.specimens.push_back(std::move(specimen.value()));
   write_fits(request, demo);
-  demo.hood = bend_hood(inputs);
-  demo.thumbs = thumbs_of(request.data);
   return demo;
 }
 

@@ -2,13 +2,18 @@
 
 /// The main job on real data: middle fingers of two hands fitted to measured forces.
 
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
 
+#include "api/compare.h"
+#include "api/pads/press_pad.h"
+#include "api/scenes/compare_rungs.h"
 #include "api/scenes/simulate_scene.h"
 #include "api/study.h"
 #include "api/tendon_solve.h"
+#include "base/parallel_tasks.h"
 #include "base/progress.h"
 #include "dynamics/scene/pad_angle.h"
 #include "dynamics/scene/work_precision.h"
@@ -57,27 +62,37 @@ struct DemoMotion {
 
 struct DemoResult {
   StudyInputs inputs;
-  std::vector<SpecimenStudy> specimens;   // each alone
-  PopulationStudy population;             // both together
-  std::vector<DemoPosterior> posteriors;  // of each alone, and of both
+  std::vector<SpecimenStudy> specimens;       // each alone
+  std::optional<PopulationStudy> population;  // both together; absent: stopped
+  std::vector<DemoPosterior> posteriors;      // of each alone, and of both
   ThumbStudyResult thumb_study;
   ThumbRecoveryResult thumb_recovery;  // made-up data, and measurements
   DemoHood hood;
   std::vector<DemoThumb> thumbs;
   DemoMotion motion;
+  HandComparison hands;            // a human and three robot hands on two objects
+  PressedPad pad;                  // under a ball
+  RungComparison pencil;           // pinched by pads, on every rung
   std::vector<std::string> files;  // that were written
   bool stopped = false;            // by request: parts are missing, no fit was written
 };
 
 /// Fits by every solver, cross-validates, predicts what was not seen, samples posteriors, asks what
 /// forces tell of a thumb's axes, finds a thumb again from made-up forces and muscle activity and
-/// adds measurements, and bends a finger with its hood. Some minutes.
+/// adds measurements, bends a finger with its hood, moves scenes, lets hands grasp and presses
+/// pads. Some minutes of all cores; the same bits with any number of them.
 /// @throws InputError if data are missing or the folder cannot be written.
 [[nodiscard]] DemoResult run_demo_study(const DemoRequest& request, const Progress& progress = {});
 
-/// Simulates the scenes of the demo: some seconds.
+/// Tasks that simulate the scenes of the demo.
 /// @param data  folder with scenes/, robots/ ..; empty: the usual ones
 /// @param path  as of DemoRequest
+/// @param motion  that they fill in; outlives them
+[[nodiscard]] std::vector<ParallelTask> demo_scene_tasks(const std::string& data,
+                                                         const std::optional<Path>& path,
+                                                         DemoMotion& motion);
+
+/// Simulates the scenes of the demo: some seconds.
 [[nodiscard]] DemoMotion move_demo_scenes(const std::string& data, const Progress& progress = {},
                                           const std::optional<Path>& path = {});
 

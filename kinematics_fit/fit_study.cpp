@@ -63,6 +63,8 @@ std::vector<Profile> profiles_of(const Fit& fit, const Progress& progress) {
   return profiles;
 }
 
+}  // namespace
+
 SpecimenStudy study_specimen(const StudyInputs& inputs, const SourceText& experiment,
                              const Progress& progress) {
   // Fit of this specimen alone, and its predictions in sample.
@@ -83,18 +85,6 @@ SpecimenStudy study_specimen(const StudyInputs& inputs, const SourceText& experi
   std::vector<BaselinePrediction> baselines = baselines_of(inputs, measured);
   return {std::move(fit),  std::move(in_sample), std::move(postures), std::move(tendons),
           std::move(runs), std::move(profiles),  std::move(baselines)};
-}
-
-}  // namespace
-
-std::vector<SpecimenStudy> study_specimens(const StudyInputs& inputs, const Progress& progress) {
-  std::vector<SpecimenStudy> studies;
-  const auto count = static_cast<double>(inputs.specimen.experiments.size());
-  for (const SourceText& experiment : inputs.specimen.experiments)
-    studies.push_back(
-        study_specimen(inputs, experiment,
-                       part_of(progress, static_cast<double>(studies.size()) / count, 1 / count)));
-  return studies;
 }
 
 PopulationStudy study_population(const StudyInputs& inputs, const Progress& progress) {

@@ -68,9 +68,10 @@ struct StudyInputs {
   std::vector<LeastSquaresMethod> methods;
 };
 
-/// Fits and compares every specimen of the inputs alone.
-[[nodiscard]] std::vector<SpecimenStudy> study_specimens(const StudyInputs& inputs,
-                                                         const Progress& progress = {});
+/// Fits and compares one specimen of the inputs alone.
+/// @param experiment  one of inputs.specimen.experiments
+[[nodiscard]] SpecimenStudy study_specimen(const StudyInputs& inputs, const SourceText& experiment,
+                                           const Progress& progress = {});
 
 /// Fits and compares all specimens together.
 [[nodiscard]] PopulationStudy study_population(const StudyInputs& inputs,

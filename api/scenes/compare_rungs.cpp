@@ -2,13 +2,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <set>
 
 #include <Eigen/Geometry>
 
 #include "base/error.h"
 #include "base/nearest_name.h"
-#include "base/progress_parts.h"
+#include "base/parallel_tasks.h"
 
 namespace thenar {
 namespace {
@@ -106,19 +107,24 @@ RungComparison compare_rungs(const SceneRequest& request, const std::vector<std:
     (void)index_of_name(rung, pad_rung_names(), "rung of pads");
     require(names.insert(rung).second, "the rung '{}' is asked for twice", rung);
   }
-  double weights = 0;
-  for (const std::string& rung : rungs) weights += weight_of(rung);
-  ProgressParts parts(progress, weights);
   RungComparison out;
   out.asked = rungs.size();
-  for (std::size_t i = 0; i < rungs.size() && !progress.stop(); ++i) {
-    SceneRequest one = request;
-    one.pads = rungs[i];
-    SimulatedScene scene = run_scene(one, parts.next(weight_of(rungs[i])));
-    if (scene.run.status == SceneStatus::kStopped) break;
-    out.name = scene.name;
-    out.files.insert(scene.files.begin(), scene.files.end());
-    out.runs.push_back({rungs[i], std::move(scene), {}});
+  // Rungs side by side; those that were stopped are left out.
+  std::vector<std::optional<SimulatedScene>> scenes(rungs.size());
+  std::vector<ParallelTask> tasks;
+  for (std::size_t i = 0; i < rungs.size(); ++i)
+    tasks.push_back({weight_of(rungs[i]), [&, i](const Progress& own) {
+                       SceneRequest one = request;
+                       one.pads = rungs[i];
+                       SimulatedScene scene = run_scene(one, own);
+                       if (scene.run.status != SceneStatus::kStopped) scenes[i] = std::move(scene);
+                     }});
+  run_tasks(std::move(tasks), progress);
+  for (std::size_t i = 0; i < rungs.size(); ++i) {
+    if (!scenes[i]) continue;
+    out.name = scenes[i]->name;
+    out.files.insert(scenes[i]->files.begin(), scenes[i]->files.end());
+    out.runs.push_back({rungs[i], std::move(*scenes[i]), {}});
   }
   if (out.runs.empty()) return out;
   out.finest = finest_of(out.runs);

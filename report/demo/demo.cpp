@@ -6,6 +6,9 @@
 #include <fmt/format.h>
 
 #include "report/demo/demo_findings.h"
+#include "report/pads/press_answer.h"
+#include "report/pages/compare_rungs.h"
+#include "report/pages/comparison.h"
 #include "report/pages/fit_study.h"
 #include "report/pages/measured_lessons.h"
 #include "report/pages/posterior.h"
@@ -144,15 +147,15 @@ Json thumb_page(const std::vector<DemoThumb>& thumbs, MeshTable& meshes) {
   for (const char* direction : kDirectionNames) columns.push_back({direction, "N", 1});
   return section(
       "thumbs", "The thumb: orthogonal and skewed axes",
-      "Every force that the pinned thumbtip can make with tendon tensions between zero and their "
-      "largest, every joint torque balanced. The first two thumbs bend 30 degrees at MCP and IP "
-      "and have the same seven tendons, constant moment arms [Nakajima2022] and largest forces "
-      "[McFarland2023]; their axes differ: four that cross or run parallel, and five that do "
-      "neither [GraspIt]. The arms are borrowed from yet another thumb, so compare shapes, not "
-      "newtons. The third has measured axes and straight tendon runs [Mirakhorlo2016], in the "
-      "posture in which it was digitised.\n\nThe more axes must be balanced at once by the same "
-      "tendons, the smaller the set: a fifth axis costs force. Scenes of one frame turn together; "
-      "the back of the hand is up.",
+      "Every force that the pinned thumbtip can exert while each tendon tension lies between zero "
+      "and its largest and all joint torques are in balance. The first two thumbs bend 30 degrees "
+      "at MCP and IP and have the same seven tendons, constant moment arms [Nakajima2022] and "
+      "largest forces [McFarland2023]; their axes differ: four that cross or run parallel, and "
+      "five that do neither [GraspIt]. The arms are borrowed from yet another thumb, so compare "
+      "shapes, not newtons. The third has measured axes and straight tendon runs [Mirakhorlo2016], "
+      "in the posture in which it was digitised.\n\nThe more axes the same tendons must balance at "
+      "once, the smaller the set: a fifth axis costs force. Scenes of one frame turn together; the "
+      "back of the hand is up.",
       Json::array(
           {row_block(scenes),
            table_block("Feasible thumbtip forces: the set, and the largest pure force along "
@@ -167,34 +170,33 @@ Json posteriors_at_a_glance(const std::vector<DemoPosterior>& posteriors) {
     for (const Prediction& prediction : posterior.fitted)
       rows.push_back(posterior_row(posterior, prediction, "in sample"));
     for (const Prediction& prediction : posterior.unseen)
-      rows.push_back(posterior_row(posterior, prediction, "never fitted: a stranger"));
+      rows.push_back(posterior_row(posterior, prediction, "never fitted"));
     runs.push_back(chains_row(posterior));
   }
-  return section(
-      "posteriors", "Posteriors at a glance",
-      "Draws instead of one best point: how sure the forces make us. Errors are of the posterior "
-      "mean; the interval is the predictive one, noise included.",
-      Json::array({table_block("Predicted forces",
-                               {{"posterior", ""},
-                                {"experiment", ""},
-                                {"how", ""},
-                                {"relative error", "", 3},
-                                {"in flexion", "", 3},
-                                {"within 95 %", "%", 0}},
-                               rows),
-                   table_block("Runs of the sampler (NUTS, 4 chains)",
-                               {{"posterior", ""},
-                                {"entries", "", 0},
-                                {"worst R-hat", "", 4},
-                                {"least bulk ESS", "", 0},
-                                {"divergent", "", 0},
-                                {"modes", "", 0},
-                                {"elpd, one trial left out", "", 1},
-                                {"se", "", 1},
-                                {"effective parameters", "", 1},
-                                {"Pareto k too large", "", 0},
-                                {"sampling", "s", 1}},
-                               runs)}));
+  return section("posteriors", "Posteriors at a glance",
+                 "Draws in place of a single best point show how much the forces determine. Errors "
+                 "are those of the posterior mean; intervals are predictive, noise included.",
+                 Json::array({table_block("Predicted forces",
+                                          {{"posterior", ""},
+                                           {"experiment", ""},
+                                           {"how", ""},
+                                           {"relative error", "", 3},
+                                           {"in flexion", "", 3},
+                                           {"within 95 %", "%", 0}},
+                                          rows),
+                              table_block("Runs of the sampler (NUTS, 4 chains)",
+                                          {{"posterior", ""},
+                                           {"entries", "", 0},
+                                           {"worst R-hat", "", 4},
+                                           {"least bulk ESS", "", 0},
+                                           {"divergent", "", 0},
+                                           {"modes", "", 0},
+                                           {"elpd, one trial left out", "", 1},
+                                           {"se", "", 1},
+                                           {"effective parameters", "", 1},
+                                           {"Pareto k too large", "", 0},
+                                           {"sampling", "s", 1}},
+                                          runs)}));
 }
 
 namespace {
@@ -224,8 +226,8 @@ std::vector<SetPage> finger_pages(const DemoResult& demo) {
                Json::array({std::move(in_space), parameter_page(studies)}), meshes);
   finger.figure = first_block(finger.page, "scene");
   SetPage population = question("population.html", "Does it carry to another hand?",
-                                population_finding(demo.population),
-                                Json::array({population_page(demo.population, studies)}));
+                                population_finding(*demo.population),
+                                Json::array({population_page(*demo.population, studies)}));
   population.figure = first_block(population.page, "vectors");
   return {std::move(forces), std::move(finger), std::move(population)};
 }
@@ -263,12 +265,29 @@ std::vector<SetPage> model_pages(const DemoResult& demo) {
   thumb.figure = first_block(thumb.page, "row");
   const ThumbRecoveryResult& recovery = demo.thumb_recovery;
   SetPage founding = question(
-      "founding_thumb.html", "The thumb, the founding way: are its axes found?",
+      "founding_thumb.html", "Are a thumb's axes found as in [Miller2005]?",
       thumb_recovery_finding(recovery),
       Json::array({thumb_recovery_section(recovery.recovery), measured_lessons_section(recovery)}));
   founding.figure = first_block(founding.page, "scene");
   founding.page["provenance"] = provenance_of(recovery);
   return {std::move(hood), std::move(thumb), std::move(founding)};
+}
+
+/// A page of a question that a command answers, too.
+SetPage page_for(const char* file, const char* title, const Finding& finding, Json page,
+                 const char* figure) {
+  Json shown = first_block(page, figure);
+  return {file, title, finding.opening, finding.line, std::move(page), std::move(shown)};
+}
+
+/// Pages on hands that grasp and on pads.
+std::vector<SetPage> grasp_and_pad_pages(const DemoResult& demo) {
+  return {page_for("hands.html", "How do hands compare when they grasp?",
+                   hands_finding(demo.hands.comparison), page_of(demo.hands), "row"),
+          page_for("pad.html", "What does a finger pad do under a ball?", pad_finding(demo.pad),
+                   page_of(demo.pad), "scene"),
+          page_for("pencil_pinch.html", "What do models of pads cost in a pinch?",
+                   pencil_finding(demo.pencil), page_of(demo.pencil), "row")};
 }
 
 /// The front page, without what sums up the others.
@@ -281,7 +300,7 @@ SetPage front_of(double seconds) {
        fmt::format("In {:.0f} s fingers were fitted to measured forces, posteriors were sampled, "
                    "thumbs and hoods compared, scenes moved, objects grasped and pads pressed.",
                    seconds),
-       "A line on each question follows, with a page of its own; below stands a figure for each."},
+       "Each question has one line here, a figure below, and a page of its own."},
       "",
       {{"title", title},
        {"subtitle", "Middle fingers of two human hands [Synek2019], thumbs, and hands in motion"}},
@@ -290,7 +309,7 @@ SetPage front_of(double seconds) {
 
 }  // namespace
 
-std::vector<SetPage> demo_pages(const DemoResult& demo, std::vector<SetPage> more, double seconds) {
+std::vector<SetPage> demo_pages(const DemoResult& demo, double seconds) {
   std::vector<SetPage> pages;
   const auto add = [&](std::vector<SetPage> some) {
     std::move(some.begin(), some.end(), std::back_inserter(pages));
@@ -299,7 +318,7 @@ std::vector<SetPage> demo_pages(const DemoResult& demo, std::vector<SetPage> mor
   add(posterior_pages(demo.posteriors));
   add(model_pages(demo));
   add(moving_scene_pages(demo.motion));
-  add(std::move(more));
+  add(grasp_and_pad_pages(demo));
   SetPage front = front_of(seconds);
   sum_up(pages, front);
   pages.insert(pages.begin(), std::move(front));

@@ -13,10 +13,9 @@ namespace thenar {
 
 /// The pages of the demo, a page for each question, the front page first. Page by page: accuracy,
 /// forces and solvers; parameters and the finger; the population; posteriors, and each of them; the
-/// hood; thumbs; scenes in motion; then `more`.
+/// hood; thumbs; scenes in motion; hands that grasp; pads.
 /// @param seconds  that the whole took [s]
-[[nodiscard]] std::vector<SetPage> demo_pages(const DemoResult& demo, std::vector<SetPage> more,
-                                              double seconds);
+[[nodiscard]] std::vector<SetPage> demo_pages(const DemoResult& demo, double seconds);
 
 /// Errors of every posterior on every experiment, seen or not, and figures of its chains.
 [[nodiscard]] Json posteriors_at_a_glance(const std::vector<DemoPosterior>& posteriors);
