@@ -70,7 +70,7 @@ Finding force_finding(const std::vector<SpecimenStudy>& studies) {
                        "fits.",
                        studies.size(), studies.empty() ? 0 : studies.front().runs.size()),
            fmt::format("The relative error is {} in sample, and {} in a posture left out. The best "
-                       "prediction without a fit by what was not calibrated on these fingers has "
+                       "prediction that takes no fit and was not calibrated on these fingers has "
                        "{}: the fit beats it on {} of {} fingers.",
                        seen, unseen, fmt::join(rivals, " and "), better, studies.size())},
           fmt::format("Forces: in a posture that the fit has not seen, the relative error of "
@@ -141,10 +141,10 @@ Finding posterior_finding(const std::vector<DemoPosterior>& posteriors) {
                        "four chains each, and predict forces that were fitted and forces that were "
                        "not.",
                        posteriors.size()),
-           fmt::format("Of the runs {} converged without a warning; the worst R-hat is {:.4f}. Of "
-                       "the force components of a hand that was never fitted, {} lie within their "
-                       "95 % interval.",
-                       share(converged, posteriors.size()), worst, covered)},
+           fmt::format(
+               "Runs that converged without a warning: {}; the worst R-hat is {:.4f}. Of the force "
+               "components of a hand that was never fitted, {} lie within their 95 % interval.",
+               share(converged, posteriors.size()), worst, covered)},
           fmt::format("Posteriors: the worst R-hat is {:.4f}; {} of a stranger's force components "
                       "lie within their 95 % interval.",
                       worst, covered)};
@@ -155,8 +155,8 @@ Finding posterior_finding(const DemoPosterior& posterior) {
   return {
       {fmt::format("What do the forces of {} leave open, and may the draws be used?",
                    posterior.name),
-       fmt::format("{} entries were sampled by NUTS in four chains; the draws are held against "
-                   "the forces, one trial left out at a time.",
+       fmt::format("{} entries were sampled by NUTS in four chains; they are compared with the "
+                   "forces, one trial left out at a time.",
                    posterior.run.posterior->size()),
        fmt::format("The worst R-hat is {:.4f}, the least bulk ESS {:.0f}, with {} divergent draws; "
                    "{} mode{} found. {}",
@@ -228,8 +228,8 @@ Finding thumb_recovery_finding(const ThumbRecoveryResult& result) {
   // The question, and what was done.
   const ThumbRecovery& recovery = result.recovery;
   Finding finding{
-      {"Are the axes of a thumb found as [Miller2005] found them, from fingertip forces and "
-       "muscle activity, and what do the few published measurements teach of them?",
+      {"Are the axes of a thumb found as [Miller2005] found them, from fingertip forces and muscle "
+       "activity, and what do the few published measurements add?",
        fmt::format("Forces and muscle activity were made up with a thumb of known axes and "
                    "fitted by least squares and by chains with all {} axes free. Then measured "
                    "forces (trials: {}) and losses of pinch under nerve blocks (blocks: {}) were "
@@ -237,7 +237,7 @@ Finding thumb_recovery_finding(const ThumbRecoveryResult& result) {
                    recovery.axes.size(), result.lessons.force.trials.size(),
                    result.lessons.losses.blocks.size()),
        "It was stopped before it was finished."},
-      "Thumb, the founding way: stopped before it was finished."};
+      "Thumb, fitted as in [Miller2005]: stopped before it was finished."};
   if (!recovery.complete || !result.lessons.complete) return finding;
 
   // Errors of directions, and what both kinds of data leave of their tilts.
@@ -265,7 +265,7 @@ Finding thumb_recovery_finding(const ThumbRecoveryResult& result) {
       "Least squares is off the true axes by {:.1f} degrees at most, the mean of the chains by "
       "{:.1f}; they differ by {:.2f} posterior sds (rms). In sds, {}.{}",
       degrees(fit), degrees(drawn), recovery.agreement.rms, left, doubts);
-  finding.line = fmt::format("Thumb, the founding way: {}.{}", left, doubts);
+  finding.line = fmt::format("Thumb, fitted as in [Miller2005]: {}.{}", left, doubts);
   return finding;
 }
 

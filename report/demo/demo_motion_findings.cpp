@@ -76,28 +76,28 @@ Finding thumb_mug_finding(const DemoMotion& motion) {
     return std::round(10 * (states.front().angle - states.back().angle) / kDegree) / 10 + 0.0;
   };
   const double force = motion.pad.empty() ? NAN : motion.pad.back().force;
-  return {
-      {"Does a thumb roll onto its pad when it is pressed on a mug?",
-       "Figure 8 of [Miller2005]: a thumb meets a mug on its ulnar side, and the grip tightens. "
-       "The thumb's joints give, by capsules around their skewed axes; beside it they are "
-       "pins.",
-       fmt::format("At {:.0f} N its pad has turned towards the mug by {:.1f} degrees where joints "
-                   "give, and by {:.1f} degrees on pins.",
-                   force, turned(motion.pad), turned(motion.pad_on_pins))},
-      fmt::format(
-          "Thumb on a mug: at {1:.0f} N its pad turns by {0:.1f} degrees on compliant joints, "
-          "by {2:.1f} on ideal hinges.",
-          turned(motion.pad), force, turned(motion.pad_on_pins))};
+  return {{"Does a thumb roll onto its pad when it is pressed on a mug?",
+           "Figure 8 of [Miller2005]: a thumb meets a mug on its ulnar side, and the grip "
+           "tightens. The thumb's joints give way within capsules around their skewed axes; a "
+           "second thumb turns on ideal hinges.",
+           fmt::format("At {:.0f} N its pad has turned towards the mug by {:.1f} degrees with "
+                       "joints that give, and by {:.1f} degrees on ideal hinges.",
+                       force, turned(motion.pad), turned(motion.pad_on_pins))},
+          fmt::format(
+              "Thumb on a mug: at {1:.0f} N its pad turns by {0:.1f} degrees on compliant joints, "
+              "by {2:.1f} on ideal hinges.",
+              turned(motion.pad), force, turned(motion.pad_on_pins))};
 }
 
 Finding stepping_finding(const std::vector<WorkPoint>& points) {
-  return {{"How accurate are scenes in motion, and what does accuracy cost?",
-           "A ball rolls off another without slip; elliptic integrals give where it ends. Both "
-           "methods of stepping ran with many settings.",
-           fmt::format("Steps between events come to {}, steps of a fixed length to {}.",
-                       accuracy_words(most_accurate(points, SteppingMethod::kEvents)),
-                       accuracy_words(most_accurate(points, SteppingMethod::kTimeStepping)))},
-          ""};
+  return {
+      {"How accurate are scenes in motion, and what does accuracy cost?",
+       "A ball rolls off another without slip; elliptic integrals give where it ends. Both "
+       "methods of stepping ran with many settings.",
+       fmt::format("Steps between events reach an error of {}, steps of a fixed length one of {}.",
+                   accuracy_words(most_accurate(points, SteppingMethod::kEvents)),
+                   accuracy_words(most_accurate(points, SteppingMethod::kTimeStepping)))},
+      ""};
 }
 
 Finding hands_finding(const Comparison& comparison) {

@@ -34,9 +34,9 @@ Json pad_chart(const DemoMotion& motion) {
 Json pad_section(const DemoMotion& motion) {
   return section(
       "pad-angle", "How the pad turns",
-      "Muscles balance the force on ideal hinges, so that there the thumb stays as it is. Where "
-      "joints give, by capsules around the skewed axes, it rolls towards its pad. Stiffness of "
-      "joints is measured in part and assumed in part [ShaftelThumbMcp].",
+      "On ideal hinges the muscles balance the force, and the thumb stays as it is. Where the "
+      "joints give way within capsules around their skewed axes, it rolls towards its pad. Joint "
+      "stiffness is partly measured and partly assumed [ShaftelThumbMcp].",
       Json::array({pad_chart(motion)}));
 }
 
@@ -67,9 +67,10 @@ Json work_section(const std::vector<WorkPoint>& points) {
   return section(
       "work-precision", "Accuracy over time",
       "A ball rolls off another for 0.25 s without slip; elliptic integrals give where it ends. "
-      "The method events keeps the error of its steps below a tolerance by steps of high order; "
-      "time-stepping takes steps of a fixed length and is of second order: ten times the work for "
-      "a hundredth of the error. Times are of this machine, the least of five runs each.",
+      "The method \"events\" keeps the error of each step below a tolerance, with steps of high "
+      "order; \"time-stepping\" takes steps of a fixed length and is of second order: ten times "
+      "the work for a hundredth of the error. Times were measured on this machine, each the least "
+      "of five runs.",
       Json::array({{{"type", "lines"},
                     {"caption", "Error of the ball's place at the end, over processor time"},
                     {"x_label", "processor time [ms]"},
@@ -103,8 +104,8 @@ std::vector<SetPage> moving_scene_pages(const DemoMotion& motion) {
   thumb.figure = pad_chart(motion);
   const Json work = work_section(motion.work);
   SetPage stepping =
-      page("stepping.html", "How accurate steps in time are", stepping_finding(motion.work),
-           {{"title", "How accurate steps in time are"}, {"sections", Json::array({work})}});
+      page("stepping.html", "How accurate is a motion in steps?", stepping_finding(motion.work),
+           {{"title", "How accurate is a motion in steps?"}, {"sections", Json::array({work})}});
   return {std::move(glass), std::move(thumb), std::move(stepping)};
 }
 

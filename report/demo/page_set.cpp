@@ -61,7 +61,7 @@ void sum_up(const std::vector<SetPage>& pages, SetPage& front) {
     }
     blocks.push_back({{"type", "text"},
                       {"text", ""},
-                      {"link", {{"file", page.file}, {"text", "All of it: " + page.title}}}});
+                      {"link", {{"file", page.file}, {"text", "Full page: " + page.title}}}});
     sections.push_back(
         section("about-" + stem_of(page.file), page.title, page.opening.learnt, std::move(blocks)));
   }
@@ -76,8 +76,7 @@ void link_pages(std::vector<SetPage>& pages) {
   for (SetPage& page : pages) {
     page.page["file"] = page.file;
     page.page["pages"] = list;
-    page.page["opening"] =
-        opening_json(page.opening.asked, page.opening.done, page.opening.learnt);
+    page.page["opening"] = opening_json(page.opening.asked, page.opening.done, page.opening.learnt);
   }
 }
 

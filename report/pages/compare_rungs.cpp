@@ -82,9 +82,9 @@ Json rung_banner(const RungComparison& comparison) {
   return {{"type", "banner"},
           {"ok", true},
           {"caution", !warnings.empty()},
-          {"title", fmt::format("On {} all contact problems were solved{}",
-                                comparison.runs[comparison.finest].rung,
-                                warnings.empty() ? "" : ", with cautions")},
+          {"title", fmt::format("{}On the rung {} all contact problems were solved",
+                                warnings.empty() ? "" : "Read the cautions below. ",
+                                comparison.runs[comparison.finest].rung)},
           {"reasons", warnings}};
 }
 
@@ -145,8 +145,8 @@ std::string text_of(const RungComparison& comparison) {
   return fmt::format("{}: {} of {} rungs of pads\n\n", comparison.name, comparison.runs.size(),
                      comparison.asked) +
          titled(finest_words(comparison) +
-                    ": normal forces of all pads at the end and over all instants, bodies that "
-                    "are no links",
+                    ": normal forces of all pads at the end and over all instants, bodies other "
+                    "than links",
                 table_of(comparison)) +
          titled("Pads at the end", pad_table_of(comparison));
 }
@@ -198,7 +198,7 @@ std::string refusal_of(const RungComparison& comparison) {
   const RungRun& finest = comparison.runs[comparison.finest];
   const std::string refusal = refusal_of(finest.scene);
   return refusal.empty() ? ""
-                         : fmt::format("on no rung was all solved; {}: {}", finest.rung, refusal);
+                         : fmt::format("no rung solved everything; {}: {}", finest.rung, refusal);
 }
 
 Json page_of(const RungComparison& comparison) {
@@ -213,10 +213,10 @@ Json page_of(const RungComparison& comparison) {
        rung_table(comparison), table_block("Pads at the end", pad_table_of(comparison))});
   Json sections = Json::array({section(
       "rungs", "What each rung costs",
-      fmt::format("{}. {}, which costs {:.3g} s of a processor for a simulated second. Errors of "
-                  "forces are those of the normal forces of all pads, root of the sum of squares "
-                  "over that of the finest; places are those of bodies that are no links. Where a "
-                  "body tumbles, small errors of forces become large ones of places.",
+      fmt::format("{}. {}, which takes {:.3g} s of processor time for each simulated second. "
+                  "Errors of forces are those of the normal forces of all pads, root of the sum of "
+                  "squares over that of the finest; places are those of bodies other than links. "
+                  "Where a body tumbles, small errors of forces become large ones of places.",
                   finest.scene.description, finest_words(comparison), cpu_per_second(finest)),
       std::move(charts))});
   Json curves = Json::array();

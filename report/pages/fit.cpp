@@ -198,14 +198,13 @@ Json choice_section(const FitResult& result) {
   const ChosenSettings& chosen = *result.chosen;
   return section(
       "settings", "Settings that left-out data chose",
-      fmt::format(
-          "One after the other, until none was bettered: {} settings were tried, each judged by "
-          "log loss plus logarithm of the relative error of {}, {:.3f} nat at first and {:.3f} of "
-          "those chosen (relative error {:.3f} and {:.3f}). What has been looked at while choosing "
-          "flatters. The left-out errors of the tables above have not: there every fold chose "
-          "anew, by what it kept.",
-          chosen.tried.size(), judged_words(chosen), chosen.tried.front().loss, chosen.loss,
-          chosen.tried.front().error, chosen.error),
+      fmt::format("One after the other, until none was bettered: {} settings were tried, each "
+                  "judged by log loss plus logarithm of the relative error of {}, {:.3f} nat at "
+                  "first and {:.3f} of those chosen (relative error {:.3f} and {:.3f}). Errors "
+                  "that guided a choice look better than they are. Those of the tables above did "
+                  "not guide it: there every fold chose anew, from the trials that it kept.",
+                  chosen.tried.size(), judged_words(chosen), chosen.tried.front().loss, chosen.loss,
+                  chosen.tried.front().error, chosen.error),
       Json::array({table_block("Settings, and what each fold chose. Folds that disagree do not "
                                "know better than chance",
                                columns, rows)}));
@@ -294,7 +293,7 @@ std::string name_rules(const Fit& fit) {
        "angle/DIP3/Hook is the error of one joint in one posture"},
       {{Kind::kGain}, "gain/FDP multiplies the stated tension of a muscle"},
       {{Kind::kTipForce},
-       "force/FDP/radial is force of the tip per newton of tension that the geometry does not "
+       "force/FDP/radial is the force of the tip per newton of tension that the geometry does not "
        "explain"},
       {{Kind::kSensorTilt}, "sensor/ tilts the load cell"}};
   const FitParameters& parameters = fit.problem.parameters();

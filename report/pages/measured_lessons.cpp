@@ -112,10 +112,9 @@ Json measured_table(const MeasuredLessons& of) {
   columns.push_back({"assumed", ""});
   columns.push_back({"source", ""});
   return table_block(
-      "What was measured in people, and what thumbs say of it: the shipped one, and the draws of "
-      "prior and posterior, means and sds over draws. Of thumbs that cannot press in key pinch "
-      "nothing is lost; they are left out of the means of losses. What is assumed is named by its "
-      "key in the file",
+      "What was measured in people, and what model thumbs predict: the shipped one, and the draws "
+      "of prior and posterior (means and sds over draws). Thumbs that cannot press in key pinch "
+      "are left out of the mean losses. What is assumed is named by its key in the file",
       columns, std::move(rows));
 }
 
@@ -146,8 +145,8 @@ Json update_table(const MeasuredLessons& of) {
   return table_block(
       "What each addition leaves of the sds of tilts, by self-normalised importance weights over "
       "draws. Effective size: 1 over the sum of squared weights; draws of the posterior are of "
-      "chains, whose efficiency counts in Pareto k and in errors of ratios, not in this size. "
-      "Where Pareto k is above its limit the row is not to be believed: too few draws say what was "
+      "chains, whose efficiency counts in Pareto k and in errors of ratios, not in this size. Do "
+      "not trust a row whose Pareto k is above its limit: too few draws agree with what was "
       "measured",
       {{"draws of", ""},
        {"added", ""},
@@ -254,20 +253,21 @@ std::string measurements_words(const MeasuredLessons& of) {
              "{}. No sd was published; {:.1f} N of each component are ASSUMED: FPL's direction in "
              "eleven other thumbs was 66 (46) degrees [Towles2008], the bracket taken for the sd "
              "between thumbs, and 46 degrees over the root of seven are 17, which across the force "
-             "are 0.51 N. Nor was told how the tip was held, or at which angles: pinned, in the "
+             "are 0.51 N. Neither the hold of the tip nor the angles were reported: pinned, in the "
              "key pinch of the made-up data.\n\n",
              words_of_forces(of.force), sd.x()) +
          fmt::format(
              "Losses of key pinch under blocks of the ulnar and the median nerve and of both "
-             "[Kozin1999] were read in a third party, that under a radial block in an abstract "
-             "[RadialBlock].{} The wrist drops under a radial block, and none is here. A model's "
-             "pinch is the largest palmar force of the pinned tip within {:.0f} degrees, every "
-             "joint in balance, by linear programming; a block takes away the strength of its "
-             "muscles.\n\n",
+             "[Kozin1999] were taken from a secondary source, that under a radial block from an "
+             "abstract [RadialBlock].{} The wrist drops under a radial block, and the model has "
+             "none. A model's pinch is the largest palmar force of the pinned tip within {:.0f} "
+             "degrees, every joint in balance, by linear programming; a block takes away the "
+             "strength of its muscles.\n\n",
              assumed_of_losses(of.losses), degrees(of.losses.tolerance)) +
          fmt::format(
-             "Draws are weighed by how well they say these {} numbers: draws of the prior, to see "
-             "what the measurements teach alone, and draws of the posterior of the made-up data.",
+             "Draws are weighted by how well they predict these {} numbers: draws of the prior, to "
+             "see what the measurements teach alone, and draws of the posterior of the made-up "
+             "data.",
              measured_numbers(of));
 }
 
@@ -380,8 +380,7 @@ std::string limits_words(const MeasuredLessons& of) {
         doubtful.push_back(fmt::format("{} ({}, effective size {:.0f})", update.added.name,
                                        draws.name, update.weights.effective_size));
   return (doubtful.empty() ? "All weights are reliable by their Pareto k."
-                           : fmt::format("Not to be believed by their Pareto k are the weights of "
-                                         "{}.",
+                           : fmt::format("By their Pareto k the weights of {} are not reliable.",
                                          fmt::join(doubtful, "; "))) +
          " The measured numbers are of one posture, with sds, angles and a hold that had to be "
          "assumed; the made-up data are of single muscles, and of tasks, in several postures.";
@@ -420,7 +419,7 @@ KeptShares kept_shares(const ReweightedDraws& draws, const DataUpdate& update) {
 }
 
 Json measured_lessons_section(const ThumbRecoveryResult& result) {
-  return section("measured-thumb", "The thumb, the founding way: with what was measured in people",
+  return section("measured-thumb", "The thumb: what measurements in people add",
                  measurements_words(result.lessons),
                  Json::array({text_block(alone_words(result) + beside_words(result.lessons) +
                                          limits_words(result.lessons)),

@@ -50,9 +50,9 @@ Json convergence_blocks(const PosteriorPicture& picture) {
   if (picture.quantities.empty()) return blocks;
   blocks.push_back(chains_block(
       picture.quantities,
-      "Chains after warm-up, the largest R-hat first. Left the draws in order; right how many of "
+      "Chains after warm-up, the largest R-hat first. Left: the draws in order. Right: how many of "
       "each chain's ranks among all draws fall into each twentieth, over the band that holds 95 % "
-      "of such counts; below how long a chain remembers"));
+      "of such counts. Below: how long a chain remembers"));
   blocks.push_back(
       estimate_table(picture.quantities,
                      "Estimates with their Monte Carlo standard errors, the largest R-hat "
@@ -227,7 +227,7 @@ Json convergence_banner(const Convergence& convergence, const std::string& run) 
             {"reasons", convergence.warnings},
             {"text",
              "No number of this posterior may be relied on: chains that disagree, or remember too "
-             "long, do not describe the distribution they were sent to. " +
+             "long, do not describe the distribution that they sample. " +
                  run}};
   const bool caution = !convergence.cautions.empty();
   Json banner{{"type", "banner"},

@@ -145,8 +145,8 @@ Json prediction_sections(const PredictResult& result, const std::string& prefix)
     std::string text = fmt::format("Specimen {} {}.", one.experiment.specimen, in_words(one.by));
     if (one.prediction.calibrated_on_specimen)
       text +=
-          " The subject that the fit started from has seen this specimen: the error is not "
-          "that of a stranger.";
+          " The subject that the fit started from has seen this specimen: the error is not that of "
+          "an unseen specimen.";
     const Prediction turned = in_digit_axes(one.prediction, one.experiment);
     Json blocks = Json::array({error_table(one)});
     if (std::optional<Json> table = beside_trivial_table(turned)) blocks.push_back(*table);

@@ -89,12 +89,12 @@ class SceneFilm {
     add_fixed(layers);
     const std::vector<Index> played = spread(static_cast<Index>(scene_.run.samples.size()), most);
     for (const Index i : played) add_instant(static_cast<std::size_t>(i), layers);
-    Json block{{"type", "scene"},
-               {"caption", fmt::format("{} in motion; arrows are contact forces, {:.3g} N as long "
-                                       "as {:.3g} mm",
-                                       scene_.name, largest_force_, arrow_ / kMm)},
-               {"layers", std::move(layers)},
-               {"strip", still_times(scene_, played)}};
+    Json block{
+        {"type", "scene"},
+        {"caption", fmt::format("{} in motion; arrows are contact forces, {:.3g} mm for {:.3g} N",
+                                scene_.name, arrow_ / kMm, largest_force_)},
+        {"layers", std::move(layers)},
+        {"strip", still_times(scene_, played)}};
     if (scene_.camera) block["view"] = numbers3(scene_.camera->eye - scene_.camera->target);
     return block;
   }
@@ -123,10 +123,21 @@ class SceneFilm {
     return std::binary_search(scene_.measures.moving.begin(), scene_.measures.moving.end(), body);
   }
 
+  [[nodiscard]] bool has_moving_part(const std::string& owner) const {
+    const std::vector<std::size_t>& moving = scene_.measures.moving;
+    return std::any_of(moving.begin(), moving.end(),
+                       [&](std::size_t body) { return scene_.built->owner[body] == owner; });
+  }
+
   void add_fixed(Json& layers) const {
     Json items = Json::array();
-    for (std::size_t b = 0; b < meshes_.size(); ++b)
-      if (!meshes_[b].empty() && !moves(b)) items.push_back(item(b, 0));
+    for (std::size_t b = 0; b < meshes_.size(); ++b) {
+      if (meshes_[b].empty() || moves(b)) continue;
+      items.push_back(item(b, 0));
+      // The palm of a hand that stands still has the colour of its fingers.
+      if (has_moving_part(scene_.built->owner[b]))
+        items.back()["color"] = colors_.at(scene_.built->owner[b]);
+    }
     if (items.empty()) return;
     Json fixed = layer("stands still", kFixedColor, std::move(items));
     fixed["fit"] = false;
@@ -180,7 +191,7 @@ class SceneFilm {
          {std::tuple<const char*, const char*, Json&>{"bodies", "#e6a83c", items},
           std::tuple<const char*, const char*, Json&>{"contact forces", kForceColor, arrows},
           std::tuple<const char*, const char*, Json&>{"patches of pads", kPatchColor, patches},
-          std::tuple<const char*, const char*, Json&>{"what of them sticks", kStickColor, stuck}}) {
+          std::tuple<const char*, const char*, Json&>{"share that sticks", kStickColor, stuck}}) {
       if (list.empty()) continue;
       Json shown = layer(fmt::format("{} at {:.3g} s", what, sample.t), color, std::move(list));
       shown["time"] = sample.t;
@@ -232,7 +243,7 @@ Json energy_chart(const SimulatedScene& scene) {
   const auto energy = [&](std::size_t i) { return scene.run.samples[i].energy; };
   const double weight = energy(0).weight;
   chart.add("kinetic", [&](std::size_t i) { return 1e3 * energy(i).kinetic; });
-  chart.add("weight, less that at the start",
+  chart.add("potential, from its start",
             [&](std::size_t i) { return 1e3 * (energy(i).weight - weight); });
   chart.add("springs", [&](std::size_t i) { return 1e3 * energy(i).springs; });
   chart.add("sum", [&](std::size_t i) { return 1e3 * (energy(i).total() - weight); });

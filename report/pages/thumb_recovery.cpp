@@ -241,7 +241,7 @@ KeptAxes kept_axes(const ThumbRecovery& recovery) {
 
 Json thumb_recovery_section(const ThumbRecovery& recovery) {
   return section(
-      "founding-thumb", "The thumb, the founding way: from made-up data", introduction(recovery),
+      "founding-thumb", "The thumb: its axes from made-up data", introduction(recovery),
       Json::array({convergence_banner(recovery.run.convergence, describe_run(recovery.run)),
                    fit_banner(recovery), axis_table(recovery),
                    text_block(agreement_words(recovery)), interval_chart(recovery, "deg", "Tilts"),

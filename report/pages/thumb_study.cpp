@@ -15,19 +15,17 @@ namespace {
 
 const char* const kIntroduction =
     "The forces of a skewed thumb are made up, as a load cell would read them, and explained by "
-    "two models that start from the same mechanic's thumb: one keeps its axes in orthogonal "
+    "two models that start from the same mechanical thumb: one keeps its axes in orthogonal "
     "crossing pairs, which move as wholes, the other lets each of the five axes tilt and shift by "
     "itself [GraspIt]. The true thumb is that of [McFarland2023] with a fifth axis "
     "[Hollister1995]; 10 N pull one of nine muscles at a time, tip pinned, in key and opposition "
-    "pinch (two postures) and "
-    "up to four. Arms are known to both models, or free with the same wide prior.\n\n"
-    "Tasks are 80 pinches as of [ValeroCuevas2003]: eight people push in five directions in two "
-    "postures, their muscles read by electromyography to 0.05 of full activation; unless a row "
-    "says so they are predicted, not fitted. A task is explained if the measured force is within "
-    "the 95 % "
-    "region of noise and activation errors. [ValeroCuevas2003] reports, of orthogonal thumbs that "
-    "were not fitted to forces: misdirection 74.3 \u00b1 24.5 degrees, torque 0.64 \u00b1 0.28 N "
-    "m, and at most half of 80 patterns.";
+    "pinch (two postures) and up to four. Arms are known to both models, or free with the same "
+    "wide prior.\n\nTasks are 80 pinches as in [ValeroCuevas2003]: eight people push in five "
+    "directions in two postures, their muscles read by electromyography to 0.05 of full "
+    "activation; unless a row says so they are predicted, not fitted. A task is explained if the "
+    "measured force is within the 95 % region of noise and activation errors. [ValeroCuevas2003] "
+    "reports, of orthogonal thumbs that were not fitted to forces: misdirection 74.3 \u00b1 24.5 "
+    "degrees, torque 0.64 \u00b1 0.28 N m, and at most half of 80 patterns.";
 
 Json scores(const TaskScores& tasks) {
   return {degrees(tasks.direction), degrees(tasks.direction_sd), tasks.torque, tasks.torque_sd,
@@ -89,9 +87,9 @@ Json convergence_block(const ThumbStudy& study) {
           {"ok", ok},
           {"title", ok ? "The chains of all fits agree" : "Some fits are NOT to be relied on"},
           {"reasons", warnings},
-          {"text", fmt::format("{} fits by NUTS, 4 chains each, R-hat below 1.01 asked of every "
-                               "number",
-                               study.fits.size())}};
+          {"text",
+           fmt::format("{} fits by NUTS, 4 chains each, every number must have an R-hat below 1.01",
+                       study.fits.size())}};
 }
 
 /// Both models' clouds of one fit at 10 % noise, with the true axes.
@@ -230,7 +228,8 @@ Json thumb_mode_table(const ThumbStudy& study) {
     }
   return table_block(
       "Modes of every posterior: searches from many starts that ended there, the share that "
-      "Laplace's approximation gives it, and the share of the draws. One row a fit: one mode",
+      "Laplace's approximation gives it, and the share of the draws. A fit with a single row has "
+      "one mode",
       {{"fit", ""},
        {"mode", "", 0},
        {"cost", "", 2},

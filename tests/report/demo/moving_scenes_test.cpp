@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
@@ -65,6 +66,19 @@ TEST(MovingScenes, FilmsNameMeshesThatThePageHas) {
           EXPECT_TRUE(pages[p].page["meshes"].contains(item["mesh"].get<std::string>()));
         }
   }
+}
+
+// The carpus stands still, the thumb moves: both are parts of one hand.
+TEST(MovingScenes, HandsHaveOneColour) {
+  const Json film = first_block(moving_scene_pages(motion())[1].page, "scene");
+  std::set<std::string> resting, moving;
+  for (const Json& layer : film["layers"])
+    for (const Json& item : layer["items"])
+      if (item.contains("color"))
+        (layer["name"] == "stands still" ? resting : moving)
+            .insert(item["color"].get<std::string>());
+  ASSERT_EQ(resting.size(), 1U);
+  EXPECT_EQ(moving.count(*resting.begin()), 1U);
 }
 
 // The chart, and with it the page, says what the numbers say.

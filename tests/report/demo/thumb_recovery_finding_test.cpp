@@ -53,7 +53,7 @@ TEST(ThumbRecoveryFinding, TellsErrorsAndWhatIsLeft) {
             "Least squares is off the true axes by 3.0 degrees at most, the mean of the chains by "
             "4.0; they differ by 0.25 posterior sds (rms). In sds, " +
                 left + ".");
-  EXPECT_EQ(finding.line, "Thumb, the founding way: " + left + ".");
+  EXPECT_EQ(finding.line, "Thumb, fitted as in [Miller2005]: " + left + ".");
 }
 
 // Each doubt that the page tells stands on the front page, too.
@@ -79,7 +79,7 @@ TEST(ThumbRecoveryFinding, TellsEveryDoubt) {
 
 TEST(ThumbRecoveryFinding, OfAStoppedStudyTellsThatItStopped) {
   EXPECT_EQ(thumb_recovery_finding({}).line,
-            "Thumb, the founding way: stopped before it was finished.");
+            "Thumb, fitted as in [Miller2005]: stopped before it was finished.");
 }
 
 }  // namespace
