@@ -3,16 +3,18 @@
 #include <algorithm>
 #include <cerrno>
 #include <chrono>
-#include <cmath>
 #include <cstdio>
 #include <cstring>
 #include <iostream>
 #include <memory>
+#include <mutex>
+#include <optional>
 
 #include <fmt/format.h>
 #include <unistd.h>
 
 #include "base/interrupt.h"
+#include "base/pace.h"
 #include "base/progress_parts.h"
 
 namespace thenar {
@@ -26,48 +28,55 @@ std::string answer_to_signal(const std::string& kept) {
                      isatty(STDERR_FILENO) == 0 ? "" : "\r\033[K", kept.empty() ? "" : ": ", kept);
 }
 
-/// Draws at most ten times a second, and wipes its line when it goes.
-class Bar {
- public:
-  ~Bar() {
-    if (drawn_) fmt::print(stderr, "\r\033[K");
-  }
+constexpr double kLong = 10;  // what takes longer is told beforehand [s]
 
-  void draw(double fraction, const std::string& what) {
+/// Says once how long work takes, where that is long, and draws a bar on a terminal.
+class Teller {
+ public:
+  ~Teller() { wipe(); }
+
+  void hear(double fraction, const std::string& what) {
+    const std::lock_guard lock(mutex_);
     const auto now = Clock::now();
-    if (interrupted() || now - begin_ < std::chrono::seconds(1) ||
-        now - last_ < std::chrono::milliseconds(100))
-      return;
-    last_ = now;
-    if (!drawn_) first_ = {now, fraction};
-    drawn_ = true;
-    constexpr int kWidth = 30;
-    const int full = static_cast<int>(kWidth * std::min(1.0, std::max(0.0, fraction)));
-    fmt::print(stderr, "\r\033[K[{:#<{}}{:.<{}}] {:3.0f} %{} {}", "", full, "", kWidth - full,
-               100 * fraction, time_left(now, fraction), what);
-    std::fflush(stderr);
+    pace_.hear(std::chrono::duration<double>(now - begin_).count(), fraction);
+    if (interrupted()) return;
+    foretell();
+    if (isatty(STDERR_FILENO) != 0) draw(now, fraction, what);
   }
 
  private:
-  /// At the pace since the bar was first drawn: what was there before took no time.
-  [[nodiscard]] std::string time_left(Clock::time_point now, double fraction) const {
-    constexpr double kTells = 0.02;  // share of the work that says something of the pace
-    const double gone = fraction - first_.fraction;
-    if (gone < kTells) return "";
-    const double taken = std::chrono::duration<double>(now - first_.at).count();
-    const long left = std::lround(taken * std::max(0.0, 1 - fraction) / gone);  // [s]
-    return left < 120 ? fmt::format(", {} s left,", left)
-                      : fmt::format(", {} min left,", (left + 30) / 60);
+  void foretell() {
+    const std::optional<double> whole = pace_.whole();
+    if (foretold_ || !whole) return;
+    foretold_ = true;
+    if (*whole < kLong) return;
+    wipe();
+    fmt::print(stderr, "thenar: this takes about {}\n", rough_time(*whole));
   }
 
-  struct Mark {
-    Clock::time_point at;
-    double fraction = 0;
-  };
+  /// At most ten times a second.
+  void draw(Clock::time_point now, double fraction, const std::string& what) {
+    if (now - begin_ < std::chrono::seconds(1) || now - last_ < std::chrono::milliseconds(100))
+      return;
+    last_ = now;
+    drawn_ = true;
+    constexpr int kWidth = 30;
+    const int full = static_cast<int>(kWidth * std::min(1.0, std::max(0.0, fraction)));
+    const std::optional<double> left = pace_.left();
+    fmt::print(stderr, "\r\033[K[{:#<{}}{:.<{}}] {:3.0f} %{} {}", "", full, "", kWidth - full,
+               100 * fraction, left ? fmt::format(", {} left,", rough_time(*left)) : "", what);
+    std::fflush(stderr);
+  }
 
+  void wipe() {
+    if (drawn_) fmt::print(stderr, "\r\033[K");
+    drawn_ = false;
+  }
+
+  std::mutex mutex_;
   Clock::time_point begin_ = Clock::now(), last_;
-  Mark first_;
-  bool drawn_ = false;
+  Pace pace_;
+  bool drawn_ = false, foretold_ = false;
 };
 
 }  // namespace
@@ -76,10 +85,11 @@ Progress terminal_progress(const std::string& kept) {
   catch_interrupts(answer_to_signal(kept));
   Progress progress;
   progress.stop_requested = interrupted;
-  if (isatty(STDERR_FILENO) == 0) return progress;
   // Shared: the callback may be copied, the line is one.
-  auto bar = std::make_shared<Bar>();
-  progress.report = [bar](double fraction, const std::string& what) { bar->draw(fraction, what); };
+  auto teller = std::make_shared<Teller>();
+  progress.report = [teller](double fraction, const std::string& what) {
+    teller->hear(fraction, what);
+  };
   return progress;
 }
 

@@ -10,8 +10,9 @@
 
 namespace thenar {
 
-/// A progress bar on stderr, drawn only on a terminal and only for work longer than a second;
-/// Ctrl-C or SIGTERM asks the work to stop and keep what it has, a second one kills.
+/// Says on stderr how long work takes, once its pace says that it is more than 10 s; on a terminal
+/// draws a progress bar for work longer than a second. Ctrl-C or SIGTERM asks the work to stop and
+/// keep what it has, a second one kills.
 /// @param kept  what the signal is answered with at once, on stderr, after "stopping": of what is
 ///              kept; empty: nothing is said of it
 [[nodiscard]] Progress terminal_progress(const std::string& kept = "");

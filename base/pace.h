@@ -1,0 +1,36 @@
+#pragma once
+
+/// Foretells how long work takes, from how much of it is done.
+
+#include <optional>
+#include <string>
+
+namespace thenar {
+
+/// Listens to the progress of one piece of work.
+class Pace {
+ public:
+  /// Takes a report.
+  /// @param now  time on any clock that goes on evenly [s]
+  /// @param fraction  of the work that is done [1]
+  void hear(double now, double fraction);
+
+  /// What the whole takes at the pace since the first report, what went before it included; absent
+  /// until 1.5 s of work, and 2 % of it, are done [s].
+  [[nodiscard]] std::optional<double> whole() const;
+
+  /// What is left of it [s]; absent as whole() is.
+  [[nodiscard]] std::optional<double> left() const;
+
+ private:
+  struct Mark {
+    double at = 0, fraction = 0;  // [s], [1]
+  };
+  std::optional<Mark> first_;
+  Mark last_;
+};
+
+/// "40 s", "3 min" or "2 h": to a step that an estimate deserves.
+[[nodiscard]] std::string rough_time(double seconds);
+
+}  // namespace thenar
