@@ -1,7 +1,7 @@
 // Whether chains agree: one quantity at a time, chosen by the reader, the worst ones first.
 
 import { memoryPanel, rankPanel, thumbnail, tracePanel, withUnit } from "./chain_panels.js";
-import { el } from "./dom.js";
+import { breakable, el } from "./dom.js";
 import { figure } from "./figure.js";
 import { fluid } from "./fluid.js";
 import { legend } from "./legend.js";
@@ -55,7 +55,7 @@ function gallery(block, onChoice) {
     el(
       "button",
       { type: "button", class: "thumbnail", onclick: () => onChoice(i) },
-      el("span", { class: "thumbnail-name" }, quantity.name),
+      el("span", { class: "thumbnail-name" }, ...breakable(quantity.name)),
       el("span", { class: `facts ${disagrees(quantity) ? "bad" : ""}` }, `R-hat ${rHat(quantity)}`),
       thumbnail(block, quantity, 150, 46),
     ),

@@ -22,6 +22,10 @@ export const el = (tag, attributes = {}, ...children) =>
 export const svg = (tag, attributes = {}, ...children) =>
   fill(document.createElementNS(SVG, tag), attributes, children);
 
+/// A name as children of an element, which may be broken behind its slashes and nowhere else.
+export const breakable = (name) =>
+  name.split(/(?<=\/)/).flatMap((part, i) => (i === 0 ? [part] : [el("wbr"), part]));
+
 /// Plain text as paragraphs; an empty line separates them.
 export const paragraphs = (text) =>
   String(text ?? "")

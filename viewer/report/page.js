@@ -1,7 +1,7 @@
 // The page around the blocks: heading, table of contents, sections, provenance.
 
 import { drawBlock } from "./blocks.js";
-import { el, paragraphs } from "./dom.js";
+import { breakable, el, paragraphs } from "./dom.js";
 import { errorBox } from "./figure.js";
 import { foldingTitle, startFolding } from "./folding.js";
 import { withMeshes } from "./meshes.js";
@@ -39,7 +39,7 @@ function numberCaptions(root) {
 
 function provenance(facts) {
   const rows = Object.entries(facts ?? {}).flatMap(([name, value]) => [
-    el("dt", {}, name),
+    el("dt", {}, ...breakable(name)),
     el("dd", {}, String(value ?? "n/a")),
   ]);
   return el(

@@ -238,6 +238,12 @@ export function clippedParts() {
     const hides = overflowX === "hidden" || overflowX === "clip";
     return hides && element.clientWidth > 0 && element.scrollWidth > element.clientWidth + 1;
   });
+  const low = all("#report *").filter((element) => {
+    const { overflowY } = getComputedStyle(element);
+    const hides = overflowY === "hidden" || overflowY === "clip";
+    const height = element.clientHeight;
+    return hides && height > 0 && element.scrollHeight > height + 1 && element.innerText?.trim();
+  });
   const drawn = all("svg.plot").flatMap((plot) => {
     const box = plot.getBoundingClientRect();
     return [...plot.querySelectorAll("text")].filter((text) => {
@@ -250,7 +256,26 @@ export function clippedParts() {
     (frame) => frame.scrollWidth > frame.clientWidth + 1,
   );
   const sizes = (e) => `${says(e)} ${e.scrollWidth} in ${e.clientWidth}`;
-  return [...[...beyond, ...drawn].map(says), ...[...cut, ...wide].map(sizes)];
+  const heights = (e) => `${says(e)} ${e.scrollHeight} high in ${e.clientHeight}`;
+  return [...[...beyond, ...drawn].map(says), ...[...cut, ...wide].map(sizes), ...low.map(heights)];
+}
+
+/// Words of headers of tables and cards, of titles and of buttons that are broken over two lines.
+/// A browser may break a word behind a hyphen or a slash, as a writer would.
+export function brokenWords() {
+  const broken = [];
+  const range = document.createRange();
+  for (const element of document.querySelectorAll("#report :is(th, h1, h2, h3, button, dt)")) {
+    const texts = document.createTreeWalker(element, NodeFilter.SHOW_TEXT);
+    for (let text = texts.nextNode(); text; text = texts.nextNode())
+      for (const { 0: word, index } of text.data.matchAll(/[^\s\u00ad\u200b/\u2010\u2013-]+/g)) {
+        range.setStart(text, index);
+        range.setEnd(text, index + word.length);
+        const lines = new Set([...range.getClientRects()].map(({ top }) => Math.round(top)));
+        if (lines.size > 1) broken.push(`${element.tagName} breaks "${word}"`);
+      }
+  }
+  return broken;
 }
 
 /// How the page begins and how it leads on: its first paragraph, how many lines its summary has, and
