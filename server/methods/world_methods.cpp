@@ -99,12 +99,12 @@ OrderedJson get(Session& session, const Json& /*params*/, const Progress& /*prog
 
 OrderedJson put_object(Session& session, const Json& params, const Progress& /*progress*/) {
   return added_json(add_object(open_live_world(session), params["object"].get<std::string>(),
-                               params["dynamic"].get<bool>(), pose_param(params)));
+                               params["dynamic"].get<bool>(), place_param(params)));
 }
 
 OrderedJson put_hand(Session& session, const Json& params, const Progress& progress) {
   return added_json(add_hand(open_live_world(session), params["hand"].get<std::string>(),
-                             pose_param(params), progress));
+                             place_param(params), progress));
 }
 
 OrderedJson import(Session& session, const Json& params, const Progress& progress) {
@@ -116,7 +116,8 @@ OrderedJson import(Session& session, const Json& params, const Progress& progres
   const DroppedAs kind = as == "hand"     ? DroppedAs::kHand
                          : as == "object" ? DroppedAs::kObject
                                           : DroppedAs::kObstacle;
-  return added_json(import_dropped(open_live_world(session), files, kind, progress));
+  return added_json(
+      import_dropped(open_live_world(session), files, kind, progress, text_param(params, "units")));
 }
 
 OrderedJson remove(Session& session, const Json& params, const Progress& /*progress*/) {
@@ -164,14 +165,18 @@ void add_file_rows(MethodTable& table) {
 
 void add_thing_rows(MethodTable& table) {
   const Schema path = text_schema(kPathLength), name = text_schema(kNameLength);
-  table.add({"world.add_object", "Adds an object, or an obstacle that never moves.",
-             object_schema({{"object", path, "Name of an object, or path of a file.", true},
-                            {"dynamic", flag_schema(), "false: an obstacle.", false, true},
-                            position_member(),
-                            rotation_member()}),
-             "name: under which it stands; warnings: what was assumed or mended",
-             R"({"object": "mug", "position": [0.3, 0, 0.1]})", put_object});
-  table.add({"world.add_hand", "Adds a hand, open.",
+  table.add(
+      {"world.add_object",
+       "Adds an object, or an obstacle that never moves; without a position at the origin, or "
+       "beside what stands there.",
+       object_schema({{"object", path, "Name of an object, or path of a file.", true},
+                      {"dynamic", flag_schema(), "false: an obstacle.", false, true},
+                      position_member(),
+                      rotation_member()}),
+       "name: under which it stands; warnings: what was assumed or mended",
+       R"({"object": "mug", "position": [0.3, 0, 0.1]})", put_object});
+  table.add({"world.add_hand",
+             "Adds a hand, open; without a position at the origin, or beside what stands there.",
              object_schema({{"hand", path, "Name of a hand, or path of a robot or subject.", true},
                             position_member(),
                             rotation_member()}),
@@ -181,19 +186,22 @@ void add_thing_rows(MethodTable& table) {
       object_schema({{"name", name, "Path within what was dropped.", true},
                      {"data", content_schema(kDroppedText), "Its bytes in base64.", true}});
   table.add(
-      {"world.import", "Adds what was dropped: a robot with its meshes, an object, a mesh.",
+      {"world.import",
+       "Adds what was dropped, at the origin or beside what stands there: a robot with its meshes, "
+       "an object, a mesh.",
        object_schema({{"files", list_schema(file, 1, kDroppedFiles), "All files.", true},
-                      {"as", word_schema({"object", "obstacle", "hand"}), "What it is.", true}}),
+                      {"as", word_schema({"object", "obstacle", "hand"}), "What it is.", true},
+                      {"units", word_schema({"m", "cm", "mm", "in"}),
+                       "Of the numbers of a mesh; m if left out."}}),
        "name: under which it stands; warnings: what was assumed, mended or left out",
        R"({"files": [{"name": "wedge.obj", "data": "diAwIDAgMAp2IC4wMiAwIDAKdiAwIC4wMiAwCnYgMCAwIC4wMgpmIDEgMyAyCmYgMSAyIDQKZiAxIDQgMwpmIDIgMyA0Cg=="}], "as": "object"})",
        import});
-  table.add(
-      {"world.place", "Puts an object, an obstacle or a free hand somewhere else.",
-       object_schema({{"name", name, "Of what is placed.", true},
-                      position_member(),
-                      rotation_member(),
-                      gesture_member()}),
-       "placed: its name", R"({"name": "mug", "position": [0.3, 0.1, 0.1]})", place});
+  table.add({"world.place", "Puts an object, an obstacle or a free hand somewhere else.",
+             object_schema({{"name", name, "Of what is placed.", true},
+                            position_member(),
+                            rotation_member(),
+                            gesture_member()}),
+             "placed: its name", R"({"name": "mug", "position": [0.3, 0.1, 0.1]})", place});
   table.add({"world.remove", "Removes an object, an obstacle or a hand.",
              object_schema({{"name", name, "Of what goes.", true}}), "removed: its name",
              R"({"name": "mug"})", remove});

@@ -53,9 +53,10 @@ SchemaMember object_member() {
 }
 
 SchemaMember gesture_member() {
-  return {"gesture", text_schema(kNameLength),
-          "A name of your own: moves of one thing that follow each other with the same one, as of a "
-          "drag, are undone as one. Without it each is undone by itself."};
+  return {
+      "gesture", text_schema(kNameLength),
+      "A name of your own: moves of one thing that follow each other with the same one, as of a "
+      "drag, are undone as one. Without it each is undone by itself."};
 }
 
 std::string text_param(const Json& params, const std::string& name) {
@@ -77,9 +78,8 @@ std::optional<Eigen::Matrix3d> rotation_param(const Json& params) {
       .toRotationMatrix();
 }
 
-Pose<double> pose_param(const Json& params) {
-  return {rotation_param(params).value_or(Eigen::Matrix3d::Identity()),
-          position_param(params).value_or(Eigen::Vector3d::Zero())};
+WantedPlace place_param(const Json& params) {
+  return {rotation_param(params).value_or(Eigen::Matrix3d::Identity()), position_param(params)};
 }
 
 std::string from_base64(const std::string& text) {

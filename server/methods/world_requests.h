@@ -7,6 +7,7 @@
 
 #include "api/live/world/live_grasp.h"
 #include "api/live/world/live_world.h"
+#include "api/live/world/world_edits.h"
 #include "base/spatial.h"
 #include "server/schema.h"
 #include "server/session.h"
@@ -38,8 +39,8 @@ inline constexpr double kFarthest = 1000;  // of a position [m]
 /// A position [m] (3), or a rotation, made exact (3, 3); nothing where it is left out.
 [[nodiscard]] std::optional<Eigen::Vector3d> position_param(const Json& params);
 [[nodiscard]] std::optional<Eigen::Matrix3d> rotation_param(const Json& params);
-/// Both; the origin and no turn where they are left out.
-[[nodiscard]] Pose<double> pose_param(const Json& params);
+/// Both, of a thing that is added.
+[[nodiscard]] WantedPlace place_param(const Json& params);
 
 /// Bytes of a text in base64 (RFC 4648, padded). @throws InputError where it is none
 [[nodiscard]] std::string from_base64(const std::string& text);

@@ -69,6 +69,19 @@ class Keys(LivePage):
                           "11 mm up")
         self.assert_no_errors()
 
+    def test_a_number_beyond_its_limit_becomes_the_limit(self):
+        self.start(WORLD)
+        self.browser.wait("document.querySelectorAll('.page.pose .slider').length", "sliders")
+        told = self.browser.value("""(() => {
+          const row = [...document.querySelectorAll('.page.pose .slider')].find((one) => !one.classList.contains('off'));
+          const value = row.querySelector('.value');
+          value.focus();
+          value.value = '9999';
+          value.dispatchEvent(new Event('change'));
+          return [Number(value.value), Number(row.querySelector('input[type=range]').max)];
+        })()""")
+        self.assertAlmostEqual(told[0], told[1], delta=0.05)  # a digit of it is shown
+
     def test_a_slider_goes_to_its_limit_by_the_end_key(self):
         self.start(WORLD)
         self.browser.value("thenarLive.tabs.choose('pose')")

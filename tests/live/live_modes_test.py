@@ -121,6 +121,55 @@ class Modes(LivePage):
             self.assertEqual(self.browser.value(OUTSIDE), 0, f"at {t} s")
         self.assert_no_errors()
 
+    def test_a_program_that_connects_leaves_the_chart_and_the_slider_alone(self):
+        program = self.start()
+        self.ask("motion.open", json.dumps({"scene": "pendulum"}))
+        self.browser.wait("thenarLive.store.scene.mode === 'motion' && thenarLive.tabs.chosen() === 'time'")
+        self.ask("motion.step", "{steps: 50}")
+        self.browser.wait("document.querySelector('.page.time .charts figure')", "the chart of energies")
+        self.ask("motion.seek", "{t: 0.01}")
+        self.settle()
+        seen = ("[Number(document.querySelector('.scrub').max), "
+                "document.querySelectorAll('.page.time .charts figure').length]")
+        before = self.browser.value(seen)
+        # Another page of the same session is told the scene, and with it all others.
+        self.browser.value("""new Promise((done) => {
+          const other = new WebSocket(location.href.replace(/^http/, 'ws').replace(/\\/(\\?|$)/, '/ws$1'));
+          other.onmessage = () => { other.close(); done(true); };
+        })""")
+        self.settle()
+        self.browser.value("thenarLive.call('motion.seek', { t: 0.005 })")
+        self.settle()
+        self.assertEqual(self.browser.value(seen), before)
+        self.assertGreater(before[0], 0.02)
+        self.assert_no_errors()
+
+    def test_a_recorded_run_has_no_empty_heading(self):
+        folder = tempfile.mkdtemp(prefix="thenar-live-")
+        subprocess.run([live_page.PROGRAM, "simulate", "pendulum", "-o", f"{folder}/run.h5"], check=True, capture_output=True)
+        self.start(f"{folder}/run.h5")
+        self.browser.wait("thenarLive.store.scene.mode === 'motion' && thenarLive.store.frame", "the run")
+        self.assertIsNone(self.browser.value("document.querySelector('.page.time .part[aria-label=Energy]').offsetParent"))
+
+    def test_a_world_moves_after_a_grasp(self):
+        self.start(ROOT / "data/worlds/jaw_box.toml")
+        self.browser.value("thenarLive.tabs.choose('grasp')")
+        self.browser.click("#do-grasp")
+        self.browser.wait("document.querySelector('.page.grasp').quality", "the quality")
+        # Words at the arrows of its worst disturbance are of the world alone.
+        self.browser.wait("thenarLive.picture.tips().length > 0", "arrows")
+        self.assertEqual(self.browser.value("""(() => {
+          const { store, picture } = thenarLive, scene = { ...store.scene, arrows: [] };
+          picture.show(scene);
+          store.scene = scene;
+          return picture.stage.labels();
+        })()"""), [])
+        self.browser.value("thenarLive.tabs.choose('time')")
+        self.browser.click("#begin-motion")
+        self.browser.wait("thenarLive.store.scene.mode === 'motion' && thenarLive.store.frame", "the world in time")
+        self.settle()
+        self.assert_no_errors()
+
     def test_a_world_begins_to_move(self):
         self.start(ROOT / "data/worlds/jaw_box.toml")
         self.browser.value("thenarLive.tabs.choose('time')")

@@ -19,37 +19,70 @@ export function base64Of(bytes) {
 export const guessKind = (names) =>
   names.some((name) => /\.(urdf|xml|mjcf)$/i.test(name)) ? "hand" : "object";
 
-/// Asks what files are to be; promises "object", "obstacle", "hand", or null.
+/// Whether files say how long their units are: meshes of most formats do not.
+const sayUnits = (names) => names.some((name) => /\.(toml|urdf|xml|mjcf)$/i.test(name));
+
+/// Asks what files are to be; promises { as: "object", "obstacle" or "hand", units? }, or null.
 async function askKind(names) {
-  let kind = guessKind(names);
-  const chosen = choice("As", (value) => (kind = value));
-  chosen.set(["object", "obstacle", "hand"], kind);
+  const as = choice("As", () => {});
+  as.set(["object", "obstacle", "hand"], guessKind(names));
+  const units = choice("Units", () => {});
+  units.set(["m", "cm", "mm", "in"], "m");
+  const bare = !sayUnits(names);
   const words = el(
     "span",
     {},
     `Import ${names.length === 1 ? names[0] : `${names.length} files`}`,
-    chosen,
+    as,
+    bare ? units : null,
   );
-  return (await ask(words, "Import")) ? kind : null;
+  if (!(await ask(words, "Import"))) return null;
+  return { as: as.value(), ...(bare ? { units: units.value() } : {}) };
+}
+
+const promised = (work) => new Promise((done, failed) => work(done, failed));
+
+/// Files below an entry of what was dropped: { path within the drop, file }.
+async function filesBelow(entry) {
+  if (entry.isFile)
+    return [{ path: entry.fullPath.replace(/^\//, ""), file: await promised((...f) => entry.file(...f)) }];
+  const reader = entry.createReader();
+  const found = [];
+  for (;;) {
+    // A reader gives some at a time, and none at its end.
+    const some = await promised((...f) => reader.readEntries(...f));
+    if (!some.length) return found;
+    for (const one of some) found.push(...(await filesBelow(one)));
+  }
+}
+
+const plainFiles = (files) =>
+  [...files].map((file) => ({ path: file.webkitRelativePath || file.name, file }));
+
+/// All files of a drop, folders included, as filesBelow(). Entries have to be taken before anything is waited for.
+export async function droppedFiles({ items, files }) {
+  const entries = [...(items ?? [])].map((item) => item.webkitGetAsEntry?.()).filter(Boolean);
+  if (!entries.length) return plainFiles(files);
+  return (await Promise.all(entries.map(filesBelow))).flat();
 }
 
 async function importAll(app, files) {
-  const names = files.map(({ name }) => name);
+  const names = files.map(({ path }) => path);
   if (files.length === 1 && /\.toml$/i.test(names[0])) {
-    const text = await files[0].text();
+    const text = await files[0].file.text();
     if (await app.mayLeave())
       await app.ask("world.load", { text, name: names[0].replace(/\.toml$/i, "") });
     return;
   }
-  const as = await askKind(names);
-  if (!as) return;
+  const wanted = await askKind(names);
+  if (!wanted) return;
   const sent = await Promise.all(
-    files.map(async (file) => ({
-      name: file.name,
+    files.map(async ({ path, file }) => ({
+      name: path,
       data: base64Of(new Uint8Array(await file.arrayBuffer())),
     })),
   );
-  const made = await app.ask("world.import", { files: sent, as });
+  const made = await app.ask("world.import", { files: sent, ...wanted });
   if (!made) return;
   app.notices.tell(`${made.name} was imported.`);
 }
@@ -59,9 +92,11 @@ export function takeFiles(app) {
   const input = el("input", { type: "file", multiple: true, hidden: true, id: "files" });
   document.body.append(input);
   const take = (files) =>
-    files.length && importAll(app, files).catch((e) => app.notices.error(e.message));
+    files
+      .then((all) => all.length && importAll(app, all))
+      .catch((e) => app.notices.error(e.message));
   input.addEventListener("change", () => {
-    take([...input.files]);
+    take(Promise.resolve(plainFiles(input.files)));
     input.value = "";
   });
   const over = (on) => document.body.classList.toggle("dropping", on);
@@ -73,7 +108,7 @@ export function takeFiles(app) {
   addEventListener("drop", (event) => {
     event.preventDefault();
     over(false);
-    take([...event.dataTransfer.files]);
+    take(droppedFiles(event.dataTransfer));
   });
   return () => input.click();
 }

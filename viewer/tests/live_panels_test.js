@@ -3,7 +3,9 @@
 import assert from "node:assert/strict";
 import test from "node:test";
 import { Group } from "three";
-import { base64Of, guessKind, saveAs } from "../live/files.js";
+import { base64Of, droppedFiles, guessKind, saveAs } from "../live/files.js";
+import { nameParts } from "../live/panels/motion_inputs.js";
+import { groupOf } from "../live/panels/pose_panel.js";
 import { makeEnergyChart, makeHistory } from "../live/panels/energy_chart.js";
 import { sparse } from "../live/panels/live_chart.js";
 import { matches } from "../live/panels/open_dialog.js";
@@ -255,4 +257,49 @@ test("a scene stands at its end where it paused there, not while it plays or bes
   assert.equal(standsAtEnd({ ...paused, recorded: true }, 2), false);
   assert.equal(standsAtEnd({ ...paused, duration: null }, 0), false);
   assert.equal(standsAtEnd(null, 2), false);
+});
+
+/// What a browser gives for a file or a folder of a drop; a folder is read two entries at a time.
+const fileEntry = (fullPath) => ({
+  ...{ isFile: true, fullPath },
+  file: (done) => done({ name: fullPath.split("/").at(-1) }),
+});
+const folderEntry = (fullPath, entries) => ({
+  ...{ isFile: false, fullPath },
+  createReader: () => {
+    let at = 0;
+    return { readEntries: (done) => done(entries.slice(at, (at += 2))) };
+  },
+});
+
+test("a folder that is dropped brings the files below it, with their paths", async () => {
+  const meshes = ["a", "b", "c"].map((name) => fileEntry(`/hand/meshes/${name}.stl`));
+  const folder = folderEntry("/hand", [
+    fileEntry("/hand/hand.urdf"),
+    folderEntry("/hand/meshes", meshes),
+  ]);
+  const items = [{ webkitGetAsEntry: () => folder }];
+  const found = await droppedFiles({ items, files: [] });
+  assert.deepEqual(
+    found.map(({ path }) => path),
+    ["hand/hand.urdf", "hand/meshes/a.stl", "hand/meshes/b.stl", "hand/meshes/c.stl"],
+  );
+  assert.equal(found[3].file.name, "c.stl");
+});
+
+test("files without entries keep their names", async () => {
+  const found = await droppedFiles({ items: [], files: [{ name: "wedge.obj" }] });
+  assert.deepEqual(found, [{ path: "wedge.obj", file: { name: "wedge.obj" } }]);
+});
+
+test("joints stand under their finger: by their name, else by the digit that they move", () => {
+  const bodies = [{ digit: "index" }, { digit: "" }];
+  assert.equal(groupOf({ name: "barrett/finger 1/L2", body: 0 }, bodies), "barrett finger 1");
+  assert.equal(groupOf({ name: "MCP2_FE", body: 0 }, bodies), "index");
+  assert.equal(groupOf({ name: "slide", body: 1 }, bodies), "");
+});
+
+test("inputs of a motion are told apart by their last word, under what is before it", () => {
+  assert.deepEqual(nameParts("human:skewed/index/FDP2"), { group: "human:skewed index", short: "FDP2" });
+  assert.deepEqual(nameParts("pivot"), { group: "", short: "pivot" });
 });

@@ -8,6 +8,7 @@
 
 #include <fmt/format.h>
 
+#include "api/live/world/free_place.h"
 #include "api/live/world/imported_files.h"
 #include "api/live/world/world_import.h"
 #include "api/named/data_folders.h"
@@ -101,6 +102,10 @@ Pose<double> moved_to(const Pose<double>& X, const std::optional<Eigen::Vector3d
   return {R.value_or(X.R), position.value_or(X.p)};
 }
 
+Pose<double> pose_for(const WorldState& state, const OwnBalls& balls, const WantedPlace& place) {
+  return {place.R, place.position ? *place.position : free_place(state, balls, place.R)};
+}
+
 /// The joint that leads the drive of a joint: itself, unless another one does.
 int leader_of(const LiveHand& hand, int coordinate) {
   const int leader = hand.leads[static_cast<std::size_t>(coordinate)].leader;
@@ -141,7 +146,7 @@ std::vector<std::string> parted_joints(const LiveHand& hand, const Eigen::Vector
 
 }  // namespace
 
-AddedThing add_body(LiveWorld& live, PlacedBody placed) {
+AddedThing add_body(LiveWorld& live, PlacedBody placed, const WantedPlace& place) {
   WorldState next = live.state();
   require_material(*next.header, placed.body.material);
   placed.body.name = free_name(next, placed.body.name);
@@ -149,13 +154,15 @@ AddedThing add_body(LiveWorld& live, PlacedBody placed) {
   if (placed.body.material.empty())
     added.warnings.push_back(fmt::format("no material is stated of body '{}': {} is taken",
                                          added.name, kDefaultMaterial));
-  next.bodies.push_back(built_body(placed));
+  StateBody body = built_body(placed);
+  body.X_WB = pose_for(next, {body.built->ball}, place);
+  next.bodies.push_back(std::move(body));
   live.apply(std::move(next), "add " + added.name);
   return added;
 }
 
 AddedThing add_object(LiveWorld& live, const std::string& object, bool dynamic,
-                      const Pose<double>& X_WB) {
+                      const WantedPlace& place) {
   const std::string file = named_file("object", object, "objects", ".toml", live.data());
   PlacedBody placed;
   std::vector<std::string> warnings;
@@ -169,24 +176,24 @@ AddedThing add_object(LiveWorld& live, const std::string& object, bool dynamic,
     placed.body = std::move(imported.body);
     warnings = std::move(imported.warnings);
   }
-  placed.X_WB = X_WB;
   placed.dynamic = dynamic;
-  AddedThing added = add_body(live, std::move(placed));
+  AddedThing added = add_body(live, std::move(placed), place);
   added.warnings.insert(added.warnings.begin(), warnings.begin(), warnings.end());
   return added;
 }
 
-AddedThing add_hand(LiveWorld& live, const std::string& hand, const Pose<double>& X_WH,
+AddedThing add_hand(LiveWorld& live, const std::string& hand, const WantedPlace& place,
                     const Progress& progress) {
   PlacedHand placed = placed_by_name(live, hand);
-  placed.X_WH = X_WH;
   WorldState next = live.state();
   next.placed.push_back(placed);
-  // Its hand, built among those that are there.
+  // Its hand, built among those that are there, then put where it is in nothing's way.
   WorldSpec world = *next.header;
   world.hands = next.placed;
   const std::size_t last = next.placed.size() - 1;
   std::shared_ptr<const LiveHand> built = live.hand_of(world, last, "world", progress);
+  next.placed[last].X_WH = pose_for(next, built->balls, place);
+  world.hands = next.placed;
   const WorldHand stands = hand_as_in(world, placed.name, "world", live.data(), built->hand);
   AddedThing added{placed.name, built->hand.named.warnings};
   next.hands.push_back({std::move(built), stands.parts, {stands.X_WH, stands.q}});

@@ -19,20 +19,27 @@ struct AddedThing {
   std::vector<std::string> warnings;  // what was assumed, mended or left out
 };
 
+/// Where a thing is to be added.
+struct WantedPlace {
+  Eigen::Matrix3d R = Eigen::Matrix3d::Identity();  // of its frame (3, 3)
+  std::optional<Eigen::Vector3d> position = {};     // absent: the origin, or beside what is there,
+                                                    // see free_place() [m] (3)
+};
+
 /// Adds an object, or an obstacle that never moves.
 /// @param object  a file (TOML, GraspIt! XML, or a mesh, which is written into the world), or the
 ///                name of one of objects/
 /// @throws InputError, DataError where it is not to be found or wrong, or of unknown material
 AddedThing add_object(LiveWorld& live, const std::string& object, bool dynamic,
-                      const Pose<double>& X_WB);
+                      const WantedPlace& place);
 
-/// Adds a body that was read. @param placed  its name may change
-AddedThing add_body(LiveWorld& live, PlacedBody placed);
+/// Adds a body that was read. @param placed  its name and pose may change
+AddedThing add_body(LiveWorld& live, PlacedBody placed, const WantedPlace& place);
 
 /// Adds a hand, open, by a name or a file as hand_by_name() takes it. A robot that is there already
 /// gets a number after its name; the built-in human hand can be there once in each version.
 /// @throws InputError, DataError as build_live_hand()
-AddedThing add_hand(LiveWorld& live, const std::string& hand, const Pose<double>& X_WH,
+AddedThing add_hand(LiveWorld& live, const std::string& hand, const WantedPlace& place,
                     const Progress& progress = {});
 
 /// Removes an object, an obstacle or a hand, which must not carry another.

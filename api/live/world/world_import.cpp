@@ -133,30 +133,33 @@ std::vector<fs::path> written(const fs::path& folder, const std::vector<DroppedF
   return paths;
 }
 
-/// A text without the name of a folder that means nothing to who reads it.
-std::string without(std::string text, const std::string& folder) {
-  for (std::size_t at = text.find(folder); at != std::string::npos; at = text.find(folder))
-    text.erase(at, folder.size());
+/// A text with some words in place of others, wherever they stand.
+std::string with_words(std::string text, const std::string& old, const std::string& words) {
+  for (std::size_t at = text.find(old); at != std::string::npos;
+       at = text.find(old, at + words.size()))
+    text.replace(at, old.size(), words);
   return text;
 }
 
 /// Adds the thing of files that were written to a folder.
 AddedThing add_written(LiveWorld& live, const fs::path& folder, const std::vector<fs::path>& files,
-                       DroppedAs as, const Progress& progress) {
+                       DroppedAs as, const Progress& progress, const std::string& units) {
   const std::string file = (folder / main_file(files, as)).string();
   if (as == DroppedAs::kHand) return add_hand(live, file, {}, progress);
-  ImportedBody imported = imported_body(file);
-  AddedThing added = add_body(live, {std::move(imported.body), "", {}, as == DroppedAs::kObject});
+  ImportedBody imported = imported_body(file, is_mesh_file(file) ? units : "");
+  AddedThing added =
+      add_body(live, {std::move(imported.body), "", {}, as == DroppedAs::kObject}, {});
   added.warnings.insert(added.warnings.begin(), imported.warnings.begin(), imported.warnings.end());
   return added;
 }
 
 }  // namespace
 
-ImportedBody imported_body(const std::string& file) {
+ImportedBody imported_body(const std::string& file, const std::string& units) {
   ImportRequest request;
   request.file = file;
   request.repair = true;
+  request.units = units;
   if (is_mesh_file(file)) request.material = kDefaultMaterial;
   Imported imported = import_file(request);
   ImportedBody out{{}, std::move(imported.warnings)};
@@ -177,15 +180,17 @@ ImportedBody imported_body(const std::string& file) {
 }
 
 AddedThing import_dropped(LiveWorld& live, const std::vector<DroppedFile>& files, DroppedAs as,
-                          const Progress& progress) {
+                          const Progress& progress, const std::string& units) {
   require_room(live.own_folder(), files);
   DropFolder folder(live.own_folder());
   const auto told = [&](const std::string& text) {
-    return without(text, folder.path().string() + "/");
+    // The folder means nothing to who reads it, nor do options of the command.
+    return with_words(with_words(text, folder.path().string() + "/", ""), "? --units mm",
+                      "? Then import it with units of mm");
   };
   try {
     AddedThing added =
-        add_written(live, folder.path(), written(folder.path(), files), as, progress);
+        add_written(live, folder.path(), written(folder.path(), files), as, progress, units);
     for (std::string& warning : added.warnings) warning = told(warning);
     const auto hidden = std::count_if(files.begin(), files.end(),
                                       [](const DroppedFile& file) { return is_hidden(file.name); });

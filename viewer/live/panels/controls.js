@@ -55,7 +55,19 @@ export function fileRow(label, open) {
 export const part = (title, ...content) =>
   el("section", { class: "part", "aria-label": title }, el("h3", {}, title), ...content);
 
-/// A choice; `options` are texts or { value, text }. `change(value)` hears of it; set(options, value).
+/// The options of a choice: those of one `group` that follow each other stand under its name.
+function optionsOf(all) {
+  const out = [];
+  for (const { value, text, group } of all) {
+    const option = el("option", { value }, text);
+    if (!group) out.push(option);
+    else if (out.at(-1)?.label === group) out.at(-1).append(option);
+    else out.push(el("optgroup", { label: group }, option));
+  }
+  return out;
+}
+
+/// A choice; `options` are texts or { value, text, group }. `change(value)` hears of it; set(options, value).
 export function choice(label, change) {
   const id = freshId("choice");
   const select = el("select", { id, onchange: () => change(select.value) });
@@ -65,7 +77,7 @@ export function choice(label, change) {
     const key = JSON.stringify(all);
     if (select.dataset.key !== key) {
       select.dataset.key = key;
-      select.replaceChildren(...all.map((one) => el("option", { value: one.value }, one.text)));
+      select.replaceChildren(...optionsOf(all));
     }
     if (value !== undefined && value !== null) select.value = value;
   };
@@ -143,7 +155,8 @@ export function sliderRow({ name, title, lower, upper, quantity, note, off }, ch
   const enter = () => {
     const next = typed(number.value, quantity);
     if (next !== null && Math.abs(next - value) > 0.5 * scale * 10 ** -digits) ask(next);
-    else number.value = (value / scale).toFixed(digits);
+    // What is beyond a limit came to rest there.
+    number.value = (value / scale).toFixed(digits);
   };
   number.addEventListener("change", enter);
   number.addEventListener("keydown", (event) => {

@@ -25,7 +25,7 @@ const HELP = [
       ["arrow keys", "turn the view; with a selection move it"],
       ["+ and \u2212", "zoom; with a joint selected turn that by 1\u00b0 or 1 mm (Shift: 10)"],
       ["0 or Home", "show everything"],
-      ["PageUp, PageDown", "the next and the previous thing"],
+      ["PageUp, PageDown", "the previous and the next thing"],
       ["[ and ]", "the previous and the next joint of the hand"],
       ["x, y, z", "choose the axis that arrow keys move along or turn about"],
       ["t, r", "arrow keys move, or turn, what is selected"],
@@ -37,7 +37,7 @@ const HELP = [
     "On a slider",
     [
       ["arrow keys", "one step; with Shift a tenth"],
-      ["PageUp, PageDown", "ten steps"],
+      ["PageUp, PageDown", "ten steps up, ten steps down"],
       ["Home, End", "to the limits"],
     ],
   ],

@@ -20,6 +20,12 @@ function quantityOf({ unit }) {
   return { unit: unit === "1" ? "" : unit, scale: 1, digits: 3, step: 0.01, big: 0.1 };
 }
 
+/// A name in two: "human:skewed/index/FDP2" is FDP2 of "human:skewed index".
+export function nameParts(name) {
+  const parts = name.split("/");
+  return { group: parts.slice(0, -1).join(" "), short: parts.at(-1) };
+}
+
 const keyOf = ({ kind, name }) => `${kind} ${name}`;
 
 /// The part of the time panel with the inputs; refill() asks which there are.
@@ -37,7 +43,9 @@ export function makeMotionInputs(app) {
     const quantity = quantityOf(input);
     const lower = input.lower ?? (param === "efforts" || param === "targets" ? -reach : 0);
     const upper = input.upper ?? reach;
-    const row = sliderRow({ name: input.name, lower, upper, quantity }, (value) => {
+    const { short } = nameParts(input.name);
+    const about = { name: short, title: input.name, lower, upper, quantity };
+    const row = sliderRow(about, (value) => {
       input.set = value;
       send({ [param]: { [input.name]: value } });
     });
@@ -48,7 +56,11 @@ export function makeMotionInputs(app) {
     const found = await app.ask("motion.inputs");
     inputs = (found?.inputs ?? []).filter(({ kind }) => kind in KINDS);
     element.hidden = inputs.length === 0;
-    chosen.set(inputs.map((one) => ({ value: keyOf(one), text: `${one.name} (${one.kind})` })));
+    const told = (one) => {
+      const { group, short } = nameParts(one.name);
+      return { value: keyOf(one), text: `${short} (${one.kind})`, group };
+    };
+    chosen.set(inputs.map(told));
     show();
   }
   return { element, refill };

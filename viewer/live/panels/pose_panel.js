@@ -5,8 +5,9 @@ import { jointsOf, leaderOf } from "../link/store.js";
 import { quantityOf, told } from "../link/quantities.js";
 import { choice, part, sliderRow } from "./controls.js";
 
-/// The part of a joint's name before the last "/", as a heading of its rows.
-const groupOf = ({ name }) => name.split(/[/.]/).slice(0, -1).join(" ") || "";
+/// The heading of a joint's rows: the part of its name before the last "/", else the digit that it moves.
+export const groupOf = ({ name, body }, bodies) =>
+  name.split(/[/.]/).slice(0, -1).join(" ") || bodies[body]?.digit || "";
 const shortName = ({ name }) => name.split("/").at(-1);
 
 /// Rows of joints, under headings where names have a first part.
@@ -32,7 +33,7 @@ function rowsOf(app, joints) {
   });
   const groups = new Map();
   for (const { joint, row } of rows) {
-    const group = groupOf(joint);
+    const group = groupOf(joint, app.store.scene.bodies);
     if (!groups.has(group)) groups.set(group, []);
     groups.get(group).push(row);
   }

@@ -146,6 +146,7 @@ export function makeTimePanel(app) {
   const player = makePlayer(app, energy);
   const beginning = makeBeginning(app, energy);
   const contacts = plainTable(["contact", "force [N]", "friction"], [], "Contacts");
+  const energies = part("Energy", energy.element);
   const running = el(
     "div",
     { class: "parts" },
@@ -153,7 +154,7 @@ export function makeTimePanel(app) {
     energy.warning,
     inputs.element,
     part("Contacts", contacts),
-    part("Energy", energy.element),
+    energies,
   );
   const run = fileRow("Run", (file) => app.ask("motion.record", { file }));
   const panel = el(
@@ -172,13 +173,18 @@ export function makeTimePanel(app) {
   };
   const show = () => {
     running.hidden = !here();
+    energies.hidden = Boolean(motion()?.recorded);
     beginning.show(here(), store.state?.motion ?? null);
     player.show(motion());
   };
   store.on(["scene", "state", "tab"], show);
   store.on(["frame", "tab"], follow);
-  store.on(["scene"], () => {
-    // Another scene has energies and an end of its own.
+  let known = null; // revision of the scene whose energies and end these are
+  store.on(["link"], ({ link }) => (known = link ? known : null));
+  store.on(["scene"], ({ scene }) => {
+    // Another scene has energies and an end of its own; the same one is told anew when a program connects.
+    if (scene.revision === known) return;
+    known = scene.revision;
     energy.clear();
     player.forget();
     if (!here()) return;

@@ -104,6 +104,7 @@ export function makePicture(container, theme, asked) {
     const held = joint.held()?.joint;
     scene = next;
     frame = null;
+    tips = []; // arrows of the scene before, which the new one does not name
     complete = false;
     // The camera is led to all of it at once.
     stage.hold(fitting && scene.bodies.length > 0);

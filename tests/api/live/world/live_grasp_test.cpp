@@ -245,7 +245,7 @@ TEST(LiveGrasp, WrenchSetsHoldTheirForces) {
 
 TEST(LiveGrasp, AsksWhichHandWhereThereAreSeveral) {
   const auto live = loaded_world("barrett_bobbin");
-  (void)add_hand(*live, "shadow", {Eigen::Matrix3d::Identity(), {1, 1, 1}});
+  (void)add_hand(*live, "shadow", {Eigen::Matrix3d::Identity(), Eigen::Vector3d(1, 1, 1)});
   EXPECT_THAT([&] { open_hand(*live, ""); },
               ThrowsMessage<InputError>(HasSubstr("choose one with 'hand'")));
   EXPECT_THAT([&] { open_hand(*live, "barett"); },
