@@ -28,7 +28,7 @@ class PageError(Exception):
 
 
 class Browser:
-    """One page of one browser; its console's errors are kept in `errors`."""
+    """One page of one browser; its console's errors are kept in `errors`, all that it was told in `messages`."""
 
     def __init__(self, width=1400, height=900):
         self.profile = tempfile.mkdtemp(prefix="thenar-live-")
@@ -46,7 +46,7 @@ class Browser:
         os.close(to_browser), os.close(from_browser)
         self.write, self.read = write, read
         self.rest, self.next, self.session = b"", 1, None
-        self.errors, self.requests = [], []
+        self.errors, self.messages, self.requests = [], [], []
         targets = self.send("Target.getTargets")["targetInfos"]
         page = next(t for t in targets if t["type"] == "page")
         self.session = self.send("Target.attachToTarget", targetId=page["targetId"], flatten=True)["sessionId"]
@@ -85,6 +85,8 @@ class Browser:
 
     def _event(self, message):
         method, params = message.get("method"), message.get("params", {})
+        if method in ("Runtime.exceptionThrown", "Runtime.consoleAPICalled", "Log.entryAdded"):
+            self.messages.append(json.dumps(params)[:400])
         if method == "Runtime.exceptionThrown":
             details = params["exceptionDetails"]
             self.errors.append(details.get("exception", {}).get("description") or details["text"])

@@ -1,6 +1,7 @@
 // Makes room for tables that are wider than their frame: denser in three steps, then as cards.
 
 const NARROW = 560; // where a row that finds no room becomes a card [px]
+const FEW = 3; // rows that become cards in any room
 const STEPS = ["tight", "tighter", "tightest"];
 
 const goesOver = (frame) => frame.scrollWidth > frame.clientWidth + 1;
@@ -12,7 +13,8 @@ function fit(frame) {
     if (!goesOver(frame)) return;
     frame.classList.add(step);
   }
-  if (goesOver(frame) && frame.clientWidth < NARROW) {
+  const few = frame.querySelectorAll("tbody tr").length <= FEW;
+  if (goesOver(frame) && (few || frame.clientWidth < NARROW)) {
     frame.classList.remove(...STEPS);
     frame.classList.add("cards");
   }
