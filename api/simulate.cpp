@@ -38,6 +38,9 @@ Excitation excitation_of(const MotionRequest& request, const std::vector<std::st
   require(
       !request.excitation.empty() || !request.excitation_file.empty() || !request.gravity.isZero(0),
       "wanted what moves the digit: excitations of muscles, a file of them, or gravity");
+  for (const auto& [muscle, value] : request.excitation)
+    require(value >= 0 && value <= 1, "wanted excitations from 0 to 1, got {} of '{}'", value,
+            muscle);
   if (request.excitation_file.empty())
     return constant_excitation(in_order(request.excitation, muscles, "muscle"));
   sources.push_back(read_source(request.excitation_file));

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <optional>
 #include <set>
 #include <utility>
 
@@ -116,17 +117,32 @@ class HandPuller {
     };
     if (names_.empty()) fail(fmt::format("hand '{}' has no muscles", human_.name));
     try {
-      if (!each.tensions) {
+      if (!each.rung.empty()) {
         const Muscle rung = muscle_named(each.rung);
-        require(!excited_ || rung == rung_, "all muscles of '{}' pull on one rung", human_.name);
+        require(!rung_ || rung == *rung_, "all muscles of '{}' pull on one rung", human_.name);
         rung_ = rung;
-        excited_ = true;
       }
       for (GivenMuscle& given : given_by(each, spec_, names_))
         (each.tensions ? tensions_ : excitations_).push_back(std::move(given));
     } catch (const InputError& error) {
       fail(error.what());
     }
+  }
+
+  /// The rung of digits that contract, where none is stated: rigid tendons, or bounds where the
+  /// subject lacks a fibre length.
+  Muscle rung_of(const std::vector<const HumanDigit*>& group) {
+    const Subject& subject = human_.hand.subject;
+    for (const HumanDigit* digit : group) {
+      const std::string without = muscle_without_fibre(subject, digit->tendons->digit());
+      if (without.empty()) continue;
+      built_.warnings.push_back(fmt::format(
+          "hand '{}': muscles of {} pull by their bounds alone, whatever their length and speed, "
+          "as subject '{}' states no 'fibre_length_mm' of '{}'",
+          human_.name, digit->name, subject.name, without));
+      return Muscle::kBounds;
+    }
+    return Muscle::kRigidTendon;
   }
 
   /// Tells muscles that are to pull more than they can make.
@@ -237,7 +253,8 @@ class HandPuller {
             return std::count(muscles.begin(), muscles.end(), each.muscle) > 0;
           });
       try {
-        model.contraction = contraction_of(human_.hand, group, muscles, rung_);
+        model.contraction =
+            contraction_of(human_.hand, group, muscles, rung_ ? *rung_ : rung_of(group));
       } catch (const InputError& error) {
         throw DataError(spec_.path, excited->line, error.what());
       }
@@ -251,8 +268,7 @@ class HandPuller {
   BuiltScene& built_;
   std::vector<std::string> names_;
   std::vector<GivenMuscle> tensions_, excitations_;
-  Muscle rung_ = Muscle::kRigidTendon;
-  bool excited_ = false;
+  std::optional<Muscle> rung_;  // that the scene states
 };
 
 bool has_torsion(const SceneSpec& spec) {

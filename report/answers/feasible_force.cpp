@@ -20,8 +20,12 @@ constexpr double kNoPrice = 1e-9;       // rounding [N/N]
 constexpr double kPriceDiffers = 1e-4;  // of the larger price
 constexpr std::size_t kMaxNamed = 3;    // muscles in a sentence
 
-std::string status_line(Status status, TipLoad load) {
-  const std::string words = force_status_words(status, load);
+TipModel model_of(const FeasibleForcePoint& point) {
+  return point.q.size() == 0 ? TipModel::kMap : TipModel::kJoints;
+}
+
+std::string status_line(Status status, const FeasibleForcePoint& point) {
+  const std::string words = force_status_words(status, point.load, model_of(point));
   return words.empty() ? "" : fmt::format("{}: {}\n", name_of(status), words);
 }
 
@@ -29,7 +33,7 @@ std::string status_line(Status status, TipLoad load) {
 std::string status_line(const FeasibleForcePoint& point) {
   const Status status = point.largest->status;
   if (status != Status::kUnbounded || !point.plane_normal || point.load == TipLoad::kMoment)
-    return status_line(status, point.load);
+    return status_line(status, point);
   return fmt::format(
       "{}: all axes are parallel, and the bones alone carry any force across the plane of "
       "flexion\n",
@@ -260,7 +264,7 @@ std::string largest_text(const FeasibleForceAnswer& answer, const FeasibleForceP
   if (largest.status != Status::kSolved) return status_line(point) + "\n";
   if (!makes_force(point))
     return fmt::format("Largest {}: none; {}\n\n", words.one,
-                       force_status_words(Status::kInfeasible, point.load));
+                       force_status_words(Status::kInfeasible, point.load, model_of(point)));
   std::string text = fmt::format("Largest {}: {} {} along the direction\nas {}\n", words.one,
                                  shown(largest.component, 3 + words.more_decimals), words.unit,
                                  in_axes(largest.force, words));
@@ -307,7 +311,7 @@ std::string whole_text(const FeasibleForceAnswer& answer, const FeasibleForcePoi
                   words.many, beside(answer), set.dimension, set.volume,
                   set.dimension > 0 ? power_of(words.unit, set.dimension) : "(a point)",
                   set.vertices.rows()) +
-      status_line(set.status, point.load);
+      status_line(set.status, point);
   for (Index c = 0; c < set.carried.cols(); ++c)
     text += fmt::format(
         "plus any {} along ({}), which the bones carry alone; vertices are across it\n", words.one,
@@ -509,14 +513,18 @@ Table limit_table(const FeasibleForceAnswer& answer, const FeasibleForcePoint& p
   return muscles;
 }
 
-std::string force_status_words(Status status, TipLoad load) {
+std::string force_status_words(Status status, TipLoad load, TipModel model) {
   const std::string one = words_of(load).one;
   switch (status) {
     case Status::kSolved:
       return "";
     case Status::kInfeasible:
-      return fmt::format("no tensions make any {} this way with every joint in balance", one);
+      return fmt::format(
+          "no tensions make any {} this way{}", one,
+          model == TipModel::kMap ? ", by this map" : " with every joint in balance");
     case Status::kUnbounded:
+      if (model == TipModel::kMap)
+        return fmt::format("by this map nothing limits the {} this way", one);
       return load == TipLoad::kForce
                  ? "the bones alone carry any force this way (a singular posture, or a hold)"
                  : "no joint feels this moment, so that the bones alone carry any";
@@ -570,7 +578,9 @@ std::string limit_words(const FeasibleForceAnswer& answer, const FeasibleForcePo
 
 std::string note_of(const FeasibleForceAnswer& answer, const FeasibleForcePoint& point) {
   if (point.largest) {
-    std::string note = makes_none(point) ? force_status_words(Status::kInfeasible, point.load) : "";
+    std::string note = makes_none(point)
+                           ? force_status_words(Status::kInfeasible, point.load, model_of(point))
+                           : "";
     for (const std::string& more :
          {plane_note(answer, point), shared_note(answer, point), stop_note(point),
           answer.load == TipLoad::kMoment

@@ -53,8 +53,12 @@ struct LoadWords {
 [[nodiscard]] std::string note_of(const FeasibleForceAnswer& answer,
                                   const FeasibleForcePoint& point);
 
+/// Whether a digit has joints that must be in balance, or is a published map alone.
+enum class TipModel { kJoints, kMap };
+
 /// What a status means to whoever asked for a force; "" if solved.
-[[nodiscard]] std::string force_status_words(Status status, TipLoad load = TipLoad::kForce);
+[[nodiscard]] std::string force_status_words(Status status, TipLoad load = TipLoad::kForce,
+                                             TipModel model = TipModel::kJoints);
 
 /// "+dorsal" or "-x": the k-th of six directions along the axes.
 [[nodiscard]] std::string axis_direction(const ForceAxes& axes, std::size_t k);

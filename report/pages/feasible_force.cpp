@@ -119,13 +119,14 @@ std::string question_words(const FeasibleForceAnswer& answer) {
         "axes.",
         load.many, beside, axes);
   std::string words = fmt::format(
-      "The largest static {} along ({:.4g}, {:.4g}, {:.4g}) in {} axes{}{}, every joint in balance "
-      "and every muscle between 0 and its largest force F0.",
+      "The largest static {} along ({:.4g}, {:.4g}, {:.4g}) in {} axes{}{}, {}every muscle between "
+      "0 "
+      "and its largest force F0.",
       load.one, answer.direction->x(), answer.direction->y(), answer.direction->z(), axes,
       answer.tolerance > 0
           ? fmt::format(", or up to {:.4g} degrees off it", answer.tolerance / kDegree)
           : "",
-      beside);
+      beside, answer.about.map.empty() ? "every joint in balance and " : "");
   if (answer.about.single() && !answer.points.empty()) {
     const std::string limits = limit_words(answer, answer.points.front());
     if (!limits.empty()) words += "\n\nIt is " + limits + ".";

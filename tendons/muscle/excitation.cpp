@@ -14,8 +14,10 @@ void check(const Excitation& excitation) {
           t.size(), excitation.value.rows());
   require(t.allFinite() && std::is_sorted(t.data(), t.data() + t.size()),
           "times of the knots of an excitation must not fall");
-  require((excitation.value.array() >= 0 && excitation.value.array() <= 1).all(),
-          "excitations must be in 0..1");
+  for (Eigen::Index m = 0; m < excitation.value.cols(); ++m)
+    for (const double value : excitation.value.col(m))
+      require(value >= 0 && value <= 1,
+              "wanted excitations from 0 to 1, got {} of muscle number {}", value, m + 1);
 }
 
 }  // namespace

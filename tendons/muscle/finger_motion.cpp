@@ -63,8 +63,9 @@ MotionOnset FingerMotion::start(const VectorXd& q, const VectorXd& q_dot,
           "wanted {} angles, {} speeds, {} activations; got {}, {}, {}", joints, joints, muscles,
           q.size(), q_dot.size(), activation.size());
   require(q.allFinite() && q_dot.allFinite(), "the start has an angle or speed that is not finite");
-  require((activation.array() >= 0 && activation.array() <= 1).all(),
-          "activations must be in 0..1");
+  for (Index m = 0; m < muscles; ++m)
+    require(activation[m] >= 0 && activation[m] <= 1,
+            "wanted activations from 0 to 1, got {} of muscle number {}", activation[m], m + 1);
   follower_ = tendons().follower();  // of this motion alone
   on_tendons_ = false;
   // Excursion from the reference posture, along a walk of the net.

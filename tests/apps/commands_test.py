@@ -500,7 +500,8 @@ class Simulate(Near):
         self.assertIn("--net winslow needs a hood that is a net, got --hood fractions",
                       complaint("simulate", INDEX, "--excitation", "FDP=1", "--net", "winslow",
                                 "--hood", "fractions"))
-        self.assertIn("must be in 0..1", complaint("simulate", INDEX, "--excitation", "FDP=2"))
+        self.assertIn("wanted excitations from 0 to 1, got 2 of 'FDP'",
+                      complaint("simulate", INDEX, "--excitation", "FDP=2"))
         self.assertIn("ends in .h5 or .html or .csv or .json, got 'motion.txt'",
                       complaint("simulate", INDEX, "--excitation", "FDP=1", "-o", "motion.txt"))
 

@@ -101,7 +101,8 @@ struct SceneMuscleSpec {
   bool tensions = false;                // [[tendon]]: tensions; [[muscle]]: excitations
   std::map<std::string, double> value;  // of muscles: tension [N], excitation 0..1 [1]
   std::string file;                     // table of the same over time; as written; may be empty
-  std::string rung = "rigid-tendon";    // of [[muscle]]: how muscles pull
+  std::string rung;                     // of [[muscle]]: how muscles pull; empty: rigid tendons
+                                        // where fibre lengths are known, else bounds
   double from = 0;                      // [s]
   double to = std::numeric_limits<double>::infinity();  // [s]
   int line = 1;

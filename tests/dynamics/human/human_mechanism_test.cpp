@@ -251,8 +251,18 @@ TEST(HumanScene, TellsTheLineOfWhatDoesNotFit) {
   EXPECT_THAT(complaint(tendon + tendon + others),
               HasSubstr("s.toml:12: two drives give 'FDP3' its tension at once"));
   // No fibre lengths of the little finger.
-  EXPECT_THAT(complaint("[[muscle]]\nhand = \"h\"\nexcitation = {FDP5 = 0.1}\n" + others),
+  EXPECT_THAT(complaint("[[muscle]]\nhand = \"h\"\nexcitation = {FDP5 = 0.1}\nrung = "
+                        "\"rigid-tendon\"\n" +
+                        others),
               HasSubstr("s.toml:9: muscle '"));
+}
+
+// As `simulate` of a digit does, with a warning.
+TEST(HumanScene, MusclesWithoutFibresPullByTheirBounds) {
+  const std::string muscle = "[[muscle]]\nhand = \"h\"\nexcitation = {FDP5 = 0.1}\n";
+  EXPECT_THAT(built(muscle).warnings, Contains(HasSubstr("of little pull by their bounds alone")));
+  EXPECT_THAT(built(muscle + "rung = \"bounds\"\n").warnings,
+              Not(Contains(HasSubstr("pull by their bounds alone"))));
 }
 
 }  // namespace

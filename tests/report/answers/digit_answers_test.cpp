@@ -78,6 +78,19 @@ TEST(FeasibleForceWords, TellWhatAParalysisCosts) {
   EXPECT_EQ(weak_words(ask_feasible_force(request)), "Without FDP, with 12.5 N of FDS");
 }
 
+// A published map has no joints whose balance could forbid a force.
+TEST(FeasibleForceWords, AMapIsNotExplainedByJoints) {
+  FeasibleForceRequest request;
+  request.digit.subject = "valero_cuevas_index";
+  request.digit.data = kData;
+  request.digit.map = "cadaver_hand4";
+  request.direction = Eigen::Vector3d(0, 0, 1);
+  request.without = {"FDP", "FDS"};
+  const std::string text = text_of(ask_feasible_force(request));
+  EXPECT_NE(text.find("no tensions make any force this way, by this map"), std::string::npos);
+  EXPECT_EQ(text.find("joint"), std::string::npos);
+}
+
 FeasibleForceAnswer palmar_forces_over_pip() {
   FeasibleForceRequest request;
   request.digit.subject = "an_chao_index";

@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "base/error.h"
+#include "tests/message_of.h"
 
 namespace thenar {
 namespace {
@@ -71,8 +72,9 @@ TEST(Excitation, SaysWhichLineOfATableIsWrong) {
 }
 
 TEST(Excitation, RejectsWhatNoMuscleCanBe) {
-  EXPECT_THROW((void)excitation_pieces(constant_excitation(Eigen::Vector2d(0, 1.1)), 1),
-               InputError);
+  EXPECT_EQ(
+      message_of([] { (void)excitation_pieces(constant_excitation(Eigen::Vector2d(0, 1.1)), 1); }),
+      "wanted excitations from 0 to 1, got 1.1 of muscle number 2");
   EXPECT_THROW((void)excitation_pieces({Eigen::Vector2d(1, 0), Eigen::Vector2d(0, 0)}, 1),
                InputError);
 }
