@@ -129,7 +129,7 @@ void add_infer(CLI::App& tendon) {
   add_output_options(*command, options->outputs, {true, true, true});
   add_examples(
       *command,
-      {"tendon infer synek2019_H01 --subject synek2019_middle --net chao_an --propose 2",
+      {"tendon infer synek2019_H01 --subject synek2019_middle --net winslow --propose 2",
        "tendon infer synek2019_H02 --subject synek2019_middle -o bands.html",
        "tendon infer synek2019_H01 --subject an_chao_middle --net extensor_hood --free slack "
        "paths --bands 'sagittal*' 'transverse*' triangular"});
