@@ -30,7 +30,9 @@ std::string answer_to_signal(const std::string& kept) {
 
 constexpr double kLong = 10;  // what takes longer is told beforehand [s]
 
-/// Says once how long work takes, where that is long, and draws a bar on a terminal.
+constexpr double kMore = 2;  // times what was told, from which it is told again [1]
+
+/// Says how long work takes, where that is long, and draws a bar on a terminal.
 class Teller {
  public:
   ~Teller() { wipe(); }
@@ -47,11 +49,11 @@ class Teller {
  private:
   void foretell() {
     const std::optional<double> whole = pace_.whole();
-    if (foretold_ || !whole) return;
-    foretold_ = true;
-    if (*whole < kLong) return;
+    if (!whole || *whole < std::max(kLong, kMore * told_)) return;
     wipe();
-    fmt::print(stderr, "thenar: this takes about {}\n", rough_time(*whole));
+    fmt::print(stderr, "thenar: this takes {}about {}\n", told_ > 0 ? "longer, " : "",
+               rough_time(*whole));
+    told_ = *whole;
   }
 
   /// At most ten times a second.
@@ -76,7 +78,8 @@ class Teller {
   std::mutex mutex_;
   Clock::time_point begin_ = Clock::now(), last_;
   Pace pace_;
-  bool drawn_ = false, foretold_ = false;
+  double told_ = 0;  // [s]; 0: nothing was
+  bool drawn_ = false;
 };
 
 }  // namespace

@@ -28,7 +28,7 @@ std::optional<double> Pace::left() const {
 std::optional<double> Pace::whole() const {
   const std::optional<double> rest = left();
   if (!rest) return {};
-  return last_.at - first_->at + *rest;
+  return last_.at - begin_ + *rest;
 }
 
 std::string rough_time(double seconds) {

@@ -10,22 +10,26 @@ namespace thenar {
 /// Listens to the progress of one piece of work.
 class Pace {
  public:
+  /// @param begin  when the work began, on the clock of hear() [s]
+  explicit Pace(double begin = 0) : begin_(begin) {}
+
   /// Takes a report.
   /// @param now  time on any clock that goes on evenly [s]
   /// @param fraction  of the work that is done [1]
   void hear(double now, double fraction);
 
-  /// What the whole takes at the pace since the first report, what went before it included; absent
-  /// until 1.5 s of work, and 2 % of it, are done [s].
+  /// What the whole takes: from the beginning until now, and what is left; absent as left() is [s].
   [[nodiscard]] std::optional<double> whole() const;
 
-  /// What is left of it [s]; absent as whole() is.
+  /// What is left of it at the pace since the first report; absent until 1.5 s of work, and 2 % of
+  /// it, are done since [s].
   [[nodiscard]] std::optional<double> left() const;
 
  private:
   struct Mark {
     double at = 0, fraction = 0;  // [s], [1]
   };
+  double begin_;  // [s]
   std::optional<Mark> first_;
   Mark last_;
 };

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <mutex>
-#include <thread>
 
 #include "base/parallel_for.h"
 
@@ -55,16 +54,6 @@ void run_tasks(std::vector<ParallelTask> tasks, const Progress& progress) {
     tasks[i].work(shared.of(i));
     shared.end(i);
   });
-}
-
-double seconds_of(const std::vector<ParallelTask>& tasks) {
-  const double cores = std::max(1U, std::thread::hardware_concurrency());
-  double sum = 0, longest = 0;
-  for (const ParallelTask& task : tasks) {
-    sum += task.seconds;
-    longest = std::max(longest, task.seconds);
-  }
-  return std::max(longest, sum / cores);
 }
 
 }  // namespace thenar

@@ -22,8 +22,4 @@ struct ParallelTask {
 /// out.
 void run_tasks(std::vector<ParallelTask> tasks, const Progress& progress);
 
-/// What the tasks take together on all cores, roughly: a core's share of their sum, and at least
-/// the longest [s].
-[[nodiscard]] double seconds_of(const std::vector<ParallelTask>& tasks);
-
 }  // namespace thenar

@@ -64,12 +64,5 @@ TEST(ParallelTasks, ThrowsWhatATaskThrew) {
             "no such pad");
 }
 
-// By hand: one task of 9 s rules 1 + 1 s on two cores or more, and a sum of 11 s one core.
-TEST(ParallelTasks, TakesAtLeastTheLongest) {
-  const auto nothing = [](const Progress&) {};
-  const double expected = std::thread::hardware_concurrency() > 1 ? 9 : 11;
-  EXPECT_DOUBLE_EQ(seconds_of({{1, nothing}, {9, nothing}, {1, nothing}}), expected);
-}
-
 }  // namespace
 }  // namespace thenar

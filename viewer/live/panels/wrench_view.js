@@ -15,7 +15,10 @@ const SETS = {
 };
 const SIDES = [
   { limits: "geometric", title: "Contacts alone", color: "#0072b2" },
-  { limits: "actuated", title: "With the hand's limits", color: "#d55e00" },
+  {
+    ...{ limits: "actuated", title: "With the hand's limits", color: "#d55e00" },
+    note: "Efforts limit what the hand presses, but not what palm, joint limits and drives that cannot be driven back bear: their strength is unknown, so that sets may be far larger than any hand is.",
+  },
 ];
 const AXIS = "#8a8f99";
 
@@ -49,7 +52,8 @@ function draw(side, set, axes, group) {
       mountScene(frame, spec, () => ({ ink: themeColor("--ink"), page: themeColor("--page") })),
     );
   } else frame.append(el("p", { class: "hint" }, words));
-  return el("figure", { class: "wrenches" }, frame, caption);
+  const note = side.note ? el("p", { class: "hint" }, side.note) : null;
+  return el("figure", { class: "wrenches" }, frame, caption, note);
 }
 
 let groups = 0;
