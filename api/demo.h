@@ -80,7 +80,8 @@ struct DemoResult {
 /// Fits by every solver, cross-validates, predicts what was not seen, samples posteriors, asks what
 /// forces tell of a thumb's axes, finds a thumb again from made-up forces and muscle activity and
 /// adds measurements, bends a finger with its hood, moves scenes, lets hands grasp and presses
-/// pads. Some minutes of all cores; the same bits with any number of them.
+/// pads. Some minutes of all cores; the same bits with any number of them,
+/// but for times and the last digits of Ipopt, whose BLAS goes by where memory lies.
 /// @throws InputError if data are missing or the folder cannot be written.
 [[nodiscard]] DemoResult run_demo_study(const DemoRequest& request, const Progress& progress = {});
 
