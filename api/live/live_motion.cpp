@@ -58,6 +58,7 @@ LiveMotion::LiveMotion(MotionSource source, const HistoryLimits& limits)
 
 void LiveMotion::begin() {
   quality_ = {};
+  beyond_ = {};
   (void)stepper_.take_cost();
   start_ = stepper_.sample();
   history_.clear();
@@ -144,6 +145,20 @@ void LiveMotion::take_quality(MotionQuality& of) {
   quality_.leaps += of.leaps;
   quality_.worst_residual = std::max(quality_.worst_residual, of.worst_residual);
   quality_.deepest = std::max(quality_.deepest, of.deepest);
+  keep_larger(cost.beyond, beyond_);
+  add_account(cost.beyond, of);
+}
+
+void LiveMotion::add_account(const Eigen::VectorXd& beyond, MotionQuality& of) const {
+  of.balance = flow_balance(start_, stepper_.sample_of(shown()));
+  of.limits = passed_limits(scene().mechanism, beyond);
+  of.restitution = largest_restitution(scene());
+}
+
+MotionQuality LiveMotion::quality() const {
+  MotionQuality out = quality_;
+  add_account(beyond_, out);
+  return out;
 }
 
 void LiveMotion::stand_still() {

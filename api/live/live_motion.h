@@ -76,7 +76,7 @@ class LiveMotion final : public LiveTimeline {
   [[nodiscard]] const SceneInstant& shown() const { return history_.at(shown_).at; }
   [[nodiscard]] bool is_newest() const { return shown_ + 1 == history_.size(); }
   [[nodiscard]] const MotionHistory& history() const { return history_; }
-  [[nodiscard]] MotionQuality quality() const override { return quality_; }
+  [[nodiscard]] MotionQuality quality() const override;
 
  private:
   [[nodiscard]] int coordinate_named(const std::string& name) const;
@@ -87,6 +87,7 @@ class LiveMotion final : public LiveTimeline {
   [[nodiscard]] bool step_once(const Progress& progress);
   [[nodiscard]] bool passes_end() const;  // of the scene, by the step that was made last
   void take_quality(MotionQuality& of);   // of the steps since it was taken last
+  void add_account(const Eigen::VectorXd& beyond, MotionQuality& of) const;
   void begin();
   void stand_still();  // at the last good instant, after a step that failed
   [[nodiscard]] std::vector<ContactSample> contacts() const;
@@ -108,7 +109,8 @@ class LiveMotion final : public LiveTimeline {
   PastInstant newest_;     // its room
   std::size_t shown_ = 0;  // of the history
   SceneSample start_;
-  MotionQuality quality_;
+  MotionQuality quality_;                // counts alone
+  Eigen::VectorXd beyond_;               // of joints, as SceneCost::beyond
   std::vector<ElementValue> readings_;   // at the start: their names and units
   std::vector<std::size_t> tension_at_;  // of the picture's muscles: entry of readings_
   std::vector<std::size_t> moving_;      // bodies: moving_bodies()

@@ -12,6 +12,7 @@
 #include "base/error.h"
 #include "base/progress.h"
 #include "dynamics/scene/measure_run.h"
+#include "dynamics/stepping/limit_excess.h"
 
 namespace thenar {
 
@@ -53,7 +54,7 @@ struct TimelineState {
   std::vector<ElementValue> muscles;  // tensions and activations
 };
 
-/// How well steps were solved.
+/// How well steps were solved, and how far they are to be believed.
 struct MotionQuality {
   long steps = 0;
   long unsolved = 0;          // contact problems that missed their tolerance
@@ -61,6 +62,10 @@ struct MotionQuality {
   double deepest = 0;         // penetration [m]
   long leaps = 0;  // steps in which surfaces moved so far that they may have gone through
                    // each other: SceneCost::leaps
+  std::optional<FlowBalance> balance;  // from the start to the instant that is shown; of a recorded
+                                       // run worst_balance(); nothing: not recorded
+  std::vector<PassedLimit> limits;     // that joints went beyond
+  double restitution = 0;  // the largest one that the scene states and steps leave out [1]
 };
 
 /// A model on a line of time.

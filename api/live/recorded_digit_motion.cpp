@@ -34,9 +34,9 @@ MotionEnergy RecordedDigitMotion::energy() const {
   out.total = now(run_.energy);
   FlowBalance balance;
   balance.work = now(run_.work);
-  balance.dissipated = now(run_.dissipated);
-  balance.error = out.total - run_.energy[0] - (balance.work - run_.work[0]) +
-                  (balance.dissipated - run_.dissipated[0]);
+  balance.yielding = now(run_.dissipated);
+  balance.error = run_.energy[0] - out.total + (balance.work - run_.work[0]) -
+                  (balance.yielding - run_.dissipated[0]);
   out.balance = balance;
   return out;
 }

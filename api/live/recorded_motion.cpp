@@ -126,7 +126,16 @@ TimelineState RecordedMotion::state(const MotionParts& parts) const {
 }
 
 MotionQuality RecordedMotion::quality() const {
-  return {run_.steps, run_.unsolved, run_.worst_residual, run_.deepest};
+  MotionQuality out;
+  out.steps = run_.steps;
+  out.unsolved = run_.unsolved;
+  out.worst_residual = run_.worst_residual;
+  out.deepest = run_.deepest;
+  out.balance = run_.balance;
+  out.limits = run_.limits;
+  if (run_.built.options.method == SteppingMethod::kTimeStepping)
+    out.restitution = largest_restitution(run_.built.scene);
+  return out;
 }
 
 }  // namespace thenar

@@ -212,8 +212,24 @@ class RunReader {
     out_.unsolved = count("unsolved");
     out_.worst_residual = number("worst_residual");
     out_.deepest = number("deepest");
+    if (file_.arrays.count("energy_turned_over") > 0) {
+      out_.balance.emplace();
+      out_.balance->error = number("energy_error");
+      out_.balance->turned_over = number("energy_turned_over");
+    }
+    read_limits();
     const std::string status = file_.text_or_none("status");
     if (status != "done") out_.warnings.push_back(fmt::format("the run ended so: {}", status));
+  }
+
+  void read_limits() {
+    if (file_.arrays.count("limit_beyond") == 0) return;
+    const std::vector<std::string> names = file_.list("name/limit");
+    const auto count = static_cast<Index>(names.size());
+    const Eigen::MatrixXd beyond = table("limit_beyond", count, 1);
+    const Eigen::MatrixXd slides = table("limit_slides", count, 1);
+    for (Index i = 0; i < count; ++i)
+      out_.limits.push_back({names[static_cast<std::size_t>(i)], slides(i) > 0, beyond(i)});
   }
 
   /// Holds places of bodies against those of the file.

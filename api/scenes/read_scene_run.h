@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "api/scenes/simulate_scene.h"
+#include "dynamics/stepping/limit_excess.h"
 
 namespace thenar {
 
@@ -16,12 +17,15 @@ struct RecordedScene {
   BuiltScene built;          // from the texts that the file keeps, and what they name
   std::optional<Path> path;  // SceneRequest::path of the run; via points in files of before 0.2
   std::optional<Camera> camera;
-  std::vector<SceneSample> samples;  // at least one, by rising time; z and w are not kept
-  std::vector<std::string> muscles;  // "human:skewed/index/FDP2"
-  Eigen::MatrixXd tension;           // of them [N] (instants, muscles)
-  long steps = 0, unsolved = 0;      // as SceneCost
-  double worst_residual = 0;         // the same [1]
-  double deepest = 0;                // the same [m]
+  std::vector<SceneSample> samples;    // at least one, by rising time; z and w are not kept
+  std::vector<std::string> muscles;    // "human:skewed/index/FDP2"
+  Eigen::MatrixXd tension;             // of them [N] (instants, muscles)
+  long steps = 0, unsolved = 0;        // as SceneCost
+  double worst_residual = 0;           // the same [1]
+  double deepest = 0;                  // the same [m]
+  std::optional<FlowBalance> balance;  // worst_balance(), of which its error and what was turned
+                                       // over are kept; nothing: not recorded
+  std::vector<PassedLimit> limits;     // that joints went beyond
   std::vector<std::string> warnings;
 };
 

@@ -24,6 +24,7 @@
 #include "dynamics/compliant/penalty_scene.h"
 #include "dynamics/compliant/simbody_scene.h"
 #include "dynamics/scene/run_bytes.h"
+#include "dynamics/stepping/limit_excess.h"
 #include "sampling/run/communicator.h"
 
 namespace thenar {
@@ -450,6 +451,31 @@ void add_contacts(const SimulatedScene& scene, const std::string& group, ResultF
   add("contact_stick", 17, "1");
 }
 
+/// Energy that does not balance, and joints that went beyond their limits.
+void add_account(const SimulatedScene& scene, const std::string& group, ResultFile& file) {
+  if (const std::optional<FlowBalance>& worst = scene.measures.worst;
+      worst && std::isfinite(worst->share())) {
+    file.add(group + "energy_error", worst->error, "J");
+    file.add(group + "energy_turned_over", worst->turned_over, "J");
+  }
+  std::vector<std::string> names;
+  std::vector<double> beyond, slides;
+  for (const PassedLimit& limit :
+       passed_limits(scene.built->scene.mechanism, scene.run.cost.beyond)) {
+    names.push_back(limit.joint);
+    beyond.push_back(limit.beyond);
+    slides.push_back(limit.slides ? 1 : 0);
+  }
+  if (names.empty()) return;
+  const auto column = [](const std::vector<double>& values) {
+    return Eigen::VectorXd(
+        Eigen::Map<const Eigen::VectorXd>(values.data(), static_cast<Eigen::Index>(values.size())));
+  };
+  file.add(group + "name/limit", names);
+  file.add(group + "limit_beyond", column(beyond), "SI", {"limit"});
+  file.add(group + "limit_slides", column(slides), "1", {"limit"});
+}
+
 /// How the run went.
 void add_outcome(const SimulatedScene& scene, const std::string& group, ResultFile& file) {
   const SceneCost& cost = scene.run.cost;
@@ -461,8 +487,7 @@ void add_outcome(const SimulatedScene& scene, const std::string& group, ResultFi
   file.add(group + "deepest", cost.deepest, "m");
   file.add(group + "work", scene.measures.work, "J");
   file.add(group + "dissipated", scene.measures.dissipated, "J");
-  if (std::isfinite(scene.measures.energy_error))
-    file.add(group + "energy_error", scene.measures.energy_error, "J");
+  add_account(scene, group, file);
   std::vector<std::string> names;
   Eigen::VectorXd slip(static_cast<Eigen::Index>(scene.measures.pairs.size()));
   const std::vector<MechanismBody>& bodies = scene.built->scene.mechanism.bodies;

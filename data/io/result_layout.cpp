@@ -128,6 +128,10 @@ Layout scene_layout(const std::string& group) {
       {"work", {}, Holds::kFinite},
       {"dissipated", {}, Holds::kFinite},
       {"energy_error", {}, Holds::kFinite, "?"},
+      {"energy_turned_over", {}, Holds::kFinite, "?"},
+      {"name/limit", {"limit"}, Holds::kTexts, "limits"},
+      {"limit_beyond", {"limit"}, Holds::kFinite, "limits"},
+      {"limit_slides", {"limit"}, Holds::kFinite, "limits"},
       {"name/pair", {"pair"}, Holds::kTexts, "pairs"},
       {"slip", {"pair"}, Holds::kFinite, "pairs"},
   };

@@ -6,6 +6,7 @@
 #include "base/error.h"
 #include "base/thread_seconds.h"
 #include "dynamics/compliant/penalty_law.h"
+#include "dynamics/stepping/limit_excess.h"
 
 namespace thenar::internal {
 namespace {
@@ -57,6 +58,8 @@ class CompliantLoop {
       }
       ++run_.cost.steps;
       note_depth();
+      note_limits(energy_.scene().mechanism, energy_.model().layout, motion_.state().q,
+                  run_.cost.beyond);
       const double t = motion_.state().t;
       if (t >= next - kInstant || t >= options_.seconds - kInstant) sample();
     }

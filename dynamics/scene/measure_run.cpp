@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <map>
 
 #include <Eigen/Geometry>
@@ -101,14 +100,6 @@ double work_between(const MovingScene& scene, const MechanismLayout& layout,
   return work;
 }
 
-/// Work of elements that are not passive, beyond what they store [J]: their springs are among the
-/// energies.
-double work_of_elements(const SceneSample& first, const SceneSample& last) {
-  if (last.z.size() == 0) return 0;
-  const Eigen::Index work = last.z.size() - 1;
-  return last.z[work] - first.z[work] + last.energy.of_elements - first.energy.of_elements;
-}
-
 /// The instant with what touches at it: the start comes before any step, and has no forces yet.
 SceneSample with_touching(const SceneSample& sample, ContactStep& step) {
   std::vector<ActiveContact> found;
@@ -152,17 +143,6 @@ std::vector<SceneVelocity> body_velocities(const Mechanism& mechanism, const Tre
   return out;
 }
 
-FlowBalance flow_balance(const SceneSample& first, const SceneSample& last) {
-  FlowBalance out;
-  const EnergyFlows flows = last.w - first.w;
-  out.work = flows[kApplied] + work_of_elements(first, last);
-  // Passive elements dissipate what they take and do not store.
-  const double stored = last.energy.of_passive - first.energy.of_passive;
-  out.dissipated = flows[kDamped] + flows[kRubbed] - flows[kPassive] - stored;
-  out.error = first.energy.total() + out.work - out.dissipated - last.energy.total();
-  return out;
-}
-
 std::vector<std::size_t> moving_bodies(const Mechanism& mechanism, const TreeModel& model) {
   std::vector<std::size_t> moving;
   for (std::size_t i = 0; i < mechanism.bodies.size(); ++i) {
@@ -199,16 +179,14 @@ RunMeasures measure_run(const MovingScene& scene, const SceneRun& run) {
   out.velocity = std::move(before.velocity);  // the last instant's
   out.pulls = measure_pulls(scene, run);
   if (has_flows) {
-    const FlowBalance balance = flow_balance(run.samples.front(), run.samples.back());
-    out.work = balance.work;
-    out.dissipated = balance.dissipated;
-    out.energy_error = balance.error;
+    out.balance = flow_balance(run.samples.front(), run.samples.back());
+    out.worst = worst_balance(run.samples);
+    out.work = out.balance->work;
+    out.dissipated = out.balance->dissipated();
     return out;
   }
-  out.work += work_of_elements(run.samples.front(), run.samples.back());
   out.dissipated =
       run.samples.front().energy.total() + out.work - run.samples.back().energy.total();
-  out.energy_error = std::numeric_limits<double>::quiet_NaN();
   return out;
 }
 

@@ -2,11 +2,13 @@
 
 /// What a run of a scene did: slip, forces, energy.
 
+#include <optional>
 #include <vector>
 
 #include "base/spatial.h"
 #include "data/io/scene/scene.h"
 #include "dynamics/scene/measure_pulls.h"
+#include "dynamics/stepping/energy_balance.h"
 
 namespace thenar {
 
@@ -27,11 +29,11 @@ struct PairMeasure {
 
 /// Measures over the instants of a run.
 struct RunMeasures {
-  std::vector<PairMeasure> pairs;  // by rising (a, b)
-  double work = 0;                 // of forces, drives and muscles on the scene [J]
-  double dissipated = 0;           // by contacts, impacts, friction and dampers [J]
-  double energy_error = 0;         // energy at the start + work - dissipated - energy at the end
-                                   // [J]; not a number where the method has no flows of energy
+  std::vector<PairMeasure> pairs;      // by rising (a, b)
+  double work = 0;                     // of forces, drives and muscles on the scene [J]
+  double dissipated = 0;               // by contacts, impacts, friction and dampers [J]
+  std::optional<FlowBalance> balance;  // to the end; nothing: the method has no flows of energy
+  std::optional<FlowBalance> worst;    // worst_balance()
   std::vector<std::vector<Pose<double>>> X_WB;  // (instants, bodies)
   std::vector<std::size_t> moving;              // moving_bodies()
   RunPulls pulls;                               // of human hands
@@ -48,14 +50,6 @@ struct RunMeasures {
                                                          const TreeModel& model,
                                                          const Eigen::VectorXd& q,
                                                          const Eigen::VectorXd& v);
-
-/// What became of energy between two instants, by the flows of the steps (SceneSample::w).
-struct FlowBalance {
-  double work = 0;        // of forces, drives and muscles on the scene [J]
-  double dissipated = 0;  // by contacts, impacts, friction and dampers [J]
-  double error = 0;       // energy at first + work - dissipated - energy at last [J]
-};
-[[nodiscard]] FlowBalance flow_balance(const SceneSample& first, const SceneSample& last);
 
 /// Measures a run from the instants that it kept.
 ///

@@ -91,10 +91,11 @@ void pass_sample(Stream& stream, SceneSample& sample) {
 template <typename Stream>
 void pass_cost(Stream& stream, SceneCost& cost) {
   auto& [steps, rejected, substeps, impacts, passed, unsolved, leaps, coarse, residual, deepest,
-         asleep, cpu] = cost;
+         beyond, asleep, cpu] = cost;
   for (long* each : {&steps, &rejected, &substeps, &impacts, &passed, &unsolved, &leaps, &coarse})
     stream.plain(*each);
   for (double* each : {&residual, &deepest, &asleep, &cpu}) stream.plain(*each);
+  pass_vector(stream, beyond);
 }
 
 /// Writes or reads a run, its parts in the same order.

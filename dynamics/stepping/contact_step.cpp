@@ -2,10 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 #include "base/error.h"
 #include "dynamics/mechanism/articulated_body.h"
+#include "dynamics/stepping/impulse_losses.h"
 #include "dynamics/stepping/meeting_pairs.h"
 
 namespace thenar {
@@ -231,7 +233,6 @@ struct ContactStep::Parts {
   /// elements at its end by their rates in its middle. @param state  positions and states of the
   /// middle, speeds after
   bool end_elements(double h, SceneState& state) {
-    if (!has_flows) return true;
     v_mean = 0.5 * (v_before + state.v);
     speed_up(v_mean);
     if (elements.empty()) return true;
@@ -239,6 +240,15 @@ struct ContactStep::Parts {
         elements.act({state.t, acting, state.q, v_mean, state.z, motion, 0, ElementNeed::kRates});
     state.z = z_before + h * elements.action().z_rate;
     return acted;
+  }
+
+  /// Flows of a midpoint step, after end_elements().
+  void end_flows(double h, SceneState& state) {
+    find_powers({state.t, acting, h, 0.5, state.q, v_before, state.v});
+    state.w += h * power;
+    state.w[kWorked] += h * std::abs(power[kApplied]);
+    if (!elements.empty()) state.w[kWorked] += std::abs((state.z - z_before).tail<1>()[0]);
+    state.w[kMostKinetic] = std::max(state.w[kMostKinetic], motion.kinetic_energy());
   }
 
   void add_drive(const SceneDrive& drive, const SceneState& state) {
@@ -256,7 +266,8 @@ struct ContactStep::Parts {
   /// Mean powers over a step of all but contacts, kept in `power`, after load().
   void find_powers(const StepEfforts& at) {
     if (!has_flows) return;
-    power << applied_powers(scene, model.layout, motion, at), elements.passive_power(), 0;
+    power.head<kFreeFlows>() << applied_powers(scene, model.layout, motion, at),
+        elements.passive_power();
   }
 
   /// v_free = v + A^-1 h (tau - h(q, v)), after place() and load(). h = 0: v alone.
@@ -425,7 +436,13 @@ struct ContactStep::Parts {
   /// Solves, moves the speeds, and writes impulses, velocities and modes into the list.
   /// @param aim  0: to the tolerance; otherwise the residual to go to, 1e-9 being enough
   void solve(std::vector<ActiveContact>& list, SceneState& state, StepOutcome& outcome,
-             double aim = 0) {
+             ImpulseBooking booking, double aim = 0) {
+    if (!problem.W.allFinite() || !problem.b.allFinite()) {
+      // Speeds have become too large for numbers.
+      state.v.setConstant(std::numeric_limits<double>::quiet_NaN());
+      outcome.solved = false;
+      return;
+    }
     warm_start(list);
     ContactSolverOptions options = solver_options;
     double enough = options.tolerance;
@@ -443,8 +460,9 @@ struct ContactStep::Parts {
     change = pushed;
     mass.solve(model, change);
     v_free += change;
-    // By the mean of the speeds before and after, which is what the kinetic energy loses.
-    state.w[kRubbed] -= 0.5 * pushed.dot(state.v + v_free);
+    v_mean = 0.5 * (state.v + v_free);
+    mean_u.noalias() = J.transpose() * v_mean;
+    add_impulse_losses(list, problem.blocks, answer.f, mean_u, booking, state.w);
     state.v = v_free;
     int at = 0;
     for (std::size_t k = 0; k < list.size(); ++k) {
@@ -516,10 +534,11 @@ struct ContactStep::Parts {
   Eigen::VectorXd placed_q, placed_v;  // where place() has put the links (q), (v)
   bool is_placed = false;              // and they still are
   Eigen::VectorXd tau, v_free, v_mean, zero, start, change, pushed;
-  Eigen::VectorXd z_before, v_before;  // of a midpoint step
-  EnergyFlows power{0, 0, 0, 0};       // [W]
-  Eigen::VectorXd stiffness, damping;  // of springs, dampers and drives, over the speeds (v)
-  Eigen::VectorXd implicit;            // what they add to the mass matrix (v)
+  Eigen::VectorXd mean_u;                   // of rows, before and after their impulses (rows)
+  Eigen::VectorXd z_before, v_before;       // of a midpoint step
+  EnergyFlows power = EnergyFlows::Zero();  // [W]
+  Eigen::VectorXd stiffness, damping;       // of springs, dampers and drives, over the speeds (v)
+  Eigen::VectorXd implicit;                 // what they add to the mass matrix (v)
   SceneElements elements;
   Eigen::MatrixXd slopes;  // of elements, as they enter A (v, v)
   Eigen::MatrixXd J, Y;    // rows as columns (v, rows)
@@ -590,7 +609,7 @@ void ContactStep::substep(SceneState& state, double h, const std::vector<ActiveC
   } else {
     p.set_rows(outcome.active, h);
     p.problem.b.noalias() = p.J.transpose() * p.v_free;
-    p.solve(outcome.active, state, outcome);
+    p.solve(outcome.active, state, outcome, ImpulseBooking::kNet);
   }
   p.find_powers({state.t, p.acting, h, 1, state.q, p.placed_v, state.v});
   state.w += h * p.power;
@@ -644,11 +663,10 @@ void ContactStep::time_step(SceneState& state, double h, const std::vector<Activ
     p.set_rows(outcome.active, h);
     p.problem.b.noalias() = p.J.transpose() * p.v_free;
     p.add_speeds_before(state.v, h, recovery, outcome.active);
-    p.solve(outcome.active, state, outcome, p.rounding_of_gaps(h));
+    p.solve(outcome.active, state, outcome, ImpulseBooking::kLosses, p.rounding_of_gaps(h));
   }
   outcome.solved = p.end_elements(h, state) && outcome.solved;
-  p.find_powers({state.t, p.acting, h, 0.5, state.q, p.v_before, state.v});
-  state.w += h * p.power;
+  p.end_flows(h, state);
   advance(p.scene.mechanism, layout, state.v, 0.5 * h, state.q);
   state.t += 0.5 * h;
 }
@@ -697,7 +715,7 @@ void ContactStep::impact(SceneState& state, const std::vector<ActiveContact>& to
       p.problem.b[at] *= 1 + touching[k].friction.restitution;
     at += rows_of(p.problem.blocks[k].law);
   }
-  p.solve(outcome.active, state, outcome);
+  p.solve(outcome.active, state, outcome, ImpulseBooking::kLosses);
 }
 
 void ContactStep::close_gaps(SceneState& state, const std::vector<ActiveContact>& touching,
@@ -756,6 +774,11 @@ ContactStep::Energy ContactStep::energy(const SceneState& state) {
   out.of_passive = stored.all - stored.active;
   out.springs += stored.all;
   return out;
+}
+
+double ContactStep::kinetic_energy(const SceneState& state) {
+  parts_->place(state);
+  return parts_->motion.kinetic_energy();
 }
 
 bool ContactStep::free_rates(const SceneState& state, Eigen::VectorXd& q_dot,

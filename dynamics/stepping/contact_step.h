@@ -23,11 +23,11 @@ inline constexpr double kNearGap = 1e-4;
 
 /// Where a scene is.
 struct SceneState {
-  double t = 0;               // [s]
-  Eigen::VectorXd q;          // positions (q)
-  Eigen::VectorXd v;          // speeds (v)
-  Eigen::VectorXd z{};        // states of elements, see SceneElements; empty: not asked for (z)
-  EnergyFlows w{0, 0, 0, 0};  // by steps so far; they steer nothing [J]
+  double t = 0;         // [s]
+  Eigen::VectorXd q;    // positions (q)
+  Eigen::VectorXd v;    // speeds (v)
+  Eigen::VectorXd z{};  // states of elements, see SceneElements; empty: not asked for (z)
+  EnergyFlows w = EnergyFlows::Zero();  // by steps so far; they steer nothing [J]
 };
 
 /// Speeds of a contact at the beginning of a step, by the Jacobian of its middle; NaN: it did not
@@ -139,10 +139,14 @@ class ContactStep {
 
   /// Ends all approach of the contacts in `touching` at once, by impulses at a fixed position;
   /// Newton's restitution  u_n+ >= -e u_n-.
+  ///
+  /// Impulses take energy. What they make all the same, here and in time_step(), is no flow: it is
+  /// missing in the balance (flow_balance()).
   void impact(SceneState& state, const std::vector<ActiveContact>& touching, StepOutcome& outcome);
 
   /// Moves positions so that gaps of `touching` that have a force become zero, by the least motion
-  /// in the metric of the mass matrix. @param most  no gap is changed by more [m]
+  /// in the metric of the mass matrix. It is no flow of energy: what weights and springs gain by it
+  /// is made of nothing, and what drives do on that way is not told. @param most  of each gap [m]
   void close_gaps(SceneState& state, const std::vector<ActiveContact>& touching, double most);
 
   /// How far surfaces have moved between two states, over what may pass unseen: for each pair of
@@ -163,6 +167,8 @@ class ContactStep {
     [[nodiscard]] double total() const { return kinetic + weight + springs; }
   };
   [[nodiscard]] Energy energy(const SceneState& state);
+  /// The same, of motion alone [J].
+  [[nodiscard]] double kinetic_energy(const SceneState& state);
 
   /// Rates of the state without contacts, limits and dry friction.
   /// @param q_dot  (q);  @param v_dot  (v);  @param z_dot  (z)

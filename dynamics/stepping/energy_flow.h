@@ -9,16 +9,19 @@
 
 namespace thenar {
 
-/// Flows of energy since the start of a scene, each the integral of a power over the motion.
+/// Flows of energy since the start of a scene, each the integral of a power over the motion, and
+/// two measures of how much energy there was to keep account of.
 enum EnergyFlow : Eigen::Index {
-  kApplied,  // work of forces and drives on the scene
-  kDamped,   // what dampers of joints took
-  kPassive,  // work of passive elements on the scene
-  kRubbed    // what contacts, joint limits, dry friction and impacts took; less than 0 where bodies
-             // that began in each other were pushed apart
+  kApplied,     // work of forces and drives on the scene
+  kDamped,      // what dampers of joints took
+  kPassive,     // work of passive elements on the scene
+  kRubbed,      // what friction of contacts and dry friction of joints took
+  kStruck,      // what contacts took along their normals, and joint limits: impacts
+  kWorked,      // work of forces, drives and active elements, the size of that of each step
+  kMostKinetic  // largest kinetic energy
 };
-inline constexpr Eigen::Index kFreeFlows = 3;  // all but kRubbed go on where nothing touches
-using EnergyFlows = Eigen::Vector4d;           // [J] (4)
+inline constexpr Eigen::Index kFreeFlows = 3;     // those that go on where nothing touches
+using EnergyFlows = Eigen::Matrix<double, 7, 1>;  // [J] (7)
 
 /// Whether forces, drives or dampers of joints act in a scene at any time.
 [[nodiscard]] bool has_powers(const MovingScene& scene);

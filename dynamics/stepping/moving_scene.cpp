@@ -137,6 +137,12 @@ const PairFriction& pair_friction(const MovingScene& scene, int a, int b) {
   return scene.friction;
 }
 
+double largest_restitution(const MovingScene& scene) {
+  double most = scene.friction.restitution;
+  for (const auto& [bodies, pair] : scene.friction_pairs) most = std::max(most, pair.restitution);
+  return most;
+}
+
 void advance(const Mechanism& mechanism, const MechanismLayout& layout, const Eigen::VectorXd& v,
              double h, Eigen::VectorXd& q) {
   if (has_no_quaternion(layout)) {

@@ -102,6 +102,9 @@ void check_scene(const MovingScene& scene);
 /// Rubbing of two bodies.
 [[nodiscard]] const PairFriction& pair_friction(const MovingScene& scene, int a, int b);
 
+/// The largest restitution that a scene states, for all pairs or for one [1].
+[[nodiscard]] double largest_restitution(const MovingScene& scene);
+
 /// Positions q after speeds v were held for h seconds: quaternions turn by the exponential of their
 /// angular velocity, all else goes straight.
 void advance(const Mechanism& mechanism, const MechanismLayout& layout, const Eigen::VectorXd& v,

@@ -7,6 +7,7 @@
 
 #include "base/error.h"
 #include "base/progress_parts.h"
+#include "dynamics/stepping/limit_excess.h"
 
 namespace thenar {
 namespace {
@@ -60,6 +61,7 @@ bool SceneStepper::part_step(double end, const Progress& progress) {
   now_.state.t = end;
   if (is_finite(now_.state)) step_.accept(now_.state);
   ++cost_.steps;
+  note_limits(scene().mechanism, model().layout, now_.state.q, cost_.beyond);
   for (const ActiveContact& contact : now_.active)
     if (!is_first && contact.kind == ActiveContact::Kind::kContact)
       cost_.deepest = std::max(cost_.deepest, -contact.gap);

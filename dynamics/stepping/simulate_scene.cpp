@@ -7,8 +7,10 @@
 #include "base/error.h"
 #include "base/progress_parts.h"
 #include "base/thread_seconds.h"
+#include "dynamics/stepping/energy_balance.h"
 #include "dynamics/stepping/extrapolation.h"
 #include "dynamics/stepping/free_step.h"
+#include "dynamics/stepping/limit_excess.h"
 #include "dynamics/stepping/mode_change.h"
 #include "dynamics/stepping/scene_stepper.h"
 
@@ -128,8 +130,10 @@ class Simulation {
     double H = 0.1 * options_.longest;
     reach_ = options_.longest;
     step_.find(state_, kNearGap, found_);
+    const SceneState start = state_;
     touch_and_bounce();
     sample(closed_, last_h_);
+    begin_with(start);
     while (state_.t < options_.seconds) {
       if (!go_on()) return;
       if (is_chattering()) {
@@ -149,6 +153,14 @@ class Simulation {
       if (taken <= 0) return;
       H = std::max(H, options_.shortest);
     }
+  }
+
+  /// The first instant is that before an impact at the start.
+  void begin_with(const SceneState& start) {
+    SceneSample& first = run_.samples.front();
+    first.v = start.v;
+    first.energy = step_.energy(start);
+    first.w = start.w;
   }
 
   void sample_if_due() {
@@ -249,6 +261,7 @@ class Simulation {
     closed_ = last;
     last_h_ = part;
     if (!is_finite(state_)) return;
+    note_limits(step_.scene().mechanism, step_.model().layout, state_.q, run_.cost.beyond);
     step_.accept(state_);
     step_.find(state_, kNearGap, found_);
     touch_and_bounce();
@@ -378,12 +391,14 @@ class Simulation {
     // Where positions hardly move, the next step may be long.
     const bool quiet = step_.scene().elements.empty() && moved_by(trial, length) < kNearGap;
     reach_ = (quiet ? kQuiet : 1) * options_.longest;
+    keep_account(trial.state);
     state_ = trial.state;
     state_.t = end;
     closed_.swap(trial.active);
     last_h_ = trial.h;
     accept_counts();
     ++run_.cost.steps;
+    note_limits(step_.scene().mechanism, step_.model().layout, state_.q, run_.cost.beyond);
     const bool slides = std::any_of(closed_.begin(), closed_.end(), [](const ActiveContact& c) {
       return c.mode == ContactMode::kSlide;
     });
@@ -398,6 +413,13 @@ class Simulation {
     }
     free_.forget();
     if (is_switch()) wake();
+  }
+
+  /// Measures how much energy there is to keep account of in the step to a state.
+  void keep_account(SceneState& end) {
+    end.w[kWorked] = state_.w[kWorked] + std::abs(end.w[kApplied] - state_.w[kApplied]);
+    if (end.z.size() > 0) end.w[kWorked] += std::abs((end.z - state_.z).tail<1>()[0]);
+    end.w[kMostKinetic] = std::max(state_.w[kMostKinetic], step_.kinetic_energy(end));
   }
 
   /// Whether something begins or ends to act now.
@@ -674,8 +696,8 @@ const std::vector<std::string>& friction_ramp_names() {
 }
 
 std::string name_of(SceneStatus status) {
-  static const std::vector<std::string> names{"done", "stopped", "unsolved", "not finite",
-                                              "failed"};
+  static const std::vector<std::string> names{"done",       "stopped", "unsolved",
+                                              "not finite", "failed",  "energy does not balance"};
   return names[static_cast<std::size_t>(status)];
 }
 
@@ -703,6 +725,8 @@ SceneRun simulate_scene(const MovingScene& scene, const SceneOptions& options,
   run.cost.cpu_seconds = thread_seconds() - start;
   if (run.status == SceneStatus::kDone && run.cost.unsolved > 0)
     run.status = SceneStatus::kUnsolved;
+  const bool is_whole = run.status == SceneStatus::kDone || run.status == SceneStatus::kUnsolved;
+  if (is_whole && !worst_balance(run.samples).holds()) run.status = SceneStatus::kUnbalanced;
   return run;
 }
 

@@ -53,7 +53,7 @@ struct SceneSample {
   std::vector<ContactSample> contacts;  // that do not open; forces are means of the last substep,
                                         // of first order in its length
   ContactStep::Energy energy;           // [J]; springs also hold that of compliant contacts
-  Eigen::VectorXd w;  // flows of energy since the start [J] (4); empty: the method has none
+  Eigen::VectorXd w;  // EnergyFlows since the start [J] (7); empty: the method has none
 };
 
 /// How a run ended.
@@ -62,10 +62,11 @@ enum class SceneStatus {
   kStopped,    // the caller asked for it
   kUnsolved,   // went on, but contact problems missed their tolerance: see `unsolved`
   kNotFinite,  // positions or speeds became infinite; all before that is kept
-  kFailed      // the integrator could not go on, see `reason`; all before that is kept
+  kFailed,     // the integrator could not go on, see `reason`; all before that is kept
+  kUnbalanced  // at the end, but its energy does not balance: FlowBalance::holds()
 };
 
-/// "done", "stopped", "unsolved", "not finite", "failed".
+/// "done", "stopped", "unsolved", "not finite", "failed", "energy does not balance".
 [[nodiscard]] std::string name_of(SceneStatus status);
 
 /// What a run needed, and how good it was.
@@ -81,6 +82,8 @@ struct SceneCost {
   long coarse = 0;            // steps as short as can be whose error is beyond the tolerance
   double worst_residual = 0;  // ContactResidual::natural over all steps [1]
   double deepest = 0;         // penetration at the end of any step, after the first [m]
+  Eigen::VectorXd beyond{};   // of joints, the farthest way beyond a limit at the end of any step
+                              // [rad] or [m] (joints); empty: not asked
   double asleep = 0;          // time that passed at rest [s]
   double cpu_seconds = 0;     // of this thread
 };

@@ -11,6 +11,7 @@
 #include "base/units.h"
 #include "dynamics/human/joint_stops.h"
 #include "hand/passive_moment.h"
+#include "report/answers/motion_account.h"
 
 namespace thenar {
 namespace {
@@ -210,10 +211,19 @@ std::string residual_words(const SimulatedScene& scene) {
   return has_contact_problems(scene) ? fmt::format("{:.2g}", scene.run.cost.worst_residual) : "n/a";
 }
 
+/// What took energy; null: not known.
+OrderedJson losses_json(const SimulatedScene& scene) {
+  if (!scene.measures.balance) return nullptr;
+  const FlowBalance& balance = *scene.measures.balance;
+  return {
+      {"friction", balance.friction}, {"impacts", balance.impacts}, {"dampers", balance.yielding}};
+}
+
 /// Status, energy and cost of a run.
 OrderedJson outcome_json(const SimulatedScene& scene) {
   const SceneCost& cost = scene.run.cost;
   const std::string& reason = scene.run.reason;
+  const std::optional<FlowBalance>& worst = scene.measures.worst;
   return {{"status", name_of(scene.run.status)},
           {"reason", reason.empty() ? OrderedJson() : OrderedJson(reason)},
           {"simulated_s", simulated_seconds(scene)},
@@ -223,7 +233,13 @@ OrderedJson outcome_json(const SimulatedScene& scene) {
           {"energy_end_J", energy_json(scene.run.samples.back().energy)},
           {"work_J", scene.measures.work},
           {"dissipated_J", scene.measures.dissipated},
-          {"energy_error_J", number_or_null(scene.measures.energy_error)},
+          {"dissipated_by_J", losses_json(scene)},
+          {"energy_error_J", worst ? number_or_null(worst->error) : Json()},
+          {"energy_turned_over_J", worst ? number_or_null(worst->turned_over) : Json()},
+          {"energy_error_share", worst ? number_or_null(worst->share()) : Json()},
+          {"energy_error_at_s", worst ? Json(worst->t) : Json()},
+          {"limits_passed", limits_json(limits_passed(scene))},
+          {"restitution_ignored", restitution_ignored(scene)},
           {"steps", cost.steps},
           {"rejected_steps", cost.rejected},
           {"substeps", cost.substeps},
@@ -269,9 +285,10 @@ std::string text_of(const SimulatedScene& scene) {
       "drives {:.6g} mJ, dissipated {:.3g} mJ\n",
       1e3 * start.total(), 1e3 * end.total(), 1e3 * scene.measures.work,
       1e3 * scene.measures.dissipated);
+  for (const std::vector<std::string>& row : account_table(scene).rows)
+    text += fmt::format("{}: {}\n", row[0], row[1]);
   if (!passive_json(scene).is_null()) text += "passive moments of human joints are counted\n";
-  text += fmt::format("largest penetration {:.2g} mm; worst residual of a contact problem {}\n",
-                      cost.deepest / kMm, residual_words(scene));
+  text += fmt::format("worst residual of a contact problem {}\n", residual_words(scene));
   return text + fmt::format("CPU {:.3g} ms a simulated second\n", 1e3 * cpu_per_second(scene));
 }
 
@@ -339,8 +356,9 @@ OrderedJson json_of(const SceneSweep& sweep) {
 Table table_of(const SceneSweep& sweep) {
   Table table;
   for (const SceneVariation& each : sweep.vary) table.header.push_back(each.name);
-  for (const char* column : {"status", "simulated_s", "largest_slip_mm", "penetration_mm",
-                             "end_energy_mJ", "dissipated_mJ", "worst_residual", "cpu_ms_per_s"})
+  for (const char* column :
+       {"status", "simulated_s", "largest_slip_mm", "penetration_mm", "end_energy_mJ",
+        "dissipated_mJ", "energy_error_%", "limits_passed", "worst_residual", "cpu_ms_per_s"})
     table.header.emplace_back(column);
   for (const SimulatedScene& scene : sweep.runs) {
     std::vector<std::string> cells;
@@ -351,6 +369,8 @@ Table table_of(const SceneSweep& sweep) {
     cells.push_back(shown(scene.run.cost.deepest / kMm));
     cells.push_back(shown(1e3 * scene.run.samples.back().energy.total()));
     cells.push_back(shown(1e3 * scene.measures.dissipated));
+    cells.push_back(scene.measures.worst ? shown(100 * scene.measures.worst->share()) : "n/a");
+    cells.push_back(std::to_string(limits_passed(scene).size()));
     cells.push_back(residual_words(scene));
     cells.push_back(shown(1e3 * cpu_per_second(scene)));
     table.rows.push_back(std::move(cells));
@@ -376,6 +396,14 @@ std::vector<std::string> warnings_of(const SimulatedScene& scene) {
         "surfaces were up to {:.3g} mm inside each other: forces there are not to be trusted, "
         "shorter steps may help",
         1e3 * scene.run.cost.deepest));
+  for (const PassedLimit& limit : limits_passed(scene))
+    warnings.push_back(
+        fmt::format("joint '{}' went {} beyond its limit", limit.joint, beyond_words(limit)));
+  if (const double restitution = restitution_ignored(scene); restitution > 0)
+    warnings.push_back(
+        fmt::format("restitution of up to {:.3g} is left out: nothing bounces in steps of a fixed "
+                    "length, events let it",
+                    restitution));
   if (scene.run.cost.coarse > 0)
     warnings.push_back(
         fmt::format("{} steps missed the tolerance, though they were as short as can be (1 ns)",
@@ -399,11 +427,15 @@ std::string refusal_of(const SimulatedScene& scene) {
                        simulated_seconds(scene));
   if (scene.run.status == SceneStatus::kFailed)
     return fmt::format("{}: do not use this motion", scene.run.reason);
-  if (cost.unsolved == 0) return "";
-  return fmt::format(
-      "{} of {} contact problems or force elements were not solved (worst residual {:.2g}): do not "
-      "use this motion",
-      cost.unsolved, cost.substeps + cost.impacts, cost.worst_residual);
+  std::vector<std::string> reasons;
+  if (scene.measures.worst && !scene.measures.worst->holds())
+    reasons.push_back("energy does not balance, " + energy_error_words(*scene.measures.worst));
+  if (cost.unsolved > 0)
+    reasons.push_back(fmt::format(
+        "{} of {} contact problems or force elements were not solved (worst residual {:.2g})",
+        cost.unsolved, cost.substeps + cost.impacts, cost.worst_residual));
+  if (reasons.empty()) return "";
+  return fmt::format("{}: do not use this motion", fmt::join(reasons, "; "));
 }
 
 std::string refusal_of(const SceneSweep& sweep) {

@@ -25,8 +25,8 @@ namespace thenar {
 /// What to beware of, one sentence each.
 [[nodiscard]] std::vector<std::string> warnings_of(const SimulatedScene& scene);
 [[nodiscard]] std::vector<std::string> warnings_of(const SceneSweep& sweep);
-/// Why a run must not be used: contacts that were not solved, or positions that are not finite;
-/// empty if it may. A run that was stopped on request may be used.
+/// Why a run must not be used: contacts that were not solved, energy that does not balance, or
+/// positions that are not finite; empty if it may. A run that was stopped on request may be used.
 [[nodiscard]] std::string refusal_of(const SimulatedScene& scene);
 [[nodiscard]] std::string refusal_of(const SceneSweep& sweep);
 

@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include "base/units.h"
+#include "report/answers/motion_account.h"
 #include "report/answers/simulate_scene.h"
 #include "report/provenance.h"
 #include "report/scene/mesh_table.h"
@@ -358,11 +359,12 @@ Json page_of(const SimulatedScene& scene) {
   if (!scene.measures.pulls.muscles.empty())
     sections.push_back(section("muscles", "Muscles", "", muscle_charts(scene)));
   sections.push_back(section("places", "Places", "", place_charts(scene)));
-  sections.push_back(
-      section("energy", "Energy",
-              fmt::format("Work of forces and drives {:.4g} mJ; dissipated {:.4g} mJ.",
-                          1e3 * scene.measures.work, 1e3 * scene.measures.dissipated),
-              Json::array({energy_chart(scene)})));
+  sections.push_back(section(
+      "energy", "Energy",
+      fmt::format("Work of forces and drives {:.4g} mJ; dissipated {:.4g} mJ.",
+                  1e3 * scene.measures.work, 1e3 * scene.measures.dissipated),
+      Json::array({energy_chart(scene),
+                   table_block("How far this motion is to be believed", account_table(scene))})));
   return {{"title", fmt::format("Scene {}", scene.name)},
           {"subtitle",
            fmt::format("{} after {:.6g} s", name_of(scene.run.status), scene.run.samples.back().t)},

@@ -8,6 +8,7 @@
 #include "api/live/world/live_world.h"
 #include "api/named/files.h"
 #include "base/nearest_name.h"
+#include "report/answers/motion_account.h"
 #include "server/frame.h"
 #include "server/methods/method_table.h"
 
@@ -95,7 +96,7 @@ OrderedJson energy_json(const MotionEnergy& energy) {
   out["total"] = energy.total;
   if (!energy.balance) return out;
   out["work"] = energy.balance->work;
-  out["dissipated"] = energy.balance->dissipated;
+  out["dissipated"] = energy.balance->dissipated();
   out["error"] = energy.balance->error;
   return out;
 }
@@ -137,6 +138,12 @@ OrderedJson quality_json(const MotionQuality& quality) {
   out["worst_residual"] = number_or_null(quality.worst_residual);
   out["deepest"] = quality.deepest;
   out["leaps"] = quality.leaps;
+  const std::optional<FlowBalance>& balance = quality.balance;
+  out["energy_error"] = balance ? number_or_null(balance->error) : Json();
+  out["energy_turned_over"] = balance ? number_or_null(balance->turned_over) : Json();
+  out["energy_balances"] = balance ? Json(balance->holds()) : Json();
+  out["limits_passed"] = limits_json(quality.limits);
+  out["restitution_ignored"] = quality.restitution;
   return out;
 }
 
@@ -283,8 +290,13 @@ const char* const kPlayWords = "t [s], playing, speed [1]";
 
 std::string with_quality(const std::string& of) {
   return "steps, unsolved contact problems, worst_residual [1], deepest penetration [m], leaps "
-         "(steps in which surfaces may have gone through each other) " +
-         of + "; " + kMotionWords;
+         "(steps in which surfaces may have gone through each other), limits_passed [{joint, "
+         "beyond_rad or beyond_m}] " +
+         of +
+         "; energy_error (below 0: made of nothing) and energy_turned_over since the start [J], "
+         "energy_balances: whether the error is below 1 % of that; restitution_ignored, the "
+         "largest that steps leave out [1]; " +
+         kMotionWords;
 }
 
 void add_opening_methods(MethodTable& table) {

@@ -89,6 +89,24 @@ class Modes(LivePage):
         self.browser.wait(words, "words of the end, sought")
         self.assert_no_errors()
 
+    def test_a_motion_says_how_far_to_believe_it(self):
+        self.start()
+        self.ask("motion.open", json.dumps({"scene": "falling_ball"}))
+        self.browser.wait("thenarLive.store.scene.mode === 'motion' && thenarLive.tabs.chosen() === 'time' && thenarLive.store.frame")
+        account = "document.querySelector('.page.time .account')?.textContent ?? ''"
+        warning = "[...document.querySelectorAll('.page.time p.warning')].filter((p) => !p.hidden).map((p) => p.textContent).join()"
+        self.ask("motion.step", "{steps: 300}")
+        self.browser.wait(f"({account}).includes('Restitution ignored')", "the account of the ball")
+        for words in ("Energy error", "turned over", "Deepest overlap", "up to 0.8"):
+            self.assertIn(words, self.browser.value(account))
+        self.assertEqual(self.browser.value(warning), "")
+        # A pendulum in steps as long as a tenth of its period makes energy of nothing.
+        self.ask("motion.open", json.dumps({"scene": "pendulum", "step": 0.1}))
+        self.ask("motion.step", "{steps: 12}")
+        self.browser.wait(f"({warning}).includes('Energy does not balance')", "a warning")
+        self.browser.screenshot(live_page.PICTURES / "account_1400.png")
+        self.assert_no_errors()
+
     def test_the_camera_steps_back_from_what_leaves_the_picture(self):
         self.start()
         self.ask("motion.open", json.dumps({"scene": "pendulum"}))

@@ -82,6 +82,21 @@ TEST_F(MotionMethods, StateOfAPinchIsThatOfStatics) {
   }
   EXPECT_NEAR(up, 0.1 * 9.81, 1e-6);
   EXPECT_NEAR(reply["energy"]["error"].get<double>(), 0, 1e-9);
+  EXPECT_EQ(reply["energy_error"], reply["energy"]["error"]);
+  EXPECT_EQ(reply["energy_balances"], true);
+  EXPECT_GE(reply["energy_turned_over"].get<double>(), 0);
+  EXPECT_TRUE(reply["limits_passed"].empty());
+  EXPECT_EQ(reply["restitution_ignored"], 0.0);
+}
+
+// A pendulum with a period of 0.96 s in steps of 100 ms: a tenth of its energy is made of nothing.
+TEST_F(MotionMethods, SayThatEnergyDoesNotBalance) {
+  (void)call("motion.open", {{"scene", "pendulum"}, {"step", 0.1}});
+  (void)call("motion.step", {{"steps", 12}});
+  const OrderedJson reply = call("motion.state", {{"want", OrderedJson::array()}});
+  const double error = reply["energy_error"], turned_over = reply["energy_turned_over"];
+  EXPECT_GT(std::abs(error), 0.01 * turned_over);
+  EXPECT_EQ(reply["energy_balances"], false);
 }
 
 TEST_F(MotionMethods, AllInputsAreSetOrNone) {

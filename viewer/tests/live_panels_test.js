@@ -6,7 +6,7 @@ import { Group } from "three";
 import { base64Of, droppedFiles, guessKind, saveAs } from "../live/files.js";
 import { nameParts } from "../live/panels/motion_inputs.js";
 import { groupOf } from "../live/panels/pose_panel.js";
-import { makeEnergyChart, makeHistory } from "../live/panels/energy_chart.js";
+import { accountFacts, doubts, makeEnergyChart, makeHistory } from "../live/panels/energy_chart.js";
 import { sparse } from "../live/panels/live_chart.js";
 import { matches } from "../live/panels/open_dialog.js";
 import { qualityFacts } from "../live/panels/grasp_panel.js";
@@ -49,7 +49,7 @@ test("samples beside a long gap are marked, those of a dense line are not", () =
 test("energies are asked for at every frame that comes after the answer to the last", async () => {
   const waiting = [];
   const app = { call: () => new Promise((done) => waiting.push(done)) };
-  globalThis.document ??= { createElement: () => ({ append() {}, setAttribute() {} }) };
+  globalThis.document ??= { createElement: () => ({ append() {}, replaceChildren() {}, setAttribute() {} }) };
   const chart = makeEnergyChart(app);
   const first = chart.follow();
   chart.follow();
@@ -58,6 +58,36 @@ test("energies are asked for at every frame that comes after the answer to the l
   await first;
   chart.follow();
   assert.equal(waiting.length, 2);
+});
+
+test("a motion says how far it is to be believed", () => {
+  const wrong = {
+    energy_error: -0.05,
+    energy_turned_over: 0.1,
+    energy_balances: false,
+    deepest: 0.002,
+    limits_passed: [
+      { joint: "knee", beyond_rad: Math.PI / 18 },
+      { joint: "drawer", beyond_m: 0.04 },
+    ],
+    restitution_ignored: 0.8,
+    steps: 10,
+    unsolved: 0,
+  };
+  const told = Object.fromEntries(accountFacts(wrong));
+  assert.equal(told["Energy error"], "50 mJ made of nothing, of 100 mJ turned over");
+  assert.equal(told["Deepest overlap"], "2\u202fmm");
+  assert.equal(told["Limits passed"], "knee by 10\u202f\u00b0, drawer by 40\u202fmm");
+  assert.equal(told["Restitution ignored"], "up to 0.8");
+  assert.match(doubts(wrong), /Energy does not balance/);
+  const right = { energy_error: 1e-9, energy_turned_over: 0.1, energy_balances: true, deepest: 0 };
+  assert.deepEqual(
+    accountFacts({ ...right, limits_passed: [], restitution_ignored: 0 }).map(([name]) => name),
+    ["Energy error", "Deepest overlap"],
+  );
+  assert.equal(doubts(right), "");
+  // Of a run that recorded none of it nothing is told.
+  assert.deepEqual(accountFacts({ energy_error: null, deepest: undefined }), []);
 });
 
 test("a history takes names that come later", () => {

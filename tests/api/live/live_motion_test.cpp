@@ -357,7 +357,23 @@ TEST(LiveMotion, StepsAreThoseOfSimulatedScenes) {
     EXPECT_EQ(motion.shown().state.v, wanted.run.samples.back().v);
     EXPECT_EQ(quality.leaps, 0);
     EXPECT_EQ(quality.worst_residual, wanted.run.cost.worst_residual);
+    ASSERT_TRUE(quality.balance.has_value());
+    EXPECT_EQ(quality.balance->error, wanted.measures.balance->error);
+    EXPECT_EQ(quality.balance->turned_over, wanted.measures.balance->turned_over);
+    EXPECT_EQ(motion.quality().balance->error, quality.balance->error);
   }
+}
+
+// A ball that would bounce lies: its energy balances, as a landing is a loss, and what is left out
+// is told.
+TEST(LiveMotion, TellsRestitutionThatStepsLeaveOut) {
+  LiveMotion motion(scene_called("falling_ball"));
+  const MotionQuality quality = motion.step(300, {});
+  EXPECT_DOUBLE_EQ(quality.restitution, 0.8);
+  EXPECT_TRUE(quality.balance->holds());
+  EXPECT_GT(quality.balance->impacts, 0.09);
+  EXPECT_TRUE(quality.limits.empty());
+  EXPECT_EQ(LiveMotion(scene_called("pinch")).quality().restitution, 0);
 }
 
 TEST(LiveMotion, WarnsOfPadsOfElements) {

@@ -119,7 +119,7 @@ TEST_F(RecordedDigitFile, TellsTheNumbersOfTheMotion) {
   EXPECT_EQ(state.muscles[5].value, t.activation(i, 2));
   EXPECT_GT(state.muscles[5].value, 0);
   EXPECT_EQ(state.energy->total, t.energy[i]);
-  EXPECT_NEAR(state.energy->balance->error, energy_drift(t)[i], 1e-15);
+  EXPECT_NEAR(state.energy->balance->error, -energy_drift(t)[i], 1e-15);
   // Half way between two instants, numbers are half way between theirs.
   (void)recorded.seek(0.5 * (t.time[i] + t.time[i + 1]));
   EXPECT_NEAR(recorded.state({true, false, false, false, false}).joints[1].value,

@@ -62,11 +62,32 @@ TEST_F(RecordedRunFile, HoldsTheInstantsOfTheRun) {
     }
     EXPECT_EQ(got.steps, run.run.cost.steps);
     EXPECT_EQ(got.worst_residual, run.run.cost.worst_residual);
+    ASSERT_TRUE(got.balance.has_value());
+    EXPECT_EQ(got.balance->error, run.measures.worst->error);
+    EXPECT_EQ(got.balance->turned_over, run.measures.worst->turned_over);
+    EXPECT_TRUE(got.limits.empty());
     RecordedMotion motion(got);
+    EXPECT_EQ(motion.quality().balance->error, got.balance->error);
     EXPECT_NO_THROW(check_instant(motion.shape(), motion.instant()));
     EXPECT_EQ(motion.seek(10), run.run.samples.back().t);
     EXPECT_NO_THROW(check_instant(motion.shape(), motion.instant()));
   }
+}
+
+TEST_F(RecordedRunFile, HoldsTheLimitsThatJointsWentBeyond) {
+  SceneRequest request;
+  request.scene = "pinch";
+  request.data = kData;
+  request.seconds = 0.01;
+  SimulatedScene run = run_scene(request);
+  run.run.cost.beyond[0] = 0.25;
+  write_scene_run(run, path("limits.h5"));
+  const RecordedScene got = read("limits.h5");
+  ASSERT_EQ(got.limits.size(),
+            passed_limits(run.built->scene.mechanism, run.run.cost.beyond).size());
+  ASSERT_EQ(got.limits.size(), 1U);
+  EXPECT_EQ(got.limits[0].joint, run.built->scene.mechanism.joints[0].name);
+  EXPECT_EQ(got.limits[0].beyond, 0.25);
 }
 
 // Files of before 0.2 name no rung of tendon paths: they were straight.
@@ -165,7 +186,8 @@ TEST_F(RecordedRunFile, RefusesWhatDoesNotFitTogether) {
   EXPECT_EQ(trouble_with([](ResultFile&) {}), "nothing was thrown");
   EXPECT_THAT(trouble_with(set_number("time", 2, nan)), HasSubstr("'time'"));
   EXPECT_THAT(trouble_with(set_number("time", 2, 0)), HasSubstr("does not rise"));
-  EXPECT_THAT(trouble_with(set_number("position", 5, nan)), HasSubstr("'position': it has numbers"));
+  EXPECT_THAT(trouble_with(set_number("position", 5, nan)),
+              HasSubstr("'position': it has numbers"));
   EXPECT_THAT(trouble_with(set_number("position", 0, 9)), HasSubstr("not length 1"));
   EXPECT_THAT(trouble_with(set_number("contact_body_a", 0, 99)), HasSubstr("'contact_body_a'"));
   EXPECT_THAT(trouble_with(set_number("contact_body_b", 0, -1)), HasSubstr("'contact_body_b'"));

@@ -302,7 +302,10 @@ TEST(CompliantJoint, PressesOnAFloorHoweverStiff) {
         options.step = options.longest = step;
         options.seconds = 1;
         const SceneRun run = simulate_scene(scene, options);
-        EXPECT_EQ(run.status, SceneStatus::kDone);
+        EXPECT_EQ(run.cost.unsolved, 0);
+        if (method == SteppingMethod::kEvents) {
+          EXPECT_EQ(run.status, SceneStatus::kDone);
+        }
         double force = 0;
         for (const ContactSample& contact : run.samples.back().contacts) force += contact.force.z();
         // Midpoint steps keep modes that are faster than the step ringing for long.

@@ -156,7 +156,7 @@ TEST(ForceElement, WhatADamperTakesIsAccountedFor) {
   // No contact takes energy: the element's work, negative, explains all that is gone.
   EXPECT_LT(measures.work, -1e-4);
   EXPECT_EQ(measures.dissipated, 0);
-  EXPECT_NEAR(measures.energy_error, 0, 1e-9);
+  EXPECT_NEAR(measures.balance->error, 0, 1e-9);
 }
 
 // The block stays until F z exceeds mu m g, at t = -r log(1 - mu m g / F), and it must not fall
@@ -224,7 +224,7 @@ TEST(ForceElement, FixedStepsKeepTheBooksToSecondOrder) {
     scene.q[0] = 0.01;
     scene.elements = {std::make_shared<Spring>(500, 0.3), std::make_shared<SlowPull>()};
     const SceneRun run = run_for(scene, SteppingMethod::kTimeStepping, 0.2, step);
-    const double error = std::abs(measure_run(scene, run).energy_error);
+    const double error = std::abs(measure_run(scene, run).balance->error);
     if (last > 0) {
       EXPECT_NEAR(std::log2(last / error), 2, 0.3) << step;
     }

@@ -54,6 +54,16 @@ TEST(ScenePage, HasEightStillsOfASteadyMotion) {
   for (std::size_t k = 0; k < wanted.size(); ++k) EXPECT_NEAR(strip[k], wanted[k], 1e-9);
 }
 
+TEST(ScenePage, SaysHowFarTheMotionIsToBeBelieved) {
+  for (const char* words :
+       {"energy error", "turned over", "dissipated by", "deepest overlap", "joint limits passed"})
+    EXPECT_NE(page_of(pinched("time-stepping")).dump().find(words), std::string::npos) << words;
+  SimulatedScene scene = pinched("time-stepping");
+  scene.measures.worst->error = scene.measures.worst->turned_over = 1;
+  EXPECT_NE(page_of(scene)["sections"][0]["blocks"][0].dump().find("energy does not balance"),
+            std::string::npos);
+}
+
 TEST(ScenePage, ToldResidualsAreOfContactProblems) {
   const auto title = [](const SimulatedScene& scene) {
     return page_of(scene)["sections"][0]["blocks"][0]["title"].get<std::string>();

@@ -1,7 +1,8 @@
-// Where the energy of a moving scene is, over time.
+// Where the energy of a moving scene is, over time, and how far its motion is to be believed.
 
 import { formatNumber } from "../../numbers/format.js";
 import { el } from "../../report/dom.js";
+import { facts } from "./controls.js";
 import { liveChart } from "./live_chart.js";
 
 const DRAW = 200; // at least between two drawings of the chart [ms]
@@ -52,23 +53,63 @@ function energyBlock(history) {
   };
 }
 
-/// The chart; follow() asks for the energies of now, clear() forgets those before. Every frame is asked for,
+const beyond = ({ beyond_rad, beyond_m }) =>
+  beyond_m === undefined
+    ? `${formatNumber((beyond_rad * 180) / Math.PI)}\u202f\u00b0`
+    : `${formatNumber(beyond_m * 1e3)}\u202fmm`;
+
+/// How far a motion is to be believed, as pairs of a name and words; nothing where that is not known.
+export function accountFacts(state) {
+  const rows = [];
+  if (Number.isFinite(state.energy_error)) {
+    const [error, all] = [state.energy_error, state.energy_turned_over].map((joule) =>
+      formatNumber(Math.abs(joule) * 1e3),
+    );
+    const sense = state.energy_error < 0 ? "made of nothing" : "lost to nothing";
+    rows.push(["Energy error", `${error} mJ ${sense}, of ${all} mJ turned over`]);
+  }
+  if (Number.isFinite(state.deepest))
+    rows.push(["Deepest overlap", `${formatNumber(state.deepest * 1e3)}\u202fmm`]);
+  if (state.limits_passed?.length)
+    rows.push([
+      "Limits passed",
+      state.limits_passed.map((limit) => `${limit.joint} by ${beyond(limit)}`).join(", "),
+    ]);
+  if (state.restitution_ignored > 0)
+    rows.push(["Restitution ignored", `up to ${formatNumber(state.restitution_ignored)}`]);
+  return rows;
+}
+
+/// What forbids to believe a motion; "" if nothing does.
+export function doubts(state) {
+  const words = [];
+  if (state.energy_balances === false)
+    words.push("Energy does not balance: do not use this motion. Shorter steps may help.");
+  if (state.unsolved)
+    words.push(
+      `${state.unsolved} of ${state.steps} steps missed the tolerance of their contacts; the ` +
+        `largest residual is ${formatNumber(state.worst_residual ?? NaN)}.`,
+    );
+  return words.join(" ");
+}
+
+/// The chart, and the account beside it; of a recorded run the account alone. follow() asks for the energies of now, clear() forgets those before. Every frame is asked for,
 /// so that no impact falls between two samples, but not before the last answer came.
 export function makeEnergyChart(app) {
   const history = makeHistory();
   const element = el("div", { class: "charts" });
+  const account = el("div", { class: "account" });
   const warning = el("p", { class: "warning", role: "alert", hidden: true });
   let chart = null;
   let asking = false;
   let redraw = null;
 
-  /// Contact problems that were left with an error are never passed over.
+  /// Contact problems that were left with an error, and energy of nothing, are never passed over.
   function warn(state) {
-    warning.hidden = !state.unsolved;
-    if (state.unsolved)
-      warning.textContent =
-        `${state.unsolved} of ${state.steps} steps missed the tolerance of their contacts; the ` +
-        `largest residual is ${formatNumber(state.worst_residual ?? NaN)}.`;
+    const words = doubts(state);
+    warning.hidden = !words;
+    warning.textContent = words;
+    account.replaceChildren(facts(accountFacts(state)));
   }
 
   function draw() {
@@ -82,12 +123,12 @@ export function makeEnergyChart(app) {
       element.replaceChildren(chart.figure);
     }
   }
-  async function follow() {
+  async function follow(recorded = false) {
     if (asking) return;
     asking = true;
     const state = await app.call("motion.state", { want: ["energy"] }).catch(() => null);
     asking = false;
-    const values = numbersOf(state?.energy);
+    const values = recorded ? {} : numbersOf(state?.energy);
     if (state) warn(state);
     if (!state || !Object.keys(values).length) return;
     history.add(state.t, values);
@@ -96,6 +137,7 @@ export function makeEnergyChart(app) {
   const clear = () => {
     history.clear();
     warning.hidden = true;
+    account.replaceChildren();
   };
-  return { element, warning, follow, clear };
+  return { element, account, warning, follow, clear };
 }

@@ -154,6 +154,7 @@ export function makeTimePanel(app) {
     energy.warning,
     inputs.element,
     part("Contacts", contacts),
+    part("How far to believe it", energy.account),
     energies,
   );
   const run = fileRow("Run", (file) => app.ask("motion.record", { file }));
@@ -169,7 +170,7 @@ export function makeTimePanel(app) {
     if (panel.hidden || !store.frame || !here()) return;
     player.follow(store.frame);
     refill(contacts.querySelector("tbody"), contactRows(store.scene, store.frame));
-    if (!motion()?.recorded) energy.follow();
+    energy.follow(Boolean(motion()?.recorded));
   };
   const show = () => {
     running.hidden = !here();

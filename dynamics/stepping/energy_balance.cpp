@@ -1,0 +1,55 @@
+#include "dynamics/stepping/energy_balance.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace thenar {
+namespace {
+
+constexpr double kRoundingShare = 1e-6;  // of what is turned over: smaller errors are alike [1]
+
+/// Work of elements that are not passive, beyond what they store [J]: their springs are among the
+/// energies.
+double work_of_elements(const SceneSample& first, const SceneSample& last) {
+  if (last.z.size() == 0) return 0;
+  const Eigen::Index work = last.z.size() - 1;
+  return last.z[work] - first.z[work] + last.energy.of_elements - first.energy.of_elements;
+}
+
+}  // namespace
+
+double FlowBalance::share() const {
+  return std::abs(error) / (turned_over + kSceneEnergyRest / kSceneEnergyShare);
+}
+
+FlowBalance flow_balance(const SceneSample& first, const SceneSample& last) {
+  FlowBalance out;
+  const EnergyFlows flows = last.w - first.w;
+  out.t = last.t;
+  out.work = flows[kApplied] + work_of_elements(first, last);
+  out.friction = flows[kRubbed];
+  out.impacts = flows[kStruck];
+  // Passive elements dissipate what they take and do not store. They store no more than they say.
+  const double taken = std::max(0.0, first.energy.of_passive - flows[kPassive]);
+  out.yielding = flows[kDamped] + taken - last.energy.of_passive;
+  out.error = first.energy.total() + out.work - out.dissipated() - last.energy.total();
+  const double kinetic =
+      std::max({first.energy.kinetic, last.energy.kinetic, last.w[kMostKinetic]});
+  out.turned_over =
+      kinetic + flows[kWorked] + out.friction + out.impacts + std::max(0.0, out.yielding);
+  return out;
+}
+
+FlowBalance worst_balance(const std::vector<SceneSample>& samples) {
+  const FlowBalance end = flow_balance(samples.front(), samples.back());
+  FlowBalance worst = end;
+  for (const SceneSample& sample : samples) {
+    const FlowBalance here = flow_balance(samples.front(), sample);
+    const double known = std::max(std::abs(worst.error), kRoundingShare * end.turned_over);
+    if (!(std::abs(here.error) <= known)) worst = here;
+  }
+  worst.turned_over = end.turned_over;
+  return worst;
+}
+
+}  // namespace thenar

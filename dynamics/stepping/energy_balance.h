@@ -1,0 +1,45 @@
+#pragma once
+
+/// Whether the energy of a run balances.
+
+#include <vector>
+
+#include "dynamics/stepping/simulate_scene.h"
+
+namespace thenar {
+
+/// Energy error that a run may have: a share of the energy turned over [1], and a rest [J].
+inline constexpr double kSceneEnergyShare = 0.01;
+inline constexpr double kSceneEnergyRest = 1e-6;
+
+/// What became of energy between two instants, by the flows of the steps (SceneSample::w).
+struct FlowBalance {
+  double work = 0;         // of forces, drives and muscles on the scene [J]
+  double friction = 0;     // what friction of contacts and joints took [J]
+  double impacts = 0;      // what contacts took along their normals, and joint limits [J]
+  double yielding = 0;     // what dampers of joints and passive elements took: ligaments, pads [J]
+  double error = 0;        // energy at first + work - dissipated() - energy at last; below zero:
+                           // energy was made of nothing [J]
+  double turned_over = 0;  // largest kinetic energy + size of all work + losses [J]
+  double t = 0;            // of the last instant [s]
+
+  [[nodiscard]] double dissipated() const { return friction + impacts + yielding; }
+  /// Error over what is turned over, of which next to nothing counts as kSceneEnergyRest [1].
+  [[nodiscard]] double share() const;
+  /// Whether the error is one that a run may have.
+  [[nodiscard]] bool holds() const { return share() <= kSceneEnergyShare; }
+};
+
+/// What became of energy between two instants.
+///
+/// Losses are what friction, impacts and dampers take. What they give is none, and is missing in
+/// the balance: of contacts in each step of fixed length and each impact (ImpulseBooking), of
+/// passive elements what they have given beyond what they stored at first. What they store is known
+/// at most, as pads relax: `yielding` may be less than 0 by that.
+[[nodiscard]] FlowBalance flow_balance(const SceneSample& first, const SceneSample& last);
+
+/// The balance from the first instant to that of the largest error, the last one if all are
+/// rounding, with what all turned over. @param samples  with flows (SceneSample::w), start first
+[[nodiscard]] FlowBalance worst_balance(const std::vector<SceneSample>& samples);
+
+}  // namespace thenar

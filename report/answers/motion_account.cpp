@@ -1,0 +1,78 @@
+#include "report/answers/motion_account.h"
+
+#include <cmath>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "base/units.h"
+
+namespace thenar {
+namespace {
+
+/// What became of the energy of a run.
+std::string losses_words(const FlowBalance& balance) {
+  return fmt::format("friction {} mJ, impacts {} mJ, dampers and soft parts {} mJ",
+                     shown(1e3 * balance.friction), shown(1e3 * balance.impacts),
+                     shown(1e3 * balance.yielding));
+}
+
+std::string limits_words(const std::vector<PassedLimit>& limits) {
+  if (limits.empty()) return "none";
+  std::vector<std::string> words;
+  for (const PassedLimit& limit : limits)
+    words.push_back(fmt::format("{} by {}", limit.joint, beyond_words(limit)));
+  return fmt::format("{}", fmt::join(words, ", "));
+}
+
+}  // namespace
+
+std::string energy_error_words(const FlowBalance& balance) {
+  return fmt::format("{:.3g} mJ {} by {:.6g} s, {:.2g} % of {:.4g} mJ turned over",
+                     1e3 * std::abs(balance.error),
+                     balance.error < 0 ? "made of nothing" : "lost to nothing", balance.t,
+                     100 * balance.share(), 1e3 * balance.turned_over);
+}
+
+std::string beyond_words(const PassedLimit& limit) {
+  return limit.slides ? fmt::format("{:.3g} mm", limit.beyond / kMm)
+                      : fmt::format("{:.3g} deg", limit.beyond / kDegree);
+}
+
+OrderedJson limits_json(const std::vector<PassedLimit>& limits) {
+  OrderedJson list = OrderedJson::array();
+  for (const PassedLimit& limit : limits)
+    list.push_back(
+        {{"joint", limit.joint}, {limit.slides ? "beyond_m" : "beyond_rad", limit.beyond}});
+  return list;
+}
+
+std::vector<PassedLimit> limits_passed(const SimulatedScene& scene) {
+  return passed_limits(scene.built->scene.mechanism, scene.run.cost.beyond);
+}
+
+double restitution_ignored(const SimulatedScene& scene) {
+  const bool bounces = scene.built->options.method != SteppingMethod::kTimeStepping;
+  return bounces ? 0 : largest_restitution(scene.built->scene);
+}
+
+Table account_table(const SimulatedScene& scene) {
+  Table table{{"measure", "value"}, {}};
+  const auto add = [&](const std::string& name, const std::string& value) {
+    table.rows.push_back({name, value});
+  };
+  if (scene.measures.worst) {
+    add("energy error", energy_error_words(*scene.measures.worst));
+    add("dissipated by", losses_words(*scene.measures.balance));
+  } else {
+    add("energy error", "not known: contacts are springs, and losses are what the balance leaves");
+  }
+  add("deepest overlap", fmt::format("{:.2g} mm", scene.run.cost.deepest / kMm));
+  add("joint limits passed", limits_words(limits_passed(scene)));
+  if (const double restitution = restitution_ignored(scene); restitution > 0)
+    add("restitution ignored",
+        fmt::format("up to {:.3g}: nothing bounces in steps of fixed length", restitution));
+  return table;
+}
+
+}  // namespace thenar

@@ -1,0 +1,35 @@
+#pragma once
+
+/// How far a motion is to be believed, in words: energy that does not balance, surfaces in each
+/// other, joints beyond their limits, bounces left out.
+
+#include <string>
+#include <vector>
+
+#include "api/scenes/simulate_scene.h"
+#include "dynamics/stepping/energy_balance.h"
+#include "dynamics/stepping/limit_excess.h"
+#include "report/json.h"
+#include "report/table.h"
+
+namespace thenar {
+
+/// "0.075 mJ lost to nothing by 0.4 s, 0.095 % of 78.6 mJ turned over"
+[[nodiscard]] std::string energy_error_words(const FlowBalance& balance);
+
+/// "11.9 deg", "40 mm"
+[[nodiscard]] std::string beyond_words(const PassedLimit& limit);
+
+/// Each with `joint` and `beyond_rad` or `beyond_m`.
+[[nodiscard]] OrderedJson limits_json(const std::vector<PassedLimit>& limits);
+
+/// Joints of a run that went beyond their limits.
+[[nodiscard]] std::vector<PassedLimit> limits_passed(const SimulatedScene& scene);
+
+/// The largest restitution that a scene states and that its method leaves out [1]; 0: none.
+[[nodiscard]] double restitution_ignored(const SimulatedScene& scene);
+
+/// A row for each measure of how far a run is to be believed.
+[[nodiscard]] Table account_table(const SimulatedScene& scene);
+
+}  // namespace thenar
