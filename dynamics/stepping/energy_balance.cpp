@@ -35,8 +35,10 @@ FlowBalance flow_balance(const SceneSample& first, const SceneSample& last) {
   out.error = first.energy.total() + out.work - out.dissipated() - last.energy.total();
   const double kinetic =
       std::max({first.energy.kinetic, last.energy.kinetic, last.w[kMostKinetic]});
+  // Of what rests, losses are rounding.
+  const auto lost = [](double loss) { return std::max(0.0, loss); };
   out.turned_over =
-      kinetic + flows[kWorked] + out.friction + out.impacts + std::max(0.0, out.yielding);
+      kinetic + flows[kWorked] + lost(out.friction) + lost(out.impacts) + lost(out.yielding);
   return out;
 }
 

@@ -164,6 +164,14 @@ TEST(EnergyBalance, OfStepsTooLongDoesNotHold) {
   EXPECT_GT(worst_balance(bad.samples).share(), kSceneEnergyShare);
 }
 
+// Losses of what rests may be below zero by rounding; what is turned over is not.
+TEST(EnergyBalance, TurnsNothingOverAtRest) {
+  SceneSample start, end;
+  start.w = end.w = EnergyFlows::Zero();
+  end.w[kRubbed] = end.w[kStruck] = -1e-19;
+  EXPECT_EQ(flow_balance(start, end).turned_over, 0);
+}
+
 // What is next to nothing is rounding: below 1 uJ no run is refused.
 TEST(EnergyBalance, OfWhatRestsHolds) {
   FlowBalance still;
