@@ -29,9 +29,9 @@ FlowBalance flow_balance(const SceneSample& first, const SceneSample& last) {
   out.work = flows[kApplied] + work_of_elements(first, last);
   out.friction = flows[kRubbed];
   out.impacts = flows[kStruck];
-  // Passive elements dissipate what they take and do not store. They store no more than they say.
-  const double taken = std::max(0.0, first.energy.of_passive - flows[kPassive]);
-  out.yielding = flows[kDamped] + taken - last.energy.of_passive;
+  // Passive elements dissipate what they take and do not store.
+  const double stored = last.energy.of_passive - first.energy.of_passive;
+  out.yielding = flows[kDamped] - flows[kPassive] - stored;
   out.error = first.energy.total() + out.work - out.dissipated() - last.energy.total();
   const double kinetic =
       std::max({first.energy.kinetic, last.energy.kinetic, last.w[kMostKinetic]});

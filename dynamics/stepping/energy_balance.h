@@ -32,10 +32,10 @@ struct FlowBalance {
 
 /// What became of energy between two instants.
 ///
-/// Losses are what friction, impacts and dampers take. What they give is none, and is missing in
-/// the balance: of contacts in each step of fixed length and each impact (ImpulseBooking), of
-/// passive elements what they have given beyond what they stored at first. What they store is known
-/// at most, as pads relax: `yielding` may be less than 0 by that.
+/// Losses are what friction, impacts and dampers take. What contacts give in a step of fixed length
+/// or an impact is none, and is missing in the balance (ImpulseBooking). What passive elements give
+/// beyond what they stored makes `yielding` less than 0: of pads that are pressed at the start it
+/// is what they had stored, which is not known before the first step.
 [[nodiscard]] FlowBalance flow_balance(const SceneSample& first, const SceneSample& last);
 
 /// The balance from the first instant to that of the largest error, the last one if all are
