@@ -14,14 +14,16 @@
 #include "base/provenance.h"
 #include "geometry/cached_mesh.h"
 #include "geometry/nearest_grid.h"
+#include "geometry/surface_crossings.h"
 #include "geometry/triangle_mesh.h"
 #include "geometry/triangle_tree.h"
+#include "geometry/winding_number.h"
 
 namespace thenar {
 namespace {
 
 using Eigen::Vector3d, Eigen::Vector3i;
-using internal::Feature, internal::NearestTriangle, internal::TriangleForm;
+using internal::Feature, internal::NearestTriangle, internal::TriangleForm, internal::TriangleTree;
 
 /// Outward directions at a triangle's edges and corners.
 struct Pseudonormals {
@@ -35,8 +37,7 @@ double angle_at(const TriangleForm& form, int k) {
   return std::atan2(a.cross(b).norm(), a.dot(b));
 }
 
-std::vector<Pseudonormals> pseudonormals(const TriangleMesh& mesh,
-                                         const internal::TriangleTree& tree) {
+std::vector<Pseudonormals> pseudonormals(const TriangleMesh& mesh, const TriangleTree& tree) {
   // Normals at vertices: those of the faces, weighted with their angles.
   Eigen::Matrix3Xd at_vertex = Eigen::Matrix3Xd::Zero(3, mesh.vertices.cols());
   std::vector<Vector3d> of_triangle(tree.forms().size());
@@ -67,10 +68,13 @@ std::vector<Pseudonormals> pseudonormals(const TriangleMesh& mesh,
   return all;
 }
 
+constexpr double kOnSurface = 1e-12;  // [m]
+
+/// A surface that goes through itself nowhere: the side of its nearest feature decides.
 class MeshDistance final : public Shape {
  public:
-  explicit MeshDistance(const TriangleMesh& mesh)
-      : tree_(mesh), grid_(tree_), normals_(pseudonormals(mesh, tree_)) {}
+  MeshDistance(const TriangleMesh& mesh, TriangleTree tree)
+      : tree_(std::move(tree)), grid_(tree_), normals_(pseudonormals(mesh, tree_)) {}
 
   double distance(const Vector3d& p) const override {
     const NearestTriangle near = grid_.nearest(p, tree_);
@@ -92,8 +96,6 @@ class MeshDistance final : public Shape {
   Eigen::AlignedBox3d bounds() const override { return tree_.bounds(); }
 
  private:
-  static constexpr double kOnSurface = 1e-12;  // [m]
-
   const Vector3d& outward(const NearestTriangle& near) const {
     const Feature& feature = near.foot.feature;
     if (feature.kind == Feature::kFace) return tree_.forms()[near.triangle].normal;
@@ -101,10 +103,68 @@ class MeshDistance final : public Shape {
     return feature.kind == Feature::kEdge ? normals.edge[feature.k] : normals.corner[feature.k];
   }
 
-  internal::TriangleTree tree_;
+  TriangleTree tree_;
   internal::NearestGrid grid_;
   std::vector<Pseudonormals> normals_;
 };
+
+/// Triangles of a surface without those that have the same on both sides: all inside or all
+/// outside. Triangles that meet others are kept, as their parts may differ.
+/// @param meeting  crossing_triangles()
+TriangleMesh boundary_of(const TriangleMesh& mesh, const TriangleTree& tree,
+                         const std::vector<bool>& meeting) {
+  const double off = 1e-9 * tree.bounds().diagonal().norm();  // nearer than what meets nothing
+  TriangleMesh kept{mesh.vertices, Eigen::Matrix3Xi(3, mesh.triangles.cols())};
+  Eigen::Index count = 0;
+  for (std::size_t i = 0; i < tree.forms().size(); ++i) {
+    const TriangleForm& form = tree.forms()[i];
+    const int number = tree.order()[i];
+    const Vector3d outside =
+        (form.corner[0] + form.corner[1] + form.corner[2]) / 3 + off * form.normal;
+    // The winding number falls by one to the outer side.
+    if (meeting[static_cast<std::size_t>(number)] || internal::windings(tree, outside) == 0)
+      kept.triangles.col(count++) = mesh.triangles.col(number);
+  }
+  kept.triangles.conservativeResize(3, count);
+  return count == 0 ? mesh : kept;
+}
+
+/// A surface that goes through itself: inside is what it winds around more often outwards than
+/// inwards. Where it lies twice over the inside, the depth is a lower bound.
+class CrossedMeshDistance final : public Shape {
+ public:
+  CrossedMeshDistance(const TriangleMesh& mesh, TriangleTree whole,
+                      const std::vector<bool>& meeting)
+      : whole_(std::move(whole)), tree_(boundary_of(mesh, whole_, meeting)), grid_(tree_) {}
+
+  double distance(const Vector3d& p) const override {
+    return sign(p) * std::sqrt(grid_.nearest(p, tree_).foot.squared);
+  }
+
+  NearestSurface nearest(const Vector3d& p) const override {
+    const NearestTriangle near = grid_.nearest(p, tree_);
+    const double distance = std::sqrt(near.foot.squared), side = sign(p);
+    if (distance < kOnSurface) return {side * distance, tree_.forms()[near.triangle].normal};
+    return {side * distance, side / distance * (p - near.foot.at)};
+  }
+
+  Eigen::AlignedBox3d bounds() const override { return tree_.bounds(); }
+
+ private:
+  double sign(const Vector3d& p) const { return internal::windings(whole_, p) > 0 ? -1 : 1; }
+
+  TriangleTree whole_;
+  TriangleTree tree_;  // of the boundary
+  internal::NearestGrid grid_;
+};
+
+std::shared_ptr<const Shape> made(const TriangleMesh& mesh) {
+  TriangleTree tree(mesh);
+  const std::vector<bool> meeting = internal::crossing_triangles(mesh, tree);
+  if (std::find(meeting.begin(), meeting.end(), true) == meeting.end())
+    return std::make_shared<MeshDistance>(mesh, std::move(tree));
+  return std::make_shared<CrossedMeshDistance>(mesh, std::move(tree), meeting);
+}
 
 /// Meshes in use, and the last ones that were: a hand is built several times from the same links.
 /// Sharing shows in time and memory alone, as distances are constant.
@@ -148,7 +208,7 @@ std::shared_ptr<const Shape> build_mesh_distance(const TriangleMesh& mesh) {
   // The same content shares one shape.
   const std::string content = sha256(bytes_of(mesh));
   if (std::shared_ptr<const Shape> shape = recent.find(content)) return shape;
-  auto shape = std::make_shared<MeshDistance>(mesh);
+  std::shared_ptr<const Shape> shape = made(mesh);
   recent.add(content, shape, mesh.triangles.cols());
   return shape;
 }

@@ -19,8 +19,7 @@ namespace thenar {
 /// Lists are filled as they are asked for, with the same answers whatever was asked before and from
 /// however many threads. Meshes of the same content share them within a process.
 ///
-/// @param mesh  watertight, outward, no triangle of no area, its sheets nowhere through each other:
-///              what build_solid() makes of meshes
+/// @param mesh  watertight, outward, no triangle of no area: what build_solid() makes of meshes
 [[nodiscard]] std::shared_ptr<const Shape> build_mesh_distance(const TriangleMesh& mesh);
 
 }  // namespace thenar

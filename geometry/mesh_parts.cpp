@@ -3,22 +3,26 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
+#include <optional>
 #include <utility>
 
 #include <fmt/format.h>
 #include <Eigen/Geometry>
-#include <Eigen/LU>
 
 #include "base/error.h"
-#include "base/units.h"
 #include "geometry/mesh_check.h"
 #include "geometry/mesh_faults.h"
 #include "geometry/triangle_mesh.h"
+#include "geometry/triangle_tree.h"
+#include "geometry/winding_number.h"
 
 namespace thenar {
 namespace {
 
 using Eigen::Vector3d;
+
+constexpr double kFlatVolume = 1e-9;   // of the cube of the own diagonal [1]
+constexpr double kLostVolume = 1e-13;  // of the cube of the diagonal of the whole [1]
 
 /// @param number  of each vertex of the mesh, -1; left so
 TriangleMesh taken_out(const TriangleMesh& mesh, const std::vector<int>& triangles,
@@ -47,36 +51,23 @@ TriangleMesh taken_out(const TriangleMesh& mesh, const std::vector<int>& triangl
 
 void turn(TriangleMesh& mesh) { mesh.triangles.row(1).swap(mesh.triangles.row(2)); }
 
-/// How often a closed surface goes round a point: the solid angles of its triangles over 4 pi.
-/// Source: [VanOosterom1983].
-double windings(const TriangleMesh& mesh, const Vector3d& p) {
-  double sum = 0;
-  for (Eigen::Index t = 0; t < mesh.triangles.cols(); ++t) {
-    Eigen::Matrix3d A;
-    for (int k = 0; k < 3; ++k) A.col(k) = mesh.vertices.col(mesh.triangles(k, t)) - p;
-    const Eigen::RowVector3d r = A.colwise().norm();
-    const double below = r.prod() + A.col(0).dot(A.col(1)) * r(2) + A.col(1).dot(A.col(2)) * r(0) +
-                         A.col(2).dot(A.col(0)) * r(1);
-    sum += 2 * std::atan2(A.determinant(), below);
-  }
-  return sum / (4 * kPi);
-}
-
 /// A closed surface, and what it encloses.
 struct Part {
   TriangleMesh mesh;
   double volume = 0;  // negative: it faces inwards [m^3]
-  Eigen::AlignedBox3d box;
+  Eigen::AlignedBox3d box = {};
+  std::optional<internal::TriangleTree> tree = {};  // made when it is asked for
 };
 
 /// Whether a part lies within another, by the box and up to 64 of its vertices.
-bool is_within(const Part& inner, const Part& outer) {
+bool is_within(const Part& inner, Part& outer) {
   // The box first, then windings around some vertices.
   if (!outer.box.contains(inner.box)) return false;
+  if (!outer.tree) outer.tree.emplace(outer.mesh);
   const Eigen::Index count = inner.mesh.vertices.cols();
   const Eigen::Index step = std::max<Eigen::Index>(1, count / 64);
   for (Eigen::Index i = 0; i < count; i += step)
-    if (windings(outer.mesh, inner.mesh.vertices.col(i)) < 0.5) return false;
+    if (internal::windings(*outer.tree, inner.mesh.vertices.col(i)) < 1) return false;
   return true;
 }
 
@@ -89,8 +80,7 @@ bool is_within(const Part& inner, const Part& outer) {
 Part closed_part(TriangleMesh mesh) {
   const MeshReport report = check_mesh(mesh);
   require(report.watertight(), "a mesh bounds no solid: {}", describe(report));
-  if (report.volume == 0) fail_without_volume(mesh);
-  Part part{std::move(mesh), report.volume, {}};
+  Part part{std::move(mesh), report.volume};
   for (Eigen::Index i = 0; i < part.mesh.vertices.cols(); ++i)
     part.box.extend(Vector3d(part.mesh.vertices.col(i)));
   return part;
@@ -124,6 +114,15 @@ std::vector<TriangleMesh> outward(std::vector<Part> parts) {
 }
 
 }  // namespace
+
+double diagonal_of(const TriangleMesh& mesh) {
+  return (mesh.vertices.rowwise().maxCoeff() - mesh.vertices.rowwise().minCoeff()).norm();
+}
+
+bool is_sliver(double volume, double own, double whole) {
+  return std::abs(volume) <=
+         std::max(kFlatVolume * std::pow(own, 3), kLostVolume * std::pow(whole, 3));
+}
 
 TriangleMesh joined(const std::vector<TriangleMesh>& parts) {
   if (parts.size() == 1) return parts.front();
@@ -190,9 +189,15 @@ std::vector<TriangleMesh> solid_parts(const TriangleMesh& mesh) {
       connected_parts(sound ? mesh : repair_mesh(mesh, MeshHoles::kKeep).mesh);
   if (meshes.empty()) fail_without_volume(mesh);
   if (sound && meshes.size() == 1) return meshes;
+  // Slivers enclose nothing that could be touched.
+  const double whole = diagonal_of(mesh);
   std::vector<Part> parts;
   parts.reserve(meshes.size());
-  for (TriangleMesh& part : meshes) parts.push_back(closed_part(std::move(part)));
+  for (TriangleMesh& closed : meshes) {
+    Part part = closed_part(std::move(closed));
+    if (!is_sliver(part.volume, diagonal_of(part.mesh), whole)) parts.push_back(std::move(part));
+  }
+  if (parts.empty()) fail_without_volume(mesh);
   return outward(std::move(parts));
 }
 

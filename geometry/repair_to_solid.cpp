@@ -27,9 +27,7 @@ namespace {
 
 using Eigen::Vector3d, Eigen::Vector3i;
 
-double extent_of(const TriangleMesh& mesh) {
-  return (mesh.vertices.rowwise().maxCoeff() - mesh.vertices.rowwise().minCoeff()).norm();
-}
+const char* const kLeftOut = "part(s) that enclose nothing left out";
 
 double area_of(const TriangleMesh& mesh) {
   double area = 0;
@@ -100,7 +98,7 @@ TriangleMesh best_welded(const TriangleMesh& mesh) {
   TriangleMesh best;
   std::size_t least = std::numeric_limits<std::size_t>::max();
   for (const double share : {1e-6, 1e-5, 1e-4}) {
-    TriangleMesh now = welded(mesh, share * extent_of(mesh));
+    TriangleMesh now = welded(mesh, share * diagonal_of(mesh));
     const std::size_t open = open_edges(now).size();
     if (open < least && !now.empty()) {
       best = std::move(now);
@@ -154,7 +152,7 @@ Loose ends_of(const TriangleMesh& mesh, const std::map<std::pair<int, int>, int>
 
 /// Cuts triangles whose open edge others end on; returns how many.
 int cut_at_corners(TriangleMesh& mesh) {
-  const double near = 2e-6 * extent_of(mesh);
+  const double near = 2e-6 * diagonal_of(mesh);
   int cuts = 0;
   // Cutting makes new edges, so it is repeated.
   for (int round = 0; round < 8; ++round) {
@@ -219,10 +217,6 @@ class Done {
   std::string text_;
 };
 
-bool encloses_little(const MeshReport& report, const TriangleMesh& mesh) {
-  return report.holes.empty() && std::abs(report.volume) <= 1e-9 * std::pow(extent_of(mesh), 3);
-}
-
 RepairedSolid hull_of(const TriangleMesh& mesh) {
   RepairedSolid hull{hull_mesh(mesh.vertices), "replaced by its convex hull"};
   require(
@@ -239,52 +233,71 @@ struct SoundPart {
 };
 
 /// A part as it is, repaired, or its hull if it cannot be closed.
-SoundPart sound_part(const TriangleMesh& part, const MeshReport& before) {
+/// @param whole  diagonal of the mesh [m]
+SoundPart sound_part(const TriangleMesh& part, const MeshReport& before, double whole) {
   MeshRepair repair = repair_mesh(part);
   const MeshReport report = check_mesh(repair.mesh);
   if (!report.watertight()) return {hull_mesh(part.vertices), /*hull=*/true, 0};
-  if (encloses_little(report, repair.mesh)) return {};
+  if (is_sliver(report.volume, diagonal_of(repair.mesh), whole)) return {};
   // A part that was whole keeps the way it faces: it may be a cavity.
   if (before.watertight()) return {part, /*hull=*/false, repair.closed_holes};
   return {std::move(repair.mesh), /*hull=*/false, repair.closed_holes};
+}
+
+/// "part 2 of 5, 18 x 9 x 4 mm about (1, 2, 3) mm, replaced by its convex hull".
+std::string hull_words(const TriangleMesh& part, std::size_t number, std::size_t count) {
+  const Vector3d low = part.vertices.rowwise().minCoeff(),
+                 high = part.vertices.rowwise().maxCoeff();
+  const Vector3d size = 1e3 * (high - low), centre = 1e3 * (high + low) / 2;
+  return fmt::format(
+      "part {} of {}, {:.3g} x {:.3g} x {:.3g} mm about ({:.4g}, {:.4g}, {:.4g}) mm, replaced by "
+      "its convex hull",
+      number, count, size.x(), size.y(), size.z(), centre.x(), centre.y(), centre.z());
 }
 
 /// Part for part: closed, or its hull, or left out.
 RepairedSolid closed(const TriangleMesh& mesh, const TriangleMesh& given, Done done) {
   std::vector<TriangleMesh> solids;
   double left_out = 0;  // area [m^2]
-  int flat = 0, hulls = 0, holes = 0;
+  int flat = 0, holes = 0;
   double longest = 0;  // hole [m]
-  const double all = area_of(mesh);
+  std::vector<std::string> hulls;
+  const double all = area_of(mesh), whole = diagonal_of(mesh);
   // Each part by itself: repaired, replaced by its hull, or left out.
-  for (const TriangleMesh& part : connected_parts(mesh)) {
-    const MeshReport before = check_mesh(part);
+  const std::vector<TriangleMesh> parts = connected_parts(mesh);
+  for (std::size_t i = 0; i < parts.size(); ++i) {
+    const MeshReport before = check_mesh(parts[i]);
     for (const MeshHole& hole : before.holes) longest = std::max(longest, hole.length);
-    SoundPart sound = sound_part(part, before);
+    SoundPart sound = sound_part(parts[i], before, whole);
     if (sound.mesh.empty()) {
       ++flat;
-      left_out += area_of(part);
+      left_out += area_of(parts[i]);
       continue;
     }
     solids.push_back(std::move(sound.mesh));
-    hulls += static_cast<int>(sound.hull);
+    if (sound.hull) hulls.push_back(hull_words(parts[i], i + 1, parts.size()));
     holes += sound.holes;
   }
   // Too little is left of the mesh.
   if (solids.empty() || left_out > 0.5 * all) return hull_of(given);
   if (holes > 0)
     done.add(fmt::format("{} hole(s) closed, the longest {:.4g} mm around", holes, 1e3 * longest));
-  done.add(flat, "part(s) that enclose nothing left out");
-  done.add(hulls, "part(s) replaced by their convex hulls");
+  done.add(flat, kLeftOut);
+  for (const std::string& hull : hulls) done.add(hull);
   return {joined(solids), done.text()};
 }
 
-bool is_solid(const TriangleMesh& mesh) {
+/// solid_parts(); none where it refuses the mesh.
+std::vector<TriangleMesh> solids_of(const TriangleMesh& mesh) {
   try {
-    return !solid_parts(mesh).empty();
+    return solid_parts(mesh);
   } catch (const InputError&) {
-    return false;
+    return {};
   }
+}
+
+bool same_triangles(const TriangleMesh& a, const TriangleMesh& b) {
+  return a.triangles.cols() == b.triangles.cols() && a.triangles == b.triangles;
 }
 
 /// A mesh that bounds no solid, whatever it takes.
@@ -293,8 +306,7 @@ RepairedSolid mended(const TriangleMesh& mesh) {
   const TriangleMesh merged = best_welded(mesh);
   if (merged.empty()) return hull_of(mesh);
   Done merging;
-  if (open_edges(merged).size() < open_edges(mesh).size())
-    merging.add("corners at the same place joined");
+  if (!same_triangles(merged, mesh)) merging.add("corners at the same place joined");
   std::vector<RepairedSolid> tries;
   // With inner walls, then without them.
   for (const bool walls : {true, false}) {
@@ -307,14 +319,26 @@ RepairedSolid mended(const TriangleMesh& mesh) {
     // Cut triangles at corners of others; is it a solid now?
     TriangleMesh now = repair.mesh;
     done.add(cut_at_corners(now), "triangle(s) cut where corners of others lie on them");
-    if (is_solid(now)) return {std::move(now), done.text()};
+    if (const auto solids = solids_of(now); !solids.empty()) return {joined(solids), done.text()};
     // NOLINTNEXTLINE(readability-suspicious-call-argument): `now` was made from `mesh`
     tries.push_back(closed(now, mesh, done));
   }
   // Otherwise part by part, and at last the hull of the whole.
   for (RepairedSolid& mended : tries)
-    if (is_solid(mended.mesh)) return std::move(mended);
+    if (const auto solids = solids_of(mended.mesh); !solids.empty())
+      return {joined(solids), std::move(mended.done)};
   return hull_of(mesh);
+}
+
+/// A mesh that solid_parts() takes, without slivers that this has left out.
+RepairedSolid without_slivers(const TriangleMesh& mesh, const std::vector<TriangleMesh>& solids) {
+  Eigen::Index triangles = 0;
+  for (const TriangleMesh& solid : solids) triangles += solid.triangles.cols();
+  if (triangles == mesh.triangles.cols() || !check_mesh(mesh).watertight()) return {mesh, ""};
+  TriangleMesh kept = joined(solids);
+  Done done;
+  done.add(static_cast<int>(connected_parts(mesh).size() - connected_parts(kept).size()), kLeftOut);
+  return {std::move(kept), done.text()};
 }
 
 }  // namespace
@@ -322,14 +346,14 @@ RepairedSolid mended(const TriangleMesh& mesh) {
 RepairedSolid repair_to_solid(const TriangleMesh& mesh) {
   require(!mesh.empty(), "a mesh has no triangle");
   (void)check_mesh(mesh);
-  if (is_solid(mesh)) return {mesh, ""};
+  if (const auto solids = solids_of(mesh); !solids.empty()) return without_slivers(mesh, solids);
   require(
       !is_flat(mesh),
       "the mesh is flat: all its triangles lie in one plane, and no repair gives it a thickness");
   // Large meshes are kept on disk with the words of their repair.
   constexpr Eigen::Index kMany = 2000;  // triangles, which take longer to mend than to look up
   if (mesh.triangles.cols() < kMany) return mended(mesh);
-  const std::string input = bytes_of(mesh), kind = "mended mesh 1";
+  const std::string input = bytes_of(mesh), kind = "mended mesh 2";
   if (const std::optional<std::string> entry = kept(kind, input)) {
     const std::size_t end = std::min(entry->find('\n'), entry->size() - 1);
     if (std::optional<TriangleMesh> known = mesh_of(entry->substr(end + 1)))

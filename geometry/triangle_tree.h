@@ -103,13 +103,16 @@ class TriangleTree {
   [[nodiscard]] const std::vector<TriangleForm>& forms() const { return forms_; }
   [[nodiscard]] const Eigen::AlignedBox3d& bounds() const { return nodes_.front().box; }
 
- private:
   struct Node {
     Eigen::AlignedBox3d box;
     int first;  // of its triangles
     int count;  // of a leaf's triangles; 0: children are the next node and `second`
     int second;
   };
+  /// The root first.
+  [[nodiscard]] const std::vector<Node>& nodes() const { return nodes_; }
+
+ private:
   int build(int first, int last, const std::vector<Eigen::AlignedBox3d>& boxes);
 
   // How far above a squared distance another may be computed that is in truth below it.

@@ -14,7 +14,9 @@
 
 #include <malloc.h>
 
+#include "geometry/mesh_parts.h"
 #include "geometry/nearest_grid.h"
+#include "geometry/surface_crossings.h"
 #include "geometry/triangle_tree.h"
 #include "tests/geometry/random_points.h"
 #include "tests/geometry/sample_meshes.h"
@@ -204,6 +206,106 @@ TEST(MeshDistance, HasTheSameBitsWhateverWasAskedBefore) {
                        last.end() - static_cast<std::ptrdiff_t>(i + 4));
     EXPECT_EQ(last, first);
   }
+}
+
+// Surfaces that go through themselves.
+
+/// A ring whose hole is narrower than the ring is thick: its inner side lies in the ring.
+TriangleMesh spindle() {
+  TriangleMesh mesh = ring();
+  for (auto p : mesh.vertices.colwise()) p.head<2>() -= 0.024 * p.head<2>().normalized();
+  return mesh;
+}
+
+/// A ring whose corners were moved at random by up to 4 mm, half of its thickness.
+TriangleMesh crumpled(unsigned seed) {
+  std::mt19937 rng(seed);
+  TriangleMesh mesh = ring();
+  for (auto p : mesh.vertices.colwise()) p += 0.004 * random_in_cube(rng);
+  return mesh;
+}
+
+TriangleMesh box_around(const Vector3d& centre, double edge, bool inside_out = false) {
+  TriangleMesh box = box_mesh(Vector3d::Constant(edge));
+  box.vertices.colwise() += centre;
+  if (inside_out) box.triangles.row(0).swap(box.triangles.row(1));
+  return box;
+}
+
+/// Whether the surface winds more often outwards than inwards around a point.
+void expect_sign_of_windings(const TriangleMesh& mesh, int count) {
+  std::mt19937 rng(6);
+  const auto shape = build_mesh_distance(mesh);
+  for (int i = 0; i < count; ++i) {
+    const Vector3d p = somewhere(mesh, shape->bounds(), i, rng);
+    const double expected = brute_force(mesh, p);
+    if (std::abs(expected) < 1e-9) continue;  // a sum of angles does not tell the side there
+    EXPECT_EQ(shape->distance(p) < 0, expected < 0) << p.transpose();
+    EXPECT_EQ(shape->nearest(p).distance, shape->distance(p));
+  }
+}
+
+TEST(CrossedMeshDistance, HasTheSignOfWindings) {
+  expect_sign_of_windings(spindle(), queries(2000));
+  for (unsigned seed = 0; seed < 5; ++seed) expect_sign_of_windings(crumpled(seed), queries(1000));
+  expect_sign_of_windings(joined({box_around({0, 0, 0}, 0.02), box_around({0.01, 0.003, 0}, 0.02)}),
+                          queries(2000));
+}
+
+// Boxes face to face: the wall between them is inside, and no feature of it tells a side.
+TEST(CrossedMeshDistance, TakesBoxesThatShareAFace) {
+  const TriangleMesh both = joined({box_around({0, 0, 0}, 0.02), box_around({0.02, 0, 0}, 0.02)});
+  expect_sign_of_windings(both, queries(4000));
+  const auto shape = build_mesh_distance(both);
+  EXPECT_LT(shape->distance({0.0101, 0.001, 0}), 0);
+  EXPECT_LT(shape->distance({0.0099, 0.001, 0}), 0);
+}
+
+// A box in a box, both outward, and a box inside out beside one: neither is a boundary. By hand.
+TEST(CrossedMeshDistance, LeavesOutWhatHasTheSameOnBothSides) {
+  // The third box crosses a corner of the first, so that windings are asked at all.
+  const TriangleMesh crossing = box_around({0.017, 0.017, 0.02}, 0.004);
+  const auto twice = build_mesh_distance(
+      joined({box_around({0, 0, 0}, 0.04), box_around({0, 0, 0}, 0.01), crossing}));
+  EXPECT_NEAR(twice->distance({0, 0, -0.001}), -0.019, 1e-15);
+  EXPECT_NEAR(twice->distance({0, 0.006, -0.002}), -0.014, 1e-15);
+  const auto beside = build_mesh_distance(
+      joined({box_around({0, 0, 0}, 0.04), box_around({0.05, 0, 0}, 0.02, true), crossing}));
+  EXPECT_NEAR(beside->distance({0.05, 0, -0.001}), 0.03, 1e-15);
+  EXPECT_NEAR(beside->distance({0.041, 0, -0.001}), 0.021, 1e-15);
+}
+
+TEST(CrossedMeshDistance, ChangesNoMoreThanTheWayGone) {
+  std::mt19937 rng(7);
+  for (const TriangleMesh& mesh : {spindle(), crumpled(1), crumpled(2)}) {
+    const auto shape = build_mesh_distance(mesh);
+    for (int i = 0; i < queries(5000); ++i) {
+      const Vector3d p = somewhere(mesh, shape->bounds(), i, rng);
+      const Vector3d q = p + 0.01 * uniform(rng) * random_in_cube(rng);
+      EXPECT_LE(std::abs(shape->distance(p) - shape->distance(q)), (p - q).norm() + 1e-14);
+    }
+  }
+}
+
+// Which triangles meet, by hand.
+TEST(SurfaceCrossings, FindsWhatMeetsAndNothingElse) {
+  const auto meeting = [](const TriangleMesh& mesh) {
+    const std::vector<bool> found =
+        internal::crossing_triangles(mesh, internal::TriangleTree(mesh));
+    return std::count(found.begin(), found.end(), true);
+  };
+  for (const TriangleMesh& sound : {mug(), thin_plate(), ring(), handled_mug(0.006)})
+    EXPECT_EQ(meeting(sound), 0);
+  // A cube that pokes through the top of another: its four sides, and the top's two triangles.
+  EXPECT_EQ(meeting(joined({box_around({0, 0, 0}, 0.04), box_around({0.011, 0.002, 0.02}, 0.01)})),
+            8 + 2);
+  // A fin folded onto its neighbour.
+  TriangleMesh folded{Eigen::Matrix3Xd(3, 4), Eigen::Matrix3Xi(3, 2)};
+  folded.vertices << 0, 1, 0, 0.2, 0, 0, 1, 0.3, 0, 0, 0, 0;
+  folded.triangles << 0, 1, 1, 0, 2, 3;
+  EXPECT_EQ(meeting(folded), 2);
+  folded.vertices(1, 3) = -0.3;
+  EXPECT_EQ(meeting(folded), 0);
 }
 
 TEST(MeshDistance, HasTheSameBitsInSeveralThreads) {

@@ -2,6 +2,8 @@
 
 #include "geometry/repair_to_solid.h"
 
+#include <cmath>
+
 #include <gtest/gtest.h>
 
 #include "base/cache.h"
@@ -128,6 +130,57 @@ TEST(MendMesh, LeavesOutSheets) {
             "thickness");
 }
 
+// A corner all but at its neighbour: joining both leaves no edge more open than before.
+TEST(MendMesh, SaysSoWhereJoiningCornersIsAll) {
+  TriangleMesh cup = mug();
+  const int to = cup.triangles(0, 0), from = cup.triangles(1, 0);
+  cup.vertices.col(from) = cup.vertices.col(to) + Vector3d(1e-16, 2e-16, 1e-16);
+  ASSERT_NE(message_of([&] { (void)solid_parts(cup); }), "nothing was thrown");
+  const RepairedSolid mended = repair_to_solid(cup);
+  EXPECT_EQ(mended.done, "corners at the same place joined");
+  EXPECT_EQ(solid_parts(mended.mesh).size(), 1U);
+}
+
+// A tetrahedron of 1e-19 m^3, on which no feature tells a side, beside a box of 20 mm.
+TEST(MendMesh, LeavesOutSlivers) {
+  TriangleMesh sliver{Eigen::Matrix3Xd(3, 4), Eigen::Matrix3Xi(3, 4)};
+  sliver.vertices << 0.03, 0.05, 0.038, 0.042, 0, 0, 1e-8, 2e-8, 0, 0, 3e-8, -3e-8;
+  sliver.triangles << 0, 0, 1, 2, 2, 1, 2, 0, 1, 3, 3, 3;
+  const TriangleMesh both = joined({box_at({0, 0, 0}), sliver});
+  EXPECT_NEAR(distance(both, {0.04, 0, 0}), 0.03, 1e-15);
+  const RepairedSolid mended = repair_to_solid(both);
+  EXPECT_EQ(mended.done, "1 part(s) that enclose nothing left out");
+  EXPECT_EQ(mended.mesh.triangles.cols(), 12);
+}
+
+/// A band of 4 mm around a ring of 10 mm that turns over once: it has no sides to close.
+TriangleMesh moebius_strip() {
+  constexpr int kSteps = 24;
+  TriangleMesh band{Eigen::Matrix3Xd(3, 2 * kSteps), Eigen::Matrix3Xi(3, 2 * kSteps)};
+  for (int i = 0; i < kSteps; ++i) {
+    const double angle = 2 * kPi * i / kSteps;
+    const Vector3d out(std::cos(angle), std::sin(angle), 0);
+    const Vector3d across = std::cos(angle / 2) * out + std::sin(angle / 2) * Vector3d::UnitZ();
+    band.vertices.col(2 * i) = 0.01 * out + 0.002 * across;
+    band.vertices.col(2 * i + 1) = 0.01 * out - 0.002 * across;
+    // The last step meets the first turned over.
+    const bool over = i + 1 == kSteps;
+    const int next = over ? 1 : 2 * i + 2, below = over ? 0 : 2 * i + 3;
+    band.triangles.col(2 * i) << 2 * i, 2 * i + 1, below;
+    band.triangles.col(2 * i + 1) << 2 * i, below, next;
+  }
+  return band;
+}
+
+TEST(MendMesh, NamesPartsThatGiveWayToTheirHulls) {
+  TriangleMesh band = moebius_strip();
+  band.vertices.row(0).array() += 0.04;
+  const RepairedSolid mended = repair_to_solid(joined({box_at({0, 0, 0}, 0.05), band}));
+  EXPECT_NE(mended.done.find("part 2 of 2, "), std::string::npos) << mended.done;
+  EXPECT_NE(mended.done.find(" mm, replaced by its convex hull"), std::string::npos);
+  EXPECT_LT(distance(mended.mesh, {0.04, 0, 0}), 0);
+}
+
 // Faces that nothing joins enclose nothing: their hull stands for them.
 TEST(MendMesh, FallsBackToTheConvexHull) {
   TriangleMesh faces = loose(box_at({0, 0, 0}), 0);
@@ -228,10 +281,10 @@ TEST_F(KeptMending, IsThatOfTheFirstTime) {
 TEST_F(KeptMending, IsNotDoneAgainUnlessWhatWasKeptIsBroken) {
   const TriangleMesh open = loose(mug(600), 0, 1);
   const std::string mended = repair_to_solid(open).done;
-  keep("mended mesh 1", bytes_of(open), "as kept\n" + bytes_of(box_at({0, 0, 0})));
+  keep("mended mesh 2", bytes_of(open), "as kept\n" + bytes_of(box_at({0, 0, 0})));
   EXPECT_EQ(repair_to_solid(open).done, "as kept");
   for (const std::string broken : {"", "as kept", "as kept\n", "as kept\nno mesh"}) {
-    keep("mended mesh 1", bytes_of(open), broken);
+    keep("mended mesh 2", bytes_of(open), broken);
     EXPECT_EQ(repair_to_solid(open).done, mended);
   }
 }
