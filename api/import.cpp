@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <iterator>
 #include <map>
 #include <set>
 
@@ -18,6 +19,7 @@
 #include "data/io/file_kind.h"
 #include "data/io/graspit/xml_file.h"
 #include "data/io/mesh/repair_shape.h"
+#include "data/io/mesh/stl_copy.h"
 #include "data/io/robot/urdf.h"
 #include "data/io/toml_node.h"
 #include "data/io/world/graspit_body.h"
@@ -321,6 +323,10 @@ RobotSpec with_guesses(const RobotSpec& robot) {
 
 using Sentences = std::vector<std::string>;
 
+void append(WrittenFiles& all, WrittenFiles more) {
+  std::move(more.begin(), more.end(), std::back_inserter(all));
+}
+
 /// The robot as TOML, with what was guessed marked, and told.
 Sentences write_thing(RobotSpec robot, const Imported& imported, const std::string& out) {
   for (RobotLink& link : robot.links)
@@ -330,18 +336,34 @@ Sentences write_thing(RobotSpec robot, const Imported& imported, const std::stri
     return {};
   }
   const bool guess = imported.kind != name_of(RobotFileKind::kToml);
+  std::set<std::string> taken;
+  const std::string folder = fs::path(out).parent_path().string();
+  for (const RobotLink& link : robot.links) add_mesh_paths(link.shapes, folder, taken);
+  WrittenFiles files;
+  for (RobotLink& link : robot.links)
+    append(files, give_stl_files(link.shapes, out, link.name, taken));
   RobotSpec written = guess ? with_guesses(robot) : robot;
   Sentences guessed;
   for (std::size_t i = robot.warnings.size(); i < written.warnings.size(); ++i)
     guessed.push_back(written.warnings[i]);
-  written.warnings = robot.warnings;  // guesses are comments of the file
-  write_file(out, robot_toml(written, &robot));
+  written.warnings = robot.warnings;                     // guesses are comments of the file
+  files.emplace_back(out, robot_toml(written, &robot));  // last, as it names the others
+  write_files(files);
   return guessed;
+}
+
+/// With the meshes that stand in no file as STL files beside it.
+void write_object(BodySpec body, const std::string& out) {
+  std::set<std::string> taken;
+  add_mesh_paths(body.shapes, fs::path(out).parent_path().string(), taken);
+  WrittenFiles files = give_stl_files(body.shapes, out, body.name, taken);
+  files.emplace_back(out, object_toml(body));
+  write_files(files);
 }
 
 Sentences write_thing(BodySpec body, const Imported& imported, const std::string& out) {
   point_to(body.shapes, fs::path(imported.request.file).parent_path(), out);
-  write_file(out, object_toml(body));
+  write_object(std::move(body), out);
   return {};
 }
 
@@ -353,7 +375,15 @@ Sentences write_thing(WorldSpec world, const Imported& imported, const std::stri
   }
   for (PlacedHand& hand : world.hands) point_to(hand.file, folder, out);
   point_to(world.materials_file, folder, out);
-  write_file(out, world_toml(world));
+  std::set<std::string> taken;
+  for (const PlacedBody& body : world.bodies)
+    add_mesh_paths(body.body.shapes, fs::path(out).parent_path().string(), taken);
+  WrittenFiles files;
+  for (PlacedBody& body : world.bodies)
+    if (body.file.empty())
+      append(files, give_stl_files(body.body.shapes, out, body.body.name, taken));
+  files.emplace_back(out, world_toml(world));
+  write_files(files);
   return {};
 }
 
@@ -367,7 +397,7 @@ Sentences write_thing(const MeshContent& content, const Imported& imported,
                       ? *imported.body
                       : object_of(content, imported.request, imported.mesh->repaired.empty());
   point_to(body.shapes, "", out);
-  write_file(out, object_toml(body));
+  write_object(std::move(body), out);
   return {};
 }
 

@@ -52,6 +52,7 @@ JOINED = {
     "data/io/graspit/graspit_link.cpp": (1, "a mesh that find_mesh() looks at before it is read"),
     "data/io/mesh/foreign_mesh.cpp": (4, "the program that reads meshes, by a name of ours"),
     "data/io/mesh/shape_toml.cpp": (1, CHECKED_AT_READING),
+    "data/io/mesh/stl_copy.cpp": (2, "a name made of letters, digits, '.', '-' and '_'; " + CHECKED_AT_READING + ", and is compared, not opened"),
     "data/io/robot/graspit_robot.cpp": (1, "outside_fault() and may_link() stand around it"),
     "data/io/robot/import_mesh.cpp": (1, "find_mesh(): outside_fault() and may_link() stand around it"),
     "data/io/robot/mjcf_geom.cpp": (1, "a mesh that find_mesh() looks at before it is read"),

@@ -2,11 +2,19 @@
 
 #include "api/import.h"
 
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
 #include <fstream>
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include "api/validate.h"
 #include "base/file_io.h"
+#include "base/units.h"
+#include "geometry/mesh_check.h"
+#include "geometry/tessellate.h"
 #include "tests/message_of.h"
 #include "tests/temporary_folder.h"
 
@@ -123,6 +131,87 @@ TEST_F(ImportMesh, RefusesUnknownMaterialsAndTwoMasses) {
   request.material.clear();
   request.mass = request.density = 1;
   EXPECT_EQ(message_of([&] { (void)import_file(request); }), "wanted one of --mass and --density");
+}
+
+/// A robot of one link with the meshes of some files.
+class ImportRobot : public TemporaryFolder {
+ protected:
+  [[nodiscard]] Imported robot(const std::vector<std::string>& meshes) const {
+    std::string text =
+        "<robot name='r'><link name='palm'><inertial><mass value='1'/><inertia ixx='1' iyy='1' "
+        "izz='1' ixy='0' ixz='0' iyz='0'/></inertial>";
+    for (const std::string& mesh : meshes)
+      text += "<collision><geometry><mesh filename='" + mesh + "'/></geometry></collision>";
+    ImportRequest request;
+    request.file = path("r.urdf");
+    write_file(request.file, text + "</link></robot>");
+    return import_file(request);
+  }
+  /// A unit cube's corner cut off, sound or open.
+  void write_corner(const std::string& name, bool open) const {
+    write_file(path(name), std::string("OFF\n4 ") + (open ? "3" : "4") +
+                               " 0\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n3 0 2 1\n3 0 1 3\n3 0 3 2\n" +
+                               (open ? "" : "3 1 2 3\n"));
+  }
+};
+
+TEST_F(ImportRobot, WritesMendedMeshesBesideTheFileAsStl) {
+  write_corner("open.off", true);
+  write_corner("whole.off", false);
+  const Imported found = robot({"open.off", "whole.off"});
+  (void)write_imported(found, path("hand.toml"));
+  const std::string text = read_text_file(path("hand.toml"));
+  EXPECT_NE(text.find("file = \"hand_palm_0.stl\""), std::string::npos);
+  EXPECT_NE(text.find("file = \"whole.off\""), std::string::npos);
+  EXPECT_EQ(text.find("vertices"), std::string::npos);
+  // As it was: corners of 0 and 1, and a third, in single precision.
+  ImportRequest again;
+  again.file = path("hand.toml");
+  const auto& before = std::get<RobotSpec>(found.thing).links[0].shapes;
+  const Imported back = import_file(again);
+  const auto& after = std::get<RobotSpec>(back.thing).links[0].shapes;
+  ASSERT_EQ(after.size(), 2U);
+  EXPECT_NEAR(check_mesh(after[0].mesh).volume, check_mesh(before[0].mesh).volume, 1e-7);
+  EXPECT_NEAR(check_mesh(after[0].mesh).volume, 1.0 / 6, 1e-7);
+}
+
+TEST_F(ImportRobot, WritesOverNoMeshThatItNames) {
+  write_corner("open.off", true);
+  write_mesh(path("hand_palm_0.stl"), box_mesh({1, 1, 1}));
+  const std::string before = read_text_file(path("hand_palm_0.stl"));
+  (void)write_imported(robot({"open.off", "hand_palm_0.stl"}), path("hand.toml"));
+  EXPECT_EQ(read_text_file(path("hand_palm_0.stl")), before);
+  EXPECT_TRUE(std::filesystem::exists(path("hand_palm_1.stl")));
+}
+
+// A band that turns over once, of eight corners: no repair closes it.
+TEST_F(ImportRobot, NamesHullsAlsoWhenItsFileIsValidated) {
+  std::string obj;
+  for (int i = 0; i < 8; ++i) {
+    const double angle = kPi / 4 * i, up = 0.3 * std::sin(angle / 2);
+    const double in = 1 - 0.3 * std::cos(angle / 2), out = 1 + 0.3 * std::cos(angle / 2);
+    obj += fmt::format("v {0} {1} {2}\nv {3} {4} {5}\n", out * std::cos(angle),
+                       out * std::sin(angle), up, in * std::cos(angle), in * std::sin(angle), -up);
+  }
+  for (int i = 0; i < 8; ++i) {
+    const int a = 2 * i + 1, c = i < 7 ? a + 2 : 2, d = i < 7 ? a + 3 : 1;
+    obj += fmt::format("f {0} {1} {3}\nf {0} {3} {2}\n", a, a + 1, c, d);
+  }
+  write_file(path("band.obj"), obj);
+  const Imported found = robot({"band.obj"});
+  const auto told = [](const std::vector<std::string>& warnings) {
+    return std::any_of(warnings.begin(), warnings.end(), [](const std::string& warning) {
+      return warning.find("MENDED mesh 'band.obj' of link 'palm'") == 0 &&
+             warning.find("convex hull") != std::string::npos;
+    });
+  };
+  EXPECT_TRUE(told(found.warnings));
+  (void)write_imported(found, path("hand.toml"));
+  ValidateRequest request;
+  request.things = {path("hand.toml")};
+  const FileVerdict verdict = validate(request).files.front();
+  EXPECT_TRUE(verdict.valid()) << verdict.error;
+  EXPECT_TRUE(told(verdict.warnings));
 }
 
 TEST(SizeWarnings, DoubtsABoxOfHouses) {
