@@ -102,10 +102,26 @@ Ball internal::smallest_ball(const Eigen::Matrix3d& corners) {
   return ball;
 }
 
+namespace {
+
+/// Whether no point of a triangle of a mesh is on the boundary of its part, as where a surface that
+/// goes through itself has the same on both sides: its middle is deeper, or farther out, than its
+/// corners are from there.
+bool is_off_boundary(const SolidPart& part, const Eigen::Matrix3d& corners) {
+  const Eigen::Vector3d middle = corners.rowwise().mean();
+  const double reach = (corners.colwise() - middle).colwise().norm().maxCoeff();
+  return std::abs(part.shape->distance(part.spec.X_BS.inverse() * middle)) > 1.001 * reach;
+}
+
+}  // namespace
+
 CollisionTree collision_tree(const Solid& solid) {
   CollisionTree body;
+  const bool known = solid.parts.size() == solid.collision.size();
   // Checked triangles of all collision surfaces.
-  for (const RoundedMesh& mesh : solid.collision) {
+  for (std::size_t part = 0; part < solid.collision.size(); ++part) {
+    const RoundedMesh& mesh = solid.collision[part];
+    const bool of_file = known && solid.parts[part].spec.kind == ShapeKind::kMesh;
     require(mesh.radius >= 0 && std::isfinite(mesh.radius),
             "the radius of a touch surface must be finite and >= 0, got {}", mesh.radius);
     for (Eigen::Index i = 0; i < mesh.core.triangles.cols(); ++i) {
@@ -118,6 +134,7 @@ CollisionTree collision_tree(const Solid& solid) {
         corners.col(k) = mesh.core.vertices.col(vertex);
       }
       require(corners.allFinite(), "triangle {} of a touch surface is not finite", i);
+      if (of_file && is_off_boundary(solid.parts[part], corners)) continue;
       body.triangles.push_back(
           swept_triangle(corners, mesh.radius, static_cast<int>(body.triangles.size())));
     }

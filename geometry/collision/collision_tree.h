@@ -39,7 +39,8 @@ struct CollisionTree {
   std::vector<CollisionNode> nodes;
 };
 
-/// Builds the hierarchy of a solid's collision surface by median splits along the longest side.
+/// Builds the hierarchy of a solid's collision surface by median splits along the longest side,
+/// without triangles of meshes that bound nothing.
 /// @throws InputError if it has no triangle, or one that is not finite.
 [[nodiscard]] CollisionTree collision_tree(const Solid& solid);
 

@@ -9,6 +9,8 @@
 #include <gtest/gtest.h>
 
 #include "geometry/collision/collision_tree.h"
+#include "geometry/mesh_distance.h"
+#include "geometry/mesh_parts.h"
 #include "tests/geometry/collision/analytic_shapes.h"
 #include "tests/geometry/collision/drawn.h"
 #include "tests/matrix_near.h"
@@ -53,6 +55,23 @@ TEST(SignedDistance, OfParallelFacesTakesFewQuestions) {
   const SignedDistance s = signed_distance(a, at(0, 0, 0.025), box_shape({0.1, 0.1, 0.02}), {});
   EXPECT_NEAR(s.distance, 0.005, kTolerance);
   EXPECT_LT(s.evaluations, 200);
+}
+
+// A box that a shell inside out goes through: what the shell winds around backwards is outside, and
+// a ball that touches it there touches nothing.
+TEST(SignedDistance, OfCrossedMeshesIsThatOfTheirBoundary) {
+  TriangleMesh shell = block_mesh({0.02, 0.02, 0.02});
+  shell.vertices.row(0).array() += 0.07;
+  shell.triangles.row(0).swap(shell.triangles.row(1));
+  TriangleMesh crossing = block_mesh({0.01, 0.01, 0.01});
+  crossing.vertices.row(1).array() += 0.03;
+  ShapeSpec spec;
+  spec.kind = ShapeKind::kMesh;
+  spec.mesh = joined({block_mesh({0.06, 0.06, 0.06}), shell, crossing});
+  const auto shape = build_mesh_distance(spec.mesh);
+  const Solid solid{shape, {{spec.mesh, 0}}, spec.mesh, {{spec, shape}}};
+  EXPECT_NEAR(signed_distance(solid, {}, ball_solid(0.01), at(0.1, 0, 0)).distance, 0.06,
+              kTolerance);
 }
 
 // Ball against any triangle: the exact answer is the distance of the centre from the triangle.
