@@ -71,8 +71,17 @@ TriangleSoup read_soup(const std::string& path, MeshTime& left) {
   return read_foreign_mesh(path, mesh_format(path), left);
 }
 
+/// @throws DataError if the file was never fetched from the store for large files of its repository
+void require_no_pointer(const std::string& path) {
+  const std::string beginning = "version https://git-lfs.github.com/spec/";
+  if (read_start(path, beginning.size()) == beginning)
+    throw DataError(path, 1,
+                    "this is a pointer of Git LFS, not the mesh; `git lfs pull` fetches the mesh");
+}
+
 MeshContent read_in(const std::string& path, double scale, MeshTime& left) {
   require(scale > 0 && std::isfinite(scale), "a mesh is scaled by a number > 0, got {}", scale);
+  require_no_pointer(path);
   const TriangleSoup soup = read_soup(path, left);
   // Weld the loose triangles; exact shapes get the same scale.
   MeshContent content{weld_vertices(soup, scale, path), {}};

@@ -258,6 +258,17 @@ TEST_F(MeshFile, NamesTheLineOfABrokenPlyHeader) {
             "3: the header of this PLY has no end");
 }
 
+// As a repository holds large files that were not fetched.
+TEST_F(MeshFile, NamesPointersOfGitLfs) {
+  for (const char* name : {"a.stl", "a.obj", "a.dae", "a.ply"}) {
+    write_file(path(name), "version https://git-lfs.github.com/spec/v1\noid sha256:00\nsize 9\n");
+    EXPECT_EQ(
+        message_of<DataError>([&] { (void)read_mesh(path(name)); }),
+        path(name) +
+            ":1: this is a pointer of Git LFS, not the mesh; `git lfs pull` fetches the mesh");
+  }
+}
+
 TEST_F(MeshFile, RefusesUnknownEndingsAndMissingFiles) {
   EXPECT_THAT(refusal("cube.step", "x"), HasSubstr(".obj"));
   EXPECT_EQ(message_of<DataError>([] { (void)read_mesh("/nowhere/a.obj"); }),
