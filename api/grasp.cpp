@@ -5,6 +5,9 @@
 #include <ctime>
 #include <numeric>
 #include <random>
+#include <set>
+#include <string>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -93,6 +96,41 @@ Grasp grasp_from(const GraspResult& result, const Pregrasp& start) {
   return found;
 }
 
+/// How much a grasp is one: 2 in force closure, 1 if two digits touch the object, else 0.
+int standing_of(const Hand& hand, const Grasp& grasp) {
+  if (grasp.outcome != GraspOutcome::kGrasped) return 0;
+  if (grasp.quality.force_closure) return 2;
+  std::set<std::string> digits;
+  for (const HandContact& contact : grasp.contacts)
+    digits.insert(hand.surfaces()[static_cast<std::size_t>(contact.surface)].digit);
+  digits.erase("");  // the palm
+  return digits.size() > 1 ? 1 : 0;
+}
+
+/// A start and what came of it.
+struct TriedStart {
+  Pregrasp start;
+  Grasp grasp;
+};
+
+/// The grasp from the palm, or, where that holds nothing, from farther off: fingers that are
+/// coupled stop as soon as their first link touches, and short ones reach round nothing.
+TriedStart own_or_off(const GraspResult& result, const Pregrasp& own) {
+  const Hand& hand = *result.collision_hand.hand;
+  TriedStart best{own, grasp_from(result, own)};
+  if (!best.grasp.approached.touches) return best;
+  int standing = standing_of(hand, best.grasp);
+  for (const double share : {0.25, 0.5, 0.75, 1.0}) {
+    if (standing == 2) break;
+    Pregrasp off = own;
+    off.stand_off = share;
+    Grasp found = grasp_from(result, off);
+    const int here = standing_of(hand, found);
+    if (here > standing) best = {off, std::move(found)}, standing = here;
+  }
+  return best;
+}
+
 /// Counts a start, and keeps its grasp if it is the best so far.
 void note(GraspResult& result, Grasp grasp, int number, const Pregrasp& start) {
   ++result.outcomes[static_cast<std::size_t>(grasp.outcome)];
@@ -110,7 +148,8 @@ void add_grasps(GraspResult& result, const Progress& progress) {
     report_or_stop(progress, 0, "closing the hand");
     const bool goes = request.approach && hand.parts.size() <= 1;  // an arm's foot does not fly
     const Pregrasp own{hand.X_WH, hand.q, goes ? request.approach_distance : 0};
-    note(result, grasp_from(result, own), -1, own);
+    TriedStart tried = goes ? own_or_off(result, own) : TriedStart{own, grasp_from(result, own)};
+    note(result, std::move(tried.grasp), -1, tried.start);
   }
   for (int i = 0; i < request.starts && (i == 0 || !progress.stop()); ++i) {
     report_or_stop(progress, static_cast<double>(i) / request.starts,
@@ -256,6 +295,11 @@ std::vector<std::string> grasp_warnings(const GraspResult& result) {
     warnings.push_back(torques);
   if (const std::string own = own_overlap_words(result.grasp.closed); !own.empty())
     warnings.insert(warnings.begin(), own);
+  if (result.best < 0 && result.start.stand_off > 0)
+    warnings.push_back(fmt::format(
+        "with the palm on the object it was not held: the hand moved back before it closed, by "
+        "{:.0f} % of the way to where its tips still close beyond the object's centre",
+        100 * result.start.stand_off));
   if (thumb_is_idle(*hand.hand, result.grasp))
     warnings.emplace_back("the thumb touches nothing: fingers hold the object against the palm");
   return warnings;

@@ -74,7 +74,9 @@ struct GraspResult {
 /// Puts the hand of a world on its object and measures the grasp.
 ///
 /// Start n of several is sample_pregrasp() n, as in compare(), and the object yields to jaws as in
-/// centred_grasp(); so it does where the world's own hand approaches it. Robustness: moves of the
+/// centred_grasp(); so it does where the world's own hand approaches it. That hand stands off by a
+/// quarter to all of max_stand_off() where it holds nothing from the palm: no force closure, and no
+/// two digits that touch. Robustness: moves of the
 /// object are normal along and about each of its axes, about its centre of mass; a move after which
 /// the hand does not grasp is a miss, which is no force closure and below every epsilon. Closing
 /// moves the object between jaws, but does not turn it: a box that is off by angles touches flat

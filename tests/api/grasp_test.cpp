@@ -2,10 +2,16 @@
 
 #include "api/grasp.h"
 
+#include <algorithm>
+#include <set>
+
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include "base/error.h"
+#include "base/file_io.h"
 #include "tests/data_folder.h"
+#include "tests/temporary_folder.h"
 
 namespace thenar {
 namespace {
@@ -51,6 +57,44 @@ TEST(GraspInWorld, CountsEveryStart) {
   } catch (const InputError&) {  // both starts may begin in something
   }
 }
+
+/// A gripper whose jaws are longer than the ball is thick, over it.
+class GraspOffThePalm : public TemporaryFolder {
+ protected:
+  [[nodiscard]] GraspResult of_ball(double radius_mm) const {
+    write_file(
+        path("world.toml"),
+        fmt::format("name = 'w'\nsource = 'S'\n[sources]\nS = 'made up'\n[[hand]]\nname = 'h'\n"
+                    "file = '{}/robots/robotiq_2f85.toml'\n[[body]]\nrole = 'object'\n"
+                    "name = 'ball'\nmaterial = 'wood'\nposition_mm = [0, 0, 300]\n"
+                    "[[body.shape]]\nkind = 'sphere'\nsize_mm = [{}]\n",
+                    kData, radius_mm));
+    GraspRequest request;
+    request.world.world = path("world.toml");
+    request.world.data = kData;
+    return grasp_in_world(request);
+  }
+};
+
+// A ball of 50 mm that touches the palm lies under the pads: they close beyond it, on nothing.
+TEST_F(GraspOffThePalm, BringsBothPadsToASmallBall) {
+  const GraspResult found = of_ball(25);
+  EXPECT_GT(found.start.stand_off, 0);
+  std::set<std::string> digits;
+  for (const HandContact& contact : found.grasp.contacts)
+    digits.insert(
+        found.collision_hand.hand->surfaces()[static_cast<std::size_t>(contact.surface)].digit);
+  EXPECT_EQ(digits.size(), 2U);
+  EXPECT_EQ(digits.count(""), 0U);
+  EXPECT_EQ(std::count_if(found.warnings.begin(), found.warnings.end(),
+                          [](const std::string& warning) {
+                            return warning.find("the hand moved back before it closed") !=
+                                   std::string::npos;
+                          }),
+            1);
+}
+
+TEST_F(GraspOffThePalm, StaysOnThePalmWhereItHolds) { EXPECT_EQ(of_ball(35).start.stand_off, 0); }
 
 TEST(GraspInWorld, RefusesNumbersOutOfRange) {
   const auto refused = [](auto change) {
