@@ -4,6 +4,7 @@
 
 #include <string>
 
+#include "geometry/hull_mesh.h"
 #include "geometry/triangle_mesh.h"
 
 namespace thenar {
@@ -30,14 +31,5 @@ struct RepairedSolid {
 /// volume above 0.
 /// @throws InputError as repair_to_solid().
 [[nodiscard]] RepairedSolid watertight_mesh(const TriangleMesh& mesh);
-
-// Convex hull of points as a mesh.
-
-/// Returns the hull, watertight and outward, to a millionth of the points' extent: each point is
-/// moved by up to half of that, always the same way, so that no four lie in a plane. Empty if the
-/// hull's least thickness is below 1e-4 of its extent.
-/// @param points  (3, n) [m]
-/// @throws InputError if a coordinate is not finite.
-[[nodiscard]] TriangleMesh hull_mesh(const Eigen::Matrix3Xd& points);
 
 }  // namespace thenar

@@ -1,0 +1,18 @@
+#pragma once
+
+/// Convex hull of points as a mesh.
+
+#include <Eigen/Core>
+
+#include "geometry/triangle_mesh.h"
+
+namespace thenar {
+
+/// Returns the hull, watertight and outward, to a millionth of the points' extent: each point is
+/// moved by up to half of that, always the same way, so that no four lie in a plane. Empty if the
+/// hull's least thickness is below 1e-4 of its extent.
+/// @param points  (3, n) [m]
+/// @throws InputError if a coordinate is not finite.
+[[nodiscard]] TriangleMesh hull_mesh(const Eigen::Matrix3Xd& points);
+
+}  // namespace thenar
