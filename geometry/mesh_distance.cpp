@@ -203,6 +203,10 @@ class Recent {
 
 }  // namespace
 
+bool goes_through_itself(const Shape& shape) {
+  return dynamic_cast<const CrossedMeshDistance*>(&shape) != nullptr;
+}
+
 std::shared_ptr<const Shape> build_mesh_distance(const TriangleMesh& mesh) {
   static Recent recent;
   // The same content shares one shape.

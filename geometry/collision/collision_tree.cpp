@@ -6,6 +6,7 @@
 #include <Eigen/Geometry>
 
 #include "base/error.h"
+#include "geometry/mesh_distance.h"
 
 namespace thenar {
 namespace {
@@ -121,7 +122,7 @@ CollisionTree collision_tree(const Solid& solid) {
   // Checked triangles of all collision surfaces.
   for (std::size_t part = 0; part < solid.collision.size(); ++part) {
     const RoundedMesh& mesh = solid.collision[part];
-    const bool of_file = known && solid.parts[part].spec.kind == ShapeKind::kMesh;
+    const bool crossed = known && goes_through_itself(*solid.parts[part].shape);
     require(mesh.radius >= 0 && std::isfinite(mesh.radius),
             "the radius of a touch surface must be finite and >= 0, got {}", mesh.radius);
     for (Eigen::Index i = 0; i < mesh.core.triangles.cols(); ++i) {
@@ -134,7 +135,7 @@ CollisionTree collision_tree(const Solid& solid) {
         corners.col(k) = mesh.core.vertices.col(vertex);
       }
       require(corners.allFinite(), "triangle {} of a touch surface is not finite", i);
-      if (of_file && is_off_boundary(solid.parts[part], corners)) continue;
+      if (crossed && is_off_boundary(solid.parts[part], corners)) continue;
       body.triangles.push_back(
           swept_triangle(corners, mesh.radius, static_cast<int>(body.triangles.size())));
     }

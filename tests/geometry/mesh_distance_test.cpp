@@ -245,6 +245,11 @@ void expect_sign_of_windings(const TriangleMesh& mesh, int count) {
   }
 }
 
+TEST(CrossedMeshDistance, IsTakenWhereASurfaceGoesThroughItself) {
+  EXPECT_TRUE(goes_through_itself(*build_mesh_distance(spindle())));
+  EXPECT_FALSE(goes_through_itself(*build_mesh_distance(ring())));
+}
+
 TEST(CrossedMeshDistance, HasTheSignOfWindings) {
   expect_sign_of_windings(spindle(), queries(2000));
   for (unsigned seed = 0; seed < 5; ++seed) expect_sign_of_windings(crumpled(seed), queries(1000));
