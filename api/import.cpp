@@ -26,6 +26,7 @@
 #include "data/io/world/graspit_world.h"
 #include "geometry/mesh_faults.h"
 #include "geometry/repair_to_solid.h"
+#include "grasp/robot/infer_closing.h"
 #include "grasp/robot/infer_hand.h"
 
 namespace thenar {
@@ -302,23 +303,29 @@ void point_to(std::vector<ShapeSpec>& shapes, const fs::path& from, const std::s
   for (ShapeSpec& shape : shapes) point_to(shape.mesh_file, from, out);
 }
 
-bool is_hand(const RobotSpec& robot) {
+std::size_t count_digits(const RobotSpec& robot) {
   std::set<std::string> digits;
   for (const RobotLink& link : robot.links)
     if (!link.digit.empty()) digits.insert(link.digit);
-  return digits.size() > 1;
+  return digits.size();
 }
 
-/// How a hand grasps, guessed where its format leaves it unsaid; another robot as it is.
+/// How a hand, or a jaw that holds a ball against a fixed one, grasps, guessed where its format
+/// leaves it unsaid; another robot as it is.
 RobotSpec with_guesses(const RobotSpec& robot) {
+  RobotSpec kept = robot;  // it can be told and written, but not grasp
   try {
     RobotSpec guessed = graspable(robot);
-    return is_hand(guessed) ? guessed : robot;
+    const bool one_jaw = count_digits(guessed) == 1 && robot.dofs.size() == 1;
+    if (count_digits(guessed) > 1 || (one_jaw && infer_closing(guessed, {true, true}).facing))
+      return guessed;
+    if (one_jaw)
+      kept.warnings.emplace_back(
+          "how it grasps is not guessed: its only digit holds no ball against what is fixed");
   } catch (const InputError& error) {
-    RobotSpec kept = robot;  // it can be told and written, but not grasp
     kept.warnings.push_back(fmt::format("how it grasps is not guessed: {}", error.what()));
-    return kept;
   }
+  return kept;
 }
 
 using Sentences = std::vector<std::string>;

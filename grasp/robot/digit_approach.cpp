@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/numbers.h"
 #include "grasp/robot/approach_direction.h"
 #include "grasp/robot/digit_motion.h"
 
@@ -14,6 +15,7 @@ using Eigen::VectorXd;
 // Least cosine of the approach to the direction from the palm to half-closed ends [1].
 constexpr double kNearAhead = 0.96;
 constexpr double kTwoHinges = 1e-3;  // least distance of hinges that are two [m]
+constexpr double kBeside = 3e-4;     // of a ball from the face that it comes down beside [m]
 constexpr double kNoSpin = 1e-9;     // rotation per unit of a drive that counts as none [1]
 
 /// Rotation whose third column is a direction, and whose first is across it, near `side`. (3, 3)
@@ -162,6 +164,52 @@ PalmApproach DigitMotion::ahead(std::size_t option) const {
       frame_along(approach.direction, axes.cols() > 0 ? Vector3d(axes.col(0)) : Vector3d::Zero());
   const Eigen::AlignedBox3d box = box_of(palm_surfaces(), links, R);
   if (!box.isEmpty()) approach.point = R * (box.center() + Vector3d(0, 0, box.sizes().z() / 2));
+  return approach;
+}
+
+/// Direction in which the end of the only digit moves as it closes, from a posture; zero: none. (3)
+Vector3d DigitMotion::last_way(std::size_t option, const VectorXd& q) const {
+  const SampledSurface& end = grip_.surfaces()[digits_.front().last];
+  Vector3d sum = Vector3d::Zero();
+  if (end.link < 0) return sum;
+  const auto J = grip_.hand().jacobian(q, end.link, end.centre);
+  for (std::size_t d = 0; d < drives_.size(); ++d)
+    for (const DrivenCoordinate& driven : drives_[d].moves)
+      sum += options_[option].speed[d] * driven.ratio * J.col(driven.coordinate).tail<3>();
+  return sum.norm() > kNoSpin ? Vector3d(sum.normalized()) : Vector3d::Zero();
+}
+
+std::optional<PalmApproach> DigitMotion::beside_fixed_jaw(std::size_t option, double radius) const {
+  const VectorXd q = closed(option);
+  const std::vector<Pose<double>> links = grip_.hand().pose(q);
+  const Digit& digit = digits_.front();
+  const Vector3d way = last_way(option, q);
+  std::vector<Matrix3Xd> parts;
+  for (const std::size_t s : palm_surfaces()) parts.push_back(points_of(s, links));
+  const Matrix3Xd palm = side_by_side(parts), end = points_of(digit.last, links);
+  if (palm.cols() == 0 || way.isZero(0)) return {};
+  // From the palm to the closed end, across the way in which it closes.
+  const Vector3d middle = (palm.rowwise().minCoeff() + palm.rowwise().maxCoeff()) / 2;
+  const Vector3d inner = (end.rowwise().minCoeff() + end.rowwise().maxCoeff()) / 2;
+  const Vector3d rough = across(inner - middle, way);
+  PalmApproach approach;
+  approach.direction = without_rounding(
+      approach_near(rough, option, find_closing_axes(closing_axes(digit, option, q)), links));
+  // The face of the palm before the outer half of the end.
+  const Vector3d out = across(-way, approach.direction), side = approach.direction.cross(out);
+  const Eigen::RowVectorXd along_end = approach.direction.transpose() * end,
+                           beside_end = side.transpose() * end;
+  const double half = (along_end.minCoeff() + along_end.maxCoeff()) / 2;
+  double face = -kInfinity;
+  for (const auto& p : palm.colwise())
+    if (const double along = approach.direction.dot(p), beside = side.dot(p);
+        along >= half && along <= along_end.maxCoeff() && beside >= beside_end.minCoeff() &&
+        beside <= beside_end.maxCoeff())
+      face = std::max(face, out.dot(p));
+  if (face == -kInfinity) return {};
+  approach.point = approach.direction * (approach.direction.transpose() * palm).maxCoeff() +
+                   out * (face + radius + kBeside) +
+                   side * (beside_end.minCoeff() + beside_end.maxCoeff()) / 2;
   return approach;
 }
 

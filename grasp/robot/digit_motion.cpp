@@ -212,9 +212,31 @@ VectorXd DigitMotion::moved(const std::vector<double>& senses, double share) con
   return q.cwiseMax(layout.lower).cwiseMin(layout.upper);
 }
 
-/// Sum of distances between tips [m].
+/// Points of a surface with the links posed. (3, points) [m]
+Eigen::Matrix3Xd DigitMotion::points_of(std::size_t surface,
+                                        const std::vector<Pose<double>>& links) const {
+  const SampledSurface& points = grip_.surfaces()[surface];
+  if (points.link < 0) return points.p;
+  const Pose<double>& X = links[static_cast<std::size_t>(points.link)];
+  return (X.R * points.p).colwise() + X.p;
+}
+
+/// Mean distance of points of the only digit's end to the palm's [m].
+double DigitMotion::from_palm(const std::vector<Pose<double>>& links) const {
+  std::vector<Eigen::Matrix3Xd> parts;
+  for (const std::size_t s : palm_surfaces()) parts.push_back(points_of(s, links));
+  const Eigen::Matrix3Xd palm = side_by_side(parts), end = points_of(digits_.front().last, links);
+  if (palm.cols() == 0) return 0;
+  double sum = 0;
+  for (const auto& p : end.colwise())
+    sum += std::sqrt((palm.colwise() - p).colwise().squaredNorm().minCoeff());
+  return sum / static_cast<double>(end.cols());
+}
+
+/// Sum of distances between tips; of an only digit from the palm, which may be a fixed jaw [m].
 double DigitMotion::apart(const VectorXd& q) const {
   const std::vector<Pose<double>> links = grip_.hand().pose(q);
+  if (digits_.size() == 1) return from_palm(links);
   std::vector<Vector3d> tips;
   for (const Digit& digit : digits_) {
     const SampledSurface& tip = grip_.surfaces()[digit.last];
@@ -447,6 +469,17 @@ VectorXd DigitMotion::half_closed(std::size_t option) const {
       if (options_[option].speed[d] != 0)
         q[driven.coordinate] =
             (layout.lower[driven.coordinate] + layout.upper[driven.coordinate]) / 2;
+  return q;
+}
+
+/// Every coordinate that closing drives move at the limit to which they close, the others at rest.
+VectorXd DigitMotion::closed(std::size_t option) const {
+  const HandLayout& layout = grip_.hand().layout();
+  VectorXd q = rest_;
+  for (std::size_t d = 0; d < drives_.size(); ++d)
+    for (const DrivenCoordinate& driven : drives_[d].moves)
+      if (const double rate = options_[option].speed[d] * driven.ratio; rate != 0)
+        q[driven.coordinate] = (rate > 0 ? layout.upper : layout.lower)[driven.coordinate];
   return q;
 }
 

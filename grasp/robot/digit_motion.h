@@ -2,6 +2,7 @@
 
 /// Motion of the digits of a hand: which drives curl and which turn them, and which digits oppose.
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -45,6 +46,12 @@ class DigitMotion {
   /// Approach from the end of the palm's box, from its centre to the half-closed ends: across the
   /// axes about which digits close, and along flat faces of jaws that slide or of the palm.
   [[nodiscard]] PalmApproach ahead(std::size_t option) const;
+  /// Approach of a jaw, the only digit, that closes on a part of the palm: along both where they
+  /// are closed, so that a ball comes down beside the fixed one and touches it. None: it meets no
+  /// part of the palm.
+  /// @param radius  of the ball [m]
+  [[nodiscard]] std::optional<PalmApproach> beside_fixed_jaw(std::size_t option,
+                                                             double radius) const;
 
  private:
   struct Digit {
@@ -66,6 +73,10 @@ class DigitMotion {
   [[nodiscard]] double sign_against(std::size_t outer, std::size_t drive, const Digit& digit) const;
   [[nodiscard]] Eigen::VectorXd moved(const std::vector<double>& senses, double share) const;
   [[nodiscard]] double apart(const Eigen::VectorXd& q) const;
+  [[nodiscard]] Eigen::Matrix3Xd points_of(std::size_t surface,
+                                           const std::vector<Pose<double>>& links) const;
+  [[nodiscard]] Eigen::Vector3d last_way(std::size_t option, const Eigen::VectorXd& q) const;
+  [[nodiscard]] double from_palm(const std::vector<Pose<double>>& links) const;
   [[nodiscard]] Eigen::VectorXd open_at(std::size_t option, const Eigen::VectorXd& others,
                                         double farthest) const;
   [[nodiscard]] bool are_jaws() const;
@@ -88,6 +99,7 @@ class DigitMotion {
                                               const std::vector<Pose<double>>& links) const;
   [[nodiscard]] int depth_of(int link) const;
   [[nodiscard]] Eigen::VectorXd half_closed(std::size_t option) const;
+  [[nodiscard]] Eigen::VectorXd closed(std::size_t option) const;
   [[nodiscard]] std::vector<std::size_t> find_fingers(const std::vector<Eigen::Vector3d>& ways,
                                                       const std::vector<double>& turns) const;
   [[nodiscard]] Eigen::Vector3d curl_way(const Digit& digit, std::size_t option) const;

@@ -22,6 +22,7 @@ using Eigen::VectorXd;
 constexpr double kBall = 0.035;    // radius of the ball for hands of human size [m]
 constexpr double kOfReach = 0.35;  // its radius by the length of a finger, for other hands [1]
 constexpr double kHumanSize[] = {0.5, 2};  // range of human size, by kBall [1]
+constexpr double kNoLength = 1e-6;         // size of a hand without length [m]
 constexpr int kCoarse = 24, kFine = 60;    // steps of closing
 constexpr std::size_t kTried = 12;         // candidates that are tried on three balls
 // Sizes of further balls, where no digits face each other across the first one [1].
@@ -47,9 +48,10 @@ class ClosingSearch {
  public:
   ClosingSearch(const RobotSpec& robot, const StatedClosing& known)
       : robot_(robot), known_(known), grip_(robot), motion_(grip_, known.closing) {
-    // A ball for the size of the hand.
+    // A ball for the size of the hand; a digit that only slides has no length.
     const double size = kOfReach * motion_.mean_digit_length();
-    ball_ = size > kHumanSize[0] * kBall && size < kHumanSize[1] * kBall ? kBall : size;
+    const bool human = size > kHumanSize[0] * kBall && size < kHumanSize[1] * kBall;
+    ball_ = human || size < kNoLength ? kBall : size;
   }
 
   InferredClosing run() {
@@ -105,6 +107,9 @@ class ClosingSearch {
     // A stated approach is the only one.
     if (known_.approach) return {{stated.direction, {stated.point}}};
     std::vector<Ways> ways;
+    if (motion_.digits().size() == 1)
+      if (const auto beside = motion_.beside_fixed_jaw(option, ball_))
+        return {{beside->direction, {beside->point}}};
     const PalmApproach ahead = motion_.ahead(option);
     // Towards the ends where digits stand round a palm; along the normal of a row of fingers.
     if (!roles.palm || !roles.row) ways.push_back({ahead.direction, {ahead.point}});
@@ -194,7 +199,9 @@ class ClosingSearch {
   }
 
   [[nodiscard]] InferredClosing guess_of(const Candidate& best) const {
-    InferredClosing guess{robot_, ball_, {}, {}, {}, {}};
+    InferredClosing guess{robot_, ball_, {}, {}, {}, {}, {}};
+    guess.facing = faces(best) && (motion_.digits().size() > 1 ||
+                                   motion_.beside_fixed_jaw(best.option, ball_).has_value());
     const DigitRoles roles = motion_.roles(best.option);
     if (const std::vector<std::string> thumbs = opposed(roles); roles.row && thumbs.size() == 1)
       guess.thumb = thumbs.front();
@@ -216,8 +223,8 @@ class ClosingSearch {
     if (!known_.approach) {
       guess.robot.approach.direction = best.direction;
       const PalmApproach ahead = motion_.ahead(best.option);
-      if (best.origin == ahead.point && best.direction == ahead.direction)
-        guess.robot.approach.point = ahead.point;
+      if (!roles.palm || (best.origin == ahead.point && best.direction == ahead.direction))
+        guess.robot.approach.point = best.origin;
     }
     if (!known_.closing) write_motors(guess, drives, best.open);
     return guess;

@@ -19,6 +19,7 @@ struct StatedClosing {
 struct InferredClosing {
   RobotSpec robot;
   double ball = 0;                   // radius of the ball on which it was tried [m]
+  bool facing = false;               // whether digits face each other, or the palm, across it
   std::vector<std::string> idle;     // digits that do not touch the ball
   std::string thumb;                 // the only digit opposed to three or more; empty: none
   std::vector<std::string> closing;  // motors that close, each with its sense: "d1 upwards"
@@ -37,11 +38,13 @@ struct InferredClosing {
 /// move the same way are the fingers. Others, and a digit that turns much farther than the rest,
 /// are opposed to them: their turning motors are tried over their whole ranges, and start at the
 /// best position (RobotDof::open). All other motors stand still. Where digits curl at each other,
-/// outer joints may begin as far open as they go, so that ends do not meet first.
+/// outer joints may begin as far open as they go, so that ends do not meet first. An only digit is
+/// a jaw, and the sense in which its end comes nearer to the palm closes it.
 ///
 /// The hand approaches objects along the direction in which its fingertips begin to curl, which is
 /// the normal of its palm; or, where digits stand round a palm and curl against each other, from
-/// the centre of the palm's box to their half-closed ends.
+/// the centre of the palm's box to their half-closed ends. An only digit goes along the part of the
+/// palm on which it closes.
 ///
 /// The score of a way of closing is
 ///   mean over digits of  max over others of  -n_i . n_j,  n the normals where they touch the ball

@@ -146,7 +146,6 @@ RobotSpec graspable(RobotSpec robot) {
   const bool guess_them = !states_digits(robot) && !robot.approach_stated;
   if (guess_them) {
     if (infer_digits(robot) == 0) return robot;
-    robot.closing_stated = false;
   }
   if (!states_digits(robot)) return robot;
   // Speeds that are all zero say nothing.

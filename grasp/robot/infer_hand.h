@@ -17,9 +17,8 @@ void require_closed_loops(const RobotSpec& robot);
 /// Makes a robot able to grasp: with_materials(), and for a robot with joints whose shapes make a
 /// hand:
 ///
-/// digits: by infer_digits(), if no link has one and no approach is stated. Closing and approach
-/// are
-///   inferred, too, in this case. A digit that is opposed to three or more is called "thumb".
+/// digits: by infer_digits(), if no link has one and no approach is stated. A digit that is opposed
+///   to three or more is called "thumb".
 /// closing, if it is not stated or every speed is 0; and approach, if it is not stated: by
 ///   infer_closing().
 ///

@@ -8,11 +8,13 @@
 #include <fstream>
 
 #include <fmt/format.h>
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "api/validate.h"
 #include "base/file_io.h"
 #include "base/units.h"
+#include "data/io/robot/import_robot.h"
 #include "geometry/mesh_check.h"
 #include "geometry/tessellate.h"
 #include "tests/message_of.h"
@@ -250,6 +252,48 @@ TEST_F(ImportMesh, WarnsOfAMaterialWithoutDensity) {
   request.material = "plastic";
   EXPECT_EQ(import_file(request).warnings.back(),
             "object 'corner' has no mass: 'plastic' has no density; state --mass or --density");
+}
+
+/// A jaw of 80 mm stroke on a palm that carries a fixed one, or none; it closes downwards.
+std::string one_jaw_urdf(bool fixed_jaw) {
+  const auto box = [](const char* size, const char* at) {
+    return fmt::format(
+        R"(<collision><origin xyz="{}"/><geometry><box size="{}"/></geometry></collision>)", at,
+        size);
+  };
+  return fmt::format(
+      R"(<robot name="jaw"><link name="palm">{}{}</link><link name="mobile">{}</link>)"
+      R"(<joint name="slide" type="prismatic"><parent link="palm"/><child link="mobile"/>)"
+      R"(<axis xyz="0 1 0"/><limit lower="0" upper="0.08" effort="40" velocity="0.1"/></joint>)"
+      R"(</robot>)",
+      box("0.04 0.11 0.04", "0 0.02 -0.02"),
+      fixed_jaw ? box("0.02 0.01 0.06", "0 -0.005 0.03") : "",
+      box("0.02 0.01 0.06", "0 0.005 0.03"));
+}
+
+class ImportOneJaw : public TemporaryFolder {
+ protected:
+  std::vector<std::string> write(bool fixed_jaw) {
+    write_file(path("jaw.urdf"), one_jaw_urdf(fixed_jaw));
+    ImportRequest request;
+    request.file = path("jaw.urdf");
+    return write_imported(import_file(request), path("jaw.toml"));
+  }
+};
+
+TEST_F(ImportOneJaw, WritesThatItClosesOnTheFixedOne) {
+  (void)write(true);
+  const RobotSpec jaw = import_robot(path("jaw.toml"));
+  EXPECT_TRUE(jaw.closing_stated);
+  EXPECT_LT(jaw.dofs.at(0).speed, 0);
+  // Objects come along both jaws, on the side of the fixed one that the other closes on.
+  EXPECT_NEAR(jaw.approach.direction.z(), 1, 1e-9);
+  EXPECT_GT(jaw.approach.point.y(), 0);
+}
+
+TEST_F(ImportOneJaw, SaysThatNothingFixedHoldsAgainstIt) {
+  EXPECT_THAT(write(false), testing::Contains(testing::HasSubstr("holds no ball")));
+  EXPECT_FALSE(import_robot(path("jaw.toml")).closing_stated);
 }
 
 }  // namespace

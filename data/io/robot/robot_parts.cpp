@@ -162,7 +162,8 @@ RobotDof read_robot_dof(TomlTable& table) {
   const bool slides = table.has(Dimension::kLength, "range");
   const Measures& in = slides ? kSlidingMeasures : kTurningMeasures;
   read_range(table, in.value, dof.lower, dof.upper);
-  dof.speed = table.number_or(Dimension::kNumber, "speed", 0);
+  const double rate = table.number_or(Dimension::kNumber, "rate", 0);
+  dof.speed = table.number_or(Dimension::kNumber, "speed", rate);
   if (table.has(in.value, "open")) dof.open = table.number(in.value, "open");
   dof.max_effort = table.number_or(in.effort, "max_effort", 0, Range::kNotNegative);
   dof.breakaway = table.number_or(in.effort, "breakaway", 0, Range::kNotNegative);

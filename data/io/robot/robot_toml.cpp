@@ -111,17 +111,23 @@ const char* kind_name(RobotDofKind kind) {
   return kind == RobotDofKind::kBreakaway ? "breakaway" : "compliant";
 }
 
+/// A `speed` that is guessed is marked as such; where no way of closing is stated it is a `rate`.
+std::string speed_line(const RobotDof& dof, bool closing_stated, bool closing_guessed) {
+  std::string text;
+  if (closing_guessed)
+    add(text, "speed = " + toml_number(dof.speed) + mark(true));
+  else
+    add_number(text, closing_stated ? "speed" : "rate", dof.speed);
+  return text;
+}
+
 std::string dof_lines(const RobotDof& dof, const RobotDof& stated, const Units& in,
-                      bool closing_guessed) {
+                      const std::string& speed) {
   std::string text = "\n[[dof]]\nname = " + toml_quoted(dof.name) + "\n";
   add(text, fmt::format("kind = \"{}\"", kind_name(dof.kind)));
   add(text,
       fmt::format("range{} = {}", in.value, toml_list(std::vector<double>{dof.lower, dof.upper})));
-  // Guessed values are marked as such.
-  if (closing_guessed)
-    add(text, "speed = " + toml_number(dof.speed) + mark(true));
-  else
-    add_number(text, "speed", dof.speed);
+  text += speed;
   if (dof.open)
     add(text, fmt::format("open{} = {}{}", in.value, toml_number(*dof.open),
                           mark(dof.open != stated.open)));
@@ -220,16 +226,18 @@ std::string robot_toml(const RobotSpec& robot, const RobotSpec* stated) {
   add_text(text, "licence", robot.licence);
   if (!robot.warnings.empty()) add(text, "warnings = " + toml_list(robot.warnings));
   if (!robot.open_loops.empty()) add(text, "open_loops = " + toml_list(robot.open_loops));
-  if (!robot.closing_stated) add(text, "closing = \"unstated\"");
+  const bool any_rate = std::any_of(robot.dofs.begin(), robot.dofs.end(),
+                                    [](const RobotDof& dof) { return dof.speed != 0; });
+  if (!robot.closing_stated && !any_rate) add(text, "closing = \"unstated\"");
   text += source_lines(robot.source);
   // Approach, links, degrees of freedom, joints.
   if (robot.approach_stated) text += approach_lines(robot.approach, before);
   for (std::size_t i = 0; i < robot.links.size(); ++i)
     text += link_lines(robot.links[i], before.links[i]);
   for (std::size_t i = 0; i < robot.dofs.size(); ++i)
-    text +=
-        dof_lines(robot.dofs[i], before.dofs[i],
-                  slides(robot, robot.dofs[i]) ? kSlidingUnits : kTurningUnits, closing_guessed);
+    text += dof_lines(robot.dofs[i], before.dofs[i],
+                      slides(robot, robot.dofs[i]) ? kSlidingUnits : kTurningUnits,
+                      speed_line(robot.dofs[i], robot.closing_stated, closing_guessed));
   for (const RobotJoint& joint : robot.joints) text += joint_lines(joint);
   return text;
 }
@@ -247,6 +255,25 @@ void read_approach(TomlTable& top, RobotSpec& robot) {
   robot.approach.point = table->vector_or(Dimension::kLength, "point", {0, 0, 0});
   robot.approach.direction = internal::read_unit(*table, "direction");
   table->done();
+}
+
+/// Motors. A rate says how fast a motor closes, and a speed also which way: rates without any
+/// speed leave the closing unstated.
+void read_dofs(TomlTable& top, RobotSpec& robot) {
+  bool any_speed = false;
+  std::optional<TomlTable> rate_alone;
+  for (TomlTable& table : top.tables("dof")) {
+    const bool speed = table.has("speed");
+    any_speed = any_speed || speed;
+    if (table.has("rate") && !speed && !rate_alone) rate_alone = table;
+    robot.dofs.push_back(internal::read_robot_dof(table));
+  }
+  if (!rate_alone) return;
+  if (any_speed)
+    rate_alone->fail(
+        "wanted a speed, negative where downwards closes and 0 where it stays, as other motors "
+        "have one, got a rate alone");
+  robot.closing_stated = false;
 }
 
 }  // namespace
@@ -268,7 +295,7 @@ RobotSpec parse_robot(const std::string& text, const std::string& path) {
   read_approach(top, robot);
   for (TomlTable& table : top.tables("link"))
     robot.links.push_back(internal::read_robot_link(table, path));
-  for (TomlTable& table : top.tables("dof")) robot.dofs.push_back(internal::read_robot_dof(table));
+  read_dofs(top, robot);
   for (TomlTable& table : top.tables("joint"))
     robot.joints.push_back(internal::read_robot_joint(table));
   for (TomlTable& table : top.tables("dh_chain"))

@@ -90,6 +90,30 @@ TEST(RobotToml, MarksWhatWasGuessed) {
   EXPECT_THAT(robot_toml(guessed), Not(HasSubstr("guessed")));
 }
 
+// A person who reads how fast a motor closes, and writes which way, is believed.
+TEST(RobotToml, BelievesSpeedsWrittenBesideRates) {
+  RobotSpec robot = sample::small_robot(1);
+  for (RobotDof& dof : robot.dofs) dof.speed = 0.5;
+  robot.closing_stated = false;
+  std::string text = robot_toml(robot);
+  EXPECT_FALSE(parse_robot(text, "robot.toml").closing_stated);
+  const std::string rate = "\nrate = 0.5\n", speed = "\nspeed = -0.5";
+  std::size_t written = 0;
+  for (std::size_t at = text.find(rate); at != std::string::npos;
+       at = text.find(rate, at + speed.size() + 1)) {
+    // Where only some motors have a speed the others are asked for theirs.
+    if (written++ == 1) {
+      EXPECT_THAT(message_of<DataError>([&] { (void)parse_robot(text, "robot.toml"); }),
+                  HasSubstr("wanted a speed"));
+    }
+    text.insert(at, speed);
+  }
+  EXPECT_EQ(written, robot.dofs.size());
+  const RobotSpec corrected = parse_robot(text, "robot.toml");
+  EXPECT_TRUE(corrected.closing_stated);
+  for (const RobotDof& dof : corrected.dofs) EXPECT_EQ(dof.speed, -0.5);
+}
+
 TEST(RobotToml, KeepsEveryBit) {
   for (unsigned seed = 1; seed <= 20; ++seed) {
     RobotSpec robot = sample::small_robot(seed);

@@ -243,6 +243,32 @@ TEST(GuessClosing, ClosesJawsThatTurnWhereverTheyBegin) {
         EXPECT_EQ(dof.speed, upwards ? 1 : -1) << begins_open << dof.name;
 }
 
+/// Jaws of which one is part of the palm.
+RobotSpec one_jaw(RobotSpec jaws) {
+  ShapeSpec fixed = jaws.links[2].shapes[0];
+  fixed.X_BS.p += jaws.joints[1].X_PJ.p;
+  if (jaws.joints[1].kind == RobotJointKind::kPrismatic)
+    fixed.X_BS.p.y() = -std::abs(fixed.X_BS.p.y());
+  jaws.links[0].shapes.push_back(fixed);
+  jaws.links.pop_back();
+  jaws.joints.pop_back();
+  jaws.dofs.pop_back();
+  return jaws;
+}
+
+// The jaw that moves comes nearer to the one that does not, wherever it begins.
+TEST(GuessClosing, ClosesAJawOnAFixedOne) {
+  for (const bool begins_open : {true, false})
+    for (const bool upwards : {true, false}) {
+      EXPECT_EQ(graspable(one_jaw(jaws(0.05, begins_open, upwards))).dofs[0].speed,
+                upwards ? 1 : -1);
+      // On hinges the fixed jaw stands as where both are closed.
+      RobotSpec turning = turning_jaws(begins_open, upwards);
+      turning.joints[1].X_PJ.R.setIdentity();
+      EXPECT_EQ(graspable(one_jaw(turning)).dofs[0].speed, upwards ? 1 : -1);
+    }
+}
+
 /// The same jaws with value 0 in the middle of their ranges.
 RobotSpec from_the_middle(RobotSpec robot) {
   for (std::size_t i = 0; i < robot.joints.size(); ++i) {

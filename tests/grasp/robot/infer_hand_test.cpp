@@ -17,7 +17,7 @@ using testing::HasSubstr;
 RobotSpec bare_jaws() {
   RobotSpec robot = sample::jaws();
   robot.approach = {};
-  robot.approach_stated = false;
+  robot.closing_stated = robot.approach_stated = false;
   for (RobotLink& link : robot.links) link.digit = link.material = "";
   for (RobotJoint& joint : robot.joints) {
     joint.axis *= -1;
