@@ -28,7 +28,7 @@ struct CompareRequest {
   std::string data;             // folder with robots/ and objects/; empty: the usual ones
   int approaches = 20;          // of every hand to every object
   int best = 3;                 // number of grasps of each pair whose loads are computed
-  int threads = 1;              // the answer is the same with any number
+  int threads = 0;              // 0: as many as there are processors; the answer is the same
   unsigned seed = 1;            // of the approaches
   std::optional<Path> path;     // of tendons of human hands whose names state none; absent:
                                 // default_path()

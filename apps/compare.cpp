@@ -83,8 +83,10 @@ void add_compare(CLI::App& app) {
   command->add_option("--best", request.best, "Grasps of each pair whose loads are computed")
       ->check(at_least(0));
   command->add_option("--seed", request.seed, "Of the random approaches");
-  command->add_option("--threads", request.threads, "The answer is the same with any number")
-      ->check(at_least(1));
+  command
+      ->add_option("--threads", request.threads,
+                   "0: as many as there are processors; the answer is the same with any number")
+      ->check(at_least(0));
   command->add_flag("--normalise-size", request.normalise_size,
                     "Scale objects by the reach of the digits over the first hand's");
   add_hand_path_option(*command, request.path);

@@ -62,7 +62,7 @@ struct Comparison;
 struct CompareOptions {
   int approaches = 20;          // of every hand to every object
   unsigned seed = 1;            //
-  int threads = 1;              //
+  int threads = 1;              // 0: as many as there are processors
   int best = 3;                 // number of grasps of each hand and object whose loads are computed
   bool normalise_size = false;  // objects scaled by reach_of_digits() over the first hand's
   std::vector<GraspTask> tasks{GraspTask::kForceClosure, GraspTask::kHoldWeight};
@@ -112,7 +112,7 @@ struct HandOnObject {
   Eigen::VectorXd hand_epsilon;       // of closures for which it is known, ascending [N]
   std::map<std::string, int> types;   // grasp_type() -> number of closures
   std::vector<BestGrasp> best;        // best first
-  double seconds = 0;                 // wall time
+  double seconds = 0;                 // of all its pieces, one after the other
 
   /// Margin of a task over `best`. Force closure has none: see `success`.
   [[nodiscard]] LoadFound load(GraspTask task) const;

@@ -81,6 +81,35 @@ TEST(Compare, GivesTheSameOnAnyNumberOfThreads) {
   EXPECT_NE(listed(compare_on(hand, cube(), 1, other).epsilon), listed(one.epsilon));
 }
 
+// Pieces of all pairs are done in any order; pairs are kept in that of hands and objects.
+TEST(Compare, KeepsPairsInOrderOnAnyNumberOfThreads) {
+  const std::vector<ComparedHand> hands{compared("one", sample::jaws()),
+                                        compared("two", sample::jaws())};
+  BodySpec larger = scaled(cube(), 1.2);
+  larger.name = "larger";
+  std::vector<Comparison> all;
+  for (const int threads : {1, 3}) {
+    CompareOptions options = few(threads);
+    std::vector<std::size_t> kept;
+    options.keep = [&](const Comparison& so_far) { kept.push_back(so_far.cells.size()); };
+    all.push_back(compare(hands, {cube(), larger}, options));
+    EXPECT_THAT(kept, testing::ElementsAre(1, 2, 3, 4));
+    EXPECT_TRUE(all.back().complete);
+  }
+  for (std::size_t i = 0; i < 4; ++i) {
+    const HandOnObject& cell = all[1].cells[i];
+    EXPECT_EQ(cell.hand, i < 2 ? "one" : "two");
+    EXPECT_EQ(cell.object, i % 2 == 0 ? "cube" : "larger");
+    expect_same(all[0].cells[i], cell);
+  }
+  ASSERT_EQ(all[1].abilities.size(), 2U);
+  for (std::size_t h = 0; h < 2; ++h) {
+    EXPECT_EQ(all[1].abilities[h].hand, hands[h].name);
+    EXPECT_EQ(all[0].abilities[h].digits[0].workspace, all[1].abilities[h].digits[0].workspace);
+    EXPECT_EQ(all[0].abilities[h].types, all[1].abilities[h].types);
+  }
+}
+
 TEST(Compare, CountsEveryApproachOnce) {
   const HandOnObject cell = compare_on(compared("jaws", sample::jaws()), cube(), 1, few());
   int sum = 0;

@@ -1,0 +1,174 @@
+#include "grasp/compare/cell_work.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <utility>
+
+#include "data/io/world/world.h"
+#include "grasp/compare/grasp_loads.h"
+#include "grasp/compare/grasp_type.h"
+#include "grasp/compare/pregrasp.h"
+
+namespace thenar {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+double seconds_since(Clock::time_point start) {
+  return std::chrono::duration<double>(Clock::now() - start).count();
+}
+
+HeldObject held_by(const ComparedHand& hand, const Grasp& grasp, const SceneBody& object) {
+  return {*hand.hand, grasp.closed.q, grasp.contacts,
+          grasp.approached.X_WH.inverse() * object.X_WB};
+}
+
+Eigen::VectorXd ascending(std::vector<double> values) {
+  std::sort(values.begin(), values.end());
+  return Eigen::Map<const Eigen::VectorXd>(values.data(), static_cast<Eigen::Index>(values.size()));
+}
+
+}  // namespace
+
+void StandingObject::build() {
+  std::call_once(built_, [&] {
+    PlacedBody placed;
+    placed.body = scaled(object_, scale_);
+    const BodyMass mass = body_mass(placed.body, materials_);
+    placed.body.mass = mass;
+    mass_ = mass.mass;
+    scene_ = std::make_unique<Scene>(Scene{build_body(placed), {}, materials_});
+  });
+}
+
+const Scene& StandingObject::scene() {
+  build();
+  return *scene_;
+}
+
+double StandingObject::mass() {
+  build();
+  return mass_;
+}
+
+const CollisionHand& TouchingHand::surfaces() {
+  std::call_once(built_, [&] {
+    surfaces_ = std::make_unique<CollisionHand>(collision_hand(*hand_.hand, materials_));
+  });
+  return *surfaces_;
+}
+
+CellWork::CellWork(TouchingHand& hand, StandingObject& object, const CompareOptions& options,
+                   const Progress& progress)
+    : hand_(hand), object_(object), options_(options), progress_(progress) {
+  cell_.hand = hand.hand().name;
+  cell_.object = object.name();
+  cell_.scale = object.scale();
+}
+
+void CellWork::add_to(TaskQueue& queue) {
+  left_ = options_.approaches;
+  tried_.resize(static_cast<std::size_t>(options_.approaches));
+  for (int n = 0; n < options_.approaches; ++n) queue.add([this, n, &queue] { attempt(n, queue); });
+}
+
+bool CellWork::Tried::closes() const {
+  return grasp.outcome == GraspOutcome::kGrasped && grasp.quality.force_closure;
+}
+
+Grasp CellWork::make_grasp(int number) {
+  // Contact model and closing rates belong to the hand.
+  GraspOptions grasping = options_.grasp;
+  grasping.pads.contact = hand_.hand().contact;
+  grasping.close.rates = hand_.hand().rates;
+  const Scene& scene = object_.scene();
+  return attempt_grasp(hand_.surfaces(),
+                       sample_pregrasp(hand_.surfaces(), scene.object, options_.seed, number),
+                       scene, grasping);
+}
+
+/// Tries an approach; the last one of all ranks them.
+void CellWork::attempt(int number, TaskQueue& queue) {
+  if (progress_.stop()) return;
+  const auto start = Clock::now();
+  Tried& tried = tried_[static_cast<std::size_t>(number)];
+  tried.grasp = make_grasp(number);
+  if (tried.closes()) {
+    if (progress_.stop()) return;
+    const SceneBody& object = object_.scene().object;
+    ExplainedLoad epsilon = hand_epsilon(held_by(hand_.hand(), tried.grasp, object), object);
+    tried.hand_epsilon = epsilon.value;
+    tried.reason = std::move(epsilon.reason);
+  }
+  spent(seconds_since(start));
+  ++tried_count_;
+  if (--left_ == 0) rank(queue);
+}
+
+/// Counts outcomes, and adds the loads of the best ones as pieces.
+void CellWork::rank(TaskQueue& queue) {
+  std::vector<std::pair<double, int>> closed;
+  std::vector<double> epsilon, hand_epsilon;
+  for (std::size_t n = 0; n < tried_.size(); ++n) {
+    const Tried& tried = tried_[n];
+    ++cell_.outcomes[static_cast<std::size_t>(tried.grasp.outcome)];
+    if (!tried.closes()) continue;
+    closed.emplace_back(tried.grasp.quality.lower, static_cast<int>(n));
+    epsilon.push_back(tried.grasp.quality.lower);
+    if (!std::isnan(tried.hand_epsilon)) hand_epsilon.push_back(tried.hand_epsilon);
+    ++cell_.types[grasp_type(*hand_.hand().hand, tried.grasp.contacts)];
+  }
+  // Closures sorted by epsilon.
+  std::sort(closed.begin(), closed.end());
+  cell_.approaches = options_.approaches;
+  cell_.closures = static_cast<int>(closed.size());
+  cell_.success = static_cast<double>(cell_.closures) / options_.approaches;
+  cell_.interval = wilson_interval(cell_.closures, options_.approaches);
+  cell_.epsilon = ascending(std::move(epsilon));
+  cell_.hand_epsilon = ascending(std::move(hand_epsilon));
+  // Loads of the best ones, from the largest epsilon down.
+  const int best = std::min(options_.best, cell_.closures);
+  cell_.best.resize(static_cast<std::size_t>(best));
+  left_ = best;
+  done_ = best == 0;
+  for (int i = best; i-- > 0;) {
+    const int number = closed[static_cast<std::size_t>(cell_.closures - 1 - i)].second;
+    queue.add_first([this, i, number] { describe(static_cast<std::size_t>(i), number); });
+  }
+}
+
+/// Loads that one of the best grasps resists, and reasons for zero or unknown ones.
+void CellWork::describe(std::size_t place, int number) {
+  if (progress_.stop()) return;
+  const auto start = Clock::now();
+  const Tried& tried = tried_[static_cast<std::size_t>(number)];
+  const Grasp& grasp = tried.grasp;
+  BestGrasp& best = cell_.best[place];
+  best.approach = number;
+  best.X_WH = grasp.approached.X_WH;
+  best.q = grasp.closed.q;
+  best.contacts = grasp.contacts;
+  best.epsilon = grasp.quality.lower;
+  best.type = grasp_type(*hand_.hand().hand, grasp.contacts);
+  const SceneBody& object = object_.scene().object;
+  GraspLoads loads =
+      grasp_loads(held_by(hand_.hand(), grasp, object), object, object_.mass(), options_.tasks);
+  best.min_grasp_force = loads.min_grasp_force;
+  best.standing_grasp_force = loads.standing_grasp_force;
+  best.margin = std::move(loads.margin);
+  best.reasons = std::move(loads.reasons);
+  best.hand_epsilon = tried.hand_epsilon;
+  if (!tried.reason.empty()) best.reasons["epsilon"] = tried.reason;
+  spent(seconds_since(start));
+  if (--left_ > 0) return;
+  tried_.clear();
+  done_ = true;
+}
+
+void CellWork::spent(double seconds) {
+  const std::lock_guard lock(timing_);
+  cell_.seconds += seconds;
+}
+
+}  // namespace thenar
