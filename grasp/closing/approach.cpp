@@ -92,7 +92,7 @@ ApproachResult yielding_approach(const CollisionHand& hand, const Pose<double>& 
     aside.p += step * across;
     const double left = most.distance - d.dot(aside.p - X_WH.p);
     ApproachResult next = approach(hand, aside, q, scene, std::max(0.0, left), options);
-    if (!next.overlaps.empty()) break;
+    if (!next.overlaps.empty() || (met.touches && !next.touches)) break;
     met = std::move(next);
   }
   return met;

@@ -36,7 +36,7 @@ struct ApproachReach {
 /// twentieth of the object's radius across the approach direction d, along n - (n'd) d with the
 /// normal n of the contact, and goes on. It ends where the palm or an obstacle is met, where a
 /// digit meets the object head-on (|n - (n'd) d| < 0.2), where another step would overlap
-/// something, or after steps of `most.aside` in all.
+/// something or slide past the object, or after steps of `most.aside` in all.
 /// @param most  largest distances
 /// @throws InputError as approach(), or if `most.aside` is negative.
 ApproachResult yielding_approach(const CollisionHand& hand, const Pose<double>& X_WH,

@@ -21,6 +21,19 @@ std::string large_parts(const ScaledWrench& vector, const char* along, const cha
   return fmt::format("{}", fmt::join(parts, ", "));
 }
 
+/// Whether two hard points press on each other within friction: they resist every load but a torque
+/// about the line through them (both friction cones have this line: Nguyen's condition).
+bool is_held_between_two(const std::vector<HandContact>& contacts) {
+  if (contacts.size() != 2) return false;
+  const Contact &a = contacts[0].contact, &b = contacts[1].contact;
+  const Eigen::Vector3d line = (b.p - a.p).normalized();
+  const auto within = [](const Contact& contact, const Eigen::Vector3d& along) {
+    const double cosine = contact.n.dot(along);
+    return cosine > 0 && contact.n.cross(along).norm() < contact.friction * cosine;
+  };
+  return a.torsion == 0 && b.torsion == 0 && within(a, line) && within(b, -line);
+}
+
 }  // namespace
 
 std::string direction_words(const ScaledWrench& wrench) {
@@ -50,6 +63,9 @@ std::string outcome_words(const Grasp& grasp) {
   const ApproachResult& way = grasp.approached;
   switch (grasp.outcome) {
     case GraspOutcome::kGrasped:
+      if (!grasp.quality.force_closure && is_held_between_two(grasp.contacts))
+        return "held between 2 hard points, free to turn about the line through them: no force "
+               "closure; soft pads would hold it";
       return fmt::format("{}: {} contact{}, {}",
                          grasp.quality.force_closure ? "grasped" : "touched, not grasped",
                          grasp.contacts.size(), grasp.contacts.size() == 1 ? "" : "s",

@@ -297,19 +297,7 @@ class BallGrasp::Closing {
         drives_.stop(moved, StoppedBy::kContact);
   }
 
-  /// Contacts with the ball, with a wider tolerance.
-  [[nodiscard]] std::vector<BallContact> contacts(const ProbeBall& ball) const {
-    std::vector<BallContact> contacts;
-    for (std::size_t s = 0; s < grasp_.surfaces_.size(); ++s) {
-      const SampledSurface& surface = grasp_.surfaces_[s];
-      const Vector3d c = from(links_, surface.link, ball.centre);
-      const auto [index, distance] = nearest(surface, c, ball.radius + 2 * kTouch);
-      if (index < 0 || distance > ball.radius + 2 * kTouch) continue;
-      const Vector3d normal = ball.centre - at(links_, surface.link, surface.p.col(index));
-      contacts.push_back({static_cast<int>(s), normal.normalized()});
-    }
-    return contacts;
-  }
+  [[nodiscard]] const std::vector<Pose<double>>& links() const { return links_; }
 
  private:
   const BallGrasp& grasp_;
@@ -321,6 +309,21 @@ class BallGrasp::Closing {
   std::vector<double> gaps_;  // of each surface to the ball, after the last step [m]
   std::vector<bool> met_;     // pairs of surfaces that have collided
 };
+
+std::vector<BallContact> BallGrasp::contacts(const std::vector<Pose<double>>& links,
+                                             const ProbeBall& ball) const {
+  // With a wider tolerance than that of touching.
+  std::vector<BallContact> contacts;
+  for (std::size_t s = 0; s < surfaces_.size(); ++s) {
+    const SampledSurface& surface = surfaces_[s];
+    const Vector3d c = from(links, surface.link, ball.centre);
+    const auto [index, distance] = nearest(surface, c, ball.radius + 2 * kTouch);
+    if (index < 0 || distance > ball.radius + 2 * kTouch) continue;
+    const Vector3d normal = ball.centre - at(links, surface.link, surface.p.col(index));
+    contacts.push_back({static_cast<int>(s), normal.normalized()});
+  }
+  return contacts;
+}
 
 std::vector<BallContact> BallGrasp::close(const std::vector<Drive>& drives, Eigen::VectorXd q,
                                           const ProbeBall& ball, int steps,
@@ -338,7 +341,7 @@ std::vector<BallContact> BallGrasp::close(const std::vector<Drive>& drives, Eige
       closing.stop_between(b, a);
     }
   }
-  return closing.contacts(ball);
+  return contacts(closing.links(), ball);
 }
 
 }  // namespace thenar

@@ -56,6 +56,11 @@ class BallGrasp {
                                    const Eigen::Vector3d& origin, const Eigen::Vector3d& direction,
                                    double radius) const;
 
+  /// Contacts of all surfaces with the ball, within 1 mm.
+  /// @param links  RobotHand::pose()
+  [[nodiscard]] std::vector<BallContact> contacts(const std::vector<Pose<double>>& links,
+                                                  const ProbeBall& ball) const;
+
   /// Closes from a posture in equal steps, each drive at its speed. A link that meets the ball
   /// stops the coordinates that move it, and the rest of its drive as Drive::coupling says. If
   /// `self` is not empty, surfaces of these digits and all others stop each other within about a

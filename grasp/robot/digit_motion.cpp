@@ -34,7 +34,12 @@ DigitMotion::DigitMotion(const BallGrasp& grip, bool closing)
   rest_ = layout.lower.cwiseMax(0).cwiseMin(layout.upper);
   find_digits();
   sort_drives();
+  // What curls and where tips go is told by straight digits.
+  straighten();
+  find_digits();
+  sort_drives();
   orient();
+  join_rows();
   // Stated speeds tell how the hand closes; otherwise both senses are tried.
   if (closing) {
     SenseOption stated;
@@ -56,6 +61,8 @@ int DigitMotion::depth_of(int link) const {
 }
 
 void DigitMotion::find_digits() {
+  digits_.clear();
+  names_.clear();
   const std::vector<Pose<double>> links = grip_.hand().pose(rest_);
   const std::vector<SampledSurface>& surfaces = grip_.surfaces();
   std::vector<int> depth;

@@ -33,7 +33,8 @@ class DigitMotion {
   DigitMotion(const BallGrasp& grip, bool closing);
 
   [[nodiscard]] const std::vector<std::string>& digits() const { return names_; }
-  /// Every coordinate at zero or the nearest limit [rad] or [m] (coordinates)
+  /// Every coordinate at zero or the nearest limit, digits that are curled there as straight as
+  /// they go [rad] or [m] (coordinates)
   [[nodiscard]] const Eigen::VectorXd& rest() const { return rest_; }
   /// Mean distance from the root of a digit to its tip [m].
   [[nodiscard]] double mean_digit_length() const;
@@ -64,6 +65,12 @@ class DigitMotion {
   void find_digits();
   void sort_drives();
   void orient();
+  void straighten();
+  void turn_by(int coordinate, double angle);
+  void join_rows();
+  void join_groups(int one, int other, bool reversed);
+  [[nodiscard]] int group_of(const Digit& digit) const;
+  [[nodiscard]] std::vector<int> hinges_of(const Digit& digit) const;
   // Twist of a digit's tip per unit of a drive, at rest: rotation [rad], then translation [m] (6).
   [[nodiscard]] Eigen::Matrix<double, 6, 1> twist(std::size_t drive, const Digit& digit) const;
   [[nodiscard]] Eigen::Vector3d spin(std::size_t drive, const Digit& digit) const;

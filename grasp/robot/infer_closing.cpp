@@ -24,6 +24,7 @@ constexpr double kOfReach = 0.35;  // its radius by the length of a finger, for 
 constexpr double kHumanSize[] = {0.5, 2};  // range of human size, by kBall [1]
 constexpr double kNoLength = 1e-6;         // size of a hand without length [m]
 constexpr int kCoarse = 24, kFine = 60;    // steps of closing
+constexpr double kAside = 0.5;             // weight of a push across the approach [1]
 constexpr std::size_t kTried = 12;         // candidates that are tried on three balls
 // Sizes of further balls, where no digits face each other across the first one [1].
 constexpr double kFurther[] = {1.0 / 2, 1.0 / 4, 1.0 / 8, 1.0 / 16, 1.5, 2.25, 3.4};
@@ -141,9 +142,19 @@ class ClosingSearch {
                              const std::vector<std::string>& self) const {
     ProbeBall ball{{}, radius};
     if (!place(candidate, links, ball)) return -candidate.against;
+    const double aside = roles.palm ? kAside * aside_of(candidate.direction, links, ball) : 0;
     return facing(grip_.close(motion_.drives(candidate.option), candidate.open, ball, steps, self),
                   roles) -
-           candidate.against;
+           candidate.against - aside;
+  }
+
+  /// Share of the push on the ball where it comes to rest that is across the approach, so that it
+  /// would slip off to the side [1]
+  [[nodiscard]] double aside_of(const Vector3d& direction, const std::vector<Pose<double>>& links,
+                                const ProbeBall& ball) const {
+    Vector3d push = Vector3d::Zero();
+    for (const BallContact& contact : grip_.contacts(links, ball)) push += contact.normal;
+    return push.isZero(0) ? 0 : push.normalized().cross(direction).norm();
   }
 
   /// Score of how digits face each other, and the palm if they stand round it.

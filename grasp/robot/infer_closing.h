@@ -32,6 +32,7 @@ struct InferredClosing {
 /// halved up to four times; where they still do not, as jaws that stay apart, it is 1.5 to 3.4
 /// times as large.
 ///
+/// Digits that are curled where their motors stand at 0 are straightened first, as far as they go.
 /// Motors about axes within 45 deg of the axis of a digit's last joint curl the digit, all in one
 /// sense; its other motors turn it. It curls in the sense in which it has more range, or comes
 /// nearer to the other digits; if ranges and nearness disagree, both are tried. Digits whose tips
@@ -50,7 +51,8 @@ struct InferredClosing {
 ///   mean over digits of  max over others of  -n_i . n_j,  n the normals where they touch the ball
 /// (others: digits, and the palm where digits curl at each other), plus the best pair of a finger
 /// and an opposed digit, for three sizes of the ball, less the evidence against it from ranges
-/// and nearness, at most 0.6.
+/// and nearness, at most 0.6, and less half of the sine by which a palm and fingers would push the
+/// ball aside as it comes.
 /// Surfaces are points (BallGrasp): no solids are built.
 /// @param robot  with at least one digit
 [[nodiscard]] InferredClosing infer_closing(const RobotSpec& robot, const StatedClosing& known);

@@ -18,6 +18,9 @@
 namespace thenar {
 namespace {
 
+constexpr const char* kSoftMaterial = "rubber";
+constexpr const char* kSoftWords[] = {"silicone", "rubber", "elastomer"};
+
 bool any_speed(const RobotSpec& robot) {
   return std::any_of(robot.dofs.begin(), robot.dofs.end(),
                      [](const RobotDof& dof) { return dof.speed != 0; });
@@ -115,15 +118,32 @@ void name_nominal(RobotSpec& robot) {
                     fmt::join(nominal, ", ")));
 }
 
+std::string lower_case(std::string text) {
+  std::transform(text.begin(), text.end(), text.begin(),
+                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  return text;
+}
+
+/// Whether the name of a link says that it is a soft pad.
+bool is_named_soft(const std::string& link) {
+  const std::string name = lower_case(link);
+  return std::any_of(std::begin(kSoftWords), std::end(kSoftWords),
+                     [&](const char* word) { return name.find(word) != std::string::npos; });
+}
+
 }  // namespace
 
 RobotSpec with_materials(RobotSpec robot) {
-  std::vector<std::string> bare;
+  std::vector<std::string> bare, soft;
   for (RobotLink& link : robot.links) {
     if (link.shapes.empty() || !link.material.empty()) continue;
-    link.material = kDefaultMaterial;
-    bare.push_back(link.name);
+    const bool named_soft = is_named_soft(link.name);
+    link.material = named_soft ? kSoftMaterial : kDefaultMaterial;
+    (named_soft ? soft : bare).push_back(link.name);
   }
+  if (!soft.empty())
+    robot.warnings.push_back(fmt::format("no material is stated: {} is taken for {}, by the names",
+                                         kSoftMaterial, fmt::join(soft, ", ")));
   if (!bare.empty())
     robot.warnings.push_back(fmt::format("no material is stated: {} is taken for {}",
                                          kDefaultMaterial, fmt::join(bare, ", ")));
@@ -210,12 +230,6 @@ std::vector<std::set<std::size_t>> find_branches(const RobotSpec& robot, const B
     branches.erase(other);
   }
   return branches;
-}
-
-std::string lower_case(std::string text) {
-  std::transform(text.begin(), text.end(), text.begin(),
-                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  return text;
 }
 
 /// Names of fingers: words within a name, and beginnings of names, also after a side as in "rh_".

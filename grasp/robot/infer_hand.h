@@ -7,7 +7,8 @@
 
 namespace thenar {
 
-/// Gives links with shapes and without material kDefaultMaterial; a warning names them.
+/// Gives links with shapes and without material kDefaultMaterial, those whose names speak of
+/// silicone, rubber or elastomer rubber; warnings name them.
 [[nodiscard]] RobotSpec with_materials(RobotSpec robot);
 
 /// Refuses a robot with unsolved loops (RobotSpec::open_loops): its parts would come apart.

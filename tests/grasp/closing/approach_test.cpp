@@ -116,6 +116,14 @@ TEST(YieldingApproach, StaysWhereItMetTheBallIfItMayNotGiveWay) {
   EXPECT_NE(met.surface, "base");
 }
 
+// Beside the outer edge of the jaw, at 60 mm: 3 mm aside the hand would slide past, and the palm,
+// of 50 mm, would not meet it.
+TEST(YieldingApproach, StopsWhereItWouldSlidePast) {
+  const ApproachResult met = go(0.072, kBallRadius);
+  EXPECT_TRUE(met.touches);
+  EXPECT_NE(met.surface, "base");
+}
+
 TEST(YieldingApproach, EndsBeforeAnObjectHeadOn) {
   const ApproachResult met = go(0.055, kBallRadius);
   EXPECT_EQ(met.X_WH.p.x(), 0);

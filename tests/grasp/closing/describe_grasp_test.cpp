@@ -2,6 +2,9 @@
 
 #include "grasp/closing/describe_grasp.h"
 
+#include <cmath>
+
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 namespace thenar {
@@ -12,6 +15,21 @@ TEST(DescribeGrasp, NamesTheLargePartsOfADirection) {
   EXPECT_EQ(direction_words(w), "none");
   w << 0, 0, -1, 0.2, 0.5, 0;  // 0.2 is below a third of the largest
   EXPECT_EQ(direction_words(w), "force along -z, torque about +y");
+}
+
+// Two hard points of friction 0.5 across a ball hold it but for turning about their line; the same
+// at 40 deg to the line, beyond atan(0.5) = 27 deg, do not.
+TEST(DescribeGrasp, SaysThatTwoHardPointsLetTheObjectTurn) {
+  Grasp grasp{};
+  grasp.outcome = GraspOutcome::kGrasped;
+  const auto pressed = [&](double angle) {
+    const double c = std::cos(angle), s = std::sin(angle);
+    grasp.contacts = {{{{-0.02, 0, 0}, {c, s, 0}, 0.5}, 0, 0},
+                      {{{0.02, 0, 0}, {-c, s, 0}, 0.5}, 1, 0}};
+    return outcome_words(grasp);
+  };
+  EXPECT_THAT(pressed(0), testing::HasSubstr("free to turn about the line through them"));
+  EXPECT_EQ(pressed(0.7), "touched, not grasped: 2 contacts, no force closure");
 }
 
 TEST(DescribeGrasp, SaysHowDeepOverlapsAre) {

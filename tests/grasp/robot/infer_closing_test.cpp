@@ -423,6 +423,41 @@ TEST_P(MadeUpHands, HoldABallWithThumbAndFingersAlongThePalmsNormal) {
   EXPECT_GT(robot.approach.direction.dot(normal), std::cos(0.15));
 }
 
+/// The hand with its fingers bent by 50 deg in every joint at value 0, and the middle joint of
+/// every finger but the first turning the other way round.
+RobotSpec curled_at_zero(RobotSpec robot) {
+  for (std::size_t i = 0; i < robot.joints.size(); ++i) {
+    RobotJoint& joint = robot.joints[i];
+    if (joint.child.rfind("opposer", 0) == 0) continue;
+    const double bent = 50.0 * kPi / 180;
+    joint.X_PJ = joint.X_PJ * joint_motion(joint, bent);
+    double lower = joint.lower - bent, upper = joint.upper - bent;
+    if (joint.child.back() == '2' && joint.child != "second 2") {
+      joint.axis *= -1;
+      lower = -(joint.upper - bent);
+      upper = -(joint.lower - bent);
+    }
+    joint.lower = robot.dofs[i].lower = lower;
+    joint.upper = robot.dofs[i].upper = upper;
+  }
+  return robot;
+}
+
+// Where a digit is straight tells its way of closing, wherever value 0 is.
+TEST(GuessClosing, ClosesHandsThatAreCurledAtZero) {
+  for (const int thumb : {0, 1, 2}) {
+    sample::MadeUpHand how;
+    how.thumb = thumb;
+    const RobotSpec robot = graspable(curled_at_zero(sample::HandMaker(how).hand()));
+    for (const RobotDof& dof : robot.dofs) {
+      if (dof.name.rfind("opposer", 0) == 0) continue;
+      const bool reversed = dof.name.find('2') != std::string::npos && dof.name != "second 2 joint";
+      EXPECT_EQ(dof.speed, reversed ? -1 : 1) << thumb << dof.name;
+    }
+    EXPECT_GT(robot.approach.direction.z(), std::cos(0.15)) << thumb;
+  }
+}
+
 INSTANTIATE_TEST_SUITE_P(All, MadeUpHands, testing::Range(0, 24));
 
 INSTANTIATE_TEST_SUITE_P(All, LibraryHands,

@@ -35,6 +35,15 @@ TEST(GuessHand, NamesBranchesDigitsAndTakesPlastic) {
   EXPECT_THAT(robot.warnings, Contains(HasSubstr("plastic is taken for base, left, right")));
 }
 
+TEST(GuessHand, TakesPadsNamedAfterSoftMaterialsForRubber) {
+  RobotSpec robot = bare_jaws();
+  robot.links[2].name = robot.joints[1].child = "Right_Silicone_pad";
+  const RobotSpec found = graspable(robot);
+  EXPECT_EQ(found.links[1].material, kDefaultMaterial);
+  EXPECT_EQ(found.links[2].material, "rubber");
+  EXPECT_THAT(found.warnings, Contains(HasSubstr("rubber is taken for Right_Silicone_pad")));
+}
+
 TEST(GuessHand, ClosesTheWayInWhichTipsMeet) { EXPECT_LT(graspable(bare_jaws()).dofs[0].speed, 0); }
 
 // The palm's box ends 5 mm behind its middle at y = -30 mm; the jaws lie ahead of it along y.
