@@ -46,6 +46,12 @@ find_library(HDF5_HL_LIBRARY hdf5_serial_hl REQUIRED)  # dimension scales
 add_library(thenar::hdf5 INTERFACE IMPORTED)
 target_link_libraries(thenar::hdf5 INTERFACE ${HDF5_HL_LIBRARY} PkgConfig::HDF5)
 
+# One BLAS for all: CHOLMOD calls libblas.so.3, which is OpenBLAS where it is installed, and Debian's
+# Ceres names ATLAS besides, which is slower and would come first.
+get_target_property(libraries Ceres::ceres INTERFACE_LINK_LIBRARIES)
+list(FILTER libraries EXCLUDE REGEX "lib(f77blas|atlas)[.]so")
+set_target_properties(Ceres::ceres PROPERTIES INTERFACE_LINK_LIBRARIES "${libraries}")
+
 find_library(CHOLMOD_LIBRARY cholmod REQUIRED)  # of SuiteSparse, which Ceres needs as well
 find_path(CHOLMOD_INCLUDE_DIR suitesparse/cholmod.h REQUIRED)
 add_library(thenar::cholmod INTERFACE IMPORTED)

@@ -13,6 +13,9 @@
 namespace thenar {
 namespace {
 
+constexpr double kTouching =
+    1e-7;  // of a limit that leaves no interior, over the unit of force [1]
+
 using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::Vector3d;
@@ -128,11 +131,18 @@ ConstrainedForce constrained_force(const TipStatics& statics, const Vector3d& di
 
   // Largest component along the direction, within the limits.
   NonlinearProgram program = internal::program_over_interior(interior);
+  const Index bounds = program.row_upper.size();
   add_limits(interior, unknowns, limits, program);
   const VectorXd slope = interior.Z.topRows(axes.cols()).transpose() * (axes.transpose() * d);
   program.objective = [&slope](const VectorXd& y) { return -slope.dot(y); };
   program.gradient = [&slope](const VectorXd&) -> VectorXd { return -slope; };
-  const NonlinearResult best = solve_ipopt(program, VectorXd::Zero(slope.size()));
+  NonlinearResult best = solve_ipopt(program, VectorXd::Zero(slope.size()));
+  if (best.status == Status::kStalled) {
+    // Limits that touch all that is left leave no interior: by a little more there is one.
+    program.row_upper.tail(program.row_upper.size() - bounds)
+        .setConstant(kTouching * balance.force_unit);
+    best = solve_ipopt(program, VectorXd::Zero(slope.size()));
+  }
 
   // Forces and tensions at the optimum.
   const VectorXd z = interior.z0 + interior.Z * best.x;

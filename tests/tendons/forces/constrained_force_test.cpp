@@ -94,6 +94,7 @@ TEST(ConstrainedForce, LoadStaysInItsEllipsoid) {
 TEST(ConstrainedForce, LimitThatOnlyTouchesTakesNothing) {
   const ConstrainedForce result = constrained_force(
       box(), Vector3d(2, 3, 0), ForceDirection::kAlong, {friction_constraint(kX, 1.5)});
+  EXPECT_EQ(result.status, Status::kSolved) << result.message;
   EXPECT_NEAR(result.component, std::sqrt(13.0), 1e-4);  // all along it |f_t| = 1.5 f_n
 }
 
