@@ -191,6 +191,7 @@ std::optional<PalmApproach> DigitMotion::beside_fixed_jaw(std::size_t option, do
   // From the palm to the closed end, across the way in which it closes.
   const Vector3d middle = (palm.rowwise().minCoeff() + palm.rowwise().maxCoeff()) / 2;
   const Vector3d inner = (end.rowwise().minCoeff() + end.rowwise().maxCoeff()) / 2;
+  if ((inner - middle).cross(way).norm() < 1e-6) return {};  // one lies in the way of the other
   const Vector3d rough = across(inner - middle, way);
   PalmApproach approach;
   approach.direction = without_rounding(
