@@ -138,7 +138,7 @@ class Hands(LivePage):
         self.browser.click("#do-grasp")
         self.browser.wait("document.querySelector('.page.grasp').quality", "the quality")
         self.browser.click("#show-wrenches")
-        self.browser.wait("document.querySelectorAll('.wrenches canvas, .wrenches .hint').length === 2", "two sets")
+        self.browser.wait("document.querySelectorAll('.wrenches canvas, .wrenches .hint:not(.beside)').length === 2", "two sets")
         self.assertTrue(self.browser.value("document.querySelectorAll('.wrenches canvas').length"))
         self.assert_no_errors()
 

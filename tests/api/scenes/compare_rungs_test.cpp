@@ -79,10 +79,13 @@ TEST(CompareRungs, KeepsRunsThatAreDoneWhenItIsStopped) {
   Progress progress;
   progress.report = [&](double fraction, const std::string&) { second = fraction > 0.5; };
   progress.stop_requested = [&] { return second; };
-  const RungComparison pencil = compare_rungs(request, {"soft-finger", "foundation"}, progress);
-  EXPECT_EQ(pencil.asked, 2u);
-  ASSERT_EQ(pencil.runs.size(), 1u);
-  EXPECT_EQ(pencil.runs[0].rung, "soft-finger");
+  // Which runs are done by then depends on the processors; none is kept in part.
+  const RungComparison pencil =
+      compare_rungs(request, {"soft-finger", "foundation", "power-law", "hard-point"}, progress);
+  EXPECT_EQ(pencil.asked, 4u);
+  EXPECT_FALSE(pencil.runs.empty());
+  EXPECT_LT(pencil.runs.size(), 4u);
+  for (const RungRun& run : pencil.runs) EXPECT_EQ(run.scene.run.status, SceneStatus::kDone);
 }
 
 }  // namespace

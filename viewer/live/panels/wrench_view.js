@@ -52,7 +52,7 @@ function draw(side, set, axes, group) {
       mountScene(frame, spec, () => ({ ink: themeColor("--ink"), page: themeColor("--page") })),
     );
   } else frame.append(el("p", { class: "hint" }, words));
-  const note = side.note ? el("p", { class: "hint" }, side.note) : null;
+  const note = side.note ? el("p", { class: "hint beside" }, side.note) : null;
   return el("figure", { class: "wrenches" }, frame, caption, note);
 }
 
