@@ -10,8 +10,7 @@ using Eigen::Matrix3Xd;
 using Eigen::Vector3d;
 using Eigen::VectorXd;
 
-constexpr double kEdge = 20;      // of mu / h, the scale of pressure over gap at an edge [1]
-constexpr double kSoftest = 0.1;  // least shear modulus of stretched tissue, over that at rest [1]
+constexpr double kEdge = 20;  // of mu / h, the scale of pressure over gap at an edge [1]
 
 /// Pressure of the nodes of a mesh [Pa] (nodes); of hanging ones the mean of their masters.
 VectorXd pressures_of(const HexMesh& mesh, const TissueBody& body, const ContactSurface& surface,
@@ -28,7 +27,7 @@ VectorXd pressures_of(const HexMesh& mesh, const TissueBody& body, const Contact
   return pressure;
 }
 
-/// Shear modulus of a cell as it is stretched: that of an isotropic tangent of the same trace [Pa].
+/// Shear modulus of a cell as it is stretched [Pa].
 double modulus_of(const HexMesh& mesh, const HexCell& cell, const Matrix3Xd& u,
                   const Tissue& tissue) {
   Matrix3Xd X(3, 8), moved(3, 8);
@@ -37,15 +36,11 @@ double modulus_of(const HexMesh& mesh, const HexCell& cell, const Matrix3Xd& u,
     X.col(c) = mesh.place(node);
     moved.col(c) = u.col(node);
   }
-  const ElementShape shape = element_shape(HexElement::kMeanDilatation, X);
-  Eigen::Matrix3d F = Eigen::Matrix3d::Zero();
-  for (std::size_t point = 0; point < 8; ++point) F += element_deformation(shape, moved, point) / 8;
+  const Eigen::Matrix3d F = mean_deformation(X, moved);
   if (!(F.determinant() > 0)) return tissue.shear_modulus;
   IsochoricResponse response;
   isochoric_response(tissue, F, true, response);
-  const VoigtTangent& c = response.tangent;
-  const double trace = c.diagonal().head<3>().sum() + 2 * c.diagonal().tail<3>().sum();
-  return std::max(trace / 10, kSoftest * tissue.shear_modulus);
+  return tangent_shear_modulus(tissue, response);
 }
 
 }  // namespace

@@ -138,7 +138,7 @@ void MeanGaps::find(const Shape& object, const Pose<double>& X_PO, const VectorX
     gap_[k] = at.distance;
     normal_.col(k) = X_PO.R * at.normal;
   }
-  if (counts_.empty()) find_edges(object, X_OP);
+  if (counts_.empty()) find_edges();
   mean_normal_ = own_slope_ = normal_;
   more_.setZero();
   near_.clear();
@@ -171,15 +171,12 @@ void MeanGaps::find(const Shape& object, const Pose<double>& X_PO, const VectorX
     if (mean_normal_.col(k).squaredNorm() > 0) mean_normal_.col(k).normalize();
 }
 
-void MeanGaps::find_edges(const Shape& object, const Pose<double>& X_OP) {
-  Matrix3Xd normal = surface_.places;
-  for (Eigen::Index k = 0; k < normal.cols(); ++k)
-    normal.col(k) = object.nearest(X_OP * Vector3d(surface_.places.col(k))).normal;
+void MeanGaps::find_edges() {
   for (const SurfacePoint& point : surface_.points) {
     double alike = 1;
     for (const NodeWeight& each : point.nodes)
       for (const NodeWeight& other : point.nodes)
-        alike = std::min(alike, normal.col(each.node).dot(normal.col(other.node)));
+        alike = std::min(alike, normal_.col(each.node).dot(normal_.col(other.node)));
     counts_.push_back(alike > kEdgeCosine);
   }
 }

@@ -52,10 +52,9 @@ struct ContactSurface {
 ///   w_kq = N_k(q) area_q / sum_q N_k(q) area_q,
 /// where d is the distance to the object, q are the surface's points. Points between whose nodes
 /// normals of the object differ by 78 degrees and more do not count: an edge lies there, and the
-/// difference is not one of curvature. Which do is found once, from the undeformed body, so that
-/// gaps are smooth and do not depend on the way to a pose. Whatever
-/// forces act on these gaps are handed to nodes by their slopes, so that a push does the work that
-/// tissue takes up.
+/// difference is not one of curvature. Which do is found once, from the body as it is at the first
+/// call, so that gaps are smooth within a step. Whatever forces act on these gaps are handed to
+/// nodes by their slopes, so that a push does the work that tissue takes up.
 class MeanGaps {
  public:
   explicit MeanGaps(const ContactSurface& surface);
@@ -97,7 +96,7 @@ class MeanGaps {
   };
   /// Share of a point in the mean of a node of its own, w_kq [1].
   [[nodiscard]] double share_of(const SurfacePoint& point, const NodeWeight& node) const;
-  void find_edges(const Shape& object, const Pose<double>& X_OP);
+  void find_edges();
 
   const ContactSurface& surface_;
   std::vector<bool> counts_;  // (points)

@@ -5,6 +5,8 @@
 #include <numeric>
 
 #include "base/error.h"
+#include "pads/carry_press.h"
+#include "pads/contact_area.h"
 #include "pads/force_search.h"
 
 namespace thenar {
@@ -140,7 +142,12 @@ PadPressResult PadPress::step(const PressGoal& goal) {
         model_.element == HexElement::kQuadratic ||
         static_cast<int>(body_->elements()) >= options_.max_elements)
       break;
-    refine(errors, start);
+    // Cells that touch while they are too few; those with large errors; or where faces are too
+    // deep.
+    refine(patch_is_coarse()                           ? touching_cells()
+           : result.force_error > options_.force_error ? cells_of_errors(errors)
+                                                       : deep_cells_,
+           start);
   }
   before_ = std::move(start);
   result.elements = body_->elements();
@@ -179,10 +186,7 @@ std::vector<int> PadPress::touching_cells() const {
   return out;
 }
 
-/// Cells that touch while they are too few; then the elements with the largest errors, until they
-/// hold a share of the whole.
-std::vector<int> PadPress::marked_cells(const VectorXd& errors) const {
-  if (patch_is_coarse()) return touching_cells();
+std::vector<int> PadPress::cells_of_errors(const VectorXd& errors) const {
   std::vector<int> order(static_cast<std::size_t>(errors.size()));
   std::iota(order.begin(), order.end(), 0);
   std::stable_sort(order.begin(), order.end(), [&](int a, int b) { return errors[a] > errors[b]; });
@@ -198,149 +202,45 @@ std::vector<int> PadPress::marked_cells(const VectorXd& errors) const {
   return marked;
 }
 
-void PadPress::refine(const VectorXd& errors, PressState& start) {
-  const std::vector<int> marked = marked_cells(errors);
-  // Fields of all nodes before.
-  const auto fields_of = [&](const PressState& state) {
-    struct Fields {
-      Matrix3Xd u, anchor;
-      std::vector<bool> known;
-      VectorXd normal;
-      Matrix3Xd shear;
-    } f;
-    f.u = body_->spread(state.x, {});
-    f.anchor = Matrix3Xd::Zero(3, mesh_.nodes());
-    f.shear = f.anchor;
-    f.normal = VectorXd::Zero(mesh_.nodes());
-    f.known.assign(static_cast<std::size_t>(mesh_.nodes()), false);
-    for (std::size_t k = 0; k < surface_.nodes.size(); ++k) {
-      const int node = body_->free_nodes()[static_cast<std::size_t>(surface_.nodes[k])];
-      const auto column = static_cast<Eigen::Index>(k);
-      f.anchor.col(node) = state.anchor.col(column);
-      f.normal[node] = state.normal[column];
-      f.shear.col(node) = state.shear.col(column);
-      f.known[static_cast<std::size_t>(node)] = true;
-    }
-    return f;
-  };
-  const std::vector<int> old_active = mesh_.active();
-  auto before = fields_of(start);
-  auto now = fields_of(state_);
-  const int old_nodes = mesh_.nodes();
+void PadPress::refine(const std::vector<int>& marked, PressState& start) {
+  const PressCarrier carrier(mesh_, std::move(body_), std::move(surface_));
   mesh_.refine(marked);
   build();
-  // New nodes have the mean of what they were made from.
-  const auto carry = [&](auto& f, PressState& state) {
-    f.u.conservativeResize(3, mesh_.nodes());
-    for (int node = old_nodes; node < mesh_.nodes(); ++node) {
-      f.u.col(node).setZero();
-      for (const NodeWeight& each : mesh_.made_from(node))
-        f.u.col(node) += each.weight * f.u.col(each.node);
-    }
-    state.x.resize(body_->unknowns());
-    for (std::size_t i = 0; i < body_->free_nodes().size(); ++i)
-      state.x.segment<3>(static_cast<Eigen::Index>(3 * i)) = f.u.col(body_->free_nodes()[i]);
-    const auto count = static_cast<Eigen::Index>(surface_.nodes.size());
-    state.normal = VectorXd::Zero(count);
-    state.shear = Matrix3Xd::Zero(3, count);
-    state.anchor.resize(3, count);
-    for (std::size_t k = 0; k < surface_.nodes.size(); ++k) {
-      const int node = body_->free_nodes()[static_cast<std::size_t>(surface_.nodes[k])];
-      const auto column = static_cast<Eigen::Index>(k);
-      state.anchor.col(column) =
-          state.X_PO.inverse() *
-          Vector3d(surface_.places.col(column) + state.x.segment<3>(3 * surface_.nodes[k]));
-      if (node >= old_nodes || !f.known[static_cast<std::size_t>(node)]) continue;
-      state.anchor.col(column) = f.anchor.col(node);
-      state.normal[column] = f.normal[node];
-      state.shear.col(column) = f.shear.col(node);
-    }
-  };
-  carry(before, start);
-  carry(now, state_);
-  const std::vector<Origin> origins = origins_among(old_active);
-  start.history = carried_history(start.history, origins);
-  for (PressState* state : {&start, &state_}) {
-    // A carried displacement keeps no volume on new nodes of the curved skin; pressure does.
-    const TissuePressure old = std::move(state->pressure);
-    state->pressure.clear();
-    if (!old.empty())
-      for (const Origin& from : origins) state->pressure.push_back(old[from.element]);
-  }
+  start = carrier.carry(start, mesh_, *body_, surface_);
+  state_ = carrier.carry(state_, mesh_, *body_, surface_);
   // From the old equilibrium, but with what was at the step's beginning.
   state_.anchor = start.anchor;
-  state_.shear = start.shear;
   state_.history = start.history;
 }
 
-std::vector<PadPress::Origin> PadPress::origins_among(const std::vector<int>& old_active) const {
-  std::vector<Origin> out;
-  for (const int index : mesh_.active()) {
-    // The element itself, or the one that it was cut from, and its octant in that.
-    int cell = index, octant = -1;
-    auto from = std::lower_bound(old_active.begin(), old_active.end(), cell);
-    while (from == old_active.end() || *from != cell) {
-      const HexCell& part = mesh_.cells()[static_cast<std::size_t>(cell)];
-      octant = cell - mesh_.cells()[static_cast<std::size_t>(part.parent)].first_child;
-      cell = part.parent;
-      from = std::lower_bound(old_active.begin(), old_active.end(), cell);
-    }
-    out.push_back({static_cast<std::size_t>(from - old_active.begin()), octant});
-  }
-  return out;
-}
-
-TissueHistory PadPress::carried_history(const TissueHistory& old,
-                                        const std::vector<Origin>& origins) {
-  TissueHistory out;
-  if (old.empty()) return out;
-  for (const Origin& from : origins) {
-    ElementHistory history = old[from.element];
-    // Gauss points are ordered as corners: all of a child have that of its parent's octant.
-    if (from.octant >= 0)
-      for (std::vector<Voigt>* list : {&history.elastic, &history.terms})
-        for (std::size_t first = 0; first < list->size(); first += 8)
-          std::fill_n(list->begin() + static_cast<std::ptrdiff_t>(first), 8,
-                      Voigt((*list)[first + static_cast<std::size_t>(from.octant)]));
-    out.push_back(std::move(history));
-  }
-  return out;
-}
-
-void PadPress::measure(PadPressResult& result) const {
+void PadPress::measure(PadPressResult& result) {
   result.push = result.solved.push;
-  const Matrix3Xd u = body_->spread(state_.x, {});
-  const Pose<double> X_OP = state_.X_PO.inverse();
-  std::vector<double> normal(static_cast<std::size_t>(mesh_.nodes()), 0);
   double all = 0, stuck = 0;
-  for (std::size_t k = 0; k < surface_.nodes.size(); ++k) {
-    const auto column = static_cast<Eigen::Index>(k);
-    const int node = body_->free_nodes()[static_cast<std::size_t>(surface_.nodes[k])];
-    normal[static_cast<std::size_t>(node)] = state_.normal[column];
-    all += state_.normal[column];
-    if (node_sticks(state_, column, object_.friction)) stuck += state_.normal[column];
+  for (Eigen::Index k = 0; k < state_.normal.size(); ++k) {
+    all += state_.normal[k];
+    if (node_sticks(state_, k, object_.friction)) stuck += state_.normal[k];
   }
   result.stick = all > 0 ? stuck / all : 0;
-  // Faces of the skin: a quarter for each node that touches; and points between nodes.
-  result.area = result.penetration = 0;
-  for (const HexFace& face : marked_faces(mesh_, skin_nodes(mesh_))) {
+  const std::vector<bool> skin = skin_nodes(mesh_);
+  result.area = contact_area(mesh_, *body_, model_.tissues, skin, surface_, object_, state_);
+  // The deepest of points within faces, and the cells where they are too deep.
+  const Matrix3Xd u = body_->spread(state_.x, {});
+  const Pose<double> X_OP = state_.X_PO.inverse();
+  result.penetration = 0;
+  deep_cells_.clear();
+  for (const HexFace& face : marked_faces(mesh_, skin)) {
     std::array<Vector3d, 4> at;
-    double touching = 0;
-    for (std::size_t i = 0; i < 4; ++i) {
-      at[i] = mesh_.place(face.nodes[i]) + u.col(face.nodes[i]);
-      double share = 0;
-      for (const NodeWeight& each : mesh_.support(face.nodes[i]))
-        share += normal[static_cast<std::size_t>(each.node)] > 0 ? each.weight : 0;
-      if (share > 0.5) touching += 0.25;
-    }
-    result.area += touching * 0.5 * (at[3] - at[0]).cross(at[2] - at[1]).norm();
+    double deepest = 0;
+    for (std::size_t i = 0; i < 4; ++i) at[i] = mesh_.place(face.nodes[i]) + u.col(face.nodes[i]);
     for (int i = 0; i <= 4; ++i)
       for (int j = 0; j <= 4; ++j) {
         const double a = i / 4.0, b = j / 4.0;
         const Vector3d p =
             (1 - a) * ((1 - b) * at[0] + b * at[2]) + a * ((1 - b) * at[1] + b * at[3]);
-        result.penetration = std::max(result.penetration, -object_.shape->distance(X_OP * p));
+        deepest = std::max(deepest, -object_.shape->distance(X_OP * p));
       }
+    result.penetration = std::max(result.penetration, deepest);
+    if (deepest > options_.max_penetration) deep_cells_.push_back(face.cell);
   }
 }
 

@@ -81,20 +81,14 @@ class PadPress {
   /// which is an error of up to 1 / nodes that no estimate sees.
   [[nodiscard]] bool patch_is_coarse() const;
   [[nodiscard]] std::vector<int> touching_cells() const;
-  [[nodiscard]] std::vector<int> marked_cells(const Eigen::VectorXd& errors) const;
-  /// Refines by the estimate; carries `start` and the present state over.
-  void refine(const Eigen::VectorXd& errors, PressState& start);
-  /// What a present element was before: an element, or an octant of one (-1: all of it).
-  struct Origin {
-    std::size_t element;
-    int octant;
-  };
-  [[nodiscard]] std::vector<Origin> origins_among(const std::vector<int>& old_active) const;
-  [[nodiscard]] static TissueHistory carried_history(const TissueHistory& old,
-                                                     const std::vector<Origin>& origins);
+  /// The elements with the largest errors, which hold a share of the whole.
+  [[nodiscard]] std::vector<int> cells_of_errors(const Eigen::VectorXd& errors) const;
+  /// Refines cells; carries `start` and the present state over.
+  void refine(const std::vector<int>& marked, PressState& start);
   /// A goal of a force begins where the object is along its direction.
   [[nodiscard]] PressGoal from_here(const PressGoal& goal) const;
-  void measure(PadPressResult& result) const;
+  /// Area, stick and depths in faces of the present state.
+  void measure(PadPressResult& result);
 
   PadModel model_;
   RigidObject object_;
@@ -103,7 +97,8 @@ class PadPress {
   std::unique_ptr<TissueBody> body_;
   std::unique_ptr<PressFactors> factors_;
   ContactSurface surface_;
-  PressState state_, before_;  // of now; at the beginning of the last step
+  PressState state_, before_;    // of now; at the beginning of the last step
+  std::vector<int> deep_cells_;  // whose faces the object is too deep in
   int iterations_ = 0;
   int pieces_ = 0;  // of the present step that failed
 };

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include <Eigen/QR>
+
 #include "base/error.h"
 #include "base/numbers.h"
 #include "solvers/sparse/gmres.h"
@@ -14,6 +16,8 @@ using Eigen::Matrix3d;
 using Eigen::Matrix3Xd;
 using Eigen::Vector3d;
 using Eigen::VectorXd;
+
+constexpr int kMostConeNodes = 150;  // that touch, of which cones cost less than Newton's method
 
 constexpr double kStiffer = 100;    // of the augmentation than of tissue under a node [1]
 constexpr double kStifferNow = 10;  // and than of the body at a node [1]
@@ -29,12 +33,17 @@ constexpr int kMaxCoupling = 40;    // iterations for it
 
 constexpr double kWell = 0.3;     // of what is left after an iteration, that keeps a tangent [1]
 constexpr double kFirm = 0.2;     // what is left, over forces, below which one is kept [1]
-constexpr int kMostCuts = 4;      // halvings of a motion that turns an element inside out
-constexpr double kSpring = 1e-3;  // of a drive, over that of tissue under a node [1]
+constexpr double kTurned = -0.5;  // cosine of normals on two sides of an object [1]
+constexpr int kMostCuts = 10;     // halvings of a motion that turns an element inside out
+constexpr double kSpring = 1e-2;  // of a drive, over that of tissue under a node [1]
 
-constexpr double kCreeps = 0.4, kSlowest = 0.97;  // ratios of motions that are a series [1]
-constexpr double kStraight = 0.95;                // cosine of their directions [1]
-constexpr double kTurning = 0.1;  // of the distance of nodes, over which a normal turns [1]
+constexpr double kLeastHold = 1e-6;  // springs that hold nodes, over the tangent's diagonal [1]
+constexpr double kMostHold = 1;
+
+constexpr double kCreeps = 0.4;    // ratio of motions that shrink slowly [1]
+constexpr double kSettled = 0.02;  // what is left, over forces, from which on motions are mixed [1]
+constexpr std::size_t kMixed = 3;  // motions that foretell what they tend to
+constexpr double kTurning = 0.1;   // of the distance of nodes, over which a normal turns [1]
 
 constexpr double kRounding = 1e-14;      // of strains of volume, in the forces of an element [1]
 constexpr double kRoundedPlace = 2e-16;  // of objects of up to a metre [m]
@@ -43,6 +52,44 @@ constexpr double kRoundedPlace = 2e-16;  // of objects of up to a metre [m]
 struct TouchingNode {
   double push = 0;          // normal force [N]
   Vector3d shear{0, 0, 0};  // [N]
+  bool slips = false;
+  Vector3d way{0, 0, 0};   // of friction on a node that slips, unit
+  Vector3d last{0, 0, 0};  // the same of the last iterate, over the bound: at most as long
+  double cut = 1;          // what its cone leaves of the force of a node that would stick [1]
+};
+
+/// Anderson's mixing of a fixed-point iteration x -> x + m(x): the combination of the last motions
+/// m that is least says where they vanish. Source: [WalkerNi2011].
+class Mixing {
+ public:
+  void clear() {
+    steps_.clear();
+    changes_.clear();
+    motion_.resize(0);
+  }
+  /// The next step. @param motion  m where the last step led
+  VectorXd next(const VectorXd& motion) {
+    if (motion_.size() == motion.size()) {
+      changes_.push_back(motion - motion_);
+      steps_.push_back(step_);
+      if (steps_.size() > kMixed) steps_.erase(steps_.begin()), changes_.erase(changes_.begin());
+    }
+    motion_ = step_ = motion;
+    if (!changes_.empty()) {
+      Eigen::MatrixXd change(motion.size(), static_cast<Eigen::Index>(changes_.size())),
+          step(motion.size(), change.cols());
+      for (std::size_t k = 0; k < changes_.size(); ++k) {
+        change.col(static_cast<Eigen::Index>(k)) = changes_[k];
+        step.col(static_cast<Eigen::Index>(k)) = steps_[k];
+      }
+      step_ -= (step + change) * change.colPivHouseholderQr().solve(motion);
+    }
+    return step_;
+  }
+
+ private:
+  std::vector<VectorXd> steps_, changes_;
+  VectorXd motion_, step_;
 };
 
 class PressSolver {
@@ -64,16 +111,18 @@ class PressSolver {
     longest_ = kLongest * std::sqrt(surface.area.mean());
   }
 
-  /// By the augmented Lagrangian without friction; with friction, and where that fails, by cones.
+  /// By the augmented Lagrangian without friction or where many nodes touch, else by cones; where
+  /// one fails, by the other.
   PressOutcome solve() {
-    if (object_.friction > 0) return solve_by_cones();
-    PressOutcome out = solve_by_augmentation();
+    const bool augments =
+        object_.friction <= 0 || (start_.normal.array() > 0).count() > kMostConeNodes;
+    PressOutcome out = augments ? solve_by_augmentation() : solve_by_cones();
     if (out.status == Status::kSolved || out.status == Status::kStopped) return out;
     const int iterations = out.iterations;
     now_ = start_;
     now_.X_PO = goal_.X_PO;
     stiffer_.clear();
-    out = solve_by_cones();
+    out = augments ? solve_by_cones() : solve_by_augmentation();
     out.iterations += iterations;
     return out;
   }
@@ -127,7 +176,7 @@ class PressSolver {
       Matrix3Xd u;
       if (!respond(keeps ? ElementAsk::kForce : ElementAsk::kStiffness, dx, u, out)) return out;
       if (out.iterations == 0) find_stiffness(tissue_.values);
-      const std::vector<bool> touched = touching();
+      const std::vector<int> touched = touching();
       find_contacts();
       measure(out);
       if (is_solved(out)) return ended(u, out);
@@ -161,6 +210,7 @@ class PressSolver {
     const CondensedBody& tangent = cones.body();
     double before = kInfinity;
     VectorXd dx, last;
+    Mixing mixing;
     for (; goes_on(out); ++out.iterations) {
       Matrix3Xd u;
       const bool has_factor = tangent.has_factor();
@@ -194,13 +244,12 @@ class PressSolver {
         return out;
       }
       dx = rest.dx;
-      // Motions that shrink evenly are a geometric series, as where friction turns with normals:
-      // all of it at once.
-      const double ratio = last.size() > 0 ? dx.dot(last) / last.squaredNorm() : 0;
-      const bool creeps = !goal_.force && ratio > kCreeps && ratio < kSlowest &&
-                          dx.dot(last) > kStraight * dx.norm() * last.norm();
-      last = creeps ? VectorXd() : dx;
-      if (creeps) dx /= 1 - ratio;
+      // Where motions shrink slowly, as where friction turns with normals, all of what they tend
+      // to.
+      const bool creeps = last.size() > 0 && rest.dx.norm() > kCreeps * last.norm();
+      last = rest.dx;
+      if (goal_.force || !creeps || left > kSettled * scale_) mixing.clear();
+      dx = mixing.next(rest.dx);
       now_.pressure = body_.pressure_after(u, body_.spread(dx, {}));
       now_.x += dx;
       now_.X_PO.p += rest.motion * goal_.along;
@@ -296,7 +345,7 @@ class PressSolver {
       if (contacts_[k].push > 0)
         springs.col(static_cast<Eigen::Index>(k)) = std::sqrt(stiffer(k)) * gaps_.own_slope(k);
     add_own_slopes();
-    return factors_.cones.factor(tissue_.values, springs);
+    return factored([&] { return factors_.cones.factor(tissue_.values, springs); });
   }
 
   /// A node that slides over a curved object has its normal force turn: - normal d2 distance / dx2,
@@ -340,6 +389,8 @@ class PressSolver {
   /// may be inside a little, as all between nodes.
   [[nodiscard]] std::string passed_through(const Matrix3Xd& u) const {
     const Pose<double> X_OP = now_.X_PO.inverse();
+    for (std::size_t k = 0; k < contacts_.size(); ++k)
+      if (contacts_[k].push > 0 && changed_sides(k, X_OP)) return "the object jumped through skin";
     std::vector<double> allowed(body_.free_nodes().size(), options_.gap_tolerance);
     for (std::size_t k = 0; k < contacts_.size(); ++k)
       allowed[static_cast<std::size_t>(surface_.nodes[k])] += std::max(0.0, gaps_.more(k));
@@ -355,6 +406,15 @@ class PressSolver {
     return "";
   }
 
+  /// Whether a node touches a side of the object that faces away from the one where it was: steps
+  /// of a press are too short to go around it.
+  [[nodiscard]] bool changed_sides(std::size_t k, const Pose<double>& X_OP) const {
+    const Vector3d was = surface_.places.col(static_cast<Eigen::Index>(k)) +
+                         start_.x.segment<3>(3 * surface_.nodes[k]);
+    return object_.shape->nearest(X_OP * place_of(k))
+               .normal.dot(object_.shape->nearest(start_.X_PO.inverse() * was).normal) < kTurned;
+  }
+
   /// Forces that the laws of contact make of the last ones, of gaps and of slips: at an answer they
   /// are the last ones.
   void find_contacts() {
@@ -364,11 +424,21 @@ class PressSolver {
       const auto column = static_cast<Eigen::Index>(k);
       c.push = std::max(0.0, now_.normal[column] - stiffer(k) * gaps_.gap(k));
       c.shear.setZero();
+      c.slips = c.push > 0;
+      c.cut = 0;
       if (c.push <= 0 || object_.friction <= 0) continue;
       // The force within the cone that is nearest to the last less the slip.
       const Vector3d trial = across(k, Vector3d(now_.shear.col(column))) - stiffer(k) * slip_of(k);
       const double bound = object_.friction * c.push, size = trial.norm();
-      c.shear = size > bound ? Vector3d(bound / size * trial) : trial;
+      c.slips = size > bound;
+      c.cut = c.slips ? bound / size : 1;
+      c.way = c.last = Vector3d(0, 0, 0);
+      if (c.slips) {
+        c.way = trial / size;
+        const Vector3d last = across(k, Vector3d(now_.shear.col(column)));
+        c.last = last / std::max(bound, last.norm());
+      }
+      c.shear = c.cut * trial;
     }
   }
 
@@ -423,12 +493,39 @@ class PressSolver {
 
   bool factor_here() {
     add_own_slopes();
-    return factors_.moment.factor(tissue_.values);
+    return factored([&] { return factors_.moment.factor(tissue_.values); });
   }
 
-  [[nodiscard]] std::vector<bool> touching() const {
-    std::vector<bool> out;
-    for (const TouchingNode& c : contacts_) out.push_back(c.push > 0);
+  /// Factors the tangent, or, where it is not positive definite, the tangent with the least springs
+  /// of some powers of ten that hold all nodes where they are: steps become shorter.
+  bool factored(const std::function<bool()>& factor) {
+    if (factor()) return true;
+    const double mean = mean_diagonal();
+    double held = 0;
+    for (double share = kLeastHold; share <= kMostHold; share *= 10) {
+      add_to_diagonal(share * mean - held);
+      held = share * mean;
+      if (factor()) return true;
+    }
+    return false;
+  }
+  [[nodiscard]] double mean_diagonal() const {
+    double sum = 0;
+    for (std::size_t i = 0; i < body_.free_nodes().size(); ++i)
+      for (int c = 0; c < 3; ++c)
+        sum += tissue_.values[body_.diagonal_entry(static_cast<int>(i), c, c)];
+    return sum / body_.unknowns();
+  }
+  void add_to_diagonal(double more) {
+    for (std::size_t i = 0; i < body_.free_nodes().size(); ++i)
+      for (int c = 0; c < 3; ++c)
+        tissue_.values[body_.diagonal_entry(static_cast<int>(i), c, c)] += more;
+  }
+
+  /// Of each node whether it is open (0), sticks (1) or slips (2).
+  [[nodiscard]] std::vector<int> touching() const {
+    std::vector<int> out;
+    for (const TouchingNode& c : contacts_) out.push_back(c.push <= 0 ? 0 : c.slips ? 2 : 1);
     return out;
   }
 
@@ -443,8 +540,13 @@ class PressSolver {
     const VectorXd closed = gaps_.change(moved);
     for (std::size_t k = 0; k < contacts_.size(); ++k) {
       const auto column = static_cast<Eigen::Index>(k);
-      const double before = contacts_[k].push - stiffer(k) * closed[column];
-      now_.normal[column] = contacts_[k].push > 0 ? std::max(0.0, before) : 0;
+      const TouchingNode& c = contacts_[k];
+      const double before = c.push - stiffer(k) * closed[column];
+      now_.normal[column] = c.push > 0 ? std::max(0.0, before) : 0;
+      now_.shear.col(column) =
+          now_.normal[column] > 0
+              ? Vector3d(c.shear - lost_shear(k, moved.col(column), stiffer(k) * closed[column]))
+              : Vector3d(0, 0, 0);
     }
     now_.x += dx;
     now_.X_PO.p += motion * goal_.along;
@@ -463,26 +565,43 @@ class PressSolver {
     return out;
   }
 
-  /// What of the slope of contact forces the factor has: a node's own.
+  /// What of the slope of contact forces the factor has: a node's own, less the friction that a
+  /// normal force brings, which is not symmetric.
   [[nodiscard]] Matrix3d own_slope(std::size_t k) const {
-    if (contacts_[k].push <= 0) return Matrix3d::Zero();
-    const Vector3d own = gaps_.own_slope(k);
-    return stiffer(k) * own * own.transpose();
+    const TouchingNode& c = contacts_[k];
+    if (c.push <= 0) return Matrix3d::Zero();
+    const Vector3d own = gaps_.own_slope(k), normal = gaps_.normal(k);
+    const Matrix3d plane = Matrix3d::Identity() - normal * normal.transpose() -
+                           c.last.dot(c.way) * c.way * c.way.transpose();
+    return stiffer(k) * (own * own.transpose() + c.cut * plane);
   }
 
-  /// Loss of contact forces as nodes move (3, nodes), symmetric.
+  /// Loss of friction on a node that touches, as it moves and loses normal force [N] (3).
+  [[nodiscard]] Vector3d lost_shear(std::size_t k, const Vector3d& moved, double lost) const {
+    const TouchingNode& c = contacts_[k];
+    const Vector3d slid = across(k, moved);
+    return stiffer(k) * c.cut * (slid - c.way.dot(slid) * c.last) + object_.friction * lost * c.way;
+  }
+
+  /// Loss of contact forces as nodes move (3, nodes); symmetric without slip.
   [[nodiscard]] Matrix3Xd contact_slope(const Matrix3Xd& moved) const {
     VectorXd lost = gaps_.change(moved);
     for (std::size_t k = 0; k < contacts_.size(); ++k)
       lost[static_cast<Eigen::Index>(k)] *= contacts_[k].push > 0 ? stiffer(k) : 0;
-    return gaps_.spread(lost);
+    Matrix3Xd out = gaps_.spread(lost);
+    for (std::size_t k = 0; object_.friction > 0 && k < contacts_.size(); ++k) {
+      const auto column = static_cast<Eigen::Index>(k);
+      if (contacts_[k].push > 0)
+        out.col(column) += lost_shear(k, Vector3d(moved.col(column)), lost[column]);
+    }
+    return out;
   }
 
   /// Solves with the matrix of this iteration: most of it has a factor, and what contacts add
   /// between nodes comes by iterations.
   [[nodiscard]] VectorXd solve(const VectorXd& b) const {
     VectorXd first = factors_.moment.solve(b);
-    if (!gaps_.neighbours_matter()) return first;
+    if (!gaps_.neighbours_matter() && !some_slip()) return first;
     return gmres(
         [&](const VectorXd& x) {
           const Matrix3Xd moved = on_surface(x);
@@ -496,16 +615,26 @@ class PressSolver {
         first, kCoupling, kMaxCoupling);
   }
 
+  /// Whether friction follows normal forces somewhere.
+  [[nodiscard]] bool some_slip() const {
+    return object_.friction > 0 && std::any_of(contacts_.begin(), contacts_.end(),
+                                               [](const TouchingNode& c) { return c.slips; });
+  }
+
   /// The object's motion along the goal's direction is one more unknown: its share of a step.
   /// @param dx  in: with the object at rest
   bool reach_force(VectorXd& dx, double& motion) {
     const Matrix3Xd lost =
         contact_slope(goal_.along.replicate(1, static_cast<Eigen::Index>(contacts_.size())));
-    const VectorXd column = -on_body(lost), follows = solve(column);
-    const double schur = goal_.along.dot(lost.rowwise().sum()) - column.dot(follows);
+    const VectorXd follows = solve(on_body(lost));
+    const auto lost_along = [&](const Matrix3Xd& forces) {
+      return goal_.along.dot(forces.rowwise().sum());
+    };
+    const double schur = lost_along(lost) - lost_along(contact_slope(on_surface(follows)));
     if (!(schur > 0)) return false;
-    motion = std::clamp((missing_ - column.dot(dx)) / schur, -longest_, longest_);
-    dx -= motion * follows;
+    motion = std::clamp((missing_ + lost_along(contact_slope(on_surface(dx)))) / schur, -longest_,
+                        longest_);
+    dx += motion * follows;
     return true;
   }
 

@@ -72,13 +72,17 @@ struct [[nodiscard]] PressOutcome {
 /// normal, and shear against the slip since the last step, to the tolerances; on kSolved `state` is
 /// the new state, otherwise it is as it was (kStopped: it was asked to stop).
 ///
-/// Gaps of nodes are means over the true surface around them (ContactSurface::points). With
-/// friction each iteration brings the body, linear at where it is, to rest under exact cones
-/// (ContactCones), by a tangent that is kept while it serves. Without friction Newton's method on
-/// the augmented Lagrangian goes first, which costs less where many nodes touch. Tissue pressure is
-/// an unknown of its own (element_response()).
+/// Gaps of nodes are means over the true surface around them (ContactSurface::points). Without
+/// friction, and where many nodes touch, Newton's method on the augmented Lagrangian goes first;
+/// its slope of sliding friction is that of [HueeberStadlerWohlmuth2008], without which nodes turn
+/// from stick to slip and back for ever. Where few touch, each iteration brings the body, linear at
+/// where it is, to rest under exact cones (ContactCones), by a tangent that is kept while it
+/// serves; where one way fails, the other. A tangent that is not positive definite, as of a body
+/// that its contacts alone hold, gets springs that shorten steps. An object that came through a
+/// thin plate of skin, or skin through a thin object, is no answer. Tissue pressure is an unknown
+/// of its own (element_response()).
 /// @throws InputError if a pose, a time or a force makes no sense, or the state is of another body.
-/// Sources: [AlartCurnier1991], [SimoLaursen1992].
+/// Sources: [AlartCurnier1991], [SimoLaursen1992], [HueeberStadlerWohlmuth2008].
 [[nodiscard]] PressOutcome press_step(const TissueBody& body, const ContactSurface& surface,
                                       const RigidObject& object, const PressGoal& goal,
                                       const PressOptions& options, PressFactors& factors,

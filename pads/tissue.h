@@ -73,6 +73,10 @@ struct IsochoricResponse {
 void isochoric_response(const Tissue& tissue, const Eigen::Matrix3d& F, bool with_tangent,
                         IsochoricResponse& out);
 
+/// Shear modulus of the isotropic tangent that has the same trace as a response's [Pa], at least a
+/// tenth of that at rest, so that errors and pressures may be divided by it.
+[[nodiscard]] double tangent_shear_modulus(const Tissue& tissue, const IsochoricResponse& at);
+
 /// Volumetric energy and its derivatives by J.
 struct VolumetricResponse {
   double energy = 0, pressure = 0, stiffness = 0;  // U [J/m^3], U', U'' [Pa]

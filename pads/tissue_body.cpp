@@ -303,16 +303,18 @@ VectorXd TissueBody::error_energies(const Matrix3Xd& u) const {
   std::map<Key, std::pair<Voigt, double>> smooth;
   const auto points = static_cast<std::size_t>(points_of(kind_));
   std::vector<Voigt> stress(elements_.size() * points);
-  ElementHistory none;
+  std::vector<double> modulus;  // of the tangent, mean of an element [Pa]
   IsochoricResponse response;
   for (std::size_t e = 0; e < elements_.size(); ++e) {
     const Element& element = elements_[e];
     const Matrix3Xd own = displacements_of(element, u);
     Voigt mean = Voigt::Zero();
     double volume = 0;
+    const Tissue& tissue = tissues_[static_cast<std::size_t>(element.region)];
+    modulus.push_back(0);
     for (std::size_t q = 0; q < points; ++q) {
-      isochoric_response(tissues_[static_cast<std::size_t>(element.region)],
-                         element_deformation(element.shape, own, q), false, response);
+      isochoric_response(tissue, element_deformation(element.shape, own, q), true, response);
+      modulus.back() += tangent_shear_modulus(tissue, response) / static_cast<double>(points);
       stress[e * points + q] = response.stress;
       mean += element.shape.volume[q] * response.stress;
       volume += element.shape.volume[q];
@@ -327,7 +329,6 @@ VectorXd TissueBody::error_energies(const Matrix3Xd& u) const {
   VectorXd out(static_cast<Eigen::Index>(elements_.size()));
   for (std::size_t e = 0; e < elements_.size(); ++e) {
     const Element& element = elements_[e];
-    const double modulus = tissues_[static_cast<std::size_t>(element.region)].shear_modulus;
     std::vector<Voigt> nodal;
     for (const int node : element.nodes) {
       const auto& [sum, weight] = smooth.at({node, element.region});
@@ -339,7 +340,8 @@ VectorXd TissueBody::error_energies(const Matrix3Xd& u) const {
       for (std::size_t a = 0; a < nodal.size(); ++a) apart += shape_value(kind_, q, a) * nodal[a];
       // s : s / (4 mu), shear components count twice.
       energy += element.shape.volume[q] *
-                (apart.head<3>().squaredNorm() + 2 * apart.tail<3>().squaredNorm()) / (4 * modulus);
+                (apart.head<3>().squaredNorm() + 2 * apart.tail<3>().squaredNorm()) /
+                (4 * modulus[e]);
     }
     out[static_cast<Eigen::Index>(e)] = energy;
   }

@@ -96,8 +96,9 @@ class TissueBody {
 
   /// Energy of the error of each element [J] (elements: active cells in order, or their parents):
   /// that of the difference between its isochoric stress and a smooth one, the mean around each
-  /// node, regions apart. Their sum over the energy estimates the relative error of a force that
-  /// holds a displacement, as both are quadratic in the displacement. Source: [ZienkiewiczZhu1987].
+  /// node, regions apart, by the shear modulus of its tangent as it is stretched. Their sum over
+  /// the energy estimates the relative error of a force that holds a displacement, as both are
+  /// quadratic in the displacement. Source: [ZienkiewiczZhu1987].
   [[nodiscard]] Eigen::VectorXd error_energies(const Eigen::Matrix3Xd& u) const;
 
  private:

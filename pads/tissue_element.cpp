@@ -18,7 +18,6 @@ struct ElementTable {
   int nodes = 8, points = 8;
   std::vector<double> slope;   // dN/dxi (points, nodes, 3)
   std::vector<double> weight;  // (points)
-  std::vector<double> centre;  // dN/dxi at xi = 0 (nodes, 3)
   std::vector<double> value;   // N (points, nodes)
   std::vector<Vector3d> xi;    // (points)
 };
@@ -65,8 +64,6 @@ ElementTable build_table(int degree) {
         table.weight.push_back(w[i] * w[j] * w[k]);
         add_shapes(degree, table.xi.back(), table.value, table.slope);
       }
-  std::vector<double> value_of_centre;
-  add_shapes(degree, Vector3d(0, 0, 0), value_of_centre, table.centre);
   return table;
 }
 
@@ -98,6 +95,17 @@ std::vector<double> side_by_side(const std::vector<double>& list, int points, in
   for (int k = 0; k < 3 * nodes; ++k)
     for (int q = 0; q < padded; ++q)
       out.push_back(list[static_cast<std::size_t>(std::min(q, points - 1) * 3 * nodes + k)]);
+  return out;
+}
+
+/// Gradients in the mean over an element's volume (nodes, 3).
+std::vector<double> mean_gradient(const ElementShape& shape, int padded) {
+  double volume = 0;
+  for (const double w : shape.volume) volume += w;
+  std::vector<double> out(shape.gradient.size() / static_cast<std::size_t>(padded), 0);
+  for (std::size_t k = 0; k < out.size(); ++k)
+    for (std::size_t q = 0; q < shape.volume.size(); ++q)
+      out[k] += shape.volume[q] / volume * shape.gradient[k * static_cast<std::size_t>(padded) + q];
   return out;
 }
 
@@ -147,7 +155,7 @@ class Dilatation {
       }
       at_.fill(volumetric_response(K, sum / volume_));
     } else if (kind == HexElement::kCentroidDilatation) {
-      point_kinematics(N, kCentre, shape.centre_gradient.data(), u, centre_);
+      point_kinematics(N, kCentre, shape.mean_gradient.data(), u, centre_);
       volume_ = 0;
       for (const double w : shape.volume) volume_ += w;
       fits_ = centre_.J[0] > 0;
@@ -409,8 +417,8 @@ ElementShape element_shape(HexElement kind, const Eigen::Matrix3Xd& X) {
   }
   shape.gradient = side_by_side(shape.gradient, table.points, table.nodes);
   if (kind == HexElement::kCentroidDilatation) {
-    map_slopes(table.centre.data(), X, shape.centre_gradient);
-    shape.centre_gradient = side_by_side(shape.centre_gradient, 1, table.nodes);
+    const std::vector<double> mean = mean_gradient(shape, padded_points(table.points));
+    shape.mean_gradient = side_by_side(mean, 1, table.nodes);
   }
   if (kind == HexElement::kQuadratic) {
     shape.modes.resize(table.points, 4);
@@ -429,6 +437,13 @@ Matrix3d element_deformation(const ElementShape& shape, const Eigen::Matrix3Xd& 
   for (Eigen::Index a = 0; a < u.cols(); ++a)
     for (Eigen::Index j = 0; j < 3; ++j)
       F.col(j) += u.col(a) * shape.gradient[static_cast<std::size_t>(3 * a + j) * points + point];
+  return F;
+}
+
+Matrix3d mean_deformation(const Eigen::Matrix3Xd& X, const Eigen::Matrix3Xd& u) {
+  const ElementShape shape = element_shape(HexElement::kMeanDilatation, X);
+  Matrix3d F = Matrix3d::Zero();
+  for (std::size_t point = 0; point < 8; ++point) F += element_deformation(shape, u, point) / 8;
   return F;
 }
 

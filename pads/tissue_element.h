@@ -16,7 +16,8 @@ namespace thenar {
 enum class HexElement {
   kDisplacement,        // Q1: 8 nodes, 8 Gauss points; locks
   kMeanDilatation,      // Q1P0: J is its mean over the element [SimoTaylorPister1985]
-  kCentroidDilatation,  // F-bar in a form with an energy: J is that of the centre [DeSouzaNeto1996]
+  kCentroidDilatation,  // F-bar in a form with an energy: J is that of the mean of F, which on
+                        // parallelepipeds is F of the centre [DeSouzaNeto1996]
   kQuadratic            // Q2P1: 27 nodes, 27 Gauss points, J is linear within [SussmanBathe1987]
 };
 
@@ -35,11 +36,11 @@ struct ElementTable;
 /// What an element has from its reference shape. Nodes of Q1 are ordered as HexCell::corners, those
 /// of Q2 as the lattice 0..26, first axis fastest.
 struct ElementShape {
-  std::vector<double> gradient;         // dN/dX [1/m] (nodes, 3, padded points), see element_sums.h
-  std::vector<double> volume;           // weights [m^3] (points)
-  std::vector<double> centre_gradient;  // F-bar: at the centre
-  Eigen::MatrixXd modes;                // Q2P1: functions of dilatation (points, 4)
-  Eigen::MatrixXd modes_inverse;        // inverse of their Gram matrix [1/m^3] (4, 4)
+  std::vector<double> gradient;       // dN/dX [1/m] (nodes, 3, padded points), see element_sums.h
+  std::vector<double> volume;         // weights [m^3] (points)
+  std::vector<double> mean_gradient;  // F-bar: in the mean, so that a patch passes the test
+  Eigen::MatrixXd modes;              // Q2P1: functions of dilatation (points, 4)
+  Eigen::MatrixXd modes_inverse;      // inverse of their Gram matrix [1/m^3] (4, 4)
 };
 /// @param X  reference nodes [m] (3, nodes of the kind)
 /// @throws InputError if the map to it folds at a Gauss point.
@@ -48,6 +49,9 @@ struct ElementShape {
 /// F at a Gauss point. @param u  displacements [m] (3, nodes)
 [[nodiscard]] Eigen::Matrix3d element_deformation(const ElementShape& shape,
                                                   const Eigen::Matrix3Xd& u, std::size_t point);
+/// Mean of F over the Gauss points of a hexahedron. @param X, u  of its corners [m] (3, 8)
+[[nodiscard]] Eigen::Matrix3d mean_deformation(const Eigen::Matrix3Xd& X,
+                                               const Eigen::Matrix3Xd& u);
 /// Value of a node's shape function at a Gauss point [1].
 [[nodiscard]] double shape_value(HexElement kind, std::size_t point, std::size_t node);
 

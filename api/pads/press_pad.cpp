@@ -26,6 +26,8 @@ constexpr double kEarly = 3;  // errors on the first third of the way, over that
 constexpr double kFirstOfHold = 2e-3;   // of the time that the object stands still [1]
 constexpr double kOffTime = 0.05;       // of time against depth over rate that is warned of [1]
 constexpr double kShortestTime = 1e-9;  // of a step with a rate [s]
+constexpr double kThinnest = 1.0 / 60;  // object across its way, over the length of a pad [1]
+constexpr double kAcross = 0.7;         // cosine of an axis that lies across the way, at most [1]
 
 void check_numbers(const PressRequest& request) {
   require(request.force.has_value() != request.depth.has_value(),
@@ -55,6 +57,20 @@ void check_numbers(const PressRequest& request) {
           "wanted an error of the force above 0, got {:g}", request.force_error);
   require(request.max_elements >= 1 && request.max_elements <= kMostElements,
           "wanted 1 to {} elements, got {}", kMostElements, request.max_elements);
+}
+
+/// Refuses pins and wires: no mesh with as many cells as are allowed resolves their patch.
+/// @throws InputError
+void check_object(const PressedPad& out) {
+  const Eigen::Vector3d along = out.touch.X_PO.R.transpose() * out.touch.along;
+  const Eigen::Vector3d sizes = out.object.shape->bounds().sizes();
+  const double thinnest = kThinnest * out.pad.spec.length;
+  for (Eigen::Index axis = 0; axis < 3; ++axis)
+    require(
+        std::abs(along[axis]) > kAcross || sizes[axis] >= thinnest,
+        "wanted an object of at least {:.2g} mm across its way into a pad of {:g} mm, as no mesh "
+        "resolves thinner ones; got {} of {:.2g} mm",
+        thinnest / kMm, out.pad.spec.length / kMm, out.object.name, sizes[axis] / kMm);
 }
 
 /// Goes the way of a request and keeps what each step gave.
@@ -135,7 +151,9 @@ class PressRun {
     now.push = result.push.force;
     now.area = result.area;
     now.stick = result.stick;
+    // Nodes blur pressure: where few touch, the mean over the patch is more.
     now.pressure = pressed_skin(press_, out_.request.friction).pressure.maxCoeff();
+    if (now.area > 0) now.pressure = std::max(now.pressure, now.force / now.area);
     now.force_error = result.force_error;
     now.penetration = result.penetration;
     now.elements = result.elements;
@@ -294,6 +312,7 @@ PressedPad press_pad(const PressRequest& request, const Progress& progress) {
   out.pad = open_pad(request.pad);
   out.object = open_press_object(request.object, out.pad.spec.length);
   out.touch = touch_pad(out.pad.model.shape, *out.object.shape, request.angle, request.turn);
+  check_object(out);
   // The way takes a fifth of the time where rungs are compared, too.
   ProgressParts parts(progress, request.rungs ? 5 : 1);
   const Progress of_way = parts.next(1);

@@ -47,7 +47,7 @@ struct PressInstant {
   Eigen::Vector3d push{0, 0, 0};  // the same force, pad's frame [N] (3)
   double area = 0;                // of the patch, deformed [m^2]
   double stick = 0;               // share of the normal force on nodes that stick [1]
-  double pressure = 0;            // largest at a node [Pa]
+  double pressure = 0;            // largest at a node, at least the mean over the patch [Pa]
   double force_error = 0;         // estimated, relative [1]
   double penetration = 0;         // deepest point of the object within a face [m]
   std::size_t elements = 0;

@@ -125,7 +125,7 @@ TEST_P(SoftJaws, CarryFromTheFrictionOfStaticsOn) {
   ASSERT_EQ(slides.status, SceneStatus::kDone) << slides.reason;
   ASSERT_EQ(holds.status, SceneStatus::kDone) << holds.reason;
   EXPECT_NEAR(slides.samples.back().q.tail<1>()[0], 0, 1e-5) << "is left on its post";
-  EXPECT_GT(holds.samples.back().q.tail<1>()[0], 1e-3) << "of 3 mm";
+  EXPECT_GT(holds.samples.back().q.tail<1>()[0], 0.5e-3) << "is carried, of 3 mm";
 }
 
 INSTANTIATE_TEST_SUITE_P(RobotPad, SoftJaws,

@@ -1,0 +1,166 @@
+#include "pads/carry_press.h"
+
+#include <algorithm>
+#include <array>
+
+#include "pads/tissue_element.h"
+
+namespace thenar {
+namespace {
+
+using Eigen::Index;
+using Eigen::Matrix3d;
+using Eigen::Matrix3Xd;
+using Eigen::Vector3d;
+using Eigen::VectorXd;
+
+/// Number of a node of the mesh that a node of the surface is.
+int mesh_node(const TissueBody& body, const ContactSurface& surface, std::size_t k) {
+  return body.free_nodes()[static_cast<std::size_t>(surface.nodes[k])];
+}
+
+/// Nodes of a cell and of the children that it was split into.
+std::vector<int> nodes_within(const HexMesh& mesh, const HexCell& cell) {
+  std::vector<int> out(cell.corners.begin(), cell.corners.end());
+  for (int child = 0; cell.first_child >= 0 && child < 8; ++child) {
+    const HexCell& part = mesh.cells()[static_cast<std::size_t>(cell.first_child + child)];
+    out.insert(out.end(), part.corners.begin(), part.corners.end());
+  }
+  std::sort(out.begin(), out.end());
+  out.erase(std::unique(out.begin(), out.end()), out.end());
+  return out;
+}
+
+/// Histories of elements that some became.
+/// Gauss points are ordered as corners: all of a child have that of its parent's octant.
+ElementHistory history_of(const ElementHistory& old, int octant) {
+  ElementHistory history = old;
+  if (octant < 0) return history;
+  for (std::vector<Voigt>* list : {&history.elastic, &history.terms})
+    for (std::size_t first = 0; first < list->size(); first += 8)
+      std::fill_n(list->begin() + static_cast<std::ptrdiff_t>(first), 8,
+                  Voigt((*list)[first + static_cast<std::size_t>(octant)]));
+  return history;
+}
+
+}  // namespace
+
+PressCarrier::PressCarrier(const HexMesh& mesh, std::unique_ptr<TissueBody> body,
+                           ContactSurface surface)
+    : body_(std::move(body)), surface_(std::move(surface)), active_(mesh.active()) {
+  places_.resize(3, mesh.nodes());
+  for (int node = 0; node < mesh.nodes(); ++node) places_.col(node) = mesh.place(node);
+}
+
+std::vector<PressCarrier::Origin> PressCarrier::origins_in(const HexMesh& mesh) const {
+  std::vector<Origin> out;
+  for (const int index : mesh.active()) {
+    // The element itself, or the one that it was cut from, and its octant in that.
+    int cell = index, octant = -1;
+    auto from = std::lower_bound(active_.begin(), active_.end(), cell);
+    while (from == active_.end() || *from != cell) {
+      const HexCell& part = mesh.cells()[static_cast<std::size_t>(cell)];
+      octant = cell - mesh.cells()[static_cast<std::size_t>(part.parent)].first_child;
+      cell = part.parent;
+      from = std::lower_bound(active_.begin(), active_.end(), cell);
+    }
+    out.push_back({static_cast<std::size_t>(from - active_.begin()), octant});
+  }
+  return out;
+}
+
+std::vector<Matrix3d> PressCarrier::gradients_in(const HexMesh& mesh, const Matrix3Xd& u) const {
+  const auto nodes = static_cast<std::size_t>(mesh.nodes());
+  std::vector<Matrix3d> sum(nodes, Matrix3d::Zero());
+  std::vector<int> cells(nodes, 0);
+  for (const int index : active_) {
+    const HexCell& cell = mesh.cells()[static_cast<std::size_t>(index)];
+    Matrix3Xd X(3, 8), moved(3, 8);
+    for (Index c = 0; c < 8; ++c) {
+      X.col(c) = places_.col(cell.corners[static_cast<std::size_t>(c)]);
+      moved.col(c) = u.col(cell.corners[static_cast<std::size_t>(c)]);
+    }
+    const Matrix3d gradient = mean_deformation(X, moved) - Matrix3d::Identity();
+    for (const int node : nodes_within(mesh, cell)) {
+      sum[static_cast<std::size_t>(node)] += gradient;
+      ++cells[static_cast<std::size_t>(node)];
+    }
+  }
+  for (std::size_t k = 0; k < nodes; ++k) sum[k] /= std::max(1, cells[k]);
+  return sum;
+}
+
+Matrix3Xd PressCarrier::displacements_in(const HexMesh& mesh, const PressState& old) const {
+  Matrix3Xd u = body_->spread(old.x, {}), from = places_;
+  const std::vector<Matrix3d> gradients = gradients_in(mesh, u);
+  // Means of what new nodes were made from, which are older than they.
+  const Index old_nodes = u.cols();
+  u.conservativeResize(3, mesh.nodes());
+  from.conservativeResize(3, mesh.nodes());
+  for (Index node = old_nodes; node < u.cols(); ++node) {
+    u.col(node).setZero();
+    from.col(node).setZero();
+    for (const NodeWeight& each : mesh.made_from(static_cast<int>(node))) {
+      u.col(node) += each.weight * u.col(each.node);
+      from.col(node) += each.weight * from.col(each.node);
+    }
+  }
+  // What they are off them.
+  for (Index node = 0; node < u.cols(); ++node)
+    u.col(node) += gradients[static_cast<std::size_t>(node)] *
+                   (mesh.place(static_cast<int>(node)) - from.col(node));
+  return u;
+}
+
+PressCarrier::SkinFields PressCarrier::fields_in(const HexMesh& mesh, const PressState& old) const {
+  const auto nodes = static_cast<std::size_t>(mesh.nodes());
+  SkinFields out{std::vector<double>(nodes, 0), std::vector<Vector3d>(nodes, Vector3d::Zero()),
+                 std::vector<std::optional<Vector3d>>(nodes)};
+  for (std::size_t k = 0; k < surface_.nodes.size(); ++k) {
+    const auto column = static_cast<Index>(k);
+    const auto node = static_cast<std::size_t>(mesh_node(*body_, surface_, k));
+    out.pressure[node] = old.normal[column] / surface_.area[column];
+    out.traction[node] = old.shear.col(column) / surface_.area[column];
+    out.anchor[node] = old.anchor.col(column);
+  }
+  for (auto node = static_cast<std::size_t>(places_.cols()); node < nodes; ++node)
+    for (const NodeWeight& each : mesh.made_from(static_cast<int>(node))) {
+      out.pressure[node] += each.weight * out.pressure[static_cast<std::size_t>(each.node)];
+      out.traction[node] += each.weight * out.traction[static_cast<std::size_t>(each.node)];
+    }
+  return out;
+}
+
+PressState PressCarrier::carry(const PressState& old, const HexMesh& mesh, const TissueBody& body,
+                               const ContactSurface& surface) const {
+  PressState out;
+  out.X_PO = old.X_PO;
+  out.push = old.push;
+  const Matrix3Xd u = displacements_in(mesh, old);
+  out.x.resize(body.unknowns());
+  for (std::size_t i = 0; i < body.free_nodes().size(); ++i)
+    out.x.segment<3>(static_cast<Index>(3 * i)) = u.col(body.free_nodes()[i]);
+  const auto count = static_cast<Index>(surface.nodes.size());
+  out.normal.resize(count);
+  out.shear.resize(3, count);
+  out.anchor.resize(3, count);
+  const SkinFields fields = fields_in(mesh, old);
+  const Pose<double> X_OP = old.X_PO.inverse();
+  for (Index k = 0; k < count; ++k) {
+    const auto at = static_cast<std::size_t>(k);
+    const auto node = static_cast<std::size_t>(mesh_node(body, surface, at));
+    out.normal[k] = surface.area[k] * fields.pressure[node];
+    out.shear.col(k) = surface.area[k] * fields.traction[node];
+    const Vector3d here = surface.places.col(k) + out.x.segment<3>(3 * surface.nodes[at]);
+    out.anchor.col(k) = fields.anchor[node].value_or(X_OP * here);
+  }
+  // A carried displacement keeps no volume on new nodes of a curved skin; pressure does.
+  for (const Origin& from : origins_in(mesh)) {
+    if (!old.pressure.empty()) out.pressure.push_back(old.pressure[from.element]);
+    if (!old.history.empty())
+      out.history.push_back(history_of(old.history[from.element], from.octant));
+  }
+  return out;
+}
+
+}  // namespace thenar
