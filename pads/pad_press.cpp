@@ -117,10 +117,19 @@ PressOutcome PadPress::solve(const PressGoal& goal, int cuts) {
 PadPressResult PadPress::step(const PressGoal& goal) {
   PadPressResult result;
   PressState start = state_;
+  std::optional<Kept> kept;
   for (bool refined = false;; refined = true) {
     // On a finer mesh from the answer of the coarser; otherwise from the step's beginning.
     if (refined) {
       result.solved = solve_once(from_here(goal), state_);
+    }
+    if (kept && !ended(result.solved)) {
+      mesh_ = std::move(kept->mesh);
+      build();
+      state_ = std::move(kept->state);
+      start = std::move(kept->start);
+      result = std::move(kept->result);
+      break;
     }
     if (!refined || !ended(result.solved)) {
       state_ = start;
@@ -143,11 +152,12 @@ PadPressResult PadPress::step(const PressGoal& goal) {
         static_cast<int>(body_->elements()) >= options_.max_elements)
       break;
     // Cells that touch while they are too few; those with large errors; or where faces are too
-    // deep.
-    refine(patch_is_coarse()                           ? touching_cells()
-           : result.force_error > options_.force_error ? cells_of_errors(errors)
-                                                       : deep_cells_,
-           start);
+    // deep, for whose sake no answer is given up.
+    const bool is_coarse = patch_is_coarse();
+    kept.reset();
+    if (!is_coarse && result.force_error <= options_.force_error)
+      kept = Kept{mesh_, state_, start, result};
+    refine(is_coarse ? touching_cells() : kept ? deep_cells_ : cells_of_errors(errors), start);
   }
   before_ = std::move(start);
   result.elements = body_->elements();

@@ -53,7 +53,8 @@ class PadPress {
   /// One step, cut in halves where it fails (a bounded number of them), or a force sought by depths
   /// (seek_force(); it may lie before the touch on a coarse mesh), the mesh refined until
   /// force and penetration are as good as asked or `max_elements` are passed: `force_error` says
-  /// how good it became. A step that fails leaves the state at its beginning.
+  /// how good it became, and `penetration`, for whose sake no mesh is taken that has no answer. A
+  /// step that fails leaves the state at its beginning.
   PadPressResult step(const PressGoal& goal);
 
   /// Back to the beginning of the last step, on the mesh as it is now.
@@ -73,6 +74,12 @@ class PadPress {
   [[nodiscard]] const TissueBody& body() const { return *body_; }
 
  private:
+  /// An answer whose object is too deep in some faces, and the mesh that it is on.
+  struct Kept {
+    HexMesh mesh;
+    PressState state, start;
+    PadPressResult result;
+  };
   void build();
   PressOutcome solve_once(const PressGoal& goal, PressState& state);
   /// In pieces where it must be; a force by a search.

@@ -17,7 +17,7 @@ using Eigen::Matrix3Xd;
 using Eigen::Vector3d;
 using Eigen::VectorXd;
 
-constexpr int kMostConeNodes = 150;  // that touch, of which cones cost less than Newton's method
+constexpr int kMostConeNodes = 60;  // that touch, of which cones cost less than Newton's method
 
 constexpr double kStiffer = 100;    // of the augmentation than of tissue under a node [1]
 constexpr double kStifferNow = 10;  // and than of the body at a node [1]

@@ -69,7 +69,7 @@ void check_object(const PressedPad& out) {
     require(
         std::abs(along[axis]) > kAcross || sizes[axis] >= thinnest,
         "wanted an object of at least {:.2g} mm across its way into a pad of {:g} mm, as no mesh "
-        "resolves thinner ones; got {} of {:.2g} mm",
+        "resolves thinner ones; got {}, which is {:.2g} mm",
         thinnest / kMm, out.pad.spec.length / kMm, out.object.name, sizes[axis] / kMm);
 }
 
