@@ -114,8 +114,7 @@ class PressSolver {
   /// By the augmented Lagrangian without friction or where many nodes touch, else by cones; where
   /// one fails, by the other.
   PressOutcome solve() {
-    const bool augments =
-        object_.friction <= 0 || (start_.normal.array() > 0).count() > kMostConeNodes;
+    const bool augments = object_.friction <= 0 || nodes_to_touch() > kMostConeNodes;
     PressOutcome out = augments ? solve_by_augmentation() : solve_by_cones();
     if (out.status == Status::kSolved || out.status == Status::kStopped) return out;
     const int iterations = out.iterations;
@@ -257,6 +256,15 @@ class PressSolver {
       now_.shear = rest.shear;
     }
     return out;
+  }
+
+  /// Nodes that touch or, if no tissue moves, will be inside the object.
+  [[nodiscard]] int nodes_to_touch() {
+    gaps_.find(*object_.shape, now_.X_PO, now_.x);
+    int count = 0;
+    for (std::size_t k = 0; k < contacts_.size(); ++k)
+      count += now_.normal[static_cast<Eigen::Index>(k)] > 0 || gaps_.gap(k) < 0 ? 1 : 0;
+    return count;
   }
 
   /// Whether there is another iteration.
