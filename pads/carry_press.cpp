@@ -1,9 +1,6 @@
 #include "pads/carry_press.h"
 
 #include <algorithm>
-#include <array>
-
-#include "pads/tissue_element.h"
 
 namespace thenar {
 namespace {
@@ -13,11 +10,6 @@ using Eigen::Matrix3d;
 using Eigen::Matrix3Xd;
 using Eigen::Vector3d;
 using Eigen::VectorXd;
-
-/// Number of a node of the mesh that a node of the surface is.
-int mesh_node(const TissueBody& body, const ContactSurface& surface, std::size_t k) {
-  return body.free_nodes()[static_cast<std::size_t>(surface.nodes[k])];
-}
 
 /// Nodes of a cell and of the children that it was split into.
 std::vector<int> nodes_within(const HexMesh& mesh, const HexCell& cell) {
@@ -31,8 +23,8 @@ std::vector<int> nodes_within(const HexMesh& mesh, const HexCell& cell) {
   return out;
 }
 
-/// Histories of elements that some became.
-/// Gauss points are ordered as corners: all of a child have that of its parent's octant.
+/// History of an element that is an octant of an old one, -1: the old one itself. Gauss points are
+/// ordered as corners: all of a child have that of its parent's octant.
 ElementHistory history_of(const ElementHistory& old, int octant) {
   ElementHistory history = old;
   if (octant < 0) return history;
@@ -47,10 +39,10 @@ ElementHistory history_of(const ElementHistory& old, int octant) {
 
 PressCarrier::PressCarrier(const HexMesh& mesh, std::unique_ptr<TissueBody> body,
                            ContactSurface surface)
-    : body_(std::move(body)), surface_(std::move(surface)), active_(mesh.active()) {
-  places_.resize(3, mesh.nodes());
-  for (int node = 0; node < mesh.nodes(); ++node) places_.col(node) = mesh.place(node);
-}
+    : body_(std::move(body)),
+      surface_(std::move(surface)),
+      active_(mesh.active()),
+      places_(places_at_rest(mesh)) {}
 
 std::vector<PressCarrier::Origin> PressCarrier::origins_in(const HexMesh& mesh) const {
   std::vector<Origin> out;
@@ -75,12 +67,7 @@ std::vector<Matrix3d> PressCarrier::gradients_in(const HexMesh& mesh, const Matr
   std::vector<int> cells(nodes, 0);
   for (const int index : active_) {
     const HexCell& cell = mesh.cells()[static_cast<std::size_t>(index)];
-    Matrix3Xd X(3, 8), moved(3, 8);
-    for (Index c = 0; c < 8; ++c) {
-      X.col(c) = places_.col(cell.corners[static_cast<std::size_t>(c)]);
-      moved.col(c) = u.col(cell.corners[static_cast<std::size_t>(c)]);
-    }
-    const Matrix3d gradient = mean_deformation(X, moved) - Matrix3d::Identity();
+    const Matrix3d gradient = mean_deformation(cell, places_, u) - Matrix3d::Identity();
     for (const int node : nodes_within(mesh, cell)) {
       sum[static_cast<std::size_t>(node)] += gradient;
       ++cells[static_cast<std::size_t>(node)];

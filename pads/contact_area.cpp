@@ -18,8 +18,7 @@ VectorXd pressures_of(const HexMesh& mesh, const TissueBody& body, const Contact
   VectorXd pressure = VectorXd::Zero(mesh.nodes());
   for (std::size_t k = 0; k < surface.nodes.size(); ++k) {
     const auto column = static_cast<Eigen::Index>(k);
-    pressure[body.free_nodes()[static_cast<std::size_t>(surface.nodes[k])]] =
-        state.normal[column] / surface.area[column];
+    pressure[mesh_node(body, surface, k)] = state.normal[column] / surface.area[column];
   }
   for (int node = 0; node < mesh.nodes(); ++node)
     for (const NodeWeight& each : mesh.masters(node))
@@ -27,16 +26,8 @@ VectorXd pressures_of(const HexMesh& mesh, const TissueBody& body, const Contact
   return pressure;
 }
 
-/// Shear modulus of a cell as it is stretched [Pa].
-double modulus_of(const HexMesh& mesh, const HexCell& cell, const Matrix3Xd& u,
-                  const Tissue& tissue) {
-  Matrix3Xd X(3, 8), moved(3, 8);
-  for (int c = 0; c < 8; ++c) {
-    const int node = cell.corners[static_cast<std::size_t>(c)];
-    X.col(c) = mesh.place(node);
-    moved.col(c) = u.col(node);
-  }
-  const Eigen::Matrix3d F = mean_deformation(X, moved);
+/// Shear modulus of tissue as it is stretched [Pa].
+double modulus_of(const Tissue& tissue, const Eigen::Matrix3d& F) {
   if (!(F.determinant() > 0)) return tissue.shear_modulus;
   IsochoricResponse response;
   isochoric_response(tissue, F, true, response);
@@ -62,7 +53,7 @@ double positive_share(const std::array<double, 3>& values) {
 double contact_area(const HexMesh& mesh, const TissueBody& body, const std::vector<Tissue>& tissues,
                     const std::vector<bool>& skin, const ContactSurface& surface,
                     const RigidObject& object, const PressState& state) {
-  const Matrix3Xd u = body.spread(state.x, {});
+  const Matrix3Xd u = body.spread(state.x, {}), places = places_at_rest(mesh);
   const Pose<double> X_OP = state.X_PO.inverse();
   const VectorXd pressure = pressures_of(mesh, body, surface, state);
   double area = 0;
@@ -73,14 +64,15 @@ double contact_area(const HexMesh& mesh, const TissueBody& body, const std::vect
     std::array<double, 4> value{};
     for (std::size_t i = 0; i < 4; ++i) {
       const int node = face.nodes[i < 2 ? i : 5 - i];
-      at[i] = mesh.place(node) + u.col(node);
+      at[i] = places.col(node) + u.col(node);
       value[i] = pressure[node];
     }
     const double size = std::sqrt(0.5 * (at[2] - at[0]).cross(at[3] - at[1]).norm());
     const Tissue& tissue = tissues[static_cast<std::size_t>(cell.region)];
     const bool edge = std::any_of(value.begin(), value.end(), [](double p) { return p > 0; }) &&
                       std::any_of(value.begin(), value.end(), [](double p) { return p <= 0; });
-    const double modulus = edge ? modulus_of(mesh, cell, u, tissue) : tissue.shear_modulus;
+    const double modulus =
+        edge ? modulus_of(tissue, mean_deformation(cell, places, u)) : tissue.shear_modulus;
     const double scale = kEdge * modulus / size;
     for (std::size_t i = 0; i < 4; ++i)
       value[i] =

@@ -72,8 +72,7 @@ VectorXd node_areas(const HexMesh& mesh, const std::vector<HexFace>& faces, cons
 ContactSurface contact_surface(const HexMesh& mesh, const TissueBody& body,
                                const std::vector<bool>& marked) {
   ContactSurface surface;
-  Matrix3Xd at_rest(3, mesh.nodes());
-  for (int node = 0; node < mesh.nodes(); ++node) at_rest.col(node) = mesh.place(node);
+  const Matrix3Xd at_rest = places_at_rest(mesh);
   const std::vector<HexFace> faces = marked_faces(mesh, marked);
   const VectorXd area = node_areas(mesh, faces, at_rest);
   // Free nodes that have a share.
@@ -87,8 +86,7 @@ ContactSurface contact_surface(const HexMesh& mesh, const TissueBody& body,
   surface.places.resize(3, count);
   surface.area.resize(count);
   for (Eigen::Index k = 0; k < count; ++k) {
-    const int node =
-        body.free_nodes()[static_cast<std::size_t>(surface.nodes[static_cast<std::size_t>(k)])];
+    const int node = mesh_node(body, surface, static_cast<std::size_t>(k));
     surface.places.col(k) = mesh.place(node);
     surface.area[k] = area[node];
   }
@@ -99,6 +97,10 @@ ContactSurface contact_surface(const HexMesh& mesh, const TissueBody& body,
       surface.points.push_back(std::move(point));
     }
   return surface;
+}
+
+int mesh_node(const TissueBody& body, const ContactSurface& surface, std::size_t k) {
+  return body.free_nodes()[static_cast<std::size_t>(surface.nodes[k])];
 }
 
 Matrix3Xd places_of(const ContactSurface& surface, const VectorXd& x) {

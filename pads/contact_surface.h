@@ -32,6 +32,9 @@ struct ContactSurface {
 [[nodiscard]] ContactSurface contact_surface(const HexMesh& mesh, const TissueBody& body,
                                              const std::vector<bool>& marked);
 
+/// Number among the nodes of the mesh of the k-th node of a surface.
+[[nodiscard]] int mesh_node(const TissueBody& body, const ContactSurface& surface, std::size_t k);
+
 /// Places of its nodes, deformed [m] (3, nodes). @param x  of the body's free nodes [m] (3 free
 /// nodes)
 [[nodiscard]] Eigen::Matrix3Xd places_of(const ContactSurface& surface, const Eigen::VectorXd& x);

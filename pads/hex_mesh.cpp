@@ -42,6 +42,12 @@ const std::array<std::array<int, 4>, 6>& hex_faces() {
   return faces;
 }
 
+Eigen::Matrix3Xd places_at_rest(const HexMesh& mesh) {
+  Eigen::Matrix3Xd places(3, mesh.nodes());
+  for (int node = 0; node < mesh.nodes(); ++node) places.col(node) = mesh.place(node);
+  return places;
+}
+
 std::vector<HexFace> marked_faces(const HexMesh& mesh, const std::vector<bool>& marked) {
   std::vector<HexFace> out;
   for (const int index : mesh.active()) {

@@ -110,6 +110,9 @@ class HexMesh {
   std::map<std::array<int, 4>, int> faces_;   // middles
 };
 
+/// Reference positions of all nodes, as HexMesh::place() [m] (3, nodes).
+[[nodiscard]] Eigen::Matrix3Xd places_at_rest(const HexMesh& mesh);
+
 /// Corners of the 12 edges and 6 faces of a cell; those of a face go round as two rows.
 [[nodiscard]] const std::array<std::array<int, 2>, 12>& hex_edges();
 [[nodiscard]] const std::array<std::array<int, 4>, 6>& hex_faces();

@@ -180,8 +180,7 @@ std::vector<int> PadPress::touching_cells() const {
   std::vector<bool> touches(static_cast<std::size_t>(mesh_.nodes()), false);
   for (std::size_t k = 0; k < surface_.nodes.size(); ++k)
     if (state_.normal[static_cast<Eigen::Index>(k)] > 0)
-      touches[static_cast<std::size_t>(
-          body_->free_nodes()[static_cast<std::size_t>(surface_.nodes[k])])] = true;
+      touches[static_cast<std::size_t>(mesh_node(*body_, surface_, k))] = true;
   std::vector<int> out;
   for (const int index : mesh_.active()) {
     const auto& corners = mesh_.cells()[static_cast<std::size_t>(index)].corners;

@@ -3,10 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include <Eigen/QR>
-
 #include "base/error.h"
 #include "base/numbers.h"
+#include "solvers/anderson_mixing.h"
 #include "solvers/sparse/gmres.h"
 
 namespace thenar {
@@ -56,40 +55,6 @@ struct TouchingNode {
   Vector3d way{0, 0, 0};   // of friction on a node that slips, unit
   Vector3d last{0, 0, 0};  // the same of the last iterate, over the bound: at most as long
   double cut = 1;          // what its cone leaves of the force of a node that would stick [1]
-};
-
-/// Anderson's mixing of a fixed-point iteration x -> x + m(x): the combination of the last motions
-/// m that is least says where they vanish. Source: [WalkerNi2011].
-class Mixing {
- public:
-  void clear() {
-    steps_.clear();
-    changes_.clear();
-    motion_.resize(0);
-  }
-  /// The next step. @param motion  m where the last step led
-  VectorXd next(const VectorXd& motion) {
-    if (motion_.size() == motion.size()) {
-      changes_.push_back(motion - motion_);
-      steps_.push_back(step_);
-      if (steps_.size() > kMixed) steps_.erase(steps_.begin()), changes_.erase(changes_.begin());
-    }
-    motion_ = step_ = motion;
-    if (!changes_.empty()) {
-      Eigen::MatrixXd change(motion.size(), static_cast<Eigen::Index>(changes_.size())),
-          step(motion.size(), change.cols());
-      for (std::size_t k = 0; k < changes_.size(); ++k) {
-        change.col(static_cast<Eigen::Index>(k)) = changes_[k];
-        step.col(static_cast<Eigen::Index>(k)) = steps_[k];
-      }
-      step_ -= (step + change) * change.colPivHouseholderQr().solve(motion);
-    }
-    return step_;
-  }
-
- private:
-  std::vector<VectorXd> steps_, changes_;
-  VectorXd motion_, step_;
 };
 
 class PressSolver {
@@ -209,7 +174,7 @@ class PressSolver {
     const CondensedBody& tangent = cones.body();
     double before = kInfinity;
     VectorXd dx, last;
-    Mixing mixing;
+    AndersonMixing mixing(kMixed);
     for (; goes_on(out); ++out.iterations) {
       Matrix3Xd u;
       const bool has_factor = tangent.has_factor();

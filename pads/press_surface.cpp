@@ -29,7 +29,7 @@ void add_forces(const PadPress& press, double friction, MeshContact& out) {
   out.contact.assign(static_cast<std::size_t>(press.mesh().nodes()), SkinContact::kFree);
   for (std::size_t k = 0; k < press.surface().nodes.size(); ++k) {
     const auto column = static_cast<Eigen::Index>(k);
-    const int node = press.body().free_nodes()[static_cast<std::size_t>(press.surface().nodes[k])];
+    const int node = mesh_node(press.body(), press.surface(), k);
     out.normal[node] = state.normal[column];
     if (state.normal[column] <= 0) continue;
     out.contact[static_cast<std::size_t>(node)] =
@@ -73,8 +73,7 @@ std::vector<int> renumber(std::vector<std::array<int, 4>>& faces, int nodes) {
 
 PressedSkin pressed_skin(const PadPress& press, double friction) {
   const HexMesh& mesh = press.mesh();
-  Eigen::Matrix3Xd at_rest(3, mesh.nodes());
-  for (int node = 0; node < mesh.nodes(); ++node) at_rest.col(node) = mesh.place(node);
+  const Eigen::Matrix3Xd at_rest = places_at_rest(mesh);
   const Eigen::Matrix3Xd at = at_rest + press.body().spread(press.state().x, {});
   // Faces and what their nodes have, by nodes of the mesh.
   PressedSkin skin;

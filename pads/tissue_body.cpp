@@ -370,4 +370,17 @@ Matrix3Xd TissueBody::reactions(const Matrix3Xd& u, double h, const TissueHistor
   return out;
 }
 
+Eigen::Matrix3d mean_deformation(const HexCell& cell, const Matrix3Xd& places, const Matrix3Xd& u) {
+  Matrix3Xd X(3, 8), moved(3, 8);
+  for (Eigen::Index c = 0; c < 8; ++c) {
+    const int node = cell.corners[static_cast<std::size_t>(c)];
+    X.col(c) = places.col(node);
+    moved.col(c) = u.col(node);
+  }
+  const ElementShape shape = element_shape(HexElement::kMeanDilatation, X);
+  Eigen::Matrix3d F = Eigen::Matrix3d::Zero();
+  for (std::size_t point = 0; point < 8; ++point) F += element_deformation(shape, moved, point) / 8;
+  return F;
+}
+
 }  // namespace thenar

@@ -131,4 +131,9 @@ class TissueBody {
   SymmetricPattern pattern_;
 };
 
+/// Mean of F over the Gauss points of a cell.
+/// @param places, u  of all nodes: at rest, and their displacements [m] (3, nodes of the mesh)
+[[nodiscard]] Eigen::Matrix3d mean_deformation(const HexCell& cell, const Eigen::Matrix3Xd& places,
+                                               const Eigen::Matrix3Xd& u);
+
 }  // namespace thenar

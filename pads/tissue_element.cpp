@@ -440,13 +440,6 @@ Matrix3d element_deformation(const ElementShape& shape, const Eigen::Matrix3Xd& 
   return F;
 }
 
-Matrix3d mean_deformation(const Eigen::Matrix3Xd& X, const Eigen::Matrix3Xd& u) {
-  const ElementShape shape = element_shape(HexElement::kMeanDilatation, X);
-  Matrix3d F = Matrix3d::Zero();
-  for (std::size_t point = 0; point < 8; ++point) F += element_deformation(shape, u, point) / 8;
-  return F;
-}
-
 double shape_value(HexElement kind, std::size_t point, std::size_t node) {
   const ElementTable& table = element_table(kind);
   return table.value[point * static_cast<std::size_t>(table.nodes) + node];

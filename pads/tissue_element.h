@@ -49,9 +49,6 @@ struct ElementShape {
 /// F at a Gauss point. @param u  displacements [m] (3, nodes)
 [[nodiscard]] Eigen::Matrix3d element_deformation(const ElementShape& shape,
                                                   const Eigen::Matrix3Xd& u, std::size_t point);
-/// Mean of F over the Gauss points of a hexahedron. @param X, u  of its corners [m] (3, 8)
-[[nodiscard]] Eigen::Matrix3d mean_deformation(const Eigen::Matrix3Xd& X,
-                                               const Eigen::Matrix3Xd& u);
 /// Value of a node's shape function at a Gauss point [1].
 [[nodiscard]] double shape_value(HexElement kind, std::size_t point, std::size_t node);
 

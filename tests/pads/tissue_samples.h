@@ -125,9 +125,7 @@ struct TissueBlock {
     return press_step(*body, surface, object, goal, options, *factors, state);
   }
   /// Node of the mesh behind a place of the surface.
-  [[nodiscard]] int node_of(std::size_t place) const {
-    return body->free_nodes()[static_cast<std::size_t>(surface.nodes[place])];
-  }
+  [[nodiscard]] int node_of(std::size_t place) const { return mesh_node(*body, surface, place); }
 
   HexMesh mesh;
   std::unique_ptr<TissueBody> body;
