@@ -11,13 +11,29 @@
 
 namespace thenar {
 
+int threads_or_all(int asked) {
+  return asked > 0 ? asked : std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
+}
+
+void on_threads(int threads, const std::function<void(int)>& work) {
+  std::vector<std::thread> others;
+  const StopScope::Request* stop = StopScope::current();
+  for (int k = 1; k < threads; ++k)
+    others.emplace_back([&work, stop, k] {
+      const StopScope scope(stop);
+      work(k);
+    });
+  work(0);
+  for (std::thread& thread : others) thread.join();
+}
+
 void parallel_for(std::size_t count, const std::function<void(std::size_t)>& work) {
   std::atomic<std::size_t> next{0};
   std::mutex failing;
   std::size_t first_failed = count;
   std::exception_ptr failure;
   // Numbers are dealt in order, so that all below one that fails have begun.
-  const auto labour = [&] {
+  const auto labour = [&](int) {
     for (std::size_t i = next++; i < count; i = next++) {
       try {
         work(i);
@@ -31,17 +47,8 @@ void parallel_for(std::size_t count, const std::function<void(std::size_t)>& wor
       }
     }
   };
-  // The caller works, too.
-  const std::size_t cores = std::max(1U, std::thread::hardware_concurrency());
-  std::vector<std::thread> others;
-  const StopScope::Request* stop = StopScope::current();
-  for (std::size_t k = 1; k < std::min(cores, count); ++k)
-    others.emplace_back([&labour, stop] {
-      const StopScope scope(stop);
-      labour();
-    });
-  labour();
-  for (std::thread& thread : others) thread.join();
+  on_threads(static_cast<int>(std::min(static_cast<std::size_t>(threads_or_all(0)), count)),
+             labour);
   if (failure) std::rethrow_exception(failure);
 }
 

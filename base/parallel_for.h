@@ -7,6 +7,14 @@
 
 namespace thenar {
 
+/// As many threads as were asked for; 0: as there are processors.
+[[nodiscard]] int threads_or_all(int asked);
+
+/// Calls work(k) once on each of so many threads, all of which hear the caller's stop; work(0) is
+/// the caller's own. Returns when all are done.
+/// @param work  throws nothing
+void on_threads(int threads, const std::function<void(int)>& work);
+
 /// Calls work(i) for every i below `count`, several at once in no order; returns when all are done.
 /// Where each writes to a place of its own, the result is that of a loop.
 /// @param work  may be called from several threads at once

@@ -1,17 +1,10 @@
 #include "base/task_queue.h"
 
-#include <algorithm>
-#include <thread>
 #include <utility>
-#include <vector>
 
-#include "base/stop_scope.h"
+#include "base/parallel_for.h"
 
 namespace thenar {
-
-int threads_or_all(int asked) {
-  return asked > 0 ? asked : std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
-}
 
 void TaskQueue::add(Task task) {
   const std::lock_guard lock(mutex_);
@@ -57,15 +50,7 @@ void TaskQueue::serve(const std::function<void()>& between) {
 }
 
 void TaskQueue::run(int threads, const std::function<void()>& between) {
-  std::vector<std::thread> others;
-  const StopScope::Request* stop = StopScope::current();
-  for (int k = 1; k < threads; ++k)
-    others.emplace_back([this, stop] {
-      const StopScope scope(stop);
-      serve({});
-    });
-  serve(between);
-  for (std::thread& thread : others) thread.join();
+  on_threads(threads, [&](int thread) { serve(thread == 0 ? between : nullptr); });
   // What others did last.
   if (failure_) std::rethrow_exception(std::exchange(failure_, nullptr));
   if (between) between();

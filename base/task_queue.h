@@ -11,9 +11,6 @@
 
 namespace thenar {
 
-/// As many threads as were asked for; 0: as there are processors.
-[[nodiscard]] int threads_or_all(int asked);
-
 /// A queue of pieces of work. Where each piece writes to a place of its own, and adds the same
 /// others whenever it runs, the result is the same with any number of threads.
 class TaskQueue {

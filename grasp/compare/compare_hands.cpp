@@ -11,6 +11,7 @@
 #include <fmt/format.h>
 
 #include "base/error.h"
+#include "base/parallel_for.h"
 #include "base/task_queue.h"
 #include "grasp/compare/cell_work.h"
 #include "grasp/compare/opposition.h"

@@ -2,9 +2,9 @@
 
 #include <algorithm>
 #include <limits>
-#include <thread>
 
 #include "base/error.h"
+#include "base/parallel_for.h"
 #include "sampling/run/advance.h"
 #include "sampling/run/draws.h"
 
@@ -124,8 +124,7 @@ bool splits(int parts, int items, int length, int offset = 0) {
 int threads_for(const RunOptions& options, const Target& target, int samplers, int ranks) {
   // Unless told: all processors, or one of several ranks.
   int threads = options.threads;
-  if (threads == 0)
-    threads = ranks > 1 ? 1 : std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
+  if (threads == 0) threads = ranks > 1 ? 1 : threads_or_all(0);
   // No more than fill the batches that cost least.
   const int batch = std::max(1, target.preferred_batch_size());
   const int batches = (samplers * options.walkers + batch - 1) / batch;
