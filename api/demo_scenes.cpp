@@ -4,7 +4,6 @@
 #include "api/named/data_folders.h"
 #include "api/named/files.h"
 #include "base/parallel_tasks.h"
-#include "base/units.h"
 #include "hand/skin/skin_landmarks.h"
 
 namespace thenar {

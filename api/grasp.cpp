@@ -5,7 +5,6 @@
 #include <ctime>
 #include <numeric>
 #include <random>
-#include <set>
 #include <string>
 #include <utility>
 
@@ -100,11 +99,7 @@ Grasp grasp_from(const GraspResult& result, const Pregrasp& start) {
 int standing_of(const Hand& hand, const Grasp& grasp) {
   if (grasp.outcome != GraspOutcome::kGrasped) return 0;
   if (grasp.quality.force_closure) return 2;
-  std::set<std::string> digits;
-  for (const HandContact& contact : grasp.contacts)
-    digits.insert(hand.surfaces()[static_cast<std::size_t>(contact.surface)].digit);
-  digits.erase("");  // the palm
-  return digits.size() > 1 ? 1 : 0;
+  return digits_of(hand, grasp.contacts).size() > 1 ? 1 : 0;
 }
 
 /// A start and what came of it.

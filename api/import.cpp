@@ -2,9 +2,7 @@
 
 #include <algorithm>
 #include <filesystem>
-#include <iterator>
 #include <map>
-#include <set>
 
 #include <fmt/format.h>
 
@@ -303,22 +301,15 @@ void point_to(std::vector<ShapeSpec>& shapes, const fs::path& from, const std::s
   for (ShapeSpec& shape : shapes) point_to(shape.mesh_file, from, out);
 }
 
-std::size_t count_digits(const RobotSpec& robot) {
-  std::set<std::string> digits;
-  for (const RobotLink& link : robot.links)
-    if (!link.digit.empty()) digits.insert(link.digit);
-  return digits.size();
-}
-
 /// How a hand, or a jaw that holds a ball against a fixed one, grasps, guessed where its format
 /// leaves it unsaid; another robot as it is.
 RobotSpec with_guesses(const RobotSpec& robot) {
   RobotSpec kept = robot;  // it can be told and written, but not grasp
   try {
     RobotSpec guessed = graspable(robot);
-    const bool one_jaw = count_digits(guessed) == 1 && robot.dofs.size() == 1;
-    if (count_digits(guessed) > 1 || (one_jaw && infer_closing(guessed, {true, true}).facing))
-      return guessed;
+    const std::size_t digits = digits_in(guessed).size();
+    const bool one_jaw = digits == 1 && robot.dofs.size() == 1;
+    if (digits > 1 || (one_jaw && infer_closing(guessed, {true, true}).facing)) return guessed;
     if (one_jaw)
       kept.warnings.emplace_back(
           "how it grasps is not guessed: its only digit holds no ball against what is fixed");
@@ -330,10 +321,6 @@ RobotSpec with_guesses(const RobotSpec& robot) {
 
 using Sentences = std::vector<std::string>;
 
-void append(WrittenFiles& all, WrittenFiles more) {
-  std::move(more.begin(), more.end(), std::back_inserter(all));
-}
-
 /// The robot as TOML, with what was guessed marked, and told.
 Sentences write_thing(RobotSpec robot, const Imported& imported, const std::string& out) {
   for (RobotLink& link : robot.links)
@@ -343,29 +330,24 @@ Sentences write_thing(RobotSpec robot, const Imported& imported, const std::stri
     return {};
   }
   const bool guess = imported.kind != name_of(RobotFileKind::kToml);
-  std::set<std::string> taken;
-  const std::string folder = fs::path(out).parent_path().string();
-  for (const RobotLink& link : robot.links) add_mesh_paths(link.shapes, folder, taken);
-  WrittenFiles files;
-  for (RobotLink& link : robot.links)
-    append(files, give_stl_files(link.shapes, out, link.name, taken));
+  StlFiles files(out);
+  for (const RobotLink& link : robot.links) files.leave(link.shapes);
+  for (RobotLink& link : robot.links) files.give(link.shapes, link.name);
   RobotSpec written = guess ? with_guesses(robot) : robot;
   Sentences guessed;
   for (std::size_t i = robot.warnings.size(); i < written.warnings.size(); ++i)
     guessed.push_back(written.warnings[i]);
-  written.warnings = robot.warnings;                     // guesses are comments of the file
-  files.emplace_back(out, robot_toml(written, &robot));  // last, as it names the others
-  write_files(files);
+  written.warnings = robot.warnings;  // guesses are comments of the file
+  files.write(robot_toml(written, &robot));
   return guessed;
 }
 
 /// With the meshes that stand in no file as STL files beside it.
 void write_object(BodySpec body, const std::string& out) {
-  std::set<std::string> taken;
-  add_mesh_paths(body.shapes, fs::path(out).parent_path().string(), taken);
-  WrittenFiles files = give_stl_files(body.shapes, out, body.name, taken);
-  files.emplace_back(out, object_toml(body));
-  write_files(files);
+  StlFiles files(out);
+  files.leave(body.shapes);
+  files.give(body.shapes, body.name);
+  files.write(object_toml(body));
 }
 
 Sentences write_thing(BodySpec body, const Imported& imported, const std::string& out) {
@@ -382,15 +364,11 @@ Sentences write_thing(WorldSpec world, const Imported& imported, const std::stri
   }
   for (PlacedHand& hand : world.hands) point_to(hand.file, folder, out);
   point_to(world.materials_file, folder, out);
-  std::set<std::string> taken;
-  for (const PlacedBody& body : world.bodies)
-    add_mesh_paths(body.body.shapes, fs::path(out).parent_path().string(), taken);
-  WrittenFiles files;
+  StlFiles files(out);
+  for (const PlacedBody& body : world.bodies) files.leave(body.body.shapes);
   for (PlacedBody& body : world.bodies)
-    if (body.file.empty())
-      append(files, give_stl_files(body.body.shapes, out, body.body.name, taken));
-  files.emplace_back(out, world_toml(world));
-  write_files(files);
+    if (body.file.empty()) files.give(body.body.shapes, body.body.name);
+  files.write(world_toml(world));
   return {};
 }
 

@@ -195,10 +195,19 @@ std::vector<TriangleMesh> solid_parts(const TriangleMesh& mesh) {
   parts.reserve(meshes.size());
   for (TriangleMesh& closed : meshes) {
     Part part = closed_part(std::move(closed));
-    if (!is_sliver(part.volume, diagonal_of(part.mesh), whole)) parts.push_back(std::move(part));
+    if (!is_sliver(part.volume, part.box.diagonal().norm(), whole))
+      parts.push_back(std::move(part));
   }
   if (parts.empty()) fail_without_volume(mesh);
   return outward(std::move(parts));
+}
+
+std::vector<TriangleMesh> solids_or_none(const TriangleMesh& mesh) {
+  try {
+    return solid_parts(mesh);
+  } catch (const InputError&) {
+    return {};
+  }
 }
 
 }  // namespace thenar

@@ -285,15 +285,6 @@ RepairedSolid closed(const TriangleMesh& mesh, const TriangleMesh& given, Done d
   return {joined(solids), done.text()};
 }
 
-/// solid_parts(); none where it refuses the mesh.
-std::vector<TriangleMesh> solids_of(const TriangleMesh& mesh) {
-  try {
-    return solid_parts(mesh);
-  } catch (const InputError&) {
-    return {};
-  }
-}
-
 bool same_triangles(const TriangleMesh& a, const TriangleMesh& b) {
   return a.triangles.cols() == b.triangles.cols() && a.triangles == b.triangles;
 }
@@ -317,13 +308,14 @@ RepairedSolid mended(const TriangleMesh& mesh) {
     // Cut triangles at corners of others; is it a solid now?
     TriangleMesh now = repair.mesh;
     done.add(cut_at_corners(now), "triangle(s) cut where corners of others lie on them");
-    if (const auto solids = solids_of(now); !solids.empty()) return {joined(solids), done.text()};
+    if (const auto solids = solids_or_none(now); !solids.empty())
+      return {joined(solids), done.text()};
     // NOLINTNEXTLINE(readability-suspicious-call-argument): `now` was made from `mesh`
     tries.push_back(closed(now, mesh, done));
   }
   // Otherwise part by part, and at last the hull of the whole.
   for (RepairedSolid& mended : tries)
-    if (const auto solids = solids_of(mended.mesh); !solids.empty())
+    if (const auto solids = solids_or_none(mended.mesh); !solids.empty())
       return {joined(solids), std::move(mended.done)};
   return hull_of(mesh);
 }
@@ -344,7 +336,8 @@ RepairedSolid without_slivers(const TriangleMesh& mesh, const std::vector<Triang
 RepairedSolid repair_to_solid(const TriangleMesh& mesh) {
   require(!mesh.empty(), "a mesh has no triangle");
   (void)check_mesh(mesh);
-  if (const auto solids = solids_of(mesh); !solids.empty()) return without_slivers(mesh, solids);
+  if (const auto solids = solids_or_none(mesh); !solids.empty())
+    return without_slivers(mesh, solids);
   require(
       !is_flat(mesh),
       "the mesh is flat: all its triangles lie in one plane, and no repair gives it a thickness");

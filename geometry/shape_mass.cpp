@@ -76,11 +76,7 @@ MassProperties enclosed(const TriangleMesh& mesh) {
   const MeshReport found = check_mesh(mesh);
   if (found.watertight() && found.volume > 0) return signed_moments(mesh);
   std::vector<MassProperties> parts;
-  try {
-    for (const TriangleMesh& part : solid_parts(mesh)) parts.push_back(signed_moments(part));
-  } catch (const InputError&) {
-    return {};  // it bounds no solid
-  }
+  for (const TriangleMesh& part : solids_or_none(mesh)) parts.push_back(signed_moments(part));
   return together(parts);
 }
 

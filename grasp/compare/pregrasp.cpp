@@ -24,6 +24,14 @@ std::mt19937 generator(unsigned seed, const std::string& object, int number, Str
 
 }  // namespace
 
+std::set<std::string> digits_of(const Hand& hand, const std::vector<HandContact>& contacts) {
+  std::set<std::string> digits;
+  for (const HandContact& contact : contacts)
+    if (!hand.surfaces()[contact.surface].digit.empty())
+      digits.insert(hand.surfaces()[contact.surface].digit);
+  return digits;
+}
+
 Pregrasp sample_pregrasp(const CollisionHand& hand, const SceneBody& object, unsigned seed,
                          int number) {
   // Two streams, so that a posture with more draws changes no pose.
@@ -48,14 +56,6 @@ namespace {
 
 constexpr double kAcross = 0.2;    // smallest sine of the angle between push and approach [1]
 constexpr int kMaxGapSteps = 200;  // of conservative advancement across the clearance
-
-std::set<std::string> digits_of(const Hand& hand, const std::vector<HandContact>& contacts) {
-  std::set<std::string> digits;
-  for (const HandContact& contact : contacts)
-    if (!hand.surfaces()[contact.surface].digit.empty())
-      digits.insert(hand.surfaces()[contact.surface].digit);
-  return digits;
-}
 
 /// Surfaces of other digits that the coordinate moves, too.
 std::vector<int> mirrored(const CollisionHand& hand, int coordinate, const std::string& digit) {

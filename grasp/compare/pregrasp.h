@@ -2,6 +2,10 @@
 
 /// Approach number n of a hand to an object.
 
+#include <set>
+#include <string>
+#include <vector>
+
 #include "grasp/closing/grasp.h"
 
 namespace thenar {
@@ -13,6 +17,10 @@ struct Pregrasp {
   double approach_distance = 0;  // largest distance of approach [m]; 0: closes where it is
   double stand_off = 0;          // GraspOptions::stand_off [1]
 };
+
+/// Names of the digits that touch; the palm is none.
+[[nodiscard]] std::set<std::string> digits_of(const Hand& hand,
+                                              const std::vector<HandContact>& contacts);
 
 /// Samples approach `number`: sample_preshape(), sample_approach_pose(), approach_distance() and
 /// sample_stand_off(), from generators seeded with (seed, object's name, number) alone, so that

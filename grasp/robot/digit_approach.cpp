@@ -184,9 +184,7 @@ std::optional<PalmApproach> DigitMotion::beside_fixed_jaw(std::size_t option, do
   const std::vector<Pose<double>> links = grip_.hand().pose(q);
   const Digit& digit = digits_.front();
   const Vector3d way = last_way(option, q);
-  std::vector<Matrix3Xd> parts;
-  for (const std::size_t s : palm_surfaces()) parts.push_back(points_of(s, links));
-  const Matrix3Xd palm = side_by_side(parts), end = points_of(digit.last, links);
+  const Matrix3Xd palm = points_of(palm_surfaces(), links), end = points_of({digit.last}, links);
   if (palm.cols() == 0 || way.isZero(0)) return {};
   // From the palm to the closed end, across the way in which it closes.
   const Vector3d middle = (palm.rowwise().minCoeff() + palm.rowwise().maxCoeff()) / 2;

@@ -219,20 +219,23 @@ VectorXd DigitMotion::moved(const std::vector<double>& senses, double share) con
   return q.cwiseMax(layout.lower).cwiseMin(layout.upper);
 }
 
-/// Points of a surface with the links posed. (3, points) [m]
-Eigen::Matrix3Xd DigitMotion::points_of(std::size_t surface,
+/// Points of surfaces with the links posed. (3, points) [m]
+Eigen::Matrix3Xd DigitMotion::points_of(const std::vector<std::size_t>& surfaces,
                                         const std::vector<Pose<double>>& links) const {
-  const SampledSurface& points = grip_.surfaces()[surface];
-  if (points.link < 0) return points.p;
-  const Pose<double>& X = links[static_cast<std::size_t>(points.link)];
-  return (X.R * points.p).colwise() + X.p;
+  std::vector<Eigen::Matrix3Xd> parts;
+  for (const std::size_t surface : surfaces) {
+    const SampledSurface& points = grip_.surfaces()[surface];
+    const Pose<double> X =
+        points.link < 0 ? Pose<double>{} : links[static_cast<std::size_t>(points.link)];
+    parts.emplace_back((X.R * points.p).colwise() + X.p);
+  }
+  return side_by_side(parts);
 }
 
 /// Mean distance of points of the only digit's end to the palm's [m].
 double DigitMotion::from_palm(const std::vector<Pose<double>>& links) const {
-  std::vector<Eigen::Matrix3Xd> parts;
-  for (const std::size_t s : palm_surfaces()) parts.push_back(points_of(s, links));
-  const Eigen::Matrix3Xd palm = side_by_side(parts), end = points_of(digits_.front().last, links);
+  const Eigen::Matrix3Xd palm = points_of(palm_surfaces(), links),
+                         end = points_of({digits_.front().last}, links);
   if (palm.cols() == 0) return 0;
   double sum = 0;
   for (const auto& p : end.colwise())

@@ -80,7 +80,7 @@ class DigitMotion {
   [[nodiscard]] double sign_against(std::size_t outer, std::size_t drive, const Digit& digit) const;
   [[nodiscard]] Eigen::VectorXd moved(const std::vector<double>& senses, double share) const;
   [[nodiscard]] double apart(const Eigen::VectorXd& q) const;
-  [[nodiscard]] Eigen::Matrix3Xd points_of(std::size_t surface,
+  [[nodiscard]] Eigen::Matrix3Xd points_of(const std::vector<std::size_t>& surfaces,
                                            const std::vector<Pose<double>>& links) const;
   [[nodiscard]] Eigen::Vector3d last_way(std::size_t option, const Eigen::VectorXd& q) const;
   [[nodiscard]] double from_palm(const std::vector<Pose<double>>& links) const;

@@ -47,6 +47,13 @@ MeshFormat mesh_format(const std::string& path) {
   return *format;
 }
 
+std::string plain_file_name(std::string name) {
+  std::replace_if(
+      name.begin(), name.end(),
+      [](unsigned char c) { return std::isalnum(c) == 0 && c != '.' && c != '-'; }, '_');
+  return name;
+}
+
 bool is_mesh_file(const std::string& path) { return find_format(path) != nullptr; }
 
 namespace {

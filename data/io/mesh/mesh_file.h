@@ -21,6 +21,9 @@ enum class MeshFormat { kObj, kStl, kPly, kOff, kGltf, kCollada, kVrml, kInvento
 /// @throws DataError for an unknown ending, listing the known ones.
 [[nodiscard]] MeshFormat mesh_format(const std::string& path);
 
+/// A name whose letters file systems and URLs all take; others become underscores.
+[[nodiscard]] std::string plain_file_name(std::string name);
+
 /// Whether mesh_format() knows the ending.
 [[nodiscard]] bool is_mesh_file(const std::string& path);
 

@@ -15,20 +15,29 @@ namespace thenar {
 /// @throws DataError if no triangle is left of it
 [[nodiscard]] TriangleMesh as_in_stl(const TriangleMesh& mesh);
 
-/// Paths and contents of files, as write_files() takes them.
-using WrittenFiles = std::vector<std::pair<std::string, std::string>>;
+/// A file and the STL files of the meshes that it names and that stand in no file yet.
+class StlFiles {
+ public:
+  /// @param out  the file that names the others, which stand beside it
+  explicit StlFiles(std::string out) : out_(std::move(out)) {}
 
-/// Gives each mesh that stands in no file one beside `out`, "hand_palm_0.stl", if it bounds as many
-/// solids when it is read from there; else the triangles stay in the shape.
-/// @param owner  whose shapes they are, for names: "palm"
-/// @param taken  paths that are not to be written; grows by those that are
-/// @returns the files to write
-[[nodiscard]] WrittenFiles give_stl_files(std::vector<ShapeSpec>& shapes, const std::string& out,
-                                          const std::string& owner, std::set<std::string>& taken);
+  /// Leaves the files alone where meshes of these shapes stand. To be called of all shapes first.
+  void leave(const std::vector<ShapeSpec>& shapes);
+  /// Gives each mesh that stands in no file one beside `out`, "hand_palm_0.stl", if it bounds as
+  /// many solids when it is read from there; else the triangles stay in the shape.
+  /// @param owner  whose shapes they are, for names: "palm"
+  void give(std::vector<ShapeSpec>& shapes, const std::string& owner);
+  /// Paths and contents of the files that give() made.
+  [[nodiscard]] const std::vector<std::pair<std::string, std::string>>& files() const {
+    return files_;
+  }
+  /// Writes them, and `out` last, as it names the others.
+  void write(const std::string& text);
 
-/// Adds where the meshes of some shapes stand, as normal absolute paths.
-/// @param folder  that names are relative to
-void add_mesh_paths(const std::vector<ShapeSpec>& shapes, const std::string& folder,
-                    std::set<std::string>& paths);
+ private:
+  std::string out_;
+  std::set<std::string> taken_;  // normal absolute paths that are not to be written
+  std::vector<std::pair<std::string, std::string>> files_;
+};
 
 }  // namespace thenar

@@ -39,6 +39,18 @@ bool slides(const RobotSpec& robot, const RobotDof& dof) {
   return false;
 }
 
+std::set<std::string> digits_in(const RobotSpec& robot) {
+  std::set<std::string> digits;
+  for (const RobotLink& link : robot.links)
+    if (!link.digit.empty()) digits.insert(link.digit);
+  return digits;
+}
+
+bool any_speed(const RobotSpec& robot) {
+  return std::any_of(robot.dofs.begin(), robot.dofs.end(),
+                     [](const RobotDof& dof) { return dof.speed != 0; });
+}
+
 namespace {
 
 template <typename Part>
@@ -46,13 +58,6 @@ std::set<std::string> names_in(const std::vector<Part>& parts) {
   std::set<std::string> names;
   for (const Part& part : parts) names.insert(part.name);
   return names;
-}
-
-std::set<std::string> digits_in(const RobotSpec& robot) {
-  std::set<std::string> digits;
-  for (const RobotLink& link : robot.links)
-    if (!link.digit.empty()) digits.insert(link.digit);
-  return digits;
 }
 
 /// Renames parts whose names are taken.

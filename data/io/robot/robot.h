@@ -3,6 +3,7 @@
 /// Robots as plain data: links, joints, and degrees of freedom apart from joints.
 
 #include <optional>
+#include <set>
 #include <string>
 #include <utility>
 #include <vector>
@@ -107,6 +108,11 @@ struct RobotSpec {
   std::vector<std::string> warnings;                        // of an importer
   FileDigests files = {};  // that were read for it, its own first of all; not written to files
 };
+
+/// Names of the digits that links belong to.
+[[nodiscard]] std::set<std::string> digits_in(const RobotSpec& robot);
+/// Whether a degree of freedom says how it closes.
+[[nodiscard]] bool any_speed(const RobotSpec& robot);
 
 /// Whether a joint slides rather than turns.
 [[nodiscard]] bool slides(const RobotJoint& joint);

@@ -226,9 +226,7 @@ std::string robot_toml(const RobotSpec& robot, const RobotSpec* stated) {
   add_text(text, "licence", robot.licence);
   if (!robot.warnings.empty()) add(text, "warnings = " + toml_list(robot.warnings));
   if (!robot.open_loops.empty()) add(text, "open_loops = " + toml_list(robot.open_loops));
-  const bool any_rate = std::any_of(robot.dofs.begin(), robot.dofs.end(),
-                                    [](const RobotDof& dof) { return dof.speed != 0; });
-  if (!robot.closing_stated && !any_rate) add(text, "closing = \"unstated\"");
+  if (!robot.closing_stated && !any_speed(robot)) add(text, "closing = \"unstated\"");
   text += source_lines(robot.source);
   // Approach, links, degrees of freedom, joints.
   if (robot.approach_stated) text += approach_lines(robot.approach, before);

@@ -1,7 +1,6 @@
 #include "data/io/robot/urdf.h"
 
 #include <algorithm>
-#include <cctype>
 #include <cmath>
 #include <filesystem>
 #include <sstream>
@@ -237,11 +236,8 @@ class Export {
 
   /// Adds a mesh to be written. @returns the name of its file
   std::string written_mesh(ShapeSpec shape, const std::string& link) {
-    // A name that is a valid file name everywhere.
-    std::string file = fmt::format("{}{}_{}.obj", prefix_, link, out_.meshes.size());
-    std::replace_if(
-        file.begin(), file.end(),
-        [](unsigned char c) { return std::isalnum(c) == 0 && c != '.' && c != '-'; }, '_');
+    const std::string file =
+        plain_file_name(fmt::format("{}{}_{}.obj", prefix_, link, out_.meshes.size()));
     if (shape.kind == ShapeKind::kMesh) {
       out_.meshes[file] = shape.mesh;
     } else {

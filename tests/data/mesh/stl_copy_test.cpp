@@ -35,9 +35,10 @@ TEST(StlCopy, NamesFilesByOwnerAndWritesOverNoneThatIsNamed) {
   ShapeSpec ball;
   ball.size.x() = 0.01;
   shapes.push_back(ball);
-  std::set<std::string> taken;
-  add_mesh_paths(shapes, "/there", taken);
-  const WrittenFiles files = give_stl_files(shapes, "/there/hand.toml", "left/palm", taken);
+  StlFiles made("/there/hand.toml");
+  made.leave(shapes);
+  made.give(shapes, "left/palm");
+  const auto& files = made.files();
   ASSERT_EQ(files.size(), 2U);
   EXPECT_EQ(files[0].first, "/there/hand_left_palm_1.stl");
   EXPECT_EQ(files[1].first, "/there/hand_left_palm_2.stl");
@@ -51,8 +52,9 @@ TEST(StlCopy, LeavesTrianglesWhereSinglePrecisionWouldLoseTheSolid) {
   TriangleMesh thin = box_mesh({0.02, 0.02, 1e-9});
   thin.vertices.row(2).array() += 1;
   std::vector<ShapeSpec> shapes{shape_of(thin)};
-  std::set<std::string> taken;
-  EXPECT_TRUE(give_stl_files(shapes, "/there/hand.toml", "tip", taken).empty());
+  StlFiles made("/there/hand.toml");
+  made.give(shapes, "tip");
+  EXPECT_TRUE(made.files().empty());
   EXPECT_TRUE(shapes[0].mesh_file.empty());
 }
 
