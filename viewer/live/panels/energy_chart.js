@@ -93,8 +93,9 @@ export function doubts(state) {
   return words.join(" ");
 }
 
-/// The chart, and the account beside it; of a recorded run the account alone. follow() asks for the energies of now, clear() forgets those before. Every frame is asked for,
-/// so that no impact falls between two samples, but not before the last answer came.
+/// The chart, and the account beside it. follow() asks for the energies of now, tell() for the
+/// account alone, as of a recorded run, clear() forgets those before. Every frame is asked for, so
+/// that no impact falls between two samples, but not before the last answer came.
 export function makeEnergyChart(app) {
   const history = makeHistory();
   const element = el("div", { class: "charts" });
@@ -123,14 +124,18 @@ export function makeEnergyChart(app) {
       element.replaceChildren(chart.figure);
     }
   }
-  async function follow(recorded = false) {
+  async function tell() {
+    const state = await app.call("motion.state", { want: ["energy"] }).catch(() => null);
+    if (state) warn(state);
+    return state;
+  }
+  async function follow() {
     if (asking) return;
     asking = true;
-    const state = await app.call("motion.state", { want: ["energy"] }).catch(() => null);
+    const state = await tell();
     asking = false;
-    const values = recorded ? {} : numbersOf(state?.energy);
-    if (state) warn(state);
-    if (!state || !Object.keys(values).length) return;
+    const values = numbersOf(state?.energy);
+    if (!Object.keys(values).length) return;
     history.add(state.t, values);
     redraw ??= setTimeout(draw, DRAW);
   }
@@ -139,5 +144,5 @@ export function makeEnergyChart(app) {
     warning.hidden = true;
     account.replaceChildren();
   };
-  return { element, account, warning, follow, clear };
+  return { element, account, warning, follow, tell, clear };
 }

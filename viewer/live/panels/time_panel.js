@@ -170,7 +170,7 @@ export function makeTimePanel(app) {
     if (panel.hidden || !store.frame || !here()) return;
     player.follow(store.frame);
     refill(contacts.querySelector("tbody"), contactRows(store.scene, store.frame));
-    energy.follow(Boolean(motion()?.recorded));
+    if (!motion()?.recorded) energy.follow();
   };
   const show = () => {
     running.hidden = !here();
@@ -190,7 +190,8 @@ export function makeTimePanel(app) {
     player.forget();
     if (!here()) return;
     inputs.element.hidden = Boolean(motion()?.recorded);
-    if (!motion()?.recorded) inputs.refill();
+    if (motion()?.recorded) energy.tell();
+    else inputs.refill();
   });
   app.togglePlay = player.toggle;
   app.stepTime = player.step;
