@@ -21,11 +21,6 @@ namespace {
 constexpr const char* kSoftMaterial = "rubber";
 constexpr const char* kSoftWords[] = {"silicone", "rubber", "elastomer"};
 
-bool any_speed(const RobotSpec& robot) {
-  return std::any_of(robot.dofs.begin(), robot.dofs.end(),
-                     [](const RobotDof& dof) { return dof.speed != 0; });
-}
-
 /// Names the digit that is opposed to the others "thumb", unless links are named already.
 void name_thumb(InferredClosing& guess) {
   const auto called = [&](const std::string& name) {
@@ -41,14 +36,10 @@ void name_thumb(InferredClosing& guess) {
 
 void tell_digits(RobotSpec& robot) {
   std::vector<std::string> names;
-  std::set<std::string> digits;
-  for (const RobotLink& link : robot.links) {
-    if (link.digit.empty()) continue;
-    names.push_back(fmt::format("{} of {}", link.name, link.digit));
-    digits.insert(link.digit);
-  }
-  robot.warnings.push_back(
-      fmt::format("no digits are stated: {} guessed: {}", digits.size(), fmt::join(names, ", ")));
+  for (const RobotLink& link : robot.links)
+    if (!link.digit.empty()) names.push_back(fmt::format("{} of {}", link.name, link.digit));
+  robot.warnings.push_back(fmt::format("no digits are stated: {} guessed: {}",
+                                       digits_in(robot).size(), fmt::join(names, ", ")));
 }
 
 /// Takes efforts in the direction of closing, where a file's differ by direction, and says so.
@@ -93,18 +84,14 @@ RobotSpec with_closing(const RobotSpec& robot, const StatedClosing& known, bool 
                     "[{:.4f}, {:.4f}, {:.4f}] m",
                     d.x(), d.y(), d.z(), p.x(), p.y(), p.z()));
   if (!guess.idle.empty())
-    warnings.push_back(fmt::format("closed on a ball of {:.0f} mm, {} touch{} nothing",
-                                   2e3 * guess.ball, fmt::join(guess.idle, ", "),
-                                   guess.idle.size() == 1 ? "es" : ""));
+    warnings.push_back(fmt::format(
+        "in the trial of this guess, closed on a ball of {:.0f} mm, {} "
+        "touch{} nothing",
+        2e3 * guess.ball, fmt::join(guess.idle, ", "), guess.idle.size() == 1 ? "es" : ""));
   take_closing_efforts(guess.robot);
   // From now on the robot states both.
   guess.robot.closing_stated = guess.robot.approach_stated = true;
   return std::move(guess.robot);
-}
-
-bool states_digits(const RobotSpec& robot) {
-  return std::any_of(robot.links.begin(), robot.links.end(),
-                     [](const RobotLink& link) { return !link.digit.empty(); });
 }
 
 void name_nominal(RobotSpec& robot) {
@@ -163,11 +150,9 @@ RobotSpec graspable(RobotSpec robot) {
   robot = with_materials(std::move(robot));
   // Digits are inferred only if the robot states nothing of a hand.
   name_nominal(robot);
-  const bool guess_them = !states_digits(robot) && !robot.approach_stated;
-  if (guess_them) {
-    if (infer_digits(robot) == 0) return robot;
-  }
-  if (!states_digits(robot)) return robot;
+  const bool guess_them = digits_in(robot).empty() && !robot.approach_stated;
+  if (guess_them) (void)infer_digits(robot);
+  if (digits_in(robot).empty()) return robot;
   // Speeds that are all zero say nothing.
   if (!any_speed(robot)) robot.closing_stated = robot.dofs.empty();
   if (robot.closing_stated && robot.approach_stated) return robot;
