@@ -16,7 +16,7 @@ struct Choice {
   ParameterState state = ParameterState::kFixed;
   std::string tie_to;
   double tie_ratio = 1;
-  bool optional = false;  // a tie to nothing leaves the parameter fixed
+  bool optional = false;  // tied to nothing, the parameter is free by its own sds
 };
 
 /// A rule in mm cannot speak of angles.
@@ -131,6 +131,17 @@ void require_laid(const TendonDigit& digit, const FitParameters& fit) {
             fit.all[p].name);
 }
 
+/// Frees what may be tied to a parameter that is not there, as friction of FDS where the subject
+/// has no FDP: fixed at a belief of which nobody hears, it would be made up for by others.
+void free_without_leader(const FitParameters& fit, std::vector<Choice>& choices) {
+  for (Choice& choice : choices) {
+    if (choice.state != ParameterState::kTied || !choice.optional) continue;
+    const bool is_there = std::any_of(fit.all.begin(), fit.all.end(),
+                                      [&](const Parameter& p) { return p.name == choice.tie_to; });
+    if (!is_there) choice.state = ParameterState::kFree;
+  }
+}
+
 /// Gives coordinates to free parameters first, then points the tied ones at theirs.
 void number_coordinates(const std::vector<Choice>& choices, FitParameters& fit) {
   // Free parameters lead a coordinate each.
@@ -184,6 +195,7 @@ FitParameters choose_parameters(const TendonDigit& digit, const std::vector<std:
   fit.ratio.assign(all.size(), 1);
   fit.all = std::move(all);
   apply_scales(settings.scales, fit);
+  free_without_leader(fit, choices);
   number_coordinates(choices, fit);
   require_laid(digit, fit);
   require_movable(fit);

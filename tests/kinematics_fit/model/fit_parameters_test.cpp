@@ -136,6 +136,21 @@ lower_mm = -2
   EXPECT_NEAR(named(chosen, "tip/dorsal").lower, -10e-3 / 3, 1e-15);
 }
 
+TEST(ChooseParameters, OptionalTiesToWhatIsNotThereAreFree) {
+  // A subject with FDS alone has no friction of FDP to share: its own is not a fixed belief.
+  const FitParameters chosen = choose(R"(
+[[parameter]]
+match = "friction/FDS"
+optional = "yes"
+state = "tied"
+tie_to = "friction/FPL"
+mean = 0.1
+sd = 0.05
+between_sd = 0
+)");
+  EXPECT_EQ(free_names(chosen), std::vector<std::string>{"friction/FDS"});
+}
+
 TEST(ChooseParameters, RefusesAnOutOfPlaneHoldThatCannotMove) {
   EXPECT_EQ(refusal("", {"hold/out_of_plane"}),
             "'hold/out_of_plane' is free with mean 0, from where no fit can move it: give it a "
