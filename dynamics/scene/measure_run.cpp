@@ -126,6 +126,18 @@ SlipInstant slip_instant(const MovingScene& scene, const TreeModel& model, const
   return out;
 }
 
+/// Contacts without friction have no rows along the surface, whose speeds would tell that they
+/// slide.
+void note_sliding(const MovingScene& scene, const SlipInstant& last,
+                  std::map<Pair, PairMeasure>& pairs) {
+  constexpr double kResting = 1e-9;  // slower is at rest [m/s]
+  for (const ContactSample& contact : last.contacts)
+    if (contact.mode == ContactMode::kStick &&
+        pair_friction(scene, contact.a, contact.b).coefficient == 0 &&
+        sliding_speed(last, contact) > kResting)
+      pairs[{contact.a, contact.b}].mode = ContactMode::kSlide;
+}
+
 }  // namespace
 
 std::vector<SceneVelocity> body_velocities(const Mechanism& mechanism, const TreeModel& model,
@@ -175,6 +187,7 @@ RunMeasures measure_run(const MovingScene& scene, const SceneRun& run) {
     before = std::move(now);
     if (!has_flows) out.work += work_between(scene, layout, from, to, out.X_WB[k - 1], out.X_WB[k]);
   }
+  note_sliding(scene, before, pairs);
   for (const auto& [bodies, pair] : pairs) out.pairs.push_back(pair);
   out.velocity = std::move(before.velocity);  // the last instant's
   out.pulls = measure_pulls(scene, run);

@@ -16,6 +16,18 @@ Vector3d across(const Vector3d& way, const Vector3d& normal) {
   return way - way.dot(normal) * normal;
 }
 
+}  // namespace
+
+double sliding_speed(const SlipInstant& at, const ContactSample& contact) {
+  const auto velocity = [&](int body) -> Vector3d {
+    const auto i = static_cast<std::size_t>(body);
+    return at.velocity[i].linear + at.velocity[i].angular.cross(contact.point - at.centre[i]);
+  };
+  return across(velocity(contact.a) - velocity(contact.b), contact.normal).norm();
+}
+
+namespace {
+
 /// A contact at two instants, and its ways over both bodies.
 class ContactWay {
  public:
@@ -46,7 +58,8 @@ class ContactWay {
     const double time = to_.t - from_.t;
     const double turn = std::max(
         {time * turning(from_), time * turning(to_), normal_turn(moved_a_), normal_turn(moved_b_)});
-    if (turn > kLargestTurn) return time * (sliding(from_, contact_) + sliding(to_, *next_)) / 2;
+    if (turn > kLargestTurn)
+      return time * (sliding_speed(from_, contact_) + sliding_speed(to_, *next_)) / 2;
     return (way_over(moved_a_) - way_over(moved_b_)).norm();
   }
 
@@ -81,15 +94,6 @@ class ContactWay {
     return (at.velocity[static_cast<std::size_t>(contact_.a)].angular -
             at.velocity[static_cast<std::size_t>(contact_.b)].angular)
         .norm();
-  }
-
-  /// Speed at which they slide at a contact [m/s].
-  [[nodiscard]] static double sliding(const SlipInstant& at, const ContactSample& contact) {
-    const auto velocity = [&](int body) -> Vector3d {
-      const auto i = static_cast<std::size_t>(body);
-      return at.velocity[i].linear + at.velocity[i].angular.cross(contact.point - at.centre[i]);
-    };
-    return across(velocity(contact.a) - velocity(contact.b), contact.normal).norm();
   }
 
   const ContactSample& contact_;

@@ -21,6 +21,9 @@ struct SlipInstant {
   std::vector<SceneVelocity> velocity;  // of the centres of mass (bodies)
 };
 
+/// Speed at which the bodies of a contact slide on each other at it [m/s].
+[[nodiscard]] double sliding_speed(const SlipInstant& at, const ContactSample& contact);
+
 /// Way that each pair (a, b) slides between two instants [m]; of its contact points the largest.
 ///
 /// A contact is followed if both instants have its id, or if it moved with one of the bodies. Its

@@ -47,6 +47,23 @@ SceneSample instant(const MovingScene& scene, double t, const Eigen::Vector3d& c
   return out;
 }
 
+TEST(MeasureRun, AFrictionlessPairThatMovesSlides) {
+  // Rows of such contacts are along the normal alone, so that steps do not see it slide.
+  MovingScene scene = ball_on_floor();
+  scene.friction.coefficient = 0;
+  scene.friction_pairs.clear();
+  for (const double speed : {0.0, 2.0}) {
+    SceneRun run;
+    run.samples = {instant(scene, 0, {0, 0, 0.01}, 0), instant(scene, 0.1, {0, 0, 0.01}, 0)};
+    for (SceneSample& sample : run.samples) {
+      sample.contacts[0].mode = ContactMode::kStick;
+      sample.v.tail<3>().x() = speed;
+    }
+    EXPECT_EQ(measure_run(scene, run).pairs.at(0).mode,
+              speed > 0 ? ContactMode::kSlide : ContactMode::kStick);
+  }
+}
+
 TEST(MeasureRun, SlipIsTheWayOfSliding) {
   const MovingScene scene = ball_on_floor();
   SceneRun run;
