@@ -2,6 +2,9 @@
 
 #include "api/compare.h"
 
+#include <algorithm>
+#include <fstream>
+
 #include <gtest/gtest.h>
 
 #include "base/error.h"
@@ -38,6 +41,23 @@ TEST(CompareHands, StoppedIsNotComplete) {
 }
 
 using CompareHandsFile = TemporaryFolder;
+
+// A plate with a fixed jaw, and a jaw that slides to it.
+TEST_F(CompareHandsFile, OneJawOnAFixedOneIsSaidToHoldMoreOften) {
+  CompareRequest request = jaws_on_ball();
+  request.hands = {path("vise.urdf")};
+  std::ofstream(path("vise.urdf")) << R"(<robot name="vise"><link name="body">
+<collision><origin xyz="0 0 -.01"/><geometry><box size=".03 .16 .02"/></geometry></collision>
+<collision><origin xyz="0 -.045 .035"/><geometry><box size=".03 .01 .07"/></geometry></collision></link>
+<link name="jaw"><collision><origin xyz="0 0 .035"/><geometry><box size=".03 .01 .07"/></geometry></collision></link>
+<joint name="s" type="prismatic"><parent link="body"/><child link="jaw"/><origin xyz="0 .045 0"/><axis xyz="0 -1 0"/>
+<limit lower="0" upper=".075" effort="60" velocity=".2"/></joint></robot>)";
+  const HandComparison result = compare_hands(request);
+  const std::vector<std::string>& warnings = result.comparison.warnings;
+  EXPECT_TRUE(std::any_of(warnings.begin(), warnings.end(), [](const std::string& warning) {
+    return warning.find("its only digit closes on what is fixed") != std::string::npos;
+  }));
+}
 
 TEST_F(CompareHandsFile, IsGoneOnWithByTheSameRequestOnly) {
   CompareRequest request = jaws_on_ball();
