@@ -112,42 +112,33 @@ void add_holds(const Asked& asked, GraspMeasures& measures) {
     measures.hold_actuated.reason = why_not_held(asked, load);
 }
 
-/// The part of a load that efforts and friction support by themselves.
-std::optional<double> active_part(const Asked& asked, GraspTask task, double weight, double whole) {
-  if (whole == 0 || asked.forces.passive_contacts.empty()) return whole;
-  const TaskMargin pressed =
-      margin_of_loads(active_only(asked.forces),
-                      task_loads(task, weight, asked.result.setting.scene.object.torque_scale));
-  if (pressed.status != Status::kSolved) return std::nullopt;
-  return std::min(pressed.lower, whole);
-}
-
-Measured<SupportedLoad> load_of(const Asked& asked, const GraspLoads& loads, GraspTask task,
-                                double weight) {
-  const auto found = loads.margin.find(name_of(task));
-  if (found == loads.margin.end()) return none<SupportedLoad>("not asked");
+Measured<SupportedLoad> load_of(const GraspLoads& loads, GraspTask task) {
+  const auto found = loads.with_structure.find(name_of(task));
+  if (found == loads.with_structure.end()) return none<SupportedLoad>("not asked");
   const auto why = loads.reasons.find(name_of(task));
   const std::string reason = why == loads.reasons.end() ? "" : why->second;
   if (!std::isfinite(found->second)) return none<SupportedLoad>(reason);
-  return {SupportedLoad{active_part(asked, task, weight, found->second), found->second}, reason};
+  SupportedLoad load{{}, found->second};
+  if (const double active = loads.margin.at(name_of(task)); std::isfinite(active))
+    load.active = active;
+  return {load, load.active == 0.0 && load.with_structure > 0 ? "" : reason};
 }
 
 void add_margins(const Asked& asked, GraspMeasures& measures) {
-  const double mass = measures.weight.value.value_or(kGravity) / kGravity, weight = kGravity * mass;
   const GraspLoads loads =
-      grasp_loads(asked.hand, asked.result.setting.scene.object, mass,
+      grasp_loads(asked.hand, asked.result.setting.scene.object,
+                  measures.weight.value.value_or(kGravity) / kGravity,
                   {GraspTask::kHoldWeight, GraspTask::kPull, GraspTask::kTurn});
-  measures.times_weight = measures.weight.value
-                              ? load_of(asked, loads, GraspTask::kHoldWeight, weight)
-                              : none<SupportedLoad>(measures.weight.reason);
+  measures.times_weight = measures.weight.value ? load_of(loads, GraspTask::kHoldWeight)
+                                                : none<SupportedLoad>(measures.weight.reason);
   // A zero is along one axis, maybe not along z.
   if (measures.times_weight.value && measures.times_weight.value->with_structure == 0) {
     const std::optional<ScaledWrench> load = unsupported_load(asked.forces);
     if (load && !load->head<3>().isZero(0))
       measures.times_weight.reason += ": nothing withstands " + direction_words(*load);
   }
-  measures.pull = load_of(asked, loads, GraspTask::kPull, weight);
-  measures.turn = load_of(asked, loads, GraspTask::kTurn, weight);
+  measures.pull = load_of(loads, GraspTask::kPull);
+  measures.turn = load_of(loads, GraspTask::kTurn);
 }
 
 Measured<GraspStiffness> stiffness_of(const Asked& asked) {

@@ -157,6 +157,7 @@ void CellWork::describe(std::size_t place, int number) {
   best.min_grasp_force = loads.min_grasp_force;
   best.standing_grasp_force = loads.standing_grasp_force;
   best.margin = std::move(loads.margin);
+  best.with_structure = std::move(loads.with_structure);
   best.reasons = std::move(loads.reasons);
   best.hand_epsilon = tried.hand_epsilon;
   if (!tried.reason.empty()) best.reasons["epsilon"] = tried.reason;

@@ -8,11 +8,27 @@
 #include "base/error.h"
 #include "grasp/closing/closing_drives.h"
 #include "grasp/closing/fingertip_paths.h"
+#include "grasp/compare/grasp_type.h"
 
 namespace thenar {
 namespace {
 
 constexpr std::array<const char*, 4> kTasks{"force-closure", "hold-weight", "pull", "turn"};
+
+/// Of a task over some grasps. @param loads  those that are meant
+LoadFound largest(const std::vector<BestGrasp>& grasps,
+                  std::map<std::string, double> BestGrasp::*loads, GraspTask task) {
+  LoadFound load;
+  // NaN margins are unknown and leave the maximum alone.
+  for (const BestGrasp& grasp : grasps) {
+    const auto found = (grasp.*loads).find(name_of(task));
+    if (found == (grasp.*loads).end()) continue;
+    ++load.asked;
+    if (!std::isnan(found->second)) ++load.known;
+    load.max = std::fmax(load.max, found->second);
+  }
+  return load;
+}
 
 }  // namespace
 
@@ -39,8 +55,18 @@ std::string load_key(GraspTask task) {
   return "force_closure";
 }
 
+std::string structure_key(GraspTask task) {
+  std::string key = load_key(task);
+  return key.insert(key.rfind('_'), "_with_structure");
+}
+
 bool is_kapandji(const HandAbilities& abilities) {
   return abilities.opposition_scale.rfind("Kapandji", 0) == 0;
+}
+
+std::optional<std::size_t> count_grasp_types(const HandAbilities& abilities) {
+  if (std::none_of(abilities.types.begin(), abilities.types.end(), is_pinch)) return {};
+  return abilities.types.size();
 }
 
 double HandOnObject::quantile(double p) const {
@@ -54,16 +80,11 @@ double HandOnObject::quantile(double p) const {
 }
 
 LoadFound HandOnObject::load(GraspTask task) const {
-  LoadFound load;
-  // NaN margins are unknown and leave the maximum alone.
-  for (const BestGrasp& grasp : best) {
-    const auto found = grasp.margin.find(name_of(task));
-    if (found == grasp.margin.end()) continue;
-    ++load.asked;
-    if (!std::isnan(found->second)) ++load.known;
-    load.max = std::fmax(load.max, found->second);
-  }
-  return load;
+  return largest(best, &BestGrasp::margin, task);
+}
+
+LoadFound HandOnObject::load_with_structure(GraspTask task) const {
+  return largest(best, &BestGrasp::with_structure, task);
 }
 
 LoadFound HandOnObject::best_hand_epsilon() const {

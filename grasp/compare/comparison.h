@@ -7,6 +7,7 @@
 #include <limits>
 #include <map>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -56,6 +57,9 @@ enum class GraspTask {
 /// "turn_Nm"; "force_closure" has none.
 [[nodiscard]] std::string load_key(GraspTask task);
 
+/// The same of a load with rigid structure: "hold_with_structure_weights".
+[[nodiscard]] std::string structure_key(GraspTask task);
+
 struct Comparison;
 
 /// Settings of compare().
@@ -85,8 +89,11 @@ struct BestGrasp {
                                          // whichever axis points down, by friction alone [N];
                                          // infinite: impossible
   double standing_grasp_force = 0;       // the same as the object stands, z up [N]; NaN: not known
-  std::map<std::string, double> margin;  // task -> largest load resisted with the actuation of the
-                                         // hand; units as GraspTask; NaN: unknown
+  std::map<std::string, double> margin;  // task -> largest load that efforts and friction resist;
+                                         // units as GraspTask; NaN: unknown
+  std::map<std::string, double> with_structure;  // the same with the hand's rigid structure, whose
+                                                 // strength no source states; infinite: no effort
+                                                 // is needed
   std::map<std::string, std::string> reasons;  // task or "epsilon" -> why zero, unknown or infinite
   /// Smallest wrench that the actuation of the hand cannot resist [N]; NaN: unknown.
   double hand_epsilon = std::numeric_limits<double>::quiet_NaN();
@@ -114,8 +121,10 @@ struct HandOnObject {
   std::vector<BestGrasp> best;        // best first
   double seconds = 0;                 // of all its pieces, one after the other
 
-  /// Margin of a task over `best`. Force closure has none: see `success`.
+  /// Margin of a task over `best`, and the same with structure. Force closure has none: see
+  /// `success`.
   [[nodiscard]] LoadFound load(GraspTask task) const;
+  [[nodiscard]] LoadFound load_with_structure(GraspTask task) const;
 
   /// Epsilon of the hand over all closures.
   [[nodiscard]] LoadFound best_hand_epsilon() const;
@@ -156,6 +165,10 @@ struct HandAbilities {
 /// Whether opposition is Kapandji's score of a human thumb; otherwise it is the share of tips that
 /// a thumb meets, times 10.
 [[nodiscard]] bool is_kapandji(const HandAbilities& abilities);
+
+/// How many types of grasp a hand has taken; none of a hand that pinched nowhere: its starts
+/// offered it no pinch, so that a count would tell of the starts and not of the hand.
+[[nodiscard]] std::optional<std::size_t> count_grasp_types(const HandAbilities& abilities);
 
 /// Result of compare().
 struct Comparison {

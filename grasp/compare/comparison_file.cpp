@@ -188,6 +188,7 @@ JsonNode best_node(const BestGrasp& best) {
       .set("hold_standing_N", number_node(best.standing_grasp_force))
       .set("hand_epsilon_N", number_node(best.hand_epsilon))
       .set("margin", margin_node(best.margin))
+      .set("margin_with_structure", margin_node(best.with_structure))
       .set("reasons", map_node(best.reasons))
       .set("rotation", rows_node(best.X_WH.R))
       .set("position_m", numbers_node(best.X_WH.p))
@@ -207,6 +208,12 @@ BestGrasp best_of(const JsonNode& json, int approaches) {
   best.standing_grasp_force = standing == nullptr ? kNaN : load_of(*standing, "hold_standing_N");
   best.hand_epsilon = load_of(member(json, "hand_epsilon_N"), "hand_epsilon_N");
   best.margin = margins_of(member(json, "margin"));
+  if (const JsonNode* with = json.find("margin_with_structure")) {
+    best.with_structure = margins_of(*with);
+  } else {  // older files: what efforts alone bear is not known
+    best.with_structure.swap(best.margin);
+    for (const auto& [task, load] : best.with_structure) best.margin[task] = kNaN;
+  }
   const JsonNode& reasons = member(json, "reasons");
   for (std::size_t i = 0; i < reasons.names.size(); ++i)
     best.reasons[reasons.names[i]] = text(reasons.items[i], "reasons");

@@ -39,6 +39,17 @@ ExplainedLoad limited(const HandForceInputs& forces, Status status, double value
   return {value, std::isinf(value) ? kSupportedByStructure : ""};
 }
 
+/// What of a load efforts and friction bear by themselves [the load's unit]; NaN: not known.
+/// @param whole  with structure
+double active_part(const ForceSet& forces, const std::vector<ScaledWrench>& loads, double whole) {
+  if (whole == 0 || std::isnan(whole) || forces.passive_contacts.empty()) return whole;
+  const TaskMargin pressed = margin_of_loads(active_only(forces), loads);
+  if (pressed.status == Status::kInfeasible) return 0;
+  if (pressed.status != Status::kSolved) return kNaN;
+  const double part = std::min(pressed.lower, whole);
+  return part * loads.front().norm() < kNegligibleLoad ? 0 : part;
+}
+
 }  // namespace
 
 std::vector<ScaledWrench> task_loads(GraspTask task, double weight, double scale) {
@@ -94,8 +105,12 @@ GraspLoads grasp_loads(const HeldObject& held, const SceneBody& object, double m
     const TaskMargin margin = margin_of_loads(forces, list);
     const ExplainedLoad result =
         limited(held_by, margin.status, margin.lower, list, list.front().norm());
-    loads.margin[name_of(task)] = result.value;
-    if (!result.reason.empty()) loads.reasons[name_of(task)] = result.reason;
+    const double active = active_part(forces, list, result.value);
+    loads.with_structure[name_of(task)] = result.value;
+    loads.margin[name_of(task)] = active;
+    const bool is_borne = result.reason.empty() && active == 0;
+    if (const std::string reason = is_borne ? kBorneByStructure : result.reason; !reason.empty())
+      loads.reasons[name_of(task)] = reason;
   }
   return loads;
 }

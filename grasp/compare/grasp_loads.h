@@ -15,9 +15,11 @@ namespace thenar {
 /// Loads below this are rounding of the cone programs [N].
 inline constexpr double kNegligibleLoad = 1e-6;
 
-/// Reason of a load without limit.
+/// Reason of a load without limit, and of one that efforts bear nothing of.
 inline constexpr const char* kSupportedByStructure =
     "supported by rigid structure (strength unknown)";
+inline constexpr const char* kBorneByStructure =
+    "efforts bear nothing of it, rigid structure (strength unknown) does";
 
 /// Arguments of hand_forces().
 struct HandForceInputs {
@@ -45,10 +47,10 @@ struct ExplainedLoad {
 
 /// Result of grasp_loads().
 struct GraspLoads {
-  double min_grasp_force = 0;                  // as BestGrasp
-  double standing_grasp_force = 0;             // as BestGrasp
-  std::map<std::string, double> margin;        // as BestGrasp
-  std::map<std::string, std::string> reasons;  // as BestGrasp
+  double min_grasp_force = 0;                            // as BestGrasp
+  double standing_grasp_force = 0;                       // as BestGrasp
+  std::map<std::string, double> margin, with_structure;  // as BestGrasp
+  std::map<std::string, std::string> reasons;            // as BestGrasp
 };
 
 /// A hand in a posture that holds an object. The hand must outlive it.
@@ -70,7 +72,8 @@ struct HeldObject {
 /// Load margins of tasks about the object's centre of mass, along its own axes: weight both ways
 /// along each of the three, a pull of 1 N along +-z, a torque of 1 N m about +-z, within
 /// hand_forces() of actuation_with_joint_limits(). Efforts may include those that hold the joints
-/// at the posture; a load that needs no effort, like a palm's, has no limit. Loads below 1e-6 N are
+/// at the posture. By efforts alone (active_only()) structure pushes back no more than they press;
+/// with structure, a load that needs no effort, like a palm's, has no limit. Loads below 1e-6 N are
 /// zero. Force closure is no load and has no margin: see HandOnObject::success.
 /// @param mass  of the object [kg], under 9.81 m/s^2
 [[nodiscard]] GraspLoads grasp_loads(const HeldObject& held, const SceneBody& object, double mass,

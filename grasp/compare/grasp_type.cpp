@@ -65,6 +65,8 @@ std::string thumb_of(const Hand& hand) {
   return "";
 }
 
+bool is_pinch(const std::string& type) { return type.rfind("precision, pad", 0) == 0; }
+
 std::string grasp_type(const Hand& hand, const std::vector<HandContact>& contacts) {
   // Power with the palm; otherwise by the number of digits and their opposition.
   const TouchedSegments touching = find_touched_parts(hand, contacts);

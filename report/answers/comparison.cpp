@@ -77,7 +77,10 @@ std::vector<std::string> cell_row(const HandOnObject& cell, const std::vector<Gr
                                number_or_dash(cell.quantile(1), 3),
                                number_or_dash(cell.best_hand_epsilon().max),
                                number_or_dash(cell.min_grasp_force())};
-  for (const GraspTask task : loads) row.push_back(number_or_dash(cell.load(task).max));
+  for (const GraspTask task : loads) {
+    row.push_back(number_or_dash(cell.load(task).max));
+    row.push_back(number_or_dash(cell.load_with_structure(task).max));
+  }
   return row;
 }
 
@@ -86,7 +89,10 @@ Table cell_table(const Comparison& comparison) {
                "hand_epsilon_N", "squeeze_6_ways_N"},
               {}};
   const std::vector<GraspTask> loads = loads_of(comparison);
-  for (const GraspTask task : loads) table.header.push_back(load_key(task));
+  for (const GraspTask task : loads) {
+    table.header.push_back(load_key(task));
+    table.header.push_back(structure_key(task));
+  }
   for (const HandOnObject& cell : comparison.cells) table.rows.push_back(cell_row(cell, loads));
   // Seldom needed: a column only where there is something to tell.
   std::vector<std::string> unknown;
@@ -115,11 +121,12 @@ Table hand_table(const Comparison& comparison) {
     double force = NAN;
     for (const DigitAbility& digit : hand.digits) force = std::fmax(force, digit.closing_force);
     const bool places = is_kapandji(hand);
+    const std::optional<std::size_t> types = count_grasp_types(hand);
     table.rows.push_back({hand.hand, places ? number_or_dash(hand.opposition, 1) : "-",
                           places ? "-" : number_or_dash(10 * hand.opposition, 0),
                           std::to_string(hand.reached.size()),
                           number_or_dash(1e6 * in_two_digits(hand.overlap), 0),
-                          std::to_string(hand.types.size()), number_or_dash(force)});
+                          types ? std::to_string(*types) : "-", number_or_dash(force)});
   }
   return table;
 }
@@ -236,7 +243,8 @@ std::string reading_words(const Comparison& comparison) {
       "gives way. Stops, such drives and palms press by no force of their own: they push "
       "back what motors or tendons press, and bear what the load presses on them without "
       "friction. No source states their strength: no limit means that they alone bear the "
-      "load, and not that the hand would. Loads are limited alike.\n\nn/a stands where nothing was "
+      "load, and not that the hand would. Loads are told twice: by efforts and friction alone, and "
+      "with structure, within the same limits.\n\nn/a stands where nothing was "
       "measured or an effort is unknown. Approaches are random: shares have the interval "
       "that is given with them, and the best of few approaches is not the best there "
       "is.\n\nSeed {}, {} approaches, objects {}.",
@@ -255,11 +263,14 @@ std::string text_of(const HandComparison& result) {
           "\nsqueeze_6_ways_N: least grasp force for the weight in the worst of 6 directions, each "
           "axis of the\nobject both ways; `thenar grasp` asks as the object stands.\n"
           "-: nothing closed, or not known. 0: nothing is borne; the page and JSON say why.\n"
-          "inf: joint limits or drives that do not run back bear it.\n\n";
+          "with_structure: what palm, joint limits and drives that do not run back bear as well, "
+          "whose strength\nno source states. inf: they alone bear it.\n\n";
   text += most_closures_words(comparison);
   text += titled("Where nothing closed: how the approaches ended", outcome_table(comparison));
-  text +=
-      titled("Hands by themselves; closing_force: of the strongest tip", hand_table(comparison));
+  text += titled(
+      "Hands by themselves; closing_force: of the strongest tip; grasp_types: - where no "
+      "approach pinched",
+      hand_table(comparison));
   for (const std::string& warning : comparison.warnings)
     if (!is_grave(warning)) text += fmt::format("warning: {}\n", warning);
   return text;

@@ -60,6 +60,11 @@ std::string percent_words(const ConfidenceInterval& interval) {
   return fmt::format("{:.0f} to {:.0f}", 100 * interval.lower, 100 * interval.upper);
 }
 
+Json type_count(const HandAbilities& hand) {
+  const std::optional<std::size_t> count = count_grasp_types(hand);
+  return count ? Json(*count) : Json();
+}
+
 Json glance_row(const Comparison& comparison, const std::string& hand) {
   std::vector<double> best, limited;
   int held = 0;
@@ -76,7 +81,7 @@ Json glance_row(const Comparison& comparison, const std::string& hand) {
           held,
           finite(median(best)),
           finite(median(limited)),
-          abilities == nullptr ? Json() : Json(abilities->types.size())};
+          abilities == nullptr ? Json() : type_count(*abilities)};
 }
 
 Json banner(const Comparison& comparison) {
@@ -112,25 +117,33 @@ Json matrix(const Comparison& comparison, const std::string& caption, int digits
   return table_block(caption, columns, rows);
 }
 
-/// Tasks with a load, and how it counts.
+/// Of tasks with a load, how it counts: by efforts, then with structure.
 std::vector<BlockColumn> load_columns(const Comparison& comparison) {
   std::vector<BlockColumn> columns;
+  const auto add = [&](const std::string& name, const char* unit, int digits) {
+    columns.push_back({name, unit, digits});
+    columns.push_back({name + " with structure", unit, digits});
+  };
   for (const std::string& name : comparison.tasks) {
     const GraspTask task = grasp_task(name);
-    if (task == GraspTask::kHoldWeight) columns.push_back({name, "weights", 1});
-    if (task == GraspTask::kPull) columns.push_back({name, "N", 2});
-    if (task == GraspTask::kTurn) columns.push_back({name, "N m", 3});
+    if (task == GraspTask::kHoldWeight) add(name, "weights", 1);
+    if (task == GraspTask::kPull) add(name, "N", 2);
+    if (task == GraspTask::kTurn) add(name, "N m", 3);
   }
   return columns;
 }
 
-Json success_row(const HandOnObject& cell, const std::vector<BlockColumn>& loads) {
+Json success_row(const HandOnObject& cell, const std::vector<std::string>& tasks) {
   Json row = Json::array({cell.hand, cell.object, 100 * cell.success, percent_words(cell.interval),
                           finite(cell.quantile(0.5)), finite(cell.quantile(1)),
                           finite(cell.best_hand_epsilon().max), finite(cell.min_grasp_force()),
                           finite(cell.standing_grasp_force())});
-  for (const BlockColumn& column : loads)
-    row.push_back(load(cell.load(grasp_task(column.name)).max));
+  for (const std::string& name : tasks) {
+    const GraspTask task = grasp_task(name);
+    if (task == GraspTask::kForceClosure) continue;
+    row.push_back(load(cell.load(task).max));
+    row.push_back(load(cell.load_with_structure(task).max));
+  }
   return row;
 }
 
@@ -147,14 +160,17 @@ Json all_cells(const Comparison& comparison) {
   const std::vector<BlockColumn> loads = load_columns(comparison);
   columns.insert(columns.end(), loads.begin(), loads.end());
   Json rows = Json::array();
-  for (const HandOnObject& cell : comparison.cells) rows.push_back(success_row(cell, loads));
+  for (const HandOnObject& cell : comparison.cells)
+    rows.push_back(success_row(cell, comparison.tasks));
   Json table = table_block(
       "Every hand on every object. Force closure: share of approaches that end in it. Epsilon of "
       "these grasps: by their contacts alone, and within hand limits: with the efforts of motors "
       "or tendons and the hand's rigid structure. Grasp force: least sum of normal forces by which "
       "friction alone holds the weight, in the worst of 6 directions of gravity (each axis of the "
       "object, both ways), and as the object stands, z up, which is what `thenar grasp` states. "
-      "Loads after it: supported within the same limits. " +
+      "Loads after it: supported by efforts and friction alone, and with the rigid structure, "
+      "whose "
+      "strength no source states. " +
           load_rule(),
       columns, rows);
   table["search"] = true;
@@ -220,7 +236,7 @@ Json ability_rows(const Comparison& comparison) {
                                               std::max<std::size_t>(hand.digits.size(), 1) - 1);
     rows.push_back({hand.hand, 1000 * hand.reach, kapandji ? finite(hand.opposition) : Json(), met,
                     finite(in_two_digits(1e6 * hand.overlap)), finite(strongest),
-                    hand.types.size()});
+                    type_count(hand)});
   }
   return rows;
 }
@@ -323,7 +339,8 @@ Json glance_section(const Comparison& comparison) {
       "unit of contact force; within hand limits: the same in newtons, with the efforts of the "
       "hand's motors or tendons and its rigid structure. Both are of the best grasp of each "
       "object, and of these the median. Bold: more force closures than those of each other hand, "
-      "beyond chance (Fisher's exact test, p < 0.05; intervals may overlap all the same).",
+      "beyond chance (Fisher's exact test, p < 0.05; intervals may overlap all the same). Types "
+      "of grasp: n/a where no approach ended in a pinch, as none was offered.",
       {{"hand", "", -1},
        {"force closure", "%", 1},
        {"95 % interval", "%", -1},
@@ -403,7 +420,8 @@ Json abilities_section(const Comparison& comparison) {
       "that the pad of the thumb meets. Robots have no such places: for them only the fingertips "
       "count that the thumb meets, or the digit that meets most. Workspace shared: volume that the "
       "opposing tip and any other tip reach, to two digits. Strongest tip: its force in the "
-      "direction of closing, digits half bent.",
+      "direction of closing, digits half bent. Types of grasp: n/a where no approach ended in a "
+      "pinch.",
       {{"hand", "", -1},
        {"reach", "mm", 0},
        {"Kapandji", "of 10", 0},

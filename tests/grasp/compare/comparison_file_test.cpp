@@ -28,6 +28,10 @@ Comparison one_cell() {
   cell.epsilon = Eigen::VectorXd::Constant(1, 0.1);
   cell.hand_epsilon = Eigen::VectorXd::Constant(1, std::numeric_limits<double>::infinity());
   cell.types = {{"pinch", 1}};
+  BestGrasp best;
+  best.margin = {{"pull", 2}};
+  best.with_structure = {{"pull", std::numeric_limits<double>::infinity()}};
+  cell.best = {best};
   Comparison comparison;
   comparison.cells = {cell};
   return comparison;
@@ -46,6 +50,27 @@ TEST_F(ComparisonFile, IsReadAsItWasWritten) {
   EXPECT_EQ(kept.cells[0].epsilon[0], 0.1);
   EXPECT_TRUE(std::isinf(kept.cells[0].hand_epsilon[0]));
   EXPECT_EQ(kept.provenance.kind, JsonKind::kNull);
+  ASSERT_EQ(kept.cells[0].best.size(), 1U);
+  EXPECT_EQ(kept.cells[0].best[0].margin.at("pull"), 2);
+  EXPECT_TRUE(std::isinf(kept.cells[0].best[0].with_structure.at("pull")));
+}
+
+// Older files have one load, with structure: what efforts bear of it is not known.
+TEST_F(ComparisonFile, OfBeforeLoadsWereToldApartIsReadAsWithStructure) {
+  const JsonNode inputs = JsonNode().set("seed", 1);
+  write_comparison(path("a.json"), one_cell(), inputs, JsonNode());
+  std::string text = read_file(path("a.json"), 100000);
+  const std::string now = "\"margin_with_structure\"", then = "\"margin\"";
+  const std::size_t margin = text.find(then);
+  ASSERT_NE(margin, std::string::npos);
+  text.replace(margin, then.size(), "\"unread\"");
+  const std::size_t with = text.find(now);
+  ASSERT_NE(with, std::string::npos);
+  text.replace(with, now.size(), then);
+  write_file(path("a.json"), text);
+  const KeptComparison kept = read_comparison(path("a.json"), inputs, same);
+  EXPECT_TRUE(std::isnan(kept.cells[0].best[0].margin.at("pull")));
+  EXPECT_TRUE(std::isinf(kept.cells[0].best[0].with_structure.at("pull")));
 }
 
 // A mesh changed: the object's content differs, and of its files the mesh.

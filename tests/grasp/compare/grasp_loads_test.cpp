@@ -103,6 +103,19 @@ TEST(GraspLoads, OfWormsAreThoseOfFrictionAcross) {
   EXPECT_NEAR(SqueezedBall(robot).loads().margin.at("pull"), 2, 1e-6);
 }
 
+// The palm above and below bears whatever pulls along it; the motor's 2 N press with friction of 1.
+TEST(GraspLoads, TellWhatEffortsBearApartFromStructure) {
+  SqueezedBall squeeze(sample::jaws());
+  for (const double side : {-1.0, 1.0}) {
+    const Eigen::Vector3d n(0, 0, -side);
+    squeeze.grasp.contacts.push_back({{squeeze.scene.object.com - 0.015 * n, n, 0, 0}, 0, 0});
+  }
+  const GraspLoads loads = squeeze.loads();
+  EXPECT_NEAR(loads.margin.at("pull"), 2, 1e-6);
+  EXPECT_EQ(loads.with_structure.at("pull"), std::numeric_limits<double>::infinity());
+  EXPECT_THAT(loads.reasons.at("pull"), HasSubstr("rigid structure"));
+}
+
 // The palm alone, on all sides of the cube, two contacts a face: no motor is asked, nor a number.
 TEST(GraspLoads, SayWhyTheyHaveNoLimit) {
   SqueezedBall squeeze(sample::jaws());
@@ -116,7 +129,8 @@ TEST(GraspLoads, SayWhyTheyHaveNoLimit) {
             {{centre - 0.015 * n + beside * Eigen::Vector3d::Unit((axis + 1) % 3), n, 0, 0}, 0, 0});
       }
   const GraspLoads loads = squeeze.loads();
-  EXPECT_EQ(loads.margin.at("pull"), std::numeric_limits<double>::infinity());
+  EXPECT_EQ(loads.margin.at("pull"), 0);
+  EXPECT_EQ(loads.with_structure.at("pull"), std::numeric_limits<double>::infinity());
   EXPECT_EQ(loads.reasons.at("pull"), "supported by rigid structure (strength unknown)");
   const ExplainedLoad epsilon = hand_epsilon(squeeze.held(), squeeze.scene.object);
   EXPECT_EQ(epsilon.value, std::numeric_limits<double>::infinity());

@@ -9,7 +9,7 @@
 namespace thenar {
 namespace {
 
-/// One hand on two objects: one closure of two, whose load drives bear, and none.
+/// One hand on two objects: one closure of two, whose load efforts bear in part, and none.
 HandComparison sample() {
   HandOnObject ball;
   ball.hand = "jaw";
@@ -19,7 +19,8 @@ HandComparison sample() {
   ball.success = 0.5;
   ball.epsilon = Eigen::VectorXd::Constant(1, 0.25);
   BestGrasp best;
-  best.margin = {{"pull", std::numeric_limits<double>::infinity()}};
+  best.margin = {{"pull", 3}};
+  best.with_structure = {{"pull", std::numeric_limits<double>::infinity()}};
   ball.best = {best};
   HandOnObject card;
   card.hand = "jaw";
@@ -38,7 +39,10 @@ TEST(ComparisonAnswer, HasARowForEachPair) {
   ASSERT_EQ(table.rows.size(), 2U);
   EXPECT_EQ(table.rows[0][2], "50");
   EXPECT_EQ(table.rows[0][6], "0.250");
-  EXPECT_EQ(table.rows[0][9], "inf");
+  EXPECT_EQ(table.header[9], "pull_N");
+  EXPECT_EQ(table.rows[0][9].substr(0, 1), "3");
+  EXPECT_EQ(table.header[10], "pull_with_structure_N");
+  EXPECT_EQ(table.rows[0][10], "inf");
   EXPECT_EQ(table.rows[1][6], "-");
 }
 
@@ -68,9 +72,24 @@ TEST(ComparisonAnswer, NamesAHandOfMostClosuresOnlyBeyondChance) {
   }
 }
 
+// A count of types without a pinch would tell of the starts that were drawn, not of the hand.
+TEST(ComparisonAnswer, CountsGraspTypesOfHandsThatPinchedOnly) {
+  HandComparison result = sample();
+  HandAbilities hand;
+  hand.hand = "jaw";
+  hand.types = {"power, pad, thumb and 2 digits", "power, palm, 2 digits"};
+  result.comparison.abilities = {hand};
+  EXPECT_FALSE(count_grasp_types(hand));
+  const std::string without = text_of(result);
+  result.comparison.abilities[0].types.emplace_back("precision, pad, thumb and 1 digit");
+  EXPECT_EQ(count_grasp_types(result.comparison.abilities[0]), 3U);
+  EXPECT_NE(text_of(result), without);
+}
+
 TEST(ComparisonAnswer, HasNullAndInfiniteInJson) {
   const OrderedJson json = json_of(sample());
-  EXPECT_EQ(json["cells"][0]["best"][0]["margin"]["pull_N"], "infinite");
+  EXPECT_EQ(json["cells"][0]["best"][0]["margin"]["pull_N"], 3);
+  EXPECT_EQ(json["cells"][0]["best"][0]["margin_with_structure"]["pull_N"], "infinite");
   EXPECT_TRUE(json["cells"][0]["best"][0]["hand_epsilon_N"].is_null());
   EXPECT_EQ(json["cells"][1]["approaches"], 2);
 }

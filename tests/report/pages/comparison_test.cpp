@@ -131,13 +131,16 @@ TEST(ComparePage, TakesTheBestOfTheLoadsThatAreKnown) {
   comparison.tasks.emplace_back("hold-weight");
   BestGrasp known, unknown;
   known.margin["hold-weight"] = 7;
-  unknown.margin["hold-weight"] = NAN;
+  known.with_structure["hold-weight"] = 9;
+  unknown.margin["hold-weight"] = unknown.with_structure["hold-weight"] = NAN;
   unknown.reasons["hold-weight"] = "the effort of 'motor' is unknown";
   comparison.cells[0].best = {known, unknown};
   MeshTable meshes;
   const Json page = compare_page(comparison, {}, {}, meshes);
   const Json& blocks = section_of(page, "grasps")["blocks"];
-  EXPECT_EQ(blocks[3]["rows"][0].back(), 7.0);
+  const Json& row = blocks[3]["rows"][0];
+  EXPECT_EQ(row[row.size() - 2], 7.0);
+  EXPECT_EQ(row.back(), 9.0);
   EXPECT_EQ(blocks[4]["rows"][0], Json::array({"jaws", "card", "4 touched without force closure"}));
   EXPECT_EQ(blocks[5]["rows"][0],
             Json::array({"jaws", "ball",
