@@ -123,6 +123,7 @@ PressState PressCarrier::carry(const PressState& old, const HexMesh& mesh, const
   PressState out;
   out.X_PO = old.X_PO;
   out.push = old.push;
+  out.by_springs = old.by_springs;
   const Matrix3Xd u = displacements_in(mesh, old);
   out.x.resize(body.unknowns());
   for (std::size_t i = 0; i < body.free_nodes().size(); ++i)

@@ -34,6 +34,45 @@ double modulus_of(const Tissue& tissue, const Eigen::Matrix3d& F) {
   return tangent_shear_modulus(tissue, response);
 }
 
+/// Area where points of the grid are inside the object, or so near that the pressure around them
+/// tells of contact: the rule of nodes at a point.
+double grid_area(const HexMesh& mesh, const TissueBody& body, const std::vector<Tissue>& tissues,
+                 const ContactSurface& surface, const RigidObject& object,
+                 const PressState& state) {
+  constexpr std::size_t kPoints = kGridPoints * kGridPoints;
+  const Pose<double> X_OP = state.X_PO.inverse();
+  const Matrix3Xd u = body.spread(state.x, {}), at_rest = places_at_rest(mesh);
+  const Matrix3Xd places = places_of(surface, state.x);
+  const VectorXd pressure = state.normal.cwiseQuotient(surface.area);
+  double area = 0;
+  for (std::size_t first = 0; first < surface.grid.size(); first += kPoints) {
+    const SurfacePoint* points = &surface.grid[first];
+    const HexCell& cell = mesh.cells()[static_cast<std::size_t>(points[0].cell)];
+    const bool touches = std::any_of(points, points + kPoints, [&](const SurfacePoint& point) {
+      return std::any_of(point.nodes.begin(), point.nodes.end(),
+                         [&](const NodeWeight& each) { return pressure[each.node] > 0; });
+    });
+    if (!touches) continue;
+    const double scale = kEdge *
+                         modulus_of(tissues[static_cast<std::size_t>(cell.region)],
+                                    mean_deformation(cell, at_rest, u)) /
+                         points[0].size;
+    double share = 0;
+    for (std::size_t i = 0; i < kPoints; ++i) {
+      double here = 0;
+      for (const NodeWeight& each : points[i].nodes) here += each.weight * pressure[each.node];
+      if (object.shape->distance(X_OP * place_of(points[i], places)) < here / scale)
+        share += 1.0 / kPoints;
+    }
+    // Of the face between its outermost points, which are 1 - 1 / kGridPoints of its sides apart.
+    const auto at = [&](std::size_t i) { return place_of(points[i], places); };
+    const double between = 1 - 1.0 / kGridPoints;
+    area += share * 0.5 / (between * between) *
+            (at(kPoints - 1) - at(0)).cross(at(kPoints - kGridPoints) - at(kGridPoints - 1)).norm();
+  }
+  return area;
+}
+
 }  // namespace
 
 double positive_share(const std::array<double, 3>& values) {
@@ -53,6 +92,7 @@ double positive_share(const std::array<double, 3>& values) {
 double contact_area(const HexMesh& mesh, const TissueBody& body, const std::vector<Tissue>& tissues,
                     const std::vector<bool>& skin, const ContactSurface& surface,
                     const RigidObject& object, const PressState& state) {
+  if (state.by_springs) return grid_area(mesh, body, tissues, surface, object, state);
   const Matrix3Xd u = body.spread(state.x, {}), places = places_at_rest(mesh);
   const Pose<double> X_OP = state.X_PO.inverse();
   const VectorXd pressure = pressures_of(mesh, body, surface, state);

@@ -13,26 +13,41 @@ using Eigen::VectorXd;
 
 namespace {
 
-constexpr double kFar = 10;  // gap that cannot matter, over distances of points of a surface [1]
+constexpr double kFar = 3;  // gap that cannot matter, over the size of a face [1]
 
-// Cosine of the angle between normals of the object at nodes of a point beyond which an edge of the
-// object lies between them.
-constexpr double kEdgeCosine = 0.2;
+constexpr double kEdgeTurn = 0.17;    // difference of normals around an edge, at least [1]
+constexpr double kEdgeRadius = 0.25;  // of an edge, over the size of a face, at most [1]
 
-/// Gauss points of a face, by nodes of the mesh; an empty list of nodes: some are fixed.
+/// Places along a side of a face, and the share of each.
+struct SideRule {
+  std::vector<double> at, share;
+  bool on_surface = false;  // whether points lie on the true surface, or between nodes
+};
+SideRule gauss_rule() {
+  return {{0.112701665379258311, 0.5, 0.887298334620741689}, {5.0 / 18, 4.0 / 9, 5.0 / 18}, true};
+}
+SideRule even_rule() {
+  SideRule rule;
+  for (std::size_t i = 0; i < kGridPoints; ++i) {
+    rule.at.push_back((static_cast<double>(i) + 0.5) / kGridPoints);
+    rule.share.push_back(1.0 / kGridPoints);
+  }
+  return rule;
+}
+
+/// Points of a face, by nodes of the mesh; an empty list: some nodes are fixed.
 std::vector<SurfacePoint> face_points(const HexMesh& mesh, const TissueBody& body,
-                                      const std::array<int, 4>& nodes, const Matrix3Xd& at_rest) {
-  constexpr std::array<double, 3> kAt{0.112701665379258311, 0.5, 0.887298334620741689};
-  constexpr std::array<double, 3> kShare{5.0 / 18, 4.0 / 9, 5.0 / 18};
+                                      const std::array<int, 4>& nodes, const Matrix3Xd& at_rest,
+                                      const SideRule& rule) {
   const Vector3d one = at_rest.col(nodes[3]) - at_rest.col(nodes[0]);
   const Vector3d other = at_rest.col(nodes[2]) - at_rest.col(nodes[1]);
   const double area = 0.5 * one.cross(other).norm();
   std::vector<SurfacePoint> out;
-  for (std::size_t i = 0; i < 3; ++i)
-    for (std::size_t j = 0; j < 3; ++j) {
-      const double x = kAt[i], y = kAt[j];
+  for (std::size_t i = 0; i < rule.at.size(); ++i)
+    for (std::size_t j = 0; j < rule.at.size(); ++j) {
+      const double x = rule.at[i], y = rule.at[j];
       const std::array<double, 4> shape{(1 - x) * (1 - y), x * (1 - y), (1 - x) * y, x * y};
-      Vector3d chart(0, 0, 0), mean(0, 0, 0);
+      Vector3d chart(0, 0, 0), mean(0, 0, 0), offset(0, 0, 0);
       std::map<int, double> weights;
       for (std::size_t k = 0; k < 4; ++k) {
         chart += shape[k] * mesh.chart_point(nodes[k]);
@@ -41,18 +56,12 @@ std::vector<SurfacePoint> face_points(const HexMesh& mesh, const TissueBody& bod
           weights[body.free_place(each.node)] += shape[k] * each.weight;
       }
       if (weights.count(-1) != 0) return {};
-      SurfacePoint point{mesh.chart().place(chart) - mean, {}, area * kShare[i] * kShare[j]};
+      if (rule.on_surface) offset = mesh.chart().place(chart) - mean;
+      SurfacePoint point{offset, {}, area * rule.share[i] * rule.share[j], std::sqrt(area)};
       for (const auto& [node, weight] : weights) point.nodes.push_back({node, weight});
       out.push_back(std::move(point));
     }
   return out;
-}
-
-/// Where a point of a surface is. @param places  of the nodes [m] (3, nodes)
-Vector3d place_of(const SurfacePoint& point, const Matrix3Xd& places) {
-  Vector3d p = point.offset;
-  for (const NodeWeight& each : point.nodes) p += each.weight * places.col(each.node);
-  return p;
 }
 
 }  // namespace
@@ -91,11 +100,24 @@ ContactSurface contact_surface(const HexMesh& mesh, const TissueBody& body,
     surface.area[k] = area[node];
   }
   if (body.is_quadratic()) return surface;
-  for (const HexFace& face : faces)
-    for (SurfacePoint& point : face_points(mesh, body, face.nodes, at_rest)) {
-      for (NodeWeight& each : point.nodes) each.node = index[static_cast<std::size_t>(each.node)];
-      surface.points.push_back(std::move(point));
-    }
+  // Points by nodes of the surface.
+  const auto add = [&](const SideRule& rule, std::vector<SurfacePoint>& points) {
+    for (const HexFace& face : faces)
+      for (SurfacePoint& point : face_points(mesh, body, face.nodes, at_rest, rule)) {
+        point.cell = face.cell;
+        for (NodeWeight& each : point.nodes) each.node = index[static_cast<std::size_t>(each.node)];
+        points.push_back(std::move(point));
+      }
+  };
+  add(gauss_rule(), surface.points);
+  add(even_rule(), surface.grid);
+  // The grid runs through nodes that are as far out as the true surface around them.
+  Matrix3Xd out = Matrix3Xd::Zero(3, count);
+  for (const SurfacePoint& point : surface.points)
+    for (const NodeWeight& each : point.nodes)
+      out.col(each.node) += each.weight * point.area / surface.area[each.node] * point.offset;
+  for (SurfacePoint& point : surface.grid)
+    for (const NodeWeight& each : point.nodes) point.offset += each.weight * out.col(each.node);
   return surface;
 }
 
@@ -110,6 +132,12 @@ Matrix3Xd places_of(const ContactSurface& surface, const VectorXd& x) {
   return places;
 }
 
+Vector3d place_of(const SurfacePoint& point, const Matrix3Xd& places) {
+  Vector3d p = point.offset;
+  for (const NodeWeight& each : point.nodes) p += each.weight * places.col(each.node);
+  return p;
+}
+
 double smallest_gap(const ContactSurface& surface, const Shape& object, const Pose<double>& X_PO,
                     const VectorXd& x) {
   const Pose<double> X_OP = X_PO.inverse();
@@ -122,14 +150,44 @@ double smallest_gap(const ContactSurface& surface, const Shape& object, const Po
   return gap;
 }
 
-MeanGaps::MeanGaps(const ContactSurface& surface) : surface_(surface) {
-  const auto count = static_cast<Eigen::Index>(surface.nodes.size());
-  gap_ = more_ = VectorXd::Zero(count);
-  normal_ = mean_normal_ = own_slope_ = Matrix3Xd::Zero(3, count);
+bool meets_edge(const ContactSurface& surface, const Shape& object, const Pose<double>& X_PO,
+                const VectorXd& x) {
+  const Pose<double> X_OP = X_PO.inverse();
+  const Matrix3Xd places = places_of(surface, x);
+  // The nearest place of the object, and its normal there.
+  struct Nearest {
+    double distance;
+    Vector3d place, normal;
+  };
+  const auto nearest = [&](const Vector3d& p) {
+    const NearestSurface at = object.nearest(X_OP * p);
+    return Nearest{at.distance, X_OP * p - at.distance * at.normal, at.normal};
+  };
+  std::vector<Nearest> at_nodes;
+  for (Eigen::Index k = 0; k < places.cols(); ++k)
+    at_nodes.push_back(nearest(Vector3d(places.col(k))));
+  return std::any_of(surface.points.begin(), surface.points.end(), [&](const SurfacePoint& point) {
+    const auto at = [&](const NodeWeight& each) -> const Nearest& {
+      return at_nodes[static_cast<std::size_t>(each.node)];
+    };
+    const bool far =
+        std::all_of(point.nodes.begin(), point.nodes.end(),
+                    [&](const NodeWeight& each) { return at(each).distance > kFar * point.size; });
+    if (far) return false;
+    const Nearest here = nearest(place_of(point, places));
+    return std::any_of(point.nodes.begin(), point.nodes.end(), [&](const NodeWeight& each) {
+      const Vector3d turn = at(each).normal - here.normal;
+      const double along = std::abs(turn.dot(at(each).place - here.place));
+      return turn.norm() > kEdgeTurn && along < kEdgeRadius * point.size * turn.squaredNorm();
+    });
+  });
 }
 
-double MeanGaps::share_of(const SurfacePoint& point, const NodeWeight& node) const {
-  return node.weight * point.area / surface_.area[node.node];
+MeanGaps::MeanGaps(const ContactSurface& surface)
+    : surface_(surface), slopes_(surface.nodes.size()) {
+  const auto count = static_cast<Eigen::Index>(surface.nodes.size());
+  gap_ = more_ = VectorXd::Zero(count);
+  normal_ = mean_normal_ = Matrix3Xd::Zero(3, count);
 }
 
 void MeanGaps::find(const Shape& object, const Pose<double>& X_PO, const VectorXd& x) {
@@ -139,14 +197,13 @@ void MeanGaps::find(const Shape& object, const Pose<double>& X_PO, const VectorX
     const NearestSurface at = object.nearest(X_OP * Vector3d(places.col(k)));
     gap_[k] = at.distance;
     normal_.col(k) = X_PO.R * at.normal;
+    const int node = static_cast<int>(k);
+    slopes_[static_cast<std::size_t>(k)] = {{node, node, normal_.col(k)}};
   }
-  if (counts_.empty()) find_edges();
-  mean_normal_ = own_slope_ = normal_;
+  mean_normal_ = normal_;
   more_.setZero();
-  near_.clear();
   neighbours_matter_ = false;
-  for (std::size_t i = 0; i < surface_.points.size(); ++i) {
-    const SurfacePoint& point = surface_.points[i];
+  for (const SurfacePoint& point : surface_.points) {
     Vector3d mean(0, 0, 0);
     double nearest = 1e300, distance = 0;
     for (const NodeWeight& each : point.nodes) {
@@ -154,18 +211,16 @@ void MeanGaps::find(const Shape& object, const Pose<double>& X_PO, const VectorX
       mean += each.weight * normal_.col(each.node);
       nearest = std::min(nearest, gap_[each.node]);
     }
-    if (!counts_[i] || nearest > kFar * std::sqrt(point.area)) continue;
+    if (nearest > kFar * point.size) continue;
     const NearestSurface at = object.nearest(X_OP * place_of(point, places));
-    near_.push_back({i, X_PO.R * at.normal});
-    const Near& here = near_.back();
+    const Vector3d normal = X_PO.R * at.normal;
     // A node's share of the point, and what it makes of gap and normals there.
     for (const NodeWeight& each : point.nodes) {
-      const double share = share_of(point, each);
+      const double share = each.weight * point.area / surface_.area[each.node];
       more_[each.node] += share * (at.distance - distance);
-      mean_normal_.col(each.node) += share * (here.normal - mean);
-      const Vector3d turned = here.normal - normal_.col(each.node);
-      own_slope_.col(each.node) += share * each.weight * turned;
-      neighbours_matter_ = neighbours_matter_ || turned.squaredNorm() > 1e-20;
+      mean_normal_.col(each.node) += share * (normal - mean);
+      for (const NodeWeight& other : point.nodes)
+        add_slope(each.node, other.node, share * other.weight * (normal - normal_.col(other.node)));
     }
   }
   gap_ += more_;
@@ -173,72 +228,38 @@ void MeanGaps::find(const Shape& object, const Pose<double>& X_PO, const VectorX
     if (mean_normal_.col(k).squaredNorm() > 0) mean_normal_.col(k).normalize();
 }
 
-void MeanGaps::find_edges() {
-  for (const SurfacePoint& point : surface_.points) {
-    double alike = 1;
-    for (const NodeWeight& each : point.nodes)
-      for (const NodeWeight& other : point.nodes)
-        alike = std::min(alike, normal_.col(each.node).dot(normal_.col(other.node)));
-    counts_.push_back(alike > kEdgeCosine);
-  }
+void MeanGaps::add_slope(int row, int node, const Vector3d& by) {
+  neighbours_matter_ = neighbours_matter_ || by.squaredNorm() > 1e-20;
+  std::vector<Slope>& list = slopes_[static_cast<std::size_t>(row)];
+  const auto known = std::find_if(list.begin(), list.end(),
+                                  [&](const Slope& slope) { return slope.node == node; });
+  if (known == list.end())
+    list.push_back({row, node, by});
+  else
+    known->by += by;
 }
 
 VectorXd MeanGaps::change(const Matrix3Xd& moved) const {
-  VectorXd out = normal_.cwiseProduct(moved).colwise().sum();
-  for (const Near& near : near_) {
-    const SurfacePoint& point = surface_.points[near.point];
-    double more = 0;
-    for (const NodeWeight& each : point.nodes)
-      more += each.weight * (near.normal - normal_.col(each.node)).dot(moved.col(each.node));
-    for (const NodeWeight& each : point.nodes) out[each.node] += share_of(point, each) * more;
-  }
+  VectorXd out = VectorXd::Zero(moved.cols());
+  for (const std::vector<Slope>& list : slopes_)
+    for (const Slope& slope : list) out[slope.row] += slope.by.dot(moved.col(slope.node));
   return out;
 }
 
 std::vector<MeanGaps::Slope> MeanGaps::slopes(const std::vector<int>& nodes) const {
-  std::vector<int> rows(surface_.nodes.size(), -1);
   std::vector<Slope> out;
-  for (std::size_t i = 0; i < nodes.size(); ++i) {
-    rows[static_cast<std::size_t>(nodes[i])] = static_cast<int>(i);
-    out.push_back({static_cast<int>(i), nodes[i], normal_.col(nodes[i])});
-  }
-  if (!neighbours_matter_) return out;
-  for (const Near& near : near_) {
-    const SurfacePoint& point = surface_.points[near.point];
-    for (const NodeWeight& each : point.nodes) {
-      const int row = rows[static_cast<std::size_t>(each.node)];
-      if (row < 0) continue;
-      const double share = share_of(point, each);
-      for (const NodeWeight& other : point.nodes)
-        out.push_back(
-            {row, other.node, share * other.weight * (near.normal - normal_.col(other.node))});
-    }
-  }
-  // One of each pair.
-  std::stable_sort(out.begin(), out.end(), [](const Slope& a, const Slope& b) {
-    return std::pair(a.row, a.node) < std::pair(b.row, b.node);
-  });
-  std::size_t last = 0;
-  for (std::size_t i = 1; i < out.size(); ++i) {
-    if (out[i].row == out[last].row && out[i].node == out[last].node)
-      out[last].by += out[i].by;
-    else
-      out[++last] = out[i];
-  }
-  out.resize(std::min(out.size(), last + 1));
+  for (std::size_t i = 0; i < nodes.size(); ++i)
+    for (const Slope& slope : slopes_[static_cast<std::size_t>(nodes[i])])
+      if (neighbours_matter_ || slope.node == slope.row)
+        out.push_back({static_cast<int>(i), slope.node, slope.by});
   return out;
 }
 
 Matrix3Xd MeanGaps::spread(const VectorXd& push) const {
-  Matrix3Xd out = normal_ * push.asDiagonal();
-  for (const Near& near : near_) {
-    const SurfacePoint& point = surface_.points[near.point];
-    double more = 0;
-    for (const NodeWeight& each : point.nodes) more += share_of(point, each) * push[each.node];
-    if (more == 0) continue;
-    for (const NodeWeight& each : point.nodes)
-      out.col(each.node) += more * each.weight * (near.normal - normal_.col(each.node));
-  }
+  Matrix3Xd out = Matrix3Xd::Zero(3, push.size());
+  for (const std::vector<Slope>& list : slopes_)
+    for (const Slope& slope : list)
+      if (push[slope.row] != 0) out.col(slope.node) += push[slope.row] * slope.by;
   return out;
 }
 

@@ -12,11 +12,15 @@
 
 namespace thenar {
 
-/// A point of a curved surface between nodes, for the mean of a gap.
+constexpr std::size_t kGridPoints = 8;  // along a side of a face, of ContactSurface::grid
+
+/// A point of a curved surface between nodes.
 struct SurfacePoint {
   Eigen::Vector3d offset;         // from the mean of the nodes, at rest [m] (3)
   std::vector<NodeWeight> nodes;  // of the surface, with their shape functions [1]
   double area = 0;                // of the surface that it stands for [m^2]
+  double size = 0;                // of its face, the root of its area [m]
+  int cell = 0;                   // of its face, of the mesh
 };
 
 /// Free nodes of a body that may touch.
@@ -24,7 +28,10 @@ struct ContactSurface {
   std::vector<int> nodes;            // places among the free nodes
   Eigen::Matrix3Xd places;           // reference positions [m] (3, nodes)
   Eigen::VectorXd area;              // of the reference surface, a node's share [m^2] (nodes)
-  std::vector<SurfacePoint> points;  // of faces whose nodes are all free; none: gaps of nodes count
+  std::vector<SurfacePoint> points;  // Gauss points of faces whose nodes are all free; none: gaps
+                                     // of nodes count
+  std::vector<SurfacePoint> grid;    // the same faces by kGridPoints^2 even points each, between
+                                     // nodes that are as far out as the true surface in the mean
 };
 
 /// Free nodes of faces all of whose nodes are marked; a hanging node's share goes to its masters.
@@ -39,6 +46,9 @@ struct ContactSurface {
 /// nodes)
 [[nodiscard]] Eigen::Matrix3Xd places_of(const ContactSurface& surface, const Eigen::VectorXd& x);
 
+/// Where a point of a surface is. @param places  of the nodes [m] (3, nodes)
+[[nodiscard]] Eigen::Vector3d place_of(const SurfacePoint& point, const Eigen::Matrix3Xd& places);
+
 /// Area of faces that is each node's share, a quarter of each of its faces; shares of hanging nodes
 /// go to their masters [m^2] (nodes of the mesh).
 /// @param at  places of all nodes [m] (3, nodes of the mesh)
@@ -50,20 +60,24 @@ struct ContactSurface {
 [[nodiscard]] double smallest_gap(const ContactSurface& surface, const Shape& object,
                                   const Pose<double>& X_PO, const Eigen::VectorXd& x);
 
+/// Whether an edge or a corner of an object lies over a face of the surface near it: between the
+/// nearest places of a node and of a point of the face, normals of the object turn by 10 degrees
+/// and more as on a radius of less than a quarter of the face.
+/// @param x  displacements of the body's free nodes [m] (3 free nodes)
+[[nodiscard]] bool meets_edge(const ContactSurface& surface, const Shape& object,
+                              const Pose<double>& X_PO, const Eigen::VectorXd& x);
+
 /// Gaps of nodes in the mean over the true surface around them:
 ///   g_k = d(x_k) + sum_q w_kq [d(X_q + u_q) - sum_B N_B(q) d(x_B)],
 ///   w_kq = N_k(q) area_q / sum_q N_k(q) area_q,
-/// where d is the distance to the object, q are the surface's points. Points between whose nodes
-/// normals of the object differ by 78 degrees and more do not count: an edge lies there, and the
-/// difference is not one of curvature. Which do is found once, from the body as it is at the first
-/// call, so that gaps are smooth within a step. Whatever forces act on these gaps are handed to
-/// nodes by their slopes, so that a push does the work that tissue takes up.
+/// where d is the distance to the object and q are the surface's points. Whatever forces act on
+/// these gaps are handed to nodes by their slopes, so that a push does the work that tissue takes
+/// up. Of objects without edges: see PointSprings.
 class MeanGaps {
  public:
   explicit MeanGaps(const ContactSurface& surface);
 
-  /// Sets all that follows; the first call finds which points count. @param x  displacements of the
-  /// body's free nodes [m] (3 free nodes)
+  /// Sets all that follows. @param x  displacements of the body's free nodes [m] (3 free nodes)
   void find(const Shape& object, const Pose<double>& X_PO, const Eigen::VectorXd& x);
 
   [[nodiscard]] double gap(std::size_t k) const { return gap_[static_cast<Eigen::Index>(k)]; }
@@ -74,9 +88,7 @@ class MeanGaps {
     return mean_normal_.col(static_cast<Eigen::Index>(k));
   }
   /// Slope of a node's gap by its own place (3).
-  [[nodiscard]] Eigen::Vector3d own_slope(std::size_t k) const {
-    return own_slope_.col(static_cast<Eigen::Index>(k));
-  }
+  [[nodiscard]] const Eigen::Vector3d& own_slope(std::size_t k) const { return slopes_[k][0].by; }
   /// Whether gaps depend on neighbours: not under planes.
   [[nodiscard]] bool neighbours_matter() const { return neighbours_matter_; }
   /// Change of gaps, linear. @param moved  of the nodes, the object at rest [m] (3, nodes)
@@ -92,20 +104,13 @@ class MeanGaps {
   [[nodiscard]] Eigen::Matrix3Xd spread(const Eigen::VectorXd& push) const;
 
  private:
-  /// A point that counts.
-  struct Near {
-    std::size_t point;
-    Eigen::Vector3d normal;  // of the object, body's frame
-  };
-  /// Share of a point in the mean of a node of its own, w_kq [1].
-  [[nodiscard]] double share_of(const SurfacePoint& point, const NodeWeight& node) const;
-  void find_edges();
+  /// Adds to the slope of the gap of node `row` by node `node`.
+  void add_slope(int row, int node, const Eigen::Vector3d& by);
 
   const ContactSurface& surface_;
-  std::vector<bool> counts_;  // (points)
   Eigen::VectorXd gap_, more_;
-  Eigen::Matrix3Xd normal_, mean_normal_, own_slope_;
-  std::vector<Near> near_;
+  Eigen::Matrix3Xd normal_, mean_normal_;
+  std::vector<std::vector<Slope>> slopes_;  // of each gap, by its own node first (nodes)
   bool neighbours_matter_ = false;
 };
 

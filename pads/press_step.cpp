@@ -5,6 +5,7 @@
 
 #include "base/error.h"
 #include "base/numbers.h"
+#include "pads/point_springs.h"
 #include "solvers/anderson_mixing.h"
 #include "solvers/sparse/gmres.h"
 
@@ -30,11 +31,13 @@ constexpr double kBack = 0.01;  // depth at which it touches again, over that mo
 constexpr double kCoupling = 1e-6;  // of a step, in what neighbours add to gaps [1]
 constexpr int kMaxCoupling = 40;    // iterations for it
 
-constexpr double kWell = 0.3;     // of what is left after an iteration, that keeps a tangent [1]
-constexpr double kFirm = 0.2;     // what is left, over forces, below which one is kept [1]
-constexpr double kTurned = -0.5;  // cosine of normals on two sides of an object [1]
-constexpr int kMostCuts = 10;     // halvings of a motion that turns an element inside out
-constexpr double kSpring = 1e-2;  // of a drive, over that of tissue under a node [1]
+constexpr double kWell = 0.3;       // of what is left after an iteration, that keeps a tangent [1]
+constexpr double kFirm = 0.2;       // what is left, over forces, below which one is kept [1]
+constexpr double kSlipping = 1e-6;  // below its cone's bound, friction that slips [1]
+constexpr double kTurned = -0.5;    // cosine of normals on two sides of an object [1]
+constexpr int kMostCuts = 10;       // halvings of a motion that turns an element inside out
+constexpr double kGives = 0.2;      // of springs at points, over the distance of nodes [1]
+constexpr double kSpring = 1e-2;    // of a drive, over that of tissue under a node [1]
 
 constexpr double kLeastHold = 1e-6;  // springs that hold nodes, over the tangent's diagonal [1]
 constexpr double kMostHold = 1;
@@ -79,6 +82,9 @@ class PressSolver {
   /// By the augmented Lagrangian without friction or where many nodes touch, else by cones; where
   /// one fails, by the other.
   PressOutcome solve() {
+    if (meets_edge(surface_, *object_.shape, start_.X_PO, start_.x) ||
+        meets_edge(surface_, *object_.shape, goal_.X_PO, start_.x))
+      return solve_by_springs();
     const bool augments = object_.friction <= 0 || nodes_to_touch() > kMostConeNodes;
     PressOutcome out = augments ? solve_by_augmentation() : solve_by_cones();
     if (out.status == Status::kSolved || out.status == Status::kStopped) return out;
@@ -95,6 +101,7 @@ class PressSolver {
   Eigen::Matrix<double, 6, 6> stiffness() {
     const Matrix3Xd u = body_.spread(now_.x, {});
     body_.respond(u, 0, start_.history, now_.pressure, ElementAsk::kStiffness, tissue_);
+    if (start_.by_springs) return spring_stiffness();
     gaps_.find(*object_.shape, now_.X_PO, now_.x);
     TouchingNodes touching;
     touching.along_normal.resize(3, now_.normal.size());
@@ -123,6 +130,7 @@ class PressSolver {
       now_.anchor.col(column) = now_.X_PO.inverse() * place_of(k);
     }
     now_.push = push_;
+    now_.by_springs = springs_.has_value();
     now_.history = body_.advance(body_.spread(now_.x, {}), goal_.time, start_.history);
     return now_;
   }
@@ -162,6 +170,89 @@ class PressSolver {
       }
       before = left;
       keeps = same && left < kFirm * scale_;
+    }
+    return out;
+  }
+
+  /// The slope with springs: the object moves, and forces turn with it, while tissue resists.
+  Eigen::Matrix<double, 6, 6> spring_stiffness() {
+    Eigen::Matrix<double, 6, 6> out = Eigen::Matrix<double, 6, 6>::Zero();
+    if (tissue_.inverted) return out;
+    residual_ = VectorXd::Zero(body_.unknowns());
+    find_spring_stiffness();
+    springs_.emplace(body_, surface_);
+    find_springs(object_.friction * (1 - kSlipping));
+    springs_->add_slopes(tissue_.values);
+    if (!factors_.moment.factor(tissue_.values)) return out;
+    const Matrix3Xd places = places_of(surface_, now_.x);
+    const Matrix3Xd forces = springs_->push() + springs_->shear();
+    for (int column = 0; column < 6; ++column) {
+      const Vector3d axis = Vector3d::Unit(column % 3);
+      Matrix3Xd rigid(3, places.cols()), turned = Matrix3Xd::Zero(3, places.cols());
+      for (Eigen::Index k = 0; k < places.cols(); ++k) {
+        rigid.col(k) = column >= 3 ? axis : axis.cross(Vector3d(places.col(k)));
+        if (column < 3) turned.col(k) = axis.cross(Vector3d(forces.col(k)));
+      }
+      const Matrix3Xd gained = springs_->loss(rigid) + turned;
+      const Matrix3Xd moved = on_surface(solve(on_body(gained)));
+      const Matrix3Xd change = gained - springs_->loss(moved);
+      for (Eigen::Index k = 0; k < places.cols(); ++k) {
+        const Vector3d force = change.col(k);
+        out.block<3, 1>(0, column) += Vector3d(places.col(k)).cross(force) +
+                                      Vector3d(moved.col(k)).cross(Vector3d(forces.col(k)));
+        out.block<3, 1>(3, column) += force;
+      }
+    }
+    return out;
+  }
+
+  /// Springs that change by steps of 4, so that they stay as they are along most of a way.
+  void find_spring_stiffness() {
+    find_stiffness(tissue_.values);
+    for (double& each : stiffer_) each = std::pow(4, std::ceil(std::log2(each) / 2));
+  }
+
+  void find_springs(double friction) {
+    springs_->find(*object_.shape, now_.X_PO, now_.x, stiffer_, friction,
+                   {start_.anchor, now_.shear});
+  }
+
+  /// Newton's method with springs at points of the skin.
+  PressOutcome solve_by_springs() {
+    PressOutcome out;
+    VectorXd dx;
+    springs_.emplace(body_, surface_);
+    for (; goes_on(out); ++out.iterations) {
+      Matrix3Xd u;
+      if (!respond(ElementAsk::kStiffness, dx, u, out)) return out;
+      if (out.iterations == 0) find_spring_stiffness();
+      find_springs(object_.friction);
+      measure_springs(out);
+      if (is_solved(out)) return ended(u, out);
+      if (goal_.force && scale_ == 0) {
+        gaps_.find(*object_.shape, now_.X_PO, now_.x);
+        if (!go_to_touch(out)) return out;
+        continue;
+      }
+      springs_->add_slopes(tissue_.values);
+      dx = VectorXd::Zero(0);
+      double motion = 0;
+      if (factored([&] { return factors_.moment.factor(tissue_.values); })) {
+        dx = solve(-residual_);
+        if (goal_.force && !reach_force(dx, motion)) dx.resize(0);
+      }
+      if (dx.size() == 0) {
+        out.message = "the stiffness is not positive definite";
+        return out;
+      }
+      now_.pressure = body_.pressure_after(u, body_.spread(dx, {}));
+      if (object_.friction > 0) {
+        Matrix3Xd moved = on_surface(dx);
+        moved.colwise() -= motion * goal_.along;
+        now_.shear = springs_->shear() - springs_->friction_loss(moved);
+      }
+      now_.x += dx;
+      now_.X_PO.p += motion * goal_.along;
     }
     return out;
   }
@@ -364,7 +455,10 @@ class PressSolver {
     const Pose<double> X_OP = now_.X_PO.inverse();
     for (std::size_t k = 0; k < contacts_.size(); ++k)
       if (contacts_[k].push > 0 && changed_sides(k, X_OP)) return "the object jumped through skin";
-    std::vector<double> allowed(body_.free_nodes().size(), options_.gap_tolerance);
+    // Springs give way by a part of what they hold.
+    const double gives = springs_ ? kGives * std::sqrt(surface_.area.mean()) : 0;
+    if (springs_ && springs_->deepest() > gives) return "the skin is inside the object";
+    std::vector<double> allowed(body_.free_nodes().size(), options_.gap_tolerance + gives);
     for (std::size_t k = 0; k < contacts_.size(); ++k)
       allowed[static_cast<std::size_t>(surface_.nodes[k])] += std::max(0.0, gaps_.more(k));
     for (const int node : body_.nodes()) {
@@ -439,6 +533,28 @@ class PressSolver {
       // Forces that still move tell of nodes that should stick or open.
       change_ = std::max({change_, (c.shear - Vector3d(now_.shear.col(column))).norm(),
                           std::abs(c.push - now_.normal[column])});
+    }
+    push_ = out.push;
+    out.residual = residual_.lpNorm<Eigen::Infinity>();
+    missing_ = goal_.force ? *goal_.force - goal_.along.dot(out.push.force) : 0;
+  }
+
+  /// The same with springs, which leave no gap to close.
+  void measure_springs(PressOutcome& out) {
+    residual_ = tissue_.force;
+    out.gap = change_ = rounding_ = scale_ = 0;
+    out.push = {};
+    for (std::size_t k = 0; k < contacts_.size(); ++k) {
+      const auto column = static_cast<Eigen::Index>(k);
+      contacts_[k].push = springs_->push().col(column).norm();
+      contacts_[k].shear = springs_->shear().col(column);
+      const Vector3d force = springs_->push().col(column) + contacts_[k].shear;
+      if (force.isZero(0)) continue;
+      residual_.segment<3>(3 * surface_.nodes[k]) -= force;
+      out.push += wrench_of_force(place_of(k), force);
+      scale_ += force.norm();
+      rounding_ = std::max(rounding_, stiffer(k) * kRoundedPlace);
+      change_ = std::max(change_, (contacts_[k].shear - Vector3d(now_.shear.col(column))).norm());
     }
     push_ = out.push;
     out.residual = residual_.lpNorm<Eigen::Infinity>();
@@ -558,6 +674,7 @@ class PressSolver {
 
   /// Loss of contact forces as nodes move (3, nodes); symmetric without slip.
   [[nodiscard]] Matrix3Xd contact_slope(const Matrix3Xd& moved) const {
+    if (springs_) return springs_->loss(moved);
     VectorXd lost = gaps_.change(moved);
     for (std::size_t k = 0; k < contacts_.size(); ++k)
       lost[static_cast<Eigen::Index>(k)] *= contacts_[k].push > 0 ? stiffer(k) : 0;
@@ -574,10 +691,12 @@ class PressSolver {
   /// between nodes comes by iterations.
   [[nodiscard]] VectorXd solve(const VectorXd& b) const {
     VectorXd first = factors_.moment.solve(b);
-    if (!gaps_.neighbours_matter() && !some_slip()) return first;
+    if (springs_ ? object_.friction <= 0 : !gaps_.neighbours_matter() && !some_slip()) return first;
     return gmres(
         [&](const VectorXd& x) {
           const Matrix3Xd moved = on_surface(x);
+          if (springs_)
+            return VectorXd(x + factors_.moment.solve(on_body(springs_->loss_left_out(moved))));
           Matrix3Xd more = contact_slope(moved);
           for (std::size_t k = 0; k < contacts_.size(); ++k) {
             const auto column = static_cast<Eigen::Index>(k);
@@ -620,6 +739,7 @@ class PressSolver {
   const PressState& start_;
   PressState now_;
   MeanGaps gaps_;
+  std::optional<PointSprings> springs_;  // where there are edges
   std::vector<TouchingNode> contacts_;
   std::vector<double> stiffer_;  // of the augmentation [N/m] (surface nodes)
   TissueResponse tissue_;
@@ -668,7 +788,6 @@ Eigen::Matrix<double, 6, 6> press_stiffness(const TissueBody& body, const Contac
 }
 
 bool node_sticks(const PressState& state, Eigen::Index node, double friction) {
-  constexpr double kSlipping = 1e-6;
   return state.shear.col(node).norm() < (1 - kSlipping) * friction * state.normal[node];
 }
 

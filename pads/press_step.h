@@ -34,6 +34,7 @@ struct PressState {
   Eigen::VectorXd normal;   // force along the object's normal [N] (surface nodes)
   Eigen::Matrix3Xd shear;   // friction on the node [N] (3, surface nodes)
   Eigen::Matrix3Xd anchor;  // where a node was at the last step, object's frame [m] (3, nodes)
+  bool by_springs = false;  // whether its forces are those of PointSprings
 };
 
 /// How far to go in a step.
@@ -72,7 +73,9 @@ struct [[nodiscard]] PressOutcome {
 /// normal, and shear against the slip since the last step, to the tolerances; on kSolved `state` is
 /// the new state, otherwise it is as it was (kStopped: it was asked to stop).
 ///
-/// Gaps of nodes are means over the true surface around them (ContactSurface::points). Without
+/// Where an edge of the object lies over the skin, contact is by stiff springs at points
+/// (PointSprings), which give way by about a hundredth of what tissue does, and Newton's method.
+/// Elsewhere gaps of nodes are means over the true surface around them (MeanGaps). Without
 /// friction, and where many nodes touch, Newton's method on the augmented Lagrangian goes first;
 /// its slope of sliding friction is that of [HueeberStadlerWohlmuth2008], without which nodes turn
 /// from stick to slip and back for ever. Where few touch, each iteration brings the body, linear at

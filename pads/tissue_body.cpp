@@ -143,6 +143,17 @@ std::size_t TissueBody::diagonal_entry(int free, int r, int c) const {
   return block_entry(free, 0, r, c);
 }
 
+void TissueBody::add_block(std::vector<double>& values, int row, int column,
+                           const Eigen::Matrix3d& block) const {
+  const int first = std::min(row, column);
+  const std::vector<int>& below = columns_[static_cast<std::size_t>(first)];
+  const auto found = std::find(below.begin(), below.end(), std::max(row, column));
+  const auto place = static_cast<int>(found - below.begin());
+  for (int c = 0; c < 3; ++c)
+    for (int r = place == 0 ? c : 0; r < 3; ++r)
+      values[block_entry(first, place, r, c)] += row >= column ? block(r, c) : block(c, r);
+}
+
 bool TissueBody::relaxes() const {
   return std::any_of(tissues_.begin(), tissues_.end(),
                      [](const Tissue& tissue) { return !tissue.relaxation.empty(); });

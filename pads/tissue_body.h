@@ -60,6 +60,10 @@ class TissueBody {
   [[nodiscard]] const SymmetricPattern& pattern() const { return pattern_; }
   /// Where the diagonal block (3, 3) of a free node lies among the values: entry (r, c), r >= c.
   [[nodiscard]] std::size_t diagonal_entry(int free, int r, int c) const;
+  /// Adds a block to the values: rows of free node `row`, columns of `column`, which share an
+  /// element; of a symmetric matrix, so each pair once. @param block  (3, 3)
+  void add_block(std::vector<double>& values, int row, int column,
+                 const Eigen::Matrix3d& block) const;
   [[nodiscard]] bool is_quadratic() const { return kind_ == HexElement::kQuadratic; }
   [[nodiscard]] bool relaxes() const;
   /// Largest shear modulus of its tissues [Pa].

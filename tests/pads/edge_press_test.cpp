@@ -1,0 +1,171 @@
+// Tests for pads/point_springs.cpp: presses by objects with edges and corners.
+
+#include "pads/point_springs.h"
+
+#include <cmath>
+#include <optional>
+
+#include <gtest/gtest.h>
+
+#include "geometry/primitives.h"
+#include "pads/pad_press.h"
+#include "tests/pads/tissue_samples.h"
+
+namespace thenar {
+namespace {
+
+using Eigen::Matrix3d;
+using Eigen::Matrix3Xd;
+using Eigen::Vector3d;
+using Eigen::VectorXd;
+
+/// A block whose edge along y points down.
+const Matrix3d kOnEdge =
+    Eigen::AngleAxisd(std::acos(-1.0) / 4, Vector3d::UnitY()).toRotationMatrix();
+
+/// A pad under an object that touches it.
+class EdgePress {
+ public:
+  EdgePress(std::shared_ptr<const Shape> object, const Matrix3d& R, double friction, double error,
+            int max_elements) {
+    PadModel model;
+    model.tissues = {neo_hookean(12e3, 0.49)};
+    PadPressOptions options;
+    options.force_error = error;
+    options.max_elements = max_elements;
+    options.max_penetration = 5e-5;
+    Pose<double> X;
+    X.R = R;
+    X.p = {0, 0, 0.1};
+    press_.emplace(model, RigidObject{std::move(object), friction}, X, options);
+    (void)press_->touch({0, 0, -1});
+    touch_ = press_->state().X_PO;
+  }
+
+  PadPressResult go_to(const Vector3d& way) {
+    PressGoal goal;
+    goal.X_PO = touch_;
+    goal.X_PO.p += way;
+    return press_->step(goal);
+  }
+  PadPress& press() { return *press_; }
+  [[nodiscard]] Vector3d push() const { return press_->state().push.force; }
+
+ private:
+  std::optional<PadPress> press_;
+  Pose<double> touch_;
+};
+
+std::shared_ptr<const Shape> cube() { return build_box({6e-3, 6e-3, 6e-3}); }
+std::shared_ptr<const Shape> block() { return build_box({0.05, 0.2, 0.05}); }
+
+class CubePress : public testing::TestWithParam<double> {};
+
+// As long as the patch is within its face, a cube presses as a plane; beyond, with less.
+TEST_P(CubePress, IsThatOfAPlaneUntilThePatchReachesTheEdges) {
+  EdgePress small(cube(), Matrix3d::Identity(), GetParam(), 0.05, 20000);
+  EdgePress large(build_box({0.2, 0.2, 0.1}), Matrix3d::Identity(), GetParam(), 0.05, 20000);
+  for (const double depth : {0.25e-3, 0.5e-3, 0.75e-3, 1e-3}) {
+    const PadPressResult by_cube = small.go_to({0, 0, -depth});
+    const PadPressResult by_plane = large.go_to({0, 0, -depth});
+    ASSERT_EQ(by_cube.solved.status, Status::kSolved) << depth << ' ' << by_cube.solved.message;
+    ASSERT_EQ(by_plane.solved.status, Status::kSolved);
+    const double ratio = small.push()[2] / large.push()[2];
+    if (depth < 0.6e-3)
+      EXPECT_NEAR(ratio, 1, 0.02);
+    else
+      EXPECT_LT(ratio, 0.99);
+    EXPECT_LT(by_cube.area, 36e-6);
+    EXPECT_LE(by_cube.force_error, 0.05);
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Friction, CubePress, testing::Values(0.0, 0.6));
+
+// The pad is its own mirror image; one node on an edge would have to take either face's normal.
+TEST(SharpEdge, PushesToNoSideOfWhatIsSymmetric) {
+  for (const double friction : {0.0, 0.6}) {
+    EdgePress press(block(), kOnEdge, friction, 0.05, 700);
+    for (const double depth : {0.25e-3, 0.5e-3, 0.75e-3, 1e-3}) {
+      const PadPressResult result = press.go_to({0, 0, -depth});
+      ASSERT_EQ(result.solved.status, Status::kSolved) << depth << ' ' << result.solved.message;
+      EXPECT_NEAR(press.push()[0] / press.push()[2], 0, friction > 0 ? 0.01 : 1e-4) << depth;
+    }
+    EXPECT_LT(press.push()[2], -0.05);
+  }
+}
+
+TEST(SharpEdge, GivesBackItsWorkWithoutFriction) {
+  for (const bool on_edge : {false, true}) {
+    EdgePress press(on_edge ? block() : cube(), on_edge ? kOnEdge : Matrix3d::Identity(), 0, 100,
+                    1);
+    constexpr int kSteps = 40, kOff = 8;
+    constexpr double kStep = 1e-3 / kSteps;
+    double work = 0, most = 0, before = 0;
+    for (int k = -kOff; k <= 2 * kSteps + kOff; ++k) {
+      const double depth = kStep * (k <= kSteps ? k : 2 * kSteps - k);
+      ASSERT_EQ(press.go_to({0, 0, -depth}).solved.status, Status::kSolved) << depth;
+      const double force = -press.push()[2];
+      work += 0.5 * (before + force) * kStep * (k <= kSteps ? 1 : -1);
+      before = force;
+      most = std::max(most, work);
+    }
+    EXPECT_LT(std::abs(work), 0.01 * most) << on_edge;
+  }
+}
+
+TEST(SharpEdge, IsFoundWhereThereIsOne) {
+  EdgePress press(cube(), Matrix3d::Identity(), 0, 100, 1);
+  const ContactSurface& surface = press.press().surface();
+  const PressState& state = press.press().state();
+  EXPECT_TRUE(meets_edge(surface, *cube(), state.X_PO, state.x));
+  Pose<double> X;
+  X.p = {0, 0, state.X_PO.p[2] - 3e-3 + 0.1};
+  EXPECT_FALSE(meets_edge(surface, *build_box({0.2, 0.2, 0.2}), X, state.x));
+  X.p[2] = state.X_PO.p[2] - 3e-3 + 8e-3;
+  EXPECT_FALSE(meets_edge(surface, *build_sphere(8e-3), X, state.x));
+}
+
+// Against differences of forces, without friction and where it holds all nodes.
+TEST(PointSprings, HaveTheSlopesOfTheirForces) {
+  EdgePress press(block(), kOnEdge, 0, 100, 1);
+  ASSERT_EQ(press.go_to({0, 0, -1e-3}).solved.status, Status::kSolved);
+  const PadPress& at = press.press();
+  const PressState& state = at.state();
+  const std::vector<double> stiffness(at.surface().nodes.size(), 500);
+  VectorXd way = VectorXd::Zero(state.x.size());
+  Matrix3Xd moved(3, static_cast<Eigen::Index>(at.surface().nodes.size()));
+  for (Eigen::Index k = 0; k < moved.cols(); ++k) {
+    const auto i = static_cast<double>(k);
+    moved.col(k) = Vector3d(std::sin(i), std::cos(2 * i), std::sin(3 * i + 1));
+    way.segment<3>(3 * at.surface().nodes[static_cast<std::size_t>(k)]) = moved.col(k);
+  }
+  for (const double friction : {0.0, 10.0}) {
+    const auto force = [&](double step, PointSprings& springs) {
+      springs.find(*block(), state.X_PO, state.x + step * way, stiffness, friction,
+                   {state.anchor, state.shear});
+      return Matrix3Xd(springs.push() + springs.shear());
+    };
+    PointSprings springs(at.body(), at.surface()), beside(at.body(), at.surface());
+    constexpr double kStep = 1e-10;
+    const Matrix3Xd change = (force(kStep, beside) - force(-kStep, beside)) / (2 * kStep);
+    ASSERT_GT(force(0, springs).norm(), 0);
+    EXPECT_LT((change + springs.loss(moved)).norm(), 1e-4 * change.norm()) << friction;
+  }
+}
+
+TEST(SpringStiffness, IsTheSlopeOfThePush) {
+  EdgePress press(cube(), Matrix3d::Identity(), 0, 100, 1);
+  // Twice, as springs are those of where a step begins.
+  for (int k = 0; k < 2; ++k)
+    ASSERT_EQ(press.go_to({0, 0, -1e-3}).solved.status, Status::kSolved);
+  const double slope = press.press().stiffness()(5, 5);
+  constexpr double kStep = 2e-8;
+  ASSERT_EQ(press.go_to({0, 0, -1e-3 - kStep}).solved.status, Status::kSolved);
+  const double deeper = press.push()[2];
+  ASSERT_EQ(press.go_to({0, 0, -1e-3 + kStep}).solved.status, Status::kSolved);
+  EXPECT_NEAR(slope * 2 * kStep / (press.push()[2] - deeper), 1, 0.01);
+}
+
+}  // namespace
+}  // namespace thenar
