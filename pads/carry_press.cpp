@@ -124,6 +124,7 @@ PressState PressCarrier::carry(const PressState& old, const HexMesh& mesh, const
   out.X_PO = old.X_PO;
   out.push = old.push;
   out.by_springs = old.by_springs;
+  out.spring_energy = old.spring_energy;
   const Matrix3Xd u = displacements_in(mesh, old);
   out.x.resize(body.unknowns());
   for (std::size_t i = 0; i < body.free_nodes().size(); ++i)

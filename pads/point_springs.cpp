@@ -25,7 +25,7 @@ void PointSprings::find(const Shape& object, const Pose<double>& X_PO, const Vec
   for (Eigen::Index k = 0; k < places.cols(); ++k)
     distance[k] = object.distance(X_OP * Vector3d(places.col(k)));
   friction_ = friction;
-  deepest_ = 0;
+  energy_ = deepest_ = 0;
   inside_.clear();
   push_ = shear_ = Matrix3Xd::Zero(3, places.cols());
   for (const SurfacePoint& point : surface_.grid) {
@@ -41,6 +41,7 @@ void PointSprings::find(const Shape& object, const Pose<double>& X_PO, const Vec
       k += each.weight * point.area / surface_.area[each.node] *
            stiffness[static_cast<std::size_t>(each.node)];
     inside_.push_back({&point, X_PO.R * at.normal, k});
+    energy_ += 0.5 * k * depth * depth;
     deepest_ = std::max(deepest_, depth);
     for (const NodeWeight& each : point.nodes)
       push_.col(each.node) += each.weight * k * depth * inside_.back().normal;

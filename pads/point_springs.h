@@ -36,6 +36,8 @@ class PointSprings {
   /// Forces along normals, and friction, on nodes [N] (3, nodes).
   [[nodiscard]] const Eigen::Matrix3Xd& push() const { return push_; }
   [[nodiscard]] const Eigen::Matrix3Xd& shear() const { return shear_; }
+  /// Of what pushes along normals [J].
+  [[nodiscard]] double energy() const { return energy_; }
   /// Deepest point [m].
   [[nodiscard]] double deepest() const { return deepest_; }
 
@@ -61,9 +63,9 @@ class PointSprings {
     Eigen::Vector3d way{0, 0, 0};     // of friction on a node that slips, unit
     Eigen::Vector3d last{0, 0, 0};    // the same before, over the bound: at most as long
     Eigen::Vector3d trial{0, 0, 0};   // what would hold it, with a part along the normal [N]
-    double push = 0;           // along the normal [N]
-    double cut = 1;            // what the cone leaves of the trial [1]
-    double stick = 0;          // stiffness across the normal, cut [N/m]
+    double push = 0;                  // along the normal [N]
+    double cut = 1;                   // what the cone leaves of the trial [1]
+    double stick = 0;                 // stiffness across the normal, cut [N/m]
     bool slips = false;
   };
   void rub(const Pose<double>& X_PO, const Eigen::Matrix3Xd& places,
@@ -78,7 +80,7 @@ class PointSprings {
   std::vector<Inside> inside_;
   std::vector<Rubbing> rubbing_;  // (nodes)
   Eigen::Matrix3Xd push_, shear_;
-  double friction_ = 0, deepest_ = 0;
+  double friction_ = 0, energy_ = 0, deepest_ = 0;
 };
 
 }  // namespace thenar

@@ -131,6 +131,7 @@ class PressSolver {
     }
     now_.push = push_;
     now_.by_springs = springs_.has_value();
+    now_.spring_energy = springs_ ? springs_->energy() : 0;
     now_.history = body_.advance(body_.spread(now_.x, {}), goal_.time, start_.history);
     return now_;
   }

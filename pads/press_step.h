@@ -26,15 +26,16 @@ struct RigidObject {
 
 /// Where a press is. Vectors are in the body's frame.
 struct PressState {
-  Eigen::VectorXd x;        // displacements of the free nodes [m] (3 free nodes)
-  Pose<double> X_PO;        // of the object in the body's frame
-  TissuePressure pressure;  // of the mixed problem; empty: that of x
-  TissueHistory history;    // of relaxation
-  Wrench push;              // of the object on the body, about the body's origin
-  Eigen::VectorXd normal;   // force along the object's normal [N] (surface nodes)
-  Eigen::Matrix3Xd shear;   // friction on the node [N] (3, surface nodes)
-  Eigen::Matrix3Xd anchor;  // where a node was at the last step, object's frame [m] (3, nodes)
-  bool by_springs = false;  // whether its forces are those of PointSprings
+  Eigen::VectorXd x;         // displacements of the free nodes [m] (3 free nodes)
+  Pose<double> X_PO;         // of the object in the body's frame
+  TissuePressure pressure;   // of the mixed problem; empty: that of x
+  TissueHistory history;     // of relaxation
+  Wrench push;               // of the object on the body, about the body's origin
+  Eigen::VectorXd normal;    // force along the object's normal [N] (surface nodes)
+  Eigen::Matrix3Xd shear;    // friction on the node [N] (3, surface nodes)
+  Eigen::Matrix3Xd anchor;   // where a node was at the last step, object's frame [m] (3, nodes)
+  bool by_springs = false;   // whether its forces are those of PointSprings
+  double spring_energy = 0;  // that these hold [J]
 };
 
 /// How far to go in a step.

@@ -131,7 +131,7 @@ double ElementPad::energy() const {
   const TissueBody& body = press_->body();
   TissueResponse now;
   body.respond(body.spread(press_->state().x, {}), 0, {}, {}, ElementAsk::kEnergy, now);
-  return now.energy;
+  return now.energy + press_->state().spring_energy;
 }
 
 Matrix6 ElementPad::stiffness(const Eigen::Matrix<double, 6, 1>& /*onward*/) {
