@@ -19,8 +19,8 @@ void set_primitive(ShapeSpec& shape, const MjcfElement& geom, const std::string&
                    const std::vector<double>& size) {
   const auto want = [&](std::size_t count) {
     if (size.size() < count)
-      geom.fail(fmt::format("a {} wants {} size{}, got {}", type, count, count == 1 ? "" : "s",
-                            size.size()));
+      geom.fail(fmt::format("a geom of type {} wants {} size{}, got {}", type, count,
+                            count == 1 ? "" : "s", size.size()));
   };
   // Each type has its number of sizes.
   want(type == "box" || type == "ellipsoid" ? 3 : type == "sphere" ? 1 : 2);
