@@ -354,9 +354,16 @@ class PressSolver {
     return false;
   }
 
-  /// A step that is solved, unless the object jumped through the surface.
-  PressOutcome ended(const Matrix3Xd& u, PressOutcome& out) const {
+  /// A step that is solved, unless the object jumped through the surface. Elastic tissue that
+  /// nothing touches is at rest: another answer is a fold of its elements.
+  PressOutcome ended(const Matrix3Xd& u, PressOutcome& out) {
     out.message = passed_through(u);
+    const VectorXd rest = VectorXd::Zero(now_.x.size());
+    if (out.message.empty() && scale_ == 0 && !body_.relaxes() &&
+        smallest_gap(surface_, *object_.shape, now_.X_PO, rest) > 0) {
+      now_.x = rest;
+      now_.pressure.clear();
+    }
     if (out.message.empty()) out.status = Status::kSolved;
     return out;
   }
