@@ -50,6 +50,16 @@ void PointSprings::find(const Shape& object, const Pose<double>& X_PO, const Vec
   if (friction > 0) rub(X_PO, places, stiffness, before);
 }
 
+bool PointSprings::changed_sides(const Shape& object, const Pose<double>& X_PO_before,
+                                 const Pose<double>& X_PO, const VectorXd& before,
+                                 double cosine) const {
+  const Matrix3Xd places = places_of(surface_, before);
+  return std::any_of(inside_.begin(), inside_.end(), [&](const Inside& each) {
+    const Vector3d was = X_PO_before.inverse() * place_of(*each.point, places);
+    return object.nearest(was).normal.dot(X_PO.R.transpose() * each.normal) < cosine;
+  });
+}
+
 void PointSprings::rub(const Pose<double>& X_PO, const Matrix3Xd& places,
                        const std::vector<double>& stiffness, const Before& before) {
   for (Eigen::Index k = 0; k < places.cols(); ++k) {

@@ -41,6 +41,13 @@ class PointSprings {
   /// Deepest point [m].
   [[nodiscard]] double deepest() const { return deepest_; }
 
+  /// Whether a point inside was last on a side of the object that faces away from where it is now.
+  /// @param before  displacements of the body's free nodes then [m] (3 free nodes)
+  /// @param cosine  of the normals, below which sides face away [1]
+  [[nodiscard]] bool changed_sides(const Shape& object, const Pose<double>& X_PO_before,
+                                   const Pose<double>& X_PO, const Eigen::VectorXd& before,
+                                   double cosine) const;
+
   /// Adds what is symmetric of the loss of forces as nodes move to a tangent of the body.
   void add_slopes(std::vector<double>& values) const;
   /// Loss of forces as nodes move against the object [N] (3, nodes). @param moved  [m] (3, nodes)

@@ -466,6 +466,9 @@ class PressSolver {
     // Springs give way by a part of what they hold.
     const double gives = springs_ ? kGives * std::sqrt(surface_.area.mean()) : 0;
     if (springs_ && springs_->deepest() > gives) return "the skin is inside the object";
+    if (springs_ &&
+        springs_->changed_sides(*object_.shape, start_.X_PO, now_.X_PO, start_.x, kTurned))
+      return "the object jumped through skin";
     std::vector<double> allowed(body_.free_nodes().size(), options_.gap_tolerance + gives);
     for (std::size_t k = 0; k < contacts_.size(); ++k)
       allowed[static_cast<std::size_t>(surface_.nodes[k])] += std::max(0.0, gaps_.more(k));
