@@ -223,6 +223,15 @@ class PressSolver {
     PressOutcome out;
     VectorXd dx;
     springs_.emplace(body_, surface_);
+    // Off the pad at rest, skin that hangs on an edge would be another answer.
+    const VectorXd rest = VectorXd::Zero(now_.x.size());
+    if (!goal_.force && !body_.relaxes() &&
+        smallest_gap(surface_, *object_.shape, now_.X_PO, rest) > 0) {
+      now_.x = rest;
+      now_.pressure.clear();
+      out.status = Status::kSolved;
+      return out;
+    }
     for (; goes_on(out); ++out.iterations) {
       Matrix3Xd u;
       if (!respond(ElementAsk::kStiffness, dx, u, out)) return out;
