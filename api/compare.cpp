@@ -4,7 +4,6 @@
 #include <filesystem>
 #include <fstream>
 #include <optional>
-#include <set>
 #include <sstream>
 #include <utility>
 
@@ -45,14 +44,6 @@ std::string object_file(const std::string& name, const std::string& data) {
   return file;
 }
 
-/// Whether a hand has one digit only, which closes on what is fixed.
-bool is_one_jaw(const Hand& hand) {
-  std::set<std::string> digits;
-  for (const LinkSurface& surface : hand.surfaces())
-    if (!surface.digit.empty()) digits.insert(surface.digit);
-  return digits.size() == 1;
-}
-
 ComparedHand to_compare(const NamedHand& named) {
   ComparedHand hand;
   hand.name = named.name;
@@ -60,7 +51,7 @@ ComparedHand to_compare(const NamedHand& named) {
   hand.contact = named.contact;
   hand.rates = named.rates;
   hand.warnings = named.warnings;
-  if (is_one_jaw(*named.hand))
+  if (named.hand->layout().tips.size() == 1)
     hand.warnings.emplace_back(
         "its only digit closes on what is fixed, to which no drawn approach brings the object: it "
         "holds more often than is counted here");
