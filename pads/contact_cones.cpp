@@ -258,25 +258,34 @@ Eigen::Matrix<double, 6, 6> contact_stiffness(CondensedBody& body, const Contact
   W.diagonal().array() += kRedundant * W.diagonal().maxCoeff();
   const Eigen::PartialPivLU<MatrixXd> lu(W);
   const MatrixXd slopes = dense(J, rows, nodes), pushes = dense(F, rows, nodes);
-  Eigen::Matrix<double, 6, 6> out = Eigen::Matrix<double, 6, 6>::Zero();
-  for (int column = 0; column < 6; ++column) {
-    // The object moves, and forces turn with it, while tissue resists.
-    const Vector3d axis = Vector3d::Unit(column % 3);
-    Matrix3Xd rigid(3, nodes), turned = Matrix3Xd::Zero(3, nodes);
-    for (Index k = 0; k < nodes; ++k) {
-      rigid.col(k) = column >= 3 ? axis : axis.cross(Vector3d(places.col(k)));
-      if (column < 3) turned.col(k) = axis.cross(Vector3d(forces.col(k)));
-    }
+  return push_slope(places, forces, [&](const Matrix3Xd& rigid, const Matrix3Xd& turned) {
     const VectorXd turn = turned.reshaped();
     const Matrix3Xd by_turn = on_surface(surface, body.solve(on_body(surface, turn, unknowns)));
     const VectorXd f = lu.solve(slopes * (rigid - by_turn).reshaped());
     const VectorXd gained = pushes.transpose() * f + turn;
-    const Matrix3Xd moved = on_surface(surface, body.solve(on_body(surface, gained, unknowns)));
-    for (Index k = 0; k < nodes; ++k) {
-      const Vector3d force = gained.segment<3>(3 * k);
-      out.block<3, 1>(0, column) += Vector3d(places.col(k)).cross(force) +
-                                    Vector3d(moved.col(k)).cross(Vector3d(forces.col(k)));
-      out.block<3, 1>(3, column) += force;
+    return PushAnswer{gained.reshaped(3, nodes),
+                      on_surface(surface, body.solve(on_body(surface, gained, unknowns)))};
+  });
+}
+
+Eigen::Matrix<double, 6, 6> push_slope(
+    const Matrix3Xd& places, const Matrix3Xd& forces,
+    const std::function<PushAnswer(const Matrix3Xd&, const Matrix3Xd&)>& answer) {
+  Eigen::Matrix<double, 6, 6> out = Eigen::Matrix<double, 6, 6>::Zero();
+  for (int column = 0; column < 6; ++column) {
+    // The object moves, and forces turn with it, while tissue resists.
+    const Vector3d axis = Vector3d::Unit(column % 3);
+    Matrix3Xd rigid(3, places.cols()), turned = Matrix3Xd::Zero(3, places.cols());
+    for (Index k = 0; k < places.cols(); ++k) {
+      rigid.col(k) = column >= 3 ? axis : axis.cross(Vector3d(places.col(k)));
+      if (column < 3) turned.col(k) = axis.cross(Vector3d(forces.col(k)));
+    }
+    const PushAnswer found = answer(rigid, turned);
+    for (Index k = 0; k < places.cols(); ++k) {
+      const Vector3d gained = found.gained.col(k);
+      out.block<3, 1>(0, column) += Vector3d(places.col(k)).cross(gained) +
+                                    Vector3d(found.moved.col(k)).cross(Vector3d(forces.col(k)));
+      out.block<3, 1>(3, column) += gained;
     }
   }
   return out;

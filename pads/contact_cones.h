@@ -2,6 +2,7 @@
 
 /// Contact of many nodes with exact friction cones, on a body that answers forces linearly.
 
+#include <functional>
 #include <optional>
 #include <vector>
 
@@ -124,5 +125,20 @@ struct TouchingNodes {
 [[nodiscard]] Eigen::Matrix<double, 6, 6> contact_stiffness(
     CondensedBody& body, const ContactSurface& surface, const MeanGaps& gaps,
     const TouchingNodes& touching, const Eigen::Matrix3Xd& places, const Eigen::Matrix3Xd& forces);
+
+/// What a motion of the object does to nodes of the surface.
+struct PushAnswer {
+  Eigen::Matrix3Xd gained;  // forces on them [N] (3, nodes)
+  Eigen::Matrix3Xd moved;   // (3, nodes)
+};
+
+/// Slope of the push by unit motions of the object, forces turning with it.
+/// @param places  of the nodes [m] (3, nodes);  @param forces  on them [N] (3, nodes)
+/// @param answer  to a motion at the nodes, and to how forces on them turn (3, nodes)
+/// @return moment and turn first, about the body's origin (6, 6)
+[[nodiscard]] Eigen::Matrix<double, 6, 6> push_slope(
+    const Eigen::Matrix3Xd& places, const Eigen::Matrix3Xd& forces,
+    const std::function<PushAnswer(const Eigen::Matrix3Xd& rigid, const Eigen::Matrix3Xd& turned)>&
+        answer);
 
 }  // namespace thenar

@@ -185,26 +185,12 @@ class PressSolver {
     find_springs(object_.friction * (1 - kSlipping));
     springs_->add_slopes(tissue_.values);
     if (!factors_.moment.factor(tissue_.values)) return out;
-    const Matrix3Xd places = places_of(surface_, now_.x);
-    const Matrix3Xd forces = springs_->push() + springs_->shear();
-    for (int column = 0; column < 6; ++column) {
-      const Vector3d axis = Vector3d::Unit(column % 3);
-      Matrix3Xd rigid(3, places.cols()), turned = Matrix3Xd::Zero(3, places.cols());
-      for (Eigen::Index k = 0; k < places.cols(); ++k) {
-        rigid.col(k) = column >= 3 ? axis : axis.cross(Vector3d(places.col(k)));
-        if (column < 3) turned.col(k) = axis.cross(Vector3d(forces.col(k)));
-      }
-      const Matrix3Xd gained = springs_->loss(rigid) + turned;
-      const Matrix3Xd moved = on_surface(solve(on_body(gained)));
-      const Matrix3Xd change = gained - springs_->loss(moved);
-      for (Eigen::Index k = 0; k < places.cols(); ++k) {
-        const Vector3d force = change.col(k);
-        out.block<3, 1>(0, column) += Vector3d(places.col(k)).cross(force) +
-                                      Vector3d(moved.col(k)).cross(Vector3d(forces.col(k)));
-        out.block<3, 1>(3, column) += force;
-      }
-    }
-    return out;
+    return push_slope(places_of(surface_, now_.x), springs_->push() + springs_->shear(),
+                      [&](const Matrix3Xd& rigid, const Matrix3Xd& turned) {
+                        const Matrix3Xd pushed = springs_->loss(rigid) + turned;
+                        const Matrix3Xd moved = on_surface(solve(on_body(pushed)));
+                        return PushAnswer{pushed - springs_->loss(moved), moved};
+                      });
   }
 
   /// Springs that change by steps of 4, so that they stay as they are along most of a way.
@@ -213,9 +199,15 @@ class PressSolver {
     for (double& each : stiffer_) each = std::pow(4, std::ceil(std::log2(each) / 2));
   }
 
+  /// Sets springs, and what they make of contacts.
   void find_springs(double friction) {
     springs_->find(*object_.shape, now_.X_PO, now_.x, stiffer_, friction,
                    {start_.anchor, now_.shear});
+    for (std::size_t k = 0; k < contacts_.size(); ++k) {
+      const auto column = static_cast<Eigen::Index>(k);
+      contacts_[k].push = springs_->push().col(column).norm();
+      contacts_[k].shear = springs_->shear().col(column);
+    }
   }
 
   /// Newton's method with springs at points of the skin.
@@ -237,7 +229,7 @@ class PressSolver {
       if (!respond(ElementAsk::kStiffness, dx, u, out)) return out;
       if (out.iterations == 0) find_spring_stiffness();
       find_springs(object_.friction);
-      measure_springs(out);
+      measure(out);
       if (is_solved(out)) return ended(u, out);
       if (goal_.force && scale_ == 0) {
         gaps_.find(*object_.shape, now_.X_PO, now_.x);
@@ -363,16 +355,9 @@ class PressSolver {
     return false;
   }
 
-  /// A step that is solved, unless the object jumped through the surface. Elastic tissue that
-  /// nothing touches is at rest: another answer is a fold of its elements.
-  PressOutcome ended(const Matrix3Xd& u, PressOutcome& out) {
+  /// A step that is solved, unless the object jumped through the surface.
+  PressOutcome ended(const Matrix3Xd& u, PressOutcome& out) const {
     out.message = passed_through(u);
-    const VectorXd rest = VectorXd::Zero(now_.x.size());
-    if (out.message.empty() && scale_ == 0 && !body_.relaxes() &&
-        smallest_gap(surface_, *object_.shape, now_.X_PO, rest) > 0) {
-      now_.x = rest;
-      now_.pressure.clear();
-    }
     if (out.message.empty()) out.status = Status::kSolved;
     return out;
   }
@@ -538,7 +523,7 @@ class PressSolver {
     VectorXd push(static_cast<Eigen::Index>(contacts_.size()));
     for (std::size_t k = 0; k < contacts_.size(); ++k)
       push[static_cast<Eigen::Index>(k)] = contacts_[k].push;
-    const Matrix3Xd forces = gaps_.spread(push);
+    const Matrix3Xd forces = springs_ ? springs_->push() : gaps_.spread(push);
     for (std::size_t k = 0; k < contacts_.size(); ++k) {
       const TouchingNode& c = contacts_[k];
       const auto column = static_cast<Eigen::Index>(k);
@@ -548,33 +533,12 @@ class PressSolver {
       out.push += wrench_of_force(place_of(k), force);
       scale_ += force.norm();
       if (c.push <= 0) continue;
-      out.gap = std::max(out.gap, std::abs(gaps_.gap(k)));
       rounding_ = std::max(rounding_, stiffer(k) * kRoundedPlace);
       // Forces that still move tell of nodes that should stick or open.
-      change_ = std::max({change_, (c.shear - Vector3d(now_.shear.col(column))).norm(),
-                          std::abs(c.push - now_.normal[column])});
-    }
-    push_ = out.push;
-    out.residual = residual_.lpNorm<Eigen::Infinity>();
-    missing_ = goal_.force ? *goal_.force - goal_.along.dot(out.push.force) : 0;
-  }
-
-  /// The same with springs, which leave no gap to close.
-  void measure_springs(PressOutcome& out) {
-    residual_ = tissue_.force;
-    out.gap = change_ = rounding_ = scale_ = 0;
-    out.push = {};
-    for (std::size_t k = 0; k < contacts_.size(); ++k) {
-      const auto column = static_cast<Eigen::Index>(k);
-      contacts_[k].push = springs_->push().col(column).norm();
-      contacts_[k].shear = springs_->shear().col(column);
-      const Vector3d force = springs_->push().col(column) + contacts_[k].shear;
-      if (force.isZero(0)) continue;
-      residual_.segment<3>(3 * surface_.nodes[k]) -= force;
-      out.push += wrench_of_force(place_of(k), force);
-      scale_ += force.norm();
-      rounding_ = std::max(rounding_, stiffer(k) * kRoundedPlace);
-      change_ = std::max(change_, (contacts_[k].shear - Vector3d(now_.shear.col(column))).norm());
+      change_ = std::max(change_, (c.shear - Vector3d(now_.shear.col(column))).norm());
+      if (springs_) continue;  // which leave no gap to close
+      out.gap = std::max(out.gap, std::abs(gaps_.gap(k)));
+      change_ = std::max(change_, std::abs(c.push - now_.normal[column]));
     }
     push_ = out.push;
     out.residual = residual_.lpNorm<Eigen::Infinity>();
