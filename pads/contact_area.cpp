@@ -10,7 +10,8 @@ using Eigen::Matrix3Xd;
 using Eigen::Vector3d;
 using Eigen::VectorXd;
 
-constexpr double kEdge = 20;  // of mu / h, the scale of pressure over gap at an edge [1]
+constexpr double kFacing = 0.7;  // cosine between normals of skin and object that face each other
+constexpr double kEdge = 20;     // of mu / h, the scale of pressure over gap at an edge [1]
 
 /// Pressure of the nodes of a mesh [Pa] (nodes); of hanging ones the mean of their masters.
 VectorXd pressures_of(const HexMesh& mesh, const TissueBody& body, const ContactSurface& surface,
@@ -57,18 +58,23 @@ double grid_area(const HexMesh& mesh, const TissueBody& body, const std::vector<
                          modulus_of(tissues[static_cast<std::size_t>(cell.region)],
                                     mean_deformation(cell, at_rest, u)) /
                          points[0].size;
+    // The face between its outermost points, which are 1 - 1 / kGridPoints of its sides apart.
+    const auto at = [&](std::size_t i) { return place_of(points[i], places); };
+    const Vector3d between =
+        (at(kPoints - 1) - at(0)).cross(at(kPoints - kGridPoints) - at(kGridPoints - 1));
+    const double part = 1 - 1.0 / kGridPoints;
+    const Vector3d across = between.normalized();
     double share = 0;
     for (std::size_t i = 0; i < kPoints; ++i) {
       double here = 0;
       for (const NodeWeight& each : points[i].nodes) here += each.weight * pressure[each.node];
-      if (object.shape->distance(X_OP * place_of(points[i], places)) < here / scale)
+      // What is beside an edge has it beside, and not below.
+      const NearestSurface nearest = object.shape->nearest(X_OP * at(i));
+      const double facing = std::abs(across.dot(state.X_PO.R * nearest.normal));
+      if (nearest.distance < 0 || (nearest.distance < here / scale && facing > kFacing))
         share += 1.0 / kPoints;
     }
-    // Of the face between its outermost points, which are 1 - 1 / kGridPoints of its sides apart.
-    const auto at = [&](std::size_t i) { return place_of(points[i], places); };
-    const double between = 1 - 1.0 / kGridPoints;
-    area += share * 0.5 / (between * between) *
-            (at(kPoints - 1) - at(0)).cross(at(kPoints - kGridPoints) - at(kGridPoints - 1)).norm();
+    area += share * 0.5 / (part * part) * between.norm();
   }
   return area;
 }

@@ -82,6 +82,19 @@ TEST_P(CubePress, IsThatOfAPlaneUntilThePatchReachesTheEdges) {
 
 INSTANTIATE_TEST_SUITE_P(Friction, CubePress, testing::Values(0.0, 0.6));
 
+// All of the small face touches, and nothing beside it does: within 3 %.
+TEST(CubeArea, IsThatOfTheFaceOnceAllOfItTouches) {
+  EdgePress press(build_box({4e-3, 4e-3, 4e-3}), Matrix3d::Identity(), 0, 0.05, 20000);
+  for (const double depth : {0.3e-3, 0.6e-3, 0.9167e-3, 1e-3}) {
+    const PadPressResult result = press.go_to({0, 0, -depth});
+    ASSERT_EQ(result.solved.status, Status::kSolved) << depth;
+    EXPECT_LE(result.area, 1.03 * 16e-6) << depth;
+    if (depth > 0.8e-3) {
+      EXPECT_GE(result.area, 0.97 * 16e-6) << depth;
+    }
+  }
+}
+
 // The pad is its own mirror image; one node on an edge would have to take either face's normal.
 TEST(SharpEdge, PushesToNoSideOfWhatIsSymmetric) {
   for (const double friction : {0.0, 0.6}) {
@@ -157,8 +170,7 @@ TEST(PointSprings, HaveTheSlopesOfTheirForces) {
 TEST(SpringStiffness, IsTheSlopeOfThePush) {
   EdgePress press(cube(), Matrix3d::Identity(), 0, 100, 1);
   // Twice, as springs are those of where a step begins.
-  for (int k = 0; k < 2; ++k)
-    ASSERT_EQ(press.go_to({0, 0, -1e-3}).solved.status, Status::kSolved);
+  for (int k = 0; k < 2; ++k) ASSERT_EQ(press.go_to({0, 0, -1e-3}).solved.status, Status::kSolved);
   const double slope = press.press().stiffness()(5, 5);
   constexpr double kStep = 2e-8;
   ASSERT_EQ(press.go_to({0, 0, -1e-3 - kStep}).solved.status, Status::kSolved);
