@@ -260,7 +260,8 @@ std::string text_of(const HandComparison& result) {
   text += titled("Grasps: share with force closure, its 95 % interval, and loads",
                  cell_table(comparison));
   text += load_rule() +
-          "\nsqueeze_6_ways_N: least grasp force for the weight in the worst of 6 directions, each "
+          "\nhand_epsilon_N: at least so much, and at most 5 % more.\nsqueeze_6_ways_N: least "
+          "grasp force for the weight in the worst of 6 directions, each "
           "axis of the\nobject both ways; `thenar grasp` asks as the object stands.\n"
           "-: nothing closed, or not known. 0: nothing is borne; the page and JSON say why.\n"
           "with_structure: what palm, joint limits and drives that do not run back bear as well, "
