@@ -17,7 +17,12 @@ namespace {
 using Eigen::Vector3d;
 
 constexpr double kCosTurn = 0.86602540378443865;  // of 30 degrees, within a region [1]
-constexpr double kCoarse = 4;  // resolution of the first search, in that of the rim [1]
+constexpr double kAround = 1e-4;                  // of a point, where faces count as its own [m]
+constexpr double kFitStep = 2e-4;     // by which a nearest point's surroundings are measured [m]
+constexpr double kLongestFit = 1e-3;  // [m]
+constexpr double kLeastCurve = 1;     // of distances that have a least place [1/m]
+constexpr int kRefinements = 3;       // of a nearest point
+constexpr double kCoarse = 4;         // resolution of the first search, in that of the rim [1]
 
 /// A connected group of pieces of A that are near B.
 struct Region {
@@ -103,6 +108,48 @@ double distance_of_hulls(const Eigen::Matrix2Xd& x, const Eigen::Matrix2Xd& y) {
   return std::isfinite(widest) ? widest : 0;  // all points coincide
 }
 
+/// A's triangles at a point of A's frame.
+std::vector<const SweptTriangle*> triangles_at(const CollisionTree& a, const Vector3d& p) {
+  std::vector<const SweptTriangle*> triangles;
+  std::vector<int> nodes{0};
+  // Descend into the balls that come near the point.
+  while (!nodes.empty()) {
+    const CollisionNode& node = a.nodes[static_cast<std::size_t>(nodes.back())];
+    nodes.pop_back();
+    if ((node.ball.c - p).norm() > node.ball.r + kAround) continue;
+    if (node.triangle < 0) {
+      nodes.push_back(node.left);
+      nodes.push_back(node.right);
+      continue;
+    }
+    // Leaf: keep the triangle if it is near enough.
+    const SweptTriangle& t = a.triangles[static_cast<std::size_t>(node.triangle)];
+    if ((internal::nearest_in_triangle(t.corners, p) - p).norm() <= kAround)
+      triangles.push_back(&t);
+  }
+  return triangles;
+}
+
+/// Step to the least of a function of the plane by its quadratic at 0, along axes on which it is
+/// curved; zero where it is not (2) [m]. @param f  [m]
+template <typename Function>
+Eigen::Vector2d step_to_least(const Function& f) {
+  // Central differences.
+  const double h = kFitStep, here = f(0, 0), right = f(h, 0), left = f(-h, 0), up = f(0, h),
+               down = f(0, -h);
+  const double twist = (f(h, h) - f(h, -h) - f(-h, h) + f(-h, -h)) / (4 * h * h);
+  const Eigen::Vector2d slope((right - left) / (2 * h), (up - down) / (2 * h));
+  Eigen::Matrix2d curve;
+  curve << (right - 2 * here + left) / (h * h), twist, twist, (up - 2 * here + down) / (h * h);
+  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> axes(curve);
+  Eigen::Vector2d step = Eigen::Vector2d::Zero();
+  for (int k = 0; k < 2; ++k)
+    if (axes.eigenvalues()[k] > kLeastCurve)
+      step -= axes.eigenvectors().col(k) *
+              (axes.eigenvectors().col(k).dot(slope) / axes.eigenvalues()[k]);
+  return step.norm() > kLongestFit ? Eigen::Vector2d(step * (kLongestFit / step.norm())) : step;
+}
+
 /// Patches in B's frame.
 class PatchFinder {
  public:
@@ -152,6 +199,7 @@ class PatchFinder {
   void add_patch(Region region) {
     if (is_slope(region)) return;
     find_nearest(region);
+    refine(region);
     // Contact points of the region in its tangent plane.
     const std::vector<PatchPoint> points = touching(region);
     const Tangents t = tangents(region.normal);
@@ -213,6 +261,34 @@ class PatchFinder {
     // A finer search may find a nearer point of the same region.
     const PatchPoint point = nearest_within(region.ball, region.nearest.distance);
     if (point.distance >= region.nearest.distance) return;
+    const Vector3d n = into(point);
+    if (n.dot(region.normal) >= kCosTurn) region.nearest = point, region.normal = n;
+  }
+
+  /// Moves the nearest point to where the distance is least within its triangle: the search ends
+  /// within a fraction of the band, on a ball of 25 mm up to 0.2 mm beside the place.
+  void refine(Region& region) const {
+    if (b_.accuracy() > 0) return;
+    PatchPoint point = region.nearest;
+    for (int k = 0; k < kRefinements; ++k) {
+      const auto triangles = triangles_at(a_, X_BA_.inverse() * point.core);
+      if (triangles.empty() || triangles.front()->n.isZero()) break;
+      const Tangents t = tangents(X_BA_.R * triangles.front()->n);
+      const Eigen::Vector2d step = step_to_least(
+          [&](double u, double v) { return b_.distance(point.core + u * t.e1 + v * t.e2); });
+      const Vector3d moved =
+          X_BA_ * internal::nearest_in_triangle(
+                      triangles.front()->corners,
+                      X_BA_.inverse() * (point.core + step[0] * t.e1 + step[1] * t.e2));
+      const NearestSurface at = b_.nearest(moved);
+      if (at.distance - point.radius >= point.distance) break;
+      point = {moved,
+               at.distance - point.radius,
+               moved - at.distance * at.normal,
+               at.normal,
+               point.radius,
+               at.supports};
+    }
     const Vector3d n = into(point);
     if (n.dot(region.normal) >= kCosTurn) region.nearest = point, region.normal = n;
   }
@@ -295,7 +371,6 @@ namespace {
 
 using Eigen::Vector3d;
 
-constexpr double kAround = 1e-4;                   // [m]
 constexpr double kCosFlat = 0.984807753012208;     // of 10 degrees [1]
 constexpr double kSinFlat = 0.17364817766693;      // of 10 degrees [1]
 constexpr double kCosSharp = 0.86602540378443865;  // of 30 degrees [1]
@@ -333,21 +408,7 @@ Around around(const PatchPoint& point, const Shape& b) {
 /// Normals of A's triangles at a point of A's frame.
 std::vector<Vector3d> normals_of(const CollisionTree& a, const Vector3d& p) {
   std::vector<Vector3d> normals;
-  std::vector<int> nodes{0};
-  // Descend into the balls that come near the point.
-  while (!nodes.empty()) {
-    const CollisionNode& node = a.nodes[static_cast<std::size_t>(nodes.back())];
-    nodes.pop_back();
-    if ((node.ball.c - p).norm() > node.ball.r + kAround) continue;
-    if (node.triangle < 0) {
-      nodes.push_back(node.left);
-      nodes.push_back(node.right);
-      continue;
-    }
-    // Leaf: keep the triangle if it is near enough.
-    const SweptTriangle& t = a.triangles[static_cast<std::size_t>(node.triangle)];
-    if ((internal::nearest_in_triangle(t.corners, p) - p).norm() <= kAround) normals.push_back(t.n);
-  }
+  for (const SweptTriangle* t : triangles_at(a, p)) normals.push_back(t->n);
   return normals;
 }
 

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <random>
 
 #include <gtest/gtest.h>
 
@@ -62,6 +63,27 @@ TEST(ContactPatch, OfFaceOnBallIsOnePoint) {
     EXPECT_TRUE(matrix_near(patch.contacts[0].contact.p, Eigen::Vector3d(0, 0, radius),
                             std::sqrt(2 * radius * 1e-6)));
     EXPECT_NEAR(patch.distance, 0, 1e-6);
+  }
+}
+
+// Wherever the ball lies on a face, which stands anyhow: the place where it is nearest, not one
+// within the tolerance of the distance. Two jaws hold a ball by the line through two such places.
+TEST(ContactPatch, OfFaceOnBallIsUnderItsCentre) {
+  std::mt19937 random(5);
+  std::uniform_real_distribution<double> uniform(-1, 1);
+  for (int k = 0; k < 50; ++k) {
+    const double radius = 0.02 + 0.015 * uniform(random);
+    const Eigen::Vector3d up =
+        Eigen::Vector3d(uniform(random), uniform(random), uniform(random)).normalized();
+    Pose<double> X_WA;
+    X_WA.R = Eigen::Quaterniond::FromTwoVectors(Eigen::Vector3d::UnitZ(), up).toRotationMatrix();
+    X_WA.p = (radius + 0.01 + 5e-5) * up + 0.015 * uniform(random) * X_WA.R.col(0) +
+             0.02 * uniform(random) * X_WA.R.col(1);
+    const ContactPatch patch =
+        the_patch(touching({{block_mesh({0.05, 0.07, 0.02}), 0}}), X_WA, ball_solid(radius));
+    ASSERT_EQ(patch.contacts.size(), 1U) << k;
+    EXPECT_TRUE(matrix_near(patch.contacts[0].contact.p, radius * up, 1e-7)) << k;
+    EXPECT_NEAR(patch.distance, 5e-5, 1e-12) << k;
   }
 }
 
