@@ -14,6 +14,7 @@
 #include "base/error.h"
 #include "base/words.h"
 #include "grasp/robot/infer_closing.h"
+#include "grasp/robot/pinned_bars.h"
 
 namespace thenar {
 namespace {
@@ -191,7 +192,7 @@ Bodies find_bodies(const RobotSpec& robot) {
   return bodies;
 }
 
-/// Bodies of each digit; branches that a loop joins are one digit.
+/// Bodies of each digit; branches that a loop joins, or would if the file could say so, are one.
 std::vector<std::set<std::size_t>> find_branches(const RobotSpec& robot, const Bodies& bodies) {
   std::vector<std::set<std::size_t>> branches;
   // From each leaf inwards, up to the next branching.
@@ -202,7 +203,9 @@ std::vector<std::set<std::size_t>> find_branches(const RobotSpec& robot, const B
       branches.back().insert(b);
   }
   // Branches joined by a loop.
-  for (const auto& [a, b] : robot.joined) {
+  std::vector<std::pair<std::string, std::string>> joined = robot.joined;
+  for (auto& pair : pinned_bars(robot)) joined.push_back(std::move(pair));
+  for (const auto& [a, b] : joined) {
     const auto with = [&](const std::string& link) {
       return std::find_if(branches.begin(), branches.end(),
                           [&](const std::set<std::size_t>& branch) {

@@ -4,6 +4,7 @@
 
 #include <gmock/gmock.h>
 
+#include "tests/grasp/four_bars.h"
 #include "tests/grasp/jaws.h"
 
 namespace thenar {
@@ -97,6 +98,23 @@ TEST(GuessHand, LeavesAloneWhatIsStated) {
   EXPECT_EQ(robot.approach.direction, stated.approach.direction);
   EXPECT_EQ(robot.dofs[0].speed, stated.dofs[0].speed);
   EXPECT_TRUE(robot.warnings.empty());
+}
+
+// The bar's outer hinge would be in the finger.
+TEST(InferDigits, TakesTheBarsOfALinkageForTheFingersThatTheyMove) {
+  const RobotSpec robot = graspable(sample::four_bars(0));
+  EXPECT_EQ(digits_in(robot).size(), 2U);
+  for (const RobotLink& link : robot.links) {
+    if (link.name == "base") continue;
+    EXPECT_EQ(link.digit, link.name.rfind("left", 0) == 0 ? "finger 1" : "finger 2") << link.name;
+  }
+  EXPECT_GT(robot.dofs[0].speed, 0);
+  EXPECT_NEAR(robot.approach.direction.z(), 1, 1e-9);
+}
+
+// A finger of its own beside the others moves as they do, but an axis in both is in neither.
+TEST(InferDigits, KeepsFingersThatStandBesideALinkage) {
+  EXPECT_EQ(digits_in(graspable(sample::four_bars(0.08))).size(), 4U);
 }
 
 }  // namespace

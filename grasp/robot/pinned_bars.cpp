@@ -1,0 +1,150 @@
+#include "grasp/robot/pinned_bars.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <map>
+
+#include <Eigen/Geometry>
+#include <Eigen/SVD>
+
+#include "data/io/robot/link_poses.h"
+#include "geometry/solid.h"
+
+namespace thenar {
+namespace {
+
+using Eigen::AlignedBox3d;
+using Eigen::Vector3d;
+
+constexpr double kPinned = 1e-4;     // largest motion of a pin against what it joins [m]
+constexpr double kTurnOfBar = 0.02;  // smallest turn of a bar against its finger [rad]
+constexpr double kNearPin = 0.25;    // distance of a pin from what it joins, over its diagonal [1]
+constexpr double kAnyRange = 1;      // taken of a motor without limits, either way [rad] or [m]
+
+/// Links that nothing moves against each other.
+struct RigidBody {
+  std::size_t frame = 0;      // the link that a joint carries
+  int parent = -1;            // another body
+  const RobotJoint* joint{};  // that carries it; null: the base
+  bool carries = false;       // whether another body hangs on it
+  std::vector<std::size_t> links;
+};
+
+std::vector<RigidBody> bodies_of(const RobotSpec& robot) {
+  std::map<std::string, std::size_t> link;
+  for (std::size_t i = 0; i < robot.links.size(); ++i) link[robot.links[i].name] = i;
+  std::vector<RigidBody> bodies(1);
+  bodies[0].links = {0};
+  std::map<std::string, std::size_t> of{{robot.links.front().name, 0}};
+  for (const RobotJoint& joint : robot.joints) {
+    const std::size_t on = of[joint.parent], i = link.at(joint.child);
+    if (joint.kind == RobotJointKind::kFixed) {
+      of[joint.child] = on;
+      bodies[on].links.push_back(i);
+      continue;
+    }
+    of[joint.child] = bodies.size();
+    bodies[on].carries = true;
+    bodies.push_back({i, static_cast<int>(on), &joint, false, {i}});
+  }
+  return bodies;
+}
+
+/// Box of a body's shapes in its frame.
+AlignedBox3d box_of(const RobotSpec& robot, const RigidBody& body,
+                    const std::vector<Pose<double>>& links) {
+  AlignedBox3d box;
+  for (const std::size_t i : body.links)
+    for (const ShapeSpec& shape : robot.links[i].shapes) {
+      const bool is_mesh = shape.kind == ShapeKind::kMesh;
+      const TriangleMesh solid = is_mesh ? shape.mesh : build_solid({shape}).visual;
+      const Pose<double> X =
+          links[body.frame].inverse() * links[i] * (is_mesh ? shape.X_BS : Pose<double>{});
+      for (const auto& p : solid.vertices.colwise()) box.extend(X * Vector3d(p));
+    }
+  return box;
+}
+
+/// Poses of a robot's links at the ends and in the middle of a motor's range.
+using Instants = std::array<std::vector<Pose<double>>, 3>;
+
+Instants instants_of(const RobotSpec& robot, const RobotDof& dof) {
+  const double lower = std::isfinite(dof.lower) ? dof.lower : -kAnyRange,
+               upper = std::isfinite(dof.upper) ? dof.upper : kAnyRange;
+  Instants all;
+  for (int k = 0; k < 3; ++k)
+    all[static_cast<std::size_t>(k)] =
+        link_poses(robot, {{dof.name, lower + 0.5 * k * (upper - lower)}});
+  return all;
+}
+
+/// Whether an axis near both lies still in both.
+bool are_pinned(const RobotSpec& robot, const RigidBody& bar, const RigidBody& finger,
+                const Instants& instants) {
+  const AlignedBox3d bar_box = box_of(robot, bar, instants[0]),
+                     finger_box = box_of(robot, finger, instants[0]);
+  if (bar_box.isEmpty() || finger_box.isEmpty()) return false;
+  std::array<Pose<double>, 3> X_FB;
+  for (std::size_t k = 0; k < 3; ++k)
+    X_FB[k] = instants[k][finger.frame].inverse() * instants[k][bar.frame];
+  const Eigen::AngleAxisd turn(X_FB[0].R.transpose() * X_FB[2].R);
+  if (std::abs(turn.angle()) < kTurnOfBar) return false;
+  // The place of the bar nearest to its middle c that comes where it was: X_k b = X_0 b.
+  const Vector3d c = bar_box.center();
+  Eigen::MatrixXd equations(6, 3);
+  Eigen::VectorXd right(6);
+  for (std::size_t k = 1; k < 3; ++k) {
+    const auto row = static_cast<Eigen::Index>(3 * (k - 1));
+    equations.block<3, 3>(row, 0) = X_FB[k].R - X_FB[0].R;
+    right.segment<3>(row) = X_FB[0] * c - X_FB[k] * c;
+  }
+  Eigen::JacobiSVD<Eigen::MatrixXd> solver(equations, Eigen::ComputeThinU | Eigen::ComputeThinV);
+  solver.setThreshold(1e-6);
+  const Vector3d off = solver.solve(right);
+  if ((equations * off - right).lpNorm<Eigen::Infinity>() > kPinned) return false;
+  const Vector3d pin = c + off;
+  return bar_box.exteriorDistance(pin) < kNearPin * bar_box.diagonal().norm() &&
+         finger_box.exteriorDistance(X_FB[0] * pin) < kNearPin * finger_box.diagonal().norm();
+}
+
+/// Whether a motor alone moves a body against another on which it hangs by two joints or more.
+bool hangs_by_two(const std::vector<RigidBody>& bodies, std::size_t body, int on,
+                  const std::string& dof) {
+  int joints = 0;
+  for (int b = static_cast<int>(body); b != on; b = bodies[static_cast<std::size_t>(b)].parent) {
+    if (b < 0) return false;
+    const RobotJoint* joint = bodies[static_cast<std::size_t>(b)].joint;
+    if (joint == nullptr || joint->dof != dof) return false;
+    ++joints;
+  }
+  return joints >= 2;
+}
+
+}  // namespace
+
+std::vector<std::pair<std::string, std::string>> pinned_bars(const RobotSpec& robot) {
+  const std::vector<RigidBody> bodies = bodies_of(robot);
+  std::vector<std::pair<std::string, std::string>> pairs;
+  for (const RobotDof& dof : robot.dofs) {
+    const auto is_bar = [&](const RigidBody& body) {
+      return body.joint != nullptr && !body.carries && body.joint->dof == dof.name &&
+             body.joint->kind == RobotJointKind::kRevolute;
+    };
+    if (std::count_if(bodies.begin(), bodies.end(), is_bar) == 0) continue;
+    const Instants instants = instants_of(robot, dof);
+    for (const RigidBody& bar : bodies) {
+      if (!is_bar(bar)) continue;
+      for (std::size_t b = 1; b < bodies.size(); ++b) {
+        if (!hangs_by_two(bodies, b, bar.parent, dof.name) ||
+            !are_pinned(robot, bar, bodies[b], instants))
+          continue;
+        pairs.emplace_back(robot.links[bar.frame].name, robot.links[bodies[b].frame].name);
+        break;
+      }
+    }
+  }
+  return pairs;
+}
+
+}  // namespace thenar

@@ -1,0 +1,22 @@
+#pragma once
+
+/// Bars of four-bar linkages in robots whose files open the loop.
+
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "data/io/robot/robot.h"
+
+namespace thenar {
+
+/// Finds bars that move as if a pin held them to a finger: files without loops (URDF) let each bar
+/// of a linkage follow the motor by itself (`mimic`), so that the inner knuckle of a gripper ends
+/// its own chain as a finger does. A bar is a rigid body on a hinge that carries no other; the
+/// finger hangs by two joints or more on the body on which the bar hangs; the same motor moves
+/// both; and an axis that lies still in both, within 0.1 mm over the motor's range, passes near
+/// both.
+/// @returns a link of the bar and one of the finger, for each bar
+[[nodiscard]] std::vector<std::pair<std::string, std::string>> pinned_bars(const RobotSpec& robot);
+
+}  // namespace thenar
