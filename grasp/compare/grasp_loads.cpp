@@ -16,6 +16,8 @@ namespace {
 
 constexpr double kGravity = 9.81;  // [m/s^2]
 constexpr double kGap = 0.05;      // relative accuracy of hand_epsilon() [1]
+constexpr double kGrows = 1.5;     // ratio from which a load grows as twice the room [1]
+constexpr double kRoom = 1e-6;     // of hand_forces() that has no interior without [1]
 
 /// Unit wrenches of both signs along axes `first` .. `last`: forces 0..2, torques 3..5.
 std::vector<ScaledWrench> both_ways(int first, int last, double size) {
@@ -41,9 +43,21 @@ ExplainedLoad limited(const HandForceInputs& forces, Status status, double value
 
 /// What of a load efforts and friction bear by themselves [the load's unit]; NaN: not known.
 /// @param whole  with structure
-double active_part(const ForceSet& forces, const std::vector<ScaledWrench>& loads, double whole) {
+double active_part(const HandForceInputs& held_by, const ForceSet& forces,
+                   const std::vector<ScaledWrench>& loads, double whole) {
   if (whole == 0 || std::isnan(whole) || forces.passive_contacts.empty()) return whole;
-  const TaskMargin pressed = margin_of_loads(active_only(forces), loads);
+  TaskMargin pressed = margin_of_loads(active_only(forces), loads);
+  // Walls of which one takes all that is pressed: with room; what grows as the room is its alone.
+  if (is_undecided(pressed.status)) {
+    const auto with = [&](double room) {
+      return margin_of_loads(
+          active_only(hand_forces(held_by.set, held_by.T, held_by.actuation, room)), loads);
+    };
+    pressed = with(kRoom);
+    if (const TaskMargin more = with(2 * kRoom);
+        more.status == Status::kSolved && more.lower > kGrows * pressed.upper)
+      return 0;
+  }
   if (pressed.status == Status::kInfeasible) return 0;
   if (pressed.status != Status::kSolved) return kNaN;
   const double part = std::min(pressed.lower, whole);
@@ -105,7 +119,7 @@ GraspLoads grasp_loads(const HeldObject& held, const SceneBody& object, double m
     const TaskMargin margin = margin_of_loads(forces, list);
     const ExplainedLoad result =
         limited(held_by, margin.status, margin.lower, list, list.front().norm());
-    const double active = active_part(forces, list, result.value);
+    const double active = active_part(held_by, forces, list, result.value);
     loads.with_structure[name_of(task)] = result.value;
     loads.margin[name_of(task)] = active;
     const bool is_borne = result.reason.empty() && active == 0;

@@ -177,10 +177,11 @@ using Eigen::VectorXd;
 /// Rows over y = (x, p, v, r, s); s is absent where no coordinate off its joint limits presses.
 class Limits {
  public:
-  Limits(ForceSet forces, const JointLoads& joint_loads, const Actuation& actuation)
+  Limits(ForceSet forces, const JointLoads& joint_loads, const Actuation& actuation, double room)
       : forces_(std::move(forces)),
         joint_loads_(joint_loads),
         actuation_(actuation),
+        room_(room),
         s_(forces_.wrench.cols()) {
     // Clutches are reactions with finite limits.
     clutches_ = reactions_on(actuation.reactions, joint_loads.rows);
@@ -298,7 +299,7 @@ class Limits {
     if (count(SupportKind::kStructure) > 0)
       add_rows(forces_,
                sum_of(SupportKind::kStructure) + 2 * by_stops_ - sum_of(SupportKind::kJointLimit) -
-                   pressed_,
+                   (1 + room_) * pressed_,
                VectorXd::Zero(1));
   }
 
@@ -339,6 +340,7 @@ class Limits {
   ForceSet forces_;
   const JointLoads& joint_loads_;
   const Actuation& actuation_;
+  double room_;               // of hand_forces() [1]
   Eigen::MatrixXd clutches_;  // rows of limited reactions, zeros for others (rows, reactions)
   Index s_;                   // first of s
   RowVectorXd pressed_;       // sums the normal forces that joints off their limits press
@@ -347,8 +349,9 @@ class Limits {
 
 }  // namespace
 
-ForceSet limit_preload(ForceSet forces, const JointLoads& joint_loads, const Actuation& actuation) {
-  return Limits(std::move(forces), joint_loads, actuation).limited();
+ForceSet limit_preload(ForceSet forces, const JointLoads& joint_loads, const Actuation& actuation,
+                       double room) {
+  return Limits(std::move(forces), joint_loads, actuation, room).limited();
 }
 
 }  // namespace thenar::internal

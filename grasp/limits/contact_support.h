@@ -52,7 +52,8 @@ struct JointLoads {
 /// press. Adds variables s and the limits of hand_forces() on what joint limits and structure push
 /// back.
 /// @param forces  set of (x, p, v, r), torques in balance
+/// @param room    as of hand_forces()
 [[nodiscard]] ForceSet limit_preload(ForceSet forces, const JointLoads& joint_loads,
-                                     const Actuation& actuation);
+                                     const Actuation& actuation, double room);
 
 }  // namespace thenar::internal

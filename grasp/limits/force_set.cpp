@@ -159,7 +159,8 @@ ForceSet unit_forces(const WrenchSet& set, ForceNorm limit) {
   return forces;
 }
 
-ForceSet hand_forces(const WrenchSet& set, const MatrixXd& T, const Actuation& actuation) {
+ForceSet hand_forces(const WrenchSet& set, const MatrixXd& T, const Actuation& actuation,
+                     double room) {
   check(set, T, actuation);
   const Reactions& reactions = actuation.reactions;
   const internal::JointLoads joint_loads = internal::find_contact_support(set, T, reactions);
@@ -178,7 +179,7 @@ ForceSet hand_forces(const WrenchSet& set, const MatrixXd& T, const Actuation& a
     limit(forces, efforts + i, actuation.lower(i), actuation.upper(i), forces.effort_unit(i));
   for (Index i = 0; i < reactions.R.cols(); ++i)
     limit(forces, efforts + actuators + i, reactions.lower(i), reactions.upper(i), 1);
-  return internal::limit_preload(std::move(forces), joint_loads, actuation);
+  return internal::limit_preload(std::move(forces), joint_loads, actuation, room);
 }
 
 ForceSet active_only(ForceSet forces) {

@@ -64,11 +64,13 @@ struct ForceSet {
 /// they depend on elasticity; the set is on the safe side.
 /// @param T  joint torques of contact forces, torque_map(), coordinates from the base outwards
 ///           (coordinates, length of x) [m]
+/// @param room  share by which structure pushes back more than actuators press [1]: where one wall
+///           takes all that they do, another wall that touches leaves the set without an interior
 /// @throws InputError if shapes disagree, a limit is NaN, or a lower limit exceeds its upper.
 /// Source: [Murray1994] section 5.5 for the balance of fingers, [HaasHeger2018] for drives that
 /// support more than they press.
 [[nodiscard]] ForceSet hand_forces(const WrenchSet& set, const Eigen::MatrixXd& T,
-                                   const Actuation& actuation);
+                                   const Actuation& actuation, double room = 0);
 
 /// The same set without passive forces p: active forces, and what pushes back against them.
 [[nodiscard]] ForceSet active_only(ForceSet forces);
