@@ -51,10 +51,6 @@ ComparedHand to_compare(const NamedHand& named) {
   hand.contact = named.contact;
   hand.rates = named.rates;
   hand.warnings = named.warnings;
-  if (named.hand->layout().tips.size() == 1)
-    hand.warnings.emplace_back(
-        "its only digit closes on what is fixed, to which no drawn approach brings the object: it "
-        "holds more often than is counted here");
   if (named.targets.empty()) return hand;
   const SkinLandmark& thumb = pad_of(named.patches, "thumb");
   hand.thumb = {"thumb", thumb.link, thumb.p, 0};

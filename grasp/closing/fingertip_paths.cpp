@@ -53,6 +53,9 @@ Eigen::Vector3d closing_axis(const std::vector<Eigen::Matrix3Xd>& tips,
 
 double tips_ahead(const FingertipPaths& ways, const PalmApproach& approach, double width) {
   double least = kInfinity, ahead = -kInfinity;
+  // An only tip closes on what is fixed.
+  if (ways.tips.back().cols() == 1)
+    return approach.direction.dot(ways.tips.back().col(0) - approach.point);
   // The tips come together until they are as near as the width.
   for (const Eigen::Matrix3Xd& tips : ways.tips) {
     if (tips.cols() == 0) continue;

@@ -27,8 +27,8 @@ struct FingertipPaths {
                                            const Eigen::Vector3d& approach);
 
 /// Mean distance of the tips ahead of the point of approach, at the first time at which they are no
-/// farther apart along the closing axis than `width`, or as near as they come [m]; -infinity for a
-/// hand without tips.
+/// farther apart along the closing axis than `width`, or as near as they come [m]; of an only tip,
+/// where it is closed; -infinity for a hand without tips.
 [[nodiscard]] double tips_ahead(const FingertipPaths& ways, const PalmApproach& approach,
                                 double width);
 

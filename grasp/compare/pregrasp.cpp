@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
+#include <optional>
 #include <random>
 #include <set>
 #include <string>
@@ -32,6 +34,26 @@ std::set<std::string> digits_of(const Hand& hand, const std::vector<HandContact>
   return digits;
 }
 
+std::set<std::string> tips_of(const Hand& hand, const std::vector<HandContact>& contacts) {
+  const auto depth = [&](const LinkSurface& surface) {
+    int joints = 0;
+    for (int link = surface.link; link >= 0;
+         link = hand.layout().parents[static_cast<std::size_t>(link)])
+      ++joints;
+    return joints;
+  };
+  std::map<std::string, int> outermost;
+  for (const LinkSurface& surface : hand.surfaces())
+    outermost[surface.digit] = std::max(outermost[surface.digit], depth(surface));
+  std::set<std::string> tips;
+  for (const HandContact& contact : contacts) {
+    const LinkSurface& surface = hand.surfaces()[static_cast<std::size_t>(contact.surface)];
+    if (!surface.digit.empty() && depth(surface) == outermost[surface.digit])
+      tips.insert(surface.digit);
+  }
+  return tips;
+}
+
 Pregrasp sample_pregrasp(const CollisionHand& hand, const SceneBody& object, unsigned seed,
                          int number) {
   // Two streams, so that a posture with more draws changes no pose.
@@ -54,8 +76,11 @@ Grasp attempt_grasp(const CollisionHand& hand, const Pregrasp& pregrasp, const S
 
 namespace {
 
-constexpr double kAcross = 0.2;    // smallest sine of the angle between push and approach [1]
-constexpr int kMaxGapSteps = 200;  // of conservative advancement across the clearance
+constexpr double kAcross = 0.2;      // smallest sine of the angle between push and approach [1]
+constexpr int kMaxGapSteps = 200;    // of conservative advancement across the clearance
+constexpr double kLongestSlide = 4;  // way of the object to another jaw, over its radius [1]
+constexpr double kLongestPush = 12;  // to what stands still, over its radius [1]
+constexpr double kWallStep = 0.02;   // on that way, over its radius [1]
 
 /// Surfaces of other digits that the coordinate moves, too.
 std::vector<int> mirrored(const CollisionHand& hand, int coordinate, const std::string& digit) {
@@ -67,17 +92,34 @@ std::vector<int> mirrored(const CollisionHand& hand, int coordinate, const std::
   return others;
 }
 
+/// Surfaces of an only digit's hand that stand still: one of them may be a fixed jaw.
+std::vector<int> fixed(const CollisionHand& hand, const ClosingDrives& drives) {
+  std::vector<int> still;
+  if (hand.hand->layout().tips.size() != 1) return still;
+  const Eigen::VectorXd rates = drives.rates();
+  for (int s = 0; s < static_cast<int>(hand.hand->surfaces().size()); ++s) {
+    bool moves = false;
+    for (int j = 0; j < static_cast<int>(rates.size()); ++j)
+      moves = moves || (rates[j] != 0 && hand.moved_by(s, j));
+    if (!moves) still.push_back(s);
+  }
+  return still;
+}
+
 /// Push of one digit on the object, and the surfaces that wait on its other side.
 struct Push {
   Eigen::Vector3d along_W{0, 0, 0};  // unit; zero: no digit pushes alone (3)
   std::vector<int> others;           // surfaces
+  bool fixed = false;                // whether these stand still
 };
 
 Push find_push(const CollisionHand& hand, const Grasp& grasp) {
   const std::set<std::string> digits = digits_of(*hand.hand, grasp.contacts);
   // Only a single digit pushes the object aside.
   if (digits.size() != 1) return {};
-  const Eigen::VectorXd rates = ClosingDrives(hand.hand->layout()).rates();
+  const ClosingDrives drives(hand.hand->layout());
+  const Eigen::VectorXd rates = drives.rates();
+  const std::vector<int> still = fixed(hand, drives);
   for (const HandContact& contact : grasp.contacts) {
     const LinkSurface& surface = hand.hand->surfaces()[contact.surface];
     if (surface.digit.empty() || surface.link < 0) continue;
@@ -85,6 +127,10 @@ Push find_push(const CollisionHand& hand, const Grasp& grasp) {
     for (int j = 0; j < static_cast<int>(rates.size()); ++j) {
       if (rates[j] == 0 || !hand.moved_by(contact.surface, j)) continue;
       Push push{{0, 0, 0}, mirrored(hand, j, surface.digit)};
+      if (push.others.empty()) {
+        push.others = still;
+        push.fixed = true;
+      }
       if (push.others.empty()) continue;
       // The object slides as the digit moves, across the approach.
       const Eigen::Vector3d middle = hand.trees[contact.surface].nodes[0].ball.c;
@@ -105,7 +151,7 @@ Push find_push(const CollisionHand& hand, const Grasp& grasp) {
 double way_across(const CollisionHand& hand, const Grasp& grasp, const Push& push,
                   const Scene& scene, double accuracy) {
   PosedCollisionHand posed{hand, grasp.approached.X_WH, hand.hand->pose(grasp.closed.q)};
-  const double most = 4 * scene.object.torque_scale;
+  const double most = kLongestSlide * scene.object.torque_scale;
   double way = 0;
   for (int step = 0; step < kMaxGapSteps && way < most; ++step) {
     // Half of the smallest clearance is always safe to slide.
@@ -122,6 +168,36 @@ double way_across(const CollisionHand& hand, const Grasp& grasp, const Push& pus
   return most;
 }
 
+/// Distance that the object slides until it would overlap a body or the hand; none [m].
+std::optional<double> way_to_wall(const CollisionHand& hand, const Grasp& grasp, const Push& push,
+                                  const Scene& scene, double accuracy) {
+  PosedCollisionHand posed{hand, {}, hand.hand->pose(grasp.closed.q)};
+  const auto overlaps = [&](double way) {
+    posed.X_WH = grasp.approached.X_WH;
+    posed.X_WH.p -= way * push.along_W;
+    return !find_overlaps(posed, scene, accuracy).empty();
+  };
+  // Steps until it does, then halves of the last.
+  const double step = kWallStep * scene.object.torque_scale;
+  const double end = kLongestPush * scene.object.torque_scale;
+  double most = step;
+  while (most < end && !overlaps(most)) most += step;
+  if (most >= end) return std::nullopt;
+  double least = most - step;
+  while (most - least > accuracy / 4)
+    (overlaps((least + most) / 2) ? most : least) = (least + most) / 2;
+  return least;
+}
+
+/// Whether a surface that stands still pushes against the push.
+bool holds_against(const Push& push, const Grasp& grasp, const SceneBody& object) {
+  return std::any_of(grasp.contacts.begin(), grasp.contacts.end(), [&](const HandContact& each) {
+    const bool still =
+        std::find(push.others.begin(), push.others.end(), each.surface) != push.others.end();
+    return still && (object.X_WB.R * each.contact.n).dot(push.along_W) < -kAcross;
+  });
+}
+
 }  // namespace
 
 Grasp centred_grasp(const CollisionHand& hand, const Pose<double>& X_WH, const Eigen::VectorXd& q,
@@ -131,28 +207,38 @@ Grasp centred_grasp(const CollisionHand& hand, const Pose<double>& X_WH, const E
   if (first.outcome != GraspOutcome::kGrasped) return first;
   const Push push = find_push(hand, first);
   if (push.others.empty() || push.along_W.isZero(0)) return first;
-  const double way = way_across(hand, first, push, scene, options.close.accuracy);
-  if (way >= 4 * scene.object.torque_scale) return first;
 
   // Close again from where the hand stopped, shifted against the push.
-  GraspOptions there = options;
-  there.approach_distance = 0;
+  const auto shifted = [&](double way) {
+    GraspOptions there = options;
+    there.approach_distance = 0;
+    Pose<double> X_shifted = first.approached.X_WH;
+    X_shifted.p -= way * push.along_W;
+    Grasp second = grasp(hand, X_shifted, first.closed.q, scene, there);
+    second.approached = first.approached;
+    second.approached.X_WH = X_shifted;
+    return second;
+  };
+  if (push.fixed) {
+    // The object rests on what stands still, and the digit follows.
+    if (holds_against(push, first, scene.object)) return first;
+    const std::optional<double> way = way_to_wall(hand, first, push, scene, options.close.accuracy);
+    if (!way) return first;
+    Grasp second = shifted(*way);
+    const bool both = !digits_of(*hand.hand, second.contacts).empty();
+    return both && holds_against(push, second, scene.object) ? second : first;
+  }
+  const double way = way_across(hand, first, push, scene, options.close.accuracy);
+  if (way >= kLongestSlide * scene.object.torque_scale) return first;
   const std::set<std::string> pushing = digits_of(*hand.hand, first.contacts);
   // Jaws that move equally fast meet at half the distance; others are found by bisection.
   double least = 0, most = way;
   while (most - least > options.close.accuracy / 2) {
-    Pose<double> X_shifted = first.approached.X_WH;
-    X_shifted.p -= (least + most) / 2 * push.along_W;
-    Grasp second = grasp(hand, X_shifted, first.closed.q, scene, there);
+    Grasp second = shifted((least + most) / 2);
     const std::set<std::string> digits = digits_of(*hand.hand, second.contacts);
+    if (digits.size() >= 2) return second;
     // The same digit alone: shift more; another digit alone: shift less.
-    if (digits.size() < 2) {
-      (digits == pushing ? least : most) = (least + most) / 2;
-      continue;
-    }
-    second.approached = first.approached;
-    second.approached.X_WH = X_shifted;
-    return second;
+    (digits == pushing ? least : most) = (least + most) / 2;
   }
   return first;
 }
