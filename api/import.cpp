@@ -309,7 +309,7 @@ RobotSpec with_guesses(const RobotSpec& robot) {
     RobotSpec guessed = graspable(robot);
     const std::size_t digits = digits_in(guessed).size();
     const bool one_jaw = digits == 1 && robot.dofs.size() == 1;
-    if (digits > 1 || (one_jaw && infer_closing(guessed, {true, true}).facing)) return guessed;
+    if (digits > 1 || (one_jaw && infer_closing(guessed, {true, false}).facing)) return guessed;
     if (one_jaw)
       kept.warnings.emplace_back(
           "how it grasps is not guessed: its only digit holds no ball against what is fixed");

@@ -15,7 +15,7 @@ using Eigen::VectorXd;
 // Least cosine of the approach to the direction from the palm to half-closed ends [1].
 constexpr double kNearAhead = 0.96;
 constexpr double kTwoHinges = 1e-3;  // least distance of hinges that are two [m]
-constexpr double kBeside = 3e-4;     // of a ball from the face that it comes down beside [m]
+constexpr int kOpenings = 20;        // postures between closed and open that are looked at
 constexpr double kNoSpin = 1e-9;     // rotation per unit of a drive that counts as none [1]
 
 /// Rotation whose third column is a direction, and whose first is across it, near `side`. (3, 3)
@@ -179,37 +179,71 @@ Vector3d DigitMotion::last_way(std::size_t option, const VectorXd& q) const {
   return sum.norm() > kNoSpin ? Vector3d(sum.normalized()) : Vector3d::Zero();
 }
 
-std::optional<PalmApproach> DigitMotion::beside_fixed_jaw(std::size_t option, double radius) const {
-  const VectorXd q = closed(option);
+/// Direction of a jaw, the only digit, across the way in which it closes.
+struct DigitMotion::JawWay {
+  Vector3d direction;  // unit (3)
+  bool faced;          // whether a face of the palm is near it
+};
+
+/// From the palm to the end, as approach_near(); none: one lies in the way of the other.
+std::optional<DigitMotion::JawWay> DigitMotion::jaw_way(std::size_t option,
+                                                        const VectorXd& q) const {
   const std::vector<Pose<double>> links = grip_.hand().pose(q);
   const Digit& digit = digits_.front();
   const Vector3d way = last_way(option, q);
   const Matrix3Xd palm = points_of(palm_surfaces(), links), end = points_of({digit.last}, links);
   if (palm.cols() == 0 || way.isZero(0)) return {};
-  // From the palm to the closed end, across the way in which it closes.
   const Vector3d middle = (palm.rowwise().minCoeff() + palm.rowwise().maxCoeff()) / 2;
   const Vector3d inner = (end.rowwise().minCoeff() + end.rowwise().maxCoeff()) / 2;
-  if ((inner - middle).cross(way).norm() < 1e-6) return {};  // one lies in the way of the other
+  if ((inner - middle).cross(way).norm() < 1e-6) return {};
   const Vector3d rough = across(inner - middle, way);
-  PalmApproach approach;
-  approach.direction = without_rounding(
-      approach_near(rough, option, find_closing_axes(closing_axes(digit, option, q)), links));
+  const ClosingAxes axes = find_closing_axes(closing_axes(digit, option, q));
+  const auto face =
+      facing_direction(faces_of(palm_surfaces(), links), rough, kNearAhead, axes.line);
+  return JawWay{without_rounding(approach_near(rough, option, axes, links)), face.has_value()};
+}
+
+std::optional<FixedJaw> DigitMotion::fixed_jaw(std::size_t option, const VectorXd& open) const {
+  // Closed, or, where a jaw could close beyond the fixed one, as far as it lies along a face of it.
+  const VectorXd shut = closed(option);
+  VectorXd q = shut;
+  std::optional<JawWay> way = jaw_way(option, q);
+  if (!way) return {};
+  for (int k = 1; k <= kOpenings && !way->faced; ++k) {
+    const VectorXd other = shut + (open - shut) * k / kOpenings;
+    if (const auto there = jaw_way(option, other); there && there->faced) q = other, way = there;
+  }
+  const Vector3d direction = way->direction;
+  const std::vector<Pose<double>> links = grip_.hand().pose(q);
+  const Matrix3Xd palm = points_of(palm_surfaces(), links),
+                  end = points_of({digits_.front().last}, links);
   // The face of the palm before the outer half of the end.
-  const Vector3d out = across(-way, approach.direction), side = approach.direction.cross(out);
-  const Eigen::RowVectorXd along_end = approach.direction.transpose() * end,
+  const Vector3d out = across(-last_way(option, q), direction), side = direction.cross(out);
+  const Eigen::RowVectorXd along_end = direction.transpose() * end,
                            beside_end = side.transpose() * end;
   const double half = (along_end.minCoeff() + along_end.maxCoeff()) / 2;
   double face = -kInfinity;
   for (const auto& p : palm.colwise())
-    if (const double along = approach.direction.dot(p), beside = side.dot(p);
-        along >= half && along <= along_end.maxCoeff() && beside >= beside_end.minCoeff() &&
+    if (const double ahead = direction.dot(p), beside = side.dot(p);
+        ahead >= half && ahead <= along_end.maxCoeff() && beside >= beside_end.minCoeff() &&
         beside <= beside_end.maxCoeff())
       face = std::max(face, out.dot(p));
   if (face == -kInfinity) return {};
-  approach.point = approach.direction * (approach.direction.transpose() * palm).maxCoeff() +
-                   out * (face + radius + kBeside) +
-                   side * (beside_end.minCoeff() + beside_end.maxCoeff()) / 2;
-  return approach;
+  // The outer half of the open jaw; all of one that slides.
+  const Matrix3Xd away = points_of({digits_.front().last}, grip_.hand().pose(open));
+  const Eigen::RowVectorXd lever = (away.colwise() - digits_.front().root).colwise().norm();
+  double nearest = kInfinity;
+  for (Eigen::Index i = 0; i < away.cols(); ++i)
+    if (slides_only(digits_.front(), option) ||
+        lever[i] >= (lever.minCoeff() + lever.maxCoeff()) / 2)
+      nearest = std::min(nearest, out.dot(away.col(i)) - face);
+  FixedJaw jaw;
+  jaw.direction = direction;
+  jaw.out = out;
+  jaw.face = direction * (direction.transpose() * palm).maxCoeff() + out * face +
+             side * (beside_end.minCoeff() + beside_end.maxCoeff()) / 2;
+  jaw.opening = std::max(nearest, 0.0);
+  return jaw;
 }
 
 }  // namespace thenar

@@ -26,6 +26,14 @@ struct DigitRoles {
   double length = 0;                //   their mean length [m]
 };
 
+/// A part of the palm on which an only digit closes.
+struct FixedJaw {
+  Eigen::Vector3d direction{0, 0, 1};  // of approach: along both jaws, unit (3)
+  Eigen::Vector3d out{1, 0, 0};        // from it to the open jaw, unit (3)
+  Eigen::Vector3d face{0, 0, 0};       // on its face, at the palm's end [m] (3)
+  double opening = 0;                  // from the face to the outer half of the open jaw [m]
+};
+
 /// How the drives of a hand move its digits. Constant once built; the grasp must outlive it.
 class DigitMotion {
  public:
@@ -47,12 +55,10 @@ class DigitMotion {
   /// Approach from the end of the palm's box, from its centre to the half-closed ends: across the
   /// axes about which digits close, and along flat faces of jaws that slide or of the palm.
   [[nodiscard]] PalmApproach ahead(std::size_t option) const;
-  /// Approach of a jaw, the only digit, that closes on a part of the palm: along both where they
-  /// are closed, so that a ball comes down beside the fixed one and touches it. None: it meets no
-  /// part of the palm.
-  /// @param radius  of the ball [m]
-  [[nodiscard]] std::optional<PalmApproach> beside_fixed_jaw(std::size_t option,
-                                                             double radius) const;
+  /// The part of the palm on which the only digit, a jaw, closes. None: it meets no part of it.
+  /// @param open  where it begins (coordinates)
+  [[nodiscard]] std::optional<FixedJaw> fixed_jaw(std::size_t option,
+                                                  const Eigen::VectorXd& open) const;
 
  private:
   struct Digit {
@@ -61,6 +67,8 @@ class DigitMotion {
     Eigen::Vector3d root, tip;        // at rest [m] (3)
     std::vector<int> curls, turns;    // drives that curl and that turn it
   };
+
+  struct JawWay;
 
   void find_digits();
   void sort_drives();
@@ -83,6 +91,7 @@ class DigitMotion {
   [[nodiscard]] Eigen::Matrix3Xd points_of(const std::vector<std::size_t>& surfaces,
                                            const std::vector<Pose<double>>& links) const;
   [[nodiscard]] Eigen::Vector3d last_way(std::size_t option, const Eigen::VectorXd& q) const;
+  [[nodiscard]] std::optional<JawWay> jaw_way(std::size_t option, const Eigen::VectorXd& q) const;
   [[nodiscard]] double from_palm(const std::vector<Pose<double>>& links) const;
   [[nodiscard]] Eigen::VectorXd open_at(std::size_t option, const Eigen::VectorXd& others,
                                         double farthest) const;

@@ -19,6 +19,7 @@ using Eigen::Matrix3Xd;
 using Eigen::Vector3d;
 using Eigen::VectorXd;
 
+constexpr double kBeside = 3e-4;   // of a ball from the fixed jaw that it comes down beside [m]
 constexpr double kBall = 0.035;    // radius of the ball for hands of human size [m]
 constexpr double kOfReach = 0.35;  // its radius by the length of a finger, for other hands [1]
 constexpr double kHumanSize[] = {0.5, 2};  // range of human size, by kBall [1]
@@ -91,7 +92,7 @@ class ClosingSearch {
     const DigitRoles roles = motion_.roles(option);
     const std::vector<VectorXd> opens = motion_.openings(option, roles, known_.closing);
     // Every approach with every opening.
-    for (const Ways& ways : ways_of(option, roles))
+    for (const Ways& ways : ways_of(option, roles, opens.front()))
       for (const VectorXd& open : opens) {
         const std::vector<Pose<double>> links = grip_.hand().pose(open);
         for (const Vector3d& origin : ways.origins) {
@@ -103,14 +104,16 @@ class ClosingSearch {
       }
   }
 
-  [[nodiscard]] std::vector<Ways> ways_of(std::size_t option, const DigitRoles& roles) const {
+  [[nodiscard]] std::vector<Ways> ways_of(std::size_t option, const DigitRoles& roles,
+                                          const VectorXd& open) const {
     const RobotApproach& stated = robot_.approach;
     // A stated approach is the only one.
     if (known_.approach) return {{stated.direction, {stated.point}}};
     std::vector<Ways> ways;
+    // A ball that comes down beside a fixed jaw touches it.
     if (motion_.digits().size() == 1)
-      if (const auto beside = motion_.beside_fixed_jaw(option, ball_))
-        return {{beside->direction, {beside->point}}};
+      if (const auto jaw = motion_.fixed_jaw(option, open))
+        return {{jaw->direction, {jaw->face + (ball_ + kBeside) * jaw->out}}};
     const PalmApproach ahead = motion_.ahead(option);
     // Towards the ends where digits stand round a palm; along the normal of a row of fingers.
     if (!roles.palm || !roles.row) ways.push_back({ahead.direction, {ahead.point}});
@@ -212,7 +215,7 @@ class ClosingSearch {
   [[nodiscard]] InferredClosing guess_of(const Candidate& best) const {
     InferredClosing guess{robot_, ball_, {}, {}, {}, {}, {}};
     guess.facing = faces(best) && (motion_.digits().size() > 1 ||
-                                   motion_.beside_fixed_jaw(best.option, ball_).has_value());
+                                   motion_.fixed_jaw(best.option, best.open).has_value());
     const DigitRoles roles = motion_.roles(best.option);
     if (const std::vector<std::string> thumbs = opposed(roles); roles.row && thumbs.size() == 1)
       guess.thumb = thumbs.front();
@@ -236,6 +239,10 @@ class ClosingSearch {
       const PalmApproach ahead = motion_.ahead(best.option);
       if (!roles.palm || (best.origin == ahead.point && best.direction == ahead.direction))
         guess.robot.approach.point = best.origin;
+      // Objects of any size come down between two jaws, of which one is fixed.
+      if (motion_.digits().size() == 1)
+        if (const auto jaw = motion_.fixed_jaw(best.option, best.open))
+          guess.robot.approach.point = jaw->face + jaw->opening / 2 * jaw->out;
     }
     if (!known_.closing) write_motors(guess, drives, best.open);
     return guess;

@@ -269,6 +269,16 @@ TEST(GuessClosing, ClosesAJawOnAFixedOne) {
     }
 }
 
+// Things come down in the middle of the aperture: the fixed jaw's face is where the other began.
+TEST(GuessClosing, GoesBetweenAJawAndAFixedOne) {
+  for (const double aperture : {0.05, 0.09, 0.14})
+    for (const bool begins_open : {true, false}) {
+      const RobotSpec robot = graspable(one_jaw(jaws(aperture, begins_open, true)));
+      EXPECT_NEAR(robot.approach.direction.z(), 1, 1e-9) << aperture;
+      EXPECT_NEAR(robot.approach.point.y(), begins_open ? 0 : aperture / 4, 1e-3) << aperture;
+    }
+}
+
 /// The same jaws with value 0 in the middle of their ranges.
 RobotSpec from_the_middle(RobotSpec robot) {
   for (std::size_t i = 0; i < robot.joints.size(); ++i) {
