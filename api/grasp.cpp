@@ -95,11 +95,23 @@ Grasp grasp_from(const GraspResult& result, const Pregrasp& start) {
   return found;
 }
 
-/// How much a grasp is one: 2 in force closure, 1 if two digits touch the object, else 0.
-int standing_of(const Hand& hand, const Grasp& grasp) {
-  if (grasp.outcome != GraspOutcome::kGrasped) return 0;
-  if (grasp.quality.force_closure) return 2;
-  return digits_of(hand, grasp.contacts).size() > 1 ? 1 : 0;
+/// How much a grasp is one, least first.
+enum class Standing {
+  kNothing,
+  kTouched,        // by two digits
+  kHeld,           // between two hard points
+  kHeldByInner,    // in force closure by links that are no fingertips
+  kHeldByAllTips,  // between two hard points, by every fingertip there is
+  kHeldByTips      // in force closure
+};
+
+Standing standing_of(const Hand& hand, const Grasp& grasp) {
+  if (grasp.outcome != GraspOutcome::kGrasped) return Standing::kNothing;
+  const std::size_t tips = tips_of(hand, grasp.contacts).size();
+  if (grasp.quality.force_closure) return tips > 0 ? Standing::kHeldByTips : Standing::kHeldByInner;
+  if (is_held_between_two(grasp.contacts))
+    return tips == hand.layout().tips.size() ? Standing::kHeldByAllTips : Standing::kHeld;
+  return digits_of(hand, grasp.contacts).size() > 1 ? Standing::kTouched : Standing::kNothing;
 }
 
 /// A start and what came of it.
@@ -108,19 +120,20 @@ struct TriedStart {
   Grasp grasp;
 };
 
-/// The grasp from the palm, or, where that holds nothing, from farther off: fingers that are
-/// coupled stop as soon as their first link touches, and short ones reach round nothing.
+/// The grasp from the palm, or, where that holds nothing by fingertips, from farther off if it does
+/// there: fingers that are coupled stop as soon as their first link touches, and short ones reach
+/// round nothing.
 TriedStart own_or_off(const GraspResult& result, const Pregrasp& own) {
   const Hand& hand = *result.collision_hand.hand;
   TriedStart best{own, grasp_from(result, own)};
   if (!best.grasp.approached.touches) return best;
-  int standing = standing_of(hand, best.grasp);
+  Standing standing = standing_of(hand, best.grasp);
   for (const double share : {0.25, 0.5, 0.75, 1.0}) {
-    if (standing == 2) break;
+    if (standing == Standing::kHeldByTips) break;
     Pregrasp off = own;
     off.stand_off = share;
     Grasp found = grasp_from(result, off);
-    const int here = standing_of(hand, found);
+    const Standing here = standing_of(hand, found);
     if (here > standing) best = {off, std::move(found)}, standing = here;
   }
   return best;
@@ -291,10 +304,11 @@ std::vector<std::string> grasp_warnings(const GraspResult& result) {
   if (const std::string own = own_overlap_words(result.grasp.closed); !own.empty())
     warnings.insert(warnings.begin(), own);
   if (result.best < 0 && result.start.stand_off > 0)
-    warnings.push_back(fmt::format(
-        "with the palm on the object it was not held: the hand moved back before it closed, by "
-        "{:.0f} % of the way to where its tips still close beyond the object's centre",
-        100 * result.start.stand_off));
+    warnings.push_back(
+        fmt::format("with the palm on the object no fingertip held it: the hand moved back before "
+                    "it closed, by "
+                    "{:.0f} % of the way to where its tips still close beyond the object's centre",
+                    100 * result.start.stand_off));
   if (thumb_is_idle(*hand.hand, result.grasp))
     warnings.emplace_back("the thumb touches nothing: fingers hold the object against the palm");
   return warnings;

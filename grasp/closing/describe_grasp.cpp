@@ -21,19 +21,6 @@ std::string large_parts(const ScaledWrench& vector, const char* along, const cha
   return fmt::format("{}", fmt::join(parts, ", "));
 }
 
-/// Whether two hard points press on each other within friction: they resist every load but a torque
-/// about the line through them (both friction cones have this line: Nguyen's condition).
-bool is_held_between_two(const std::vector<HandContact>& contacts) {
-  if (contacts.size() != 2) return false;
-  const Contact &a = contacts[0].contact, &b = contacts[1].contact;
-  const Eigen::Vector3d line = (b.p - a.p).normalized();
-  const auto within = [](const Contact& contact, const Eigen::Vector3d& along) {
-    const double cosine = contact.n.dot(along);
-    return cosine > 0 && contact.n.cross(along).norm() < contact.friction * cosine;
-  };
-  return a.torsion == 0 && b.torsion == 0 && within(a, line) && within(b, -line);
-}
-
 }  // namespace
 
 std::string direction_words(const ScaledWrench& wrench) {
@@ -57,6 +44,17 @@ std::string own_overlap_words(const ClosedHand& closed) {
   if (closed.self_overlaps.empty()) return "";
   return "links of the hand begin in each other, and do not stop each other: " +
          overlap_words(closed.self_overlaps);
+}
+
+bool is_held_between_two(const std::vector<HandContact>& contacts) {
+  if (contacts.size() != 2) return false;
+  const Contact &a = contacts[0].contact, &b = contacts[1].contact;
+  const Eigen::Vector3d line = (b.p - a.p).normalized();
+  const auto within = [](const Contact& contact, const Eigen::Vector3d& along) {
+    const double cosine = contact.n.dot(along);
+    return cosine > 0 && contact.n.cross(along).norm() < contact.friction * cosine;
+  };
+  return a.torsion == 0 && b.torsion == 0 && within(a, line) && within(b, -line);
 }
 
 std::string outcome_words(const Grasp& grasp) {

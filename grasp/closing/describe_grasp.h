@@ -16,6 +16,10 @@ namespace thenar {
 /// The same of a motion: "along -z, turning about +x".
 [[nodiscard]] std::string motion_words(const ScaledWrench& motion);
 
+/// Whether two hard points press on each other within friction: they resist every load but a torque
+/// about the line through them (both friction cones have this line: Nguyen's condition).
+[[nodiscard]] bool is_held_between_two(const std::vector<HandContact>& contacts);
+
 /// "grasped: 12 contacts, force closure", "the hand begins in something: DP2 is 3.2 mm in table"..
 [[nodiscard]] std::string outcome_words(const Grasp& grasp);
 

@@ -10,7 +10,10 @@
 
 #include "base/error.h"
 #include "base/file_io.h"
+#include "data/io/robot/urdf.h"
+#include "grasp/compare/pregrasp.h"
 #include "tests/data_folder.h"
+#include "tests/grasp/four_bars.h"
 #include "tests/temporary_folder.h"
 
 namespace thenar {
@@ -58,17 +61,19 @@ TEST(GraspInWorld, CountsEveryStart) {
   }
 }
 
+const std::string kShipped = std::string(kData) + "/robots/robotiq_2f85.toml";
+
 /// A gripper whose jaws are longer than the ball is thick, over it.
 class GraspOffThePalm : public TemporaryFolder {
  protected:
-  [[nodiscard]] GraspResult of_ball(double radius_mm) const {
+  [[nodiscard]] GraspResult of_ball(double radius_mm, const std::string& hand = kShipped) const {
     write_file(
         path("world.toml"),
         fmt::format("name = 'w'\nsource = 'S'\n[sources]\nS = 'made up'\n[[hand]]\nname = 'h'\n"
-                    "file = '{}/robots/robotiq_2f85.toml'\n[[body]]\nrole = 'object'\n"
+                    "file = '{}'\n[[body]]\nrole = 'object'\n"
                     "name = 'ball'\nmaterial = 'wood'\nposition_mm = [0, 0, 300]\n"
                     "[[body.shape]]\nkind = 'sphere'\nsize_mm = [{}]\n",
-                    kData, radius_mm));
+                    hand, radius_mm));
     GraspRequest request;
     request.world.world = path("world.toml");
     request.world.data = kData;
@@ -92,6 +97,15 @@ TEST_F(GraspOffThePalm, BringsBothPadsToASmallBall) {
                                    std::string::npos;
                           }),
             1);
+}
+
+// Bars of a linkage close on a ball that lies on the palm, but fingers are there to hold it.
+TEST_F(GraspOffThePalm, HoldsByFingersWhatBarsWouldHold) {
+  (void)write_urdf(path("bars.urdf"), sample::four_bars(0));
+  for (const double radius : {8.0, 12.0, 20.0}) {
+    const GraspResult found = of_ball(radius, path("bars.urdf"));
+    EXPECT_EQ(tips_of(*found.collision_hand.hand, found.grasp.contacts).size(), 2U) << radius;
+  }
 }
 
 TEST_F(GraspOffThePalm, StaysOnThePalmWhereItHolds) { EXPECT_EQ(of_ball(35).start.stand_off, 0); }
