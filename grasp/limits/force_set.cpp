@@ -5,12 +5,17 @@
 #include <map>
 #include <utility>
 
+#include <Eigen/Eigenvalues>
+
 #include "base/error.h"
 #include "grasp/limits/contact_support.h"
 #include "grasp/limits/joint_limits.h"
 
 namespace thenar {
 namespace {
+
+constexpr double kNoWrench = 1e-14;  // square of what counts as none, over the largest [1]
+constexpr double kSurePlace = 1e-4;  // of contacts, over the torque scale [1]
 
 using Eigen::Index;
 using Eigen::MatrixXd;
@@ -180,6 +185,19 @@ ForceSet hand_forces(const WrenchSet& set, const MatrixXd& T, const Actuation& a
   for (Index i = 0; i < reactions.R.cols(); ++i)
     limit(forces, efforts + actuators + i, reactions.lower(i), reactions.upper(i), 1);
   return internal::limit_preload(std::move(forces), joint_loads, actuation, room);
+}
+
+ScaledWrench without_rounding(const ForceSet& forces, const ScaledWrench& load) {
+  // Directions of no wrench, by the squares of what there is along them.
+  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix<double, 6, 6>> axes(forces.wrench *
+                                                                        forces.wrench.transpose());
+  ScaledWrench borne = load;
+  for (Index k = 0; k < 6; ++k) {
+    if (axes.eigenvalues()[k] > kNoWrench * axes.eigenvalues()[5]) break;
+    const double along = axes.eigenvectors().col(k).dot(load);
+    if (std::abs(along) <= kSurePlace * load.norm()) borne -= along * axes.eigenvectors().col(k);
+  }
+  return borne;
 }
 
 ForceSet active_only(ForceSet forces) {

@@ -72,6 +72,11 @@ struct ForceSet {
 [[nodiscard]] ForceSet hand_forces(const WrenchSet& set, const Eigen::MatrixXd& T,
                                    const Actuation& actuation, double room = 0);
 
+/// A load without what no force of a set bears, where that is at most 1e-4 of it: two points bear
+/// no torque about their line, which passes the centre of mass no nearer than places are known.
+/// @param load  torque over the scale  (6)
+[[nodiscard]] ScaledWrench without_rounding(const ForceSet& forces, const ScaledWrench& load);
+
 /// The same set without passive forces p: active forces, and what pushes back against them.
 [[nodiscard]] ForceSet active_only(ForceSet forces);
 

@@ -123,7 +123,8 @@ WrenchSupport support_along(const ForceSet& forces, const MatrixXd& rows, const 
 }
 
 WrenchSupport load_margin(const ForceSet& forces, const ScaledWrench& d) {
-  return support_along(forces, Eigen::Matrix<double, 6, 6>::Identity(), ScaledWrench::Zero(), -d);
+  return support_along(forces, Eigen::Matrix<double, 6, 6>::Identity(), ScaledWrench::Zero(),
+                       -without_rounding(forces, d));
 }
 
 }  // namespace thenar

@@ -9,6 +9,7 @@
 #include <Eigen/Geometry>
 
 #include "base/error.h"
+#include "grasp/limits/grasp_force.h"
 #include "tests/grasp/quality/pinch.h"
 #include "tests/matrix_near.h"
 #include "tests/message_of.h"
@@ -59,6 +60,27 @@ TEST(Withstood, LoadAcrossAPinchIsBoundByItsMotors) {
 TEST(Withstood, LoadAlongAPinchIsBoundByOneMotor) {
   const ForceSet hand = hand_forces(pinch(0.5, 0), pinch_torques(0.5, 0), pinch_motors(0, 6));
   EXPECT_NEAR(load_margin(hand, ScaledWrench::Unit(0)).value, 6, kSolvedLoad);
+}
+
+// The centre of mass lies beside the line of two points, as rounding has it, or a ten-thousandth of
+// the scale; farther off the object turns about the line.
+TEST(Withstood, APinchBearsWhatItsLinePassesByNoMoreThanPlacesAreKnown) {
+  for (const double off : {0.0, 1e-13, 1e-12, 1e-10, 1e-7, 1.9e-6, 1e-4}) {
+    const WrenchSet set = wrench_set(pinch_contacts(0.5, 0), {0, off, 0}, kScale);
+    const ForceSet hand = hand_forces(set, pinch_torques(0.5, 0), pinch_motors(0, 6));
+    const WrenchSupport reach = load_margin(hand, ScaledWrench::Unit(2));
+    const GraspForce least =
+        minimum_grasp_force(free_forces(set), ScaledWrench::Unit(2), GraspForceObjective::kSum);
+    if (off > 1e-4 * kScale) {
+      EXPECT_TRUE(reach.status != Status::kSolved || reach.value < kSolvedLoad) << off;
+      EXPECT_NE(least.status, Status::kSolved) << off;
+      continue;
+    }
+    ASSERT_EQ(reach.status, Status::kSolved) << off;
+    EXPECT_NEAR(reach.value, 6, 1e-6) << off;
+    ASSERT_EQ(least.status, Status::kSolved) << off;
+    EXPECT_NEAR(least.objective, 2, 1e-6) << off;
+  }
 }
 
 // A passive torque of 2 N on each slide adds to what the motors press.
