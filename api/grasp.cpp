@@ -249,6 +249,15 @@ bool thumb_is_idle(const Hand& hand, const Grasp& grasp) {
       });
 }
 
+/// Whether the object lies on what is no digit.
+bool palm_touches(const GraspResult& result) {
+  const std::vector<LinkSurface>& surfaces = result.collision_hand.hand->surfaces();
+  return std::any_of(result.grasp.contacts.begin(), result.grasp.contacts.end(),
+                     [&](const HandContact& contact) {
+                       return surfaces[static_cast<std::size_t>(contact.surface)].digit.empty();
+                     });
+}
+
 /// Loads and efforts are no better than what the hand says of its torques; empty if that is good.
 std::string torque_warning(const Hand& hand, const Grasp& grasp) {
   if (grasp.outcome != GraspOutcome::kGrasped) return "";
@@ -310,7 +319,10 @@ std::vector<std::string> grasp_warnings(const GraspResult& result) {
                     "{:.0f} % of the way to where its tips still close beyond the object's centre",
                     100 * result.start.stand_off));
   if (thumb_is_idle(*hand.hand, result.grasp))
-    warnings.emplace_back("the thumb touches nothing: fingers hold the object against the palm");
+    warnings.emplace_back(
+        result.grasp.quality.force_closure && palm_touches(result)
+            ? "the thumb touches nothing: fingers hold the object against the palm"
+            : "the thumb touches nothing");
   return warnings;
 }
 

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "data/io/world/world.h"
+#include "grasp/closing/describe_grasp.h"
 #include "grasp/compare/grasp_loads.h"
 #include "grasp/compare/grasp_type.h"
 #include "grasp/compare/pregrasp.h"
@@ -113,7 +114,10 @@ void CellWork::rank(TaskQueue& queue) {
   for (std::size_t n = 0; n < tried_.size(); ++n) {
     const Tried& tried = tried_[n];
     ++cell_.outcomes[static_cast<std::size_t>(tried.grasp.outcome)];
-    if (!tried.closes()) continue;
+    if (!tried.closes()) {
+      cell_.between_two += is_held_between_two(tried.grasp.contacts) ? 1 : 0;
+      continue;
+    }
     closed.emplace_back(tried.grasp.quality.lower, static_cast<int>(n));
     epsilon.push_back(tried.grasp.quality.lower);
     if (!std::isnan(tried.hand_epsilon)) hand_epsilon.push_back(tried.hand_epsilon);

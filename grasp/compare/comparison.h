@@ -113,6 +113,7 @@ struct HandOnObject {
   int approaches = 0;
   std::array<int, 6> outcomes{};      // number of approaches by GraspOutcome
   int closures = 0;                   // number with certified force closure
+  int between_two = 0;                // number without, held between two hard points
   double success = 0;                 // closures by approaches [1]
   ConfidenceInterval interval{0, 1};  // of the probability of success, Wilson, 95 %
   Eigen::VectorXd epsilon;            // of all closures, ascending [unit forces]

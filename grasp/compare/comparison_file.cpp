@@ -237,6 +237,7 @@ JsonNode cell_node(const HandOnObject& cell) {
       .set("approaches", cell.approaches)
       .set("outcomes", outcomes)
       .set("closures", cell.closures)
+      .set("held_between_two", cell.between_two)
       .set("success", cell.success)
       .set("success_lower", cell.interval.lower)
       .set("success_upper", cell.interval.upper)
@@ -258,6 +259,10 @@ void read_counts(const JsonNode& json, HandOnObject& cell) {
     ended += cell.outcomes[i];
   }
   cell.closures = whole(member(json, "closures"), "closures", 0, cell.approaches);
+  // Files of before do not have it.
+  const int others = std::max(0, cell.outcomes[0] - cell.closures);
+  if (const JsonNode* two = json.find("held_between_two"))
+    cell.between_two = whole(*two, "held_between_two", 0, others);
   int typed = 0;
   const JsonNode& types = member(json, "types");
   for (std::size_t i = 0; i < types.names.size(); ++i) {

@@ -246,7 +246,7 @@ std::string name_digit(const std::vector<RobotLink*>& links, std::set<std::strin
           return names_finger(lower_case(link->name), words);
         });
     // Most links of a digit carry its name, unlike the middle link of any finger.
-    if (2 * named >= static_cast<long>(links.size()) && taken.insert(finger).second) return finger;
+    if (2 * named > static_cast<long>(links.size()) && taken.insert(finger).second) return finger;
   }
   // Without a known name: the next number.
   for (std::size_t i = 1;; ++i)

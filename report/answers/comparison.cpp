@@ -210,9 +210,11 @@ std::string outcome_words(const HandOnObject& cell) {
   std::vector<std::pair<int, std::string>> ways;
   for (std::size_t i = 0; i < cell.outcomes.size(); ++i) {
     const auto outcome = static_cast<GraspOutcome>(i);
-    const int count = cell.outcomes[i] - (outcome == GraspOutcome::kGrasped ? cell.closures : 0);
+    int count = cell.outcomes[i];
+    if (outcome == GraspOutcome::kGrasped) count -= cell.closures + cell.between_two;
     if (count > 0) ways.emplace_back(count, words_of(outcome));
   }
+  if (cell.between_two > 0) ways.emplace_back(cell.between_two, "held between 2 hard points");
   std::stable_sort(ways.begin(), ways.end(),
                    [](const auto& a, const auto& b) { return a.first > b.first; });
   std::vector<std::string> parts;

@@ -176,6 +176,10 @@ TEST(CompareWords, TellHowApproachesEndedTheMostFrequentFirst) {
   cell.closures = 2;
   EXPECT_EQ(outcome_words(cell),
             "7 missed the object, 3 touched without force closure, 1 closed without touching");
+  cell.between_two = 2;
+  EXPECT_EQ(outcome_words(cell),
+            "7 missed the object, 2 held between 2 hard points, 1 touched without force closure, 1 "
+            "closed without touching");
 }
 
 TEST(CompareWords, RoundToWhatIsKnown) {
