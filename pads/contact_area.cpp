@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace thenar {
 namespace {
@@ -11,7 +12,11 @@ using Eigen::Vector3d;
 using Eigen::VectorXd;
 
 constexpr double kFacing = 0.7;  // cosine between normals of skin and object that face each other
-constexpr double kEdge = 20;     // of mu / h, the scale of pressure over gap at an edge [1]
+constexpr double kAcross =
+    0.7854;                      // mean share of a cell's side that is across an edge: pi / 4 [1]
+constexpr double kNarrow = 0.5;  // mean of ways to open nodes where these are on all sides [1]
+constexpr int kHalvings = 30;    // of the place of an edge
+constexpr double kEdge = 12;     // of mu / h, the scale of pressure over gap at an edge [1]
 
 /// Pressure of the nodes of a mesh [Pa] (nodes); of hanging ones the mean of their masters.
 VectorXd pressures_of(const HexMesh& mesh, const TissueBody& body, const ContactSurface& surface,
@@ -25,6 +30,42 @@ VectorXd pressures_of(const HexMesh& mesh, const TissueBody& body, const Contact
     for (const NodeWeight& each : mesh.masters(node))
       pressure[node] += each.weight * pressure[each.node];
   return pressure;
+}
+
+/// Where a function that falls from infinity to 0 has a value.
+template <typename Function>
+double falling_root(double value, double low, double high, const Function& f) {
+  for (int k = 0; k < kHalvings; ++k) {
+    const double middle = (low + high) / 2;
+    (f(middle) > value ? low : high) = middle;
+  }
+  return (low + high) / 2;
+}
+
+/// Where the edge of a patch lies between a node that touches and one that does not, from the first
+/// on, over their distance h, by the ratio r = E* gap / (p h). Within and beyond the edge pressure
+/// is K s^1/2 and the gap 4/3 K s^3/2 / E* at a distance s; a node's pressure is the mean over half
+/// a cell on both sides, so that it touches from -1/2 on:
+///   r(a) = 2 (1 - a)^3/2 / [(a + 1/2)^3/2 - max(0, a - 1/2)^3/2],  -1/2 < a < 1.  [1]
+double edge_place(double ratio) {
+  return falling_root(ratio, -0.5, 1, [](double a) {
+    return 2 * std::pow(1 - a, 1.5) /
+           (std::pow(a + 0.5, 1.5) - std::pow(std::max(0.0, a - 0.5), 1.5));
+  });
+}
+
+/// Half width of a patch that nodes of one row alone touch, over h, by the same ratio: a strip
+/// [-b h, b h] under a parabola, with all of its push on the row (Hertz):
+///   r(b) = 2 [(1 - b^2)^1/2 - b^2 arcosh(1 / b)] / (pi b^2),  0 < b < 1.  [1]
+double strip_place(double ratio) {
+  return falling_root(ratio, 0, 1, [](double b) {
+    return 2 * (std::sqrt(1 - b * b) - b * b * std::acosh(1 / b)) / (EIGEN_PI * b * b);
+  });
+}
+
+/// Corners of a face, each beside the next.
+std::array<int, 4> in_a_round(const HexFace& face) {
+  return {face.nodes[0], face.nodes[1], face.nodes[3], face.nodes[2]};
 }
 
 /// Shear modulus of tissue as it is stretched [Pa].
@@ -102,27 +143,63 @@ double contact_area(const HexMesh& mesh, const TissueBody& body, const std::vect
   const Matrix3Xd u = body.spread(state.x, {}), places = places_at_rest(mesh);
   const Pose<double> X_OP = state.X_PO.inverse();
   const VectorXd pressure = pressures_of(mesh, body, surface, state);
-  double area = 0;
-  for (const HexFace& face : marked_faces(mesh, skin)) {
+  const std::vector<HexFace> faces = marked_faces(mesh, skin);
+  const auto place = [&](int node) { return Vector3d(places.col(node) + u.col(node)); };
+  // Sides of faces between nodes that touch and nodes that do not.
+  struct Crossing {
+    int in, out;
+    double ratio;  // of edge_place()
+  };
+  std::vector<Crossing> crossings;
+  Matrix3Xd ways = Matrix3Xd::Zero(3, mesh.nodes());  // from a node that touches to open ones
+  VectorXd sides = VectorXd::Zero(mesh.nodes());      // their number
+  for (const HexFace& face : faces) {
+    const std::array<int, 4> corners = in_a_round(face);
+    const auto touching =
+        std::count_if(corners.begin(), corners.end(), [&](int node) { return pressure[node] > 0; });
+    if (touching == 0 || touching == 4) continue;
     const HexCell& cell = mesh.cells()[static_cast<std::size_t>(face.cell)];
-    // The face's corners in a round, and their mean.
+    const Tissue& tissue = tissues[static_cast<std::size_t>(cell.region)];
+    const double modulus =
+        2 / (1 - tissue.poisson_ratio) * modulus_of(tissue, mean_deformation(cell, places, u));
+    for (std::size_t i = 0; i < 4; ++i) {
+      const int one = corners[i], other = corners[(i + 1) % 4];
+      if ((pressure[one] > 0) == (pressure[other] > 0)) continue;
+      const int in = pressure[one] > 0 ? one : other, out = in == one ? other : one;
+      const Vector3d way = place(out) - place(in);
+      const double gap = std::max(0.0, object.shape->distance(X_OP * place(out)));
+      crossings.push_back({in, out, modulus * gap / (pressure[in] * kAcross * way.norm())});
+      ways.col(in) += way.normalized();
+      sides[in] += 1;
+    }
+  }
+  // How far inside of the patch nodes at its edge are, over the size of a face: the mean over
+  // sides.
+  std::vector<double> inside(static_cast<std::size_t>(mesh.nodes()), 0), count(inside);
+  for (const Crossing& each : crossings) {
+    // Where nodes on opposite sides are open, both edges lie beside the node.
+    const bool narrow = ways.col(each.in).norm() < kNarrow * sides[each.in];
+    const double edge = narrow ? strip_place(each.ratio) : edge_place(each.ratio);
+    for (const auto& [node, way] : {std::pair{each.in, edge}, std::pair{each.out, edge - 1}}) {
+      inside[static_cast<std::size_t>(node)] += way;
+      count[static_cast<std::size_t>(node)] += 1;
+    }
+  }
+  for (std::size_t node = 0; node < inside.size(); ++node) {
+    const bool touches = pressure[static_cast<Eigen::Index>(node)] > 0;
+    inside[node] = count[node] > 0 ? inside[node] / count[node] : touches ? 1 : -1;
+  }
+  double area = 0;
+  for (const HexFace& face : faces) {
+    // The face's corners, and their mean.
+    const std::array<int, 4> corners = in_a_round(face);
     std::array<Vector3d, 4> at;
     std::array<double, 4> value{};
     for (std::size_t i = 0; i < 4; ++i) {
-      const int node = face.nodes[i < 2 ? i : 5 - i];
-      at[i] = places.col(node) + u.col(node);
-      value[i] = pressure[node];
+      const auto node = static_cast<std::size_t>(corners[i]);
+      at[i] = place(corners[i]);
+      value[i] = inside[node];
     }
-    const double size = std::sqrt(0.5 * (at[2] - at[0]).cross(at[3] - at[1]).norm());
-    const Tissue& tissue = tissues[static_cast<std::size_t>(cell.region)];
-    const bool edge = std::any_of(value.begin(), value.end(), [](double p) { return p > 0; }) &&
-                      std::any_of(value.begin(), value.end(), [](double p) { return p <= 0; });
-    const double modulus =
-        edge ? modulus_of(tissue, mean_deformation(cell, places, u)) : tissue.shear_modulus;
-    const double scale = kEdge * modulus / size;
-    for (std::size_t i = 0; i < 4; ++i)
-      value[i] =
-          value[i] > 0 ? value[i] / scale : -std::max(0.0, object.shape->distance(X_OP * at[i]));
     const Vector3d middle = (at[0] + at[1] + at[2] + at[3]) / 4;
     const double mean = (value[0] + value[1] + value[2] + value[3]) / 4;
     // Four triangles around the mean.

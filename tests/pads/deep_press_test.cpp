@@ -16,9 +16,9 @@ namespace {
 /// The pulp of `index_pad`, or that of `index_fitted`, whose stiffness grows a thousandfold.
 Tissue pulp(TissueLaw law) {
   Tissue tissue = neo_hookean(12e3, 0.49);
-  if (law == TissueLaw::kVerondaWestmann) tissue = neo_hookean(1530, 0.499);
+  if (law == TissueLaw::kVerondaWestmann) tissue = neo_hookean(1650, 0.499);
   tissue.law = law;
-  tissue.exponent = 1.83;
+  tissue.exponent = 3.12;
   return tissue;
 }
 

@@ -4,6 +4,7 @@
 
 #include "base/error.h"
 #include "geometry/primitives.h"
+#include "pads/contact_area.h"
 #include "pads/pad_press.h"
 
 namespace thenar {
@@ -34,7 +35,7 @@ struct Slab {
       }
       mesh.refine(marked);
     }
-    std::vector<bool> floor, on_top;
+    std::vector<bool> floor;
     for (int node = 0; node < mesh.nodes(); ++node) {
       floor.push_back(mesh.place(node)[2] < 1e-9);
       on_top.push_back(mesh.place(node)[2] > size / 2 - 1e-9);
@@ -46,6 +47,7 @@ struct Slab {
   }
   HexMesh mesh;
   Vector3d top;
+  std::vector<bool> on_top;  // whether a node is (nodes)
   std::unique_ptr<TissueBody> body;
   ContactSurface surface;
   std::unique_ptr<PressFactors> factors;
@@ -89,6 +91,31 @@ TEST(PressStep, ABallInAThickSlabMeetsTheForceOfHertz) {
   EXPECT_NEAR(-out.push.force[2] / hertz, 1 + 1.133 * a / (kSize / 2), 0.01);
   EXPECT_LE(out.gap, 1e-9);
   EXPECT_LT(out.push.force.head<2>().norm(), 1e-6 * hertz);
+}
+
+// a^2 = R d (1 + 2/3 1.133 a / h) on a floor: see ContactArea.OfABallIsThatOfHertz.
+TEST(PressStep, ABallInAThickSlabTouchesTheCircleOfHertz) {
+  constexpr double kSize = 0.2, kRadius = 0.01, kNu = 0.49;
+  Slab slab(kSize, 7, 3.5e-3, kNu);
+  const RigidObject ball{build_sphere(kRadius), 0};
+  Pose<double> X;
+  X.p = slab.top + Vector3d(0, 0, kRadius);
+  PressState state = rest_state(*slab.body, slab.surface, X);
+  PressGoal goal;
+  for (int k = 1; k <= 12; ++k) {
+    const double depth = k * 0.02e-3;
+    goal.X_PO = X;
+    goal.X_PO.p[2] -= depth;
+    ASSERT_EQ(press_step(*slab.body, slab.surface, ball, goal, {}, *slab.factors, state).status,
+              Status::kSolved);
+    const double area = contact_area(slab.mesh, *slab.body, {soft_tissue(kNu)}, slab.on_top,
+                                     slab.surface, ball, state);
+    // Of a radius of 1.6 to 4 cells.
+    if (k > 1) {
+      const double floor = 2.0 / 3 * 1.133 * std::sqrt(kRadius * depth) / (kSize / 2);
+      EXPECT_NEAR(area / (kPi * kRadius * depth), 1 + floor, 0.06) << depth;
+    }
+  }
 }
 
 TEST(PressStep, FrictionStaysInItsConeAndAgainstTheSlip) {
