@@ -95,7 +95,8 @@ Grasp grasp_from(const GraspResult& result, const Pregrasp& start) {
   return found;
 }
 
-/// How much a grasp is one, least first.
+/// How much a grasp is one, least first. Who sends a gripper at a ball wants it between the tips:
+/// a pinch of all that there are goes before a force closure by inner links, such as bars.
 enum class Standing {
   kNothing,
   kTouched,        // by two digits
@@ -313,11 +314,11 @@ std::vector<std::string> grasp_warnings(const GraspResult& result) {
   if (const std::string own = own_overlap_words(result.grasp.closed); !own.empty())
     warnings.insert(warnings.begin(), own);
   if (result.best < 0 && result.start.stand_off > 0)
-    warnings.push_back(
-        fmt::format("with the palm on the object no fingertip held it: the hand moved back before "
-                    "it closed, by "
-                    "{:.0f} % of the way to where its tips still close beyond the object's centre",
-                    100 * result.start.stand_off));
+    warnings.push_back(fmt::format(
+        "with the palm on the object fingertips did not hold it: the hand moved back before "
+        "it closed, by "
+        "{:.0f} % of the way to where its tips still close beyond the object's centre",
+        100 * result.start.stand_off));
   if (thumb_is_idle(*hand.hand, result.grasp))
     warnings.emplace_back(
         result.grasp.quality.force_closure && palm_touches(result)

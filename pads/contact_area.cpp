@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <utility>
 
 namespace thenar {
 namespace {
@@ -13,10 +12,11 @@ using Eigen::VectorXd;
 
 constexpr double kFacing = 0.7;  // cosine between normals of skin and object that face each other
 constexpr double kAcross =
-    0.7854;                      // mean share of a cell's side that is across an edge: pi / 4 [1]
-constexpr double kNarrow = 0.5;  // mean of ways to open nodes where these are on all sides [1]
-constexpr int kHalvings = 30;    // of the place of an edge
-constexpr double kEdge = 12;     // of mu / h, the scale of pressure over gap at an edge [1]
+    0.7854;  // mean share of a cell's side that is across an edge: pi / 4 [1]
+constexpr double kNarrow =
+    0.5;                       // mean direction to open nodes, shorter where they are opposite [1]
+constexpr int kHalvings = 30;  // of the place of an edge
+constexpr double kEdge = 12;   // of mu / h, the scale of pressure over gap at an edge [1]
 
 /// Pressure of the nodes of a mesh [Pa] (nodes); of hanging ones the mean of their masters.
 VectorXd pressures_of(const HexMesh& mesh, const TissueBody& body, const ContactSurface& surface,
@@ -76,6 +76,72 @@ double modulus_of(const Tissue& tissue, const Eigen::Matrix3d& F) {
   return tangent_shear_modulus(tissue, response);
 }
 
+/// A side of a face between a node that touches and one that does not.
+struct Crossing {
+  int in, out;   // nodes of the mesh
+  Vector3d way;  // from the one to the other [m] (3)
+  double ratio;  // of edge_place()
+};
+
+/// Places of nodes at rest, and their displacements [m] (3, nodes).
+struct MovedNodes {
+  const Matrix3Xd &at_rest, &u;
+};
+
+std::vector<Crossing> crossings_of(const HexMesh& mesh, const std::vector<Tissue>& tissues,
+                                   const std::vector<HexFace>& faces, const MovedNodes& nodes,
+                                   const VectorXd& pressure, const RigidObject& object,
+                                   const PressState& state) {
+  const Pose<double> X_OP = state.X_PO.inverse();
+  const auto place = [&](int node) {
+    return Vector3d(nodes.at_rest.col(node) + nodes.u.col(node));
+  };
+  std::vector<Crossing> crossings;
+  for (const HexFace& face : faces) {
+    const std::array<int, 4> corners = in_a_round(face);
+    const auto touching =
+        std::count_if(corners.begin(), corners.end(), [&](int node) { return pressure[node] > 0; });
+    if (touching == 0 || touching == 4) continue;
+    const HexCell& cell = mesh.cells()[static_cast<std::size_t>(face.cell)];
+    const Tissue& tissue = tissues[static_cast<std::size_t>(cell.region)];
+    const double modulus = 2 / (1 - tissue.poisson_ratio) *
+                           modulus_of(tissue, mean_deformation(cell, nodes.at_rest, nodes.u));
+    for (std::size_t i = 0; i < 4; ++i) {
+      const int one = corners[i], other = corners[(i + 1) % 4];
+      if ((pressure[one] > 0) == (pressure[other] > 0)) continue;
+      const int in = pressure[one] > 0 ? one : other, out = in == one ? other : one;
+      const Vector3d way = place(out) - place(in);
+      const double gap = std::max(0.0, object.shape->distance(X_OP * place(out)));
+      crossings.push_back({in, out, way, modulus * gap / (pressure[in] * kAcross * way.norm())});
+    }
+  }
+  return crossings;
+}
+
+/// How far inside of the patch each node is, over the size of a face: the mean over its crossings.
+/// @param pressure  (nodes)
+std::vector<double> inside_of(const std::vector<Crossing>& crossings, const VectorXd& pressure) {
+  // Mean direction from a node that touches to those that do not.
+  Matrix3Xd direction = Matrix3Xd::Zero(3, pressure.size());
+  VectorXd count = VectorXd::Zero(pressure.size());
+  for (const Crossing& each : crossings) {
+    direction.col(each.in) += each.way.normalized();
+    count[each.in] += 1;
+    count[each.out] += 1;
+  }
+  std::vector<double> inside(static_cast<std::size_t>(pressure.size()), 0);
+  for (const Crossing& each : crossings) {
+    // Where nodes on opposite sides are open, both edges lie beside the node.
+    const bool narrow = direction.col(each.in).norm() < kNarrow * count[each.in];
+    const double edge = narrow ? strip_place(each.ratio) : edge_place(each.ratio);
+    inside[static_cast<std::size_t>(each.in)] += edge / count[each.in];
+    inside[static_cast<std::size_t>(each.out)] += (edge - 1) / count[each.out];
+  }
+  for (Eigen::Index node = 0; node < pressure.size(); ++node)
+    if (count[node] == 0) inside[static_cast<std::size_t>(node)] = pressure[node] > 0 ? 1 : -1;
+  return inside;
+}
+
 /// Area where points of the grid are inside the object, or so near that the pressure around them
 /// tells of contact: the rule of nodes at a point.
 double grid_area(const HexMesh& mesh, const TissueBody& body, const std::vector<Tissue>& tissues,
@@ -109,7 +175,7 @@ double grid_area(const HexMesh& mesh, const TissueBody& body, const std::vector<
     for (std::size_t i = 0; i < kPoints; ++i) {
       double here = 0;
       for (const NodeWeight& each : points[i].nodes) here += each.weight * pressure[each.node];
-      // What is beside an edge has it beside, and not below.
+      // Skin beside the object's edge does not face it.
       const NearestSurface nearest = object.shape->nearest(X_OP * at(i));
       const double facing = std::abs(across.dot(state.X_PO.R * nearest.normal));
       if (nearest.distance < 0 || (nearest.distance < here / scale && facing > kFacing))
@@ -140,55 +206,11 @@ double contact_area(const HexMesh& mesh, const TissueBody& body, const std::vect
                     const std::vector<bool>& skin, const ContactSurface& surface,
                     const RigidObject& object, const PressState& state) {
   if (state.by_springs) return grid_area(mesh, body, tissues, surface, object, state);
-  const Matrix3Xd u = body.spread(state.x, {}), places = places_at_rest(mesh);
-  const Pose<double> X_OP = state.X_PO.inverse();
+  const Matrix3Xd at_rest = places_at_rest(mesh), u = body.spread(state.x, {});
   const VectorXd pressure = pressures_of(mesh, body, surface, state);
   const std::vector<HexFace> faces = marked_faces(mesh, skin);
-  const auto place = [&](int node) { return Vector3d(places.col(node) + u.col(node)); };
-  // Sides of faces between nodes that touch and nodes that do not.
-  struct Crossing {
-    int in, out;
-    double ratio;  // of edge_place()
-  };
-  std::vector<Crossing> crossings;
-  Matrix3Xd ways = Matrix3Xd::Zero(3, mesh.nodes());  // from a node that touches to open ones
-  VectorXd sides = VectorXd::Zero(mesh.nodes());      // their number
-  for (const HexFace& face : faces) {
-    const std::array<int, 4> corners = in_a_round(face);
-    const auto touching =
-        std::count_if(corners.begin(), corners.end(), [&](int node) { return pressure[node] > 0; });
-    if (touching == 0 || touching == 4) continue;
-    const HexCell& cell = mesh.cells()[static_cast<std::size_t>(face.cell)];
-    const Tissue& tissue = tissues[static_cast<std::size_t>(cell.region)];
-    const double modulus =
-        2 / (1 - tissue.poisson_ratio) * modulus_of(tissue, mean_deformation(cell, places, u));
-    for (std::size_t i = 0; i < 4; ++i) {
-      const int one = corners[i], other = corners[(i + 1) % 4];
-      if ((pressure[one] > 0) == (pressure[other] > 0)) continue;
-      const int in = pressure[one] > 0 ? one : other, out = in == one ? other : one;
-      const Vector3d way = place(out) - place(in);
-      const double gap = std::max(0.0, object.shape->distance(X_OP * place(out)));
-      crossings.push_back({in, out, modulus * gap / (pressure[in] * kAcross * way.norm())});
-      ways.col(in) += way.normalized();
-      sides[in] += 1;
-    }
-  }
-  // How far inside of the patch nodes at its edge are, over the size of a face: the mean over
-  // sides.
-  std::vector<double> inside(static_cast<std::size_t>(mesh.nodes()), 0), count(inside);
-  for (const Crossing& each : crossings) {
-    // Where nodes on opposite sides are open, both edges lie beside the node.
-    const bool narrow = ways.col(each.in).norm() < kNarrow * sides[each.in];
-    const double edge = narrow ? strip_place(each.ratio) : edge_place(each.ratio);
-    for (const auto& [node, way] : {std::pair{each.in, edge}, std::pair{each.out, edge - 1}}) {
-      inside[static_cast<std::size_t>(node)] += way;
-      count[static_cast<std::size_t>(node)] += 1;
-    }
-  }
-  for (std::size_t node = 0; node < inside.size(); ++node) {
-    const bool touches = pressure[static_cast<Eigen::Index>(node)] > 0;
-    inside[node] = count[node] > 0 ? inside[node] / count[node] : touches ? 1 : -1;
-  }
+  const std::vector<double> inside = inside_of(
+      crossings_of(mesh, tissues, faces, {at_rest, u}, pressure, object, state), pressure);
   double area = 0;
   for (const HexFace& face : faces) {
     // The face's corners, and their mean.
@@ -197,7 +219,7 @@ double contact_area(const HexMesh& mesh, const TissueBody& body, const std::vect
     std::array<double, 4> value{};
     for (std::size_t i = 0; i < 4; ++i) {
       const auto node = static_cast<std::size_t>(corners[i]);
-      at[i] = place(corners[i]);
+      at[i] = at_rest.col(corners[i]) + u.col(corners[i]);
       value[i] = inside[node];
     }
     const Vector3d middle = (at[0] + at[1] + at[2] + at[3]) / 4;

@@ -259,7 +259,7 @@ void read_counts(const JsonNode& json, HandOnObject& cell) {
     ended += cell.outcomes[i];
   }
   cell.closures = whole(member(json, "closures"), "closures", 0, cell.approaches);
-  // Files of before do not have it.
+  // Older files lack it.
   const int others = std::max(0, cell.outcomes[0] - cell.closures);
   if (const JsonNode* two = json.find("held_between_two"))
     cell.between_two = whole(*two, "held_between_two", 0, others);

@@ -14,10 +14,10 @@
 namespace thenar {
 namespace {
 
-constexpr double kGravity = 9.81;  // [m/s^2]
-constexpr double kGap = 0.05;      // relative accuracy of hand_epsilon() [1]
-constexpr double kGrows = 1.5;     // ratio from which a load grows as twice the room [1]
-constexpr double kRoom = 1e-6;     // of hand_forces() that has no interior without [1]
+constexpr double kGravity = 9.81;       // [m/s^2]
+constexpr double kGap = 0.05;           // relative accuracy of hand_epsilon() [1]
+constexpr double kGrows = 1.5;          // of a load at twice the slack: it is the slack's alone [1]
+constexpr double kPreloadSlack = 1e-6;  // of hand_forces() where its programmes stall [1]
 
 /// Unit wrenches of both signs along axes `first` .. `last`: forces 0..2, torques 3..5.
 std::vector<ScaledWrench> both_ways(int first, int last, double size) {
@@ -47,16 +47,17 @@ double active_part(const HandForceInputs& held_by, const ForceSet& forces,
                    const std::vector<ScaledWrench>& loads, double whole) {
   if (whole == 0 || std::isnan(whole) || forces.passive_contacts.empty()) return whole;
   TaskMargin pressed = margin_of_loads(active_only(forces), loads);
-  // Walls of which one takes all that is pressed: with room; what grows as the room is its alone.
+  // One wall may take all that is pressed: once more with slack.
   if (is_undecided(pressed.status)) {
-    const auto with = [&](double room) {
+    const auto with = [&](double slack) {
       return margin_of_loads(
-          active_only(hand_forces(held_by.set, held_by.T, held_by.actuation, room)), loads);
+          active_only(hand_forces(held_by.set, held_by.T, held_by.actuation, slack)), loads);
     };
-    pressed = with(kRoom);
-    if (const TaskMargin more = with(2 * kRoom);
-        more.status == Status::kSolved && more.lower > kGrows * pressed.upper)
-      return 0;
+    pressed = with(kPreloadSlack);
+    if (pressed.status == Status::kSolved)
+      if (const TaskMargin more = with(2 * kPreloadSlack);
+          more.status == Status::kSolved && more.lower > kGrows * pressed.upper)
+        return 0;
   }
   if (pressed.status == Status::kInfeasible) return 0;
   if (pressed.status != Status::kSolved) return kNaN;

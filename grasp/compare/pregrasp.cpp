@@ -93,7 +93,7 @@ std::vector<int> mirrored(const CollisionHand& hand, int coordinate, const std::
 }
 
 /// Surfaces of an only digit's hand that stand still: one of them may be a fixed jaw.
-std::vector<int> fixed(const CollisionHand& hand, const ClosingDrives& drives) {
+std::vector<int> still_surfaces(const CollisionHand& hand, const ClosingDrives& drives) {
   std::vector<int> still;
   if (hand.hand->layout().tips.size() != 1) return still;
   const Eigen::VectorXd rates = drives.rates();
@@ -119,7 +119,7 @@ Push find_push(const CollisionHand& hand, const Grasp& grasp) {
   if (digits.size() != 1) return {};
   const ClosingDrives drives(hand.hand->layout());
   const Eigen::VectorXd rates = drives.rates();
-  const std::vector<int> still = fixed(hand, drives);
+  const std::vector<int> still = still_surfaces(hand, drives);
   for (const HandContact& contact : grasp.contacts) {
     const LinkSurface& surface = hand.hand->surfaces()[contact.surface];
     if (surface.digit.empty() || surface.link < 0) continue;
@@ -134,9 +134,9 @@ Push find_push(const CollisionHand& hand, const Grasp& grasp) {
       if (push.others.empty()) continue;
       // The object slides as the digit moves, across the approach.
       const Eigen::Vector3d middle = hand.trees[contact.surface].nodes[0].ball.c;
+      const auto J = hand.hand->jacobian(grasp.closed.q, surface.link, middle).bottomRows<3>();
       const Eigen::Vector3d v =
-          rates[j] *
-          hand.hand->jacobian(grasp.closed.q, surface.link, middle).bottomRows<3>().col(j);
+          push.fixed ? Eigen::Vector3d(J * rates) : Eigen::Vector3d(rates[j] * J.col(j));
       const Eigen::Vector3d& d = hand.hand->layout().approach.direction;
       const Eigen::Vector3d across = v - v.dot(d) * d;
       if (across.norm() > kAcross * v.norm())
@@ -168,7 +168,8 @@ double way_across(const CollisionHand& hand, const Grasp& grasp, const Push& pus
   return most;
 }
 
-/// Distance that the object slides until it would overlap a body or the hand; none [m].
+/// Distance that the hand goes back against the push, which stands for the object's way, until it
+/// would overlap the object or a body; none: nothing is there [m].
 std::optional<double> way_to_wall(const CollisionHand& hand, const Grasp& grasp, const Push& push,
                                   const Scene& scene, double accuracy) {
   PosedCollisionHand posed{hand, {}, hand.hand->pose(grasp.closed.q)};
@@ -225,8 +226,8 @@ Grasp centred_grasp(const CollisionHand& hand, const Pose<double>& X_WH, const E
     const std::optional<double> way = way_to_wall(hand, first, push, scene, options.close.accuracy);
     if (!way) return first;
     Grasp second = shifted(*way);
-    const bool both = !digits_of(*hand.hand, second.contacts).empty();
-    return both && holds_against(push, second, scene.object) ? second : first;
+    const bool follows = !digits_of(*hand.hand, second.contacts).empty();
+    return follows && holds_against(push, second, scene.object) ? second : first;
   }
   const double way = way_across(hand, first, push, scene, options.close.accuracy);
   if (way >= kLongestSlide * scene.object.torque_scale) return first;

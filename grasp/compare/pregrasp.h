@@ -22,7 +22,7 @@ struct Pregrasp {
 [[nodiscard]] std::set<std::string> digits_of(const Hand& hand,
                                               const std::vector<HandContact>& contacts);
 
-/// Those that touch with their outermost links.
+/// Names of the digits that touch with their outermost links.
 [[nodiscard]] std::set<std::string> tips_of(const Hand& hand,
                                             const std::vector<HandContact>& contacts);
 
@@ -44,8 +44,8 @@ Grasp attempt_grasp(const CollisionHand& hand, const Pregrasp& pregrasp, const S
 /// digit touches. The hand is moved instead, by half of the distance left, as jaws of one motor go
 /// equally fast, and closes further; on curved paths it moves by the distance at which both touch,
 /// found by bisection. The object does not turn, and nothing holds it back. The result is kept only
-/// if another digit touches then and nothing overlaps; otherwise the first grasp stays. Before the
-/// only digit of a hand the object slides until it rests on what stands still, as on a fixed jaw.
+/// if another digit touches then and nothing overlaps; otherwise the first grasp stays. An only
+/// digit pushes the object until it rests on what stands still, as on a fixed jaw.
 /// The same for every hand.
 Grasp centred_grasp(const CollisionHand& hand, const Pose<double>& X_WH, const Eigen::VectorXd& q,
                     const Scene& scene, const GraspOptions& options = {});

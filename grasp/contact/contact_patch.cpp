@@ -271,26 +271,34 @@ class PatchFinder {
     if (b_.accuracy() > 0) return;
     PatchPoint point = region.nearest;
     for (int k = 0; k < kRefinements; ++k) {
-      const auto triangles = triangles_at(a_, X_BA_.inverse() * point.core);
-      if (triangles.empty() || triangles.front()->n.isZero()) break;
-      const Tangents t = tangents(X_BA_.R * triangles.front()->n);
-      const Eigen::Vector2d step = step_to_least(
-          [&](double u, double v) { return b_.distance(point.core + u * t.e1 + v * t.e2); });
-      const Vector3d moved =
-          X_BA_ * internal::nearest_in_triangle(
-                      triangles.front()->corners,
-                      X_BA_.inverse() * (point.core + step[0] * t.e1 + step[1] * t.e2));
-      const NearestSurface at = b_.nearest(moved);
-      if (at.distance - point.radius >= point.distance) break;
-      point = {moved,
-               at.distance - point.radius,
-               moved - at.distance * at.normal,
-               at.normal,
-               point.radius,
-               at.supports};
+      const PatchPoint last = point;
+      // On a side or a corner of triangles each of them may go on.
+      for (const SweptTriangle* t : triangles_at(a_, X_BA_.inverse() * last.core))
+        if (const PatchPoint moved = moved_within(*t, last); moved.distance < point.distance)
+          point = moved;
+      if (point.distance >= last.distance) break;
     }
-    const Vector3d n = into(point);
-    if (n.dot(region.normal) >= kCosTurn) region.nearest = point, region.normal = n;
+    if (into(point).dot(region.normal) >= kCosTurn)
+      region.nearest = point, region.normal = into(point);
+  }
+
+  /// The point where the distance is least by its quadratic around a point of a triangle.
+  [[nodiscard]] PatchPoint moved_within(const SweptTriangle& triangle,
+                                        const PatchPoint& point) const {
+    if (triangle.n.isZero()) return point;
+    const Tangents t = tangents(X_BA_.R * triangle.n);
+    const Eigen::Vector2d step = step_to_least(
+        [&](double u, double v) { return b_.distance(point.core + u * t.e1 + v * t.e2); });
+    const Vector3d goal = point.core + step[0] * t.e1 + step[1] * t.e2;
+    const Vector3d core =
+        X_BA_ * internal::nearest_in_triangle(triangle.corners, X_BA_.inverse() * goal);
+    const NearestSurface at = b_.nearest(core);
+    return {core,
+            at.distance - point.radius,
+            core - at.distance * at.normal,
+            at.normal,
+            point.radius,
+            at.supports};
   }
 
   [[nodiscard]] Vector3d into(const PatchPoint& point) const {

@@ -177,11 +177,12 @@ using Eigen::VectorXd;
 /// Rows over y = (x, p, v, r, s); s is absent where no coordinate off its joint limits presses.
 class Limits {
  public:
-  Limits(ForceSet forces, const JointLoads& joint_loads, const Actuation& actuation, double room)
+  Limits(ForceSet forces, const JointLoads& joint_loads, const Actuation& actuation,
+         double preload_slack)
       : forces_(std::move(forces)),
         joint_loads_(joint_loads),
         actuation_(actuation),
-        room_(room),
+        preload_slack_(preload_slack),
         s_(forces_.wrench.cols()) {
     // Clutches are reactions with finite limits.
     clutches_ = reactions_on(actuation.reactions, joint_loads.rows);
@@ -299,7 +300,7 @@ class Limits {
     if (count(SupportKind::kStructure) > 0)
       add_rows(forces_,
                sum_of(SupportKind::kStructure) + 2 * by_stops_ - sum_of(SupportKind::kJointLimit) -
-                   (1 + room_) * pressed_,
+                   (1 + preload_slack_) * pressed_,
                VectorXd::Zero(1));
   }
 
@@ -340,7 +341,7 @@ class Limits {
   ForceSet forces_;
   const JointLoads& joint_loads_;
   const Actuation& actuation_;
-  double room_;               // of hand_forces() [1]
+  double preload_slack_;      // of hand_forces() [1]
   Eigen::MatrixXd clutches_;  // rows of limited reactions, zeros for others (rows, reactions)
   Index s_;                   // first of s
   RowVectorXd pressed_;       // sums the normal forces that joints off their limits press
@@ -350,8 +351,8 @@ class Limits {
 }  // namespace
 
 ForceSet limit_preload(ForceSet forces, const JointLoads& joint_loads, const Actuation& actuation,
-                       double room) {
-  return Limits(std::move(forces), joint_loads, actuation, room).limited();
+                       double preload_slack) {
+  return Limits(std::move(forces), joint_loads, actuation, preload_slack).limited();
 }
 
 }  // namespace thenar::internal

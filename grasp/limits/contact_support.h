@@ -52,8 +52,8 @@ struct JointLoads {
 /// press. Adds variables s and the limits of hand_forces() on what joint limits and structure push
 /// back.
 /// @param forces  set of (x, p, v, r), torques in balance
-/// @param room    as of hand_forces()
+/// @param preload_slack  as of hand_forces()
 [[nodiscard]] ForceSet limit_preload(ForceSet forces, const JointLoads& joint_loads,
-                                     const Actuation& actuation, double room);
+                                     const Actuation& actuation, double preload_slack);
 
 }  // namespace thenar::internal

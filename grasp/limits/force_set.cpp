@@ -165,7 +165,7 @@ ForceSet unit_forces(const WrenchSet& set, ForceNorm limit) {
 }
 
 ForceSet hand_forces(const WrenchSet& set, const MatrixXd& T, const Actuation& actuation,
-                     double room) {
+                     double preload_slack) {
   check(set, T, actuation);
   const Reactions& reactions = actuation.reactions;
   const internal::JointLoads joint_loads = internal::find_contact_support(set, T, reactions);
@@ -184,10 +184,10 @@ ForceSet hand_forces(const WrenchSet& set, const MatrixXd& T, const Actuation& a
     limit(forces, efforts + i, actuation.lower(i), actuation.upper(i), forces.effort_unit(i));
   for (Index i = 0; i < reactions.R.cols(); ++i)
     limit(forces, efforts + actuators + i, reactions.lower(i), reactions.upper(i), 1);
-  return internal::limit_preload(std::move(forces), joint_loads, actuation, room);
+  return internal::limit_preload(std::move(forces), joint_loads, actuation, preload_slack);
 }
 
-ScaledWrench without_rounding(const ForceSet& forces, const ScaledWrench& load) {
+ScaledWrench bearable_part(const ForceSet& forces, const ScaledWrench& load) {
   // Directions of no wrench, by the squares of what there is along them.
   const Eigen::SelfAdjointEigenSolver<Eigen::Matrix<double, 6, 6>> axes(forces.wrench *
                                                                         forces.wrench.transpose());

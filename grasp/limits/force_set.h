@@ -64,18 +64,19 @@ struct ForceSet {
 /// they depend on elasticity; the set is on the safe side.
 /// @param T  joint torques of contact forces, torque_map(), coordinates from the base outwards
 ///           (coordinates, length of x) [m]
-/// @param room  share by which structure pushes back more than actuators press [1]: where one wall
-///           takes all that they do, another wall that touches leaves the set without an interior
+/// @param preload_slack  share by which structure may push back more than actuators press [1]:
+///        where one wall takes all that they press, and another touches, the set has no interior
 /// @throws InputError if shapes disagree, a limit is NaN, or a lower limit exceeds its upper.
 /// Source: [Murray1994] section 5.5 for the balance of fingers, [HaasHeger2018] for drives that
 /// support more than they press.
 [[nodiscard]] ForceSet hand_forces(const WrenchSet& set, const Eigen::MatrixXd& T,
-                                   const Actuation& actuation, double room = 0);
+                                   const Actuation& actuation, double preload_slack = 0);
 
-/// A load without what no force of a set bears, where that is at most 1e-4 of it: two points bear
-/// no torque about their line, which passes the centre of mass no nearer than places are known.
+/// A load without its parts along which no force of a set bears anything, where they are at most
+/// 1e-4 of it: two points bear no torque about their line, and places of contacts are not known so
+/// well that it would pass the centre of mass exactly.
 /// @param load  torque over the scale  (6)
-[[nodiscard]] ScaledWrench without_rounding(const ForceSet& forces, const ScaledWrench& load);
+[[nodiscard]] ScaledWrench bearable_part(const ForceSet& forces, const ScaledWrench& load);
 
 /// The same set without passive forces p: active forces, and what pushes back against them.
 [[nodiscard]] ForceSet active_only(ForceSet forces);

@@ -56,10 +56,10 @@ void bound_by_largest(ConeProgram& program, const ForceSet& forces) {
 
 }  // namespace
 
-GraspForce minimum_grasp_force(const ForceSet& forces, const ScaledWrench& all,
+GraspForce minimum_grasp_force(const ForceSet& forces, const ScaledWrench& whole_load,
                                GraspForceObjective objective) {
-  require(all.allFinite(), "the load must be finite");
-  const ScaledWrench load = without_rounding(forces, all);
+  require(whole_load.allFinite(), "the load must be finite");
+  const ScaledWrench load = bearable_part(forces, whole_load);
   // Variables and cones of the force set, and six rows for the equilibrium of the object.
   ConeProgram program{forces.normals.transpose(), {}, {}, forces.G, forces.h, forces.cones};
   program.A.resize(forces.A.rows() + 6, forces.wrench.cols());

@@ -124,7 +124,7 @@ WrenchSupport support_along(const ForceSet& forces, const MatrixXd& rows, const 
 
 WrenchSupport load_margin(const ForceSet& forces, const ScaledWrench& d) {
   return support_along(forces, Eigen::Matrix<double, 6, 6>::Identity(), ScaledWrench::Zero(),
-                       -without_rounding(forces, d));
+                       -bearable_part(forces, d));
 }
 
 }  // namespace thenar

@@ -22,7 +22,8 @@ struct [[nodiscard]] WrenchSupport {
 /// @throws InputError if u is zero or not finite.
 WrenchSupport wrench_support(const ForceSet& forces, const ScaledWrench& u);
 
-/// Load margin: the largest k for which the forces balance the disturbance k d,  W y = -k d.
+/// Load margin: the largest k for which the forces balance the disturbance k d,  W y = -k d, of
+/// which bearable_part() counts.
 ///
 /// Without limits on forces k is zero or infinite. A load of more than 1e4 times the largest limit
 /// counts as unlimited: rigid structure supports it except for the rounding of its normals.

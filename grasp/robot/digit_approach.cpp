@@ -232,11 +232,11 @@ std::optional<FixedJaw> DigitMotion::fixed_jaw(std::size_t option, const VectorX
   // The outer half of the open jaw; all of one that slides.
   const Matrix3Xd away = points_of({digits_.front().last}, grip_.hand().pose(open));
   const Eigen::RowVectorXd lever = (away.colwise() - digits_.front().root).colwise().norm();
+  const bool slides = slides_only(digits_.front(), option);
+  const double least = slides ? 0 : (lever.minCoeff() + lever.maxCoeff()) / 2;
   double nearest = kInfinity;
   for (Eigen::Index i = 0; i < away.cols(); ++i)
-    if (slides_only(digits_.front(), option) ||
-        lever[i] >= (lever.minCoeff() + lever.maxCoeff()) / 2)
-      nearest = std::min(nearest, out.dot(away.col(i)) - face);
+    if (lever[i] >= least) nearest = std::min(nearest, out.dot(away.col(i)) - face);
   FixedJaw jaw;
   jaw.direction = direction;
   jaw.out = out;

@@ -242,7 +242,7 @@ class ClosingSearch {
       // Objects of any size come down between two jaws, of which one is fixed.
       if (motion_.digits().size() == 1)
         if (const auto jaw = motion_.fixed_jaw(best.option, best.open))
-          guess.robot.approach.point = jaw->face + jaw->opening / 2 * jaw->out;
+          guess.robot.approach = {jaw->face + jaw->opening / 2 * jaw->out, jaw->direction};
     }
     if (!known_.closing) write_motors(guess, drives, best.open);
     return guess;

@@ -14,8 +14,9 @@ namespace thenar {
 /// of a linkage follow the motor by itself (`mimic`), so that the inner knuckle of a gripper ends
 /// its own chain as a finger does. A bar is a rigid body on a hinge that carries no other; the
 /// finger hangs by two joints or more on the body on which the bar hangs; the same motor moves
-/// both; and an axis that lies still in both, within 0.1 mm over the motor's range, passes near
-/// both.
+/// both; and an axis passes near both, within a quarter of their diagonals, that lies still in
+/// both within 0.1 mm at the ends and in the middle of the motor's range, over which one turns
+/// against the other.
 /// @returns a link of the bar and one of the finger, for each bar
 [[nodiscard]] std::vector<std::pair<std::string, std::string>> pinned_bars(const RobotSpec& robot);
 
