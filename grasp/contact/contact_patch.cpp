@@ -21,6 +21,7 @@ constexpr double kAround = 1e-4;                  // of a point, where faces cou
 constexpr double kFitStep = 2e-4;     // by which a nearest point's surroundings are measured [m]
 constexpr double kLongestFit = 1e-3;  // [m]
 constexpr double kLeastCurve = 1;     // of distances that have a least place [1/m]
+constexpr double kStill = 1e-8;       // step that moves no contact [m]
 constexpr int kRefinements = 3;       // of a nearest point
 constexpr double kCoarse = 4;         // resolution of the first search, in that of the rim [1]
 
@@ -130,18 +131,19 @@ std::vector<const SweptTriangle*> triangles_at(const CollisionTree& a, const Vec
   return triangles;
 }
 
-/// Step to the least of a function of the plane by its quadratic at 0, along axes on which it is
-/// curved; zero where it is not (2) [m]. @param f  [m]
-template <typename Function>
-Eigen::Vector2d step_to_least(const Function& f) {
-  // Central differences.
-  const double h = kFitStep, here = f(0, 0), right = f(h, 0), left = f(-h, 0), up = f(0, h),
-               down = f(0, -h);
-  const double twist = (f(h, h) - f(h, -h) - f(-h, h) + f(-h, -h)) / (4 * h * h);
-  const Eigen::Vector2d slope((right - left) / (2 * h), (up - down) / (2 * h));
+/// Step in a plane to where the distance to B is least by its quadratic at p, along axes on which
+/// it is curved; zero where it is not (2) [m].
+Eigen::Vector2d step_to_least(const Shape& b, const Vector3d& p, const Tangents& plane) {
+  Eigen::Matrix<double, 3, 2> axes_of_plane;
+  axes_of_plane << plane.e1, plane.e2;
+  // Normals are slopes of the distance.
+  const Vector3d n = b.nearest(p).normal;
   Eigen::Matrix2d curve;
-  curve << (right - 2 * here + left) / (h * h), twist, twist, (up - 2 * here + down) / (h * h);
-  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> axes(curve);
+  for (int k = 0; k < 2; ++k)
+    curve.col(k) = axes_of_plane.transpose() *
+                   (b.nearest(p + kFitStep * axes_of_plane.col(k)).normal - n) / kFitStep;
+  const Eigen::Vector2d slope = axes_of_plane.transpose() * n;
+  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> axes((curve + curve.transpose()) / 2);
   Eigen::Vector2d step = Eigen::Vector2d::Zero();
   for (int k = 0; k < 2; ++k)
     if (axes.eigenvalues()[k] > kLeastCurve)
@@ -287,8 +289,8 @@ class PatchFinder {
                                         const PatchPoint& point) const {
     if (triangle.n.isZero()) return point;
     const Tangents t = tangents(X_BA_.R * triangle.n);
-    const Eigen::Vector2d step = step_to_least(
-        [&](double u, double v) { return b_.distance(point.core + u * t.e1 + v * t.e2); });
+    const Eigen::Vector2d step = step_to_least(b_, point.core, t);
+    if (step.norm() < kStill) return point;
     const Vector3d goal = point.core + step[0] * t.e1 + step[1] * t.e2;
     const Vector3d core =
         X_BA_ * internal::nearest_in_triangle(triangle.corners, X_BA_.inverse() * goal);
