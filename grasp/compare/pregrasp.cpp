@@ -134,7 +134,8 @@ Push find_push(const CollisionHand& hand, const Grasp& grasp) {
       if (push.others.empty()) continue;
       // The object slides as the digit moves, across the approach.
       const Eigen::Vector3d middle = hand.trees[contact.surface].nodes[0].ball.c;
-      const auto J = hand.hand->jacobian(grasp.closed.q, surface.link, middle).bottomRows<3>();
+      const Eigen::Matrix3Xd J =
+          hand.hand->jacobian(grasp.closed.q, surface.link, middle).bottomRows<3>();
       const Eigen::Vector3d v =
           push.fixed ? Eigen::Vector3d(J * rates) : Eigen::Vector3d(rates[j] * J.col(j));
       const Eigen::Vector3d& d = hand.hand->layout().approach.direction;
