@@ -315,9 +315,8 @@ std::vector<std::string> grasp_warnings(const GraspResult& result) {
     warnings.insert(warnings.begin(), own);
   if (result.best < 0 && result.start.stand_off > 0)
     warnings.push_back(fmt::format(
-        "with the palm on the object fingertips did not hold it: the hand moved back before "
-        "it closed, by "
-        "{:.0f} % of the way to where its tips still close beyond the object's centre",
+        "with the palm on the object fingertips did not hold it: the hand moved back before it "
+        "closed, by {:.0f} % of the way to where its tips still close beyond the object's centre",
         100 * result.start.stand_off));
   if (thumb_is_idle(*hand.hand, result.grasp))
     warnings.emplace_back(

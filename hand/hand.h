@@ -117,6 +117,13 @@ struct HandLayout {
                            // limit that closing leaves, any other at the value nearest to 0
 };
 
+/// Number of moving joints from the base to a link. @param link  -1: the base
+[[nodiscard]] inline int joints_to(const HandLayout& layout, int link) {
+  int joints = 0;
+  for (; link >= 0; link = layout.parents[static_cast<std::size_t>(link)]) ++joints;
+  return joints;
+}
+
 /// A hand of any kind. Laws of every implementation: shapes agree with layout(), lower <= upper,
 /// rotations of poses are orthogonal, jacobian() is the derivative of pose(). In the sources,
 /// tests/hand/hand_laws.h checks them.

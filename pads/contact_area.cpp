@@ -11,12 +11,10 @@ using Eigen::Vector3d;
 using Eigen::VectorXd;
 
 constexpr double kFacing = 0.7;  // cosine between normals of skin and object that face each other
-constexpr double kAcross =
-    0.7854;  // mean share of a cell's side that is across an edge: pi / 4 [1]
-constexpr double kNarrow =
-    0.5;                       // mean direction to open nodes, shorter where they are opposite [1]
-constexpr int kHalvings = 30;  // of the place of an edge
-constexpr double kEdge = 12;   // of mu / h, the scale of pressure over gap at an edge [1]
+constexpr double kAcross = 0.7854;  // mean share of a cell's side that is across an edge, pi / 4
+constexpr double kNarrow = 0.5;     // mean of unit ways to open nodes, less where they are opposite
+constexpr int kHalvings = 30;       // of the place of an edge
+constexpr double kEdge = 12;        // of mu / h, the scale of pressure over gap at an edge [1]
 
 /// Pressure of the nodes of a mesh [Pa] (nodes); of hanging ones the mean of their masters.
 VectorXd pressures_of(const HexMesh& mesh, const TissueBody& body, const ContactSurface& surface,

@@ -36,11 +36,7 @@ std::set<std::string> digits_of(const Hand& hand, const std::vector<HandContact>
 
 std::set<std::string> tips_of(const Hand& hand, const std::vector<HandContact>& contacts) {
   const auto depth = [&](const LinkSurface& surface) {
-    int joints = 0;
-    for (int link = surface.link; link >= 0;
-         link = hand.layout().parents[static_cast<std::size_t>(link)])
-      ++joints;
-    return joints;
+    return joints_to(hand.layout(), surface.link);
   };
   std::map<std::string, int> outermost;
   for (const LinkSurface& surface : hand.surfaces())

@@ -52,12 +52,14 @@ Eigen::AlignedBox3d DigitMotion::box_of(const std::vector<std::size_t>& surfaces
 
 /// The palm: links without digit on the outermost link that has such.
 std::vector<std::size_t> DigitMotion::palm_surfaces() const {
+  const HandLayout& layout = grip_.hand().layout();
   std::vector<std::size_t> palm;
   for (std::size_t s = 0; s < grip_.surfaces().size(); ++s) {
     const SampledSurface& surface = grip_.surfaces()[s];
     if (!surface.digit.empty()) continue;
-    const int depth = depth_of(surface.link);
-    if (!palm.empty() && depth > depth_of(grip_.surfaces()[palm.front()].link)) palm.clear();
+    const int depth = joints_to(layout, surface.link);
+    if (!palm.empty() && depth > joints_to(layout, grip_.surfaces()[palm.front()].link))
+      palm.clear();
     if (palm.empty() || surface.link == grip_.surfaces()[palm.front()].link) palm.push_back(s);
   }
   return palm;

@@ -52,14 +52,6 @@ DigitMotion::DigitMotion(const BallGrasp& grip, bool closing)
   }
 }
 
-/// Number of moving joints from the base to a link.
-int DigitMotion::depth_of(int link) const {
-  const HandLayout& layout = grip_.hand().layout();
-  int depth = 0;
-  for (; link >= 0; link = layout.parents[static_cast<std::size_t>(link)]) ++depth;
-  return depth;
-}
-
 void DigitMotion::find_digits() {
   digits_.clear();
   names_.clear();
@@ -68,7 +60,8 @@ void DigitMotion::find_digits() {
   std::vector<int> depth;
   depth.reserve(surfaces.size());
   // Innermost and outermost surface of each digit, by depth in the tree.
-  for (const SampledSurface& surface : surfaces) depth.push_back(depth_of(surface.link));
+  for (const SampledSurface& surface : surfaces)
+    depth.push_back(joints_to(grip_.hand().layout(), surface.link));
   for (std::size_t s = 0; s < surfaces.size(); ++s) {
     if (surfaces[s].digit.empty()) continue;
     auto digit = std::find_if(digits_.begin(), digits_.end(),

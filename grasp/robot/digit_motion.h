@@ -113,7 +113,6 @@ class DigitMotion {
   [[nodiscard]] Eigen::Vector3d approach_near(const Eigen::Vector3d& rough, std::size_t option,
                                               const ClosingAxes& axes,
                                               const std::vector<Pose<double>>& links) const;
-  [[nodiscard]] int depth_of(int link) const;
   [[nodiscard]] Eigen::VectorXd half_closed(std::size_t option) const;
   [[nodiscard]] Eigen::VectorXd closed(std::size_t option) const;
   [[nodiscard]] std::vector<std::size_t> find_fingers(const std::vector<Eigen::Vector3d>& ways,

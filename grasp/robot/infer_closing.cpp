@@ -214,8 +214,9 @@ class ClosingSearch {
 
   [[nodiscard]] InferredClosing guess_of(const Candidate& best) const {
     InferredClosing guess{robot_, ball_, {}, {}, {}, {}, {}};
-    guess.facing = faces(best) && (motion_.digits().size() > 1 ||
-                                   motion_.fixed_jaw(best.option, best.open).has_value());
+    std::optional<FixedJaw> jaw;
+    if (motion_.digits().size() == 1) jaw = motion_.fixed_jaw(best.option, best.open);
+    guess.facing = faces(best) && (motion_.digits().size() > 1 || jaw);
     const DigitRoles roles = motion_.roles(best.option);
     if (const std::vector<std::string> thumbs = opposed(roles); roles.row && thumbs.size() == 1)
       guess.thumb = thumbs.front();
@@ -240,9 +241,7 @@ class ClosingSearch {
       if (!roles.palm || (best.origin == ahead.point && best.direction == ahead.direction))
         guess.robot.approach.point = best.origin;
       // Objects of any size come down between two jaws, of which one is fixed.
-      if (motion_.digits().size() == 1)
-        if (const auto jaw = motion_.fixed_jaw(best.option, best.open))
-          guess.robot.approach = {jaw->face + jaw->opening / 2 * jaw->out, jaw->direction};
+      if (jaw) guess.robot.approach = {jaw->face + jaw->opening / 2 * jaw->out, jaw->direction};
     }
     if (!known_.closing) write_motors(guess, drives, best.open);
     return guess;

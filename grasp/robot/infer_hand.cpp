@@ -162,55 +162,26 @@ RobotSpec graspable(RobotSpec robot) {
 
 namespace {
 
-/// Rigid bodies: links that nothing moves against each other; the first holds the base.
-struct Bodies {
-  std::map<std::string, std::size_t> of;  // body of each link, by name
-  std::vector<std::size_t> parent;        // of each body; of the first itself
-  std::vector<int> branches;              // number of shaped bodies that each body carries
-  std::vector<bool> shaped;               // whether a body, or one that it carries, has a shape
-};
-
-Bodies find_bodies(const RobotSpec& robot) {
-  Bodies bodies{{{robot.links.front().name, 0}}, {0}, {0}, {false}};
-  // A fixed joint joins its links to one body.
-  for (const RobotJoint& joint : robot.joints) {
-    const std::size_t parent = bodies.of[joint.parent];
-    const bool moves = joint.kind != RobotJointKind::kFixed;
-    bodies.of[joint.child] = moves ? bodies.parent.size() : parent;
-    if (moves) bodies.parent.push_back(parent);
-  }
-  bodies.branches.resize(bodies.parent.size(), 0);
-  bodies.shaped.resize(bodies.parent.size(), false);
-  for (const RobotLink& link : robot.links)
-    if (!link.shapes.empty()) bodies.shaped[bodies.of[link.name]] = true;
-  // From the leaves inwards: shapes and branches.
-  for (std::size_t b = bodies.parent.size(); b-- > 1;) {
-    if (!bodies.shaped[b]) continue;
-    bodies.shaped[bodies.parent[b]] = true;
-    ++bodies.branches[bodies.parent[b]];
-  }
-  return bodies;
-}
-
 /// Bodies of each digit; branches that a loop joins, or would if the file could say so, are one.
-std::vector<std::set<std::size_t>> find_branches(const RobotSpec& robot, const Bodies& bodies) {
+std::vector<std::set<std::size_t>> find_branches(const RobotSpec& robot,
+                                                 const RigidBodies& bodies) {
+  const std::vector<RigidBody>& list = bodies.list;
   std::vector<std::set<std::size_t>> branches;
   // From each leaf inwards, up to the next branching.
-  for (std::size_t leaf = 1; leaf < bodies.parent.size(); ++leaf) {
-    if (!bodies.shaped[leaf] || bodies.branches[leaf] > 0) continue;
+  for (std::size_t leaf = 1; leaf < list.size(); ++leaf) {
+    if (!list[leaf].shaped || list[leaf].branches > 0) continue;
     branches.emplace_back();
-    for (std::size_t b = leaf; b != 0 && bodies.branches[b] <= 1; b = bodies.parent[b])
+    for (std::size_t b = leaf; b != 0 && list[b].branches <= 1; b = list[b].parent)
       branches.back().insert(b);
   }
   // Branches joined by a loop.
-  std::vector<std::pair<std::string, std::string>> joined = robot.joined;
-  for (auto& pair : pinned_bars(robot)) joined.push_back(std::move(pair));
+  std::vector<std::pair<std::size_t, std::size_t>> joined = pinned_bars(robot, bodies);
+  for (const auto& [a, b] : robot.joined) joined.emplace_back(bodies.of.at(a), bodies.of.at(b));
   for (const auto& [a, b] : joined) {
-    const auto with = [&](const std::string& link) {
-      return std::find_if(branches.begin(), branches.end(),
-                          [&](const std::set<std::size_t>& branch) {
-                            return branch.count(bodies.of.at(link)) > 0;
-                          });
+    const auto with = [&](std::size_t body) {
+      return std::find_if(
+          branches.begin(), branches.end(),
+          [&](const std::set<std::size_t>& branch) { return branch.count(body) > 0; });
     };
     const auto one = with(a), other = with(b);
     if (one == branches.end() || other == branches.end() || one == other) continue;
@@ -256,7 +227,7 @@ std::string name_digit(const std::vector<RobotLink*>& links, std::set<std::strin
 }  // namespace
 
 int infer_digits(RobotSpec& robot) {
-  const Bodies bodies = find_bodies(robot);
+  const RigidBodies bodies = find_rigid_bodies(robot);
   // All shaped links of a branch get its name.
   std::set<std::string> taken;
   for (const std::set<std::size_t>& branch : find_branches(robot, bodies)) {

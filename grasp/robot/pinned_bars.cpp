@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <map>
 
 #include <Eigen/Geometry>
 #include <Eigen/SVD>
@@ -22,35 +21,6 @@ constexpr double kTurnOfBar = 0.02;  // smallest turn of a bar against its finge
 constexpr double kNearPin = 0.25;    // distance of a pin from what it joins, over its diagonal [1]
 constexpr double kAnyRange = 1;      // taken of a motor without limits, either way [rad] or [m]
 
-/// Links that nothing moves against each other.
-struct RigidBody {
-  std::size_t frame = 0;      // the link that a joint carries
-  int parent = -1;            // another body
-  const RobotJoint* joint{};  // that carries it; null: the base
-  bool carries = false;       // whether another body hangs on it
-  std::vector<std::size_t> links;
-};
-
-std::vector<RigidBody> bodies_of(const RobotSpec& robot) {
-  std::map<std::string, std::size_t> link;
-  for (std::size_t i = 0; i < robot.links.size(); ++i) link[robot.links[i].name] = i;
-  std::vector<RigidBody> bodies(1);
-  bodies[0].links = {0};
-  std::map<std::string, std::size_t> of{{robot.links.front().name, 0}};
-  for (const RobotJoint& joint : robot.joints) {
-    const std::size_t on = of[joint.parent], i = link.at(joint.child);
-    if (joint.kind == RobotJointKind::kFixed) {
-      of[joint.child] = on;
-      bodies[on].links.push_back(i);
-      continue;
-    }
-    of[joint.child] = bodies.size();
-    bodies[on].carries = true;
-    bodies.push_back({i, static_cast<int>(on), &joint, false, {i}});
-  }
-  return bodies;
-}
-
 /// Box of a body's shapes in its frame.
 AlignedBox3d box_of(const RobotSpec& robot, const RigidBody& body,
                     const std::vector<Pose<double>>& links) {
@@ -60,7 +30,7 @@ AlignedBox3d box_of(const RobotSpec& robot, const RigidBody& body,
       const bool is_mesh = shape.kind == ShapeKind::kMesh;
       const TriangleMesh solid = is_mesh ? shape.mesh : build_solid({shape}).visual;
       const Pose<double> X =
-          links[body.frame].inverse() * links[i] * (is_mesh ? shape.X_BS : Pose<double>{});
+          links[body.links.front()].inverse() * links[i] * (is_mesh ? shape.X_BS : Pose<double>{});
       for (const auto& p : solid.vertices.colwise()) box.extend(X * Vector3d(p));
     }
   return box;
@@ -82,14 +52,14 @@ Instants instants_of(const RobotSpec& robot, const RobotDof& dof) {
 /// Whether an axis near both lies still in both.
 bool are_pinned(const RobotSpec& robot, const RigidBody& bar, const RigidBody& finger,
                 const Instants& instants) {
+  std::array<Pose<double>, 3> X_FB;
+  for (std::size_t k = 0; k < 3; ++k)
+    X_FB[k] = instants[k][finger.links.front()].inverse() * instants[k][bar.links.front()];
+  const Eigen::AngleAxisd turn(X_FB[0].R.transpose() * X_FB[2].R);
+  if (std::abs(turn.angle()) < kTurnOfBar) return false;
   const AlignedBox3d bar_box = box_of(robot, bar, instants[0]),
                      finger_box = box_of(robot, finger, instants[0]);
   if (bar_box.isEmpty() || finger_box.isEmpty()) return false;
-  std::array<Pose<double>, 3> X_FB;
-  for (std::size_t k = 0; k < 3; ++k)
-    X_FB[k] = instants[k][finger.frame].inverse() * instants[k][bar.frame];
-  const Eigen::AngleAxisd turn(X_FB[0].R.transpose() * X_FB[2].R);
-  if (std::abs(turn.angle()) < kTurnOfBar) return false;
   // The place of the bar nearest to its middle c that comes where it was: X_k b = X_0 b.
   const Vector3d c = bar_box.center();
   Eigen::MatrixXd equations(6, 3);
@@ -109,13 +79,11 @@ bool are_pinned(const RobotSpec& robot, const RigidBody& bar, const RigidBody& f
 }
 
 /// Whether a motor alone moves a body against another on which it hangs by two joints or more.
-bool hangs_by_two(const std::vector<RigidBody>& bodies, std::size_t body, int on,
+bool hangs_by_two(const std::vector<RigidBody>& list, std::size_t body, std::size_t on,
                   const std::string& dof) {
   int joints = 0;
-  for (int b = static_cast<int>(body); b != on; b = bodies[static_cast<std::size_t>(b)].parent) {
-    if (b < 0) return false;
-    const RobotJoint* joint = bodies[static_cast<std::size_t>(b)].joint;
-    if (joint == nullptr || joint->dof != dof) return false;
+  for (; body != on; body = list[body].parent) {
+    if (body == 0 || list[body].joint->dof != dof) return false;
     ++joints;
   }
   return joints >= 2;
@@ -123,25 +91,25 @@ bool hangs_by_two(const std::vector<RigidBody>& bodies, std::size_t body, int on
 
 }  // namespace
 
-std::vector<std::pair<std::string, std::string>> pinned_bars(const RobotSpec& robot) {
-  const std::vector<RigidBody> bodies = bodies_of(robot);
-  std::vector<std::pair<std::string, std::string>> pairs;
+std::vector<std::pair<std::size_t, std::size_t>> pinned_bars(const RobotSpec& robot,
+                                                             const RigidBodies& bodies) {
+  const std::vector<RigidBody>& list = bodies.list;
+  std::vector<std::pair<std::size_t, std::size_t>> pairs;
   for (const RobotDof& dof : robot.dofs) {
     const auto is_bar = [&](const RigidBody& body) {
-      return body.joint != nullptr && !body.carries && body.joint->dof == dof.name &&
+      return body.joint != nullptr && body.branches == 0 && body.joint->dof == dof.name &&
              body.joint->kind == RobotJointKind::kRevolute;
     };
-    if (std::count_if(bodies.begin(), bodies.end(), is_bar) == 0) continue;
+    if (std::none_of(list.begin(), list.end(), is_bar)) continue;
     const Instants instants = instants_of(robot, dof);
-    for (const RigidBody& bar : bodies) {
-      if (!is_bar(bar)) continue;
-      for (std::size_t b = 1; b < bodies.size(); ++b) {
-        if (!hangs_by_two(bodies, b, bar.parent, dof.name) ||
-            !are_pinned(robot, bar, bodies[b], instants))
-          continue;
-        pairs.emplace_back(robot.links[bar.frame].name, robot.links[bodies[b].frame].name);
-        break;
-      }
+    for (std::size_t bar = 1; bar < list.size(); ++bar) {
+      if (!is_bar(list[bar])) continue;
+      for (std::size_t finger = 1; finger < list.size(); ++finger)
+        if (hangs_by_two(list, finger, list[bar].parent, dof.name) &&
+            are_pinned(robot, list[bar], list[finger], instants)) {
+          pairs.emplace_back(bar, finger);
+          break;
+        }
     }
   }
   return pairs;

@@ -2,11 +2,10 @@
 
 /// Bars of four-bar linkages in robots whose files open the loop.
 
-#include <string>
 #include <utility>
 #include <vector>
 
-#include "data/io/robot/robot.h"
+#include "grasp/robot/rigid_bodies.h"
 
 namespace thenar {
 
@@ -17,7 +16,8 @@ namespace thenar {
 /// both; and an axis passes near both, within a quarter of their diagonals, that lies still in
 /// both within 0.1 mm at the ends and in the middle of the motor's range, over which one turns
 /// against the other.
-/// @returns a link of the bar and one of the finger, for each bar
-[[nodiscard]] std::vector<std::pair<std::string, std::string>> pinned_bars(const RobotSpec& robot);
+/// @returns the body of each bar, and that of its finger
+[[nodiscard]] std::vector<std::pair<std::size_t, std::size_t>> pinned_bars(
+    const RobotSpec& robot, const RigidBodies& bodies);
 
 }  // namespace thenar
