@@ -10,6 +10,7 @@ using Eigen::Matrix3Xd;
 using Eigen::Vector3d;
 using Eigen::VectorXd;
 
+constexpr int kFacePoints = 8;   // along a side of a face
 constexpr double kFacing = 0.7;  // cosine between normals of skin and object that face each other
 constexpr double kAcross = 0.7854;  // mean share of a cell's side that is across an edge, pi / 4
 constexpr double kNarrow = 0.5;     // mean of unit ways to open nodes, less where they are opposite
@@ -140,46 +141,44 @@ std::vector<double> inside_of(const std::vector<Crossing>& crossings, const Vect
   return inside;
 }
 
-/// Area where points of the grid are inside the object, or so near that the pressure around them
+/// Area where even points of faces are inside the object, or so near that the pressure around them
 /// tells of contact: the rule of nodes at a point.
-double grid_area(const HexMesh& mesh, const TissueBody& body, const std::vector<Tissue>& tissues,
-                 const ContactSurface& surface, const RigidObject& object,
-                 const PressState& state) {
-  constexpr std::size_t kPoints = kGridPoints * kGridPoints;
+double area_by_points(const HexMesh& mesh, const TissueBody& body,
+                      const std::vector<Tissue>& tissues, const ContactSurface& surface,
+                      const RigidObject& object, const PressState& state) {
   const Pose<double> X_OP = state.X_PO.inverse();
   const Matrix3Xd u = body.spread(state.x, {}), at_rest = places_at_rest(mesh);
   const Matrix3Xd places = places_of(surface, state.x);
   const VectorXd pressure = state.normal.cwiseQuotient(surface.area);
   double area = 0;
-  for (std::size_t first = 0; first < surface.grid.size(); first += kPoints) {
-    const SurfacePoint* points = &surface.grid[first];
-    const HexCell& cell = mesh.cells()[static_cast<std::size_t>(points[0].cell)];
-    const bool touches = std::any_of(points, points + kPoints, [&](const SurfacePoint& point) {
-      return std::any_of(point.nodes.begin(), point.nodes.end(),
-                         [&](const NodeWeight& each) { return pressure[each.node] > 0; });
-    });
-    if (!touches) continue;
+  for (const SurfaceFace& face : surface.faces) {
+    Eigen::Vector4d pressures = Eigen::Vector4d::Zero();
+    for (std::size_t k = 0; k < 4; ++k)
+      for (const NodeWeight& each : face.corners[k])
+        pressures[static_cast<Eigen::Index>(k)] += each.weight * pressure[each.node];
+    if (!(pressures.array() > 0).any()) continue;
+    const HexCell& cell = mesh.cells()[static_cast<std::size_t>(face.cell)];
     const double scale = kEdge *
                          modulus_of(tissues[static_cast<std::size_t>(cell.region)],
                                     mean_deformation(cell, at_rest, u)) /
-                         points[0].size;
-    // The face between its outermost points, which are 1 - 1 / kGridPoints of its sides apart.
-    const auto at = [&](std::size_t i) { return place_of(points[i], places); };
+                         std::sqrt(face.area);
+    const FaceCorners corners = corners_of(face, places);
     const Vector3d between =
-        (at(kPoints - 1) - at(0)).cross(at(kPoints - kGridPoints) - at(kGridPoints - 1));
-    const double part = 1 - 1.0 / kGridPoints;
+        Vector3d(corners.col(3) - corners.col(0)).cross(Vector3d(corners.col(2) - corners.col(1)));
     const Vector3d across = between.normalized();
     double share = 0;
-    for (std::size_t i = 0; i < kPoints; ++i) {
-      double here = 0;
-      for (const NodeWeight& each : points[i].nodes) here += each.weight * pressure[each.node];
-      // Skin beside the object's edge does not face it.
-      const NearestSurface nearest = object.shape->nearest(X_OP * at(i));
-      const double facing = std::abs(across.dot(state.X_PO.R * nearest.normal));
-      if (nearest.distance < 0 || (nearest.distance < here / scale && facing > kFacing))
-        share += 1.0 / kPoints;
-    }
-    area += share * 0.5 / (part * part) * between.norm();
+    for (int i = 0; i < kFacePoints; ++i)
+      for (int j = 0; j < kFacePoints; ++j) {
+        const double x = (i + 0.5) / kFacePoints, y = (j + 0.5) / kFacePoints;
+        const Eigen::Vector4d shape = face_shape(x, y);
+        // Skin beside the object's edge does not face it.
+        const NearestSurface nearest = object.shape->nearest(X_OP * Vector3d(corners * shape));
+        const double facing = std::abs(across.dot(state.X_PO.R * nearest.normal));
+        if (nearest.distance < 0 ||
+            (nearest.distance < pressures.dot(shape) / scale && facing > kFacing))
+          share += 1.0 / (kFacePoints * kFacePoints);
+      }
+    area += share * 0.5 * between.norm();
   }
   return area;
 }
@@ -203,7 +202,7 @@ double positive_share(const std::array<double, 3>& values) {
 double contact_area(const HexMesh& mesh, const TissueBody& body, const std::vector<Tissue>& tissues,
                     const std::vector<bool>& skin, const ContactSurface& surface,
                     const RigidObject& object, const PressState& state) {
-  if (state.by_springs) return grid_area(mesh, body, tissues, surface, object, state);
+  if (state.by_springs) return area_by_points(mesh, body, tissues, surface, object, state);
   const Matrix3Xd at_rest = places_at_rest(mesh), u = body.spread(state.x, {});
   const VectorXd pressure = pressures_of(mesh, body, surface, state);
   const std::vector<HexFace> faces = marked_faces(mesh, skin);

@@ -18,46 +18,35 @@ constexpr double kFar = 3;  // gap that cannot matter, over the size of a face [
 constexpr double kEdgeTurn = 0.17;    // difference of normals around an edge, at least [1]
 constexpr double kEdgeRadius = 0.25;  // of an edge, over the size of a face, at most [1]
 
-/// Places along a side of a face, and the share of each.
-struct SideRule {
-  std::vector<double> at, share;
-  bool on_surface = false;  // whether points lie on the true surface, or between nodes
-};
-SideRule gauss_rule() {
-  return {{0.112701665379258311, 0.5, 0.887298334620741689}, {5.0 / 18, 4.0 / 9, 5.0 / 18}, true};
-}
-SideRule even_rule() {
-  SideRule rule;
-  for (std::size_t i = 0; i < kGridPoints; ++i) {
-    rule.at.push_back((static_cast<double>(i) + 0.5) / kGridPoints);
-    rule.share.push_back(1.0 / kGridPoints);
-  }
-  return rule;
-}
+// Gauss's rule along a side of a face.
+constexpr std::array<double, 3> kGaussPlaces{0.112701665379258311, 0.5, 0.887298334620741689};
+constexpr std::array<double, 3> kGaussShares{5.0 / 18, 4.0 / 9, 5.0 / 18};
 
 /// Points of a face, by nodes of the mesh; an empty list: some nodes are fixed.
 std::vector<SurfacePoint> face_points(const HexMesh& mesh, const TissueBody& body,
-                                      const std::array<int, 4>& nodes, const Matrix3Xd& at_rest,
-                                      const SideRule& rule) {
+                                      const std::array<int, 4>& nodes, const Matrix3Xd& at_rest) {
   const Vector3d one = at_rest.col(nodes[3]) - at_rest.col(nodes[0]);
   const Vector3d other = at_rest.col(nodes[2]) - at_rest.col(nodes[1]);
   const double area = 0.5 * one.cross(other).norm();
   std::vector<SurfacePoint> out;
-  for (std::size_t i = 0; i < rule.at.size(); ++i)
-    for (std::size_t j = 0; j < rule.at.size(); ++j) {
-      const double x = rule.at[i], y = rule.at[j];
-      const std::array<double, 4> shape{(1 - x) * (1 - y), x * (1 - y), (1 - x) * y, x * y};
-      Vector3d chart(0, 0, 0), mean(0, 0, 0), offset(0, 0, 0);
+  for (std::size_t i = 0; i < kGaussPlaces.size(); ++i)
+    for (std::size_t j = 0; j < kGaussPlaces.size(); ++j) {
+      const double x = kGaussPlaces[i], y = kGaussPlaces[j];
+      const Eigen::Vector4d shape = face_shape(x, y);
+      Vector3d chart(0, 0, 0), mean(0, 0, 0);
       std::map<int, double> weights;
       for (std::size_t k = 0; k < 4; ++k) {
-        chart += shape[k] * mesh.chart_point(nodes[k]);
-        mean += shape[k] * at_rest.col(nodes[k]);
+        const double share = shape[static_cast<Eigen::Index>(k)];
+        chart += share * mesh.chart_point(nodes[k]);
+        mean += share * at_rest.col(nodes[k]);
         for (const NodeWeight& each : mesh.support(nodes[k]))
-          weights[body.free_place(each.node)] += shape[k] * each.weight;
+          weights[body.free_place(each.node)] += share * each.weight;
       }
       if (weights.count(-1) != 0) return {};
-      if (rule.on_surface) offset = mesh.chart().place(chart) - mean;
-      SurfacePoint point{offset, {}, area * rule.share[i] * rule.share[j], std::sqrt(area)};
+      SurfacePoint point{mesh.chart().place(chart) - mean,
+                         {},
+                         area * kGaussShares[i] * kGaussShares[j],
+                         std::sqrt(area)};
       for (const auto& [node, weight] : weights) point.nodes.push_back({node, weight});
       out.push_back(std::move(point));
     }
@@ -100,24 +89,28 @@ ContactSurface contact_surface(const HexMesh& mesh, const TissueBody& body,
     surface.area[k] = area[node];
   }
   if (body.is_quadratic()) return surface;
-  // Points by nodes of the surface.
-  const auto add = [&](const SideRule& rule, std::vector<SurfacePoint>& points) {
-    for (const HexFace& face : faces)
-      for (SurfacePoint& point : face_points(mesh, body, face.nodes, at_rest, rule)) {
-        point.cell = face.cell;
-        for (NodeWeight& each : point.nodes) each.node = index[static_cast<std::size_t>(each.node)];
-        points.push_back(std::move(point));
-      }
-  };
-  add(gauss_rule(), surface.points);
-  add(even_rule(), surface.grid);
-  // The grid runs through nodes that are as far out as the true surface around them.
+  // Points by nodes of the surface, and the same faces.
+  for (const HexFace& face : faces) {
+    std::vector<SurfacePoint> points = face_points(mesh, body, face.nodes, at_rest);
+    if (points.empty()) continue;
+    SurfaceFace whole{{}, FaceCorners::Zero(), 0, face.cell};
+    for (SurfacePoint& point : points) {
+      for (NodeWeight& each : point.nodes) each.node = index[static_cast<std::size_t>(each.node)];
+      whole.area += point.area;
+      surface.points.push_back(std::move(point));
+    }
+    for (std::size_t k = 0; k < 4; ++k)
+      for (const NodeWeight& each : mesh.support(face.nodes[k]))
+        whole.corners[k].push_back(
+            {index[static_cast<std::size_t>(body.free_place(each.node))], each.weight});
+    surface.faces.push_back(std::move(whole));
+  }
+  // Its corners go with nodes that are as far out as the true surface around them.
   Matrix3Xd out = Matrix3Xd::Zero(3, count);
   for (const SurfacePoint& point : surface.points)
     for (const NodeWeight& each : point.nodes)
       out.col(each.node) += each.weight * point.area / surface.area[each.node] * point.offset;
-  for (SurfacePoint& point : surface.grid)
-    for (const NodeWeight& each : point.nodes) point.offset += each.weight * out.col(each.node);
+  for (SurfaceFace& face : surface.faces) face.offsets = corners_of(face, out);
   return surface;
 }
 
@@ -136,6 +129,14 @@ Vector3d place_of(const SurfacePoint& point, const Matrix3Xd& places) {
   Vector3d p = point.offset;
   for (const NodeWeight& each : point.nodes) p += each.weight * places.col(each.node);
   return p;
+}
+
+FaceCorners corners_of(const SurfaceFace& face, const Matrix3Xd& places) {
+  FaceCorners out = face.offsets;
+  for (Eigen::Index k = 0; k < 4; ++k)
+    for (const NodeWeight& each : face.corners[static_cast<std::size_t>(k)])
+      out.col(k) += each.weight * places.col(each.node);
+  return out;
 }
 
 double smallest_gap(const ContactSurface& surface, const Shape& object, const Pose<double>& X_PO,

@@ -2,17 +2,17 @@
 
 /// The surface of a body that may touch a rigid object, and its gaps.
 
+#include <array>
 #include <vector>
 
 #include <Eigen/Core>
 
 #include "base/spatial.h"
 #include "geometry/shape.h"
+#include "pads/pressed_face.h"
 #include "pads/tissue_body.h"
 
 namespace thenar {
-
-constexpr std::size_t kGridPoints = 8;  // along a side of a face, of ContactSurface::grid
 
 /// A point of a curved surface between nodes.
 struct SurfacePoint {
@@ -20,7 +20,15 @@ struct SurfacePoint {
   std::vector<NodeWeight> nodes;  // of the surface, with their shape functions [1]
   double area = 0;                // of the surface that it stands for [m^2]
   double size = 0;                // of its face, the root of its area [m]
-  int cell = 0;                   // of its face, of the mesh
+};
+
+/// A face of a curved surface, bilinear between corners that are as far out as the true surface
+/// around them in the mean.
+struct SurfaceFace {
+  std::array<std::vector<NodeWeight>, 4> corners;  // nodes of the surface whose mean each goes with
+  FaceCorners offsets;                             // from these means [m]
+  double area = 0;                                 // [m^2]
+  int cell = 0;                                    // of the mesh
 };
 
 /// Free nodes of a body that may touch.
@@ -30,8 +38,7 @@ struct ContactSurface {
   Eigen::VectorXd area;              // of the reference surface, a node's share [m^2] (nodes)
   std::vector<SurfacePoint> points;  // Gauss points of faces whose nodes are all free; none: gaps
                                      // of nodes count
-  std::vector<SurfacePoint> grid;    // the same faces by kGridPoints^2 even points each, between
-                                     // nodes that are as far out as the true surface in the mean
+  std::vector<SurfaceFace> faces;    // the same faces
 };
 
 /// Free nodes of faces all of whose nodes are marked; a hanging node's share goes to its masters.
@@ -48,6 +55,9 @@ struct ContactSurface {
 
 /// Where a point of a surface is. @param places  of the nodes [m] (3, nodes)
 [[nodiscard]] Eigen::Vector3d place_of(const SurfacePoint& point, const Eigen::Matrix3Xd& places);
+
+/// Where the corners of a face are [m]. @param places  of the nodes [m] (3, nodes)
+[[nodiscard]] FaceCorners corners_of(const SurfaceFace& face, const Eigen::Matrix3Xd& places);
 
 /// Area of faces that is each node's share, a quarter of each of its faces; shares of hanging nodes
 /// go to their masters [m^2] (nodes of the mesh).
@@ -72,7 +82,7 @@ struct ContactSurface {
 ///   w_kq = N_k(q) area_q / sum_q N_k(q) area_q,
 /// where d is the distance to the object and q are the surface's points. Whatever forces act on
 /// these gaps are handed to nodes by their slopes, so that a push does the work that tissue takes
-/// up. Of objects without edges: see PointSprings.
+/// up. Of objects without edges: see SkinSprings.
 class MeanGaps {
  public:
   explicit MeanGaps(const ContactSurface& surface);

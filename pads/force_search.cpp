@@ -124,6 +124,7 @@ class ForceSearch {
       answer.pressure = from->state.pressure;
       answer.normal = from->state.normal;
       answer.shear = from->state.shear;
+      answer.spring_stiffness = from->state.spring_stiffness;
     }
     const PressOutcome out = step_(goal, answer);
     iterations_ += out.iterations;

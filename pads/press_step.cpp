@@ -5,7 +5,7 @@
 
 #include "base/error.h"
 #include "base/numbers.h"
-#include "pads/point_springs.h"
+#include "pads/skin_springs.h"
 #include "solvers/anderson_mixing.h"
 #include "solvers/sparse/gmres.h"
 
@@ -36,8 +36,16 @@ constexpr double kFirm = 0.2;       // what is left, over forces, below which on
 constexpr double kSlipping = 1e-6;  // below its cone's bound, friction that slips [1]
 constexpr double kTurned = -0.5;    // cosine of normals on two sides of an object [1]
 constexpr int kMostCuts = 10;       // halvings of a motion that turns an element inside out
-constexpr double kGives = 0.2;      // of springs at points, over the distance of nodes [1]
-constexpr double kSpring = 1e-2;    // of a drive, over that of tissue under a node [1]
+constexpr double kGives = 0.2;      // of springs of skin, over the distance of nodes [1]
+constexpr int kPatience = 2;        // iterations before steps are shortened
+constexpr double kArmijo = 1e-4;    // of a fall that slopes promise [1]
+constexpr double kRoundedEnergy = 1e-11;  // of a potential, whose parts are rounded [1]
+constexpr double kRoundedStrain = 1e-15;  // of squares of stretches less 3, in an energy [1]
+constexpr double kSameWay = 0.95;         // cosine of steps that go one way [1]
+constexpr double kFarther = 16;           // by how much these grow at most [1]
+constexpr double kSkinStiffer = 2;        // springs of skin than the augmentation [1]
+constexpr double kMuchStiffer = 8;        // than springs were made for, so that they change [1]
+constexpr double kSpring = 1e-2;          // of a drive, over that of tissue under a node [1]
 
 constexpr double kLeastHold = 1e-6;  // springs that hold nodes, over the tangent's diagonal [1]
 constexpr double kMostHold = 1;
@@ -101,7 +109,7 @@ class PressSolver {
   Eigen::Matrix<double, 6, 6> stiffness() {
     const Matrix3Xd u = body_.spread(now_.x, {});
     body_.respond(u, 0, start_.history, now_.pressure, ElementAsk::kStiffness, tissue_);
-    if (start_.by_springs) return spring_stiffness();
+    if (start_.by_springs) return stiffness_by_springs();
     gaps_.find(*object_.shape, now_.X_PO, now_.x);
     TouchingNodes touching;
     touching.along_normal.resize(3, now_.normal.size());
@@ -132,6 +140,7 @@ class PressSolver {
     now_.push = push_;
     now_.by_springs = springs_.has_value();
     now_.spring_energy = springs_ ? springs_->energy() : 0;
+    if (springs_ && !stiffer_.empty()) now_.spring_stiffness = stiffer_;
     now_.history = body_.advance(body_.spread(now_.x, {}), goal_.time, start_.history);
     return now_;
   }
@@ -176,7 +185,7 @@ class PressSolver {
   }
 
   /// The slope with springs: the object moves, and forces turn with it, while tissue resists.
-  Eigen::Matrix<double, 6, 6> spring_stiffness() {
+  Eigen::Matrix<double, 6, 6> stiffness_by_springs() {
     Eigen::Matrix<double, 6, 6> out = Eigen::Matrix<double, 6, 6>::Zero();
     if (tissue_.inverted) return out;
     residual_ = VectorXd::Zero(body_.unknowns());
@@ -184,7 +193,7 @@ class PressSolver {
     springs_.emplace(body_, surface_);
     find_springs(object_.friction * (1 - kSlipping));
     springs_->add_slopes(tissue_.values);
-    if (!factors_.moment.factor(tissue_.values)) return out;
+    if (!factored([&] { return factors_.moment.factor(tissue_.values); })) return out;
     return push_slope(places_of(surface_, now_.x), springs_->push() + springs_->shear(),
                       [&](const Matrix3Xd& rigid, const Matrix3Xd& turned) {
                         const Matrix3Xd pushed = springs_->loss(rigid) + turned;
@@ -193,10 +202,15 @@ class PressSolver {
                       });
   }
 
-  /// Springs that change by steps of 4, so that they stay as they are along most of a way.
+  /// Springs that stay as they were unless tissue has become much stiffer or softer, as a change
+  /// makes energy from nothing.
   void find_spring_stiffness() {
     find_stiffness(tissue_.values);
-    for (double& each : stiffer_) each = std::pow(4, std::ceil(std::log2(each) / 2));
+    for (double& each : stiffer_) each *= kSkinStiffer;
+    for (std::size_t k = 0; k < start_.spring_stiffness.size(); ++k) {
+      const double was = start_.spring_stiffness[k];
+      if (std::max(was / stiffer_[k], stiffer_[k] / was) < kMuchStiffer) stiffer_[k] = was;
+    }
   }
 
   /// Sets springs, and what they make of contacts.
@@ -210,53 +224,107 @@ class PressSolver {
     }
   }
 
-  /// Newton's method with springs at points of the skin.
+  /// Newton's method with springs on the skin. Without friction forces are slopes of one potential,
+  /// and a step is shortened until that falls.
   PressOutcome solve_by_springs() {
     PressOutcome out;
-    VectorXd dx;
     springs_.emplace(body_, surface_);
-    // Off the pad at rest, skin that hangs on an edge would be another answer.
-    const VectorXd rest = VectorXd::Zero(now_.x.size());
-    if (!goal_.force && !body_.relaxes() &&
-        smallest_gap(surface_, *object_.shape, now_.X_PO, rest) > 0) {
-      now_.x = rest;
+    if (is_off_at_rest()) {
+      // Skin that hangs on an edge would be another answer.
+      now_.x.setZero();
       now_.pressure.clear();
-      out.status = Status::kSolved;
-      return out;
+      return ended(body_.spread(now_.x, {}), out);
     }
+    VectorXd dx, last;
+    LineSearch line;
     for (; goes_on(out); ++out.iterations) {
       Matrix3Xd u;
       if (!respond(ElementAsk::kStiffness, dx, u, out)) return out;
       if (out.iterations == 0) find_spring_stiffness();
       find_springs(object_.friction);
+      if (out.iterations > kPatience && !search_line(line, dx, u, out)) return out;
       measure(out);
       if (is_solved(out)) return ended(u, out);
       if (goal_.force && scale_ == 0) {
         gaps_.find(*object_.shape, now_.X_PO, now_.x);
         if (!go_to_touch(out)) return out;
+        line.before = kInfinity;
         continue;
       }
       springs_->add_slopes(tissue_.values);
-      dx = VectorXd::Zero(0);
-      double motion = 0;
+      dx.resize(0);
+      line = {potential(), 0, 0};
       if (factored([&] { return factors_.moment.factor(tissue_.values); })) {
         dx = solve(-residual_);
-        if (goal_.force && !reach_force(dx, motion)) dx.resize(0);
+        if (goal_.force && !reach_force(dx, line.motion)) dx.resize(0);
       }
       if (dx.size() == 0) {
         out.message = "the stiffness is not positive definite";
         return out;
       }
+      line.promise = residual_.dot(dx) - missing_ * line.motion;
+      const bool runs = out.iterations > kPatience && runs_off(last, dx);
+      last = dx;
+      if (runs) dx *= std::clamp(longest_ / dx.lpNorm<Eigen::Infinity>(), 1.0, kFarther);
       now_.pressure = body_.pressure_after(u, body_.spread(dx, {}));
       if (object_.friction > 0) {
         Matrix3Xd moved = on_surface(dx);
-        moved.colwise() -= motion * goal_.along;
+        moved.colwise() -= line.motion * goal_.along;
         now_.shear = springs_->shear() - springs_->friction_loss(moved);
       }
       now_.x += dx;
-      now_.X_PO.p += motion * goal_.along;
+      now_.X_PO.p += line.motion * goal_.along;
     }
     return out;
+  }
+
+  /// Of the last step: the potential before it, what slopes promise of its change, and the object's
+  /// motion.
+  struct LineSearch {
+    double before = kInfinity, promise = 0;  // [J]
+    double motion = 0;                       // [m]
+  };
+  /// Halves the last step until the potential falls as slopes promise (Armijo's rule); with
+  /// friction there is none.
+  /// @return false if tissue gives no answer
+  bool search_line(LineSearch& line, VectorXd& dx, Matrix3Xd& u, PressOutcome& out) {
+    if (object_.friction > 0) return true;
+    for (int cut = 0; cut < kMostCuts; ++cut) {
+      if (potential() <= line.before + kArmijo * line.promise + rounded_potential()) break;
+      line.promise /= 2;
+      line.motion /= 2;
+      dx /= 2;
+      now_.x -= dx;
+      now_.X_PO.p -= line.motion * goal_.along;
+      if (!respond(ElementAsk::kStiffness, dx, u, out)) return false;
+      find_springs(0);
+    }
+    return true;
+  }
+
+  /// Whether the object, which does not wait for a force, is off the skin at rest.
+  [[nodiscard]] bool is_off_at_rest() {
+    if (goal_.force || body_.relaxes()) return false;
+    const std::vector<double> any(surface_.nodes.size(), 1);
+    springs_->find(*object_.shape, now_.X_PO, VectorXd::Zero(now_.x.size()), any, 0,
+                   {start_.anchor, now_.shear});
+    return springs_->deepest() <= 0;
+  }
+
+  /// Energy of tissue and springs, less the work of the force on the object [J].
+  [[nodiscard]] double potential() const {
+    return tissue_.energy + springs_->energy() -
+           goal_.force.value_or(0) * goal_.along.dot(now_.X_PO.p - start_.X_PO.p);
+  }
+  [[nodiscard]] double rounded_potential() const {
+    return kRoundedEnergy * std::abs(potential()) +
+           kRoundedStrain * body_.largest_modulus() * std::pow(surface_.area.sum(), 1.5);
+  }
+
+  /// Whether steps go on in one direction and grow, as off an equilibrium that is not stable.
+  [[nodiscard]] bool runs_off(const VectorXd& last, const VectorXd& dx) const {
+    return object_.friction <= 0 && !goal_.force && last.size() > 0 && dx.norm() > last.norm() &&
+           dx.dot(last) > kSameWay * dx.norm() * last.norm();
   }
 
   /// Each iteration brings the body, linear at where it is, to rest under exact cones. Its tangent
@@ -723,7 +791,7 @@ class PressSolver {
   const PressState& start_;
   PressState now_;
   MeanGaps gaps_;
-  std::optional<PointSprings> springs_;  // where there are edges
+  std::optional<SkinSprings> springs_;  // where there are edges
   std::vector<TouchingNode> contacts_;
   std::vector<double> stiffer_;  // of the augmentation [N/m] (surface nodes)
   TissueResponse tissue_;
@@ -733,6 +801,11 @@ class PressSolver {
   double rounding_ = 0;  // of contact forces [N]
   double longest_ = 0;   // motion of the object in an iteration [m]
 };
+
+/// Whether springs of a state, where there are some, are those of the surface's nodes.
+bool has_springs_of(const PressState& state, const ContactSurface& surface) {
+  return state.spring_stiffness.empty() || state.spring_stiffness.size() == surface.nodes.size();
+}
 
 }  // namespace
 
@@ -751,7 +824,8 @@ PressOutcome press_step(const TissueBody& body, const ContactSurface& surface,
           "the direction of a force is no unit vector");
   require(nodes > 0, "a body has no surface that may touch");
   require(state.x.size() == body.unknowns() && state.normal.size() == nodes &&
-              state.shear.cols() == nodes && state.anchor.cols() == nodes,
+              state.shear.cols() == nodes && state.anchor.cols() == nodes &&
+              has_springs_of(state, surface),
           "a state of {} unknowns and {} nodes does not fit a body of {} and {}", state.x.size(),
           state.normal.size(), body.unknowns(), nodes);
   PressSolver solver(body, surface, object, goal, options, factors, state);
@@ -764,7 +838,8 @@ Eigen::Matrix<double, 6, 6> press_stiffness(const TissueBody& body, const Contac
                                             const RigidObject& object, const PressOptions& options,
                                             PressFactors& factors, const PressState& state) {
   require(state.x.size() == body.unknowns() &&
-              state.normal.size() == static_cast<Eigen::Index>(surface.nodes.size()),
+              state.normal.size() == static_cast<Eigen::Index>(surface.nodes.size()) &&
+              has_springs_of(state, surface),
           "a state of {} unknowns does not fit a body of {}", state.x.size(), body.unknowns());
   PressGoal here;
   here.X_PO = state.X_PO;

@@ -34,8 +34,9 @@ struct PressState {
   Eigen::VectorXd normal;    // force along the object's normal [N] (surface nodes)
   Eigen::Matrix3Xd shear;    // friction on the node [N] (3, surface nodes)
   Eigen::Matrix3Xd anchor;   // where a node was at the last step, object's frame [m] (3, nodes)
-  bool by_springs = false;   // whether its forces are those of PointSprings
+  bool by_springs = false;   // whether its forces are those of SkinSprings
   double spring_energy = 0;  // that these hold [J]
+  std::vector<double> spring_stiffness;  // under nodes, once there were springs [N/m] (nodes)
 };
 
 /// How far to go in a step.
@@ -74,8 +75,8 @@ struct [[nodiscard]] PressOutcome {
 /// normal, and shear against the slip since the last step, to the tolerances; on kSolved `state` is
 /// the new state, otherwise it is as it was (kStopped: it was asked to stop).
 ///
-/// Where an edge of the object lies over the skin, contact is by stiff springs at points
-/// (PointSprings), which give way by about a hundredth of what tissue does, and Newton's method.
+/// Where an edge of the object lies over the skin, contact is by stiff springs spread over it
+/// (SkinSprings), which give way by less than a hundredth of what tissue does, and Newton's method.
 /// Elsewhere gaps of nodes are means over the true surface around them (MeanGaps). Without
 /// friction, and where many nodes touch, Newton's method on the augmented Lagrangian goes first;
 /// its slope of sliding friction is that of [HueeberStadlerWohlmuth2008], without which nodes turn

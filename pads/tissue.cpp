@@ -171,7 +171,8 @@ double tangent_shear_modulus(const Tissue& tissue, const IsochoricResponse& at) 
 }
 
 VolumetricResponse volumetric_response(double bulk_modulus, double J) {
-  return {bulk_modulus / 4 * (J * J - 1 - 2 * std::log(J)), bulk_modulus / 2 * (J - 1 / J),
+  const double e = J - 1;  // so that the energy is exact where it is small
+  return {bulk_modulus / 4 * (e * (2 + e) - 2 * std::log1p(e)), bulk_modulus / 2 * (J - 1 / J),
           bulk_modulus / 2 * (1 + 1 / (J * J))};
 }
 

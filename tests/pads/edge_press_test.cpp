@@ -1,11 +1,14 @@
-// Tests for pads/point_springs.cpp: presses by objects with edges and corners.
+// Tests for pads/skin_springs.cpp: presses by objects with edges and corners.
 
-#include "pads/point_springs.h"
+#include "pads/skin_springs.h"
 
 #include <cmath>
 #include <optional>
+#include <ostream>
+#include <vector>
 
 #include <gtest/gtest.h>
+#include <Eigen/Geometry>
 
 #include "geometry/primitives.h"
 #include "pads/pad_press.h"
@@ -108,22 +111,80 @@ TEST(SharpEdge, PushesToNoSideOfWhatIsSymmetric) {
   }
 }
 
-TEST(SharpEdge, GivesBackItsWorkWithoutFriction) {
-  for (const bool on_edge : {false, true}) {
-    EdgePress press(on_edge ? block() : cube(), on_edge ? kOnEdge : Matrix3d::Identity(), 0, 100,
-                    1);
-    constexpr int kSteps = 40, kOff = 8;
-    constexpr double kStep = 1e-3 / kSteps;
-    double work = 0, most = 0, before = 0;
-    for (int k = -kOff; k <= 2 * kSteps + kOff; ++k) {
-      const double depth = kStep * (k <= kSteps ? k : 2 * kSteps - k);
-      ASSERT_EQ(press.go_to({0, 0, -depth}).solved.status, Status::kSolved) << depth;
-      const double force = -press.push()[2];
-      work += 0.5 * (before + force) * kStep * (k <= kSteps ? 1 : -1);
-      before = force;
-      most = std::max(most, work);
+/// An object that is pressed in, moved aside, and lifted.
+struct Loop {
+  const char* name;
+  std::shared_ptr<const Shape> object;
+  Matrix3d R;
+  double depth, aside;  // [m]
+};
+std::ostream& operator<<(std::ostream& out, const Loop& loop) { return out << loop.name; }
+
+class EdgeLoop : public testing::TestWithParam<Loop> {};
+
+TEST_P(EdgeLoop, GivesBackItsWorkWithoutFriction) {
+  const Loop& loop = GetParam();
+  EdgePress press(loop.object, loop.R, 0, 100, 1);
+  std::vector<Vector3d> way;
+  constexpr int kSteps = 30;
+  const int off = static_cast<int>(kSteps * 1e-3 / loop.depth);
+  for (int k = -off; k <= kSteps; ++k) way.emplace_back(0, 0, -loop.depth * k / kSteps);
+  for (int k = 1; k <= kSteps; ++k) way.emplace_back(loop.aside * k / kSteps, 0, -loop.depth);
+  for (int k = kSteps - 1; k >= -off; --k)
+    way.emplace_back(loop.aside, 0, -loop.depth * k / kSteps);
+  double work = 0, most = 0;
+  Vector3d place = way.front(), before(0, 0, 0);
+  for (const Vector3d& to : way) {
+    const PadPressResult result = press.go_to(to);
+    ASSERT_EQ(result.solved.status, Status::kSolved) << to.transpose() << result.solved.message;
+    work += 0.5 * (before + press.push()).dot(to - place);
+    most = std::max(most, work);
+    before = press.push();
+    place = to;
+  }
+  EXPECT_GT(most, 1e-5);
+  EXPECT_LT(std::abs(work), 0.005 * most);
+}
+
+const Matrix3d kTilted = (Eigen::AngleAxisd(0.3, Vector3d(1, 0.3, 0).normalized()) *
+                          Eigen::AngleAxisd(0.6, Vector3d::UnitZ()))
+                             .toRotationMatrix();
+const Matrix3d kOnCorner =
+    Eigen::Quaterniond::FromTwoVectors(Vector3d(-1, -1, -1), Vector3d(0, 0, -1)).toRotationMatrix();
+
+INSTANTIATE_TEST_SUITE_P(
+    Objects, EdgeLoop,
+    testing::Values(
+        Loop{"in and out", block(), kOnEdge, 1e-3, 0},
+        Loop{"cube", cube(), Matrix3d::Identity(), 1e-3, 2e-3},
+        Loop{"tilted cube", cube(), kTilted, 1e-3, 1e-3},
+        Loop{"edge", block(), kOnEdge, 1e-3, 2e-3},
+        Loop{"edge along", block(),
+             Eigen::AngleAxisd(std::acos(0.0), Vector3d::UnitZ()).toRotationMatrix() * kOnEdge,
+             1e-3, 1e-3},
+        Loop{"corner", cube(), kOnCorner, 1e-3, 1e-3},
+        Loop{"thin blade", build_box({0.5e-3, 0.2, 0.05}), Matrix3d::Identity(), 0.5e-3, 1e-3},
+        Loop{"coin", build_cylinder(6e-3, 2e-3), Matrix3d::Identity(), 1e-3, 1e-3}));
+
+// Drawn forth and back, as half of the angle between its pushes at one place, for skin is not
+// level; about so, for it bends around the edge as a rope does. Edges that catch have thrice that.
+TEST(SharpEdge, RubsByItsFrictionAsItIsDrawn) {
+  for (const double friction : {0.3, 0.6}) {
+    EdgePress press(block(), kOnEdge, friction, 100, 1);
+    for (int k = 1; k <= 10; ++k) (void)press.go_to({0, 0, -1e-4 * k});
+    const auto angle_at = [&](int k) {
+      EXPECT_EQ(press.go_to({1e-4 * k, 0, -1e-3}).solved.status, Status::kSolved) << k;
+      return std::atan2(press.push()[0], -press.push()[2]);
+    };
+    constexpr int kPlaces = 21;
+    std::vector<double> forth;
+    for (int k = 0; k < kPlaces; ++k) forth.push_back(angle_at(k));
+    for (int k = kPlaces; k < kPlaces + 10; ++k) (void)angle_at(k);
+    for (int k = kPlaces + 10; k >= kPlaces; --k) (void)angle_at(k);
+    for (int k = kPlaces - 1; k > 10; --k) {
+      const double half = std::abs(forth[static_cast<std::size_t>(k)] - angle_at(k)) / 2;
+      EXPECT_NEAR(half / std::atan(friction), 1, 0.25) << k;
     }
-    EXPECT_LT(std::abs(work), 0.01 * most) << on_edge;
   }
 }
 
@@ -140,9 +201,10 @@ TEST(SharpEdge, IsFoundWhereThereIsOne) {
 }
 
 // Against differences of forces, without friction and where it holds all nodes.
-TEST(PointSprings, HaveTheSlopesOfTheirForces) {
+TEST(SkinSprings, HaveTheSlopesOfTheirForces) {
+  // Beside nodes, over which slopes of forces jump.
   EdgePress press(block(), kOnEdge, 0, 100, 1);
-  ASSERT_EQ(press.go_to({0, 0, -1e-3}).solved.status, Status::kSolved);
+  ASSERT_EQ(press.go_to({1.3e-4, 0, -1e-3}).solved.status, Status::kSolved);
   const PadPress& at = press.press();
   const PressState& state = at.state();
   const std::vector<double> stiffness(at.surface().nodes.size(), 500);
@@ -154,12 +216,12 @@ TEST(PointSprings, HaveTheSlopesOfTheirForces) {
     way.segment<3>(3 * at.surface().nodes[static_cast<std::size_t>(k)]) = moved.col(k);
   }
   for (const double friction : {0.0, 10.0}) {
-    const auto force = [&](double step, PointSprings& springs) {
+    const auto force = [&](double step, SkinSprings& springs) {
       springs.find(*block(), state.X_PO, state.x + step * way, stiffness, friction,
                    {state.anchor, state.shear});
       return Matrix3Xd(springs.push() + springs.shear());
     };
-    PointSprings springs(at.body(), at.surface()), beside(at.body(), at.surface());
+    SkinSprings springs(at.body(), at.surface()), beside(at.body(), at.surface());
     constexpr double kStep = 1e-10;
     const Matrix3Xd change = (force(kStep, beside) - force(-kStep, beside)) / (2 * kStep);
     ASSERT_GT(force(0, springs).norm(), 0);
@@ -169,8 +231,7 @@ TEST(PointSprings, HaveTheSlopesOfTheirForces) {
 
 TEST(SpringStiffness, IsTheSlopeOfThePush) {
   EdgePress press(cube(), Matrix3d::Identity(), 0, 100, 1);
-  // Twice, as springs are those of where a step begins.
-  for (int k = 0; k < 2; ++k) ASSERT_EQ(press.go_to({0, 0, -1e-3}).solved.status, Status::kSolved);
+  ASSERT_EQ(press.go_to({0, 0, -1e-3}).solved.status, Status::kSolved);
   const double slope = press.press().stiffness()(5, 5);
   constexpr double kStep = 2e-8;
   ASSERT_EQ(press.go_to({0, 0, -1e-3 - kStep}).solved.status, Status::kSolved);

@@ -1,6 +1,6 @@
 #pragma once
 
-/// Contact with edges and corners by springs at points of the skin.
+/// Contact with edges and corners by springs spread over the skin.
 
 #include <vector>
 
@@ -13,14 +13,14 @@
 
 namespace thenar {
 
-/// Forces of stiff springs that push points of the skin out of an object, each along the object's
-/// normal there: their energy is 1/2 k_q min(0, d(x_q))^2. Where an edge lies between nodes, no gap
-/// of a node tells how deep it is, and the one normal of a node that rests on it cannot bear forces
-/// from both sides; many points can. Nodes are pressed by shares of their points' forces, and rub
-/// by Coulomb's law with a spring that holds what sticks.
-class PointSprings {
+/// Forces of stiff springs, spread evenly over the skin, that push it out of an object, each along
+/// the object's normal where it is (press_face()). Where an edge lies between nodes, no gap of a
+/// node tells how deep it is, and the one normal of a node that rests on it cannot bear forces from
+/// both sides; what lies on both sides of it can. Nodes are pressed by their shares, and rub by
+/// Coulomb's law with a spring that holds what sticks.
+class SkinSprings {
  public:
-  PointSprings(const TissueBody& body, const ContactSurface& surface)
+  SkinSprings(const TissueBody& body, const ContactSurface& surface)
       : body_(body), surface_(surface) {}
 
   /// Friction of nodes before.
@@ -58,11 +58,10 @@ class PointSprings {
   [[nodiscard]] Eigen::Matrix3Xd friction_loss(const Eigen::Matrix3Xd& moved) const;
 
  private:
-  /// A point inside the object.
-  struct Inside {
-    const SurfacePoint* point;
-    Eigen::Vector3d normal;  // of the object, body's frame
-    double stiffness;        // [N/m]
+  /// A face that is inside the object in part.
+  struct Pressed {
+    const SurfaceFace* face;
+    PressedFace springs;
   };
   /// Friction of a node.
   struct Rubbing {
@@ -84,7 +83,7 @@ class PointSprings {
 
   const TissueBody& body_;
   const ContactSurface& surface_;
-  std::vector<Inside> inside_;
+  std::vector<Pressed> pressed_;
   std::vector<Rubbing> rubbing_;  // (nodes)
   Eigen::Matrix3Xd push_, shear_;
   double friction_ = 0, energy_ = 0, deepest_ = 0;

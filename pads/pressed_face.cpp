@@ -1,0 +1,339 @@
+#include "pads/pressed_face.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <optional>
+#include <utility>
+
+namespace thenar {
+namespace {
+
+using Eigen::Vector3d;
+using Eigen::Vector4d;
+using Row = Eigen::Matrix<double, 12, 1>;    // of all coordinates of a face's corners
+using Shapes = Eigen::Matrix<double, 4, 3>;  // of a triangle's corners, of those of the face
+
+constexpr int kParts = 4;            // of a side of a face
+constexpr double kTurn = 3e-3;       // of normals over a triangle, from which on planes count [1]
+constexpr double kConvex = 1e-9;     // of a plane beyond the object, that rounding explains [m]
+constexpr double kBeyond = 1e-13;    // of the object over all known planes, that tells of more [m]
+constexpr double kSharpTurn = 0.1;   // turn of normals over a triangle that tells of an edge [1]
+constexpr int kMostSplits = 4;       // of triangles over curved edges
+constexpr int kMostLooks = 4;        // for more planes of a triangle
+constexpr double kSamePlane = 1e-7;  // difference of normals [1]
+constexpr double kNoPart = 1e-10;    // of a triangle [1]
+constexpr std::size_t kMostCorners = 16;  // of a part of a triangle: 3, one of each of 8 planes
+
+/// A convex part of a triangle, by barycentric coordinates of its corners.
+struct Polygon {
+  std::array<Vector3d, kMostCorners> corners;
+  std::size_t size = 0;
+  void add(const Vector3d& p) {
+    if (size < corners.size()) corners[size++] = p;
+  }
+};
+
+Polygon whole_triangle() {
+  Polygon out;
+  for (int c = 0; c < 3; ++c) out.add(Vector3d::Unit(c));
+  return out;
+}
+
+/// The part where a linear function is 0 or more. @param values  at the triangle's corners (3)
+Polygon clipped(const Polygon& polygon, const Vector3d& values) {
+  Polygon out;
+  for (std::size_t i = 0; i < polygon.size; ++i) {
+    const Vector3d &a = polygon.corners[i], &b = polygon.corners[(i + 1) % polygon.size];
+    const double at_a = values.dot(a), at_b = values.dot(b);
+    if (at_a >= 0) out.add(a);
+    if ((at_a > 0 && at_b < 0) || (at_a < 0 && at_b > 0))
+      out.add(a + at_a / (at_a - at_b) * (b - a));
+  }
+  return out;
+}
+
+/// Area of a triangle of barycentric coordinates, over that of the whole [1].
+double share_of(const Vector3d& a, const Vector3d& b, const Vector3d& c) {
+  return std::abs((b - a)[0] * (c - a)[1] - (b - a)[1] * (c - a)[0]);
+}
+double share_of(const Polygon& polygon) {
+  double out = 0;
+  for (std::size_t i = 1; i + 1 < polygon.size; ++i)
+    out += share_of(polygon.corners[0], polygon.corners[i], polygon.corners[i + 1]);
+  return out;
+}
+
+/// A place on a face, and the object's surface near it, body's frame.
+struct Sample {
+  Vector4d shape;
+  Vector3d place, normal;
+  double distance = 0;
+};
+using Triangle = std::array<Sample, 3>;
+
+/// Distances of a triangle's corners to a plane, and the plane's normal.
+struct Plane {
+  Vector3d values;  // [m] (3)
+  Vector3d normal;
+};
+
+class FacePress {
+ public:
+  FacePress(const FaceCorners& corners, const Vector4d& stiffness, double area, const Shape& object,
+            const Pose<double>& X_PO)
+      : corners_(corners),
+        stiffness_(stiffness * area / (2 * kParts * kParts)),
+        object_(object),
+        X_PO_(X_PO),
+        X_OP_(X_PO.inverse()) {}
+
+  PressedFace press() {
+    const Sample middle = sample(face_shape(0.5, 0.5));
+    if (middle.distance > (corners_.colwise() - middle.place).colwise().norm().maxCoeff())
+      return std::move(out_);
+    std::array<std::array<Sample, kParts + 1>, kParts + 1> at;
+    for (std::size_t i = 0; i <= kParts; ++i)
+      for (std::size_t j = 0; j <= kParts; ++j)
+        at[i][j] =
+            sample(face_shape(static_cast<double>(i) / kParts, static_cast<double>(j) / kParts));
+    // Diagonals alternate, so that a face has no favoured one.
+    for (std::size_t i = 0; i < kParts; ++i)
+      for (std::size_t j = 0; j < kParts; ++j) {
+        const Sample &a = at[i][j], &b = at[i + 1][j], &c = at[i][j + 1], &d = at[i + 1][j + 1];
+        const bool rises = (i + j) % 2 == 0;
+        add(rises ? Triangle{a, b, d} : Triangle{a, b, c});
+        add(rises ? Triangle{a, d, c} : Triangle{b, d, c});
+      }
+    return std::move(out_);
+  }
+
+ private:
+  [[nodiscard]] Sample sample(const Vector4d& shape) const {
+    const Vector3d place = corners_ * shape;
+    const NearestSurface near = object_.nearest(X_OP_ * place);
+    return {shape, place, X_PO_.R * near.normal, near.distance};
+  }
+
+  /// Adds the springs of a triangle. @param cuts  that made it out of one of the face
+  void add(const Triangle& at, int cuts = 0) {
+    const double reach =
+        std::max((at[1].place - at[0].place).norm(), (at[2].place - at[0].place).norm());
+    if (at[0].distance > reach) return;
+    for (Eigen::Index c = 0; c < 3; ++c) shapes_.col(c) = at[static_cast<std::size_t>(c)].shape;
+    k_ = std::pow(0.25, cuts) * stiffness_.dot(shapes_.rowwise().mean());
+    // Planes of the corners.
+    double turn = 0, excess = 0;
+    std::array<Plane, 3> planes;
+    for (std::size_t p = 0; p < 3; ++p) {
+      planes[p] = plane_at(at, at[p].place, at[p].normal, at[p].distance);
+      for (std::size_t c = 0; c < 3; ++c) {
+        turn = std::max(turn, (at[p].normal - at[c].normal).norm());
+        excess = std::max(excess, planes[p].values[static_cast<Eigen::Index>(c)] - at[c].distance);
+      }
+    }
+    // All of it outside.
+    const bool is_convex = excess < kConvex;
+    if (is_convex && std::any_of(planes.begin(), planes.end(),
+                                 [](const Plane& plane) { return plane.values.minCoeff() >= 0; }))
+      return;
+    if (turn > kTurn && is_convex && find_planes(at, planes))
+      add_planes();
+    else if (turn < kSharpTurn || cuts == kMostSplits)
+      add_linear(at);
+    else
+      add_quarters(at, cuts + 1);
+  }
+
+  void add_quarters(const Triangle& at, int cuts) {
+    const auto between = [&](std::size_t a, std::size_t b) {
+      return sample(Vector4d((at[a].shape + at[b].shape) / 2));
+    };
+    const Sample ab = between(0, 1), bc = between(1, 2), ca = between(2, 0);
+    for (const Triangle& quarter : {Triangle{at[0], ab, ca}, Triangle{ab, at[1], bc},
+                                    Triangle{ca, bc, at[2]}, Triangle{bc, ca, ab}})
+      add(quarter, cuts);
+  }
+
+  static Plane plane_at(const Triangle& at, const Vector3d& place, const Vector3d& normal,
+                        double distance) {
+    Plane out{Vector3d::Constant(distance), normal};
+    for (Eigen::Index c = 0; c < 3; ++c)
+      out.values[c] += normal.dot(at[static_cast<std::size_t>(c)].place - place);
+    return out;
+  }
+
+  /// Adds springs whose depth is linear over the triangle.
+  void add_linear(const Triangle& at) {
+    const Vector3d depth(-at[0].distance, -at[1].distance, -at[2].distance);
+    const Vector3d normal = (at[0].normal + at[1].normal + at[2].normal).stableNormalized();
+    add_part(clipped(whole_triangle(), depth), depth, normal, [&](const Vector3d& b) {
+      FaceCorners slope = FaceCorners::Zero();
+      for (std::size_t c = 0; c < 3; ++c)
+        slope += b[static_cast<Eigen::Index>(c)] * at[c].normal * at[c].shape.transpose();
+      return slope;
+    });
+  }
+
+  /// Sets planes so that the farthest of them is as far as the object all over the part of the
+  /// triangle that is inside, and their parts. @return false if there are none, as by a curved
+  /// object
+  bool find_planes(const Triangle& at, const std::array<Plane, 3>& of_corners) {
+    planes_.clear();
+    for (const Plane& plane : of_corners) {
+      const bool known = std::any_of(planes_.begin(), planes_.end(), [&](const Plane& other) {
+        return (other.normal - plane.normal).norm() < kSamePlane;
+      });
+      if (!known) planes_.push_back(plane);
+    }
+    for (int look = 0; look <= kMostLooks; ++look) {
+      find_parts();
+      if (!find_another(at)) return true;
+    }
+    return false;
+  }
+
+  /// Adds springs whose depth is that below the farthest of the planes.
+  void add_planes() {
+    // Planes that touch the edge between two others have no part.
+    std::size_t kept = 0;
+    for (std::size_t p = 0; p < planes_.size(); ++p) {
+      if (share_of(parts_[p]) < kNoPart) continue;
+      planes_[kept] = planes_[p];
+      parts_[kept++] = parts_[p];
+    }
+    planes_.resize(kept);
+    for (std::size_t p = 0; p < planes_.size(); ++p) {
+      const Plane& plane = planes_[p];
+      add_part(parts_[p], -plane.values, plane.normal, [&](const Vector3d& b) {
+        return FaceCorners(plane.normal * (shapes_ * b).transpose());
+      });
+      for (std::size_t q = 0; q < p; ++q) add_ridge(p, q);
+    }
+  }
+
+  /// Sets where each plane is the farthest, and the triangle below it.
+  void find_parts() {
+    parts_.assign(planes_.size(), whole_triangle());
+    for (std::size_t p = 0; p < planes_.size(); ++p) {
+      parts_[p] = clipped(parts_[p], -planes_[p].values);
+      for (std::size_t q = 0; q < planes_.size(); ++q)
+        if (q != p) parts_[p] = clipped(parts_[p], planes_[p].values - planes_[q].values);
+    }
+  }
+
+  /// Adds the object's plane where it is farthest beyond those that are known. Between corners of
+  /// parts it is not: a convex distance less a linear one. @return whether there is one
+  bool find_another(const Triangle& at) {
+    double most = kBeyond;
+    std::optional<Plane> found;
+    for (std::size_t p = 0; p < planes_.size(); ++p)
+      for (std::size_t i = 0; i < parts_[p].size; ++i) {
+        const Vector3d& b = parts_[p].corners[i];
+        const Vector3d place = b[0] * at[0].place + b[1] * at[1].place + b[2] * at[2].place;
+        const NearestSurface near = object_.nearest(X_OP_ * place);
+        const double beyond = near.distance - planes_[p].values.dot(b);
+        if (beyond <= most) continue;
+        most = beyond;
+        found = plane_at(at, place, X_PO_.R * near.normal, near.distance);
+      }
+    if (found) planes_.push_back(*found);
+    return found.has_value();
+  }
+
+  /// Adds springs over a part of the triangle, where depth is linear.
+  /// @param slope_at  of the distance there by the face's corners
+  template <class SlopeAt>
+  void add_part(const Polygon& part, const Vector3d& depth, const Vector3d& normal,
+                const SlopeAt& slope_at) {
+    if (share_of(part) <= 0) return;
+    Vector3d mean(0, 0, 0);
+    for (std::size_t i = 0; i < part.size; ++i) {
+      out_.deepest = std::max(out_.deepest, depth.dot(part.corners[i]));
+      mean += part.corners[i] / static_cast<double>(part.size);
+    }
+    out_.points.push_back({shapes_ * mean, normal});
+    for_points(part, [&](const Vector3d& b, double share) {
+      const double here = depth.dot(b), k = k_ * share;
+      const FaceCorners slope = slope_at(b);
+      const Row row = slope.reshaped();
+      out_.energy += 0.5 * k * here * here;
+      out_.push += k * here * slope;
+      out_.stiffness += k * row * row.transpose();
+    });
+  }
+
+  /// Calls with points of a part and their shares of the triangle, by which products of two linear
+  /// functions are summed exactly.
+  template <class Call>
+  static void for_points(const Polygon& part, const Call& call) {
+    for (std::size_t i = 1; i + 1 < part.size; ++i) {
+      const std::array<Vector3d, 3> fan{part.corners[0], part.corners[i], part.corners[i + 1]};
+      const double share = share_of(fan[0], fan[1], fan[2]) / 3;
+      for (const Vector3d& corner : fan)
+        call(Vector3d((fan[0] + fan[1] + fan[2]) / 6 + corner / 2), share);
+    }
+  }
+
+  /// Adds what the stiffness has of the ridge between two planes.
+  void add_ridge(std::size_t p, std::size_t q) {
+    const Vector3d &one = planes_[p].values, more = one - planes_[q].values;
+    const Vector3d turn = planes_[p].normal - planes_[q].normal;
+    // Where it crosses the triangle's sides.
+    std::array<Vector3d, 2> ends;
+    std::size_t found = 0;
+    for (int i = 0; i < 3 && found < 2; ++i) {
+      const int j = (i + 1) % 3;
+      if ((more[i] > 0) != (more[j] > 0))
+        ends[found++] =
+            (more[j] * Vector3d::Unit(i) - more[i] * Vector3d::Unit(j)) / (more[j] - more[i]);
+    }
+    if (found < 2) return;
+    // Its part below the planes and above the others.
+    double from = 0, to = 1;
+    const auto cut = [&](const Vector3d& values) {
+      const double a = values.dot(ends[0]), b = values.dot(ends[1]);
+      if (a < 0 && b < 0) to = from;
+      if (a < 0 && b >= 0) from = std::max(from, a / (a - b));
+      if (a >= 0 && b < 0) to = std::min(to, a / (a - b));
+    };
+    cut(-one);
+    for (std::size_t r = 0; r < planes_.size(); ++r)
+      if (r != p && r != q) cut(one - planes_[r].values);
+    if (!(to > from)) return;
+    // Two points, exact for products of three linear functions; by areas of the triangle, which is
+    // 1/2 of the unit of its coordinates.
+    const double length = (to - from) * (ends[1] - ends[0]).head<2>().norm();
+    const double rate = std::hypot(more[0] - more[2], more[1] - more[2]);
+    for (const double side : {-1.0, 1.0}) {
+      const double s = 0.5 * (from + to) + side * (to - from) / std::sqrt(12.0);
+      const Vector3d b = (1 - s) * ends[0] + s * ends[1];
+      const Row row = FaceCorners(turn * (shapes_ * b).transpose()).reshaped();
+      out_.stiffness += k_ * one.dot(b) * length / rate * row * row.transpose();  // distance < 0
+    }
+  }
+
+  const FaceCorners& corners_;
+  Vector4d stiffness_;  // of a triangle's springs, by corners of the face [N/m] (4)
+  const Shape& object_;
+  Pose<double> X_PO_, X_OP_;
+  PressedFace out_;
+  // Of the triangle at hand.
+  Shapes shapes_;
+  double k_ = 0;  // [N/m]
+  std::vector<Plane> planes_;
+  std::vector<Polygon> parts_;
+};
+
+}  // namespace
+
+Vector4d face_shape(double x, double y) {
+  return {(1 - x) * (1 - y), x * (1 - y), (1 - x) * y, x * y};
+}
+
+PressedFace press_face(const FaceCorners& corners, const Vector4d& stiffness, double area,
+                       const Shape& object, const Pose<double>& X_PO) {
+  return FacePress(corners, stiffness, area, object, X_PO).press();
+}
+
+}  // namespace thenar
