@@ -43,6 +43,8 @@ constexpr double kRoundedEnergy = 1e-11;  // of a potential, whose parts are rou
 constexpr double kRoundedStrain = 1e-15;  // of squares of stretches less 3, in an energy [1]
 constexpr double kSameWay = 0.95;         // cosine of steps that go one way [1]
 constexpr double kFarther = 16;           // by how much these grow at most [1]
+constexpr int kRounds = 8;                // iterations in which a residual must fall
+constexpr double kFallsAgain = 0.5;       // to this share [1]
 constexpr double kSkinStiffer = 2;        // springs of skin than the augmentation [1]
 constexpr double kMuchStiffer = 8;        // than springs were made for, so that they change [1]
 constexpr double kSpring = 1e-2;          // of a drive, over that of tissue under a node [1]
@@ -237,6 +239,8 @@ class PressSolver {
     }
     VectorXd dx, last;
     LineSearch line;
+    double least = kInfinity;  // residual [N]
+    int fell = 0;              // the iteration in which it became that
     for (; goes_on(out); ++out.iterations) {
       Matrix3Xd u;
       if (!respond(ElementAsk::kStiffness, dx, u, out)) return out;
@@ -245,6 +249,15 @@ class PressSolver {
       if (out.iterations > kPatience && !search_line(line, dx, u, out)) return out;
       measure(out);
       if (is_solved(out)) return ended(u, out);
+      // With friction steps may go round for ever.
+      if (out.residual < kFallsAgain * least) {
+        least = out.residual;
+        fell = out.iterations;
+      }
+      if (object_.friction > 0 && out.iterations > fell + kRounds) {
+        out.message = "steps go round";
+        return out;
+      }
       if (goal_.force && scale_ == 0) {
         gaps_.find(*object_.shape, now_.X_PO, now_.x);
         if (!go_to_touch(out)) return out;
