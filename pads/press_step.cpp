@@ -556,6 +556,10 @@ class PressSolver {
         return fmt::format("the object is inside the tissue at ({:g}, {:g}, {:g}) mm", p[0] * 1e3,
                            p[1] * 1e3, p[2] * 1e3);
     }
+    // A small one may be all under the skin, where it meets no node and no face.
+    const Vector3d middle = object_.shape->bounds().center();
+    if (object_.shape->distance(middle) < 0 && body_.contains(now_.X_PO * middle, u))
+      return "the object is inside the tissue";
     return "";
   }
 

@@ -14,15 +14,17 @@ using Eigen::Vector4d;
 using Row = Eigen::Matrix<double, 12, 1>;    // of all coordinates of a face's corners
 using Shapes = Eigen::Matrix<double, 4, 3>;  // of a triangle's corners, of those of the face
 
-constexpr int kParts = 4;            // of a side of a face
-constexpr double kTurn = 3e-3;       // of normals over a triangle, from which on planes count [1]
-constexpr double kConvex = 1e-9;     // of a plane beyond the object, that rounding explains [m]
-constexpr double kBeyond = 1e-13;    // of the object over all known planes, that tells of more [m]
-constexpr double kSharpTurn = 0.1;   // turn of normals over a triangle that tells of an edge [1]
-constexpr int kMostSplits = 4;       // of triangles over curved edges
-constexpr int kMostLooks = 4;        // for more planes of a triangle
-constexpr double kSamePlane = 1e-7;  // difference of normals [1]
-constexpr double kNoPart = 1e-10;    // of a triangle [1]
+constexpr int kParts = 4;           // of a side of a face
+constexpr double kTurn = 3e-3;      // of normals over a triangle, from which on planes count [1]
+constexpr double kConvex = 1e-9;    // of a plane beyond the object, that rounding explains [m]
+constexpr double kBeyond = 1e-13;   // of the object over all known planes, that tells of more [m]
+constexpr double kSharpTurn = 0.1;  // turn of normals over a triangle that tells of an edge [1]
+constexpr double kEven =
+    0.25;  // of a turn, that its middle may be off; over an edge half of it [1]
+constexpr int kMostSplits = 4;            // of triangles over curved edges
+constexpr int kMostLooks = 4;             // for more planes of a triangle
+constexpr double kSamePlane = 1e-7;       // difference of normals [1]
+constexpr double kNoPart = 1e-10;         // of a triangle [1]
 constexpr std::size_t kMostCorners = 16;  // of a part of a triangle: 3, one of each of 8 planes
 
 /// A convex part of a triangle, by barycentric coordinates of its corners.
@@ -140,7 +142,7 @@ class FacePress {
     if (turn > kTurn && is_convex && find_planes(at, planes))
       add_planes();
     else if (turn < kSharpTurn || cuts == kMostSplits)
-      add_linear(at);
+      add_linear(at, turn < kSharpTurn || turns_evenly(at));
     else
       add_quarters(at, cuts + 1);
   }
@@ -163,16 +165,51 @@ class FacePress {
     return out;
   }
 
+  /// Whether normals turn evenly along the side where they turn most, as over no edge.
+  [[nodiscard]] bool turns_evenly(const Triangle& at) const {
+    std::size_t most = 0;
+    const auto turn = [&](std::size_t side) {
+      return (at[(side + 1) % 3].normal - at[side].normal).norm();
+    };
+    for (std::size_t side = 1; side < 3; ++side)
+      if (turn(side) > turn(most)) most = side;
+    const Sample &from = at[most], &to = at[(most + 1) % 3];
+    const Vector3d middle = sample(Vector4d((from.shape + to.shape) / 2)).normal;
+    return (middle - (from.normal + to.normal) / 2).norm() < kEven * turn(most);
+  }
+
   /// Adds springs whose depth is linear over the triangle.
-  void add_linear(const Triangle& at) {
+  /// @param smooth  whether normals turn evenly, so that their turn is part of the stiffness
+  void add_linear(const Triangle& at, bool smooth) {
     const Vector3d depth(-at[0].distance, -at[1].distance, -at[2].distance);
     const Vector3d normal = (at[0].normal + at[1].normal + at[2].normal).stableNormalized();
-    add_part(clipped(whole_triangle(), depth), depth, normal, [&](const Vector3d& b) {
+    const Polygon part = clipped(whole_triangle(), depth);
+    add_part(part, depth, normal, [&](const Vector3d& b) {
       FaceCorners slope = FaceCorners::Zero();
       for (std::size_t c = 0; c < 3; ++c)
         slope += b[static_cast<Eigen::Index>(c)] * at[c].normal * at[c].shape.transpose();
       return slope;
     });
+    if (!smooth || part.size < 3) return;
+    // Curvature of the distance: normals turn along the sides, and not along themselves.
+    Eigen::Matrix3d ways, turns = Eigen::Matrix3d::Zero();
+    for (Eigen::Index k = 0; k < 2; ++k) {
+      const Sample& to = at[static_cast<std::size_t>(k) + 1];
+      ways.col(k) = to.place - at[0].place;
+      turns.col(k) = to.normal - at[0].normal;
+    }
+    ways.col(2) = ways.col(0).norm() * normal;
+    const Eigen::Matrix3d slope = turns * ways.inverse();
+    const Eigen::Matrix3d curvature = (slope + slope.transpose()) / 2;
+    // Forces on distances of the corners.
+    Vector3d forces(0, 0, 0);
+    for_points(part,
+               [&](const Vector3d& b, double share) { forces += k_ * share * depth.dot(b) * b; });
+    for (std::size_t c = 0; c < 3; ++c)
+      for (Eigen::Index i = 0; i < 4; ++i)
+        for (Eigen::Index j = 0; j < 4; ++j)
+          out_.stiffness.block<3, 3>(3 * i, 3 * j) -=
+              forces[static_cast<Eigen::Index>(c)] * at[c].shape[i] * at[c].shape[j] * curvature;
   }
 
   /// Sets planes so that the farthest of them is as far as the object all over the part of the

@@ -40,9 +40,10 @@ struct PressedFace {
 /// the object proves to be farther than all of them. As an edge moves, skin turns from one side to
 /// the other: the stiffness has, along a ridge between planes p and q,
 ///   - integral of k depth (n_p - n_q)(n_p - n_q)' / |grad (d_p - d_q)|.
-/// Where normals hardly turn the depth is linear between corners. So it is along edges that are
-/// curved or not convex, over triangles that were cut in four up to four times; there the stiffness
-/// has no ridges.
+/// Where normals hardly turn the depth is linear between corners, and as they turn evenly, over a
+/// curved object, so do the forces: the stiffness has the curvature of the distance. Along edges
+/// that are curved or not convex the depth is linear over triangles that were cut in four up to
+/// four times; there the stiffness has neither.
 /// @param stiffness  at the corners [N/m^3] (4);  @param area  [m^2]
 [[nodiscard]] PressedFace press_face(const FaceCorners& corners, const Eigen::Vector4d& stiffness,
                                      double area, const Shape& object, const Pose<double>& X_PO);

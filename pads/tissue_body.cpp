@@ -1,10 +1,13 @@
 #include "pads/tissue_body.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <map>
 #include <numeric>
 #include <set>
+
+#include <Eigen/Geometry>
 
 #include "base/error.h"
 
@@ -12,6 +15,7 @@ namespace thenar {
 namespace {
 
 using Eigen::Matrix3Xd;
+using Eigen::Vector3d;
 using Eigen::VectorXd;
 
 /// Lattice 0..26 of a parent from its eight children.
@@ -152,6 +156,38 @@ void TissueBody::add_block(std::vector<double>& values, int row, int column,
   for (int c = 0; c < 3; ++c)
     for (int r = place == 0 ? c : 0; r < 3; ++r)
       values[block_entry(first, place, r, c)] += row >= column ? block(r, c) : block(c, r);
+}
+
+bool TissueBody::contains(const Vector3d& place, const Matrix3Xd& u) const {
+  // Six tetrahedra around a diagonal, between it and the sides of a hexagon.
+  static constexpr std::array<int, 7> kAround{1, 3, 2, 6, 4, 5, 1};
+  static constexpr std::array<int, 8> kCornersOf27{0, 2, 6, 8, 18, 20, 24, 26};
+  const auto in_tetrahedron = [&](const Vector3d& a, const Vector3d& b, const Vector3d& c,
+                                  const Vector3d& d) {
+    const auto side = [](const Vector3d& x, const Vector3d& y, const Vector3d& z) {
+      return x.cross(y).dot(z);
+    };
+    const Vector3d x = a - place, y = b - place, z = c - place, w = d - place;
+    const std::array<double, 4> parts{side(y, w, z), side(x, z, w), side(x, w, y), side(x, y, z)};
+    return std::all_of(parts.begin(), parts.end(), [](double part) { return part >= 0; }) ||
+           std::all_of(parts.begin(), parts.end(), [](double part) { return part <= 0; });
+  };
+  return std::any_of(elements_.begin(), elements_.end(), [&](const Element& element) {
+    std::array<Vector3d, 8> at;
+    Eigen::AlignedBox3d box;
+    for (std::size_t k = 0; k < 8; ++k) {
+      const auto entry = is_quadratic() ? static_cast<std::size_t>(kCornersOf27[k]) : k;
+      const int node = element.nodes[entry];
+      at[k] = this->place(node) + u.col(node);
+      box.extend(at[k]);
+    }
+    if (!box.contains(place)) return false;
+    for (std::size_t k = 0; k < 6; ++k)
+      if (in_tetrahedron(at[0], at[static_cast<std::size_t>(kAround[k])],
+                         at[static_cast<std::size_t>(kAround[k + 1])], at[7]))
+        return true;
+    return false;
+  });
 }
 
 bool TissueBody::relaxes() const {

@@ -78,6 +78,9 @@ class TissueBody {
   [[nodiscard]] Eigen::Matrix3Xd spread(const Eigen::VectorXd& x,
                                         const Eigen::Matrix3Xd& at_fixed) const;
 
+  /// Whether a place lies in an element. @param u  displacements of all nodes [m] (3, nodes)
+  [[nodiscard]] bool contains(const Eigen::Vector3d& place, const Eigen::Matrix3Xd& u) const;
+
   /// @param u        displacements of all nodes [m] (3, nodes)
   /// @param h        step since `history` [s]; meaningless for elastic bodies
   /// @param tangent_pressure  as of element_response() (elements); empty: that at u

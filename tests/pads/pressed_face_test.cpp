@@ -3,6 +3,7 @@
 #include "pads/pressed_face.h"
 
 #include <cmath>
+#include <limits>
 #include <memory>
 #include <random>
 
@@ -127,17 +128,18 @@ TEST(PressedFace, HoldsRimsAsTheIntegralSays) {
   }
 }
 
-// Of faces bent at random, against differences. The stiffness leaves out that normals of curved
-// objects turn.
+// Of faces bent at random, against differences. A curved object's depth is linear over triangles,
+// along a cylinder's rims with no ridge.
 TEST(PressedFace, HasTheSlopesOfItsEnergy) {
   struct Trial {
     std::shared_ptr<const Shape> object;
-    bool is_curved;
+    double most_error;  // of the stiffness [1]
   };
-  const Trial trials[] = {{build_box({1e-2, 1e-2, 1e-2}), false},
-                          {build_box({4e-4, 1e-2, 1e-2}), false},
-                          {build_cylinder(3e-3, 1e-2), true},
-                          {build_sphere(5e-3), true}};
+  constexpr double kAny = std::numeric_limits<double>::infinity();
+  const Trial trials[] = {{build_box({1e-2, 1e-2, 1e-2}), 1e-6},
+                          {build_box({4e-4, 1e-2, 1e-2}), 1e-6},
+                          {build_cylinder(3e-3, 1e-2), kAny},
+                          {build_sphere(5e-3), 0.06}};  // without curvature .03 to .76
   std::mt19937 random(7);
   std::uniform_real_distribution<double> unit(-1, 1);
   const auto vector = [&] { return Vector3d(unit(random), unit(random), unit(random)); };
@@ -164,10 +166,9 @@ TEST(PressedFace, HasTheSlopesOfItsEnergy) {
       const PressedFace less = pressed_by(corners - kStep * way, *trial.object, X);
       const double slope = (more.energy - less.energy) / (2 * kStep);
       EXPECT_NEAR(slope, -face.push.cwiseProduct(way).sum(), 2e-4 * face.push.norm()) << k;
-      if (trial.is_curved) continue;
       const FaceCorners lost = (less.push - more.push) / (2 * kStep);
       const FaceCorners expected = (face.stiffness * way.reshaped()).reshaped(3, 4);
-      EXPECT_LT((lost - expected).norm(), 1e-6 * expected.norm()) << k;
+      EXPECT_LT((lost - expected).norm(), trial.most_error * expected.norm()) << k;
     }
   EXPECT_GT(pressed, 60);
 }

@@ -64,6 +64,28 @@ class TissueBodies : public testing::TestWithParam<HexElement> {
   }
 };
 
+// Of a body that was turned, sheared and stretched evenly.
+TEST_P(TissueBodies, ContainWhatLiesInTheirElements) {
+  const HexMesh mesh = this->mesh();
+  const TissueBody body(mesh, GetParam(), {tissue_of(0.4)},
+                        std::vector<bool>(static_cast<std::size_t>(mesh.nodes())));
+  Eigen::Matrix3d F;
+  F << .2, -1.1, .1, .9, .1, -.2, .3, .05, 1.2;
+  Matrix3Xd u(3, mesh.nodes());
+  for (int node = 0; node < mesh.nodes(); ++node)
+    u.col(node) = F * mesh.place(node) - mesh.place(node);
+  std::mt19937 random(4);
+  std::uniform_real_distribution<double> place(-0.3, 1.3);
+  int inside = 0;
+  for (int k = 0; k < 2000; ++k) {
+    const Vector3d p(place(random), place(random), place(random));
+    const bool expected = (p.array() > 0).all() && (p.array() < 1).all();
+    EXPECT_EQ(body.contains(F * p, u), expected) << p.transpose();
+    inside += expected ? 1 : 0;
+  }
+  EXPECT_GT(inside, 300);
+}
+
 /// An even strain of a mesh whose rim is held to it is at rest within.
 void expect_even_strain(const HexMesh& mesh, HexElement kind) {
   Eigen::Matrix3d G;
