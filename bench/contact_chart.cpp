@@ -12,9 +12,9 @@
 
 #include "bench/chart_main.h"
 #include "bench/ratios.h"
-#include "dynamics/contact/contact_solver.h"
+#include "contact/contact_solver.h"
 #include "report/blocks.h"
-#include "tests/dynamics/contact/contact_samples.h"
+#include "tests/contact/contact_samples.h"
 
 namespace thenar::bench {
 namespace {

@@ -9,7 +9,7 @@
 #include <Eigen/Core>
 
 #include "base/spatial.h"
-#include "dynamics/contact/contact_solver.h"
+#include "contact/contact_solver.h"
 #include "pads/contact_surface.h"
 #include "solvers/sparse/sparse_cholesky.h"
 #include "solvers/status.h"

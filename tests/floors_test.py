@@ -1,5 +1,5 @@
-"""Who may include whom: folders stand on floors, third parties behind fences, packages in one file;
-thenar/thenar.h reaches every question of api/.
+"""Who may include whom: folders stand on floors, rooms in no circle, third parties behind fences,
+packages in one file; thenar/thenar.h reaches every question of api/, and clang-tidy reads every room.
 
 Run from the repository root. Prints every offence as path:line and fails if there is one.
 """
@@ -13,7 +13,7 @@ MAY_SEE = {
     "base": [],
     "solvers": ["base"],
     "solvers/sparse": ["base"],
-    "dynamics/contact": ["base", "solvers"],
+    "contact": ["base", "solvers"],
     "geometry": ["base"],
     "geometry/collision": ["base", "geometry"],
     "geometry/manifold": ["base", "geometry", "geometry/collision"],
@@ -31,7 +31,7 @@ MAY_SEE = {
     "hand": ["base", "geometry", "data/io"],
     "hand/skin": ["base", "geometry", "data/io", "hand"],
     "pads/laws": ["base", "solvers", "geometry", "geometry/collision"],
-    "pads": ["base", "solvers", "solvers/sparse", "dynamics/contact", "geometry", "geometry/collision", "pads/laws",
+    "pads": ["base", "solvers", "solvers/sparse", "contact", "geometry", "geometry/collision", "pads/laws",
              "data/io/pad"],
     "pads/motion": ["base", "solvers", "solvers/sparse", "geometry", "geometry/collision", "pads/laws", "pads"],
     "tendons/wrapping": ["base", "data/io", "hand"],
@@ -77,7 +77,7 @@ MAY_SEE |= {
 }
 MECHANISMS = MAY_SEE["dynamics/mechanism"] + ["dynamics/mechanism"]
 MAY_SEE |= {
-    "dynamics/stepping": MECHANISMS + ["solvers", "geometry/collision", "geometry/manifold", "dynamics/contact"],
+    "dynamics/stepping": MECHANISMS + ["solvers", "geometry/collision", "geometry/manifold", "contact"],
 }
 MAY_SEE["dynamics/ligament"] = MAY_SEE["dynamics/stepping"] + ["dynamics/stepping"]
 MAY_SEE["dynamics/compliant"] = MAY_SEE["dynamics/stepping"] + ["dynamics/stepping"]
@@ -241,6 +241,37 @@ def public():
             yield f"{path}:1: thenar/thenar.h does not reach it"
 
 
-bad = [*includes(), *packages(), *public()]
+def circles():
+    """Complaints about rooms, folders of the root, that may include each other, if only by way of others."""
+    room = lambda name: name.split("/")[0]  # noqa: E731
+    sees = {}
+    for folder, others in MAY_SEE.items():
+        sees.setdefault(room(folder), set()).update(room(other) for other in others if room(other) != room(folder))
+    for start in sorted(sees):
+        way, seen = [[start]], set()
+        while way:
+            path = way.pop()
+            for other in sorted(sees[path[-1]]):
+                if other == start:
+                    yield f"tests/floors_test.py:1: a circle of rooms: {' > '.join([*path, start])}"
+                    way = []
+                    break
+                if other not in seen:
+                    seen.add(other)
+                    way.append([*path, other])
+
+
+def tidied():
+    """Complaints about rooms whose headers clang-tidy does not read."""
+    text = pathlib.Path(".clang-tidy").read_text()
+    read = re.search(r"^HeaderFilterRegex: '/\(([^)]*)\)/", text, re.M)[1].split("|")
+    for room in sorted({folder.split("/")[0] for folder in MAY_SEE}):
+        if room not in read:
+            yield f".clang-tidy:1: HeaderFilterRegex leaves out {room}/"
+    for room in sorted(set(read) - {folder.split("/")[0] for folder in MAY_SEE}):
+        yield f".clang-tidy:1: HeaderFilterRegex has {room}, which is no room of tests/floors_test.py"
+
+
+bad = [*includes(), *packages(), *public(), *circles(), *tidied()]
 print("\n".join(bad))
 sys.exit(bool(bad))

@@ -37,8 +37,8 @@
 #include "solvers/stiff_ode.h"
 
 // dynamics: impulses of contacts and joints in one time step.
-#include "dynamics/contact/contact_problem.h"
-#include "dynamics/contact/contact_solver.h"
+#include "contact/contact_problem.h"
+#include "contact/contact_solver.h"
 
 // geometry: solids as signed distances, meshes.
 #include "geometry/cached_mesh.h"

@@ -9,7 +9,7 @@
 
 #include <Eigen/Core>
 
-#include "dynamics/contact/contact_solver.h"
+#include "contact/contact_solver.h"
 #include "dynamics/mechanism/composite_body.h"
 #include "dynamics/stepping/contact_sample.h"
 #include "dynamics/stepping/energy_flow.h"

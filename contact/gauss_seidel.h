@@ -6,8 +6,8 @@
 
 #include <Eigen/Core>
 
-#include "dynamics/contact/local_contact.h"
-#include "dynamics/contact/scaled_contacts.h"
+#include "contact/local_contact.h"
+#include "contact/scaled_contacts.h"
 
 namespace thenar::internal {
 

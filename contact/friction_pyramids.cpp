@@ -1,4 +1,4 @@
-#include "dynamics/contact/friction_pyramids.h"
+#include "contact/friction_pyramids.h"
 
 #include <cmath>
 

@@ -4,7 +4,7 @@
 
 #include <Eigen/Core>
 
-#include "dynamics/contact/scaled_contacts.h"
+#include "contact/scaled_contacts.h"
 
 namespace thenar::internal {
 

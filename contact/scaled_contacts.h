@@ -6,7 +6,7 @@
 
 #include <Eigen/Core>
 
-#include "dynamics/contact/contact_problem.h"
+#include "contact/contact_problem.h"
 
 namespace thenar::internal {
 

@@ -8,7 +8,7 @@
 
 #include <Eigen/Geometry>
 
-#include "dynamics/contact/contact_problem.h"
+#include "contact/contact_problem.h"
 
 namespace thenar::sample {
 

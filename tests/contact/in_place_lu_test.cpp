@@ -1,6 +1,6 @@
-// Tests for dynamics/contact/in_place_lu.cpp.
+// Tests for contact/in_place_lu.cpp.
 
-#include "dynamics/contact/in_place_lu.h"
+#include "contact/in_place_lu.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "dynamics/contact/contact_newton.h"
+#include "contact/contact_newton.h"
 
 #include <cmath>
 

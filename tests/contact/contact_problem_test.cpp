@@ -1,13 +1,13 @@
-// Tests for dynamics/contact/contact_problem.cpp.
+// Tests for contact/contact_problem.cpp.
 
-#include "dynamics/contact/contact_problem.h"
+#include "contact/contact_problem.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 
 #include "base/error.h"
-#include "tests/dynamics/contact/contact_samples.h"
+#include "tests/contact/contact_samples.h"
 #include "tests/message_of.h"
 
 namespace thenar {

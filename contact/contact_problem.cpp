@@ -1,10 +1,10 @@
-#include "dynamics/contact/contact_problem.h"
+#include "contact/contact_problem.h"
 
 #include <cmath>
 
 #include "base/error.h"
 #include "base/numbers.h"
-#include "dynamics/contact/friction_cone.h"
+#include "contact/friction_cone.h"
 
 namespace thenar {
 namespace {

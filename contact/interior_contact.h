@@ -6,8 +6,8 @@
 
 #include <Eigen/Core>
 
-#include "dynamics/contact/in_place_lu.h"
-#include "dynamics/contact/scaled_contacts.h"
+#include "contact/in_place_lu.h"
+#include "contact/scaled_contacts.h"
 
 namespace thenar::internal {
 

@@ -1,4 +1,4 @@
-#include "dynamics/contact/contact_solver.h"
+#include "contact/contact_solver.h"
 
 #include <array>
 
@@ -6,11 +6,11 @@
 #include "base/numbers.h"
 #include "base/random_stream.h"
 #include "base/stop_scope.h"
-#include "dynamics/contact/contact_newton.h"
-#include "dynamics/contact/friction_pyramids.h"
-#include "dynamics/contact/gauss_seidel.h"
-#include "dynamics/contact/interior_contact.h"
-#include "dynamics/contact/sliding_pivots.h"
+#include "contact/contact_newton.h"
+#include "contact/friction_pyramids.h"
+#include "contact/gauss_seidel.h"
+#include "contact/interior_contact.h"
+#include "contact/sliding_pivots.h"
 
 namespace thenar {
 

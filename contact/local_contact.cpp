@@ -1,4 +1,4 @@
-#include "dynamics/contact/local_contact.h"
+#include "contact/local_contact.h"
 
 #include <cmath>
 

@@ -1,13 +1,13 @@
-// Tests for dynamics/contact/friction_pyramids.cpp.
+// Tests for contact/friction_pyramids.cpp.
 
-#include "dynamics/contact/friction_pyramids.h"
+#include "contact/friction_pyramids.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 
-#include "dynamics/contact/contact_solver.h"
-#include "tests/dynamics/contact/contact_samples.h"
+#include "contact/contact_solver.h"
+#include "tests/contact/contact_samples.h"
 
 namespace thenar {
 namespace {

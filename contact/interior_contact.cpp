@@ -1,4 +1,4 @@
-#include "dynamics/contact/interior_contact.h"
+#include "contact/interior_contact.h"
 
 #include <cmath>
 

@@ -1,4 +1,4 @@
-#include "dynamics/contact/in_place_lu.h"
+#include "contact/in_place_lu.h"
 
 #include <cmath>
 

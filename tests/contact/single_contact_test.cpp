@@ -1,4 +1,4 @@
-// Tests for dynamics/contact/contact_solver.cpp: one block, by closed forms.
+// Tests for contact/contact_solver.cpp: one block, by closed forms.
 
 #include <gtest/gtest.h>
 
@@ -6,7 +6,7 @@
 
 #include <Eigen/LU>
 
-#include "dynamics/contact/contact_solver.h"
+#include "contact/contact_solver.h"
 
 namespace thenar {
 namespace {

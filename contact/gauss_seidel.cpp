@@ -1,4 +1,4 @@
-#include "dynamics/contact/gauss_seidel.h"
+#include "contact/gauss_seidel.h"
 
 #include "base/stop_scope.h"
 

@@ -1,12 +1,12 @@
-// Tests for dynamics/contact/contact_solver.cpp: thousands of random problems, by a residual of
+// Tests for contact/contact_solver.cpp: thousands of random problems, by a residual of
 // their own.
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 
-#include "dynamics/contact/contact_solver.h"
-#include "tests/dynamics/contact/contact_samples.h"
+#include "contact/contact_solver.h"
+#include "tests/contact/contact_samples.h"
 
 namespace thenar {
 namespace {

@@ -1,7 +1,7 @@
-#include "dynamics/contact/scaled_contacts.h"
+#include "contact/scaled_contacts.h"
 
 #include "base/numbers.h"
-#include "dynamics/contact/friction_cone.h"
+#include "contact/friction_cone.h"
 
 namespace thenar::internal {
 

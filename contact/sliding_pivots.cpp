@@ -1,4 +1,4 @@
-#include "dynamics/contact/sliding_pivots.h"
+#include "contact/sliding_pivots.h"
 
 #include <algorithm>
 #include <cmath>

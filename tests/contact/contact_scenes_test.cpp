@@ -1,4 +1,4 @@
-// Tests for dynamics/contact/contact_solver.cpp: scenes of several contacts, by closed forms.
+// Tests for contact/contact_solver.cpp: scenes of several contacts, by closed forms.
 
 #include <gtest/gtest.h>
 
@@ -8,8 +8,8 @@
 #include <Eigen/LU>
 
 #include "base/units.h"
-#include "dynamics/contact/contact_solver.h"
-#include "tests/dynamics/contact/contact_samples.h"
+#include "contact/contact_solver.h"
+#include "tests/contact/contact_samples.h"
 
 namespace thenar {
 namespace {

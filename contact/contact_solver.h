@@ -7,7 +7,7 @@
 
 #include <Eigen/Core>
 
-#include "dynamics/contact/contact_problem.h"
+#include "contact/contact_problem.h"
 #include "solvers/status.h"
 
 namespace thenar {

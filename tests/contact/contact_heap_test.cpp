@@ -1,13 +1,13 @@
-// Tests that dynamics/contact/contact_solver.cpp leaves the heap alone in a steady loop.
+// Tests that contact/contact_solver.cpp leaves the heap alone in a steady loop.
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <vector>
 
-#include "dynamics/contact/contact_solver.h"
+#include "contact/contact_solver.h"
+#include "tests/contact/contact_samples.h"
 #include "tests/counted_malloc.h"
-#include "tests/dynamics/contact/contact_samples.h"
 
 namespace thenar {
 namespace {
