@@ -5,8 +5,8 @@
 #include <benchmark/benchmark.h>
 
 #include "geometry/primitives.h"
-#include "pads/laws/elastic_foundation.h"
-#include "pads/laws/point_laws.h"
+#include "pad_laws/elastic_foundation.h"
+#include "pad_laws/point_laws.h"
 #include "pads/pad_shape.h"
 
 namespace thenar {

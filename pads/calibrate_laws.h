@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "pads/laws/calibrated_laws.h"
+#include "pad_laws/calibrated_laws.h"
 #include "pads/press_trials.h"
 #include "solvers/status.h"
 

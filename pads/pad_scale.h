@@ -2,7 +2,7 @@
 
 /// Pads of other sizes, of the same shape and tissue.
 
-#include "pads/laws/calibrated_laws.h"
+#include "pad_laws/calibrated_laws.h"
 #include "pads/pad_shape.h"
 
 namespace thenar {

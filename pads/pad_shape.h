@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "geometry/shape.h"
+#include "pad_laws/foundation_bed.h"
 #include "pads/hex_mesh.h"
-#include "pads/laws/foundation_bed.h"
 
 namespace thenar {
 

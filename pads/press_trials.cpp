@@ -9,7 +9,7 @@
 #include "base/error.h"
 #include "base/units.h"
 #include "geometry/primitives.h"
-#include "pads/laws/soft_patch.h"
+#include "pad_laws/soft_patch.h"
 #include "pads/skin_gap.h"
 
 namespace thenar {

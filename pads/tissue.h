@@ -7,7 +7,7 @@
 
 #include <Eigen/Core>
 
-#include "pads/laws/exponential_memory.h"
+#include "pad_laws/exponential_memory.h"
 
 namespace thenar {
 

@@ -13,7 +13,6 @@ import re
 import subprocess
 import sys
 import tempfile
-import time
 
 SCENES = """ball_on_ball coin_draw falling_ball incline_slide incline_stick loose_joint key_turn newtons_cradle
 pendulum spinning_top stack swinging_pinch mug_lift pencil_pinch pinch human_cylinder""".split()
@@ -107,11 +106,10 @@ def main():
     for name, arguments in commands():
         if asked.only not in name:
             continue
-        start = time.monotonic()
         hashes[name] = hash_of(program, arguments)
         differs = name in before and before[name] != hashes[name]
         changed += differs
-        print(f"{'CHANGED ' if differs else ''}{name}: {hashes[name]} ({time.monotonic() - start:.1f} s)", flush=True)
+        print(f"{'CHANGED ' if differs else ''}{name}: {hashes[name]}", flush=True)
         if asked.out:
             pathlib.Path(asked.out).write_text(json.dumps(hashes, indent=1) + "\n")
     if before:

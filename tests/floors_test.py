@@ -22,18 +22,18 @@ MAY_SEE = {
     "sampling/diagnostics": ["base", "sampling/methods", "sampling/run"],
     "data/io": ["base"],
     "data/io/mesh": ["base", "geometry", "data/io"],
-    "data/io/pad": ["base", "solvers", "geometry", "geometry/collision", "data/io", "data/io/mesh", "pads/laws"],
+    "data/io/pad": ["base", "solvers", "geometry", "geometry/collision", "data/io", "data/io/mesh", "pad_laws"],
     "data/io/graspit": ["base", "data/io"],
     "data/io/foreign_mesh": ["base", "data/io", "data/io/mesh", "data/io/graspit"],
     "data/io/robot": ["base", "solvers", "geometry", "data/io", "data/io/mesh", "data/io/graspit"],
-    "data/io/world": ["base", "geometry", "data/io", "data/io/mesh", "data/io/graspit", "data/io/robot", "data/io/pad", "pads/laws"],
-    "data/io/scene": ["base", "geometry", "data/io", "data/io/mesh", "data/io/pad", "data/io/world", "pads/laws"],
+    "data/io/world": ["base", "geometry", "data/io", "data/io/mesh", "data/io/graspit", "data/io/robot", "data/io/pad", "pad_laws"],
+    "data/io/scene": ["base", "geometry", "data/io", "data/io/mesh", "data/io/pad", "data/io/world", "pad_laws"],
     "hand": ["base", "geometry", "data/io"],
     "hand/skin": ["base", "geometry", "data/io", "hand"],
-    "pads/laws": ["base", "solvers", "geometry", "geometry/collision"],
-    "pads": ["base", "solvers", "solvers/sparse", "contact", "geometry", "geometry/collision", "pads/laws",
+    "pad_laws": ["base", "solvers", "geometry", "geometry/collision"],
+    "pads": ["base", "solvers", "solvers/sparse", "contact", "geometry", "geometry/collision", "pad_laws",
              "data/io/pad"],
-    "pads/motion": ["base", "solvers", "solvers/sparse", "geometry", "geometry/collision", "pads/laws", "pads"],
+    "pads/motion": ["base", "solvers", "solvers/sparse", "geometry", "geometry/collision", "pad_laws", "pads"],
     "tendons/wrapping": ["base", "data/io", "hand"],
     "tendons": ["base", "solvers", "data/io", "hand", "tendons/wrapping"],
 }
@@ -62,7 +62,7 @@ MAY_SEE |= {
     "posterior/study": POSTERIOR + ["posterior/run"],
 }
 # The interface of a hand, and nothing else of hand/.
-GRASP = ["base", "solvers", "geometry", "geometry/collision", "pads/laws", "data/io", "data/io/world",
+GRASP = ["base", "solvers", "geometry", "geometry/collision", "pad_laws", "data/io", "data/io/world",
          "hand/hand.h", "hand/multibody.h"]
 MAY_SEE |= {
     "grasp/contact": GRASP,
@@ -83,7 +83,7 @@ MAY_SEE["dynamics/ligament"] = MAY_SEE["dynamics/stepping"] + ["dynamics/steppin
 MAY_SEE["dynamics/compliant"] = MAY_SEE["dynamics/stepping"] + ["dynamics/stepping"]
 HUMANS = ["hand/skin", "tendons", "tendons/net", "tendons/muscle", "tendons/human"]
 MAY_SEE["dynamics/human"] = MAY_SEE["dynamics/stepping"] + ["dynamics/stepping"] + HUMANS
-PADS = ["solvers/sparse", "pads/laws", "pads", "pads/motion", "data/io/pad"]
+PADS = ["solvers/sparse", "pad_laws", "pads", "pads/motion", "data/io/pad"]
 MAY_SEE["dynamics/pads"] = MAY_SEE["dynamics/stepping"] + ["dynamics/stepping"] + PADS
 MAY_SEE["dynamics/scene"] = MAY_SEE["dynamics/human"] + PADS + [
     "data/io/scene", "dynamics/ligament", "dynamics/human", "dynamics/pads"]

@@ -13,7 +13,7 @@
 #include "base/thread_seconds.h"
 #include "base/units.h"
 #include "data/io/pad/law_file.h"
-#include "pads/laws/foundation_bed.h"
+#include "pad_laws/foundation_bed.h"
 #include "pads/skin_gap.h"
 
 namespace thenar {

@@ -6,8 +6,8 @@
 #include "base/error.h"
 #include "base/units.h"
 #include "geometry/collision/curvature.h"
-#include "pads/laws/contact_law.h"
-#include "pads/laws/soft_patch.h"
+#include "pad_laws/contact_law.h"
+#include "pad_laws/soft_patch.h"
 
 namespace thenar {
 namespace {

@@ -2,7 +2,7 @@
 
 /// A bed of springs in motion.
 
-#include "pads/laws/foundation_bed.h"
+#include "pad_laws/foundation_bed.h"
 #include "pads/motion/moving_pad.h"
 #include "pads/press_step.h"
 

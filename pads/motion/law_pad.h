@@ -5,7 +5,7 @@
 #include <array>
 #include <optional>
 
-#include "pads/laws/contact_law.h"
+#include "pad_laws/contact_law.h"
 #include "pads/motion/moving_pad.h"
 #include "pads/press_step.h"
 #include "pads/skin_gap.h"

@@ -9,7 +9,7 @@
 #include <Eigen/Core>
 
 #include "base/spatial.h"
-#include "pads/laws/exponential_memory.h"
+#include "pad_laws/exponential_memory.h"
 #include "solvers/status.h"
 
 namespace thenar {

@@ -7,7 +7,7 @@
 #include <gtest/gtest.h>
 
 #include "geometry/primitives.h"
-#include "pads/laws/point_laws.h"
+#include "pad_laws/point_laws.h"
 #include "pads/pad_press.h"
 #include "solvers/least_squares.h"
 #include "tests/pads/tissue_samples.h"

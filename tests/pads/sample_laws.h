@@ -4,9 +4,9 @@
 
 #include <vector>
 
-#include "pads/laws/exponential_memory.h"
-#include "pads/laws/foundation_bed.h"
-#include "pads/laws/point_laws.h"
+#include "pad_laws/exponential_memory.h"
+#include "pad_laws/foundation_bed.h"
+#include "pad_laws/point_laws.h"
 
 namespace thenar::sample {
 

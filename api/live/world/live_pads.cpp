@@ -10,7 +10,7 @@
 #include "base/error.h"
 #include "grasp/contact/soft_pads.h"
 #include "grasp/limits/grasp_force.h"
-#include "pads/laws/foundation_bed.h"
+#include "pad_laws/foundation_bed.h"
 
 namespace thenar {
 namespace {

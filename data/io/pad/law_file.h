@@ -5,7 +5,7 @@
 #include <string>
 
 #include "data/io/pad/pad.h"
-#include "pads/laws/calibrated_laws.h"
+#include "pad_laws/calibrated_laws.h"
 
 namespace thenar {
 

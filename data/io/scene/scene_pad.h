@@ -9,7 +9,7 @@
 #include "base/spatial.h"
 #include "data/io/pad/pad.h"
 #include "data/io/toml_table.h"
-#include "pads/laws/calibrated_laws.h"
+#include "pad_laws/calibrated_laws.h"
 
 namespace thenar {
 

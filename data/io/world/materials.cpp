@@ -11,7 +11,7 @@
 #include "data/io/linked_file.h"
 #include "data/io/pad/law_file.h"
 #include "data/io/toml_table.h"
-#include "pads/laws/point_laws.h"
+#include "pad_laws/point_laws.h"
 
 namespace thenar {
 namespace {

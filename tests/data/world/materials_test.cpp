@@ -9,7 +9,7 @@
 
 #include "base/error.h"
 #include "base/file_io.h"
-#include "pads/laws/contact_law.h"
+#include "pad_laws/contact_law.h"
 #include "tests/message_of.h"
 #include "tests/temporary_folder.h"
 

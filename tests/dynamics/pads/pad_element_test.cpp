@@ -10,7 +10,7 @@
 
 #include "dynamics/stepping/simulate_scene.h"
 #include "geometry/primitives.h"
-#include "pads/laws/point_laws.h"
+#include "pad_laws/point_laws.h"
 #include "pads/motion/bed_pad.h"
 #include "pads/motion/element_pad.h"
 #include "pads/motion/law_pad.h"

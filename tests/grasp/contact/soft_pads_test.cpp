@@ -14,8 +14,8 @@
 #include "grasp/closing/grasp.h"
 #include "grasp/quality/grasp_stiffness.h"
 #include "grasp/robot/robot_hand.h"
-#include "pads/laws/point_laws.h"
-#include "pads/laws/soft_patch.h"
+#include "pad_laws/point_laws.h"
+#include "pad_laws/soft_patch.h"
 #include "tests/grasp/jaws.h"
 
 namespace thenar {

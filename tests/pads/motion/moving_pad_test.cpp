@@ -10,7 +10,7 @@
 #include "base/units.h"
 #include "geometry/primitives.h"
 #include "geometry/shape_union.h"
-#include "pads/laws/point_laws.h"
+#include "pad_laws/point_laws.h"
 #include "pads/motion/bed_pad.h"
 #include "pads/motion/element_pad.h"
 #include "pads/motion/law_pad.h"

@@ -1,6 +1,6 @@
-// Tests for pads/laws/foundation_bed.cpp.
+// Tests for pad_laws/foundation_bed.cpp.
 
-#include "pads/laws/foundation_bed.h"
+#include "pad_laws/foundation_bed.h"
 
 #include <cmath>
 

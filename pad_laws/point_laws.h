@@ -2,7 +2,7 @@
 
 /// Laws of a pad at a point: hard point, power law, soft finger.
 
-#include "pads/laws/contact_law.h"
+#include "pad_laws/contact_law.h"
 
 namespace thenar {
 

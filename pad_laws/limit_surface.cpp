@@ -1,4 +1,4 @@
-#include "pads/laws/limit_surface.h"
+#include "pad_laws/limit_surface.h"
 
 #include <cmath>
 #include <limits>

@@ -1,6 +1,6 @@
-// Tests for pads/laws/exponential_memory.cpp.
+// Tests for pad_laws/exponential_memory.cpp.
 
-#include "pads/laws/exponential_memory.h"
+#include "pad_laws/exponential_memory.h"
 
 #include <cmath>
 

@@ -4,7 +4,7 @@
 
 #include <Eigen/Core>
 
-#include "pads/laws/soft_patch.h"
+#include "pad_laws/soft_patch.h"
 
 namespace thenar {
 

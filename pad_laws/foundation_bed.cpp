@@ -1,4 +1,4 @@
-#include "pads/laws/foundation_bed.h"
+#include "pad_laws/foundation_bed.h"
 
 #include <algorithm>
 #include <cmath>

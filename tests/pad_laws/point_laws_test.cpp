@@ -1,6 +1,6 @@
-// Tests for pads/laws/point_laws.cpp and pads/laws/elastic_foundation.cpp: laws of one contact.
+// Tests for pad_laws/point_laws.cpp and pad_laws/elastic_foundation.cpp: laws of one contact.
 
-#include "pads/laws/point_laws.h"
+#include "pad_laws/point_laws.h"
 
 #include <cmath>
 #include <memory>
@@ -10,7 +10,7 @@
 #include "base/error.h"
 #include "base/numbers.h"
 #include "base/units.h"
-#include "pads/laws/elastic_foundation.h"
+#include "pad_laws/elastic_foundation.h"
 
 namespace thenar {
 namespace {

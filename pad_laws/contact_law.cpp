@@ -1,4 +1,4 @@
-#include "pads/laws/contact_law.h"
+#include "pad_laws/contact_law.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,6 +1,6 @@
-// Tests for pads/laws/limit_surface.cpp.
+// Tests for pad_laws/limit_surface.cpp.
 
-#include "pads/laws/limit_surface.h"
+#include "pad_laws/limit_surface.h"
 
 #include <algorithm>
 #include <cmath>

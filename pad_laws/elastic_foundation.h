@@ -2,7 +2,7 @@
 
 /// A bed of springs under a pad's skin: its spring, and the contact of a curved gap in closed form.
 
-#include "pads/laws/contact_law.h"
+#include "pad_laws/contact_law.h"
 
 namespace thenar {
 

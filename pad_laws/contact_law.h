@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "geometry/collision/curvature.h"
-#include "pads/laws/exponential_memory.h"
-#include "pads/laws/soft_patch.h"
+#include "pad_laws/exponential_memory.h"
+#include "pad_laws/soft_patch.h"
 
 namespace thenar {
 

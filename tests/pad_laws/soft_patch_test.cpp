@@ -1,6 +1,6 @@
-// Tests for pads/laws/soft_patch.cpp.
+// Tests for pad_laws/soft_patch.cpp.
 
-#include "pads/laws/soft_patch.h"
+#include "pad_laws/soft_patch.h"
 
 #include <cmath>
 #include <functional>

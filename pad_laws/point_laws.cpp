@@ -1,4 +1,4 @@
-#include "pads/laws/point_laws.h"
+#include "pad_laws/point_laws.h"
 
 #include <cmath>
 #include <utility>

@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "base/error.h"
-#include "pads/laws/elastic_foundation.h"
-#include "pads/laws/point_laws.h"
+#include "pad_laws/elastic_foundation.h"
+#include "pad_laws/point_laws.h"
 
 namespace thenar {
 

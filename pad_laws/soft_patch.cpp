@@ -1,4 +1,4 @@
-#include "pads/laws/soft_patch.h"
+#include "pad_laws/soft_patch.h"
 
 #include <algorithm>
 #include <cmath>

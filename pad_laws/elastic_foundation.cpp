@@ -1,4 +1,4 @@
-#include "pads/laws/elastic_foundation.h"
+#include "pad_laws/elastic_foundation.h"
 
 #include <cmath>
 #include <utility>

@@ -9,7 +9,7 @@
 
 #include "base/spatial.h"
 #include "geometry/shape.h"
-#include "pads/laws/elastic_foundation.h"
+#include "pad_laws/elastic_foundation.h"
 
 namespace thenar {
 

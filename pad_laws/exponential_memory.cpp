@@ -1,4 +1,4 @@
-#include "pads/laws/exponential_memory.h"
+#include "pad_laws/exponential_memory.h"
 
 #include <cmath>
 #include <cstddef>
