@@ -2,12 +2,12 @@
 
 #include <string>
 
-#include "api/live/live_digit.h"
-#include "api/live/world/live_grasp.h"
-#include "api/live/world/world_edits.h"
-#include "api/live/world/world_files.h"
 #include "api/pads/press_pad.h"
 #include "bench/ratios.h"
+#include "live/live_digit.h"
+#include "live/world/live_grasp.h"
+#include "live/world/world_edits.h"
+#include "live/world/world_files.h"
 #include "report/json.h"
 #include "server/methods/method_table.h"
 
@@ -32,9 +32,7 @@ Row ratio_closed_loop() {
   Session session(places);
   const MethodTable table = method_table();
   (void)asked(session, table, "motion.open", R"({"scene": "pinch", "step": 0.002})");
-  const auto ask = [&](const char* params) {
-    keep(asked(session, table, "motion.step", params));
-  };
+  const auto ask = [&](const char* params) { keep(asked(session, table, "motion.step", params)); };
   const char* const inputs =
       R"({"efforts": {"left": 2.5, "right": -2.5}, "want": ["joints", "bodies"]})";
   ask(inputs);

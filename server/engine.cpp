@@ -10,8 +10,8 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
-#include "api/live/live_abilities.h"
 #include "base/progress_parts.h"
+#include "live/live_abilities.h"
 #include "server/replay.h"
 
 namespace thenar {

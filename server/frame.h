@@ -20,7 +20,7 @@
 #include <cstdint>
 #include <string>
 
-#include "api/live/live_picture.h"
+#include "live/live_picture.h"
 #include "report/json.h"
 
 namespace thenar {

@@ -5,7 +5,7 @@
 
 #include <string>
 
-#include "api/live/live_picture.h"
+#include "live/live_picture.h"
 
 namespace thenar {
 

@@ -5,7 +5,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "api/live/live_abilities.h"
+#include "live/live_abilities.h"
 #include "report/scene/mesh_table.h"
 
 namespace thenar {

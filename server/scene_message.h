@@ -6,7 +6,7 @@
 #include <cstddef>
 #include <string>
 
-#include "api/live/live_picture.h"
+#include "live/live_picture.h"
 #include "report/json.h"
 #include "server/mesh_store.h"
 #include "server/session.h"

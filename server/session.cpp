@@ -2,7 +2,7 @@
 
 #include <utility>
 
-#include "api/live/live_abilities.h"
+#include "live/live_abilities.h"
 
 namespace thenar {
 

@@ -8,8 +8,8 @@
 #include <string>
 #include <vector>
 
-#include "api/live/live_picture.h"
 #include "base/error.h"
+#include "live/live_picture.h"
 #include "server/mesh_store.h"
 #include "server/session_log.h"
 

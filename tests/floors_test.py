@@ -88,8 +88,9 @@ MAY_SEE["dynamics/pads"] = MAY_SEE["dynamics/stepping"] + ["dynamics/stepping"] 
 MAY_SEE["dynamics/scene"] = MAY_SEE["dynamics/human"] + PADS + [
     "data/io/scene", "dynamics/ligament", "dynamics/human", "dynamics/pads"]
 LIBRARIES = list(MAY_SEE)
-API = ["api", "api/named", "api/pads", "api/scenes", "api/live", "api/live/world"]
-MAY_SEE["thenar"] = LIBRARIES + API  # the header of all public headers
+API = ["api", "api/named", "api/pads", "api/scenes"]
+LIVE = ["live", "live/world"]
+MAY_SEE["thenar"] = LIBRARIES + API + LIVE  # the header of all public headers
 # The questions that a person asks, and their answers as words, tables, JSON and pages.
 REPORT = LIBRARIES + API + ["report"]
 PAGES = REPORT + ["report/scene", "report/draws", "report/answers"]
@@ -98,8 +99,8 @@ MAY_SEE |= {
     "api/pads": LIBRARIES + ["api/named"],
     "api/scenes": LIBRARIES + ["api/named"],
     "api": LIBRARIES + ["api/named", "api/pads", "api/scenes"],
-    "api/live": LIBRARIES + ["api/named", "api/pads", "api/scenes", "api"],
-    "api/live/world": LIBRARIES + ["api/named", "api/pads", "api/scenes", "api", "api/live"],
+    "live": LIBRARIES + API,
+    "live/world": LIBRARIES + API + ["live"],
     "report": LIBRARIES + API,
     "report/scene": REPORT,
     "report/draws": REPORT,
@@ -108,12 +109,12 @@ MAY_SEE |= {
     "report/pads": PAGES,
     "report/pages": PAGES,
     "report/demo": PAGES + ["report/pages", "report/pads"],
-    "server": PAGES + ["report/pages", "report/pads"],
-    "server/methods": PAGES + ["report/pages", "report/pads", "report/explain", "server"],
-    "apps": PAGES + ["report/explain", "report/pads", "report/pages", "report/demo", "server", "server/methods"],
-    "python": LIBRARIES + API,
-    "bench": PAGES + ["report/pages", "server", "server/methods", "tests"],  # charts; the sample scenes
-    "tests": PAGES + ["report/explain", "report/pads", "report/pages", "report/demo", "server", "server/methods"],
+    "server": PAGES + LIVE + ["report/pages", "report/pads"],
+    "server/methods": PAGES + LIVE + ["report/pages", "report/pads", "report/explain", "server"],
+    "apps": PAGES + LIVE + ["report/explain", "report/pads", "report/pages", "report/demo", "server", "server/methods"],
+    "python": LIBRARIES + API + LIVE,
+    "bench": PAGES + LIVE + ["report/pages", "server", "server/methods", "tests"],  # charts; the sample scenes
+    "tests": PAGES + LIVE + ["report/explain", "report/pads", "report/pages", "report/demo", "server", "server/methods"],
 }
 WITH_SUBFOLDERS = ["sampling/run", "apps", "bench", "tests"]  # folders that are one floor
 

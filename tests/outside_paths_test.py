@@ -19,9 +19,9 @@ JOINS = re.compile(r"(path\([^()]*(\(\))?[^()]*\)|[Ff]older\w*(\(\))?|parent_pat
 OPENED = {
     "server/session_log.cpp": (4, "a log that the command line names, checked by outside_path(); an unnamed temporary file"),
     "server/token_file.cpp": (6, "the token: a name made of the port, in a folder of the user's own"),
-    "api/live/world/live_world.cpp": (2, "the session's own folder"),
-    "api/live/world/world_files.cpp": (1, "require_writable() of InsideFolder"),
-    "api/live/world/world_import.cpp": (2, "a numbered folder in the session's own"),
+    "live/world/live_world.cpp": (2, "the session's own folder"),
+    "live/world/world_files.cpp": (1, "require_writable() of InsideFolder"),
+    "live/world/world_import.cpp": (2, "a numbered folder in the session's own"),
     "report/page.cpp": (1, "a page that the command line names"),
     "apps/demo.cpp": (1, "the folder of -o"),
     "apps/fit.cpp": (1, "an output that the command line names"),
@@ -44,11 +44,11 @@ JOINED = {
     "api/pads/press_rungs.cpp": (1, "outside_fault() stands below it"),
     "api/scenes/read_scene_run.cpp": (2, "folders of ours; a recorded path that went through outside_path()"),
     "api/scenes/simulate_scene.cpp": (1, "a hand's file, " + CHECKED_AT_READING),
-    "api/live/world/imported_files.cpp": (2, "a hand's file below the session's own folder; a number; both written through InsideFolder"),
-    "api/live/world/live_hand.cpp": (1, "a key of the cache, " + CHECKED_AT_READING),
-    "api/live/world/live_world.cpp": (1, "the session's own folder"),
-    "api/live/world/world_files.cpp": (1, "a name that went through outside_path()"),
-    "api/live/world/world_import.cpp": (2, "a number; a name that went through outside_path()"),
+    "live/world/imported_files.cpp": (2, "a hand's file below the session's own folder; a number; both written through InsideFolder"),
+    "live/world/live_hand.cpp": (1, "a key of the cache, " + CHECKED_AT_READING),
+    "live/world/live_world.cpp": (1, "the session's own folder"),
+    "live/world/world_files.cpp": (1, "a name that went through outside_path()"),
+    "live/world/world_import.cpp": (2, "a number; a name that went through outside_path()"),
     "data/io/graspit/graspit_link.cpp": (1, "a mesh that find_mesh() looks at before it is read"),
     "data/io/mesh/foreign_mesh.cpp": (4, "the program that reads meshes, by a name of ours"),
     "data/io/mesh/shape_toml.cpp": (1, CHECKED_AT_READING),
@@ -63,7 +63,7 @@ JOINED = {
     "data/io/world/world.cpp": (1, CHECKED_AT_READING),
     "data/io/world/world_keys.cpp": (3, "outside_fault() stands above a name of the catalogue; " + CHECKED_AT_READING),
 }
-FOLDERS = ["server", "api/live", "report", "apps"]                     # texts of clients, logs, drops
+FOLDERS = ["server", "live", "report", "apps"]                     # texts of clients, logs, drops
 LINKS = ["server", "api", "report", "apps", "data/io", "dynamics/scene"]  # names that files hold, too
 
 

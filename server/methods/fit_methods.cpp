@@ -1,7 +1,7 @@
 #include <cmath>
 #include <memory>
 
-#include "api/live/live_fit.h"
+#include "live/live_fit.h"
 #include "server/frame.h"
 #include "server/methods/method_table.h"
 

@@ -2,11 +2,11 @@
 
 #include <nlohmann/json.hpp>
 
-#include "api/live/world/live_pads.h"
-#include "api/live/world/live_quality.h"
 #include "base/progress_parts.h"
 #include "grasp/closing/describe_grasp.h"
 #include "grasp/quality/volume.h"
+#include "live/world/live_pads.h"
+#include "live/world/live_quality.h"
 #include "report/answers/grasp.h"
 #include "server/methods/method_table.h"
 #include "server/methods/world_requests.h"

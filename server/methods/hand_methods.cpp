@@ -2,9 +2,9 @@
 
 #include <nlohmann/json.hpp>
 
-#include "api/live/world/live_quality.h"
-#include "api/live/world/world_edits.h"
 #include "grasp/closing/describe_grasp.h"
+#include "live/world/live_quality.h"
+#include "live/world/world_edits.h"
 #include "report/answers/grasp.h"
 #include "server/methods/method_table.h"
 #include "server/methods/world_requests.h"
@@ -60,9 +60,8 @@ OrderedJson get_joints(Session& session, const Json& params, const Progress& /*p
 }
 
 OrderedJson put_joints(Session& session, const Json& params, const Progress& /*progress*/) {
-  const SetJoints set =
-      set_joints(live_world(session), text_param(params, "hand"), named_numbers(params, "joints"),
-                 text_param(params, "gesture"));
+  const SetJoints set = set_joints(live_world(session), text_param(params, "hand"),
+                                   named_numbers(params, "joints"), text_param(params, "gesture"));
   return {{"joints", set.joints}, {"limited", set.limited}, {"parted", set.parted}};
 }
 
@@ -112,10 +111,10 @@ void add_hand_methods(MethodTable& table) {
       {"hand.set_joints",
        "Sets joints within their limits. One that is named alone of its drive moves all joints of "
        "the drive; several that are named part, as a clutch that has opened leaves them.",
-       object_schema({hand_member(),
-                      {"joints", map_schema(number_schema("rad or m", -1000, 1000)),
-                       "Joint -> value.", true},
-                      gesture_member()}),
+       object_schema(
+           {hand_member(),
+            {"joints", map_schema(number_schema("rad or m", -1000, 1000)), "Joint -> value.", true},
+            gesture_member()}),
        "joints: all of the hand [rad or m]; limited: those that stopped at a limit; parted: those "
        "of the hand that do not stand where their drive would take them",
        R"({"joints": {"opening": 0.03}})", put_joints});

@@ -2,12 +2,12 @@
 #include <optional>
 #include <set>
 
-#include "api/live/live_motion.h"
-#include "api/live/recorded_digit_motion.h"
-#include "api/live/recorded_motion.h"
-#include "api/live/world/live_world.h"
 #include "api/named/files.h"
 #include "base/nearest_name.h"
+#include "live/live_motion.h"
+#include "live/recorded_digit_motion.h"
+#include "live/recorded_motion.h"
+#include "live/world/live_world.h"
 #include "report/answers/motion_account.h"
 #include "server/frame.h"
 #include "server/methods/method_table.h"

@@ -5,9 +5,9 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
-#include "api/live/live_abilities.h"
 #include "api/named/catalogue.h"
 #include "base/provenance.h"
+#include "live/live_abilities.h"
 #include "report/answers/catalogue.h"
 #include "server/frame.h"
 #include "server/gltf.h"

@@ -2,9 +2,9 @@
 #include <memory>
 #include <utility>
 
-#include "api/live/live_digit.h"
 #include "base/progress_parts.h"
 #include "base/rung_names.h"
+#include "live/live_digit.h"
 #include "report/answers/passive_words.h"
 #include "report/answers/tendon_solve.h"
 #include "server/frame.h"

@@ -2,11 +2,11 @@
 
 #include <nlohmann/json.hpp>
 
-#include "api/live/world/imported_files.h"
-#include "api/live/world/world_edits.h"
-#include "api/live/world/world_files.h"
-#include "api/live/world/world_import.h"
 #include "base/error.h"
+#include "live/world/imported_files.h"
+#include "live/world/world_edits.h"
+#include "live/world/world_files.h"
+#include "live/world/world_import.h"
 #include "server/frame.h"
 #include "server/methods/method_table.h"
 #include "server/methods/world_requests.h"

@@ -5,10 +5,10 @@
 #include <optional>
 #include <string>
 
-#include "api/live/world/live_grasp.h"
-#include "api/live/world/live_world.h"
-#include "api/live/world/world_edits.h"
 #include "base/spatial.h"
+#include "live/world/live_grasp.h"
+#include "live/world/live_world.h"
+#include "live/world/world_edits.h"
 #include "server/schema.h"
 #include "server/session.h"
 

@@ -6,9 +6,9 @@
 #include <memory>
 #include <string>
 
-#include "api/live/live_abilities.h"
-#include "api/live/live_picture.h"
 #include "base/error.h"
+#include "live/live_abilities.h"
+#include "live/live_picture.h"
 #include "server/method.h"
 #include "server/session.h"
 

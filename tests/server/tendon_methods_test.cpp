@@ -6,9 +6,9 @@
 #include <nlohmann/json.hpp>
 
 #include "api/fit.h"
-#include "api/live/live_digit.h"
-#include "api/live/live_fit.h"
 #include "base/error.h"
+#include "live/live_digit.h"
+#include "live/live_fit.h"
 #include "server/methods/method_table.h"
 #include "tests/api/small_fit.h"
 #include "tests/data_folder.h"

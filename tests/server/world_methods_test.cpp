@@ -12,9 +12,9 @@
 #include <nlohmann/json.hpp>
 
 #include "api/grasp.h"
-#include "api/live/world/live_world.h"
 #include "base/error.h"
 #include "base/file_io.h"
+#include "live/world/live_world.h"
 #include "report/answers/grasp.h"
 #include "report/scene/mesh_table.h"
 #include "server/methods/method_table.h"

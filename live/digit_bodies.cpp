@@ -1,0 +1,222 @@
+#include "live/digit_bodies.h"
+
+#include <algorithm>
+#include <memory>
+#include <optional>
+#include <utility>
+
+#include "base/error.h"
+#include "geometry/solid.h"
+#include "hand/skin/human_surfaces.h"
+#include "hand/skin/skin_body.h"
+#include "tendons/neighbouring_axes.h"
+
+namespace thenar {
+namespace {
+
+constexpr int kSkinTriangles = 1500;    // of a phalanx: it looks smooth
+constexpr double kBoneRadius = 2.5e-3;  // of capsules [m]
+constexpr double kAxisLength = 0.03;    // of an arrow along an axis [m]
+constexpr double kNoLength = 1e-6;      // of a bone that is none [m]
+
+/// Bodies as they are found, without those of links that have none.
+class BodyList {
+ public:
+  explicit BodyList(std::string digit) : digit_(std::move(digit)) {}
+
+  void add(const std::string& name, LiveRole role, int link,
+           std::shared_ptr<const TriangleMesh> mesh) {
+    LiveBody body;
+    body.name = digit_ + "/" + name;
+    body.owner = digit_;
+    body.digit = digit_;
+    body.material = role == LiveRole::kBone ? "bone" : "skin";
+    body.role = role;
+    body.mesh = std::move(mesh);
+    bodies_.push_back(std::move(body));
+    links_.push_back(link);
+  }
+  [[nodiscard]] int body_of(int link) const {
+    const auto found = std::find(links_.begin(), links_.end(), link);
+    return found == links_.end() ? -1 : static_cast<int>(found - links_.begin());
+  }
+  void take_into(DigitBodies& out) {
+    out.bodies = std::move(bodies_);
+    out.links = std::move(links_);
+  }
+
+ private:
+  std::string digit_;
+  std::vector<LiveBody> bodies_;
+  std::vector<int> links_;
+};
+
+/// The rotation that lays the digit along x with its dorsal side up.
+Pose<double> upright(const TendonDigit& digit) {
+  const Eigen::Vector3d up = digit.model.tip_axes.col(1).normalized();
+  const Eigen::Vector3d distal = -digit.model.tip_axes.col(0);
+  const Eigen::Vector3d along = (distal - distal.dot(up) * up).normalized();
+  Pose<double> X;
+  X.R.row(0) = along.transpose();
+  X.R.row(1) = up.cross(along).transpose();
+  X.R.row(2) = up.transpose();
+  return X;
+}
+
+void add_bones(const Subject& subject, const TendonDigit& digit, BodyList& list) {
+  for (const LinkSurface& bone : bone_surfaces(subject, digit.skeleton))
+    list.add(bone.name + " bone", LiveRole::kBone, bone.link, picture_of_solid(bone.solid));
+}
+
+/// Skin of the digit's own bones; that of the palm would hide where its tendons come from.
+void add_skin(const HandAnatomy& hand, const std::string& name, const TendonDigit& digit,
+              BodyList& list) {
+  const DigitAnatomy* anatomy = digit_named(hand, name);
+  if (anatomy == nullptr) return;
+  const std::map<std::string, ImplicitBody> skins = skin_bodies(hand);
+  for (const DigitBone& bone : anatomy->bones) {
+    const auto skin = skins.find(bone.segment);
+    const auto link = digit.skeleton.link_of_segment.find(bone.segment);
+    if (skin == skins.end() || link == digit.skeleton.link_of_segment.end()) continue;
+    // In the frame of the link, which frozen joints may have displaced.
+    const Pose<double>& at = digit.skeleton.segment_at.at(bone.segment);
+    TriangleMesh mesh = skin_mesh(skin->second, kSkinTriangles);
+    mesh.vertices = ((at.R * mesh.vertices).colwise() + at.p).eval();
+    list.add(bone.segment + " skin", LiveRole::kLink, link->second,
+             std::make_shared<const TriangleMesh>(std::move(mesh)));
+  }
+}
+
+std::shared_ptr<const TriangleMesh> capsule_mesh(const Eigen::Vector3d& a,
+                                                 const Eigen::Vector3d& b) {
+  ShapeSpec shape;
+  shape.kind = ShapeKind::kCapsule;
+  shape.size = {kBoneRadius, (b - a).norm(), 0};
+  const Eigen::Vector3d along = (b - a).normalized();
+  const Tangents across = tangents(along);
+  shape.X_BS.R << across.e1, across.e2, along;
+  shape.X_BS.p = (a + b) / 2;
+  return std::make_shared<const TriangleMesh>(build_solid({shape}).visual);
+}
+
+/// Capsules from axis to axis to the tip.
+void add_capsules(const TendonDigit& digit, BodyList& list) {
+  const TendonModel<double>& model = digit.model;
+  const TreeState<double> state =
+      pose_tree(model.tree, Eigen::VectorXd::Zero(model.coordinates).eval());
+  std::vector<Eigen::Vector3d> ends = axis_points(model, state);
+  ends.push_back(moved(state, model.tip_link, model.tip));
+  for (std::size_t i = 0; i + 1 < ends.size(); ++i) {
+    if ((ends[i + 1] - ends[i]).norm() < kNoLength) continue;
+    const Pose<double> X = state[i].X.inverse();
+    list.add(digit.names.hinges[i] + " bone", LiveRole::kBone, static_cast<int>(i),
+             capsule_mesh(X * ends[i], X * ends[i + 1]));
+  }
+}
+
+/// The joints, each at the point of its axis that a bone would cross.
+std::vector<LiveJoint> joints_of(const std::string& name, const TendonDigit& digit,
+                                 const BodyList& list) {
+  const TendonModel<double>& model = digit.model;
+  const TreeState<double> state =
+      pose_tree(model.tree, Eigen::VectorXd::Zero(model.coordinates).eval());
+  const std::vector<Eigen::Vector3d> points = axis_points(model, state);
+  std::vector<LiveJoint> joints;
+  for (std::size_t i = 0; i < model.tree.size(); ++i) {
+    const Hinge<double>& hinge = model.tree[i];
+    const auto coordinate = static_cast<std::size_t>(hinge.coordinate);
+    const CoordinateLimits& limits = digit.skeleton.limits[coordinate];
+    const std::string& leader = digit.names.coordinates[coordinate];
+    LiveJoint joint;
+    joint.name = digit.names.hinges[i];
+    joint.hand = name;
+    joint.body = list.body_of(static_cast<int>(i));
+    joint.axis = hinge.direction;
+    joint.point = state[i].X.inverse() * points[i];
+    const double a = hinge.ratio * limits.lower + hinge.offset;
+    const double b = hinge.ratio * limits.upper + hinge.offset;
+    joint.lower = std::min(a, b);
+    joint.upper = std::max(a, b);
+    if (leader != joint.name) joint.led_by = leader;
+    joints.push_back(std::move(joint));
+  }
+  return joints;
+}
+
+}  // namespace
+
+DigitBodies digit_bodies(const Subject& subject, const std::string& name, const TendonDigit& digit,
+                         DigitLook look) {
+  DigitBodies out;
+  out.X_WS = upright(digit);
+  BodyList list(name);
+  // Bones and skin, or capsules.
+  std::optional<HandAnatomy> hand;
+  if (look == DigitLook::kAnatomy) try {
+      hand = find_anatomy(subject);
+    } catch (const InputError& error) {
+      out.warnings.push_back(std::string("capsules stand for bones: ") + error.what());
+    }
+  if (hand) {
+    add_bones(subject, digit, list);
+    add_skin(*hand, name, digit, list);
+  } else {
+    add_capsules(digit, list);
+  }
+  // Links of universal joints have no flesh, but a joint wants a body.
+  for (int link = 0; link < static_cast<int>(digit.model.tree.size()); ++link)
+    if (list.body_of(link) < 0)
+      list.add(digit.names.hinges[static_cast<std::size_t>(link)] + " link", LiveRole::kBone, link,
+               nullptr);
+  out.joints = joints_of(name, digit, list);
+  list.take_into(out);
+  return out;
+}
+
+std::vector<Pose<double>> body_poses(const DigitBodies& bodies, const TreeState<double>& state) {
+  std::vector<Pose<double>> poses;
+  poses.reserve(bodies.links.size());
+  for (const int link : bodies.links)
+    poses.push_back(link < 0 ? bodies.X_WS : bodies.X_WS * state[static_cast<std::size_t>(link)].X);
+  return poses;
+}
+
+std::vector<double> hinge_angles(const TendonModel<double>& model, const Eigen::VectorXd& q) {
+  std::vector<double> angles;
+  angles.reserve(model.tree.size());
+  for (const Hinge<double>& hinge : model.tree)
+    angles.push_back(hinge.ratio * q[hinge.coordinate] + hinge.offset);
+  return angles;
+}
+
+std::vector<LiveArrow> axis_arrows(const std::vector<std::string>& names) {
+  std::vector<LiveArrow> arrows;
+  for (const std::string& name : names) arrows.push_back({name, LiveArrowKind::kAxis});
+  return arrows;
+}
+
+std::vector<LiveVector> axis_vectors(const DigitBodies& bodies, const TendonModel<double>& model,
+                                     const TreeState<double>& state) {
+  const std::vector<Eigen::Vector3d> points = axis_points(model, state);
+  std::vector<LiveVector> arrows;
+  arrows.reserve(points.size());
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const Eigen::Vector3d way = kAxisLength * (bodies.X_WS.R * state[i].axis);
+    arrows.push_back({bodies.X_WS * points[i] - way / 2, way});
+  }
+  return arrows;
+}
+
+void aim_at_digit(const DigitBodies& bodies, const TendonModel<double>& model,
+                  const TreeState<double>& state, LiveShape& shape) {
+  std::vector<Eigen::Vector3d> points = axis_points(model, state);
+  points.push_back(moved(state, model.tip_link, model.tip));
+  Eigen::AlignedBox3d box;
+  for (const Eigen::Vector3d& p : points) box.extend(bodies.X_WS * p);
+  // Far enough for a field of view of 40 degrees.
+  shape.target = box.center();
+  shape.eye = box.center() +
+              (1.8 * box.diagonal().norm() + 0.05) * Eigen::Vector3d(0.25, -1, 0.35).normalized();
+}
+
+}  // namespace thenar

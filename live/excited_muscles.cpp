@@ -1,0 +1,89 @@
+#include "live/excited_muscles.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "base/error.h"
+#include "base/nearest_name.h"
+#include "tendons/net/net_tendons.h"
+
+namespace thenar {
+namespace {
+
+/// Lengths of lines without tension, which those of whole tendons do not depend on [m] (muscles).
+Eigen::VectorXd whole_lengths(const DigitTendons& tendons, const Eigen::VectorXd& q) {
+  const auto muscles = static_cast<Eigen::Index>(tendons.digit().names.muscles.size());
+  return tendons.lengths(q, Eigen::VectorXd::Zero(muscles), {});
+}
+
+}  // namespace
+
+ExcitedMuscles::ExcitedMuscles(const Subject& subject, std::shared_ptr<const DigitTendons> tendons)
+    : tendons_(std::move(tendons)) {
+  const auto* net = dynamic_cast<const NetTendons*>(tendons_.get());
+  whole_ = net != nullptr ? &net->linear() : tendons_.get();
+  // Constants of the muscles.
+  const TendonDigit& digit = tendons_->digit();
+  for (std::size_t m = 0; m < digit.names.muscles.size(); ++m) {
+    const std::string& name = digit.names.muscles[m];
+    const auto unit = std::find_if(subject.muscles.begin(), subject.muscles.end(),
+                                   [&](const MuscleUnit& each) { return each.name == name; });
+    require(unit != subject.muscles.end(), "subject '{}' has no muscle '{}'", subject.name, name);
+    muscles_.push_back({name, digit.max_tension[static_cast<Eigen::Index>(m)], unit->fibre_length,
+                        unit->tendon_slack, unit->pennation});
+  }
+  // Where lengths are counted from.
+  const Eigen::VectorXd zero = Eigen::VectorXd::Zero(digit.model.coordinates);
+  at_zero_ = whole_lengths(*whole_, zero);
+  const TendonTorque pull =
+      whole_->evaluate(zero, Eigen::VectorXd::Zero(static_cast<Eigen::Index>(muscles_.size())));
+  if (!trusted(pull.status)) trouble_at_zero_ = pull.warning;
+}
+
+Eigen::VectorXd ExcitedMuscles::lengthening(const Eigen::VectorXd& q) const {
+  return whole_lengths(*whole_, q) - at_zero_;
+}
+
+Eigen::VectorXd ExcitedMuscles::tensions(const Eigen::VectorXd& excitation,
+                                         const Eigen::VectorXd& t, const Eigen::VectorXd& q) const {
+  Eigen::VectorXd held = t;
+  if (excitation.array().isNaN().all()) return held;
+  const Eigen::VectorXd longer = lengthening(q);
+  for (Eigen::Index m = 0; m < held.size(); ++m) {
+    if (std::isnan(excitation[m])) continue;
+    const Musculotendon& muscle = muscles_[static_cast<std::size_t>(m)];
+    require(excitation[m] >= 0 && excitation[m] <= 1,
+            "wanted an excitation of '{}' from 0 to 1, got {}", muscle.name, excitation[m]);
+    require(std::isfinite(muscle.F0),
+            "the largest force of muscle '{}' is unknown: set its tension instead", muscle.name);
+    held[m] = muscle.optimal_fibre_length > 0
+                  ? rigid_tendon_tension(muscle, {}, excitation[m],
+                                         musculotendon_length_at_optimum(muscle) + longer[m], 0)
+                  : excitation[m] * muscle.F0;
+  }
+  return held;
+}
+
+std::vector<std::string> ExcitedMuscles::warnings(const Eigen::VectorXd& excitation) const {
+  std::vector<std::string> without, all;
+  for (Eigen::Index m = 0; m < excitation.size(); ++m) {
+    const Musculotendon& muscle = muscles_[static_cast<std::size_t>(m)];
+    if (!std::isnan(excitation[m]) && !(muscle.optimal_fibre_length > 0))
+      without.push_back(muscle.name);
+  }
+  if (!without.empty())
+    all.push_back(fmt::format(
+        "the fibre length of {} is unknown: excitation times largest force, at any length",
+        listed(without)));
+  if (!trouble_at_zero_.empty() && !excitation.array().isNaN().all())
+    all.push_back(
+        "lengths of muscles are counted from all joints at 0, where tendons are not to "
+        "be trusted: " +
+        trouble_at_zero_);
+  return all;
+}
+
+}  // namespace thenar

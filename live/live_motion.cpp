@@ -1,0 +1,355 @@
+#include "live/live_motion.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "base/error.h"
+#include "base/nearest_name.h"
+
+namespace thenar {
+namespace {
+
+constexpr long kStepsBetweenLooks = 16;  // at whether to stop
+
+/// Whether a coordinate's first joint slides.
+bool slides_along(const MovingScene& scene, int coordinate) {
+  for (const MechanismJoint& joint : scene.mechanism.joints)
+    if (is_scalar(joint.kind) && joint.coordinate == coordinate)
+      return joint.kind == JointKind::kSlide;
+  return false;
+}
+
+/// @throws InputError, also for what is no number
+void check_size(const std::map<std::string, double>& values, const std::string& kind,
+                const std::string& unit, double most) {
+  for (const auto& [name, value] : values)
+    require(std::abs(value) <= most, "{} of '{}': wanted a number within {:g} {}, got {}", kind,
+            name, most, unit, value);
+}
+
+}  // namespace
+
+LiveMotion::LiveMotion(MotionSource source, const HistoryLimits& limits)
+    : source_(std::move(source)),
+      picture_(scene_picture(*source_.built, source_.camera)),
+      stepper_(source_.built->scene, source_.built->options),
+      history_(limits) {
+  const std::vector<MechanismCoordinate>& coordinates = scene().mechanism.coordinates;
+  for (std::size_t c = 0; c < coordinates.size(); ++c) {
+    coordinates_.push_back(coordinates[c].name);
+    index_of_[coordinates[c].name] = static_cast<int>(c);
+  }
+  for (ElementControl& control : stepper_.controls()) {
+    if (control.unit == "N") control.upper = std::min(control.upper, kLargestTension);
+    controls_[control.name] = control;
+  }
+  moving_ = moving_bodies(scene().mechanism, stepper_.model());
+  readings_ = stepper_.readings();
+  for (const std::string& muscle : picture_.tendons.muscles()) {
+    const auto found =
+        std::find_if(readings_.begin(), readings_.end(),
+                     [&](const ElementValue& value) { return value.name == muscle; });
+    require(found != readings_.end(), "no element says what pulls '{}'", muscle);
+    tension_at_.push_back(static_cast<std::size_t>(found - readings_.begin()));
+  }
+  begin();
+}
+
+void LiveMotion::begin() {
+  quality_ = {};
+  beyond_ = {};
+  (void)stepper_.take_cost();
+  start_ = stepper_.sample();
+  history_.clear();
+  keep();
+}
+
+void LiveMotion::keep() {
+  newest_.at = stepper_.now();
+  if (source_.built->pads > 0) newest_.pads = stepper_.element_contacts();
+  newest_.readings.clear();
+  if (!readings_.empty())
+    for (const ElementValue& value : stepper_.readings()) newest_.readings.push_back(value.value);
+  newest_.efforts.clear();
+  for (std::size_t c = 0; c < coordinates_.size(); ++c)
+    newest_.efforts.push_back(stepper_.effort(static_cast<int>(c), newest_.at));
+  history_.add(newest_);
+  shown_ = history_.size() - 1;
+  ++changes_;
+}
+
+// Time.
+
+bool LiveMotion::step_once(const Progress& progress) {
+  try {
+    return stepper_.step(progress);
+  } catch (const Error&) {
+    // As where numbers are too large for contacts to be looked for.
+    stand_still();
+    throw;
+  }
+}
+
+MotionQuality LiveMotion::step(long count, const Progress& progress) {
+  if (!is_newest()) {
+    history_.cut_behind(shown_);
+    stepper_.go_to(shown());
+  }
+  MotionQuality out;
+  // What a step tells is a part of the whole.
+  long made = 0;
+  Progress within = progress;
+  within.report = [&](double part, const std::string& what) {
+    progress((static_cast<double>(made) + part) / static_cast<double>(count), what);
+  };
+  bool good = true;
+  for (; made < count && good; ++made) {
+    if (made % kStepsBetweenLooks == 0) {
+      if (progress.stop()) break;
+      within(0, "stepping");
+    }
+    if (!step_once(within)) break;
+    good = is_finite(stepper_.now().state);
+    if (!good) continue;
+    keep();
+    ++out.steps;
+    if (playing_ && passes_end()) {
+      playing_ = false;
+      break;
+    }
+  }
+  take_quality(out);
+  if (good) return out;
+  stand_still();
+  throw InputError(fmt::format(
+      "after {:.6g} s positions or speeds are not finite any more: the motion stands where they "
+      "were last; try shorter steps or smaller inputs",
+      shown().state.t));
+}
+
+bool LiveMotion::passes_end() const {
+  const double end = source_.duration.value_or(-1), near = 0.5 * stepper_.length();
+  const double to = shown().state.t, from = to - stepper_.length();
+  return from + near < end && end <= to + near;
+}
+
+void LiveMotion::take_quality(MotionQuality& of) {
+  const SceneCost cost = stepper_.take_cost();
+  of.unsolved = cost.unsolved;
+  of.leaps = cost.leaps;
+  of.worst_residual = cost.worst_residual;
+  of.deepest = cost.deepest;
+  quality_.steps += of.steps;
+  quality_.unsolved += of.unsolved;
+  quality_.leaps += of.leaps;
+  quality_.worst_residual = std::max(quality_.worst_residual, of.worst_residual);
+  quality_.deepest = std::max(quality_.deepest, of.deepest);
+  keep_larger(cost.beyond, beyond_);
+  add_account(cost.beyond, of);
+}
+
+void LiveMotion::add_account(const Eigen::VectorXd& beyond, MotionQuality& of) const {
+  of.balance = flow_balance(start_, stepper_.sample_of(shown()));
+  of.limits = passed_limits(scene().mechanism, beyond);
+  of.restitution = largest_restitution(scene());
+}
+
+MotionQuality LiveMotion::quality() const {
+  MotionQuality out = quality_;
+  add_account(beyond_, out);
+  return out;
+}
+
+void LiveMotion::stand_still() {
+  stepper_.go_to(shown());
+  playing_ = false;
+}
+
+double LiveMotion::seek(double t) {
+  shown_ = history_.nearest(t);
+  playing_ = false;  // play would forget what came behind
+  ++changes_;
+  return shown().state.t;
+}
+
+void LiveMotion::reset() {
+  stepper_.reset();
+  efforts_.clear();
+  targets_.clear();
+  playing_ = false;
+  begin();
+}
+
+LiveTime LiveMotion::live_time() const {
+  LiveTime out;
+  out.t = shown().state.t;
+  out.step = stepper_.length();
+  out.playing = playing_;
+  out.speed = speed_;
+  out.duration = source_.duration;
+  return out;
+}
+
+// Inputs.
+
+int LiveMotion::coordinate_named(const std::string& name) const {
+  const auto found = index_of_.find(name);
+  if (found != index_of_.end()) return found->second;
+  return static_cast<int>(index_of_name(name, coordinates_, "coordinate"));
+}
+
+void LiveMotion::check_controls(const std::map<std::string, double>& values,
+                                const std::string& unit) const {
+  for (const auto& [name, value] : values) {
+    const auto found = controls_.find(name);
+    if (found == controls_.end()) {
+      std::vector<std::string> names;
+      for (const auto& [known, control] : controls_)
+        if (control.unit == unit) names.push_back(known);
+      (void)index_of_name(name, names, unit == "N" ? "tension" : "excitation");
+    }
+    require(found->second.unit == unit, "'{}' {}", name,
+            unit == "N" ? "contracts by itself: set its excitation"
+                        : "is pulled by a given tension: set that");
+    require(value >= found->second.lower && value <= found->second.upper,
+            "'{}' must be {} to {:g} {}, got {}", name, found->second.lower, found->second.upper,
+            unit, value);
+  }
+}
+
+void LiveMotion::check_targets(const std::map<std::string, double>& values) const {
+  for (const auto& [name, value] : values)
+    require(stepper_.stiff_drive(coordinate_named(name)) != nullptr,
+            "no drive with stiffness moves '{}': set its effort instead", name);
+}
+
+void LiveMotion::set(const MotionInputs& inputs) {
+  // Everything is looked at before anything is set.
+  for (const auto& [name, value] : inputs.efforts) (void)coordinate_named(name);
+  for (const std::string& name : inputs.release) (void)coordinate_named(name);
+  check_size(inputs.efforts, "effort", "N m or N", kLargestEffort);
+  check_size(inputs.targets, "target", "rad or m", kFarthestTarget);
+  check_targets(inputs.targets);
+  check_controls(inputs.tensions, "N");
+  check_controls(inputs.excitations, "1");
+  for (const auto& [name, value] : inputs.efforts)
+    require(inputs.targets.count(name) == 0, "'{}' has an effort and a target", name);
+  for (const std::string& name : inputs.release) {
+    stepper_.release(coordinate_named(name));
+    efforts_.erase(name);
+    targets_.erase(name);
+  }
+  for (const auto& [name, value] : inputs.efforts) {
+    stepper_.set_effort(coordinate_named(name), value);
+    efforts_[name] = value;
+    targets_.erase(name);
+  }
+  for (const auto& [name, value] : inputs.targets) {
+    stepper_.set_target(coordinate_named(name), value);
+    targets_[name] = value;
+    efforts_.erase(name);
+  }
+  for (const auto* values : {&inputs.tensions, &inputs.excitations})
+    for (const auto& [name, value] : *values) stepper_.set_control(name, value);
+}
+
+std::vector<MotionInput> LiveMotion::inputs() const {
+  const auto given = [](const std::map<std::string, double>& values, const std::string& name) {
+    const auto found = values.find(name);
+    return found == values.end() ? std::nullopt : std::optional<double>(found->second);
+  };
+  std::vector<MotionInput> out;
+  const std::vector<CoordinateRange> ranges = coordinate_ranges(scene());
+  for (std::size_t c = 0; c < coordinates_.size(); ++c) {
+    const std::string& name = coordinates_[c];
+    const int index = static_cast<int>(c);
+    const bool slides = slides_along(scene(), index);
+    const double most = stepper_.largest_effort(index);
+    out.push_back({name, "effort", slides ? "N" : "N m", -most, most, given(efforts_, name)});
+    if (stepper_.stiff_drive(index) != nullptr)
+      out.push_back({name, "target", slides ? "m" : "rad", ranges[c].lower, ranges[c].upper,
+                     given(targets_, name)});
+  }
+  for (const ElementControl& control : stepper_.controls())
+    out.push_back({control.name, control.unit == "N" ? "tension" : "excitation", control.unit,
+                   control.lower, control.upper, control.set});
+  return out;
+}
+
+// What is shown.
+
+std::vector<ContactSample> LiveMotion::contacts() const {
+  const PastInstant& past = history_.at(shown_);
+  std::vector<ContactSample> all = contact_samples(past.at.active, past.at.part);
+  all.insert(all.end(), past.pads.begin(), past.pads.end());
+  return all;
+}
+
+std::vector<Pose<double>> LiveMotion::poses() const {
+  std::vector<Pose<double>> out;
+  stepper_.poses(shown(), out);
+  return out;
+}
+
+LiveInstant LiveMotion::instant() const {
+  const SceneState& state = shown().state;
+  const std::vector<Pose<double>> X_WB = poses();
+  return scene_instant(picture_, scene(), stepper_.model().layout,
+                       {state.t, state.q, X_WB, contacts(), tension()});
+}
+
+std::vector<ElementValue> LiveMotion::muscles() const {
+  std::vector<ElementValue> out = readings_;
+  for (std::size_t i = 0; i < out.size(); ++i) out[i].value = history_.at(shown_).readings[i];
+  return out;
+}
+
+Eigen::VectorXd LiveMotion::tension() const {
+  Eigen::VectorXd out(static_cast<Eigen::Index>(tension_at_.size()));
+  for (std::size_t m = 0; m < tension_at_.size(); ++m)
+    out[static_cast<Eigen::Index>(m)] = history_.at(shown_).readings[tension_at_[m]];
+  return out;
+}
+
+void LiveMotion::add_joints(TimelineState& out) const {
+  const MechanismLayout& layout = stepper_.model().layout;
+  const SceneState& state = shown().state;
+  // Efforts of the present follow inputs as they are set, those of the past stay.
+  for (std::size_t c = 0; c < coordinates_.size(); ++c)
+    out.joints.push_back({coordinates_[c], state.q[layout.coordinate_q[c]],
+                          state.v[layout.coordinate_v[c]],
+                          is_newest() ? stepper_.effort(static_cast<int>(c), shown())
+                                      : history_.at(shown_).efforts[c]});
+}
+
+void LiveMotion::add_bodies(TimelineState& out) const {
+  const SceneState& state = shown().state;
+  const std::vector<Pose<double>> X_WB = poses();
+  const std::vector<SceneVelocity> velocities =
+      body_velocities(scene().mechanism, stepper_.model(), state.q, state.v);
+  for (const std::size_t i : moving_)
+    out.bodies.push_back({scene().mechanism.bodies[i].name, X_WB[i], velocities[i]});
+}
+
+MotionEnergy LiveMotion::energy() const {
+  const SceneSample sample = stepper_.sample_of(shown());
+  return {sample.energy.kinetic, sample.energy.weight, sample.energy.springs,
+          flow_balance(start_, sample), sample.energy.total()};
+}
+
+TimelineState LiveMotion::state(const MotionParts& parts) const {
+  TimelineState out;
+  out.t = shown().state.t;
+  if (parts.joints) add_joints(out);
+  if (parts.bodies) add_bodies(out);
+  if (parts.contacts) {
+    out.contacts = contacts();
+    for (const MechanismBody& body : scene().mechanism.bodies) out.body_names.push_back(body.name);
+  }
+  if (parts.energy) out.energy = energy();
+  if (parts.muscles) out.muscles = muscles();
+  return out;
+}
+
+}  // namespace thenar

@@ -1,0 +1,64 @@
+#include "live/recorded_digit_motion.h"
+
+#include <utility>
+
+#include "base/numbers.h"
+#include "tendons/net/net_continuation.h"
+
+namespace thenar {
+
+RecordedDigitMotion::RecordedDigitMotion(RecordedDigit run)
+    : RecordedTimeline({run.time.begin(), run.time.end()}),
+      run_(std::move(run)),
+      name_(run_.subject.name + "/" + run_.digit),
+      picture_(run_.subject, run_.digit, run_.tendons, run_.angle.row(0)) {
+  run_.warnings.insert(run_.warnings.end(), picture_.warnings().begin(), picture_.warnings().end());
+}
+
+LiveInstant RecordedDigitMotion::instant() const {
+  const Eigen::VectorXd q = straight(run_.angle), t = straight(run_.tension);
+  NetEquilibrium rest;
+  if (const auto* net = dynamic_cast<const NetTendons*>(run_.tendons.get()))
+    rest = follow_from_straight(*net, q, t).rest;
+  LiveInstant instant = picture_.instant(q, t, rest);
+  instant.time = shown();
+  return instant;
+}
+
+MotionEnergy RecordedDigitMotion::energy() const {
+  const auto now = [&](const auto& all) {
+    return straight_number([&](std::size_t i) { return all[static_cast<Eigen::Index>(i)]; });
+  };
+  MotionEnergy out;
+  out.kinetic = out.weight = out.springs = kNaN;
+  out.total = now(run_.energy);
+  FlowBalance balance;
+  balance.work = now(run_.work);
+  balance.yielding = now(run_.dissipated);
+  balance.error = run_.energy[0] - out.total + (balance.work - run_.work[0]) -
+                  (balance.yielding - run_.dissipated[0]);
+  out.balance = balance;
+  return out;
+}
+
+TimelineState RecordedDigitMotion::state(const MotionParts& parts) const {
+  const TendonNames& names = run_.tendons->digit().names;
+  const Eigen::VectorXd q = straight(run_.angle), q_dot = straight(run_.speed);
+  const Eigen::VectorXd t = straight(run_.tension), a = straight(run_.activation);
+  TimelineState out;
+  out.t = shown();
+  if (parts.joints)
+    for (std::size_t c = 0; c < names.coordinates.size(); ++c) {
+      const auto i = static_cast<Eigen::Index>(c);
+      out.joints.push_back({names.coordinates[c], q[i], q_dot[i], std::nullopt});
+    }
+  if (parts.energy) out.energy = energy();
+  for (std::size_t m = 0; parts.muscles && m < names.muscles.size(); ++m) {
+    const auto i = static_cast<Eigen::Index>(m);
+    out.muscles.push_back({names.muscles[m], "N", t[i]});
+    out.muscles.push_back({names.muscles[m] + " activation", "1", a[i]});
+  }
+  return out;
+}
+
+}  // namespace thenar

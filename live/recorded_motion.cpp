@@ -1,0 +1,141 @@
+#include "live/recorded_motion.h"
+
+#include <algorithm>
+#include <utility>
+
+#include <Eigen/Geometry>
+
+#include "base/numbers.h"
+
+namespace thenar {
+namespace {
+
+std::vector<double> times_of(const std::vector<SceneSample>& samples) {
+  std::vector<double> times;
+  for (const SceneSample& sample : samples) times.push_back(sample.t);
+  return times;
+}
+
+/// The positions a share of the way from one instant to the next.
+Eigen::VectorXd positions_between(const Mechanism& mechanism, const MechanismLayout& layout,
+                                  const Eigen::VectorXd& from, const Eigen::VectorXd& to,
+                                  double share) {
+  Eigen::VectorXd q = from + share * (to - from);
+  for (std::size_t i = 0; i < mechanism.joints.size(); ++i) {
+    const JointKind kind = mechanism.joints[i].kind;
+    if (kind != JointKind::kBall && kind != JointKind::kFree) continue;
+    const int at = layout.first_q[i];
+    const auto turn = [&](const Eigen::VectorXd& of) {
+      return Eigen::Quaterniond(of[at], of[at + 1], of[at + 2], of[at + 3]).normalized();
+    };
+    const Eigen::Quaterniond mean = turn(from).slerp(share, turn(to));
+    q.segment<4>(at) << mean.w(), mean.x(), mean.y(), mean.z();
+  }
+  return q;
+}
+
+}  // namespace
+
+RecordedMotion::RecordedMotion(RecordedScene run)
+    : RecordedTimeline(times_of(run.samples)),
+      run_(std::move(run)),
+      picture_(scene_picture(run_.built, run_.camera)),
+      model_(tree_model(run_.built.scene.mechanism)) {
+  for (const std::string& muscle : picture_.tendons.muscles()) {
+    const auto found = std::find(run_.muscles.begin(), run_.muscles.end(), muscle);
+    tension_of_.push_back(found == run_.muscles.end() ? -1 : found - run_.muscles.begin());
+  }
+}
+
+Eigen::VectorXd RecordedMotion::tension() const {
+  Eigen::VectorXd out =
+      Eigen::VectorXd::Constant(static_cast<Eigen::Index>(tension_of_.size()), kNaN);
+  if (run_.muscles.empty()) return out;
+  const Eigen::VectorXd recorded = straight(run_.tension);
+  for (std::size_t m = 0; m < tension_of_.size(); ++m)
+    if (tension_of_[m] >= 0) out[static_cast<Eigen::Index>(m)] = recorded[tension_of_[m]];
+  return out;
+}
+
+Eigen::VectorXd RecordedMotion::positions() const {
+  const Between at = between();
+  const Eigen::VectorXd& from = run_.samples[at.from].q;
+  if (at.from == at.to) return from;
+  return positions_between(run_.built.scene.mechanism, model_.layout, from, run_.samples[at.to].q,
+                           at.share);
+}
+
+Eigen::VectorXd RecordedMotion::speeds() const {
+  const Between at = between();
+  const Eigen::VectorXd& from = run_.samples[at.from].v;
+  return at.from == at.to ? from : from + at.share * (run_.samples[at.to].v - from);
+}
+
+MotionEnergy RecordedMotion::energy() const {
+  using Energy = decltype(SceneSample::energy);
+  const auto now = [&](double Energy::*part) {
+    return straight_number([&](std::size_t i) { return run_.samples[i].energy.*part; });
+  };
+  MotionEnergy out{now(&Energy::kinetic), now(&Energy::weight), now(&Energy::springs), {}, 0};
+  out.total = out.kinetic + out.weight + out.springs;
+  return out;
+}
+
+std::vector<Pose<double>> RecordedMotion::poses(const Eigen::VectorXd& q) const {
+  TreeMotion<double> motion(model_);
+  motion.set_position(q);
+  std::vector<Pose<double>> out;
+  for (std::size_t i = 0; i < model_.bodies.size(); ++i)
+    out.push_back(motion.pose(static_cast<int>(i)));
+  return out;
+}
+
+LiveInstant RecordedMotion::instant() const {
+  const Eigen::VectorXd q = positions();
+  const std::vector<Pose<double>> X_WB = poses(q);
+  return scene_instant(picture_, run_.built.scene, model_.layout,
+                       {shown(), q, X_WB, nearest_sample().contacts, tension()});
+}
+
+TimelineState RecordedMotion::state(const MotionParts& parts) const {
+  const Mechanism& mechanism = run_.built.scene.mechanism;
+  const Eigen::VectorXd q = positions(), v = speeds();
+  TimelineState out;
+  out.t = shown();
+  if (parts.joints)
+    for (std::size_t c = 0; c < mechanism.coordinates.size(); ++c)
+      out.joints.push_back({mechanism.coordinates[c].name, q[model_.layout.coordinate_q[c]],
+                            v[model_.layout.coordinate_v[c]], std::nullopt});
+  if (parts.bodies) {
+    const std::vector<Pose<double>> X_WB = poses(q);
+    const std::vector<SceneVelocity> velocities = body_velocities(mechanism, model_, q, v);
+    for (const std::size_t i : moving_bodies(mechanism, model_))
+      out.bodies.push_back({mechanism.bodies[i].name, X_WB[i], velocities[i]});
+  }
+  if (parts.contacts) {
+    out.contacts = nearest_sample().contacts;
+    for (const MechanismBody& body : mechanism.bodies) out.body_names.push_back(body.name);
+  }
+  if (parts.energy) out.energy = energy();
+  if (parts.muscles && !run_.muscles.empty()) {
+    const Eigen::VectorXd tensions = straight(run_.tension);
+    for (std::size_t m = 0; m < run_.muscles.size(); ++m)
+      out.muscles.push_back({run_.muscles[m], "N", tensions[static_cast<Eigen::Index>(m)]});
+  }
+  return out;
+}
+
+MotionQuality RecordedMotion::quality() const {
+  MotionQuality out;
+  out.steps = run_.steps;
+  out.unsolved = run_.unsolved;
+  out.worst_residual = run_.worst_residual;
+  out.deepest = run_.deepest;
+  out.balance = run_.balance;
+  out.limits = run_.limits;
+  if (run_.built.options.method == SteppingMethod::kTimeStepping)
+    out.restitution = largest_restitution(run_.built.scene);
+  return out;
+}
+
+}  // namespace thenar

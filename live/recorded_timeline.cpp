@@ -1,0 +1,65 @@
+#include "live/recorded_timeline.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace thenar {
+namespace {
+
+constexpr double kShownStep = 1.0 / 240;  // of play [s]
+
+}  // namespace
+
+RecordedTimeline::RecordedTimeline(std::vector<double> times) : times_(std::move(times)) {
+  require(!times_.empty(), "wanted a motion with instants, got none");
+  t_ = times_.front();
+}
+
+LiveTime RecordedTimeline::live_time() const {
+  LiveTime out;
+  out.t = t_;
+  out.step = kShownStep;
+  out.playing = playing_;
+  out.speed = speed_;
+  out.duration = times_.back();
+  out.recorded = true;
+  return out;
+}
+
+MotionQuality RecordedTimeline::step(long count, const Progress& /*progress*/) {
+  (void)seek(t_ + kShownStep * static_cast<double>(count));
+  if (t_ >= times_.back()) playing_ = false;
+  MotionQuality out;
+  out.steps = count;
+  return out;
+}
+
+double RecordedTimeline::seek(double t) {
+  t_ = std::clamp(t, times_.front(), times_.back());
+  const auto behind = std::lower_bound(times_.begin(), times_.end(), t_);
+  nearest_ = static_cast<std::size_t>(behind - times_.begin());
+  if (nearest_ > 0 && t_ - times_[nearest_ - 1] < times_[nearest_] - t_) --nearest_;
+  ++changes_;
+  return t_;
+}
+
+void RecordedTimeline::reset() {
+  playing_ = false;
+  (void)seek(times_.front());
+}
+
+RecordedTimeline::Between RecordedTimeline::between() const {
+  const bool before = times_[nearest_] <= t_;
+  const std::size_t other = before ? nearest_ + 1 : nearest_ - 1;  // on the other side of t
+  if (times_[nearest_] == t_ || other >= times_.size()) return {nearest_, nearest_, 0};
+  const std::size_t from = std::min(nearest_, other), to = from + 1;
+  return {from, to, (t_ - times_[from]) / (times_[to] - times_[from])};
+}
+
+Eigen::VectorXd RecordedTimeline::straight(const Eigen::MatrixXd& rows) const {
+  const Between at = between();
+  const auto from = static_cast<Eigen::Index>(at.from), to = static_cast<Eigen::Index>(at.to);
+  return rows.row(from) + at.share * (rows.row(to) - rows.row(from));
+}
+
+}  // namespace thenar

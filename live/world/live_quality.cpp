@@ -1,0 +1,157 @@
+#include "live/world/live_quality.h"
+
+#include <algorithm>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "base/error.h"
+#include "grasp/closing/describe_grasp.h"
+#include "grasp/compare/grasp_loads.h"
+
+namespace thenar {
+namespace {
+
+PosedCollisionHand posed(const LiveMeeting& meeting) {
+  return {meeting.collision, meeting.stands.stand.X_WH,
+          meeting.stands.built->model().pose(meeting.stands.stand.q)};
+}
+
+std::vector<HandContact> contacts_at(const LiveWorld& live, const LiveMeeting& meeting) {
+  const double within = ContactPatchOptions{}.tolerance;
+  if (!may_touch(meeting.stands, live.state().bodies[meeting.object], within)) return {};
+  PadOptions pads;
+  pads.contact = meeting.stands.built->hand.named.contact;
+  return find_contacts(posed(meeting), meeting.scene, {}, pads);
+}
+
+const LinkSurface& surface_named(const LiveMeeting& meeting, const std::string& name) {
+  const std::vector<LinkSurface>& surfaces = meeting.stands.built->model().surfaces();
+  return *std::find_if(surfaces.begin(), surfaces.end(),
+                       [&](const LinkSurface& surface) { return surface.name == name; });
+}
+
+std::vector<std::string> deep_overlaps(const LiveMeeting& meeting) {
+  std::vector<std::string> warnings;
+  for (const Overlap& overlap : find_overlaps(posed(meeting), meeting.scene, 1e-5)) {
+    const double soft =
+        soft_layer(surface_named(meeting, overlap.surface), meeting.scene.materials);
+    if (overlap.depth > std::max(kDeepOverlap, soft))
+      warnings.push_back(fmt::format("{} is {:.1f} mm deep in {}", overlap.surface,
+                                     1000 * overlap.depth, overlap.other));
+  }
+  return warnings;
+}
+
+/// The world as grasp_in_world() has it.
+WorldCase case_of(const LiveWorld& live, const LiveMeeting& meeting) {
+  const WorldState& state = live.state();
+  WorldCase setting;
+  setting.path = state.file.empty() ? state.header->name : state.file;
+  setting.data = live.data();
+  setting.world = spec_of(state);
+  setting.hand = meeting.stands.built->hand;
+  setting.hand.parts = meeting.stands.parts;
+  setting.hand.X_WH = meeting.stands.stand.X_WH;
+  setting.hand.q = meeting.stands.stand.q;
+  setting.hand.named.name = name_of(state, meeting.stands);
+  for (std::string& warning : bare_body_warnings(setting.world))
+    setting.hand.named.warnings.push_back(std::move(warning));
+  setting.files = setting.world.files;
+  setting.files.insert(setting.hand.named.files.begin(), setting.hand.named.files.end());
+  return setting;
+}
+
+/// How the hand came to where it stands, if that is known of this very posture and object.
+void tell_closing(const LiveWorld& live, const LiveMeeting& meeting, Grasp& grasp) {
+  grasp.approached.X_WH = meeting.stands.stand.X_WH;
+  grasp.closed.q = meeting.stands.stand.q;
+  const std::optional<HandClosing>& closing = live.closing();
+  if (!closing || closing->hand != meeting.hand || closing->object != meeting.object) return;
+  if (closing->closed.q != grasp.closed.q || closing->outcome == GraspOutcome::kOverlaps ||
+      closing->outcome == GraspOutcome::kMissed)
+    return;
+  grasp.approached = closing->approached;
+  grasp.closed = closing->closed;
+}
+
+}  // namespace
+
+LiveContacts contacts_of(const LiveWorld& live, const LivePair& pair) {
+  const LiveMeeting meeting = meeting_of(live, pair);
+  LiveContacts out;
+  out.contacts = contacts_at(live, meeting);
+  out.X_WO = meeting.scene.object.X_WB;
+  for (const HandContact& contact : out.contacts)
+    out.links.push_back(
+        meeting.stands.built->model().surfaces()[static_cast<std::size_t>(contact.surface)].name);
+  out.warnings = deep_overlaps(meeting);
+  return out;
+}
+
+GraspResult standing_grasp(const LiveWorld& live, const LivePair& pair,
+                           const LiveQualityRequest& request) {
+  require(request.tolerance > 0, "wanted a tolerance of epsilon above 0, got {}",
+          request.tolerance);
+  const LiveMeeting meeting = meeting_of(live, pair);
+  GraspResult result{};
+  result.request.approach = false;
+  result.request.limit = request.norm;
+  result.request.tolerance = request.tolerance;
+  result.setting = case_of(live, meeting);
+  result.setting.scene = meeting.scene;
+  result.collision_hand = meeting.collision;
+  // Contacts and their quality, about the centre of mass.
+  Grasp& grasp = result.grasp;
+  tell_closing(live, meeting, grasp);
+  grasp.contacts = contacts_at(live, meeting);
+  grasp.outcome = grasp.contacts.empty() ? GraspOutcome::kEmpty : GraspOutcome::kGrasped;
+  const SceneBody& object = meeting.scene.object;
+  result.wrenches =
+      wrench_set(contacts_without_hand(grasp.contacts), object.com, object.torque_scale);
+  EpsilonOptions options;
+  options.limit = request.norm;
+  options.gap = request.tolerance;
+  if (!grasp.contacts.empty()) grasp.quality = epsilon(result.wrenches, options);
+  result.start = {grasp.approached.X_WH, grasp.closed.q, 0};
+  result.warnings = grasp_warnings(result);
+  for (std::string& deep : deep_overlaps(meeting)) result.warnings.push_back(std::move(deep));
+  return result;
+}
+
+GraspResult show_quality(LiveWorld& live, const LivePair& pair, const LiveQualityRequest& request) {
+  GraspResult result = standing_grasp(live, pair, request);
+  if (result.grasp.outcome == GraspOutcome::kGrasped)
+    live.set_disturbance({object_index(live.state(), pair.object),
+                          unscaled_wrench(result.grasp.quality.worst_wrench,
+                                          result.setting.scene.object.torque_scale)});
+  return result;
+}
+
+WrenchSetMesh live_wrench_set(const LiveWorld& live, const LivePair& pair,
+                              const std::array<int, 3>& axes, PictureKind kind, WrenchLimits limits,
+                              int pieces) {
+  const GraspResult result = standing_grasp(live, pair);
+  require(result.grasp.outcome == GraspOutcome::kGrasped,
+          "hand '{}' does not touch '{}': there is no wrench set", result.setting.hand.named.name,
+          result.setting.scene.object.name);
+  if (limits == WrenchLimits::kGeometric)
+    return wrench_set_mesh(unit_forces(result.wrenches, ForceNorm::kL1), axes, kind, pieces);
+  const SceneBody& object = result.setting.scene.object;
+  const HeldObject held{*result.collision_hand.hand, result.grasp.closed.q, result.grasp.contacts,
+                        result.grasp.approached.X_WH.inverse() * object.X_WB};
+  const HandForceInputs inputs = hand_force_inputs(held, object);
+  const std::string unknown = explain_unknown_effort(inputs);
+  require(unknown.empty(), "the wrench set within the hand's limits is not known: {}", unknown);
+  return wrench_set_mesh(hand_forces(inputs.set, inputs.T, inputs.actuation), axes, kind, pieces);
+}
+
+GraspResult measured_grasp(const LiveWorld& live, const LivePair& pair,
+                           const LiveQualityRequest& request, const Progress& progress) {
+  GraspResult result = standing_grasp(live, pair, request);
+  if (result.grasp.outcome == GraspOutcome::kGrasped)
+    result.measures = measure_grasp(result, progress);
+  return result;
+}
+
+}  // namespace thenar

@@ -1,0 +1,297 @@
+#include "live/world/world_edits.h"
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <map>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "api/named/data_folders.h"
+#include "api/named/files.h"
+#include "base/error.h"
+#include "base/nearest_name.h"
+#include "live/world/free_place.h"
+#include "live/world/imported_files.h"
+#include "live/world/world_import.h"
+
+namespace thenar {
+namespace {
+
+namespace fs = std::filesystem;
+
+void require_material(const WorldSpec& world, const std::string& material) {
+  if (!material.empty()) (void)world.materials.at(material);
+}
+
+/// Names of what is mounted on a placed hand.
+std::vector<std::string> carried_by(const WorldState& state, const std::string& name) {
+  std::vector<std::string> carried;
+  for (const PlacedHand& placed : state.placed)
+    if (!placed.carrier.empty() && current_hand_name(placed.carrier) == current_hand_name(name))
+      carried.push_back(placed.name);
+  return carried;
+}
+
+std::size_t placed_index(const WorldState& state, const std::string& name) {
+  for (std::size_t i = 0; i < state.placed.size(); ++i)
+    if (current_hand_name(state.placed[i].name) == current_hand_name(name)) return i;
+  return state.placed.size();
+}
+
+std::size_t body_index(const WorldState& state, const std::string& name) {
+  const std::vector<std::string> names = body_names(state);
+  return static_cast<std::size_t>(std::find(names.begin(), names.end(), name) - names.begin());
+}
+
+[[noreturn]] void refuse_name(const WorldState& state, const std::string& name) {
+  std::vector<std::string> names = body_names(state);
+  for (const PlacedHand& placed : state.placed) names.push_back(placed.name);
+  throw InputError(fmt::format("the world has no '{}'{}; it has {}", name,
+                               did_you_mean(name, names), listed(names)));
+}
+
+/// The placed hand of a hand's name or file, and how worlds write it.
+PlacedHand placed_by_name(const LiveWorld& live, const std::string& name) {
+  const WorldState& state = live.state();
+  const HandSource source = find_hand(name, live.data());
+  PlacedHand placed;
+  placed.name = current_hand_name(name);
+  if (source.human && source.file.empty()) {
+    if (placed.name == "human") placed.name = "human:" + source.version;
+    require(
+        placed_index(state, placed.name) == state.placed.size(),
+        "the world has the hand '{}' already; another version of it, or another subject's hand, "
+        "can be added",
+        placed.name);
+    return placed;
+  }
+  // A robot or a subject: by its file, under a name that is free.
+  const std::string version = source.human ? version_of_hand(placed.name) : "";
+  const std::string base = fs::path(source.file).stem().string();
+  placed.file = file_seen_from(state.header->folder, source.file);
+  placed.name = free_name(state, base + version);
+  // The version stands at the end of a name.
+  for (int number = 2; !version.empty() && version_of_hand(placed.name) != version; ++number)
+    placed.name = free_name(state, fmt::format("{} {}{}", base, number, version));
+  return placed;
+}
+
+/// The state with groups rebuilt after `removed`, an entry of `placed`, is gone.
+WorldState without_placed(WorldState state, std::size_t removed) {
+  const auto stands = [&](const StateHand& hand) { return hand.parts.front() != removed; };
+  std::vector<StateHand> kept;
+  for (const StateHand& hand : state.hands)
+    if (stands(hand)) kept.push_back(hand);
+  for (StateHand& hand : kept)
+    for (std::size_t& part : hand.parts)
+      if (part > removed) --part;
+  state.placed.erase(state.placed.begin() + static_cast<std::ptrdiff_t>(removed));
+  state.hands = std::move(kept);
+  return state;
+}
+
+/// By which the moves of a gesture are undone as one. @param what  is moved, and how
+std::string gesture_key(const std::string& what, const std::string& gesture) {
+  return gesture.empty() ? "" : what + "\n" + gesture;
+}
+
+Pose<double> moved_to(const Pose<double>& X, const std::optional<Eigen::Vector3d>& position,
+                      const std::optional<Eigen::Matrix3d>& R) {
+  return {R.value_or(X.R), position.value_or(X.p)};
+}
+
+Pose<double> pose_for(const WorldState& state, const OwnBalls& balls, const WantedPlace& place) {
+  return {place.R, place.position ? *place.position : free_place(state, balls, place.R)};
+}
+
+/// The joint that leads the drive of a joint: itself, unless another one does.
+int leader_of(const LiveHand& hand, int coordinate) {
+  const int leader = hand.leads[static_cast<std::size_t>(coordinate)].leader;
+  return leader < 0 ? coordinate : leader;
+}
+
+/// Joints that are named, and what goes with them: a joint that is named alone of its drive moves
+/// all of it, the followers of a leader that is named with others go with the leader.
+void put_joints(const LiveHand& hand, const std::vector<std::pair<int, double>>& named,
+                Eigen::VectorXd& q) {
+  std::map<int, int> named_of_drive;  // leader -> how many are named
+  for (const auto& [c, value] : named) ++named_of_drive[leader_of(hand, c)];
+  for (const auto& [c, value] : named) {
+    const int leader = leader_of(hand, c);
+    if (c != leader && named_of_drive[leader] > 1) continue;
+    const double ratio = c == leader ? 1 : hand.leads[static_cast<std::size_t>(c)].ratio;
+    if (ratio == 0) continue;
+    q[leader] = value / ratio;
+    for (std::size_t f = 0; f < hand.leads.size(); ++f)
+      if (hand.leads[f].leader == leader)
+        q[static_cast<Eigen::Index>(f)] = hand.leads[f].ratio * q[leader];
+  }
+  for (const auto& [c, value] : named) q[c] = value;
+}
+
+/// Followers that do not stand where their leader would take them.
+std::vector<std::string> parted_joints(const LiveHand& hand, const Eigen::VectorXd& q) {
+  constexpr double kSame = 1e-9;  // [rad] or [m]
+  std::vector<std::string> parted;
+  for (std::size_t f = 0; f < hand.leads.size(); ++f) {
+    const JointLead& lead = hand.leads[f];
+    if (lead.leader >= 0 &&
+        std::abs(q[static_cast<Eigen::Index>(f)] - lead.ratio * q[lead.leader]) > kSame)
+      parted.push_back(hand.model().layout().coordinates[f]);
+  }
+  return parted;
+}
+
+}  // namespace
+
+AddedThing add_body(LiveWorld& live, PlacedBody placed, const WantedPlace& place) {
+  WorldState next = live.state();
+  require_material(*next.header, placed.body.material);
+  placed.body.name = free_name(next, placed.body.name);
+  AddedThing added{placed.body.name, {}};
+  if (placed.body.material.empty())
+    added.warnings.push_back(fmt::format("no material is stated of body '{}': {} is taken",
+                                         added.name, kDefaultMaterial));
+  StateBody body = built_body(placed);
+  body.X_WB = pose_for(next, {body.built->ball}, place);
+  next.bodies.push_back(std::move(body));
+  live.apply(std::move(next), "add " + added.name);
+  return added;
+}
+
+AddedThing add_object(LiveWorld& live, const std::string& object, bool dynamic,
+                      const WantedPlace& place) {
+  const std::string file = named_file("object", object, "objects", ".toml", live.data());
+  PlacedBody placed;
+  std::vector<std::string> warnings;
+  // Objects of ours stay in their files; all others are written into the world.
+  if (fs::path(file).extension() == ".toml") {
+    require_kind(file, {"object"});
+    placed.body = read_object(file);
+    placed.file = file_seen_from(live.state().header->folder, file);
+  } else {
+    ImportedBody imported = imported_body(file);
+    placed.body = std::move(imported.body);
+    warnings = std::move(imported.warnings);
+  }
+  placed.dynamic = dynamic;
+  AddedThing added = add_body(live, std::move(placed), place);
+  added.warnings.insert(added.warnings.begin(), warnings.begin(), warnings.end());
+  return added;
+}
+
+AddedThing add_hand(LiveWorld& live, const std::string& hand, const WantedPlace& place,
+                    const Progress& progress) {
+  PlacedHand placed = placed_by_name(live, hand);
+  WorldState next = live.state();
+  next.placed.push_back(placed);
+  // Its hand, built among those that are there, then put where it is in nothing's way.
+  WorldSpec world = *next.header;
+  world.hands = next.placed;
+  const std::size_t last = next.placed.size() - 1;
+  std::shared_ptr<const LiveHand> built = live.hand_of(world, last, "world", progress);
+  next.placed[last].X_WH = pose_for(next, built->balls, place);
+  world.hands = next.placed;
+  const WorldHand stands = hand_as_in(world, placed.name, "world", live.data(), built->hand);
+  AddedThing added{placed.name, built->hand.named.warnings};
+  next.hands.push_back({std::move(built), stands.parts, {stands.X_WH, stands.q}});
+  live.apply(std::move(next), "add " + added.name);
+  return added;
+}
+
+void remove_thing(LiveWorld& live, const std::string& name) {
+  WorldState next = live.state();
+  if (const std::size_t body = body_index(next, name); body < next.bodies.size()) {
+    next.bodies.erase(next.bodies.begin() + static_cast<std::ptrdiff_t>(body));
+    live.apply(std::move(next), "remove " + name);
+    return;
+  }
+  const std::size_t hand = placed_index(next, name);
+  if (hand == next.placed.size()) refuse_name(next, name);
+  const std::vector<std::string> carried = carried_by(next, next.placed[hand].name);
+  require(carried.empty(), "'{}' carries {}: remove that first", name, listed(carried));
+  const std::string carrier = next.placed[hand].carrier;
+  next = without_placed(std::move(next), hand);
+  // An arm that carries nothing any more is a hand by itself.
+  const std::size_t bare = carrier.empty() ? next.placed.size() : placed_index(next, carrier);
+  if (bare < next.placed.size() && carried_by(next, next.placed[bare].name).empty()) {
+    WorldSpec world = *next.header;
+    world.hands = next.placed;
+    std::shared_ptr<const LiveHand> built = live.hand_of(world, bare, "world", {});
+    const WorldHand stands =
+        hand_as_in(world, next.placed[bare].name, "world", live.data(), built->hand);
+    next.hands.push_back({std::move(built), stands.parts, {stands.X_WH, stands.q}});
+  }
+  live.apply(std::move(next), "remove " + name);
+}
+
+void place_thing(LiveWorld& live, const std::string& name,
+                 const std::optional<Eigen::Vector3d>& position,
+                 const std::optional<Eigen::Matrix3d>& R, const std::string& gesture) {
+  require(!position || position->allFinite(), "wanted a finite position of '{}'", name);
+  WorldState next = live.state();
+  const std::string key = gesture_key("place " + name, gesture);
+  if (const std::size_t body = body_index(next, name); body < next.bodies.size()) {
+    next.bodies[body].X_WB = moved_to(next.bodies[body].X_WB, position, R);
+    live.apply(std::move(next), "move " + name, key);
+    return;
+  }
+  const std::size_t placed = placed_index(next, name);
+  if (placed == next.placed.size()) refuse_name(next, name);
+  const PlacedHand& found = next.placed[placed];
+  require(found.carrier.empty(),
+          "'{}' is mounted on '{}' ({}): move the joints of that, or place '{}'", name,
+          found.carrier, found.carrier_link, [&] {
+            for (const StateHand& hand : next.hands)
+              if (std::find(hand.parts.begin(), hand.parts.end(), placed) != hand.parts.end())
+                return root_of(next, hand);
+            return found.carrier;
+          }());
+  for (std::size_t h = 0; h < next.hands.size(); ++h) {
+    if (next.hands[h].parts.back() != placed) continue;
+    const Pose<double> X = moved_to(next.hands[h].stand.X_WH, position, R);
+    live.apply(with_hand_placed(std::move(next), h, X), "move " + name, key);
+    return;
+  }
+}
+
+std::map<std::string, double> joints_of(const WorldState& state, std::size_t hand) {
+  const StateHand& found = state.hands[hand];
+  const std::vector<std::string>& names = found.built->model().layout().coordinates;
+  std::map<std::string, double> joints;
+  for (std::size_t c = 0; c < names.size(); ++c)
+    joints[names[c]] = found.stand.q[static_cast<Eigen::Index>(c)];
+  return joints;
+}
+
+SetJoints set_joints(LiveWorld& live, const std::string& hand,
+                     const std::map<std::string, double>& joints, const std::string& gesture) {
+  const std::size_t index = hand_index(live.state(), hand);
+  const StateHand& found = live.state().hands[index];
+  const HandLayout& layout = found.built->model().layout();
+  std::vector<std::pair<int, double>> named;
+  for (const auto& [name, value] : joints) {
+    require(std::isfinite(value), "wanted a finite value of joint '{}'", name);
+    named.emplace_back(static_cast<int>(index_of_name(name, layout.coordinates, "joint")), value);
+  }
+  Eigen::VectorXd q = found.stand.q;
+  put_joints(*found.built, named, q);
+  // Within the limits.
+  SetJoints set;
+  for (Eigen::Index c = 0; c < q.size(); ++c) {
+    const double inside = std::clamp(q[c], layout.lower[c], layout.upper[c]);
+    if (inside != q[c]) set.limited.push_back(layout.coordinates[static_cast<std::size_t>(c)]);
+    q[c] = inside;
+  }
+  if (!joints.empty())
+    live.apply(with_posture(live.state(), index, q),
+               "move joints of " + name_of(live.state(), found),
+               gesture_key("joints of " + name_of(live.state(), found), gesture));
+  set.joints = joints_of(live.state(), index);
+  set.parted = parted_joints(*live.state().hands[index].built, q);
+  return set;
+}
+
+}  // namespace thenar

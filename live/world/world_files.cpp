@@ -1,0 +1,143 @@
+#include "live/world/world_files.h"
+
+#include <algorithm>
+#include <filesystem>
+#include <memory>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "api/named/portable_world.h"
+#include "base/error.h"
+#include "base/inside_folder.h"
+#include "base/outside_path.h"
+#include "data/io/world/named_parts.h"
+#include "live/world/imported_files.h"
+
+namespace thenar {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Whether a hand of a world carries another.
+bool carries_any(const WorldSpec& world, const PlacedHand& hand) {
+  return std::any_of(world.hands.begin(), world.hands.end(), [&](const PlacedHand& other) {
+    return !other.carrier.empty() &&
+           current_hand_name(other.carrier) == current_hand_name(hand.name);
+  });
+}
+
+/// The world without its things.
+std::shared_ptr<const WorldSpec> header_of(const WorldSpec& world) {
+  WorldSpec header = world;
+  header.hands.clear();
+  header.bodies.clear();
+  return std::make_shared<const WorldSpec>(std::move(header));
+}
+
+std::vector<std::string> load_warnings(const WorldState& state, const WorldSpec& world) {
+  std::vector<std::string> warnings = bare_body_warnings(world);
+  for (const StateHand& hand : state.hands)
+    for (const std::string& warning : hand.built->hand.named.warnings)
+      warnings.push_back(name_of(state, hand) + ": " + warning);
+  return warnings;
+}
+
+/// The name of a file in the working folder that a world may be saved as.
+/// @throws InputError if it is none
+std::string checked_target(const std::string& file) {
+  std::string name = outside_path(file, OutsideUse::kInside);
+  require(fs::path(name).extension() == ".toml", "wanted a file that ends in .toml, got '{}'",
+          name);
+  return name;
+}
+
+/// Whether a world was loaded from a file, or saved to it. @param target  canonical
+bool is_file_of(const LiveWorld& live, const fs::path& target) {
+  std::error_code failed;
+  const std::string& own = live.state().file;
+  return !own.empty() && fs::weakly_canonical(own, failed) == target && !failed;
+}
+
+/// @throws InputError if saving would replace a file that is not of this world
+void require_free(const LiveWorld& live, const InsideFolder& folder, const std::string& name) {
+  require(
+      folder.entry(name) != InsideFolder::Entry::kFile || is_file_of(live, folder.path_of(name)),
+      "'{}' is there already and is not of this world: 'overwrite' replaces it", name);
+}
+
+}  // namespace
+
+WorldState state_of_world(LiveWorld& live, const WorldSpec& world, const std::string& path,
+                          const Progress& progress) {
+  WorldState state;
+  state.header = header_of(world);
+  state.placed = world.hands;
+  const std::vector<std::string> data = data_for(world.folder, live.places().data);
+  // Bodies first: they are quickly refused.
+  for (const PlacedBody& placed : world.bodies) state.bodies.push_back(built_body(placed));
+  for (std::size_t i = 0; i < world.hands.size(); ++i) {
+    if (carries_any(world, world.hands[i])) continue;
+    std::shared_ptr<const LiveHand> built = live.hand_of(world, i, path, progress);
+    const WorldHand stands = hand_as_in(world, world.hands[i].name, path, data, built->hand);
+    state.hands.push_back({std::move(built), stands.parts, {stands.X_WH, stands.q}});
+  }
+  return state;
+}
+
+void new_world(LiveWorld& live) {
+  live.apply(empty_world("untitled", live.places().folder), "new world");
+}
+
+std::vector<std::string> load_world(LiveWorld& live, const std::string& world,
+                                    const Progress& progress) {
+  WorldRequest request;
+  request.world = world;
+  request.data = live.places().data;
+  const std::string file = world_file(request);
+  const WorldSpec spec = read_world_at(file, live.places().data);
+  WorldState state = state_of_world(live, spec, file, progress);
+  state.file = file;
+  std::vector<std::string> warnings = load_warnings(state, spec);
+  live.apply(std::move(state), "load " + spec.name);
+  live.mark_saved(file);
+  return warnings;
+}
+
+std::vector<std::string> load_world_text(LiveWorld& live, const std::string& text,
+                                         const std::string& name, const Progress& progress) {
+  const fs::path file = outside_path(name + ".toml", OutsideUse::kInside);
+  const std::string path = (fs::path(live.places().folder) / file).string();
+  const WorldSpec spec =
+      parse_world(text, path, data_for(live.places().folder, live.places().data));
+  WorldState state = state_of_world(live, spec, path, progress);
+  std::vector<std::string> warnings = load_warnings(state, spec);
+  live.apply(std::move(state), "load " + spec.name);
+  return warnings;
+}
+
+std::string world_text(const LiveWorld& live) {
+  const WorldSpec world = spec_of(live.state());
+  for (const PlacedHand& hand : world.hands)
+    require(imported_file(live, hand).empty(),
+            "the files of the hand '{}' were imported, and no text holds them: save the world, "
+            "which writes them beside it, and load what was saved",
+            hand.name);
+  return world_toml(with_shipped_names(world, live.places().folder));
+}
+
+std::string save_live_world(LiveWorld& live, const std::string& file, SaveOver over) {
+  const std::string name = checked_target(file);
+  const InsideFolder folder(live.places().folder);
+  if (over == SaveOver::kNothing) require_free(live, folder, name);
+  folder.require_writable(name);
+  const std::string target = folder.path_of(name);
+  const PortableWorld portable =
+      portable_world(spec_of(live.state()), target, imported_folders(live));
+  write_copies(portable, folder);
+  folder.write(name, world_toml(portable.world));
+  live.mark_saved(target);
+  return target;
+}
+
+}  // namespace thenar

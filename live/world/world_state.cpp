@@ -1,0 +1,164 @@
+#include "live/world/world_state.h"
+
+#include <algorithm>
+
+#include <fmt/format.h>
+
+#include "base/error.h"
+#include "base/nearest_name.h"
+
+namespace thenar {
+namespace {
+
+bool has_name(const std::vector<std::string>& names, const std::string& name) {
+  return std::find(names.begin(), names.end(), name) != names.end();
+}
+
+/// The entry of a name, or the only one. @param kind  "hand";  @param member  of requests: "hand"
+std::size_t entry_named(const std::vector<std::string>& names, const std::string& name,
+                        const std::string& kind) {
+  if (!name.empty()) {
+    const auto found = std::find(names.begin(), names.end(), name);
+    require(found != names.end(), "the world has no {} '{}'{}; it has {}", kind, name,
+            did_you_mean(name, names), listed(names));
+    return static_cast<std::size_t>(found - names.begin());
+  }
+  require(!names.empty(), "the world has no {}", kind);
+  require(names.size() == 1, "the world has the {}s {}; choose one with '{}'", kind, listed(names),
+          kind);
+  return 0;
+}
+
+/// Writes a posture to the parts of a hand, as with_hand_at() does.
+void write_posture(WorldState& state, const StateHand& hand) {
+  const WorldHand& built = hand.built->hand;
+  for (std::size_t i = 0; i < hand.parts.size(); ++i) {
+    PlacedHand& placed = state.placed[hand.parts[i]];
+    placed.posture.clear();
+    for (std::size_t c = 0; c < built.names[i].size(); ++c)
+      placed.posture[built.names[i][c]] = hand.stand.q[built.places[i][c]];
+  }
+}
+
+/// Copies coordinates of parts that another hand has as well.
+void share_posture(const StateHand& from, StateHand& to) {
+  for (std::size_t i = 0; i < to.parts.size(); ++i)
+    for (std::size_t k = 0; k < from.parts.size(); ++k) {
+      if (to.parts[i] != from.parts[k]) continue;
+      const std::vector<int>&there = to.built->hand.places[i], &here = from.built->hand.places[k];
+      for (std::size_t c = 0; c < there.size(); ++c) to.stand.q[there[c]] = from.stand.q[here[c]];
+    }
+}
+
+}  // namespace
+
+WorldState empty_world(const std::string& name, const std::string& folder) {
+  WorldSpec header;
+  header.name = name;
+  header.folder = folder;
+  WorldState state;
+  state.header = std::make_shared<const WorldSpec>(std::move(header));
+  return state;
+}
+
+WorldSpec spec_of(const WorldState& state) {
+  WorldSpec world = *state.header;
+  world.hands = state.placed;
+  for (const StateBody& body : state.bodies) {
+    world.bodies.push_back(body.built->placed);
+    world.bodies.back().X_WB = body.X_WB;
+  }
+  return world;
+}
+
+const std::string& name_of(const WorldState& state, const StateHand& hand) {
+  return state.placed[hand.parts.front()].name;
+}
+
+const std::string& root_of(const WorldState& state, const StateHand& hand) {
+  return state.placed[hand.parts.back()].name;
+}
+
+std::vector<std::string> hand_names(const WorldState& state) {
+  std::vector<std::string> names;
+  for (const StateHand& hand : state.hands) names.push_back(name_of(state, hand));
+  return names;
+}
+
+std::vector<std::string> object_names(const WorldState& state) {
+  std::vector<std::string> names;
+  for (const StateBody& body : state.bodies)
+    if (body.built->placed.dynamic) names.push_back(body.built->placed.body.name);
+  return names;
+}
+
+std::vector<std::string> body_names(const WorldState& state) {
+  std::vector<std::string> names;
+  for (const StateBody& body : state.bodies) names.push_back(body.built->placed.body.name);
+  return names;
+}
+
+std::size_t hand_index(const WorldState& state, const std::string& name) {
+  // Old names of versions of the human hand count as well.
+  const std::vector<std::string> names = hand_names(state);
+  return entry_named(names, has_name(names, name) ? name : current_hand_name(name), "hand");
+}
+
+std::size_t object_index(const WorldState& state, const std::string& name) {
+  const std::vector<std::string> all = body_names(state), objects = object_names(state);
+  require(!has_name(all, name) || has_name(objects, name),
+          "body '{}' is an obstacle, wanted an object; there are {}", name, listed(objects));
+  const std::string& found = objects[entry_named(objects, name, "object")];
+  return static_cast<std::size_t>(std::find(all.begin(), all.end(), found) - all.begin());
+}
+
+std::string free_name(const WorldState& state, const std::string& wanted) {
+  std::vector<std::string> taken = body_names(state);
+  for (const PlacedHand& hand : state.placed) taken.push_back(hand.name);
+  if (!has_name(taken, wanted)) return wanted;
+  for (int number = 2;; ++number)
+    if (std::string name = fmt::format("{} {}", wanted, number); !has_name(taken, name))
+      return name;
+}
+
+WorldState with_posture(WorldState state, std::size_t hand, const Eigen::VectorXd& q) {
+  state.hands[hand].stand.q = q;
+  for (std::size_t other = 0; other < state.hands.size(); ++other)
+    if (other != hand) share_posture(state.hands[hand], state.hands[other]);
+  write_posture(state, state.hands[hand]);
+  return state;
+}
+
+WorldState with_hand_placed(WorldState state, std::size_t hand, const Pose<double>& X_WH) {
+  // Everything that stands on the same root moves with it.
+  const std::size_t root = state.hands[hand].parts.back();
+  for (StateHand& each : state.hands)
+    if (each.parts.back() == root) each.stand.X_WH = X_WH;
+  state.placed[root].X_WH = X_WH;
+  return state;
+}
+
+StateBody built_body(const PlacedBody& placed) {
+  auto built = std::make_shared<BuiltBody>();
+  built->placed = placed;
+  built->scene = build_body(placed);
+  built->picture = std::make_shared<const TriangleMesh>(built->scene.solid.visual);
+  built->ball = ball_around(*built->picture);
+  return {std::move(built), placed.X_WB};
+}
+
+Scene scene_of(const WorldState& state, std::size_t object) {
+  Scene scene;
+  for (std::size_t b = 0; b < state.bodies.size(); ++b) {
+    SceneBody body = state.bodies[b].built->scene;
+    body.X_WB = state.bodies[b].X_WB;
+    if (b == object)
+      scene.object = std::move(body);
+    else
+      scene.obstacles.push_back(std::move(body));
+  }
+  scene.materials = state.header->materials;
+  return scene;
+}
+
+}  // namespace thenar
