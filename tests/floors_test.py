@@ -43,7 +43,7 @@ MAY_SEE |= {
     "tendons/net": TENDONS + ["tendons/forces"],
     "tendons/muscle": TENDONS,
     "tendons/topology": TENDONS + ["tendons/forces", "tendons/net"],
-    "tendons/human": TENDONS + ["tendons/forces", "tendons/net", "hand/skin"],
+    "hand_versions": TENDONS + ["tendons/forces", "tendons/net", "hand/skin"],
 }
 FITS = TENDONS + ["tendons/forces", "tendons/net", "tendons/topology"]
 MAY_SEE |= {
@@ -81,7 +81,7 @@ MAY_SEE |= {
 }
 MAY_SEE["dynamics/ligament"] = MAY_SEE["dynamics/stepping"] + ["dynamics/stepping"]
 MAY_SEE["dynamics/compliant"] = MAY_SEE["dynamics/stepping"] + ["dynamics/stepping"]
-HUMANS = ["hand/skin", "tendons", "tendons/net", "tendons/muscle", "tendons/human"]
+HUMANS = ["hand/skin", "tendons", "tendons/net", "tendons/muscle", "hand_versions"]
 MAY_SEE["dynamics/human"] = MAY_SEE["dynamics/stepping"] + ["dynamics/stepping"] + HUMANS
 PADS = ["solvers/sparse", "pad_laws", "pads", "pads/motion", "data/io/pad"]
 MAY_SEE["dynamics/pads"] = MAY_SEE["dynamics/stepping"] + ["dynamics/stepping"] + PADS

@@ -181,9 +181,9 @@
 #include "tendons/topology/search_nets.h"
 #include "tendons/topology/select_bands.h"
 
-// tendons/human: whole human hands.
-#include "tendons/human/closing_synergy.h"
-#include "tendons/human/human_hand.h"
+// hand_versions: whole human hands.
+#include "hand_versions/closing_synergy.h"
+#include "hand_versions/human_hand.h"
 
 // sampling/methods: samplers that are asked and told.
 #include "sampling/methods/laplace_covariance.h"

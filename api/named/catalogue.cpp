@@ -12,7 +12,7 @@
 #include "base/units.h"
 #include "data/io/json_node.h"
 #include "data/io/toml_node.h"
-#include "tendons/human/human_hand.h"
+#include "hand_versions/human_hand.h"
 
 namespace thenar {
 namespace {

@@ -19,7 +19,7 @@
 #include "grasp/closing/tendon_closing.h"
 #include "grasp/robot/infer_hand.h"
 #include "grasp/robot/robot_hand.h"
-#include "tendons/human/closing_synergy.h"
+#include "hand_versions/closing_synergy.h"
 
 namespace thenar {
 namespace {

@@ -9,7 +9,7 @@
 #include "base/provenance.h"
 #include "grasp/closing/close_hand.h"
 #include "hand/hand.h"
-#include "tendons/human/human_hand.h"
+#include "hand_versions/human_hand.h"
 
 namespace thenar {
 

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "dynamics/mechanism/mechanism.h"
-#include "tendons/human/human_hand.h"
+#include "hand_versions/human_hand.h"
 
 namespace thenar {
 

@@ -34,7 +34,7 @@ struct ClosingTensions {
 /// subjects state no joint stiffness), and tendons of a drive of speed 1 run in at 10 mm/s. The
 /// hand must outlive the result.
 /// @param pull  tension of each actuator [N] (actuators); of a human hand max_flexor_tensions() of
-///   tendons/human/closing_synergy.h
+///   hand_versions/closing_synergy.h
 /// @throws InputError if the length is wrong, a tension negative, or all are zero.
 [[nodiscard]] ClosingRates tendon_closing_rates(const Hand& hand, Eigen::VectorXd pull);
 

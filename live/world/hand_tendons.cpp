@@ -2,7 +2,7 @@
 
 #include <utility>
 
-#include "tendons/human/tendon_hand.h"
+#include "hand_versions/tendon_hand.h"
 
 namespace thenar {
 namespace {

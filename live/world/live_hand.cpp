@@ -11,8 +11,8 @@
 #include "base/progress_parts.h"
 #include "base/provenance.h"
 #include "hand/skin/human_surfaces.h"
+#include "hand_versions/human_hand.h"
 #include "live/world/nail_mesh.h"
-#include "tendons/human/human_hand.h"
 
 namespace thenar {
 namespace {

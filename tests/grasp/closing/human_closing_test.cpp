@@ -9,8 +9,8 @@
 
 #include "grasp/closing/close_hand.h"
 #include "grasp/closing/tendon_closing.h"
-#include "tendons/human/closing_synergy.h"
-#include "tendons/human/human_hand.h"
+#include "hand_versions/closing_synergy.h"
+#include "hand_versions/human_hand.h"
 #include "tests/grasp/closing_samples.h"
 
 namespace thenar {

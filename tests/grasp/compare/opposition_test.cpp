@@ -8,7 +8,7 @@
 #include <gtest/gtest.h>
 
 #include "grasp/compare/opposition.h"
-#include "tendons/human/human_hand.h"
+#include "hand_versions/human_hand.h"
 
 namespace thenar {
 namespace {

@@ -9,7 +9,7 @@
 #include "grasp/closing/approach_sampling.h"
 #include "grasp/compare/pregrasp.h"
 #include "grasp/robot/robot_hand.h"
-#include "tendons/human/human_hand.h"
+#include "hand_versions/human_hand.h"
 
 namespace thenar {
 namespace {

@@ -8,7 +8,7 @@
 
 #include "grasp/compare/tip_forces.h"
 #include "grasp/robot/robot_hand.h"
-#include "tendons/human/human_hand.h"
+#include "hand_versions/human_hand.h"
 #include "tests/grasp/closing_samples.h"
 #include "tests/grasp/jaws.h"
 

@@ -1,6 +1,6 @@
-// Tests for tendons/human/tendon_hand.cpp.
+// Tests for hand_versions/tendon_hand.cpp.
 
-#include "tendons/human/tendon_hand.h"
+#include "hand_versions/tendon_hand.h"
 
 #include <algorithm>
 
@@ -8,7 +8,7 @@
 
 #include "base/error.h"
 #include "data/io/net_description.h"
-#include "tendons/human/hand_actuator.h"
+#include "hand_versions/hand_actuator.h"
 #include "tendons/net/build_tendons.h"
 #include "tendons/net/posture_sweep.h"
 #include "tests/hand/hand_laws.h"

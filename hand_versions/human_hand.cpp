@@ -1,4 +1,4 @@
-#include "tendons/human/human_hand.h"
+#include "hand_versions/human_hand.h"
 
 #include <algorithm>
 #include <cmath>
@@ -12,8 +12,8 @@
 #include "base/nearest_name.h"
 #include "data/io/net_description.h"
 #include "hand/skin/hand_anatomy.h"
-#include "tendons/human/closing_synergy.h"
-#include "tendons/human/muscle_forces.h"
+#include "hand_versions/closing_synergy.h"
+#include "hand_versions/muscle_forces.h"
 #include "tendons/name_conventions.h"
 #include "tendons/net/build_tendons.h"
 

@@ -1,10 +1,10 @@
-#include "tendons/human/tendon_hand.h"
+#include "hand_versions/tendon_hand.h"
 
 #include <algorithm>
 #include <cmath>
 
 #include "base/error.h"
-#include "tendons/human/hand_actuator.h"
+#include "hand_versions/hand_actuator.h"
 
 namespace thenar {
 namespace {

@@ -1,4 +1,4 @@
-#include "tendons/human/muscle_forces.h"
+#include "hand_versions/muscle_forces.h"
 
 #include <optional>
 

@@ -1,4 +1,4 @@
-#include "tendons/human/closing_synergy.h"
+#include "hand_versions/closing_synergy.h"
 
 #include <algorithm>
 #include <cmath>

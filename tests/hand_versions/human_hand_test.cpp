@@ -1,4 +1,4 @@
-// Tests for tendons/human/human_hand.cpp, hand_use.cpp, muscle_forces.cpp and
+// Tests for hand_versions/human_hand.cpp, hand_use.cpp, muscle_forces.cpp and
 // joint_torque_limits.cpp.
 
 #include <algorithm>
@@ -12,10 +12,10 @@
 #include "base/spatial.h"
 #include "base/units.h"
 #include "hand/skin/hand_anatomy.h"
-#include "tendons/human/closing_synergy.h"
-#include "tendons/human/human_hand.h"
-#include "tendons/human/muscle_forces.h"
-#include "tendons/human/tendon_hand.h"
+#include "hand_versions/closing_synergy.h"
+#include "hand_versions/human_hand.h"
+#include "hand_versions/muscle_forces.h"
+#include "hand_versions/tendon_hand.h"
 #include "tendons/linear_tendons.h"
 #include "tests/hand/hand_laws.h"
 #include "tests/hand/skin/human_subjects.h"

@@ -5,7 +5,7 @@
 #include <memory>
 #include <vector>
 
-#include "tendons/human/tendon_hand.h"
+#include "hand_versions/tendon_hand.h"
 #include "tendons/net/tendon_actuator.h"
 
 namespace thenar {

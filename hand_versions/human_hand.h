@@ -13,7 +13,7 @@
 #include "hand/hand.h"
 #include "hand/skin/human_surfaces.h"
 #include "hand/skin/skin_landmarks.h"
-#include "tendons/human/tendon_hand.h"
+#include "hand_versions/tendon_hand.h"
 
 namespace thenar {
 

@@ -1,4 +1,4 @@
-#include "tendons/human/hand_actuator.h"
+#include "hand_versions/hand_actuator.h"
 
 #include "base/error.h"
 
