@@ -17,8 +17,8 @@
 #include "base/progress.h"
 #include "dynamics/scene/pad_angle.h"
 #include "dynamics/scene/work_precision.h"
+#include "kinematics_fit/bands/hood_comparison.h"
 #include "kinematics_fit/fit_study.h"
-#include "kinematics_fit/hoods/hood_comparison.h"
 #include "posterior/run/posterior_summary.h"
 
 namespace thenar {

@@ -9,8 +9,8 @@
 
 #include "base/fidelity.h"
 #include "base/progress.h"
+#include "kinematics_fit/bands/rank_trials.h"
 #include "kinematics_fit/fit.h"
-#include "kinematics_fit/hoods/rank_trials.h"
 #include "tendons/topology/search_nets.h"
 
 namespace thenar {

@@ -53,7 +53,7 @@ MAY_SEE |= {
 FITS += ["kinematics_fit/model", "kinematics_fit/kernel"]
 MAY_SEE |= {
     "kinematics_fit": FITS,
-    "kinematics_fit/hoods": FITS + ["kinematics_fit"],
+    "kinematics_fit/bands": FITS + ["kinematics_fit"],
     "posterior": FITS + ["sampling/methods", "kinematics_fit"],
 }
 POSTERIOR = FITS + ["sampling/methods", "sampling/run", "sampling/diagnostics", "kinematics_fit", "posterior"]

@@ -210,6 +210,8 @@
 #include "sampling/diagnostics/uniform_ranks.h"
 
 // kinematics_fit: fits of kinematic parameters to measured forces.
+#include "kinematics_fit/bands/hood_comparison.h"
+#include "kinematics_fit/bands/net_records.h"
 #include "kinematics_fit/cross_validation.h"
 #include "kinematics_fit/fit.h"
 #include "kinematics_fit/fit_coordinates.h"
@@ -217,8 +219,6 @@
 #include "kinematics_fit/fit_residuals.h"
 #include "kinematics_fit/fit_study.h"
 #include "kinematics_fit/force_jacobian.h"
-#include "kinematics_fit/hoods/hood_comparison.h"
-#include "kinematics_fit/hoods/net_records.h"
 #include "kinematics_fit/misfit.h"
 #include "kinematics_fit/model/experiment_plan.h"
 #include "kinematics_fit/model/fit_parameters.h"

@@ -7,7 +7,7 @@
 #include "api/simulate.h"
 #include "api/tendon_infer.h"
 #include "api/tendon_solve.h"
-#include "kinematics_fit/hoods/hood_comparison.h"
+#include "kinematics_fit/bands/hood_comparison.h"
 #include "report/scene/mesh_table.h"
 
 namespace thenar {

@@ -1,6 +1,6 @@
-// Tests for kinematics_fit/hoods/band_problems.cpp and band_evidence.cpp.
+// Tests for kinematics_fit/bands/band_problems.cpp and band_evidence.cpp.
 
-#include "kinematics_fit/hoods/band_evidence.h"
+#include "kinematics_fit/bands/band_evidence.h"
 
 #include <cmath>
 

@@ -1,13 +1,13 @@
-// Tests for kinematics_fit/hoods/band_posterior.cpp and rank_trials.cpp.
+// Tests for kinematics_fit/bands/band_posterior.cpp and rank_trials.cpp.
 
-#include "kinematics_fit/hoods/band_posterior.h"
+#include "kinematics_fit/bands/band_posterior.h"
 
 #include <cmath>
 #include <cstdlib>
 
 #include <gtest/gtest.h>
 
-#include "kinematics_fit/hoods/rank_trials.h"
+#include "kinematics_fit/bands/rank_trials.h"
 #include "tests/kinematics_fit/planted_bands.h"
 
 namespace thenar {

@@ -1,6 +1,6 @@
-// Tests for kinematics_fit/hoods/expected_information.cpp.
+// Tests for kinematics_fit/bands/expected_information.cpp.
 
-#include "kinematics_fit/hoods/expected_information.h"
+#include "kinematics_fit/bands/expected_information.h"
 
 #include <cmath>
 #include <random>

@@ -11,7 +11,7 @@
 #include "base/provenance.h"
 #include "data/io/net_description.h"
 #include "data/io/result_file.h"
-#include "kinematics_fit/hoods/hood_comparison.h"
+#include "kinematics_fit/bands/hood_comparison.h"
 #include "tendons/net/build_tendons.h"
 #include "tests/kinematics_fit/fit_samples.h"
 

@@ -10,8 +10,8 @@
 #include <vector>
 
 #include "data/io/net_description.h"
-#include "kinematics_fit/hoods/net_records.h"
-#include "kinematics_fit/hoods/rank_trials.h"
+#include "kinematics_fit/bands/net_records.h"
+#include "kinematics_fit/bands/rank_trials.h"
 #include "kinematics_fit/specimen_prior.h"
 #include "tendons/net/build_tendons.h"
 #include "tests/kinematics_fit/fit_samples.h"

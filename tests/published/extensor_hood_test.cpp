@@ -9,7 +9,7 @@
 #include <gtest/gtest.h>
 
 #include "base/units.h"
-#include "kinematics_fit/hoods/hood_comparison.h"
+#include "kinematics_fit/bands/hood_comparison.h"
 #include "tendons/linear_tendons.h"
 #include "tendons/net/posture_sweep.h"
 #include "tests/data_folder.h"

@@ -1,4 +1,4 @@
-#include "kinematics_fit/hoods/net_records.h"
+#include "kinematics_fit/bands/net_records.h"
 
 #include <utility>
 

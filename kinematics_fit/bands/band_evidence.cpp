@@ -1,4 +1,4 @@
-#include "kinematics_fit/hoods/band_evidence.h"
+#include "kinematics_fit/bands/band_evidence.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,11 +1,11 @@
-#include "kinematics_fit/hoods/hood_comparison.h"
+#include "kinematics_fit/bands/hood_comparison.h"
 
 #include <algorithm>
 #include <chrono>
 #include <set>
 
 #include "base/error.h"
-#include "kinematics_fit/hoods/net_records.h"
+#include "kinematics_fit/bands/net_records.h"
 #include "kinematics_fit/model/fit_parameters.h"
 #include "kinematics_fit/model/predict_forces.h"
 #include "tendons/linear_tendons.h"

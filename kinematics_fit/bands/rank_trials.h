@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "kinematics_fit/hoods/band_posterior.h"
+#include "kinematics_fit/bands/band_posterior.h"
 
 namespace thenar {
 

@@ -10,8 +10,8 @@
 #include <vector>
 
 #include "base/progress.h"
-#include "kinematics_fit/hoods/band_evidence.h"
-#include "kinematics_fit/hoods/band_problems.h"
+#include "kinematics_fit/bands/band_evidence.h"
+#include "kinematics_fit/bands/band_problems.h"
 #include "tendons/topology/assess_bands.h"
 
 namespace thenar {

@@ -1,4 +1,4 @@
-#include "kinematics_fit/hoods/band_posterior.h"
+#include "kinematics_fit/bands/band_posterior.h"
 
 #include <algorithm>
 #include <cmath>
@@ -7,8 +7,8 @@
 
 #include "base/error.h"
 #include "base/numbers.h"
+#include "kinematics_fit/bands/expected_information.h"
 #include "kinematics_fit/fit_residuals.h"
-#include "kinematics_fit/hoods/expected_information.h"
 
 namespace thenar {
 namespace {

@@ -1,4 +1,4 @@
-#include "kinematics_fit/hoods/expected_information.h"
+#include "kinematics_fit/bands/expected_information.h"
 
 #include <algorithm>
 #include <cmath>

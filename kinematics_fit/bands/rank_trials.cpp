@@ -1,4 +1,4 @@
-#include "kinematics_fit/hoods/rank_trials.h"
+#include "kinematics_fit/bands/rank_trials.h"
 
 #include <algorithm>
 #include <cmath>
@@ -8,9 +8,9 @@
 #include <Eigen/Cholesky>
 
 #include "base/error.h"
+#include "kinematics_fit/bands/expected_information.h"
+#include "kinematics_fit/bands/net_records.h"
 #include "kinematics_fit/covariance.h"
-#include "kinematics_fit/hoods/expected_information.h"
-#include "kinematics_fit/hoods/net_records.h"
 #include "kinematics_fit/specimen_prior.h"
 
 namespace thenar {

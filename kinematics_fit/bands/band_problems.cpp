@@ -1,4 +1,4 @@
-#include "kinematics_fit/hoods/band_problems.h"
+#include "kinematics_fit/bands/band_problems.h"
 
 #include <algorithm>
 #include <map>
