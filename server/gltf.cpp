@@ -9,7 +9,7 @@
 
 #include "base/error.h"
 #include "report/json.h"
-#include "report/scene/mesh_table.h"
+#include "report/picture/mesh_table.h"
 #include "server/bytes.h"
 #include "server/frame.h"
 

@@ -6,7 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "live/live_abilities.h"
-#include "report/scene/mesh_table.h"
+#include "report/picture/mesh_table.h"
 
 namespace thenar {
 namespace {

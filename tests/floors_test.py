@@ -93,7 +93,7 @@ LIVE = ["live", "live/world"]
 MAY_SEE["thenar"] = LIBRARIES + API + LIVE  # the header of all public headers
 # The questions that a person asks, and their answers as words, tables, JSON and pages.
 REPORT = LIBRARIES + API + ["report"]
-PAGES = REPORT + ["report/scene", "report/draws", "report/answers"]
+PAGES = REPORT + ["report/picture", "report/draws", "report/answers"]
 MAY_SEE |= {
     "api/named": LIBRARIES,
     "api/pads": LIBRARIES + ["api/named"],
@@ -102,7 +102,7 @@ MAY_SEE |= {
     "live": LIBRARIES + API,
     "live/world": LIBRARIES + API + ["live"],
     "report": LIBRARIES + API,
-    "report/scene": REPORT,
+    "report/picture": REPORT,
     "report/draws": REPORT,
     "report/answers": REPORT,
     "report/explain": REPORT,

@@ -7,7 +7,7 @@
 
 #include "api/demo.h"
 #include "report/demo/page_set.h"
-#include "report/scene/mesh_table.h"
+#include "report/picture/mesh_table.h"
 
 namespace thenar {
 

@@ -12,9 +12,9 @@
 #include "report/blocks.h"
 #include "report/pads/pad_blocks.h"
 #include "report/pads/press_answer.h"
+#include "report/picture/color_ramp.h"
+#include "report/picture/mesh_table.h"
 #include "report/provenance.h"
-#include "report/scene/color_ramp.h"
-#include "report/scene/mesh_table.h"
 
 namespace thenar {
 namespace {

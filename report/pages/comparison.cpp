@@ -11,7 +11,7 @@
 #include "grasp/closing/closing_drives.h"
 #include "report/pages/comparison_tables.h"
 #include "report/pages/grasp.h"
-#include "report/scene/grasp_view.h"
+#include "report/picture/grasp_view.h"
 
 namespace thenar {
 namespace {

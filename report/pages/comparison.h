@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "api/compare.h"
-#include "report/scene/hand_picture.h"
+#include "report/picture/hand_picture.h"
 
 namespace thenar {
 

@@ -7,9 +7,9 @@
 
 #include "report/answers/digit_words.h"
 #include "report/answers/passive_words.h"
+#include "report/picture/digit_layers.h"
+#include "report/picture/skin_layer.h"
 #include "report/provenance.h"
-#include "report/scene/digit_layers.h"
-#include "report/scene/skin_layer.h"
 
 namespace thenar {
 namespace {

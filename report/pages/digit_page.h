@@ -12,7 +12,7 @@
 #include "api/pose.h"
 #include "api/tip_force.h"
 #include "base/numbers.h"
-#include "report/scene/mesh_table.h"
+#include "report/picture/mesh_table.h"
 #include "report/sweep_axes.h"
 
 namespace thenar {

@@ -10,7 +10,7 @@
 #include "base/units.h"
 #include "report/answers/digit_words.h"
 #include "report/answers/feasible_force.h"
-#include "report/scene/digit_layers.h"
+#include "report/picture/digit_layers.h"
 
 namespace thenar {
 namespace {

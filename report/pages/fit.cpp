@@ -13,8 +13,8 @@
 #include "report/answers/hood_rows.h"
 #include "report/pages/prediction.h"
 #include "report/parameter_words.h"
-#include "report/scene/digit_layers.h"
-#include "report/scene/skin_layer.h"
+#include "report/picture/digit_layers.h"
+#include "report/picture/skin_layer.h"
 
 namespace thenar {
 namespace {

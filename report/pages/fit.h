@@ -5,7 +5,7 @@
 #include <string>
 
 #include "api/fit.h"
-#include "report/scene/mesh_table.h"
+#include "report/picture/mesh_table.h"
 
 namespace thenar {
 

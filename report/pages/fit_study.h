@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "kinematics_fit/fit_study.h"
-#include "report/scene/mesh_table.h"
+#include "report/picture/mesh_table.h"
 
 namespace thenar {
 

@@ -13,8 +13,8 @@
 #include "report/answers/grasp_measures.h"
 #include "report/blocks.h"
 #include "report/pages/wrench_blocks.h"
+#include "report/picture/grasp_view.h"
 #include "report/provenance.h"
-#include "report/scene/grasp_view.h"
 #include "report/table.h"
 
 namespace thenar {

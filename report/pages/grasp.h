@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "api/close.h"
-#include "report/scene/hand_picture.h"
+#include "report/picture/hand_picture.h"
 
 namespace thenar {
 

@@ -4,9 +4,9 @@
 
 #include "base/units.h"
 #include "report/pages/tendons.h"
+#include "report/picture/digit_layers.h"
+#include "report/picture/skin_layer.h"
 #include "report/provenance.h"
-#include "report/scene/digit_layers.h"
-#include "report/scene/skin_layer.h"
 
 namespace thenar {
 namespace {

@@ -7,8 +7,8 @@
 #include "base/units.h"
 #include "report/answers/pose.h"
 #include "report/blocks.h"
+#include "report/picture/digit_layers.h"
 #include "report/provenance.h"
-#include "report/scene/digit_layers.h"
 
 namespace thenar {
 namespace {

@@ -15,7 +15,7 @@
 #include "report/draws/draws.h"
 #include "report/draws/modes.h"
 #include "report/draws/predictive.h"
-#include "report/scene/axis_cloud.h"
+#include "report/picture/axis_cloud.h"
 
 namespace thenar {
 

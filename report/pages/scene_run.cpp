@@ -10,8 +10,8 @@
 #include "base/units.h"
 #include "report/answers/motion_account.h"
 #include "report/answers/simulate_scene.h"
+#include "report/picture/mesh_table.h"
 #include "report/provenance.h"
-#include "report/scene/mesh_table.h"
 
 namespace thenar {
 namespace {

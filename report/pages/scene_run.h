@@ -4,7 +4,7 @@
 
 #include "api/scenes/simulate_scene.h"
 #include "report/blocks.h"
-#include "report/scene/mesh_table.h"
+#include "report/picture/mesh_table.h"
 
 namespace thenar {
 

@@ -8,10 +8,10 @@
 
 #include "base/units.h"
 #include "report/answers/tendon_solve.h"
+#include "report/picture/digit_layers.h"
+#include "report/picture/net_layers.h"
+#include "report/picture/skin_layer.h"
 #include "report/provenance.h"
-#include "report/scene/digit_layers.h"
-#include "report/scene/net_layers.h"
-#include "report/scene/skin_layer.h"
 
 namespace thenar {
 namespace {

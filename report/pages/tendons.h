@@ -8,7 +8,7 @@
 #include "api/tendon_infer.h"
 #include "api/tendon_solve.h"
 #include "kinematics_fit/bands/hood_comparison.h"
-#include "report/scene/mesh_table.h"
+#include "report/picture/mesh_table.h"
 
 namespace thenar {
 

@@ -7,8 +7,8 @@
 
 #include "base/units.h"
 #include "report/pages/posterior.h"
+#include "report/picture/axis_cloud.h"
 #include "report/provenance.h"
-#include "report/scene/axis_cloud.h"
 
 namespace thenar {
 namespace {

@@ -8,7 +8,7 @@
 #include "grasp/limits/force_set.h"
 #include "grasp/quality/wrench_set_mesh.h"
 #include "report/blocks.h"
-#include "report/scene/hand_picture.h"
+#include "report/picture/hand_picture.h"
 
 namespace thenar {
 namespace {

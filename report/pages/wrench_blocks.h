@@ -3,7 +3,7 @@
 /// The wrenches of a grasp: how good, drawn, and with other friction.
 
 #include "api/grasp.h"
-#include "report/scene/mesh_table.h"
+#include "report/picture/mesh_table.h"
 
 namespace thenar {
 

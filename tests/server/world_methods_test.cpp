@@ -16,7 +16,7 @@
 #include "base/file_io.h"
 #include "live/world/live_world.h"
 #include "report/answers/grasp.h"
-#include "report/scene/mesh_table.h"
+#include "report/picture/mesh_table.h"
 #include "server/methods/method_table.h"
 #include "server/methods/world_requests.h"
 #include "tests/data_folder.h"

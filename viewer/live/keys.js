@@ -1,7 +1,7 @@
 // Keys of the whole page and of the picture; panels/dialogs.js tells them to readers.
 
 import { Vector3 } from "three";
-import { turnByKeys } from "../scene/controls.js";
+import { turnByKeys } from "../picture/controls.js";
 import { clamped, quantityOf } from "./link/quantities.js";
 import { ownersOf } from "./link/store.js";
 

@@ -1,6 +1,6 @@
 // Says what is wrong with a report before it is drawn. Knows nothing of the browser.
 
-import { SHAPES } from "../scene/shapes.js";
+import { SHAPES } from "../picture/shapes.js";
 import { withMeshes } from "./meshes.js";
 
 const isArray = Array.isArray;

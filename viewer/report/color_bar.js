@@ -1,6 +1,6 @@
 // What the colours of a scene stand for.
 
-import { colorOf, cssGradient } from "../scene/color_scale.js";
+import { colorOf, cssGradient } from "../picture/color_scale.js";
 import { formatNumber } from "../numbers/format.js";
 import { el } from "./dom.js";
 

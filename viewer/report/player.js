@@ -1,7 +1,7 @@
 // Plays a scene whose layers are instants of a motion.
 
 import { el } from "./dom.js";
-import { instantAt, instantsOf, speedsFor } from "../scene/frames.js";
+import { instantAt, instantsOf, speedsFor } from "../picture/frames.js";
 import { formatNumber } from "../numbers/format.js";
 import { record } from "./movie.js";
 

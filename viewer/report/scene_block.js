@@ -1,8 +1,8 @@
 // A 3D view inside the report: frame, caption, and what to do where there is no WebGL.
 
-import { colored } from "../scene/color_scale.js";
-import { timedLayers } from "../scene/frames.js";
-import { mountScene } from "../scene/view.js";
+import { colored } from "../picture/color_scale.js";
+import { timedLayers } from "../picture/frames.js";
+import { mountScene } from "../picture/view.js";
 import { colorBar, withColorBar } from "./color_bar.js";
 import { el } from "./dom.js";
 import { errorBox, figure, remark } from "./figure.js";

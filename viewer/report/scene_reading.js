@@ -1,7 +1,7 @@
 // Tells what of a scene lies below the pointer: its name, its value, and where it is.
 
 import { Color } from "three";
-import { valueOf } from "../scene/color_scale.js";
+import { valueOf } from "../picture/color_scale.js";
 import { formatNumber } from "../numbers/format.js";
 import { hideTooltip, showTooltip } from "./tooltip.js";
 

@@ -1,7 +1,7 @@
 // A motion as a row of still pictures with the time below each, which also stands on paper.
 
 import { formatNumber } from "../numbers/format.js";
-import { instantAt, instantsOf } from "../scene/frames.js";
+import { instantAt, instantsOf } from "../picture/frames.js";
 import { el } from "./dom.js";
 import { onThemeChange } from "./theme.js";
 

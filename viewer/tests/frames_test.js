@@ -1,9 +1,9 @@
-// Tests for scene/frames.js and scene/label_places.js.
+// Tests for picture/frames.js and picture/label_places.js.
 
 import assert from "node:assert/strict";
 import test from "node:test";
-import { instantAt, instantsOf, speedsFor, timedLayers } from "../scene/frames.js";
-import { placeLabels } from "../scene/label_places.js";
+import { instantAt, instantsOf, speedsFor, timedLayers } from "../picture/frames.js";
+import { placeLabels } from "../picture/label_places.js";
 
 const named = (...names) => names.map((name) => ({ name }));
 const times = (layers) => timedLayers(layers).map(({ time }) => time);

@@ -1,15 +1,15 @@
-// Tests for scene/pick.js, the way back along the colours of scene/color_scale.js, and the words of
+// Tests for picture/pick.js, the way back along the colours of picture/color_scale.js, and the words of
 // report/scene_reading.js.
 
 import assert from "node:assert/strict";
 import test from "node:test";
 import { Vector3 } from "three";
 import { sceneReading } from "../report/scene_reading.js";
-import { fitCamera, makeCamera } from "../scene/camera_fit.js";
-import { colorOf, valueOf } from "../scene/color_scale.js";
-import { diagonal, extentOf } from "../scene/extent.js";
-import { buildLayers } from "../scene/items.js";
-import { pick } from "../scene/pick.js";
+import { fitCamera, makeCamera } from "../picture/camera_fit.js";
+import { colorOf, valueOf } from "../picture/color_scale.js";
+import { diagonal, extentOf } from "../picture/extent.js";
+import { buildLayers } from "../picture/items.js";
+import { pick } from "../picture/pick.js";
 
 const HALF = 100; // height of the picture [px]
 const layer = (name, items, more = {}) => ({ name, color: "#0072b2", items, ...more });

@@ -2,7 +2,7 @@
 
 import { el } from "../../report/dom.js";
 import { formatNumber } from "../../numbers/format.js";
-import { cssGradient } from "../../scene/color_scale.js";
+import { cssGradient } from "../../picture/color_scale.js";
 
 /// The legend: show({ tensionEnd, forceScale, momentRadius }) fills it; box() is where it stands in the
 /// window, as measure() last found it.

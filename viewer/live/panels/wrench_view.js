@@ -2,7 +2,7 @@
 
 import { el } from "../../report/dom.js";
 import { themeColor } from "../../report/theme.js";
-import { mountScene } from "../../scene/view.js";
+import { mountScene } from "../../picture/view.js";
 import { choice, part, slowButton } from "./controls.js";
 
 const NAMES = ["Fx", "Fy", "Fz", "Tx", "Ty", "Tz"]; // torques over the object's reach

@@ -5,7 +5,7 @@ import { LineMaterial } from "three/addons/lines/LineMaterial.js";
 import { LineSegments2 } from "three/addons/lines/LineSegments2.js";
 import { LineSegmentsGeometry } from "three/addons/lines/LineSegmentsGeometry.js";
 import { niceStep } from "../../numbers/ticks.js";
-import { colorOf } from "../../scene/color_scale.js";
+import { colorOf } from "../../picture/color_scale.js";
 
 const LEAST_SCALE = 1; // end of the scale of tensions that are all smaller [N]
 const SLACK = new Color("#8a8f99");

@@ -2,10 +2,10 @@
 
 import { Box3, Group, Scene, Vector3 } from "three";
 import { OrbitControls } from "three/addons/controls/OrbitControls.js";
-import { makeCamera, slanted } from "../../scene/camera_fit.js";
-import { buildGrid } from "../../scene/grid.js";
-import { addLights } from "../../scene/lights.js";
-import { drawLabels, drawScaleBar, drawTriad } from "../../scene/overlay.js";
+import { makeCamera, slanted } from "../../picture/camera_fit.js";
+import { buildGrid } from "../../picture/grid.js";
+import { addLights } from "../../picture/lights.js";
+import { drawLabels, drawScaleBar, drawTriad } from "../../picture/overlay.js";
 import { addPainting, drawsInSoftware, makeRenderer } from "./painting.js";
 import { addCamera } from "./stage_camera.js";
 

@@ -1,7 +1,7 @@
 // Where the camera of the stage stands: so that all is seen between the panels.
 
 import { Vector3 } from "three";
-import { fitCamera, setAspect } from "../../scene/camera_fit.js";
+import { fitCamera, setAspect } from "../../picture/camera_fit.js";
 
 const SAME = 1e-6; // of what is seen: closer than this nobody moved the camera
 

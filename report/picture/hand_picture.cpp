@@ -1,4 +1,4 @@
-#include "report/scene/hand_picture.h"
+#include "report/picture/hand_picture.h"
 
 #include <algorithm>
 #include <cmath>

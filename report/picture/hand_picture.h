@@ -8,7 +8,7 @@
 #include "grasp/contact/contact.h"
 #include "hand/hand.h"
 #include "hand/skin/skin_landmarks.h"
-#include "report/scene/mesh_table.h"
+#include "report/picture/mesh_table.h"
 
 namespace thenar {
 

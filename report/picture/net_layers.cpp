@@ -1,4 +1,4 @@
-#include "report/scene/net_layers.h"
+#include "report/picture/net_layers.h"
 
 #include <fmt/format.h>
 

@@ -1,4 +1,4 @@
-#include "report/scene/grasp_view.h"
+#include "report/picture/grasp_view.h"
 
 #include <algorithm>
 #include <cmath>

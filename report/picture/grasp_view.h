@@ -4,7 +4,7 @@
 
 #include <vector>
 
-#include "report/scene/hand_picture.h"
+#include "report/picture/hand_picture.h"
 
 namespace thenar {
 

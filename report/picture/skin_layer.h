@@ -3,7 +3,7 @@
 /// The skin of a digit as a layer of a 3D scene, seen through, with its nail.
 
 #include "data/io/subject.h"
-#include "report/scene/mesh_table.h"
+#include "report/picture/mesh_table.h"
 #include "tendons/tendon_model.h"
 
 namespace thenar {

@@ -1,10 +1,10 @@
-#include "report/scene/axis_cloud.h"
+#include "report/picture/axis_cloud.h"
 
 #include "base/error.h"
 #include "kinematics_fit/model/predict_forces.h"
 #include "kinematics_fit/model/specimen_model.h"
 #include "report/blocks.h"
-#include "report/scene/digit_layers.h"
+#include "report/picture/digit_layers.h"
 #include "tendons/neighbouring_axes.h"
 
 namespace thenar {

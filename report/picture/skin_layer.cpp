@@ -1,4 +1,4 @@
-#include "report/scene/skin_layer.h"
+#include "report/picture/skin_layer.h"
 
 #include <optional>
 #include <vector>
@@ -7,7 +7,7 @@
 #include "hand/skin/human_surfaces.h"
 #include "hand/skin/skin_body.h"
 #include "hand/skin/skin_landmarks.h"
-#include "report/scene/color_ramp.h"
+#include "report/picture/color_ramp.h"
 
 namespace thenar {
 namespace {

@@ -1,6 +1,6 @@
-// Tests for report/scene/mesh_table.cpp.
+// Tests for report/picture/mesh_table.cpp.
 
-#include "report/scene/mesh_table.h"
+#include "report/picture/mesh_table.h"
 
 #include <cmath>
 

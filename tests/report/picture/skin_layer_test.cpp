@@ -1,13 +1,13 @@
-// Tests for report/scene/skin_layer.cpp, and for the words of axes in digit_layers.cpp.
+// Tests for report/picture/skin_layer.cpp, and for the words of axes in digit_layers.cpp.
 
-#include "report/scene/skin_layer.h"
+#include "report/picture/skin_layer.h"
 
 #include <algorithm>
 
 #include <gtest/gtest.h>
 
 #include "base/units.h"
-#include "report/scene/digit_layers.h"
+#include "report/picture/digit_layers.h"
 #include "tests/data_folder.h"
 
 namespace thenar {

@@ -1,6 +1,6 @@
-// Tests for report/scene/color_ramp.cpp.
+// Tests for report/picture/color_ramp.cpp.
 
-#include "report/scene/color_ramp.h"
+#include "report/picture/color_ramp.h"
 
 #include <gtest/gtest.h>
 

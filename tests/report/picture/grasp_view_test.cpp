@@ -1,6 +1,6 @@
-// Tests for report/scene/grasp_view.cpp.
+// Tests for report/picture/grasp_view.cpp.
 
-#include "report/scene/grasp_view.h"
+#include "report/picture/grasp_view.h"
 
 #include <cmath>
 

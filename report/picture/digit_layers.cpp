@@ -1,4 +1,4 @@
-#include "report/scene/digit_layers.h"
+#include "report/picture/digit_layers.h"
 
 #include <cmath>
 

@@ -1,4 +1,4 @@
-#include "report/scene/mesh_table.h"
+#include "report/picture/mesh_table.h"
 
 #include <cmath>
 #include <cstdint>

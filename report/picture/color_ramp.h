@@ -6,12 +6,12 @@
 
 #include <Eigen/Core>
 
-#include "report/scene/mesh_table.h"
+#include "report/picture/mesh_table.h"
 
 namespace thenar {
 
-/// Colour of a fraction, which is clamped to 0..1: the ramp of viewer/scene/color_scale.js, so that
-/// the scale below a scene holds for meshes too.
+/// Colour of a fraction, which is clamped to 0..1: the ramp of viewer/picture/color_scale.js, so
+/// that the scale below a scene holds for meshes too.
 [[nodiscard]] MeshColor ramp_color(double fraction);
 
 /// "#rrggbb" as bytes. @throws InputError if it is none

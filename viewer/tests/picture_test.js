@@ -1,13 +1,13 @@
-// Tests for scene/: what can be said without a browser.
+// Tests for picture/: what can be said without a browser.
 
 import assert from "node:assert/strict";
 import test from "node:test";
 import { Box3, Vector3 } from "three";
-import { fitCamera, makeCamera } from "../scene/camera_fit.js";
-import { diagonal, extentOf } from "../scene/extent.js";
-import { buildGrid } from "../scene/grid.js";
-import { colored, colorOf } from "../scene/color_scale.js";
-import { buildLayers } from "../scene/items.js";
+import { fitCamera, makeCamera } from "../picture/camera_fit.js";
+import { diagonal, extentOf } from "../picture/extent.js";
+import { buildGrid } from "../picture/grid.js";
+import { colored, colorOf } from "../picture/color_scale.js";
+import { buildLayers } from "../picture/items.js";
 
 const ITEMS = [
   { kind: "segment", a: [0, 0, 0], b: [0, 0, 40], radius: 5 },

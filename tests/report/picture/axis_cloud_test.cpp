@@ -1,11 +1,11 @@
-// Tests for report/scene/axis_cloud.cpp.
+// Tests for report/picture/axis_cloud.cpp.
 
-#include "report/scene/axis_cloud.h"
+#include "report/picture/axis_cloud.h"
 
 #include <gtest/gtest.h>
 
 #include "base/error.h"
-#include "report/scene/digit_layers.h"
+#include "report/picture/digit_layers.h"
 #include "tests/kinematics_fit/fit_samples.h"
 
 namespace thenar {

@@ -1,4 +1,4 @@
-#include "report/scene/color_ramp.h"
+#include "report/picture/color_ramp.h"
 
 #include <algorithm>
 #include <array>
