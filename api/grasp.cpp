@@ -68,7 +68,7 @@ GraspOptions options_of(const GraspResult& result) {
 
 /// Wrenches of contacts, with cones or pyramids.
 WrenchSet wrenches_of(const GraspResult& result, const std::vector<HandContact>& contacts) {
-  const SceneBody& object = result.setting.scene.object;
+  const GraspBody& object = result.setting.setup.object;
   const WrenchSet set =
       wrench_set(contacts_without_hand(contacts), object.com, object.torque_scale);
   return result.request.edges > 0 ? pyramids(set, result.request.edges) : set;
@@ -84,12 +84,12 @@ bool is_better(const Grasp& a, const Grasp& b) {
 
 Grasp grasp_from(const GraspResult& result, const Pregrasp& start) {
   const GraspOptions options = options_of(result);
-  const Scene& scene = result.setting.scene;
+  const GraspSetup& setup = result.setting.setup;
   GraspOptions here = options;
   here.approach_distance = 0;
   Grasp found = start.approach_distance > 0
-                    ? attempt_grasp(result.collision_hand, start, scene, options)
-                    : grasp(result.collision_hand, start.X_WH, start.q, scene, here);
+                    ? attempt_grasp(result.collision_hand, start, setup, options)
+                    : grasp(result.collision_hand, start.X_WH, start.q, setup, here);
   if (result.request.edges > 0 && found.outcome == GraspOutcome::kGrasped)
     found.quality = epsilon(wrenches_of(result, found.contacts), options.epsilon);
   return found;
@@ -164,7 +164,7 @@ void add_grasps(GraspResult& result, const Progress& progress) {
     report_or_stop(progress, static_cast<double>(i) / request.starts,
                    fmt::format("start {} of {}", i + 1, request.starts));
     const Pregrasp drawn =
-        sample_pregrasp(result.collision_hand, result.setting.scene.object, request.seed, i);
+        sample_pregrasp(result.collision_hand, result.setting.setup.object, request.seed, i);
     note(result, grasp_from(result, drawn), i, drawn);
   }
   result.wrenches = wrenches_of(result, result.grasp.contacts);
@@ -183,7 +183,7 @@ Eigen::Vector3d draw_normal(std::mt19937& random) {
 }
 
 /// The object turned about its centre of mass, and moved. @param turn  axis times angle [rad]
-Pose<double> moved(const SceneBody& object, const Eigen::Vector3d& by,
+Pose<double> moved(const GraspBody& object, const Eigen::Vector3d& by,
                    const Eigen::Vector3d& turn) {
   const double angle = turn.norm();
   const Eigen::Matrix3d R = angle > 0 ? Eigen::Matrix3d(Eigen::AngleAxisd(angle, turn / angle))
@@ -193,7 +193,7 @@ Pose<double> moved(const SceneBody& object, const Eigen::Vector3d& by,
 }
 
 RobustnessOptions robustness_options(const GraspResult& result) {
-  const SceneBody& object = result.setting.scene.object;
+  const GraspBody& object = result.setting.setup.object;
   RobustnessOptions options;
   options.draws = result.request.robustness.draws;
   options.centre = object.com;
@@ -220,15 +220,15 @@ GraspRobustness robustness_of(const GraspResult& result, const Progress& progres
       },
       random, options);
   // The object elsewhere: grasped anew from the same start, also where the hand stays.
-  Scene scene = result.setting.scene;
+  GraspSetup setup = result.setting.setup;
   random.seed(result.request.seed);
   Robustness of_pose = robustness(
       [&](std::mt19937& rng) {
         tick();
         const Eigen::Vector3d by = asked.place * draw_normal(rng);
-        scene.object.X_WB = moved(result.setting.scene.object, by, asked.turn * draw_normal(rng));
+        setup.object.X_WB = moved(result.setting.setup.object, by, asked.turn * draw_normal(rng));
         const Grasp again =
-            attempt_grasp(result.collision_hand, result.start, scene, options_of(result));
+            attempt_grasp(result.collision_hand, result.start, setup, options_of(result));
         return again.outcome == GraspOutcome::kGrasped ? contacts_without_hand(again.contacts)
                                                        : std::vector<Contact>{};
       },
@@ -288,7 +288,7 @@ GraspResult grasp_in_world(const GraspRequest& request, const Progress& progress
   result.request = request;
   result.setting = open_setting(request, schedule.next(kHand));
   result.collision_hand =
-      collision_hand(*result.setting.hand.named.hand, result.setting.scene.materials);
+      collision_hand(*result.setting.hand.named.hand, result.setting.setup.materials);
   const std::clock_t start = std::clock();
   // The grasp itself: without one there is nothing to return.
   add_grasps(result, schedule.next(kStart * std::max(1, request.starts)));

@@ -33,7 +33,7 @@ struct Asked {
 
 Measured<double> weight_of(const WorldCase& setting) {
   for (const PlacedBody& placed : setting.world.bodies) {
-    if (placed.body.name != setting.scene.object.name) continue;
+    if (placed.body.name != setting.setup.object.name) continue;
     try {
       return {kGravity * body_mass(placed.body, setting.world.materials).mass, ""};
     } catch (const InputError& unknown) {
@@ -78,7 +78,7 @@ Measured<double> hold_of(const ForceSet& forces, const ScaledWrench& load,
 }
 
 /// The weight as the object stands: along -z of the world.
-ScaledWrench weight_load(const SceneBody& object, double weight) {
+ScaledWrench weight_load(const GraspBody& object, double weight) {
   ScaledWrench load = ScaledWrench::Zero();
   load.head<3>() = -weight * object.X_WB.R.transpose().col(2);
   return load;
@@ -98,7 +98,7 @@ void add_holds(const Asked& asked, GraspMeasures& measures) {
     measures.hold = measures.hold_actuated = none<double>(measures.weight.reason);
     return;
   }
-  const ScaledWrench load = weight_load(asked.result.setting.scene.object, *measures.weight.value);
+  const ScaledWrench load = weight_load(asked.result.setting.setup.object, *measures.weight.value);
   measures.hold = hold_of(free_forces(asked.held.set), load,
                           "no forces within friction hold the weight as the object stands");
   if (!measures.hold.value) {
@@ -126,7 +126,7 @@ Measured<SupportedLoad> load_of(const GraspLoads& loads, GraspTask task) {
 
 void add_margins(const Asked& asked, GraspMeasures& measures) {
   const GraspLoads loads =
-      grasp_loads(asked.hand, asked.result.setting.scene.object,
+      grasp_loads(asked.hand, asked.result.setting.setup.object,
                   measures.weight.value.value_or(kGravity) / kGravity,
                   {GraspTask::kHoldWeight, GraspTask::kPull, GraspTask::kTurn});
   measures.times_weight = measures.weight.value ? load_of(loads, GraspTask::kHoldWeight)
@@ -142,8 +142,8 @@ void add_margins(const Asked& asked, GraspMeasures& measures) {
 }
 
 Measured<GraspStiffness> stiffness_of(const Asked& asked) {
-  const SceneBody& object = asked.result.setting.scene.object;
-  const Materials& materials = asked.result.setting.scene.materials;
+  const GraspBody& object = asked.result.setting.setup.object;
+  const Materials& materials = asked.result.setting.setup.materials;
   const PosedCollisionHand posed{
       asked.result.collision_hand, asked.result.grasp.approached.X_WH,
       asked.result.collision_hand.hand->pose(asked.result.grasp.closed.q)};
@@ -173,7 +173,7 @@ Measured<ObjectMotion> manipulability_of(const Asked& asked) {
   try {
     return {object_motion(*asked.result.collision_hand.hand, asked.result.grasp.closed.q,
                           contacts_without_hand(asked.result.grasp.contacts),
-                          asked.result.setting.scene.object, asked.held.T),
+                          asked.result.setting.setup.object, asked.held.T),
             ""};
   } catch (const InputError& free) {
     return none<ObjectMotion>(free.what());
@@ -184,7 +184,7 @@ Measured<ObjectMotion> manipulability_of(const Asked& asked) {
 
 GraspMeasures measure_grasp(const GraspResult& result, const Progress& progress) {
   const Grasp& grasp = result.grasp;
-  const SceneBody& object = result.setting.scene.object;
+  const GraspBody& object = result.setting.setup.object;
   const HeldObject hand{*result.collision_hand.hand, grasp.closed.q, grasp.contacts,
                         grasp.approached.X_WH.inverse() * object.X_WB};
   HandForceInputs held = hand_force_inputs(hand, object);

@@ -13,7 +13,7 @@
 namespace thenar::bench {
 namespace {
 
-SceneBody superellipsoid(double e1, double e2) {
+GraspBody superellipsoid(double e1, double e2) {
   PlacedBody placed;
   ShapeSpec shape;
   shape.kind = ShapeKind::kSuperellipsoid;
@@ -32,26 +32,27 @@ void add_lap(double& sum, double& start) {
   start = end;
 }
 
-void time_grasp(const GraspTask& task, const Scene& scene, unsigned number, GraspTimes& times) {
+void time_grasp(const GraspTask& task, const GraspSetup& setup, unsigned number,
+                GraspTimes& times) {
   std::mt19937 random(number);
   Eigen::VectorXd q = open_posture(task.hand.layout());
   const double spread = sample_between(0, kPi, random);
   q = task.hand.posture((Eigen::Vector4d() << spread, 0, 0, 0).finished());
-  const Pose<double> X_WH = sample_approach_pose(task.collision_hand, q, scene.object, random);
-  const double way = approach_distance(task.collision_hand, q, scene.object);
+  const Pose<double> X_WH = sample_approach_pose(task.collision_hand, q, setup.object, random);
+  const double way = approach_distance(task.collision_hand, q, setup.object);
 
   ++times.starts;
   double lap = thread_seconds();
-  const ApproachResult approached = approach(task.collision_hand, X_WH, q, scene, way);
+  const ApproachResult approached = approach(task.collision_hand, X_WH, q, setup, way);
   add_lap(times.approach, lap);
   if (!approached.touches) return;
-  const ClosedHand closed = close_hand(task.collision_hand, approached.X_WH, q, scene);
+  const ClosedHand closed = close_hand(task.collision_hand, approached.X_WH, q, setup);
   add_lap(times.close, lap);
   const std::vector<HandContact> contacts =
-      find_contacts({task.collision_hand, approached.X_WH, task.hand.pose(closed.q)}, scene);
+      find_contacts({task.collision_hand, approached.X_WH, task.hand.pose(closed.q)}, setup);
   add_lap(times.contacts, lap);
   const Epsilon quality = epsilon(
-      wrench_set(contacts_without_hand(contacts), scene.object.com, scene.object.torque_scale));
+      wrench_set(contacts_without_hand(contacts), setup.object.com, setup.object.torque_scale));
   add_lap(times.quality, lap);
   if (!contacts.empty()) ++times.grasped;
   if (quality.force_closure) ++times.closures;
@@ -65,7 +66,7 @@ std::unique_ptr<const GraspTask> build_grasp_task() {
   task->collision_hand = collision_hand(task->hand);
   for (const double e1 : {0.3, 1.0, 1.7})
     for (const double e2 : {0.3, 1.0, 1.7})
-      task->scenes.push_back({superellipsoid(e1, e2), {}, built_in_materials()});
+      task->setups.push_back({superellipsoid(e1, e2), {}, built_in_materials()});
   return task;
 }
 
@@ -82,9 +83,9 @@ GraspTimes& GraspTimes::operator+=(const GraspTimes& other) {
 
 GraspTimes time_grasps(const GraspTask& task, int first, int step, int count) {
   GraspTimes times;
-  for (std::size_t i = 0; i < task.scenes.size(); ++i)
+  for (std::size_t i = 0; i < task.setups.size(); ++i)
     for (int g = first; g < count; g += step)
-      time_grasp(task, task.scenes[i],
+      time_grasp(task, task.setups[i],
                  static_cast<unsigned>(i) * 100'000U + static_cast<unsigned>(g), times);
   return times;
 }

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "grasp/closing/collision_hand.h"
-#include "grasp/closing/scene.h"
+#include "grasp/closing/setup.h"
 #include "grasp/robot/robot_hand.h"
 
 namespace thenar::bench {
@@ -15,7 +15,7 @@ namespace thenar::bench {
 struct GraspTask {
   RobotHand hand;
   CollisionHand collision_hand;
-  std::vector<Scene> scenes;  // one for each object
+  std::vector<GraspSetup> setups;  // one for each object
 };
 
 /// Objects with semi-axes of 30, 40 and 50 mm and both exponents in {0.3, 1, 1.7}: nearly a box, an

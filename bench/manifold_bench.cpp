@@ -195,19 +195,19 @@ void BM_HandRoundMug(benchmark::State& state) {
   request.data = THENAR_DATA_DIR;
   const WorldCase world = open_world(request, false);
   const Hand& hand = *world.hand.named.hand;
-  const CollisionHand collision = collision_hand(hand, world.scene.materials);
+  const CollisionHand collision = collision_hand(hand, world.setup.materials);
   CloseOptions options;
   options.rates = world.hand.named.rates;
   const ClosedHand closed =
-      close_hand(collision, world.hand.X_WH, world.hand.q, world.scene, options);
+      close_hand(collision, world.hand.X_WH, world.hand.q, world.setup, options);
   // Surfaces, then the object, then obstacles.
   std::vector<std::shared_ptr<const CollisionBody>> bodies;
   const int links = static_cast<int>(hand.surfaces().size()), surfaces = hands * links;
   for (int copy = 0; copy < hands; ++copy)
     for (const LinkSurface& surface : hand.surfaces())
       bodies.push_back(collision_body(*surface.solid));
-  bodies.push_back(collision_body(world.scene.object.solid));
-  for (const SceneBody& body : world.scene.obstacles) bodies.push_back(collision_body(body.solid));
+  bodies.push_back(collision_body(world.setup.object.solid));
+  for (const GraspBody& body : world.setup.obstacles) bodies.push_back(collision_body(body.solid));
   const int all = static_cast<int>(bodies.size());
   CollisionWorld contacts(bodies);
   // Links that never meet, and obstacles among themselves.
@@ -230,14 +230,14 @@ void BM_HandRoundMug(benchmark::State& state) {
     for (int copy = 0; copy < hands; ++copy) {
       Pose<double> turn;
       turn.R = rotation_about<double>(Vector3d::UnitZ(), copy * kDegree);
-      turn.p = world.scene.object.X_WB.p - turn.R * world.scene.object.X_WB.p;
+      turn.p = world.setup.object.X_WB.p - turn.R * world.setup.object.X_WB.p;
       const Pose<double> X_WH = turn * world.hand.X_WH;
       for (const LinkSurface& surface : hand.surfaces())
         poses.push_back(surface.link < 0 ? X_WH
                                          : X_WH * link_at[static_cast<std::size_t>(surface.link)]);
     }
-    poses.push_back(world.scene.object.X_WB);
-    for (const SceneBody& body : world.scene.obstacles) poses.push_back(body.X_WB);
+    poses.push_back(world.setup.object.X_WB);
+    for (const GraspBody& body : world.setup.obstacles) poses.push_back(body.X_WB);
     steps.push_back(poses);
   }
   for (int pass = 0; pass < 20; ++pass)

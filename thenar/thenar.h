@@ -276,7 +276,7 @@
 #include "grasp/closing/closing_drives.h"
 #include "grasp/closing/fingertip_paths.h"
 #include "grasp/closing/grasp.h"
-#include "grasp/closing/scene.h"
+#include "grasp/closing/setup.h"
 #include "grasp/closing/tendon_closing.h"
 
 // grasp/robot: robot hands that close.

@@ -259,24 +259,23 @@ WorldCase open_world(const WorldRequest& request, bool hand_from_elsewhere,
   found.world = read_world_at(found.path, request.data);
   found.files = found.world.files;
   found.data = data_for(found.world.folder, request.data);
-  found.scene = build_scene(found.world, request.object);
+  found.setup = build_setup(found.world, request.object);
   if (!hand_from_elsewhere) {
     found.hand = hand_of_world(found.world, request.hand, found.path, found.data,
                                human_of(request, progress));
     found.files.insert(found.hand.named.files.begin(), found.hand.named.files.end());
-    require_materials(found.hand.named, found.scene.materials);
+    require_materials(found.hand.named, found.setup.materials);
     return found;
   }
   found.hand.named = hand_by_name(request.hand, found.data, human_of(request, progress));
   found.files.insert(found.hand.named.files.begin(), found.hand.named.files.end());
-  require_materials(found.hand.named, found.scene.materials);
+  require_materials(found.hand.named, found.setup.materials);
   found.hand.q = open_posture(found.hand.named.hand->layout());
   return found;
 }
 
 bool has_hand(const WorldRequest& request) {
-  const std::vector<std::string> names =
-      names_of(read_world_at(world_file(request), request.data));
+  const std::vector<std::string> names = names_of(read_world_at(world_file(request), request.data));
   return std::find(names.begin(), names.end(), current_hand_name(request.hand)) != names.end();
 }
 

@@ -42,11 +42,11 @@ struct WorldCase {
   std::vector<std::string> data;  // folders where hands are found by name
   WorldSpec world;
   WorldHand hand;
-  Scene scene;
+  GraspSetup setup;
   FileDigests files;  // of the world, its bodies and the hand
 };
 
-/// Reads a world and builds the hand and the scene that are asked for.
+/// Reads a world and builds the hand and the setup that are asked for.
 /// @param hand_from_elsewhere  the hand is not one of the world's: it is built by its name, its
 ///                             joints are where closing begins, and it has no place yet
 /// @throws InputError or DataError where something is not to be found.

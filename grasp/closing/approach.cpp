@@ -8,7 +8,7 @@
 
 namespace thenar {
 ApproachResult approach(const CollisionHand& hand, const Pose<double>& X_WH,
-                        const Eigen::VectorXd& q, const Scene& scene, double distance,
+                        const Eigen::VectorXd& q, const GraspSetup& setup, double distance,
                         const CloseOptions& options) {
   require_start(*hand.hand, q);
   require(distance >= 0 && distance < kInfinity, "the distance of an approach is {} m", distance);
@@ -16,10 +16,10 @@ ApproachResult approach(const CollisionHand& hand, const Pose<double>& X_WH,
   result.X_WH = X_WH;
   // A hand that starts inside something is not moved.
   PosedCollisionHand posed{hand, X_WH, hand.hand->pose(q)};
-  result.overlaps = find_overlaps(posed, scene, options.accuracy);
+  result.overlaps = find_overlaps(posed, setup, options.accuracy);
   if (!result.overlaps.empty()) return result;
   const Eigen::Vector3d direction = X_WH.R * hand.hand->layout().approach.direction;
-  std::vector<Clearance> clearances = scene_clearances(posed, scene);
+  std::vector<Clearance> clearances = find_clearances(posed, setup);
 
   // Conservative advancement of a pure translation: nothing moves faster than the hand.
   double gone = 0;
@@ -57,16 +57,16 @@ constexpr double kStep = 0.05;   // in units of the object's radius [1]
 constexpr double kHeadOn = 0.2;  // smallest sine of the angle between normal and approach [1]
 
 /// Direction in which the object pushes the digit that met it, across the approach; zero: none. (3)
-Eigen::Vector3d push_across(const CollisionHand& hand, const Eigen::VectorXd& q, const Scene& scene,
-                            const ApproachResult& met, double accuracy) {
+Eigen::Vector3d push_across(const CollisionHand& hand, const Eigen::VectorXd& q,
+                            const GraspSetup& setup, const ApproachResult& met, double accuracy) {
   const std::vector<LinkSurface>& surfaces = hand.hand->surfaces();
-  if (!met.touches || met.body != scene.object.name) return Eigen::Vector3d::Zero();
+  if (!met.touches || met.body != setup.object.name) return Eigen::Vector3d::Zero();
   const PosedCollisionHand posed{hand, met.X_WH, hand.hand->pose(q)};
   const Eigen::Vector3d d = met.X_WH.R * hand.hand->layout().approach.direction;
   // Only a digit gives way; its contact normal tells the direction.
   for (int s = 0; s < static_cast<int>(surfaces.size()); ++s) {
     if (surfaces[s].name != met.surface || surfaces[s].digit.empty()) continue;
-    Clearance clearance{s, -1, &scene.object};
+    Clearance clearance{s, -1, &setup.object};
     const Eigen::Vector3d n =
         measure_clearance(clearance, posed, accuracy / 4, 4 * accuracy).normal;
     const Eigen::Vector3d across = n - n.dot(d) * d;
@@ -78,20 +78,20 @@ Eigen::Vector3d push_across(const CollisionHand& hand, const Eigen::VectorXd& q,
 }  // namespace
 
 ApproachResult yielding_approach(const CollisionHand& hand, const Pose<double>& X_WH,
-                                 const Eigen::VectorXd& q, const Scene& scene,
+                                 const Eigen::VectorXd& q, const GraspSetup& setup,
                                  const ApproachReach& most, const CloseOptions& options) {
   require(most.aside >= 0, "a hand gives way by 0 m or more, got {} m", most.aside);
-  ApproachResult met = approach(hand, X_WH, q, scene, most.distance, options);
+  ApproachResult met = approach(hand, X_WH, q, setup, most.distance, options);
   const Eigen::Vector3d d = X_WH.R * hand.hand->layout().approach.direction;
-  const double step = kStep * scene.object.torque_scale;
+  const double step = kStep * setup.object.torque_scale;
   // Step aside, and approach again by the distance that is left.
   for (double given = step; given <= most.aside; given += step) {
-    const Eigen::Vector3d across = push_across(hand, q, scene, met, options.accuracy);
+    const Eigen::Vector3d across = push_across(hand, q, setup, met, options.accuracy);
     if (across.isZero(0)) break;
     Pose<double> aside = met.X_WH;
     aside.p += step * across;
     const double left = most.distance - d.dot(aside.p - X_WH.p);
-    ApproachResult next = approach(hand, aside, q, scene, std::max(0.0, left), options);
+    ApproachResult next = approach(hand, aside, q, setup, std::max(0.0, left), options);
     if (!next.overlaps.empty() || (met.touches && !next.touches)) break;
     met = std::move(next);
   }

@@ -13,7 +13,7 @@ namespace thenar {
 struct [[nodiscard]] ApproachResult {
   Pose<double> X_WH;              // final pose of the hand
   bool touches = false;           // false: it moved the whole distance and met nothing
-  std::string surface, body;      // first contact: surface of the hand, body of the scene
+  std::string surface, body;      // first contact: surface of the hand, body of the setup
   double clearance = 0;           // between these two [m]
   std::vector<Overlap> overlaps;  // at the start; not empty: it was not moved
 };
@@ -23,7 +23,7 @@ struct [[nodiscard]] ApproachResult {
 /// @param distance  largest distance to move [m]
 /// @throws InputError as close_hand() does.
 ApproachResult approach(const CollisionHand& hand, const Pose<double>& X_WH,
-                        const Eigen::VectorXd& q, const Scene& scene, double distance,
+                        const Eigen::VectorXd& q, const GraspSetup& setup, double distance,
                         const CloseOptions& options = {});
 
 /// How far a hand goes in yielding_approach().
@@ -40,7 +40,7 @@ struct ApproachReach {
 /// @param most  largest distances
 /// @throws InputError as approach(), or if `most.aside` is negative.
 ApproachResult yielding_approach(const CollisionHand& hand, const Pose<double>& X_WH,
-                                 const Eigen::VectorXd& q, const Scene& scene,
+                                 const Eigen::VectorXd& q, const GraspSetup& setup,
                                  const ApproachReach& most, const CloseOptions& options = {});
 
 }  // namespace thenar

@@ -49,7 +49,7 @@ Eigen::Matrix3d turn_to(const Eigen::Vector3d& a, const Eigen::Vector3d& b,
 
 /// Orientation R_WH of an approach along an axis of the object's box.
 Eigen::Matrix3d along_axes(const CollisionHand& hand, const Eigen::VectorXd& q,
-                           const SceneBody& object, const StartDraws& u) {
+                           const GraspBody& object, const StartDraws& u) {
   // Side of the box from which the hand comes.
   const Eigen::Matrix3d axes = object.X_WB.R * object.box.axes;
   const int side = std::min(5, static_cast<int>(6 * u.side));
@@ -84,14 +84,14 @@ double hand_reach(const CollisionHand& hand, const Eigen::VectorXd& q) {
 }
 
 /// Distance from the point of approach at the start to its aim [m].
-double far_off(const CollisionHand& hand, const Eigen::VectorXd& q, const SceneBody& object) {
+double far_off(const CollisionHand& hand, const Eigen::VectorXd& q, const GraspBody& object) {
   return (1 + kOffAny) * object.torque_scale + hand_reach(hand, q) + kClear;
 }
 
 }  // namespace
 
 Pose<double> sample_approach_pose(const CollisionHand& hand, const Eigen::VectorXd& q,
-                                  const SceneBody& object, std::mt19937& random) {
+                                  const GraspBody& object, std::mt19937& random) {
   const StartDraws u = draw(random);
   // Half of all approaches come along an axis of the box.
   const bool axes = u.kind < 0.5;
@@ -106,7 +106,7 @@ Pose<double> sample_approach_pose(const CollisionHand& hand, const Eigen::Vector
 }
 
 double approach_distance(const CollisionHand& hand, const Eigen::VectorXd& q,
-                         const SceneBody& object) {
+                         const GraspBody& object) {
   return 2 * far_off(hand, q, object);
 }
 

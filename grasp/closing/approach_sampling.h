@@ -7,7 +7,7 @@
 #include <Eigen/Core>
 
 #include "grasp/closing/collision_hand.h"
-#include "grasp/closing/scene.h"
+#include "grasp/closing/setup.h"
 #include "hand/hand.h"
 
 namespace thenar {
@@ -25,11 +25,11 @@ namespace thenar {
 /// The same generator gives every hand the same nine random numbers, whatever its build.
 /// @param q  posture of the approach (coordinates)
 [[nodiscard]] Pose<double> sample_approach_pose(const CollisionHand& hand, const Eigen::VectorXd& q,
-                                                const SceneBody& object, std::mt19937& random);
+                                                const GraspBody& object, std::mt19937& random);
 
 /// Distance of approach from such a start to beyond the object [m].
 [[nodiscard]] double approach_distance(const CollisionHand& hand, const Eigen::VectorXd& q,
-                                       const SceneBody& object);
+                                       const GraspBody& object);
 
 /// Samples GraspOptions::stand_off: 0 in half of all grasps, otherwise uniform in [0, 1). One draw.
 /// [1]

@@ -28,7 +28,7 @@ SignedDistance measure_clearance(Clearance& clearance, const PosedCollisionHand&
   options.start = clearance.nearest;
   const CollisionTree& touch = posed.collision_hand.trees[clearance.surface];
   const Pose<double> X = posed.of_surface(clearance.surface);
-  // Against a body of the scene, or against another surface of the hand.
+  // Against a body of the setup, or against another surface of the hand.
   SignedDistance found =
       clearance.body != nullptr
           ? signed_distance(touch, X, clearance.body->solid, clearance.body->X_WB, options)
@@ -52,16 +52,16 @@ double ball_bound(const Clearance& clearance, const PosedCollisionHand& posed) {
   return shape.distance(clearance.body->X_WB.inverse() * c) - shape.accuracy() - ball.r;
 }
 
-std::vector<Clearance> scene_clearances(const PosedCollisionHand& posed, const Scene& scene) {
+std::vector<Clearance> find_clearances(const PosedCollisionHand& posed, const GraspSetup& setup) {
   std::vector<Clearance> clearances;
-  const auto add = [&](int surface, const SceneBody& body) {
+  const auto add = [&](int surface, const GraspBody& body) {
     clearances.push_back({surface, -1, &body});
     clearances.back().bound = ball_bound(clearances.back(), posed);
   };
   // Every surface against the object and every obstacle.
   for (int s = 0; s < static_cast<int>(posed.collision_hand.trees.size()); ++s) {
-    add(s, scene.object);
-    for (const SceneBody& obstacle : scene.obstacles) add(s, obstacle);
+    add(s, setup.object);
+    for (const GraspBody& obstacle : setup.obstacles) add(s, obstacle);
   }
   return clearances;
 }
@@ -87,10 +87,10 @@ SelfClearances self_clearances(const PosedCollisionHand& posed, double accuracy)
   return self;
 }
 
-std::vector<Overlap> find_overlaps(const PosedCollisionHand& posed, const Scene& scene,
+std::vector<Overlap> find_overlaps(const PosedCollisionHand& posed, const GraspSetup& setup,
                                    double accuracy) {
   std::vector<Overlap> overlaps;
-  for (Clearance& clearance : scene_clearances(posed, scene)) {
+  for (Clearance& clearance : find_clearances(posed, setup)) {
     if (clearance.bound > 0) continue;
     const double distance = measure_clearance(clearance, posed, accuracy / 4, accuracy).distance;
     if (distance < 0)

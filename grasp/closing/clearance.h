@@ -9,7 +9,7 @@
 
 #include "geometry/collision/signed_distance.h"
 #include "grasp/closing/collision_hand.h"
-#include "grasp/closing/scene.h"
+#include "grasp/closing/setup.h"
 
 namespace thenar {
 
@@ -17,7 +17,7 @@ namespace thenar {
 struct Clearance {
   int surface;                      // of Hand::surfaces()
   int other = -1;                   // another surface; -1: `body`
-  const SceneBody* body = nullptr;  // null: against `other`
+  const GraspBody* body = nullptr;  // null: against `other`
   double bound = 0;                 // lower bound of the clearance [m]
   int nearest = -1;                 // nearest triangle of the surface; -1: unknown
   double yield = 0;                 // overlap at which the two touch: depth of soft layers [m]
@@ -45,9 +45,9 @@ SignedDistance measure_clearance(Clearance& clearance, const PosedCollisionHand&
 /// Lower bound of a clearance by the balls around the surfaces: one distance evaluation [m].
 [[nodiscard]] double ball_bound(const Clearance& clearance, const PosedCollisionHand& posed);
 
-/// Clearances of every surface from every body of the scene, bounded by balls.
-[[nodiscard]] std::vector<Clearance> scene_clearances(const PosedCollisionHand& posed,
-                                                      const Scene& scene);
+/// Clearances of every surface from every body of the setup, bounded by balls.
+[[nodiscard]] std::vector<Clearance> find_clearances(const PosedCollisionHand& posed,
+                                                     const GraspSetup& setup);
 
 /// Two things that overlap.
 struct Overlap {
@@ -64,8 +64,8 @@ struct SelfClearances {
 /// Clearances between the surfaces of a hand. @param accuracy  of contact [m]
 [[nodiscard]] SelfClearances self_clearances(const PosedCollisionHand& posed, double accuracy);
 
-/// Overlaps of surfaces with bodies of the scene. @param accuracy  of the depths [m]
+/// Overlaps of surfaces with bodies of the setup. @param accuracy  of the depths [m]
 [[nodiscard]] std::vector<Overlap> find_overlaps(const PosedCollisionHand& posed,
-                                                 const Scene& scene, double accuracy);
+                                                 const GraspSetup& setup, double accuracy);
 
 }  // namespace thenar

@@ -23,14 +23,14 @@ struct RelativeSpeed {
 class Closing {
  public:
   Closing(const CollisionHand& touching, const Pose<double>& X_WH, const Eigen::VectorXd& q,
-          const Scene& scene, const CloseOptions& options)
+          const GraspSetup& setup, const CloseOptions& options)
       : touching_(touching),
         hand_(*touching.hand),
         options_(options),
         drives_(hand_.layout()),
         posed_{touching, X_WH, hand_.pose(q)},
         q_(q),
-        clearances_(scene_clearances(posed_, scene)),
+        clearances_(find_clearances(posed_, setup)),
         speeds_(touching.trees.size()) {
     // Links that may stop each other.
     if (!options.self) return;
@@ -240,12 +240,12 @@ void require_start(const Hand& hand, const Eigen::VectorXd& q) {
 }
 
 ClosedHand close_hand(const CollisionHand& hand, const Pose<double>& X_WH, const Eigen::VectorXd& q,
-                      const Scene& scene, const CloseOptions& options) {
+                      const GraspSetup& setup, const CloseOptions& options) {
   require_start(*hand.hand, q);
   // Overlaps at the start leave nothing to close.
   std::vector<Overlap> overlaps =
-      find_overlaps({hand, X_WH, hand.hand->pose(q)}, scene, options.accuracy);
-  if (overlaps.empty()) return Closing(hand, X_WH, q, scene, options).run();
+      find_overlaps({hand, X_WH, hand.hand->pose(q)}, setup, options.accuracy);
+  if (overlaps.empty()) return Closing(hand, X_WH, q, setup, options).run();
   ClosedHand stuck;
   stuck.q = q;
   stuck.stopped.assign(q.size(), StoppedBy::kNothing);

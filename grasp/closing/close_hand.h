@@ -11,7 +11,7 @@
 #include "geometry/collision/collision_tree.h"
 #include "grasp/closing/clearance.h"
 #include "grasp/closing/closing_drives.h"
-#include "grasp/closing/scene.h"
+#include "grasp/closing/setup.h"
 #include "hand/hand.h"
 
 namespace thenar {
@@ -34,7 +34,7 @@ struct CloseOptions {
 struct [[nodiscard]] ClosedHand {
   Eigen::VectorXd q;                   // (coordinates) [rad] or [m]
   std::vector<StoppedBy> stopped;      // of each coordinate
-  std::vector<Overlap> overlaps;       // with the scene at the start; not empty: nothing was moved
+  std::vector<Overlap> overlaps;       // with the setup at the start; not empty: nothing was moved
   std::vector<Overlap> self_overlaps;  // links that overlap at the start by more than they yield:
                                        // they do not stop each other
   bool finished = false;               // nothing moves any more; false: overlaps or too many steps
@@ -62,7 +62,7 @@ struct [[nodiscard]] ClosedHand {
 /// Source: [MirtichCanny1995] for conservative advancement, [Miller2004] for auto-grasp.
 ///   [GraspItWorld] for the thickness of skin.
 ClosedHand close_hand(const CollisionHand& hand, const Pose<double>& X_WH, const Eigen::VectorXd& q,
-                      const Scene& scene, const CloseOptions& options = {});
+                      const GraspSetup& setup, const CloseOptions& options = {});
 
 /// Throws InputError unless q is a posture of the hand within its limits (to 1e-9).
 void require_start(const Hand& hand, const Eigen::VectorXd& q);

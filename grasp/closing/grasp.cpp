@@ -11,7 +11,7 @@ namespace {
 /// Moves the hand back from the object, by a share of max_stand_off() and at most as far as it
 /// came.
 void stand_off(ApproachResult& approached, const CollisionHand& hand, const Pose<double>& X_WH,
-               const Eigen::VectorXd& q, const SceneBody& object, double share) {
+               const Eigen::VectorXd& q, const GraspBody& object, double share) {
   const Eigen::Vector3d direction = X_WH.R * hand.hand->layout().approach.direction;
   const double gone = direction.dot(approached.X_WH.p - X_WH.p);
   const double back = share * max_stand_off(hand, approached.X_WH, q, object);
@@ -19,17 +19,17 @@ void stand_off(ApproachResult& approached, const CollisionHand& hand, const Pose
 }
 
 ApproachResult approach_or_stay(const CollisionHand& hand, const Pose<double>& X_WH,
-                                const Eigen::VectorXd& q, const Scene& scene,
+                                const Eigen::VectorXd& q, const GraspSetup& setup,
                                 const GraspOptions& options) {
   ApproachResult approached;
   approached.X_WH = X_WH;
   if (options.approach_distance <= 0) return approached;
   // Digits that meet the object give way.
   approached = yielding_approach(
-      hand, X_WH, q, scene,
-      {options.approach_distance, options.side_step * scene.object.torque_scale}, options.close);
-  if (options.stand_off > 0 && approached.touches && approached.body == scene.object.name)
-    stand_off(approached, hand, X_WH, q, scene.object, options.stand_off);
+      hand, X_WH, q, setup,
+      {options.approach_distance, options.side_step * setup.object.torque_scale}, options.close);
+  if (options.stand_off > 0 && approached.touches && approached.body == setup.object.name)
+    stand_off(approached, hand, X_WH, q, setup.object, options.stand_off);
   return approached;
 }
 
@@ -45,19 +45,19 @@ GraspOutcome judge(const ClosedHand& closed) {
 }
 
 /// Outcome of a closed hand that touches nothing.
-GraspOutcome judge_empty(const ApproachResult& approached, const Scene& scene) {
-  const bool blocked = approached.touches && approached.body != scene.object.name;
+GraspOutcome judge_empty(const ApproachResult& approached, const GraspSetup& setup) {
+  const bool blocked = approached.touches && approached.body != setup.object.name;
   return blocked ? GraspOutcome::kBlocked : GraspOutcome::kEmpty;
 }
 
 /// Sets the torsion of every contact of a patch with the object.
-void soften(ContactPatch& patch, const PosedCollisionHand& posed, const Scene& scene,
+void soften(ContactPatch& patch, const PosedCollisionHand& posed, const GraspSetup& setup,
             const PadOptions& pads) {
   const int surface = patch.contacts[0].surface;
   const LinkSurface& link = posed.collision_hand.hand->surfaces()[surface];
-  const PadBody object{scene.object.solid, scene.materials.at(scene.object.material), {}};
-  const PadBody pad{*link.solid, scene.materials.at(link.material),
-                    scene.object.X_WB.inverse() * posed.of_surface(surface)};
+  const PadBody object{setup.object.solid, setup.materials.at(setup.object.material), {}};
+  const PadBody pad{*link.solid, setup.materials.at(link.material),
+                    setup.object.X_WB.inverse() * posed.of_surface(surface)};
   const double torsion = torsion_of(patch, pad, object, pads);
   for (HandContact& contact : patch.contacts) contact.contact.torsion = torsion;
 }
@@ -104,7 +104,7 @@ std::string name_of(GraspOutcome outcome) {
 }
 
 double max_stand_off(const CollisionHand& hand, const Pose<double>& X_WH, const Eigen::VectorXd& q,
-                     const SceneBody& object) {
+                     const GraspBody& object) {
   const PalmApproach& approach = hand.hand->layout().approach;
   // Extent of the object along the closing axis.
   const FingertipPaths ways = fingertip_paths(*hand.hand, q);
@@ -116,18 +116,18 @@ double max_stand_off(const CollisionHand& hand, const Pose<double>& X_WH, const 
   return std::max(0.0, ahead - approach.direction.dot(centre));
 }
 
-std::vector<HandContact> find_contacts(const PosedCollisionHand& posed, const Scene& scene,
+std::vector<HandContact> find_contacts(const PosedCollisionHand& posed, const GraspSetup& setup,
                                        const ContactPatchOptions& options, const PadOptions& pads) {
   std::vector<ContactPatch> patches;
   // Patches of every surface near the object, with the friction of both materials.
   for (int s = 0; s < static_cast<int>(posed.collision_hand.trees.size()); ++s) {
-    Clearance clearance{s, -1, &scene.object};
+    Clearance clearance{s, -1, &setup.object};
     if (ball_bound(clearance, posed) > options.tolerance) continue;
     const LinkSurface& surface = posed.collision_hand.hand->surfaces()[s];
     const double mu =
-        scene.materials.between(surface.material, scene.object.material).static_coefficient;
+        setup.materials.between(surface.material, setup.object.material).static_coefficient;
     ContactPatches found = contact_patches(posed.collision_hand.trees[s], posed.of_surface(s),
-                                           scene.object.solid, scene.object.X_WB, mu, options);
+                                           setup.object.solid, setup.object.X_WB, mu, options);
     for (ContactPatch& patch : found.patches) {
       for (HandContact& contact : patch.contacts) contact.surface = s;
       add_patch(patches, std::move(patch), posed.collision_hand, options);
@@ -135,31 +135,31 @@ std::vector<HandContact> find_contacts(const PosedCollisionHand& posed, const Sc
   }
   // Soft fingers have torsion.
   if (pads.contact != ContactModel::kHardPoint)
-    for (ContactPatch& patch : patches) soften(patch, posed, scene, pads);
+    for (ContactPatch& patch : patches) soften(patch, posed, setup, pads);
   return contacts_of(patches);
 }
 
 Grasp grasp(const CollisionHand& hand, const Pose<double>& X_WH, const Eigen::VectorXd& q,
-            const Scene& scene, const GraspOptions& options) {
+            const GraspSetup& setup, const GraspOptions& options) {
   require(options.stand_off >= 0 && options.stand_off <= 1,
           "the stand-off of a grasp is a share of 0 .. 1, got {}", options.stand_off);
   Grasp done{};
   // Approach.
-  done.approached = approach_or_stay(hand, X_WH, q, scene, options);
+  done.approached = approach_or_stay(hand, X_WH, q, setup, options);
   done.closed.q = q;
   done.outcome = judge(done.approached, options.approach_distance);
   if (done.outcome != GraspOutcome::kGrasped) return done;
   // Close.
-  done.closed = close_hand(hand, done.approached.X_WH, q, scene, options.close);
+  done.closed = close_hand(hand, done.approached.X_WH, q, setup, options.close);
   done.outcome = judge(done.closed);
   if (done.outcome != GraspOutcome::kGrasped) return done;
 
   // Contacts and their quality about the object's centre of mass.
   const PosedCollisionHand posed{hand, done.approached.X_WH, hand.hand->pose(done.closed.q)};
-  done.contacts = find_contacts(posed, scene, options.patches, options.pads);
-  if (done.contacts.empty()) done.outcome = judge_empty(done.approached, scene);
+  done.contacts = find_contacts(posed, setup, options.patches, options.pads);
+  if (done.contacts.empty()) done.outcome = judge_empty(done.approached, setup);
   done.quality = epsilon(
-      wrench_set(contacts_without_hand(done.contacts), scene.object.com, scene.object.torque_scale),
+      wrench_set(contacts_without_hand(done.contacts), setup.object.com, setup.object.torque_scale),
       options.epsilon);
   return done;
 }

@@ -8,7 +8,7 @@
 #include "grasp/closing/approach.h"
 #include "grasp/closing/close_hand.h"
 #include "grasp/closing/collision_hand.h"
-#include "grasp/closing/scene.h"
+#include "grasp/closing/setup.h"
 #include "grasp/contact/contact_patch.h"
 #include "grasp/contact/soft_pads.h"
 #include "grasp/quality/epsilon.h"
@@ -51,10 +51,10 @@ struct [[nodiscard]] Grasp {
 /// Finds the contacts of a posed hand with the object, patch by patch, numbered in
 /// `Contact::patch`, with the friction of both materials, and for soft fingers the torsion of their
 /// soft layers (torsion_of()). Patches of one link that meet are merged.
-/// @throws InputError if the scene has no friction for a pair of materials, or for soft fingers
+/// @throws InputError if the setup has no friction for a pair of materials, or for soft fingers
 /// lacks a material.
 [[nodiscard]] std::vector<HandContact> find_contacts(const PosedCollisionHand& posed,
-                                                     const Scene& scene,
+                                                     const GraspSetup& setup,
                                                      const ContactPatchOptions& options = {},
                                                      const PadOptions& pads = {});
 
@@ -64,7 +64,7 @@ struct [[nodiscard]] Grasp {
 ///   max(0, tips_ahead() - d'(com - point of approach)),  d the direction of approach [m].
 /// @param q  posture of the approach (coordinates)
 [[nodiscard]] double max_stand_off(const CollisionHand& hand, const Pose<double>& X_WH,
-                                   const Eigen::VectorXd& q, const SceneBody& object);
+                                   const Eigen::VectorXd& q, const GraspBody& object);
 
 /// Approaches (yielding_approach()), closes, finds the contacts, and computes their quality. A hand
 /// that meets the object moves back by its stand-off, so that fingertips may hold it off the palm;
@@ -73,6 +73,6 @@ struct [[nodiscard]] Grasp {
 /// @throws InputError as approach(), close_hand() and find_contacts(), or if stand_off is not in
 /// [0, 1].
 Grasp grasp(const CollisionHand& hand, const Pose<double>& X_WH, const Eigen::VectorXd& q,
-            const Scene& scene, const GraspOptions& options = {});
+            const GraspSetup& setup, const GraspOptions& options = {});
 
 }  // namespace thenar

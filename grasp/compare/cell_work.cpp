@@ -20,7 +20,7 @@ double seconds_since(Clock::time_point start) {
   return std::chrono::duration<double>(Clock::now() - start).count();
 }
 
-HeldObject held_by(const ComparedHand& hand, const Grasp& grasp, const SceneBody& object) {
+HeldObject held_by(const ComparedHand& hand, const Grasp& grasp, const GraspBody& object) {
   return {*hand.hand, grasp.closed.q, grasp.contacts,
           grasp.approached.X_WH.inverse() * object.X_WB};
 }
@@ -39,13 +39,13 @@ void StandingObject::build() {
     const BodyMass mass = body_mass(placed.body, materials_);
     placed.body.mass = mass;
     mass_ = mass.mass;
-    scene_ = std::make_unique<Scene>(Scene{build_body(placed), {}, materials_});
+    setup_ = std::make_unique<GraspSetup>(GraspSetup{build_body(placed), {}, materials_});
   });
 }
 
-const Scene& StandingObject::scene() {
+const GraspSetup& StandingObject::setup() {
   build();
-  return *scene_;
+  return *setup_;
 }
 
 double StandingObject::mass() {
@@ -83,10 +83,10 @@ Grasp CellWork::make_grasp(int number) {
   GraspOptions grasping = options_.grasp;
   grasping.pads.contact = hand_.hand().contact;
   grasping.close.rates = hand_.hand().rates;
-  const Scene& scene = object_.scene();
+  const GraspSetup& setup = object_.setup();
   return attempt_grasp(hand_.surfaces(),
-                       sample_pregrasp(hand_.surfaces(), scene.object, options_.seed, number),
-                       scene, grasping);
+                       sample_pregrasp(hand_.surfaces(), setup.object, options_.seed, number),
+                       setup, grasping);
 }
 
 /// Tries an approach; the last one of all ranks them.
@@ -97,7 +97,7 @@ void CellWork::attempt(int number, TaskQueue& queue) {
   tried.grasp = make_grasp(number);
   if (tried.closes()) {
     if (progress_.stop()) return;
-    const SceneBody& object = object_.scene().object;
+    const GraspBody& object = object_.setup().object;
     ExplainedLoad epsilon = hand_epsilon(held_by(hand_.hand(), tried.grasp, object), object);
     tried.hand_epsilon = epsilon.value;
     tried.reason = std::move(epsilon.reason);
@@ -155,7 +155,7 @@ void CellWork::describe(std::size_t place, int number) {
   best.contacts = grasp.contacts;
   best.epsilon = grasp.quality.lower;
   best.type = grasp_type(*hand_.hand().hand, grasp.contacts);
-  const SceneBody& object = object_.scene().object;
+  const GraspBody& object = object_.setup().object;
   GraspLoads loads =
       grasp_loads(held_by(hand_.hand(), grasp, object), object, object_.mass(), options_.tasks);
   best.min_grasp_force = loads.min_grasp_force;

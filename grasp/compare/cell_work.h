@@ -9,7 +9,7 @@
 
 #include "base/task_queue.h"
 #include "grasp/closing/collision_hand.h"
-#include "grasp/closing/scene.h"
+#include "grasp/closing/setup.h"
 #include "grasp/compare/comparison.h"
 
 namespace thenar {
@@ -22,7 +22,7 @@ class StandingObject {
       : object_(object), scale_(scale), materials_(materials) {}
 
   /// Alone in the world, with its mass.
-  [[nodiscard]] const Scene& scene();
+  [[nodiscard]] const GraspSetup& setup();
   [[nodiscard]] double mass();  // [kg]
   [[nodiscard]] double scale() const { return scale_; }
   [[nodiscard]] const std::string& name() const { return object_.name; }
@@ -34,7 +34,7 @@ class StandingObject {
   double scale_;
   const Materials& materials_;
   std::once_flag built_;
-  std::unique_ptr<Scene> scene_;
+  std::unique_ptr<GraspSetup> setup_;
   double mass_ = 0;
 };
 

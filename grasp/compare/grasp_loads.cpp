@@ -90,14 +90,14 @@ std::optional<ScaledWrench> unsupported_load(const ForceSet& forces) {
   return {};
 }
 
-HandForceInputs hand_force_inputs(const HeldObject& held, const SceneBody& object) {
+HandForceInputs hand_force_inputs(const HeldObject& held, const GraspBody& object) {
   return {held.hand.layout(),
           wrench_set(contacts_without_hand(held.contacts), object.com, object.torque_scale),
           torque_map(held.hand, held.q, held.contacts, held.X_HO),
           actuation_with_joint_limits(held.hand, held.q)};
 }
 
-GraspLoads grasp_loads(const HeldObject& held, const SceneBody& object, double mass,
+GraspLoads grasp_loads(const HeldObject& held, const GraspBody& object, double mass,
                        const std::vector<GraspTask>& tasks) {
   const HandForceInputs held_by = hand_force_inputs(held, object);
   GraspLoads loads;
@@ -130,7 +130,7 @@ GraspLoads grasp_loads(const HeldObject& held, const SceneBody& object, double m
   return loads;
 }
 
-ExplainedLoad hand_epsilon(const HeldObject& held, const SceneBody& object) {
+ExplainedLoad hand_epsilon(const HeldObject& held, const GraspBody& object) {
   const HandForceInputs held_by = hand_force_inputs(held, object);
   // Unknown efforts and unsupported loads need no search.
   const std::string unknown = explain_unknown_effort(held_by);

@@ -62,7 +62,7 @@ struct HeldObject {
 };
 
 /// Arguments of hand_forces() for a held object, torques divided by the object's radius.
-[[nodiscard]] HandForceInputs hand_force_inputs(const HeldObject& held, const SceneBody& object);
+[[nodiscard]] HandForceInputs hand_force_inputs(const HeldObject& held, const GraspBody& object);
 
 /// Unit loads of a task, none for force closure [N].
 /// @param weight  of the object [N]
@@ -76,7 +76,7 @@ struct HeldObject {
 /// with structure, a load that needs no effort, like a palm's, has no limit. Loads below 1e-6 N are
 /// zero. Force closure is no load and has no margin: see HandOnObject::success.
 /// @param mass  of the object [kg], under 9.81 m/s^2
-[[nodiscard]] GraspLoads grasp_loads(const HeldObject& held, const SceneBody& object, double mass,
+[[nodiscard]] GraspLoads grasp_loads(const HeldObject& held, const GraspBody& object, double mass,
                                      const std::vector<GraspTask>& tasks);
 
 /// A unit load along an axis [N], torques over the scale, that is proven not to be supported,
@@ -86,6 +86,6 @@ struct HeldObject {
 /// Epsilon of a hand: radius of inscribed_ball() of the same forces, torques divided by the
 /// object's radius, within 5 % from below if the search ends, otherwise its certified lower bound
 /// [N]. Zero as soon as one load along an axis is proven not to be supported.
-[[nodiscard]] ExplainedLoad hand_epsilon(const HeldObject& held, const SceneBody& object);
+[[nodiscard]] ExplainedLoad hand_epsilon(const HeldObject& held, const GraspBody& object);
 
 }  // namespace thenar

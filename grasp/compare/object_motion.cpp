@@ -12,7 +12,7 @@ namespace {
 
 /// Velocities of the hand along unit components of contact forces (k, coordinates), torques over
 /// the object's reach: torque maps have friction and torsion in them.
-Eigen::MatrixXd unit_velocities(const std::vector<Contact>& contacts, const SceneBody& object,
+Eigen::MatrixXd unit_velocities(const std::vector<Contact>& contacts, const GraspBody& object,
                                 const Eigen::MatrixXd& T) {
   Eigen::MatrixXd J = T.transpose();
   Eigen::Index row = 0;
@@ -60,7 +60,7 @@ Eigen::MatrixXd drive_ratios(const Hand& hand, const Eigen::VectorXd& q) {
 }
 
 ObjectMotion object_motion(const Hand& hand, const Eigen::VectorXd& q,
-                           const std::vector<Contact>& contacts, const SceneBody& object,
+                           const std::vector<Contact>& contacts, const GraspBody& object,
                            const Eigen::MatrixXd& T) {
   const Eigen::MatrixXd ratios = drive_ratios(hand, q);
   const NoSlipMobility motion =

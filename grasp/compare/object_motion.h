@@ -6,7 +6,7 @@
 
 #include <Eigen/Core>
 
-#include "grasp/closing/scene.h"
+#include "grasp/closing/setup.h"
 #include "grasp/contact/contact.h"
 #include "grasp/quality/manipulability.h"
 #include "hand/hand.h"
@@ -34,6 +34,6 @@ struct ObjectMotion {
 /// @throws InputError as no_slip_mobility(): the contacts leave the object free.
 [[nodiscard]] ObjectMotion object_motion(const Hand& hand, const Eigen::VectorXd& q,
                                          const std::vector<Contact>& contacts,
-                                         const SceneBody& object, const Eigen::MatrixXd& T);
+                                         const GraspBody& object, const Eigen::MatrixXd& T);
 
 }  // namespace thenar

@@ -50,7 +50,7 @@ std::set<std::string> tips_of(const Hand& hand, const std::vector<HandContact>& 
   return tips;
 }
 
-Pregrasp sample_pregrasp(const CollisionHand& hand, const SceneBody& object, unsigned seed,
+Pregrasp sample_pregrasp(const CollisionHand& hand, const GraspBody& object, unsigned seed,
                          int number) {
   // Two streams, so that a posture with more draws changes no pose.
   std::mt19937 posture = generator(seed, object.name, number, Stream::kPosture);
@@ -63,11 +63,11 @@ Pregrasp sample_pregrasp(const CollisionHand& hand, const SceneBody& object, uns
   return pregrasp;
 }
 
-Grasp attempt_grasp(const CollisionHand& hand, const Pregrasp& pregrasp, const Scene& scene,
+Grasp attempt_grasp(const CollisionHand& hand, const Pregrasp& pregrasp, const GraspSetup& setup,
                     GraspOptions options) {
   options.approach_distance = pregrasp.approach_distance;
   options.stand_off = pregrasp.stand_off;
-  return centred_grasp(hand, pregrasp.X_WH, pregrasp.q, scene, options);
+  return centred_grasp(hand, pregrasp.X_WH, pregrasp.q, setup, options);
 }
 
 namespace {
@@ -146,15 +146,15 @@ Push find_push(const CollisionHand& hand, const Grasp& grasp) {
 
 /// Distance that the object slides until another digit touches it; infinite: never [m].
 double way_across(const CollisionHand& hand, const Grasp& grasp, const Push& push,
-                  const Scene& scene, double accuracy) {
+                  const GraspSetup& setup, double accuracy) {
   PosedCollisionHand posed{hand, grasp.approached.X_WH, hand.hand->pose(grasp.closed.q)};
-  const double most = kLongestSlide * scene.object.torque_scale;
+  const double most = kLongestSlide * setup.object.torque_scale;
   double way = 0;
   for (int step = 0; step < kMaxGapSteps && way < most; ++step) {
     // Half of the smallest clearance is always safe to slide.
     double clearance = most;
     for (const int surface : push.others) {
-      Clearance between{surface, -1, &scene.object};
+      Clearance between{surface, -1, &setup.object};
       clearance =
           std::min(clearance, measure_clearance(between, posed, accuracy / 4, most).distance);
     }
@@ -168,16 +168,16 @@ double way_across(const CollisionHand& hand, const Grasp& grasp, const Push& pus
 /// Distance that the hand goes back against the push, which stands for the object's way, until it
 /// would overlap the object or a body; none: nothing is there [m].
 std::optional<double> way_to_wall(const CollisionHand& hand, const Grasp& grasp, const Push& push,
-                                  const Scene& scene, double accuracy) {
+                                  const GraspSetup& setup, double accuracy) {
   PosedCollisionHand posed{hand, {}, hand.hand->pose(grasp.closed.q)};
   const auto overlaps = [&](double way) {
     posed.X_WH = grasp.approached.X_WH;
     posed.X_WH.p -= way * push.along_W;
-    return !find_overlaps(posed, scene, accuracy).empty();
+    return !find_overlaps(posed, setup, accuracy).empty();
   };
   // Steps until it does, then halves of the last.
-  const double step = kWallStep * scene.object.torque_scale;
-  const double end = kLongestPush * scene.object.torque_scale;
+  const double step = kWallStep * setup.object.torque_scale;
+  const double end = kLongestPush * setup.object.torque_scale;
   double most = step;
   while (most < end && !overlaps(most)) most += step;
   if (most >= end) return std::nullopt;
@@ -188,7 +188,7 @@ std::optional<double> way_to_wall(const CollisionHand& hand, const Grasp& grasp,
 }
 
 /// Whether a surface that stands still pushes against the push.
-bool holds_against(const Push& push, const Grasp& grasp, const SceneBody& object) {
+bool holds_against(const Push& push, const Grasp& grasp, const GraspBody& object) {
   return std::any_of(grasp.contacts.begin(), grasp.contacts.end(), [&](const HandContact& each) {
     const bool still =
         std::find(push.others.begin(), push.others.end(), each.surface) != push.others.end();
@@ -199,9 +199,9 @@ bool holds_against(const Push& push, const Grasp& grasp, const SceneBody& object
 }  // namespace
 
 Grasp centred_grasp(const CollisionHand& hand, const Pose<double>& X_WH, const Eigen::VectorXd& q,
-                    const Scene& scene, const GraspOptions& options) {
+                    const GraspSetup& setup, const GraspOptions& options) {
   // A grasp with several digits, or without a push, stays as it is.
-  Grasp first = grasp(hand, X_WH, q, scene, options);
+  Grasp first = grasp(hand, X_WH, q, setup, options);
   if (first.outcome != GraspOutcome::kGrasped) return first;
   const Push push = find_push(hand, first);
   if (push.others.empty() || push.along_W.isZero(0)) return first;
@@ -212,22 +212,22 @@ Grasp centred_grasp(const CollisionHand& hand, const Pose<double>& X_WH, const E
     there.approach_distance = 0;
     Pose<double> X_shifted = first.approached.X_WH;
     X_shifted.p -= way * push.along_W;
-    Grasp second = grasp(hand, X_shifted, first.closed.q, scene, there);
+    Grasp second = grasp(hand, X_shifted, first.closed.q, setup, there);
     second.approached = first.approached;
     second.approached.X_WH = X_shifted;
     return second;
   };
   if (push.fixed) {
     // The object rests on what stands still, and the digit follows.
-    if (holds_against(push, first, scene.object)) return first;
-    const std::optional<double> way = way_to_wall(hand, first, push, scene, options.close.accuracy);
+    if (holds_against(push, first, setup.object)) return first;
+    const std::optional<double> way = way_to_wall(hand, first, push, setup, options.close.accuracy);
     if (!way) return first;
     Grasp second = shifted(*way);
     const bool follows = !digits_of(*hand.hand, second.contacts).empty();
-    return follows && holds_against(push, second, scene.object) ? second : first;
+    return follows && holds_against(push, second, setup.object) ? second : first;
   }
-  const double way = way_across(hand, first, push, scene, options.close.accuracy);
-  if (way >= kLongestSlide * scene.object.torque_scale) return first;
+  const double way = way_across(hand, first, push, setup, options.close.accuracy);
+  if (way >= kLongestSlide * setup.object.torque_scale) return first;
   const std::set<std::string> pushing = digits_of(*hand.hand, first.contacts);
   // Jaws that move equally fast meet at half the distance; others are found by bisection.
   double least = 0, most = way;

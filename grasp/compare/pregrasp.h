@@ -29,12 +29,12 @@ struct Pregrasp {
 /// Samples approach `number`: sample_preshape(), sample_approach_pose(), approach_distance() and
 /// sample_stand_off(), from generators seeded with (seed, object's name, number) alone, so that
 /// every hand gets the same random numbers.
-[[nodiscard]] Pregrasp sample_pregrasp(const CollisionHand& hand, const SceneBody& object,
+[[nodiscard]] Pregrasp sample_pregrasp(const CollisionHand& hand, const GraspBody& object,
                                        unsigned seed, int number);
 
 /// centred_grasp() from a pregrasp, which gives `way` and `stand_off` of the options.
 /// @throws InputError as grasp()
-Grasp attempt_grasp(const CollisionHand& hand, const Pregrasp& pregrasp, const Scene& scene,
+Grasp attempt_grasp(const CollisionHand& hand, const Pregrasp& pregrasp, const GraspSetup& setup,
                     GraspOptions options);
 
 /// Self-centring: lets a free object slide until the second jaw of a coupled pair touches it.
@@ -48,6 +48,6 @@ Grasp attempt_grasp(const CollisionHand& hand, const Pregrasp& pregrasp, const S
 /// digit pushes the object until it rests on what stands still, as on a fixed jaw.
 /// The same for every hand.
 Grasp centred_grasp(const CollisionHand& hand, const Pose<double>& X_WH, const Eigen::VectorXd& q,
-                    const Scene& scene, const GraspOptions& options = {});
+                    const GraspSetup& setup, const GraspOptions& options = {});
 
 }  // namespace thenar

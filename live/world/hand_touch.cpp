@@ -38,23 +38,23 @@ void HandTouch::take_bodies(const WorldState& state) {
       std::equal(bodies_.begin(), bodies_.end(), state.bodies.begin(),
                  [](const auto& built, const StateBody& body) { return built == body.built; });
   if (!same) {
-    scenes_.clear();
+    setups_.clear();
     bodies_.clear();
     header_ = state.header;
     for (const StateBody& body : state.bodies) {
       bodies_.push_back(body.built);
-      scenes_.push_back({body.built->scene, {}, state.header->materials});
+      setups_.push_back({body.built->body, {}, state.header->materials});
     }
   }
-  for (std::size_t b = 0; b < scenes_.size(); ++b) scenes_[b].object.X_WB = state.bodies[b].X_WB;
+  for (std::size_t b = 0; b < setups_.size(); ++b) setups_[b].object.X_WB = state.bodies[b].X_WB;
 }
 
 std::vector<HandContact> HandTouch::contacts_of_pair(const WorldState& state, const StateHand& hand,
-                                                     const Scene& scene) {
+                                                     const GraspSetup& setup) {
   const PosedCollisionHand posed{collision_of(state, hand), hand.stand.X_WH,
                                  hand.built->model().pose(hand.stand.q)};
   try {
-    return find_contacts(posed, scene);
+    return find_contacts(posed, setup);
   } catch (const InputError&) {
     return {};  // no friction is known of the pair, which whoever asks for contacts is told
   }
@@ -71,7 +71,7 @@ const std::vector<HandTouches>& HandTouch::contacts(const WorldState& state,
       if (!state.bodies[b].built->placed.dynamic || state.hands[h].built->balls.empty() ||
           !may_touch(state.hands[h], state.bodies[b], within))
         continue;
-      std::vector<HandContact> contacts = contacts_of_pair(state, state.hands[h], scenes_[b]);
+      std::vector<HandContact> contacts = contacts_of_pair(state, state.hands[h], setups_[b]);
       if (!contacts.empty()) found_.push_back({h, b, std::move(contacts)});
     }
   has_found_ = true;

@@ -39,12 +39,12 @@ class HandTouch {
   };
   [[nodiscard]] std::vector<HandContact> contacts_of_pair(const WorldState& state,
                                                           const StateHand& hand,
-                                                          const Scene& scene);
+                                                          const GraspSetup& setup);
   void take_bodies(const WorldState& state);
 
   std::map<const LiveHand*, Model> models_;
-  std::vector<std::shared_ptr<const BuiltBody>> bodies_;  // that `scenes_` were made of
-  std::vector<Scene> scenes_;                // of each body, the object alone; posed when asked
+  std::vector<std::shared_ptr<const BuiltBody>> bodies_;  // that `setups_` were made of
+  std::vector<GraspSetup> setups_;           // of each body, the object alone; posed when asked
   std::shared_ptr<const WorldSpec> header_;  // whose materials they have
   std::vector<HandTouches> found_;
   unsigned long found_at_ = 0;

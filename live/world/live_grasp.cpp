@@ -70,7 +70,7 @@ LiveMeeting meeting_of(const LiveWorld& live, const LivePair& pair) {
   const StateHand& stands = state.hands[hand];
   require(!stands.built->model().surfaces().empty(), "hand '{}' has no surface that could touch",
           name_of(state, stands));
-  return {hand, object, stands, live.touch().collision_of(state, stands), scene_of(state, object)};
+  return {hand, object, stands, live.touch().collision_of(state, stands), setup_of(state, object)};
 }
 
 void open_hand(LiveWorld& live, const std::string& hand) {
@@ -89,9 +89,9 @@ ApproachResult approach_object(LiveWorld& live, const LivePair& pair, double dis
   const std::string name = name_of(live.state(), setting.at.stands);
   require(!is_mounted(setting.at.stands), "hand '{}' is mounted on '{}': it does not approach",
           name, root_of(live.state(), setting.at.stands));
-  const double aside = setting.options.side_step * setting.at.scene.object.torque_scale;
+  const double aside = setting.options.side_step * setting.at.setup.object.torque_scale;
   ApproachResult met = yielding_approach(setting.at.collision, setting.at.stands.stand.X_WH,
-                                         setting.at.stands.stand.q, setting.at.scene,
+                                         setting.at.stands.stand.q, setting.at.setup,
                                          {distance, aside}, setting.options.close);
   if (met.touches)
     live.apply(with_hand_placed(live.state(), setting.at.hand, met.X_WH), "approach with " + name);
@@ -104,7 +104,7 @@ HandClosing close_on_object(LiveWorld& live, const LivePair& pair, const Progres
   GraspOptions here = setting.options;
   here.approach_distance = 0;
   Grasp closed = grasp(setting.at.collision, setting.at.stands.stand.X_WH,
-                       setting.at.stands.stand.q, setting.at.scene, here);
+                       setting.at.stands.stand.q, setting.at.setup, here);
   return take_over(live, setting, std::move(closed), "close");
 }
 
@@ -115,7 +115,7 @@ HandClosing grasp_object(LiveWorld& live, const LivePair& pair, double distance,
   if (is_mounted(setting.at.stands)) return close_on_object(live, pair, progress);
   report_or_stop(progress, 0.1, "approaching and closing the hand");
   const Pregrasp start{setting.at.stands.stand.X_WH, setting.at.stands.stand.q, distance};
-  Grasp found = attempt_grasp(setting.at.collision, start, setting.at.scene, setting.options);
+  Grasp found = attempt_grasp(setting.at.collision, start, setting.at.setup, setting.options);
   return take_over(live, setting, std::move(found), "grasp with");
 }
 

@@ -20,7 +20,7 @@ struct LiveMeeting {
   std::size_t hand, object;  // of WorldState
   const StateHand& stands;
   const CollisionHand& collision;
-  Scene scene;
+  GraspSetup setup;
 };
 
 /// @throws InputError if there is no such hand or object, or the hand has no surface

@@ -149,7 +149,7 @@ void add_press(const BedPress& press, double load, const Pose<double>& X_WP, Pad
 /// none, with a reason, where they are not known.
 std::vector<Eigen::Vector3d> weight_shares(const LiveWorld& live, const GraspResult& grasp,
                                            std::vector<std::string>& reasons) {
-  const SceneBody& object = grasp.setting.scene.object;
+  const GraspBody& object = grasp.setting.setup.object;
   const StateBody& body = live.state().bodies[object_index(live.state(), object.name)];
   double mass = 0;
   try {
@@ -174,12 +174,12 @@ std::vector<Eigen::Vector3d> weight_shares(const LiveWorld& live, const GraspRes
 /// A patch pressed, and pushed across by a load. @param load  on the object, its frame [N] (3)
 std::optional<PadOnObject> pressed_pad(const GraspResult& grasp, const ContactPatch& patch,
                                        double force, const Eigen::Vector3d& load) {
-  const SceneBody& object = grasp.setting.scene.object;
+  const GraspBody& object = grasp.setting.setup.object;
   const int s = patch.contacts[0].surface;
   const Hand& hand = *grasp.collision_hand.hand;
   const LinkSurface& surface = hand.surfaces()[static_cast<std::size_t>(s)];
   const std::optional<FoundationConstants> springs =
-      springs_of(grasp.setting.scene.materials.at(surface.material));
+      springs_of(grasp.setting.setup.materials.at(surface.material));
   if (!springs) return std::nullopt;
   // The bed in the link's frame, under the object.
   const PosedCollisionHand posed{grasp.collision_hand, grasp.grasp.approached.X_WH,
@@ -238,7 +238,7 @@ LivePads press_pads(const LiveWorld& live, const LivePair& pair, double force) {
   if (grasp.grasp.outcome != GraspOutcome::kGrasped) {
     out.reasons.push_back(fmt::format("hand '{}' does not touch '{}'",
                                       grasp.setting.hand.named.name,
-                                      grasp.setting.scene.object.name));
+                                      grasp.setting.setup.object.name));
     return out;
   }
   const std::vector<Eigen::Vector3d> shares = weight_shares(live, grasp, out.reasons);
@@ -251,7 +251,7 @@ LivePads press_pads(const LiveWorld& live, const LivePair& pair, double force) {
     first += patch.contacts.size();
     std::optional<PadOnObject> pad = pressed_pad(grasp, patch, force, load);
     if (pad) {
-      tell_pad(*pad, force, grasp.setting.scene.object.name, out.reasons);
+      tell_pad(*pad, force, grasp.setting.setup.object.name, out.reasons);
       out.pads.push_back(std::move(*pad));
       continue;
     }

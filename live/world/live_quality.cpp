@@ -22,7 +22,7 @@ std::vector<HandContact> contacts_at(const LiveWorld& live, const LiveMeeting& m
   if (!may_touch(meeting.stands, live.state().bodies[meeting.object], within)) return {};
   PadOptions pads;
   pads.contact = meeting.stands.built->hand.named.contact;
-  return find_contacts(posed(meeting), meeting.scene, {}, pads);
+  return find_contacts(posed(meeting), meeting.setup, {}, pads);
 }
 
 const LinkSurface& surface_named(const LiveMeeting& meeting, const std::string& name) {
@@ -33,9 +33,9 @@ const LinkSurface& surface_named(const LiveMeeting& meeting, const std::string& 
 
 std::vector<std::string> deep_overlaps(const LiveMeeting& meeting) {
   std::vector<std::string> warnings;
-  for (const Overlap& overlap : find_overlaps(posed(meeting), meeting.scene, 1e-5)) {
+  for (const Overlap& overlap : find_overlaps(posed(meeting), meeting.setup, 1e-5)) {
     const double soft =
-        soft_layer(surface_named(meeting, overlap.surface), meeting.scene.materials);
+        soft_layer(surface_named(meeting, overlap.surface), meeting.setup.materials);
     if (overlap.depth > std::max(kDeepOverlap, soft))
       warnings.push_back(fmt::format("{} is {:.1f} mm deep in {}", overlap.surface,
                                      1000 * overlap.depth, overlap.other));
@@ -81,7 +81,7 @@ LiveContacts contacts_of(const LiveWorld& live, const LivePair& pair) {
   const LiveMeeting meeting = meeting_of(live, pair);
   LiveContacts out;
   out.contacts = contacts_at(live, meeting);
-  out.X_WO = meeting.scene.object.X_WB;
+  out.X_WO = meeting.setup.object.X_WB;
   for (const HandContact& contact : out.contacts)
     out.links.push_back(
         meeting.stands.built->model().surfaces()[static_cast<std::size_t>(contact.surface)].name);
@@ -99,14 +99,14 @@ GraspResult standing_grasp(const LiveWorld& live, const LivePair& pair,
   result.request.limit = request.norm;
   result.request.tolerance = request.tolerance;
   result.setting = case_of(live, meeting);
-  result.setting.scene = meeting.scene;
+  result.setting.setup = meeting.setup;
   result.collision_hand = meeting.collision;
   // Contacts and their quality, about the centre of mass.
   Grasp& grasp = result.grasp;
   tell_closing(live, meeting, grasp);
   grasp.contacts = contacts_at(live, meeting);
   grasp.outcome = grasp.contacts.empty() ? GraspOutcome::kEmpty : GraspOutcome::kGrasped;
-  const SceneBody& object = meeting.scene.object;
+  const GraspBody& object = meeting.setup.object;
   result.wrenches =
       wrench_set(contacts_without_hand(grasp.contacts), object.com, object.torque_scale);
   EpsilonOptions options;
@@ -124,7 +124,7 @@ GraspResult show_quality(LiveWorld& live, const LivePair& pair, const LiveQualit
   if (result.grasp.outcome == GraspOutcome::kGrasped)
     live.set_disturbance({object_index(live.state(), pair.object),
                           unscaled_wrench(result.grasp.quality.worst_wrench,
-                                          result.setting.scene.object.torque_scale)});
+                                          result.setting.setup.object.torque_scale)});
   return result;
 }
 
@@ -134,10 +134,10 @@ WrenchSetMesh live_wrench_set(const LiveWorld& live, const LivePair& pair,
   const GraspResult result = standing_grasp(live, pair);
   require(result.grasp.outcome == GraspOutcome::kGrasped,
           "hand '{}' does not touch '{}': there is no wrench set", result.setting.hand.named.name,
-          result.setting.scene.object.name);
+          result.setting.setup.object.name);
   if (limits == WrenchLimits::kGeometric)
     return wrench_set_mesh(unit_forces(result.wrenches, ForceNorm::kL1), axes, kind, pieces);
-  const SceneBody& object = result.setting.scene.object;
+  const GraspBody& object = result.setting.setup.object;
   const HeldObject held{*result.collision_hand.hand, result.grasp.closed.q, result.grasp.contacts,
                         result.grasp.approached.X_WH.inverse() * object.X_WB};
   const HandForceInputs inputs = hand_force_inputs(held, object);

@@ -29,7 +29,7 @@ bool looks_alike(const WorldState& a, const WorldState& b) {
 LiveBody look_of_body(const BuiltBody& built) {
   LiveBody look;
   look.name = look.owner = built.placed.body.name;
-  look.material = built.scene.material;
+  look.material = built.body.material;
   look.role = built.placed.dynamic ? LiveRole::kObject : LiveRole::kObstacle;
   look.movable = true;
   look.mesh = built.picture;
@@ -91,7 +91,7 @@ LiveInstant LiveWorld::instant() const {
 
 void LiveWorld::add_disturbance(LiveInstant& instant) const {
   const StateBody& body = state_.bodies[disturbance_->object];
-  const Eigen::Vector3d at = body.X_WB * body.built->scene.com;
+  const Eigen::Vector3d at = body.X_WB * body.built->body.com;
   instant.arrows[0] = {at, body.X_WB.R * disturbance_->wrench.force};
   instant.arrows[1] = {at, body.X_WB.R * disturbance_->wrench.moment};
 }

@@ -141,24 +141,24 @@ WorldState with_hand_placed(WorldState state, std::size_t hand, const Pose<doubl
 StateBody built_body(const PlacedBody& placed) {
   auto built = std::make_shared<BuiltBody>();
   built->placed = placed;
-  built->scene = build_body(placed);
-  built->picture = std::make_shared<const TriangleMesh>(built->scene.solid.visual);
+  built->body = build_body(placed);
+  built->picture = std::make_shared<const TriangleMesh>(built->body.solid.visual);
   built->ball = ball_around(*built->picture);
   return {std::move(built), placed.X_WB};
 }
 
-Scene scene_of(const WorldState& state, std::size_t object) {
-  Scene scene;
+GraspSetup setup_of(const WorldState& state, std::size_t object) {
+  GraspSetup setup;
   for (std::size_t b = 0; b < state.bodies.size(); ++b) {
-    SceneBody body = state.bodies[b].built->scene;
+    GraspBody body = state.bodies[b].built->body;
     body.X_WB = state.bodies[b].X_WB;
     if (b == object)
-      scene.object = std::move(body);
+      setup.object = std::move(body);
     else
-      scene.obstacles.push_back(std::move(body));
+      setup.obstacles.push_back(std::move(body));
   }
-  scene.materials = state.header->materials;
-  return scene;
+  setup.materials = state.header->materials;
+  return setup;
 }
 
 }  // namespace thenar

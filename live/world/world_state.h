@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "grasp/closing/scene.h"
+#include "grasp/closing/setup.h"
 #include "live/world/live_hand.h"
 
 namespace thenar {
@@ -15,7 +15,7 @@ namespace thenar {
 /// A body of a live world, built; constant. Where it stands is said in StateBody.
 struct BuiltBody {
   PlacedBody placed;
-  SceneBody scene;
+  GraspBody body;
   std::shared_ptr<const TriangleMesh> picture;
   Ball ball;  // around the picture, body frame [m]
 };
@@ -80,6 +80,6 @@ struct WorldState {
 
 /// The hand and its obstacles as closing asks for them: obstacles are all other bodies.
 /// @param object  of WorldState::bodies
-[[nodiscard]] Scene scene_of(const WorldState& state, std::size_t object);
+[[nodiscard]] GraspSetup setup_of(const WorldState& state, std::size_t object);
 
 }  // namespace thenar

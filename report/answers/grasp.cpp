@@ -124,7 +124,7 @@ OrderedJson contacts_json(const GraspResult& result) {
 
 /// The grasp matrix with what its rows and columns are.
 OrderedJson matrix_json(const GraspResult& result) {
-  const SceneBody& object = result.setting.scene.object;
+  const GraspBody& object = result.setting.setup.object;
   const std::vector<Contact> contacts = contacts_without_hand(result.grasp.contacts);
   const Eigen::Matrix<double, 6, Eigen::Dynamic> G =
       grasp_matrix(contacts, object.com, object.torque_scale);
@@ -209,7 +209,7 @@ std::vector<JointRow> joint_rows(const GraspResult& result) {
   const PosedCollisionHand posed{result.collision_hand, result.grasp.approached.X_WH,
                                  hand.pose(closed.q)};
   const std::vector<std::string> why = stop_words(
-      result.collision_hand, closed, find_touching(posed, result.setting.scene, kTouches));
+      result.collision_hand, closed, find_touching(posed, result.setting.setup, kTouches));
   std::vector<JointRow> rows;
   for (std::size_t c = 0; c < why.size(); ++c) {
     const auto i = static_cast<int>(c);
@@ -254,7 +254,7 @@ std::vector<std::string> folded(const std::vector<std::string>& warnings) {
 
 std::string text_of(const GraspResult& result) {
   std::string text = fmt::format("{} and {}: {}\n", result.setting.hand.named.name,
-                                 result.setting.scene.object.name, explanation(result));
+                                 result.setting.setup.object.name, explanation(result));
   // What makes it the answer to another question stands before the numbers.
   std::vector<std::string> warnings = folded(result.warnings);
   const auto light = std::stable_partition(warnings.begin(), warnings.end(), is_grave);
@@ -283,14 +283,14 @@ OrderedJson json_of(const GraspResult& result) {
       {"world", result.setting.path},
       {"hand", result.setting.hand.named.name},
       {"tendon_paths", paths_json(result.setting.hand.named)},
-      {"object", result.setting.scene.object.name},
+      {"object", result.setting.setup.object.name},
       {"outcome", grasp.outcome == GraspOutcome::kGrasped && !grasp.quality.force_closure
                       ? "touched"
                       : name_of(grasp.outcome)},
       {"explanation", explanation(result)}};
   if (grasp.outcome == GraspOutcome::kGrasped) {
-    json["centre_of_mass_m"] = to_json(result.setting.scene.object.com);
-    json["torque_scale_m"] = result.setting.scene.object.torque_scale;
+    json["centre_of_mass_m"] = to_json(result.setting.setup.object.com);
+    json["torque_scale_m"] = result.setting.setup.object.torque_scale;
     json.update(quality_json(grasp.quality));
     if (result.measures) json.update(measures_json(*result.measures));
     json["robustness"] = result.robustness ? robustness_json(result) : OrderedJson(nullptr);

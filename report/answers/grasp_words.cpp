@@ -17,9 +17,9 @@ const std::string& name_of(const Hand& hand, int surface) {
   return hand.surfaces()[static_cast<std::size_t>(surface)].name;
 }
 
-/// Gaps with the scene, and between all surfaces that may meet.
-std::vector<Clearance> all_gaps(const PosedCollisionHand& posed, const Scene& scene) {
-  std::vector<Clearance> clearances = scene_clearances(posed, scene);
+/// Gaps with the setup, and between all surfaces that may meet.
+std::vector<Clearance> all_gaps(const PosedCollisionHand& posed, const GraspSetup& setup) {
+  std::vector<Clearance> clearances = find_clearances(posed, setup);
   for (const SurfacePair& pair : posed.collision_hand.self) {
     Clearance clearance{pair.a, pair.b};
     clearance.bound = ball_bound(clearance, posed);
@@ -46,10 +46,10 @@ std::string contact_words(const CollisionHand& hand, int coordinate,
 
 }  // namespace
 
-std::vector<Touching> find_touching(const PosedCollisionHand& posed, const Scene& scene,
+std::vector<Touching> find_touching(const PosedCollisionHand& posed, const GraspSetup& setup,
                                     double within) {
   std::vector<Touching> touching;
-  for (Clearance& clearance : all_gaps(posed, scene)) {
+  for (Clearance& clearance : all_gaps(posed, setup)) {
     if (clearance.bound > within) continue;
     const double distance =
         measure_clearance(clearance, posed, kSearch * within, 2 * within).distance;

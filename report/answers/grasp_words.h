@@ -12,7 +12,7 @@ namespace thenar {
 /// A surface of a hand at something.
 struct Touching {
   int surface;             // of Hand::surfaces()
-  std::string other;       // body of the scene, or surface of the hand
+  std::string other;       // body of the setup, or surface of the hand
   double gap;              // [m]
   int other_surface = -1;  // of the hand; -1: a body
 };
@@ -20,7 +20,7 @@ struct Touching {
 /// Everything a posed hand touches, itself included; links of it that overlap by design are not
 /// meant. @param within  what still touches [m]
 [[nodiscard]] std::vector<Touching> find_touching(const PosedCollisionHand& posed,
-                                                  const Scene& scene, double within);
+                                                  const GraspSetup& setup, double within);
 
 /// What stopped every coordinate: "at its upper limit", "contact: DP2 on can",
 /// "coupled with one that is stopped", "nothing drives it", "free".

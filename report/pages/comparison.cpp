@@ -61,7 +61,7 @@ Eigen::Vector3d eye_for(const Hand& hand, const BestGrasp& best) {
   return best.X_WH.R * (back.cross(along) + 0.5 * back + 0.5 * along);
 }
 
-Json best_picture(const HandOnObject& cell, const Scene& scene, const ComparePicture& picture,
+Json best_picture(const HandOnObject& cell, const GraspSetup& setup, const ComparePicture& picture,
                   MeshTable& meshes) {
   const BestGrasp& best = cell.best.front();
   const HandPicture hand{*picture.drawn, best.q, best.X_WH, picture.patches};
@@ -72,20 +72,20 @@ Json best_picture(const HandOnObject& cell, const Scene& scene, const ComparePic
                       : "",
                   best.contacts.size(), best.contacts.size() == 1 ? "" : "s",
                   best.type.empty() ? "no type" : best.type);
-  Json layers = grasp_layers(hand, scene, best.contacts, meshes);
+  Json layers = grasp_layers(hand, setup, best.contacts, meshes);
   for (Json& layer : layers)
     if (layer["name"] == "palm") layer["fit"] = false;  // it may be a forearm
   const Eigen::Vector3d eye =
-      view_of_contacts(hand, scene, best.contacts,
+      view_of_contacts(hand, setup, best.contacts,
                        {eye_for(*picture.drawn, best), Eigen::Vector3d::UnitZ(), -kPi / 2});
   return thumbnail_block(caption, eye, std::move(layers));
 }
 
 /// The object at the origin, as the comparison had it.
-Scene scene_of(const BodySpec& object, double scale) {
-  Scene scene;
-  scene.object = build_body({scaled(object, scale), "", {}, true});
-  return scene;
+GraspSetup setup_of(const BodySpec& object, double scale) {
+  GraspSetup setup;
+  setup.object = build_body({scaled(object, scale), "", {}, true});
+  return setup;
 }
 
 /// A row of thumbnails: the best grasp of every hand.
@@ -97,7 +97,7 @@ Json best_row(const Comparison& comparison, const BodySpec& object,
     if (progress.stop()) break;
     const ComparePicture* picture = picture_of(pictures, cell.hand);
     if (cell.object != object.name || cell.best.empty() || picture == nullptr) continue;
-    blocks.push_back(best_picture(cell, scene_of(object, cell.scale), *picture, meshes));
+    blocks.push_back(best_picture(cell, setup_of(object, cell.scale), *picture, meshes));
   }
   Json row = row_block(std::move(blocks));
   row["narrow"] = true;

@@ -41,10 +41,10 @@ HandPicture picture_of(const GraspResult& result) {
 
 Json picture_section(const GraspResult& result, MeshTable& meshes) {
   const HandPicture picture = picture_of(result);
-  const Scene& scene = result.setting.scene;
+  const GraspSetup& setup = result.setting.setup;
   const Camera& camera = result.setting.world.camera;
   const Eigen::Vector3d eye =
-      view_of_contacts(picture, scene, result.grasp.contacts,
+      view_of_contacts(picture, setup, result.grasp.contacts,
                        {camera.eye - camera.target, Eigen::Vector3d::UnitZ()});
   return section(
       "picture", "The grasp", "",
@@ -52,7 +52,7 @@ Json picture_section(const GraspResult& result, MeshTable& meshes) {
           {outcome_banner(result),
            picture_block("The hand where it ended. Arrows are normals of contacts, into the "
                          "object; cones hold the forces that do not slip.",
-                         eye, grasp_layers(picture, scene, result.grasp.contacts, meshes))}));
+                         eye, grasp_layers(picture, setup, result.grasp.contacts, meshes))}));
 }
 
 Json warning_section(const GraspResult& result) {
@@ -120,7 +120,7 @@ Json contact_section(const GraspResult& result) {
       "few points that span it. " +
           torsion_words(result),
       Json::array({table_block(fmt::format("{} with {}.", counted(rows.size(), "contact"),
-                                           result.setting.scene.object.name),
+                                           result.setting.setup.object.name),
                                {{"surface", "", -1},
                                 {"digit", "", -1},
                                 {"x", "mm", 2},
@@ -164,16 +164,16 @@ Json sections_of(const GraspResult& result, MeshTable& meshes) {
 
 }  // namespace
 
-Json grasp_layers(const HandPicture& picture, const Scene& scene,
+Json grasp_layers(const HandPicture& picture, const GraspSetup& setup,
                   const std::vector<HandContact>& contacts, MeshTable& meshes) {
-  return joined(joined(hand_layers(picture, meshes), scene_layers(scene, meshes)),
-                contact_layers(contacts, scene.object.X_WB, scene.object.torque_scale));
+  return joined(joined(hand_layers(picture, meshes), setup_layers(setup, meshes)),
+                contact_layers(contacts, setup.object.X_WB, setup.object.torque_scale));
 }
 
 Json page_of(const GraspResult& result) {
   MeshTable meshes;
   const std::string &hand = result.setting.hand.named.name,
-                    &object = result.setting.scene.object.name;
+                    &object = result.setting.setup.object.name;
   const Epsilon& quality = result.grasp.quality;
   const bool closed = result.grasp.outcome == GraspOutcome::kGrasped;
   const Json sections = sections_of(result, meshes);

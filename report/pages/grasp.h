@@ -15,7 +15,7 @@ namespace thenar {
 [[nodiscard]] Json page_of(const CloseResult& result);
 
 /// The picture alone: hand, object, obstacles, contacts.
-[[nodiscard]] Json grasp_layers(const HandPicture& picture, const Scene& scene,
+[[nodiscard]] Json grasp_layers(const HandPicture& picture, const GraspSetup& setup,
                                 const std::vector<HandContact>& contacts, MeshTable& meshes);
 
 }  // namespace thenar

@@ -78,7 +78,7 @@ Json learnt_blocks(const PosteriorPicture& picture) {
 
 Json axis_blocks(const PosteriorPicture& picture) {
   if (!picture.digit || picture.clouds.empty()) return Json::array();
-  return Json::array({axis_cloud_scene(
+  return Json::array({axis_cloud_picture(
       *picture.digit, picture.posture, picture.clouds, picture.truth,
       "Every line is an axis at one draw, through the point nearest to the bones; the axes before "
       "the fit are named")});

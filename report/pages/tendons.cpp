@@ -100,7 +100,7 @@ struct NetPicture {
   double highest;                  // tension of the scale [N]
 };
 
-Json scene_of(const NetPicture& picture, const DigitPoint& point, MeshTable& meshes) {
+Json picture_of(const NetPicture& picture, const DigitPoint& point, MeshTable& meshes) {
   const auto& [sweep, net, subject, highest] = picture;
   const TreeState<double> state = pose_tree(net.digit().model.tree, point.q);
   Json layers = Json::array({finger_layer(net, state), surface_layer(net, state)});
@@ -251,7 +251,7 @@ Json net_scenes(const TendonSweep& sweep, std::size_t most, MeshTable& meshes) {
     picture.subject = parse_subject(sources.front().text, sources.front().path);
   Json rows = Json::array(), row = Json::array();
   for (const std::size_t i : shown) {
-    row.push_back(scene_of(picture, sweep.points[i], meshes));
+    row.push_back(picture_of(picture, sweep.points[i], meshes));
     if (row.size() < 2) continue;
     rows.push_back(row_block(row));
     row = Json::array();

@@ -196,7 +196,7 @@ Json clouds_of(const ThumbRecovery& of) {
   const AxisCloud cloud = axis_cloud(
       "chains", posterior.problem().digit(), posterior.problem().parameters(),
       posterior.moving_parameters(), posterior.values(pooled(of.run.draws)).specimens.front());
-  return axis_cloud_scene(
+  return axis_cloud_picture(
       of.start, Eigen::VectorXd::Zero(of.start.model.coordinates), {cloud}, of.truth.model,
       "Axes of the thumb at draws of the posterior of made-up forces and muscle activity; the axes "
       "of the start by name, and the true ones");

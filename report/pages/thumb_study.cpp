@@ -106,7 +106,7 @@ Json clouds_block(const ThumbStudy& study) {
                                 posterior.values(pooled(fit.run.draws)).specimens.front()));
   }
   if (clouds.empty()) return Json::array();
-  return Json::array({axis_cloud_scene(
+  return Json::array({axis_cloud_picture(
       study.start, Eigen::VectorXd::Zero(study.start.model.coordinates), clouds, study.truth.model,
       "Axes of the thumb at draws of the posteriors of both models, 10 % noise, two postures, arms "
       "known; the axes of the start by name, and the true ones")});

@@ -35,7 +35,7 @@ Json number_table(const GraspResult& result) {
                                          : "each normal force is at most 1 (L-infinity)"});
   rows.push_back({"torques divided by",
                   fmt::format("{:.1f} mm, the reach of the object from its centre of mass",
-                              1000 * result.setting.scene.object.torque_scale)});
+                              1000 * result.setting.setup.object.torque_scale)});
   if (e.has_missing_direction)
     rows.push_back({"no wrench along", direction_words(e.missing_direction)});
   rows.push_back({e.has_missing_direction ? "does not withstand" : "weakest against",

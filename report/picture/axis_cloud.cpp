@@ -53,9 +53,10 @@ AxisCloud axis_cloud(const std::string& name, const TendonDigit& digit,
   return cloud;
 }
 
-Json axis_cloud_scene(const TendonDigit& start, const Eigen::VectorXd& q,
-                      const std::vector<AxisCloud>& clouds,
-                      const std::optional<TendonModel<double>>& truth, const std::string& caption) {
+Json axis_cloud_picture(const TendonDigit& start, const Eigen::VectorXd& q,
+                        const std::vector<AxisCloud>& clouds,
+                        const std::optional<TendonModel<double>>& truth,
+                        const std::string& caption) {
   Json layers = Json::array({bone_layer(start, q, "#b8a48a"),
                              axis_layer(start, q, "axes before", "#777777", kLength, true)});
   for (std::size_t k = 0; k < clouds.size(); ++k)

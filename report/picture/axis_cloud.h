@@ -26,13 +26,13 @@ struct AxisCloud {
                                    const Eigen::Ref<const Eigen::MatrixXd>& values,
                                    Eigen::Index most = 150);
 
-/// A scene: bones, the axes before the fit by name, the clouds, and the true axes if known.
+/// A picture: bones, the axes before the fit by name, the clouds, and the true axes if known.
 /// @param start  the digit before the fit
 /// @param truth  the digit that simulated data were made with
 /// @param q      posture [rad]
-[[nodiscard]] Json axis_cloud_scene(const TendonDigit& start, const Eigen::VectorXd& q,
-                                    const std::vector<AxisCloud>& clouds,
-                                    const std::optional<TendonModel<double>>& truth,
-                                    const std::string& caption);
+[[nodiscard]] Json axis_cloud_picture(const TendonDigit& start, const Eigen::VectorXd& q,
+                                      const std::vector<AxisCloud>& clouds,
+                                      const std::optional<TendonModel<double>>& truth,
+                                      const std::string& caption);
 
 }  // namespace thenar

@@ -1,6 +1,6 @@
 #pragma once
 
-/// Colours of a quantity on meshes; items of scenes get theirs in the browser.
+/// Colours of a quantity on meshes; items of pictures get theirs in the browser.
 
 #include <vector>
 
@@ -11,7 +11,7 @@
 namespace thenar {
 
 /// Colour of a fraction, which is clamped to 0..1: the ramp of viewer/picture/color_scale.js, so
-/// that the scale below a scene holds for meshes too.
+/// that the scale below a picture holds for meshes too.
 [[nodiscard]] MeshColor ramp_color(double fraction);
 
 /// "#rrggbb" as bytes. @throws InputError if it is none

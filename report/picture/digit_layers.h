@@ -1,6 +1,6 @@
 #pragma once
 
-/// A digit as layers of a 3D scene: bones, joint axes, tendons, forces.
+/// A digit as layers of a 3D picture: bones, joint axes, tendons, forces.
 
 #include "report/blocks.h"
 #include "tendons/forces/feasible_force_set.h"
@@ -8,7 +8,7 @@
 
 namespace thenar {
 
-/// What the x, y and z of a scene are called on a digit, as `axes` of the scene: "proximal",
+/// What the x, y and z of a picture are called on a digit, as `axes` of the picture: "proximal",
 /// "dorsal", "radial" or their opposites; empty where none is within 30 deg.
 /// @param directions  columns proximal, dorsal, radial; of length 0: not known (3, 3)
 [[nodiscard]] Json axis_words(const Eigen::Matrix3d& directions);

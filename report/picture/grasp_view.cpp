@@ -32,7 +32,7 @@ Blocker blocker(const TriangleMesh& mesh, const Pose<double>& X_WM) {
           (mesh.vertices.colwise() - middle).colwise().norm().maxCoeff()};
 }
 
-std::vector<Blocker> blockers_of(const HandPicture& hand, const Scene& scene) {
+std::vector<Blocker> blockers_of(const HandPicture& hand, const GraspSetup& setup) {
   const std::vector<Pose<double>> links = hand.hand.pose(hand.q);
   std::vector<Blocker> blockers;
   for (const LinkSurface& surface : hand.hand.surfaces()) {
@@ -40,7 +40,7 @@ std::vector<Blocker> blockers_of(const HandPicture& hand, const Scene& scene) {
         surface.link < 0 ? hand.X_WH : hand.X_WH * links[static_cast<std::size_t>(surface.link)];
     if (!surface.solid->visual.empty()) blockers.push_back(blocker(surface.solid->visual, X_WL));
   }
-  for (const SceneBody& body : scene.obstacles)
+  for (const GraspBody& body : setup.obstacles)
     blockers.push_back(blocker(body.solid.visual, body.X_WB));
   return blockers;
 }
@@ -92,7 +92,7 @@ std::vector<Vector3d> directions(const Eyes& eyes) {
 }
 
 /// World frame (3, corners).
-Eigen::Matrix3Xd corners_of(const SceneBody& object) {
+Eigen::Matrix3Xd corners_of(const GraspBody& object) {
   const Eigen::Matrix3Xd& all = object.solid.visual.vertices;
   const Eigen::Index count = std::min<Eigen::Index>(kMaxCorners, all.cols());
   Eigen::Matrix3Xd corners(3, count);
@@ -131,13 +131,13 @@ double corners_seen(const std::vector<Blocker>& blockers, const Eigen::Matrix3Xd
 
 }  // namespace
 
-Vector3d view_of_contacts(const HandPicture& hand, const Scene& scene,
+Vector3d view_of_contacts(const HandPicture& hand, const GraspSetup& setup,
                           const std::vector<HandContact>& contacts, const Eyes& eyes) {
   Vector3d usual = eyes.usual.normalized();
   if (contacts.empty()) return usual;
-  const std::vector<Blocker> blockers = blockers_of(hand, scene);
-  const std::vector<Contact> in_world = seen_in_world(contacts, scene.object.X_WB);
-  const Eigen::Matrix3Xd corners = corners_of(scene.object);
+  const std::vector<Blocker> blockers = blockers_of(hand, setup);
+  const std::vector<Contact> in_world = seen_in_world(contacts, setup.object.X_WB);
+  const Eigen::Matrix3Xd corners = corners_of(setup.object);
   Vector3d best = usual;
   double most = -1;
   for (const Vector3d& eye : directions(eyes)) {

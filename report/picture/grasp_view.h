@@ -10,7 +10,7 @@ namespace thenar {
 
 /// Where an eye may be.
 struct Eyes {
-  Eigen::Vector3d usual;  // direction from the scene towards the eye, kept if it is as good (3)
+  Eigen::Vector3d usual;  // direction from the object towards the eye, kept if it is as good (3)
   Eigen::Vector3d up;     // of the picture, world frame (3)
   double lowest = 0;      // above the plane across `up`, of other directions than the usual [rad]
 };
@@ -26,7 +26,7 @@ struct Eyes {
 ///   (sum of counts / contacts) sqrt(corners seen / corners) + 0.15 cos(angle to the usual).
 /// @param contacts  in the object's frame; none: the usual one
 /// @returns unit, world frame (3)
-[[nodiscard]] Eigen::Vector3d view_of_contacts(const HandPicture& hand, const Scene& scene,
+[[nodiscard]] Eigen::Vector3d view_of_contacts(const HandPicture& hand, const GraspSetup& setup,
                                                const std::vector<HandContact>& contacts,
                                                const Eyes& eyes);
 

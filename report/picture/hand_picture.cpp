@@ -69,7 +69,7 @@ Json out_of_fit(Json layer) {
   return layer;
 }
 
-Json body_item(const SceneBody& body, MeshTable& meshes) {
+Json body_item(const GraspBody& body, MeshTable& meshes) {
   return mesh_item(meshes.add(body.solid.visual, {kBodyCrease, {}}), body.X_WB);
 }
 
@@ -101,12 +101,12 @@ Json hand_layers(const HandPicture& picture, MeshTable& meshes) {
   return layers;
 }
 
-Json scene_layers(const Scene& scene, MeshTable& meshes) {
-  Json item = body_item(scene.object, meshes);
+Json setup_layers(const GraspSetup& setup, MeshTable& meshes) {
+  Json item = body_item(setup.object, meshes);
   item["opacity"] = kObjectOpacity;
-  Json layers = Json::array({layer(scene.object.name, kObject, Json::array({item}))});
+  Json layers = Json::array({layer(setup.object.name, kObject, Json::array({item}))});
   Json items = Json::array();
-  for (const SceneBody& body : scene.obstacles) items.push_back(body_item(body, meshes));
+  for (const GraspBody& body : setup.obstacles) items.push_back(body_item(body, meshes));
   if (items.empty()) return layers;
   layers.push_back(out_of_fit(layer("obstacles", kObstacle, std::move(items))));
   return layers;

@@ -1,10 +1,10 @@
 #pragma once
 
-/// Hands, what they hold and where they touch it, as layers of a scene.
+/// Hands, what they hold and where they touch it, as layers of a picture.
 
 #include <vector>
 
-#include "grasp/closing/scene.h"
+#include "grasp/closing/setup.h"
 #include "grasp/contact/contact.h"
 #include "hand/hand.h"
 #include "hand/skin/skin_landmarks.h"
@@ -28,7 +28,7 @@ struct HandPicture {
 
 /// The object, seen through so that contacts are seen, and the obstacles, which the view need not
 /// hold.
-[[nodiscard]] Json scene_layers(const Scene& scene, MeshTable& meshes);
+[[nodiscard]] Json setup_layers(const GraspSetup& setup, MeshTable& meshes);
 
 /// Contacts: points and normals as one layer, friction cones as another.
 /// @param reach  of the object: arrows and sides of cones are a quarter of it, and no longer than a
@@ -36,7 +36,7 @@ struct HandPicture {
 [[nodiscard]] Json contact_layers(const std::vector<HandContact>& contacts,
                                   const Pose<double>& X_WO, double reach);
 
-/// A block that shows layers. @param view  from the scene towards the eye, world frame (3)
+/// A block that shows layers. @param view  from the object towards the eye, world frame (3)
 [[nodiscard]] Json picture_block(const std::string& caption, const Eigen::Vector3d& view,
                                  Json layers);
 

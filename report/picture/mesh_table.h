@@ -1,6 +1,6 @@
 #pragma once
 
-/// Triangle meshes as reports carry them: each once, named by the scenes that show it.
+/// Triangle meshes as reports carry them: each once, named by the pictures that show it.
 
 #include <map>
 #include <string>
@@ -26,7 +26,7 @@ struct MeshLook {
 /// Edges of bodies that are sharper than this look sharp [deg].
 inline constexpr double kBodyCrease = 35;
 
-/// A mesh of the table as a scene shows it, at a pose.
+/// A mesh of the table as a picture shows it, at a pose.
 [[nodiscard]] Json mesh_item(const std::string& mesh, const Pose<double>& X);
 
 /// The `meshes` of a report. Corners are rounded to a 65534th of the mesh's largest side, 3 um for

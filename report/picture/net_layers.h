@@ -1,6 +1,6 @@
 #pragma once
 
-/// An extensor net at rest as layers of a 3D scene.
+/// An extensor net at rest as layers of a 3D picture.
 
 #include "report/blocks.h"
 #include "tendons/net/net_tendons.h"

@@ -1,6 +1,6 @@
 #pragma once
 
-/// The skin of a digit as a layer of a 3D scene, seen through, with its nail.
+/// The skin of a digit as a layer of a 3D picture, seen through, with its nail.
 
 #include "data/io/subject.h"
 #include "report/picture/mesh_table.h"
@@ -22,7 +22,7 @@ struct SkinnedDigit {
 /// @param meshes  gets those that are drawn
 [[nodiscard]] Json skin_layer(const SkinnedDigit& digit, MeshTable& meshes);
 
-/// Adds that layer behind the layers of a scene, if there is one.
+/// Adds that layer behind the layers of a picture, if there is one.
 void add_skin(const SkinnedDigit& digit, MeshTable& meshes, Json& layers);
 
 }  // namespace thenar

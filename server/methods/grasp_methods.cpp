@@ -57,7 +57,7 @@ std::string verdict_of(const Epsilon& e) {
 OrderedJson quality(Session& session, const Json& params, const Progress& progress) {
   const GraspResult result =
       show_quality(live_world(session), pair_param(params), quality_param(params));
-  const SceneBody& object = result.setting.scene.object;
+  const GraspBody& object = result.setting.setup.object;
   OrderedJson out{{"closed", result.grasp.outcome == GraspOutcome::kGrasped},
                   {"hand", result.setting.hand.named.name},
                   {"object", object.name},

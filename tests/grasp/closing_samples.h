@@ -8,7 +8,7 @@
 #include "base/units.h"
 #include "data/io/robot/robot.h"
 #include "data/io/world/world.h"
-#include "grasp/closing/scene.h"
+#include "grasp/closing/setup.h"
 
 namespace thenar::sample {
 
@@ -102,11 +102,11 @@ inline PlacedBody placed(const std::string& name, const ShapeSpec& shape, const 
   return body;
 }
 
-inline Scene scene(const std::vector<PlacedBody>& bodies) {
+inline GraspSetup setup(const std::vector<PlacedBody>& bodies) {
   WorldSpec world;
   world.name = "sample";
   world.bodies = bodies;
-  return build_scene(world);
+  return build_setup(world);
 }
 
 }  // namespace thenar::sample

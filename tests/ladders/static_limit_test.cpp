@@ -229,13 +229,13 @@ class StaticLimit : public testing::TestWithParam<LadderPair> {
     spec.stepping.duration = longest + 1;
     spec.stepping.sample = longest + 1;
     const BuiltScene built = build_scene(spec, {robot_});
-    const SceneRun run = simulate_scene(built.scene, built.options);
+    const SceneRun run = simulate_scene(built.body, built.options);
     EXPECT_EQ(run.status, SceneStatus::kDone);
     return touches_of(built, run.samples.back());
   }
 
   static Touches touches_of(const BuiltScene& built, const SceneSample& end) {
-    const Mechanism& mechanism = built.scene.mechanism;
+    const Mechanism& mechanism = built.body.mechanism;
     const int object = body_named(mechanism, "object");
     EXPECT_LT(end.v.cwiseAbs().maxCoeff(), 1e-9);
     Touches out;
@@ -254,7 +254,7 @@ class StaticLimit : public testing::TestWithParam<LadderPair> {
   RobotSpec robot_;
   std::optional<RobotHand> hand_;
   CollisionHand touching_;
-  Scene scene_;
+  GraspSetup scene_;
   PlacedBody object_;
   VectorXd tau_;  // of blocked motors [N m] or [N] (coordinates)
   std::optional<Closed> closed_;

@@ -21,7 +21,7 @@ constexpr double kRound = 1e-9;  // rounding of frames
 RobotHand jaws() { return RobotHand(sample::jaws()); }
 
 /// 120 x 60 x 40 mm, turned in its own frame and in the world.
-SceneBody turned_box() {
+GraspBody turned_box() {
   ShapeSpec box = sample::shape(ShapeKind::kBox, {0.04, 0.12, 0.06});
   box.X_BS.R = rotation_about<double>(Eigen::Vector3d(1, 2, 2) / 3, 0.7);
   PlacedBody placed = sample::placed("box", box, {0.1, 0.2, 0.3});
@@ -43,8 +43,8 @@ TEST(BodyBox, FindsTheSidesOfATurnedBox) {
 }
 
 TEST(BodyBox, KeepsTheFrameOfACube) {
-  const SceneBody cube =
-      sample::scene({sample::placed("cube", sample::jaw_cube(), {0, 0, 0})}).object;
+  const GraspBody cube =
+      sample::setup({sample::placed("cube", sample::jaw_cube(), {0, 0, 0})}).object;
   EXPECT_EQ(cube.box.axes, Eigen::Matrix3d::Identity());
 }
 
@@ -71,7 +71,7 @@ TEST(FingertipPaths, OfHingesAreAheadByTheSineWhereTheyAreAsWideApart) {
 TEST(DrawStart, GoesAlongAxesInHalfOfTheCasesAndClosesAcrossTheShorterSide) {
   const RobotHand hand = jaws();
   const CollisionHand touching = collision_hand(hand);
-  const SceneBody box = turned_box();
+  const GraspBody box = turned_box();
   const Eigen::VectorXd q = open_posture(hand.layout());
   const Eigen::Matrix3d axes = box.X_WB.R * box.box.axes;
   const Eigen::Vector3d closing = fingertip_paths(hand, q).axis;
@@ -98,22 +98,22 @@ TEST(DrawStart, IsClearOfTheObjectAndGoesPastIt) {
   const RobotHand hand = jaws();
   const CollisionHand touching = collision_hand(hand);
   const Eigen::VectorXd q = open_posture(hand.layout());
-  Scene scene = sample::scene({sample::placed("cube", sample::jaw_cube(), {0, 0, 0})});
+  GraspSetup setup = sample::setup({sample::placed("cube", sample::jaw_cube(), {0, 0, 0})});
   std::mt19937 random(2);
   for (int i = 0; i < 50; ++i) {
-    const Pose<double> X = sample_approach_pose(touching, q, scene.object, random);
+    const Pose<double> X = sample_approach_pose(touching, q, setup.object, random);
     const PosedCollisionHand posed{touching, X, hand.pose(q)};
-    EXPECT_TRUE(find_overlaps(posed, scene, 1e-4).empty());
-    const double way = approach_distance(touching, q, scene.object);
+    EXPECT_TRUE(find_overlaps(posed, setup, 1e-4).empty());
+    const double way = approach_distance(touching, q, setup.object);
     const Eigen::Vector3d end =
         X * hand.layout().approach.point + way * (X.R * hand.layout().approach.direction);
-    EXPECT_GT((end - scene.object.com).norm(), scene.object.torque_scale);
+    EXPECT_GT((end - setup.object.com).norm(), setup.object.torque_scale);
   }
 }
 
 TEST(DrawStart, TakesAsManyDrawsForEveryHand) {
   const RobotHand a = jaws(), b(sample::pincer(0.06));
-  const SceneBody box = turned_box();
+  const GraspBody box = turned_box();
   std::mt19937 with_a(3), with_b(3);
   for (int i = 0; i < 10; ++i) {
     (void)sample_approach_pose(collision_hand(a), open_posture(a.layout()), box, with_a);

@@ -18,16 +18,16 @@ namespace {
 
 constexpr double kAccuracy = 1e-4;  // default of CloseOptions [m]
 
-ApproachResult go(const Scene& scene, double way) {
+ApproachResult go(const GraspSetup& setup, double way) {
   const RobotHand hand(sample::pincer(0.06));
-  return approach(collision_hand(hand), {}, Eigen::VectorXd::Zero(2), scene, way);
+  return approach(collision_hand(hand), {}, Eigen::VectorXd::Zero(2), setup, way);
 }
 
 const ShapeSpec kBlock = sample::shape(ShapeKind::kBox, {0.2, 0.02, 0.2});
 
 // The tips stand at L + r; the block's near face at 0.2 - 0.01.
 TEST(Approach, StopsBeforeWhatItMeets) {
-  const ApproachResult met = go(sample::scene({sample::placed("block", kBlock, {0, 0.2, 0})}), 0.5);
+  const ApproachResult met = go(sample::setup({sample::placed("block", kBlock, {0, 0.2, 0})}), 0.5);
   const double way = 0.19 - sample::kLength - sample::kRadius;
   EXPECT_TRUE(met.touches);
   EXPECT_EQ(met.body, "block");
@@ -37,13 +37,13 @@ TEST(Approach, StopsBeforeWhatItMeets) {
 
 TEST(Approach, GoesAllTheWayPastWhatItMisses) {
   const ApproachResult missed =
-      go(sample::scene({sample::placed("block", kBlock, {0, 0.2, 1})}), 0.5);
+      go(sample::setup({sample::placed("block", kBlock, {0, 0.2, 1})}), 0.5);
   EXPECT_FALSE(missed.touches);
   EXPECT_DOUBLE_EQ(missed.X_WH.p.y(), 0.5);
 }
 
 TEST(Approach, StopsAtObstaclesToo) {
-  const ApproachResult met = go(sample::scene({sample::placed("block", kBlock, {0, 0.2, 1}),
+  const ApproachResult met = go(sample::setup({sample::placed("block", kBlock, {0, 0.2, 1}),
                                                sample::placed("wall", kBlock, {0, 0.3, 0}, false)}),
                                 0.5);
   EXPECT_EQ(met.body, "wall");
@@ -51,7 +51,7 @@ TEST(Approach, StopsAtObstaclesToo) {
 
 TEST(Approach, DoesNotStartFromWithin) {
   const ApproachResult stuck =
-      go(sample::scene({sample::placed("block", kBlock, {0, 0.03, 0})}), 0.5);
+      go(sample::setup({sample::placed("block", kBlock, {0, 0.03, 0})}), 0.5);
   EXPECT_EQ(stuck.overlaps.size(), 2u);
   EXPECT_EQ(stuck.X_WH.p.y(), 0);
 }
@@ -73,7 +73,7 @@ TEST(Gaps, AreBoundedFromBelowWhateverTheCutoff) {
   const RobotHand hand(robot);
   const CollisionHand touching = collision_hand(hand);
   const std::vector<Pose<double>> links = hand.pose(Eigen::VectorXd::Zero(2));
-  const Scene scene = sample::scene(
+  const GraspSetup setup = sample::setup(
       {sample::placed("ball", sample::shape(ShapeKind::kSphere, {0.035, 0, 0}), {0, 0, 0})});
   std::mt19937 random(5);
   std::uniform_real_distribution<double> u(-0.1, 0.1), cutoff(1e-4, 0.1);
@@ -82,7 +82,7 @@ TEST(Gaps, AreBoundedFromBelowWhateverTheCutoff) {
     const double exact = cylinder_to_ball(-c - Eigen::Vector3d(-0.03, 0, 0), 0.035);
     if (exact < 0) continue;
     const PosedCollisionHand posed{touching, {Eigen::Matrix3d::Identity(), c}, links};
-    Clearance clearance{0, -1, &scene.object};
+    Clearance clearance{0, -1, &setup.object};
     (void)measure_clearance(clearance, posed, 2.5e-5, cutoff(random));
     EXPECT_LE(clearance.bound, exact + kFacets);
   }
@@ -97,7 +97,7 @@ ApproachResult go(double x, double most) {
   const RobotHand hand(sample::jaws());
   const ShapeSpec ball = sample::shape(ShapeKind::kSphere, {kBallRadius, 0, 0});
   return yielding_approach(collision_hand(hand), {}, open_posture(hand.layout()),
-                           sample::scene({sample::placed("ball", ball, {x, 0.2, 0})}), {0.5, most});
+                           sample::setup({sample::placed("ball", ball, {x, 0.2, 0})}), {0.5, most});
 }
 
 // Its side, at 55 mm, meets the jaw, which begins at 50 mm; the palm's face is at y = -25 mm.

@@ -19,21 +19,22 @@ using testing::HasSubstr;
 
 constexpr double kClosingAccuracy = 1e-4;  // default of CloseOptions [m]
 
-ClosedHand close(const RobotSpec& robot, const Scene& scene, const CloseOptions& options = {}) {
+ClosedHand close(const RobotSpec& robot, const GraspSetup& setup,
+                 const CloseOptions& options = {}) {
   const RobotHand hand(robot);
   return close_hand(collision_hand(hand), {}, Eigen::VectorXd::Zero(hand.layout().lower.size()),
-                    scene, options);
+                    setup, options);
 }
 
 const ShapeSpec kBall = sample::shape(ShapeKind::kSphere, {0.01, 0, 0});
-const Scene kFar = sample::scene({sample::placed("ball", kBall, {0, 0, 1})});
+const GraspSetup kFar = sample::setup({sample::placed("ball", kBall, {0, 0, 1})});
 
 // The capsule is tangent to the ball where the angle from its axis to the ball's centre, as seen
 // from the knuckle, has the sine (R + r) / D.
 TEST(CloseHand, StopsAPhalanxWhereItTouchesABall) {
   const Eigen::Vector3d centre(0.025, 0.02, 0);
   const ClosedHand closed = close(sample::finger(RobotDofKind::kRigid),
-                                  sample::scene({sample::placed("ball", kBall, centre)}));
+                                  sample::setup({sample::placed("ball", kBall, centre)}));
   const double D = centre.norm();
   const double tangent = std::atan2(centre.y(), centre.x()) - std::asin((0.01 + kRadius) / D);
   ASSERT_TRUE(closed.finished);
@@ -55,7 +56,7 @@ TEST(CloseHand, RunsToItsLimitsWhereNothingIsInTheWay) {
 // A ball under the proximal phalanx: behind a clutch the distal one goes on to its self_overlaps
 // limit.
 TEST(CloseHand, LetsTheOuterLinkGoOnBehindAClutch) {
-  const Scene ball = sample::scene({sample::placed("ball", kBall, {0.025, 0.02, 0})});
+  const GraspSetup ball = sample::setup({sample::placed("ball", kBall, {0.025, 0.02, 0})});
   const ClosedHand rigid = close(sample::finger(RobotDofKind::kRigid), ball);
   const ClosedHand clutch = close(sample::finger(RobotDofKind::kBreakaway), ball);
   ASSERT_EQ(rigid.q.size(), 1);
@@ -67,7 +68,7 @@ TEST(CloseHand, LetsTheOuterLinkGoOnBehindAClutch) {
 
 // A distal link that touches stops the proximal one too, clutch or not: it would be pushed in.
 TEST(CloseHand, StopsAllThatMoveALinkThatTouches) {
-  const Scene ball = sample::scene({sample::placed("ball", kBall, {0.085, 0.03, 0})});
+  const GraspSetup ball = sample::setup({sample::placed("ball", kBall, {0.085, 0.03, 0})});
   const ClosedHand closed = close(sample::finger(RobotDofKind::kBreakaway), ball);
   EXPECT_EQ(closed.stopped[0], StoppedBy::kContact);
   EXPECT_EQ(closed.stopped[1], StoppedBy::kContact);
@@ -139,14 +140,14 @@ TEST(CloseHand, PassesThroughItselfIfToldSo) {
 TEST(CloseHand, DoesNotPassAPaperThinPlate) {
   const ShapeSpec plate = sample::shape(ShapeKind::kBox, {0.1, 1e-5, 0.1});
   const ClosedHand closed = close(sample::finger(RobotDofKind::kRigid),
-                                  sample::scene({sample::placed("plate", plate, {0.09, 0.02, 0})}));
+                                  sample::setup({sample::placed("plate", plate, {0.09, 0.02, 0})}));
   EXPECT_EQ(closed.stopped[0], StoppedBy::kContact);
   EXPECT_LT(closed.q[0], 0.3);
 }
 
 TEST(CloseHand, TellsWhatOverlapsAtTheStartAndDoesNotMove) {
   const ClosedHand closed = close(sample::finger(RobotDofKind::kRigid),
-                                  sample::scene({sample::placed("ball", kBall, {0.02, 0.01, 0})}));
+                                  sample::setup({sample::placed("ball", kBall, {0.02, 0.01, 0})}));
   ASSERT_EQ(closed.overlaps.size(), 1u);
   EXPECT_EQ(closed.overlaps[0].surface, "proximal");
   EXPECT_EQ(closed.overlaps[0].other, "ball");

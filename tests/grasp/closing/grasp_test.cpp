@@ -19,7 +19,7 @@ Grasp squeeze(const std::vector<PlacedBody>& bodies, double way) {
   const RobotHand hand(sample::plates());
   GraspOptions options;
   options.approach_distance = way;
-  return grasp(collision_hand(hand), {}, open_posture(hand.layout()), sample::scene(bodies),
+  return grasp(collision_hand(hand), {}, open_posture(hand.layout()), sample::setup(bodies),
                options);
 }
 
@@ -69,7 +69,7 @@ double stands(double stand_off) {
   options.approach_distance = 0.5;
   options.stand_off = stand_off;
   return grasp(collision_hand(hand), {}, open_posture(hand.layout()),
-               sample::scene({sample::placed("cube", kCube, {0, 0.2, 0})}), options)
+               sample::setup({sample::placed("cube", kCube, {0, 0.2, 0})}), options)
       .approached.X_WH.p.y();
 }
 

@@ -19,7 +19,7 @@ namespace {
 const ShapeSpec kLargeBall = sample::shape(ShapeKind::kSphere, {0.035, 0, 0});
 
 /// The ball far off.
-Scene nothing() { return sample::scene({sample::placed("ball", kLargeBall, {0, 0, 1})}); }
+GraspSetup nothing() { return sample::setup({sample::placed("ball", kLargeBall, {0, 0, 1})}); }
 
 /// Built once, with coarse skin.
 const HumanHand& human_of(HumanVersion tier) {
@@ -112,9 +112,9 @@ TEST(HumanClosing, StopsTheThumbOnTheIndexFinger) {
 }
 
 /// Against the palm.
-Scene ball_in(const Hand& hand) {
+GraspSetup ball_in(const Hand& hand) {
   const PalmApproach& palm = hand.layout().approach;
-  return sample::scene({sample::placed("ball", kLargeBall, palm.point + 0.038 * palm.direction)});
+  return sample::setup({sample::placed("ball", kLargeBall, palm.point + 0.038 * palm.direction)});
 }
 
 // A joint that still moved a link against the ball would go on: each of them is stopped by contact.
@@ -123,8 +123,8 @@ TEST(HumanClosing, CurlsRoundABallByTendons) {
   const HumanHand& human = human_of(HumanVersion::kTendonNet);
   const Hand& hand = *human.hand;
   const CollisionHand touching = collision_hand(hand);
-  const Scene scene = ball_in(hand);
-  const ClosedHand closed = close_hand(touching, {}, open_posture(hand.layout()), scene,
+  const GraspSetup setup = ball_in(hand);
+  const ClosedHand closed = close_hand(touching, {}, open_posture(hand.layout()), setup,
                                        options_of(hand, HumanVersion::kTendonNet));
   ASSERT_TRUE(closed.overlaps.empty());
   ASSERT_TRUE(closed.finished);
@@ -135,7 +135,7 @@ TEST(HumanClosing, CurlsRoundABallByTendons) {
   const PosedCollisionHand posed{touching, {}, hand.pose(closed.q)};
   for (std::size_t s = 0; s < touching.trees.size(); ++s) {
     if (hand.surfaces()[s].name.rfind("DP", 0) != 0) continue;
-    Clearance clearance{static_cast<int>(s), -1, &scene.object};
+    Clearance clearance{static_cast<int>(s), -1, &setup.object};
     const double distance = measure_clearance(clearance, posed, 2.5e-5, 1e-3).distance;
     EXPECT_GT(distance, 0) << hand.surfaces()[s].name;
     EXPECT_LT(distance, 1.3e-4) << hand.surfaces()[s].name;

@@ -82,7 +82,7 @@ TEST(TendonClosing, FollowsThePostureWhileTheHandCloses) {
   const ShapeSpec ball = sample::shape(ShapeKind::kSphere, {0.01, 0, 0});
   const ClosedHand closed =
       close_hand(collision_hand(finger), {}, Eigen::Vector2d::Zero(),
-                 sample::scene({sample::placed("ball", ball, {0, 0, 1})}), options);
+                 sample::setup({sample::placed("ball", ball, {0, 0, 1})}), options);
   ASSERT_TRUE(closed.finished);
   EXPECT_TRUE(closed.q.isApprox(finger.layout().upper, 1e-12));
   ASSERT_GT(path.size(), 100u);
@@ -103,7 +103,7 @@ TEST(TendonClosing, BendsTheDistalPhalanxRoundAnObject) {
   const ShapeSpec ball = sample::shape(ShapeKind::kSphere, {0.01, 0, 0});
   const ClosedHand closed =
       close_hand(collision_hand(finger), {}, Eigen::Vector2d::Zero(),
-                 sample::scene({sample::placed("ball", ball, {0.025, 0.02, 0})}), options);
+                 sample::setup({sample::placed("ball", ball, {0.025, 0.02, 0})}), options);
   ASSERT_TRUE(closed.finished);
   EXPECT_EQ(closed.stopped[0], StoppedBy::kContact);
   EXPECT_GT(closed.q[1], 2 * closed.q[0]);

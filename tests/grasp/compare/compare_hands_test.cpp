@@ -44,8 +44,8 @@ CompareOptions few(int threads = 1) {
   return options;
 }
 
-Scene cube_scene(const Eigen::Vector3d& at) {
-  return sample::scene({sample::placed("cube", sample::jaw_cube(), at)});
+GraspSetup cube_scene(const Eigen::Vector3d& at) {
+  return sample::setup({sample::placed("cube", sample::jaw_cube(), at)});
 }
 
 Grasp squeeze(const Eigen::Vector3d& cube_at) {

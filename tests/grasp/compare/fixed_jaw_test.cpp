@@ -30,14 +30,14 @@ RobotSpec vise() {
 struct BallInVise {
   explicit BallInVise(const Eigen::Vector3d& centre)
       : hand(vise()),
-        scene(sample::scene(
+        setup(sample::setup(
             {sample::placed("ball", sample::shape(ShapeKind::kSphere, {kRadius, 0, 0}), centre)})) {
     GraspOptions options;
     options.approach_distance = 0;
-    grasp = centred_grasp(collision_hand(hand), {}, open_posture(hand.layout()), scene, options);
+    grasp = centred_grasp(collision_hand(hand), {}, open_posture(hand.layout()), setup, options);
   }
   RobotHand hand;
-  Scene scene;
+  GraspSetup setup;
   Grasp grasp;
 };
 
@@ -62,8 +62,8 @@ TEST(FixedJaw, HoldsWhatTheOtherBrings) {
 TEST(FixedJaw, BearsByFrictionWhatTheMotorPresses) {
   const BallInVise held({0, 0, 0});
   const HeldObject object{held.hand, held.grasp.closed.q, held.grasp.contacts,
-                          held.grasp.approached.X_WH.inverse() * held.scene.object.X_WB};
-  const GraspLoads loads = grasp_loads(object, held.scene.object, 0.05, {GraspTask::kPull});
+                          held.grasp.approached.X_WH.inverse() * held.setup.object.X_WB};
+  const GraspLoads loads = grasp_loads(object, held.setup.object, 0.05, {GraspTask::kPull});
   EXPECT_NEAR(loads.margin.at("pull"), 2 * kPush, 1e-4);
 }
 
@@ -72,12 +72,12 @@ TEST(FixedJaw, IsNotMadeUp) {
   RobotSpec robot = vise();
   robot.links[0].shapes.pop_back();
   const RobotHand hand(robot);
-  const Scene scene = sample::scene(
+  const GraspSetup setup = sample::setup(
       {sample::placed("ball", sample::shape(ShapeKind::kSphere, {kRadius, 0, 0}), {0, 0, 0})});
   GraspOptions options;
   options.approach_distance = 0;
   const Grasp grasp =
-      centred_grasp(collision_hand(hand), {}, open_posture(hand.layout()), scene, options);
+      centred_grasp(collision_hand(hand), {}, open_posture(hand.layout()), setup, options);
   EXPECT_EQ(grasp.contacts.size(), 1U);
   EXPECT_TRUE(grasp.approached.X_WH.p.isZero(0));
 }

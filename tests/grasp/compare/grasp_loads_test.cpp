@@ -24,18 +24,18 @@ const std::vector<GraspTask> kTasks{GraspTask::kForceClosure, GraspTask::kHoldWe
 /// Jaws on a cube of 30 mm: what they hold in the grasp they come to.
 struct SqueezedBall {
   explicit SqueezedBall(const RobotSpec& robot)
-      : hand(robot), scene(sample::scene({sample::placed("cube", sample::jaw_cube(), {0, 0, 0})})) {
+      : hand(robot), setup(sample::setup({sample::placed("cube", sample::jaw_cube(), {0, 0, 0})})) {
     GraspOptions options;
     options.approach_distance = 0;
-    grasp = centred_grasp(collision_hand(hand), {}, open_posture(hand.layout()), scene, options);
+    grasp = centred_grasp(collision_hand(hand), {}, open_posture(hand.layout()), setup, options);
   }
   [[nodiscard]] HeldObject held() const {
     return {hand, grasp.closed.q, grasp.contacts,
-            grasp.approached.X_WH.inverse() * scene.object.X_WB};
+            grasp.approached.X_WH.inverse() * setup.object.X_WB};
   }
-  [[nodiscard]] GraspLoads loads() const { return grasp_loads(held(), scene.object, 0.05, kTasks); }
+  [[nodiscard]] GraspLoads loads() const { return grasp_loads(held(), setup.object, 0.05, kTasks); }
   RobotHand hand;
-  Scene scene;
+  GraspSetup setup;
   Grasp grasp;
 };
 
@@ -58,7 +58,7 @@ TEST(GraspLoads, AreNotKnownWhereAnEffortIsNot) {
   const GraspLoads loads = squeeze.loads();
   EXPECT_TRUE(std::isnan(loads.margin.at("pull")));
   EXPECT_EQ(loads.reasons.at("pull"), "the effort of 'motor' is unknown");
-  const ExplainedLoad epsilon = hand_epsilon(squeeze.held(), squeeze.scene.object);
+  const ExplainedLoad epsilon = hand_epsilon(squeeze.held(), squeeze.setup.object);
   EXPECT_TRUE(std::isnan(epsilon.value));
   EXPECT_EQ(epsilon.reason, "the effort of 'motor' is unknown");
 }
@@ -71,10 +71,10 @@ TEST(GraspLoads, NameTheJointThatGivesWay) {
   const RobotHand hand(loose);
   const Eigen::Vector2d q = squeeze.grasp.closed.q(0) * Eigen::Vector2d::Ones();
   const HeldObject held{hand, q, squeeze.grasp.contacts, squeeze.held().X_HO};
-  const GraspLoads loads = grasp_loads(held, squeeze.scene.object, 0.05, kTasks);
+  const GraspLoads loads = grasp_loads(held, squeeze.setup.object, 0.05, kTasks);
   EXPECT_EQ(loads.margin.at("pull"), 0);
   EXPECT_EQ(loads.reasons.at("pull"), "needs more motor torque at 'right'");
-  const ExplainedLoad epsilon = hand_epsilon(held, squeeze.scene.object);
+  const ExplainedLoad epsilon = hand_epsilon(held, squeeze.setup.object);
   EXPECT_EQ(epsilon.value, 0);
   EXPECT_EQ(epsilon.reason, "needs more motor torque at 'right'");
 }
@@ -89,8 +89,8 @@ TEST(GraspLoads, NameFrictionWhereThereIsNone) {
 // A cube on one smooth point below its centre: nothing holds it on its side or upside down.
 TEST(GraspLoads, OfTheStandingObjectAskForItsSupportOnly) {
   SqueezedBall squeeze(sample::jaws());
-  const Eigen::Vector3d up = squeeze.scene.object.X_WB.R.transpose().col(2);
-  squeeze.grasp.contacts = {{{squeeze.scene.object.com - 0.015 * up, up, 0, 0}, 0, 0}};
+  const Eigen::Vector3d up = squeeze.setup.object.X_WB.R.transpose().col(2);
+  squeeze.grasp.contacts = {{{squeeze.setup.object.com - 0.015 * up, up, 0, 0}, 0, 0}};
   const GraspLoads loads = squeeze.loads();
   EXPECT_NEAR(loads.standing_grasp_force, kWeight, 1e-6);
   EXPECT_EQ(loads.min_grasp_force, std::numeric_limits<double>::infinity());
@@ -109,7 +109,7 @@ TEST(GraspLoads, TellWhatEffortsBearApartFromStructure) {
   SqueezedBall squeeze(sample::jaws());
   for (const double side : {-1.0, 1.0}) {
     const Eigen::Vector3d n(0, 0, -side);
-    squeeze.grasp.contacts.push_back({{squeeze.scene.object.com - 0.015 * n, n, 0, 0}, 0, 0});
+    squeeze.grasp.contacts.push_back({{squeeze.setup.object.com - 0.015 * n, n, 0, 0}, 0, 0});
   }
   const GraspLoads loads = squeeze.loads();
   EXPECT_NEAR(loads.margin.at("pull"), 4, 1e-6);
@@ -120,7 +120,7 @@ TEST(GraspLoads, TellWhatEffortsBearApartFromStructure) {
 // The palm alone, on all sides of the cube, two contacts a face: no motor is asked, nor a number.
 TEST(GraspLoads, SayWhyTheyHaveNoLimit) {
   SqueezedBall squeeze(sample::jaws());
-  const Eigen::Vector3d centre = squeeze.scene.object.com;
+  const Eigen::Vector3d centre = squeeze.setup.object.com;
   squeeze.grasp.contacts.clear();
   for (int axis = 0; axis < 3; ++axis)
     for (const double side : {-1.0, 1.0})
@@ -133,7 +133,7 @@ TEST(GraspLoads, SayWhyTheyHaveNoLimit) {
   EXPECT_EQ(loads.margin.at("pull"), 0);
   EXPECT_EQ(loads.with_structure.at("pull"), std::numeric_limits<double>::infinity());
   EXPECT_EQ(loads.reasons.at("pull"), "supported by rigid structure (strength unknown)");
-  const ExplainedLoad epsilon = hand_epsilon(squeeze.held(), squeeze.scene.object);
+  const ExplainedLoad epsilon = hand_epsilon(squeeze.held(), squeeze.setup.object);
   EXPECT_EQ(epsilon.value, std::numeric_limits<double>::infinity());
   EXPECT_EQ(epsilon.reason, "supported by rigid structure (strength unknown)");
 }
@@ -142,7 +142,7 @@ TEST(GraspLoads, SayWhyTheyHaveNoLimit) {
 // corners do so: no wrench of 2 N or less needs more than the motor has, some of 2 N do.
 TEST(HandEpsilon, OfJawsIsAtMostWhatTheyHoldAcross) {
   const SqueezedBall squeeze(sample::jaws());
-  const ExplainedLoad epsilon = hand_epsilon(squeeze.held(), squeeze.scene.object);
+  const ExplainedLoad epsilon = hand_epsilon(squeeze.held(), squeeze.setup.object);
   EXPECT_GT(epsilon.value, 0);
   EXPECT_LE(epsilon.value, 2 + 1e-6);
 }
@@ -152,8 +152,8 @@ TEST(HandEpsilon, GrowsWithTheMotor) {
   RobotSpec strong = sample::jaws();
   strong.dofs[0].max_effort *= 10;
   const SqueezedBall weak(sample::jaws()), ten(strong);
-  const double one = hand_epsilon(weak.held(), weak.scene.object).value;
-  EXPECT_NEAR(hand_epsilon(ten.held(), ten.scene.object).value / one, 10, 0.5);  // 5 % each
+  const double one = hand_epsilon(weak.held(), weak.setup.object).value;
+  EXPECT_NEAR(hand_epsilon(ten.held(), ten.setup.object).value / one, 10, 0.5);  // 5 % each
 }
 
 TEST(HandOnObject, TakesTheLargestLoadAndCountsThoseThatAreKnown) {

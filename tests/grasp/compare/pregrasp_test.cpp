@@ -18,17 +18,17 @@ namespace {
 int first_closure(const Hand& hand, ContactModel contact) {
   PlacedBody placed;
   placed.body = read_object(THENAR_DATA_DIR "/objects/sphere_70.toml");
-  const Scene scene{build_body(placed), {}, built_in_materials()};
+  const GraspSetup setup{build_body(placed), {}, built_in_materials()};
   const CollisionHand touching = collision_hand(hand);
   GraspOptions options;
   options.pads.contact = contact;
   for (int n = 0; n < 20; ++n) {
     std::mt19937 posture(static_cast<unsigned>(n)), start(static_cast<unsigned>(100 + n));
     const Eigen::VectorXd q = sample_preshape(touching, n, posture);
-    const Pose<double> X_WH = sample_approach_pose(touching, q, scene.object, start);
+    const Pose<double> X_WH = sample_approach_pose(touching, q, setup.object, start);
     options.stand_off = sample_stand_off(start);
-    options.approach_distance = approach_distance(touching, q, scene.object);
-    const Grasp done = centred_grasp(touching, X_WH, q, scene, options);
+    options.approach_distance = approach_distance(touching, q, setup.object);
+    const Grasp done = centred_grasp(touching, X_WH, q, setup, options);
     if (done.outcome == GraspOutcome::kGrasped && done.quality.force_closure) return n;
   }
   return 20;

@@ -28,7 +28,7 @@ Grasp squeeze(const ShapeSpec& pad, const std::string& material, const ShapeSpec
   asked.approach_distance = 0;
   asked.pads = options;
   return grasp(collision_hand(hand), {}, open_posture(hand.layout()),
-               sample::scene({sample::placed("object", object, {0, 0, 0})}), asked);
+               sample::setup({sample::placed("object", object, {0, 0, 0})}), asked);
 }
 
 PadOptions soft(double force = 1) {

@@ -39,7 +39,7 @@ Touches touches(const RobotSpec& robot) {
   options.approach_distance = 0.6;
   const Grasp done = grasp(
       collision_hand(hand), {}, open_posture(hand.layout()),
-      sample::scene(
+      sample::setup(
           {sample::placed("ball", sample::shape(ShapeKind::kSphere, {kBallRadius, 0, 0}), at)}),
       options);
   Touches found;

@@ -158,7 +158,7 @@ TEST(LiveGrasp, ContactsOfAnInstantLieOnTheObject) {
   const LiveInstant instant = live->instant();
   check_instant(live->shape(), instant);
   ASSERT_GE(instant.contacts.size(), 6U);  // two flat jaws, each with an area
-  const SceneBody& box = live->state().bodies[0].built->scene;
+  const GraspBody& box = live->state().bodies[0].built->body;
   const Pose<double> X_BW = live->state().bodies[0].X_WB.inverse();
   for (const LiveContact& contact : instant.contacts) {
     EXPECT_EQ(live->shape().bodies[static_cast<std::size_t>(contact.b)].name, "box");
@@ -194,7 +194,7 @@ TEST(LiveGrasp, ShowsTheWorstDisturbanceUntilSomethingMoves) {
   const auto arrows = [&] { return live->instant().arrows; };
   EXPECT_EQ(arrows()[0].vector.norm() + arrows()[1].vector.norm(), 0);
   const GraspResult found = show_quality(*live, {});
-  const SceneBody& object = found.setting.scene.object;
+  const GraspBody& object = found.setting.setup.object;
   const ScaledWrench& worst = found.grasp.quality.worst_wrench;
   EXPECT_TRUE(matrix_near(arrows()[0].from, object.X_WB * object.com, 1e-15));
   EXPECT_TRUE(matrix_near(arrows()[0].vector, object.X_WB.R * worst.head<3>(), 1e-15));

@@ -41,15 +41,15 @@ TEST(GraspWords, NamesWhatStoppedACoordinate) {
   body.name = "ball";
   body.material = "wood";
   body.shapes = {ball};
-  Scene scene;
+  GraspSetup setup;
   Pose<double> place;
   place.p = between / 2 - 0.01 * approach.direction;
-  scene.object = build_body({body, "", place, true});
-  const ClosedHand closed = close_hand(touching, {}, q, scene);
+  setup.object = build_body({body, "", place, true});
+  const ClosedHand closed = close_hand(touching, {}, q, setup);
   ASSERT_TRUE(closed.finished);
   const PosedCollisionHand posed{touching, {}, jaws.pose(closed.q)};
   const std::vector<std::string> words =
-      stop_words(touching, closed, find_touching(posed, scene, 2e-4));
+      stop_words(touching, closed, find_touching(posed, setup, 2e-4));
   ASSERT_EQ(words.size(), 1U);
   EXPECT_NE(words[0].find("contact: "), std::string::npos) << words[0];
   EXPECT_NE(words[0].find(" on ball"), std::string::npos) << words[0];

@@ -29,7 +29,7 @@ TEST_F(AxisClouds, LieOnTheAxesIfNothingIsShifted) {
   const std::vector<int> moving{index_of(setup.parameters, "axis/PIP3/direction/1")};
   const AxisCloud cloud =
       axis_cloud("population", setup.digit, setup.parameters, moving, Eigen::MatrixXd::Zero(1, 3));
-  const Json scene = axis_cloud_scene(setup.digit, q, {cloud}, std::nullopt, "");
+  const Json scene = axis_cloud_picture(setup.digit, q, {cloud}, std::nullopt, "");
   const Json& axes = scene["layers"][1]["items"];
   const Json& lines = scene["layers"][2]["items"];
   ASSERT_EQ(lines.size(), axes.size());

@@ -11,9 +11,9 @@
 namespace thenar {
 namespace {
 
-// The scale below a scene is drawn by the browser: the same stops, in the same order.
+// The scale below a picture is drawn by the browser: the same stops, in the same order.
 TEST(ColorRamp, HasTheStopsOfTheViewer) {
-  const std::string script = read_file(kData + "/../viewer/scene/color_scale.js", 1'000'000);
+  const std::string script = read_file(kData + "/../viewer/picture/color_scale.js", 1'000'000);
   const std::size_t from = script.find("const STOPS"), to = script.find(';', from);
   std::vector<MeshColor> stops;
   for (std::size_t at = script.find('#', from); at < to; at = script.find('#', at + 1))

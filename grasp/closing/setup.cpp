@@ -1,4 +1,4 @@
-#include "grasp/closing/scene.h"
+#include "grasp/closing/setup.h"
 
 #include <algorithm>
 #include <array>
@@ -51,8 +51,8 @@ bool is_object(const PlacedBody& placed, const std::string& name) {
 
 }  // namespace
 
-SceneBody build_body(const PlacedBody& placed) {
-  SceneBody body;
+GraspBody build_body(const PlacedBody& placed) {
+  GraspBody body;
   body.name = placed.body.name;
   body.material = placed.body.material.empty() ? kDefaultMaterial : placed.body.material;
   body.solid = solid_of(placed.body);
@@ -65,27 +65,27 @@ SceneBody build_body(const PlacedBody& placed) {
   return body;
 }
 
-Scene build_scene(const WorldSpec& world, const std::string& object) {
-  Scene scene;
+GraspSetup build_setup(const WorldSpec& world, const std::string& object) {
+  GraspSetup setup;
   bool found = false;
   // The object is the named body, or the only dynamic one; all others are obstacles.
   for (const PlacedBody& placed : world.bodies) {
     if (!is_object(placed, object)) {
-      scene.obstacles.push_back(build_body(placed));
+      setup.obstacles.push_back(build_body(placed));
       continue;
     }
     require(placed.dynamic, "world '{}': body '{}' is an obstacle; wanted one of role \"object\"",
             world.name, object);
     require(!found, "world '{}' has more than one dynamic body{}: name the one to grasp",
             world.name, object.empty() ? "" : " '" + object + "'");
-    scene.object = build_body(placed);
+    setup.object = build_body(placed);
     found = true;
   }
   require(found || !object.empty(), "world '{}' has no dynamic body to grasp", world.name);
   require(found, "world '{}' has no body '{}'{}", world.name, object,
           did_you_mean(object, names_of(world)));
-  scene.materials = world.materials;
-  return scene;
+  setup.materials = world.materials;
+  return setup;
 }
 
 namespace {

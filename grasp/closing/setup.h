@@ -1,6 +1,6 @@
 #pragma once
 
-/// Scene of a grasp: the object and the obstacles.
+/// Setup of a grasp: the object and the obstacles.
 
 #include <string>
 #include <vector>
@@ -27,7 +27,7 @@ struct BodyBox {
 [[nodiscard]] BodyBox body_box(const TriangleMesh& picture);
 
 /// A body at its pose, ready for contacts.
-struct SceneBody {
+struct GraspBody {
   std::string name;
   std::string material;
   Solid solid;                   // body frame
@@ -37,20 +37,24 @@ struct SceneBody {
   BodyBox box;                   // body frame
 };
 
-/// The object to be grasped, the obstacles around it, and the materials of all.
-struct Scene {
-  SceneBody object;
-  std::vector<SceneBody> obstacles;
+/// Object to be grasped, the obstacles around it, and the materials of all.
+struct GraspSetup {
+  GraspBody object;
+  std::vector<GraspBody> obstacles;
   Materials materials;
 };
 
 /// Builds the solid of one body. @throws InputError as build_solid() does.
-[[nodiscard]] SceneBody build_body(const PlacedBody& placed);
+[[nodiscard]] GraspBody build_body(const PlacedBody& placed);
 
-/// Builds a scene around one dynamic body of a world; the other bodies are obstacles.
+/// Builds a setup around one dynamic body of a world; the other bodies are obstacles.
 /// @param object  its name; empty: the only dynamic body
 /// @throws InputError if there is no such body, if it is an obstacle, or if none is named and not
 ///         exactly one is dynamic.
-[[nodiscard]] Scene build_scene(const WorldSpec& world, const std::string& object = "");
+[[nodiscard]] GraspSetup build_setup(const WorldSpec& world, const std::string& object = "");
+
+/// Names of before 0.2.
+using Scene [[deprecated("GraspSetup")]] = GraspSetup;
+using SceneBody [[deprecated("GraspBody")]] = GraspBody;
 
 }  // namespace thenar
